@@ -19,7 +19,6 @@ PLACES = {"Plugin/VolumeFractionMesh.xml": 'command="SetNewOption"',
           "python/volume_fraction_mesh/_mesher.py": "    new_option: float = 0.5,",
           "python/volume_fraction_mesh/_core.pyi": "    new_option: float\n",
           "Documentation/sculptor.md": "| `--new V` | NewOption | number above 0 and below 1 | 0.5 | What is new. |",
-          "python/README.md": "| `new_option` | number above 0 and below 1, **0.5** | What is new. |",
           "Documentation/properties.md": "| NewOption *advanced* | number above 0 and below 1 | 0.5 | What is new. |"}
 
 

@@ -1,5 +1,5 @@
-"""hexes() and tets(): from arrays or images to a mesh. Their options are written by
-scripts/generate."""
+"""Defines hexes() and tets(), which make a mesh from arrays or images. scripts/generate writes the
+lines between the markers, and the docstrings of the options."""
 
 from __future__ import annotations
 
@@ -19,12 +19,26 @@ from .mesh import Mesh, make_mesh
 if TYPE_CHECKING:
     from ._core import StateChoice
 
-CALLER = 3  # of hexes(), for warnings
+CALLER = 3  # stack level of the caller of hexes(), for warnings
 
 
 class VolumeFractionMeshWarning(UserWarning):
-    """Of what may surprise in a mesh: fractions that were clipped, materials without an element,
-    material that is left out."""
+    """Warning about a mesh that may differ from what the input suggests.
+
+    Examples are fractions that were clipped, a material without elements, and material that is left
+    out of the mesh.
+
+    Examples
+    --------
+    >>> import warnings
+    >>> import numpy as np
+    >>> fraction = np.zeros((5, 5, 5))  # nothing to mesh
+    >>> with warnings.catch_warnings(record=True) as caught:
+    ...     warnings.simplefilter("always", vfm.VolumeFractionMeshWarning)
+    ...     mesh = vfm.hexes(fraction)
+    >>> len(mesh), caught[0].category.__name__
+    (0, 'VolumeFractionMeshWarning')
+    """
 
 
 def _run(
@@ -64,7 +78,7 @@ def _run(
 
 
 def _find_roles(state: Optional[StateChoice], carried: Mapping[str, ArrayLike]) -> Dict[str, str]:
-    """Which arrays of the mesh are the density and the velocity; carried: all of them."""
+    """Returns the names of the arrays of density and velocity. carried: all arrays of the mesh."""
     if state is None:
         return {}
     densities, velocity = ["density", *state["densities"]], state["velocity"]
@@ -72,7 +86,7 @@ def _find_roles(state: Optional[StateChoice], carried: Mapping[str, ArrayLike]) 
     are_volume = bool(state["densities"]) and all(kinds.get(name, "volume") == "volume"
                                                   for name in densities)
     found = {"density": next((name for name in densities if are_volume and name in carried), None)}
-    # of components the core makes one array, whose name is part of theirs
+    # The core joins components to one array, whose name is part of the names of the components.
     vectors = [name for name in carried if velocity and name in velocity
                and np.shape(carried[name])[1:] == (3,)]
     found["velocity"] = max(vectors, key=len, default=None)
@@ -129,69 +143,76 @@ def hexes(
     threads: int = 0,
     # end of options
 ) -> Mesh:
-    """A conforming mesh of hexahedra of every material, from volume fractions or labels on a grid
-    of cells.
+    """Mesh all materials with hexahedra that conform across their interfaces.
 
-    The mesh follows the surfaces between the materials and the void, every hexahedron has a
-    positive Jacobian at every corner, and every material keeps the volume of its fractions. It does
-    not depend on the number of threads, to the bit.
+    The mesh follows the interfaces between the materials and the void. Every hexahedron has a
+    positive Jacobian at every corner, and every material keeps the volume of its fractions. The
+    method follows Owen, Staten and Sorensen, "Parallel hexahedral meshing from volume fractions",
+    Engineering with Computers 30 (2014).
 
     Parameters
     ----------
-    fractions : array, image, or a list or dict of them
-        The part of each cell that a material fills, one array (nx, ny, nz) a material: real numbers
-        in [0, 1], bool, or uint8 from 0 to 255. A dict names the materials. What the arrays of a
-        cell leave of 1 is void. Images: pyvista.ImageData and RectilinearGrid (and VTK's own),
-        nibabel (a fourth axis: materials), SimpleITK (components: materials), and what read(),
-        shapes() and surface() return; they tell the grid themselves. Points of images are the
-        centres of cells.
-    labels : array or image
-        Instead of fractions: the material of each cell (nx, ny, nz), whole numbers of any type, 0
-        void.
-    spacing : float or three
+    fractions : array_like, image, or list or dict of them, optional
+        Volume fraction of each material in each cell, one array of shape (nx, ny, nz) per material:
+        floating point in [0, 1], bool, or uint8 from 0 to 255. The remainder of a cell is void. A
+        dict names the materials. Accepted images: ``pyvista.ImageData`` and ``RectilinearGrid``
+        (and VTK's own), nibabel (a fourth axis: materials), SimpleITK (components: materials), and
+        the results of `read`, `shapes` and `surface`. Images define the grid; their points are
+        the centres of cells.
+    labels : array_like or image, optional
+        Material of each cell instead of fractions: integers, 0 or more, of any type (floating point
+        too), shape (nx, ny, nz). 0 is void.
+    spacing : float or sequence of 3 floats, default 1
         Widths of the cells along x, y and z, in any unit of length.
-    origin : three floats
-        The corner of the first cell, where x, y and z begin.
-    coordinates : three arrays (n + 1,)
-        The nodes along x, y and z, increasing, instead of spacing and origin: cells of any widths.
-    direction : (3, 3) array
-        An orthonormal matrix whose columns are the axes of the grid, about its first node (of
-        images about the first point).
-    order : {"xyz", "zyx"}
-        "xyz": array[i, j, k] has i along x. "zyx": array[k, j, i], as of scikit-image, tifffile and
-        SimpleITK's arrays. Arrays are not copied if they are in Fortran order with "xyz", in C
-        order with "zyx". All else, spacing, origin, results, is x, y, z.
-    names : list of str, or dict of labels
-        Of the materials; of labels {label: name}.
-    arrays : list of str
-        Which arrays of an image of PyVista, or of read(), hold the materials; else the active
-        scalars do.
-    state : dict, or list of names of arrays of the image or file
-        Arrays (nx, ny, nz) or (nx, ny, nz, components) that the mesh carries along as Mesh.state.
-    density : array, number, name, or a list or dict of one a material
-        Mass per volume of the material, at least 0. With it state is conserved.
-    velocity : array (nx, ny, nz, 3), name, or a list or dict of one a material
-        Momentum and kinetic energy of which Mesh.materials tells.
-    energy : array, number, name, or a list or dict of one a material
+    origin : sequence of 3 floats, default (0, 0, 0)
+        Position of the first corner of the first cell, in the unit of `spacing`.
+    coordinates : sequence of 3 arrays, optional
+        Nodes along x, y and z, shapes (nx + 1,), (ny + 1,) and (nz + 1,), increasing. They replace
+        `spacing` and `origin` where cells differ in width.
+    direction : array_like of shape (3, 3), optional
+        Orthonormal matrix with the axes of the grid in its columns. It rotates or mirrors the grid
+        about its first node. Default: the identity.
+    order : {"xyz", "zyx"}, default "xyz"
+        Order of the axes of arrays. "xyz": ``array[i, j, k]`` has i along x. "zyx":
+        ``array[k, j, i]``, as in scikit-image, tifffile and SimpleITK's arrays. Arrays are not
+        copied if they are in Fortran order with "xyz", or in C order with "zyx". All other
+        arguments and all results are in the order x, y, z.
+    names : list of str, or dict of int to str, optional
+        Names of the materials; for labels a dict ``{label: name}``.
+    arrays : list of str, optional
+        Arrays of a PyVista image, or of the result of `read`, that hold the materials. Default: the
+        active scalars; for `read`, its ``fractions``.
+    state : dict or list of str, optional
+        Arrays of shape (nx, ny, nz) or (nx, ny, nz, components) to transfer to the elements, by
+        name, or names of arrays of the image or file. ``Mesh.state`` holds the result.
+    density : array_like, float, str, or list or dict of them, optional
+        Mass per volume of the material, 0 or more: one value for all materials, or one per
+        material. A float applies to all cells; a str names an array of the image or file. A density
+        switches the conservation of state on.
+    velocity : array_like of shape (nx, ny, nz, 3), str, or list or dict of them, optional
+        Velocity, for momentum and kinetic energy in ``Mesh.materials``.
+    energy : array_like, float, str, or list or dict of them, optional
         Internal energy per mass.
-    state_kinds : dict
-        What is conserved of an array: "mass" (per mass, the default of real numbers), "mass*other",
-        "volume" (per volume of the material), "cell" (per volume of the cell), "extensive" (sums),
-        "copy" (the default of whole numbers).
-    refinement_array : array or name
-        How many times refinement "automatic" is to halve each cell (nx, ny, nz), 0 to 10.
-    refinement_boxes : list of seven floats each
-        x0, y0, z0, x1, y1, z1, halvings: boxes in which refinement "automatic" halves cells.
-    progress : bool or callable
-        True: a bar of tqdm, or lines to standard error. A function gets the fraction done and the
-        stage; what it raises ends the run.
+    state_kinds : dict, optional
+        Quantity that is conserved for an array of `state`, ``{name: kind}``. Kinds: "mass" (per
+        mass; default of floating point), "mass*other" (per mass, times array ``other``), "volume"
+        (per volume of the material), "cell" (per volume of the cell), "extensive" (sums), "copy"
+        (not conserved; default of integers).
+    refinement_array : array_like of shape (nx, ny, nz) or str, optional
+        Number of times, 0 to 10, that ``refinement="automatic"`` halves each cell.
+    refinement_boxes : list of sequences of 6 or 7 floats, optional
+        Boxes in which ``refinement="automatic"`` halves cells: x0, y0, z0, x1, y1, z1 and the
+        number of times (default 1).
+    progress : bool or callable, default None
+        True shows a tqdm bar, or prints lines to standard error. A function receives the fraction
+        done, 0 to 1, and the name of the stage. An exception from it ends the run.
 
     Other Parameters
     ----------------
     image_axes : bool, default False
         Leave the mesh of an image with a direction matrix in the axes of the image. The sides of
-        the domain then lie along x, y and z. Off: the mesh is rotated to the position of the image
-        in space. State arrays and refinement boxes are not rotated.
+        the domain then lie along x, y and z. False: the mesh is rotated to the position of the
+        image in space. State arrays and refinement boxes are not rotated.
     mesh_void : bool, default False
         Mesh the void as well, as material 0, conforming with the materials.
     minimum_region_cells : int, default 0
@@ -207,40 +228,42 @@ def hexes(
         A number above 0 and below 1. A cell is void if its materials together fill less than this
         fraction of it. Volumes are conserved only at 0.5.
     state_transfer : {"automatic", "copy", "conserve"}, default "automatic"
-        How elements get the values of state arrays. Copy: each element takes the values of the cell
-        that contains its centroid. If its material fills less than half of that cell, the neighbour
-        cell with most of the material is used. Nothing is averaged, so sums are not conserved.
-        Conserve: the contents of the cells are distributed to the elements, so that mass, momentum
-        and energy of each material match the input. Automatic: Conserve if Density Arrays names an
-        array, otherwise Copy.
+        How elements get the values of state arrays. "copy": each element takes the values of the
+        cell that contains its centroid. If its material fills less than half of that cell, the
+        neighbour cell with most of the material is used. Nothing is averaged, so sums are not
+        conserved. "conserve": the contents of the cells are distributed to the elements, so that
+        mass, momentum and energy of each material match the input. "automatic": "conserve" if
+        `density` names an array, otherwise "copy".
     state_order : int, default 2
-        An integer from 1 to 2. How Conserve reconstructs the state within a cell. 1: constant. 2:
+        An integer from 1 to 2. How "conserve" reconstructs the state within a cell. 1: constant. 2:
         linear, within the range of the neighbour cells.
     nodal_velocity : bool, default False
         Add the velocity of the nodes as a point array, the initial state of a Lagrangian code. The
         momentum of all nodes equals the momentum of all elements.
     lost_kinetic_energy : {"report", "internal_energy"}, default "report"
         Treatment of the kinetic energy that is lost where one element, or one node, moves with the
-        mean velocity of several cells. Report: the table of materials lists it. Internal Energy: it
-        is added to Energy Array, so that the sum of both energies matches the input.
+        mean velocity of several cells. "report": the table of materials lists it.
+        "internal_energy": it is added to `energy`, so that the sum of both energies matches the
+        input.
     unmeshed_material : {"give", "drop"}, default "give"
         Treatment of material that is not attached to any element of its kind, such as small drops
-        and removed regions. Give: Conserve adds it to the nearest fragment of its material within a
-        few cells. Drop: it is left out. The table of materials lists how much is left out.
+        and removed regions. "give": "conserve" adds it to the nearest fragment of its material
+        within a few cells. "drop": it is left out. The table of materials lists how much is left
+        out.
     stair_step : bool, default False
         Turn each cell of a material into one hexahedron and move no nodes: a quick preview of the
         materials.
     smoothing : {"off", "quadric_surface", "geometry_based"}, default "quadric_surface"
-        How the nodes are placed. Quadric Surface: surface nodes follow smooth local quadrics of the
-        surface, which gives the best mesh. Geometry Based: surface nodes stay on the facets of the
-        initial surface. Off: the surface keeps the steps of the grid, with a thin layer of
+        How the nodes are placed. "quadric_surface": surface nodes follow smooth local quadrics of
+        the surface, which gives the best mesh. "geometry_based": surface nodes stay on the facets
+        of the initial surface. "off": the surface keeps the steps of the grid, with a thin layer of
         hexahedra along them; valid, but neither smooth nor of good quality.
     sharp_edges : {"off", "on", "automatic"}, default "automatic"
         Detect edges and corners in the volume fractions and preserve them, as in machined parts,
-        shapes and closed surfaces. Off: they are rounded by about a third of a cell. On: all points
-        of interfaces are tested. Automatic: only between materials where samples of the points that
-        one surface does not fit show edges, so not in fluids and noise. Requires Smoothing Quadric
-        Surface and an IsoValue of 0.5.
+        shapes and closed surfaces. "off": they are rounded by about a third of a cell. "on": all
+        points of interfaces are tested. "automatic": only between materials where samples of the
+        points that one surface does not fit show edges, so not in fluids and noise. Requires
+        ``smoothing="quadric_surface"`` and an `iso_value` of 0.5.
     label_smoothing : int, default 0
         An integer from 0 to 10. Smooth the steps of material ids, by this number of averaging
         passes over neighbour cells. Each material keeps the volume of its cells, and thin parts
@@ -249,44 +272,45 @@ def hexes(
     conserve_volume : bool, default True
         Shift the surfaces until each fragment has the volume given by its volume fractions.
     refinement : {"off", "input_levels", "automatic", "coarsen", "uniform"}, default "input_levels"
-        Where the mesh is refined; each level halves the cells. Input Levels: where the input has
-        finer levels (AMR). Off: nowhere, all cells are of the coarsest level. Automatic: where the
-        shape of the materials requires it. Coarsen: the cells of the input stay near interfaces and
-        get larger away from them. Uniform: everywhere, so that thin parts get more elements across.
+        Where the mesh is refined; each level halves the cells. "input_levels": where the input has
+        finer levels (AMR). "off": nowhere, all cells are of the coarsest level. "automatic": where
+        the shape of the materials requires it. "coarsen": the cells of the input stay near
+        interfaces and get larger away from them. "uniform": everywhere, so that thin parts get more
+        elements across.
     maximum_level : int, default -1
         An integer from -1 (automatic) to 10. Maximum number of levels above the coarsest. Automatic
         (-1) uses all levels of the input. A refined image gets 1 level, or as many as user-selected
-        cells request. Coarsen makes as many as the numbers of cells allow, up to 3. Uniform
+        cells request. "coarsen" makes as many as the numbers of cells allow, up to 3. "uniform"
         multiplies the number of elements by eight per level. Finer data of the input are averaged.
     fine_interfaces : bool, default True
-        All interfaces get the finest cells. Off: each place gets the level of the input or of the
-        criteria there, and interfaces cross levels. With Coarsen all cells are then as coarse as
+        All interfaces get the finest cells. False: each place gets the level of the input or of the
+        criteria there, and interfaces cross levels. With "coarsen" all cells are then as coarse as
         possible. Hexahedra only: tetrahedra at interfaces are always of the finest cells.
     fine_layers : int, default 2
         An integer from 2 to 64. Minimum number of finest cells between an interface and larger
-        cells. If fine_interfaces is off: number of fine cells around the places that Automatic
+        cells. If `fine_interfaces` is off: number of fine cells around the places that "automatic"
         refines.
     thin_cells : float, default 2.0
-        A number from 0 (off) to 3. Refinement Automatic halves cells at films, gaps, rods and small
-        bodies thinner than this number of cells. 0: off.
+        A number from 0 (off) to 3. ``refinement="automatic"`` halves cells at films, gaps, rods and
+        small bodies thinner than this number of cells. 0: off.
     curvature_per_cell : float, default 0.0
-        A number, 0 (off) or more. Refinement Automatic halves cells where an interface turns by
-        more than this angle per cell, in radians. 0: off.
+        A number, 0 (off) or more. ``refinement="automatic"`` halves cells where an interface turns
+        by more than this angle per cell, in radians. 0: off.
     refine_flipped_cells : bool, default False
-        Refinement Automatic halves, once, the cells whose material had to be changed to make the
-        interfaces manifold.
+        ``refinement="automatic"`` halves, once, the cells whose material had to be changed to make
+        the interfaces manifold.
     interface_layers : int, default 0
-        An integer from 0 to 64. Refinement Automatic refines all cells within this number of layers
-        of an interface, to maximum_level. 0: off.
+        An integer from 0 to 64. ``refinement="automatic"`` refines all cells within this number of
+        layers of an interface, to `maximum_level`. 0: off.
     maximum_aspect_ratio : float, default 0.0
         0 (off) or a number, 1.1 or more. Divide cells of high aspect ratio first (slices thicker
         than their pixels), until no width of a cell exceeds another by more than this factor. 1.5
         gives elements of good shape. 0: off.
     child_fractions : {"planes", "parent"}, default "planes"
         Volume fractions in the halves, or parts, of a mixed cell where there are no finer data.
-        Planes: the cell is cut by planes that preserve the volume of each material. Parent: the
+        "planes": the cell is cut by planes that preserve the volume of each material. "parent": the
         parts get the fractions of the cell. Material ids keep their steps with either choice,
-        unless label_smoothing is on.
+        unless `label_smoothing` is on.
     target_scaled_jacobian : float, default 0.0
         A number from 0 (automatic) to below 1. Target of smoothing for the scaled Jacobian. Larger
         values give better hexahedra that follow the surfaces less closely. 0 is automatic: 0.55
@@ -301,30 +325,64 @@ def hexes(
     Returns
     -------
     Mesh
+        Hexahedra of all materials, with their surfaces, curves, vertices and state.
 
     Raises
     ------
     ValueError
-        Of values that cannot be meshed: the message names array and cell (i, j, k along x, y, z),
-        or option and range.
+        If the input cannot be meshed. The message names the array and the cell (i, j, k) along x,
+        y and z, or the option and its range.
     TypeError
-        Of arguments that are none, or of a wrong type.
-    MemoryError, KeyboardInterrupt
-        Ctrl-C ends a run within a second.
+        If an argument is unknown or has the wrong type.
+    MemoryError
+        If memory runs out.
+    KeyboardInterrupt
+        Within a second after Ctrl-C.
 
     Warns
     -----
     VolumeFractionMeshWarning
-        Of what may surprise in the mesh.
+        If fractions were clipped, or a material or part of it is left out, and the like.
+
+    See Also
+    --------
+    tets : The same with tetrahedra.
+    shapes, surface, read : Input from shapes, closed surfaces and files.
+    Mesh : The result.
+
+    Notes
+    -----
+    The mesh is bitwise identical for any number of threads. Other Python threads run during the
+    call.
 
     Examples
     --------
-    >>> import numpy as np
+    A ball from volume fractions:
+
     >>> import volume_fraction_mesh as vfm
+    >>> ball = vfm.shapes("sphere radius=0.7", 12, bounds=[-1, 1] * 3)
+    >>> mesh = vfm.hexes(ball)
+    >>> mesh
+    Mesh(616 hexahedra, 799 points, 1 materials, 1 fragments, scaled Jacobian 0.759 to 0.998)
+    >>> mesh.materials["MeshVolume"].round(4)
+    array([1.4368])
+
+    Labels with smoothed steps, in cells of width 0.5:
+
+    >>> import numpy as np
     >>> labels = np.zeros((8, 8, 8), int)
-    >>> labels[2:6, 2:6, 2:6] = 1
-    >>> vfm.hexes(labels=labels, label_smoothing=2).materials["Elements"]
-    array([...])
+    >>> labels[2:6, 2:6, 2:6] = 7
+    >>> mesh = vfm.hexes(labels=labels, names={7: "cube"}, label_smoothing=2, spacing=0.5)
+    >>> mesh.materials["Name"], mesh.materials["MeshVolume"].round(6)
+    (['cube'], array([8.]))
+
+    Two materials, with a density of each; the mass is conserved:
+
+    >>> two = {"left": np.zeros((8, 8, 8)), "right": np.zeros((8, 8, 8))}
+    >>> two["left"][:4], two["right"][4:] = 1, 1
+    >>> mesh = vfm.hexes(two, density={"left": 2.0, "right": 3.0})
+    >>> mesh.materials["MeshMass"].round(6)
+    array([512., 768.])
     """
     options = _core.Options(
         False,
@@ -405,17 +463,32 @@ def tets(
     optimization_level: int = 4,
     # end of options
 ) -> Mesh:
-    """A conforming mesh of tetrahedra, each of a positive volume, of every material. All that
-    hexes() takes, and:
+    """Mesh all materials with tetrahedra that conform across their interfaces.
+
+    The mesh follows the interfaces between the materials and the void. Every tetrahedron has a
+    positive volume, and every material keeps the volume of its fractions.
+
+    Parameters
+    ----------
+    fractions, labels, names, arrays : see hexes
+        Materials.
+    spacing, origin, coordinates, direction, order : see hexes
+        Grid and order of axes.
+    state, density, velocity, energy, state_kinds : see hexes
+        State to transfer to the elements.
+    refinement_array, refinement_boxes : see hexes
+        Cells to refine.
+    progress : see hexes
+        Report of progress.
 
     Other Parameters
     ----------------
     method : {"tetgen", "cells", "lattice"}, default "lattice"
-        How the tetrahedra are made. Lattice: a lattice of cell centres and grid nodes is cut along
-        the surfaces, which gives the best angles and the closest fit. Cells: each cell is cut into
-        tetrahedra around its centre, so that the surfaces have the faces and labels of Volume
-        Fraction To Hex. TetGen: TetGen fills the surfaces of Cells with tetrahedra that grow away
-        from them, which gives the fewest tetrahedra. TetGen is an optional part of the build.
+        How the tetrahedra are made. "lattice": a lattice of cell centres and grid nodes is cut
+        along the surfaces, which gives the best angles and the closest fit. "cells": each cell is
+        cut into tetrahedra around its centre, so that the surfaces have the faces and labels of
+        `hexes`. "tetgen": TetGen fills the surfaces of "cells" with tetrahedra that grow away from
+        them, which gives the fewest tetrahedra. TetGen is an optional part of the build.
     relative_size : float, default 1.0
         A number from 0.1 to 1e6. Target length of the edges next to the surfaces, in cells of the
         grid. The triangles of the surfaces do not change.
@@ -429,10 +502,69 @@ def tets(
         A number from 0 to 60. Target of refinement for the smallest dihedral angle, in degrees.
     optimization_level : int, default 4
         An integer from 0 to 10. How much TetGen improves the tetrahedra by flips and smoothing.
+    stair_step : bool, default False
+        Turn the cells of a material into tetrahedra and move no nodes: a quick preview of the
+        materials.
+    smoothing : {"off", "quadric_surface", "geometry_based"}, default "quadric_surface"
+        How the nodes are placed. "quadric_surface": surface nodes follow smooth local quadrics of
+        the surface, which gives the best mesh. "geometry_based": surface nodes stay on the facets
+        of the initial surface. "off": the nodes stay at their initial positions; valid, but not
+        smooth.
+    fine_interfaces : bool, default True
+        No effect on tetrahedra: all interfaces get the finest cells.
+    target_scaled_jacobian : float, default 0.0
+        A number from 0 (automatic) to below 1. Target of smoothing for the quality of tetrahedra,
+        the sine of their acute dihedral angles. Larger values give better tetrahedra that follow
+        the surfaces less closely. 0.5 is 30 degrees; 0 is automatic, slightly above 0.5.
+    compute_quality : bool, default True
+        Add the cell array ScaledJacobian, and to the field data its minimum and mean and the
+        dihedral angles: the smallest, the largest, and a histogram in steps of ten degrees.
+    image_axes, mesh_void, minimum_region_cells, fraction_tolerance, iso_value : see hexes
+        Option of `hexes`, with the same default.
+    state_transfer, state_order, nodal_velocity, lost_kinetic_energy, unmeshed_material : see hexes
+        Option of `hexes`, with the same default.
+    sharp_edges, label_smoothing, conserve_volume, refinement, maximum_level : see hexes
+        Option of `hexes`, with the same default.
+    fine_layers, thin_cells, curvature_per_cell, refine_flipped_cells, interface_layers : see hexes
+        Option of `hexes`, with the same default.
+    maximum_aspect_ratio, child_fractions, threads : see hexes
+        Option of `hexes`, with the same default.
 
     Returns
     -------
     Mesh
+        Tetrahedra of all materials, with their surfaces, curves, vertices and state.
+
+    Raises
+    ------
+    ValueError, TypeError, MemoryError, KeyboardInterrupt
+        In the same cases as `hexes`; ValueError also for ``method="tetgen"`` without TetGen in the
+        build (``has_tetgen``).
+
+    Warns
+    -----
+    VolumeFractionMeshWarning
+        In the same cases as `hexes`.
+
+    See Also
+    --------
+    hexes : The same with hexahedra.
+
+    Notes
+    -----
+    The mesh is bitwise identical for any number of threads.
+
+    Examples
+    --------
+    >>> import volume_fraction_mesh as vfm
+    >>> ball = vfm.shapes("sphere radius=0.7", 12, bounds=[-1, 1] * 3)
+    >>> mesh = vfm.tets(ball)
+    >>> mesh
+    Mesh(4032 tetrahedra, 941 points, 1 materials, 1 fragments, scaled Jacobian 0.418 to 0.943)
+    >>> bool(mesh.volumes().min() > 0)
+    True
+    >>> len(vfm.tets(ball, method="cells"))
+    3648
     """
     options = _core.Options(
         True,

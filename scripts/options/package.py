@@ -1,16 +1,23 @@
-"""The signatures and parameters of hexes() and tets() of the Python package, the class Options of its core, and its README's table."""
+"""Generates the options in the Python package: the signatures and docstrings of hexes() and tets(),
+and the class Options of the stub of the core."""
+import re
 
-from options.table import allowed, common, label, of_tets, put, snake, wrap
+from options.table import common, label, of_tets, put, snake, wrap
 
 WIDTH = 100
+# Labels of the panels without a generated option in Python, with what replaces them.
+NAMES = {"Density Arrays": "`density`", "Energy Array": "`energy`",
+         "Volume Fraction To Hex": "`hexes`"}
+# Choices that texts of other options refer to.
+WORDS = ("Automatic", "Coarsen", "Conserve", "Copy", "Uniform")
 
 
 def in_python(table):
     return [row for row in table if row["python"]]
 
 
-def value(row, number=None):
-    """As Python writes the default."""
+def value(row):
+    """Returns the default as a Python literal."""
     if row["kind"] == "switch":
         return str(bool(row["number"]))
     if row["kind"] == "choice":
@@ -24,12 +31,31 @@ def type_of(row):
     return {"switch": "bool", "integer": "int", "real": "float"}[row["kind"]]
 
 
-def explain(row, table):
-    """The text of the table; options that it names as panels do by their names here."""
-    text = row["text"]
+def replace_choices(text, row, table):
+    """Writes the choices in a text as Python strings: Refinement Automatic becomes
+    ``refinement="automatic"``, and Automatic becomes "automatic"."""
+    for other in in_python(table):
+        for word in other["words"]:
+            text = text.replace("%s %s" % (label(other["name"]), word),
+                                '``%s="%s"``' % (other["python"], snake(word)))
+    for word in sorted({*row["words"], *WORDS}, key=len, reverse=True):
+        # TetGen is also the name of a library; "Automatic (-1)" is a number.
+        end = ":" if word == "TetGen" else r"\b(?! \()"
+        text = re.sub(r"(?<![\w\"])%s(?=%s)" % (word, end), '"%s"' % snake(word), text)
+    return text
+
+
+def explain(row, table, text):
+    """Returns a text of the table of options with the names of options and choices in Python."""
+    text = replace_choices(text, row, table)
+    if row["kind"] == "switch":
+        text = text.replace("Off:", "False:")
     for other in sorted(in_python(table), key=lambda other: -len(other["name"])):
-        if " " in label(other["name"]):
-            text = text.replace(label(other["name"]), other["python"])
+        if label(other["name"]) != other["name"]:
+            for name in (label(other["name"]), other["name"]):
+                text = re.sub(r"\b%s\b" % name, "`%s`" % other["python"], text)
+    for name, replacement in NAMES.items():
+        text = text.replace(name, replacement)
     return text
 
 
@@ -37,30 +63,51 @@ def signature(rows):
     return ["    %s: %s = %s," % (row["python"], type_of(row), value(row)) for row in rows]
 
 
-def handed_on(rows):
-    """Keyword arguments of the core's Options."""
-    return wrap(" ".join("%s=%s," % (row["python"], row["python"]) for row in rows), "        ", width=WIDTH)
+def pass_on(rows):
+    """Returns the keyword arguments of the core's Options."""
+    return wrap(" ".join("%s=%s," % (row["python"], row["python"]) for row in rows), "        ",
+                width=WIDTH)
 
 
-def parameters(rows, table):
-    """Of a docstring."""
-    lines = []
-    for row in rows:
-        words = "{%s}" % type_of(row)[8:-1] if row["kind"] == "choice" else type_of(row)
-        lines.append("    %s : %s, default %s" % (row["python"], words, value(row)))
-        takes = "" if row["kind"] in ("switch", "choice") else row["allowed"][0].upper() + row["allowed"][1:] + ". "
-        lines += wrap(takes + explain(row, table), "        ", width=WIDTH)
+def parameter(row, table, text):
+    """Returns the lines of an option in a numpydoc section."""
+    words = "{%s}" % type_of(row)[8:-1] if row["kind"] == "choice" else type_of(row)
+    allowed = row["allowed"][0].upper() + row["allowed"][1:] + ". "
+    allowed = "" if row["kind"] in ("switch", "choice") else allowed
+    return ["    %s : %s, default %s" % (row["python"], words, value(row)),
+            *wrap(allowed + explain(row, table, text), "        ", width=WIDTH)]
+
+
+def parameters_of_hexes(table):
+    return [line for row in in_python(common(table))
+            for line in parameter(row, table, row["text"])]
+
+
+def parameters_of_tets(table):
+    """Returns the options of tetrahedra, then the options with another text than in hexes(), then
+    the names of all others."""
+    rows = in_python(common(table))
+    lines = [line for row in in_python(of_tets(table))
+             for line in parameter(row, table, row["text"])]
+    lines += [line for row in rows if row["text_of_tets"]
+              for line in parameter(row, table, row["text_of_tets"])]
+    names = ", ".join(row["python"] for row in rows if not row["text_of_tets"])
+    for line in wrap(names, "    ", width=WIDTH - len(" : see hexes")):
+        lines += [line.rstrip(",") + " : see hexes", "        Option of `hexes`, with the same default."]
     return lines
 
 
 def write_functions(text, table):
     for function, rows in (("hexes", common(table)), ("tets", table)):
         rows = in_python(rows)
-        text = put(text, "# options of %s: generated" % function, "# end of options", signature(rows))
-        text = put(text, "# arguments of %s: generated" % function, "# end of arguments", handed_on(rows))
+        text = put(text, "# options of %s: generated" % function, "# end of options",
+                   signature(rows))
+        text = put(text, "# arguments of %s: generated" % function, "# end of arguments",
+                   pass_on(rows))
+        make = parameters_of_hexes if function == "hexes" else parameters_of_tets
         start = text.index("def %s(" % function)
-        own = rows if function == "hexes" else in_python(of_tets(table))
-        text = text[:start] + put(text[start:], "    ----------------", "    Returns", parameters(own, table) + [""])
+        text = text[:start] + put(text[start:], "    ----------------", "    Returns",
+                                  make(table) + [""])
     return text
 
 
@@ -69,24 +116,7 @@ def write_stub(text, table):
     return put(text, "# options: generated", "# end of options", lines)
 
 
-def readme_row(row, table):
-    bold = "**%s**" % (value(row) if row["kind"] in ("switch", "choice") else "%g" % row["number"])
-    if row["kind"] == "switch":
-        words = bold + ", " + str(not row["number"])
-    elif row["kind"] == "choice":
-        words = ", ".join('"%s"' % snake(word) for word in row["words"]).replace(value(row), bold)
-    else:
-        words = allowed(row) + ", " + bold
-    return "| `%s` | %s | %s%s |" % (row["python"], words, "of `tets`: " if row["tets"] else "", explain(row, table))
-
-
-def write_readme(text, table):
-    rows = [readme_row(row, table) for row in in_python(table)]
-    return put(text, "options: generated", "end of options",
-               ["", "| option | takes, **default** | |", "|---|---|---|"] + rows + [""])
-
-
 def files(table):
+    """Returns the functions that update the text of a file, by path."""
     return {"python/volume_fraction_mesh/_mesher.py": lambda text: write_functions(text, table),
-            "python/volume_fraction_mesh/_core.pyi": lambda text: write_stub(text, table),
-            "python/README.md": lambda text: write_readme(text, table)}
+            "python/volume_fraction_mesh/_core.pyi": lambda text: write_stub(text, table)}
