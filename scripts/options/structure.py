@@ -1,0 +1,116 @@
+"""Writes the tables of files in Documentation/maintainer/code-structure.md: one row per file, with
+the first sentence of the comment at its top.
+"""
+import ast
+import os
+import re
+
+from options.table import ROOT, put, read
+
+PAGE = "Documentation/maintainer/code-structure.md"
+# Folders from bottom to top: a file includes files of folders above its own in this list only.
+FOLDERS = (
+    ("Grid/Ranks", "Communication between ranks. It depends on nothing else."),
+    ("Grid/Base", "Grids, memory, threads, exact sums and geometry. No file depends on fractions, "
+                  "labels or meshes."),
+    ("Grid/Fractions", "The contents of cells."),
+    ("Grid/Octree", "The cells that are refined, and the hexes between levels."),
+    ("Grid/Labels", "One material per cell."),
+    ("Grid/Interface", "The position of the true interface."),
+    ("Grid/Mesh", "The mesh, its facets and geometry, and measurements."),
+    ("Grid/Transfer", "Transfer of state from cells to elements: "
+                      "[state transfer](../theory/state-transfer.md)."),
+    ("Grid/SharpFeatures", "Edges and corners found in fractions: "
+                           "[algorithm](../theory/algorithm.md#sharp-edges-and-corners)."),
+    ("Grid/Smoothing", "The points that move, and the energies that move them."),
+    ("Grid/Hex", "Hexahedra from labels."),
+    ("Grid/Tet", "Tetrahedra from labels or fractions."),
+    ("Grid/TetGen", "Fragments filled by TetGen."),
+    ("Grid", "The pipelines, which call the stages of all modules."),
+    ("Mesher/Options", "The options of a run."),
+    ("Mesher/Input", "Blocks of cells, and their distribution over ranks."),
+    ("Mesher/Levels", "The levels of a refined grid."),
+    ("Mesher/Summary", "Reports, sets and parts of a finished mesh."),
+    ("Mesher/State", "State arrays of the input, on the elements."),
+    ("Mesher", "One run, from blocks to a mesh."),
+    ("Shapes", "Solids with exact fractions. They depend on Grid/Base and Grid/Fractions only."),
+    ("Parallel/Mpi", "Ranks over MPI, without VTK."),
+    ("Parallel", "Ranks over vtkMPIController, and the differences between versions of VTK."),
+    ("IO", "Voxel files."),
+    ("IO/Labels", "Tables of label names."),
+    ("IO/Images", "Images of labels and fractions."),
+    ("IO/Blocks", "SpyPlot files and AMReX plotfiles."),
+    ("IO/Meshes", "Files of meshes."),
+    ("Filters/Data", "VTK meshes as plain arrays."),
+    ("Filters", "The VTK filters and sources."),
+    ("Filters/Files", "VTK readers and writers."),
+    ("InSitu", "The C, C++ and Fortran library."),
+    ("InSitu/Catalyst", "Adaptors for Catalyst."),
+    ("InSitu/Catalyst/FirstKind", "Legacy Catalyst."),
+    ("InSitu/Catalyst/SecondKind", "Catalyst 2."),
+    ("Program", "The command-line tool `sculptor`."),
+    ("Plugin", "The ParaView plugin."),
+    ("Plugin/Domains", "Domains of the plugin's properties."),
+    ("python/src", "The compiled module of the Python package."),
+    ("python/volume_fraction_mesh", "The Python package."),
+)
+HEADERS, SOURCES = (".h", ".hpp"), (".cxx", ".cpp")
+COMMENT = re.compile(r"/\*\*?(.*?)\*/", re.DOTALL)
+# A full stop ends a sentence where a capital follows, except after an initial, as in A. Name.
+SENTENCE = re.compile(r"(?<![\s(][A-Z])[.](?=\s+[A-Z(*`])")
+# Identifiers with underscores or of the standard library, and names of files.
+CODE = re.compile(r"(?<![\w`*./])((?:\w+/)*\w[\w.]*\.(?:hpp|h|cxx|pyi|f90)\b|\w*_\w+(?:\.\w+)?"
+                  r"|std::\w+(?:<[^>]*>)?)")
+
+
+def list_files(folder):
+    """Returns the names of a folder's headers, Python modules, and sources without a header."""
+    names = sorted(os.listdir(os.path.join(ROOT, folder)), key=str.lower)
+    stems = {os.path.splitext(name)[0] for name in names if name.endswith(HEADERS)}
+    return [name for name in names if name.endswith(HEADERS + (".py",))
+            or name.endswith(SOURCES) and os.path.splitext(name)[0] not in stems]
+
+
+def comment_of(path):
+    """Returns the first paragraph of the comment at the top of a file, or ""."""
+    text = read(path)
+    if path.endswith(".py"):
+        comment = ast.get_docstring(ast.parse(text)) or ""
+    else:
+        found = COMMENT.search(text)
+        before = text[:found.start()] if found else "namespace"
+        if re.search(r"^(namespace|class|struct)\b", before, re.MULTILINE):
+            return ""
+        comment = re.sub(r"^\s*\* ?", "", found.group(1), flags=re.MULTILINE).strip()
+    return " ".join(re.split(r"\n\s*\n(?!\s*@brief)", comment)[0].split())
+
+
+def describe(path):
+    """Returns the first sentence of the comment of a file, without the name of the file."""
+    text = re.sub(r"^@class.*?(?=@brief)|@brief\s+|^@file\s+\S+\s*", "", comment_of(path))
+    text = re.sub(r"^@brief\s+", "", text)
+    stem = os.path.splitext(os.path.basename(path))[0]
+    text = re.sub(r"^%s(\.\w+)?:\s+" % re.escape(stem), "", text)
+    text = SENTENCE.split(text)[0].rstrip(".:").replace("|", "\\|")
+    if not CODE.match(text):
+        text = text[:1].upper() + text[1:]
+    return CODE.sub(r"`\1`", text)
+
+
+def shown(name):
+    """Returns the name of a file as the tables show it: Mesh for Mesh.h."""
+    return name[:-2] if re.fullmatch(r"\w+\.h", name) else name
+
+
+def make_tables():
+    lines = []
+    for folder, about in FOLDERS:
+        rows = [(shown(name), describe(folder + "/" + name)) for name in list_files(folder)]
+        lines += ["", "### " + folder, about, "", "| file | content |", "|---|---|"]
+        lines += ["| `%s` | %s |" % row for row in rows if row[1]]
+    return lines + [""]
+
+
+def files():
+    """Returns how the page becomes current, as a function of its text."""
+    return {PAGE: lambda text: put(text, "files: generated", "end of files", make_tables())}
