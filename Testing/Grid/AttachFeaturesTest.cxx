@@ -1,4 +1,4 @@
-/// Points are drawn to the edges and corners of models, here the exact ones of a turned cube.
+/// Points are attached to the edges and corners of models, here the exact models of a rotated cube.
 #include "RankMeshes.h"
 
 #include "Base/Vector3.h"
@@ -24,15 +24,14 @@ namespace
 const Shape Cube =
   MakeBox(1, { { 6.1, 5.9, 6.05 } }, { { 6.4, 6.6, 6.2 } }, { { 20.0, 35.0, 10.0 } });
 
-/// The face of the cube on one side along an axis of it, in the frame of a node there; its inside
-/// is the cube.
+/// Returns the face of the cube on one side of an axis, in the frame of a node; the cube is inside.
 LocalQuadric FaceOfCube(int axis, double side, const Vector3& node)
 {
   const Vector3 out = side * Cube.Axes[axis];
   return MakeLocalPlane(Cube.Center + Cube.Size[axis] * out - node, -1.0 * out);
 }
 
-/// The three faces of the cube that are nearest to a node.
+/// Returns the three faces of the cube that are nearest to a node.
 FeatureModel ModelNear(const Vector3& node)
 {
   FeatureModel model;
@@ -44,7 +43,7 @@ FeatureModel ModelNear(const Vector3& node)
   return model;
 }
 
-/// Distance of a point from the planes of so many faces of the cube: the nearest ones.
+/// Returns the distance of a point from the planes of the nearest `faces` faces of the cube.
 double DistanceToFaces(const Vector3& x, int faces)
 {
   Vector3 away;
@@ -56,7 +55,7 @@ double DistanceToFaces(const Vector3& x, int faces)
   return away[faces - 1];
 }
 
-/// The stages of hexes up to and with the attachment to models that are known.
+/// The stages of hexahedral meshing up to the attachment to known models, which it includes.
 struct CubeHexes
 {
   CubeHexes(const CartesianGrid& grid, const FractionField& fractions, Runtime& runtime) :
@@ -88,7 +87,7 @@ struct CubeHexes
       this->Hexes, *this->Targets, this->Active, Run);
   }
 
-  /// Of the owned points alone.
+  /// Returns models of owned points only.
   SharpFeatures MakeFeatures(const Interface& interface) const
   {
     std::vector<Index> points;
@@ -148,7 +147,7 @@ FractionField CubeFractions()
   return FractionsOfShapes(CubeGrid(), { Cube });
 }
 
-/// By id of points that have one.
+/// Kinds of the points that have one, by point id.
 using KindsById = std::map<Index, FeatureKind>;
 
 KindsById ListKinds(const CubeHexes& cube)
@@ -180,8 +179,7 @@ TEST(FeaturePlaces, OfTwoPlanes)
   EXPECT_NEAR(Norm(edge->Point - Vector3{ { 0.5, 1.0, 0.3 } }), 0.0, 1e-14);
   EXPECT_NEAR(edge->Distance, std::sqrt(1.25), 1e-14);
   EXPECT_FALSE(FindCorner(both, inside));
-  // the plane x = .5 bounds the part below y = 1 of what is in both, and that above it of what is
-  // in either
+  // x = .5 bounds the intersection where y < 1 and the union where y > 1.
   FeatureModel either = both;
   either.Composition = 1;
   for (const double y : { -1.0, 3.0 })
@@ -190,7 +188,8 @@ TEST(FeaturePlaces, OfTwoPlanes)
     EXPECT_EQ(IsBoundary(both, 1, x), y < 1.0);
     EXPECT_EQ(IsBoundary(either, 1, x), y > 1.0);
   }
-  // beyond the plane y = 1 its foot is still inside of the other, that on x = .5 bounds no more
+  // Beyond the plane y = 1 the foot on it still lies inside the other half-space. The foot on x =
+  // .5 no longer lies on the boundary.
   EXPECT_EQ(FindSide(both, { { 0.4, 1.8, 0.0 } }).Surface, 1);
 }
 
@@ -199,7 +198,7 @@ TEST(FeaturePlaces, AcuteEdgesAreLessBlunt)
   const Vector3 x{ { 1.0, 0.0, 0.0 } };
   const auto at = [](double degrees)
   {
-    const double angle = degrees * std::acos(-1.0) / 180.0; // between the surfaces
+    const double angle = degrees * std::acos(-1.0) / 180.0; // angle between the surfaces
     return Vector3{ { -std::cos(angle), std::sin(angle), 0.0 } };
   };
   EXPECT_NEAR(BluntnessOf(x, at(0.0)), 0.0, 1e-12);
@@ -210,7 +209,7 @@ TEST(FeaturePlaces, AcuteEdgesAreLessBlunt)
 
 TEST(FeaturePlaces, OnCurvedSurfaces)
 {
-  FeatureModel model; // the end of a cylinder of radius 4, cut aslant
+  FeatureModel model; // oblique end of a cylinder of radius 4
   model.Count = 2;
   model.Surfaces[0] = MakeLocalPlane({ { 1.0, 0.0, 0.0 } }, { { -1.0, 0.0, 0.0 } });
   model.Surfaces[0].C[model.Surfaces[0].U[1] != 0.0 ? 3 : 5] = 0.125;
@@ -245,7 +244,7 @@ TEST(FeaturePlaces, CornerOfThreePlanes)
   EXPECT_TRUE(FindCorner(ModelNear(corner), { { 0.5, 0.5, -0.5 } }));
   EXPECT_FALSE(FindCorner(ModelNear(corner), { { 4.5, 0.0, 0.0 } }));
   FeatureModel flat = ModelNear(corner);
-  flat.Surfaces[2] = flat.Surfaces[1]; // meets nothing in a point
+  flat.Surfaces[2] = flat.Surfaces[1]; // two equal planes do not meet in a point
   EXPECT_FALSE(FindCorner(flat, { { 0.0, 0.0, 0.0 } }));
 }
 
@@ -272,7 +271,7 @@ TEST(AttachFeatures, HexesHaveTheEdgesOfACube)
     }
   }
   EXPECT_EQ(counts[3], 8);
-  EXPECT_GT(counts[2], 60); // 12 edges 6 cells long
+  EXPECT_GT(counts[2], 60); // 12 edges of 6 cells
   for (const int faces : { 1, 2, 3 })
   {
     const double distance = std::sqrt(squares[faces] / counts[faces]);
@@ -281,8 +280,7 @@ TEST(AttachFeatures, HexesHaveTheEdgesOfACube)
   }
 }
 
-/// The faces that points are drawn to, not the positions, tell sides apart: a carrier must stand
-/// between any two.
+/// The attached faces define the sides, not the positions: a carrier must separate any two sides.
 TEST(AttachFeatures, NoMeshEdgeJoinsTwoSides)
 {
   Runtime runtime;
@@ -357,7 +355,7 @@ TEST(AttachFeatures, RanksAndThreadsChangeNothing)
         const std::lock_guard<std::mutex> locked(lock);
         for (const auto& entry : ListKinds(cube))
         {
-          EXPECT_EQ(joined.insert(entry).first->second, entry.second); // ghosts too
+          EXPECT_EQ(joined.insert(entry).first->second, entry.second); // also for ghosts
         }
       });
     EXPECT_EQ(joined, alone) << count;

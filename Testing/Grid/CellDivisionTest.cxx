@@ -1,5 +1,5 @@
-/// Long cells cut before meshing: as few parts as serve, every volume kept, ranks agree, elements
-/// of good shape.
+/// Cells of high aspect ratio are cut before meshing: into as few parts as suffice, with all
+/// volumes kept, the same on all ranks, and with elements of good shape.
 #include "Fractions/CellDivision.h"
 #include "Base/Vector3.h"
 #include "Fractions/GhostFractions.h"
@@ -22,7 +22,7 @@ namespace
 
 using Coordinates = std::array<std::vector<double>, 3>;
 
-/// Equal cells of some widths.
+/// Returns equal cells of the given widths.
 Coordinates MakeCells(const Index3& counts, const Vector3& widths)
 {
   Coordinates x;
@@ -36,7 +36,7 @@ Coordinates MakeCells(const Index3& counts, const Vector3& widths)
   return x;
 }
 
-/// The largest ratio of widths of a cell.
+/// Returns the largest ratio of widths of any cell.
 double LargestAspectRatio(const Coordinates& coordinates)
 {
   const CartesianGrid grid(coordinates);
@@ -56,8 +56,8 @@ Index CountCells(const Coordinates& x)
   return static_cast<Index>((x[0].size() - 1) * (x[1].size() - 1) * (x[2].size() - 1));
 }
 
-/// The fewest cells of any division into at most so many parts that serves; two layers along x and
-/// y, one along z.
+/// Returns the fewest cells of any sufficient division into at most `most` parts per layer. The
+/// grid has two layers along x and y, one along z.
 Index FindFewestCells(const Coordinates& x, double ratio, Index most)
 {
   Index fewest = -1;
@@ -82,7 +82,7 @@ Index FindFewestCells(const Coordinates& x, double ratio, Index most)
   return fewest;
 }
 
-/// In parts that differ from layer to layer.
+/// Returns a division whose number of parts differs from layer to layer.
 CellDivision MakeUnevenDivision(const Index3& cells)
 {
   std::array<std::vector<Index>, 3> parts;
@@ -103,7 +103,7 @@ RefinedCells Divide(
   return DivideCells(grid, field, division, runtime);
 }
 
-/// Largest difference between the fractions of a cell and the mean of those of its parts.
+/// Returns the largest difference between the fraction of a cell and the mean over its parts.
 double FindLargestLoss(const CartesianGrid& grid, const FractionField& field,
   const CellDivision& division, const RefinedCells& parts)
 {
@@ -265,8 +265,8 @@ TEST(CellDivision, RanksHoldWhatTheWholeGridHolds)
 namespace
 {
 
-/// How far the surface of a material is from a shape: of nodes, in lengths, and of the normals of
-/// facets, in degrees; rms.
+/// Root mean square deviation of a material's surface from a shape: distance of nodes (length) and
+/// angle between normals of facets (degrees).
 struct SurfaceError
 {
   double Distance = 0.0, Normal = 0.0;
@@ -324,7 +324,7 @@ enum class Order
   CutThenSmooth
 };
 
-/// The labels of a shape at the centres of cells, smoothed and cut, as a mesh.
+/// Meshes the labels of a shape at cell centres, smoothed and cut in the given order.
 SurfaceError MeasureLabels(const CartesianGrid& grid, const Shape& shape, Order order)
 {
   constexpr int passes = 2;
@@ -354,7 +354,8 @@ SurfaceError MeasureLabels(const CartesianGrid& grid, const Shape& shape, Order 
 
 } // namespace
 
-/// The parts of a slice keep its steps when they are smoothed; whole slices do not.
+/// Smoothing parts of a slice retains the steps between slices; smoothing
+/// whole slices removes them.
 TEST(CellDivision, LabelsAreSmoothedBetterBeforeTheyAreCut)
 {
   std::printf("labels, two passes: rms distance in pixels, rms error of normals in degrees\n"
@@ -383,14 +384,15 @@ TEST(CellDivision, LabelsAreSmoothedBetterBeforeTheyAreCut)
   EXPECT_LT(before, 0.9 * after);
 }
 
-/// A sphere in cells four times as long as wide, as it is and cut.
+/// Meshes a sphere in cells four times as long as wide, uncut and cut.
 TEST(CellDivision, SpheresInLongCellsGetGoodElements)
 {
   Runtime runtime;
-  std::printf("a sphere in cells of 1 x 1 x 4: largest aspect ratio of the cells, hexahedra, their "
-              "smallest scaled Jacobian, rms "
-              "distance in widths; tetrahedra by Lattice, smallest and largest dihedral angle, "
-              "scaled Jacobian, rms\n");
+  std::printf(
+    "a sphere in cells of 1 x 1 x 4: largest aspect ratio of the cells. Hexahedra: number, "
+    "smallest scaled Jacobian, rms "
+    "distance in widths. Tetrahedra by Lattice: number, smallest and largest dihedral angle, "
+    "scaled Jacobian, rms\n");
   for (Index n : { 24, 32 })
   {
     const CartesianGrid grid(MakeCells({ { n, n, n / 4 } }, { { 1.0, 1.0, 4.0 } }));

@@ -1,5 +1,5 @@
-/// Memory that runs out on one rank, at any call: all ranks end with the same message, and the next
-/// mesh on the same ranks is right.
+/// Memory runs out on one rank at any call: all ranks end with the same message, and the next
+/// mesh on the same ranks is correct.
 #include "Faults.h"
 #include "MeshCases.h"
 #include "RankFields.h"
@@ -25,7 +25,7 @@ constexpr int Count = 3;
 
 using Words = std::vector<double>;
 
-/// What ranks do together, and what this one makes of it.
+/// Collective work of the ranks; returns the result of this rank.
 using Work = std::function<Words(Ranks& ranks)>;
 
 template <class Values>
@@ -50,7 +50,7 @@ Words WordsOf(const Mesh& mesh)
   return words;
 }
 
-/// The work of a mesh of a field, the grid cut in three.
+/// Returns work that meshes a field on a grid cut in three.
 Work Meshing(const MeshCase& c, const MeshOptions& options, MeshMaker make)
 {
   const std::vector<IndexBox> boxes =
@@ -64,7 +64,7 @@ Work Meshing(const MeshCase& c, const MeshOptions& options, MeshMaker make)
   };
 }
 
-/// The work of a mesh and of state carried to it.
+/// Returns work that makes a mesh and transfers state to it.
 Work Carrying(const MeshCase& c, MeshMaker make)
 {
   const std::vector<IndexBox> boxes = CutBox(c.Grid.Global(), Count);
@@ -96,7 +96,7 @@ Work Carrying(const MeshCase& c, MeshMaker make)
   };
 }
 
-/// The work of what comes before meshing.
+/// Returns work that removes small regions and smooths labels, the steps before meshing.
 Work Clearing()
 {
   const CartesianGrid whole = MakeUnitGrid(12, 10, 11);
@@ -121,7 +121,7 @@ Work Clearing()
   };
 }
 
-/// What became of a work on each rank.
+/// Result of the work on each rank.
 struct Outcome
 {
   std::vector<std::string> Messages{ Count };
@@ -137,7 +137,7 @@ struct FaultAt
   FaultKind Kind;
 };
 
-/// All ranks do the work, once with the fault, if there is one, and once more without.
+/// Runs the work on all ranks, first with the fault, if there is one, then without.
 std::array<Outcome, 2> RunWith(const Work& work, const FaultAt& fault)
 {
   std::array<Outcome, 2> outcomes;
@@ -172,7 +172,7 @@ std::array<Outcome, 2> RunWith(const Work& work, const FaultAt& fault)
 struct FaultCase
 {
   std::string Name;
-  unsigned Faults; // to try
+  unsigned Faults; // number of faults to try
   std::function<Work()> Make;
 };
 
@@ -248,7 +248,7 @@ TEST_P(FaultTest, AllRanksReportTheSame)
       EXPECT_EQ(second.Made[rank], good.Made[rank]);
     }
   }
-  std::printf("%s: %lld calls, %zu faults, %d struck, %d told on all ranks\n",
+  std::printf("%s: %lld calls, %zu faults, %d struck, %d reported on all ranks\n",
     this->GetParam().Name.c_str(), static_cast<long long>(good.Calls[0]), seeds.size(), struck,
     failed);
   EXPECT_EQ(struck, static_cast<int>(seeds.size()));

@@ -1,4 +1,4 @@
-/// Fractions of surfaces cut by each other, and their fit.
+/// Fractions of models of intersecting surfaces, and the fit of such models.
 #include "Base/ConvexClip.h"
 #include "RandomDraw.h"
 #include "SharpFeatures/BoxCut.h"
@@ -13,7 +13,7 @@ using vfm::testing::RandomDraw;
 namespace
 {
 
-/// What is inside (or, flipped, outside) of a plane.
+/// Returns the half-space inside a plane (outside, if flipped).
 HalfSpace HalfSpaceOf(const BoxPlane& plane, bool flipped)
 {
   const double scale = (flipped ? 1.0 : -1.0) / Norm(plane.Normal);
@@ -41,7 +41,8 @@ double VolumeOf(const std::array<BoxPlane, 3>& planes, int mask, std::array<Plan
   return mask == 1 ? CutBox(planes[0], rates[0]) : CutBox(planes, mask, rates);
 }
 
-/// Planes that cut the cube; every fourth is parallel to sides of it.
+/// Returns planes that cut the cube; one component in four is zero, so that
+/// some are parallel to its sides.
 std::array<BoxPlane, 3> RandomPlanes(RandomDraw& random)
 {
   std::array<BoxPlane, 3> planes;
@@ -58,7 +59,7 @@ std::array<BoxPlane, 3> RandomPlanes(RandomDraw& random)
   return planes;
 }
 
-/// A model of three surfaces about the corner of a box turned a little, or of the first of them.
+/// Returns the first `surfaces` of three surfaces around the corner of a slightly rotated box.
 FeatureModel MakeModel(int surfaces, int composition, double curvature, RandomDraw& random)
 {
   FeatureModel model;
@@ -77,7 +78,7 @@ FeatureModel MakeModel(int surfaces, int composition, double curvature, RandomDr
   return model;
 }
 
-/// The cells around a node, as they are in the middle of a grid of cubes.
+/// Returns the cells around a node in the middle of a grid of cubes.
 std::vector<SampleCell> CellsAround(const Vector3& node)
 {
   std::vector<SampleCell> cells;
@@ -237,7 +238,7 @@ TEST(FeatureModel, DerivativesAreDifferencesOfFractions)
 
 TEST(FeatureModel, SurfacesBetweenCellsHaveAreasAndNoResidual)
 {
-  // x > 0 and y < 1 in [-2,2]^3: whole cells.
+  // The part x > 0, y < 1 of [-2,2]^3 consists of whole cells.
   FeatureModel model;
   model.Count = 2;
   model.Surfaces[0] = MakeLocalPlane({ { 0.0, 0.0, 0.0 } }, { { 1.0, 0.0, 0.0 } });
@@ -259,7 +260,7 @@ TEST(FeatureModel, SurfacesBetweenCellsHaveAreasAndNoResidual)
 
 TEST(FeatureModel, AreasAreThoseBetweenTheLabels)
 {
-  // A quarter of the cells: x > .2 and y > -.1 in [-2,2]^3.
+  // Labels of cells for x > .2 and y > -.1 in [-2,2]^3: a quarter of the cells.
   FeatureModel model;
   model.Count = 2;
   model.Surfaces[0] = MakeLocalPlane({ { 0.2, 0.0, 0.0 } }, { { 1.0, 0.0, 0.0 } });

@@ -21,7 +21,7 @@ CartesianGrid UnitGrid(int n)
   return CartesianGrid(std::array<std::vector<double>, 3>{ { x, x, x } });
 }
 
-/// Fractions of a few cells; 0 elsewhere.
+/// Reader with fractions of a few cells; 0 elsewhere.
 struct MapReader : FractionField::Reader
 {
   std::map<std::pair<int, Index3>, double> Values;
@@ -101,7 +101,7 @@ TEST(FractionField, CountsOnlyWhatRoundingDoesNotExplain)
   EXPECT_DOUBLE_EQ(field.Fraction(grid.Linear({ { 1, 1, 1 } }), 2), 0.5);
   reader.Values[{ 1, { { 1, 1, 1 } } }] += 0.4 * step;
   EXPECT_EQ(FractionField::FromReader(grid, 3, reader).NumberOfNormalisedCells(), 1);
-  EXPECT_NE(ErrorOf(reader), ""); // of two materials only
+  EXPECT_NE(ErrorOf(reader), ""); // two materials may round by less than three
 }
 
 TEST(FractionField, ClipsWithinTheTolerance)
@@ -111,7 +111,7 @@ TEST(FractionField, ClipsWithinTheTolerance)
   reader.Values[{ 2, { { 0, 0, 0 } } }] = -0.01;
   reader.Values[{ 1, { { 1, 0, 0 } } }] = 0.6;
   reader.Values[{ 2, { { 1, 0, 0 } } }] = 0.41;
-  reader.Values[{ 1, { { 2, 0, 0 } } }] = 1.0 + 1e-7; // rounding
+  reader.Values[{ 1, { { 2, 0, 0 } } }] = 1.0 + 1e-7; // rounding error
   EXPECT_NE(ErrorOf(reader).find("FractionTolerance"), std::string::npos);
   reader.Allowed = 0.0100001;
   const CartesianGrid grid = UnitGrid(3);

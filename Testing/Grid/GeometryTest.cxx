@@ -1,4 +1,4 @@
-/// Surfaces, curves and vertices of known shapes, and what bounds what.
+/// Surfaces, curves and vertices of known shapes, and which of them bound each other.
 #include "Base/Vector3.h"
 #include "GeometryChecks.h"
 #include "SharpCases.h"
@@ -21,7 +21,7 @@ struct Elements
   TetMethod Method;
 };
 
-/// Hexahedra, and tetrahedra by each method of this build.
+/// Makes hexahedra, or tetrahedra by each method of this build.
 class GeometryOf : public ::testing::TestWithParam<Elements>
 {
 protected:
@@ -51,7 +51,7 @@ protected:
   MeshReport Report;
 };
 
-/// How often each number occurs in a column.
+/// Counts how often each number occurs in a column.
 std::map<int, int> Count(const Pairs& pairs, int column)
 {
   std::map<int, int> counts;
@@ -62,7 +62,7 @@ std::map<int, int> Count(const Pairs& pairs, int column)
   return counts;
 }
 
-/// Whether the numbers 1 to many occur alike often.
+/// Returns whether each number from 1 to `many` occurs `often` times, and no other number.
 bool EachOccurs(const Pairs& pairs, int column, int many, int often)
 {
   std::map<int, int> expected;
@@ -96,7 +96,7 @@ TEST_P(GeometryOf, BoxThatFillsTheDomain)
   }
 }
 
-/// A surface goes round its volume, however sharp the edges of the shape.
+/// Without the option SharpEdges one surface encloses the volume, even of a shape with sharp edges.
 TEST_P(GeometryOf, CubeInsideTheDomain)
 {
   const CartesianGrid grid = MakeUnitGrid(6);
@@ -112,7 +112,7 @@ TEST_P(GeometryOf, CubeInsideTheDomain)
 TEST_P(GeometryOf, HalfABallHasAClosedCurve)
 {
   const MergedMesh mesh = this->Make("half sphere");
-  this->ExpectCounts(1, 2, 1, 0); // its side of the domain and the rest
+  this->ExpectCounts(1, 2, 1, 0); // the side on the domain boundary and the rest
   EXPECT_EQ(mesh.Tables.CurveEnds, std::vector<int>{ 0 });
   EXPECT_EQ(mesh.Tables.SurfaceCurves, Pairs({ { { 1, 1 } }, { { 2, 1 } } }));
   EXPECT_TRUE(mesh.Tables.CurveVertices.empty());
@@ -121,13 +121,14 @@ TEST_P(GeometryOf, HalfABallHasAClosedCurve)
 TEST_P(GeometryOf, SectorsMeetInAnAxis)
 {
   const GeometryTables tables = this->Make("ball of 3 sectors").Tables;
-  this->ExpectCounts(3, 6, 4, 2); // 3 outside and 3 between; 3 meridians and the axis; the poles
+  // 3 outer surfaces and 3 between; 3 meridians and the axis; the poles
+  this->ExpectCounts(3, 6, 4, 2);
   EXPECT_TRUE(EachOccurs(tables.VolumeSurfaces, 0, 3, 3));
   EXPECT_TRUE(EachOccurs(tables.SurfaceCurves, 0, 6, 2));
   EXPECT_TRUE(EachOccurs(tables.SurfaceCurves, 1, 4, 3));
   EXPECT_EQ(tables.CurveEnds, std::vector<int>(4, 2));
   EXPECT_TRUE(EachOccurs(tables.CurveVertices, 1, 2, 4));
-  std::map<int, int> between; // of each curve: its surfaces between two volumes
+  std::map<int, int> between; // surfaces between two volumes per curve
   for (const auto& pair : tables.SurfaceCurves)
   {
     const auto& volumes = tables.SurfaceVolumes[pair[0] - 1];
@@ -147,7 +148,7 @@ TEST_P(GeometryOf, GrainsArePolyhedra)
   const MeshCase c = MakePolycrystalCase(5, 16);
   const GeometryTables tables = this->Make(c.Grid, c.Fractions).Tables;
   EXPECT_EQ(tables.CurveEnds, std::vector<int>(tables.CurveEnds.size(), 2));
-  std::map<int, std::set<int>> surfaces, curves, vertices; // of volumes, surfaces, curves
+  std::map<int, std::set<int>> surfaces, curves, vertices; // by volume, surface and curve
   for (const auto& [pairs, of] : { std::pair(&tables.VolumeSurfaces, &surfaces),
          std::pair(&tables.SurfaceCurves, &curves), std::pair(&tables.CurveVertices, &vertices) })
   {
@@ -173,7 +174,7 @@ TEST_P(GeometryOf, GrainsArePolyhedra)
   }
 }
 
-/// With SharpEdges each smooth side is a surface; those of plane sides have a normal.
+/// With SharpEdges each smooth side is a surface; plane sides have a normal.
 TEST_P(GeometryOf, SidesOfSolidsWithEdges)
 {
   struct Solid

@@ -12,8 +12,8 @@ namespace
 
 constexpr double Target = 0.5;
 
-/// The 2^3 hexes around point 0, shaken, as many times as asked for, each time with other points
-/// around; widths: of all cells or of each.
+/// Returns `times` copies of the 2^3 hexes around point 0, randomly distorted; only point 0 is
+/// common. Widths: one entry for all cells, or one per cell.
 ActiveMesh MakeStar(double shake, int times, std::vector<Vector3> widths, unsigned seed = 1)
 {
   std::mt19937 engine(seed);
@@ -55,10 +55,10 @@ ActiveMesh MakeStar(double shake, int times, std::vector<Vector3> widths, unsign
   return mesh;
 }
 
-/// Numbers whose last bits do not matter.
+/// Type of higher precision, so that the reference has no rounding error.
 using Real = long double;
 
-/// The terms of a corner of a hex, by their definition in HexEnergy.h.
+/// Returns the energy of one corner of a hex by the definition in HexEnergy.h.
 Real EnergyOfCorner(const Vector3 (&edges)[3], int corner, const Vector3& widths, Real target,
   const SmoothingStage& stage)
 {
@@ -76,7 +76,7 @@ Real EnergyOfCorner(const Vector3 (&edges)[3], int corner, const Vector3& widths
     stage.Omega * std::pow(trace / 3.0, Real(1.5)) / shape;
 }
 
-/// The energy of the corners and edge ends that depend on point 0 when it stands at x.
+/// Returns the energy of the corners and edge ends that depend on point 0 if it is at x.
 double EnergyByDefinition(ActiveMesh mesh, const Vector3& x, const SmoothingStage& stage)
 {
   mesh.X[0] = x;
@@ -111,7 +111,8 @@ Vector3 Unit(int axis)
   return unit;
 }
 
-/// Compares with differences of the definition; tolerance: relative to the largest entry.
+/// Compares derivatives with finite differences of the definition; tolerance:
+/// relative to the largest entry.
 void ExpectDerivatives(const ActiveMesh& mesh, const SmoothingStage& stage, double tolerance)
 {
   const Derivatives d = HexEnergy(Target).Differentiate(mesh, 0, stage);
@@ -143,7 +144,7 @@ void ExpectDerivatives(const ActiveMesh& mesh, const SmoothingStage& stage, doub
 }
 
 const Vector3 Cube{ { 1.0, 1.0, 1.0 } }, Box{ { 0.5, 1.0, 2.0 } };
-constexpr double Tolerance = 2e-4; // of differences with steps of 1e-4
+constexpr double Tolerance = 2e-4; // error of differences with steps of 1e-4
 
 } // namespace
 
@@ -185,15 +186,15 @@ TEST(HexEnergyTest, EachHexHasItsWidthsAndDemand)
   ExpectDerivatives(mesh, { 8, 1.0, 0.01, 1, 0.0 }, Tolerance);
 }
 
-/// Floats would not do here: the determinant of a corner is a thousandth of the cell down to a
-/// millionth.
+/// Single precision would not suffice here: corner determinants are 1e-3
+/// to 1e-6 of the cell volume.
 TEST(HexEnergyTest, NearlyInvertedCornersAreComputedInDoubles)
 {
   const SmoothingStage stage{ 1, 1.0, 0.1, 1, 0.0 };
   for (double gap : { 1e-3, 1e-4, 1e-5, 1e-6 })
   {
     ActiveMesh mesh = MakeStar(0.0, 1, { Cube });
-    // the point comes near the plane of three of its neighbours
+    // the point approaches the plane of three of its neighbours
     mesh.X[0] = { { 1.0 / 3.0 - gap, 1.0 / 3.0 - gap, 1.0 / 3.0 - gap } };
     const HexEnergy energy(Target);
     const double exact = EnergyByDefinition(mesh, mesh.X[0], stage);
@@ -212,7 +213,7 @@ TEST(HexEnergyTest, InvertedCornersAreRejected)
   EXPECT_EQ(energy.Evaluate(mesh, 0, { { 1.2, 0.0, 0.0 } }, stage), InvalidEnergy);
 }
 
-/// Far from the origin differences of coordinates are as exact as near it.
+/// Far from the origin differences of coordinates are as accurate as near it.
 TEST(HexEnergyTest, PlaceDoesNotMatter)
 {
   const SmoothingStage stage{ 8, 1.0, 0.01, 1, 0.0 };

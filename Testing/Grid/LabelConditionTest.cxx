@@ -14,7 +14,7 @@ namespace
 
 using Star = std::array<int, 8>;
 
-/// The 48 symmetries of the cube, as permutations of the cells of a star.
+/// Returns the 48 symmetries of the cube as permutations of the cells of a star.
 std::vector<Star> CubeSymmetries()
 {
   std::vector<Star> all;
@@ -38,7 +38,7 @@ std::vector<Star> CubeSymmetries()
   return all;
 }
 
-/// Whether the cells of a region hang together over faces.
+/// Returns whether the cells of a region are connected over faces.
 bool IsFaceConnected(int region)
 {
   int reached = region & -region;
@@ -55,7 +55,7 @@ bool IsFaceConnected(int region)
   return reached == region;
 }
 
-/// Labels numbered in the order of their first cell.
+/// Renumbers labels in the order of their first cell.
 Star Canonical(const Star& star)
 {
   Star result;

@@ -1,4 +1,5 @@
-/// The lattice's tets: valid and conforming at the start for any fractions, the same on any ranks.
+/// Tetrahedra of the lattice are valid and conforming before smoothing, for any
+/// fractions, and the same on any ranks.
 #include "Tet/LatticeTopology.h"
 #include "Base/Vector3.h"
 #include "Mesh/TetQuality.h"
@@ -54,7 +55,7 @@ FractionField MakeRandomFractions(const CartesianGrid& grid, int materials, unsi
   for (Index cell = 0; cell < n[0] * n[1] * n[2]; ++cell)
   {
     std::vector<FractionField::Part> parts;
-    double sum = (engine() % 100) / 100.0; // void
+    double sum = (engine() % 100) / 100.0; // fraction of void
     for (int m = 1; m <= materials; ++m)
     {
       parts.push_back({ m, 0.01 + (engine() % 100) / 100.0 });
@@ -70,12 +71,12 @@ FractionField MakeRandomFractions(const CartesianGrid& grid, int materials, unsi
   return field;
 }
 
-/// What many meshes had.
+/// Sums and extremes over many meshes.
 struct Sums
 {
   std::size_t Tets = 0;
   int NonManifoldEdges = 0;
-  double Lowest = 180.0, Highest = 0.0; // dihedral angles of cubic cells
+  double Lowest = 180.0, Highest = 0.0; // dihedral angles in cubic cells
 };
 
 double SixVolumes(const double* points, const Index* tet)
@@ -89,7 +90,7 @@ double SixVolumes(const double* points, const Index* tet)
   return Dot(Cross(x[1] - x[0], x[2] - x[0]), x[3] - x[0]);
 }
 
-/// Expects at most two tets on a triangle; returns the boundary triangles of every material.
+/// Checks that at most two tets share a triangle; returns the boundary triangles of each material.
 std::map<int, std::vector<Triangle>> BoundariesOf(const Mesh& mesh)
 {
   std::map<Triangle, std::vector<int>> materials;
@@ -119,7 +120,7 @@ std::map<int, std::vector<Triangle>> BoundariesOf(const Mesh& mesh)
   return boundaries;
 }
 
-/// Edges where the boundary of a material touches itself.
+/// Counts the edges where the boundary of a material touches itself.
 int CountNonManifoldEdges(const Mesh& mesh)
 {
   int count = 0;
@@ -162,7 +163,7 @@ void CheckPoints(const CartesianGrid& grid, const TetTopology& topology, bool is
   }
 }
 
-/// Returns the volume.
+/// Checks order, volumes and angles of the tets; returns the volume.
 double CheckTets(const CartesianGrid& grid, const Mesh& mesh, Sums& sums)
 {
   double volume = 0.0;
@@ -210,10 +211,10 @@ void Print(const std::string& name, const Sums& sums)
     sums.Tets, sums.Lowest, sums.Highest, sums.NonManifoldEdges);
 }
 
-/// Corners: id, coordinates, place. Tets by id: material and corners.
+/// Tets by id: material, and id, coordinates and place of each corner.
 using TetsById = std::map<Index, std::pair<int, std::array<std::array<double, 5>, 4>>>;
 
-/// Adds the tets that a rank owns.
+/// Adds the tets owned by a rank.
 void Collect(const CartesianGrid& grid, const TetTopology& topology, TetsById& tets)
 {
   const Mesh& mesh = topology.Tets;

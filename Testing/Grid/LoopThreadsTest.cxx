@@ -1,6 +1,6 @@
 /**
- * Threads kept from loop to loop: every item once, exceptions, loops in loops, threads that sleep
- * in between.
+ * Threads that persist between loops: each item is processed once; exceptions, nested loops,
+ * sleeping threads.
  */
 #include "Base/LoopThreads.h"
 
@@ -25,7 +25,7 @@ void Work(std::chrono::microseconds time)
   }
 }
 
-/// How often each item of a loop was done.
+/// Returns how often each item of a loop was processed.
 std::vector<int> CountItems(LoopThreads& threads, int count, int items, int microseconds)
 {
   std::vector<int> done(items, 0);
@@ -57,7 +57,7 @@ TEST(LoopThreads, DoEachItemOnce)
     {
       ASSERT_EQ(CountItems(threads, count, 40, loop % 4), std::vector<int>(40, 1)) << loop;
     }
-    std::this_thread::sleep_for(std::chrono::milliseconds(2)); // they sleep
+    std::this_thread::sleep_for(std::chrono::milliseconds(2)); // the threads fall asleep
     EXPECT_EQ(CountItems(threads, count, 100, 5), std::vector<int>(100, 1));
   }
 }
@@ -78,7 +78,8 @@ TEST(LoopThreads, ShareOnlyLongLoops)
     threads.For(2, 0, 20, collect);
   }
   EXPECT_EQ(workers.size(), 2u);
-  int alone = 0; // most are: this thread may have to wait for its core and find a loop long
+  // Most loops run on one thread. If this thread waits for its core, it finds a loop long.
+  int alone = 0;
   for (int loop = 0; loop < 100; ++loop)
   {
     workers.clear();

@@ -1,4 +1,4 @@
-/// Manufactured shapes: quality, distance to the truth, volume, topology.
+/// Manufactured shapes: quality, distance to the true interface, volume, topology.
 #include "MeshCases.h"
 
 #include <gtest/gtest.h>
@@ -37,13 +37,13 @@ INSTANTIATE_TEST_SUITE_P(All, MeshCases, ::testing::ValuesIn(ListMeshCases()),
     return name;
   });
 
-/// Where interfaces meet sides of the domain they are as near as elsewhere.
+/// Interface points on sides of the domain are as near to the true interface as others.
 TEST(SidesOfTheDomain, NodesAreNear)
 {
   struct Bounds
   {
     const char* Name;
-    double Hexes, Lattice, Cells; // ceilings of the rms distance on sides, in cells
+    double Hexes, Lattice, Cells; // upper bounds of the rms distance on sides, in cells
   };
   for (const Bounds& b :
     { Bounds{ "half sphere", .016, .012, .065 }, Bounds{ "cut cylinder", .010, .046, .055 } })

@@ -1,6 +1,6 @@
 /**
- * Neighbours move in the order of their colours, whatever the order of all, and none in two tasks
- * of one step.
+ * Neighbours move in the order of their colours in any order of nodes, and never in two tasks of
+ * the same step.
  */
 #include "Smoothing/MoveOrder.h"
 #include "Smoothing/ActiveMeshBuilder.h"
@@ -20,14 +20,14 @@ using namespace vfm::testing;
 namespace
 {
 
-/// Where a node stands in an order.
+/// Position of a node in an order.
 struct Place
 {
   std::size_t Step = 0;
   Index Task = 0, At = 0;
 };
 
-/// By node: Points are { n, n + 1 } of node n.
+/// Returns the place of each node; node n has the points { n, n + 1 }.
 std::vector<Place> FindPlaces(const MoveOrder& order, std::size_t nodes)
 {
   std::vector<Place> places(nodes);
@@ -54,7 +54,7 @@ bool AreNeighbours(const Index3& a, const Index3& b)
   return std::abs(a[0] - b[0]) <= 1 && std::abs(a[1] - b[1]) <= 1 && std::abs(a[2] - b[2]) <= 1;
 }
 
-/// Pairs of neighbours that do not keep their order, or may move at the same time.
+/// Counts pairs of neighbours that do not keep their order or may move at the same time.
 int CountWrong(const std::vector<MoveOrder::Node>& nodes, const MoveOrder& order)
 {
   const std::vector<Place> places = FindPlaces(order, nodes.size());
@@ -74,7 +74,7 @@ int CountWrong(const std::vector<MoveOrder::Node>& nodes, const MoveOrder& order
   return wrong;
 }
 
-/// Some of the nodes of a box.
+/// Returns a random subset of the nodes of a box.
 std::vector<MoveOrder::Node> MakeNodes(const Index3& size, double share, unsigned seed)
 {
   std::mt19937 random(seed);

@@ -1,5 +1,5 @@
-/// Velocities at the points of a mesh: momentum, kinetic energy and what becomes of it, on any
-/// ranks.
+/// Velocities at mesh points: momentum and kinetic energy are conserved,
+/// losses included, on any ranks.
 #include "Transfer/NodalVelocity.h"
 
 #include "Base/Vector3.h"
@@ -14,7 +14,7 @@ using namespace vfm::testing;
 namespace
 {
 
-/// The state of elements, from nothing but their places, so that ranks do not matter.
+/// State of elements as a function of position only, so that it is the same on any ranks.
 struct ElementState
 {
   Buffer<double> Mass, Velocity;
@@ -41,12 +41,13 @@ struct ElementState
   }
 };
 
-/// Of all ranks by id: mass and velocity of points, what elements lose.
+/// Results of all ranks by id: mass and velocity of points, lost energy of elements.
 struct Merged
 {
   std::map<Index, std::array<double, 4>> Points;
   std::map<Index, double> Lost;
-  long double Mass = 0.0, Energy = 0.0, Size = 0.0; ///< of the elements; Size: of momentum
+  /// totals of the elements; Size: sum of |momentum|
+  long double Mass = 0.0, Energy = 0.0, Size = 0.0;
   std::array<long double, 3> Momentum{};
   Index Conflicts = 0, Elements = 0;
 
@@ -135,7 +136,8 @@ Merged MakeOn(
   return merged;
 }
 
-/// The same points, velocities and losses on 1, 2, 3 and 8 ranks, and on one without cells.
+/// Expects the same points, velocities and losses on 1, 2, 3 and 8 ranks,
+/// one of them without cells.
 void CompareRanks(const MeshCase& c, const MeshOptions& options, MeshMaker make)
 {
   const int refinements = options.Levels.Refinements;
@@ -157,7 +159,7 @@ void CompareRanks(const MeshCase& c, const MeshOptions& options, MeshMaker make)
 TEST(NodalVelocity, KeepsMomentumOnAnyRanks)
 {
   MeshOptions options;
-  options.MeshVoid = true; // which has no mass
+  options.MeshVoid = true; // void has no mass
   const MeshCase c = MakeMeshCase("ball of 3 sectors");
   CompareRanks(c, options, MakeHexMesh);
   CompareRanks(c, options, MakeTetMesh);
@@ -191,7 +193,7 @@ TEST(NodalVelocity, KeepsMomentumOfTetGensTets)
     GTEST_SKIP() << "built without TetGen";
   }
   MeshOptions options;
-  options.Tets = TetMethod::TetGen; // whose tets depend on the ranks
+  options.Tets = TetMethod::TetGen; // tetrahedra of TetGen depend on the number of ranks
   const MeshCase c = MakeMeshCase("sphere 16");
   for (int count : { 1, 2, 4 })
   {
@@ -222,13 +224,13 @@ TEST(NodalVelocity, OfOneVelocityLosesNothing)
 TEST(NodalVelocity, JoinedCellsLoseWhatTheyMoveApart)
 {
   Buffer<double> mass(2), velocity(6, 0.0), kinetic(2);
-  mass[0] = 3.0; // of 1 at rest and 2 with velocity 3, joined
+  mass[0] = 3.0; // mass 1 at rest joined with mass 2 of velocity 3
   velocity[0] = 2.0;
   kinetic[0] = 2.0 * 4.5 / 3.0;
   mass[1] = 0.0;
   kinetic[1] = 1.0;
   Runtime runtime;
   const Buffer<double> lost = FindLostKineticEnergy(mass, velocity, kinetic, runtime);
-  EXPECT_DOUBLE_EQ(lost[0], 3.0); // half of the reduced mass 2/3, times 9
+  EXPECT_DOUBLE_EQ(lost[0], 3.0); // half the reduced mass 2/3, times 9
   EXPECT_EQ(lost[1], 0.0);
 }

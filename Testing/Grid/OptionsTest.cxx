@@ -1,4 +1,4 @@
-/// Options, grids and the promises that hold for all of them.
+/// Options, grids, and guarantees that hold for all of them.
 #include "Mesh/Quality.h"
 #include "MeshCases.h"
 #include "RankFields.h"
@@ -21,7 +21,7 @@ Mesh Make(const CartesianGrid& grid, const FractionField& fractions, const MeshO
   return MakeHexMesh(grid, fractions, options, runtime, report);
 }
 
-/// Spacing that grows and shrinks: ratio of neighbouring widths up to 1.3, anisotropic.
+/// Returns a grid whose widths grow and shrink by up to 1.3 per cell, anisotropically.
 CartesianGrid MakeRectilinearGrid(int n)
 {
   std::array<std::vector<double>, 3> x;
@@ -86,7 +86,7 @@ TEST(Options, SmoothingOffKeepsTheStairsAndItsVolume)
   MeshReport report;
   const Mesh mesh = Make(c.Grid, c.Fractions, options, report);
   EXPECT_EQ(FindTopologyProblem(mesh), "");
-  EXPECT_GE(report.MinimumScaledJacobian, 0.43); // the start's own bound
+  EXPECT_GE(report.MinimumScaledJacobian, 0.43); // guaranteed by the mesh before smoothing
   EXPECT_NEAR(MeasureVolume(mesh, 1), report.MeshVolume[1], 1e-9 * report.MeshVolume[1]);
   EXPECT_EQ(report.MeshVolume[1], std::round(report.MeshVolume[1]));
 }
@@ -260,7 +260,8 @@ TEST(Geometry, QuadsPointFromTheSecondMaterialToTheFirst)
   const MeshCase c = MakeMeshCase("cut cylinder");
   MeshReport report;
   const Mesh mesh = Make(c.Grid, c.Fractions, MeshOptions(), report);
-  // so the quads of one material are its boundary, outward: the divergence theorem gives its volume
+  // With one material the quads are its boundary, directed outward: the
+  // divergence theorem gives the volume.
   double volume = 0.0;
   for (std::size_t q = 0; q < mesh.Surfaces.DomainSide.size(); ++q)
   {
@@ -313,7 +314,7 @@ TEST(Quality, OfWholeCellsIsThatOfTheirCorners)
 {
   MeshOptions options;
   options.StairStep = true;
-  for (double origin : { 0.0, -3.3, 1e13 }) // there coordinates do not hold the widths
+  for (double origin : { 0.0, -3.3, 1e13 }) // At 1e13 coordinates do not resolve the widths.
   {
     std::array<std::vector<double>, 3> x;
     for (int i = 0; i <= 6; ++i)

@@ -1,5 +1,5 @@
-/// What parts of elements lie in cells, against bodies cut plane by plane, and whole meshes against
-/// the cells that they fill.
+/// Overlaps of elements with cells, compared with bodies cut plane by plane; whole meshes are
+/// compared with the cells that they fill.
 #include "Transfer/Overlaps.h"
 
 #include "Base/ConvexClip.h"
@@ -23,7 +23,7 @@ struct Body
   Vector3 Moment{};
 };
 
-/// Elements one by one, as a mesh.
+/// A mesh built element by element.
 class ElementList
 {
 public:
@@ -48,7 +48,7 @@ public:
     return mesh;
   }
 
-  /// The tets that an element is: of a hex those from its mean to the triangles of its faces.
+  /// Returns the tets of an element. A hex is divided from its mean to the triangles of its faces.
   std::vector<std::array<Vector3, 4>> TetsOf(Index element) const
   {
     const Vector3* x = this->Points.data() + this->Corners * element;
@@ -116,7 +116,7 @@ Body Measure(const ConvexPiece& piece)
   return body;
 }
 
-/// By cutting tets with the planes of the cell.
+/// Cuts tets with the planes of the cell.
 Body CutByHand(
   const std::vector<std::array<Vector3, 4>>& tets, const CartesianGrid& grid, const Index3& cell)
 {
@@ -153,7 +153,7 @@ std::vector<Index> AllElements(const Mesh& mesh)
   return elements;
 }
 
-/// Every part against the same cut by hand, and nothing beside the parts.
+/// Compares each part with the same part from CutByHand; no other part may exist.
 void CompareWithHand(const ElementList& list, const CartesianGrid& grid)
 {
   Runtime runtime;
@@ -194,10 +194,10 @@ void CompareWithHand(const ElementList& list, const CartesianGrid& grid)
     EXPECT_NEAR(sum, whole, 1e-14 * whole);
   }
   EXPECT_LT(worst, 3e-14);
-  EXPECT_LT(worstMoment, 3e-13); // coordinates are some sizes of an element
+  EXPECT_LT(worstMoment, 3e-13); // coordinates are several times the element size
 }
 
-/// A box of a size with corners moved by up to a share of it.
+/// Returns a box of the given size whose corners are moved by up to `share` of it.
 std::vector<Vector3> DrawHex(RandomDraw& random, const Vector3& lower, double size, double share)
 {
   std::vector<Vector3> points(8);
@@ -225,7 +225,7 @@ std::vector<Vector3> DrawTet(RandomDraw& random, const Vector3& lower, double si
   return points;
 }
 
-/// Cells to a tolerance of their volumes; and the parts of each element to its volume.
+/// Checks that the elements fill each cell and the parts fill each element.
 void ExpectFilled(const Mesh& mesh, const CartesianGrid& grid, double tolerance)
 {
   Runtime runtime;
@@ -251,7 +251,7 @@ void ExpectFilled(const Mesh& mesh, const CartesianGrid& grid, double tolerance)
       worstCell =
         std::max(worstCell, std::fabs(filled[IndexInBox(grid.Local(), cell)] - volume) / volume);
     });
-  std::printf("cells filled but for %.2g, elements met but for %.2g\n", worstCell, worstElement);
+  std::printf("largest error of cells %.2g, of elements %.2g\n", worstCell, worstElement);
   EXPECT_LT(worstCell, tolerance);
   EXPECT_LT(worstElement, 5e-14);
 }
@@ -363,7 +363,8 @@ TEST(Overlaps, LargeOffsetsCostNoDigits)
     {
       for (double& component : x)
       {
-        component = std::ldexp(std::round(std::ldexp(component, 20)), -20); // as exact far away
+        // values on a grid of 2^-20 stay exact far away
+        component = std::ldexp(std::round(std::ldexp(component, 20)), -20);
       }
     }
     here.Add(points);

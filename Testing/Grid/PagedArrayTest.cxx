@@ -1,4 +1,4 @@
-/// PagedArray and RunCoding against plain vectors.
+/// PagedArray and RunCoding compared with plain vectors.
 #include "Base/RunCoding.h"
 #include "Fractions/FractionField.h"
 #include "Labels/Labels.h"
@@ -26,7 +26,7 @@ std::vector<T> ValuesOf(const PagedArray<T>& array, const CartesianGrid& grid)
   return values;
 }
 
-/// The same by Visit, row by row.
+/// Returns the same values, read by Visit row by row.
 template <class T>
 std::vector<T> VisitAll(const PagedArray<T>& array, const CartesianGrid& grid)
 {
@@ -49,7 +49,7 @@ std::vector<T> VisitAll(const PagedArray<T>& array, const CartesianGrid& grid)
   return values;
 }
 
-/// Random changes of an array and of a vector.
+/// Applies the same random changes to an array and to a vector.
 template <class T>
 void CompareWithVector(const CartesianGrid& grid, unsigned seed)
 {
@@ -136,9 +136,9 @@ TEST(PagedArray, StoresEqualValuesOnce)
   EXPECT_TRUE(isUniform(4) && isUniform(6));
   EXPECT_TRUE(array.Row(5 * length).IsUniform(1) && array.Row(5 * length).IsUniform(3));
   EXPECT_FALSE(array.Row(5 * length).IsUniform(2));
-  array.Fill(5 * length + 64, 5 * length + 90, 0); // the last place of another value
+  array.Fill(5 * length + 64, 5 * length + 90, 0); // overwrites the last entry of another value
   EXPECT_TRUE(isUniform(5));
-  // in parts, as data come in blocks
+  // in parts, as data arrive in blocks
   for (Index row = 0; row < grid.NumberOfEntries() / length; ++row)
   {
     for (Index i = 0; i < length; i += 16)
@@ -166,7 +166,7 @@ TEST(PagedArray, CostsLittleMoreThanAPlainArrayAtWorst)
   {
     array.Set(n, static_cast<int>(n));
   }
-  // a pointer a page, one a row, and at most as much again of the last block that is not used yet
+  // The array adds one pointer per page, one per row, and at most one unused block.
   const std::size_t dense = grid.NumberOfEntries() * sizeof(int);
   EXPECT_LT(array.MemoryInBytes(), dense + dense / 8 + (std::size_t(1) << 22));
 }
@@ -268,7 +268,7 @@ TEST(Labels, FindsMixedNodes)
   {
     const CartesianGrid grid = MakeUnitGrid(nx, 6, 5);
     std::mt19937 engine(static_cast<unsigned>(nx));
-    // blocks of one label with pages of one label among them
+    // blocks of one label contain some uniform pages
     const LabelArray labels = AssignMaterials(grid,
       MakeLabels(grid, 2,
         [&](const Index3& p) { return p[1] < 3 ? (p[0] > 32) + (p[2] > 1) : engine() % 40 == 0; }),

@@ -1,4 +1,4 @@
-/// Volumes of a cell below a plane.
+/// Volumes below a plane in a cell.
 #include "Base/Plic.h"
 #include "Base/ConvexClip.h"
 #include "Base/Vector3.h"
@@ -36,7 +36,7 @@ TEST(Plic, VolumesAreThoseOfPolyhedra)
   }
 }
 
-/// Components of any smallness: nothing is lost in differences.
+/// Very small components of the normal do not cause cancellation.
 TEST(Plic, VolumesOfPlanesAlongTheGrid)
 {
   RandomDraw random(1);

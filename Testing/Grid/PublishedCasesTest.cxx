@@ -1,5 +1,5 @@
-/// Cases that Sculpt's publications and logs give figures of, rebuilt from the exact shapes: the
-/// same counts.
+/// Cases with figures in Sculpt's publications and logs, rebuilt from
+/// exact shapes: the counts agree.
 #include "MeshCases.h"
 
 #include <gtest/gtest.h>

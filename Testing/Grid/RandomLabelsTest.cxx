@@ -1,5 +1,5 @@
-/// Whatever the labels, the mesh is valid, conforming, and every material has a closed manifold
-/// boundary.
+/// For any labels the mesh is valid and conforming, and each material has
+/// a closed manifold boundary.
 #include "MeshChecks.h"
 #include "Sweep.h"
 
@@ -25,7 +25,7 @@ class RandomLabels : public ::testing::TestWithParam<Case>
 {
 };
 
-/// Elements by the law: cells with a meshed label, and one for each interface face and meshed side.
+/// Counts the expected elements: one per meshed cell, interface face and meshed domain side.
 std::size_t CountByLaw(const CartesianGrid& grid, const LabelArray& labels, bool meshVoid)
 {
   std::size_t count = 0;
@@ -99,7 +99,8 @@ INSTANTIATE_TEST_SUITE_P(Materials, RandomLabels,
 
 TEST(RandomLabels, StartIsValidForEveryAcceptedStar)
 {
-  // every two-label star that passes, in a grid of any widths with a border that continues it
+  // Each accepted star of two labels, in a grid of very different widths
+  // with a border that continues it.
   for (int region = 1; region < 255; ++region)
   {
     if (RegionNormalsTable[region].ViolatedAxes() != 0)

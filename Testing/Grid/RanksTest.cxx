@@ -1,4 +1,4 @@
-/// The mesh is the same, bit for bit, on any number of ranks and any partition.
+/// The mesh is bitwise identical on any number of ranks and for any partition.
 #include "GeometryChecks.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@ using namespace vfm::testing;
 namespace
 {
 
-/// The elements to make.
+/// Type of element and method.
 enum class Kind
 {
   Hexes,
@@ -29,7 +29,7 @@ MeshOptions OptionsOf(Kind kind)
   return options;
 }
 
-/// A field and how its grid is cut.
+/// A field and the partitions of its grid.
 struct RankCase
 {
   std::string Mesh;
@@ -57,7 +57,8 @@ std::vector<std::vector<IndexBox>> CutInMany(const IndexBox& box)
   return { CutBox(box, 2), CutBox(box, 3, 0), CutBox(box, 4, 2), CutBox(box, 8), CutBox(box, 33) };
 }
 
-/// Ranks without cells, along all axes or one, and slabs thinner than the ghost layers.
+/// Returns partitions with empty ranks, cut along all axes or one, and slabs
+/// thinner than the ghost layers.
 std::vector<std::vector<IndexBox>> CutOddly(const IndexBox& box)
 {
   std::vector<std::vector<IndexBox>> cuts{ CutBox(box, 2), CutBox(box, 14, 1) };
@@ -167,7 +168,7 @@ TEST(Ranks, PartsOfTetGenMatch)
           EXPECT_NEAR(report.MeshVolume[m], volume, 1e-9 * volume) << "material " << m;
         }
       }
-      std::printf("%s on %d ranks: %zu tets, dihedral %.1f - %.1f, %lld parts refused\n", name,
+      std::printf("%s on %d ranks: %zu tets, dihedral %.1f - %.1f, %lld parts rejected\n", name,
         ranks, made.Merged.Elements.size(), made.Reports[0].MinimumDihedralAngle,
         made.Reports[0].MaximumDihedralAngle, static_cast<long long>(made.Reports[0].RefusedParts));
     }

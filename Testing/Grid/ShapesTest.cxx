@@ -1,5 +1,5 @@
 /**
- * Shapes: distances and volume fractions against closed forms.
+ * Distances and volume fractions of shapes, compared with closed forms.
  */
 #include "Base/Plic.h"
 #include "Base/Vector3.h"
@@ -30,7 +30,7 @@ struct KnownShape
   double Volume;
 };
 
-/// All lie in [-1,1]^3.
+/// Returns shapes inside [-1,1]^3 with their volumes.
 std::vector<KnownShape> GetKnownShapes()
 {
   const Shape ball = MakeSphere(1, Center, 0.8);
@@ -86,7 +86,8 @@ double FractionOf(const std::vector<Shape>& shapes, const Vector3& lower, const 
   return fractions[0];
 }
 
-/// Mean over the lines along z of the part inside, by the signs of the distance and bisection.
+/// Returns the fraction from the signs of the distance: mean over lines
+/// along z, ends found by bisection.
 double SampleFraction(const Shape& shape, const Vector3& lower, const Vector3& upper)
 {
   constexpr int Lines = 40, Steps = 16;
@@ -124,7 +125,7 @@ double SampleFraction(const Shape& shape, const Vector3& lower, const Vector3& u
 
 using Cells = std::map<Index3, std::vector<std::pair<int, double>>>;
 
-/// Fractions of the cells of a box, on several threads when asked.
+/// Returns the fractions of the cells of a box; the runtime sets the number of threads.
 Cells ComputeCells(const std::array<std::vector<double>, 3>& coordinates, const IndexBox& box,
   const std::vector<Shape>& shapes, Runtime& runtime)
 {
@@ -151,7 +152,7 @@ Cells ComputeCells(const std::array<std::vector<double>, 3>& coordinates, const 
   return cells;
 }
 
-/// Every index on a thread of its own.
+/// Runs each index on its own thread.
 struct ThreadedRuntime : Runtime
 {
   void For(std::int64_t first, std::int64_t last,
@@ -169,7 +170,7 @@ struct ThreadedRuntime : Runtime
   }
 };
 
-/// A cube with corners at 0 and 1.
+/// Returns a cube with corners at 0 and 1.
 TriangleSolid MakeCubeSolid()
 {
   constexpr int Quads[6][4] = { { 0, 4, 6, 2 }, { 1, 3, 7, 5 }, { 0, 1, 5, 4 }, { 2, 6, 7, 3 },
@@ -198,7 +199,7 @@ TEST(Shapes, VolumesAreExactOnCoarseAndFineGrids)
     {
       const CartesianGrid grid(MakeUniformCoordinates(n));
       const double volume = SumVolume(grid, FractionsOfShapes(grid, { known.Solid }), 1);
-      // The small sphere fills a part of one cell: there the tolerance in a cell rules.
+      // The small sphere fills part of one cell: the tolerance per cell limits the error.
       const double bound =
         std::max(1e-5 * known.Volume, 0.2 * DefaultShapeTolerance * std::pow(2.0 / n, 3));
       EXPECT_NEAR(volume, known.Volume, bound) << known.Name << ", n = " << n;
@@ -229,7 +230,8 @@ TEST(Shapes, FractionsOfCellsKeepTheTolerance)
           512;
       }
       EXPECT_NEAR(fraction, sum, DefaultShapeTolerance) << known.Name << ", cell " << c;
-      if (c % 11 == 0) // independent, though coarser: half a line where a face lies along the lines
+      // Independent but coarser: off by half a line where a face is parallel to the lines.
+      if (c % 11 == 0)
       {
         const Vector3 lower = grid.NodePoint(cell);
         const Vector3 upper = lower + Vector3{ { width, width, width } };

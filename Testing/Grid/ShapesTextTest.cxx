@@ -1,5 +1,5 @@
 /**
- * Shapes as text, and the ready scenes.
+ * Shapes given as text, and the predefined scenes.
  */
 #include "Shapes/ShapesText.h"
 #include "Base/Runtime.h"

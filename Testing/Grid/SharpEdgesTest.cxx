@@ -1,5 +1,5 @@
-/// Option SharpEdges: true edges and corners are near, what is smooth stays, and every mesh is
-/// valid and the same on any ranks.
+/// Option SharpEdges: true edges and corners are near, smooth surfaces stay smooth, and every mesh
+/// is valid and the same on any ranks.
 #include "NearestTriangle.h"
 #include "RandomDraw.h"
 #include "RankMeshes.h"
@@ -22,7 +22,7 @@ MeshOptions OptionsOf(SharpEdges mode, TetMethod method = TetMethod::Lattice)
   return options;
 }
 
-/// Who makes the mesh.
+/// Mesher and method of a mesh.
 struct Maker
 {
   const char* Name;
@@ -32,7 +32,7 @@ struct Maker
 const Maker Makers[] = { { "hexes", MakeHexMesh, TetMethod::Lattice },
   { "Lattice", MakeTetMesh, TetMethod::Lattice }, { "Cells", MakeTetMesh, TetMethod::Cells } };
 
-/// "", or what is wrong with a mesh; volumes to a tolerance.
+/// Returns an empty string or the problem of a mesh; tolerance: of volumes.
 std::string FindProblem(const Mesh& mesh, const MeshReport& report, double tolerance)
 {
   if (!IsPositiveEverywhere(mesh))
@@ -51,7 +51,7 @@ std::string FindProblem(const Mesh& mesh, const MeshReport& report, double toler
   return FindTopologyProblem(mesh);
 }
 
-/// One to three turned boxes, cylinders and half-spaces in one another.
+/// Returns one to three rotated boxes, cylinders and half-spaces that may overlap.
 std::vector<Shape> DrawSolids(RandomDraw& draw, double n)
 {
   std::vector<Shape> shapes;
@@ -131,7 +131,7 @@ TEST(SharpCases, TheNearestTriangleIsFound)
   EXPECT_DOUBLE_EQ(DistanceToTriangle({ { -3, -4, 0 } }, flat), 5.0);
 }
 
-/// Surfaces, curves and vertices; those of the domain with a matrix.
+/// Returns the numbers of surfaces, curves and vertices; with a matrix the domain has its own.
 std::array<Index, 3> GeometryOf(const std::string& name)
 {
   static const std::map<std::string, std::array<Index, 3>> others{ { "L", { { 8, 18, 12 } } },
@@ -190,7 +190,7 @@ TEST(SharpEdges, WhatIsSmoothStays)
   }
 }
 
-/// The option has an effect on the same case with the defaults.
+/// The default case shows that the option has an effect here.
 TEST(SharpEdges, HasNoEffectWithOtherSurfaces)
 {
   const SharpCase c = MakeSharpCase("cube A", 16);

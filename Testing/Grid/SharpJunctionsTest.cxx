@@ -1,5 +1,5 @@
-/// Option SharpEdges where edges end: on another material, at a side of the domain, on a finer
-/// level.
+/// Option SharpEdges where edges end: on another material, at a side of
+/// the domain, on a finer level.
 #include "MeshChecks.h"
 #include "SharpCases.h"
 
@@ -14,11 +14,11 @@ namespace
 {
 
 constexpr int Cells = 32;
-constexpr double Turn = 0.4; // of a box about z, radians
+constexpr double Turn = 0.4; // rotation of a box about z, radians
 constexpr double HalfWidth = 0.2 * Cells, Bottom = 0.2 * Cells, Top = 0.7 * Cells;
 constexpr double PlateTop = 0.3137 * Cells;
 
-/// A turned box, its vertical edges from some height on.
+/// Returns a rotated box whose vertical edges are expected from the height `visible`.
 SharpCase MakeBoxCase(std::vector<Shape> others, double bottom, double visible, double top)
 {
   const double middle = 0.5 * Cells;
@@ -76,8 +76,7 @@ void ExpectSharp(const SharpCase& c, Index surfaces, Index curves, Index vertice
 
 } // namespace
 
-/// Of a box stuck in a plate: 5 sides above and 5 below, the plate's top, and 5 sides of the
-/// domain.
+/// A box stuck in a plate has 5 sides above and 5 below; the plate has a top and 5 domain sides.
 TEST(SharpJunctions, EdgesEndOnAnotherMaterial)
 {
   ExpectSharp(MakeBoxCase({ MakeHalfSpace(2, { { 0.0, 0.0, PlateTop } }, { { 0.0, 0.0, 1.0 } }) },
@@ -90,7 +89,8 @@ TEST(SharpJunctions, EdgesEndAtASideOfTheDomain)
   ExpectSharp(MakeBoxCase({}, -0.1 * Cells, 0.0, 0.45 * Cells), 6, 12, 8);
 }
 
-/// Coarser cells inside, all interfaces in finest ones: the edges are those of the uniform mesh.
+/// With coarser cells inside and all interfaces in finest cells, the edges
+/// equal the uniform mesh's.
 TEST(SharpJunctions, FinestCellsHaveEdges)
 {
   const SharpCase c = MakeBoxCase({}, Bottom, Bottom, Top);

@@ -40,7 +40,7 @@ std::vector<Index> CountCells(const CartesianGrid& grid, const LabelArray& label
   return cells;
 }
 
-/// Violations at the nodes of a cell when it has a label.
+/// Counts the violations at the nodes of a cell if the cell has the given label.
 int CountViolationsAround(
   const CartesianGrid& grid, const LabelArray& labels, const Index3& cell, int label)
 {
@@ -56,7 +56,8 @@ int CountViolationsAround(
 
 } // namespace
 
-/// Two cells of label 2 that touch along an edge: the wall around them has cells to spare.
+/// Two cells of label 2 touch along an edge: a cell of the surrounding
+/// label can be flipped instead.
 TEST(SmallLabels, PairThatTouchesAlongAnEdgeStays)
 {
   const CartesianGrid grid = MakeUnitGrid(12);
@@ -70,7 +71,7 @@ TEST(SmallLabels, PairThatTouchesAlongAnEdgeStays)
   EXPECT_EQ(CountCells(grid, labels, 2)[2], 3);
 }
 
-/// Of 400 labels in a crowd; where two single cells are in each other's way one of them may go.
+/// Each crowd has 40 labels. Where two single cells conflict, one of them may be lost.
 TEST(SmallLabels, LastCellsStay)
 {
   int singles = 0, lostSingles = 0;
@@ -119,7 +120,7 @@ TEST(SmallLabels, NoFlipIsInVain)
   EXPECT_GT(flips, 100);
 }
 
-/// One cell, and three in an angle: of one fragment each, met as large ones are.
+/// Fragments of one cell, and of three cells in an angle, get their volumes as large ones do.
 TEST(SmallLabels, SingleCellsGetTheirVolume)
 {
   const CartesianGrid grid = MakeUnitGrid(14);

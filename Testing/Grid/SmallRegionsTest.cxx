@@ -1,4 +1,4 @@
-/// Small regions removed: crumbs, cavities, noise, spray; ranks agree.
+/// Small regions are removed: fragments, cavities, noise, droplets; ranks agree.
 #include "Labels/SmallRegions.h"
 #include "Labels/Labels.h"
 #include "MeshChecks.h"
@@ -26,7 +26,7 @@ FieldChange RemoveBelow(Index minimum)
   { RemoveSmallRegions(grid, minimum, 0.5, partition, fractions); };
 }
 
-/// The cells of the smallest region, found cell by cell.
+/// Returns the number of cells of the smallest region, found cell by cell.
 Index FindSmallestRegion(
   const CartesianGrid& grid, const FractionField& field, double isoValue = 0.5)
 {
@@ -64,9 +64,9 @@ Index FindSmallestRegion(
   return smallest;
 }
 
-/// A block of material 1 and one of 2 side by side in void, with a cavity of three cells in the
-/// first, a single cell of 2 in it, a pair of 1 in the void and a single cell of 3 between the
-/// blocks' faces.
+/// Returns the label of a cell: blocks of materials 1 and 2 side by side in void. The first
+/// contains a cavity of three cells and a single cell of 2. A pair of cells of 1 lies in the void,
+/// a cell of 3 at the common face of the blocks.
 int CrumbAt(const Index3& p)
 {
   const bool inFirst = p[0] >= 2 && p[0] < 8 && p[1] >= 2 && p[1] < 10 && p[2] >= 2 && p[2] < 10;
@@ -181,8 +181,8 @@ TEST(SmallRegions, RandomFractions)
   }
 }
 
-/// Water below, with an oblique surface, and two droplets above: one that fills two cells by more
-/// than half, one that fills none.
+/// Water with an oblique surface, and two droplets above it. One droplet fills two cells by more
+/// than half and is removed, the other fills none and stays.
 TEST(SmallRegions, SprayGoesWithAllItsFractions)
 {
   const CartesianGrid grid = MakeUnitGrid(10);

@@ -1,5 +1,5 @@
-/// Fractions from labels: nearer to the true surface than the steps, labels and volumes kept, ranks
-/// agree.
+/// Fractions smoothed from labels are nearer to the true surface than the steps; labels and
+/// volumes are kept, and ranks agree.
 #include "Labels/SmoothLabels.h"
 #include "Base/Vector3.h"
 #include "Labels/Labels.h"
@@ -22,7 +22,7 @@ double Smooth(const CartesianGrid& grid, int passes, FractionField& field)
   return SmoothLabels(grid, passes, Partition(grid, runtime.Group()), runtime, field);
 }
 
-/// A case of labels: the materials at the centres of the cells.
+/// Returns a case of labels: the materials at cell centres.
 MeshCase MakeLabelCase(const std::string& name, const CartesianGrid& grid, int materials,
   const std::function<int(const Vector3&)>& materialAt,
   const std::function<double(int, int, const Vector3&)>& distance)
@@ -60,7 +60,7 @@ MeshCase MakeSectorLabels()
     [=](const Vector3& x) { return SignedDistance(ball, x) < 0.0 ? sector(x) : 0; }, distance);
 }
 
-/// rms distance with 0, 1, 2, 3, 5 passes, cells.
+/// Returns the rms distance in cells after 0, 1, 2, 3 and 5 passes.
 std::vector<double> MeasurePasses(const MeshCase& labels)
 {
   std::vector<double> rms;
@@ -110,7 +110,7 @@ TEST(SmoothLabels, SectorsComeNearer)
   EXPECT_LT(rms[2], 0.75 * rms[0]);
 }
 
-/// Labels of all kinds: noise, and a wire, a plate one cell thick and a single cell in void.
+/// Returns difficult labels: noise, and a wire, a plate one cell thick and a single cell in void.
 std::vector<std::pair<CartesianGrid, FractionField>> MakeHardLabels()
 {
   std::vector<std::pair<CartesianGrid, FractionField>> fields;
@@ -205,7 +205,7 @@ TEST(SmoothLabels, NothingToSmooth)
 
 TEST(SmoothLabels, RanksAgree)
 {
-  for (int passes : { 2, 7, 10 }) // more than the ghost layers, too
+  for (int passes : { 2, 7, 10 }) // also more passes than ghost layers
   {
     for (int seed : { 1, 2 })
     {

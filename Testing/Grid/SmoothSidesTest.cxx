@@ -1,5 +1,5 @@
-/// Sides of interfaces with edges, and the geometry that they make, on faces of cells whose points
-/// carry edges as told by hand.
+/// Sides of interfaces with edges and the resulting geometry, on faces of cells. A function
+/// defines which points carry edges.
 #include "Mesh/SmoothSides.h"
 #include "Base/Vector3.h"
 #include "Labels/Fragments.h"
@@ -23,7 +23,7 @@ namespace
 
 using Carries = std::function<bool(const Index3& node)>;
 
-/// Cells of material 1, where their corners lie, and which carry edges.
+/// A body of material 1: its cells, the nodes that carry edges, and the positions of nodes.
 struct Body
 {
   std::function<bool(const Index3& cell)> Has;
@@ -31,7 +31,7 @@ struct Body
   std::function<Vector3(const Vector3& node)> Place = [](const Vector3& node) { return node; };
 };
 
-/// What a rank knows, and the surface of each facet that it owns by the ids of its points.
+/// Results of a rank, and the surface of each owned facet by the ids of its points.
 struct Classified
 {
   GeometryTables Tables;
@@ -39,7 +39,7 @@ struct Classified
   std::map<std::array<Index, 4>, int> Surfaces;
 };
 
-/// The faces of cells of a body are its mesh; points are nodes.
+/// A mesh of the faces between cells of a body and void; its points are nodes.
 class FaceMesh
 {
 public:
@@ -119,7 +119,7 @@ private:
   std::vector<FeatureKind> Kinds;
 };
 
-/// Of one process; expects the same of 2, 3 and 8.
+/// Returns the classification on one rank; checks that 2, 3 and 8 ranks agree.
 Classified Classify(const std::string& name, const Index3& cells, const Body& body)
 {
   const CartesianGrid whole = MakeUnitGrid(cells[0], cells[1], cells[2]);
@@ -161,7 +161,7 @@ void ExpectCounts(const Classified& made, int surfaces, int curves, int vertices
 const IndexBox Cube{ { { 2, 2, 2 } }, { { 10, 10, 10 } } };
 const Index3 CubeGrid{ { 12, 12, 12 } };
 
-/// On how many sides of a box a node lies.
+/// Counts the sides of a box on which a node lies.
 int CountSides(const IndexBox& box, const Index3& node)
 {
   int sides = 0;
@@ -186,7 +186,7 @@ bool IsEdgeOfCube(const Index3& node)
   return CountSides(Cube, node) > 1;
 }
 
-/// A prism whose square section is drawn out to a disk.
+/// Returns a prism whose square section is mapped to a disk.
 Body MakeCylinder(const IndexBox& box)
 {
   const Vector3 centre{ { .5 * (box.Lower[0] + box.Upper[0]), .5 * (box.Lower[1] + box.Upper[1]),
@@ -249,7 +249,7 @@ TEST(SmoothSides, RimsOfACylinderAreClosed)
   EXPECT_EQ(made.Tables.CurveEnds, (std::vector<int>{ 0, 0 }));
 }
 
-/// One that fades out ends within a side; the points that lack in another are found.
+/// An edge that ends within a side does not divide it; a gap in an edge is closed.
 TEST(SmoothSides, AnOpenEdgeCutsNothingAndAGapIsClosed)
 {
   const auto isOnOneEdge = [](const Index3& node)
@@ -260,7 +260,8 @@ TEST(SmoothSides, AnOpenEdgeCutsNothingAndAGapIsClosed)
   ExpectCounts(Classify("cube with a gap", CubeGrid, MakeCube(hasGap)), 6, 12, 8);
 }
 
-/// Of a shell the outer piece has edges: each piece of the interface has sides of its own then.
+/// A shell's outer boundary has edges: then each connected part of the interface has its own sides.
+/// Without edges both parts are one surface.
 TEST(SmoothSides, AnInterfaceOfTwoPieces)
 {
   const IndexBox hollow{ { { 4, 4, 4 } }, { { 8, 8, 8 } } };
@@ -272,7 +273,7 @@ TEST(SmoothSides, AnInterfaceOfTwoPieces)
   ExpectCounts(Classify("hollow cube without carriers", CubeGrid, smooth), 1, 0, 0);
 }
 
-/// A point that carriers enclose is of the side around it.
+/// A point enclosed by carriers belongs to the side around it.
 TEST(SmoothSides, SliversJoinTheAdjacentSide)
 {
   const auto isEdge = [](const Index3& node)

@@ -1,4 +1,4 @@
-/// Manufactured shapes as tets: angles, distance to the truth, volume, topology.
+/// Manufactured shapes as tetrahedra: angles, distance to the true interface, volume, topology.
 #include "MeshCases.h"
 
 #include <gtest/gtest.h>

@@ -37,8 +37,9 @@ void ListCornersOfCentre(ActiveMesh& mesh)
   mesh.ListCorners();
 }
 
-/// The 24 tets at a node of the body-centred lattice, shaken: point 0 in the middle of cube
-/// corners 1..8 and points 9..14 beyond its faces. The middle is any corner of its tets.
+/// Returns the 24 tets at a node of the body-centred lattice, randomly distorted. Point 0 is
+/// the node, points 1..8 are corners of the cube, points 9..14 lie beyond its faces. The node
+/// is a random corner of each tet.
 ActiveMesh Star(RandomDraw& random, double shake, bool uniform)
 {
   ActiveMesh mesh;
@@ -84,7 +85,7 @@ ActiveMesh Star(RandomDraw& random, double shake, bool uniform)
   return mesh;
 }
 
-/// A tet at corner 0 of which the active point is.
+/// Returns one tet whose corner 0 is the active point.
 ActiveMesh OneTet(const Vector3 corners[4], const Vector3& widths)
 {
   ActiveMesh mesh;
@@ -96,7 +97,7 @@ ActiveMesh OneTet(const Vector3 corners[4], const Vector3& widths)
   return mesh;
 }
 
-/// Some tets of a mesh alone, from first to last (excluded).
+/// Returns the tets from first to last (excluded) of a mesh.
 ActiveMesh SomeTets(const ActiveMesh& mesh, int first, int last)
 {
   ActiveMesh part = mesh;
@@ -109,8 +110,8 @@ ActiveMesh SomeTets(const ActiveMesh& mesh, int first, int last)
   return part;
 }
 
-/// By definition, with roots, powers and angles. edgesFrom: the corner whose edges count, or -1 for
-/// all.
+/// Computes the energy of a tet by definition, with roots, powers and angles. edgesFrom: the corner
+/// whose edges count, or -1 for all.
 double Definition(
   const Vector3 corners[4], const Vector3& widths, const SmoothingStage& stage, int edgesFrom)
 {
@@ -170,7 +171,7 @@ double DefinitionAtCentre(const ActiveMesh& mesh, const SmoothingStage& stage)
 
 const Vector3 UnitWidths{ { 1.0, 1.0, 1.0 } };
 
-/// With edges of length 1, and a tet that is not regular.
+/// Regular has edges of length 1; Skew is not regular.
 const Vector3 Regular[4] = { { { 0.0, 0.0, 0.0 } }, { { 1.0, 0.0, 0.0 } },
   { { 0.5, std::sqrt(0.75), 0.0 } }, { { 0.5, std::sqrt(1.0 / 12.0), std::sqrt(2.0 / 3.0) } } };
 const Vector3 Skew[4] = { { { 0.1, -0.1, 0.0 } }, { { 1.2, 0.1, 0.0 } }, { { 0.6, 0.7, 0.1 } },
@@ -315,7 +316,7 @@ TEST(TetEnergy, OfTheRegularTetIsKnown)
       EXPECT_NEAR(energy.OfTet(corners, widths, stage), whole, 1e-12 * whole);
       const ActiveMesh mesh = OneTet(corners, widths);
       EXPECT_NEAR(energy.Evaluate(mesh, 0, mesh.X[0], stage), atCorner, 1e-12 * atCorner);
-      // nothing pulls at it: its shape is best in any frame
+      // The shape of a regular tet is optimal in any frame: the gradient is zero.
       if (size > 0.5)
       {
         const Derivatives d = energy.Differentiate(mesh, 0, stage);
@@ -336,7 +337,7 @@ TEST(TetEnergy, IsInvalidWhereATetIsFlatOrInverted)
     std::swap(mesh.Elements[4 * bad + 1], mesh.Elements[4 * bad + 2]);
     ListCornersOfCentre(mesh);
     EXPECT_EQ(energy.Evaluate(mesh, 0, mesh.X[0], stage), InvalidEnergy);
-    // far away: about half of the tets inverted
+    // far away: about half of the tets are inverted
     mesh = Star(random, 0.05, bad % 2 == 0);
     EXPECT_LT(energy.Evaluate(mesh, 0, mesh.X[0], stage), 1e6);
     EXPECT_EQ(energy.Evaluate(mesh, 0, 3.0 * random.Vector(-1.0, 1.0), stage), InvalidEnergy);
@@ -346,7 +347,7 @@ TEST(TetEnergy, IsInvalidWhereATetIsFlatOrInverted)
   EXPECT_EQ(energy.OfTet(corners, UnitWidths, stage), InvalidEnergy);
   corners[0] = corners[2];
   EXPECT_EQ(energy.OfTet(corners, UnitWidths, stage), InvalidEnergy);
-  // D is measured in cells
+  // D is relative to the cell size
   const double nearlyFlat = 1.1e-9;
   for (double width : { 1e-3, 1.0, 1e3 })
   {
@@ -366,7 +367,7 @@ TEST(TetEnergy, OfOneTetIsWhatItsCornersSee)
   const SmoothingStage stage = Stage(2);
   const double whole = energy.OfTet(Skew, widths, stage);
   EXPECT_NEAR(whole, Definition(Skew, widths, stage, -1), 1e-12 * whole);
-  // the corners together: shape four times, each edge twice
+  // The corners together count the shape four times and each edge twice.
   double corners = 0.0, shape = 0.0;
   TetQualityFloors noEdges = Floors;
   noEdges.ShortestEdge = 0.0;
@@ -405,7 +406,7 @@ TEST(TetEnergy, HasNeitherJumpNorKinkAtRightAngles)
   const SmoothingStage stage = Stage(1);
   const Vector3 corners[4] = { { { 0.0, 0.0, 0.0 } }, { { 1.0, 0.0, 0.0 } }, { { 0.4, 0.9, 0.0 } },
     { { 0.3, 0.0, 0.8 } } };
-  // 90 degrees at the edge 0 1; corner 2 turns it a little
+  // The dihedral angle at edge 0 1 is 90 degrees; corner 2 moves it slightly to either side.
   ActiveMesh mesh = OneTet(corners, UnitWidths);
   Derivatives d[2];
   for (int side = 0; side < 2; ++side)
@@ -455,7 +456,7 @@ TEST(TetEnergy, InFloatsIsThatInDoubles)
       }
     }
   }
-  EXPECT_GT(differ, 300); // they are floats
+  EXPECT_GT(differ, 300); // shows that floats are used
 }
 
 TEST(TetEnergy, IsInDoublesWhereFloatsDoNot)
@@ -469,7 +470,7 @@ TEST(TetEnergy, IsInDoublesWhereFloatsDoNot)
     const Vector3 centre = mesh.X[0];
     for (const double height : { 1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 0.0, -1e-10, -1e-4, -0.1 })
     {
-      // near to a face of the cube's hull, so that two tets are nearly flat
+      // near a face of the hull, so that two tets are nearly flat
       mesh.X[0] = centre + (1.0 - height) * (mesh.X[9] - centre) +
         Scaled(mesh.Widths[0], Vector3{ { 0.0, 0.05, 0.03 } });
       const double energy = doubles.Evaluate(mesh, 0, mesh.X[0], stage);

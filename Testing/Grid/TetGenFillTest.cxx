@@ -1,6 +1,6 @@
 /**
- * TetGenFill: closed surfaces of many kinds are filled and their triangles kept; wrong ones are
- * refused.
+ * TetGenFill fills closed surfaces of many kinds and keeps their triangles; it rejects invalid
+ * surfaces.
  */
 #include "TetGen/TetGenFill.h"
 
@@ -27,7 +27,7 @@ const double Pi = 3.14159265358979323846;
 
 double Same(const Vector3&)
 {
-  return 0.0; // no wish
+  return 0.0; // no requested size
 }
 
 SizeFunction Constant(double size)
@@ -52,8 +52,8 @@ void AddQuad(TetGenPart& part, int a, int b, int c, int d, bool other = false)
 
 using Cell = std::array<int, 3>;
 
-/// The boundary of unit cubes; cubes may touch at edges and corners. The quads are cut one way or
-/// the other as the parity of their cell and side says.
+/// Returns the boundary of unit cubes, which may touch at edges and corners. The parity of cell and
+/// side selects the diagonal of each quad.
 TetGenPart BoundaryOfCells(const std::set<Cell>& cells, double width = 1.0)
 {
   TetGenPart part;
@@ -90,7 +90,7 @@ TetGenPart BoundaryOfCells(const std::set<Cell>& cells, double width = 1.0)
   return part;
 }
 
-/// The unit cube, n x n squares a side.
+/// Returns the unit cube with n x n squares per side.
 TetGenPart Cube(int n)
 {
   std::set<Cell> cells;
@@ -107,7 +107,7 @@ TetGenPart Cube(int n)
   return BoundaryOfCells(cells, 1.0 / n);
 }
 
-/// An icosahedron with triangles cut in four, on a sphere.
+/// Returns a sphere: an icosahedron whose triangles are cut in four `cuts` times.
 TetGenPart Ball(int cuts, double radius, const Vector3& centre = {})
 {
   TetGenPart part;
@@ -151,7 +151,7 @@ TetGenPart Ball(int cuts, double radius, const Vector3& centre = {})
   return part;
 }
 
-/// Adds the surface, inside out if wanted.
+/// Adds a surface, with reversed triangles if it is a hole.
 void Append(TetGenPart& part, const TetGenPart& other, bool isHole)
 {
   const int first = static_cast<int>(part.Points.size());
@@ -163,7 +163,7 @@ void Append(TetGenPart& part, const TetGenPart& other, bool isHole)
   }
 }
 
-/// About a tilted axis.
+/// Rotates about a tilted axis.
 void Rotate(TetGenPart& part, double angle)
 {
   const Vector3 axis = Unit({ { 1.0, 2.0, 3.0 } });
@@ -190,7 +190,7 @@ double VolumeInside(const TetGenPart& part)
   return volume;
 }
 
-/// Dihedral angles and mean edge, measured.
+/// Dihedral angles and mean edge length.
 struct Shape
 {
   double Smallest = 180.0, Largest = 0.0, MeanEdge = 0.0;
@@ -232,8 +232,8 @@ Shape Measure(const TetGenFill& fill)
   return shape;
 }
 
-/// Independent of the checks in TetGenFill: faces are oriented triples with the smallest corner
-/// first.
+/// Checks a filling independently of TetGenFill. Faces are oriented triples
+/// with the smallest corner first.
 void ExpectFilled(const TetGenPart& part, const TetGenFill& fill)
 {
   ASSERT_EQ(fill.Refusal, "");
@@ -287,7 +287,7 @@ void Print(const char* what, const TetGenFill& fill)
     fill.Points.size(), fill.Tets.size(), shape.Smallest, shape.Largest, shape.MeanEdge);
 }
 
-/// Cubes grown from one, each face to face with one before.
+/// Returns cubes grown from one; each shares a face with an earlier one.
 TetGenPart Jagged(unsigned seed)
 {
   std::mt19937 random(seed);
@@ -365,7 +365,7 @@ TEST(TetGenFill, BallWithHole)
   const TetGenFill fill = Fill(part, Constant(0.15));
   ExpectFilled(part, fill);
   Print("shell", fill);
-  // An island of the same region in the hole.
+  // an island of the same region in the hole
   Append(part, Ball(2, 0.25), false);
   ExpectFilled(part, Fill(part, Constant(0.15)));
 }
@@ -379,7 +379,7 @@ TEST(TetGenFill, CubesThatTouch)
   }
 }
 
-/// Holes that touch each other, or the outside, at an edge or a corner.
+/// Holes touch each other or the outside at an edge or a corner.
 TEST(TetGenFill, NonManifoldHoles)
 {
   const std::vector<std::vector<Cell>> removed = { { { { 1, 1, 1 } }, { { 2, 2, 1 } } },
@@ -520,7 +520,8 @@ TEST(TetGenFill, RefusesCrossings)
     {
       p = p + Vector3{ { shift(random), shift(random), shift(random) } };
     }
-    const TetGenFill fill = Fill(part, Constant(0.3)); // either way, but no crash
+    // may be filled or rejected, but must not crash
+    const TetGenFill fill = Fill(part, Constant(0.3));
     if (fill.Refusal.empty())
     {
       ExpectFilled(part, fill);
@@ -552,7 +553,7 @@ TEST(TetGenFill, ProgressAndAbort)
   const TetGenFill fill = FillWithTetGen(
     part, TetGenOptions(), Constant(0.08), [&](double fraction) { told.push_back(fraction); });
   ExpectFilled(part, fill);
-  std::printf("%zu tets, %zu times told\n", fill.Tets.size(), told.size());
+  std::printf("%zu tets, %zu reports of progress\n", fill.Tets.size(), told.size());
   EXPECT_GT(told.size(), 4U);
   EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
   EXPECT_TRUE(told.front() > 0.0 && told.back() <= 1.0);

@@ -19,7 +19,7 @@ struct Quality
   double Angles[6];
 };
 
-/// The corners stand among other points, not in order.
+/// Measures a tet whose corners are spread among other points.
 Quality QualityOf(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d)
 {
   const Vector3 other{ { 9.0, 9.0, 9.0 } };
@@ -59,7 +59,7 @@ TEST(TetQuality, OfTheRegularTetIsOne)
 TEST(TetQuality, OfTheCornerOfACube)
 {
   const Quality q = QualityOf(O, X, Y, Z);
-  // the corners off the origin have edges 1, sqrt 2, sqrt 2
+  // The corners off the origin have edges 1, sqrt 2, sqrt 2.
   EXPECT_NEAR(q.ScaledJacobian, std::sqrt(0.5), 1e-15);
   const double angle = std::acos(std::sqrt(1.0 / 3.0)) * Degrees;
   ExpectAngles(q, { { 90.0, 90.0, 90.0, angle, angle, angle } });
@@ -75,8 +75,8 @@ TEST(TetQuality, OfTheBodyCentredLattice)
 
 TEST(TetQuality, AnglesStandAtTheirEdges)
 {
-  // a prism over a triangle with known angles, seen along edge 0 1, for every even order of the
-  // corners
+  // A prism over a triangle with known angles, seen along edge 0 1, for each
+  // even permutation of the corners.
   const double obtuse = 130.0, height = 2.0;
   const Vector3 corners[4] = { O, height * Z, { { 1.5, 0.0, 0.7 } },
     { { std::cos(obtuse / Degrees), std::sin(obtuse / Degrees), 0.3 } } };
@@ -108,7 +108,7 @@ TEST(TetQuality, OfInvertedAndFlatTets)
   EXPECT_NEAR(inverted.ScaledJacobian, -1.0, 1e-14);
   ExpectAngles(inverted, { { regular, regular, regular, regular, regular, regular } });
 
-  // a square: 180 degrees at its diagonals, 0 at its sides
+  // A square has 180 degrees at its diagonals, 0 at its sides.
   const Quality flat = QualityOf(O, X, X + Y, Y);
   EXPECT_EQ(flat.ScaledJacobian, 0.0);
   ExpectAngles(flat, { { 0.0, 180.0, 0.0, 0.0, 180.0, 0.0 } });
@@ -121,7 +121,7 @@ TEST(TetQuality, OfInvertedAndFlatTets)
 namespace
 {
 
-/// What MeasureTets must tell, tet by tet.
+/// Computes the result expected of MeasureTets tet by tet.
 AngleStatistics Expected(const std::vector<double>& points, const std::vector<Index>& tets)
 {
   AngleStatistics all;
@@ -168,7 +168,7 @@ TEST(TetQuality, OfManyTetsIsThatOfEach)
     std::vector<Index> tets;
     for (Index p = 0; p < 4 * count; ++p)
     {
-      // of all shapes, from needles to plates
+      // all shapes, from needles to plates
       const double flat[3] = { 1.0, std::pow(10.0, -p / 4 % 7), std::pow(10.0, -p / 28 % 7) };
       for (double size : flat)
       {
@@ -189,7 +189,7 @@ TEST(TetQuality, OfManyTetsKnowsFlatOnes)
 
 TEST(TetQuality, AnglesAtALimitCountAboveIt)
 {
-  // tets of the lattice: 60 and 90 degrees, whatever is rounded
+  // Tets of the lattice have 60 and 90 degrees, whatever the rounding.
   std::mt19937 random(5);
   std::uniform_real_distribution<double> place(-1.0, 1.0);
   std::vector<double> points;

@@ -1,5 +1,5 @@
-/// Whatever the labels, the tets are positive and conforming, boundaries are closed manifolds and
-/// fragments are what they say.
+/// For any labels the tetrahedra are positive and conforming, boundaries are closed manifolds, and
+/// the reported fragments are correct.
 #include "MeshCases.h"
 #include "Sweep.h"
 
@@ -18,7 +18,7 @@ struct Case
   TetMethod Method;
   int Materials;
   unsigned Seeds;
-  Index Smallest; // grid
+  Index Smallest; // smallest number of cells per axis
 };
 
 void PrintTo(const Case& c, std::ostream* out)
@@ -45,7 +45,7 @@ std::vector<Case> ListCases()
   return cases;
 }
 
-/// The worst of many meshes.
+/// Worst values of many meshes.
 struct Worst
 {
   double SmallestAngle = 180.0, LargestAngle = 0.0, Determinant = 1e300;
@@ -103,7 +103,7 @@ TEST_P(TetRandomLabels, MeshIsValid)
   }
   std::printf(
     "dihedral %.1f - %.1f, smallest determinant %.2e, boundaries with %lld non-manifold edges "
-    "and %lld points, %lld of %lld parts refused\n",
+    "and %lld points, %lld of %lld parts rejected\n",
     worst.SmallestAngle, worst.LargestAngle, worst.Determinant,
     static_cast<long long>(worst.Defects.OddEdges),
     static_cast<long long>(worst.Defects.NonManifoldPoints),

@@ -1,4 +1,4 @@
-/// Thin films and rods: what refinement before meshing makes of them.
+/// Effect of refinement before meshing on thin films and rods.
 #include "Base/Vector3.h"
 #include "Fractions/RefineCells.h"
 #include "MeshCases.h"
@@ -22,7 +22,7 @@ struct Thin
   Shape Solid;
 };
 
-/// Pieces of void.
+/// Counts the connected parts of the void.
 Index CountVoids(const RefinedCells& cells)
 {
   Runtime runtime;
@@ -42,7 +42,7 @@ Index CountVoids(const RefinedCells& cells)
   return static_cast<Index>(pieces.size());
 }
 
-/// Points - edges + faces - hexes: 1 of a ball, 1 less for each hole through it.
+/// Returns points - edges + faces - hexes: 1 for a ball, 1 less for each hole through it.
 Index EulerNumber(const Mesh& mesh)
 {
   static const int edges[12][2] = { { 0, 1 }, { 1, 2 }, { 2, 3 }, { 3, 0 }, { 4, 5 }, { 5, 6 },
@@ -77,7 +77,7 @@ struct ThinFigures
   Index Euler = 0, Voids = 0;
 };
 
-/// Halves all cells some times and meshes.
+/// Halves all cells `halvings` times and meshes them.
 ThinFigures MeasureThin(const Thin& thin, int halvings)
 {
   Runtime runtime;
@@ -147,8 +147,8 @@ TEST(ThinPlate, RodsAndRimsStayInOnePiece)
   }
 }
 
-/// The table of the documentation: --gtest_also_run_disabled_tests
-/// --gtest_filter='ThinPlate*Table'. Minutes.
+/// Prints the table of the documentation. Run with --gtest_also_run_disabled_tests
+/// --gtest_filter='ThinPlate*Table'; takes minutes.
 TEST(ThinPlate, DISABLED_Table)
 {
   std::printf(

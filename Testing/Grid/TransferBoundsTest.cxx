@@ -1,4 +1,4 @@
-/// State of elements stays within that of cells of their material near them, whatever the field.
+/// The state of elements stays within the values of nearby cells of their material, for any field.
 #include "StateCases.h"
 
 #include "Base/Vector3.h"
@@ -18,10 +18,10 @@ namespace
 {
 
 constexpr int Materials = 3;
-constexpr int Columns = 14; // of MakeCodeQuantities
+constexpr int Columns = 14; // columns of MakeCodeQuantities
 
-/// A field drawn at random and values in its cells, of which those of materials differ by up to
-/// 1e6.
+/// A random field with random values in its cells; values of different
+/// materials differ by up to 1e6.
 struct RandomState
 {
   explicit RandomState(unsigned seed) : Random(seed), Grid(MakeGrid()), Fractions(MakeFractions())
@@ -90,7 +90,7 @@ StateCase MakeCase(RandomState& state)
     {
       std::copy_n(state.Of(cell, material), Columns, values);
       const double fraction = state.Fractions.Fraction(state.Grid.Linear(cell), material);
-      values[Columns - 1] /= fraction > 0.0 ? fraction : 1.0; // a sum, however little there is
+      values[Columns - 1] /= fraction > 0.0 ? fraction : 1.0; // sums, however small the fraction
     } };
   c.Quantities = MakeCodeQuantities();
   c.Density = 0;
@@ -101,11 +101,12 @@ StateCase MakeCase(RandomState& state)
   c.Options.Method = state.Random.Chance(0.3) ? Smoothing::Off : Smoothing::QuadricSurface;
   c.Order = state.Random.Chance(0.2) ? 1 : 2;
   c.GiveUnmeshed = state.Random.Chance(0.5);
-  c.Options.ConserveVolume = state.Random.Chance(0.25); // meeting volumes takes most of the time
+  // Conserving volumes takes most of the time.
+  c.Options.ConserveVolume = state.Random.Chance(0.25);
   return c;
 }
 
-/// Smallest and largest value of a material in cells so near to a box.
+/// Smallest and largest value of a material in cells near a box.
 struct Range
 {
   double Least = 1e300, Most = -1e300;
@@ -114,7 +115,7 @@ struct Range
     this->Least = std::min(this->Least, value);
     this->Most = std::max(this->Most, value);
   }
-  /// By how much of its width, or of the values, one lies outside.
+  /// Returns how far a value lies outside, relative to the largest value.
   double Excess(double value) const
   {
     const double outside = std::max(this->Least - value, value - this->Most);
@@ -157,7 +158,7 @@ std::string CheckSeed(unsigned seed)
     const std::vector<Range> ranges = FindRanges(state, e, c.GiveUnmeshed ? 5 : 4);
     if (ranges[0].Most < ranges[0].Least)
     {
-      continue; // a label that no cell holds
+      continue; // no cell has this label
     }
     const std::array<double, 2>& factors = outcome.Factors[e.Material];
     for (int q = 0; q < Columns; ++q)

@@ -1,5 +1,4 @@
-/// How fast state on meshes gets better with finer cells: errors of smooth fields against their
-/// values at the centroids of elements.
+/// Order of convergence of transferred state: errors of smooth fields at the centroids of elements.
 #include "MeshCases.h"
 #include "SmoothState.h"
 
@@ -19,7 +18,7 @@ constexpr double Radius = 0.36;
 struct OrderCase
 {
   Elements Kind;
-  bool IsInBlock; ///< the ball stands in a block 8 times as dense
+  bool IsInBlock; ///< a block 8 times as dense surrounds the ball
 };
 
 std::string NameOf(const OrderCase& c)
@@ -48,8 +47,8 @@ FractionField MakeFractions(const CartesianGrid& grid, bool isInBlock)
   return FractionsOfShapes(grid, shapes);
 }
 
-/// Whether a point is far from the interface and not at a side of the domain, beyond which there
-/// are no cells to take slopes from.
+/// Returns whether a point is far from the interface and from the sides of the domain, where
+/// neighbours for slopes are missing.
 bool IsInside(const Vector3& x, double farFromInterface)
 {
   const double rim = 2.0 / 32.0;
@@ -58,7 +57,7 @@ bool IsInside(const Vector3& x, double farFromInterface)
     std::all_of(x.begin(), x.end(), within);
 }
 
-/// Weighted by volume, of all elements, and of those inside.
+/// Errors weighted by volume: of all elements, and of elements inside.
 struct Errors
 {
   double All = 0.0, Inside = 0.0, LargestInside = 0.0;
@@ -159,7 +158,8 @@ TEST_P(TransferOrder, LinearFieldsAreMet)
   const auto linear = [](const Vector3& x, int material, double* values)
   {
     values[0] =
-      material == 2 ? 8.0 : 1.0; // what is per mass is linear by volume where density is even
+      // Quantities per mass are linear by volume if the density is constant.
+      material == 2 ? 8.0 : 1.0;
     for (int c = 1; c < SmoothComponents; ++c)
     {
       values[c] = 0.3 * c + (c - 3.0) * x[0] + 2.0 * x[1] - 0.7 * c * x[2] + 0.5 * material;
@@ -171,7 +171,8 @@ TEST_P(TransferOrder, LinearFieldsAreMet)
   {
     largest = std::max(largest, error.LargestInside);
   }
-  std::printf("%s: linear fields inside but for %.2g\n", NameOf(this->GetParam()).c_str(), largest);
+  std::printf(
+    "%s: error of linear fields inside %.2g\n", NameOf(this->GetParam()).c_str(), largest);
   EXPECT_LT(largest, 1e-12);
 }
 

@@ -1,4 +1,4 @@
-/// State is the same, bit for bit, on any number of ranks and threads.
+/// State is bitwise identical on any number of ranks and threads.
 #include "RankMeshes.h"
 #include "Shapes/ShapesScenes.h"
 #include "StateCases.h"
@@ -13,7 +13,7 @@ using namespace vfm::testing;
 namespace
 {
 
-/// Each cell and component has a value of its own, densities jump by 1e6 between materials.
+/// Gives each cell and component its own value; densities differ by 1e6 between materials.
 void FillNoise(const CartesianGrid& grid, const Index3& p, int material, double* values)
 {
   for (int c = 0; c < 14; ++c)
@@ -94,7 +94,7 @@ TEST_P(TransferRanks, SameBits)
   }
 }
 
-/// Smoothing carries elements over more thin cells than a rank has around its own.
+/// Smoothing moves elements over more thin cells than a rank has ghost layers.
 TEST(TransferThinCells, SameBits)
 {
   std::array<std::vector<double>, 3> x;

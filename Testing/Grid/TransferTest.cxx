@@ -1,4 +1,4 @@
-/// State carried to meshes: totals, bounds, constants, linear fields, order.
+/// State transferred to meshes: totals, bounds, constants, linear fields, order.
 #include "StateCases.h"
 
 #include "Base/Vector3.h"
@@ -20,7 +20,7 @@ Vector3 CentreOf(const CartesianGrid& grid, const Index3& p)
   return 0.5 * (grid.NodePoint(p) + grid.NodePoint(CornerOfCell(p, 7)));
 }
 
-/// What a code may have in a cell; see MakeCodeQuantities.
+/// Sets the quantities of MakeCodeQuantities, typical state of a simulation.
 void FillSmooth(const CartesianGrid& grid, const Index3& p, int material, double* v)
 {
   const Vector3 x = 1.0 / static_cast<double>(grid.Global().Upper[0]) * CentreOf(grid, p);
@@ -128,7 +128,7 @@ TEST(TransferState, TotalsStayInTetsOfTetGen)
 namespace
 {
 
-/// The cells of a mesh that lie so deep in a ball that no interface is near.
+/// Returns whether an element lies in a ball, so deep that no interface is near.
 bool IsInside(const ElementOutcome& e, const Vector3& centre, double radius)
 {
   Vector3 farthest;
@@ -198,7 +198,7 @@ TEST(TransferState, LinearFieldsAndConstantsAreMet)
 namespace
 {
 
-/// Density 2, velocity by the side of the domain.
+/// Density 2; the velocity depends on the half of the domain.
 const std::vector<StateQuantity> SideQuantities{ { StateKind::PerVolume, 1, -1 },
   { StateKind::PerMass, 1, -1 } };
 
@@ -218,8 +218,7 @@ StateCase MakeSideCase(const CartesianGrid& grid, const FractionField& fractions
 
 } // namespace
 
-/// Their sides, apart from each other, have other volumes in the mesh than in the cells; in total
-/// these are the same.
+/// Inner and outer sides each have another volume in the mesh than in the cells; the totals agree.
 TEST(TransferState, HollowBodiesStayAsDenseAsTheyAre)
 {
   const CartesianGrid grid = MakeUnitGrid(24);
@@ -257,7 +256,7 @@ TEST(TransferState, HollowBodiesStayAsDenseAsTheyAre)
   }
 }
 
-/// As a region of void that was removed: content flows all the way.
+/// Models a region of void that was removed: contents flow through the whole bar.
 TEST(TransferState, ALongBarIsFilledFromItsEnd)
 {
   const CartesianGrid grid = MakeUnitGrid(120, 5, 5);
@@ -390,7 +389,7 @@ struct Errors
   double All = 0.0, Inside = 0.0, Most = 0.0;
 };
 
-/// Of density and velocity on a ball in n^3 cells.
+/// Returns the errors of density and velocity on a ball in n^3 cells.
 std::array<Errors, 2> MeasureErrors(int n, int order, MeshMaker make)
 {
   std::array<std::vector<double>, 3> x;

@@ -1,4 +1,4 @@
-/// Meshes whose interfaces run through cells of several levels (LevelPlan::FineInterfaces false).
+/// Meshes whose interfaces pass through cells of several levels (LevelPlan::FineInterfaces false).
 #include "RankMeshes.h"
 #include "RefinedChecks.h"
 #include "Sweep.h"
@@ -25,8 +25,8 @@ MeshOptions CrossingOptions(int refinements)
   return options;
 }
 
-/// Families of every level in the lower part of the domain along x, that of each level shorter than
-/// the one before.
+/// Returns families of every level in the lower part of the domain along x; the box of each level
+/// is shorter than the one before.
 std::vector<std::vector<Index>> RefineBelow(
   const CartesianGrid& grid, int refinements, double share)
 {
@@ -58,9 +58,9 @@ struct CrossingCase
 {
   std::string Name;
   int Refinements;
-  double Share; // refined
+  double Share; // refined part of the domain along x
   bool MeshVoid;
-  double LeastJacobian, LargestDistance; // floor and ceiling; cells of the base
+  double LeastJacobian, LargestDistance; // bounds; distance in base cells
 };
 
 void PrintTo(const CrossingCase& c, std::ostream* out)
@@ -90,7 +90,7 @@ TEST_P(CrossingShapes, MeshIsValidAndNear)
   const MeshReport::Level& last = f.Report.Levels[p.Refinements - 1];
   EXPECT_EQ(last.Families - last.AddedForBalance - last.AddedForValidity, requested);
   EXPECT_EQ(last.AddedForValidity > 0, f.Report.LevelRounds > 0);
-  // In cells of the base, where most of these interfaces are.
+  // Distances are in base cells: most of these interfaces lie there.
   const double width = 1 << p.Refinements;
   EXPECT_GT(f.Report.MinimumScaledJacobian, p.LeastJacobian);
   EXPECT_LT(f.Distance.Largest / width, p.LargestDistance);
@@ -100,7 +100,7 @@ TEST_P(CrossingShapes, MeshIsValidAndNear)
     f.Report.LevelRounds);
 }
 
-/// Cells as hexes, nothing inserted: volumes are those of the labels' leaves and transitions.
+/// With cells as hexes and no inserted layers, volumes equal the volumes of leaves and transitions.
 TEST(CrossingStairs, MeshIsConforming)
 {
   const MeshCase c = MakeMeshCase("ball and plate");
@@ -138,7 +138,7 @@ INSTANTIATE_TEST_SUITE_P(Cases, CrossingShapes,
 namespace
 {
 
-/// What random meshes are made of: labels at random, or such that cost nothing to change.
+/// Returns random labels, or fractions in which labels can change at almost no cost.
 FractionField MakeNoise(const CartesianGrid& grid, bool isTies, unsigned seed)
 {
   return isTies ? MakeNearTies(grid, seed % 2 == 0 ? 0.3 : 1.0, seed)
@@ -195,9 +195,9 @@ namespace
 
 struct CrossingRanksCase
 {
-  const char* Mesh; ///< a case, or "labels" or "ties": noise
+  const char* Mesh; ///< name of a case, or "labels" or "ties": noise
   int Refinements;
-  Index3 Base; ///< cells of noise
+  Index3 Base; ///< number of base cells of noise
   int Ranks, Axis;
   unsigned Seed;
 };
@@ -214,8 +214,8 @@ class CrossingRanks : public ::testing::TestWithParam<CrossingRanksCase>
 
 } // namespace
 
-/// Of three ranks and more on one axis each has one or two base cells; with three there is one
-/// without cells, too.
+/// Along one axis with three or more ranks, each rank has one or two base cells. The case of
+/// three ranks adds one without cells.
 TEST_P(CrossingRanks, SameMesh)
 {
   const CrossingRanksCase& c = this->GetParam();
@@ -256,13 +256,13 @@ INSTANTIATE_TEST_SUITE_P(Cases, CrossingRanks,
 namespace
 {
 
-/// A hex of noise, by bits: all its corners are positive, with a scaled Jacobian of .46.
+/// A hex from a mesh of noise: all corners are positive, the scaled Jacobian is .46.
 const std::array<Vector3, 8> TwistedHex{ { { { 14.7771, 11.2020, 0.9880 } },
   { { 16.0, 11.8259, 1.2524 } }, { { 14.6772, 11.5539, 1.1012 } }, { { 16.0, 11.4633, 1.1742 } },
   { { 14.9468, 11.0452, 1.1155 } }, { { 16.0, 11.4252, 0.7148 } }, { { 14.7581, 11.3092, 1.2542 } },
   { { 16.0, 11.3650, 0.9639 } } } };
 
-/// Of the trilinear map at a place in the unit cube.
+/// Returns the Jacobian determinant of the trilinear map at a place in the unit cube.
 double JacobianAt(const std::array<Vector3, 8>& x, const Vector3& at)
 {
   std::array<Vector3, 3> d{};
@@ -317,6 +317,6 @@ TEST(SmallestCoefficient, IsABound)
     }
     const double smallest = SmallestCoefficient(hex), sampled = SmallestJacobianAt(hex, 8);
     EXPECT_LE(smallest, sampled + 1e-12);
-    EXPECT_GT(smallest, sampled - 1.0); // near it
+    EXPECT_GT(smallest, sampled - 1.0); // the bound is close
   }
 }

@@ -1,5 +1,5 @@
-/// Labels of leaves: by mean fractions, alike within each leaf, every star passing, the same on any
-/// ranks.
+/// Labels of leaves follow mean fractions and are equal within each leaf. Every star is accepted;
+/// labels are the same on any ranks.
 #include "RankMeshes.h"
 #include "Sweep.h"
 
@@ -21,7 +21,7 @@ namespace
 
 constexpr double IsoValue = 0.5;
 
-/// Of the whole grid or of a rank's part of it, with what it refines.
+/// The levels of the whole grid, or of the part of a rank.
 struct LeafGrid
 {
   LeafGrid(CartesianGrid grid, const LevelPlan& plan, Ranks& ranks) :
@@ -58,7 +58,7 @@ LevelPlan MakePlan(int refinements, std::vector<std::vector<Index>> families)
   return plan;
 }
 
-/// Families of the last refinement that have isWanted(position of their lowest finest cell).
+/// Refines the families of the last level for which isRequested(lowest finest cell) is true.
 LevelPlan MakePlan(
   const CartesianGrid& grid, int refinements, const std::function<bool(const Index3&)>& isRequested)
 {
@@ -79,7 +79,8 @@ LevelPlan MakePlan(
   return MakePlan(refinements, std::move(families));
 }
 
-/// "", or where labels differ within a leaf or from what they mirror, or where a star fails.
+/// Returns an empty string, or the first problem: labels that differ within a leaf or from the
+/// mirrored label, or a rejected star.
 std::string FindLabelProblem(const LeafGrid& levels, const LabelArray& labels)
 {
   const CartesianGrid& grid = levels.Finest;
@@ -105,7 +106,7 @@ std::string FindLabelProblem(const LeafGrid& levels, const LabelArray& labels)
       }
       if (labels[grid.Linear(inside)] != labels[grid.Linear(levels.LowestOfLeaf(inside))])
       {
-        report("not alike in a leaf", inside);
+        report("differ within a leaf", inside);
       }
     });
   for (Index node : FindMixedNodes(grid, labels))
@@ -118,7 +119,7 @@ std::string FindLabelProblem(const LeafGrid& levels, const LabelArray& labels)
   return problem;
 }
 
-/// Leaves, or coarser leaves alone, whose labels differ.
+/// Counts the leaves whose label changed; only coarser leaves if coarseAlone.
 Index CountFlips(const LeafGrid& levels, const LabelArray& before, const LabelArray& after,
   bool coarseAlone = false)
 {
@@ -133,7 +134,7 @@ Index CountFlips(const LeafGrid& levels, const LabelArray& before, const LabelAr
   return count;
 }
 
-/// Leaves at mixed nodes.
+/// Counts the leaves at mixed nodes.
 Index CountMixedLeaves(const LeafGrid& levels, const LabelArray& labels)
 {
   const LabelUnits units(levels.Finest, &levels.Levels);
@@ -149,8 +150,8 @@ Index CountMixedLeaves(const LeafGrid& levels, const LabelArray& labels)
   return std::unique(leaves.begin(), leaves.end()) - leaves.begin();
 }
 
-/// The sums of volume times fraction of each material, void first, over a box of cells, and the
-/// volume.
+/// Returns the volume times fraction of each material, void first, summed over a box of
+/// cells, and the volume of the box.
 std::pair<std::vector<double>, double> SumFractions(
   const CartesianGrid& grid, const FractionField& fractions, const IndexBox& cells)
 {
@@ -169,7 +170,7 @@ std::pair<std::vector<double>, double> SumFractions(
   return sums;
 }
 
-/// Three kinds of random fractions: labels in cells, labels in blocks, parts.
+/// Returns one of three kinds of random fractions: labels in cells, labels in blocks, mixed cells.
 FractionField MakeFractions(const CartesianGrid& grid, int materials, unsigned seed)
 {
   if (seed % 3 == 0)
@@ -203,7 +204,7 @@ class RandomLeaves : public ::testing::TestWithParam<RandomCase>
 {
 };
 
-/// A part of MakeUnevenGrid.
+/// Returns a part of MakeUnevenGrid.
 CartesianGrid MakeUnevenBox(const Index3& cells)
 {
   const CartesianGrid grid =
@@ -323,7 +324,7 @@ TEST(LeafLabels, OfFineCellsOnlyAreThoseOfCells)
   }
 }
 
-/// Of shapes larger than their cells hardly any leaf has to flip, also where the levels meet.
+/// With shapes larger than their cells hardly any leaf flips, even where levels meet.
 TEST(LeafLabels, OfSmoothShapesHardlyFlip)
 {
   for (const MeshCase& c : { MakeSphereCase(42), MakePolycrystalCase(8, 48) })
@@ -371,7 +372,7 @@ TEST_P(LeafRanks, HaveTheLabelsOfOne)
   for (unsigned seed : ListSeeds(3))
   {
     SCOPED_TRACE(seed);
-    const CartesianGrid whole = // longer than ghosts reach
+    const CartesianGrid whole = // longer than the ghost layers
       MakeUnevenBox({ { 4 << c.Refinements, 4 << c.Refinements, 16 << c.Refinements } });
     const FractionField field = MakeFractions(whole, 1 + seed % 3, seed);
     const LevelPlan plan = MakeRandomPlan(whole, c.Refinements, seed);

@@ -1,5 +1,5 @@
-/// Volumes where labels belong to leaves: fragments near a leaf, their targets, and the hexes at
-/// the start.
+/// Volumes of leaves with labels: fragments near a leaf, their target volumes, and the
+/// volumes of hexes before smoothing.
 #include "Base/Partition.h"
 #include "RankMeshes.h"
 #include "Smoothing/CellLocator.h"
@@ -29,8 +29,8 @@ LevelPlan MakePlan(int refinements, const std::vector<std::vector<Index>>& famil
   return plan;
 }
 
-/// The label of every leaf that label(lowest finest cell) tells, in the local box and the layer
-/// around it.
+/// Sets the label of each leaf to label(lowest finest cell), in the local
+/// box and the layer around it.
 LabelArray LabelLeaves(const RefinedGrid& levels, const std::function<int(const Index3&)>& label)
 {
   const CartesianGrid& grid = levels.Finest();
@@ -47,7 +47,7 @@ LabelArray LabelLeaves(const RefinedGrid& levels, const std::function<int(const 
   return labels;
 }
 
-/// 0, 1 or 2, the same on any rank.
+/// Returns 0, 1 or 2, the same on any rank.
 int RandomLabel(const CartesianGrid& grid, const Index3& cell, unsigned seed)
 {
   std::minstd_rand random(seed + 1 + static_cast<unsigned>(grid.CellKey(cell)));
@@ -55,7 +55,7 @@ int RandomLabel(const CartesianGrid& grid, const Index3& cell, unsigned seed)
   return static_cast<int>(random() % 3);
 }
 
-/// What a rank knows of random leaves with random labels.
+/// Data of a rank about random leaves with random labels.
 struct RandomLeaves
 {
   RandomLeaves(
@@ -76,8 +76,8 @@ struct RandomLeaves
   CellLocator Locator;
 };
 
-/// The fragments of a material that touch a leaf, by the squared distance of centres as FindNear
-/// tells.
+/// Returns the fragments of a material that touch a leaf, by the squared distance
+/// of centres that FindNear uses.
 std::map<Index, std::set<int>> FindTouching(
   const RandomLeaves& leaves, const OctreeKeys::LevelIndex& leaf, int material)
 {
@@ -141,7 +141,7 @@ TEST(CellLocator, AreThoseOfCellsWhereAllCellsAreFine)
 TEST(CellLocator, AreTheNearestLeaves)
 {
   Ranks alone;
-  std::set<int> levels; // of leaves with finer ones beside, and of all
+  std::set<int> levels; // levels of all leaves
   int missed = 0;
   for (unsigned seed : ListSeeds(6))
   {
@@ -150,7 +150,7 @@ TEST(CellLocator, AreTheNearestLeaves)
     const CartesianGrid grid =
       MakeUnitGrid(Index(4) << refinements, Index(3) << refinements, Index(5) << refinements);
     const RandomLeaves leaves(grid, refinements, 0.05, seed, alone);
-    std::map<std::array<Index, 5>, int> ofLeaf; // all cells of a leaf have one answer
+    std::map<std::array<Index, 5>, int> ofLeaf; // All cells of a leaf must give the same result.
     ForCells(grid.Global(),
       [&](const Index3& p)
       {
@@ -184,8 +184,8 @@ TEST(CellLocator, AreTheNearestLeaves)
 
 TEST(CellLocator, GiveACoarseLeafToTheAdjacentPiece)
 {
-  // two bodies of material 2: one beside the leaf at x 4..8 that holds a fifth of it everywhere,
-  // one far away
+  // Material 2 has two bodies: one next to the leaf at x 4..8, which contains a fifth of material
+  // 2 everywhere, and one far away.
   const CartesianGrid grid = MakeUnitGrid(24, 4, 4);
   Runtime runtime;
   const Partition partition(grid, runtime.Group());
@@ -210,7 +210,7 @@ TEST(CellLocator, GiveACoarseLeafToTheAdjacentPiece)
   EXPECT_NEAR(leaves[far], 64.0, 1e-9);
   const std::vector<double> cells =
     targets(CellLocator(RefinedGrid(grid, runtime.Group()), labels, pieces));
-  EXPECT_GT(cells[far], 68.0); // most of the fifth is near no cell of a body: both get a share
+  EXPECT_GT(cells[far], 68.0); // Most of the fifth is near no cell of a body: both receive a share.
 }
 
 TEST(CellLocator, RanksAgree)
@@ -247,8 +247,7 @@ TEST(CellLocator, RanksAgree)
 namespace
 {
 
-/// Stairs where families on one side of the plane x = 16 alone are refined: material 1 below, void
-/// above.
+/// Stairs with families refined only on one side of the plane x = 16: material 1 below, void above.
 struct Stairs
 {
   Stairs(const CartesianGrid& grid, Runtime& runtime) :
@@ -269,7 +268,7 @@ struct Stairs
     }
   }
 
-  /// Keys of families of 4x4x4 cells, of the first rank alone: RefinedGrid gathers them.
+  /// Returns keys of families of 4x4x4 cells on rank 0 only: RefinedGrid gathers them.
   static std::vector<Index> ListFamilies(const CartesianGrid& grid, Ranks& ranks)
   {
     const Index nx = grid.Global().Upper[0] / 4, ny = grid.Global().Upper[1] / 4;
@@ -315,7 +314,7 @@ TEST(LeafVolumes, HexesHaveWhatTheyHave)
 
 TEST(LeafVolumes, UnitsAreMeanCells)
 {
-  // cells of 3 x 3 x 3 far from the origin, and smoothed interfaces with buffer layers
+  // Cells of 3 x 3 x 3 far from the origin, and smoothed interfaces with buffer layers.
   const MeshCase shape = MakeMeshCase("half sphere");
   std::array<std::vector<double>, 3> coordinates;
   for (int a = 0; a < 3; ++a)

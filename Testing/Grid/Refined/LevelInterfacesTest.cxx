@@ -1,5 +1,5 @@
-/// Interfaces and targets on the grids of several levels: near the true surface, alike on parts of
-/// the grid.
+/// Interfaces and targets on the grids of several levels: near the true surface, and
+/// the same on parts of the grid.
 #include "RankMeshes.h"
 
 #include "Base/Vector3.h"
@@ -15,11 +15,12 @@ using namespace vfm::testing;
 namespace
 {
 
-constexpr Index Cells = 96; // of the finest grid, along each axis
+constexpr Index Cells = 96; // cells of the finest grid along each axis
 constexpr double Radius = 33.0;
 const Vector3 Centre{ { 48.3, 48.1, 47.8 } };
 
-/// The families in the half x < middle, each refinement less deep than the one before.
+/// Returns the families in the half x < middle; the box of each refinement
+/// is smaller than the one before.
 LevelPlan HalfPlan(const CartesianGrid& grid, int refinements)
 {
   LevelPlan plan;
@@ -42,7 +43,7 @@ LevelPlan HalfPlan(const CartesianGrid& grid, int refinements)
   return plan;
 }
 
-/// Of every leaf what the fractions of its level say.
+/// Labels each leaf by the fractions of its level.
 LabelArray MakeBlockyLabels(const RefinedGrid& levels, const FractionField& fractions)
 {
   Runtime runtime;
@@ -80,7 +81,7 @@ struct LevelCase
     Targets(Interfaces.All(), kind, Run)
   {
   }
-  /// Whether a leaf of the level has the node as a corner, inside a box of finest cells.
+  /// Returns whether a leaf of the level inside a box of finest cells has the node as a corner.
   bool IsAtLeaf(int level, const Index3& node, const IndexBox& box) const
   {
     for (int c = 0; c < 8; ++c)
@@ -164,11 +165,12 @@ TEST_P(LevelTargets, LieOnTheSphere)
            levels.IsAtLeaf(level, node, grid.Global()) && p < interface.PointOffset(n + 1); ++p)
       {
         const Vector3 away = scale * interface.Points()[p].Point - Centre;
-        const Vector3 x = Centre + (Radius / Norm(away)) * away; // on the sphere, beside the point
+        const Vector3 x = Centre + (Radius / Norm(away)) * away; // nearest point on the sphere
         const double distance = (Norm(away) - Radius) / scale;
         Vector3 gradient;
         const double d = levels.Targets.Distance(first + p, x, gradient);
-        // half a cell outside, so in the void; normals point from there into the sphere
+        // The point lies half a cell outside, in the void; normals point
+        // from there into the sphere.
         const Vector3 outside = x + (.5 * scale / Norm(away)) * away;
         EXPECT_NEAR(levels.Targets.Distance(first + p, outside, gradient), -.5, .06);
         EXPECT_EQ(levels.Interfaces.FindTarget(level, node, { { 0, 1 } }), first + p);
@@ -236,8 +238,8 @@ TEST(LevelInterfaces, FindsTheNearestTarget)
     -1);
 }
 
-/// The gradient is that of the distance; distances are in cells of the level, so a step along the
-/// gradient of one finest cell is less of those of coarser levels.
+/// Compares gradients with finite differences. Distances are in cells of the level, so a step of
+/// one finest cell changes a coarser level's distance by less.
 TEST(LevelDistances, GradientsFitTheDistances)
 {
   const CartesianGrid grid = MakeUnitGrid(Cells);
@@ -261,7 +263,7 @@ TEST(LevelDistances, GradientsFitTheDistances)
         Vector3 low = x, high = x;
         low[a] -= step;
         high[a] += step;
-        // the gradient leaves out how the slope of the quadric changes
+        // The gradient neglects the change of the quadric's slope.
         EXPECT_NEAR((levels.Targets.Distance(first + p, high, unused) -
                       levels.Targets.Distance(first + p, low, unused)) /
             (2.0 * step) * scale,
@@ -285,7 +287,8 @@ TEST_P(LevelParts, SameAsOfTheWhole)
   const FractionField fractions = SphereFractions(grid);
   const LevelPlan plan = HalfPlan(grid, refinements);
   const LevelCase whole(grid, fractions, plan, this->GetParam());
-  for (const IndexBox& box : CutBaseBox(grid, refinements, 3, 1)) // across the borders of levels
+  for (const IndexBox& box :
+    CutBaseBox(grid, refinements, 3, 1)) // the boxes cross borders of levels
   {
     const CartesianGrid local({ { grid.Coordinates(0), grid.Coordinates(1), grid.Coordinates(2) } },
       box, GhostLayers << refinements);

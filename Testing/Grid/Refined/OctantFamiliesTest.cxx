@@ -1,4 +1,4 @@
-/// Family sets: closed by the rules, keys that come back, the energy that untangles.
+/// Sets of families: closure under the rules, keys that map back, the energy for untangling.
 #include "Base/Vector3.h"
 #include "MeshChecks.h"
 #include "RefinedChecks.h"
@@ -20,7 +20,7 @@ bool Has(const OctantFamilies& sets, int level, Index i, Index j, Index k)
   return sets.HasFamily(level, { { i, j, k } });
 }
 
-/// Two families on a diagonal of a plane and none of the five around its middle.
+/// Counts pairs of families on a diagonal of a plane without any of the five around its middle.
 Index CountNonManifoldEdges(const OctantFamilies& sets, int level)
 {
   Index edges = 0;
@@ -44,7 +44,7 @@ Index CountNonManifoldEdges(const OctantFamilies& sets, int level)
   return edges;
 }
 
-/// Families whose 18 neighbours are not all cells that the level below refined.
+/// Counts missing neighbours of families: cells among the 18 that the level below does not refine.
 Index CountBareFamilies(const OctantFamilies& sets, int level)
 {
   Index bare = 0;
@@ -82,7 +82,8 @@ TEST(OctantFamilies, AddsTheBalance)
   const CartesianGrid grid = MakeUnitGrid(12);
   const OctreeKeys lattice(grid, 2);
   const OctantFamilies sets(lattice, { {}, { lattice.FamilyKey(1, { { 5, 5, 5 } }) } });
-  // cell (5,5,5) and its neighbours but the corners: families 2 and 3 along each axis, not (3,3,3)
+  // The rule covers cell (5,5,5) and its neighbours except corners: families 2 and 3
+  // along each axis without (3,3,3).
   EXPECT_EQ(sets.Keys(0).size(), 7u);
   EXPECT_FALSE(Has(sets, 0, 3, 3, 3));
   EXPECT_EQ(sets.Report(0).Balance, 7);
@@ -173,7 +174,7 @@ TEST(OctreeKeys, LatticeCoordinatesComeBack)
   EXPECT_EQ(lattice.FromPoint({ { 3.0, 0.5, 4.0 } }), (Vector3{ { 2.0, 1.0, 3.0 } }));
 }
 
-/// Gradient and Hessian against differences, with hexes on both sides of inversion.
+/// Compares gradient and Hessian with differences, for hexes on both sides of inversion.
 TEST(UntangleEnergy, DerivativesAreRight)
 {
   std::mt19937 random(1);

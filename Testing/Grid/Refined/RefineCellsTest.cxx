@@ -1,5 +1,5 @@
-/// Refinement before meshing: what a cell holds stays in its children, what is flat stays exact,
-/// ranks agree.
+/// Refinement before meshing: the children contain what the cell contained, plane
+/// surfaces stay exact, ranks agree.
 #include "Fractions/RefineCells.h"
 #include "Base/Vector3.h"
 #include "MeshCases.h"
@@ -34,7 +34,7 @@ RefinedCells Refine(const CartesianGrid& grid, const FractionField& field)
   return RefineCells(grid, field, runtime);
 }
 
-/// Largest difference between the fractions of a cell and the mean of those of its children.
+/// Returns the largest difference between the fraction of a cell and the mean over its children.
 double LargestLoss(const CartesianGrid& grid, const FractionField& field, const RefinedCells& fine)
 {
   double largest = 0.0;
@@ -56,11 +56,11 @@ double LargestLoss(const CartesianGrid& grid, const FractionField& field, const 
   return largest;
 }
 
-/// How far the fractions of refined cells are from those of the shapes themselves.
+/// Deviation of fractions in refined cells from the exact fractions of the shapes.
 struct Deviation
 {
   double Largest = 0.0, Sum = 0.0;
-  Index Children = 0; ///< of mixed cells
+  Index Children = 0; ///< number of children of mixed cells
   double Mean() const { return this->Sum / static_cast<double>(this->Children); }
 };
 
@@ -124,7 +124,7 @@ struct MeshById
   }
 };
 
-/// Refines and meshes on as many ranks as there are boxes.
+/// Refines and meshes on one rank per box.
 MeshById MeshOnRanks(const CartesianGrid& whole, const FractionField& field,
   const std::vector<IndexBox>& boxes, int times, MeshMaker make)
 {
@@ -244,7 +244,7 @@ TEST(RefineCells, HalfSpacesStayExact)
   }
 }
 
-/// Two materials side by side, split by a plane across, below a plane up.
+/// Returns two materials side by side, separated by one plane and bounded above by another.
 std::vector<Shape> MakeCutHalfSpace(const Vector3& point, const Vector3& up, const Vector3& across)
 {
   const Shape below = MakeHalfSpace(1, point, up);
@@ -265,8 +265,8 @@ TEST(RefineCells, ThreePartsStayNear)
   }
 }
 
-/// Films of about a cell are found too, unless they lie within one layer of cells: then nothing
-/// tells where.
+/// Films about one cell thick are also found, unless one layer of cells contains them:
+/// then their position is unknown.
 TEST(RefineCells, FilmsStayNear)
 {
   const std::map<double, double> largest{ { 0.6, 0.06 }, { 0.9, 0.02 }, { 1.2, 1e-3 } };

@@ -1,5 +1,5 @@
-/// Meshes with coarser cells away from interfaces: valid, conforming, and at the interfaces those
-/// of the uniform grid.
+/// Meshes with coarser cells away from interfaces: valid, conforming, and equal to the
+/// uniform grid's mesh at interfaces.
 #include "RankMeshes.h"
 #include "RefinedChecks.h"
 #include "Sweep.h"
@@ -94,7 +94,7 @@ INSTANTIATE_TEST_SUITE_P(Cases, CoarsenedShapes,
     return name;
   });
 
-/// Transitions of two levels lie side by side around this ball.
+/// Transitions of two levels are adjacent around this ball.
 TEST(CoarsenedBall, HexesAreGoodWhereLevelsMeet)
 {
   const CartesianGrid grid = MakeUnitGrid(48);
@@ -143,8 +143,8 @@ INSTANTIATE_TEST_SUITE_P(Seeds, RandomFamilies, ::testing::Range(0u, 5u));
 namespace
 {
 
-/// Of n base cells of random widths, neighbouring ones by up to a factor apart, halved so many
-/// times.
+/// Returns coordinates of n base cells, halved. Widths are random; neighbouring
+/// widths differ by up to a factor.
 std::vector<double> MakeGradedAxis(Index n, double factor, double width, std::mt19937& random)
 {
   std::uniform_real_distribution<double> exponent(-1.0, 1.0);
@@ -172,8 +172,8 @@ CartesianGrid MakeGradedGrid(Index n, int refinements, unsigned seed)
 
 } // namespace
 
-/// Where the transitions of stretched cells cannot be untangled, or cut into tets, more cells are
-/// refined.
+/// More cells are refined where transitions of stretched cells cannot be
+/// untangled or cut into tets.
 TEST(StretchedFamilies, MeshIsValid)
 {
   std::map<std::string, Index> added;

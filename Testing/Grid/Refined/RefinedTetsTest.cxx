@@ -1,5 +1,5 @@
-/// Tets with coarser cells away from interfaces: valid, conforming, and at the interfaces those of
-/// the uniform grid.
+/// Tetrahedra with coarser cells away from interfaces: valid, conforming, and equal to the
+/// uniform grid's mesh at interfaces.
 #include "RankMeshes.h"
 #include "RefinedChecks.h"
 #include "Sweep.h"
@@ -16,7 +16,7 @@ using namespace vfm::testing;
 namespace
 {
 
-constexpr double SmallestAngle = 15.0; // degrees, of transitions without interfaces
+constexpr double SmallestAngle = 15.0; // degrees, transitions without interfaces
 
 MeshOptions OptionsOf(TetMethod method, int refinements)
 {
@@ -26,7 +26,8 @@ MeshOptions OptionsOf(TetMethod method, int refinements)
   return options;
 }
 
-/// Between the points of equal ids; huge where one has no partner.
+/// Returns the largest distance between points of equal ids, or a huge
+/// value if a point lacks a partner.
 double LargestDistance(
   const std::map<Index, std::array<double, 3>>& a, const std::map<Index, std::array<double, 3>>& b)
 {
@@ -50,7 +51,7 @@ void ExpectValid(const Mesh& mesh)
   EXPECT_GT(SmallestCornerDeterminant(mesh), 0.0);
 }
 
-/// Of the whole domain when the void is meshed too.
+/// Expects that the elements fill the whole domain if the void is meshed too.
 void ExpectFull(const Mesh& mesh, const CartesianGrid& grid, int materials)
 {
   double volume = 0.0, box = 1.0;
@@ -124,8 +125,8 @@ TEST_P(CoarsenedTets, InterfacesAreThoseOfTheUniformMesh)
   {
     ExpectFull(mesh, c.Grid, c.Fractions.NumberOfMaterials());
   }
-  // the volumes of Lattice at the start are sums over other tets; energies in floats make more of
-  // that
+  // Lattice sums the initial volumes over other tets; energies in single
+  // precision amplify the difference.
   EXPECT_LE(LargestDistance(InterfacePoints(mesh), InterfacePoints(fine)),
     p.Method == TetMethod::Lattice ? 1e-6 : 0.0);
   EXPECT_EQ(report.NumberOfFragments, fineReport.NumberOfFragments);
@@ -144,7 +145,7 @@ TEST_P(CoarsenedTets, InterfacesAreThoseOfTheUniformMesh)
       report.MinimumDihedralAngle, std::min(SmallestAngle, fineReport.MinimumDihedralAngle));
   }
   std::printf("%-8s %-18s %d refinements: %8zu tets of %8zu, %7lld transition hexes, dihedral "
-              "%.1f-%.1f (%.1f-%.1f), %lld parts refused\n",
+              "%.1f-%.1f (%.1f-%.1f), %lld parts rejected\n",
     NameOf(p.Method).c_str(), c.Name.c_str(), p.Refinements, mesh.ElementIds.size(),
     fine.ElementIds.size(), static_cast<long long>(report.TransitionCells),
     report.MinimumDihedralAngle, report.MaximumDihedralAngle, fineReport.MinimumDihedralAngle,
@@ -163,7 +164,7 @@ INSTANTIATE_TEST_SUITE_P(Cases, CoarsenedTets, ::testing::ValuesIn(ListCases()),
 namespace
 {
 
-/// Random labels in a box of cells; one label around it.
+/// Returns random labels in a box of cells and one label around it.
 FractionField MakeRandomBlock(
   const CartesianGrid& grid, const IndexBox& block, int materials, int around, unsigned seed)
 {
@@ -277,7 +278,7 @@ TEST(RefinedTets, FewWhereLittleHappens)
     const Mesh mesh = MakeTetMesh(grid, field, options, runtime, report);
     ExpectValid(mesh);
     ExpectFull(mesh, grid, 1);
-    const Index uniform = 12 * n * n * n; // of Cells
+    const Index uniform = 12 * n * n * n; // number of tets of Cells
     EXPECT_LT(4 * static_cast<Index>(mesh.ElementIds.size()), uniform);
     std::printf("%s: %zu tets, uniform %lld, dihedral %.1f-%.1f\n", NameOf(method).c_str(),
       mesh.ElementIds.size(), static_cast<long long>(uniform), report.MinimumDihedralAngle,

@@ -1,5 +1,5 @@
-/// Which cells ask to be halved: thin things do and thick ones do not, curvature, flipped labels,
-/// layers, families, ranks.
+/// Marking of cells for refinement: thin and thick features, curvature, flipped
+/// labels, layers, families, ranks.
 #include "Labels/RefinementCriteria.h"
 #include "Base/Vector3.h"
 #include "Fractions/InterfaceCurvature.h"
@@ -79,7 +79,7 @@ std::map<Index, int> ToMap(const std::vector<RefinementRequest>& requests)
   return map;
 }
 
-/// How thick the region of a material is at each cell that holds more than a part of it, sorted.
+/// Returns the sorted thickness of a material's region at each cell with a fraction above `part`.
 std::vector<double> Thicknesses(
   const CartesianGrid& grid, const FractionField& field, int material, double part)
 {
@@ -96,9 +96,9 @@ std::vector<double> Thicknesses(
   return all;
 }
 
-/// Of the cells that a surface goes through the part that asks for so many halvings or more. Those
-/// near the sides of the domain are left out: there an oblique plate and its mirror image are one
-/// thick edge.
+/// Returns the share of cells on a surface that request at least `halvings`
+/// halvings. Cells near the domain boundary are excluded: there an oblique plate and
+/// its mirror image form one thick edge.
 double PartToRefine(const CartesianGrid& grid, const RefinementRequests& requests, int halvings,
   const std::function<bool(const Index3&)>& goesThrough)
 {
@@ -118,7 +118,7 @@ double PartToRefine(const CartesianGrid& grid, const RefinementRequests& request
   return static_cast<double>(asking) / static_cast<double>(cells);
 }
 
-/// Whether a plane through Middle cuts a cell.
+/// Returns whether a plane through Middle cuts a cell.
 bool Cuts(const Vector3& normal, const Index3& p)
 {
   double distance = 0.0, half = 0.0;
@@ -205,7 +205,7 @@ TEST(Curvature, IsThatOfBalls)
 {
   const CartesianGrid grid = MakeUnitGrid(Cells);
   Runtime runtime;
-  // too much where few cells tell the shape
+  // A few cells overestimate the curvature.
   const std::map<double, double> ratios{ { 2.0, 1.6 }, { 3.0, 1.3 }, { 5.0, 1.15 }, { 8.0, 1.06 } };
   for (const auto& entry : ratios)
   {
@@ -364,7 +364,7 @@ TEST(RefinementCriteria, LayersCountFromTheInterface)
     ForCells(grid.Owned(),
       [&](const Index3& p)
       {
-        bool isNear = false; // another label within so many cells
+        bool isNear = false; // another label within `layers` cells
         ForCells(grid.Owned(),
           [&](const Index3& q)
           {
@@ -405,8 +405,8 @@ TEST(RefinementCriteria, ChosenCellsRequestTheirHalvings)
 namespace
 {
 
-/// Of each level, the families of all cells of the level that a place wants, in it and so many
-/// layers around.
+/// Returns, for each level, the families of all cells that a request covers,
+/// with `layers` layers around it.
 std::vector<std::set<Index>> FamiliesAround(
   const OctreeKeys& lattice, const RefinementRequests& requests, int layers)
 {

@@ -1,5 +1,5 @@
-/// Meshes across levels: conforming, exact where refined, positive, good, and the same in every
-/// part.
+/// Meshes across levels are conforming, exact where refined, positive, of good
+/// shape, and the same in every part.
 #include "Fractions/RefineCells.h"
 #include "MeshChecks.h"
 #include "RankFields.h"
@@ -18,7 +18,7 @@ using namespace vfm::testing;
 namespace
 {
 
-/// Every cell of the grid, and seven more for each refined one.
+/// Counts one hex per cell of the grid, and seven more for each refined cell.
 Index CountIdealHexes(const OctantFamilies& sets)
 {
   const OctreeKeys& lattice = sets.Lattice();
@@ -63,7 +63,7 @@ void PrintHeader()
               "| sweeps | SJ start | min | p1 | mean | s to make, smooth |\n");
 }
 
-/// Its transition hexes.
+/// Returns the transition hexes as a mesh.
 Mesh ToMesh(const RefinedMesh& refined)
 {
   Mesh mesh;
@@ -86,8 +86,8 @@ Mesh ToMesh(const RefinedMesh& refined)
   return mesh;
 }
 
-/// Makes and checks the mesh of a case; smallest: scaled Jacobian after smoothing, 0 where corners
-/// alone stay positive. Large meshes: checkTopology false.
+/// Makes and checks the mesh of a case. smallest: scaled Jacobian after smoothing, 0 if only
+/// corners must stay positive. checkTopology: false for large meshes.
 void CheckCase(
   const RefinedCase& c, double smallest = 0.5, bool print = true, bool checkTopology = true)
 {
@@ -128,7 +128,7 @@ void CheckCase(
   }
 }
 
-/// The families of a case in a grid of other widths.
+/// Returns the families of a case in a grid of other widths.
 RefinedCase Stretch(RefinedCase c, const Vector3& widths, double growth)
 {
   std::array<std::vector<double>, 3> x;
@@ -155,7 +155,8 @@ IndexBox MakeBox(Index low, Index high)
   return { { { low, low, low } }, { { high, high, high } } };
 }
 
-/// "" or how a part differs from the whole mesh, in the hexes of a box of base cells.
+/// Returns an empty string, or how a part differs from the whole mesh in
+/// the hexes of a box of base cells.
 std::string CompareParts(
   const OctreeKeys& lattice, const RefinedMesh& whole, const RefinedMesh& part, const IndexBox& box)
 {
@@ -228,7 +229,7 @@ TEST(TwoRefinement, SeveralLevels)
   CheckCase(MakeRandomCase({ { 9, 8, 7 } }, 3, 0.001, 2));
 }
 
-/// Where cells are no cubes, angles are worse by as much; every corner stays positive.
+/// Angles deteriorate with the aspect ratio of cells; every corner stays positive.
 TEST(TwoRefinement, OtherCells)
 {
   PrintHeader();
@@ -260,8 +261,8 @@ TEST(TwoRefinement, RefinesAsRefineCellsDoes)
   }
 }
 
-/// What a rank makes of its cells is what the whole mesh has there; untangling reads two families
-/// around.
+/// A rank makes the same hexes of its cells as the whole mesh; untangling
+/// reads two families around.
 TEST(TwoRefinement, PartsAreThoseOfTheWhole)
 {
   Runtime runtime;
@@ -344,7 +345,7 @@ TEST(TwoRefinement, ThreadsChangeNothing)
   EXPECT_TRUE(one.Points == three.Points);
 }
 
-/// Ranks that each make their part end with the same points, also where cells are no cubes.
+/// Ranks that each make their part get the same points, also in cells that are not cubes.
 TEST(TwoRefinement, RanksChangeNothing)
 {
   for (const RefinedCase& c :
@@ -382,8 +383,8 @@ TEST(TwoRefinement, RanksChangeNothing)
   }
 }
 
-/// The table of the documentation: --gtest_also_run_disabled_tests --gtest_filter='*Table'.
-/// Minutes.
+/// Prints the table of the documentation. Run with --gtest_also_run_disabled_tests
+/// --gtest_filter='*Table'; takes minutes.
 TEST(TwoRefinement, DISABLED_Table)
 {
   PrintHeader();
