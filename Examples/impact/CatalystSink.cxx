@@ -11,7 +11,7 @@ namespace impact
 namespace
 {
 
-/// Pointers alone.
+/// Returns pointers to the fields; no value is copied.
 vfm::HostGrid Describe(const Fields& fields)
 {
   vfm::HostBox box{ { fields.Lower, fields.Upper },
@@ -45,7 +45,7 @@ void CatalystSink::Take(const Fields& fields)
   if (this->Rank == 0)
   {
     std::printf("Catalyst at step %" PRId64 ": %s, %.6f s\n", fields.Step,
-      this->Catalyst.GetNumberOfStepsMade() > before ? "handed over" : "not wanted", seconds);
+      this->Catalyst.GetNumberOfStepsMade() > before ? "handed over" : "not requested", seconds);
   }
   if (!done && this->Rank == 0)
   {

@@ -1,8 +1,8 @@
 /**
- * CatalystSink: hands the fields to ParaView Catalyst scripts at each output step, without a copy.
+ * CatalystSink: passes the fields to ParaView Catalyst scripts at each output step, without a copy.
  *
- * A script that fails at a step does not stop the simulation: rank 0 tells what went wrong, and the
- * program's exit status does at the end.
+ * A script that fails at a step does not stop the simulation. Rank 0 reports the error at once, and
+ * the program returns a non-zero exit status at its end.
  */
 #pragma once
 
@@ -15,8 +15,10 @@ namespace impact
 class CatalystSink : public Sink
 {
 public:
-  /// Collective; one in a process. scripts: paths, as of Examples/catalyst_mesh.py. Throws
-  /// std::runtime_error where one cannot be loaded.
+  /// Loads the scripts. A process can have only one CatalystSink.
+  /// @param[in] scripts  paths of Catalyst scripts, for example of Examples/catalyst_mesh.py
+  /// @throws std::runtime_error  if a script cannot be loaded
+  /// @pre Collective
   CatalystSink(MPI_Comm communicator, const std::vector<std::string>& scripts);
 
   void Take(const Fields& fields) override;

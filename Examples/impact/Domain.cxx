@@ -11,8 +11,8 @@ namespace
 
 constexpr std::int64_t ThinnestBox = 2; // two neighbours of a box must not share a cell
 
-/// Of all ways to cut the grid into `ranks` boxes, that with the smallest cuts. All 0 when there is
-/// none.
+/// Returns the numbers of boxes per axis, `ranks` in total, with the smallest area between boxes.
+/// All three are 0 if each division has a box that is too thin.
 std::array<int, 3> ChooseCuts(const Index3& cells, int ranks)
 {
   std::array<int, 3> best{ 0, 0, 0 };
@@ -28,7 +28,7 @@ std::array<int, 3> ChooseCuts(const Index3& cells, int ranks)
         continue;
       }
       const double cuts = double(x - 1) / cells[0] + double(y - 1) / cells[1] +
-        double(z - 1) / cells[2]; // area over the grid's volume
+        double(z - 1) / cells[2]; // area between boxes over the grid's volume
       if (best[0] == 0 || cuts < least)
       {
         best = { x, y, z };
@@ -50,7 +50,7 @@ Domain::Domain(MPI_Comm communicator, const Index3& cells, double spacing) :
   if (cuts[0] == 0)
   {
     throw std::invalid_argument("the grid is too small for " + std::to_string(ranks) +
-      " ranks: each needs a box of 2 cells an axis");
+      " ranks: each needs a box of 2 cells per axis");
   }
   const int periodic[3] = { 0, 0, 0 };
   MPI_Cart_create(communicator, 3, cuts.data(), periodic, 0, &this->Communicator);
@@ -78,8 +78,8 @@ std::array<int, 6> Domain::GetNeighbours() const
   return ranks;
 }
 
-/// Calls visit(local index) for the cells of two layers from `first` (0: the lower ghosts) on,
-/// ghosts included.
+/// Calls visit(local index) for the cells of two layers, ghosts included. `first` is the index of
+/// the lower layer, 0 for the lower ghosts.
 template <class Visit>
 void Domain::ForEachInLayers(int axis, std::int64_t first, Visit&& visit) const
 {
@@ -98,8 +98,8 @@ void Domain::ForEachInLayers(int axis, std::int64_t first, Visit&& visit) const
   }
 }
 
-/// Two boxes that touch share two layers: the outermost cells of each, which are the ghosts of the
-/// other.
+/// Adds up shared values along one axis. Two adjacent boxes share two layers: the outermost cells
+/// of each box are the ghosts of the other.
 template <class T>
 void Domain::SumAlong(int axis, std::vector<T>& values, int channels) const
 {

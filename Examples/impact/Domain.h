@@ -1,9 +1,9 @@
 /**
- * Domain: the uniform grid, cut into one box of cells for each rank, and what ranks tell each other
- * about it.
+ * Domain: the uniform grid, divided into one box of cells per rank, and the exchange of values and
+ * points between ranks.
  *
- * A local array holds the cells of the box and one layer of ghost cells around it, x fastest. The
- * outermost ghosts lie outside of the grid and are used as well: boundaries are open.
+ * A local array holds the cells of the box and one layer of ghost cells around it, x fastest.
+ * Ghosts outside of the grid are used like any others, because boundaries are open.
  */
 #pragma once
 
@@ -23,8 +23,9 @@ using Index3 = std::array<std::int64_t, 3>;
 class Domain
 {
 public:
-  /// Collective. Throws std::invalid_argument on all ranks when a box would be thinner than 2
-  /// cells.
+  /// Divides a grid of the given numbers of cells per axis into one box per rank.
+  /// @throws std::invalid_argument  if a box would be thinner than 2 cells, on all ranks
+  /// @pre Collective
   Domain(MPI_Comm communicator, const Index3& cells, double spacing);
   ~Domain();
   Domain(const Domain&) = delete;
@@ -36,12 +37,12 @@ public:
   const Index3& GetCells() const { return this->Cells; }
   const Index3& GetLower() const { return this->Lower; }
   const Index3& GetUpper() const { return this->Upper; }
-  /// Ranks across -x +x -y +y -z +z, or -1.
+  /// Returns the ranks across the sides -x +x -y +y -z +z, -1 where the grid ends.
   std::array<int, 6> GetNeighbours() const;
 
   std::int64_t LocalSize() const { return this->Strides[2] * (this->Size(2) + 2); }
   const Index3& GetStrides() const { return this->Strides; }
-  /// Index of a cell of the box, or of a ghost, in local arrays.
+  /// Returns the index of an owned or ghost cell in local arrays.
   std::int64_t Local(const Index3& cell) const
   {
     return (cell[0] - this->Lower[0] + 1) + (cell[1] - this->Lower[1] + 1) * this->Strides[1] +
@@ -56,24 +57,29 @@ public:
     }
     return cell;
   }
-  /// Calls visit(cell, local index) for each cell of the box, in the order of Fields.
+  /// Calls visit(cell, local index) for each cell of the box, in the order of the arrays of Fields.
   template <class Visit>
   void ForEachCell(Visit&& visit) const;
 
-  /// Collective: adds up what ranks hold of the same cells, ghosts included, so that all of them
-  /// hold the sums. values: `channels` numbers a cell. With integers the result does not depend on
-  /// the ranks.
+  /// Adds up the values that several ranks store for the same cell, owned or ghost, and stores the
+  /// sum on each of them. With integers, the result does not depend on the number of ranks.
+  /// @param[in,out] values  local array with `channels` numbers per cell
+  /// @pre Collective
   template <class T>
   void SumShared(std::vector<T>& values, int channels) const;
-  /// Collective: sets the ghosts to what their owners hold; 0 outside of the grid.
+  /// Sets ghost cells to the values of the ranks that own them, 0 outside of the grid.
+  /// @pre Collective
   template <class T>
   void FillGhosts(std::vector<T>& values, int channels) const;
 
-  /// Collective: hands points that left the box to the rank that owns their cell now; none may have
-  /// moved more than a cell. Points outside of the grid are taken out and returned.
+  /// Sends points that left the box to the rank that owns their new cell. No point may have moved
+  /// by more than one cell.
+  /// @return the points outside of the grid, which are removed from `points`
+  /// @pre Collective
   std::vector<MaterialPoint> Migrate(std::vector<MaterialPoint>& points) const;
 
-  /// Collective sum over the ranks.
+  /// Returns the sum over all ranks.
+  /// @pre Collective
   std::int64_t Sum(std::int64_t value) const;
 
 private:
@@ -88,7 +94,7 @@ private:
   int Rank = 0;
   Index3 Cells, Lower, Upper, Strides;
   double Spacing;
-  std::array<int, 6> Peers; // MPI_PROC_NULL for none
+  std::array<int, 6> Peers; // ranks as in GetNeighbours, but MPI_PROC_NULL where the grid ends
 };
 
 template <class Visit>

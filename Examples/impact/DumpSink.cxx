@@ -24,7 +24,7 @@ std::string ToText(const std::array<T, 3>& values)
   return text.str();
 }
 
-/// VTK's order: lowest and highest point an axis.
+/// Returns the extent in VTK's order: lowest and highest point of each axis.
 std::array<std::int64_t, 6> ExtentOf(const Index3& lower, const Index3& upper)
 {
   return { lower[0], upper[0], lower[1], upper[1], lower[2], upper[2] };
@@ -57,7 +57,7 @@ void Save(const std::string& path, const std::function<void(std::ostream&)>& wri
   }
 }
 
-/// The bytes of the numbers after their count, as VTK's inline binary data.
+/// Encodes the numbers as VTK's inline binary data: the number of bytes, then the bytes.
 std::string ToBase64(const double* values, std::int64_t count)
 {
   constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -103,7 +103,7 @@ std::vector<StateField> DumpSink::ListArrays(const Fields& f) const
   return arrays;
 }
 
-/// rank: -1 for the file that names those of the ranks.
+/// Returns the name of the file of a rank; rank -1 is the .pvti file that lists all of them.
 std::string DumpSink::NameFile(std::int64_t step, int rank) const
 {
   char number[32];

@@ -1,7 +1,7 @@
 /**
- * DumpSink: writes the fields as files that ParaView reads: FOLDER/NAME_SSSS.pvti and a .vti of
- * every rank for each output step, and FOLDER/NAME.pvd with the times. Binary data, so the numbers
- * are the simulation's own bits.
+ * DumpSink: writes the fields as files that ParaView reads. An output step gives
+ * FOLDER/NAME_SSSS.pvti and one .vti per rank; FOLDER/NAME.pvd lists the times. Data are binary, so
+ * that the numbers are bitwise identical to the fields.
  */
 #pragma once
 
@@ -16,12 +16,15 @@ namespace impact
 class DumpSink : public Sink
 {
 public:
-  /// Collective. Makes the folder. withStates: those of each body instead of the means. Throws
-  /// std::runtime_error on all ranks when that fails on one.
+  /// Makes the folder.
+  /// @param[in] withStates  write the state of each body instead of means over both
+  /// @throws std::runtime_error  if the folder cannot be made, on all ranks
+  /// @pre Collective
   DumpSink(
     const Domain& domain, const std::string& folder, const std::string& name, bool withStates);
 
-  /// Throws std::runtime_error on all ranks when a file cannot be written on one.
+  /// Writes the files of an output step.
+  /// @throws std::runtime_error  if any rank cannot write its file, on all ranks
   void Take(const Fields& fields) override;
 
 private:

@@ -1,5 +1,5 @@
 /**
- * History: mass, momentum and energy of each body step by step, as a table.
+ * History: table of mass, momentum and energy of each body at each step.
  */
 #pragma once
 
@@ -14,11 +14,14 @@ namespace impact
 class History
 {
 public:
-  /// Collective. path: a .csv file, which rank 0 writes; empty: none. Throws std::runtime_error on
-  /// all ranks when it cannot.
+  /// Opens the table and writes its header.
+  /// @param[in] path  .csv file that rank 0 writes; if empty, no file is written
+  /// @throws std::runtime_error  if the file cannot be written, on all ranks
+  /// @pre Collective
   History(const Domain& domain, const std::string& path);
 
-  /// Collective: a row of what is in the grid, and of what has left it.
+  /// Writes a row with the totals of points in the grid and of points that have left it.
+  /// @pre Collective
   void Add(std::int64_t step, const Solver& motion);
 
 private:
@@ -26,7 +29,7 @@ private:
 
   const Domain& Grid;
   std::string Path;
-  std::ofstream File; // of rank 0
+  std::ofstream File; // open only on rank 0
 };
 
 } // namespace impact

@@ -9,18 +9,18 @@ namespace impact
 namespace
 {
 
-// The grid's size, mm; rounded to whole cells.
+// Size of the grid, mm, rounded to a multiple of the cell size.
 constexpr double Width = 10., Depth = 6., Height = 4.5;
-constexpr double SpacingUnit = 1. / 1024.; // spacings are multiples: exact in binary
+constexpr double SpacingUnit = 1. / 1024.; // the spacing is a multiple of it: exact in binary
 constexpr double PlateTop = 1.5;
-constexpr double PlateMargin = .25;  // between the plate's edges and the grid's sides
-constexpr double StartMargin = .3;   // between the ball and the grid's side
-constexpr double StartGap = .5;      // between ball and plate
-constexpr int PointsPerCell = 2;     // an axis
-constexpr int Samples = 8;           // an axis, of a point's box that the ball's surface cuts
-constexpr double SmallestPart = .02; // of a point's box, else left out
-constexpr double GrainSize = 1., WeakWidth = .4; // of the ball's flaws
-constexpr double Weakest = .03, Toughest = 6.;
+constexpr double PlateMargin = .25;  // distance of the plate's edges from the grid's sides
+constexpr double StartMargin = .3;   // distance of the ball from the grid's side
+constexpr double StartGap = .5;      // distance of the ball from the plate
+constexpr int PointsPerCell = 2;     // number of points along each axis of a cell
+constexpr int Samples = 8;           // number of samples along each axis of a point's box
+constexpr double SmallestPart = .02; // filled part of a point's box; below it, no point is made
+constexpr double GrainSize = 1., WeakWidth = .4; // size of grains, width of weak zones between them
+constexpr double Weakest = .03, Toughest = 6.;   // toughness at grain boundaries, inside grains
 
 struct Box
 {
@@ -32,7 +32,7 @@ struct Box
   }
 };
 
-/// What of a box belongs to a body: a box of the same volume, centre and spread.
+/// Part of a box that a body fills, as a box of the same volume, centre and spread.
 struct Part
 {
   double Volume = 0.;
@@ -91,7 +91,8 @@ Part CutByPlate(const Scene& scene, Box box)
   return part;
 }
 
-/// By samples; a box that the surface does not cut comes out exact.
+/// Returns the part of the box inside the ball, found by samples. It is exact for a box that the
+/// ball's surface does not cut.
 Part CutByBall(const Scene& scene, const Box& box)
 {
   constexpr int all = Samples * Samples * Samples;
@@ -104,7 +105,7 @@ Part CutByBall(const Scene& scene, const Box& box)
   for (int n = 0; n < all; ++n)
   {
     const int index[3] = { n % Samples, n / Samples % Samples, n / Samples / Samples };
-    Vector x; // of the sample, -.5 to .5
+    Vector x; // position of the sample in the box, -.5 to .5
     double distance = 0.;
     for (int a = 0; a < 3; ++a)
     {
@@ -133,7 +134,7 @@ Part CutByBall(const Scene& scene, const Box& box)
   {
     const double mean = sum[a] / inside;
     part.Centre[a] = .5 * (box.Lower[a] + box.Upper[a]) + edge[a] * mean;
-    // The width of a bar with this variance, and of one sample at least.
+    // Width of a bar with this variance; at least the width of one sample.
     const double variance = squares[a] / inside - mean * mean;
     part.Size[a] = edge[a] * std::sqrt(12. * variance + 1. / (Samples * Samples));
     scale /= part.Size[a];
@@ -145,7 +146,8 @@ Part CutByBall(const Scene& scene, const Box& box)
   return part;
 }
 
-/// 0 to 1, from the integers alone (finaliser of MurmurHash3, Appleby).
+/// Returns a number from 0 to 1 that depends only on the integers (finaliser of MurmurHash3,
+/// Appleby).
 double Hash(std::int64_t i, std::int64_t j, std::int64_t k)
 {
   std::uint64_t h = static_cast<std::uint64_t>(i) * 0x9e3779b97f4a7c15ULL ^
@@ -156,8 +158,8 @@ double Hash(std::int64_t i, std::int64_t j, std::int64_t k)
   return static_cast<double>((h ^ h >> 33) >> 11) * 0x1p-53;
 }
 
-/// Low near the faces of a Voronoi diagram with one random seed in each cube of GrainSize, high
-/// inside its cells.
+/// Returns the toughness of the ball: low near the faces of a Voronoi diagram, high inside its
+/// cells. The diagram has one random seed in each cube of width GrainSize.
 double ToughnessAt(const Vector& position)
 {
   std::int64_t cube[3];
@@ -194,7 +196,7 @@ MaterialPoint MakePoint(Body owner, const Part& part, const Vector& velocity)
   return point;
 }
 
-/// Those of the cells that this rank owns. All points of a cell start in it.
+/// Returns the points in the cells that this rank owns.
 std::vector<MaterialPoint> MakePoints(const Domain& grid, const Scene& scene)
 {
   std::vector<MaterialPoint> points;

@@ -1,5 +1,5 @@
 /**
- * MakeSinks: who takes the fields, by the command line and by what this program was built with.
+ * MakeSinks: creates the sinks that the command line selects.
  */
 #pragma once
 
@@ -13,8 +13,10 @@
 namespace impact
 {
 
-/// Collective. Throws std::invalid_argument where a sink is asked for that was not built,
-/// std::runtime_error where one cannot be made.
+/// Creates the sinks that the options select.
+/// @throws std::invalid_argument  if this program was built without a selected sink
+/// @throws std::runtime_error  if a sink cannot be created
+/// @pre Collective
 std::vector<std::unique_ptr<Sink>> MakeSinks(const Options& options, const Domain& domain);
 
 } // namespace impact

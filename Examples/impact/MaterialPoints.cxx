@@ -12,7 +12,7 @@ constexpr double LinearViscosity = .15, QuadraticViscosity = 1.5;
 constexpr double TriaxialityFactor = 1.5, TriaxialityLimit = 1.5;
 constexpr double SmallestRatio = .3, LargestStretch = 1.8;
 
-/// W s - s W for the spin W: what turns the deviator with the material (Jaumann).
+/// Returns W s - s W for the spin W: the rotation of the deviator with the material (Jaumann rate).
 std::array<double, 6> SpinTerm(const std::array<double, 9>& l, const std::array<double, 6>& s)
 {
   const double xy = .5 * (l[1] - l[3]), yz = .5 * (l[5] - l[7]), xz = .5 * (l[2] - l[6]);
@@ -53,7 +53,7 @@ double YieldStress(const MaterialPoint& p)
   return softening * (m.YieldStress + m.Hardening * std::pow(p.PlasticStrain, m.HardeningExponent));
 }
 
-/// Radial return; gives the plastic strain that it took.
+/// Moves the stress back to the yield surface (radial return). Returns the plastic strain.
 double ReturnToYield(MaterialPoint& p)
 {
   const double stress = std::sqrt(1.5 * Contract(p.Deviator, p.Deviator));
@@ -103,7 +103,7 @@ void Stretch(MaterialPoint& p, double timeStep)
 
 } // namespace
 
-// Brittle aluminium and hard steel; sources in Impact.h.
+// Brittle aluminium and hard steel; Impact.h gives the sources.
 const Material Materials[NumberOfBodies] = {
   { 2.785, 5.328, 1.338, 2.0, 27.6, .4, 0., 1., 1., .1, 1. },
   { 7.83, 4.569, 1.49, 1.93, 80., 1.6, .5, .3, .7, .8, 3. },

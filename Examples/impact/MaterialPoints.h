@@ -1,12 +1,11 @@
 /**
- * MaterialPoints: the state of a piece of material that moves with it, and the law that gives its
- * stress.
+ * MaterialPoints: points that move with the material and store its state, and the material law.
  *
  * Pressure: Mie-Grueneisen equation of state on the linear shock Hugoniot. Strength: J2 plasticity
- * with the hardening and a linear form of the thermal softening of Johnson and Cook (1983); no
- * dependence on rate. Failure: damage is plastic strain over a failure strain that falls with
- * triaxiality (Hancock and Mackenzie 1976), or at once when the tension passes the spall stress.
- * Failed points are rubble: pressure, but neither tension nor shear.
+ * with the hardening and a linear form of the thermal softening of Johnson and Cook (1983), without
+ * dependence on rate. Failure: damage is plastic strain over a failure strain that decreases with
+ * triaxiality (Hancock and Mackenzie 1976). A tension above the spall stress causes failure at
+ * once. Failed points are rubble: they resist pressure, but neither tension nor shear.
  */
 #pragma once
 
@@ -25,7 +24,7 @@ enum Body : int
   NumberOfBodies = 2
 };
 
-/// Units: mm, microseconds, mg; so GPa, km/s, and J/mg.
+/// Constants of a material. Units: mm, microseconds, mg; therefore GPa, km/s and J/mg.
 struct Material
 {
   double Density;       ///< mg/mm^3 at rest
@@ -34,30 +33,30 @@ struct Material
   double Grueneisen;
   double ShearModulus;
   double YieldStress, Hardening, HardeningExponent; ///< A, B, n of Johnson and Cook
-  double MeltEnergy;    ///< per mass; the yield stress falls linearly to 0 there
+  double MeltEnergy;    ///< energy per mass at which the yield stress, linear in energy, is 0
   double FailureStrain; ///< plastic strain at failure in pure shear
-  double SpallStress;   ///< tension that no point survives
+  double SpallStress;   ///< tension above which a point fails at once
 };
 
 extern const Material Materials[NumberOfBodies];
 
-/// Speed of longitudinal elastic waves.
+/// Returns the speed of longitudinal elastic waves.
 double WaveSpeed(const Material& material);
 
-/// Plain data: ranks send it as it is.
+/// State of a point. Trivially copyable, because ranks exchange the bytes.
 struct MaterialPoint
 {
   Vector Position;
   Vector Velocity;
-  std::array<double, 9> Gradient; ///< of velocity, row by row: d v_i / d x_j (the APIC matrix)
-  std::array<double, 6> Deviator; ///< of Cauchy stress: xx yy zz xy yz xz
-  Vector Size;                    ///< sides of the box that it fills at rest, stretched since
-  double Volume0;                 ///< at rest
+  std::array<double, 9> Gradient; ///< velocity gradient by rows, d v_i / d x_j (the APIC matrix)
+  std::array<double, 6> Deviator; ///< deviator of the Cauchy stress: xx yy zz xy yz xz
+  Vector Size;                    ///< sides of its box: the sides at rest, stretched by the flow
+  double Volume0;                 ///< volume at rest
   double Ratio;                   ///< current volume over Volume0
-  double Energy;                  ///< internal, per mass
+  double Energy;                  ///< internal energy per mass
   double Pressure;                ///< positive in compression
   double PlasticStrain;
-  double Damage;    ///< 0 to 1; from 1 on it has failed
+  double Damage;    ///< 0 to 1; 1 is failed
   double Toughness; ///< local factor of FailureStrain and SpallStress
   int Owner;        ///< Body
   int Padding;
@@ -67,13 +66,14 @@ struct MaterialPoint
   bool IsFailed() const { return this->Damage >= 1.; }
 };
 
-/// Deforms the point by its velocity gradient for a time step and updates its stress. cellSize is
-/// the length over which the artificial viscosity spreads shocks.
+/// Deforms the point by its velocity gradient for a time step and updates its stress.
+/// @param[in] cellSize  length over which the artificial viscosity spreads shocks
 void Deform(MaterialPoint& point, double timeStep, double cellSize);
 
-/// Sides of the axis-aligned box over which the point spreads now.
+/// Returns the sides of the axis-aligned box that the point covers in its current state.
 Vector CoveredBox(const MaterialPoint& point);
-/// Volume of material in it: all of it, but rubble that has come apart is partly void.
+/// Returns the volume of material in that box. It is the volume of the box, except for rubble that
+/// has expanded and is partly void.
 double CoveredVolume(const MaterialPoint& point);
 
 } // namespace impact

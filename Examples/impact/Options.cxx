@@ -50,7 +50,7 @@ Entry MakeEntry(const std::string& name, const std::string& unit, const std::str
       options.*member = static_cast<T>(value);
       if (static_cast<double>(options.*member) != value)
       {
-        throw std::invalid_argument(name + " takes a whole number, not '" + text + "'");
+        throw std::invalid_argument(name + " takes an integer, not '" + text + "'");
       }
     },
     [=](const Options& options) { return ToText(static_cast<double>(options.*member)); } };
@@ -74,19 +74,17 @@ std::vector<Entry> ListEntries()
     MakeEntry("--time", "US", "end, microseconds", &Options::EndTime, 0., 1e3),
     MakeEntry("--speed", "V", "speed of the ball, km/s", &Options::Speed, .1, 8.),
     MakeEntry(
-      "--angle", "DEG", "from the plate's normal to the ball's path", &Options::Angle, 0., 70.),
-    MakeEntry("--diameter", "MM", "of the ball", &Options::Diameter, .5, 2.5),
-    MakeEntry("--thickness", "MM", "of the plate", &Options::Thickness, .25, 1.5),
+      "--angle", "DEG", "angle of the ball's path to the plate's normal", &Options::Angle, 0., 70.),
+    MakeEntry("--diameter", "MM", "diameter of the ball", &Options::Diameter, .5, 2.5),
+    MakeEntry("--thickness", "MM", "thickness of the plate", &Options::Thickness, .25, 1.5),
     MakeEntry("--dump", "DIR",
-      "write impact_SSSS.pvti and impact.pvd into this folder, which is made", &Options::Dump),
+      "write impact_SSSS.pvti and impact.pvd into this folder; make it if needed", &Options::Dump),
     MakeEntry("--restart", "DIR",
-      "write restart_SSSS.pvti and restart.pvd there, with the state of each body",
-      &Options::Restart),
+      "write restart_SSSS.pvti and restart.pvd, with the state of each body", &Options::Restart),
     MakeEntry("--history", "FILE.csv", "write mass, momentum and energy of each body at each step",
       &Options::History),
     MakeEntry("--sculptor", "DIR",
-      "mesh by the C interface, write impact_SSSS.pvtu into this folder, which is made",
-      &Options::Sculptor),
+      "mesh with the C interface, write impact_SSSS.pvtu into this folder", &Options::Sculptor),
     MakeEntry("--catalyst", "FILE", "run this ParaView Catalyst script (version 2) at each output",
       &Options::Catalyst),
   };

@@ -5,8 +5,8 @@ namespace impact
 namespace
 {
 
-constexpr double Quanta = 0x1p70; // of each unit
-constexpr int LowBits = 40;       // of the lower of the two numbers that ranks add up
+constexpr double Quanta = 0x1p70; // number of quanta per unit
+constexpr int LowBits = 40;       // ranks sum two numbers: these low bits, and the others
 
 } // namespace
 

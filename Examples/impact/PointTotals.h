@@ -1,6 +1,6 @@
 /**
- * PointTotals: mass, momentum and energy of material points, the same bits in whatever order and on
- * whichever ranks they are.
+ * PointTotals: mass, momentum and energy of material points. The sums are bitwise identical for any
+ * order of the points and any distribution over ranks.
  */
 #pragma once
 
@@ -12,7 +12,7 @@
 namespace impact
 {
 
-/// mg, mg km/s, J.
+/// Totals of one body, in mg, mg km/s and J.
 struct Totals
 {
   double Mass = 0.;
@@ -25,7 +25,8 @@ class PointTotals
 {
 public:
   void Add(const std::vector<MaterialPoint>& points);
-  /// Collective.
+  /// Returns the totals of each body over all ranks.
+  /// @pre Collective
   std::array<Totals, NumberOfBodies> Sum(const Domain& domain) const;
 
 private:

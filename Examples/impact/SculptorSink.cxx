@@ -13,7 +13,7 @@ namespace impact
 namespace
 {
 
-/// The largest of a time over the ranks, on rank 0.
+/// Replaces each time by its maximum over the ranks.
 void ReduceSeconds(double* seconds, int count, MPI_Comm communicator)
 {
   const std::vector<double> mine(seconds, seconds + count);
@@ -43,7 +43,7 @@ void SculptorSink::Check(int code) const
   }
 }
 
-/// Pointers alone: nothing is copied.
+/// Passes pointers to the fields; no value is copied.
 void SculptorSink::HandOver(const Fields& fields)
 {
   double box[6];

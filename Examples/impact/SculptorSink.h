@@ -1,6 +1,6 @@
 /**
- * SculptorSink: meshes ball and plate inside the simulation by the C interface (InSitu/Sculptor.h)
- * at each output step, writes the meshes as FOLDER/impact_SSSS.pvtu and tells how long that took.
+ * SculptorSink: meshes ball and plate at each output step with the C interface (InSitu/Sculptor.h).
+ * It writes the meshes as FOLDER/impact_SSSS.pvtu and prints the time needed.
  */
 #pragma once
 
@@ -16,15 +16,17 @@ namespace impact
 class SculptorSink : public Sink
 {
 public:
-  /// Collective. Makes the folder. Throws std::runtime_error.
+  /// Makes the folder.
+  /// @throws std::runtime_error  if the folder or the mesher cannot be made
+  /// @pre Collective
   SculptorSink(MPI_Comm communicator, const std::string& folder);
-  /// Collective.
+  /// @pre Collective
   ~SculptorSink() override;
   SculptorSink(const SculptorSink&) = delete;
   SculptorSink& operator=(const SculptorSink&) = delete;
 
-  /// Throws std::runtime_error on all ranks when the fields cannot be meshed or the file not be
-  /// written.
+  /// Meshes the fields and writes the mesh.
+  /// @throws std::runtime_error  if meshing or writing fails, on all ranks
   void Take(const Fields& fields) override;
 
 private:

@@ -14,19 +14,19 @@ constexpr int Normal =
   NumberOfBodies * BodyChannels; // first moment of the ball's volume less the plate's
 constexpr int Channels = Normal + 3;
 constexpr double CourantNumber = .4;
-constexpr double NormalQuanta = 0x1p40; // of a cell's volume times its width
+constexpr double NormalQuanta = 0x1p40; // number of quanta in a cell's volume times its width
 constexpr double FilledInContact = .75, Friction = .2;
 
-constexpr double Quanta = 0x1p44; // of a full cell; 2^19 times as much fits
+constexpr double Quanta = 0x1p44; // number of quanta in a full cell; a sum can be 2^19 times larger
 
 } // namespace
 
-/// The quadratic B-splines of the 27 cells around a point.
+/// Weights of a point in the 27 cells around it, by quadratic B-splines.
 struct Solver::Weights
 {
-  std::int64_t First;   // local index of the lowest of the cells
-  double Values[3][3];  // axis, cell
-  double Offsets[3][3]; // of the cell's centre from the point
+  std::int64_t First;   // local index of the lowest cell
+  double Values[3][3];  // weights by axis and cell
+  double Offsets[3][3]; // offsets of cell centres from the point, by axis and cell
 
   Weights(const Domain& grid, const Vector& position)
   {
@@ -159,15 +159,15 @@ void Solver::UpdateGrid()
   }
 }
 
-/// Bodies that approach each other in a cell that they fill get one velocity along the normal;
-/// across it, friction.
+/// Makes the normal velocities of both bodies equal where they approach each other in a filled
+/// cell, and applies friction to the tangential velocities.
 void Solver::Touch(const std::int64_t* sums, double* velocities) const
 {
   const double ball = static_cast<double>(sums[0]), plate = static_cast<double>(sums[BodyChannels]);
   const double spacing = this->Grid.GetSpacing();
   const double filled = (ball / Materials[Ball].Density + plate / Materials[Plate].Density) *
     this->MassQuantum / (spacing * spacing * spacing);
-  Vector normal, jump; // from the ball to the plate; velocity of the ball less that of the plate
+  Vector normal, jump; // direction from ball to plate; velocity of the ball relative to the plate
   double length = 0., approach = 0.;
   for (int a = 0; a < 3; ++a)
   {

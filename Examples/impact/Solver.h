@@ -1,12 +1,12 @@
 /**
- * Solver: moves the points through a time step by the material-point method.
+ * Solver: advances the points by a time step with the material-point method.
  *
- * Explicit MLS-MPM (Hu et al. 2018) with APIC transfers (Jiang et al. 2015) and quadratic
- * B-splines. The nodes of the background grid are the centres of the cells, so a point reaches the
- * 27 cells around it and one ghost layer suffices. Each body has a velocity of its own in each
- * cell; where both meet they exchange momentum along the normal and by Coulomb friction (after
- * Bardenhagen et al. 2000). Sums over points are integers of 64 bits: they depend neither on the
- * order of the points nor on the ranks.
+ * The method is explicit MLS-MPM (Hu et al. 2018) with APIC transfers (Jiang et al. 2015) and
+ * quadratic B-splines. The nodes of the background grid are the cell centres. A point therefore
+ * contributes to the 27 cells around it, and one ghost layer is enough. Each body has its own
+ * velocity in each cell. Where both bodies meet, they exchange momentum along the normal and by
+ * Coulomb friction (after Bardenhagen et al. 2000). Sums over points are 64-bit integers and do not
+ * depend on the order of the points or the number of ranks.
  */
 #pragma once
 
@@ -18,19 +18,23 @@ namespace impact
 class Solver
 {
 public:
-  /// points: those whose cell this rank owns. largestSpeed: of any point at the start, for the time
-  /// step.
+  /// @param[in] points  points in the cells that this rank owns
+  /// @param[in] largestSpeed  maximum initial speed of all points, km/s; limits the time step
   Solver(const Domain& domain, std::vector<MaterialPoint> points, double largestSpeed);
 
-  /// Collective. Throws std::overflow_error, maybe on one rank alone, when a point moves by more
-  /// than a cell: the others wait for it, so that nothing is left but to abort.
+  /// Advances all points by one time step.
+  /// @throws std::overflow_error  if a point moves by more than a cell; possibly on only one rank.
+  ///   The other ranks then wait in MPI calls, and the caller must abort.
+  /// @pre Collective
   void Step();
 
   double GetTimeStep() const { return this->TimeStep; }
   const std::vector<MaterialPoint>& GetPoints() const { return this->Points; }
-  /// Collective: of each body over all ranks, the same on any number of them.
+  /// Returns the totals of each body over all ranks; they do not depend on the number of ranks.
+  /// @pre Collective
   std::array<Totals, NumberOfBodies> TotalsInside() const;
-  /// Of the points that left the grid, as they were then.
+  /// Returns the totals of the points that left the grid, in their state at that time.
+  /// @pre Collective
   std::array<Totals, NumberOfBodies> TotalsOutside() const;
 
 private:
@@ -43,9 +47,9 @@ private:
   const Domain& Grid;
   std::vector<MaterialPoint> Points;
   double TimeStep, MassQuantum, MomentumQuantum;
-  std::vector<std::int64_t> Sums; // Channels a cell: mass and momentum of each body, normal
-  std::vector<double> Velocities; // 3 a cell and body
-  PointTotals Lost;               // of this rank
+  std::vector<std::int64_t> Sums; // Channels per cell: mass and momentum of each body, normal
+  std::vector<double> Velocities; // 3 components per cell and body
+  PointTotals Lost;               // totals of points that left the grid on this rank
 };
 
 } // namespace impact

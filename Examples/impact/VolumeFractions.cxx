@@ -9,7 +9,7 @@ namespace impact
 namespace
 {
 
-/// Of a body in a cell; but for the volume, mass times a mean.
+/// Sums of a body in a cell. All except the volume are mass times a mean.
 enum Channel : int
 {
   Volume,
@@ -17,7 +17,7 @@ enum Channel : int
   Momentum, // 3
   Wear = Momentum + 3,
   PlainChannels,
-  Energy = PlainChannels, // kinetic and internal
+  Energy = PlainChannels, // kinetic plus internal
   Ratio,
   Deviator, // 6
   PlasticStrain = Deviator + 6,
@@ -36,15 +36,16 @@ constexpr State ListedStates[] = { { "density", Mass, 1 }, { "velocity", Momentu
   { "plastic_strain", PlasticStrain, 1 }, { "damage", Wear, 1 }, { "toughness", Toughness, 1 } };
 constexpr int NumberOfStates = static_cast<int>(std::size(ListedStates));
 
-constexpr double VolumeQuanta = 0x1p40;  // of a full cell
-constexpr double Quanta = 0x1p52;        // of a mg, and of a mg times the unit of a mean
-constexpr double Rounding = 0x1p-29;     // of sums of quanta
-constexpr double SmallestPart = 0x1p-20; // of a side of a box
+constexpr double VolumeQuanta = 0x1p40;  // number of quanta in a full cell
+constexpr double Quanta = 0x1p52;        // number of quanta per mg, also times the unit of a mean
+constexpr double Rounding = 0x1p-29;     // bound of the rounding of sums of quanta
+constexpr double SmallestPart = 0x1p-20; // smallest part of a box side that a cell receives
 constexpr int SpreadRounds = 12;
-constexpr double TakesExcess = .5; // a cell that holds less has a surface far inside
+constexpr double TakesExcess = .5; // a cell below it contains a surface and takes no excess
 constexpr double NearlyFull = .8;
 
-/// What is below is rounding, and would be lost to readers that take the least fractions for none.
+/// Returns 0 for a part below SmallestPart. It is due to rounding, and readers that ignore tiny
+/// fractions would lose its mass.
 double CutOff(double part)
 {
   return part > SmallestPart ? part : 0.;
@@ -55,7 +56,7 @@ double KineticEnergy(const Vector& v)
   return .5 * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 }
 
-/// Those of StateChannels, in units of their quanta.
+/// Returns the contribution of a point to each of StateChannels, in quanta.
 std::array<double, StateChannels> ListContents(const MaterialPoint& p, double cellVolume)
 {
   const double mass = p.Mass() * Quanta;
@@ -64,7 +65,7 @@ std::array<double, StateChannels> ListContents(const MaterialPoint& p, double ce
   contents[Mass] = mass;
   contents[Wear] = mass * p.Damage;
   contents[Energy] = mass * (p.Energy + KineticEnergy(p.Velocity));
-  contents[Ratio] = mass * CoveredVolume(p) / p.Volume0; // of the material, as its density
+  contents[Ratio] = mass * CoveredVolume(p) / p.Volume0; // excludes void, as does the density
   contents[PlasticStrain] = mass * p.PlasticStrain;
   contents[Toughness] = mass * p.Toughness;
   for (int a = 0; a < 3; ++a)
@@ -131,8 +132,8 @@ const Fields& VolumeFractions::Compute(
   return this->Result;
 }
 
-/// Boxes are shorter than two cells, so that they reach no further than the neighbours of the
-/// point's cell.
+/// Adds the contribution of each point to the cells that its box overlaps. Boxes are shorter than
+/// two cells, so that they reach only the neighbours of the point's cell.
 void VolumeFractions::Cover(const std::vector<MaterialPoint>& points)
 {
   std::fill(this->Sums.begin(), this->Sums.end(), 0);
@@ -141,7 +142,7 @@ void VolumeFractions::Cover(const std::vector<MaterialPoint>& points)
   {
     const Vector box = CoveredBox(p);
     const Index3 cell = this->Grid.CellOf(p.Position);
-    double part[3][3]; // of the box's side, in the three cells along each axis
+    double part[3][3]; // part of the box side in each of three cells, by axis
     for (int a = 0; a < 3; ++a)
     {
       const double side = std::min(box[a] / spacing, 1.99);
@@ -177,7 +178,7 @@ void VolumeFractions::Read()
         (c == impact::Volume ? VolumeQuanta : Quanta);
     }
   }
-  // Drops what lies outside of the grid.
+  // This also drops material outside of the grid.
   this->Grid.FillGhosts(this->Flowing, NumberOfBodies * this->Moved);
 }
 
@@ -201,8 +202,8 @@ void VolumeFractions::ForEachNeighbour(std::int64_t cell, Visit&& visit) const
   }
 }
 
-/// A cell over 1 gives its excess to its neighbours in proportion to their room, with the mixture
-/// that it has itself.
+/// Moves the excess of each cell above 1 to its neighbours, in proportion to their free volume. The
+/// bodies move in the proportion in which the cell contains them.
 void VolumeFractions::SpreadExcess()
 {
   const auto room = [this](std::int64_t cell)
@@ -279,7 +280,7 @@ void VolumeFractions::Write()
     });
 }
 
-/// Over both bodies.
+/// Writes means over both bodies.
 void VolumeFractions::WriteMeans(std::int64_t cell, std::int64_t place)
 {
   const std::int64_t* ball = this->Sums.data() + this->Channels * NumberOfBodies * cell;

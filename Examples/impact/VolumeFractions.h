@@ -1,18 +1,19 @@
 /**
- * VolumeFractions: from points to what a cell holds of each body.
+ * VolumeFractions: computes the volume fraction and the state of each body in each cell.
  *
- * Each point covers an axis-aligned box with its current volume; a cell gets the exact overlap. The
- * box of rubble that has come apart grows, but the volume of material in it does not: its fraction
- * falls below 1. Where the material has turned or sheared, boxes overlap or leave gaps, so that the
- * sum in a full cell is a few percent off 1. Two steps mend that: what is above 1 flows to
- * neighbours with room (the volume is conserved), then cells that hold more than .8, as do their
- * six neighbours, are filled (it is not: the gain is that of the gaps). What is still above 1 is
- * cut. So the sum is 1 inside a body, and 1 to rounding at most.
+ * Each point covers an axis-aligned box of its current volume and contributes the exact overlap to
+ * each cell. For rubble that has expanded, the box grows but the volume of material in it does not,
+ * so that the fraction falls below 1. Where the material has rotated or sheared, boxes overlap or
+ * leave gaps, and the sum in a full cell differs from 1 by a few percent. Two steps correct this:
+ * - The excess above 1 moves to neighbours with free volume. The volume is conserved.
+ * - A cell above 0.8 is filled if its six neighbours also exceed 0.8. This adds the volume of gaps.
+ * Any excess that remains is clipped. The sum is therefore 1 inside a body and never exceeds 1,
+ * except for rounding.
  *
- * The state of a body, all that its points carry but their velocity gradients, are means by mass.
- * It flows along with the volume, so that no mass is without some. Specific energy is internal
- * energy and what kinetic energy the mean velocity lacks; the ratio is volume over that at rest,
- * without the void in rubble.
+ * The state of a body consists of means weighted by mass of all quantities of its points except the
+ * velocity gradient. It moves with the volume, so that mass always has some volume. The specific
+ * energy is the internal energy plus the kinetic energy that the mean velocity does not contain.
+ * The ratio is the volume over the volume at rest, without the void in rubble.
  */
 #pragma once
 
@@ -27,7 +28,9 @@ class VolumeFractions
 public:
   VolumeFractions(const Domain& domain, bool withState);
 
-  /// Collective. The fields point into this object and stay until the next call.
+  /// Computes the fields.
+  /// @return fields whose arrays belong to this object and are valid until the next call
+  /// @pre Collective
   const Fields& Compute(const std::vector<MaterialPoint>& points, std::int64_t step, double time);
 
 private:
@@ -46,14 +49,15 @@ private:
 
   const Domain& Grid;
   const bool WithState;
-  const int Channels,
-    Moved; // of a body in a cell: those of its points, and those that flow, its volume first
+  // Numbers of sums over points per body and cell: all, and those that move with the volume. The
+  // volume itself is the first.
+  const int Channels, Moved;
   Fields Result;
-  std::vector<std::int64_t> Sums; // Channels a body and cell, ghosts included
-  std::vector<double> Flowing;    // Moved a body and cell; volumes over that of the cell
-  std::vector<double> Outflow;    // of the excess, over the room of the receiver
+  std::vector<std::int64_t> Sums; // Channels values per body and cell, ghosts included
+  std::vector<double> Flowing;    // Moved values per body and cell; volumes over the cell volume
+  std::vector<double> Outflow;    // excess over the free volume of all neighbours, at most 1
   std::vector<double> Ball, Plate, Velocity, Density, Damage;
-  std::vector<std::vector<double>> States; // of the first body, of the second
+  std::vector<std::vector<double>> States; // all states of the ball, then of the plate
 };
 
 } // namespace impact

@@ -1,5 +1,5 @@
 /**
- * WorkTogether: errors of one rank become those of all.
+ * WorkTogether: reports an error of one rank on all ranks.
  */
 #pragma once
 
@@ -11,11 +11,15 @@
 namespace impact
 {
 
-/// Collective: when the work fails on any rank, all throw std::runtime_error with the message of
-/// the lowest that failed.
+/// Runs `work` on each rank.
+/// @throws std::runtime_error  if any rank fails, on all ranks, with the message of the lowest one
+///   that failed
+/// @pre Collective
 void WorkTogether(MPI_Comm communicator, const std::function<void()>& work);
 
-/// Collective: with those above it; nothing where it is there.
+/// Makes a folder and its parents, unless it exists.
+/// @throws std::runtime_error  if that fails on any rank, on all ranks
+/// @pre Collective
 void MakeFolder(MPI_Comm communicator, const std::string& path);
 
 } // namespace impact

@@ -1,8 +1,8 @@
 /**
- * The program: reads the command line, runs the impact, hands its fields to the sinks.
+ * The program `impact`: reads the command line, runs the simulation, passes its fields to sinks.
  *
- * Exit status 0: done; 1: the command line, a file, a mesh or a script, on all ranks alike, told by
- * rank 0. Instability and lack of memory, which may hit one rank alone, abort all of them.
+ * Exit status 0: success. 1: error in the command line, a file, a mesh or a script, on all ranks;
+ * rank 0 prints the message. Instability and lack of memory may occur on one rank and abort all.
  */
 #include "Impact.h"
 #include "MakeSinks.h"
@@ -38,7 +38,7 @@ void Run(int argc, char** argv)
   {
     if (sink->HasFailed())
     {
-      throw std::runtime_error("an output failed, as told above");
+      throw std::runtime_error("an output failed; see the messages above");
     }
   }
 }
@@ -75,7 +75,8 @@ int main(int argc, char** argv)
       std::fprintf(stderr, "impact: %s\n", error.what());
     }
     status = 1;
-    // mpiexec ends the others when one has left: ParaView would print a stack.
+    // mpiexec terminates the other ranks when one has exited, and ParaView's handler of SIGTERM
+    // would print a stack trace.
     std::signal(SIGTERM, SIG_DFL);
   }
   MPI_Finalize();

@@ -67,7 +67,7 @@ def check_failing_script(impact, folder):
     run = mpi_run(2,
                   [impact, "--cells", "16", "--steps", "2", "--every", "1", "--catalyst", script])
     assert run.returncode == 1 and "step     2" in run.stdout, run
-    assert "ValueError: no mesh" in run.stderr and "impact: an output failed, as told above" in run.stderr, run
+    assert "ValueError: no mesh" in run.stderr and "impact: an output failed; see the messages above" in run.stderr, run
 
 
 def step_of(path):
