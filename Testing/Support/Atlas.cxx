@@ -17,9 +17,9 @@ namespace
 {
 
 constexpr double CellsShare = 0.4, BlobsShare = 0.25,
-                 SheetsShare = 0.1;    // of the labels, the rest are chains
-constexpr double SmallestWeight = 0.1; // of a Voronoi cell
-constexpr double Roughness = 0.6;      // of its sides, cells
+                 SheetsShare = 0.1;    // share of all labels; the rest are chains
+constexpr double SmallestWeight = 0.1; // weight of a Voronoi cell
+constexpr double Roughness = 0.6;      // roughness of sides of Voronoi cells, in cells
 constexpr double SheetThickness = 0.8, Never = 1e30;
 constexpr int LargestChain = 8, SmallestBlob = 9, LargestBlob = 600;
 
@@ -43,7 +43,7 @@ private:
   {
     return std::all_of(p.begin(), p.end(), [this](Index i) { return i >= 0 && i < this->N; });
   }
-  /// The largest; of a small cube less, or they would fill it.
+  /// Returns the largest size of blobs. It is reduced in a small cube, which they would fill.
   double SizeOfBlobs() const
   {
     return std::min<double>(LargestBlob, static_cast<double>(this->Labels.size()) / 150.0);
@@ -59,7 +59,7 @@ private:
   RandomDraw Draw;
   std::vector<int> Labels;
   int Count = 0;    // labels so far
-  int LastCell = 0; // the last label of a Voronoi cell
+  int LastCell = 0; // last label of a Voronoi cell
   std::vector<Index> Sizes;
 };
 
@@ -72,7 +72,7 @@ Vector3 AtlasPainter::Warp(const Vector3& x) const
     x[2] + a * std::sin(2.0 * k * x[0] + 3.0) + 0.3 * a * std::sin(8.0 * k * x[1]) } };
 }
 
-/// Below 1 inside.
+/// Returns a function that is below 1 inside the body.
 double AtlasPainter::FieldOfBody(const Vector3& x) const
 {
   const double n = static_cast<double>(this->N);
@@ -138,7 +138,8 @@ void AtlasPainter::PaintCells(int count)
   }
 }
 
-/// Cells of the Voronoi diagram, but not their last.
+/// Returns whether a cell can be repainted: it belongs to the Voronoi diagram
+/// and is not the last of its label.
 bool AtlasPainter::MayTake(const Index3& p) const
 {
   const int label = this->Contains(p) ? this->LabelAt(p) : 0;
@@ -159,7 +160,7 @@ bool AtlasPainter::IsOnInterface(const Index3& p) const
   return false;
 }
 
-/// On an interface or not; where such a cell is hard to find, any.
+/// Returns a random cell, on an interface or not; any cell if none is found in 1000 tries.
 Index3 AtlasPainter::DrawStart(bool onInterface)
 {
   constexpr int Tries = 1000;
@@ -177,8 +178,8 @@ Index3 AtlasPainter::DrawStart(bool onInterface)
   }
 }
 
-/// To the cell that is the nearest of those of size cells or fewer around the label so far;
-/// distance: of a cell, chance is added.
+/// Paints a new label from start on, up to `size` cells. The next cell is a neighbour of the label
+/// with the smallest distance(cell) plus a random number.
 void AtlasPainter::Grow(
   const Index3& start, Index size, const std::function<double(const Index3&)>& distance)
 {
@@ -219,7 +220,7 @@ void AtlasPainter::PaintBlob()
   this->Grow(start, static_cast<Index>(size), [&](const Index3& p) { return Between(p, start); });
 }
 
-/// A part of a spherical shell.
+/// Paints part of a spherical shell.
 void AtlasPainter::PaintSheet()
 {
   const double radius = 4.0 + 6.0 * this->Random(), size = this->SizeOfBlobs() * this->Random();
@@ -231,7 +232,7 @@ void AtlasPainter::PaintSheet()
     });
 }
 
-/// Also by edges and corners.
+/// Paints a chain whose cells may be connected only by edges or corners.
 void AtlasPainter::PaintChain()
 {
   const Index size = 1 + static_cast<Index>(this->Random() * LargestChain);

@@ -1,5 +1,6 @@
 /**
- * A labelled image like a parcellation of a brain, and how well a mesh of it keeps its labels.
+ * A labelled image similar to a parcellation of a brain, and measures of
+ * how well a mesh keeps its labels.
  */
 #pragma once
 
@@ -11,28 +12,28 @@ namespace vfm
 namespace testing
 {
 
-/// n^3 unit cells. A warped ball of void around it holds about as many labels as asked for, by
-/// their kinds: 45 % are cells of a weighted Voronoi diagram (small ones lie nested in large ones)
-/// with rough sides, 30 % are rough blobs of 9 to 600 cells, 25 % are single cells to chains of 8,
-/// half of them on interfaces. Every label has a cell. The same on any machine.
+/// Returns labels of n^3 unit cells, the same on any machine. A warped ball in void has `labels`
+/// labels, each with at least one cell. 40 % are cells of a weighted Voronoi diagram with rough
+/// sides; small ones are nested in large ones. 25 % are rough blobs of 9 to 600 cells, 10 % are
+/// sheets, the rest are chains of 1 to 8 cells. Half of the blobs and chains start on interfaces.
 FractionField MakeAtlas(const CartesianGrid& grid, int labels, unsigned seed);
 
-/// What became of the labels of one class of sizes, of [Smallest, Largest] cells.
+/// Results for labels of Smallest to Largest cells.
 struct AtlasClass
 {
   Index Smallest, Largest;
   int Labels = 0;
-  int Lost = 0;            ///< of them, without an element
-  double WorstError = 0.0; ///< of a label's volume, relative to its cells, of those with elements
-  double MeanError = 0.0;  ///< of their sizes
-  int Above1 = 0, Above20 = 0; ///< off by more than 1 and 20 percent, the lost ones included
+  int Lost = 0;            ///< labels without an element
+  double WorstError = 0.0; ///< largest volume error relative to the cells, of labels with elements
+  double MeanError = 0.0;  ///< mean error of all labels; 1 for lost ones
+  int Above1 = 0, Above20 = 0; ///< labels off by more than 1 % and 20 %, including lost ones
 };
 
-/// labels: as they were drawn, unit cells.
+/// Measures a mesh of labels on unit cells. labels: before smoothing.
 std::vector<AtlasClass> MeasureAtlas(
   const CartesianGrid& grid, const FractionField& labels, const MeshReport& report);
 
-/// The classes as a table.
+/// Returns the classes as a table.
 std::string FormatAtlas(const std::vector<AtlasClass>& classes);
 
 } // namespace testing

@@ -1,4 +1,4 @@
-/// Those of MeshChecks.h that look at faces: how elements meet.
+/// The functions of MeshChecks.h that check faces: how elements meet.
 #include "MeshChecks.h"
 
 #include <algorithm>
@@ -11,10 +11,10 @@ namespace testing
 namespace
 {
 
-/// Points of a face; of triangles the last is -1.
+/// Points of a face; the last is -1 for triangles.
 using Face = std::array<Index, 4>;
 
-/// Local corners of the faces of an element, in turn.
+/// Local corners of the faces of an element, in cyclic order.
 constexpr int HexFaces[6][4] = { { 0, 4, 7, 3 }, { 1, 2, 6, 5 }, { 0, 1, 5, 4 }, { 3, 7, 6, 2 },
   { 0, 3, 2, 1 }, { 4, 5, 6, 7 } };
 constexpr int TetFaces[4][4] = { { 1, 2, 3, -1 }, { 0, 3, 2, -1 }, { 0, 1, 3, -1 },
@@ -43,7 +43,7 @@ struct Side
   int Number;
 };
 
-/// The elements of every face, by its sorted points.
+/// Returns the elements of each face by its sorted points.
 std::map<Face, std::vector<Side>> FacesOf(const Mesh& mesh)
 {
   std::map<Face, std::vector<Side>> faces;
@@ -59,11 +59,11 @@ std::map<Face, std::vector<Side>> FacesOf(const Mesh& mesh)
   return faces;
 }
 
-/// The faces of a closed surface, over their edges and points.
+/// The faces of a closed surface by their edges and points.
 class Surface
 {
 public:
-  /// corners: of a face.
+  /// corners: per face
   Surface(const std::vector<Face>& faces, int corners) : Faces(faces), Corners(corners)
   {
     for (std::size_t f = 0; f < faces.size(); ++f)
@@ -96,7 +96,7 @@ private:
     return std::minmax(this->Faces[face][corner], this->Faces[face][(corner + 1) % this->Corners]);
   }
 
-  /// Whether the faces at the point are not connected over the edges at it.
+  /// Returns whether the faces at a point are not connected over the edges at it.
   bool IsNonManifold(const std::pair<const Index, std::vector<std::size_t>>& fan) const
   {
     std::set<std::size_t> reached{ fan.second[0] };
@@ -217,7 +217,7 @@ std::string FindFragmentProblem(const Mesh& mesh)
       if (sameMaterial != (mesh.Fragment[a] == mesh.Fragment[b]))
       {
         return sameMaterial ? "two fragments of one material share a face"
-                            : "a fragment of two materials";
+                            : "a fragment has two materials";
       }
       if (sameMaterial)
       {
@@ -282,17 +282,17 @@ std::string FindFacetProblem(const Mesh& mesh)
     const auto at = facets.find(face.first);
     if (at == facets.end())
     {
-      return "face " + std::to_string(last - first) + " between fragments that is no facet";
+      return "face " + std::to_string(last - first) + " between fragments is not a facet";
     }
     const int a = first == last ? 0 : mesh.Material[first], b = mesh.Material[last];
     const int* own = surfaces.MaterialPair.data() + 2 * at->second;
     if (own[0] != std::min(a, b) || own[1] != std::max(a, b))
     {
-      return "a facet with materials that are not beside it";
+      return "a facet has other materials than its elements";
     }
     facets.erase(at);
   }
-  return facets.empty() ? "" : "a facet that is no face between fragments";
+  return facets.empty() ? "" : "a facet is not a face between fragments";
 }
 
 } // namespace testing

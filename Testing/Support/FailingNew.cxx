@@ -1,5 +1,5 @@
-/// An operator new that fails once, at a chosen call. Loaded before all other libraries
-/// (LD_PRELOAD), it takes the place of theirs; tests reach it by ctypes. Memory of malloc, which C
+/// An operator new that fails once, at a selected call. Loaded before all other libraries
+/// (LD_PRELOAD), it replaces theirs; tests call it by ctypes. Memory from malloc, which C
 /// and Python use, does not fail.
 #include <cstdlib>
 #include <new>
@@ -14,14 +14,14 @@ long FailsAt = -1, Calls = 0;
 
 extern "C"
 {
-  /// From now on calls are counted from 0, and that one fails; none when it is negative.
+  /// Counts calls from 0; the given call fails, none if it is negative.
   void SetFault(long call)
   {
     IsCounting = true;
     FailsAt = call;
     Calls = 0;
   }
-  /// Ends this; returns the calls.
+  /// Ends counting; returns the number of calls.
   long ClearFault()
   {
     IsCounting = false;

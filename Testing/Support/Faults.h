@@ -1,6 +1,6 @@
 /**
- * Memory that runs out on one thread, on demand. For executables that link Faults.cxx, whose malloc
- * takes the place of glibc's.
+ * Memory that runs out on one thread, on demand. An executable links Faults.cxx, whose
+ * malloc replaces that of glibc.
  */
 #pragma once
 
@@ -14,14 +14,14 @@ namespace testing
 enum class FaultKind
 {
   Once,   ///< one call fails
-  Lasting ///< and all that follow, until the faults are taken off
+  Lasting ///< this call and all later ones fail until ClearFault
 };
 
-/// From now on this thread's call of malloc and its family fails that is the count-th, from 0.
+/// Makes one call of malloc and its family fail on this thread, counted from 0 from now on.
 void SetFault(std::int64_t count, FaultKind kind) noexcept;
-/// Takes the fault off. How many calls there were since it was set.
+/// Ends the fault; returns the number of calls since SetFault.
 std::int64_t ClearFault() noexcept;
-/// Whether the last fault that was set on this thread has struck.
+/// Returns whether a call has failed since SetFault on this thread.
 bool HasStruck() noexcept;
 
 } // namespace testing

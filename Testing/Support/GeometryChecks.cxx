@@ -17,7 +17,8 @@ using Pair = GeometryTables::Pair;
 using Pairs = std::set<Pair>;
 using FragmentOfMaterial = std::map<int, int>;
 
-/// The fragments on the sides of each face, its points ascending, by their materials.
+/// Returns the fragments on the sides of each face by their materials; key:
+/// the sorted points of the face.
 std::map<std::set<Index>, FragmentOfMaterial> FindSides(const MergedMesh& mesh)
 {
   std::map<std::set<Index>, FragmentOfMaterial> sides;
@@ -101,7 +102,7 @@ private:
       "VolumeSurfaces");
   }
 
-  /// An edge is on a curve where several surfaces meet; a curve is the same surfaces.
+  /// An edge belongs to a curve if several surfaces meet there; a curve is defined by its surfaces.
   void CheckCurves()
   {
     std::map<int, std::set<int>> surfaces;
@@ -122,9 +123,9 @@ private:
       }
       Expect(surfaces.emplace(found->second, edge.second).first->second == edge.second &&
           curves.emplace(edge.second, found->second).first->second == found->second,
-        "a curve is not what the same surfaces share");
+        "a curve is not the intersection of its surfaces");
     }
-    Expect(edges == this->Input.CurveEdges.size(), "an edge of a curve is on one surface alone");
+    Expect(edges == this->Input.CurveEdges.size(), "an edge of a curve is on only one surface");
     Expect(surfaces.size() == this->Input.Tables.CurveEnds.size() &&
         (surfaces.empty() || surfaces.rbegin()->first == static_cast<int>(surfaces.size())),
       "numbers of curves");
@@ -140,7 +141,7 @@ private:
     Expect(bounds == ToSet(told) && bounds.size() == told.size(), "SurfaceCurves");
   }
 
-  /// Through a point of a curve go two edges of it and no others.
+  /// A point on a curve has exactly two edges of the curve, and no others.
   void CheckPoints()
   {
     std::map<Index, std::vector<Edge>> edges;
@@ -183,7 +184,8 @@ private:
     Expect(vertices == static_cast<int>(this->Input.Vertices.size()), "number of vertices");
   }
 
-  /// A piece of a curve from vertex to vertex has one edge more than points inside, a loop as many.
+  /// A piece of a curve between two vertices has one edge more than inner
+  /// points; a loop has as many.
   void CheckEnds()
   {
     Pairs bounds;
@@ -205,7 +207,7 @@ private:
     for (const auto& curve : edges)
     {
       const int open = curve.second - this->Inside[curve.first];
-      Expect(ends[curve.first] == 2 * open, "an end of a curve is no vertex");
+      Expect(ends[curve.first] == 2 * open, "an end of a curve is not a vertex");
       Expect(tables.CurveEnds[curve.first - 1] == ends[curve.first], "CurveEnds");
     }
     Expect(bounds == ToSet(tables.CurveVertices) && bounds.size() == tables.CurveVertices.size(),
@@ -215,7 +217,7 @@ private:
   const MergedMesh& Input;
   std::map<Index, std::set<int>> SurfacesOfPoints;
   std::map<Edge, std::set<int>> SurfacesOfEdges;
-  std::map<int, int> Inside; // points inside each curve
+  std::map<int, int> Inside; // number of inner points per curve
   std::string Problem;
 };
 

@@ -1,6 +1,6 @@
 /**
- * An independent look at the geometry of a mesh: its surfaces, curves, vertices, and what bounds
- * what.
+ * An independent check of the geometry of a mesh: its surfaces, curves and vertices, and
+ * which of them bound each other.
  */
 #pragma once
 
@@ -11,8 +11,8 @@ namespace vfm
 namespace testing
 {
 
-/// "", or what does not follow from the elements and the facets with their surfaces: curves and
-/// vertices, the classification of points, the tables.
+/// Returns an empty string or the first problem. Curves, vertices, classification of points and
+/// tables must follow from the elements, the facets and their surfaces.
 std::string FindGeometryProblem(const MergedMesh& mesh);
 
 } // namespace testing

@@ -32,7 +32,7 @@ MeshCase MakeCase(const std::string& name, const CartesianGrid& grid,
     f.LargestDistance, f.RmsDistance, f.VolumeError };
 }
 
-/// The distance to the union of the shapes, for cases with one material.
+/// Returns the distance to the union of the shapes, for cases with one material.
 PairDistance DistanceToUnion(const std::vector<Shape>& shapes)
 {
   return [shapes](int, int, const Vector3& x)
@@ -74,7 +74,7 @@ MeshCase MakeBallAndPlate()
   const Shape plate = MakeBox(2, { { 20.0, 20.0, 5.1 } }, { { 80.0, 80.0, 6.0 } });
   const auto distance = [ball, plate](int a, int, const Vector3& x)
   {
-    // the ball was inserted first: it keeps what both would fill
+    // The ball precedes the plate: it keeps their intersection.
     return a == 0 ? std::min(SignedDistance(ball, x), SignedDistance(plate, x))
                   : SignedDistance(ball, x);
   };
@@ -86,7 +86,8 @@ MeshCase MakeSectors()
 {
   const Vector3 centre{ { 12.1, 11.9, 12.2 } };
   const Shape ball = MakeSphere(1, centre, 9.6);
-  // three half-planes from the axis along z, 120 degrees apart; normals[s] looks against the turn
+  // Three half-planes from the axis along z, 120 degrees apart; normals[s] points
+  // against the sense of rotation.
   std::array<Vector3, 3> normals;
   for (int s = 0; s < 3; ++s)
   {
@@ -162,7 +163,7 @@ const std::map<std::string, std::function<MeshCase()>>& Cases()
   return cases;
 }
 
-/// Points of interface facets of one material pair only, with that pair.
+/// Returns the points whose interface facets have one pair of materials only, with that pair.
 std::map<Index, std::pair<int, int>> FindPlainPoints(const Mesh& mesh)
 {
   const int corners = mesh.CornersOfFacet();
@@ -247,7 +248,7 @@ MeshCase MakeEightShapesCase(int n)
     MakeScene(Scene::EightShapes, { { 0.0, 0.0, 0.0 } }, { { size, size, size } });
   const auto distance = [shapes](int a, int b, const Vector3& x)
   {
-    // every material is one shape; what touches has the surface of either
+    // Each material is one shape; where two touch, the interface lies on the surface of either.
     const double second = std::fabs(SignedDistance(shapes[b - 1], x));
     return a == 0 ? second : std::min(second, std::fabs(SignedDistance(shapes[a - 1], x)));
   };

@@ -15,7 +15,7 @@ namespace testing
 namespace
 {
 
-using Corners = std::array<Vector3, 8>; // by bits
+using Corners = std::array<Vector3, 8>; // in the order of corner bits
 
 using TetCorners = std::array<Vector3, 4>;
 
@@ -35,7 +35,7 @@ double SixVolumes(const TetCorners& x)
   return Dot(x[1] - x[0], Cross(x[2] - x[0], x[3] - x[0]));
 }
 
-/// From the first corner: nothing cancels far from the origin.
+/// Returns corners relative to the first: nothing cancels far from the origin.
 Corners CornersOf(const Mesh& mesh, Index hex)
 {
   Corners x;
@@ -48,7 +48,7 @@ Corners CornersOf(const Mesh& mesh, Index hex)
   return x;
 }
 
-/// Derivative of the trilinear map along an axis.
+/// Returns the derivative of the trilinear map along an axis.
 Vector3 Derivative(const Corners& x, int axis, const Vector3& at)
 {
   Vector3 sum{ { 0.0, 0.0, 0.0 } };
@@ -69,8 +69,8 @@ double Jacobian(const Corners& x, const Vector3& at)
   return Dot(Derivative(x, 0, at), Cross(Derivative(x, 1, at), Derivative(x, 2, at)));
 }
 
-/// Smallest of the 27 Bernstein coefficients of the Jacobian in the box [low, high] of the unit
-/// cube.
+/// Returns the smallest of the 27 Bernstein coefficients of the Jacobian in the
+/// box [low, high] of the unit cube.
 double SmallestCoefficient(const Corners& x, const Vector3& low, const Vector3& high)
 {
   double b[3][3][3];
@@ -79,7 +79,8 @@ double SmallestCoefficient(const Corners& x, const Vector3& low, const Vector3& 
     const Vector3 t{ { 0.5 * (i % 3), 0.5 * (i / 3 % 3), 0.5 * (i / 9) } };
     b[i / 9][i / 3 % 3][i % 3] = Jacobian(x, low + Scaled(t, high - low));
   }
-  // values at 0, 1/2, 1 to coefficients: the middle one is 2 f(1/2) - (f(0) + f(1)) / 2
+  // Converts values at 0, 1/2 and 1 to coefficients: the middle one is
+  // 2 f(1/2) - (f(0) + f(1)) / 2.
   double smallest = 1e300;
   for (int p = 0; p < 3; ++p)
   {
@@ -161,7 +162,7 @@ std::vector<Bounds> BoundsOfElements(const Mesh& mesh)
   return bounds;
 }
 
-/// How deep a point lies inside a tet: its smallest barycentric coordinate, negative outside.
+/// Returns the depth of a point in a tet: its smallest barycentric coordinate, negative outside.
 double DepthInTet(const TetCorners& x, const Vector3& point)
 {
   double depth = 1.0;
@@ -175,8 +176,8 @@ double DepthInTet(const TetCorners& x, const Vector3& point)
   return depth;
 }
 
-/// The same of a hex: from the nearest of its faces, in its widths. Newton's method; outside where
-/// that does not end.
+/// Returns the depth of a point in a hex: the distance to the nearest face, in widths of the hex.
+/// Newton's method; negative if it does not converge.
 double DepthInHex(const Corners& x, const Vector3& point)
 {
   Vector3 at{ { 0.5, 0.5, 0.5 } };
@@ -210,7 +211,7 @@ double DepthInHex(const Corners& x, const Vector3& point)
   return -1.0;
 }
 
-/// Points of facets of meshed materials to what is not meshed, but for the sides of the domain.
+/// Lists the points of facets between meshed and unmeshed cells, without sides of the domain.
 std::set<Index> ListFreePoints(const Mesh& mesh)
 {
   std::set<Index> points;

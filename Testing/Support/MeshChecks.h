@@ -14,63 +14,64 @@ namespace vfm
 namespace testing
 {
 
-/// nx x ny x nz unit cells.
+/// Returns a grid of nx x ny x nz unit cells.
 CartesianGrid MakeUnitGrid(Index nx, Index ny, Index nz);
 inline CartesianGrid MakeUnitGrid(Index n)
 {
   return MakeUnitGrid(n, n, n);
 }
 
-/// One label a cell, from label(i, j, k).
+/// Returns label(i, j, k) of each cell as fractions.
 FractionField MakeLabels(
   const CartesianGrid& grid, int materials, const std::function<int(const Index3&)>& label);
 
-/// Random labels lowest..materials.
+/// Returns random labels from lowest to materials.
 FractionField MakeRandomLabels(const CartesianGrid& grid, int materials, int lowest, unsigned seed);
 
-/// Smallest corner determinant over all hexes; of tets six volumes.
+/// Returns the smallest corner determinant of all hexes; of tets six times the volume.
 double SmallestCornerDeterminant(const Mesh& mesh);
 
-/// Whether the trilinear map of every hex has a positive Jacobian everywhere: its Bernstein
-/// coefficients are positive, after subdivision where they are not (Johnen, Remacle, Geuzaine
-/// 2013). Tets: every volume is positive.
+/// Returns whether the trilinear map of every hex has a positive Jacobian determinant everywhere:
+/// its Bernstein coefficients are positive, after subdivision if necessary. Tets: whether every
+/// volume is positive. Johnen, Remacle and Geuzaine, J. Comput. Phys. 233 (2013) 359-372.
 bool IsPositiveEverywhere(const Mesh& mesh);
 
-/// Smallest of the 27 Bernstein coefficients of a hex's Jacobian, a bound below it; six volumes of
-/// a tet.
+/// Returns the smallest of the 27 Bernstein coefficients of a hex's Jacobian determinant, a lower
+/// bound of it; six times the volume of a tet.
 double SmallestCoefficient(const Mesh& mesh, Index element);
 
-/// "" or what is wrong: a face on more than two elements, an unused point, ids that are not unique.
+/// Returns an empty string or the first problem: a face shared by more than two elements, an unused
+/// point, ids that are not unique.
 std::string FindConformityProblem(const Mesh& mesh);
 
-/// Where the boundary of a material is no closed 2-manifold.
+/// Defects of the boundary of a material, which must be a closed 2-manifold.
 struct SurfaceDefects
 {
-  Index OddEdges = 0;          ///< not on exactly two faces
-  Index NonManifoldPoints = 0; ///< whose faces are not connected over the edges at them
+  Index OddEdges = 0;          ///< edges not on exactly two faces
+  Index NonManifoldPoints = 0; ///< points whose faces are not connected over their edges
 };
-/// Of every material of the mesh.
+/// Counts the defects of each material of the mesh.
 std::map<int, SurfaceDefects> CountBoundaryDefects(const Mesh& mesh);
 
-/// FindConformityProblem, or a boundary with defects.
+/// Returns the result of FindConformityProblem, or a boundary with defects.
 std::string FindTopologyProblem(const Mesh& mesh);
 
-/// "" or what is wrong: a fragment that its faces do not connect, two of one material that share a
-/// face.
+/// Returns an empty string or the first problem: a fragment not connected by faces, two fragments
+/// of one material that share a face.
 std::string FindFragmentProblem(const Mesh& mesh);
 
-/// "" or what is wrong: facets that are not, one by one, the faces between fragments and those of
-/// one element alone.
+/// Returns an empty string or the first problem: the facets must equal, one by one, the faces
+/// between fragments and the faces of only one element.
 std::string FindFacetProblem(const Mesh& mesh);
 
-/// How deep a point beside void that is not meshed lies in an element that is not its own, in
-/// widths of it; 0: in none.
+/// Returns how deep a point next to unmeshed void lies in an element without this corner, in widths
+/// of the element; 0 if there is no such point.
 double DeepestOverlap(const Mesh& mesh);
 
-/// Volume of a material, exact for tets and trilinear hexes.
+/// Returns the volume of a material, exact for tets and trilinear hexes.
 double MeasureVolume(const Mesh& mesh, int material);
 
-/// Distances of the points of all interface facets to the nearest of the given surfaces.
+/// Distances of the points of all interface facets to the true surface.
 struct Distances
 {
   double Largest = 0.0, RootMeanSquare = 0.0;

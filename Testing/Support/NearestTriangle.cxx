@@ -91,7 +91,7 @@ double NearestTriangle::Distance(const Vector3& x) const
 {
   double nearest = 1e300;
   const Index3 middle = this->BinOf(x);
-  // what is in no bin within `reach` of that of x is farther than reach widths
+  // A triangle in no bin within `reach` bins of x is farther away than reach widths.
   for (Index reach = 0; nearest > (reach - 1) * this->Width; ++reach)
   {
     IndexBox bins;

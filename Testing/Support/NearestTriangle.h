@@ -1,6 +1,6 @@
 /**
- * The distance of points to the nearest of many triangles, quick when these are about as large as
- * the bins they are sorted into.
+ * Distance of points to the nearest of many triangles. It is fast if triangles are about as large
+ * as the bins into which they are sorted.
  */
 #pragma once
 
@@ -17,7 +17,7 @@ class NearestTriangle
 public:
   using Corners = std::array<Vector3, 3>;
 
-  /// triangles: not empty; may be lines or points, too. binWidth: in their unit.
+  /// triangles: not empty; may degenerate to lines or points. binWidth: in the unit of the points.
   explicit NearestTriangle(std::vector<Corners> triangles, double binWidth = 1.0);
 
   double Distance(const Vector3& x) const;
@@ -29,11 +29,11 @@ private:
   std::vector<Corners> Triangles;
   Vector3 Lower;
   double Width;
-  IndexBox Box; // of all bins
+  IndexBox Box; // box of all bins
   Groups<int> Members;
 };
 
-/// Of a point to one triangle.
+/// Returns the distance of a point to one triangle.
 double DistanceToTriangle(const Vector3& x, const NearestTriangle::Corners& triangle);
 
 } // namespace testing

@@ -1,5 +1,5 @@
 /**
- * What the tets of a grid without refinements are made with.
+ * Input of a tetrahedral mesh of a grid without refinements.
  */
 #pragma once
 

@@ -1,5 +1,5 @@
 /**
- * Random numbers of a seed, the same on every machine.
+ * Random numbers from a seed, the same on every machine.
  */
 #pragma once
 
@@ -18,12 +18,12 @@ class RandomDraw
 public:
   explicit RandomDraw(unsigned seed) : Engine(seed) {}
 
-  /// In (low, high).
+  /// Returns a number in (low, high).
   double Between(double low, double high)
   {
     return low + (high - low) * (static_cast<double>(this->Engine()) + 0.5) / 4294967296.0;
   }
-  /// Each component in (low, high).
+  /// Returns a vector with components in (low, high).
   Vector3 Vector(double low, double high)
   {
     Vector3 v;
@@ -33,18 +33,18 @@ public:
     }
     return v;
   }
-  /// In (low, high), its logarithm evenly spread; 0 < low.
+  /// Returns a number in (low, high) with uniform logarithm; 0 < low.
   double Scale(double low, double high)
   {
     return std::exp(this->Between(std::log(low), std::log(high)));
   }
-  /// low..high.
+  /// Returns an integer from low to high.
   int Whole(int low, int high)
   {
     return low + static_cast<int>(this->Engine() % static_cast<unsigned>(high - low + 1));
   }
   bool Chance(double share) { return this->Between(0.0, 1.0) < share; }
-  /// One of some values.
+  /// Returns one of the given values.
   template <class T>
   T Pick(std::initializer_list<T> values)
   {

@@ -1,5 +1,5 @@
 /**
- * Grids and fields, also cut for ranks that are threads; loops on threads.
+ * Grids and fields, also divided among ranks that are threads; loops on threads.
  */
 #pragma once
 
@@ -22,42 +22,44 @@ private:
   Ranks& TheRanks;
 };
 
-/// Cuts every loop in ranges that run on several threads in no order.
+/// Divides each loop into ranges that run on several threads in any order.
 class ThreadedRuntime : public Runtime
 {
 public:
   void For(Index first, Index last, const std::function<void(Index, Index)>& body) override;
 };
 
-/// Cuts a box in parts along its longest axis each time (axis -1), or along one axis.
+/// Cuts a box along its longest axis each time (axis -1), or along one axis.
 std::vector<IndexBox> CutBox(const IndexBox& box, int parts, int axis = -1);
 
-/// The grid of a rank that owns a box.
+/// Returns the grid of a rank that owns a box.
 inline CartesianGrid MakeRankGrid(
   const CartesianGrid& whole, const IndexBox& box, const GridLayers& layers = {})
 {
   return CartesianGrid(whole.Coordinates(), box, layers.Ghosts, layers.Hexes);
 }
 
-/// The part of a field of the whole grid that a rank holds.
+/// Returns the part of a field of the whole grid that a rank stores.
 FractionField CopyToLocal(
   const CartesianGrid& whole, const FractionField& from, const CartesianGrid& grid);
 
-/// n cells along each axis; widths vary by up to 1.3 from cell to cell and differ by axis.
+/// Returns a grid of n cells along each axis; widths vary by up to 1.3 from
+/// cell to cell and differ by axis.
 CartesianGrid MakeUnevenGrid(int n);
 
-/// Whether both hold the same parts, bit for bit.
+/// Returns whether both contain bitwise identical parts.
 bool HaveSameParts(const FractionField& a, Index i, const FractionField& b, Index j);
 
-/// Half of the cells pure, the others of random parts, some of them tiny.
+/// Returns a field in which half of the cells are pure and the others have
+/// random parts, some of them tiny.
 FractionField MakePatchyFractions(const CartesianGrid& grid, int materials, unsigned seed);
 
-/// What changes a field; fractions: of the local box.
+/// A change of a field; fractions: of the local box.
 using FieldChange = std::function<void(const CartesianGrid& grid, const Partition& partition,
   Runtime& runtime, FractionField& fractions)>;
 
-/// "", or on how many ranks a change gives another field, ghost cells included, than on one. Tries
-/// 2, 3, 4 and 8 ranks, slabs, and a rank without cells.
+/// Returns an empty string, or the number of ranks on which a change gives another field than on
+/// one rank, ghost cells included. Tries 2, 3, 4 and 8 ranks, slabs, and a rank without cells.
 std::string FindRankProblem(
   const CartesianGrid& whole, const FractionField& field, const FieldChange& change);
 

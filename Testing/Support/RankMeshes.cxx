@@ -39,7 +39,7 @@ bool AreEqual(const MeshReport& a, const MeshReport& b)
     a.RefusedParts == b.RefusedParts && AreEqual(a.Materials, b.Materials);
 }
 
-/// What is not as it should be.
+/// Lists the differences.
 class DifferenceText
 {
 public:
@@ -49,14 +49,14 @@ public:
   }
   std::string Get() const
   {
-    return this->Text.empty() ? "" : this->Text + "not as of one process. ";
+    return this->Text.empty() ? "" : this->Text + "differ from one rank. ";
   }
 
 private:
   std::string Text;
 };
 
-/// What is known of the points of facets, by id.
+/// Returns coordinates and geometry of the points of facets by id.
 std::map<Index, std::array<double, 5>> PointsOfFacets(const MergedMesh& mesh)
 {
   std::map<Index, std::array<double, 5>> points;

@@ -1,5 +1,5 @@
 /**
- * Meshes made on one rank and on several, to be compared; what to refine in them.
+ * Meshes made on one rank and on several, for comparison, and random refinements of them.
  */
 #pragma once
 
@@ -13,7 +13,7 @@ namespace vfm
 namespace testing
 {
 
-/// What a mesh is made of, by global id. Tets leave the last places empty.
+/// Content of a mesh by global id. Tets leave the last corners at 0.
 struct MergedMesh
 {
   std::map<Index, std::array<double, 5>> Points;    // coordinates, dimension, geometry
@@ -21,41 +21,41 @@ struct MergedMesh
   std::map<std::array<Index, 4>, std::array<int, 4>> Facets; // surface, materials, side
   std::map<std::array<Index, 2>, int> CurveEdges;            // curves
   std::map<Index, int> Vertices;
-  GeometryTables Tables; // alike on all ranks
+  GeometryTables Tables; // equal on all ranks
   int Corners = 0;
   int Conflicts = 0;
 
   void Add(const Mesh& m);
-  /// As one mesh, without its facets.
+  /// Returns one mesh, without facets.
   Mesh Join() const;
 };
 
 struct RankMesh
 {
   MergedMesh Merged;
-  std::vector<MeshReport> Reports; // of the ranks
+  std::vector<MeshReport> Reports; // by rank
 };
 
 RankMesh MakeAlone(const CartesianGrid& whole, const FractionField& field,
   const MeshOptions& options, MeshMaker make);
-/// Each rank with one of the boxes.
+/// Makes a mesh on one rank per box.
 RankMesh MakeOnRanks(const CartesianGrid& whole, const FractionField& field,
   const std::vector<IndexBox>& boxes, const MeshOptions& options, MeshMaker make);
 
-/// "", or how many facets, with their points, edges of curves, vertices and tables are not, bit for
-/// bit, those of one process. These are the same from any number of ranks where the elements of
-/// TetGen are not.
+/// Returns an empty string, or the number of facets, their points, edges of curves, vertices and
+/// tables that are not bitwise identical to the result of one rank. They do not depend on the
+/// number of ranks even with TetGen, whose elements do.
 std::string FindGeometryDifference(const MergedMesh& made, const MergedMesh& alone);
 
-/// "", or how many of these, of points, elements and reports are not.
+/// Returns FindGeometryDifference and the number of different points, elements and reports.
 std::string FindDifference(const RankMesh& made, const RankMesh& alone);
 
-/// Expects the mesh and report of one process, however the grid is cut in boxes.
+/// Expects the mesh and report of one rank for each division into boxes.
 void CompareWithSerial(const CartesianGrid& whole, const FractionField& field,
   const std::vector<std::vector<IndexBox>>& cuts, const MeshOptions& options,
   MeshMaker make = MakeHexMesh);
 
-/// Entries of one map that the other has not, or has with another value.
+/// Counts the entries of one map that are missing or different in the other.
 template <class Map>
 std::size_t CountDifferences(const Map& a, const Map& b)
 {
@@ -71,24 +71,24 @@ std::size_t CountDifferences(const Map& a, const Map& b)
   return static_cast<std::size_t>(std::max(missing(a, b), missing(b, a)));
 }
 
-/// Coordinates by id of the points of facets between materials; those on the domain's sides may
-/// differ between meshes.
+/// Returns the coordinates by id of points of facets between materials. Points on sides of the
+/// domain may differ between meshes.
 std::map<Index, std::array<double, 3>> InterfacePoints(const Mesh& mesh);
 
-/// Labels in blocks of 2^refinements cells: a fortieth of them random, of void and two materials,
-/// the others material 1.
+/// Returns labels in blocks of 2^refinements cells. One block in 40 has a random label of void and
+/// two materials, the others have material 1.
 FractionField MakeBlockLabels(const CartesianGrid& grid, int refinements, unsigned seed);
 
-/// Three materials, all nearly equal in every cell: the most by a hair is material 1 or, in a share
-/// of the cells, a random one. Labels are noise that costs next to nothing to change, so coarser
-/// cells and transitions stay where they are wanted.
+/// Returns three materials with almost equal fractions in every cell. Material 1 is slightly larger
+/// or, in a share of the cells, a random material. Such noise can change labels at almost no cost,
+/// so coarser cells and transitions stay where they were requested.
 FractionField MakeNearTies(const CartesianGrid& grid, double share, unsigned seed);
 
-/// Families of every level, with a chance (LevelPlan::Families).
+/// Returns random families of every level (LevelPlan::Families).
 std::vector<std::vector<Index>> MakeRandomFamilies(
   const CartesianGrid& grid, int refinements, double chance, unsigned seed);
 
-/// CutBox in whole base cells.
+/// Cuts a box between base cells as CutBox does.
 std::vector<IndexBox> CutBaseBox(
   const CartesianGrid& grid, int refinements, int ranks, int axis = -1);
 

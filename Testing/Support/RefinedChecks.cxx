@@ -42,8 +42,8 @@ void ForFamilies(const OctreeKeys& lattice, int level, const Visitor& visit)
   }
 }
 
-/// The family at each corner, in the middle of an edge or of a face along each axis, of a grid of n
-/// families.
+/// Returns whether a family is one of eight at corners of a grid of n families, or in the middle of
+/// edges and faces along each axis.
 bool IsOnDomain(const Index3& q, Index n)
 {
   const std::set<Index3> families{ { { 0, 0, 0 } }, { { n - 1, n - 1, n - 1 } },
@@ -97,11 +97,11 @@ bool HasDuplicates(std::vector<Index> keys)
   return std::adjacent_find(keys.begin(), keys.end()) != keys.end();
 }
 
-/// The triangles that the hexes at a point cut off, by the other ends of their edges.
+/// Triangles cut off from the hexes at a point, by the other ends of their edges.
 using Link = std::vector<std::array<int, 3>>;
 
-/// Whether a link is one sphere, or one disc: by connection over edges, edges on more than two,
-/// Euler characteristic.
+/// Returns whether a link is one sphere or one disc: connected, at most two triangles
+/// per edge, Euler characteristic.
 bool IsSphereOrDisc(const Link& link)
 {
   std::map<std::array<int, 2>, std::vector<int>> edges;
@@ -161,7 +161,7 @@ std::string FindLinkProblem(const WholeMesh& mesh)
     }
     if (!IsSphereOrDisc(link))
     {
-      return "the hexes at a point form no ball";
+      return "the hexes at a point do not form a ball";
     }
   }
   return "";
@@ -177,7 +177,7 @@ std::array<int, 8> ByBits(const Index* vtk)
   return hex;
 }
 
-/// Exact for the trilinear map: two Gauss points an axis.
+/// Integrates the trilinear map exactly: two Gauss points per axis.
 double HexVolume(const WholeMesh& mesh, const std::array<int, 8>& hex)
 {
   double volume = 0.0;
@@ -417,7 +417,7 @@ std::string FindChildProblem(const OctantFamilies& sets, const WholeMesh& mesh)
       }
     }
   }
-  return regular == 0 ? "" : "cells of a level that no refined cell has";
+  return regular == 0 ? "" : "cells of a level without refined parents";
 }
 
 double SmallestCornerDeterminant(const CartesianGrid& grid, const WholeMesh& mesh)

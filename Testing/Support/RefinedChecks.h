@@ -1,5 +1,5 @@
 /**
- * Independent checks of a mesh across levels, and the sets of families to try.
+ * Independent checks of a mesh across levels, and sets of families for tests.
  */
 #pragma once
 
@@ -14,7 +14,7 @@ namespace vfm
 namespace testing
 {
 
-/// A set of families to refine, and the grid and lattice it belongs to.
+/// Families to refine, with their grid and lattice.
 struct RefinedCase
 {
   std::string Name;
@@ -23,36 +23,38 @@ struct RefinedCase
   std::vector<std::vector<Index>> Requested; ///< family keys by level
 };
 
-/// One level: the families of a grid of n cells for which wanted(family) holds.
+/// Returns the families for which requested(family) is true, of one level in a grid of n cells.
 RefinedCase MakeFamilyCase(
   const std::string& name, const Index3& n, const std::function<bool(const Index3&)>& requested);
-/// Families of the finest of several levels, each with a chance.
+/// Returns random families of the finest of several levels.
 RefinedCase MakeRandomCase(const Index3& n, int levels, double chance, unsigned seed);
-/// The families of the finest of several levels that the sphere of radius .36 n in the middle cuts.
+/// Returns the families of the finest of several levels that are cut by a sphere
+/// of radius .36 n in the middle.
 RefinedCase MakeShellCase(Index n, int levels);
-/// Those of the table in Documentation, without random ones and shells.
+/// Returns the cases of the table in Documentation, without random ones and shells.
 std::vector<RefinedCase> MakeShapeCases();
 
-/// The refined mesh with all untouched base cells.
+/// Refined mesh with all untouched base cells.
 struct WholeMesh
 {
   std::vector<Vector3> Points;
   std::vector<Index> PointKeys, HexKeys;
-  std::vector<std::array<int, 8>> Hexes; ///< by corner bits
+  std::vector<std::array<int, 8>> Hexes; ///< in the order of corner bits
   std::vector<unsigned char> IsTransition;
 };
 WholeMesh AddUntouchedCells(const OctreeKeys& lattice, const RefinedMesh& mesh);
 
-/// "" or what is wrong: faces on more than two hexes, single faces inside the domain, links of
-/// points that are no sphere or disc, an Euler characteristic other than 1, keys that are not
-/// unique, unused points.
+/// Returns an empty string or the first problem: a face on more than two hexes, a single face
+/// inside the domain, a link of a point other than a sphere or disc, an Euler characteristic other
+/// than 1, keys that are not unique, an unused point.
 std::string FindTopologyProblem(const CartesianGrid& grid, const WholeMesh& mesh);
-/// "" or a child of a refined cell that is missing or not exact; whether the other hexes are
-/// transition hexes.
+/// Returns an empty string or the first problem: a child of a refined cell that is missing or not
+/// exact, another hex that is not a transition hex.
 std::string FindChildProblem(const OctantFamilies& sets, const WholeMesh& mesh);
-/// Over all hexes, in mean volumes of the cells of the base grid.
+/// Returns the smallest determinant of all hexes, in mean volumes of base cells.
 double SmallestCornerDeterminant(const CartesianGrid& grid, const WholeMesh& mesh);
-/// Of the mesh, exact for trilinear hexes, over the volume of the domain, less 1.
+/// Returns the volume of the mesh, exact for trilinear hexes, over the
+/// volume of the domain, minus 1.
 double VolumeError(const CartesianGrid& grid, const WholeMesh& mesh);
 
 /// Scaled Jacobians of the transition hexes.

@@ -21,14 +21,14 @@ namespace
 
 using Clock = std::chrono::steady_clock;
 
-/// Of this process: address space in bytes.
+/// Returns the address space of this process in bytes.
 std::size_t MeasureAddressSpace()
 {
   unsigned long pages = 0;
   std::FILE* file = std::fopen("/proc/self/statm", "r");
   if (!file || std::fscanf(file, "%lu", &pages) != 1)
   {
-    throw std::runtime_error("/proc/self/statm cannot be read");
+    throw std::runtime_error("cannot read /proc/self/statm");
   }
   std::fclose(file);
   return pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
@@ -61,7 +61,7 @@ void LimitMemory(std::size_t memory)
   std::_Exit(0);
 }
 
-/// Reads to the end; false when that takes too long.
+/// Reads to the end; returns false after a timeout.
 bool ReadAll(int pipe, int seconds, std::string& text)
 {
   const Clock::time_point end = Clock::now() + std::chrono::seconds(seconds);
@@ -93,7 +93,7 @@ ApartResult RunApart(const std::function<std::string()>& work, int seconds, std:
   pid_t process = 0;
   if (pipe(ends) != 0 || (process = fork()) < 0)
   {
-    throw std::runtime_error("there is no process for the work");
+    throw std::runtime_error("cannot start a process for the work");
   }
   if (process == 0)
   {

@@ -1,5 +1,6 @@
 /**
- * Work in a process of its own: what crashes, hangs or asks for too much memory there is told here.
+ * Runs work in its own process: crashes, hangs and excessive use of memory
+ * are reported to the caller.
  */
 #pragma once
 
@@ -13,12 +14,12 @@ namespace testing
 
 struct ApartResult
 {
-  std::string Text;    ///< what the work returned
-  std::string Failure; ///< "" or how the process ended without returning
+  std::string Text;    ///< text that the work returned
+  std::string Failure; ///< empty, or how the process ended without returning
 };
 
-/// Forks; call it while there is one thread. memory: in bytes, what the work may ask for beside
-/// what this process has; 0: no limit.
+/// Forks; the caller must have only one thread. memory: limit of the memory that the work may
+/// allocate in addition to this process, bytes; 0: no limit.
 ApartResult RunApart(const std::function<std::string()>& work, int seconds, std::size_t memory = 0);
 
 } // namespace testing

@@ -15,17 +15,17 @@ namespace
 {
 
 constexpr double DomainWidth = 2.6;
-constexpr double SampleStep = 0.1; // of a cell, along edges
-constexpr int SamplesOfFacet = 4;  // along each of its directions
+constexpr double SampleStep = 0.1; // in cells, along edges
+constexpr int SamplesOfFacet = 4;  // along each direction of a facet
 
 using Point2 = std::array<double, 2>;
 
-/// What a prism stands on: a polygon, counter-clockwise, or a circle where there is none.
+/// Base of a prism: a polygon, counterclockwise, or a circle if there are no corners.
 struct Figure
 {
   std::vector<Point2> Corners;
   double Radius = 0.0;
-  std::vector<std::vector<int>> Convex; ///< parts of the polygon that share no area
+  std::vector<std::vector<int>> Convex; ///< convex parts of the polygon that do not overlap
 };
 
 struct Prism
@@ -46,7 +46,7 @@ double Cross2(const Point2& a, const Point2& b, const Point2& p)
   return (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
 }
 
-/// Negative inside.
+/// Returns the signed distance, negative inside.
 double SignedDistance(const Figure& figure, const Point2& p)
 {
   if (figure.Corners.empty())
@@ -138,14 +138,14 @@ void AddEdges(const Prism& prism, SharpCase& c)
   }
 }
 
-/// Lengths in widths of the domain over 2.6; rotation in degrees.
+/// A solid; lengths in widths of the domain over 2.6, rotation in degrees.
 struct Recipe
 {
   Figure Base;
   double Height;
   Vector3 Rotation;
   bool InMatrix;
-  bool OnGrid; ///< the square in the middle, its sides on faces of cells
+  bool OnGrid; ///< the square is in the middle, its sides on faces of cells
 };
 
 const Figure Square{ { { { -.6, -.6 } }, { { .6, -.6 } }, { { .6, .6 } }, { { -.6, .6 } } }, 0.0,
@@ -217,7 +217,7 @@ SharpDistances Measure(const std::vector<Vector3>& points, const Distance& dista
   return Summarise(std::move(values));
 }
 
-/// The interface of a mesh: what of its facets is on no side of the domain.
+/// The interface of a mesh: its facets that do not lie on a side of the domain.
 struct InterfaceOfMesh
 {
   explicit InterfaceOfMesh(const Mesh& mesh);
@@ -252,7 +252,7 @@ InterfaceOfMesh::InterfaceOfMesh(const Mesh& mesh)
     {
       const double u = (i % SamplesOfFacet + .5) / SamplesOfFacet;
       const double v = (i / SamplesOfFacet + .5) / SamplesOfFacet;
-      const double r = std::sqrt(u); // spreads them evenly over a triangle
+      const double r = std::sqrt(u); // distributes samples evenly over a triangle
       this->Samples.push_back(corners == 4
           ? (1 - u) * (1 - v) * x[0] + u * (1 - v) * x[1] + u * v * x[2] + (1 - u) * v * x[3]
           : (1 - r) * x[0] + r * (1 - v) * x[1] + r * v * x[2]);

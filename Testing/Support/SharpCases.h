@@ -1,9 +1,9 @@
 /**
- * Solids with edges and corners: their exact fractions, and how far a mesh is from their faces,
- * edges and corners.
+ * Solids with edges and corners: their exact fractions, and the distances of a mesh from
+ * their faces, edges and corners.
  *
- * Each is a prism over a plane figure, turned and put off the grid, 1.2 high and wide or about that
- * in a cube of edge 2.6; lengths here are in cells of the n^3 that this cube is cut into.
+ * Each is a prism over a plane figure, rotated and offset from the grid. Height and width are about
+ * 1.2 in a cube of edge 2.6. Lengths below are in cells of the n^3 cells of this cube.
  */
 #pragma once
 
@@ -22,18 +22,19 @@ struct SharpCase
   std::string Name;
   CartesianGrid Grid; ///< unit cells
   FractionField Fractions;
-  std::function<double(const Vector3&)> Distance; ///< to the surface, >= 0; exact
-  std::vector<Vector3> Edges;                     ///< points along them, every tenth of a cell
+  std::function<double(const Vector3&)> Distance; ///< exact distance to the surface, >= 0
+  std::vector<Vector3> Edges;                     ///< points along edges, a tenth of a cell apart
   std::vector<Vector3> Corners;
 };
 
-/// The names of all, without cells.
+/// Lists the names of all cases, without the number of cells.
 std::vector<std::string> ListSharpCases();
-/// "cube A", "cube B" (turned), "cube C" (along the axes), "cube D" (its faces on those of cells),
-/// "L", "cylinder", "wedge 45" and "cube A in matrix". Throws InputError for others.
+/// Returns a case: "cube A", "cube B" (rotated), "cube C" (along the axes), "cube D"
+/// (faces on faces of cells), "L", "cylinder", "wedge 45" or "cube A in matrix".
+/// Throws InputError for other names.
 SharpCase MakeSharpCase(const std::string& name, int cells);
 
-/// In cells.
+/// Distances in cells.
 struct SharpDistances
 {
   double Largest = 0.0, RootMeanSquare = 0.0, Percentile99 = 0.0;
@@ -41,13 +42,13 @@ struct SharpDistances
 
 struct SharpFigures
 {
-  SharpDistances NodesToSurface; ///< points of the interface to the true one
-  SharpDistances MeshToSurface;  ///< 16 points of each of its facets, bilinear ones
-  SharpDistances
-    EdgesToMesh; ///< true edges to the facets, four triangles around the centre of quads
-  SharpDistances EdgesToNodes; ///< to the nearest point of the interface
+  SharpDistances NodesToSurface; ///< interface points to the true surface
+  SharpDistances MeshToSurface;  ///< 16 points of each bilinear facet to the true surface
+  /// true edges to the facets, four triangles around the centre of quads
+  SharpDistances EdgesToMesh;
+  SharpDistances EdgesToNodes; ///< true edges to the nearest interface point
   SharpDistances CornersToNodes;
-  double VolumeError = 0.0; ///< of material 1, relative
+  double VolumeError = 0.0; ///< relative error of material 1
 };
 
 SharpFigures MeasureSharp(const SharpCase& c, const Mesh& mesh, const MeshReport& report);

@@ -1,6 +1,6 @@
-/// A sched_yield that sleeps. Loaded before all other libraries (LD_PRELOAD), it takes the place of
-/// the C library's, which Open MPI calls again and again while a rank waits for another
-/// (mpi_yield_when_idle). Ranks that wait then leave the cores to ranks that work.
+/// A sched_yield that sleeps. Loaded before all other libraries (LD_PRELOAD), it replaces the
+/// function of the C library. Open MPI calls it repeatedly while a rank waits for another
+/// (mpi_yield_when_idle). Waiting ranks then leave the cores to working ranks.
 #include <ctime>
 
 #include <sched.h>

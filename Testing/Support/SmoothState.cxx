@@ -17,8 +17,7 @@ namespace
 
 constexpr int Samples = 8; // along each axis of a mixed cell
 
-/// Adds values to the means of a material: of density as they are, of what is per mass times
-/// density.
+/// Accumulates the mean of a material: volume means per volume, mass means for quantities per mass.
 class MeanOfMaterial
 {
 public:
@@ -48,7 +47,7 @@ private:
   std::array<double, SmoothComponents> Sums{};
 };
 
-/// Calls body(point) for points of a cell, the places of their coordinates between 0 and 1.
+/// Calls body(point) for points of a cell; places: their coordinates, from 0 to 1 along each axis.
 template <class Body>
 void ForPoints(const CartesianGrid& grid, const Index3& cell, const std::vector<double>& places,
   const Body& body)
@@ -130,7 +129,7 @@ CellMeans::CellMeans(const CartesianGrid& grid, const FractionField& fractions,
           for (int m = 0; isMixed && m < this->Materials; ++m)
           {
             function(x, m, values);
-            all[m].Add(values, 1.0); // for a part that is too small to hold a point
+            all[m].Add(values, 1.0); // used if a part is too small to contain a sample
           }
         });
       for (int m = 0; m < this->Materials; ++m, at += SmoothComponents)

@@ -1,6 +1,6 @@
 /**
- * A smooth state of every material on the unit cube, as codes hold it in cells: means over the part
- * of each material.
+ * A smooth state of every material on the unit cube, stored in cells as in a simulation: means
+ * over the part of each material.
  */
 #pragma once
 
@@ -14,23 +14,23 @@ namespace vfm
 namespace testing
 {
 
-/// Density, velocity, specific energy, temperature, strain per mass, pressure per volume: six
-/// arrays of eight components.
+/// Lists density, velocity, specific energy, temperature, strain per mass and pressure per volume:
+/// six arrays with eight components.
 std::vector<StateQuantity> ListSmoothQuantities();
 constexpr int SmoothComponents = 8;
 
-/// Values at a point of a material.
+/// Sets values at a point of a material.
 using StateFunction = std::function<void(const Vector3& x, int material, double* values)>;
 
-/// Of the unit cube: sines and products, different in each material; material 2 is 8 times as dense
-/// as the others.
+/// Evaluates sines and products on the unit cube, different in each material. Material 2 is
+/// 8 times as dense as the others.
 void EvaluateSmoothState(const Vector3& x, int material, double* values);
 
-/// Means of a function in the cells of a grid: of mixed ones by points of each material.
+/// Means of a function in the cells of a grid; in mixed cells over sample points of each material.
 class CellMeans : public StateCellValues
 {
 public:
-  /// materialAt: of a point of a mixed cell.
+  /// materialAt: material at a point of a mixed cell
   CellMeans(const CartesianGrid& grid, const FractionField& fractions,
     const StateFunction& function, const std::function<int(const Vector3&)>& materialAt);
   void Read(const Index3& cell, int material, double* values) const override;
@@ -41,10 +41,10 @@ private:
   std::vector<double> Means; ///< by cell of the local box, then material from 0
 };
 
-/// n^3 cells of the unit cube.
+/// Returns n^3 cells of the unit cube.
 CartesianGrid MakeUnitCube(int n);
 
-/// And who makes them.
+/// Type of element and method.
 enum class Elements
 {
   Hexes,
@@ -52,10 +52,10 @@ enum class Elements
   Cells
 };
 
-/// With default options.
+/// Makes a mesh with default options.
 Mesh MakeMesh(const CartesianGrid& grid, const FractionField& fractions, Elements elements);
 
-/// Volumes and centroids of elements, as Overlaps know them.
+/// Volumes and centroids of elements, computed from overlaps with the cells.
 struct ElementShapes
 {
   std::vector<double> Volumes;

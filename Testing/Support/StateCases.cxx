@@ -104,7 +104,7 @@ StateOutcome TransferOnRanks(const StateCase& c, const std::vector<IndexBox>& bo
     if (outcome.Input != all.Input || outcome.Unmeshed != all.Unmeshed ||
       outcome.Factors != all.Factors)
     {
-      all.Input.clear(); // differs from any other
+      all.Input.clear(); // differs from any other result
     }
   }
   return all;
@@ -113,7 +113,7 @@ StateOutcome TransferOnRanks(const StateCase& c, const std::vector<IndexBox>& bo
 namespace
 {
 
-/// What is conserved, from values alone; sum of magnitudes too.
+/// Conserved sums from element values, and sums of magnitudes.
 struct Contents
 {
   std::vector<std::vector<long double>> Sums, Sizes; // by material
@@ -213,7 +213,7 @@ std::string FindOutcomeDifference(const StateOutcome& a, const StateOutcome& b)
       std::to_string(a.Elements.size()) + " elements differ. "
                                      : "";
   text += a.Input == b.Input ? "" : "Other totals of the input. ";
-  text += a.Unmeshed == b.Unmeshed ? "" : "Other totals of what is not meshed. ";
+  text += a.Unmeshed == b.Unmeshed ? "" : "Other totals of unmeshed content. ";
   return text + (a.Factors == b.Factors ? "" : "Other factors.");
 }
 

@@ -1,6 +1,5 @@
 /**
- * State carried from fields to meshes made of them, alone and on ranks, and what must be true of
- * it.
+ * State transferred from fields to meshes, on one rank and on several, and its invariants.
  */
 #pragma once
 
@@ -15,7 +14,7 @@ namespace vfm
 namespace testing
 {
 
-/// Values by a function of the cell.
+/// Sets the values of a cell and material.
 using CellFunction =
   std::function<void(const CartesianGrid& grid, const Index3& cell, int material, double* values)>;
 
@@ -36,9 +35,9 @@ struct ElementOutcome
 {
   int Material, Fragment;
   double Volume, Mass;
-  Vector3 Centroid;     ///< the mean of the corners
-  Vector3 Mean;         ///< of its volume
-  Vector3 Lower, Upper; ///< of the box around it
+  Vector3 Centroid;     ///< mean of the corners
+  Vector3 Mean;         ///< centroid of the volume
+  Vector3 Lower, Upper; ///< bounds of the element
   std::vector<double> Values;
 };
 
@@ -49,24 +48,25 @@ struct StateOutcome
   std::vector<std::array<double, 2>> Factors;
 };
 
-/// Each rank meshes one of the boxes.
+/// Meshes and transfers on one rank per box.
 StateOutcome TransferOnRanks(const StateCase& c, const std::vector<IndexBox>& boxes);
 StateOutcome TransferAlone(const StateCase& c);
 StateOutcome TransferOnThreads(const StateCase& c);
 
-/// Totals of the mesh by material, as StateTotals, from values alone.
+/// Returns totals of the mesh by material, as StateTotals, computed only from element values.
 std::vector<StateTotals> SumElements(const StateCase& c, const StateOutcome& outcome);
 
-/// "", or which total of which material is not that of the input without what is not meshed.
-/// tolerance: of the sum of magnitudes.
+/// Returns an empty string, or the first total of a material that differs from the input without
+/// unmeshed content. tolerance: relative to the sum of magnitudes.
 std::string FindTotalsProblem(
   const StateCase& c, const StateOutcome& outcome, double tolerance = 1e-13);
 
-/// "", or how many elements have other bits; totals too.
+/// Returns an empty string, or the number of elements that are not bitwise
+/// identical, and totals that differ.
 std::string FindOutcomeDifference(const StateOutcome& a, const StateOutcome& b);
 
-/// Density, velocity, specific energy, heat capacity, temperature, stress per volume, a sum per
-/// volume: as a code has them.
+/// Lists typical quantities of a simulation: density, velocity, specific energy, heat capacity,
+/// temperature, stress per volume, and a sum per volume.
 std::vector<StateQuantity> MakeCodeQuantities();
 
 } // namespace testing

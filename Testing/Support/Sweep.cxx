@@ -14,7 +14,7 @@ namespace testing
 namespace
 {
 
-/// Of VFM_SWEEP, 1 without it.
+/// Returns the value of VFM_SWEEP, default 1.
 double ReadFactor()
 {
   const char* text = std::getenv("VFM_SWEEP");
@@ -22,18 +22,18 @@ double ReadFactor()
   const double factor = text ? std::strtod(text, &end) : 1.0;
   if (text && (end == text || *end || !(factor > 0.0 && factor <= 1e6)))
   {
-    throw std::invalid_argument("VFM_SWEEP is no factor");
+    throw std::invalid_argument("VFM_SWEEP must be a positive factor up to 1e6");
   }
   return factor;
 }
 
-/// Of VFM_SEEDS; whether it is there.
+/// Reads VFM_SEEDS; returns whether it is set.
 bool ReadRange(unsigned& first, unsigned& count)
 {
   const char* text = std::getenv("VFM_SEEDS");
   if (text && std::sscanf(text, "%u:%u", &first, &count) != 2)
   {
-    throw std::invalid_argument("VFM_SEEDS is not first:count");
+    throw std::invalid_argument("VFM_SEEDS must be first:count");
   }
   return text != nullptr;
 }

@@ -1,5 +1,5 @@
 /**
- * The seeds of random sweeps, longer or shorter by the environment.
+ * Seeds of random sweeps. Environment variables make sweeps longer or shorter.
  */
 #pragma once
 
@@ -10,13 +10,12 @@ namespace vfm
 namespace testing
 {
 
-/// The seeds 0..count-1, or one of several parts of them. In the environment, VFM_SWEEP multiplies
-/// their number (0.1: a tenth, at least one a part; 10: ten times as many), VFM_SEEDS=first:count
-/// gives them instead.
+/// Returns the seeds 0 to count-1, or one of several parts of them. VFM_SWEEP multiplies
+/// their number (0.1: a tenth, at least one per part; 10: ten times as many).
+/// VFM_SEEDS=first:count replaces them.
 std::vector<unsigned> ListSeeds(unsigned count, unsigned part = 0, unsigned parts = 1);
 
-/// Whether the environment leaves the sweeps at their size or longer: some things happen in many
-/// meshes only.
+/// Returns whether sweeps have at least their default size: some events occur only in many meshes.
 bool IsWholeSweep();
 
 } // namespace testing

@@ -32,7 +32,7 @@ void ThreadHub::Take(int to, int from, Transport::Transfer& transfer) noexcept
   Transport::Transfer& sent = *box.First;
   if (sent.Size != transfer.Size)
   {
-    std::terminate(); // the ranks do not agree on what they do
+    std::terminate(); // the ranks disagree on the sequence of messages
   }
   if (transfer.Data && transfer.Size > 0)
   {

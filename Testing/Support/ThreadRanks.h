@@ -1,6 +1,6 @@
 /**
- * Ranks that are threads of one process: the same pipeline as under MPI, without it. A message
- * waits until it is received, as large ones do under MPI.
+ * Ranks that are threads of one process: the same pipeline as under MPI, without MPI. A message
+ * waits until it is received, as large messages do under MPI.
  */
 #pragma once
 
@@ -15,7 +15,7 @@ namespace vfm
 namespace testing
 {
 
-/// Where the ranks meet.
+/// Connects the transports of all ranks.
 class ThreadHub
 {
 public:
@@ -29,7 +29,7 @@ public:
   const int Count;
 
 private:
-  /// What one rank sent to another.
+  /// Messages from one rank to another that are not received yet.
   struct Box
   {
     std::mutex Lock;
@@ -63,8 +63,8 @@ public:
   }
 };
 
-/// Runs body(ranks) on count threads at once. Throws what the lowest rank threw, once all have
-/// ended.
+/// Runs body(ranks) on count threads. After all have ended, throws the exception
+/// of the lowest rank that failed.
 void RunOnRanks(int count, const std::function<void(ThreadRanks&)>& body);
 
 } // namespace testing
