@@ -13,7 +13,7 @@ def main(out):
     verdict, meshes = report.built_in_test(os.path.join(out, "figure_12.pvtu"), "--refine", "0")
     draw(with_rank(meshes), "FragmentId", 1, 2, os.path.join(out, "figure_12.png"))
     return [
-        ("what the test says of itself", verdict, ""),
+        ("result of the test", verdict, ""),
         report.boxes_row(meshes),
         report.quality_row(meshes)]
 

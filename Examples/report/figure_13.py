@@ -18,7 +18,7 @@ def main(out):
         panels.append(stem + ".png")
         draw(with_rank(meshes), "FragmentId", 1, 2, panels[-1])
         rows += [
-            (name + ": what the test says of itself", verdict, ""),
+            (name + ": result of the test", verdict, ""),
             (name + ": chosen cells", report.number(field_value(meshes, "ChosenCells")), ""),
             report.boxes_row(meshes, name + ": "),
             report.quality_row(meshes, name + ": ")]

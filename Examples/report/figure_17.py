@@ -36,7 +36,7 @@ def main(out):
             (name + ": hexahedra", report.number(meshes[0].GetNumberOfCells()), ""),
             report.quality_row(meshes, name + ": "),
             (name + ": nodes where the surface meets the side", report.number(len(rim)), ""),
-            (name + ": these from the true circle or lines, rms, largest [cells]",
+            (name + ": their distance from the true circle or lines, rms, largest [cells]",
              "%.4f, %.4f" % (np.sqrt((off ** 2).mean()), off.max()), "")]
         panels.append(stem + ".png")
         draw_quality(with_rank(meshes), 0.7, panels[-1], camera=(0.6, -1.0, 0.9), zoom=1.0)

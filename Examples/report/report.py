@@ -70,14 +70,14 @@ def counts_row(label, meshes):
 
 def shared_row(meshes, label=""):
     counts = rank_meshes.shared_points(meshes)
-    return label + "points of several ranks, of these not at one place", "%s, %s" % tuple(
+    return label + "points shared by ranks, of these not at one position", "%s, %s" % tuple(
         map(number, counts)), ""
 
 
 def same_row(label, meshes, one):
     """one: the mesh of one rank."""
     same = rank_meshes.digest(meshes) == rank_meshes.digest(one)
-    return label, "the same bits as on one rank" if same else "ANOTHER than on one rank", ""
+    return label, "bitwise identical to one rank" if same else "DIFFERS from one rank", ""
 
 
 def boxes_row(meshes, label=""):

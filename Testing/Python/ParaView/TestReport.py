@@ -1,5 +1,5 @@
-"""A figure of Sculptor's report as Documentation/report.md has it: the script makes the picture and
-prints the very rows of the page.
+"""Tests the script of a figure of Sculptor's report: it makes the picture and prints exactly the
+rows of Documentation/validation/sculptor-report.md.
 
 usage: pvpython TestReport.py Examples/report/figure_NN.py
 """
@@ -13,7 +13,8 @@ SCREEN = ["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24 -noreset"]
 
 
 def main(script):
-    with open(os.path.join(ROOT, "Documentation", "report.md"), encoding="utf-8") as file:
+    with open(os.path.join(ROOT, "Documentation", "validation",
+                           "sculptor-report.md"), encoding="utf-8") as file:
         page = set(file.read().splitlines())
     name = os.path.splitext(os.path.basename(script))[0]
     with tempfile.TemporaryDirectory() as out:
@@ -26,7 +27,7 @@ def main(script):
             rows = file.read().splitlines()[2:]
     assert rows, "the script tells nothing"
     missing = [row for row in rows if row not in page]
-    assert not missing, "not in Documentation/report.md:\n" + "\n".join(missing)
+    assert not missing, "not in Documentation/validation/sculptor-report.md:\n" + "\n".join(missing)
     assert ("gallery/%s.png" % name) in "\n".join(page), "the page does not show " + name
 
 

@@ -1,5 +1,5 @@
 """Every command of the report's appendix B, and ours, which is run here: the table of
-Documentation/report.md.
+Documentation/validation/sculptor-report.md.
 
 A row of COMMANDS is the report's command, ours after the word sculptor, and what must come of it.
 Files: impact.spcth is the SpyPlot dump in Data, cube_mesh.exo.1.0 an Exodus file of hexahedra with
@@ -168,7 +168,8 @@ def make_files():
 
 
 def test_commands_are_on_the_page():
-    with open(os.path.join(DATA, "..", "Documentation", "report.md"), encoding="utf-8") as file:
+    with open(os.path.join(DATA, "..", "Documentation", "validation",
+                           "sculptor-report.md"), encoding="utf-8") as file:
         page = file.read().splitlines()
     for command, ours, _ in COMMANDS:
         assert "| `%s` | `sculptor %s` |" % (command, ours) in page, (command, ours)
