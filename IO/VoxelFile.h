@@ -2,8 +2,7 @@
  * VoxelFile: type, size and axes of a file with one value per cell, before its values are read.
  *
  * Text (.spn), the voxel format of Sculpt: integers separated by white space, without a header.
- * NumPy (.npy): 3-D arrays of integers or of fractions, or 4-D arrays (material, then the axes) of
- * fractions.
+ * NumPy (.npy): 3-D arrays of integers or fractions, or 4-D arrays (material, axes) of fractions.
  */
 #pragma once
 

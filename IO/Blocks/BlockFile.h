@@ -48,8 +48,7 @@ bool IsBlockFile(const std::string& path);
 /// @throws InputError  if a file cannot be read, is damaged or has another format
 std::unique_ptr<BlockFile> OpenBlockFile(const std::string& path, const Ranks& ranks);
 
-/// Opens a case of the shock code CTH: a text that lists binary files (SpyPlotFile), or one binary
-/// file.
+/// Opens a case of the shock code CTH: one binary file (SpyPlotFile), or a text that lists several.
 /// @throws InputError  same conditions as OpenBlockFile
 std::unique_ptr<BlockFile> OpenSpyPlot(const std::string& path, const Ranks& ranks);
 

@@ -1,9 +1,8 @@
 /**
  * SpyPlotStream: reads numbers, texts and run-length coded values of a SpyPlot file.
  *
- * Numbers are big endian, file positions are doubles. Run-length code: a byte n < 128 is followed
- * by one value, which is repeated n times; a byte 128 + n is followed by n values. Values have 4
- * bytes.
+ * Numbers are big endian, file positions are doubles, values have 4 bytes. Run-length code: a byte
+ * n < 128 is followed by one value, which is repeated n times; a byte 128 + n by n values.
  */
 #pragma once
 

@@ -30,8 +30,7 @@ bool AreAtRightAngles(const std::array<Vector3, 3>& steps);
 /// @param steps  vector from one value to the next along each axis; AreAtRightAngles
 void SetSteps(const std::array<Vector3, 3>& steps, ImagePlace& place);
 
-/// Converts a size read from a header; returns 0, which CheckPlace rejects, if it is negative or
-/// too large.
+/// Converts a size that a header contains; returns 0, which CheckPlace rejects, if it is invalid.
 Index ToSize(double told);
 
 /// Checks the numbers of an image's place.

@@ -31,8 +31,7 @@ struct ImageSource
 /// otherwise 'Labels' (integers) or 'Values'.
 /// @param spacing  replaces the spacing of the file; 0 along all axes: spacing of the file
 /// @param array  name of a cell array of a .dream3d file, or the end of its path
-/// @throws InputError  if the file cannot be read or is not supported; the message does not contain
-///   the path
+/// @throws InputError  if the file cannot be read or is not supported; does not contain the path
 ImageSource OpenImage(
   const std::string& path, const Vector3& spacing, const std::string& array = "FeatureIds");
 

@@ -41,8 +41,7 @@ struct MetaHeader
     const std::string value = this->Find(names, "False");
     return !value.empty() && (value[0] == 'T' || value[0] == 't' || value[0] == '1');
   }
-  /// Returns `count` numbers of the first field that exists, or `count` times `without` if there is
-  /// none.
+  /// Returns `count` numbers of the first field that exists, or `without` for each if none exists.
   std::vector<double> Numbers(
     std::initializer_list<const char*> names, std::size_t count, double without) const
   {

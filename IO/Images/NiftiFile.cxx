@@ -43,8 +43,8 @@ public:
     throw InputError("it is not a NIfTI file.");
   }
 
-  /// Returns a number, of type Value1 at byte `first` in NIfTI-1, of type Value2 at byte `second`
-  /// in NIfTI-2.
+  /// Returns a number: in NIfTI-1 of type Value1 at byte `first`, in NIfTI-2 of type Value2 at byte
+  /// `second`, plus `index` numbers.
   template <class Value1, class Value2>
   double Number(int first, int second, int index = 0) const
   {

@@ -1,6 +1,5 @@
 /**
- * ReadLabelNames: reads names of labels from a table (LabelTable) or from the XML file of an atlas
- * (AtlasXml).
+ * ReadLabelNames: reads names of labels from a table (LabelTable) or from an XML file (AtlasXml).
  */
 #pragma once
 

@@ -27,8 +27,7 @@ std::string ToLower(std::string text)
   return text;
 }
 
-/// Appends the id to names that are too long or equal to an earlier one. Like readers (IOSS), it
-/// ignores case.
+/// Appends the id to names that are too long or exist already. Readers (IOSS) ignore case.
 template <class Items>
 void NameItems(Items& items, std::size_t& longest)
 {

@@ -40,8 +40,7 @@ struct ExodusModel
 };
 
 /// Makes the contents of the file of this rank.
-/// @param mesh  part of this rank, made by the mesher or read from a file; its arrays must outlive
-///   the result
+/// @param mesh  part of this rank, made by the mesher or read from a file; must outlive the model
 /// @throws InputError  if the mesh is empty, lacks a required array, or has different arrays on
 ///   different ranks; on all ranks
 /// @pre Collective

@@ -21,8 +21,7 @@ std::string FindGeometryProblem(const std::string& path);
 /// @param mesh  part of this rank
 /// @param time  time of the data
 /// @param path  path of NAME.vtm
-/// @throws InputError  if a file cannot be written, on all ranks; the message holds the reason, not
-///   the path
+/// @throws InputError  if a file cannot be written, on all ranks; contains the reason, not the path
 /// @pre Collective
 void WriteGeometry(
   const Mesh& mesh, const std::optional<double>& time, const std::string& path, Ranks& ranks);

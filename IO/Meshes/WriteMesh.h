@@ -28,8 +28,7 @@ std::string FindFolderProblem(const std::string& path);
 /// Writes a mesh. Number of files by suffix:
 /// - .vtu: one file of the whole mesh, which rank 0 gathers
 /// - .pvtu: one file, and one piece per rank that has elements
-/// - .e, .ex2, .exo (Exodus): one file per rank, path.N.RANK if there are several; one file if
-///   requested
+/// - .e, .ex2, .exo (Exodus): one file per rank, path.N.RANK for N > 1; one file if requested
 /// - .inp (Abaqus): one file
 /// @param mesh  part of this rank
 /// @throws InputError  if the files cannot be written, on all ranks; contains path and reason
