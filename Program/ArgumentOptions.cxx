@@ -13,66 +13,69 @@ namespace
 {
 
 const std::vector<ArgumentOption> OwnOptions{
-  { "--input", "FILE", "what to mesh" },
-  { "--output", "FILE", "where the mesh goes" },
+  { "--input", "FILE", "file to mesh" },
+  { "--output", "FILE", "file of the mesh" },
   { "--dimensions", "NX,NY,NZ", "numbers of cells of a .spn file" },
   { "--origin", "X,Y,Z", "lower corner of a .spn or .npy file, default 0,0,0" },
-  { "--spacing", "X,Y,Z", "edges of its cells, default 1,1,1" },
+  { "--spacing", "X,Y,Z", "cell widths of a .spn or .npy file, default 1,1,1; or of an image" },
   { "--axis-order", "ORDER",
-    "its array's indices, xyz (default) to zyx, as Sculpt's spn_xyz_order" },
-  { "--fractions", "A,B,..", "cell arrays, the volume fraction of one material each" },
-  { "--labels", "ARRAY", "instead: integer cell array that names the material of each cell" },
+    "axes of the values in the file, xyz (default) to zyx, as spn_xyz_order of Sculpt" },
+  { "--fractions", "A,B,..", "cell arrays with the volume fractions of one material each" },
+  { "--labels", "ARRAY", "integer cell array with the material of each cell" },
   { "--material", "ID,..|all",
-    "mesh only these, the others count as void; numbers from 1, or names of arrays" },
-  { "--state", "A,B,..", "cell arrays that the elements carry along: velocity, temperature" },
-  { "--fragments", "FILE.csv", "a table of the fragments too: volumes, centroids, neighbours" },
-  { "--geometry", "FILE.vtm", "surfaces, curves and vertices too, and what bounds what" },
+    "mesh only these materials, others become void; numbers from 1, or names of arrays" },
+  { "--state", "A,B,..", "cell arrays to transfer to the elements: velocity, temperature" },
+  { "--fragments", "FILE.csv", "also write a table of fragments: volumes, centroids, neighbours" },
+  { "--geometry", "FILE.vtm", "also write surfaces, curves and vertices, and their adjacency" },
   { "--tetmesh", "[METHOD]", "tetrahedra instead of hexahedra; TetGen, Cells or Lattice",
     "Method" },
-  { "--no-smooth", "", "the same as --smooth Off" },
-  { "--refine", "N", "halve all cells N times before they are meshed, 0 to 10" },
-  { "--refine-cells", "ARRAY",
-    "refine the cells that a cell array names: how many times each is to be halved, 0 to 10",
+  { "--no-smooth", "", "same as --smooth Off" },
+  { "--refine", "N", "halve all cells N times before meshing, 0 to 10" },
+  { "--refine-cells", "ARRAY", "cell array: number of times to halve each cell, 0 to 10",
     "RefinementArray" },
   { "--refine-box", "BOX",
-    "and all in the box X0,Y0,Z0,X1,Y1,Z1 or X0,..,Z1,N, N times (1); as often as there are "
-    "boxes",
+    "X0,Y0,Z0,X1,Y1,Z1[,N]: halve all cells in it N times, default 1; repeatable",
     "RefinementBoxes", true },
   { "--set", "Option=Value ..", "any option of the mesher, see below", "", true },
-  { "--list", "", "what the input holds: times, grid, cell arrays, materials; nothing is meshed" },
-  { "--step", "N", "which time of the input, from 0" },
-  { "--time", "T", "the time of the input nearest to T" },
-  { "--single-file", "", "Exodus from several ranks as one file, which the first rank gathers" },
-  { "--quiet", "", "no progress and no table" },
-  { "--help", "", "this text; also -h" },
-  { "--version", "", "the version" },
+  { "--list", "", "print times, grid, cell arrays and materials of the input; no mesh is made" },
+  { "--step", "N", "use time number N of the input, from 0" },
+  { "--time", "T", "use the time of the input nearest to T" },
+  { "--single-file", "", "write one Exodus file from several ranks; rank 0 gathers the mesh" },
+  { "--quiet", "", "print neither progress nor table" },
+  { "--help", "", "print this text; also -h" },
+  { "--version", "", "print the version" },
 };
 
 constexpr const char* Usage =
-  R"(sculptor: a conforming mesh of every material from volume fractions on a grid of cells
+  R"(sculptor: makes a conforming mesh of all materials from volume fractions on a grid of cells
 
 usage: [mpiexec -n RANKS] sculptor [--input] FILE [--output] FILE [options]
-       [mpiexec -n RANKS] sculptor test [--tetmesh [METHOD]] [--no-smooth] [--stairstep] [--refine N] ..
+       [mpiexec -n RANKS] sculptor test [--tetmesh [METHOD]] [--no-smooth] [--stairstep] ..
        [mpiexec -n RANKS] sculptor --list FILE
 
 )";
 
 constexpr const char* Materials =
-  R"(Without --fractions and --labels: the arrays 'Material volume fraction - N', else all cell arrays of float,
-double or unsigned char with values in [0, 1] (unsigned char: 0..255), else the labels 'MaterialId';
-of images, if cells have none, arrays of points likewise, each point the centre of a cell; whole numbers of an image file are labels.
-sculptor test: meshes two boxes, checks the mesh and prints PASS or FAIL; takes --tetmesh, --smooth, --no-smooth, --stairstep,
---material 1, --refine N, --refine-cells (without an array: a few cells of one box).
+  R"(Arrays of materials, without --fractions and --labels
+  1. the arrays 'Material volume fraction - N'
+  2. otherwise all cell arrays of float or double in [0, 1], or unsigned char in [0, 255]
+  3. otherwise the array 'MaterialId', as labels
+  If no cell array of an image qualifies, its point arrays are used; each point is the centre of
+  a cell. An integer array of an image file is used as labels.
 
-Options of the mesher, by --set or a name of their own
+sculptor test: meshes two boxes, checks the mesh and prints PASS or FAIL. It takes --tetmesh,
+  --smooth, --no-smooth, --stairstep, --material 1, --refine N, and --refine-cells without an
+  array, which refines a few cells of one box.
+
+Options of the mesher, for --set or with a name of their own
 )";
 
 constexpr const char* ExitCodes = R"(
 Exit codes
-  0  all went well
+  0  success
   1  wrong arguments
-  2  the input cannot be read, or holds no fitting arrays
-  3  the mesher refuses the input, its message tells why; of sculptor test: a check failed
+  2  the input cannot be read, or has no suitable arrays
+  3  the mesher rejects the input with a message; sculptor test: a check failed
   4  the output cannot be written
   5  not enough memory, or an internal error
 
@@ -123,12 +126,12 @@ std::string GetHelp()
     text += "  " + Padded(option.Name + " " + option.Value, 26) + option.Help + "\n";
   }
   text += "\nInput: " + JoinTexts(GetInputSuffixes()) +
-    "\n  Exodus: hexahedra that form a Cartesian grid, with element variables; of FILE.N.RANK any "
-    "one stands for all, with any FILE\n  AMReX: the folder of a plotfile\n"
+    "\n  Exodus: hexahedra that form a Cartesian grid, with element variables; any one of the\n"
+    "    files FILE.N.RANK selects all of them\n  AMReX: folder of a plotfile\n"
     "Output: " +
     JoinTexts(GetOutputSuffixes()) +
-    "\n  .vtu and .inp (Abaqus, CalculiX) are one file, also from several ranks; Exodus from N "
-    "ranks is one file a rank,\n  FILE.N.RANK\n" +
+    "\n  .vtu and .inp (Abaqus, CalculiX) are one file, also from several ranks; Exodus from N\n"
+    "    ranks is one file per rank, FILE.N.RANK\n\n" +
     Materials;
   for (const std::string& line : DescribeOptions(ElementKind::Tets))
   {

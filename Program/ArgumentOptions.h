@@ -1,5 +1,5 @@
 /**
- * ArgumentOptions: the options of the command line, and the help.
+ * ArgumentOptions: lists the options of the command line and prints the help.
  */
 #pragma once
 
@@ -9,19 +9,21 @@
 namespace vfm
 {
 
+/// Option of the command line.
 struct ArgumentOption
 {
-  std::string Name;
-  std::string Value; ///< what follows, empty: nothing; [VALUE]: or nothing
-  std::string Help;  ///< empty: GetHelp shows the option with that of the mesher
-  std::string
-    MesherOption = {};    ///< set to the value, or on; empty: the program reads the value itself
-  bool MayRepeat = false; ///< may be given several times
+  std::string Name;  ///< name with its dashes
+  std::string Value; ///< name of the value in the help; empty: takes none; [VALUE]: may be omitted
+  std::string Help;  ///< help text; empty for options that GetHelp lists with the mesher's
+  std::string MesherOption = {}; ///< option of the mesher that it sets to the value, or to on
+  bool MayRepeat = false;        ///< may be given several times
 };
 
-/// The program's own options, then the mesher's that have a name here (Option::Argument).
+/// Returns the options of sculptor itself, then the mesher's options that have a name on the
+/// command line (Option::Argument).
 const std::vector<ArgumentOption>& GetArgumentOptions();
 
+/// Returns the text of --help.
 std::string GetHelp();
 
 } // namespace vfm

@@ -16,25 +16,25 @@ const ArgumentOption& FindArgument(const std::string& name)
     [&](const ArgumentOption& option) { return option.Name == (name == "-h" ? "--help" : name); });
   if (found == options.end())
   {
-    RejectArguments("'" + name + "' is no option.");
+    RejectArguments("'" + name + "' is not an option.");
   }
   return *found;
 }
 
-/// A word that is no option: the input, or after it the output.
+/// Adds a word that is not an option: the input, or if that is given the output.
 void AddFile(GivenArguments& given, const std::string& file)
 {
   const char* name = given.count("--input") == 0 ? "--input" : "--output";
   if (!given.insert({ name, { file } }).second)
   {
     RejectArguments(
-      "'" + file + "' is a file too many: the input and the output are named already.");
+      "'" + file + "' is one file too many: the input and the output are already given.");
   }
 }
 
 using Word = std::vector<std::string>::const_iterator;
 
-/// The values of the option at word, which then is the one after them.
+/// Returns the values of the option at `word` and moves `word` behind them.
 std::vector<std::string> TakeValues(
   Word& word, Word end, const ArgumentOption& option, bool takesValue)
 {

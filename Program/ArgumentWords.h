@@ -1,5 +1,5 @@
 /**
- * ArgumentWords: the options that a command line gives, and how a wrong one ends the program.
+ * ArgumentWords: splits a command line into options and their values.
  */
 #pragma once
 
@@ -12,16 +12,20 @@
 namespace vfm
 {
 
-/// Values of the options that are given, by names of options; a switch has none. Files without an option are values of --input and
-/// --output, in this order.
+/// Values of the given options, by name of the option; a switch has no values. Files without an
+/// option are values of --input and --output, in this order.
 using GivenArguments = std::map<std::string, std::vector<std::string>>;
 
-/// Throws InputError (WrongArguments).
+/// Rejects the command line with a message that refers to --help.
+/// @throws InputError  (WrongArguments) always
 [[noreturn]] void RejectArguments(const std::string& message);
 
-/// Values may follow an option as the next word or after "=". Of words with --help or --version only this option is returned.
-/// Throws InputError (WrongArguments) when an option is unknown, is given twice, lacks a value or takes none.
-/// @param words  without the program's name; of the test, whose --refine-cells takes no value, also without "test"
+/// Splits the words of a command line. A value follows its option as the next word or after "=". If
+/// --help or --version is given, only this option is returned.
+/// @param words  words without the name of the program, and without "test"
+/// @param isTest  `sculptor test`, whose --refine-cells takes no value
+/// @throws InputError  (WrongArguments) if an option is unknown, is given twice, or if its value is
+///   missing or not expected
 GivenArguments ReadWords(const std::vector<std::string>& words, bool isTest);
 
 } // namespace vfm

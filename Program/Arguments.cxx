@@ -31,13 +31,14 @@ std::vector<std::string> ValuesOf(const GivenArguments& given, const std::string
   return found == given.end() ? std::vector<std::string>() : found->second;
 }
 
-/// The value of an option, values of several of its kind with semicolons between them; empty where there is none.
+/// Returns the value of an option, several values joined by semicolons; empty if it is not given.
 std::string TextOf(const GivenArguments& given, const std::string& name)
 {
   return JoinTexts(ValuesOf(given, name), ";");
 }
 
-/// The value as parse returns it; nothing where the option is not given.
+/// Returns the parsed value of an option; nothing if it is not given.
+/// @param takes  description of valid values
 template <class Parse>
 auto ReadValue(
   const GivenArguments& given, const std::string& name, const std::string& takes, Parse parse)
@@ -51,7 +52,7 @@ auto ReadValue(
   return value;
 }
 
-/// Three values with commas between them.
+/// Returns three values that are separated by commas.
 template <class Value>
 std::optional<std::array<Value, 3>> ReadThree(const GivenArguments& given, const std::string& name,
   const std::string& what, std::optional<Value> parse(const std::string&, Value, Value),
@@ -72,17 +73,17 @@ std::optional<std::array<Value, 3>> ReadThree(const GivenArguments& given, const
     }
     return values;
   };
-  return ReadValue(given, name, "three " + what + " with commas between them", parseAll);
+  return ReadValue(given, name, "three " + what + " separated by commas", parseAll);
 }
 
 std::optional<int> ReadCount(
   const GivenArguments& given, const std::string& name, const std::string& range, int most)
 {
-  return ReadValue(given, name, "a whole number from 0" + range,
+  return ReadValue(given, name, "an integer from 0" + range,
     [=](const std::string& text) { return ParseCount(text, 0, most); });
 }
 
-/// Names with commas between them, each once.
+/// Returns names that are separated by commas; they must differ.
 std::vector<std::string> ReadList(const GivenArguments& given, const std::string& name)
 {
   if (given.count(name) == 0)
@@ -92,21 +93,22 @@ std::vector<std::string> ReadList(const GivenArguments& given, const std::string
   std::vector<std::string> list = SplitText(TextOf(given, name));
   if (std::find(list.begin(), list.end(), "") != list.end())
   {
-    RejectArguments(name + " has an empty name in its list.");
+    RejectArguments(name + " contains an empty name.");
   }
   std::set<std::string> seen;
   const auto twice = std::find_if(list.begin(), list.end(),
     [&seen](const std::string& item) { return !seen.insert(item).second; });
   if (twice != list.end())
   {
-    RejectArguments(name + " names '" + *twice + "' twice.");
+    RejectArguments(name + " contains '" + *twice + "' twice.");
   }
   return list;
 }
 
 using Settings = std::vector<std::pair<std::string, std::string>>;
 
-/// What options of refinement set besides their own values. Where cells are named, only they are refined.
+/// Returns the settings implied by options of refinement. If cells or boxes are given, only these
+/// cells are refined.
 Settings ListRefinement(const GivenArguments& given)
 {
   const std::optional<int> halvings =
@@ -122,7 +124,7 @@ Settings ListRefinement(const GivenArguments& given)
   return {};
 }
 
-/// Options of the mesher with their values, those of --set last, so that they replace others.
+/// Returns options of the mesher and their values. Values of --set are last and replace others.
 Settings ListSettings(const GivenArguments& given)
 {
   Settings settings = ListRefinement(given);
@@ -206,7 +208,7 @@ void CheckVoxels(const Arguments& from)
   if (isText && !from.Dimensions)
   {
     RejectArguments(
-      "The input " + from.Input + " does not tell its size: --dimensions NX,NY,NZ is missing.");
+      "The input " + from.Input + " does not contain its size: --dimensions NX,NY,NZ is missing.");
   }
   if (!isText && from.Dimensions)
   {
@@ -233,7 +235,7 @@ void CheckInput(const Arguments& from)
   CheckVoxels(from);
 }
 
-/// problem: empty where there is none.
+/// Rejects the arguments with a message, unless it is empty.
 void CheckProblem(const std::string& problem)
 {
   if (!problem.empty())
@@ -259,18 +261,18 @@ void CheckMesh(const Arguments& from)
   CheckOutput(from);
 }
 
-/// Throws where velocity or energy would be missing in the mesh, since only state that is conserved has them.
+/// Rejects a velocity or energy array if the state is copied, because the mesh would lack it.
 void CheckConserved(const MesherOptions& options)
 {
   const bool isConserved = ConservesState(options.Transfer, options.DensityArrays);
   if (!isConserved && !(options.VelocityArray + options.EnergyArray).empty())
   {
-    RejectArguments("--velocity and --energy are for state that is conserved: name a --density, or "
-                    "say --state-transfer Conserve. Arrays to be copied are those of --state.");
+    RejectArguments("--velocity and --energy require conserved state: add --density ARRAY or "
+                    "--state-transfer Conserve. To copy arrays, list them in --state.");
   }
 }
 
-/// Readers read the densities as other state.
+/// Adds the densities to the arrays that readers read.
 void AddDensities(Arguments& to)
 {
   for (const std::string& name : to.Mesher.DensityArrays)
@@ -295,7 +297,8 @@ void CheckExclusive(const GivenArguments& given)
   }
 }
 
-/// task: for the message.
+/// Rejects options that a task does not take.
+/// @param task  name of the task, for the message
 void CheckTaken(
   const GivenArguments& given, const std::string& task, const std::vector<std::string>& taken)
 {
@@ -346,7 +349,7 @@ Arguments ParseArguments(const std::vector<std::string>& words)
   arguments.Task = FindTask(given, isTest);
   switch (arguments.Task)
   {
-    case Command::Test: // which makes its own input
+    case Command::Test: // makes its own input
       CheckTaken(given, "sculptor test",
         { "--tetmesh", "--stairstep", "--smooth", "--no-smooth", "--material", "--refine",
           "--refine-cells", "--output", "--quiet" });

@@ -1,5 +1,5 @@
 /**
- * Arguments: the command line of sculptor.
+ * Arguments: parses the command line of sculptor.
  */
 #pragma once
 
@@ -20,33 +20,37 @@ enum class Command
   Version
 };
 
+/// Values of the command line.
 struct Arguments
 {
   Command Task = Command::Mesh;
   std::string Input, Output;
-  std::optional<std::array<int, 3>> Dimensions;         ///< of voxels: cells along x, y and z
-  std::optional<std::array<double, 3>> Origin, Spacing; ///< of voxels
-  std::optional<int> AxisOrder;                         ///< of voxels, vfm::AxisOrder
-  std::string Fragments;                                ///< file of their table; empty: none
+  std::optional<std::array<int, 3>> Dimensions; ///< number of voxels along x, y and z
+  /// Lower corner of the voxels, and widths of voxels or of the cells of an image.
+  std::optional<std::array<double, 3>> Origin, Spacing;
+  std::optional<int> AxisOrder;       ///< order of the axes of voxels, vfm::AxisOrder
+  std::string Fragments;              ///< file of the table of fragments; empty: none
   std::string Geometry;               ///< file of surfaces, curves and vertices; empty: none
   std::vector<std::string> Fractions; ///< cell arrays; empty: found in the input
   std::string Labels;                 ///< cell array; empty: fractions
-  std::vector<std::string> Materials; ///< numbers or names of those to mesh; empty: all
-  std::vector<std::string> State;     ///< cell arrays that the elements get
-  bool RefinesCells = false;          ///< of the test: chosen cells alone
+  std::vector<std::string> Materials; ///< numbers or names of materials to mesh; empty: all
+  std::vector<std::string> State;     ///< cell arrays to transfer to the elements
+  bool RefinesCells = false;          ///< `sculptor test` refines only chosen cells
   MesherOptions Mesher;
-  std::optional<int> Step; ///< of the input's times, from 0
-  std::optional<double> Time;
-  bool SingleFile = false; ///< also from several ranks
+  std::optional<int> Step;    ///< index of a time of the input, from 0
+  std::optional<double> Time; ///< time of the input, the nearest one is used
+  bool SingleFile = false;    ///< one file also from several ranks
   bool Quiet = false;
 };
 
-/// The cell arrays that are needed besides the materials, which are taken for none. there: what the input has, of which components may make
-/// up the velocity.
+/// Lists the cell arrays that are needed in addition to the arrays of materials.
+/// @param there  arrays of the input, among which components of the velocity are searched
 std::vector<std::string> ListOtherArrays(
   const Arguments& arguments, const std::vector<std::string>& there);
 
-/// words: without the program's name. Throws InputError (WrongArguments).
+/// Parses and checks the command line.
+/// @param words  words without the name of the program
+/// @throws InputError  (WrongArguments) if the words are wrong
 Arguments ParseArguments(const std::vector<std::string>& words);
 
 } // namespace vfm

@@ -25,7 +25,7 @@ std::vector<std::string> ChooseNames(
         std::find(named.begin(), named.end(), name) != named.end();
     });
   const bool hasFractions = !isAny || std::any_of(chosen.begin(), chosen.end(), IsSpyPlotFraction);
-  // Where one is missing the message lists all that are there.
+  // If a named array is missing, all arrays are read, so that the message can list them.
   const bool hasAll = std::all_of(named.begin(), named.end(),
     [&there](const std::string& name)
     { return std::find(there.begin(), there.end(), name) != there.end(); });

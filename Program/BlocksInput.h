@@ -1,5 +1,5 @@
 /**
- * BlocksInput: files of blocks of cells that IO reads: SpyPlot files of CTH, and plotfiles of codes on AMReX.
+ * BlocksInput: reads SpyPlot files of CTH and plotfiles of AMReX.
  */
 #pragma once
 
@@ -10,8 +10,10 @@
 namespace vfm
 {
 
-/// Collective: reads the arrays that the arguments name, or the volume fractions of a SpyPlot file, or all
-/// where these are none or one is missing. Throws InputError (UnreadableInput).
+/// Reads the arrays that the arguments name, and without such names the volume fractions of a
+/// SpyPlot file. Reads all arrays if there are no such fractions or if a named array is missing.
+/// @throws InputError  (UnreadableInput) if the input cannot be read
+/// @pre Collective
 Input ReadBlocks(const Arguments& arguments, Ranks& ranks);
 
 } // namespace vfm

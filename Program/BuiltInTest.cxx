@@ -24,11 +24,13 @@ namespace
 constexpr const char* ArrayName = "boxes";
 constexpr const char* ChosenName = "chosen";
 constexpr Index CellsX = 10, CellsYZ = 6;
-constexpr double Width = 0.5; // of a cell
-/// Where chosen cells are refined each cell is so many along an axis, so that there is room around those.
+constexpr double Width = 0.5; // width of a cell
+/// Number of parts of each cell along an axis if chosen cells are refined, so that coarse cells
+/// remain around them.
 constexpr Index PartsOfCell = 2;
-constexpr double VolumeError = 1e-6; // relative
-/// Of hexahedra of two sizes whose nodes stay where transitions have them: those at a surface do not lie in it.
+constexpr double VolumeError = 1e-6; // relative error
+/// Relative error of hexahedra of two sizes without smoothing. Nodes of transitions at a surface
+/// are then not exactly on it.
 constexpr double UnmovedVolumeError = 1e-5;
 
 const std::vector<IndexBox>& Boxes()
@@ -38,7 +40,7 @@ const std::vector<IndexBox>& Boxes()
   return boxes;
 }
 
-/// Of the first box, at a corner, in the finer grid.
+/// Returns the cells to refine: cells of the finer grid at a corner of the first box.
 const std::vector<Index3>& ChosenCells()
 {
   static const std::vector<Index3> cells{ { { 7, 2, 9 } }, { { 7, 3, 9 } }, { { 7, 2, 8 } } };
@@ -50,17 +52,18 @@ bool IsChosen(const Index3& cell)
   return std::find(ChosenCells().begin(), ChosenCells().end(), cell) != ChosenCells().end();
 }
 
-/// Adds an array with a value in the cells for which holds is true, else 0.
+/// Adds an array with a value in the cells for which holds is true, and 0 in others.
 template <class Holds>
 void AddValues(const std::string& name, unsigned char value, const IndexBox& cells,
   const Holds& holds, PlainArrays& to)
 {
   std::vector<unsigned char> values;
   ForCells(cells, [&](const Index3& cell) { values.push_back(holds(cell) ? value : 0); });
-  to.Keep(name, ValueType::UnsignedChar, std::move(values));
+  to.Store(name, ValueType::UnsignedChar, std::move(values));
 }
 
-/// The slab of this rank; without blocks when there are more ranks than slabs. parts: of a cell along an axis, as in all that follows.
+/// Makes the slab of this rank; without blocks if there are more ranks than slabs.
+/// @param parts  number of parts of each cell along an axis, also below
 Input MakeGrid(Index parts, const Ranks& ranks)
 {
   const IndexBox cells = FindSlab({ { parts * CellsX, parts * CellsYZ, parts * CellsYZ } }, ranks);
@@ -80,27 +83,28 @@ Input MakeGrid(Index parts, const Ranks& ranks)
         return box.Contains({ { cell[0] / parts, cell[1] / parts, cell[2] / parts } });
       });
   };
-  AddValues(ArrayName, 255, cells, isFull, *arrays); // bytes are parts of 255
+  AddValues(ArrayName, 255, cells, isFull, *arrays); // 255 is the fraction 1
   AddValues(ChosenName, 1, cells, IsChosen, *arrays);
   block.Arrays = arrays;
   return MakeInput({ { block }, {} }, false);
 }
 
-/// Of a box of hexahedra. One a part and one a face of the box, which is the buffer layer; stairs have none.
+/// Counts the hexahedra of a box: one per part, and one per face at the surface for the buffer
+/// layer. Stairs have no buffer layer.
 Index CountHexes(const IndexBox& box, Index parts, bool isStairs)
 {
   const Index x = parts * box.Size(0), y = parts * box.Size(1), z = parts * box.Size(2);
   return x * y * z + (isStairs ? 0 : 2 * (x * y + y * z + z * x));
 }
 
-/// The nodes of the parts, those of the surface twice where there is a buffer layer.
+/// Counts the nodes of a box. Nodes at the surface count twice if there is a buffer layer.
 Index CountNodes(const IndexBox& box, Index parts, bool isStairs)
 {
   const Index x = parts * box.Size(0), y = parts * box.Size(1), z = parts * box.Size(2);
   return (x + 1) * (y + 1) * (z + 1) + (isStairs ? 0 : 2 * (x * y + y * z + z * x) + 2);
 }
 
-/// Prints what is checked and whether it holds.
+/// List of checks, which prints each of them and its result.
 class Checks
 {
 public:
@@ -120,7 +124,8 @@ private:
   bool Good = true;
 };
 
-/// volumeError: of the first box.
+/// Checks the number of fragments, their volumes and the quality.
+/// @param volumeError  relative error of the first box
 void CheckParts(const MeshSummary& summary, double volumeError, Checks& checks)
 {
   checks.Check("2 fragments", summary.Fragments.size() == Boxes().size());
@@ -140,7 +145,8 @@ void CheckParts(const MeshSummary& summary, double volumeError, Checks& checks)
     summary.Total.Elements > 0 && summary.Total.MinimumQuality > 0.0);
 }
 
-/// Collective.
+/// Checks that the elements conform.
+/// @pre Collective
 void CheckElements(const MeshData& mesh, Ranks& ranks, Checks& checks)
 {
   const StoredMesh whole = GatherMesh(mesh, ranks);
@@ -153,7 +159,7 @@ void CheckElements(const MeshData& mesh, Ranks& ranks, Checks& checks)
   }
 }
 
-/// Of one box of hexahedra that are all of a size.
+/// Checks the numbers of elements and points of a box whose hexahedra have equal size.
 void CheckCounts(
   const MeshSummary& summary, std::size_t box, Index parts, bool isStairs, Checks& checks)
 {
@@ -166,10 +172,11 @@ void CheckCounts(
   }
 }
 
-/// Collective: the least number of elements that have their centroid in one of the chosen cells.
+/// Returns the least number of elements with their centroid in a chosen cell.
+/// @pre Collective
 Index CountInChosenCells(const MeshData& mesh, Ranks& ranks)
 {
-  const double widths = mesh.Corners * Width / PartsOfCell; // of the sum over corners
+  const double widths = mesh.Corners * Width / PartsOfCell; // width of a cell times corners
   std::vector<Index> counts(ChosenCells().size(), 0);
   for (Index element = 0; element < mesh.NumberOfElements; ++element)
   {
@@ -194,7 +201,9 @@ Index CountInChosenCells(const MeshData& mesh, Ranks& ranks)
   return *std::min_element(counts.begin(), counts.end());
 }
 
-/// Collective. plain: the mesh without refinement.
+/// Checks the mesh in which chosen cells are refined.
+/// @param plain  summary of the mesh without refinement
+/// @pre Collective
 void CheckChosen(const MeshData& mesh, const MeshSummary& summary, const MeshSummary& plain,
   bool isStairs, Ranks& ranks, Checks& checks)
 {
@@ -202,7 +211,7 @@ void CheckChosen(const MeshData& mesh, const MeshSummary& summary, const MeshSum
     NumbersOfField(mesh.Fields, "ChosenCells")[0] == static_cast<double>(ChosenCells().size()));
   const Index least = CountInChosenCells(mesh, ranks);
   checks.Check("8 elements or more in each of the chosen cells", least >= 8);
-  if (summary.IsTets) // whose interfaces get the finest cells everywhere
+  if (summary.IsTets) // all interfaces of tetrahedra get the finest cells
   {
     checks.Check(
       "more elements than without refinement", summary.Total.Elements > plain.Total.Elements);
@@ -214,14 +223,14 @@ void CheckChosen(const MeshData& mesh, const MeshSummary& summary, const MeshSum
   CheckCounts(summary, 1, PartsOfCell, isStairs, checks); // far from the chosen cells
 }
 
-/// A mesh of the test.
+/// Mesh of the test.
 struct Run
 {
   std::string Title;
   Arguments How;
 };
 
-/// The grid as it is, and refined: as the arguments ask, else once.
+/// Plans a mesh without refinement, and one refined as the arguments request, by default once.
 std::array<Run, 2> PlanRuns(const Arguments& given)
 {
   Run plain{ "As it is", given }, refined{ "Refined 1", given };
@@ -249,7 +258,9 @@ std::array<Run, 2> PlanRuns(const Arguments& given)
   return { plain, refined };
 }
 
-/// Collective. plain: the mesh without refinement, for one where chosen cells are refined. parts: of a cell in the input.
+/// Checks a mesh.
+/// @param plain  summary of the mesh without refinement, used if chosen cells are refined
+/// @pre Collective
 void CheckMesh(const MeshData& mesh, const MeshSummary& summary, const MeshSummary& plain,
   const Arguments& how, Index parts, Ranks& ranks, Checks& checks)
 {

@@ -13,12 +13,13 @@ namespace vfm
 namespace
 {
 
-using Points = std::vector<Index>; // around a face
+using Points = std::vector<Index>; // points in the order around a face
 
-/// The faces that are on one element only. Throws InputError where one is on more than two.
+/// Returns the faces that are on only one element.
+/// @throws InputError  if a face is on more than two elements
 std::vector<Points> FindSurface(MeshData mesh)
 {
-  mesh.GeometryDimension = nullptr; // faces inside the mesh are searched, too
+  mesh.GeometryDimension = nullptr; // faces inside the mesh are also searched
   const std::vector<int> oneValue(mesh.NumberOfElements, 0);
   Ranks alone;
   std::vector<Points> surface;
@@ -30,6 +31,7 @@ std::vector<Points> FindSurface(MeshData mesh)
   return surface;
 }
 
+/// Faces of the surface at an edge.
 struct EdgeFaces
 {
   int Count = 0;

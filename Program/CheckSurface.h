@@ -1,5 +1,5 @@
 /**
- * CheckSurface: whether the elements of a mesh conform, told by the faces that are on one element alone.
+ * CheckSurface: checks whether the elements of a mesh conform, by the faces of only one element.
  */
 #pragma once
 
@@ -8,15 +8,18 @@
 namespace vfm
 {
 
+/// Topology of the surface of a mesh.
 struct SurfaceCheck
 {
-  bool IsConforming =
-    true; ///< no face is on more than two elements, no edge of the surface on other than two of its faces
-  int Pieces = 0;  ///< of the surface, connected over edges
-  int Spheres = 0; ///< of these, without holes or handles (Euler characteristic 2)
+  /// No face is on more than two elements, and each edge of the surface is on two of its faces.
+  bool IsConforming = true;
+  int Pieces = 0;  ///< number of pieces of the surface, connected over edges
+  int Spheres = 0; ///< number of pieces without holes or handles (Euler characteristic 2)
 };
 
-/// Of hexahedra or tetrahedra with global ids of their points. A crack between elements, or a node that hangs on a face, is a piece more or an edge of other than two faces.
+/// Checks the surface of a whole mesh. A crack between elements, or a hanging node, gives a further
+/// piece or an edge that is not on two faces.
+/// @param mesh  hexahedra or tetrahedra, with global ids of their points
 SurfaceCheck CheckSurface(const MeshData& mesh);
 
 } // namespace vfm

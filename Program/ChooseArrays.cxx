@@ -21,20 +21,20 @@ namespace
 {
 
 constexpr std::size_t ListedLabels = 20;
-constexpr double LargestTolerance = 0.1; // of fractions, as the mesher takes it
+constexpr double LargestTolerance = 0.1; // largest value of --clip
 
 bool Lists(const std::vector<std::string>& names, const std::string& name)
 {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Files of images hold one array, of labels where it is of whole numbers.
+/// Returns whether the array of an image file holds labels, because it holds integers.
 bool HoldsLabels(const std::string& path, const std::vector<ArrayInfo>& arrays)
 {
   return IsImageFile(path) && arrays.size() == 1 && IsWhole(arrays[0]);
 }
 
-/// Those of arrays that the arguments name as no materials.
+/// Lists the arrays that the arguments name for other purposes than materials.
 std::vector<std::string> ListOthers(
   const std::vector<ArrayInfo>& arrays, const Arguments& arguments)
 {
@@ -44,7 +44,7 @@ std::vector<std::string> ListOthers(
   return ListOtherArrays(arguments, names);
 }
 
-/// Those that would be fractions if values a little outside of [0, 1] were.
+/// Returns a warning that lists arrays that would be fractions with a larger tolerance, or "".
 std::string WarnOfNearFractions(
   const std::vector<ArrayInfo>& arrays, const Arguments& arguments, double tolerance)
 {
@@ -65,30 +65,33 @@ std::string WarnOfNearFractions(
     return "";
   }
   std::ostringstream text;
-  text << "Not taken for volume fractions: " << JoinTexts(names) << ", with values up to "
-       << outside << " outside [0, 1]. --clip T takes those that lie outside by no more than T.";
+  text << "Not used as volume fractions: " << JoinTexts(names) << ", with values up to " << outside
+       << " outside [0, 1]. --clip T accepts values up to T outside.";
   return text.str();
 }
 
-/// Collective.
+/// Reports that the input has no materials, and lists its arrays.
+/// @pre Collective
 [[noreturn]] void RejectArrays(
   const Input& input, const Arguments& arguments, const std::string& warning, Ranks& ranks)
 {
-  std::string text =
-    "No array of the input that can be meshed holds volume fractions: numbers in [0, 1] of type "
-    "float or double, or unsigned char. " +
+  std::string text = "No array that can be meshed holds volume fractions: numbers in [0, 1] of "
+                     "type float or double, "
+                     "or unsigned char. " +
     DescribeArrays(input, ranks);
   if (!ListOtherArrays(arguments, {}).empty())
   {
-    text += " Those of --state, --density, --velocity, --energy and --refine-cells are taken for "
-            "others, unless named as --fractions.";
+    text +=
+      " Arrays of --state, --density, --velocity, --energy and --refine-cells are not used as "
+      "fractions, unless --fractions lists them.";
   }
   text += warning.empty() ? "" : " " + warning;
   throw InputError(ErrorCode::UnreadableInput,
-    text + " Name them (--fractions A,B,..), or an array of labels (--labels ARRAY).");
+    text + " Name the fractions (--fractions A,B,..) or an array of labels (--labels ARRAY).");
 }
 
-/// The place of a material in the list of arrays.
+/// Returns the index of a material in the list of arrays.
+/// @param material  name of its array, or its number from 1
 std::size_t FindMaterial(const std::string& material, const std::vector<std::string>& fractions)
 {
   const auto name = std::find(fractions.begin(), fractions.end(), material);
@@ -111,23 +114,24 @@ std::size_t FindMaterial(const std::string& material, const std::vector<std::str
   return *number - 1;
 }
 
-/// Of an array that --material changes.
+/// Checks that an array that --material changes is not used for state or refinement.
 void CheckUse(const Arguments& arguments, const std::string& name)
 {
   if (Lists(arguments.State, name))
   {
     throw InputError(ErrorCode::WrongArguments,
-      "The elements cannot carry '" + name + "' (--state): --material leaves materials of it out.");
+      "The array '" + name + "' cannot be transferred (--state), because --material changes it.");
   }
   if (arguments.Mesher.RefinementArray == name)
   {
     throw InputError(ErrorCode::WrongArguments,
       "Cells cannot be refined by '" + name +
-        "' (--refine-cells): --material leaves materials of it out.");
+        "' (--refine-cells), because --material changes this array.");
   }
 }
 
-/// Replaces arrays of the blocks: add(arrays, replaced) adds the new ones, once for blocks that share their arrays.
+/// Replaces arrays of the blocks.
+/// @param add  add(arrays, replaced) adds the new arrays; called once for blocks with common arrays
 template <class Add>
 void ReplaceArrays(std::vector<InputBlock>& blocks, const Add& add)
 {
@@ -164,28 +168,28 @@ void KeepFractions(std::vector<InputBlock>& blocks, const std::vector<std::strin
       {
         if (const auto array = own.Find(name))
         {
-          // of the smallest type that does not count 0..255
-          replaced.Keep(name, ValueType::SignedChar, Buffer<signed char>(array->Tuples, 0));
+          // Signed char is the smallest type whose values are not scaled by 1/255.
+          replaced.Store(name, ValueType::SignedChar, Buffer<signed char>(array->Tuples, 0));
         }
       }
     });
 }
 
-/// Null when it is none of labels, as the mesher's message tells.
+/// Returns an array with one component, otherwise null; the mesher then reports the error.
 std::shared_ptr<const BlockArray> GetLabels(const BlockArrays& arrays, const std::string& name)
 {
   const auto array = arrays.Find(name);
   return array && array->Components == 1 ? array : nullptr;
 }
 
-/// 0 of void, and of what is no label: that the mesher refuses.
+/// Converts a value to a label; 0 for void and for invalid values, which the mesher rejects.
 int GetLabel(double value)
 {
-  const bool isInt = value > 0.0 && value <= std::numeric_limits<int>::max(); // nor NaN
+  const bool isInt = value > 0.0 && value <= std::numeric_limits<int>::max(); // false for NaN
   return isInt ? static_cast<int>(value) : 0;
 }
 
-/// Adds a copy of an array with labels that are not kept set to 0.
+/// Adds a copy of an array in which all labels except `kept` are 0.
 void AddLabels(
   const std::string& name, const BlockArray& array, const std::set<int>& kept, PlainArrays& to)
 {
@@ -207,7 +211,7 @@ void AddLabels(
       {
         value = kept.count(GetLabel(static_cast<double>(value))) > 0 ? value : Value(0);
       }
-      to.Keep(name, type, std::move(values));
+      to.Store(name, type, std::move(values));
     });
 }
 
@@ -220,7 +224,7 @@ std::set<int> ParseLabels(const std::vector<std::string>& materials)
     if (!label)
     {
       throw InputError(ErrorCode::WrongArguments,
-        "'" + material + "' is no label (--material): labels are whole numbers from 1.");
+        "'" + material + "' is not a label (--material). Labels are integers from 1.");
     }
     labels.insert(*label);
   }
@@ -245,7 +249,8 @@ void CheckLabels(const std::set<int>& kept, const std::vector<int>& found, const
   }
 }
 
-/// Collective: whether any rank has a numeric array of that name.
+/// Returns whether any rank has a numeric array of a name.
+/// @pre Collective
 bool HasArray(const Input& input, ArrayPlace place, const std::string& name, Ranks& ranks)
 {
   const ArrayLists lists = ListsOf(input, place);
@@ -253,8 +258,11 @@ bool HasArray(const Input& input, ArrayPlace place, const std::string& name, Ran
     [&name](const auto& arrays) { return arrays->Find(name) != nullptr; }));
 }
 
-/// Collective: refuses names of arrays that no rank has where they can be meshed; what else they must be the mesher checks. Returns the
-/// place of the last. option: that names them.
+/// Rejects arrays that no rank has in cells, or in the points of images. The mesher checks their
+/// types and values.
+/// @param option  option that names the arrays
+/// @return place of the last array
+/// @pre Collective
 ArrayPlace CheckNamedArrays(const Input& input, const std::string& option,
   const std::vector<std::string>& names, Ranks& ranks)
 {
@@ -280,7 +288,7 @@ ArrayPlace CheckNamedArrays(const Input& input, const std::string& option,
   return place;
 }
 
-/// Of arrays in one place: the materials, maybe none.
+/// Returns the materials among the arrays of one place; possibly none.
 ChosenArrays FindMaterials(const std::vector<ArrayInfo>& arrays, ArrayPlace place,
   const Arguments& arguments, double tolerance)
 {
@@ -352,7 +360,7 @@ ChosenArrays ChooseArrays(const Input& input, const Arguments& arguments, Ranks&
 {
   const MesherOptions& mesher = arguments.Mesher;
   const ArrayPlace ofFractions = CheckNamedArrays(input, "--fractions", arguments.Fractions, ranks);
-  CheckNamedArrays(input, "--density", mesher.DensityArrays, ranks); // which State has too
+  CheckNamedArrays(input, "--density", mesher.DensityArrays, ranks); // State contains them too
   CheckNamedArrays(input, "--state", arguments.State, ranks);
   if (!mesher.RefinementArray.empty())
   {
@@ -363,7 +371,7 @@ ChosenArrays ChooseArrays(const Input& input, const Arguments& arguments, Ranks&
     isOfLabels ? CheckNamedArrays(input, "--labels", { arguments.Labels }, ranks) : ofFractions;
   const char* ofPoints = place == ArrayPlace::Points ? " of points" : "";
   ChosenArrays chosen{ arguments.Fractions, arguments.Labels,
-    (isOfLabels ? "labels" : "as asked") + std::string(ofPoints), "", place };
+    (isOfLabels ? "labels" : "as requested") + std::string(ofPoints), "", place };
   if (!HasMaterials(chosen))
   {
     chosen = FindMaterials(input, arguments, mesher.FractionTolerance, ranks);

@@ -1,6 +1,6 @@
 /**
- * ChooseArrays: which arrays hold the materials, and which materials are meshed. They belong to cells or, of images, to points, each of
- * which then is the centre of a cell.
+ * ChooseArrays: selects the arrays that hold the materials, and the materials to mesh. The arrays
+ * belong to cells or, for images, to points, each of which is then the centre of a cell.
  */
 #pragma once
 
@@ -14,29 +14,37 @@
 namespace vfm
 {
 
+/// Arrays of materials.
 struct ChosenArrays
 {
-  std::vector<std::string> Fractions; ///< of material 1, 2, ...; empty: labels
-  std::string Labels;                 ///< empty too: no materials
-  std::string How;                    ///< for the user: why these
-  std::string Warning;                ///< empty, or what may be missing among them
+  std::vector<std::string> Fractions; ///< arrays of material 1, 2, ...; empty: labels
+  std::string Labels;                 ///< array of labels; if also empty, there are no materials
+  std::string How;                    ///< reason of the choice, for the user
+  std::string Warning;                ///< warning about arrays that may be missing, or empty
   ArrayPlace Place = ArrayPlace::Cells;
 };
 
-/// Collective: the materials that are taken where the arguments name none; maybe none. tolerance: of fractions, outside of [0, 1].
+/// Returns the arrays of materials that are used by default; possibly none.
+/// @param tolerance  largest distance of volume fractions from [0, 1]
+/// @pre Collective
 ChosenArrays FindMaterials(
   const Input& input, const Arguments& arguments, double tolerance, Ranks& ranks);
 
-/// Collective: the labels above 0 that the arrays of that name hold, ascending.
+/// Returns the labels above 0 in the arrays of a name on all ranks, ascending.
+/// @pre Collective
 std::vector<int> FindLabels(const ArrayLists& lists, const std::string& name, Ranks& ranks);
 
-/// Collective: what the arguments name, else what fits. Throws InputError
-/// (UnreadableInput), which lists the arrays that are there, when nothing fits, and where none has a name that is given.
+/// Returns the arrays of materials that the arguments name, otherwise the result of FindMaterials.
+/// @throws InputError  (UnreadableInput) if an array does not exist or there are no materials; the
+///   message lists the arrays of the input
+/// @pre Collective
 ChosenArrays ChooseArrays(const Input& input, const Arguments& arguments, Ranks& ranks);
 
-/// Collective: makes cells of materials that the arguments (numbers or names of arrays) do not name void, by replacing
-/// arrays of the blocks. Throws InputError (WrongArguments) on a material that is not there, and when the elements are to carry an array
-/// that would be replaced.
+/// Makes the cells of all materials void that the arguments do not name by number or array. This
+/// replaces arrays of the blocks.
+/// @throws InputError  (WrongArguments) if a material does not exist, or if an array is replaced
+///   that is to be transferred or that determines the refinement
+/// @pre Collective
 void KeepMaterials(std::vector<InputBlock>& blocks, const ChosenArrays& arrays,
   const Arguments& arguments, Ranks& ranks);
 

@@ -11,9 +11,9 @@ namespace vfm
 namespace
 {
 
-constexpr const char* TruthTable = "elem_var_tab"; // which element blocks have which variables
+constexpr const char* TruthTable = "elem_var_tab"; // variables of each element block
 
-/// Those of an Exodus file itself may be floats.
+/// Returns whether the library can read an attribute. Only the two version numbers may be floats.
 bool IsReadableAttribute(const NetcdfHeader::Attribute& attribute)
 {
   const auto isOf = [&](NetcdfType type) { return attribute.Type == static_cast<int>(type); };
@@ -21,7 +21,7 @@ bool IsReadableAttribute(const NetcdfHeader::Attribute& attribute)
     attribute.Name == "api_version" || attribute.Name == "version";
 }
 
-/// The library that reads the file ends the program by assertions on these.
+/// Rejects files for which the library of the reader would end the program by an assertion.
 void CheckAssertions(const std::string& path, const NetcdfHeader& header)
 {
   const auto isSpace = [](const NetcdfHeader::Dimension& dimension)
@@ -29,15 +29,15 @@ void CheckAssertions(const std::string& path, const NetcdfHeader& header)
   if (std::none_of(header.Dimensions.begin(), header.Dimensions.end(), isSpace))
   {
     RejectInput("Cannot read the input " + path +
-      ": the file is damaged or no Exodus file: it does not tell a number of dimensions, num_dim.");
+      ": the file is damaged or not an Exodus file: it has no number of dimensions, num_dim.");
   }
   for (const NetcdfHeader::Attribute& attribute : header.Attributes)
   {
     if (!IsReadableAttribute(attribute))
     {
       RejectInput("Cannot read the input " + path +
-        ": the file is damaged, or an attribute of it is neither text nor 32-bit integers nor "
-        "64-bit real numbers.");
+        ": the file is damaged, or one of its attributes is neither text nor 32-bit integer nor "
+        "64-bit floating point.");
     }
   }
   for (const NetcdfHeader::Variable& variable : header.Variables)
@@ -49,7 +49,7 @@ void CheckAssertions(const std::string& path, const NetcdfHeader& header)
     if (std::any_of(flags.begin(), flags.end(), [](std::int32_t flag) { return (flag & ~1) != 0; }))
     {
       RejectInput("Cannot read the input " + path + ": the file is damaged: its variable '" +
-        TruthTable + "' holds other numbers than 0 and 1.");
+        TruthTable + "' contains numbers other than 0 and 1.");
     }
   }
 }
@@ -65,7 +65,7 @@ void CheckExodusFile(const std::string& path, const std::string& first)
   }
   if (static_cast<std::int64_t>(std::filesystem::file_size(path)) < header->Size)
   {
-    RejectInput("Cannot read the input " + path + ": the file is cut off or damaged.");
+    RejectInput("Cannot read the input " + path + ": the file is truncated or damaged.");
   }
   if (other && header->Records != other->Records)
   {

@@ -1,5 +1,5 @@
 /**
- * What ParaView's reader of Exodus files takes on trust.
+ * ExodusFileCheck: checks what VTK's reader of Exodus files does not check.
  */
 #pragma once
 
@@ -8,9 +8,11 @@
 namespace vfm
 {
 
-/// Throws InputError (UnreadableInput) for a file that is cut off or damaged, which the reader would read as zeros; that has another number
-/// of times than the first of those it belongs to, which the reader would give nothing of; or that its library would end
-/// the program for. Files that are not of netCDF's classic kinds pass.
+/// Checks a file of an Exodus input if it is in a classic format of netCDF.
+/// @param first  first file of the input
+/// @throws InputError  (UnreadableInput) if VTK would read zeros because the file is truncated or
+///   damaged, would skip the file because its number of times differs from the first file, or would
+///   end the program by an assertion
 void CheckExodusFile(const std::string& path, const std::string& first);
 
 } // namespace vfm

@@ -30,17 +30,18 @@ namespace vfm
 namespace
 {
 
-constexpr const char* BlockIds = "object_id"; // of the element blocks, as the reader calls it
+constexpr const char* BlockIds = "object_id"; // name of VTK's reader for ids of element blocks
 
+/// Parts of a name FILE.N.RANK.
 struct DecomposedName
 {
-  std::string Base; // FILE of FILE.N.RANK
+  std::string Base; // FILE
   int Count;        // N
   std::string CountText;
-  std::size_t RankDigits; // ranks may begin with zeros
+  std::size_t RankDigits; // number of digits of RANK, which may have leading zeros
 };
 
-/// Nothing for a name that does not tell of parts.
+/// Splits the name of a part of a decomposed file; returns nothing for other names.
 std::optional<DecomposedName> ParseDecomposedName(const std::string& path)
 {
   static const std::regex pattern("(.+)\\.([0-9]{1,6})\\.([0-9]{1,6})");
@@ -57,6 +58,7 @@ std::optional<DecomposedName> ParseDecomposedName(const std::string& path)
   return DecomposedName{ match[1], count, match[2], match[3].str().size() };
 }
 
+/// Returns all files of an input.
 std::vector<std::string> FindFiles(const std::string& path)
 {
   const auto name = ParseDecomposedName(path);
@@ -74,7 +76,8 @@ std::vector<std::string> FindFiles(const std::string& path)
   return files;
 }
 
-/// While this lives a file has a name that does not end in numbers: of FILE.1.0 the library that reads it would open FILE.
+/// Gives a file a second name, without numbers at the end, during the lifetime of the object. For
+/// FILE.1.0 the library of the reader would open FILE.
 class PlainName
 {
 public:
@@ -94,16 +97,17 @@ private:
   int Descriptor;
 };
 
-/// Of one file. first: of those that belong together, the only one whose times VTK's reader takes.
+/// Makes the reader of one file.
+/// @param first  first file of the input, the only one from which VTK's reader takes the times
 vtkSmartPointer<vtkIOSSReader> MakeReader(
   const std::string& file, const std::string& first, bool readsBlockIds)
 {
   auto reader = vtkSmartPointer<vtkIOSSReader>::New();
-  reader->SetController(nullptr); // ranks do not wait for each other when one of their files is bad
+  reader->SetController(nullptr); // ranks do not wait for each other if a file is damaged
   reader->SetDatabaseTypeOverride("exodusII");
   reader->ScanForRelatedFilesOff();
   LookAtAllFiles(reader.Get());
-  reader->AddProperty("ENABLE_FIELD_RECOGNITION", "OFF"); // names stay those in the file
+  reader->AddProperty("ENABLE_FIELD_RECOGNITION", "OFF"); // keeps the names of the file
   reader->ApplyDisplacementsOff();
   reader->ReadQAAndInformationRecordsOff();
   reader->SetReadIds(readsBlockIds);
@@ -115,7 +119,7 @@ vtkSmartPointer<vtkIOSSReader> MakeReader(
   return reader;
 }
 
-/// The files of a rank and their readers.
+/// Files of this rank and their readers.
 class ExodusFiles
 {
 public:
@@ -125,7 +129,8 @@ public:
     this->ReadsBlockIds = std::find(named.begin(), named.end(), BlockIds) != named.end();
   }
 
-  /// Reads what files hold. all: the files of all ranks.
+  /// Opens files and reads their structure.
+  /// @param all  files of all ranks
   void Open(const std::vector<std::string>& paths, const std::vector<std::string>& all)
   {
     for (const std::string& path : paths)
@@ -145,13 +150,13 @@ public:
     }
   }
 
-  /// None on a rank without files.
+  /// Returns the times of the files; none on a rank without files.
   std::vector<double> FindTimes() const
   {
     return this->Readers.empty() ? std::vector<double>() : GetTimes(this->Readers[0]);
   }
 
-  /// The element variables of all files; nothing but their names.
+  /// Returns the element variables of all files; only their names are set.
   std::vector<ArrayInfo> ListVariables() const
   {
     std::vector<ArrayInfo> list;
@@ -166,7 +171,7 @@ public:
     return list;
   }
 
-  /// The element blocks, with the variables of these names.
+  /// Reads the element blocks with the given variables.
   vtkSmartPointer<vtkDataObject> Read(
     const std::vector<std::string>& names, const std::optional<double>& time)
   {
@@ -181,7 +186,7 @@ public:
       {
         reader->GetElementBlockFieldSelection()->EnableArray(name.c_str());
       }
-      const int pieces = reader->GetNumberOfFileNames(); // the last is that of the file
+      const int pieces = reader->GetNumberOfFileNames(); // the last piece belongs to this file
       UpdatePiece(reader, time, pieces - 1, pieces);
       CheckReaderErrors(this->Messages, this->Paths[f]);
       for (vtkDataSet* grid : GetGrids(reader->GetOutputDataObject(0)))
@@ -196,11 +201,11 @@ private:
   VtkMessages& Messages;
   bool ReadsBlockIds;
   std::vector<std::string> Paths;
-  std::unique_ptr<PlainName> Alone; // of FILE.1.0
+  std::unique_ptr<PlainName> Alone; // name of FILE.1.0 for the reader
   std::vector<vtkSmartPointer<vtkIOSSReader>> Readers;
 };
 
-/// Those of a rank: ranks that follow on each other have files that follow on each other.
+/// Returns the files of this rank; consecutive ranks get consecutive files.
 std::vector<std::string> DistributeFiles(const std::vector<std::string>& paths, Ranks& ranks)
 {
   const auto begin = [&](int rank)
@@ -208,7 +213,8 @@ std::vector<std::string> DistributeFiles(const std::vector<std::string>& paths, 
   return { begin(ranks.Rank()), begin(ranks.Rank() + 1) };
 }
 
-/// Collective: the times of the files.
+/// Returns the times of the files.
+/// @pre Collective
 std::vector<double> AgreeOnTimes(const ExodusFiles& files, Ranks& ranks)
 {
   for (const Bytes& bytes : ranks.Gather(ToBytes(files.FindTimes())))
@@ -221,7 +227,8 @@ std::vector<double> AgreeOnTimes(const ExodusFiles& files, Ranks& ranks)
   return {};
 }
 
-/// Collective: the element variables that any file has.
+/// Returns the element variables that any file has, sorted.
+/// @pre Collective
 std::vector<std::string> UnionOfNames(const ExodusFiles& files, Ranks& ranks)
 {
   std::set<std::string> names;
@@ -232,7 +239,7 @@ std::vector<std::string> UnionOfNames(const ExodusFiles& files, Ranks& ranks)
   return { names.begin(), names.end() };
 }
 
-/// The names of the arguments, or all where they name no materials.
+/// Returns the variables that the arguments name, or all if they name no materials.
 std::vector<std::string> ChooseNames(
   const Arguments& arguments, const std::vector<std::string>& known)
 {
@@ -257,7 +264,7 @@ std::vector<std::string> GetExodusSuffixes()
 
 bool IsExodusFile(const std::string& path)
 {
-  std::error_code error; // of a path that cannot be looked at: no folder
+  std::error_code error; // a path without access is not a folder
   return (ParseDecomposedName(path) && !std::filesystem::is_directory(path, error)) ||
     HasSuffix(path, GetExodusSuffixes());
 }

@@ -1,5 +1,5 @@
 /**
- * ExodusInput: Exodus files, one or a decomposed one (FILE.N.0 to FILE.N.N-1), by VTK's reader.
+ * ExodusInput: reads an Exodus file, or a decomposed one (FILE.N.0 to FILE.N.N-1), by VTK's reader.
  */
 #pragma once
 
@@ -14,14 +14,17 @@ namespace vfm
 
 class VtkMessages;
 
-/// Such as ".e".
+/// Returns the supported suffixes, for instance ".e".
 std::vector<std::string> GetExodusSuffixes();
-/// By its name: with one of these suffixes, or as FILE.N.RANK with any FILE, a part of a decomposed one (N may be 1).
+/// Tests whether a path has one of these suffixes, or is FILE.N.RANK with any FILE, a part of a
+/// decomposed file (N may be 1).
 bool IsExodusFile(const std::string& path);
 
-/// Collective. The element blocks of all files, dealt to the ranks by file, with the element variables that the arguments name,
-/// or all. A label array of real type whose values are whole becomes one of integers, since Exodus files hold no others; the label
-/// array "object_id" is the id of the element block. messages: where VTK's go. Throws InputError (UnreadableInput).
+/// Reads the element blocks of all files; each rank reads some of the files. The element variables
+/// that the arguments name are read, by default all. The label array "object_id" holds block ids.
+/// @param messages  receives the messages of VTK
+/// @throws InputError  (UnreadableInput) if a file cannot be read or a named variable is missing
+/// @pre Collective
 Input ReadExodus(const Arguments& arguments, VtkMessages& messages, Ranks& ranks);
 
 } // namespace vfm

@@ -48,7 +48,7 @@ InputBlock MakeBlock(const ImageSource& source, const IndexBox& slab,
   auto arrays = std::make_shared<PlainArrays>(slab.NumberOfCells());
   for (TypedValues& own : values)
   {
-    arrays->Keep(own.Name, own.Type, std::move(own.Bytes));
+    arrays->Store(own.Name, own.Type, std::move(own.Bytes));
   }
   block.Arrays = arrays;
   return block;

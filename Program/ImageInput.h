@@ -1,5 +1,5 @@
 /**
- * ImageInput: images of labels or fractions, and voxels, that IO reads.
+ * ImageInput: reads images of labels or fractions, and voxels.
  */
 #pragma once
 
@@ -9,12 +9,14 @@
 namespace vfm
 {
 
-/// Such as ".npy".
+/// Returns the suffixes of voxel files, for instance ".npy".
 std::vector<std::string> GetVoxelSuffixes();
+/// Tests whether a path has a suffix of voxel files.
 bool IsVoxelFile(const std::string& path);
 
-/// Collective: a file of voxels (IsVoxelFile) or an image (IsImageFile), of which each rank reads a slab. Throws InputError
-/// (UnreadableInput).
+/// Reads a voxel file (IsVoxelFile) or an image (IsImageFile); each rank gets a slab.
+/// @throws InputError  (UnreadableInput) if the file cannot be read
+/// @pre Collective
 Input ReadImage(const Arguments& arguments, Ranks& ranks);
 
 } // namespace vfm

@@ -1,5 +1,6 @@
 /**
- * Input: what was read of a file, whoever read it: the pieces or blocks of this rank with their arrays, and the times of the file.
+ * Input: the pieces or blocks of cells that were read from a file, with their arrays and the times
+ * of the file. It is the common result of all readers.
  */
 #pragma once
 
@@ -14,57 +15,65 @@
 namespace vfm
 {
 
-/// What the values of an array belong to.
+/// Items to which the values of an array belong.
 enum class ArrayPlace
 {
   Cells,
   Points
 };
 
-/// The cells of a piece or block, as they are sent and listed.
+/// Properties of the cells of a piece or block, for sculptor --list. It can be sent to other ranks.
 struct CellsInfo
 {
-  Index Count = 0; ///< without copies of others'
-  Vector3 Lower{}, Upper{};
-  IndexBox Box;     ///< of images and rectilinear grids
-  Vector3 Widths{}; ///< of a mean cell of these and of blocks; others: 0
+  Index Count = 0;          ///< number of cells, without ghost cells
+  Vector3 Lower{}, Upper{}; ///< bounds
+  IndexBox Box;             ///< global indices, only for images and rectilinear grids
+  Vector3 Widths{};         ///< mean widths of the cells of such grids and of blocks; otherwise 0
 };
 
-/// A piece or block; whether its cells form a grid shows when they are collected.
+/// Piece or block of an input. Its cells are not yet checked to form a grid.
 struct InputPiece
 {
   std::shared_ptr<const BlockArrays> Cells, Points; ///< arrays; null: none
-  bool IsImage;                                  ///< its points can be meshed as cells around them
-  std::function<CellsInfo(ArrayPlace)> Describe; ///< Points: of images only
+  bool IsImage; ///< its points can be meshed as centres of cells
+  /// Describes the cells, or the cells around the points of an image.
+  std::function<CellsInfo(ArrayPlace)> Describe;
 };
 
+/// Contents of a file.
 struct Input
 {
-  std::vector<InputPiece> Pieces; ///< of this rank, those that have cells
-  bool IsOne = false;             ///< they are pieces of one grid, else its blocks
-  /// Collective: the blocks that are meshed, with the memory of their arrays. Throws InputError, on all ranks.
+  std::vector<InputPiece> Pieces; ///< pieces of this rank that have cells
+  bool IsOne = false;             ///< true: pieces of one grid, false: blocks
+  /// Returns the blocks to mesh, which hold the memory of their arrays. Collective. Throws
+  /// InputError on all ranks.
   std::function<CollectedBlocks(const ArraysToRead& arrays, Ranks& ranks)> Collect;
-  std::optional<double> Time; ///< of the step that was read, where the file has times
-  std::vector<double> Times;  ///< of all steps
-  std::string Warning;        ///< empty, or what the reader left out
+  std::optional<double> Time; ///< time of the step that was read, if the file has times
+  std::vector<double> Times;  ///< times of all steps
+  std::string Warning;        ///< warning about data that were not read, or empty
 };
 
-/// An input of blocks, or of the pieces of one image, with their Box.
+/// Makes an input of blocks, or of the pieces of one image with their Box.
 Input MakeInput(CollectedBlocks blocks, bool areOfImage);
 
-/// This rank's part of a grid with so many cells, across its longest axis; empty where there are more ranks than layers.
+/// Returns the part of this rank in a grid that is divided along its longest axis; empty if there
+/// are more ranks than layers of cells.
 IndexBox FindSlab(const Index3& cells, const Ranks& ranks);
 
+/// Returns the arrays of all pieces of this rank.
 ArrayLists ListsOf(const Input& input, ArrayPlace place);
 
-/// Collective: whether all pieces are images.
+/// Returns whether all pieces are images.
+/// @pre Collective
 bool AreImages(const Input& input, Ranks& ranks);
 
-/// Collective: the numeric arrays of all ranks in the order in which files list them, without marks of ghosts.
+/// Returns the numeric arrays of all ranks, in the order of the files, without ghost marks.
+/// @pre Collective
 std::vector<ArrayInfo> FindArrays(const Input& input, ArrayPlace place, Ranks& ranks);
 
-/// Collective, for messages: "Its cell arrays: ball (double, 0 to 1), velocity (float, 3 components)." and, if there are, those of
-/// points, and whether they can be meshed.
+/// Describes the arrays for messages: "Its cell arrays: ball (double, 0 to 1), velocity (float, 3
+/// components)." The point arrays follow, if any, with a note if they cannot be meshed.
+/// @pre Collective
 std::string DescribeArrays(const Input& input, Ranks& ranks);
 
 } // namespace vfm

@@ -16,9 +16,9 @@ namespace vfm
 namespace
 {
 
-constexpr double LevelTolerance = 0.01; // of the logarithm of a ratio of widths
+constexpr double LevelTolerance = 0.01; // tolerance of log2 of a ratio of widths
 
-/// Around all; Count is the sum.
+/// Returns the bounds, box, largest widths and total number of cells of all pieces.
 CellsInfo UnionOverRanks(const std::vector<CellsInfo>& pieces)
 {
   CellsInfo all = pieces[0];
@@ -53,13 +53,14 @@ struct LevelInfo
   Index Cells = 0;
 };
 
-/// By level, the coarsest first; nothing when the widths are not those of levels (InputLevels.h). widest: of all.
+/// Returns the levels, the coarsest first; none if widths do not differ by common powers of two.
+/// @param widest  widths of the coarsest cells
 std::map<long, LevelInfo> FindLevels(const std::vector<CellsInfo>& blocks, const Vector3& widest)
 {
   std::map<long, LevelInfo> levels;
   for (const CellsInfo& block : blocks)
   {
-    const double finer = std::log2(widest[0] / block.Widths[0]); // NaN where they are not known
+    const double finer = std::log2(widest[0] / block.Widths[0]); // NaN if widths are unknown
     for (int a = 0; a < 3; ++a)
     {
       if (!(std::abs(std::log2(widest[a] / block.Widths[a]) - std::round(finer)) < LevelTolerance))
@@ -96,12 +97,13 @@ void PrintBlocks(const std::vector<CellsInfo>& blocks, const Vector3& widest, st
   }
 }
 
-/// isOne: the pieces of one grid, else its blocks.
+/// Prints the number of cells and the bounds.
+/// @param isOne  true: pieces of one grid, false: blocks
 void PrintGrid(const std::vector<CellsInfo>& pieces, bool isOne, bool isOfPoints, std::ostream& to)
 {
   const CellsInfo all = pieces.empty() ? CellsInfo() : UnionOverRanks(pieces);
   const IndexBox& box = all.Box;
-  // pieces share points
+  // Pieces share points, so their numbers cannot be added.
   const Index cells = isOne && isOfPoints ? box.NumberOfCells() : all.Count;
   to << cells << " cells" << (isOfPoints ? " around points" : "");
   if (cells == 0)
@@ -132,7 +134,7 @@ void PrintTimes(const Input& input, std::ostream& to)
   for (std::size_t step = 0; step < input.Times.size(); ++step)
   {
     to << Print("%8zu  %.10g%s\n", step, input.Times[step],
-      input.Times[step] == *input.Time ? "  (of which the values are)" : "");
+      input.Times[step] == *input.Time ? "  (time of the values below)" : "");
   }
 }
 
@@ -159,7 +161,7 @@ void PrintMaterials(const ChosenArrays& arrays, const std::vector<int>& labels, 
   to << "\nmaterials";
   if (arrays.Fractions.empty() && arrays.Labels.empty())
   {
-    to << ": none is found; name their arrays (--fractions A,B,.. or --labels ARRAY)\n";
+    to << ": none found; name their arrays (--fractions A,B,.. or --labels ARRAY)\n";
     return;
   }
   to << " from " << (arrays.Labels.empty() ? JoinTexts(arrays.Fractions) : arrays.Labels) << " ("

@@ -1,5 +1,5 @@
 /**
- * ListInput: what an input holds, for the user: times, grid, cell arrays, and the materials that would be taken.
+ * ListInput: prints the contents of an input: times, grid, arrays, and the materials found.
  */
 #pragma once
 
@@ -11,8 +11,10 @@
 namespace vfm
 {
 
-/// Collective: reads the time that the arguments ask for, else the first, and prints on rank 0. The same on any number of ranks. Throws
-/// InputError (UnreadableInput).
+/// Reads one time of the input, by default the first, and prints its contents on rank 0. The text
+/// does not depend on the number of ranks.
+/// @throws InputError  (UnreadableInput) if the input cannot be read
+/// @pre Collective
 void ListInput(const Arguments& arguments, Ranks& ranks, std::ostream& to);
 
 } // namespace vfm

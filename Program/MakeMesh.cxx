@@ -15,7 +15,7 @@ namespace vfm
 namespace
 {
 
-/// Shows the progress as one line of a terminal, which is cleared at the end.
+/// Runtime that shows the progress as one line of a terminal, which is cleared at the end.
 class TerminalRuntime : public ThreadRuntime
 {
 public:
@@ -43,7 +43,8 @@ private:
   const bool IsShown;
 };
 
-/// Collective.
+/// Returns the arrays of materials and state, and the names of labels.
+/// @pre Collective
 MesherArrays NameArrays(
   const Arguments& arguments, const Input& input, const ChosenArrays& arrays, Ranks& ranks)
 {

@@ -9,9 +9,12 @@
 namespace vfm
 {
 
-/// Collective: this rank's part of the mesh, of the materials of the arguments. Shows the progress on a terminal unless quiet, and
-/// warnings, on rank 0. Throws InputError: WrongArguments as KeepMaterials, else RejectedMesh with the mesher's message, or InternalError
-/// for lack of memory.
+/// Meshes the materials of the arguments. Rank 0 prints warnings and, on a terminal, the progress
+/// unless the arguments are quiet.
+/// @return part of this rank of the mesh
+/// @throws InputError  WrongArguments as KeepMaterials, RejectedMesh with the message of the
+///   mesher, or InternalError if there is not enough memory
+/// @pre Collective
 MesherResult MakeMesh(
   const Arguments& arguments, const Input& input, const ChosenArrays& arrays, Ranks& ranks);
 

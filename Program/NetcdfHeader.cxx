@@ -10,13 +10,13 @@ namespace
 {
 
 constexpr std::int64_t Unknown = std::numeric_limits<std::int64_t>::max();
-constexpr std::int64_t Streamed = 0xffffffff; // records that were not counted
+constexpr std::int64_t Streamed = 0xffffffff; // code of an unknown number of records
 constexpr std::int64_t LargestCount = std::int64_t(1) << 50;
 constexpr std::int64_t LongestName = 1024;
-constexpr int Sizes[] = { 0, 1, 1, 2, 4, 4, 8, 1, 2, 4, 8, 8 }; // in bytes, of types 1..11
+constexpr int Sizes[] = { 0, 1, 1, 2, 4, 4, 8, 1, 2, 4, 8, 8 }; // bytes, by type code 1 to 11
 constexpr int ListOfDimensions = 10, ListOfVariables = 11, ListOfAttributes = 12;
 
-/// Reads a header number by number; all are big-endian.
+/// Reads a header number by number; all numbers are big endian.
 class HeaderReader
 {
 public:
@@ -61,7 +61,8 @@ public:
     }
     if (records > 0 && records != Streamed && recordVariables > 0)
     {
-      const std::int64_t step = recordVariables == 1 ? lastSize : recordSize; // one is not padded
+      // Records of a single variable are not padded.
+      const std::int64_t step = recordVariables == 1 ? lastSize : recordSize;
       size = std::max(size, recordsEnd + (records - 1) * step);
     }
     header.Size = this->Stream ? size : Unknown;
@@ -71,7 +72,7 @@ public:
 private:
   static std::int64_t Padded(std::int64_t size) { return (size + 3) / 4 * 4; }
 
-  /// A header that is not good counts as one that is cut off.
+  /// Treats an invalid header like a truncated one.
   void Check(bool isGood)
   {
     if (!isGood)
@@ -94,7 +95,7 @@ private:
     this->Check(count >= 0 && count <= LargestCount);
     return count;
   }
-  /// The length of the list that follows, which may be missing.
+  /// Reads the length of the list that follows; 0 if the list is missing.
   std::int64_t ReadList(int kind)
   {
     const std::int64_t tag = this->ReadNumber(4), count = this->ReadCount();
@@ -111,7 +112,7 @@ private:
     this->Skip(Padded(length) - length);
     return name;
   }
-  /// 0 where it is none.
+  /// Reads a type code; returns 0 if it is invalid.
   int ReadType()
   {
     const std::int64_t type = this->ReadNumber(4);
@@ -137,14 +138,14 @@ private:
       const std::int64_t dimension = this->ReadCount();
       const bool isKnown = dimension < static_cast<std::int64_t>(this->Dimensions.size());
       const std::int64_t length = isKnown ? this->Dimensions[dimension].Length : 0;
-      variable.HasRecords = variable.HasRecords || length == 0; // the unlimited one
+      variable.HasRecords = variable.HasRecords || length == 0; // 0: unlimited dimension
       this->Check(length == 0 || variable.Size <= LargestCount / length);
       variable.Size *= this->Stream && length > 0 ? length : 1;
     }
     this->ReadAttributes();
     variable.Type = this->ReadType();
     variable.Size *= Sizes[variable.Type];
-    this->ReadCount(); // the size, which is cut where it needs more bits
+    this->ReadCount(); // the size is not used, because it is wrong if it needs more bits
     variable.Begin = this->ReadNumber(this->Version == 1 ? 4 : 8);
     return variable;
   }

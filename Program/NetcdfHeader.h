@@ -1,8 +1,9 @@
 /**
- * NetcdfHeader: whether a netCDF file of the classic kind, as most Exodus files are, is whole, and some of what it holds.
+ * NetcdfHeader: reads the header of a netCDF file in a classic format, as most Exodus files are.
  *
- * The netCDF library reads what is cut off as zeros and says nothing. The header tells how long the file must be ("NetCDF
- * Classic Format Specification", versions CDF-1, CDF-2 and CDF-5).
+ * The netCDF library reads missing parts of a truncated file as zeros, without an error. The header
+ * gives the required length of the file ("NetCDF Classic Format Specification", versions CDF-1,
+ * CDF-2 and CDF-5).
  */
 #pragma once
 
@@ -21,39 +22,41 @@ enum class NetcdfType
   Double = 6
 };
 
+/// Header of a netCDF file.
 struct NetcdfHeader
 {
   struct Dimension
   {
     std::string Name;
-    std::int64_t Length; ///< 0: that of the records
+    std::int64_t Length; ///< length; 0 for the dimension of records
   };
   struct Attribute
   {
     std::string Name;
-    int Type; ///< NetcdfType, or another of the format's 1..11
+    int Type; ///< type code of the format, 1 to 11; see NetcdfType
   };
   struct Variable
   {
     std::string Name;
     int Type;
-    std::int64_t Begin, Size; ///< in bytes, of a record where it has records
+    std::int64_t Begin, Size; ///< place and size of the values, or of one record, bytes
     bool HasRecords;
   };
 
-  std::int64_t
-    Size; ///< bytes that the file must have at least; std::numeric_limits<std::int64_t>::max() where the
-          ///< header itself is cut off or damaged
-  std::int64_t Records; ///< in Exodus files: times
+  /// Minimum length of the file, bytes; std::numeric_limits<std::int64_t>::max() if the header
+  /// itself is truncated or damaged.
+  std::int64_t Size;
+  std::int64_t Records; ///< number of records; in Exodus files, number of times
   std::vector<Dimension> Dimensions;
-  std::vector<Attribute> Attributes; ///< of the whole file
+  std::vector<Attribute> Attributes; ///< attributes of the file
   std::vector<Variable> Variables;
 };
 
-/// Nothing for files of another kind (netCDF-4, which the HDF5 library checks itself).
+/// Reads the header of a file.
+/// @return nothing for files of another format (the HDF5 library itself checks netCDF-4 files)
 std::optional<NetcdfHeader> ReadNetcdfHeader(const std::string& path);
 
-/// The numbers of an int variable without records of a whole file.
+/// Reads the numbers of an int variable without records. The file must not be truncated.
 std::vector<std::int32_t> ReadNetcdfInts(
   const std::string& path, const NetcdfHeader::Variable& variable);
 

@@ -12,7 +12,7 @@ namespace
 
 constexpr std::size_t ListedFragments = 10;
 constexpr std::size_t ListedMaterials = 50;
-constexpr std::size_t LeastWidth = 28; // of names
+constexpr std::size_t LeastWidth = 28; // minimum width of names
 
 template <class... Values>
 std::string Print(const char* format, Values... values)
@@ -29,7 +29,7 @@ std::string PrintQuality(const MeshSummary& summary, const PartSummary& part)
     : Print("%8s%9s", "-", "-");
 }
 
-/// As wide as the longest of some names, which are told in full.
+/// Returns the length of the longest name; names are printed in full.
 std::size_t FindWidth(const std::vector<std::string>& names)
 {
   std::size_t width = LeastWidth;
@@ -46,7 +46,8 @@ std::string Padded(std::string name, std::size_t width)
   return name;
 }
 
-/// name: padded.
+/// Returns the line of a part.
+/// @param name  padded name
 std::string PrintPart(const MeshSummary& summary, const std::string& name, const PartSummary& part)
 {
   return name +
@@ -102,13 +103,13 @@ void PrintState(const MeshSummary& summary, std::ostream& to)
   }
   if (summary.LostToElements != 0.0 || summary.LostToNodes != 0.0)
   {
-    to << Print("kinetic energy that means lack: %.6g in elements, %.6g more at nodes\n",
+    to << Print("kinetic energy lost by averaging: %.6g in elements, %.6g more at nodes\n",
       summary.LostToElements, summary.LostToNodes);
   }
   to << "\n";
 }
 
-/// The largest by volume.
+/// Prints the largest fragments by volume.
 void PrintFragments(const MeshSummary& summary, std::ostream& to)
 {
   std::vector<std::size_t> order(summary.Fragments.size());

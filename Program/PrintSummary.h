@@ -1,5 +1,5 @@
 /**
- * PrintSummary: the table of a summary.
+ * PrintSummary: prints the table of a summary.
  */
 #pragma once
 
@@ -10,12 +10,14 @@
 namespace vfm
 {
 
+/// Time of a stage of the program.
 struct StageTime
 {
   std::string Name;
   double Seconds;
 };
 
+/// Prints the tables of materials, state, fragments and dihedral angles, and the times.
 void PrintSummary(
   const MeshSummary& summary, const std::vector<StageTime>& times, std::ostream& to);
 

@@ -55,7 +55,7 @@ vtkSmartPointer<vtkAlgorithm> MakeAmrReader(const Arguments& arguments)
 {
   auto reader = vtkSmartPointer<vtkXMLUniformGridAMRReader>::New();
   reader->SetFileName(arguments.Input.c_str());
-  reader->SetMaximumLevelsToReadByDefault(0); // all of them
+  reader->SetMaximumLevelsToReadByDefault(0); // 0: all levels
   return reader;
 }
 
@@ -81,8 +81,8 @@ const Format* FindFormat(const std::string& path)
   return found == formats.end() ? nullptr : &*found;
 }
 
-/// While this lives nothing is written to a standard stream: the Exodus library writes in many
-/// lines what the reader's message says in one.
+/// Discards everything that is written to a standard stream during the lifetime of the object. The
+/// Exodus library prints many lines for an error that the reader reports in one message.
 class QuietStream
 {
 public:

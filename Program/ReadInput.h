@@ -1,5 +1,5 @@
 /**
- * ReadInput: the files that VTK reads, each rank its piece.
+ * ReadInput: reads an input of any supported format.
  */
 #pragma once
 
@@ -13,12 +13,15 @@
 namespace vfm
 {
 
-/// Such as ".vti".
+/// Returns all supported suffixes, for instance ".vti".
 std::vector<std::string> GetInputSuffixes();
-/// Throws InputError (WrongArguments) when files of that name are not read.
+/// Checks that the format of a file is supported.
+/// @throws InputError  (WrongArguments) if it is not
 void CheckInputSuffix(const std::string& path);
 
-/// Collective. Throws InputError (UnreadableInput).
+/// Reads the input of the arguments; each rank gets a part of it.
+/// @throws InputError  (UnreadableInput) if it cannot be read
+/// @pre Collective
 Input ReadInput(const Arguments& arguments, Ranks& ranks);
 
 } // namespace vfm

@@ -1,5 +1,6 @@
 /**
- * ReaderSteps: what reading any kind of file takes and gives: the file, the time, the reader's errors.
+ * ReaderSteps: common steps of the readers: checks of the file, choice of the time, errors of VTK.
+ * All functions throw InputError (UnreadableInput).
  */
 #pragma once
 
@@ -18,30 +19,33 @@ namespace vfm
 
 class VtkMessages;
 
-/// Throws InputError (UnreadableInput), as all that follows.
+/// Rejects the input with a message.
 [[noreturn]] void RejectInput(const std::string& message);
 
-/// Does a step of reading, whose InputError does not name the input. head: of the message, before the path.
+/// Calls a step of reading and puts the path in front of the message of its InputError.
+/// @param head  text in front of the path
 void CheckInput(const std::string& path, const std::function<void()>& step,
   const std::string& head = "Cannot read the input ");
 
-/// The file can be opened and is not empty. role: follows the path in the message.
+/// Checks that a file can be opened and is not empty.
+/// @param role  text after the path in the message
 void CheckInputFile(const std::string& path, const std::string& role = "");
 
-/// Of a reader whose information is up to date; none where its file has no times.
+/// Returns the times of a reader whose information is up to date; empty if its file has no times.
 std::vector<double> GetTimes(vtkAlgorithm* reader);
 
-/// The one that the arguments ask for, else the first; nothing where the file has no times.
+/// Returns the time that the arguments select, by default the first; nothing if there are no times.
 std::optional<double> ChooseTime(const Arguments& arguments, const std::vector<double>& times);
 
-/// The arrays of materials that the arguments name, and the others (ListOtherArrays).
+/// Lists the arrays of materials that the arguments name, and the others (ListOtherArrays).
 std::vector<std::string> ListNamedArrays(
   const Arguments& arguments, const std::vector<std::string>& there);
 
-/// Reads a piece at a time, where the file has times.
+/// Reads a piece of the data, at a time if the file has times.
 void UpdatePiece(
   vtkAlgorithm* reader, const std::optional<double>& time, int piece, int numberOfPieces);
 
+/// Rejects the input if VTK has reported errors.
 void CheckReaderErrors(const VtkMessages& messages, const std::string& path);
 
 } // namespace vfm

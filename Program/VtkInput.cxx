@@ -18,7 +18,7 @@ namespace vfm
 namespace
 {
 
-/// Without copies of others'.
+/// Counts the cells that are not ghost cells.
 Index CountCells(vtkDataSet* grid)
 {
   const auto marks = MarksOf(FindGhostTypes(grid, vtkDataObject::CELL));
@@ -35,7 +35,7 @@ IndexBox FindBox(vtkDataSet* grid)
   return e ? IndexBox{ { { e[0], e[2], e[4] } }, { { e[1], e[3], e[5] } } } : IndexBox();
 }
 
-/// Adds half a cell beyond the points of an image, whose cells are those around them.
+/// Extends the bounds of an image by half a cell, because its points are centres of cells.
 void Widen(vtkImageData* image, CellsInfo& info, vtkBoundingBox& bounds)
 {
   info.Count = image->GetNumberOfPoints();

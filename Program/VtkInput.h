@@ -1,5 +1,5 @@
 /**
- * VtkInput: data of VTK's readers as an Input.
+ * VtkInput: converts the data of VTK's readers to an Input.
  */
 #pragma once
 
@@ -13,10 +13,11 @@ class vtkDataSet;
 namespace vfm
 {
 
-/// Those with cells; data may be null.
+/// Returns the data sets that have cells; data may be null.
 std::vector<vtkDataSet*> GetGrids(vtkDataObject* data);
 
-/// Collective. data: of this rank; the input keeps it, without a copy.
+/// Makes an input of the data of this rank. The input refers to the data and keeps them alive.
+/// @pre Collective
 Input MakeInput(vtkSmartPointer<vtkDataObject> data, Ranks& ranks);
 
 } // namespace vfm

@@ -1,5 +1,5 @@
 /**
- * sculptor: meshes volume fractions in a file, on any number of MPI ranks.
+ * sculptor: command-line tool that meshes volume fractions in a file, on any number of MPI ranks.
  */
 #include "ArgumentOptions.h"
 #include "Arguments.h"
@@ -29,7 +29,7 @@ namespace vfm
 namespace
 {
 
-/// Seconds since it was last asked, of the slowest rank. Collective.
+/// Times of the stages, on the slowest rank. Collective.
 class StageTimes
 {
 public:
@@ -61,7 +61,8 @@ void PrintHead(const Arguments& arguments, const Input& input, const ChosenArray
             << arrays.How << ")\n\n";
 }
 
-/// The arrays of the mesh that hold the densities: those of their names or, where arrays a material became one, that of their stem.
+/// Returns the arrays of the mesh that hold the densities. If arrays of several materials became
+/// one array, its name is their common stem.
 std::vector<std::string> FindDensities(const MeshData& mesh, const Arguments& arguments)
 {
   std::vector<std::string> names;
@@ -105,7 +106,8 @@ void WriteFragments(const MeshData& mesh, const Arguments& arguments, Ranks& ran
     });
 }
 
-/// Collective.
+/// Writes the mesh, and the table of fragments and the geometry if requested.
+/// @pre Collective
 void WriteFiles(
   const MesherResult& result, const MeshData& mesh, const Arguments& arguments, Ranks& ranks)
 {
@@ -166,14 +168,14 @@ void MeshFile(const Arguments& arguments, Ranks& ranks)
   }
 }
 
-/// Exit status of a failure: 1 to 4 are its code, 5 is any other.
+/// Returns the exit status of a failure: its code if that is 1 to 4, otherwise 5.
 int StatusOf(ErrorCode code)
 {
   const bool isListed = code >= ErrorCode::WrongArguments && code <= ErrorCode::UnwritableOutput;
   return static_cast<int>(isListed ? code : ErrorCode::InternalError);
 }
 
-/// Returns the exit status.
+/// Executes the command of the arguments and returns the exit status.
 int Work(const Arguments& arguments, Ranks& ranks)
 {
   const bool isFirst = ranks.Rank() == 0;
@@ -207,7 +209,7 @@ int Run(const std::vector<std::string>& words, Ranks& ranks)
       Ranks::Frame::Program);
     return status;
   }
-  catch (const InputError& error) // on all ranks
+  catch (const InputError& error) // all ranks throw it
   {
     if (ranks.Rank() == 0)
     {
@@ -220,7 +222,8 @@ int Run(const std::vector<std::string>& words, Ranks& ranks)
     std::cerr << "sculptor: internal error: " << error.what() << std::endl;
     if (ranks.Count() > 1)
     {
-      MPI_Abort(MPI_COMM_WORLD, StatusOf(ErrorCode::InternalError)); // others may wait
+      // Other ranks may be waiting for a message.
+      MPI_Abort(MPI_COMM_WORLD, StatusOf(ErrorCode::InternalError));
     }
     return StatusOf(ErrorCode::InternalError);
   }

@@ -217,7 +217,7 @@ TEST(Arguments, RejectedWords)
     { { "", "--input FILE is missing. See sculptor --help." },
       { "in.vti", "--output FILE is missing, as in sculptor in.vti mesh.vtu." },
       { "in.vti out.vtu c.vtu",
-        "'c.vtu' is a file too many: the input and the output are named already." },
+        "'c.vtu' is one file too many: the input and the output are already given." },
       { "in.vti out.vtu --output b.vtu", "--output is given twice." },
       { "tset", "The input tset is of an unknown format. Supported formats: .vti" },
       { "in.xyz out.vtu", "The input in.xyz is of an unknown format. Supported formats: .vti" },
@@ -227,9 +227,10 @@ TEST(Arguments, RejectedWords)
       { "in.vti out.vtu --geometry g.vtu",
         "The geometry g.vtu is of an unknown format. Supported format: .vtm." } });
   ExpectRefusals("in.vti out.vtu ",
-    { { "--wrong", "'--wrong' is no option. See sculptor --help." },
-      { "--wrong=1", "'--wrong' is no option." }, { "-q", "'-q' is no option." },
-      { "--", "'--' is no option." }, { "--void=on", "--void takes no value, but 'on' is given." },
+    { { "--wrong", "'--wrong' is not an option. See sculptor --help." },
+      { "--wrong=1", "'--wrong' is not an option." }, { "-q", "'-q' is not an option." },
+      { "--", "'--' is not an option." },
+      { "--void=on", "--void takes no value, but 'on' is given." },
       { "--quiet=", "--quiet takes no value, but '' is given." },
       { "--iso 0.3 --iso 0.4", "--iso is given twice." },
       { "--void --void", "--void is given twice." },
@@ -241,7 +242,7 @@ TEST(Arguments, RejectedWords)
       { "--smooth 1 --no-smooth", "--smooth and --no-smooth exclude each other." },
       { "--refine 1 --refine-cells plate", "--refine and --refine-cells exclude each other." },
       { "--refine 1 --refine-box 0,0,0,1,1,1", "--refine and --refine-box exclude each other." } });
-  EXPECT_EQ(RefusalOf({ "" }), "'' is no option. See sculptor --help.");
+  EXPECT_EQ(RefusalOf({ "" }), "'' is not an option. See sculptor --help.");
   EXPECT_EQ(RefusalOf({ "in.vti", "out.vtu", "--labels", "" }),
     "--labels needs a value. See sculptor --help.");
 }
@@ -249,30 +250,30 @@ TEST(Arguments, RejectedWords)
 TEST(Arguments, RejectedValues)
 {
   ExpectRefusals("in.vti out.vtu ",
-    { { "--fractions a,,b", "--fractions has an empty name in its list." },
-      { "--fractions a,a", "--fractions names 'a' twice." },
-      { "--state a,", "--state has an empty name in its list." },
-      { "--material 1,2,1", "--material names '1' twice." },
+    { { "--fractions a,,b", "--fractions contains an empty name." },
+      { "--fractions a,a", "--fractions contains 'a' twice." },
+      { "--state a,", "--state contains an empty name." },
+      { "--material 1,2,1", "--material contains '1' twice." },
       { "--time 2s", "--time takes a number, not '2s'." },
       { "--time nan", "--time takes a number, not 'nan'." },
-      { "--step -1", "--step takes a whole number from 0, not '-1'." },
-      { "--step 1.5", "--step takes a whole number from 0, not '1.5'." },
-      { "--refine -1", "--refine takes a whole number from 0 to 10, not '-1'." },
-      { "--refine 11", "--refine takes a whole number from 0 to 10, not '11'." },
+      { "--step -1", "--step takes an integer from 0, not '-1'." },
+      { "--step 1.5", "--step takes an integer from 0, not '1.5'." },
+      { "--refine -1", "--refine takes an integer from 0 to 10, not '-1'." },
+      { "--refine 11", "--refine takes an integer from 0 to 10, not '11'." },
       { "--set IsoValue", "--set takes Option=Value, not 'IsoValue'." },
       { "--set IsoValue=.3 x.vti", "--set takes Option=Value, not 'x.vti'." } });
   ExpectRefusals("in.spn out.vtu ",
-    { { "", "The input in.spn does not tell its size: --dimensions NX,NY,NZ is missing." },
+    { { "", "The input in.spn does not contain its size: --dimensions NX,NY,NZ is missing." },
       { "--dimensions 9,11",
-        "--dimensions takes three numbers of cells with commas between them, not '9,11'." },
-      { "--dimensions 9,11,0", "takes three numbers of cells with commas between them" },
-      { "--dimensions 9,11,1.5", "takes three numbers of cells with commas between them" },
-      { "--dimensions 9,11,2147483647", "takes three numbers of cells with commas between them" },
-      { "--dimensions 9,11,1,1", "takes three numbers of cells with commas between them" },
-      { "--origin 1,2,x", "--origin takes three numbers with commas between them, not '1,2,x'." },
-      { "--origin 1,2,inf", "--origin takes three numbers with commas between them" },
+        "--dimensions takes three numbers of cells separated by commas, not '9,11'." },
+      { "--dimensions 9,11,0", "takes three numbers of cells separated by commas" },
+      { "--dimensions 9,11,1.5", "takes three numbers of cells separated by commas" },
+      { "--dimensions 9,11,2147483647", "takes three numbers of cells separated by commas" },
+      { "--dimensions 9,11,1,1", "takes three numbers of cells separated by commas" },
+      { "--origin 1,2,x", "--origin takes three numbers separated by commas, not '1,2,x'." },
+      { "--origin 1,2,inf", "--origin takes three numbers separated by commas" },
       { "--spacing 1,0,1",
-        "--spacing takes three numbers above 0 with commas between them, not '1,0,1'." },
+        "--spacing takes three numbers above 0 separated by commas, not '1,0,1'." },
       { "--axis-order xxz",
         "--axis-order takes xyz, xzy, yxz, yzx, zxy or zyx, or its number from 0, not 'xxz'." } });
   ExpectRefusals("",
@@ -308,7 +309,7 @@ TEST(Arguments, RejectedOptionsOfTheMesher)
       { "--set FineInterfaces=perhaps", "The option FineInterfaces cannot be 'perhaps'" },
       { "--set RefineFlippedCells=perhaps", "The option RefineFlippedCells cannot be 'perhaps'" },
       { "--set ThinCells=x", "The option ThinCells cannot be 'x'" },
-      { "--velocity v", "--velocity and --energy are for state that is conserved" },
+      { "--velocity v", "--velocity and --energy require conserved state" },
       { "--density rho --energy e --state-transfer copy", "--state-transfer Conserve" } });
 }
 
@@ -321,7 +322,7 @@ TEST(Arguments, RejectedTestsAndLists)
       { "--geometry g.vtm", "not --geometry." },
       { "--refine 1 --refine-cells", "--refine and --refine-cells exclude each other." },
       { "--refine-cells=a", "--refine-cells takes no value, but 'a' is given." },
-      { "--refine -1", "--refine takes a whole number from 0 to 10, not '-1'." },
+      { "--refine -1", "--refine takes an integer from 0 to 10, not '-1'." },
       { "--output no.stl", "The output no.stl is of an unknown format." } });
   ExpectRefusals("--list ",
     { { "", "--input FILE is missing." }, { "in.xyz", "The input in.xyz is of an unknown format." },

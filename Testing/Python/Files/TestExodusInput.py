@@ -424,7 +424,7 @@ def test_damaged_parts(at):
                   "rb") as whole, open(part[rank], "wb") as cut:
             cut.write(whole.read()[:-20000])
         for ranks in counts:
-            refused(2, "parts.e.3.%d: the file is cut off" % rank, part[0], no, ranks=ranks)
+            refused(2, "parts.e.3.%d: the file is truncated" % rank, part[0], no, ranks=ranks)
         shutil.copy(write_exodus(at("other.e"), lambda step: {"left": hexes(fields(), ALL)}, [0.5]),
                     part[rank])
         refused(2, "it holds %d times, but " % (1 if rank else 2), part[2], no, ranks=counts[0])

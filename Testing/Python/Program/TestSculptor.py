@@ -317,7 +317,9 @@ def test_point_data_is_told(at):
 def test_the_only_array_as_density(at):
     path = write(image({"ball": ball_and_plate()[0]}), at("in.vti"))
     files = ["--fragments", at("table.csv"), "--density", "ball"]
-    refused(2, "Those of --state, --density, --velocity, --energy and --refine-cells are taken for others, unless named as --fractions.", "--input", path, "--output", at("no.vtu"), *files)
+    refused(2, "Arrays of --state, --density, --velocity, --energy and --refine-cells are not used "
+            "as fractions, unless --fractions lists them.", "--input", path, "--output",
+            at("no.vtu"), *files)
     mesh_file(path, at("out.vtu"), *files, "--fractions", "ball")
 
 
@@ -330,8 +332,8 @@ def test_clipped_fractions(at):
         result = sculptor(*arguments, ranks=ranks)
         assert result.returncode == 0 and names_of(at("out.vtu")) == ["plate"]
         assert result.stderr == (
-            "sculptor: warning: Not taken for volume fractions: ball, with values up to 0.01 outside [0, 1]. "
-                                 "--clip T takes those that lie outside by no more than T.\n"), result
+            "sculptor: warning: Not used as volume fractions: ball, with values up to 0.01 outside "
+            "[0, 1]. --clip T accepts values up to T outside.\n"), result
         result = sculptor(*arguments, "--clip", "0.01", ranks=ranks)
         assert result.returncode == 0 and names_of(at("out.vtu")) == ["ball", "plate"]
         assert result.stderr == "sculptor: warning: Volume fractions of %d cells lay outside [0, 1] and were clipped.\n" % (ball == 0).sum()
@@ -400,8 +402,8 @@ def test_state(at):
         mesh_file(path, at("out.vtu"), "--state", "damage,velocity", ranks=ranks)
         check_same(at("out.vtu"), mesh)
     files = ["--input", path, "--output", at("no.vtu")]
-    refused(1, "cannot carry 'ball'", *files, "--fractions", "ball,plate", "--state", "ball",
-            "--material", "2", ranks=2)
+    refused(1, "'ball' cannot be transferred", *files, "--fractions", "ball,plate", "--state",
+            "ball", "--material", "2", ranks=2)
 
 
 def reads_appended_data():
@@ -512,8 +514,8 @@ def test_wrong_arguments(at):
     """How the program ends; ArgumentsTest.cxx has each of them."""
     path = write(fraction_image(8), at("in.vti"))
     for ranks in (1, 3):
-        refused(1, "'--wrong' is no option. See sculptor --help.", path, at("no.vtu"), "--wrong",
-                ranks=ranks)
+        refused(1, "'--wrong' is not an option. See sculptor --help.", path, at("no.vtu"),
+                "--wrong", ranks=ranks)
     refused(1, "There is no material '2'", "test", "--material", "2")
     refused(1, "Cells cannot be refined by 'plate'", path, at("no.vtu"), "--fractions",
             "ball,plate", "--refine-cells", "plate", "--material", "ball", ranks=2)

@@ -59,7 +59,7 @@ def test_conserved_state(at):
                           rtol=1e-8), (name, sums[name])
     energy = np.sum([sums["kinetic energy"], sums["internal energy"]], 0)
     lost = [float(x)
-            for x in re.search(r"lack: ([\d.e+-]+) in elements, ([\d.e+-]+) more at nodes",
+            for x in re.search(r"averaging: ([\d.e+-]+) in elements, ([\d.e+-]+) more at nodes",
                                state[0]).groups()]
     assert np.isclose(energy[0], energy[1] + energy[2] - lost[1],
                       rtol=1e-6) and min(lost) > 0, (energy, lost)
