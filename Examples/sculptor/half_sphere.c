@@ -1,9 +1,10 @@
-/* Meshes half a sphere with the ten calls of Sculptor's report alone, as hexahedra and as
- * tetrahedra, on any number of ranks, each with a box of the grid. half_sphere.cpp and
- * half_sphere.f90 do and print the same.
+/* Meshes half a sphere from C with only the ten calls of Sculptor's report, first as hexahedra,
+ * then as tetrahedra. Runs on any number of ranks; each rank owns a box of the grid. Prints the
+ * numbers of nodes and elements and the volume, and writes no file. half_sphere.cpp and
+ * half_sphere.f90 are the same program in C++ and Fortran.
  *
- *   mpicc half_sphere.c $(pkg-config --cflags --libs sculptor) -o half_sphere && mpiexec -n 4
- * ./half_sphere
+ *   mpicc half_sphere.c $(pkg-config --cflags --libs sculptor) -o half_sphere
+ *   mpiexec -n 4 ./half_sphere
  */
 #include <CMLPSculptor.c.h>
 
@@ -12,11 +13,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Cells of the whole grid: cubes of 1, of which the sphere's centre is at a side. */
+/* The whole grid has cubic cells of width 1. The sphere's centre lies on its lower z side. */
 static const int cells[3] = { 20, 20, 10 };
 static const double centre[3] = { 10, 10, 0 }, radius = 7;
 
-/* Part of the cell (i,j,k) in the sphere, from 4 x 4 x 4 samples. */
+/* Returns the volume fraction of the sphere in cell (i,j,k), from 4 x 4 x 4 samples. */
 static double fraction_of_sphere(int i, int j, int k)
 {
   int inside = 0;
@@ -39,7 +40,7 @@ static void require(int is_well, const char* what)
   }
 }
 
-/* The ranks as boxes of the grid; this one's cells are lower to upper. */
+/* Divides the grid into one box per rank. Sets the range of cells of this rank, [lower, upper). */
 static void divide_grid(MPI_Comm* boxes, int* lower, int* upper)
 {
   int ranks, rank, layout[3] = { 0, 0, 0 }, place[3];
@@ -56,7 +57,7 @@ static void divide_grid(MPI_Comm* boxes, int* lower, int* upper)
   }
 }
 
-/* The rank beside this one, -1 where the grid ends. */
+/* Returns the rank of the adjacent box, -1 where the grid ends. */
 static int neighbor(MPI_Comm boxes, int axis, int step)
 {
   int from, to;
@@ -77,7 +78,7 @@ static int compare_nodes(const void* left, const void* right)
   return 0;
 }
 
-/* Of all ranks, those that several have once; on rank 0. */
+/* Returns the number of nodes of all ranks, shared nodes counted once; valid on rank 0. */
 static int count_nodes(int nodes, const double* coords)
 {
   int ranks, all = 0, different = 0, count = 3 * nodes;
@@ -113,7 +114,8 @@ static double volume_of_tet(const double* a, const double* b, const double* c, c
     6;
 }
 
-/* Of all elements of all ranks; a hexahedron is six tetrahedra around its diagonal. On rank 0. */
+/* Returns the volume of all elements of all ranks, valid on rank 0. Divides a hexahedron into six
+ * tetrahedra around its diagonal. */
 static double add_volumes(int elements, int corners, const double* coords, const int* nodes)
 {
   const int around[7] = { 1, 2, 3, 7, 4, 5, 1 };
@@ -138,7 +140,7 @@ static double add_volumes(int elements, int corners, const double* coords, const
   return all;
 }
 
-/* There is one fragment: all that there is. */
+/* Checks that the mesh is one fragment, with the same elements. */
 static void check_fragment(int handle, int tet_mesh, int nodes, int elements, const int* expected)
 {
   int num_nodes, num_hexes, num_tets;
@@ -156,7 +158,7 @@ static void check_fragment(int handle, int tet_mesh, int nodes, int elements, co
   free(coords);
 }
 
-/* Asks for the mesh that was made, and prints what all ranks have together. */
+/* Gets the mesh and prints its totals over all ranks. */
 static void report(int handle, int tet_mesh)
 {
   const int corners = tet_mesh ? 4 : 8;

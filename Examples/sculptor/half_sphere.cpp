@@ -1,9 +1,10 @@
-/* Meshes half a sphere from C++ with the calls of Sculptor's report alone, as hexahedra and as
- * tetrahedra, on any number of ranks, each with a box of the grid. half_sphere.c and
- * half_sphere.f90 do and print the same.
+/* Meshes half a sphere from C++ with only the calls of Sculptor's report, first as hexahedra, then
+ * as tetrahedra. Runs on any number of ranks; each rank owns a box of the grid. Prints the numbers
+ * of nodes and elements and the volume, and writes no file. half_sphere.c and half_sphere.f90 are
+ * the same program in C and Fortran.
  *
- *   mpicxx -std=c++11 half_sphere.cpp $(pkg-config --cflags --libs sculptor) -o half_sphere &&
- * mpiexec -n 4 ./half_sphere
+ *   mpicxx -std=c++11 half_sphere.cpp $(pkg-config --cflags --libs sculptor) -o half_sphere
+ *   mpiexec -n 4 ./half_sphere
  */
 #include <CMLPSculptor.hpp>
 
@@ -20,11 +21,11 @@ namespace
 
 using Point = std::array<double, 3>;
 
-// Cells of the whole grid: cubes of 1, of which the sphere's centre is at a side.
+// The whole grid has cubic cells of width 1. The sphere's centre lies on its lower z side.
 const int Cells[3] = { 20, 20, 10 };
 const double Centre[3] = { 10, 10, 0 }, Radius = 7;
 
-/// Part of the cell (i,j,k) in the sphere, from 4 x 4 x 4 samples.
+/// Returns the volume fraction of the sphere in cell (i,j,k), from 4 x 4 x 4 samples.
 double FractionOfSphere(int i, int j, int k)
 {
   int inside = 0;
@@ -38,7 +39,7 @@ double FractionOfSphere(int i, int j, int k)
   return inside / 64.0;
 }
 
-/// The ranks as boxes of the grid; this one's cells are Lower to Upper.
+/// Division of the grid into one box per rank. This rank owns the cells [Lower, Upper).
 struct Boxes
 {
   Boxes()
@@ -60,7 +61,7 @@ struct Boxes
   Boxes(const Boxes&) = delete;
   Boxes& operator=(const Boxes&) = delete;
 
-  /// The rank beside this one, -1 where the grid ends.
+  /// Returns the rank of the adjacent box, -1 where the grid ends.
   int Neighbor(int axis, int step) const
   {
     int from, to;
@@ -87,7 +88,7 @@ struct Boxes
   int Lower[3], Upper[3];
 };
 
-/// Of all ranks, those that several have once; on rank 0.
+/// Returns the number of nodes of all ranks, shared nodes counted once; valid on rank 0.
 std::size_t CountNodes(const std::vector<double>& coords)
 {
   int ranks;
@@ -116,7 +117,8 @@ double VolumeOfTet(const double* a, const double* b, const double* c, const doub
     6;
 }
 
-/// Of all elements of this rank; a hexahedron is six tetrahedra around its diagonal.
+/// Returns the volume of all elements of this rank. Divides a hexahedron into six tetrahedra around
+/// its diagonal.
 double AddVolumes(const cml::Mesh& mesh)
 {
   const int around[7] = { 1, 2, 3, 7, 4, 5, 1 };
@@ -136,7 +138,7 @@ double AddVolumes(const cml::Mesh& mesh)
   return sum;
 }
 
-/// Prints what all ranks have together.
+/// Prints the totals of the mesh over all ranks.
 void Report(const cml::PSculptor& sculptor)
 {
   const cml::Mesh mesh = sculptor.get_free_mesh();
@@ -145,7 +147,7 @@ void Report(const cml::PSculptor& sculptor)
   {
     throw std::runtime_error("not one fragment");
   }
-  const cml::Mesh fragment = sculptor.get_fragment_mesh(1); // all that there is
+  const cml::Mesh fragment = sculptor.get_fragment_mesh(1); // the only one
   if (fragment.hexes != mesh.hexes || fragment.tets != mesh.tets)
   {
     throw std::runtime_error("the fragment is not the mesh");

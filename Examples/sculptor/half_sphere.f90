@@ -1,15 +1,18 @@
-! Meshes half a sphere from Fortran with the ten calls of Sculptor's report alone, as hexahedra and as tetrahedra, on any
-! number of ranks, each with a box of the grid. half_sphere.c and half_sphere.cpp do and print the same.
+! Meshes half a sphere from Fortran with only the ten calls of Sculptor's report, first as
+! hexahedra, then as tetrahedra. Runs on any number of ranks; each rank owns a box of the grid.
+! Prints the numbers of nodes and elements and the volume, and writes no file. half_sphere.c and
+! half_sphere.cpp are the same program in C and C++.
 !
 !   gfortran -c $(pkg-config --variable=includedir sculptor)/cmlpsculptor.f90
-!   mpif90 half_sphere.f90 cmlpsculptor.o $(pkg-config --libs sculptor) -o half_sphere && mpiexec -n 4 ./half_sphere
+!   mpif90 half_sphere.f90 cmlpsculptor.o $(pkg-config --libs sculptor) -o half_sphere
+!   mpiexec -n 4 ./half_sphere
 program half_sphere
   use, intrinsic :: iso_c_binding
   use mpi
   use cml_psculptor
   implicit none
 
-  ! Cells of the whole grid: cubes of 1, of which the sphere's centre is at a side.
+  ! The whole grid has cubic cells of width 1. The sphere's centre lies on its lower z side.
   integer, parameter :: cells(3) = [20, 20, 10]
   real(c_double), parameter :: centre(3) = [10, 10, 0], radius = 7
 
@@ -33,10 +36,11 @@ program half_sphere
   handle = c_create_cml_psculptor()
   call require(handle /= 0, "c_create_cml_psculptor")
   do tet_mesh = 0, 1
-    call require(c_mesh_from_data(handle, real(lower(1), c_double), real(lower(2), c_double), real(lower(3), c_double), &
-      real(upper(1), c_double), real(upper(2), c_double), real(upper(3), c_double), upper(1) - lower(1), &
-      upper(2) - lower(2), upper(3) - lower(3), vfrac, neighbor(0, 1), neighbor(0, -1), neighbor(1, 1), neighbor(1, -1), &
-      neighbor(2, 1), neighbor(2, -1), 0, 0, 1, tet_mesh) == 0, "c_mesh_from_data")
+    call require(c_mesh_from_data(handle, real(lower(1), c_double), real(lower(2), c_double), &
+      real(lower(3), c_double), real(upper(1), c_double), real(upper(2), c_double), &
+      real(upper(3), c_double), upper(1) - lower(1), upper(2) - lower(2), upper(3) - lower(3), &
+      vfrac, neighbor(0, 1), neighbor(0, -1), neighbor(1, 1), neighbor(1, -1), neighbor(2, 1), &
+      neighbor(2, -1), 0, 0, 1, tet_mesh) == 0, "c_mesh_from_data")
     call report()
   end do
   call c_delete_cml_psculptor(handle)
@@ -46,7 +50,7 @@ program half_sphere
 
 contains
 
-  !> Part of the cell in the sphere, from 4 x 4 x 4 samples.
+  !> Returns the volume fraction of the sphere in a cell, from 4 x 4 x 4 samples.
   real(c_double) function fraction_of_sphere(cell)
     integer, intent(in) :: cell(3)
     integer :: s, inside
@@ -67,19 +71,20 @@ contains
     call MPI_Abort(MPI_COMM_WORLD, 1, error)
   end subroutine
 
-  !> The ranks as boxes of the grid; this one's cells are lower to upper.
+  !> Divides the grid into one box per rank. This rank owns the cells lower + 1 to upper.
   subroutine divide_grid()
     integer :: ranks, layout(3), place(3)
     call MPI_Comm_size(MPI_COMM_WORLD, ranks, error)
     layout = 0
     call MPI_Dims_create(ranks, 3, layout, error)
-    call MPI_Cart_create(MPI_COMM_WORLD, 3, layout, [.false., .false., .false.], .false., boxes, error)
+    call MPI_Cart_create(MPI_COMM_WORLD, 3, layout, [.false., .false., .false.], .false., boxes, &
+      error)
     call MPI_Cart_coords(boxes, rank, 3, place, error)
     lower = cells * place / layout
     upper = cells * (place + 1) / layout
   end subroutine
 
-  !> The rank beside this one, -1 where the grid ends.
+  !> Returns the rank of the adjacent box, -1 where the grid ends.
   integer(c_int) function neighbor(axis, step)
     integer, intent(in) :: axis, step
     integer :: from, to
@@ -87,7 +92,7 @@ contains
     neighbor = merge(-1, to, to == MPI_PROC_NULL)
   end function
 
-  !> Asks for the mesh that was made, and prints what all ranks have together.
+  !> Gets the mesh and prints its totals over all ranks.
   subroutine report()
     integer(c_int) :: nodes, hexes, tets
     integer(c_int), allocatable :: connectivity(:, :)
@@ -110,23 +115,27 @@ contains
       trim(merge('tets ', 'hexes', tet_mesh == 1)), ', volume ', volume
   end subroutine
 
-  !> There is one fragment: all that there is.
+  !> Checks that the mesh is one fragment, with the same elements.
   subroutine check_fragment(nodes, expected)
     integer(c_int), intent(in) :: nodes, expected(:, :)
     integer(c_int) :: own_nodes, hexes, tets, connectivity(size(expected, 1), size(expected, 2))
     real(c_double) :: coords(3, nodes)
     call require(c_get_num_fragments(handle) == 1, "c_get_num_fragments")
-    call require(c_get_fragment_totals(handle, 1, own_nodes, hexes, tets) == 0, "c_get_fragment_totals")
-    call require(own_nodes == nodes .and. hexes + tets == size(expected, 2), "the count of the fragment")
+    call require(c_get_fragment_totals(handle, 1, own_nodes, hexes, tets) == 0, &
+      "c_get_fragment_totals")
+    call require(own_nodes == nodes .and. hexes + tets == size(expected, 2), &
+      "the count of the fragment")
     if (tet_mesh == 1) then
       call require(c_get_fragment_tets(handle, 1, coords, connectivity) == 0, "c_get_fragment_tets")
     else
-      call require(c_get_fragment_hexes(handle, 1, coords, connectivity) == 0, "c_get_fragment_hexes")
+      call require(c_get_fragment_hexes(handle, 1, coords, connectivity) == 0, &
+        "c_get_fragment_hexes")
     end if
     call require(all(connectivity == expected), "the comparison of the fragment")
   end subroutine
 
-  !> Of all ranks, those that several have once; on rank 0. Nodes are compared with those of the same cell alone.
+  !> Returns the number of nodes of all ranks, shared nodes counted once; valid on rank 0. A node is
+  !> compared only with nodes of the same cell.
   integer function count_nodes(coords)
     real(c_double), intent(in) :: coords(:, :)
     integer, allocatable :: counts(:), first(:), next(:)
@@ -139,8 +148,8 @@ contains
       first(r) = sum(counts(:r - 1))
     end do
     allocate (nodes(3, sum(counts) / 3), next(sum(counts) / 3))
-    call MPI_Gatherv(coords, size(coords), MPI_DOUBLE_PRECISION, nodes, counts, first, MPI_DOUBLE_PRECISION, 0, &
-      MPI_COMM_WORLD, error)
+    call MPI_Gatherv(coords, size(coords), MPI_DOUBLE_PRECISION, nodes, counts, first, &
+      MPI_DOUBLE_PRECISION, 0, MPI_COMM_WORLD, error)
     count_nodes = 0
     if (rank > 0) return
     newest = 0
@@ -159,7 +168,8 @@ contains
     end do
   end function
 
-  !> Of all elements of this rank; a hexahedron is six tetrahedra around its diagonal.
+  !> Returns the volume of all elements of this rank. Divides a hexahedron into six tetrahedra
+  !> around its diagonal.
   real(c_double) function sum_of_volumes(coords, connectivity)
     real(c_double), intent(in) :: coords(:, :)
     integer(c_int), intent(in) :: connectivity(:, :)
@@ -173,7 +183,8 @@ contains
         sum_of_volumes = sum_of_volumes + volume_of_tet(corner)
       else
         do t = 1, 6
-          sum_of_volumes = sum_of_volumes + volume_of_tet(corner(:, [1, around(t), around(t + 1), 7]))
+          sum_of_volumes = sum_of_volumes + &
+            volume_of_tet(corner(:, [1, around(t), around(t + 1), 7]))
         end do
       end if
     end do

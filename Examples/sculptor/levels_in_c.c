@@ -1,8 +1,9 @@
-/* Meshes a ball from C where the grid is refined: blocks of cells of two levels, dealt to any
- * number of ranks.
+/* Meshes a ball on a refined grid from C. Blocks of two levels are distributed over any number of
+ * ranks; blocks with the ball's surface have cells half as wide. Prints the numbers of blocks and
+ * elements and the volume, and writes no file.
  *
- *   mpicc levels_in_c.c $(pkg-config --cflags --libs sculptor) -o levels_in_c && mpiexec -n 3
- * ./levels_in_c
+ *   mpicc levels_in_c.c $(pkg-config --cflags --libs sculptor) -o levels_in_c
+ *   mpiexec -n 3 ./levels_in_c
  */
 #include <Sculptor.h>
 
@@ -12,11 +13,11 @@
 
 enum
 {
-  BLOCKS = 6, /* along each axis of the unit cube */
-  CELLS = 2   /* of level 0 in a block, along each axis */
+  BLOCKS = 6, /* number along each axis of the unit cube */
+  CELLS = 2   /* number along each axis of a block of level 0 */
 };
 
-/* Part of a cell in the ball, from 4 x 4 x 4 samples. */
+/* Returns the volume fraction of the ball in a cell, from 4 x 4 x 4 samples. */
 static double fraction_of_ball(const double* lower, double width)
 {
   int inside = 0;
@@ -34,7 +35,7 @@ static double fraction_of_ball(const double* lower, double width)
   return inside / 64.0;
 }
 
-/* The fractions of a block's n x n x n cells; how many cells are mixed goes to *mixed. */
+/* Returns the fractions of a block's n x n x n cells. Sets *mixed to the number of mixed cells. */
 static double* make_fractions(const double* box, int n, int* mixed)
 {
   double* vfrac = malloc(sizeof(double) * n * n * n);
@@ -68,8 +69,7 @@ int main(int argc, char** argv)
   double* fields[BLOCKS * BLOCKS * BLOCKS] = { NULL };
   check(sculptor_create(&sculptor), 0);
 
-  /* Where the grid changes from step to step, all of this comes after sculptor_clear_blocks, each
-   * time. */
+  /* If the grid changes between steps, call sculptor_clear_blocks and then add all blocks again. */
   for (int b = rank; b < BLOCKS * BLOCKS * BLOCKS; b += ranks)
   {
     const int at[3] = { b % BLOCKS, b / BLOCKS % BLOCKS, b / (BLOCKS * BLOCKS) };

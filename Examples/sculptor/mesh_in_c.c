@@ -1,9 +1,10 @@
-/* Meshes a ball on a plate from C as tetrahedra on any number of ranks, each with a slab of the
- * grid; the temperature of the cells goes to the elements. mesh_in_fortran.f90 does and prints the
- * same.
+/* Meshes a ball on a plate as tetrahedra from C and transfers the temperature of the cells to the
+ * elements. Runs on any number of ranks; each rank owns a slab of the grid. Prints volumes, the
+ * size of the contact surface and the highest temperature, and writes no file. mesh_in_fortran.f90
+ * is the same program in Fortran.
  *
- *   mpicc mesh_in_c.c $(pkg-config --cflags --libs sculptor) -o mesh_in_c && mpiexec -n 2
- * ./mesh_in_c
+ *   mpicc mesh_in_c.c $(pkg-config --cflags --libs sculptor) -o mesh_in_c
+ *   mpiexec -n 2 ./mesh_in_c
  */
 #include <Sculptor.h>
 
@@ -13,16 +14,16 @@
 
 enum
 {
-  N = 20 /* cells along each axis of the whole grid, cubes of 1 */
+  N = 20 /* number of cells along each axis of the whole grid; they are cubes of width 1 */
 };
 
-/* Of this rank's cells. */
+/* Values of this rank's cells. */
 typedef struct
 {
   double *ball, *plate, *temperature;
 } Fields;
 
-/* Part of the cell (i,j,k) in the ball, from 4 x 4 x 4 samples. */
+/* Returns the volume fraction of the ball in cell (i,j,k), from 4 x 4 x 4 samples. */
 static double fraction_of_ball(int i, int j, int k)
 {
   int inside = 0;
@@ -36,7 +37,7 @@ static double fraction_of_ball(int i, int j, int k)
   return inside / 64.0;
 }
 
-/* Of the layers first to last. */
+/* Returns the fields on the layers [first, last). */
 static Fields make_fields(int first, int last)
 {
   const size_t size = sizeof(double) * N * N * (last - first);
@@ -60,7 +61,7 @@ static void check(int code, int sculptor)
   }
 }
 
-/* This rank's triangles between ball and plate. */
+/* Returns the number of this rank's triangles between ball and plate. */
 static int count_contact(int s)
 {
   int64_t triangles;
@@ -77,7 +78,7 @@ static int count_contact(int s)
   return count;
 }
 
-/* Prints what all ranks have together. */
+/* Prints the totals of the mesh over all ranks. */
 static void report(int s, int rank)
 {
   int64_t points, elements;

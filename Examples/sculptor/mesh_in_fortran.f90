@@ -1,15 +1,18 @@
-! Meshes a ball on a plate from Fortran as tetrahedra on any number of ranks, each with a slab of the grid; the
-! temperature of the cells goes to the elements. mesh_in_c.c does and prints the same.
+! Meshes a ball on a plate as tetrahedra from Fortran and transfers the temperature of the cells to
+! the elements. Runs on any number of ranks; each rank owns a slab of the grid. Prints volumes, the
+! size of the contact surface and the highest temperature, and writes no file. mesh_in_c.c is the
+! same program in C.
 !
 !   gfortran -c $(pkg-config --variable=includedir sculptor)/sculptor.f90
-!   mpif90 mesh_in_fortran.f90 sculptor.o $(pkg-config --libs sculptor) -o mesh_in_fortran && mpiexec -n 2 ./mesh_in_fortran
+!   mpif90 mesh_in_fortran.f90 sculptor.o $(pkg-config --libs sculptor) -o mesh_in_fortran
+!   mpiexec -n 2 ./mesh_in_fortran
 program mesh_in_fortran
   use, intrinsic :: iso_c_binding
   use mpi
   use sculptor
   implicit none
 
-  integer, parameter :: n = 20 ! cells along each axis of the whole grid
+  integer, parameter :: n = 20 ! number of cells along each axis of the whole grid
   integer :: error, rank, ranks, first, last, i, j, k, components
   integer(c_int) :: s, corners
   integer(c_int64_t) :: points, elements
@@ -73,7 +76,7 @@ program mesh_in_fortran
 
 contains
 
-  !> Part of the cell in the ball, from 4 x 4 x 4 samples.
+  !> Returns the volume fraction of the ball in a cell, from 4 x 4 x 4 samples.
   real(c_double) function fraction_of_ball(i, j, k)
     integer, intent(in) :: i, j, k
     integer :: a, b, c, inside
@@ -81,15 +84,15 @@ contains
     do c = 1, 4
       do b = 1, 4
         do a = 1, 4
-          if ((i - 1 + (a - 0.5) / 4 - 10)**2 + (j - 1 + (b - 0.5) / 4 - 10)**2 + (k - 1 + (c - 0.5) / 4 - 11)**2 < 36) &
-            inside = inside + 1
+          if ((i - 1 + (a - 0.5) / 4 - 10)**2 + (j - 1 + (b - 0.5) / 4 - 10)**2 + &
+            (k - 1 + (c - 0.5) / 4 - 11)**2 < 36) inside = inside + 1
         end do
       end do
     end do
     fraction_of_ball = inside / 64.0_c_double
   end function
 
-  !> This rank's triangles between ball and plate.
+  !> Returns the number of this rank's triangles between ball and plate.
   integer function count_contact()
     integer(c_int64_t) :: triangles, t
     integer(c_int) :: surfaces, columns
