@@ -1,7 +1,6 @@
-"""What the tests of refined input (AMR) share: a ball and a plate on several levels, and the data
-sets that hold them.
+"""Refined input (AMR) for tests: a ball and a plate on several levels, in each kind of data set.
 
-A block is (level, box): a box ((z0, z1), (y0, y1), (x0, x1)) of cells of that level.
+A block is (level, box), where box is ((z0, z1), (y0, y1), (x0, x1)) in cells of that level.
 """
 import numpy as np
 from vtkmodules.vtkCommonDataModel import (
@@ -14,7 +13,7 @@ N = 6  # cells of level 0 along each axis
 
 
 def means(values, ratio=2):
-    """The mean of each ratio^3 cells."""
+    """Returns the means over blocks of ratio^3 cells."""
     shape = [n for count in values.shape for n in (count // ratio, ratio)]
     return values.reshape(shape).mean(axis=(1, 3, 5))
 
@@ -24,8 +23,11 @@ def doubled(values):
 
 
 def fields(levels, n=N):
-    """Arrays of each level, those of coarser ones the means of those of the finest; "number" tells
-    level and cell."""
+    """Returns the arrays of each level, coarsest first.
+
+    Fractions of a coarse level are the means over the next finer one. "number" encodes level
+    and cell.
+    """
     result = [dict(zip(("ball", "plate"), ball_and_plate(n << levels)))]
     for _ in range(levels):
         result.insert(0, {name: means(values) for name, values in result[0].items()})
@@ -40,7 +42,7 @@ def spacing(level):
 
 
 def block_of(all_fields, block, extra=None, kind=vtkUniformGrid):
-    """The grid of a block; extra: more arrays of the whole level."""
+    """Returns the grid of a block; `extra`: further arrays of the whole level."""
     level, box = block
     window = tuple(slice(*span) for span in box)
     arrays = {name: np.ascontiguousarray(values[window])
@@ -58,18 +60,21 @@ def block_of(all_fields, block, extra=None, kind=vtkUniformGrid):
 
 
 def cut(n, counts):
-    """The boxes of counts parts an axis of n cells."""
+    """Returns the boxes of a cube of n^3 cells cut into `counts` parts along each axis."""
     spans = [(n * i // counts, n * (i + 1) // counts) for i in range(counts)]
     return [(z, y, x) for z in spans for y in spans for x in spans]
 
 
 def everywhere(levels, parts=2):
-    """Blocks of every level that fill it."""
+    """Returns blocks of every level; the blocks of each level fill the domain."""
     return [(level, box) for level in range(levels + 1) for box in cut(N << level, parts)]
 
 
 def nested(levels=2):
-    """Level 0 everywhere, the others in the middle and, of level 1, at a corner of the domain."""
+    """Returns blocks of level 0 everywhere and of finer levels in the middle.
+
+    One block of level 1 lies at a corner of the domain.
+    """
     blocks = [(0, box) for box in cut(N, 2)]
     if levels > 0:
         blocks += [(1, ((2, 12), (2, 10), (2, 6))), (1, ((2, 12), (2, 10), (6, 10))),
@@ -103,7 +108,7 @@ def by_level(all_fields, blocks, extra=None):
 
 
 def non_overlapping(all_fields, blocks):
-    """Leaves out the blocks that finer ones cover; blocks must be cut so that they can."""
+    """Makes vtkNonOverlappingAMR. The caller cuts the blocks so that none is partly covered."""
     return amr_data(by_level(all_fields, blocks))
 
 
@@ -112,14 +117,16 @@ def overlapping(all_fields, blocks, extra=None, ratio=2):
 
 
 def set_boxes(data, counts):
-    """The numbers of boxes of each level of AMR data, which VTK takes otherwise since 9.6."""
+    """Sets the number of boxes per level of AMR data; VTK 9.6 changed the call."""
     data.Initialize(counts) if hasattr(data,
                                        "GetAMRMetaData") else data.Initialize(len(counts), counts)
 
 
 def amr_data(grids, ratio=None):
-    """The uniform grids of each level, coarsest first, as vtkOverlappingAMR of that ratio, or
-    vtkNonOverlappingAMR."""
+    """Combines the uniform grids of each level, coarsest first.
+
+    Returns vtkOverlappingAMR if a ratio is given, otherwise vtkNonOverlappingAMR.
+    """
     data = vtkOverlappingAMR() if ratio else vtkNonOverlappingAMR()
     set_boxes(data, [len(level) for level in grids])
     if ratio:
@@ -141,7 +148,7 @@ def amr_data(grids, ratio=None):
 
 
 def cover(blocks, levels, level):
-    """Whether each cell of a level is covered by blocks of that level or a finer one."""
+    """Returns for each cell of a level whether blocks of that level or a finer one cover it."""
     result = np.zeros((N << level,) * 3, bool)
     for own, box in blocks:
         if level <= own <= levels:

@@ -1,9 +1,8 @@
-"""Small AMR data and its files as four codes write them: VTK (.vthb), AMReX plotfiles, Enzo, FLASH;
-SpyPlot by spyplot.py.
+"""Small AMR data and its files in four formats: VTK (.vthb), AMReX plotfiles, Enzo and FLASH.
 
-All hold the same: a ball in a box, fractions of it and of the rest, refined where its surface is.
-Coarse cells under finer ones have the mean of these, so that every level has the same volumes. Enzo
-and FLASH need h5py.
+spyplot.py writes SpyPlot files. All files hold a ball in a box, the fractions of the ball and of
+the rest, refined at the surface of the ball. Coarse cells under finer ones hold the means of these,
+so that each level has equal volumes. Enzo and FLASH files need h5py.
 """
 import os
 import shutil
@@ -17,14 +16,17 @@ from amr_cases import amr_data, means
 from spyplot import Block, with_ghosts
 from vfmtest import image
 
-BLOCK = 4  # cells of a block along each axis
-ORIGIN, SPACING = np.array(vfmtest.ORIGIN), np.array(vfmtest.SPACING)  # of level 0
-SAMPLES = 2  # of a finest cell along each axis
+BLOCK = 4  # cells per block along each axis
+ORIGIN, SPACING = np.array(vfmtest.ORIGIN), np.array(vfmtest.SPACING)  # values of level 0
+SAMPLES = 2  # samples per finest cell along each axis
 
 
 class AmrBlock:
-    """Cells of a level from index lo on; arrays {name: values (z, y, x)}; leaf: nothing finer lies
-    on any of its cells."""
+    """Cells of one level.
+
+    lo: index of the first cell; arrays: {name: values (z, y, x)}; leaf: no finer block covers
+    any cell.
+    """
 
     def __init__(self, level, lo, arrays, leaf):
         self.level, self.lo, self.arrays, self.leaf = level, np.asarray(lo), arrays, leaf
@@ -34,11 +36,14 @@ class AmrBlock:
 
 
 class Amr:
-    """Blocks by level, coarsest first, on cells of width / ratio^level from ORIGIN; roots: blocks
-    of level 0 in x y z."""
+    """Blocks sorted by level, coarsest first.
+
+    roots: numbers of level-0 blocks in x, y, z. A cell has the size width / ratio^level. The
+    domain begins at ORIGIN.
+    """
 
     def __init__(self, blocks, ratio, levels, roots, width=SPACING):
-        self.blocks = sorted(blocks, key=lambda block: block.level)  # stable
+        self.blocks = sorted(blocks, key=lambda block: block.level)  # a stable sort
         self.ratio, self.levels, self.roots, self.width = ratio, levels, roots, width
 
     def spacing(self, level):
@@ -48,7 +53,7 @@ class Amr:
         return [block for block in self.blocks if block.level == level]
 
     def domain(self, level):
-        """Cells of the whole domain on that level."""
+        """Returns the number of cells of the whole domain on that level."""
         return np.array(self.roots) * BLOCK * self.ratio ** level
 
     def corner(self, block, upper=False):
@@ -56,7 +61,7 @@ class Amr:
 
 
 def finest_fractions(cells):
-    """Of the ball and of the rest, (z, y, x), on so many cells in x y z."""
+    """Returns the fractions of the ball and of the rest, (z, y, x), on `cells` cells in x, y, z."""
     axes = [(np.arange(n * SAMPLES) + 0.5) / (n * SAMPLES) for n in cells]
     z, y, x = np.meshgrid(*axes[::-1], indexing="ij")
     longest = max(cells)
@@ -67,8 +72,12 @@ def finest_fractions(cells):
 
 
 def make_amr(levels=3, ratio=2, roots=(3, 3, 3), finest=None, width=SPACING):
-    """The ball, or the fractions of the finest level {name: (z, y, x)}; a block is refined where it
-    holds an interface of the first. Of the ball's 3 x 3 x 3 blocks those in the corners are not."""
+    """Returns AMR data of the ball, or of the given fractions.
+
+    finest: {name: fractions (z, y, x) on the finest level}. A block is refined if it contains
+    an interface of the first array. Of the 3 x 3 x 3 blocks of the ball, the corner blocks are
+    not refined.
+    """
     finest = finest or finest_fractions(np.array(roots) * BLOCK * ratio ** (levels - 1))
     fields = [{name: means(values, ratio ** (levels - 1 - level))
                for name, values in finest.items()}
@@ -101,7 +110,7 @@ def uniform_grid(amr, block):
 
 
 def vtk_amr(amr, kind=vtkOverlappingAMR):
-    """A VTK data set: all blocks when they may overlap, or the leaves alone."""
+    """Makes a VTK data set of all blocks if they may overlap, otherwise only of the leaves."""
     overlapping = kind is vtkOverlappingAMR
     grids = [[uniform_grid(amr, block) for block in amr.of_level(level) if overlapping
               or block.leaf] for level in range(amr.levels)]
@@ -122,8 +131,10 @@ def box_text(lo, hi):
 
 
 def write_plotfile(folder, amr, time=0.5):
-    """An AMReX plotfile (HyperCLaw-V1.1): a folder with Header and Level_0 ..; all values little
-    endian doubles."""
+    """Writes an AMReX plotfile (HyperCLaw-V1.1): a folder with Header and Level_0 ..
+
+    All values are little-endian doubles.
+    """
     shutil.rmtree(folder, ignore_errors=True)
     names = list(amr.blocks[0].arrays)
     upper = ORIGIN + amr.domain(0) * amr.width
@@ -167,9 +178,11 @@ def write_plotfile_level(folder, blocks, names):
 
 
 def write_enzo(folder, amr, name="DD0001"):
-    """Enzo's parameter file, .hierarchy and one .cpu0000 of HDF5; returns the path of the
-    .hierarchy. All children of a block follow it and each other, as a list of grids of this level
-    and one of the next."""
+    """Writes Enzo's parameter file, .hierarchy and one .cpu0000 in HDF5.
+
+    Returns the path of the .hierarchy. The children of a block follow it as a list of grids of
+    this level and one grid of the next.
+    """
     import h5py
 
     os.makedirs(folder, exist_ok=True)
@@ -184,18 +197,20 @@ def write_enzo(folder, amr, name="DD0001"):
             for array, values in block.arrays.items():
                 group[array] = values
             row = lambda values: " ".join("%r" % v for v in np.asarray(values).tolist())
-            text += ("\nGrid = %d\nTask = 0\nGridRank = 3\nGridDimension = %s\nGridStartIndex = 3 3 3\nGridEndIndex = %s\n"
-                     "GridLeftEdge = %s\nGridRightEdge = %s\nTime = 0.5\nNumberOfBaryonFields = %d\nBaryonFileName = %s\n"
+            text += ("\nGrid = %d\nTask = 0\nGridRank = 3\nGridDimension = %s\n"
+                     "GridStartIndex = 3 3 3\nGridEndIndex = %s\n"
+                     "GridLeftEdge = %s\nGridRightEdge = %s\nTime = 0.5\n"
+                     "NumberOfBaryonFields = %d\nBaryonFileName = %s\n"
                      "NumberOfParticles = 0\n" % (
                          number, row(block.size() + 6), row(block.size() + 2),
                          row(amr.corner(block)),
                          row(amr.corner(block, True)), len(block.arrays), name + ".cpu0000"))
             following = grids[number].level if number < len(grids) else block.level
-            # The reader gives what follows the level of the last grid that points to a next level,
-            # plus one.
+            # The level of the next grid is one more than that of the last grid with a next level.
             if following > block.level:
-                text += "Pointer: Grid[%d]->NextGridThisLevel = 0\nPointer: Grid[%d]->NextGridNextLevel = %d\n" % (
-                    number, number, number + 1)
+                text += ("Pointer: Grid[%d]->NextGridThisLevel = 0\n"
+                         "Pointer: Grid[%d]->NextGridNextLevel = %d\n" % (
+                             number, number, number + 1))
             else:
                 text += "Pointer: Grid[%d]->NextGridThisLevel = %d\n" % (
                     number, number + 1 if number < len(grids) else 0)
@@ -205,8 +220,10 @@ def write_enzo(folder, amr, name="DD0001"):
 
 
 def write_flash(path, amr, time=0.5):
-    """A FLASH3 checkpoint or plot file (format version 9): blocks of one size in an octree; levels
-    count from 1."""
+    """Writes a FLASH3 checkpoint or plot file (format version 9).
+
+    It holds equally sized blocks in an octree; levels count from 1.
+    """
     import h5py
 
     assert amr.ratio == 2
@@ -234,8 +251,10 @@ def write_flash(path, amr, time=0.5):
 
 
 def spyplot_blocks(amr, steps=1):
-    """The leaves as blocks of a SpyPlot file, with ghost cells of a value that no reader may let
-    through."""
+    """Returns the leaves as blocks of a SpyPlot file.
+
+    The value of ghost cells is invalid, so that a reader that returns it is detected.
+    """
     blocks = []
     for block in amr.blocks:
         if not block.leaf:

@@ -1,11 +1,11 @@
 #!/usr/bin/env pvpython
-"""Merges the pieces of a mesh by their global ids and compares meshes bit for bit.
+"""Merges the pieces of a mesh by their global ids and compares two meshes byte by byte.
 
-usage: pvpython compare_meshes.py MESH.pvtu GOLD.pvtu     also .vtu, and .pvtp and .vtp for
-       surfaces, curves, vertices
+usage: pvpython compare_meshes.py MESH.pvtu GOLD.pvtu
+       also .vtu; .pvtp and .vtp for surfaces, curves and vertices
 
-Points that several pieces share must be the same in all; a cell may be in one piece only; field
-data must be the same in all pieces. The order of points and cells is of no matter.
+Points shared by several pieces must be equal in all of them; a cell may be in one piece only; field
+data must be equal in all pieces. The order of points and cells does not matter.
 """
 import os
 import sys
@@ -17,7 +17,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridRead
 
 
 def read_pieces(path):
-    """The data sets of a file of the XML formats, in serial or in pieces."""
+    """Reads the data sets of a file in a VTK XML format, serial or in pieces."""
     paths = [path]
     if os.path.splitext(path)[1].startswith(".pv"):
         pieces = xml.etree.ElementTree.parse(path).iter("Piece")
@@ -43,7 +43,7 @@ def field_of(data):
 
 
 def piece_of(data):
-    """Points and cells of one piece as {name: array}; connectivity in global point ids."""
+    """Returns points and cells of one piece as {name: array}; connectivity in global point ids."""
     points = arrays_of(data.GetPointData())
     points["Points"] = vtk_to_numpy(data.GetPoints().GetData())
     cells = arrays_of(data.GetCellData())
@@ -61,15 +61,17 @@ def joined(pieces):
 
 
 def rows_as_bytes(arrays, order):
-    """All arrays side by side, a row an item, each row as raw bytes: compares bit for bit."""
+    """Joins all arrays to one row of raw bytes per item, for a bitwise comparison."""
     parts = [np.ascontiguousarray(arrays[name][order]).reshape(len(order), -1).view(np.uint8)
              for name in sorted(arrays)]
     return np.concatenate(parts, axis=1)
 
 
 def merge(pieces):
-    """The whole of a mesh from its data sets: {"points", "cells": bytes a row in the order of the
-    ids, "field"}."""
+    """Merges data sets to one mesh.
+
+    Returns {"points", "cells": rows of bytes in the order of the ids, "field": text}.
+    """
     filled = [piece for piece in pieces if piece.GetNumberOfCells() > 0]
     fields = [field_of(piece) for piece in pieces]
     assert all(repr(field) == repr(fields[0])
@@ -96,7 +98,7 @@ def merge(pieces):
 
 
 def difference(one, other):
-    """What differs between two merged meshes, or an empty text."""
+    """Returns a description of the first difference of two merged meshes, or an empty text."""
     for part in ("points", "cells"):
         if one[part].shape != other[part].shape:
             return "%s %s instead of %s" % (part, one[part].shape, other[part].shape)

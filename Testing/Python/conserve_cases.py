@@ -1,5 +1,4 @@
-"""What the tests of conserved state share: state on cells, and totals in numpy of the cells of an
-input and of the elements of a mesh."""
+"""State on cells for tests of conservation, and numpy totals over input cells and mesh elements."""
 import numpy as np
 
 from vfmtest import (
@@ -16,7 +15,7 @@ TOLERANCE = 1e-13
 
 
 def state(shape, seed=1, jump=10.0):
-    """Arrays (z, y, x) and (z, y, x, 3) of cells: smooth, with noise and a jump in the middle."""
+    """Returns arrays of scalars and vectors on cells: smooth, with noise and a jump along z."""
     random = np.random.default_rng(seed)
     z, y, x = np.meshgrid(*[(np.arange(n) + 0.5) / n for n in shape], indexing="ij")
     noise = lambda: 0.2 * random.random(shape)
@@ -29,8 +28,11 @@ def state(shape, seed=1, jump=10.0):
 
 
 def cells_of(fractions, arrays, volume, density="density"):
-    """What cells hold: {material: {total: value}}; fractions: {material: of each cell}; volume: of
-    each cell. density: that array, or one of each material."""
+    """Returns the totals over the cells: {material: {total: value}}.
+
+    fractions: {material: fraction per cell}; volume: volume per cell; density: name of the array,
+    or {material: name}.
+    """
     filled = sum(f for material, f in fractions.items() if material != 0)
     result = {}
     for material, fraction in fractions.items():
@@ -57,7 +59,7 @@ def cells_of(fractions, arrays, volume, density="density"):
 
 
 def added(parts):
-    """The sums of several such totals."""
+    """Returns the sums of several results of cells_of()."""
     result = {}
     for part in parts:
         for material, totals in part.items():
@@ -75,7 +77,7 @@ def volumes_of(result):
 
 
 def nodal_kinetic(result, mass, name="velocity"):
-    """Kinetic energy and momentum of the nodes, with the lumped mass of the elements."""
+    """Returns kinetic energy and momentum of the nodes, with the lumped mass of the elements."""
     corners, nodal = elements(result), result.points(name)
     lumped = np.bincount(corners.ravel(), np.repeat(mass / corners.shape[1], corners.shape[1]),
                          len(nodal))
@@ -83,7 +85,7 @@ def nodal_kinetic(result, mass, name="velocity"):
 
 
 def elements_hold(result, density="density"):
-    """What the elements hold: {material: {total: value}}."""
+    """Returns the totals over the elements: {material: {total: value}}."""
     arrays = {result.mesh.GetCellData().GetArrayName(i)
               for i in range(result.mesh.GetCellData().GetNumberOfArrays())}
     volume = volumes_of(result)
@@ -111,8 +113,10 @@ def close(one, other, scale):
 
 
 def check_balance(result, cells, skipped=("volume", "kinetic"), unmeshed=None):
-    """What elements hold is what the cells did, but for what is told to be not meshed ({material:
-    totals})."""
+    """Checks that the totals of the elements equal those over the cells, minus `unmeshed`.
+
+    unmeshed: {material: totals} of the material that was reported as not meshed.
+    """
     mesh = elements_hold(result)
     assert mesh.keys() <= cells.keys() and mesh, (mesh.keys(), cells.keys())
     for material, held in mesh.items():
@@ -130,8 +134,11 @@ def check_balance(result, cells, skipped=("volume", "kinetic"), unmeshed=None):
 
 
 def check_energy(result, cells, name="energy", lost=0.0):
-    """Internal and kinetic energy of the mesh, kinetic of the nodes where they have velocities, are
-    together those of the cells."""
+    """Checks that internal plus kinetic energy of the mesh equals the energy of the cells.
+
+    The kinetic energy is summed over the nodes if they have velocities, otherwise over
+    the elements.
+    """
     volume = volumes_of(result)
     mass = volume * result.cells("density")
     internal = mass @ result.cells(name)
@@ -155,7 +162,7 @@ MAKES = [{}] + [{"make": VolumeFractionToTet, "Method": method} for method in TE
 
 
 def conserved(data=DATA, **properties):
-    """The mesh with its state, without any warning."""
+    """Returns the mesh with its state and checks that there was no warning."""
     result = mesh_of(data, **{**CONSERVE, **properties})
     assert not result.warnings, result.warnings
     return result

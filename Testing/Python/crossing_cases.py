@@ -1,5 +1,7 @@
-"""Bodies that want fine cells in one place only, so that their interfaces cross levels
-(FineInterfaces off)."""
+"""Bodies that need fine cells in one place only, so that their interfaces cross levels.
+
+The option FineInterfaces is off.
+"""
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -15,9 +17,12 @@ def text(values):
 
 
 def ball_with_film(n, fin):
-    """Exact fractions (z, y, x) in n cells along each axis of a ball, and of an oblique film beside
-    it or, fin, one that sticks out of it; the centre and the radius of the ball in cells."""
-    cell = 2 / n  # the box goes from -1 to 1
+    """Returns exact fractions (z, y, x) of a ball and an oblique film on n^3 cells.
+
+    The film lies next to the ball; with `fin`, it sticks out of the ball. The centre and the radius
+    of the ball, in cells, are returned also.
+    """
+    cell = 2 / n  # The box extends from -1 to 1.
     radius = 0.25 * n
     centre = np.array([-0.16 * n, 0.01 * n, 0.007 * n])
     normal = np.array([0.25, 0.15, 1]) if fin else np.array([1, 0.3, 0.2])
@@ -31,6 +36,6 @@ def ball_with_film(n, fin):
         shapes += " cut=%s,%s" % (text((centre + radius * np.array(place)) * cell), text(outwards))
     source = VolumeFractionShapes(Dimensions=[n] * 3, Shapes=shapes)
     algorithm = source.GetClientSideObject()
-    algorithm.UpdatePiece(0, 1, 0)  # all of it, on every rank
+    algorithm.UpdatePiece(0, 1, 0)  # the whole image on every rank
     data = algorithm.GetOutputDataObject(0).GetCellData()
     return vtk_to_numpy(data.GetArray("Material1")).reshape(n, n, n).copy(), centre + n / 2, radius

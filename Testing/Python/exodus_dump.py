@@ -1,14 +1,14 @@
-"""Reads Exodus files through the text of ncdump, which shares no code with the writer or with
-ParaView's readers.
+"""Reads Exodus files through the text of ncdump.
 
-Parts of one mesh are joined by their global ids, so that meshes compare whatever files they are in.
+ncdump shares no code with the writer or with ParaView's readers. Parts of one mesh are joined by
+global ids, so that meshes can be compared however they are split into files.
 """
 import re
 import subprocess
 
 import numpy as np
 
-# Nodes of the sides, from 0, as the Exodus manual draws them: counterclockwise from outside.
+# Nodes of the sides, from 0, as drawn in the Exodus manual: counterclockwise from outside.
 SIDES = {8: np.array([[1, 2, 6, 5], [2, 3, 7, 6], [3, 4, 8, 7], [1, 5, 8, 4], [1, 4, 3, 2],
                       [5, 6, 7, 8]]) - 1,
          4: np.array([[1, 2, 4], [2, 3, 4], [1, 4, 3], [1, 3, 2]]) - 1}
@@ -20,7 +20,7 @@ def run_ncdump(*arguments):
 
 
 def kind(path):
-    """The file format: '64-bit offset', 'netCDF-4', ..."""
+    """Returns the file format: '64-bit offset', 'netCDF-4', ..."""
     return run_ncdump("-k", path).strip()
 
 
@@ -35,8 +35,10 @@ def parse_values(text):
 
 
 class Dump:
-    """One file: sizes, attributes and variables as flat lists, by the names that the Exodus library
-    gives them."""
+    """Contents of one file: sizes, attributes and variables as flat lists.
+
+    The keys are the names that the Exodus library uses.
+    """
 
     def __init__(self, path):
         text = run_ncdump("-p", "9,17", path)
@@ -47,7 +49,7 @@ class Dump:
         self.attributes = dict(re.findall(r'^\t\t(\w*:\w+) = "?(.*?)"? ;$', head, re.M))
         self.types = {name: word
                       for word, name in re.findall(r"^\t(\w+) (\w+)(?:\(|;| ;)", head, re.M)}
-        # a value may hold ";", a line that ends with " ;" ends the variable
+        # A value may contain ";"; a line that ends with " ;" ends the variable.
         self.values = {name: parse_values(values)
                        for name, values in re.findall(r"^ (\w+) =\s(.*?) ;$", data, re.M | re.S)}
 
@@ -61,7 +63,7 @@ class Dump:
         return self.values.get(kind + "_names", [])
 
     def elements(self):
-        """(block, corner numbers from 0) of each element."""
+        """Returns (block, corner numbers from 0) for each element."""
         found = []
         for i in range(self.size("num_el_blk")):
             count = self.size("num_el_in_blk%d" % (i + 1))
@@ -71,14 +73,14 @@ class Dump:
         return found
 
     def sides(self, i):
-        """Element numbers and sides of a side set, from 0."""
+        """Returns element numbers and side numbers of a side set, from 0."""
         return self.get("elem_ss%d" % (i + 1)) - 1, self.get("side_ss%d" % (i + 1)) - 1
 
     def points(self):
         return np.stack([self.get("coord" + axis) for axis in "xyz"], axis=1).astype(float)
 
     def variables(self, kind, prefix):
-        """{name: values in the order of the elements or nodes}."""
+        """Returns {name: values in the order of the elements or nodes}."""
         result = {}
         for v, name in enumerate(self.values.get("name_%s_var" % kind, []), 1):
             parts = ["%s%deb%d" % (prefix, v, b + 1) for b in range(self.size("num_el_blk"))]
@@ -92,27 +94,29 @@ class Dump:
 
 
 def side_corners(dump, i, elements):
-    """Corners, in order, of each face of a side set."""
+    """Returns the corners of each face of a side set, in order."""
     return [elements[e][1][SIDES[len(elements[e][1])][s]] for e, s in zip(*dump.sides(i))]
 
 
 def add(items, key, value, what):
-    """Items that several parts hold must be the same in each."""
+    """Adds an item and checks that all parts that hold it have the same value."""
     assert items.setdefault(key, value) == value, (what, key)
 
 
 def rows(variables, count):
-    """A tuple of all variables, in the order of their names, for each of count items."""
+    """Returns for each of `count` items a tuple of all variables, ordered by name."""
     return list(zip(*(variables[name].tolist()
                       for name in sorted(variables)))) if variables else [()] * count
 
 
 def join(dumps):
-    """The mesh in the files as dictionaries by global ids.
+    """Joins the parts of a mesh to dictionaries by global ids.
 
-    blocks {id: name}, nodes {id: (x, y, z, variables ..)}, elements {id: (block id, node ids,
-    variables ..)}, side sets and node sets {(id, name): set of (element id, node ids of the face)
-    or of node ids}.
+    - blocks: {id: name}
+    - nodes: {id: (x, y, z, variables ..)}
+    - elements: {id: (block id, node ids, variables ..)}
+    - sides: {(id, name): set of (element id, node ids of the face)}
+    - node sets: {(id, name): set of node ids}
     """
     mesh = {"blocks": {}, "nodes": {}, "elements": {}, "sides": {}, "node sets": {},
             "globals": None}
@@ -145,8 +149,10 @@ def join(dumps):
 
 
 def check_parts(dumps):
-    """What Nemesis says in each part agrees with all parts together; communication maps are
-    mutual."""
+    """Checks that the Nemesis data of each part agree with all parts together.
+
+    The communication maps must be mutual.
+    """
     mesh, shared = join(dumps), {}
     for rank, dump in enumerate(dumps):
         assert (dump.size("num_processors"), dump.size("num_procs_file")) == (len(dumps), 1)

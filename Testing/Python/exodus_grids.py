@@ -1,9 +1,10 @@
 """Hexahedra that form a Cartesian grid, and Exodus files of them.
 
-mpiexec -n P pvbatch --sym exodus_grids.py write FILE                   writes FILE.P.0, ..., each a
-ragged part of the grid
-mpiexec -n P pvbatch --sym exodus_grids.py mesh READER STEP FILE OUT    meshes FILE, read by
-OpenDataFile, IOSSReader or ExodusIIReader
+usage: mpiexec -n P pvbatch --sym exodus_grids.py write FILE
+       mpiexec -n P pvbatch --sym exodus_grids.py mesh READER STEP FILE OUT
+
+The command write makes FILE.P.0, ..., each a ragged part of the grid. The command mesh makes a mesh
+of FILE, which READER reads: OpenDataFile, IOSSReader or ExodusIIReader.
 """
 import sys
 
@@ -25,15 +26,14 @@ CORNERS = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0
 VOXEL_CORNERS = CORNERS[[0, 1, 3, 2, 4, 5, 7, 6]]
 N = 12
 UNIFORM = [ORIGIN[a] + SPACING[a] * np.arange(N + 1.0) for a in range(3)]
-# exact as float, too
+# The values are also exact as float.
 GRADED = [np.cumsum(np.resize(widths, N + 1))
           for widths in ([0.25, 0.5, 0.375], [0.5, 0.25], [0.25])]
 TIMES = [0.5, 2.0]
 
 
 def fields(step=0):
-    """The element variables at a time: MAT_10 and MAT_20 of ball_and_plate, and each cell's
-    number."""
+    """Returns the element variables at a time: fractions of ball_and_plate, and "number"."""
     ball, plate = ball_and_plate(N)
     turn = slice(None, None, -1 if step else 1)
     return {"MAT_10": ball[turn], "MAT_20": plate[turn],
@@ -45,7 +45,7 @@ def shuffled(seed=1):
 
 
 def ragged(rank, ranks):
-    """The cells of a rank in random order: those nearest to one of some random points."""
+    """Returns the cells nearest to the random point of this rank, in random order."""
     generator = np.random.default_rng(5)
     points = generator.uniform(0, N, (ranks, 3))
     cells = np.stack(np.unravel_index(np.arange(N ** 3), (N, N, N)), axis=1) + 0.5
@@ -54,8 +54,10 @@ def ragged(rank, ranks):
 
 
 def hexes(arrays, cells, coordinates=UNIFORM, kind=VTK_HEXAHEDRON):
-    """The cells with these numbers, x fastest, in that order, with cell arrays {name: values (z, y,
-    x)} and global ids."""
+    """Returns the cells with these numbers (x fastest), in that order.
+
+    The grid has global ids and the cell arrays {name: values (z, y, x)}.
+    """
     size = np.array([len(x) - 1 for x in coordinates])
     z, y, x = np.unravel_index(cells, size[::-1])
     corners = CORNERS if kind == VTK_HEXAHEDRON else VOXEL_CORNERS
@@ -84,7 +86,7 @@ def hexes(arrays, cells, coordinates=UNIFORM, kind=VTK_HEXAHEDRON):
 
 
 def element_blocks(grids):
-    """The grids {block: grid} as the writer takes them."""
+    """Returns the grids {block: grid} in the form that the writer requires."""
     blocks, assembly = vtkPartitionedDataSetCollection(), vtkDataAssembly()
     assembly.SetRootNodeName("IOSS")
     root = assembly.AddNode("element_blocks")
@@ -97,7 +99,7 @@ def element_blocks(grids):
 
 
 class Steps(VTKPythonAlgorithmBase):
-    """Element blocks that change with time."""
+    """Source of element blocks that change with time."""
 
     def __init__(self, times, make):
         super().__init__(nInputPorts=0, nOutputPorts=1,
@@ -120,7 +122,10 @@ class Steps(VTKPythonAlgorithmBase):
 
 
 def write_exodus(path, make, times=TIMES):
-    """make(step): {block: grid}. On several ranks all call it, each with its part."""
+    """Writes an Exodus file. On several ranks all call this function, each with its part.
+
+    make(step) returns {block: grid}.
+    """
     needs_vtk(9, 2, "vtkIOSSWriter")
     source, writer = Steps(times, make), vtkIOIOSS.vtkIOSSWriter()
     writer.SetInputConnection(source.GetOutputPort())
@@ -140,7 +145,7 @@ def write_ragged(path):
 
 
 def read(kind, path):
-    """A source of ParaView, with all element variables."""
+    """Returns a ParaView source with all element variables."""
     if kind == "OpenDataFile":
         return simple.OpenDataFile(path)
     source = getattr(simple, kind)(FileName=[path])
@@ -151,7 +156,7 @@ def read(kind, path):
 
 
 def mesh_of_reader(kind, step, path):
-    """The mesh of MAT_10 and MAT_20 at a time, with the cells' numbers."""
+    """Meshes MAT_10 and MAT_20 at a time and transfers the numbers of the cells."""
     mesher = VolumeFractionToHex(
         Input=read(kind, path), VolumeFractionArrays=["MAT_10", "MAT_20"], StateArrays=["number"])
     mesher.UpdatePipeline(TIMES[step])

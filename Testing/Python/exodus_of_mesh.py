@@ -1,4 +1,4 @@
-"""What Exodus files of a mesh in memory must hold."""
+"""Contents that Exodus files of a mesh in memory must have."""
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -7,7 +7,7 @@ from mesh_sets import array, elements_of, find_sets, material_names
 
 
 def columns(attributes):
-    """The variables that a file has of the arrays: vectors by X, Y, Z; no ids."""
+    """Returns the variables of the arrays as in a file: vectors as X, Y, Z; without ids."""
     result = {}
     for i in range(attributes.GetNumberOfArrays()):
         name, values = attributes.GetArrayName(i), vtk_to_numpy(attributes.GetArray(i)).astype(
@@ -19,7 +19,7 @@ def columns(attributes):
 
 
 def expected(mesh):
-    """What join() gives of a mesh in memory, but for the global numbers."""
+    """Returns the result of join() for a mesh in memory, without global variables."""
     ids = array(mesh.GetPointData(), "GlobalPointIds")
     materials, names = array(mesh.GetCellData(), "MaterialId"), material_names(mesh)
     void = max(max(names), materials.max()) + 1
@@ -36,7 +36,7 @@ def expected(mesh):
 
 
 def check(dumps, mesh, wanted=None):
-    """The files hold the mesh; wanted: expected(mesh), where it is known."""
+    """Checks that the files hold the mesh; `wanted`: expected(mesh), if already known."""
     found, wanted = join(dumps), wanted or expected(mesh)
     for part, items in wanted.items():
         assert found[part] == items, (part, len(found[part]), len(items))

@@ -1,5 +1,7 @@
-"""Meshes that any number of ranks must make bit for bit as one rank alone did, which keeps them in
-a folder."""
+"""Reference meshes, which a run on one rank stores in a folder.
+
+Runs on any number of ranks must reproduce them bitwise.
+"""
 import os
 import pickle
 
@@ -14,7 +16,7 @@ RANK, RANKS = CONTROLLER.GetLocalProcessId(), CONTROLLER.GetNumberOfProcesses()
 
 
 def dealt(blocks, seed):
-    """This rank's blocks; the last rank of three or more has none."""
+    """Returns the blocks of this rank; with three or more ranks, the last one has no block."""
     owners = np.random.default_rng(seed).integers(0, RANKS - 1 if RANKS > 2 else RANKS, len(blocks))
     return [block for block, owner in zip(blocks, owners) if owner == RANK]
 
@@ -26,18 +28,18 @@ def make_folder(folder):
 
 
 def whole_mesh(mesher, path):
-    """Of all ranks, on rank 0."""
+    """Returns the merged mesh of all ranks on rank 0, None on the others."""
     errors, _ = collect(mesher.GetClientSideObject())
     save_data(path, mesher)
-    CONTROLLER.Barrier()  # all have written
+    CONTROLLER.Barrier()  # all ranks have written
     assert not errors, errors
     mesh = merge(read_pieces(path)) if RANK == 0 else None
-    CONTROLLER.Barrier()  # the next mesh goes to the same file
+    CONTROLLER.Barrier()  # the next mesh overwrites the file
     return mesh
 
 
 def check_gold(mesher, folder, name, keep):
-    """keep: one rank alone writes the gold."""
+    """Compares the mesh with the stored one; with `keep`, a run on one rank stores it first."""
     mesh = whole_mesh(mesher, os.path.join(folder, "ranks%d.pvtu" % RANKS))
     problem = ""
     if RANK == 0:

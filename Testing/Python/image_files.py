@@ -1,6 +1,8 @@
-"""Files of images, one value a voxel, as the programs of medical imaging and of grain structures
-write them, for tests of their readers. Values are (z, y, x); a place is where the middle of the
-first voxel lies and the steps to the next along x, y and z."""
+"""Image files with one value per voxel, for tests of their readers.
+
+Programs for medical images and grain structures write such files. Values are (z, y, x);
+origin is the centre of the first voxel; steps are the vectors to the next voxel along x, y and z.
+"""
 import gzip
 import os
 import struct
@@ -18,7 +20,7 @@ NRRD_TYPES = {"u1": "unsigned char", "i1": "signed char", "u2": "ushort", "i2": 
               "u4": "uint32", "i4": "int", "f4": "float", "f8": "double"}
 META_TYPES = {"u1": "MET_UCHAR", "i1": "MET_CHAR", "u2": "MET_USHORT", "i2": "MET_SHORT",
               "i4": "MET_INT", "f4": "MET_FLOAT", "f8": "MET_DOUBLE"}
-STRAIGHT = np.diag([0.25, 0.25, 0.5])  # steps
+STRAIGHT = np.diag([0.25, 0.25, 0.5])  # step vectors
 
 
 def kind(values):
@@ -26,7 +28,7 @@ def kind(values):
 
 
 def save(path, *parts):
-    """gzip where the name says so, without a date."""
+    """Writes a file and returns its path. A path in .gz is compressed, without a date."""
     data = b"".join(parts)
     with open(path, "wb") as file:
         file.write(gzip.compress(data, mtime=0) if path.endswith(".gz") else data)
@@ -34,18 +36,18 @@ def save(path, *parts):
 
 
 def quaternion(axes):
-    """b, c, d of a rotation with these rows for its columns."""
+    """Returns b, c, d of the rotation whose columns are the rows of `axes`."""
     r = np.transpose(axes)
     a = np.sqrt(max(0.0, 1 + np.trace(r))) / 2
     if a > 0.1:
         return [(r[2, 1] - r[1, 2]) / (4 * a), (r[0, 2] - r[2, 0]) / (4 * a),
                 (r[1, 0] - r[0, 1]) / (4 * a)]
     b, c, d = np.sqrt(np.maximum(0.0, 1 + 2 * np.diag(r) - np.trace(r))) / 2
-    return [b, np.copysign(c, r[0, 1]), np.copysign(d, r[0, 2])]  # b above 0
+    return [b, np.copysign(c, r[0, 1]), np.copysign(d, r[0, 2])]  # b is positive
 
 
 def write_nifti(path, values, origin, steps=STRAIGHT, forms="s", slope=(1, 0), dim=None, order="<"):
-    """forms: which of sform and qform tell the place: "s", "q", "sq" or ""."""
+    """Writes a NIfTI file; `forms`: transforms that give the position: "s", "q", "sq" or ""."""
     steps = np.asarray(steps, float)
     spacing = np.linalg.norm(steps, axis=1)
     handed = -1.0 if np.linalg.det(steps) < 0 else 1.0
@@ -60,7 +62,7 @@ def write_nifti(path, values, origin, steps=STRAIGHT, forms="s", slope=(1, 0), d
     put(70, "2h", NIFTI_TYPES[kind(values)], 8 * values.itemsize)
     put(76, "8f", handed, *spacing, 0, 0, 0, 0)
     put(108, "3f", 352, *slope)
-    put(123, "b", 2)  # millimetres
+    put(123, "b", 2)  # unit: millimetres
     put(252, "2h", "q" in forms, "s" in forms)
     if "q" in forms:
         put(256, "6f", *quaternion(axes), *origin)
@@ -72,7 +74,7 @@ def write_nifti(path, values, origin, steps=STRAIGHT, forms="s", slope=(1, 0), d
 
 def write_nrrd(path, values, origin, steps=STRAIGHT, encoding="gzip",
                space="left-posterior-superior", more="", data=None):
-    """data: the name of a file beside it that takes the values."""
+    """Writes an NRRD file; `data`: name of a separate file for the values, in the same folder."""
     vector = lambda v: "(%s)" % ",".join(repr(float(x)) for x in v)
     head = "NRRD0005\n# by a test\ntype: %s\ndimension: 3\n" % NRRD_TYPES[kind(values)]
     head += "space: %s\n" % space if space else ""
@@ -90,7 +92,7 @@ def write_nrrd(path, values, origin, steps=STRAIGHT, encoding="gzip",
 
 
 def write_meta(path, values, origin, steps=STRAIGHT, packed=False):
-    """.mha, or .mhd with a .raw beside it."""
+    """Writes .mha, or .mhd with the values in a .raw or .zraw file."""
     steps = np.asarray(steps, float)
     spacing = np.linalg.norm(steps, axis=1)
     numbers = lambda v: " ".join(repr(float(x)) for x in np.ravel(v))
@@ -98,18 +100,20 @@ def write_meta(path, values, origin, steps=STRAIGHT, packed=False):
     data = zlib.compress(data) if packed else data
     local = path.endswith(".mha")
     raw = "LOCAL" if local else os.path.basename(path)[:-4] + (".zraw" if packed else ".raw")
-    head = "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\nCompressedData = %s\n" % bool(packed)
+    head = ("ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\n"
+            "CompressedData = %s\n" % bool(packed))
     head += "CompressedDataSize = %d\n" % len(data) if packed else ""
-    head += "TransformMatrix = %s\nOffset = %s\nElementSpacing = %s\nDimSize = %d %d %d\nElementType = %s\nElementDataFile = %s\n" % (
-        numbers(steps / spacing[:, None]), numbers(origin), numbers(spacing), *values.shape[::-1],
-        META_TYPES[kind(values)], raw)
+    head += ("TransformMatrix = %s\nOffset = %s\nElementSpacing = %s\nDimSize = %d %d %d\n"
+             "ElementType = %s\nElementDataFile = %s\n" % (
+                 numbers(steps / spacing[:, None]), numbers(origin), numbers(spacing),
+                 *values.shape[::-1], META_TYPES[kind(values)], raw))
     if not local:
         save(os.path.join(os.path.dirname(path), raw), data)
     return save(path, head.encode(), data if local else b"")
 
 
 def write_tiff(path, values):
-    """A page a slice, by VTK: x to the right, y up."""
+    """Writes one page per slice by VTK; x points right, y up."""
     data = vtkImageData()
     data.SetDimensions(values.shape[::-1])
     data.GetPointData().SetScalars(numpy_to_vtk(np.ascontiguousarray(values).ravel(), deep=1))
@@ -121,7 +125,7 @@ def write_tiff(path, values):
 
 
 def write_imagej(path, values):
-    """As ImageJ does with stacks above 4 GB: one page, the other slices behind it."""
+    """Writes one page followed by the other slices, as ImageJ does with stacks above 4 GB."""
     depth, height, width = values.shape
     text = b"ImageJ=1.53t\nimages=%d\nslices=%d\n\0" % (depth, depth)
     tags = {256: width, 257: height, 258: 8, 259: 1, 262: 1, 270: 0, 273: 0, 277: 1, 278: height,
@@ -135,8 +139,10 @@ def write_imagej(path, values):
 
 
 def write_dream3d(path, values, origin, spacing, name="FeatureIds", more=()):
-    """As DREAM.3D 6 does; the origin is the corner of the first cell. more: names of the other
-    containers with the same."""
+    """Writes a file like DREAM.3D 6; `origin` is the corner of the first cell.
+
+    more: names of further containers with the same contents.
+    """
     with h5py.File(path, "w") as file:
         for container in ("ImageDataContainer", *more):
             group = file.create_group("DataContainers/" + container)
@@ -151,7 +157,7 @@ def write_dream3d(path, values, origin, spacing, name="FeatureIds", more=()):
 
 
 def write_dream3d_nx(path, values, origin, spacing):
-    """As DREAM3D-NX does, in a group and compressed."""
+    """Writes a file like DREAM3D-NX: in a group, compressed."""
     with h5py.File(path, "w") as file:
         file.attrs["FileVersion"] = np.bytes_("8.0")
         geometry = file.create_group("DataStructure/Small IN100/Image Geometry")

@@ -1,20 +1,27 @@
-"""Reads the mesh of an Abaqus input file, strictly: what the writer should not write is an
-error."""
+"""Strict reader of the mesh of an Abaqus input file.
+
+Anything that the writer should not write is an error.
+"""
 import re
 
 import numpy as np
 
 NAME = re.compile(r"[A-Z][A-Z0-9_]{0,79}\Z")
-# Corners of the faces S1, S2, ... of the manual.
+# Corners of the faces S1, S2, ... as in the manual.
 FACES = {"C3D8": [(1, 2, 3, 4), (5, 8, 7, 6), (1, 5, 6, 2), (2, 6, 7, 3), (3, 7, 8, 4),
                   (4, 8, 5, 1)],
          "C3D4": [(1, 2, 3), (1, 4, 2), (2, 4, 3), (3, 4, 1)]}
 
 
 class InpFile:
-    """heading: lines. comments: lines. nodes: text of coordinates (n, 3). elements: {number:
-    corners}. element_sets, node_sets: {name: numbers}. surfaces: {name: [(element, face)]}, faces
-    from 1. velocities: text of components (n, 3). All numbers are those of the file."""
+    """Contents of an Abaqus input file, with the numbers of the file.
+
+    - heading, comments: lines
+    - nodes, velocities: text of coordinates and of components, (n, 3)
+    - elements: {number: corners}
+    - element_sets, node_sets: {name: numbers}
+    - surfaces: {name: [(element, face)]}, faces from 1
+    """
 
     def __init__(self, path):
         with open(path, encoding="ascii") as file:
@@ -37,7 +44,7 @@ class InpFile:
             self.surfaces) == set(), "CalculiX loses loads on surfaces of such names"
 
     def start(self, line):
-        """What reads the data lines under a keyword."""
+        """Returns the function that reads the data lines of a keyword."""
         keyword, *options = [part.strip() for part in line.split(",")]
         options = dict(option.split("=") for option in options)
         if keyword == "*HEADING":
@@ -70,7 +77,7 @@ class InpFile:
         assert int(number) == len(self.nodes) and max(map(len, coordinates)) <= 20, text
 
     def read_velocity(self, text):
-        """Node by node, x y z."""
+        """Reads one component; they are sorted by node, then x, y, z."""
         node, axis, component = text.split(",")
         if axis == "1":
             self.velocities.append([])
@@ -85,7 +92,7 @@ class InpFile:
         numbers.append(number)
 
     def side_corners(self, name):
-        """The corners of each face of a surface, ascending."""
+        """Returns the corners of each face of a surface, in ascending order."""
         return [tuple(sorted(self.elements[element][c - 1] for c in FACES[self.type][face - 1]))
                 for element, face in self.surfaces[name]]
 
@@ -96,7 +103,7 @@ def new_set(sets, name):
 
 
 def read_numbers(text):
-    """Sixteen at most; a comma follows a lone one."""
+    """Reads up to 15 numbers; a single one must be followed by a comma."""
     numbers = [int(part) for part in text.split(",") if part]
     assert "," in text and 0 < len(numbers) < 16, text
     return numbers

@@ -1,10 +1,11 @@
-"""Prints the sha256 of many meshes, a line each, to compare two builds on one machine: every bit of
-meshes and surfaces but field data.
+"""Prints the sha256 of many meshes, to compare two builds on one machine.
 
 usage: VFM_PLUGIN=build/lib/VolumeFractionMesh.so pvpython mesh_digests.py > new.txt
        mpiexec -n 3 pvbatch --sym mesh_digests.py > new3.txt
-On several ranks the first one has the input, and each piece counts, in the order of the ranks. A
-change that is to keep every bit prints the same before and after.
+
+Each line covers every bit of a mesh and its surfaces, except field data. On several ranks rank 0
+has the input, and the pieces are hashed in the order of the ranks. A change that must keep meshes
+bitwise identical must not change the output.
 """
 import hashlib
 import os
@@ -34,7 +35,7 @@ def grains(n=16, count=11):
 
 
 def cells_of(file, name):
-    """A cell array of an image in Data, (z, y, x)."""
+    """Returns a cell array of an image in Data, (z, y, x)."""
     reader = vtkXMLImageDataReader()
     reader.SetFileName(os.path.join(DATA, file))
     reader.Update()
@@ -111,7 +112,7 @@ def print_digest(name, data, make, properties):
     mine = digest(result)
     gathered = [mine]
     if RANKS > 1:
-        from mpi4py import MPI  # of Debian, like ParaView
+        from mpi4py import MPI  # the mpi4py of Debian, like ParaView
         gathered = MPI.COMM_WORLD.gather(mine)
     if RANK == 0:
         print("%s  %s" % (gathered[0] if RANKS == 1

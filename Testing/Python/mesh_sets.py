@@ -1,4 +1,4 @@
-"""Side sets and node sets of a mesh by brute force, for tests."""
+"""Side sets and node sets of a mesh, found by brute force."""
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -16,7 +16,7 @@ def elements_of(mesh):
 
 
 def material_names(mesh):
-    """{id: name}, 0 the void."""
+    """Returns {id: name}; id 0 is the void."""
     field = mesh.GetFieldData()
     names, ids = field.GetAbstractArray("MaterialNames"), field.GetArray("MaterialIds")
     return {0: "Void",
@@ -24,15 +24,18 @@ def material_names(mesh):
 
 
 def on_sides(mesh):
-    """Whether each point is on each of the six sides of the domain."""
+    """Returns for each point whether it lies on each of the six sides of the domain."""
     points, bounds = vtk_to_numpy(mesh.GetPoints().GetData()), array(
         mesh.GetFieldData(), "DomainBounds")
     return np.stack([points[:, side // 2] == bounds[side] for side in range(6)], axis=1)
 
 
 def find_sets(mesh):
-    """({(id, name): set of (element id, sorted point ids)}, {(id, name): set of point ids}) of a
-    whole mesh."""
+    """Returns the side sets and the node sets of a whole mesh.
+
+    Side sets: {(id, name): set of (element id, sorted point ids)}; node sets: {(id, name): set of
+    point ids}.
+    """
     cells, ids = elements_of(mesh), array(mesh.GetPointData(), "GlobalPointIds")
     table = HEX_FACES if cells.shape[1] == 8 else TET_FACES
     materials, names = array(mesh.GetCellData(), "MaterialId").tolist(), material_names(mesh)

@@ -1,4 +1,4 @@
-"""Runs of the program sculptor (VFM_SCULPTOR) on some ranks, for tests."""
+"""Runs of the command-line tool `sculptor` (VFM_SCULPTOR) on some ranks, for tests."""
 import os
 import re
 import unittest
@@ -10,7 +10,7 @@ SCULPTOR = os.environ["VFM_SCULPTOR"]
 
 
 def sculptor(*arguments, ranks=1, folder=None):
-    """Runs the program without a terminal; standard error is without what mpiexec says."""
+    """Runs the tool without a terminal; notices of mpiexec are removed from standard error."""
     return mpi_run(ranks, [SCULPTOR, *arguments], folder)
 
 
@@ -22,7 +22,7 @@ def mesh_file(path, output, *arguments, ranks=1):
 
 
 def refused(code, text, *arguments, ranks=1):
-    """The program ends with that code and one message that has the text."""
+    """Checks that the tool exits with that code and one message that contains the text."""
     result = sculptor(*arguments, ranks=ranks)
     lines = result.stderr.splitlines()
     assert result.returncode == code, (code, result)
@@ -32,7 +32,7 @@ def refused(code, text, *arguments, ranks=1):
 
 
 def rows(text):
-    """The lines of the tables: {name: numbers}."""
+    """Returns the rows of the printed tables: {name: numbers}."""
     found = {}
     for line in text.splitlines():
         numbers = line[28:].replace("%", "").split()
@@ -42,8 +42,10 @@ def rows(text):
 
 
 def check_same(output, mesh, time=None, besides=()):
-    """The file holds the mesh, and its time when it has one; besides: field data that it has beside
-    the mesh's."""
+    """Checks that the file holds the mesh and, if given, the time.
+
+    besides: field data that only the file has.
+    """
     pieces = read_pieces(output)
     for piece in pieces:
         field = piece.GetFieldData()

@@ -1,7 +1,6 @@
-"""Writes SpyPlot files as CTH does, for tests: a case file and binary files of blocks with one
-layer of ghost cells.
+"""Writes SpyPlot files like CTH: a case file, and binary files of blocks with one ghost layer.
 
-All numbers are big endian; coordinates and fields are float32, run-length encoded; file positions
+All numbers are big-endian. Coordinates and fields are run-length encoded float32; file positions
 are doubles.
 """
 import os
@@ -9,14 +8,13 @@ import struct
 
 import numpy as np
 
-OUTSIDE = 7.5  # ghost cells outside the domain: a value that no reader may let through
-GROUP = 100  # times that one group header has room for
+OUTSIDE = 7.5  # value of ghost cells outside the domain, which no reader may return
+GROUP = 100  # number of times in one group header
 LONGEST_RUN = 127
 
 
 class Block:
-    """Node coordinates x y z and the fields of each time, {name: (z, y, x)}; both with the layer of
-    ghost cells."""
+    """Node coordinates x, y, z and the fields of each time, {name: (z, y, x)}, with ghost cells."""
 
     def __init__(self, coordinates, steps, level=0):
         self.coordinates = [np.asarray(x, np.float32) for x in coordinates]
@@ -28,18 +26,20 @@ class Block:
 
 
 def with_ghosts(x):
-    """Node coordinates with one more cell at either end."""
+    """Extends node coordinates by one cell at each end."""
     return np.concatenate([[2 * x[0] - x[1]], x, [2 * x[-1] - x[-2]]])
 
 
 def split(coordinates, steps, counts=(1, 1, 1)):
-    """A domain without ghost cells as counts blocks in x y z, x first; coordinates and steps as
-    those of a Block."""
+    """Splits a domain into counts[0] x counts[1] x counts[2] blocks with ghost cells, x fastest.
+
+    coordinates, steps: without ghost cells, otherwise like the arguments of Block.
+    """
     nodes = [with_ghosts(np.asarray(x, float)) for x in coordinates]
     padded = [{name: np.pad(value, 1, constant_values=OUTSIDE) for name, value in step.items()}
               for step in steps]
     spans = [[(part[0], part[-1] + 3) for part in np.array_split(np.arange(len(x) - 1), count)]
-             for x, count in zip(coordinates, counts)]  # in padded cells
+             for x, count in zip(coordinates, counts)]  # indices of padded cells
     return [Block([nodes[0][i:I + 1], nodes[1][j:J + 1], nodes[2][k:K + 1]],
                   [{name: value[k:K, j:J, i:I] for name, value in step.items()} for step in padded])
             for k, K in spans[2] for j, J in spans[1] for i, I in spans[0]]
@@ -58,13 +58,15 @@ def text(value, size):
 
 
 def chunk(data):
-    """Bytes after their count."""
+    """Returns the data after their number of bytes."""
     return ints(len(data)) + data
 
 
 def encode(values):
-    """Run-length code: a byte n < 128 before one value that counts n times, or 128 + n before n
-    values."""
+    """Run-length encodes values.
+
+    A byte n < 128 comes before one value that is repeated n times; 128 + n comes before n values.
+    """
     values = np.asarray(values, ">f4").ravel()
     starts = np.concatenate([[0], np.flatnonzero(values[1:] != values[:-1]) + 1, [len(values)]])
     result, single = b"", []
@@ -90,8 +92,7 @@ def encode(values):
 
 
 def encode_nodes(x):
-    """First node and step, then run-length code of what is left of each node without its number of
-    steps."""
+    """Encodes the first node, the step, and the rest of each node after subtracting its steps."""
     step = x[1] - x[0]
     if not np.array_equal(x, x[0] + np.arange(len(x), dtype=np.float32) * step):
         step = np.float32(0)
@@ -100,8 +101,10 @@ def encode_nodes(x):
 
 
 class Fields:
-    """Numbers and tables of the arrays; 'NAME - N' is field NAME of material N, the others are cell
-    fields."""
+    """Numbers and tables of the arrays.
+
+    'NAME - N' is field NAME of material N; the other arrays are cell fields.
+    """
 
     def __init__(self, names):
         materials = sorted({name.rpartition(" - ")[0] for name in names} - {""})
@@ -112,8 +115,10 @@ class Fields:
                          default=0)
 
     def number(self, name):
-        """Cell fields count from 0; those of materials are 100 times that of the field plus the
-        material."""
+        """Returns the number of an array in the file.
+
+        Cell fields count from 0. A material field has the number 100 x (1 + field) + material.
+        """
         field, _, material = name.rpartition(" - ")
         return 100 * (1
                       + self.materials.index(field)) + int(material) if field else self.cells.index(
@@ -131,16 +136,18 @@ class Fields:
 
 
 def unused(blocks):
-    """How many blocks without data go before these; one block alone stays alone: it is a flat
-    mesh."""
+    """Returns the number of empty blocks to write before these.
+
+    A single block gets no empty one, because only a file with one block is a flat mesh.
+    """
     return int(len(blocks) > 1)
 
 
 def header(version, blocks, fields, file, files):
     used = np.array([[x[[1, -2]] for x in block.coordinates] for block in blocks], float)
     result = b"spydata\0" + text("A test", 128) + ints(version)
-    result += ints(64) if version >= 102 else b""  # bits of a file position
-    # 30: Cartesian, three dimensions
+    result += ints(64) if version >= 102 else b""  # bits per file position
+    # 30: Cartesian, 3: three dimensions
     result += ints(0, file, files, 30, 3, fields.count, fields.count)
     result += doubles(*used[:, :, 0].min(axis=0),
                       *used[:, :, 1].max(axis=0)) + ints(len(blocks) + unused(blocks))
@@ -150,7 +157,7 @@ def header(version, blocks, fields, file, files):
 
 
 def dump(version, position, blocks, step, fields):
-    """One time from that file position on."""
+    """Returns the bytes of one time, which begin at this file position."""
     data = []
     for name in fields.names:
         data.append(b"".join(chunk(encode(plane)) for block in blocks
@@ -170,7 +177,7 @@ def dump(version, position, blocks, step, fields):
 def write_file(path, version, times, blocks, file, files):
     fields = Fields(list(blocks[0].steps[0]))
     content = header(version, blocks, fields, file, files) + fields.tables(version)
-    content += doubles(len(content) + 8)  # where the group header is
+    content += doubles(len(content) + 8)  # position of the group header
     group_size = 4 + GROUP * (4 + 8 + 8 + (8 if version >= 102 else 0))
     dumps, offsets = b"", []
     for step in range(len(times)):
@@ -187,10 +194,13 @@ def write_file(path, version, times, blocks, file, files):
 def write_spyplot(folder, name, times, blocks, files=1, version=105, parts=""):
     """Writes name.spcth and name.spcth.0 .. in the folder and returns the path of the first.
 
-    times: fewer than 100, ascending; blocks: spread over the files in turn; version: of the format,
-    101 to 105. Files of one block each are a flat mesh, whose nodes may be anywhere; more blocks a
-    file are uniform, as of block-structured data. parts: the folder in the folder where all but the
-    first lie.
+    - times: ascending, fewer than 100
+    - blocks: distributed over the files in turn
+    - version: version of the format, 101 to 105
+    - parts: subfolder for all files but the first
+
+    Files of one block each are a flat mesh, whose nodes may be anywhere. Files of several blocks
+    hold block-structured data on uniform cells.
     """
     assert len(times) < GROUP and all(len(block.steps) == len(times) for block in blocks)
     os.makedirs(os.path.join(folder, parts), exist_ok=True)

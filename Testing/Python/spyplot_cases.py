@@ -1,5 +1,4 @@
-"""What the tests of SpyPlot files share: a ball and a plate at two times, and the same as an
-image."""
+"""A ball and a plate at two times, as SpyPlot blocks and as an image."""
 import numpy as np
 
 from spyplot import Block, split
@@ -9,16 +8,16 @@ SPY = ["Material volume fraction - 1", "Material volume fraction - 2"]
 STATE = "X velocity"
 TIMES = [0, 2e-6]
 NODES = [x + h * np.arange(13) for x, h in zip(ORIGIN, SPACING)]
-# Nodes that are no binary fractions, as only flat meshes can have them: a mesh is of the float32
-# ones in the file.
+# These coordinates are not binary fractions, which only flat meshes allow: the mesh uses the
+# float32 values in the file.
 UNEVEN_NODES = [(x + np.arange(13) * 0.1).astype(np.float32) for x in (-0.35, 0.2, 1.7)]
-# Blocks in x y z and files; files of one block each are a flat mesh (rectilinear grids), others
-# block-structured.
+# Numbers of blocks in x, y, z and of files. Files of one block each are a flat mesh (rectilinear
+# grids), others are block-structured.
 LAYOUTS = [((1, 1, 1), 1), ((2, 1, 2), 1), ((2, 1, 2), 2), ((2, 1, 2), 4)]
 
 
 def steps():
-    """Arrays of both times, float32 as in the files."""
+    """Returns the arrays of both times, float32 as in the files."""
     ball, plate = ball_and_plate()
     return [{name: value.astype(np.float32) for name, value in (
         ("Pressure", 1e5 * b), (SPY[0], b), (SPY[1], np.minimum(p, 1 - b)), (STATE, b - p))}
@@ -26,7 +25,7 @@ def steps():
 
 
 def refined_blocks():
-    """Blocks of which some are repeated on a second level."""
+    """Returns blocks, some of which are repeated on a second level."""
     fine = [np.linspace(x[0], x[-1], 25) for x in NODES]
     doubled = [{name: np.kron(value, np.ones((2, 2, 2))) for name, value in step.items()}
                for step in steps()]
@@ -36,19 +35,19 @@ def refined_blocks():
 
 
 def as_bytes(arrays):
-    """The fractions as ParaView's reader converts them by default: cut off, not rounded."""
+    """Converts the fractions to bytes like ParaView's reader: truncated, not rounded."""
     return {name: (value * np.float32(255)).astype(np.uint8) if name in SPY else value
             for name, value in arrays.items()}
 
 
 def data_of_step(step, nodes=None, to_bytes=False):
-    """One time as an image, or as a rectilinear grid on these nodes."""
+    """Returns one time as an image, or as a rectilinear grid on these nodes."""
     arrays = as_bytes(steps()[step]) if to_bytes else steps()[step]
     return rectilinear(arrays, nodes) if nodes else image(arrays)
 
 
 def without_reader_fields(mesh):
-    """A copy without what ParaView's reader and writer add to the field data."""
+    """Returns a copy without the field data that ParaView's reader and writer add."""
     copy = mesh.NewInstance()
     copy.ShallowCopy(mesh)
     for name in ("GlobalBounds", "GlobalBoxSize", "MinLevel", "MinLevelSpacing", "TimeValue"):

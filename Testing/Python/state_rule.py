@@ -1,15 +1,17 @@
-"""The rule of state arrays in numpy, on its own: from which cell an element has its values
-(Grid/Transfer/StateCells.h)."""
+"""The rule of state arrays in numpy: the cell from which each element takes its values.
+
+It is independent of the implementation in Grid/Transfer/StateCells.h.
+"""
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from vfmtest import elements
 
-REACH = 5  # cells from the one that the element was made of
+REACH = 5  # greatest distance, in cells, from the cell that the element was made of
 
 
 def with_void(materials):
-    """{material id: fractions (z, y, x)} with what they leave of each cell as material 0."""
+    """Adds the rest of each cell as material 0 to {material id: fractions (z, y, x)}."""
     return {0: 1 - sum(materials.values()), **materials}
 
 
@@ -23,8 +25,10 @@ def centroids(result):
 
 
 def cells_made_of(result, size):
-    """The cell (i, j, k) of each hexahedron, the one above the face of each tetrahedron, from their
-    ids."""
+    """Returns the cell (i, j, k) of each element, derived from its id.
+
+    A tetrahedron belongs to the cell above its face.
+    """
     is_hex = elements(result).shape[1] == 8
     n = size if is_hex else size + 1
     key = (result.cells("GlobalCellIds") - 1) // (7 if is_hex else 768)
@@ -33,10 +37,10 @@ def cells_made_of(result, size):
 
 
 def state_cells(result, coordinates, fractions, limited=True):
-    """The number (x fastest) of each element's cell; and how many took a neighbour's.
+    """Returns the cell number (x fastest) of each element, and how many use another than their own.
 
-    coordinates: of the nodes, x y z; fractions: of all materials, void too; limited: not for
-    tetrahedra by TetGen.
+    coordinates: node coordinates x, y, z; fractions: of all materials, including void; limited:
+    False for tetrahedra of TetGen.
     """
     size = np.array([len(x) - 1 for x in coordinates])
     centre = centroids(result)
@@ -49,7 +53,7 @@ def state_cells(result, coordinates, fractions, limited=True):
     table = np.stack([fractions[label].ravel() for label in labels])
     material = np.searchsorted(labels, result.cells("MaterialId"))
     number = lambda c: (c[:, 2] * size[1] + c[:, 1]) * size[0] + c[:, 0]
-    # by index
+    # ordered by index
     steps = [np.array([i, j, k]) for k in (-1, 0, 1) for j in (-1, 0, 1) for i in (-1, 0, 1)]
     fraction, distance, numbers = [], [], []
     for near in (home + step for step in steps):
@@ -68,13 +72,15 @@ def state_cells(result, coordinates, fractions, limited=True):
 
 
 def graded_coordinates(n):
-    """Node coordinates, three times the same: each cell is twice as wide as the one before."""
+    """Returns node coordinates x, y, z; each cell is twice as wide as the one before."""
     return [2.0 ** np.arange(n + 1)] * 3
 
 
 def specks(n, seed=2):
-    """Random fractions of 64ths in few cells: smoothing carries what becomes of them far over thin
-    cells."""
+    """Returns random multiples of 1/64 in few cells.
+
+    Smoothing moves the elements of such cells far across thin cells.
+    """
     random = np.random.default_rng(seed)
     filled = random.random((n, n, n)) < 0.1
     return np.where(filled, np.ceil(64 * random.random((n, n, n))) / 64, 0)

@@ -1,8 +1,7 @@
-"""What the Python tests share: the plugin, small fields, and runs whose messages are collected.
+"""Shared by the Python tests: the plugin, small fields, and runs that collect their messages.
 
-The environment variable VFM_PLUGIN names the plugin; without it, plain VTK stands in for
-paraview.simple (vtk_simple). A test is a function test_*; main() runs all, and says which need
-ParaView.
+The environment variable VFM_PLUGIN names the plugin; without it, vtk_simple on plain VTK replaces
+paraview.simple. A test is a function test_*; main() runs all and reports which need ParaView.
 """
 import hashlib
 import json
@@ -28,10 +27,10 @@ from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessControlle
 if "VFM_PLUGIN" in os.environ:
     from paraview import servermanager, simple
     from paraview.modules.vtkRemotingCore import vtkProcessModule
-    # defines VolumeFractionToHex, VolumeFractionToTet
+    # This defines VolumeFractionToHex, VolumeFractionToTet, ...
     simple.LoadPlugin(os.path.abspath(os.environ["VFM_PLUGIN"]), remote=False, ns=globals())
     RUNS_ON_ALL_RANKS = vtkProcessModule.GetProcessModule().GetSymmetricMPIMode()
-    PYTHON = ["pvbatch", "--sym"]  # which runs a script on all ranks
+    PYTHON = ["pvbatch", "--sym"]  # runs a script on all ranks
 else:
     import vtk_simple as simple
     servermanager = simple.servermanager
@@ -41,16 +40,19 @@ else:
 GHOST, HIDDEN = 1, 32  # bits of vtkGhostType
 HEX_FACES = np.array([[0, 4, 7, 3], [1, 2, 6, 5], [0, 1, 5, 4], [3, 7, 6, 2], [0, 3, 2, 1],
                       [4, 5, 6, 7]])
-# at each corner
+# The three neighbours of each corner.
 HEX_EDGES = np.array([[1, 3, 4], [2, 0, 5], [3, 1, 6], [0, 2, 7], [7, 5, 0], [4, 6, 1], [5, 7, 2],
                       [6, 4, 3]])
 TET_FACES = np.array([[0, 1, 3], [1, 2, 3], [2, 0, 3], [0, 2, 1]])
-SPACING, ORIGIN = (0.25, 0.25, 0.5), (-1.0, 0.5, 2.0)  # exact in binary: blocks match bit for bit
+# exact in binary: coordinates of blocks match exactly
+SPACING, ORIGIN = (0.25, 0.25, 0.5), (-1.0, 0.5, 2.0)
 
 
 def list_defaults(of_tets):
-    """What the properties of a meshing filter are at first, by the table of options (the program
-    describe_options)."""
+    """Returns the defaults of a meshing filter's properties from the table of options.
+
+    The program describe_options prints the table.
+    """
     built = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "build", "bin",
                          "describe_options")
     rows = json.loads(subprocess.check_output([os.environ.get("VFM_OPTIONS", built)]))
@@ -61,13 +63,15 @@ def list_defaults(of_tets):
             lists = dict.fromkeys(("arrays", "kinds", "boxes"), [])
             defaults[row["name"]] = {**lists, "array": "None", "file": "",
                                      "choice": words}.get(row["kind"], row["number"])
-    # which panels have words for
+    # The GUI shows these defaults as text.
     return {**defaults, "StateOrder": "2", "MaximumLevel": "Automatic"}
 
 
 def ball_and_plate(n=12):
-    """Fractions of a ball on a plate, each (n, n, n) in the order z, y, x; the ball keeps its
-    volume."""
+    """Returns fractions of a ball on a plate, each (n, n, n) in the order z, y, x.
+
+    The ball is complete; the plate fills the rest of its layer.
+    """
     s = 4
     z, y, x = np.meshgrid(*[(np.arange(n * s) + 0.5) / s] * 3, indexing="ij")
     ball = (x - n / 2) ** 2 + (y - n / 2) ** 2 + (z - 0.55 * n) ** 2 < (0.3 * n) ** 2
@@ -77,14 +81,14 @@ def ball_and_plate(n=12):
 
 
 def box_along_axes(low, high, n=12):
-    """Exact fractions of a box between two corners in cells, (n, n, n) in the order z, y, x."""
+    """Returns exact fractions (z, y, x) of a box between two corners, given in cells."""
     parts = [np.clip(np.minimum(np.arange(n) + 1, h) - np.maximum(np.arange(n), l), 0, 1)
              for l, h in zip(low, high)]
     return np.einsum("k,j,i->kji", *parts[::-1])
 
 
 def labels(n=12):
-    """The fullest material of each cell of ball_and_plate(): 0 void, 1 ball, 2 plate."""
+    """Returns the material with the largest fraction per cell: 0 void, 1 ball, 2 plate."""
     ball, plate = ball_and_plate(n)
     return np.where(ball + plate < 0.5, 0, np.where(ball >= plate, 1, 2))
 
@@ -100,8 +104,10 @@ def add_array(attributes, name, values, dtype=None):
 
 
 def image(arrays, first=(0, 0, 0), kind=vtkImageData):
-    """An image with cell arrays {name: values (z, y, x)}; first: index of its first node in
-    extent."""
+    """Makes an image with cell arrays {name: values (z, y, x)}.
+
+    first: index of its first node in the extent.
+    """
     values = next(iter(arrays.values()))
     data = kind()
     data.SetOrigin(ORIGIN)
@@ -114,8 +120,11 @@ def image(arrays, first=(0, 0, 0), kind=vtkImageData):
 
 
 def at_points(data, matrix=None):
-    """The image whose points, with these arrays and the state of ghosts, are the centres of the
-    cells of an image; matrix: its direction matrix, about the first point."""
+    """Makes the image whose points are the cell centres of an image.
+
+    It has the arrays and the ghost flags of the image; matrix: direction matrix, about the first
+    point.
+    """
     points, (x0, x1, y0, y1, z0, z1) = vtkImageData(), data.GetExtent()
     points.SetExtent(x0, x1 - 1, y0, y1 - 1, z0, z1 - 1)
     points.SetSpacing(data.GetSpacing())
@@ -129,7 +138,7 @@ def at_points(data, matrix=None):
 
 
 def rectilinear(arrays, coordinates):
-    """A grid with cell arrays {name: values (z, y, x)} and these node coordinates, x y z."""
+    """Makes a grid with cell arrays {name: values (z, y, x)} and node coordinates x, y, z."""
     grid = vtkRectilinearGrid()
     grid.SetDimensions([len(x) for x in coordinates])
     for x, setter in zip(coordinates, ("X", "Y", "Z")):
@@ -146,7 +155,7 @@ def fraction_image(n=12, dtype=np.float64):
 
 
 def reduced(value, operation):
-    """A whole number of each rank made one."""
+    """Reduces an integer over all ranks."""
     mine, result = vtkIdTypeArray(), vtkIdTypeArray()
     mine.InsertNextValue(value)
     result.SetNumberOfValues(1)
@@ -155,7 +164,7 @@ def reduced(value, operation):
 
 
 class Result:
-    """Outputs of a run, its error and warning messages, and the time when the mesh was made."""
+    """Outputs of a run and its error and warning messages."""
 
     def __init__(self, algorithm, errors, warnings):
         self.mesh, self.surfaces, self.curves, self.vertices, self.materials = map(
@@ -174,26 +183,26 @@ class Result:
 
 
 def failure_of(data):
-    """What an output says of the failure that left it empty; None of one that was made."""
+    """Returns the reason why an output is empty, or None for an output that was made."""
     array = data.GetFieldData().GetAbstractArray("MeshError")
     return array.GetValue(0) if array else None
 
 
 def table_of(table):
-    """The columns of a table by their names, in order."""
+    """Returns the columns of a table as {name: values}, in order."""
     columns = [table.GetColumn(c) for c in range(table.GetNumberOfColumns())]
     return {column.GetName(): [column.GetValue(row) for row in range(table.GetNumberOfRows())]
             for column in columns}
 
 
 def elements(result):
-    """Corners of each hexahedron or tetrahedron."""
+    """Returns the corners of each hexahedron or tetrahedron."""
     connectivity = vtk_to_numpy(result.mesh.GetCells().GetConnectivityArray())
     return connectivity.reshape(result.mesh.GetNumberOfCells(), -1)
 
 
 def facets(result):
-    """Corners of each quadrilateral or triangle of the surfaces."""
+    """Returns the corners of each quadrilateral or triangle of the surfaces."""
     connectivity = vtk_to_numpy(result.surfaces.GetPolys().GetConnectivityArray())
     return connectivity.reshape(result.surfaces.GetNumberOfCells(), -1)
 
@@ -205,7 +214,7 @@ def tet_volumes(points, tets):
 
 
 def face_owners(cells, materials):
-    """The materials of the elements at each face: {sorted corners: [material, ...]}."""
+    """Returns the materials of the elements at each face: {sorted corners: [material, ...]}."""
     table = HEX_FACES if cells.shape[1] == 8 else TET_FACES
     faces = np.sort(cells[:, table].reshape(-1, table.shape[1]), axis=1)
     owners = {}
@@ -216,16 +225,14 @@ def face_owners(cells, materials):
 
 
 def surface_faces(cells, materials):
-    """The two materials, 0 for none, of each face on one side of which there is another material or
-    nothing."""
+    """Returns the two materials, 0 for none, of each face between materials or on the boundary."""
     return {face: tuple(sorted(pair if len(pair) == 2 else pair + [0]))
             for face, pair in face_owners(cells, materials).items()
             if len(pair) == 1 or pair[0] != pair[1]}
 
 
 def check_surfaces(result):
-    """Port 1 holds each interface face and each face on the domain's sides once, with its
-    materials."""
+    """Checks that port 1 holds each interface and boundary face once, with its materials."""
     expected = surface_faces(result.points("GlobalPointIds")[elements(result)],
                              result.cells("MaterialId"))
     ids = vtk_to_numpy(result.surfaces.GetPointData().GetGlobalIds())
@@ -244,14 +251,14 @@ def points_of(result):
 
 
 def domain_faces(result, faces):
-    """Which faces, rows of points of the mesh, lie in whole on a side of the domain."""
+    """Returns which faces (rows of mesh points) lie entirely on a side of the domain."""
     on = [points_of(result)[:, side // 2] == bound
           for side, bound in enumerate(result.field("DomainBounds"))]
     return np.any([side[faces].all(axis=1) for side in on], axis=0)
 
 
 def hex_volumes(points, hexes):
-    """Exact volumes: both cuts of each face into triangles count half."""
+    """Returns exact volumes: each face is the mean of its two cuts into triangles."""
     volumes = np.zeros(len(hexes))
     for face in HEX_FACES:
         a, b, c, d = (points[hexes[:, corner]] for corner in face)
@@ -261,9 +268,13 @@ def hex_volumes(points, hexes):
 
 
 def check_hexes(result):
-    """The mesh is conforming and valid, as far as it is quick to tell: faces are on two hexes, or
-    on one at the domain's sides or beside what is not meshed; every corner is positive; the volumes
-    are those reported; surfaces hold the faces they must."""
+    """Checks that the mesh is conforming and valid, as far as this is quick.
+
+    - A face has two hexes, or one on the domain boundary or next to unmeshed space.
+    - Every corner is positive.
+    - The volumes equal the reported ones.
+    - The surfaces hold exactly the interface and boundary faces.
+    """
     points, cells = points_of(result), elements(result)
     assert len(np.unique(result.points("GlobalPointIds"))) == len(points) == len(np.unique(cells))
     corner = points[cells]
@@ -302,8 +313,7 @@ def check_hexes(result):
 
 
 def collect(algorithm):
-    """Lists that the errors and warnings of the algorithm will be added to; they are not shown
-    then."""
+    """Returns two lists that collect errors and warnings; the algorithm no longer prints them."""
     errors, warnings = [], []
 
     def on_error(_, __, text):
@@ -320,8 +330,10 @@ def collect(algorithm):
 
 
 def held_class(proxy):
-    """The class of ours that a proxy of files runs: inside of one that knows series, where ParaView
-    is."""
+    """Returns the plugin's algorithm in a proxy of files.
+
+    In ParaView it is inside an algorithm for file series.
+    """
     algorithm = proxy.GetClientSideObject()
     get = getattr(algorithm, "GetReader", None) or getattr(algorithm, "GetWriter", None)
     return get() if get else algorithm
@@ -334,20 +346,22 @@ def producer(data):
 
 
 def ghost_cells(source):
-    """ParaView's filter of ghost cells, which has another name since 5.13."""
+    """Applies ParaView's filter for ghost cells, which was renamed in 5.13."""
     return (getattr(simple, "GhostCells", None)
             or simple.GhostCellsGenerator)(Input=source, BuildIfRequired=0)
 
 
 def save_data(path, proxy):
-    """Saves inline: expat since 2.6, and Debian's 2.5.0-1+deb12u5, keeps VTK 9.2 from reading
-    appended data."""
+    """Saves with inline data.
+
+    With expat since 2.6 and Debian's 2.5.0-1+deb12u5, VTK 9.2 cannot read appended data.
+    """
     simple.SaveData(path, proxy=proxy,
                     **({} if path.endswith((".vtk", ".csv")) else {"DataMode": "Binary"}))
 
 
 def write(data, path, writer=vtkXMLImageDataWriter, pieces=0):
-    """Writes a data set as a file of the XML formats and returns the path."""
+    """Writes a data set to a file in a VTK XML format and returns the path."""
     it = writer()
     it.SetInputData(data)
     it.SetFileName(path)
@@ -360,7 +374,7 @@ def write(data, path, writer=vtkXMLImageDataWriter, pieces=0):
 
 
 def needs_vtk(major, minor, why):
-    """Skips the test with an older VTK."""
+    """Skips the test if VTK is older than this version."""
     if (vtkVersion.GetVTKMajorVersion(), vtkVersion.GetVTKMinorVersion()) < (major, minor):
         raise unittest.SkipTest("needs VTK %d.%d: %s" % (major, minor, why))
 
@@ -371,8 +385,10 @@ def new_ioss_reader():
 
 
 def exodus_parts(path):
-    """The parts with elements of an Exodus file and those of the other ranks, which the reader
-    finds: (block's name, part)."""
+    """Yields (block name, part) for each part with elements of an Exodus file.
+
+    The reader also finds the files of the other ranks.
+    """
     reader = new_ioss_reader()
     reader.SetFileName(path)
     reader.Update()
@@ -385,7 +401,7 @@ def exodus_parts(path):
 
 
 def in_folder(test):
-    """A test that gets a new folder."""
+    """Passes a function to the test that returns paths in a new folder."""
     def run_test():
         with tempfile.TemporaryDirectory() as folder:
             test(lambda name: os.path.join(folder, name))
@@ -397,8 +413,10 @@ def has_tetgen():
 
 
 def run(data, make=None, **properties):
-    """The filter, VolumeFractionToHex or make, on data with its messages; fractions 'ball' and
-    'plate' unless other arrays are named."""
+    """Runs VolumeFractionToHex or `make` on data and collects its messages.
+
+    The fractions are 'ball' and 'plate' unless other arrays are given.
+    """
     if not {"VolumeFractionArrays", "MaterialIdArray"} & set(properties):
         properties["VolumeFractionArrays"] = ["ball", "plate"]
     mesher = (make or VolumeFractionToHex)(Input=producer(data), **properties)
@@ -409,7 +427,7 @@ def run(data, make=None, **properties):
 
 
 def mesh_of(data, make=None, **properties):
-    """As run(), without any error."""
+    """Runs the filter like run() and checks that there is no error."""
     result = run(data, make, **properties)
     assert not result.errors, result.errors
     assert result.mesh.GetNumberOfCells() > 0
@@ -417,12 +435,14 @@ def mesh_of(data, make=None, **properties):
 
 
 def check_error(data, *words, make=None, **properties):
-    """The run fails on every rank with the same message, one that has all the words, and leaves
-    nothing else in the outputs."""
+    """Checks that the run fails on every rank with one equal message that contains all words.
+
+    The outputs must be empty except for that message.
+    """
     result = run(data, make, **properties)
     message = result.errors[0].strip().split("): ", 1)[1] if result.errors else ""
     value = zlib.crc32(message.encode())
-    # by all ranks, before any may fail
+    # All ranks reduce before any of them may fail.
     same = reduced(value, vtkCommunicator.MIN_OP) == reduced(value, vtkCommunicator.MAX_OP)
     assert same and len(result.errors) == 1, result.errors
     for word in words:
@@ -438,12 +458,12 @@ def check_error(data, *words, make=None, **properties):
 
 
 def uniform(levels):
-    """Properties that halve all cells of an image so many times."""
+    """Returns the properties that halve all cells of an image `levels` times."""
     return {"Refinement": "Uniform", "MaximumLevel": levels}
 
 
 def digest(result):
-    """Hash of everything in mesh and surfaces, bit for bit."""
+    """Returns a hash of all bits of mesh and surfaces, except field data."""
     sha = hashlib.sha256()
     for data, cells in ((result.mesh, "GetCells"), (result.surfaces, "GetPolys")):
         connectivity = getattr(data, cells)().GetConnectivityArray()
@@ -455,11 +475,11 @@ def digest(result):
     return sha.hexdigest()
 
 
-TET_METHODS = (["TetGen"] if has_tetgen() else []) + ["Cells", "Lattice"]  # those that were built
+TET_METHODS = (["TetGen"] if has_tetgen() else []) + ["Cells", "Lattice"]  # methods in this build
 
 
 def main(tests):
-    """Runs the functions test_* of a script and leaves with status 1 if one fails."""
+    """Runs the functions test_* of a script and exits with status 1 if one fails."""
     failed = 0
     for name, test in list(tests.items()):
         if not name.startswith("test_"):
@@ -475,9 +495,9 @@ def main(tests):
             print("%s FAILED" % name)
             traceback.print_exc()
     sys.stdout.flush()
-    sys.stderr.write("")  # ParaView 5.13 keeps what was printed until it shows an error
+    sys.stderr.write("")  # ParaView 5.13 otherwise delays the output until the next error
     controller = vtkMultiProcessController.GetGlobalController()
     if controller.GetNumberOfProcesses() > 1 and not RUNS_ON_ALL_RANKS:
-        return  # pvbatch itself ends the other ranks, which run no script
+        return  # pvbatch ends the other ranks, which run no script
     controller.Finalize()  # mpiexec complains otherwise
     os._exit(1 if failed else 0)

@@ -1,4 +1,4 @@
-"""A small polycrystal and files of it, for the tests of voxel readers."""
+"""A small polycrystal and files of it, for tests of voxel readers."""
 import numpy as np
 
 SIZE = (9, 11, 13)  # cells along x, y, z
@@ -6,7 +6,7 @@ ORDERS = ("XYZ", "XZY", "YXZ", "YZX", "ZXY", "ZYX")
 
 
 def grains():
-    """Labels a[x, y, z] of the grains nearest to random points: 0 void, and four materials."""
+    """Returns labels a[x, y, z] of grains around random points: 0 void, and four materials."""
     generator = np.random.default_rng(11)
     centres, materials = generator.random((12, 3)) * SIZE, np.arange(12) % 5
     cells = np.stack(np.meshgrid(*[np.arange(n) + 0.5 for n in SIZE], indexing="ij"), axis=-1)
@@ -15,7 +15,7 @@ def grains():
 
 
 def turned(labels, order):
-    """The same cells with the indices in that order."""
+    """Returns the same labels with the indices in that order."""
     return labels.transpose(["XYZ".index(axis) for axis in order])
 
 
@@ -26,6 +26,7 @@ def write_text(path, labels, order="XYZ"):
 
 def write_numpy(path, labels, dtype=np.uint8, order="XYZ", fortran=False):
     array = turned(labels, order).astype(dtype)
-    with open(path, "wb") as file:  # by its name, numpy.save would append .npy to .NPY
+    # A file object, because numpy.save(path) would append .npy to .NPY.
+    with open(path, "wb") as file:
         np.save(file, np.asfortranarray(array) if fortran else np.ascontiguousarray(array))
     return path

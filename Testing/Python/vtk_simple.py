@@ -1,14 +1,16 @@
-"""paraview.simple as far as the tests need it, for builds without ParaView: the classes that are
-wrapped for Python (VFM_WRAPPERS), with the commands, words and defaults of their properties that
-the plugin's XML tells, and readers and writers of VTK. A test that asks for anything else is
-skipped. On several ranks of mpiexec all run the script, as with pvbatch --sym."""
+"""The part of paraview.simple that the tests need, for builds without ParaView.
+
+It wraps the Python classes of the plugin (VFM_WRAPPERS) and readers and writers of VTK. Commands,
+entries and defaults of properties come from the XML of the plugin. A test that needs anything else
+is skipped. With mpiexec all ranks run the script, as with pvbatch --sym.
+"""
 import os
 import sys
 import types
 import unittest
 from xml.etree import ElementTree
 
-import mpi4py.MPI  # which begins MPI
+import mpi4py.MPI  # initializes MPI
 
 sys.path[:0] = [os.environ["VFM_WRAPPERS"],
                 os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "scripts")]
@@ -46,7 +48,7 @@ def __getattr__(name):
 
 
 class OutputPort:
-    """An output of a proxy, and what can be asked of it."""
+    """An output of a proxy, with its data information."""
 
     def __init__(self, proxy, port=0):
         names = {element.get("name"): int(element.get("index")) for element in proxy.outputs}
@@ -70,14 +72,14 @@ class OutputPort:
 
 
 class Proxy(OutputPort):
-    """An algorithm whose properties are attributes; what is set is handed on at once."""
+    """An algorithm with its properties as attributes, which are passed on at once."""
     make, properties, outputs = None, {}, []
 
     def __init__(self, Input=None, registrationName=None, **values):
         vars(self).update(proxy=self, port=0, values={}, algorithm=self.make())
         for name, element in self.properties.items():
             default = element.get("default_values")
-            # which the build chooses, and the class knows
+            # A default with @ is chosen by the build and set by the class.
             if default is not None and not default.startswith("@"):
                 self.set(name, element, default.split(element.get("default_values_delimiter")))
         if Input is not None:
@@ -119,7 +121,7 @@ class Proxy(OutputPort):
             count = int(element.get("number_of_elements_per_command"))
             for i in range(0, len(values), count):
                 command(*values[i:i + count])
-        # an array: its name, that after its association, or the form of panels
+        # An array: only its name, the association and name, or all elements as in the ParaView GUI.
         elif element.get("default_values_delimiter"):
             panel = len(values) == int(element.get("number_of_elements"))
             command(*(values if panel else [ASSOCIATIONS.get(word, word) for word in values[-2:]]))
@@ -153,13 +155,16 @@ def proxy_class(name, algorithm, properties, outputs=()):
 
 
 def own_or_of_base(element, path):
-    """What the element has there, or else what it is based on."""
+    """Returns the elements at a path; if there are none, the elements of the base proxy."""
     base = ELEMENTS.get(element.get("base_proxyname"))
     return element.findall(path) or ([] if base is None else own_or_of_base(base, path))
 
 
 def plugin_class(element):
-    """Of a proxy of files that of the one inside, since ParaView alone has series of files."""
+    """Makes the proxy class of an XML element.
+
+    A proxy of files becomes the proxy inside it, because only ParaView supports file series.
+    """
     maker, properties = element, all_properties(element, ELEMENTS)
     for inside in own_or_of_base(element, "SubProxy/Proxy"):
         maker = ELEMENTS[inside.get("proxyname")]
@@ -181,7 +186,7 @@ def reader_class(name, algorithm, **commands):
 
 
 def by_endings(kind):
-    """The plugin's proxies by the endings of the files that they are for."""
+    """Returns the proxies of the plugin by the file extensions that they support."""
     return {ending: PROXIES[name] for name in PROXIES for factory in ELEMENTS[name].iter(kind)
             for ending in factory.get("extensions").split()}
 
@@ -221,7 +226,7 @@ OWN_WRITERS = by_endings("WriterFactory")
 
 
 def by_ending(table, path):
-    """Of the longest ending of the file that the table has."""
+    """Returns the entry for the longest extension of the path that the table has."""
     parts = os.path.basename(path).lower().split(".")
     for start in range(1, len(parts)):
         if ".".join(parts[start:]) in table:
@@ -240,7 +245,7 @@ def CreateWriter(path, proxy):
 
 
 def SaveData(path, proxy, DataMode=None, **values):
-    """All ranks write."""
+    """Writes a file; collective."""
     if path.rsplit(".")[-1] in OWN_WRITERS:
         by_ending(OWN_WRITERS, path)(FileName=path, Input=proxy, **values).UpdatePipeline()
         return
@@ -260,4 +265,4 @@ def TrivialProducer():
 
 
 def Delete(proxy):
-    pass  # which Python does when nobody has it
+    pass  # Python frees it after the last reference.
