@@ -1,4 +1,4 @@
-/// HostImages: what ParaView sees of a grid of two levels.
+/// HostImages: the data that ParaView receives for a grid of two levels.
 #include "HostImages.h"
 
 #include "vtkCellData.h"
@@ -17,7 +17,7 @@ namespace
 
 constexpr unsigned char Ghost = 1, Hidden = 32;
 
-/// Two boxes of level 0 of 4 x 4 x 2 cells in all, and one of level 1 over [1,3) x [1,3) x [0,1)
+/// Two boxes that form level 0 of 4 x 4 x 2 cells, and one of level 1 over [1,3) x [1,3) x [0,1)
 /// with a layer of ghost cells towards +x.
 struct Host
 {
@@ -64,13 +64,14 @@ TEST(AllBlocks, CellsBelowFinerOnesAreHidden)
     for (int cell = 0; cell < 16; ++cell)
     {
       const int i = cell % 2, j = cell / 2 % 4, k = cell / 8;
-      const bool covered = i == (b ? 0 : 1) && (j == 1 || j == 2) && k == 0; // not by ghost cells
+      // ghost cells hide no cells
+      const bool covered = i == (b ? 0 : 1) && (j == 1 || j == 2) && k == 0;
       const int own = b ? host.Right[cell] : 0;
       EXPECT_EQ(types->GetValue(cell), covered ? Hidden : own) << b << " " << cell;
     }
   }
   EXPECT_EQ(TypesOf(blocks, 2)->GetPointer(0), host.Fine.data());
-  EXPECT_EQ(host.Right[0], 0); // the host's memory is as it was
+  EXPECT_EQ(host.Right[0], 0); // the host's memory is unchanged
 }
 
 TEST(AllBlocks, OneLevelIsOnlyTheHostsMemory)

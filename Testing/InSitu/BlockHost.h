@@ -1,6 +1,6 @@
 /**
- * BlockHost: a host code with a refined grid, whose blocks are dealt to the ranks in some way and
- * handed over by the C interface.
+ * BlockHost: a simulation with a refined grid whose blocks are distributed to the ranks in a given
+ * way and passed to the C interface.
  */
 #pragma once
 
@@ -15,18 +15,18 @@ namespace vfm
 namespace testing
 {
 
-/// Widths of cells of level 0: that are exact in binary, and that are not.
+/// Cell widths of level 0: exact in binary, and not exact.
 constexpr Vector3 Binary{ { 0.125, 0.25, 0.125 } }, Decimal{ { 0.1, 0.125, 0.11 } };
 
 enum class Distribute
 {
   InTurn,
-  InTurnButToTheLast, ///< which is empty
-  FromBehind,         ///< each rank several that follow each other
-  ToTheLast           ///< all others are empty
+  InTurnButToTheLast, ///< the last rank is empty
+  FromBehind,         ///< each rank has consecutive blocks, the last ones on rank 0
+  ToTheLast           ///< all other ranks are empty
 };
 
-/// A sculptor, and the fields that it looks at. Failures are those of the test that runs.
+/// A sculptor and the fields that it reads. Its failures are failures of the current test.
 class Host
 {
 public:
@@ -35,14 +35,14 @@ public:
   Host(const Host&) = delete;
   Host& operator=(const Host&) = delete;
 
-  /// Fills the blocks of this rank, but does not hand them over. spacing: of level 0.
+  /// Fills the blocks of this rank without passing them to the sculptor. spacing: of level 0.
   void Distribute(const std::vector<Place>& places, const Vector3& spacing,
     vfm::testing::Distribute distribution);
-  /// In place of all blocks before. ids: instead of fractions.
+  /// Replaces all blocks of the sculptor. ids: passes ids instead of fractions.
   void HandOver(bool ids = false) const;
-  /// The digest of the mesh of all ranks.
+  /// Returns the digest of the mesh of all ranks.
   std::uint64_t Mesh(bool tets = false) const;
-  /// That the mesh of hexes is refused, with such a code and text on all ranks.
+  /// Expects that the hexahedral mesh is rejected with this code and text on all ranks.
   void ExpectError(int code, const std::string& words) const;
 
   int Sculptor = 0;

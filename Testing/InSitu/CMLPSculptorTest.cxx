@@ -1,4 +1,5 @@
-/// What the report's calls return, with and without a mesh, and the class of C++ over them.
+/// Results of the calls of the Sculpt report, with and without a mesh, and
+/// of the C++ class based on them.
 #include "CMLPSculptor.hpp"
 #include "HostFields.h"
 
@@ -30,7 +31,7 @@ protected:
     EXPECT_EQ(sculptor_error_code(0), SCULPTOR_OK);
   }
   int Mesh() { return MeshFromData(this->Handle, this->Fields, this->Fields.Ball.data()); }
-  /// The code of the call before, of which the handle tells; the text holds the words.
+  /// Expects the handle's code of the last call and a text that contains the words.
   void ExpectError(int code, const std::string& words) const
   {
     EXPECT_EQ(sculptor_error_code(this->Handle), code);
@@ -43,7 +44,7 @@ protected:
   HostFields Fields{ MyRank(), NumberOfRanks() };
 };
 
-/// As Mesh.
+/// Makes the same mesh as Mesh.
 void MakeMesh(cml::PSculptor& sculptor, const HostFields& f)
 {
   sculptor.mesh_from_data(f.Bounds[0], f.Bounds[1], f.Bounds[2], f.Bounds[3], f.Bounds[4],
@@ -52,7 +53,7 @@ void MakeMesh(cml::PSculptor& sculptor, const HostFields& f)
     0);
 }
 
-/// The code of the error that the work throws; 0 without one.
+/// Returns the code of the error that the work throws; 0 if it throws none.
 template <class Work>
 int CodeOf(const Work& work)
 {
@@ -101,7 +102,8 @@ TEST_F(CMLPSculptor, WrongArguments)
   std::vector<double> coords(3 * this->Nodes);
   EXPECT_EQ(c_get_free_hexes(this->Handle, coords.data(), nullptr), SCULPTOR_ERROR_ARGUMENT);
   this->ExpectError(SCULPTOR_ERROR_ARGUMENT, "hexes is a null pointer");
-  EXPECT_EQ(c_get_free_tets(this->Handle, coords.data(), nullptr), SCULPTOR_OK); // there are none
+  // the mesh has no tetrahedra
+  EXPECT_EQ(c_get_free_tets(this->Handle, coords.data(), nullptr), SCULPTOR_OK);
   for (int fragment : { -1, 0, 2 })
   {
     EXPECT_EQ(
@@ -121,7 +123,7 @@ TEST_F(CMLPSculptor, WrongHandles)
   EXPECT_EQ(c_get_num_fragments(WrongHandle), -1);
   EXPECT_EQ(
     MeshFromData(WrongHandle, this->Fields, this->Fields.Ball.data()), SCULPTOR_ERROR_HANDLE);
-  EXPECT_EQ(sculptor_error_code(this->Handle), SCULPTOR_OK); // not its call
+  EXPECT_EQ(sculptor_error_code(this->Handle), SCULPTOR_OK); // an error of another call
   const int deleted = c_create_cml_psculptor();
   EXPECT_NE(deleted, this->Handle);
   EXPECT_EQ(sculptor_error_code(0), SCULPTOR_OK);

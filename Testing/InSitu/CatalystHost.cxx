@@ -1,15 +1,16 @@
 /**
- * A small simulation with Catalyst inside, for TestCatalyst.py: a ball sinks into a plate, on 14 x
- * 12 x 10 cells.
+ * A small simulation with Catalyst for TestCatalyst.py: a ball sinks into
+ * a plate, on 14 x 12 x 10 cells.
  *
  * usage: CatalystHost [--boxes N] [--refined] [--bad-step S] SCRIPT ...
- * Takes 4 steps. The grid is cut along x into N boxes (default: two a rank), dealt out to the ranks
- * in turn. Refined: there are as many boxes of a finer level in the middle. In step S the last rank
- * hands over a box outside of the grid. Prints a line for every step, and at the end how many were
- * made for the scripts. Exit status 0: every step went well; 3: some did not; 4: the ranks were
- * told different things.
  *
- * The adaptor may use the fields only while it is called: after it they are overwritten.
+ * It takes 4 steps. The grid is cut along x into N boxes (default: two per rank), which are
+ * distributed to the ranks in turn. --refined adds as many boxes of a finer level in the middle. In
+ * step S the last rank passes a box outside the grid. The program prints a line per step, and at
+ * the end the number of steps made for the scripts. Exit status 0: every step succeeded; 3: some
+ * failed; 4: error messages differ between ranks.
+ *
+ * The adaptor may use the fields only during the call: afterwards they are overwritten.
  */
 #include "CatalystAdaptor.h"
 
@@ -35,8 +36,8 @@ struct Options
   std::vector<std::string> Scripts;
 };
 
-/// Fields of one box. The part of a cell in a body is that of its samples; all numbers are exact in
-/// binary.
+/// Fields of one box. The fraction of a body in a cell comes from samples;
+/// all numbers are exact in binary.
 struct Box
 {
   int Level;
@@ -49,7 +50,7 @@ struct Box
   void Spoil();
 };
 
-/// Whether a layer of cells is in the plate, which has three of level 0.
+/// Returns whether a layer of cells is in the plate, which has three layers of level 0.
 bool IsInPlate(Index k, int level)
 {
   return k < 3 << level;
@@ -129,7 +130,7 @@ Options ParseOptions(int argc, char** argv)
   return options;
 }
 
-/// Those of this rank of count boxes on each level.
+/// Returns the boxes of this rank; count: boxes on each level.
 std::vector<Box> MakeBoxes(int count, int levels, int rank, int ranks)
 {
   std::vector<Box> boxes;
@@ -158,7 +159,7 @@ HostGrid Describe(const std::vector<Box>& boxes)
   return grid;
 }
 
-/// The global numbers; and where the first box's ball is in memory, for scripts that look for it.
+/// Returns the global numbers, among them the address of the first box's ball, which scripts read.
 std::vector<HostNumber> FindNumbers(int step, const std::vector<Box>& boxes)
 {
   const double address =

@@ -1,5 +1,5 @@
-/// How VTK reads what the second kind of Catalyst hands over: the filter makes the same mesh of it
-/// as of the host's boxes themselves.
+/// VTK reads the data passed to Catalyst 2: the filter makes the same mesh from
+/// them as from the host's boxes.
 #include "CatalystAdaptor.h"
 #include "CatalystDouble.h"
 #include "HostImages.h"
@@ -29,7 +29,7 @@
 namespace
 {
 
-/// Looks at what comes with each step.
+/// Receives the data of each step.
 std::function<void(const conduit_cpp::Node& node)> receiver;
 
 } // namespace
@@ -50,7 +50,7 @@ namespace testing
 namespace
 {
 
-/// Of all processes, as an implementation would make it.
+/// Returns a controller of all ranks, as an implementation would create it.
 vtkSmartPointer<vtkMPIController> MakeController(MPI_Comm& communicator)
 {
   vtkMPICommunicatorOpaqueComm handle(&communicator);
@@ -74,7 +74,7 @@ vtkSmartPointer<vtkUnstructuredGrid> Mesh(
   return mesh;
 }
 
-/// The greatest difference of their numbers; infinite where they are not alike.
+/// Returns the largest difference between two arrays; infinite if their sizes differ.
 double Difference(vtkDataArray* a, vtkDataArray* b)
 {
   if (!a || !b || a->GetNumberOfTuples() != b->GetNumberOfTuples() ||
@@ -102,12 +102,12 @@ protected:
   }
   static void TearDownTestSuite() { Catalyst.reset(); }
 
-  static std::unique_ptr<CatalystAdaptor> Catalyst; // one in a process
+  static std::unique_ptr<CatalystAdaptor> Catalyst; // one per process
 };
 
 std::unique_ptr<CatalystAdaptor> CatalystMesh::Catalyst;
 
-/// Meshes of three levels on all ranks, by both ways.
+/// Compares the meshes made in both ways of three levels on all ranks.
 void CompareMeshes(
   CatalystAdaptor& catalyst, const Vector3& origin, const Vector3& spacing, double tolerance)
 {
@@ -119,7 +119,7 @@ void CompareMeshes(
   std::vector<LevelBlock> blocks;
   for (std::size_t p = 0; p < places.size(); ++p)
   {
-    if (static_cast<int>(p * p) % ranks == rank) // of three ranks, the last has none
+    if (static_cast<int>(p * p) % ranks == rank) // with three ranks, the last one has no block
     {
       blocks.emplace_back(places[p].Level, places[p].Cells, spacing);
     }
@@ -176,7 +176,7 @@ TEST_F(CatalystMesh, TheSameBitsWhereCoordinatesAreExact)
   CompareMeshes(*Catalyst, { { -1.0, 0.5, 2.0 } }, { { 0.5, 0.25, 0.75 } }, 0.0);
 }
 
-/// Each box has an origin of its own.
+/// Each box has its own origin.
 TEST_F(CatalystMesh, TheSameToRoundingElsewhere)
 {
   CompareMeshes(*Catalyst, { { -0.7, 0.3, 2.1 } }, { { 0.1, 0.125, 0.11 } }, 1e-8);

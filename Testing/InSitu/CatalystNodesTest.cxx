@@ -1,5 +1,5 @@
-/// What the second kind of Catalyst hands over: every box, field, level, number and time, in the
-/// host's memory; and what it tells when an implementation fails.
+/// Data passed to Catalyst 2: every box, field, level, number and time, in the host's memory; and
+/// the error message if an implementation fails.
 #include "CatalystAdaptor.h"
 #include "CatalystDouble.h"
 
@@ -18,7 +18,7 @@ namespace
 
 using conduit_cpp::Node;
 
-/// Looks at what comes, by the current test.
+/// Receives each call for the current test.
 std::function<catalyst_status(const std::string& call, const Node& node)> receiver;
 
 } // namespace
@@ -36,10 +36,10 @@ namespace
 {
 
 constexpr Vector3 Origin{ { -0.7, 0.3, 2.1 } }, Spacing{ { 0.1, 0.125, 0.11 } };
-constexpr int Failed = 102; // a status of ParaView's
+constexpr int Failed = 102; // a status of ParaView
 
-/// Of the grid of 4 x 4 x 2 cells: its halves, and cells of level 1 above [1,3) x [1,3) x [0,1). On
-/// three ranks, the first has two boxes and the last none.
+/// A box of the grid of 4 x 4 x 2 cells: its halves are level 0; level 1 covers [1,3) x [1,3) x
+/// [0,1). With three ranks, the first has two boxes and the last none.
 struct Place
 {
   int Level;
@@ -134,7 +134,7 @@ protected:
     }
     return grid;
   }
-  /// Whether it went well; the calls are counted, and looked at.
+  /// Returns whether the step succeeded. Counts the calls and passes their data to `look`.
   bool Process(
     const HostGrid& grid, int step, const std::function<catalyst_status(const Node&)>& look)
   {
@@ -190,7 +190,7 @@ void ExpectCells(const Box& box, const Node& mesh)
   EXPECT_EQ(mesh["state/level"].to_int64(), box.Where.Level);
 }
 
-/// The field of this index is the host's memory.
+/// Expects that the field at this index is the host's memory.
 template <class Value>
 void ExpectMemory(const Box& box, const Node& mesh, int index, const std::string& name,
   const std::vector<Value>& values, int components = 1)
@@ -218,7 +218,7 @@ void ExpectMemory(const Box& box, const Node& mesh, int index, const std::string
   }
 }
 
-/// Coarse cells below the finer box are hidden.
+/// Expects that coarse cells below the finer box are hidden.
 void ExpectHidden(const Box& box, const Node& mesh)
 {
   EXPECT_EQ(mesh["fields"].has_child("vtkGhostType"), box.Where.Level == 0);
@@ -250,7 +250,7 @@ void ExpectBox(const Box& box, const Node& mesh)
   EXPECT_EQ(fields.number_of_children(), box.Where.Level == 0 ? 6 : 5);
 }
 
-/// So that all ranks have as many meshes.
+/// Expects an empty mesh: all ranks have the same number of meshes.
 void ExpectNoCells(const Node& mesh)
 {
   EXPECT_EQ(mesh["coordsets/coords/dims/i"].to_int64(), 0);
@@ -284,14 +284,14 @@ TEST_F(CatalystNodes, EveryBoxFieldAndNumberIsHandedOver)
       }
       return catalyst_status_ok;
     };
-    EXPECT_FALSE(this->Process(this->Describe(), step, look)); // since a script was left out
+    EXPECT_FALSE(this->Process(this->Describe(), step, look)); // a script was left out
     EXPECT_EQ(this->Calls, 1);
     EXPECT_EQ(Catalyst->GetNumberOfStepsMade(), step + 1);
     EXPECT_EQ(Catalyst->GetError(), LeftOut);
   }
 }
 
-/// The numbers of the boxes among those of all ranks.
+/// Box numbers count the boxes of all ranks.
 TEST_F(CatalystNodes, DomainsAreNumberedOverAllRanks)
 {
   std::vector<int> mine(8, 0), all(8, 0);
@@ -331,7 +331,7 @@ TEST_F(CatalystNodes, WrongGridsAreNotHandedOver)
   EXPECT_EQ(Catalyst->GetNumberOfStepsMade(), 5);
 }
 
-/// The last test, since then nothing is handed over any more.
+/// This must be the last test: afterwards no data are passed any more.
 TEST_F(CatalystNodes, AFailureOnOneRankIsReportedOnAll)
 {
   const auto look = [](const Node&)

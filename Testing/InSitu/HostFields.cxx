@@ -13,7 +13,7 @@ namespace testing
 namespace
 {
 
-/// Part of a cell in the ball, from samples.
+/// Returns the fraction of the ball in a cell, from samples.
 double FractionOfBall(const Index3& cell)
 {
   constexpr int samples = 4;
@@ -89,7 +89,7 @@ void MeshWhole(const HostFields& fields, vtkVolumeFractionMeshAlgorithm& mesher)
 {
   const auto& bounds = fields.Bounds;
   HostGrid grid{ { { bounds[0], bounds[1], bounds[2] } }, {}, HostCells, {} };
-  for (int a = 0; a < 3; ++a) // as the host's bounding boxes tell it
+  for (int a = 0; a < 3; ++a) // computed as from the host's bounding boxes
   {
     grid.Spacing[a] = (bounds[3 + a] - bounds[a]) / static_cast<double>(HostCells[a]);
   }

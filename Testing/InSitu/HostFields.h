@@ -1,6 +1,6 @@
 /**
- * HostFields: what a host code with a regular layout of ranks would hand over: a ball on a plate,
- * with a state, on this rank's box of a grid of 18 x 12 x 15 cells.
+ * HostFields: data of a simulation with a regular layout of ranks: a ball on a plate, with a state,
+ * on this rank's box of a grid of 18 x 12 x 15 cells.
  */
 #pragma once
 
@@ -17,7 +17,7 @@ namespace testing
 
 struct HostFields
 {
-  /// The box of a rank of the layout that MPI_Dims_create chooses.
+  /// Creates the box of a rank in the layout of MPI_Dims_create.
   HostFields(int rank, int ranks);
 
   IndexBox Cells;
@@ -31,15 +31,15 @@ struct HostFields
 constexpr Index3 HostCells{ { 18, 12, 15 } };
 constexpr Vector3 HostOrigin{ { -1.0, 0.5, 2.0 } }, HostSpacing{ { 0.1, 0.125, 0.11 } };
 
-/// c_mesh_from_data with a rank's box and neighbours. fractions: of its cells, or null.
+/// Calls c_mesh_from_data with a rank's box and neighbours. fractions: of its cells, or null.
 int MeshFromData(int sculptor, const HostFields& fields, double* fractions, int refine = 0,
   int stairStep = 0, int smooth = 1, int tets = 0);
 
-/// What a filter makes of the fields of a box that is the whole grid, in this process alone, is
-/// then at its ports.
+/// Meshes the whole grid with a filter on this rank only. fields: of a box that is the whole grid.
+/// The results are at the filter's output ports.
 void MeshWhole(const HostFields& fields, vtkVolumeFractionMeshAlgorithm& mesher);
 
-/// Of this rank and their number, in MPI_COMM_WORLD.
+/// Rank of this process and number of ranks in MPI_COMM_WORLD.
 int MyRank();
 int NumberOfRanks();
 

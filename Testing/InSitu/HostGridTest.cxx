@@ -1,6 +1,6 @@
 /**
- * HostGrid: VTK data that is the host's memory, at the same place on every rank; clear errors for
- * wrong grids.
+ * HostGrid: VTK data in the host's memory with the same structure on every rank, and
+ * clear errors for invalid grids.
  */
 #include "ArrayMemory.h"
 #include "Base/Runtime.h"
@@ -98,7 +98,7 @@ TEST(HostGrid, ExtentsCountTheNodesOfTheWholeGrid)
   }
 }
 
-/// Nodes of level 0 are the same bits on all levels, whatever the widths.
+/// Nodes of level 0 are bitwise identical on all levels, for any widths.
 TEST(HostGrid, LevelsHalveTheCells)
 {
   const Host host;

@@ -1,5 +1,5 @@
-/// Every kind of data set that holds blocks, and of array that holds values, dealt to the ranks:
-/// the mesh is that of plain blocks.
+/// Every kind of data set that contains blocks and of array that contains values, distributed to
+/// the ranks, gives the mesh of plain blocks.
 #include "BlockHost.h"
 #include "MeshView.h"
 #include "VtkMessages.h"
@@ -45,8 +45,8 @@ vtkSmartPointer<vtkMPIController> MakeController()
   return controller;
 }
 
-/// The filter on data that are dealt to the ranks, with "ball" and "plate" as fractions, or "id" as
-/// labels.
+/// The filter on data distributed to the ranks, with "ball" and "plate" as
+/// fractions, or "id" as labels.
 struct Mesher
 {
   explicit Mesher(vtkDataObject* data, bool ids = false)
@@ -136,7 +136,7 @@ vtkSmartPointer<vtkDataObject> AsCollection(const LevelGrids& grids)
   return data;
 }
 
-/// Levels that overlap need more: MakeOverlapping.
+/// Overlapping levels require more: see MakeOverlapping.
 vtkSmartPointer<vtkDataObject> AsLevels(const LevelGrids& grids)
 {
   auto data = vtkSmartPointer<vtkNonOverlappingAMR>::New();
@@ -167,7 +167,7 @@ LevelGrids Distributed(const std::vector<Place>& places)
   return MakeGrids(places, Binary, MyRank(), NumberOfRanks());
 }
 
-/// Each array again, each component with memory of its own.
+/// Replaces an array by one that stores each component separately.
 template <class T>
 void SetByComponents(vtkCellData* arrays, const char* name)
 {
@@ -193,7 +193,7 @@ TEST(InputKinds, CompositeDataSets)
   }
 }
 
-/// Some readers load few levels unless told otherwise.
+/// Some readers load few levels by default.
 TEST(InputKinds, LevelsThatAreNotLoaded)
 {
   LevelGrids grids = Distributed(NestedPlaces());
@@ -231,7 +231,7 @@ TEST(InputKinds, ArraysByComponents)
   }
 }
 
-/// A layer of ghost cells, whose marks are no plain array.
+/// A layer of ghost cells; the array of ghost types stores components separately.
 TEST(InputKinds, GhostTypesByComponents)
 {
   const std::vector<Place> places{ { 0, { { { 0, 0, 0 } }, { { 3, 4, 5 } } } },
@@ -255,7 +255,7 @@ TEST(InputKinds, GhostTypesByComponents)
 }
 
 #ifdef VFM_HAS_COMPUTED_ARRAYS
-/// Everything is of one material; the same with arrays in memory.
+/// All cells have one material; the mesh equals that of arrays in memory.
 TEST(InputKinds, ArraysThatComputeTheirValues)
 {
   for (bool ids : { false, true })

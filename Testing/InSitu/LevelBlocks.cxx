@@ -17,7 +17,7 @@ namespace
 
 constexpr Vector3 Origin{ { -1.0, 0.5, 2.0 } };
 
-/// Whether a point, in cells of level 0, is in the ball.
+/// Returns whether a point, in cells of level 0, is in the ball.
 bool IsInBall(const Vector3& x)
 {
   const Vector3 centre{ { 3.1, 2.0, 2.4 } };
@@ -29,7 +29,7 @@ bool IsInBall(const Vector3& x)
   return distance < 1.44;
 }
 
-/// Parts of a cell that are in the ball and in the plate below it, from samples.
+/// Returns the fractions of a cell in the ball and in the plate below it, from samples.
 std::array<double, 2> PartsOf(const Index3& cell, int level)
 {
   constexpr int samples = 4;

@@ -1,6 +1,6 @@
 /**
- * LevelBlocks: what a host code with a refined grid would hand over: a ball on a plate on three
- * levels, in any number of blocks, and the same as vtkOverlappingAMR.
+ * LevelBlocks: data of a simulation with a refined grid: a ball on a plate on three levels, in any
+ * number of blocks, also as vtkOverlappingAMR.
  */
 #pragma once
 
@@ -17,16 +17,16 @@ namespace vfm
 namespace testing
 {
 
-constexpr Index3 BaseCells{ { 6, 4, 5 } }; // of level 0
+constexpr Index3 BaseCells{ { 6, 4, 5 } }; // number of cells of level 0
 
-/// Fields on a block of the grid. What coarse cells below finer blocks hold is wrong: nobody may
-/// look at it.
+/// Fields on a block of the grid. Values of coarse cells below finer blocks
+/// are wrong: they must not be read.
 struct LevelBlock
 {
   LevelBlock(int level, const IndexBox& cells, const Vector3& spacing);
 
   int Level;
-  IndexBox Cells; ///< of its level
+  IndexBox Cells; ///< in cells of the block's level
   std::array<double, 6> Bounds;
   std::array<int, 3> Intervals;
   std::vector<double> Ball, Plate, Velocity; ///< 1, 1, 3 components
@@ -39,25 +39,25 @@ struct Place
   IndexBox Cells;
 };
 
-/// Three levels: the coarsest everywhere.
+/// Returns three levels; the coarsest covers the whole domain.
 std::vector<Place> NestedPlaces();
-/// The same, each place cut into two along x.
+/// Returns NestedPlaces with each place cut in two along x.
 std::vector<Place> CutPlaces();
-/// Two levels, with none of the coarser one below the finer.
+/// Returns two levels; no coarse cells lie below the finer ones.
 std::vector<Place> LeafPlaces();
 
-/// Of each level the blocks at the places, built from their fields and not from HostGrid; dealt in
-/// turn to the ranks, null where another has a block. spacing: of level 0.
+/// Blocks of each level, at the given places. They are built from their fields and not by HostGrid,
+/// and are distributed to the ranks in turn; null for blocks of other ranks. spacing: of level 0.
 using LevelGrids = std::vector<std::vector<vtkSmartPointer<vtkUniformGrid>>>;
 LevelGrids MakeGrids(
   const std::vector<Place>& places, const Vector3& spacing, int rank = 0, int ranks = 1);
 
-/// The same in one data set, which knows the boxes of all ranks.
+/// Returns the blocks in one data set, which contains the boxes of all ranks.
 vtkSmartPointer<vtkOverlappingAMR> MakeOverlapping(
   const std::vector<Place>& places, const Vector3& spacing, int rank = 0, int ranks = 1);
 
-/// The grids and boxes of other kinds of refined grids. Amr: vtkUniformGridAMR or what derives from
-/// it.
+/// Sets the grids and boxes of another kind of refined grid. Amr: a subclass of
+/// vtkUniformGridAMR, or the class itself.
 template <class Amr>
 void SetGrids(const LevelGrids& grids, Amr* data)
 {

@@ -1,6 +1,6 @@
 /**
- * MeshView: a mesh with the state "velocity", of a filter or of the C interface, as plain pointers,
- * and a number that tells meshes apart.
+ * MeshView: a mesh with the state "velocity" as plain pointers, from a filter or the C interface,
+ * and a digest that distinguishes meshes.
  */
 #pragma once
 
@@ -26,11 +26,11 @@ struct MeshView
 MeshView ViewOf(vtkUnstructuredGrid* mesh);
 MeshView ViewOf(int sculptor);
 
-/// A sum over the elements, so that it depends on neither their order nor their ranks: of their
-/// ids, materials, fragments and velocities, and of the ids and coordinates of their points.
+/// Sums a hash of each element: ids, materials, fragments, velocities, and ids and coordinates of
+/// points. The sum does not depend on the order or the ranks of elements.
 std::uint64_t Digest(const MeshView& mesh);
 
-/// In MPI_COMM_WORLD. Collective.
+/// Sums over MPI_COMM_WORLD. @pre Collective
 std::uint64_t SumOverRanks(std::uint64_t mine);
 
 } // namespace testing

@@ -1,4 +1,4 @@
-/// Runs the tests on every rank; fails where any rank fails.
+/// Runs the tests on every rank; fails if any rank fails.
 #include <gtest/gtest.h>
 #include <mpi.h>
 

@@ -1,4 +1,4 @@
-/// Wrong arguments of the C interface: a code and a text, and the host goes on.
+/// Invalid arguments of the C interface give a code and a text, and the host continues.
 #include "HostFields.h"
 #include "Sculptor.h"
 
@@ -23,12 +23,12 @@ protected:
   void SetUp() override { ASSERT_EQ(sculptor_create(&this->Sculptor), SCULPTOR_OK); }
   void TearDown() override { EXPECT_EQ(sculptor_delete(this->Sculptor), SCULPTOR_OK); }
 
-  /// The report's call with this rank's fields, as the test has changed them.
+  /// Calls c_mesh_from_data with this rank's fields, which the test may have changed.
   int Mesh(int refine = 0, int smooth = 1)
   {
     return MeshFromData(this->Sculptor, this->Fields, this->Fields.Ball.data(), refine, 0, smooth);
   }
-  /// Whether the error text holds the words, and a mesh can be made after it.
+  /// Expects the words in the error text, and that a mesh can be made afterwards.
   void ExpectText(const std::string& words)
   {
     const std::string text = sculptor_error_text(this->Sculptor);
@@ -41,7 +41,8 @@ protected:
 
   int Sculptor = 0;
   HostFields Fields{ MyRank(), NumberOfRanks() };
-  const bool IsLast = MyRank() == NumberOfRanks() - 1; // some things are wrong there alone
+  // some arguments are invalid only on this rank
+  const bool IsLast = MyRank() == NumberOfRanks() - 1;
 };
 
 } // namespace
@@ -166,7 +167,7 @@ TEST_F(SculptorArguments, WhatIsMissing)
   EXPECT_EQ(sculptor_make_mesh(this->Sculptor, 0), SCULPTOR_ERROR_ARGUMENT);
   this->ExpectText("No box");
   EXPECT_EQ(sculptor_make_mesh(this->Sculptor, 0), SCULPTOR_ERROR_ARGUMENT);
-  this->ExpectText("volume fractions"); // those of the report's call are forgotten
+  this->ExpectText("volume fractions"); // fractions of c_mesh_from_data are discarded
 }
 
 TEST_F(SculptorArguments, NamesThatAreUnknown)

@@ -1,4 +1,4 @@
-/// Blocks that cannot be meshed: one message on all ranks, and the next mesh succeeds.
+/// Blocks that cannot be meshed give one message on all ranks, and the next mesh succeeds.
 #include "BlockHost.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ using namespace vfm::testing;
 namespace
 {
 
-/// Something is wrong on the last rank alone, or on all where ranks have to agree.
+/// An error is on the last rank only, or on all ranks where ranks must agree.
 class SculptorBlockErrors : public ::testing::Test
 {
 protected:
@@ -21,7 +21,7 @@ protected:
     ASSERT_EQ(sculptor_set_option(this->Bad.Sculptor, "StairStep", "1"), SCULPTOR_OK);
   }
 
-  /// With the blocks as changed.
+  /// Expects an error for blocks changed by `change`.
   void Expect(int code, const std::string& words, const std::function<void(Host&)>& change)
   {
     this->Bad.Distribute(NestedPlaces(), Binary, Distribute::ToTheLast);

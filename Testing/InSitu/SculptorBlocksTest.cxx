@@ -1,5 +1,5 @@
-/// Blocks of several levels by the C interface, dealt to the ranks in any way, against the filter
-/// on vtkOverlappingAMR: the same bits.
+/// Blocks of several levels, passed to the C interface and distributed to the ranks in any way,
+/// compared with the filter on vtkOverlappingAMR: the results are bitwise identical.
 #include "BlockHost.h"
 #include "MeshView.h"
 
@@ -23,7 +23,7 @@ struct Kind
   const char* Name;
   bool Tets, Ids;
   std::vector<std::pair<std::string, std::string>> Options;
-  std::function<void(vtkVolumeFractionMeshAlgorithm&)> Set; ///< the same for a filter
+  std::function<void(vtkVolumeFractionMeshAlgorithm&)> Set; ///< sets the same options on a filter
 };
 
 std::vector<Kind> Kinds()
@@ -44,7 +44,8 @@ std::vector<Kind> Kinds()
       method(vtkVolumeFractionToTet::METHOD_LATTICE) } };
 }
 
-/// What the filter alone makes of all blocks in one process; how many elements are in *elements.
+/// Returns the digest of the filter's mesh of all blocks on rank 0;
+/// *elements: number of its elements.
 std::uint64_t DigestOfFilter(const Kind& kind, const std::vector<Place>& places,
   const Vector3& spacing, std::int64_t* elements = nullptr)
 {
@@ -108,7 +109,7 @@ TEST_P(SculptorBlocks, AreThoseOfTheFilter)
   }
   if (MyRank() == 0)
   {
-    std::printf("%s: %lld elements, the same in four deals to %d ranks\n", kind.Name,
+    std::printf("%s: %lld elements, the same in four distributions to %d ranks\n", kind.Name,
       static_cast<long long>(elements), NumberOfRanks());
   }
 }
@@ -123,7 +124,8 @@ TEST(SculptorBlocks, SeveralOfLevelZero)
   EXPECT_EQ(host.Mesh(), DigestOfFilter(Kinds()[0], CutPlaces(), Binary));
 }
 
-/// The same sculptor, another grid each time; then the same grid with other values in place.
+/// The same sculptor receives another grid each time, then the same grid
+/// with other values in place.
 TEST(SculptorBlocks, GridsThatChange)
 {
   Host host;
@@ -143,7 +145,7 @@ TEST(SculptorBlocks, GridsThatChange)
   EXPECT_EQ(host.Mesh(), after);
 }
 
-/// A box of level 0 takes the place of all blocks, and blocks the place of the box.
+/// A box of level 0 replaces all blocks, and blocks replace the box.
 TEST(SculptorBlocks, OneBoxInstead)
 {
   const HostFields fields(MyRank(), NumberOfRanks());
@@ -168,7 +170,7 @@ TEST(SculptorBlocks, OneBoxInstead)
   EXPECT_EQ(host.Mesh(), blocks);
 }
 
-/// One block of level 0 a rank, each begun as a block, with neighbours: as set by sculptor_set_box.
+/// One block of level 0 per rank, with neighbours, gives the same as sculptor_set_box.
 TEST(SculptorBlocks, NeighboursOfOneBlock)
 {
   const HostFields fields(MyRank(), NumberOfRanks());

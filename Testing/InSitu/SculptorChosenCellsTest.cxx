@@ -1,4 +1,4 @@
-/// Cells that a host names to be refined.
+/// User-selected cells, passed by the host for refinement.
 #include "CMLPSculptor.c.h"
 #include "HostFields.h"
 #include "Sculptor.h"
@@ -23,7 +23,8 @@ protected:
   }
   void TearDown() override { c_delete_cml_psculptor(this->Sculptor); }
 
-  /// This rank's part of cells (8..9, 5..7, 8..8) of the whole grid, to be halved so often.
+  /// Returns the halvings of this rank's cells: `halvings` for cells (8..9, 5..7, 8..8)
+  /// of the whole grid, 0 for others.
   std::vector<int> Choose(int halvings) const
   {
     const vfm::IndexBox chosen{ { { 8, 5, 8 } }, { { 10, 8, 9 } } };
@@ -44,7 +45,7 @@ protected:
     sculptor_get_number(this->Sculptor, name, index, &value);
     return value;
   }
-  /// Elements of the mesh of all ranks.
+  /// Returns the number of elements of all ranks.
   double Elements() const
   {
     int64_t points = 0, elements = 0;

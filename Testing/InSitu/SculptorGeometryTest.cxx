@@ -1,5 +1,5 @@
-/// Surfaces, curves and vertices by the C interface on several ranks: those of the filter in one
-/// process.
+/// Surfaces, curves and vertices from the C interface on several ranks
+/// equal the filter's on one rank.
 #include "HostFields.h"
 #include "Sculptor.h"
 
@@ -24,7 +24,7 @@ using namespace vfm::testing;
 namespace
 {
 
-/// The number of the surface, curve or vertex of each cell, by the global ids of its points.
+/// Number of the surface, curve or vertex of each cell, by the global ids of its points.
 using Cells = std::map<std::vector<std::int64_t>, int>;
 /// Dimension and number by global id.
 using Classified = std::map<std::int64_t, std::array<int, 2>>;
@@ -48,7 +48,7 @@ Cells CellsOfPort(vtkPolyData* data, vtkCellArray* cells)
   return all;
 }
 
-/// What all ranks have, each as a list of numbers of its own length.
+/// Returns the lists of all ranks joined; each may have another length.
 std::vector<std::int64_t> GatherNumbers(const std::vector<std::int64_t>& mine)
 {
   const int count = static_cast<int>(mine.size());
@@ -64,7 +64,7 @@ std::vector<std::int64_t> GatherNumbers(const std::vector<std::int64_t>& mine)
   return all;
 }
 
-/// The cells of all ranks; each must be on one alone.
+/// Returns the cells of all ranks; each must be on exactly one rank.
 Cells GatherCells(std::int64_t count, int corners, const std::int64_t* connectivity, const int* ids,
   const std::int64_t* pointIds)
 {
@@ -90,7 +90,7 @@ Cells GatherCells(std::int64_t count, int corners, const std::int64_t* connectiv
   return cells;
 }
 
-class SculptorGeometry : public ::testing::TestWithParam<int> // whether tetrahedra
+class SculptorGeometry : public ::testing::TestWithParam<int> // parameter: whether tetrahedra
 {
 protected:
   void SetUp() override

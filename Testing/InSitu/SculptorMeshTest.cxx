@@ -1,4 +1,4 @@
-/// The meshes of the report's calls.
+/// Meshes made by the calls of the Sculpt report.
 #include "CMLPSculptor.c.h"
 #include "HostFields.h"
 
@@ -14,7 +14,7 @@ using vfm::testing::NumberOfRanks;
 namespace
 {
 
-/// Volume of a tetrahedron.
+/// Returns the volume of a tetrahedron.
 double VolumeOfTet(const double* a, const double* b, const double* c, const double* d)
 {
   double u[3], v[3], w[3];
@@ -29,7 +29,8 @@ double VolumeOfTet(const double* a, const double* b, const double* c, const doub
     6.0;
 }
 
-/// Sum of the corner tetrahedra: positive volume needs nodes in the right order and base.
+/// Returns the sum of five tetrahedra per hexahedron. Positive volume requires
+/// nodes in the right order and base.
 double SumOfVolumes(const std::vector<double>& coordinates, const std::vector<int>& connectivity,
   int corners, int base)
 {
@@ -60,7 +61,7 @@ double SumOverRanks(double mine)
   return sum;
 }
 
-class SculptorMesh : public ::testing::TestWithParam<int> // whether tetrahedra
+class SculptorMesh : public ::testing::TestWithParam<int> // parameter: whether tetrahedra
 {
 protected:
   void SetUp() override
@@ -82,7 +83,7 @@ TEST_P(SculptorMesh, FreeMeshAndFragments)
 {
   const bool tet = GetParam() != 0;
   HostFields& f = this->Fields;
-  // The plate with a ball-shaped hole, and nothing of the ball: one fragment.
+  // The plate with a ball-shaped hole, without the ball, is one fragment.
   const auto method = tet ? c_get_free_tets : c_get_free_hexes;
   const auto fragmentMethod = tet ? c_get_fragment_tets : c_get_fragment_hexes;
   const int corners = tet ? 4 : 8;
@@ -96,7 +97,7 @@ TEST_P(SculptorMesh, FreeMeshAndFragments)
   ASSERT_EQ(method(this->Sculptor, coordinates.data(), connectivity.data()), SCULPTOR_OK);
   double volume = 0;
   ASSERT_EQ(sculptor_get_number(this->Sculptor, "MeshVolume", 0, &volume), SCULPTOR_OK);
-  // Hexahedra have curved faces, which five tets cut off: their sum is the volume but for that.
+  // Hexahedra have curved faces; five tetrahedra neglect the curvature.
   EXPECT_NEAR(
     SumOverRanks(SumOfVolumes(coordinates, connectivity, corners, 1)), volume, 0.01 * volume);
 
@@ -132,7 +133,7 @@ TEST(SculptorFragments, SeveralFragmentsSplitTheMesh)
   ASSERT_EQ(c_get_num_fragments(sculptor), 2);
   c_get_free_totals(sculptor, &nodes, &hexes, &tets);
   int sum = 0;
-  const double slabs[2] = { 6, 7 }; // cells thick
+  const double slabs[2] = { 6, 7 }; // thickness in cells
   for (int fragment = 1; fragment <= 2; ++fragment)
   {
     int partNodes = 0, partHexes = 0;
@@ -155,7 +156,7 @@ TEST(SculptorFragments, SeveralFragmentsSplitTheMesh)
   EXPECT_EQ(sculptor_error_code(0), SCULPTOR_OK);
 }
 
-/// auto_refine halves cells that are too thin, and no others.
+/// auto_refine halves only cells that are too thin.
 TEST(SculptorRefinement, HalvesThinLayersOnly)
 {
   const HostFields f(MyRank(), NumberOfRanks());

@@ -1,5 +1,5 @@
-/// The C interface on several ranks against the filter alone: the same bits, each rank its own
-/// cells.
+/// The C interface on several ranks gives bitwise identical results to the filter;
+/// each rank receives its own cells.
 #include "HostFields.h"
 #include "MeshView.h"
 #include "Sculptor.h"
@@ -17,9 +17,9 @@ namespace
 {
 
 constexpr double LargestRatio =
-  1.5; // of the widths of a cell: those of the host are nearer, unless stretched
+  1.5; // ratio of the widths of a cell; the host's is smaller unless stretched
 
-/// Of a rank, with cells so many times as long along z.
+/// Returns the fields of a rank, with cells stretched along z.
 HostFields MakeFields(int rank, int ranks, double stretch)
 {
   HostFields fields(rank, ranks);
@@ -28,7 +28,7 @@ HostFields MakeFields(int rank, int ranks, double stretch)
   return fields;
 }
 
-/// What the filter alone makes of the whole field in one process.
+/// Returns the digest of the filter's mesh of the whole field on one rank.
 std::uint64_t DigestOfFilter(vtkVolumeFractionMeshAlgorithm* mesher, double stretch)
 {
   MeshWhole(MakeFields(0, 1, stretch), *mesher);
@@ -36,7 +36,7 @@ std::uint64_t DigestOfFilter(vtkVolumeFractionMeshAlgorithm* mesher, double stre
   return Digest(ViewOf(mesher->GetOutput()));
 }
 
-/// The mesh by the C interface; a sculptor to be deleted.
+/// Makes the mesh by the C interface; the caller deletes the returned sculptor.
 int MakeMesh(const HostFields& f, bool tets, bool knowsNeighbours)
 {
   int sculptor = 0;

@@ -1,4 +1,4 @@
-/// State that is conserved, by the C interface: options, elements, nodes, sums.
+/// Conserved state by the C interface: options, elements, nodes, sums.
 #include "HostFields.h"
 #include "MeshView.h"
 #include "Sculptor.h"
@@ -58,7 +58,7 @@ protected:
   const HostFields Fields{ MyRank(), NumberOfRanks() };
 };
 
-/// What the filter makes of the whole field, in this process alone.
+/// Meshes the whole field by the filter on one rank.
 void MeshWholeWithState(vtkVolumeFractionToHex& mesher)
 {
   mesher.AddDensityArray("density");
@@ -171,7 +171,7 @@ TEST_F(SculptorState, SumsAreThoseOfTheCells)
   const double* velocities = nullptr;
   int components = 0;
   EXPECT_EQ(sculptor_get_point_state(this->Sculptor, "velocity", &components, &velocities),
-    SCULPTOR_ERROR_ARGUMENT); // not asked for
+    SCULPTOR_ERROR_ARGUMENT); // velocities at nodes were not requested
   EXPECT_EQ(std::string(sculptor_error_text(this->Sculptor)),
     "The mesh has no state of nodes named 'velocity'.");
 }

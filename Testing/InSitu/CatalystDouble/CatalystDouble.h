@@ -1,6 +1,6 @@
 /**
- * CatalystDouble: an implementation of Catalyst for tests, which hands what it gets to the program
- * that loaded it.
+ * CatalystDouble: an implementation of Catalyst for tests. It passes all data
+ * to the program that loaded it.
  */
 #pragma once
 
@@ -8,6 +8,6 @@
 
 extern "C"
 {
-  /// In the program. call: "initialize", "execute" or "finalize".
+  /// Defined by the program. call: "initialize", "execute" or "finalize".
   enum catalyst_status ReceiveFromCatalyst(const char* call, const conduit_node* node);
 }

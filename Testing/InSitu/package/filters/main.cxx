@@ -1,5 +1,5 @@
-/// Meshes known shapes by the filters of VTK and writes them as Exodus; prints how many hexahedra
-/// there are.
+/// Meshes known shapes by the VTK filters and writes them as Exodus;
+/// prints the number of hexahedra.
 #include <vtkNew.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkVolumeFractionExodusWriter.h>

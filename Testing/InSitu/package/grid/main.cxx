@@ -1,5 +1,5 @@
-/// Meshes a ball by the pipelines of Grid, as hexahedra and by each method as tetrahedra, and
-/// prints its volumes.
+/// Meshes a ball by the pipelines of Grid, as hexahedra and by each tetrahedral
+/// method, and prints the volumes.
 #include <HexPipeline.h>
 #include <TetPipeline.h>
 
@@ -12,7 +12,7 @@ namespace
 
 constexpr int Size = 12;
 
-/// A ball in the middle of cells of 1: the part of a cell is told by the distance of its centre.
+/// Reader of a ball in unit cells; the distance of the cell centre determines the fraction.
 class Ball : public vfm::FractionField::Reader
 {
 public:
