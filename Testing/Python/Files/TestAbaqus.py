@@ -1,5 +1,4 @@
-"""Meshes as Abaqus input files: the file is the mesh, its names and numbers can be read, what
-cannot be written is told."""
+"""Abaqus input files: contents, names, numbers, and messages about meshes and files that fail."""
 import os
 import resource
 import signal
@@ -18,11 +17,11 @@ from vfmtest import (
 SCULPTOR = os.environ["VFM_SCULPTOR"]
 SIDES = ("X_MIN", "X_MAX", "Y_MIN", "Y_MAX", "Z_MIN", "Z_MAX")
 NAMES = {0: "VOID", 1: "BALL", 2: "PLATE"}
-NEAR = 5e-14  # of a number whose shortest text is longer than 20 characters
+NEAR = 5e-14  # relative error of numbers whose shortest text has more than 20 characters
 
 
 def write_inp(mesh, path):
-    """Messages of the writer; none when it says that the file is written."""
+    """Writes a mesh and returns the error messages, which are empty if the file is written."""
     writer = simple.CreateWriter(path, producer(mesh))
     algorithm = writer.GetClientSideObject()
     assert algorithm.GetClassName() == "vtkVolumeFractionAbaqusWriter"
@@ -48,16 +47,15 @@ def check_coordinates(texts, values):
 
 
 def sides_of(points):
-    """The numbers of the nodes on each side of the box of the fields."""
-    low, high = np.array([-1, 0.5, 2]), np.array([2, 3.5, 8])  # fraction_image()
+    """Returns the numbers of the nodes on each side of the box of the fields."""
+    low, high = np.array([-1, 0.5, 2]), np.array([2, 3.5, 8])  # bounds of fraction_image()
     on = [points[:, axis] == bound[axis] for axis in range(3) for bound in (low, high)]
     return {name: set((np.flatnonzero(mask) + 1).tolist()) for name, mask in zip(SIDES, on)
             if mask.any()}
 
 
 def expected_surfaces(result):
-    """{name: faces as sorted corner numbers} by the materials on both sides of every face of every
-    element."""
+    """Returns {name: faces as sorted corners} from the materials on both sides of each face."""
     numbers = elements(result) + 1
     sides = sides_of(vtk_to_numpy(result.mesh.GetPoints().GetData()))
     surfaces = {}
@@ -73,7 +71,10 @@ def expected_surfaces(result):
 
 
 def check_orientation(points, cells):
-    """Corners 1, 2 and 4 (3 of a tetrahedron) turn counterclockwise seen from corner 5 (4)."""
+    """Checks that the corners turn counterclockwise seen from the opposite corner.
+
+    The corners are 1, 2 and 4, seen from 5; of a tetrahedron 1, 2 and 3, seen from 4.
+    """
     if cells.shape[1] == 8:
         cells = cells[:, [0, 1, 3, 4]]
     assert (tet_volumes(points, cells) > 0).all()
@@ -100,6 +101,7 @@ def check_file(file, result):
 
 @in_folder
 def test_file_is_the_mesh(at):
+    """The file holds elements, sets and surfaces of the mesh, for each kind of mesh."""
     kinds = [{},
              {"MeshVoid": 1}] + [{"make": VolumeFractionToTet, "Method": method}
                                  for method in TET_METHODS]
@@ -112,7 +114,7 @@ def test_file_is_the_mesh(at):
 
 @in_folder
 def test_velocities_of_nodes(at):
-    """A vector of the points whose name tells that it is one, and no other."""
+    """A point vector is written as initial velocity if its name says so, and no other array is."""
     result = mesh_of(fraction_image())
     values = np.random.default_rng(5).normal(size=(result.mesh.GetNumberOfPoints(),
                                                    3)) * 10.0 ** np.arange(-3, 6, 3)
@@ -127,6 +129,7 @@ def test_velocities_of_nodes(at):
 
 @in_folder
 def test_save_data(at):
+    """SaveData of ParaView writes the same mesh."""
     hexes = VolumeFractionToTet(Input=producer(fraction_image()),
                                 VolumeFractionArrays=["ball", "plate"], Method="Lattice")
     simple.SaveData(at("mesh.inp"), proxy=hexes)
@@ -135,7 +138,7 @@ def test_save_data(at):
 
 
 def row_of_elements(count, kind=VTK_HEXAHEDRON, scale=1.0):
-    """Unit cubes, or tetrahedra, one a material, with the arrays that the writer needs."""
+    """Makes unit cubes or tetrahedra, one per material, with the arrays that the writer needs."""
     mesh = vtkUnstructuredGrid()
     points = vtkPoints()
     points.SetDataTypeToDouble()
@@ -160,6 +163,7 @@ def row_of_elements(count, kind=VTK_HEXAHEDRON, scale=1.0):
 
 @in_folder
 def test_names(at):
+    """Names become valid and unique names of sets."""
     long = "x" * 90
     cases = [("Material volume fraction - 1", "MATERIAL_VOLUME_FRACTION_1"),
              ("material/volume//fraction 1", "MATERIAL_VOLUME_FRACTION_1_2"),
@@ -183,11 +187,13 @@ def test_names(at):
                                               + ["MATERIAL_%d" % (len(cases) + 1)])}
     assert len(file.surfaces) == len(
         cases) + 1 and "MATERIAL_VOLUME_FRACTION_1_TO_VOID" in file.surfaces
-    assert "** MATERIAL_VOLUME_FRACTION_1: material 1, Material volume fraction - 1" in file.comments
+    assert ("** MATERIAL_VOLUME_FRACTION_1: material 1, Material volume fraction - 1"
+            in file.comments)
 
 
 @in_folder
 def test_sides_keep_their_names(at):
+    """Names of domain sides are reserved; equal names of materials get a suffix."""
     result = mesh_of(fraction_image())
     names = result.mesh.GetFieldData().GetAbstractArray("MaterialNames")
     names.SetValue(0, "x min")
@@ -199,6 +205,7 @@ def test_sides_keep_their_names(at):
 
 @in_folder
 def test_numbers(at):
+    """Coordinates have at most 20 characters and the smallest possible error."""
     random = np.random.default_rng(1)
     values = np.concatenate([random.normal(size=600) * 10.0 ** random.integers(-30, 30, 600),
                              [0, -0.0, 1, -1 / 3, 1e22 / 3, 5e-324,
@@ -214,6 +221,7 @@ def test_numbers(at):
 
 @in_folder
 def test_same_bytes_on_all_ranks(at):
+    """Runs on 1, 2 and 3 ranks write identical files."""
     path = write(fraction_image(), at("in.vti"))
     for arguments, kind in (([], {}),
                             (["--tetmesh", "Lattice"],
@@ -234,8 +242,7 @@ def check_same_bytes(one, other):
 
 @in_folder
 def test_pieces_read_by_one_rank(at):
-    """Points between the pieces are there twice, cells are in another order, and the mesh is whole
-    again."""
+    """Pieces with duplicate points and another order of cells give the file of the whole mesh."""
     path = write(fraction_image(), at("in.vti"))
     assert mpi_run(3, [SCULPTOR, "--input", path, "--output", at("mesh.pvtu")]).returncode == 0
     mesh = simple.OpenDataFile(at("mesh.pvtu"))
@@ -254,6 +261,7 @@ def refuse(mesh, path, text):
 
 @in_folder
 def test_meshes_that_cannot_be_written(at):
+    """An empty mesh, mixed or other cells and missing arrays are reported, and no file is left."""
     path = at("mesh.inp")
     refuse(vtkUnstructuredGrid(), path, "empty")
     refuse(row_of_elements(2, VTK_WEDGE), path, "all hexahedra or all tetrahedra")
@@ -268,6 +276,7 @@ def test_meshes_that_cannot_be_written(at):
 
 @in_folder
 def test_files_that_cannot_be_written(at):
+    """Errors of the file system are reported, and no partial file is left."""
     mesh = mesh_of(fraction_image()).mesh
     refuse(mesh, at("missing/mesh.inp"), "No such file")
     os.mkdir(at("folder.inp"))
@@ -280,7 +289,7 @@ def test_files_that_cannot_be_written(at):
     limits = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (os.path.getsize(at("whole.inp")) - 1, limits[1]))
     try:
-        refuse(mesh, at("large.inp"), "File too large")  # and what was written of it is gone
+        refuse(mesh, at("large.inp"), "File too large")  # The partial file is removed.
     finally:
         resource.setrlimit(resource.RLIMIT_FSIZE, limits)
 

@@ -1,8 +1,8 @@
-"""Damaged files of each kind that the program sculptor reads: no crash, no hang, one message each
-(Testing/Fuzz/FuzzFiles).
+"""Damaged files of each kind that `sculptor` reads: no crash, no hang, one message per file.
 
-VFM_SEEDS=first:count takes other seeds; a folder as an argument keeps the good files there, to
-repeat a seed by hand:
+The program Testing/Fuzz/FuzzFiles damages the files. VFM_SEEDS=first:count selects other seeds. An
+argument is a folder that receives the intact files, to repeat a seed by hand:
+
     VFM_FUZZ_FILES FOLDER --seed S --keep
 """
 import os
@@ -22,11 +22,11 @@ from vfmtest import image, main, write
 from voxels import grains, turned, write_numpy, write_text
 
 SEEDS, COUNT = (int(x) for x in os.environ.get("VFM_SEEDS", "0:200").split(":"))
-SIDE = 6  # cells along each axis of what is no AMR grid
+SIDE = 6  # cells along each axis of grids other than AMR
 
 
 def fields():
-    """Two fractions (z, y, x)."""
+    """Returns two fractions (z, y, x)."""
     ball = np.random.default_rng(3).random((SIDE,) * 3)
     return {"ball": ball, "rest": 1 - ball}
 
@@ -44,7 +44,7 @@ def write_exodus_grid(path):
 
 
 def write_all(folder):
-    """Good files, and the list of them that FuzzFiles reads."""
+    """Writes the intact files and the list of them that FuzzFiles reads."""
     amr, flat = make_amr(levels=2, roots=(2, 2, 2)), make_amr(levels=1, roots=(2, 2, 1))
     labels = grains()[:SIDE, :SIDE, :SIDE]
     size = ["--dimensions", ",".join([str(SIDE)] * 3)]
@@ -86,7 +86,7 @@ def write_all(folder):
 
 
 def run_fuzzer(folder):
-    """All good files can be meshed; of damaged ones none ends badly."""
+    """Checks that all intact files can be meshed, then runs FuzzFiles on damaged copies."""
     fuzzer = [os.environ["VFM_FUZZ_FILES"], folder]
     for line in open(os.path.join(folder, "inputs")).read().splitlines():
         name, file, *words = line.split()
@@ -99,6 +99,7 @@ def run_fuzzer(folder):
 
 
 def test_damaged_files():
+    """FuzzFiles finds no crash and no hang."""
     if len(sys.argv) > 1:
         write_all(sys.argv[1])
         run_fuzzer(sys.argv[1])

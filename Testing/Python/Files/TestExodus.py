@@ -1,5 +1,4 @@
-"""Meshes as Exodus files: what another reader (ncdump) and ParaView's read is the mesh, in one file
-and in parts."""
+"""Exodus files: ncdump and ParaView's readers find the mesh in them, in one file and in parts."""
 import os
 import resource
 
@@ -32,7 +31,7 @@ def writer_of(mesh, path, **properties):
 
 
 def write(mesh, path, **properties):
-    """The errors of the writer."""
+    """Writes a mesh and returns the error messages."""
     writer = writer_of(mesh, path, **properties)
     errors, _ = collect(held_class(writer))
     writer.UpdatePipeline()
@@ -40,7 +39,7 @@ def write(mesh, path, **properties):
 
 
 def area_vectors(faces):
-    """Of faces (n, 3 or 4, 3)."""
+    """Returns the area vectors of faces (n, 3 or 4, 3)."""
     return np.cross(faces[:, 2] - faces[:, 0],
                     faces[:, -1] - faces[:, 1] if faces.shape[1] == 4
                     else faces[:, 1] - faces[:, 0]) / (
@@ -48,7 +47,7 @@ def area_vectors(faces):
 
 
 def surface_areas(result, names):
-    """{name of a side set: sum of the area vectors} by the second output of the filter."""
+    """Returns {name of a side set: sum of the area vectors} from the surfaces of the filter."""
     surfaces, sums = result.surfaces, {}
     points = vtk_to_numpy(surfaces.GetPoints().GetData())
     facets = vtk_to_numpy(surfaces.GetPolys().GetConnectivityArray()).reshape(
@@ -59,7 +58,7 @@ def surface_areas(result, names):
     parts = array(surfaces.GetFieldData(), "SurfaceParts")
     for area, (low, high), side, surface in zip(areas, pairs.tolist(), sides.tolist(),
                                                 ids.tolist()):
-        # the normal leaves the second
+        # The normal points out of the second material.
         keys = [(AXES[side], 1)] if side >= 0 else [("%s_to_%s" % (names[high], names[low]), 1)]
         if side < 0 and low > 0:
             keys.append(("%s_to_%s" % (names[low], names[high]), -1))
@@ -71,8 +70,10 @@ def surface_areas(result, names):
 
 
 def check_areas(path, result):
-    """The faces of each side set, from the file, point out of their elements and have the area of
-    the surfaces."""
+    """Checks the faces of each side set in the file.
+
+    They point out of their elements, and their total area vector is that of the surfaces.
+    """
     dump = Dump(path)
     elements, points = dump.elements(), dump.points()
     sums = surface_areas(result, material_names(result.mesh))
@@ -96,6 +97,7 @@ def velocity_field():
 
 @in_folder
 def test_one_file(at):
+    """A single file holds blocks, sets, ids and state of each kind of mesh."""
     data = velocity_field()
     cases = ({}, {"MeshVoid": 1}, {"StairStep": 1}, CELLS,
              {"make": VolumeFractionToTet, "Method": "Lattice"}, {**CELLS, "MeshVoid": 1})
@@ -111,7 +113,7 @@ def test_one_file(at):
 
 @in_folder
 def test_values_of_nodes(at):
-    """Variables of nodes are beside those of elements of the same name."""
+    """Variables of nodes and elements may have the same name."""
     result = mesh_of(velocity_field(), StateArrays=["velocity"])
     values = np.random.default_rng(4).normal(size=(result.mesh.GetNumberOfPoints(), 3))
     add_array(result.mesh.GetPointData(), "velocity", values).SetNumberOfComponents(3)
@@ -148,6 +150,7 @@ def ioss(path):
 
 @in_folder
 def test_paraview_reads_it(at):
+    """Both Exodus readers of VTK return blocks, ids, vectors, side sets and node sets."""
     result = mesh_of(velocity_field(), StateArrays=["velocity"])
     write(result.mesh, at("mesh.exo"))
     parts, (sides, nodes) = ioss(at("mesh.exo")), find_sets(result.mesh)
@@ -155,14 +158,14 @@ def test_paraview_reads_it(at):
         if material:
             block, chosen = parts[name][0], result.cells("MaterialId") == material
             ids = array(block.GetCellData(), "ids")
-            # of three components
+            # vectors of three components
             velocities = dict(zip(ids.tolist(), array(block.GetCellData(), "velocity").tolist()))
             wanted = zip(result.cells("GlobalCellIds")[chosen].tolist(),
                          result.cells("velocity")[chosen].tolist())
             assert velocities == dict(wanted)
     for sets in (sides, nodes):
         for (_, name), items in sets.items():
-            # IOSS knows no capitals
+            # IOSS converts names to lower case.
             assert len(items) in [part.GetNumberOfCells() for part in parts[name.lower()]], name
     reader = vtkExodusIIReader()
     reader.SetFileName(at("mesh.exo"))
@@ -181,8 +184,7 @@ def test_paraview_reads_it(at):
 
 @in_folder
 def test_wide_ids(at):
-    """Ids above 2^31, as tets of large grids have them, and above 2^53, where doubles are no longer
-    exact."""
+    """Ids above 2^31 (tets of large grids) and above 2^53 (not exact as double) are kept."""
     for shift in (2 ** 31, 2 ** 62):
         mesh = vtkUnstructuredGrid()
         mesh.DeepCopy(mesh_of(fraction_image(8)).mesh)
@@ -198,7 +200,7 @@ def test_wide_ids(at):
 
 @in_folder
 def test_pieces_that_one_process_reads(at):
-    """Points between pieces are there once."""
+    """Points on the border between pieces are written once."""
     result = mesh_of(fraction_image())
     save_data(at("mesh.vtu"), producer(result.mesh))
     assert mpi_run(2,
@@ -212,8 +214,7 @@ def test_pieces_that_one_process_reads(at):
 
 @in_folder
 def test_names(at):
-    """Names longer than the library takes, and those that differ by capitals only, end with the
-    number."""
+    """Names that are too long, or that differ only in capitals, get the number as a suffix."""
     ball, plate = ball_and_plate(8)
     names = ["m" * 300, "Iron", "IRON"]
     half = np.where(np.arange(8) < 4, 1.0, 0.0)
@@ -231,7 +232,7 @@ def test_names(at):
 
 @in_folder
 def test_material_ids(at):
-    """Ids of four digits need a greater factor; those near 2^31 are counted."""
+    """Ids of four digits use a larger factor for side sets; near 2^31 the sets are numbered."""
     for high, factor in ((4711, 10000), (2 ** 31 - 1, None)):
         ids = np.where(labels(8) == 2, high, labels(8)).astype(np.int32)
         result = mesh_of(image({"id": ids}), MaterialIdArray="id")
@@ -254,6 +255,7 @@ def vti(at, data, name="in.vti"):
 
 @in_folder
 def test_refused(at):
+    """Invalid meshes and errors of the file system are reported, and no file is left."""
     mesh = mesh_of(fraction_image(8)).mesh
     copy = lambda: (lambda other: other.DeepCopy(mesh) or other)(vtkUnstructuredGrid())
     no_material, zero, mixed = copy(), copy(), copy()
@@ -276,6 +278,7 @@ def test_refused(at):
 
 @in_folder
 def test_file_that_was_begun_is_removed(at):
+    """A file that exceeds the size limit is removed."""
     mesh = mesh_of(fraction_image()).mesh
     write(mesh, at("mesh.exo"))
     size = os.path.getsize(at("mesh.exo"))
@@ -289,7 +292,7 @@ def test_file_that_was_begun_is_removed(at):
 
 
 def without_date(path):
-    """The bytes of a file; date and time of the QA record blanked."""
+    """Returns the bytes of a file with date and time of the QA record blanked."""
     with open(path, "rb") as file:
         content = file.read()
     for text in Dump(path).get("qa_records")[2:]:
@@ -299,7 +302,7 @@ def without_date(path):
 
 
 def check_ranks(at, path, mesh, *arguments):
-    """sculptor's files on one and several ranks hold the mesh, in parts and as one file."""
+    """Checks that files of sculptor on 1 to 3 ranks hold the mesh, in parts and as one file."""
     wanted = expected(mesh)
     x_min = sum(len(items) for key, items in wanted["sides"].items() if key[1] == "x_min")
     for ranks in (1, 2, 3):
@@ -318,14 +321,15 @@ def check_ranks(at, path, mesh, *arguments):
                               *arguments])
             assert result.returncode == 0 and without_date(single) == without_date(
                 at("mesh1.exo")), result
-            parts = ioss(names[-1])  # any of them
-            # 1: node set
+            parts = ioss(names[-1])  # Any part gives access to all.
+            # Cells of type 1 belong to the node set.
             assert sum(part.GetNumberOfCells() for part in parts["x_min"]
                        if part.GetCellType(0) != 1) == x_min
 
 
 @in_folder
 def test_ranks(at):
+    """Files of sculptor on 1, 2 and 3 ranks hold the mesh."""
     path = vti(at, fraction_image())
     check_ranks(at, path, mesh_of(fraction_image()).mesh)
     check_ranks(at, path, mesh_of(fraction_image(), **CELLS, MeshVoid=1).mesh, "--tetmesh", "Cells",
@@ -334,8 +338,7 @@ def test_ranks(at):
 
 @in_folder
 def test_spyplot(at):
-    """From files of CTH to files of Exodus, with a vector and a number that the elements carry
-    along."""
+    """SpyPlot files become Exodus files with time and state."""
     ball, plate = ball_and_plate()
     step = {"Pressure": 1e5 * ball, SPY % 1: ball, SPY % 2: np.minimum(plate, 1 - ball)}
     step = {name: value.astype(np.float32) for name, value in step.items()}
@@ -350,17 +353,17 @@ def test_spyplot(at):
 
 
 def turned_box(n=16):
-    """A box turned in a matrix, off the grid: smooth sides on both."""
+    """Returns a rotated box in a matrix, not aligned with the grid: both have smooth sides."""
     source = VolumeFractionShapes(
-        Shapes="box size=0.95,1.05,1 rotation=25,20,15 center=0.02,0,0.03 material=1; box size=2,2,2 material=2",
-                                  Bounds=[-1, 1] * 3, Dimensions=[n] * 3)
+        Shapes="box size=0.95,1.05,1 rotation=25,20,15 center=0.02,0,0.03 material=1; "
+               "box size=2,2,2 material=2",
+        Bounds=[-1, 1] * 3, Dimensions=[n] * 3)
     return servermanager.Fetch(source)
 
 
 @in_folder
 def test_smooth_sides(at):
-    """Each side of a box is a side set and a node set, seen from either material; the same in the
-    parts of ranks."""
+    """Each smooth side is a side set of each material and a node set, also in files of ranks."""
     data = turned_box()
     for kind, properties in (("", {}),
                              ("Lattice", {"make": VolumeFractionToTet, "Method": "Lattice"})):
@@ -390,7 +393,7 @@ def test_smooth_sides(at):
 
 @in_folder
 def test_ranks_without_elements(at):
-    """More ranks than there are cells; names and arrays are the same in all parts."""
+    """With more ranks than cells, all parts have the same names and arrays."""
     data = image({"id": np.array([[[1, 2], [2, 0]]], np.int32)})
     path, mesh = vti(at, data), mesh_of(data, MaterialIdArray="id").mesh
     result = mpi_run(12, [SCULPTOR, "--input", path, "--labels", "id", "--output", at("mesh.exo")])
@@ -405,7 +408,8 @@ def test_ranks_without_elements(at):
             assert dump.names(kind) == dumps[0].names(kind)
         assert dump.get("name_elem_var") == dumps[0].get(
             "name_elem_var") and dump.globals() == dumps[0].globals()
-    blocks = ioss(at("mesh.exo.12.03"))  # IOSS knows neither capitals nor spaces
+    # IOSS converts names to lower case and spaces to underscores.
+    blocks = ioss(at("mesh.exo.12.03"))
     names = [name.lower().replace(" ", "_") for name in wanted["blocks"].values()]
     assert sum(part.GetNumberOfCells() for name in names
                for part in blocks[name]) == len(wanted["elements"]), blocks
@@ -413,7 +417,7 @@ def test_ranks_without_elements(at):
 
 @in_folder
 def test_ranks_fail_alike(at):
-    """A part that cannot be written takes the others with it."""
+    """If one part cannot be written, all ranks report it and remove their parts."""
     path = vti(at, fraction_image(8))
     os.symlink("/dev/full", at("full.exo.3.1"))
     result = mpi_run(3, [SCULPTOR, "--input", path, "--output", at("full.exo")])

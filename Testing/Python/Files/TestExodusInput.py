@@ -1,6 +1,8 @@
-"""Exodus files, and other hexahedra that form a Cartesian grid, as input: the meshes of the image,
-bit for bit, from ParaView's readers and the program sculptor on several ranks; and what is said
-about other meshes and damaged files."""
+"""Exodus files and other hexahedra that form a Cartesian grid, as input.
+
+The meshes are bitwise identical to meshes of images, with ParaView's readers and with `sculptor`
+on several ranks. Other meshes and damaged files are reported.
+"""
 import functools
 import os
 import re
@@ -44,6 +46,7 @@ def check_same(data, expected, **properties):
 
 
 def test_order_of_cells():
+    """The order of cells and of corners does not change the mesh."""
     expected = of_grid()
     check_same(image(fields()), expected)
     for cells in (ALL, shuffled(), ALL[::-1], ALL.reshape(N, N, N).T.ravel()):
@@ -52,6 +55,7 @@ def test_order_of_cells():
 
 
 def test_blocks():
+    """Blocks of cells, also mixed with images, give the mesh of one grid."""
     cells = shuffled()
     expected = of_grid()
     check_same(blocks(*[hexes(fields(), part) for part in np.split(cells, [5, 600, 601])]),
@@ -63,6 +67,7 @@ def test_blocks():
 
 
 def test_spacing_and_options():
+    """Graded cells give the mesh of a rectilinear grid, with each kind of option."""
     graded = hexes(fields(), shuffled(), GRADED)
     for properties in ({}, uniform(1), {"make": VolumeFractionToTet, "Method": "Cells"},
                        {"MeshVoid": 1}):
@@ -70,8 +75,7 @@ def test_spacing_and_options():
 
 
 def test_float_coordinates():
-    """Nodes of cells that are wide apart in a file may differ by rounding; one tenth is not
-    exact."""
+    """Nodes that differ by rounding are merged."""
     tenths = [0.1 * np.arange(N + 1.0)] * 3
     data = hexes(fields(), shuffled(), tenths)
     points = vtk_to_numpy(data.GetPoints().GetData())
@@ -82,6 +86,7 @@ def test_float_coordinates():
 
 
 def test_labels():
+    """Labels on hexahedra give the mesh of labels on an image."""
     ids = np.random.default_rng(3).choice([0, 2, 5], (N, N, N)).astype(np.int32)
     expected = mesh_of(image({"id": ids}), MaterialIdArray="id", StateArrays=["id"])
     check_same(hexes({"id": ids}, shuffled()), expected, MaterialIdArray="id", StateArrays=["id"],
@@ -89,6 +94,7 @@ def test_labels():
 
 
 def test_state_arrays():
+    """State arrays keep their types and values."""
     generator = np.random.default_rng(4)
     state = {"v": generator.normal(size=(N, N, N, 3)).astype(np.float32),
              "n": generator.integers(0, 9, (N, N, N)).astype(np.int16)}
@@ -105,7 +111,7 @@ def test_state_arrays():
 
 
 def test_ghosts():
-    """Ghost cells hold rubbish, blanked cells are void."""
+    """Values of ghost cells are ignored; blanked cells are void."""
     cells = shuffled()
     types = np.zeros((N, N, N), np.uint8)
     types[4:6, 3:9, 3:9] = HIDDEN
@@ -133,6 +139,7 @@ def quads(kind=VTK_QUAD, count=4):
 
 
 def test_cells_of_less_dimensions_are_left_out():
+    """Cells of fewer dimensions are ignored."""
     expected = of_grid()
     check_same(blocks(quads(), hexes(fields(), shuffled()), vtkUnstructuredGrid()), expected)
     data = hexes(fields(), shuffled())
@@ -157,6 +164,7 @@ def structured(coordinates):
 
 
 def test_structured_grid():
+    """Structured grids are accepted, also with reversed axes and blanked cells."""
     data = structured(GRADED)
     for name, values in fields().items():
         add_array(data.GetCellData(), name, values)
@@ -175,7 +183,7 @@ def test_structured_grid():
 
 
 def moved(change, cells=ALL):
-    """The hexahedra with change(points) made."""
+    """Returns the hexahedra after change(points)."""
     data = hexes(fields(), cells)
     change(vtk_to_numpy(data.GetPoints().GetData()))
     return data
@@ -192,6 +200,7 @@ def set_point(point, axis, value):
 
 
 def test_other_shapes():
+    """Hexahedra that are not boxes along the axes are rejected; the message names the cell."""
     check_input_error(moved(set_point(0, 0, -0.9)), "The input: cell 0 is not a box",
                       "its point 0 at (-0.9, 0.5, 2)", "Transform")
     check_input_error(moved(turn), "cell 0 is not a box with sides along the axes", "Transform",
@@ -200,12 +209,13 @@ def test_other_shapes():
     check_input_error(moved(lambda points: points.__setitem__((slice(None), 1), 3.0)),
                       "cell 0 is flat along y")
     data = hexes(fields(), ALL)
-    # corner 0 of cell 1 becomes its corner 1
+    # Corner 0 of cell 1 becomes its corner 1.
     vtk_to_numpy(data.GetCells().GetConnectivityArray())[8] = 2
     check_input_error(data, "cell 1 has two corners in the same place")
 
 
 def test_other_cells():
+    """Other types of cells are rejected."""
     check_input_error(quads(VTK_TETRA), "The input: cell 0 is a vtkTetra", "Resample To Image")
     check_input_error(blocks(hexes(fields(), ALL), quads(VTK_TETRA)),
                       "Block 1: cell 0 is a vtkTetra")
@@ -214,6 +224,7 @@ def test_other_cells():
 
 
 def test_cells_that_do_not_tile():
+    """Gaps and overlaps between cells are rejected."""
     check_input_error(hexes(fields(), np.delete(ALL, [40, 400])), "leave a gap: 2 of the 1728",
                       "cell (4, 3, 0)")
     check_input_error(hexes(fields(), np.append(ALL, 77)),
@@ -228,10 +239,11 @@ def test_cells_that_do_not_tile():
 
 
 def test_missing_arrays():
+    """Missing arrays are reported with the available ones."""
     data = hexes(fields(), shuffled())
     check_input_error(data,
-                      "has no numeric cell array 'MAT_30'. Its cell arrays: 'ids', 'MAT_10', 'MAT_20', 'number'",
-                VolumeFractionArrays=["MAT_30"])
+                      "has no numeric cell array 'MAT_30'. Its cell arrays: "
+                      "'ids', 'MAT_10', 'MAT_20', 'number'", VolumeFractionArrays=["MAT_30"])
     check_input_error(data, "has no numeric cell array 'heat'", StateArrays=["heat"])
 
 
@@ -249,7 +261,7 @@ FOLDER = tempfile.TemporaryDirectory()
 
 @functools.lru_cache()
 def files():
-    """Files of the same grid: {kind: path}."""
+    """Writes the same grid to files of several forms; returns {form: path}."""
     at = lambda name: os.path.join(FOLDER.name, name)
     cells = shuffled()
     run_script(3, "write", at("parts.e"))
@@ -263,7 +275,7 @@ def files():
 
 
 def check_pieces(pieces, expected, label):
-    """What the reader says of its file is field data of the mesh as well."""
+    """Compares pieces with the expected mesh, without the field data that the reader adds."""
     for piece in pieces:
         field = piece.GetFieldData()
         for name in [field.GetArrayName(i) for i in range(field.GetNumberOfArrays())]:
@@ -279,6 +291,7 @@ def check_file(output, expected, label):
 
 @in_folder
 def test_readers_of_paraview(at):
+    """All readers of ParaView give the mesh of each time step, also on ranks."""
     expected = [of_grid(step) for step in range(len(TIMES))]
     assert digest(expected[0]) != digest(expected[1])
     for kind, path in files().items():
@@ -295,32 +308,34 @@ def test_readers_of_paraview(at):
 
 @in_folder
 def test_sculptor(at):
+    """sculptor gives the mesh of each time step on 1 to 4 ranks."""
     expected = [of_grid(step) for step in range(len(TIMES))]
     asked = ("--fractions", "MAT_10,MAT_20", "--state", "number", "--quiet")
     for kind, path in files().items():
         for ranks, step, words in ((1, 0, ()), (2, 1, ("--time", "1.9")), (3, 0, ()),
                                    (4, 1, ("--step", "1"))):
-            # any part stands for all
+            # Any part identifies the file.
             result = sculptor(path.replace("3.0", "3.1"), at("out.vtu"), *asked, *words,
                               ranks=ranks)
             assert result.returncode == 0 and result.stderr == "", result
             check_file(at("out.vtu"), expected[step], (kind, ranks, words))
         result = sculptor(path, at("out.vtu"))
-        assert "materials from MAT_10, MAT_20 (all cell arrays" in result.stdout and "time 0.5" in result.stdout, result
+        assert ("materials from MAT_10, MAT_20 (all cell arrays" in result.stdout
+                and "time 0.5" in result.stdout), result
 
 
 @in_folder
 def test_sculptor_part_of_one(at):
-    """FILE.1.0, part 0 of 1, with any FILE; of ParaView's writer, and of ours a mesh of whole
-    cells."""
+    """FILE.1.0 is part 0 of 1, for any FILE, written by ParaView or by sculptor."""
     expected, cells = of_grid(1), shuffled()
     path = write_exodus(at("whole.exo"), lambda step: {"all": hexes(fields(step), cells)})
     for name in ("cube_mesh.exo.1.0", "cube.1.0", "cube.E.1.0", "cube.1.00"):
-        path = shutil.move(path, at(name))  # FILE itself is not there
+        path = shutil.move(path, at(name))  # There is no file named FILE.
         for ranks in (1, 3):
             result = sculptor(path, at("out.vtu"), "--fractions", "MAT_10,MAT_20", "--state",
                               "number", "--time", "2", ranks=ranks)
-            assert result.returncode == 0 and result.stderr == "" and "time 2\n" in result.stdout, result
+            assert (result.returncode == 0 and result.stderr == ""
+                    and "time 2\n" in result.stdout), result
             check_file(at("out.vtu"), expected, (name, ranks))
     sculptor_program.refused(2, "No such file", at("other.1.0"), at("no.vtu"), ranks=2)
     sculptor_program.refused(1, "of an unknown format", at("cube.1.1"), at("no.vtu"))
@@ -336,8 +351,7 @@ def test_sculptor_part_of_one(at):
 
 @in_folder
 def test_sculptor_velocity(at):
-    """Exodus keeps the components of a vector apart: vel_X, vel_Y, vel_Z; the sums are those of the
-    image."""
+    """The components vel_X, vel_Y, vel_Z form one vector; the image gives the same sums."""
     arrays = fields()
     ramp = np.linspace(1, 2, N)[:, None, None] + 0 * arrays["MAT_10"]
     grid = write(image({**arrays, "vel": np.stack([ramp, ramp ** 2, 1 - ramp], -1),
@@ -355,8 +369,7 @@ def test_sculptor_velocity(at):
 
 @in_folder
 def test_sculptor_labels(at):
-    """Element variables are real; a label array of whole numbers is taken all the same, and so are
-    the ids of the blocks."""
+    """Element variables with integer values, or the ids of blocks, can be labels."""
     ids = np.random.default_rng(3).choice([0, 2, 5], (N, N, N))
     expected = mesh_of(image({"MAT": ids.astype(np.int32)}), MaterialIdArray="MAT")
     cells = shuffled()
@@ -381,6 +394,7 @@ def refused(code, text, path, output, *arguments, ranks=1):
 
 @in_folder
 def test_sculptor_refuses(at):
+    """Missing variables, steps and files, unknown formats and skewed cells are reported."""
     no = at("no.vtu")
     for ranks, kind in ((1, "one"), (1, "parts"), (2, "parts"), (3, "blocks")):
         path = files()[kind]
@@ -391,11 +405,13 @@ def test_sculptor_refuses(at):
     refused(2, "absent.e: No such file", at("absent.e"), no)
     refused(1, "unknown format", at("parts.e.3.3"), no)
     skewed = write_exodus(at("skewed.e"), lambda step: {"all": moved(turn)}, [0.0])
-    refused(3, "Block 0 of rank 0: cell 0 is not a box", skewed, no, "--fractions", "MAT_10", ranks=3)
+    refused(3, "Block 0 of rank 0: cell 0 is not a box", skewed, no, "--fractions", "MAT_10",
+            ranks=3)
 
 
 @in_folder
 def test_damaged_files(at):
+    """Truncated files and other contents are reported."""
     no = at("no.vtu")
     with open(files()["blocks"], "rb") as file:
         whole = file.read()
@@ -410,6 +426,7 @@ def test_damaged_files(at):
 
 @in_folder
 def test_damaged_parts(at):
+    """Missing, truncated and inconsistent parts are reported on any number of ranks."""
     no = at("no.vtu")
     part = [at("parts.e.3.%d" % rank) for rank in range(3)]
     files()

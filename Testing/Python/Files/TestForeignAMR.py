@@ -1,5 +1,7 @@
-"""AMR data in the files of other codes through ParaView's readers: the same data of five formats
-gives the same mesh; runs of Gerris and of AMReX, too, keep their volumes."""
+"""AMR files of other codes through ParaView's readers.
+
+The same data in five formats gives the same mesh; meshes of Gerris and AMReX runs keep the volumes.
+"""
 import importlib.util
 import os
 import subprocess
@@ -30,7 +32,7 @@ MODES = ("Off", "Input Levels", "Uniform")
 
 def read_vthb(path):
     reader = simple.XMLUniformGridAMRReader(FileName=[path])
-    reader.DefaultNumberOfLevels = 0  # all
+    reader.DefaultNumberOfLevels = 0  # all levels
     return reader
 
 
@@ -48,7 +50,7 @@ def read_spyplot(path):
 
 
 def readers(at):
-    """Of the same data: format, reader, names of the fractions."""
+    """Yields format, reader and names of the fractions of the same data in each format."""
     yield "overlapping", read_vthb(write_vthb(at("o.vthb"), AMR)), FRACTIONS
     yield "leaves", read_vthb(write_vthb(at("n.vthb"), AMR, vtkNonOverlappingAMR)), FRACTIONS
     yield "AMReX", read_levels(simple.AMReXBoxLibGridReader,
@@ -85,6 +87,7 @@ def volumes_of(amr):
 
 @in_folder
 def test_same_mesh_of_all_formats(at):
+    """All formats give the same mesh, with each kind of refinement."""
     sources = list(readers(at))
     assert len(sources) == (7 if HAS_H5PY else 5)
     sizes = []
@@ -116,7 +119,7 @@ def check_sculptor(at, amr, paths):
 
 @in_folder
 def test_sculptor(at):
-    """The program takes the same files, on any number of ranks."""
+    """sculptor reads the same files on any number of ranks."""
     amr = make_amr(levels=2)
     paths = [write_vthb(at("o.vthb"), amr), write_vthb(at("n.vthb"), amr, vtkNonOverlappingAMR),
              write_plotfile(at("plt00000"), amr)]
@@ -125,11 +128,12 @@ def test_sculptor(at):
 
 @in_folder
 def test_sculptor_spyplot(at):
+    """sculptor reads SpyPlot files whose parts hold different kinds of blocks."""
     amr = make_amr(levels=2)
     blocks = spyplot_blocks(amr)
     path = write_spyplot(at(""), "spy", [0.0], blocks, 3)
     check_sculptor(at, amr, [path])
-    # ParaView's reader takes one kind only
+    # ParaView's reader supports only one kind per case.
     for kinds in ((blocks[:1], blocks[1:]), (blocks[:-1], blocks[-1:])):
         write_spyplot(at(""), "spy", [0.0], blocks, 2)
         for file in (0, 1):
@@ -139,6 +143,7 @@ def test_sculptor_spyplot(at):
 
 @in_folder
 def test_tets(at):
+    """Tetrahedra of all formats have equal volumes and are identical."""
     reference = None
     for name, source, arrays in list(readers(at))[:3]:
         result = mesh_from(source, arrays, VolumeFractionToTet, Method="Lattice",
@@ -150,6 +155,7 @@ def test_tets(at):
 
 @in_folder
 def test_ratio_four(at):
+    """Levels with ratio 4 give the mesh of the VTK data set."""
     amr = make_amr(2, 4, (2, 2, 2))
     source = read_levels(simple.AMReXBoxLibGridReader, write_plotfile(at("plt4"), amr))
     for mode in MODES:
@@ -161,7 +167,7 @@ def test_ratio_four(at):
 
 @in_folder
 def test_levels_of_the_reader(at):
-    """Levels that the reader leaves out are not missed: the blocks that are there count."""
+    """Levels that the reader omits are not needed: only the given blocks count."""
     folder = write_plotfile(at("plt00000"), AMR)
     for level in (0, 1):
         result = mesh_from(read_levels(simple.AMReXBoxLibGridReader, folder, level=level),
@@ -171,13 +177,14 @@ def test_levels_of_the_reader(at):
                     AMR.roots)
         reference = mesh_of(vtk_amr(known), VolumeFractionArrays=FRACTIONS, Refinement="Uniform")
         assert digest(result) == digest(reference), level
-    result = mesh_from(simple.OpenDataFile(folder), FRACTIONS)  # as it opens: no array is ticked
+    # the initial state: no array is selected
+    result = mesh_from(simple.OpenDataFile(folder), FRACTIONS)
     assert len(result.errors) == 1 and "no numeric cell array 'ball'" in result.errors[
         0], result.errors
 
 
 def test_amrex_run():
-    """A ball in a vortex; the scheme leaves [0, 1] a little."""
+    """A ball in a vortex; the numerical scheme exceeds [0, 1] slightly."""
     exact = 0.01413679
     source = read_levels(simple.AMReXBoxLibGridReader, os.path.join(DATA, "AMReX", "plt00000"),
                          ["phi"])
@@ -203,7 +210,7 @@ def test_amrex_run():
 
 @in_folder
 def test_gerris_run(at):
-    """A drop that has fallen into a pool, an octree of cells."""
+    """A drop that has fallen into a pool, on an octree of cells."""
     command = [PYTHON[0], os.path.join(EXAMPLES, "gerris_to_vthb.py"),
                os.path.join(DATA, "Gerris", "impact_0.24.txt.gz")]
     run = subprocess.run(command + [at("drop.vthb")], stdout=subprocess.PIPE,
@@ -215,7 +222,7 @@ def test_gerris_run(at):
         check_volumes(result, [0.314048])
         sizes.append(result.mesh.GetNumberOfCells())
     print("elements of the drop:", dict(zip(MODES, sizes)))
-    # single cells of the octree are refined by families
+    # Families refine single cells of the octree.
     assert sizes[0] < sizes[1] < 0.6 * sizes[2], sizes
     run = subprocess.run(command[:2] + [os.path.join(DATA, "README.md"), at("no.vthb")],
                          stderr=subprocess.PIPE, text=True)

@@ -1,6 +1,9 @@
-"""Images of labels in the formats of medical imaging and of grain structures: the mesh is bit for
-bit that of the same labels as cells, by the readers of the plugin and by sculptor; turned images
-lie where their files say; damaged files give one message."""
+"""Label images in formats of medical imaging and of grain structures.
+
+The meshes are bitwise identical to those of the same labels as cells, with the readers of
+the plugin and with `sculptor`. Rotated images lie where their files say. Damaged files give
+one message.
+"""
 import os
 import sys
 
@@ -20,16 +23,16 @@ sys.path.insert(0, os.environ["VFM_WRAPPERS"])
 from volumefractionmesh.vtkVolumeFractionMeshIO import vtkVolumeFractionImageReader
 
 LABELS = turned(grains(), "ZYX").astype("u1")
-MIDDLE = np.add(ORIGIN, np.multiply(SPACING, 0.5))  # of the first voxel
-CELLS = image({"Labels": LABELS.astype("i4")})  # what all are meshed as
-QUARTER = np.array([[0, 0.25, 0], [-0.25, 0, 0], [0, 0, 0.5]])  # turned, exact in binary
+MIDDLE = np.add(ORIGIN, np.multiply(SPACING, 0.5))  # centre of the first voxel
+CELLS = image({"Labels": LABELS.astype("i4")})  # the reference input
+QUARTER = np.array([[0, 0.25, 0], [-0.25, 0, 0], [0, 0, 0.5]])  # rotated, exact in binary
 MIRRORED = np.array([[0.25, 0, 0], [0, 0.25, 0], [0, 0, -0.5]])
 OBLIQUE = np.array([[0.6, 0, 0.8], [0.64, 0.6, -0.48],
                     [-0.48, 0.8, 0.36]]) * [[0.25], [0.25], [0.5]]
 
 
 def straight_files(at):
-    """Files of LABELS that lie as CELLS does, and what sculptor is told."""
+    """Writes LABELS in all formats where CELLS lies; returns [(path, arguments of sculptor)]."""
     return [
         (write_nifti(at("a.nii"), LABELS, MIDDLE), []),
         (write_nifti(at("b.nii.gz"), LABELS.astype("i2"), MIDDLE, forms="q"), []),
@@ -50,7 +53,7 @@ def straight_files(at):
 
 
 def read(path, spacing=(0, 0, 0), cell_array="FeatureIds"):
-    """The image that the class reads."""
+    """Returns the image that the reader class reads."""
     it = vtkVolumeFractionImageReader()
     it.SetFileName(path)
     it.SetSpacing(spacing)
@@ -62,7 +65,7 @@ def read(path, spacing=(0, 0, 0), cell_array="FeatureIds"):
 
 
 def steps_of(data):
-    """From voxel to voxel along each axis."""
+    """Returns the vectors from voxel to voxel along each axis."""
     matrix = data.GetDirectionMatrix()
     return np.array([[matrix.GetElement(c, a) * data.GetSpacing()[a] for c in range(3)]
                      for a in range(3)])
@@ -83,6 +86,7 @@ GOLD = merge([mesh_of(CELLS, MaterialIdArray="Labels").mesh])
 
 @in_folder
 def test_same_mesh_by_the_proxies(at):
+    """ParaView opens each file with the right reader; the mesh is the reference."""
     for path, words in straight_files(at):
         options = {"CellArray": words[1]} if "Other/CellData/FeatureIds" in words else {}
         source = simple.OpenDataFile(path, **options)
@@ -97,6 +101,7 @@ def test_same_mesh_by_the_proxies(at):
 
 @in_folder
 def test_same_mesh_by_sculptor(at):
+    """sculptor makes the reference mesh of each file on 1 and 3 ranks."""
     for path, words in straight_files(at):
         for ranks in (1, 3):
             printed = mesh_file(path, at("out.vtu"), *words, ranks=ranks)
@@ -107,7 +112,7 @@ def test_same_mesh_by_sculptor(at):
 
 @in_folder
 def test_stack_of_slices(at):
-    """A TIFF file tells no spacing along z; its first voxel lies at 0."""
+    """TIFF files have no spacing along z; the first voxel lies at 0."""
     gold = image({"Labels": LABELS.astype("i4")})
     gold.SetOrigin([-0.5 * s for s in SPACING])
     gold = merge([mesh_of(gold, MaterialIdArray="Labels").mesh])
@@ -123,8 +128,7 @@ def test_stack_of_slices(at):
 
 @in_folder
 def test_turned_images_lie_where_the_file_says(at):
-    """The mesh is that of the image in its own axes, the points turned and moved, here and by
-    sculptor on ranks."""
+    """The mesh is that of the image in its own axes, rotated and moved, also on ranks."""
     own = image({"Labels": LABELS.astype("i4")})
     own.SetOrigin([-0.5 * s for s in SPACING])
     for name, steps in (("quarter", QUARTER), ("mirrored", MIRRORED), ("oblique", OBLIQUE)):
@@ -150,8 +154,10 @@ def test_turned_images_lie_where_the_file_says(at):
 
 @in_folder
 def test_nifti_forms(at):
-    """Every voxel lies where sform or qform say, whatever the order of slices in memory; the sform
-    wins; a sheared one leaves the place to the qform."""
+    """Each voxel lies where sform or qform say, for any order of slices.
+
+    The sform has priority; a sheared sform is ignored if there is a qform.
+    """
     generator = np.random.default_rng(7)
     for name, steps in (("straight", STRAIGHT), ("quarter", QUARTER), ("mirrored", MIRRORED),
                         ("oblique", OBLIQUE)):
@@ -176,7 +182,7 @@ def test_nifti_forms(at):
 
 @in_folder
 def test_left_handed_nifti_on_ranks(at):
-    """The order of its slices is turned, that of parts too."""
+    """The order of slices is reversed, also in the parts of ranks."""
     path = write_nifti(at("a.nii.gz"), LABELS, MIDDLE, MIRRORED)
     gold = merge([mesh_of(read(path), MaterialIdArray="Labels").mesh])
     for ranks in (1, 3):
@@ -186,7 +192,7 @@ def test_left_handed_nifti_on_ranks(at):
 
 @in_folder
 def test_volume_fractions(at):
-    """A map of fractions, stored as whole numbers that slope and intercept scale."""
+    """Integers with slope and intercept are volume fractions."""
     stored = np.random.default_rng(5).integers(1, 9, LABELS.shape).astype("u1") * (LABELS > 0)
     gold = merge([mesh_of(image({"Values": stored / 8}), VolumeFractionArrays=["Values"]).mesh])
     path = write_nifti(at("a.nii.gz"), stored + np.uint8(8), MIDDLE, slope=(0.125, -1))
@@ -200,12 +206,14 @@ def test_volume_fractions(at):
 
 @in_folder
 def test_slope_that_is_no_number(at):
+    """A slope that is not a number is ignored."""
     path = write_nifti(at("a.nii"), LABELS, MIDDLE, slope=(np.nan, np.nan))
     check_same(merge([mesh_of(read(path), MaterialIdArray="Labels").mesh]), GOLD, path)
 
 
 @in_folder
 def test_values_of_dream3d_keep_their_digits(at):
+    """Values of DREAM.3D files keep their type and value."""
     for values in (LABELS + np.uint32(2 ** 31), LABELS + np.int64(2 ** 40), LABELS / 7):
         it = read(write_dream3d(at("a.dream3d"), values, ORIGIN, SPACING))
         assert (vtk_to_numpy(
@@ -217,6 +225,7 @@ def test_values_of_dream3d_keep_their_digits(at):
 
 @in_folder
 def test_list(at):
+    """`sculptor --list` shows size, arrays and materials."""
     path = write_nifti(at("a.nii.gz"), LABELS, MIDDLE, OBLIQUE)
     for ranks in (1, 3):
         listed = sculptor("--list", path, ranks=ranks).stdout.splitlines()
@@ -234,7 +243,7 @@ def test_list(at):
 
 @in_folder
 def test_chosen_materials(at):
-    """--material of labels and fractions of points."""
+    """--material selects labels of points."""
     kept = np.where(np.isin(LABELS, (2, 3)), LABELS, 0)
     mesh_file(write_nrrd(at("a.nrrd"), LABELS, MIDDLE), at("out.vtu"), "--material", "2,3", ranks=3)
     gold = mesh_of(image({"Labels": kept.astype("i4")}), MaterialIdArray="Labels")
@@ -249,6 +258,7 @@ def cut(path, length):
 
 @in_folder
 def test_refused(at):
+    """Damaged, truncated and unsupported files give one message each."""
     shear = np.array([[0.25, 0.1, 0], [0, 0.25, 0], [0, 0, 0.5]])
     many = LABELS[None].repeat(2, 0)
     for path, text in (
@@ -282,7 +292,8 @@ def test_refused(at):
              "its header says 'sizes: 3 x', where 3 numbers are required"),
             (save(at("text.mha"), b"hello\n"), "it is not a MetaImage file"),
             (save(at("dims.mhd"),
-                  b"ObjectType = Image\nNDims = 999999999\nDimSize = 1 1 1\nElementDataFile = a.raw\n"),
+                  b"ObjectType = Image\nNDims = 999999999\nDimSize = 1 1 1\n"
+                  b"ElementDataFile = a.raw\n"),
              "its image has 999999999 dimensions"),
             (cut(write_meta(at("cut.mha"), LABELS, MIDDLE), 900),
              "truncated: they have 1287 bytes"),
@@ -305,7 +316,8 @@ def test_refused(at):
         it.Update()
         assert len(errors) == 1 and "Cannot read %s: " % path in errors[0] and text in errors[0], (
             path, errors)
-        assert it.GetOutput().GetPointData().GetNumberOfArrays() == it.GetOutput().GetCellData().GetNumberOfArrays() == 0, path
+        assert (it.GetOutput().GetPointData().GetNumberOfArrays()
+                == it.GetOutput().GetCellData().GetNumberOfArrays() == 0), path
         for ranks in (1,
                       3) if path.endswith(("text.nii", "cut_gzip.nrrd", "two.dream3d")) else (1,):
             refused(2, text, path, at("out.vtu"), ranks=ranks)
@@ -313,6 +325,7 @@ def test_refused(at):
 
 @in_folder
 def test_wrong_spacing(at):
+    """A negative spacing is rejected."""
     path = write_tiff(at("a.tif"), LABELS)
     it = vtkVolumeFractionImageReader()
     it.SetFileName(path)

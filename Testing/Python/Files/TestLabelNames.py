@@ -1,5 +1,8 @@
-"""Names of labels from tables of every kind: they are MaterialNames, and names of blocks and sets
-of files; what is wrong with a table is told with its line, on all ranks alike."""
+"""Names of labels from tables in every supported form.
+
+The names become MaterialNames and names of blocks and sets in files. An error in a table is
+reported with its line, on all ranks.
+"""
 import numpy as np
 
 from image_files import save, write_nrrd
@@ -19,15 +22,20 @@ TABLES = {
     "semicolons": "3;Frontal Pole;rest\n7;Insula\n",
     "quotes": '3,"Frontal Pole",1\n7,"Insula",2\n',
     "ITK-SNAP": '################\n    0     0    0    0        0  0  0    "Clear Label"\n'
-                '    3   255    0    0        1  1  1    "Frontal Pole"\n    7     0  255    0      0.5  1  1    "Insula"\n',
-    "XML": '<?xml version="1.0" encoding="ISO-8859-1"?>\n<atlas version="1.0"><header><name>A</name><type>Probabilistic</type></header>\n'
-           '<data><label index="2" x="48" y="94" z="35">Frontal\n  Pole</label>\n<label index="6" x="1" y="2" z="3">Insula</label>\n'
+                '    3   255    0    0        1  1  1    "Frontal Pole"\n'
+                '    7     0  255    0      0.5  1  1    "Insula"\n',
+    "XML": '<?xml version="1.0" encoding="ISO-8859-1"?>\n'
+           '<atlas version="1.0"><header><name>A</name><type>Probabilistic</type></header>\n'
+           '<data><label index="2" x="48" y="94" z="35">Frontal\n  Pole</label>\n'
+           '<label index="6" x="1" y="2" z="3">Insula</label>\n'
            "</data></atlas>\n",
-    "XML of labels": '<atlas><header><type>Label</type></header><data>\n<label index="3">Frontal P&#111;le</label>\n'
+    "XML of labels": '<atlas><header><type>Label</type></header><data>\n'
+                     '<label index="3">Frontal P&#111;le</label>\n'
                      '<label index="7">Insula</label></data></atlas>\n',
 }
-WORDS = {  # of one word, with numbers after them
-    "FreeSurfer": "#No. Label Name:   R   G   B   A\n\n0   Unknown   0 0 0 0\n3   Left-Cortex   205 62 78 0\n7   Insula   230 148 34 0\n",
+WORDS = {  # names of one word, followed by numbers
+    "FreeSurfer": "#No. Label Name:   R   G   B   A\n\n0   Unknown   0 0 0 0\n"
+                  "3   Left-Cortex   205 62 78 0\n7   Insula   230 148 34 0\n",
     "MRIcron": "3 Left-Cortex 2001\n7 Insula 2002\n",
 }
 
@@ -39,6 +47,7 @@ def names(text, at, **properties):
 
 @in_folder
 def test_kinds_of_tables(at):
+    """Each form of table gives the same names; labels without a name have a default."""
     for kind, text in TABLES.items():
         assert names(text, at) == NAMES, (kind, names(text, at))
     for kind, text in WORDS.items():
@@ -52,6 +61,7 @@ def test_kinds_of_tables(at):
 
 @in_folder
 def test_fractions_have_their_own_names(at):
+    """Tables of labels do not change the names of fractions."""
     data = image({"full": (LABELS > 0).astype(float)})
     result = mesh_of(data, VolumeFractionArrays=["full"], LabelNames=at("none"))
     assert result.field("MaterialNames") == ["full"]
@@ -59,6 +69,7 @@ def test_fractions_have_their_own_names(at):
 
 @in_folder
 def test_refused(at):
+    """Errors in tables are reported with their line."""
     for text, problem in (
             ("3 A\n7 B\nx C\n",
              "line 3: it begins with 'x', which is not a label. Labels are integers from 0 to "
@@ -75,7 +86,8 @@ def test_refused(at):
             ("<html><p>x</html>\n", "it is not the XML file of an atlas"),
             ("<atlas><header><type>Label</type></header><data><label>A</label></data></atlas>\n",
              "element 1: it has no index or no name"),
-            ("<atlas><header><type>Label</type></header><data><label index='3'>A</label><label index='3'>B</label></data></atlas>\n",
+            ("<atlas><header><type>Label</type></header><data><label index='3'>A</label>"
+             "<label index='3'>B</label></data></atlas>\n",
              "element 2: label 3 is also in element 1.")):
         result = run(DATA, MaterialIdArray="id", LabelNames=save(at("names"), text.encode()))
         assert len(result.errors) == 1 and problem in result.errors[0], (text, result.errors)
@@ -87,7 +99,7 @@ def test_refused(at):
 
 @in_folder
 def test_sculptor(at):
-    """By the option, in its table, its files and its errors, on ranks too."""
+    """The option of sculptor names materials in tables, files and errors, also on ranks."""
     path = write_nrrd(at("a.nrrd"), LABELS.astype("u1"), (0, 0, 0))
     table = save(at("names.txt"),
                  b"3\tPole, front (of it)\n7\tpole, FRONT (of it)\n12\t" + b"x" * 300 + b"\n")
@@ -95,7 +107,7 @@ def test_sculptor(at):
         printed = mesh_file(path, at("out.e"), "--label-names", table, "--single-file", ranks=ranks)
         assert "3 Pole, front (of it)" in printed, printed
         blocks = sorted(name for name, _ in exodus_parts(at("out.e")))
-        # as the reader gives them
+        # names as returned by the reader
         assert blocks == ["pole,_front_(of_it)", "pole,_front_(of_it)_7", "x" * 252 + "_12"], blocks
     mesh_file(path, at("out.inp"), "--label-names", table)
     sets = InpFile(at("out.inp")).element_sets

@@ -1,5 +1,4 @@
-"""AMReX plotfiles (folders) by the program sculptor: meshes of them, and files that are cut or
-damaged."""
+"""AMReX plotfiles (folders) with `sculptor`: meshes, and truncated or damaged files."""
 import os
 import shutil
 
@@ -13,6 +12,7 @@ FLAT = make_amr(levels=1, roots=(2, 2, 2))
 
 @in_folder
 def test_mesh(at):
+    """The mesh is that of the VTK data set, on 1 to 3 ranks and for selected fractions."""
     folder = write_plotfile(at("plt00000"), FLAT, time=0.25)
     mesh = mesh_of(vtk_amr(FLAT), VolumeFractionArrays=["ball", "rest"]).mesh
     for ranks in (1, 2, 3):
@@ -35,9 +35,11 @@ def without_time(pieces):
 
 @in_folder
 def test_refused(at):
+    """Missing arrays and folders without a valid Header are reported."""
     folder = write_plotfile(at("plt"), FLAT)
-    refused(2, "no numeric array 'x' (--fractions). Its cell arrays: ball (double, 0 to 1), rest (double", "--input", folder, "--fractions", "x",
-            "--output", at("no.vtu"), ranks=2)
+    refused(2, "no numeric array 'x' (--fractions). Its cell arrays: "
+            "ball (double, 0 to 1), rest (double",
+            "--input", folder, "--fractions", "x", "--output", at("no.vtu"), ranks=2)
     os.mkdir(at("empty"))
     refused(1, "is of an unknown format", "--input", at("empty"), "--output", at("no.vtu"))
     open(at("empty/Header"), "w").close()
@@ -45,7 +47,7 @@ def test_refused(at):
 
 
 def line(number, text):
-    """Changes a line of a text."""
+    """Returns a function that replaces a line of a text."""
     def change(content):
         lines = content.split(b"\n")
         lines[number] = text
@@ -66,7 +68,7 @@ def replace(old, new):
 
 @in_folder
 def test_damaged(at):
-    """Each ends with one message that tells the file and what it should have."""
+    """Each damage gives one message with the file and the expected contents."""
     whole = write_plotfile(at("whole"), FLAT)
     size = os.path.getsize(at("whole/Level_0/Cell_D_00000"))
     cases = [

@@ -1,9 +1,12 @@
-"""Who saves what by the end of a file's name: meshes go to the plugin's writers, other data to
-ParaView's as if there were no plugin.
+"""Writers that ParaView selects by file extension.
+
+Meshes go to the writers of the plugin, other data to ParaView's writers as without the plugin.
 
 usage: pvpython TestSaving.py
-       pvpython TestSaving.py NAMES     without the plugin: writes which writer ParaView takes of
-       OTHERS for each of ENDS
+       pvpython TestSaving.py NAMES
+
+The second form runs without the plugin. It writes to NAMES which writer ParaView selects for
+OTHERS, for each of ENDS.
 """
 import json
 import os
@@ -12,7 +15,7 @@ import sys
 
 from paraview import servermanager, simple
 
-EXODUS = ["e", "ex2", "exo"]  # of the plugin's writer
+EXODUS = ["e", "ex2", "exo"]  # extensions of the plugin's writer
 ENDS = EXODUS + ["g", "vtu", "csv"]
 SIZE = 8
 OTHERS = {
@@ -29,7 +32,7 @@ def factory():
 
 
 def kinds_of(source):
-    """What the window lists: [description, ends] of each kind of file, in its order."""
+    """Returns [description, extensions] of each file type, in the order of the GUI."""
     source.UpdatePipeline()
     listed = factory().GetSupportedFileTypes(source.SMProxy, source.Port).split(";;")
     return [[kind.split("(")[0], kind.split("(")[1][:-1].replace("*.", "").split()]
@@ -37,7 +40,7 @@ def kinds_of(source):
 
 
 def writers_of(source):
-    """The name of the writer of each end that some writer takes."""
+    """Returns {extension: name of the writer} for the extensions that some writer supports."""
     ends = {end for _, ends in kinds_of(source) for end in ends}
     return {end: simple.CreateWriter("file." + end, source).GetXMLName() for end in ENDS
             if end in ends}
@@ -66,6 +69,7 @@ def mesher_of(make=VolumeFractionToHex, **properties):
 
 @in_folder
 def test_meshes_by_the_ends_of_exodus(at):
+    """Meshes saved with an Exodus extension hold the sets of the plugin's writer."""
     for make, properties in ((VolumeFractionToHex, {}),
                              (VolumeFractionToTet, {"Method": "Lattice"})):
         mesher = mesher_of(make, **properties)
@@ -76,6 +80,7 @@ def test_meshes_by_the_ends_of_exodus(at):
 
 @in_folder
 def test_a_mesh_for_abaqus(at):
+    """A mesh saved as .inp has elements, surfaces and node sets."""
     simple.SaveData(at("mesh.inp"), proxy=mesher_of())
     with open(at("mesh.inp")) as file:
         text = file.read()
@@ -84,6 +89,7 @@ def test_a_mesh_for_abaqus(at):
 
 @in_folder
 def test_a_mesh_saved_before_and_part_of_one(at):
+    """A mesh read from a file and a part of a mesh are saved by the plugin as well."""
     mesher = mesher_of()
     save_data(at("mesh.vtu"), mesher)
     part = simple.Threshold(Input=mesher, Scalars=["CELLS", "MaterialId"], LowerThreshold=1,
@@ -96,8 +102,10 @@ def test_a_mesh_saved_before_and_part_of_one(at):
 
 @in_folder
 def test_others_by_their_own_writers(at):
-    """As another process tells, without the plugin. A mesh that was cut has elements of other kinds
-    and no ids of points."""
+    """Other data use the writers of a ParaView without the plugin.
+
+    A clipped mesh is such data: it has other elements and no point ids.
+    """
     variables = {name: value for name, value in os.environ.items() if name != "PV_PLUGIN_PATH"}
     subprocess.run(["pvpython", os.path.abspath(__file__), at("names")], env=variables, check=True,
                    stdin=subprocess.DEVNULL)
@@ -112,6 +120,7 @@ def test_others_by_their_own_writers(at):
 
 @in_folder
 def test_others_are_saved(at):
+    """Other data saved as .e contain nothing of the plugin."""
     other = OTHERS["tetrahedra"]()
     simple.SaveData(at("other.e"), proxy=other)
     dump = Dump(at("other.e"))
@@ -121,8 +130,7 @@ def test_others_are_saved(at):
 
 
 def test_the_window_offers_ours_first():
-    """Newer ParaViews take the kind of file that is chosen in the list, which is the first of the
-    end."""
+    """The plugin's file type is listed first, because newer ParaViews use the selected type."""
     kinds = kinds_of(mesher_of())
     assert ["Exodus and Sets", EXODUS] in kinds and ["Abaqus and CalculiX Input Files",
                                                      ["inp"]] in kinds, kinds
@@ -134,6 +142,7 @@ def test_the_window_offers_ours_first():
 
 @in_folder
 def test_a_mesh_that_failed_is_refused(at):
+    """The writer reports why the mesh could not be made and writes no file."""
     mesher = mesher_of(VolumeFractionArrays=["none"])
     collect(mesher.GetClientSideObject())
     mesher.UpdatePipeline()

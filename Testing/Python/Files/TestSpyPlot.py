@@ -1,5 +1,4 @@
-"""SpyPlot files (.spcth): by ParaView's reader into the filters, a time after the other, and by the
-program sculptor."""
+"""SpyPlot files (.spcth) with ParaView's reader, step by step, and with `sculptor`."""
 import os
 import struct
 import subprocess
@@ -18,7 +17,7 @@ from vfmtest import (
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 IMPACT = os.path.join(HERE, "..", "..", "..", "Data", "impact.spcth")
-IMPACT_SIZES = [3161, 3144, 3195, 3312]  # elements of its four times
+IMPACT_SIZES = [3161, 3144, 3195, 3312]  # numbers of elements at the four times
 SERIES = os.path.join(HERE, "..", "..", "..", "Examples", "mesh_series.py")
 
 
@@ -49,6 +48,7 @@ def check_output(output, reference):
 
 @in_folder
 def test_reader_into_filters(at):
+    """Hexahedra of each time equal those of images, for each layout of blocks and files."""
     for to_bytes in (True, False):
         meshes = [mesh_of_step(step, to_bytes=to_bytes, StateArrays=[STATE]) for step in (0, 1)]
         assert difference(merge(meshes[:1]), merge(meshes[1:]))
@@ -66,6 +66,7 @@ def test_reader_into_filters(at):
 
 @in_folder
 def test_reader_into_tets(at):
+    """Tetrahedra equal those of images and rectilinear grids."""
     lattice = dict(Method="Lattice", make=VolumeFractionToTet)
     for nodes, counts, files in ((UNEVEN_NODES, (2, 1, 2), 4), (NODES, (2, 1, 2), 2)):
         path = write_spyplot(at(""), "case", TIMES, split(nodes, steps(), counts), files)
@@ -78,7 +79,7 @@ def test_reader_into_tets(at):
 
 @in_folder
 def test_reader_refined(at):
-    """The fine blocks repeat the coarse cells."""
+    """Fine blocks that repeat the coarse cells give the mesh of halved cells."""
     for step in (0, 1):
         hexes = VolumeFractionToHex(
             Input=open_case(write_spyplot(at(""), "refined", TIMES, refined_blocks())),
@@ -90,7 +91,7 @@ def test_reader_refined(at):
 
 
 def impact_mesh(time):
-    """The mesh of one time, by a reader that has read no other one."""
+    """Returns the mesh of one time, from a reader that has read no other time."""
     hexes = VolumeFractionToHex(Input=open_case(IMPACT), VolumeFractionArrays=SPY)
     hexes.UpdatePipeline(time)
     return hexes.GetClientSideObject().GetOutputDataObject(0)
@@ -101,9 +102,11 @@ def impact_times():
 
 
 def test_time_controls():
-    """The animation scene is what the buttons of the window move; a spreadsheet is a view that
-    needs no screen."""
-    for source in simple.GetSources().values():  # their times would be steps, too
+    """Time controls of the GUI give the mesh of each time.
+
+    The animation scene is what the buttons change; a spreadsheet view needs no screen.
+    """
+    for source in simple.GetSources().values():  # The scene would include their times.
         simple.Delete(source)
     meshes = [impact_mesh(time) for time in impact_times()]
     sizes = [mesh.GetNumberOfCells() for mesh in meshes]
@@ -121,6 +124,7 @@ def test_time_controls():
 
 @in_folder
 def test_series_script(at):
+    """Examples/mesh_series.py writes the mesh of each time and of selected arrays."""
     command = ["pvbatch", SERIES, "--plugin", os.environ["VFM_PLUGIN"]]
     run = lambda *options: subprocess.run(
         command + list(options), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
@@ -135,6 +139,7 @@ def test_series_script(at):
 
 @in_folder
 def test_sculptor_series(at):
+    """sculptor meshes each time step on 1 to 3 ranks."""
     for step, time in enumerate(impact_times()):
         mesh_file(IMPACT, at("out.vtu"), "--step", str(step), ranks=1 + step % 3)
         check_output(at("out.vtu"), without_reader_fields(impact_mesh(time)))
@@ -142,6 +147,7 @@ def test_sculptor_series(at):
 
 @in_folder
 def test_sculptor_blocks(at):
+    """sculptor reads blocks of each version of the format, on ranks, and refined blocks."""
     meshes = [mesh_of_step(step, StateArrays=[STATE]) for step in (0, 1)]
     for counts, files, version, ranks in (
             ((2, 1, 2), 1, 105, 1), ((2, 1, 2), 2, 103, 3), ((2, 1, 2), 4, 101, 2),
@@ -164,6 +170,7 @@ def test_sculptor_blocks(at):
 
 @in_folder
 def test_sculptor_flat_mesh(at):
+    """sculptor reads flat meshes with arbitrary node coordinates."""
     for counts, files, ranks in (((1, 1, 1), 1, 2), ((2, 1, 2), 4, 1), ((2, 1, 2), 4, 3)):
         path = write_spyplot(at(""), "flat", TIMES, split(UNEVEN_NODES, steps(), counts), files)
         mesh_file(path, at("out.vtu"), ranks=ranks)
@@ -172,8 +179,7 @@ def test_sculptor_flat_mesh(at):
 
 @in_folder
 def test_sculptor_conserves_state(at):
-    """Densities of each material, and a velocity whose components are apart: those of the filter on
-    the same arrays."""
+    """Densities per material and a velocity in components are conserved as by the filter."""
     densities = ["Material density - 1", "Material density - 2"]
     step = steps()[1]
     ramp = np.linspace(0, 1, 12, dtype=np.float32)[:, None, None] + 0 * step[SPY[0]]
@@ -194,6 +200,7 @@ def test_sculptor_conserves_state(at):
 
 @in_folder
 def test_sculptor_newer_names(at):
+    """The newer names of volume fractions are recognized."""
     names = dict(zip(SPY, ("Volume Fraction - 1", "Volume Fraction - 2")))
     renamed = [{names.get(name, name): value for name, value in step.items()} for step in steps()]
     path = write_spyplot(at(""), "names", TIMES, split(NODES, renamed))
@@ -202,8 +209,10 @@ def test_sculptor_newer_names(at):
 
 
 def write_small(at, files=1, version=105, change=None, times=TIMES):
-    """Two blocks a file of 4 x 4 x 6 cells; change(steps) may spoil the arrays. Returns the path
-    and the blocks."""
+    """Writes two blocks of 4 x 4 x 6 cells per file; returns the path and the blocks.
+
+    change(steps) may alter the arrays.
+    """
     small = [{name: value[:6, 4:8, 4:8] for name, value in step.items()}
              for step in steps()][:len(times)]
     if change:
@@ -213,7 +222,7 @@ def write_small(at, files=1, version=105, change=None, times=TIMES):
 
 
 def landmarks(content, blocks, version=105):
-    """Where the parts of a file of write_small() begin."""
+    """Returns the positions of the parts of a file of write_small()."""
     fields = Fields(list(blocks[0].steps[0]))
     at = {"tables": len(header(version, blocks, fields, 0, 1))}
     at["groups"] = at["tables"] + len(fields.tables(version))
@@ -223,7 +232,7 @@ def landmarks(content, blocks, version=105):
     at["offsets"] = at["dump"] + 4 + 4 * count
     at["tracers"] = at["offsets"] + 8 * count
     at["blocks"] = at["tracers"] + 8
-    at["grids"] = at["blocks"] + 4 + 3 * 48  # one is unused
+    at["grids"] = at["blocks"] + 4 + 3 * 48  # one block is unused
     at["fields"] = [int(x) for x in struct.unpack_from(">%dd" % count, content, at["offsets"])]
     return at
 
@@ -242,12 +251,12 @@ def cut_at(position):
 
 @in_folder
 def test_damaged_files(at):
-    """Each ends with one message that tells the file, the place and the problem."""
+    """Each damage gives one message with the file, the place and the problem."""
     path, blocks = write_small(at)
     with open(path + ".0", "rb") as file:
         content = file.read()
     mark = landmarks(content, blocks)
-    volume = mark["fields"][1]  # of the first material; its first planes are all 0
+    volume = mark["fields"][1]  # fractions of the first material, whose first planes are all 0
     cases = [
         (cut_at(0), "header near byte 0: 8 bytes should follow, the file has 0"),
         (cut_at(5), "header near byte 0"),
@@ -257,7 +266,8 @@ def test_damaged_files(at):
         (cut_at(mark["group"] - 1), "the list of times"),
         (cut_at(mark["group"] + 900), "the list of times"),
         (cut_at(mark["dump"]), "the list of times"),
-        (cut_at(mark["offsets"] + 4), "it points to byte"),  # the second time lies behind
+        # the data of the second time come later
+        (cut_at(mark["offsets"] + 4), "it points to byte"),
         (int_at(mark["tables"], 2 ** 30), "the tables of arrays"),
         (double_at(mark["groups"], 1e300), "points to byte"),
         (double_at(mark["groups"], -8.0), "points to byte"),
@@ -296,8 +306,11 @@ def test_damaged_files(at):
         with open(path + ".0", "wb") as file:
             file.write(change(content))
         refused(2, text, "--input", path, "--output", at("no.vtu"), ranks=1 + number % 5 // 4)
+
+
 @in_folder
 def test_cut_in_last_time(at):
+    """Truncation at any place of the last time is reported with step, block and plane."""
     path, blocks = write_small(at, times=TIMES[:1])
     with open(path + ".0", "rb") as file:
         content = file.read()
@@ -315,11 +328,12 @@ def test_cut_in_last_time(at):
             file.write(content[:place - 1])
         refused(2, text, "--input", path, "--output", at("no.vtu"), "--state", STATE,
                 ranks=1 + number % 2)
-    mesh_file(path, at("out.vtu"))  # what is not read need not be there
+    mesh_file(path, at("out.vtu"))  # Data that are not read may be missing.
 
 
 @in_folder
 def test_damaged_cases(at):
+    """Damaged case files, missing parts and parts that disagree are reported."""
     for change, text in (
             (lambda: os.truncate(path + ".2", os.path.getsize(path + ".2") // 2),
              "case.spcth.2 is truncated or damaged"),

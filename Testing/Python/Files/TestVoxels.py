@@ -1,5 +1,8 @@
-"""Readers of voxels, .spn and .npy: by the proxies, by the class and by sculptor the mesh is that
-of the same image in memory; damaged files give one message."""
+"""Readers of voxels, .spn and .npy.
+
+The proxies, the class and `sculptor` give the mesh of the same image in memory. Damaged files give
+one message.
+"""
 import os
 import struct
 import sys
@@ -24,7 +27,7 @@ GRAINS = grains()
 PLACE = dict(Origin=ORIGIN, Spacing=SPACING)
 PLACED = ["--origin", ",".join(map(str, ORIGIN)), "--spacing", ",".join(map(str, SPACING))]
 SIZED = ["--dimensions", ",".join(map(str, SIZE))]
-# and VTK's types
+# {NumPy type: VTK type that it is read as}
 DTYPES = {"?": 3, "u1": 3, "i1": 15, "u2": 5, "i2": 4, "u4": 6, "i4": 6, "u8": 6, "i8": 6}
 SCULPTOR = os.environ["VFM_SCULPTOR"]
 
@@ -34,7 +37,7 @@ def grain_image():
 
 
 def meshes(source, make=VolumeFractionToHex, **properties):
-    """The merged mesh of the labels of a source."""
+    """Returns the merged mesh of the labels of a source."""
     mesher = make(Input=source, VolumeFractionArrays=[], MaterialIdArray="MaterialId", **properties)
     errors, _ = collect(mesher.GetClientSideObject())
     mesher.UpdatePipeline()
@@ -64,7 +67,7 @@ def reader(path, size=SIZE, order="XYZ"):
 
 
 def read(path, **options):
-    """The image that the class reads."""
+    """Returns the image that the reader class reads."""
     it = reader(path, **options)
     errors, _ = collect(it)
     it.Update()
@@ -73,13 +76,14 @@ def read(path, **options):
 
 
 def values(data, name="MaterialId"):
-    """The cell array as a[x, y, z]."""
+    """Returns the cell array as a[x, y, z]."""
     return vtk_to_numpy(data.GetCellData().GetArray(name)).reshape(
         [max(n - 1, 1) for n in data.GetDimensions()], order="F")
 
 
 @in_folder
 def test_same_mesh_by_the_proxies(at):
+    """ParaView opens each file with the right reader; the mesh is that of the image."""
     for make, properties in ((VolumeFractionToHex, {}),
                              (VolumeFractionToTet, {"Method": "Lattice"})):
         gold = expected(make, **properties)
@@ -97,6 +101,7 @@ def test_same_mesh_by_the_proxies(at):
 
 @in_folder
 def test_same_mesh_by_sculptor(at):
+    """sculptor gives the mesh of the image on 1 and 3 ranks, for each order of axes."""
     text, array = write_text(at("a.spn"), GRAINS), write_numpy(at("a.npy"), GRAINS)
     turned_text = write_text(at("z.spn"), GRAINS, "ZYX")
     for make, options, properties in ((VolumeFractionToHex, [], {}),
@@ -117,6 +122,7 @@ def test_same_mesh_by_sculptor(at):
 
 @in_folder
 def test_sculptor_keeps_materials(at):
+    """--material selects labels."""
     path = write_numpy(at("a.npy"), GRAINS)
     result = mpi_run(1,
                      [SCULPTOR, "--input", path, *PLACED, "--material", "2,3", "--output",
@@ -130,6 +136,7 @@ def test_sculptor_keeps_materials(at):
 
 @in_folder
 def test_same_mesh_by_the_class(at):
+    """The reader class gives the mesh of the image."""
     hexes = vtkVolumeFractionToHex()
     hexes.SetMaterialIdArray("MaterialId")
     source = reader(write_text(at("a.spn"), GRAINS))
@@ -140,6 +147,7 @@ def test_same_mesh_by_the_class(at):
 
 @in_folder
 def test_types_and_orders(at):
+    """All types, byte orders and orders of axes give the same labels."""
     for dtype, kind in DTYPES.items():
         for end in "<>":
             for order in ORDERS:
@@ -148,8 +156,8 @@ def test_types_and_orders(at):
                         100 if kind == 15 else 250 if kind == 3 else 30000)
                     data = read(write_numpy(at("a.npy"), given, end + dtype, order, fortran),
                                 order=order)
-                    assert (values(
-                        data) == given).all() and data.GetOrigin() == ORIGIN and data.GetSpacing() == SPACING
+                    assert ((values(data) == given).all() and data.GetOrigin() == ORIGIN
+                            and data.GetSpacing() == SPACING)
                     assert data.GetCellData().GetArray(0).GetDataType() == kind, dtype
     for order in ORDERS:
         data = read(write_text(at("a.spn"), GRAINS, order), order=order)
@@ -158,6 +166,7 @@ def test_types_and_orders(at):
 
 @in_folder
 def test_versions(at):
+    """All versions of the .npy format are read."""
     for version in ((1, 0), (2, 0), (3, 0)):
         with open(at("a.npy"), "wb") as file:
             numpy_format.write_array(file, GRAINS.astype("<u2"), version)
@@ -166,6 +175,7 @@ def test_versions(at):
 
 @in_folder
 def test_white_space(at):
+    """Any white space separates the labels of a text."""
     words = list(map(str, GRAINS.ravel()))
     for text in (" ".join(words), "\r\n".join(words) + "\r\n",
                  "\n\n \t" + "\t ".join(words) + " \n\n", "\v\f".join(words)):
@@ -176,7 +186,7 @@ def test_white_space(at):
 
 @in_folder
 def test_numbers_across_buffers(at):
-    """A text of some megabytes, of which the numbers lie across the parts that are read."""
+    """Numbers that cross the limits of the read buffer are read correctly, in several megabytes."""
     size = (70, 80, 90)
     given = np.random.default_rng(3).integers(0, 2 ** 31,
                                               size) // 10 ** np.random.default_rng(4).integers(
@@ -186,6 +196,7 @@ def test_numbers_across_buffers(at):
 
 @in_folder
 def test_sub_extents(at):
+    """Parts of the extent are read, also flat ones."""
     size = [n + 1 for n in SIZE]
     for path in (write_text(at("a.spn"), GRAINS, "YZX"),
                  write_numpy(at("a.npy"), GRAINS, "i4", "YZX"),
@@ -198,7 +209,7 @@ def test_sub_extents(at):
             assert info.Get(vtkStreamingDemandDrivenPipeline.WHOLE_EXTENT()) == (
                 0, 9, 0, 11, 0, 13), size
             it.UpdateExtent(extent)
-            # of flat ones, the cells beside them
+            # A flat extent holds the cells next to it.
             lower = [min(extent[2 * a], SIZE[a] - 1) for a in range(3)]
             x, y, z = (slice(lower[a], max(extent[2 * a + 1], lower[a] + 1)) for a in range(3))
             assert it.GetOutput().GetExtent() == extent
@@ -207,6 +218,7 @@ def test_sub_extents(at):
 
 @in_folder
 def test_fractions(at):
+    """A 3-D or 4-D array of floating point holds one or several fractions."""
     parts = [part.transpose(2, 1, 0) for part in ball_and_plate()]
     gold = merge(
         [mesh_of(image({"VolumeFraction%d" % (i + 1): p.transpose(2, 1, 0)
@@ -230,6 +242,7 @@ def test_fractions(at):
 
 @in_folder
 def test_file_series(at):
+    """Numbered files are time steps."""
     steps = [np.roll(GRAINS, step, axis=0) for step in range(3)]
     for suffix, write, options in (("spn", write_text, dict(Dimensions=SIZE)),
                                    ("npy", write_numpy, {})):
@@ -242,16 +255,17 @@ def test_file_series(at):
 
 
 def test_properties():
+    """Properties are set, limited and printed."""
     it = reader("a.spn")
-    assert it.GetAxisOrder() == it.AXIS_ORDER_XYZ and it.GetDimensions() == SIZE and it.GetFileName() == "a.spn"
+    assert (it.GetAxisOrder() == it.AXIS_ORDER_XYZ and it.GetDimensions() == SIZE
+            and it.GetFileName() == "a.spn")
     it.SetAxisOrder(99)
     assert it.GetAxisOrder() == it.AXIS_ORDER_ZYX
     assert "Dimensions: 9 11 13" in str(it) and "AxisOrder: 5" in str(it)
 
 
 def check_refused(path, *words, size=SIZE, change=None):
-    """The reader fails with one message that names the file and has the words, and leaves no
-    labels."""
+    """Checks that the reader fails with one message with the file and the words, without labels."""
     it = reader(path, size)
     if change:
         change(it)
@@ -265,6 +279,7 @@ def check_refused(path, *words, size=SIZE, change=None):
 
 
 def test_refused_files():
+    """Missing files and folders are reported."""
     check_refused("/no/such.spn", "No such file")
     check_refused("/no/such.npy", "No such file")
     check_refused("/tmp", "directory")
@@ -273,6 +288,7 @@ def test_refused_files():
 
 @in_folder
 def test_refused_text(at):
+    """Wrong counts, words and options of texts are reported."""
     def text(content, *words, size=(2, 3, 4), mode="w", **options):
         with open(at("a.spn"), mode) as file:
             file.write(content)
@@ -315,6 +331,7 @@ def header(text, version=1):
 
 @in_folder
 def test_refused_arrays(at):
+    """Wrong headers, types, shapes and labels of arrays are reported."""
     def array(content, *words):
         if isinstance(content, np.ndarray):
             np.save(at("a.npy"), content)
@@ -368,6 +385,7 @@ def test_refused_arrays(at):
 
 @in_folder
 def test_refused_by_sculptor(at):
+    """sculptor reports the messages of the reader on 1 and 3 ranks."""
     def refused(code, text, *arguments, ranks=1):
         result = mpi_run(ranks, [SCULPTOR, *arguments, "--output", at("out.vtu")])
         lines = result.stderr.splitlines()
