@@ -1,4 +1,4 @@
-"""Grains that fill a box, cut open: the picture of the README.
+"""Meshes grains that fill a box; the picture shows the mesh cut open.
 
 usage: python grains.py [--picture grains.png]
 """
@@ -13,7 +13,7 @@ TEXT = "sphere radius=0.3 center=0.1,-0.1,0.25 material=1; polycrystal grains=24
 
 
 def show(mesh: vfm.Mesh, path: str) -> None:
-    """Without the elements in front of a plane, which stay whole."""
+    """Shows the elements behind a plane, uncut."""
     import pyvista
 
     grid = mesh.to_pyvista()

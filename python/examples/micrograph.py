@@ -1,5 +1,4 @@
-"""From a segmented micrograph to hexahedra: pixels of grains, one layer thick, whose steps are
-smoothed.
+"""Meshes a segmented micrograph with hexahedra: one layer of pixels of grains, with smoothed steps.
 
 usage: python micrograph.py [--mesh grains.vtu] [--picture grains.png]
 """
@@ -10,11 +9,12 @@ import numpy as np
 
 import volume_fraction_mesh as vfm
 
-PIXELS, GRAINS, WIDTH = (72, 40), 13, 0.5  # micrometres a pixel
+PIXELS, GRAINS, WIDTH = (72, 40), 13, 0.5  # micrometres per pixel
 
 
 def segmented_image() -> np.ndarray:
-    """Labels 1, 2, .. of grains (rows, columns), with pores of label 0 and some pixels wrong."""
+    """Returns labels 1, 2, .. of grains (rows, columns), with pores of label 0 and some wrong
+    pixels."""
     random = np.random.default_rng(3)
     seeds = random.random((GRAINS, 2)) * PIXELS[::-1]
     rows, columns = np.mgrid[: PIXELS[1], : PIXELS[0]] + 0.5
@@ -28,7 +28,7 @@ def segmented_image() -> np.ndarray:
 
 
 def show(meshes, path: str) -> None:
-    """One above the other."""
+    """Shows meshes one above the other."""
     import pyvista
 
     plotter = pyvista.Plotter(shape=(2, 1), off_screen=True, window_size=(900, 1050), border=False)

@@ -1,5 +1,5 @@
-"""From an STL file to hexahedra that keep its edges: a nut, its fractions, its mesh, and the faces
-to put loads on.
+"""Meshes an STL file with hexahedra that keep its edges: a nut, its fractions, its mesh, and the
+faces for loads.
 
 usage: python stl_to_hexes.py [--stl part.stl] [--mesh part.vtu] [--picture part.png]
 """
@@ -16,7 +16,7 @@ POINTS, WIDTH, HOLE, HEIGHT = 120, 8.0, 4.5, 6.0  # around; millimetres
 
 
 def write_nut(path: str) -> None:
-    """A hexagon with a hole, by PyVista."""
+    """Writes a hexagon with a hole by PyVista."""
     import pyvista
 
     angle = np.arange(POINTS) * 2 * np.pi / POINTS
@@ -27,7 +27,7 @@ def write_nut(path: str) -> None:
     here = np.arange(POINTS)
     there = np.roll(here, -1)
     outer, inner, top, top_inner = (ring * POINTS for ring in range(4))
-    # each from ring to ring
+    # each strip joins two rings
     sides = [(outer, top), (top, top_inner), (top_inner, inner), (inner, outer)]
     quads = np.concatenate([np.stack([a + here, a + there, b + there, b + here], axis=1)
                             for a, b in sides])

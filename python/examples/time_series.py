@@ -1,5 +1,5 @@
-"""Time steps of a drop that stretches as it flies: a mesh each, with the mass, momentum and energy
-of the cells.
+"""Meshes the time steps of a drop that stretches as it flies. Each mesh keeps the mass, momentum
+and energy of the cells.
 
 usage: python time_series.py [--folder meshes] [--picture steps.png]
 """
@@ -12,13 +12,12 @@ import numpy as np
 
 import volume_fraction_mesh as vfm
 
-CELLS, BOUNDS, RADIUS, TIMES = (52, 32, 32), [0.0, 3.25, -1.0, 1.0, -1.0,
-                                              1.0], 0.45, np.linspace(0, 1, 5)
+CELLS, BOUNDS, RADIUS, TIMES = (
+    (52, 32, 32), [0.0, 3.25, -1.0, 1.0, -1.0, 1.0], 0.45, np.linspace(0, 1, 5))
 
 
 def field_at(time: float) -> Dict[str, object]:
-    """Fractions of an ellipsoid that keeps its volume, and the state of its cells, as a code would
-    have them."""
+    """Returns the fractions and the state of an ellipsoid of constant volume."""
     stretch = 1 + time
     radii = RADIUS * np.array([stretch, stretch**-0.5, stretch**-0.5])
     centre = 0.7 + 1.4 * time
@@ -33,7 +32,7 @@ def field_at(time: float) -> Dict[str, object]:
 
 
 def show(meshes, path: str) -> None:
-    """First, middle and last."""
+    """Shows the first, the middle and the last mesh."""
     import pyvista
 
     plotter = pyvista.Plotter(off_screen=True, window_size=(900, 800))

@@ -1,8 +1,8 @@
-"""Meshes that the package and the filters of ParaView must make alike, to the bit.
+"""Defines meshes that must be bitwise identical in the package and in the ParaView filters.
 
-Inputs are made by +, -, *, / and sqrt alone, so that they are the same on every machine. A case is
-told in words of neither: `settings(case)` are keyword arguments of hexes() and tets(),
-Testing/Package/TestSameBits.py has them as properties of the filters.
+Inputs are made with only +, -, *, / and sqrt, so that they are equal on every machine. A case does
+not depend on the front end: `settings(case)` returns keyword arguments of hexes() and tets(), and
+Testing/Package/TestSameBits.py converts a case to properties of the filters.
 """
 
 import hashlib
@@ -13,13 +13,16 @@ from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Tuple
 import numpy as np
 
 SPACING, ORIGIN = (0.25, 0.25, 0.5), (-1.0, 0.5, 2.0)
-TURNED = ((0.6, 0.8, 0.0), (0.8, -0.6, 0.0), (0.0, 0.0, 1.0))  # a mirror, too
+TURNED = ((0.6, 0.8, 0.0), (0.8, -0.6, 0.0), (0.0, 0.0, 1.0))  # rotates and mirrors
 
 
 class Case(NamedTuple):
-    """arrays: by name, in Fortran order: [i, j, k] or [i, j, k, component], i along x; fractions:
-    names, one a material, or labels: one name; nodes: coordinates instead of SPACING and ORIGIN;
-    options: by the names and words of Python."""
+    """Input and options of a mesh.
+
+    Arrays are in Fortran order, [i, j, k] or [i, j, k, component] with i along x. Either fractions
+    holds their names, one per material, or labels holds one name. Nodes replace SPACING and ORIGIN.
+    Options have the names and values of Python.
+    """
 
     arrays: Dict[str, np.ndarray]
     options: Dict[str, Any] = {}
@@ -35,13 +38,13 @@ class Case(NamedTuple):
 
 
 def centres(n: int, parts: int = 1) -> List[np.ndarray]:
-    """Of the parts of n cells along x, y and z, in cells, to be broadcast."""
+    """Returns the centres of the parts of n cells along x, y and z, in cells, for broadcasting."""
     at = (np.arange(n * parts) + 0.5) / parts
     return [at[:, None, None], at[None, :, None], at[None, None, :]]
 
 
 def averaged(inside: np.ndarray, parts: int) -> np.ndarray:
-    """Of parts^3 points in each cell."""
+    """Returns the average over parts^3 points in each cell."""
     n = inside.shape[0] // parts
     counts = inside.reshape(n, parts, n, parts, n, parts).sum(axis=(1, 3, 5))
     return np.asfortranarray(counts / parts**3)
@@ -49,15 +52,14 @@ def averaged(inside: np.ndarray, parts: int) -> np.ndarray:
 
 def ball_and_plate(n: int = 12, parts: int = 4) -> Dict[str, np.ndarray]:
     x, y, z = centres(n, parts)
-    ball = (x - n / 2) * (x - n / 2) + (y - n / 2) * (y - n
-                                                      / 2) + (z - 0.55 * n) * (
-                                                          z - 0.55 * n) < 0.09 * n * n
+    ball = ((x - n / 2) * (x - n / 2) + (y - n / 2) * (y - n / 2)
+            + (z - 0.55 * n) * (z - 0.55 * n)) < 0.09 * n * n
     plate = np.broadcast_to(z < 0.33 * n, ball.shape) & ~ball
     return {"ball": averaged(ball, parts), "plate": averaged(plate, parts)}
 
 
 def grains(n: int = 12, count: int = 9) -> np.ndarray:
-    """Labels of the nearest of some points."""
+    """Returns the label of the nearest of some points."""
     x, y, z = centres(n)
     distances = []
     for g in range(count):
@@ -67,14 +69,14 @@ def grains(n: int = 12, count: int = 9) -> np.ndarray:
 
 
 def turned_box(n: int = 14, parts: int = 4) -> np.ndarray:
-    """Its axes are (2, 2, 1) / 3, (1, -2, 2) / 3 and (2, -1, -2) / 3."""
+    """Returns a box whose axes are (2, 2, 1) / 3, (1, -2, 2) / 3 and (2, -1, -2) / 3."""
     x, y, z = (axis - n / 2 for axis in centres(n, parts))
     along = ((2 * x + 2 * y + z) / 3, (x - 2 * y + 2 * z) / 3, (2 * x - y - 2 * z) / 3)
     return averaged((abs(along[0]) < 4.2) & (abs(along[1]) < 3.3) & (abs(along[2]) < 3.7), parts)
 
 
 def film(n: int = 12, parts: int = 4) -> np.ndarray:
-    """Thinner than two cells, oblique."""
+    """Returns an oblique film, thinner than two cells."""
     x, y, z = (axis - n / 2 for axis in centres(n, parts))
     return averaged(abs((x + 2 * y + 2 * z) / 3 - 0.1) < 0.7, parts)
 
@@ -138,8 +140,11 @@ CASES = {
 
 
 def digest(arrays: Dict[str, Any]) -> str:
-    """arrays: points, cells, point_ids, cell_ids, material, fragment, quality, and of state and
-    point_state dicts."""
+    """Returns the SHA-256 of a mesh.
+
+    arrays: points, cells, point_ids, cell_ids, material, fragment, quality, and the dicts state and
+    point_state.
+    """
     sha = hashlib.sha256()
     kinds = {
         "points": "f8",
@@ -162,7 +167,7 @@ def digest(arrays: Dict[str, Any]) -> str:
 
 
 def settings(case: Case) -> Dict[str, Any]:
-    """Keyword arguments of hexes() or tets()."""
+    """Returns the keyword arguments of hexes() or tets()."""
     given: Dict[str, Any] = dict(case.options)
     if case.labels:
         given["labels"] = case.arrays[case.labels]
@@ -181,14 +186,14 @@ def settings(case: Case) -> Dict[str, Any]:
 
 
 def mesh_of(case: Case, **more: Any) -> Any:
-    """By the package."""
+    """Makes the mesh with the package."""
     import volume_fraction_mesh as vfm
 
     return (vfm.tets if case.tets else vfm.hexes)(**settings(case), **more)
 
 
 def main(folder: str = "") -> None:
-    """Prints a line `case sha256` each. folder: where to write files of the meshes."""
+    """Prints a line `case sha256` per case. folder: for files of the meshes; "" writes none."""
     for name, make in CASES.items():
         mesh = mesh_of(make())
         print(name, digest(vars(mesh)), flush=True)

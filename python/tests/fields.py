@@ -1,4 +1,4 @@
-"""Small fields that the tests share."""
+"""Makes small fields for several tests."""
 
 import numpy as np
 
@@ -24,23 +24,23 @@ GRAINS, STATE = grains(N), state_of(N)
 LABELS = np.where(BALL + PLATE < 0.5, 0, np.where(BALL >= PLATE, 1, 2))
 HEX_EDGES = np.array(
     [[1, 3, 4], [2, 0, 5], [3, 1, 6], [0, 2, 7], [7, 5, 0], [4, 6, 1], [5, 7, 2], [6, 4, 3]]
-)  # at each corner
+)  # at each corner, the ends of its edges
 
 
 def ball(n, radius=0.3):
-    """Of a ball in the middle; radius in domains."""
+    """Returns the fractions of a ball in the middle. radius: in widths of the domain."""
     x, y, z = (axis - n / 2 for axis in centres(n, 4))
     return averaged(x * x + y * y + z * z < (radius * n) ** 2, 4)
 
 
 def same(mesh, other):
-    """Whether two meshes have the same bits."""
+    """Returns whether two meshes are bitwise identical."""
     names = ("points", "cells", "material", "fragment", "point_ids", "cell_ids", "quality")
     return all(np.array_equal(getattr(mesh, name), getattr(other, name)) for name in names)
 
 
 def check_valid(mesh):
-    """Every corner is positive, and volumes are those that are told."""
+    """Checks that every corner is positive, and that volumes match the table of materials."""
     corner = mesh.points[mesh.cells]
     if mesh.kind == "hexahedron":
         edges = corner[:, HEX_EDGES] - corner[:, :, None]

@@ -1,4 +1,4 @@
-"""CalculiX solves on the meshes: a bar of two parts that is stretched."""
+"""Tests the meshes in CalculiX, which stretches a bar of two parts."""
 
 import os
 import shutil
@@ -26,10 +26,10 @@ RF
 """
 
 
-@pytest.mark.skipif(not shutil.which("ccx"), reason="CalculiX (ccx) is not there")
+@pytest.mark.skipif(not shutil.which("ccx"), reason="CalculiX (ccx) is not installed")
 @pytest.mark.parametrize("make", [vfm.hexes, vfm.tets])
 def test_stretched_bar(make, tmp_path):
-    """A tenth longer: the force is a tenth of the modulus times the area."""
+    """At a strain of 0.1, the force is 0.1 times the modulus times the area."""
     mesh = make(vfm.shapes(BAR, (24, 8, 8), bounds=[-1, 3, -0.5, 0.5, -0.5, 0.5]))
     mesh.save(tmp_path / "bar.inp")
     with open(tmp_path / "bar.inp", "a") as file:

@@ -1,4 +1,4 @@
-"""Files of blocks of cells on any number of levels: SpyPlot and AMReX."""
+"""Tests files of blocks of cells on any number of levels: SpyPlot and AMReX."""
 
 import os
 import shutil
@@ -66,7 +66,7 @@ def test_tets_labels_and_chosen_arrays(tmp_path):
 
 
 def refined(value):
-    """Eight blocks of level 0 in x y z, the first of them as eight of level 1."""
+    """Makes eight blocks of level 0, the first of which is eight blocks of level 1."""
 
     def block(level, lower):
         width = SPACING / 2**level
@@ -96,7 +96,7 @@ def test_plotfile():
     mesh = vfm.hexes(blocks)
     check_valid(mesh)
     assert len(mesh.cells) > 1000
-    smeared = vfm.read(SMEARED)  # beyond [0, 1]
+    smeared = vfm.read(SMEARED)  # values leave [0, 1]
     assert smeared.fractions == []
     with pytest.raises(ValueError, match="Name the arrays of .* that hold materials"):
         vfm.hexes(smeared)
@@ -125,8 +125,8 @@ def test_errors(tmp_path):
         (TypeError, "must be a list of names", lambda: vfm.read(path, arrays="T")),
         (TypeError, "spacing cannot be given", lambda: vfm.hexes(blocks, spacing=2)),
         (TypeError, "names cannot be given", lambda: vfm.hexes(blocks, names=["a", "b"])),
-        (TypeError, "names of arrays are needed", lambda: vfm.hexes(blocks, state={"T": BALL})),
-        (TypeError, "names of arrays are needed", lambda: vfm.hexes(blocks, density=1.0)),
+        (TypeError, "names of arrays are required", lambda: vfm.hexes(blocks, state={"T": BALL})),
+        (TypeError, "names of arrays are required", lambda: vfm.hexes(blocks, density=1.0)),
         (ValueError, "labels are 2 arrays", lambda: vfm.hexes(labels=blocks)),
         (ValueError, "none", lambda: vfm.hexes(blocks, arrays=["none"])),
     ):

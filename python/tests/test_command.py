@@ -1,4 +1,4 @@
-"""The command vfmesh."""
+"""Tests the command vfmesh."""
 
 import csv
 import subprocess
@@ -21,7 +21,7 @@ def read(path):
 
 @pytest.fixture
 def run(tmp_path, capsys):
-    """Runs the command in a folder; "@name" is a file there."""
+    """Runs the command in a folder; "@name" is a file in it."""
 
     def run_words(*words, status=0):
         got = main([str(tmp_path / word[1:]) if word.startswith("@") else word for word in words])

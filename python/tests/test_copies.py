@@ -1,4 +1,4 @@
-"""Arrays are not copied where memory is as the core reads it."""
+"""Tests that arrays are not copied if their memory has the order of the core."""
 
 import subprocess
 import sys
@@ -91,9 +91,9 @@ print((peak() - before) / (array.nbytes / 1024))
 """
 
 
-@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="/proc tells the memory")
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="the memory is read from /proc")
 def test_memory():
-    """What a run takes, in sizes of the array: a copy takes one more."""
+    """Measures the memory of a run in sizes of the array: a copy adds one."""
     grown = [
         float(subprocess.run([sys.executable, "-c", MEMORY, order], check=True,
                              capture_output=True).stdout)

@@ -1,4 +1,4 @@
-"""What cannot be meshed raises one clear error."""
+"""Tests that input which cannot be meshed raises one clear error."""
 
 import numpy as np
 import pytest
@@ -33,14 +33,14 @@ WRONG = {
         ValueError,
         "'ball' holds 1.3 in cell (1, 2, 3): volume fractions lie in [0, 1]",
     ),
-    "zyx, cells told along x y z": (
+    "zyx, cells named along x y z": (
         dict(fractions=changed(1.3), order="zyx"),
         ValueError,
         "holds 1.3 in cell (3, 2, 1)",
     ),
     "sum": (dict(fractions=[BALL, BALL]), ValueError, "sum to"),
-    "whole numbers": (dict(fractions=LABELS), TypeError,
-                      "of the type int64: volume fractions are real numbers"),
+    "integers": (dict(fractions=LABELS), TypeError,
+                      "of the type int64: volume fractions are floating-point numbers"),
     "complex": (dict(fractions=BALL + 0j), TypeError, "of the type complex128"),
     "objects": (dict(fractions=BALL.astype(object)), TypeError, "of the type object"),
     "texts": (dict(labels=LABELS.astype(str)), TypeError, "'labels' is of the type <U"),
@@ -48,16 +48,16 @@ WRONG = {
     "two axes": (
         dict(fractions=BALL[0]),
         ValueError,
-        "has the shape (12, 12): three axes are needed. Of a single layer",
+        "has the shape (12, 12): three axes are required. For a single layer",
     ),
     "four axes": (
         dict(fractions=np.stack([BALL, PLATE])),
         ValueError,
-        "three axes are needed. Of one array a material give a list",
+        "three axes are required. For several materials give a list",
     ),
-    "a number": (dict(fractions=0.5), ValueError, "has the shape (): three axes are needed"),
+    "a number": (dict(fractions=0.5), ValueError, "has the shape (): three axes are required"),
     "empty": (dict(fractions=np.zeros((0, 3, 3))), ValueError,
-              "has the shape (0, 3, 3): there are no cells in it"),
+              "has the shape (0, 3, 3): it contains no cells"),
     "no materials": (dict(fractions=[]), ValueError, "fractions are empty"),
     "shapes": (
         dict(fractions=[BALL, PLATE[1:]]),
@@ -73,7 +73,7 @@ WRONG = {
         "spacing is (1, -1, 1): widths of cells must be greater than 0",
     ),
     "spacing of two": (dict(fractions=BALL, spacing=(1, 1)), ValueError,
-                       "spacing is (1, 1): 3 numbers are needed"),
+                       "spacing is (1, 1): 3 numbers are required"),
     "spacing, nan": (dict(fractions=BALL, spacing=np.nan), ValueError, "it must be finite"),
     "spacing, text": (dict(fractions=BALL, spacing="wide"), TypeError, "spacing is 'wide'"),
     "origin": (dict(fractions=BALL, origin=(0, 0, np.inf)), ValueError,
@@ -98,7 +98,7 @@ WRONG = {
     "direction": (dict(fractions=BALL, direction=np.diag([1, 2, 1])), ValueError,
                   "sheared or scaled"),
     "direction, size": (dict(fractions=BALL, direction=np.eye(2)), ValueError,
-                        "9 numbers are needed"),
+                        "9 numbers are required"),
     "labels, half": (
         dict(labels=LABELS + 0.5),
         ValueError,
@@ -111,8 +111,8 @@ WRONG = {
     "names of a dict": (dict(fractions={"b": BALL}, names=["ball"]), TypeError,
                         "fractions have names already"),
     "names of labels": (dict(labels=LABELS, names=["ball"]), TypeError,
-                        "a dict, label: name, is needed"),
-    "names of labels, alike": (dict(labels=LABELS, names={1: "a", 2: "a"}), ValueError,
+                        "a dict {label: name} is required"),
+    "names of labels, equal": (dict(labels=LABELS, names={1: "a", 2: "a"}), ValueError,
                                "both called 'a'"),
     "state, shape": (dict(fractions=BALL, state={"T": BALL[1:]}), ValueError,
                      "'T' has the shape (11, 12, 12)"),
@@ -141,7 +141,7 @@ WRONG = {
     "densities": (
         dict(fractions=[BALL, PLATE], density=[BALL]),
         ValueError,
-        "density has 1 arrays: one for all materials or one for each of 2",
+        "density has 1 arrays: one for all materials, or one for each of 2",
     ),
     "densities by name": (
         dict(fractions={"b": BALL}, density={"c": BALL}),
@@ -160,14 +160,14 @@ WRONG = {
     "densities of labels": (
         dict(labels=LABELS, density=[BALL, BALL]),
         TypeError,
-        "density is a list: of labels a dict",
+        "density is a list: for labels, a dict",
     ),
     "refinement box": (
         dict(fractions=BALL, refinement="automatic", refinement_boxes=[(1, 2)]),
         ValueError,
         "refinement_boxes has (1.0, 2.0)",
     ),
-    "refinement box, turned round": (
+    "refinement box, reversed": (
         dict(fractions=BALL, refinement="automatic", refinement_boxes=[(1, 1, 1, 0, 2, 2)]),
         ValueError,
         "must not end before it begins",

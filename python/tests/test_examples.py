@@ -1,4 +1,4 @@
-"""The examples run, and each says what it should."""
+"""Tests that the examples run and print a mesh."""
 
 import os
 import shutil

@@ -1,4 +1,4 @@
-"""The table of fragments."""
+"""Tests the table of fragments."""
 
 import numpy as np
 import pytest

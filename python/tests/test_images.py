@@ -1,4 +1,4 @@
-"""Images tell their grid; their meshes are those of the arrays."""
+"""Tests that images define the grid, and give the same meshes as arrays."""
 
 import numpy as np
 import pytest
@@ -26,7 +26,7 @@ def cell_image(pyvista, **given):
 
 
 def point_image(pyvista, **given):
-    """Whose points are the centres of the same cells."""
+    """Makes an image whose points are the centres of the same cells."""
     first = [o + s / 2 for o, s in zip(ORIGIN, SPACING)]
     image = pyvista.ImageData(dimensions=(N,) * 3, spacing=SPACING, origin=first, **given)
     for name, array in (("ball", BALL), ("plate", PLATE), ("id", LABELS)):
@@ -47,7 +47,7 @@ def test_pyvista_cells():
     assert vfm.hexes(image).materials["Name"] == ["plate"]
     with pytest.raises(ValueError, match="no numeric cell array 'foam'. Its cell arrays: .*'ball'"):
         vfm.hexes(image, arrays=["foam"])
-    with pytest.raises(TypeError, match="spacing cannot be given too: the image tells"):
+    with pytest.raises(TypeError, match="spacing cannot be given too: the image or file defines"):
         vfm.hexes(image, spacing=2)
     with pytest.raises(TypeError, match="'id' of fractions is of the type int64"):
         vfm.hexes(image, arrays=["id"])

@@ -1,4 +1,4 @@
-"""What a mesh can do: print, pickle, become one of PyVista or meshio, save itself."""
+"""Tests the methods of a mesh: printing, pickling, conversion to PyVista and meshio, saving."""
 
 import pickle
 
@@ -136,7 +136,8 @@ def test_files(mesh, ending, tmp_path):
         )
         text = path.read_text()
         assert "ELSET=PLATE\n" in text and ("TYPE=C3D8," if mesh is HEXES else "TYPE=C3D4,") in text
-        assert "*NSET, NSET=X_MIN\n" in text and "*SURFACE, NAME=BALL_TO_PLATE, TYPE=ELEMENT\n" in text
+        assert "*NSET, NSET=X_MIN\n" in text and (
+            "*SURFACE, NAME=BALL_TO_PLATE, TYPE=ELEMENT\n" in text)
         assert "*INITIAL CONDITIONS, TYPE=VELOCITY\n" in text
     else:
         assert sorted(len(block.data) for block in again.cells) == sorted(counts.values())
@@ -215,5 +216,5 @@ def test_files_without_ending(tmp_path):
     with pytest.raises(ValueError, match="has no ending"):
         HEXES.save(tmp_path / "mesh")
     pytest.importorskip("meshio")
-    with pytest.raises(ValueError, match="no files with the ending .foam"):
+    with pytest.raises(ValueError, match="the ending .foam is not supported"):
         HEXES.save(tmp_path / "mesh.foam")

@@ -1,4 +1,4 @@
-"""What meshes are: valid, of the volumes of the fractions, the same however arrays come."""
+"""Tests that meshes are valid, keep the volumes, and do not depend on the form of the input."""
 
 import hashlib
 
@@ -74,7 +74,7 @@ def test_ways_to_give_fractions():
 
 
 def test_orders():
-    """The axes of arrays, and how they lie in memory, change nothing."""
+    """The order of axes and the memory layout of arrays change nothing."""
     turned = [array.transpose(2, 1, 0) for array in (BALL, PLATE)]
     for copy in (np.asfortranarray, np.ascontiguousarray,
                  lambda array: array[::-1, ::-1][::-1, ::-1]):
@@ -195,5 +195,5 @@ def test_warnings():
 
 
 def test_one_layer_of_cells():
-    """As of a micrograph."""
+    """One layer is meshed, as in a micrograph."""
     check_valid(vfm.hexes(labels=GRAINS[:, :, :1]))

@@ -1,4 +1,4 @@
-"""The table of options, the signatures, the core and the README tell the same."""
+"""Tests that the table of options, the signatures and the core agree."""
 
 import inspect
 import re
@@ -11,7 +11,7 @@ from volume_fraction_mesh import _core
 
 OPTIONS = _core.list_options()
 NUMBERS = [option for option in OPTIONS if option.kind in ("whole", "real")]
-OPENS = {"iso_value": "()", "target_scaled_jacobian": "[)"}  # of ranges
+OPENS = {"iso_value": "()", "target_scaled_jacobian": "[)"}  # ranges with open ends
 
 
 def make_of(option):

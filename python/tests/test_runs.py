@@ -1,4 +1,4 @@
-"""Runs: progress, Ctrl-C, threads, memory."""
+"""Tests runs: progress, Ctrl-C, threads, memory."""
 
 import signal
 import subprocess
@@ -43,7 +43,7 @@ def test_interrupt(after, threads):
 
 
 def test_two_at_once():
-    """Meshes made at the same time are those made one after the other."""
+    """Meshes made at the same time equal meshes made one after the other."""
     makes = [lambda: vfm.hexes([BALL, PLATE]), lambda: vfm.tets(ball(14))] * 2
     alone = [make() for make in makes]
     together = [None] * len(makes)

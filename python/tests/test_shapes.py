@@ -1,4 +1,4 @@
-"""Exact fractions of shapes and of closed surfaces."""
+"""Tests the exact fractions of shapes and of closed surfaces."""
 
 import pickle
 import struct
@@ -159,10 +159,10 @@ def test_wrong_surfaces(tmp_path):
         ((CUBE, TRIANGLES + 1), ValueError, "triangle"),
         (CUBE, TypeError, "points and triangles"),
         ((CUBE, TRIANGLES[:0]), ValueError, "no polygons"),
-        ((CUBE[:, :2], TRIANGLES), ValueError, "(n, 3) is needed"),
-        ((CUBE, TRIANGLES * 0.5), ValueError, "(m, 3) whole numbers"),
-        (tmp_path / "no.stl", ValueError, "is no STL file"),
-        (tmp_path / "short.stl", ValueError, "is no STL file"),
+        ((CUBE[:, :2], TRIANGLES), ValueError, "(n, 3) is required"),
+        ((CUBE, TRIANGLES * 0.5), ValueError, "(m, 3) integers"),
+        (tmp_path / "no.stl", ValueError, "is not an STL file"),
+        (tmp_path / "short.stl", ValueError, "is not an STL file"),
         (tmp_path / "none.stl", FileNotFoundError, "none.stl"),
         ({}, ValueError, "empty"),
         ((CUBE * np.nan, TRIANGLES), ValueError, "finite"),

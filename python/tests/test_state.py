@@ -1,4 +1,4 @@
-"""State that is copied, and that is conserved: sums over the elements are those of the cells."""
+"""Tests state that is copied, and state that is conserved: elements and cells have equal sums."""
 
 import numpy as np
 import pytest
@@ -55,7 +55,7 @@ def test_energy_is_whole(make):
 
 @pytest.mark.parametrize("make", MAKES)
 def test_copied(make):
-    """Values are those of cells, unchanged, and of any type."""
+    """Elements get unchanged values of cells, of any type."""
     state = {"code": STATE["code"], "T": HEAT.astype(np.float32), "velocity": VELOCITY}
     mesh = make(FRACTIONS, state=state)
     assert mesh.state["code"].dtype == np.int16 and mesh.state["T"].dtype == np.float32
@@ -83,7 +83,7 @@ def test_transfer():
         "T", "velocity", "energy", "density"}
     mesh = vfm.hexes(FRACTIONS, state={"T": HEAT}, state_transfer="conserve", spacing=SPACING)
     total = sum((fraction * HEAT).sum() for fraction in FRACTIONS.values()) * CELL
-    # mass is the volume of the cells
+    # without a density, mass is volume
     assert np.isclose((mesh.volumes() * mesh.state["T"]).sum(), total, rtol=1e-5)
 
 
@@ -128,7 +128,7 @@ def test_arrays_of_labels():
 
 
 def test_numbers():
-    """Of all cells, or of all cells of a material."""
+    """A number applies to all cells, or to all cells of a material."""
     expected = vfm.hexes(FRACTIONS, density={"ball": 0 * BALL + 2, "plate": 0 * BALL + 3})
     for order, fractions in (("xyz", FRACTIONS),
                              ("zyx", {name: array.T for name, array in FRACTIONS.items()})):
@@ -165,7 +165,7 @@ def test_orders():
 
 
 def test_unmeshed():
-    """Spray far from all that is meshed is told, by a warning and in the table."""
+    """A warning and the table report material far from all elements of its kind."""
     fraction = np.zeros((12, 8, 8))
     fraction[:3], fraction[10, 4, 4] = 1, 0.3
     with pytest.warns(vfm.VolumeFractionMeshWarning, match="left out"):

@@ -1,9 +1,11 @@
-"""Hexahedral and tetrahedral meshes of every material from volume fractions or labels on Cartesian
-grids.
+"""Makes hexahedral and tetrahedral meshes of all materials from volume fractions or labels on
+Cartesian and AMR grids.
 
 >>> import volume_fraction_mesh as vfm
 >>> mesh = vfm.hexes(vfm.shapes("sphere radius=0.7", 20, bounds=[-1, 1] * 3))
 >>> mesh.save("ball.vtu")
+
+`has_tetgen` is True if TetGen is in the build: then `tets` supports ``method="tetgen"``.
 """
 
 from ._blocks import Blocks, read

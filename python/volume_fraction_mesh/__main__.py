@@ -1,5 +1,4 @@
-"""The command vfmesh: from a file of volume fractions, labels or a closed surface to a file of a
-mesh."""
+"""vfmesh makes a mesh file from a file of volume fractions, labels or a closed surface."""
 
 from __future__ import annotations
 
@@ -32,58 +31,62 @@ def _add_option(group: Any, option: Option) -> None:
 
 
 def make_parser() -> argparse.ArgumentParser:
-    """Of the command line."""
+    """Makes the parser of the command line."""
     parser = argparse.ArgumentParser(
         prog="vfmesh", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
     parser.add_argument("input",
-                        help=".npy, .npz, .spcth, a folder of an AMReX plotfile, NIfTI (nibabel), .vti (PyVista), .stl, or what SimpleITK reads")
-    parser.add_argument("output", help=".vtu, .e, .inp, .msh .., as Mesh.save")
+                        help=".npy, .npz, .spcth, a folder of an AMReX plotfile, NIfTI (nibabel), "
+                        ".vti (PyVista), .stl, or a format of SimpleITK")
+    parser.add_argument("output", help=".vtu, .e, .inp, .msh or another format of Mesh.save")
     parser.add_argument("--version", action="version", version=__version__)
-    parser.add_argument("--tets", action="store_true", help="tetrahedra instead of hexahedra")
+    parser.add_argument("--tets", action="store_true", help="make tetrahedra instead of hexahedra")
     kind = parser.add_mutually_exclusive_group()
     kind.add_argument("--labels", action="store_true",
-                      help="the array holds labels (else its type and range tell)")
+                      help="the array holds labels (default: decided by its type and range)")
     kind.add_argument("--fractions", action="store_true", help="the arrays hold volume fractions")
     parser.add_argument(
         "--array", action="append", metavar="NAME",
-        help="an array of the file that holds a material; repeat for more"
+        help="an array of the file that holds a material; repeat for more materials"
     )
     parser.add_argument("--names", metavar="FILE",
-                        help="a text with a label and its name in each line, a label file of ITK-SNAP, or a table of FreeSurfer")
+                        help="names of labels: a text file with a label and its name in each line, "
+                        "or a table of ITK-SNAP, FreeSurfer, MRIcron or an FSL atlas")
     parser.add_argument(
         "--spacing", type=float, nargs="+", metavar="WIDTH",
-        help="of .npy and .npz: one, or three for x, y and z"
+        help="width of cells in .npy and .npz: one number, or three for x, y and z"
     )
     parser.add_argument(
         "--origin", type=float, nargs=3, metavar="X",
-        help="of .npy and .npz: the corner of the first cell"
+        help="corner of the first cell in .npy and .npz"
     )
     parser.add_argument("--order", choices=("xyz", "zyx"), default="xyz",
-                        help="of .npy and .npz: axes of the arrays")
+                        help="order of the axes of arrays in .npy and .npz")
     parser.add_argument("--cells", type=int, default=64,
-                        help="of a surface: cells along its longest side (64)")
-    parser.add_argument("--step", type=int, default=0, help="of .spcth: which of its times, from 0")
+                        help="number of cells along the longest side of a surface (64)")
+    parser.add_argument("--step", type=int, default=0,
+                        help="index of the time step in .spcth, from 0")
     for name, told in (
-        ("state", "carried along; repeat for more"),
-        ("density", "mass per volume"),
-        ("state-kind", "array=kind"),
+        ("state", "array to transfer to the elements; repeat for more"),
+        ("density", "array of mass per volume, which switches conservation on; "
+         "one for all materials, or repeat for each"),
+        ("state-kind", "array=kind: quantity to conserve for a state array"),
     ):
         parser.add_argument("--" + name, action="append", metavar="NAME", help=told)
     for name, told in (
-        ("velocity", "of three components"),
-        ("energy", "internal energy per mass"),
-        ("refinement-array", "halvings of cells"),
+        ("velocity", "array of three components"),
+        ("energy", "array of internal energy per mass"),
+        ("refinement-array", "array of the number of times to halve each cell"),
     ):
         parser.add_argument("--" + name, metavar="NAME", help=told)
     parser.add_argument(
         "--refinement-box", type=float, nargs=7, action="append", metavar="X",
-        help="x0 y0 z0 x1 y1 z1 halvings"
+        help="box whose cells are halved: x0 y0 z0 x1 y1 z1 and the number of times"
     )
     parser.add_argument("--surfaces", metavar="FILE", help="write the surfaces of the mesh, .vtp")
     parser.add_argument("--fragments", metavar="FILE", dest="table",
                         help="write a table of the fragments, .csv")
-    parser.add_argument("--quiet", action="store_true", help="no progress, no summary")
+    parser.add_argument("--quiet", action="store_true", help="print neither progress nor summary")
     for title in dict.fromkeys(option.group for option in OPTIONS):
         group = parser.add_argument_group(title)
         for option in OPTIONS:
@@ -93,7 +96,7 @@ def make_parser() -> argparse.ArgumentParser:
 
 
 def _arguments(words: argparse.Namespace) -> Dict[str, Any]:
-    """Of hexes() or tets()."""
+    """Returns the arguments of hexes() or tets()."""
     source = read_source(words.input, words.array, words.cells, words.step)
     given: Dict[str, Any] = {
         option.name: getattr(words, option.name) for option in OPTIONS if words.tets
@@ -130,7 +133,7 @@ def _arguments(words: argparse.Namespace) -> Dict[str, Any]:
 
 
 def _name_arrays(given: Dict[str, Any], arrays: Dict[str, np.ndarray]) -> Dict[str, Any]:
-    """Of an .npz file: the arrays that names stand for."""
+    """Replaces names by arrays of an .npz file."""
     if not arrays:
         return given
     named = [
@@ -146,7 +149,7 @@ def _name_arrays(given: Dict[str, Any], arrays: Dict[str, np.ndarray]) -> Dict[s
     missing = [name for name in given["state"] if name not in arrays]
     if missing:
         raise ValueError(
-            "The file has no array %r. Its arrays that are no materials: %s."
+            "The file has no array %r. Its arrays that are not materials: %s."
             % (missing[0], ", ".join(map(repr, arrays)))
         )
     given["state"] = chosen or None
@@ -156,7 +159,7 @@ def _name_arrays(given: Dict[str, Any], arrays: Dict[str, np.ndarray]) -> Dict[s
 
 
 def write_table(mesh: Mesh, path: str) -> None:
-    """A row a fragment."""
+    """Writes a table with one row per fragment."""
     columns: Dict[str, Any] = {}
     sides = ("x_min", "x_max", "y_min", "y_max", "z_min", "z_max")
     axes = {
@@ -177,7 +180,7 @@ def write_table(mesh: Mesh, path: str) -> None:
 
 
 def main(arguments: Optional[List[str]] = None) -> int:
-    """The exit status: 0, or 1 after one line that tells why."""
+    """Runs the command. Returns the exit status: 0, or 1 after one line with the reason."""
     words = make_parser().parse_args(arguments)
     warnings.showwarning = lambda message, *_, **__: print("warning: %s" % message, file=sys.stderr)
     warnings.simplefilter("always", VolumeFractionMeshWarning)

@@ -1,5 +1,5 @@
-"""Arrays of cells as the core takes them: flat, x fastest, numeric, and where it can be not
-copied."""
+"""Converts arrays of cells to the form of the core: flat, x fastest, numeric; without a copy if
+possible."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ ORDERS = ("xyz", "zyx")
 
 
 def check_order(order: Any) -> str:
-    """One of ORDERS."""
+    """Returns the order if it is valid, otherwise raises an exception."""
     if isinstance(order, str) and order in ORDERS:
         return order
     raise (ValueError if isinstance(order, str) else TypeError)(
@@ -21,13 +21,14 @@ def check_order(order: Any) -> str:
 
 
 def as_numbers(values: Any, name: str) -> np.ndarray:
-    """An array of a type that the core knows."""
+    """Returns an array of a type that the core supports."""
     if isinstance(values, np.ma.MaskedArray) and np.ma.is_masked(values):
-        raise ValueError("The array %r is masked: fill it first, as by array.filled(0)." % name)
+        raise ValueError("The array %r is masked: fill it first, as with array.filled(0)." % name)
     array = np.asarray(values)
     if array.dtype.kind not in "biuf" or array.dtype.itemsize > 8:
         raise TypeError(
-            "The array %r is of the type %s: whole or real numbers of up to 8 bytes are needed."
+            "The array %r is of the type %s: integers or floating-point numbers of up to 8 bytes "
+            "are required."
             % (name, array.dtype)
         )
     if array.dtype == np.bool_:
@@ -38,44 +39,44 @@ def as_numbers(values: Any, name: str) -> np.ndarray:
 
 
 def as_fractions(values: Any, name: str) -> np.ndarray:
-    """Of real numbers or bytes, 255 for 1."""
+    """Returns volume fractions as floating point, or as uint8 with 255 for 1."""
     if np.asarray(values).dtype == np.bool_:
         return np.multiply(values, 255, dtype=np.uint8)
     array = as_numbers(values, name)
     if array.dtype.kind != "f" and array.dtype != np.uint8:
         raise TypeError(
-            "The array %r of fractions is of the type %s: volume fractions are real numbers in "
-            "[0, 1], bool, or uint8 from 0 to 255. "
-            "Whole numbers that name materials are given as labels=." % (name, array.dtype)
+            "The array %r of fractions is of the type %s: volume fractions are floating-point "
+            "numbers in [0, 1], bool, or uint8 from 0 to 255. Give integer material ids as labels=."
+            % (name, array.dtype)
         )
     return array
 
 
 def check_3d(array: np.ndarray, name: str) -> None:
-    """Of a material: three axes, none empty."""
+    """Raises an exception unless the array has three axes and at least one cell."""
     if array.ndim != 3:
         hint = {
-            2: " Of a single layer of cells array[:, :, None].",
-            4: " Of one array a material give a list, as list(array).",
+            2: " For a single layer of cells give array[:, :, None].",
+            4: " For several materials give a list of arrays, such as list(array).",
         }
         raise ValueError(
-            "The array %r has the shape %r: three axes are needed.%s"
+            "The array %r has the shape %r: three axes are required.%s"
             % (name, array.shape, hint.get(array.ndim, ""))
         )
     if array.size == 0:
-        raise ValueError("The array %r has the shape %r: there are no cells in it."
+        raise ValueError("The array %r has the shape %r: it contains no cells."
                          % (name, array.shape))
 
 
 def cells_of(array: np.ndarray, order: str) -> Tuple[int, ...]:
-    """How many along x, y and z."""
+    """Returns the numbers of cells along x, y and z."""
     return array.shape[:3] if order == "xyz" else array.shape[2::-1]
 
 
 def flatten(array: np.ndarray, order: str) -> np.ndarray:
-    """(cells,) or (cells, components), x fastest, in C order.
+    """Returns an array of shape (cells,) or (cells, components), x fastest, in C order.
 
-    A view where memory is so, as of Fortran order with "xyz" and of C order with "zyx".
+    The result is a view if the memory has that order: Fortran order with "xyz", C order with "zyx".
     """
     if order == "xyz":
         array = array.transpose(2, 1, 0, *range(3, array.ndim))
@@ -84,13 +85,13 @@ def flatten(array: np.ndarray, order: str) -> np.ndarray:
 
 
 def shaped(flat: np.ndarray, cells: Sequence[int], order: str) -> np.ndarray:
-    """The view that flatten() turns back."""
+    """Returns a view with three axes; flatten() is the inverse."""
     array = flat.reshape(*cells[::-1], *flat.shape[1:])
     return array if order == "zyx" else array.transpose(2, 1, 0, *range(3, array.ndim))
 
 
 class CellArrays:
-    """Arrays of the cells of one grid, by name."""
+    """Arrays by name, of the cells of one grid."""
 
     def __init__(self, order: str, cells: Optional[Sequence[int]] = None):
         self.order = order
@@ -98,13 +99,13 @@ class CellArrays:
         self.flat: Dict[str, np.ndarray] = {}
 
     def add(self, name: str, array: np.ndarray) -> None:
-        """Of three axes and, if it has several components, a fourth. The first one tells the
-        cells."""
+        """Adds an array of three axes, or four with components. The first array defines the
+        numbers of cells."""
         self._check_name(name)
         if array.ndim not in (3, 4) or array.size == 0:
             raise ValueError(
-                "The array %r has the shape %r: an axis each for x, y and z is needed, and one more for components."
-                % (name, array.shape)
+                "The array %r has the shape %r: axes for x, y and z are required, and a fourth for "
+                "components." % (name, array.shape)
             )
         cells = cells_of(array, self.order)
         if self.cells is None:
@@ -118,16 +119,16 @@ class CellArrays:
         self.flat[name] = flatten(array, self.order)
 
     def add_flat(self, name: str, array: np.ndarray) -> None:
-        """(cells,) or (cells, components), as the core takes it."""
+        """Adds an array in the form of the core, shape (cells,) or (cells, components)."""
         self._check_name(name)
         self.flat[name] = np.ascontiguousarray(array)
 
     def _check_name(self, name: Any) -> None:
         if not isinstance(name, str) or not name:
-            raise TypeError("The name of an array is %r: it must be a text." % (name,))
+            raise TypeError("The name of an array is %r: it must be a str." % (name,))
         if name in self.flat:
-            raise ValueError("Two arrays are called %r: each needs a name of its own." % name)
+            raise ValueError("Two arrays are called %r: names must differ." % name)
 
     def items(self) -> List[Tuple[str, np.ndarray]]:
-        """As the core takes them."""
+        """Returns names and arrays for the core."""
         return list(self.flat.items())

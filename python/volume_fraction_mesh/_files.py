@@ -1,4 +1,4 @@
-"""Files that the command vfmesh reads: arrays of numpy, images, surfaces."""
+"""Reads the input files of the command vfmesh: NumPy arrays, images, surfaces and blocks."""
 
 from __future__ import annotations
 
@@ -17,8 +17,10 @@ SURFACES = (".stl", ".obj", ".ply", ".off")
 
 
 class Source(NamedTuple):
-    """materials: an image, or arrays by name; others: arrays of the same file that are no
-    materials."""
+    """Content of an input file.
+
+    materials: an image, or arrays by name. others: further arrays of the same file.
+    """
 
     materials: Any
     others: Dict[str, np.ndarray]
@@ -26,8 +28,11 @@ class Source(NamedTuple):
 
 
 def read_source(path: str, names: Optional[Sequence[str]], cells: int, step: int) -> Source:
-    """names: of the arrays that hold materials; cells: of a surface, along its longest side; step:
-    of several times."""
+    """Reads a file.
+
+    names: arrays that hold materials. cells: number along the longest side of a surface. step:
+    index of the time step.
+    """
     low = path.lower()
     if is_block_file(path):
         return Source(read(path, step=step), {}, True)
@@ -56,14 +61,14 @@ def _import(name: str, path: str) -> Any:
     try:
         return import_module(name)
     except ImportError:
-        raise ImportError("%s is read by %s: pip install %s" % (path, name, name)) from None
+        raise ImportError("Reading %s requires %s: pip install %s" % (path, name, name)) from None
 
 
 def _read_numpy(path: str, names: Optional[Sequence[str]]) -> Source:
     loaded = np.load(path, mmap_mode="r", allow_pickle=False)
     if isinstance(loaded, np.ndarray):
         if names is not None:
-            raise ValueError("%s holds one array without a name: --array is for others." % path)
+            raise ValueError("%s holds one array without a name: omit --array." % path)
         return Source({"Material 1": loaded}, {}, False)
     arrays = {name: loaded[name] for name in loaded.files}
     chosen = list(arrays) if names is None else list(names)
@@ -77,7 +82,7 @@ def _read_numpy(path: str, names: Optional[Sequence[str]]) -> Source:
 
 
 def are_labels(source: Source, names: Optional[List[str]]) -> bool:
-    """Of a single array: whether it holds whole numbers, or real ones beyond 1."""
+    """Returns whether the source is a single array of integers, or of values above 1."""
     arrays = source.materials
     if isinstance(arrays, Blocks):
         return False

@@ -1,4 +1,4 @@
-"""What each fragment of a mesh is."""
+"""Tabulates the fragments of a mesh."""
 
 from __future__ import annotations
 
@@ -12,30 +12,51 @@ from .mesh import Mesh
 
 def fragments(mesh: Mesh, density: Optional[str] = None,
               velocity: Optional[str] = None) -> Dict[str, Any]:
-    """A table of the fragments, the pieces of one material whose elements are connected over faces.
+    """Tabulate the fragments of a mesh: the face-connected pieces of each material.
 
     Parameters
     ----------
     mesh : Mesh
-    density : str
-        The array of Mesh.state that is mass per volume; else that which hexes() was given as
-        density.
-    velocity : str
-        The array of Mesh.state that is the velocity; else that which hexes() was given.
+        Mesh made by `hexes` or `tets`.
+    density, velocity : str, optional
+        Arrays in ``mesh.state``: mass per volume, shape (elements,), and velocity, shape
+        (elements, 3). Default: the arrays that `hexes` or `tets` received as `density` and
+        `velocity`.
 
     Returns
     -------
     dict
-        Columns with a row a fragment: id, material (int32), name (list of str), elements (int64),
-        fraction_volume (of the cells' fractions), volume (of the mesh; length units cubed),
-        centroid (n, 3), bounds (n, 6: minimum and maximum of x, y, z), with a density mass, with a
-        velocity too momentum (n, 3), and neighbours (list of arrays of ids that it shares faces
-        with).
+        Columns with one entry per fragment, of n fragments:
+
+        - ``id``, ``material``: int32, shape (n,).
+        - ``name``: list of str, names of the materials.
+        - ``elements``: int64, shape (n,), number of elements.
+        - ``fraction_volume``, ``volume``: float64, shape (n,), in length**3: volume of the
+          fractions in the cells, and of the elements.
+        - ``centroid``: float64, shape (n, 3).
+        - ``bounds``: float64, shape (n, 6): xmin, xmax, ymin, ymax, zmin, zmax.
+        - ``mass``: float64, shape (n,), with a density; ``momentum``: shape (n, 3), with a velocity
+          too. Both are in the units of the input.
+        - ``neighbours``: list of int32 arrays, ids of the fragments that share faces with it.
 
     Raises
     ------
     KeyError
-        Where the mesh has no such array.
+        If ``mesh.state`` has no array named `density` or `velocity`.
+
+    See Also
+    --------
+    Mesh : Attributes ``fragment`` and ``materials``.
+
+    Examples
+    --------
+    >>> text = "sphere radius=0.5; halfspace point=0,0,-0.6 normal=0,0,1 material=2"
+    >>> mesh = vfm.hexes(vfm.shapes(text, 12, bounds=[-1, 1] * 3))
+    >>> table = vfm.fragments(mesh)
+    >>> table["name"], table["elements"].tolist()
+    (['Material2', 'Material1'], [432, 328])
+    >>> table["volume"].round(3)
+    array([1.6  , 0.524])
     """
     density, velocity = density or mesh.roles.get("density"), velocity or mesh.roles.get("velocity")
     columns = _core.fragments(

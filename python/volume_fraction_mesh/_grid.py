@@ -1,4 +1,4 @@
-"""The grid of cells: coordinates of its nodes, and how it lies in space."""
+"""Defines the grid of cells: coordinates of its nodes, and its position in space."""
 
 from __future__ import annotations
 
@@ -12,9 +12,12 @@ NOWHERE = (0.0, 0.0, 0.0)
 
 
 class Grid(NamedTuple):
-    """nodes: coordinates along x, y, z, each increasing; direction: (3, 3), its columns are the
-    axes of the grid; origin: about which they turn; are_points: whether cells come from the points
-    of an image."""
+    """Cartesian grid of cells, possibly rotated.
+
+    nodes: coordinates along x, y and z, increasing. direction: orthonormal matrix (3, 3) with the
+    axes of the grid in its columns. origin: centre of that rotation. are_points: whether the cells
+    are the points of an image.
+    """
 
     nodes: Tuple[np.ndarray, ...]
     direction: np.ndarray = np.eye(3)
@@ -23,11 +26,11 @@ class Grid(NamedTuple):
 
     @property
     def cells(self) -> Tuple[int, ...]:
-        """Along x, y and z."""
+        """Numbers of cells along x, y and z."""
         return tuple(len(x) - 1 for x in self.nodes)
 
     def is_same(self, other: Grid) -> bool:
-        """But for rounding."""
+        """Returns whether two grids are equal up to rounding."""
         if self.cells != other.cells or not np.allclose(self.direction, other.direction, rtol=0,
                                                         atol=1e-5):
             return False
@@ -37,13 +40,14 @@ class Grid(NamedTuple):
 
 
 def even_nodes(start: float, spacing: float, first: int, last: int) -> np.ndarray:
-    """The nodes first .. last, of which node 0 is at start: the same bits as the filters'."""
+    """Returns the nodes first to last, where node 0 is at start. They are bitwise identical to the
+    nodes in the ParaView filters."""
     return start + np.arange(first, last + 1) * spacing
 
 
 def point_nodes(origin: Iterable[float], spacing: Iterable[float],
                 counts: Sequence[int]) -> Tuple[np.ndarray, ...]:
-    """Of cells whose centres are so many points, the first at origin."""
+    """Returns the nodes of cells whose centres are points, counts along each axis, from origin."""
     return tuple(even_nodes(o - 0.5 * s, s, 0, n) for o, s, n in zip(origin, spacing, counts))
 
 
@@ -52,16 +56,16 @@ def _numbers(name: str, value: Any, count: int) -> np.ndarray:
     try:
         numbers = np.asarray(value, dtype=np.float64)
     except (TypeError, ValueError):
-        raise TypeError("%s: %d numbers are needed." % (text, count)) from None
+        raise TypeError("%s: %d numbers are required." % (text, count)) from None
     if numbers.size != count:
-        raise ValueError("%s: %d numbers are needed." % (text, count))
+        raise ValueError("%s: %d numbers are required." % (text, count))
     if not np.isfinite(numbers).all():
         raise ValueError("%s: it must be finite." % text)
     return numbers.ravel()
 
 
 def check_spacing(spacing: Union[float, Sequence[float]]) -> np.ndarray:
-    """Three of them; one number is that of all axes."""
+    """Returns the widths of cells along three axes; one number applies to all."""
     is_one = np.ndim(spacing) == 0 and not isinstance(spacing, str)
     numbers = _numbers("spacing", [spacing] * 3 if is_one else spacing, 3)
     if not (numbers > 0).all():
@@ -76,7 +80,7 @@ def _given_nodes(coordinates: Any, cells: Sequence[int]) -> Tuple[np.ndarray, ..
         raise TypeError(
             "coordinates must be three arrays of numbers, the nodes along x, y and z.") from None
     if len(nodes) != 3:
-        raise ValueError("coordinates has %d arrays: three are needed, the nodes along x, y and z."
+        raise ValueError("coordinates has %d arrays: nodes along x, y and z are required."
                          % len(nodes))
     for axis, x, count in zip(AXES, nodes, cells):
         if x.shape != (count + 1,):
@@ -91,7 +95,7 @@ def _given_nodes(coordinates: Any, cells: Sequence[int]) -> Tuple[np.ndarray, ..
 
 def make_grid(cells: Sequence[int], spacing: Any, origin: Any, coordinates: Any,
               direction: Any) -> Grid:
-    """cells: how many along x, y and z."""
+    """Makes the grid from the arguments of hexes(). cells: numbers along x, y and z."""
     corner = _numbers("origin", origin, 3)
     turned = np.eye(3) if direction is None else _numbers("direction", direction, 9).reshape(3, 3)
     if coordinates is None:
@@ -100,12 +104,12 @@ def make_grid(cells: Sequence[int], spacing: Any, origin: Any, coordinates: Any,
     else:
         if not (is_default(spacing, UNIT) and is_default(origin, NOWHERE)):
             raise ValueError(
-                "coordinates tell where the nodes are: spacing and origin cannot be given too.")
+                "coordinates define the nodes: spacing and origin cannot be given too.")
         nodes = _given_nodes(coordinates, cells)
         corner = np.array([x[0] for x in nodes])
     return Grid(nodes, turned, tuple(corner.tolist()))
 
 
 def is_default(value: Any, default: Sequence[float]) -> bool:
-    """Whether a triple is that of the signature."""
+    """Returns whether a value is the default of the signature."""
     return np.array_equal(np.asarray(value, dtype=object), np.asarray(default, dtype=object))

@@ -1,6 +1,6 @@
-"""Images that know their grid: of PyVista and VTK, nibabel, SimpleITK, and Fractions of shapes.
+"""Reads images that define their grid: PyVista and VTK, nibabel, SimpleITK, and Fractions.
 
-No package is imported that did not make the image.
+An image is read with the package that made it; no other package is imported.
 """
 
 from __future__ import annotations
@@ -16,8 +16,11 @@ GHOSTS = "vtkGhostType"
 
 
 class Image(NamedTuple):
-    """arrays: (cells,) or (cells, components), x fastest; chosen: those that hold materials; order:
-    in which arrays beside it come."""
+    """Grid and arrays of an image.
+
+    arrays: shape (cells,) or (cells, components), x fastest. chosen: names of the arrays that hold
+    materials. order: order of the axes of arrays that are given in addition to the image.
+    """
 
     grid: Grid
     arrays: Dict[str, np.ndarray]
@@ -26,15 +29,39 @@ class Image(NamedTuple):
 
 
 class Fractions(Dict[str, np.ndarray]):
-    """Volume fractions on a grid, an array a material by its name. hexes() and tets() take the grid
-    from it.
+    """Volume fractions on a grid: a dict with one array per material, by its name.
+
+    `shapes` and `surface` return it; `hexes` and `tets` accept it and use its grid.
+
+    Parameters
+    ----------
+    arrays : dict of str to ndarray
+        Volume fractions in [0, 1], shape (nx, ny, nz), or (nz, ny, nx) with `order` "zyx".
+    coordinates : sequence of 3 arrays
+        Nodes along x, y and z, shapes (nx + 1,), (ny + 1,) and (nz + 1,), increasing.
+    order : {"xyz", "zyx"}
+        Order of the axes of the arrays.
 
     Attributes
     ----------
-    coordinates : tuple of three (n + 1,) float arrays
-        The nodes of the grid along x, y and z, in the units of what was measured.
+    coordinates : tuple of 3 ndarrays
+        The parameter `coordinates`.
     order : {"xyz", "zyx"}
-        The axes of the arrays.
+        The parameter `order`.
+
+    See Also
+    --------
+    shapes, surface : Make Fractions.
+
+    Examples
+    --------
+    >>> ball = vfm.shapes("sphere radius=0.7", 12, bounds=[-1, 1] * 3)
+    >>> {name: array.shape for name, array in ball.items()}
+    {'Material1': (12, 12, 12)}
+    >>> [float(x[0]) for x in ball.coordinates]
+    [-1.0, -1.0, -1.0]
+    >>> half = vfm.Fractions({"half": 0.5 * ball["Material1"]}, ball.coordinates, ball.order)
+    >>> mesh = vfm.hexes(half, iso_value=0.25)
     """
 
     def __init__(self, arrays: Mapping[str, np.ndarray], coordinates: Sequence[np.ndarray],
@@ -48,14 +75,17 @@ class Fractions(Dict[str, np.ndarray]):
 
 
 def read_image(value: Any, names: Optional[Sequence[str]]) -> Optional[Image]:
-    """None of what is no image. names: of the arrays that hold materials, else those that the image
-    itself tells."""
+    """Returns the image, or None if the value is not an image.
+
+    names: arrays that hold materials; None: the default of the image.
+    """
     if isinstance(value, Fractions):
         return _read_fractions(value, names)
     kinds = [kind.__module__.split(".")[0] + "." + kind.__name__ for kind in type(value).__mro__]
     if any(kind in ("vtkmodules.vtkImageData", "vtkmodules.vtkRectilinearGrid") for kind in kinds):
         return _read_vtk(value, names)
-    reader = _read_nibabel if "nibabel.SpatialImage" in kinds else _read_sitk if "SimpleITK.Image" in kinds else None
+    reader = (_read_nibabel if "nibabel.SpatialImage" in kinds
+              else _read_sitk if "SimpleITK.Image" in kinds else None)
     if reader is None:
         return None
     if names is not None:
@@ -81,29 +111,29 @@ def _read_fractions(value: Fractions, names: Optional[Sequence[str]]) -> Image:
 
 
 def _read_vtk(image: Any, names: Optional[Sequence[str]]) -> Image:
-    """Arrays of cells, or of points where the chosen ones are of points."""
+    """Returns the cell arrays, or the point arrays if the chosen arrays are point arrays."""
     is_image = hasattr(image, "GetSpacing")
     chosen = [_active_name(image)] if names is None else check_names(names)
     cells, points = image.GetCellData(), image.GetPointData()
-    are_points = not all(cells.HasArray(name)
-                         for name in chosen) and all(points.HasArray(name) for name in chosen)
+    are_points = (not all(cells.HasArray(name) for name in chosen)
+                  and all(points.HasArray(name) for name in chosen))
     if are_points and not is_image:
         raise ValueError(
-            "The input is a %s, and point data are chosen. A point is the centre of a cell in images alone; of other "
-            "grids cell data are needed." % type(image).__name__
+            "The input is a %s, and point data are chosen. Only in images are points the centres "
+            "of cells; other grids need cell data." % type(image).__name__
         )
     arrays = _vtk_arrays(points if are_points else cells)
     if GHOSTS in arrays and arrays[GHOSTS].any():
         raise ValueError(
-            "The image has ghost or blanked cells (%s): give arrays without ghosts, and 0 where cells are blanked."
-            % GHOSTS
+            "The image has ghost or blanked cells (%s): give arrays without ghosts, and 0 where "
+            "cells are blanked." % GHOSTS
         )
     return Image(_image_grid(image, are_points) if is_image else _rectilinear_grid(image), arrays,
                  chosen, "zyx")
 
 
 def _active_name(image: Any) -> str:
-    """Of the array that is active, or the only one."""
+    """Returns the name of the active array, or of the only array."""
     for data in (image.GetCellData(), image.GetPointData()):
         if data.GetScalars() is not None and data.GetScalars().GetName():
             return data.GetScalars().GetName()
@@ -114,19 +144,19 @@ def _active_name(image: Any) -> str:
     ]
     if len(names) != 1:
         raise ValueError(
-            "The image has no active scalars: name the arrays that hold materials, arrays=[...]. It has %s."
-            % (", ".join(map(repr, names)) or "none")
+            "The image has no active scalars: name the arrays that hold materials, arrays=[...]. "
+            "It has %s." % (", ".join(map(repr, names)) or "none")
         )
     return names[0]
 
 
 def _vtk_arrays(data: Any) -> Dict[str, np.ndarray]:
-    """All that are numeric."""
+    """Returns the numeric arrays by name."""
     from vtkmodules.util.numpy_support import vtk_to_numpy
 
     arrays = {}
     for i in range(data.GetNumberOfArrays()):
-        array = data.GetArray(i)  # None of texts
+        array = data.GetArray(i)  # None for arrays of strings
         if array is not None and array.GetName():
             arrays[array.GetName()] = as_numbers(vtk_to_numpy(array), array.GetName())
     return arrays
@@ -154,7 +184,7 @@ def _rectilinear_grid(grid: Any) -> Grid:
 
 
 def _components(array: np.ndarray, name: str) -> Dict[str, np.ndarray]:
-    """Of (cells, components): each an array of its own."""
+    """Splits an array of shape (cells, components) into one array per component."""
     if array.ndim == 1:
         return {name: array}
     if array.shape[1] == 1:
@@ -164,7 +194,8 @@ def _components(array: np.ndarray, name: str) -> Dict[str, np.ndarray]:
 
 
 def _read_nibabel(image: Any) -> Image:
-    """In the space of its affine (millimetres, RAS). The volumes of a fourth axis are materials."""
+    """Reads an image in the space of its affine (millimetres, RAS). The volumes along a fourth axis
+    are materials."""
     affine = np.asarray(image.affine, dtype=np.float64)
     spacing = np.sqrt((affine[:3, :3] ** 2).sum(axis=0))
     values = as_numbers(image.dataobj, "image")
@@ -175,7 +206,7 @@ def _read_nibabel(image: Any) -> Image:
         volumes = [flatten(values, "xyz")]
     if not volumes or values.size == 0 or not (spacing > 0).all():
         raise ValueError(
-            "The image has the shape %r and voxels of %r: there are no cells in it."
+            "The image has the shape %r and voxels of %r: it contains no cells."
             % (values.shape, tuple(spacing.tolist()))
         )
     many = len(volumes) > 1
@@ -189,14 +220,15 @@ def _read_nibabel(image: Any) -> Image:
 
 
 def _read_sitk(image: Any) -> Image:
-    """In the space of ITK (millimetres, LPS). The components of pixels are materials."""
+    """Reads an image in the space of ITK (millimetres, LPS). The components of pixels are
+    materials."""
     from SimpleITK import GetArrayViewFromImage
 
     if image.GetDimension() != 3:
-        raise ValueError("The image has %d axes: three are needed." % image.GetDimension())
+        raise ValueError("The image has %d axes: three are required." % image.GetDimension())
     values = as_numbers(GetArrayViewFromImage(image), "image")
     if values.size == 0:
-        raise ValueError("The image has the shape %r: there are no cells in it."
+        raise ValueError("The image has the shape %r: it contains no cells."
                          % (image.GetSize(),))
     arrays = _components(flatten(values, "zyx"), "Material")
     if len(arrays) == 1:

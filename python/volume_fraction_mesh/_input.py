@@ -1,4 +1,4 @@
-"""What hexes() and tets() are given, as the core takes it: materials and their grid."""
+"""Converts the arguments for materials and their grid to the form of the core."""
 
 from __future__ import annotations
 
@@ -13,19 +13,22 @@ from ._images import Image, check_names, read_image
 
 
 class Field(NamedTuple):
-    """fractions: names of arrays, one a material, or labels: the name of one; label_names: by
-    label."""
+    """Materials and their grid in the form of the core.
+
+    fractions: names of arrays, one per material; labels: instead, the name of one array.
+    label_names: names of the materials by label.
+    """
 
     arrays: CellArrays
     grid: Grid
     fractions: List[str]
     labels: str
     label_names: Dict[int, str]
-    blocks: Optional[Blocks] = None  # of a file, which has the arrays; grid and arrays are empty
+    blocks: Optional[Blocks] = None  # read from a file; grid and arrays are then empty
 
 
 class Source(NamedTuple):
-    """Arguments of hexes() that tell of materials and their grid."""
+    """Arguments of hexes() for materials and their grid."""
 
     fractions: Any
     labels: Any
@@ -42,8 +45,8 @@ def read_field(given: Source) -> Field:
     fractions, labels = given.fractions, given.labels
     if fractions is None and labels is None:
         raise TypeError(
-            "Neither fractions nor labels are given: give volume fractions, an array a material, or "
-            "one array of labels."
+            "Neither fractions nor labels are given: give volume fractions, one array per "
+            "material, or one array of labels."
         )
     if fractions is not None and labels is not None:
         raise TypeError("Both fractions and labels are given: give one or the other.")
@@ -59,7 +62,7 @@ def read_field(given: Source) -> Field:
 
 
 def _named_fractions(fractions: Any, names: Optional[Sequence[str]]) -> List[Tuple[str, Any]]:
-    """An array or an image a material."""
+    """Returns pairs of a name and an array or image, one per material."""
     if isinstance(fractions, Mapping):
         if names is not None:
             raise TypeError("fractions have names already: names cannot be given too.")
@@ -68,7 +71,7 @@ def _named_fractions(fractions: Any, names: Optional[Sequence[str]]) -> List[Tup
     if names is None:
         names = ["Material %d" % (i + 1) for i in range(len(values))]
     if isinstance(names, str) or isinstance(names, Mapping) or len(names) != len(values):
-        raise ValueError("names is %r: a list of %d, one for each material, is needed."
+        raise ValueError("names is %r: a list of %d, one for each material, is required."
                          % (names, len(values)))
     return list(zip(names, values))
 
@@ -76,14 +79,15 @@ def _named_fractions(fractions: Any, names: Optional[Sequence[str]]) -> List[Tup
 def _read_fractions(fractions: Any, order: str, given: Source) -> Field:
     named = _named_fractions(fractions, given.names)
     if not named:
-        raise ValueError("fractions are empty: an array a material is needed.")
+        raise ValueError("fractions are empty: one array per material is required.")
     images = [read_image(value, given.arrays) for _, value in named]
     first = images[0]
     if first is not None:
         return _join_images([name for name, _ in named], images, given)
     if any(images) or given.arrays is not None:
-        raise TypeError("arrays is %r, or some fractions are images: all must be, or none."
-                        % (given.arrays,))
+        raise TypeError(
+            "arrays is %r, or some fractions are images: arrays= requires an image, and images and "
+            "arrays cannot be mixed." % (given.arrays,))
     arrays = CellArrays(order)
     for name, value in named:
         array = as_fractions(value, name)
@@ -103,7 +107,7 @@ def _read_labels(labels: Any, order: str, given: Source) -> Field:
     if given.arrays is not None:
         raise TypeError("arrays is %r: it names arrays of an image." % (given.arrays,))
     if isinstance(labels, (Mapping, list, tuple)):
-        raise TypeError("labels are a %s: one array of whole numbers is needed."
+        raise TypeError("labels are a %s: one array of integers is required."
                         % type(labels).__name__)
     array = as_numbers(labels, "labels")
     check_3d(array, "labels")
@@ -117,26 +121,26 @@ def _label_names(names: Any) -> Dict[int, str]:
     if names is None:
         return {}
     if not isinstance(names, Mapping):
-        raise TypeError("names of labels is %r: a dict, label: name, is needed." % (names,))
+        raise TypeError("names of labels is %r: a dict {label: name} is required." % (names,))
     for label, name in names.items():
         if not isinstance(label, (int, np.integer)) or not isinstance(name, str):
-            raise TypeError("names of labels has %r: %r. A whole number and a text are needed."
+            raise TypeError("names of labels has %r: %r. An int and a str are required."
                             % (label, name))
     return {int(label): name for label, name in names.items()}
 
 
 def _check_no_grid(given: Source) -> None:
-    """An image tells its grid itself."""
+    """Raises an exception if a grid is given in addition to an image or file."""
     told = [name for name in ("coordinates", "direction") if getattr(given, name) is not None]
     told += [name for name, default in (("spacing", UNIT), ("origin", NOWHERE))
              if not is_default(getattr(given, name), default)]
     if told:
-        raise TypeError("%s cannot be given too: the image tells where its cells are."
+        raise TypeError("%s cannot be given too: the image or file defines the grid."
                         % " and ".join(told))
 
 
 def _blocks_field(given: Source) -> Field:
-    """Of fractions or labels that read() returned."""
+    """Makes the field of fractions or labels that read() returned."""
     _check_no_grid(given)
     labels, names = given.labels, given.names
     blocks = given.fractions if labels is None else labels
@@ -144,11 +148,11 @@ def _blocks_field(given: Source) -> Field:
     grid = Grid((np.empty(0),) * 3)
     if labels is not None:
         if len(chosen) != 1:
-            raise ValueError("labels are %d arrays, %r: one is needed, arrays=[...]."
+            raise ValueError("labels are %d arrays, %r: one is required, arrays=[...]."
                              % (len(chosen), chosen))
         return Field(CellArrays("xyz"), grid, [], chosen[0], _label_names(names), blocks)
     if names is not None:
-        raise TypeError("names cannot be given: the materials of %s are called as its arrays."
+        raise TypeError("names cannot be given: the materials of %s have the names of its arrays."
                         % blocks.path)
     if not chosen:
         raise ValueError(
@@ -170,7 +174,7 @@ def _image_field(image: Image, given: Source, labels: bool) -> Field:
     names = given.names
     if labels:
         if len(image.chosen) != 1:
-            raise ValueError("labels are %d arrays, %r: one is needed."
+            raise ValueError("labels are %d arrays, %r: one is required."
                              % (len(image.chosen), image.chosen))
         return Field(_image_arrays(image), image.grid, [], image.chosen[0], _label_names(names))
     for name in image.chosen:
@@ -186,7 +190,7 @@ def _image_field(image: Image, given: Source, labels: bool) -> Field:
 
 
 def _join_images(names: Sequence[str], images: Sequence[Optional[Image]], given: Source) -> Field:
-    """An image a material, all on one grid."""
+    """Makes the field of images on one grid, one image per material."""
     _check_no_grid(given)
     first = images[0]
     assert first is not None
@@ -194,8 +198,8 @@ def _join_images(names: Sequence[str], images: Sequence[Optional[Image]], given:
     for name, image in zip(names, images):
         if image is None or len(image.chosen) != 1:
             raise TypeError(
-                "fractions has %r, which is not an image of one array: all must be, or none."
-                % name)
+                "fractions has %r, which is not an image of one array: images and arrays cannot be "
+                "mixed." % name)
         if not image.grid.is_same(first.grid):
             raise ValueError("The images %r and %r lie on different grids: resample one of them."
                              % (names[0], name))

@@ -186,9 +186,9 @@ def hexes(
         Arrays of shape (nx, ny, nz) or (nx, ny, nz, components) to transfer to the elements, by
         name, or names of arrays of the image or file. ``Mesh.state`` holds the result.
     density : array_like, float, str, or list or dict of them, optional
-        Mass per volume of the material, 0 or more: one value for all materials, or one per
-        material. A float applies to all cells; a str names an array of the image or file. A density
-        switches the conservation of state on.
+        Mass per volume of the material, 0 or more: one value for all materials, or one for
+        each. Floats apply to all cells; a str names an array of the image or file. With a
+        density, state is conserved.
     velocity : array_like of shape (nx, ny, nz, 3), str, or list or dict of them, optional
         Velocity, for momentum and kinetic energy in ``Mesh.materials``.
     energy : array_like, float, str, or list or dict of them, optional

@@ -1,4 +1,4 @@
-"""Meshes for meshio and the files that it writes."""
+"""Converts meshes to meshio."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ if TYPE_CHECKING:
 
 
 def material_names(mesh: Mesh) -> Dict[int, str]:
-    """Of each material, by its id."""
+    """Returns the names of the materials by id."""
     return dict(zip((int(i) for i in mesh.materials["MaterialId"]), mesh.materials["Name"]))
 
 
 def convert(mesh: Mesh, blocks: bool) -> meshio.Mesh:
-    """See Mesh.to_meshio."""
+    """Implements Mesh.to_meshio."""
     import meshio
 
     parts = (
@@ -39,7 +39,7 @@ def convert(mesh: Mesh, blocks: bool) -> meshio.Mesh:
 
 
 def _sets(mesh: Mesh, parts: List[np.ndarray]) -> Dict[str, Any]:
-    """The cells of each material, in each block."""
+    """Returns the cells of each material, in each block."""
     return {
         name: [np.flatnonzero(mesh.material[part] == i) for part in parts]
         for i, name in material_names(mesh).items()
@@ -47,7 +47,7 @@ def _sets(mesh: Mesh, parts: List[np.ndarray]) -> Dict[str, Any]:
 
 
 def for_gmsh(mesh: Mesh) -> meshio.Mesh:
-    """With the tags of Gmsh, which count from 1, and their names."""
+    """Returns the mesh with the physical groups of Gmsh. Their tags start at 1."""
     import meshio
 
     ids, names = list(material_names(mesh)), list(material_names(mesh).values())

@@ -1,4 +1,4 @@
-"""Progress of a run: told to a function, a bar of tqdm or standard error."""
+"""Reports the progress of a run to a function, a tqdm bar or standard error."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from ._types import Progress
 
 
 class _Lines:
-    """A line a stage."""
+    """Prints one line per stage."""
 
     def __init__(self) -> None:
         self.stage = ""
@@ -22,7 +22,7 @@ class _Lines:
 
 
 class _Bar:
-    """Of tqdm, from 0 to 100."""
+    """Shows a tqdm bar from 0 to 100."""
 
     def __init__(self, tqdm: Any) -> None:
         self.bar = tqdm(total=100, bar_format="{desc:30}{percentage:3.0f}%|{bar}| {elapsed}")
@@ -35,7 +35,7 @@ class _Bar:
 
 @contextmanager
 def shown(progress: Progress) -> Iterator[Optional[Callable[[float, str], Any]]]:
-    """What the core is to call."""
+    """Yields the function for the core to call, None without progress."""
     if progress is None or progress is False:
         yield None
         return
@@ -44,7 +44,8 @@ def shown(progress: Progress) -> Iterator[Optional[Callable[[float, str], Any]]]
         return
     if progress is not True:
         raise TypeError(
-            "progress is %r: it must be True, False or a function of the fraction done and the stage." % (progress,)
+            "progress is %r: it must be True, False or a function of the fraction done and the "
+            "stage." % (progress,)
         )
     try:
         from tqdm.auto import tqdm

@@ -1,4 +1,4 @@
-"""Meshes as data sets of PyVista, with the names of arrays that the filters of ParaView use."""
+"""Converts meshes to data sets of PyVista. Arrays have the names that the ParaView filters use."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ PARTS = ("mesh", "surfaces", "curves", "vertices")
 
 
 def convert(mesh: Mesh, part: str) -> Any:
-    """See Mesh.to_pyvista."""
+    """Implements Mesh.to_pyvista."""
     import pyvista
 
     if part not in PARTS:
@@ -35,7 +35,7 @@ def convert(mesh: Mesh, part: str) -> Any:
 
 
 def cell_arrays(mesh: Mesh) -> Dict[str, np.ndarray]:
-    """Of the elements, by the names of the filters."""
+    """Returns the arrays of the elements, by their names in the ParaView filters."""
     arrays = {"MaterialId": mesh.material, "FragmentId": mesh.fragment,
               "GlobalCellIds": mesh.cell_ids}
     if mesh.quality is not None:
@@ -44,7 +44,7 @@ def cell_arrays(mesh: Mesh) -> Dict[str, np.ndarray]:
 
 
 def point_arrays(mesh: Mesh) -> Dict[str, np.ndarray]:
-    """Of the points."""
+    """Returns the arrays of the points, by their names in the ParaView filters."""
     return {
         "GlobalPointIds": mesh.point_ids,
         "GeometryDimension": mesh.geometry.dimension,
@@ -69,7 +69,7 @@ def _volume(mesh: Mesh, pyvista: Any) -> Any:
 
 def _flat(mesh: Mesh, cells: np.ndarray, kind: str, arrays: Mapping[str, np.ndarray],
           fields: Mapping[str, Any]) -> Any:
-    """The points that are used alone."""
+    """Returns facets, edges or vertices as PolyData with only the points that they use."""
     import pyvista
 
     used, corners = np.unique(cells, return_inverse=True)

@@ -1,4 +1,4 @@
-"""Files of a mesh, by their endings."""
+"""Writes a mesh to a file, in the format of its ending."""
 
 from __future__ import annotations
 
@@ -14,17 +14,16 @@ from ._pyvista import cell_arrays, point_arrays
 if TYPE_CHECKING:
     from .mesh import Mesh
 
-OWN = (".vtu", ".e", ".ex2", ".exo", ".inp")  # written by the package itself
+OWN = (".vtu", ".e", ".ex2", ".exo", ".inp")  # formats that the package itself writes
 
 
 def save(mesh: Mesh, path: Any, **options: Any) -> None:
-    """See Mesh.save."""
+    """Implements Mesh.save."""
     path = os.fspath(path)
     suffix = os.path.splitext(path)[1].lower()
     if not suffix:
         raise ValueError(
-            "%r has no ending, which would tell what kind of file to write: .vtu, .e, .inp, .msh .."
-            % path
+            "%r has no ending to select the format: give .vtu, .e, .inp, .msh or another." % path
         )
     if suffix in OWN:
         _save_own(mesh, path, **options)
@@ -35,7 +34,7 @@ def save(mesh: Mesh, path: Any, **options: Any) -> None:
     elif find_spec("meshio"):
         _save_by_meshio(mesh, path, suffix, **options)
     else:
-        raise ImportError("%s is written by meshio: pip install meshio" % path)
+        raise ImportError("Writing %s requires meshio: pip install meshio" % path)
 
 
 def _save_own(mesh: Mesh, path: str, time: Optional[float] = None) -> None:
@@ -55,11 +54,12 @@ def _arrays(arrays: Mapping[str, Any]) -> List[Tuple[str, np.ndarray]]:
 
 
 def _field(values: Any) -> Any:
-    """Texts as a list; numbers in one of the types that fields have."""
+    """Returns strings as a list, and numbers in a type that fields support."""
     array = np.asarray(values)
     if array.dtype.kind == "U":
         return array.tolist()
-    kind = np.float64 if array.dtype.kind == "f" else np.int32 if array.dtype == np.int32 else np.int64
+    kind = (np.float64 if array.dtype.kind == "f"
+            else np.int32 if array.dtype == np.int32 else np.int64)
     return np.ascontiguousarray(np.atleast_1d(array), kind)
 
 
@@ -69,7 +69,7 @@ def _save_by_meshio(mesh: Mesh, path: str, suffix: str, **options: Any) -> None:
     from ._meshio import for_gmsh
 
     if suffix not in meshio.extension_to_filetypes:
-        raise ValueError("%r: no files with the ending %s are written." % (path, suffix))
+        raise ValueError("%r: the ending %s is not supported." % (path, suffix))
 
     if suffix == ".msh":
         data = for_gmsh(mesh)

@@ -1,4 +1,4 @@
-"""Exact volume fractions: of shapes written as text, and of what closed surfaces hold."""
+"""Computes exact volume fractions of shapes described by text, and inside closed surfaces."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ from ._surfaces import read_surface
 from ._types import Order, Progress, Triple
 
 TOLERANCES = (1e-8, 0.1)
-MARGIN = 2  # cells around surfaces
+MARGIN = 2  # cells between surfaces and each side of the grid
 
 
 def _check_tolerance(value: Any) -> float:
     text = "tolerance is %r: it must be a number from %g to %g." % (value, *TOLERANCES)
     if not isinstance(value, Real):
         raise TypeError(text)
-    if not TOLERANCES[0] <= value <= TOLERANCES[1]:  # nor NaN
+    if not TOLERANCES[0] <= value <= TOLERANCES[1]:  # rejects NaN, too
         raise ValueError(text)
     return float(value)
 
@@ -42,49 +42,76 @@ def shapes(
     threads: int = 0,
     progress: Progress = None,
 ) -> Fractions:
-    """Volume fractions of solid shapes, an array a material, which hexes() and tets() take as they
-    are.
+    """Compute the volume fractions of solid shapes, one array per material.
 
     Parameters
     ----------
     text : str
-        One shape a line, or parted by semicolons, values without spaces; the first that contains a
-        point owns it::
+        Shapes, one per line or separated by semicolons, as ``name parameter=value ..`` without
+        spaces in a value::
 
-            sphere radius=0.4 center=0,0,0        ellipsoid radii=0.4,0.3,0.2      box size=1,1,0.5
-            cylinder radius=0.2 height=1          cone bottom=0.4 top=0.1 height=1  torus ring=0.5
-            tube=0.2
-            halfspace point=0,0,0 normal=0,0,1    plate thickness=0.1 normal=1,1,0  gyroid period=1
-            level=0
+            sphere      radius=0.4
+            ellipsoid   radii=0.4,0.3,0.2
+            box         size=1,1,0.5
+            cylinder    radius=0.2 height=1
+            cone        bottom=0.4 top=0.1 height=1
+            torus       ring=0.5 tube=0.2
+            halfspace   point=0,0,0 normal=0,0,1
+            plate       thickness=0.1 normal=1,1,0
+            gyroid      period=1 level=0
             polycrystal grains=20 seed=1
 
-        All take material=1 and cut=x,y,z,nx,ny,nz (the part behind a plane); all but halfspace and
-        polycrystal a center, those with axes of their own a rotation (degrees about x, y, z).
-    cells : int or three
-        How many along x, y and z.
-    spacing, origin, coordinates
-        The grid, as of hexes().
-    bounds : six floats
-        Instead: minimum and maximum of x, y and z.
-    order : {"xyz", "zyx"}
-        The axes of the arrays.
-    tolerance : float
-        The largest error of a fraction where curved surfaces cut a cell, 1e-8 to 0.1.
-    threads, progress
-        As of hexes().
+        All shapes except halfspace and polycrystal accept ``center=0,0,0``. Ellipsoids, boxes,
+        cylinders, cones, tori and gyroids accept ``rotation=0,0,0``, in degrees about x, y and z,
+        applied in the order y, x, z. All shapes accept ``material=1``, and any number of
+        ``cut=x,y,z,nx,ny,nz``. A cut keeps the part behind the plane through (x, y, z) with the
+        normal (nx, ny, nz). The first shape that contains a point owns it. Each grain of a
+        polycrystal is a material. Text after # is a comment.
+    cells : int or sequence of 3 ints, default 32
+        Numbers of cells along x, y and z.
+    spacing, origin, coordinates : see hexes
+        Grid.
+    bounds : sequence of 6 floats, optional
+        Grid by its bounds instead: xmin, xmax, ymin, ymax, zmin, zmax.
+    order : {"xyz", "zyx"}, default "xyz"
+        Order of the axes of the arrays.
+    tolerance : float, default 1e-4
+        Maximum error of a fraction where curved surfaces cut a cell, 1e-8 to 0.1.
+    threads : int, default 0
+        Number of threads; 0 uses all cores.
+    progress : bool or callable, default None
+        Report of progress; see `hexes`.
 
     Returns
     -------
     Fractions
-        A dict of float64 arrays, "Material1", "Material2", ..
+        Dict of float64 arrays, named "Material1", "Material2" and so on. `hexes` and `tets` accept
+        it.
 
     Raises
     ------
     ValueError
-        Of text that is no shape: the message tells line and word.
+        If the text does not describe shapes; the message names the line and the word. Also if the
+        grid or the tolerance is invalid.
+    TypeError
+        If an argument has the wrong type.
+
+    See Also
+    --------
+    surface : Volume fractions inside closed surfaces.
+
+    Examples
+    --------
+    >>> text = "sphere radius=0.5; halfspace point=0,0,-0.6 normal=0,0,1 material=2"
+    >>> fractions = vfm.shapes(text, (16, 12, 10), bounds=[-1, 1] * 3)
+    >>> {name: array.shape for name, array in fractions.items()}
+    {'Material1': (16, 12, 10), 'Material2': (16, 12, 10)}
+    >>> volume = fractions["Material1"].sum() * 8 / (16 * 12 * 10)
+    >>> round(float(volume), 3)  # pi / 6
+    0.524
     """
     if not isinstance(text, str):
-        raise TypeError("text is a %s: shapes are told by a str." % type(text).__name__)
+        raise TypeError("text is a %s: a str of shapes is required." % type(text).__name__)
     error, thread_count = _check_tolerance(tolerance), _core.Options(False, threads=threads).threads
     nodes = _nodes(_counts(cells), spacing, origin, bounds, coordinates)
     check_order(order)
@@ -105,41 +132,62 @@ def surface(
     threads: int = 0,
     progress: Progress = None,
 ) -> Fractions:
-    """Volume fractions of what closed surfaces of triangles hold, which hexes() and tets() take as
-    they are.
+    """Compute the volume fractions inside closed surfaces of triangles, one array per surface.
 
     Parameters
     ----------
-    surfaces : path, pyvista.PolyData, meshio.Mesh, (n, 3) points, or a dict of them
-        A closed surface, or one a material by name; these must not overlap. STL files need
-        numpy alone, others meshio or PyVista.
-    cells : int or three
-        How many along x, y and z; one number is that along the longest side, and cells are cubes.
-    triangles : (m, 3) int array
-        Of points that are given as an array.
-    bounds, coordinates
-        The grid, else one with cubic cells around the surfaces and two cells between them and its
-        sides.
-    order, tolerance, threads, progress
-        As of shapes().
+    surfaces : path, pyvista.PolyData, meshio.Mesh, array_like or tuple, or dict of them
+        A closed surface: a file, an object of PyVista or meshio, points of shape (n, 3), or a tuple
+        (points, triangles). A dict holds one surface per material, by name; they must not overlap.
+        STL files need only NumPy, other files meshio.
+    cells : int or sequence of 3 ints, default 64
+        Numbers of cells along x, y and z. One number is the number along the longest side, with
+        cubic cells.
+    triangles : array_like of int, shape (m, 3), optional
+        Triangles of an array of points.
+    bounds, coordinates : see shapes
+        Grid. Default: cubic cells around the surfaces, with two cells between them and each side.
+    order, tolerance, threads, progress : see shapes
+        Order of axes, maximum error, and run.
 
     Returns
     -------
     Fractions
-        A dict of float64 arrays, "Material1" unless a dict names them.
+        Dict of float64 arrays, named as in `surfaces`, or "Material1". `hexes` and `tets` accept
+        it.
 
     Raises
     ------
     ValueError
-        Of a surface that is open or not manifold, or a file that is none.
+        If a surface is open or not manifold, or a file does not hold a surface.
+    TypeError
+        If an argument has the wrong type.
+    ImportError
+        If a file requires meshio, and meshio is not installed.
+
+    See Also
+    --------
+    shapes : Volume fractions of shapes.
+
+    Examples
+    --------
+    A tetrahedron:
+
+    >>> points = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], float)
+    >>> triangles = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]]
+    >>> fractions = vfm.surface({"steel": (points, triangles)}, 12)
+    >>> mesh = vfm.hexes(fractions, sharp_edges="on")
+    >>> mesh.materials["Name"], mesh.materials["MeshVolume"].round(4)  # 1 / 6
+    (['steel'], array([0.1667]))
     """
     named = dict(surfaces) if isinstance(surfaces, Mapping) else {"Material1": surfaces}
     if triangles is not None and isinstance(surfaces, Mapping):
         raise TypeError(
-            "triangles are those of one array of points; of several surfaces give pairs, name: (points, triangles)."
+            "triangles belong to one array of points: for several surfaces give a dict "
+            "{name: (points, triangles)}."
         )
     if not named:
-        raise ValueError("surfaces are empty: at least one is needed.")
+        raise ValueError("surfaces are empty: at least one is required.")
     error, thread_count = _check_tolerance(tolerance), _core.Options(False, threads=threads).threads
     found = {name: read_surface(value, triangles) for name, value in named.items()}
     if bounds is None and coordinates is None:
@@ -162,12 +210,12 @@ def _pack(flat: Mapping[str, np.ndarray], nodes: Sequence[np.ndarray], order: st
 
 
 def _counts(cells: Any, least: int = 1) -> Tuple[int, ...]:
-    """Along x, y and z."""
+    """Returns the numbers of cells along x, y and z."""
     numbers = np.asarray(cells)
     if numbers.shape not in ((), (3,)) or numbers.dtype.kind not in "iu":
-        raise TypeError("cells is %r: a whole number is needed, or three." % (cells,))
+        raise TypeError("cells is %r: an integer is required, or three." % (cells,))
     if (numbers < least).any():
-        raise ValueError("cells is %r: at least %d are needed along every axis." % (cells, least))
+        raise ValueError("cells is %r: at least %d are required along every axis." % (cells, least))
     return tuple(int(n) for n in np.broadcast_to(numbers, 3))
 
 
@@ -182,20 +230,21 @@ def _nodes(counts: Sequence[int], spacing: Any, origin: Any, bounds: Any,
     sides = np.asarray(bounds, dtype=np.float64)
     if sides.shape != (6,) or not (sides[1::2] > sides[::2]).all() or not np.isfinite(sides).all():
         raise ValueError(
-            "bounds is %r: minimum and maximum of x, y and z are needed, every minimum below its maximum." % (bounds,)
+            "bounds is %r: minimum and maximum of x, y and z are required, each minimum below its "
+            "maximum." % (bounds,)
         )
     return make_grid(counts, (sides[1::2] - sides[::2]) / counts, sides[::2], None, None).nodes
 
 
 def _fit(surfaces: List[np.ndarray], cells: Any) -> Tuple[np.ndarray, ...]:
-    """Cubic cells around all surfaces, centred."""
+    """Returns the nodes of cubic cells around all surfaces, with the surfaces in the centre."""
     lower = np.min([points.min(axis=0) for points in surfaces], axis=0)
     upper = np.max([points.max(axis=0) for points in surfaces], axis=0)
     counts = np.array(_counts(cells, 2 * MARGIN + 1))
     width = ((upper - lower) / (counts - 2 * MARGIN)).max()
     if not (np.isfinite(width) and width > 0):
         raise ValueError("The surfaces have no extent, or points that are not finite.")
-    if np.ndim(cells) == 0:  # as few as hold the surfaces
+    if np.ndim(cells) == 0:  # as few as contain the surfaces
         counts = np.minimum(counts,
                             np.ceil((upper - lower) / width * (1 - 1e-9)).astype(int) + 2 * MARGIN)
     corner = 0.5 * (lower + upper) - 0.5 * width * counts

@@ -1,4 +1,4 @@
-"""State: which arrays the mesh carries along, and what they are."""
+"""Converts the arguments for state to the form of the core."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 class StateGiven(NamedTuple):
-    """Arguments of hexes() that tell of state."""
+    """Arguments of hexes() for state."""
 
     state: Any
     density: Any
@@ -25,12 +25,12 @@ class StateGiven(NamedTuple):
 
 
 def read_state(given: StateGiven, field: Field) -> Optional[StateChoice]:
-    """As the core takes it, None without any. Adds the arrays to those of the field."""
+    """Returns the state for the core, None without state. Adds the arrays to the field."""
     arrays = _list_arrays(field, given.state)
     densities = _add(field, "density", given.density)
     velocities, velocity = _add_one(field, "velocity", given.velocity)
     energies, energy = _add_one(field, "energy", given.energy)
-    for names in (velocities, energies):  # a single one is carried as it is
+    for names in (velocities, energies):  # the core transfers a single array by its role
         arrays += [name for name in names if len(names) > 1 and name not in arrays]
     kinds = _list_kinds(given.state_kinds)
     if not (arrays or densities or velocity or energy):
@@ -54,13 +54,13 @@ def _list_arrays(field: Field, state: Any) -> List[str]:
     if isinstance(state, (list, tuple)) and all(isinstance(name, str) for name in state):
         return list(state)
     raise TypeError(
-        "state is a %s: a dict, name: array, or a list of names of arrays of the image is needed."
-        % type(state).__name__
+        "state is a %s: a dict {name: array}, or a list of names of arrays of the image, is "
+        "required." % type(state).__name__
     )
 
 
 def _list_kinds(kinds: Any) -> List[str]:
-    """Words array=kind."""
+    """Returns the kinds as strings array=kind."""
     if kinds is None:
         return []
     if isinstance(kinds, Mapping):
@@ -69,19 +69,21 @@ def _list_kinds(kinds: Any) -> List[str]:
         return [kinds]
     if isinstance(kinds, (list, tuple)):
         return [str(word) for word in kinds]
-    raise TypeError("state_kinds is %r: a dict, array: kind, is needed." % (kinds,))
+    raise TypeError("state_kinds is %r: a dict {array: kind} is required." % (kinds,))
 
 
 def _add(field: Field, name: str, value: Any) -> List[str]:
-    """Names of the arrays that a value stands for: names already, one array for all materials, or
-    one a material."""
+    """Adds the arrays of a value to the field and returns their names.
+
+    The value is a name or names, one array for all materials, or one array per material.
+    """
     if value is None:
         return []
     if isinstance(value, str):
         return [value]
     if field.blocks is not None and not (isinstance(value, (list, tuple))
                                          and all(isinstance(word, str) for word in value)):
-        raise TypeError("%s is a %s: of %s names of arrays are needed."
+        raise TypeError("%s is a %s: for %s, names of arrays are required."
                         % (name, type(value).__name__, field.blocks.path))
     if isinstance(value, Mapping):
         return _add_of_materials(field, name, value)
@@ -89,11 +91,11 @@ def _add(field: Field, name: str, value: Any) -> List[str]:
         if value and all(isinstance(word, str) for word in value):
             return list(value)
         if field.labels:
-            raise TypeError("%s is a %s: of labels a dict, label: array, is needed."
+            raise TypeError("%s is a %s: for labels, a dict {label: array} is required."
                             % (name, type(value).__name__))
         if len(value) != len(field.fractions):
             raise ValueError(
-                "%s has %d arrays: one for all materials or one for each of %d is needed."
+                "%s has %d arrays: one for all materials, or one for each of %d, is required."
                 % (name, len(value), len(field.fractions))
             )
         return _add_of_materials(field, name, dict(zip(field.fractions, value)))
@@ -102,18 +104,18 @@ def _add(field: Field, name: str, value: Any) -> List[str]:
 
 
 def _add_one(field: Field, name: str, value: Any) -> Tuple[List[str], str]:
-    """The same, and by which name the core is told of them: one of theirs, or what those of
-    materials share."""
+    """Adds arrays as _add() does. Returns their names, and the name for the core: the array, or the
+    common part of the names of one array per material."""
     names = _add(field, name, value)
     if isinstance(value, str):
         return [], value
-    are_own = len(names) > 1 and not isinstance(value[0] if isinstance(value, (list, tuple))
-                                                else None, str)
+    are_own = len(names) > 1 and not isinstance(
+        value[0] if isinstance(value, (list, tuple)) else None, str)
     return names, name if are_own else names[0] if names else ""
 
 
 def _add_of_materials(field: Field, name: str, values: Mapping[Any, Any]) -> List[str]:
-    """Arrays called as the core knows those of materials: "density - 1"."""
+    """Adds one array per material, with names such as "density - 1" that the core recognises."""
     if not field.labels and set(values) != set(field.fractions):
         raise ValueError(
             "%s has arrays of %s, but the materials are %s."
@@ -122,22 +124,21 @@ def _add_of_materials(field: Field, name: str, values: Mapping[Any, Any]) -> Lis
     if len(values) == 1 and _are_alone(field, next(iter(values))):
         _add_array(field, name, next(iter(values.values())))
         return [name]
-    numbers = {key: key
-               for key in values} if field.labels else {key: i + 1
-                                                        for i, key in enumerate(field.fractions)}
+    numbers = ({key: key for key in values} if field.labels
+               else {key: i + 1 for i, key in enumerate(field.fractions)})
     for key, number in numbers.items():
         _add_array(field, "%s - %s" % (name, number), values[key])
     return ["%s - %s" % (name, number) for number in numbers.values()]
 
 
 def _are_alone(field: Field, label: Any) -> bool:
-    """Whether there is no other label."""
+    """Returns whether the field has no other label than this one and void."""
     labels = field.arrays.flat[field.labels] if field.labels else np.empty(0)
     return bool(((labels == 0) | (labels == label)).all())
 
 
 def _add_array(field: Field, name: str, value: Any) -> None:
-    """A number is that of all cells."""
+    """Adds an array, an image, or a number that applies to all cells."""
     image = read_image(value, None)
     if image is None:
         array = as_numbers(value, name)
@@ -153,27 +154,27 @@ def _add_array(field: Field, name: str, value: Any) -> None:
 
 
 def add_refinement(value: Any, field: Field) -> str:
-    """The name of the refinement array, "" without one."""
+    """Adds the refinement array and returns its name, "" without one."""
     names = _add(field, "refinement_array", value)
     if len(names) > 1:
-        raise TypeError("refinement_array is a %s: one array of whole numbers is needed."
+        raise TypeError("refinement_array is a %s: one array of integers is required."
                         % type(value).__name__)
     return "".join(names)
 
 
 def list_boxes(boxes: Any) -> List[List[float]]:
-    """Seven numbers each."""
+    """Returns boxes of seven numbers each."""
     if boxes is None:
         return []
     try:
         found = [[float(number) for number in box] for box in boxes]
     except (TypeError, ValueError):
-        raise TypeError("refinement_boxes is %r: a list of boxes of seven numbers is needed."
+        raise TypeError("refinement_boxes is %r: a list of boxes of seven numbers is required."
                         % (boxes,)) from None
     for box in found:
         if len(box) not in (6, 7):
             raise ValueError(
-                "refinement_boxes has %r: x0, y0, z0, x1, y1, z1 and how many times cells are halved are needed."
-                % (tuple(box),)
+                "refinement_boxes has %r: x0, y0, z0, x1, y1, z1 and the number of halvings are "
+                "required." % (tuple(box),)
             )
     return [box + [1.0] * (7 - len(box)) for box in found]

@@ -1,4 +1,4 @@
-"""Closed surfaces of triangles: from arrays, STL files, and what meshio and PyVista have."""
+"""Reads closed surfaces of triangles from arrays, STL files, meshio and PyVista."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 Triangles = Tuple[np.ndarray, np.ndarray]
-# of a binary STL
+# Record of a binary STL file
 RECORD = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
 
 
 def read_surface(value: Any, triangles: Optional[ArrayLike] = None) -> Triangles:
-    """Points (n, 3) float64 and triangles (m, 3) int64."""
+    """Returns points, float64 of shape (n, 3), and triangles, int64 of shape (m, 3)."""
     if isinstance(value, (str, os.PathLike)):
         return _check(*_read_file(os.fspath(value)))
     if isinstance(value, tuple) and len(value) == 2 and triangles is None:
@@ -25,8 +25,8 @@ def read_surface(value: Any, triangles: Optional[ArrayLike] = None) -> Triangles
         return _check(*_of_meshio(value))
     if triangles is None:
         raise TypeError(
-            "The surface is a %s: a path, a pyvista.PolyData, a meshio.Mesh, or points and triangles are needed."
-            % type(value).__name__
+            "The surface is a %s: a path, a pyvista.PolyData, a meshio.Mesh, or points and "
+            "triangles are required." % type(value).__name__
         )
     return _check(value, triangles)
 
@@ -35,10 +35,10 @@ def _check(points: Any, triangles: Any) -> Triangles:
     places = np.ascontiguousarray(points, dtype=np.float64)
     corners = np.asarray(triangles)
     if places.ndim != 2 or places.shape[1] != 3:
-        raise ValueError("points has the shape %r: (n, 3) is needed." % (places.shape,))
+        raise ValueError("points has the shape %r: (n, 3) is required." % (places.shape,))
     if corners.ndim != 2 or corners.shape[1] != 3 or corners.dtype.kind not in "iu":
         raise ValueError(
-            "triangles has the shape %r and the type %s: (m, 3) whole numbers are needed."
+            "triangles has the shape %r and the type %s: (m, 3) integers are required."
             % (corners.shape, corners.dtype)
         )
     if len(corners) == 0:
@@ -52,7 +52,7 @@ def _read_file(path: str) -> Triangles:
     try:
         import meshio
     except ImportError:
-        raise ImportError("%s is read by meshio: pip install meshio" % path) from None
+        raise ImportError("Reading %s requires meshio: pip install meshio" % path) from None
     return _of_meshio(meshio.read(path))
 
 
@@ -70,12 +70,12 @@ def _read_stl(path: str) -> Triangles:
         except ValueError:
             corners = np.empty((0, 3))
         if corners.ndim != 2 or corners.shape[1:] != (3,) or len(corners) % 3 or not len(corners):
-            raise ValueError("%s is no STL file, or is cut short." % path)
+            raise ValueError("%s is not an STL file, or is truncated." % path)
     return np.asarray(corners, dtype=np.float64), np.arange(len(corners)).reshape(-1, 3)
 
 
 def _of_meshio(mesh: Any) -> Triangles:
-    """Quadrilaterals are cut."""
+    """Returns the triangles, and quadrilaterals cut into two."""
     cells = mesh.cells_dict
     parts = [cells["triangle"]] if "triangle" in cells else []
     if "quad" in cells:
@@ -86,7 +86,7 @@ def _of_meshio(mesh: Any) -> Triangles:
 
 
 def _of_polydata(surface: Any) -> Triangles:
-    """Polygons are cut."""
+    """Returns the polygons, cut into triangles."""
     from vtkmodules.util.numpy_support import vtk_to_numpy
     from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 

@@ -1,4 +1,4 @@
-"""Types of the public arguments."""
+"""Types of the arguments of public functions."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The mesh that hexes() and tets() make."""
+"""Defines Mesh, the result of hexes() and tets(), and its parts."""
 
 from __future__ import annotations
 
@@ -16,14 +16,20 @@ if TYPE_CHECKING:
 
 @dataclass(eq=False)
 class Geometry:
-    """What each point lies in.
+    """Volume, surface, curve or vertex of each point of a mesh.
 
     Attributes
     ----------
-    dimension : (points,) int32
+    dimension : ndarray of int32, shape (points,)
         3 inside a volume, 2 on a surface, 1 on a curve, 0 at a vertex.
-    id : (points,) int32
-        Which volume, surface, curve or vertex, from 1.
+    id : ndarray of int32, shape (points,)
+        Number of that volume (fragment), surface, curve or vertex, from 1.
+
+    Examples
+    --------
+    >>> mesh = vfm.hexes(vfm.shapes("box size=1,1,1", 12, bounds=[-1, 1] * 3))
+    >>> np.unique(mesh.geometry.dimension)
+    array([0, 1, 2, 3], dtype=int32)
     """
 
     dimension: np.ndarray
@@ -32,22 +38,37 @@ class Geometry:
 
 @dataclass(eq=False)
 class Surfaces:
-    """The facets of all surfaces: between two materials, around what is meshed, on the sides of the
-    domain.
+    """Facets of all surfaces: between materials, around the meshed volume, on the domain boundary.
 
     Attributes
     ----------
-    cells : (facets, 4 or 3) int64
-        Points of the mesh, quadrilaterals or triangles.
-    surface_id : (facets,) int32
-        From 1.
-    material_pair : (facets, 2) int32
-        The smaller first, 0 void or outside; the normal points from the second to the first.
-    domain_side : (facets,) int32
-        -1 inside, 0..5 on the side -x +x -y +y -z +z of the domain.
+    cells : ndarray of int64, shape (facets, 4) or (facets, 3)
+        Corners of quadrilaterals (hexahedral mesh) or triangles: indices of points of the mesh.
+        The normal points from the second material of the pair to the first.
+    surface_id : ndarray of int32, shape (facets,)
+        Number of the surface, from 1.
+    material_pair : ndarray of int32, shape (facets, 2)
+        The two materials, the smaller number first; 0 is void or outside.
+    domain_side : ndarray of int32, shape (facets,)
+        -1 inside the domain, 0 to 5 on its side -x, +x, -y, +y, -z, +z.
     fields : dict
-        Of each surface its SurfaceVolumes, SurfaceMaterials, SurfaceSides, SurfaceParts,
-        SurfaceAreas, SurfaceCentroids, SurfaceNormals, and the pairs VolumeSurfaces.
+        Arrays with one row per surface:
+
+        - ``SurfaceVolumes``: volumes on its two sides, in the order of its material pair; 0: void
+          or outside.
+        - ``SurfaceMaterials``, ``SurfaceSides``: its material pair and domain side.
+        - ``SurfaceParts``: number of the smooth side of an interface with edges, from 1; 0
+          without edges.
+        - ``SurfaceAreas`` in length**2, ``SurfaceCentroids``, ``SurfaceNormals``: the mean normal
+          has length 1 on a plane.
+
+        ``VolumeSurfaces`` has a row per pair of a volume and a surface around it.
+
+    Examples
+    --------
+    >>> mesh = vfm.hexes(vfm.shapes("box size=1,1,1", 12, bounds=[-1, 1] * 3))
+    >>> mesh.surfaces.fields["SurfaceAreas"].round(2)
+    array([1., 1., 1., 1., 1., 1.])
     """
 
     cells: np.ndarray
@@ -59,16 +80,23 @@ class Surfaces:
 
 @dataclass(eq=False)
 class Curves:
-    """The edges of all curves, where the same surfaces meet.
+    """Edges of all curves: edges on which the same surfaces meet are one curve.
 
     Attributes
     ----------
-    cells : (edges, 2) int64
-        Points of the mesh, in the order of their curves.
-    curve_id : (edges,) int32
-        From 1.
+    cells : ndarray of int64, shape (edges, 2)
+        Ends of each edge: indices of points of the mesh. The edges of a curve are consecutive.
+    curve_id : ndarray of int32, shape (edges,)
+        Number of the curve, from 1.
     fields : dict
-        CurveEnds of each curve, and the pairs SurfaceCurves.
+        ``CurveEnds``: number of ends at vertices per curve, 0 for a closed curve. ``SurfaceCurves``
+        has a row per pair of a surface and a curve on it.
+
+    Examples
+    --------
+    >>> mesh = vfm.hexes(vfm.shapes("box size=1,1,1", 12, bounds=[-1, 1] * 3))
+    >>> int(mesh.curves.curve_id.max())
+    12
     """
 
     cells: np.ndarray
@@ -78,16 +106,23 @@ class Curves:
 
 @dataclass(eq=False)
 class Vertices:
-    """The points where curves meet or end.
+    """Points where curves meet or end, or where surfaces touch.
 
     Attributes
     ----------
-    points : (vertices,) int64
-        Points of the mesh.
-    vertex_id : (vertices,) int32
-        From 1.
+    points : ndarray of int64, shape (vertices,)
+        Indices of points of the mesh.
+    vertex_id : ndarray of int32, shape (vertices,)
+        Number of the vertex, from 1.
     fields : dict
-        The pairs CurveVertices.
+        ``CurveVertices`` has a row per pair of a curve and a vertex at its end.
+
+    Examples
+    --------
+    >>> mesh = vfm.hexes(vfm.shapes("box size=1,1,1", 12, bounds=[-1, 1] * 3))
+    >>> mesh.points[mesh.vertices.points[:2]].round(2)
+    array([[-0.5, -0.5, -0.5],
+           [ 0.5, -0.5, -0.5]])
     """
 
     points: np.ndarray
@@ -97,37 +132,56 @@ class Vertices:
 
 @dataclass(eq=False, repr=False)
 class Mesh:
-    """A conforming mesh of every material. Lengths are in the units of the input.
+    """Conforming mesh of all materials, made by `hexes` or `tets`.
+
+    The mesh owns its arrays; the package keeps no reference to them. ``len(mesh)`` is the number of
+    elements. Lengths are in the unit of the input.
 
     Attributes
     ----------
-    points : (points, 3) float64
-    cells : (elements, 8 or 4) int64
-        Corners of hexahedra or tetrahedra in the order of VTK.
-    material : (elements,) int32
-        Number of the material as given, from 1, or the label; 0 void.
-    fragment : (elements,) int32
-        Piece of one material whose elements are connected over faces, from 1.
-    point_ids, cell_ids : (points,), (elements,) int64
-        Unique, made from the place in the grid, from 1, not consecutive.
-    quality : (elements,) float32 or None
-        Scaled Jacobian (verdict's): 1 of a cube or a regular tetrahedron, above 0 of a valid
-        element.
+    points : ndarray of float64, shape (points, 3)
+        Coordinates of the nodes.
+    cells : ndarray of int64, shape (elements, 8) or (elements, 4)
+        Corners of hexahedra or tetrahedra, in the order of VTK: indices of `points`.
+    material : ndarray of int32, shape (elements,)
+        Number of the material in the order of the input, from 1, or its label. 0 is void.
+    fragment : ndarray of int32, shape (elements,)
+        Number of the fragment, from 1: a set of elements of one material, connected over faces.
+    point_ids, cell_ids : ndarray of int64, shapes (points,) and (elements,)
+        Unique ids from 1. They follow from the position in the grid and are not consecutive.
+    quality : ndarray of float32, shape (elements,), or None
+        Scaled Jacobian as in Verdict: 1 for a cube or a regular tetrahedron, positive for a valid
+        element. None without ``compute_quality``.
     geometry : Geometry
+        Volume, surface, curve or vertex of each point.
     surfaces, curves, vertices : Surfaces, Curves, Vertices
-    state : dict
-        Arrays of the elements, (elements,) or (elements, components).
-    point_state : dict
-        Arrays of the points: the velocity of the nodes, if it was asked for.
+        Geometry of the mesh.
+    state : dict of str to ndarray
+        State arrays of the elements, shape (elements,) or (elements, components).
+    point_state : dict of str to ndarray
+        State arrays of the points: the velocity, shape (points, 3), with ``nodal_velocity``.
     materials : dict
-        A column a name, a row a material: Name, MaterialId, TargetVolume, MeshVolume, VolumeError,
-        Elements, Fragments, ..; with conserved state its sums, InputMass, MeshMass, UnmeshedMass
-        and so on.
+        Table with one entry per material in each column: ``Name`` (list of str), ``MaterialId``,
+        ``TargetVolume`` (of the fractions), ``MeshVolume``, ``VolumeError`` (relative),
+        ``Elements``, ``Fragments`` and the quality. Conserved state adds sums over cells and over
+        elements, such as ``InputMass``, ``MeshMass``, ``UnmeshedMass``.
     fields : dict
-        What is told of the whole mesh: MinimumScaledJacobian, NumberOfFragments, FlippedCells, ..
-    roles : dict
-        Which arrays of state are the "density" (mass per volume of the material) and the
-        "velocity", if any are.
+        Values for the whole mesh, such as ``MinimumScaledJacobian``, ``NumberOfFragments`` and
+        ``FlippedCells`` (cells moved to another material to make interfaces manifold).
+    roles : dict of str to str
+        Names in `state` of the "density" (mass per volume of the material) and the "velocity".
+
+    See Also
+    --------
+    fragments : Table of the fragments of a mesh.
+
+    Examples
+    --------
+    >>> mesh = vfm.hexes(vfm.shapes("sphere radius=0.7", 12, bounds=[-1, 1] * 3))
+    >>> mesh.points.shape, mesh.cells.shape, len(mesh)
+    ((799, 3), (616, 8), 616)
+    >>> bool(mesh.quality.min() > 0)
+    True
     """
 
     points: np.ndarray
@@ -149,7 +203,13 @@ class Mesh:
 
     @property
     def kind(self) -> str:
-        """ "hexahedron" or "tetra", as meshio calls them."""
+        """Type of the elements in meshio, "hexahedron" or "tetra".
+
+        Examples
+        --------
+        >>> vfm.tets(vfm.shapes("sphere radius=4 center=6,6,6", 12)).kind
+        'tetra'
+        """
         return "tetra" if self.cells.shape[1] == 4 else "hexahedron"
 
     def __repr__(self) -> str:
@@ -169,54 +229,117 @@ class Mesh:
         return len(self.cells)
 
     def volumes(self) -> np.ndarray:
-        """The exact volume of each element, (elements,), in length units cubed."""
+        """Compute the exact volume of each element.
+
+        Returns
+        -------
+        ndarray of float64, shape (elements,)
+            Volumes in length**3. The faces of hexahedra are bilinear.
+
+        Examples
+        --------
+        >>> mesh = vfm.hexes(vfm.shapes("sphere radius=4 center=6,6,6", 12))
+        >>> bool(np.isclose(mesh.volumes().sum(), mesh.materials["MeshVolume"][0]))
+        True
+        """
         points, cells = np.ascontiguousarray(self.points,
                                              np.float64), np.ascontiguousarray(self.cells, np.int64)
         return _core.element_volumes(points, cells)
 
     def to_pyvista(self, part: str = "mesh") -> pyvista.DataSet:
-        """The mesh, or its "surfaces", "curves" or "vertices", with the arrays and field data of
-        the filters of ParaView.
+        """Convert the mesh, or a part of its geometry, to PyVista.
+
+        Arrays and field data have the names that the ParaView filters use, such as ``MaterialId``.
+
+        Parameters
+        ----------
+        part : {"mesh", "surfaces", "curves", "vertices"}, default "mesh"
+            Part to convert.
 
         Returns
         -------
-        pyvista.UnstructuredGrid, of the other parts pyvista.PolyData
+        pyvista.UnstructuredGrid or pyvista.PolyData
+            The mesh is an UnstructuredGrid, any other part a PolyData.
+
+        Raises
+        ------
+        ValueError
+            If `part` is unknown.
+        ImportError
+            If PyVista is not installed.
+
+        Examples
+        --------
+        >>> mesh = vfm.hexes(vfm.shapes("sphere radius=4 center=6,6,6", 12))
+        >>> mesh.to_pyvista().n_cells == len(mesh)
+        True
+        >>> mesh.to_pyvista("surfaces").cell_data.keys()
+        ['SurfaceId', 'MaterialPair', 'DomainSide']
         """
         from ._pyvista import convert
 
         return convert(self, part)
 
     def to_meshio(self, blocks: bool = False) -> meshio.Mesh:
-        """The mesh with its arrays.
+        """Convert the mesh with its arrays to meshio.
 
         Parameters
         ----------
-        blocks
-            A block of cells a material, in the order of their ids, instead of one of all elements.
+        blocks : bool, default False
+            True makes one block of cells per material, in the order of their ids. False makes one
+            block of all elements.
+
+        Returns
+        -------
+        meshio.Mesh
+            Mesh with one cell set per material, named like it.
+
+        Raises
+        ------
+        ImportError
+            If meshio is not installed.
+
+        Examples
+        --------
+        >>> mesh = vfm.hexes({"ball": vfm.shapes("sphere radius=4 center=6,6,6", 12)["Material1"]})
+        >>> list(mesh.to_meshio().cell_sets)
+        ['ball']
         """
         from ._meshio import convert
 
         return convert(self, blocks)
 
     def save(self, path: Any, **options: Any) -> None:
-        """Write a file, whose kind its ending tells.
+        """Write the mesh to a file. The ending of its name selects the format.
 
-        The package itself writes .vtu (ParaView), .e, .ex2 and .exo (Exodus: blocks, side sets and
-        node sets with names, global ids, variables) and .inp (Abaqus, CalculiX), as the plugin
-        writes them; PyVista writes .vtk and .vtp (the surfaces); meshio writes all others: .msh
-        (Gmsh), .xdmf, .med, ..
+        The package itself writes ``.vtu`` (ParaView), ``.e``, ``.ex2`` and ``.exo`` (Exodus with
+        named blocks, side sets and node sets, global ids and variables) and ``.inp`` (Abaqus,
+        CalculiX), byte for byte like the ParaView plugin. PyVista writes ``.vtk``, and ``.vtp``
+        with the surfaces. meshio writes all other formats, such as ``.msh`` (Gmsh), ``.xdmf`` and
+        ``.med``.
 
         Parameters
         ----------
-        path : str or os.PathLike
+        path : str or path-like
+            File to write.
         **options
-            Of a file by the package itself: time, a float, the time of the mesh. Of others those of
-            pyvista.DataSet.save or meshio.write.
+            For formats of the package: ``time``, float, the time of the mesh. For other formats:
+            arguments of ``pyvista.DataSet.save`` or ``meshio.write``.
 
         Raises
         ------
+        ValueError
+            If the ending is missing or unknown.
+        ImportError
+            If the format needs a package that is not installed.
         OSError
-            If the file cannot be written; then it is removed.
+            If the file cannot be written; an incomplete file is removed.
+
+        Examples
+        --------
+        >>> mesh = vfm.hexes(vfm.shapes("sphere radius=4 center=6,6,6", 12))
+        >>> mesh.save("ball.e", time=0.5)
+        >>> mesh.save("ball.inp")
         """
         from ._save import save
 
@@ -224,7 +347,7 @@ class Mesh:
 
 
 def make_mesh(result: Mapping[str, Any], roles: Dict[str, str]) -> Mesh:
-    """Of what the core returns."""
+    """Makes a Mesh from the result of the core."""
     result = dict(result)
     surfaces, curves, vertices = result.pop("surfaces"), result.pop("curves"), result.pop(
         "vertices")
