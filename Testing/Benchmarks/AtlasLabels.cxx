@@ -1,9 +1,9 @@
 /**
- * How many labels of a parcellation keep their volume: an atlas of many labels (Support/Atlas.h),
- * smoothed and meshed.
+ * Counts the labels of a parcellation that keep their volume: an atlas of many labels
+ * (Support/Atlas.h), smoothed and meshed.
  *
- * usage: AtlasLabels [n, default 160] [labels, default 700] [passes of smoothing, default 3] [seed,
- * default 1]
+ * usage: AtlasLabels [n, default 160] [labels, default 700] [passes of smoothing, default 3]
+ *                    [seed, default 1]
  */
 #include "Atlas.h"
 #include "Base/Partition.h"

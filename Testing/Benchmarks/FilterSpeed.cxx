@@ -1,12 +1,14 @@
 /**
- * How fast the filter makes meshes, and where its time goes: stair-steps of labels beside
+ * Speed of the filter, and the time of its stages: stair-step meshes of labels compared with
  * vtkThreshold, which makes cells of the same voxels, and files of fractions. Cases run in turn, so
- * that their ratios hold on a busy machine.
+ * that their ratios are valid on a busy machine.
  *
- * usage: FilterSpeed [cells along an axis of the labels, default 160] [rounds, default 5] [threads,
- * default 1] [files.vti ...] seconds, CPU: of the median round; ratio: median over the rounds of
- * cells a second of CPU to those of vtkThreshold; outside: share of the time that is not in the
- * mesher itself. Then the stages, of the median round.
+ * usage: FilterSpeed [cells along an axis of the labels, default 160] [rounds, default 5]
+ *                    [threads, default 1] [files.vti ...]
+ *
+ * Seconds and CPU are of the median round. The ratio is cells per second of CPU over the rate of
+ * vtkThreshold, median over the rounds. "outside" is the share of time outside the mesher itself.
+ * The stages of the median round follow.
  */
 #include "MeasureAlone.h"
 #include "MeshCases.h"
@@ -60,7 +62,8 @@ struct Round
   vtkIdType Cells;
 
   double Speed() const { return static_cast<double>(this->Cells) / this->Cpu; }
-  /// The share of the stages before and after the mesher, and of what is before all.
+  /// Returns the share of time outside the mesher: stages before and after it, and
+  /// the time before the first stage.
   double Outside() const
   {
     double mesher = 0.0;
@@ -85,7 +88,7 @@ public:
       { static_cast<StageWatch*>(watch)->Note(vtkAlgorithm::SafeDownCast(caller)); });
     algorithm->AddObserver(vtkCommand::ProgressEvent, command);
   }
-  /// After the algorithm ended.
+  /// Call after the algorithm has ended.
   std::vector<Stage> Finish()
   {
     this->Close();
@@ -156,8 +159,7 @@ vtkSmartPointer<vtkImageData> MakeLabelImage(int n)
   return image;
 }
 
-/// Whatever else in a file is no array of the mesher's, such as coordinates, is found by the
-/// filter.
+/// Reads an image. The filter must recognize arrays that are not materials, such as coordinates.
 vtkSmartPointer<vtkImageData> ReadImage(const std::string& path)
 {
   vtkNew<vtkXMLImageDataReader> reader;
@@ -228,7 +230,7 @@ double Median(std::vector<double> values)
   return values[values.size() / 2];
 }
 
-/// reference: the case that a ratio is to; null: none.
+/// reference: the case that the ratio refers to; null: no ratio.
 void Print(const Case& what, const Case* reference, int threads)
 {
   std::vector<Round> rounds = what.Rounds;

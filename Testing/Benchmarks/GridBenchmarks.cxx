@@ -1,9 +1,9 @@
 /**
- * Speed and memory of the mesher on one core. The reference run beside each is a plain copy of the
- * arrays of the mesh it makes: "of_copy" is how many such copies the time is worth.
+ * Speed and memory of the mesher on one core. The reference of each run is a plain copy of the
+ * arrays of its mesh: "of_copy" is the time in units of such copies.
  *
- * With the argument --table, prints the table of figures of the manufactured cases instead; with
- * --table-tets those of tetrahedra, by every method, and their dihedral angles.
+ * --table prints the figures of the manufactured cases instead. --table-tets prints the figures of
+ * tetrahedra by every method, and their dihedral angles.
  */
 #include "Base/Vector3.h"
 #include "Fractions/RefineCells.h"
@@ -37,7 +37,7 @@ std::size_t BytesOf(const Mesh& m)
     BytesOf(m.Fragment) + BytesOf(m.ScaledJacobian);
 }
 
-/// Seconds to copy as many bytes as the mesh has into fresh memory.
+/// Returns the seconds to copy as many bytes as the mesh has into new memory.
 double TimeCopy(const Mesh& mesh)
 {
   const std::size_t bytes = BytesOf(mesh);
@@ -102,7 +102,7 @@ void StairStep(benchmark::State& state)
   options.ComputeQuality = false; // all hexes are cells
   Run(state, grid, MakeConcentricLabels(grid, state.range(0)), options);
 }
-// the first run pays for memory that the system has not handed out before
+// The first run includes the cost of memory that the system has not provided before.
 BENCHMARK(StairStep)
   ->Arg(24)
   ->Arg(96)
@@ -138,7 +138,7 @@ MeshOptions OptionsOf(TetMethod method)
   return options;
 }
 
-/// Labels to tets alone: nothing moves, nothing is measured.
+/// Measures only the step from labels to tets: without smoothing and quality.
 void LatticeExtraction(benchmark::State& state)
 {
   const MeshCase c = MakeSphereCase(static_cast<int>(state.range(0)));
@@ -196,7 +196,8 @@ BENCHMARK_CAPTURE(EightShapes, TetGen, TetMethod::TetGen)
   ->Unit(benchmark::kMillisecond)
   ->UseRealTime();
 
-/// Peak memory of meshing a sphere in n^3 cells, against input (a double a cell) and output.
+/// Measures peak memory of meshing a sphere in n^3 cells, relative to input
+/// (one double per cell) and output.
 void Memory(benchmark::State& state)
 {
   const Index n = state.range(0);
@@ -208,7 +209,7 @@ void Memory(benchmark::State& state)
       {
         const CartesianGrid grid = MakeUnitGrid(n);
         const Vector3 middle{ { 0.5 * n + 0.1, 0.5 * n + 0.2, 0.5 * n + 0.3 } };
-        // stands for the simulation's array
+        // represents the simulation's array
         const Buffer<double> input(static_cast<std::size_t>(n * n * n), 0.5);
         const FractionField field = FractionsOfShapes(grid, { MakeSphere(1, middle, 0.4 * n) });
         Runtime runtime;
@@ -230,9 +231,9 @@ void Memory(benchmark::State& state)
 }
 BENCHMARK(Memory)->Arg(128)->Arg(256)->Iterations(1)->Unit(benchmark::kMillisecond)->UseRealTime();
 
-/// Bytes a finest cell of fractions and labels of n^3 cells halved `times` times, where a ball
-/// makes about 1 % of the cells near an interface (within two). ms: of halving, assigning,
-/// resolving, finding mixed nodes.
+/// Measures fractions and labels of n^3 cells halved `times` times, in bytes per finest cell. The
+/// ball is so large that about 1 % of the cells are near an interface (within two cells). Times in
+/// ms: halving, assigning, resolving, finding mixed nodes.
 void FinestCells(benchmark::State& state)
 {
   const Index n = state.range(0);

@@ -1,6 +1,5 @@
 /**
- * What benchmarks measure with: the clock, the peak memory of a process, and processes of their
- * own.
+ * Measuring tools of benchmarks: the clock, the peak memory of a process, and separate processes.
  */
 #pragma once
 
@@ -17,7 +16,7 @@ namespace vfm
 namespace testing
 {
 
-/// Seconds.
+/// Returns the time in seconds.
 inline double Now()
 {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -30,8 +29,8 @@ inline std::size_t PeakBytes()
   return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
 }
 
-/// What measure() returns, which runs in a process of its own, so that its peak memory is its own;
-/// empty where that fails.
+/// Returns the result of measure(), which runs in a separate process, so that its peak memory is
+/// measured separately. Empty if the process fails.
 template <class Measure>
 std::vector<double> MeasureAlone(std::size_t count, const Measure& measure)
 {

@@ -1,8 +1,8 @@
 /**
- * Counts what ranks send while they mesh a gyroid, per rank (the most of any rank): the figures
- * behind Documentation/theory/parallel.md. Ranks are threads, so times mean nothing here.
+ * Counts the messages of ranks that mesh a gyroid, per rank (largest of any rank): the figures of
+ * Documentation/theory/parallel.md. Ranks are threads, so times are meaningless here.
  *
- * usage: RankTraffic [cells a rank and axis, default 24]: weak scaling on 1, 2, 4, 8, 27 ranks
+ * usage: RankTraffic [cells per rank and axis, default 24]: weak scaling on 1, 2, 4, 8, 27 ranks
  */
 #include "MeshCases.h"
 #include "RankFields.h"

@@ -1,12 +1,12 @@
 /**
- * What refining a little costs: peak memory and time of meshing all of n^3 cells, and of the same
- * halved once around a small ball, whose families are about 1 % of the cells. Each runs in a
- * process of its own.
+ * Cost of a small refinement: peak memory and time of meshing all of n^3 cells, and of the
+ * same cells halved once around a small ball, with about 1 % of the cells in families. Each
+ * mesh is made in a separate process.
  *
- * usage: RefinedMemory [n, default 64] [n ...] [--block: the ball is tiny, a block beside it is
- * refined]
- * [--place: the ball is large, a block that its surface runs through is refined alone] [--stages:
- * when each began, and the peak then]
+ * usage: RefinedMemory [n, default 64] [n ...] [--block] [--place] [--stages]
+ *   --block: the ball is tiny, a block next to it is refined
+ *   --place: the ball is large, only a block that its surface crosses is refined
+ *   --stages: prints the start of each stage and the peak memory then
  */
 #include "Fractions/RefineCells.h"
 #include "MeasureAlone.h"
@@ -24,10 +24,10 @@ namespace
 {
 
 constexpr double RefinedShare = 0.01;
-/// Families around a sphere of r cells hold about this times r^2 of them.
+/// Families around a sphere of radius r cells contain about this number times r^2 cells.
 constexpr double CellsPerSquare = 85.0;
 
-/// Tells at each step of a stage when it began and the peak so far.
+/// Prints the time and the peak memory so far at the start of each stage.
 class Watch : public Runtime
 {
 public:
@@ -49,18 +49,18 @@ private:
   const char* Last = nullptr;
 };
 
-/// What is refined, and beside what.
+/// Refined part of the grid, and the ball.
 enum class Scene
 {
-  Shell, // all interfaces, of a small ball
-  Block, // a block beside a tiny ball
-  Place  // a block through which the surface of a large ball runs
+  Shell, // all interfaces of a small ball
+  Block, // a block next to a tiny ball
+  Place  // a block that the surface of a large ball crosses
 };
 
-constexpr double LargeRadius = 0.36; // of n
+constexpr double LargeRadius = 0.36; // in units of n
 
-/// Families of a cube of 1 % of n^3 cells, from a corner or around the end of the large ball along
-/// x.
+/// Returns the families of a cube of 1 % of n^3 cells, at a corner or around the
+/// end of the large ball along x.
 std::vector<Index> ListBlock(Index n, Scene scene)
 {
   const CartesianGrid grid = MakeUnitGrid(n);
@@ -79,7 +79,7 @@ std::vector<Index> ListBlock(Index n, Scene scene)
   return keys;
 }
 
-/// Peak bytes, seconds, hexes, refined cells, transition hexes.
+/// Returns peak bytes, seconds, hexes, refined cells, transition hexes.
 std::vector<double> MeshBall(Index n, int refinements, Scene scene, bool stages)
 {
   CartesianGrid grid = MakeUnitGrid(n);

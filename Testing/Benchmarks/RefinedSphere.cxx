@@ -1,10 +1,10 @@
 /**
- * What levels save: a ball of radius .36 n in n^3 finest cells, meshed with all cells fine and with
- * coarser cells away from its surface; alone, and with the void around it.
+ * Savings by levels: a ball of radius .36 n in n^3 finest cells, meshed with all cells fine and
+ * with coarser cells away from its surface, without and with the void around it.
  *
- * usage: RefinedSphere [n, default 64] [refinements, default 2] [--levels: mesh only those, not all
- * cells fine]
- *   [--counts: interfaces stay as they start]
+ * usage: RefinedSphere [n, default 64] [refinements, default 2] [--levels] [--counts]
+ *   --levels: meshes only with levels, not with all cells fine
+ *   --counts: interfaces stay as before smoothing
  */
 #include "Base/Vector3.h"
 #include "MeshCases.h"

@@ -1,14 +1,16 @@
 /**
- * What option SharpEdges does to edges and corners, and to what has none.
+ * Effect of option SharpEdges on edges and corners, and on shapes without edges.
  *
  * usage: SharpEdges table|controls [hexes|Lattice|Cells [Off,On,Automatic [case...]]]
  *   SharpEdges table hexes Off,On "cube A 32" "L 16"
  *
- * table: a row for each solid, its cells and option. Lengths are in cells, each as largest/root
- * mean square: nodes of the mesh's interface to the true surface, the mesh's faces to it, true
- * edges to these faces (with the 99th percentile) and to the nearest node, true corners to the
- * nearest node (largest). Then how many points of the mesh are drawn to edges and to corners, and
- * the geometry. controls: how many points an option moves, and what it costs, of runs in turn.
+ * table: one row per solid, number of cells and option. Distances are in cells, as
+ * largest/root mean square: interface nodes to the true surface, facets to the true surface,
+ * true edges to the facets (with the 99th percentile), true edges to the nearest node, true
+ * corners to the nearest node (largest). Then follow the numbers of points attached to edges
+ * and to corners, and the geometry.
+ *
+ * controls: number of points that the option moves, and its cost in alternating runs.
  */
 #include "Base/Vector3.h"
 #include "MeasureAlone.h"
@@ -28,8 +30,8 @@ namespace
 
 using Names = std::vector<std::string>;
 
-constexpr int Rounds = 3;       ///< of runs in turn; the least time of each option counts
-constexpr double LongRun = 5.0; ///< seconds, after which one round does
+constexpr int Rounds = 3;       ///< alternating runs; the smallest time of each option counts
+constexpr double LongRun = 5.0; ///< seconds; longer runs are not repeated
 
 const Names TableCases{ "cube A 16", "cube A 32", "cube A 64", "cube B 16", "cube B 32",
   "cube B 64", "cube C 16", "cube C 32", "cube C 64", "cube D 16", "cube D 32", "cube D 64", "L 16",
@@ -38,7 +40,7 @@ const Names TableCases{ "cube A 16", "cube A 32", "cube A 64", "cube B 16", "cub
 const Names Controls{ "sphere 32", "sphere 8", "torus", "gyroid", "polycrystal", "ball and plate",
   "ball of 3 sectors", "two spheres, gap .3", "smooth noise 40", "label noise 40" };
 
-/// "name 32": the number after the last blank.
+/// Returns the number after the last blank of a name such as "cube A 32".
 int CellsOf(const std::string& name)
 {
   return std::atoi(name.c_str() + name.rfind(' ') + 1);
@@ -49,7 +51,7 @@ const char* NameOf(SharpEdges mode)
 {
   return ModeNames[static_cast<int>(mode)];
 }
-/// Of their names with commas between them.
+/// Returns the modes given by names separated by commas.
 std::vector<SharpEdges> ListModes(const std::string& text)
 {
   std::vector<SharpEdges> modes;
@@ -66,7 +68,7 @@ std::vector<SharpEdges> ListModes(const std::string& text)
   return modes;
 }
 
-/// Who makes the mesh.
+/// Mesher and options of a method.
 struct Method
 {
   MeshMaker Make = MakeHexMesh;
@@ -165,8 +167,8 @@ void PrintTable(const Method& method, const std::vector<SharpEdges>& modes, cons
   }
 }
 
-/// Random fractions of cells, averaged over the 27 around each and spread to 0..1 again: surfaces
-/// with creases nowhere and everywhere.
+/// Returns random fractions of cells, averaged over 27 neighbours and scaled to
+/// 0..1: surfaces with no clear edges.
 FractionField MakeSmoothNoise(const CartesianGrid& grid)
 {
   constexpr double Spread = 4.0;
@@ -211,8 +213,8 @@ Control MakeControl(const std::string& name)
     name.find("smooth") == 0 ? MakeSmoothNoise(grid) : MakeRandomLabels(grid, 3, 0, 1) };
 }
 
-/// Points whose coordinates are not those of another mesh, and those farther than a distance in
-/// cells.
+/// Number of points whose coordinates differ from another mesh, and of points
+/// farther than a distance in cells.
 struct MovedPoints
 {
   Index Any = 0, Far = 0;

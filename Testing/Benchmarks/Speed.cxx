@@ -1,10 +1,11 @@
 /**
- * How fast meshes are made, with what effort, and how good they are: a row a case. Two builds are
- * compared by scripts/compare_speed.
+ * Speed, effort and quality of meshes: one row per case. scripts/compare_speed compares two builds.
  *
- * usage: Speed [CASE, list or all, default all] [runs, default 3] [threads, default 1] [ranks,
- * default 1] seconds: of the fastest run; CPU: of all threads in it. Ranks are threads here, that
- * have slabs along z.
+ * usage: Speed [CASE, list or all, default all] [runs, default 3] [threads, default 1]
+ *              [ranks, default 1]
+ *
+ * Seconds are of the fastest run, CPU of all threads in it. Ranks are
+ * threads here, with slabs along z.
  */
 #include "Atlas.h"
 #include "Base/ThreadRuntime.h"
@@ -28,11 +29,11 @@ constexpr char Header[] =
   "distance max | rms | points | sweeps | visits a point | peak MB |\n"
   "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
 
-/// As that of the filters.
+/// A case and the options of its mesh.
 struct SpeedCase
 {
   std::string Name;
-  std::function<MeshCase()> Make; // without a distance where there is no true surface
+  std::function<MeshCase()> Make; // no distance if there is no true surface
   MeshOptions Options;
   MeshMaker Maker = MakeHexMesh;
 };
@@ -95,7 +96,7 @@ struct Outcome
 {
   double Seconds = 1e300, Cpu = 1e300;
   Index Elements = 0;
-  MeshReport Report; // of the fastest run
+  MeshReport Report; // report of the fastest run
   Distances Distance;
 };
 

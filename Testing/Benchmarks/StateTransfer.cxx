@@ -1,12 +1,12 @@
 /**
- * What carrying state to a mesh costs beside making the mesh, on one core, and what is lost where
- * elements copy the values of cells.
+ * Cost of transferring state to a mesh compared with making the mesh, on one core, and the loss if
+ * elements copy the values of cells instead.
  *
- * The state has six arrays of eight components: density, velocity, specific energy, temperature,
- * strain, pressure.
+ * The state has six arrays of eight components: density, velocity, specific energy,
+ * temperature, strain, pressure.
  *
- * usage: StateTransfer [diameter of the sphere in cells, default 64] [cells along an axis of the
- * polycrystal, default 48]
+ * usage: StateTransfer [diameter of the sphere in cells, default 64]
+ *                      [cells along an axis of the polycrystal, default 48]
  */
 #include "Base/Vector3.h"
 #include "MeasureAlone.h"
@@ -34,7 +34,7 @@ const char* NameOf(Elements elements)
                                      : "tets of Cells";
 }
 
-/// One value a cell for all materials, as arrays of a simulation are.
+/// Values of cells, the same for all materials, as in arrays of a simulation.
 class CellArrays : public StateCellValues
 {
 public:
@@ -72,7 +72,7 @@ TransferredState Transfer(const Mesh& mesh, const CartesianGrid& grid,
   return TransferState(mesh, request, runtime);
 }
 
-/// The lesser of two times, in seconds.
+/// Returns the smaller of two times, in seconds.
 template <class Work>
 double Time(const Work& work)
 {
@@ -86,7 +86,7 @@ double Time(const Work& work)
   return least;
 }
 
-/// Bytes, before anything is transferred.
+/// Returns peak bytes before anything is transferred.
 std::vector<double> MeasureMesh(const MeshCase& c, Elements elements)
 {
   const CellArrays values(c.Grid);
@@ -94,7 +94,7 @@ std::vector<double> MeasureMesh(const MeshCase& c, Elements elements)
   return { static_cast<double>(PeakBytes()) };
 }
 
-/// Bytes, elements, seconds of meshing, of both orders and of copying.
+/// Returns peak bytes, elements, seconds of meshing, of transfer in both orders and of copying.
 std::vector<double> MeasureTransfer(const MeshCase& c, Elements elements)
 {
   const CellArrays values(c.Grid);
@@ -112,7 +112,7 @@ std::vector<double> MeasureTransfer(const MeshCase& c, Elements elements)
   return figures;
 }
 
-/// A row of the table.
+/// Prints a row of the table.
 void PrintCost(const MeshCase& c, Elements elements)
 {
   const std::vector<double> before = MeasureAlone(1, [&] { return MeasureMesh(c, elements); });
@@ -150,7 +150,7 @@ private:
   const StateCellValues& Values;
 };
 
-/// Of cells, elements or points.
+/// Sums over cells, elements or points.
 struct Sums
 {
   long double Mass = 0.0, Kinetic = 0.0, Internal = 0.0;
@@ -187,7 +187,7 @@ Sums SumCells(
   return sums;
 }
 
-/// The values of the cells that elements copy.
+/// Returns the values of the cells, copied to elements.
 TransferredState CopyState(const Mesh& mesh, const CartesianGrid& grid,
   const FractionField& fractions, const StateCellValues& values)
 {
@@ -220,7 +220,7 @@ long double Sum(const Buffer<double>& values)
   return std::accumulate(values.begin(), values.end(), 0.0L);
 }
 
-/// What has become of the sums of the cells.
+/// Prints the change of the sums relative to the cells.
 void PrintLosses(const char* rule, const CartesianGrid& grid, const Mesh& mesh, const Sums& input,
   const TransferredState& state)
 {
@@ -255,7 +255,7 @@ void PrintLosses(const char* rule, const CartesianGrid& grid, const Mesh& mesh, 
     (points.Kinetic + Sum(nodal.Lost) + lost + elements.Internal - total) / total);
 }
 
-/// A ball in n^3 cells of the unit cube.
+/// Compares the rules for a ball in n^3 cells of the unit cube.
 void CompareRules(int n, Elements elements)
 {
   const CartesianGrid grid = MakeUnitCube(n);
