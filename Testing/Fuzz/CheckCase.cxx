@@ -13,7 +13,7 @@ namespace testing
 namespace
 {
 
-constexpr double VolumeTolerance = 1e-9; // relative, of the domain
+constexpr double VolumeTolerance = 1e-9; // relative to the volume of the domain
 
 std::string Describe(const char* what, double value, Index id)
 {
@@ -37,8 +37,8 @@ bool KnowsCells(const FuzzCase& c)
   return c.Make == MakeHexMesh || c.Options.Tets != TetMethod::TetGen;
 }
 
-/// Jacobians in volumes of the cells that the elements were made of; of TetGen in the grid's mean
-/// volume.
+/// Checks Jacobians, in volumes of the cells from which the elements were made; for TetGen in
+/// mean cell volumes of the grid.
 std::string FindJacobianProblem(const FuzzCase& c, const Mesh& mesh, FuzzResult& result)
 {
   const double mean = std::pow(c.Grid.MeanWidth(), 3.0);
@@ -48,7 +48,7 @@ std::string FindJacobianProblem(const FuzzCase& c, const Mesh& mesh, FuzzResult&
     const double volume =
       KnowsCells(c) ? VolumeOf(c.Grid, CellsOfElement(c.Grid, mesh, mesh.ElementIds[e])) : mean;
     const double coefficient = SmallestCoefficient(mesh, e) / volume;
-    if (!(coefficient >= result.Coefficient)) // nor NaN
+    if (!(coefficient >= result.Coefficient)) // also true for NaN
     {
       result.Coefficient = coefficient;
       worst = mesh.ElementIds[e];
@@ -59,7 +59,7 @@ std::string FindJacobianProblem(const FuzzCase& c, const Mesh& mesh, FuzzResult&
     : Describe("smallest coefficient", result.Coefficient, worst);
 }
 
-/// In widths of the cells at the side.
+/// Returns how far points lie outside the domain, in widths of the cells at the side.
 std::string FindPlaceProblem(const CartesianGrid& grid, const Mesh& mesh)
 {
   double farthest = 0.0;
@@ -80,8 +80,8 @@ std::string FindPlaceProblem(const CartesianGrid& grid, const Mesh& mesh)
   return farthest == 0.0 ? "" : Describe("outside the domain by", farthest, id);
 }
 
-/// The materials have the volumes that the report tells, and fill the domain where nothing is left
-/// out.
+/// Checks that the volumes of materials agree with the report, and fill the
+/// domain if all of it is meshed.
 std::string FindVolumeProblem(const FuzzCase& c, const Mesh& mesh, const MeshReport& report)
 {
   const double domain = VolumeOf(c.Grid, c.Grid.Global());
@@ -100,7 +100,7 @@ std::string FindVolumeProblem(const FuzzCase& c, const Mesh& mesh, const MeshRep
     : "";
 }
 
-/// The first of the problems that there is.
+/// Returns the first problem, or an empty string.
 std::string FirstOf(std::initializer_list<std::string> problems)
 {
   const auto at = std::find_if(
@@ -123,7 +123,7 @@ std::string FindRanksProblem(const FuzzCase& c, const RankMesh& alone)
   {
     return FindDifference(made, alone);
   }
-  const Mesh merged = made.Merged.Join(); // TetGen fills rank by rank
+  const Mesh merged = made.Merged.Join(); // TetGen fills the part of each rank separately
   FuzzResult unused;
   return FirstOf({ FindGeometryDifference(made.Merged, alone.Merged),
     FindJacobianProblem(c, merged, unused), FindTopologyProblem(merged),

@@ -1,5 +1,5 @@
 /**
- * Everything that is promised of a mesh, checked in a random case.
+ * Checks of all guarantees for the mesh of a random case.
  */
 #pragma once
 
@@ -12,15 +12,17 @@ namespace testing
 
 struct FuzzResult
 {
-  std::string Problem; ///< "" or what is wrong
+  std::string Problem; ///< empty, or the first problem
   Index Elements = 0;
-  double Coefficient = 1e300;    ///< smallest of the elements' Jacobians, in volumes of their cells
-  double ScaledJacobian = 1e300; ///< smallest
+  /// smallest Jacobian determinant of any element, in volumes of its cells
+  double Coefficient = 1e300;
+  double ScaledJacobian = 1e300; ///< smallest of all elements
   double Overlap =
-    0.0; ///< deepest: nothing keeps fragments apart where the void between is not meshed
+    /// Deepest overlap: fragments may overlap if the void between them is not meshed.
+    0.0;
 };
 
-/// Makes the mesh of a case on one rank and on its ranks.
+/// Makes the mesh of a case on one rank and on the ranks of the case.
 FuzzResult CheckCase(const FuzzCase& c);
 
 } // namespace testing

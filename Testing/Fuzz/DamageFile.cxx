@@ -13,7 +13,7 @@ namespace testing
 namespace
 {
 
-/// A position, often near the begin, where headers are.
+/// Returns a position, often near the beginning, where headers are.
 std::size_t DrawPosition(const std::string& bytes, RandomDraw& draw)
 {
   const std::size_t size = bytes.size();
@@ -49,7 +49,7 @@ std::string ToBytes(T value, bool isBigEndian)
   return bytes;
 }
 
-/// An odd number in binary, as headers may have it.
+/// Returns an unusual binary number as in headers.
 std::string DrawBinaryNumber(RandomDraw& draw)
 {
   const bool isBigEndian = draw.Chance(0.6);
@@ -69,7 +69,7 @@ std::string DrawBinaryNumber(RandomDraw& draw)
   }
 }
 
-/// The same in text.
+/// Returns an unusual number as text.
 std::string DrawTextNumber(RandomDraw& draw)
 {
   return draw.Pick<const char*>(

@@ -1,5 +1,5 @@
 /**
- * Damage done to the bytes of a file, at random.
+ * Random damage to the bytes of a file.
  */
 #pragma once
 
@@ -12,8 +12,8 @@ namespace vfm
 namespace testing
 {
 
-/// Bytes flipped, numbers replaced, parts cut off, taken out, put in or repeated; once or a few
-/// times. Returns what was done.
+/// Flips bytes, replaces numbers, or cuts off, removes, inserts or repeats parts; once or a few
+/// times. Returns a description of the damage.
 std::string DamageBytes(std::string& bytes, RandomDraw& draw);
 
 } // namespace testing

@@ -15,8 +15,9 @@ namespace testing
 namespace
 {
 
-constexpr double LeastWork = 6.0, MaximumWork = 3000.0; // finest cells, about, and ranks count
-constexpr int MaximumCells = 12;                        // along an axis, of the base
+// approximate number of finest cells, times ranks
+constexpr double LeastWork = 6.0, MaximumWork = 3000.0;
+constexpr int MaximumCells = 12; // along an axis of the base
 
 std::string ToText(double value)
 {
@@ -25,14 +26,15 @@ std::string ToText(double value)
   return text;
 }
 
-/// What decides how much there is to do.
+/// Draws that determine the amount of work.
 struct Extent
 {
   int Refinements, Ranks;
-  bool IsAutomatic; ///< refined where the fractions ask for it, else at random
+  bool IsAutomatic; ///< refines where the fractions request it, otherwise at random
 };
 
-/// Cells of the base along each axis: fewer where they are halved or ranks make them several times.
+/// Returns the number of base cells along each axis; it is smaller if cells are
+/// halved or several ranks mesh them.
 Index3 DrawSize(const Extent& extent, RandomDraw& draw)
 {
   const double work =
@@ -98,7 +100,7 @@ TetGenOptions DrawTetGen(RandomDraw& draw)
   return options;
 }
 
-/// Hexes half the time.
+/// Selects hexes half the time.
 MeshMaker DrawMethod(MeshOptions& options, RandomDraw& draw, std::string& words)
 {
   if (draw.Chance(0.55))
@@ -113,7 +115,7 @@ MeshMaker DrawMethod(MeshOptions& options, RandomDraw& draw, std::string& words)
   return MakeTetMesh;
 }
 
-/// A few boxes, or single cells here and there.
+/// Returns a few boxes, or scattered single cells.
 std::vector<ChosenBox> DrawChosen(const CartesianGrid& grid, int most, RandomDraw& draw)
 {
   std::vector<ChosenBox> chosen(draw.Whole(1, 6));
@@ -142,7 +144,7 @@ RefinementCriteria DrawCriteria(const CartesianGrid& grid, int most, RandomDraw&
   if (draw.Chance(0.4))
   {
     criteria.Chosen = DrawChosen(grid, most, draw);
-    if (draw.Chance(0.5)) // these alone
+    if (draw.Chance(0.5)) // only chosen cells
     {
       criteria.ThinCells = criteria.CurvaturePerCell = 0.0;
       criteria.FlippedCells = false;
@@ -152,7 +154,7 @@ RefinementCriteria DrawCriteria(const CartesianGrid& grid, int most, RandomDraw&
   return criteria;
 }
 
-/// Halves the cells, as often as they ask for it, and keeps where they did.
+/// Halves cells where the criteria request it, and stores these places.
 void RefineWhereRequested(const Extent& extent, RandomDraw& draw, FuzzCase& c)
 {
   Runtime runtime;
@@ -170,7 +172,7 @@ void RefineWhereRequested(const Extent& extent, RandomDraw& draw, FuzzCase& c)
     c.Grid = std::move(refined.Grid);
     c.Fractions = std::move(refined.Fractions);
   }
-  c.Words += ", " + std::to_string(requests.Refinements) + " refinements where asked, " +
+  c.Words += ", " + std::to_string(requests.Refinements) + " requested refinements, " +
     std::to_string(requests.ChosenCells) + " chosen";
 }
 
@@ -205,7 +207,7 @@ void DrawBoxes(const Extent& extent, RandomDraw& draw, FuzzCase& c)
     (axis < 0 ? "" : std::string(" along ") + "xyz"[axis]);
 }
 
-/// The last draw of all, so that a seed gives the case that it gave before there was a choice.
+/// Draws the option last, so that seeds give the same cases as before the option existed.
 void DrawEdges(RandomDraw& draw, FuzzCase& c)
 {
   c.Options.Edges =

@@ -12,20 +12,21 @@ namespace testing
 
 struct FuzzCase
 {
-  std::string Field;  ///< its kind
-  std::string Words;  ///< what the case is, in a line
-  CartesianGrid Grid; ///< of the finest cells
+  std::string Field;  ///< kind of field
+  std::string Words;  ///< description of the case in one line
+  CartesianGrid Grid; ///< grid of the finest cells
   FractionField Fractions;
   MeshOptions Options;
   MeshMaker Make;
-  std::vector<IndexBox> Boxes; ///< of the ranks to compare with one; none: one alone
+  /// boxes of the ranks that are compared with one rank; empty: one rank only
+  std::vector<IndexBox> Boxes;
   bool HasCubes;
 };
 
-/// The same case for the same seed, on any machine.
+/// Returns the same case for the same seed on any machine.
 FuzzCase MakeFuzzCase(unsigned seed);
 
-/// Coordinates, families and fractions as text, all digits.
+/// Prints coordinates, families and fractions as text with all digits.
 void PrintCase(const FuzzCase& c);
 
 } // namespace testing

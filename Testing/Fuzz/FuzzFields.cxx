@@ -17,7 +17,7 @@ constexpr double ShapeTolerance = 1e-2; // shapes need not be exact here
 
 using Parts = std::vector<FractionField::Part>;
 
-/// Parts for every cell, one after another.
+/// Returns a field with partsOf(cell) of each cell.
 FractionField FillCells(
   const CartesianGrid& grid, int materials, const std::function<Parts(const Index3&)>& partsOf)
 {
@@ -34,7 +34,8 @@ FractionField FillCells(
   return field;
 }
 
-/// A cell of one label and a share of another; either may be void, both the same.
+/// Returns the parts of a cell of one label and a share of another. Either may
+/// be void, and both may be equal.
 Parts MixTwo(int label, int other, double share)
 {
   Parts parts;
@@ -71,7 +72,7 @@ Vector3 DrawAngles(RandomDraw& draw)
   return angles;
 }
 
-/// A direction, along an axis at times.
+/// Returns a random direction, sometimes along an axis.
 Vector3 DrawNormal(RandomDraw& draw)
 {
   Vector3 normal{ { 0, 0, 0 } };
@@ -87,8 +88,8 @@ Vector3 DrawNormal(RandomDraw& draw)
   return normal;
 }
 
-/// Sizes are in cells; the grid that shapes are put in has unit cells, so its cells' widths stretch
-/// them.
+/// Returns a shape of a size given in cells. The grid of shapes has unit cells; the widths of
+/// the actual cells stretch them.
 Shape DrawShape(const CartesianGrid& grid, int material, RandomDraw& draw)
 {
   const Index3& n = grid.Global().Upper;
@@ -120,7 +121,7 @@ Shape DrawShape(const CartesianGrid& grid, int material, RandomDraw& draw)
   }
 }
 
-/// Shapes in unit cells: fields of two grids of one size have the same places.
+/// Returns unit cells: the fields of two grids of one size have the same places.
 CartesianGrid UnitCells(const CartesianGrid& grid)
 {
   const Index3& n = grid.Global().Upper;
@@ -162,7 +163,7 @@ FractionField DrawGrains(const CartesianGrid& grid, int materials, RandomDraw& d
     materials, ShapeTolerance);
 }
 
-/// Fractions that are all random, many of them small.
+/// Returns random fractions, many of them small.
 FractionField DrawNoise(const CartesianGrid& grid, int materials, RandomDraw& draw)
 {
   const double power = draw.Pick({ 0.5, 1.0, 3.0 }), ofVoid = draw.Pick({ 0.0, 0.5, 1.0 });
@@ -184,7 +185,7 @@ FractionField DrawNoise(const CartesianGrid& grid, int materials, RandomDraw& dr
     });
 }
 
-/// Blocks of materials in turn, of a length of their own along each axis.
+/// Returns blocks of materials in turn, whose length differs along each axis.
 FractionField DrawCheckerboard(const CartesianGrid& grid, int materials, RandomDraw& draw)
 {
   Index3 step;
@@ -201,8 +202,8 @@ FractionField DrawCheckerboard(const CartesianGrid& grid, int materials, RandomD
     });
 }
 
-/// Spray: single cells with something, alone or on the diagonal of each other, in void or a
-/// material.
+/// Returns unresolved material: single cells, isolated or diagonal to each
+/// other, in void or a material.
 FractionField DrawSpray(const CartesianGrid& grid, int materials, RandomDraw& draw)
 {
   const double chance = draw.Scale(0.01, 0.3);
@@ -216,7 +217,7 @@ FractionField DrawSpray(const CartesianGrid& grid, int materials, RandomDraw& dr
     });
 }
 
-/// A field of labels, all of whose cells hold a hair of something else; ties within that.
+/// Returns labels with a tiny fraction of another material in each cell, and random ties.
 FractionField DrawNearlyPure(const CartesianGrid& grid, int materials, RandomDraw& draw)
 {
   const double hair = draw.Scale(1e-15, 1e-3), tie = draw.Pick({ 0.0, 0.0, 0.3 });
@@ -228,7 +229,7 @@ FractionField DrawNearlyPure(const CartesianGrid& grid, int materials, RandomDra
     });
 }
 
-/// All void, all of one material, or but for one cell.
+/// Returns void, or one material, everywhere or except in one cell.
 FractionField DrawNothing(const CartesianGrid& grid, int materials, RandomDraw& draw)
 {
   const int label = draw.Whole(0, 1), other = draw.Whole(0, materials);

@@ -1,5 +1,5 @@
 /**
- * Random fields of fractions: smooth shapes, noise, and what is hard to mesh.
+ * Random fields of fractions: smooth shapes, noise, and fields that are difficult to mesh.
  */
 #pragma once
 
@@ -11,7 +11,8 @@ namespace vfm
 namespace testing
 {
 
-/// A field in the cells of a whole grid, of one kind drawn. words: gets the name of the kind.
+/// Returns a field of one random kind in the cells of a whole grid. words:
+/// receives the name of the kind.
 FractionField DrawField(
   const CartesianGrid& grid, int materials, RandomDraw& draw, std::string& words);
 

@@ -1,14 +1,13 @@
 /**
- * Damaged files, read and meshed as the program sculptor does:
+ * Damaged files, read and meshed as by the program sculptor:
  *
  *   FuzzFiles FOLDER [--seed S] [--count N] [--keep]
  *
- * FOLDER/inputs lists good inputs, one a line: a folder in FOLDER, the input in it, further words
- * for sculptor. Each seed damages a file of one of them, in a copy, and reads and meshes it in a
- * process of its own: it must end there, in some seconds and a gigabyte, with a mesh or with one
- * message of one line. Prints a line for each seed that does not, and how many there were of each
- * end; returns 1 if any failed. --keep leaves the last copy in FOLDER/damaged, and prints what came
- * of each.
+ * FOLDER/inputs lists good inputs, one per line: a folder in FOLDER, the input in it, further words
+ * for sculptor. Each seed copies one of them, damages a file of the copy, and reads and meshes it
+ * in a separate process. The process must end within 60 s and 1 GB, with a mesh or with a message
+ * of one line. Prints a line for each seed that fails, and the number of seeds with each outcome.
+ * Returns 1 if any failed. --keep leaves the last copy in FOLDER/damaged and prints each outcome.
  */
 #include "DamageFile.h"
 #include "RunApart.h"
@@ -37,7 +36,7 @@ namespace
 constexpr int Patience = 60;                         // seconds
 constexpr std::size_t Memory = std::size_t(1) << 30; // bytes
 constexpr std::size_t LongestMessage = 4000;
-/// VTK's readers of XML believe the sizes of compressed data, up to 4 GB; that ends well.
+/// VTK's XML readers trust the sizes of compressed data, up to 4 GB; this error is acceptable.
 constexpr const char* LacksMemory = "internal error: Not enough memory.";
 
 struct Good
@@ -65,7 +64,7 @@ std::vector<Good> ReadList(const fs::path& folder)
   return list;
 }
 
-/// Those of a folder and the folders in it, in order.
+/// Returns the files of a folder and its subfolders, sorted.
 std::vector<fs::path> ListFiles(const fs::path& folder)
 {
   std::vector<fs::path> files;
@@ -80,7 +79,7 @@ std::vector<fs::path> ListFiles(const fs::path& folder)
   return files;
 }
 
-/// Damages one file of a folder; returns what was done.
+/// Damages one file of a folder; returns a description of the damage.
 std::string DamageFolder(const fs::path& folder, RandomDraw& draw)
 {
   const std::vector<fs::path> files = ListFiles(folder);
@@ -92,7 +91,7 @@ std::string DamageFolder(const fs::path& folder, RandomDraw& draw)
   return path.filename().string() + ": " + done;
 }
 
-/// "meshed", or "refused: " and the message.
+/// Returns "meshed", or "refused: " and the message.
 std::string MeshFile(const fs::path& path, const std::vector<std::string>& words)
 {
   std::vector<std::string> all{ "--input", path.string(), "--output", "none.vtu", "--quiet" };
@@ -118,7 +117,7 @@ std::string MeshFile(const fs::path& path, const std::vector<std::string>& words
   }
 }
 
-/// "" or why an end is none that a user should see.
+/// Returns an empty string, or why a user should not see this outcome.
 std::string FindProblem(const ApartResult& result)
 {
   if (!result.Failure.empty())

@@ -10,14 +10,14 @@ namespace testing
 namespace
 {
 
-constexpr double LargestAspect = 100.0; // of the widths of a cell
-constexpr double LargestGrading = 7.0;  // of the widths of neighbours along an axis
+constexpr double LargestAspect = 100.0; // ratio of the widths of a cell
+constexpr double LargestGrading = 7.0;  // ratio of neighbouring widths along an axis
 constexpr double FarthestOrigin = 1e5;  // in mean widths
 constexpr double LargestScale = 1e6;
 
 using Widths = std::array<std::vector<double>, 3>;
 
-/// The largest ratio of two widths of a cell.
+/// Returns the largest ratio of two widths of a cell.
 double AspectOf(const Widths& widths)
 {
   double aspect = 1.0;
@@ -49,7 +49,7 @@ double GradingOf(const Widths& widths)
 enum class Kind
 {
   Cubes,
-  Boxes,  ///< all alike
+  Boxes,  ///< equal boxes
   Graded, ///< each wider or narrower than the one before
   Random
 };

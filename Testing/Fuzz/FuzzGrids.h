@@ -20,7 +20,7 @@ struct FuzzGrid
   std::string Words;
 };
 
-/// cells: along each axis.
+/// Returns a random grid. cells: along each axis.
 FuzzGrid DrawGrid(const Index3& cells, RandomDraw& draw);
 
 } // namespace testing

@@ -1,12 +1,11 @@
 /**
- * Random cases of the mesher, each checked in full:
+ * Random cases of the mesher with all checks:
  *
  *   FuzzMeshes [--seed S] [--count N] [--print]
  *
- * runs the seeds S .. S + N - 1, prints a line for each that fails and a table at the end, and
- * returns 1 if any failed. The seeds run in a process of their own, so that one that crashes or
- * never ends is a failure like others. A single seed runs in this process (for a debugger); --print
- * writes its input first.
+ * Runs the seeds S to S + N - 1, prints a line for each failure and a table at the end, and returns
+ * 1 if any failed. Seeds run in a separate process, so that a crash or hang is a failure as any
+ * other. A single seed runs in this process (for a debugger); --print writes its input first.
  */
 #include "Outcome.h"
 
@@ -24,7 +23,7 @@ using namespace vfm::testing;
 namespace
 {
 
-constexpr int PatienceMs = 300000; // for one case
+constexpr int PatienceMs = 300000; // limit of one case
 
 struct Arguments
 {
@@ -38,7 +37,7 @@ unsigned ReadNumber(const char* text)
   const unsigned long value = std::strtoul(text, &end, 10);
   if (end == text || *end || value > 4294967295UL)
   {
-    throw std::invalid_argument(std::string(text) + " is no number");
+    throw std::invalid_argument(std::string(text) + " is not a number");
   }
   return static_cast<unsigned>(value);
 }
@@ -65,7 +64,7 @@ Arguments ReadArguments(int argc, char** argv)
   return arguments;
 }
 
-/// A process that runs seeds and tells of each before and after.
+/// A process that runs seeds and reports each before and after.
 class Worker
 {
 public:
@@ -75,7 +74,7 @@ public:
     std::fflush(nullptr);
     if (pipe(ends) != 0 || (this->Process = fork()) < 0)
     {
-      throw std::runtime_error("no process for the seeds");
+      throw std::runtime_error("cannot start a process for the seeds");
     }
     if (this->Process == 0)
     {
@@ -100,7 +99,7 @@ public:
   Worker& operator=(const Worker&) = delete;
   ~Worker() { close(this->Pipe); }
 
-  /// The next that it tells; false when there is none, for a reason that Stop tells.
+  /// Receives the next report; returns false if there is none. Stop returns the reason.
   bool Listen(Outcome& outcome)
   {
     std::size_t got = 0;
@@ -123,7 +122,7 @@ public:
     return true;
   }
 
-  /// How the process ended: "" or what went wrong.
+  /// Ends the process; returns an empty string or its problem.
   std::string Stop()
   {
     if (this->IsLate)
@@ -136,8 +135,9 @@ public:
     {
       return "no end within " + std::to_string(PatienceMs / 1000) + " s";
     }
-    return WIFSIGNALED(status) ? std::string("crash: ") + strsignal(WTERMSIG(status))
-                               : (WEXITSTATUS(status) == 0 ? "" : "the process gave up");
+    return WIFSIGNALED(status)
+      ? std::string("crash: ") + strsignal(WTERMSIG(status))
+      : (WEXITSTATUS(status) == 0 ? "" : "the process stopped with an error");
   }
 
 private:
@@ -146,7 +146,7 @@ private:
   bool IsLate = false;
 };
 
-/// Runs seeds, by a new process after each that ends one.
+/// Runs seeds; starts a new process after each seed that ends one.
 void RunSeeds(unsigned first, unsigned end, Summary& summary)
 {
   while (first != end)

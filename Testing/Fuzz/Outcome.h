@@ -1,5 +1,5 @@
 /**
- * What became of one case, and the table of many.
+ * The outcome of one case, and the table of many.
  */
 #pragma once
 
@@ -12,7 +12,7 @@ namespace vfm
 namespace testing
 {
 
-/// Plain memory: it goes through a pipe.
+/// Outcome of one case; plain memory, because it is sent through a pipe.
 struct Outcome
 {
   unsigned Seed = 0;
@@ -22,12 +22,12 @@ struct Outcome
   bool IsRefined = false;
   int Ranks = 1;
   Index Elements = 0;
-  double Coefficient = 1e300, ScaledJacobian = 1e300, Overlap = 0.0; ///< as in FuzzResult
+  double Coefficient = 1e300, ScaledJacobian = 1e300, Overlap = 0.0; ///< see FuzzResult
   double Seconds = 0.0;
   char Method[24] = "", Field[24] = "", Words[480] = "", Problem[240] = "";
 };
 
-/// Makes a seed's case; started: told before it is meshed.
+/// Makes and checks the case of a seed; started: called before meshing.
 Outcome RunSeed(unsigned seed, const std::function<void(const Outcome&)>& started);
 
 class Summary
