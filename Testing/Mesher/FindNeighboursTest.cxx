@@ -19,7 +19,7 @@ Index3 Place(int rank)
   return { { rank % Layout[0], rank / Layout[0] % Layout[1], rank / (Layout[0] * Layout[1]) } };
 }
 
-/// The box of a rank in a regular layout, and the ranks across its faces.
+/// Returns the box of a rank in a regular layout, and the ranks across its faces.
 RankBox BoxOf(int rank)
 {
   RankBox box{ rank, {}, {} };
@@ -44,7 +44,7 @@ std::array<int, 6> FacesOf(int rank)
   return faces;
 }
 
-/// The message on every rank when one rank's faces are changed.
+/// Returns the message on every rank if the faces of one rank are changed.
 std::vector<std::string> MessagesWith(int rank, int face, int wrong)
 {
   std::vector<std::string> messages(Count);
@@ -115,7 +115,8 @@ TEST(FindNeighbours, ReachOverThinBoxes)
       std::vector<int> expected, got;
       for (int other = 0; other < slabs; ++other)
       {
-        if (other != rank && std::abs(other - rank) <= 4) // 6 off is three slabs between
+        // a distance of 6 reaches over three slabs
+        if (other != rank && std::abs(other - rank) <= 4)
         {
           expected.push_back(other);
         }

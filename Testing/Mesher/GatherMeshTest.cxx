@@ -1,4 +1,4 @@
-/// What is reported of a mesh is the same from any number of ranks, also where one has no element.
+/// The report of a mesh is the same from any number of ranks, even if one has no element.
 #include "Summary/GatherMesh.h"
 #include "RankMeshes.h"
 #include "State/ViewMesh.h"
@@ -21,7 +21,7 @@ std::vector<T> ListOf(const T* values, Index count)
   return { values, values + count };
 }
 
-/// The whole mesh and what is made of it.
+/// The whole mesh and its summaries.
 struct Report
 {
   std::vector<double> Points;
@@ -56,7 +56,7 @@ Report Describe(const MeshData& whole)
   return report;
 }
 
-/// Of rank 0. boxes: one per rank.
+/// Returns the report of rank 0. boxes: one per rank.
 Report MakeReport(
   const CartesianGrid& whole, const FractionField& field, const std::vector<IndexBox>& boxes)
 {
@@ -115,5 +115,5 @@ TEST(GatherMesh, IsTheMeshOfOneRank)
   EXPECT_GT(alone.Facets.size(), 100u);
   EXPECT_FALSE(alone.Sets.empty());
   ExpectEqual(MakeReport(c.Grid, c.Fractions, CutBox(box, 2)), alone);
-  ExpectEqual(MakeReport(c.Grid, c.Fractions, CutBox(box, 5, 0)), alone); // the first has none
+  ExpectEqual(MakeReport(c.Grid, c.Fractions, CutBox(box, 5, 0)), alone); // rank 0 has no element
 }

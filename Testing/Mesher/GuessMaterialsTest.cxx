@@ -1,4 +1,4 @@
-/// Which arrays are taken for materials, by name, type and range.
+/// Arrays that are selected as materials by name, type and range.
 #include "Input/GuessMaterials.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-/// One box of cells a rank, balanced by interface cells.
+/// One box of cells per rank, balanced by interface cells.
 #include "Input/MakePartition.h"
 #include "ThreadRanks.h"
 
@@ -18,8 +18,8 @@ IndexBox MakeBox(const Index3& lower, const Index3& upper)
   return box;
 }
 
-/// The partition that every rank finds when rank r holds blocks[r] and those of cells that lie in
-/// them.
+/// Returns the partition, the same on every rank, if rank r has blocks[r]
+/// and the cells inside them.
 std::vector<IndexBox> Partition(const IndexBox& global,
   const std::vector<std::vector<IndexBox>>& blocks, const std::vector<Index3>& cells)
 {

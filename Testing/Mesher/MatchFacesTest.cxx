@@ -1,4 +1,4 @@
-/// What lies behind faces, and which points ranks share, whatever the ranks.
+/// Data behind faces, and the points shared by ranks, for any distribution.
 #include "Summary/MatchFaces.h"
 #include "Summary/SharedPoints.h"
 #include "ThreadRanks.h"
@@ -17,9 +17,9 @@ namespace
 {
 
 constexpr int Cells[3] = { 5, 4, 3 };
-constexpr Index Shift = Index(1) << 61; // ids that doubles do not hold
+constexpr Index Shift = Index(1) << 61; // ids that doubles cannot represent
 
-/// A cube of a grid: its faces, and the value behind each.
+/// A cube of a grid: its place, and the value behind its faces.
 struct Cube
 {
   int Place[3];
@@ -37,7 +37,7 @@ int Number(const int* place)
   return place[0] + Cells[0] * (place[1] + Cells[1] * place[2]);
 }
 
-/// Values and ranks at random; the last rank has no cube.
+/// Returns cubes with random values on random ranks; the last rank has no cube.
 std::vector<Cube> MakeCubes(int count)
 {
   std::mt19937 random(7);
@@ -79,7 +79,7 @@ int ValueBehind(const std::vector<Cube>& cubes, const Cube& cube, int axis, int 
   return place[axis] < 0 || place[axis] >= Cells[axis] ? NothingBehind : cubes[Number(place)].Value;
 }
 
-/// The messages of all ranks when the faces of the list go round the ranks.
+/// Returns the messages of all ranks if the faces of the list are distributed to the ranks in turn.
 std::vector<std::string> MessagesOf(const std::vector<FaceIds>& faces, int count)
 {
   std::vector<std::string> messages(count);
@@ -158,7 +158,8 @@ TEST(SharedPoints, AreMutualAndOwnedOnce)
 {
   for (int count : { 1, 2, 3, 8 })
   {
-    // Each point is on some ranks, in an order of each rank's own; some on none, one on all.
+    // Each point is on some ranks, in a different order on each rank; some points
+    // are on no rank, one is on all.
     std::mt19937 random(11);
     std::vector<std::vector<Index>> ids(count);
     std::map<Index, std::set<int>> ranksOf;

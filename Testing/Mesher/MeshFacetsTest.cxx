@@ -1,4 +1,4 @@
-/// The facets of the mesher are the ones that a search finds, and make the same sets, on any ranks.
+/// The mesher's facets equal the facets found by a search and give the same sets, on any ranks.
 #include "Summary/MeshFacets.h"
 #include "RankMeshes.h"
 #include "SharpCases.h"
@@ -27,7 +27,7 @@ std::vector<Row> ToRows(const std::vector<MeshFacet>& facets)
   return rows;
 }
 
-/// Of all ranks together.
+/// Totals over all ranks.
 struct Counts
 {
   std::int64_t Facets = 0, OnSmoothSides = 0, OnDomain = 0, Inside = 0;
@@ -47,7 +47,7 @@ Counts CountFacets(const std::vector<MeshFacet>& facets, Ranks& ranks)
   return { counts[0], counts[1], counts[2], counts[3] };
 }
 
-/// Expects the same facets of the mesher and of a search.
+/// Expects the same facets from the mesher and from a search.
 std::vector<MeshFacet> Compare(
   const CartesianGrid& whole, const ImageFrame& frame, const Mesh& mesh, Ranks& ranks)
 {
@@ -63,7 +63,7 @@ std::vector<MeshFacet> Compare(
   return made;
 }
 
-/// Returns the counts of one rank, which those of several must equal.
+/// Returns the counts on one rank; expects the same on several.
 Counts CompareOnRanks(const CartesianGrid& whole, const FractionField& field,
   const MeshOptions& options, MeshMaker make)
 {

@@ -1,4 +1,4 @@
-/// Blocks of cells that no data set of VTK holds become meshes.
+/// Meshes made from blocks of cells without VTK data sets.
 #include "Mesher.h"
 #include "Input/NodeCoordinates.h"
 #include "Shapes/ShapesFractions.h"
@@ -15,7 +15,7 @@ namespace
 
 constexpr Index Side = 12; // cells
 
-/// Doubles as plain memory, or else value by value.
+/// Doubles that are read as plain memory, or value by value.
 class Values : public BlockArray
 {
 public:
@@ -57,7 +57,7 @@ public:
   std::map<std::string, std::shared_ptr<const BlockArray>> Arrays;
 };
 
-/// Fractions of a ball and a state x, the number of each cell, in cells of size 1.
+/// Returns unit cells with fractions of a ball and a state x, the number of each cell.
 MesherInput MakeInput(bool isPlain)
 {
   InputBlock block;

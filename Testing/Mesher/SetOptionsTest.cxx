@@ -1,4 +1,4 @@
-/// Options set, read, checked and described by their names; and a row that is added to the table.
+/// Options set, read, checked and described by name; and a row added to the table.
 #include "Options/SetOptions.h"
 #include "Base/ParseText.h"
 #include "Base/Runtime.h"
@@ -10,7 +10,7 @@ namespace vfm
 namespace
 {
 
-/// What SetOption says to a value, "" when it takes it.
+/// Returns the error message of SetOption, or an empty string.
 std::string Refusal(MesherOptions& options, const std::string& name, const std::string& value)
 {
   try
@@ -119,7 +119,7 @@ TEST(SetOptions, EveryValueIsSetByItsOwnText)
 TEST(SetOptions, NumbersOutOfRangeAreFoundBeforeARun)
 {
   MesherOptions options;
-  options.RadiusEdgeRatio = 0.5; // of tetrahedra
+  options.RadiusEdgeRatio = 0.5; // an option for tetrahedra only
   EXPECT_NO_THROW(CheckOptions(options));
   options.Elements = ElementKind::Tets;
   EXPECT_THROW(CheckOptions(options), InputError);
