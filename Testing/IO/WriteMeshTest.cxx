@@ -1,5 +1,4 @@
-/// Files of meshes are the same from any number of ranks; a file that cannot be written is not
-/// left.
+/// Mesh files are the same from any number of ranks; no file remains after a failed write.
 #include "Meshes/WriteMesh.h"
 #include "RankMeshes.h"
 #include "State/ViewMesh.h"
@@ -19,7 +18,7 @@ namespace
 
 namespace fs = std::filesystem;
 
-/// An empty folder; removed at the end.
+/// An empty folder, removed at the end.
 class Folder
 {
 public:
@@ -36,7 +35,7 @@ private:
   const fs::path Path = fs::path(::testing::TempDir()) / ("vfm_files_" + std::to_string(getpid()));
 };
 
-/// The digits of the date and the time in the QA record of Exodus as zeros.
+/// Returns a file in which the date and time of the Exodus QA record are set to zeros.
 std::string ReadWithoutDate(const std::string& path)
 {
   std::ifstream file(path, std::ios::binary);

@@ -1,4 +1,4 @@
-/// Files of netCDF, byte by byte.
+/// NetCDF files, byte by byte.
 #include "Meshes/WriteNetcdf.h"
 
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ std::string Write(NetcdfFormat format)
   return { std::istreambuf_iterator<char>(file), {} };
 }
 
-/// From pairs of hexadecimal digits.
+/// Returns the bytes given as pairs of hexadecimal digits.
 std::string FromHex(const std::string& digits)
 {
   std::string bytes;
@@ -51,7 +51,7 @@ std::string FromHex(const std::string& digits)
 
 } // namespace
 
-/// The bytes that ncgen of netCDF 4.9.0 writes (ncgen -k "64-bit offset").
+/// The expected bytes are the output of ncgen of netCDF 4.9.0 (ncgen -k "64-bit offset").
 TEST(WriteNetcdf, ClassicFilesHaveTheBytesOfTheLibrary)
 {
   EXPECT_EQ(Write(NetcdfFormat::Classic),
