@@ -1,5 +1,4 @@
-/// A rank that fails at any place: the others do too, with its message, and all can go on
-/// afterwards.
+/// If a rank fails at any place, all ranks fail with its message, and all can continue afterwards.
 #include "ThreadRanks.h"
 
 #include "Ranks/WorkTogether.h"
@@ -17,13 +16,13 @@ namespace
 
 constexpr int Steps = 8;
 
-/// Where a rank throws: before a step, or after the last.
+/// Place where a rank throws: before a step, or after the last.
 struct Fault
 {
   int Rank = -1, Step = 0;
 };
 
-/// What ranks do in a frame of their own, which knows nothing of one around it.
+/// Work of the ranks in their own frame, which does not know frames around it.
 using Body = std::function<void(Ranks& ranks)>;
 
 void ThrowAt(const Ranks& ranks, int step, const std::vector<Fault>& faults)
@@ -81,7 +80,7 @@ void ReduceInStep(Ranks& ranks, int step)
   }
 }
 
-/// All kinds of messages in turn.
+/// Exchanges all kinds of messages in turn.
 void DoSteps(Ranks& ranks, const std::vector<Fault>& faults)
 {
   for (int step = 0; step < Steps; ++step)
@@ -92,7 +91,7 @@ void DoSteps(Ranks& ranks, const std::vector<Fault>& faults)
   ThrowAt(ranks, Steps, faults);
 }
 
-/// The messages with which the work ends on each rank; empty where it does not fail.
+/// Returns the message with which the work ends on each rank; empty if it succeeds.
 std::vector<std::string> RunTogether(ThreadHub& hub, Ranks::Frame frame, const Body& body)
 {
   std::vector<std::string> messages(hub.Count);
@@ -168,15 +167,15 @@ TEST(WorkTogether, SeveralRanksFail)
   }
 }
 
-/// Frames inside of others of which they do not know, as of another library. The filters swallow
-/// their errors, as VTK does.
+/// Frames lie inside others that they do not know, as with another library. The filters
+/// swallow their errors, as VTK does.
 TEST(WorkTogether, FramesInsideOfOthers)
 {
   constexpr int count = 4, filters = 3;
   ThreadHub hub(count);
-  for (int place = 0; place <= filters; ++place) // before which filter, or after the last
+  for (int place = 0; place <= filters; ++place) // before this filter, or after the last
   {
-    for (int step = -1; step <= Steps; ++step) // in it, or outside of it
+    for (int step = -1; step <= Steps; ++step) // -1: outside the filter's frame
     {
       const Fault fault{ (place + step + 1) % count, step };
       std::vector<int> failed(count, 0);
@@ -217,8 +216,8 @@ TEST(WorkTogether, FramesInsideOfOthers)
   }
 }
 
-/// A rank that does not come to what the others do together, since it failed where nobody tells:
-/// nobody waits for it, nor takes its later messages for those of the work.
+/// A rank misses a collective step of the others because it failed in code that does not report. No
+/// rank waits for it, and its later messages are not taken for messages of that step.
 TEST(WorkTogether, FailuresThatAreNotReported)
 {
   for (int count : { 2, 3, 5 })
@@ -226,7 +225,8 @@ TEST(WorkTogether, FailuresThatAreNotReported)
     ThreadHub hub(count);
     for (int missing = 0; missing < count; ++missing)
     {
-      for (const bool goesOn : { false, true }) // to another work of the outer frame, or to its end
+      // true: to another step of the outer frame; false: to its end
+      for (const bool goesOn : { false, true })
       {
         const auto run = [&](bool isMissing)
         {
@@ -283,7 +283,7 @@ TEST(WorkTogether, AnyExceptionAndOnlyOnce)
                 ranks.Max(0.0);
               }),
     all("An unknown failure."));
-  // A work within a work of the same ranks is no frame of its own.
+  // Nested work of the same ranks does not open its own frame.
   EXPECT_EQ(run(
               [](Ranks& ranks)
               {
