@@ -1,5 +1,5 @@
-/// The command line of sculptor: what arguments set, and the message and the exit code of each that
-/// is refused.
+/// The command line of sculptor: settings made by arguments, and the message and exit
+/// code of each rejected argument.
 #include "Arguments.h"
 #include "ArgumentOptions.h"
 #include "Options/SetOptions.h"
@@ -16,7 +16,7 @@ namespace
 using Words = std::vector<std::string>;
 using Values = std::vector<std::pair<std::string, std::string>>;
 
-/// The words between the spaces.
+/// Returns the words separated by blanks.
 Words Split(const std::string& line)
 {
   std::istringstream stream(line);
@@ -28,13 +28,14 @@ Arguments Parse(const std::string& line)
   return ParseArguments(Split(line));
 }
 
-/// Of a mesh of in.vti.
+/// Parses arguments that mesh in.vti.
 Arguments ParseMesh(const std::string& line)
 {
   return Parse("in.vti out.vtu " + line);
 }
 
-/// The message, which ends the program with code 1; empty where the words are taken.
+/// Returns the error message, which ends the program with exit code 1;
+/// empty if the words are valid.
 std::string RefusalOf(const Words& words)
 {
   try
@@ -59,7 +60,7 @@ void ExpectRefusals(const std::string& begin, const Values& cases)
   }
 }
 
-/// Whether all options of the mesher have these values, and else their defaults.
+/// Expects that all options of the mesher have these values, and the others their defaults.
 void ExpectOptions(const Arguments& arguments, const Values& values, const std::string& line)
 {
   MesherOptions expected;

@@ -1,4 +1,4 @@
-/// What sculptor test takes for a crack between elements.
+/// Cracks between elements that `sculptor test` reports.
 #include "CheckSurface.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ using vfm::SurfaceCheck;
 namespace
 {
 
-/// Hexahedra of boxes whose corners are points of a lattice; those of equal place are one point.
+/// Hexahedra of boxes whose corners are points of a lattice; corners at equal places are one point.
 class Hexes
 {
 public:
@@ -33,7 +33,7 @@ public:
       this->Elements.push_back(point.first->second);
     }
   }
-  /// Elements to come share no point with those before.
+  /// Later elements share no point with earlier ones.
   void Forget() { this->Points.clear(); }
 
   SurfaceCheck Check() const
