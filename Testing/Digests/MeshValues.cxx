@@ -1,5 +1,5 @@
-/// Writes all values of five meshes, which TestDigests.py hashes: MeshValues FOLDER. Values, not
-/// memory: how VTK keeps them is its own.
+/// Writes all values of five meshes, which TestDigests.py hashes: MeshValues FOLDER. It writes
+/// values and not memory, because the layout of VTK's memory differs between versions.
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -27,7 +27,7 @@ namespace
 
 using Point = std::array<double, 3>;
 
-/// Every number is a double of eight bytes: ids here are far below 2^53, reals exact.
+/// Writes every number as a double of eight bytes: ids here are far below 2^53, reals are exact.
 class Values
 {
 public:
@@ -69,7 +69,7 @@ private:
   std::ofstream Stream;
 };
 
-/// Elements and surfaces of the mesh.
+/// Writes the elements and surfaces of a mesh.
 bool WriteMesh(vtkVolumeFractionMeshAlgorithm* mesher, const std::string& path)
 {
   mesher->Update();
@@ -95,8 +95,8 @@ vtkSmartPointer<vtkImageData> ReadImage(const std::string& name)
   return reader->GetOutput();
 }
 
-/// Fractions of a ball (Material1) on a plate (Material2) in cells of a box; no function of the C
-/// library takes part.
+/// Returns fractions of a ball (Material1) on a plate (Material2) in the cells of a box, computed
+/// without functions of the C library.
 vtkSmartPointer<vtkImageData> BallOnPlate(const Point& low, const Point& high, int cells)
 {
   vtkNew<vtkVolumeFractionShapes> shapes;
@@ -108,7 +108,7 @@ vtkSmartPointer<vtkImageData> BallOnPlate(const Point& low, const Point& high, i
   return vtkImageData::SafeDownCast(shapes->GetOutputDataObject(0));
 }
 
-/// Level 0, and level 1 over its middle.
+/// Returns level 0, and level 1 over its middle.
 vtkSmartPointer<vtkMultiBlockDataSet> TwoLevels()
 {
   auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
@@ -117,7 +117,7 @@ vtkSmartPointer<vtkMultiBlockDataSet> TwoLevels()
   return blocks;
 }
 
-/// The nearest of six seeds, 0 for the first.
+/// Returns the number of the nearest of six seeds, 0 for the first.
 vtkSmartPointer<vtkImageData> Grains()
 {
   constexpr int n = 14;
@@ -150,7 +150,7 @@ vtkSmartPointer<vtkImageData> Grains()
   return image;
 }
 
-/// The ball falls at an angle onto the plate.
+/// Returns a ball that falls obliquely onto the plate.
 vtkSmartPointer<vtkImageData> MovingBall()
 {
   constexpr int n = 12;
