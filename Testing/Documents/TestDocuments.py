@@ -1,5 +1,5 @@
-"""The documents agree with the tree: links, names of files, commands and tests, the table of
-properties, the modules of Grid."""
+"""The pages agree with the tree: links, indexes, names of files, commands and tests, options,
+messages, and the files of the code structure."""
 import fnmatch
 import glob
 import os
@@ -7,10 +7,13 @@ import re
 import sys
 import unittest
 
+from prose import read_messages
+
 ROOT = os.path.abspath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
 
-PAGES = sorted(os.path.relpath(path, ROOT) for folder in ("", "Documentation", "Data", "python")
-               for path in glob.glob(os.path.join(ROOT, folder, "*.md")))
+PAGES = sorted(os.path.relpath(path, ROOT)
+               for pattern in ("*.md", "Data/*.md", "python/*.md", "Documentation/**/*.md")
+               for path in glob.glob(os.path.join(ROOT, pattern), recursive=True))
 CODE = re.compile(r"^```.*?^```$|^ {4}.*?$", re.DOTALL | re.MULTILINE)
 LINK = re.compile(r"\]\(([^)\s]+)\)")
 QUOTED = re.compile(r"`([^`\n]+)`")
@@ -20,7 +23,12 @@ NAMED = re.compile(r"(?<![\w./-])(?:%s)/[\w./*-]*\w" % "|".join(TOPS))
 PLUGIN_FROM_HERE = re.compile(r"LoadPlugins?\([\"'](?!/)")
 BARE_FRACTION = re.compile(r"(?<![\w.\])*])\.\d")
 ENDINGS = ("", ".h", ".cxx", ".py")
-LONGEST_README = 120
+LONGEST_README = 150  # lines
+INDEX, EXAMPLES = "Documentation/README.md", "Documentation/user/examples.md"
+OPTIONS, MESSAGES = "Documentation/reference/options.md", "Documentation/reference/messages.md"
+# A row of an option: its names in ParaView, Python, sculptor and C, values and default.
+OPTION = re.compile(r"^\| (\w+)(?: \*advanced\*)? \| `(\w+)` \| `(--[^`]+)` \| `([^`]+)` \|",
+                    re.MULTILINE)
 
 
 def read(path):
@@ -34,7 +42,7 @@ def prose(path):
 
 
 def anchor(heading):
-    """As GitHub makes them."""
+    """Returns the anchor that GitHub makes of a heading."""
     return re.sub(r"[^\w\- ]", "", heading.strip().lower()).replace(" ", "-")
 
 
@@ -51,14 +59,14 @@ def headers():
 
 
 def texts(ending, *folders):
-    """Of all files of these folders whose names end so."""
+    """Returns the texts of all files below these folders whose names have this ending."""
     for folder in folders:
         for path, _, names in os.walk(os.path.join(ROOT, folder)):
             yield from (read(os.path.join(path, name)) for name in names if name.endswith(ending))
 
 
 def google_tests():
-    """Suite.Test of all sources; parametrised and switched-off ones too."""
+    """Returns Suite.Test of all sources, including parametrised and disabled tests."""
     found = set()
     for text in texts(".cxx", "Testing"):
         found.update(".".join(names)
@@ -91,6 +99,39 @@ class Documents(unittest.TestCase):
                 if not any(glob.glob(os.path.join(ROOT, name + ending)) for ending in ENDINGS):
                     problems.append("%s: there is no %s" % (page, name))
         self.check(problems)
+
+    def test_every_page_is_in_the_index(self):
+        linked = {os.path.normpath(os.path.join("Documentation", link.partition("#")[0]))
+                  for link in LINK.findall(read(INDEX))}
+        self.check(["%s is not in %s" % (page, INDEX) for page in PAGES
+                    if page not in linked | {INDEX, "README.md"}])
+
+    def test_every_example_is_in_the_index(self):
+        text = read(EXAMPLES)
+        named = {name.split("/")[-1] for name in re.findall(r"[\w./]*\w", text)}
+        files = [os.path.relpath(os.path.join(path, name), ROOT)
+                 for top in ("Examples", "python/examples")
+                 for path, folders, names in os.walk(os.path.join(ROOT, top))
+                 if "__pycache__" not in path for name in names]
+        self.assertGreater(len(files), 30)
+        # The program impact is one example.
+        self.check(["%s is not in %s" % (file, EXAMPLES) for file in files
+                    if os.path.basename(file) not in named
+                    and not file.startswith("Examples/impact/")])
+        self.assertIn("`Examples/impact`", text)
+
+    def test_messages_exist(self):
+        """The parts of each message between variable parts are in a string of the sources."""
+        strings = " ".join(message for top in ("Grid", "Mesher", "Filters", "IO", "Program")
+                           for text in texts((".cxx", ".h"), top)
+                           for message in read_messages(text))
+        rows = [line.split("|")[1] for line in read(MESSAGES).splitlines()
+                if line.startswith("| *")]
+        self.assertGreater(len(rows), 20)
+        parts = [part.strip(" ,:'") for row in rows for message in re.findall(r"\*([^*]+)\*", row)
+                 for part in message.split("..")]
+        self.check(["%s: no message has %r" % (MESSAGES, part) for part in parts
+                    if part not in strings])
 
     def test_pictures_are_shown(self):
         shown = {os.path.basename(link) for page in PAGES for link in LINK.findall(read(page))}
@@ -140,27 +181,24 @@ class Documents(unittest.TestCase):
         lines = "\n".join([*map(read, PAGES), *scripts]).splitlines()
         self.check(sorted({line.strip() for line in lines if PLUGIN_FROM_HERE.search(line)}))
 
-    def test_package_has_all_properties(self):
-        others = {"volume_fraction_arrays": "fractions", "material_id_array": "labels",
-                  "label_names": "names", "state_arrays": "state",
-                  "density_arrays": "density", "velocity_array": "velocity",
-                  "energy_array": "energy", "number_of_threads": "threads"}
-        page = read("Documentation/properties.md")
-        both = page[page.index("## Volume Fraction To Hex"):page.index(
-            "## Volume Fraction Fragments")]
-        names = [re.sub(r"(?<!^)(?=[A-Z])", "_", name).lower()
-                 for name in re.findall(r"^\| (\w+)(?: \*advanced\*)? \|", both, re.MULTILINE)]
-        options = set(re.findall(r"^    (\w+): ", read("python/volume_fraction_mesh/_mesher.py"),
-                                 re.MULTILINE))
-        self.assertGreater(len(names), 40)
-        self.check([name for name in names if others.get(name, name) not in options | {"property"}])
+    def test_options_exist(self):
+        """The package and the C interface have the names of the page."""
+        rows = OPTION.findall(read(OPTIONS))
+        self.assertGreater(len(rows), 40)
+        mesher = set(re.findall(r"^    (\w+): ", read("python/volume_fraction_mesh/_mesher.py"),
+                                re.MULTILINE))
+        calls = set(re.findall(r"\w+", read("InSitu/Sculptor.h")))
+        self.check(["%s: no keyword %s" % (OPTIONS, python) for _, python, _, _ in rows
+                    if python not in mesher]
+                   + ["%s: no call %s" % (OPTIONS, name) for _, _, _, name in rows
+                      if name.endswith("()") and name[:-2] not in calls])
 
     def test_readme_is_short(self):
         self.assertLessEqual(read("README.md").count("\n"), LONGEST_README)
 
 
 class Searches(unittest.TestCase):
-    """What the tests above look for is found."""
+    """The tests above find what they search for."""
 
     def test_fraction(self):
         for text in (" .7 cell", "(.2, 1)", "| .113 |", "-.5"):
@@ -181,10 +219,12 @@ class Searches(unittest.TestCase):
         self.assertEqual(anchor("Sculpt's published cases"), "sculpts-published-cases")
         self.assertEqual(anchor("Refined grids (AMR)"), "refined-grids-amr")
 
-    def test_property_table(self):
-        page = read("Documentation/properties.md")
-        for row in ("| Method | TetGen, Cells, Lattice | Lattice |", "| MeshVoid | on, off | off |",
-                    "| IsoValue *advanced* | number above 0 and below 1 | 0.5 |",
+    def test_options(self):
+        page = read(OPTIONS)
+        for row in ("| Method | `method` | `--tetmesh [METHOD]` | `Method` "
+                    "| TetGen, Cells, Lattice | Lattice |",
+                    "| IsoValue *advanced* | `iso_value` | `--iso V` | `IsoValue` "
+                    "| number above 0 and below 1 | 0.5 |",
                     "| Dimensions | 3 integers, 0 or more | 0 0 0 |"):
             self.assertIn(row, page)
         self.assertNotIn("FileName", page)

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs the build, runs the program sculptor, compiles the hosts in C, C++ and Fortran against what was installed, by the lines of
-# Documentation/in-situ.md, runs them on several ranks, and looks with valgrind for leaks and memory errors of ours.
+# Documentation/user/simulation.md, runs them on several ranks, and looks with valgrind for leaks and memory errors of ours.
 # usage: test_hosts.sh SOURCE BUILD SCRATCH [HOST]      HOST: of the hosts valgrind runs this one alone
 set -euo pipefail
 source="$1" build="$2" scratch="$3" one="${4:-}"
@@ -58,7 +58,7 @@ else
   echo "no gfortran: the hosts in Fortran are not run"
 fi
 
-compile_as_documented "$source/Documentation/in-situ.md"
+compile_as_documented "$source/Documentation/user/simulation.md"
 for language in "${languages[@]}"; do
   for ranks in 1 4; do
     run "half_sphere_$language" $ranks

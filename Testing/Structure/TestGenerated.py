@@ -18,8 +18,12 @@ PLACES = {"Plugin/VolumeFractionMesh.xml": 'command="SetNewOption"',
           "Filters/vtkVolumeFractionMeshAlgorithm.h": "vfmNumberOption(NewOption, double);",
           "python/volume_fraction_mesh/_mesher.py": "    new_option: float = 0.5,",
           "python/volume_fraction_mesh/_core.pyi": "    new_option: float\n",
-          "Documentation/sculptor.md": "| `--new V` | NewOption | number above 0 and below 1 | 0.5 | What is new. |",
-          "Documentation/properties.md": "| NewOption *advanced* | number above 0 and below 1 | 0.5 | What is new. |"}
+          "Documentation/user/command-line.md":
+              "| `--new V` | [NewOption](../reference/options.md#newoption) "
+              "| number above 0 and below 1 | 0.5 | What is new. |",
+          "Documentation/reference/options.md":
+              "| NewOption *advanced* | `new_option` | `--new V` | `NewOption` "
+              "| number above 0 and below 1 | 0.5 |"}
 
 
 class Generated(unittest.TestCase):

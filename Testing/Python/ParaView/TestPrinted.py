@@ -1,5 +1,4 @@
-"""What Documentation/sculptor.md says that the program prints is what it prints, but for
-seconds."""
+"""sculptor prints the tables that Documentation/user/command-line.md shows, except for seconds."""
 import os
 import re
 
@@ -21,7 +20,8 @@ def without_seconds(text):
 
 @in_folder
 def test_page(at):
-    with open(os.path.join(ROOT, "Documentation", "sculptor.md"), encoding="utf-8") as file:
+    path = os.path.join(ROOT, "Documentation", "user", "command-line.md")
+    with open(path, encoding="utf-8") as file:
         blocks = re.findall(r"^```\n(.*?)^```$", file.read(), re.DOTALL | re.MULTILINE)
     assert len(blocks) == len(COMMANDS), blocks
     os.symlink(os.path.join(ROOT, "Data"), at("Data"))
