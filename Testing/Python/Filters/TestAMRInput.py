@@ -1,4 +1,4 @@
-"""Input on several levels (AMR): every kind of data set, which data count, and what is refused."""
+"""Input on several levels (AMR): each kind of data set, the data that are used, and errors."""
 import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkUniformGrid
 from vtkmodules.vtkIOXML import vtkXMLUniformGridAMRWriter
@@ -27,7 +27,7 @@ def without_number(arrays):
 
 
 def leaves():
-    """Blocks of 3 levels none of which lies on another."""
+    """Returns blocks of three levels that do not overlap."""
     covered = lambda box, level: any(
         own == level + 1 and all(2 * a < d and c < 2 * b for (a, b), (c, d) in zip(box, other))
         for own, other in result)
@@ -43,6 +43,7 @@ def volumes(result):
 
 
 def test_all_levels_everywhere_are_the_finest_image():
+    """Levels that are fine everywhere give the mesh of the finest image."""
     for make in (VolumeFractionToHex, VolumeFractionToTet):
         kind = {"Method": "Lattice"} if make is VolumeFractionToTet else {}
         for levels in (1, 2):
@@ -55,7 +56,7 @@ def test_all_levels_everywhere_are_the_finest_image():
 
 
 def test_finest_data_count():
-    """Whatever coarser blocks hold below finer ones, and whatever vtkGhostType says there."""
+    """Data of coarser blocks below finer ones are ignored, for any vtkGhostType there."""
     reference = digest(mesh_of(overlapping(FIELDS, nested()), **UNIFORM))
     for flag, value in ((0, np.nan), (REFINED, 77), (HIDDEN, 0.5)):
         arrays, flags = [dict(own) for own in FIELDS], []
@@ -70,6 +71,7 @@ def test_finest_data_count():
 
 
 def test_data_sets_of_every_kind():
+    """Each kind of data set gives the same mesh."""
     reference = digest(mesh_of(overlapping(FIELDS, nested()), **UNIFORM))
     for data in (multiblock(FIELDS, nested()), multiblock(FIELDS, nested()[::-1], "rectilinear"),
                  collection(FIELDS, nested())):
@@ -83,6 +85,7 @@ def test_data_sets_of_every_kind():
 
 
 def test_ratio_of_four():
+    """A ratio of 4 gives the mesh with a level between."""
     blocks = [(0, ((0, N),) * 3), (2, ((4, 20), (4, 20), (8, 20)))]
     between = (1, ((2, 10), (2, 10), (4, 10)))
     assert digest(mesh_of(overlapping(FIELDS, blocks, ratio=4), **UNIFORM)) == digest(
@@ -90,6 +93,7 @@ def test_ratio_of_four():
 
 
 def test_ghost_layers_are_dropped():
+    """Ghost layers of blocks are dropped."""
     reference = digest(mesh_of(multiblock(FIELDS, nested(1)), **UNIFORM))
     wide = [(level, tuple((max(a - 1, 0), min(b + 1, N << level)) for a, b in box))
             for level, box in nested(1)]
@@ -102,7 +106,7 @@ def test_ghost_layers_are_dropped():
 
 
 def composite_volumes(blocks, levels=2):
-    """The volume of each material in the finest data, by numpy."""
+    """Returns the volume of each material in the finest data, by numpy."""
     result = np.zeros(2)
     for level in range(levels + 1):
         own = np.zeros((N << level,) * 3, bool)
@@ -115,7 +119,7 @@ def composite_volumes(blocks, levels=2):
 
 
 def unit_cubes(blocks):
-    """The cells of level 0 have the width 1."""
+    """Makes blocks whose cells of level 0 have the width 1."""
     data = multiblock(FIELDS, blocks)
     for i, (level, box) in enumerate(blocks):
         data.GetBlock(i).SetOrigin([span[0] / 2 ** level for span in box[::-1]])
@@ -124,8 +128,11 @@ def unit_cubes(blocks):
 
 
 def test_volumes_are_kept():
-    """Averaged down to any level and divided up to any. TargetVolume sums in units of 2^-36, in
-    which these cubes' volumes are exact, and fractions that planes make are not."""
+    """Averaging to any level and dividing to any level keep the volumes.
+
+    TargetVolume is summed in units of 2^-36. The volumes of these cubes are multiples of the unit;
+    volumes from planes are not.
+    """
     for blocks in (nested(), leaves()):
         expected = composite_volumes(blocks)
         for properties in ({}, {"Refinement": "Off"},
@@ -139,7 +146,7 @@ def test_volumes_are_kept():
 
 
 def test_level_0_is_the_mean():
-    """FIELDS of coarse levels are means: averaged data give the mesh of the coarse image."""
+    """Averaged data give the mesh of the coarse image, because coarse FIELDS are means."""
     for level in (0, 1):
         whole = digest(mesh_of(finest_image(without_number(FIELDS[level]), level)))
         spoilt = [{name: values * (own == 2) for name, values in arrays.items()}
@@ -151,6 +158,7 @@ def test_level_0_is_the_mean():
 
 
 def test_children_by_planes_or_as_their_parent():
+    """Children take the fractions of their parent or of planes."""
     data = lambda: multiblock(FIELDS, [(0, ((0, N),) * 3)])
     parent = finest_image({name: doubled(FIELDS[0][name]) for name in ("ball", "plate")}, 1)
     assert digest(mesh_of(data(), **UNIFORM, ChildFractions="Parent")) == digest(mesh_of(parent))
@@ -158,7 +166,7 @@ def test_children_by_planes_or_as_their_parent():
 
 
 def test_labels():
-    """Halves have the label of the cell; averaged labels are fractions."""
+    """Halved cells keep the label; averaged labels become fractions."""
     labels = [{"id": np.where(arrays["ball"] + arrays["plate"] < 0.5, 0,
                               np.where(arrays["ball"] >= arrays["plate"], 7, 3))}
               for arrays in FIELDS]
@@ -181,6 +189,7 @@ def test_labels():
 
 
 def test_labels_under_finer_blocks_do_not_count():
+    """Invalid labels below finer blocks are ignored."""
     labels = [{"id": np.ones((N << level,) * 3, np.int32)} for level in (0, 1)]
     labels[0]["id"][1:5, 1:5, 1:5] = -5
     result = mesh_of(multiblock(labels, [(0, ((0, N),) * 3), (1, ((2, 10),) * 3)]),
@@ -190,6 +199,7 @@ def test_labels_under_finer_blocks_do_not_count():
 
 
 def test_state_of_the_finest_data():
+    """Elements have the state of the finest data, on any level of the mesh."""
     full = [{"full": np.ones((N << level,) * 3), "number": FIELDS[level]["number"]}
             for level in range(3)]
     for maximum in (0, 1, 2, 3):
@@ -209,6 +219,7 @@ def test_state_of_the_finest_data():
 
 @in_folder
 def test_files(at):
+    """A file read only partly gives a warning that names the reader's property."""
     reference = digest(mesh_of(overlapping(FIELDS, nested()), **UNIFORM))
     reader = simple.OpenDataFile(write(overlapping(FIELDS, nested()), at("levels.vthb"),
                                        vtkXMLUniformGridAMRWriter), DefaultNumberOfLevels=1)
@@ -218,7 +229,7 @@ def test_files(at):
     assert not errors and len(warnings) == 1 and "boxes without data on level 1" in warnings[0], (
         errors, warnings)
     assert "Set Default Number Of Levels of the reader to 0" in warnings[0]
-    reader.DefaultNumberOfLevels = 0  # all
+    reader.DefaultNumberOfLevels = 0  # all levels
     hexes.UpdatePipeline()
     assert not errors and len(warnings) == 1, (errors, warnings)
     mesh = hexes.GetClientSideObject().GetOutputDataObject(0)
@@ -229,7 +240,7 @@ def test_files(at):
 
 
 def moved(block, shift):
-    """A block whose origin is shifted by parts of its own cells."""
+    """Returns a block whose origin is shifted by fractions of its cell width."""
     data = block_of(FIELDS, block)
     data.SetOrigin([o + s * h for o, s, h in zip(data.GetOrigin(), shift, data.GetSpacing())])
     return data
@@ -241,6 +252,7 @@ def with_block(data, number, block):
 
 
 def test_what_is_refused():
+    """Blocks that do not fit or overlap, and gaps, are rejected."""
     blocks = nested()
     good = lambda: multiblock(FIELDS, blocks)
     third = block_of(FIELDS, (1, ((0, 6),) * 3))
@@ -272,6 +284,7 @@ def test_arrays_that_are_missing():
 
 
 def test_coarsen_says_what_limits_it():
+    """A warning names the number of cells that limits coarsening."""
     data = image({"ball": np.ones((8, 12, 8))})
     mesh_of(data, VolumeFractionArrays=["ball"], Refinement="Coarsen", MaximumLevel=2)
     result = mesh_of(data, VolumeFractionArrays=["ball"], Refinement="Coarsen", MaximumLevel=3)

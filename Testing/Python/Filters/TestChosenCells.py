@@ -1,5 +1,4 @@
-"""Cells that are named to be refined: by an array, by boxes; alone, with other criteria, on every
-kind of input."""
+"""User-selected cells for refinement, by an array or by boxes, on each kind of input."""
 import functools
 
 import numpy as np
@@ -13,7 +12,7 @@ from vfmtest import (
     producer, rectilinear, run)
 
 N = 12
-# nothing but what is chosen
+# refines only user-selected cells
 ALONE = {"Refinement": "Automatic", "ThinCells": 0.0, "FineInterfaces": 0}
 check_choice_error = functools.partial(check_error, **ALONE)
 CELLS = np.zeros((N, N, N), int)
@@ -36,21 +35,23 @@ def of_boxes(*boxes, **properties):
 
 
 def box(lower, upper, halvings=1):
-    """In cells, x y z."""
+    """Returns a box, whose corners are given in cells, as numbers of RefinementBoxes."""
     place = lambda at: [ORIGIN[a] + at[a] * SPACING[a] for a in range(3)]
     return place(lower) + place(upper) + [halvings]
 
 
 def in_box(lower, upper, halvings=1):
-    """The cells of a box of whole cells."""
+    """Returns the array that selects the cells in a box with corners at nodes."""
     wishes = np.zeros((N, N, N), int)
     wishes[lower[2]:upper[2], lower[1]:upper[1], lower[0]:upper[0]] = halvings
     return wishes
 
 
 def sizes(wishes, **properties):
-    """Of each cell of the grid, the largest volume of the elements in it, in cells; all space is
-    meshed, nothing moves."""
+    """Returns for each cell the largest volume of the elements in it, in cell volumes.
+
+    All space is meshed and no node moves.
+    """
     result = of_array(wishes, StairStep=1, MeshVoid=1, **properties)
     check_hexes(result)
     points, cells = points_of(result), elements(result)
@@ -62,7 +63,7 @@ def sizes(wishes, **properties):
 
 
 def distance_to(cells):
-    """Of each cell to the nearest of some, in cells along the axis where it is greatest."""
+    """Returns the distance of each cell to the nearest selected cell, the maximum over the axes."""
     every = np.stack(np.meshgrid(*[np.arange(N)] * 3, indexing="ij"), axis=-1)
     return np.abs(every[..., None, :] - np.argwhere(cells)).max(axis=-1).min(axis=-1)
 
@@ -75,6 +76,7 @@ def test_chosen_cells_are_halved_and_far_ones_are_not():
 
 
 def test_cells_get_the_levels_that_they_ask_for():
+    """Cells get the requested number of halvings, up to MaximumLevel."""
     wishes = CELLS.copy()
     wishes[10, 1, 10], wishes[9, 1, 11] = 2, 2
     largest = sizes(wishes)
@@ -99,8 +101,7 @@ def test_meshes_are_valid_and_keep_volumes():
 
 
 def test_fine_interfaces_get_the_finest_cells():
-    """A cell away from all interfaces decides; the interfaces are those of the mesh with cells as
-    fine throughout."""
+    """With FineInterfaces, one selected cell far from all interfaces makes them all fine."""
     wishes = np.zeros((N, N, N), int)
     wishes[0, 0, 0] = 1
     count = lambda **properties: of_array(wishes, **properties).mesh.GetNumberOfCells()
@@ -125,19 +126,21 @@ def test_types_of_arrays():
 
 
 def test_nothing_chosen_changes_nothing():
+    """Without selected cells, or with Refinement off, the mesh is unchanged."""
     plain = mesh_of(data_of(), Refinement="Off")
     result = of_array(0 * CELLS)
     assert digest(result) == digest(plain)
     assert result.field("ChosenCells") == plain.field("ChosenCells") == [0] and not result.warnings
-    # only Automatic looks for them
+    # Only Automatic uses the array.
     assert digest(of_array(CELLS, Refinement="Off")) == digest(plain)
     assert digest(of_boxes(box((2, 6, 4), (4, 9, 6), 0))) == digest(plain)
 
 
 def test_boxes_are_arrays():
+    """A box selects the same cells as an array."""
     expected = digest(of_array(CELLS))
     assert digest(of_boxes(box((2, 6, 4), (4, 9, 6)))) == expected
-    # each cell that it reaches into
+    # Each cell that a box overlaps is selected.
     assert digest(of_boxes(box((2.99, 6.1, 4.5), (3.01, 8.2, 5.3)))) == expected
     assert digest(of_boxes(box((2.5, 6, 4), (3.5, 8, 6)), box((2, 7.5, 4), (4, 9, 6)))) == expected
     flat = of_boxes(box((2, 8.5, 4), (4, 8.5, 6)), box((2, 6.5, 4), (4, 7.5, 5)),
@@ -157,11 +160,13 @@ def test_boxes_are_arrays():
 
 
 def test_boxes_beside_cells_choose_none():
+    """Boxes that only touch cells, or lie outside, select none and give a warning."""
     result = of_boxes(box((3, 3, 3), (3, 4, 4)), box((2, 6, 4), (4, 9, 6)),
                       box((20, 20, 20), (21, 21, 21)))
     assert len(result.warnings) == 1 and "box 1, 3" in result.warnings[0], result.warnings
     assert digest(result) == digest(of_array(CELLS))
-    tiny = of_boxes(box((2, 6, 4), (4.0005, 9, 6)))  # less than a thousandth
+    # an overlap below a thousandth of the cell width
+    tiny = of_boxes(box((2, 6, 4), (4.0005, 9, 6)))
     assert digest(tiny) == digest(of_array(CELLS)) and not tiny.warnings
 
 
@@ -194,7 +199,7 @@ def test_rectilinear_grids():
 
 
 def test_hexahedra_in_any_order():
-    """As Exodus files hold them."""
+    """Hexahedra in any order, as in Exodus files, give the same mesh."""
     ball, plate = ball_and_plate(N)
     grid = hexes({"ball": ball, "plate": plate, "wish": CELLS},
                  np.random.default_rng(3).permutation(N ** 3),
@@ -210,10 +215,10 @@ def test_labels():
 
 
 def test_cut_cells():
-    """Of cells that are cut first every part is halved."""
+    """If cells are cut because of their aspect ratio, each part is halved."""
     result = of_array(CELLS, MaximumAspectRatio=1.1)
     check_hexes(result)
-    parts = data_of(CELLS)  # cells of 0.25, 0.25, 0.5 are cut in two along z
+    parts = data_of(CELLS)  # Cells of 0.25 x 0.25 x 0.5 are cut in two along z.
     cut = image({"ball": parts_of(parts, "ball"), "plate": parts_of(parts, "plate"),
                  "wish": parts_of(parts, "wish")})
     cut.SetSpacing(SPACING[0], SPACING[1], SPACING[2] / 2)
@@ -233,7 +238,7 @@ def parts_of(data, name):
 
 
 def test_blanked_cells_ask_for_nothing():
-    """Whatever their arrays hold."""
+    """Values of blanked cells are ignored, also if they are invalid."""
     blank = np.zeros((N, N, N), np.uint8)
     blank[4:6, 6:9, 2] = HIDDEN
     wild = CELLS.astype(float)
@@ -250,7 +255,7 @@ def test_blanked_cells_ask_for_nothing():
 
 
 def amr_of(wishes, blocks, levels, **properties):
-    """wishes: an array of each level."""
+    """Returns the mesh for one array `wish` per level."""
     return mesh_of(multiblock(fields(levels), blocks, extra=[{"wish": own} for own in wishes]),
                    RefinementArray="wish", **{**ALONE, **properties})
 
@@ -263,12 +268,14 @@ def nothing(level):
 
 
 def test_levels_of_the_input():
-    """A cell counts from its own level: a coarse one that asks for as much as finer blocks give
-    needs no more levels."""
+    """Halvings count from the level of the cell.
+
+    A coarse cell needs no further level if the levels of finer blocks meet its request.
+    """
     plain = amr_of([nothing(0), nothing(1)], MIDDLE, 1)
     assert len(plain.field("LevelCells")) == 2 and plain.field("ChosenCells") == [0]
     coarse = nothing(0)
-    coarse[5, 0, 0] = 1  # at a corner, where no finer block is near
+    coarse[5, 0, 0] = 1  # at a corner, away from finer blocks
     once = amr_of([coarse, nothing(1)], MIDDLE, 1)
     check_hexes(once)
     assert len(once.field("LevelCells")) == 2 and once.field("ChosenCells") == [1]
@@ -292,7 +299,7 @@ def test_coarse_data_below_finer_are_ignored():
 
 
 def test_boxes_in_levels():
-    """A box chooses the finest cells of the input in it."""
+    """A box selects the finest cells of the input in it."""
     wishes = [nothing(0), nothing(1)]
     wishes[0][:, :2, :2], wishes[1][:, :4, :4] = 1, 1
     end = [ORIGIN[0] + 2 * SPACING[0], ORIGIN[1] + 2 * SPACING[1], 100.0]
@@ -304,7 +311,7 @@ def test_boxes_in_levels():
 
 
 def test_wishes_finer_than_the_mesh_are_left():
-    """Data finer than MaximumLevel are averaged: what their cells ask for has no place."""
+    """Requests of data finer than MaximumLevel, which are averaged, are ignored."""
     assert digest(amr_of([nothing(0), 1 + nothing(1)], nested(1), 1, MaximumLevel=0)) == digest(
         amr_of([nothing(0), nothing(1)], nested(1), 1, MaximumLevel=0))
 

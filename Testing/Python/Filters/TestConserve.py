@@ -1,5 +1,4 @@
-"""State that is conserved: sums over the mesh, in numpy, are those over the input, for every
-material."""
+"""Conserved state: for each material, numpy sums over mesh and input are equal."""
 import functools
 
 import numpy as np
@@ -14,6 +13,7 @@ check_conserve_error = functools.partial(check_error, **CONSERVE)
 
 
 def test_all_kinds_of_meshes():
+    """State is conserved and energy balanced for each kind of mesh, of first and second order."""
     for kind in MAKES:
         for order in (1, 2):
             result = conserved(StateOrder=order, **kind)
@@ -23,6 +23,7 @@ def test_all_kinds_of_meshes():
 
 
 def test_energy_is_whole():
+    """With the lost kinetic energy added to internal energy, total energy is conserved."""
     for kind in MAKES:
         for properties in ({"LostKineticEnergy": "Internal Energy"}, BOTH):
             result = conserved(**properties, **kind)
@@ -31,14 +32,17 @@ def test_energy_is_whole():
 
 
 def test_void_is_a_material():
-    """A bulk density of a cell is that of what is not void."""
+    """State of meshed void is conserved.
+
+    Void has a share of the kind `cell` only in cells that contain nothing else.
+    """
     cells = cells_of({0: 1 - BALL - PLATE, **FRACTIONS}, ARRAYS, VOLUME)
     for kind in MAKES:
         check_balance(conserved(MeshVoid=1, **kind), cells)
 
 
 def test_balance_is_told():
-    """Field data and columns of the table tell what numpy finds."""
+    """Field data and columns of the table equal the sums by numpy."""
     result = conserved(**BOTH)
     mesh, table = elements_hold(result), table_of(result.materials)
     names = {"volume": "Volume", "mass": "Mass", "energy": "InternalEnergy",
@@ -63,7 +67,10 @@ def test_balance_is_told():
 
 
 def test_without_density_mass_is_volume():
-    """Of the cells: sums with the volumes of elements agree as these do."""
+    """Without a density, the mass of a cell is its volume.
+
+    Sums with the volumes of elements agree as far as these volumes do.
+    """
     result = conserved(DensityArrays=[], StateTransfer="Conserve")
     volume, material = volumes_of(result), result.cells("MaterialId")
     least, most = np.reshape(result.field("VolumeFactors"), (-1, 2)).T
@@ -81,7 +88,7 @@ def test_without_density_mass_is_volume():
 
 
 def test_automatic_conserves_where_there_is_a_density():
-    """Else nothing changes: what would be conserved is copied."""
+    """Without a density, state is copied and the options of conservation are ignored."""
     ignored = {"StateKinds": ["nonsense"], "VelocityArray": "nothing", "EnergyArray": "nothing",
                "NodalVelocity": 1, "StateOrder": 1}
     copied = digest(mesh_of(DATA, StateArrays=STATE))
@@ -100,8 +107,10 @@ def arrays_of(result):
 
 
 def test_outputs():
-    """Arrays of type double in the order of the choice, densities, velocity and energy after them;
-    components keep their names."""
+    """Arrays are double: selected ones in order, then densities, velocity and energy.
+
+    Names of components are kept.
+    """
     data = image({"ball": BALL, "plate": PLATE,
                   **{name: values.astype(np.float32) for name, values in ARRAYS.items()}})
     data.GetCellData().GetArray("velocity").SetComponentName(2, "w")
@@ -109,12 +118,13 @@ def test_outputs():
     assert arrays_of(result) == arrays_of(mesh_of(DATA)) + STATE + ["density", "velocity", "energy"]
     for array in (result.mesh.GetCellData().GetArray("velocity"),
                   result.mesh.GetPointData().GetArray("velocity")):
-        assert array.GetDataTypeAsString() == "double" and array.GetNumberOfComponents() == 3 and array.GetComponentName(2) == "w"
+        assert (array.GetDataTypeAsString() == "double" and array.GetNumberOfComponents() == 3
+                and array.GetComponentName(2) == "w")
     assert result.mesh.GetCellData().GetScalars().GetName() == "MaterialId"
 
 
 def test_whole_numbers_are_copied():
-    """And what is said to be."""
+    """Integer arrays, and arrays of the kind copy, are copied."""
     data = image({"ball": BALL, "plate": PLATE,
                   "number": np.arange(N ** 3, dtype=np.int64).reshape(N, N, N),
                   "density": ARRAYS["density"]})
@@ -137,8 +147,10 @@ def data_values(data, name):
 
 
 def test_uniform_state_stays():
-    """To rounding: volumes of the mesh are those of the cells to 1e-7 only, so densities change as
-    much."""
+    """Uniform state stays uniform except for rounding.
+
+    Volumes of the mesh differ from the cells by up to 1e-7, and densities change as much.
+    """
     arrays = {"density": np.full((N, N, N), 3.0), "velocity": np.ones((N, N, N, 3)),
               "energy": np.full((N, N, N), 2.0)}
     data = image({"ball": BALL, "plate": PLATE, **arrays})
@@ -166,8 +178,10 @@ FORMS = {"Material volume fraction - %s": ("Material density - %s", "Material de
 
 
 def test_arrays_a_material():
-    """Names that differ in the material as those of fractions do, or in its number after a hyphen,
-    become one."""
+    """Arrays of different materials become one array of the mesh.
+
+    Their names differ where the names of the fractions differ, or in a number after a hyphen.
+    """
     densities = {1: ARRAYS["density"], 2: 8 - ARRAYS["energy"]}
     for fraction, (density, stem, words) in FORMS.items():
         fractions = [fraction % word
@@ -195,7 +209,7 @@ def test_arrays_a_material():
 
 
 def test_energy_by_its_stem():
-    """Or by any of its arrays."""
+    """The energy can be given by the common part of its names or by any array."""
     names = ["energy - 1", "energy - 2"]
     data = image({"ball": BALL, "plate": PLATE,
                   **{name: values for name, values in ARRAYS.items() if name != "energy"},
@@ -208,8 +222,10 @@ def test_energy_by_its_stem():
 
 
 def test_velocity_by_components():
-    """An array of each component, as of SpyPlot files and plotfiles, becomes one of three, by the
-    name of any or what they share."""
+    """Three arrays of components, as in SpyPlot files and plotfiles, become one velocity.
+
+    It can be given by the name of any component or by their common part.
+    """
     whole = conserved(NodalVelocity=1)
     for names, stem in ((["X velocity", "Y velocity", "Z velocity"], "velocity"),
                         (["y_vel", "x_vel", "z_vel"], "vel")):
@@ -233,8 +249,7 @@ def test_velocity_by_components():
 
 
 def test_names_that_begin_alike():
-    """Arrays of the very names are meant, whatever else is chosen; a whole vector may be called
-    x."""
+    """An array with the exact name is used; a velocity vector may be named x_vel."""
     data = image({"ball": BALL, "plate": PLATE, **ARRAYS, "velocity_error": BALL,
                   "energy_source": BALL, "x_vel": ARRAYS["velocity"]})
     whole = conserved()
@@ -246,7 +261,7 @@ def test_names_that_begin_alike():
 
 
 def test_roles_of_whole_numbers():
-    """Densities, velocities and energies are kept, of whole numbers too."""
+    """Integer densities, velocities and energies are conserved, not copied."""
     whole = {name: np.round(8 * ARRAYS[name]).astype(np.int32)
              for name in ("density", "velocity", "energy")}
     results = [conserved(image({"ball": BALL, "plate": PLATE,
@@ -256,6 +271,7 @@ def test_roles_of_whole_numbers():
 
 
 def test_blanks_in_kinds():
+    """Blanks in StateKinds are ignored, except in names of arrays."""
     kinds = [" pressure = volume", "inertia= extensive ", "bulk =cell",
              "temperature = mass * heat_capacity"]
     assert digest(conserved(StateKinds=kinds)) == digest(conserved())
@@ -265,7 +281,7 @@ def test_blanks_in_kinds():
 
 
 def test_extensive_arrays_a_material():
-    """Each is of its own material in the cell, and void has none of them."""
+    """An extensive array of a material belongs only to this material; void has none."""
     held = {m: f * ARRAYS["energy"] for m, f in FRACTIONS.items()}
     data = image({"ball": BALL, "plate": PLATE, "charge ball": held[1], "charge plate": held[2],
                   "mass ball": held[1], "mass plate": held[2]})
@@ -304,7 +320,8 @@ def test_errors_of_the_choice():
     check_conserve_error(DATA, "energy array 'pressure' must be of the kind mass",
                          EnergyArray="pressure")
     check_conserve_error(DATA,
-                         "energy array 'press' is neither an array of the input nor the common part of names of state arrays", EnergyArray="press")
+                         "energy array 'press' is neither an array of the input nor the common "
+                         "part of names of state arrays", EnergyArray="press")
 
 
 def test_errors_of_arrays_a_material():
@@ -332,7 +349,7 @@ def test_errors_of_arrays_a_material():
 
 
 def test_errors_of_values():
-    """Only where there is material."""
+    """Invalid values are errors only in cells that contain material."""
     for name, value, word in (("density", -1.0, "-1"), ("density", np.nan, "nan"),
                               ("energy", np.inf, "inf"), ("velocity", np.nan, "nan")):
         values = ARRAYS[name].copy()

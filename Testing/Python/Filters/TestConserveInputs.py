@@ -1,5 +1,4 @@
-"""State that is conserved from input of every kind: levels, labels, graded grids, blocks, spray; to
-meshes finer and coarser than it."""
+"""Conserved state from each kind of input, to meshes finer and coarser than the input."""
 import os
 
 import numpy as np
@@ -57,8 +56,10 @@ def test_labels():
 
 
 def amr(levels=2):
-    """Blocks of several levels with state, what lies below finer ones being spoilt, and what the
-    finest cells hold."""
+    """Returns AMR data with state, their blocks, and the totals over the finest cells.
+
+    Data below finer blocks are invalid.
+    """
     fields, blocks = amr_cases.fields(levels), amr_cases.nested(levels)
     parts = []
     for level, arrays in enumerate(fields):
@@ -77,8 +78,7 @@ def amr(levels=2):
 
 
 def test_levels():
-    """Cells of several levels, also of more than the mesh has: then their contents are summed
-    up."""
+    """State on several levels is conserved; data finer than the mesh are summed."""
     fields, blocks, cells = amr()
     check_balance(conserved(amr_cases.overlapping(fields, blocks)), cells)
     data = amr_cases.multiblock(fields, blocks[::-1])
@@ -96,8 +96,7 @@ def test_finer_than_all_levels():
 
 
 def test_fine_cells_are_averaged():
-    """Of stair steps on the coarse level each element has what its eight fine cells hold of its
-    material."""
+    """With StairStep, an element holds the state of its eight fine cells."""
     fields, blocks, _ = amr(1)
     blocks = amr_cases.everywhere(1)
     fields[1].update(state(fields[1]["ball"].shape, seed=1), ball=np.ones_like(fields[1]["ball"]),
@@ -116,8 +115,10 @@ def test_fine_cells_are_averaged():
 
 
 def spray():
-    """The ball and the plate with drops of ball, each too small for an element: within reach of the
-    ball, and not."""
+    """Returns the ball and the plate, and drops of ball too small for an element.
+
+    One drop is close to the ball, the other is not.
+    """
     ball = BALL.copy()
     ball[11, 11, 11], ball[0, 0, 11] = 0.3, 0.2
     plate = np.minimum(PLATE, 1 - ball)
@@ -135,6 +136,7 @@ def unmeshed(result):
 
 
 def test_what_is_not_meshed():
+    """State in elements plus reported losses equals the input, with Give and with Drop."""
     fractions = spray()
     data, cells = image({"ball": fractions[1], "plate": fractions[2],
                          **ARRAYS}), cells_of(fractions, ARRAYS, VOLUME)
@@ -164,8 +166,7 @@ def sorted_by_id(result, name):
 
 
 def test_the_way_of_the_input_is_nothing():
-    """Blocks with ghost cells, hexahedra in any order and points of images give the very values of
-    the image."""
+    """Blocks with ghost cells, hexahedra and images of points give the values of the image."""
     slabs = vtkMultiBlockDataSet()
     for b, (begin, end) in enumerate(((0, 5), (5, N))):
         wide = slice(max(begin - 1, 0), min(end + 1, N))
@@ -196,14 +197,14 @@ def test_blanked_cells_give_nothing():
 
 
 def test_turned_images():
-    """Vectors stay those of the input."""
+    """Vectors are not rotated."""
     turned = at_points(DATA, [[0, -1, 0], [1, 0, 0], [0, 0, 1]])
     check_balance(conserved(turned), cells_of(FRACTIONS, ARRAYS, VOLUME))
 
 
 @in_folder
 def test_spyplot_files_of_densities(at):
-    """Density and energy a material, as SpyPlot files name them, by ParaView's reader."""
+    """Density and energy per material are conserved with the names of SpyPlot files."""
     density, energy = ({m: (values * scale).astype(np.float32) for m, scale in ((1, 1), (2, 7))}
                        for values in (ARRAYS["density"], ARRAYS["energy"]))
     fractions = {1: BALL.astype(np.float32), 2: np.minimum(PLATE, 1 - BALL).astype(np.float32)}
@@ -236,8 +237,10 @@ def test_spyplot_files_of_densities(at):
 
 
 def test_impact():
-    """What SpyPlot's reader makes: fractions as bytes and one velocity, or as floats and each
-    component alone."""
+    """Fractions as bytes or floats, and the velocity as vector or components, are conserved.
+
+    ParaView's SpyPlot reader returns all these forms.
+    """
     for to_bytes in (0, 1):
         reader = simple.OpenDataFile(IMPACT)
         reader.DownConvertVolumeFraction = reader.MergeXYZComponents = to_bytes

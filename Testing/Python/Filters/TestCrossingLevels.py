@@ -1,5 +1,4 @@
-"""Meshes whose interfaces run through cells of several levels: fine cells where a place wants them,
-coarse ones elsewhere."""
+"""Meshes whose interfaces cross levels: fine cells only where required."""
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -16,7 +15,7 @@ N = 20
 
 
 def cubes(arrays):
-    """An image of unit cubes, its lower corner at 0."""
+    """Makes an image of unit cubes from the origin on."""
     data = image(arrays)
     data.SetOrigin(0, 0, 0)
     data.SetSpacing(1, 1, 1)
@@ -41,22 +40,23 @@ def check_mesh(result, levels, least=0.5):
 
 
 def inner_facets(result):
-    """Corners of the facets that are not on the domain's sides, and the coordinates of the
-    surfaces' points."""
+    """Returns the corners of the facets inside the domain and the points of the surfaces."""
     inside = vtk_to_numpy(result.surfaces.GetCellData().GetArray("DomainSide")) < 0
     return facets(result)[inside], vtk_to_numpy(result.surfaces.GetPoints().GetData())
 
 
 def widths_at_interface(result):
-    """Of each facet between materials, or beside void: the root of its area."""
+    """Returns the square root of the area of each facet between materials or next to void."""
     quads, points = inner_facets(result)
     a, b, c, d = (points[quads[:, corner]] for corner in range(4))
     return np.sqrt(np.linalg.norm(np.cross(c - a, d - b), axis=1) / 2)
 
 
 def distances_to_ball(result, centre, radius):
-    """Of the points of interfaces that are nearer to the ball than to anything else, in cells: the
-    lower part of x."""
+    """Returns the distances of interface points to the ball, in cells.
+
+    The points have a lower x than the centre: they are closest to the ball.
+    """
     quads, points = inner_facets(result)
     x = points[np.unique(quads)]
     return np.abs(np.linalg.norm(x[x[:, 0] < centre[0]] - centre, axis=1) - radius)
@@ -79,25 +79,27 @@ def check_film(fin):
         assert number_of_hexes(result) < 0.75 * number_of_hexes(fine)
         assert distance.max() < 0.1, distance.max()
         widths = widths_at_interface(result)
-        # film and ball
+        # facets of the film and of the ball
         assert (widths < 0.6).sum() > 100 and (widths
                                                > 0.75).sum() > 100, np.percentile(
                                                    widths, range(0, 101, 10))
-    # the film breaks
+    # Without refinement, the film breaks.
     assert mesh_of(data(),
                    **{**AUTOMATIC, "Refinement": "Off"}).field("NumberOfFragments")[0] > bodies
 
 
 def test_film_beside_a_ball():
+    """The film next to a ball gets fine cells; the ball keeps coarse ones."""
     check_film(False)
 
 
 def test_fin_of_a_ball():
-    """Transitions at the interface."""
+    """The transition between the levels lies on the interface."""
     check_film(True)
 
 
 def test_levels_of_the_input():
+    """AMR input keeps its levels at interfaces, which takes fewer elements."""
     inputs = {"VolumeFractionArrays": ["ball", "plate"]}
     for void in (0, 1):
         make = lambda **properties: mesh_of(overlapping(fields(2), nested()), MeshVoid=void,
@@ -128,8 +130,11 @@ def centroids(result):
 
 
 def test_state_of_the_input():
-    """Fractions of AMR data without planes, on the finest level: where the cell of the centroid
-    holds half of the material an element has its state; else that of a cell that holds more."""
+    """State on AMR data, with the fractions of the finest level.
+
+    If the cell at the centroid holds at least half of the material, the element has its state.
+    Otherwise it has the state of a cell that holds more of the material.
+    """
     all_fields, blocks = fields(2), nested()
     result = mesh_of(multiblock(all_fields, blocks), StateArrays=["number"], MeshVoid=1,
                      FineInterfaces=0, ChildFractions="Parent")
@@ -154,8 +159,10 @@ def test_state_of_the_input():
 
 
 def test_state_of_large_cells():
-    """Cells eight times as wide as those of the input: their elements have the state of cells of
-    their material, those all of one material that of the very cell around the centroid."""
+    """State of elements eight times as wide as the input cells.
+
+    An element has the state of a cell of its material, if possible of the cell at its centroid.
+    """
     labels = np.random.default_rng(5).choice([1, 2, 3], (24, 24, 24),
                                              p=(0.6, 0.2, 0.2)).astype(np.int32)
     labels[:, :, 12:] = np.where(labels[:, :, 12:] == 1, 2, labels[:, :, 12:])
@@ -174,8 +181,7 @@ def test_state_of_large_cells():
 
 
 def test_state_of_large_transitions():
-    """With fine interfaces, too: far from them an element has the state of the cell around its
-    centroid, however large its own."""
+    """Away from fine interfaces, each element has the state of the cell at its centroid."""
     full = np.zeros((64, 16, 16))
     full[:4] = 1
     number = np.arange(full.size).reshape(full.shape)
@@ -184,15 +190,15 @@ def test_state_of_large_transitions():
     assert min(result.field("LevelCells")[0], result.field("TransitionCells")[0]) > 0
     cells = np.stack([result.cells("number") // step % 16 if step < 256
                       else result.cells("number") // step for step in (1, 16, 256)], axis=1)
-    # on faces of cells by rounding
+    # Centroids may lie on faces of cells by rounding.
     assert np.abs(centroids(result) - cells - 0.5).max() < 0.5 + 1e-9
 
 
-# ---- files, programs
+# ---- files, command-line tool
 
 @in_folder
 def test_files(at):
-    """Blocks, side sets, node sets and the table of fragments are those of the mesh."""
+    """Blocks, side sets, node sets and the table of fragments agree with the mesh."""
     data = multiblock(fields(2), nested())
     inputs = {"VolumeFractionArrays": ["ball", "plate"], "FineInterfaces": 0}
     result = mesh_of(data, **inputs)

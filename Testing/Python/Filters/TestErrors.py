@@ -1,4 +1,4 @@
-"""Input that cannot be meshed gives one clear message and empty outputs; the next run works."""
+"""Input that cannot be meshed gives one message and empty outputs; the next run works."""
 import os
 import tempfile
 
@@ -24,7 +24,7 @@ def arrays():
 
 
 def changed(name, cell, value, dtype=np.float64):
-    """The field with one value changed; cell is (i, j, k)."""
+    """Returns the field with one value changed; cell is (i, j, k)."""
     values = {key: array.astype(dtype) for key, array in arrays().items()}
     values[name][cell[::-1]] = value
     return image(values)
@@ -38,7 +38,7 @@ def blocks(*data):
 
 
 def half(part, spacing=SPACING, shift=0.0):
-    """Half of the field along x; shift moves it along x."""
+    """Returns half of the field along x, moved by `shift`."""
     values = {name: array[:, :, part * N // 2:(part + 1) * N // 2].copy()
               for name, array in arrays().items()}
     data = image(values)
@@ -135,7 +135,8 @@ def test_values_that_are_clipped():
     check_error(data, "'ball' holds -0.01 in cell (7, 7, 7)", "Increase FractionTolerance to clip")
     result = run(data, FractionTolerance=0.02)
     assert not result.errors and result.field("ClippedCells") == [1], result.errors
-    assert len(result.warnings) == 1 and "fractions of 1 cells lay outside [0, 1] and were clipped" in result.warnings[0]
+    assert (len(result.warnings) == 1 and "fractions of 1 cells lay outside [0, 1] and were clipped"
+            in result.warnings[0])
     check_error(changed("ball", (7, 7, 7), -0.03), "'ball' holds -0.03", FractionTolerance=0.02)
     check_error(changed("ball", (7, 7, 7), 1.5), "'ball' holds 1.5", FractionTolerance=0.02)
 
@@ -286,6 +287,7 @@ class Failing(VTKPythonAlgorithmBase):
 
 
 def test_writers_refuse_a_mesh_that_failed():
+    """Writers report why a mesh is missing, write no file, and work again after the correction."""
     hexes = VolumeFractionToHex(Input=producer(fraction_image(N)))
     collect(hexes.GetClientSideObject())
     with tempfile.TemporaryDirectory() as folder:
@@ -301,14 +303,17 @@ def test_writers_refuse_a_mesh_that_failed():
             hexes.UpdateVTKObjects()
             assert writer.Write() == expected == int(os.path.exists(path)) == int(
                 writer.GetErrorCode() == 0)
-        assert len(errors) == 2 and "Cannot write %s: The mesh could not be made: " % path in errors[0], errors
+        assert (len(errors) == 2 and "Cannot write %s: The mesh could not be made: " % path
+                in errors[0]), errors
         failing = Failing()
-        writer.SetInputConnection(failing.GetOutputPort())  # RequestData is not called at all
+        # RequestData of the writer is not called.
+        writer.SetInputConnection(failing.GetOutputPort())
         assert writer.Write() == 0 and "The input could not be made." in errors[2] and len(
             errors) == 3, errors
 
 
 def test_filters_behind_a_mesh_that_failed():
+    """Filters downstream of a failed mesh report the failure once."""
     hexes = VolumeFractionToHex(Input=producer(fraction_image(N)), VolumeFractionArrays=["none"])
     collect(hexes.GetClientSideObject())
     table = VolumeFractionFragments(Input=hexes)

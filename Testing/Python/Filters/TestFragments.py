@@ -1,5 +1,4 @@
-"""The table of fragments: volumes, centroids, bounds, masses and neighbours against numpy, and as a
-file."""
+"""Table of fragments: volumes, centroids, bounds, masses and neighbours, checked by numpy."""
 import csv
 import os
 import tempfile
@@ -18,7 +17,7 @@ CORNERS = np.array([[-1, -1, -1], [1, -1, -1], [1, 1, -1], [-1, 1, -1], [-1, -1,
 
 
 def table_of(mesh, **properties):
-    """{column: values} of the fragments of a mesh, and the error messages."""
+    """Returns {column: values} of the fragments of a mesh, and the error messages."""
     table = VolumeFractionFragments(Input=producer(mesh), **properties)
     algorithm = table.GetClientSideObject()
     errors, _ = collect(algorithm)
@@ -30,7 +29,7 @@ def table_of(mesh, **properties):
 
 
 def moments(result):
-    """Volume and integral of the position of each element, by three Gauss points an axis."""
+    """Returns volume and first moment of each element, by three Gauss points per axis."""
     points, cells = vtk_to_numpy(result.mesh.GetPoints().GetData()), elements(result)
     if cells.shape[1] == 4:
         volumes = tet_volumes(points, cells)
@@ -53,7 +52,7 @@ def moments(result):
 
 
 def neighbours(result):
-    """The fragments that share faces, of each."""
+    """Returns {fragment: fragments that share a face with it}."""
     found = {}
     for pair in set(surface_faces(result.points("GlobalPointIds")[elements(result)],
                                   result.cells("FragmentId")).values()):
@@ -85,7 +84,7 @@ def check(result, table):
 
 
 def three_parts(n=12):
-    """Labels of a ball on a plate and a crumb away from both."""
+    """Returns labels of a ball on a plate, and of a small part away from both."""
     ids = labels(n)
     ids[-2:, :2, :2] = 1
     return ids
@@ -104,7 +103,7 @@ def test_hexes_and_tets():
 
 
 def test_fraction_volumes():
-    """What fractions ask of fragments adds up to the materials', and conserved meshes have it."""
+    """Both volumes of the fragments, of fractions and mesh, add up to the materials' volumes."""
     ball, plate = ball_and_plate(16)
     result = mesh_of(image({"ball": ball, "plate": plate}))
     table, _ = table_of(result.mesh)
@@ -125,7 +124,7 @@ def test_void_has_neighbours():
 
 
 def box():
-    """A bar of 4 x 3 x 2 cells in a larger grid, in steps."""
+    """Returns a bar of 4 x 3 x 2 cells in a larger grid, with densities that grow along x."""
     ids = np.zeros((6, 7, 8), np.int32)
     ids[1:3, 2:5, 3:7] = 4
     density = np.broadcast_to(1.0 + np.arange(8.0), ids.shape)
@@ -133,6 +132,7 @@ def box():
 
 
 def test_exact():
+    """Volume, centroid, bounds and mass of a bar are exact."""
     mesh = mesh_of(box(), MaterialIdArray="id", StairStep=1, StateArrays=["density", "two"]).mesh
     table, _ = table_of(mesh, DensityArrays=["density"])
     cell = np.prod(SPACING)
@@ -146,6 +146,7 @@ def test_exact():
 
 
 def test_ids_are_no_densities():
+    """Ids of the mesh are not offered as densities."""
     result = mesh_of(fraction_image(), StateArrays=["ball"], StairStep=1)
     table = VolumeFractionFragments(Input=producer(result.mesh))
     offered = table.SMProxy.GetProperty("DensityArrays").FindDomain("vtkSMStringListDomain")
@@ -174,7 +175,7 @@ def test_errors():
 
 
 def test_file():
-    """The table as a file, from the filter and from a mesh file."""
+    """The filter and a mesh read from a file give the same table as CSV."""
     mesher = VolumeFractionToHex(Input=producer(box()), MaterialIdArray="id",
                                  StateArrays=["density"])
     with tempfile.TemporaryDirectory() as folder:
@@ -193,7 +194,7 @@ def test_file():
 
 
 def test_sculptor():
-    """The program's table has the same numbers, on one rank and on two."""
+    """sculptor writes the same table on one and two ranks."""
     ball, plate = ball_and_plate()
     data = image({"ball, hot": ball, "plate": plate, "density": 2.0 + ball})
     mesh = mesh_of(data, VolumeFractionArrays=["ball, hot", "plate"],

@@ -1,5 +1,7 @@
-"""sculptor --geometry: the surfaces, curves and vertices of the filters' ports as one file, the
-same bytes from any number of ranks."""
+"""sculptor --geometry: surfaces, curves and vertices in one file.
+
+Any number of ranks writes identical bytes.
+"""
 import glob
 import os
 
@@ -15,7 +17,7 @@ BLOCKS = ["Surfaces", "Curves", "Vertices"]
 
 
 def read_geometry(path):
-    """{name: block}"""
+    """Returns {name: block}."""
     reader = vtkXMLMultiBlockDataReader()
     reader.SetFileName(path)
     reader.Update()
@@ -25,7 +27,7 @@ def read_geometry(path):
 
 
 def write_on_ranks(at, path, *arguments):
-    """The geometry that one rank writes; those of more ranks are the same bytes."""
+    """Returns the geometry that one rank writes; runs on more ranks must write the same bytes."""
     written = []
     for ranks in (1, 3, 8):
         mesh_file(path, at("mesh.vtu"), "--geometry", at("geometry.vtm"), *arguments, ranks=ranks)
@@ -37,7 +39,7 @@ def write_on_ranks(at, path, *arguments):
 
 
 def check_ports(geometry, result):
-    """The blocks are the ports that have cells, bit for bit, with their tables."""
+    """Checks that the blocks are bitwise identical to the output ports that have cells."""
     ports = zip(BLOCKS, (result.surfaces, result.curves, result.vertices))
     filled = {name: port for name, port in ports if port.GetNumberOfCells() > 0}
     assert list(geometry) == list(filled)
@@ -59,7 +61,7 @@ def test_same_as_the_ports(at):
 
 
 def ball(side):
-    """In a cube of 8 cells, inside or out through the sides -x or all of them."""
+    """Returns a ball in 8^3 cells that lies inside, or reaches out through side -x or all sides."""
     z, y, x = np.meshgrid(*[(np.arange(24) + 0.5) / 3] * 3, indexing="ij")
     centre, radius = {"inside": (4, 2.5), "-x": (0, 2.5), "all": (4, 20)}[side]
     within = (x - centre) ** 2 + (y - 4) ** 2 + (z - 4) ** 2 < radius ** 2
@@ -68,6 +70,7 @@ def ball(side):
 
 @in_folder
 def test_what_there_is_none_of_is_no_block(at):
+    """A port without cells is not in the file."""
     for side, counts in (("inside", (1, 0, 0)), ("-x", (2, 1, 0)), ("all", (6, 12, 8))):
         data = ball(side)
         geometry = write_on_ranks(at, write(data, at("in.vti")))
@@ -107,7 +110,7 @@ def test_refused(at):
     mesh = "--input", path, "--output", at("mesh.vtu")
     refused(4, "No such file or directory", *mesh, "--geometry", at("none/geometry.vtm"), ranks=2)
     assert not os.path.exists(at("mesh.vtu"))
-    open(at("geometry"), "w").close()  # where the folder of the blocks must stand
+    open(at("geometry"), "w").close()  # a file in the place of the folder for the blocks
     refused(4, "Cannot write the geometry", *mesh, "--geometry", at("geometry.vtm"), ranks=2)
 
 

@@ -1,4 +1,4 @@
-"""The same field in every form of input gives the same mesh, bit for bit."""
+"""The same field gives a bitwise identical mesh, in each form of input."""
 import random
 
 import numpy as np
@@ -24,8 +24,10 @@ def uneven_coordinates():
 
 
 def block_ranges(ghosts):
-    """Eight boxes that tile the grid unevenly, grown by layers of ghosts inside it: (kept,
-    grown)."""
+    """Yields (own box, box with ghosts) of eight boxes that tile the grid unevenly.
+
+    Ghost layers end at the boundary of the grid.
+    """
     cuts = [(0, 5, N), (0, 7, N), (0, 4, N)]  # z, y, x
     for c in np.ndindex(2, 2, 2):
         kept = [(cuts[a][c[a]], cuts[a][c[a] + 1]) for a in range(3)]
@@ -37,8 +39,10 @@ def cut(values, box):
 
 
 def split(arrays, ghosts, make):
-    """Eight blocks by make(arrays, box) in random order; ghost cells are marked and hold
-    nonsense."""
+    """Makes eight blocks by make(arrays, box), in random order.
+
+    Ghost cells are marked and hold invalid values.
+    """
     blocks = []
     for kept, box in block_ranges(ghosts):
         own = np.zeros((N, N, N), bool)
@@ -60,7 +64,7 @@ def extent_block(parts, box):
 
 
 def restarted_block(parts, box):
-    """An image whose extent starts at 0 and whose origin is its own."""
+    """Makes an image with its own origin, whose extent starts at 0."""
     data = image(parts)
     data.SetOrigin([ORIGIN[a] + SPACING[a] * box[2 - a][0] for a in range(3)])
     return data
@@ -72,7 +76,7 @@ def arrays():
 
 
 def multiblock(blocks):
-    """A nested multi-block with an empty leaf."""
+    """Makes a nested multi-block with an empty leaf."""
     inner, outer = vtkMultiBlockDataSet(), vtkMultiBlockDataSet()
     for i, block in enumerate(blocks[:3]):
         inner.SetBlock(i, block)
@@ -138,7 +142,7 @@ def test_uneven_rectilinear_blocks():
 
 
 def test_inexact_origins_of_blocks():
-    """Nodes of two blocks that differ by rounding are one node."""
+    """Nodes of two blocks that differ by rounding are merged."""
     def make(parts, box):
         data = image(parts)
         data.SetSpacing(0.1, 0.1, 0.1)
@@ -179,7 +183,7 @@ def test_types_of_fractions():
 
 
 def half_and_half(value):
-    """Two materials of type unsigned char that share eight cells with this value each."""
+    """Returns two materials of type unsigned char with this value each in eight shared cells."""
     shared = np.s_[5:7, 5:7, 5:7]
     values = {"ball": np.full((N, N, N), 255, np.uint8), "plate": np.zeros((N, N, N), np.uint8)}
     for name in values:
@@ -188,9 +192,10 @@ def half_and_half(value):
 
 
 def test_rounded_bytes_may_sum_over_one():
-    result = mesh_of(image(half_and_half(128)))  # 256 / 255, as half a byte up twice
+    """Fractions as bytes may exceed a sum of 1 by the rounding of the materials in the cell."""
+    result = mesh_of(image(half_and_half(128)))  # 256 / 255: both bytes were rounded up by a half
     assert result.field("NormalisedCells") == [0], result.warnings
-    # all its cells are shared
+    # All cells of 'plate' are shared.
     assert len(result.warnings) == 1 and "'plate' (id 2)" in result.warnings[0], result.warnings
     cell = np.prod(SPACING)
     assert np.allclose(result.field("TargetVolume"), [(N ** 3 - 4) * cell, 4 * cell], rtol=1e-12)
@@ -200,7 +205,7 @@ def test_rounded_bytes_may_sum_over_one():
         assert len(errors) == 1 and "cell (5, 5, 5) " + text in errors[0], errors
     empty = {name: np.zeros((N, N, N), np.uint8) for name in ("third", "fourth")}
     four = {**half_and_half(128), **empty}
-    # 257 / 255: four materials would explain it, the two that are there do not
+    # 257 / 255 exceeds the rounding of the two materials in the cell; four are selected.
     four["ball"][5, 5, 5] = 129
     result = mesh_of(image(four), VolumeFractionArrays=list(four))
     assert result.field("NormalisedCells") == [1]
@@ -233,7 +238,7 @@ def test_arrays_that_are_not_plain_memory():
 
 
 def test_labels_are_kept():
-    renamed = np.array([0, 70, 8])[labels(N)]  # the order of the labels changes
+    renamed = np.array([0, 70, 8])[labels(N)]  # changes the order of the labels
     result = mesh_of(image({"id": renamed}), MaterialIdArray="id", MeshVoid=1)
     assert set(result.cells("MaterialId")) == {0, 8, 70}
     assert result.field("MaterialIds") == [0, 8, 70]

@@ -1,4 +1,4 @@
-"""Labels without steps, and small regions removed: properties of the filters."""
+"""Smoothing of labels, and removal of small regions."""
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -13,7 +13,7 @@ MIDDLE, RADIUS = np.array(ORIGIN) + np.array(SPACING) * (15.1, 15.2, 9.05), 3.2
 
 
 def ball_labels():
-    """A ball in cells twice as long along z as along x and y, by their centres."""
+    """Returns labels of a ball by cell centres; the cells are twice as long along z."""
     axes = [ORIGIN[a] + SPACING[a] * (np.arange(BALL_SIZE[2 - a]) + 0.5) for a in range(3)]
     z, y, x = np.meshgrid(*axes[::-1], indexing="ij")
     distance = np.sqrt((x - MIDDLE[0]) ** 2 + (y - MIDDLE[1]) ** 2 + (z - MIDDLE[2]) ** 2)
@@ -21,8 +21,11 @@ def ball_labels():
 
 
 def crumbs():
-    """A block of 3 on a block of 5, with a cavity of three cells, and in the void a pair of 3 and a
-    single 5."""
+    """Returns labels with small regions.
+
+    A block of 3 on a block of 5 has a cavity of three cells. In the void are a pair of 3 and a
+    single 5.
+    """
     ids = np.zeros((N, N, N), np.int32)
     ids[2:7, 3:13, 3:13], ids[7:12, 3:13, 3:13] = 5, 3
     ids[9, 8, 6:9] = 0
@@ -44,7 +47,7 @@ def rms_distance(result):
 
 
 def check_volumes(result, ids):
-    """Targets are the volumes of the cells, and met."""
+    """Checks that target volumes are the volumes of the cells, and that the mesh has them."""
     for material, target, volume in zip(*map(result.field,
                                              ("MaterialIds", "TargetVolume", "MeshVolume"))):
         expected = (ids == material).sum() * CELL
@@ -53,6 +56,7 @@ def check_volumes(result, ids):
 
 
 def test_label_smoothing():
+    """Smoothing brings the surface closer to the ball and keeps the volume."""
     kinds = [{}] + [{"make": VolumeFractionToTet, "Method": method} for method in TET_METHODS]
     for kind in kinds:
         steps, smooth = (mesh_labels(BALL, LabelSmoothing=passes, **kind) for passes in (0, 2))
@@ -65,6 +69,7 @@ def test_label_smoothing():
 
 
 def test_labels_stay():
+    """Smoothing does not change the label of any cell."""
     for ids in (BALL, CRUMBS):
         steps, smooth = (mesh_labels(ids, StairStep=1, LabelSmoothing=passes) for passes in (0, 4))
         assert digest(steps) == digest(smooth)
@@ -110,7 +115,7 @@ def test_minimum_region():
 
 
 def test_minimum_region_of_fractions():
-    """Spray goes with the fractions in the cells around it; what is far from it stays."""
+    """Small parts go together with the fractions around them; distant material is kept."""
     water = np.zeros((N, N, N))
     water[:5], water[5] = 1.0, 0.3
     volume = water.sum()
@@ -134,7 +139,7 @@ def test_iso_value_decides_what_a_region_is():
 
 
 def test_all_too_small():
-    """What is left of a grid is one region, here void: an empty mesh and a word about it."""
+    """If only void is left, the mesh is empty and a warning says so."""
     ids = np.zeros((6, 6, 6), np.int32)
     ids[2:4, 2:4, 2:4] = 1
     result = run(image({"id": ids}), MaterialIdArray="id", MinimumRegionCells=1000,

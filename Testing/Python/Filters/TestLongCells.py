@@ -1,5 +1,4 @@
-"""Cells cut until no aspect ratio is above MaximumAspectRatio: fractions, labels and levels of
-input, and what elements carry."""
+"""Cells of high aspect ratio are cut until none exceeds MaximumAspectRatio."""
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -8,16 +7,16 @@ from vfmtest import (
     ORIGIN, SPACING, VolumeFractionToTet, add_array, ball_and_plate, check_hexes, digest, elements,
     fraction_image, hex_volumes, image, labels, main, mesh_of, points_of, rectilinear, run, uniform)
 
-LONG = {"MaximumAspectRatio": 1.5}  # cells of the tests are twice as long along z
+LONG = {"MaximumAspectRatio": 1.5}  # the cells are twice as long along z
 
 
 def in_halves(values):
-    """Cells of z, y, x cut in two along z."""
+    """Cuts cells (z, y, x) in two along z."""
     return np.repeat(values, 2, axis=0)
 
 
 def cells_of(centres, coordinates):
-    """Index along x, y, z of the cell of a grid around each point."""
+    """Returns the index along x, y, z of the grid cell around each point."""
     return [np.searchsorted(x, centres[:, a], side="right") - 1 for a, x in enumerate(coordinates)]
 
 
@@ -26,6 +25,7 @@ def centres_of(result):
 
 
 def test_cells_that_are_not_long_stay():
+    """Cells within the limit are not cut."""
     data = fraction_image(8)
     plain = digest(mesh_of(data))
     assert digest(mesh_of(data, MaximumAspectRatio=2)) == plain
@@ -34,7 +34,7 @@ def test_cells_that_are_not_long_stay():
 
 
 def test_labels_are_those_of_cut_cells():
-    """The mesh is that of an image of the parts, bit for bit."""
+    """The mesh is bitwise identical to that of an image of the parts."""
     ids = labels(12)
     parts = image({"id": in_halves(ids)})
     parts.SetSpacing(SPACING[0], SPACING[1], SPACING[2] / 2)
@@ -54,9 +54,10 @@ def test_fractions_keep_their_volumes():
 
 
 def test_small_regions_count_cells_of_the_input():
+    """MinimumRegionCells counts cells of the input."""
     speck = np.zeros((8, 8, 8), np.int32)
     speck[1:6, 1:6, 1:6] = 1
-    speck[6:8, 7, 7] = 2  # two cells, four parts
+    speck[6:8, 7, 7] = 2  # two cells, cut into four parts
     for least, removed in ((2, 0), (3, 1)):
         result = mesh_of(image({"id": speck}), MaterialIdArray="id", MinimumRegionCells=least,
                          **LONG)
@@ -64,7 +65,10 @@ def test_small_regions_count_cells_of_the_input():
 
 
 def test_layers_are_cut_each_into_its_own_number():
-    """Only those that are long; elements carry the state of the cell of the input."""
+    """Each layer that is too long is cut into its own number of parts.
+
+    Elements have the state of the input cell.
+    """
     x = np.arange(7.0)
     z = np.array([0.0, 1.0, 2.0, 6.0, 7.2, 9.2])
     data = rectilinear({"id": np.ones((5, 6, 6), np.int32),
@@ -79,7 +83,7 @@ def test_layers_are_cut_each_into_its_own_number():
 
 
 def test_state_of_refined_cells():
-    """Halved after they were cut, in three, or joined before."""
+    """State of cells cut in three, then halved or joined."""
     ids = labels(12)
     data = image({"id": ids, "number": np.arange(12 ** 3).reshape(12, 12, 12)})
     data.SetSpacing(1, 1, 4)
@@ -98,7 +102,7 @@ def test_state_of_refined_cells():
 
 
 def test_levels_of_the_input_keep_their_ratios():
-    """Cells of all levels are cut alike: each block's cells are refined where they were."""
+    """Cells of all levels are cut in the same way and keep their refinement."""
     all_fields, blocks = fields(2), nested()
     names = {"VolumeFractionArrays": ["ball", "plate"], "MeshVoid": 1, "StateArrays": ["number"]}
     whole, cut = (mesh_of(multiblock(all_fields, blocks), **names, **more) for more in ({}, LONG))
@@ -119,7 +123,7 @@ def test_levels_of_the_input_keep_their_ratios():
 
 
 def test_elements_of_labels_are_better():
-    """A smooth ball of labels in cells 3 times as long as wide."""
+    """A smooth ball of labels in cells three times as long as wide."""
     z, y, x = np.meshgrid((np.arange(8) + 0.5) * 3, np.arange(24) + 0.5, np.arange(24) + 0.5,
                           indexing="ij")
     data = image({"id": ((x - 12) ** 2 + (y - 12.1) ** 2 + (z - 12) ** 2 < 81).astype(np.int32)})
@@ -128,7 +132,8 @@ def test_elements_of_labels_are_better():
                   "LabelSmoothing": 3}
     whole, cut = (mesh_of(data, **properties, **more) for more in ({}, LONG))
     angles = [result.field("MinimumDihedralAngle")[0] for result in (whole, cut)]
-    print("labels of a ball in cells of 1 x 1 x 3, Lattice: smallest dihedral angle %.1f, cut %.1f degrees" % tuple(angles))
+    print("labels of a ball in cells of 1 x 1 x 3, Lattice: "
+          "smallest dihedral angle %.1f, cut %.1f degrees" % tuple(angles))
     assert angles[0] < 20 < 25 < angles[1]
     assert np.isclose(cut.field("TargetVolume")[0], whole.field("TargetVolume")[0], rtol=1e-9)
 
@@ -140,7 +145,8 @@ def test_errors():
     data = fraction_image(4)
     data.SetSpacing(1, 1e9, 1e9)
     result = run(data, **LONG)
-    assert len(result.errors) == 1 and "more nodes than 64-bit global ids can number" in result.errors[0], result.errors
+    assert (len(result.errors) == 1 and "more nodes than 64-bit global ids can number"
+            in result.errors[0]), result.errors
 
 
 main(globals())

@@ -1,4 +1,4 @@
-"""Names, defaults and effect of every property."""
+"""Name, default and effect of each property."""
 import numpy as np
 
 from vfmtest import (
@@ -21,7 +21,7 @@ def volume_error(result):
 
 
 def film(thickness, n=12, s=8):
-    """Fractions of an oblique film, its thickness in cells."""
+    """Returns fractions of an oblique film; the thickness is in cells."""
     z, y, x = np.meshgrid(*[(np.arange(n * s) + 0.5) / s - n / 2] * 3, indexing="ij")
     inside = np.abs((x + 2 * y + 3 * z) / 14 ** 0.5 - 0.1) < thickness / 2
     return image({"film": inside.reshape(n, s, n, s, n, s).mean(axis=(1, 3, 5))})
@@ -94,6 +94,7 @@ def test_refinement_of_labels():
 
 
 def test_refinement_mends_films():
+    """A film that breaks at one level is whole with halved cells."""
     torn, whole = mesh_of_film(0.8, 0), mesh_of_film(0.8, 1)
     assert torn.field("NumberOfFragments")[0] > 1
     assert whole.field("NumberOfFragments")[0] == 1 and volume_error(whole) < 1e-6
@@ -127,8 +128,10 @@ def test_smoothing():
 
 
 def test_sharp_edges():
-    """A box along the axes and off the grid: its fractions are products, its corners far from the
-    mesh unless they are kept."""
+    """Corners of a box that is not aligned with the grid are kept with sharp edges.
+
+    The fractions of the box are exact.
+    """
     low, high = np.array([2.3, 3.6, 2.8]), np.array([9.4, 8.7, 9.1])  # in cells
     box = image({"box": box_along_axes(low, high, N)})
     corners = [np.where([c & 1, c & 2, c & 4], high, low) for c in range(8)]

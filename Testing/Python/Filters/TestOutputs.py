@@ -1,5 +1,7 @@
-"""The arrays of all outputs, of hexahedra and of tetrahedra by every method: names, types, ids,
-quality, surfaces that close."""
+"""Arrays of all outputs, for hexahedra and each tetrahedral method.
+
+Names, types, ids, quality, tables and closed surfaces are checked.
+"""
 import os
 import tempfile
 
@@ -35,13 +37,15 @@ def facet_corners(result):
 
 
 def area_vectors(corners):
-    """Of quadrilaterals or triangles, along their normals."""
+    """Returns the area vectors of quadrilaterals or triangles, along their normals."""
     return np.cross(corners[:, 2] - corners[:, 0], corners[:, -1] - corners[:, 1]) / 2
 
 
 def cone_volumes(corners):
-    """From the origin to each facet; a quadrilateral is bilinear, the mean of its two cuts into
-    triangles."""
+    """Returns the volumes of the cones from the origin to each facet.
+
+    A quadrilateral is bilinear: the mean of its two cuts into triangles.
+    """
     cone = lambda *abc: np.einsum("ij,ij->i", corners[:, abc[0]],
                                   np.cross(corners[:, abc[1]], corners[:, abc[2]])) / 6
     if corners.shape[1] == 3:
@@ -112,8 +116,10 @@ def test_material_without_an_element():
 
 
 def test_field_data_are_not_offered_as_colours():
-    """ParaView leaves arrays with this key out of its lists of arrays; scripts and files have them.
-    So have filters behind, and files."""
+    """Field data carry the key GUI_HIDE, so that ParaView does not list them as colours.
+
+    Scripts, files and downstream filters still have the arrays and the key.
+    """
     mesh = simple.TrivialProducer()
     mesh.GetClientSideObject().SetOutput(MESHES[-1].mesh)
     clip = simple.Clip(Input=mesh)
@@ -135,13 +141,13 @@ def column(data, name):
 
 
 def point_ids(data, cells, corners):
-    """The global ids of the points of cells."""
+    """Returns the global ids of the points of cells."""
     ids = vtk_to_numpy(data.GetPointData().GetGlobalIds())
     return ids[vtk_to_numpy(cells.GetConnectivityArray())].reshape(-1, corners)
 
 
 def curve_edges(result):
-    """The edges of facets on several surfaces: {ids of its points: its surfaces}."""
+    """Returns {ids of the points of an edge: surfaces} for the edges on several surfaces."""
     ids = vtk_to_numpy(result.surfaces.GetPointData().GetGlobalIds())[facets(result)]
     edges = {}
     for facet, surface in zip(ids.tolist(), surface_array(result, "SurfaceId").tolist()):
@@ -199,6 +205,7 @@ def test_vertices():
 
 
 def test_what_surfaces_bound():
+    """Tables of surfaces, volumes, materials and sides agree with the facets."""
     for result in MESHES + WITH_VOID:
         volumes, pairs, sides, bounds = (column(result.surfaces, name) for name in (
             "SurfaceVolumes", "SurfaceMaterials", "SurfaceSides", "VolumeSurfaces"))
@@ -290,7 +297,7 @@ def test_domain_sides():
 
 
 def test_normals_point_from_the_second_material_to_the_first():
-    """Facets of one surface face the same way, and enclose the volume of each material."""
+    """Facets of a surface have consistent normals and enclose the volume of each material."""
     for result in MESHES:
         corners, pairs = facet_corners(result), surface_array(result, "MaterialPair")
         for material, volume in zip(result.field("MaterialIds"), result.field("MeshVolume")):

@@ -16,7 +16,7 @@ from vfmtest import (
 N = 10
 DATA = fraction_image(N)
 
-# A layer that grows by one cell a time step; the same script serves RequestInformation.
+# A layer that grows by one cell per time step. RequestInformation uses the same variables.
 GROWING_INFORMATION = """
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as p
 info = self.GetOutputInformation(0)
@@ -46,6 +46,7 @@ def count_runs(hexes):
 
 
 def test_one_run_for_all_ports_and_writers():
+    """The filter runs once for all ports and writers, also with a filter for ghost cells."""
     hexes = hex_filter()
     runs = count_runs(hexes)
     with tempfile.TemporaryDirectory() as folder:
@@ -57,11 +58,13 @@ def test_one_run_for_all_ports_and_writers():
         again = simple.XMLPartitionedUnstructuredGridReader(
             FileName=[os.path.join(folder, "mesh.pvtu")])
         again.UpdatePipeline()
-        assert again.GetDataInformation().GetNumberOfCells() == hexes.GetDataInformation().GetNumberOfCells()
+        assert (again.GetDataInformation().GetNumberOfCells()
+                == hexes.GetDataInformation().GetNumberOfCells())
     assert len(runs) == 1, len(runs)
     ghosts = ghost_cells(hexes)
     ghosts.UpdatePipeline()
-    assert ghosts.GetDataInformation().GetNumberOfCells() == hexes.GetDataInformation().GetNumberOfCells()
+    assert (ghosts.GetDataInformation().GetNumberOfCells()
+            == hexes.GetDataInformation().GetNumberOfCells())
     assert len(runs) == 1, len(runs)
 
 
@@ -95,7 +98,7 @@ def test_exodus_round_trip():
         blocks = reader.GetOutput().GetBlock(0)
     assert blocks.GetNumberOfBlocks() == 3
     ids = []
-    # the void's number is the greatest
+    # The void has the largest block number.
     for i, (material, name) in enumerate(((1, "ball"), (2, "plate"), (0, "Void"))):
         assert blocks.GetMetaData(i).Get(blocks.NAME()) == name
         block = blocks.GetBlock(i)
@@ -109,7 +112,7 @@ def test_exodus_round_trip():
 
 
 def test_exodus_series():
-    """One file a time, each with its time."""
+    """A series has one file per time step, each with its time."""
     source = simple.ProgrammableSource(
         OutputDataSetType="vtkImageData", Script=GROWING,
         ScriptRequestInformation=GROWING_INFORMATION)
@@ -124,6 +127,7 @@ def test_exodus_series():
 
 
 def test_progress_and_abort():
+    """An abort leaves empty outputs without an error; progress increases from 0 to 1."""
     hexes = hex_filter()
     algorithm = hexes.GetClientSideObject()
     seen = []
@@ -151,7 +155,7 @@ def test_progress_and_abort():
 
 
 class Progress:
-    """What an algorithm tells while it runs, and an abort beyond a fraction."""
+    """Records the progress of an algorithm and aborts it beyond a fraction."""
 
     def __init__(self, algorithm):
         self.seen, self.stop_beyond = [], 2.0
@@ -164,8 +168,10 @@ class Progress:
 
 
 def check_long_stage(proxy, text, least, threads):
-    """The stage tells its progress at least so often, in order; an abort in its midst ends it,
-    without error or output."""
+    """Checks progress and abort within a stage.
+
+    The stage reports at least `least` values, in order. An abort ends it without error or output.
+    """
     proxy.NumberOfThreads = threads
     proxy.UpdateVTKObjects()
     algorithm = proxy.GetClientSideObject()
@@ -211,6 +217,7 @@ def test_input_is_not_changed():
 
 
 def test_state_survives_a_second_run():
+    """A second run gives the same mesh."""
     hexes = hex_filter()
     hexes.UpdatePipeline()
     algorithm = hexes.GetClientSideObject()
@@ -221,8 +228,11 @@ def test_state_survives_a_second_run():
 
 
 def test_time_steps():
-    # Last test of the script: ParaView runs the source in this module and hides max, sorted and
-    # others.
+    """Meshes of several times, in any order.
+
+    This must be the last test of the script: ParaView runs the source in this module and hides max,
+    sorted and others.
+    """
     source = simple.ProgrammableSource(
         OutputDataSetType="vtkImageData", Script=GROWING,
         ScriptRequestInformation=GROWING_INFORMATION)

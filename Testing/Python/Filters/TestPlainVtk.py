@@ -51,8 +51,8 @@ def check_exodus(mesh):
         reader = vtkExodusIIReader()
         reader.SetFileName(writer.GetFileName())
         reader.UpdateInformation()
-        assert reader.GetObjectName(reader.ELEM_BLOCK,
-                                    0) == "bar" and reader.GetTotalNumberOfElements() == mesh.GetNumberOfCells()
+        assert (reader.GetObjectName(reader.ELEM_BLOCK, 0) == "bar"
+                and reader.GetTotalNumberOfElements() == mesh.GetNumberOfCells())
         assert reader.GetObjectName(reader.SIDE_SET, 0) == "bar_to_Void"
         writer.SetFileName(os.path.join(folder, "missing", "mesh.exo"))
         messages = []

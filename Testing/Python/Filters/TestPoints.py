@@ -1,5 +1,4 @@
-"""Images with values at points mesh as the same values in cells; images with a direction matrix lie
-where the image lies; which arrays are offered, and chosen where nothing is."""
+"""Images with values at points or with a direction matrix, and the offered and default arrays."""
 import re
 
 import numpy as np
@@ -21,17 +20,18 @@ FIELDS = {"ball": BALL, "plate": PLATE}
 STATE = {"velocity": RANDOM.normal(size=(N, N, N, 3)).astype(np.float32),
          "number": RANDOM.integers(2 ** 60, size=(N, N, N))}
 METHODS = [{}] + [{"make": VolumeFractionToTet, "Method": method} for method in TET_METHODS]
-ROTATIONS = {  # the matrix, and whether it mirrors
+ROTATIONS = {  # direction matrices
     "quarter": [[0, -1, 0], [1, 0, 0], [0, 0, 1]],
     "oblique": [[0.6, -0.8, 0], [0.48, 0.36, -0.8], [0.64, 0.48, 0.6]]}
 MIRRORS = {"along x": [[-1, 0, 0], [0, 1, 0], [0, 0, 1]],
            "swapped": [[0, 1, 0], [1, 0, 0], [0, 0, 1]],
            "oblique": [[0.6, 0.8, 0], [0.8, -0.6, 0], [0, 0, 1]]}
-CENTRE = np.array(ORIGIN) + 0.5 * np.array(SPACING)  # the first point, about which matrices turn
+# the first point, which is the centre of rotation
+CENTRE = np.array(ORIGIN) + 0.5 * np.array(SPACING)
 
 
 def check_same(arrays, kind=image, **properties):
-    """The mesh of the values at points is that of the values in cells."""
+    """Checks that values at points give the same mesh as in cells."""
     assert digest(mesh_of(at_points(image(arrays)),
                           **properties)) == digest(mesh_of(image(arrays), **properties))
 
@@ -68,7 +68,7 @@ def test_one_slice():
 
 
 def split(arrays, shared):
-    """Two blocks of points along x; shared: how many planes both have."""
+    """Makes two blocks of points along x with `shared` common planes."""
     blocks = vtkMultiBlockDataSet()
     for i, (begin, end) in enumerate(((0, 5 + shared), (5, N))):
         part = {name: np.ascontiguousarray(values[:, :, begin:end])
@@ -95,6 +95,7 @@ def test_hidden_points():
 
 
 def test_forms_of_a_choice():
+    """Properties accept names with and without the association."""
     both = at_points(image({"id": labels(N), **FIELDS}))
     smaller = {"id": np.ones((N - 1,) * 3, np.int16), "ball": np.ones((N - 1,) * 3),
                "rest": np.zeros((N - 1,) * 3)}
@@ -111,14 +112,14 @@ def test_forms_of_a_choice():
     expected = mesh_of(image(FIELDS), StairStep=1).mesh.GetNumberOfCells()
     for words in (["ball", "plate"], ["POINTS", "ball", "plate"],
                   ["POINTS", "ball", "POINTS", "plate"]):
-        # the first: plate is at points alone
+        # The first array without association decides; only points have 'plate'.
         assert cells(VolumeFractionArrays=words) == expected, words
     hexes = VolumeFractionToHex(Input=producer(both), MaterialIdArray=["POINTS", "id"])
     assert list(hexes.MaterialIdArray) == ["POINTS", "id"]
     hexes.MaterialIdArray = "None"
     hexes.VolumeFractionArrays = ["POINTS", "ball"]
     hexes.UpdatePipeline()
-    hexes.VolumeFractionArrays = ["ball"]  # POINTS is forgotten
+    hexes.VolumeFractionArrays = ["ball"]  # POINTS no longer applies
     hexes.StairStep = 1
     hexes.UpdatePipeline()
     assert hexes.GetDataInformation().GetNumberOfCells() == of_cells
@@ -126,7 +127,7 @@ def test_forms_of_a_choice():
 
 @in_folder
 def test_state_files_of_before(at):
-    """MaterialIdArray had one element."""
+    """State files of older versions, where MaterialIdArray had one element, are read."""
     simple.ResetSession()
     data = at_points(image({"id": labels(N), "ball": BALL}))
     source = producer(data)
@@ -138,7 +139,8 @@ def test_state_files_of_before(at):
     simple.SaveState(at("new.pvsm"))
     with open(at("new.pvsm")) as file:
         text = file.read()
-    pattern = r'(<Property name="MaterialIdArray" id="[^"]*" number_of_elements=)"5">.*?(<Domain|</Property>)'
+    pattern = (r'(<Property name="MaterialIdArray" id="[^"]*" number_of_elements=)"5">.*?'
+               r'(<Domain|</Property>)')
     text, count = re.subn(pattern, r'\1"1"><Element index="0" value="id"/>\2', text, flags=re.S)
     assert count >= 1
     with open(at("old.pvsm"), "w") as file:
@@ -162,12 +164,14 @@ def volumes_of(result):
 
 
 def outward_volume(result, material):
-    """What the facets around a material enclose, which is positive where their normals, reversed or
-    not, point out of it."""
+    """Returns the volume that the facets around a material enclose.
+
+    It is positive if their normals, reversed where needed, point out of the material.
+    """
     pairs = vtk_to_numpy(result.surfaces.GetCellData().GetArray("MaterialPair"))
     points = vtk_to_numpy(result.surfaces.GetPoints().GetData()) - CENTRE
     volume = 0.0
-    # normals point from the second to the first
+    # Normals point from the second material to the first.
     for sign, own in ((1, pairs[:, 1] == material), (-1, pairs[:, 0] == material)):
         corners = points[facets(result)[own]]
         for c in range(1, corners.shape[1] - 1):
@@ -196,7 +200,7 @@ def check_turned(matrix, is_mirror, **method):
                                                         rtol=1e-9)
     check_surfaces(result)
     for material, volume in zip(result.field("MaterialIds"), result.field("MeshVolume")):
-        # quads are cut one way
+        # The sum cuts each quadrilateral along one diagonal only.
         assert np.isclose(outward_volume(result, material), volume, rtol=0.01), material
     assert result.field("DomainBounds") == plain.field("DomainBounds")
     assert np.array_equal(result.field("DomainFrame"), [*np.ravel(matrix), *CENTRE])
@@ -204,13 +208,15 @@ def check_turned(matrix, is_mirror, **method):
 
 
 def test_turned_images():
+    """The mesh of a rotated or mirrored image is the rotated mesh."""
     for method in METHODS:
         for matrix in ROTATIONS.values():
             check_turned(matrix, False, **method)
         for matrix in MIRRORS.values():
             check_turned(matrix, True, **method)
     data, cells = image(FIELDS), at_points(image(FIELDS), MIRRORS["oblique"])
-    data.SetDirectionMatrix(cells.GetDirectionMatrix())  # about the corner of the first cell
+    # rotates about the corner of the first cell
+    data.SetDirectionMatrix(cells.GetDirectionMatrix())
     corner = np.array(ORIGIN)
     expected = (points_of(mesh_of(image(FIELDS)))
                 - corner) @ np.array(MIRRORS["oblique"]).T + corner
@@ -218,7 +224,7 @@ def test_turned_images():
 
 
 def test_turned_blocks():
-    """Whose origins differ; each lies where it lies in space."""
+    """Rotated blocks with different origins lie where they lie in space."""
     matrix = MIRRORS["oblique"]
     whole = mesh_of(at_points(image(FIELDS), matrix))
     blocks = split(FIELDS, 1)
@@ -232,11 +238,11 @@ def test_turned_blocks():
 
 
 def test_boxes_in_turned_images():
-    """They are those of space, if the axes of the image lie along its axes."""
+    """Refinement boxes are in world coordinates, if the image axes are parallel to the axes."""
     box = np.array([[0.0, 1.0, 3.0], [1.0, 2.0, 4.0]])
     options = {"Refinement": "Automatic", "ThinCells": 0}
     plain = mesh_of(at_points(image(FIELDS)), RefinementBoxes=[*box[0], *box[1], 1], **options)
-    # as files in single precision have it
+    # Files of single precision have such matrices.
     rounded = np.array(ROTATIONS["quarter"]) + 4e-8 * np.eye(3)
     for matrix in (ROTATIONS["quarter"], MIRRORS["swapped"], rounded):
         moved = turned(box, matrix)
@@ -248,7 +254,7 @@ def test_boxes_in_turned_images():
 
 @in_folder
 def test_side_sets_of_turned_images(at):
-    """The sides of the domain are those of the image's own axes."""
+    """Domain sides belong to the image's own axes."""
     sides, nodes = find_sets(mesh_of(at_points(image(FIELDS))).mesh)
     assert any(name == "x_min" for _, name in sides)
     for i, matrix in enumerate((*ROTATIONS.values(), *MIRRORS.values())):
@@ -272,21 +278,24 @@ def offered(data, name):
 
 
 def test_arrays_that_are_offered():
+    """Arrays of ids and flags are not offered."""
     arrays = {"ball": BALL, "id": labels(N), "vtkOriginalCellIds": labels(N), "number": labels(N),
               "vtkGhostType": 0 * BALL.astype(np.uint8), "velocity": STATE["velocity"]}
     for data in (image(arrays), at_points(image(arrays))):
-        attributes = data.GetCellData() if data.GetCellData().GetNumberOfArrays() else data.GetPointData()
+        attributes = (data.GetCellData() if data.GetCellData().GetNumberOfArrays()
+                      else data.GetPointData())
         attributes.SetPedigreeIds(attributes.GetArray("number"))
         for name in ("VolumeFractionArrays", "MaterialIdArray", "RefinementArray"):
             assert offered(data, name) == ["ball", "id"], (name, offered(data, name))
         assert offered(data, "StateArrays") == ["ball", "id", "velocity"]
     grid = rectilinear({"ball": BALL}, [np.arange(N + 1.0)] * 3)
     add_array(grid.GetPointData(), "nodal", np.zeros((N + 1,) * 3))
-    assert offered(grid, "VolumeFractionArrays") == ["ball"]  # its points are no centres
+    assert offered(grid, "VolumeFractionArrays") == ["ball"]  # its points are not cell centres
     assert offered(split({"ball": BALL}, 1), "VolumeFractionArrays") == ["ball"]
 
 
 def test_a_single_array_is_chosen():
+    """A single array of fractions or labels is selected by default."""
     cases = [({"ball": BALL}, ["ball"], "None"), ({"id": labels(N)}, [], "id"),
              (FIELDS, [], "None"),
              ({"ball": BALL, "density": 1000 * BALL}, ["ball"], "None"),
@@ -300,7 +309,7 @@ def test_a_single_array_is_chosen():
                 assert chosen_by_default(data, make) == (fractions,
                                                          ids), (list(arrays), chosen_by_default(
                                                              data, make))
-        # by the filter itself: nothing is ticked
+        # The filter itself selects it if no array is selected.
         result = run(image(arrays), VolumeFractionArrays=[])
         if fractions or ids != "None":
             chosen = {"MaterialIdArray": ids} if ids != "None" else {
@@ -311,7 +320,7 @@ def test_a_single_array_is_chosen():
 
 
 def test_what_is_chosen_counts():
-    """Where the single array was ticked already."""
+    """An explicit choice replaces the default."""
     hexes = VolumeFractionToHex(Input=producer(image({"ball": np.round(BALL)})))
     hexes.MaterialIdArray = "ball"
     hexes.UpdatePipeline()

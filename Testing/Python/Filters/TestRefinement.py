@@ -1,5 +1,4 @@
-"""Meshes of several levels: refined where the input is, or where criteria want it; coarser away
-from interfaces."""
+"""Meshes of several levels: from the input, by criteria, or coarser away from interfaces."""
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -19,8 +18,10 @@ AUTOMATIC = {"Refinement": "Automatic", "MaximumLevel": 1}
 
 
 def fractions(text, n, names=("ball",)):
-    """{name: exact fractions (z, y, x)} of shapes in a box from -1 to 1 of n cells along each axis,
-    or of n."""
+    """Returns {name: exact fractions (z, y, x)} of shapes in a box from -1 to 1.
+
+    n: cells along each axis, or a list for x, y, z.
+    """
     cells = [n] * 3 if isinstance(n, int) else n
     preset = {"Preset": text} if text[0].isupper() else {"Shapes": text}
     proxy = VolumeFractionShapes(Dimensions=cells, **preset)
@@ -31,7 +32,7 @@ def fractions(text, n, names=("ball",)):
 
 
 def cubes(arrays, widths=1.0):
-    """An image of cubes, its lower corner at 0."""
+    """Makes an image of cubes from the origin on."""
     data = image(arrays)
     data.SetOrigin(0, 0, 0)
     data.SetSpacing([widths] * 3)
@@ -39,14 +40,16 @@ def cubes(arrays, widths=1.0):
 
 
 def surface_points(result):
-    """Points of the surfaces between materials, or materials and void."""
+    """Returns the points of the surfaces between materials or next to void."""
     inner = vtk_to_numpy(result.surfaces.GetCellData().GetArray("DomainSide")) < 0
     return vtk_to_numpy(result.surfaces.GetPoints().GetData())[np.unique(facets(result)[inner])]
 
 
 def interfaces(result):
-    """Facets between materials, or materials and void, by the ids of their points: corners' ids,
-    coordinates, SurfaceId."""
+    """Returns ids, coordinates and SurfaceId of the facets between materials or next to void.
+
+    They are sorted by the ids of their points.
+    """
     data = result.surfaces.GetCellData()
     inner = vtk_to_numpy(data.GetArray("DomainSide")) < 0
     quads = facets(result)[inner]
@@ -74,7 +77,7 @@ def least(result):
 
 
 def check_levels(result, levels):
-    """The counts of the levels add up."""
+    """Checks that the counts of the levels add up."""
     counts = result.field("LevelCells")
     assert len(counts) == levels + 1 and sum(counts) + result.field("TransitionCells")[
         0] == number_of_hexes(result), counts
@@ -85,7 +88,7 @@ def check_levels(result, levels):
 
 
 def refined_mesh(data, levels, **properties):
-    """A mesh of so many levels above the coarsest, checked."""
+    """Returns a checked mesh with `levels` levels above the coarsest."""
     result = mesh_of(data, **properties)
     check_hexes(result)
     check_levels(result, levels)
@@ -120,7 +123,7 @@ def test_sphere_of_three_levels():
 
 
 def test_levels_of_the_input():
-    """MaximumLevel leaves the finest level out, 0 is Off."""
+    """MaximumLevel omits the finest levels; 0 is Off."""
     data = lambda: vtk_amr(make_amr(3, 2, (2, 2, 2)))
     inputs = {"VolumeFractionArrays": ["ball", "rest"]}
     finest = mesh_of(data(), Refinement="Uniform", **inputs)
@@ -129,11 +132,12 @@ def test_levels_of_the_input():
                           mesh_of(data(), Refinement="Uniform", MaximumLevel=1, **inputs))
     assert digest(mesh_of(data(), MaximumLevel=0,
                           **inputs)) == digest(mesh_of(data(), Refinement="Off", **inputs))
-    # Coarsening takes no heed of where the input is refined, and goes on below its level 0.
+    # Coarsening ignores the levels of the input and continues above its level 0.
     check_same_interfaces(refined_mesh(data(), 3, MaximumLevel=3, **COARSEN, **inputs), finest)
 
 
 def test_image_has_one_level():
+    """An image has one level, for any MaximumLevel."""
     data = cubes(fractions("sphere radius=0.6", 12))
     for properties in ({}, {"MaximumLevel": 3}, {"FineLayers": 5}):
         result = mesh_of(data, VolumeFractionArrays=["ball"], **properties)
@@ -153,6 +157,7 @@ def two_materials(n, shapes="Ball and Plate"):
 
 
 def test_coarsening_keeps_interfaces():
+    """Coarsening leaves the interfaces unchanged."""
     data = two_materials(32, THICK)
     for void in (0, 1):
         off = mesh_of(data, MeshVoid=void)
@@ -164,13 +169,14 @@ def test_coarsening_keeps_interfaces():
             check_same_interfaces(result, off)
             assert least(result) > 0.5 or least(result) == least(off), (least(result), least(off))
         counts = list(map(number_of_hexes, results))
-        print("ball on a block, 32^3, void %d: %d hexes; with 1, 2, 3 levels and with 5 fine layers %s" % (void, number_of_hexes(off), counts))
+        print("ball on a block, 32^3, void %d: %d hexes; with 1, 2, 3 levels and with 5 fine "
+              "layers %s" % (void, number_of_hexes(off), counts))
         assert number_of_hexes(off) > counts[0] >= counts[1] >= counts[2] < counts[3]
         assert digest(mesh_of(data, **COARSEN, MeshVoid=void)) == digest(results[2])
 
 
 def test_coarsening_a_sphere():
-    """Far fewer hexes of a larger grid."""
+    """Coarsening a larger grid gives far fewer elements."""
     data = cubes(fractions("sphere radius=0.72", 48))
     off, coarse = (mesh_of(data, VolumeFractionArrays=["ball"], MeshVoid=1, Refinement=mode)
                    for mode in ("Off", "Coarsen"))
@@ -183,10 +189,10 @@ def test_coarsening_a_sphere():
 
 
 def test_fine_layers():
-    """So many of the finest cells lie between an interface and larger ones."""
+    """FineLayers of the finest cells lie between an interface and larger cells."""
     n = 32
     inside = np.zeros((n, n, n))
-    inside[:n // 2] = 1  # a flat interface: hexes keep their places
+    inside[:n // 2] = 1  # the nodes do not move at a flat interface
     data = cubes({"low": inside})
     counts = []
     for layers in (2, 3, 5):
@@ -201,6 +207,7 @@ def test_fine_layers():
 
 
 def test_sizes_that_do_not_divide():
+    """A warning names the number of cells that cannot be divided further."""
     data = lambda n: cubes(fractions("sphere radius=0.6", n))
     off = mesh_of(data([24, 20, 24]), VolumeFractionArrays=["ball"])
     for maximum, levels, warned in ((2, 2, False), (3, 2, True), (-1, 2, False)):
@@ -215,7 +222,7 @@ def test_sizes_that_do_not_divide():
 
 
 def test_rectilinear_grid():
-    """Uneven cells join in twos where they are halves of wider ones."""
+    """Uneven cells are joined in pairs if they are halves of wider cells."""
     wide = np.concatenate([[0.0], np.cumsum(1.03 ** np.arange(12))])
     halves = np.sort(np.concatenate([wide, (wide[1:] + wide[:-1]) / 2]))
     arrays = fractions("sphere radius=0.6", 24)
@@ -237,10 +244,12 @@ def test_rectilinear_grid():
 # ---- criteria
 
 def plate_case(normal, n=16):
-    """A plate one cell thick across a box of n cells: image, and the distance of points to its two
-    planes in cells."""
+    """Returns an image of a plate one cell thick, and a function of points.
+
+    The function returns the distances to the planes of the plate, in cells.
+    """
     normal = np.array(normal) / np.linalg.norm(normal)
-    point = 0.03  # of the box: no symmetry
+    point = 0.03  # unit: half the box; avoids symmetry
     text = ";".join("halfspace point=%r,%r,%r normal=%r,%r,%r material=%d"
                     % (*(normal * (point - s / n)).tolist(), *normal.tolist(), m)
                     for s, m in ((1, 2), (-1, 1)))
@@ -264,9 +273,11 @@ def check_plate(normal):
     distance = distances(surface_points(result))
     off, uniform = mesh_of(data, Refinement="Off",
                            **inputs), mesh_of(data, Refinement="Uniform", **inputs)
-    print("plate %s: %d hexes (%d at one level, %d all fine; with void %d), min SJ %.3f, distance max %.3f rms %.4f h" % (
-        normal, number_of_hexes(result), number_of_hexes(off), number_of_hexes(uniform),
-        number_of_hexes(with_void), least(result), distance.max(), np.sqrt((distance ** 2).mean())))
+    print("plate %s: %d hexes (%d at one level, %d all fine; with void %d), min SJ %.3f, "
+          "distance max %.3f rms %.4f h" % (
+              normal, number_of_hexes(result), number_of_hexes(off), number_of_hexes(uniform),
+              number_of_hexes(with_void), least(result), distance.max(),
+              np.sqrt((distance ** 2).mean())))
     assert result.field("NumberOfFragments") == [1] and pieces == [2, 1], pieces
     assert least(result) >= 0.4 and least(with_void) >= 0.4
     assert distance.max() <= 0.3
@@ -283,6 +294,7 @@ def test_other_plate_of_one_cell():
 
 
 def test_thick_ball_asks_for_nothing():
+    """A thick body is not refined by the default criteria."""
     data = cubes(fractions("sphere radius=0.6", 20))
     off = digest(mesh_of(data, VolumeFractionArrays=["ball"], Refinement="Off"))
     for maximum in (-1, 0, 1, 2):
@@ -293,13 +305,14 @@ def test_thick_ball_asks_for_nothing():
 
 
 def test_every_criterion():
+    """Each criterion refines the expected cells."""
     small, large = cubes(fractions("sphere radius=0.4",
                                    16)), cubes(fractions("sphere radius=0.75", 16))
     inputs = {"VolumeFractionArrays": ["ball"]}
-    # its radius is 3.2 cells
+    # The radius is 3.2 cells.
     curved = refined_mesh(small, 1, CurvaturePerCell=0.2, **AUTOMATIC, **inputs)
     check_same_interfaces(curved, mesh_of(small, Refinement="Uniform", **inputs))
-    # 6 cells
+    # The radius is 6 cells.
     assert digest(mesh_of(large, CurvaturePerCell=0.3, **AUTOMATIC,
                           **inputs)) == digest(mesh_of(large, **inputs))
     two = refined_mesh(large, 2, Refinement="Automatic", MaximumLevel=2, InterfaceLayers=1,
@@ -321,7 +334,7 @@ def test_every_criterion():
 
 
 def test_criteria_on_levels_of_the_input():
-    """A film thinner than two of the finest cells of the input."""
+    """A film thinner than two of the finest input cells gets a further level."""
     film = fractions("plate thickness=0.07 normal=1,2,3", 32, ("film",))
     amr = make_amr(2, 2, (4, 4, 4), film, np.array([2.0] * 3))
     inputs = {"VolumeFractionArrays": ["film"]}
@@ -371,8 +384,10 @@ def test_threads():
 
 
 def test_state_arrays():
-    """Large hexes have the values of the cell around their middle, hexes near interfaces those that
-    they have at one level."""
+    """Large elements have the state of the cell at their centroid.
+
+    Elements near interfaces have the same state as in a mesh of one level.
+    """
     n = 24
     arrays = fractions("Ball and Plate", n, ("ball", "plate"))
     number = np.arange(n ** 3, dtype=np.int64).reshape(n, n, n)
@@ -385,7 +400,7 @@ def test_state_arrays():
     ids = result.cells("GlobalCellIds")[near].tolist()
     assert near.sum() == result.field("LevelCells")[-1] and not near.all()
     i, j, k = np.floor(points_of(result)[elements(result)].mean(axis=1) + 1e-9).astype(int).T
-    # carried into another cell beside a transition
+    # Some elements next to a transition lie in another cell.
     differs = result.cells("number")[near] != [at[i] for i in ids]
     assert differs.sum() < 0.01 * len(differs) and np.array_equal(
         result.cells("number")[near][differs], number[k, j, i][near][differs])
@@ -419,7 +434,7 @@ def test_files(at):
 
 @in_folder
 def test_sculptor(at):
-    """The program's options are the filter's properties."""
+    """Properties set by sculptor give the mesh of the filter."""
     data = two_materials(16)
     simple.SaveData(at("data.vti"), proxy=producer(data), DataMode="Binary")
     for words, properties in ((["Refinement=Coarsen"], COARSEN),
@@ -434,6 +449,7 @@ def test_sculptor(at):
 
 
 def test_malformed_values():
+    """Unknown words are errors; numbers out of range are clamped."""
     data = two_materials(8)
     for name, value in (("Refinement", "Coarse"), ("ChildFractions", "Plane"),
                         ("MaximumLevel", "many"), ("FineLayers", None)):
@@ -442,7 +458,8 @@ def test_malformed_values():
         except (ValueError, TypeError):
             continue
         raise AssertionError("no error for " + name)
-    clamped = mesh_of(data, MaximumLevel=1, FineLayers=-3, **COARSEN)  # to 2, as the property says
+    # clamped to 2, the minimum of the property
+    clamped = mesh_of(data, MaximumLevel=1, FineLayers=-3, **COARSEN)
     assert digest(clamped) == digest(mesh_of(data, MaximumLevel=1, **COARSEN))
     result = mesh_of(data, MaximumLevel=99, **COARSEN)
     assert len(result.warnings) == 1 and "not 10" in result.warnings[0], result.warnings

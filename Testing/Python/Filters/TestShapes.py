@@ -1,4 +1,4 @@
-"""The source of volume fractions of shapes and the filter for closed surfaces."""
+"""Source of volume fractions of shapes, and filter for closed surfaces."""
 import math
 
 import numpy as np
@@ -14,7 +14,7 @@ from vfmtest import (
 
 
 class Fractions:
-    """The output of a proxy and the messages of the run."""
+    """Output of a proxy, and messages of the run."""
 
     def __init__(self, proxy):
         algorithm = proxy.GetClientSideObject()
@@ -34,7 +34,7 @@ class Fractions:
 
 
 def of(proxy):
-    """As Fractions(proxy), without any message."""
+    """Runs a proxy and checks that there is no message."""
     result = Fractions(proxy)
     assert not result.errors and not result.warnings, result.errors + result.warnings
     return result
@@ -98,7 +98,7 @@ def test_default_is_a_ball_and_a_plate():
 
 def test_every_preset_of_the_menu_is_the_one_named():
     ball = lambda radius: 4 / 3 * math.pi * radius ** 3
-    volumes = {  # in the default bounds
+    volumes = {  # volumes in the default bounds
         "Sphere": [ball(0.75)], "Two Spheres": [2 * ball(0.4)],
         "Ellipsoid": [ball(1) * 0.8 * 0.5 * 0.35],
         "Ball and Plate": [ball(0.5), 1.6 * 1.6 * 0.4], "Three Sectors": [ball(0.75) / 3] * 3,
@@ -138,7 +138,7 @@ def test_any_extent_gives_the_same_fractions():
                                      Dimensions=[24, 20, 22]).GetClientSideObject()
     algorithm.UpdateInformation()
     for extent in ([0, 24, 0, 20, 0, 22], [3, 17, 5, 20, 0, 9], [8, 9, 8, 9, 8, 9]):
-        algorithm.Modified()  # or the larger one before would do
+        algorithm.Modified()  # otherwise the larger extent of before is used
         assert algorithm.UpdateExtent(extent)
         part = algorithm.GetOutputDataObject(0)
         assert list(part.GetExtent()) == extent
@@ -236,7 +236,7 @@ def test_surface_that_is_not_manifold_is_an_error():
         data.SetPolys(cells)
         return data
 
-    two = appended(tetrahedron((0.5, 1, 0)), tetrahedron((0.5, -1, 0)))  # share an edge
+    two = appended(tetrahedron((0.5, 1, 0)), tetrahedron((0.5, -1, 0)))  # the two share an edge
     expect_error(of_surface(two), "not manifold")
 
 

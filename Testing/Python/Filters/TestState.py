@@ -1,5 +1,4 @@
-"""State arrays: every element has the values of the cell that the rule names, and arrays stay what
-they are."""
+"""State arrays: each element has the values of the cell that the rule selects, in the same type."""
 import random
 
 import numpy as np
@@ -31,7 +30,7 @@ DATA = with_numbers({"ball": BALL, "plate": PLATE})
 
 
 def check_rule(data, coordinates, fractions, **properties):
-    """How many elements took a neighbour's values."""
+    """Checks the rule and returns how many elements use another cell than their own."""
     result = mesh_of(data, StateArrays=["number"], **properties)
     limited = properties.get("Method") != "TetGen"
     expected, moved = state_cells(result, coordinates, fractions, limited)
@@ -66,6 +65,7 @@ def test_rule_on_graded_grids():
 
 
 def test_stair_steps_keep_their_cells():
+    """An element of a stair-step mesh has the state of its cell."""
     ids = labels(N)
     result = mesh_of(with_numbers({"id": ids}), MaterialIdArray="id", StateArrays=["number"],
                      StairStep=1)
@@ -73,6 +73,7 @@ def test_stair_steps_keep_their_cells():
 
 
 def test_halves_of_cells_keep_the_values_of_the_whole():
+    """Elements of halved cells have the state of the whole cell."""
     ids = labels(N)
     for refinement in (1, 2):
         result = mesh_of(
@@ -86,7 +87,7 @@ def test_halves_of_cells_keep_the_values_of_the_whole():
 
 
 def values_of(dtype, components):
-    """Values that doubles and floats would not hold where the type holds them."""
+    """Returns values that need the full range of the type."""
     if np.issubdtype(dtype, np.integer):
         limits = np.iinfo(dtype)
         values = np.random.default_rng(1).integers(limits.min, limits.max, (N, N, N, components),
@@ -98,7 +99,7 @@ def values_of(dtype, components):
 
 
 def check_values(data, values, name, **properties):
-    """The array of the mesh, whose values must be those of the cells that 'number' names."""
+    """Checks a state array by 'number', the cell of each element, and returns it."""
     result = mesh_of(data, StateArrays=[name, "number"], **properties)
     found = result.mesh.GetCellData().GetArray(name)
     flat = values.reshape(N ** 3, -1)
@@ -163,6 +164,7 @@ def cell_arrays(result):
 
 
 def test_the_mesh_stays_what_it_is():
+    """State arrays do not change the rest of the mesh."""
     plain, carrying = mesh_of(DATA), mesh_of(DATA, StateArrays=["number", "ball", "number"])
     assert cell_arrays(carrying) == cell_arrays(plain) + ["number", "ball"]
     assert carrying.mesh.GetCellData().GetScalars().GetName() == "MaterialId"
@@ -180,7 +182,10 @@ def test_threads():
 
 
 def blocks(ghosts):
-    """DATA as eight blocks in random order; ghost cells are marked and hold nonsense."""
+    """Returns DATA as eight blocks in random order.
+
+    Ghost cells are marked and hold invalid values.
+    """
     result = []
     arrays = {"ball": BALL, "plate": PLATE, "number": NUMBERS}
     cuts = [[(0, c), (c, N)] for c in (5, 7, 4)]  # z, y, x
@@ -214,6 +219,7 @@ def test_blocks_and_ghosts():
 
 
 def test_blanked_cells_give_their_values():
+    """Elements may take state from blanked cells."""
     hidden = np.zeros((N, N, N), np.uint8)
     hidden[4:8, 4:8, 4:8] = HIDDEN
     data = image({"ball": BALL, "plate": PLATE, "number": NUMBERS, "vtkGhostType": hidden})

@@ -1,5 +1,7 @@
-"""Tetrahedra: properties of the filter, angles, volumes, what cannot be meshed. What both filters
-have in common is in TestOutputs.py."""
+"""Tetrahedra: properties of the filter, angles, volumes, and input that cannot be meshed.
+
+TestOutputs.py has the tests that are common to both filters.
+"""
 import functools
 
 import numpy as np
@@ -27,9 +29,10 @@ MESHES = {method: tets_of(DATA, Method=method) for method in TET_METHODS}
 
 
 def dihedral_angles(result):
-    """Degrees, six a tetrahedron."""
+    """Returns the dihedral angles in degrees, six per tetrahedron."""
     p = vtk_to_numpy(result.mesh.GetPoints().GetData())[elements(result)]
-    faces = [(1, 2, 3), (0, 3, 2), (0, 1, 3), (0, 2, 1)]  # opposite to each corner, normals outward
+    # face opposite to each corner, normals outward
+    faces = [(1, 2, 3), (0, 3, 2), (0, 1, 3), (0, 2, 1)]
     normals = [np.cross(p[:, b] - p[:, a], p[:, c] - p[:, a]) for a, b, c in faces]
     normals = [normal / np.linalg.norm(normal, axis=1)[:, None] for normal in normals]
     cosines = [-np.einsum("ij,ij->i", normals[a], normals[b]) for a, b in FACE_PAIRS]
@@ -37,7 +40,11 @@ def dihedral_angles(result):
 
 
 def check_mesh(result):
-    """Positive volumes that sum to the materials', and faces on at most two tetrahedra."""
+    """Checks volumes and faces.
+
+    Volumes are positive and sum to the volumes of the materials. A face has at most two
+    tetrahedra.
+    """
     volume = tet_volumes(vtk_to_numpy(result.mesh.GetPoints().GetData()), elements(result))
     material = result.cells("MaterialId")
     assert volume.min() > 0
@@ -59,6 +66,7 @@ def test_default_method():
 
 
 def test_fine_interfaces_are_for_hexahedra():
+    """FineInterfaces does not change tetrahedra."""
     for refinement in ("Coarsen", "Automatic"):
         properties = {"Method": "Lattice", "Refinement": refinement, "InterfaceLayers": 1,
                       "StairStep": 1}
@@ -83,9 +91,9 @@ def test_dihedral_angles():
         counts = result.field("DihedralAngles")
         assert len(counts) == 18 and sum(counts) == angles.size
         expected, _ = np.histogram(angles, np.arange(0, 181, 10))
-        # right angles are on a limit
+        # Right angles lie on the limit of two intervals.
         assert np.abs(np.cumsum(counts) - np.cumsum(expected)).max() <= 0.02 * angles.size
-        # cells are 1 x 1 x 2
+        # The cells measure 1 x 1 x 2.
         assert angles.min() > {"TetGen": 10, "Cells": 15,
                                "Lattice": 20}[method], (method, angles.min())
 
@@ -107,7 +115,7 @@ def test_hexahedra_have_no_angles():
 
 
 def test_cells_has_the_faces_of_the_hexahedra():
-    """Two triangles for each quadrilateral inside the domain."""
+    """Cells cuts each quadrilateral inside the domain into two triangles."""
     inside = lambda result: (
         vtk_to_numpy(result.surfaces.GetCellData().GetArray("DomainSide")) < 0).sum()
     assert inside(MESHES["Cells"]) == 2 * inside(mesh_of(DATA))
@@ -119,7 +127,7 @@ def test_stair_step():
     for method in TET_METHODS:
         result = tets_of(image({"id": cells}), MaterialIdArray="id", Method=method, StairStep=1)
         check_mesh(result)
-        if method != "Lattice":  # whose surfaces lie between the cells
+        if method != "Lattice":  # surfaces of Lattice lie between the cells
             assert abs(sum(result.field("MeshVolume")) - volume) < 1e-9 * volume
 
 
@@ -143,9 +151,9 @@ def test_smoothing():
 
 
 def test_target_scaled_jacobian_is_a_sine():
+    """A lower target than the automatic one, which is above 0.5, gives smaller angles."""
     for method in ("Cells", "Lattice"):
         low = tets_of(DATA, Method=method, TargetScaledJacobian=0.25)
-        # automatic: over 0.5
         assert low.field("MinimumDihedralAngle")[0] < MESHES[method].field("MinimumDihedralAngle")[
             0]
 
@@ -220,8 +228,11 @@ def test_empty_field_is_no_error():
 
 
 def test_planes_on_round_numbers():
-    """Two layers that meet at 0.3 of a cell, where a lattice node is as near as nodes may be that
-    the interface goes through."""
+    """Layers that meet at 0.3 of a cell are flat within 0.06 of a cell.
+
+    Lattice nodes then have the smallest distance allowed from a surface that does not pass
+    through them.
+    """
     n = 8
     for height in (4.3, 4.7):
         low = np.broadcast_to(np.clip(height - np.arange(n), 0, 1)[:, None, None], (n, n, n)).copy()
