@@ -1,17 +1,35 @@
 /**
- * Sculptor.h: hexahedral and tetrahedral meshes from the volume fractions of a running simulation, for C and Fortran
- * (module sculptor in sculptor.f90). Link libsculptor; needs MPI and netCDF, no VTK, no ParaView.
+ * Sculptor.h: makes hexahedral and tetrahedral meshes from the volume fractions of a running
+ * simulation, for C, C++ and Fortran (module sculptor in sculptor.f90). Link libsculptor, which
+ * needs MPI and netCDF, but neither VTK nor ParaView.
  *
- * CMLPSculptor.c.h has the ten calls of Sculptor's report, for one material; these do more. Handles are the same for both.
+ * CMLPSculptor.c.h declares the ten calls of Sculptor's report, for one material. The calls below
+ * offer more. Handles are valid for both headers.
  *
- * Every call returns one of SculptorCode; sculptor_error_text() tells more. No call ends the process.
- * "Collective": all ranks of the communicator must call, and what is wrong on one rank is refused on all, with the same
- * code and text. Alone is a wrong handle, which names no communicator: only its own rank learns of it.
+ * A typical sequence is sculptor_create, sculptor_set_box, sculptor_add_material,
+ * sculptor_make_mesh, sculptor_get_*, sculptor_delete. Examples/sculptor has complete programs.
  *
- * Arrays over cells hold those of this rank's box alone, x fastest, no ghost cells; they are not copied and must stay as
- * they are until the mesh is made. Coordinates are x y z a node, in the unit of the bounding box. Nodes of an element
- * are in the order of VTK and Exodus (HEX8, TET4). Node numbers count this rank's nodes, from 0. Nodes that ranks share occur
- * on each, with the same global id.
+ * Errors. Each call returns a SculptorCode; sculptor_error_text returns the message. Each call may
+ * return SCULPTOR_ERROR_HANDLE, SCULPTOR_ERROR_MEMORY and SCULPTOR_ERROR_INTERNAL; further codes
+ * are listed with each call. Null pointers give SCULPTOR_ERROR_ARGUMENT, unless they have a
+ * meaning. No call ends the process.
+ *
+ * Collective calls must be made by all ranks of the communicator. An error on one rank is then
+ * reported on all ranks, with the same code and message. Exception: an invalid handle, which has no
+ * communicator, is reported only on the calling rank.
+ *
+ * Input arrays contain the cells of one box or block of this rank, x fastest, without ghost cells.
+ * They are not copied and must not change or move until the mesh is made.
+ *
+ * Output arrays belong to the sculptor; the calls set pointers to them. They are valid until the
+ * next call of sculptor_make_mesh, c_mesh_from_data or sculptor_delete. Do not free them.
+ *
+ * Coordinates are x, y, z per node, in the length unit of the bounding box. The nodes of an element
+ * are in the order of VTK and Exodus (HEX8, TET4). Node numbers count the nodes of this rank, from
+ * 0. Nodes that several ranks share are on each of them, with the same global id.
+ *
+ * Threads. Different sculptors may be used by different threads, a sculptor by one thread at
+ * a time.
  */
 #ifndef Sculptor_h
 #define Sculptor_h
@@ -29,148 +47,352 @@ extern "C"
 {
 #endif
 
+  /** Result of a call. */
   enum SculptorCode
   {
+    /** Success. */
     SCULPTOR_OK = 0,
-    SCULPTOR_ERROR_HANDLE = 1,   /* no such sculptor: never created, or deleted */
-    SCULPTOR_ERROR_ARGUMENT = 2, /* a null pointer, a number out of range, an unknown name */
-    SCULPTOR_ERROR_INPUT =
-      3, /* data that cannot be meshed: NaN, boxes or neighbours that do not match, ... */
-    SCULPTOR_ERROR_NO_MESH = 4, /* asked for a mesh before one was made */
-    SCULPTOR_ERROR_SIZE = 5, /* too large for the int of the report's calls: use sculptor_get_* */
-    SCULPTOR_ERROR_FILE = 6, /* a file cannot be written */
+    /** The handle is invalid: the sculptor was never created, or it was deleted. */
+    SCULPTOR_ERROR_HANDLE = 1,
+    /** An argument is invalid: a null pointer, a number out of range, an unknown name. */
+    SCULPTOR_ERROR_ARGUMENT = 2,
+    /** The data cannot be meshed: NaN, or boxes or neighbours that do not match, for example. */
+    SCULPTOR_ERROR_INPUT = 3,
+    /** There is no mesh: none was made, or the last one failed. */
+    SCULPTOR_ERROR_NO_MESH = 4,
+    /** The mesh is too large for the int of the report's calls: use sculptor_get_*. */
+    SCULPTOR_ERROR_SIZE = 5,
+    /** A file cannot be written. */
+    SCULPTOR_ERROR_FILE = 6,
+    /** There is not enough memory. */
     SCULPTOR_ERROR_MEMORY = 7,
+    /** An internal error. */
     SCULPTOR_ERROR_INTERNAL = 8
   };
 
-  /* ---- sculptors ---- */
+  /** @name Sculptors
+   * @{ */
 
-  /* A new sculptor; its handle, from 1, goes to *sculptor. */
+  /**
+   * Creates a sculptor.
+   * @param[out] sculptor  handle, from 1; unchanged on failure
+   * @return SCULPTOR_ERROR_ARGUMENT if the pointer is null; sculptor_error_text(0) returns the
+   * message
+   */
   SCULPTOR_EXPORT int sculptor_create(int* sculptor);
 
-  /* Frees a sculptor and all arrays that it gave. Collective (a communicator is freed). */
+  /**
+   * Deletes a sculptor and all arrays that it has returned.
+   * @return SCULPTOR_ERROR_HANDLE for an invalid handle; sculptor_error_text(0) returns the message
+   * @pre Collective, because a communicator is freed
+   */
   SCULPTOR_EXPORT int sculptor_delete(int sculptor);
 
-  /* ---- before the mesh ---- */
+  /** @}
+   * @name Input
+   * @{ */
 
-  /* The ranks that work together: a Fortran communicator, from C MPI_Comm_c2f(communicator). Not called: MPI_COMM_WORLD if
-   * MPI runs, else this process alone. It is duplicated when the mesh is made, so no message meets the host's. */
+  /**
+   * Sets the ranks that work together. Without this call they are the ranks of MPI_COMM_WORLD, or
+   * only this process if MPI is not running.
+   * @param communicator  Fortran handle; in C, MPI_Comm_c2f(communicator). It is duplicated when
+   * the mesh is made, so that messages do not interfere with messages of the simulation
+   * @return SCULPTOR_ERROR_ARGUMENT for MPI_COMM_NULL, or if MPI is not running
+   * @pre Collective if a mesh was made on another communicator, whose duplicate is freed
+   */
   SCULPTOR_EXPORT int sculptor_set_communicator(int sculptor, int communicator);
 
-  /* A property of the filters by its name: IsoValue, MeshVoid, StairStep, Smoothing, SharpEdges, TargetScaledJacobian,
-   * ConserveVolume, ComputeQuality, NumberOfThreads, Refinement, MaximumLevel, RefinementBoxes, MaximumAspectRatio,
-   * FractionTolerance, ...; of tetrahedra alone Method, RelativeSize, ...; and IndexBase (0 or 1), where c_get_free_hexes and its
-   * like begin to count nodes. All ranks must set the same. */
+  /**
+   * Sets an option by name. All ranks must set the same options; sculptor_make_mesh checks this.
+   * Options stay set until they are changed. Documentation/reference/options.md lists them:
+   * IsoValue, MeshVoid, StairStep, Smoothing, SharpEdges, TargetScaledJacobian, ConserveVolume,
+   * ComputeQuality, NumberOfThreads, Refinement, MaximumLevel, RefinementBoxes, MaximumAspectRatio,
+   * FractionTolerance and others; for tetrahedra also Method and RelativeSize. The option
+   * IndexBase, 0 or 1, is the number of the first node in the arrays of c_get_free_hexes and of
+   * similar calls of CMLPSculptor.c.h.
+   * @param name  name of the option; case matters only for IndexBase
+   * @param value  value as text: a number, "on" or "off", a word such as "Automatic", or a list of
+   *   names with commas between them
+   * @return SCULPTOR_ERROR_ARGUMENT if the option does not exist or cannot have this value
+   */
   SCULPTOR_EXPORT int sculptor_set_option(int sculptor, const char* name, const char* value);
 
-  /* This rank's cells. bounding_box: xmin ymin zmin xmax ymax zmax; intervals: 3, how many cells, each at least 1. All boxes
-   * must tile one box, with cells of one size. Forgets the blocks of sculptor_add_block. */
+  /**
+   * Sets the box of cells of this rank. The boxes of all ranks must fill one box, and all cells
+   * must have the same size. sculptor_make_mesh checks the numbers. The box replaces an earlier one
+   * and all blocks of sculptor_add_block; fields that were set for the first of them are kept.
+   * @param bounding_box  xmin, ymin, zmin, xmax, ymax, zmax; copied
+   * @param intervals  3 numbers of cells along x, y and z, each at least 1; copied
+   */
   SCULPTOR_EXPORT int sculptor_set_box(
     int sculptor, const double* bounding_box, const int* intervals);
 
-  /* For several blocks a rank, blocks on several levels (AMR) and ranks without cells: begins a further block of this rank, to which
-   * the materials or material ids and the states set after it belong. All blocks of all ranks must have the same, in the same
-   * order. level: 0 for the coarsest cells of all ranks, L for those halved L times along each axis, at most 30; bounding_box,
-   * intervals: as above. All blocks together must fill a box of whole cells of level 0. Those of one level must not overlap;
-   * finer ones must cover whole cells of the level before, whose blocks may have values there or not: they are ignored.
-   * Messages count a rank's blocks from 0. */
+  /**
+   * Adds a block of cells to this rank, for several blocks per rank, for blocks on several levels
+   * (AMR), and if there are ranks without cells. Materials or material ids, states and refinement
+   * that are set after this call belong to the block. All blocks of all ranks must have the same
+   * fields in the same order. Error messages count the blocks of a rank from 0.
+   *
+   * All blocks together must fill a box of whole cells of level 0. Blocks of one level must not
+   * overlap. Blocks of a finer level must cover whole cells of the next coarser level. Blocks of
+   * coarser levels may or may not exist below them; their values there are ignored.
+   * @param level  0 for the coarsest cells of all ranks, L for cells halved L times along each
+   * axis, at most 30
+   * @param bounding_box  xmin, ymin, zmin, xmax, ymax, zmax; copied
+   * @param intervals  3 numbers of cells along x, y and z, each at least 1; copied
+   */
   SCULPTOR_EXPORT int sculptor_add_block(
     int sculptor, int level, const double* bounding_box, const int* intervals);
 
-  /* Forgets the box and all blocks of this rank with their fields, before blocks are begun anew; a rank that begins none has no
-   * cells. As long as the grid and the places of the arrays stay, nothing need be called before the next mesh: it is made of the
-   * values that are there then. */
+  /**
+   * Removes the box and all blocks of this rank with their fields, so that new blocks can be added.
+   * A rank that adds none has no cells. This call is not necessary before the next mesh if the grid
+   * and the addresses of the arrays stay the same: the mesh is made from the current values.
+   */
   SCULPTOR_EXPORT int sculptor_clear_blocks(int sculptor);
 
-  /* The ranks across -x +x -y +y -z +z, -1 where the whole grid ends; null: not known, and this rank may get the elements of
-   * others' cells. Only where every rank has one block, of level 0. */
+  /**
+   * Sets the ranks across the faces of this rank's box. Each rank then gets the elements of its own
+   * cells. Neighbours must be set on all ranks or on none, and each rank must have exactly one
+   * block, of level 0. sculptor_make_mesh checks this.
+   * @param neighbours  6 ranks across -x, +x, -y, +y, -z, +z, -1 at the ends of the whole grid;
+   *   copied. Null: not known; the cells are redistributed, and this rank may receive elements of
+   *   cells of other ranks
+   */
   SCULPTOR_EXPORT int sculptor_set_neighbours(int sculptor, const int* neighbours);
 
-  /* The next material, its number from 1 in the order of the calls: its volume fractions, in [0,1]. */
+  /**
+   * Adds a material to the box or to the block added last. Materials have the numbers 1, 2, ... in
+   * the order of the calls.
+   * @param name  name of the material; copied
+   * @param vfrac  volume fraction per cell, in [0, 1]
+   */
   SCULPTOR_EXPORT int sculptor_add_material(int sculptor, const char* name, const double* vfrac);
 
-  /* Instead of volume fractions: the number of the material in each cell, 0 for void. */
+  /**
+   * Sets the material of each cell of the box or of the block added last, instead of volume
+   * fractions.
+   * @param ids  material number per cell, 0 for void
+   */
   SCULPTOR_EXPORT int sculptor_set_material_ids(int sculptor, const int* ids);
 
-  /* Values of the cells that go to the elements: velocity, density, ... components values a cell. Elements take those of one cell
-   * each; where the option DensityArrays names states, mass, momentum, energy and all else of each material are kept: see the options
-   * StateTransfer, StateKinds, StateOrder, VelocityArray, EnergyArray, NodalVelocity, LostKineticEnergy, UnmeshedMaterial. */
+  /**
+   * Adds a state to the box or to the block added last, for instance velocity or density, that is
+   * transferred to the elements. An element takes the values of one cell. If the option
+   * DensityArrays names states, mass, momentum, energy and other state of each material are
+   * conserved instead; see the options StateTransfer, StateKinds, StateOrder, VelocityArray,
+   * EnergyArray, NodalVelocity, LostKineticEnergy and UnmeshedMaterial.
+   * @param name  name of the state; copied
+   * @param components  number of values per cell, at least 1
+   * @param values  values, shape (cells, components), row-major
+   */
   SCULPTOR_EXPORT int sculptor_add_state(
     int sculptor, const char* name, int components, const double* values);
 
-  /* For the next mesh alone: how many times each cell of the block last begun, or of the box, is to be halved along every axis,
-   * a whole number from 0 to 10; null: none of them. Refinement is then Automatic, by these cells alone unless that option is Automatic by itself, with
-   * a MaximumLevel other than 0. MaximumLevel above 0 bounds what they get. With the option FineInterfaces off each place gets what it
-   * wants, else all interfaces what the neediest does. */
+  /**
+   * Selects cells to refine, for the next mesh only, in the box or in the block added last. The
+   * mesh is made with the option Refinement Automatic. If Refinement is not Automatic, or
+   * MaximumLevel is 0, only the selected cells are refined. MaximumLevel above 0 limits the number
+   * of halvings. With the option FineInterfaces off, each place gets its own level; otherwise all
+   * interfaces get the finest level.
+   * @param halvings  number of halvings along every axis per cell, 0 to 10; not copied. Null: no
+   *   cells are selected
+   */
   SCULPTOR_EXPORT int sculptor_set_refinement(int sculptor, const int* halvings);
 
-  /* Forgets materials and states, for the next time step; box, neighbours and options stay. Hosts with several blocks call
-   * sculptor_clear_blocks instead. */
+  /**
+   * Removes all materials and states, before the fields of the next time step are set. Box,
+   * neighbours and options stay. With several blocks, call sculptor_clear_blocks instead.
+   */
   SCULPTOR_EXPORT int sculptor_clear_fields(int sculptor);
 
-  /* Makes the mesh of all materials. tet_mesh: 0 hexahedra, else tetrahedra. Collective. */
+  /**
+   * Makes the mesh of all materials. The elements and ids do not depend on the number of ranks,
+   * except for tetrahedra by TetGen.
+   * @param tet_mesh  0: hexahedra, otherwise tetrahedra
+   * @return SCULPTOR_ERROR_ARGUMENT if fields, boxes or options are missing, wrong or different on
+   *   the ranks; SCULPTOR_ERROR_INPUT if they cannot be meshed. There is then no mesh
+   * @pre Collective
+   */
   SCULPTOR_EXPORT int sculptor_make_mesh(int sculptor, int tet_mesh);
 
-  /* ---- the mesh: pointers into the sculptor, good until the next mesh or the end, not to be freed ---- */
+  /** @}
+   * @name Mesh
+   * Arrays of the mesh of this rank. Each call returns SCULPTOR_ERROR_NO_MESH if there is no mesh.
+   * @{ */
 
-  /* corners: 8 or 4, of each element. */
+  /**
+   * Returns the size of this rank's mesh.
+   * @param[out] points,elements  number of nodes and of elements of this rank
+   * @param[out] corners  nodes per element, 8 or 4; 0 without elements
+   */
   SCULPTOR_EXPORT int sculptor_get_counts(
     int sculptor, int64_t* points, int64_t* elements, int* corners);
+  /**
+   * Returns the coordinates of the nodes.
+   * @param[out] coordinates  shape (points, 3); null without nodes
+   */
   SCULPTOR_EXPORT int sculptor_get_points(int sculptor, const double** coordinates);
-  /* Always from 0, whatever the IndexBase: corners an element. */
+  /**
+   * Returns the nodes of the elements.
+   * @param[out] connectivity  node numbers from 0 whatever the IndexBase, shape (elements,
+   *   corners); null without elements
+   */
   SCULPTOR_EXPORT int sculptor_get_elements(int sculptor, const int64_t** connectivity);
-  /* Global ids from 1, with gaps; the same on any number of ranks. */
+  /**
+   * Returns the global ids of the nodes, which do not depend on the number of ranks.
+   * @param[out] ids  id per node, from 1, ascending, with gaps; null without nodes
+   */
   SCULPTOR_EXPORT int sculptor_get_point_ids(int sculptor, const int64_t** ids);
+  /**
+   * Returns the global ids of the elements, which do not depend on the number of ranks.
+   * @param[out] ids  id per element, from 1, ascending, with gaps; null without elements
+   */
   SCULPTOR_EXPORT int sculptor_get_element_ids(int sculptor, const int64_t** ids);
-  /* Of each element. */
+  /**
+   * Returns the materials of the elements.
+   * @param[out] ids  material number per element, 0 for void; null without elements
+   */
   SCULPTOR_EXPORT int sculptor_get_materials(int sculptor, const int** ids);
+  /**
+   * Returns the fragments of the elements. A fragment is a face-connected piece of a material over
+   * all ranks.
+   * @param[out] ids  fragment number per element, from 1 over all ranks; null without elements
+   */
   SCULPTOR_EXPORT int sculptor_get_fragments(int sculptor, const int** ids);
+  /**
+   * Returns a state of the elements.
+   * @param name  name in sculptor_add_state
+   * @param[out] components  number of values per element
+   * @param[out] values  shape (elements, components)
+   * @return SCULPTOR_ERROR_ARGUMENT if the mesh has no such state
+   */
   SCULPTOR_EXPORT int sculptor_get_state(
     int sculptor, const char* name, int* components, const double** values);
-  /* Of the nodes: the VelocityArray with the option NodalVelocity. */
+  /**
+   * Returns a state of the nodes: with the option NodalVelocity, the velocity.
+   * @param name  name of the state that the option VelocityArray selects
+   * @param[out] components  number of values per node
+   * @param[out] values  shape (points, components)
+   * @return SCULPTOR_ERROR_ARGUMENT if the mesh has no such state
+   */
   SCULPTOR_EXPORT int sculptor_get_point_state(
     int sculptor, const char* name, int* components, const double** values);
-  /* A number of the whole mesh by its name: TargetVolume, MeshVolume, VolumeError (index: 0 for the first material), NumberOfFragments,
-   * MinimumScaledJacobian, MeanScaledJacobian, FlippedCells, ... (index 0). Of vectors the index counts components. */
+  /**
+   * Returns a number of the whole mesh, equal on all ranks: TargetVolume, MeshVolume and
+   * VolumeError, one per material; NumberOfFragments, MinimumScaledJacobian, MeanScaledJacobian,
+   * FlippedCells and others, which Documentation/reference/mesh-data.md lists with their units.
+   * @param name  name of the number
+   * @param index  from 0: 0 for a single number; m for numbers per material, 3 * m + axis for
+   * vectors per material, where m is 0 for the first material
+   * @param[out] value  the number
+   * @return SCULPTOR_ERROR_ARGUMENT if there is no such number
+   */
   SCULPTOR_EXPORT int sculptor_get_number(int sculptor, const char* name, int index, double* value);
 
-  /* ---- the geometry that the mesh resolves: pointers as above, points from 0 ----
-   * Volumes (fragments), the surfaces between two of them, around them or on a side of the domain, the curves where surfaces
-   * meet, the vertices where curves meet or end: each numbered from 1, the same on any number of ranks. */
+  /** @}
+   * @name Geometry
+   * Geometry that the mesh resolves. It consists of volumes (the fragments), surfaces (between two
+   * volumes, around a volume, or on a side of the domain), curves where surfaces meet, and vertices
+   * where curves meet or end. Each kind is numbered from 1; numbers do not depend on the number of
+   * ranks. Each call returns SCULPTOR_ERROR_NO_MESH if there is no mesh.
+   * @{ */
 
-  /* Of each point: 3 inside a volume, 2 on a surface, 1 on a curve, 0 a vertex; and the number of that volume, surface, .. */
+  /**
+   * Returns the position of each node in the geometry.
+   * @param[out] dimensions  per node: 3 inside a volume, 2 on a surface, 1 on a curve, 0 at a
+   *   vertex
+   * @param[out] ids  per node: number of that volume, surface, curve or vertex
+   */
   SCULPTOR_EXPORT int sculptor_get_geometry(int sculptor, const int** dimensions, const int** ids);
-  /* This rank's facets, each on one rank alone. connectivity: corners points a facet, 4 or 3 (0 without facets); ids: the
-   * surface of each. Null without facets. */
+  /**
+   * Returns the facets of surfaces on this rank. Each facet is on one rank.
+   * @param[out] facets  number of facets
+   * @param[out] corners  nodes per facet, 4 or 3; 0 without facets
+   * @param[out] connectivity  node numbers from 0, shape (facets, corners); null without facets
+   * @param[out] ids  surface per facet; null without facets
+   */
   SCULPTOR_EXPORT int sculptor_get_surfaces(
     int sculptor, int64_t* facets, int* corners, const int64_t** connectivity, const int** ids);
-  /* The same of the edges of curves, two points each; and of vertices. */
+  /**
+   * Returns the edges of curves on this rank. Each edge is on one rank.
+   * @param[out] edges  number of edges
+   * @param[out] connectivity  node numbers from 0, shape (edges, 2); null without edges
+   * @param[out] ids  curve per edge; null without edges
+   */
   SCULPTOR_EXPORT int sculptor_get_curves(
     int sculptor, int64_t* edges, const int64_t** connectivity, const int** ids);
+  /**
+   * Returns the vertices on this rank. Each vertex is on one rank.
+   * @param[out] vertices  number of vertices
+   * @param[out] points  node number per vertex, from 0; null without vertices
+   * @param[out] ids  number per vertex; null without vertices
+   */
   SCULPTOR_EXPORT int sculptor_get_vertices(
     int sculptor, int64_t* vertices, const int64_t** points, const int** ids);
-  /* What bounds what, the same on all ranks: a table by its name, rows of columns values. Each pair once, ascending:
-   * VolumeSurfaces (a volume, a surface around it), SurfaceCurves, CurveVertices. A row a surface: SurfaceVolumes and
-   * SurfaceMaterials (on its two sides; 0: not meshed, or outside; normals of facets point from the second to the first),
-   * SurfaceSides (-1, or 0..5 for -x +x -y +y -z +z), SurfaceParts (0, or which smooth side of an interface with edges, from 1).
-   * A row a curve: CurveEnds (how many ends it has at vertices, 0 closed). */
+  /**
+   * Returns a table of adjacency, equal on all ranks.
+   *
+   * Tables with one row per pair, each pair once, ascending:
+   * - VolumeSurfaces: a volume and a surface around it
+   * - SurfaceCurves: a surface and a curve on it
+   * - CurveVertices: a curve and a vertex at its end
+   *
+   * Tables with one row per surface:
+   * - SurfaceVolumes and SurfaceMaterials: the volumes, or materials, on its two sides; 0: not
+   *   meshed, or outside. Normals of facets point from the second to the first
+   * - SurfaceSides: side of the domain, 0 to 5 for -x, +x, -y, +y, -z, +z; otherwise -1
+   * - SurfaceParts: number of the smooth side of an interface with edges, from 1; otherwise 0
+   *
+   * Table with one row per curve:
+   * - CurveEnds: number of its ends at vertices; 0: closed
+   * @param table  name of the table
+   * @param[out] rows,columns  shape of the table
+   * @param[out] values  shape (rows, columns), row-major
+   * @return SCULPTOR_ERROR_ARGUMENT if there is no such table
+   */
   SCULPTOR_EXPORT int sculptor_get_bounds(
     int sculptor, const char* table, int* rows, int* columns, const int** values);
 
-  /* Writes the mesh of all ranks, the kind by the ending: .vtu, .pvtu, Exodus .e .exo .ex2, Abaqus and
-   * CalculiX .inp. Collective. */
+  /** @}
+   * @name Files
+   * @{ */
+
+  /**
+   * Writes the mesh of all ranks. The suffix selects the format: .vtu, .pvtu, Exodus (.e, .exo,
+   * .ex2), Abaqus and CalculiX (.inp).
+   * @param path  path of the file, equal on all ranks
+   * @return SCULPTOR_ERROR_NO_MESH without a mesh, SCULPTOR_ERROR_ARGUMENT if the path is null or
+   *   the suffix unknown, SCULPTOR_ERROR_FILE if the file cannot be written
+   * @pre Collective
+   */
   SCULPTOR_EXPORT int sculptor_write(int sculptor, const char* path);
 
-  /* ---- what went wrong ---- */
+  /** @}
+   * @name Errors
+   * @{ */
 
-  /* The SculptorCode of the last call with that sculptor, 0 when it went well; of 0 that of this thread's last call without
-   * one: to create, to delete, or with a wrong handle. Of a wrong handle SCULPTOR_ERROR_HANDLE. */
+  /**
+   * Returns the code of the last call with a sculptor.
+   * @param sculptor  handle; 0 for the last call of this thread without a valid handle:
+   *   sculptor_create, sculptor_delete, or any call with an invalid one
+   * @return SculptorCode; SCULPTOR_ERROR_HANDLE for an invalid handle other than 0
+   */
   SCULPTOR_EXPORT int sculptor_error_code(int sculptor);
-  /* Of the last call with that sculptor that failed; of handle 0 or a wrong one, of the last such call of this thread.
-   * Never null; good until the next call. */
+  /**
+   * Returns the message of the last call with a sculptor that failed.
+   * @param sculptor  handle; 0 or an invalid one for the last failed call of this thread without a
+   *   valid handle
+   * @return text, never null, valid until the next call; empty if no call has failed
+   */
   SCULPTOR_EXPORT const char* sculptor_error_text(int sculptor);
-  /* Warnings of the last mesh, a line each; maybe empty. */
+  /**
+   * Returns the warnings of the last mesh.
+   * @return text, one line per warning, possibly empty, never null; valid until the next mesh
+   */
   SCULPTOR_EXPORT const char* sculptor_warning_text(int sculptor);
+
+  /** @} */
 
 #ifdef __cplusplus
 }
