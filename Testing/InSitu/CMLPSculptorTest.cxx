@@ -1,4 +1,4 @@
-/// Results of the calls of the Sculpt report, with and without a mesh, and
+/// Results of the calls of the Sculptor report, with and without a mesh, and
 /// of the C++ class based on them.
 #include "CMLPSculptor.hpp"
 #include "HostFields.h"

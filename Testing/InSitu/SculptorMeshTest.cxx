@@ -1,4 +1,4 @@
-/// Meshes made by the calls of the Sculpt report.
+/// Meshes made by the calls of the Sculptor report.
 #include "CMLPSculptor.c.h"
 #include "HostFields.h"
 
