@@ -1,6 +1,5 @@
 /**
- * TetGenFill fills closed surfaces of many kinds and keeps their triangles; it rejects invalid
- * surfaces.
+ * TetGenFill fills closed surfaces of many kinds, keeps their triangles, and rejects invalid ones.
  */
 #include "TetGen/TetGenFill.h"
 

@@ -1,6 +1,5 @@
 /**
- * Independent checks of a hexahedral or tetrahedral mesh: validity, conformity, manifold
- * boundaries.
+ * Independent checks of hexahedral or tetrahedral meshes: validity, conformity, manifold boundaries.
  */
 #pragma once
 
