@@ -1,14 +1,14 @@
 #!/usr/bin/env pvpython
-"""From volume fractions to stresses: a steel ball in a block of epoxy, pressed from above, solved
-by CalculiX.
+"""Computes stresses from volume fractions: a steel ball in a block of epoxy, pressed from above.
 
 usage: pvpython ball_under_pressure.py --plugin VolumeFractionMesh.so [--cells 24] [--tets Lattice]
        [--out DIR] [--picture FILE.png]
 
-Writes OUT/ball.inp (the mesh), OUT/press.inp (materials, supports, load; it includes the mesh) and,
-where CalculiX is installed (Debian: calculix-ccx), OUT/press.vtu: the mesh with Displacement, the
-mean Stress of every element (Pa; xx yy zz xy xz yz) and VonMises. The picture, which needs a screen
-or xvfb-run, shows half of it coloured by the latter.
+Writes the mesh, OUT/ball.inp, and the input of CalculiX, OUT/press.inp, which includes the mesh and
+gives materials, supports and load. If CalculiX is installed (Debian: calculix-ccx), solves it and
+writes OUT/press.vtu: the mesh with Displacement, the mean Stress per element (Pa; xx yy zz xy xz
+yz) and VonMises. The picture shows half of the mesh, coloured by von Mises stress; it needs a
+screen or xvfb-run.
 """
 import argparse
 import os
@@ -26,12 +26,12 @@ import pictures
 from load_plugin import load_plugin
 from need_files import need_files
 
-# in the block from -1 to 1: metres
+# The block reaches from -1 to 1 m.
 SHAPES = "sphere radius=0.5 material=1; box size=2,2,2 material=2"
-# steel, epoxy: Young's modulus in Pa, Poisson's ratio
+# Steel and epoxy: Young's modulus in Pa, Poisson's ratio.
 MATERIALS = {"MATERIAL1": (210e9, 0.3), "MATERIAL2": (3e9, 0.35)}
 PRESSURE = 10e6  # Pa, on the upper side
-# sides that slide along their planes
+# These sides can move only within their planes.
 SUPPORTS = [("Z_MIN", 3, 3, 0), ("X_MIN", 1, 1, 0), ("Y_MIN", 2, 2, 0)]
 
 
@@ -40,11 +40,12 @@ def parse_arguments():
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--plugin", required=True, help="path of VolumeFractionMesh.so")
     parser.add_argument("--cells", type=int, default=24,
-                        help="cells of the grid along each axis (default: 24)")
+                        help="number of cells along each axis (default: 24)")
     parser.add_argument("--tets", choices=("TetGen", "Cells", "Lattice"),
-                        help="tetrahedra, by this method")
-    parser.add_argument("--out", default=".", help="folder of the files (default: this one)")
-    parser.add_argument("--picture", metavar="FILE", help="a picture of the stress, .png")
+                        help="make tetrahedra with this method instead of hexahedra")
+    parser.add_argument("--out", default=".",
+                        help="folder of the files (default: the current folder)")
+    parser.add_argument("--picture", metavar="FILE", help="save a picture of the stress, .png")
     return parser.parse_args()
 
 
@@ -52,19 +53,19 @@ def make_mesher(arguments):
     field = VolumeFractionShapes(Shapes=SHAPES, Bounds=[-1, 1] * 3,
                                  Dimensions=[arguments.cells] * 3)
     options = dict(Input=field, VolumeFractionArrays=["Material1", "Material2"])
-    return VolumeFractionToTet(Method=arguments.tets,
-                               **options) if arguments.tets else VolumeFractionToHex(**options)
+    return (VolumeFractionToTet(Method=arguments.tets, **options) if arguments.tets
+            else VolumeFractionToHex(**options))
 
 
 def von_mises(stress):
     xx, yy, zz, xy, xz, yz = stress.T
-    return np.sqrt(((xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2) / 2 + 3
-                   * (xy ** 2 + xz ** 2 + yz ** 2))
+    return np.sqrt(((xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2) / 2
+                   + 3 * (xy ** 2 + xz ** 2 + yz ** 2))
 
 
 def add_values(data, name, values):
-    """values: a row a node or element in the order of their numbers in the file, which is that of
-    their global ids."""
+    """Adds an array to the points or cells of the mesh. values: one row per node or element in the
+    order of the numbers in the file, which is the order of global ids."""
     ids = vtk_to_numpy(data.GetGlobalIds())
     array = numpy_to_vtk(np.ascontiguousarray(values[np.searchsorted(np.sort(ids), ids)]), deep=1)
     array.SetName(name)
@@ -85,7 +86,8 @@ def save_results(mesh, results, path):
 
 
 def save_picture(vtu, path):
-    """The half behind the plane x = 0, whole elements, colours by the von Mises stress in MPa."""
+    """Saves a picture of the elements behind the plane x = 0, coloured by von Mises stress in
+    MPa."""
     stress = simple.Calculator(Input=simple.OpenDataFile(vtu), AttributeType="Cell Data",
                                Function="VonMises/1000000",
                                ResultArrayName="von Mises stress [MPa]")
@@ -103,11 +105,11 @@ def save_picture(vtu, path):
     bar = simple.GetScalarBar(colours, view)
     bar.TitleColor = bar.LabelColor = [0, 0, 0]
     bar.WindowLocation, bar.Position, bar.ScalarBarLength = "Any Location", [0.88, 0.3], 0.45
-    bar.RangeLabelFormat, bar.LabelFormat, bar.AutomaticLabelFormat = pictures.number_format(
-        1), pictures.number_format(0), 0
+    bar.RangeLabelFormat, bar.LabelFormat, bar.AutomaticLabelFormat = (
+        pictures.number_format(1), pictures.number_format(0), 0)
     shown.SetScalarBarVisibility(view, True)
-    view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [4.3, 2.1, 1.7], [
-        -0.2, 0.2, -0.05], [0, 0, 1]
+    view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = (
+        [4.3, 2.1, 1.7], [-0.2, 0.2, -0.05], [0, 0, 1])
     simple.SaveScreenshot(path, view)
 
 
@@ -127,7 +129,8 @@ def main():
     calculix.run(deck, threads=os.cpu_count())
     results = calculix.read_results(deck)
     save_results(mesher.GetClientSideObject().GetOutputDataObject(0), results, vtu)
-    print("%s: %d elements, sinks by %.4g m, highest von Mises stress %.4g Pa, reaction below %.6g N" % (
+    print("%s: %d elements, sinks by %.4g m, highest von Mises stress %.4g Pa, "
+          "reaction below %.6g N" % (
         vtu, len(results.stresses), -results.displacements[:, 2].min(),
         von_mises(results.stresses.mean(axis=1)).max(), results.reactions["Z_MIN"][2]))
     if arguments.picture:

@@ -1,10 +1,10 @@
-"""Meshes a bracket given as a surface of triangles, its edges rounded and kept, and tells how far
-the true edges are from both meshes.
+"""Meshes a bracket given as a surface of triangles, with edges rounded and with edges kept. Prints
+the distance of the true edges from both meshes, in cells.
 
 usage: pvbatch Examples/bracket.py OUT [--cells N] [--plugin PLUGIN.so] [--no-pictures]
 
-OUT gets bracket.stl, the meshes bracket_off.vtu and bracket_on.vtu and, where there is an X server,
-pictures. Lengths are told in cells.
+Writes bracket.stl, the meshes bracket_off.vtu and bracket_on.vtu and pictures of both into OUT.
+Pictures need an X server.
 """
 import argparse
 import math
@@ -27,13 +27,13 @@ COLOUR = (0.72, 0.76, 0.82)
 
 
 def quads_of(surfaces):
-    """Points and quads of a surface of quads."""
+    """Returns the points (n, 3) and quads (m, 4) of a surface."""
     return (vtk_to_numpy(surfaces.GetPoints().GetData()),
             vtk_to_numpy(surfaces.GetPolys().GetConnectivityArray()).reshape(-1, 4))
 
 
 def make_locator(points, quads):
-    """Of the four triangles around the centre of each quad."""
+    """Returns a locator of the four triangles around the centre of each quad, with its data."""
     count = len(points)
     centres = count + np.arange(len(quads))
     triangles = np.concatenate([np.stack([quads[:, c], quads[:, (c + 1) % 4], centres], axis=1)
@@ -67,7 +67,7 @@ def mesh_of(fractions, mode):
 
 
 def measure(mode, mesh, width):
-    """Prints a row of the table; returns the points of the surface."""
+    """Prints a row of the table and returns the points of the surface."""
     surface = servermanager.Fetch(mesh, idx=1)
     points, quads = quads_of(surface)
     data, locator = make_locator(points, quads)
@@ -98,7 +98,7 @@ def main():
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("out")
     parser.add_argument("--cells", type=int, default=96,
-                        help="along the longest side (default: %(default)s)")
+                        help="number of cells along the longest side (default: %(default)s)")
     parser.add_argument("--plugin",
                         default=os.path.join(HERE, "..", "build", "lib", "VolumeFractionMesh.so"))
     parser.add_argument("--no-pictures", action="store_true")
@@ -108,11 +108,12 @@ def main():
     os.makedirs(arguments.out, exist_ok=True)
     stl = os.path.join(arguments.out, "bracket.stl")
     bracket_stl.write_stl(stl, bracket_stl.bracket())
-    width = SIZE[0] / (arguments.cells - 4)  # two cells stay free on each side
+    width = SIZE[0] / (arguments.cells - 4)  # leaves a margin of two cells on each side
     fractions = VolumeFractionOfSurface(
         Input=simple.STLReader(FileNames=[stl]),
         Dimensions=[math.ceil(size / width) + 4 for size in SIZE])
-    print("| SharpEdges | scaled Jacobian min/mean | edges to mesh max/rms (p99) | rims of holes | fillets to truth |\n|---|---|---|---|---|")
+    print("| SharpEdges | scaled Jacobian min/mean | edges to mesh max/rms (p99) | rims of holes "
+          "| fillets to truth |\n|---|---|---|---|---|")
     points = {}
     for mode in ("Off", "On"):
         mesh = mesh_of(fractions, mode)
@@ -124,7 +125,8 @@ def main():
     moved = np.linalg.norm(points["On"] - points["Off"], axis=1) / width
     moved = moved[[bracket_stl.from_fillet(point) is not None for point in points["Off"]]]
     curves = vtk_to_numpy(servermanager.Fetch(mesh, idx=2).GetPoints().GetData())
-    print("of %d points on fillets %d moved by more than 0.02 cells, at most %.3f, along the surface; on curves there: %d" % (
+    print("of %d points on fillets %d moved by more than 0.02 cells, at most %.3f, "
+          "along the surface; on curves there: %d" % (
         len(moved), np.sum(moved > 0.02), moved.max(),
         sum(bracket_stl.from_fillet(point) is not None for point in curves)))
     print("surfaces, curves and vertices: %d, %d, %d" % tuple(

@@ -1,41 +1,41 @@
-"""A bracket as a closed surface of triangles: edges of 90 and 135 degrees, holes, fillets. Plain
-Python.
+"""Writes a bracket as a closed surface of triangles with edges of 90 and 135 degrees, holes and
+fillets, in plain Python.
 
 usage: python3 Examples/bracket_stl.py OUT.stl
 
-An L of 60 x 50 mm is drawn 40 mm deep, along y. Its inner corner has a fillet of 8 mm, its outer
-one of 12 mm, the end of the base a chamfer of 4 mm; two holes of 11 mm go through the base, one of
-18 mm through the wall. The other edges are sharp.
+The profile is an L of 60 x 50 mm, extruded by 40 mm along y. The inner corner has a fillet of 8 mm,
+the outer corner one of 12 mm, and the end of the base a chamfer of 4 mm. Two holes of 11 mm go
+through the base and one of 18 mm through the wall. All other edges are sharp.
 """
 import math
 import struct
 import sys
 
 DEPTH = 40.0
-BASE, WALL = 12.0, 10.0     # how thick
-INNER = (18.0, 20.0, 8.0)   # x, z and radius of fillets
+BASE, WALL = 12.0, 10.0     # thickness
+INNER = (18.0, 20.0, 8.0)   # x, z and radius of the fillets
 OUTER = (12.0, 12.0, 12.0)
-STEPS = 32                  # of a quarter of a fillet or a hole
-HOLES = (  # a point of the axis at its begin, the end, the radius
+STEPS = 32                  # number of segments of a quarter circle
+HOLES = (  # first and last point of the axis, radius
     ((40.0, 11.0, 0.0), (40.0, 11.0, BASE), 5.5),
     ((40.0, 29.0, 0.0), (40.0, 29.0, BASE), 5.5),
     ((0.0, 20.0, 34.0), (WALL, 20.0, 34.0), 9.0))
 
 
 def arc(circle, first, last):
-    """Points in x and z, angles in degrees."""
+    """Returns points (x, z) on a circle (x, z, radius) between two angles in degrees."""
     angles = (math.radians(first + (last - first) * i / STEPS) for i in range(STEPS + 1))
     return [(circle[0] + circle[2] * math.cos(a), circle[1] + circle[2] * math.sin(a))
             for a in angles]
 
 
 SHARP = ((60.0, 0.0), (60.0, 8.0), (56.0, BASE), (WALL, 50.0), (0.0, 50.0))  # corners of the L
-# counter-clockwise from -y
+# Counter-clockwise, seen from -y.
 OUTLINE = arc(OUTER, 180, 270) + list(SHARP[:3]) + arc(INNER, 270, 180) + list(SHARP[3:])
 
 
 def rim(hole, end):
-    """The circle of a hole at its begin (0) or end (1)."""
+    """Returns the circle of a hole at its first (0) or last (1) end."""
     centre, radius = hole[end], hole[2]
     across = [a for a in range(3) if hole[0][a] == hole[1][a]]
     points = []
@@ -53,15 +53,15 @@ def area(a, b, c):
 
 
 def crosses(a, b, c, d):
-    """Whether two segments cut each other, their ends apart."""
+    """Returns whether two segments without a common end intersect."""
     if {a, b} & {c, d}:
         return False
     return area(a, b, c) * area(a, b, d) <= 0 and area(c, d, a) * area(c, d, b) <= 0
 
 
 def with_holes(outer, holes):
-    """One closed line around a polygon (counter-clockwise) and its holes (clockwise): cut to each
-    from the nearest corner that sees it."""
+    """Joins a polygon (counter-clockwise) and its holes (clockwise) to one closed line. A cut
+    connects each hole to the nearest corner that is visible from it."""
     for hole in sorted(holes, key=lambda points: -max(points)[0]):
         sides = [(line[i - 1], line[i]) for line in [outer] + list(holes) for i in range(len(line))]
         start = hole.index(max(hole))
@@ -73,8 +73,8 @@ def with_holes(outer, holes):
 
 
 def triangulate(line):
-    """Triangles of a simple polygon, counter-clockwise: ears cut off, the fattest first of each
-    round."""
+    """Divides a simple polygon, counter-clockwise, into triangles. Cuts off the ear with the best
+    shape until three corners are left."""
     line, triangles = list(line), []
     while len(line) > 3:
         best, ear = 0.0, None
@@ -92,10 +92,10 @@ def triangulate(line):
 
 
 def fill(outer, holes, axis):
-    """Triangles of a plane face between lines in space; axis: where it looks, 1..3 for x..z,
-    negative along -x..-z."""
+    """Returns the triangles of a plane face between closed lines in space. axis: direction of the
+    outer normal, 1 to 3 for x to z, negative for -x to -z."""
     kept = [a for a in range(3) if a != abs(axis) - 1]
-    flips = (axis > 0) == (abs(axis) == 2)  # y: x, z are a left-handed frame
+    flips = (axis > 0) == (abs(axis) == 2)  # for y: x, z form a left-handed frame
     place = {(p[kept[0]], p[kept[1]]): p for line in [outer] + holes for p in line}
     flat = [[(p[kept[0]], p[kept[1]]) for p in line] for line in [outer] + holes]
     turned = [line if (total_area(line) > 0) == (n == 0) else line[::-1]
@@ -109,7 +109,7 @@ def total_area(line):
 
 
 def strip(first, second):
-    """Triangles between two closed lines of as many points."""
+    """Returns the triangles between two closed lines with equal numbers of points."""
     triangles = []
     for i in range(len(first)):
         triangles += [(first[i - 1], first[i], second[i]), (first[i - 1], second[i], second[i - 1])]
@@ -117,7 +117,7 @@ def strip(first, second):
 
 
 def faces_along():
-    """Triangles of the faces that the outline leaves, with the ends of holes in them."""
+    """Returns the triangles of the faces along y, with the ends of holes cut out."""
     rims, triangles = [rim(hole, end) for hole in HOLES for end in (0, 1)], []
     for i, (x, z) in enumerate(OUTLINE):
         x0, z0 = OUTLINE[i - 1]
@@ -135,7 +135,8 @@ def faces_along():
 
 
 def bracket():
-    """Triangles, each three points, counter-clockwise from outside; lengths in mm."""
+    """Returns all triangles, each as three points, counter-clockwise from outside; lengths in
+    mm."""
     triangles = faces_along()
     for y, axis in ((0.0, -2), (DEPTH, 2)):
         triangles += fill([(x, y, z) for x, z in OUTLINE], [], axis)
@@ -150,8 +151,8 @@ def straight(a, b, step):
 
 
 def edges(step):
-    """Points along the sharp edges, by kind: those around a hole, all others; no farther apart than
-    a step."""
+    """Returns points along the sharp edges, at most a step apart: "rims" of holes and all other
+    "edges"."""
     lines = [((x, 0.0, z), (x, DEPTH, z)) for x, z in SHARP]
     lines += [((x0, y, z0), (x, y, z)) for y in (0.0, DEPTH)
               for (x0, z0), (x, z) in zip(OUTLINE, OUTLINE[1:] + OUTLINE[:1])]
@@ -162,8 +163,8 @@ def edges(step):
 
 
 def from_fillet(point):
-    """The nearest fillet's distance from a point near it; None for one that is near none or near an
-    end of one."""
+    """Returns the distance of a point from the nearest fillet. Returns None if no fillet is near,
+    or the point is near the end of one."""
     x, y, z = point
     for cx, cz, radius in (INNER, OUTER):
         along, up = cx - x, cz - z
@@ -174,7 +175,7 @@ def from_fillet(point):
 
 
 def write_stl(path, triangles):
-    """Binary; readers find the normals from the order of the corners."""
+    """Writes a binary STL file with normals of 0; readers use the order of the corners."""
     with open(path, "wb") as file:
         file.write(b"bracket".ljust(80) + struct.pack("<I", len(triangles)))
         for triangle in triangles:

@@ -1,8 +1,8 @@
-"""Runs CalculiX (ccx) on a mesh that was written as .inp, and reads what it prints.
+"""Runs CalculiX (ccx) on a mesh in an .inp file and reads its results, for linear elasticity.
 
-Linear elasticity: write_deck() writes the input of one static step, which includes the mesh; run()
-solves it; read_results() reads displacements, reaction forces and stresses. From the file
-Examples/ball_under_pressure.py one sees how.
+write_deck() writes the input of one static step, which includes the mesh. run() solves it.
+read_results() reads displacements, reaction forces and stresses. Examples/ball_under_pressure.py
+and cube_under_pressure.py use this module.
 """
 import os
 import re
@@ -15,7 +15,7 @@ SHORT_EXPONENT = re.compile(r"(\d)([+-]\d{3})\b")  # Fortran writes 1.5E-101 as 
 
 
 def number(value):
-    """A number in the 20 characters that CalculiX reads."""
+    """Returns a number as text of at most 20 characters, the limit of CalculiX."""
     return next(text for text in ("%.*g" % (digits, value) for digits in range(17, 0, -1))
                 if len(text) <= 20)
 
@@ -23,9 +23,20 @@ def number(value):
 def write_deck(path, mesh, materials, boundary, pressures=(), reactions=()):
     """Writes the input file of a static step.
 
-    mesh: the .inp file, in the folder of path. materials: {element set: (Young's modulus, Poisson's
-    ratio)}. boundary: (node or node set, first direction, last direction, displacement) each.
-    pressures: (surface, pressure) each. reactions: node sets whose total reaction force is printed.
+    Parameters
+    ----------
+    path : str
+        File to write, .inp.
+    mesh : str
+        File of the mesh, .inp, in the same folder.
+    materials : dict
+        {element set: (Young's modulus, Poisson's ratio)}.
+    boundary : list of tuple
+        (node or node set, first direction, last direction, displacement).
+    pressures : list of tuple
+        (surface, pressure).
+    reactions : list of str
+        Node sets whose total reaction force is printed.
     """
     lines = ["*INCLUDE, INPUT=" + os.path.basename(mesh)]
     for name, (modulus, ratio) in materials.items():
@@ -46,8 +57,9 @@ def write_deck(path, mesh, materials, boundary, pressures=(), reactions=()):
 
 
 def run(path, seconds=600, threads=1):
-    """Solves the deck at path (.inp); the results lie beside it. Raises RuntimeError with what ccx
-    says when it fails."""
+    """Solves the input file at path (.inp). Result files are written into its folder.
+
+    Raises RuntimeError with the output of ccx if it fails."""
     folder, name = os.path.split(os.path.splitext(path)[0])
     result = subprocess.run(["ccx", "-i", name], cwd=folder or ".",
                             env={**os.environ, "OMP_NUM_THREADS": str(threads)},
@@ -59,9 +71,10 @@ def run(path, seconds=600, threads=1):
 
 
 class Results:
-    """displacements: (nodes, 3). stresses: (elements, integration points, 6), xx yy zz xy xz yz;
-    elements and nodes in the order of their numbers. reactions: {node set: total force}. Printed
-    with seven digits."""
+    """Results of a static step, as printed by CalculiX with seven digits.
+
+    displacements: (nodes, 3). stresses: (elements, integration points, 6), xx yy zz xy xz yz. Both
+    are in the order of the node and element numbers. reactions: {node set: total force}."""
 
     def __init__(self, tables):
         self.reactions = {name: rows[0] for title, name, rows in tables if title == "total force"}
@@ -74,7 +87,7 @@ class Results:
 
 
 def read_results(path):
-    """The results of the deck at path (.inp)."""
+    """Returns the Results of the input file at path (.inp)."""
     tables = []
     with open(os.path.splitext(path)[0] + ".dat", encoding="ascii") as file:
         for line in file:

@@ -1,43 +1,41 @@
 # script-version: 2.0
 """Meshes the volume fractions of a running simulation: a ParaView Catalyst script (version 2).
 
-Give it to vfm::CatalystAdaptor of either kind or any other Catalyst adaptor whose input is named
-"input": a uniform grid in one or more blocks a rank, or a refined one (AMR) of blocks on several
-levels. Every mesh becomes OUT/NAME_SSSSSS.pvtu (S: the step), the series OUT/NAME.pvd, on demand an
-Exodus file and a picture.
+Pass the script to vfm::CatalystAdaptor, built for legacy Catalyst or Catalyst 2, or to any other
+Catalyst adaptor whose input is named "input". The input is a uniform grid in one or more blocks per
+rank, or a refined grid (AMR) of blocks on several levels. Writes each mesh as OUT/NAME_SSSSSS.pvtu,
+where S is the step, and the series as OUT/NAME.pvd. Exodus files and pictures are optional.
 
-Settings: the values below, or environment variables of the simulation:
+Settings are the values below or environment variables of the simulation. Lists are separated by
+commas.
   VFM_PLUGIN    path of VolumeFractionMesh.so
-  VFM_ARRAYS    cell arrays with the volume fraction of one material each, between commas; or
+  VFM_ARRAYS    cell arrays, each with the volume fraction of one material; or
   VFM_LABELS    one integer cell array of material ids
   VFM_OUT       folder of the files
-  VFM_NAME      first part of their names
-  VFM_STEPS     these steps are meshed, between commas
-  VFM_EVERY     every so many steps; 0: none. Default: 1, but 0 where VFM_STEPS or VFM_TRIGGER is
-                set
-  VFM_TRIGGER   and those when one of these, between semicolons, comes true:
-                  NAME changes              a global number that the simulation hands over, as
-                  "Fragments", is another;
-                                            the first step counts as a change
-                  NAME > VALUE              ... has passed the value; also NAME < VALUE
-                  sum ARRAY > VALUE         the sum of a cell array over all cells has; also min,
-                  max; vectors by length;
-                                            a finer cell counts as the part that it is of a coarsest
-                                            one
-  VFM_STATE     cell arrays that the elements carry along, between commas: velocity, temperature
-  VFM_DENSITY   cell arrays of mass per volume, one or one a material: state is then carried so that
-                nothing is lost
-  VFM_VELOCITY, VFM_ENERGY, VFM_STATE_KINDS, VFM_STATE_TRANSFER, VFM_STATE_ORDER,
-  VFM_NODAL_VELOCITY, VFM_LOST_KINETIC_ENERGY,
-  VFM_UNMESHED  the properties VelocityArray, EnergyArray, StateKinds (NAME=KIND between commas),
-                StateTransfer, StateOrder,
-                NodalVelocity (0 or 1), LostKineticEnergy and UnmeshedMaterial of the filter; empty:
-                its defaults
-  VFM_TETS      tetrahedra by this method, TetGen, Cells or Lattice; empty: hexahedra
-  VFM_EXODUS    1: NAME_SSSSSS.e too, with side sets, on N ranks NAME_SSSSSS.e.N.0 and so on
-  VFM_PICTURE   1: NAME_SSSSSS.png too, where there is an X server (DISPLAY)
-  VFM_CAMERA    direction from the grid to the camera, three numbers between commas
-  VFM_ZOOM      size in the picture
+  VFM_NAME      first part of the file names
+  VFM_STEPS     steps to mesh
+  VFM_EVERY     interval between meshed steps; 0 meshes none.
+                Default: 0 if VFM_STEPS or VFM_TRIGGER is set, else 1.
+  VFM_TRIGGER   conditions, separated by semicolons; a step is meshed when one becomes true:
+                  NAME changes        A global number of the simulation, for example "Fragments",
+                                      has changed. The first step counts as a change.
+                  NAME > VALUE        A global number has passed the value. Also NAME < VALUE.
+                  sum ARRAY > VALUE   The sum of a cell array over all cells has passed the value.
+                                      Also min and max. Vectors count by length, and cells by
+                                      volume relative to the coarsest level.
+  VFM_STATE     cell arrays to transfer to the elements, for example velocity,temperature
+  VFM_DENSITY   cell arrays of mass per volume, one or one per material; the transfer is then
+                conservative
+  VFM_VELOCITY, VFM_ENERGY, VFM_STATE_KINDS (list of NAME=KIND), VFM_STATE_TRANSFER,
+  VFM_STATE_ORDER, VFM_NODAL_VELOCITY (0 or 1), VFM_LOST_KINETIC_ENERGY, VFM_UNMESHED
+                properties VelocityArray, EnergyArray, StateKinds, StateTransfer, StateOrder,
+                NodalVelocity, LostKineticEnergy and UnmeshedMaterial of the filter; if empty, its
+                defaults
+  VFM_TETS      method for tetrahedra: TetGen, Cells or Lattice; if empty, makes hexahedra
+  VFM_EXODUS    1 also writes NAME_SSSSSS.e with side sets; on N ranks NAME_SSSSSS.e.N.0 and so on
+  VFM_PICTURE   1 also writes NAME_SSSSSS.png; needs an X server (DISPLAY)
+  VFM_CAMERA    direction from the grid to the camera, three numbers
+  VFM_ZOOM      magnification of the picture
 """
 import ctypes
 import operator
@@ -75,12 +73,12 @@ CAMERA = "0.7,-1.0,0.5"
 ZOOM = "1.25"
 
 COMPARISONS = {">": operator.gt, "<": operator.lt}
-REDUCTIONS = {  # name: of the values on a rank, over the ranks, of no values
+REDUCTIONS = {  # name: function on a rank, operation over the ranks, result without values
     "sum": (np.sum, vtkCommunicator.SUM_OP, 0.0),
     "min": (np.min, vtkCommunicator.MIN_OP, np.inf),
     "max": (np.max, vtkCommunicator.MAX_OP, -np.inf),
 }
-GHOST, HIDDEN = 1, 32  # bits of vtkGhostType: copies of other blocks' cells; below finer blocks
+GHOST, HIDDEN = 1, 32  # bits of vtkGhostType: copy of another block's cell; covered by finer cells
 
 
 def setting(name):
@@ -91,7 +89,7 @@ def names_of(text):
     return [part.strip() for part in text.split(",") if part.strip()]
 
 
-PROPERTIES = {  # of the filter: the setting, and what makes its value of it
+PROPERTIES = {  # property of the filter: setting, and conversion of the setting to its value
     "StateArrays": ("STATE", names_of), "DensityArrays": ("DENSITY", names_of),
     "VelocityArray": ("VELOCITY", str),
     "EnergyArray": ("ENERGY", str), "StateKinds": ("STATE_KINDS", names_of),
@@ -101,12 +99,12 @@ PROPERTIES = {  # of the filter: the setting, and what makes its value of it
 
 
 def word_of(chosen, value):
-    """The word of an enumeration that a text means: blanks and case do not count. Other values as
-    they are."""
+    """Returns the word of an enumeration that a text selects, ignoring blanks and case. Returns
+    other values unchanged."""
     plain = lambda word: word.replace(" ", "").lower()
     is_word = isinstance(chosen, servermanager.EnumerationProperty) and isinstance(value, str)
-    return next((word for word in chosen.Available if plain(word) == plain(value)),
-                value) if is_word else value
+    return (next((word for word in chosen.Available if plain(word) == plain(value)), value)
+            if is_word else value)
 
 
 def is_first_rank():
@@ -114,7 +112,7 @@ def is_first_rank():
 
 
 def reduced(value, operation):
-    """A number of each rank made one."""
+    """Reduces a number over all ranks."""
     mine, all_ranks = vtkDoubleArray(), vtkDoubleArray()
     mine.InsertNextValue(value)
     all_ranks.DeepCopy(mine)
@@ -128,7 +126,8 @@ def say(text):
 
 
 def blocks_of(data):
-    """Without those that only make the data alike on all ranks."""
+    """Returns the blocks with cells. Empty blocks only give the data the same structure on all
+    ranks."""
     if not isinstance(data, vtkCompositeDataSet):
         return [data]
     blocks, iterator = [], data.NewIterator()
@@ -139,8 +138,8 @@ def blocks_of(data):
 
 
 def numbers_named(data, name):
-    """Arrays of a global number: the first kind of Catalyst gives it to the data, the second to its
-    parts."""
+    """Returns the arrays of a global number. Legacy Catalyst adds it to the data, Catalyst 2 to the
+    parts of the data."""
     is_collection = isinstance(data, vtkPartitionedDataSetCollection)
     parts = map(data.GetPartitionedDataSet,
                 range(data.GetNumberOfPartitionedDataSets())) if is_collection else []
@@ -149,8 +148,8 @@ def numbers_named(data, name):
 
 
 def own_values(block, name):
-    """The values of a cell array, lengths of vectors, without what other blocks tell of; None if
-    there is no such array."""
+    """Returns the values of a cell array, or lengths of vectors, without ghost and covered cells.
+    Returns None if the array does not exist."""
     array, ghosts = block.GetCellData().GetArray(name), block.GetCellData().GetArray("vtkGhostType")
     if array is None:
         return None
@@ -164,7 +163,7 @@ def cell_volume(block):
 
 
 class Trigger:
-    """One condition of VFM_TRIGGER, watched from step to step."""
+    """One condition of VFM_TRIGGER, with its state at the previous step."""
 
     def __init__(self, text):
         self.text, words = text.strip(), text.split()
@@ -173,8 +172,8 @@ class Trigger:
         if len(words) == 2 and words[1] == "changes":
             self.name, self.comparison = words[0], None
         elif len(words) == 3 and words[1] in COMPARISONS:
-            self.name, self.comparison, self.limit = words[0], COMPARISONS[words[1]], float(
-                words[2])
+            self.name, self.comparison, self.limit = (
+                words[0], COMPARISONS[words[1]], float(words[2]))
         else:
             raise ValueError("VFM_TRIGGER: cannot read '%s'" % self.text)
 
@@ -191,7 +190,7 @@ class Trigger:
     def find_number(self, data):
         arrays = numbers_named(data, self.name)
         if not arrays:
-            raise ValueError("VFM_TRIGGER: the simulation hands over no number '%s'" % self.name)
+            raise ValueError("VFM_TRIGGER: the simulation provides no number '%s'" % self.name)
         return arrays[0].GetComponent(0, 0)
 
     def reduce(self, data):
@@ -203,14 +202,14 @@ class Trigger:
         parts = [part * weight if self.reduction == "sum" else part for part, weight in parts
                  if part is not None]
         if not reduced(len(parts), vtkCommunicator.SUM_OP):
-            raise ValueError("VFM_TRIGGER: the simulation hands over no cell array '%s'"
+            raise ValueError("VFM_TRIGGER: the simulation provides no cell array '%s'"
                              % self.name)
         return reduced(of_values([of_values(part) for part in parts if part.size] or [nothing]),
                        of_ranks)
 
 
 class Choice:
-    """Which steps are meshed."""
+    """Selection of the steps to mesh."""
 
     def __init__(self):
         self.steps = {int(step) for step in names_of(setting("STEPS"))}
@@ -224,13 +223,15 @@ class Choice:
         return bool(self.triggers) or self.by_number(step)
 
     def reasons(self, step, data):
-        """Why the step is meshed; none: it is not. All triggers look at every step."""
+        """Returns the reasons to mesh the step; an empty list if it is not meshed. Updates all
+        triggers."""
         fired = [trigger.text for trigger in self.triggers if trigger.fires(data)]
         return (["step %d" % step] if self.by_number(step) else []) + fired
 
 
 def has_display():
-    """Whether all ranks reach an X server: ParaView ends the process if not."""
+    """Returns whether all ranks can connect to an X server. ParaView would otherwise end the
+    process."""
     x11 = ctypes.CDLL("libX11.so.6")
     x11.XOpenDisplay.restype = ctypes.c_void_p
     display = x11.XOpenDisplay(None)
@@ -240,8 +241,8 @@ def has_display():
 
 
 class Picture:
-    """The outside of the mesh with the edges of the elements, a colour a material; the camera stays
-    where it is."""
+    """Picture of the outside of the mesh, with the edges of the elements and one colour per
+    material. The camera stays fixed."""
 
     def __init__(self, mesher, bounds):
         self.mesher, self.parts = mesher, {}
@@ -259,13 +260,12 @@ class Picture:
 
 
 class Mesher:
-    """The filter on the input of the simulation, and the files of its meshes."""
+    """Filter on the input of the simulation; writes the files of its meshes."""
 
     def __init__(self, source):
         tets = setting("TETS")
-        self.filter = VolumeFractionToTet(Input=source,
-                                          Method=tets) if tets else VolumeFractionToHex(
-                                              Input=source)
+        self.filter = (VolumeFractionToTet(Input=source, Method=tets) if tets
+                       else VolumeFractionToHex(Input=source))
         self.filter.VolumeFractionArrays = [] if setting("LABELS") else names_of(setting("ARRAYS"))
         self.filter.MaterialIdArray = setting("LABELS") or "None"
         for name, (key, value) in PROPERTIES.items():
@@ -274,8 +274,8 @@ class Mesher:
                         word_of(self.filter.GetProperty(name), value(setting(key))))
         self.errors = []
         self.filter.GetClientSideObject().AddObserver("ErrorEvent", self.make_observer())
-        self.stem, self.series, self.picture = os.path.join(setting("OUT"),
-                                                            setting("NAME")), [], None
+        self.stem, self.series, self.picture = (
+            os.path.join(setting("OUT"), setting("NAME")), [], None)
         self.wants_picture = int(setting("PICTURE")) > 0
         os.makedirs(setting("OUT"), exist_ok=True)
 
@@ -287,14 +287,13 @@ class Mesher:
         return take
 
     def run(self, step, time):
-        """The mesh on this rank. All ranks raise when it cannot be made."""
+        """Returns the mesh on this rank. If it cannot be made, raises RuntimeError on all ranks."""
         self.errors.clear()
         self.filter.UpdatePipeline(time)
         mesh = self.filter.GetClientSideObject().GetOutputDataObject(0)
         if self.errors or mesh.GetFieldData().GetArray("MeshVolume") is None:
-            raise RuntimeError("no mesh of step %d: %s" % (step,
-                                                           " ".join(self.errors)
-                                                           or "see the messages before"))
+            raise RuntimeError("no mesh of step %d: %s" % (
+                step, " ".join(self.errors) or "see the messages above"))
         return mesh
 
     def write(self, mesh, step, time):
@@ -312,8 +311,7 @@ class Mesher:
         if is_first_rank():
             with open(self.stem + ".pvd", "w") as file:
                 file.write('<VTKFile type="Collection" version="0.1">\n<Collection>\n'
-                           + "".join(self.series) +
-                           "</Collection>\n</VTKFile>\n")
+                           + "".join(self.series) + "</Collection>\n</VTKFile>\n")
 
     def draw(self, mesh, data, step, time):
         if self.wants_picture and not self.picture:
@@ -328,7 +326,7 @@ class Mesher:
 
 
 def bounds_of(data):
-    """Of all ranks."""
+    """Returns the bounds of the data over all ranks."""
     bounds = [np.inf, -np.inf] * 3
     for block in blocks_of(data):
         pairs = zip(bounds, block.GetBounds())
@@ -339,14 +337,14 @@ def bounds_of(data):
 
 load_plugin(setting("PLUGIN"), globals())  # defines VolumeFractionToHex, VolumeFractionToTet
 source = simple.TrivialProducer(registrationName="input")
-options = catalyst.Options()  # Catalyst asks for it
+options = catalyst.Options()  # read by Catalyst
 choice = Choice()
 mesher = None
 
 
 def RequestDataDescription(description):
-    """By the first kind of Catalyst asked before the simulation makes any data; the second makes
-    them when the source is updated."""
+    """Requests data. Legacy Catalyst calls this before the simulation makes any data. Catalyst 2
+    does not; it makes data when the source is updated."""
     if choice.may_want(description.GetTimeStep()):
         for i in range(description.GetNumberOfInputDescriptions()):
             description.GetInputDescription(i).AllFieldsOn()

@@ -1,14 +1,14 @@
 #!/usr/bin/env pvpython
-"""A load on one face of a machined part: a turned cube of steel, clamped at its face towards -x,
-pressed on that towards +x, solved by CalculiX. Volume fractions know no faces: SharpEdges finds
-them, the table of surfaces tells which is which.
+"""Loads one face of a machined part: a rotated cube of steel, clamped at the face towards -x and
+pressed on the face towards +x. Volume fractions contain no faces. SharpEdges finds them, and the
+table of surfaces identifies them.
 
 usage: pvpython cube_under_pressure.py --plugin VolumeFractionMesh.so [--cells 32] [--tets Lattice]
        [--out DIR]
 
-Writes OUT/cube.inp (the mesh) and OUT/press.inp (material, support, load; it includes the mesh);
-prints the surfaces and, where CalculiX is installed (Debian: calculix-ccx), the reaction at the
-clamped face against the pressure times the true area.
+Writes the mesh, OUT/cube.inp, and the input of CalculiX, OUT/press.inp, which includes the mesh and
+gives material, support and load. Prints the surfaces. If CalculiX is installed (Debian:
+calculix-ccx), also prints the reaction at the clamped face and the pressure times the true area.
 """
 import argparse
 import os
@@ -35,10 +35,11 @@ def parse_arguments():
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--plugin", required=True, help="path of VolumeFractionMesh.so")
     parser.add_argument("--cells", type=int, default=32,
-                        help="cells of the grid along each axis (default: 32)")
+                        help="number of cells along each axis (default: 32)")
     parser.add_argument("--tets", choices=("TetGen", "Cells", "Lattice"),
-                        help="tetrahedra, by this method")
-    parser.add_argument("--out", default=".", help="folder of the files (default: this one)")
+                        help="make tetrahedra with this method instead of hexahedra")
+    parser.add_argument("--out", default=".",
+                        help="folder of the files (default: the current folder)")
     return parser.parse_args()
 
 
@@ -46,13 +47,12 @@ def make_mesher(arguments):
     field = VolumeFractionShapes(Shapes=SHAPES, Bounds=[-1.3, 1.3] * 3,
                                  Dimensions=[arguments.cells] * 3)
     options = dict(Input=field, VolumeFractionArrays=["Material1"], SharpEdges="On")
-    return VolumeFractionToTet(Method=arguments.tets,
-                               **options) if arguments.tets else VolumeFractionToHex(**options)
+    return (VolumeFractionToTet(Method=arguments.tets, **options) if arguments.tets
+            else VolumeFractionToHex(**options))
 
 
 class Surfaces:
-    """The table of surfaces: areas (m^2), centroids and mean normals, which point out of the
-    part."""
+    """Table of surfaces: areas (m^2), centroids, and mean normals that point out of the part."""
 
     def __init__(self, mesher):
         field = servermanager.Fetch(mesher, idx=1).GetFieldData()
@@ -61,15 +61,15 @@ class Surfaces:
             for name in ("Areas", "Centroids", "Normals"))
 
     def find(self, direction):
-        """The number of the surface whose normal is nearest to a direction; of closed ones it is
-        short."""
+        """Returns the number of the surface whose mean normal is nearest to a direction. The mean
+        normal of a closed surface is short."""
         return int(np.argmax(self.normals @ direction)) + 1
 
     def show(self):
-        for s, (area, centroid, normal) in enumerate(zip(self.areas, self.centroids, self.normals),
-                                                     1):
-            print("MATERIAL1_TO_VOID_%d: area %.4f m^2, centroid (%5.2f %5.2f %5.2f), normal (%5.2f %5.2f %5.2f)" % (
-                s, area, *centroid, *normal))
+        for s, (area, centroid, normal) in enumerate(
+                zip(self.areas, self.centroids, self.normals), 1):
+            print("MATERIAL1_TO_VOID_%d: area %.4f m^2, centroid (%5.2f %5.2f %5.2f), "
+                  "normal (%5.2f %5.2f %5.2f)" % (s, area, *centroid, *normal))
 
 
 def main():
@@ -92,7 +92,8 @@ def main():
     results = calculix.read_results(deck)
     reaction = results.reactions[support]
     exact = PRESSURE * EDGE ** 2
-    print("%d elements, %s clamped, %s loaded: reaction %.6g N, pressure times area of the face %.6g N (%+.2f %%), of its facets %.6g N" % (
+    print("%d elements, %s clamped, %s loaded: reaction %.6g N, pressure times area of the face "
+          "%.6g N (%+.2f %%), of its facets %.6g N" % (
         len(results.stresses), support, load, np.linalg.norm(reaction), exact,
         100 * (np.linalg.norm(reaction) / exact - 1),
         PRESSURE * surfaces.areas[loaded - 1] * np.linalg.norm(surfaces.normals[loaded - 1])))

@@ -1,11 +1,12 @@
-"""Makes AMR data (.vthb) of what Gerris writes, an octree of cells: pvpython gerris_to_vthb.py
-CELLS.txt[.gz] OUT.vthb
+"""Converts the octree of cells that Gerris writes into AMR data of VTK (.vthb).
 
-CELLS.txt is of Gerris' OutputSimulation { format = text }: a line of names '1:x 2:y 3:z 4:T ...'
-and a line for each leaf cell, its centre and its values; one box of length 1 around 0, any fields.
-Level 0 of the result is that of the coarsest leaves. Boxes of a level cover the cells of that level
-and what is refined further; there they have the means of the cells below, so that the volume of a
-fluid is the same on all levels.
+usage: pvpython gerris_to_vthb.py CELLS.txt[.gz] OUT.vthb
+
+CELLS.txt is written by OutputSimulation { format = text } of Gerris. The first line has the names,
+'1:x 2:y 3:z 4:T ...'; each other line has the centre and the values of a leaf cell. The domain must
+be one box of length 1 around 0. The coarsest leaves become level 0. The boxes of a level cover its
+leaves and all refined cells. A refined cell has the mean of its children, so that the volume of a
+fluid is equal on all levels.
 """
 import gzip
 import os
@@ -19,12 +20,13 @@ from vtkmodules.vtkIOXML import vtkXMLUniformGridAMRWriter
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from need_files import need_files
 
-DEEPEST = 12  # levels that six digits of a coordinate can tell apart
-LOWER = -0.5  # of the box of Gerris
+DEEPEST = 12  # deepest level that coordinates of six digits can identify
+LOWER = -0.5  # lower corner of the box of Gerris
 
 
 def read_cells(path):
-    """Names of the fields, centres (n, 3) as parts of the box, and values (n, fields)."""
+    """Returns the names of the fields, the centres (n, 3) as fractions of the box, and the values
+    (n, fields)."""
     with (gzip.open if path.endswith(".gz") else open)(path, "rt") as file:
         names = [word.partition(":")[2] for word in file.readline().lstrip("# ").split()
                  if ":" in word]
@@ -35,8 +37,8 @@ def read_cells(path):
 
 
 def find_levels(centres):
-    """Level of each leaf: with n = 2^level cells along the box, a centre is at an odd multiple of 1
-    / 2n."""
+    """Returns the level of each leaf. With n = 2^level cells along the box, a centre is at an odd
+    multiple of 1 / 2n."""
     levels = np.full(len(centres), -1)
     for level in range(DEEPEST, -1, -1):
         halves = centres * 2 ** (level + 1)
@@ -49,8 +51,8 @@ def find_levels(centres):
 
 
 def fill_levels(centres, levels, values):
-    """Of each level from the coarsest of the leaves on: which cells exist (z, y, x), and their
-    values (z, y, x, fields)."""
+    """Returns two dictionaries by level, from the level of the coarsest leaves: which cells exist
+    (z, y, x), and their values (z, y, x, fields)."""
     exist, filled = {}, {}
     for level in range(levels.max(), levels.min() - 1, -1):
         n = 2 ** level
@@ -68,8 +70,8 @@ def fill_levels(centres, levels, values):
 
 
 def cover(cells):
-    """Boxes, slices in z y x, that hold each of these cells once: from the first cell left along x,
-    then y, then z."""
+    """Returns boxes, as slices in z y x, that contain each of these cells once. Each box grows from
+    the first remaining cell along x, then y, then z."""
     left, boxes = cells.copy(), []
     while left.any():
         z, y, x = np.unravel_index(np.argmax(left), left.shape)
@@ -86,9 +88,9 @@ def make_amr(names, exist, filled):
     lists = {level: cover(exist[level]) for level in sorted(exist)}
     amr = vtkOverlappingAMR()
     counts = [len(boxes) for boxes in lists.values()]
-    # since VTK 9.6, before
-    amr.Initialize(counts) if hasattr(amr,
-                                      "GetAMRMetaData") else amr.Initialize(len(counts), counts)
+    # VTK 9.6 and later, then older versions.
+    (amr.Initialize(counts) if hasattr(amr, "GetAMRMetaData")
+     else amr.Initialize(len(counts), counts))
     amr.SetOrigin([LOWER] * 3)
     amr.SetGridDescription(8)  # VTK_XYZ_GRID
     for number, (level, boxes) in enumerate(lists.items()):

@@ -1,22 +1,25 @@
-"""A small explicit Lagrangian solver for hexahedra that begins anywhere: with positions, velocities
-of nodes, and density, specific internal energy, stress and history of elements, as a mesh of
-VolumeFractionMesh carries them over from an Eulerian code.
+"""A small explicit Lagrangian solver for hexahedra, used by restart.py.
 
-Elements have uniform strain, one stress, and viscosity against hourglasses (Flanagan and Belytschko
-1981); nodes have equal parts of their elements' masses. Velocities and positions go by velocity
-Verlet. An element's internal energy changes by the work that the very forces on its corners do
-(compatible, Caramana, Burton, Shashkov and Whalen 1998), so mass, momentum and the sum of both
-energies stay to rounding. The material is that of Examples/impact (MaterialPoints.cxx tells of it):
-Mie-Grueneisen pressure, J2 plasticity with hardening and softening, failure. Units: mm,
-microseconds, mg; so GPa, km/s, J.
+The solver can start from any state: positions and velocities of nodes, and density, specific
+internal energy, stress and history of elements. A mesh of VolumeFractionMesh transfers this state
+from an Eulerian code.
 
-What it lacks: contact. Bodies that share nodes where they touch stay tied there; those that do not
-would pass through each other. Elements that failed and came apart, or are crushed flat, are given
-up: their forces end, their mass stays on their nodes and their energy in the sums.
+Elements have uniform strain, one stress, and viscosity against hourglass modes (Flanagan and
+Belytschko 1981). Each node has an equal share of the mass of its elements. Velocities and positions
+are integrated by velocity Verlet. The internal energy of an element changes by the work of the
+forces on its corners (compatible discretisation, Caramana, Burton, Shashkov and Whalen 1998). Mass,
+momentum and total energy are therefore conserved to rounding. The material is the one of
+Examples/impact (MaterialPoints.h): Mie-Grueneisen pressure, J2 plasticity with hardening and
+softening, failure. Units: mm, microseconds, mg; therefore GPa, km/s, J.
+
+There is no contact. Bodies that share nodes stay tied there; others would pass through each other.
+Elements that failed and expanded, or are crushed flat, are removed: they exert no forces, but their
+mass stays on their nodes and their energy in the sums.
 """
 import numpy as np
 
-# One entry for each material, from 1: see Examples/impact/MaterialPoints.cxx.
+# One entry per material: aluminium, steel. Meanings: struct Material of
+# Examples/impact/MaterialPoints.h.
 MATERIALS = {
     "density": [2.785, 7.83], "sound": [5.328, 4.569], "slope": [1.338, 1.49],
     "grueneisen": [2.0, 1.93], "shear": [27.6, 80.0],
@@ -25,18 +28,18 @@ MATERIALS = {
 
 LINEAR_VISCOSITY, QUADRATIC_VISCOSITY = 0.15, 1.5
 HOURGLASS_VISCOSITY = 0.1
-COURANT_NUMBER, LARGEST_COMPRESSION = 0.6, 0.1  # of a step
+COURANT_NUMBER, LARGEST_COMPRESSION = 0.6, 0.1  # limits of a time step
 TRIAXIALITY_FACTOR, TRIAXIALITY_LIMIT = 1.5, 1.5
-# of what failed: volume over that at rest; of all: length over that at the start
+# Limits of removed elements: volume over volume at rest, if failed; length over initial length.
 GIVEN_UP_RATIO, GIVEN_UP_LENGTH = 3.0, 0.15
 
 CORNERS = np.array([[-1, -1, -1], [1, -1, -1], [1, 1, -1], [-1, 1, -1], [-1, -1, 1], [1, -1, 1],
                     [1, 1, 1], [-1, 1, 1]])
-# corner, mode
+# Hourglass modes (corner, mode).
 HOURGLASSES = np.array([[c[1] * c[2], c[0] * c[2], c[0] * c[1], c[0] * c[1] * c[2]]
                         for c in CORNERS], float)
-# Each corner's view of the hexahedron that corner 0 has: the numbers of the corners that take the
-# places of 0 to 7.
+# Rotations of the hexahedron that move each corner to the place of corner 0: the corners that then
+# take the places 0 to 7.
 VIEWS = [(0, 1, 2, 3, 4, 5, 6, 7), (1, 2, 3, 0, 5, 6, 7, 4), (2, 3, 0, 1, 6, 7, 4, 5),
          (3, 0, 1, 2, 7, 4, 5, 6),
          (4, 7, 6, 5, 0, 3, 2, 1), (5, 4, 7, 6, 1, 0, 3, 2), (6, 5, 4, 7, 2, 1, 0, 3),
@@ -44,43 +47,54 @@ VIEWS = [(0, 1, 2, 3, 4, 5, 6, 7), (1, 2, 3, 0, 5, 6, 7, 4), (2, 3, 0, 1, 6, 7, 
 
 
 def volume_gradients(x):
-    """By the corners' places x (3, 8, elements): the derivatives of the trilinear volume (3, 8,
-    elements), and the volume."""
+    """Returns the volume of trilinear hexahedra, and its derivatives (3, 8, elements) by the corner
+    positions x (3, 8, elements)."""
     x = x - x[:, :1]
     gradients = np.empty_like(x)
     for corner, view in enumerate(VIEWS):
         for axis in range(3):
             y, z = ([x[(axis + turn) % 3, n] for n in view] for turn in (1, 2))
             gradients[axis, corner] = (
-                y[1] * ((z[5] - z[2]) + (z[4] - z[3])) + y[2] * (z[1] - z[3]) + y[3]
-                * ((z[2] - z[7]) + (z[1] - z[4])) +
-                y[4] * ((z[7] - z[5]) + (z[3] - z[1])) + y[5] * (z[4] - z[1]) + y[7]
-                * (z[3] - z[4])) / 12
+                y[1] * ((z[5] - z[2]) + (z[4] - z[3])) + y[2] * (z[1] - z[3])
+                + y[3] * ((z[2] - z[7]) + (z[1] - z[4]))
+                + y[4] * ((z[7] - z[5]) + (z[3] - z[1])) + y[5] * (z[4] - z[1])
+                + y[7] * (z[3] - z[4])) / 12
     return gradients, (x * gradients).sum((0, 1)) / 3
 
 
 def length_of(gradients, volume):
-    """Of an element: a wave crosses it in no less than this over its speed."""
+    """Returns a lower bound of the distance that a wave travels across each element."""
     return volume / np.sqrt(2 * (gradients ** 2).sum((0, 1)))
 
 
 def contract(a, b):
-    """Of symmetric tensors xx yy zz xy yz xz."""
+    """Returns the double contraction of symmetric tensors xx yy zz xy yz xz."""
     return (a[:3] * b[:3]).sum(0) + 2 * (a[3:] * b[3:]).sum(0)
 
 
 class Lagrangian:
-    """points (nodes, 3), hexahedra (elements, 8), materials from 1 and state: arrays over elements
-    of density, energy, ratio (volume over that at rest), deviator (elements, 6), plastic_strain,
-    damage, toughness. velocities: of the nodes; None: means of the state's velocity by mass."""
+    """State of the bodies and its integration in time.
+
+    Parameters
+    ----------
+    points : array, shape (nodes, 3)
+    hexahedra : array, shape (elements, 8)
+        Corners of each element, in VTK's order.
+    materials : array, shape (elements,)
+        Numbers of the materials, from 1.
+    state : dict
+        Arrays over elements: density, energy (specific internal), ratio (volume over volume at
+        rest), deviator (elements, 6; xx yy zz xy yz xz), plastic_strain, damage, toughness.
+    velocities : array, shape (nodes, 3), optional
+        Default: means of ``state["velocity"]`` weighted by mass."""
 
     def __init__(self, points, hexahedra, materials, state, velocities=None):
         self.x = np.ascontiguousarray(points.T)
         self.corners, self.body = np.ascontiguousarray(hexahedra.T), materials - 1
         self.m = {name: np.array(values)[self.body] for name, values in MATERIALS.items()}
-        self.energy, self.deviator = state["energy"].copy(), np.ascontiguousarray(
-            state["deviator"].T)
-        # sums that are carried may be 0 but for rounding
+        self.energy, self.deviator = (
+            state["energy"].copy(), np.ascontiguousarray(state["deviator"].T))
+        # A transferred strain of 0 can be negative by rounding.
         self.strain = np.maximum(state["plastic_strain"], 0)
         self.damage, self.toughness = (state[name].copy() for name in ("damage", "toughness"))
         self.gradients, self.volume = volume_gradients(self.x[:, self.corners])
@@ -89,9 +103,8 @@ class Lagrangian:
         self.mass = state["density"] * self.volume
         self.rest_volume = self.volume / state["ratio"]
         self.node_mass = self.to_nodes(np.broadcast_to(self.mass / 8, self.corners.shape))
-        self.v = np.ascontiguousarray(
-            velocities.T) if velocities is not None else self.to_mean_velocities(
-                state["velocity"].T)
+        self.v = (np.ascontiguousarray(velocities.T) if velocities is not None
+                  else self.to_mean_velocities(state["velocity"].T))
         self.lives = np.ones(len(self.mass), bool)
         self.time, self.steps = 0.0, 0
         self.pressure = self.pressure_of(self.energy)
@@ -102,7 +115,7 @@ class Lagrangian:
         return np.bincount(self.corners.ravel(), values.ravel(), self.x.shape[1])
 
     def to_mean_velocities(self, velocities):
-        """Of the nodes, by those of the elements."""
+        """Returns node velocities that conserve the momentum of the elements."""
         shares = [self.to_nodes(np.broadcast_to(self.mass / 8 * v, self.corners.shape))
                   for v in velocities]
         return np.array(shares) / self.node_mass
@@ -111,7 +124,7 @@ class Lagrangian:
         return np.array([self.to_nodes(f) for f in self.forces]) / self.node_mass
 
     def pressure_of(self, energy):
-        """Of the equation of state; what failed bears no tension."""
+        """Returns the pressure of the equation of state, without tension in failed elements."""
         m, ratio = self.m, self.volume / self.rest_volume
         bulk = m["density"] * m["sound"] ** 2
         strain = np.clip(1 - ratio, 0, 0.8 / m["slope"])
@@ -122,17 +135,17 @@ class Lagrangian:
         return np.where(self.damage >= 1, np.maximum(pressure, 0), pressure)
 
     def step_size(self):
-        """Stable, and no element loses much of its volume."""
+        """Returns the largest time step that is stable and changes no volume by much."""
         m, closing = self.m, np.maximum(0, -self.rate * np.cbrt(self.volume))
-        speed = (np.sqrt(m["sound"] ** 2 + 4 / 3 * m["shear"] / m["density"]) + 2 * m["slope"]
-                 * np.maximum(0, 1 - self.volume / self.rest_volume) *
-                 m["sound"] + 2 * (LINEAR_VISCOSITY * m["sound"] + QUADRATIC_VISCOSITY * closing))
+        speed = (np.sqrt(m["sound"] ** 2 + 4 / 3 * m["shear"] / m["density"])
+                 + 2 * m["slope"] * np.maximum(0, 1 - self.volume / self.rest_volume) * m["sound"]
+                 + 2 * (LINEAR_VISCOSITY * m["sound"] + QUADRATIC_VISCOSITY * closing))
         wave = COURANT_NUMBER * (self.length / speed)[self.lives].min()
         fastest = np.abs(self.rate[self.lives]).max()
         return min(wave, LARGEST_COMPRESSION / max(fastest, 1e-30))
 
     def step(self, most):
-        """One time step, no longer than most."""
+        """Advances the state by one time step of at most `most`."""
         dt = min(self.step_size(), most)
         half = self.v + dt / 2 * self.accelerations()
         old_forces, old_gradients, old_volume = self.forces, self.gradients, self.volume
@@ -154,7 +167,7 @@ class Lagrangian:
         self.time, self.steps = self.time + dt, self.steps + 1
 
     def give_up(self):
-        """Such elements push no more."""
+        """Removes elements that failed and expanded, or are crushed flat: they exert no force."""
         apart = (self.damage >= 1) & (self.volume > GIVEN_UP_RATIO * self.rest_volume)
         crushed = ~(self.length > GIVEN_UP_LENGTH * self.first_length)
         self.lives &= ~(apart | crushed)
@@ -163,8 +176,8 @@ class Lagrangian:
         self.gradients = np.where(gone, 0, self.gradients)
 
     def deform(self, l, dt, energy):
-        """Stress by the velocity gradient l (3, 3, elements) over a step. energy: at its end,
-        nearly."""
+        """Updates the stress with the velocity gradient l (3, 3, elements) over a step. energy:
+        estimate of the internal energy at the end of the step."""
         m, s = self.m, self.deviator
         self.rate = np.where(self.lives, l[0, 0] + l[1, 1] + l[2, 2], 0)
         d = np.array([l[0, 0] - self.rate / 3, l[1, 1] - self.rate / 3, l[2, 2] - self.rate / 3,
@@ -188,8 +201,8 @@ class Lagrangian:
 
     def yield_stress(self, energy):
         m = self.m
-        return np.clip(1 - energy / m["melt"], 0,
-                       1) * (m["yield0"] + m["hardening"] * self.strain ** m["exponent"])
+        return (np.clip(1 - energy / m["melt"], 0, 1)
+                * (m["yield0"] + m["hardening"] * self.strain ** m["exponent"]))
 
     def wear(self, plastic, energy):
         m = self.m
@@ -204,12 +217,12 @@ class Lagrangian:
         self.pressure = np.where(failed, np.maximum(self.pressure, 0), self.pressure)
 
     def find_forces(self, velocity):
-        """Of each element on its corners (3, 8, elements)."""
+        """Returns the forces of each element on its corners (3, 8, elements)."""
         m, s = self.m, self.deviator
         size, density = np.cbrt(self.volume), self.mass / self.volume
         closing = np.maximum(0, -self.rate * size)
-        p = self.pressure + density * closing * (LINEAR_VISCOSITY * m["sound"] + QUADRATIC_VISCOSITY
-                                                 * closing)
+        p = self.pressure + density * closing * (
+            LINEAR_VISCOSITY * m["sound"] + QUADRATIC_VISCOSITY * closing)
         stress = np.array([[s[0] - p, s[3], s[5]], [s[3], s[1] - p, s[4]], [s[5], s[4], s[2] - p]])
         forces = -np.einsum("ijn,jan->ian", stress, self.gradients)
         x = self.x[:, self.corners]
@@ -221,7 +234,7 @@ class Lagrangian:
         return np.where(self.lives, forces - drag * np.einsum("kan,kin->ian", modes, amounts), 0)
 
     def run(self, duration, watch):
-        """Calls watch(self) at the start and after each step."""
+        """Advances the state by a duration. Calls watch(self) at the start and after each step."""
         watch(self)
         end = self.time + duration
         while end - self.time > 1e-12 * end:
@@ -229,8 +242,8 @@ class Lagrangian:
             watch(self)
 
     def totals(self):
-        """Of each body: mass, momentum (3), kinetic and internal energy; of all nodes and elements,
-        also those given up."""
+        """Returns a row per body: mass, momentum (3), kinetic and internal energy. The sums include
+        removed elements."""
         at_corners = self.v[:, self.corners]
         rows = []
         for body in range(len(MATERIALS["density"])):
