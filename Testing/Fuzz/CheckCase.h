@@ -17,9 +17,8 @@ struct FuzzResult
   /// smallest Jacobian determinant of any element, in volumes of its cells
   double Coefficient = 1e300;
   double ScaledJacobian = 1e300; ///< smallest of all elements
-  double Overlap =
-    /// Deepest overlap: fragments may overlap if the void between them is not meshed.
-    0.0;
+  /// Deepest overlap: fragments may overlap if the void between them is not meshed.
+  double Overlap = 0.0;
 };
 
 /// Makes the mesh of a case on one rank and on the ranks of the case.

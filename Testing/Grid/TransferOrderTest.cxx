@@ -157,9 +157,8 @@ TEST_P(TransferOrder, LinearFieldsAreMet)
 {
   const auto linear = [](const Vector3& x, int material, double* values)
   {
-    values[0] =
-      // Quantities per mass are linear by volume if the density is constant.
-      material == 2 ? 8.0 : 1.0;
+    // Quantities per mass are linear by volume if the density is constant.
+    values[0] = material == 2 ? 8.0 : 1.0;
     for (int c = 1; c < SmoothComponents; ++c)
     {
       values[c] = 0.3 * c + (c - 3.0) * x[0] + 2.0 * x[1] - 0.7 * c * x[2] + 0.5 * material;

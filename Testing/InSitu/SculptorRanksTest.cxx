@@ -16,8 +16,8 @@ using namespace vfm::testing;
 namespace
 {
 
-constexpr double LargestRatio =
-  1.5; // ratio of the widths of a cell; the host's is smaller unless stretched
+/// Largest ratio of the widths of a cell; the ratio of the host is smaller unless stretched.
+constexpr double LargestRatio = 1.5;
 
 /// Returns the fields of a rank, with cells stretched along z.
 HostFields MakeFields(int rank, int ranks, double stretch)

@@ -1,5 +1,5 @@
 /**
- * Independent checks of hexahedral or tetrahedral meshes: validity, conformity, manifold boundaries.
+ * Independent checks of a mesh of hexahedra or tetrahedra: validity, conformity, manifold boundary.
  */
 #pragma once
 
