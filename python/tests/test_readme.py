@@ -1,4 +1,4 @@
-"""What the README tells is so."""
+"""Tests the code, pictures and links of the READMEs."""
 
 import os
 import re
@@ -12,31 +12,21 @@ import pytest
 import volume_fraction_mesh as vfm
 from fields import BALL, GRAINS, PLATE, STATE
 from test_shapes import CUBE, TRIANGLES, write_stl
-from volume_fraction_mesh._core import list_options
 
 FOLDER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..")
 README = os.path.join(FOLDER, "README.md")
-pytestmark = pytest.mark.skipif(not os.path.exists(README), reason="the tests are alone")
+ROOT_README = os.path.join(FOLDER, "..", "README.md")
+pytestmark = pytest.mark.skipif(not os.path.exists(README), reason="the README is not there")
 
 
-def read():
-    with open(README, encoding="utf-8") as file:
+def read(path=README):
+    with open(path, encoding="utf-8") as file:
         return file.read()
 
 
 def blocks():
-    """Of Python, with the text that follows, if that is what they print."""
+    """Returns the blocks of Python, each with the indented text after it: the expected output."""
     return re.findall(r"```python\n(.*?)```\n(?:\n((?:    [^\n]*\n)+))?", read(), re.DOTALL)
-
-
-def test_table_of_options():
-    rows = dict(re.findall(r"^\| `(\w+)` \| (.*?) \|", read(), re.MULTILINE))
-    for option in list_options():
-        expected = '"%s"' % option.default if option.kind == "word" else "%g" % option.default
-        expected = str(option.default) if option.kind == "flag" else expected
-        assert option.name in rows, option.name
-        assert "**%s**" % expected in rows[option.name], (option.name, expected, rows[option.name])
-        assert all('"%s"' % word in rows[option.name] for word in option.words), option.name
 
 
 @pytest.mark.parametrize("number", range(3))
@@ -54,6 +44,15 @@ def test_code(number, tmp_path, monkeypatch, capsys):
     assert not printed or told.split() == printed.split()
 
 
+def test_code_of_the_root(tmp_path, monkeypatch):
+    """The code span of the quick start runs and writes its file."""
+    code = re.search(r"^\*\*Python\*\*: `(import volume_fraction_mesh as vfm; [^`]*)`",
+                     read(ROOT_README), re.MULTILINE).group(1)
+    monkeypatch.chdir(tmp_path)
+    exec(code, {})
+    assert (tmp_path / "ball.inp").stat().st_size > 10000
+
+
 def test_pictures():
     found = re.findall(r"\((pictures/\w+\.png)\)", read())
     assert len(found) == 4
@@ -63,11 +62,11 @@ def test_pictures():
 
 def test_links():
     for name in re.findall(r"\]\(((?!http)[^)]*)\)", read()):
-        assert os.path.exists(os.path.join(FOLDER, name)), name
+        assert os.path.exists(os.path.join(FOLDER, name.split("#")[0])), name
 
 
 def test_no_package_is_needed():
-    """But numpy."""
+    """The package imports no other package than NumPy."""
     code = "import sys, volume_fraction_mesh; print(*{name.split('.')[0] for name in sys.modules})"
     found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True,
                            check=True).stdout.split()
