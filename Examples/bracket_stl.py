@@ -95,7 +95,7 @@ def fill(outer, holes, axis):
     """Returns the triangles of a plane face between closed lines in space. axis: direction of the
     outer normal, 1 to 3 for x to z, negative for -x to -z."""
     kept = [a for a in range(3) if a != abs(axis) - 1]
-    flips = (axis > 0) == (abs(axis) == 2)  # for y: x, z form a left-handed frame
+    flips = (axis > 0) == (abs(axis) == 2)  # x and z form a left-handed frame
     place = {(p[kept[0]], p[kept[1]]): p for line in [outer] + holes for p in line}
     flat = [[(p[kept[0]], p[kept[1]]) for p in line] for line in [outer] + holes]
     turned = [line if (total_area(line) > 0) == (n == 0) else line[::-1]

@@ -1,19 +1,19 @@
 #!/usr/bin/env pvbatch
-"""Meshes every time step of a file series: one .vtu, and on demand one Exodus file and one table of
-fragments, a step.
+"""Meshes each time step of a file series.
 
-usage: pvbatch mesh_series.py --plugin VolumeFractionMesh.so --array water --out meshes [--exodus]
-       dump_*.vti
-       pvbatch mesh_series.py --plugin VolumeFractionMesh.so --material-ids id --out meshes run.pvd
-       pvbatch mesh_series.py --plugin VolumeFractionMesh.so --out meshes impact.spcth
-       pvbatch mesh_series.py --plugin VolumeFractionMesh.so --array phi --out meshes plt*
+usage: pvbatch mesh_series.py --plugin PLUGIN.so --array water --out meshes [--exodus] dump_*.vti
+       pvbatch mesh_series.py --plugin PLUGIN.so --material-ids id --out meshes run.pvd
+       pvbatch mesh_series.py --plugin PLUGIN.so --out meshes impact.spcth
+       pvbatch mesh_series.py --plugin PLUGIN.so --array phi --out meshes plt*
 
-Files of one extension are the steps of one series, in the order of the numbers in their names; a
-file that holds several steps (.pvd, .spcth) gives all of them. Without --array and --material-ids a
-SpyPlot case (.spcth) is meshed by its arrays 'Material volume fraction - N'. Of refined data
-(.vthb, AMReX plotfiles, .hierarchy of Enzo, .flash) all levels are read. Steps go to
-OUT/NAME_0000.vtu, OUT/NAME_0001.vtu and so on, one line each on standard output. Exit status 1 if a
-step could not be meshed; the other steps are meshed all the same.
+Several files are the steps of one series, in the order of the numbers in their names. From a file
+with several steps (.pvd, .spcth), all steps are read. A SpyPlot case (.spcth) needs neither --array
+nor --material-ids; the default is its arrays 'Material volume fraction - N'. All levels of refined
+data are read (.vthb, AMReX plotfiles, .hierarchy of Enzo, .flash).
+
+Writes OUT/NAME_0000.vtu, OUT/NAME_0001.vtu and so on, and prints one line per step. Options add an
+Exodus file and a table of fragments per step. If a step cannot be meshed, the others are meshed and
+the exit status is 1.
 """
 import argparse
 import os
@@ -31,23 +31,25 @@ from write_exodus import write_exodus
 def parse_arguments():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("files", nargs="+", help="files of the series, or one file that holds it")
+    parser.add_argument("files", nargs="+", help="files of the series, or one file with all steps")
     parser.add_argument("--plugin", required=True, help="path of VolumeFractionMesh.so")
     parser.add_argument("--array", action="append", default=[],
-                        help="volume fractions of the next material; repeatable")
+                        help="array of volume fractions of a material; repeat for each material")
     parser.add_argument("--material-ids", metavar="ARRAY",
                         help="integer array of material ids, instead of --array")
-    parser.add_argument("--out", default=".", help="folder of the meshes (default: this one)")
-    parser.add_argument("--name", default="mesh", help="first part of their names (default: mesh)")
+    parser.add_argument("--out", default=".",
+                        help="folder of the meshes (default: the current folder)")
+    parser.add_argument("--name", default="mesh",
+                        help="first part of the file names (default: mesh)")
     parser.add_argument("--exodus", action="store_true",
-                        help="write .e files too, with blocks and side sets; not of empty meshes")
+                        help="also write .e files, with blocks and side sets, of non-empty meshes")
     parser.add_argument("--fragments", action="store_true",
-                        help="write a table of the fragments too, .csv")
+                        help="also write a table of the fragments, .csv")
     parser.add_argument("--target", type=float, default=0.0,
                         help="TargetScaledJacobian (default: 0, automatic)")
     parser.add_argument("--tets", choices=("TetGen", "Cells", "Lattice"),
-                        help="tetrahedra, by this method")
-    parser.add_argument("--void", action="store_true", help="mesh the void too, as material 0")
+                        help="make tetrahedra with this method instead of hexahedra")
+    parser.add_argument("--void", action="store_true", help="also mesh the void, as material 0")
     arguments = parser.parse_args()
     if arguments.array and arguments.material_ids or not (
             arguments.array or arguments.material_ids or is_spyplot(arguments.files)):
@@ -55,7 +57,7 @@ def parse_arguments():
     return arguments
 
 
-# ParaView takes such files for particles otherwise.
+# By default ParaView reads such files as particles.
 GRID_READERS = {".hierarchy": "EnzoReader", ".flash": "FlashReader"}
 
 
@@ -64,29 +66,29 @@ def is_spyplot(files):
 
 
 def number_key(path):
-    """Orders step_9 before step_10."""
+    """Returns a sort key that orders step_9 before step_10."""
     return [int(part) if part.isdigit() else part for part in re.split(r"(\d+)", path)]
 
 
 def open_files(files, arrays):
-    """The reader; one of refined data reads all levels and these arrays."""
+    """Returns a reader of the files. A reader of refined data reads all levels and these arrays."""
     grids = GRID_READERS.get(os.path.splitext(files[0])[1])
     source = getattr(simple, grids)(FileNames=files) if grids else simple.OpenDataFile(files)
     properties = source.ListProperties() if source else []
     if "DefaultNumberOfLevels" in properties:
-        source.DefaultNumberOfLevels = 0  # all
+        source.DefaultNumberOfLevels = 0  # all levels
     if "Level" in properties:
         source.Level, source.CellArrayStatus = 100, arrays
     return source
 
 
 def open_series(files, arrays):
-    """The reader of the files; of a SpyPlot case it reads these arrays, or the volume fractions,
-    whose names are added then."""
+    """Returns a reader of the series. For a SpyPlot case it reads these arrays; if the list is
+    empty, it reads all volume fractions and adds their names to the list."""
     if not is_spyplot(files):
         return open_files(sorted(files, key=number_key), arrays)
     if len(files) > 1:
-        sys.exit("give one SpyPlot case file: it holds all steps")
+        sys.exit("give one SpyPlot case file; it contains all steps")
     source = simple.OpenDataFile(files[0])
     if source is None:
         return None
@@ -94,18 +96,17 @@ def open_series(files, arrays):
                  if re.search(r"[vV]olume [fF]raction - \d+$", name)]
     arrays += [] if arrays else sorted(fractions, key=number_key)
     source.CellArrays = arrays
-    # not before the files are open: ParaView 5.11 forgets it otherwise
+    # This must follow the opening of the files; ParaView 5.11 would reset it.
     source.DownConvertVolumeFraction = 0
     return source
 
 
 def find_times(source):
-    """The time steps of the series; one unnamed step when it has none."""
+    """Returns the time steps of the series, or [None] if it has no times."""
     source.UpdatePipelineInformation()
     times = source.TimestepValues
-    return list(times) if hasattr(times,
-                                  "__len__") and len(times) else [times] if isinstance(
-                                      times, float) else [None]
+    return (list(times) if hasattr(times, "__len__") and len(times)
+            else [times] if isinstance(times, float) else [None])
 
 
 def report(mesh, path):
@@ -126,9 +127,8 @@ def main():
     source = open_series(arguments.files, arrays)
     if source is None:
         sys.exit("cannot read " + arguments.files[0])
-    mesher = VolumeFractionToTet(Input=source,
-                                 Method=arguments.tets) if arguments.tets else VolumeFractionToHex(
-                                     Input=source)
+    mesher = (VolumeFractionToTet(Input=source, Method=arguments.tets) if arguments.tets
+              else VolumeFractionToHex(Input=source))
     mesher.VolumeFractionArrays = arguments.array
     mesher.MaterialIdArray = arguments.material_ids or "None"
     mesher.TargetScaledJacobian, mesher.MeshVoid = arguments.target, int(arguments.void)

@@ -1,4 +1,4 @@
-"""What scripts ask before they start: a file that is missing ends them with one message and exit
+"""Check of scripts before they start: a missing file ends the script with one message and exit
 status 1."""
 import os
 import sys

@@ -1,4 +1,4 @@
-"""Pictures of meshes: a view, what is shown in it, from where, and the file. Needs an X server."""
+"""Pictures of meshes with ParaView: view, contents, camera and file. Needs an X server."""
 import math
 
 from paraview import simple
@@ -9,13 +9,13 @@ SIZE = (1600, 1200)
 VIEW_ANGLE = 18  # degrees
 EDGES = (0.13, 0.17, 0.22)
 TEXT = (0.15, 0.15, 0.15)
-# names of colour maps lost what is in brackets, formats became those of C++
+# ParaView 6.1 removed brackets from names of colour maps and uses formats of C++ (std::format).
 IS_RENAMED = simple.GetParaViewVersion() >= (6, 1)
 VIRIDIS = "Viridis" if IS_RENAMED else "Viridis (matplotlib)"
 
 
 def number_format(digits):
-    """Of the numbers beside a bar of colours: digits behind the point."""
+    """Returns the format of the numbers at a colour bar. digits: number of decimals."""
     return f"{{:.{digits}f}}" if IS_RENAMED else f"%.{digits}f"
 
 
@@ -32,8 +32,9 @@ def make_view(size=SIZE):
 
 
 def aim(view, bounds, direction, zoom, sink=0.1):
-    """Looks from the direction at a point below the middle of the bounds, by sink of their radius,
-    with z up."""
+    """Points the camera, with z up, at the middle of the bounds. direction: from there to the
+    camera. sink: distance of the focal point below the middle, relative to the radius of the
+    bounds."""
     centre = [(bounds[2 * a] + bounds[2 * a + 1]) / 2 for a in range(3)]
     radius = math.dist(bounds[0::2], bounds[1::2]) / 2
     centre[2] -= sink * radius
@@ -46,7 +47,7 @@ def aim(view, bounds, direction, zoom, sink=0.1):
 
 
 def show(proxy, view, colour=None, edges=True):
-    """colour: red, green, blue; None: as ColorBy says."""
+    """Shows a mesh and returns its display. colour: red, green, blue; None: set by ColorBy."""
     display = simple.Show(proxy, view)
     display.SetRepresentationType("Surface With Edges" if edges else "Surface")
     display.EdgeColor = EDGES
@@ -60,7 +61,7 @@ def show(proxy, view, colour=None, edges=True):
 
 
 def show_material(mesh, view, material):
-    """The elements of a material in the colour that the plugin gives it; returns their proxy."""
+    """Shows the elements of a material in the colour of the plugin. Returns their proxy."""
     part = simple.Threshold(Input=mesh, Scalars=["CELLS", "MaterialId"], LowerThreshold=material,
                             UpperThreshold=material)
     simple.ColorBy(show(part, view), ("CELLS", "MaterialId"))
@@ -68,19 +69,20 @@ def show_material(mesh, view, material):
 
 
 def cut(mesh, origin, normal):
-    """The elements on the side of the plane that its normal points to, whole."""
+    """Returns the elements on the side of a plane to which its normal points, without cutting
+    them."""
     half = simple.Clip(Input=mesh, ClipType="Plane", Crinkleclip=1, Invert=0)
     half.ClipType.Origin, half.ClipType.Normal = origin, normal
     return half
 
 
 def colour_by_quality(display, view, lowest):
-    """Colours elements by scaled Jacobian, from `lowest` to 1, with a bar below."""
+    """Colours elements by scaled Jacobian, from `lowest` to 1, and shows a colour bar."""
     colour_by(display, view, "ScaledJacobian", "Scaled Jacobian", math.floor(10 * lowest) / 10)
 
 
 def colour_by(display, view, array, title, lowest, preset=VIRIDIS, inverted=False):
-    """Colours cells by an array, from `lowest` to 1, with a bar below."""
+    """Colours cells by an array, from `lowest` to 1, and shows a colour bar."""
     simple.ColorBy(display, ("CELLS", array))
     table = simple.GetColorTransferFunction(array)
     table.ApplyPreset(preset, True)
@@ -92,8 +94,8 @@ def colour_by(display, view, array, title, lowest, preset=VIRIDIS, inverted=Fals
     bar.TitleColor = bar.LabelColor = TEXT
     bar.TitleFontSize, bar.LabelFontSize = 30, 26
     bar.ScalarBarThickness, bar.ScalarBarLength = 28, 0.5
-    bar.AutomaticLabelFormat, bar.LabelFormat, bar.RangeLabelFormat = 0, number_format(
-        2), number_format(2)
+    bar.AutomaticLabelFormat, bar.LabelFormat, bar.RangeLabelFormat = (
+        0, number_format(2), number_format(2))
     bar.Orientation, bar.WindowLocation, bar.Position = "Horizontal", "Any Location", (0.25, 0.045)
     display.SetScalarBarVisibility(view, True)
 

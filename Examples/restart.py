@@ -1,23 +1,21 @@
 #!/usr/bin/env pvpython
-"""A ball strikes a plate: begun by an Eulerian code (Examples/impact), meshed with its state, and
-carried on by a Lagrangian one (lagrangian.py). Tells mass, momentum and energy before, at the
-hand-over and after.
+"""Restarts an Eulerian simulation in a Lagrangian code: a ball strikes a plate.
 
 usage: pvpython restart.py --plugin VolumeFractionMesh.so --impact build/bin/impact [--cells 80]
-       [--step 100] [--last 200]
-                           [--transfer Conserve|Copy] [--out DIR] [--picture FILE.png]
+       [--step 100] [--last 200] [--transfer Conserve|Copy] [--out DIR] [--picture FILE.png]
 
-Runs impact to the step --last with its state at the step --step, where the mesh is made; the solver
-goes on from there for as long as impact does, which is what to compare with. Writes into OUT
-  before.csv      of each step of impact: mass, momentum, kinetic and internal energy of ball and
-                  plate, and of what left the grid
-  handover.vtu    the mesh with its state
-  after.csv       the same sums of each step of the solver
-  after.vtu       the mesh where and as the solver leaves it
-  restart.png     both tables drawn
-With Copy elements take the values of one cell each, and nodes the mean velocity of their elements
-by mass: what the transfer is for. The picture, which needs a screen or xvfb-run, shows both meshes,
-cut.
+Runs Examples/impact up to the step --last. Meshes its fields with their state at the step --step.
+Then the Lagrangian solver (lagrangian.py) continues to the time of the step --last, so that
+both codes can be compared. Prints the differences of mass, momentum and energy. Writes into OUT
+  before.csv      totals at each step of impact: mass, momentum, kinetic and internal energy of ball
+                  and plate, and of material that left the grid
+  handover.vtu    mesh with the transferred state
+  after.csv       totals at each step of the solver
+  after.vtu       mesh at the end of the solver's run
+  restart.png     plot of both tables
+With --transfer Copy, each element takes the values of one cell, and each node the mean velocity of
+its elements. This shows the errors that conservative transfer avoids. The picture shows both
+meshes, cut; it needs a screen or xvfb-run.
 """
 import argparse
 import csv
@@ -40,8 +38,8 @@ from need_files import need_files
 BODIES = ["ball", "plate"]
 QUANTITIES = ["mass [mg]", "momentum x [mg km/s]", "momentum y [mg km/s]", "momentum z [mg km/s]",
               "kinetic energy [J]", "internal energy [J]"]
-VIEW_SIZE, SPEED = (1200, 720), 3.0  # of the pictures; km/s of the brightest colour
-LEAST_FRACTION = 1e-9  # the mesher takes less for none
+VIEW_SIZE, SPEED = (1200, 720), 3.0  # size of pictures; speed of the brightest colour, km/s
+LEAST_FRACTION = 1e-9  # the mesher ignores smaller fractions
 STATES = ["velocity", "energy", "ratio", "deviator", "plastic_strain", "damage", "toughness"]
 
 
@@ -51,64 +49,64 @@ def parse_arguments():
     parser.add_argument("--plugin", required=True, help="path of VolumeFractionMesh.so")
     parser.add_argument("--impact", required=True, help="path of the program impact")
     parser.add_argument("--cells", type=int, default=80,
-                        help="cells of the grid along x (default: 80)")
+                        help="number of cells along x (default: 80)")
     parser.add_argument("--step", type=int, default=100,
-                        help="of impact, where the mesh is made (default: 100)")
+                        help="step of impact that is meshed (default: 100)")
     parser.add_argument("--last", type=int, default=200,
-                        help="step of impact that tells how long to go on (default: 200)")
+                        help="step of impact at whose time both codes end (default: 200)")
     parser.add_argument("--transfer", choices=("Conserve", "Copy"), default="Conserve")
     parser.add_argument("--out", default="restart", help="folder of the files (default: restart)")
     parser.add_argument("--picture", metavar="FILE",
-                        help="a picture of the meshes and the tables, .png")
+                        help="save a picture of the meshes and the tables, .png")
     return parser.parse_args()
 
 
 def of_bodies(stem):
-    """The arrays of a quantity in the dump."""
+    """Returns the names of the arrays of a quantity, one per body."""
     return ["%s - %d" % (stem, body + 1) for body in range(len(BODIES))]
 
 
 # ---- the Eulerian side ----
 
 def run_impact(arguments):
-    """The path of the dump where the mesh is made."""
-    command = [arguments.impact, "--cells", arguments.cells, "--steps", arguments.last, "--every",
-               arguments.step, "--restart",
-               os.path.join(arguments.out, "dump"), "--history",
-               os.path.join(arguments.out, "before.csv")]
+    """Runs impact and returns the path of the fields to mesh."""
+    command = [arguments.impact, "--cells", arguments.cells, "--steps", arguments.last,
+               "--every", arguments.step, "--restart", os.path.join(arguments.out, "dump"),
+               "--history", os.path.join(arguments.out, "before.csv")]
     if subprocess.run([str(word) for word in command], stdout=subprocess.DEVNULL).returncode != 0:
-        sys.exit("impact failed, see above")
+        sys.exit("impact failed, see the message above")
     return os.path.join(arguments.out, "dump", "restart_%04d.pvti" % arguments.step)
 
 
 def totals_of_cells(data):
-    """QUANTITIES of each body, as its cells hold them but for crumbs that the mesher takes for
-    none; exact sums."""
+    """Returns QUANTITIES of each body, as exact sums over cells. Excludes fractions that the mesher
+    ignores."""
     volume = math.prod(data.GetSpacing())
     rows = []
     for body, name in enumerate(BODIES):
-        fraction, density, velocity, energy = (vtk_to_numpy(data.GetCellData().GetArray(array))
-                                               for array in (
-            name, *(of_bodies(stem)[body] for stem in ("density", "velocity", "energy"))))
+        fraction, density, velocity, energy = (
+            vtk_to_numpy(data.GetCellData().GetArray(array)) for array in (
+                name, *(of_bodies(stem)[body] for stem in ("density", "velocity", "energy"))))
         fraction = np.where(fraction > LEAST_FRACTION, fraction, 0)
         rows.append(exact_totals(fraction * density * volume, velocity, energy))
     return np.array(rows)
 
 
 def totals_of_points(before, step):
-    """The same of the points of impact."""
+    """Returns QUANTITIES of each body, from the points of impact at a step."""
     row = np.flatnonzero(before["step"] == step)[0]
     return np.array([[before[body + " " + quantity][row] for quantity in QUANTITIES]
                      for body in BODIES])
 
 
 def totals_not_meshed(mesh):
-    """The same of what no element has got, by the field data of the mesh; by Copy nobody knows."""
+    """Returns QUANTITIES of unmeshed material, from the field data of the mesh; 0 with Copy, which
+    does not report them."""
     field = mesh.GetFieldData()
     if not field.HasArray("UnmeshedMass"):
         return np.zeros((len(BODIES), len(QUANTITIES)))
-    return np.column_stack([vtk_to_numpy(field.GetArray("Unmeshed" + name)) for name in (
-        "Mass", "Momentum", "KineticEnergy", "InternalEnergy")])
+    return np.column_stack([vtk_to_numpy(field.GetArray("Unmeshed" + name))
+                            for name in ("Mass", "Momentum", "KineticEnergy", "InternalEnergy")])
 
 
 def exact_totals(mass, velocity, energy):
@@ -117,7 +115,7 @@ def exact_totals(mass, velocity, energy):
             for values in (mass, *(mass * velocity.T), mass * speeds / 2, mass * energy)]
 
 
-# ---- the hand-over ----
+# ---- transfer ----
 
 def make_mesh(dump, transfer):
     source = simple.XMLPartitionedImageDataReader(FileName=[dump])
@@ -143,8 +141,8 @@ def read_mesh(path):
 
 
 def read_state(mesh, name, body):
-    """Of each element. By Copy there are arrays of both bodies, of which each element has its
-    own."""
+    """Returns a quantity of each element. With Copy, the mesh has an array per body, and each
+    element uses the array of its own body."""
     data = mesh.GetCellData()
     if data.HasArray(name):
         return vtk_to_numpy(data.GetArray(name))
@@ -163,23 +161,22 @@ def start_solver(mesh):
                       vtk_to_numpy(at_nodes) if at_nodes else None)
 
 
-# ---- after ----
+# ---- the Lagrangian side ----
 
 def run_solver(solver, start, duration, path):
     solver.time = start
     with open(path, "w", newline="", encoding="ascii") as file:
         table = csv.writer(file)
-        table.writerow(["step",
-                        "time [us]"] + [body + " " + quantity for body in BODIES
-                                        for quantity in QUANTITIES] +
-                       ["elements given up"])
+        table.writerow(["step", "time [us]"]
+                       + [body + " " + quantity for body in BODIES for quantity in QUANTITIES]
+                       + ["removed elements"])
         solver.run(duration, lambda s: table.writerow(
             [s.steps, repr(s.time), *map(repr, s.totals().ravel().tolist()),
              np.count_nonzero(~s.lives)]))
 
 
 def save_mesh(mesh, solver, path):
-    """The mesh as it is now, its speed, pressure and damage."""
+    """Writes the deformed mesh with velocity, pressure, damage and energy."""
     moved = mesh.NewInstance()
     moved.DeepCopy(mesh)
     moved.GetPoints().SetData(numpy_to_vtk(np.ascontiguousarray(solver.x.T), deep=1))
@@ -199,7 +196,7 @@ def save_mesh(mesh, solver, path):
         sys.exit("cannot write " + path)
 
 
-# ---- what is told ----
+# ---- report ----
 
 def read_table(path):
     with open(path, encoding="ascii") as file:
@@ -216,10 +213,10 @@ def total_energy(totals):
 
 
 def report(rows):
-    """rows: what is compared, totals after and before. Differences over those before; of momentum
-    over its length."""
-    print("%-30s%12s%12s%12s%12s%12s" % ("relative difference", "mass", *BODIES, "momentum",
-                                         "energy"))
+    """Prints the differences between totals, relative to the totals before. rows: (name, totals
+    after, totals before). The difference of momentum is relative to its length."""
+    print("%-30s%12s%12s%12s%12s%12s" % (
+        "relative difference", "mass", *BODIES, "momentum", "energy"))
     for what, after, before in rows:
         change = after - before
         print("%-30s%12.1e%12.1e%12.1e%12.1e%12.1e" % (
@@ -229,7 +226,8 @@ def report(rows):
 
 
 def draw_tables(figure, places, before, after, start):
-    """Momentum and energy over time, with the hand-over; impact goes on as a thin line."""
+    """Plots momentum and energy over time. A dashed line marks the transfer; dotted lines are the
+    continued run of impact."""
     momentum, energy = (figure.add_subplot(place) for place in places)
     first = before["time [us]"] <= start * (1 + 1e-12)
     lines = [(momentum, "momentum x [mg km/s]", "x"), (momentum, "momentum z [mg km/s]", "z"),
@@ -252,7 +250,8 @@ def draw_tables(figure, places, before, after, start):
 
 
 def render(path, picture):
-    """Half of a mesh without what was given up, by the speed of its nodes."""
+    """Saves a picture of half of a mesh, coloured by the speed of its nodes, without removed
+    elements."""
     simple._DisableFirstRenderCameraReset()
     view = pictures.make_view(VIEW_SIZE)
     view.BackgroundColorMode, view.Background = "Single Color", (1, 1, 1)
@@ -315,8 +314,8 @@ def main():
     before = read_table(files["before.csv"])
     times = dict(zip(before["step"].astype(int), before["time [us]"]))
     solver = start_solver(mesh)
-    cells, at_start = totals_of_cells(
-        source.GetClientSideObject().GetOutputDataObject(0)), solver.totals()
+    cells, at_start = (
+        totals_of_cells(source.GetClientSideObject().GetOutputDataObject(0)), solver.totals())
     left_out = totals_not_meshed(mesh)
     run_solver(solver, times[arguments.step], times[arguments.last] - times[arguments.step],
                files["after.csv"])
@@ -326,7 +325,7 @@ def main():
             ("the solver's run", solver.totals(), at_start)])
     print("not meshed: %.3g mg" % left_out[:, 0].sum())
     draw(arguments, before, read_table(files["after.csv"]), times[arguments.step])
-    print("%s: %d hexahedra, %d steps, %d given up" % (
+    print("%s: %d hexahedra, %d steps, %d removed" % (
         files["after.vtu"], len(solver.mass), solver.steps, np.count_nonzero(~solver.lives)))
 
 

@@ -1,8 +1,9 @@
-"""Times Volume Fraction To Hex on a gyroid, and the memory that it takes on every rank.
+"""Measures the time and memory of Volume Fraction To Hex on a gyroid, on several ranks.
 
-usage: mpiexec --bind-to none -n N pvbatch --sym Examples/time_ranks.py PLUGIN [CELLS an axis,
-       default 128]
-One thread a rank. The time is that of the filter alone, its input ready.
+usage: mpiexec --bind-to none -n N pvbatch --sym Examples/time_ranks.py PLUGIN [CELLS]
+
+CELLS is the number of cells per axis, 128 by default. Each rank uses one thread and prints one
+line. The time is the time of the filter, without that of its input.
 """
 import os
 import resource

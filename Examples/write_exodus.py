@@ -3,13 +3,11 @@
 sets, global ids.
 
 usage: pvpython write_exodus.py MESH.vtu MESH.exo
-       mpiexec -n P pvbatch --sym write_exodus.py MESH.pvtu MESH.exo     writes MESH.exo.P.0,
-       MESH.exo.P.1, ...
+       mpiexec -n P pvbatch --sym write_exodus.py MESH.pvtu MESH.exo
 
-The plugin is build/lib/VolumeFractionMesh.so, or that of the environment variable VFM_PLUGIN. In a
-script that has loaded it, SaveData("mesh.exo", proxy=hexes) does the same; write_exodus(mesh, path)
-takes a vtkUnstructuredGrid and any ending, and raises RuntimeError when it fails; on several ranks
-all call it, each with its piece.
+The second form writes MESH.exo.P.0, MESH.exo.P.1 and so on. The plugin is
+build/lib/VolumeFractionMesh.so, or the path in the environment variable VFM_PLUGIN. A script that
+has loaded the plugin can use SaveData("mesh.exo", proxy=hexes) instead.
 """
 import os
 import sys
@@ -23,7 +21,10 @@ from need_files import need_files
 
 
 def write_exodus(mesh, path, single_file=False):
-    """single_file: one of the whole mesh, also from several ranks."""
+    """Writes a vtkUnstructuredGrid as Exodus. The name of the file can have any extension.
+
+    On several ranks, all ranks call it, each with its piece. single_file: write one file of the
+    whole mesh instead of one per rank. Raises RuntimeError if the file cannot be written."""
     source = simple.TrivialProducer()
     source.GetClientSideObject().SetOutput(mesh)
     writer = servermanager.writers.VolumeFractionExodusWriter(

@@ -1,5 +1,5 @@
 #!/usr/bin/env pvpython
-"""Figure 8: the geometry made of a mesh: surfaces in colour, curves and vertices.
+"""Figure 8: the geometry of a mesh: surfaces in colour, curves and vertices.
 
 usage: pvpython figure_08.py OUT
 """
@@ -11,7 +11,7 @@ import report
 from rank_meshes import field_value
 from rank_pictures import colour_by_number, join, pictures
 
-# A ball of two halves that has sunk into a plate, which reaches the sides of the domain.
+# A ball of two halves, partly sunk into a plate that reaches the sides of the domain.
 SHAPES = """
 sphere    material=1 center=12,12,12 radius=7 cut=12,12,12,1,0.3,0
 sphere    material=2 center=12,12,12 radius=7
@@ -21,7 +21,8 @@ INK = (0.1, 0.1, 0.1)
 
 
 def draw(parts, surfaces, hidden, path):
-    """hidden: a plane; surfaces before it are not shown."""
+    """Saves a picture of the geometry. hidden: origin and normal of a plane; surfaces in front of
+    it are not shown."""
     view = pictures.make_view((1000, 850))
     shown = simple.Clip(Input=parts["Surfaces"], ClipType="Plane", Crinkleclip=1, Invert=0)
     shown.ClipType.Origin, shown.ClipType.Normal = hidden

@@ -1,6 +1,6 @@
 #!/usr/bin/env pvpython
-"""Figures 9 to 11 and 16: a ball on four ranks: their subdomains put apart, together, and the
-surface that runs on across them.
+"""Figures 9 to 11 and 16: a ball on four ranks. The subdomains are shown apart and together, and
+the surface is continuous across them.
 
 usage: pvpython figure_09.py OUT
 """

@@ -1,5 +1,5 @@
 #!/usr/bin/env pvpython
-"""Figure 12: two boxes of full cells, the test that is built in.
+"""Figure 12: two boxes of full cells, the built-in test.
 
 usage: pvpython figure_12.py OUT
 """

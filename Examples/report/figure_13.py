@@ -1,5 +1,5 @@
 #!/usr/bin/env pvpython
-"""Figure 13: the boxes of figure 12, of which a few chosen cells are refined, conforming.
+"""Figure 13: the boxes of figure 12 with a few chosen cells refined, in a conforming mesh.
 
 usage: pvpython figure_13.py OUT
 """

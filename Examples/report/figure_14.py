@@ -1,5 +1,5 @@
 #!/usr/bin/env pvpython
-"""Figure 14: tetrahedra made in parallel, a colour a rank.
+"""Figure 14: tetrahedra made in parallel, one colour per rank.
 
 usage: pvpython figure_14.py OUT
 """

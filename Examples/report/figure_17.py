@@ -1,6 +1,6 @@
 #!/usr/bin/env pvpython
-"""Figure 17: a half sphere, and the half cylinder of its caption, whose buffer layers leave through
-a side of the domain.
+"""Figure 17: a half sphere, and the half cylinder of the caption. Their buffer layers end at a side
+of the domain.
 
 usage: pvpython figure_17.py OUT
 """
@@ -12,7 +12,7 @@ import report
 from rank_meshes import points_of, values
 from rank_pictures import draw_quality, join, with_rank
 
-RADIUS, MIDDLE = 8.0, (12.0, 12.0, 12.0)  # cells are of edge 1; the side is z = 12
+RADIUS, MIDDLE = 8.0, (12.0, 12.0, 12.0)  # cells have width 1; the side is z = 12
 BODIES = {
     "half sphere": ("sphere radius=%g center=%g,%g,%g" % (RADIUS, *MIDDLE), (0, 1, 2)),
     "half cylinder": ("cylinder radius=%g height=40 center=%g,%g,%g rotation=90,0,0"
@@ -29,7 +29,7 @@ def main(out):
         meshes = report.mesh_field(field, stem + ".pvtu")
         points = points_of(meshes[0])
         rim = points[(points[:, 2] == 12.0) & (values(meshes, "GeometryDimension", "Point") < 2)]
-        # those at the ends of the cylinder lie on two sides
+        # Excludes nodes at the ends of the cylinder, which lie on two sides.
         rim = rim[(rim[:, 1] > 0) & (rim[:, 1] < 24)]
         off = np.abs(np.linalg.norm(rim[:, axes] - np.take(MIDDLE, axes), axis=1) - RADIUS)
         rows += [

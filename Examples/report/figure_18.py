@@ -3,7 +3,7 @@
 
 usage: pvpython figure_18.py OUT
 
-The simulation of Examples/impact, meshed by the C interface while it runs.
+The simulation is Examples/impact, which meshes its fields with the C interface while it runs.
 """
 import os
 

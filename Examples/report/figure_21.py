@@ -1,5 +1,5 @@
 #!/usr/bin/env pvpython
-"""Figure 21: the eight shapes of figure 19 on 4, 8 and 33 ranks of MPI, a colour a rank.
+"""Figure 21: the eight shapes of figure 19 on 4, 8 and 33 MPI ranks, one colour per rank.
 
 usage: pvpython figure_21.py OUT
 """

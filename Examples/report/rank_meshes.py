@@ -1,5 +1,5 @@
-"""Meshes that sculptor wrote in pieces, one a rank: their arrays, what ranks share, whether two are
-the same."""
+"""Meshes that sculptor wrote in one piece per rank: their arrays, shared points, digests for
+comparison, and angles of the surface. `meshes` is a list with the mesh of each rank."""
 import glob
 import hashlib
 import os
@@ -10,7 +10,7 @@ from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
 
 def read_ranks(path):
-    """The mesh of each rank of a .pvtu file."""
+    """Returns the meshes of a .pvtu file, one per rank."""
     stem = os.path.splitext(path)[0]
     count = len(glob.glob(os.path.join(stem, "*.vtu")))
     assert count > 0, "no mesh " + path
@@ -24,23 +24,23 @@ def read_ranks(path):
 
 
 def points_of(mesh):
-    return vtk_to_numpy(mesh.GetPoints().GetData()) if mesh.GetNumberOfPoints() else np.zeros(
-        (0, 3))
+    return (vtk_to_numpy(mesh.GetPoints().GetData()) if mesh.GetNumberOfPoints()
+            else np.zeros((0, 3)))
 
 
 def values(meshes, name, of="Cell"):
-    """Of all ranks, one after the other."""
+    """Returns the values of an array, concatenated over the ranks."""
     arrays = [getattr(mesh, "Get%sData" % of)().GetArray(name) for mesh in meshes]
     return np.concatenate([vtk_to_numpy(array) for array in arrays if array])
 
 
 def field_value(meshes, name):
-    """A number of the whole mesh, which each rank has."""
+    """Returns a number of the whole mesh, which each rank stores."""
     return meshes[0].GetFieldData().GetArray(name).GetValue(0)
 
 
 def connectivity(meshes):
-    """Global ids of the points of each element of all ranks."""
+    """Returns the global point ids of the elements of all ranks, shape (elements, corners)."""
     rows = []
     for mesh in meshes:
         if mesh.GetNumberOfCells():
@@ -51,10 +51,10 @@ def connectivity(meshes):
 
 
 def shared_points(meshes):
-    """How many points several ranks have, and how many of these do not lie at one place, bit for
-    bit."""
-    ids, places = values(meshes, "GlobalPointIds",
-                         "Point"), np.concatenate([points_of(mesh) for mesh in meshes])
+    """Returns the number of points that several ranks share, and the number of these whose
+    coordinates differ between ranks in any bit."""
+    ids, places = (values(meshes, "GlobalPointIds", "Point"),
+                   np.concatenate([points_of(mesh) for mesh in meshes]))
     order = np.argsort(ids, kind="stable")
     again = ids[order][1:] == ids[order][:-1]
     moved = (places[order][1:] != places[order][:-1]).any(axis=1) & again
@@ -62,8 +62,8 @@ def shared_points(meshes):
 
 
 def digest(meshes):
-    """Of ids, coordinates, elements and materials, in the order of the ids: the same for the same
-    mesh, however it is dealt out."""
+    """Returns a digest of ids, coordinates, elements and materials in the order of the ids. It does
+    not depend on the distribution over ranks."""
     ids, first = np.unique(values(meshes, "GlobalPointIds", "Point"), return_index=True)
     order = np.argsort(values(meshes, "GlobalCellIds"))
     parts = [ids, np.concatenate([points_of(mesh) for mesh in meshes])[first],
@@ -76,8 +76,8 @@ def digest(meshes):
 
 
 def facets(meshes):
-    """The faces of hexahedra that no other has: global ids of their corners, turned outward, and
-    the rank of each."""
+    """Returns the faces of hexahedra on the surface, as global ids of their corners, oriented
+    outward, and the rank of each face."""
     faces = np.array([[0, 4, 7, 3], [1, 2, 6, 5], [0, 1, 5, 4], [3, 7, 6, 2], [0, 3, 2, 1],
                       [4, 5, 6, 7]])
     corners = connectivity(meshes)[:, faces].reshape(-1, 4)
@@ -88,12 +88,12 @@ def facets(meshes):
 
 
 def surface_angles(meshes):
-    """Degrees between facets that share an edge, of edges inside a rank's part of the surface and
-    of those between ranks."""
+    """Returns the angles in degrees between facets that share an edge: at edges inside a rank's
+    part of the surface, and at edges between ranks."""
     corners, rank = facets(meshes)
     ids, first = np.unique(values(meshes, "GlobalPointIds", "Point"), return_index=True)
-    places = np.concatenate([points_of(mesh)
-                             for mesh in meshes])[first][np.searchsorted(ids, corners)]
+    places = np.concatenate([points_of(mesh) for mesh in meshes])[first][
+        np.searchsorted(ids, corners)]
     normals = np.cross(places[:, 2] - places[:, 0], places[:, 3] - places[:, 1])
     normals /= np.linalg.norm(normals, axis=1)[:, None]
     edges = np.sort(np.stack([corners, np.roll(corners, -1, axis=1)], axis=2).reshape(-1, 2),

@@ -1,5 +1,5 @@
-"""Pictures of meshes in pieces, one a rank: put apart, in colours of numbers, several in one
-file."""
+"""Pictures of meshes in one piece per rank: pieces moved apart, colours by number, several pictures
+in one file."""
 import colorsys
 import os
 import sys
@@ -19,8 +19,8 @@ SIZE = (1000, 750)
 
 
 def with_rank(meshes, apart=0.0):
-    """All ranks' elements in one grid with the cell array Rank; apart: moves each rank's away from
-    the middle by that part of its distance."""
+    """Returns the elements of all ranks in one grid, with the cell array Rank. apart: moves each
+    piece away from the middle by this fraction of its distance."""
     places = np.concatenate([points_of(mesh) for mesh in meshes])
     middle = (places.min(axis=0) + places.max(axis=0)) / 2
     append = vtkAppendFilter()
@@ -40,7 +40,7 @@ def with_rank(meshes, apart=0.0):
 
 
 def producer(data):
-    """Of data in ParaView's pipeline."""
+    """Returns a source of ParaView's pipeline with these data."""
     source = simple.TrivialProducer()
     source.GetClientSideObject().SetOutput(data)
     source.UpdatePipeline()
@@ -48,12 +48,12 @@ def producer(data):
 
 
 def colour_of(index, saturation=0.45, value=0.92):
-    """Neighbours in number differ."""
+    """Returns a colour for a number. Colours of successive numbers differ clearly."""
     return colorsys.hsv_to_rgb((0.58 + 0.381966 * index) % 1.0, saturation, value)
 
 
 def colour_by_number(display, array, least, most):
-    """A colour for each whole number of a cell array."""
+    """Gives each integer of a cell array its own colour."""
     simple.ColorBy(display, ("CELLS", array))
     table = simple.GetColorTransferFunction(array)
     table.InterpretValuesAsCategories = 1
@@ -65,11 +65,12 @@ def colour_by_number(display, array, least, most):
 
 
 def draw(mesh, array, least, most, path, edges=True, **look):
-    """The mesh from outside in colours of an array of whole numbers; look: how camera, zoom and
-    size differ."""
-    save_view(mesh,
-              lambda view: colour_by_number(pictures.show(mesh, view, edges=edges), array, least,
-                                            most), path, **look)
+    """Saves a picture of the mesh from outside, coloured by an integer array. look: camera, zoom
+    and size, if they differ from the defaults of save_view."""
+    save_view(
+        mesh,
+        lambda view: colour_by_number(pictures.show(mesh, view, edges=edges), array, least, most),
+        path, **look)
 
 
 def draw_quality(mesh, lowest, path, **look):
@@ -86,7 +87,7 @@ def save_view(mesh, show, path, camera=(0.7, -1.0, 0.7), zoom=1.1, size=SIZE, si
 
 
 def join(panels, path, columns):
-    """Pictures of one size side by side, row below row; the files of the panels are removed."""
+    """Writes pictures of equal size in rows and columns. Removes the files of the panels."""
     images = []
     for panel in panels:
         reader = vtkPNGReader()
@@ -97,7 +98,7 @@ def join(panels, path, columns):
             vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(height, width, -1))
         os.remove(panel)
     rows = [np.concatenate(images[i:i + columns], axis=1) for i in range(0, len(images), columns)]
-    whole = np.concatenate(rows[::-1])  # images begin below
+    whole = np.concatenate(rows[::-1])  # the first row of an image is the lowest one
     image = vtkImageData()
     image.SetDimensions(whole.shape[1], whole.shape[0], 1)
     image.GetPointData().SetScalars(numpy_to_vtk(whole.reshape(-1, whole.shape[2]), deep=True))

@@ -1,6 +1,8 @@
-"""What the scripts of the figures share: fields of shapes, meshes made by sculptor on ranks of MPI,
-the table of a figure. "The report" is SAND2010-6400 (Owen, Staten: Parallel octree-based hexahedral
-mesh generation for Eulerian to Lagrangian conversion)."""
+"""Functions shared by the scripts of figures: fields of shapes, meshes made by sculptor on MPI
+ranks, and the table of a figure.
+
+"The report" is SAND2010-6400 (Owen, Staten: Parallel octree-based hexahedral mesh generation for
+Eulerian to Lagrangian conversion)."""
 import os
 import subprocess
 import sys
@@ -18,14 +20,14 @@ from need_files import need_files
 
 import rank_meshes
 
-# pvpython is a program of MPI itself: what it starts must not take its place.
+# pvpython is an MPI program itself. The programs that it starts must not use its variables.
 OF_THIS_PROCESS = ("PMIX_", "PMI_", "ORTE_", "OMPI_")
 
 
 def run(figure):
-    """Calls a script's function with the folder where the figure goes, the only word of the command
-    line; prints and writes the table of the rows that it returns: what, ours, the report's or
-    nothing."""
+    """Makes a figure: calls figure(out) with the folder of the figure, which is the only argument
+    of the command line. Prints and writes the table of the rows that it returns: (name, our value,
+    value of the report or empty)."""
     script = sys.modules["__main__"]
     if len(sys.argv) != 2:
         sys.exit(script.__doc__)
@@ -34,8 +36,8 @@ def run(figure):
     os.makedirs(out, exist_ok=True)
     load_plugin(PLUGIN, vars(simple))
     simple._DisableFirstRenderCameraReset()
-    lines = ["| | ours | report |",
-             "|---|---|---|"] + ["| %s | %s | %s |" % row for row in figure(out)]
+    lines = ["| | ours | report |", "|---|---|---|"] + [
+        "| %s | %s | %s |" % row for row in figure(out)]
     print("\n".join(lines))
     name = os.path.splitext(os.path.basename(script.__file__))[0]
     with open(os.path.join(out, name + ".md"), "w", encoding="utf-8") as file:
@@ -48,13 +50,13 @@ def number(value):
 
 def quality_row(meshes, label=""):
     quality = rank_meshes.values(meshes, "ScaledJacobian")
-    return label + "smallest, mean scaled Jacobian", "%.3f, %.3f" % (
-        quality.min(), quality.mean()), ""
+    return (label + "smallest, mean scaled Jacobian",
+            "%.3f, %.3f" % (quality.min(), quality.mean()), "")
 
 
 def positive_row(meshes, theirs=""):
-    return "not positive", number(int((rank_meshes.values(meshes,
-                                                          "ScaledJacobian") <= 0).sum())), theirs
+    return ("not positive",
+            number(int((rank_meshes.values(meshes, "ScaledJacobian") <= 0).sum())), theirs)
 
 
 def angles_row(meshes):
@@ -64,7 +66,7 @@ def angles_row(meshes):
 
 
 def counts_row(label, meshes):
-    """Elements of each rank."""
+    """Returns a row with the number of elements of each rank."""
     return label, ", ".join(number(mesh.GetNumberOfCells()) for mesh in meshes), ""
 
 
@@ -75,38 +77,39 @@ def shared_row(meshes, label=""):
 
 
 def same_row(label, meshes, one):
-    """one: the mesh of one rank."""
+    """Returns a row that compares a mesh with `one`, the mesh made on one rank."""
     same = rank_meshes.digest(meshes) == rank_meshes.digest(one)
     return label, "bitwise identical to one rank" if same else "DIFFERS from one rank", ""
 
 
 def boxes_row(meshes, label=""):
-    """Of the boxes of the built-in test."""
+    """Returns a row with the numbers of elements in the two boxes of the built-in test."""
     fragments = rank_meshes.values(meshes, "FragmentId")
-    return label + "hexahedra of the boxes", "%d, %d" % tuple(
-        (fragments == box).sum() for box in (1, 2)), ""
+    return (label + "hexahedra of the boxes",
+            "%d, %d" % tuple((fragments == box).sum() for box in (1, 2)), "")
 
 
 def run_program(program, *arguments, ranks=1):
-    """On ranks of MPI, more than there are cores where need be. Returns its standard output."""
+    """Runs a program on MPI ranks, if necessary more than there are cores. Returns its standard
+    output."""
     variables = {name: value for name, value in os.environ.items()
                  if not name.startswith(OF_THIS_PROCESS)}
     if os.geteuid() == 0:
         variables.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
     variables["OMPI_MCA_mpi_yield_when_idle"] = "1"
-    launcher = ["mpiexec", "--oversubscribe", "--bind-to", "none", "-n",
-                str(ranks)] if ranks > 1 else []
+    launcher = (["mpiexec", "--oversubscribe", "--bind-to", "none", "-n", str(ranks)]
+                if ranks > 1 else [])
     command = launcher + [program, *arguments]
     result = subprocess.run(command, env=variables, stdin=subprocess.DEVNULL,
                             stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     if result.returncode != 0:
-        sys.exit("%s failed with exit status %d: %s%s" % (" ".join(command), result.returncode,
-                                                          result.stdout, result.stderr))
+        sys.exit("%s failed with exit status %d: %s%s" % (
+            " ".join(command), result.returncode, result.stdout, result.stderr))
     return result.stdout
 
 
 def make_field(path, **properties):
-    """The file of the source Volume Fraction Shapes."""
+    """Saves the output of the source Volume Fraction Shapes. Returns the path."""
     source = simple.VolumeFractionShapes(**properties)
     simple.SaveData(path, proxy=source, DataMode="Binary", CompressorType="ZLib")
     simple.Delete(source)
@@ -114,18 +117,19 @@ def make_field(path, **properties):
 
 
 def eight_shapes(out):
-    """One of each body of CTH's, each a material."""
+    """Saves a field with one shape of each kind that CTH has, each a material. Returns the path."""
     return make_field(os.path.join(out, "eight_shapes.vti"), Preset="Eight Shapes",
                       Dimensions=[46, 46, 46], Bounds=[0, 46, 0, 46, 0, 46])
 
 
 def mesh_field(field, path, *options, ranks=1):
-    """The meshes of the ranks, as sculptor makes them; path: of the .pvtu file."""
+    """Meshes a field with sculptor and returns the meshes of the ranks. path: .pvtu file to
+    write."""
     run_program(SCULPTOR, field, path, "--quiet", *options, ranks=ranks)
     return rank_meshes.read_ranks(path)
 
 
 def built_in_test(path, *options):
-    """What it prints at last, and the mesh that it writes."""
+    """Runs sculptor test. Returns the last line that it prints, and the meshes of the ranks."""
     printed = run_program(SCULPTOR, "test", "--output", path, *options)
     return printed.splitlines()[-1], rank_meshes.read_ranks(path)
