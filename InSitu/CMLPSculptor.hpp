@@ -1,6 +1,7 @@
 /**
- * CMLPSculptor.hpp: the calls of CMLPSculptor.c.h as a class, for C++11 and later. Methods have the report's names and arguments,
- * give arrays as vectors, and throw cml::Error instead of returning codes.
+ * CMLPSculptor.hpp: the calls of CMLPSculptor.c.h as a class, for C++11 and later. Methods have the
+ * names and arguments of the report, return arrays as vectors, and throw cml::Error instead of
+ * returning codes.
  */
 #ifndef CMLPSculptor_hpp
 #define CMLPSculptor_hpp
@@ -15,31 +16,35 @@
 namespace cml
 {
 
-/// What a call refused; code() is a SculptorCode.
+/// Error of a call.
 class Error : public std::runtime_error
 {
 public:
   Error(int code, const std::string& text) : std::runtime_error(text), Code(code) {}
+  /// Returns the SculptorCode.
   int code() const noexcept { return this->Code; }
 
 private:
   int Code;
 };
 
+/// Sizes of the mesh, or of a fragment, on this rank.
 struct Totals
 {
   int nodes, hexes, tets;
 };
 
-/// This rank's part of the mesh, or of a fragment: hexes or tets is empty.
+/// The mesh, or a fragment, on this rank. hexes or tets is empty.
 struct Mesh
 {
-  std::vector<double> coords; ///< 3 a node
-  std::vector<int> hexes;     ///< 8 a hexahedron
-  std::vector<int> tets;      ///< 4 a tetrahedron
+  std::vector<double> coords; ///< (nodes, 3)
+  std::vector<int> hexes;     ///< node numbers, (hexahedra, 8)
+  std::vector<int> tets;      ///< node numbers, (tetrahedra, 4)
 };
 
-/// A sculptor, which is deleted with this. Collective are: to make and to destroy one, to assign, mesh_from_data.
+/// Owner of a sculptor, which it creates and deletes. All methods except handle(), move
+/// construction and destruction throw Error. One thread at a time may use an object.
+/// @pre Destruction, move assignment and mesh_from_data are collective.
 class PSculptor
 {
 public:
@@ -53,7 +58,7 @@ public:
   ~PSculptor() { this->free(); }
   PSculptor(const PSculptor&) = delete;
   PSculptor& operator=(const PSculptor&) = delete;
-  /// The other may only be destroyed or assigned to.
+  /// Takes over the sculptor of `other`, which may then only be destroyed or assigned to.
   PSculptor(PSculptor&& other) noexcept : Handle(other.Handle) { other.Handle = 0; }
   PSculptor& operator=(PSculptor&& other) noexcept
   {
@@ -66,9 +71,10 @@ public:
     return *this;
   }
 
-  /// For the calls of Sculptor.h: s.check(sculptor_set_option(s.handle(), "IndexBase", "1")).
+  /// Returns the handle for the calls of Sculptor.h, for example
+  /// s.check(sculptor_set_option(s.handle(), "IndexBase", "1")).
   int handle() const noexcept { return this->Handle; }
-  /// Throws Error unless the code of a call with this sculptor is that of success.
+  /// Throws Error with the message of the sculptor unless the code of a call is SCULPTOR_OK.
   void check(int code) const
   {
     if (code != SCULPTOR_OK)
@@ -77,18 +83,21 @@ public:
     }
   }
 
-  /// Arguments as of c_mesh_from_data. vfrac: xint * yint * zint values, x fastest.
+  /// Makes the mesh of one material; c_mesh_from_data documents the arguments.
+  /// @param vfrac  xint * yint * zint volume fractions, x fastest
+  /// @pre Collective
   void mesh_from_data(double xmin, double ymin, double zmin, double xmax, double ymax, double zmax,
     int xint, int yint, int zint, const double* vfrac, int neighbor_plus_i, int neighbor_negative_i,
     int neighbor_plus_j, int neighbor_negative_j, int neighbor_plus_k, int neighbor_negative_k,
     int auto_refine, int stair_step, int smooth, int tet_mesh)
   {
     this->check(c_mesh_from_data(this->Handle, xmin, ymin, zmin, xmax, ymax, zmax, xint, yint, zint,
-      const_cast<double*>(vfrac), // is only read
+      const_cast<double*>(vfrac), // only read
       neighbor_plus_i, neighbor_negative_i, neighbor_plus_j, neighbor_negative_j, neighbor_plus_k,
       neighbor_negative_k, auto_refine, stair_step, smooth, tet_mesh));
   }
 
+  /// Returns the size of this rank's mesh.
   Totals get_free_totals() const
   {
     Totals totals;
@@ -96,6 +105,7 @@ public:
     this->check(sculptor_error_code(this->Handle));
     return totals;
   }
+  /// Returns this rank's mesh.
   Mesh get_free_mesh() const
   {
     Mesh mesh = allocate(this->get_free_totals());
@@ -105,13 +115,15 @@ public:
     return mesh;
   }
 
+  /// Returns the number of fragments over all ranks.
   int get_num_fragments() const
   {
     const int fragments = c_get_num_fragments(this->Handle);
     this->check(sculptor_error_code(this->Handle));
     return fragments;
   }
-  /// ifrag: from 1.
+  /// Returns the size of a fragment on this rank.
+  /// @param ifrag  fragment, from 1
   Totals get_fragment_totals(int ifrag) const
   {
     Totals totals;
@@ -119,6 +131,9 @@ public:
       c_get_fragment_totals(this->Handle, ifrag, &totals.nodes, &totals.hexes, &totals.tets));
     return totals;
   }
+  /// Returns the elements of a fragment on this rank. Its nodes have their own numbers, in the
+  /// order of the nodes of the mesh.
+  /// @param ifrag  fragment, from 1
   Mesh get_fragment_mesh(int ifrag) const
   {
     Mesh mesh = allocate(this->get_fragment_totals(ifrag));

@@ -96,7 +96,7 @@ extern "C"
    * Sets the ranks that work together. Without this call they are the ranks of MPI_COMM_WORLD, or
    * only this process if MPI is not running.
    * @param communicator  Fortran handle; in C, MPI_Comm_c2f(communicator). It is duplicated when
-   * the mesh is made, so that messages do not interfere with messages of the simulation
+   *   the mesh is made, so that messages do not interfere with messages of the simulation
    * @return SCULPTOR_ERROR_ARGUMENT for MPI_COMM_NULL, or if MPI is not running
    * @pre Collective if a mesh was made on another communicator, whose duplicate is freed
    */
@@ -137,7 +137,7 @@ extern "C"
    * overlap. Blocks of a finer level must cover whole cells of the next coarser level. Blocks of
    * coarser levels may or may not exist below them; their values there are ignored.
    * @param level  0 for the coarsest cells of all ranks, L for cells halved L times along each
-   * axis, at most 30
+   *   axis, at most 30
    * @param bounding_box  xmin, ymin, zmin, xmax, ymax, zmax; copied
    * @param intervals  3 numbers of cells along x, y and z, each at least 1; copied
    */
