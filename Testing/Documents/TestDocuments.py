@@ -156,7 +156,7 @@ class Documents(unittest.TestCase):
                          for name in re.findall(r"build/bin/(\w+)", text)
                          if not re.search(r"\b%s\b" % name, targets)]
             for pattern in re.findall(r"--gtest_filter='([^']+)'", text):
-                # What stands before a slash is an instance; a star stands for it too.
+                # The part before a slash is an instance, which a star also matches.
                 if not any(fnmatch.fnmatchcase(prefix + name, pattern) for name in tests
                            for prefix in ("", "All/")):
                     problems.append("%s: no test %s" % (page, pattern))

@@ -1,6 +1,8 @@
-"""Generated parts of the pages: Documentation/reference/options.md, which explains the options of
-the mesher and the properties of the other filters, sources, readers and writers; and the table of
-options in Documentation/user/command-line.md.
+"""Generated parts of the pages.
+
+Documentation/reference/options.md explains the options of the mesher, and the properties of the
+other filters, sources, readers and writers. Documentation/user/command-line.md has the table of
+arguments.
 
 The options of the mesher come from the table of options, all other properties from the XML of the
 server manager.
@@ -48,8 +50,7 @@ Each option of the mesher has one name in ParaView and in C, one in Python, and 
 | VTK in C++ and Python | `SetIsoValue(0.4)` | 0 and 1 for off and on; numbers of words, from 0 |
 | Python package | `iso_value=0.4` | `True` and `False`; words as `"quadric_surface"` |
 | command `vfmesh` | `--iso-value 0.4` | `--mesh-void`, `--no-mesh-void`; words as in Python |
-| command-line tool `sculptor` | `--iso 0.4`, or `--set IsoValue=0.4` | `on`, `off`; words without \
-spaces, or their numbers |
+| `sculptor` | `--iso 0.4`, `--set IsoValue=0.4` | `on`, `off`; words without spaces, or numbers |
 | C, C++ and Fortran | `sculptor_set_option(s, "IsoValue", "0.4")` | as for `sculptor` |
 
 `sculptor` and C ignore upper and lower case. In ParaView scripts, *MaximumLevel* accepts a number,
@@ -57,8 +58,13 @@ spaces, or their numbers |
 
 
 def plain(text):
-    """Returns the text of a Documentation element as one line that fits into a table."""
-    return " ".join(text.split()).replace("|", "\\|")
+    """Returns the text of a Documentation element as one line that fits into a table. A paragraph
+    with -- is a list of shapes."""
+    paragraphs = [" ".join(part.split()) for part in re.split(r"\n\s*\n", text)]
+    for i, paragraph in enumerate(paragraphs):
+        if " -- " in paragraph:
+            paragraphs[i] = ", ".join("`%s`" % shape for shape in paragraph.split(" -- ")) + "."
+    return " ".join(paragraphs).replace("|", "\\|").strip()
 
 
 def entries(element):
