@@ -1,8 +1,9 @@
-"""Refined input (AMR) on several ranks, its blocks dealt at random: mpiexec -n P pvbatch --sym
-TestAMRRanks.py FOLDER
+"""Refined input (AMR) on several ranks, with randomly distributed blocks.
 
-One rank alone keeps its meshes in FOLDER; any number of ranks must give the same bit for bit, and
-alike messages for bad input.
+usage: mpiexec -n P pvbatch --sym TestAMRRanks.py FOLDER
+
+A run on one rank stores its meshes in FOLDER. Runs on any number of ranks must give bitwise
+identical meshes, and the same message on all ranks for invalid input.
 """
 import os
 import sys

@@ -1,7 +1,9 @@
-"""Abaqus files of several ranks: mpiexec -n P pvbatch --sym TestAbaqusRanks.py FOLDER
+"""Abaqus files written by several ranks.
 
-One rank keeps its file in FOLDER; those of more ranks must have the same bytes. Errors are those of
-all ranks.
+usage: mpiexec -n P pvbatch --sym TestAbaqusRanks.py FOLDER
+
+A run on one rank stores its file in FOLDER. Runs on more ranks must write the same bytes and report
+errors on all ranks.
 """
 import os
 import sys
@@ -20,7 +22,7 @@ N = 12
 
 
 def mesher(make=VolumeFractionToHex, ranks=RANKS, **properties):
-    """On a slab along z of each of these ranks."""
+    """Makes a mesher of one slab along z per rank of `ranks`; other ranks have no cells."""
     data = vtkMultiBlockDataSet()
     if RANK < ranks:
         begin, end = N * RANK // ranks, N * (RANK + 1) // ranks
@@ -49,6 +51,7 @@ def test_hexes():
 
 
 def test_hexes_of_one_slab():
+    """The file of a mesh whose input is on one rank is the same."""
     check(mesher(ranks=1), "hexes")
 
 
@@ -57,7 +60,7 @@ def test_tets():
 
 
 def failed_on_all(mesh, path, text):
-    """One message, the same on all ranks."""
+    """Checks that all ranks report one equal message."""
     writer = simple.CreateWriter(path, producer(mesh))
     writer.UpdateVTKObjects()
     algorithm = writer.GetClientSideObject()

@@ -1,9 +1,10 @@
-"""Conserved state on any number of ranks, whoever reads which cells: mpiexec -n P pvbatch --sym
-TestConserveRanks.py FOLDER
+"""Conserved state on several ranks, with randomly distributed blocks.
 
-One rank alone keeps its meshes in FOLDER; any number of ranks must give the same bits, of arrays of
-elements and nodes and of what is told of all. What TetGen makes depends on the ranks: of that sums
-alone are compared.
+usage: mpiexec -n P pvbatch --sym TestConserveRanks.py FOLDER
+
+A run on one rank stores its meshes in FOLDER. Runs on any number of ranks must give bitwise
+identical arrays of elements and nodes and field data. Meshes of TetGen depend on the number of
+ranks; only their sums are compared.
 """
 import os
 import sys
@@ -22,7 +23,7 @@ from vfmtest import (
 FOLDER = os.path.join(sys.argv[1], "conserve")
 N = 14
 BALL, PLATE = ball_and_plate(N)
-BALL[N - 1, 1, 1] = BALL[N - 3, 4, 5] = 0.3  # spray
+BALL[N - 1, 1, 1] = BALL[N - 3, 4, 5] = 0.3  # unresolved material
 FIELDS = {"ball": BALL, "plate": PLATE, "id": labels(N), **state((N, N, N))}
 DENSITIES = {"rho - ball": FIELDS["density"], "rho - plate": 2 * FIELDS["density"]}
 LATTICE = {"Method": "Lattice"}
@@ -43,7 +44,7 @@ LEVELS = {
 
 
 def blocks(seed):
-    """Slabs and their halves, dealt at random."""
+    """Returns half slabs of the field, randomly distributed."""
     result = vtkMultiBlockDataSet()
     cuts = [(z, x) for z in range(0, N, 2) for x in (0, N // 2)]
     for b, (z, x) in enumerate(dealt(cuts, seed)):
@@ -86,7 +87,7 @@ def test_tetgen_keeps_sums():
 
 
 def test_errors():
-    """One message, the same on all ranks."""
+    """All ranks report one equal message."""
     for words, change in (
             (("The density array 'density' is -1 in cell (2, 3, 4)", "'plate'"),
              lambda fields: fields["density"].__setitem__((4, 3, 2), -1.0)),

@@ -1,7 +1,9 @@
-"""Meshes whose interfaces cross levels on several ranks, blocks dealt at random: mpiexec -n P
-pvbatch --sym TestCrossingRanks.py FOLDER
+"""Meshes whose interfaces cross levels, on several ranks with randomly distributed blocks.
 
-One rank alone keeps its meshes in FOLDER; any number of ranks must give the same bit for bit.
+usage: mpiexec -n P pvbatch --sym TestCrossingRanks.py FOLDER
+
+A run on one rank stores its meshes in FOLDER. Runs on any number of ranks must give bitwise
+identical meshes.
 """
 import os
 import sys

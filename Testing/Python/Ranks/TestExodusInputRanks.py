@@ -1,7 +1,8 @@
-"""Hexahedra that form a Cartesian grid, dealt to ranks in ragged parts: mpiexec -n 3 pvbatch --sym
-TestExodusInputRanks.py
+"""Hexahedra that form a Cartesian grid, distributed to ranks in ragged parts.
 
-The mesh is that of whole blocks; what is wrong on one rank is told on all.
+usage: mpiexec -n 3 pvbatch --sym TestExodusInputRanks.py
+
+The mesh is that of whole blocks. An error on one rank is reported on all.
 """
 import functools
 import zlib
@@ -30,20 +31,22 @@ def blocks(*data):
 
 
 def mine_of(result):
-    """Sums over this rank's cells that tell the meshes of all ranks apart in whatever order:
-    points, ids, arrays."""
+    """Returns sums over this rank's elements of points, ids and arrays.
+
+    The sums over all ranks differ for different meshes, and do not depend on the order of elements.
+    """
     rows = [vtk_to_numpy(result.mesh.GetPoints().GetData())[
         vtk_to_numpy(result.mesh.GetCells().GetConnectivityArray())].reshape(-1, 24)]
     rows += [result.cells(name).reshape(-1, 1).astype(float)
              for name in ("GlobalCellIds", "MaterialId", "number", "ScaledJacobian")]
-    table = np.ascontiguousarray(np.concatenate(rows,
-                                                axis=1)) if result.mesh.GetNumberOfCells() else np.zeros((0, 28))
+    table = (np.ascontiguousarray(np.concatenate(rows, axis=1)) if result.mesh.GetNumberOfCells()
+             else np.zeros((0, 28)))
     return sum(zlib.crc32(row.tobytes()) for row in table), len(table)
 
 
 def of_mesh(data):
     result = run(data, **CHOSEN)
-    # by all ranks, before any may fail
+    # All ranks reduce before any of them may fail.
     failed = reduced(len(result.errors), vtkCommunicator.SUM_OP)
     assert failed == 0, result.errors
     return [reduced(int(value), vtkCommunicator.SUM_OP) for value in mine_of(result)]
@@ -72,7 +75,7 @@ def test_ranks_without_cells():
 
 
 def spoilt(rank, change):
-    """The parts, with change(points, connectivity) made on one rank."""
+    """Returns the parts, after change(points, connectivity) on one rank."""
     data = hexes(fields(), MINE, GRADED)
     if RANK == rank:
         change(vtk_to_numpy(data.GetPoints().GetData()),

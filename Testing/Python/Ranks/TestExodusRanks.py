@@ -1,4 +1,7 @@
-"""Exodus saved by all ranks of pvbatch: mpiexec -n P pvbatch --sym TestExodusRanks.py FOLDER"""
+"""Exodus files saved by all ranks of pvbatch.
+
+usage: mpiexec -n P pvbatch --sym TestExodusRanks.py FOLDER
+"""
 import os
 import sys
 import traceback
@@ -18,7 +21,7 @@ FOLDER = os.path.join(sys.argv[1], "exodus%d" % RANKS)
 
 
 def on_first_rank(work):
-    """Calls work on rank 0; when it fails, all ranks do."""
+    """Calls work() on rank 0 and fails on all ranks if it fails."""
     problem = ""
     try:
         if RANK == 0:
@@ -29,7 +32,7 @@ def on_first_rank(work):
 
 
 def mesher_of(make=VolumeFractionToHex, factor=1.0, n=12, **properties):
-    """A mesher of the ball on the plate, each fraction times a factor, in slabs along z."""
+    """Makes a mesher of the ball and the plate, in slabs along z; `factor` scales the fractions."""
     low, high = n * RANK // RANKS, n * (RANK + 1) // RANKS
     arrays = dict(zip(("ball", "plate"), ball_and_plate(n)))
     blocks = vtkMultiBlockDataSet()
@@ -40,7 +43,7 @@ def mesher_of(make=VolumeFractionToHex, factor=1.0, n=12, **properties):
 
 
 def save(proxy, name):
-    """The parts, their pieces as ParaView saves them, and the single file, for rank 0."""
+    """Saves parts, ParaView's pieces and the single file; returns them on rank 0."""
     path = lambda ending: os.path.join(FOLDER, name + ending)
     simple.SaveData(path(".exo"), proxy=proxy)
     simple.SaveData(path("_single.exo"), proxy=proxy, SingleFile=1)
@@ -74,7 +77,7 @@ def test_parts_and_single_file():
 
 
 def test_rank_without_elements():
-    """It knows neither arrays nor names of its own."""
+    """The part of a rank without elements has all names and arrays."""
     mesher = mesher_of()
     mesher.UpdatePipeline()
     mesh = mesher.GetClientSideObject().GetOutputDataObject(0)

@@ -1,5 +1,9 @@
-"""The table of fragments on several ranks is that of one, which leaves it in a folder:
-mpiexec -n P pvbatch --sym TestFragmentRanks.py FOLDER"""
+"""The table of fragments is the same on any number of ranks.
+
+usage: mpiexec -n P pvbatch --sym TestFragmentRanks.py FOLDER
+
+A run on one rank stores the table in FOLDER.
+"""
 import json
 import os
 import sys
@@ -16,15 +20,15 @@ CONTROLLER = vtkMultiProcessController.GetGlobalController()
 RANK, RANKS = CONTROLLER.GetLocalProcessId(), CONTROLLER.GetNumberOfProcesses()
 N = 12
 RANDOM = np.random.default_rng(5)
-# fragments that cross ranks
+# Fragments extend over several ranks.
 IDS = np.kron(RANDOM.integers(0, 9, (4, 4, 4)), np.ones((3, 3, 3), int)).astype(np.int32)
 DENSITY = RANDOM.random((N, N, N))
-# what TetGen makes depends on the ranks
+# Meshes of TetGen depend on the number of ranks.
 METHODS = {VolumeFractionToHex: {}, VolumeFractionToTet: {"Method": "Lattice"}}
 
 
 def slab():
-    """This rank's cells; the last of several ranks has none."""
+    """Returns the cells of this rank; the last of several ranks has none."""
     data, owners = vtkMultiBlockDataSet(), max(RANKS - 1, 1)
     if RANK < owners:
         begin, end = N * RANK // owners, N * (RANK + 1) // owners

@@ -1,7 +1,8 @@
-"""Images read by several ranks, in parts or dealt by the first: the mesh is that of the same labels
-as cells; a bad file fails on all ranks alike.
+"""Images read by several ranks, each a part, or distributed by rank 0.
 
-mpiexec -n 3 pvbatch --sym TestImageRanks.py FOLDER
+usage: mpiexec -n 3 pvbatch --sym TestImageRanks.py FOLDER
+
+The mesh is that of the same labels as cells. A damaged file is reported on all ranks.
 """
 import os
 import sys
@@ -21,7 +22,7 @@ from voxels import grains, turned
 
 FOLDER = os.path.join(sys.argv[1], "images")
 LABELS = turned(grains(), "ZYX").astype("u1")
-MIDDLE = np.add(ORIGIN, np.multiply(SPACING, 0.5))  # of the first voxel
+MIDDLE = np.add(ORIGIN, np.multiply(SPACING, 0.5))  # centre of the first voxel
 
 
 def at(name):
@@ -52,7 +53,7 @@ def mesher_of(source, name="Labels"):
 
 
 def mesh(source, name="Labels"):
-    """The merged mesh, on rank 0."""
+    """Returns the merged mesh on rank 0."""
     mesher = mesher_of(source, name)
     errors, _ = collect(mesher.GetClientSideObject())
     mesher.UpdatePipeline()
@@ -81,8 +82,7 @@ def is_same_everywhere(texts):
 
 
 def test_refused():
-    """One message on all ranks, be the file bad in its header or where the first rank reads its
-    values."""
+    """All ranks report an error in the header, or in the values that rank 0 reads."""
     for name, text in (("text.nii", "it is not a NIfTI file"),
                        ("cut.nrrd", "its compressed values are truncated"),
                        ("none.mha", "No such file")):

@@ -1,7 +1,8 @@
-"""Input that is wrong on one rank, or over all: the same message on all ranks, empty outputs, and
-no rank waits.
+"""Errors of the input on one rank or on all ranks.
 
-mpiexec -n 3 pvbatch --sym TestRankErrors.py
+usage: mpiexec -n 3 pvbatch --sym TestRankErrors.py
+
+All ranks report the same message, all outputs are empty, and no rank waits.
 """
 import zlib
 
@@ -24,7 +25,7 @@ FIELD = {"ball": BALL, "plate": PLATE, "id": labels(N)}
 
 
 def slab(change=None, rank=RANK, shift=0.0, kind=vtkImageData):
-    """This rank's third of the field along z; change(arrays) may spoil its arrays."""
+    """Returns this rank's third of the field along z; change(arrays) may alter its arrays."""
     begin, end = N * rank // RANKS, N * (rank + 1) // RANKS
     arrays = {name: values[begin:end].copy() for name, values in FIELD.items()}
     if change:
@@ -42,7 +43,7 @@ def blocks(*data):
 
 
 def on(rank, change):
-    """The change on one rank, none on the others."""
+    """Returns the change on one rank, None on the others."""
     return change if RANK == rank else None
 
 
@@ -70,7 +71,7 @@ def test_bad_values_on_all_ranks():
 
 
 def test_sum_over_one():
-    turned = (RANK + 2) % RANKS  # rank 1 has the lowest slab, full of plate
+    turned = (RANK + 2) % RANKS  # rank 1 has the lowest slab, which is filled by the plate
     check_error(blocks(slab(on(1, set_value("ball", (0, 1, 2), 1.0)), rank=turned)),
                 "cell (2, 1, 0) sum to 2")
 
@@ -88,7 +89,7 @@ def test_array_missing_on_one_rank():
 
 
 def test_wrong_wishes():
-    """Of cells that are to be refined: on one rank, missing on another, a box that all refuse."""
+    """Invalid requests for refinement on one rank, a missing array, and an invalid box."""
     wishes = {"RefinementArray": "wish", "Refinement": "Automatic"}
     hold = lambda value: lambda arrays: arrays.update(wish=np.full(arrays["ball"].shape, value))
     check_error(slab(hold(-1.0 if RANK == 1 else 1.0)), "'wish' holds -1", "cell (0, 0, 3)",
@@ -137,7 +138,8 @@ def test_state_arrays_of_ranks_without_blocks():
     data = [slab(change, rank) for rank in range(RANKS)] if RANK == 1 else []
     result = run(blocks(*data), StateArrays=["state"])
     array = result.mesh.GetCellData().GetArray("state")
-    fits = not result.errors and array.GetNumberOfComponents() == 2 and array.GetNumberOfTuples() == result.mesh.GetNumberOfCells()
+    fits = (not result.errors and array.GetNumberOfComponents() == 2
+            and array.GetNumberOfTuples() == result.mesh.GetNumberOfCells())
     assert reduced(int(fits), vtkCommunicator.MIN_OP) == 1, result.errors
 
 
@@ -147,7 +149,7 @@ def test_other_kind_on_one_rank():
 
 
 def test_points_and_matrices_of_ranks():
-    """What decides on the grid is the same on all ranks."""
+    """Arrays and matrices that determine the grid must agree on all ranks."""
     check_error(blocks(at_points(slab()) if RANK == 1 else slab()),
                 "'ball' is cell data in some blocks, and point data")
     turned = [[0, -1, 0], [1, 0, 0], [0, 0, 1]]
@@ -168,7 +170,7 @@ def test_single_array_on_some_ranks():
 
 
 def test_levels_that_are_not_loaded():
-    """Told once; not where the boxes of a level have data on another rank."""
+    """A level without data gives one warning, unless another rank has data of that level."""
     for missing in (True, False):
         amr = vtkNonOverlappingAMR()
         set_boxes(amr, [RANKS, 1])
@@ -216,7 +218,7 @@ def test_tetgen_that_was_not_built_in():
 
 
 def test_normalised_cells_are_counted_once():
-    # The cell lies in the ghost layers of all ranks.
+    """A cell in the ghost layers of all ranks is counted once."""
     result = run(blocks(slab(on(0, set_value("ball", (1, 0, 0), 5e-4)))))
     assert not result.errors and result.field("NormalisedCells") == [1]
     assert len(result.warnings) == (1 if RANK == 0 else 0), result.warnings

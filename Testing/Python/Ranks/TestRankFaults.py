@@ -1,8 +1,9 @@
-"""What fails on one rank, in a filter or before it: the same message on all ranks, empty outputs,
-and the next run is right.
+"""Failures on one rank, in a filter or upstream of it.
 
-mpiexec -n 3 pvbatch --sym TestRankFaults.py, with Testing/Support/FailingNew.cxx as the library in
-LD_PRELOAD. VFM_SWEEP: how many times as many faults.
+usage: mpiexec -n 3 pvbatch --sym TestRankFaults.py
+
+All ranks report the same message, all outputs are empty, and the next run succeeds. LD_PRELOAD must
+contain the library of Testing/Support/FailingNew.cxx. VFM_SWEEP multiplies the number of faults.
 """
 import ctypes
 import os
@@ -21,11 +22,11 @@ from vfmtest import (
 N = 9
 CONTROLLER = vtkMultiProcessController.GetGlobalController()
 RANK, RANKS = CONTROLLER.GetLocalProcessId(), CONTROLLER.GetNumberOfProcesses()
-FAULTS = max(1, int(6 * float(os.environ.get("VFM_SWEEP", "1"))))  # of each filter
+FAULTS = max(1, int(6 * float(os.environ.get("VFM_SWEEP", "1"))))  # number of faults per filter
 
 
 def slab():
-    """This rank's part of a field along z."""
+    """Returns this rank's part of a field along z."""
     begin, end = N * RANK // RANKS, N * (RANK + 1) // RANKS
     ball, plate = ball_and_plate(N)
     data = image({"ball": ball[begin:end], "plate": plate[begin:end]})
@@ -34,7 +35,7 @@ def slab():
 
 
 class Source(VTKPythonAlgorithmBase):
-    """Gives the slab; fails in one request when it is told to."""
+    """Source of the slab that can fail in one kind of request."""
 
     def __init__(self):
         super().__init__(nInputPorts=0, nOutputPorts=1, outputType="vtkImageData")
@@ -59,7 +60,7 @@ class Source(VTKPythonAlgorithmBase):
 
 
 def fingerprint(algorithm):
-    """Of this rank's mesh."""
+    """Returns a checksum of the points of this rank's mesh."""
     mesh = algorithm.GetOutputDataObject(0)
     return zlib.crc32(
         vtk_to_numpy(mesh.GetPoints().GetData()).tobytes()) if mesh.GetNumberOfCells() else 0
@@ -75,8 +76,10 @@ def is_same_everywhere(text):
 
 
 def take_message(algorithm, errors):
-    """The one error of the last run, without the class; asserts that all ranks have the same and
-    nothing in the outputs."""
+    """Returns the one error of the last run, without the class.
+
+    All ranks must have the same error and empty outputs.
+    """
     message = errors[0].split("): ", 1)[1].strip() if errors else ""
     is_empty = all(algorithm.GetOutputDataObject(port).GetNumberOfPoints() == 0 for port in (0, 1))
     same, empty, single = is_same_everywhere(message), is_everywhere(is_empty), is_everywhere(
@@ -100,7 +103,7 @@ def test_input_that_fails_on_one_rank():
     algorithm.SetInputConnection(0, source.GetOutputPort())
     assert is_everywhere(
         algorithm.GetExecutive().IsA("CollectivePipeline")), "ParaView took another executive"
-    # a failing update extent is nothing to VTK
+    # VTK ignores a failing update extent.
     for request in ("data object", "information", "data"):
         for rank in range(RANKS):
             source.failing = request if RANK == rank else None
@@ -108,7 +111,7 @@ def test_input_that_fails_on_one_rank():
             algorithm.Update()
             message = take_message(algorithm, errors)
             assert message == "The input could not be made on rank %d." % rank, (request, message)
-            algorithm.Update()  # nobody does anything, or all do
+            algorithm.Update()  # no rank runs again, or all do
             source.failing = None
             source.Modified()
             algorithm.Update()
@@ -116,12 +119,13 @@ def test_input_that_fails_on_one_rank():
 
 
 def test_input_that_fails_before_data_are_asked_for():
+    """A failure in an earlier request does not affect the next update."""
     _, algorithm = make(VolumeFractionToHex, producer(slab()), StairStep=1)
     source = Source()
     algorithm.SetInputConnection(0, source.GetOutputPort())
     errors, _ = collect(algorithm)
     source.failing = "information" if RANK == 1 else None
-    algorithm.UpdateInformation()  # waits for no one
+    algorithm.UpdateInformation()  # not collective
     source.failing = None
     source.Modified()
     algorithm.Update()
@@ -136,7 +140,7 @@ def check_faults(kind, **properties):
     fault, calls = {"at": -1}, []
     algorithm.AddObserver("StartEvent", lambda *_: library.SetFault(ctypes.c_long(fault["at"])))
     algorithm.AddObserver("EndEvent", lambda *_: calls.append(library.ClearFault()))
-    for _ in range(2):  # the first makes tables too
+    for _ in range(2):  # the first run also creates tables
         algorithm.Modified()
         algorithm.Update()
     count, good = calls[-1], fingerprint(algorithm)
@@ -151,7 +155,7 @@ def check_faults(kind, **properties):
             message = take_message(algorithm, errors)
             assert message == "Not enough memory on rank %d." % rank, message
             told += 1
-        else:  # some algorithms of the standard library do without
+        else:  # some algorithms of the standard library work without the memory
             assert is_everywhere(fingerprint(algorithm) == good), trial
         fault["at"] = -1
         algorithm.Modified()
@@ -159,11 +163,12 @@ def check_faults(kind, **properties):
         assert is_everywhere(not errors and fingerprint(algorithm) == good), (trial, errors)
     assert told >= 0.7 * FAULTS, told
     if RANK == 0:
-        print("%s: %d faults among %d calls, %d told on all ranks"
+        print("%s: %d faults among %d calls, %d reported on all ranks"
               % (kind.__name__, FAULTS, count, told), flush=True)
 
 
 def test_memory_that_runs_out_on_one_rank():
+    """An allocation that fails on one rank is reported on all, and the next run is unchanged."""
     check_faults(VolumeFractionToHex)
     check_faults(VolumeFractionToHex, Refinement="Automatic", MaximumLevel=1)
     check_faults(VolumeFractionToTet, Method="Lattice")

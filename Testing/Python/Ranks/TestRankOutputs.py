@@ -1,8 +1,9 @@
-"""What a user's script writes on several ranks: mpiexec -n P pvbatch TestRankOutputs.py FOLDER, not
---sym.
+"""Files that a user's script writes on several ranks.
 
-FOLDER is that of TestRanks.py. Only the first rank runs this script, and the others what it asks of
-ParaView.
+usage: mpiexec -n P pvbatch TestRankOutputs.py FOLDER
+
+FOLDER is the folder of TestRanks.py. Without --sym only rank 0 runs this script; ParaView drives
+the other ranks.
 """
 import csv
 import os
@@ -38,23 +39,22 @@ def test_pieces():
     information = HEXES.GetDataInformation()
     assert len(mesh["cells"]) == information.GetNumberOfCells() == sum(
         piece.GetNumberOfCells() for piece in pieces)
-    # points between ranks are in both pieces
+    # Points between ranks are in both pieces.
     assert len(mesh["points"]) < information.GetNumberOfPoints()
     assert not any(piece.GetCellData().HasArray("vtkGhostType") for piece in pieces)
 
 
 def test_geometry():
-    """Each facet, edge and vertex is in one piece, and all pieces tell the same of what bounds
-    what."""
+    """Each facet, edge and vertex is in one piece; all pieces hold the same tables of geometry."""
     for port, name, least in ((1, "surfaces", 100), (2, "curves", 20), (3, "vertices", 4)):
         whole = merge(read_pieces(save(name + ".pvtp", simple.OutputPort(HEXES, port))))
-        assert len(whole["cells"]) == simple.OutputPort(HEXES,
-                                                        port).GetDataInformation().GetNumberOfCells() >= least
+        assert len(whole["cells"]) == simple.OutputPort(
+            HEXES, port).GetDataInformation().GetNumberOfCells() >= least
         assert len(np.unique(whole["cells"], axis=0)) == len(whole["cells"]), name
 
 
 def test_materials():
-    """Rows of several ranks would stand in the spreadsheet more than once."""
+    """Only rank 0 has rows; otherwise the spreadsheet would repeat them."""
     table = simple.OutputPort(HEXES, "Materials")
     assert table.GetDataInformation().GetNumberOfRows() == 2
     with open(save("materials.csv", table), newline="") as file:
@@ -87,7 +87,8 @@ def test_abaqus():
 def test_ghost_cells_made_downstream():
     ghosts = ghost_cells(HEXES)
     ghosts.UpdatePipeline()
-    assert ghosts.GetDataInformation().GetNumberOfCells() > HEXES.GetDataInformation().GetNumberOfCells()
+    assert (ghosts.GetDataInformation().GetNumberOfCells()
+            > HEXES.GetDataInformation().GetNumberOfCells())
 
 
 def test_the_filter_ran_once():

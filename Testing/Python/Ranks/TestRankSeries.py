@@ -1,6 +1,6 @@
-"""Ten dumps in one process a rank: every mesh is that of its time, and the memory does not grow.
+"""Ten time steps in one run: each mesh is correct, and memory does not grow.
 
-mpiexec -n 4 pvbatch --sym TestRankSeries.py FOLDER
+usage: mpiexec -n 4 pvbatch --sym TestRankSeries.py FOLDER
 """
 import os
 import sys
@@ -17,8 +17,8 @@ CONTROLLER = vtkMultiProcessController.GetGlobalController()
 RANK = CONTROLLER.GetLocalProcessId()
 FOLDER = os.path.join(sys.argv[1], "series")
 DUMPS, N = 10, 24
-WARM_UP = 4           # dumps until all buffers have their size
-LARGEST_GROWTH = 2.0  # MB; a mesh has about 8
+WARM_UP = 4  # steps until all buffers have their final size
+LARGEST_GROWTH = 2.0  # MB; a mesh takes about 8 MB
 
 
 def radius(dump):
@@ -38,7 +38,7 @@ def write_dumps():
 
 
 def resident_memory():
-    """MB."""
+    """Returns the resident memory in MB."""
     with open("/proc/self/statm", encoding="ascii") as file:
         return int(file.read().split()[1]) * os.sysconf("SC_PAGE_SIZE") / 2 ** 20
 

@@ -1,7 +1,8 @@
-"""SpyPlot files by ParaView's reader on several ranks, each of which reads its part, or none: the
-mesh is that of an image.
+"""SpyPlot files read by several ranks with ParaView's reader.
 
-mpiexec -n 3 pvbatch --sym TestRankSpyPlot.py FOLDER
+usage: mpiexec -n 3 pvbatch --sym TestRankSpyPlot.py FOLDER
+
+Each rank reads its part, or none; the mesh is that of an image.
 """
 import os
 import sys
@@ -24,7 +25,7 @@ if RANK == 0:
 
 
 def write_case(name, blocks, files=1):
-    """By one rank for all."""
+    """Writes the files on rank 0."""
     if RANK == 0:
         write_spyplot(FOLDER, name, TIMES, blocks, files)
     CONTROLLER.Barrier()
@@ -32,8 +33,7 @@ def write_case(name, blocks, files=1):
 
 
 def save(source, step, **properties):
-    """Where the mesh of the source's fractions at that time was written; without messages on any
-    rank."""
+    """Saves the mesh of a time step and returns its path; checks that no rank has messages."""
     hexes = VolumeFractionToHex(Input=source, VolumeFractionArrays=SPY, **properties)
     errors, warnings = collect(hexes.GetClientSideObject())
     path = os.path.join(FOLDER, "mesh.pvtu")
@@ -44,7 +44,7 @@ def save(source, step, **properties):
 
 
 def merged(path):
-    """On the first rank."""
+    """Returns the merged mesh on rank 0."""
     return merge([without_reader_fields(piece)
                   for piece in read_pieces(path)]) if RANK == 0 else None
 

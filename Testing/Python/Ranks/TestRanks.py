@@ -1,8 +1,9 @@
-"""The same mesh on any number of ranks and however the input is split: mpiexec -n P pvbatch --sym
-TestRanks.py FOLDER
+"""The same mesh on any number of ranks, however the input is split.
 
-One rank meshes every case from one whole image and keeps the result in FOLDER; all other runs, on
-any number of ranks, must give the same mesh bit for bit. Of tetrahedra by TetGen only the surfaces.
+usage: mpiexec -n P pvbatch --sym TestRanks.py FOLDER
+
+A run on one rank meshes each case from one whole image and stores the result in FOLDER. All other
+runs must give bitwise identical meshes. With TetGen only the surfaces are compared.
 """
 import os
 import pickle
@@ -38,7 +39,7 @@ def sphere(n=16):
 
 
 def grains(n=14, count=9):
-    """A polycrystal: fractions of the cells nearest to each of some random points."""
+    """Returns a polycrystal: fractions of the cells nearest to each of `count` random points."""
     s = 3
     centres = np.random.default_rng(5).random((count, 3)) * n
     z, y, x = np.meshgrid(*[(np.arange(n * s) + 0.5) / s] * 3, indexing="ij")
@@ -54,7 +55,7 @@ def noise(n=9):
 
 
 def splash():
-    """A corner of a real flow field with drops and a crown."""
+    """Returns a part of a real flow field with drops and a crown."""
     reader = vtkXMLImageDataReader()
     reader.SetFileName(SPLASH)
     reader.Update()
@@ -63,18 +64,18 @@ def splash():
 
 
 def with_state(arrays):
-    """The arrays with those of STATE, random."""
+    """Adds random state arrays."""
     size, random = next(iter(arrays.values())).shape, np.random.default_rng(9)
     return {**arrays, "velocity": random.normal(size=(*size, 3)).astype(np.float32),
             "number": random.integers(2 ** 60, size=size)}
 
 
-STATE = ["velocity", "number"]  # carried along
+STATE = ["velocity", "number"]  # state arrays
 CASES = {
     "sphere": sphere(), "ball_and_plate": dict(zip(("ball", "plate"), ball_and_plate(16))),
     "grains": grains(), "noise": noise(), "splash": splash()}
 CASES = {case: with_state(arrays) for case, arrays in CASES.items()}
-# fractions and labels: the meshes themselves are tested on threads
+# Fractions and labels. Tests with several threads check the meshes themselves.
 SPLIT_CASES = ["ball_and_plate", "noise"][:1 if RANKS > 3 else 2]
 MIRROR = [[0.6, 0.8, 0], [0.8, -0.6, 0], [0, 0, 1]]  # a direction matrix
 TINY = "fewer cells than ranks"
@@ -86,8 +87,10 @@ ALL_CASES = {**CASES, TINY: {"id": np.array([[[1, 2, 0]]], np.int32)}}
 
 
 def part(arrays, box, ghosts=0):
-    """The image of a box ((z0, z1), (y0, y1), (x0, x1)), with layers of marked ghost cells that
-    hold rubbish."""
+    """Returns the image of a box ((z0, z1), (y0, y1), (x0, x1)).
+
+    Ghost layers are marked and hold invalid values.
+    """
     size = next(iter(arrays.values())).shape
     wide = [(max(lower - ghosts, 0), min(upper + ghosts, size[a]))
             for a, (lower, upper) in enumerate(box)]
@@ -105,7 +108,7 @@ def part(arrays, box, ghosts=0):
 
 
 def cut(size, counts):
-    """Boxes of a grid of counts boxes along (z, y, x)."""
+    """Returns the boxes of a grid cut into `counts` parts along z, y, x."""
     spans = [[(n * i // c, n * (i + 1) // c) for i in range(c)] for n, c in zip(size, counts)]
     return [(z, y, x) for z in spans[0] for y in spans[1] for x in spans[2]]
 
@@ -115,7 +118,7 @@ def full(boxes):
 
 
 def deal(split, size):
-    """The boxes of this rank and the ghost layers around them."""
+    """Returns the boxes of this rank and the number of ghost layers."""
     slabs = cut(size, (RANKS, 1, 1))
     if split == "boxes":
         grid = {1: (1, 1, 1), 2: (1, 1, 2), 3: (1, 3, 1), 4: (2, 1, 2),
@@ -144,8 +147,11 @@ def split_input(arrays, split):
 
 
 def mesh_and_surfaces(source, case, **properties):
-    """Runs the filter, that of tetrahedra when a method is given; mesh and surfaces in pieces, none
-    but on rank 0, and the table of materials, whose rows rank 0 alone has."""
+    """Runs the filter for hexahedra, or for tetrahedra if a Method is given.
+
+    Returns the pieces of mesh and surfaces, which are empty except on rank 0, and the table of
+    materials, whose rows only rank 0 has.
+    """
     arrays = ALL_CASES[case]
     fractions = [name for name in arrays if name not in STATE]
     chosen = {"MaterialIdArray": "id"} if "id" in arrays else {"VolumeFractionArrays": fractions}
@@ -162,7 +168,7 @@ def mesh_and_surfaces(source, case, **properties):
         assert RANK > 0 or RANKS == 1 or case == TINY or sum(
             piece.GetNumberOfCells() > 0 for piece in pieces) > 1
         result.append(pieces)
-        CONTROLLER.Barrier()  # the next mesh goes to the same files
+        CONTROLLER.Barrier()  # the next mesh overwrites the files
     table = mesher.GetClientSideObject().GetOutputDataObject(4)
     assert (table.GetNumberOfRows() > 0) == (RANK == 0)
     simple.Delete(mesher)
@@ -171,7 +177,10 @@ def mesh_and_surfaces(source, case, **properties):
 
 
 def compare_with_gold(outputs, table, name, label):
-    """What differs, or an empty text. One rank writes the gold, from the whole image."""
+    """Returns a description of the first difference from the stored mesh, or an empty text.
+
+    The run of the whole image on one rank stores the mesh first.
+    """
     path = os.path.join(FOLDER, name + ".gold")
     result = [merge(pieces) for pieces in outputs] + [table]
     if RANKS == 1 and label == "whole":
@@ -190,8 +199,7 @@ def compare_with_gold(outputs, table, name, label):
 
 
 def on_first_rank(work):
-    """Calls work on rank 0, whose problem, when it returns one, is that of all ranks: they go on
-    together."""
+    """Calls work() on rank 0; a problem that it returns fails on all ranks."""
     try:
         problem = work() if RANK == 0 else ""
     except Exception:
@@ -209,7 +217,7 @@ def check(case, source, label, kind=None, **properties):
 
 
 def write_inputs():
-    """The whole images, for readers that split them themselves; also with the values at points."""
+    """Writes the whole images, which readers split, with the values in cells and at points."""
     for case, arrays in ALL_CASES.items():
         for data, name in ((image(arrays), case), (at_points(image(arrays)), case + " points"),
                            (at_points(image(arrays), MIRROR), case + " turned")):
@@ -274,8 +282,10 @@ def test_ghosts():
 
 
 def point_blocks(arrays, split):
-    """The blocks of this rank with the values at points: beside each other, with planes that they
-    share, or with ghost points."""
+    """Returns the blocks of this rank with the values at points.
+
+    The blocks are adjacent, share planes, or have ghost points.
+    """
     size = next(iter(arrays.values())).shape
     boxes, ghosts = deal("ghosts" if split == "ghosts" else "scattered", size)
     blocks = vtkMultiBlockDataSet()
@@ -289,7 +299,7 @@ def point_blocks(arrays, split):
 
 
 def test_points():
-    """The points of images as cells."""
+    """Images of points give the mesh of the same values in cells."""
     for case in [*SPLIT_CASES, TINY]:
         reader = simple.XMLImageDataReader(FileName=[os.path.join(FOLDER, case + " points.vti")])
         check(case, reader, "pieces of points")
@@ -328,8 +338,10 @@ def test_tets():
 
 
 def check_conforming(meshes, surfaces):
-    """The pieces together: no tetrahedron is turned, and the faces that do not lie between two are
-    those of the surfaces."""
+    """Checks all pieces together.
+
+    No tetrahedron is inverted; the surfaces are the faces between materials and on the boundary.
+    """
     points, cells = (joined(parts)
                      for parts in zip(*[piece_of(mesh) for mesh in meshes
                                         if mesh.GetNumberOfCells() > 0]))
@@ -390,7 +402,7 @@ def test_exodus_in_pieces():
     assert found["ball"] and found["plate"] and len(ids) == len(set(ids)) == len(cells)
 
 
-# Of more ranks the ways to deal the input alone.
+# Runs on more ranks test only the ways to split the input.
 DEALS = ("image_pieces", "slabs", "boxes", "scattered", "one_rank_empty", "all_on_one_rank",
          "ghosts", "fewer_cells_than_ranks")
 main({"test_" + name: globals()["test_" + name] for name in DEALS} if RANKS > 3 else globals())

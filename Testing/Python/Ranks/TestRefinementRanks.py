@@ -1,8 +1,9 @@
-"""Meshes of several levels on several ranks, blocks dealt at random: mpiexec -n P pvbatch --sym
-TestRefinementRanks.py FOLDER
+"""Meshes of several levels on several ranks, with randomly distributed blocks.
 
-One rank alone keeps its meshes in FOLDER; any number of ranks must give the same bit for bit, and
-alike warnings.
+usage: mpiexec -n P pvbatch --sym TestRefinementRanks.py FOLDER
+
+A run on one rank stores its meshes in FOLDER. Runs on any number of ranks must give bitwise
+identical meshes and the same warnings.
 """
 import os
 import sys
@@ -20,7 +21,7 @@ NAMES = {"VolumeFractionArrays": ["ball", "plate"]}
 
 
 def sphere(n):
-    """One that the domain cuts."""
+    """Returns fractions of a sphere that the domain cuts."""
     z, y, x = np.meshgrid(*[np.arange(n) + 0.5] * 3, indexing="ij")
     distance = np.sqrt((x - 0.3 * n) ** 2 + (y - 0.6 * n) ** 2 + (z - 0.5 * n) ** 2)
     return {"ball": np.clip(0.45 * n + 0.5 - distance, 0, 1)}
@@ -32,7 +33,7 @@ def numbered(arrays):
 
 
 def noise():
-    """Random labels beside a block of one."""
+    """Returns random labels next to a block of one label."""
     ids = np.random.default_rng(7).choice([0, 2, 3], (8, 8, 8))
     return {"id": np.pad(ids, ((0, 0), (0, 0), (0, 8)), constant_values=2).astype(np.int32)}
 
@@ -46,7 +47,7 @@ def two(n):
 
 
 def wished(all_fields):
-    """With an array of cells that are to be halved: a few at random, once or twice."""
+    """Adds an array that requests one or two halvings of a few random cells."""
     draw = lambda shape: np.random.default_rng(11).choice([0, 1, 2], shape,
                                                           p=[0.98, 0.015, 0.005]).astype(np.uint8)
     return [{**arrays, "wish": draw(arrays["ball"].shape)} for arrays in all_fields]
@@ -106,13 +107,13 @@ def test_same_mesh():
         mesher = mesher_of(name, RANKS)
         check_gold(mesher, FOLDER, name, True)
         levels = mesher.GetClientSideObject().GetOutputDataObject(0).GetFieldData()
-        cells = vtk_to_numpy(levels.GetArray("LevelCells"))  # of all ranks
+        cells = vtk_to_numpy(levels.GetArray("LevelCells"))  # sums over all ranks
         assert cells[-1] > 0 and cells[:-1].sum() + levels.GetArray("TransitionCells").GetValue(
             0) > 0, (name, cells)
 
 
 def test_warning():
-    """One, of the first rank."""
+    """Only rank 0 gives the warning."""
     blocks = [(0, ((0, 4), (0, 12), (0, 8))), (0, ((4, 16), (0, 12), (0, 8)))]
     data = multiblock([{"ball": np.ones((16, 12, 8))}],
                       [block for i, block in enumerate(blocks) if i % RANKS == RANK])

@@ -1,8 +1,8 @@
-"""State arrays on several ranks follow the rule, also where elements moved far: mpiexec -n P
-pvbatch --sym TestStateRanks.py
+"""State arrays on several ranks follow the rule, also where elements moved far.
 
-Every rank checks its own elements against the fields of all ranks. Bits are compared in
-TestRanks.py.
+usage: mpiexec -n P pvbatch --sym TestStateRanks.py
+
+Each rank checks its elements against the fields of all ranks. TestRanks.py compares them bitwise.
 """
 import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
@@ -23,7 +23,7 @@ KINDS = [{}] + [{"make": VolumeFractionToTet, "Method": method} for method in TE
 
 
 def slabs(ranks=RANKS):
-    """Every so manieth of twice as many slabs along z as ranks: most cells are meshed elsewhere."""
+    """Returns two separate slabs per rank; other ranks mesh most of their cells."""
     data = vtkMultiBlockDataSet()
     for block, slab in enumerate(range(RANK, 2 * ranks, ranks) if RANK < ranks else ()):
         begin, end = N * slab // (2 * ranks), N * (slab + 1) // (2 * ranks)
@@ -54,7 +54,7 @@ def find_problem(result, fractions, limited):
 def check(data, fractions, **properties):
     result = run(data, StateArrays=["velocity", "number"], **properties)
     problem = find_problem(result, fractions, properties.get("Method") != "TetGen")
-    # by all ranks, before any may fail
+    # All ranks reduce before any of them may fail.
     failed = reduced(int(bool(problem)), vtkCommunicator.SUM_OP)
     filled = reduced(int(result.mesh.GetNumberOfCells() > 0), vtkCommunicator.SUM_OP)
     assert failed == 0, problem or "see the other ranks"

@@ -1,7 +1,8 @@
-"""Voxels read in parts by several ranks: the mesh is that of an image file; a bad file fails on all
-ranks alike.
+"""Voxels read in parts by several ranks.
 
-mpiexec -n 3 pvbatch --sym TestVoxelRanks.py FOLDER
+usage: mpiexec -n 3 pvbatch --sym TestVoxelRanks.py FOLDER
+
+The mesh is that of an image file. A damaged file is reported on all ranks.
 """
 import os
 import sys
@@ -56,14 +57,14 @@ def labels_mesher(source, make=VolumeFractionToHex, **properties):
 
 
 def mesh(source, make, **properties):
-    """The merged mesh, on rank 0."""
+    """Returns the merged mesh on rank 0."""
     mesher = labels_mesher(source, make, **properties)
     errors, _ = collect(mesher.GetClientSideObject())
     mesher.UpdatePipeline()
     mine = source.GetClientSideObject().GetOutputDataObject(0).GetNumberOfCells()
     assert reduced(int(not errors), vtkCommunicator.MIN_OP) == 1, errors
     assert reduced(mine, vtkCommunicator.SUM_OP) == GRAINS.size
-    # each reads its part
+    # Each rank reads only its part.
     assert reduced(mine, vtkCommunicator.MAX_OP) <= GRAINS.size // RANKS + GRAINS[:, :, 0].size
     return whole_mesh(mesher, at("mesh.pvtu"))
 
@@ -94,14 +95,13 @@ def is_same_everywhere(texts):
 
 
 def check_refused(source, text):
-    """The reader fails with one message on all ranks, and is asked once; the filter fails alike,
-    and nobody waits."""
+    """Checks that reader and filter fail on all ranks with one message, and that no rank waits."""
     mesher = labels_mesher(source)
     errors, _ = collect(held_class(source))
     source.GetClientSideObject().GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
     filter_errors, _ = collect(mesher.GetClientSideObject())
     mesher.UpdatePipeline()
-    # Each rank names its own file.
+    # The path may differ between ranks.
     same = is_same_everywhere([error.split("Cannot read ")[1].split(": ", 1)[1]
                                for error in errors])
     same_filter = is_same_everywhere([error.split("): ", 1)[1] for error in filter_errors])
