@@ -1,4 +1,4 @@
-"""The program's own test, sculptor test, with every kind of mesh on several ranks."""
+"""The built-in test `sculptor test`, for each kind of mesh on several ranks."""
 import itertools
 
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -7,7 +7,7 @@ from compare_meshes import read_pieces
 from sculptor_program import rows, sculptor
 from vfmtest import TET_METHODS, in_folder, main
 
-BOXES = [209, 302], [1136, 1450]  # elements and points, as it is and refined
+BOXES = [209, 302], [1136, 1450]  # elements and points, original and refined
 
 
 @in_folder
@@ -26,8 +26,7 @@ def test_built_in_test(at):
 
 
 def test_built_in_test_of_every_kind():
-    """Kinds of elements and of smoothing with every refinement on one rank; each of them also on
-    two or four."""
+    """Combines all elements, smoothing and refinement on one rank, and each also on two or four."""
     kinds = [[], *[["--tetmesh", method] for method in TET_METHODS]]
     smoothings = [[], ["--no-smooth"], ["--smooth", "2"], ["--stairstep"]]
     refinements = [[], ["--refine-cells"]]
@@ -46,7 +45,7 @@ def test_built_in_test_of_every_kind():
 
 @in_folder
 def test_built_in_test_of_chosen_cells(at):
-    """Box 1 has fine cells and transitions, box 2 is as without refinement."""
+    """Box 1 has fine cells and transitions; box 2 is as without refinement."""
     out = sculptor("test", "--refine-cells", "--output", at("boxes.vtu"), ranks=2).stdout
     plain, refined = out.split("Chosen cells refined\n")
     assert rows(plain)["2 of material 1"][:2] == rows(refined)["2 of material 1"][:2]

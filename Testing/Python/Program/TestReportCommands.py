@@ -1,8 +1,8 @@
-"""Every command of the report's appendix B, and ours, which is run here: the table of
-Documentation/validation/sculptor-report.md.
+"""Each command in appendix B of Sculptor's report, and the equivalent command of this project.
 
-A row of COMMANDS is the report's command, ours after the word sculptor, and what must come of it.
-Files: impact.spcth is the SpyPlot dump in Data, cube_mesh.exo.1.0 an Exodus file of hexahedra with
+Documentation/validation/sculptor-report.md has the same table. A row of COMMANDS holds the report's
+command, the equivalent after the word sculptor, which runs here, and a check of its result.
+impact.spcth is the SpyPlot file in Data; cube_mesh.exo.1.0 is an Exodus file of hexahedra with
 element variables at two times.
 """
 import os
@@ -21,11 +21,11 @@ from vfmtest import hex_volumes, main, tet_volumes
 
 DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "Data")
 FOLDER = tempfile.mkdtemp()
-CELL = 1 / 32  # of impact.spcth
+CELL = 1 / 32  # cell width of impact.spcth
 
 
 class Mesh:
-    """What a command wrote."""
+    """The mesh that a command wrote."""
 
     def __init__(self, path):
         self.piece = read_pieces(path)[0]
@@ -45,7 +45,7 @@ class Mesh:
 
 
 def mesh_of(words):
-    """The mesh of a command that names out.vtu."""
+    """Returns the mesh of a command that writes out.vtu."""
     run(words)
     return Mesh(os.path.join(FOLDER, "out.vtu"))
 
@@ -57,7 +57,7 @@ def run(words, ranks=1):
 
 
 def lists(*expected):
-    """The materials by their ids, and the times."""
+    """Returns a check of the listed materials, ids and times."""
     def check(words):
         out = run(words)
         assert run(words, ranks=2) == out
@@ -67,8 +67,11 @@ def lists(*expected):
 
 
 def meshes(kind=VTK_HEXAHEDRON, material=1, least=0.0, same_as=None, other_than=None):
-    """Elements of one kind and material with volumes above a number, which add up to that of the
-    fractions; the mesh is, or is not, that of another command."""
+    """Returns a check of elements of one kind and material.
+
+    Each element is larger than `least`; together they have the reported volume of the material. The
+    mesh is equal to, or differs from, the mesh of another command.
+    """
     def check(words):
         mesh = mesh_of(words)
         assert mesh.kind == kind and len(mesh.elements) > 100 and mesh.materials == {material}, (
@@ -85,7 +88,7 @@ def meshes(kind=VTK_HEXAHEDRON, material=1, least=0.0, same_as=None, other_than=
 
 
 def steps(words):
-    """Whole cells: each element is one."""
+    """Checks that each element is a whole cell."""
     mesh = mesh_of(words)
     assert mesh.materials == {1} and len(mesh.elements) > 100 and np.allclose(
         mesh.volumes, CELL ** 3, rtol=1e-5)
@@ -101,7 +104,7 @@ def at_time(time):
 
 
 def bounds(words):
-    """Surfaces, and curves where they meet; vertices there are none."""
+    """Checks that there are surfaces, curves where they meet, and no vertices."""
     run(words)
     reader = vtkXMLMultiBlockDataReader()
     reader.SetFileName(os.path.join(FOLDER, "geometry.vtm"))
@@ -113,8 +116,11 @@ def bounds(words):
 
 
 def passes(elements=None, kind=None):
-    """PASS on 1, 2 and 4 ranks, and the same numbers; of box 2, which stays unrefined, the elements
-    that it must have."""
+    """Returns a check of the built-in test on 1, 2 and 4 ranks.
+
+    All runs print PASS and equal numbers. `elements` is the number of elements in box 2, which
+    stays unrefined.
+    """
     def check(words):
         outputs = [run(words, ranks) for ranks in (1, 2, 4)]
         assert all(out.endswith("\nPASS\n") and "WRONG" not in out for out in outputs), outputs

@@ -1,5 +1,4 @@
-"""The program sculptor (VFM_SCULPTOR) on several ranks: its meshes are those of the filters, its
-messages and exit codes."""
+"""The command-line tool `sculptor` (VFM_SCULPTOR) on several ranks: meshes, messages, status."""
 import ctypes
 import os
 import re
@@ -25,16 +24,16 @@ from vfmtest import (
 DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "Data")
 BALL_AND_PLATE = os.path.join(DATA, "ball_and_plate.vti")
 SPLASH = os.path.join(DATA, "splash_2ms.vti")
-# what --refine-cells and --refine-box set
+# options that --refine-cells and --refine-box set
 NAMED = {"Refinement": "Automatic", "ThinCells": 0, "FineInterfaces": 0}
 
 
 def filter_mesh(path, tets=False, **properties):
-    """What the filter makes of a file."""
+    """Returns the mesh that the filter makes of a file."""
     make = VolumeFractionToTet if tets else VolumeFractionToHex
     reader = simple.OpenDataFile(path)
     if path.endswith(".vthb"):
-        reader.DefaultNumberOfLevels = 0  # all
+        reader.DefaultNumberOfLevels = 0  # all levels
     mesher = make(Input=reader, **properties)
     mesher.UpdatePipeline()
     mesh = mesher.GetClientSideObject().GetOutputDataObject(0)
@@ -64,7 +63,7 @@ def test_one_file_is_that_of_one_rank(at):
 
 @in_folder
 def test_options(at):
-    """ArgumentsTest.cxx has each of them."""
+    """Options are properties of the filter; ArgumentsTest.cxx tests each option."""
     path = write(fraction_image(), at("in.vti"))
     both = dict(VolumeFractionArrays=["ball", "plate"])
     cases = [
@@ -100,8 +99,7 @@ def test_sharp_edges(at):
 
 @in_folder
 def test_cells_to_refine(at):
-    """The array is none of the materials; readers of every kind read it, whatever else is asked
-    for."""
+    """The array for refinement is not a material; each reader reads it, for any other options."""
     arrays = dict(zip(("ball", "plate"), ball_and_plate()))
     arrays["wish"] = np.zeros((12, 12, 12))
     arrays["wish"][3:5, 5, 6:8] = 1
@@ -133,15 +131,16 @@ def test_options_of_labels(at):
             (["--minimum-region", "2"], dict(MinimumRegionCells=2))):
         mesh_file(path, at("out.vtu"), "--labels", "id", *arguments, ranks=2)
         mesh = filter_mesh(path, MaterialIdArray="id", **properties)
-        assert difference(merge([mesh]),
-                          merge([filter_mesh(path,
-                                             MaterialIdArray="id")])), "%s changes nothing" % arguments
+        assert difference(merge([mesh]), merge([filter_mesh(path, MaterialIdArray="id")])), (
+            "%s changes nothing" % arguments)
         check_same(at("out.vtu"), mesh)
 
 
 def write_formats(at):
-    """The same field in every format that can be written here: {name: path}; blocks are one by one
-    in x."""
+    """Writes the same field in each format that VTK can write; returns {name: path}.
+
+    Blocks are adjacent along x.
+    """
     ball, plate = ball_and_plate()
     arrays = {"ball": ball, "plate": plate}
     whole = image(arrays)
@@ -168,7 +167,7 @@ def write_formats(at):
 
 
 def uniform_grid(part, spacing):
-    """The image with its origin at its first node, as AMR wants it."""
+    """Returns the image with its origin at its first node, as AMR requires."""
     grid = vtkUniformGrid()
     first = part.GetExtent()[::2]
     grid.SetOrigin([ORIGIN[a] + SPACING[a] * first[a] for a in range(3)])
@@ -238,7 +237,7 @@ def test_materials_without_elements_are_named(at):
 
 
 def read_exodus(path):
-    """{block: (element ids, {node id: coordinates})}"""
+    """Returns {block: (element ids, {node id: coordinates})}."""
     found = {}
     for name, part in exodus_parts(path):
         elements, nodes = found.setdefault(name, ([], {}))
@@ -301,7 +300,7 @@ def test_arrays_are_found(at):
 
 @in_folder
 def test_point_data_is_told(at):
-    """That of grids which are no images, where a point is the centre of no cell."""
+    """Point data of other grids than images are reported: their points are not centres of cells."""
     data = rectilinear({"count": np.ones((4, 4, 4), np.int32)}, [np.arange(5.0)] * 3)
     add_array(data.GetPointData(), "phi", np.full((5, 5, 5), 0.25))
     files = ["--input", write(data, at("in.vtr"), vtkXMLRectilinearGridWriter), "--output",
@@ -310,7 +309,8 @@ def test_point_data_is_told(at):
     for ranks in (1, 2):
         refused(2, "Its cell arrays: count (int, 1 to 1). " + points, *files, ranks=ranks)
         for option in ("--fractions", "--labels", "--state"):
-            refused(2, "The array 'phi' (%s) has values of points, not of cells. Its cell arrays: count" % option, *files, option, "phi", ranks=ranks)
+            refused(2, "The array 'phi' (%s) has values of points, not of cells. "
+                    "Its cell arrays: count" % option, *files, option, "phi", ranks=ranks)
 
 
 @in_folder
@@ -336,7 +336,9 @@ def test_clipped_fractions(at):
             "[0, 1]. --clip T accepts values up to T outside.\n"), result
         result = sculptor(*arguments, "--clip", "0.01", ranks=ranks)
         assert result.returncode == 0 and names_of(at("out.vtu")) == ["ball", "plate"]
-        assert result.stderr == "sculptor: warning: Volume fractions of %d cells lay outside [0, 1] and were clipped.\n" % (ball == 0).sum()
+        assert result.stderr == (
+            "sculptor: warning: Volume fractions of %d cells lay outside [0, 1] and were "
+            "clipped.\n" % (ball == 0).sum())
 
 
 @in_folder
@@ -398,7 +400,7 @@ def test_state(at):
     path = write(image({"ball": ball, "plate": plate, **states}), at("in.vti"))
     mesh = filter_mesh(path, VolumeFractionArrays=["ball", "plate"], StateArrays=list(states))
     for ranks in (1, 3):
-        # damage is no material then
+        # With --state, 'damage' is not a material.
         mesh_file(path, at("out.vtu"), "--state", "damage,velocity", ranks=ranks)
         check_same(at("out.vtu"), mesh)
     files = ["--input", path, "--output", at("no.vtu")]
@@ -407,24 +409,24 @@ def test_state(at):
 
 
 def reads_appended_data():
-    """Whether VTK 9.2 reads them with this expat (see save_data in vfmtest.py)."""
+    """Returns whether VTK 9.2 can read them with this expat (see save_data in vfmtest.py)."""
     return not hasattr(ctypes.CDLL("libexpat.so.1"), "XML_SetReparseDeferralEnabled")
 
 
 @in_folder
 def test_times(at):
     if not reads_appended_data():
-        return  # and several times need them
+        return  # files of several times hold appended data
     writer = vtkXMLImageDataWriter()
     writer.SetFileName(at("times.vti"))
     writer.SetNumberOfTimeSteps(2)
     steps = [image({"ball": value}) for value in (ball_and_plate()[0], ball_and_plate()[0][::-1])]
-    for step in steps:  # VTK's reader forgets these of files with times
+    for step in steps:  # VTK's reader does not read these from files with several times
         step.SetOrigin(0, 0, 0)
         step.SetSpacing(1, 1, 1)
     writer.SetInputData(steps[0])
     writer.Start()
-    for time, step in enumerate(steps):  # it counts the times, whatever their values are
+    for time, step in enumerate(steps):  # VTK numbers the times, whatever their values are
         writer.SetInputData(step)
         writer.WriteNextTime(time)
     writer.Stop()
@@ -511,7 +513,7 @@ def test_help():
 
 @in_folder
 def test_wrong_arguments(at):
-    """How the program ends; ArgumentsTest.cxx has each of them."""
+    """Messages and exit codes of wrong arguments; ArgumentsTest.cxx tests each one."""
     path = write(fraction_image(8), at("in.vti"))
     for ranks in (1, 3):
         refused(1, "'--wrong' is not an option. See sculptor --help.", path, at("no.vtu"),
@@ -543,12 +545,14 @@ def test_unreadable_input(at):
 @in_folder
 def test_refused_input(at):
     ball = ball_and_plate()[0].copy()
-    ball[2, 3, 11] = 1.5  # on the last rank only
+    ball[2, 3, 11] = 1.5  # only on the last rank
     path = write(image({"ball": ball}), at("in.vti"))
     for ranks in (1, 3):
         files = ["--input", path, "--output", at("no.vtu")]
         refused(3, "'ball' holds 1.5 in cell", *files, "--fractions", "ball", ranks=ranks)
-        refused(2, "no numeric array 'wrong' (--fractions). Its cell arrays: ball (double, 0 to 1.5).", *files, "--fractions", "wrong", ranks=ranks)
+        refused(2, "no numeric array 'wrong' (--fractions). "
+                "Its cell arrays: ball (double, 0 to 1.5).",
+                *files, "--fractions", "wrong", ranks=ranks)
         refused(3, "material ids are integers", *files, "--labels", "ball", ranks=ranks)
     assert not os.path.exists(at("no.vtu"))
 

@@ -1,4 +1,4 @@
-"""sculptor --list: what each kind of input holds, the same on any number of ranks."""
+"""sculptor --list: contents of each kind of input, equal on any number of ranks."""
 import os
 import re
 
@@ -21,7 +21,7 @@ N = 12
 
 
 def listed(path, *words, ranks=(1, 3)):
-    """What is printed, alike on these numbers of ranks."""
+    """Returns the printed lines, which must be equal on these numbers of ranks."""
     outputs = []
     for count in ranks:
         result = sculptor("--list", path, *words, ranks=count)
@@ -33,7 +33,7 @@ def listed(path, *words, ranks=(1, 3)):
 
 
 def arrays_of(lines):
-    """{name: (type, components, least and most)}"""
+    """Returns {name: (type, components, minimum and maximum)}."""
     begin = next(i for i, line in enumerate(lines) if line.startswith("cell array "))
     rows = [re.fullmatch(r"(.*?) {2,}(.*?) {2,}(\d+)(.*)", line)
             for line in lines[begin + 1:lines.index("", begin)]]
@@ -41,7 +41,7 @@ def arrays_of(lines):
 
 
 def materials_of(lines):
-    """How they were found, and a line each."""
+    """Returns how the materials were found, and one line per material."""
     begin = next(i for i, line in enumerate(lines) if line.startswith("materials"))
     return lines[begin], [line.split(None, 1) for line in lines[begin + 1:] if line.startswith(" ")]
 

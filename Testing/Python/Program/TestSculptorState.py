@@ -1,5 +1,4 @@
-"""State that the program sculptor (VFM_SCULPTOR) carries: as the filters do; what it prints of it,
-and refuses."""
+"""State that `sculptor` (VFM_SCULPTOR) transfers: same as the filters; tables and errors."""
 import csv
 import re
 
@@ -10,7 +9,7 @@ from vfmtest import SPACING, ball_and_plate, image, in_folder, main, mesh_of, wr
 
 
 def arrays_of_impact():
-    """Ball and plate with densities a material, a velocity and an energy for both, a stress."""
+    """Returns ball and plate with a density each, and a common velocity, energy and stress."""
     ball, plate = ball_and_plate()
     x = np.linspace(0, 1, 12)
     ramp = x[:, None, None] + 0 * ball
@@ -22,8 +21,7 @@ def arrays_of_impact():
 
 @in_folder
 def test_conserved_state(at):
-    """Words of the command line are properties; the table of the program and that of fragments tell
-    the sums."""
+    """Options are properties; the printed table and the table of fragments give the sums."""
     arrays = arrays_of_impact()
     path = write(image(arrays), at("in.vti"))
     words = ["--fractions", "ball,plate", "--density", "rho - 1,rho - 2", "--state", "stress,mark",
@@ -70,8 +68,10 @@ def test_conserved_state(at):
 
 @in_folder
 def test_masses_of_fragments(at):
-    """Of densities a material whose names part the materials in their middle, beside an array whose
-    name both hold."""
+    """Masses by densities whose names contain the material in the middle.
+
+    The name of another array is the start of both names.
+    """
     arrays = arrays_of_impact()
     names = ["rho of %s (g)" % body for body in ("ball", "plate")]
     path = write(image({**{body: arrays[body] for body in ("ball", "plate")},
@@ -87,6 +87,7 @@ def test_masses_of_fragments(at):
 
 @in_folder
 def test_state_is_copied_where_asked(at):
+    """With --state-transfer copy, state is copied and no table is printed."""
     path = write(image(arrays_of_impact()), at("in.vti"))
     words = ["--fractions", "ball,plate", "--state", "velocity", "--density", "rho - 2"]
     out = mesh_file(path, at("out.vtu"), *words, "--state-transfer", "copy")
