@@ -1,6 +1,10 @@
-"""What Apply does in the window, by Render alone: filters and sources that failed, even twice in a
-row, work again once they can; each failure is shown once on a rank, with nothing after it. On a
-screen; alone or mpiexec -n 3 pvbatch --sym TestApplies.py FOLDER."""
+"""Apply in the ParaView GUI, by Render only.
+
+usage: pvpython TestApplies.py [FOLDER], or mpiexec -n 3 pvbatch --sym TestApplies.py FOLDER
+
+Filters and sources that failed, even twice in a row, work again as soon as they can. Each failure
+is shown once per rank, and no other message follows. A screen is required.
+"""
 import os
 import sys
 import tempfile
@@ -17,7 +21,7 @@ BALL_AND_PLATE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", 
                               "ball_and_plate.vti")
 CONTROLLER = vtkMultiProcessController.GetGlobalController()
 RANK, RANKS = CONTROLLER.GetLocalProcessId(), CONTROLLER.GetNumberOfProcesses()
-FAILING = RANKS // 2  # the rank where one alone fails
+FAILING = RANKS // 2  # the rank of failures on one rank
 FOLDER = sys.argv[1] if len(sys.argv) > 1 else tempfile.mkdtemp()
 VIEW = simple.CreateView("RenderView")
 
@@ -37,7 +41,7 @@ class Shown:
         self.proxy, self.display = proxy, None
 
     def render(self):
-        """The errors that are shown on this rank."""
+        """Renders the view and returns the errors shown on this rank."""
         window, usual = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
         vtkOutputWindow.SetInstance(window)
         try:
@@ -48,7 +52,7 @@ class Shown:
         return window.GetOutput().split("ERROR: ")[1:]
 
     def cells(self):
-        """In the view, on all ranks."""
+        """Returns the number of cells in the view on all ranks."""
         cells = self.display.SMProxy.GetRepresentedDataInformation().GetNumberOfCells()
         return reduced(cells, vtkCommunicator.SUM_OP)
 
@@ -57,8 +61,11 @@ class Shown:
 
 
 def check_recovers(shown, fail, mend, words, check=None):
-    """fail(time), twice; mend(). words: of the one message on this rank; or check: of its
-    messages."""
+    """Calls fail(time) twice, then mend(), and checks the messages.
+
+    words: part of the single message on this rank; check: function that checks all
+    messages instead.
+    """
     for time in range(2):
         fail(time)
         errors = shown.render()
@@ -76,7 +83,7 @@ def ball_and_plate():
 
 
 def test_three_applies():
-    """Nothing is ticked; another property changes; the arrays are ticked."""
+    """Apply without any array, after another change, and with selected arrays."""
     hexes = VolumeFractionToHex(Input=ball_and_plate(), VolumeFractionArrays=[])
     check_recovers(Shown(hexes), lambda time: setattr(hexes, "StairStep", time),
                    lambda: setattr(hexes, "VolumeFractionArrays", ["ball", "plate"]),
@@ -93,7 +100,7 @@ def make_input():
 
 
 def test_our_reader():
-    """It shares with the other ranks what fails; the filter behind it has nothing to add."""
+    """The plugin's reader fails on all ranks; the filter downstream adds no message."""
     for behind in (lambda reader: reader,
                    lambda reader: VolumeFractionToHex(Input=reader, MaterialIdArray="MaterialId")):
         reader = NumPyVoxelReader(FileName=["none"])
@@ -103,14 +110,14 @@ def test_our_reader():
 
 
 def test_another_reader():
-    """ParaView's, that fails on one rank: there it says so, and the filter on the others."""
+    """ParaView's reader fails on one rank: it reports there, the filter on the other ranks."""
     reader = simple.XMLImageDataReader(FileName=[at("good3.vti")])
     hexes = VolumeFractionToHex(Input=reader, VolumeFractionArrays=["ball", "plate"])
     shown = Shown(hexes)
     assert is_everywhere(shown.render() == [])
 
     def set_name(time):
-        """Another one on all ranks, which must update together."""
+        """Sets a new name on all ranks, which must update together."""
         reader.FileName = [at("%s%d.vti" % ("none" if RANK == FAILING and time < 2 else "good",
                                             time))]
 

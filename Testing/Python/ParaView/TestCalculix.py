@@ -1,9 +1,8 @@
 """CalculiX solves linear elastic problems with exact solutions on meshes written as .inp.
 
-Constant stress is exact on any valid mesh that conforms: a hanging node, an inverted or missing
-element, a face that lacks in a surface or a wrong number shows. ccx prints seven digits, so
-stresses are chosen that seven digits hold, with a first digit of 9: the deviation of a value that
-prints right is below 6e-8.
+Constant stress is exact on any valid conforming mesh. A hanging node, an inverted or missing
+element, a missing face or a wrong number would change it. CalculiX prints seven digits; the chosen
+stresses begin with 9, so that the deviation of a correct value is below 6e-8.
 """
 import os
 import sys
@@ -23,20 +22,20 @@ import calculix
 
 KINDS = ["Hex"] + TET_METHODS
 N = 10
-LIMIT = 1e-6  # of the largest stress
+LIMIT = 1e-6  # relative to the largest stress
 PRESSURE = 9.5
-SECONDS = 120  # of one solve
+SECONDS = 120  # time limit of a solve
 
 
 class Model:
-    """A mesh as a file, and what CalculiX makes of it."""
+    """A mesh written to a file, and its solution by CalculiX."""
 
     def __init__(self, at, field, kind, arrays, velocity=None, **properties):
         properties.update(Input=field, VolumeFractionArrays=arrays)
         mesher = VolumeFractionToHex(**properties) if kind == "Hex" else VolumeFractionToTet(
             Method=kind, **properties)
         self.mesh, self.deck, self.kind = at("mesh.inp"), at("deck.inp"), kind
-        if velocity is not None:  # of all nodes
+        if velocity is not None:  # equal for all nodes
             mesher = simple.Calculator(Input=mesher, ResultArrayName="velocity",
                                        Function="%g*iHat+%g*jHat+%g*kHat" % tuple(velocity))
         simple.SaveData(self.mesh, proxy=mesher)
@@ -53,7 +52,7 @@ class Model:
         return results
 
     def deviation(self, name, stresses, exact):
-        """The largest of any component at any integration point over the largest exact one."""
+        """Returns the largest deviation from the exact stress, relative to its largest component."""
         found = abs(stresses - exact).max() / abs(np.array(exact)).max()
         print("  %-24s %-8s %6d elements, deviation of the stress %.1e"
               % (name, self.kind, len(self.file.elements), found))
@@ -66,7 +65,7 @@ def ball_in_matrix():
 
 
 def strain(stress, modulus, ratio):
-    """Hooke's law; stress: xx yy zz xy xz yz."""
+    """Returns the strain by Hooke's law; order of stress: xx yy zz xy xz yz."""
     xx, yy, zz, xy, xz, yz = stress
     tensor = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
     return (1 + ratio) / modulus * tensor - ratio / modulus * np.trace(tensor) * np.eye(3)
@@ -74,8 +73,7 @@ def strain(stress, modulus, ratio):
 
 @in_folder
 def test_patch(at):
-    """A linear displacement of all nodes on the sides: the stress is constant, however the elements
-    inside are shaped."""
+    """A linear displacement of the sides gives constant stress, for any shape of the elements."""
     stress, modulus, ratio = [9.0, -4.0, 6.0, 2.0, 3.0, -5.0], 2000.0, 0.3
     spin = 1e-3 * np.array([[0, 1, -2], [-1, 0, 3], [2, -3, 0]])
     gradient = strain(stress, modulus, ratio) + spin
@@ -83,26 +81,27 @@ def test_patch(at):
         model = Model(at, ball_in_matrix(), kind, ["ball", "matrix"])
         sides = [model.file.node_sets[side + end] for side in "XYZ" for end in ("_MIN", "_MAX")]
         nodes = sorted(set().union(*sides))
-        assert 100 < len(nodes) < 0.9 * len(model.points)  # there are free ones
+        assert 100 < len(nodes) < 0.9 * len(model.points)  # there are free nodes
         boundary = [(node, d + 1, d + 1, value) for node in nodes
                     for d, value in enumerate(gradient @ model.points[node - 1])]
         results = model.solve({"BALL": (modulus, ratio), "MATRIX": (modulus, ratio)}, boundary)
         assert model.deviation("patch", results.stresses, stress) <= LIMIT
         assert np.allclose(results.displacements, model.points @ gradient.T, rtol=1e-6, atol=1e-8)
         other = model.solve({"BALL": (2 * modulus, ratio), "MATRIX": (modulus, ratio)}, boundary)
-        assert abs(other.stresses - stress).max() > 1  # the materials are where they should be
+        assert abs(other.stresses - stress).max() > 1  # the materials are in the right elements
 
 
 @in_folder
 def test_flight(at):
-    """Bodies that nothing holds fly on with the velocity of their nodes, which the file of the mesh
-    tells."""
+    """Free bodies keep the velocity of their nodes, which the mesh file contains."""
     velocity = np.array([2.0, -3.0, 4.0])
     for kind in KINDS[:1] + KINDS[-1:]:
         model = Model(at, ball_in_matrix(), kind, ["ball", "matrix"], velocity=velocity)
         with open(model.deck, "w", encoding="ascii") as file:
-            file.write("*INCLUDE, INPUT=mesh.inp\n*MATERIAL, NAME=M\n*ELASTIC\n1000, 0.3\n*DENSITY\n1\n*SOLID SECTION, ELSET=EALL, "
-                       "MATERIAL=M\n*STEP\n*DYNAMIC, DIRECT\n0.05, 0.1\n*NODE PRINT, NSET=NALL, FREQUENCY=2\nU\n*END STEP\n")
+            file.write("*INCLUDE, INPUT=mesh.inp\n*MATERIAL, NAME=M\n*ELASTIC\n1000, 0.3\n"
+                       "*DENSITY\n1\n*SOLID SECTION, ELSET=EALL, MATERIAL=M\n"
+                       "*STEP\n*DYNAMIC, DIRECT\n0.05, 0.1\n"
+                       "*NODE PRINT, NSET=NALL, FREQUENCY=2\nU\n*END STEP\n")
         calculix.run(model.deck, seconds=SECONDS)
         moved = calculix.read_results(model.deck).displacements
         assert len(moved) == len(model.points) and np.allclose(
@@ -111,12 +110,14 @@ def test_flight(at):
 
 @in_folder
 def test_layers_in_series(at):
-    """Two materials with the same ratio / modulus under tension: both shrink alike across, so the
-    stress is the same in both."""
+    """Two materials with equal ratio / modulus under tension have equal stress.
+
+    Both contract equally across the load.
+    """
     low = np.repeat([1.0, 0.0], N // 2)[:, None, None] * np.ones((N, N, N))
     for kind in KINDS:
-        # Tetrahedra of a smoothed interface leave its plane by up to 2e-3 of a cell, which shows in
-        # the stress.
+        # A smoothed interface of tetrahedra deviates from its plane by up to 2e-3 of a cell, which
+        # would change the stress.
         model = Model(at, producer(image({"low": low, "high": 1 - low})), kind, ["low", "high"],
                       **({} if kind == "Hex" else {"Smoothing": "Off"}))
         results = model.solve({"LOW": (1000.0, 0.15), "HIGH": (2000.0, 0.3)},
@@ -133,8 +134,7 @@ def test_layers_in_series(at):
 
 @in_folder
 def test_names(at):
-    """Names as long as can be, and of the sides: no set takes the place of another in ccx, no load
-    is lost."""
+    """Names of maximum length and of domain sides: ccx confuses no sets and loses no load."""
     low = np.repeat([1.0, 0.0], 2)[:, None, None] * np.ones((4, 4, 4))
     arrays = ["z max", "y" * 90]
     model = Model(at, producer(image({arrays[0]: low, arrays[1]: 1 - low})), "Hex", arrays)
@@ -146,15 +146,17 @@ def test_names(at):
 
 
 def hold(points):
-    """Three nodes held against rigid motion, without a reaction to loads in balance."""
+    """Returns supports of three nodes that prevent rigid motion without reactions."""
     a, b, c = points[:, 0].argmin(), points[:, 0].argmax(), points[:, 1].argmax()
     return [(a + 1, 1, 3, 0), (b + 1, 2, 3, 0), (c + 1, 3, 3, 0)]
 
 
 @in_folder
 def test_ball_under_pressure(at):
-    """Pressure on the whole free surface, curved as it is: minus the pressure everywhere, since the
-    loads of ccx on bilinear faces are exact."""
+    """Pressure on the whole curved surface gives the exact stress.
+
+    Loads of ccx on bilinear faces are exact.
+    """
     for kind in KINDS:
         model = Model(at, producer(image({"ball": ball_and_plate(N)[0]})), kind, ["ball"])
         results = model.solve({"BALL": (1000.0, 0.3)}, hold(model.points),
@@ -166,7 +168,7 @@ def test_ball_under_pressure(at):
 
 @in_folder
 def test_stiff_ball_in_matrix(at):
-    """Runs to the end; the reaction is the load, and the ball takes more than its share."""
+    """The reaction equals the load, and the stiff ball carries more than its share."""
     for kind in KINDS:
         model = Model(at, ball_in_matrix(), kind, ["ball", "matrix"])
         results = model.solve({"BALL": (20000.0, 0.3), "MATRIX": (2000.0, 0.3)},
@@ -183,18 +185,18 @@ def test_stiff_ball_in_matrix(at):
 
 
 def pressure_inside(radius, outer, inside, outside, pressure):
-    """Of a ball in a shell with pressure on it (Lame): u = C r + D / r^2 in the shell."""
+    """Returns the pressure of a ball in a loaded shell (Lame): u = C r + D / r^2 in the shell."""
     bulk, shear = ([f(*material) for material in (inside, outside)] for f in (
         lambda e, nu: e / (3 - 6 * nu), lambda e, nu: e / (2 + 2 * nu)))
     rows = [[3 * bulk[1], -4 * shear[1] / outer ** 3, 0],
             [3 * bulk[1], -4 * shear[1] / radius ** 3, 1],
-            [radius, radius ** -2, radius / (3 * bulk[0])]]  # unknown: C, D, pressure inside
+            [radius, radius ** -2, radius / (3 * bulk[0])]]  # unknowns: C, D, pressure inside
     return np.linalg.solve(rows, [-pressure, 0, 0])[2]
 
 
 @in_folder
 def test_ball_in_shell(at):
-    """The exact solution of curved interfaces: the finer the mesh, the nearer."""
+    """The solution converges to the exact one for curved interfaces."""
     inside, outside = (20000.0, 0.3), (2000.0, 0.2)
     exact = pressure_inside(0.5, 0.9, inside, outside, PRESSURE)
     for kind in ("Hex", "Lattice"):

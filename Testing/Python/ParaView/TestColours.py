@@ -1,8 +1,7 @@
-"""Colour maps of MaterialId and MaterialPair: categories with the names of the materials, and
-nothing that the user chose is lost.
+"""Colour maps of MaterialId and MaterialPair: categories with the names of the materials.
 
-No view is rendered: colour maps are made where a mesh is shown, and follow it when its
-representation is updated.
+Choices of the user are kept. No view is rendered: colour maps are made when a mesh is shown, and
+follow it when its representation is updated.
 """
 import os
 import tempfile
@@ -24,7 +23,7 @@ def show(mesh, array="MaterialId", port=0):
 
 
 def names(array="MaterialId"):
-    """By id, as the legend shows them; None: the colours are continuous."""
+    """Returns {id: name} as in the legend, or None if the colours are continuous."""
     table = simple.GetColorTransferFunction(array)
     texts = list(table.Annotations)
     return dict(zip(map(int, texts[::2]),
@@ -42,7 +41,7 @@ def mesh():
 
 
 def forget():
-    """All that is shown, with its colour maps."""
+    """Deletes all that is shown, with its colour maps."""
     simple.ResetSession()
 
 
@@ -70,6 +69,7 @@ def test_names_follow_the_data():
 
 
 def test_all_that_comes_of_a_mesh():
+    """Data derived from a mesh, or read from its file, have the names."""
     hexes = mesh()
     show(simple.Threshold(Input=hexes, Scalars=["CELLS", "MaterialId"], LowerThreshold=2,
                           UpperThreshold=2))
@@ -122,7 +122,7 @@ def test_choices_of_the_user_stay():
 
 
 def test_saved_states():
-    """Names of the user and of the plugin come back, and a new material gets one."""
+    """Names of the user and of the plugin are restored; a new material gets a name."""
     shapes = VolumeFractionShapes(Dimensions=[12, 12, 12])
     hexes = VolumeFractionToHex(Input=shapes, VolumeFractionArrays=["Material1", "Material2"],
                                 StairStep=1)
@@ -159,7 +159,7 @@ def test_a_palette_of_the_user_stays():
 
 
 def test_many_labels_are_numbers():
-    """From the start, or as soon as there are more than a legend holds."""
+    """Many labels are shown as numbers, from the start or after a change."""
     many = np.arange(1, 12**3 + 1).reshape(12, 12, 12)
     grid = producer(image({"many": many, "few": many % 5}))
     hexes = VolumeFractionToHex(Input=grid, MaterialIdArray="many", StairStep=1)
@@ -176,7 +176,7 @@ def test_many_labels_are_numbers():
 
 
 def test_separate_colour_maps():
-    """Two meshes that name an id otherwise."""
+    """Two meshes with different names of an id have separate colour maps."""
     view = simple.CreateRenderView()
     for arrays in (["ball"], ["plate"]):
         hexes = mesh()

@@ -1,7 +1,11 @@
-"""Examples/mesh_series.py meshes all steps of a series, in order, and says so when one cannot be;
-ball_under_pressure.py and cube_under_pressure.py solve where CalculiX is installed; write_exodus.py
-writes a mesh that was saved before; time_ranks.py times two ranks. The fields of Data and the demo
-can be made again."""
+"""Scripts of Examples and Data.
+
+- mesh_series.py meshes all steps of a series in order and reports steps that fail
+- ball_under_pressure.py and cube_under_pressure.py solve if CalculiX is installed
+- write_exodus.py writes a mesh read from a file
+- time_ranks.py times two ranks
+- the fields of Data and the demo can be reproduced
+"""
 import contextlib
 import csv
 import io
@@ -60,7 +64,7 @@ def read_vtu(folder, name):
 
 
 def block_sizes(path):
-    """Elements of each block of an Exodus file by its name."""
+    """Returns {block: number of elements} of an Exodus file."""
     return {name: part.GetNumberOfCells() for name, part in exodus_parts(path)}
 
 
@@ -123,13 +127,13 @@ def test_arguments():
 
 @in_folder
 def test_atlas(path):
-    """Each fourth voxel of the atlas, where its package is there; else a message that tells
-    which."""
+    """Meshes every fourth voxel of the atlas, or reports the package that is missing."""
     script = [os.path.join(EXAMPLES, "atlas.py"), "--plugin", os.environ["VFM_PLUGIN"], "--every",
               "4", "--mesh", path("atlas.exo")]
     result = mpi_run(1, ["pvpython", *script])
     if not os.path.exists(ATLAS):
-        assert result.returncode == 1 and "apt-get install mricron-data" in result.stderr and not result.stdout, result
+        assert (result.returncode == 1 and "apt-get install mricron-data" in result.stderr
+                and not result.stdout), result
         return
     found = re.search(r"48 regions, (\d+) hexahedra, scaled Jacobian ([\d.]+) to 1", result.stdout)
     error = re.search(r"worst error of a volume ([\d.e-]+);", result.stdout)
@@ -141,8 +145,7 @@ def test_atlas(path):
 
 
 def test_ball_under_pressure():
-    """Of a block under pressure from above the mean of the stress along z is minus the pressure,
-    whatever is in it."""
+    """The mean stress along z is minus the pressure, for any contents of the block."""
     with tempfile.TemporaryDirectory() as folder:
         out = os.path.join(folder, "out")
         result = subprocess.run(
@@ -168,12 +171,11 @@ def test_ball_under_pressure():
         assert equivalent[ball].mean() > 1.5 * equivalent[~ball].mean()
         upper = vtk_to_numpy(mesh.GetPoints().GetData())[:, 2] == 1
         sinks = -vtk_to_numpy(mesh.GetPointData().GetArray("Displacement"))[upper, 2].mean()
-        assert 0.5 < sinks / (2 * 1e7 / 3e9) < 0.99, sinks  # less than a block of epoxy
+        assert 0.5 < sinks / (2 * 1e7 / 3e9) < 0.99, sinks  # less than in a block of epoxy
 
 
 def test_cube_under_pressure():
-    """The load on one face of a turned cube is the pressure times its area, and the opposite face
-    bears it."""
+    """The load on a face of the rotated cube is pressure times area, and equals the reaction."""
     with tempfile.TemporaryDirectory() as folder:
         result = subprocess.run(
             ["pvpython", os.path.join(EXAMPLES, "cube_under_pressure.py"), "--plugin",
@@ -202,7 +204,7 @@ def test_cube_under_pressure():
 
 @in_folder
 def test_shapes_of_the_data(path):
-    """Data/shapes.py makes the fields again that are in Data."""
+    """Data/shapes.py reproduces the fields in Data."""
     for scene, arrays in (("fin", ["body"]), ("ball_and_plate", ["ball", "plate"])):
         made = path(scene + ".vti")
         subprocess.run(["pvpython", os.path.join(DATA, "shapes.py"), os.environ["VFM_PLUGIN"],
@@ -215,7 +217,7 @@ def test_shapes_of_the_data(path):
 
 @in_folder
 def test_demo(path):
-    """One case of the demo: meshes in all formats, and pictures."""
+    """One case of the demo gives meshes in all formats, and pictures."""
     result = subprocess.run(
         ["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24 -noreset", "pvpython",
          os.path.join(DATA, "..", "scripts", "demo.py"),
@@ -242,7 +244,7 @@ def test_write_exodus(path):
 
 
 def run_here(script, *arguments):
-    """What a run of the script by Python would give, without another start of ParaView."""
+    """Runs a script in this process, which avoids another start of ParaView."""
     texts = io.StringIO(), io.StringIO()
     before, sys.argv, sys.path = (sys.argv, sys.path), [script,
                                                         *arguments], [
@@ -262,7 +264,7 @@ def run_here(script, *arguments):
 
 @in_folder
 def test_missing_files(path):
-    """One message and exit status 1."""
+    """Each script reports a missing file by one message and exit status 1."""
     none, plugin, data = path("none"), os.environ["VFM_PLUGIN"], os.path.join(DATA, "fin.vti")
     for script, arguments in (
             ("atlas.py", ["--plugin", plugin, "--atlas", none]),
@@ -288,7 +290,7 @@ def test_missing_files(path):
 
 @in_folder
 def test_bracket(path):
-    """Edges and rims that are kept lie far nearer to the mesh; fillets stay as they are."""
+    """With sharp edges the mesh is much closer to edges and rims; fillets are unchanged."""
     result = subprocess.run(["pvbatch", os.path.join(EXAMPLES, "bracket.py"), path("out"),
                              "--cells", "48", "--no-pictures",
                              "--plugin", os.environ["VFM_PLUGIN"]], stdout=subprocess.PIPE,
@@ -301,7 +303,8 @@ def test_bracket(path):
                for mode in ("Off", "On"))
     assert on[0] > 0.4 and max(on[1:3]) < 0.045 and min(off[1:3]) > 0.35 and on[
         3] < 0.02, result.stdout
-    assert "surfaces, curves and vertices: 10, 21, 10\n" in result.stdout and "on curves there: 0\n" in result.stdout, result.stdout
+    assert ("surfaces, curves and vertices: 10, 21, 10\n" in result.stdout
+            and "on curves there: 0\n" in result.stdout), result.stdout
 
 
 def test_time_on_ranks():

@@ -1,4 +1,4 @@
-"""sculptor prints the tables that Documentation/user/command-line.md shows, except for seconds."""
+"""Documentation/user/command-line.md shows the tables that sculptor prints, except for seconds."""
 import os
 import re
 
@@ -6,10 +6,11 @@ from sculptor_program import sculptor
 from vfmtest import in_folder, main
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..")
-COMMANDS = [  # of the blocks of the page, in their order: ranks and words
+COMMANDS = [  # ranks and arguments of the blocks of the page, in order
     (4, "--input Data/splash_3500us.vti --output splash.pvtu"),
     (1, "--input Data/ball_and_plate.vti --tetmesh Lattice --output tets.vtu"),
-    (1, "Data/impact.spcth impact.e --step 2 --velocity velocity --state-transfer conserve --nodal-velocity"),
+    (1, "Data/impact.spcth impact.e --step 2 --velocity velocity --state-transfer conserve "
+        "--nodal-velocity"),
     (1, "--list Data/impact.spcth"),
     (1, "--list Data/AMReX/plt00000")]
 

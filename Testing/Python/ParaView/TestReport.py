@@ -1,7 +1,8 @@
-"""Tests the script of a figure of Sculptor's report: it makes the picture and prints exactly the
-rows of Documentation/validation/sculptor-report.md.
+"""Runs the script of a figure of Sculptor's report.
 
 usage: pvpython TestReport.py Examples/report/figure_NN.py
+
+It must make the picture and print exactly the rows of Documentation/validation/sculptor-report.md.
 """
 import os
 import subprocess

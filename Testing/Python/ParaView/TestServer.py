@@ -1,9 +1,11 @@
-"""A client and a server of two ranks: meshes, their colour maps and writers with the plugin on both
-sides, on the server or on the client alone.
+"""A client and a server of two ranks: meshes, colour maps and writers.
+
+The plugin is loaded on both sides, only on the server, or only on the client.
 
 usage: pvpython TestServer.py
-       pvpython TestServer.py PORT SIDES    what a client does, which prints the names in its colour
-       map and the writers
+       pvpython TestServer.py PORT SIDES
+
+The second form is the client, which prints the names in its colour map and the writers.
 """
 import os
 import re
@@ -17,14 +19,14 @@ from mpi_run import OF_THIS_PROCESS, SETTINGS
 PLUGIN = os.environ["VFM_PLUGIN"]
 FIELD = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "Data",
                      "ball_and_plate.vti")
-# by a client while it lacks the plugin
+# A client without the plugin prints this message.
 MISSED = re.compile("Could not create object of type: vtkSMMesh(ArrayList)?Domain")
 OURS = "ExodusAndSetsWriter"
-LIMIT = 300  # seconds; machines are shared
+LIMIT = 300  # seconds; other users share the machine
 
 
 def act_as_client(port, sides):
-    """The mesh by filter, or where the server has none an image with an array of the same name."""
+    """Shows a mesh, or an image with an array of the same name if the server lacks the filter."""
     simple.Connect("localhost", port)
     for remote, side in ((True, "server"), (False, "client")):
         if side in sides:
@@ -46,8 +48,10 @@ def act_as_client(port, sides):
 
 
 def names_with(sides):
-    """What the client printed: of the colour map, and the writers of what it shows and of another
-    mesh."""
+    """Returns what the client printed: names in the colour map, and writers for two data sets.
+
+    The data sets are the one that it shows and another mesh.
+    """
     plain = {name: value for name, value in os.environ.items()
              if not name.startswith(OF_THIS_PROCESS)}
     server = subprocess.Popen(["mpiexec", "--oversubscribe", "--bind-to", "none", "-n", "2",

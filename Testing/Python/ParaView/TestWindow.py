@@ -1,5 +1,4 @@
-"""What a user does in ParaView's window, click by click: loads the plugin, opens a field, meshes it
-and saves the mesh by names of each end."""
+"""Clicks of a user in the ParaView GUI, from loading the plugin to saving the mesh."""
 import os
 from xml.sax.saxutils import quoteattr
 
@@ -27,7 +26,7 @@ MAKE_MESH = [
 
 
 def save(path):
-    """Those of Exodus have a dialog of options."""
+    """Returns the clicks that save the mesh; Exodus files have a dialog of options."""
     confirm = [] if path.endswith(".inp") else [("WriterSettingsDialog/widget/OKButton", "activate",
                                                  "")]
     return [(MENUS + "_File", "activate", "actionFileSaveData"),
@@ -35,7 +34,7 @@ def save(path):
 
 
 def play(clicks, folder):
-    """In a new window without settings, on a screen of its own."""
+    """Plays the clicks in a new ParaView without settings, on a screen of its own."""
     script = os.path.join(folder, "clicks.xml")
     with open(script, "w") as file:
         file.write('<?xml version="1.0"?>\n<pqevents>\n')
@@ -52,7 +51,7 @@ def play(clicks, folder):
 
 @in_folder
 def test_from_plugin_to_files(at):
-    """The only array is ticked."""
+    """A single array is selected by default, and the saved files hold its mesh."""
     saves = [click for end in ("exo", "e", "inp") for click in save(at("mesh." + end))]
     window = play(LOAD_PLUGIN + MAKE_MESH + saves, at(""))
     text = window.stdout + window.stderr
