@@ -45,7 +45,7 @@ Each option of the mesher has one name in ParaView and in C, one in Python, and 
 
 | front end | name | values |
 |---|---|---|
-| ParaView, panel | *Iso Value*; the gear next to the search line shows *advanced* options | as listed |
+| ParaView, panel | *Iso Value*; the gear at the search line shows *advanced* options | as listed |
 | ParaView, script | `IsoValue=0.4` | 0 and 1 for off and on; words as in the panel |
 | VTK in C++ and Python | `SetIsoValue(0.4)` | 0 and 1 for off and on; numbers of words, from 0 |
 | Python package | `iso_value=0.4` | `True` and `False`; words as `"quadric_surface"` |
