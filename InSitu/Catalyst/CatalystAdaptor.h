@@ -1,19 +1,16 @@
 /**
- * CatalystAdaptor: runs ParaView Catalyst scripts (version 2) on the fields of a simulation, inside it. Built of one of two kinds: of
- * the first by ParaView's own library, of the second by libcatalyst, which takes any implementation (ParaView's, others) when it runs.
+ * CatalystAdaptor: runs ParaView Catalyst scripts (version 2) inside a simulation, on its fields.
  *
- * The scripts find the grid as the input "input": composite data with an image for every box,
- * whose arrays are the host's memory. Images of finer levels have smaller cells; cells
- * below those of finer levels are hidden (vtkGhostType). First kind: vtkMultiBlockDataSet, a block for every box of every rank, the
- * global numbers are its field data. Second kind: vtkPartitionedDataSetCollection, "box0" the first box of each rank and so on, the
- * global numbers are field data of each of these.
+ * A build uses one of two libraries. Legacy Catalyst is ParaView's own library. Catalyst 2 is
+ * libcatalyst, which loads an implementation (of ParaView or others) at run time.
  *
- * Nothing here throws, ends the host or leaves ranks behind: what fails anywhere is told on all ranks, also to those that wait in a
- * filter of this project for a rank whose script has raised. A script may hang the ranks only by itself, when it raises on some of
- * them while others wait for these in a filter or writer of ParaView's own. In the second kind it depends on the implementation
- * whether a script's failure is told: ParaView's does from 6.0 on, before only where other ranks wait in a filter of this project.
- *
- * One in the life of a process; all calls are collective. Make it after MPI_Init, destroy it before MPI_Finalize.
+ * Scripts find the grid as the input "input", composite data with one image per box, whose arrays
+ * are the memory of the simulation. Images of finer levels have smaller cells; cells below finer
+ * levels are hidden (vtkGhostType).
+ * - Legacy Catalyst: vtkMultiBlockDataSet with one block per box of every rank. The global numbers
+ *   are its field data.
+ * - Catalyst 2: vtkPartitionedDataSetCollection; "box0" contains the first box of each rank, and so
+ *   on. The global numbers are field data of each of them.
  */
 #pragma once
 
@@ -28,7 +25,8 @@
 namespace vfm
 {
 
-/// A number of the whole simulation, same on all ranks, that a script may wait for: how many fragments, how much energy.
+/// Number of the whole simulation, equal on all ranks, for instance the number of fragments or the
+/// energy. Scripts may use it as a trigger.
 struct HostNumber
 {
   std::string Name;
@@ -37,33 +35,53 @@ struct HostNumber
 
 class CatalystRun;
 
+/// Catalyst in a process. Only one may be made during the life of the process, after MPI_Init; it
+/// must be destroyed before MPI_Finalize. All calls are collective.
+///
+/// No function throws or ends the process. A failure on any rank is reported on all ranks, even if
+/// some wait in a filter of this project for a rank whose script has failed. Ranks can only hang if
+/// a script fails on some of them while others wait in a filter or writer of ParaView itself.
+///
+/// With Catalyst 2, it depends on the implementation whether the failure of a script is reported.
+/// ParaView reports it since 6.0; earlier only if other ranks wait in a filter of this project.
 class CatalystAdaptor
 {
 public:
-  /// communicator: the ranks of the simulation; duplicated, so messages stay apart. scripts: paths of Python scripts,
-  /// which see the environment of the process. A script that cannot be read is left out: see GetError. Second kind: libcatalyst loads the
-  /// implementation that CATALYST_IMPLEMENTATION_NAME and CATALYST_IMPLEMENTATION_PATHS tell; without scripts any will do.
+  /// Starts Catalyst. A script that cannot be read is not run, see GetError.
+  /// @param communicator  ranks of the simulation; it is duplicated, so that messages stay apart
+  /// @param scripts  paths of Python scripts, which see the environment of the process
+  /// @note Catalyst 2: libcatalyst loads the implementation that the environment variables
+  ///   CATALYST_IMPLEMENTATION_NAME and CATALYST_IMPLEMENTATION_PATHS name. Without scripts any
+  ///   implementation is accepted.
   CatalystAdaptor(MPI_Comm communicator, const std::vector<std::string>& scripts);
   ~CatalystAdaptor();
   CatalystAdaptor(const CatalystAdaptor&) = delete;
   CatalystAdaptor& operator=(const CatalystAdaptor&) = delete;
 
-  /// Hands the step to the scripts. The host's arrays must stay as they are during this call alone. time: of the simulation;
-  /// step: counts up; last: whether no other step follows.
-  /// False, on all ranks alike, when a script failed now or was left out before, or the grid is wrong on any rank;
-  /// then GetError tells.
-  /// First kind: scripts are asked whether they want the step; VTK data are made when any does. A script whose code cannot be loaded is left
-  /// out from then on; one that fails in a step is called again in the next. They see last as
-  /// info.dataDescription.GetForceOutput().
-  /// Second kind: each step is handed over; VTK data are made when a script updates the input. After a failure no other step is.
-  /// They see last as catalyst/state/last of info.catalyst_params.
+  /// Passes a step to the scripts.
+  ///
+  /// Legacy Catalyst: VTK data are made only if a script requests the step. A script that cannot be
+  /// loaded is not run any more; one that fails in a step is called again in the next. Scripts see
+  /// `last` as info.dataDescription.GetForceOutput().
+  ///
+  /// Catalyst 2: each step is passed; VTK data are made when a script updates the input. After a
+  /// failure no further step is passed. Scripts see `last` as catalyst/state/last of
+  /// info.catalyst_params.
+  /// @param grid  boxes of this rank; its arrays must not change during this call
+  /// @param time  time of the simulation
+  /// @param step  number of the step, increasing
+  /// @param numbers  numbers of the whole simulation, equal on all ranks
+  /// @param last  whether no other step follows
+  /// @return false, on all ranks, if a script fails or has been excluded before, or if the grid is
+  ///   invalid on any rank; GetError returns the reason
   bool Process(const HostGrid& grid, double time, int step,
     const std::vector<HostNumber>& numbers = {}, bool last = false);
 
-  /// What failed, the same text on all ranks, one failure a line; empty when all is well. Python has printed where.
+  /// Returns all failures, one per line, equal on all ranks; empty if there are none. Python has
+  /// printed the traceback.
   const std::string& GetError() const;
 
-  /// The steps that were handed over.
+  /// Returns the number of steps that were passed to scripts.
   int GetNumberOfStepsMade() const;
 
 private:

@@ -1,5 +1,5 @@
 /**
- * CatalystRun: Catalyst inside a process, of one kind or the other. What fails on any rank becomes a line of text on all.
+ * CatalystRun: runs Catalyst inside a process, base of legacy Catalyst and Catalyst 2.
  */
 #pragma once
 
@@ -10,6 +10,7 @@
 namespace vfm
 {
 
+/// Step of the simulation.
 struct HostStep
 {
   double Time;
@@ -17,26 +18,28 @@ struct HostStep
   bool IsLast; ///< no other step follows
 };
 
-/// Adds a line to lines of text, unless it is empty.
+/// Appends a line to a text, unless the line is empty.
 void AddLine(std::string& text, const std::string& line);
 
-/// All calls are collective.
+/// Catalyst in a process. All calls are collective. A failure on any rank adds a line of text on
+/// all.
 class CatalystRun
 {
 public:
   explicit CatalystRun(MPI_Comm communicator);
   virtual ~CatalystRun();
 
-  /// As CatalystAdaptor::Process; false where the step failed.
+  /// Passes a step to the scripts, see CatalystAdaptor::Process; returns false if the step failed.
   virtual bool Process(
     const HostGrid& grid, const HostStep& step, const std::vector<HostNumber>& numbers) = 0;
 
-  std::string LeftOut; ///< failures for good, a line each
-  std::string Failed;  ///< failures of the last step, a line each
+  std::string LeftOut; ///< permanent failures, one per line
+  std::string Failed;  ///< failures of the last step, one per line
   int StepsMade = 0;
 
 protected:
-  /// Whether the work(), which may throw InputError on any rank, went well everywhere; adds what failed to the errors.
+  /// Calls work(), which may throw InputError on any rank. Returns whether it succeeded on all
+  /// ranks; otherwise appends the message to `errors`.
   template <class Work>
   bool Agree(const Work& work, std::string& errors)
   {
@@ -52,17 +55,18 @@ protected:
     }
   }
 
-  /// Whether all ranks can read the script; else it is left out.
+  /// Returns whether all ranks can read a script; otherwise adds a permanent failure.
   bool CanRead(const std::string& script);
 
+  /// Records that Catalyst cannot start a second time.
   void RejectStart();
 
   static bool HasStarted; // ParaView cannot start again after it has ended
-  MPI_Comm Communicator;  // a duplicate
+  MPI_Comm Communicator;  // duplicate of the simulation's communicator
   MpiRanks Group;
 };
 
-/// Defined by each kind.
+/// Starts Catalyst; defined by the library of the build.
 std::unique_ptr<CatalystRun> StartCatalyst(
   MPI_Comm communicator, const std::vector<std::string>& scripts);
 

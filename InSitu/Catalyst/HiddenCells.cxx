@@ -5,7 +5,7 @@ namespace vfm
 namespace
 {
 
-/// The host's marks of a box, or null.
+/// Returns the marks that the simulation has for a box, or null.
 const unsigned char* FindGhostTypes(const HostBox& box)
 {
   for (const HostArray& array : box.Arrays)
@@ -19,7 +19,8 @@ const unsigned char* FindGhostTypes(const HostBox& box)
   return nullptr;
 }
 
-/// Without layers that are copies of other boxes: coarser cells below them may be the finest there.
+/// Returns the cells of a box without layers that are copies of other boxes. Coarser cells below
+/// such layers may be the finest at their place.
 HostPlace FindPlace(const HostBox& box)
 {
   const unsigned char* types = FindGhostTypes(box);
@@ -44,6 +45,7 @@ HostPlace FindPlace(const HostBox& box)
   return place;
 }
 
+/// Returns the marks of the simulation, or zeros.
 std::vector<unsigned char> CopyGhostTypes(const HostBox& box)
 {
   const Index cells = box.Cells.NumberOfCells();

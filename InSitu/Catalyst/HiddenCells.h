@@ -1,5 +1,5 @@
 /**
- * HiddenCells: cells below boxes of finer levels, which whoever draws or sums the grid leaves out.
+ * HiddenCells: marks cells below boxes of finer levels, which pictures and sums must skip.
  */
 #pragma once
 
@@ -9,30 +9,33 @@
 namespace vfm
 {
 
-///@{ Of VTK: the array of marks, and bits in it: a copy of another box's cell; a cell that does not count.
+///@{ Name and bits of VTK's array of marks: DuplicateCell for a copy of a cell of another box,
+/// HiddenCell for a cell that is skipped.
 constexpr const char* GhostTypeName = "vtkGhostType";
 constexpr unsigned char DuplicateCell = 1, HiddenCell = 32;
 ///@}
 
-/// Cells that no other box of its level has.
+/// Cells of a box that no other box of its level has.
 struct HostPlace
 {
   IndexBox Cells;
-  Index Level; // no padding is sent
+  Index Level; // an Index, so that the struct is sent without padding
 };
 
-/// The boxes of all ranks, by rank.
+/// Boxes of all ranks, by rank.
 struct HostPlaces
 {
   std::vector<HostPlace> All;
-  std::size_t First = 0; ///< of this rank
-  std::size_t Most = 0;  ///< boxes on any rank
+  std::size_t First = 0; ///< index of the first box of this rank
+  std::size_t Most = 0;  ///< largest number of boxes per rank
 };
 
-/// Collective.
+/// Gathers the boxes of all ranks.
+/// @pre Collective
 HostPlaces GatherHostPlaces(const HostGrid& grid, Ranks& ranks);
 
-/// The marks of the box's cells, the host's own among them, when boxes of finer levels cover some; else none.
+/// Returns the marks of a box's cells if finer boxes cover some of them; otherwise an empty list.
+/// Marks of the simulation are included.
 std::vector<unsigned char> HideCovered(const HostBox& box, const HostPlaces& places);
 
 } // namespace vfm

@@ -15,14 +15,15 @@ namespace vfm
 namespace
 {
 
-/// VTK asks for a pointer that is not const; nothing writes to the input of a filter.
+/// Makes an array of the simulation's memory. VTK requires a pointer that is not const, but nothing
+/// writes to the input of a filter.
 vtkSmartPointer<vtkDataArray> MakeArray(const HostArray& from, Index cells)
 {
   auto array =
     vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(static_cast<int>(from.Type)));
   array->SetName(from.Name.c_str());
   array->SetNumberOfComponents(from.Components);
-  const int keep = 1; // VTK does not free the values
+  const int keep = 1; // VTK must not free the values
   array->SetVoidArray(const_cast<void*>(from.Values), cells * from.Components, keep);
   return array;
 }
@@ -48,7 +49,7 @@ vtkSmartPointer<vtkImageData> MakeImage(const HostGrid& grid, const HostBox& box
 
 static_assert(DuplicateCell == vtkDataSetAttributes::DUPLICATECELL &&
     HiddenCell == vtkDataSetAttributes::HIDDENCELL,
-  "the bits are VTK's");
+  "the bits have the values of VTK");
 
 void AddGhostTypes(const std::vector<unsigned char>& types, vtkDataObject* image)
 {

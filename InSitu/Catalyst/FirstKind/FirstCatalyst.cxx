@@ -1,5 +1,5 @@
 /**
- * The first kind of Catalyst: ParaView's own library.
+ * FirstCatalyst: runs legacy Catalyst, ParaView's own library.
  */
 #include "CatalystRun.h"
 #include "HostImages.h"
@@ -75,7 +75,7 @@ FirstCatalyst::~FirstCatalyst()
 {
   for (const vtkSmartPointer<ScriptPipeline>& script : this->Scripts)
   {
-    script->Finalize(); // before the processor takes the communicator away
+    script->Finalize(); // scripts need the communicator, which the processor removes
   }
   this->Scripts.clear();
   this->Processor->RemoveAllPipelines();
@@ -85,7 +85,8 @@ FirstCatalyst::~FirstCatalyst()
   }
 }
 
-/// Throws what Python printed when the work is false; otherwise: what is told when it printed nothing.
+/// Calls work() and throws the errors that Python printed if it returns false.
+/// @param otherwise  message if Python printed nothing
 template <class Work>
 void FirstCatalyst::RunPython(const Work& work, const std::string& otherwise)
 {
@@ -105,7 +106,7 @@ void FirstCatalyst::AddScript(const std::string& path)
   }
   if (vtkCPPythonPipeline::DetectScriptVersion(path.c_str()) == 1)
   {
-    AddLine(this->LeftOut, "Script " + path + " is of Catalyst's version 1; 2 is needed.");
+    AddLine(this->LeftOut, "Script " + path + " is a Catalyst script of version 1; 2 is required.");
     return;
   }
   vtkNew<ScriptPipeline> pipeline;
@@ -119,7 +120,7 @@ void FirstCatalyst::AddScript(const std::string& path)
   }
 }
 
-/// Whether any script wants the step; those that cannot be asked are left out from now on.
+/// Returns whether any script requests the step. Scripts that fail to answer are excluded.
 bool FirstCatalyst::IsRequested(vtkCPDataDescription* description)
 {
   std::vector<vtkSmartPointer<ScriptPipeline>> kept;
@@ -172,7 +173,7 @@ bool FirstCatalyst::Process(
       [&] { return this->Processor->CoProcess(description); }, "A Catalyst script failed.");
   };
   const bool done = this->Agree(run, this->Failed);
-  blocks->Initialize(); // the scripts keep it, but not the host's memory
+  blocks->Initialize(); // scripts keep the object, but must not keep the simulation's memory
   return done;
 }
 

@@ -11,8 +11,8 @@ namespace vfm
 namespace
 {
 
-// Catalyst calls scripts through these functions, and prints an exception that comes out of them; the printing
-// of a SystemExit ends the process.
+// Catalyst calls scripts through these functions and prints their exceptions. Printing a SystemExit
+// would end the process.
 constexpr const char* GuardCode = R"(
 def _vfm_guard():
     import functools
@@ -26,7 +26,8 @@ def _vfm_guard():
             except BaseException as error:
                 script = v2_internals._get_script_filename() or "of Catalyst"
                 what = " ".join(str(error).split())
-                raise RuntimeError("Script %s: %s: %s" % (script, type(error).__name__, what)) from error
+                raise RuntimeError(
+                    "Script %s: %s: %s" % (script, type(error).__name__, what)) from error
         guarded.is_guarded = True
         return guarded
 

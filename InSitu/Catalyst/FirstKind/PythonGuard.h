@@ -1,5 +1,5 @@
 /**
- * PythonGuard: what Python code prints as errors, and scripts that may not end the process.
+ * PythonGuard: collects the errors that Python prints, and keeps scripts from ending the process.
  */
 #pragma once
 
@@ -14,6 +14,7 @@ class vtkPythonInterpreter;
 namespace vfm
 {
 
+/// Observer of the Python interpreter. Python's errors are collected during its lifetime.
 class PythonGuard
 {
 public:
@@ -22,11 +23,12 @@ public:
   PythonGuard(const PythonGuard&) = delete;
   PythonGuard& operator=(const PythonGuard&) = delete;
 
-  /// Makes every exception of a Catalyst script, SystemExit too, an error that names the script. Call once Python runs.
+  /// Turns each exception of a Catalyst script, also SystemExit, into an error with the name of the
+  /// script. Python must be running.
   void GuardScripts();
 
-  /// What was printed of errors since the last call, without the traces of calls: of each script that failed a line; if
-  /// none did, the last line.
+  /// Returns the errors printed since the last call, without tracebacks: one line per script that
+  /// failed, or the last line if none did.
   std::string TakeErrors();
 
 private:

@@ -20,7 +20,7 @@ bool ScriptPipeline::RequestFields(vtkCPDataDescription* description)
     this->Initialized =
       this->Script->Import(description) && this->Script->CatalystInitialize(description);
   }
-  // What could not be initialized must not be asked: ParaView would follow a null pointer.
+  // A script that is not initialized must not be called: ParaView would follow a null pointer.
   return this->Initialized && this->Script->RequestDataDescription(description);
 }
 

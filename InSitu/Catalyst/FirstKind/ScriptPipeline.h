@@ -1,6 +1,6 @@
 /**
- * ScriptPipeline: a Catalyst script of version 2 that tells failures apart from steps it does not want. ParaView's own
- * vtkCPPythonScriptV2Pipeline answers 0 to both.
+ * ScriptPipeline: runs a Catalyst script of version 2 and distinguishes failures from steps that
+ * the script does not request. ParaView's vtkCPPythonScriptV2Pipeline returns 0 in both cases.
  */
 #pragma once
 
@@ -13,19 +13,22 @@
 namespace vfm
 {
 
+/// Catalyst pipeline of one script.
 class ScriptPipeline : public vtkCPPythonPipeline
 {
 public:
   static ScriptPipeline* New();
   vtkTypeMacro(ScriptPipeline, vtkCPPythonPipeline);
 
-  /// Makes the file known to Python, without running it. False when that fails.
+  /// Loads the file without running it; returns false if that fails.
   bool Open(const std::string& path);
 
-  /// Whether the script could be asked; runs it first. What it wants is in the description.
+  /// Runs the script at the first call, and enters its requests into the description. Returns false
+  /// if it fails.
   bool RequestFields(vtkCPDataDescription* description);
 
-  /// vtkCPProcessor's calls. 1: it wants the step; it worked; it ended.
+  /// Functions that vtkCPProcessor calls. They return 1 if the script requests the step, if it has
+  /// worked, or if it has ended.
   int RequestDataDescription(vtkCPDataDescription* description) override;
   int CoProcess(vtkCPDataDescription* description) override;
   int Finalize() override;

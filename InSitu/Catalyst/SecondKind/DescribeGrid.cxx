@@ -12,7 +12,8 @@ using conduit_cpp::Node;
 constexpr const char* CoordinatesName = "coords";
 constexpr const char* TopologyName = "mesh";
 
-/// A child of this very name, no path. Conduit tells names with slashes in braces.
+/// Adds a child of exactly this name, which is not taken as a path. Conduit shows names with
+/// slashes in braces.
 Node AddChild(Node& parent, const std::string& name)
 {
   return conduit_cpp::cpp_node(conduit_node_add_child(conduit_cpp::c_node(&parent), name.c_str()));
@@ -47,7 +48,7 @@ Node AddField(const std::string& name, Node& mesh)
   field["association"].set_string("element");
   if (name.find('/') != std::string::npos)
   {
-    field["display_name"].set_string(name); // for VTK, from 9.6 on
+    field["display_name"].set_string(name); // used by VTK since 9.6
   }
   field["topology"].set_string(TopologyName);
   return field["values"];
@@ -68,7 +69,7 @@ void DescribeArray(const HostArray& array, Index cells, Node& mesh)
   }
 }
 
-/// Without cells where the box has none.
+/// Describes the cells of a box; a mesh without cells if the box has none.
 void DescribeCells(const HostGrid& grid, const HostBox& box, Node& mesh)
 {
   Node coordinates = mesh["coordsets"][CoordinatesName];

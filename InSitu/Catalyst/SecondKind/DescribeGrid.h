@@ -1,5 +1,5 @@
 /**
- * DescribeGrid: a HostGrid in the words of Conduit's Mesh Blueprint.
+ * DescribeGrid: describes a HostGrid by Conduit's Mesh Blueprint.
  */
 #pragma once
 
@@ -11,10 +11,15 @@
 namespace vfm
 {
 
-/// Collective: makes the node an object of meshes "box0", "box1" ..., as Catalyst's protocol "multimesh" wants it: the boxes of this rank,
-/// and meshes without cells up to the most boxes of any rank, for all ranks to have the same. Each is a uniform grid whose fields are the
-/// host's memory; its state tells the number of the box among those of all ranks, its level and the numbers. Cells below
-/// finer boxes are hidden: the field vtkGhostType, a copy. Throws InputError as CheckHostGrid does.
+/// Fills a node with meshes "box0", "box1", ..., as Catalyst's protocol "multimesh" requires. They
+/// are the boxes of this rank, then meshes without cells, so that all ranks have equally many.
+///
+/// Each mesh is a uniform grid whose fields are the memory of the simulation. Its state contains
+/// the number of the box over all ranks, its level and the global numbers. Cells below finer boxes
+/// are hidden by the field vtkGhostType, which is a copy.
+/// @param[out] meshes  node to fill
+/// @throws InputError  same conditions as CheckHostGrid, or if there are no boxes on any rank
+/// @pre Collective
 void DescribeGrid(const HostGrid& grid, const std::vector<HostNumber>& numbers, Ranks& ranks,
   conduit_cpp::Node& meshes);
 

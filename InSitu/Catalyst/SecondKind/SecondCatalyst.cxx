@@ -1,5 +1,5 @@
 /**
- * The second kind of Catalyst: libcatalyst.
+ * SecondCatalyst: runs Catalyst 2, libcatalyst.
  */
 #include "CatalystRun.h"
 #include "DescribeGrid.h"
@@ -15,7 +15,7 @@ namespace
 
 using conduit_cpp::Node;
 
-/// What went wrong, as far as libcatalyst knows it; implementations have numbers of their own.
+/// Describes a status of libcatalyst; implementations have additional numbers.
 std::string NameStatus(catalyst_status status)
 {
   const char* name = std::getenv("CATALYST_IMPLEMENTATION_NAME");
@@ -28,7 +28,7 @@ std::string NameStatus(catalyst_status status)
     case catalyst_status_error_incomplete:
     case catalyst_status_error_unsupported_version:
       return "the implementation '" + std::string(name ? name : "") +
-        "' (CATALYST_IMPLEMENTATION_NAME) does not fit libcatalyst.";
+        "' (CATALYST_IMPLEMENTATION_NAME) is not compatible with libcatalyst.";
     default:
       return "status " + std::to_string(status) + " of its implementation.";
   }
@@ -42,10 +42,11 @@ void Check(catalyst_status status, const std::string& what)
   }
 }
 
-/// Of the node catalyst/channels: what the scripts know the grid as.
+/// Name of the grid for scripts, a child of the node catalyst/channels.
 constexpr const char* InputName = "input";
 
-/// Whether libcatalyst has loaded nothing that would run scripts, and is not asked for dumps either.
+/// Returns whether libcatalyst has loaded no implementation that runs scripts, and dumps are not
+/// requested either.
 bool IsIdle()
 {
   Node about;
@@ -66,8 +67,8 @@ public:
 private:
   void Start(const std::vector<std::string>& scripts);
 
-  bool IsStarted = false;  ///< so that it has to end
-  bool TakesSteps = false; ///< the same on all ranks
+  bool IsStarted = false;  ///< catalyst_finalize must be called
+  bool TakesSteps = false; ///< steps are passed; equal on all ranks
 };
 
 SecondCatalyst::SecondCatalyst(MPI_Comm communicator, const std::vector<std::string>& scripts) :
@@ -115,8 +116,9 @@ void SecondCatalyst::Start(const std::vector<std::string>& scripts)
   this->IsStarted = true;
   if (!scripts.empty() && IsIdle())
   {
-    throw InputError("No script is run: libcatalyst has no implementation that would. "
-                     "CATALYST_IMPLEMENTATION_NAME must name one, as paraview.");
+    throw InputError(
+      "No script is run: libcatalyst has loaded no implementation that runs scripts. "
+      "Set CATALYST_IMPLEMENTATION_NAME, for instance to paraview.");
   }
 }
 
@@ -144,7 +146,8 @@ bool SecondCatalyst::Process(
     return false;
   }
   ++this->StepsMade;
-  // An implementation does not call a failed script again, but on other ranks it would: they would wait for this one.
+  // An implementation calls a failed script again only on ranks where it did not fail. They would
+  // wait for this rank.
   this->TakesSteps = this->Agree(
     [&]
     {
