@@ -1,5 +1,5 @@
-"""Defines hexes() and tets(), which make a mesh from arrays or images. The lines between markers and
-the docstrings of options are written by scripts/generate."""
+"""Defines hexes() and tets(), which make a mesh from arrays or images. The lines between markers
+and the docstrings of options are written by scripts/generate."""
 
 from __future__ import annotations
 

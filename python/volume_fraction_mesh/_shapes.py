@@ -139,7 +139,8 @@ def surface(
     surfaces : path, pyvista.PolyData, meshio.Mesh, array_like or tuple, or dict of them
         A closed surface: a file, an object of PyVista or meshio, points of shape (n, 3), or a tuple
         (points, triangles). A dict holds one surface per material, by name; they must not overlap.
-        STL files need only NumPy, other files meshio.
+        The walls of a cavity must face opposite to the outer walls. STL files require only NumPy,
+        other files meshio.
     cells : int or sequence of 3 ints, default 64
         Numbers of cells along x, y and z. One number is the number along the longest side, with
         cubic cells.

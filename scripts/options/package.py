@@ -93,7 +93,8 @@ def parameters_of_tets(table):
               for line in parameter(row, table, row["text_of_tets"])]
     names = ", ".join(row["python"] for row in rows if not row["text_of_tets"])
     for line in wrap(names, "    ", width=WIDTH - len(" : see hexes")):
-        lines += [line.rstrip(",") + " : see hexes", "        Option of `hexes`, with the same default."]
+        lines += [line.rstrip(",") + " : see hexes",
+                  "        Option of `hexes`, with the same default."]
     return lines
 
 
