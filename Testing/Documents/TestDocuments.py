@@ -21,6 +21,7 @@ TOPS = ("Data", "Documentation", "Examples", "Filters", "Grid", "IO", "InSitu", 
         "Parallel", "Plugin", "Shapes", "Testing", "python", "scripts")
 NAMED = re.compile(r"(?<![\w./-])(?:%s)/[\w./*-]*\w" % "|".join(TOPS))
 PLUGIN_FROM_HERE = re.compile(r"LoadPlugins?\([\"'](?!/)")
+NUMBER = re.compile(r"\d[\d,]*(?:\.\d+)?(?:e-\d+)?")
 BARE_FRACTION = re.compile(r"(?<![\w.\])*])\.\d")
 ENDINGS = ("", ".h", ".cxx", ".py")
 LONGEST_README = 150  # lines
@@ -192,6 +193,16 @@ class Documents(unittest.TestCase):
                     if python not in mesher]
                    + ["%s: no call %s" % (OPTIONS, name) for _, _, _, name in rows
                       if name.endswith("()") and name[:-2] not in calls])
+
+    def test_figures_of_the_readme_are_measured(self):
+        page = read("README.md")
+        table = page[page.index("## Figures"):page.index("## Gallery")]
+        rows = [line.split("|")[2] for line in table.splitlines() if line.startswith("| ")][1:]
+        measured = " ".join(read(path) for path in PAGES if "/validation/" in path)
+        known = set(NUMBER.findall(measured))
+        self.assertEqual(len(rows), 6)
+        self.check(["%s is in no page of validation" % number for row in rows
+                    for number in NUMBER.findall(row) if number not in known])
 
     def test_readme_is_short(self):
         self.assertLessEqual(read("README.md").count("\n"), LONGEST_README)
