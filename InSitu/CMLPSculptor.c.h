@@ -61,8 +61,8 @@ extern "C"
    * @param stair_step  0: the mesh is smoothed; otherwise cells become elements, no node is moved
    * @param smooth  0: off, 1: quadric surfaces, 2: geometry based
    * @param tet_mesh  0: hexahedra, otherwise tetrahedra
-   * @return SCULPTOR_ERROR_ARGUMENT if an argument is wrong; SCULPTOR_ERROR_INPUT if the fractions
-   *   cannot be meshed. There is then no mesh
+   * @return SCULPTOR_ERROR_ARGUMENT if an argument is wrong; SCULPTOR_ERROR_INPUT if boxes,
+   *   neighbours or fractions cannot be meshed. There is then no mesh
    * @pre Collective
    */
   SCULPTOR_EXPORT int c_mesh_from_data(int handle, double xmin, double ymin, double zmin,

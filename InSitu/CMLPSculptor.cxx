@@ -1,5 +1,5 @@
 /**
- * The calls of CMLPSculptor.c.h, on the sculptors of Sculptor.h.
+ * Implements the calls of CMLPSculptor.c.h on the sculptors of Sculptor.h.
  */
 #include "CMLPSculptor.c.h"
 
@@ -23,7 +23,7 @@ int ToInt(Index count)
   if (count > std::numeric_limits<int>::max())
   {
     throw vfm::InputError(vfm::ErrorCode::TooLarge,
-      std::to_string(count) + " is more than an int counts; use the calls sculptor_get_*.");
+      std::to_string(count) + " exceeds the range of int; use the calls sculptor_get_*.");
   }
   return static_cast<int>(count);
 }
@@ -38,7 +38,7 @@ int NotNegative(int value, const char* name)
   return value;
 }
 
-/// Nodes, hexahedra and tetrahedra; all or, when it throws, none.
+/// Sets the numbers of nodes, hexahedra and tetrahedra. If it throws, it sets none of them.
 void SetTotals(
   Index points, Index elements, int corners, int* numNodes, int* numHexes, int* numTets)
 {
@@ -51,7 +51,8 @@ void SetTotals(
   *numTets = corners == TetCorners ? count : 0;
 }
 
-/// The whole mesh where part is null. Elements of another kind than corners: nothing but the nodes.
+/// Copies the nodes and elements of the whole mesh, or of `part` unless it is null. If the elements
+/// do not have the given number of corners, copies only the nodes.
 void CopyMesh(SculptorSession& session, const vfm::FragmentParts::Part* part, int corners,
   double* coords, int* elements)
 {
@@ -96,7 +97,7 @@ vfm::FragmentParts::Part GetPart(SculptorSession& session, int fragment)
   if (fragment < 1 || fragment > session.GetNumberOfFragments())
   {
     throw InputError("There is no fragment " + std::to_string(fragment) +
-      "; they are numbered 1 to " + std::to_string(session.GetNumberOfFragments()) + ".");
+      "; fragments are numbered 1 to " + std::to_string(session.GetNumberOfFragments()) + ".");
   }
   return session.GetFragmentParts().Get(fragment);
 }
@@ -148,7 +149,7 @@ int c_mesh_from_data(int handle, double xmin, double ymin, double zmin, double x
         session.SetOption("StairStep", stair_step ? "1" : "0");
         session.SetOption("Smoothing", std::to_string(smooth));
       };
-      // vfrac may be gone when the host calls again.
+      // The host may free vfrac before its next call.
       struct ForgetFields
       {
         ~ForgetFields() { this->Session.Blocks.ClearFields(); }

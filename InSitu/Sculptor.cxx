@@ -1,5 +1,6 @@
 /**
- * The calls of Sculptor.h: handles, null pointers and exceptions end here.
+ * Implements the calls of Sculptor.h, except for the geometry. Checks handles and pointers and
+ * converts exceptions to codes.
  */
 #include "Sculptor.h"
 
@@ -14,7 +15,7 @@ using vfm::WithSession;
 namespace
 {
 
-/// Null without values.
+/// Returns an array of the mesh, null if it is empty.
 template <class Value>
 int GetArray(
   int sculptor, vfm::Buffer<Value> vfm::Mesh::*array, const Value** values, const char* name)

@@ -16,7 +16,7 @@ struct SculptorTable
 
 SculptorTable& Table()
 {
-  static SculptorTable* table = new SculptorTable; // outlives what hosts do in their destructors
+  static SculptorTable* table = new SculptorTable; // never deleted: static objects may still use it
   return *table;
 }
 
@@ -27,7 +27,7 @@ InputError WrongHandle(int handle)
       ": it was never created, or has been deleted." };
 }
 
-/// The code of the C interface.
+/// Returns the code of the C interface.
 int CodeOf(ErrorCode code)
 {
   switch (code)
@@ -89,7 +89,7 @@ void LastCall::Set(int code, const char* text) noexcept
   }
   catch (const std::bad_alloc&)
   {
-    this->Text.clear(); // the code alone tells
+    this->Text.clear(); // only the code is reported
   }
 }
 
@@ -112,7 +112,7 @@ std::shared_ptr<Sculptor> FindSculptor(int handle)
 
 void RemoveSculptor(int handle)
 {
-  std::shared_ptr<Sculptor> last; // ends after the lock
+  std::shared_ptr<Sculptor> last; // destroyed after the lock is released
   SculptorTable& table = Table();
   const std::lock_guard<std::mutex> lock(table.Mutex);
   const auto found = table.Sculptors.find(handle);

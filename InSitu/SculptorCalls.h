@@ -1,6 +1,6 @@
 /**
- * SculptorCalls: what the calls of the C interface, those of Sculptor.h and of CMLPSculptor.c.h, share: the sculptors of the
- * process by their handles, and the end of every exception. No function here throws but where it says so.
+ * SculptorCalls: common code of the calls of Sculptor.h and CMLPSculptor.c.h. It maps handles to
+ * the sculptors of the process and exceptions to codes. Functions throw only where they say so.
  */
 #pragma once
 
@@ -14,11 +14,12 @@
 namespace vfm
 {
 
-/// What became of the last call.
+/// Code of the last call, and message of the last call that failed.
 class LastCall
 {
 public:
-  /// Does the work; what it throws becomes a code, which is returned, and a text.
+  /// Runs work() and converts an exception to a code and a message.
+  /// @return SculptorCode
   template <class Work>
   int Do(const Work& work)
   {
@@ -34,11 +35,11 @@ public:
     return this->Code;
   }
   int GetCode() const { return this->Code; }
-  /// Of the last call that failed.
+  /// Returns the message of the last call that failed.
   const std::string& GetText() const { return this->Text; }
 
 private:
-  /// Of the exception in flight.
+  /// Sets the code and message of the exception that is being handled.
   void Report() noexcept;
   void Set(int code, const char* text) noexcept;
 
@@ -46,24 +47,33 @@ private:
   std::string Text;
 };
 
+/// Sculptor of a handle.
 struct Sculptor
 {
   SculptorSession Session;
-  LastCall Call; ///< with this sculptor
+  LastCall Call; ///< last call with this handle
 };
 
-/// A new one; its handle, from 1. Throws when memory is short.
+/// Creates a sculptor.
+/// @return handle, from 1
+/// @throws std::bad_alloc
 int AddSculptor();
-/// Null when there is none.
+/// Returns the sculptor of a handle, or null.
 std::shared_ptr<Sculptor> FindSculptor(int handle);
-/// Throws InputError when there is none.
+/// Deletes the sculptor of a handle.
+/// @throws InputError  if the handle is invalid
+/// @pre Collective if the sculptor has made a mesh, because its communicator is freed
 void RemoveSculptor(int handle);
 
-/// Of this thread: to create, to delete, or with a handle that no sculptor has.
+/// Returns the last call of this thread without a valid handle: creation, deletion, or a call with
+/// an invalid handle.
 LastCall& CallWithoutSculptor();
+/// Records a call with an invalid handle.
+/// @return SCULPTOR_ERROR_HANDLE
 int RejectHandle(int handle);
 
-/// Does the work with the session of a handle; returns the code.
+/// Runs work(session) with the session of a handle.
+/// @return SculptorCode
 template <class Work>
 int WithSession(int handle, const Work& work)
 {
@@ -71,7 +81,8 @@ int WithSession(int handle, const Work& work)
   return sculptor ? sculptor->Call.Do([&] { work(sculptor->Session); }) : RejectHandle(handle);
 }
 
-/// The pointer; throws InputError with the argument's name when it is null.
+/// Returns the pointer.
+/// @throws InputError  with the name of the argument, if the pointer is null
 template <class T>
 T* NotNull(T* pointer, const char* name)
 {

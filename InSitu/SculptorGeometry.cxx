@@ -1,5 +1,5 @@
 /**
- * The calls of Sculptor.h for the geometry that a mesh resolves.
+ * Implements the calls of Sculptor.h for the geometry that a mesh resolves.
  */
 #include "Sculptor.h"
 
@@ -12,7 +12,7 @@ using vfm::WithSession;
 namespace
 {
 
-/// Facets, edges or vertices, of so many corners, with their ids. Null without any.
+/// Returns the points and ids of facets, edges or vertices, null if there are none.
 void GiveCells(const vfm::Buffer<vfm::Index>& own, const vfm::Buffer<int>& ownIds, int64_t* count,
   const char* nameOfCount, const int64_t** points, const char* nameOfPoints, const int** ids)
 {

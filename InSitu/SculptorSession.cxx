@@ -18,33 +18,35 @@ namespace vfm
 namespace
 {
 
-constexpr double LargestHash = 0x1p53; // what a double counts
+constexpr double LargestHash = 0x1p53; // integers up to it are exact in a double
 
-/// Collective: throws on all ranks when their texts differ.
+/// Throws on all ranks if their texts differ.
+/// @pre Collective
 void AgreeOn(const std::string& text, Ranks& ranks)
 {
   const double hash = std::fmod(static_cast<double>(std::hash<std::string>()(text)), LargestHash);
   if (ranks.Max(hash) != -ranks.Max(-hash))
   {
-    throw InputError("The ranks do not agree on options, or on hexahedra or tetrahedra.");
+    throw InputError("The ranks do not agree on options or on the type of elements. All ranks must "
+                     "set the same options and request the same type.");
   }
 }
 
-/// Does the work of this rank alone; errors tell the rank, where there are several.
+/// Runs work(), which must not communicate. If there are several ranks, errors name this rank.
 template <class Work>
 void NameRank(const Ranks& ranks, const Work& work)
 {
   PrefixErrors(ranks.Count() > 1 ? "Rank " + std::to_string(ranks.Rank()) + ": " : "", work);
 }
 
-///@{ A value of a field; texts are none.
+///@{ Returns a value of a field. A field of texts is rejected.
 template <class Value>
 double NumberAt(const std::vector<Value>& values, const std::string& name, int index)
 {
   if (index < 0 || index >= static_cast<Index>(values.size()))
   {
     throw InputError("'" + name + "' has " + std::to_string(values.size()) +
-      " values, counted from 0; asked for " + std::to_string(index) + ".");
+      " values, counted from 0; there is no value " + std::to_string(index) + ".");
   }
   return static_cast<double>(values[index]);
 }
@@ -65,7 +67,8 @@ std::vector<std::string> NamesOf(const std::vector<FieldName>& fields)
   return names;
 }
 
-/// where: for the message.
+/// Finds a state of type double.
+/// @param where  part of the message
 const TransferredArray& FindState(const TransferredArray* first, std::size_t count,
   const std::string& name, const std::string& where)
 {
@@ -92,7 +95,7 @@ void SculptorSession::SetOption(const std::string& name, const std::string& valu
     this->IndexBase = value == "1" ? 1 : 0;
     return;
   }
-  this->Options.Elements = ElementKind::Tets; // which have all options
+  this->Options.Elements = ElementKind::Tets; // tetrahedra accept all options
   vfm::SetOption(this->Options, name, value);
   this->Texts[name] = value;
 }
@@ -112,15 +115,15 @@ void SculptorSession::CheckNeighbours() const
   if (this->Neighbours && !this->Blocks.IsOneBox())
   {
     const std::string here = this->Blocks.Count() == 1
-      ? "is one of a finer level"
-      : "are " + std::to_string(this->Blocks.Count()) + " blocks";
-    throw InputError("Face neighbours (sculptor_set_neighbours) are for one block of level 0 on "
-                     "every rank; here " +
-      here + ". Without neighbours (a null pointer) cells are shared out anew.");
+      ? "has one of a finer level"
+      : "has " + std::to_string(this->Blocks.Count()) + " blocks";
+    throw InputError("Face neighbours (sculptor_set_neighbours) require one block of level 0 on "
+                     "every rank; this rank " +
+      here + ". Pass a null pointer instead; cells are then redistributed.");
   }
 }
 
-/// What all ranks must have alike, besides the names of fields.
+/// Returns a text of the options and the type of elements, which must be equal on all ranks.
 std::string SculptorSession::Describe(bool tets) const
 {
   std::string text = tets ? "tets" : "hexes";
@@ -196,7 +199,7 @@ void SculptorSession::MakeMesh(bool tets, const std::function<void()>& prepare)
   }
   catch (const InputError&)
   {
-    this->Result.reset(); // this rank may have made its part
+    this->Result.reset(); // this rank may have completed its mesh
     throw;
   }
 }
@@ -237,7 +240,7 @@ const FieldArray& SculptorSession::GetGeometryTable(const std::string& name)
   const FieldArray* table = FindField(this->Tables, name);
   if (!table || !std::holds_alternative<std::vector<int>>(table->Values))
   {
-    throw InputError("There is no table '" + name + "' of what bounds what.");
+    throw InputError("There is no table of adjacency '" + name + "' with integers.");
   }
   return *table;
 }
@@ -267,7 +270,7 @@ double SculptorSession::GetNumber(const std::string& name, int index) const
 
 void SculptorSession::Write(const char* path)
 {
-  const MesherResult& result = this->GetResult(); // all ranks have one, or none
+  const MesherResult& result = this->GetResult(); // exists on all ranks or on none
   Ranks& ranks = this->Communicator.GetRanks();
   WorkInStage(ranks, ErrorCode::WrongArguments,
     [&]

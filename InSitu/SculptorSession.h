@@ -1,6 +1,6 @@
 /**
- * SculptorSession: what stands behind a handle of the C interface: the fields that a host gave, the mesh made of them
- * by the mesher, and the arrays that the host asks for. Throws InputError, without a code on wrong arguments.
+ * SculptorSession: the work of a handle of the C interface. It stores the fields of a host, makes a
+ * mesh of them with the mesher and returns its arrays.
  */
 #pragma once
 
@@ -18,30 +18,40 @@
 namespace vfm
 {
 
+/// Fields, options and mesh of one handle. Owns the mesh and the duplicate of the communicator; the
+/// values of fields belong to the host. Methods throw InputError; its code is ErrorCode::Unknown
+/// for wrong arguments. One thread at a time may use a session.
 class SculptorSession
 {
 public:
+  /// Sets the communicator from a Fortran handle (HostCommunicator::Set).
   void SetCommunicator(int communicator) { this->Communicator.Set(communicator); }
-  /// Of the mesher, or IndexBase.
+  /// Sets an option of the mesher, or IndexBase.
   void SetOption(const std::string& name, const std::string& value);
-  /// Null: not known.
+  /// Sets the ranks across the faces -x +x -y +y -z +z, -1 at the ends of the grid.
+  /// @param ranks  6 values, or null if they are not known
   void SetNeighbours(const int* ranks);
-  HostBlocks Blocks;       ///< what is missing or wrong there is told by MakeMesh, on all ranks
-  HostRefinement Requests; ///< for the next mesh, of its blocks
-  /// Collective. prepare: sets fields and options; when it fails on any rank, all fail.
+  HostBlocks Blocks;       ///< fields of this rank; MakeMesh checks them and reports on all ranks
+  HostRefinement Requests; ///< selected cells of Blocks, for the next mesh only
+  /// Makes the mesh and replaces the previous one. After an error there is no mesh on any rank.
+  /// @param prepare  sets fields and options before they are checked
+  /// @throws InputError  on all ranks, if prepare or the mesher fails on any rank
+  /// @pre Collective
   void MakeMesh(bool tets, const std::function<void()>& prepare);
 
-  ///@{ Throw InputError when there is no mesh.
+  ///@{ Throws InputError if there is no mesh, or if it lacks the named values.
   const Mesh& GetMesh() const { return this->GetResult().TheMesh; }
   const FragmentParts& GetFragmentParts();
   int GetNumberOfFragments() const;
-  /// A table of integers, of what bounds what, by its name.
+  /// Returns a table of adjacency with integer values (ListSurfaces, ListCurves, ListVertices).
   const FieldArray& GetGeometryTable(const std::string& name);
-  /// A state of doubles that was carried along, of the elements or of the points.
+  /// Return a transferred state of type double, of the elements or of the points.
   const TransferredArray& GetState(const std::string& name) const;
   const TransferredArray& GetPointState(const std::string& name) const;
+  /// Returns entry `index` of an array of field data, counted from 0 over rows and components.
   double GetNumber(const std::string& name, int index) const;
-  /// Collective.
+  /// Writes the mesh of all ranks to a file whose suffix selects the format.
+  /// @pre Collective
   void Write(const char* path);
   ///@}
 
@@ -57,11 +67,11 @@ private:
 
   HostCommunicator Communicator;
   MesherOptions Options;
-  std::map<std::string, std::string> Texts; // options set by name, to compare between ranks
+  std::map<std::string, std::string> Texts; // values of options by name, compared between ranks
   int IndexBase = 0;
   std::optional<std::array<int, 6>> Neighbours;
   std::optional<MesherResult> Result;
-  std::optional<FragmentParts> Parts; // these when first asked for
+  std::optional<FragmentParts> Parts; // Parts and Tables are made at first use
   FieldArrays Tables;
   std::string WarningText;
 };

@@ -153,7 +153,7 @@ TEST_F(SculptorBlockErrors, Neighbours)
   this->Bad.HandOver();
   sculptor_set_neighbours(this->Bad.Sculptor, this->IsLast ? none : nullptr);
   this->Bad.ExpectError(
-    SCULPTOR_ERROR_ARGUMENT, "one block of level 0 on every rank; here are 4 blocks");
+    SCULPTOR_ERROR_ARGUMENT, "one block of level 0 on every rank; this rank has 4 blocks");
 }
 
 TEST_F(SculptorBlockErrors, NullPointers)
