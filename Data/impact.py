@@ -1,12 +1,12 @@
 #!/usr/bin/env pvpython
-"""Writes impact.spcth, impact/impact.spcth.0 and .1: four times of a ball that strikes a plate, in
-the format of SpyPlot files.
+"""Writes four times of a ball that strikes a plate as SpyPlot files: impact.spcth,
+impact/impact.spcth.0 and impact/impact.spcth.1.
 
 usage: impact --cells 32 --dump DUMPS
        pvpython impact.py DUMPS FOLDER
 
-32 x 19 x 14 cells of 1/32 cm, in blocks of which each file has two; material 1 is the ball, 2 the
-plate. Float32, as the format has it; times in seconds, velocities in cm/s.
+The grid has 32 x 19 x 14 cells of 1/32 cm, in two blocks per file. Material 1 is the ball, 2 the
+plate. Values are Float32, as the format requires; times are in seconds, velocities in cm/s.
 """
 import os
 import sys
@@ -22,11 +22,11 @@ from spyplot import split, write_spyplot
 
 STEPS = (0, 40, 80, 120)
 TIME_STEP = 1.3227651193689396e-8  # seconds
-CM = 0.1  # in a mm
+CM = 0.1  # centimetres per millimetre
 
 
 def read_step(path):
-    """Node coordinates in cm and the arrays, {name: (z, y, x)}."""
+    """Returns node coordinates in cm and the arrays, {name: (z, y, x)}."""
     reader = vtkXMLImageDataReader()
     reader.SetFileName(path)
     reader.Update()

@@ -1,4 +1,7 @@
-"""Runs two builds of Speed in turn; usage: compare_speed.py BEFORE AFTER RUNS [CASE ...]"""
+"""Compares two builds of the benchmark Speed by alternating runs.
+
+usage: compare_speed.py BEFORE AFTER RUNS [CASE ...]
+"""
 import statistics
 import subprocess
 import sys
@@ -13,7 +16,7 @@ def list_cases(program):
 
 
 def measure(program, case):
-    """The row that one run of the program prints, by column."""
+    """Runs a case once and returns the row that the program prints, by column."""
     lines = subprocess.run([program, case, '1'], check=True, capture_output=True,
                            text=True).stdout.splitlines()
     row = next(line for line in lines if line.startswith(f'| {case} |'))
@@ -21,8 +24,8 @@ def measure(program, case):
 
 
 def compare(before, after, runs, case):
-    """Prints a row: the medians, the median of the ratios of neighbouring runs, quality before and
-    after."""
+    """Prints a row for a case: values of the fastest run of each build, and the median ratio of CPU
+    times of successive runs."""
     pairs = [(measure(before, case), measure(after, case)) for _ in range(runs)]
     ratio = statistics.median(b['cpu'] / a['cpu'] for b, a in pairs)
     old, new = (min((pair[i] for pair in pairs), key=lambda row: row['seconds']) for i in (0, 1))
@@ -38,7 +41,7 @@ def compare(before, after, runs, case):
 
 def main():
     before, after, runs, *cases = sys.argv[1:]
-    print('| case | seconds | ratio | elements/s | sweeps | visits a point | SJ min | SJ mean '
+    print('| case | seconds | ratio | elements/s | sweeps | visits per point | SJ min | SJ mean '
           '| distance max | rms | peak MB |\n|' + '---|' * 11)
     for case in cases or list_cases(after):
         compare(before, after, int(runs), case)

@@ -1,14 +1,18 @@
 #!/usr/bin/env pvpython
-"""Meshes the fields in Data and leaves meshes and pictures in a folder.
+"""Meshes the fields in Data and writes meshes and pictures into a folder.
 
 usage: pvpython demo.py PLUGIN OUT [CASE ...]
 
-For every case: OUT/CASE.vtu, OUT/CASE.e (Exodus with element blocks, side sets and node sets),
-OUT/CASE.inp (Abaqus and CalculiX), OUT/CASE.csv (the table of fragments), OUT/CASE_surface.png (the
-surface with the edges of the hexahedra) and OUT/CASE_cut.png (the hexahedra inside, coloured by
-scaled Jacobian); and of tetrahedra the same with CASE_tets, without the picture of the surface. For
-the first case also OUT/CASE_fractions_and_mesh.png: input and mesh side by side. What is newer than
-the input, the plugin and the scripts is kept. Needs an X server.
+Writes for each case
+  OUT/CASE.vtu           hexahedral mesh
+  OUT/CASE.e             Exodus file with element blocks, side sets and node sets
+  OUT/CASE.inp           file for Abaqus and CalculiX
+  OUT/CASE.csv           table of fragments
+  OUT/CASE_surface.png   surface with the edges of the hexahedra
+  OUT/CASE_cut.png       hexahedra inside, coloured by scaled Jacobian
+Files of tetrahedra are named CASE_tets, without a picture of the surface. The first case also gives
+OUT/CASE_fractions_and_mesh.png: input and mesh side by side. Files that are newer than the input,
+the plugin and the scripts are not made again. Needs an X server.
 """
 import glob
 import os
@@ -28,21 +32,20 @@ from need_files import need_files
 from write_exodus import write_exodus
 
 
-
 class Case:
-    """A field of Data, how it is meshed, and from where it is seen (direction to the camera,
-    zoom)."""
+    """A field of Data with the options of its mesh and the cameras of its pictures (direction to
+    the camera, zoom)."""
 
     def __init__(self, name, file, arrays, tet_method, camera, zoom, cut_normal, cut_camera,
                  cut_zoom, options=None):
         self.name, self.file, self.arrays = name, os.path.join(ROOT, "Data", file), arrays
-        self.tet_method = tet_method  # TetGen becomes Cells where it was not built in
+        self.tet_method = tet_method  # Cells replaces TetGen if the plugin was built without it
         self.options = options or {}  # properties of both filters
         self.camera, self.zoom = camera, zoom
         self.cut_normal, self.cut_camera, self.cut_zoom = cut_normal, cut_camera, cut_zoom
 
 
-LEAST_DRAWN = 0.01  # volume fraction of the cells in the picture of the input
+LEAST_DRAWN = 0.01  # smallest volume fraction of cells in the picture of the input
 
 CASES = [
     Case("splash", "splash_3500us.vti", ["water"], "TetGen", (0.75, -1.0, 0.65), 1.25, (0, 1, 0),
@@ -57,7 +60,7 @@ CASES = [
 
 
 def is_newer(outputs, inputs):
-    """Whether all outputs are there and no input is newer."""
+    """Returns whether all outputs exist and no input is newer."""
     if not all(os.path.exists(path) for path in outputs):
         return False
     return min(map(os.path.getmtime, outputs)) > max(map(os.path.getmtime, inputs))
@@ -76,13 +79,13 @@ def hex_filter(case, source):
 
 def tet_filter(case, source):
     tets = VolumeFractionToTet(Input=source, VolumeFractionArrays=case.arrays, **case.options)
-    tets.Method = "Cells" if case.tet_method == "TetGen" and not tets.GetPropertyValue(
-        "HasTetGen") else case.tet_method
+    tets.Method = ("Cells" if case.tet_method == "TetGen" and not tets.GetPropertyValue("HasTetGen")
+                   else case.tet_method)
     return tets
 
 
 def open_field(case, out):
-    """An image, or all levels of what Gerris wrote."""
+    """Returns a reader of the field: an image, or all levels of a file of Gerris."""
     if case.file.endswith(".vti"):
         return simple.XMLImageDataReader(FileName=[case.file])
     levels = os.path.join(out, case.name + ".vthb")
@@ -108,7 +111,7 @@ def make_mesh(case, source, make_filter, vtu, exodus, abaqus, table):
 
 
 def draw_surface(case, mesh, path):
-    """The outside, a colour a material."""
+    """Saves a picture of the outside with one colour per material."""
     view = pictures.make_view()
     for material in range(1, len(case.arrays) + 1):
         pictures.show_material(mesh, view, material)
@@ -117,13 +120,13 @@ def draw_surface(case, mesh, path):
 
 
 def cut_origin(bounds):
-    """A point near the middle, off it by a little since it may be in a plane of the grid."""
+    """Returns a point near the middle. The middle itself may lie in a plane of the grid."""
     return [0.495 * bounds[2 * a] + 0.505 * bounds[2 * a + 1] for a in range(3)]
 
 
 def draw_fractions(case, out, bounds, path):
-    """Draws the cells behind the plane of `draw_cut` that hold the first material, coloured by its
-    volume fraction."""
+    """Saves a picture of the cells behind the plane of `draw_cut` that contain the first material,
+    coloured by its volume fraction."""
     source = open_field(case, out)
     name = case.arrays[0]
     cells = simple.Threshold(Input=source, Scalars=["CELLS", name], LowerThreshold=LEAST_DRAWN,
@@ -136,7 +139,7 @@ def draw_fractions(case, out, bounds, path):
 
 
 def draw_cut(case, mesh, path):
-    """The elements behind a plane, whole, coloured by scaled Jacobian."""
+    """Saves a picture of the elements behind a plane, coloured by scaled Jacobian."""
     information = mesh.GetDataInformation()
     bounds = information.GetBounds()
     lowest = information.GetCellDataInformation().GetArrayInformation(
@@ -160,9 +163,10 @@ def field(mesh, name):
 
 
 def table_rows(name, mesh):
-    """A row a material: elements, least and mean scaled Jacobian, volume and its error."""
-    materials, quality = mesh.GetCellData().GetArray("MaterialId"), mesh.GetCellData().GetArray(
-        "ScaledJacobian")
+    """Yields a row per material: number of elements, minimum and mean of the scaled Jacobian,
+    volume and its error."""
+    materials, quality = (
+        mesh.GetCellData().GetArray("MaterialId"), mesh.GetCellData().GetArray("ScaledJacobian"))
     per_material = {material: [] for material in field(mesh, "MaterialIds")}
     for cell in range(mesh.GetNumberOfCells()):
         per_material[materials.GetValue(cell)].append(quality.GetValue(cell))
@@ -187,8 +191,8 @@ def main(plugin, out, names):
     need_files(plugin)
     unknown = set(names) - {case.name for case in CASES}
     if unknown:
-        sys.exit("no case %s; cases are %s" % (", ".join(sorted(unknown)),
-                                               ", ".join(case.name for case in CASES)))
+        sys.exit("no case %s; cases are %s" % (
+            ", ".join(sorted(unknown)), ", ".join(case.name for case in CASES)))
     load_plugin(plugin, globals())  # defines the filters
     simple._DisableFirstRenderCameraReset()
     os.makedirs(out, exist_ok=True)

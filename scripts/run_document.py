@@ -1,13 +1,12 @@
 #!/usr/bin/env pvpython
-"""Runs the Python blocks of a document, one after the other as one script, in a folder where they
-leave their files. What a document shows, indented, right after a block that prints must be what it
-prints.
+"""Runs the Python blocks of a document in order, as one script, in a folder. An indented text after
+a block that prints must match the output.
 
-usage: pvpython run_document.py DOCUMENT FOLDER [LIB, default build/lib]     or python3, where a
-       document has plain VTK
+usage: pvpython run_document.py DOCUMENT FOLDER [LIB]
 
-The blocks find Data there, and LIB, with the plugin and the classes for Python, under the name that
-documents give it, both as links. Pictures need an X server.
+LIB is the folder of the plugin and the Python classes, by default build/lib. FOLDER receives links
+to Data and, as build/lib, to LIB, and the files that the blocks write. Use python3 instead of
+pvpython for a document with plain VTK. Pictures need an X server.
 """
 import contextlib
 import io
@@ -24,14 +23,14 @@ BLOCK = re.compile(r"^```python\n(.*?)^```\n(?:\n((?: {4}[^\n]*\n)+))?", re.DOTA
 
 
 def read_blocks(document):
-    """The code of each block, on the lines that it has in the document, so that errors name these;
-    and what it is said to print."""
+    """Yields the code of each block and its expected output. Blank lines before the code give it
+    the line numbers of the document in error messages."""
     with open(document, encoding="utf-8") as file:
         text = file.read()
     for block in BLOCK.finditer(text):
         shown = re.sub("^ {4}", "", block[2] or "", flags=re.MULTILINE)
-        yield "\n" * text[:block.start(1)].count("\n") + block[1], shown if "print(" in block[
-            1] else ""
+        yield ("\n" * text[:block.start(1)].count("\n") + block[1],
+               shown if "print(" in block[1] else "")
 
 
 def run_block(code, shown, names):
@@ -40,14 +39,14 @@ def run_block(code, shown, names):
         exec(code, names)
     print(printed.getvalue(), end="")
     if shown and printed.getvalue() != shown:
-        sys.exit("the document shows other lines:\n" + shown)
+        sys.exit("the output differs from the document, which shows:\n" + shown)
 
 
 def main(document, folder, lib=os.path.join(ROOT, LIB)):
     need_files(document, lib)
     blocks = list(read_blocks(document))
     if not blocks:
-        sys.exit(document + " has no Python")
+        sys.exit(document + " has no Python block")
     targets = {"Data": os.path.join(ROOT, "Data"), LIB: lib}
     targets = {name: os.path.realpath(target) for name, target in targets.items()}
     os.makedirs(os.path.join(folder, os.path.dirname(LIB)), exist_ok=True)

@@ -1,6 +1,6 @@
-"""Prints the tests that took longest in a run of ctest, and how long all took.
+"""Prints the slowest tests of a run of ctest, and the total time.
 
-usage: slowest_tests.py FILE [COUNT]      FILE: of ctest --output-junit
+usage: slowest_tests.py FILE [COUNT]      FILE: written by ctest --output-junit
 """
 import sys
 import xml.etree.ElementTree as ElementTree

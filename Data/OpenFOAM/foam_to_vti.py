@@ -1,11 +1,10 @@
-"""Write alpha.water of one time of an OpenFOAM case (ascii, one block of equal
-cubic cells) as VTK image data with the Float32 cell array "water".
+"""Writes alpha.water of one time of an OpenFOAM case as VTK image data with the Float32 cell array
+"water". The case must be ASCII, with one block of equal cubic cells.
 
-    pvpython foam_to_vti.py CASE TIME OUT.vti
+usage: pvpython foam_to_vti.py CASE TIME OUT.vti
 
-Needs CASE/TIME/C, the cell centres (postProcess -func writeCellCentres). Every
-value is put where its cell centre says, so no cell order is assumed; the script
-stops if the cells are not numbered x fastest, z slowest, as in a VTK image.
+Reads the cell centres from CASE/TIME/C (postProcess -func writeCellCentres) and puts each value at
+its cell centre. Stops if the cells are not numbered x fastest, z slowest, as in a VTK image.
 """
 import re
 import sys
@@ -22,7 +21,7 @@ from need_files import need_files
 
 
 def internal_field(path):
-    """The nonuniform internalField of an ascii OpenFOAM field file."""
+    """Returns the nonuniform internalField of an ASCII OpenFOAM field file."""
     kind, count, body = re.search(
         r"internalField\s+nonuniform\s+List<(\w+)>\s*(\d+)\s*\((.*?)\)\s*;",
         path.read_text(), re.S).groups()
@@ -72,7 +71,8 @@ def main(case, time, out):
     volume = water.sum(dtype=float) * h**3
     middle = [low[a] + h * (0.5 + np.average(np.arange(n[a]), weights=grid.sum(
         axis=tuple(b for b in range(3) if b != 2 - a), dtype=float))) for a in range(3)]
-    print(f"{out}: {Path(out).stat().st_size} bytes, {n[0]} x {n[1]} x {n[2]} cells of {h:g} m, origin {low}")
+    print(f"{out}: {Path(out).stat().st_size} bytes, {n[0]} x {n[1]} x {n[2]} cells of {h:g} m,"
+          f" origin {low}")
     print(f"  solver values {alpha.min():.9g} .. {alpha.max():.9g}; clipped"
           f" {below.sum()} below 0, {above.sum()} above 1, by at most"
           f" {max(0, -alpha.min(), alpha.max() - 1):.3g}")

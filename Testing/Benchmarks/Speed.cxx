@@ -26,7 +26,7 @@ namespace
 
 constexpr char Header[] =
   "| case | threads | ranks | elements | seconds | CPU | elements/s | SJ min | SJ mean | "
-  "distance max | rms | points | sweeps | visits a point | peak MB |\n"
+  "distance max | rms | points | sweeps | visits per point | peak MB |\n"
   "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
 
 /// A case and the options of its mesh.

@@ -1,4 +1,4 @@
-"""Accessors of the filters."""
+"""Generates the accessors of options in the headers of the filters."""
 from options.table import common, of_tets, put, wrap
 
 MACROS = {"switch": "vfmSwitchOption(%s)", "integer": "vfmNumberOption(%s, int)",
@@ -9,7 +9,7 @@ MACROS = {"switch": "vfmSwitchOption(%s)", "integer": "vfmNumberOption(%s, int)"
 def write_accessors(text, rows):
     lines = []
     for row in rows:
-        if row["kind"] in MACROS:  # files, lists and boxes have methods of their own
+        if row["kind"] in MACROS:  # methods for files, lists and boxes are written by hand
             text_of_row = "%(text)s Allowed: %(allowed)s; default %(default)s." % row
             lines += wrap(text_of_row, "  /// ")
             lines.append("  " + MACROS[row["kind"]] % row["name"] + ";")

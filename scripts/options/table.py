@@ -1,4 +1,4 @@
-"""The rows of the table of options, as describe_options prints it, and how front ends name them."""
+"""Reads the table of options, as printed by describe_options, and converts names for front ends."""
 import json
 import os
 import re
@@ -9,7 +9,7 @@ ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 
 
 def read_table(program):
-    """The rows. program: describe_options, or a file of what it prints."""
+    """Returns the rows of the table. program: describe_options, or a file with its output."""
     if program.endswith(".json"):
         with open(program, encoding="utf-8") as file:
             return json.load(file)
@@ -17,13 +17,13 @@ def read_table(program):
 
 
 def read(path):
-    """The text of a file of the tree."""
+    """Returns the text of a file of the tree."""
     with open(os.path.join(ROOT, path), encoding="utf-8") as file:
         return file.read()
 
 
 def common(table):
-    """Rows of both kinds of elements."""
+    """Returns the rows that apply to hexahedra and tetrahedra."""
     return [row for row in table if not row["tets"]]
 
 
@@ -32,27 +32,29 @@ def of_tets(table):
 
 
 def label(name):
-    """As panels show it: Iso Value."""
+    """Returns a name as panels show it: Iso Value."""
     return re.sub(r"(?<=[a-z])(?=[A-Z])", " ", name)
 
 
 def allowed(row):
-    """What a value may be, without an article."""
+    """Returns the allowed values of an option, without an article."""
     return re.sub("^an? ", "", row["allowed"])
 
 
 def snake(word):
-    """As Python has it: quadric_surface."""
+    """Returns a word as the Python package spells it: quadric_surface."""
     return word.lower().replace(" ", "_")
 
 
 def wrap(text, indent, width=100):
-    """Lines of a paragraph."""
-    return textwrap.wrap(text, width, initial_indent=indent, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)
+    """Returns the lines of a paragraph."""
+    return textwrap.wrap(text, width, initial_indent=indent, subsequent_indent=indent,
+                         break_long_words=False, break_on_hyphens=False)
 
 
 def put(text, begin, end, lines):
-    """The text with other lines between the one that holds begin and the next that holds end."""
+    """Returns the text with new lines between the first line that contains begin and the next line
+    that contains end."""
     found = text.split("\n")
     first = next(i for i, line in enumerate(found) if begin in line)
     last = next(i for i, line in enumerate(found) if i > first and end in line)
