@@ -1,10 +1,10 @@
-"""The meshes are the same bits in every build: the sha256 of all values of five, in a line each.
+"""Meshes are bitwise identical in every build: compares the sha256 of all values of five meshes.
 
-With GCC 12 and glibc 2.36, and with GCC 14 and glibc 2.41, the bits are the same on x86-64; other
-architectures, compilers and C libraries may differ in the last ones, and then in more. So do
-processors without fused multiply-add, for which glibc has another exp:
-GLIBC_TUNABLES=glibc.cpu.hwcaps=-FMA,-AVX2,-FMA4,-AVX shows it. A change that is to change meshes
-changes these lines.
+GCC 12 with glibc 2.36 and GCC 14 with glibc 2.41 give identical values on x86-64. Other
+architectures, compilers and C libraries may round differently, which can change a mesh. Processors
+without fused multiply-add also differ, because glibc uses another exp for them:
+GLIBC_TUNABLES=glibc.cpu.hwcaps=-FMA,-AVX2,-FMA4,-AVX shows this. A change that changes meshes must
+update DIGESTS.
 
 usage: python3 TestDigests.py bin/MeshValues
 """
@@ -36,9 +36,9 @@ def main(program):
     for name, digest in found.items():
         print("%-6s %s" % (name, digest))
     if platform.machine() != "x86_64":
-        print("not compared: this is no x86-64")
+        print("not compared: this machine is not x86-64")
         sys.exit(77)
-    sys.exit("other bits than those recorded" if found != DIGESTS else 0)
+    sys.exit("the values differ from the recorded ones" if found != DIGESTS else 0)
 
 
 main(sys.argv[1])

@@ -1,6 +1,8 @@
-"""Catalyst in a small simulation, CatalystHost: Examples/catalyst_mesh.py makes the filter's own
-meshes on any number of ranks, at the steps that are chosen; scripts that fail leave the simulation
-alive. With --picture, under an X server: a picture of the mesh.
+"""Catalyst in a small simulation, CatalystHost.
+
+Examples/catalyst_mesh.py makes the meshes of the filter on any number of ranks, at the selected
+steps. A script that fails does not stop the simulation. With --picture, under an X server, the test
+renders a picture of the mesh.
 
 Environment: VFM_PLUGIN, the plugin; VFM_CATALYST_HOST, the simulation.
 """
@@ -22,13 +24,14 @@ from mpi_run import mpi_run
 from vfmtest import image, main, mesh_of, VolumeFractionToTet
 
 EXAMPLE = os.path.join(HERE, "..", "..", "Examples", "catalyst_mesh.py")
-CELLS, ORIGIN, SPACING = (14, 12, 10), (-0.7, 0.3, 2.1), (0.1, 0.125, 0.11)  # those of the host
-MIDDLE = ((1, 8), (2, 10), (4, 11))  # its refined cells, along z, y, x
+CELLS, ORIGIN, SPACING = (14, 12, 10), (-0.7, 0.3, 2.1), (0.1, 0.125, 0.11)  # values of the host
+MIDDLE = ((1, 8), (2, 10), (4, 11))  # refined cells of the host, along z, y, x
 MIDDLE_OF_LEVEL_1 = tuple(slice(2 * a, 2 * b) for a, b in MIDDLE)
 STEPS, SAMPLES = 4, 4
 NO_DISPLAY = "no pictures: no X server"
 
-# Catalyst scripts. The host's ball must be the host's memory; other ranks' blocks are null.
+# Catalyst scripts. The first checks that the array "ball" is the memory of the host, and that
+# blocks of other ranks are null.
 ZERO_COPY = """
 from paraview.simple import TrivialProducer
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -38,8 +41,10 @@ def catalyst_execute(info):
     address = grid.GetFieldData().GetArray("BallAddress").GetValue(0)
     blocks = [grid.GetBlock(b) for b in range(grid.GetNumberOfBlocks())]
     mine = [block for block in blocks if block]
-    found = vtk_to_numpy(mine[0].GetCellData().GetArray("ball")).__array_interface__["data"][0] if mine else 0
-    print("rank has %d of %d blocks at %#x, handed over %#x" % (len(mine), len(blocks), found, int(address)), flush=True)
+    found = (vtk_to_numpy(mine[0].GetCellData().GetArray("ball")).__array_interface__["data"][0]
+             if mine else 0)
+    print("rank has %d of %d blocks at %#x, handed over %#x"
+          % (len(mine), len(blocks), found, int(address)), flush=True)
     assert found == address
 """
 VOLUME = """
@@ -60,7 +65,8 @@ def catalyst_execute(info):
     vtkMultiProcessController.GetGlobalController().AllReduce(mine, hidden, vtkCommunicator.SUM_OP)
     volume = total.GetClientSideObject().GetOutputDataObject(0).GetCellData().GetArray("Volume")
     if vtkMultiProcessController.GetGlobalController().GetLocalProcessId() == 0:
-        print("volume in cells: %d" % round(volume.GetValue(0) / (0.1 * 0.125 * 0.11)), "hidden: %d" % hidden.GetValue(0), flush=True)
+        print("volume in cells: %d" % round(volume.GetValue(0) / (0.1 * 0.125 * 0.11)),
+              "hidden: %d" % hidden.GetValue(0), flush=True)
 """
 WANTS_NOTHING = """
 def RequestDataDescription(description):
@@ -94,7 +100,8 @@ def catalyst_execute(info):
         raise ValueError("only here")
     hexes.UpdatePipeline(info.time)
     cells = hexes.GetClientSideObject().GetOutputDataObject(0).GetNumberOfCells()
-    print("rank %d meshed step %d: %s" % (ranks.GetLocalProcessId(), info.timestep, cells > 0), flush=True)
+    print("rank %d meshed step %d: %s" % (ranks.GetLocalProcessId(), info.timestep, cells > 0),
+          flush=True)
 """
 RAISES_IN_INITIALIZE = """
 def catalyst_initialize():
@@ -121,7 +128,7 @@ def part_in_ball(step, level=0):
 
 
 def arrays(step, level=0):
-    """The host's fields of a step."""
+    """Returns the fields of the host at a step."""
     ball = part_in_ball(step, level)
     plate = np.where(np.arange(CELLS[2] << level)[:, None, None] < 3 << level, 1.0 - ball, 0.0)
     labels = np.where(ball + plate < 0.5, 0, np.where(ball >= plate, 1, 2))
@@ -129,7 +136,7 @@ def arrays(step, level=0):
 
 
 def field(step):
-    """The fields of level 0 as one image."""
+    """Returns the fields of level 0 as one image."""
     data = image(arrays(step))
     data.SetOrigin(ORIGIN)
     data.SetSpacing(SPACING)
@@ -137,7 +144,7 @@ def field(step):
 
 
 def refined_field(step):
-    """The fields of both levels as AMR."""
+    """Returns the fields of both levels as AMR."""
     fine = {name: np.ascontiguousarray(values[MIDDLE_OF_LEVEL_1])
             for name, values in arrays(step, 1).items()}
     grids = [image(arrays(step), kind=vtkUniformGrid), image(fine, kind=vtkUniformGrid)]
@@ -163,7 +170,7 @@ def run_host(ranks, scripts, *options, **settings):
 
 
 def run_code(ranks, *codes, options=()):
-    """Runs the host with scripts of these codes, named script0.py and so on."""
+    """Runs the host with these scripts, which are named script0.py and so on."""
     with tempfile.TemporaryDirectory() as folder:
         paths = [os.path.join(folder, "script%d.py" % i) for i in range(len(codes))]
         for path, code in zip(paths, codes):
@@ -173,7 +180,7 @@ def run_code(ranks, *codes, options=()):
 
 
 def run_example(ranks, out, *options, **settings):
-    """Runs the host with the example; the steps that it meshed."""
+    """Runs the host with the example; returns the meshed steps and the completed process."""
     result = run_host(ranks, [EXAMPLE], *options, OUT=out, **settings)
     assert result.returncode == 0, result
     assert "Traceback" not in result.stderr and "ERR|" not in result.stderr, result.stderr
@@ -187,13 +194,12 @@ def run_example(ranks, out, *options, **settings):
 
 
 def expect_mesh(out, step, ranks, gold):
-    """The mesh of the step in the files is that of the filter, bit for bit, on several ranks in as
-    many pieces."""
+    """Checks that the files of a step hold the mesh of the filter, in one piece per rank."""
     pieces = read_pieces(os.path.join(out, "mesh_%06d.pvtu" % step))
     assert len(pieces) == ranks
     for piece in pieces:
         assert piece.GetFieldData().GetArray("Fragments").GetValue(0) == (2.0 if step < 2 else 1.0)
-        # of the input
+        # field data of the input
         for name in ("Fragments", "BallAddress", "__CatalystChannel__", "TimeValue"):
             piece.GetFieldData().RemoveArray(name)
     differs = difference(merge(pieces), merge([gold]))
@@ -201,9 +207,10 @@ def expect_mesh(out, step, ranks, gold):
 
 
 def test_meshes_are_those_of_the_filter():
+    """Meshes equal the filter's meshes on 1, 2 and 4 ranks, for any number of blocks."""
     golds = [mesh_of(field(step)).mesh for step in range(STEPS)]
     assert len({gold.GetNumberOfCells() for gold in golds}) > 1  # the ball moves
-    for ranks, boxes in ((1, 3), (2, 1), (4, 7)):  # of two ranks and one box, the last is empty
+    for ranks, boxes in ((1, 3), (2, 1), (4, 7)):  # with two ranks and one box, rank 1 has no cells
         with tempfile.TemporaryDirectory() as out:
             steps, result = run_example(ranks, out, "--boxes", str(boxes))
             assert steps == list(range(STEPS))
@@ -217,8 +224,9 @@ def test_meshes_are_those_of_the_filter():
 
 
 def test_refined_grids():
+    """Refined grids give the meshes of AMR data."""
     tets = {"TETS": "Lattice"}
-    # at last one rank has none
+    # in the last case, one rank has no cells
     for ranks, boxes, kind, steps in ((1, 2, {}, [1]), (3, 2, {}, [1, 3]), (3, 1, tets, [2])):
         with tempfile.TemporaryDirectory() as out:
             settings = {**kind, "STEPS": ",".join(map(str, steps))}
@@ -232,7 +240,10 @@ def test_refined_grids():
 
 
 def test_what_scripts_see_of_refined_grids():
-    """Coarse cells below finer ones are hidden; sums count each place once, in cells of level 0."""
+    """Coarse cells below finer ones are hidden, and sums count each place once.
+
+    The sums are in units of level-0 cells.
+    """
     coarse, fine = part_in_ball(0), part_in_ball(0, 1)
     ball = coarse.sum() - coarse[tuple(slice(*span)
                                        for span in MIDDLE)].sum() + fine[
@@ -254,7 +265,7 @@ def test_labels_tets_and_exodus():
         steps, result = run_example(2, out, LABELS="id", TETS="Cells", STEPS="2", EXODUS="1",
                                     PICTURE="0")
         assert steps == [2] and NO_DISPLAY not in result.stdout
-        # that one and, whatever is wanted, the last
+        # The host hands over this step and always the last one.
         assert "2 steps made" in result.stdout, result.stdout
         expect_mesh(out, 2, 2, gold)
         exodus = sorted(name for name in os.listdir(out) if ".e." in name)
@@ -262,7 +273,7 @@ def test_labels_tets_and_exodus():
 
 
 def test_state():
-    """Copied; conserved, of first order, with the labels for densities."""
+    """State is copied, or conserved to first order with the labels as densities."""
     copied = mesh_of(field(1), StateArrays=["ball", "id"]).mesh
     conserved = mesh_of(field(2), StateArrays=["ball"], DensityArrays=["id"],
                         StateKinds=["ball=volume"], StateOrder=1).mesh
@@ -276,7 +287,8 @@ def test_state():
 
 
 def test_triggers():
-    # the ball sinks in
+    # the ball enters the plate
+    """Triggers select the expected steps."""
     plate = [3 * CELLS[0] * CELLS[1] - part_in_ball(step)[:3].sum() for step in range(STEPS)]
     limit = 0.5 * (plate[-2] + plate[-1])
     assert plate[0] > limit > plate[-1] and plate == sorted(plate)[::-1], plate
@@ -294,21 +306,26 @@ def test_triggers():
 
 
 def test_arrays_are_the_hosts_memory():
+    """Catalyst receives the memory of the host without a copy."""
     for ranks, options in ((1, ()), (2, ()), (2, ("--boxes", "1"))):
         result = run_code(ranks, ZERO_COPY, options=options)
-        # the first rank prints
+        # only rank 0 prints
         assert result.returncode == 0 and result.stdout.count("handed over") == STEPS, result
 
 
 def test_nothing_is_made_that_nobody_wants():
+    """If the script requests no step, no grid is made, except at the last step."""
     result = run_code(2, WANTS_NOTHING, options=("--bad-step", "1"))
-    # The last step is always handed over; a wrong grid before is never looked at.
+    # The last step is always handed over. The invalid grid at an earlier step is not checked.
     assert result.returncode == 0 and "host: 1 steps made" in result.stdout, result
 
 
 def expect_failure(result, text, failed, made, others=()):
-    """The host lived to the end; the failed steps and no others told the text on all ranks; others:
-    failed otherwise."""
+    """Checks the output of the host, which must run to the end.
+
+    Exactly the steps in `failed` report the text on all ranks; steps in `others` fail for
+    another reason.
+    """
     assert result.returncode == 3, result
     for step in range(STEPS):
         told = re.search(r"host: step %d (.*?)\n(?=host:|executed|catalyst_mesh|$)" % step,
@@ -321,12 +338,13 @@ def expect_failure(result, text, failed, made, others=()):
 
 
 def test_failing_scripts_leave_the_host_alive():
+    """Scripts that raise an exception or exit are reported, and all steps are run."""
     every = list(range(STEPS))
     expect_failure(run_code(2, RAISES_ON_LAST_RANK), "script0.py: ValueError: only here", every, 4)
     result = run_code(2, RAISES_AT_STEP_1, EXITS)
     expect_failure(result, "script0.py: ValueError: a script that fails", [1], 4, others=every)
     expect_failure(result, "script1.py: SystemExit: 7", every, 4)
-    # the first rank prints
+    # only rank 0 prints
     assert "Traceback" in result.stderr and result.stdout.count("executed") == 3, result
     result = run_code(2, EXITS_AT_IMPORT, NO_PYTHON, RAISES_IN_INITIALIZE)
     for text in ("script0.py: SystemExit: 7", "script1.py: SyntaxError",
@@ -337,10 +355,11 @@ def test_failing_scripts_leave_the_host_alive():
 
 
 def test_script_that_fails_while_others_wait_in_a_filter():
+    """If a script fails on one rank, a filter that waits on the other ranks ends."""
     result = run_code(3, RAISES_WHILE_OTHERS_MESH)
     expect_failure(result, "script0.py: ValueError: only here", [1], 4)
     assert "ValueError: only here" in result.stderr, result.stderr
-    for step in range(STEPS):  # the first rank prints
+    for step in range(STEPS):  # only rank 0 prints
         assert "rank 0 meshed step %d: %s" % (step, step != 1) in result.stdout, result.stdout
 
 
@@ -348,7 +367,7 @@ def test_missing_script():
     every = list(range(STEPS))
     expect_failure(run_host(2, ["/no/such/script.py"]), "Script /no/such/script.py cannot be read",
                    every, 0)
-    # Others run all the same.
+    # Other scripts run.
     with tempfile.TemporaryDirectory() as out:
         result = run_host(1, ["/no/such/script.py", EXAMPLE], OUT=out, STEPS="1", PICTURE="0")
         expect_failure(result, "Script /no/such/script.py cannot be read", every, 2)
@@ -356,6 +375,7 @@ def test_missing_script():
 
 
 def test_wrong_grids_and_settings():
+    """Wrong grids and settings are reported at the step."""
     folder = tempfile.TemporaryDirectory()
     result = run_host(2, [EXAMPLE], "--bad-step", "2", OUT=folder.name, PICTURE="0")
     expect_failure(result, "[3, 15) x [0, 12) x [0, 10) leaves the grid along x", [2], 3)
@@ -383,7 +403,7 @@ def check_picture():
                 pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).astype(int)[
                     :, :3]
                 blue, brown = pixels[:, 2] - pixels[:, 0] > 40, pixels[:, 0] - pixels[:, 2] > 40
-                share = blue.mean(), brown.mean()  # ball and plate, whatever the light
+                share = blue.mean(), brown.mean()  # ball and plate, under any light
                 print("%d ranks, step %d: %.4f of the picture blue, %.4f brown"
                       % (ranks, step, *share))
                 assert 0.01 < share[0] < 0.3 and 0.05 < share[1] < 0.6, share

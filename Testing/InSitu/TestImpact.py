@@ -1,10 +1,11 @@
-"""The small simulation of Examples/impact, meshed while it runs by the C interface and by Catalyst
-on 1, 2 and 4 ranks: the meshes are those that the filter makes of the dumped fields, bit for bit,
-and the fragments are the connected components of the fields.
+"""Examples/impact, meshed by the C interface and by Catalyst on 1, 2 and 4 ranks.
 
-usage: pvpython TestImpact.py IMPACT FOLDER [catalyst]     VFM_PLUGIN: the plugin; without it see
-       vtk_simple.py
-Also prints the fragments over time, and what meshing takes beside a step of the simulation.
+usage: pvpython TestImpact.py IMPACT FOLDER [catalyst]
+       without VFM_PLUGIN, the path of the plugin, vtk_simple.py replaces ParaView
+
+The meshes are bitwise identical to the filter's meshes of the dumped fields. The fragments
+are the connected components of the fields. The test also prints the number of fragments over time,
+and the time of meshing and of a step of the simulation.
 """
 import glob
 import os
@@ -28,9 +29,9 @@ STATES = ["velocity", "damage"]
 
 
 def run_impact(impact, folder, ranks, catalyst):
-    """Runs the simulation; what it printed."""
+    """Runs the simulation and returns what it printed."""
     shutil.rmtree(folder, ignore_errors=True)
-    os.makedirs(os.path.join(folder, "catalyst"))  # impact makes the others
+    os.makedirs(os.path.join(folder, "catalyst"))  # impact makes the other folders
     command = [impact, "--cells", CELLS, "--time", END_TIME, "--every", EVERY, "--dump",
                os.path.join(folder, "dump"), "--sculptor", os.path.join(folder, "sculptor")]
     if catalyst:
@@ -43,7 +44,7 @@ def run_impact(impact, folder, ranks, catalyst):
 
 
 def check_refused(impact, catalyst):
-    """What is wrong is told once, and in the exit status."""
+    """Checks that each error is reported once and gives exit status 1."""
     cases = [(["--sculptor"], "--sculptor needs a value: DIR"),
              (["--dump", "/dev/null"], "cannot make the folder /dev/null"),
              (["--sculptor", "/dev/null"], "cannot make the folder /dev/null"),
@@ -59,7 +60,7 @@ def check_refused(impact, catalyst):
 
 
 def check_failing_script(impact, folder):
-    """The simulation goes on; the exit status tells."""
+    """Checks that a failing script does not stop the simulation, which exits with status 1."""
     script = os.path.join(folder, "failing.py")
     os.makedirs(folder, exist_ok=True)
     with open(script, "w", encoding="utf-8") as file:
@@ -67,7 +68,8 @@ def check_failing_script(impact, folder):
     run = mpi_run(2,
                   [impact, "--cells", "16", "--steps", "2", "--every", "1", "--catalyst", script])
     assert run.returncode == 1 and "step     2" in run.stdout, run
-    assert "ValueError: no mesh" in run.stderr and "impact: an output failed; see the messages above" in run.stderr, run
+    assert ("ValueError: no mesh" in run.stderr
+            and "impact: an output failed; see the messages above" in run.stderr), run
 
 
 def step_of(path):
@@ -79,7 +81,7 @@ def files_by_step(folder, ending):
 
 
 def mesh_of(dump):
-    """The filter's mesh of a dump with its states, as a data set of its own."""
+    """Returns the filter's mesh of a dump with state, as a separate data set."""
     source = simple.XMLPartitionedImageDataReader(FileName=[dump])
     mesher = VolumeFractionToHex(Input=source, VolumeFractionArrays=["ball", "plate"],
                                  StateArrays=STATES)
@@ -93,8 +95,10 @@ def mesh_of(dump):
 
 
 def count_components(labels):
-    """Face-connected components of ball and plate in cells labelled 0 void, 1 ball, 2 plate: each
-    cell takes the greatest number beside it until none changes."""
+    """Counts face-connected components of ball and plate, by labels 0 void, 1 ball, 2 plate.
+
+    Each cell takes the greatest number of its neighbours until no number changes.
+    """
     numbers, before = np.arange(1, labels.size + 1).reshape(labels.shape), None
     while before is None or (numbers != before).any():
         before = numbers.copy()
@@ -107,7 +111,7 @@ def count_components(labels):
 
 
 def labels_of_field(dump):
-    """Of each cell (z, y, x) the fullest material."""
+    """Returns the material with the largest fraction per cell (z, y, x)."""
     source = simple.XMLPartitionedImageDataReader(FileName=[dump])
     source.UpdatePipeline()
     image = source.GetClientSideObject().GetOutputDataObject(0)
@@ -120,7 +124,7 @@ def labels_of_field(dump):
 
 
 def labels_of_mesh(mesh, size):
-    """Of each cell the material that it was meshed as: that of the hexahedron in its middle."""
+    """Returns the material that each cell was meshed as: that of the hexahedron in its middle."""
     ids, materials = (vtk_to_numpy(mesh.GetCellData().GetArray(name))
                       for name in ("GlobalCellIds", "MaterialId"))
     cells, slots = np.divmod(ids - 1, 7)
@@ -130,7 +134,7 @@ def labels_of_mesh(mesh, size):
 
 
 def fragments_of(mesh):
-    """Fragments of ball and of plate."""
+    """Returns the numbers of fragments of ball and plate."""
     materials, fragments = (vtk_to_numpy(mesh.GetCellData().GetArray(name))
                             for name in ("MaterialId", "FragmentId"))
     return [len(np.unique(fragments[materials == material])) for material in (1, 2)]
@@ -139,21 +143,24 @@ def fragments_of(mesh):
 def check_same(path, expected, what):
     mesh = merge(read_pieces(path))
     if what == "Catalyst":
-        mesh["field"] = expected["field"]  # Catalyst adds its own
+        mesh["field"] = expected["field"]  # Catalyst adds field data
     problem = difference(mesh, expected)
     assert not problem, "%s, %s: %s" % (what, path, problem)
 
 
 def check_fragments(mesh, dump, step):
-    """Fragments are the components of the cells as they were meshed; those of the field itself
-    differ where cells were flipped to another label for the sake of a manifold."""
+    """Checks that the fragments are the connected components of the cells as meshed.
+
+    The components of the field may differ, because cells are flipped to keep surfaces manifold.
+    """
     field = labels_of_field(dump)
     meshed = labels_of_mesh(mesh, field.shape)
     fragments, components, raw = fragments_of(mesh), count_components(meshed), count_components(
         field)
     flips = mesh.GetFieldData().GetArray("FlippedCells").GetValue(0)
-    print("step %5d: fragments %3d ball, %3d plate; components of the cells as meshed %3d, %3d; of the field %3d, %3d; "
-          "%d cells flipped" % (step, *fragments, *components, *raw, flips))
+    print("step %5d: fragments %3d ball, %3d plate; components of the cells as meshed %3d, %3d; "
+          "of the field %3d, %3d; %d cells flipped"
+          % (step, *fragments, *components, *raw, flips))
     assert fragments == components, (fragments, components)
     assert (field != meshed).sum() <= flips, ((field != meshed).sum(), flips)
     return fragments
@@ -173,7 +180,7 @@ def main(impact, folder, catalyst):
         mesh = mesh_of(dump)
         series.append(check_fragments(mesh, dump, step))
         with_states = merge([mesh])
-        for name in STATES:  # the Catalyst script carries none
+        for name in STATES:  # the Catalyst script transfers no state
             mesh.GetCellData().RemoveArray(name)
         without = merge([mesh])
         for ranks in RANKS:

@@ -1,7 +1,9 @@
-"""Examples/restart.py and its solver: what the points of impact had the cells have, the elements
-and nodes, and the solver keeps; the solver's forces and shocks are right.
+"""Examples/restart.py and its solver.
 
 usage: pvpython TestRestart.py IMPACT PLUGIN FOLDER
+
+Cells, elements, nodes and the solver conserve the sums over the material points of impact. The
+forces and shocks of the solver are correct.
 """
 import csv
 import os
@@ -24,7 +26,7 @@ CASE = ["--cells", "24", "--step", "30", "--last", "42"]
 
 
 def block(cells, width):
-    """Points and hexahedra of a block of cells."""
+    """Returns points and hexahedra of a block of cells."""
     n = np.array(cells) + 1
     points = np.stack(np.meshgrid(*[width * np.arange(count) for count in n], indexing="ij"),
                       -1).reshape(-1, 3)
@@ -35,7 +37,7 @@ def block(cells, width):
 
 
 def at_rest(elements, material):
-    """State of elements that nothing has happened to."""
+    """Returns the state of undeformed elements."""
     state = {name: np.zeros(elements) for name in ("energy", "plastic_strain", "damage")}
     return {**state, "density": np.full(elements, MATERIALS["density"][material - 1]),
             "ratio": np.ones(elements),
@@ -43,7 +45,7 @@ def at_rest(elements, material):
 
 
 def check_gradients():
-    """Against differences of the volume, of which they are derivatives."""
+    """Compares the gradients of the volume with difference quotients."""
     x = CORNERS.T[:, :, None] + 0.2 * np.random.default_rng(1).standard_normal((3, 8, 20))
     gradients, volume = volume_gradients(x)
     assert (volume > 0).all() and np.abs(gradients.sum(1)).max() < 1e-14
@@ -56,8 +58,10 @@ def check_gradients():
 
 
 def check_flight():
-    """A body that turns and flies as a whole, a little deformed, keeps its angular momentum to
-    second order, all else to rounding."""
+    """A rotating and flying body keeps its angular momentum to second order, the rest to rounding.
+
+    Its deformation is small.
+    """
     points, hexahedra = block((4, 3, 5), 0.1)
     spin, elements = np.array([0.3, -0.2, 0.4]), len(hexahedra)
     velocities = np.cross(spin, points) + [1, 2, 3]
@@ -72,12 +76,14 @@ def check_flight():
                                                            change[4] + change[
                                                                5]) < 1e-13 * at_start[
                                                                    :, 4].sum(), change
-    assert at_start[0].tolist() == [0] * 6  # no ball
+    assert at_start[0].tolist() == [0] * 6  # there is no ball
 
 
 def check_shock():
-    """Two halves of aluminium meet: between the shocks is the pressure of the Hugoniot and two
-    thirds of the yield stress."""
+    """Two halves of aluminium collide.
+
+    The pressure between the shocks is that of the Hugoniot plus two thirds of the yield stress.
+    """
     points, hexahedra = block((24, 24, 24), 0.05)
     elements, speed = len(hexahedra), 0.5
     velocities = np.where(points[:, :1] < 0.599, speed,
@@ -96,7 +102,7 @@ def check_shock():
 
 
 def run_restart(impact, plugin, folder, *options):
-    """{row of the printed table: mass, ball, plate, momentum, energy}."""
+    """Returns {row of the printed table: mass, ball, plate, momentum, energy} and the output."""
     command = ["pvpython", os.path.join(EXAMPLES, "restart.py"), "--plugin", plugin,
                "--impact", impact, "--out", folder, *CASE, *options]
     run = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
@@ -115,13 +121,13 @@ def read_csv(path):
 def check_restart(impact, plugin, folder):
     rows, text = run_restart(impact, plugin, os.path.join(folder, "conserve"))
     points = rows["points of impact to cells"]
-    # less crumbs of the plate
+    # Small fragments of the plate are missing.
     assert points[[1, 3, 4]].max() <= ROUNDING and points.max() <= 1e-9, points
     for name in ("cells to mesh and not meshed", "the solver's run"):
         assert rows[name].max() <= ROUNDING, (name, rows[name])
     assert "not meshed: 0 mg" in text
     copied, _ = run_restart(impact, plugin, os.path.join(folder, "copy"), "--transfer", "Copy")
-    # else this test tells nothing
+    # The check above would otherwise prove nothing.
     assert copied["cells to mesh and not meshed"][3:].min() > 1e-4, copied
     before, after = (read_csv(os.path.join(folder, "conserve", name))
                      for name in ("before.csv", "after.csv"))
@@ -129,12 +135,12 @@ def check_restart(impact, plugin, folder):
     assert np.isclose(float(after[-1]["time [us]"]), float(before[-1]["time [us]"]), rtol=1e-12)
     gained = float(after[-1]["plate momentum x [mg km/s]"]) - float(
         after[0]["plate momentum x [mg km/s]"])
-    assert gained > 0.1, gained  # the ball goes on pushing
+    assert gained > 0.1, gained  # the ball continues to push
     assert os.path.getsize(os.path.join(folder, "conserve", "restart.png")) > 10000
 
 
 def check_ranks(impact, folder):
-    """The history is the same bits."""
+    """The history is bitwise identical on 1 and 3 ranks."""
     files = []
     for ranks in (1, 3):
         path = os.path.join(folder, "history%d.csv" % ranks)

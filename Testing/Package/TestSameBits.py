@@ -1,8 +1,8 @@
-"""The filters and the Python package make the same meshes, bit for bit, and write the same files.
+"""The filters and the Python package make bitwise identical meshes and files.
 
-Prints a line `case sha256` for each of python/tests/digest_cases.py as the filters make it. The
-environment variable VFM_PACKAGE_PYTHON names a Python that has the package: it then makes them too,
-and another digest is a failure. Without it the lines alone are printed.
+Prints a line `case sha256` of the filter's mesh for each case of python/tests/digest_cases.py. The
+environment variable VFM_PACKAGE_PYTHON names a Python that has the package. Its digests and files
+must be the same; without the variable, the test only prints the lines.
 """
 
 import os
@@ -36,14 +36,14 @@ ROLES = {"density": "DensityArrays", "velocity": "VelocityArray", "energy": "Ene
 
 
 def as_vtk(values):
-    """Of an array whose first index is that along x."""
+    """Makes a VTK array of values (x, y, z) or (x, y, z, components)."""
     values = np.asarray(values)
     flat = values.transpose(2, 1, 0, *range(3, values.ndim)).reshape(-1, *values.shape[3:])
     return numpy_to_vtk(np.ascontiguousarray(flat), deep=1)
 
 
 def grid_of(case):
-    """An image, or a rectilinear grid."""
+    """Makes an image, or a rectilinear grid if the case has node coordinates."""
     cells = next(iter(case.arrays.values())).shape[:3]
     if case.nodes is None:
         grid = vtkImageData()
@@ -67,7 +67,7 @@ def grid_of(case):
 
 
 def properties_of(case):
-    """The options as properties: LabelSmoothing, "Geometry Based"."""
+    """Returns the options as properties of the filter, such as Smoothing="Geometry Based"."""
     found = {}
     for name, value in case.options.items():
         if isinstance(value, str):
@@ -84,7 +84,7 @@ def properties_of(case):
 
 
 def arrays_of(result, case):
-    """As digest() takes them."""
+    """Returns the arrays that digest() requires."""
     state = [*case.state, *filter(None, (case.density, case.velocity, case.energy))]
     points = result.mesh.GetPointData()
     nodal = (
@@ -106,7 +106,10 @@ def arrays_of(result, case):
 
 
 def digests_of_the_package(folder):
-    """By case; nothing where no Python has it. folder: for files of the meshes."""
+    """Returns {case: digest of the package's mesh} and writes the meshes to files in `folder`.
+
+    The result is empty if VFM_PACKAGE_PYTHON is not set.
+    """
     python = os.environ.get("VFM_PACKAGE_PYTHON")
     if not python:
         return {}
@@ -125,14 +128,14 @@ def digests_of_the_package(folder):
 
 
 def read_without_date(path):
-    """The bytes of a file; the date in the QA record of Exodus as zeros."""
+    """Returns the bytes of a file, with zeros as date in the QA record of Exodus."""
     with open(path, "rb") as file:
         return re.sub(rb"\d{4}/\d\d/\d\d(\0+)\d\d:\d\d:\d\d", b"0000/00/00\\g<1>00:00:00",
                       file.read())
 
 
 def files_differ(mesh, name, folder):
-    """The files of the package that the writers of the plugin write with other bytes."""
+    """Returns the names of the package's files that differ from the plugin's files."""
     found = []
     for ending in ("exo", "inp"):
         path = os.path.join(folder, "plugin." + ending)
@@ -145,6 +148,7 @@ def files_differ(mesh, name, folder):
 
 @in_folder
 def test_same_bits(at):
+    """Meshes and files of all cases are identical."""
     expected, others = digests_of_the_package(at("")), []
     for name, make in CASES.items():
         case = make()

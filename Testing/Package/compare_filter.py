@@ -1,10 +1,13 @@
-"""Time and memory of the package beside the filter's, on the same grid, in turn; prints a row for
-each mesh.
+"""Compares time and memory of the package and the filter on the same grid; prints a row per mesh.
 
 usage: VFM_PLUGIN=build/lib/VolumeFractionMesh.so compare_filter.py PVPYTHON PYTHON [CELLS [RUNS]]
-PYTHON: of an environment that has the package. CELLS: of a side, 128; RUNS: of each, 5. One thread.
-Memory is the most that a program held less what it held before the call; time is that of the
-processor, the least of the runs.
+
+- PYTHON: a Python that has the package
+- CELLS: cells along each side, default 128
+- RUNS: runs of each, default 5
+
+Runs alternate and use one thread. Memory is the peak minus the memory before the call. Time is
+processor time, the minimum over the runs.
 """
 import os
 import subprocess
@@ -15,7 +18,7 @@ CASES = ("hexes", "tets")
 
 
 def held(most):
-    """Megabytes that this program holds, or the most that it held since forget()."""
+    """Returns the memory of this process in MB, or with `most` its peak since forget()."""
     with open("/proc/self/status", encoding="ascii") as file:
         return next(int(line.split()[1]) for line in file
                     if line.startswith("VmHWM" if most else "VmRSS")) / 1e3
@@ -27,7 +30,7 @@ def forget():
 
 
 def sphere(cells):
-    """Fractions of a ball by the mean of samples, (z, y, x), in float64."""
+    """Returns fractions of a ball by sampling, (z, y, x), in float64."""
     import numpy as np
 
     x = (np.arange(2 * cells) + 0.5) / 2 - cells / 2
@@ -36,7 +39,7 @@ def sphere(cells):
 
 
 def report(make):
-    """Runs and prints processor seconds, megabytes and elements."""
+    """Calls make() and prints processor seconds, megabytes and the number of elements."""
     forget()
     before, start = held(False), time.process_time()
     elements = make()

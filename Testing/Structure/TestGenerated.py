@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What scripts/generate writes is current, and a row that is added to the table of options comes out everywhere.
+"""Generated files are current, and a new row of the table of options appears in all of them.
 
 usage: TestGenerated.py DESCRIBE_OPTIONS
 """
@@ -13,7 +13,8 @@ import unittest
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 GENERATE = [sys.executable, os.path.join(ROOT, "scripts", "generate"), "--table"]
 TABLE = sys.argv.pop(1)
-# Where it is found, and how. The C interface and the help: SetOptions.AnAddedRowIsAnOption.
+# Files in which the new row must appear, and the text. SetOptions.AnAddedRowIsAnOption tests the C
+# interface and the help.
 PLACES = {"Plugin/VolumeFractionMesh.xml": 'command="SetNewOption"',
           "Filters/vtkVolumeFractionMeshAlgorithm.h": "vfmNumberOption(NewOption, double);",
           "python/volume_fraction_mesh/_mesher.py": "    new_option: float = 0.5,",
@@ -28,13 +29,15 @@ PLACES = {"Plugin/VolumeFractionMesh.xml": 'command="SetNewOption"',
 
 class Generated(unittest.TestCase):
     def test_files_are_current(self):
-        made = subprocess.run([*GENERATE, TABLE, "--check"], stderr=subprocess.PIPE, universal_newlines=True)
+        made = subprocess.run([*GENERATE, TABLE, "--check"], stderr=subprocess.PIPE,
+                              universal_newlines=True)
         self.assertEqual(made.stderr, "")
 
     def test_an_added_row_is_everywhere(self):
         rows = json.loads(subprocess.run([TABLE], stdout=subprocess.PIPE, check=True).stdout)
         row = next(row for row in rows if row["name"] == "IsoValue")
-        rows.append({**row, "name": "NewOption", "python": "new_option", "argument": "--new V", "text": "What is new.", "group": "Surface"})
+        rows.append({**row, "name": "NewOption", "python": "new_option", "argument": "--new V",
+                     "text": "What is new.", "group": "Surface"})
         with tempfile.TemporaryDirectory() as folder:
             table = os.path.join(folder, "table.json")
             with open(table, "w", encoding="utf-8") as file:

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""The panel that ParaView makes of Plugin/*.xml: every property of the meshing filters stands in a group, and what shows, hides or greys
-a property names properties that are there.
+"""Panels that ParaView makes of Plugin/*.xml.
+
+Each property of the meshing filters is in a group. Decorators refer to existing properties.
 """
 import os
 import unittest
@@ -10,7 +11,7 @@ PLUGIN = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "P
 
 
 def read_proxies():
-    """All proxies by name."""
+    """Returns all proxies by name."""
     proxies = {}
     for name in sorted(os.listdir(PLUGIN)):
         if name.endswith((".xml", ".xml.in")):
@@ -23,9 +24,10 @@ PROXIES = read_proxies()
 
 
 def properties(proxy):
-    """Those of its base, then its own."""
+    """Returns the properties of the base proxy, then its own."""
     base = PROXIES.get(proxy.get("base_proxyname"))
-    return ([] if base is None else properties(base)) + [p for p in proxy if p.tag.endswith("Property")]
+    return ([] if base is None else properties(base)) + [
+        p for p in proxy if p.tag.endswith("Property")]
 
 
 def names(proxy):
@@ -33,8 +35,9 @@ def names(proxy):
 
 
 def groups(proxy):
-    """Labels and names of properties, its own and those of its base."""
-    own = {group.get("label"): [p.get("name") for p in group] for group in proxy.iter("PropertyGroup")}
+    """Returns {label: names of properties} of all groups, including the base proxy's groups."""
+    own = {group.get("label"): [p.get("name") for p in group]
+           for group in proxy.iter("PropertyGroup")}
     base = PROXIES.get(proxy.get("base_proxyname"))
     return own if base is None else {**own, **groups(base)}
 
@@ -49,7 +52,7 @@ class Panel(unittest.TestCase):
             self.assertEqual(shown - {"Input"}, set(grouped) - {"Input"}, name)
 
     def test_method_stands_above_what_hexahedra_have_too(self):
-        """Groups stand in the order of their first property, and Input is the first of all."""
+        """Groups are in the order of their first property, and Input is the first of all."""
         members = next(iter(groups(PROXIES["VolumeFractionToTet"]).values()))
         self.assertEqual(members[:2], ["Input", "Method"])
         self.assertEqual(names(PROXIES["VolumeFractionToHex"])[0], "Input")

@@ -1,8 +1,9 @@
-"""The tree keeps the rules of the structure, and each rule finds what breaks it."""
+"""The sources follow the rules of the structure, and each rule detects a violation."""
 import os
 import unittest
 
-from structure_rules import LONGEST, MOST_AT_ROOT, MOST_IN_FOLDER, find_problems, place_of, read_tree
+from structure_rules import (
+    LONGEST, MOST_AT_ROOT, MOST_IN_FOLDER, find_problems, place_of, read_tree)
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 
@@ -10,13 +11,14 @@ ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 class ThisTree(unittest.TestCase):
     def test_keeps_the_rules(self):
         tree = read_tree(ROOT)
-        self.assertLessEqual({"Grid", "Grid/Base", "Grid/Tet", "Shapes", "Mesher", "Filters", "InSitu", "python"}, set(map(place_of, tree)))
+        self.assertLessEqual({"Grid", "Grid/Base", "Grid/Tet", "Shapes", "Mesher", "Filters",
+                              "InSitu", "python"}, set(map(place_of, tree)))
         problems = find_problems(tree)
         self.assertFalse(problems, "\n" + "\n".join(problems))
 
 
 class WrongTrees(unittest.TestCase):
-    """A small tree without a problem; each test adds one wrong thing to it."""
+    """A small tree without a problem; each test adds one violation."""
 
     def setUp(self):
         self.tree = {
@@ -29,7 +31,8 @@ class WrongTrees(unittest.TestCase):
             "Shapes/Shapes.h": ['#include "Base/Ranks.h"\n'],
             "Parallel/Controller.h": ['#include "Base/Ranks.h"\n', "#include <vtkObject.h>\n"],
             "IO/Meshes/Writer.h": ['#include "Base/Ranks.h"\n'],
-            "Filters/vtkFilter.h": ['#include "Pipeline.h"\n', '#include "Shapes/Shapes.h"\n', '#include "vtkFilterModule.h"\n'],
+            "Filters/vtkFilter.h": ['#include "Pipeline.h"\n', '#include "Shapes/Shapes.h"\n',
+                                    '#include "vtkFilterModule.h"\n'],
             "InSitu/Sculptor.h": ['#include "Base/Ranks.h"\n', "#include <mpi.h>\n"],
             "Examples/impact/Options.h": [],
             "Examples/impact/main.cxx": ['#include "Options.h"\n', '#include "Sculptor.h"\n'],
@@ -38,7 +41,7 @@ class WrongTrees(unittest.TestCase):
         }
 
     def expect(self, problem, path, *lines):
-        """That the only problem of the tree with a line more is this one."""
+        """Adds lines to a file and checks that this is the only problem of the tree."""
         self.tree.setdefault(path, []).extend(line + "\n" for line in lines)
         found = find_problems(self.tree)
         self.assertEqual(len(found), 1, found)
@@ -48,19 +51,23 @@ class WrongTrees(unittest.TestCase):
         self.assertEqual(find_problems(self.tree), [])
 
     def test_include_upwards(self):
-        self.expect("Grid/Base must not include Mesh/Mesh.h of Grid/Mesh", "Grid/Base/Other.h", '#include "Mesh/Mesh.h"')
+        self.expect("Grid/Base must not include Mesh/Mesh.h of Grid/Mesh", "Grid/Base/Other.h",
+                    '#include "Mesh/Mesh.h"')
 
     def test_include_of_the_root(self):
-        self.expect("Grid/Tet must not include Pipeline.h of Grid", "Grid/Tet/Other.h", '#include "Pipeline.h"')
+        self.expect("Grid/Tet must not include Pipeline.h of Grid", "Grid/Tet/Other.h",
+                    '#include "Pipeline.h"')
 
     def test_position_and_spaces(self):
-        self.expect("Grid/Base/Other.h:2: ", "Grid/Base/Other.h", "#include <map>", '  #  include "Tet/Fill.h"')
+        self.expect("Grid/Base/Other.h:2: ", "Grid/Base/Other.h", "#include <map>",
+                    '  #  include "Tet/Fill.h"')
 
     def test_room_not_named(self):
         self.expect("Ranks.h does not name its module", "Grid/Base/Other.h", '#include "Ranks.h"')
 
     def test_room_not_named_elsewhere(self):
-        self.expect("../Mesh/Mesh.h does not name its module", "Grid/Tet/Other.h", '#include "../Mesh/Mesh.h"')
+        self.expect("../Mesh/Mesh.h does not name its module", "Grid/Tet/Other.h",
+                    '#include "../Mesh/Mesh.h"')
 
     def test_no_such_file(self):
         self.expect("there is no Base/Gone.h", "Grid/Tet/Other.h", '#include "Base/Gone.h"')
@@ -75,11 +82,13 @@ class WrongTrees(unittest.TestCase):
         self.expect("does not know VTK: vtkObject.h", "Shapes/Shapes.h", "#include <vtkObject.h>")
 
     def test_c_interface_with_vtk(self):
-        self.expect("InSitu does not know VTK: vtkObject.h", "InSitu/Other.cxx", "#include <vtkObject.h>")
+        self.expect("InSitu does not know VTK: vtkObject.h", "InSitu/Other.cxx",
+                    "#include <vtkObject.h>")
 
     def test_transport_knows_mpi(self):
         self.tree["Parallel/Mpi/Transport.cxx"] = ["#include <mpi.h>\n"]
-        self.expect("Parallel/Mpi does not know VTK: vtkMPI.h", "Parallel/Mpi/Transport.cxx", "#include <vtkMPI.h>")
+        self.expect("Parallel/Mpi does not know VTK: vtkMPI.h", "Parallel/Mpi/Transport.cxx",
+                    "#include <vtkMPI.h>")
 
     def test_wrong_folders(self):
         wrong = {
@@ -99,7 +108,8 @@ class WrongTrees(unittest.TestCase):
         for path, name in wrong.items():
             with self.subTest(path):
                 self.tree = dict(tree)
-                self.expect("%s must not include %s" % (place_of(path), name), path, '#include "%s"' % name)
+                self.expect("%s must not include %s" % (place_of(path), name), path,
+                            '#include "%s"' % name)
 
     def test_circle(self):
         self.tree["IO/A.h"] = ['#include "B.h"\n']
@@ -107,16 +117,24 @@ class WrongTrees(unittest.TestCase):
 
     def test_circle_of_modules(self):
         self.tree["python/volume_fraction_mesh/_a.py"] = ["from ._b import b\n"]
-        self.tree["python/volume_fraction_mesh/_c.py"] = ["def c():\n", "    from ._a import a\n", "    return a\n"]
-        self.expect("circle: python/volume_fraction_mesh/_a.py > python/volume_fraction_mesh/_b.py > python/volume_fraction_mesh/_a.py",
+        self.tree["python/volume_fraction_mesh/_c.py"] = ["def c():\n", "    from ._a import a\n",
+                                                          "    return a\n"]
+        self.expect("circle: python/volume_fraction_mesh/_a.py > "
+                    "python/volume_fraction_mesh/_b.py > python/volume_fraction_mesh/_a.py",
                     "python/volume_fraction_mesh/_b.py", "from . import _a, _c")
 
     def test_type_twice(self):
-        self.tree["Grid/Base/One.h"] = ["namespace vfm\n", "{\n", "class Later;\n", "template <class T, class U>\n", "struct Box\n", "{\n", "};\n",
-                                        "template <>\n", "struct Box<int, int> // struct Box {\n", "{\n", "};\n", "}\n"]
-        self.tree["Grid/Base/Two.h"] = ["namespace vfm\n", "{\n", "namespace\n", "{\n", "struct Box\n", "{\n", "};\n", "}\n", "struct Outer\n", "{\n",
-                                        "struct Box\n", "{\n", "};\n", "};\n", "Box f(class Box b) { return b; }\n", "}\n"]
-        self.expect("vfm::Box is in Grid/Base/One.h and Grid/Base/Three.h", "Grid/Base/Three.h", "namespace vfm { class Box final : public Outer", "{", "}; }")
+        self.tree["Grid/Base/One.h"] = ["namespace vfm\n", "{\n", "class Later;\n",
+                                        "template <class T, class U>\n", "struct Box\n", "{\n",
+                                        "};\n", "template <>\n",
+                                        "struct Box<int, int> // struct Box {\n", "{\n", "};\n",
+                                        "}\n"]
+        self.tree["Grid/Base/Two.h"] = ["namespace vfm\n", "{\n", "namespace\n", "{\n",
+                                        "struct Box\n", "{\n", "};\n", "}\n", "struct Outer\n",
+                                        "{\n", "struct Box\n", "{\n", "};\n", "};\n",
+                                        "Box f(class Box b) { return b; }\n", "}\n"]
+        self.expect("vfm::Box is in Grid/Base/One.h and Grid/Base/Three.h", "Grid/Base/Three.h",
+                    "namespace vfm { class Box final : public Outer", "{", "}; }")
 
     def test_source_without_header(self):
         self.tree["Grid/Base/tool.cxx"] = ["int main()\n"]
@@ -136,7 +154,8 @@ class WrongTrees(unittest.TestCase):
         self.expect("Grid's root has %d files" % (MOST_AT_ROOT + 1), "Grid/README", "")
 
     def test_long_file(self):
-        self.expect("IO/Long.py has %d lines" % (LONGEST + 1), "IO/Long.py", *["pass"] * (LONGEST + 1))
+        self.expect("IO/Long.py has %d lines" % (LONGEST + 1), "IO/Long.py",
+                    *["pass"] * (LONGEST + 1))
 
 
 if __name__ == "__main__":

@@ -1,20 +1,22 @@
-"""The rules of the structure: who may include whom, what Grid may know, how long files grow."""
+"""Rules of the structure: allowed includes, dependencies of Grid, lengths of files."""
 import ast
 import collections
 import os
 import re
 
-# Modules of Grid and Mesher, bottom to top: an include goes down only. The root of each is above them all.
+# Modules of Grid and Mesher, from bottom to top. A module may include only modules before it; the
+# root of each is above all its modules.
 MODULES = {
-    "Grid": ("Ranks", "Base", "Fractions", "Octree", "Labels", "Interface", "Mesh", "Transfer", "SharpFeatures", "Smoothing",
-             "Hex", "Tet", "TetGen"),
+    "Grid": ("Ranks", "Base", "Fractions", "Octree", "Labels", "Interface", "Mesh", "Transfer",
+             "SharpFeatures", "Smoothing", "Hex", "Tet", "TetGen"),
     "Mesher": ("Options", "Input", "Levels", "Summary", "State"),
 }
-GRID, MESHER = (tuple(top + "/" + module for module in MODULES[top]) + (top,) for top in ("Grid", "Mesher"))
+GRID, MESHER = (tuple(top + "/" + module for module in MODULES[top]) + (top,)
+                for top in ("Grid", "Mesher"))
 IN_MODULES = frozenset(GRID[:-1] + MESHER[:-1])
 BASE = ("Grid/Ranks", "Grid/Base")
 
-# What a folder may include besides itself.
+# Other folders that a folder may include.
 ALLOWED = {place: GRID[:level] for level, place in enumerate(GRID)}
 ALLOWED.update({place: GRID + MESHER[:level] for level, place in enumerate(MESHER)})
 ALLOWED.update({
@@ -32,7 +34,8 @@ ALLOWED.update({
     "InSitu": BASE + ("Grid/Mesh",) + MESHER + ("Parallel/Mpi", "IO/Labels", "IO/Meshes"),
     "InSitu/Catalyst": BASE + ("Parallel/Mpi", "InSitu"),
     "Program": BASE + ("Grid/Mesh",) + MESHER + (
-        "Parallel", "Parallel/Mpi", "IO", "IO/Blocks", "IO/Images", "IO/Labels", "IO/Meshes", "Filters", "Filters/Data"),
+        "Parallel", "Parallel/Mpi", "IO", "IO/Blocks", "IO/Images", "IO/Labels", "IO/Meshes",
+        "Filters", "Filters/Data"),
     "Plugin": ("Filters", "Mesher/Input"),
     "python": GRID + MESHER + ("Shapes", "IO/Blocks", "IO/Labels", "IO/Meshes"),
     "Examples": ("InSitu", "InSitu/Catalyst"),
@@ -48,10 +51,10 @@ ALLOWED.update({
     "Testing/Program": MESHER + ("InSitu", "Program"),
 })
 
-# Folders without VTK, and those of them without MPI.
+# PLAIN: folders without VTK. WITHOUT_MPI: folders without VTK and MPI.
 WITHOUT_MPI = GRID + MESHER + (
-    "Shapes", "IO", "IO/Blocks", "IO/Images", "IO/Labels", "IO/Meshes", "python", "Testing/IO", "Testing/Support", "Testing/Grid",
-    "Testing/Mesher")
+    "Shapes", "IO", "IO/Blocks", "IO/Images", "IO/Labels", "IO/Meshes", "python", "Testing/IO",
+    "Testing/Support", "Testing/Grid", "Testing/Mesher")
 PLAIN = WITHOUT_MPI + ("Parallel/Mpi", "InSitu")
 VTK = re.compile(r"(vtk|paraview|pv|pq)", re.IGNORECASE)
 MPI = re.compile(r"mpi", re.IGNORECASE)
@@ -60,17 +63,20 @@ INCLUDE = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)')
 CODE = (".h", ".hpp", ".cxx", ".cpp", ".c")
 SOURCES = CODE + (".f90", ".py", ".xml", ".txt", ".cmake")
 LONGEST = 650 # lines
-MOST_AT_ROOT = 8 # files beside the modules of Grid
+MOST_AT_ROOT = 8  # files in Grid outside its modules
 MOST_IN_FOLDER = 40 # files
-HAVE_HEADERS = GRID + MESHER + ("Shapes", "Parallel", "IO", "IO/Labels", "IO/Meshes", "Filters/Data", "Filters/Files") # folders whose sources have each a header of its name
+# folders in which each source has a header of its name
+HAVE_HEADERS = GRID + MESHER + ("Shapes", "Parallel", "IO", "IO/Labels", "IO/Meshes",
+                                "Filters/Data", "Filters/Files")
 PACKAGE = "python/volume_fraction_mesh"
 
 
 def read_tree(root):
-    """The lines of all sources by path; Grid's other files without lines."""
+    """Returns {path: lines} of all sources; other files in Grid have no lines."""
     tree = {}
     for folder, folders, files in os.walk(root):
-        folders[:] = [f for f in folders if not f.startswith((".", "build")) and f not in ("out", "__pycache__")]
+        folders[:] = [f for f in folders if not f.startswith((".", "build"))
+                      and f not in ("out", "__pycache__")]
         if "CMakeCache.txt" in files:
             folders[:], files = [], []
         for name in files:
@@ -84,14 +90,19 @@ def read_tree(root):
 
 
 def place_of(path):
-    """The module or folder of a file."""
+    """Returns the module or folder of a file."""
     folders = path.split("/")[:-1]
     two = "/".join(folders[:2])
-    return two if two in ALLOWED or folders and (folders[0] in MODULES or folders[0] == "Testing") else "/".join(folders[:1])
+    return (two if two in ALLOWED
+            or folders and (folders[0] in MODULES or folders[0] == "Testing")
+            else "/".join(folders[:1]))
 
 
 def find_file(tree, folders, path, name):
-    """The file that an include names: beside the including one, or in one of the folders; None without one."""
+    """Returns the file that an include names, or None.
+
+    It is in the folder of the including file, or in one of `folders`.
+    """
     beside = os.path.normpath(os.path.join(os.path.dirname(path), name))
     if beside in tree:
         return beside
@@ -100,18 +111,22 @@ def find_file(tree, folders, path, name):
 
 
 def list_includes(tree):
-    """Of the code: (path, "path:line", bracket, name, file or None). Modules are no folders to search."""
+    """Yields (path, "path:line", bracket, name, file or None) for each include.
+
+    Modules are not searched as folders.
+    """
     folders = {os.path.dirname(path) for path in tree} - IN_MODULES | {""}
     for path in sorted(tree):
         for number, line in enumerate(tree[path] if path.endswith(CODE) else (), 1):
             match = INCLUDE.match(line)
             if match:
                 bracket, name = match.groups()
-                yield path, "%s:%d" % (path, number), bracket, name, find_file(tree, folders, path, name)
+                yield (path, "%s:%d" % (path, number), bracket, name,
+                       find_file(tree, folders, path, name))
 
 
 def find_include_problem(path, bracket, name, file):
-    """"" or what is wrong with an include."""
+    """Returns the problem of an include, or an empty text."""
     place = place_of(path)
     if place in PLAIN and VTK.match(name):
         return "%s does not know VTK: %s" % (place, name)
@@ -128,7 +143,7 @@ def find_include_problem(path, bracket, name, file):
 
 
 def find_circles(after):
-    """Each circle once. after: what each file includes or imports."""
+    """Returns a message for each circle; `after`: {file: files that it includes or imports}."""
     done, problems = set(), []
 
     def visit(path, trail):
@@ -145,7 +160,7 @@ def find_circles(after):
 
 
 def map_includes(tree):
-    """The files that each file includes."""
+    """Returns the files that each file includes."""
     after = {}
     for path, _, bracket, _, file in list_includes(tree):
         if bracket == '"' and file:
@@ -154,7 +169,10 @@ def map_includes(tree):
 
 
 def map_imports(tree):
-    """The modules of the Python package that each of its modules imports where it is loaded: not those that a function imports."""
+    """Returns the modules of the Python package that each module imports at load time.
+
+    Imports in functions are not counted.
+    """
     after = {}
     for path in tree:
         if os.path.dirname(path) == PACKAGE and path.endswith(".py"):
@@ -166,21 +184,31 @@ def map_imports(tree):
     return after
 
 
-LEXEMES = re.compile(r"""//[^\n]*|/\*.*?\*/|R"\(.*?\)"|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])'|[{};]|[^{};"'/]+|.""", re.DOTALL)
-SCOPE = re.compile(r"(?:^|\s)(namespace|struct|class|enum class|enum|union)(?:\s+[A-Z_]+)?(?:\s+(\w[\w:]*))?(?:\s+final)?\s*(?::[^:].*)?$", re.DOTALL)
+LEXEMES = re.compile(
+    r"""//[^\n]*|/\*.*?\*/|R"\(.*?\)"|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])'|[{};]|[^{};"'/]+|.""",
+    re.DOTALL)
+SCOPE = re.compile(
+    r"(?:^|\s)(namespace|struct|class|enum class|enum|union)(?:\s+[A-Z_]+)?(?:\s+(\w[\w:]*))?"
+    r"(?:\s+final)?\s*(?::[^:].*)?$", re.DOTALL)
 TEMPLATE = re.compile(r"template\s*<.*>\s*(?=struct|class|union)", re.DOTALL)
 
 
 def read_scope(statement):
-    """(kind, name) of the scope that a statement opens; ("", "") where that has no name that counts, as a function or a specialisation."""
+    """Returns (kind, name) of the scope that a statement opens.
+
+    Both are empty for scopes without a relevant name, such as functions and specializations.
+    """
     match = SCOPE.search(TEMPLATE.sub("", statement).strip())
     return (match.group(1), match.group(2) or "") if match else ("", "")
 
 
 def list_types(lines):
-    """The types that a file of C++ defines in named namespaces, with these. Macros are not expanded."""
+    """Yields the types that a C++ file defines in named namespaces, with their namespaces.
+
+    Macros are not expanded.
+    """
     text = "".join(line for line in lines if not line.lstrip().startswith("#"))
-    scopes, statement = [], "" # of each brace that is open: the namespace, or None
+    scopes, statement = [], ""  # for each open brace: the namespace, or None
     for match in LEXEMES.finditer(text):
         token = match.group()
         if token == "{":
@@ -197,31 +225,35 @@ def list_types(lines):
 
 
 def find_twice(tree):
-    """Types of one name in one namespace."""
+    """Returns a message for each type that is defined twice in one namespace."""
     places = {}
     for path in sorted(tree):
         if path.endswith(CODE) and not path.startswith(("Testing/", "Examples/")):
             for name in list_types(tree[path]):
                 places.setdefault(name, []).append(path)
-    return ["%s is in %s" % (name, " and ".join(paths)) for name, paths in sorted(places.items()) if len(paths) > 1 and "::" in name]
+    return ["%s is in %s" % (name, " and ".join(paths)) for name, paths in sorted(places.items())
+            if len(paths) > 1 and "::" in name]
 
 
 def find_bare_sources(tree):
-    """Sources without a header of their name that are no programs."""
+    """Returns a message for each source that has no header of its name and is not a program."""
     return ["%s has no header of its name" % path for path in sorted(tree)
-            if place_of(path) in HAVE_HEADERS and path.endswith(".cxx") and path[:-4] + ".h" not in tree
+            if place_of(path) in HAVE_HEADERS and path.endswith(".cxx")
+            and path[:-4] + ".h" not in tree
             and not any(line.startswith("int main(") for line in tree[path])]
 
 
 def find_crowds(tree):
-    """Folders with too many files."""
+    """Returns a message for each folder with too many files."""
     counts = collections.Counter(os.path.dirname(path) for path in tree)
-    return ["%s has %d files" % (folder, count) for folder, count in sorted(counts.items()) if count > MOST_IN_FOLDER]
+    return ["%s has %d files" % (folder, count) for folder, count in sorted(counts.items())
+            if count > MOST_IN_FOLDER]
 
 
 def find_problems(tree):
-    """All that breaks a rule."""
-    problems = ["%s has %d lines" % (path, len(lines)) for path, lines in sorted(tree.items()) if len(lines) > LONGEST]
+    """Returns all violations of the rules."""
+    problems = ["%s has %d lines" % (path, len(lines)) for path, lines in sorted(tree.items())
+                if len(lines) > LONGEST]
     places = {place_of(path) for path in tree if path.endswith(CODE)}
     problems += ["%s is not in the table" % place for place in sorted(places - set(ALLOWED))]
     at_root = [path for path in tree if place_of(path) == "Grid"]

@@ -52,7 +52,7 @@ class Model:
         return results
 
     def deviation(self, name, stresses, exact):
-        """Returns the largest deviation from the exact stress, relative to its largest component."""
+        """Returns the largest deviation from the exact stress, relative to its largest value."""
         found = abs(stresses - exact).max() / abs(np.array(exact)).max()
         print("  %-24s %-8s %6d elements, deviation of the stress %.1e"
               % (name, self.kind, len(self.file.elements), found))

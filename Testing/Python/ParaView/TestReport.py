@@ -26,7 +26,7 @@ def main(script):
         assert os.path.getsize(os.path.join(out, name + ".png")) > 10000
         with open(os.path.join(out, name + ".md"), encoding="utf-8") as file:
             rows = file.read().splitlines()[2:]
-    assert rows, "the script tells nothing"
+    assert rows, "the script prints no rows"
     missing = [row for row in rows if row not in page]
     assert not missing, "not in Documentation/validation/sculptor-report.md:\n" + "\n".join(missing)
     assert ("gallery/%s.png" % name) in "\n".join(page), "the page does not show " + name

@@ -1,12 +1,14 @@
-"""Python loads this module when it starts, if PYTHONPATH names the folder. It keeps ParaView from
-looking up the documentation of each of its functions, which takes half of the time that pvpython
-needs to start."""
+"""Python loads this module at start if PYTHONPATH contains the folder.
+
+It prevents ParaView from looking up the documentation of each function, which takes half of the
+time that pvpython needs to start.
+"""
 import importlib.util
 import sys
 
 
 class ServerManagerFinder:
-    """Finds paraview.servermanager once and changes it after it was loaded."""
+    """Finds paraview.servermanager once and changes it after loading."""
 
     def find_spec(self, name, path, target=None):
         if name != "paraview.servermanager":
