@@ -21,8 +21,7 @@ struct HostStep
 /// Appends a line to a text, unless the line is empty.
 void AddLine(std::string& text, const std::string& line);
 
-/// Catalyst in a process. All calls are collective. A failure on any rank adds a line of text on
-/// all.
+/// Catalyst in a process. All calls are collective. A failure on any rank is recorded on each rank.
 class CatalystRun
 {
 public:
