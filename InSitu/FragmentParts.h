@@ -1,5 +1,5 @@
 /**
- * FragmentParts: the elements of each fragment on this rank, with nodes of their own.
+ * FragmentParts: local fragments, the elements of each fragment on this rank and their points.
  */
 #pragma once
 
@@ -10,24 +10,26 @@
 namespace vfm
 {
 
+/// Index of the elements of a mesh by fragment. Refers to the mesh, which must outlive it.
 class FragmentParts
 {
 public:
-  /// mesh: must outlive this.
   explicit FragmentParts(const Mesh& mesh);
 
+  /// Local fragment.
   struct Part
   {
-    std::vector<Index> Points;   ///< of the mesh, ascending
-    std::vector<Index> Elements; ///< of the mesh, ascending
+    std::vector<Index> Points;   ///< numbers of points of the mesh, ascending
+    std::vector<Index> Elements; ///< numbers of elements of the mesh, ascending
   };
-  /// Without elements where this rank has none of the fragment.
+  /// Returns a local fragment, without elements if this rank has none.
+  /// @param fragment  number of the fragment, from 1
   Part Get(int fragment) const;
 
 private:
   const Mesh& TheMesh;
-  std::vector<Index> Order,
-    First; // elements by fragment; of each fragment from 0 its first, and the end
+  // Elements, ordered by fragment; start of each fragment in Order, from fragment 0, then the end.
+  std::vector<Index> Order, First;
 };
 
 } // namespace vfm

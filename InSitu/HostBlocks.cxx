@@ -39,24 +39,24 @@ std::string TextOf(const std::vector<FieldName>& names)
   return text;
 }
 
-/// For messages; the numbers are components.
+/// Returns a text for messages, with the numbers of components.
 std::string TextOf(const FieldNames& names)
 {
   return (names.HasMaterialIds ? "material ids" : "materials " + TextOf(names.Materials)) +
     (names.States.empty() ? ", no states" : ", states " + TextOf(names.States));
 }
 
-/// What the blocks of a rank have that differs, or an empty text.
+/// Returns a message if the names differ, otherwise an empty text.
 std::string ReportDifference(const FieldNames& mine, const FieldNames& others)
 {
   const bool same = mine.Materials == others.Materials && mine.States == others.States &&
     mine.HasMaterialIds == others.HasMaterialIds;
   return same ? ""
               : TextOf(mine) + "; others have " + TextOf(others) +
-      ". All blocks of all ranks must have the same, in the same order.";
+      ". All blocks of all ranks must have the same fields, in the same order.";
 }
 
-///@{ Names on their way between ranks; a name holds no zero.
+///@{ Packs names to send them, and unpacks them. Names end with a zero byte.
 void Append(const std::vector<FieldName>& names, char kind, Bytes& bytes)
 {
   for (const FieldName& field : names)

@@ -1,6 +1,6 @@
 /**
- * HostBlocks: the blocks that a host hands over on one rank by the C interface, each with its fields, and what those of all ranks
- * must have alike.
+ * HostBlocks: the blocks of cells, with their fields, that a host passes on one rank through the C
+ * interface.
  */
 #pragma once
 
@@ -22,44 +22,54 @@ struct FieldName
   }
 };
 
-/// The fields of a block without their values: alike in all blocks of all ranks.
+/// Names of the fields of a block, which must be equal in all blocks of all ranks.
 struct FieldNames
 {
   std::vector<FieldName> Materials, States;
-  bool HasMaterialIds = false; ///< instead of Materials, in the array MaterialIdName
+  bool HasMaterialIds = false; ///< MaterialIdName replaces Materials
 };
 
+/// Name of the array of material ids.
 constexpr const char* MaterialIdName = "MaterialIds";
 
+/// Blocks of one rank. The values of fields belong to the host.
 class HostBlocks
 {
 public:
-  ///@{ Pointers to 6 and 3 values, which are copied. What is wrong with them is told by Check.
-  /// The first block, of level 0, which keeps the fields that it has; no others.
+  ///@{ The arguments are copied; Check checks them.
+  /// Sets the cells of the first block, on level 0. It keeps its fields; other blocks are removed.
+  /// @param bounds  xmin ymin zmin xmax ymax zmax
+  /// @param intervals  numbers of cells along x, y, z
   void SetOnly(const double* bounds, const int* intervals);
+  /// Adds a block, to which the fields added next belong.
   void Begin(int level, const double* bounds, const int* intervals);
   ///@}
   void Clear() { this->Blocks.clear(); }
 
-  ///@{ Of the block last begun; before any, of the one that SetOnly will set. Values of its cells, which are not copied.
+  ///@{ Adds values of the cells of the last block. If there are no blocks yet, they belong to the
+  /// block that SetOnly will set. Values are not copied.
   void AddMaterial(const std::string& name, const double* fractions);
   void AddState(const std::string& name, int components, const double* values);
   void SetMaterialIds(const int* ids);
   ///@}
-  /// Of all blocks.
+  /// Removes the fields of all blocks.
   void ClearFields();
 
-  /// Whether this rank has one block of level 0, as face neighbours need it.
+  /// Returns whether this rank has one block of level 0, which face neighbours require.
   bool IsOneBox() const { return this->Blocks.size() == 1 && this->Blocks[0].Cells->Level == 0; }
   std::size_t Count() const { return this->Blocks.size(); }
 
-  /// Throws InputError on blocks without cells or fields, with wrong numbers (CheckBoundedCells), with other fields than the first of this
-  /// rank. Not collective.
+  /// Checks the blocks of this rank. Not collective.
+  /// @throws InputError  if CheckBoundedCells rejects a block, or if a block has no cells, no
+  ///   fields, or other fields than the first block
   void Check() const;
-  /// Collective, after Check: the names of all blocks, known on ranks without blocks, too. Throws InputError on ranks with others than the
-  /// first rank that has blocks, and on all when none has.
+  /// Returns the names of fields, also on ranks without blocks.
+  /// @throws InputError  on ranks whose names differ from the first rank with blocks; on all ranks
+  ///   if there are no blocks
+  /// @pre Collective, after Check
   FieldNames AgreeOnNames(Ranks& ranks) const;
-  /// Collective, after Check: the blocks with their fields on the grid of all ranks (PlaceHostBoxes).
+  /// Returns the blocks with their fields, placed in the grid of all ranks (PlaceHostBoxes).
+  /// @pre Collective, after Check
   HostGrid Place(Ranks& ranks) const;
 
 private:
@@ -70,7 +80,7 @@ private:
     const int* MaterialIds = nullptr;
 
     FieldNames Names() const;
-    /// first: of the first block.
+    /// @param first  names of the first block
     void Check(const FieldNames& first) const;
   };
 

@@ -36,13 +36,13 @@ void HostCommunicator::Set(int communicator)
 {
   if (!IsMpiRunning())
   {
-    throw InputError("A communicator was given, but MPI does not run.");
+    throw InputError("A communicator was given, but MPI is not running.");
   }
   const MPI_Comm given = MPI_Comm_f2c(communicator);
   if (given == MPI_COMM_NULL)
   {
     throw InputError(std::to_string(communicator) +
-      " is no communicator. From C, give MPI_Comm_c2f(communicator).");
+      " is not a communicator. From C, pass MPI_Comm_c2f(communicator).");
   }
   if (given != this->Given)
   {

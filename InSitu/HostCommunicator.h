@@ -1,5 +1,6 @@
 /**
- * HostCommunicator: the ranks of a host code's MPI communicator, with messages of their own.
+ * HostCommunicator: the ranks of an MPI communicator of a host. A duplicate of the communicator
+ * keeps messages separate from messages of the host.
  */
 #pragma once
 
@@ -10,19 +11,24 @@
 namespace vfm
 {
 
+/// Owner of the duplicate and of its Ranks.
 class HostCommunicator
 {
 public:
   HostCommunicator() = default;
-  /// Frees the duplicate; collective unless MPI has ended.
+  /// Frees the duplicate, if there is one.
+  /// @pre Collective unless MPI has been finalized
   ~HostCommunicator();
   HostCommunicator(const HostCommunicator&) = delete;
   HostCommunicator& operator=(const HostCommunicator&) = delete;
 
-  /// The ranks of a Fortran handle. Throws InputError when MPI does not run or it is no communicator.
+  /// Sets the communicator by its Fortran handle. A duplicate of another communicator is freed.
+  /// @throws InputError  if MPI is not running or the handle is MPI_COMM_NULL
+  /// @pre Collective if another communicator was duplicated before
   void Set(int communicator);
-  /// Collective when called first: the ranks of a duplicate of what was Set, or of MPI_COMM_WORLD; this process alone where MPI does not
-  /// run. They belong to this.
+  /// Returns the ranks of a duplicate of the communicator that was set, otherwise of
+  /// MPI_COMM_WORLD. If MPI is not running, this process is the only rank.
+  /// @pre Collective at the first call, which makes the duplicate
   Ranks& GetRanks();
 
 private:

@@ -12,7 +12,7 @@ namespace
 {
 
 constexpr const char* AxisNames[3] = { "x", "y", "z" };
-constexpr Index EndOfInts = std::numeric_limits<int>::max(); // nodes are counted by ints, too
+constexpr Index EndOfInts = std::numeric_limits<int>::max(); // nodes too are counted by int
 
 void CheckAxes(const HostGrid& grid)
 {
@@ -87,7 +87,7 @@ void CheckBox(const HostGrid& grid, const HostBox& box)
 {
   if (box.Level < 0 || box.Level > MaximumHostLevels)
   {
-    throw InputError(NameBox(box) + " has no level from 0, the coarsest, to " +
+    throw InputError(NameBox(box) + ": the level must be 0, the coarsest, to " +
       std::to_string(MaximumHostLevels) + ".");
   }
   for (int a = 0; a < 3; ++a)
@@ -105,8 +105,8 @@ void CheckBox(const HostGrid& grid, const HostBox& box)
     }
     if (box.Cells.Upper[a] >= EndOfInts)
     {
-      throw InputError(NameBox(box) + " has cells beyond number " + std::to_string(EndOfInts) +
-        " along " + AxisNames[a] + ". Fewer levels are needed.");
+      throw InputError(NameBox(box) + " has cells with indices above " + std::to_string(EndOfInts) +
+        " along " + AxisNames[a] + ". Use fewer levels.");
     }
   }
   CheckArrays(box);

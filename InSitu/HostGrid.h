@@ -1,13 +1,14 @@
 /**
- * HostGrid: what a host code (a simulation) holds on one rank, in plain terms. Knows neither VTK nor MPI nor Catalyst: the C
- * interface and every in-situ adaptor start from it.
+ * HostGrid: grid and fields of a host (a simulation) on one rank, without VTK, MPI or Catalyst. The
+ * C interface and the Catalyst adaptors use it.
  *
- * Cells are numbered (i,j,k) over the whole grid, from 0. The values of a box are those of its cells alone, x fastest:
- * value (i,j,k) of component c is values[((k * ny + j) * nx + i) * components + c], i, j, k from the box's lower corner.
+ * Cells are numbered (i,j,k) over the whole grid, from 0. A box has values of its own cells only, x
+ * fastest: values[((k * ny + j) * nx + i) * components + c] is component c of cell (i,j,k), counted
+ * from the lower corner of the box.
  *
- * A box may be of a finer level (AMR): cells of level L are those of level 0 halved L times along each axis, and are numbered
- * over the whole grid as if it had no others. Boxes of coarser levels may lie below those of finer ones or not; what they hold there is
- * ignored by the mesher.
+ * A box may be on a finer level (AMR). Cells of level L are cells of level 0 that are halved L
+ * times along each axis. They are numbered as if the whole grid had level L. Boxes of coarser
+ * levels below finer ones are optional; the mesher ignores their values there.
  */
 #pragma once
 
@@ -20,7 +21,7 @@
 namespace vfm
 {
 
-/// The numbers are those of VTK.
+/// Type of values, with the numbers of VTK (VTK_UNSIGNED_CHAR, ..).
 enum class HostType
 {
   UnsignedChar = 3,
@@ -29,8 +30,9 @@ enum class HostType
   Double = 11
 };
 
-/// Values of the host, one tuple of components a cell. They must stay where they are as long as data made of them lives,
-/// and are never written to. An unsigned char array named vtkGhostType marks cells that are copies of another box's.
+/// Values of the host, one tuple of components per cell. They are not copied and never written.
+/// They must stay allocated as long as data made of them exist. An array of unsigned char named
+/// vtkGhostType marks cells that are copies of cells of another box.
 struct HostArray
 {
   std::string Name;
@@ -39,26 +41,29 @@ struct HostArray
   const void* Values = nullptr;
 };
 
+/// Box of cells with arrays.
 struct HostBox
 {
-  IndexBox Cells; ///< of its level
+  IndexBox Cells; ///< cells, numbered on its level
   std::vector<HostArray> Arrays;
-  int Level = 0; ///< 0: the coarsest
+  int Level = 0; ///< 0 for the coarsest cells
 };
 
-constexpr int MaximumHostLevels = 30; ///< above level 0
+constexpr int MaximumHostLevels = 30; ///< finest level
 
-/// A grid, of which this rank holds some boxes, or none. Node (i,j,k) of level L is at Origin + (i,j,k) * Spacing / 2^L.
+/// Grid of all ranks with the boxes of this rank, possibly none. Node (i,j,k) of level L is at
+/// Origin + (i,j,k) * Spacing / 2^L.
 struct HostGrid
 {
-  Vector3 Origin{ { 0, 0, 0 } };  ///< of the whole grid, same on all ranks
-  Vector3 Spacing{ { 1, 1, 1 } }; ///< edges of a cell of level 0
-  Index3 Cells{ { 0, 0, 0 } };    ///< of level 0 in the whole grid, along x, y, z
+  Vector3 Origin{ { 0, 0, 0 } };  ///< lower corner of the grid, equal on all ranks
+  Vector3 Spacing{ { 1, 1, 1 } }; ///< edge lengths of a cell of level 0
+  Index3 Cells{ { 0, 0, 0 } };    ///< numbers of level-0 cells along x, y, z
   std::vector<HostBox> Boxes;
 };
 
-/// An array of the host's values: double, float, int or unsigned char. name: not empty; values: one tuple of components for every
-/// cell of its box.
+/// Makes an array from values of type double, float, int or unsigned char.
+/// @param name  name of the array, not empty
+/// @param values  (cells of the box, components), row-major; not copied
 template <class T>
 HostArray MakeHostArray(const std::string& name, const T* values, int components = 1)
 {
@@ -73,12 +78,16 @@ HostArray MakeHostArray(const std::string& name, const T* values, int components
     values };
 }
 
-/// Throws InputError that names what is wrong: spacing that is not positive, numbers that are not finite, no cells,
-/// more cells along an axis than an int counts; a box that is empty or leaves the grid, a level out of range; an array
-/// without name, values or components, or twice in a box. Boxes that overlap or leave gaps are found by the mesher.
+/// Checks the grid and the boxes of this rank. Not collective. Overlaps and gaps between boxes are
+/// found by the mesher.
+/// @throws InputError  if
+///   - a spacing is not positive, a number not finite, or the grid has no cells
+///   - the grid has more cells along an axis than int can count
+///   - a box is empty or leaves the grid, or its level is out of range
+///   - an array has no name, values or components, or a box has two arrays of one name
 void CheckHostGrid(const HostGrid& grid);
 
-/// Edges of the cells of a level.
+/// Returns the edge lengths of cells of a level.
 Vector3 SpacingOf(const HostGrid& grid, int level);
 
 } // namespace vfm

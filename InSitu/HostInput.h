@@ -1,5 +1,5 @@
 /**
- * HostInput: a HostGrid as the input of a run of the mesher, without a copy.
+ * HostInput: converts a HostGrid to the input of the mesher without copying its values.
  */
 #pragma once
 
@@ -9,8 +9,9 @@
 namespace vfm
 {
 
-/// The boxes of this rank as blocks. Coordinates are the same bits on every rank, and on every level that has the node. The arrays are the
-/// host's memory.
+/// Returns the boxes of this rank as blocks. Their arrays are the memory of the host. The
+/// coordinates of a node are bitwise identical on all ranks and levels.
+/// @throws InputError  if a block is not valid
 CollectedBlocks CollectHostBlocks(const HostGrid& grid, const Ranks& ranks);
 
 } // namespace vfm

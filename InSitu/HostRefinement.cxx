@@ -36,7 +36,7 @@ bool HostRefinement::AddTo(HostGrid& grid, Ranks& ranks)
 void RefineNamedCells(MesherOptions& options)
 {
   options.RefinementArray = ArrayName;
-  if (options.Where != Refinement::Automatic || options.MaximumLevel == 0) // then nothing else asks
+  if (options.Where != Refinement::Automatic || options.MaximumLevel == 0) // no other refinement
   {
     options.Where = Refinement::Automatic;
     options.MaximumLevel = options.MaximumLevel == 0 ? -1 : options.MaximumLevel;

@@ -1,5 +1,5 @@
 /**
- * HostRefinement: the cells that a host names to be refined, on one rank, for its next mesh.
+ * HostRefinement: user-selected cells of one rank, which are refined in the next mesh.
  */
 #pragma once
 
@@ -12,21 +12,28 @@
 namespace vfm
 {
 
+/// Refinement requests of a host by box. Their values belong to the host.
 class HostRefinement
 {
 public:
-  /// How many times each cell of a box is to be halved, by the place of the box in the grid of this rank; not copied. Null: none.
+  /// Sets the request of a box.
+  /// @param box  index of the box in HostGrid::Boxes
+  /// @param halvings  number of halvings along each axis per cell, not copied; null: no requests
   void Set(std::size_t box, const int* halvings) { this->Halvings[box] = halvings; }
 
-  /// Collective: whether any rank names cells; then all boxes get an array of them, those without one of zeros, which must not outlive this.
+  /// Adds the requests as arrays to all boxes, with zeros for boxes without requests, if any rank
+  /// has requests. The zeros belong to this object.
+  /// @return whether arrays were added, equal on all ranks
+  /// @pre Collective
   bool AddTo(HostGrid& grid, Ranks& ranks);
 
 private:
   std::map<std::size_t, const int*> Halvings;
-  std::vector<std::vector<int>> Zeros; // of boxes
+  std::vector<std::vector<int>> Zeros; // arrays of boxes without requests
 };
 
-/// Sets the options for a mesh whose cells are refined where AddTo says, besides what they ask.
+/// Changes the options so that the requests added by AddTo are met, in addition to the refinement
+/// that the options request.
 void RefineNamedCells(MesherOptions& options);
 
 } // namespace vfm

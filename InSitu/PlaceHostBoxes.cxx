@@ -11,8 +11,8 @@ namespace vfm
 namespace
 {
 
-constexpr double PlaceTolerance = 1e-3;     // of a cell
-constexpr double MaximumCells = 2147483646; // along an axis, as VTK counts them
+constexpr double PlaceTolerance = 1e-3;     // in cells
+constexpr double MaximumCells = 2147483646; // per axis; nodes are counted by int
 constexpr const char* AxisNames[3] = { "x", "y", "z" };
 
 [[noreturn]] void Reject(const std::string& what, int axis, double value)
@@ -34,7 +34,8 @@ double WidthOf(const BoundedCells& box, int a)
   return (box.Upper[a] - box.Lower[a]) / box.Intervals[a];
 }
 
-/// How well a box tells the width of cells of level 0: coarse ones before fine ones, then those of many cells.
+/// Returns how accurately a box determines the width of cells of level 0. Boxes of coarser levels
+/// rank first, then boxes with more cells.
 double MeritOf(const BoundedCells& box, int a)
 {
   return box.Intervals[a] - std::ldexp(box.Level, 31);
@@ -68,7 +69,7 @@ Axis FindAxis(const std::vector<BoundedCells>& mine, int a, Ranks& ranks)
   return { lower, (upper - lower) / cells, static_cast<Index>(cells) };
 }
 
-/// The cells of a box along an axis.
+/// Sets the range of cells of a box along an axis.
 void PlaceAlong(const BoundedCells& box, int a, const Axis& axis, IndexBox& cells)
 {
   const double spacing = std::ldexp(axis.Spacing, -box.Level);
@@ -79,9 +80,10 @@ void PlaceAlong(const BoundedCells& box, int a, const Axis& axis, IndexBox& cell
   if (cells.Size(a) != box.Intervals[a])
   {
     Reject(box.Level == 0 ? "The cells of the ranks differ in size"
-                          : "Cells of level " + std::to_string(box.Level) + " are not " +
+                          : "Cells of level " + std::to_string(box.Level) + " must be 1/" +
           std::to_string(Index(1) << box.Level) +
-          " in one of level 0, of which a whole number must fill the grid,",
+          " as wide as cells of level 0, an integer number of which must fill the grid; they are "
+          "not",
       a, WidthOf(box, a));
   }
   if (std::abs(first - std::round(first)) > PlaceTolerance ||

@@ -1,5 +1,5 @@
 /**
- * PlaceHostBoxes: the whole grid and the places of this rank's boxes in it, from the bounding boxes that the ranks know.
+ * PlaceHostBoxes: finds the grid of all ranks, and the places of boxes in it, from bounding boxes.
  */
 #pragma once
 
@@ -9,29 +9,33 @@
 namespace vfm
 {
 
-/// The bounding box of cells of a level (length units of the host) and how many there are along each axis.
+/// Box of cells of one level.
 struct BoundedCells
 {
-  Vector3 Lower, Upper;
-  std::array<int, 3> Intervals;
-  int Level = 0;
+  Vector3 Lower, Upper;         ///< bounding box, length units of the host
+  std::array<int, 3> Intervals; ///< numbers of cells along x, y, z
+  int Level = 0;                ///< 0 for the coarsest cells
 };
 
-/// Does the work with a block, counted from 0; its errors tell which, where there are several.
+/// Runs work(). If there are several blocks, errors name this one, counted from 0.
 template <class Work>
 void NameBlock(std::size_t block, std::size_t blocks, const Work& work)
 {
   PrefixErrors(blocks > 1 ? "Block " + std::to_string(block) + ": " : "", work);
 }
 
-/// Throws InputError on numbers that are not finite, a box that is flat or inside out, intervals below 1, levels out of
-/// range. Not collective.
+/// Checks a box. Not collective.
+/// @throws InputError  if a length is not finite or not above 0, an interval below 1, or the level
+///   out of range
 void CheckBoundedCells(const BoundedCells& cells);
 
-/// Collective; mine: of this rank, maybe none, but some on any rank. A grid with these boxes, without arrays, whose origin and
-/// spacing are those of all ranks' boxes together, so the same bits on all ranks, whichever has which box. Throws InputError, on
-/// all ranks alike, when cells of a level are not those of level 0 halved or boxes are not on one grid, by more than a
-/// thousandth of a cell.
+/// Places the boxes of all ranks in one grid.
+/// @param mine  checked boxes of this rank; may be empty, but not on all ranks
+/// @return grid of this rank's boxes, without arrays. Origin, spacing and cells follow from the
+///   boxes of all ranks, so they are bitwise identical on all ranks, however boxes are distributed.
+/// @throws InputError  on all ranks, if a cell of level L is not 1/2^L as wide as cells of level 0,
+///   or a box deviates from the grid by more than 1e-3 of its cells
+/// @pre Collective
 HostGrid PlaceHostBoxes(const std::vector<BoundedCells>& mine, Ranks& ranks);
 
 } // namespace vfm

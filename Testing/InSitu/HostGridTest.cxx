@@ -148,8 +148,8 @@ TEST(HostGrid, ReportsWhatIsWrong)
     "[2, 2) x [0, 2) x [1, 3) is empty along x");
   ExpectError([](HostGrid& g) { g.Boxes[0].Cells.Upper[2] = 4; }, "leaves the grid along z");
   ExpectError([](HostGrid& g) { g.Boxes[0].Cells.Lower[0] = -1; }, "leaves the grid along x");
-  ExpectError([](HostGrid& g) { g.Boxes[0].Level = -1; }, "of level -1 has no level from 0");
-  ExpectError([](HostGrid& g) { g.Boxes[0].Level = 31; }, "of level 31 has no level from 0");
+  ExpectError([](HostGrid& g) { g.Boxes[0].Level = -1; }, "of level -1: the level must be 0");
+  ExpectError([](HostGrid& g) { g.Boxes[0].Level = 31; }, "of level 31: the level must be 0");
   ExpectError(
     [](HostGrid& g)
     {
@@ -164,7 +164,7 @@ TEST(HostGrid, ReportsWhatIsWrong)
       g.Boxes[0].Cells.Lower[0] = (Index(1) << 31) - 4;
       g.Boxes[0].Cells.Upper[0] = (Index(1) << 31) - 1;
     },
-    "has cells beyond number 2147483647 along x");
+    "has cells with indices above 2147483647 along x");
   ExpectError([](HostGrid& g) { g.Boxes[0].Arrays[0].Name = ""; }, "array without a name");
   ExpectError([](HostGrid& g) { g.Boxes[0].Arrays[1].Values = nullptr; }, "'floats' has no values");
   ExpectError([](HostGrid& g) { g.Boxes[0].Arrays[2].Components = 0; }, "'ints' has 0 components");

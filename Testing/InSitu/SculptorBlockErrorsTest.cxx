@@ -63,7 +63,8 @@ TEST_F(SculptorBlockErrors, LevelsOutOfRange)
 
 TEST_F(SculptorBlockErrors, WidthsOfAnotherLevel)
 {
-  this->ExpectOfBlock(3, SCULPTOR_ERROR_INPUT, "Cells of level 1 are not 2 in one of level 0",
+  this->ExpectOfBlock(3, SCULPTOR_ERROR_INPUT,
+    "Cells of level 1 must be 1/2 as wide as cells of level 0",
     [](LevelBlock& block) { block.Level = 1; });
 }
 
