@@ -323,8 +323,8 @@ def test_nothing_is_made_that_nobody_wants():
 def expect_failure(result, text, failed, made, others=()):
     """Checks the output of the host, which must run to the end.
 
-    Exactly the steps in `failed` report the text on all ranks; steps in `others` fail for
-    another reason.
+    Exactly the steps in `failed` report the text on all
+    ranks; steps in `others` fail for another reason.
     """
     assert result.returncode == 3, result
     for step in range(STEPS):

@@ -25,8 +25,8 @@ def doubled(values):
 def fields(levels, n=N):
     """Returns the arrays of each level, coarsest first.
 
-    Fractions of a coarse level are the means over the next finer one. "number" encodes level
-    and cell.
+    Fractions of a coarse level are the means over the
+    next finer one. "number" encodes level and cell.
     """
     result = [dict(zip(("ball", "plate"), ball_and_plate(n << levels)))]
     for _ in range(levels):

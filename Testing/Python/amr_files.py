@@ -24,8 +24,8 @@ SAMPLES = 2  # samples per finest cell along each axis
 class AmrBlock:
     """Cells of one level.
 
-    lo: index of the first cell; arrays: {name: values (z, y, x)}; leaf: no finer block covers
-    any cell.
+    lo: index of the first cell; arrays: {name: values
+    (z, y, x)}; leaf: no finer block covers any cell.
     """
 
     def __init__(self, level, lo, arrays, leaf):
@@ -38,8 +38,8 @@ class AmrBlock:
 class Amr:
     """Blocks sorted by level, coarsest first.
 
-    roots: numbers of level-0 blocks in x, y, z. A cell has the size width / ratio^level. The
-    domain begins at ORIGIN.
+    roots: numbers of level-0 blocks in x, y, z. A cell has
+    the size width / ratio^level. The domain begins at ORIGIN.
     """
 
     def __init__(self, blocks, ratio, levels, roots, width=SPACING):
@@ -74,9 +74,9 @@ def finest_fractions(cells):
 def make_amr(levels=3, ratio=2, roots=(3, 3, 3), finest=None, width=SPACING):
     """Returns AMR data of the ball, or of the given fractions.
 
-    finest: {name: fractions (z, y, x) on the finest level}. A block is refined if it contains
-    an interface of the first array. Of the 3 x 3 x 3 blocks of the ball, the corner blocks are
-    not refined.
+    finest: {name: fractions (z, y, x) on the finest level}. A block
+    is refined if it contains an interface of the first array. Of the
+    3 x 3 x 3 blocks of the ball, the corner blocks are not refined.
     """
     finest = finest or finest_fractions(np.array(roots) * BLOCK * ratio ** (levels - 1))
     fields = [{name: means(values, ratio ** (levels - 1 - level))

@@ -30,8 +30,8 @@ def state(shape, seed=1, jump=10.0):
 def cells_of(fractions, arrays, volume, density="density"):
     """Returns the totals over the cells: {material: {total: value}}.
 
-    fractions: {material: fraction per cell}; volume: volume per cell; density: name of the array,
-    or {material: name}.
+    fractions: {material: fraction per cell}; volume: volume
+    per cell; density: name of the array, or {material: name}.
     """
     filled = sum(f for material, f in fractions.items() if material != 0)
     result = {}
@@ -136,8 +136,8 @@ def check_balance(result, cells, skipped=("volume", "kinetic"), unmeshed=None):
 def check_energy(result, cells, name="energy", lost=0.0):
     """Checks that internal plus kinetic energy of the mesh equals the energy of the cells.
 
-    The kinetic energy is summed over the nodes if they have velocities, otherwise over
-    the elements.
+    The kinetic energy is summed over the nodes if
+    they have velocities, otherwise over the elements.
     """
     volume = volumes_of(result)
     mass = volume * result.cells("density")

@@ -33,8 +33,8 @@ def on_sides(mesh):
 def find_sets(mesh):
     """Returns the side sets and the node sets of a whole mesh.
 
-    Side sets: {(id, name): set of (element id, sorted point ids)}; node sets: {(id, name): set of
-    point ids}.
+    Side sets: {(id, name): set of (element id, sorted
+    point ids)}; node sets: {(id, name): set of point ids}.
     """
     cells, ids = elements_of(mesh), array(mesh.GetPointData(), "GlobalPointIds")
     table = HEX_FACES if cells.shape[1] == 8 else TET_FACES

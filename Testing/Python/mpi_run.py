@@ -18,8 +18,8 @@ LAUNCHER_NOTE = re.compile(r"^-{60,}\n.*?^-{60,}\n", re.DOTALL | re.MULTILINE)
 def mpi_run(ranks, command, folder=None, without=(), **environment):
     """Runs a command on some ranks, by mpiexec if there are several; returns the completed process.
 
-    Notices of mpiexec are removed from standard error. without: prefixes of environment variables
-    that are not passed on.
+    Notices of mpiexec are removed from standard error. without:
+    prefixes of environment variables that are not passed on.
     """
     variables = {name: value for name, value in os.environ.items()
                  if not name.startswith(OF_THIS_PROCESS + tuple(without))}

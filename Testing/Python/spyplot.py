@@ -1,7 +1,7 @@
 """Writes SpyPlot files like CTH: a case file, and binary files of blocks with one ghost layer.
 
-All numbers are big-endian. Coordinates and fields are run-length encoded float32; file positions
-are doubles.
+All numbers are big-endian. Coordinates and fields are
+run-length encoded float32; file positions are doubles.
 """
 import os
 import struct

@@ -122,8 +122,8 @@ def image(arrays, first=(0, 0, 0), kind=vtkImageData):
 def at_points(data, matrix=None):
     """Makes the image whose points are the cell centres of an image.
 
-    It has the arrays and the ghost flags of the image; matrix: direction matrix, about the first
-    point.
+    It has the arrays and the ghost flags of the image;
+    matrix: direction matrix, about the first point.
     """
     points, (x0, x1, y0, y1, z0, z1) = vtkImageData(), data.GetExtent()
     points.SetExtent(x0, x1 - 1, y0, y1 - 1, z0, z1 - 1)

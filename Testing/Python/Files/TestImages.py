@@ -1,8 +1,7 @@
 """Label images in formats of medical imaging and of grain structures.
 
-The meshes are bitwise identical to those of the same labels as cells, with the readers of
-the plugin and with `sculptor`. Rotated images lie where their files say. Damaged files give
-one message.
+With the readers of the plugin and with `sculptor`, the mesh is bitwise identical to the mesh of the
+same labels as cells. Rotated images lie where their files say. Damaged files give one message.
 """
 import os
 import sys

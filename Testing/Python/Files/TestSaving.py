@@ -5,8 +5,8 @@ Meshes go to the writers of the plugin, other data to ParaView's writers as with
 usage: pvpython TestSaving.py
        pvpython TestSaving.py NAMES
 
-The second form runs without the plugin. It writes to NAMES which writer ParaView selects for
-OTHERS, for each of ENDS.
+The second form runs without the plugin. It writes to NAMES
+which writer ParaView selects for OTHERS, for each of ENDS.
 """
 import json
 import os

@@ -48,7 +48,7 @@ def check_output(output, reference):
 
 @in_folder
 def test_reader_into_filters(at):
-    """Hexahedra of each time equal those of images, for each layout of blocks and files."""
+    """Each time gives the mesh of an image, for each layout of blocks and files."""
     for to_bytes in (True, False):
         meshes = [mesh_of_step(step, to_bytes=to_bytes, StateArrays=[STATE]) for step in (0, 1)]
         assert difference(merge(meshes[:1]), merge(meshes[1:]))
@@ -66,7 +66,7 @@ def test_reader_into_filters(at):
 
 @in_folder
 def test_reader_into_tets(at):
-    """Tetrahedra equal those of images and rectilinear grids."""
+    """Tetrahedra are the same as for images and rectilinear grids."""
     lattice = dict(Method="Lattice", make=VolumeFractionToTet)
     for nodes, counts, files in ((UNEVEN_NODES, (2, 1, 2), 4), (NODES, (2, 1, 2), 2)):
         path = write_spyplot(at(""), "case", TIMES, split(nodes, steps(), counts), files)

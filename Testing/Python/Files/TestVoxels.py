@@ -1,7 +1,7 @@
 """Readers of voxels, .spn and .npy.
 
-The proxies, the class and `sculptor` give the mesh of the same image in memory. Damaged files give
-one message.
+The proxies, the class and `sculptor` give the mesh of
+the same image in memory. Damaged files give one message.
 """
 import os
 import struct

@@ -83,7 +83,7 @@ def check_film(fin):
         assert (widths < 0.6).sum() > 100 and (widths
                                                > 0.75).sum() > 100, np.percentile(
                                                    widths, range(0, 101, 10))
-    # Without refinement, the film breaks.
+    # The film breaks if it is not refined.
     assert mesh_of(data(),
                    **{**AUTOMATIC, "Refinement": "Off"}).field("NumberOfFragments")[0] > bodies
 

@@ -23,8 +23,8 @@ def ball_labels():
 def crumbs():
     """Returns labels with small regions.
 
-    A block of 3 on a block of 5 has a cavity of three cells. In the void are a pair of 3 and a
-    single 5.
+    A block of 3 on a block of 5 has a cavity of three
+    cells. In the void are a pair of 3 and a single 5.
     """
     ids = np.zeros((N, N, N), np.int32)
     ids[2:7, 3:13, 3:13], ids[7:12, 3:13, 3:13] = 5, 3

@@ -230,8 +230,8 @@ def test_state_survives_a_second_run():
 def test_time_steps():
     """Meshes of several times, in any order.
 
-    This must be the last test of the script: ParaView runs the source in this module and hides max,
-    sorted and others.
+    This must be the last test of the script: ParaView runs the
+    source in this module and hides max, sorted and others.
     """
     source = simple.ProgrammableSource(
         OutputDataSetType="vtkImageData", Script=GROWING,

@@ -42,8 +42,7 @@ def dihedral_angles(result):
 def check_mesh(result):
     """Checks volumes and faces.
 
-    Volumes are positive and sum to the volumes of the materials. A face has at most two
-    tetrahedra.
+    Volumes are positive and sum to the volumes of the materials. A face has at most two tetrahedra.
     """
     volume = tet_volumes(vtk_to_numpy(result.mesh.GetPoints().GetData()), elements(result))
     material = result.cells("MaterialId")
@@ -230,8 +229,8 @@ def test_empty_field_is_no_error():
 def test_planes_on_round_numbers():
     """Layers that meet at 0.3 of a cell are flat within 0.06 of a cell.
 
-    Lattice nodes then have the smallest distance allowed from a surface that does not pass
-    through them.
+    Lattice nodes then have the smallest distance allowed
+    from a surface that does not pass through them.
     """
     n = 8
     for height in (4.3, 4.7):

@@ -63,8 +63,8 @@ class Shown:
 def check_recovers(shown, fail, mend, words, check=None):
     """Calls fail(time) twice, then mend(), and checks the messages.
 
-    words: part of the single message on this rank; check: function that checks all
-    messages instead.
+    words: part of the single message on this rank;
+    check: function that checks all messages instead.
     """
     for time in range(2):
         fail(time)

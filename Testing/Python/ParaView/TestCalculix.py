@@ -116,8 +116,8 @@ def test_layers_in_series(at):
     """
     low = np.repeat([1.0, 0.0], N // 2)[:, None, None] * np.ones((N, N, N))
     for kind in KINDS:
-        # A smoothed interface of tetrahedra deviates from its plane by up to 2e-3 of a cell, which
-        # would change the stress.
+        # A smoothed interface of tetrahedra deviates from its plane
+        # by up to 2e-3 of a cell, which would change the stress.
         model = Model(at, producer(image({"low": low, "high": 1 - low})), kind, ["low", "high"],
                       **({} if kind == "Hex" else {"Smoothing": "Off"}))
         results = model.solve({"LOW": (1000.0, 0.15), "HIGH": (2000.0, 0.3)},

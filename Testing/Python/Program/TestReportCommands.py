@@ -1,9 +1,9 @@
 """Each command in appendix B of Sculptor's report, and the equivalent command of this project.
 
-Documentation/validation/sculptor-report.md has the same table. A row of COMMANDS holds the report's
-command, the equivalent after the word sculptor, which runs here, and a check of its result.
-impact.spcth is the SpyPlot file in Data; cube_mesh.exo.1.0 is an Exodus file of hexahedra with
-element variables at two times.
+Documentation/validation/sculptor-report.md has the same table. A row of COMMANDS
+holds the report's command, the equivalent after the word sculptor, and a check of
+its result; only the equivalent runs. The file impact.spcth is in Data;
+cube_mesh.exo.1.0 is an Exodus file of hexahedra with element variables at two times.
 """
 import os
 import shutil
@@ -118,8 +118,8 @@ def bounds(words):
 def passes(elements=None, kind=None):
     """Returns a check of the built-in test on 1, 2 and 4 ranks.
 
-    All runs print PASS and equal numbers. `elements` is the number of elements in box 2, which
-    stays unrefined.
+    All runs print PASS and equal numbers. `elements` is
+    the number of elements in box 2, which stays unrefined.
     """
     def check(words):
         outputs = [run(words, ranks) for ranks in (1, 2, 4)]

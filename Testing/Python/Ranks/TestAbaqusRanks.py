@@ -2,8 +2,8 @@
 
 usage: mpiexec -n P pvbatch --sym TestAbaqusRanks.py FOLDER
 
-A run on one rank stores its file in FOLDER. Runs on more ranks must write the same bytes and report
-errors on all ranks.
+A run on one rank stores its file in FOLDER. Runs on more ranks
+must write the same bytes and report errors on all ranks.
 """
 import os
 import sys

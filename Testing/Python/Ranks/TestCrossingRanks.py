@@ -2,8 +2,8 @@
 
 usage: mpiexec -n P pvbatch --sym TestCrossingRanks.py FOLDER
 
-A run on one rank stores its meshes in FOLDER. Runs on any number of ranks must give bitwise
-identical meshes.
+A run on one rank stores its meshes in FOLDER. Runs on
+any number of ranks must give bitwise identical meshes.
 """
 import os
 import sys

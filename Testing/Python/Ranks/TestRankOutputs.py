@@ -2,8 +2,8 @@
 
 usage: mpiexec -n P pvbatch TestRankOutputs.py FOLDER
 
-FOLDER is the folder of TestRanks.py. Without --sym only rank 0 runs this script; ParaView drives
-the other ranks.
+FOLDER is the folder of TestRanks.py. Without --sym only
+rank 0 runs this script; ParaView drives the other ranks.
 """
 import csv
 import os
