@@ -4,7 +4,7 @@
 usage: pvpython shapes.py PLUGIN ball_and_plate|fin OUT.vti
 
 ball_and_plate: a ball sunk a little into a plate. The grid has 48 x 48 x 36 cells of 1/24 and the
-cell arrays `ball` and `plate` (double). Where both overlap, the cell belongs to the ball.
+cell arrays `ball` and `plate` (double). The ball keeps its volume; the plate gets the rest.
 
 fin: a ball with an oblique plate, 1.2 cells thick, that sticks out of it. The grid has 40 x 32 x 32
 cells of 1/16 and the cell array `body` (double).
