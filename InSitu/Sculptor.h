@@ -28,8 +28,7 @@
  * are in the order of VTK and Exodus (HEX8, TET4). Node numbers count the nodes of this rank, from
  * 0. Nodes that several ranks share are on each of them, with the same global id.
  *
- * Threads. Different sculptors may be used by different threads, a sculptor by one thread at
- * a time.
+ * Threads. A sculptor may be used by one thread at a time.
  */
 #ifndef Sculptor_h
 #define Sculptor_h
@@ -76,8 +75,7 @@ extern "C"
   /**
    * Creates a sculptor.
    * @param[out] sculptor  handle, from 1; unchanged on failure
-   * @return SCULPTOR_ERROR_ARGUMENT if the pointer is null; sculptor_error_text(0) returns the
-   * message
+   * @return SCULPTOR_ERROR_ARGUMENT for a null pointer, with the message in sculptor_error_text(0)
    */
   SCULPTOR_EXPORT int sculptor_create(int* sculptor);
 
@@ -170,8 +168,7 @@ extern "C"
   SCULPTOR_EXPORT int sculptor_add_material(int sculptor, const char* name, const double* vfrac);
 
   /**
-   * Sets the material of each cell of the box or of the block added last, instead of volume
-   * fractions.
+   * Sets the material of each cell of the last box or block, instead of volume fractions.
    * @param ids  material number per cell, 0 for void
    */
   SCULPTOR_EXPORT int sculptor_set_material_ids(int sculptor, const int* ids);
@@ -300,9 +297,8 @@ extern "C"
 
   /**
    * Returns the position of each node in the geometry.
-   * @param[out] dimensions  per node: 3 inside a volume, 2 on a surface, 1 on a curve, 0 at a
-   *   vertex
-   * @param[out] ids  per node: number of that volume, surface, curve or vertex
+   * @param[out] dimensions  3 for a node in a volume, 2 on a surface, 1 on a curve, 0 at a vertex
+   * @param[out] ids  number of that volume, surface, curve or vertex, one per node
    */
   SCULPTOR_EXPORT int sculptor_get_geometry(int sculptor, const int** dimensions, const int** ids);
   /**
