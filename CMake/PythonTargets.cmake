@@ -4,7 +4,7 @@
 # the package skip targets that exist.
 
 # Corrects the files in a CMake folder of VTK or ParaView, if necessary.
-function (vfm_mend_python_targets folder)
+function (vfm_correct_python_targets folder)
   file(GLOB prefix_file "${folder}/*-prefix.cmake")
   # There is one file per configuration.
   file(GLOB parts RELATIVE "${folder}" "${folder}/*Python*-targets-*.cmake")
@@ -35,10 +35,10 @@ endfunction ()
 
 # Corrects the files in the CMake folders of ParaView and of its VTK. They are found by a small
 # file that does not define targets.
-macro (vfm_mend_paraview)
+macro (vfm_correct_paraview)
   find_package(ParaViewFolder QUIET NAMES ParaView CONFIGS paraview-prefix.cmake
     HINTS "${ParaView_DIR}")
   mark_as_advanced(ParaViewFolder_DIR)
-  vfm_mend_python_targets("${ParaViewFolder_DIR}/vtk")
-  vfm_mend_python_targets("${ParaViewFolder_DIR}")
+  vfm_correct_python_targets("${ParaViewFolder_DIR}/vtk")
+  vfm_correct_python_targets("${ParaViewFolder_DIR}")
 endmacro ()

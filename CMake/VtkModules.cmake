@@ -2,7 +2,7 @@
 # need: the VTK of ParaView for the plugin, otherwise a plain VTK.
 include(CMake/PythonTargets.cmake)
 if (VFM_PLUGIN)
-  vfm_mend_paraview()
+  vfm_correct_paraview()
   # Components are named so that Qt is not required.
   find_package(ParaView 5.11 REQUIRED COMPONENTS RemotingCore RemotingServerManager
     OPTIONAL_COMPONENTS VTKExtensionsIOSPCTH)

@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "State/CarryState.h"
+#include "State/MeshState.h"
 
 class vtkUnstructuredGrid;
 

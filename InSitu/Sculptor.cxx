@@ -28,7 +28,7 @@ int GetArray(
     });
 }
 
-void GiveState(const vfm::TransferredArray& state, int* components, const double** values)
+void ReturnState(const vfm::TransferredArray& state, int* components, const double** values)
 {
   *NotNull(components, "components") = state.Components;
   *NotNull(values, "values") = reinterpret_cast<const double*>(state.Values.data());
@@ -184,14 +184,14 @@ int sculptor_get_state(int sculptor, const char* name, int* components, const do
 {
   return WithSession(sculptor,
     [=](SculptorSession& session)
-    { GiveState(session.GetState(NotNull(name, "name")), components, values); });
+    { ReturnState(session.GetState(NotNull(name, "name")), components, values); });
 }
 
 int sculptor_get_point_state(int sculptor, const char* name, int* components, const double** values)
 {
   return WithSession(sculptor,
     [=](SculptorSession& session)
-    { GiveState(session.GetPointState(NotNull(name, "name")), components, values); });
+    { ReturnState(session.GetPointState(NotNull(name, "name")), components, values); });
 }
 
 int sculptor_get_number(int sculptor, const char* name, int index, double* value)

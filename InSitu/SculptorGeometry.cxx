@@ -13,7 +13,7 @@ namespace
 {
 
 /// Returns the points and ids of facets, edges or vertices, null if there are none.
-void GiveCells(const vfm::Buffer<vfm::Index>& own, const vfm::Buffer<int>& ownIds, int64_t* count,
+void ReturnCells(const vfm::Buffer<vfm::Index>& own, const vfm::Buffer<int>& ownIds, int64_t* count,
   const char* nameOfCount, const int64_t** points, const char* nameOfPoints, const int** ids)
 {
   *NotNull(count, nameOfCount) = static_cast<int64_t>(ownIds.size());
@@ -43,7 +43,7 @@ int sculptor_get_surfaces(
       const vfm::Mesh& mesh = session.GetMesh();
       const vfm::SurfaceFacets& own = mesh.Surfaces;
       *NotNull(corners, "corners") = own.SurfaceId.empty() ? 0 : mesh.CornersOfFacet();
-      GiveCells(own.Points, own.SurfaceId, facets, "facets", connectivity, "connectivity", ids);
+      ReturnCells(own.Points, own.SurfaceId, facets, "facets", connectivity, "connectivity", ids);
     });
 }
 
@@ -53,7 +53,7 @@ int sculptor_get_curves(int sculptor, int64_t* edges, const int64_t** connectivi
     [=](SculptorSession& session)
     {
       const vfm::CurveEdges& own = session.GetMesh().Curves;
-      GiveCells(own.Points, own.CurveId, edges, "edges", connectivity, "connectivity", ids);
+      ReturnCells(own.Points, own.CurveId, edges, "edges", connectivity, "connectivity", ids);
     });
 }
 
@@ -63,7 +63,7 @@ int sculptor_get_vertices(int sculptor, int64_t* vertices, const int64_t** point
     [=](SculptorSession& session)
     {
       const vfm::VertexPoints& own = session.GetMesh().Vertices;
-      GiveCells(own.Points, own.VertexId, vertices, "vertices", points, "points", ids);
+      ReturnCells(own.Points, own.VertexId, vertices, "vertices", points, "points", ids);
     });
 }
 

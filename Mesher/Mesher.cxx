@@ -258,7 +258,7 @@ MesherResult RunMesher(const MesherInput& input, const MesherOptions& given, Run
   result.Report.ChosenCells = requests.Cells;
 
   runtime.Progress(0.98, "Filling output");
-  result.State = GiveState(kept, levels, result.TheMesh,
+  result.State = MakeOutputState(kept, levels, result.TheMesh,
     DescribeGrid(fields, setup, meshOptions.Levels), options, owners, runtime);
   WorkTogether(ranks, [&] { Finish(job, fields, meshOptions, result); });
   WarnOfMesh(job, result.Report, fields.Field);

@@ -6,7 +6,7 @@
 
 #include "Input/LabelNames.h"
 #include "Options/MesherOptions.h"
-#include "State/CarryState.h"
+#include "State/MeshState.h"
 #include "Summary/MeshFields.h"
 
 #include <functional>

@@ -10,7 +10,7 @@ void vtkVolumeFractionExodusWriter::WriteMesh(
   const vfm::MeshData& mesh, const std::string& path, vfm::Ranks& ranks)
 {
   vfm::WriteExodus(
-    mesh, path, ranks, this->SingleFile ? vfm::ExodusParts::One : vfm::ExodusParts::OneARank);
+    mesh, path, ranks, this->SingleFile ? vfm::ExodusParts::One : vfm::ExodusParts::OnePerRank);
 }
 
 void vtkVolumeFractionExodusWriter::PrintSelf(ostream& os, vtkIndent indent)

@@ -10,8 +10,8 @@ namespace
 
 // Samples along an edge of an octant where three materials meet.
 constexpr int SamplesAlong = 4;
-constexpr double Nudge = 1e-3; // relative change of a difference that measures its rate
-constexpr double Flat = 1e-12; // a difference with a smaller slope has no plane
+constexpr double RelativeStep = 1e-3; // relative change of a difference that measures its rate
+constexpr double Flat = 1e-12;        // a difference with a smaller slope has no plane
 constexpr double OctantPart = 0.125;
 // Fields differ by at most 1 at cells, and by less than this between them.
 constexpr double LargestShift = 8.0;
@@ -113,7 +113,7 @@ void PartByPlane(std::vector<Contender>& two, const std::vector<MaterialPatch>& 
   {
     value += 0.0625 * (two[0].Values[c] + two[1].Values[c]);
   }
-  const double step = Nudge * Norm(difference.Slope);
+  const double step = RelativeStep * Norm(difference.Slope);
   const double rate = step > 0.0
     ? (difference.PartAbove(step) - difference.PartAbove(-step)) / (2.0 * step) * value
     : 0.0;

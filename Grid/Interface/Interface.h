@@ -60,8 +60,8 @@ public:
   const std::vector<Crossing>& Crossings() const { return this->TheCrossings; }
   /// Returns the four nodes of a face (positions in Nodes()), in order around it.
   const std::array<Index, 4>& CornersOfFace(Index face) const { return this->FaceNodes[face]; }
-  /// Returns where the faces at the n-th node begin in FaceList(), ascending. They end where the faces
-  /// at the next node begin.
+  /// Returns where the faces at the n-th node begin in FaceList(), ascending. They end where the
+  /// faces at the next node begin.
   Index FaceOffset(Index n) const { return this->FacesOfNodes.Begin[n]; }
   const std::vector<Index>& FaceList() const { return this->FacesOfNodes.Items; }
 

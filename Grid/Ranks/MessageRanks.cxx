@@ -250,7 +250,7 @@ MessageRanks::Head MessageRanks::MakeFailedHead() const noexcept
 
 /// Discards messages until every rank has reported that it failed. It receives from all ranks at
 /// once, because a rank may be waiting until another rank receives its message.
-void MessageRanks::HearOfAll() noexcept
+void MessageRanks::ReceiveFromAll() noexcept
 {
   for (bool isWaiting = true; isWaiting;)
   {
@@ -291,7 +291,7 @@ void MessageRanks::Settle() noexcept
         messages.Send(&told, sizeof(told), other);
       }
     }
-    this->HearOfAll();
+    this->ReceiveFromAll();
     for (int other = 0; other < this->NumberOfRanks; ++other)
     {
       const bool isInside = this->Heard[other] > head.Failed;

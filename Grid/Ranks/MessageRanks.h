@@ -105,7 +105,7 @@ private:
   bool IsFailure(const Head& head, std::int32_t where, int from) noexcept;
   void Drop(std::int64_t size, int from) noexcept;
   Head MakeFailedHead() const noexcept;
-  void HearOfAll() noexcept;
+  void ReceiveFromAll() noexcept;
   void Settle() noexcept;
   [[noreturn]] void ThrowKnown();
 

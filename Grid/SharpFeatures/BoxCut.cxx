@@ -41,7 +41,7 @@ public:
       this->Count = 0;
       return;
     }
-    std::array<double, Most> height, x, y;
+    std::array<double, MaximumCorners> height, x, y;
     const int n = this->Count;
     for (int i = 0; i < n; ++i)
     {
@@ -79,7 +79,7 @@ public:
 
 private:
   /// A line adds one corner. Where rounding bends sides, it adds one per two: 4, 6, 9, 13, 19.
-  static constexpr int Most = 19;
+  static constexpr int MaximumCorners = 19;
 
   void Add(double x, double y)
   {
@@ -88,7 +88,7 @@ private:
   }
 
   int Count = 0;
-  std::array<double, Most> X, Y;
+  std::array<double, MaximumCorners> X, Y;
 };
 
 /// Returns the line that bounds the inside of a plane on the face of the cube at x[axis] = value.

@@ -68,8 +68,8 @@ void FindPairs(
   pairs.clear();
   std::for_each(begin, end, [&](int facet) { pairs.push_back(PairOf(facets[facet])); });
   std::sort(pairs.begin(), pairs.end());
-  const auto alike = [](const Pair& a, const Pair& b) { return a.Labels == b.Labels; };
-  pairs.erase(std::unique(pairs.begin(), pairs.end(), alike), pairs.end());
+  const auto haveSameLabels = [](const Pair& a, const Pair& b) { return a.Labels == b.Labels; };
+  pairs.erase(std::unique(pairs.begin(), pairs.end(), haveSameLabels), pairs.end());
 }
 
 } // namespace

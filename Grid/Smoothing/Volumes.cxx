@@ -205,13 +205,13 @@ FragmentVolumes::FragmentVolumes(const CartesianGrid& grid, const FractionField&
   this->Targets = SumOverRanks(sums.Targets, ranks);
   this->StartVolumes = SumOverRanks(sums.Cells, ranks);
   this->TotalOfMaterial = SumOverRanks(sums.Totals, ranks);
-  this->ShareOrphans();
+  this->DistributeOrphans();
   this->Aims = this->Targets;
 }
 
 /// Distributes fractions without a cell of their material nearby to all fragments of the material,
 /// in proportion to their targets.
-void FragmentVolumes::ShareOrphans()
+void FragmentVolumes::DistributeOrphans()
 {
   std::vector<double> found(this->TotalOfMaterial.size(), 0.0);
   for (std::size_t f = 1; f < this->Targets.size(); ++f)

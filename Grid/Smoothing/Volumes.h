@@ -94,7 +94,7 @@ public:
   const std::vector<double>& FragmentTargets() const { return this->Targets; }
 
 private:
-  void ShareOrphans();
+  void DistributeOrphans();
   std::vector<double> FindPotentials() const;
   double VolumeOf(int fragment) const
   {

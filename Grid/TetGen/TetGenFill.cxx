@@ -25,7 +25,7 @@ constexpr int OutOfMemory = 1; // error code of TetGen
 
 /// Ratio of longest edge to target length above which a tet is split. With this value, the mean
 /// edge has the target length.
-const double LongestOverWished = 1.55;
+const double LongestOverTarget = 1.55;
 /// Dihedral angle, in degrees, above which flips, smoothing and splits of slivers improve a tet.
 const double LargestDihedral = 140.0;
 /// Limit on new points: number per point of the surface, and constant that is added.
@@ -135,9 +135,9 @@ bool IsTooLarge(REAL* a, REAL* b, REAL* c, REAL* d, REAL*, REAL)
   }
   CurrentRequest->Clock->Count();
   const LocalPart& local = *CurrentRequest->Local;
-  const double wished = (*CurrentRequest->Size)(local.ToWorld(centre));
-  return wished > 0.0 &&
-    std::ldexp(std::sqrt(longest), local.Exponent) > LongestOverWished * wished;
+  const double target = (*CurrentRequest->Size)(local.ToWorld(centre));
+  return target > 0.0 &&
+    std::ldexp(std::sqrt(longest), local.Exponent) > LongestOverTarget * target;
 }
 
 tetgenbehavior Switches(const TetGenOptions& options, int limit)

@@ -103,19 +103,19 @@ Index FindPoint(const Work& work, Index id)
 /// Adds the shares of this rank at all points that have shares in the list.
 void AddOwnShares(const Work& work, std::vector<Share>& shares)
 {
-  std::vector<char> isAsked(work.TheMesh.PointIds.size(), 0);
+  std::vector<char> isRequested(work.TheMesh.PointIds.size(), 0);
   for (const Share& share : shares)
   {
     const Index point = FindPoint(work, share.Point);
     if (point >= 0)
     {
-      isAsked[point] = 1;
+      isRequested[point] = 1;
     }
   }
   ForShares(work,
     [&](Index point, Index element)
     {
-      if (isAsked[point])
+      if (isRequested[point])
       {
         shares.push_back(MakeShare(work, point, element));
       }

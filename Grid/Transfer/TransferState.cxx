@@ -92,15 +92,15 @@ struct Work
   DonorTable Donors{ Grid };
 };
 
-/// Cuts the elements for which wants(element) is true, and makes their donors. Collective.
+/// Cuts the elements for which isNeeded(element) is true, and makes their donors. Collective.
 template <class IsNeeded>
 std::vector<DonorParts> FindParts(
-  Work& work, const IsNeeded& wants, std::vector<DonorShape>& shapes)
+  Work& work, const IsNeeded& isNeeded, std::vector<DonorShape>& shapes)
 {
   std::vector<Index> elements;
   for (Index e = 0; e < static_cast<Index>(work.TheMesh.Material.size()); ++e)
   {
-    if (wants(e))
+    if (isNeeded(e))
     {
       elements.push_back(e);
     }

@@ -62,10 +62,10 @@ void SetSteps(const std::array<Vector3, 3>& steps, ImagePlace& place)
   }
 }
 
-Index ToSize(double told)
+Index ToSize(double value)
 {
   constexpr double most = std::numeric_limits<int>::max();
-  return told >= 0.0 && told < most ? static_cast<Index>(told) : 0;
+  return value >= 0.0 && value < most ? static_cast<Index>(value) : 0;
 }
 
 void CheckPlace(const ImagePlace& place)

@@ -31,7 +31,7 @@ bool AreAtRightAngles(const std::array<Vector3, 3>& steps);
 void SetSteps(const std::array<Vector3, 3>& steps, ImagePlace& place);
 
 /// Converts a size that a header contains; returns 0, which CheckPlace rejects, if it is invalid.
-Index ToSize(double told);
+Index ToSize(double value);
 
 /// Checks the numbers of an image's place.
 /// @throws InputError  if a size is below 1 or exceeds int, if a spacing is not above 0, or if a

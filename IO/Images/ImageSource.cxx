@@ -1,6 +1,6 @@
 #include "Images/ImageSource.h"
 
-#include "Images/DealImage.h"
+#include "Images/DistributeImage.h"
 #include "ReadVoxels.h"
 
 #include <algorithm>

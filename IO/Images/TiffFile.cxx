@@ -122,10 +122,10 @@ Vector3 FindSpacing(TIFF* file, int pages)
   std::uint16_t unit = 0;
   float x = 0.0F, y = 0.0F;
   TIFFGetFieldDefaulted(file, TIFFTAG_RESOLUTIONUNIT, &unit);
-  const bool isTold = TIFFGetField(file, TIFFTAG_XRESOLUTION, &x) == 1 &&
+  const bool hasResolution = TIFFGetField(file, TIFFTAG_XRESOLUTION, &x) == 1 &&
     TIFFGetField(file, TIFFTAG_YRESOLUTION, &y) == 1 && x > 0.0F && y > 0.0F;
   const double length = unit == RESUNIT_INCH ? 25.4 : unit == RESUNIT_CENTIMETER ? 10.0 : 0.0;
-  if (!isTold || length == 0.0)
+  if (!hasResolution || length == 0.0)
   {
     return { { 1.0, 1.0, 1.0 } };
   }

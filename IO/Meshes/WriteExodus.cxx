@@ -54,7 +54,7 @@ void WriteParts(const MeshData& mesh, const std::string& path, Ranks& ranks)
 
 void WriteExodus(const MeshData& mesh, const std::string& path, Ranks& ranks, ExodusParts parts)
 {
-  if (parts == ExodusParts::OneARank || ranks.Count() == 1)
+  if (parts == ExodusParts::OnePerRank || ranks.Count() == 1)
   {
     WriteParts(mesh, path, ranks);
     return;

@@ -24,8 +24,8 @@ namespace vfm
 
 enum class ExodusParts
 {
-  OneARank, ///< one file per rank, path.N.RANK for N > 1 ranks, with Nemesis data; epu joins them
-  One       ///< one file, equal to that of a single rank; rank 0 gathers the mesh
+  OnePerRank, ///< one file per rank, path.N.RANK for N > 1 ranks, with Nemesis data; epu joins them
+  One         ///< one file, equal to that of a single rank; rank 0 gathers the mesh
 };
 
 /// Writes the files of a mesh. Equal meshes give bitwise identical files, except for the date in
@@ -35,6 +35,6 @@ enum class ExodusParts
 ///   written; on all ranks. The files of all ranks are then removed
 /// @pre Collective
 void WriteExodus(const MeshData& mesh, const std::string& path, Ranks& ranks,
-  ExodusParts parts = ExodusParts::OneARank);
+  ExodusParts parts = ExodusParts::OnePerRank);
 
 } // namespace vfm

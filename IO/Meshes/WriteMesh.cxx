@@ -32,7 +32,7 @@ void WriteExodusFiles(const MeshData& mesh, const std::string& path, Ranks& rank
   WriteExodus(mesh, path, ranks, parts);
 }
 
-constexpr Writer WriteExodusParts = WriteExodusFiles<ExodusParts::OneARank>;
+constexpr Writer WriteExodusParts = WriteExodusFiles<ExodusParts::OnePerRank>;
 constexpr Writer WriteExodusFile = WriteExodusFiles<ExodusParts::One>;
 
 constexpr Format Formats[] = { { ".vtu", WriteVtu, WriteVtu }, { ".pvtu", WritePvtu, nullptr },

@@ -23,10 +23,10 @@ InputRoute FindInputRoute(
   for (const BlockPlace& owner : owners)
   {
     const IndexBox requested = needs(owner.Box);
-    const bool wants = std::any_of(input.Blocks.begin(), input.Blocks.end(),
+    const bool isReceiver = std::any_of(input.Blocks.begin(), input.Blocks.end(),
       [&requested](const InputBlock& block)
       { return Intersect(block.Box, requested).NumberOfCells() > 0; });
-    if (owner.Rank != myRank && (wants || senders.count(owner.Rank) > 0))
+    if (owner.Rank != myRank && (isReceiver || senders.count(owner.Rank) > 0))
     {
       route.Peers.push_back(owner.Rank);
       route.Requested.push_back(requested);

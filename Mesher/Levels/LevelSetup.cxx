@@ -83,7 +83,7 @@ int CountAlignedLevels(const std::vector<IndexBox>& boxes, Ranks& ranks)
 
 LevelSetup DecideLevels(Refinement how, int maximumLevel,
   const std::array<std::vector<double>, 3>& coordinates, int inputFinest, int alignment,
-  int wishedFinest)
+  int requestedFinest)
 {
   LevelSetup setup;
   switch (how)
@@ -95,7 +95,8 @@ LevelSetup DecideLevels(Refinement how, int maximumLevel,
       setup.TakesInputLevels = true;
       break;
     case Refinement::Automatic:
-      setup.Finest = maximumLevel < 0 ? std::max({ inputFinest, wishedFinest, 1 }) : maximumLevel;
+      setup.Finest =
+        maximumLevel < 0 ? std::max({ inputFinest, requestedFinest, 1 }) : maximumLevel;
       setup.TakesInputLevels = true;
       break;
     case Refinement::Uniform:

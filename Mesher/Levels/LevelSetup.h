@@ -41,9 +41,9 @@ int CountAlignedLevels(const std::vector<IndexBox>& boxes, Ranks& ranks);
 /// @param coordinates nodes of the coarsest level of the input
 /// @param inputFinest finest level of the input
 /// @param alignment levels by which the boxes of the ranks can be coarsened, or AnyLevel
-/// @param wishedFinest finest level that selected cells request; 0 without cells
+/// @param requestedFinest finest level that selected cells request; 0 without cells
 LevelSetup DecideLevels(Refinement how, int maximumLevel,
   const std::array<std::vector<double>, 3>& coordinates, int inputFinest, int alignment,
-  int wishedFinest);
+  int requestedFinest);
 
 } // namespace vfm

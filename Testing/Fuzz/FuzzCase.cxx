@@ -238,9 +238,10 @@ FuzzCase MakeFuzzCase(unsigned seed)
   const MeshMaker make = DrawMethod(options, draw, words);
   DrawOptions(options, draw, words);
   const FuzzGrid base = DrawGrid(DrawSize(extent, draw), draw);
-  const bool isAsked = extent.Refinements > 0 && extent.IsAutomatic;
-  const CartesianGrid grid =
-    isAsked ? base.Grid : CartesianGrid(HalveWidths(base.Grid.Coordinates(), extent.Refinements));
+  const bool isAutomatic = extent.Refinements > 0 && extent.IsAutomatic;
+  const CartesianGrid grid = isAutomatic
+    ? base.Grid
+    : CartesianGrid(HalveWidths(base.Grid.Coordinates(), extent.Refinements));
   const int materials = draw.Chance(0.3) ? 1 : draw.Whole(2, 6);
   std::string kind;
   FractionField field = DrawField(grid, materials, draw, kind);
@@ -249,7 +250,7 @@ FuzzCase MakeFuzzCase(unsigned seed)
   if (extent.Refinements > 0)
   {
     DrawPlan(draw, c);
-    isAsked ? RefineWhereRequested(extent, draw, c) : DrawFamilies(extent, draw, c);
+    isAutomatic ? RefineWhereRequested(extent, draw, c) : DrawFamilies(extent, draw, c);
   }
   if (extent.Ranks > 1)
   {

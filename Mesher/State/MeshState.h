@@ -1,6 +1,6 @@
 /**
- * CarryState: transfers state arrays of the input to the mesh, copied or conserved.
- * StoreState stores the contents of cells before the fractions change; GiveState distributes
+ * MeshState: transfers state arrays of the input to the mesh, copied or conserved.
+ * StoreState stores the contents of cells before the fractions change; MakeOutputState distributes
  * them to the elements.
  */
 #pragma once
@@ -42,7 +42,7 @@ StoredState StoreState(const InputLevels& input, const LevelCells& cells, const 
 /// Makes the state arrays of the mesh.
 /// @param mesh elements owned by this rank, in image axes
 /// @pre Collective
-OutputState GiveState(const StoredState& kept, const InputLevels& input, const Mesh& mesh,
+OutputState MakeOutputState(const StoredState& kept, const InputLevels& input, const Mesh& mesh,
   const MeshedGrid& meshed, const ConserveOptions& options, const std::vector<BlockPlace>& owners,
   Runtime& runtime);
 

@@ -1,4 +1,4 @@
-#include "Images/DealImage.h"
+#include "Images/DistributeImage.h"
 
 #include <algorithm>
 #include <cstring>

@@ -1,5 +1,5 @@
 /**
- * FirstCatalyst: runs legacy Catalyst, ParaView's own library.
+ * LegacyCatalyst: runs legacy Catalyst, ParaView's own library.
  */
 #include "CatalystRun.h"
 #include "HostImages.h"
@@ -33,11 +33,11 @@ void AddNumbers(const std::vector<HostNumber>& numbers, vtkDataObject* data)
   }
 }
 
-class FirstCatalyst : public CatalystRun
+class LegacyCatalyst : public CatalystRun
 {
 public:
-  FirstCatalyst(MPI_Comm communicator, const std::vector<std::string>& scripts);
-  ~FirstCatalyst() override;
+  LegacyCatalyst(MPI_Comm communicator, const std::vector<std::string>& scripts);
+  ~LegacyCatalyst() override;
   bool Process(
     const HostGrid& grid, const HostStep& step, const std::vector<HostNumber>& numbers) override;
 
@@ -53,7 +53,7 @@ private:
   std::vector<vtkSmartPointer<ScriptPipeline>> Scripts;
 };
 
-FirstCatalyst::FirstCatalyst(MPI_Comm communicator, const std::vector<std::string>& scripts) :
+LegacyCatalyst::LegacyCatalyst(MPI_Comm communicator, const std::vector<std::string>& scripts) :
   CatalystRun(communicator)
 {
   vtkMPICommunicatorOpaqueComm handle(&this->Communicator);
@@ -71,7 +71,7 @@ FirstCatalyst::FirstCatalyst(MPI_Comm communicator, const std::vector<std::strin
   this->Python.GuardScripts();
 }
 
-FirstCatalyst::~FirstCatalyst()
+LegacyCatalyst::~LegacyCatalyst()
 {
   for (const vtkSmartPointer<ScriptPipeline>& script : this->Scripts)
   {
@@ -88,7 +88,7 @@ FirstCatalyst::~FirstCatalyst()
 /// Calls work() and throws the errors that Python printed if it returns false.
 /// @param otherwise  message if Python printed nothing
 template <class Work>
-void FirstCatalyst::RunPython(const Work& work, const std::string& otherwise)
+void LegacyCatalyst::RunPython(const Work& work, const std::string& otherwise)
 {
   const bool worked = work();
   const std::string printed = this->Python.TakeErrors();
@@ -98,7 +98,7 @@ void FirstCatalyst::RunPython(const Work& work, const std::string& otherwise)
   }
 }
 
-void FirstCatalyst::AddScript(const std::string& path)
+void LegacyCatalyst::AddScript(const std::string& path)
 {
   if (!this->CanRead(path))
   {
@@ -121,7 +121,7 @@ void FirstCatalyst::AddScript(const std::string& path)
 }
 
 /// Returns whether any script requests the step. Scripts that fail to answer are excluded.
-bool FirstCatalyst::IsRequested(vtkCPDataDescription* description)
+bool LegacyCatalyst::IsRequested(vtkCPDataDescription* description)
 {
   std::vector<vtkSmartPointer<ScriptPipeline>> kept;
   for (const vtkSmartPointer<ScriptPipeline>& script : this->Scripts)
@@ -144,7 +144,7 @@ bool FirstCatalyst::IsRequested(vtkCPDataDescription* description)
   return !kept.empty() && this->Group.Any(description->GetIfGridIsNecessary(InputName));
 }
 
-bool FirstCatalyst::Process(
+bool LegacyCatalyst::Process(
   const HostGrid& grid, const HostStep& step, const std::vector<HostNumber>& numbers)
 {
   vtkNew<vtkCPDataDescription> description;
@@ -182,7 +182,7 @@ bool FirstCatalyst::Process(
 std::unique_ptr<CatalystRun> StartCatalyst(
   MPI_Comm communicator, const std::vector<std::string>& scripts)
 {
-  return std::make_unique<FirstCatalyst>(communicator, scripts);
+  return std::make_unique<LegacyCatalyst>(communicator, scripts);
 }
 
 } // namespace vfm

@@ -1,5 +1,5 @@
 /**
- * SecondCatalyst: runs Catalyst 2, libcatalyst.
+ * Catalyst2Run: runs Catalyst 2, libcatalyst.
  */
 #include "CatalystRun.h"
 #include "DescribeGrid.h"
@@ -56,11 +56,11 @@ bool IsIdle()
     !std::getenv("CATALYST_DATA_DUMP_DIRECTORY");
 }
 
-class SecondCatalyst : public CatalystRun
+class Catalyst2Run : public CatalystRun
 {
 public:
-  SecondCatalyst(MPI_Comm communicator, const std::vector<std::string>& scripts);
-  ~SecondCatalyst() override;
+  Catalyst2Run(MPI_Comm communicator, const std::vector<std::string>& scripts);
+  ~Catalyst2Run() override;
   bool Process(
     const HostGrid& grid, const HostStep& step, const std::vector<HostNumber>& numbers) override;
 
@@ -71,7 +71,7 @@ private:
   bool TakesSteps = false; ///< steps are passed; equal on all ranks
 };
 
-SecondCatalyst::SecondCatalyst(MPI_Comm communicator, const std::vector<std::string>& scripts) :
+Catalyst2Run::Catalyst2Run(MPI_Comm communicator, const std::vector<std::string>& scripts) :
   CatalystRun(communicator)
 {
   if (HasStarted)
@@ -94,7 +94,7 @@ SecondCatalyst::SecondCatalyst(MPI_Comm communicator, const std::vector<std::str
   }
 }
 
-SecondCatalyst::~SecondCatalyst()
+Catalyst2Run::~Catalyst2Run()
 {
   if (this->IsStarted)
   {
@@ -103,7 +103,7 @@ SecondCatalyst::~SecondCatalyst()
   }
 }
 
-void SecondCatalyst::Start(const std::vector<std::string>& scripts)
+void Catalyst2Run::Start(const std::vector<std::string>& scripts)
 {
   Node parameters;
   Node catalyst = parameters["catalyst"];
@@ -122,7 +122,7 @@ void SecondCatalyst::Start(const std::vector<std::string>& scripts)
   }
 }
 
-bool SecondCatalyst::Process(
+bool Catalyst2Run::Process(
   const HostGrid& grid, const HostStep& step, const std::vector<HostNumber>& numbers)
 {
   if (!this->TakesSteps)
@@ -163,7 +163,7 @@ bool SecondCatalyst::Process(
 std::unique_ptr<CatalystRun> StartCatalyst(
   MPI_Comm communicator, const std::vector<std::string>& scripts)
 {
-  return std::make_unique<SecondCatalyst>(communicator, scripts);
+  return std::make_unique<Catalyst2Run>(communicator, scripts);
 }
 
 } // namespace vfm

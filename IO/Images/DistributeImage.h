@@ -1,5 +1,5 @@
 /**
- * DealImage: distributes an image file over the ranks.
+ * DistributeImage: distributes an image file over the ranks.
  */
 #pragma once
 

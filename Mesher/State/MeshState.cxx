@@ -1,4 +1,4 @@
-#include "State/CarryState.h"
+#include "State/MeshState.h"
 
 #include <map>
 #include <numeric>
@@ -33,7 +33,7 @@ StoredState StoreState(const InputLevels& input, const LevelCells& cells, const 
   return kept;
 }
 
-OutputState GiveState(const StoredState& kept, const InputLevels& input, const Mesh& mesh,
+OutputState MakeOutputState(const StoredState& kept, const InputLevels& input, const Mesh& mesh,
   const MeshedGrid& meshed, const ConserveOptions& options, const std::vector<BlockPlace>& owners,
   Runtime& runtime)
 {
