@@ -123,7 +123,8 @@ class Searches(unittest.TestCase):
         self.assertFalse(find_problems("Returns the fragment of a cell. The mesh is not changed."))
 
     def test_prose_of_sources(self):
-        source = 'const char* a = "// no comment"; // one\n/// two that\n/// goes on\n/* and\n * three */'
+        source = ('const char* a = "// no comment"; // one\n'
+                  '/// two that\n/// goes on\n/* and\n * three */')
         for path, text, expected in (
                 ("a.cxx", source, ["one", "two that goes on", "and three"]),
                 ("a.py", '"""One."""\nx = "# no comment"  # two\n', ["One.", "two"]),
