@@ -135,7 +135,7 @@ def test_numbers():
         mesh = vfm.hexes(fractions, density={"ball": 2, "plate": 3.0}, order=order)
         assert np.array_equal(mesh.state["density"], expected.state["density"])
     assert np.allclose(vfm.hexes(BALL, density=7).state["density"], 7, rtol=1e-6)
-    with pytest.raises(ValueError, match="of the material 'Material 3' none is chosen"):
+    with pytest.raises(ValueError, match="of the material 'Material 3' no array is selected"):
         vfm.hexes(labels=np.where(BALL > 0.5, 7, np.where(PLATE > 0.5, 3, 0)), density={7: 2.0})
     assert list(vfm.hexes(labels=7 * (BALL > 0.5), density={7: 2.0}).state) == ["density"]
 
