@@ -16,13 +16,13 @@ if TYPE_CHECKING:
 
 @dataclass(eq=False)
 class Geometry:
-    """Volume, surface, curve or vertex of each point of a mesh.
+    """Volume, surface, curve or vertex of each of the n points of a mesh.
 
     Attributes
     ----------
-    dimension : ndarray of int32, shape (points,)
+    dimension : ndarray of int32, shape (n,)
         3 inside a volume, 2 on a surface, 1 on a curve, 0 at a vertex.
-    id : ndarray of int32, shape (points,)
+    id : ndarray of int32, shape (n,)
         Number of that volume (fragment), surface, curve or vertex, from 1.
 
     Examples
@@ -134,22 +134,22 @@ class Vertices:
 class Mesh:
     """Conforming mesh of all materials, made by `hexes` or `tets`.
 
-    The mesh owns its arrays; the package keeps no reference to them. ``len(mesh)`` is the number of
-    elements. Lengths are in the unit of the input.
+    The mesh owns its arrays; the package keeps no reference to them. It has n points and m
+    elements, and ``len(mesh)`` is m. Lengths are in the unit of the input.
 
     Attributes
     ----------
-    points : ndarray of float64, shape (points, 3)
+    points : ndarray of float64, shape (n, 3)
         Coordinates of the nodes.
-    cells : ndarray of int64, shape (elements, 8) or (elements, 4)
+    cells : ndarray of int64, shape (m, 8) or (m, 4)
         Corners of hexahedra or tetrahedra, in the order of VTK: indices of `points`.
-    material : ndarray of int32, shape (elements,)
+    material : ndarray of int32, shape (m,)
         Number of the material in the order of the input, from 1, or its label. 0 is void.
-    fragment : ndarray of int32, shape (elements,)
+    fragment : ndarray of int32, shape (m,)
         Number of the fragment, from 1: a set of elements of one material, connected over faces.
-    point_ids, cell_ids : ndarray of int64, shapes (points,) and (elements,)
+    point_ids, cell_ids : ndarray of int64, shapes (n,) and (m,)
         Unique ids from 1. They follow from the position in the grid and are not consecutive.
-    quality : ndarray of float32, shape (elements,), or None
+    quality : ndarray of float32, shape (m,), or None
         Scaled Jacobian as in Verdict: 1 for a cube or a regular tetrahedron, positive for a valid
         element. None without ``compute_quality``.
     geometry : Geometry
@@ -157,9 +157,9 @@ class Mesh:
     surfaces, curves, vertices : Surfaces, Curves, Vertices
         Geometry of the mesh.
     state : dict of str to ndarray
-        State arrays of the elements, shape (elements,) or (elements, components).
+        State arrays of the elements, shape (m,) or (m, components).
     point_state : dict of str to ndarray
-        State arrays of the points: the velocity, shape (points, 3), with ``nodal_velocity``.
+        State arrays of the points: the velocity, shape (n, 3), with ``nodal_velocity``.
     materials : dict
         Table with one entry per material in each column: ``Name`` (list of str), ``MaterialId``,
         ``TargetVolume`` (of the fractions), ``MeshVolume``, ``VolumeError`` (relative),
@@ -233,7 +233,7 @@ class Mesh:
 
         Returns
         -------
-        ndarray of float64, shape (elements,)
+        ndarray of float64, shape (m,)
             Volumes in length**3. The faces of hexahedra are bilinear.
 
         Examples
