@@ -29,12 +29,15 @@ myst_links_external_new_tab = True
 autodoc_member_order = "bysource"
 autodoc_typehints = "none"  # the docstrings give the types
 napoleon_google_docstring = False
+napoleon_use_ivar = True
 
 html_theme = "pydata_sphinx_theme"
 html_title = "%s %s" % (project, version)
 html_show_sourcelink = False
 html_extra_path = [os.environ["VFM_SITE_EXTRA"]] if "VFM_SITE_EXTRA" in os.environ else []
 templates_path = ["templates"]
+html_static_path = ["static"]
+html_css_files = ["site.css"]
 html_sidebars = {"**": ["pages.html"]}
 html_theme_options = {"navbar_center": [], "navbar_persistent": ["search-button-field"],
                       "show_prev_next": False, "secondary_sidebar_items": ["page-toc"],
