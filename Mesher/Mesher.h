@@ -16,13 +16,13 @@
 namespace vfm
 {
 
-/// Arrays of the blocks that are read.
+/// Names of the arrays that a run reads from the blocks.
 struct MesherArrays
 {
-  std::vector<std::string> Fractions; ///< one array per material; empty: Labels is used
-  std::string Labels;                 ///< array of labels; empty: Fractions are used
+  std::vector<std::string> Fractions; ///< one array per material; empty: Labels is set
+  std::string Labels;                 ///< array of labels; empty: Fractions are set
   LabelNames Names;                   ///< names of labels
-  StateChoice State;
+  StateChoice State;                  ///< state arrays to transfer to the mesh
 };
 
 /// Input of a run.
@@ -30,7 +30,9 @@ struct MesherInput
 {
   InputLevels Levels;
   MesherArrays Arrays;
-  bool StaysInPlace = false; ///< each rank meshes its own block (FindNeighbourLevels)
+  /// true: each rank has one block and meshes its cells; required for input of FindNeighbourLevels,
+  /// which knows only the blocks nearby. false: cells may be redistributed over the ranks.
+  bool StaysInPlace = false;
   std::function<void(const std::string&)> Warn; ///< called only on rank 0; may be empty
 };
 
@@ -40,8 +42,10 @@ struct MesherResult
   Mesh TheMesh; ///< elements of this rank, in world coordinates; materials have the ids of the user
   MeshReport Report;
   OutputState State;
-  FieldArrays Fields;         ///< ListSides, ListReport, ListDomain, ListBalance
-  FieldArrays MaterialFields; ///< ListMaterials, ListBalance; one row per material
+  /// Field data of the whole mesh: ListSides, ListReport, ListDomain (MeshFields.h), ListBalance.
+  FieldArrays Fields;
+  /// Table with one row per material: ListMaterials (MeshFields.h), ListBalance (StateBalance.h).
+  FieldArrays MaterialFields;
 };
 
 /// Makes a mesh from the input.
@@ -50,8 +54,9 @@ struct MesherResult
 /// @param runtime threads, ranks and progress
 /// @return elements of the cells that this rank meshes, their state, and reports equal on all ranks
 /// @throws InputError if options or input are not valid; the same message on all ranks
-/// @throws Aborted if progress reporting requests it
-/// @pre Collective over runtime.Group()
+/// @throws Aborted if the user stops a run on a single rank (Runtime::Progress)
+/// @pre Collective over runtime.Group(). On several ranks, the caller runs it in a frame
+///   (WorkTogether), so that no rank waits for a rank that runs out of memory.
 /// @note Bitwise reproducible for any number of ranks and threads, except with TetGen.
 MesherResult RunMesher(const MesherInput& input, const MesherOptions& options, Runtime& runtime);
 

@@ -10,26 +10,27 @@ namespace vfm
 {
 
 /// Number of layers of ghost cells that the stages need around the owned cells. The ranges that a
-/// stage reads and writes are derived from GhostLayers and HexLayers. LayersFor (Options.h) returns
-/// larger numbers if interfaces cross levels.
+/// stage reads and writes follow from GhostLayers and HexLayers. If interfaces cross levels, more
+/// layers are needed; LayersFor (Options.h) returns their number.
 constexpr int GhostLayers = 6;
 /// Number of the innermost ghost layers whose hexes this rank makes too. Smoothing and geometry at
 /// the boundary of the owned cells need them.
 constexpr int HexLayers = 2;
 
-/// Uniform or rectilinear grid, of which this rank holds one box of owned cells and ghost layers
-/// around it. Cells and nodes are implicit. The grid does not change after construction, so threads
-/// may read it at the same time.
+/// Uniform or rectilinear grid, of which this rank holds the local box: its owned cells and the
+/// ghost layers around them. Cells and nodes are implicit. The grid does not change after
+/// construction, so threads may read it at the same time.
 ///
 /// Indices. (i,j,k) are global. Cell (i,j,k) and its lower corner, node (i,j,k), have the same
-/// linear index. Arrays over cells and over nodes have one shape: the local box with one more layer
-/// of cells on every side. Therefore the eight cells of a node, the eight nodes of a cell and the
-/// neighbours of both are at fixed offsets, and every node of the local box has eight cells in
-/// memory. Stages that need values beyond the domain boundary (labels) copy them from the cell next
-/// to it into the outermost layer; see ForMirrors.
+/// linear index. Arrays over cells and arrays over nodes have the same shape: the local box and one
+/// more layer of cells on every side, the outermost layer. Therefore the eight cells of a node, the
+/// eight nodes of a cell and the neighbours of both are at fixed offsets, and every node of the
+/// local box has eight cells in memory. The outermost layer holds no data of the input. Stages that
+/// read it (labels) copy to it the values of the adjacent cells of the local box; see ForMirrors.
 ///
-/// Numbering. Corner c of cell n is node n + CornerOffset(c). Cell c of the star of node n is
-/// n - CornerOffset(7) + CornerOffset(c). Faces -x +x -y +y -z +z have the numbers 0 to 5.
+/// Numbering. Corner c of a cell is on the + side of axis a if bit a of c is set. Corner c of cell
+/// n is node n + CornerOffset(c). The star of node n is the eight cells around it; cell c of the
+/// star is n - CornerOffset(7) + CornerOffset(c). Faces -x +x -y +y -z +z have the numbers 0 to 5.
 ///
 /// Keys. NodeKey and CellKey are global numbers that do not depend on the number of ranks.
 class CartesianGrid
@@ -38,9 +39,10 @@ public:
   /// Makes the grid of one rank.
   /// @param coordinates  node coordinates of the whole grid, one increasing list per axis, in the
   ///   length unit of the input
-  /// @param owned  cells whose hexes this rank makes
+  /// @param owned  cells that this rank owns
   /// @param ghostLayers  number of layers of cells held around the owned cells
-  /// @param hexLayers  number of the innermost of these layers whose hexes are made too
+  /// @param hexLayers  number of the innermost of these layers whose hexes this rank makes, in
+  ///   addition to the hexes of the owned cells
   /// @throws InputError  if a list has fewer than two entries or does not increase
   CartesianGrid(std::array<std::vector<double>, 3> coordinates, const IndexBox& owned,
     int ghostLayers = 0, int hexLayers = HexLayers);
@@ -51,9 +53,10 @@ public:
   const IndexBox& Global() const { return this->GlobalBox; }
   const IndexBox& Owned() const { return this->OwnedBox; }
   const IndexBox& Local() const { return this->LocalBox; }
-  /// Returns the owned cells and at most `levels` of the ghost layers around them.
+  /// Returns the owned cells and the innermost `levels` ghost layers around them, as far as they
+  /// are in the local box.
   IndexBox Extended(int levels) const;
-  /// Returns the cells whose hexes this rank makes: the owned cells and HexLayers around them.
+  /// Returns the cells whose hexes this rank makes: the owned cells and the hexLayers around them.
   IndexBox HexBox() const { return this->Extended(this->HexGhosts); }
 
   /// Returns the length of every array over cells or nodes.
@@ -91,8 +94,9 @@ public:
   {
     return { { this->X[0][p[0]], this->X[1][p[1]], this->X[2][p[2]] } };
   }
-  /// Returns the cell that contains a point; on a face the upper of its two cells. For a point
-  /// outside the domain an index is -1 or the number of cells.
+  /// Returns the cell that contains a point; for a point on a face, the cell on its + side. For a
+  /// point outside the domain, the index along that axis is -1 or the number of cells. A point on
+  /// an upper side of the domain counts as outside.
   Index3 CellAt(const Vector3& point) const;
   const std::array<std::vector<double>, 3>& Coordinates() const { return this->X; }
   const std::vector<double>& Coordinates(int axis) const { return this->X[axis]; }
@@ -119,7 +123,8 @@ public:
     const Index3& n = this->GlobalBox.Upper;
     return Unpack(key, { { n[0] + 1, n[1] + 1, n[2] + 1 } });
   }
-  /// Returns the cell above a node; on the upper sides of the domain the cell below it.
+  /// Returns the cell on the + side of a node along all axes; on an upper side of the domain, the
+  /// cell on the - side. The block of the node (TetTopology.h) belongs to this cell.
   Index3 CellOfBlock(const Index3& node) const
   {
     const Index3& n = this->GlobalBox.Upper;
@@ -143,8 +148,8 @@ public:
     return sides;
   }
 
-  /// Calls body(n) for each cell n of the outermost layer that mirrors the given cell. Only cells
-  /// at the boundary of the local box have mirrors.
+  /// Calls body(n) for each cell n of the outermost layer that mirrors a cell of the local box.
+  /// Only cells at the boundary of the local box have mirrors.
   template <class Body>
   void ForMirrors(Index cell, const Body& body) const;
 

@@ -1,6 +1,6 @@
 /**
- * Partition: the ownership of cells and nodes by ranks, and the exchange of
- * cell values between ranks.
+ * Partition: the ownership of cells and nodes by ranks, and the exchange of cell values between
+ * ranks.
  */
 #pragma once
 
@@ -12,30 +12,31 @@
 namespace vfm
 {
 
-/// Distribution of a grid over ranks. Each rank owns a box of cells. The rank that owns the cell
-/// with the lowest index at a node owns the node. A rank with an empty box owns nothing. The grid
-/// and the ranks must outlive this object.
+/// Distribution of a grid over ranks. Each rank owns a box of cells. A node is owned by the rank
+/// that owns the cell with the lowest indices at it. A rank with an empty box owns nothing. The
+/// grid and the ranks must outlive this object.
 class Partition
 {
 public:
-  /// Gathers the owned and local boxes of all ranks (96 bytes per rank) and stores
-  /// the boxes of peers.
+  /// Gathers the owned and local boxes of all ranks (96 bytes per rank), and stores the boxes of
+  /// peers (Peers).
   /// @pre Collective over `ranks`.
   Partition(const CartesianGrid& grid, Ranks& ranks);
 
   Ranks& Group() const { return this->TheRanks; }
-  /// Returns the peers in ascending order: ranks that own ghost cells of this rank, or hold owned
-  /// cells of this rank as ghosts.
+  /// Returns the peers in ascending order: the ranks that own ghost cells of this rank, or that
+  /// hold owned cells of this rank as ghosts.
   const std::vector<int>& Peers() const { return this->ThePeers; }
   bool OwnsCell(const Index3& cell) const { return this->Grid.Owned().Contains(cell); }
   bool OwnsNode(const Index3& node) const { return this->OwnsCell(LowestCell(node)); }
   /// PeerOfCell and PeerOfNode return the position in Peers() of the owner of a cell or node.
-  /// @pre The cell or node is in the local box and this rank does not own it.
+  /// @pre This rank does not own the cell or node. The cell, or the cell that determines the owner
+  ///   of the node, is in the local box.
   int PeerOfCell(const Index3& cell) const;
   int PeerOfNode(const Index3& node) const { return this->PeerOfCell(LowestCell(node)); }
 
   /// Sends data of owned cells to the peers that hold them as ghosts.
-  /// @param pack  pack(box) returns the bytes of a box of owned cells
+  /// @param pack  pack(box) returns the bytes of a box of owned cells of this rank
   /// @param unpack  unpack(box, bytes) stores the bytes of a box of ghost cells
   /// @pre Collective among peers.
   template <class Pack, class Unpack>
@@ -44,13 +45,15 @@ public:
   /// Calls body(cell) for the linear indices of the cells of a box, x fastest.
   template <class Body>
   void ForCells(const IndexBox& box, const Body& body) const;
-  /// Calls body(first, last) for the linear indices of each row of a box, y fastest.
+  /// Calls body(first, last) for each row along x of a box, with the linear indices of its first
+  /// cell and of the end; rows in order, y fastest.
   template <class Body>
   void ForRows(const IndexBox& box, const Body& body) const;
 
   /// Sets the ghost cells of an array to the values of their owners.
   /// @param values  array of the grid's shape
-  /// @param changed  changed(cell) is called for every ghost cell whose value differed
+  /// @param changed  changed(cell) is called for every ghost cell whose value changes, after its
+  ///   row has been set
   /// @pre Collective among peers.
   template <class T, class Changed>
   void ExchangeCells(PagedArray<T>& values, const Changed& changed) const;
@@ -62,8 +65,9 @@ public:
   {
     return ExchangeLists(this->TheRanks, this->ThePeers, lists);
   }
-  /// Sends a list of ids to each peer and returns their answers in the order of the ids.
-  /// @param ids  ids by peer
+  /// Sends a list of ids to each peer and returns their answers, one list per peer, in the order of
+  /// the ids.
+  /// @param ids  one list per peer
   /// @param answer  answer(id) is called on the peer that receives the id
   /// @pre Collective among peers.
   template <class Answer>
@@ -130,7 +134,8 @@ auto Partition::Query(const std::vector<std::vector<Index>>& ids, const Answer& 
   return this->Exchange(MapLists(this->Exchange(ids), answer));
 }
 
-/// Appends to `others` the indices in [first, last), which is in one row, that have another value.
+/// Appends to `others` the indices in [first, last), a range in one row, whose value differs from
+/// `value`.
 template <class T>
 void FindOthers(
   const PagedArray<T>& values, Index first, Index last, T value, std::vector<Index>& others)

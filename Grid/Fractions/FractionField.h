@@ -1,7 +1,7 @@
 /**
  * FractionField: volume fractions of all materials in every cell of the local box, stored sparsely.
- * A cell filled by one material (or void) stores a label. A mixed cell stores a short list of
- * (material, fraction), so a thousand grains need no thousand arrays.
+ * A cell filled by one material (or void) stores a label. A mixed cell stores a short list of pairs
+ * (material, fraction). So a thousand grains do not need a thousand arrays.
  *
  * Materials are numbered 1..N, void is 0. The fractions of a cell, void included, sum to 1.
  */
@@ -14,13 +14,13 @@
 namespace vfm
 {
 
-/// Distance of fractions outside [0,1] that rounding explains.
+/// Largest distance of a fraction from [0,1] that counts as rounding.
 constexpr double FractionTolerance = 1e-6;
 /// Largest tolerance that a user may set.
 constexpr double LargestFractionTolerance = 0.1;
 
-/// Fractions by linear index of the cells of a grid, owned and ghost. Owns its data. Threads may
-/// read at the same time, but not write.
+/// Fractions of the cells of a grid, owned and ghost, by linear index. Owns its data. Several
+/// threads may read it; none may write at the same time.
 class FractionField
 {
 public:
@@ -47,57 +47,61 @@ public:
   {
   public:
     virtual ~Reader() = default;
-    /// Reads the fractions of one material in a row of cells.
+    /// Reads the fractions of one material in a row of cells along x.
     /// @param material  1 to N
     /// @param first  position of the first cell
-    /// @param count  number of cells along x
-    /// @param[out] values  fractions, count of them
+    /// @param count  number of cells
+    /// @param[out] values  fractions of the cells, `count` numbers
     virtual void Read(int material, const Index3& first, Index count, double* values) const = 0;
-    /// Returns by how much the stored type of a material may have rounded a fraction up.
+    /// Returns the largest error by which the number type of a material's array may round a
+    /// fraction up.
     virtual double Rounding(int /*material*/) const { return 0.0; }
-    /// Returns how far outside [0,1] values may lie.
+    /// Returns the largest accepted distance of a value from [0,1].
     virtual double Tolerance() const { return FractionTolerance; }
     /// Returns the name of the array of a material, for messages.
     virtual std::string Name(int material) const = 0;
   };
-  /// Reads the fractions of all cells of the local box. Fractions outside [0,1] by at most the
-  /// tolerance are clipped; those outside by more than 1e-6 are counted. Sums above 1 are
-  /// normalised, and counted if rounding does not explain them.
-  /// @throws InputError  thrown on the rank that holds the cell: NaN, infinity, or a value farther
-  ///   outside; a sum above 1 by more than 1e-3 and by more than the tolerance plus the
-  ///   rounding of all materials
+  /// Reads the fractions of all cells of the local box. A fraction outside [0,1] is clipped if its
+  /// distance is at most the tolerance. Cells with distances above 1e-6 are counted
+  /// (NumberOfClippedCells). Sums above 1 are scaled to 1. Cells whose sum exceeds 1 by more than
+  /// rounding are counted (NumberOfNormalisedCells).
+  /// @throws InputError  only on the rank that holds the cell, if
+  /// - a fraction is not finite, or its distance from [0,1] exceeds the tolerance
+  /// - a sum exceeds 1 by more than 1e-3 and by more than the tolerance plus the rounding of all
+  ///   materials
   static FractionField FromReader(const CartesianGrid& grid, int numberOfMaterials, const Reader&);
 
   int NumberOfMaterials() const { return this->Materials; }
-  /// Returns the number of owned cells whose sum exceeded 1 by more than rounding explains.
+  /// Returns the number of owned cells whose sum exceeded 1 by more than rounding.
   Index NumberOfNormalisedCells() const { return this->Normalised; }
-  /// Returns the number of owned cells with a fraction outside [0,1] by
-  /// more than rounding explains.
+  /// Returns the number of owned cells with a fraction outside [0,1] by more than rounding.
   Index NumberOfClippedCells() const { return this->Clipped; }
 
   void SetLabel(Index cell, int label) { this->Entry.Set(cell, label); }
-  /// Sets the materials of a cell; void fills the rest.
-  /// @param parts  distinct materials >= 1, ascending, fractions > 0; their sum may
-  ///   exceed 1 by rounding
+  /// Sets the materials of a cell; void fills the rest. A sum above 1 is scaled to 1.
+  /// @param parts  distinct materials >= 1, ascending, with fractions > 0
   void SetParts(Index cell, const std::vector<Part>& parts);
 
-  /// Sets the parts of a cell without normalisation.
-  /// @param parts  Parts() of another field, void included; a single part sets its label
+  /// Sets the parts of a cell as given, without scaling.
+  /// @param parts  Parts() of another field, void included; a single part sets the label of the
+  ///   cell
   void CopyParts(Index cell, Range parts);
   /// Copies a cell of another field.
   void CopyCell(Index cell, const FractionField& from, Index other);
 
-  /// Sets the cells of a row in order, faster and in less memory than cell by cell. The
-  /// layer around the local box may get the labels of adjacent cells, so that rows of one
-  /// label remain one run.
+  /// Sets the cells of a row one after another, faster and in less memory than SetLabel and
+  /// SetParts. At the ends of a row, a cell of the layer around the local box may get the label of
+  /// its neighbour, so that a row of one label remains one run.
   class RowWriter
   {
   public:
     explicit RowWriter(FractionField& field) : Field(field) {}
-    /// Starts a row at its first cell.
+    /// Starts a row.
+    /// @param first  linear index of the first cell that is set
     void Start(Index first);
     void AddLabel(int label, Index count = 1);
-    /// Adds a cell, like SetParts; the next two like CopyParts and CopyCell.
+    /// AddParts adds a cell like SetParts; CopyParts and CopyCell add a cell like the functions of
+    /// the same names above.
     void AddParts(const std::vector<Part>& parts);
     void CopyParts(Range parts);
     void CopyCell(const FractionField& from, Index other);
@@ -150,8 +154,8 @@ public:
     }
     return 0.0;
   }
-  /// Visits the cells [first, last) of a row in order: pure(begin, end, label) for some runs of one
-  /// label, each(begin, end) for all other cells.
+  /// Visits the cells [first, last) of a row in order. Calls pure(begin, end, label) for runs of
+  /// one label, and each(begin, end) for all other ranges. The latter may also contain pure cells.
   template <class Pure, class Each>
   void Visit(Index first, Index last, const Pure& pure, const Each& each) const
   {
@@ -168,7 +172,8 @@ public:
       },
       [&](Index begin, Index end, const int*) { each(begin, end); });
   }
-  /// Visits the same cells as run(begin, end, label); label -1: one mixed cell.
+  /// Visits the cells [first, last) of a row in order: run(begin, end, label) for runs of one
+  /// label, with label -1 for a single mixed cell.
   template <class Run>
   void VisitRuns(Index first, Index last, const Run& run) const
   {

@@ -1,6 +1,6 @@
 /**
- * ActiveHexes: the active part of a hexahedral mesh, which consists of the points of nodes within
- * two cells of an interface, in cells of their own level.
+ * ActiveHexes: the part of a hexahedral mesh that smoothing moves, the points of nodes near an
+ * interface. Near means at most two cells away, in cells of the level of the node.
  *
  * A point that only finest cells share moves with its grid node. All other points move with the
  * node of a level from which they stem (RefinedMesh::Anchors). Colours are the parities of these

@@ -1,7 +1,7 @@
 /**
- * CoarseHexes: the hexes of a refined grid that are not finest cells, which are coarser cells and
- * transition hexes between levels. Each hex lies in a cell of its level and has the label of that
- * cell. Where interfaces cross such hexes, they are split like finest cells (SplitNodes.h): the hex
+ * CoarseHexes: the coarser cells and the transition hexes of a refined grid, which are all hexes
+ * outside the finest cells. Each hex lies in a cell of its level and has the label of that cell.
+ * Where interfaces cross such hexes, they are split like finest cells (SplitNodes.h): the hex
  * itself on inner points, and a buffer hex on each face towards another label.
  *
  * They are made for the owned base cells and the cells around them; at the end a rank keeps only

@@ -1,6 +1,6 @@
 /**
- * HexStars: the nodes of a refined grid with several labels around them, except nodes that only
- * finest cells share, and the hexes at each.
+ * HexStars: the nodes of a refined grid where labels meet, and the hexes at each. Nodes that only
+ * finest cells share are left out.
  */
 #pragma once
 

@@ -1,6 +1,6 @@
 /**
- * LabelledGrid: the input of hexahedral meshes, labels that pass the label condition and the
- * levels, which refer to these labels.
+ * LabelledGrid: the labels of a grid, which pass the label condition, and its levels. They are the
+ * input of hexahedral meshes. The levels refer to the labels.
  */
 #pragma once
 

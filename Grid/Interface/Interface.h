@@ -1,13 +1,15 @@
 /**
- * Interface: interfaces between labels: their faces, the points where the true interface crosses
- * the dual edge of each face, and the surface points fitted to these crossings.
+ * Interface: the interfaces between labels, as faces between cells, points where the true interface
+ * crosses the line between two cell centres (dual edge), and surface points. Each face has one
+ * crossing; surface points are found from the crossings around a node.
  *
  * Frames. Grid coordinates are (x - lower corner of the domain) / CartesianGrid::MeanWidth, so that
  * numbers are close to cell counts. The local frame of a node or cell has grid coordinates relative
  * to it, divided by its widths along each axis, so that cells are unit cubes.
  *
- * A pair is two labels a < b. Its difference field D is 2 (1 - vf_0 - isoValue) for a = 0, else
- * vf_b - vf_a. It is negative on the side of a. Normals point from a to b.
+ * A pair is two labels a < b. Its difference field is D = vf_b - vf_a, with the fractions vf of a
+ * cell. For a = 0 (void), it is D = 2 (1 - vf_0 - isoValue). D is negative on the side of a.
+ * Normals point from a to b.
  */
 #pragma once
 
@@ -23,10 +25,11 @@ struct Crossing
 {
   Vector3 Point;
   Vector3 Normal; ///< unit
-  double Weight;  ///< > 0, at most 1; smaller if the pair fills less of the cells
+  double Weight;  ///< above 0, at most 1; smaller where other labels fill a part of the cells
 };
 
-/// Pair of labels that meets at a surface node, and the point of its interface nearest to the node.
+/// Pair of labels that meet at a surface node, and a point of their interface near the node: the
+/// mean of the node's projections onto the tangent planes of the crossings around it.
 struct SurfacePoint
 {
   int First, Second;
@@ -41,10 +44,10 @@ class Interface
 public:
   /// @param fractions  fractions of the cells of the local box
   /// @param labels  labels of the same cells, after ResolveLabels
-  /// @param mixed  FindMixedNodes(grid, labels), or some of these nodes, ascending; faces with a
-  ///   node that is not listed are left out
-  /// @param steps  cells, ascending, whose label differs from their fractions because they are part
-  ///   of a coarser cell; their faces get the crossings of faces nearby (FindCrossingNear)
+  /// @param mixed  FindMixedNodes(grid, labels), or some of these nodes, ascending. A face is left
+  ///   out if one of its nodes is not in this list
+  /// @param steps  cells, ascending, that got their label as a part of a coarser cell, against
+  ///   their own fractions. Their faces get the crossing of a face nearby (FindCrossingNear)
   Interface(const CartesianGrid& grid, const FractionField& fractions, const LabelArray& labels,
     std::vector<Index> mixed, double isoValue, Runtime& runtime,
     const std::vector<Index>& steps = {});
@@ -60,13 +63,13 @@ public:
   const std::vector<Crossing>& Crossings() const { return this->TheCrossings; }
   /// Returns the four nodes of a face (positions in Nodes()), in order around it.
   const std::array<Index, 4>& CornersOfFace(Index face) const { return this->FaceNodes[face]; }
-  /// Returns where the faces at the n-th node begin in FaceList(), ascending. They end where the
-  /// faces at the next node begin.
+  /// Returns the position in FaceList() of the first face at the n-th node. Faces are ascending,
+  /// and end where the faces of the next node begin.
   Index FaceOffset(Index n) const { return this->FacesOfNodes.Begin[n]; }
   const std::vector<Index>& FaceList() const { return this->FacesOfNodes.Items; }
 
-  /// Returns where the surface points of the n-th node begin in Points(), ascending by pair. They
-  /// end where the points of the next node begin.
+  /// Returns the position in Points() of the first surface point of the n-th node. Points are
+  /// ascending by pair, and end where the points of the next node begin.
   Index PointOffset(Index n) const { return this->PointsAt[n]; }
   const std::vector<SurfacePoint>& Points() const { return this->SurfacePoints; }
   /// Returns the surface point of a pair at the n-th node, or nullptr.

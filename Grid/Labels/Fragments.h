@@ -8,23 +8,27 @@
 namespace vfm
 {
 
-/// Local component: a connected part of a fragment on one rank.
+/// Local component: a connected part of a fragment on one rank, in cells (Fragments) or tets
+/// (TetFragments.h).
 struct Piece
 {
   Index Lowest; ///< id of the lowest cell or element
   Index Label;
 };
+/// Pairs of local components, numbered over all ranks.
 using PiecePairs = std::vector<std::array<Index, 2>>;
 
-/// Returns the number of this rank's first local component if components are numbered over all
-/// ranks, in the order of ranks.
+/// Returns the number of this rank's first local component, if all components are numbered from 0
+/// in the order of ranks.
+/// @param count  number of local components of this rank
 /// @pre Collective.
 Index OffsetOfPieces(Ranks& ranks, Index count);
 
-/// Joins the local components of all ranks into fragments, which are numbered from 1
-/// by their lowest cell.
+/// Joins the local components of all ranks into fragments, which are numbered from 1 by their
+/// lowest cell or element.
 /// @param mine  local components of this rank
-/// @param same  pairs of components, numbered over all ranks, that belong to one fragment
+/// @param same  pairs of components that belong to one fragment; components are numbered over all
+///   ranks (OffsetOfPieces)
 /// @param offset  OffsetOfPieces of this rank
 /// @param[out] materials  label of each fragment; [0] is unused
 /// @return fragment of each local component of this rank
@@ -32,13 +36,15 @@ Index OffsetOfPieces(Ranks& ranks, Index count);
 std::vector<int> NumberFragments(const std::vector<Piece>& mine, const PiecePairs& same,
   Index offset, Ranks& ranks, std::vector<int>& materials);
 
-/// Fragment of every cell of HexBox, numbered from 1 over all ranks by the lowest cell; 0 in
-/// cells that are not meshed. Stored as runs of equal label along x, so memory is
+/// Fragment of every cell of CartesianGrid::HexBox, numbered from 1 over all ranks by the lowest
+/// cell; 0 in cells that are not meshed. Stored as runs of cells of one label along x, so memory is
 /// proportional to the interfaces.
 class Fragments
 {
 public:
   /// Finds the fragments. Every rank receives the local components of all ranks, 16 bytes each.
+  /// @param labels  labels of the cells of the local box
+  /// @param meshVoid  whether void forms fragments too
   /// @pre Collective.
   Fragments(
     const CartesianGrid& grid, const LabelArray& labels, bool meshVoid, const Partition& partition);
@@ -46,12 +52,13 @@ public:
   int NumberOfFragments() const { return static_cast<int>(this->Materials.size()) - 1; }
   /// Returns the fragment of a cell in HexBox.
   int FragmentOfCell(const Index3& cell) const;
-  /// Also sets runEnd to the end of the run of cells of this fragment along x.
+  /// Also sets runEnd to the index i of the end of the run of cells of this fragment along x.
   int FragmentOfCell(const Index3& cell, Index& runEnd) const;
   /// Returns the material of every fragment; [0] is unused.
   const std::vector<int>& MaterialsOfFragments() const { return this->Materials; }
 
-  /// Calls body(first cell, last cell + 1, fragment) for the runs of row (j, k) in order.
+  /// Calls body(begin, end, fragment) for the runs of row (j, k) in order, with the indices i of
+  /// the first cell and of the end.
   template <class Body>
   void ForRuns(Index j, Index k, const Body& body) const
   {

@@ -1,5 +1,5 @@
 /**
- * SlabPillow: one level of two-refinement. Refined cells become eight cells, the cells around them
+ * SlabPillow: divides each refined cell of one level into eight cells, and the cells around into
  * transition hexes.
  *
  * The following is done for each axis in turn. The two layers of cells of families with index t

@@ -35,9 +35,9 @@ public:
     (void)peers;
     return outgoing;
   }
-  /// Returns the bytes of every rank, by rank, on all ranks.
+  /// Returns the bytes that each rank passes, in the order of ranks, on all ranks.
   virtual std::vector<Bytes> Gather(const Bytes& mine) { return { mine }; }
-  /// Replaces each value by its sum over all ranks. Each rank passes the same number of values.
+  /// Replaces each value by its sum over all ranks. All ranks pass the same number of values.
   virtual void Sum(std::vector<std::int64_t>& values) { (void)values; }
   /// Returns the maximum over all ranks.
   virtual double Max(double value) { return value; }
@@ -46,8 +46,8 @@ public:
   bool Any(bool value) { return this->Max(value ? 1.0 : 0.0) > 0.0; }
 
   /// Kinds of frames, from the outermost to the innermost. A frame is a piece of collective work
-  /// with common error handling (WorkTogether). Frames nest even if the libraries that open them do
-  /// not know of each other.
+  /// with common error handling (WorkTogether.h). Frames of different groups of the same ranks may
+  /// nest, even if the libraries that open them do not know of each other.
   enum class Frame
   {
     Program, ///< a whole program
@@ -56,8 +56,9 @@ public:
     Inner    ///< a step inside a filter
   };
   ///@{ Only for WorkTogether.
-  /// Enter begins a frame; it returns false inside another frame. Leave ends the frame after all
-  /// ranks have called it. Fail ends the frame and throws the same error on all ranks.
+  /// Enter begins a frame. Inside another frame of this group it does nothing and returns false.
+  /// Leave ends the frame after all ranks have called it. Fail ends the frame with an error: all
+  /// ranks throw the same error.
   virtual bool Enter(Frame frame) noexcept
   {
     (void)frame;
@@ -81,7 +82,7 @@ Bytes ToBytes(const std::vector<T>& items)
   return bytes;
 }
 
-/// Returns the list that ToBytes converted.
+/// Returns the list from its bytes (ToBytes).
 template <class T>
 std::vector<T> FromBytes(const Bytes& bytes)
 {
@@ -93,7 +94,7 @@ std::vector<T> FromBytes(const Bytes& bytes)
   return items;
 }
 
-/// Returns the items of several messages, one message after another.
+/// Returns the items of several messages (ToBytes) in one list, in the order of the messages.
 template <class T>
 std::vector<T> JoinItems(const std::vector<Bytes>& messages)
 {
@@ -114,7 +115,7 @@ std::vector<T> GatherItems(Ranks& ranks, const std::vector<T>& mine)
   return JoinItems<T>(ranks.Gather(ToBytes(mine)));
 }
 
-/// Returns one message per list.
+/// Returns one message per list (ToBytes).
 template <class T>
 std::vector<Bytes> PackLists(const std::vector<std::vector<T>>& lists)
 {

@@ -1,6 +1,6 @@
 /**
- * FeatureStarts: ranks all compositions of seed surfaces by rough residuals, to select the models
- * worth a fit.
+ * FeatureStarts: sorts all compositions of seed surfaces by approximate residuals, to select the
+ * models that are fitted.
  */
 #pragma once
 

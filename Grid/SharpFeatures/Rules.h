@@ -1,5 +1,5 @@
 /**
- * Rules: select the points of a mesh that carry the edges and corners of its interfaces. Each rule
+ * Rules: selects the points of a mesh that carry the edges and corners of its interfaces. Each rule
  * reads the facets (quads or triangles) of one pair of labels and acts on all points at once, so
  * the order of points does not matter. After each rule, every rank sends the result at its own
  * points to the other ranks.

@@ -1,7 +1,8 @@
 /**
- * SharpFeatures: edges and corners of interfaces, found from the volume fractions. Models of up to
- * three surfaces that cut each other are fitted at each surface point where one quadric does not
- * explain the fractions nearby. A model is kept if it explains them three times better.
+ * SharpFeatures: edges and corners of interfaces, found from the volume fractions. A model consists
+ * of up to three surfaces that cut each other (FeatureModel.h). Models are fitted at each surface
+ * point where one quadric does not explain the fractions nearby. A model is kept if its error is
+ * less than a third of the error of one quadric.
  */
 #pragma once
 
@@ -21,21 +22,21 @@ struct NodeFeature
   Vector3 Origin, Widths; ///< grid coordinates of the interface; they define the frame
 };
 
-/// Models at the surface points of one interface that are near edges and corners. Owns the models;
-/// it does not change after construction.
+/// Models at the surface points of one interface that are near its edges and corners. Owns the
+/// models; it does not change after construction.
 class SharpFeatures
 {
 public:
-  /// Has no models.
+  /// Makes an object without models.
   SharpFeatures() = default;
-  /// Finds the models at the owned surface points and at points of other
-  /// ranks within FeatureSites::Spread nodes.
+  /// Finds the models at the owned surface points, and at points of other ranks within two nodes of
+  /// them (FeatureSites::Spread).
   /// @param interface  interface of the finest grid
   /// @param fractions  fractions that the interface was made from, owned and ghost cells
   /// @param targets  fitted quadrics of the surface points
-  /// @param firstTarget  target of the interface's first surface point
-  /// @param mode  Off: no models; Automatic: only for pairs of labels whose
-  ///   samples show edges (SharpPairs)
+  /// @param firstTarget  index in `targets` of the target of the interface's first surface point
+  /// @param mode  Off: no models; On: models for all pairs of labels; Automatic: models only for
+  ///   pairs whose samples show edges (SharpPairs.h)
   /// @pre Collective; mode is equal on all ranks.
   SharpFeatures(const Interface& interface, const FractionField& fractions,
     const SurfaceTargets& targets, Index firstTarget, SharpEdges mode, const Partition& partition,

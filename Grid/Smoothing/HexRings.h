@@ -1,6 +1,6 @@
 /**
- * HexRings: lists the points around each active point of a hex mesh once each, and the hexes at the
- * point as indices of this list, in the order in which HexEnergy reads them.
+ * HexRings: the distinct points around each active point of a hex mesh, and the hexes at it as
+ * indices of these points. The hexes are in the order in which HexEnergy reads them.
  *
  * Most points have the hexes of an equal star of cells in equal order. Such lists of indices are
  * stored once for all points that share them.

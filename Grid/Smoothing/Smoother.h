@@ -2,9 +2,9 @@
  * Smoother: minimises the barrier energy of the elements plus the squared distances of surface
  * points to their targets. Newton steps of one point at a time keep every element positive.
  *
- * Points move by colour, the parity of their grid node. Points of one colour share no element
- * unless they share the node; the points of one node move in order. Ranks exchange the new
- * positions after each colour, so the result depends on neither threads nor ranks.
+ * Points move by colour, the parity of their grid node. Points of one colour share no element,
+ * except points of one node, which move one after another. Ranks exchange the new positions after
+ * each colour. So the result depends neither on threads nor on ranks.
  *
  * Some conditions on elements are not part of the energy: hexes must also be positive between their
  * corners (HexCoefficients.h). They are checked after each stage. A stage that violates them is
@@ -31,9 +31,10 @@ public:
   Smoother(
     ActiveMesh& mesh, const SurfaceTargets* targets, const ElementEnergy& energy, Runtime& runtime);
 
-  /// Runs a stage from all points, until no point moves by more than SmallestMove or all sweeps
-  /// are done.
-  /// @param report  called after each sweep with the fraction of sweeps done
+  /// Runs a stage: sweeps that move each marked point once. At first all points are marked. A point
+  /// that moves far enough marks its neighbours again. The stage ends when no point has moved by
+  /// SmoothingStage::SmallestMove, or after all sweeps.
+  /// @param report  called after each sweep with the completed fraction of the sweeps
   /// @pre Collective.
   void RunStage(const SmoothingStage& stage, const std::function<void(double)>& report);
 
@@ -44,26 +45,29 @@ public:
   /// Marks a point and its neighbours for the next sweep.
   void MarkForUpdate(int point) { this->MarkNeighbours(point); }
 
-  /// Returns whether the offset of an attachment may be as long as a cell.
+  /// Function that returns whether an attachment may have a long offset, up to the length of a
+  /// cell.
   using HasLongOffset = std::function<bool(const Attachment&)>;
-  /// Adds shifts to the offsets of the attachments, then runs a stage that starts from the points
-  /// whose shift is at least 1e-3 mean cells. Offsets are limited to a quarter of a cell. Long
-  /// offsets are limited to one cell; they may lead the position of their point by a quarter of a
-  /// cell, and grow only while the energy of its elements is at most 10.
+  /// Adds shifts to the offsets of the attachments, then runs sweeps in which, at first, only
+  /// points with a shift of at least 1e-3 mean cells and their neighbours are marked. An offset is
+  /// limited to a quarter of a cell. A long offset is limited to one cell, and to a quarter of a
+  /// cell beyond the present distance of its point from the target. It grows only if the energy of
+  /// the elements at the point is at most 10.
   /// @param shifts  shift of each attachment, grid coordinates, towards the second label
   /// @param isLong  selects the attachments with long offsets
-  /// @return false if no shift on any rank was large enough
+  /// @return false if all shifts on all ranks were smaller; then no point was moved
   /// @pre Collective.
   bool Follow(
     const std::vector<double>& shifts, const HasLongOffset& isLong, const SmoothingStage& stage);
 
   /// Moves each surface point by the shifts of its attachments along their normals, at most 0.01
-  /// mean cells. A point stays if the energy of its elements would rise by more than 5 %.
+  /// mean cells. A point does not move if the energy of its elements would grow by more than 5 %.
   /// @param shifts  shift of each attachment, grid coordinates
   /// @pre Collective.
   void MoveAlongNormals(const std::vector<double>& shifts, const SmoothingStage& stage);
 
-  /// Return the number of sweeps so far, and of visits to points of this rank in them.
+  /// Sweeps returns the number of sweeps so far, Visits the number of visits to points of this rank
+  /// in them.
   int Sweeps() const { return this->NumberOfSweeps; }
   Index Visits() const { return this->NumberOfVisits; }
 

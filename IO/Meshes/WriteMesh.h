@@ -14,24 +14,28 @@ namespace vfm
 
 enum class OutputFiles
 {
-  AsUsual, ///< usual number of files of the format
+  AsUsual, ///< the usual number of files of the format (WriteMesh)
   Single   ///< one file with the whole mesh, which rank 0 gathers
 };
 
 /// Returns all supported suffixes, for instance ".vtu".
 std::vector<std::string> GetOutputSuffixes();
-/// Returns the reason why a file of this name, or a single one, is not supported; "" if it is.
+/// Returns the reason why a mesh cannot be written to a file of this name, or to a single file of
+/// this name; "" if it can. Checks only the suffix and `files`.
 std::string FindOutputProblem(const std::string& path, OutputFiles files = OutputFiles::AsUsual);
-/// Returns the reason why no file can be created in the folder of a path; "" if it can.
+/// Returns the reason why no file can be created in the folder of a path; "" if one can.
 std::string FindFolderProblem(const std::string& path);
 
-/// Writes a mesh. Number of files by suffix:
+/// Writes a mesh. The suffix determines the number of files:
 /// - .vtu: one file of the whole mesh, which rank 0 gathers
-/// - .pvtu: one file, and one piece per rank that has elements
-/// - .e, .ex2, .exo (Exodus): one file per rank, path.N.RANK for N > 1; one file if requested
-/// - .inp (Abaqus): one file
+/// - .pvtu: the file itself, and one .vtu file per rank that has elements; OutputFiles::Single is
+///   not supported
+/// - .e, .ex2, .exo (Exodus): one file per rank, path.N.RANK for N > 1 ranks; one file of the whole
+///   mesh with OutputFiles::Single
+/// - .inp (Abaqus): one file of the whole mesh
 /// @param mesh  part of this rank
-/// @throws InputError  if the files cannot be written, on all ranks; contains path and reason
+/// @throws InputError  on all ranks, if the files cannot be written; the message contains path and
+///   reason
 /// @pre Collective
 void WriteMesh(const MeshData& mesh, const std::string& path, Ranks& ranks,
   OutputFiles files = OutputFiles::AsUsual);

@@ -1,6 +1,6 @@
 /**
- * InputRequests: user-selected cells of the input that are to be halved, selected by an array or by
- * boxes, and their transfer from the ranks that read them to the ranks that mesh them.
+ * InputRequests: finds the cells of the input that an array or boxes select for refinement, and
+ * sends them from the ranks that read them to the ranks that mesh them.
  *
  * Only the finest blocks count; coarser blocks below finer ones are ignored. Blanked cells are not
  * selected. A box selects the cells that it overlaps by more than 1e-3 of their width along every

@@ -18,7 +18,7 @@ enum class ElementKind
   Tets
 };
 
-/// Where the mesh is refined.
+/// Option Refinement: where the mesh is refined. Each level of refinement halves the cells.
 enum class Refinement
 {
   Off,         ///< nowhere; all cells are of the coarsest level of the input
@@ -28,35 +28,37 @@ enum class Refinement
   Uniform      ///< everywhere; all cells are of the finest level
 };
 
+/// How elements get the values of state arrays.
 enum class StateTransfer
 {
-  Automatic, ///< Conserve if a density array is named, else Copy
-  Copy,
-  Conserve
+  Automatic, ///< Conserve if DensityArrays is not empty, else Copy
+  Copy,      ///< an element takes the values of one cell
+  Conserve   ///< the contents of the cells are distributed to the elements
 };
 
 /// Treatment of kinetic energy that is lost where velocities are averaged.
 enum class LostEnergy
 {
-  Report,
-  InternalEnergy
+  Report,        ///< only reported
+  InternalEnergy ///< added to EnergyArray
 };
 
-/// Treatment of material that is not attached to any element of its kind.
+/// Treatment of contents that are more than one cell away from all elements of their material.
 enum class Unmeshed
 {
-  Give, ///< added to the nearest fragment of the material
-  Drop
+  Give, ///< added to the nearest fragment of the material, if it is within three cells
+  Drop  ///< left out of the mesh, and reported
 };
 
 /// Maximum number of halvings of a cell.
 constexpr int MaximumHalvings = 10;
 
-/// Minimum of the option MaximumAspectRatio. Smaller values would multiply cells: at 1.1 already, a
-/// cell can be divided into ten parts along an axis.
+/// Minimum of the option MaximumAspectRatio. Smaller values would make too many cells: even at 1.1,
+/// a cell can be divided into ten parts along an axis.
 constexpr double SmallestAspectRatio = 1.1;
 
-/// A box in world coordinates, in length units of the input, and how often its cells are halved.
+/// A box in length units of the input, in world coordinates, and the number of times that the cells
+/// in it are halved.
 struct RefinementBox
 {
   Vector3 Lower, Upper;
@@ -75,6 +77,7 @@ struct ConserveOptions
 /// All user options. An empty name means no array or no file.
 struct MesherOptions : MeshSettings, LevelSettings, ConserveOptions
 {
+  /// Sets Edges to Automatic, the default for users; the default of MeshSettings is Off.
   MesherOptions() { this->Edges = SharpEdges::Automatic; }
 
   ElementKind Elements = ElementKind::Hexes;
@@ -87,8 +90,8 @@ struct MesherOptions : MeshSettings, LevelSettings, ConserveOptions
   std::vector<std::string> DensityArrays;
   std::vector<std::string> StateKinds; ///< entries name=kind
   std::string VelocityArray, EnergyArray;
-  Refinement Where = Refinement::InputLevels;
-  int MaximumLevel = -1;
+  Refinement Where = Refinement::InputLevels; ///< option Refinement
+  int MaximumLevel = -1;                      ///< -1: automatic
   double ThinCells = 2.0, CurvaturePerCell = 0.0;
   bool RefineFlippedCells = false;
   int InterfaceLayers = 0;
