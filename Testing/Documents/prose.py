@@ -5,19 +5,22 @@ import re
 import tokenize
 
 CODE = (".h", ".hpp", ".cxx", ".cpp", ".c")
-# A string or a character is matched too, so that what looks like a comment in it is none.
+# A string or a character is matched too, since it may contain the marks of a comment.
 CXX_TOKEN = re.compile(r"//[^\n]*|/\*.*?\*/|\"(?:[^\"\\\n]|\\.)*\"|'(?:[^'\\\n]|\\.)+'", re.DOTALL)
 DOXYGEN = re.compile(
     r"[@\\](?:(?:param(?:\[[a-z,]*\])?|tparam|throws) \S+|note|pre|returns?|file|brief)")
 
+# An item of a list, or a parameter of numpydoc: "name : type".
+NEW_PARAGRAPH = re.compile(r"\d+\. |[\w*, ]+ : ")
+
 
 def join_lines(lines):
-    """The paragraphs of lines; an empty line, a list item or a tag of Doxygen begins a new one."""
+    """Yields the paragraphs of lines. An empty line, an item or a tag begins a new one."""
     paragraph = []
     for line in [*lines, ""]:
         line = line.strip()
         if paragraph and (not line or line.startswith(("@", "\\", "- ", "* ", "usage:"))
-                          or re.match(r"\d+\. ", line)):
+                          or NEW_PARAGRAPH.match(line)):
             yield " ".join(paragraph)
             paragraph = []
         if line:
@@ -25,7 +28,7 @@ def join_lines(lines):
 
 
 def read_cxx(text):
-    """Comments of C++ and C; lines of one kind that follow each other are one comment."""
+    """Yields the comments of C++ and C. Consecutive lines of one kind are one comment."""
     lines, last = [], (-2, "")
     for match in CXX_TOKEN.finditer(text):
         token = match.group()
@@ -46,7 +49,7 @@ def read_cxx(text):
 
 
 def read_messages(text):
-    """String literals of C++ with three words or more; neighbouring literals are one."""
+    """Yields the string literals of C++. Neighbouring literals are one."""
     last, literals = -1, []
     for match in CXX_TOKEN.finditer(text):
         if match.group().startswith('"'):
@@ -59,7 +62,7 @@ def read_messages(text):
 
 
 def read_python(text):
-    """Docstrings and comments of Python."""
+    """Yields the docstrings and comments of Python."""
     for node in ast.walk(ast.parse(text)):
         if isinstance(node,
                       (ast.Module, ast.ClassDef, ast.FunctionDef)) and ast.get_docstring(node):
@@ -72,13 +75,13 @@ def read_python(text):
 
 
 def read_xml(text):
-    """Help texts of properties and proxies."""
+    """Yields the help texts of properties and proxies."""
     for help_text in re.findall(r"<Documentation[^>]*>(.*?)</Documentation>", text, re.DOTALL):
         yield from join_lines(re.sub(r"<[^>]+>", " ", help_text).split("\n"))
 
 
 def read_markdown(text):
-    """Paragraphs, list items and cells of tables, without code and addresses."""
+    """Yields paragraphs, list items and cells of tables, without code and addresses."""
     text = re.sub(r"^```.*?^```|^ {4}.*?$", "", text, flags=re.DOTALL | re.MULTILINE)
     text = re.sub(r"`[^`\n]+`", "X", re.sub(r"!?\[([^\]]*)\]\([^)]*\)", r"\1", text))
     for line in re.findall(r"^\|.*$", text, re.MULTILINE):
@@ -87,7 +90,7 @@ def read_markdown(text):
 
 
 def read_prose(path, text):
-    """All prose of a file, as paragraphs."""
+    """Yields all prose of a file, as paragraphs."""
     if path.endswith(CODE):
         found = read_cxx(text)
     else:

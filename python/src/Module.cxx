@@ -122,12 +122,15 @@ vfm::FileBlocks ReadBlocks(
 
 void BindBlocks(nb::module_& module)
 {
-  nb::class_<vfm::FileBlocks>(module, "Blocks")
-    .def_ro("path", &vfm::FileBlocks::Path)
-    .def_ro("times", &vfm::FileBlocks::Times)
-    .def_ro("time", &vfm::FileBlocks::Time)
-    .def_ro("names", &vfm::FileBlocks::Names)
-    .def_ro("fractions", &vfm::FileBlocks::Fractions)
+  nb::class_<vfm::FileBlocks>(module, "Blocks",
+    "Blocks of cells of a file, on all levels, with arrays. Made by read(); len() is the number of "
+    "blocks.")
+    .def_ro("path", &vfm::FileBlocks::Path, "str: Path of the file.")
+    .def_ro("times", &vfm::FileBlocks::Times, "list of float: Times of all steps of the file.")
+    .def_ro("time", &vfm::FileBlocks::Time, "float: Time of the blocks.")
+    .def_ro("names", &vfm::FileBlocks::Names, "list of str: Names of the arrays.")
+    .def_ro("fractions", &vfm::FileBlocks::Fractions,
+      "list of str: Names of the arrays that hold volume fractions.")
     .def("__len__", [](const vfm::FileBlocks& self) { return self.Blocks.size(); });
   module.def("read_blocks", ReadBlocks, "path"_a, "step"_a, "names"_a.none());
 }
