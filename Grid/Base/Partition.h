@@ -1,6 +1,5 @@
 /**
- * Partition: the ownership of cells and nodes by ranks, and the exchange of cell values between
- * ranks.
+ * Partition: the ownership of cells and nodes by ranks, and the exchange of their cell values.
  */
 #pragma once
 
@@ -134,8 +133,8 @@ auto Partition::Query(const std::vector<std::vector<Index>>& ids, const Answer& 
   return this->Exchange(MapLists(this->Exchange(ids), answer));
 }
 
-/// Appends to `others` the indices in [first, last), a range in one row, whose value differs from
-/// `value`.
+/// Appends the indices in [first, last), a range in one row, whose value differs from `value`, to
+/// the list `others`.
 template <class T>
 void FindOthers(
   const PagedArray<T>& values, Index first, Index last, T value, std::vector<Index>& others)

@@ -67,8 +67,7 @@ public:
   /// rounding are counted (NumberOfNormalisedCells).
   /// @throws InputError  only on the rank that holds the cell, if
   /// - a fraction is not finite, or its distance from [0,1] exceeds the tolerance
-  /// - a sum exceeds 1 by more than 1e-3 and by more than the tolerance plus the rounding of all
-  ///   materials
+  /// - a sum exceeds 1 by more than 1e-3, and by more than the tolerance plus all Rounding()
   static FractionField FromReader(const CartesianGrid& grid, int numberOfMaterials, const Reader&);
 
   int NumberOfMaterials() const { return this->Materials; }
@@ -83,8 +82,7 @@ public:
   void SetParts(Index cell, const std::vector<Part>& parts);
 
   /// Sets the parts of a cell as given, without scaling.
-  /// @param parts  Parts() of another field, void included; a single part sets the label of the
-  ///   cell
+  /// @param parts  Parts() of another field, void included; a single part sets a label
   void CopyParts(Index cell, Range parts);
   /// Copies a cell of another field.
   void CopyCell(Index cell, const FractionField& from, Index other);

@@ -8,8 +8,8 @@
 namespace vfm
 {
 
-/// Local component: a connected part of a fragment on one rank, in cells (Fragments) or tets
-/// (TetFragments.h).
+/// Local component: a connected part of a fragment on one rank. It consists of cells (Fragments)
+/// or of tets (TetFragments.h).
 struct Piece
 {
   Index Lowest; ///< id of the lowest cell or element

@@ -45,8 +45,7 @@ public:
   /// Marks a point and its neighbours for the next sweep.
   void MarkForUpdate(int point) { this->MarkNeighbours(point); }
 
-  /// Function that returns whether an attachment may have a long offset, up to the length of a
-  /// cell.
+  /// Function that returns whether an attachment may have a long offset, up to a cell width.
   using HasLongOffset = std::function<bool(const Attachment&)>;
   /// Adds shifts to the offsets of the attachments, then runs sweeps in which, at first, only
   /// points with a shift of at least 1e-3 mean cells and their neighbours are marked. An offset is

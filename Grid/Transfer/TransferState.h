@@ -19,8 +19,7 @@
  * element, or 5 if unresolved material is given to it. The distance is larger only where a cell
  * with almost no content passes on what it receives from other cells. Values per volume are also
  * multiplied by factors (TransferredState::Factors). A factor is within about 1e-7 of 1 if the mesh
- * conserves the volume of each fragment. It is 0 in a fragment whose cells contain none of its
- * material.
+ * conserves the volume of each fragment. It is 0 in a fragment whose cells lack its material.
  */
 #pragma once
 
@@ -82,8 +81,8 @@ struct TransferRequest
   bool GiveUnmeshed = true;
 };
 
-/// Totals of a material over all ranks: volume, mass, then the content of each component of each
-/// quantity.
+/// Totals of a material over all ranks: volume, mass, then the content of each component of all
+/// quantities in turn.
 using StateTotals = std::vector<double>;
 
 struct TransferredState
@@ -93,8 +92,7 @@ struct TransferredState
   std::vector<StateTotals> Input; ///< totals of all cells, per material from 0
   std::vector<StateTotals> Unmeshed; ///< totals that no element receives, per material from 0
   /// Smallest and largest factor of values PerVolume of each material, from 0. A factor is the
-  /// volume in connected cells of a fragment over the volume of the elements there; 1 if both
-  /// agree.
+  /// volume in connected cells of a fragment over the volume of the elements there.
   std::vector<std::array<double, 2>> Factors;
 };
 
