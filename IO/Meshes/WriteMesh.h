@@ -34,8 +34,7 @@ std::string FindFolderProblem(const std::string& path);
 ///   mesh with OutputFiles::Single
 /// - .inp (Abaqus): one file of the whole mesh
 /// @param mesh  part of this rank
-/// @throws InputError  if the files cannot be written, on all ranks; the message has path and
-/// reason
+/// @throws InputError  if the files cannot be written, on all ranks; contains path and reason
 /// @pre Collective
 void WriteMesh(const MeshData& mesh, const std::string& path, Ranks& ranks,
   OutputFiles files = OutputFiles::AsUsual);
