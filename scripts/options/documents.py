@@ -36,25 +36,22 @@ CALLS = {"VolumeFractionArrays": "sculptor_add_material()",
 
 HEAD = """# Options
 
-`scripts/generate` writes this page from the table of options and the XML in `Plugin`; the test
-`structure.Generated` fails if it is not current. [Choosing](../user/choosing.md) says which options
-suit which data.
-
 Each option of the mesher has one name in ParaView and in C, one in Python, and often a short one in
-`sculptor`:
+`sculptor`. [Choosing](../user/choosing.md) says which options suit which data.
 
 | front end | name | values |
 |---|---|---|
 | ParaView, panel | *Iso Value*; the gear at the search line shows *advanced* options | as listed |
 | ParaView, script | `IsoValue=0.4` | 0 and 1 for off and on; words as in the panel |
-| VTK in C++ and Python | `SetIsoValue(0.4)` | 0 and 1 for off and on; numbers of words, from 0 |
+| VTK in C++ and Python | `SetIsoValue(0.4)` | 0 and 1 for off and on; words as numbers, from 0 |
 | Python package | `iso_value=0.4` | `True` and `False`; words as `"quadric_surface"` |
 | command `vfmesh` | `--iso-value 0.4` | `--mesh-void`, `--no-mesh-void`; words as in Python |
 | `sculptor` | `--iso 0.4`, `--set IsoValue=0.4` | `on`, `off`; words without spaces, or numbers |
 | C, C++ and Fortran | `sculptor_set_option(s, "IsoValue", "0.4")` | as for `sculptor` |
 
-`sculptor` and C ignore upper and lower case. In ParaView scripts, *MaximumLevel* accepts a number,
--1 for Automatic, and returns a word."""
+`sculptor` and C ignore upper and lower case. ParaView scripts set *MaximumLevel* to a number (-1:
+Automatic), but read a word. `scripts/generate` writes this page from the table of options and the
+XML in `Plugin`; the test `structure.Generated` fails if it is not current."""
 
 
 def plain(text):
