@@ -191,7 +191,7 @@ TEST_F(SculptorArguments, NoCommunicator)
 {
   EXPECT_EQ(sculptor_set_communicator(this->Sculptor, MPI_Comm_c2f(MPI_COMM_NULL)),
     SCULPTOR_ERROR_ARGUMENT);
-  this->ExpectText("no communicator");
+  this->ExpectText("not a communicator");
 }
 
 TEST_F(SculptorArguments, FilesThatCannotBeWritten)
