@@ -110,7 +110,8 @@ nb::object ListFacePoints(
       side >= table.Count)
     {
       throw nb::value_error(("There is no side " + std::to_string(side) + " of an element " +
-        std::to_string(element) + ".").c_str());
+        std::to_string(element) + ".")
+                              .c_str());
     }
     const std::array<Index, 4> face =
       table.PointsOf(cells.data() + element * static_cast<Index>(cells.shape(1)), side);

@@ -6,12 +6,12 @@ import pytest
 import volume_fraction_mesh as vfm
 from fields import N
 
-BALL_IN_BLOCK = {"ball": "sphere radius=0.5; box size=2,2,2 material=2"}
+BALL_IN_BLOCK = "sphere radius=0.5; box size=2,2,2 material=2"
 SIDES = ["x_min", "x_max", "y_min", "y_max", "z_min", "z_max"]
 
 
 def ball_in_block(make, cells=N):
-    fractions = vfm.shapes(BALL_IN_BLOCK["ball"], cells, bounds=[-1, 1] * 3)
+    fractions = vfm.shapes(BALL_IN_BLOCK, cells, bounds=[-1, 1] * 3)
     return make(fractions, names=["ball", "block"])
 
 
@@ -122,12 +122,12 @@ def test_skfem_mesh(mesh):
     assert list(made.boundaries) == list(mesh.facet_sets())
     for name, facets in mesh.facet_sets().items():
         side = skfem.FacetBasis(made, made.elem(), facets=name, intorder=4)
-        normals = np.einsum("afq,fq->a", side.normals.value, side.dx)
+        normals = np.einsum("afq,fq->a", side.normals, side.dx)
         assert np.allclose(normals, area_vectors(mesh.points[facets.points]).sum(axis=0),
                            atol=1e-10), name
         assert np.array_equal(side.tind, facets.elements), name
     flux = skfem.FacetBasis(made, made.elem(), facets="ball_to_block", intorder=4)
-    volume = np.einsum("afq,afq,fq->", flux.normals.value, flux.global_coordinates().value,
+    volume = np.einsum("afq,afq,fq->", flux.normals, flux.global_coordinates(),
                        flux.dx) / 3
     assert np.isclose(volume, mesh.volumes()[mesh.material == 1].sum(), rtol=1e-6)
 

@@ -306,6 +306,15 @@ def test_legacy_vtk(mesh, binary, tmp_path):
 
 
 @BOTH
+def test_mfem(mesh, tmp_path):
+    mfem = pytest.importorskip("mfem.ser")
+    mesh.save(tmp_path / "mesh.vtk")
+    read = mfem.Mesh(str(tmp_path / "mesh.vtk"), 1, 1)
+    assert [read.GetAttribute(i) for i in range(read.GetNE())] == np.where(
+        mesh.material == 0, 3, mesh.material).tolist()
+
+
+@BOTH
 def test_vtu_for_meshio(mesh, tmp_path):
     meshio = pytest.importorskip("meshio")
     mesh.save(tmp_path / "mesh.vtu", texts=False)

@@ -18,8 +18,7 @@ if TYPE_CHECKING:
 BY_CORE = (".vtu", ".e", ".ex2", ".exo", ".inp")
 BY_PACKAGE = {".npz": _npz.write, ".vtk": _vtk.write}
 # Formats in which meshio 5.3.5 writes hexahedra and tetrahedra with their materials.
-BY_MESHIO = (".avs", ".dat", ".f3grid", ".hmf", ".med", ".mesh", ".meshb", ".msh", ".tec", ".vol",
-             ".xdmf", ".xmf")
+BY_MESHIO = (".avs", ".f3grid", ".hmf", ".med", ".mesh", ".meshb", ".msh", ".vol", ".xdmf", ".xmf")
 
 
 def save(mesh: Mesh, path: Any, **options: Any) -> None:

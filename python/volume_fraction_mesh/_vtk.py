@@ -14,8 +14,8 @@ if TYPE_CHECKING:
     from .mesh import Mesh
 
 TYPES = {"f4": "float", "f8": "double", "i1": "char", "u1": "unsigned_char", "i2": "short",
-         "u2": "unsigned_short", "i4": "int", "u4": "unsigned_int", "i8": "vtktypeint64",
-         "u8": "vtktypeuint64"}
+         "u2": "unsigned_short", "i4": "int", "u4": "unsigned_int", "i8": "long",
+         "u8": "unsigned_long"}
 DIGITS = {"f4": "%.9g", "f8": "%.17g"}  # a value reads back as the same number
 
 
