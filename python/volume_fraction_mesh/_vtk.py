@@ -16,7 +16,6 @@ if TYPE_CHECKING:
 TYPES = {"f4": "float", "f8": "double", "i1": "char", "u1": "unsigned_char", "i2": "short",
          "u2": "unsigned_short", "i4": "int", "u4": "unsigned_int", "i8": "long",
          "u8": "unsigned_long"}
-DIGITS = {"f4": "%.9g", "f8": "%.17g"}  # a value reads back as the same number
 
 
 def write(mesh: Mesh, file: IO[bytes], binary: bool = False) -> None:
@@ -29,8 +28,8 @@ def write(mesh: Mesh, file: IO[bytes], binary: bool = False) -> None:
         if binary:
             file.write(values.astype(values.dtype.newbyteorder(">")).tobytes() + b"\n")
         else:
-            np.savetxt(file, values.reshape(len(values), -1),
-                       fmt=DIGITS.get(values.dtype.str[1:], "%d"))
+            columns = [map(repr, column.tolist()) for column in values.reshape(len(values), -1).T]
+            file.write(("\n".join(map(" ".join, zip(*columns))) + "\n").encode("ascii"))
 
     def fields(arrays: Mapping[str, np.ndarray]) -> None:
         head("FIELD FieldData %d", len(arrays))
