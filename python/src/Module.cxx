@@ -2,6 +2,7 @@
  * Module: the Python module _core; _core.pyi describes its functions.
  */
 #include "FileBlocks.h"
+#include "FindFaces.h"
 #include "Labels/ReadLabelNames.h"
 #include "MeasureMesh.h"
 #include "MeshResult.h"
@@ -161,6 +162,7 @@ NB_MODULE(_core, module)
   module.attr("has_tetgen") = vfm::HasTetGen();
   vfm::BindOptions(module);
   BindBlocks(module);
+  vfm::BindFaces(module);
   vfm::BindMeasures(module);
   vfm::BindWriters(module);
   module.def("mesh", MakeMesh, "blocks"_a.none(), "arrays"_a, "coordinates"_a, "axes"_a, "origin"_a,

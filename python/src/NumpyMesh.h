@@ -1,14 +1,13 @@
 /**
- * NumpyMesh: views points and cells in numpy arrays as a mesh.
+ * NumpyMesh: views points, cells and named arrays in numpy arrays as a mesh.
  */
 #pragma once
 
+#include "NumpyArrays.h"
 #include "Summary/MeshData.h"
 
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
-
-#include <algorithm>
 
 namespace vfm
 {
@@ -17,24 +16,18 @@ using NumpyPoints = nanobind::ndarray<const double, nanobind::shape<-1, 3>, nano
   nanobind::device::cpu>;
 using NumpyCells = nanobind::ndarray<const std::int64_t, nanobind::ndim<2>, nanobind::c_contig,
   nanobind::device::cpu>;
+/// Names and values, shape (items,) or (items, components).
+using NamedArrays = std::vector<std::pair<std::string, NumpyArray>>;
 
 /// Views points and elements, which must outlive the view.
 /// @throws ValueError if cells are not points of hexahedra (n, 8) or tetrahedra (n, 4)
-inline MeshData ViewMesh(const NumpyPoints& points, const NumpyCells& cells)
-{
-  MeshData mesh;
-  mesh.NumberOfPoints = static_cast<Index>(points.shape(0));
-  mesh.NumberOfElements = static_cast<Index>(cells.shape(0));
-  mesh.Corners = static_cast<int>(cells.shape(1));
-  mesh.Points = points.data();
-  mesh.Elements = cells.data();
-  const auto isPoint = [&](Index point) { return point >= 0 && point < mesh.NumberOfPoints; };
-  if ((mesh.Corners != 8 && mesh.Corners != 4) ||
-    !std::all_of(cells.data(), cells.data() + cells.size(), isPoint))
-  {
-    throw nanobind::value_error("cells must be points of hexahedra (n, 8) or tetrahedra (n, 4).");
-  }
-  return mesh;
-}
+MeshData ViewMesh(const NumpyPoints& points, const NumpyCells& cells);
+
+/// Views points, elements and arrays, which must outlive the view, and copies fields.
+/// @param fields numpy arrays of int32, int64 or float64, or lists of texts, by name
+/// @throws ValueError as above; InputError if an array has another length than the mesh, or
+/// another type
+StoredMesh ViewMesh(const NumpyPoints& points, const NumpyCells& cells,
+  const NamedArrays& pointArrays, const NamedArrays& cellArrays, const nanobind::dict& fields);
 
 } // namespace vfm

@@ -1,7 +1,6 @@
 #include "WriteFile.h"
 
 #include "Meshes/WriteMesh.h"
-#include "NumpyArrays.h"
 #include "NumpyMesh.h"
 #include "Ranks/WorkTogether.h"
 
@@ -18,65 +17,12 @@ namespace
 namespace nb = nanobind;
 using namespace nb::literals;
 
-using NamedArrays = std::vector<std::pair<std::string, NumpyArray>>;
-
-std::vector<MeshArray> ListArrays(const NamedArrays& arrays, Index rows)
-{
-  std::vector<MeshArray> list;
-  for (const auto& [name, values] : arrays)
-  {
-    const NumpyView view(name, values);
-    if (view.Rows != rows)
-    {
-      throw InputError("The array '" + name + "' has another length than the mesh.");
-    }
-    const bool isId = name == "GlobalPointIds" || name == "GlobalCellIds";
-    list.push_back({ name, isId ? ValueType::Id : view.Type, view.Components, {}, view.Values });
-  }
-  return list;
-}
-
-template <class T>
-FieldArray CopyField(const std::string& name, const NumpyView& view)
-{
-  const T* values = static_cast<const T*>(view.Values);
-  return { name, std::vector<T>(values, values + view.Rows * view.Components), view.Components };
-}
-
-FieldArray ReadField(const std::string& name, nb::handle value)
-{
-  if (nb::isinstance<nb::list>(value))
-  {
-    return { name, nb::cast<std::vector<std::string>>(value) };
-  }
-  const NumpyArray array = nb::cast<NumpyArray>(value);
-  const NumpyView view(name, array);
-  switch (view.Type)
-  {
-    case ValueType::Int:
-      return CopyField<int>(name, view);
-    case ValueType::LongLong:
-      return CopyField<Index>(name, view);
-    case ValueType::Double:
-      return CopyField<double>(name, view);
-    default:
-      throw InputError("The field '" + name + "' is neither int32 nor int64 nor float64.");
-  }
-}
-
 void WriteFile(const std::string& path, const NumpyPoints& points, const NumpyCells& cells,
   const NamedArrays& pointArrays, const NamedArrays& cellArrays, const nb::dict& fields,
   std::optional<double> time)
 {
-  StoredMesh mesh{ ViewMesh(points, cells), {} };
-  mesh.Data.PointArrays = ListArrays(pointArrays, mesh.Data.NumberOfPoints);
-  mesh.Data.ElementArrays = ListArrays(cellArrays, mesh.Data.NumberOfElements);
-  for (const auto& [name, value] : fields)
-  {
-    mesh.Data.Fields.push_back(ReadField(nb::cast<std::string>(name), value));
-  }
+  StoredMesh mesh = ViewMesh(points, cells, pointArrays, cellArrays, fields);
   mesh.Data.Time = time;
-  FindKnownArrays(mesh);
   const nb::gil_scoped_release others;
   Ranks alone;
   WorkInStage(alone, ErrorCode::UnwritableOutput, [&] { WriteMesh(mesh.Data, path, alone); });

@@ -15,7 +15,8 @@ import volume_fraction_mesh as vfm
 DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Data")
 FLAGS = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
 # Packages and files that examples need; without them an example is skipped.
-PACKAGES = {"to_pyvista": "pyvista", "to_meshio": "meshio"}
+PACKAGES = {"to_pyvista": "pyvista", "to_meshio": "meshio", "to_skfem": "skfem",
+            "plot": "pyvista"}
 FILES = {"read": ["impact.spcth", "impact"]}
 
 

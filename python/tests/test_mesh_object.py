@@ -7,6 +7,7 @@ import pytest
 
 import volume_fraction_mesh as vfm
 from fields import BALL, PLATE, STATE, same
+from volume_fraction_mesh._save import BY_MESHIO
 
 GIVEN = {
     "state": {"T": STATE["temperature"]},
@@ -215,6 +216,111 @@ def test_names_of_sets(tmp_path):
 def test_files_without_ending(tmp_path):
     with pytest.raises(ValueError, match="has no ending"):
         HEXES.save(tmp_path / "mesh")
-    pytest.importorskip("meshio")
-    with pytest.raises(ValueError, match="the ending .foam is not supported"):
-        HEXES.save(tmp_path / "mesh.foam")
+
+
+@pytest.mark.parametrize("ending", ["foam", "stl", "ply", "bdf", "off", "su2", "ugrid"])
+def test_formats_that_lose_the_mesh(ending, tmp_path):
+    with pytest.raises(ValueError, match=r"the ending .%s is not .* Supported: .vtu, .e" % ending):
+        HEXES.save(tmp_path / ("mesh." + ending))
+    assert not list(tmp_path.iterdir())
+
+
+@BOTH
+@pytest.mark.parametrize("ending", BY_MESHIO)
+def test_meshio_keeps_materials(mesh, ending, tmp_path):
+    meshio = pytest.importorskip("meshio")
+    if ending in (".hmf", ".med", ".xdmf", ".xmf"):
+        pytest.importorskip("h5py")
+    mesh.save(tmp_path / ("mesh" + ending))
+    again = meshio.read(tmp_path / ("mesh" + ending))
+    cells = np.concatenate([block.data for block in again.cells if block.type == mesh.kind])
+    assert cells.shape == mesh.cells.shape
+    counts = np.unique(mesh.material, return_counts=True)[1].tolist()
+    found = [np.unique(np.concatenate(values), return_counts=True)[1].tolist()
+             for values in again.cell_data.values()]
+    found += [[len(np.concatenate(parts)) for parts in again.cell_sets.values()]]
+    assert any(sorted(some) == sorted(counts) for some in found), found
+    assert not [file for file in tmp_path.iterdir() if file.name.startswith(".")]
+
+
+def test_incomplete_files(tmp_path):
+    """A writer that fails leaves nothing, and the file from before."""
+    (tmp_path / "mesh.npz").write_text("before")
+    with pytest.raises(TypeError, match="colour"):
+        HEXES.save(tmp_path / "mesh.npz", colour=1)
+    assert (tmp_path / "mesh.npz").read_text() == "before"
+    assert [file.name for file in tmp_path.iterdir()] == ["mesh.npz"]
+    with pytest.raises(OSError, match="no/mesh.npz: No such file"):
+        HEXES.save(tmp_path / "no" / "mesh.npz")
+
+
+@BOTH
+@pytest.mark.parametrize("compress", [False, True])
+def test_npz(mesh, compress, tmp_path):
+    def check(one, other):
+        if isinstance(one, dict):
+            assert list(one) == list(other)
+            for name in one:
+                check(one[name], other[name])
+        elif isinstance(one, np.ndarray):
+            assert one.dtype == other.dtype and np.array_equal(one, other)
+        elif hasattr(one, "__dict__"):
+            check(vars(one), vars(other))
+        else:
+            assert type(one) is type(other) and one == other
+
+    mesh.save(tmp_path / "mesh.npz", compress=compress)
+    check(mesh, vfm.load(tmp_path / "mesh.npz"))
+
+
+def test_npz_of_other_data(tmp_path):
+    np.savez(tmp_path / "other.npz", a=[1])
+    (tmp_path / "text.npz").write_text("text")
+    np.savez(tmp_path / "part.npz", format="volume_fraction_mesh 1", points=[1])
+    for name in ("other", "text", "part"):
+        with pytest.raises(ValueError, match="%s.npz is not a mesh that Mesh.save wrote" % name):
+            vfm.load(tmp_path / (name + ".npz"))
+    with pytest.raises(FileNotFoundError):
+        vfm.load(tmp_path / "none.npz")
+
+
+@BOTH
+@pytest.mark.parametrize("binary", [False, True])
+def test_legacy_vtk(mesh, binary, tmp_path):
+    """PyVista and meshio read the same points, cells and arrays."""
+    pyvista, meshio = pytest.importorskip("pyvista"), pytest.importorskip("meshio")
+    mesh.save(tmp_path / "mesh.vtk", binary=binary)
+    head = (tmp_path / "mesh.vtk").read_bytes()
+    assert head.startswith(b"# vtk DataFile Version 4.2\n") and b"MaterialNames" not in head
+    grid, other = pyvista.read(tmp_path / "mesh.vtk"), meshio.read(tmp_path / "mesh.vtk")
+    tags = np.where(mesh.material == 0, 3, mesh.material)
+    assert np.array_equal(grid.cell_data["material"], tags)
+    assert np.array_equal(other.cell_data["material"][0].ravel(), tags)
+    assert np.array_equal(grid.points, mesh.points) and np.array_equal(other.points, mesh.points)
+    assert np.array_equal(other.cells[0].data, mesh.cells)
+    wanted = mesh.to_pyvista()
+    for found, arrays in ((grid.cell_data, wanted.cell_data), (grid.point_data, wanted.point_data)):
+        assert set(found) - {"material"} == set(arrays)
+        for name in arrays:
+            assert np.array_equal(found[name], arrays[name]), name
+
+
+@BOTH
+def test_mfem(mesh, tmp_path):
+    mfem = pytest.importorskip("mfem.ser")
+    mesh.save(tmp_path / "mesh.vtk")
+    read = mfem.Mesh(str(tmp_path / "mesh.vtk"), 1, 1)
+    assert [read.GetAttribute(i) for i in range(read.GetNE())] == np.where(
+        mesh.material == 0, 3, mesh.material).tolist()
+
+
+@BOTH
+def test_vtu_for_meshio(mesh, tmp_path):
+    meshio = pytest.importorskip("meshio")
+    mesh.save(tmp_path / "mesh.vtu", texts=False)
+    again = meshio.read(tmp_path / "mesh.vtu")
+    assert np.array_equal(again.points, mesh.points)
+    assert np.array_equal(again.cells[0].data, mesh.cells)
+    assert np.array_equal(again.cell_data["MaterialId"][0], mesh.material)
+    with pytest.raises(TypeError, match="texts is an option of .vtu"):
+        mesh.save(tmp_path / "mesh.e", texts=False)

@@ -11,18 +11,22 @@ Cartesian and AMR grids.
 from ._blocks import Blocks, read
 from ._core import has_tetgen
 from ._core import version as __version__
+from ._facets import Facets, Separated
 from ._fragments import fragments
 from ._images import Fractions
 from ._mesher import VolumeFractionMeshWarning, hexes, tets
+from ._npz import load
 from ._shapes import shapes, surface
 from .mesh import Curves, Geometry, Mesh, Surfaces, Vertices
 
 __all__ = [
     "Blocks",
     "Curves",
+    "Facets",
     "Fractions",
     "Geometry",
     "Mesh",
+    "Separated",
     "Surfaces",
     "Vertices",
     "VolumeFractionMeshWarning",
@@ -30,6 +34,7 @@ __all__ = [
     "fragments",
     "has_tetgen",
     "hexes",
+    "load",
     "read",
     "shapes",
     "surface",

@@ -274,6 +274,31 @@ class FragmentColumns(TypedDict, total=False):
     neighbours: List[NDArray[np.int32]]
     """Ids of the fragments that share faces with the fragment, ascending."""
 
+def neighbours(points: NDArray[np.float64], cells: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Returns the element behind each side, -1 at the boundary: shape (m, 6) for hexahedra, (m, 4)
+    for tetrahedra.
+
+    Raises ValueError if a face belongs to more than two elements.
+    """
+
+def side_sets(
+    points: NDArray[np.float64],
+    cells: NDArray[np.int64],
+    point_arrays: Sequence[Tuple[str, NDArray[Any]]],
+    cell_arrays: Sequence[Tuple[str, NDArray[Any]]],
+    fields: Fields,
+) -> List[Tuple[int, str, NDArray[np.int64], NDArray[np.int32]]]:
+    """Returns the side sets that files contain: id, name, elements and their sides.
+
+    The arguments are those of write_mesh().
+    """
+
+def face_points(
+    cells: NDArray[np.int64], elements: NDArray[np.int64], sides: NDArray[np.int32]
+) -> NDArray[np.int64]:
+    """Returns the points of sides of elements, counterclockwise seen from outside: shape (k, 4) for
+    hexahedra, (k, 3) for tetrahedra."""
+
 def fragments(
     points: NDArray[np.float64],
     cells: NDArray[np.int64],

@@ -7,6 +7,7 @@ from typing import Any, Dict, Optional
 import numpy as np
 
 from . import _core
+from ._tables import material_names
 from .mesh import Mesh
 
 
@@ -71,7 +72,7 @@ def fragments(mesh: Mesh, density: Optional[str] = None,
         else _numbers(_state(mesh, velocity), np.float64),
     )
     material, elements = columns.pop("material"), columns.pop("elements")
-    names = dict(zip((int(i) for i in mesh.materials["MaterialId"]), mesh.materials["Name"]))
+    names = material_names(mesh)
     return {
         "id": np.arange(1, len(material) + 1, dtype=np.int32),
         "material": material,

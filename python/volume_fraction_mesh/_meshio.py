@@ -7,16 +7,12 @@ from typing import TYPE_CHECKING, Any, Dict, List
 import numpy as np
 
 from ._pyvista import cell_arrays, point_arrays
+from ._tables import material_names, material_tags
 
 if TYPE_CHECKING:
     import meshio
 
     from .mesh import Mesh
-
-
-def material_names(mesh: Mesh) -> Dict[int, str]:
-    """Returns the names of the materials by id."""
-    return dict(zip((int(i) for i in mesh.materials["MaterialId"]), mesh.materials["Name"]))
 
 
 def convert(mesh: Mesh, blocks: bool) -> meshio.Mesh:
@@ -50,12 +46,11 @@ def for_gmsh(mesh: Mesh) -> meshio.Mesh:
     """Returns the mesh with the physical groups of Gmsh. Their tags start at 1."""
     import meshio
 
-    ids, names = list(material_names(mesh)), list(material_names(mesh).values())
-    tags = {i: i if i > 0 else max(ids) + 1 for i in ids}
+    names, tags = material_names(mesh), material_tags(mesh)
     tag = np.array([tags[i] for i in mesh.material.tolist()], dtype=np.int32)
     return meshio.Mesh(
         mesh.points,
         [(mesh.kind, mesh.cells)],
         cell_data={"gmsh:physical": [tag], "gmsh:geometrical": [tag]},
-        field_data={name: np.array([tags[i], 3]) for i, name in zip(ids, names)},
+        field_data={name: np.array([tags[i], 3]) for i, name in names.items()},
     )

@@ -3,73 +3,90 @@
 from __future__ import annotations
 
 import os
+import tempfile
+from contextlib import contextmanager
 from importlib.util import find_spec
-from typing import TYPE_CHECKING, Any, List, Mapping, Optional, Tuple
+from typing import TYPE_CHECKING, Any, Iterator, Optional
 
-import numpy as np
-
-from . import _core
+from . import _core, _npz, _vtk
 from ._pyvista import cell_arrays, point_arrays
+from ._tables import core_mesh, field_for_core, list_arrays
 
 if TYPE_CHECKING:
     from .mesh import Mesh
 
-OWN = (".vtu", ".e", ".ex2", ".exo", ".inp")  # formats that the package itself writes
+BY_CORE = (".vtu", ".e", ".ex2", ".exo", ".inp")
+BY_PACKAGE = {".npz": _npz.write, ".vtk": _vtk.write}
+# Formats in which meshio 5.3.5 writes hexahedra and tetrahedra with their materials.
+BY_MESHIO = (".avs", ".f3grid", ".hmf", ".med", ".mesh", ".meshb", ".msh", ".vol", ".xdmf", ".xmf")
 
 
 def save(mesh: Mesh, path: Any, **options: Any) -> None:
     """Implements Mesh.save."""
     path = os.fspath(path)
     suffix = os.path.splitext(path)[1].lower()
+    _check_suffix(path, suffix)
+    if suffix in BY_CORE:
+        _save_by_core(mesh, path, suffix, **options)
+        return
+    with _whole_file(path) as unfinished:
+        if suffix in BY_PACKAGE:
+            with open(unfinished, "wb") as file:
+                BY_PACKAGE[suffix](mesh, file, **options)
+        elif suffix == ".vtp":
+            mesh.to_pyvista("surfaces").save(unfinished, **options)
+        else:
+            _save_by_meshio(mesh, unfinished, suffix, **options)
+
+
+def _check_suffix(path: str, suffix: str) -> None:
+    """Raises ValueError if the ending does not select a format that holds the mesh."""
+    formats = ", ".join((*BY_CORE, *BY_PACKAGE, ".vtp", *BY_MESHIO))
     if not suffix:
-        raise ValueError(
-            "%r has no ending to select the format: give .vtu, .e, .inp, .msh or another." % path
-        )
-    if suffix in OWN:
-        _save_own(mesh, path, **options)
-    elif suffix == ".vtk" and find_spec("pyvista"):
-        mesh.to_pyvista().save(path, **options)
-    elif suffix == ".vtp":
-        mesh.to_pyvista("surfaces").save(path, **options)
-    elif find_spec("meshio"):
-        _save_by_meshio(mesh, path, suffix, **options)
-    else:
+        raise ValueError("%r has no ending to select the format. Supported: %s." % (path, formats))
+    if suffix in (*BY_CORE, *BY_PACKAGE, ".vtp"):
+        return
+    if suffix not in BY_MESHIO:
+        raise ValueError("%r: the ending %s is not supported, because no writer keeps the elements "
+                         "and their materials in such a file. Supported: %s."
+                         % (path, suffix, formats))
+    if not find_spec("meshio"):
         raise ImportError("Writing %s requires meshio: pip install meshio" % path)
 
 
-def _save_own(mesh: Mesh, path: str, time: Optional[float] = None) -> None:
+@contextmanager
+def _whole_file(path: str) -> Iterator[str]:
+    """Gives a path in a folder next to the file. At the end of the block, the files in the folder
+    replace files of their names; after an error they are removed."""
+    folder = os.path.dirname(path) or "."
+    if not os.access(folder, os.W_OK | os.X_OK):
+        problem = "Permission denied" if os.path.isdir(folder) else "No such file or directory"
+        raise OSError("Cannot write the output %s: %s." % (path, problem))
+    with tempfile.TemporaryDirectory(prefix=".unfinished-", dir=folder) as unfinished:
+        yield os.path.join(unfinished, os.path.basename(path))
+        for name in os.listdir(unfinished):
+            os.replace(os.path.join(unfinished, name), os.path.join(folder, name))
+
+
+def _save_by_core(mesh: Mesh, path: str, suffix: str, time: Optional[float] = None,
+                  texts: bool = True) -> None:
+    if not texts and suffix != ".vtu":
+        raise TypeError("texts is an option of .vtu, not of %s." % suffix)
+    fields = {name: field_for_core(values) for name, values in mesh.fields.items()}
     _core.write_mesh(
         path,
-        np.ascontiguousarray(mesh.points, np.float64),
-        np.ascontiguousarray(mesh.cells, np.int64),
-        _arrays(point_arrays(mesh)),
-        _arrays(cell_arrays(mesh)),
-        {name: _field(values) for name, values in mesh.fields.items()},
+        *core_mesh(mesh),
+        list_arrays(point_arrays(mesh)),
+        list_arrays(cell_arrays(mesh)),
+        {name: values for name, values in fields.items() if texts or not isinstance(values, list)},
         time,
     )
-
-
-def _arrays(arrays: Mapping[str, Any]) -> List[Tuple[str, np.ndarray]]:
-    return [(name, np.ascontiguousarray(values)) for name, values in arrays.items()]
-
-
-def _field(values: Any) -> Any:
-    """Returns strings as a list, and numbers in a type that fields support."""
-    array = np.asarray(values)
-    if array.dtype.kind == "U":
-        return array.tolist()
-    kind = (np.float64 if array.dtype.kind == "f"
-            else np.int32 if array.dtype == np.int32 else np.int64)
-    return np.ascontiguousarray(np.atleast_1d(array), kind)
 
 
 def _save_by_meshio(mesh: Mesh, path: str, suffix: str, **options: Any) -> None:
     import meshio
 
     from ._meshio import for_gmsh
-
-    if suffix not in meshio.extension_to_filetypes:
-        raise ValueError("%r: the ending %s is not supported." % (path, suffix))
 
     if suffix == ".msh":
         data = for_gmsh(mesh)

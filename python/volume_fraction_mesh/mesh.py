@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Dict, Mapping, Optional
+from typing import TYPE_CHECKING, Any, Dict, Mapping, Optional, Union
 
 import numpy as np
 
@@ -12,6 +12,9 @@ from . import _core
 if TYPE_CHECKING:
     import meshio
     import pyvista
+    import skfem
+
+    from ._facets import Facets, Separated
 
 
 @dataclass(eq=False)
@@ -246,6 +249,202 @@ class Mesh:
                                              np.float64), np.ascontiguousarray(self.cells, np.int64)
         return _core.element_volumes(points, cells)
 
+    def neighbours(self) -> np.ndarray:
+        """Find the element behind each side of each element.
+
+        Returns
+        -------
+        ndarray of int64, shape (m, 6) or (m, 4)
+            Element behind each side, -1 at the boundary of the mesh. Sides have the numbering of
+            ``vtkHexahedron``, -x, +x, -y, +y, -z, +z, or of ``vtkTetra``.
+
+        Raises
+        ------
+        ValueError
+            If a face belongs to more than two elements.
+
+        Examples
+        --------
+        >>> mesh = vfm.hexes(np.ones((2, 1, 1)))
+        >>> mesh.neighbours().tolist()
+        [[-1, 1, -1, -1, -1, -1], [0, -1, -1, -1, -1, -1]]
+        """
+        from ._facets import neighbours
+
+        return neighbours(self)
+
+    def facet_sets(self) -> Dict[str, Facets]:
+        """Find the named sides of the mesh: the side sets of its Exodus and Abaqus files.
+
+        Returns
+        -------
+        dict of str to Facets
+            Faces by name:
+
+            - ``x_min`` to ``z_max``: sides of the domain.
+            - ``ball_to_plate``: faces of the material ball that touch the plate; ``plate_to_ball``
+              are the same faces of the plate.
+            - ``ball_to_Void``: the free surface of the ball.
+            - ``ball_to_Void_3``: the part of it on surface 3, if edges divide it.
+
+            Sets without faces are left out. Faces on the domain are in no set of two materials.
+
+        See Also
+        --------
+        facets : One set.
+        skin : All faces around a material.
+
+        Examples
+        --------
+        >>> mesh = vfm.hexes({"ball": vfm.shapes("sphere radius=6", 12)["Material1"]})
+        >>> list(mesh.facet_sets())
+        ['x_min', 'y_min', 'z_min', 'ball_to_Void']
+        """
+        from ._facets import facet_sets
+
+        return facet_sets(self)
+
+    def facets(self, name: str) -> Facets:
+        """Return a named side of the mesh, such as "x_min" or "ball_to_plate".
+
+        Parameters
+        ----------
+        name : str
+            Name, as in `facet_sets`.
+
+        Returns
+        -------
+        Facets
+            Corners, elements and sides of the faces.
+
+        Raises
+        ------
+        ValueError
+            If the mesh has no such side; the message lists the names.
+
+        Examples
+        --------
+        >>> mesh = vfm.hexes(np.ones((2, 2, 2)))
+        >>> facets = mesh.facets("x_max")
+        >>> facets.elements
+        array([1, 3, 5, 7])
+        >>> mesh.points[facets.points][..., 0].min()
+        np.float64(2.0)
+        """
+        from ._facets import facets
+
+        return facets(self, name)
+
+    def skin(self, material: Union[int, str]) -> Facets:
+        """Return all faces of a material to other materials, the void and the boundary.
+
+        Parameters
+        ----------
+        material : int or str
+            Number or name of the material.
+
+        Returns
+        -------
+        Facets
+            A closed surface. Its normals point out of the material.
+
+        Raises
+        ------
+        ValueError
+            If the mesh has no such material.
+
+        Examples
+        --------
+        >>> mesh = vfm.hexes({"steel": np.ones((3, 3, 3))})
+        >>> len(mesh.skin("steel")) == len(mesh.skin(1)) == 6 * 9
+        True
+        """
+        from ._facets import skin
+
+        return skin(self, material)
+
+    def separate(self) -> Separated:
+        """Give each material its own points, so that materials can slide and part in contact.
+
+        Returns
+        -------
+        Separated
+            Points, cells in the order of the mesh, and the original number of each point.
+
+        Examples
+        --------
+        >>> left = np.ones((2, 2, 2)) * [[[1]], [[0]]]
+        >>> mesh = vfm.hexes([left, 1 - left])
+        >>> parts = mesh.separate()
+        >>> len(parts.points) - len(mesh.points)
+        9
+        """
+        from ._facets import separate
+
+        return separate(self)
+
+    def to_skfem(self) -> skfem.Mesh:
+        """Convert the mesh to scikit-fem.
+
+        Returns
+        -------
+        skfem.MeshHex or skfem.MeshTet
+            Mesh with the elements in the same order, a subdomain per material, and the boundaries
+            of `facet_sets`. These have an orientation: normals point out of their elements.
+
+        Raises
+        ------
+        ImportError
+            If scikit-fem is not installed.
+
+        Examples
+        --------
+        >>> mesh = vfm.hexes({"steel": np.ones((2, 2, 2))}).to_skfem()
+        >>> list(mesh.subdomains), list(mesh.boundaries)[:2]
+        (['steel'], ['x_min', 'x_max'])
+        >>> mesh.p.shape, mesh.t.shape
+        ((3, 27), (8, 8))
+        """
+        from ._skfem import convert
+
+        return convert(self)
+
+    def plot(self, array: str = "MaterialId", clip: Optional[str] = None, path: Any = None,
+             **options: Any) -> None:
+        """Plot the mesh by PyVista, in a window or into a picture.
+
+        Parameters
+        ----------
+        array : str, default "MaterialId"
+            Array of the elements or points for the colours, by its name in `to_pyvista`.
+        clip : str, optional
+            Normal of a plane through the centre, such as "x" or "-y". Elements behind it are
+            shown, and none is cut.
+        path : str or path-like, optional
+            Picture to write, such as ``mesh.png``, without a window.
+        **options
+            Arguments of ``pyvista.Plotter.add_mesh``.
+
+        Returns
+        -------
+        None
+
+        Raises
+        ------
+        ValueError
+            If the mesh has no such array.
+        ImportError
+            If PyVista is not installed.
+
+        Examples
+        --------
+        >>> mesh = vfm.hexes(vfm.shapes("sphere radius=4 center=6,6,6", 12))
+        >>> mesh.plot("ScaledJacobian", clip="x", path="ball.png")
+        """
+        from ._plot import plot
+
+        plot(self, array, clip, path, **options)
+
     def to_pyvista(self, part: str = "mesh") -> pyvista.DataSet:
         """Convert the mesh, or a part of its geometry, to PyVista.
 
@@ -312,24 +511,34 @@ class Mesh:
     def save(self, path: Any, **options: Any) -> None:
         """Write the mesh to a file. The ending of its name selects the format.
 
-        The package itself writes ``.vtu`` (ParaView), ``.e``, ``.ex2`` and ``.exo`` (Exodus with
-        named blocks, side sets and node sets, global ids and variables) and ``.inp`` (Abaqus,
-        CalculiX), byte for byte like the ParaView plugin. PyVista writes ``.vtk``, and ``.vtp``
-        with the surfaces. meshio writes all other formats, such as ``.msh`` (Gmsh), ``.xdmf`` and
-        ``.med``.
+        The package itself writes
+
+        - ``.vtu`` (ParaView), ``.e``, ``.ex2``, ``.exo`` (Exodus with named blocks, side sets, node
+          sets, ids and variables) and ``.inp`` (Abaqus, CalculiX), byte for byte like the ParaView
+          plugin;
+        - ``.npz``, the whole mesh for `load`;
+        - ``.vtk``, legacy format 4.2, with the array ``material`` first: the void has the number
+          after the greatest.
+
+        PyVista writes ``.vtp`` with the surfaces. meshio writes other formats that hold the mesh,
+        such as ``.msh`` (Gmsh), ``.xdmf`` and ``.med``. A file appears when it is complete.
 
         Parameters
         ----------
         path : str or path-like
             File to write.
         **options
-            For formats of the package: ``time``, float, the time of the mesh. For other formats:
-            arguments of ``pyvista.DataSet.save`` or ``meshio.write``.
+            - ``.vtu``, Exodus, ``.inp``: ``time``, float, the time of the mesh.
+            - ``.vtu``: ``texts=False`` leaves out texts such as the names of materials, because
+              meshio (5.3.5) cannot read files with them.
+            - ``.vtk``: ``binary=True`` instead of text. ``.npz``: ``compress=True``.
+            - Other formats: arguments of ``pyvista.DataSet.save`` or ``meshio.write``.
 
         Raises
         ------
         ValueError
-            If the ending is missing or unknown.
+            If the ending is missing or unknown, or the format cannot hold the mesh. The message
+            lists formats that can.
         ImportError
             If the format needs a package that is not installed.
         OSError

@@ -1,0 +1,133 @@
+#include "FindFaces.h"
+
+#include "Mesh/ElementFaces.h"
+#include "NumpyFields.h"
+#include "NumpyMesh.h"
+#include "Summary/MatchFaces.h"
+#include "Summary/MeshSets.h"
+
+#include <nanobind/stl/pair.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+#include <limits>
+
+namespace vfm
+{
+namespace
+{
+
+namespace nb = nanobind;
+using namespace nb::literals;
+
+template <class T>
+using Column = nb::ndarray<const T, nb::c_contig, nb::device::cpu, nb::ndim<1>>;
+
+/// Returns the element behind each face, element by element, or NothingBehind.
+std::vector<int> MatchElements(const MeshData& mesh)
+{
+  if (mesh.NumberOfElements > std::numeric_limits<int>::max())
+  {
+    throw InputError("The mesh has " + std::to_string(mesh.NumberOfElements) +
+      " elements: neighbours are found for at most 2147483647.");
+  }
+  const ElementFaces table(mesh.Corners);
+  std::vector<FaceIds> ids;
+  std::vector<int> elements;
+  ids.reserve(mesh.NumberOfElements * table.Count);
+  elements.reserve(ids.capacity());
+  for (Index element = 0; element < mesh.NumberOfElements; ++element)
+  {
+    for (int face = 0; face < table.Count; ++face)
+    {
+      ids.push_back(table.PointsOf(mesh.Element(element), face));
+      std::sort(ids.back().begin(), ids.back().end());
+      elements.push_back(static_cast<int>(element));
+    }
+  }
+  Ranks alone;
+  return MatchFaces(ids, elements, alone);
+}
+
+nb::object FindNeighbours(const NumpyPoints& points, const NumpyCells& cells)
+{
+  const MeshData mesh = ViewMesh(points, cells);
+  Buffer<Index> neighbours;
+  {
+    const nb::gil_scoped_release others;
+    const std::vector<int> behind = MatchElements(mesh);
+    neighbours = Buffer<Index>(behind.size());
+    std::copy(behind.begin(), behind.end(), neighbours.begin());
+  }
+  return ToNumpy(neighbours, ElementFaces(mesh.Corners).Count);
+}
+
+nb::tuple ToPython(const SideSet& set)
+{
+  Buffer<Index> elements(set.Sides.size());
+  Buffer<int> sides(set.Sides.size());
+  for (std::size_t at = 0; at < set.Sides.size(); ++at)
+  {
+    elements[at] = set.Sides[at].Element;
+    sides[at] = set.Sides[at].Side;
+  }
+  return nb::make_tuple(set.Id, set.Name, ToNumpy(elements), ToNumpy(sides));
+}
+
+nb::list ListSideSets(const NumpyPoints& points, const NumpyCells& cells,
+  const NamedArrays& pointArrays, const NamedArrays& cellArrays, const nb::dict& fields)
+{
+  const StoredMesh mesh = ViewMesh(points, cells, pointArrays, cellArrays, fields);
+  MeshSets sets;
+  {
+    const nb::gil_scoped_release others;
+    Ranks alone;
+    sets = FindMeshSets(mesh.Data, alone);
+  }
+  nb::list list;
+  for (const SideSet& set : sets.SideSets)
+  {
+    list.append(ToPython(set));
+  }
+  return list;
+}
+
+nb::object ListFacePoints(
+  const NumpyCells& cells, const Column<std::int64_t>& elements, const Column<int>& sides)
+{
+  const ElementFaces table(static_cast<int>(cells.shape(1)));
+  const Index count = static_cast<Index>(elements.shape(0));
+  if (static_cast<Index>(sides.shape(0)) != count)
+  {
+    throw nb::value_error("elements and sides must have the same length.");
+  }
+  Buffer<Index> points(count * table.Corners);
+  for (Index at = 0; at < count; ++at)
+  {
+    const Index element = elements.data()[at];
+    const int side = sides.data()[at];
+    if (element < 0 || element >= static_cast<Index>(cells.shape(0)) || side < 0 ||
+      side >= table.Count)
+    {
+      throw nb::value_error(("There is no side " + std::to_string(side) + " of an element " +
+        std::to_string(element) + ".")
+                              .c_str());
+    }
+    const std::array<Index, 4> face =
+      table.PointsOf(cells.data() + element * static_cast<Index>(cells.shape(1)), side);
+    std::copy_n(face.begin(), table.Corners, points.begin() + at * table.Corners);
+  }
+  return ToNumpy(points, table.Corners);
+}
+
+} // namespace
+
+void BindFaces(nb::module_& module)
+{
+  module.def("neighbours", FindNeighbours, "points"_a, "cells"_a);
+  module.def("side_sets", ListSideSets, "points"_a, "cells"_a, "point_arrays"_a, "cell_arrays"_a,
+    "fields"_a);
+  module.def("face_points", ListFacePoints, "cells"_a, "elements"_a, "sides"_a);
+}
+
+} // namespace vfm

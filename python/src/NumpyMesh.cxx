@@ -1,0 +1,92 @@
+#include "NumpyMesh.h"
+
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+#include <algorithm>
+
+namespace vfm
+{
+namespace
+{
+
+namespace nb = nanobind;
+
+std::vector<MeshArray> ListArrays(const NamedArrays& arrays, Index rows)
+{
+  std::vector<MeshArray> list;
+  for (const auto& [name, values] : arrays)
+  {
+    const NumpyView view(name, values);
+    if (view.Rows != rows)
+    {
+      throw InputError("The array '" + name + "' has another length than the mesh.");
+    }
+    const bool isId = name == "GlobalPointIds" || name == "GlobalCellIds";
+    list.push_back({ name, isId ? ValueType::Id : view.Type, view.Components, {}, view.Values });
+  }
+  return list;
+}
+
+template <class T>
+FieldArray CopyField(const std::string& name, const NumpyView& view)
+{
+  const T* values = static_cast<const T*>(view.Values);
+  return { name, std::vector<T>(values, values + view.Rows * view.Components), view.Components };
+}
+
+FieldArray ReadField(const std::string& name, nb::handle value)
+{
+  if (nb::isinstance<nb::list>(value))
+  {
+    return { name, nb::cast<std::vector<std::string>>(value) };
+  }
+  const NumpyArray array = nb::cast<NumpyArray>(value);
+  const NumpyView view(name, array);
+  switch (view.Type)
+  {
+    case ValueType::Int:
+      return CopyField<int>(name, view);
+    case ValueType::LongLong:
+      return CopyField<Index>(name, view);
+    case ValueType::Double:
+      return CopyField<double>(name, view);
+    default:
+      throw InputError("The field '" + name + "' is neither int32 nor int64 nor float64.");
+  }
+}
+
+} // namespace
+
+MeshData ViewMesh(const NumpyPoints& points, const NumpyCells& cells)
+{
+  MeshData mesh;
+  mesh.NumberOfPoints = static_cast<Index>(points.shape(0));
+  mesh.NumberOfElements = static_cast<Index>(cells.shape(0));
+  mesh.Corners = static_cast<int>(cells.shape(1));
+  mesh.Points = points.data();
+  mesh.Elements = cells.data();
+  const auto isPoint = [&](Index point) { return point >= 0 && point < mesh.NumberOfPoints; };
+  if ((mesh.Corners != 8 && mesh.Corners != 4) ||
+    !std::all_of(cells.data(), cells.data() + cells.size(), isPoint))
+  {
+    throw nb::value_error("cells must be points of hexahedra (n, 8) or tetrahedra (n, 4).");
+  }
+  return mesh;
+}
+
+StoredMesh ViewMesh(const NumpyPoints& points, const NumpyCells& cells,
+  const NamedArrays& pointArrays, const NamedArrays& cellArrays, const nb::dict& fields)
+{
+  StoredMesh mesh{ ViewMesh(points, cells), {} };
+  mesh.Data.PointArrays = ListArrays(pointArrays, mesh.Data.NumberOfPoints);
+  mesh.Data.ElementArrays = ListArrays(cellArrays, mesh.Data.NumberOfElements);
+  for (const auto& [name, value] : fields)
+  {
+    mesh.Data.Fields.push_back(ReadField(nb::cast<std::string>(name), value));
+  }
+  FindKnownArrays(mesh);
+  return mesh;
+}
+
+} // namespace vfm

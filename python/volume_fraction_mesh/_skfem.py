@@ -1,0 +1,43 @@
+"""Converts meshes to scikit-fem."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ._facets import Facets, facet_sets
+from ._tables import material_names
+
+if TYPE_CHECKING:
+    from .mesh import Mesh
+
+# Corners of VTK in the order of scikit-fem's MeshHex, whose last corner is the origin and whose
+# corners 4, 5, 6 are next to it along x, y, z.
+HEX_ORDER = [6, 2, 5, 7, 1, 3, 4, 0]
+
+
+def convert(mesh: Mesh) -> Any:
+    """Implements Mesh.to_skfem."""
+    import skfem
+
+    is_tet = mesh.kind == "tetra"
+    cells = mesh.cells if is_tet else mesh.cells[:, HEX_ORDER]
+    result = (skfem.MeshTet if is_tet else skfem.MeshHex)(
+        np.ascontiguousarray(mesh.points.T), np.ascontiguousarray(cells.T))
+    return result.with_subdomains({
+        name: np.flatnonzero(mesh.material == i) for i, name in material_names(mesh).items()
+    }).with_boundaries({
+        name: _boundary(result, facets) for name, facets in facet_sets(mesh).items()
+    })
+
+
+def _boundary(mesh: Any, facets: Facets) -> Any:
+    """Returns facets of scikit-fem with the side of their elements, so that normals point out."""
+    from skfem.generic_utils import OrientedBoundary
+
+    candidates = mesh.t2f[:, facets.elements]
+    corners = np.sort(mesh.facets, axis=0)[:, candidates]
+    place = (corners == np.sort(facets.points, axis=1).T[:, None]).all(axis=0).argmax(axis=0)
+    found = candidates[place, np.arange(len(facets))]
+    return OrientedBoundary(found, mesh.f2t[0, found] != facets.elements)

@@ -1,0 +1,43 @@
+"""Prepares arrays and fields of a mesh for the core, and lists its materials."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Dict, List, Mapping, Tuple
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from .mesh import Mesh
+
+
+def core_mesh(mesh: Mesh) -> Tuple[np.ndarray, np.ndarray]:
+    """Returns the points and cells in the form of the core."""
+    return (np.ascontiguousarray(mesh.points, np.float64),
+            np.ascontiguousarray(mesh.cells, np.int64))
+
+
+def list_arrays(arrays: Mapping[str, Any]) -> List[Tuple[str, np.ndarray]]:
+    """Returns names and contiguous values."""
+    return [(name, np.ascontiguousarray(values)) for name, values in arrays.items()]
+
+
+def field_for_core(values: Any) -> Any:
+    """Returns strings as a list, and numbers in a type that fields support."""
+    array = np.asarray(values)
+    if array.dtype.kind == "U":
+        return array.tolist()
+    kind = (np.float64 if array.dtype.kind == "f"
+            else np.int32 if array.dtype == np.int32 else np.int64)
+    return np.ascontiguousarray(np.atleast_1d(array), kind)
+
+
+def material_names(mesh: Mesh) -> Dict[int, str]:
+    """Returns the names of the materials by id."""
+    return dict(zip((int(i) for i in mesh.materials["MaterialId"]), mesh.materials["Name"]))
+
+
+def material_tags(mesh: Mesh) -> Dict[int, int]:
+    """Returns the numbers of materials by id in formats that count from 1: the void, 0, gets the
+    number after the greatest."""
+    ids = list(material_names(mesh))
+    return {i: i if i > 0 else max(ids) + 1 for i in ids}
