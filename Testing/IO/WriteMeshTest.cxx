@@ -88,8 +88,9 @@ TEST(WriteMesh, FilesAreTheSameFromAnyNumberOfRanks)
       for (int count : { 1, 2, 3 })
       {
         WithMesh(count, make,
-          [&](const MeshData& mesh, Ranks& ranks)
-          { WriteMesh(mesh, path, ranks, OutputFiles::Single); });
+          [&](const MeshData& mesh, Ranks& ranks) {
+            WriteMesh(mesh, path, ranks, { OutputFiles::Single, {} });
+          });
         files.push_back(ReadWithoutDate(path));
       }
       EXPECT_GT(files[0].size(), 10000u);
