@@ -44,18 +44,3 @@ def _sets(mesh: Mesh, parts: List[np.ndarray]) -> Dict[str, Any]:
         name: [np.flatnonzero(mesh.material[part] == i) for part in parts]
         for i, name in material_names(mesh).items()
     }
-
-
-def for_gmsh(mesh: Mesh) -> meshio.Mesh:
-    """Returns the mesh with the physical groups of Gmsh. Their tags start at 1."""
-    import meshio
-
-    ids, names = list(material_names(mesh)), list(material_names(mesh).values())
-    tags = {i: i if i > 0 else max(ids) + 1 for i in ids}
-    tag = np.array([tags[i] for i in mesh.material.tolist()], dtype=np.int32)
-    return meshio.Mesh(
-        mesh.points,
-        [(mesh.kind, mesh.cells)],
-        cell_data={"gmsh:physical": [tag], "gmsh:geometrical": [tag]},
-        field_data={name: np.array([tags[i], 3]) for i, name in zip(ids, names)},
-    )

@@ -25,7 +25,9 @@ def save(mesh: Mesh, path: Any, **options: Any) -> None:
         raise ValueError(
             "%r has no ending to select the format: give .vtu, .e, .inp, .msh or another." % path
         )
-    if suffix in OWN:
+    if suffix == ".msh":
+        _save_gmsh(mesh, path, **options)
+    elif suffix in OWN:
         _save_own(mesh, path, **options)
     elif suffix == ".vtk" and find_spec("pyvista"):
         mesh.to_pyvista().save(path, **options)
@@ -38,6 +40,17 @@ def save(mesh: Mesh, path: Any, **options: Any) -> None:
 
 
 def _save_own(mesh: Mesh, path: str, time: Optional[float] = None) -> None:
+    _write(mesh, path, time)
+
+
+def _save_gmsh(
+    mesh: Mesh, path: str, version: Optional[str] = None, binary: bool = False
+) -> None:
+    _write(mesh, path, None, "" if version is None else str(version), binary)
+
+
+def _write(mesh: Mesh, path: str, time: Optional[float], version: str = "",
+           binary: bool = False) -> None:
     _core.write_mesh(
         path,
         np.ascontiguousarray(mesh.points, np.float64),
@@ -46,6 +59,8 @@ def _save_own(mesh: Mesh, path: str, time: Optional[float] = None) -> None:
         _arrays(cell_arrays(mesh)),
         {name: _field(values) for name, values in mesh.fields.items()},
         time,
+        version,
+        binary,
     )
 
 
@@ -66,14 +81,6 @@ def _field(values: Any) -> Any:
 def _save_by_meshio(mesh: Mesh, path: str, suffix: str, **options: Any) -> None:
     import meshio
 
-    from ._meshio import for_gmsh
-
     if suffix not in meshio.extension_to_filetypes:
         raise ValueError("%r: the ending %s is not supported." % (path, suffix))
-
-    if suffix == ".msh":
-        data = for_gmsh(mesh)
-        options = {"file_format": "gmsh22", **options}
-    else:
-        data = mesh.to_meshio()
-    meshio.write(path, data, **options)
+    meshio.write(path, mesh.to_meshio(), **options)

@@ -313,18 +313,20 @@ class Mesh:
         """Write the mesh to a file. The ending of its name selects the format.
 
         The package itself writes ``.vtu`` (ParaView), ``.e``, ``.ex2`` and ``.exo`` (Exodus with
-        named blocks, side sets and node sets, global ids and variables) and ``.inp`` (Abaqus,
-        CalculiX), byte for byte like the ParaView plugin. PyVista writes ``.vtk``, and ``.vtp``
-        with the surfaces. meshio writes all other formats, such as ``.msh`` (Gmsh), ``.xdmf`` and
-        ``.med``.
+        named blocks, side sets and node sets, global ids and variables), ``.inp`` (Abaqus,
+        CalculiX) and ``.msh`` (Gmsh, with physical groups of materials, domain sides and
+        interfaces). ``sculptor`` writes the same bytes. PyVista writes ``.vtk``, and ``.vtp`` with
+        the surfaces. meshio writes all other formats, such as ``.xdmf`` and ``.med``.
 
         Parameters
         ----------
         path : str or path-like
             File to write.
         **options
-            For formats of the package: ``time``, float, the time of the mesh. For other formats:
-            arguments of ``pyvista.DataSet.save`` or ``meshio.write``.
+            For ``.msh``: ``version``, "2.2" or "4.1", default 2.2, or 4.1 if an id exceeds
+            2147483647; ``binary``, bool, default False. For other formats of the package:
+            ``time``, float, the time of the mesh. For all other formats: arguments of
+            ``pyvista.DataSet.save`` or ``meshio.write``.
 
         Raises
         ------
@@ -340,6 +342,7 @@ class Mesh:
         >>> mesh = vfm.hexes(vfm.shapes("sphere radius=4 center=6,6,6", 12))
         >>> mesh.save("ball.e", time=0.5)
         >>> mesh.save("ball.inp")
+        >>> mesh.save("ball.msh", version="4.1", binary=True)
         """
         from ._save import save
 
