@@ -312,7 +312,7 @@ std::string WriteCubes(const TwoCubes& cubes, const GmshForm& form)
   return ReadAll(folder / "cubes.msh");
 }
 
-constexpr const char* Groups = R"($PhysicalNames
+constexpr const char* CubeGroups = R"($PhysicalNames
 12
 2 1 "x_min"
 2 3 "y_min"
@@ -338,7 +338,7 @@ TEST(WriteGmsh, TextOfVersion2)
                             "111 2 1 1\n$EndNodes\n";
   // Surfaces: z_max, z_min, y_max, y_min of both cubes from the largest side down, and so on.
   EXPECT_EQ(WriteCubes(TwoCubes(), {}),
-    std::string("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n") + Groups + nodes +
+    std::string("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n") + CubeGroups + nodes +
       "$Elements\n13\n"
       "9 3 2 6 1 61 71 101 91\n"
       "10 3 2 6 2 71 81 111 101\n"

@@ -101,6 +101,9 @@ TEST(Arguments, ValuesOfTheProgram)
   EXPECT_EQ(voxels.Spacing, (std::array<double, 3>{ 0.1, 0.2, 3.0 }));
   EXPECT_EQ(voxels.AxisOrder, 5);
   EXPECT_TRUE(voxels.Form.Files == OutputFiles::Single && voxels.Quiet);
+  const Arguments gmsh = Parse("in.vti out.msh --msh-version 4.1 --binary");
+  EXPECT_TRUE(gmsh.Form.Gmsh.Version == GmshVersion::V4_1 && gmsh.Form.Gmsh.IsBinary);
+  EXPECT_TRUE(none.Form.Gmsh.Version == GmshVersion::Automatic && !none.Form.Gmsh.IsBinary);
   const Arguments steps = ParseMesh("--step 0 --labels id --fragments f.csv --geometry g.vtm");
   EXPECT_EQ(steps.Step, 0);
   EXPECT_EQ(steps.Labels, "id");
@@ -224,6 +227,9 @@ TEST(Arguments, RejectedWords)
       { "in.xyz out.vtu", "The input in.xyz is of an unknown format. Supported formats: .vti" },
       { "in.vti no.stl", "The output no.stl is of an unknown format. Supported formats: .vtu" },
       { "in.vti no.stl", ".inp" },
+      { "in.vti out.vtu --binary",
+        "The output out.vtu has no choice of version or binary form; only .msh has one." },
+      { "in.vti out.msh --msh-version 3", "--msh-version takes 2.2 or 4.1, not '3'." },
       { "in.vti out.pvtu --single-file", "The output out.pvtu always consists of several files." },
       { "in.vti out.vtu --geometry g.vtu",
         "The geometry g.vtu is of an unknown format. Supported format: .vtm." } });
