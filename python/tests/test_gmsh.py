@@ -44,6 +44,7 @@ def opened(mesh, form, tmp_path):
         gmsh.logger.start()
         gmsh.open(path)
         bad = [line for line in gmsh.logger.get() if line.startswith(("Warning", "Error"))]
+        gmsh.logger.stop()
         assert not bad, bad
         yield {
             (dimension, gmsh.model.getPhysicalName(dimension, tag)):

@@ -126,7 +126,7 @@ def test_files(mesh, ending, tmp_path):
     if ending in ("vtu", "vtk", "xdmf"):
         assert np.array_equal(np.concatenate(again.cell_data["MaterialId"]), mesh.material)
     elif ending == "msh":
-        assert set(mesh.materials["Name"]) | {"ball_to_plate", "z_max"} < set(again.field_data)
+        assert set(mesh.materials["Name"]) | {"ball_to_plate", "z_min"} < set(again.field_data)
         assert int((again.cell_data_dict["gmsh:physical"][mesh.kind] == 2).sum()) == counts[2]
     elif ending == "inp":
         assert {block.type
