@@ -6,7 +6,9 @@
 #include "Summary/GatherMesh.h"
 #include "Summary/MeshFacets.h"
 
+#include <iterator>
 #include <limits>
+#include <set>
 
 namespace vfm
 {
@@ -69,11 +71,25 @@ void WriteHeader(GmshFile& file, const char* version, bool isBinary)
   file.Line("$EndMeshFormat");
 }
 
-void WriteGroups(GmshFile& file, const GmshModel& model)
+/// Returns the groups that have elements. In version 2.2 a face is only in the first of its groups.
+std::vector<GmshGroup> ListGroups(const GmshModel& model, GmshVersion version)
+{
+  std::set<int> used;
+  for (const std::vector<int>& tags : model.SurfaceGroups)
+  {
+    used.insert(tags.begin(), version == GmshVersion::V2_2 ? tags.begin() + 1 : tags.end());
+  }
+  std::vector<GmshGroup> groups;
+  std::copy_if(model.Groups.begin(), model.Groups.end(), std::back_inserter(groups),
+    [&used](const GmshGroup& group) { return group.Dimension == 3 || used.count(group.Tag) > 0; });
+  return groups;
+}
+
+void WriteGroups(GmshFile& file, const std::vector<GmshGroup>& groups)
 {
   file.Begin("PhysicalNames");
-  file.Line(std::to_string(model.Groups.size()));
-  for (const GmshGroup& group : model.Groups)
+  file.Line(std::to_string(groups.size()));
+  for (const GmshGroup& group : groups)
   {
     file.Line(std::to_string(group.Dimension) + " " + std::to_string(group.Tag) + " \"" +
       group.Name + "\"");
@@ -414,7 +430,7 @@ void WriteFile(MeshData mesh, const std::string& path, const GmshForm& form)
   const GmshVersion version = ChooseVersion(model, form.Version);
   GmshFile file(path, form.IsBinary);
   WriteHeader(file, version == GmshVersion::V2_2 ? "2.2" : "4.1", form.IsBinary);
-  WriteGroups(file, model);
+  WriteGroups(file, ListGroups(model, version));
   if (version == GmshVersion::V2_2)
   {
     WriteNodes2(file, mesh);
