@@ -41,6 +41,9 @@ const std::vector<ArgumentOption> OwnOptions{
   { "--step", "N", "use time number N of the input, from 0" },
   { "--time", "T", "use the time of the input nearest to T" },
   { "--single-file", "", "write one Exodus file from several ranks; rank 0 gathers the mesh" },
+  { "--msh-version", "2.2|4.1",
+    "version of a .msh file; default 2.2, or 4.1 if an id exceeds 2147483647" },
+  { "--binary", "", "write a .msh file in binary form instead of text" },
   { "--quiet", "", "print neither progress nor table" },
   { "--help", "", "print this text; also -h" },
   { "--version", "", "print the version" },
@@ -130,8 +133,8 @@ std::string GetHelp()
     "    files FILE.N.RANK selects all of them\n  AMReX: folder of a plotfile\n"
     "Output: " +
     JoinTexts(GetOutputSuffixes()) +
-    "\n  .vtu and .inp (Abaqus, CalculiX) are one file, also from several ranks; Exodus from N\n"
-    "    ranks is one file per rank, FILE.N.RANK\n\n" +
+    "\n  .vtu, .inp (Abaqus, CalculiX) and .msh (Gmsh) are one file, also from several ranks;\n"
+    "    Exodus from N ranks is one file per rank, FILE.N.RANK\n\n" +
     Materials;
   for (const std::string& line : DescribeOptions(ElementKind::Tets))
   {

@@ -167,6 +167,16 @@ MesherOptions ReadOptions(const GivenArguments& given)
   return options;
 }
 
+OutputForm ReadForm(const GivenArguments& given)
+{
+  OutputForm form;
+  form.Files = given.count("--single-file") > 0 ? OutputFiles::Single : OutputFiles::AsUsual;
+  form.Gmsh.Version = ReadValue(given, "--msh-version", "2.2 or 4.1", ParseGmshVersion)
+                        .value_or(GmshVersion::Automatic);
+  form.Gmsh.IsBinary = given.count("--binary") > 0;
+  return form;
+}
+
 Arguments ReadValues(const GivenArguments& given)
 {
   Arguments to;
@@ -197,7 +207,7 @@ Arguments ReadValues(const GivenArguments& given)
   to.Step = ReadCount(given, "--step", "", LargestCount);
   to.Time = ReadValue(given, "--time", "a number",
     [](const std::string& text) { return ParseNumber(text, -LargestNumber, LargestNumber); });
-  to.SingleFile = given.count("--single-file") > 0;
+  to.Form = ReadForm(given);
   to.Quiet = given.count("--quiet") > 0;
   return to;
 }
@@ -246,8 +256,7 @@ void CheckProblem(const std::string& problem)
 
 void CheckOutput(const Arguments& from)
 {
-  CheckProblem(
-    FindOutputProblem(from.Output, from.SingleFile ? OutputFiles::Single : OutputFiles::AsUsual));
+  CheckProblem(FindOutputProblem(from.Output, from.Form));
 }
 
 void CheckMesh(const Arguments& from)

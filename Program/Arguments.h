@@ -3,6 +3,7 @@
  */
 #pragma once
 
+#include "Meshes/WriteMesh.h"
 #include "Options/MesherOptions.h"
 
 #include <array>
@@ -39,7 +40,7 @@ struct Arguments
   MesherOptions Mesher;
   std::optional<int> Step;    ///< index of a time of the input, from 0
   std::optional<double> Time; ///< time of the input, the nearest one is used
-  bool SingleFile = false;    ///< one file also from several ranks
+  OutputForm Form;            ///< form of the output
   bool Quiet = false;
 };
 

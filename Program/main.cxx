@@ -112,11 +112,7 @@ void WriteFiles(
   const MesherResult& result, const MeshData& mesh, const Arguments& arguments, Ranks& ranks)
 {
   WorkInStage(ranks, ErrorCode::UnwritableOutput,
-    [&]
-    {
-      WriteMesh(mesh, arguments.Output, ranks,
-        arguments.SingleFile ? OutputFiles::Single : OutputFiles::AsUsual);
-    });
+    [&] { WriteMesh(mesh, arguments.Output, ranks, arguments.Form); });
   if (!arguments.Fragments.empty())
   {
     WriteFragments(mesh, arguments, ranks);

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cctype>
 #include <map>
-#include <set>
 
 namespace vfm
 {
@@ -19,7 +18,6 @@ namespace
 
 constexpr Index LargestNumber = 999999999;
 constexpr std::size_t NumbersInLine = 8;
-constexpr int LastDomainSide = 6; // last id of sides of the domain in MeshSets.h
 /// Numbers of the faces in Abaqus, indexed by the numbers in VTK. S1 of a hexahedron has its
 /// corners 1 to 4.
 constexpr int HexFaces[6] = { 6, 4, 3, 5, 1, 2 };
@@ -31,21 +29,6 @@ bool IsVelocity(const MeshArray& array)
   std::transform(
     name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
   return name.find("velocity") != std::string::npos && array.Components == 3;
-}
-
-/// Returns the mesh with only the arrays that the file needs.
-MeshData TakeMesh(MeshData mesh)
-{
-  const std::set<std::string> taken{ "GlobalPointIds", "GeometryDimension", "GeometryId",
-    "GlobalCellIds", "MaterialId" };
-  for (std::vector<MeshArray>* arrays : { &mesh.PointArrays, &mesh.ElementArrays })
-  {
-    arrays->erase(
-      std::remove_if(arrays->begin(), arrays->end(),
-        [&](const MeshArray& array) { return taken.count(array.Name) == 0 && !IsVelocity(array); }),
-      arrays->end());
-  }
-  return mesh;
 }
 
 /// Returns a text for a comment line, without control characters or characters outside of ASCII.
@@ -97,7 +80,7 @@ std::vector<Surface> MakeSurfaces(
   std::vector<Surface> surfaces;
   for (const SideSet& set : sets)
   {
-    if ((set.Id <= LastDomainSide) == ofDomain)
+    if ((set.DomainSide != NoSide) == ofDomain)
     {
       surfaces.push_back({ names.Add(set.Name), &set.Sides });
     }
@@ -252,7 +235,7 @@ void WriteFile(const MeshData& mesh, const std::string& path)
 void WriteAbaqus(const MeshData& mesh, const std::string& path, Ranks& ranks)
 {
   WorkTogether(ranks, [&] { Require(mesh.Material, "MaterialId", mesh); });
-  const StoredMesh ordered = OrderMesh(TakeMesh(mesh), ranks);
+  const StoredMesh ordered = OrderMesh(TakeKnownArrays(mesh, IsVelocity), ranks);
   const StoredMesh whole = GatherMesh(ordered.Data, ranks);
   WorkTogether(ranks,
     [&]

@@ -17,27 +17,40 @@ namespace vfm
 namespace
 {
 
-using Writer = void (*)(const MeshData&, const std::string& path, Ranks&);
+using Writer = void (*)(const MeshData&, const std::string& path, Ranks&, const OutputForm&);
 
 struct Format
 {
   const char* Suffix;
-  Writer Write;       ///< function that writes the usual files; collective
-  Writer WriteSingle; ///< function that writes one file from several ranks; null if not supported
+  Writer Write;    ///< collective
+  bool HasSingle;  ///< whether several ranks can write one file
+  bool HasVersion; ///< whether OutputForm::Gmsh applies
 };
 
-template <ExodusParts parts>
-void WriteExodusFiles(const MeshData& mesh, const std::string& path, Ranks& ranks)
+/// Writes a format that has only one form.
+template <void (*write)(const MeshData&, const std::string& path, Ranks&)>
+void WritePlain(const MeshData& mesh, const std::string& path, Ranks& ranks, const OutputForm&)
 {
-  WriteExodus(mesh, path, ranks, parts);
+  write(mesh, path, ranks);
 }
 
-constexpr Writer WriteExodusParts = WriteExodusFiles<ExodusParts::OnePerRank>;
-constexpr Writer WriteExodusFile = WriteExodusFiles<ExodusParts::One>;
+void WriteExodusFiles(
+  const MeshData& mesh, const std::string& path, Ranks& ranks, const OutputForm& form)
+{
+  const bool isSingle = form.Files == OutputFiles::Single;
+  WriteExodus(mesh, path, ranks, isSingle ? ExodusParts::One : ExodusParts::OnePerRank);
+}
 
-constexpr Format Formats[] = { { ".vtu", WriteVtu, WriteVtu }, { ".pvtu", WritePvtu, nullptr },
-  { ".e", WriteExodusParts, WriteExodusFile }, { ".ex2", WriteExodusParts, WriteExodusFile },
-  { ".exo", WriteExodusParts, WriteExodusFile }, { ".inp", WriteAbaqus, WriteAbaqus } };
+void WriteGmshFile(
+  const MeshData& mesh, const std::string& path, Ranks& ranks, const OutputForm& form)
+{
+  WriteGmsh(mesh, path, ranks, form.Gmsh);
+}
+
+constexpr Format Formats[] = { { ".vtu", WritePlain<WriteVtu>, true, false },
+  { ".pvtu", WritePlain<WritePvtu>, false, false }, { ".e", WriteExodusFiles, true, false },
+  { ".ex2", WriteExodusFiles, true, false }, { ".exo", WriteExodusFiles, true, false },
+  { ".inp", WritePlain<WriteAbaqus>, true, false }, { ".msh", WriteGmshFile, true, true } };
 
 const Format* FindFormat(const std::string& path)
 {
@@ -58,7 +71,7 @@ std::vector<std::string> GetOutputSuffixes()
   return suffixes;
 }
 
-std::string FindOutputProblem(const std::string& path, OutputFiles files)
+std::string FindOutputProblem(const std::string& path, const OutputForm& form)
 {
   const Format* format = FindFormat(path);
   if (!format)
@@ -66,8 +79,14 @@ std::string FindOutputProblem(const std::string& path, OutputFiles files)
     return "The output " + path +
       " is of an unknown format. Supported formats: " + JoinTexts(GetOutputSuffixes()) + ".";
   }
-  const bool isRejected = files == OutputFiles::Single && !format->WriteSingle;
-  return isRejected ? "The output " + path + " always consists of several files." : "";
+  if (form.Files == OutputFiles::Single && !format->HasSingle)
+  {
+    return "The output " + path + " always consists of several files.";
+  }
+  const bool hasForm = form.Gmsh.Version != GmshVersion::Automatic || form.Gmsh.IsBinary;
+  return hasForm && !format->HasVersion
+    ? "The output " + path + " has no choice of version or binary form; only .msh has one."
+    : "";
 }
 
 std::string FindFolderProblem(const std::string& path)
@@ -79,21 +98,20 @@ std::string FindFolderProblem(const std::string& path)
     : "Cannot write the output " + path + ": " + std::strerror(errno) + ".";
 }
 
-void WriteMesh(const MeshData& mesh, const std::string& path, Ranks& ranks, OutputFiles files)
+void WriteMesh(const MeshData& mesh, const std::string& path, Ranks& ranks, const OutputForm& form)
 {
   WorkTogether(ranks,
     [&]
     {
-      for (const std::string& problem : { FindOutputProblem(path, files), FindFolderProblem(path) })
+      for (const std::string& problem : { FindOutputProblem(path, form), FindFolderProblem(path) })
       {
         if (!problem.empty())
         {
           throw InputError(problem);
         }
       }
-      const Format& format = *FindFormat(path);
-      const Writer write = files == OutputFiles::Single ? format.WriteSingle : format.Write;
-      PrefixErrors("Cannot write the output " + path + ": ", [&] { write(mesh, path, ranks); });
+      PrefixErrors("Cannot write the output " + path + ": ",
+        [&] { FindFormat(path)->Write(mesh, path, ranks, form); });
     });
 }
 

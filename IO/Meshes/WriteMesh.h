@@ -3,6 +3,7 @@
  */
 #pragma once
 
+#include "Meshes/WriteGmsh.h"
 #include "Ranks/Ranks.h"
 #include "Summary/MeshData.h"
 
@@ -18,11 +19,18 @@ enum class OutputFiles
   Single   ///< one file with the whole mesh, which rank 0 gathers
 };
 
+/// Choices among the forms of a format.
+struct OutputForm
+{
+  OutputFiles Files = OutputFiles::AsUsual;
+  GmshForm Gmsh; ///< only for .msh
+};
+
 /// Returns all supported suffixes, for instance ".vtu".
 std::vector<std::string> GetOutputSuffixes();
-/// Returns the reason why a mesh cannot be written to a file of this name, or to a single file of
-/// this name; "" if it can. Checks only the suffix and `files`.
-std::string FindOutputProblem(const std::string& path, OutputFiles files = OutputFiles::AsUsual);
+/// Returns the reason why a mesh cannot be written in this form to a file of this name; "" if it
+/// can. Checks only the suffix and the form.
+std::string FindOutputProblem(const std::string& path, const OutputForm& form = {});
 /// Returns the reason why no file can be created in the folder of a path; "" if one can.
 std::string FindFolderProblem(const std::string& path);
 
@@ -32,11 +40,11 @@ std::string FindFolderProblem(const std::string& path);
 ///   not supported
 /// - .e, .ex2, .exo (Exodus): one file per rank, path.N.RANK for N > 1 ranks; one file of the whole
 ///   mesh with OutputFiles::Single
-/// - .inp (Abaqus): one file of the whole mesh
+/// - .inp (Abaqus), .msh (Gmsh): one file of the whole mesh
 /// @param mesh  part of this rank
 /// @throws InputError  if the files cannot be written, on all ranks; contains path and reason
 /// @pre Collective
-void WriteMesh(const MeshData& mesh, const std::string& path, Ranks& ranks,
-  OutputFiles files = OutputFiles::AsUsual);
+void WriteMesh(
+  const MeshData& mesh, const std::string& path, Ranks& ranks, const OutputForm& form = {});
 
 } // namespace vfm

@@ -1,6 +1,7 @@
 #include "Summary/MeshData.h"
 
 #include <algorithm>
+#include <iterator>
 #include <type_traits>
 
 namespace vfm
@@ -58,6 +59,25 @@ void FindKnownArrays(StoredMesh& mesh)
   SetPointer(mesh, data.ElementArrays, "GlobalCellIds", elements, data.ElementIds);
   SetPointer(mesh, data.ElementArrays, "MaterialId", elements, data.Material);
   SetPointer(mesh, data.ElementArrays, "FragmentId", elements, data.Fragment);
+}
+
+bool IsKnownArray(const MeshArray& array)
+{
+  constexpr const char* names[] = { "GlobalPointIds", "GeometryDimension", "GeometryId",
+    "GlobalCellIds", "MaterialId", "FragmentId" };
+  return std::find(std::begin(names), std::end(names), array.Name) != std::end(names);
+}
+
+MeshData TakeKnownArrays(MeshData mesh, const std::function<bool(const MeshArray&)>& isTaken)
+{
+  for (std::vector<MeshArray>* arrays : { &mesh.PointArrays, &mesh.ElementArrays })
+  {
+    arrays->erase(std::remove_if(arrays->begin(), arrays->end(),
+                    [&](const MeshArray& array)
+                    { return !IsKnownArray(array) && !(isTaken && isTaken(array)); }),
+      arrays->end());
+  }
+  return mesh;
 }
 
 const MeshArray* FindArray(const std::vector<MeshArray>& arrays, const std::string& name)

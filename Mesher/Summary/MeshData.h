@@ -9,6 +9,7 @@
 #include "Input/ValueType.h"
 #include "Mesh/MeshFacet.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -70,6 +71,10 @@ struct StoredMesh
 /// Sets the pointers of Data to its named arrays: views, or converted copies if types differ.
 /// Arrays with several components or without values count as missing.
 void FindKnownArrays(StoredMesh& mesh);
+/// Returns whether an array is one of the arrays that FindKnownArrays looks for.
+bool IsKnownArray(const MeshArray& array);
+/// Returns the mesh with only its known arrays and the arrays for which isTaken(array) is true.
+MeshData TakeKnownArrays(MeshData mesh, const std::function<bool(const MeshArray&)>& isTaken = {});
 
 /// Returns the array with a name, or null.
 const MeshArray* FindArray(const std::vector<MeshArray>& arrays, const std::string& name);

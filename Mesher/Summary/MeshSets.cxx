@@ -1,8 +1,6 @@
 #include "Summary/MeshSets.h"
 
-#include "Mesh/ElementFaces.h"
 #include "Ranks/Agreement.h"
-#include "Summary/DomainSides.h"
 #include "Summary/MeshFacets.h"
 #include "Summary/MeshMaterials.h"
 
@@ -101,7 +99,7 @@ std::vector<SideSet> MakeSideSets(const MeshData& mesh, const Facets& facets, Ra
   std::vector<SideSet> sets;
   for (int side : UnionOfKeys(ranks, ofDomain))
   {
-    sets.push_back({ side + 1, SideNames[side], 0, std::move(ofDomain[side]) });
+    sets.push_back({ side + 1, SideNames[side], side, { { 0, 0 } }, 0, std::move(ofDomain[side]) });
   }
   const std::map<int, std::string> names = NamesOfMaterials(mesh);
   const auto nameOf = [&names](int first, int second)
@@ -111,7 +109,8 @@ std::vector<SideSet> MakeSideSets(const MeshData& mesh, const Facets& facets, Ra
   const std::vector<int> ids = NumberPairs(pairs, hasVoid ? FindVoidId(mesh, ranks) : 0);
   for (std::size_t p = 0; p < pairs.size(); ++p)
   {
-    sets.push_back({ ids[p], nameOf(pairs[p][0], pairs[p][1]), 0, std::move(ofPairs[pairs[p]]) });
+    sets.push_back({ ids[p], nameOf(pairs[p][0], pairs[p][1]), NoSide, pairs[p], 0,
+      std::move(ofPairs[pairs[p]]) });
   }
   const std::vector<PairSide> sides = UnionOfKeys(ranks, ofSides);
   std::vector<int> pairIds;
@@ -125,8 +124,8 @@ std::vector<SideSet> MakeSideSets(const MeshData& mesh, const Facets& facets, Ra
   for (std::size_t s = 0; s < sides.size(); ++s)
   {
     sets.push_back(
-      { sideIds[s], nameOf(sides[s][0], sides[s][1]) + "_" + std::to_string(sides[s][2]),
-        sides[s][2], std::move(ofSides[sides[s]]) });
+      { sideIds[s], nameOf(sides[s][0], sides[s][1]) + "_" + std::to_string(sides[s][2]), NoSide,
+        { { sides[s][0], sides[s][1] } }, sides[s][2], std::move(ofSides[sides[s]]) });
   }
   return sets;
 }
@@ -136,7 +135,6 @@ using SurfacePoint = std::array<Index, 2>; // surface and global id of a point
 /// Collective. Returns the points on the edges of smooth sides (not inside a surface), ascending.
 std::vector<SurfacePoint> FindRims(const MeshData& mesh, const Facets& facets, Ranks& ranks)
 {
-  const ElementFaces table(mesh.Corners);
   std::vector<SurfacePoint> rims;
   for (const MeshFacet& facet : facets)
   {
@@ -144,7 +142,7 @@ std::vector<SurfacePoint> FindRims(const MeshData& mesh, const Facets& facets, R
     {
       continue;
     }
-    for (Index point : table.PointsOf(mesh.Element(facet.Element), facet.Side))
+    for (Index point : PointsOfSide(mesh, { facet.Element, facet.Side }))
     {
       if (point >= 0 && mesh.GeometryDimension[point] != DimensionOfSurfaces)
       {
@@ -199,6 +197,11 @@ std::vector<NodeSet> MakeNodeSets(
 }
 
 } // namespace
+
+FaceIds PointsOfSide(const MeshData& mesh, const MeshSide& side)
+{
+  return ElementFaces(mesh.Corners).PointsOf(mesh.Element(side.Element), side.Side);
+}
 
 MeshSets FindMeshSets(const MeshData& mesh, Ranks& ranks)
 {

@@ -15,7 +15,9 @@
  */
 #pragma once
 
+#include "Mesh/ElementFaces.h"
 #include "Ranks/Ranks.h"
+#include "Summary/DomainSides.h"
 #include "Summary/MeshData.h"
 
 namespace vfm
@@ -28,12 +30,18 @@ struct MeshSide
   int Side;      ///< side of the element, as MeshFacet::Side
 };
 
+/// Returns the points of a side, counterclockwise seen from outside of the element. The last point
+/// of a triangle is -1.
+FaceIds PointsOfSide(const MeshData& mesh, const MeshSide& side);
+
 struct SideSet
 {
   int Id;
   std::string Name;
-  int Surface;                 ///< surface of a smooth side; 0 otherwise
-  std::vector<MeshSide> Sides; ///< sides on this rank, ascending
+  int DomainSide;               ///< side of the domain, 0..5 for -x +x -y +y -z +z; else NoSide
+  std::array<int, 2> Materials; ///< material of the elements and behind; 0 for sides of the domain
+  int Surface;                  ///< surface of a smooth side; 0 otherwise
+  std::vector<MeshSide> Sides;  ///< sides on this rank, ascending
 };
 
 struct NodeSet

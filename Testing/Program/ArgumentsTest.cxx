@@ -92,7 +92,7 @@ TEST(Arguments, ValuesOfTheProgram)
 {
   const Arguments none = ParseMesh("");
   EXPECT_FALSE(none.Dimensions || none.Origin || none.Spacing || none.AxisOrder || none.Step ||
-    none.Time || none.SingleFile || none.Quiet || none.RefinesCells);
+    none.Time || none.Form.Files == OutputFiles::Single || none.Quiet || none.RefinesCells);
   EXPECT_TRUE(none.Fractions.empty() && none.Labels.empty() && none.Materials.empty());
   const Arguments voxels = Parse("in.spn out.e --dimensions 2,3,4 --origin -.5,0,1e3 "
                                  "--spacing=.1,.2,3 --axis-order ZYX --single-file --quiet");
@@ -100,7 +100,10 @@ TEST(Arguments, ValuesOfTheProgram)
   EXPECT_EQ(voxels.Origin, (std::array<double, 3>{ -0.5, 0.0, 1e3 }));
   EXPECT_EQ(voxels.Spacing, (std::array<double, 3>{ 0.1, 0.2, 3.0 }));
   EXPECT_EQ(voxels.AxisOrder, 5);
-  EXPECT_TRUE(voxels.SingleFile && voxels.Quiet);
+  EXPECT_TRUE(voxels.Form.Files == OutputFiles::Single && voxels.Quiet);
+  const Arguments gmsh = Parse("in.vti out.msh --msh-version 4.1 --binary");
+  EXPECT_TRUE(gmsh.Form.Gmsh.Version == GmshVersion::V4_1 && gmsh.Form.Gmsh.IsBinary);
+  EXPECT_TRUE(none.Form.Gmsh.Version == GmshVersion::Automatic && !none.Form.Gmsh.IsBinary);
   const Arguments steps = ParseMesh("--step 0 --labels id --fragments f.csv --geometry g.vtm");
   EXPECT_EQ(steps.Step, 0);
   EXPECT_EQ(steps.Labels, "id");
@@ -224,6 +227,9 @@ TEST(Arguments, RejectedWords)
       { "in.xyz out.vtu", "The input in.xyz is of an unknown format. Supported formats: .vti" },
       { "in.vti no.stl", "The output no.stl is of an unknown format. Supported formats: .vtu" },
       { "in.vti no.stl", ".inp" },
+      { "in.vti out.vtu --binary",
+        "The output out.vtu has no choice of version or binary form; only .msh has one." },
+      { "in.vti out.msh --msh-version 3", "--msh-version takes 2.2 or 4.1, not '3'." },
       { "in.vti out.pvtu --single-file", "The output out.pvtu always consists of several files." },
       { "in.vti out.vtu --geometry g.vtu",
         "The geometry g.vtu is of an unknown format. Supported format: .vtm." } });

@@ -17,15 +17,27 @@ namespace
 namespace nb = nanobind;
 using namespace nb::literals;
 
+/// @param version  name of a version of Gmsh's format; empty: automatic
+GmshForm ReadForm(const std::string& version, bool isBinary)
+{
+  const std::optional<GmshVersion> known = ParseGmshVersion(version);
+  if (!known && !version.empty())
+  {
+    throw InputError("The version of a .msh file is '" + version + "': it must be 2.2 or 4.1.");
+  }
+  return { known.value_or(GmshVersion::Automatic), isBinary };
+}
+
 void WriteFile(const std::string& path, const NumpyPoints& points, const NumpyCells& cells,
   const NamedArrays& pointArrays, const NamedArrays& cellArrays, const nb::dict& fields,
-  std::optional<double> time)
+  std::optional<double> time, const std::string& version, bool binary)
 {
   StoredMesh mesh = ViewMesh(points, cells, pointArrays, cellArrays, fields);
   mesh.Data.Time = time;
+  const OutputForm form{ OutputFiles::AsUsual, ReadForm(version, binary) };
   const nb::gil_scoped_release others;
   Ranks alone;
-  WorkInStage(alone, ErrorCode::UnwritableOutput, [&] { WriteMesh(mesh.Data, path, alone); });
+  WorkInStage(alone, ErrorCode::UnwritableOutput, [&] { WriteMesh(mesh.Data, path, alone, form); });
 }
 
 } // namespace
@@ -33,7 +45,7 @@ void WriteFile(const std::string& path, const NumpyPoints& points, const NumpyCe
 void BindWriters(nb::module_& module)
 {
   module.def("write_mesh", WriteFile, "path"_a, "points"_a, "cells"_a, "point_arrays"_a,
-    "cell_arrays"_a, "fields"_a, "time"_a.none());
+    "cell_arrays"_a, "fields"_a, "time"_a.none(), "version"_a = "", "binary"_a = false);
 }
 
 } // namespace vfm

@@ -223,8 +223,12 @@ def write_mesh(
     cell_arrays: Sequence[Tuple[str, NDArray[Any]]],
     fields: Fields,
     time: Optional[float],
+    version: str = "",
+    binary: bool = False,
 ) -> None:
-    """Writes a mesh as .vtu, .e, .ex2, .exo or .inp.
+    """Writes a mesh as .vtu, .e, .ex2, .exo, .inp or .msh.
+
+    version, "2.2" or "4.1", and binary are for .msh only.
 
     point_arrays contains GlobalPointIds, int64. cell_arrays contains GlobalCellIds, int64, and
     MaterialId, int32. All arrays are C-contiguous, of shape (items,) or (items, components). fields

@@ -40,17 +40,3 @@ def _sets(mesh: Mesh, parts: List[np.ndarray]) -> Dict[str, Any]:
         name: [np.flatnonzero(mesh.material[part] == i) for part in parts]
         for i, name in material_names(mesh).items()
     }
-
-
-def for_gmsh(mesh: Mesh) -> meshio.Mesh:
-    """Returns the mesh with the physical groups of Gmsh. Their tags start at 1."""
-    import meshio
-
-    names, tags = material_names(mesh), material_tags(mesh)
-    tag = np.array([tags[i] for i in mesh.material.tolist()], dtype=np.int32)
-    return meshio.Mesh(
-        mesh.points,
-        [(mesh.kind, mesh.cells)],
-        cell_data={"gmsh:physical": [tag], "gmsh:geometrical": [tag]},
-        field_data={name: np.array([tags[i], 3]) for i, name in names.items()},
-    )

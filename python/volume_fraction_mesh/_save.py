@@ -15,10 +15,11 @@ from ._tables import core_mesh, field_for_core, list_arrays
 if TYPE_CHECKING:
     from .mesh import Mesh
 
-BY_CORE = (".vtu", ".e", ".ex2", ".exo", ".inp")
+BY_CORE = (".vtu", ".e", ".ex2", ".exo", ".inp", ".msh")
+OPTIONS = {".vtu": ("time", "texts"), ".msh": ("version", "binary")}  # else: time
 BY_PACKAGE = {".npz": _npz.write, ".vtk": _vtk.write}
 # Formats in which meshio 5.3.5 writes hexahedra and tetrahedra with their materials.
-BY_MESHIO = (".avs", ".f3grid", ".hmf", ".med", ".mesh", ".meshb", ".msh", ".vol", ".xdmf", ".xmf")
+BY_MESHIO = (".avs", ".f3grid", ".hmf", ".med", ".mesh", ".meshb", ".vol", ".xdmf", ".xmf")
 
 
 def save(mesh: Mesh, path: Any, **options: Any) -> None:
@@ -68,10 +69,15 @@ def _whole_file(path: str) -> Iterator[str]:
             os.replace(os.path.join(unfinished, name), os.path.join(folder, name))
 
 
-def _save_by_core(mesh: Mesh, path: str, suffix: str, time: Optional[float] = None,
-                  texts: bool = True) -> None:
-    if not texts and suffix != ".vtu":
-        raise TypeError("texts is an option of .vtu, not of %s." % suffix)
+def _save_by_core(mesh: Mesh, path: str, suffix: str, **options: Any) -> None:
+    unknown = set(options) - set(OPTIONS.get(suffix, ("time",)))
+    if unknown:
+        raise TypeError("%s is not an option of %s." % (", ".join(sorted(unknown)), suffix))
+    _write(mesh, path, **options)
+
+
+def _write(mesh: Mesh, path: str, time: Optional[float] = None, texts: bool = True,
+           version: Optional[str] = None, binary: bool = False) -> None:
     fields = {name: field_for_core(values) for name, values in mesh.fields.items()}
     _core.write_mesh(
         path,
@@ -80,17 +86,12 @@ def _save_by_core(mesh: Mesh, path: str, suffix: str, time: Optional[float] = No
         list_arrays(cell_arrays(mesh)),
         {name: values for name, values in fields.items() if texts or not isinstance(values, list)},
         time,
+        "" if version is None else str(version),
+        binary,
     )
 
 
 def _save_by_meshio(mesh: Mesh, path: str, suffix: str, **options: Any) -> None:
     import meshio
 
-    from ._meshio import for_gmsh
-
-    if suffix == ".msh":
-        data = for_gmsh(mesh)
-        options = {"file_format": "gmsh22", **options}
-    else:
-        data = mesh.to_meshio()
-    meshio.write(path, data, **options)
+    meshio.write(path, mesh.to_meshio(), **options)

@@ -514,14 +514,15 @@ class Mesh:
         The package itself writes
 
         - ``.vtu`` (ParaView), ``.e``, ``.ex2``, ``.exo`` (Exodus with named blocks, side sets, node
-          sets, ids and variables) and ``.inp`` (Abaqus, CalculiX), byte for byte like the ParaView
+          sets, ids and variables), ``.inp`` (Abaqus, CalculiX) and ``.msh`` (Gmsh, with physical
+          groups of materials, domain sides and interfaces), byte for byte like the ParaView
           plugin;
         - ``.npz``, the whole mesh for `load`;
         - ``.vtk``, legacy format 4.2, with the array ``material`` first: the void has the number
           after the greatest.
 
         PyVista writes ``.vtp`` with the surfaces. meshio writes other formats that hold the mesh,
-        such as ``.msh`` (Gmsh), ``.xdmf`` and ``.med``. A file appears when it is complete.
+        such as ``.xdmf`` and ``.med``. A file appears when it is complete.
 
         Parameters
         ----------
@@ -531,6 +532,8 @@ class Mesh:
             - ``.vtu``, Exodus, ``.inp``: ``time``, float, the time of the mesh.
             - ``.vtu``: ``texts=False`` leaves out texts such as the names of materials, because
               meshio (5.3.5) cannot read files with them.
+            - ``.msh``: ``version``, "2.2" or "4.1", default 2.2, or 4.1 if an id exceeds 2147483647;
+              ``binary``, bool, default False.
             - ``.vtk``: ``binary=True`` instead of text. ``.npz``: ``compress=True``.
             - Other formats: arguments of ``pyvista.DataSet.save`` or ``meshio.write``.
 
@@ -549,6 +552,7 @@ class Mesh:
         >>> mesh = vfm.hexes(vfm.shapes("sphere radius=4 center=6,6,6", 12))
         >>> mesh.save("ball.e", time=0.5)
         >>> mesh.save("ball.inp")
+        >>> mesh.save("ball.msh", version="4.1", binary=True)
         """
         from ._save import save
 

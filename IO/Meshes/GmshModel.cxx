@@ -1,0 +1,157 @@
+#include "Meshes/GmshModel.h"
+
+#include "Ranks/Errors.h"
+#include "Summary/MeshMaterials.h"
+#include "Summary/NamedSurfaces.h"
+
+#include <set>
+
+namespace vfm
+{
+namespace
+{
+
+constexpr std::size_t LongestName = 127;
+
+bool IsContinuation(char c)
+{
+  return (static_cast<unsigned char>(c) & 0xC0) == 0x80; // byte of UTF-8 after the first
+}
+
+/// Cuts a text before a character that exceeds the length.
+std::string CutText(std::string text, std::size_t length)
+{
+  if (text.size() > length)
+  {
+    while (length > 0 && IsContinuation(text[length]))
+    {
+      --length;
+    }
+    text.resize(length);
+  }
+  return text;
+}
+
+/// Names of groups of one dimension.
+class GmshNames
+{
+public:
+  std::string Add(std::string name)
+  {
+    for (char& c : name)
+    {
+      const bool isControl = static_cast<unsigned char>(c) < ' ' || c == '\x7f';
+      c = isControl || c == '"' || c == '\\' ? '_' : c;
+    }
+    std::string unique = CutText(name, LongestName);
+    for (int count = 2; !this->Used.insert(unique).second; ++count)
+    {
+      const std::string end = "_" + std::to_string(count);
+      unique = CutText(name, LongestName - end.size()) + end;
+    }
+    return unique;
+  }
+
+private:
+  std::set<std::string> Used;
+};
+
+/// Returns the tag of a material.
+int TagOf(int material, int voidId)
+{
+  return material == 0 ? voidId : material;
+}
+
+/// Fills the volumes and the groups of materials.
+void AddVolumes(GmshModel& model, int voidId)
+{
+  const MeshData& mesh = model.Mesh;
+  for (Index element = 0; element < mesh.NumberOfElements; ++element)
+  {
+    const int volume = model.Entities.Volumes[element];
+    const int tag = TagOf(mesh.Material[element], voidId);
+    GmshVolume& entry = model.Volumes.emplace(volume, GmshVolume{ tag, {} }).first->second;
+    if (volume < 1 || entry.Group != tag)
+    {
+      throw InputError("FragmentId " + std::to_string(volume) +
+        (volume < 1 ? " is below 1" : " has elements of several materials") +
+        ". Write the mesh as the filter made it, or without the array FragmentId.");
+    }
+    entry.Elements.push_back(element);
+  }
+}
+
+void AddMaterialGroups(GmshModel& model, const std::vector<int>& materials, int voidId)
+{
+  const std::map<int, std::string> names = NamesOfMaterials(model.Mesh);
+  GmshNames used;
+  for (int material : materials)
+  {
+    model.Groups.push_back(
+      { 3, TagOf(material, voidId), used.Add(NameOfMaterial(names, material)) });
+  }
+}
+
+bool Contains(const NamedSurface& group, const SurfaceEntity& surface)
+{
+  switch (group.Kind)
+  {
+    case SurfaceKind::DomainSide:
+      return surface.DomainSide == group.DomainSide;
+    case SurfaceKind::Interface:
+      return surface.DomainSide == NoSide && surface.Materials == group.Materials;
+    case SurfaceKind::SmoothSide:
+      return surface.DomainSide == NoSide && surface.Materials == group.Materials &&
+        surface.SmoothSide == group.Surface;
+    case SurfaceKind::AllInterfaces:
+      return surface.IsInterface;
+    case SurfaceKind::Skin:
+      break;
+  }
+  return surface.Materials[0] == group.Materials[0] ||
+    (surface.IsInterface && surface.Materials[1] == group.Materials[0]);
+}
+
+void AddSurfaceGroups(GmshModel& model)
+{
+  Ranks alone;
+  const std::vector<NamedSurface> named = FindNamedSurfaces(model.Mesh, alone);
+  GmshNames used;
+  for (const NamedSurface& group : named)
+  {
+    model.Groups.push_back({ 2, group.Id, used.Add(group.Name) });
+  }
+  for (const SurfaceEntity& surface : model.Entities.Surfaces)
+  {
+    std::vector<int> tags;
+    for (const NamedSurface& group : named)
+    {
+      if (Contains(group, surface))
+      {
+        const bool isFinest = group.Kind == SurfaceKind::SmoothSide;
+        tags.insert(isFinest ? tags.begin() : tags.end(), group.Id);
+      }
+    }
+    model.SurfaceGroups.push_back(std::move(tags));
+    model.NumberOfFaces += static_cast<Index>(surface.Sides.size());
+  }
+}
+
+} // namespace
+
+GmshModel MakeGmshModel(const MeshData& mesh)
+{
+  GmshModel model{ mesh, FindMeshEntities(mesh), {}, {}, {} };
+  Ranks alone;
+  const std::vector<int> materials = FindMaterials(mesh, alone);
+  const int voidId = materials.front() == 0 ? FindVoidId(mesh, alone) : 0;
+  AddVolumes(model, voidId);
+  AddSurfaceGroups(model);
+  AddMaterialGroups(model, materials, voidId);
+  std::sort(model.Groups.begin(), model.Groups.end(),
+    [](const GmshGroup& a, const GmshGroup& b)
+    { return a.Dimension != b.Dimension ? a.Dimension < b.Dimension : a.Tag < b.Tag; });
+  return model;
+}
+
+} // namespace vfm

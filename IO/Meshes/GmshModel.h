@@ -1,0 +1,44 @@
+/**
+ * GmshModel: the entities and physical groups of a mesh for Gmsh.
+ */
+#pragma once
+
+#include "Summary/MeshEntities.h"
+
+#include <map>
+
+namespace vfm
+{
+
+/// A physical group. Tags and names are unique in each dimension.
+struct GmshGroup
+{
+  int Dimension; ///< 2 surfaces, 3 volumes
+  int Tag;
+  std::string Name; ///< at most 127 bytes of UTF-8, without quotes and control characters
+};
+
+struct GmshVolume
+{
+  int Group;                   ///< tag of its material
+  std::vector<Index> Elements; ///< ascending
+};
+
+struct GmshModel
+{
+  const MeshData& Mesh; ///< whole mesh; must outlive this object
+  MeshEntities Entities;
+  std::vector<GmshGroup> Groups;     ///< by dimension and tag
+  std::map<int, GmshVolume> Volumes; ///< by number in Entities
+  /// Tags of the groups of each surface. The first one is the finest: the side of the domain, the
+  /// smooth side, or the interface.
+  std::vector<std::vector<int>> SurfaceGroups;
+  Index NumberOfFaces = 0; ///< faces of all surfaces
+};
+
+/// Makes the model of a whole mesh with Facets. Materials are groups of volumes with their ids, the
+/// void with FindVoidId(). NamedSurfaces are groups of surfaces.
+/// @throws InputError  if FragmentId is below 1 or has elements of several materials
+GmshModel MakeGmshModel(const MeshData& mesh);
+
+} // namespace vfm
