@@ -1,14 +1,6 @@
 /// Mesh files are the same from any number of ranks; no file remains after a failed write.
 #include "Meshes/WriteMesh.h"
-#include "RankMeshes.h"
-#include "State/ViewMesh.h"
-#include "Summary/MeshFields.h"
-
-#include <gtest/gtest.h>
-
-#include <filesystem>
-#include <fstream>
-#include <iterator>
+#include "FileCases.h"
 
 using namespace vfm;
 using namespace vfm::testing;
@@ -18,28 +10,10 @@ namespace
 
 namespace fs = std::filesystem;
 
-/// An empty folder, removed at the end.
-class Folder
-{
-public:
-  Folder() { fs::create_directory(this->Path); }
-  ~Folder() { fs::remove_all(this->Path); }
-  std::string operator/(const std::string& name) const { return (this->Path / name).string(); }
-  std::size_t CountFiles() const
-  {
-    return static_cast<std::size_t>(
-      std::distance(fs::directory_iterator(this->Path), fs::directory_iterator()));
-  }
-
-private:
-  const fs::path Path = fs::path(::testing::TempDir()) / ("vfm_files_" + std::to_string(getpid()));
-};
-
 /// Returns a file in which the date and time of the Exodus QA record are set to zeros.
 std::string ReadWithoutDate(const std::string& path)
 {
-  std::ifstream file(path, std::ios::binary);
-  std::string bytes(std::istreambuf_iterator<char>(file), {});
+  std::string bytes = ReadBytes(path);
   constexpr std::size_t recordLength = 33;
   const std::size_t record = bytes.rfind("VolumeFractionMesh");
   const std::size_t first = record + 2 * recordLength, last = record + 4 * recordLength;
@@ -48,30 +22,6 @@ std::string ReadWithoutDate(const std::string& path)
     bytes[i] = std::isdigit(static_cast<unsigned char>(bytes[i])) ? '0' : bytes[i];
   }
   return bytes;
-}
-
-using Work = std::function<void(const MeshData&, Ranks&)>;
-
-/// Calls work on each rank with its part of a mesh of three materials.
-void WithMesh(int count, MeshMaker make, const Work& work)
-{
-  const MeshCase whole = MakePolycrystalCase(3, 8);
-  const std::vector<IndexBox> boxes = CutBox(whole.Grid.Global(), count);
-  RunOnRanks(count,
-    [&](Ranks& ranks)
-    {
-      const CartesianGrid grid = MakeRankGrid(whole.Grid, boxes[ranks.Rank()]);
-      RankRuntime runtime(ranks);
-      MeshReport report;
-      const Mesh mesh =
-        make(grid, CopyToLocal(whole.Grid, whole.Fractions, grid), {}, runtime, report);
-      MeshData data = ViewMesh(mesh, OutputState(), ListDomain(whole.Grid, ImageFrame()));
-      data.Fields.push_back(
-        { "MaterialNames", std::vector<std::string>{ "one", "\"two\" & <more>", "three" } });
-      data.Fields.push_back({ "MaterialIds", std::vector<int>{ 1, 2, 3 } });
-      data.Time = 0.5;
-      work(data, ranks);
-    });
 }
 
 } // namespace
@@ -88,8 +38,8 @@ TEST(WriteMesh, FilesAreTheSameFromAnyNumberOfRanks)
       for (int count : { 1, 2, 3 })
       {
         WithMesh(count, make,
-          [&](const MeshData& mesh, Ranks& ranks)
-          { WriteMesh(mesh, path, ranks, OutputFiles::Single); });
+          [&](const FileCase& part, Ranks& ranks)
+          { WriteMesh(part.Mesh, path, ranks, OutputFiles::Single); });
         files.push_back(ReadWithoutDate(path));
       }
       EXPECT_GT(files[0].size(), 10000u);
@@ -103,10 +53,10 @@ TEST(WriteMesh, EachRankWritesAPart)
 {
   const Folder folder;
   WithMesh(3, MakeHexMesh,
-    [&](const MeshData& mesh, Ranks& ranks)
+    [&](const FileCase& part, Ranks& ranks)
     {
-      WriteMesh(mesh, folder / "mesh.e", ranks);
-      WriteMesh(mesh, folder / "mesh.pvtu", ranks);
+      WriteMesh(part.Mesh, folder / "mesh.e", ranks);
+      WriteMesh(part.Mesh, folder / "mesh.pvtu", ranks);
     });
   for (const char* name : { "mesh.e.3.0", "mesh.e.3.1", "mesh.e.3.2", "mesh.pvtu",
          "mesh/mesh_0.vtu", "mesh/mesh_1.vtu", "mesh/mesh_2.vtu" })
@@ -126,11 +76,11 @@ TEST(WriteMesh, FilesThatCannotBeWrittenAreNotLeft)
          { "full.exo", "full.exo.2.1: No space left on device" } })
   {
     WithMesh(2, MakeHexMesh,
-      [&, name = name, reason = reason](const MeshData& mesh, Ranks& ranks)
+      [&, name = name, reason = reason](const FileCase& part, Ranks& ranks)
       {
         try
         {
-          WriteMesh(mesh, folder / name, ranks);
+          WriteMesh(part.Mesh, folder / name, ranks);
           ADD_FAILURE() << name;
         }
         catch (const InputError& error)
