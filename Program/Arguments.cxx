@@ -8,6 +8,7 @@
 #include "Images/ImageFile.h"
 #include "Meshes/WriteGeometry.h"
 #include "Meshes/WriteMesh.h"
+#include "Meshes/WriteReport.h"
 #include "Options/SetOptions.h"
 #include "ReadInput.h"
 #include "State/ArrayStems.h"
@@ -184,6 +185,7 @@ Arguments ReadValues(const GivenArguments& given)
       });
   to.Fragments = TextOf(given, "--fragments");
   to.Geometry = TextOf(given, "--geometry");
+  to.Report = TextOf(given, "--report");
   to.Fractions = ReadList(given, "--fractions");
   to.Labels = TextOf(given, "--labels");
   to.Materials = ReadList(given, "--material");
@@ -258,6 +260,7 @@ void CheckMesh(const Arguments& from)
     RejectArguments("--output FILE is missing, as in sculptor " + from.Input + " mesh.vtu.");
   }
   CheckProblem(from.Geometry.empty() ? "" : FindGeometryProblem(from.Geometry));
+  CheckProblem(from.Report.empty() ? "" : FindReportProblem(from.Report));
   CheckOutput(from);
 }
 
