@@ -1,6 +1,7 @@
 #include "WriteFile.h"
 
 #include "Meshes/WriteMesh.h"
+#include "Meshes/WriteReport.h"
 #include "NumpyArrays.h"
 #include "NumpyMesh.h"
 #include "Ranks/WorkTogether.h"
@@ -64,22 +65,51 @@ FieldArray ReadField(const std::string& name, nb::handle value)
   }
 }
 
-void WriteFile(const std::string& path, const NumpyPoints& points, const NumpyCells& cells,
-  const NamedArrays& pointArrays, const NamedArrays& cellArrays, const nb::dict& fields,
-  std::optional<double> time)
+FieldArrays ReadFields(const nb::dict& fields)
+{
+  FieldArrays read;
+  for (const auto& [name, value] : fields)
+  {
+    read.push_back(ReadField(nb::cast<std::string>(name), value));
+  }
+  return read;
+}
+
+StoredMesh ReadMesh(const NumpyPoints& points, const NumpyCells& cells,
+  const NamedArrays& pointArrays, const NamedArrays& cellArrays, const nb::dict& fields)
 {
   StoredMesh mesh{ ViewMesh(points, cells), {} };
   mesh.Data.PointArrays = ListArrays(pointArrays, mesh.Data.NumberOfPoints);
   mesh.Data.ElementArrays = ListArrays(cellArrays, mesh.Data.NumberOfElements);
-  for (const auto& [name, value] : fields)
-  {
-    mesh.Data.Fields.push_back(ReadField(nb::cast<std::string>(name), value));
-  }
-  mesh.Data.Time = time;
+  mesh.Data.Fields = ReadFields(fields);
   FindKnownArrays(mesh);
+  return mesh;
+}
+
+void WriteFile(const std::string& path, const NumpyPoints& points, const NumpyCells& cells,
+  const NamedArrays& pointArrays, const NamedArrays& cellArrays, const nb::dict& fields,
+  std::optional<double> time)
+{
+  StoredMesh mesh = ReadMesh(points, cells, pointArrays, cellArrays, fields);
+  mesh.Data.Time = time;
   const nb::gil_scoped_release others;
   Ranks alone;
   WorkInStage(alone, ErrorCode::UnwritableOutput, [&] { WriteMesh(mesh.Data, path, alone); });
+}
+
+void WriteReportFile(const std::string& path, const NumpyPoints& points, const NumpyCells& cells,
+  const NamedArrays& pointArrays, const NamedArrays& cellArrays, const nb::dict& fields,
+  const nb::dict& materials, const std::string& title, const TextPairs& facts,
+  const TextPairs& options, const std::vector<std::string>& warnings)
+{
+  const StoredMesh mesh = ReadMesh(points, cells, pointArrays, cellArrays, fields);
+  const FieldArrays table = ReadFields(materials);
+  const nb::gil_scoped_release others;
+  Ranks alone;
+  WorkInStage(alone, ErrorCode::UnwritableOutput,
+    [&] {
+      WriteReport(mesh.Data, table, { title, facts, options, warnings }, path, alone);
+    });
 }
 
 } // namespace
@@ -88,6 +118,8 @@ void BindWriters(nb::module_& module)
 {
   module.def("write_mesh", WriteFile, "path"_a, "points"_a, "cells"_a, "point_arrays"_a,
     "cell_arrays"_a, "fields"_a, "time"_a.none());
+  module.def("write_report", WriteReportFile, "path"_a, "points"_a, "cells"_a, "point_arrays"_a,
+    "cell_arrays"_a, "fields"_a, "materials"_a, "title"_a, "facts"_a, "options"_a, "warnings"_a);
 }
 
 } // namespace vfm

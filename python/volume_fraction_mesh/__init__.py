@@ -15,7 +15,7 @@ from ._fragments import fragments
 from ._images import Fractions
 from ._mesher import VolumeFractionMeshWarning, hexes, tets
 from ._shapes import shapes, surface
-from .mesh import Curves, Geometry, Mesh, Surfaces, Vertices
+from .mesh import Curves, Geometry, Mesh, Run, Surfaces, Vertices
 
 __all__ = [
     "Blocks",
@@ -23,6 +23,7 @@ __all__ = [
     "Fractions",
     "Geometry",
     "Mesh",
+    "Run",
     "Surfaces",
     "Vertices",
     "VolumeFractionMeshWarning",

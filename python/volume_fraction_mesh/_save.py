@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from importlib.util import find_spec
-from typing import TYPE_CHECKING, Any, List, Mapping, Optional, Tuple
+from typing import TYPE_CHECKING, Any, Dict, List, Mapping, Optional, Tuple
 
 import numpy as np
 
@@ -38,15 +38,23 @@ def save(mesh: Mesh, path: Any, **options: Any) -> None:
 
 
 def _save_own(mesh: Mesh, path: str, time: Optional[float] = None) -> None:
-    _core.write_mesh(
-        path,
-        np.ascontiguousarray(mesh.points, np.float64),
-        np.ascontiguousarray(mesh.cells, np.int64),
-        _arrays(point_arrays(mesh)),
-        _arrays(cell_arrays(mesh)),
-        {name: _field(values) for name, values in mesh.fields.items()},
-        time,
-    )
+    _core.write_mesh(path, **core_arrays(mesh), time=time)
+
+
+def core_arrays(mesh: Mesh) -> Dict[str, Any]:
+    """Returns the mesh as arguments of the writers of the core."""
+    return {
+        "points": np.ascontiguousarray(mesh.points, np.float64),
+        "cells": np.ascontiguousarray(mesh.cells, np.int64),
+        "point_arrays": _arrays(point_arrays(mesh)),
+        "cell_arrays": _arrays(cell_arrays(mesh)),
+        "fields": core_fields(mesh.fields),
+    }
+
+
+def core_fields(fields: Mapping[str, Any]) -> Dict[str, Any]:
+    """Returns fields or columns in types that the core supports."""
+    return {name: _field(values) for name, values in fields.items()}
 
 
 def _arrays(arrays: Mapping[str, Any]) -> List[Tuple[str, np.ndarray]]:
