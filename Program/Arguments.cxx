@@ -8,9 +8,9 @@
 #include "Images/ImageFile.h"
 #include "Meshes/WriteGeometry.h"
 #include "Meshes/WriteMesh.h"
-#include "Meshes/WriteReport.h"
 #include "Options/SetOptions.h"
 #include "ReadInput.h"
+#include "Report/WriteReport.h"
 #include "State/ArrayStems.h"
 #include "State/StateChoice.h"
 

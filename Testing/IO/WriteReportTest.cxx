@@ -1,9 +1,9 @@
 /// Quality reports: content, escapes, equal bytes from any number of ranks, no file after a
 /// failure.
-#include "Meshes/WriteReport.h"
+#include "Report/WriteReport.h"
 #include "FileCases.h"
-#include "Meshes/HistogramSvg.h"
-#include "Meshes/HtmlText.h"
+#include "Report/HistogramSvg.h"
+#include "Report/HtmlText.h"
 
 #include <numeric>
 #include <regex>

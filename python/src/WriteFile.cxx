@@ -1,10 +1,10 @@
 #include "WriteFile.h"
 
 #include "Meshes/WriteMesh.h"
-#include "Meshes/WriteReport.h"
 #include "NumpyArrays.h"
 #include "NumpyMesh.h"
 #include "Ranks/WorkTogether.h"
+#include "Report/WriteReport.h"
 
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>

@@ -1,4 +1,4 @@
-#include "Meshes/WriteReport.h"
+#include "Report/WriteReport.h"
 
 #include "FileSuffix.h"
 #include "Meshes/OutputFile.h"

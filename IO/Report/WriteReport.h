@@ -8,9 +8,9 @@
  */
 #pragma once
 
-#include "Meshes/ReportPage.h"
 #include "Options/MesherOptions.h"
 #include "Ranks/Ranks.h"
+#include "Report/ReportPage.h"
 
 namespace vfm
 {

@@ -1,4 +1,4 @@
-#include "Meshes/HtmlText.h"
+#include "Report/HtmlText.h"
 
 #include "Meshes/VtuText.h"
 

@@ -1,6 +1,6 @@
-#include "Meshes/HistogramSvg.h"
+#include "Report/HistogramSvg.h"
 
-#include "Meshes/HtmlText.h"
+#include "Report/HtmlText.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
-#include "Meshes/ReportPage.h"
+#include "Report/ReportPage.h"
 
-#include "Meshes/HistogramSvg.h"
-#include "Meshes/HtmlText.h"
-#include "Meshes/ReportStyle.h"
+#include "Report/HistogramSvg.h"
+#include "Report/HtmlText.h"
+#include "Report/ReportStyle.h"
 #include "Summary/MeshData.h"
 #include "Summary/MeshMaterials.h"
 
