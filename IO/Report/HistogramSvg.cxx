@@ -11,7 +11,7 @@ namespace
 {
 
 // Lengths in units of the viewBox. At a width of 400 pixels, a unit is almost one pixel.
-constexpr double Left = 58.0, Right = 392.0, Top = 10.0, Bottom = 170.0, Height = 208.0;
+constexpr double Left = 58.0, Right = 380.0, Top = 10.0, Bottom = 170.0, Height = 208.0;
 constexpr double Width = 400.0, Gap = 1.0, LeastBar = 2.0;
 constexpr double LabelBelow = 15.0, LabelLeft = 5.0, LabelMiddle = 4.0, TitleBelow = 33.0;
 constexpr int MostTicks = 5; // on the vertical axis

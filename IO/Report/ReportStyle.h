@@ -27,13 +27,17 @@ dt { color: #45525f; }
 .warnings { margin: 0; padding: 0; list-style: none; }
 .warnings li { margin: 0.4em 0; padding: 0.5em 0.8em; background: #fff3dc; color: #4d3200;
   border-left: 4px solid #b26a00; }
-.scroll { overflow-x: auto; }
+.scroll { overflow-x: auto; background: no-repeat local right / 2.5em 100%
+    linear-gradient(to left, #fff 30%, #fff0), no-repeat right / 0.8em 100%
+    linear-gradient(to left, #1b273340, #1b273300); } /* a shadow where columns are hidden */
 table { border-collapse: collapse; font-variant-numeric: tabular-nums; overflow-wrap: normal; }
 th, td { padding: 0.3em 0.7em; text-align: right; border-bottom: 1px solid #dde4ea; }
+td { white-space: nowrap; }
 thead th { vertical-align: bottom; background: #eef3f7; color: #1b2733; font-size: 0.9em; }
-th.text, td.text { text-align: left; overflow-wrap: anywhere; }
+th.text, td.text { text-align: left; white-space: normal; min-width: 6.5em;
+  overflow-wrap: anywhere; }
 tbody th, tfoot th { font-weight: normal; }
-th:first-child { position: sticky; left: 0; min-width: 7em; background: #fff; }
+th:first-child { position: sticky; left: 0; background: #fff; }
 thead th:first-child { background: #eef3f7; }
 tfoot th, tfoot td { border-top: 2px solid #8595a5; font-weight: 600; }
 figure { margin: 0.5em 0; }
