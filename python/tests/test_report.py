@@ -19,7 +19,7 @@ class Page(html.parser.HTMLParser):
 
     def __init__(self, path):
         super().__init__()
-        self.rows, self.texts, self.tags = {}, [], []
+        self.rows, self.texts, self.tags, self.tag = {}, [], [], ""
         with open(path, encoding="utf-8") as file:
             self.feed(file.read())
 
@@ -81,7 +81,7 @@ def test_side_sets_are_those_of_files(tmp_path):
 
 def test_run_is_reported(tmp_path):
     with pytest.warns(vfm.VolumeFractionMeshWarning) as caught:
-        mesh = vfm.hexes({"ball": BALL, "none": 0.01 * BALL}, iso_value=0.4, sharp_edges="off")
+        mesh = vfm.hexes({"ball": BALL, "none": 0.01 * (BALL == 0)}, iso_value=0.4, sharp_edges="off")
     assert mesh.run.options == {"iso_value": 0.4, "sharp_edges": "off"}
     assert mesh.run.warnings == [str(warning.message) for warning in caught]
     assert mesh.run.source == {"Grid": "12 x 12 x 12 cells",
