@@ -11,10 +11,11 @@ namespace
 {
 
 // Lengths in units of the viewBox. At a width of 400 pixels, a unit is almost one pixel.
-constexpr double Left = 58.0, Right = 380.0, Top = 10.0, Bottom = 170.0, Height = 208.0;
+constexpr double Right = 380.0, Top = 10.0, Bottom = 170.0, Height = 208.0;
 constexpr double Width = 400.0, Gap = 1.0, LeastBar = 2.0;
 constexpr double LabelBelow = 15.0, LabelLeft = 5.0, LabelMiddle = 4.0, TitleBelow = 33.0;
-constexpr int MostTicks = 5; // on the vertical axis
+constexpr double LeastLeft = 40.0, DigitWidth = 6.8; // room for the labels of the vertical axis
+constexpr int MostTicks = 5;                         // on the vertical axis
 
 /// Returns 1, 2 or 5 times a power of ten, so that at most MostTicks steps reach a number.
 Index FindStep(Index most)
@@ -42,19 +43,20 @@ std::string PrintText(
 class Frame
 {
 public:
-  explicit Frame(const Histogram& histogram) :
-    Bars(static_cast<double>(histogram.Counts.size())),
-    Step(FindStep(*std::max_element(histogram.Counts.begin(), histogram.Counts.end()))),
-    Steps(0)
+  explicit Frame(const Histogram& histogram) : Bars(static_cast<double>(histogram.Counts.size()))
   {
     const Index most = *std::max_element(histogram.Counts.begin(), histogram.Counts.end());
+    this->Step = FindStep(most);
     this->Steps = std::max<Index>((most + this->Step - 1) / this->Step, 1);
+    const auto digits = static_cast<double>(PrintCount(this->Step * this->Steps).size());
+    this->Left = std::max(LeastLeft, LabelLeft + DigitWidth * digits);
   }
 
+  double GetLeft() const { return this->Left; }
   /// Returns the left end of a bar.
   double X(std::size_t bar) const
   {
-    return Left + (Right - Left) * static_cast<double>(bar) / this->Bars;
+    return this->Left + (Right - this->Left) * static_cast<double>(bar) / this->Bars;
   }
   /// Returns the upper end of a bar.
   double Y(Index count) const
@@ -66,8 +68,8 @@ public:
   Index CountSteps() const { return this->Steps; }
 
 private:
-  double Bars;
-  Index Step, Steps;
+  double Bars, Left;
+  Index Step, Steps; ///< count between labels of the vertical axis, and number of them
 };
 
 std::string DrawAxes(const Histogram& histogram, const HistogramTexts& texts, const Frame& frame)
@@ -77,9 +79,10 @@ std::string DrawAxes(const Histogram& histogram, const HistogramTexts& texts, co
   {
     const Index count = step * frame.GetStep();
     const std::string y = PrintNumber(frame.Y(count));
-    drawn += "<path class=\"grid\" d=\"M" + PrintNumber(Left) + " " + y + "H" + PrintNumber(Right) +
-      "\"/>\n" +
-      PrintText(Left - LabelLeft, frame.Y(count) + LabelMiddle, "end", PrintCount(count));
+    drawn += "<path class=\"grid\" d=\"M" + PrintNumber(frame.GetLeft()) + " " + y + "H" +
+      PrintNumber(Right) + "\"/>\n" +
+      PrintText(
+        frame.GetLeft() - LabelLeft, frame.Y(count) + LabelMiddle, "end", PrintCount(count));
   }
   const std::size_t bars = histogram.Counts.size();
   const std::size_t every = bars % 4 == 0 ? bars / 4 : bars / 6; // five or seven labels
@@ -91,7 +94,8 @@ std::string DrawAxes(const Histogram& histogram, const HistogramTexts& texts, co
       PrintText(frame.X(bar), Bottom + LabelBelow, "middle", PrintNumber(value) + texts.Unit);
   }
   return drawn +
-    PrintText((Left + Right) / 2.0, Bottom + TitleBelow, "middle", texts.Values, "title");
+    PrintText(
+      (frame.GetLeft() + Right) / 2.0, Bottom + TitleBelow, "middle", texts.Values, "title");
 }
 
 std::string DrawBar(

@@ -7,7 +7,7 @@ namespace vfm
 {
 
 /// CSS. Texts have a contrast of at least 4.5 to 1; the page has one column of at most 60 em.
-constexpr const char* ReportStyle = R"(:root { color-scheme: light; }
+constexpr const char* ReportStyle = R"(
 * { box-sizing: border-box; }
 body { margin: 0; background: #fff; color: #1b2733; font: 16px/1.5 system-ui, sans-serif; }
 main { max-width: 60em; margin: 0 auto; padding: 1em; overflow-wrap: anywhere; }
@@ -17,8 +17,8 @@ p { margin: 0.5em 0; color: #45525f; max-width: 42em; }
 dl { margin: 0; }
 dd { margin: 0; }
 dt { color: #45525f; }
-.counts { display: flex; flex-wrap: wrap; gap: 0.6em; }
-.counts div { flex: 1 1 6.5em; padding: 0.5em 0.7em; background: #eef3f7; border-radius: 4px; }
+.counts { display: grid; grid-template-columns: repeat(auto-fit, minmax(6.5em, 1fr)); gap: 0.6em; }
+.counts div { padding: 0.5em 0.7em; background: #eef3f7; border-radius: 4px; }
 .counts dt { font-size: 0.85em; }
 .counts dd { font-size: 1.25em; font-weight: 600; font-variant-numeric: tabular-nums; }
 .facts div { display: flex; flex-wrap: wrap; gap: 0 1em; padding: 0.15em 0; }

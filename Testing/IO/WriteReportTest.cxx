@@ -259,6 +259,11 @@ TEST(WriteReport, RareValuesHaveAVisibleBar)
   EXPECT_EQ(CountIn(drawn, "<rect"), 3u); // none without values
   EXPECT_NE(drawn.find("height=\"2\"><title>0 to 0.25: 1 hexahedra"), std::string::npos) << drawn;
   EXPECT_NE(drawn.find("0.5 to 0.75: 5,000,000 hexahedra"), std::string::npos);
+  // The labels of the vertical axis end at their x and have about 6.8 units per character.
+  const std::regex label("x=\"([0-9.]+)\" y=\"[0-9.]+\" text-anchor=\"end\">5,000,000<");
+  std::smatch found;
+  ASSERT_TRUE(std::regex_search(drawn, found, label)) << drawn;
+  EXPECT_GE(std::stod(found[1]), 9 * 6.5);
 }
 
 TEST(WriteReport, PagesThatCannotBeWrittenAreNotLeft)

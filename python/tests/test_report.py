@@ -81,7 +81,8 @@ def test_side_sets_are_those_of_files(tmp_path):
 
 def test_run_is_reported(tmp_path):
     with pytest.warns(vfm.VolumeFractionMeshWarning) as caught:
-        mesh = vfm.hexes({"ball": BALL, "none": 0.01 * (BALL == 0)}, iso_value=0.4, sharp_edges="off")
+        fractions = {"ball": BALL, "none": 0.01 * (BALL == 0)}
+        mesh = vfm.hexes(fractions, iso_value=0.4, sharp_edges="off")
     assert mesh.run.options == {"iso_value": 0.4, "sharp_edges": "off"}
     assert mesh.run.warnings == [str(warning.message) for warning in caught]
     assert mesh.run.source == {"Grid": "12 x 12 x 12 cells",
