@@ -7,8 +7,7 @@ namespace vfm
 {
 
 /// CSS. Texts have a contrast of at least 4.5 to 1; the page has one column of at most 60 em.
-constexpr const char* ReportStyle = R"(
-* { box-sizing: border-box; }
+constexpr const char* ReportStyle = R"(* { box-sizing: border-box; }
 body { margin: 0; background: #fff; color: #1b2733; font: 16px/1.5 system-ui, sans-serif; }
 main { max-width: 60em; margin: 0 auto; padding: 1em; overflow-wrap: anywhere; }
 h1 { font-size: 1.7em; line-height: 1.25; margin: 0.3em 0 0.6em; }
