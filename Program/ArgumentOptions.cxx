@@ -27,6 +27,7 @@ const std::vector<ArgumentOption> OwnOptions{
   { "--state", "A,B,..", "cell arrays to transfer to the elements: velocity, temperature" },
   { "--fragments", "FILE.csv", "also write a table of fragments: volumes, centroids, neighbours" },
   { "--geometry", "FILE.vtm", "also write surfaces, curves and vertices, and their adjacency" },
+  { "--report", "FILE.html", "also write a quality report: volumes, histogram, worst elements" },
   { "--tetmesh", "[METHOD]", "tetrahedra instead of hexahedra; TetGen, Cells or Lattice",
     "Method" },
   { "--no-smooth", "", "same as --smooth Off" },

@@ -10,6 +10,7 @@
 #include "Meshes/WriteMesh.h"
 #include "Options/SetOptions.h"
 #include "ReadInput.h"
+#include "Report/WriteReport.h"
 #include "State/ArrayStems.h"
 #include "State/StateChoice.h"
 
@@ -194,6 +195,7 @@ Arguments ReadValues(const GivenArguments& given)
       });
   to.Fragments = TextOf(given, "--fragments");
   to.Geometry = TextOf(given, "--geometry");
+  to.Report = TextOf(given, "--report");
   to.Fractions = ReadList(given, "--fractions");
   to.Labels = TextOf(given, "--labels");
   to.Materials = ReadList(given, "--material");
@@ -267,6 +269,7 @@ void CheckMesh(const Arguments& from)
     RejectArguments("--output FILE is missing, as in sculptor " + from.Input + " mesh.vtu.");
   }
   CheckProblem(from.Geometry.empty() ? "" : FindGeometryProblem(from.Geometry));
+  CheckProblem(from.Report.empty() ? "" : FindReportProblem(from.Report));
   CheckOutput(from);
 }
 

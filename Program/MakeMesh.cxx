@@ -69,8 +69,8 @@ std::vector<ChosenArray> ListMaterials(const MesherArrays& arrays)
 
 } // namespace
 
-MesherResult MakeMesh(
-  const Arguments& arguments, const Input& input, const ChosenArrays& arrays, Ranks& ranks)
+MesherResult MakeMesh(const Arguments& arguments, const Input& input, const ChosenArrays& arrays,
+  Ranks& ranks, std::vector<std::string>* warnings)
 {
   const MesherOptions& options = arguments.Mesher;
   MesherInput mesherInput;
@@ -83,12 +83,12 @@ MesherResult MakeMesh(
         ListArrays(ListMaterials(mesherInput.Arrays), mesherInput.Arrays.State, options), ranks);
     });
   KeepMaterials(collected.Blocks, arrays, arguments, ranks);
-  std::vector<std::string> warnings;
-  mesherInput.Warn = [&warnings](const std::string& text)
+  std::vector<std::string> found;
+  mesherInput.Warn = [&found](const std::string& text)
   {
-    if (!text.empty() && std::find(warnings.begin(), warnings.end(), text) == warnings.end())
+    if (!text.empty() && std::find(found.begin(), found.end(), text) == found.end())
     {
-      warnings.push_back(text);
+      found.push_back(text);
     }
   };
   mesherInput.Warn(input.Warning);
@@ -102,9 +102,13 @@ MesherResult MakeMesh(
       mesherInput.Levels = FindInputLevels(std::move(collected), ranks);
       result = RunMesher(mesherInput, options, runtime);
     });
-  for (const std::string& warning : warnings)
+  for (const std::string& warning : found)
   {
     std::cerr << (ranks.Rank() == 0 ? "sculptor: warning: " + warning + "\n" : "");
+  }
+  if (warnings)
+  {
+    *warnings = std::move(found);
   }
   return result;
 }

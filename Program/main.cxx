@@ -15,6 +15,7 @@
 #include "PrintSummary.h"
 #include "Ranks/WorkTogether.h"
 #include "ReadInput.h"
+#include "Report/WriteReport.h"
 #include "State/ArrayStems.h"
 #include "State/ViewMesh.h"
 #include "Summary/FragmentTable.h"
@@ -49,6 +50,12 @@ private:
   std::vector<StageTime> Times;
 };
 
+std::string DescribeMaterials(const ChosenArrays& arrays)
+{
+  return (arrays.Labels.empty() ? JoinTexts(arrays.Fractions) : arrays.Labels) + " (" + arrays.How +
+    ")";
+}
+
 void PrintHead(const Arguments& arguments, const Input& input, const ChosenArrays& arrays)
 {
   std::cout << arguments.Input << " -> " << arguments.Output << "\n";
@@ -56,9 +63,7 @@ void PrintHead(const Arguments& arguments, const Input& input, const ChosenArray
   {
     std::cout << "time " << *input.Time << "\n";
   }
-  std::cout << "materials from "
-            << (arrays.Labels.empty() ? JoinTexts(arrays.Fractions) : arrays.Labels) << " ("
-            << arrays.How << ")\n\n";
+  std::cout << "materials from " << DescribeMaterials(arrays) << "\n\n";
 }
 
 /// Returns the arrays of the mesh that hold the densities. If arrays of several materials became
@@ -106,10 +111,33 @@ void WriteFragments(const MeshData& mesh, const Arguments& arguments, Ranks& ran
     });
 }
 
-/// Writes the mesh, and the table of fragments and the geometry if requested.
+/// Returns the texts of the report.
+/// @param warnings  warnings of the mesher
+ReportHead DescribeRun(
+  const Arguments& arguments, const ChosenArrays& arrays, const std::vector<std::string>& warnings)
+{
+  ReportHead head;
+  head.Title = "Mesh quality: " + arguments.Output;
+  head.Facts = { { "Input", arguments.Input }, { "Mesh", arguments.Output },
+    { "Materials from", DescribeMaterials(arrays) } };
+  if (!arguments.Materials.empty())
+  {
+    head.Facts.emplace_back("Materials meshed", JoinTexts(arguments.Materials));
+  }
+  head.Options = ListReportOptions(arguments.Mesher);
+  if (!arrays.Warning.empty())
+  {
+    head.Warnings.push_back(arrays.Warning);
+  }
+  head.Warnings.insert(head.Warnings.end(), warnings.begin(), warnings.end());
+  return head;
+}
+
+/// Writes the mesh, and the table of fragments, the geometry and the report if requested.
+/// @param head  texts of the report
 /// @pre Collective
-void WriteFiles(
-  const MesherResult& result, const MeshData& mesh, const Arguments& arguments, Ranks& ranks)
+void WriteFiles(const MesherResult& result, const MeshData& mesh, const ReportHead& head,
+  const Arguments& arguments, Ranks& ranks)
 {
   WorkInStage(ranks, ErrorCode::UnwritableOutput,
     [&] { WriteMesh(mesh, arguments.Output, ranks, arguments.Form); });
@@ -123,6 +151,11 @@ void WriteFiles(
     PrefixErrors("Cannot write the geometry " + arguments.Geometry + ": ",
       [&] { WorkInStage(ranks, ErrorCode::UnwritableOutput, write); });
   }
+  if (!arguments.Report.empty())
+  {
+    WorkInStage(ranks, ErrorCode::UnwritableOutput,
+      [&] { WriteReport(mesh, result.MaterialFields, head, arguments.Report, ranks); });
+  }
 }
 
 void MeshFile(const Arguments& arguments, Ranks& ranks)
@@ -131,7 +164,8 @@ void MeshFile(const Arguments& arguments, Ranks& ranks)
   WorkInStage(ranks, ErrorCode::UnwritableOutput,
     [&]
     {
-      for (const std::string& path : { arguments.Output, arguments.Fragments, arguments.Geometry })
+      for (const std::string& path :
+        { arguments.Output, arguments.Fragments, arguments.Geometry, arguments.Report })
       {
         const std::string problem = path.empty() ? "" : FindFolderProblem(path);
         if (!problem.empty())
@@ -147,11 +181,12 @@ void MeshFile(const Arguments& arguments, Ranks& ranks)
     std::cerr << "sculptor: warning: " << arrays.Warning << "\n";
   }
   times.Add("read");
-  const MesherResult result = MakeMesh(arguments, input, arrays, ranks);
+  std::vector<std::string> warnings;
+  const MesherResult result = MakeMesh(arguments, input, arrays, ranks, &warnings);
   times.Add("mesh");
   MeshData mesh = ViewMesh(result.TheMesh, result.State, result.Fields);
   mesh.Time = input.Time;
-  WriteFiles(result, mesh, arguments, ranks);
+  WriteFiles(result, mesh, DescribeRun(arguments, arrays, warnings), arguments, ranks);
   times.Add("write");
   if (!arguments.Quiet)
   {

@@ -289,6 +289,21 @@ std::string GetOption(const MesherOptions& options, const Option& option)
   return "";
 }
 
+std::vector<const Option*> ListChangedOptions(
+  const MesherOptions& options, const OptionTable& table)
+{
+  const MesherOptions defaults;
+  std::vector<const Option*> changed;
+  for (const Option& option : table)
+  {
+    if (GetOption(options, option) != GetOption(defaults, option))
+    {
+      changed.push_back(&option);
+    }
+  }
+  return changed;
+}
+
 void CheckOptions(const MesherOptions& options, const OptionTable& table)
 {
   for (const Option& option : table)

@@ -23,6 +23,10 @@ void SetOption(MesherOptions& options, const std::string& name, const std::strin
 /// Returns the value of an option as text that SetOption accepts.
 std::string GetOption(const MesherOptions& options, const Option& option);
 
+/// Returns the options that differ from their defaults, in the order of the table.
+std::vector<const Option*> ListChangedOptions(
+  const MesherOptions& options, const OptionTable& table = GetOptionTable());
+
 /// Returns the range of numbers that an option accepts; for switches and choices, of their words.
 OptionRange RangeOf(const Option& option);
 

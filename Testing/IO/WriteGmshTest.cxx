@@ -1,7 +1,7 @@
 /// Files of Gmsh: text of two cubes, the same content in both versions as text and binary, the same
 /// bytes from any number of ranks.
 #include "Meshes/WriteGmsh.h"
-#include "MeshFolder.h"
+#include "FileCases.h"
 #include "Meshes/WriteMesh.h"
 
 #include <fstream>
@@ -306,7 +306,7 @@ struct TwoCubes
 
 std::string WriteCubes(const TwoCubes& cubes, const GmshForm& form)
 {
-  const MeshFolder folder;
+  const Folder folder;
   Ranks alone;
   WriteGmsh(cubes.Data, folder / "cubes.msh", alone, form);
   return ReadAll(folder / "cubes.msh");
@@ -355,7 +355,7 @@ TEST(WriteGmsh, TextOfVersion2)
 
 TEST(WriteGmsh, EntitiesOfVersion4)
 {
-  const MeshFolder folder;
+  const Folder folder;
   Ranks alone;
   const TwoCubes cubes;
   const std::string path = folder / "cubes.msh";
@@ -392,7 +392,7 @@ TEST(WriteGmsh, AllFormsHaveTheSameContent)
 {
   for (const MeshMaker make : { MakeHexMesh, MakeTetMesh })
   {
-    const MeshFolder folder;
+    const Folder folder;
     std::vector<Content> contents;
     for (const GmshForm& form : Forms)
     {
@@ -400,8 +400,8 @@ TEST(WriteGmsh, AllFormsHaveTheSameContent)
       for (int count : { 1, 3 })
       {
         WithMesh(count, make,
-          [&](const MeshData& mesh, Ranks& ranks) {
-            WriteMesh(mesh, folder / "mesh.msh", ranks, { OutputFiles::AsUsual, form });
+          [&](const FileCase& part, Ranks& ranks) {
+            WriteMesh(part.Mesh, folder / "mesh.msh", ranks, { OutputFiles::AsUsual, form });
           });
         files.push_back(ReadAll(folder / "mesh.msh"));
       }
@@ -429,7 +429,7 @@ TEST(WriteGmsh, LargeIdsNeedVersion4)
   const TwoCubes cubes(Index{ 1 } << 31);
   EXPECT_EQ(WriteCubes(cubes, {}).substr(0, 15), "$MeshFormat\n4.1");
   EXPECT_EQ(WriteCubes(TwoCubes(), {}).substr(0, 15), "$MeshFormat\n2.2");
-  const MeshFolder folder;
+  const Folder folder;
   try
   {
     Ranks alone;
@@ -453,7 +453,7 @@ TEST(WriteGmsh, FragmentsOfSeveralMaterialsAreRejected)
   {
     const std::vector<int> fragments(2, fragment);
     cubes.Data.Fragment = fragments.data();
-    const MeshFolder folder;
+    const Folder folder;
     try
     {
       Ranks alone;

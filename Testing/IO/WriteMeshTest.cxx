@@ -1,11 +1,6 @@
 /// Mesh files are the same from any number of ranks; no file remains after a failed write.
 #include "Meshes/WriteMesh.h"
-#include "MeshFolder.h"
-
-#include <gtest/gtest.h>
-
-#include <fstream>
-#include <iterator>
+#include "FileCases.h"
 
 using namespace vfm;
 using namespace vfm::testing;
@@ -13,11 +8,12 @@ using namespace vfm::testing;
 namespace
 {
 
+namespace fs = std::filesystem;
+
 /// Returns a file in which the date and time of the Exodus QA record are set to zeros.
 std::string ReadWithoutDate(const std::string& path)
 {
-  std::ifstream file(path, std::ios::binary);
-  std::string bytes(std::istreambuf_iterator<char>(file), {});
+  std::string bytes = ReadBytes(path);
   constexpr std::size_t recordLength = 33;
   const std::size_t record = bytes.rfind("VolumeFractionMesh");
   const std::size_t first = record + 2 * recordLength, last = record + 4 * recordLength;
@@ -34,16 +30,16 @@ TEST(WriteMesh, FilesAreTheSameFromAnyNumberOfRanks)
 {
   for (const MeshMaker make : { MakeHexMesh, MakeTetMesh })
   {
-    for (const char* name : { "mesh.vtu", "mesh.inp", "mesh.exo", "mesh.msh" })
+    for (const char* name : { "mesh.vtu", "mesh.inp", "mesh.exo" })
     {
-      const MeshFolder folder;
+      const Folder folder;
       const std::string path = folder / name;
       std::vector<std::string> files;
       for (int count : { 1, 2, 3 })
       {
         WithMesh(count, make,
-          [&](const MeshData& mesh, Ranks& ranks) {
-            WriteMesh(mesh, path, ranks, { OutputFiles::Single, {} });
+          [&](const FileCase& part, Ranks& ranks) {
+            WriteMesh(part.Mesh, path, ranks, { OutputFiles::Single, {} });
           });
         files.push_back(ReadWithoutDate(path));
       }
@@ -56,12 +52,12 @@ TEST(WriteMesh, FilesAreTheSameFromAnyNumberOfRanks)
 
 TEST(WriteMesh, EachRankWritesAPart)
 {
-  const MeshFolder folder;
+  const Folder folder;
   WithMesh(3, MakeHexMesh,
-    [&](const MeshData& mesh, Ranks& ranks)
+    [&](const FileCase& part, Ranks& ranks)
     {
-      WriteMesh(mesh, folder / "mesh.e", ranks);
-      WriteMesh(mesh, folder / "mesh.pvtu", ranks);
+      WriteMesh(part.Mesh, folder / "mesh.e", ranks);
+      WriteMesh(part.Mesh, folder / "mesh.pvtu", ranks);
     });
   for (const char* name : { "mesh.e.3.0", "mesh.e.3.1", "mesh.e.3.2", "mesh.pvtu",
          "mesh/mesh_0.vtu", "mesh/mesh_1.vtu", "mesh/mesh_2.vtu" })
@@ -72,22 +68,20 @@ TEST(WriteMesh, EachRankWritesAPart)
 
 TEST(WriteMesh, FilesThatCannotBeWrittenAreNotLeft)
 {
-  const MeshFolder folder;
+  const Folder folder;
   fs::create_symlink("/dev/full", folder / "full.exo.2.1");
   fs::create_symlink("/dev/full", folder / "full.vtu");
-  fs::create_symlink("/dev/full", folder / "full.msh");
   for (const auto& [name, reason] : std::vector<std::pair<std::string, std::string>>{
          { "mesh.stl", "unknown format" }, { "no/mesh.vtu", "No such file or directory" },
          { "no/mesh.inp", "No such file or directory" }, { "full.vtu", "No space left on device" },
-         { "full.msh", "No space left on device" },
          { "full.exo", "full.exo.2.1: No space left on device" } })
   {
     WithMesh(2, MakeHexMesh,
-      [&, name = name, reason = reason](const MeshData& mesh, Ranks& ranks)
+      [&, name = name, reason = reason](const FileCase& part, Ranks& ranks)
       {
         try
         {
-          WriteMesh(mesh, folder / name, ranks);
+          WriteMesh(part.Mesh, folder / name, ranks);
           ADD_FAILURE() << name;
         }
         catch (const InputError& error)
@@ -98,5 +92,5 @@ TEST(WriteMesh, FilesThatCannotBeWrittenAreNotLeft)
         }
       });
   }
-  EXPECT_EQ(folder.CountFiles(), 3u);
+  EXPECT_EQ(folder.CountFiles(), 2u);
 }

@@ -104,11 +104,13 @@ TEST(Arguments, ValuesOfTheProgram)
   const Arguments gmsh = Parse("in.vti out.msh --msh-version 4.1 --binary");
   EXPECT_TRUE(gmsh.Form.Gmsh.Version == GmshVersion::V4_1 && gmsh.Form.Gmsh.IsBinary);
   EXPECT_TRUE(none.Form.Gmsh.Version == GmshVersion::Automatic && !none.Form.Gmsh.IsBinary);
-  const Arguments steps = ParseMesh("--step 0 --labels id --fragments f.csv --geometry g.vtm");
+  const Arguments steps =
+    ParseMesh("--step 0 --labels id --fragments f.csv --geometry g.vtm --report r.html");
   EXPECT_EQ(steps.Step, 0);
   EXPECT_EQ(steps.Labels, "id");
   EXPECT_EQ(steps.Fragments, "f.csv");
   EXPECT_EQ(steps.Geometry, "g.vtm");
+  EXPECT_EQ(steps.Report, "r.html");
   EXPECT_EQ(ParseMesh("--time -1.5e-3").Time, -1.5e-3);
 }
 
@@ -232,7 +234,9 @@ TEST(Arguments, RejectedWords)
       { "in.vti out.msh --msh-version 3", "--msh-version takes 2.2 or 4.1, not '3'." },
       { "in.vti out.pvtu --single-file", "The output out.pvtu always consists of several files." },
       { "in.vti out.vtu --geometry g.vtu",
-        "The geometry g.vtu is of an unknown format. Supported format: .vtm." } });
+        "The geometry g.vtu is of an unknown format. Supported format: .vtm." },
+      { "in.vti out.vtu --report r.pdf",
+        "The report r.pdf is of an unknown format. Supported formats: .html, .htm." } });
   ExpectRefusals("in.vti out.vtu ",
     { { "--wrong", "'--wrong' is not an option. See sculptor --help." },
       { "--wrong=1", "'--wrong' is not an option." }, { "-q", "'-q' is not an option." },

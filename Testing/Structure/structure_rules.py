@@ -29,21 +29,22 @@ ALLOWED.update({
     "IO/Blocks": BASE + MESHER + ("IO",),
     "IO/Labels": BASE + ("Mesher/Input",),
     "IO/Meshes": BASE + MESHER + ("IO",),
+    "IO/Report": BASE + MESHER + ("IO", "IO/Meshes"),
     "Filters": GRID + MESHER + ("Shapes", "Parallel", "IO/Labels", "Filters/Data"),
     "Filters/Files": BASE + MESHER + ("Parallel", "IO", "IO/Images", "IO/Meshes", "Filters/Data"),
     "InSitu": BASE + ("Grid/Mesh",) + MESHER + ("Parallel/Mpi", "IO/Labels", "IO/Meshes"),
     "InSitu/Catalyst": BASE + ("Parallel/Mpi", "InSitu"),
     "Program": BASE + ("Grid/Mesh",) + MESHER + (
         "Parallel", "Parallel/Mpi", "IO", "IO/Blocks", "IO/Images", "IO/Labels", "IO/Meshes",
-        "Filters", "Filters/Data"),
+        "IO/Report", "Filters", "Filters/Data"),
     "Plugin": ("Filters", "Mesher/Input"),
-    "python": GRID + MESHER + ("Shapes", "IO/Blocks", "IO/Labels", "IO/Meshes"),
+    "python": GRID + MESHER + ("Shapes", "IO/Blocks", "IO/Labels", "IO/Meshes", "IO/Report"),
     "Examples": ("InSitu", "InSitu/Catalyst"),
     "Testing/Support": GRID + ("Shapes",),
     "Testing/Grid": GRID + ("Shapes", "Testing/Support"),
     "Testing/Fuzz": GRID + MESHER + ("Shapes", "Filters", "InSitu", "Program", "Testing/Support"),
     "Testing/Benchmarks": GRID + ("Shapes", "Filters", "Testing/Support"),
-    "Testing/IO": GRID + MESHER + ("Shapes", "IO/Meshes", "Testing/Support"),
+    "Testing/IO": GRID + MESHER + ("Shapes", "IO/Meshes", "IO/Report", "Testing/Support"),
     "Testing/Mesher": GRID + MESHER + ("Shapes", "Testing/Support"),
     "Testing/Parallel": BASE + ("Parallel", "Testing/Support"),
     "Testing/Digests": ("Filters",),
@@ -53,8 +54,8 @@ ALLOWED.update({
 
 # PLAIN: folders without VTK. WITHOUT_MPI: folders without VTK and MPI.
 WITHOUT_MPI = GRID + MESHER + (
-    "Shapes", "IO", "IO/Blocks", "IO/Images", "IO/Labels", "IO/Meshes", "python", "Testing/IO",
-    "Testing/Support", "Testing/Grid", "Testing/Mesher")
+    "Shapes", "IO", "IO/Blocks", "IO/Images", "IO/Labels", "IO/Meshes", "IO/Report", "python",
+    "Testing/IO", "Testing/Support", "Testing/Grid", "Testing/Mesher")
 PLAIN = WITHOUT_MPI + ("Parallel/Mpi", "InSitu")
 VTK = re.compile(r"(vtk|paraview|pv|pq)", re.IGNORECASE)
 MPI = re.compile(r"mpi", re.IGNORECASE)
@@ -67,7 +68,7 @@ MOST_AT_ROOT = 8  # files in Grid outside its modules
 MOST_IN_FOLDER = 40 # files
 # folders in which each source has a header of its name
 HAVE_HEADERS = GRID + MESHER + ("Shapes", "Parallel", "IO", "IO/Labels", "IO/Meshes",
-                                "Filters/Data", "Filters/Files")
+                                "IO/Report", "Filters/Data", "Filters/Files")
 PACKAGE = "python/volume_fraction_mesh"
 
 

@@ -75,16 +75,23 @@ MeshData ViewMesh(const NumpyPoints& points, const NumpyCells& cells)
   return mesh;
 }
 
+FieldArrays ReadFields(const nb::dict& fields)
+{
+  FieldArrays read;
+  for (const auto& [name, value] : fields)
+  {
+    read.push_back(ReadField(nb::cast<std::string>(name), value));
+  }
+  return read;
+}
+
 StoredMesh ViewMesh(const NumpyPoints& points, const NumpyCells& cells,
   const NamedArrays& pointArrays, const NamedArrays& cellArrays, const nb::dict& fields)
 {
   StoredMesh mesh{ ViewMesh(points, cells), {} };
   mesh.Data.PointArrays = ListArrays(pointArrays, mesh.Data.NumberOfPoints);
   mesh.Data.ElementArrays = ListArrays(cellArrays, mesh.Data.NumberOfElements);
-  for (const auto& [name, value] : fields)
-  {
-    mesh.Data.Fields.push_back(ReadField(nb::cast<std::string>(name), value));
-  }
+  mesh.Data.Fields = ReadFields(fields);
   FindKnownArrays(mesh);
   return mesh;
 }

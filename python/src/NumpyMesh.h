@@ -23,8 +23,12 @@ using NamedArrays = std::vector<std::pair<std::string, NumpyArray>>;
 /// @throws ValueError if cells are not points of hexahedra (n, 8) or tetrahedra (n, 4)
 MeshData ViewMesh(const NumpyPoints& points, const NumpyCells& cells);
 
+/// Copies fields: numpy arrays of int32, int64 or float64, or lists of texts, by name.
+/// @throws InputError if an array has another type
+FieldArrays ReadFields(const nanobind::dict& fields);
+
 /// Views points, elements and arrays, which must outlive the view, and copies fields.
-/// @param fields numpy arrays of int32, int64 or float64, or lists of texts, by name
+/// @param fields as for ReadFields
 /// @throws ValueError as above; InputError if an array has another length than the mesh, or
 /// another type
 StoredMesh ViewMesh(const NumpyPoints& points, const NumpyCells& cells,

@@ -143,6 +143,21 @@ nb::object Get(const MesherOptions& options, const Option& option)
   }
 }
 
+/// Returns a dict of the options that differ from their defaults. Options without a name in Python
+/// have their text as value.
+nb::dict ListChanged(const MesherOptions& options)
+{
+  nb::dict changed;
+  for (const Option* option : ListChangedOptions(options))
+  {
+    const bool isNamed = !option->Python.empty();
+    const std::string name = isNamed ? option->Python : SnakeCase(option->Name);
+    changed[name.c_str()] =
+      isNamed ? Get(options, *option) : nb::str(GetOption(options, *option).c_str());
+  }
+  return changed;
+}
+
 std::vector<Box> GetBoxes(const MesherOptions& options)
 {
   std::vector<Box> boxes;
@@ -224,6 +239,7 @@ void BindOptions(nb::module_& module)
   type.def("__init__", Init, nb::arg("tets"), nb::arg("values"));
   type.def_rw("refinement_array", &MesherOptions::RefinementArray);
   type.def_prop_rw("refinement_boxes", GetBoxes, SetBoxes);
+  type.def("changed", ListChanged);
   BindTable(module);
 }
 

@@ -3,6 +3,7 @@
 #include "Meshes/WriteMesh.h"
 #include "NumpyMesh.h"
 #include "Ranks/WorkTogether.h"
+#include "Report/WriteReport.h"
 
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
@@ -40,12 +41,29 @@ void WriteFile(const std::string& path, const NumpyPoints& points, const NumpyCe
   WorkInStage(alone, ErrorCode::UnwritableOutput, [&] { WriteMesh(mesh.Data, path, alone, form); });
 }
 
+void WriteReportFile(const std::string& path, const NumpyPoints& points, const NumpyCells& cells,
+  const NamedArrays& pointArrays, const NamedArrays& cellArrays, const nb::dict& fields,
+  const nb::dict& materials, const std::string& title, const TextPairs& facts,
+  const TextPairs& options, const std::vector<std::string>& warnings)
+{
+  const StoredMesh mesh = ViewMesh(points, cells, pointArrays, cellArrays, fields);
+  const FieldArrays table = ReadFields(materials);
+  const nb::gil_scoped_release others;
+  Ranks alone;
+  WorkInStage(alone, ErrorCode::UnwritableOutput,
+    [&] {
+      WriteReport(mesh.Data, table, { title, facts, options, warnings }, path, alone);
+    });
+}
+
 } // namespace
 
 void BindWriters(nb::module_& module)
 {
   module.def("write_mesh", WriteFile, "path"_a, "points"_a, "cells"_a, "point_arrays"_a,
     "cell_arrays"_a, "fields"_a, "time"_a.none(), "version"_a = "", "binary"_a = false);
+  module.def("write_report", WriteReportFile, "path"_a, "points"_a, "cells"_a, "point_arrays"_a,
+    "cell_arrays"_a, "fields"_a, "materials"_a, "title"_a, "facts"_a, "options"_a, "warnings"_a);
 }
 
 } // namespace vfm

@@ -8,7 +8,7 @@
 namespace vfm
 {
 
-/// Adds write_mesh to the module.
+/// Adds write_mesh and write_report to the module.
 void BindWriters(nanobind::module_& module);
 
 } // namespace vfm

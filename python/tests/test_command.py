@@ -33,6 +33,15 @@ def run(tmp_path, capsys):
     return run_words
 
 
+def test_report(run):
+    np.save(run.folder / "labels.npy", LABELS)
+    run("@labels.npy", "@out.vtu", "--report", "@out.html", "--quiet")
+    page = (run.folder / "out.html").read_text(encoding="utf-8")
+    assert "<dt>Input</dt><dd>%s</dd>" % (run.folder / "labels.npy") in page
+    assert "give .html" in run("@labels.npy", "@out.vtu", "--report", "@out.txt", "--quiet",
+                               status=1)
+
+
 def test_numpy(run):
     np.save(run.folder / "labels.npy", LABELS)
     told = run("@labels.npy", "@out.vtu", "--label-smoothing", "2", "--spacing", "0.5")

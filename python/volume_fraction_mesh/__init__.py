@@ -17,7 +17,7 @@ from ._images import Fractions
 from ._mesher import VolumeFractionMeshWarning, hexes, tets
 from ._npz import load
 from ._shapes import shapes, surface
-from .mesh import Curves, Geometry, Mesh, Surfaces, Vertices
+from .mesh import Curves, Geometry, Mesh, Run, Surfaces, Vertices
 
 __all__ = [
     "Blocks",
@@ -26,6 +26,7 @@ __all__ = [
     "Fractions",
     "Geometry",
     "Mesh",
+    "Run",
     "Separated",
     "Surfaces",
     "Vertices",

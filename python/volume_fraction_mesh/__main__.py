@@ -86,6 +86,8 @@ def make_parser() -> argparse.ArgumentParser:
     parser.add_argument("--surfaces", metavar="FILE", help="write the surfaces of the mesh, .vtp")
     parser.add_argument("--fragments", metavar="FILE", dest="table",
                         help="write a table of the fragments, .csv")
+    parser.add_argument("--report", metavar="FILE",
+                        help="write a quality report of the mesh, .html")
     parser.add_argument("--quiet", action="store_true", help="print neither progress nor summary")
     for title in dict.fromkeys(option.group for option in OPTIONS):
         group = parser.add_argument_group(title)
@@ -192,6 +194,9 @@ def main(arguments: Optional[List[str]] = None) -> int:
             mesh.to_pyvista("surfaces").save(words.surfaces)
         if words.table:
             write_table(mesh, words.table)
+        if words.report:
+            mesh.run.source = {"Input": words.input, "Mesh": words.output, **mesh.run.source}
+            mesh.report(words.report, title="Mesh quality: " + words.output)
     except (ValueError, TypeError, ImportError, OSError, RuntimeError) as error:
         print("vfmesh: %s" % error, file=sys.stderr)
         return 1

@@ -70,6 +70,8 @@ class Options:
     halved."""
 
     def __init__(self, tets: bool, **values: Union[bool, int, float, str]) -> None: ...
+    def changed(self) -> Dict[str, Union[bool, int, float, str]]:
+        """Returns the options that differ from their defaults."""
 
 class Option:
     """Row of the table of options."""
@@ -234,6 +236,25 @@ def write_mesh(
     MaterialId, int32. All arrays are C-contiguous, of shape (items,) or (items, components). fields
     holds int32, int64 or float64 arrays, or lists of str. Raises OSError, with the path and the
     reason, if the file cannot be written; an incomplete file is removed.
+    """
+
+def write_report(
+    path: str,
+    points: NDArray[np.float64],
+    cells: NDArray[np.int64],
+    point_arrays: Sequence[Tuple[str, NDArray[Any]]],
+    cell_arrays: Sequence[Tuple[str, NDArray[Any]]],
+    fields: Fields,
+    materials: Fields,
+    title: str,
+    facts: Sequence[Tuple[str, str]],
+    options: Sequence[Tuple[str, str]],
+    warnings: Sequence[str],
+) -> None:
+    """Writes a quality report, .html or .htm.
+
+    The mesh as in write_mesh. materials: columns of the table of materials. facts, options: names
+    and values, as plain text. Raises OSError as write_mesh does.
     """
 
 def read_label_names(path: str) -> Dict[int, str]:

@@ -12,9 +12,10 @@ from numpy.typing import ArrayLike
 from . import _core
 from ._input import Source, read_field
 from ._progress import shown
+from ._report import describe
 from ._state import StateGiven, add_refinement, list_boxes, read_state
 from ._types import FractionsLike, Names, OfMaterials, Order, Progress, StateLike, Triple
-from .mesh import Mesh, make_mesh
+from .mesh import Mesh, Run, make_mesh
 
 if TYPE_CHECKING:
     from ._core import StateChoice
@@ -74,7 +75,8 @@ def _run(
     finally:
         for text in told:
             warnings.warn(text, VolumeFractionMeshWarning, stacklevel=CALLER)
-    return make_mesh(result, _find_roles(state, result["state"]))
+    run = Run(describe(field), options.changed(), told)
+    return make_mesh(result, _find_roles(state, result["state"]), run)
 
 
 def _find_roles(state: Optional[StateChoice], carried: Mapping[str, ArrayLike]) -> Dict[str, str]:

@@ -6,11 +6,11 @@ import os
 import tempfile
 from contextlib import contextmanager
 from importlib.util import find_spec
-from typing import TYPE_CHECKING, Any, Iterator, Optional
+from typing import TYPE_CHECKING, Any, Iterator, Optional, Tuple
 
 from . import _core, _npz, _vtk
 from ._pyvista import cell_arrays, point_arrays
-from ._tables import core_mesh, field_for_core, list_arrays
+from ._tables import core_fields, core_mesh, list_arrays
 
 if TYPE_CHECKING:
     from .mesh import Mesh
@@ -76,14 +76,17 @@ def _save_by_core(mesh: Mesh, path: str, suffix: str, **options: Any) -> None:
     _write(mesh, path, **options)
 
 
+def core_arrays(mesh: Mesh) -> Tuple[Any, ...]:
+    """Returns points, cells and arrays as arguments of the writers of the core."""
+    return (*core_mesh(mesh), list_arrays(point_arrays(mesh)), list_arrays(cell_arrays(mesh)))
+
+
 def _write(mesh: Mesh, path: str, time: Optional[float] = None, texts: bool = True,
            version: Optional[str] = None, binary: bool = False) -> None:
-    fields = {name: field_for_core(values) for name, values in mesh.fields.items()}
+    fields = core_fields(mesh.fields)
     _core.write_mesh(
         path,
-        *core_mesh(mesh),
-        list_arrays(point_arrays(mesh)),
-        list_arrays(cell_arrays(mesh)),
+        *core_arrays(mesh),
         {name: values for name, values in fields.items() if texts or not isinstance(values, list)},
         time,
         "" if version is None else str(version),

@@ -31,6 +31,11 @@ def field_for_core(values: Any) -> Any:
     return np.ascontiguousarray(np.atleast_1d(array), kind)
 
 
+def core_fields(fields: Mapping[str, Any]) -> Dict[str, Any]:
+    """Returns fields or columns in types that the core supports."""
+    return {name: field_for_core(values) for name, values in fields.items()}
+
+
 def material_names(mesh: Mesh) -> Dict[int, str]:
     """Returns the names of the materials by id."""
     return dict(zip((int(i) for i in mesh.materials["MaterialId"]), mesh.materials["Name"]))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Dict, Mapping, Optional, Union
+from typing import TYPE_CHECKING, Any, Dict, List, Mapping, Optional, Union
 
 import numpy as np
 
@@ -133,6 +133,34 @@ class Vertices:
     fields: Dict[str, Any] = field(default_factory=dict)
 
 
+@dataclass
+class Run:
+    """Call of `hexes` or `tets` that made a mesh, for its quality report.
+
+    Attributes
+    ----------
+    source : dict of str to str
+        Description of the input, such as its "Grid" and the origin of the materials.
+    options : dict
+        Options that differ from their defaults, by their names as arguments.
+    warnings : list of str
+        Texts of the warnings.
+
+    Examples
+    --------
+    >>> fractions = vfm.shapes("sphere radius=4 center=6,6,6", 12)
+    >>> mesh = vfm.hexes(fractions, smoothing="off", iso_value=0.4)
+    >>> mesh.run.options
+    {'iso_value': 0.4, 'smoothing': 'off'}
+    >>> mesh.run.source["Grid"]
+    '12 x 12 x 12 cells'
+    """
+
+    source: Dict[str, str] = field(default_factory=dict)
+    options: Dict[str, Any] = field(default_factory=dict)
+    warnings: List[str] = field(default_factory=list)
+
+
 @dataclass(eq=False, repr=False)
 class Mesh:
     """Conforming mesh of all materials, made by `hexes` or `tets`.
@@ -173,6 +201,8 @@ class Mesh:
         ``FlippedCells`` (cells moved to another material to make interfaces manifold).
     roles : dict of str to str
         Names in `state` of the "density" (mass per volume of the material) and the "velocity".
+    run : Run
+        Input, options and warnings of the call that made the mesh.
 
     See Also
     --------
@@ -203,6 +233,7 @@ class Mesh:
     materials: Dict[str, Any]
     fields: Dict[str, Any]
     roles: Dict[str, str] = field(default_factory=dict)
+    run: Run = field(default_factory=Run)
 
     @property
     def kind(self) -> str:
@@ -558,8 +589,46 @@ class Mesh:
 
         save(self, path, **options)
 
+    def report(self, path: Any, title: str = "Mesh quality") -> None:
+        """Write a quality report as one HTML page, which needs no network and no other file.
 
-def make_mesh(result: Mapping[str, Any], roles: Dict[str, str]) -> Mesh:
+        The page contains counts, warnings, a table of `materials` with volumes and errors, a
+        histogram of `quality` and, of tetrahedra, of dihedral angles, the ten worst elements with
+        their centroids, the side sets of `save`, and the input and options of the run. ``sculptor
+        --report`` writes the same page.
+
+        Parameters
+        ----------
+        path : str or path-like
+            File to write, ``.html`` or ``.htm``.
+        title : str, default "Mesh quality"
+            Title of the page.
+
+        Raises
+        ------
+        ValueError
+            If the ending is missing or unknown.
+        OSError
+            If the file cannot be written; an incomplete file is removed.
+
+        See Also
+        --------
+        save : Write the mesh.
+
+        Examples
+        --------
+        >>> mesh = vfm.hexes({"ball": vfm.shapes("sphere radius=4 center=6,6,6", 12)["Material1"]})
+        >>> mesh.report("ball.html", title="Ball")
+        >>> page = open("ball.html", encoding="utf-8").read()
+        >>> "<title>Ball</title>" in page, "ball_to_Void" in page
+        (True, True)
+        """
+        from ._report import report
+
+        report(self, path, title)
+
+
+def make_mesh(result: Mapping[str, Any], roles: Dict[str, str], run: Run) -> Mesh:
     """Makes a Mesh from the result of the core."""
     result = dict(result)
     surfaces, curves, vertices = result.pop("surfaces"), result.pop("curves"), result.pop(
@@ -582,4 +651,5 @@ def make_mesh(result: Mapping[str, Any], roles: Dict[str, str]) -> Mesh:
         materials=result["materials"],
         fields=result["fields"],
         roles=roles,
+        run=run,
     )

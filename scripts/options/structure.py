@@ -41,6 +41,7 @@ FOLDERS = (
     ("IO/Images", "Images of labels and fractions."),
     ("IO/Blocks", "SpyPlot files and AMReX plotfiles."),
     ("IO/Meshes", "Files of meshes."),
+    ("IO/Report", "Quality reports of meshes."),
     ("Filters/Data", "VTK meshes as plain arrays."),
     ("Filters", "The VTK filters and sources."),
     ("Filters/Files", "VTK readers and writers."),

@@ -1,0 +1,84 @@
+/**
+ * Folders and meshes on several ranks for tests of mesh files.
+ */
+#pragma once
+
+#include "RankMeshes.h"
+#include "State/ViewMesh.h"
+#include "Summary/MeshFields.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <unistd.h>
+
+namespace vfm
+{
+namespace testing
+{
+
+/// An empty folder, removed at the end.
+class Folder
+{
+public:
+  Folder() { std::filesystem::create_directory(this->Path); }
+  ~Folder() { std::filesystem::remove_all(this->Path); }
+  std::string operator/(const std::string& name) const { return (this->Path / name).string(); }
+  std::size_t CountFiles() const
+  {
+    return static_cast<std::size_t>(std::distance(
+      std::filesystem::directory_iterator(this->Path), std::filesystem::directory_iterator()));
+  }
+
+private:
+  const std::filesystem::path Path =
+    std::filesystem::path(::testing::TempDir()) / ("vfm_files_" + std::to_string(getpid()));
+};
+
+inline std::string ReadBytes(const std::string& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  return { std::istreambuf_iterator<char>(file), {} };
+}
+
+/// A mesh of one rank with the tables of the mesher.
+struct FileCase
+{
+  MeshData Mesh;
+  FieldArrays Materials; ///< as MesherResult::MaterialFields
+  MeshReport Report;
+};
+
+/// Calls work on each rank with its part of a mesh of three materials, one of which has a name that
+/// XML and HTML must escape.
+template <class Work>
+void WithMesh(int count, MeshMaker make, const Work& work, const MeshOptions& options = {})
+{
+  const MeshCase whole = MakePolycrystalCase(3, 8);
+  const std::vector<IndexBox> boxes = CutBox(whole.Grid.Global(), count);
+  const Materials table{ { "Void", "one", "\"two\" & <more>", "three" }, { 0, 1, 2, 3 } };
+  RunOnRanks(count,
+    [&](Ranks& ranks)
+    {
+      const CartesianGrid grid = MakeRankGrid(whole.Grid, boxes[ranks.Rank()]);
+      RankRuntime runtime(ranks);
+      FileCase part;
+      const Mesh mesh =
+        make(grid, CopyToLocal(whole.Grid, whole.Fractions, grid), options, runtime, part.Report);
+      FieldArrays fields = ListReport(mesh, part.Report, table, options, {});
+      for (FieldArray& field : ListDomain(whole.Grid, ImageFrame()))
+      {
+        fields.push_back(std::move(field));
+      }
+      part.Mesh = ViewMesh(mesh, OutputState(), fields);
+      part.Mesh.Time = 0.5;
+      part.Materials = ListMaterials(part.Report, table, options);
+      work(part, ranks);
+    });
+}
+
+} // namespace testing
+} // namespace vfm
