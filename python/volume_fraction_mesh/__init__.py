@@ -13,11 +13,12 @@ from ._core import has_tetgen
 from ._core import version as __version__
 from ._facets import Facets, Separated
 from ._fragments import fragments
+from ._geometry import Curves, Geometry, Surfaces, Vertices
 from ._images import Fractions
 from ._mesher import VolumeFractionMeshWarning, hexes, tets
 from ._npz import load
 from ._shapes import shapes, surface
-from .mesh import Curves, Geometry, Mesh, Run, Surfaces, Vertices
+from .mesh import Mesh, Run
 
 __all__ = [
     "Blocks",
