@@ -4,6 +4,7 @@
 #pragma once
 
 #include "NumpyArrays.h"
+#include "Summary/MeshFields.h"
 #include "Summary/MeshData.h"
 
 #include <nanobind/nanobind.h>
