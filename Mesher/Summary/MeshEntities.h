@@ -34,9 +34,9 @@ struct CurveEntity
 struct MeshEntities
 {
   std::vector<int> Volumes;            ///< volume of each element: its fragment, from 1
-  std::vector<SurfaceEntity> Surfaces; ///< surfaces 1, 2, ..
-  std::vector<CurveEntity> Curves;     ///< curves 1, 2, ..
-  std::vector<Index> Vertices;         ///< points of vertices 1, 2, ..
+  std::vector<SurfaceEntity> Surfaces; ///< surfaces 1, 2, ...
+  std::vector<CurveEntity> Curves;     ///< curves 1, 2, ...
+  std::vector<Index> Vertices;         ///< points of vertices 1, 2, ...
   /// Lowest-dimensional entity with each point: 3 volume to 0 vertex, and its number.
   std::vector<int> PointDimension, PointEntity;
 };
