@@ -323,5 +323,5 @@ def test_vtu_for_meshio(mesh, tmp_path):
     assert np.array_equal(again.points, mesh.points)
     assert np.array_equal(again.cells[0].data, mesh.cells)
     assert np.array_equal(again.cell_data["MaterialId"][0], mesh.material)
-    with pytest.raises(TypeError, match="texts is an option of .vtu"):
+    with pytest.raises(TypeError, match="texts is not an option of .e"):
         mesh.save(tmp_path / "mesh.e", texts=False)

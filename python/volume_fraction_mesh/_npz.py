@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from typing import IO, TYPE_CHECKING, Any, Dict
 
 import numpy as np
@@ -31,6 +32,7 @@ def write(mesh: Mesh, file: IO[bytes], compress: bool = False) -> None:
             _add(arrays, "%s/%s" % (part, name), getattr(getattr(mesh, part), name))
     for name in TABLES:
         _add(arrays, name, getattr(mesh, name))
+    arrays["run"] = json.dumps(vars(mesh.run), default=str)
     (np.savez_compressed if compress else np.savez)(file, **arrays)
 
 
@@ -98,6 +100,7 @@ def _make_mesh(arrays: Dict[str, Any]) -> Mesh:
         surfaces=types.Surfaces(**parts["surfaces"]),
         curves=types.Curves(**parts["curves"]),
         vertices=types.Vertices(**parts["vertices"]),
+        run=types.Run(**json.loads(str(arrays["run"]))),
         **{name: _take(arrays, name + "/") for name in TABLES},
     )
 
