@@ -19,7 +19,7 @@ from vfmtest import (
     collect, image, held_class, main, reduced, simple)
 from voxels import SIZE, grains, turned, write_numpy, write_text
 
-FOLDER = os.path.join(sys.argv[1], "voxels")
+FOLDER = os.path.join(sys.argv[1], "voxels%d" % RANKS)  # tests with other ranks run beside this
 GRAINS = grains()
 PLACE = dict(Origin=ORIGIN, Spacing=SPACING)
 TEXT = dict(Dimensions=SIZE, **PLACE)
