@@ -47,10 +47,11 @@ public:
   template <class Visit>
   void ForFaces(const SurfaceEntity& surface, const Visit& visit)
   {
+    const int corners = ElementFaces(this->TheMesh.Corners).Corners;
     for (const MeshSide& side : surface.Sides)
     {
       const FaceIds points = PointsOfSide(this->TheMesh, side);
-      visit(this->Next++, points.data(), this->TheMesh.Corners == 8 ? 4 : 3);
+      visit(this->Next++, points.data(), corners);
     }
   }
 

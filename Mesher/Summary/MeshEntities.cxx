@@ -117,7 +117,7 @@ void ClassifyPoints(const MeshData& mesh, MeshEntities& entities)
       entities.PointEntity[mesh.Element(element)[c]] = entities.Volumes[element];
     }
   }
-  const int count = mesh.Corners == 8 ? 4 : 3;
+  const int count = ElementFaces(mesh.Corners).Corners;
   for (std::size_t s = 0; s < entities.Surfaces.size(); ++s)
   {
     for (const MeshSide& side : entities.Surfaces[s].Sides)
@@ -137,7 +137,7 @@ Mesh MakeFacets(const MeshData& mesh, const MeshEntities& entities)
 {
   std::vector<Index> points;
   std::vector<int> ids;
-  const int count = mesh.Corners == 8 ? 4 : 3;
+  const int count = ElementFaces(mesh.Corners).Corners;
   for (std::size_t s = 0; s < entities.Surfaces.size(); ++s)
   {
     for (const MeshSide& side : entities.Surfaces[s].Sides)

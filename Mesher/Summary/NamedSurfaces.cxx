@@ -35,13 +35,13 @@ std::vector<NamedSurface> TakeSideSets(std::vector<SideSet> sets)
   return surfaces;
 }
 
-/// Adds "interfaces" and the skins, without ids.
+/// Adds "interfaces" and the skins, without ids. The facets of the mesh are known.
 /// @pre Collective
 void AddUnions(std::vector<NamedSurface>& surfaces, const MeshData& mesh, Ranks& ranks)
 {
   NamedSurface all{ SurfaceKind::AllInterfaces, 0, "interfaces", NoSide, { { 0, 0 } }, 0, {} };
   std::map<int, std::vector<MeshSide>> skins;
-  for (const MeshFacet& facet : FindMeshFacets(mesh, ranks))
+  for (const MeshFacet& facet : *mesh.Facets)
   {
     const int material = mesh.Material[facet.Element];
     skins[material].push_back({ facet.Element, facet.Side });

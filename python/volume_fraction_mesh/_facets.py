@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING, Any, Dict, Union
 import numpy as np
 
 from . import _core
-from ._pyvista import cell_arrays, point_arrays
-from ._tables import core_mesh, field_for_core, list_arrays, material_names
+from ._tables import core_arrays, core_fields, core_mesh, material_names
 
 if TYPE_CHECKING:
     from .mesh import Mesh
@@ -109,9 +108,7 @@ def neighbours(mesh: Mesh) -> np.ndarray:
 
 def facet_sets(mesh: Mesh) -> Dict[str, Facets]:
     """Implements Mesh.facet_sets."""
-    sets = _core.side_sets(*core_mesh(mesh), list_arrays(point_arrays(mesh)),
-                           list_arrays(cell_arrays(mesh)),
-                           {name: field_for_core(values) for name, values in mesh.fields.items()})
+    sets = _core.side_sets(*core_arrays(mesh), core_fields(mesh.fields))
     return {name: _facets(mesh, elements, sides) for _, name, elements, sides in sets}
 
 

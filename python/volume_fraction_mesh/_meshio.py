@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, Dict, List
 import numpy as np
 
 from ._pyvista import cell_arrays, point_arrays
-from ._tables import material_names, material_tags
+from ._tables import material_names
 
 if TYPE_CHECKING:
     import meshio

@@ -7,8 +7,7 @@ from typing import TYPE_CHECKING, Any, Dict
 
 from . import _core
 from ._input import Field
-from ._save import core_arrays
-from ._tables import core_fields
+from ._tables import core_arrays, core_fields
 
 if TYPE_CHECKING:
     from .mesh import Mesh

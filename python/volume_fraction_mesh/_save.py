@@ -6,11 +6,10 @@ import os
 import tempfile
 from contextlib import contextmanager
 from importlib.util import find_spec
-from typing import TYPE_CHECKING, Any, Iterator, Optional, Tuple
+from typing import TYPE_CHECKING, Any, Iterator, Optional
 
 from . import _core, _npz, _vtk
-from ._pyvista import cell_arrays, point_arrays
-from ._tables import core_fields, core_mesh, list_arrays
+from ._tables import core_arrays, core_fields
 
 if TYPE_CHECKING:
     from .mesh import Mesh
@@ -74,11 +73,6 @@ def _save_by_core(mesh: Mesh, path: str, suffix: str, **options: Any) -> None:
     if unknown:
         raise TypeError("%s is not an option of %s." % (", ".join(sorted(unknown)), suffix))
     _write(mesh, path, **options)
-
-
-def core_arrays(mesh: Mesh) -> Tuple[Any, ...]:
-    """Returns points, cells and arrays as arguments of the writers of the core."""
-    return (*core_mesh(mesh), list_arrays(point_arrays(mesh)), list_arrays(cell_arrays(mesh)))
 
 
 def _write(mesh: Mesh, path: str, time: Optional[float] = None, texts: bool = True,

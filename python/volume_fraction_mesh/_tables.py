@@ -6,6 +6,8 @@ from typing import TYPE_CHECKING, Any, Dict, List, Mapping, Tuple
 
 import numpy as np
 
+from ._pyvista import cell_arrays, point_arrays
+
 if TYPE_CHECKING:
     from .mesh import Mesh
 
@@ -19,6 +21,11 @@ def core_mesh(mesh: Mesh) -> Tuple[np.ndarray, np.ndarray]:
 def list_arrays(arrays: Mapping[str, Any]) -> List[Tuple[str, np.ndarray]]:
     """Returns names and contiguous values."""
     return [(name, np.ascontiguousarray(values)) for name, values in arrays.items()]
+
+
+def core_arrays(mesh: Mesh) -> Tuple[Any, ...]:
+    """Returns points, cells and arrays as arguments of the core."""
+    return (*core_mesh(mesh), list_arrays(point_arrays(mesh)), list_arrays(cell_arrays(mesh)))
 
 
 def field_for_core(values: Any) -> Any:
