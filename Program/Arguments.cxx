@@ -6,7 +6,7 @@
 #include "FileSuffix.h"
 #include "ImageInput.h"
 #include "Images/ImageFile.h"
-#include "Meshes/WriteGeometry.h"
+#include "Meshes/Vtk/WriteGeometry.h"
 #include "Meshes/WriteMesh.h"
 #include "Options/SetOptions.h"
 #include "ReadInput.h"
@@ -172,9 +172,9 @@ OutputForm ReadForm(const GivenArguments& given)
 {
   OutputForm form;
   form.Files = given.count("--single-file") > 0 ? OutputFiles::Single : OutputFiles::AsUsual;
-  form.Gmsh.Version = ReadValue(given, "--msh-version", "2.2 or 4.1", ParseGmshVersion)
-                        .value_or(GmshVersion::Automatic);
-  form.Gmsh.IsBinary = given.count("--binary") > 0;
+  form.Version = ReadValue(given, "--msh-version", "2.2 or 4.1", ParseGmshVersion)
+                   .value_or(GmshVersion::Automatic);
+  form.IsBinary = given.count("--binary") > 0;
   return form;
 }
 

@@ -1,6 +1,6 @@
 #include "vtkVolumeFractionAbaqusWriter.h"
 
-#include "Meshes/WriteAbaqus.h"
+#include "Meshes/Decks/WriteAbaqus.h"
 
 #include "vtkObjectFactory.h"
 

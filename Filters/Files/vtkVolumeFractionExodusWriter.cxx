@@ -1,6 +1,6 @@
 #include "vtkVolumeFractionExodusWriter.h"
 
-#include "Meshes/WriteExodus.h"
+#include "Meshes/Exodus/WriteExodus.h"
 
 #include "vtkObjectFactory.h"
 

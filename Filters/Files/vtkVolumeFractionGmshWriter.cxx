@@ -1,6 +1,6 @@
 #include "vtkVolumeFractionGmshWriter.h"
 
-#include "Meshes/WriteGmsh.h"
+#include "Meshes/Gmsh/WriteGmsh.h"
 
 #include "vtkObjectFactory.h"
 

@@ -4,7 +4,7 @@
  *
  * Writes one file, also from several ranks: elements in physical groups of the materials, faces in
  * physical groups of the sides of the domain and of the interfaces, with the global ids of the
- * mesh. See Meshes/WriteGmsh.h.
+ * mesh. See Meshes/Gmsh/WriteGmsh.h.
  */
 #ifndef vtkVolumeFractionGmshWriter_h
 #define vtkVolumeFractionGmshWriter_h

@@ -2,9 +2,9 @@
 
 #include "Base/ParseText.h"
 #include "FileSuffix.h"
-#include "Meshes/WriteAbaqus.h"
-#include "Meshes/WriteExodus.h"
-#include "Meshes/WriteVtu.h"
+#include "Meshes/Decks/WriteAbaqus.h"
+#include "Meshes/Exodus/WriteExodus.h"
+#include "Meshes/Vtk/WriteVtu.h"
 #include "Ranks/WorkTogether.h"
 
 #include <algorithm>
@@ -24,7 +24,8 @@ struct Format
   const char* Suffix;
   Writer Write;    ///< collective
   bool HasSingle;  ///< whether several ranks can write one file
-  bool HasVersion; ///< whether OutputForm::Gmsh applies
+  bool HasVersion; ///< whether OutputForm::Version applies
+  bool HasBinary;  ///< whether OutputForm::IsBinary applies
 };
 
 /// Writes a format that has only one form.
@@ -44,13 +45,32 @@ void WriteExodusFiles(
 void WriteGmshFile(
   const MeshData& mesh, const std::string& path, Ranks& ranks, const OutputForm& form)
 {
-  WriteGmsh(mesh, path, ranks, form.Gmsh);
+  WriteGmsh(mesh, path, ranks, { form.Version, form.IsBinary });
 }
 
-constexpr Format Formats[] = { { ".vtu", WritePlain<WriteVtu>, true, false },
-  { ".pvtu", WritePlain<WritePvtu>, false, false }, { ".e", WriteExodusFiles, true, false },
-  { ".ex2", WriteExodusFiles, true, false }, { ".exo", WriteExodusFiles, true, false },
-  { ".inp", WritePlain<WriteAbaqus>, true, false }, { ".msh", WriteGmshFile, true, true } };
+constexpr Format Formats[] = {
+  { ".vtu", WritePlain<WriteVtu>, true, false, false },
+  { ".pvtu", WritePlain<WritePvtu>, false, false, false },
+  { ".e", WriteExodusFiles, true, false, false },
+  { ".ex2", WriteExodusFiles, true, false, false },
+  { ".exo", WriteExodusFiles, true, false, false },
+  { ".inp", WritePlain<WriteAbaqus>, true, false, false },
+  { ".msh", WriteGmshFile, true, true, true },
+};
+
+/// Returns the suffixes of the formats with a property.
+std::string ListSuffixes(bool Format::*property)
+{
+  std::vector<std::string> suffixes;
+  for (const Format& format : Formats)
+  {
+    if (format.*property)
+    {
+      suffixes.emplace_back(format.Suffix);
+    }
+  }
+  return JoinTexts(suffixes);
+}
 
 const Format* FindFormat(const std::string& path)
 {
@@ -83,10 +103,17 @@ std::string FindOutputProblem(const std::string& path, const OutputForm& form)
   {
     return "The output " + path + " always consists of several files.";
   }
-  const bool hasForm = form.Gmsh.Version != GmshVersion::Automatic || form.Gmsh.IsBinary;
-  return hasForm && !format->HasVersion
-    ? "The output " + path + " has no choice of version or binary form; only .msh has one."
-    : "";
+  if (form.Version != GmshVersion::Automatic && !format->HasVersion)
+  {
+    return "The output " + path +
+      " has no choice of version. Formats that have it: " + ListSuffixes(&Format::HasVersion) + ".";
+  }
+  if (form.IsBinary && !format->HasBinary)
+  {
+    return "The output " + path +
+      " has no binary form. Formats that have it: " + ListSuffixes(&Format::HasBinary) + ".";
+  }
+  return "";
 }
 
 std::string FindFolderProblem(const std::string& path)

@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "Meshes/WriteGmsh.h"
+#include "Meshes/Gmsh/WriteGmsh.h"
 #include "Ranks/Ranks.h"
 #include "Summary/MeshData.h"
 
@@ -23,7 +23,8 @@ enum class OutputFiles
 struct OutputForm
 {
   OutputFiles Files = OutputFiles::AsUsual;
-  GmshForm Gmsh; ///< only for .msh
+  GmshVersion Version = GmshVersion::Automatic; ///< only for .msh
+  bool IsBinary = false; ///< binary instead of text; only for formats that have both
 };
 
 /// Returns all supported suffixes, for instance ".vtu".

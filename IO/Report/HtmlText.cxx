@@ -1,6 +1,6 @@
 #include "Report/HtmlText.h"
 
-#include "Meshes/VtuText.h"
+#include "Meshes/Vtk/VtuText.h"
 
 #include <charconv>
 

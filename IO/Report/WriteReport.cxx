@@ -1,7 +1,7 @@
 #include "Report/WriteReport.h"
 
 #include "FileSuffix.h"
-#include "Meshes/OutputFile.h"
+#include "Meshes/Files/OutputFile.h"
 #include "Options/SetOptions.h"
 #include "Ranks/WorkTogether.h"
 #include "Summary/MeshSets.h"

@@ -2,6 +2,7 @@
 
 #include "Summary/MeshFacets.h"
 #include "Summary/MeshMaterials.h"
+#include "Summary/UniqueNames.h"
 
 #include <map>
 #include <set>
@@ -86,14 +87,10 @@ void NumberUnions(std::vector<NamedSurface>& surfaces)
 
 void SeparateNames(std::vector<NamedSurface>& surfaces)
 {
-  std::set<std::string> used;
+  UniqueNames used;
   for (NamedSurface& surface : surfaces)
   {
-    const std::string name = surface.Name;
-    for (int count = 2; !used.insert(surface.Name).second; ++count)
-    {
-      surface.Name = name + "_" + std::to_string(count);
-    }
+    surface.Name = used.Add(surface.Name);
   }
 }
 

@@ -1,6 +1,6 @@
 /// Files of Gmsh: text of two cubes, the same content in both versions as text and binary, the same
 /// bytes from any number of ranks.
-#include "Meshes/WriteGmsh.h"
+#include "Meshes/Gmsh/WriteGmsh.h"
 #include "FileCases.h"
 #include "Meshes/WriteMesh.h"
 
@@ -400,8 +400,10 @@ TEST(WriteGmsh, AllFormsHaveTheSameContent)
       for (int count : { 1, 3 })
       {
         WithMesh(count, make,
-          [&](const FileCase& part, Ranks& ranks) {
-            WriteMesh(part.Mesh, folder / "mesh.msh", ranks, { OutputFiles::AsUsual, form });
+          [&](const FileCase& part, Ranks& ranks)
+          {
+            WriteMesh(part.Mesh, folder / "mesh.msh", ranks,
+              { OutputFiles::AsUsual, form.Version, form.IsBinary });
           });
         files.push_back(ReadAll(folder / "mesh.msh"));
       }
@@ -470,8 +472,11 @@ TEST(WriteGmsh, FragmentsOfSeveralMaterialsAreRejected)
 
 TEST(WriteGmsh, OtherFormatsHaveOneForm)
 {
-  const OutputForm binary{ OutputFiles::AsUsual, { GmshVersion::Automatic, true } };
+  const OutputForm binary{ OutputFiles::AsUsual, GmshVersion::Automatic, true };
+  const OutputForm old{ OutputFiles::AsUsual, GmshVersion::V2_2, false };
   EXPECT_EQ(FindOutputProblem("a.msh", binary), "");
   EXPECT_EQ(FindOutputProblem("a.inp", binary),
-    "The output a.inp has no choice of version or binary form; only .msh has one.");
+    "The output a.inp has no binary form. Formats that have it: .msh.");
+  EXPECT_EQ(FindOutputProblem("a.inp", old),
+    "The output a.inp has no choice of version. Formats that have it: .msh.");
 }

@@ -1,5 +1,5 @@
 /// NetCDF files, byte by byte.
-#include "Meshes/WriteNetcdf.h"
+#include "Meshes/Exodus/WriteNetcdf.h"
 
 #include <gtest/gtest.h>
 

@@ -102,8 +102,8 @@ TEST(Arguments, ValuesOfTheProgram)
   EXPECT_EQ(voxels.AxisOrder, 5);
   EXPECT_TRUE(voxels.Form.Files == OutputFiles::Single && voxels.Quiet);
   const Arguments gmsh = Parse("in.vti out.msh --msh-version 4.1 --binary");
-  EXPECT_TRUE(gmsh.Form.Gmsh.Version == GmshVersion::V4_1 && gmsh.Form.Gmsh.IsBinary);
-  EXPECT_TRUE(none.Form.Gmsh.Version == GmshVersion::Automatic && !none.Form.Gmsh.IsBinary);
+  EXPECT_TRUE(gmsh.Form.Version == GmshVersion::V4_1 && gmsh.Form.IsBinary);
+  EXPECT_TRUE(none.Form.Version == GmshVersion::Automatic && !none.Form.IsBinary);
   const Arguments steps =
     ParseMesh("--step 0 --labels id --fragments f.csv --geometry g.vtm --report r.html");
   EXPECT_EQ(steps.Step, 0);
@@ -230,7 +230,7 @@ TEST(Arguments, RejectedWords)
       { "in.vti no.stl", "The output no.stl is of an unknown format. Supported formats: .vtu" },
       { "in.vti no.stl", ".inp" },
       { "in.vti out.vtu --binary",
-        "The output out.vtu has no choice of version or binary form; only .msh has one." },
+        "The output out.vtu has no binary form. Formats that have it: .msh" },
       { "in.vti out.msh --msh-version 3", "--msh-version takes 2.2 or 4.1, not '3'." },
       { "in.vti out.pvtu --single-file", "The output out.pvtu always consists of several files." },
       { "in.vti out.vtu --geometry g.vtu",

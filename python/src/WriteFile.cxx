@@ -19,14 +19,14 @@ namespace nb = nanobind;
 using namespace nb::literals;
 
 /// @param version  name of a version of Gmsh's format; empty: automatic
-GmshForm ReadForm(const std::string& version, bool isBinary)
+OutputForm ReadForm(const std::string& version, bool isBinary)
 {
   const std::optional<GmshVersion> known = ParseGmshVersion(version);
   if (!known && !version.empty())
   {
     throw InputError("The version of a .msh file is '" + version + "': it must be 2.2 or 4.1.");
   }
-  return { known.value_or(GmshVersion::Automatic), isBinary };
+  return { OutputFiles::AsUsual, known.value_or(GmshVersion::Automatic), isBinary };
 }
 
 void WriteFile(const std::string& path, const NumpyPoints& points, const NumpyCells& cells,
@@ -35,7 +35,7 @@ void WriteFile(const std::string& path, const NumpyPoints& points, const NumpyCe
 {
   StoredMesh mesh = ViewMesh(points, cells, pointArrays, cellArrays, fields);
   mesh.Data.Time = time;
-  const OutputForm form{ OutputFiles::AsUsual, ReadForm(version, binary) };
+  const OutputForm form = ReadForm(version, binary);
   const nb::gil_scoped_release others;
   Ranks alone;
   WorkInStage(alone, ErrorCode::UnwritableOutput, [&] { WriteMesh(mesh.Data, path, alone, form); });

@@ -1,4 +1,4 @@
-#include "Meshes/ExodusModel.h"
+#include "Meshes/Exodus/ExodusModel.h"
 
 #include "Ranks/Agreement.h"
 #include "Summary/GatherMesh.h"

@@ -4,8 +4,8 @@
  */
 #pragma once
 
-#include "Meshes/ExodusModel.h"
-#include "Meshes/NetcdfLayout.h"
+#include "Meshes/Exodus/ExodusModel.h"
+#include "Meshes/Exodus/NetcdfLayout.h"
 
 namespace vfm
 {

@@ -1,4 +1,4 @@
-#include "Meshes/ExodusVariables.h"
+#include "Meshes/Exodus/ExodusVariables.h"
 
 #include <algorithm>
 #include <iterator>

@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "Meshes/OutputFile.h"
+#include "Meshes/Files/OutputFile.h"
 
 namespace vfm
 {
@@ -31,8 +31,6 @@ public:
   void Close() { this->File.Close(); }
 
 private:
-  template <class T>
-  void AddBytes(T number);
   void Separate();
 
   OutputFile File;

@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "Meshes/NetcdfLayout.h"
+#include "Meshes/Exodus/NetcdfLayout.h"
 
 namespace vfm
 {

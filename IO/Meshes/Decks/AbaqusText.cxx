@@ -1,4 +1,4 @@
-#include "Meshes/AbaqusText.h"
+#include "Meshes/Decks/AbaqusText.h"
 
 #include <charconv>
 #include <limits>
@@ -7,8 +7,6 @@ namespace vfm
 {
 namespace
 {
-
-constexpr std::size_t LongestName = 80;
 
 bool IsLetter(char c)
 {
@@ -38,21 +36,14 @@ std::string CleanName(const std::string& name)
   {
     clean = "S_" + clean;
   }
-  return clean.substr(0, LongestName);
+  return clean;
 }
 
 } // namespace
 
 std::string AbaqusNames::Add(const std::string& name)
 {
-  const std::string clean = CleanName(name);
-  std::string unique = clean;
-  for (int count = 2; !this->Used.insert(unique).second; ++count)
-  {
-    const std::string end = "_" + std::to_string(count);
-    unique = clean.substr(0, LongestName - end.size()) + end;
-  }
-  return unique;
+  return this->Used.Add(CleanName(name));
 }
 
 AbaqusNumber::AbaqusNumber(double value)

@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include "Meshes/ExodusVariables.h"
+#include "Meshes/Exodus/ExodusVariables.h"
 #include "Summary/MeshSets.h"
 #include "Summary/SharedPoints.h"
 

@@ -1,6 +1,6 @@
-#include "Meshes/WriteTable.h"
+#include "Meshes/Files/WriteTable.h"
 
-#include "Meshes/OutputFile.h"
+#include "Meshes/Files/OutputFile.h"
 
 #include <charconv>
 

@@ -44,6 +44,14 @@ public:
 
   void Add(std::string_view text);
   void Add(std::int64_t number);
+  /// Adds the shortest text that is read back as the same number.
+  void AddReal(double number);
+  /// Adds the bytes of a number in the order of this machine.
+  template <class T>
+  void AddBytes(T number)
+  {
+    this->Add(std::string_view(reinterpret_cast<const char*>(&number), sizeof(T)));
+  }
   void Close();
 
 private:

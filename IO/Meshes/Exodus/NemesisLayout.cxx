@@ -1,6 +1,6 @@
-#include "Meshes/NemesisLayout.h"
+#include "Meshes/Exodus/NemesisLayout.h"
 
-#include "Meshes/ExodusLayout.h"
+#include "Meshes/Exodus/ExodusLayout.h"
 
 #include <algorithm>
 #include <numeric>

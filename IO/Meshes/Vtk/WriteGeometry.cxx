@@ -1,8 +1,8 @@
-#include "Meshes/WriteGeometry.h"
+#include "Meshes/Vtk/WriteGeometry.h"
 
 #include "FileSuffix.h"
-#include "Meshes/OutputFile.h"
-#include "Meshes/VtuText.h"
+#include "Meshes/Files/OutputFile.h"
+#include "Meshes/Vtk/VtuText.h"
 #include "Ranks/WorkTogether.h"
 #include "Summary/GatherGeometry.h"
 

@@ -1,7 +1,7 @@
-#include "Meshes/WriteNetcdf.h"
+#include "Meshes/Exodus/WriteNetcdf.h"
 
-#include "Meshes/OutputFile.h"
-#include "Meshes/WriteNetcdf4.h"
+#include "Meshes/Exodus/WriteNetcdf4.h"
+#include "Meshes/Files/OutputFile.h"
 
 #include <algorithm>
 #include <cstring>

@@ -1,6 +1,4 @@
-#include "Meshes/GmshFile.h"
-
-#include <charconv>
+#include "Meshes/Gmsh/GmshFile.h"
 
 namespace vfm
 {
@@ -21,12 +19,6 @@ void GmshFile::Line(const std::string& text)
   this->File.Add("\n");
 }
 
-template <class T>
-void GmshFile::AddBytes(T number)
-{
-  this->File.Add(std::string_view(reinterpret_cast<const char*>(&number), sizeof(T)));
-}
-
 void GmshFile::Separate()
 {
   if (this->IsInLine)
@@ -40,7 +32,7 @@ void GmshFile::Int(std::int64_t number)
 {
   if (this->IsBinary)
   {
-    this->AddBytes(static_cast<std::int32_t>(number));
+    this->File.AddBytes(static_cast<std::int32_t>(number));
     return;
   }
   this->Separate();
@@ -51,7 +43,7 @@ void GmshFile::Size(std::int64_t number)
 {
   if (this->IsBinary)
   {
-    this->AddBytes(number);
+    this->File.AddBytes(number);
     return;
   }
   this->Int(number);
@@ -61,13 +53,11 @@ void GmshFile::Real(double number)
 {
   if (this->IsBinary)
   {
-    this->AddBytes(number);
+    this->File.AddBytes(number);
     return;
   }
   this->Separate();
-  char text[32];
-  this->File.Add(
-    std::string_view(text, std::to_chars(text, text + sizeof(text), number).ptr - text));
+  this->File.AddReal(number);
 }
 
 void GmshFile::EndLine()

@@ -1,9 +1,8 @@
-#include "Meshes/WriteAbaqus.h"
+#include "Meshes/Decks/WriteAbaqus.h"
 
-#include "Meshes/AbaqusText.h"
-#include "Meshes/OutputFile.h"
-#include "Ranks/Agreement.h"
-#include "Summary/GatherMesh.h"
+#include "Meshes/Decks/AbaqusText.h"
+#include "Meshes/Files/OutputFile.h"
+#include "Meshes/Files/WriteWhole.h"
 #include "Summary/MeshMaterials.h"
 #include "Summary/MeshSets.h"
 
@@ -234,17 +233,8 @@ void WriteFile(const MeshData& mesh, const std::string& path)
 
 void WriteAbaqus(const MeshData& mesh, const std::string& path, Ranks& ranks)
 {
-  WorkTogether(ranks, [&] { Require(mesh.Material, "MaterialId", mesh); });
-  const StoredMesh ordered = OrderMesh(TakeKnownArrays(mesh, IsVelocity), ranks);
-  const StoredMesh whole = GatherMesh(ordered.Data, ranks);
-  WorkTogether(ranks,
-    [&]
-    {
-      if (ranks.Rank() == 0)
-      {
-        WriteFile(whole.Data, path);
-      }
-    });
+  WriteWhole(
+    mesh, ranks, [&](const MeshData& whole) { WriteFile(whole, path); }, IsVelocity);
 }
 
 } // namespace vfm

@@ -1,9 +1,8 @@
-#include "Meshes/WriteGmsh.h"
+#include "Meshes/Gmsh/WriteGmsh.h"
 
-#include "Meshes/GmshFile.h"
-#include "Meshes/GmshModel.h"
-#include "Ranks/WorkTogether.h"
-#include "Summary/GatherMesh.h"
+#include "Meshes/Files/WriteWhole.h"
+#include "Meshes/Gmsh/GmshFile.h"
+#include "Meshes/Gmsh/GmshModel.h"
 #include "Summary/MeshFacets.h"
 
 #include <iterator>
@@ -459,17 +458,7 @@ std::optional<GmshVersion> ParseGmshVersion(const std::string& name)
 
 void WriteGmsh(const MeshData& mesh, const std::string& path, Ranks& ranks, const GmshForm& form)
 {
-  WorkTogether(ranks, [&] { Require(mesh.Material, "MaterialId", mesh); });
-  const StoredMesh ordered = OrderMesh(TakeKnownArrays(mesh), ranks);
-  const StoredMesh whole = GatherMesh(ordered.Data, ranks);
-  WorkTogether(ranks,
-    [&]
-    {
-      if (ranks.Rank() == 0)
-      {
-        WriteFile(whole.Data, path, form);
-      }
-    });
+  WriteWhole(mesh, ranks, [&](const MeshData& whole) { WriteFile(whole, path, form); });
 }
 
 } // namespace vfm

@@ -1,8 +1,8 @@
-#include "Meshes/WriteNetcdf4.h"
+#include "Meshes/Exodus/WriteNetcdf4.h"
 
 #ifdef VFM_HAS_NETCDF
 
-#include "Meshes/OutputFile.h"
+#include "Meshes/Files/OutputFile.h"
 #include "Ranks/Errors.h"
 
 #include <netcdf.h>

@@ -1,8 +1,8 @@
-#include "Meshes/WriteExodus.h"
+#include "Meshes/Exodus/WriteExodus.h"
 
-#include "Meshes/ExodusLayout.h"
-#include "Meshes/OutputFile.h"
-#include "Meshes/WriteNetcdf.h"
+#include "Meshes/Exodus/ExodusLayout.h"
+#include "Meshes/Exodus/WriteNetcdf.h"
+#include "Meshes/Files/OutputFile.h"
 #include "Ranks/WorkTogether.h"
 #include "Summary/GatherMesh.h"
 

@@ -1,7 +1,7 @@
-#include "Meshes/WriteVtu.h"
+#include "Meshes/Vtk/WriteVtu.h"
 
-#include "Meshes/OutputFile.h"
-#include "Meshes/VtuText.h"
+#include "Meshes/Files/OutputFile.h"
+#include "Meshes/Vtk/VtuText.h"
 #include "Ranks/Agreement.h"
 #include "Summary/GatherMesh.h"
 

@@ -3,8 +3,9 @@
  */
 #pragma once
 
+#include "Summary/UniqueNames.h"
+
 #include <array>
-#include <set>
 #include <string>
 #include <string_view>
 
@@ -23,7 +24,7 @@ public:
   std::string Add(const std::string& name);
 
 private:
-  std::set<std::string> Used;
+  UniqueNames Used{ 80 };
 };
 
 /// Number of characters of a number that Abaqus and CalculiX read; they ignore further ones.

@@ -1,6 +1,6 @@
-#include "Meshes/VtuText.h"
+#include "Meshes/Vtk/VtuText.h"
 
-#include "Meshes/OutputFile.h"
+#include "Meshes/Files/OutputFile.h"
 
 #ifdef VFM_HAS_ZLIB
 #include <zlib.h>

@@ -1,10 +1,9 @@
-#include "Meshes/GmshModel.h"
+#include "Meshes/Gmsh/GmshModel.h"
 
 #include "Ranks/Errors.h"
 #include "Summary/MeshMaterials.h"
 #include "Summary/NamedSurfaces.h"
-
-#include <set>
+#include "Summary/UniqueNames.h"
 
 namespace vfm
 {
@@ -13,48 +12,16 @@ namespace
 
 constexpr std::size_t LongestName = 127;
 
-bool IsContinuation(char c)
+/// Returns a name without quotes and control characters.
+std::string CleanName(std::string name)
 {
-  return (static_cast<unsigned char>(c) & 0xC0) == 0x80; // byte of UTF-8 after the first
-}
-
-/// Cuts a text before a character that exceeds the length.
-std::string CutText(std::string text, std::size_t length)
-{
-  if (text.size() > length)
+  for (char& c : name)
   {
-    while (length > 0 && IsContinuation(text[length]))
-    {
-      --length;
-    }
-    text.resize(length);
+    const bool isControl = static_cast<unsigned char>(c) < ' ' || c == '\x7f';
+    c = isControl || c == '"' || c == '\\' ? '_' : c;
   }
-  return text;
+  return name;
 }
-
-/// Names of groups of one dimension.
-class GmshNames
-{
-public:
-  std::string Add(std::string name)
-  {
-    for (char& c : name)
-    {
-      const bool isControl = static_cast<unsigned char>(c) < ' ' || c == '\x7f';
-      c = isControl || c == '"' || c == '\\' ? '_' : c;
-    }
-    std::string unique = CutText(name, LongestName);
-    for (int count = 2; !this->Used.insert(unique).second; ++count)
-    {
-      const std::string end = "_" + std::to_string(count);
-      unique = CutText(name, LongestName - end.size()) + end;
-    }
-    return unique;
-  }
-
-private:
-  std::set<std::string> Used;
-};
 
 /// Returns the tag of a material.
 int TagOf(int material, int voidId)
@@ -84,11 +51,11 @@ void AddVolumes(GmshModel& model, int voidId)
 void AddMaterialGroups(GmshModel& model, const std::vector<int>& materials, int voidId)
 {
   const std::map<int, std::string> names = NamesOfMaterials(model.Mesh);
-  GmshNames used;
+  UniqueNames used(LongestName);
   for (int material : materials)
   {
     model.Groups.push_back(
-      { 3, TagOf(material, voidId), used.Add(NameOfMaterial(names, material)) });
+      { 3, TagOf(material, voidId), used.Add(CleanName(NameOfMaterial(names, material))) });
   }
 }
 
@@ -116,10 +83,10 @@ void AddSurfaceGroups(GmshModel& model)
 {
   Ranks alone;
   const std::vector<NamedSurface> named = FindNamedSurfaces(model.Mesh, alone);
-  GmshNames used;
+  UniqueNames used(LongestName);
   for (const NamedSurface& group : named)
   {
-    model.Groups.push_back({ 2, group.Id, used.Add(group.Name) });
+    model.Groups.push_back({ 2, group.Id, used.Add(CleanName(group.Name)) });
   }
   for (const SurfaceEntity& surface : model.Entities.Surfaces)
   {

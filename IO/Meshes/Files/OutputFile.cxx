@@ -1,4 +1,4 @@
-#include "Meshes/OutputFile.h"
+#include "Meshes/Files/OutputFile.h"
 
 #include "Ranks/Errors.h"
 
@@ -68,6 +68,12 @@ void OutputFile::Add(std::string_view text)
 void OutputFile::Add(std::int64_t number)
 {
   char text[24];
+  this->Add(std::string_view(text, std::to_chars(text, text + sizeof(text), number).ptr - text));
+}
+
+void OutputFile::AddReal(double number)
+{
+  char text[32];
   this->Add(std::string_view(text, std::to_chars(text, text + sizeof(text), number).ptr - text));
 }
 

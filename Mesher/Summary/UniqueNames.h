@@ -1,0 +1,29 @@
+/**
+ * UniqueNames: gives each name once, by an ending _2, _3 and so on.
+ */
+#pragma once
+
+#include <cstddef>
+#include <set>
+#include <string>
+
+namespace vfm
+{
+
+/// List of names that were given.
+class UniqueNames
+{
+public:
+  /// @param longest  bytes of a name, 10 or more
+  explicit UniqueNames(std::size_t longest = 1000) : Longest(longest) {}
+
+  /// Returns a name that was not returned before: the given one, cut to the longest length between
+  /// characters of UTF-8. If it was returned, an ending _2, _3 and so on is added.
+  std::string Add(const std::string& name);
+
+private:
+  std::size_t Longest;
+  std::set<std::string> Used;
+};
+
+} // namespace vfm
