@@ -3,15 +3,18 @@
 #include "Ranks/Agreement.h"
 #include "Summary/MeshFacets.h"
 #include "Summary/MeshMaterials.h"
+#include "Summary/UniqueNames.h"
 
 #include <limits>
 #include <map>
+#include <set>
 
 namespace vfm
 {
 namespace
 {
 
+constexpr int FirstFreeId = 7; // ids 1 to 6 are the sides of the domain
 constexpr const char* SideNames[6] = { "x_min", "x_max", "y_min", "y_max", "z_min", "z_max" };
 
 using Facets = std::vector<MeshFacet>;
@@ -35,8 +38,8 @@ std::vector<int> NumberPairs(const std::vector<Pair>& pairs, int voidId)
   const bool fits = largest < std::numeric_limits<int>::max() / factor;
   for (const Pair& pair : pairs)
   {
-    ids.push_back(
-      fits ? static_cast<int>(first(pair) * factor) + pair[1] : 7 + static_cast<int>(ids.size()));
+    ids.push_back(fits ? static_cast<int>(first(pair) * factor) + pair[1]
+                       : FirstFreeId + static_cast<int>(ids.size()));
   }
   return ids;
 }
@@ -99,7 +102,8 @@ std::vector<SideSet> MakeSideSets(const MeshData& mesh, const Facets& facets, Ra
   std::vector<SideSet> sets;
   for (int side : UnionOfKeys(ranks, ofDomain))
   {
-    sets.push_back({ side + 1, SideNames[side], side, { { 0, 0 } }, 0, std::move(ofDomain[side]) });
+    sets.push_back({ SurfaceKind::DomainSide, side + 1, SideNames[side], side, { { 0, 0 } }, 0,
+      std::move(ofDomain[side]) });
   }
   const std::map<int, std::string> names = NamesOfMaterials(mesh);
   const auto nameOf = [&names](int first, int second)
@@ -109,8 +113,8 @@ std::vector<SideSet> MakeSideSets(const MeshData& mesh, const Facets& facets, Ra
   const std::vector<int> ids = NumberPairs(pairs, hasVoid ? FindVoidId(mesh, ranks) : 0);
   for (std::size_t p = 0; p < pairs.size(); ++p)
   {
-    sets.push_back({ ids[p], nameOf(pairs[p][0], pairs[p][1]), NoSide, pairs[p], 0,
-      std::move(ofPairs[pairs[p]]) });
+    sets.push_back({ SurfaceKind::Interface, ids[p], nameOf(pairs[p][0], pairs[p][1]), NoSide,
+      pairs[p], 0, std::move(ofPairs[pairs[p]]) });
   }
   const std::vector<PairSide> sides = UnionOfKeys(ranks, ofSides);
   std::vector<int> pairIds;
@@ -123,11 +127,68 @@ std::vector<SideSet> MakeSideSets(const MeshData& mesh, const Facets& facets, Ra
   const std::vector<int> sideIds = NumberSides(sides, pairIds, greatest);
   for (std::size_t s = 0; s < sides.size(); ++s)
   {
-    sets.push_back(
-      { sideIds[s], nameOf(sides[s][0], sides[s][1]) + "_" + std::to_string(sides[s][2]), NoSide,
-        { { sides[s][0], sides[s][1] } }, sides[s][2], std::move(ofSides[sides[s]]) });
+    sets.push_back({ SurfaceKind::SmoothSide, sideIds[s],
+      nameOf(sides[s][0], sides[s][1]) + "_" + std::to_string(sides[s][2]), NoSide,
+      { { sides[s][0], sides[s][1] } }, sides[s][2], std::move(ofSides[sides[s]]) });
   }
   return sets;
+}
+
+/// Collective. Makes "interfaces" and the skins, without ids.
+std::vector<SideSet> MakeUnions(const MeshData& mesh, const Facets& facets, Ranks& ranks)
+{
+  SideSet all{ SurfaceKind::AllInterfaces, 0, "interfaces", NoSide, { { 0, 0 } }, 0, {} };
+  std::map<int, std::vector<MeshSide>> skins;
+  for (const MeshFacet& facet : facets)
+  {
+    const int material = mesh.Material[facet.Element];
+    skins[material].push_back({ facet.Element, facet.Side });
+    if (facet.Behind != NothingBehind && OwnsFace(material, facet.Behind))
+    {
+      all.Sides.push_back({ facet.Element, facet.Side });
+    }
+  }
+  std::vector<SideSet> sets;
+  if (ranks.Any(!all.Sides.empty()))
+  {
+    sets.push_back(std::move(all));
+  }
+  const std::map<int, std::string> names = NamesOfMaterials(mesh);
+  for (int material : UnionOfKeys(ranks, skins))
+  {
+    sets.push_back({ SurfaceKind::Skin, 0, NameOfMaterial(names, material) + "_skin", NoSide,
+      { { material, material } }, 0, std::move(skins[material]) });
+  }
+  return sets;
+}
+
+/// Appends sets without ids, with the lowest free ones.
+void AppendNumbered(std::vector<SideSet>& sets, std::vector<SideSet> added)
+{
+  std::set<int> used;
+  for (const SideSet& set : sets)
+  {
+    used.insert(set.Id);
+  }
+  int next = FirstFreeId;
+  for (SideSet& set : added)
+  {
+    while (!used.insert(next).second)
+    {
+      ++next;
+    }
+    set.Id = next;
+    sets.push_back(std::move(set));
+  }
+}
+
+void SeparateNames(std::vector<SideSet>& sets)
+{
+  UniqueNames used;
+  for (SideSet& set : sets)
+  {
+    set.Name = used.Add(set.Name);
+  }
 }
 
 using SurfacePoint = std::array<Index, 2>; // surface and global id of a point
@@ -207,6 +268,8 @@ MeshSets FindMeshSets(const MeshData& mesh, Ranks& ranks)
 {
   const Facets facets = FindMeshFacets(mesh, ranks);
   std::vector<SideSet> sides = MakeSideSets(mesh, facets, ranks);
+  AppendNumbered(sides, MakeUnions(mesh, facets, ranks));
+  SeparateNames(sides);
   std::vector<NodeSet> nodes = MakeNodeSets(mesh, facets, sides, ranks);
   return { std::move(sides), std::move(nodes) };
 }

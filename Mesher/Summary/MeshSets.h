@@ -6,7 +6,10 @@
  *   material that touch the second, "ball_to_Void" the free surface;
  * - each smooth side of an interface with several smooth sides: "ball_to_Void_3" for surface 3;
  * - each side of the domain, "x_min" to "z_max", with faces of all materials. These faces are in no
- *   set of a pair.
+ *   set of a pair;
+ * - "interfaces", all faces between two materials once, where cohesive elements can be inserted;
+ * - the skin of each material, "ball_skin": all faces of its elements that touch other materials,
+ *   nothing, or the boundary of the domain.
  *
  * Node sets: each side of the domain, and each smooth side with the name and id of its side set.
  *
@@ -34,15 +37,35 @@ struct MeshSide
 /// of a triangle is -1.
 FaceIds PointsOfSide(const MeshData& mesh, const MeshSide& side);
 
+enum class SurfaceKind
+{
+  DomainSide,
+  Interface,
+  SmoothSide,
+  AllInterfaces,
+  Skin
+};
+
+/// A named set of faces of elements.
 struct SideSet
 {
-  int Id;
+  SurfaceKind Kind;
+  int Id; ///< unique, from 1
   std::string Name;
-  int DomainSide;               ///< side of the domain, 0..5 for -x +x -y +y -z +z; else NoSide
-  std::array<int, 2> Materials; ///< material of the elements and behind; 0 for sides of the domain
-  int Surface;                  ///< surface of a smooth side; 0 otherwise
-  std::vector<MeshSide> Sides;  ///< sides on this rank, ascending
+  int DomainSide; ///< 0..5 for -x +x -y +y -z +z; NoSide for other kinds
+  /// Interface, SmoothSide: materials of the elements and behind. Skin: its material, twice.
+  std::array<int, 2> Materials;
+  int Surface;                 ///< surface of a smooth side; 0 otherwise
+  std::vector<MeshSide> Sides; ///< sides on this rank, ascending
 };
+
+/// Returns whether a face belongs to this element, not to the element behind it.
+/// @param material  material of the element; 0 is void
+/// @param behind  material behind the face, or NothingBehind
+inline bool OwnsFace(int material, int behind)
+{
+  return behind <= 0 || (material > 0 && material < behind);
+}
 
 struct NodeSet
 {
@@ -65,7 +88,9 @@ struct MeshSets
 ///   ids, or consecutive numbers from 7 if that exceeds 31 bits. The void is 0 as second,
 ///   FindVoidId() as first material;
 /// - smooth sides: 1000 * (id of the pair) + surface, or a greater power of ten, or consecutive
-///   numbers after the pairs if that exceeds 31 bits.
+///   numbers after the pairs if that exceeds 31 bits;
+/// - "interfaces", then the skins in the order of the materials: the lowest from 7 that are free.
+/// A repeated name gets the ending _2, _3 and so on.
 /// @param mesh part of this rank; its fields must be equal on all ranks, also without elements
 /// @return the same list of ids and names on all ranks
 /// @throws InputError if FindMeshFacets does

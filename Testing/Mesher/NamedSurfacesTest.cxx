@@ -125,7 +125,7 @@ TEST(NamedSurfaces, AreTheSameOnAnyNumberOfRanks)
     EXPECT_EQ(names,
       (std::vector<std::pair<int, std::string>>{ { 1, "x_min" }, { 2, "x_max" }, { 3, "y_min" },
         { 4, "y_max" }, { 5, "z_min" }, { 6, "z_max" }, { 1002, "one_to_two" },
-        { 1003, "one_to_one" }, { 2003, "two_to_one" }, { 7, "interfaces" }, { 8, "one_skin" },
+        { 1003, "one_to_one" }, { 2003, "two_to_one_2" }, { 7, "interfaces" }, { 8, "one_skin" },
         { 9, "two_skin" }, { 10, "one_skin_2" } }));
   }
 }
