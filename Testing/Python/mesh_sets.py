@@ -4,6 +4,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from vfmtest import HEX_FACES, TET_FACES
 
+FIRST_OF_UNIONS = 7  # id after those of the sides of the domain
 AXES = [axis + end for axis in "xyz" for end in ("_min", "_max")]
 
 
@@ -45,12 +46,15 @@ def find_sets(mesh):
     for element, cell in enumerate(cells):
         for face in cell[table]:
             owners.setdefault(tuple(sorted(ids[face].tolist())), []).append((element, face))
-    side_sets = {}
+    side_sets, interfaces, skins = {}, set(), {}
     for points, at in owners.items():
         for element, face in at:
             behind = [materials[other] for other, _ in at if other != element]
             if behind == [materials[element]]:
                 continue
+            skins.setdefault(materials[element], set()).add((cell_ids[element], points))
+            if behind and (behind[0] or void) > (materials[element] or void):
+                interfaces.add((cell_ids[element], points))
             full = np.flatnonzero(sides[face].all(axis=0))
             if not behind and len(full):
                 key = (int(full[0]) + 1, AXES[full[0]])
@@ -58,6 +62,10 @@ def find_sets(mesh):
                 one, other = materials[element], (behind or [0])[0]
                 key = ((one or void) * 1000 + other, "%s_to_%s" % (names[one], names[other]))
             side_sets.setdefault(key, set()).add((cell_ids[element], points))
+    unions = [("interfaces", interfaces)] if interfaces else []
+    unions += [(names[material] + "_skin", skins[material]) for material in sorted(skins)]
+    side_sets.update(((FIRST_OF_UNIONS + i, name), sides)
+                     for i, (name, sides) in enumerate(unions))
     node_sets = {(s + 1, AXES[s]): set(ids[sides[:, s]].tolist()) for s in range(6)
                  if sides[:, s].any()}
     return side_sets, node_sets

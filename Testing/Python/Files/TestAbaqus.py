@@ -60,11 +60,14 @@ def expected_surfaces(result):
     sides = sides_of(vtk_to_numpy(result.mesh.GetPoints().GetData()))
     surfaces = {}
     for face, owners in face_owners(numbers, result.cells("MaterialId")).items():
+        for owner in set(owners) if len(set(owners)) == len(owners) else ():
+            surfaces.setdefault(NAMES[owner] + "_SKIN", set()).add(face)
         if len(owners) == 1:
             name = [side for side, nodes in sides.items()
                     if nodes.issuperset(face)] or [NAMES[owners[0]] + "_TO_VOID"]
             surfaces.setdefault(name[0], set()).add(face)
         elif owners[0] != owners[1]:
+            surfaces.setdefault("INTERFACES", set()).add(face)
             for a, b in (owners, owners[::-1]):
                 surfaces.setdefault("%s_TO_%s" % (NAMES[a], NAMES[b]), set()).add(face)
     return surfaces
@@ -185,8 +188,9 @@ def test_names(at):
     assert found == {i + 1: name
                      for i, name in enumerate([name for _, name in cases]
                                               + ["MATERIAL_%d" % (len(cases) + 1)])}
-    assert len(file.surfaces) == len(
-        cases) + 1 and "MATERIAL_VOLUME_FRACTION_1_TO_VOID" in file.surfaces
+    assert len(file.surfaces) == 2 * len(cases) + 2
+    assert {"MATERIAL_VOLUME_FRACTION_1_TO_VOID",
+            "MATERIAL_VOLUME_FRACTION_1_SKIN"} <= set(file.surfaces)
     assert ("** MATERIAL_VOLUME_FRACTION_1: material 1, Material volume fraction - 1"
             in file.comments)
 

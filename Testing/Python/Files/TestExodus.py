@@ -64,8 +64,12 @@ def surface_areas(result, names):
             keys.append(("%s_to_%s" % (names[low], names[high]), -1))
         if parts[surface - 1] > 0:
             keys += [("%s_%d" % (name, surface), sign) for name, sign in keys]
+        if side < 0 and low > 0:
+            keys.append(("interfaces", -1))
         for key, sign in keys:
             sums[key] = sums.get(key, 0) + sign * area
+    for material in set(result.cells("MaterialId").tolist()):
+        sums[names[material] + "_skin"] = np.zeros(3)  # a closed surface
     return sums
 
 
