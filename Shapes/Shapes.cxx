@@ -1,5 +1,6 @@
 #include "Shapes/Shapes.h"
 
+#include "Base/PortableMath.h"
 #include "Base/Runtime.h"
 #include "Base/Vector3.h"
 
@@ -10,8 +11,6 @@ namespace vfm
 {
 namespace
 {
-
-constexpr double Pi = 3.14159265358979323846;
 
 void RequirePositive(double value, const char* shape, const char* name)
 {
@@ -38,8 +37,8 @@ std::array<Vector3, 3> RotateAxes(const Vector3& degrees)
     // Quarter turns are exact.
     const double quarters = degrees[a] / 90.0;
     const bool exact = quarters == std::floor(quarters);
-    c[a] = exact ? std::round(std::cos(quarters * Pi / 2)) : std::cos(degrees[a] * Pi / 180);
-    s[a] = exact ? std::round(std::sin(quarters * Pi / 2)) : std::sin(degrees[a] * Pi / 180);
+    c[a] = exact ? std::round(Cosine(quarters * Pi / 2)) : Cosine(degrees[a] * Pi / 180);
+    s[a] = exact ? std::round(Sine(quarters * Pi / 2)) : Sine(degrees[a] * Pi / 180);
   }
   // Columns of Rz Rx Ry.
   return {
@@ -95,8 +94,8 @@ Vector3 ToLocal(const Shape& shape, const Vector3& point)
 
 double GyroidValue(const Vector3& p, double k)
 {
-  return std::sin(k * p[0]) * std::cos(k * p[1]) + std::sin(k * p[1]) * std::cos(k * p[2]) +
-    std::sin(k * p[2]) * std::cos(k * p[0]);
+  return Sine(k * p[0]) * Cosine(k * p[1]) + Sine(k * p[1]) * Cosine(k * p[2]) +
+    Sine(k * p[2]) * Cosine(k * p[0]);
 }
 
 double GyroidDistance(const Shape& shape, const Vector3& p)
@@ -106,7 +105,7 @@ double GyroidDistance(const Shape& shape, const Vector3& p)
   for (int a = 0; a < 3; ++a)
   {
     const double x = k * p[a], y = k * p[(a + 1) % 3], z = k * p[(a + 2) % 3];
-    gradient[a] = k * (std::cos(x) * std::cos(y) - std::sin(z) * std::sin(x));
+    gradient[a] = k * (Cosine(x) * Cosine(y) - Sine(z) * Sine(x));
   }
   return (GyroidValue(p, k) - shape.Size[1]) / std::max(Norm(gradient), 1e-3 * k);
 }
@@ -134,7 +133,7 @@ double BoxDistance(const double* q, int dimension)
 /// of its half section.
 double ConeDistance(const Shape& shape, const Vector3& p)
 {
-  const double radius = std::hypot(p[0], p[1]), h = shape.Size[2];
+  const double radius = std::sqrt(p[0] * p[0] + p[1] * p[1]), h = shape.Size[2];
   const Vector3 corners[4] = { { { 0, -h, 0 } }, { { shape.Size[0], -h, 0 } },
     { { shape.Size[1], h, 0 } }, { { 0, h, 0 } } };
   double nearest = INFINITY;
@@ -344,7 +343,7 @@ double SignedDistance(const Shape& shape, const Vector3& point)
     }
     case ShapeKind::Cylinder:
     {
-      const double q[2] = { std::hypot(p[0], p[1]) - shape.Size[0],
+      const double q[2] = { std::sqrt(p[0] * p[0] + p[1] * p[1]) - shape.Size[0],
         std::abs(p[2]) - shape.Size[1] };
       distance = BoxDistance(q, 2);
       break;

@@ -269,8 +269,8 @@ bool CellWorker::FitSurfaces(const Candidates& candidates, const BoxGeometry& bo
   this->Fitted.resize(candidates.Surfaces.size());
   // Each halving multiplies the boxes on a surface by about four, on an edge by two. The tolerance
   // is divided among them.
-  const double onSurface = std::pow(4.0, depth) / this->CellVolume;
-  const double onEdge = std::pow(2.0, depth) / this->CellVolume;
+  const double onSurface = std::ldexp(1.0, 2 * depth) / this->CellVolume;
+  const double onEdge = std::ldexp(1.0, depth) / this->CellVolume;
   double error = 0.0;
   for (const Candidates::Item& item : candidates.Items)
   {

@@ -1,5 +1,6 @@
 #include "Shapes/ShapesScenes.h"
 
+#include "Base/PortableMath.h"
 #include "Base/Runtime.h"
 #include "Base/Vector3.h"
 
@@ -10,7 +11,6 @@ namespace vfm
 namespace
 {
 
-constexpr double Pi = 3.14159265358979323846;
 constexpr int Trials = 8; // random points per grain; the one farthest from the other seeds is used
 
 constexpr const char* SceneNames[] = { "Sphere", "Two Spheres", "Ellipsoid", "Ball and Plate",
@@ -122,8 +122,8 @@ std::vector<Shape> MakeSectors(const Vector3& center, double radius, int sectors
   {
     const double begin = (startAngle + 360.0 * s / sectors) * Pi / 180.0;
     const double end = (startAngle + 360.0 * (s + 1) / sectors) * Pi / 180.0;
-    Shape sector = CutShape(ball, center, { { std::sin(begin), -std::cos(begin), 0.0 } });
-    sector = CutShape(sector, center, { { -std::sin(end), std::cos(end), 0.0 } });
+    Shape sector = CutShape(ball, center, { { Sine(begin), -Cosine(begin), 0.0 } });
+    sector = CutShape(sector, center, { { -Sine(end), Cosine(end), 0.0 } });
     sector.Material = s + 1;
     shapes.push_back(sector);
   }

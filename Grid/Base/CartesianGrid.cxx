@@ -1,5 +1,6 @@
 #include "Base/CartesianGrid.h"
 
+#include "Base/PortableMath.h"
 #include "Base/Runtime.h"
 
 #include <cmath>
@@ -86,7 +87,7 @@ double CartesianGrid::MeanWidth() const
     volume *=
       (this->X[a].back() - this->X[a].front()) / static_cast<double>(this->GlobalBox.Upper[a]);
   }
-  return std::cbrt(volume);
+  return CubeRoot(volume);
 }
 
 } // namespace vfm

@@ -1,6 +1,7 @@
 #include "Base/ConvexClip.h"
 
 #include "Base/HexNumbering.h"
+#include "Base/PortableMath.h"
 #include "Base/Vector3.h"
 
 #include <algorithm>
@@ -34,7 +35,7 @@ void SortAround(const Vector3& normal, std::vector<Vector3>& points)
   for (const Vector3& p : points)
   {
     const Vector3 d = p - center;
-    sorted.emplace_back(std::atan2(Dot(v, d), Dot(u, d)), p);
+    sorted.emplace_back(ArcTangent(Dot(v, d), Dot(u, d)), p);
   }
   std::sort(sorted.begin(), sorted.end());
   points.clear();

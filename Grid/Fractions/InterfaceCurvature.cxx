@@ -3,6 +3,7 @@
 #include "Base/ConvexClip.h"
 #include "Base/GradientFit.h"
 #include "Base/Plic.h"
+#include "Base/PortableMath.h"
 #include "Base/Sorted.h"
 #include "Base/Vector3.h"
 
@@ -232,7 +233,7 @@ double FitCurvature(const PlaneField& planes, const Index3& cell, Index linear, 
       }
       const Vector3 r = plane.Middle + d - base->Middle;
       const double x = Dot(r, u), y = Dot(r, v);
-      const double weight = plane.Area * std::exp(-Dot(r, r) / (FitRadius * FitRadius));
+      const double weight = plane.Area * Exp(-Dot(r, r) / (FitRadius * FitRadius));
       Vector6 terms;
       terms << 1.0, x, y, 0.5 * x * x, x * y, 0.5 * y * y;
       A += weight * terms * terms.transpose();

@@ -1,5 +1,6 @@
 #include "Interface/SurfaceTargets.h"
 
+#include "Base/PortableMath.h"
 #include "Base/Vector3.h"
 #include "Interface/FaceWalk.h"
 
@@ -153,8 +154,7 @@ void SurfaceTargets::FitQuadric(
     {
       continue;
     }
-    const double weight =
-      crossing.Weight * std::exp(-(u * u + v * v) / (2.0 * FitRadius * FitRadius));
+    const double weight = crossing.Weight * Exp(-(u * u + v * v) / (2.0 * FitRadius * FitRadius));
     Vector6 row;
     row << 1.0, u, v, u * u, u * v, v * v;
     A += weight * row * row.transpose();

@@ -1,6 +1,7 @@
 #include "Labels/SmoothLabels.h"
 
 #include "Base/PairSums.h"
+#include "Base/PortableMath.h"
 #include "Base/Sorted.h"
 #include "Fractions/AverageFractions.h"
 #include "Fractions/FractionSum.h"
@@ -116,7 +117,7 @@ struct Work
 void FindCells(Work& work)
 {
   const CartesianGrid& grid = work.Grid;
-  const double scale = std::pow(grid.MeanWidth(), -3.0);
+  const double scale = 1.0 / Cube(grid.MeanWidth());
   PagedArray<unsigned char> isActive(grid, 0);
   for (Index node : FindMixedNodes(grid, work.Labels))
   {
@@ -218,7 +219,7 @@ std::vector<double> FindSteps(Work& work, double largest)
     SolveForLack(GatherPairSums(work.Last.Rates, work.Parts.Group()), work.Lack);
   for (double& step : steps)
   {
-    step = std::exp(std::min(std::max(step, -largest), largest));
+    step = Exp(std::min(std::max(step, -largest), largest));
   }
   return steps;
 }

@@ -1,6 +1,7 @@
 #include "Mesh/TetQuality.h"
 
 #include "Base/Lanes.h"
+#include "Base/PortableMath.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,7 +43,7 @@ VFM_INLINE double ScaledJacobianOf(double determinant, double largest)
 
 double Degrees()
 {
-  return 180.0 / std::acos(-1.0);
+  return 180.0 / Pi;
 }
 
 } // namespace
@@ -73,7 +74,7 @@ void DihedralAngles(const double* points, const Index* tet, double angles[6])
     // difference 0.0 - 0.0 is +0, which makes the angle 0.
     const int* ends = EdgeEnds[5 - e];
     angles[e] = Degrees() *
-      std::atan2(
+      ArcTangent(
         std::abs(shape.Determinant) * Norm(edge[e]), 0.0 - Dot(normal[ends[0]], normal[ends[1]]));
   }
 }
@@ -100,13 +101,13 @@ constexpr double BelowLimit = 1e-6; // degrees
 
 double SquareOfCotangent(double angle)
 {
-  const double cotangent = 1.0 / std::tan(angle / Degrees());
+  const double cotangent = Cosine(angle / Degrees()) / Sine(angle / Degrees());
   return std::copysign(cotangent * cotangent, cotangent);
 }
 
 double AngleOf(double square)
 {
-  return Degrees() * std::atan2(1.0, std::copysign(std::sqrt(std::fabs(square)), square));
+  return Degrees() * ArcTangent(1.0, std::copysign(std::sqrt(std::fabs(square)), square));
 }
 
 /// Table that finds the bin of ten degrees of an angle. It has steps of s / (1 + |s|), from -1 to

@@ -1,5 +1,7 @@
 #include "SharpFeatures/FeatureData.h"
 
+#include "Base/PortableMath.h"
+
 #include <algorithm>
 #include <bitset>
 #include <cstdint>
@@ -51,7 +53,7 @@ AxisCells CellsAlong(
 
 double WeightAt(double squaredRadius, const Stencil& stencil)
 {
-  return std::exp(-squaredRadius / (2.0 * stencil.Sigma * stencil.Sigma));
+  return Exp(-squaredRadius / (2.0 * stencil.Sigma * stencil.Sigma));
 }
 
 /// Finds one plane after another among crossings.

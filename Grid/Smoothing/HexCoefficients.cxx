@@ -20,15 +20,12 @@ struct Edges
   Lanes3 X, Y, Z;
 };
 
-VFM_INLINE Lanes Shuffle(const Lanes& a, const Lanes& b, const Mask& from)
-{
-  return __builtin_shuffle(a, b, from);
-}
-
 VFM_INLINE void SplitEdges(const Lanes& low, const Lanes& high, Lanes& x, Lanes& y, Lanes& z)
 {
-  x = Shuffle(low, high, Mask{ 1, 5, 3, 7 }) - Shuffle(low, high, Mask{ 0, 4, 2, 6 });
-  y = Shuffle(low, high, Mask{ 2, 6, 3, 7 }) - Shuffle(low, high, Mask{ 0, 4, 1, 5 });
+  x =
+    __builtin_shufflevector(low, high, 1, 5, 3, 7) - __builtin_shufflevector(low, high, 0, 4, 2, 6);
+  y =
+    __builtin_shufflevector(low, high, 2, 6, 3, 7) - __builtin_shufflevector(low, high, 0, 4, 1, 5);
   z = high - low;
 }
 
@@ -64,9 +61,8 @@ struct EdgeProducts
 template <int N>
 VFM_INLINE Lanes3 SplatLane(const Lanes3& a)
 {
-  constexpr Mask Lane{ N, N, N, N };
-  return { __builtin_shuffle(a.X, Lane), __builtin_shuffle(a.Y, Lane),
-    __builtin_shuffle(a.Z, Lane) };
+  return { __builtin_shufflevector(a.X, a.X, N, N, N, N),
+    __builtin_shufflevector(a.Y, a.Y, N, N, N, N), __builtin_shufflevector(a.Z, a.Z, N, N, N, N) };
 }
 
 /// Computes the products of two y edges at one position along x, low and high along z, with all x

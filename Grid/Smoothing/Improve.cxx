@@ -1,5 +1,7 @@
 #include "Smoothing/Improve.h"
 
+#include "Base/PortableMath.h"
+
 #include <cmath>
 
 namespace vfm
@@ -100,7 +102,7 @@ void Improve(const Improvement& what, StageClock& clock, Runtime& runtime)
 
 void ReportVolumes(const CartesianGrid& grid, const FragmentVolumes& volumes, MeshReport& report)
 {
-  const double cellVolume = std::pow(grid.MeanWidth(), 3.0);
+  const double cellVolume = Cube(grid.MeanWidth());
   report.TargetVolume = Multiplied(volumes.MaterialTargets(), cellVolume);
   report.MeshVolume = Multiplied(volumes.MaterialVolumes(), cellVolume);
   report.FragmentTargetVolume = Multiplied(volumes.FragmentTargets(), cellVolume);

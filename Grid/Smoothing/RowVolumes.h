@@ -5,6 +5,7 @@
 
 #include "Base/CartesianGrid.h"
 #include "Base/ExactSum.h"
+#include "Base/PortableMath.h"
 
 #include <cmath>
 #include <map>
@@ -17,8 +18,7 @@ namespace vfm
 class RowVolumes
 {
 public:
-  explicit RowVolumes(const CartesianGrid& grid) :
-    Grid(grid), Scale(std::pow(grid.MeanWidth(), -3.0))
+  explicit RowVolumes(const CartesianGrid& grid) : Grid(grid), Scale(1.0 / Cube(grid.MeanWidth()))
   {
   }
 

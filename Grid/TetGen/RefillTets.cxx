@@ -2,6 +2,7 @@
 
 #include "Smoothing/ActiveMesh.h"
 
+#include "Base/PortableMath.h"
 #include "Base/Vector3.h"
 #include "Labels/Fragments.h"
 #include "Mesh/FacetSides.h"
@@ -50,7 +51,7 @@ public:
     {
       volume *= this->Grid.Width(a, cell[a]) / this->Grid.MeanWidth();
     }
-    return std::cbrt(volume) * this->Options.RelativeSize *
+    return CubeRoot(volume) * this->Options.RelativeSize *
       (1.0 + this->Options.Growth * this->Layer[this->Grid.Linear(cell)]);
   }
 

@@ -1,6 +1,7 @@
 #include "Transfer/VolumeFluxes.h"
 
 #include "Base/ExactSum.h"
+#include "Base/PortableMath.h"
 #include "Ranks/MaxOfEach.h"
 
 namespace vfm
@@ -32,7 +33,7 @@ struct Movers
 std::vector<double> SumPieces(
   Movers& movers, const std::function<double(std::size_t node)>& valueOf)
 {
-  const double unit = std::ldexp(std::pow(movers.Grid.MeanWidth(), 3.0), -FinerBits);
+  const double unit = std::ldexp(Cube(movers.Grid.MeanWidth()), -FinerBits);
   std::vector<ExactSum> sums(movers.Nodes.FragmentsOfPieces().size());
   for (std::size_t i = 0; i < movers.Nodes.Owned(); ++i)
   {
