@@ -18,7 +18,8 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
 EXAMPLES = os.path.join(ROOT, "Examples")
 sys.path[:0] = [EXAMPLES, os.path.join(ROOT, "Testing", "Python")]
-from lagrangian import CORNERS, MATERIALS, Lagrangian, volume_gradients
+from impact_material import MATERIALS
+from lagrangian import CORNERS, Lagrangian, volume_gradients
 from mpi_run import mpi_run
 
 ROUNDING = 1e-13
