@@ -2,10 +2,10 @@
 
 #include "Base/ConvexClip.h"
 #include "Base/GradientFit.h"
-#include "Base/Plic.h"
 #include "Base/PortableMath.h"
 #include "Base/Sorted.h"
 #include "Base/Vector3.h"
+#include "Fractions/Plic.h"
 
 #include <Eigen/Eigenvalues>
 

@@ -1,8 +1,8 @@
 #include "Fractions/LayerFit.h"
 
 #include "Base/GradientFit.h"
-#include "Base/Plic.h"
 #include "Base/Vector3.h"
+#include "Fractions/Plic.h"
 
 #include <Eigen/Eigenvalues>
 

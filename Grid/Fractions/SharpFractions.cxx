@@ -1,7 +1,7 @@
 #include "Fractions/SharpFractions.h"
 
-#include "Base/Plic.h"
 #include "Base/Vector3.h"
+#include "Fractions/Plic.h"
 
 namespace vfm
 {

@@ -1,9 +1,9 @@
 #include "Interface/Crossings.h"
 
 #include "Base/GradientFit.h"
-#include "Base/Plic.h"
 #include "Base/Vector3.h"
 #include "Fractions/LayerFit.h"
+#include "Fractions/Plic.h"
 
 namespace vfm
 {

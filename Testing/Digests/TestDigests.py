@@ -1,8 +1,8 @@
 """Meshes are bitwise identical in every build: compares the sha256 of all values of five meshes.
 
-Builds by GCC and clang give identical values on x86-64, and processors without fused multiply-add
-too: the test runs the program a second time with GLIBC_TUNABLES, which makes glibc behave as on such
-a processor. A change that changes meshes must update DIGESTS.
+Builds by GCC and clang give identical values on x86-64, also on processors without fused
+multiply-add: the test runs the program a second time with GLIBC_TUNABLES, which makes glibc behave
+as on such a processor. A change that changes meshes must update DIGESTS.
 
 usage: python3 TestDigests.py bin/MeshValues
 """

@@ -1,5 +1,5 @@
 /// Volumes below a plane in a cell.
-#include "Base/Plic.h"
+#include "Fractions/Plic.h"
 #include "Base/ConvexClip.h"
 #include "Base/Vector3.h"
 #include "RandomDraw.h"

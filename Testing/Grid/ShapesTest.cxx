@@ -1,8 +1,8 @@
 /**
  * Distances and volume fractions of shapes, compared with closed forms.
  */
-#include "Base/Plic.h"
 #include "Base/Vector3.h"
+#include "Fractions/Plic.h"
 #include "Shapes/ShapesFractions.h"
 #include "Shapes/ShapesScenes.h"
 #include "Shapes/ShapesTriangles.h"

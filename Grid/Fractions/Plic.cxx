@@ -1,4 +1,4 @@
-#include "Base/Plic.h"
+#include "Fractions/Plic.h"
 
 #include <cmath>
 
