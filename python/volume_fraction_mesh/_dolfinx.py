@@ -104,9 +104,10 @@ def _create_mesh(comm: Any, points: np.ndarray, cells: np.ndarray, cell: str) ->
         import basix.ufl
 
         element = basix.ufl.element("Lagrange", cell, 1, shape=(3,))
-    links = {"max_facet_to_cell_links": 2}
-    partitioner = create_cell_partitioner(
-        GhostMode.shared_facet, *(links.values() if set(links) <= set(arguments) else ()))
+    try:
+        partitioner = create_cell_partitioner(GhostMode.shared_facet)
+    except TypeError:  # 0.11: also the number of cells at a facet
+        partitioner = create_cell_partitioner(GhostMode.shared_facet, 2)
     return create_mesh(comm, cells, x=points, partitioner=partitioner,
                        **{"domain" if "domain" in arguments else "e": ufl.Mesh(element)})
 
