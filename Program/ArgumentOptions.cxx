@@ -135,6 +135,7 @@ std::string GetHelp()
     "Output: " +
     JoinTexts(GetOutputSuffixes()) +
     "\n  .vtu, .inp (Abaqus, CalculiX) and .msh (Gmsh) are one file, also from several ranks;\n"
+    "    .xdmf (dolfinx) is two, FILE.xdmf and FILE_facets.xdmf;\n"
     "    Exodus from N ranks is one file per rank, FILE.N.RANK\n\n" +
     Materials;
   for (const std::string& line : DescribeOptions(ElementKind::Tets))

@@ -5,6 +5,7 @@
 #include "Meshes/Decks/WriteAbaqus.h"
 #include "Meshes/Exodus/WriteExodus.h"
 #include "Meshes/Vtk/WriteVtu.h"
+#include "Meshes/Xdmf/WriteXdmf.h"
 #include "Ranks/WorkTogether.h"
 
 #include <algorithm>
@@ -56,6 +57,7 @@ constexpr Format Formats[] = {
   { ".exo", WriteExodusFiles, true, false, false },
   { ".inp", WritePlain<WriteAbaqus>, true, false, false },
   { ".msh", WriteGmshFile, true, true, true },
+  { ".xdmf", WritePlain<WriteXdmf>, true, false, false },
 };
 
 /// Returns the suffixes of the formats with a property.

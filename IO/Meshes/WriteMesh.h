@@ -42,6 +42,7 @@ std::string FindFolderProblem(const std::string& path);
 /// - .e, .ex2, .exo (Exodus): one file per rank, path.N.RANK for N > 1 ranks; one file of the whole
 ///   mesh with OutputFiles::Single
 /// - .inp (Abaqus), .msh (Gmsh): one file of the whole mesh
+/// - .xdmf: one file of the whole mesh, and one of its facets, NAME_facets.xdmf
 /// @param mesh  part of this rank
 /// @throws InputError  if the files cannot be written, on all ranks; contains path and reason
 /// @pre Collective

@@ -10,6 +10,8 @@
 
 #include "Summary/MeshSets.h"
 
+#include <map>
+
 namespace vfm
 {
 
@@ -22,5 +24,19 @@ using NamedSurface = SideSet;
 /// @throws InputError  if FindMeshFacets does
 /// @pre Collective
 std::vector<NamedSurface> FindNamedSurfaces(const MeshData& mesh, Ranks& ranks);
+
+/// Each face on a side of the domain or an interface once, with the id of its finest named surface:
+/// the side of the domain, the smooth side, or the interface.
+struct TaggedFaces
+{
+  std::vector<MeshSide> Faces;      ///< ascending
+  std::vector<int> Tags;            ///< of each face
+  std::map<int, std::string> Names; ///< of the tags that occur
+
+  /// Returns the tag of one of the faces.
+  int TagOf(const MeshSide& face) const;
+};
+
+TaggedFaces TagFaces(const std::vector<NamedSurface>& surfaces);
 
 } // namespace vfm

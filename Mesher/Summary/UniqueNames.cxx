@@ -26,6 +26,16 @@ std::string CutText(const std::string& text, std::size_t length)
 
 } // namespace
 
+std::string PlainName(std::string name)
+{
+  for (char& c : name)
+  {
+    const bool isControl = static_cast<unsigned char>(c) < ' ' || c == '\x7f';
+    c = isControl || c == '"' || c == '\\' ? '_' : c;
+  }
+  return name;
+}
+
 std::string UniqueNames::Add(const std::string& name)
 {
   std::string unique = CutText(name, this->Longest);

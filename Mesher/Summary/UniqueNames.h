@@ -1,5 +1,5 @@
 /**
- * UniqueNames: gives each name once, by an ending _2, _3 and so on.
+ * UniqueNames: names of groups in files, each once, by an ending _2, _3 and so on.
  */
 #pragma once
 
@@ -9,6 +9,9 @@
 
 namespace vfm
 {
+
+/// Returns a name in which quotes, backslashes and control characters are replaced by _.
+std::string PlainName(std::string name);
 
 /// List of names that were given.
 class UniqueNames

@@ -4,8 +4,9 @@
 #include "NumpyFields.h"
 #include "NumpyMesh.h"
 #include "Summary/MatchFaces.h"
-#include "Summary/MeshSets.h"
+#include "Summary/NamedSurfaces.h"
 
+#include <nanobind/stl/map.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
@@ -62,16 +63,17 @@ nb::object FindNeighbours(const NumpyPoints& points, const NumpyCells& cells)
   return ToNumpy(neighbours, ElementFaces(mesh.Corners).Count);
 }
 
-nb::tuple ToPython(const SideSet& set)
+/// Returns the elements of faces and their sides.
+std::pair<nb::object, nb::object> ToPython(const std::vector<MeshSide>& faces)
 {
-  Buffer<Index> elements(set.Sides.size());
-  Buffer<int> sides(set.Sides.size());
-  for (std::size_t at = 0; at < set.Sides.size(); ++at)
+  Buffer<Index> elements(faces.size());
+  Buffer<int> sides(faces.size());
+  for (std::size_t at = 0; at < faces.size(); ++at)
   {
-    elements[at] = set.Sides[at].Element;
-    sides[at] = set.Sides[at].Side;
+    elements[at] = faces[at].Element;
+    sides[at] = faces[at].Side;
   }
-  return nb::make_tuple(set.Id, set.Name, ToNumpy(elements), ToNumpy(sides));
+  return { ToNumpy(elements), ToNumpy(sides) };
 }
 
 nb::list ListSideSets(const NumpyPoints& points, const NumpyCells& cells,
@@ -87,9 +89,26 @@ nb::list ListSideSets(const NumpyPoints& points, const NumpyCells& cells,
   nb::list list;
   for (const SideSet& set : sets.SideSets)
   {
-    list.append(ToPython(set));
+    const auto [elements, sides] = ToPython(set.Sides);
+    list.append(nb::make_tuple(set.Id, set.Name, elements, sides));
   }
   return list;
+}
+
+nb::tuple ListTaggedFaces(const NumpyPoints& points, const NumpyCells& cells,
+  const NamedArrays& pointArrays, const NamedArrays& cellArrays, const nb::dict& fields)
+{
+  const StoredMesh mesh = ViewMesh(points, cells, pointArrays, cellArrays, fields);
+  TaggedFaces tagged;
+  {
+    const nb::gil_scoped_release others;
+    Ranks alone;
+    tagged = TagFaces(FindNamedSurfaces(mesh.Data, alone));
+  }
+  Buffer<int> tags(tagged.Tags.size());
+  std::copy(tagged.Tags.begin(), tagged.Tags.end(), tags.begin());
+  const auto [elements, sides] = ToPython(tagged.Faces);
+  return nb::make_tuple(elements, sides, ToNumpy(tags), tagged.Names);
 }
 
 nb::object ListFacePoints(
@@ -127,6 +146,8 @@ void BindFaces(nb::module_& module)
   module.def("neighbours", FindNeighbours, "points"_a, "cells"_a);
   module.def("side_sets", ListSideSets, "points"_a, "cells"_a, "point_arrays"_a, "cell_arrays"_a,
     "fields"_a);
+  module.def("tagged_faces", ListTaggedFaces, "points"_a, "cells"_a, "point_arrays"_a,
+    "cell_arrays"_a, "fields"_a);
   module.def("face_points", ListFacePoints, "cells"_a, "elements"_a, "sides"_a);
 }
 

@@ -11,6 +11,7 @@ Cartesian and AMR grids.
 from ._blocks import Blocks, read
 from ._core import has_tetgen
 from ._core import version as __version__
+from ._dolfinx import DolfinxMesh
 from ._facets import Facets, Separated
 from ._fragments import fragments
 from ._geometry import Curves, Geometry, Surfaces, Vertices
@@ -23,6 +24,7 @@ from .mesh import Mesh, Run
 __all__ = [
     "Blocks",
     "Curves",
+    "DolfinxMesh",
     "Facets",
     "Fractions",
     "Geometry",

@@ -228,7 +228,7 @@ def write_mesh(
     version: str = "",
     binary: bool = False,
 ) -> None:
-    """Writes a mesh as .vtu, .e, .ex2, .exo, .inp or .msh.
+    """Writes a mesh as .vtu, .e, .ex2, .exo, .inp, .msh or .xdmf.
 
     version, "2.2" or "4.1", and binary are for .msh only.
 
@@ -314,6 +314,19 @@ def side_sets(
     fields: Fields,
 ) -> List[Tuple[int, str, NDArray[np.int64], NDArray[np.int32]]]:
     """Returns the side sets that files contain: id, name, elements and their sides.
+
+    The arguments are those of write_mesh().
+    """
+
+def tagged_faces(
+    points: NDArray[np.float64],
+    cells: NDArray[np.int64],
+    point_arrays: Sequence[Tuple[str, NDArray[Any]]],
+    cell_arrays: Sequence[Tuple[str, NDArray[Any]]],
+    fields: Fields,
+) -> Tuple[NDArray[np.int64], NDArray[np.int32], NDArray[np.int32], Dict[int, str]]:
+    """Returns the faces on sides of the domain and interfaces, each once: elements, their sides,
+    id of the finest named surface, and the names of these ids.
 
     The arguments are those of write_mesh().
     """

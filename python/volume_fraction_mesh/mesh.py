@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     import pyvista
     import skfem
 
+    from ._dolfinx import DolfinxMesh
     from ._facets import Facets, Separated
 
 
@@ -325,6 +326,46 @@ class Mesh:
 
         return convert(self)
 
+    def to_dolfinx(self, comm: Any) -> DolfinxMesh:
+        """Convert the mesh to dolfinx, with tags of materials and named surfaces.
+
+        All ranks of `comm` call it. Rank 0 distributes its whole mesh; the meshes of other ranks
+        are ignored. A rank without a mesh calls ``vfm.Mesh.to_dolfinx(None, comm)``.
+
+        Parameters
+        ----------
+        comm : mpi4py.MPI.Comm
+            Ranks that get a part of the mesh, such as ``MPI.COMM_WORLD``.
+
+        Returns
+        -------
+        DolfinxMesh
+            Named tuple of ``mesh``, ``cell_tags``, ``facet_tags``, and of the numbers by name:
+            ``materials`` and ``surfaces``. Names of surfaces are those of `facet_sets`, but an
+            interface has only one: that of the material with the lower id first. Each facet has
+            the tag of its finest surface, so the tags contain neither "interfaces" nor skins.
+
+        Raises
+        ------
+        ValueError
+            If the mesh of rank 0 has no elements; on all ranks.
+        ImportError
+            If dolfinx is not installed. Version 0.5 of Debian 12 is tested; the calls of later
+            versions are supported as their documentation states.
+
+        Examples
+        --------
+        >>> from mpi4py import MPI  # doctest: +SKIP
+        >>> mesh = vfm.hexes({"steel": np.ones((2, 2, 2))})
+        >>> made, cells, facets, materials, surfaces = mesh.to_dolfinx(
+        ...     MPI.COMM_WORLD)  # doctest: +SKIP
+        >>> facets.find(surfaces["x_min"]).size  # doctest: +SKIP
+        4
+        """
+        from ._dolfinx import convert
+
+        return convert(self, comm)
+
     def plot(self, array: str = "MaterialId", clip: Optional[str] = None, path: Any = None,
              **options: Any) -> None:
         """Plot the mesh by PyVista, in a window or into a picture.
@@ -433,12 +474,13 @@ class Mesh:
           sets, ids and variables), ``.inp`` (Abaqus, CalculiX) and ``.msh`` (Gmsh, with physical
           groups of materials, domain sides and interfaces), byte for byte like the ParaView
           plugin;
+        - ``.xdmf`` (dolfinx), with a second file ``NAME_facets.xdmf`` for the tags of facets;
         - ``.npz``, the whole mesh for `load`;
         - ``.vtk``, legacy format 4.2, with the array ``material`` first: the void has the number
           after the greatest.
 
         PyVista writes ``.vtp`` with the surfaces. meshio writes other formats that hold the mesh,
-        such as ``.xdmf`` and ``.med``. A file appears when it is complete.
+        such as ``.med``. A file appears when it is complete.
 
         Parameters
         ----------

@@ -45,6 +45,7 @@ FOLDERS = (
     ("IO/Meshes/Exodus", "Exodus files, with netCDF."),
     ("IO/Meshes/Gmsh", "Files of Gmsh."),
     ("IO/Meshes/Decks", "Input files of solvers."),
+    ("IO/Meshes/Xdmf", "XDMF files for dolfinx."),
     ("IO/Meshes", "Files of meshes."),
     ("IO/Report", "Quality reports of meshes."),
     ("Filters/Data", "VTK meshes as plain arrays."),

@@ -12,17 +12,6 @@ namespace
 
 constexpr std::size_t LongestName = 127;
 
-/// Returns a name without quotes and control characters.
-std::string CleanName(std::string name)
-{
-  for (char& c : name)
-  {
-    const bool isControl = static_cast<unsigned char>(c) < ' ' || c == '\x7f';
-    c = isControl || c == '"' || c == '\\' ? '_' : c;
-  }
-  return name;
-}
-
 /// Returns the tag of a material.
 int TagOf(int material, int voidId)
 {
@@ -55,7 +44,7 @@ void AddMaterialGroups(GmshModel& model, const std::vector<int>& materials, int 
   for (int material : materials)
   {
     model.Groups.push_back(
-      { 3, TagOf(material, voidId), used.Add(CleanName(NameOfMaterial(names, material))) });
+      { 3, TagOf(material, voidId), used.Add(PlainName(NameOfMaterial(names, material))) });
   }
 }
 
@@ -86,17 +75,18 @@ void AddSurfaceGroups(GmshModel& model)
   UniqueNames used(LongestName);
   for (const NamedSurface& group : named)
   {
-    model.Groups.push_back({ 2, group.Id, used.Add(CleanName(group.Name)) });
+    model.Groups.push_back({ 2, group.Id, used.Add(PlainName(group.Name)) });
   }
+  const TaggedFaces finest = TagFaces(named);
   for (const SurfaceEntity& surface : model.Entities.Surfaces)
   {
-    std::vector<int> tags;
+    const int first = finest.TagOf(surface.Sides.front());
+    std::vector<int> tags{ first };
     for (const NamedSurface& group : named)
     {
-      if (Contains(group, surface))
+      if (group.Id != first && Contains(group, surface))
       {
-        const bool isFinest = group.Kind == SurfaceKind::SmoothSide;
-        tags.insert(isFinest ? tags.begin() : tags.end(), group.Id);
+        tags.push_back(group.Id);
       }
     }
     model.SurfaceGroups.push_back(std::move(tags));

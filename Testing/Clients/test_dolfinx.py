@@ -1,0 +1,136 @@
+"""Tests dolfinx: the recipe, and tags and solutions by both routes, files and to_dolfinx().
+
+This file is also the program that runs on the ranks: see the function main.
+"""
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+pytest.importorskip("dolfinx", reason="dolfinx is missing: install Debian's python3-dolfinx")
+
+import ufl  # noqa: E402
+from dolfinx import fem  # noqa: E402
+from dolfinx.io import XDMFFile  # noqa: E402
+from mpi4py import MPI  # noqa: E402
+from petsc4py import PETSc  # noqa: E402
+
+from ball_in_block import (CONDUCTIVITY, SIDES, area_of, check_maximum, check_volumes,  # noqa: E402
+                           make_mesh, run_recipe)
+
+
+def total(form, comm):
+    return comm.allreduce(fem.assemble_scalar(fem.form(form)), op=MPI.SUM)
+
+
+def solve(made, cells, fixed):
+    """Returns the greatest u of the case, with u = 0 on the facets with a tag above 0."""
+    k = fem.Function(fem.FunctionSpace(made, ("DG", 0)))
+    for material, value in CONDUCTIVITY.items():
+        k.x.array[cells.find(material)] = value
+    space = fem.FunctionSpace(made, ("Lagrange", 1))
+    u, v = ufl.TrialFunction(space), ufl.TestFunction(space)
+    dx = ufl.Measure("dx", made, metadata={"quadrature_degree": 3})
+    sides = fem.dirichletbc(PETSc.ScalarType(0),
+                            fem.locate_dofs_topological(space, 2, fixed), space)
+    found = fem.petsc.LinearProblem(
+        k * ufl.dot(ufl.grad(u), ufl.grad(v)) * dx, v * dx, bcs=[sides], petsc_options={
+            "ksp_type": "cg", "pc_type": "jacobi", "ksp_rtol": 1e-12}).solve()
+    return made.comm.allreduce(found.x.array.max(), op=MPI.MAX)
+
+
+def measure(made, cells, facets, materials, surfaces):
+    """Returns volumes of the materials, areas of the surfaces by name, and the greatest u."""
+    dx = ufl.Measure("dx", made, subdomain_data=cells, metadata={"quadrature_degree": 3})
+    ds = ufl.Measure("ds", made, subdomain_data=facets)
+    dS = ufl.Measure("dS", made, subdomain_data=facets)
+    one = fem.Constant(made, PETSc.ScalarType(1))
+    fixed = np.concatenate([facets.find(surfaces[name]) for name in SIDES])
+    return {
+        "volumes": {name: total(one * dx(tag), made.comm) for name, tag in materials.items()},
+        "areas": {name: total(one * ds(tag), made.comm) + total(one("+") * dS(tag), made.comm)
+                  for name, tag in surfaces.items()},
+        "u": solve(made, cells, fixed),
+    }
+
+
+def read_files(path):
+    """Returns what to_dolfinx() returns, from the two files."""
+    text = XDMFFile.Encoding.ASCII
+    with XDMFFile(MPI.COMM_WORLD, path, "r", encoding=text) as file:
+        made = file.read_mesh()
+        cells = file.read_meshtags(made, "mesh")
+        materials = json.loads(file.read_information("MaterialNames", "/Xdmf/Domain/Grid"))
+    made.topology.create_connectivity(2, 3)
+    with XDMFFile(MPI.COMM_WORLD, path.replace(".xdmf", "_facets.xdmf"), "r",
+                  encoding=text) as file:
+        facets = file.read_meshtags(made, "facets")
+        surfaces = json.loads(file.read_information("SurfaceNames", "/Xdmf/Domain/Grid"))
+    return made, cells, facets, materials, surfaces
+
+
+def main(route, kind, path):
+    """Measures the mesh on all ranks; rank 0 writes the result to a file."""
+    import volume_fraction_mesh as vfm
+
+    comm = MPI.COMM_WORLD
+    mesh = make_mesh(kind) if comm.rank == 0 else None
+    if route == "file" and comm.rank == 0:
+        mesh.save(path + ".xdmf")
+    comm.barrier()
+    made = read_files(path + ".xdmf") if route == "file" else vfm.Mesh.to_dolfinx(mesh, comm)
+    found = measure(*made)
+    if comm.rank == 0:
+        with open(path + ".json", "w", encoding="utf-8") as file:
+            json.dump(found, file)
+
+
+def area_between(mesh, name):
+    """Returns the area of facets as dolfinx integrates it: bilinear facets of hexahedra, by two
+    Gauss points per axis."""
+    corners = mesh.points[mesh.facets(name).points]
+    if corners.shape[1] == 3:
+        return np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0],
+                                       corners[:, 2] - corners[:, 0]), axis=1).sum() / 2
+    area = 0
+    for s in (0.5 - 12**-0.5, 0.5 + 12**-0.5):
+        for t in (0.5 - 12**-0.5, 0.5 + 12**-0.5):
+            a = (1 - t) * (corners[:, 1] - corners[:, 0]) + t * (corners[:, 2] - corners[:, 3])
+            b = (1 - s) * (corners[:, 3] - corners[:, 0]) + s * (corners[:, 2] - corners[:, 1])
+            area += np.linalg.norm(np.cross(a, b), axis=1).sum() / 4
+    return area
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("route", ["file", "arrays"])
+def test_tags_and_poisson(mesh, route, ranks, tmp_path):
+    mpiexec = shutil.which("mpiexec")
+    if not mpiexec:
+        pytest.skip("there is no program mpiexec: install Debian's openmpi-bin")
+    kind = "tets" if mesh.kind == "tetra" else "hexes"
+    path = str(tmp_path / "mesh")
+    environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+    subprocess.run([mpiexec, "--oversubscribe", "-n", str(ranks), sys.executable, __file__, route,
+                    kind, path], check=True, env=environment)
+    with open(path + ".json", encoding="utf-8") as file:
+        found = json.load(file)
+    check_volumes(mesh, found["volumes"])
+    assert sorted(found["areas"]) == sorted([*SIDES, "ball_to_block"])
+    for name in SIDES:
+        assert abs(found["areas"][name] / area_of(name) - 1) < 1e-12, name
+    expected = area_between(mesh, "ball_to_block")
+    assert abs(found["areas"]["ball_to_block"] / expected - 1) < 1e-3, (found, expected)
+    check_maximum(mesh, found["u"])
+
+
+def test_recipe(mesh, tmp_path):
+    check_maximum(mesh, run_recipe("dolfinx", mesh, tmp_path)["u"].x.array)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
