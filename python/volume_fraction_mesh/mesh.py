@@ -350,8 +350,7 @@ class Mesh:
         ValueError
             If the mesh of rank 0 has no elements; on all ranks.
         ImportError
-            If dolfinx is not installed. Version 0.5 of Debian 12 is tested; the calls of later
-            versions are supported as their documentation states.
+            If dolfinx is not installed. Tested with version 0.5 of Debian 12 only.
 
         Examples
         --------
