@@ -4,6 +4,7 @@
 #include "FileSuffix.h"
 #include "Meshes/Decks/WriteAbaqus.h"
 #include "Meshes/Exodus/WriteExodus.h"
+#include "Meshes/OpenFoam/WriteFoam.h"
 #include "Meshes/Vtk/WriteVtu.h"
 #include "Ranks/WorkTogether.h"
 
@@ -48,6 +49,12 @@ void WriteGmshFile(
   WriteGmsh(mesh, path, ranks, { form.Version, form.IsBinary });
 }
 
+void WriteFoamCase(
+  const MeshData& mesh, const std::string& path, Ranks& ranks, const OutputForm& form)
+{
+  WriteFoam(mesh, path, ranks, { form.Files == OutputFiles::Single, form.IsBinary });
+}
+
 constexpr Format Formats[] = {
   { ".vtu", WritePlain<WriteVtu>, true, false, false },
   { ".pvtu", WritePlain<WritePvtu>, false, false, false },
@@ -56,6 +63,7 @@ constexpr Format Formats[] = {
   { ".exo", WriteExodusFiles, true, false, false },
   { ".inp", WritePlain<WriteAbaqus>, true, false, false },
   { ".msh", WriteGmshFile, true, true, true },
+  { ".foam", WriteFoamCase, true, false, true },
 };
 
 /// Returns the suffixes of the formats with a property.
