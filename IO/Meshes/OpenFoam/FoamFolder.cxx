@@ -169,19 +169,29 @@ void PolyMeshWriter::WriteAddressing(const FoamAddressing& addressing) const
 /// A dictionary in the folder system.
 struct Dictionary
 {
-  const char *Name, *Text;
+  std::string Name, Text;
 };
 
-constexpr Dictionary Dictionaries[] = {
-  { "controlDict",
-    "startFrom       startTime;\nstartTime       0;\nstopAt          endTime;\n"
-    "endTime         1;\ndeltaT          1;\nwriteControl    timeStep;\nwriteInterval   1;\n" },
-  { "fvSchemes",
-    "ddtSchemes { default steadyState; }\ngradSchemes { default Gauss linear; }\n"
-    "divSchemes { default none; }\nlaplacianSchemes { default Gauss linear corrected; }\n"
-    "interpolationSchemes { default linear; }\nsnGradSchemes { default corrected; }\n" },
-  { "fvSolution", "solvers {}\n" },
-};
+/// @param ranks  number of meshes of the case
+std::vector<Dictionary> ListDictionaries(int ranks)
+{
+  std::vector<Dictionary> list{
+    { "controlDict",
+      "startFrom       startTime;\nstartTime       0;\nstopAt          endTime;\n"
+      "endTime         1;\ndeltaT          1;\nwriteControl    timeStep;\nwriteInterval   1;\n" },
+    { "fvSchemes",
+      "ddtSchemes { default steadyState; }\ngradSchemes { default Gauss linear; }\n"
+      "divSchemes { default none; }\nlaplacianSchemes { default Gauss linear corrected; }\n"
+      "interpolationSchemes { default linear; }\nsnGradSchemes { default corrected; }\n" },
+    { "fvSolution", "solvers {}\n" },
+  };
+  if (ranks > 1)
+  {
+    list.push_back({ "decomposeParDict",
+      "numberOfSubdomains " + std::to_string(ranks) + ";\nmethod scotch;\n" });
+  }
+  return list;
+}
 
 } // namespace
 
@@ -227,10 +237,11 @@ void WritePolyMesh(const FoamMesh& foam, const FoamAddressing* addressing,
   }
 }
 
-void WriteCaseFiles(const std::string& folder, const std::string& path, UnfinishedFolders& files)
+void WriteCaseFiles(
+  const std::string& folder, const std::string& path, int ranks, UnfinishedFolders& files)
 {
   files.Make(folder + "/system");
-  for (const Dictionary& dictionary : Dictionaries)
+  for (const Dictionary& dictionary : ListDictionaries(ranks))
   {
     const std::string name = folder + "/system/" + dictionary.Name;
     if (!std::filesystem::exists(name))

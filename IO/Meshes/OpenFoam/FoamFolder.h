@@ -37,7 +37,9 @@ private:
 void WritePolyMesh(const FoamMesh& foam, const FoamAddressing* addressing,
   const std::string& folder, bool isBinary, UnfinishedFolders& files);
 
-/// Writes the dictionaries in system that do not exist, and the empty file of the path.
-void WriteCaseFiles(const std::string& folder, const std::string& path, UnfinishedFolders& files);
+/// Writes the dictionaries in the folder system that do not exist, and the empty file of the path.
+/// @param ranks  number of meshes of the case
+void WriteCaseFiles(
+  const std::string& folder, const std::string& path, int ranks, UnfinishedFolders& files);
 
 } // namespace vfm

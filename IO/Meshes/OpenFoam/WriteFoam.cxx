@@ -52,7 +52,7 @@ void WriteCase(const MeshData& mesh, const std::string& path, Ranks& ranks, bool
       ranks.Any(false); // throws if another rank failed
       if (ranks.Rank() == 0)
       {
-        WriteCaseFiles(folder, path, files);
+        WriteCaseFiles(folder, path, ranks.Count(), files);
       }
       ranks.Any(false);
     });
