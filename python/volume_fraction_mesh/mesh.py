@@ -430,8 +430,9 @@ class Mesh:
         The package itself writes
 
         - ``.vtu`` (ParaView), ``.e``, ``.ex2``, ``.exo`` (Exodus with named blocks, side sets, node
-          sets, ids and variables), ``.inp`` (Abaqus, CalculiX) and ``.msh`` (Gmsh, with physical
-          groups of materials, domain sides and interfaces), byte for byte like the ParaView
+          sets, ids and variables), ``.inp`` (Abaqus, CalculiX), ``.msh`` (Gmsh, with physical
+          groups of materials, domain sides and interfaces) and ``.foam`` (OpenFOAM: the folder of
+          the file is the case, with ``constant/polyMesh``), byte for byte like the ParaView
           plugin;
         - ``.npz``, the whole mesh for `load`;
         - ``.vtk``, legacy format 4.2, with the array ``material`` first: the void has the number
@@ -450,6 +451,7 @@ class Mesh:
               meshio (5.3.5) cannot read files with them.
             - ``.msh``: ``version``, "2.2" or "4.1", default 2.2, or 4.1 if an id exceeds
               2147483647; ``binary``, bool, default False.
+            - ``.foam``: ``binary``, bool, default False.
             - ``.vtk``: ``binary=True`` instead of text. ``.npz``: ``compress=True``.
             - Other formats: arguments of ``pyvista.DataSet.save`` or ``meshio.write``.
 

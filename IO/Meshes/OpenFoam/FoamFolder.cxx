@@ -178,7 +178,8 @@ std::vector<Dictionary> ListDictionaries(int ranks)
   std::vector<Dictionary> list{
     { "controlDict",
       "startFrom       startTime;\nstartTime       0;\nstopAt          endTime;\n"
-      "endTime         1;\ndeltaT          1;\nwriteControl    timeStep;\nwriteInterval   1;\n" },
+      "endTime         1;\ndeltaT          1;\nwriteControl    timeStep;\nwriteInterval   1;\n"
+      "writePrecision  12;\n" },
     { "fvSchemes",
       "ddtSchemes { default steadyState; }\ngradSchemes { default Gauss linear; }\n"
       "divSchemes { default none; }\nlaplacianSchemes { default Gauss linear corrected; }\n"
