@@ -44,6 +44,49 @@ inline std::string ReadBytes(const std::string& path)
   return { std::istreambuf_iterator<char>(file), {} };
 }
 
+/// Two unit cubes of materials 1 and 2 along x. The second one ends inside of the domain, at
+/// x = 2.
+struct TwoCubes
+{
+  explicit TwoCubes(Index firstId = 1)
+  {
+    for (Index z = 0; z < 2; ++z)
+    {
+      for (Index y = 0; y < 2; ++y)
+      {
+        for (Index x = 0; x < 3; ++x)
+        {
+          this->Points.insert(this->Points.end(), { 1.0 * x, 1.0 * y, 1.0 * z });
+          this->PointIds.push_back(firstId + 10 * static_cast<Index>(this->PointIds.size()));
+        }
+      }
+    }
+    for (Index x = 0; x < 2; ++x)
+    {
+      for (Index corner : { 0, 1, 4, 3, 6, 7, 10, 9 })
+      {
+        this->Elements.push_back(corner + x);
+      }
+    }
+    MeshData& data = this->Data;
+    data.NumberOfPoints = 12;
+    data.NumberOfElements = 2;
+    data.Points = this->Points.data();
+    data.Elements = this->Elements.data();
+    data.PointIds = this->PointIds.data();
+    data.ElementIds = this->ElementIds.data();
+    data.Material = this->Material.data();
+    data.Fields = { { "DomainBounds", std::vector<double>{ 0, 3, 0, 1, 0, 1 }, 6 },
+      { "MaterialNames", std::vector<std::string>{ "a \"b\"", "c" } },
+      { "MaterialIds", std::vector<int>{ 1, 2 } } };
+  }
+
+  std::vector<double> Points;
+  std::vector<Index> Elements, PointIds, ElementIds{ 5, 8 };
+  std::vector<int> Material{ 1, 2 };
+  MeshData Data;
+};
+
 /// A mesh of one rank with the tables of the mesher.
 struct FileCase
 {

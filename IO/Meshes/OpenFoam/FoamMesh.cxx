@@ -5,12 +5,15 @@
 #include "Summary/MeshMaterials.h"
 #include "Summary/UniqueNames.h"
 
+#include <limits>
 #include <map>
 
 namespace vfm
 {
 namespace
 {
+
+constexpr Index LargestLabel = std::numeric_limits<std::int32_t>::max();
 
 /// Builds the lists of a model one after another.
 class FoamMeshMaker
@@ -246,6 +249,19 @@ FoamMesh MakeFoamMesh(const MeshData& mesh, Ranks& ranks)
       foam.TotalFaces = CountFaces(foam, ranks);
     });
   return foam;
+}
+
+void CheckSizes(const FoamMesh& foam)
+{
+  const int corners = ElementFaces(foam.Mesh.Corners).Corners;
+  const Index offsets = corners * static_cast<Index>(foam.Sides.size());
+  const Index largest = std::max({ foam.Points.Total, foam.Cells.Total, foam.TotalFaces, offsets });
+  if (largest > LargestLabel)
+  {
+    throw InputError("The mesh has " + std::to_string(foam.TotalFaces) +
+      " faces. OpenFOAM's labels of 32 bits count at most 2147483647 points, cells, faces, and "
+      "corners of the faces of one rank.");
+  }
 }
 
 } // namespace vfm

@@ -58,4 +58,7 @@ struct FoamMesh
 /// @pre Collective
 FoamMesh MakeFoamMesh(const MeshData& mesh, Ranks& ranks);
 
+/// @throws InputError  if a number of the whole case, or of a list of this rank, exceeds 2^31 - 1
+void CheckSizes(const FoamMesh& foam);
+
 } // namespace vfm

@@ -5,7 +5,6 @@
 #include "Ranks/WorkTogether.h"
 #include "Summary/GatherMesh.h"
 
-#include <limits>
 #include <optional>
 
 namespace vfm
@@ -13,28 +12,12 @@ namespace vfm
 namespace
 {
 
-constexpr Index LargestLabel = std::numeric_limits<std::int32_t>::max();
-
-/// Throws InputError if a number of the whole case or of a list of this rank is too large.
-void CheckLabels(const FoamMesh& foam)
-{
-  const int corners = ElementFaces(foam.Mesh.Corners).Corners;
-  const Index offsets = corners * static_cast<Index>(foam.Sides.size());
-  const Index largest = std::max({ foam.Points.Total, foam.Cells.Total, foam.TotalFaces, offsets });
-  if (largest > LargestLabel)
-  {
-    throw InputError("The mesh has " + std::to_string(foam.TotalFaces) + " faces with " +
-      std::to_string(corners) +
-      " corners each. A case of OpenFOAM with labels of 32 bits holds at most 2147483647 corners.");
-  }
-}
-
 /// Writes the mesh of each rank, or one mesh if there is one rank. All files appear, or none.
 /// @pre Collective
 void WriteCase(const MeshData& mesh, const std::string& path, Ranks& ranks, bool isBinary)
 {
   const FoamMesh foam = MakeFoamMesh(mesh, ranks);
-  WorkTogether(ranks, [&foam] { CheckLabels(foam); });
+  WorkTogether(ranks, [&foam] { CheckSizes(foam); });
   std::optional<FoamAddressing> addressing;
   if (ranks.Count() > 1)
   {
