@@ -8,7 +8,7 @@ import subprocess
 import numpy as np
 
 HEADER = "FoamFile\n{ version 2.0; format ascii; class %s; object %s; }\n"
-POLY_MESH = "constant/polyMesh"
+MESH = "polyMesh"
 MPI_RUN = ["mpirun", "--oversubscribe", "-np"]
 
 
@@ -43,6 +43,30 @@ def write(case, name, text, kind="dictionary"):
     os.makedirs(os.path.dirname(path), exist_ok=True)
     with open(path, "w") as file:
         file.write(HEADER % (kind, os.path.basename(name)) + text)
+
+
+def set_entry(case, name, key, value):
+    """Replaces the value of an entry in a dictionary."""
+    path = os.path.join(case, name)
+    with open(path) as file:
+        text = file.read()
+    text, count = re.subn(r"\b%s\s[^;]*;" % key, "%s %s;" % (key, value), text)
+    assert count == 1, (name, key)
+    with open(path, "w") as file:
+        file.write(text)
+
+
+def word(name):
+    """Returns the name of a zone of a material without special characters."""
+    return name.replace(" ", "_")
+
+
+def read_field(path):
+    """Reads the values in the cells of a field of scalars, as text."""
+    with open(path) as file:
+        text = file.read()
+    values = re.search(r"internalField\s+nonuniform[^(]*\(([^)]*)\)", text).group(1)
+    return np.array(values.split(), float)
 
 
 def read_numbers(path, columns=1):
@@ -97,7 +121,7 @@ class PolyMesh:
     """Points, faces, owners, neighbours and patches of a case or of a processor's folder."""
 
     def __init__(self, case):
-        folder = os.path.join(case, POLY_MESH)
+        folder = os.path.join(case, "constant", MESH)
         self.points = read_numbers(os.path.join(folder, "points"), 3)
         self.faces = read_faces(os.path.join(folder, "faces"))
         self.owner = read_numbers(os.path.join(folder, "owner"))
