@@ -137,7 +137,7 @@ std::string GetHelp()
     JoinTexts(GetOutputSuffixes()) +
     "\n  .vtu, .inp (Abaqus, CalculiX) and .msh (Gmsh) are one file, also from several ranks;\n"
     "    Exodus from N ranks is one file per rank, FILE.N.RANK\n"
-    "  .foam: its folder is a case of OpenFOAM, constant/polyMesh; N ranks write processorRANK\n\n" +
+    "  .foam: its folder is a case of OpenFOAM; N ranks write a folder processorRANK each\n\n" +
     Materials;
   for (const std::string& line : DescribeOptions(ElementKind::Tets))
   {

@@ -42,8 +42,8 @@ std::string FindFolderProblem(const std::string& path);
 /// - .e, .ex2, .exo (Exodus): one file per rank, path.N.RANK for N > 1 ranks; one file of the whole
 ///   mesh with OutputFiles::Single
 /// - .inp (Abaqus), .msh (Gmsh): one file of the whole mesh
-/// - .foam (OpenFOAM): the folder of the file is the case, with one mesh per rank, or one whole mesh
-///   with OutputFiles::Single
+/// - .foam (OpenFOAM): the folder of the file is the case, with one mesh per rank, or one whole
+///   mesh with OutputFiles::Single
 /// @param mesh  part of this rank
 /// @throws InputError  if the files cannot be written, on all ranks; contains path and reason
 /// @pre Collective

@@ -5,10 +5,8 @@
  */
 #pragma once
 
-#include "Mesh/ElementFaces.h"
-#include "Mesh/MeshFacet.h"
 #include "Ranks/Ranks.h"
-#include "Summary/MeshData.h"
+#include "Summary/MeshSets.h"
 
 namespace vfm
 {

@@ -84,7 +84,7 @@ void FoamFile::Points(const double* points, Index count)
   this->End(count);
 }
 
-void FoamFile::Face(const FaceIds& points, int corners)
+void FoamFile::Face(const std::array<Index, 4>& points, int corners)
 {
   this->File.Add(static_cast<std::int64_t>(corners));
   for (int c = 0; c < corners; ++c)

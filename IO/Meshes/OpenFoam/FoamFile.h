@@ -3,9 +3,10 @@
  */
 #pragma once
 
-#include "Mesh/ElementFaces.h"
+#include "Base/IndexBox.h"
 #include "Meshes/Files/OutputFile.h"
 
+#include <array>
 #include <string>
 
 namespace vfm
@@ -56,7 +57,7 @@ public:
   }
   /// Writes a list of points, three coordinates each.
   void Points(const double* points, Index count);
-  /// Writes the list of faces points(i), FaceIds of which the first `corners` count.
+  /// Writes the list of faces points(i), of which the first `corners` count.
   template <class Points>
   void Faces(Index count, int corners, const Points& points)
   {
@@ -80,7 +81,7 @@ private:
   void Begin(Index count);
   void End(Index count);
   void Label(Index label);
-  void Face(const FaceIds& points, int corners);
+  void Face(const std::array<Index, 4>& points, int corners);
   void EndLine();
 
   OutputFile File;
