@@ -82,7 +82,7 @@ def read_numbers(path, columns=1):
         numbers = np.frombuffer(data, "<i4" if is_label else "<f8", count * columns, begin)
     else:
         text = data[match.end():].replace(b"(", b" ").replace(b")", b" ").split()
-        numbers = np.array(text, int if is_label else float)[:count * columns]
+        numbers = np.array(text[:count * columns], int if is_label else float)
     return numbers.reshape(-1, columns) if columns > 1 else numbers
 
 
