@@ -1,4 +1,4 @@
-"""Cases of OpenFOAM of the plugin and of sculptor: the same bytes on any ranks, decomposed cases."""
+"""OpenFOAM cases of the plugin and of sculptor: the same bytes on any ranks, decomposed cases."""
 import os
 
 from mpi_run import mpi_run
