@@ -212,10 +212,10 @@ void ForCases(const Check& check)
   }
 }
 
-std::vector<Index> PointsOf(const FoamContent& content, const std::vector<Index>& places,
-  const std::vector<Index>& points, bool isReversed)
+/// Returns the points of a face in the whole mesh, from the first one.
+std::vector<Index> PointsOf(
+  const std::vector<Index>& places, const std::vector<Index>& points, bool isReversed)
 {
-  (void)content;
   std::vector<Index> moved;
   for (Index point : points)
   {
@@ -249,7 +249,7 @@ void CheckPart(const FoamContent& whole, const FoamContent& part, std::vector<in
     const Index number = part.Addressing.at("face")[f], face = std::abs(number) - 1;
     ASSERT_NE(number, 0);
     ++faces[face];
-    EXPECT_EQ(PointsOf(part, places, part.Faces[f], number < 0), whole.Faces[face]);
+    EXPECT_EQ(PointsOf(places, part.Faces[f], number < 0), whole.Faces[face]);
     EXPECT_EQ(cell[part.Owners[f]], number < 0 ? whole.Neighbours.at(face) : whole.Owners[face]);
     if (f < part.Neighbours.size())
     {

@@ -101,9 +101,9 @@ void PolyMeshWriter::WriteBoundary() const
           ";\n        startFace       " + std::to_string(first) + ";\n");
         if (patch.Neighbour >= 0)
         {
-          const std::string rank = patch.Name.substr(12, patch.Name.find("to") - 12);
-          file.Text("        matchTolerance  0.0001;\n        myProcNo        " + rank +
-            ";\n        neighbProcNo    " + std::to_string(patch.Neighbour) + ";\n");
+          file.Text("        matchTolerance  0.0001;\n        myProcNo        " +
+            std::to_string(this->Foam.Rank) + ";\n        neighbProcNo    " +
+            std::to_string(patch.Neighbour) + ";\n");
         }
         file.Text("    }\n");
         first += patch.Count;

@@ -29,7 +29,7 @@ public:
   void AddInnerFaces();
   /// @pre Collective
   void AddPatches(Ranks& ranks);
-  void AddRemoteFaces(int rank);
+  void AddRemoteFaces();
   /// @pre Collective
   void AddCellZones(Ranks& ranks);
   /// @pre Collective
@@ -151,7 +151,7 @@ bool FoamMeshMaker::IsBefore(const RemoteSide& a, const RemoteSide& b) const
     : SortedPointsOfSide(foam.Mesh, a.Side) < SortedPointsOfSide(foam.Mesh, b.Side);
 }
 
-void FoamMeshMaker::AddRemoteFaces(int rank)
+void FoamMeshMaker::AddRemoteFaces()
 {
   FoamMesh& foam = this->Foam;
   foam.Remote = this->Cells.Remote;
@@ -162,7 +162,7 @@ void FoamMeshMaker::AddRemoteFaces(int rank)
     if (foam.Patches.empty() || foam.Patches.back().Neighbour != side.Rank)
     {
       const std::string name =
-        "procBoundary" + std::to_string(rank) + "to" + std::to_string(side.Rank);
+        "procBoundary" + std::to_string(foam.Rank) + "to" + std::to_string(side.Rank);
       foam.Patches.push_back({ name, "processor", "", 0, side.Rank });
     }
     ++foam.Patches.back().Count;
@@ -234,6 +234,7 @@ FoamMesh MakeFoamMesh(const MeshData& mesh, Ranks& ranks)
 {
   FoamMesh foam;
   foam.Mesh = mesh;
+  foam.Rank = ranks.Rank();
   WorkTogether(ranks,
     [&]
     {
@@ -243,7 +244,7 @@ FoamMesh MakeFoamMesh(const MeshData& mesh, Ranks& ranks)
       FoamMeshMaker maker(foam, ranks);
       maker.AddInnerFaces();
       maker.AddPatches(ranks);
-      maker.AddRemoteFaces(ranks.Rank());
+      maker.AddRemoteFaces();
       maker.AddCellZones(ranks);
       maker.AddFaceZones(ranks);
       foam.TotalFaces = CountFaces(foam, ranks);

@@ -37,6 +37,7 @@ struct FoamZone
 struct FoamMesh
 {
   MeshData Mesh; ///< ordered part of this rank; a view
+  int Rank = 0;
   GlobalOrder Points, Cells;
   std::vector<Index> Sides;       ///< side of the owner of each face (CellSides.h)
   std::vector<Index> Neighbours;  ///< neighbour of each inner face
