@@ -41,10 +41,11 @@ const std::vector<ArgumentOption> OwnOptions{
   { "--list", "", "print times, grid, cell arrays and materials of the input; no mesh is made" },
   { "--step", "N", "use time number N of the input, from 0" },
   { "--time", "T", "use the time of the input nearest to T" },
-  { "--single-file", "", "write one Exodus file from several ranks; rank 0 gathers the mesh" },
+  { "--single-file", "",
+    "write one Exodus file or OpenFOAM mesh from several ranks; rank 0 gathers the mesh" },
   { "--msh-version", "2.2|4.1",
     "version of a .msh file; default 2.2, or 4.1 if an id exceeds 2147483647" },
-  { "--binary", "", "write a .msh file in binary form instead of text" },
+  { "--binary", "", "write a .msh file or an OpenFOAM case in binary form instead of text" },
   { "--quiet", "", "print neither progress nor table" },
   { "--help", "", "print this text; also -h" },
   { "--version", "", "print the version" },
@@ -136,7 +137,8 @@ std::string GetHelp()
     JoinTexts(GetOutputSuffixes()) +
     "\n  .vtu, .inp (Abaqus, CalculiX) and .msh (Gmsh) are one file, also from several ranks;\n"
     "    .xdmf (dolfinx) is two, FILE.xdmf and FILE_facets.xdmf;\n"
-    "    Exodus from N ranks is one file per rank, FILE.N.RANK\n\n" +
+    "    Exodus from N ranks is one file per rank, FILE.N.RANK\n"
+    "  .foam: its folder is a case of OpenFOAM; N ranks write a folder processorRANK each\n\n" +
     Materials;
   for (const std::string& line : DescribeOptions(ElementKind::Tets))
   {

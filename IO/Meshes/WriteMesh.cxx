@@ -4,6 +4,7 @@
 #include "FileSuffix.h"
 #include "Meshes/Decks/WriteAbaqus.h"
 #include "Meshes/Exodus/WriteExodus.h"
+#include "Meshes/OpenFoam/WriteFoam.h"
 #include "Meshes/Vtk/WriteVtu.h"
 #include "Meshes/Xdmf/WriteXdmf.h"
 #include "Ranks/WorkTogether.h"
@@ -49,6 +50,12 @@ void WriteGmshFile(
   WriteGmsh(mesh, path, ranks, { form.Version, form.IsBinary });
 }
 
+void WriteFoamCase(
+  const MeshData& mesh, const std::string& path, Ranks& ranks, const OutputForm& form)
+{
+  WriteFoam(mesh, path, ranks, { form.Files == OutputFiles::Single, form.IsBinary });
+}
+
 constexpr Format Formats[] = {
   { ".vtu", WritePlain<WriteVtu>, true, false, false },
   { ".pvtu", WritePlain<WritePvtu>, false, false, false },
@@ -58,6 +65,7 @@ constexpr Format Formats[] = {
   { ".inp", WritePlain<WriteAbaqus>, true, false, false },
   { ".msh", WriteGmshFile, true, true, true },
   { ".xdmf", WritePlain<WriteXdmf>, true, false, false },
+  { ".foam", WriteFoamCase, true, false, true },
 };
 
 /// Returns the suffixes of the formats with a property.

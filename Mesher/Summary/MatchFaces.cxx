@@ -14,17 +14,17 @@ namespace
 struct Face
 {
   FaceIds Ids;
-  int Value;
+  Index Value;
 };
 
 /// Returns the value of the partner of each face in the list.
-std::vector<int> MatchHere(const std::vector<Face>& faces)
+std::vector<Index> MatchHere(const std::vector<Face>& faces)
 {
   std::vector<Index> order(faces.size());
   std::iota(order.begin(), order.end(), 0);
   std::sort(
     order.begin(), order.end(), [&faces](Index a, Index b) { return faces[a].Ids < faces[b].Ids; });
-  std::vector<int> behind(faces.size(), NothingBehind);
+  std::vector<Index> behind(faces.size(), NothingBehind);
   for (std::size_t i = 0; i + 1 < order.size(); ++i)
   {
     const Face &face = faces[order[i]], &next = faces[order[i + 1]];
@@ -67,12 +67,12 @@ std::vector<Bytes> Answer(const std::vector<Bytes>& questions)
     faces.insert(faces.end(), some.begin(), some.end());
     ends.push_back(faces.size());
   }
-  const std::vector<int> behind = MatchHere(faces);
+  const std::vector<Index> behind = MatchHere(faces);
   std::vector<Bytes> answers;
   std::size_t begin = 0;
   for (std::size_t end : ends)
   {
-    answers.push_back(ToBytes(std::vector<int>(behind.begin() + begin, behind.begin() + end)));
+    answers.push_back(ToBytes(std::vector<Index>(behind.begin() + begin, behind.begin() + end)));
     begin = end;
   }
   return answers;
@@ -80,15 +80,15 @@ std::vector<Bytes> Answer(const std::vector<Bytes>& questions)
 
 } // namespace
 
-std::vector<int> MatchFaces(
-  const std::vector<FaceIds>& ids, const std::vector<int>& values, Ranks& ranks)
+std::vector<Index> MatchFaces(
+  const std::vector<FaceIds>& ids, const std::vector<Index>& values, Ranks& ranks)
 {
   std::vector<Face> faces;
   for (std::size_t f = 0; f < ids.size(); ++f)
   {
     faces.push_back({ ids[f], values[f] });
   }
-  std::vector<int> behind;
+  std::vector<Index> behind;
   WorkTogether(ranks, [&] { behind = MatchHere(faces); });
   if (ranks.Count() == 1)
   {
@@ -110,7 +110,7 @@ std::vector<int> MatchFaces(
   messages = ExchangeAll(std::move(messages), ranks);
   for (int rank = 0; rank < ranks.Count(); ++rank)
   {
-    const std::vector<int> answers = FromBytes<int>(messages[rank]);
+    const std::vector<Index> answers = FromBytes<Index>(messages[rank]);
     for (std::size_t i = 0; i < answers.size(); ++i)
     {
       behind[places[rank][i]] = answers[i];

@@ -14,12 +14,12 @@ namespace vfm
 
 /// Finds the value of the element behind each face.
 /// @param ids sorted global ids of the points of each face
-/// @param values value >= 0 of the element of each face, such as its material or fragment
+/// @param values value >= 0 of the element of each face, such as its material or number
 /// @return value of the element on the other side of each face, on any rank, or NothingBehind
 /// @throws InputError if a face belongs to more than two elements of one rank, or to elements of
 /// three ranks; on all ranks
 /// @pre Collective
-std::vector<int> MatchFaces(
-  const std::vector<FaceIds>& ids, const std::vector<int>& values, Ranks& ranks);
+std::vector<Index> MatchFaces(
+  const std::vector<FaceIds>& ids, const std::vector<Index>& values, Ranks& ranks);
 
 } // namespace vfm

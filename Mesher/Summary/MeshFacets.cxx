@@ -101,7 +101,7 @@ private:
 std::vector<FacetSide> FindMeshFaces(const MeshData& mesh, const int* values, Ranks& ranks)
 {
   std::vector<FacetSide> faces;
-  std::vector<int> valuesOfFaces;
+  std::vector<Index> valuesOfFaces;
   std::vector<FaceIds> ids;
   WorkTogether(ranks,
     [&]
@@ -114,14 +114,14 @@ std::vector<FacetSide> FindMeshFaces(const MeshData& mesh, const int* values, Ra
         ids.push_back(GlobalIds(face, mesh));
       }
     });
-  const std::vector<int> behind = MatchFaces(ids, valuesOfFaces, ranks);
+  const std::vector<Index> behind = MatchFaces(ids, valuesOfFaces, ranks);
   std::vector<FacetSide> found;
   for (std::size_t f = 0; f < faces.size(); ++f)
   {
     if (behind[f] != valuesOfFaces[f])
     {
       found.push_back(faces[f]);
-      found.back().Facet.Behind = behind[f];
+      found.back().Facet.Behind = static_cast<int>(behind[f]);
     }
   }
   return found;

@@ -433,7 +433,7 @@ TEST(WriteGmsh, OtherFormatsHaveOneForm)
   const OutputForm old{ OutputFiles::AsUsual, GmshVersion::V2_2, false };
   EXPECT_EQ(FindOutputProblem("a.msh", binary), "");
   EXPECT_EQ(FindOutputProblem("a.inp", binary),
-    "The output a.inp has no binary form. Formats that have it: .msh.");
+    "The output a.inp has no binary form. Formats that have it: .msh, .foam.");
   EXPECT_EQ(FindOutputProblem("a.inp", old),
     "The output a.inp has no choice of version. Formats that have it: .msh.");
 }

@@ -93,7 +93,7 @@ std::vector<std::string> MessagesOf(const std::vector<FaceIds>& faces, int count
       }
       try
       {
-        MatchFaces(mine, std::vector<int>(mine.size(), 1), ranks);
+        MatchFaces(mine, std::vector<Index>(mine.size(), 1), ranks);
       }
       catch (const InputError& error)
       {
@@ -114,7 +114,7 @@ TEST(MatchFaces, CubesOfAGrid)
       [&](Ranks& ranks)
       {
         std::vector<FaceIds> faces;
-        std::vector<int> values, expected;
+        std::vector<Index> values, expected;
         for (const Cube& cube : cubes)
         {
           for (int f = 0; f < 6 && cube.Rank == ranks.Rank(); ++f)
@@ -133,7 +133,7 @@ TEST(MatchFaces, TrianglesAreNoQuadrilaterals)
 {
   Ranks alone;
   const std::vector<FaceIds> faces{ { { -1, 2, 3, 4 } }, { { 1, 2, 3, 4 } }, { { -1, 2, 3, 4 } } };
-  EXPECT_EQ(MatchFaces(faces, { 5, 6, 7 }, alone), (std::vector<int>{ 7, NothingBehind, 5 }));
+  EXPECT_EQ(MatchFaces(faces, { 5, 6, 7 }, alone), (std::vector<Index>{ 7, NothingBehind, 5 }));
 }
 
 TEST(MatchFaces, ThreeElementsAreRejectedOnEveryRank)

@@ -11,8 +11,6 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
-#include <limits>
-
 namespace vfm
 {
 namespace
@@ -25,16 +23,11 @@ template <class T>
 using Column = nb::ndarray<const T, nb::c_contig, nb::device::cpu, nb::ndim<1>>;
 
 /// Returns the element behind each face, element by element, or NothingBehind.
-std::vector<int> MatchElements(const MeshData& mesh)
+std::vector<Index> MatchElements(const MeshData& mesh)
 {
-  if (mesh.NumberOfElements > std::numeric_limits<int>::max())
-  {
-    throw InputError("The mesh has " + std::to_string(mesh.NumberOfElements) +
-      " elements: neighbours are found for at most 2147483647.");
-  }
   const ElementFaces table(mesh.Corners);
   std::vector<FaceIds> ids;
-  std::vector<int> elements;
+  std::vector<Index> elements;
   ids.reserve(mesh.NumberOfElements * table.Count);
   elements.reserve(ids.capacity());
   for (Index element = 0; element < mesh.NumberOfElements; ++element)
@@ -43,7 +36,7 @@ std::vector<int> MatchElements(const MeshData& mesh)
     {
       ids.push_back(table.PointsOf(mesh.Element(element), face));
       std::sort(ids.back().begin(), ids.back().end());
-      elements.push_back(static_cast<int>(element));
+      elements.push_back(element);
     }
   }
   Ranks alone;
@@ -56,7 +49,7 @@ nb::object FindNeighbours(const NumpyPoints& points, const NumpyCells& cells)
   Buffer<Index> neighbours;
   {
     const nb::gil_scoped_release others;
-    const std::vector<int> behind = MatchElements(mesh);
+    const std::vector<Index> behind = MatchElements(mesh);
     neighbours = Buffer<Index>(behind.size());
     std::copy(behind.begin(), behind.end(), neighbours.begin());
   }

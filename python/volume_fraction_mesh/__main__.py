@@ -38,7 +38,8 @@ def make_parser() -> argparse.ArgumentParser:
     parser.add_argument("input",
                         help=".npy, .npz, .spcth, a folder of an AMReX plotfile, NIfTI (nibabel), "
                         ".vti (PyVista), .stl, or a format of SimpleITK")
-    parser.add_argument("output", help=".vtu, .e, .inp, .msh, .xdmf or another format of Mesh.save")
+    parser.add_argument("output", help=".vtu, .e, .inp, .msh, .xdmf, .foam or another format of "
+                        "Mesh.save")
     parser.add_argument("--version", action="version", version=__version__)
     parser.add_argument("--tets", action="store_true", help="make tetrahedra instead of hexahedra")
     kind = parser.add_mutually_exclusive_group()

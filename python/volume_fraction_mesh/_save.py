@@ -14,8 +14,9 @@ from ._tables import core_arrays, core_fields
 if TYPE_CHECKING:
     from .mesh import Mesh
 
-BY_CORE = (".vtu", ".e", ".ex2", ".exo", ".inp", ".msh", ".xdmf")
-OPTIONS = {".vtu": ("time", "texts"), ".msh": ("version", "binary"), ".xdmf": ()}  # else: time
+BY_CORE = (".vtu", ".e", ".ex2", ".exo", ".inp", ".msh", ".xdmf", ".foam")
+OPTIONS = {".vtu": ("time", "texts"), ".msh": ("version", "binary"), ".xdmf": (),
+           ".foam": ("binary",)}  # else: time
 BY_PACKAGE = {".npz": _npz.write, ".vtk": _vtk.write}
 # Formats in which meshio 5.3.5 writes hexahedra and tetrahedra with their materials.
 BY_MESHIO = (".avs", ".f3grid", ".hmf", ".med", ".mesh", ".meshb", ".vol", ".xmf")

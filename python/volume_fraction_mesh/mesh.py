@@ -470,8 +470,9 @@ class Mesh:
         The package itself writes
 
         - ``.vtu`` (ParaView), ``.e``, ``.ex2``, ``.exo`` (Exodus with named blocks, side sets, node
-          sets, ids and variables), ``.inp`` (Abaqus, CalculiX) and ``.msh`` (Gmsh, with physical
-          groups of materials, domain sides and interfaces), byte for byte like the ParaView
+          sets, ids and variables), ``.inp`` (Abaqus, CalculiX), ``.msh`` (Gmsh, with physical
+          groups of materials, domain sides and interfaces) and ``.foam`` (OpenFOAM: the folder of
+          the file is the case, with ``constant/polyMesh``), byte for byte like the ParaView
           plugin;
         - ``.xdmf`` (dolfinx), with a second file ``NAME_facets.xdmf`` for the tags of facets;
         - ``.npz``, the whole mesh for `load`;
@@ -491,6 +492,7 @@ class Mesh:
               meshio (5.3.5) cannot read files with them.
             - ``.msh``: ``version``, "2.2" or "4.1", default 2.2, or 4.1 if an id exceeds
               2147483647; ``binary``, bool, default False.
+            - ``.foam``: ``binary``, bool, default False.
             - ``.vtk``: ``binary=True`` instead of text. ``.npz``: ``compress=True``.
             - Other formats: arguments of ``pyvista.DataSet.save`` or ``meshio.write``.
 

@@ -44,6 +44,7 @@ FOLDERS = (
     ("IO/Meshes/Vtk", "VTK's XML files."),
     ("IO/Meshes/Exodus", "Exodus files, with netCDF."),
     ("IO/Meshes/Gmsh", "Files of Gmsh."),
+    ("IO/Meshes/OpenFoam", "Cases of OpenFOAM."),
     ("IO/Meshes/Decks", "Input files of solvers."),
     ("IO/Meshes/Xdmf", "XDMF files for dolfinx."),
     ("IO/Meshes", "Files of meshes."),

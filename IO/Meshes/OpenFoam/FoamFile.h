@@ -1,0 +1,91 @@
+/**
+ * FoamFile: writes lists in the file format of OpenFOAM, as text or binary.
+ */
+#pragma once
+
+#include "Base/IndexBox.h"
+#include "Meshes/Files/OutputFile.h"
+
+#include <array>
+#include <string>
+
+namespace vfm
+{
+
+/// The entry FoamFile at the head of a file.
+struct FoamHeader
+{
+  std::string Class;    ///< type of the contents, such as "labelList"
+  std::string Location; ///< folder in the case, such as "constant/polyMesh"
+  std::string Object;   ///< name of the file
+  std::string Note;     ///< may be empty
+};
+
+/// A file of lists and dictionaries. Binary files have labels of 32 bits, scalars of 64 bits and
+/// the byte order of the machine, as their header states.
+class FoamFile
+{
+public:
+  /// @param folder  folder of the case, or of its part; contains header.Location
+  FoamFile(const std::string& folder, const FoamHeader& header, bool isBinary);
+
+  /// Writes text, also in binary files.
+  void Text(std::string_view text) { this->File.Add(text); }
+  /// Writes the list of labels label(i) for each i from 0 below count.
+  template <class Label>
+  void Labels(Index count, const Label& label)
+  {
+    this->Begin(count);
+    for (Index i = 0; i < count; ++i)
+    {
+      this->Label(label(i));
+      this->EndLine();
+    }
+    this->End(count);
+  }
+  /// Writes the list of booleans flag(i).
+  template <class Flag>
+  void Flags(Index count, const Flag& flag)
+  {
+    this->Begin(count);
+    for (Index i = 0; i < count; ++i)
+    {
+      this->File.Add(std::string(1, static_cast<char>(flag(i) + (this->IsBinary ? 0 : '0'))));
+      this->EndLine();
+    }
+    this->End(count);
+  }
+  /// Writes a list of points, three coordinates each.
+  void Points(const double* points, Index count);
+  /// Writes the list of faces points(i), of which the first `corners` count.
+  template <class Points>
+  void Faces(Index count, int corners, const Points& points)
+  {
+    if (this->IsBinary)
+    {
+      this->Labels(count + 1, [corners](Index face) { return corners * face; });
+      this->Labels(corners * count,
+        [&](Index i) { return points(i / corners)[static_cast<std::size_t>(i % corners)]; });
+      return;
+    }
+    this->Begin(count);
+    for (Index face = 0; face < count; ++face)
+    {
+      this->Face(points(face), corners);
+    }
+    this->End(count);
+  }
+  void Close() { this->File.Close(); }
+
+private:
+  void Begin(Index count);
+  void End(Index count);
+  void Label(Index label);
+  void Face(const std::array<Index, 4>& points, int corners);
+  void EndLine();
+
+  OutputFile File;
+  const bool IsBinary;
+};
+
+} // namespace vfm

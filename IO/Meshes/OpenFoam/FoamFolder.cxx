@@ -1,0 +1,261 @@
+#include "Meshes/OpenFoam/FoamFolder.h"
+
+#include "Meshes/OpenFoam/FoamFile.h"
+
+#include <filesystem>
+
+namespace vfm
+{
+namespace
+{
+
+constexpr const char* MeshFolder = "constant/polyMesh";
+
+/// Writes the files of a polyMesh.
+class PolyMeshWriter
+{
+public:
+  PolyMeshWriter(
+    const FoamMesh& foam, const std::string& folder, bool isBinary, UnfinishedFolders& unfinished) :
+    Foam(foam), Folder(folder), IsBinary(isBinary), Unfinished(unfinished)
+  {
+  }
+
+  void WriteMesh() const;
+  void WriteAddressing(const FoamAddressing& addressing) const;
+
+private:
+  template <class Write>
+  void WriteFile(const std::string& name, const std::string& type, const Write& write,
+    const std::string& note = "") const;
+  void WriteLabels(const std::string& name, const std::vector<Index>& labels) const;
+  void WriteOwners() const;
+  void WriteBoundary() const;
+  void WriteZones(const std::string& name, const std::string& type, const std::string& entry,
+    const std::vector<FoamZone>& zones) const;
+
+  const FoamMesh& Foam;
+  const std::string& Folder;
+  const bool IsBinary;
+  UnfinishedFolders& Unfinished;
+};
+
+/// Writes a file by write(file).
+template <class Write>
+void PolyMeshWriter::WriteFile(const std::string& name, const std::string& type, const Write& write,
+  const std::string& note) const
+{
+  FoamFile file(this->Folder, { type, MeshFolder, name, note }, this->IsBinary);
+  write(file);
+  file.Close();
+  this->Unfinished.Add(this->Folder + "/" + MeshFolder + "/" + name);
+}
+
+void PolyMeshWriter::WriteLabels(const std::string& name, const std::vector<Index>& labels) const
+{
+  this->WriteFile(name, "labelList",
+    [&labels](FoamFile& file)
+    { file.Labels(static_cast<Index>(labels.size()), [&labels](Index i) { return labels[i]; }); });
+}
+
+void PolyMeshWriter::WriteOwners() const
+{
+  const Index faces = static_cast<Index>(this->Foam.Sides.size());
+  const std::string note = "nPoints:" + std::to_string(this->Foam.Mesh.NumberOfPoints) +
+    "  nCells:" + std::to_string(this->Foam.Mesh.NumberOfElements) +
+    "  nFaces:" + std::to_string(faces) +
+    "  nInternalFaces:" + std::to_string(this->Foam.Neighbours.size());
+  this->WriteFile(
+    "owner", "labelList",
+    [&](FoamFile& file)
+    { file.Labels(faces, [this](Index face) { return this->Foam.Owner(face); }); },
+    note);
+  this->WriteFile(
+    "neighbour", "labelList",
+    [&](FoamFile& file)
+    {
+      file.Labels(static_cast<Index>(this->Foam.Neighbours.size()),
+        [this](Index face) { return this->Foam.Neighbours[face]; });
+    },
+    note);
+}
+
+std::string DescribeGroups(const FoamPatch& patch)
+{
+  std::string groups = patch.Type == "patch" ? "" : patch.Type;
+  groups += patch.Group.empty() ? "" : " " + patch.Group;
+  return groups.empty() ? "" : "        inGroups        (" + groups + ");\n";
+}
+
+void PolyMeshWriter::WriteBoundary() const
+{
+  this->WriteFile("boundary", "polyBoundaryMesh",
+    [this](FoamFile& file)
+    {
+      file.Text(std::to_string(this->Foam.Patches.size()) + "\n(\n");
+      Index first = static_cast<Index>(this->Foam.Neighbours.size());
+      for (const FoamPatch& patch : this->Foam.Patches)
+      {
+        file.Text("    " + patch.Name + "\n    {\n        type            " + patch.Type + ";\n" +
+          DescribeGroups(patch) + "        nFaces          " + std::to_string(patch.Count) +
+          ";\n        startFace       " + std::to_string(first) + ";\n");
+        if (patch.Neighbour >= 0)
+        {
+          file.Text("        matchTolerance  0.0001;\n        myProcNo        " +
+            std::to_string(this->Foam.Rank) + ";\n        neighbProcNo    " +
+            std::to_string(patch.Neighbour) + ";\n");
+        }
+        file.Text("    }\n");
+        first += patch.Count;
+      }
+      file.Text(")\n");
+    });
+}
+
+/// @param type  of a zone, such as "cellZone"
+/// @param entry  name of the list of its members
+void PolyMeshWriter::WriteZones(const std::string& name, const std::string& type,
+  const std::string& entry, const std::vector<FoamZone>& zones) const
+{
+  this->WriteFile(name, "regIOobject",
+    [&](FoamFile& file)
+    {
+      file.Text(std::to_string(zones.size()) + "\n(\n");
+      for (const FoamZone& zone : zones)
+      {
+        file.Text(zone.Name + "\n{\n    type " + type + ";\n    " + entry + " List<label>\n");
+        file.Labels(
+          static_cast<Index>(zone.Members.size()), [&zone](Index i) { return zone.Members[i]; });
+        file.Text(";\n");
+        if (type == "faceZone")
+        {
+          file.Text("    flipMap List<bool>\n");
+          file.Flags(static_cast<Index>(zone.IsFlipped.size()),
+            [&zone](Index i) { return zone.IsFlipped[i]; });
+          file.Text(";\n");
+        }
+        file.Text("}\n");
+      }
+      file.Text(")\n");
+    });
+}
+
+void PolyMeshWriter::WriteMesh() const
+{
+  const MeshData& mesh = this->Foam.Mesh;
+  this->WriteFile("points", "vectorField",
+    [&mesh](FoamFile& file) { file.Points(mesh.Points, mesh.NumberOfPoints); });
+  this->WriteFile("faces", this->IsBinary ? "faceCompactList" : "faceList",
+    [this, &mesh](FoamFile& file)
+    {
+      file.Faces(static_cast<Index>(this->Foam.Sides.size()), ElementFaces(mesh.Corners).Corners,
+        [this, &mesh](Index face) { return PointsOfSide(mesh, this->Foam.Sides[face]); });
+    });
+  this->WriteOwners();
+  this->WriteBoundary();
+  this->WriteZones("cellZones", "cellZone", "cellLabels", this->Foam.CellZones);
+  this->WriteZones("faceZones", "faceZone", "faceLabels", this->Foam.FaceZones);
+  this->WriteZones("pointZones", "pointZone", "pointLabels", {});
+}
+
+void PolyMeshWriter::WriteAddressing(const FoamAddressing& addressing) const
+{
+  this->WriteLabels("pointProcAddressing", addressing.Points);
+  this->WriteLabels("faceProcAddressing", addressing.Faces);
+  this->WriteLabels("cellProcAddressing", addressing.Cells);
+  this->WriteLabels("boundaryProcAddressing", addressing.Patches);
+}
+
+/// A dictionary in the folder system.
+struct Dictionary
+{
+  std::string Name, Text;
+};
+
+/// @param ranks  number of meshes of the case
+std::vector<Dictionary> ListDictionaries(int ranks)
+{
+  std::vector<Dictionary> list{
+    { "controlDict",
+      "startFrom       startTime;\nstartTime       0;\nstopAt          endTime;\n"
+      "endTime         1;\ndeltaT          1;\nwriteControl    timeStep;\nwriteInterval   1;\n"
+      "writePrecision  12;\n" },
+    { "fvSchemes",
+      "ddtSchemes { default steadyState; }\ngradSchemes { default Gauss linear; }\n"
+      "divSchemes { default none; }\nlaplacianSchemes { default Gauss linear corrected; }\n"
+      "interpolationSchemes { default linear; }\nsnGradSchemes { default corrected; }\n" },
+    { "fvSolution", "solvers {}\n" },
+  };
+  if (ranks > 1)
+  {
+    list.push_back({ "decomposeParDict",
+      "numberOfSubdomains " + std::to_string(ranks) + ";\nmethod scotch;\n" });
+  }
+  return list;
+}
+
+} // namespace
+
+UnfinishedFolders::~UnfinishedFolders()
+{
+  this->Files.clear();
+  for (const std::string& folder : this->Folders)
+  {
+    std::error_code ignored; // a folder with files of others remains
+    std::filesystem::remove(folder, ignored);
+  }
+}
+
+void UnfinishedFolders::Make(const std::string& path)
+{
+  if (!std::filesystem::exists(path))
+  {
+    MakeFolder(path);
+    this->Folders.push_front(path);
+  }
+}
+
+void UnfinishedFolders::Keep()
+{
+  this->Folders.clear();
+  for (UnfinishedFile& file : this->Files)
+  {
+    file.Keep();
+  }
+}
+
+void WritePolyMesh(const FoamMesh& foam, const FoamAddressing* addressing,
+  const std::string& folder, bool isBinary, UnfinishedFolders& files)
+{
+  files.Make(folder);
+  files.Make(folder + "/constant");
+  files.Make(folder + "/" + MeshFolder);
+  const PolyMeshWriter writer(foam, folder, isBinary, files);
+  writer.WriteMesh();
+  if (addressing)
+  {
+    writer.WriteAddressing(*addressing);
+  }
+}
+
+void WriteCaseFiles(
+  const std::string& folder, const std::string& path, int ranks, UnfinishedFolders& files)
+{
+  files.Make(folder + "/system");
+  for (const Dictionary& dictionary : ListDictionaries(ranks))
+  {
+    const std::string name = folder + "/system/" + dictionary.Name;
+    if (!std::filesystem::exists(name))
+    {
+      FoamFile file(folder, { "dictionary", "system", dictionary.Name, "" }, false);
+      file.Text(dictionary.Text);
+      file.Close();
+      files.Add(name);
+    }
+  }
+  OutputFile stub(path);
+  stub.Close();
+  files.Add(path);
+}
+
+} // namespace vfm

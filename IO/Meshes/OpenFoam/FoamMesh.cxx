@@ -1,0 +1,268 @@
+#include "Meshes/OpenFoam/FoamMesh.h"
+
+#include "Meshes/OpenFoam/FoamSurfaces.h"
+#include "Ranks/Agreement.h"
+#include "Summary/MeshMaterials.h"
+#include "Summary/UniqueNames.h"
+
+#include <limits>
+#include <map>
+
+namespace vfm
+{
+namespace
+{
+
+constexpr Index LargestLabel = std::numeric_limits<std::int32_t>::max();
+
+/// Builds the lists of a model one after another.
+class FoamMeshMaker
+{
+public:
+  FoamMeshMaker(FoamMesh& foam, Ranks& ranks) :
+    Foam(foam),
+    Surfaces(FindFoamSurfaces(foam.Mesh, ranks)),
+    Cells(FindCellSides(foam.Mesh, foam.Cells.Positions, ranks))
+  {
+  }
+
+  void AddInnerFaces();
+  /// @pre Collective
+  void AddPatches(Ranks& ranks);
+  void AddRemoteFaces();
+  /// @pre Collective
+  void AddCellZones(Ranks& ranks);
+  /// @pre Collective
+  void AddFaceZones(Ranks& ranks);
+
+private:
+  std::vector<FoamPatch> ListPatches() const;
+  bool IsBefore(const RemoteSide& a, const RemoteSide& b) const;
+
+  FoamMesh& Foam;
+  const FoamSurfaces Surfaces;
+  const CellSides Cells;
+};
+
+void FoamMeshMaker::AddInnerFaces()
+{
+  const MeshData& mesh = this->Foam.Mesh;
+  const Index sides = ElementFaces(mesh.Corners).Count;
+  std::vector<Index> owned;
+  for (Index cell = 0; cell < mesh.NumberOfElements; ++cell)
+  {
+    const auto behind = [this](Index side) { return this->Cells.Behind[side]; };
+    owned.clear();
+    for (Index side = sides * cell; side < sides * (cell + 1); ++side)
+    {
+      if (behind(side) > cell)
+      {
+        owned.push_back(side);
+      }
+    }
+    std::sort(owned.begin(), owned.end(),
+      [&](Index a, Index b)
+      {
+        return behind(a) != behind(b) ? behind(a) < behind(b)
+                                      : SortedPointsOfSide(mesh, a) < SortedPointsOfSide(mesh, b);
+      });
+    for (Index side : owned)
+    {
+      this->Foam.Sides.push_back(side);
+      this->Foam.Neighbours.push_back(behind(side));
+    }
+  }
+}
+
+/// Returns a patch for each surface and for faces on no surface.
+std::vector<FoamPatch> FoamMeshMaker::ListPatches() const
+{
+  std::vector<FoamPatch> patches;
+  UniqueNames used;
+  for (const FoamSurface& surface : this->Surfaces.Surfaces)
+  {
+    const std::string& interface = this->Surfaces.Surfaces[surface.Interface].Name;
+    patches.push_back({ used.Add(surface.Name), surface.IsDomainSide ? "patch" : "wall",
+      interface == surface.Name ? "" : interface });
+  }
+  patches.push_back({ used.Add("defaultFaces"), "patch", "" });
+  return patches;
+}
+
+/// Removes the patch groups that have the name of a patch, which OpenFOAM forbids: an interface
+/// with smooth sides and other faces.
+void RemoveEqualGroups(std::vector<FoamPatch>& patches)
+{
+  for (FoamPatch& patch : patches)
+  {
+    if (std::any_of(patches.begin(), patches.end(),
+          [&patch](const FoamPatch& other) { return other.Name == patch.Group; }))
+    {
+      patch.Group.clear();
+    }
+  }
+}
+
+void FoamMeshMaker::AddPatches(Ranks& ranks)
+{
+  std::vector<FoamPatch> patches = this->ListPatches();
+  std::vector<std::vector<Index>> sides(patches.size());
+  for (Index side = 0; side < static_cast<Index>(this->Cells.Behind.size()); ++side)
+  {
+    if (this->Cells.Behind[side] == NothingBehind)
+    {
+      const SurfaceSide* entry = this->Surfaces.Find(side);
+      (entry ? sides[entry->Surface] : sides.back()).push_back(side);
+    }
+  }
+  std::vector<Index> totals;
+  for (const std::vector<Index>& list : sides)
+  {
+    totals.push_back(static_cast<Index>(list.size()));
+  }
+  ranks.Sum(totals);
+  for (std::size_t p = 0; p < patches.size(); ++p)
+  {
+    if (totals[p] > 0)
+    {
+      patches[p].Count = static_cast<Index>(sides[p].size());
+      this->Foam.Patches.push_back(patches[p]);
+      this->Foam.Sides.insert(this->Foam.Sides.end(), sides[p].begin(), sides[p].end());
+    }
+  }
+  RemoveEqualGroups(this->Foam.Patches);
+}
+
+/// Orders faces to other ranks by rank, then as both ranks order them: by the lower cell, the
+/// upper cell, and the points.
+bool FoamMeshMaker::IsBefore(const RemoteSide& a, const RemoteSide& b) const
+{
+  const FoamMesh& foam = this->Foam;
+  const Index sides = ElementFaces(foam.Mesh.Corners).Count;
+  const auto key = [&](const RemoteSide& side)
+  {
+    const Index cell = foam.Cells.Positions[side.Side / sides];
+    return std::array<Index, 3>{ { side.Rank, std::min(cell, side.Cell),
+      std::max(cell, side.Cell) } };
+  };
+  const std::array<Index, 3> first = key(a), second = key(b);
+  return first != second
+    ? first < second
+    : SortedPointsOfSide(foam.Mesh, a.Side) < SortedPointsOfSide(foam.Mesh, b.Side);
+}
+
+void FoamMeshMaker::AddRemoteFaces()
+{
+  FoamMesh& foam = this->Foam;
+  foam.Remote = this->Cells.Remote;
+  std::sort(foam.Remote.begin(), foam.Remote.end(),
+    [this](const RemoteSide& a, const RemoteSide& b) { return this->IsBefore(a, b); });
+  for (const RemoteSide& side : foam.Remote)
+  {
+    if (foam.Patches.empty() || foam.Patches.back().Neighbour != side.Rank)
+    {
+      const std::string name =
+        "procBoundary" + std::to_string(foam.Rank) + "to" + std::to_string(side.Rank);
+      foam.Patches.push_back({ name, "processor", "", 0, side.Rank });
+    }
+    ++foam.Patches.back().Count;
+    foam.Sides.push_back(side.Side);
+  }
+}
+
+void FoamMeshMaker::AddCellZones(Ranks& ranks)
+{
+  const MeshData& mesh = this->Foam.Mesh;
+  const std::map<int, std::string> names = NamesOfMaterials(mesh);
+  std::map<int, std::size_t> zones;
+  UniqueNames used;
+  for (int material : FindMaterials(mesh, ranks))
+  {
+    zones.emplace(material, this->Foam.CellZones.size());
+    this->Foam.CellZones.push_back({ used.Add(FoamWord(NameOfMaterial(names, material))), {}, {} });
+  }
+  for (Index cell = 0; cell < mesh.NumberOfElements; ++cell)
+  {
+    this->Foam.CellZones[zones[mesh.Material[cell]]].Members.push_back(cell);
+  }
+}
+
+void FoamMeshMaker::AddFaceZones(Ranks& ranks)
+{
+  FoamMesh& foam = this->Foam;
+  std::vector<FoamZone> zones(this->Surfaces.Surfaces.size());
+  const auto add = [&](Index face)
+  {
+    if (const SurfaceSide* side = this->Surfaces.Find(foam.Sides[face]))
+    {
+      FoamZone& zone = zones[this->Surfaces.Surfaces[side->Surface].Interface];
+      zone.Members.push_back(face);
+      zone.IsFlipped.push_back(side->IsFlipped);
+    }
+  };
+  const Index inner = static_cast<Index>(foam.Neighbours.size());
+  const Index faces = static_cast<Index>(foam.Sides.size());
+  for (Index face = 0; face < inner; ++face)
+  {
+    add(face);
+  }
+  for (Index face = faces - static_cast<Index>(foam.Remote.size()); face < faces; ++face)
+  {
+    add(face);
+  }
+  for (std::size_t s = 0; s < zones.size(); ++s)
+  {
+    if (ranks.Any(!zones[s].Members.empty()))
+    {
+      zones[s].Name = this->Surfaces.Surfaces[s].Name;
+      foam.FaceZones.push_back(std::move(zones[s]));
+    }
+  }
+}
+
+/// Returns the number of faces of all ranks.
+/// @pre Collective
+Index CountFaces(const FoamMesh& foam, Ranks& ranks)
+{
+  const Index remote = SumOverRanks(static_cast<Index>(foam.Remote.size()), ranks);
+  return SumOverRanks(static_cast<Index>(foam.Sides.size()), ranks) - remote / 2;
+}
+
+} // namespace
+
+FoamMesh MakeFoamMesh(const MeshData& mesh, Ranks& ranks)
+{
+  FoamMesh foam;
+  foam.Mesh = mesh;
+  foam.Rank = ranks.Rank();
+  WorkTogether(ranks,
+    [&]
+    {
+      Require(mesh.Material, "MaterialId", mesh);
+      foam.Points = OrderIds(mesh.PointIds, mesh.NumberOfPoints, ranks);
+      foam.Cells = OrderIds(mesh.ElementIds, mesh.NumberOfElements, ranks);
+      FoamMeshMaker maker(foam, ranks);
+      maker.AddInnerFaces();
+      maker.AddPatches(ranks);
+      maker.AddRemoteFaces();
+      maker.AddCellZones(ranks);
+      maker.AddFaceZones(ranks);
+      foam.TotalFaces = CountFaces(foam, ranks);
+    });
+  return foam;
+}
+
+void CheckSizes(const FoamMesh& foam)
+{
+  const int corners = ElementFaces(foam.Mesh.Corners).Corners;
+  const Index offsets = corners * static_cast<Index>(foam.Sides.size());
+  const Index largest = std::max({ foam.Points.Total, foam.Cells.Total, foam.TotalFaces, offsets });
+  if (largest > LargestLabel)
+  {
+    throw InputError("The mesh has " + std::to_string(foam.TotalFaces) +
+      " faces. OpenFOAM's labels of 32 bits count at most 2147483647 points, cells, faces, and "
+      "corners of the faces of one rank.");
+  }
+}
+
+} // namespace vfm

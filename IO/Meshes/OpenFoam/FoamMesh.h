@@ -1,0 +1,65 @@
+/**
+ * FoamMesh: faces, patches and zones of a mesh in the order of OpenFOAM.
+ *
+ * - Points and cells are ordered by global id, each once.
+ * - Faces between two cells of this rank come first, ordered by owner (the lower cell), then by
+ *   neighbour; then the faces of each patch; then the faces to other ranks. Normals point out of
+ *   the owner. Each face begins with its lowest point.
+ * - Patches: each side of the domain, of type patch; each smooth side, or else interface, to space
+ *   without elements, of type wall; "defaultFaces" for boundary faces that are on no named surface.
+ *   A smooth side is in the patch group of its interface.
+ * - Zones: cells of each material; faces between cells of each interface, oriented from its first
+ *   to its second material.
+ */
+#pragma once
+
+#include "Meshes/OpenFoam/CellSides.h"
+#include "Meshes/OpenFoam/GlobalOrder.h"
+
+namespace vfm
+{
+
+struct FoamPatch
+{
+  std::string Name, Type;
+  std::string Group;  ///< name of a patch group; empty: none
+  Index Count = 0;    ///< number of faces
+  int Neighbour = -1; ///< rank behind the patch; -1: none
+};
+
+struct FoamZone
+{
+  std::string Name;
+  std::vector<Index> Members;  ///< cells or faces, ascending
+  std::vector<char> IsFlipped; ///< of each face: whether it is oriented against the zone
+};
+
+struct FoamMesh
+{
+  MeshData Mesh; ///< ordered part of this rank; a view
+  int Rank = 0;
+  GlobalOrder Points, Cells;
+  std::vector<Index> Sides;       ///< side of the owner of each face (CellSides.h)
+  std::vector<Index> Neighbours;  ///< neighbour of each inner face
+  std::vector<RemoteSide> Remote; ///< faces to other ranks, the last ones in Sides
+  /// Patches with the same names on all ranks, then patches to other ranks.
+  std::vector<FoamPatch> Patches;
+  std::vector<FoamZone> CellZones, FaceZones; ///< the same names on all ranks
+  Index TotalFaces = 0;                       ///< on all ranks, each once
+
+  Index Owner(Index face) const
+  {
+    return this->Sides[face] / ElementFaces(this->Mesh.Corners).Count;
+  }
+};
+
+/// Makes the model of this rank's part.
+/// @param mesh  ordered mesh (OrderMesh), with MaterialId; must outlive the result
+/// @throws InputError  if faces do not match, or if FindNamedSurfaces does; on all ranks
+/// @pre Collective
+FoamMesh MakeFoamMesh(const MeshData& mesh, Ranks& ranks);
+
+/// @throws InputError  if a number of the whole case, or of a list of this rank, exceeds 2^31 - 1
+void CheckSizes(const FoamMesh& foam);
+
+} // namespace vfm

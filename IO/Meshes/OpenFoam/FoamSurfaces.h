@@ -1,0 +1,46 @@
+/**
+ * FoamSurfaces: the named surfaces of a mesh with names for OpenFOAM.
+ */
+#pragma once
+
+#include "Summary/NamedSurfaces.h"
+
+namespace vfm
+{
+
+struct FoamSurface
+{
+  std::string Name;  ///< unique word
+  bool IsDomainSide; ///< otherwise an interface or a smooth side
+  int Interface;     ///< index of the interface of a smooth side; else of the surface itself
+};
+
+/// A side of an element on a surface.
+struct SurfaceSide
+{
+  Index Side;  ///< number of the side (CellSides.h)
+  int Surface; ///< index of its domain side, interface, or smooth side if it has one
+  /// Whether the normal of the interface, from the first to the second material, points into the
+  /// element.
+  bool IsFlipped;
+};
+
+struct FoamSurfaces
+{
+  std::vector<FoamSurface> Surfaces; ///< equal on all ranks
+  std::vector<SurfaceSide> Sides;    ///< sides of this rank's elements, ascending
+
+  /// Returns the entry of a side, or null.
+  const SurfaceSide* Find(Index side) const;
+};
+
+/// Returns a name as a word of OpenFOAM: letters, digits and _ - . after a letter or _. Other
+/// characters become _.
+std::string FoamWord(const std::string& name);
+
+/// Finds the surfaces of a mesh. A side between two elements is in the list once for each.
+/// @throws InputError  if FindNamedSurfaces does
+/// @pre Collective
+FoamSurfaces FindFoamSurfaces(const MeshData& mesh, Ranks& ranks);
+
+} // namespace vfm

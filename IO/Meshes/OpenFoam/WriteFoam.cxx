@@ -1,0 +1,63 @@
+#include "Meshes/OpenFoam/WriteFoam.h"
+
+#include "Meshes/Files/WriteWhole.h"
+#include "Meshes/OpenFoam/FoamFolder.h"
+#include "Ranks/WorkTogether.h"
+#include "Summary/GatherMesh.h"
+
+#include <optional>
+
+namespace vfm
+{
+namespace
+{
+
+/// Writes the mesh of each rank, or one mesh if there is one rank. All files appear, or none.
+/// @pre Collective
+void WriteCase(const MeshData& mesh, const std::string& path, Ranks& ranks, bool isBinary)
+{
+  const FoamMesh foam = MakeFoamMesh(mesh, ranks);
+  WorkTogether(ranks, [&foam] { CheckSizes(foam); });
+  std::optional<FoamAddressing> addressing;
+  if (ranks.Count() > 1)
+  {
+    addressing = FindAddressing(foam, ranks);
+  }
+  const std::size_t slash = path.rfind('/');
+  const std::string folder = slash == std::string::npos ? "." : path.substr(0, slash + 1);
+  const std::string part =
+    ranks.Count() > 1 ? folder + "/processor" + std::to_string(ranks.Rank()) : folder;
+  UnfinishedFolders files;
+  WorkTogether(ranks,
+    [&]
+    {
+      WritePolyMesh(foam, addressing ? &*addressing : nullptr, part, isBinary, files);
+      ranks.Any(false); // throws if another rank failed
+      if (ranks.Rank() == 0)
+      {
+        WriteCaseFiles(folder, path, ranks.Count(), files);
+      }
+      ranks.Any(false);
+    });
+  files.Keep();
+}
+
+} // namespace
+
+void WriteFoam(const MeshData& mesh, const std::string& path, Ranks& ranks, const FoamForm& form)
+{
+  if (form.IsWhole || ranks.Count() == 1)
+  {
+    WriteWhole(mesh, ranks,
+      [&](const MeshData& whole)
+      {
+        Ranks alone;
+        WriteCase(whole, path, alone, form.IsBinary);
+      });
+    return;
+  }
+  const StoredMesh part = OrderMesh(TakeKnownArrays(mesh), ranks);
+  WriteCase(part.Data, path, ranks, form.IsBinary);
+}
+
+} // namespace vfm
