@@ -41,7 +41,8 @@ std::string FindFolderProblem(const std::string& path);
 ///   not supported
 /// - .e, .ex2, .exo (Exodus): one file per rank, path.N.RANK for N > 1 ranks; one file of the whole
 ///   mesh with OutputFiles::Single
-/// - .inp (Abaqus), .msh (Gmsh): one file of the whole mesh
+/// - .inp (Abaqus), .k, .key (LS-DYNA), .rad (OpenRadioss), .bdf, .nas (Nastran), .msh (Gmsh): one
+///   file of the whole mesh
 /// @param mesh  part of this rank
 /// @throws InputError  if the files cannot be written, on all ranks; contains path and reason
 /// @pre Collective
