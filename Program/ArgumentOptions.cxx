@@ -134,7 +134,8 @@ std::string GetHelp()
     "    files FILE.N.RANK selects all of them\n  AMReX: folder of a plotfile\n"
     "Output: " +
     JoinTexts(GetOutputSuffixes()) +
-    "\n  .vtu, .inp (Abaqus, CalculiX) and .msh (Gmsh) are one file, also from several ranks;\n"
+    "\n  .vtu, .inp (Abaqus, CalculiX), .k and .key (LS-DYNA), .rad (OpenRadioss), .bdf and .nas\n"
+    "    (Nastran) and .msh (Gmsh) are one file, also from several ranks;\n"
     "    Exodus from N ranks is one file per rank, FILE.N.RANK\n\n" +
     Materials;
   for (const std::string& line : DescribeOptions(ElementKind::Tets))

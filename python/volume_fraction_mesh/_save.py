@@ -14,7 +14,7 @@ from ._tables import core_arrays, core_fields
 if TYPE_CHECKING:
     from .mesh import Mesh
 
-BY_CORE = (".vtu", ".e", ".ex2", ".exo", ".inp", ".msh")
+BY_CORE = (".vtu", ".e", ".ex2", ".exo", ".inp", ".k", ".key", ".rad", ".bdf", ".nas", ".msh")
 OPTIONS = {".vtu": ("time", "texts"), ".msh": ("version", "binary")}  # else: time
 BY_PACKAGE = {".npz": _npz.write, ".vtk": _vtk.write}
 # Formats in which meshio 5.3.5 writes hexahedra and tetrahedra with their materials.

@@ -430,7 +430,8 @@ class Mesh:
         The package itself writes
 
         - ``.vtu`` (ParaView), ``.e``, ``.ex2``, ``.exo`` (Exodus with named blocks, side sets, node
-          sets, ids and variables), ``.inp`` (Abaqus, CalculiX) and ``.msh`` (Gmsh, with physical
+          sets, ids and variables), ``.inp`` (Abaqus, CalculiX), ``.k`` and ``.key`` (LS-DYNA),
+          ``.rad`` (OpenRadioss), ``.bdf`` and ``.nas`` (Nastran) and ``.msh`` (Gmsh, with physical
           groups of materials, domain sides and interfaces), byte for byte like the ParaView
           plugin;
         - ``.npz``, the whole mesh for `load`;

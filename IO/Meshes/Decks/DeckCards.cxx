@@ -26,7 +26,7 @@ DeckReal::DeckReal(double value, std::size_t width, RealForm form)
   }
 }
 
-/// Shortens the exponent and the part before the point as the form allows.
+/// Shortens the exponent and leaves out a zero before the point, as the form allows.
 void DeckReal::Shape(RealForm form)
 {
   if (form == RealForm::Plain)
@@ -35,6 +35,11 @@ void DeckReal::Shape(RealForm form)
   }
   char* const first = this->Characters.data();
   char* end = first + this->Length;
+  char* const digits = *first == '-' ? first + 1 : first;
+  if (end - digits > 1 && digits[0] == '0' && digits[1] == '.')
+  {
+    end = std::copy(digits + 1, end, digits);
+  }
   char* exponent = std::find(first, end, 'e');
   if (exponent != end && exponent[2] == '0')
   {

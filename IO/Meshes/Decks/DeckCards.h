@@ -14,9 +14,9 @@ namespace vfm
 /// Forms of real numbers.
 enum class RealForm
 {
-  Plain,   ///< 1e-05
-  Compact, ///< 1e-5
-  Nastran  ///< 1.-5; always with a point, which makes it a real number
+  Plain,   ///< 1e-05, 0.5
+  Compact, ///< 1e-5, .5
+  Nastran  ///< 1.-5, .5; always with a point, which makes it a real number
 };
 
 /// Real number as text, without allocation.

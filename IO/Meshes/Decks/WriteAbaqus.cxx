@@ -11,7 +11,7 @@ namespace
 {
 
 constexpr Index LargestNumber = 999999999;
-constexpr std::size_t NumbersInLine = 8;
+constexpr std::size_t NumbersInLine = 8; // Abaqus reads 16
 /// Number of characters of a number that Abaqus and CalculiX read; they ignore further ones.
 constexpr std::size_t NumberLength = 20;
 /// Numbers of the faces in Abaqus, indexed by the numbers in VTK. S1 of a hexahedron has its
@@ -98,50 +98,35 @@ void WriteElements(
   }
 }
 
-void WriteRange(OutputFile& file, Index first, Index last)
+/// Writes lines of numbers. deal.II requires a comma after a single one.
+void WriteNumbers(OutputFile& file, const std::vector<Index>& indices)
 {
-  file.Add(first + 1);
-  file.Add(",");
-  file.Add(last + 1);
-  file.Add(",1\n");
-}
-
-/// Writes a set of elements as ranges of consecutive numbers.
-void WriteElementSet(OutputFile& file, const std::string& name, const std::vector<Index>& elements)
-{
-  file.Add("*ELSET, ELSET=" + name + ", GENERATE\n");
-  for (std::size_t first = 0; first < elements.size();)
+  for (std::size_t i = 0; i < indices.size(); ++i)
   {
-    std::size_t end = first + 1;
-    while (end < elements.size() && elements[end] == elements[end - 1] + 1)
-    {
-      ++end;
-    }
-    WriteRange(file, elements[first], elements[end - 1]);
-    first = end;
+    file.Add(indices[i] + 1);
+    file.Add((i + 1) % NumbersInLine == 0 || i + 1 == indices.size() ? ",\n" : ",");
   }
 }
 
-/// Writes the sets named after materials, and of all elements. deal.II fails to read sets of sets.
+/// Writes the sets named after materials, and of all elements. deal.II fails to read sets of sets,
+/// and meshio sets of several ranges.
 void WriteElementSets(
   OutputFile& file, const DeckModel& model, const std::vector<SectionNames>& names)
 {
   for (std::size_t s = 0; s < names.size(); ++s)
   {
-    WriteElementSet(file, names[s].Set, model.Sections[s].Elements);
+    file.Add("*ELSET, ELSET=" + names[s].Set + "\n");
+    WriteNumbers(file, model.Sections[s].Elements);
   }
-  file.Add("*ELSET, ELSET=EALL, GENERATE\n");
-  WriteRange(file, 0, model.Mesh.NumberOfElements - 1);
+  file.Add("*ELSET, ELSET=EALL, GENERATE\n1,");
+  file.Add(model.Mesh.NumberOfElements);
+  file.Add(",1\n");
 }
 
 void WriteNodeSet(OutputFile& file, const std::string& name, const std::vector<Index>& points)
 {
   file.Add("*NSET, NSET=" + name + "\n");
-  for (std::size_t p = 0; p < points.size(); ++p)
-  {
-    file.Add(points[p] + 1);
-    file.Add(p % NumbersInLine + 1 == NumbersInLine || p + 1 == points.size() ? ",\n" : ",");
-  }
+  WriteNumbers(file, points);
 }
 
 /// Writes lines with a node, a direction from 1, and the component of the velocity.

@@ -109,8 +109,8 @@ void WriteFile(const DeckModel& model, const std::string& path)
   RequireNumbers(mesh, LargestNumber, "Nastran", OtherFormats);
   RequireIds(model, LargestNumber, "Nastran", OtherFormats);
   DeckCards cards(path, RealForm::Nastran);
+  cards.Line("$pyNastran: punch=True"); // tells this reader that there is no case control
   WriteComment(cards, DescribeDeck(model));
-  cards.Line("BEGIN BULK");
   WriteNodes(cards, mesh);
   for (const DeckSection& section : model.Sections)
   {
@@ -127,7 +127,6 @@ void WriteFile(const DeckModel& model, const std::string& path)
   {
     WriteSurface(cards, mesh, surface, keepsIds ? surface.Id : ++next);
   }
-  cards.Line("ENDDATA");
   cards.Close();
 }
 
