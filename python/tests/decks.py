@@ -51,9 +51,11 @@ def sections(path, mark, comment):
     assert lines.pop() == ""
     found = []
     for line in lines:
+        if line.startswith(comment):
+            continue
         if line.startswith(mark):
             found.append((line, []))
-        elif not line.startswith(comment):
+        else:
             found[-1][1].append(line)
     return found
 
