@@ -212,7 +212,7 @@ def test_large_ids(tmp_path):
         with pytest.raises(OSError, match=r"material id 123456789 .*Formats that can hold it: \.r"):
             mesh.save(path)
         assert not path.exists()
-    deck = save(vfm.hexes(labels=np.where(GRAINS == 1, 12345, GRAINS)), ".bdf", tmp_path)
+    deck = save(vfm.hexes(labels=np.where(GRAINS > 0, 12000 + GRAINS, 0)), ".bdf", tmp_path)
     ids = [ident for table in (deck.node_sets, deck.surfaces) for ident, _ in table.values()]
     assert ids == list(range(1, len(ids) + 1))
 
