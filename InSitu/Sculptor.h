@@ -356,8 +356,9 @@ extern "C"
 
   /**
    * Writes the mesh of all ranks. The suffix selects the format: .vtu, .pvtu, Exodus (.e, .exo,
-   * .ex2), Abaqus and CalculiX (.inp), Gmsh (.msh, version 2.2 as text), XDMF (.xdmf),
-   * OpenFOAM (.foam, its folder is the case; several ranks write a decomposed case).
+   * .ex2), Abaqus and CalculiX (.inp), LS-DYNA (.k, .key), OpenRadioss (.rad), Nastran (.bdf,
+   * .nas), Gmsh (.msh, version 2.2 as text), XDMF (.xdmf), OpenFOAM (.foam, its folder is the
+   * case; several ranks write a decomposed case).
    * @param path  path of the file, equal on all ranks
    * @return SCULPTOR_ERROR_NO_MESH without a mesh, SCULPTOR_ERROR_ARGUMENT if the path is null or
    *   the suffix unknown, SCULPTOR_ERROR_FILE if the file cannot be written

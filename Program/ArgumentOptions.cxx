@@ -135,7 +135,8 @@ std::string GetHelp()
     "    files FILE.N.RANK selects all of them\n  AMReX: folder of a plotfile\n"
     "Output: " +
     JoinTexts(GetOutputSuffixes()) +
-    "\n  .vtu, .inp (Abaqus, CalculiX) and .msh (Gmsh) are one file, also from several ranks;\n"
+    "\n  .vtu, .inp (Abaqus, CalculiX), .k and .key (LS-DYNA), .rad (OpenRadioss), .bdf and .nas\n"
+    "    (Nastran) and .msh (Gmsh) are one file, also from several ranks;\n"
     "    .xdmf (dolfinx) is two, FILE.xdmf and FILE_facets.xdmf;\n"
     "    Exodus from N ranks is one file per rank, FILE.N.RANK\n"
     "  .foam: its folder is a case of OpenFOAM; N ranks write a folder processorRANK each\n\n" +

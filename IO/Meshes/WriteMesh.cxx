@@ -3,6 +3,9 @@
 #include "Base/ParseText.h"
 #include "FileSuffix.h"
 #include "Meshes/Decks/WriteAbaqus.h"
+#include "Meshes/Decks/WriteLsDyna.h"
+#include "Meshes/Decks/WriteNastran.h"
+#include "Meshes/Decks/WriteRadioss.h"
 #include "Meshes/Exodus/WriteExodus.h"
 #include "Meshes/OpenFoam/WriteFoam.h"
 #include "Meshes/Vtk/WriteVtu.h"
@@ -63,6 +66,11 @@ constexpr Format Formats[] = {
   { ".ex2", WriteExodusFiles, true, false, false },
   { ".exo", WriteExodusFiles, true, false, false },
   { ".inp", WritePlain<WriteAbaqus>, true, false, false },
+  { ".k", WritePlain<WriteLsDyna>, true, false, false },
+  { ".key", WritePlain<WriteLsDyna>, true, false, false },
+  { ".rad", WritePlain<WriteRadioss>, true, false, false },
+  { ".bdf", WritePlain<WriteNastran>, true, false, false },
+  { ".nas", WritePlain<WriteNastran>, true, false, false },
   { ".msh", WriteGmshFile, true, true, true },
   { ".xdmf", WritePlain<WriteXdmf>, true, false, false },
   { ".foam", WriteFoamCase, true, false, true },

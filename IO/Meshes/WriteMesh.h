@@ -41,7 +41,8 @@ std::string FindFolderProblem(const std::string& path);
 ///   not supported
 /// - .e, .ex2, .exo (Exodus): one file per rank, path.N.RANK for N > 1 ranks; one file of the whole
 ///   mesh with OutputFiles::Single
-/// - .inp (Abaqus), .msh (Gmsh): one file of the whole mesh
+/// - .inp (Abaqus), .k, .key (LS-DYNA), .rad (OpenRadioss), .bdf, .nas (Nastran), .msh (Gmsh): one
+///   file of the whole mesh
 /// - .xdmf: one file of the whole mesh, and one of its facets, NAME_facets.xdmf
 /// - .foam (OpenFOAM): the folder of the file is the case, with one mesh per rank, or one whole
 ///   mesh with OutputFiles::Single

@@ -47,13 +47,17 @@ std::vector<Candidate> ListCandidates(const std::vector<NamedSurface>& surfaces)
 
 } // namespace
 
-std::vector<NamedSurface> FindNamedSurfaces(const MeshData& mesh, Ranks& ranks)
+std::vector<NamedSurface> SelectNamedSurfaces(std::vector<SideSet> sets)
 {
-  std::vector<SideSet> sets = FindMeshSets(mesh, ranks).SideSets;
   sets.erase(
     std::remove_if(sets.begin(), sets.end(), [](const SideSet& set) { return !OwnsFaces(set); }),
     sets.end());
   return sets;
+}
+
+std::vector<NamedSurface> FindNamedSurfaces(const MeshData& mesh, Ranks& ranks)
+{
+  return SelectNamedSurfaces(FindMeshSets(mesh, ranks).SideSets);
 }
 
 int TaggedFaces::TagOf(const MeshSide& face) const

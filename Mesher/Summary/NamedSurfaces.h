@@ -17,6 +17,9 @@ namespace vfm
 
 using NamedSurface = SideSet;
 
+/// Returns the side sets of which a file with one element per face has the faces.
+std::vector<NamedSurface> SelectNamedSurfaces(std::vector<SideSet> sets);
+
 /// Finds the groups that have faces on any rank.
 /// @param mesh  part of this rank; its fields must be equal on all ranks, also without elements
 /// @return the same list of ids and names on all ranks; each face is on one rank, except in skins

@@ -19,6 +19,7 @@ class InpFile:
     - heading, comments: lines
     - nodes, velocities: text of coordinates and of components, (n, 3)
     - elements: {number: corners}
+    - blocks: {name: numbers} of the sets in which elements are defined
     - element_sets, node_sets: {name: numbers}
     - surfaces: {name: [(element, face)]}, faces from 1
     """
@@ -30,7 +31,7 @@ class InpFile:
         self.comments = [line for line in lines if line.startswith("**")]
         self.heading, self.nodes, self.elements, self.type = [], [], {}, None
         self.velocities = []
-        self.element_sets, self.node_sets, self.surfaces = {}, {}, {}
+        self.blocks, self.element_sets, self.node_sets, self.surfaces = {}, {}, {}, {}
         for line in lines:
             assert len(line) <= 256
             if line.startswith("**"):
@@ -40,13 +41,14 @@ class InpFile:
             else:
                 read(line)
         self.nodes = np.array(self.nodes)
-        assert set(self.element_sets) & set(
+        assert {*self.blocks, *self.element_sets} & set(
             self.surfaces) == set(), "CalculiX loses loads on surfaces of such names"
+        assert not set(self.blocks) & set(self.element_sets)
 
     def start(self, line):
         """Returns the function that reads the data lines of a keyword."""
         keyword, *options = [part.strip() for part in line.split(",")]
-        options = dict(option.split("=") for option in options)
+        options = dict((option + "=").split("=")[:2] for option in options)
         if keyword == "*HEADING":
             return self.heading.append
         if keyword == "*NODE":
@@ -55,14 +57,15 @@ class InpFile:
         if keyword == "*ELEMENT":
             assert self.type in (None, options["TYPE"])
             self.type = options["TYPE"]
-            numbers = new_set(self.element_sets, options["ELSET"])
+            numbers = new_set(self.blocks, options["ELSET"])
             return lambda text: self.read_element(text, numbers)
         if keyword == "*INITIAL CONDITIONS":
             assert options == {"TYPE": "VELOCITY"} and not self.velocities
             return self.read_velocity
         if keyword == "*ELSET":
             numbers = new_set(self.element_sets, options["ELSET"])
-            return lambda text: numbers.extend(self.element_sets[text[:text.index(",")]])
+            read = read_range if "GENERATE" in options else read_numbers
+            return lambda text: numbers.extend(read(text))
         if keyword == "*NSET":
             numbers = new_set(self.node_sets, options["NSET"])
             return lambda text: numbers.extend(read_numbers(text))
@@ -107,6 +110,11 @@ def read_numbers(text):
     numbers = [int(part) for part in text.split(",") if part]
     assert "," in text and 0 < len(numbers) < 16, text
     return numbers
+
+
+def read_range(text):
+    first, last, step = map(int, text.split(","))
+    return range(first, last + 1, step)
 
 
 def read_side(text):

@@ -14,7 +14,8 @@ from ._tables import core_arrays, core_fields
 if TYPE_CHECKING:
     from .mesh import Mesh
 
-BY_CORE = (".vtu", ".e", ".ex2", ".exo", ".inp", ".msh", ".xdmf", ".foam")
+BY_CORE = (".vtu", ".e", ".ex2", ".exo", ".inp", ".k", ".key", ".rad", ".bdf", ".nas", ".msh",
+           ".xdmf", ".foam")
 OPTIONS = {".vtu": ("time", "texts"), ".msh": ("version", "binary"), ".xdmf": (),
            ".foam": ("binary",)}  # else: time
 BY_PACKAGE = {".npz": _npz.write, ".vtk": _vtk.write}

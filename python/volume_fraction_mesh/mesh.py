@@ -470,7 +470,8 @@ class Mesh:
         The package itself writes
 
         - ``.vtu`` (ParaView), ``.e``, ``.ex2``, ``.exo`` (Exodus with named blocks, side sets, node
-          sets, ids and variables), ``.inp`` (Abaqus, CalculiX), ``.msh`` (Gmsh, with physical
+          sets, ids and variables), ``.inp`` (Abaqus, CalculiX), ``.k`` and ``.key`` (LS-DYNA),
+          ``.rad`` (OpenRadioss), ``.bdf`` and ``.nas`` (Nastran), ``.msh`` (Gmsh, with physical
           groups of materials, domain sides and interfaces) and ``.foam`` (OpenFOAM: the folder of
           the file is the case, with ``constant/polyMesh``), byte for byte like the ParaView
           plugin;

@@ -1,8 +1,5 @@
 #include "Meshes/Decks/AbaqusText.h"
 
-#include <charconv>
-#include <limits>
-
 namespace vfm
 {
 namespace
@@ -44,19 +41,6 @@ std::string CleanName(const std::string& name)
 std::string AbaqusNames::Add(const std::string& name)
 {
   return this->Used.Add(CleanName(name));
-}
-
-AbaqusNumber::AbaqusNumber(double value)
-{
-  char* const first = this->Characters.data();
-  char* const last = first + this->Characters.size();
-  this->Length = std::to_chars(first, last, value).ptr - first;
-  for (int digits = std::numeric_limits<double>::digits10 + 1; this->Length > AbaqusNumberLength;
-       --digits)
-  {
-    this->Length =
-      std::to_chars(first, last, value, std::chars_format::general, digits).ptr - first;
-  }
 }
 
 } // namespace vfm

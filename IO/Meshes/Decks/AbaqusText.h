@@ -1,13 +1,11 @@
 /**
- * AbaqusText: formats names and numbers for Abaqus and CalculiX.
+ * AbaqusText: formats names for Abaqus and CalculiX.
  */
 #pragma once
 
 #include "Summary/UniqueNames.h"
 
-#include <array>
 #include <string>
-#include <string_view>
 
 namespace vfm
 {
@@ -25,24 +23,6 @@ public:
 
 private:
   UniqueNames Used{ 80 };
-};
-
-/// Number of characters of a number that Abaqus and CalculiX read; they ignore further ones.
-constexpr std::size_t AbaqusNumberLength = 20;
-
-/// Number as text, without allocation.
-class AbaqusNumber
-{
-public:
-  /// Formats a number as the shortest text that is read back as the same value. If that exceeds 20
-  /// characters, digits are removed until the text fits. The relative error is then at most 5e-14,
-  /// or 5e-13 if the exponent has three digits.
-  explicit AbaqusNumber(double value);
-  std::string_view Text() const { return { this->Characters.data(), this->Length }; }
-
-private:
-  std::array<char, 40> Characters;
-  std::size_t Length;
 };
 
 } // namespace vfm

@@ -1,14 +1,9 @@
 #include "Meshes/Decks/WriteAbaqus.h"
 
 #include "Meshes/Decks/AbaqusText.h"
+#include "Meshes/Decks/DeckCards.h"
+#include "Meshes/Decks/DeckModel.h"
 #include "Meshes/Files/OutputFile.h"
-#include "Meshes/Files/WriteWhole.h"
-#include "Summary/MeshMaterials.h"
-#include "Summary/MeshSets.h"
-
-#include <algorithm>
-#include <cctype>
-#include <map>
 
 namespace vfm
 {
@@ -16,54 +11,24 @@ namespace
 {
 
 constexpr Index LargestNumber = 999999999;
-constexpr std::size_t NumbersInLine = 8;
+constexpr std::size_t NumbersInLine = 8; // Abaqus reads 16
+/// Number of characters of a number that Abaqus and CalculiX read; they ignore further ones.
+constexpr std::size_t NumberLength = 20;
 /// Numbers of the faces in Abaqus, indexed by the numbers in VTK. S1 of a hexahedron has its
 /// corners 1 to 4.
 constexpr int HexFaces[6] = { 6, 4, 3, 5, 1, 2 };
 constexpr int TetFaces[4] = { 2, 3, 4, 1 };
 
-bool IsVelocity(const MeshArray& array)
+/// Names of the element sets of a section.
+struct SectionNames
 {
-  std::string name = array.Name;
-  std::transform(
-    name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
-  return name.find("velocity") != std::string::npos && array.Components == 3;
-}
-
-/// Returns a text for a comment line, without control characters or characters outside of ASCII.
-std::string PlainText(std::string text)
-{
-  constexpr std::size_t longest = 120;
-  std::replace_if(
-    text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-  return text.substr(0, longest);
-}
-
-/// Elements of a material.
-struct Section
-{
-  int Material;
-  std::string Name; ///< name of the material
-  std::string Set;  ///< name of the element set
-  std::vector<Index> Elements;
+  std::string Block; ///< EB and the id
+  std::string Set;   ///< name of the material
 };
 
-/// Returns one section per material, by material id.
-std::vector<Section> MakeSections(const MeshData& mesh, AbaqusNames& names)
+std::string BlockName(const DeckSection& section)
 {
-  std::map<int, std::vector<Index>> elements;
-  for (Index element = 0; element < mesh.NumberOfElements; ++element)
-  {
-    elements[mesh.Material[element]].push_back(element);
-  }
-  const std::map<int, std::string> ofMesh = NamesOfMaterials(mesh);
-  std::vector<Section> sections;
-  for (auto& [material, list] : elements)
-  {
-    const std::string name = NameOfMaterial(ofMesh, material);
-    sections.push_back({ material, name, names.Add(name), std::move(list) });
-  }
-  return sections;
+  return "EB" + std::to_string(section.Id);
 }
 
 struct Surface
@@ -87,17 +52,15 @@ std::vector<Surface> MakeSurfaces(
   return surfaces;
 }
 
-void WriteHeading(OutputFile& file, const MeshData& mesh, const std::vector<Section>& sections)
+void WriteHeading(OutputFile& file, const DeckModel& model, const std::vector<SectionNames>& names)
 {
-  file.Add("*HEADING\nMesh by VolumeFractionMesh " VFM_VERSION ": ");
-  file.Add(mesh.NumberOfPoints);
-  file.Add(" nodes, ");
-  file.Add(mesh.NumberOfElements);
-  file.Add(mesh.Corners == 8 ? " hexahedra\n" : " tetrahedra\n");
-  for (const Section& section : sections)
+  constexpr std::size_t longest = 120;
+  file.Add("*HEADING\n" + DescribeDeck(model) + "\n");
+  for (std::size_t s = 0; s < names.size(); ++s)
   {
-    file.Add("** " + section.Set + ": material " + std::to_string(section.Material) + ", " +
-      PlainText(section.Name) + "\n");
+    const DeckSection& section = model.Sections[s];
+    file.Add("** " + names[s].Set + ": material " + std::to_string(section.Id) + ", " +
+      PlainTitle(section.Name, longest) + "\n");
   }
 }
 
@@ -110,18 +73,19 @@ void WriteNodes(OutputFile& file, const MeshData& mesh)
     for (int axis = 0; axis < 3; ++axis)
     {
       file.Add(",");
-      file.Add(AbaqusNumber(mesh.Point(point)[axis]).Text());
+      file.Add(DeckReal(mesh.Point(point)[axis], NumberLength, RealForm::Plain).Text());
     }
     file.Add("\n");
   }
 }
 
 /// Writes the elements of a section. The corners of C3D8 and C3D4 have the same order as in VTK.
-void WriteElements(OutputFile& file, const MeshData& mesh, const Section& section)
+void WriteElements(
+  OutputFile& file, const MeshData& mesh, const DeckSection& section, const std::string& set)
 {
   file.Add("*ELEMENT, TYPE=");
   file.Add(mesh.Corners == 8 ? "C3D8" : "C3D4");
-  file.Add(", ELSET=" + section.Set + "\n");
+  file.Add(", ELSET=" + set + "\n");
   for (Index element : section.Elements)
   {
     file.Add(element + 1);
@@ -134,24 +98,35 @@ void WriteElements(OutputFile& file, const MeshData& mesh, const Section& sectio
   }
 }
 
-/// Writes a set of all elements, one section per line. Lines with a single entry require a comma.
-void WriteAllElements(OutputFile& file, const std::vector<Section>& sections)
+/// Writes lines of numbers. deal.II requires a comma after a single one.
+void WriteNumbers(OutputFile& file, const std::vector<Index>& indices)
 {
-  file.Add("*ELSET, ELSET=EALL\n");
-  for (const Section& section : sections)
+  for (std::size_t i = 0; i < indices.size(); ++i)
   {
-    file.Add(section.Set + ",\n");
+    file.Add(indices[i] + 1);
+    file.Add((i + 1) % NumbersInLine == 0 || i + 1 == indices.size() ? ",\n" : ",");
   }
+}
+
+/// Writes the sets named after materials, and of all elements. deal.II fails to read sets of sets,
+/// and meshio sets of several ranges.
+void WriteElementSets(
+  OutputFile& file, const DeckModel& model, const std::vector<SectionNames>& names)
+{
+  for (std::size_t s = 0; s < names.size(); ++s)
+  {
+    file.Add("*ELSET, ELSET=" + names[s].Set + "\n");
+    WriteNumbers(file, model.Sections[s].Elements);
+  }
+  file.Add("*ELSET, ELSET=EALL, GENERATE\n1,");
+  file.Add(model.Mesh.NumberOfElements);
+  file.Add(",1\n");
 }
 
 void WriteNodeSet(OutputFile& file, const std::string& name, const std::vector<Index>& points)
 {
   file.Add("*NSET, NSET=" + name + "\n");
-  for (std::size_t p = 0; p < points.size(); ++p)
-  {
-    file.Add(points[p] + 1);
-    file.Add(p % NumbersInLine + 1 == NumbersInLine || p + 1 == points.size() ? ",\n" : ",");
-  }
+  WriteNumbers(file, points);
 }
 
 /// Writes lines with a node, a direction from 1, and the component of the velocity.
@@ -166,7 +141,7 @@ void WriteVelocity(OutputFile& file, const MeshData& mesh, const MeshArray& velo
       file.Add(",");
       file.Add(axis + 1);
       file.Add(",");
-      file.Add(AbaqusNumber(ValueAt(velocity, point, axis)).Text());
+      file.Add(DeckReal(ValueAt(velocity, point, axis), NumberLength, RealForm::Plain).Text());
       file.Add("\n");
     }
   }
@@ -184,36 +159,46 @@ void WriteSurface(OutputFile& file, const Surface& surface, bool ofHexes)
   }
 }
 
+/// Returns the names of the sets of each section.
+std::vector<SectionNames> NameSections(const DeckModel& model, AbaqusNames& names)
+{
+  std::vector<SectionNames> sections;
+  for (const DeckSection& section : model.Sections)
+  {
+    sections.push_back({ BlockName(section), names.Add(section.Name) });
+  }
+  return sections;
+}
+
 /// Writes the whole mesh. The sides of the domain get their names first, so that X_MIN is a side of
 /// the domain even if a material has this name.
-void WriteFile(const MeshData& mesh, const std::string& path)
+void WriteFile(const DeckModel& model, const std::string& path)
 {
-  if (std::max(mesh.NumberOfPoints, mesh.NumberOfElements) > LargestNumber)
-  {
-    throw InputError(
-      "The mesh has more than 999,999,999 nodes or elements, which Abaqus cannot number.");
-  }
-  Ranks alone;
-  const MeshSets sets = FindMeshSets(mesh, alone);
+  const MeshData& mesh = model.Mesh;
+  RequireNumbers(mesh, LargestNumber, "Abaqus", ".e, .msh, .vtu");
   AbaqusNames names, nodeNames;
   names.Add("EALL");
   nodeNames.Add("NALL");
-  std::vector<Surface> surfaces = MakeSurfaces(sets.SideSets, names, true);
-  const std::vector<Section> sections = MakeSections(mesh, names);
-  for (Surface& surface : MakeSurfaces(sets.SideSets, names, false))
+  for (const DeckSection& section : model.Sections)
+  {
+    names.Add(BlockName(section));
+  }
+  std::vector<Surface> surfaces = MakeSurfaces(model.SideSets, names, true);
+  const std::vector<SectionNames> sections = NameSections(model, names);
+  for (Surface& surface : MakeSurfaces(model.SideSets, names, false))
   {
     surfaces.push_back(std::move(surface));
   }
 
   OutputFile file(path);
-  WriteHeading(file, mesh, sections);
+  WriteHeading(file, model, sections);
   WriteNodes(file, mesh);
-  for (const Section& section : sections)
+  for (std::size_t s = 0; s < sections.size(); ++s)
   {
-    WriteElements(file, mesh, section);
+    WriteElements(file, mesh, model.Sections[s], sections[s].Block);
   }
-  WriteAllElements(file, sections);
-  for (const NodeSet& set : sets.NodeSets)
+  WriteElementSets(file, model, sections);
+  for (const NodeSet& set : model.NodeSets)
   {
     WriteNodeSet(file, nodeNames.Add(set.Name), set.Points);
   }
@@ -221,10 +206,9 @@ void WriteFile(const MeshData& mesh, const std::string& path)
   {
     WriteSurface(file, surface, mesh.Corners == 8);
   }
-  const auto velocity = std::find_if(mesh.PointArrays.begin(), mesh.PointArrays.end(), IsVelocity);
-  if (velocity != mesh.PointArrays.end())
+  if (model.State.Velocity)
   {
-    WriteVelocity(file, mesh, *velocity);
+    WriteVelocity(file, mesh, *model.State.Velocity);
   }
   file.Close();
 }
@@ -233,8 +217,7 @@ void WriteFile(const MeshData& mesh, const std::string& path)
 
 void WriteAbaqus(const MeshData& mesh, const std::string& path, Ranks& ranks)
 {
-  WriteWhole(
-    mesh, ranks, [&](const MeshData& whole) { WriteFile(whole, path); }, IsVelocity);
+  WriteDeck(mesh, ranks, IsVelocity, [&](const DeckModel& model) { WriteFile(model, path); });
 }
 
 } // namespace vfm

@@ -3,12 +3,13 @@
  *
  * The file contains only the mesh, without sections, materials or steps:
  * - *NODE, in the set NALL
- * - *ELEMENT of type C3D8 or C3D4, one element set per material; the set EALL contains all of them
+ * - *ELEMENT of type C3D8 or C3D4, one element set per material, EB and its id, whose ids deal.II
+ *   reads
+ * - *ELSET with the name of each material; EALL contains all elements
  * - *NSET of each node set and *SURFACE of each side set (MeshSets.h)
  * - *INITIAL CONDITIONS, if a point array with three components has "velocity" in its name
  *
- * Nodes and elements are numbered from 1 in the order of their global ids, because solvers allocate
- * tables up to the greatest number.
+ * DeckModel.h has the numbers of nodes and elements.
  */
 #pragma once
 

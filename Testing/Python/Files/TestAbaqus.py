@@ -95,6 +95,8 @@ def check_file(file, result):
     assert {name: set(numbers) for name, numbers in file.element_sets.items()} == {
         **sets, "EALL": set(range(1, len(materials) + 1))}
     assert len(file.element_sets["EALL"]) == len(materials)
+    ids = {m or max(NAMES) + 1: NAMES[m] for m in set(materials.tolist())}
+    assert file.blocks == {"EB%d" % i: file.element_sets[name] for i, name in ids.items()}
     nodes = {name: set(numbers) for name, numbers in file.node_sets.items()}
     assert nodes == {**sides_of(points), "NALL": set(range(1, len(points) + 1))}
     expected = expected_surfaces(result)
@@ -172,7 +174,7 @@ def test_names(at):
              ("material/volume//fraction 1", "MATERIAL_VOLUME_FRACTION_1_2"),
              ("MATERIAL_VOLUME_FRACTION_1_2", "MATERIAL_VOLUME_FRACTION_1_2_2"), ("7 up", "S_7_UP"),
              ("", "S_"), ("größe", "GR_E"),
-             ("EALL", "EALL_2"), (" a, b\n*STEP ", "A_B_STEP"), (long, "X" * 80),
+             ("EALL", "EALL_2"), ("eb1", "EB1_2"), (" a, b\n*STEP ", "A_B_STEP"), (long, "X" * 80),
              (long + "y", "X" * 78 + "_2"), ("_tail_", "TAIL")]
     mesh = row_of_elements(len(cases) + 1)
     names, ids = vtkStringArray(), vtkIntArray()

@@ -1,0 +1,147 @@
+#include "Meshes/Decks/DeckModel.h"
+
+#include "Meshes/Files/WriteWhole.h"
+#include "Ranks/Errors.h"
+#include "Summary/MeshMaterials.h"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+
+namespace vfm
+{
+namespace
+{
+
+/// Returns whether the name of an array contains a word, in any case.
+bool HasWord(const MeshArray& array, const char* word)
+{
+  std::string name = array.Name;
+  std::transform(
+    name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
+  return name.find(word) != std::string::npos;
+}
+
+bool IsDensity(const MeshArray& array)
+{
+  return HasWord(array, "density") && array.Components == 1;
+}
+
+bool IsEnergy(const MeshArray& array)
+{
+  return HasWord(array, "energy") && array.Components == 1;
+}
+
+bool IsStress(const MeshArray& array)
+{
+  return HasWord(array, "stress") && (array.Components == 6 || array.Components == 9);
+}
+
+bool IsPlasticStrain(const MeshArray& array)
+{
+  return HasWord(array, "plastic") && array.Components == 1;
+}
+
+const MeshArray* FindFirst(const std::vector<MeshArray>& arrays, bool (*fits)(const MeshArray&))
+{
+  const auto found = std::find_if(arrays.begin(), arrays.end(), fits);
+  return found == arrays.end() ? nullptr : &*found;
+}
+
+std::vector<DeckSection> MakeSections(const MeshData& mesh)
+{
+  std::map<int, std::vector<Index>> elements;
+  for (Index element = 0; element < mesh.NumberOfElements; ++element)
+  {
+    elements[mesh.Material[element]].push_back(element);
+  }
+  Ranks alone;
+  const std::map<int, std::string> names = NamesOfMaterials(mesh);
+  std::vector<DeckSection> sections;
+  for (auto& [material, list] : elements)
+  {
+    const int id = material == 0 ? FindVoidId(mesh, alone) : material;
+    sections.push_back({ id, NameOfMaterial(names, material), std::move(list) });
+  }
+  return sections;
+}
+
+DeckModel MakeModel(const MeshData& mesh)
+{
+  Ranks alone;
+  MeshSets sets = FindMeshSets(mesh, alone);
+  const std::vector<MeshArray>& arrays = mesh.ElementArrays;
+  return { mesh, MakeSections(mesh), std::move(sets.NodeSets), std::move(sets.SideSets),
+    { FindFirst(mesh.PointArrays, IsVelocity), FindFirst(arrays, IsDensity),
+      FindFirst(arrays, IsEnergy), FindFirst(arrays, IsStress),
+      FindFirst(arrays, IsPlasticStrain) } };
+}
+
+} // namespace
+
+bool IsVelocity(const MeshArray& array)
+{
+  return HasWord(array, "velocity") && array.Components == 3;
+}
+
+bool IsState(const MeshArray& array)
+{
+  return IsVelocity(array) || IsDensity(array) || IsEnergy(array) || IsStress(array) ||
+    IsPlasticStrain(array);
+}
+
+std::array<double, 6> StressOf(const MeshArray& stress, Index element)
+{
+  constexpr int ofSix[6] = { 0, 1, 2, 3, 4, 5 }, ofNine[6] = { 0, 4, 8, 1, 5, 2 };
+  const int* components = stress.Components == 6 ? ofSix : ofNine;
+  std::array<double, 6> values;
+  std::transform(components, components + 6, values.begin(),
+    [&](int component) { return ValueAt(stress, element, component); });
+  return values;
+}
+
+std::string PlainTitle(std::string text, std::size_t longest)
+{
+  std::replace_if(
+    text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '_');
+  return text.substr(0, longest);
+}
+
+std::string DescribeDeck(const DeckModel& model)
+{
+  return "Mesh by VolumeFractionMesh " VFM_VERSION ": " +
+    std::to_string(model.Mesh.NumberOfPoints) + " nodes, " +
+    std::to_string(model.Mesh.NumberOfElements) +
+    (model.Mesh.Corners == 8 ? " hexahedra" : " tetrahedra");
+}
+
+void RequireNumbers(const MeshData& mesh, Index largest, const char* format, const char* others)
+{
+  if (std::max(mesh.NumberOfPoints, mesh.NumberOfElements) > largest)
+  {
+    throw InputError("The mesh has more than " + std::to_string(largest) +
+      " nodes or elements, which " + format + " cannot number. Formats that can: " + others + ".");
+  }
+}
+
+void RequireIds(const DeckModel& model, int largest, const char* format, const char* others)
+{
+  for (const DeckSection& section : model.Sections)
+  {
+    if (section.Id > largest)
+    {
+      throw InputError("The material id " + std::to_string(section.Id) + " is greater than " +
+        std::to_string(largest) + ", the limit of " + format +
+        ". Formats that can hold it: " + others + ".");
+    }
+  }
+}
+
+void WriteDeck(const MeshData& mesh, Ranks& ranks, bool (*isTaken)(const MeshArray&),
+  const std::function<void(const DeckModel&)>& write)
+{
+  WriteWhole(
+    mesh, ranks, [&](const MeshData& whole) { write(MakeModel(whole)); }, isTaken);
+}
+
+} // namespace vfm

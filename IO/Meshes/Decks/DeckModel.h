@@ -1,0 +1,76 @@
+/**
+ * DeckModel: what an input file of a solver contains of a mesh, for the writers of all formats.
+ *
+ * Nodes and elements have the numbers 1, 2, 3, .. in the order of their global ids, because solvers
+ * allocate tables up to the greatest number.
+ */
+#pragma once
+
+#include "Ranks/Ranks.h"
+#include "Summary/MeshData.h"
+#include "Summary/MeshSets.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace vfm
+{
+
+/// Elements of a material.
+struct DeckSection
+{
+  int Id;                      ///< id of the material; FindVoidId() of a meshed void
+  std::string Name;            ///< name of the material
+  std::vector<Index> Elements; ///< ascending
+};
+
+/// Arrays with the state of nodes and elements; null if the mesh has none.
+struct DeckState
+{
+  const MeshArray* Velocity = nullptr;      ///< of nodes, three components
+  const MeshArray* Density = nullptr;       ///< of elements, as the following ones
+  const MeshArray* Energy = nullptr;        ///< internal energy per mass
+  const MeshArray* Stress = nullptr;        ///< six components xx yy zz xy yz xz, or nine by row
+  const MeshArray* PlasticStrain = nullptr; ///< equivalent plastic strain
+};
+
+struct DeckModel
+{
+  const MeshData& Mesh;              ///< whole mesh; must outlive this object
+  std::vector<DeckSection> Sections; ///< by material, the void first
+  std::vector<NodeSet> NodeSets;
+  std::vector<SideSet> SideSets; ///< all side sets; SelectNamedSurfaces has one per face
+  DeckState State;
+};
+
+/// Returns whether an array has the velocity of nodes: three components, and "velocity" in its
+/// name, in any case.
+bool IsVelocity(const MeshArray& array);
+/// Returns whether an array has a part of DeckState. Names contain "density", "energy", "stress" or
+/// "plastic", in any case.
+bool IsState(const MeshArray& array);
+
+/// Stress of an element: xx yy zz xy yz xz.
+std::array<double, 6> StressOf(const MeshArray& stress, Index element);
+
+/// Returns a title without control characters and characters outside of ASCII, which become '_'.
+std::string PlainTitle(std::string text, std::size_t longest);
+/// Returns a line about program and mesh for the head of a file.
+std::string DescribeDeck(const DeckModel& model);
+
+/// Throws InputError if the mesh has more nodes or elements than a format can number.
+/// @param others  formats that can
+void RequireNumbers(const MeshData& mesh, Index largest, const char* format, const char* others);
+/// Throws InputError if the id of a material has too many digits for a format.
+void RequireIds(const DeckModel& model, int largest, const char* format, const char* others);
+
+/// Gathers the mesh, and calls write with its model on rank 0.
+/// @param mesh  part of this rank
+/// @param isTaken  IsVelocity or IsState: arrays that the format contains
+/// @throws InputError  if WriteWhole or write does; on all ranks
+/// @pre Collective
+void WriteDeck(const MeshData& mesh, Ranks& ranks, bool (*isTaken)(const MeshArray&),
+  const std::function<void(const DeckModel&)>& write);
+
+} // namespace vfm

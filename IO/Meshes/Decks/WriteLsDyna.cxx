@@ -1,0 +1,182 @@
+#include "Meshes/Decks/WriteLsDyna.h"
+
+#include "Meshes/Decks/DeckCards.h"
+#include "Meshes/Decks/DeckModel.h"
+#include "Summary/NamedSurfaces.h"
+#include "Summary/UniqueNames.h"
+
+namespace vfm
+{
+namespace
+{
+
+constexpr int LargestNumber = 99999999;
+constexpr std::size_t LongestTitle = 70, NumbersInLine = 8;
+constexpr std::size_t Narrow = 8, Normal = 10, Wide = 16; // widths of fields
+constexpr const char* OtherFormats = ".rad, .inp, .e";
+/// Formulations of *SECTION_SOLID: constant stress, tetrahedron with one point.
+constexpr int HexForm = 1, TetForm = 10;
+
+void WriteNodes(DeckCards& cards, const MeshData& mesh)
+{
+  cards.Line("*NODE");
+  cards.Line("$    NID               X               Y               Z");
+  for (Index point = 0; point < mesh.NumberOfPoints; ++point)
+  {
+    cards.Integer(point + 1, Narrow);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      cards.Real(mesh.Point(point)[axis], Wide);
+    }
+    cards.End();
+  }
+}
+
+/// Writes the parts; each refers to a material of its number.
+void WriteParts(DeckCards& cards, const DeckModel& model)
+{
+  cards.Line("*SECTION_SOLID");
+  cards.Line("$    SECID    ELFORM");
+  cards.Integer(1, Normal).Integer(model.Mesh.Corners == 8 ? HexForm : TetForm, Normal).End();
+  UniqueNames names(LongestTitle);
+  for (const DeckSection& section : model.Sections)
+  {
+    cards.Line("*PART");
+    cards.Line(names.Add(PlainTitle(section.Name, LongestTitle)));
+    cards.Line("$      PID     SECID       MID");
+    cards.Integer(section.Id, Normal).Integer(1, Normal).Integer(section.Id, Normal).End();
+  }
+}
+
+void WriteElements(DeckCards& cards, const MeshData& mesh, const DeckSection& section)
+{
+  constexpr int nodes = 8;
+  for (Index element : section.Elements)
+  {
+    cards.Integer(element + 1, Narrow).Integer(section.Id, Narrow);
+    for (int n = 0; n < nodes; ++n)
+    {
+      cards.Integer(mesh.Element(element)[std::min(n, mesh.Corners - 1)] + 1, Narrow);
+    }
+    cards.End();
+  }
+}
+
+void WriteNodeSet(DeckCards& cards, const NodeSet& set, UniqueNames& names)
+{
+  cards.Line("*SET_NODE_LIST_TITLE");
+  cards.Line(names.Add(PlainTitle(set.Name, LongestTitle)));
+  cards.Integer(set.Id, Normal).End();
+  for (std::size_t p = 0; p < set.Points.size(); ++p)
+  {
+    cards.Integer(set.Points[p] + 1, Normal);
+    if ((p + 1) % NumbersInLine == 0 || p + 1 == set.Points.size())
+    {
+      cards.End();
+    }
+  }
+}
+
+/// Writes the faces of a surface. Normals point out of the elements; triangles repeat a node.
+void WriteSurface(
+  DeckCards& cards, const MeshData& mesh, const NamedSurface& surface, UniqueNames& names)
+{
+  cards.Line("*SET_SEGMENT_TITLE");
+  cards.Line(names.Add(PlainTitle(surface.Name, LongestTitle)));
+  cards.Integer(surface.Id, Normal).End();
+  for (const MeshSide& side : surface.Sides)
+  {
+    const FaceIds points = PointsOfSide(mesh, side);
+    for (std::size_t p = 0; p < points.size(); ++p)
+    {
+      cards.Integer((points[p] < 0 ? points[p - 1] : points[p]) + 1, Normal);
+    }
+    cards.End();
+  }
+}
+
+void WriteVelocities(DeckCards& cards, const MeshData& mesh, const MeshArray& velocity)
+{
+  cards.Line("*INITIAL_VELOCITY_NODE");
+  cards.Line("$      NID        VX        VY        VZ");
+  for (Index point = 0; point < mesh.NumberOfPoints; ++point)
+  {
+    cards.Integer(point + 1, Normal);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      cards.Real(ValueAt(velocity, point, axis), Normal);
+    }
+    cards.End();
+  }
+}
+
+/// Writes stresses and plastic strains, at one integration point and in wide fields.
+void WriteStresses(DeckCards& cards, const DeckModel& model)
+{
+  const DeckState& state = model.State;
+  cards.Line("*INITIAL_STRESS_SOLID");
+  cards.Line("$      EID      NINT     NHISV     LARGE");
+  for (Index element = 0; element < model.Mesh.NumberOfElements; ++element)
+  {
+    cards.Integer(element + 1, Normal).Integer(1, Normal).Integer(0, Normal).Integer(1, Normal);
+    cards.End();
+    std::array<double, 6> stress{};
+    if (state.Stress)
+    {
+      stress = StressOf(*state.Stress, element);
+    }
+    for (int component = 0; component < 5; ++component)
+    {
+      cards.Real(stress[component], Wide);
+    }
+    cards.End();
+    const double strain = state.PlasticStrain ? ValueAt(*state.PlasticStrain, element) : 0;
+    cards.Real(stress[5], Wide).Real(strain, Wide).End();
+  }
+}
+
+void WriteFile(const DeckModel& model, const std::string& path)
+{
+  const MeshData& mesh = model.Mesh;
+  RequireNumbers(mesh, LargestNumber, "LS-DYNA", OtherFormats);
+  RequireIds(model, LargestNumber, "LS-DYNA", OtherFormats);
+  DeckCards cards(path, RealForm::Compact);
+  cards.Line("*KEYWORD");
+  cards.Line("$ " + DescribeDeck(model));
+  WriteNodes(cards, mesh);
+  WriteParts(cards, model);
+  cards.Line("*ELEMENT_SOLID");
+  cards.Line("$    EID     PID      N1      N2      N3      N4      N5      N6      N7      N8");
+  for (const DeckSection& section : model.Sections)
+  {
+    WriteElements(cards, mesh, section);
+  }
+  UniqueNames nodeNames(LongestTitle), names(LongestTitle);
+  for (const NodeSet& set : model.NodeSets)
+  {
+    WriteNodeSet(cards, set, nodeNames);
+  }
+  for (const NamedSurface& surface : SelectNamedSurfaces(model.SideSets))
+  {
+    WriteSurface(cards, mesh, surface, names);
+  }
+  if (model.State.Velocity)
+  {
+    WriteVelocities(cards, mesh, *model.State.Velocity);
+  }
+  if (model.State.Stress || model.State.PlasticStrain)
+  {
+    WriteStresses(cards, model);
+  }
+  cards.Line("*END");
+  cards.Close();
+}
+
+} // namespace
+
+void WriteLsDyna(const MeshData& mesh, const std::string& path, Ranks& ranks)
+{
+  WriteDeck(mesh, ranks, IsState, [&](const DeckModel& model) { WriteFile(model, path); });
+}
+
+} // namespace vfm

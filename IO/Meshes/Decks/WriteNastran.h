@@ -1,0 +1,31 @@
+/**
+ * WriteNastran: writes a mesh as bulk data of Nastran, for INCLUDE.
+ *
+ * The file contains the mesh, without materials and case control:
+ * - GRID*, in fields of 16 characters; CHEXA or CTETRA
+ * - PSOLID of each material, with its id, and its name in a comment; its material has the same
+ *   number, and must be defined in another file
+ * - SET1 of each node set
+ * - PLOAD4 of each named surface (NamedSurfaces.h): a unit pressure, which a LOAD entry scales
+ *
+ * Names of sets are comments. Ids are those of MeshSets.h, or consecutive numbers if one exceeds
+ * eight digits.
+ */
+#pragma once
+
+#include "Ranks/Ranks.h"
+#include "Summary/MeshData.h"
+
+#include <string>
+
+namespace vfm
+{
+
+/// Writes one file on rank 0. Its contents do not depend on the number of ranks.
+/// @param mesh  part of this rank, made by the mesher or read from a file
+/// @throws InputError  if WriteDeck does, if a number or the id of a material exceeds eight digits,
+///   or if the file cannot be written; on all ranks. An incomplete file is removed
+/// @pre Collective
+void WriteNastran(const MeshData& mesh, const std::string& path, Ranks& ranks);
+
+} // namespace vfm

@@ -1,0 +1,105 @@
+/// Input files of solvers: numbers in narrow fields, the same bytes from any number of ranks, and
+/// meshes whose numbers do not fit.
+#include "FileCases.h"
+#include "Meshes/Decks/DeckCards.h"
+#include "Meshes/Decks/DeckModel.h"
+#include "Meshes/WriteMesh.h"
+
+#include <cmath>
+#include <random>
+
+using namespace vfm;
+using namespace vfm::testing;
+
+namespace
+{
+
+std::string Format(double value, std::size_t width, RealForm form)
+{
+  return std::string(DeckReal(value, width, form).Text());
+}
+
+/// Returns the number that a solver reads; Nastran's exponents have no letter.
+double ReadBack(std::string text)
+{
+  const std::size_t sign = text.find_last_of("+-");
+  if (sign != std::string::npos && sign > 0 && text[sign - 1] != 'e')
+  {
+    text.insert(sign, "e");
+  }
+  return std::stod(text);
+}
+
+TEST(DeckReal, TextsOfNumbers)
+{
+  for (const auto& [value, plain, compact, nastran] :
+    std::vector<std::tuple<double, const char*, const char*, const char*>>{ { 0, "0", "0", "0." },
+      { 1, "1", "1", "1." }, { -0.5, "-0.5", "-.5", "-.5" }, { 0.25, "0.25", ".25", ".25" },
+      { 1e-5, "1e-05", "1e-5", "1.-5" }, { -2.5e-10, "-2.5e-10", "-2.5e-10", "-2.5-10" },
+      { 1e30, "1e+30", "1e+30", "1.+30" }, { 10.5, "10.5", "10.5", "10.5" },
+      { -1. / 3, "-0.3333333333", "-.33333333333", "-.33333333333" },
+      { -1e-5 / 3, "-3.333333e-06", "-3.3333333e-6", "-3.33333333-6" } })
+  {
+    EXPECT_EQ(Format(value, 13, RealForm::Plain), plain);
+    EXPECT_EQ(Format(value, 13, RealForm::Compact), compact);
+    EXPECT_EQ(Format(value, 13, RealForm::Nastran), nastran);
+  }
+}
+
+TEST(DeckReal, NumbersFitAndLoseFewDigits)
+{
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> exponent(-90, 90), digit(-10, 10);
+  for (int i = 0; i < 20000; ++i)
+  {
+    const double value = digit(random) * std::pow(10, exponent(random));
+    for (RealForm form : { RealForm::Plain, RealForm::Compact, RealForm::Nastran })
+    {
+      for (std::size_t width : { 10, 16, 20 })
+      {
+        const std::string text = Format(value, width, form);
+        ASSERT_LE(text.size(), width);
+        const double error = 5 * std::pow(10, 6 - static_cast<double>(width));
+        ASSERT_NEAR(ReadBack(text), value, error * std::abs(value)) << text;
+      }
+    }
+  }
+}
+
+TEST(WriteDecks, SameBytesOnRanks)
+{
+  const Folder folder;
+  for (const char* suffix : { ".inp", ".k", ".rad", ".bdf" })
+  {
+    for (int count : { 1, 3 })
+    {
+      WithMesh(count, MakeHexMesh,
+        [&](const FileCase& part, Ranks& ranks)
+        { WriteMesh(part.Mesh, folder / (std::to_string(count) + suffix), ranks); });
+    }
+    const std::string one = ReadBytes(folder / (std::string("1") + suffix));
+    EXPECT_GT(one.size(), 1000u);
+    EXPECT_TRUE(one == ReadBytes(folder / (std::string("3") + suffix))) << suffix;
+  }
+}
+
+TEST(DeckModel, NumbersThatDoNotFit)
+{
+  MeshData mesh;
+  mesh.NumberOfPoints = 99999999;
+  mesh.NumberOfElements = 100000000;
+  EXPECT_NO_THROW(RequireNumbers(mesh, 100000000, "this", ".e"));
+  try
+  {
+    RequireNumbers(mesh, 99999999, "LS-DYNA", ".rad, .e");
+    ADD_FAILURE();
+  }
+  catch (const InputError& error)
+  {
+    EXPECT_STREQ(error.what(),
+      "The mesh has more than 99999999 nodes or elements, which LS-DYNA cannot number. Formats "
+      "that can: .rad, .e.");
+  }
+}
+
+} // namespace
