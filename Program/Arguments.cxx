@@ -175,6 +175,7 @@ OutputForm ReadForm(const GivenArguments& given)
   form.Version = ReadValue(given, "--msh-version", "2.2 or 4.1", ParseGmshVersion)
                    .value_or(GmshVersion::Automatic);
   form.IsBinary = given.count("--binary") > 0;
+  form.HasInterfaces = given.count("--no-interfaces") == 0;
   return form;
 }
 

@@ -45,6 +45,16 @@ public:
   vtkBooleanMacro(Binary, bool);
   ///@}
 
+  ///@{
+  /**
+   * Write the faces between elements of different materials. Default: on. deal.II refuses files
+   * with them.
+   */
+  vtkSetMacro(Interfaces, bool);
+  vtkGetMacro(Interfaces, bool);
+  vtkBooleanMacro(Interfaces, bool);
+  ///@}
+
 protected:
   vtkVolumeFractionGmshWriter() = default;
   ~vtkVolumeFractionGmshWriter() override = default;
@@ -53,6 +63,7 @@ protected:
 
   int Version = AUTOMATIC;
   bool Binary = false;
+  bool Interfaces = true;
 
 private:
   vtkVolumeFractionGmshWriter(const vtkVolumeFractionGmshWriter&) = delete;

@@ -29,7 +29,7 @@ struct Format
   const char* Suffix;
   Writer Write;    ///< collective
   bool HasSingle;  ///< whether several ranks can write one file
-  bool HasVersion; ///< whether OutputForm::Version applies
+  bool HasVersion; ///< whether OutputForm::Version and HasInterfaces apply
   bool HasBinary;  ///< whether OutputForm::IsBinary applies
 };
 
@@ -50,7 +50,7 @@ void WriteExodusFiles(
 void WriteGmshFile(
   const MeshData& mesh, const std::string& path, Ranks& ranks, const OutputForm& form)
 {
-  WriteGmsh(mesh, path, ranks, { form.Version, form.IsBinary });
+  WriteGmsh(mesh, path, ranks, { form.Version, form.IsBinary, form.HasInterfaces });
 }
 
 void WriteFoamCase(
@@ -125,6 +125,12 @@ std::string FindOutputProblem(const std::string& path, const OutputForm& form)
   {
     return "The output " + path +
       " has no choice of version. Formats that have it: " + ListSuffixes(&Format::HasVersion) + ".";
+  }
+  if (!form.HasInterfaces && !format->HasVersion)
+  {
+    return "The output " + path +
+      " has no faces of interfaces to leave out. Formats that have them: " +
+      ListSuffixes(&Format::HasVersion) + ".";
   }
   if (form.IsBinary && !format->HasBinary)
   {

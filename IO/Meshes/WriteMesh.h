@@ -24,7 +24,8 @@ struct OutputForm
 {
   OutputFiles Files = OutputFiles::AsUsual;
   GmshVersion Version = GmshVersion::Automatic; ///< only for .msh
-  bool IsBinary = false; ///< binary instead of text; only for formats that have both
+  bool IsBinary = false;     ///< binary instead of text; only for formats that have both
+  bool HasInterfaces = true; ///< whether a .msh file has faces between elements
 };
 
 /// Returns all supported suffixes, for instance ".vtu".

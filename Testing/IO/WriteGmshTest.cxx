@@ -2,6 +2,7 @@
 /// bytes from any number of ranks.
 #include "Meshes/Gmsh/WriteGmsh.h"
 #include "FileCases.h"
+#include "Mesh/ElementFaces.h"
 #include "Meshes/WriteMesh.h"
 
 #include <fstream>
@@ -261,6 +262,36 @@ Content ReadMsh(const std::string& path)
   return content;
 }
 
+/// Returns the group of each face of a file, by its nodes.
+std::map<std::set<Index>, Index> GroupsOfFaces(const Content& content)
+{
+  std::map<std::set<Index>, Index> groups;
+  for (const auto& [id, element] : content.Elements)
+  {
+    if (element.Nodes.size() == 4)
+    {
+      groups[std::set<Index>(element.Nodes.begin(), element.Nodes.end())] = element.Group;
+    }
+  }
+  return groups;
+}
+
+/// Returns the number of hexahedra at each face, by its nodes.
+std::map<std::set<Index>, int> CountHexesOfFaces(const Content& content)
+{
+  const ElementFaces table(8);
+  std::map<std::set<Index>, int> counts;
+  for (const auto& [id, element] : content.Elements)
+  {
+    for (int side = 0; element.Nodes.size() == 8 && side < table.Count; ++side)
+    {
+      const std::array<Index, 4> nodes = table.PointsOf(element.Nodes.data(), side);
+      ++counts[std::set<Index>(nodes.begin(), nodes.end())];
+    }
+  }
+  return counts;
+}
+
 std::string WriteCubes(const TwoCubes& cubes, const GmshForm& form)
 {
   const Folder folder;
@@ -383,6 +414,37 @@ TEST(WriteGmsh, AllFormsHaveTheSameContent)
   }
 }
 
+TEST(WriteGmsh, FacesOfInterfacesCanBeLeftOut)
+{
+  const Folder folder;
+  const auto read = [&folder](GmshForm form, bool hasInterfaces)
+  {
+    form.HasInterfaces = hasInterfaces;
+    WithMesh(1, MakeHexMesh,
+      [&](const FileCase& part, Ranks& ranks)
+      { WriteGmsh(part.Mesh, folder / "mesh.msh", ranks, form); });
+    return ReadMsh(folder / "mesh.msh");
+  };
+  for (const GmshForm& form : Forms)
+  {
+    const Content all = read(form, true), some = read(form, false);
+    const std::map<std::set<Index>, int> hexes = CountHexesOfFaces(all);
+    std::map<std::set<Index>, Index> outer; // groups of faces without a second hex
+    for (const auto& [nodes, group] : GroupsOfFaces(all))
+    {
+      if (hexes.at(nodes) == 1)
+      {
+        outer[nodes] = group;
+      }
+    }
+    EXPECT_LT(outer.size(), GroupsOfFaces(all).size());
+    EXPECT_EQ(GroupsOfFaces(some), outer);
+    EXPECT_EQ(CountHexesOfFaces(some), hexes);
+    EXPECT_EQ(some.Nodes, all.Nodes);
+    EXPECT_LT(some.Groups.size(), all.Groups.size());
+  }
+}
+
 TEST(WriteGmsh, LargeIdsNeedVersion4)
 {
   const TwoCubes cubes(Index{ 1 } << 31);
@@ -432,6 +494,11 @@ TEST(WriteGmsh, OtherFormatsHaveOneForm)
   const OutputForm binary{ OutputFiles::AsUsual, GmshVersion::Automatic, true };
   const OutputForm old{ OutputFiles::AsUsual, GmshVersion::V2_2, false };
   EXPECT_EQ(FindOutputProblem("a.msh", binary), "");
+  OutputForm boundary;
+  boundary.HasInterfaces = false;
+  EXPECT_EQ(FindOutputProblem("a.msh", boundary), "");
+  EXPECT_EQ(FindOutputProblem("a.e", boundary),
+    "The output a.e has no faces of interfaces to leave out. Formats that have them: .msh.");
   EXPECT_EQ(FindOutputProblem("a.inp", binary),
     "The output a.inp has no binary form. Formats that have it: .msh, .foam.");
   EXPECT_EQ(FindOutputProblem("a.inp", old),

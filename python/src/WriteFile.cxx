@@ -31,11 +31,12 @@ OutputForm ReadForm(const std::string& version, bool isBinary)
 
 void WriteFile(const std::string& path, const NumpyPoints& points, const NumpyCells& cells,
   const NamedArrays& pointArrays, const NamedArrays& cellArrays, const nb::dict& fields,
-  std::optional<double> time, const std::string& version, bool binary)
+  std::optional<double> time, const std::string& version, bool binary, bool interfaces)
 {
   StoredMesh mesh = ViewMesh(points, cells, pointArrays, cellArrays, fields);
   mesh.Data.Time = time;
-  const OutputForm form = ReadForm(version, binary);
+  OutputForm form = ReadForm(version, binary);
+  form.HasInterfaces = interfaces;
   const nb::gil_scoped_release others;
   Ranks alone;
   WorkInStage(alone, ErrorCode::UnwritableOutput, [&] { WriteMesh(mesh.Data, path, alone, form); });
@@ -61,7 +62,8 @@ void WriteReportFile(const std::string& path, const NumpyPoints& points, const N
 void BindWriters(nb::module_& module)
 {
   module.def("write_mesh", WriteFile, "path"_a, "points"_a, "cells"_a, "point_arrays"_a,
-    "cell_arrays"_a, "fields"_a, "time"_a.none(), "version"_a = "", "binary"_a = false);
+    "cell_arrays"_a, "fields"_a, "time"_a.none(), "version"_a = "", "binary"_a = false,
+    "interfaces"_a = true);
   module.def("write_report", WriteReportFile, "path"_a, "points"_a, "cells"_a, "point_arrays"_a,
     "cell_arrays"_a, "fields"_a, "materials"_a, "title"_a, "facts"_a, "options"_a, "warnings"_a);
 }

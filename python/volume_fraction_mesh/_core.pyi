@@ -227,10 +227,11 @@ def write_mesh(
     time: Optional[float],
     version: str = "",
     binary: bool = False,
+    interfaces: bool = True,
 ) -> None:
     """Writes a mesh as .vtu, .e, .ex2, .exo, .inp, .msh, .xdmf or .foam.
 
-    version, "2.2" or "4.1", is for .msh only, binary for .msh and .foam.
+    version, "2.2" or "4.1", and interfaces are for .msh only, binary for .msh and .foam.
 
     point_arrays contains GlobalPointIds, int64. cell_arrays contains GlobalCellIds, int64, and
     MaterialId, int32. All arrays are C-contiguous, of shape (items,) or (items, components). fields

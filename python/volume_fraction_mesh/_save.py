@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 BY_CORE = (".vtu", ".e", ".ex2", ".exo", ".inp", ".k", ".key", ".rad", ".bdf", ".nas", ".msh",
            ".xdmf", ".foam")
-OPTIONS = {".vtu": ("time", "texts"), ".msh": ("version", "binary"), ".xdmf": (),
+OPTIONS = {".vtu": ("time", "texts"), ".msh": ("version", "binary", "interfaces"), ".xdmf": (),
            ".foam": ("binary",)}  # else: time
 BY_PACKAGE = {".npz": _npz.write, ".vtk": _vtk.write}
 # Formats in which meshio 5.3.5 writes hexahedra and tetrahedra with their materials.
@@ -78,7 +78,8 @@ def _save_by_core(mesh: Mesh, path: str, suffix: str, **options: Any) -> None:
 
 
 def _write(mesh: Mesh, path: str, time: Optional[float] = None, texts: bool = True,
-           version: Optional[str] = None, binary: bool = False) -> None:
+           version: Optional[str] = None, binary: bool = False,
+           interfaces: bool = True) -> None:
     fields = core_fields(mesh.fields)
     _core.write_mesh(
         path,
@@ -87,6 +88,7 @@ def _write(mesh: Mesh, path: str, time: Optional[float] = None, texts: bool = Tr
         time,
         "" if version is None else str(version),
         binary,
+        interfaces,
     )
 
 

@@ -492,7 +492,8 @@ class Mesh:
             - ``.vtu``: ``texts=False`` leaves out texts such as the names of materials, because
               meshio (5.3.5) cannot read files with them.
             - ``.msh``: ``version``, "2.2" or "4.1", default 2.2, or 4.1 if an id exceeds
-              2147483647; ``binary``, bool, default False.
+              2147483647; ``binary``, bool, default False; ``interfaces=False`` leaves out the
+              faces between elements, for deal.II.
             - ``.foam``: ``binary``, bool, default False.
             - ``.vtk``: ``binary=True`` instead of text. ``.npz``: ``compress=True``.
             - Other formats: arguments of ``pyvista.DataSet.save`` or ``meshio.write``.

@@ -68,7 +68,22 @@ bool Contains(const NamedSurface& group, const SurfaceEntity& surface)
     (surface.IsInterface && surface.Materials[1] == group.Materials[0]);
 }
 
-void AddSurfaceGroups(GmshModel& model)
+/// Returns the tags of the groups of a surface, the finest first.
+std::vector<int> ListTags(
+  const SurfaceEntity& surface, int finest, const std::vector<NamedSurface>& named)
+{
+  std::vector<int> tags{ finest };
+  for (const NamedSurface& group : named)
+  {
+    if (group.Id != finest && Contains(group, surface))
+    {
+      tags.push_back(group.Id);
+    }
+  }
+  return tags;
+}
+
+void AddSurfaceGroups(GmshModel& model, bool hasInterfaces)
 {
   Ranks alone;
   const std::vector<NamedSurface> named = FindNamedSurfaces(model.Mesh, alone);
@@ -80,30 +95,26 @@ void AddSurfaceGroups(GmshModel& model)
   const TaggedFaces finest = TagFaces(named);
   for (const SurfaceEntity& surface : model.Entities.Surfaces)
   {
-    const int first = finest.TagOf(surface.Sides.front());
-    std::vector<int> tags{ first };
-    for (const NamedSurface& group : named)
+    if (surface.IsInterface && !hasInterfaces)
     {
-      if (group.Id != first && Contains(group, surface))
-      {
-        tags.push_back(group.Id);
-      }
+      model.SurfaceGroups.emplace_back();
+      continue;
     }
-    model.SurfaceGroups.push_back(std::move(tags));
+    model.SurfaceGroups.push_back(ListTags(surface, finest.TagOf(surface.Sides.front()), named));
     model.NumberOfFaces += static_cast<Index>(surface.Sides.size());
   }
 }
 
 } // namespace
 
-GmshModel MakeGmshModel(const MeshData& mesh)
+GmshModel MakeGmshModel(const MeshData& mesh, bool hasInterfaces)
 {
   GmshModel model{ mesh, FindMeshEntities(mesh), {}, {}, {} };
   Ranks alone;
   const std::vector<int> materials = FindMaterials(mesh, alone);
   const int voidId = materials.front() == 0 ? FindVoidId(mesh, alone) : 0;
   AddVolumes(model, voidId);
-  AddSurfaceGroups(model);
+  AddSurfaceGroups(model, hasInterfaces);
   AddMaterialGroups(model, materials, voidId);
   std::sort(model.Groups.begin(), model.Groups.end(),
     [](const GmshGroup& a, const GmshGroup& b)

@@ -31,14 +31,17 @@ struct GmshModel
   std::vector<GmshGroup> Groups;     ///< by dimension and tag
   std::map<int, GmshVolume> Volumes; ///< by number in Entities
   /// Tags of the groups of each surface. The first one is the finest: the side of the domain, the
-  /// smooth side, or the interface.
+  /// smooth side, or the interface. Surfaces whose faces are left out have none.
   std::vector<std::vector<int>> SurfaceGroups;
-  Index NumberOfFaces = 0; ///< faces of all surfaces
+  Index NumberOfFaces = 0; ///< faces of the surfaces with groups
+
+  bool HasFaces(std::size_t surface) const { return !this->SurfaceGroups[surface].empty(); }
 };
 
 /// Makes the model of a whole mesh with Facets. Materials are groups of volumes with their ids, the
 /// void with FindVoidId(). NamedSurfaces are groups of surfaces.
+/// @param hasInterfaces  whether the model has the faces between elements
 /// @throws InputError  if FragmentId is below 1 or has elements of several materials
-GmshModel MakeGmshModel(const MeshData& mesh);
+GmshModel MakeGmshModel(const MeshData& mesh, bool hasInterfaces);
 
 } // namespace vfm

@@ -59,6 +59,19 @@ private:
   Index Next;
 };
 
+/// Calls visit(surface) for the index of each surface whose faces are in the file.
+template <class Visit>
+void ForSurfaces(const GmshModel& model, const Visit& visit)
+{
+  for (std::size_t s = 0; s < model.Entities.Surfaces.size(); ++s)
+  {
+    if (model.HasFaces(s))
+    {
+      visit(s);
+    }
+  }
+}
+
 void WriteHeader(GmshFile& file, const char* version, bool isBinary)
 {
   file.Begin("MeshFormat");
@@ -77,7 +90,8 @@ std::vector<GmshGroup> ListGroups(const GmshModel& model, GmshVersion version)
   std::set<int> used;
   for (const std::vector<int>& tags : model.SurfaceGroups)
   {
-    used.insert(tags.begin(), version == GmshVersion::V2_2 ? tags.begin() + 1 : tags.end());
+    const bool hasOne = version == GmshVersion::V2_2 && !tags.empty();
+    used.insert(tags.begin(), hasOne ? tags.begin() + 1 : tags.end());
   }
   std::vector<GmshGroup> groups;
   std::copy_if(model.Groups.begin(), model.Groups.end(), std::back_inserter(groups),
@@ -166,13 +180,14 @@ void WriteElements2(GmshFile& file, const GmshModel& model, bool isBinary)
   file.Line(std::to_string(model.NumberOfFaces + mesh.NumberOfElements));
   ElementWriter2 faces(file, mesh, FaceType(mesh.Corners), model.NumberOfFaces, isBinary);
   FaceIdCounter ids(mesh);
-  for (std::size_t s = 0; s < model.Entities.Surfaces.size(); ++s)
-  {
-    ids.ForFaces(model.Entities.Surfaces[s],
-      [&](Index id, const Index* points, int corners) {
-        faces.Write(id, model.SurfaceGroups[s].front(), static_cast<int>(s) + 1, points, corners);
-      });
-  }
+  ForSurfaces(model,
+    [&](std::size_t s)
+    {
+      ids.ForFaces(model.Entities.Surfaces[s],
+        [&](Index id, const Index* points, int corners) {
+          faces.Write(id, model.SurfaceGroups[s].front(), static_cast<int>(s) + 1, points, corners);
+        });
+    });
   ElementWriter2 elements(file, mesh, ElementType(mesh.Corners), mesh.NumberOfElements, isBinary);
   for (Index element = 0; element < mesh.NumberOfElements; ++element)
   {
@@ -382,19 +397,21 @@ void WriteElement4(GmshFile& file, const MeshData& mesh, Index id, const Index* 
 void WriteElements4(GmshFile& file, const GmshModel& model)
 {
   const MeshData& mesh = model.Mesh;
-  const std::vector<SurfaceEntity>& surfaces = model.Entities.Surfaces;
   file.Begin("Elements");
-  WriteTotals(file, surfaces.size() + model.Volumes.size(),
-    model.NumberOfFaces + mesh.NumberOfElements, mesh.ElementIds[0],
+  std::size_t blocks = model.Volumes.size();
+  ForSurfaces(model, [&blocks](std::size_t) { ++blocks; });
+  WriteTotals(file, blocks, model.NumberOfFaces + mesh.NumberOfElements, mesh.ElementIds[0],
     LargestId(mesh.ElementIds, mesh.NumberOfElements) + model.NumberOfFaces);
   FaceIdCounter ids(mesh);
-  for (std::size_t s = 0; s < surfaces.size(); ++s)
-  {
-    WriteBlock(file, 2, static_cast<int>(s) + 1, FaceType(mesh.Corners), surfaces[s].Sides.size());
-    ids.ForFaces(surfaces[s],
-      [&](Index id, const Index* points, int corners)
-      { WriteElement4(file, mesh, id, points, corners); });
-  }
+  ForSurfaces(model,
+    [&](std::size_t s)
+    {
+      const SurfaceEntity& surface = model.Entities.Surfaces[s];
+      WriteBlock(file, 2, static_cast<int>(s) + 1, FaceType(mesh.Corners), surface.Sides.size());
+      ids.ForFaces(surface,
+        [&](Index id, const Index* points, int corners)
+        { WriteElement4(file, mesh, id, points, corners); });
+    });
   for (const auto& [tag, volume] : model.Volumes)
   {
     WriteBlock(file, 3, tag, ElementType(mesh.Corners), volume.Elements.size());
@@ -426,7 +443,7 @@ void WriteFile(MeshData mesh, const std::string& path, const GmshForm& form)
   Ranks alone;
   const std::vector<MeshFacet> facets = FindMeshFacets(mesh, alone);
   mesh.Facets = &facets;
-  const GmshModel model = MakeGmshModel(mesh);
+  const GmshModel model = MakeGmshModel(mesh, form.HasInterfaces);
   const GmshVersion version = ChooseVersion(model, form.Version);
   GmshFile file(path, form.IsBinary);
   WriteHeader(file, version == GmshVersion::V2_2 ? "2.2" : "4.1", form.IsBinary);

@@ -39,6 +39,7 @@ struct GmshForm
 {
   GmshVersion Version = GmshVersion::Automatic;
   bool IsBinary = false;
+  bool HasInterfaces = true; ///< whether the file has faces between elements; deal.II refuses them
 };
 
 /// Returns the version with a name, "2.2" or "4.1", or nothing.
