@@ -1,33 +1,39 @@
-"""Tests CalculiX: heat on .inp, and heat through each side by its surface."""
+"""Tests CalculiX: heat on .inp, and pressure on the surface of each side."""
 
-import re
-import subprocess
+import os
+import sys
 
-from ball_in_block import SIDES, area_of, check_maximum, need_program, recipe, run_recipe
+import numpy as np
+import pytest
 
-TOTAL = re.compile(r"total surface heat flux|heat flow", re.IGNORECASE)
+from ball_in_block import SIDES, area_of, check_maximum, need_program, run_recipe
+
+sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples"))
+import calculix
+
+OPPOSITE = dict(zip(SIDES, ("x_max", "x_min", "y_max", "y_min", "z_max", "z_min")))
+
+
+@pytest.fixture(autouse=True)
+def program():
+    need_program("ccx", "calculix-ccx")
 
 
 def test_recipe(mesh, tmp_path):
-    need_program("ccx", "calculix-ccx")
     names = run_recipe("CalculiX", mesh, tmp_path)
     assert len(names["u"]) == len(mesh.points)
     check_maximum(mesh, names["u"])
 
 
-def test_surfaces(mesh, tmp_path):
-    """A flux of 1 through the surface of a side adds up to its area: the reactions of all nodes,
-    which are fixed."""
-    need_program("ccx", "calculix-ccx")
+@pytest.mark.parametrize("side", SIDES)
+def test_pressure(mesh, tmp_path, side):
+    """The opposite side carries the pressure times the area."""
     mesh.save(tmp_path / "ball.inp")
-    deck = recipe("CalculiX")[0][1]
-    start = deck.index("*BOUNDARY")
-    for side in SIDES:
-        (tmp_path / "heat.inp").write_text(
-            deck[:start] + "*BOUNDARY\nNALL, 11, 11\n*DFLUX\n%s, S, 1\n" % side.upper()
-            + "*NODE PRINT, NSET=NALL, TOTALS=ONLY\nRFL\n*END STEP\n", encoding="ascii")
-        run = subprocess.run(["ccx", "heat"], cwd=tmp_path, capture_output=True, text=True,
-                             check=True)
-        assert "*ERROR" not in run.stdout, run.stdout
-        total = float((tmp_path / "heat.dat").read_text().split()[-1])
-        assert abs(abs(total) / area_of(side) - 1) < 1e-6, (side, total)
+    deck, fixed = str(tmp_path / "pressed.inp"), OPPOSITE[side].upper()
+    calculix.write_deck(deck, "ball.inp", {"BALL": (10.0, 0.3), "BLOCK": (1.0, 0.3)},
+                        [(fixed, 1, 3, 0.0)], [(side.upper(), 1.0)], [fixed])
+    calculix.run(deck)
+    force = calculix.read_results(deck).reactions[fixed]
+    expected = np.zeros(3)
+    expected["xyz".index(side[0])] = area_of(side) * (1 if side.endswith("max") else -1)
+    assert np.allclose(force, expected, rtol=0, atol=1e-5), force

@@ -44,8 +44,9 @@ def test_exodus(mesh, tmp_path):
     blocks = read["Element Blocks"]
     assert blocks.keys() == ["ball", "block"]
     check_volumes(mesh, {name: volume_of(np.asarray(blocks[name].points, float),
-                                         corners(blocks[name])) for name in blocks.keys()})
+                                         corners(blocks[name])) for name in blocks.keys()},
+                  tolerance=1e-7)  # VTK's reader of Exodus rounds points to floats
     for name in SIDES:
         side = read["Side Sets"][name].extract_surface().compute_cell_sizes()
         assert side.n_cells == side_faces(mesh, name)
-        assert np.isclose(side["Area"].sum(), area_of(name), rtol=1e-12)
+        assert np.isclose(side["Area"].sum(), area_of(name), rtol=1e-6)
