@@ -112,10 +112,10 @@ class Tension:
         return f, df, g, dg, self.volumetric + h, -3 * h / r
 
     def displacement(self, x):
-        """Returns the displacement around the ball; x: (3, ...)."""
-        r = np.sqrt((x * x).sum(axis=0))
+        """Returns the displacement around the ball; x: (3, n)."""
+        r = np.maximum(np.sqrt((x * x).sum(axis=0)), RADIUS)
         f, _, g, _, h, _ = self.functions(r)
-        pulled = np.einsum("ij,j...->i...", self.deviator, x)
+        pulled = self.deviator @ x
         return h * x + f * pulled + g * (x * pulled).sum(axis=0) * x
 
     def stress(self, x):
@@ -203,7 +203,7 @@ def draw(path, grids, heat, stress):
              xticks=grids, xticklabels=grids)
     left.minorticks_off()
     right.set(xlabel="error of the stress, relative to the load", yscale="log", xscale="log",
-              xlim=(1e-3, None), ylabel="% of the elements near the ball, with more",
+              xlim=(1e-3, None), ylabel="% of elements near the ball above it",
               title="Stiff ball in tension")
     left.legend()
     figure.savefig(path, dpi=110)

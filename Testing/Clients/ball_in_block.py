@@ -14,9 +14,6 @@ import numpy as np
 import pytest
 import volume_fraction_mesh as vfm
 
-__all__ = ["CONDUCTIVITY", "HALF", "NAMES", "SIDES", "area_of", "check_maximum", "check_side",
-           "check_volumes", "elastic_reference", "fixed_points", "make_mesh", "need_program", "recipe",
-           "reference", "run_recipe", "side_faces", "solve", "volume_of"]
 SHAPES = "sphere radius=0.5 center=0.2,0.1,-0.1; box size=2,2.4,1.6 material=2"
 HALF = np.array([1.0, 1.2, 0.8])  # half widths of the block
 SIDES = ("x_min", "x_max", "y_min", "y_max", "z_min", "z_max")
