@@ -54,7 +54,9 @@ def test_neighbours(mesh):
 @BOTH
 def test_facets(mesh):
     sets = mesh.facet_sets()
-    assert list(sets) == [*SIDES, "ball_to_block", "block_to_ball"]
+    assert list(sets) == [*SIDES, "ball_to_block", "block_to_ball", "interfaces", "ball_skin",
+                          "block_skin"]
+    assert np.array_equal(sets["interfaces"].points, sets["ball_to_block"].points)
     for number, name in enumerate(SIDES):
         facets, axis, sign = sets[name], number // 2, 2 * (number % 2) - 1
         assert np.all(mesh.points[facets.points][..., axis] == sign)
@@ -89,6 +91,7 @@ def test_skin(mesh):
     for name, label in (("ball", 1), ("block", 2)):
         facets = mesh.skin(name)
         assert np.array_equal(facets.points, mesh.skin(label).points)
+        assert np.array_equal(facets.points, mesh.facets(name + "_skin").points)
         assert np.isclose(enclosed_volume(mesh, facets),
                           mesh.volumes()[mesh.material == label].sum(), rtol=1e-12)
     with pytest.raises(ValueError, match="no material 'bell'. Its materials: 1 'ball', 2 'block'"):

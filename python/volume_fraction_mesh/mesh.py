@@ -215,7 +215,7 @@ class Mesh:
         --------
         >>> mesh = vfm.hexes({"ball": vfm.shapes("sphere radius=6", 12)["Material1"]})
         >>> list(mesh.facet_sets())
-        ['x_min', 'y_min', 'z_min', 'ball_to_Void']
+        ['x_min', 'y_min', 'z_min', 'ball_to_Void', 'ball_skin']
         """
         from ._facets import facet_sets
 

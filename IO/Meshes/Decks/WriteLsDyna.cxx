@@ -2,6 +2,7 @@
 
 #include "Meshes/Decks/DeckCards.h"
 #include "Meshes/Decks/DeckModel.h"
+#include "Meshes/Decks/DeckParts.h"
 #include "Summary/NamedSurfaces.h"
 #include "Summary/UniqueNames.h"
 
@@ -21,15 +22,7 @@ void WriteNodes(DeckCards& cards, const MeshData& mesh)
 {
   cards.Line("*NODE");
   cards.Line("$    NID               X               Y               Z");
-  for (Index point = 0; point < mesh.NumberOfPoints; ++point)
-  {
-    cards.Integer(point + 1, Narrow);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      cards.Real(mesh.Point(point)[axis], Wide);
-    }
-    cards.End();
-  }
+  WriteNodeLines(cards, mesh, Narrow, Wide);
 }
 
 /// Writes the parts; each refers to a material of its number.
@@ -67,17 +60,9 @@ void WriteNodeSet(DeckCards& cards, const NodeSet& set, UniqueNames& names)
   cards.Line("*SET_NODE_LIST_TITLE");
   cards.Line(names.Add(PlainTitle(set.Name, LongestTitle)));
   cards.Integer(set.Id, Normal).End();
-  for (std::size_t p = 0; p < set.Points.size(); ++p)
-  {
-    cards.Integer(set.Points[p] + 1, Normal);
-    if ((p + 1) % NumbersInLine == 0 || p + 1 == set.Points.size())
-    {
-      cards.End();
-    }
-  }
+  WriteNumbers(cards, set.Points, NumbersInLine, Normal);
 }
 
-/// Writes the faces of a surface. Normals point out of the elements; triangles repeat a node.
 void WriteSurface(
   DeckCards& cards, const MeshData& mesh, const NamedSurface& surface, UniqueNames& names)
 {
@@ -86,12 +71,7 @@ void WriteSurface(
   cards.Integer(surface.Id, Normal).End();
   for (const MeshSide& side : surface.Sides)
   {
-    const FaceIds points = PointsOfSide(mesh, side);
-    for (std::size_t p = 0; p < points.size(); ++p)
-    {
-      cards.Integer((points[p] < 0 ? points[p - 1] : points[p]) + 1, Normal);
-    }
-    cards.End();
+    WriteFace(cards, mesh, side, Normal);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include "Meshes/Decks/DeckCards.h"
 #include "Meshes/Decks/DeckModel.h"
+#include "Meshes/Decks/DeckParts.h"
 #include "Ranks/Errors.h"
 #include "Summary/NamedSurfaces.h"
 #include "Summary/UniqueNames.h"
@@ -34,15 +35,7 @@ void WriteNodes(DeckCards& cards, const MeshData& mesh)
 {
   cards.Line("/NODE");
   cards.Line("#  node_ID                  Xc                  Yc                  Zc");
-  for (Index point = 0; point < mesh.NumberOfPoints; ++point)
-  {
-    cards.Integer(point + 1, Normal);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      cards.Real(mesh.Point(point)[axis], Wide);
-    }
-    cards.End();
-  }
+  WriteNodeLines(cards, mesh, Normal, Wide);
 }
 
 void WriteTitle(DeckCards& cards, const char* keyword, int id, const std::string& title)
@@ -89,30 +82,17 @@ void WritePart(
 void WriteNodeSet(DeckCards& cards, const NodeSet& set, UniqueNames& names)
 {
   WriteTitle(cards, "/GRNOD/NODE/", set.Id, names.Add(PlainTitle(set.Name, LongestTitle)));
-  for (std::size_t p = 0; p < set.Points.size(); ++p)
-  {
-    cards.Integer(set.Points[p] + 1, Normal);
-    if ((p + 1) % NumbersInLine == 0 || p + 1 == set.Points.size())
-    {
-      cards.End();
-    }
-  }
+  WriteNumbers(cards, set.Points, NumbersInLine, Normal);
 }
 
-/// Writes the faces of a surface. Normals point out of the elements; triangles repeat a node.
 void WriteSurface(
   DeckCards& cards, const MeshData& mesh, const NamedSurface& surface, UniqueNames& names)
 {
   WriteTitle(cards, "/SURF/SEG/", surface.Id, names.Add(PlainTitle(surface.Name, LongestTitle)));
   for (std::size_t s = 0; s < surface.Sides.size(); ++s)
   {
-    const FaceIds points = PointsOfSide(mesh, surface.Sides[s]);
     cards.Integer(static_cast<Index>(s) + 1, Normal);
-    for (std::size_t p = 0; p < points.size(); ++p)
-    {
-      cards.Integer((points[p] < 0 ? points[p - 1] : points[p]) + 1, Normal);
-    }
-    cards.End();
+    WriteFace(cards, mesh, surface.Sides[s], Normal);
   }
 }
 
