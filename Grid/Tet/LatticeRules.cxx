@@ -61,6 +61,7 @@ struct Link
 {
   std::array<bool, 14> HasLabel; ///< whether the node has the label of the cell in the middle
   std::array<bool, 14> IsCell;   ///< whether it is the centre of a cell with this label
+  std::array<bool, 14> IsSnapped;
 };
 
 Link LinkOf(const Work& work, Index cell)
@@ -69,32 +70,72 @@ Link LinkOf(const Work& work, Index cell)
   const int label = work.Cells[cell];
   for (int c = 0; c < 8; ++c)
   {
-    link.HasLabel[c] = work.Vertices[work.Grid.NodeOfCell(cell, c)] == label;
+    const int own = work.Vertices[work.Grid.NodeOfCell(cell, c)];
+    link.HasLabel[c] = own == label;
+    link.IsSnapped[c] = own == Snapped;
   }
   for (int face = 0; face < 6; ++face)
   {
     const Index neighbour = work.Grid.Neighbour(cell, face);
     link.IsCell[8 + face] = work.Cells[neighbour] == label;
     link.HasLabel[8 + face] = work.Centres[neighbour] == label;
+    link.IsSnapped[8 + face] = work.Centres[neighbour] == Snapped;
   }
   return link;
 }
 
-/// Calls body(i, j) for each pair of vertices, or of a vertex and a centre, of a link that share a
-/// lattice edge.
+/// Calls body(v, w) for each of the 12 edges of the cell.
+template <class Body>
+void ForCubeEdges(const Body& body)
+{
+  for (int v = 0; v < 8; ++v)
+  {
+    for (int bit = 1; bit < 8; bit *= 2)
+    {
+      if (!(v & bit))
+      {
+        body(v, v | bit);
+      }
+    }
+  }
+}
+
+/// Returns the node of a link across the face of a cell that is on the side of a vertex.
+int NodeBeyond(int vertex, int axis)
+{
+  return 8 + 2 * axis + (vertex >> axis & 1);
+}
+
+/// Calls body(i, j) for each of the 36 edges of a link. The first node is a vertex.
 template <class Body>
 void ForEdges(const Body& body)
 {
-  for (int c = 0; c < 8; ++c)
+  ForCubeEdges(body);
+  for (int v = 0; v < 8; ++v)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
-      const int bit = 1 << axis;
-      if (!(c & bit))
-      {
-        body(c, c | bit);
-      }
-      body(c, 8 + 2 * axis + (c & bit ? 1 : 0));
+      body(v, NodeBeyond(v, axis));
+    }
+  }
+}
+
+/// Calls body(i, j, p, q) for each edge i, j of a link and the other nodes p, q of its two
+/// triangles.
+template <class Body>
+void ForTrianglePairs(const Body& body)
+{
+  ForCubeEdges(
+    [&](int v, int w)
+    {
+      const int axis = (v ^ w) >> 1; // along the edge
+      body(v, w, NodeBeyond(v, (axis + 1) % 3), NodeBeyond(v, (axis + 2) % 3));
+    });
+  for (int v = 0; v < 8; ++v)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      body(v, NodeBeyond(v, axis), v ^ 1 << (axis + 1) % 3, v ^ 1 << (axis + 2) % 3);
     }
   }
 }
@@ -128,9 +169,52 @@ bool IsWhole(const Link& link)
   return isWhole && root >= 0;
 }
 
+/// Returns the nodes of a link at a face that have the label of the cell beyond the face.
+std::array<bool, 14> NodesOfNeighbour(const Work& work, Index cell, int face)
+{
+  std::array<bool, 14> isOther{};
+  const Index other = work.Grid.Neighbour(cell, face);
+  const int label = work.Cells[other];
+  isOther[8 + face] = work.Centres[other] == label;
+  for (int v = 0; v < 8; ++v)
+  {
+    isOther[v] =
+      NodeBeyond(v, face / 2) == 8 + face && work.Vertices[work.Grid.NodeOfCell(cell, v)] == label;
+  }
+  return isOther;
+}
+
+/// Returns whether tets around a snapped centre join the label of its cell to the cell beyond a
+/// face.
+bool HasContact(const Work& work, Index cell, int face)
+{
+  const Link link = LinkOf(work, cell);
+  const std::array<bool, 14> isOther = NodesOfNeighbour(work, cell, face);
+  const auto meet = [&](int p, int q)
+  { return (link.HasLabel[p] && isOther[q]) || (link.HasLabel[q] && isOther[p]); };
+  bool found = false;
+  ForEdges([&](int p, int q) { found = found || meet(p, q); });
+  ForTrianglePairs([&](int i, int j, int p, int q)
+    { found = found || (link.IsSnapped[i] && link.IsSnapped[j] && meet(p, q)); });
+  return found;
+}
+
+bool LosesContact(const Work& work, Index cell)
+{
+  bool loses = false;
+  for (int face = 0; face < 6; ++face)
+  {
+    const Index other = work.Grid.Neighbour(cell, face);
+    loses = loses ||
+      (work.Cells[other] != work.Cells[cell] && !HasContact(work, cell, face) &&
+        !(work.Centres[other] == Snapped && HasContact(work, other, face ^ 1)));
+  }
+  return loses;
+}
+
 bool IsBroken(const Work& work, Index cell)
 {
-  return work.Centres[cell] == Snapped && !IsWhole(LinkOf(work, cell));
+  return !IsWhole(LinkOf(work, cell)) || LosesContact(work, cell);
 }
 
 /// Returns whether the edges of a face of the grid include one between snapped vertices.
@@ -148,7 +232,7 @@ bool HasSnappedEdge(const Work& work, Index block, int axis)
 bool GivesWay(const Work& work, Index cell)
 {
   bool gives = false;
-  for (int face = 0; work.Centres[cell] == Snapped && face < 6; ++face)
+  for (int face = 0; face < 6; ++face)
   {
     const Index other = work.Grid.Neighbour(cell, face);
     const bool isUpper = face & 1;
@@ -161,9 +245,10 @@ bool GivesWay(const Work& work, Index cell)
   return gives;
 }
 
-/// Settles the owned centres for which a condition holds. Collective.
+/// Settles the owned snapped centres for which a condition holds. Returns whether there are any on
+/// any rank. Collective.
 template <class Condition>
-void SettleCentresWhere(LatticeNodes& nodes, const CartesianGrid& grid, const Partition& partition,
+bool SettleCentresWhere(LatticeNodes& nodes, const CartesianGrid& grid, const Partition& partition,
   Runtime& runtime, const Condition& condition)
 {
   const IndexBox& box = grid.Owned();
@@ -182,7 +267,7 @@ void SettleCentresWhere(LatticeNodes& nodes, const CartesianGrid& grid, const Pa
         }
       }
     });
-  nodes.Settle(Joined(rows), partition);
+  return nodes.Settle(Joined(rows), partition);
 }
 
 } // namespace
@@ -206,12 +291,15 @@ void SettleBridges(
   nodes.Settle(ids, partition);
 }
 
-/// Settled centres break no rule, so each rule is checked once.
 void SettleCentres(
   LatticeNodes& nodes, const CartesianGrid& grid, const Partition& partition, Runtime& runtime)
 {
-  SettleCentresWhere(nodes, grid, partition, runtime, IsBroken);
-  SettleCentresWhere(nodes, grid, partition, runtime, GivesWay);
+  bool changed = true;
+  while (changed)
+  {
+    changed = SettleCentresWhere(nodes, grid, partition, runtime, IsBroken);
+    changed = SettleCentresWhere(nodes, grid, partition, runtime, GivesWay) || changed;
+  }
 }
 
 } // namespace vfm
