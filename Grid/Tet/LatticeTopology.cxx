@@ -123,6 +123,24 @@ void MarkNextToCoarse(Work& work, const Row& row)
   }
 }
 
+/// Returns the diagonal of a face on the domain boundary. If three of its corners are snapped, it
+/// begins at the fourth, so that no triangle has all its corners on a curve. Such faces have no
+/// cuts, because only pure vertices have labels there.
+int DiagonalOf(const Work& work, const Index3& block, int axis)
+{
+  const int u = 1 << (axis + 1) % 3, v = 1 << (axis + 2) % 3;
+  const int around[4] = { 0, u, u | v, v };
+  const int* vertices = work.Nodes.Labels(LatticeNodes::Vertex) + work.Grid.Linear(block);
+  int free = 0, last = 0;
+  for (int q = 0; q < 4; ++q)
+  {
+    const bool isFree = vertices[work.Grid.CornerOffset(around[q])] != LatticeNodes::Snapped;
+    free += isFree;
+    last = isFree ? q : last;
+  }
+  return free == 1 ? last & 1 : LatticeTables::Diagonal(block);
+}
+
 /// Returns the first shape of a face, and sets count to the number of its lattice tets: 4 inside
 /// the domain, 2 on its boundary, 0 outside the box.
 int FirstShape(const Work& work, const Index3& block, int axis, int& count)
@@ -134,7 +152,7 @@ int FirstShape(const Work& work, const Index3& block, int axis, int& count)
   if (atLower || atUpper)
   {
     count = isFace ? 2 : 0;
-    return LatticeTables::DomainShape(axis, atUpper, LatticeTables::Diagonal(block));
+    return LatticeTables::DomainShape(axis, atUpper, isFace ? DiagonalOf(work, block, axis) : 0);
   }
   const bool isInside = block[axis] > work.Box.Lower[axis] && block[axis] < work.Box.Upper[axis];
   count = isFace && isInside ? 4 : 0;
