@@ -1,6 +1,6 @@
 #include "Tet/LatticeNodes.h"
 
-#include <algorithm>
+#include <cmath>
 
 namespace vfm
 {
@@ -196,14 +196,13 @@ double LatticeNodes::Fraction(const Node& node, int material) const
   return 0.125 * sum;
 }
 
-/// Returns the lead of a node's label over another label in their fractions, 0 if it trails. It
-/// measures the distance to the interface between them.
+/// Returns the lead of a node's label over another label in their fractions. It measures the
+/// distance to the interface between them.
 double LatticeNodes::Lead(const Node& node, int label, int other) const
 {
   if (label == 0 || other == 0)
   {
-    const double lead = this->Fraction(node, 0) - (1.0 - this->IsoValue);
-    return std::max(label == 0 ? lead : -lead, 0.0);
+    return std::abs(this->Fraction(node, 0) - (1.0 - this->IsoValue));
   }
   return std::max(this->Fraction(node, label) - this->Fraction(node, other), 0.0);
 }
