@@ -239,7 +239,7 @@ bool GivesWay(const Work& work, Index cell)
     if (work.Centres[other] == Snapped && HasSnappedEdge(work, isUpper ? other : cell, face / 2))
     {
       const double lead = work.Nodes.OwnFraction(cell) - work.Nodes.OwnFraction(other);
-      gives = gives || lead < 0.0 || (lead == 0.0 && !isUpper);
+      gives = gives || lead > 0.0 || (lead == 0.0 && !isUpper);
     }
   }
   return gives;

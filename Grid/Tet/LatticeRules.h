@@ -12,7 +12,7 @@
  *   the common face, as far as they have its label. It suffices that one of the two cells sees the
  *   contact. Else the centre is settled.
  * - No snapped tet: if all nodes of a lattice tet are snapped, one of its centres is settled, the
- *   one whose cell has the smaller fraction of its own label. Then each tet of the mesh has a node
+ *   one whose cell has the larger fraction of its own label. Then each tet of the mesh has a node
  *   that is inside its material and the domain.
  *
  * Diagonals on the domain boundary need no rule, because only pure vertices have labels there.
