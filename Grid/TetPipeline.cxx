@@ -32,13 +32,6 @@ namespace
 constexpr double ShareBeforeTetGen = 0.15; // share of the run time, and of the progress
 constexpr int LateFlips = 5;               // sweeps between two rounds of flips in the last stage
 
-/// Labels of the cells. First holds the labels before cells were flipped, because a lattice ignores
-/// flips; it is empty except for refined lattices.
-struct CellLabels
-{
-  LabelArray Resolved, First;
-};
-
 /// Tets of the methods Cells or Lattice.
 struct MadeTets
 {
@@ -57,35 +50,30 @@ bool IsLattice(const MeshJob& job)
   return job.Options.Tets == TetMethod::Lattice;
 }
 
-CellLabels AssignLabels(MeshJob& job)
+LabelArray AssignLabels(MeshJob& job)
 {
   job.Clock.Start("Assigning materials", 0.0);
-  CellLabels labels{ AssignMaterials(job.Grid, job.Fractions, job.Options.IsoValue), {} };
-  if (HasLevels(job) && IsLattice(job))
-  {
-    labels.First = labels.Resolved;
-  }
-  Resolve(job, labels.Resolved);
+  LabelArray labels = AssignMaterials(job.Grid, job.Fractions, job.Options.IsoValue);
+  Resolve(job, labels);
   return labels;
 }
 
 /// Makes the tets of coarse cells. Refines more families until all tets start
 /// with positive volumes.
 /// @param nodes  nodes of the lattice; only for the method Lattice
-std::unique_ptr<const CoarseTets> MakeCoarse(MeshJob& job, const CellLabels& labels,
+std::unique_ptr<const CoarseTets> MakeCoarse(MeshJob& job, const LabelArray& labels,
   const std::optional<LatticeNodes>& nodes, const TetEnergy& energy, LevelHexes& levels)
 {
   std::vector<Index> interfaces;
   if (HasLevels(job))
   {
-    interfaces =
-      nodes ? FindLatticeInterfaces(job.Grid, *nodes) : FindMixedNodes(job.Grid, labels.Resolved);
+    interfaces = nodes ? FindLatticeInterfaces(job.Grid, *nodes) : FindMixedNodes(job.Grid, labels);
   }
   LevelPlan plan = job.Options.Levels;
   for (;; ++job.Report.LevelRounds)
   {
-    MakeLevels(job.Grid, HasLevels(job) && nodes ? labels.First : labels.Resolved, interfaces,
-      { job.Options.MeshVoid, true, true }, plan, job.Run, job.Report, levels);
+    MakeLevels(job.Grid, labels, interfaces, { job.Options.MeshVoid, true, true }, plan, job.Run,
+      job.Report, levels);
     auto tets = std::make_unique<const CoarseTets>(*levels.Coarse, energy, job.Run);
     if (!AddFamilies(tets->BadFamilies(), plan, job.Run.Group()))
     {
@@ -94,14 +82,14 @@ std::unique_ptr<const CoarseTets> MakeCoarse(MeshJob& job, const CellLabels& lab
   }
 }
 
-MadeTets MakeTets(MeshJob& job, const CellLabels& labels)
+MadeTets MakeTets(MeshJob& job, const LabelArray& labels)
 {
   job.Clock.Start("Making tetrahedra", 0.1);
   const TetEnergy energy(FloorsOf(job.Options));
   std::optional<LatticeNodes> nodes;
   if (IsLattice(job))
   {
-    nodes.emplace(job.Grid, job.Fractions, job.Options.IsoValue, job.Run);
+    nodes.emplace(job.Grid, job.Fractions, labels, job.Options.IsoValue, job.Run);
   }
   LevelHexes levels;
   const std::unique_ptr<const CoarseTets> coarse = MakeCoarse(job, labels, nodes, energy, levels);
@@ -116,8 +104,7 @@ MadeTets MakeTets(MeshJob& job, const CellLabels& labels)
   }
   else
   {
-    made.Topology =
-      BuildCellTets(job.Grid, labels.Resolved, job.Options.MeshVoid, job.Run, *coarse);
+    made.Topology = BuildCellTets(job.Grid, labels, job.Options.MeshVoid, job.Run, *coarse);
     job.Clock.Start("Finding faces", 0.12);
     made.Faces = FindTetFaces(made.Topology, job.Grid);
   }
@@ -253,13 +240,13 @@ void Refill(MeshJob& job, const LabelArray& labels, Mesh& mesh)
 Mesh MakeMesh(MeshJob& job)
 {
   job.Clock.SetShare(job.Options.Tets == TetMethod::TetGen ? ShareBeforeTetGen : 1.0);
-  const CellLabels labels = AssignLabels(job);
+  const LabelArray labels = AssignLabels(job);
   MadeTets made = MakeTets(job, labels);
-  FragmentVolumes volumes = FindFragments(job, labels.Resolved, made);
+  FragmentVolumes volumes = FindFragments(job, labels, made);
   std::vector<FeatureKind> kinds; // empty: there are no carriers
   if (!job.Options.StairStep && job.Options.Method != Smoothing::Off)
   {
-    kinds = Smooth(job, labels.Resolved, made, volumes);
+    kinds = Smooth(job, labels, made, volumes);
   }
   ReportVolumes(job.Grid, volumes, job.Report);
   job.Clock.Start("Finding geometry", 0.9);
@@ -268,7 +255,7 @@ Mesh MakeMesh(MeshJob& job)
   ClassifyGeometry(ListFacets(job, made), kinds, job.Parts, mesh, job.Report);
   KeepOwned(mesh, job.Grid);
   ReportLevels(mesh, made.RequestedFamilies, job.Run.Group(), job.Report);
-  Refill(job, labels.Resolved, mesh);
+  Refill(job, labels, mesh);
   MeasureQuality(job, mesh);
   return std::move(mesh);
 }

@@ -37,6 +37,11 @@ inline std::array<int, 8> StarOfNode(
   return star;
 }
 
+inline bool IsMixedStar(const std::array<int, 8>& star)
+{
+  return std::any_of(star.begin(), star.end(), [&](int label) { return label != star[0]; });
+}
+
 /// Returns the nodes of the local box with more than one label around them, ascending.
 std::vector<Index> FindMixedNodes(const CartesianGrid& grid, const LabelArray& labels);
 

@@ -13,11 +13,36 @@ namespace
 constexpr double DiagonalReach = 0.45 - 1e-6;
 constexpr double AxisReach = 0.30 - 1e-6;
 
+using Star = std::array<int, 8>; // labels of the cells around a vertex
+
+/// Returns whether a cell of `other` shares a face with a cell of `label`.
+bool Touches(const Star& star, int label, int other)
+{
+  bool touches = false;
+  for (int c = 0; c < 8; ++c)
+  {
+    touches = touches ||
+      (star[c] == other && (star[c ^ 1] == label || star[c ^ 2] == label || star[c ^ 4] == label));
+  }
+  return touches;
+}
+
+bool TouchesAll(const Star& star, int label)
+{
+  return std::all_of(star.begin(), star.end(),
+    [&](int other) { return other == label || Touches(star, label, other); });
+}
+
 } // namespace
 
-LatticeNodes::LatticeNodes(
-  const CartesianGrid& grid, const FractionField& fractions, double isoValue, Runtime& runtime) :
-  Grid(grid), Fractions(fractions), IsoValue(isoValue), Run(runtime)
+LatticeNodes::LatticeNodes(const CartesianGrid& grid, const FractionField& fractions,
+  const LabelArray& cells, double isoValue, Runtime& runtime) :
+  Grid(grid),
+  Fractions(fractions),
+  CellLabels(cells),
+  IsoValue(isoValue),
+  Run(runtime),
+  Mixed(FindMixedNodes(grid, cells))
 {
   // Extends arrays by the offset across a cell, so that nodes on the upper side have all neighbours
   // in memory.
@@ -27,70 +52,114 @@ LatticeNodes::LatticeNodes(
     labels.assign(size, Snapped);
   }
   ForRows(runtime, grid.Local(), [this](Index j, Index k, Index) { this->LabelCentres(j, k); });
-  const IndexBox box = grid.Extended(GhostLayers - 1);
-  ForRows(runtime, NodesOf(box), [&](Index j, Index k, Index) { this->LabelVertices(box, j, k); });
+  const auto around = [&](Index layers) { return Grow(grid.HexBox(), layers, grid.Local()); };
+  this->LabelVertices(around(3));
   // Each pass reads one layer more than it writes.
-  this->Snap(Centre, 0, HexLayers + 3);
-  this->Snap(Centre, 1, HexLayers + 2);
-  this->Snap(Vertex, 0, HexLayers + 1);
-  this->Snap(Vertex, 1, HexLayers);
+  this->Snap(Centre, 0, around(3));
+  this->Snap(Centre, 1, around(2));
+  this->Snap(Vertex, 0, around(1));
+  this->Snap(Vertex, 1, around(0));
 }
 
-void LatticeNodes::Unsnap(const Node& node)
+bool LatticeNodes::Settle(const std::vector<Index>& ids, const Partition& partition)
 {
-  this->Label[node.Type][this->Grid.Linear(node.Position)] =
-    this->LabelOfMean({ { node, node, node, node } });
+  bool changed = false;
+  for (Index id : ids)
+  {
+    changed = this->SettleHere(id) || changed;
+  }
+  const std::vector<std::vector<Index>> lists(partition.Peers().size(), ids);
+  for (Index id : Joined(partition.Exchange(lists)))
+  {
+    changed = this->SettleHere(id) || changed;
+  }
+  return partition.Group().Any(changed);
+}
+
+/// Settles a node if this rank has it. Returns whether this changes the node.
+bool LatticeNodes::SettleHere(Index id)
+{
+  const Node node{ Kind(SlotOfPoint(id)), this->Grid.NodeOfKey((id - 1) / TetIds.PointSlots) };
+  const IndexBox hexes = this->Grid.HexBox();
+  if (node.Type == Centre ? !hexes.Contains(node.Position) : !hexes.Touches(node.Position))
+  {
+    return false;
+  }
+  int& label = this->Label[node.Type][this->Grid.Linear(node.Position)];
+  const int before = label;
+  label = this->SettledLabel(node);
+  return label != before;
+}
+
+int LatticeNodes::SettledLabel(const Node& node) const
+{
+  const Index n = this->Grid.Linear(node.Position);
+  const int label = this->CellLabels[n];
+  if (node.Type == Centre)
+  {
+    return label;
+  }
+  return IsMixedStar(StarOfNode(this->Grid, this->CellLabels, n)) ? Snapped : label;
 }
 
 void LatticeNodes::LabelCentres(Index j, Index k)
 {
   const IndexBox& box = this->Grid.Local();
   const Index first = this->Grid.Linear({ { box.Lower[0], j, k } });
-  for (Index cell = first; cell < first + box.Size(0); ++cell)
-  {
-    this->Label[Centre][cell] = MaterialOfCell(this->Fractions, cell, this->IsoValue);
-  }
+  int* labels = this->Label[Centre].data();
+  this->CellLabels.Visit(
+    first, first + box.Size(0),
+    [&](Index begin, Index end, int label) { std::fill(labels + begin, labels + end, label); },
+    [&](Index begin, Index end, const int* own)
+    { std::copy(own, own + (end - begin), labels + begin); });
 }
 
-void LatticeNodes::LabelVertices(const IndexBox& box, Index j, Index k)
+/// Labels the vertices of a box of cells.
+void LatticeNodes::LabelVertices(const IndexBox& box)
 {
-  const IndexBox& local = this->Grid.Local();
-  const Index count = box.Size(0) + 1;
-  Index rows[4]; // rows of cells around the vertices, from one cell before the first vertex
-  for (int c = 0; c < 4; ++c)
-  {
-    const Index3 cell = local.Nearest({ { box.Lower[0], j - 1 + (c & 1), k - 1 + (c >> 1) } });
-    rows[c] = this->Grid.Linear({ { box.Lower[0] - 1, cell[1], cell[2] } });
-  }
-  // Returns the label of the four cells of column i, or -1 if any is mixed or they differ.
-  const auto pureLabel = [&](Index i)
-  {
-    const Index x = box.Lower[0] - 1 + i;
-    i += (x < local.Lower[0]) - (x >= local.Upper[0]);
-    const int label =
-      this->Fractions.IsMixed(rows[0] + i) ? -1 : this->Fractions.Label(rows[0] + i);
-    bool same = label >= 0;
-    for (int c = 1; c < 4 && same; ++c)
+  const IndexBox vertices = NodesOf(box);
+  int* labels = this->Label[Vertex].data();
+  ForRows(this->Run, vertices,
+    [&](Index j, Index k, Index)
     {
-      same = !this->Fractions.IsMixed(rows[c] + i) && this->Fractions.Label(rows[c] + i) == label;
-    }
-    return same ? label : -1;
-  };
-  int* labels = &this->Label[Vertex][this->Grid.Linear({ { box.Lower[0], j, k } })];
+      const Index first = this->Grid.Linear({ { vertices.Lower[0], j, k } });
+      const LabelArray::RowView row = this->CellLabels.Row(first);
+      const Index at = this->CellLabels.InRow(first);
+      for (Index i = 0; i < vertices.Size(0); ++i)
+      {
+        labels[first + i] = row[at + i];
+      }
+    });
+  ForEach(this->Run, this->Mixed.size(),
+    [&](Index m)
+    {
+      const Index3 p = this->Grid.Position(this->Mixed[m]);
+      if (vertices.Contains(p))
+      {
+        labels[this->Mixed[m]] = this->Grid.DomainSides(p) != 0 ? Snapped : this->LabelOfMixed(p);
+      }
+    });
+}
+
+int LatticeNodes::LabelOfMixed(const Index3& vertex) const
+{
+  const Star star = StarOfNode(this->Grid, this->CellLabels, this->Grid.Linear(vertex));
   FractionSum sum;
-  int before = pureLabel(0);
-  for (Index i = 0; i < count; ++i)
+  for (Index cell : this->StarOf(vertex))
   {
-    const int after = pureLabel(i + 1);
-    labels[i] = before;
-    if (before < 0 || before != after)
-    {
-      sum.Clear();
-      this->AddParts({ Vertex, { { box.Lower[0] + i, j, k } } }, 1.0, sum);
-      labels[i] = sum.Material(this->IsoValue);
-    }
-    before = after;
+    sum.Add(this->Fractions, cell, 0.125);
   }
+  int label = sum.Material(this->IsoValue);
+  if (std::find(star.begin(), star.end(), label) == star.end())
+  {
+    label = star[0];
+    for (int other : star)
+    {
+      const double lead = sum.Fraction(other) - sum.Fraction(label);
+      label = lead > 0.0 || (lead == 0.0 && other < label) ? other : label;
+    }
+  }
+  return TouchesAll(star, label) ? label : Snapped;
 }
 
 /// Returns the cells around a vertex; a cell outside the domain is replaced by the nearest
@@ -111,29 +180,6 @@ std::array<Index, 8> LatticeNodes::StarOf(const Index3& vertex) const
     star[c] = (c & 1 ? high[0] : low[0]) + (c & 2 ? high[1] : low[1]) + (c & 4 ? high[2] : low[2]);
   }
   return star;
-}
-
-void LatticeNodes::AddParts(const Node& node, double weight, FractionSum& sum) const
-{
-  if (node.Type == Centre)
-  {
-    sum.Add(this->Fractions, this->Grid.Linear(node.Position), weight);
-    return;
-  }
-  for (Index cell : this->StarOf(node.Position))
-  {
-    sum.Add(this->Fractions, cell, 0.125 * weight);
-  }
-}
-
-int LatticeNodes::LabelOfMean(const std::array<Node, 4>& nodes) const
-{
-  FractionSum sum;
-  for (const Node& node : nodes)
-  {
-    this->AddParts(node, 0.25, sum);
-  }
-  return sum.Material(this->IsoValue);
 }
 
 double LatticeNodes::Fraction(const Node& node, int material) const
@@ -161,11 +207,26 @@ double LatticeNodes::Lead(const Node& node, int label, int other) const
   return std::max(this->Fraction(node, label) - this->Fraction(node, other), 0.0);
 }
 
-/// Snaps nodes of one kind and parity, among the cells of Extended(level) or their vertices.
-void LatticeNodes::Snap(Kind kind, int parity, int level)
+/// Returns whether a node may be snapped. A centre may not if its cell is at the domain boundary,
+/// or thin: along an axis, neither neighbour has the label of the cell.
+bool LatticeNodes::MaySnap(const Node& node, Index n) const
+{
+  bool may = true;
+  for (int a = 0; node.Type == Centre && may && a < 3; ++a)
+  {
+    const Index stride = this->Grid.Stride(a);
+    const int label = this->CellLabels[n];
+    may = node.Position[a] > 0 && node.Position[a] < this->Grid.Global().Upper[a] - 1 &&
+      (this->CellLabels[n - stride] == label || this->CellLabels[n + stride] == label);
+  }
+  return may;
+}
+
+/// Snaps nodes of one kind and parity, among some cells or their vertices.
+void LatticeNodes::Snap(Kind kind, int parity, const IndexBox& cells)
 {
   const int extra = kind == Vertex;
-  const IndexBox cells = this->Grid.Extended(level), box = extra ? NodesOf(cells) : cells;
+  const IndexBox box = extra ? NodesOf(cells) : cells;
   Index offsets[14]; // offsets of all neighbours: 8 of the other kind, then 6 along the axes
   const int* neighbours[14];
   for (int c = 0; c < 14; ++c)
@@ -188,7 +249,8 @@ void LatticeNodes::Snap(Kind kind, int parity, int level)
         {
           differs |= neighbour[n] ^ label;
         }
-        if (differs && this->IsNearInterface({ kind, { { i, j, k } } }, n))
+        const Node node{ kind, { { i, j, k } } };
+        if (label != Snapped && differs && this->MaySnap(node, n) && this->IsNearInterface(node, n))
         {
           this->Label[kind][n] = Snapped;
         }

@@ -1,17 +1,24 @@
 /**
  * LatticeNodes: labels the nodes of the body-centred lattice and determines which are snapped.
  *
- * A node is a vertex of the grid or the centre of a cell. A centre has the fractions of its cell; a
- * vertex has the mean of its eight cells, clamped at the domain boundary. The label is void if the
- * fraction of void exceeds 1 - isoValue, else the material with the largest fraction; ties go to
- * the smaller number.
+ * A node is a vertex of the grid or the centre of a cell. Labels of cells are the resolved labels
+ * (ResolveLabels.h). The labels of nodes follow them, so the lattice has the fragments of the cells
+ * and the same pairs of fragments touch:
+ * - A centre has the label of its cell.
+ * - A pure vertex, whose cells have one label, has this label. The label of a mixed vertex is the
+ *   one with the largest mean fraction in its cells, if this label touches every other label
+ *   around the vertex by a face. Else, and on the domain boundary, the vertex is snapped.
  *
- * A node is snapped if an interface is near. This means: on an edge to a node that has another
- * label and is not snapped, the interface is within the first 45 % (edges between vertex and
- * centre) or 30 % (edges along an axis). A snapped node has no label. The interface may run through
- * it, so the lattice tets around it need fewer cuts. Nodes are snapped in four passes: even cells,
- * odd cells, even vertices, odd vertices (parity of i + j + k). No two nodes of one pass share a
- * lattice edge, so the result does not depend on order or ranks.
+ * A snapped node has no label. The interface may run through it, so the lattice tets around it need
+ * fewer cuts. Other nodes are snapped if an interface is near. This means: on an edge to a node
+ * that has another label and is not snapped, the interface is within the first 45 % (edges between
+ * vertex and centre) or 30 % (edges along an axis). Centres of cells at the domain boundary, and
+ * of thin cells, keep their labels. Nodes are snapped in four passes: even cells, odd cells, even
+ * vertices, odd vertices (parity of i + j + k). No two nodes of one pass share a lattice edge, so
+ * the result does not depend on order or ranks.
+ *
+ * A node is settled if it is as in the method Cells: a centre or pure vertex has its label, a mixed
+ * vertex is snapped. LatticeRules.h and LatticeFaults.h list nodes to be settled.
  *
  * Snapping follows F. Labelle and J. R. Shewchuk, Isosurface stuffing, ACM Transactions on Graphics
  * 26 (2007), extended to several labels.
@@ -20,12 +27,14 @@
 
 #include "Base/Runtime.h"
 #include "Fractions/FractionSum.h"
+#include "Labels/Labels.h"
+#include "Tet/TetTopology.h"
 
 namespace vfm
 {
 
-/// Labels of the nodes in and around CartesianGrid::HexBox. Only Unsnap changes them. Grid,
-/// fractions and runtime must outlive this object.
+/// Labels of the nodes in and around CartesianGrid::HexBox. Only Settle changes them. The
+/// constructor's arguments must outlive this object.
 class LatticeNodes
 {
 public:
@@ -33,8 +42,8 @@ public:
   static constexpr int Snapped = -1;
   enum Kind
   {
-    Vertex,
-    Centre
+    Vertex = VertexSlot,
+    Centre = CentreSlot
   };
   struct Node
   {
@@ -43,34 +52,54 @@ public:
   };
 
   /// Labels and snaps the nodes.
+  /// @param cells  resolved labels of the cells
   /// @param isoValue  limit of void, in (0,1): a node is void if its materials fill less
-  LatticeNodes(
-    const CartesianGrid& grid, const FractionField& fractions, double isoValue, Runtime& runtime);
+  LatticeNodes(const CartesianGrid& grid, const FractionField& fractions, const LabelArray& cells,
+    double isoValue, Runtime& runtime);
 
   /// Returns labels by linear index of the grid. Valid for the cells of CartesianGrid::HexBox and
   /// their vertices.
   const int* Labels(Kind kind) const { return this->Label[kind].data(); }
+  /// Returns the labels of the cells.
+  const LabelArray& Cells() const { return this->CellLabels; }
+  /// Returns the mixed vertices of the local box by linear index, ascending.
+  const std::vector<Index>& MixedVertices() const { return this->Mixed; }
+  /// Returns the fraction of a cell's label in the cell.
+  double OwnFraction(Index cell) const
+  {
+    return this->Fractions.Fraction(cell, this->CellLabels[cell]);
+  }
 
-  /// Gives a snapped node of HexBox the label of its fractions.
-  void Unsnap(const Node& node);
-
-  /// Returns the label of the mean of the fractions of four nodes.
-  int LabelOfMean(const std::array<Node, 4>& nodes) const;
+  /// Returns the id of the point at a node (TetTopology.h).
+  Index IdOf(const Node& node) const
+  {
+    return TetIds.PointSlots * this->Grid.NodeKey(node.Position) + node.Type + 1;
+  }
+  /// Settles nodes on all ranks that have them.
+  /// @param ids  nodes within three cells of the owned cells; IdOf
+  /// @return whether any node was not settled before, on any rank
+  /// @pre Collective.
+  bool Settle(const std::vector<Index>& ids, const Partition& partition);
 
 private:
   void LabelCentres(Index j, Index k);
-  void LabelVertices(const IndexBox& box, Index j, Index k);
+  void LabelVertices(const IndexBox& box);
+  int LabelOfMixed(const Index3& vertex) const;
+  int SettledLabel(const Node& node) const;
+  bool SettleHere(Index id);
   std::array<Index, 8> StarOf(const Index3& vertex) const;
-  void AddParts(const Node& node, double weight, FractionSum& sum) const;
   double Fraction(const Node& node, int material) const;
   double Lead(const Node& node, int label, int other) const;
-  void Snap(Kind kind, int parity, int level);
+  bool MaySnap(const Node& node, Index n) const;
+  void Snap(Kind kind, int parity, const IndexBox& cells);
   bool IsNearInterface(const Node& node, Index n) const;
 
   const CartesianGrid& Grid;
   const FractionField& Fractions;
+  const LabelArray& CellLabels;
   double IsoValue;
   Runtime& Run;
+  std::vector<Index> Mixed;
   std::array<std::vector<int, LargeAllocator<int>>, 2> Label; // one array per kind
 };
 

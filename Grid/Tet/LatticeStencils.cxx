@@ -164,32 +164,35 @@ void Add(Work& work, int a, int b, int c, int d)
   region.Points |= 1u << a | 1u << b | 1u << c | 1u << d;
 }
 
-/// Returns the one of two sets whose point has the smaller id, on any grid.
-int Lower(const Work& work, int a, int b)
+/// Returns the one of two sets whose point is first: centres that are not snapped, vertices that
+/// are not, then all others by id on any grid.
+int Earlier(const Work& work, int a, int b)
 {
   const auto rank = [&](int set)
   {
+    const bool isAnchor = CountNodes(set) == 1 && (set & work.Members[0]) == 0;
+    const int group = !isAnchor ? 2 : work.Tet.Slot[set] == 1 ? 0 : 1;
     const HalfPoint& block = work.Tet.Block[set];
-    return std::make_tuple(block[2], block[1], block[0], work.Tet.Slot[set]);
+    return std::make_tuple(group, block[2], block[1], block[0], work.Tet.Slot[set]);
   };
   return rank(b) < rank(a) ? b : a;
 }
 
-int Lowest(const Work& work, const Polygon& polygon)
+int First(const Work& work, const Polygon& polygon)
 {
-  int lowest = polygon[0];
+  int first = polygon[0];
   for (int set : polygon)
   {
-    lowest = Lower(work, lowest, set);
+    first = Earlier(work, first, set);
   }
-  return lowest;
+  return first;
 }
 
-/// Divides a polygon into a fan of triangles from its point with the smallest id, and adds the tets
-/// between these triangles and a point.
+/// Divides a polygon into a fan of triangles from its first point, and adds the tets between these
+/// triangles and another point.
 void AddFan(Work& work, int apex, const Polygon& polygon)
 {
-  const int from = polygon.empty() ? 0 : Lowest(work, polygon);
+  const int from = polygon.empty() ? 0 : First(work, polygon);
   for (std::size_t i = 0; i < polygon.size(); ++i)
   {
     const int a = polygon[i], b = polygon[(i + 1) % polygon.size()];
@@ -295,7 +298,7 @@ void AddRegion(Work& work, int members)
   int apex = members;
   for (const Polygon& side : sides)
   {
-    apex = side.empty() ? apex : Lower(work, apex, Lowest(work, side));
+    apex = side.empty() ? apex : Earlier(work, apex, First(work, side));
   }
   for (const Polygon& side : sides)
   {
@@ -407,8 +410,8 @@ void LatticeTables::AddPatterns()
   for (int code = 0; code < 625; ++code)
   {
     const std::array<int, 4> classes{ { code / 125, code / 25 % 5, code / 5 % 5, code % 5 } };
-    int known = 0; // classes are numbered in the order of their first nodes
-    bool isFirst = true;
+    int known = 0;           // classes are numbered in the order of their first nodes
+    bool isFirst = code > 0; // not all nodes are snapped
     for (int c : classes)
     {
       isFirst = isFirst && c <= known + 1;

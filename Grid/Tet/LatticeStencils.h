@@ -47,7 +47,7 @@ struct LatticeStencil
 {
   struct Region
   {
-    int Node;             ///< first node of the region; -1 if all nodes of the tet are snapped
+    int Node;             ///< first node of the region
     int First, Last;      ///< first tet and end of the tets of the region
     std::uint32_t Points; ///< bit s is set if the region has the point of set s
   };
@@ -80,9 +80,10 @@ public:
 
   const LatticeTet& Shape(int shape) const { return this->Tets[shape]; }
 
-  /// Returns the stencil of a shape. It divides polygons by fans from their point with the smallest
-  /// id, so that tets on both sides of a face match.
-  /// @param labels  labels of the four nodes, -1 if snapped
+  /// Returns the stencil of a shape. Each of its tets has a node that is not snapped, an anchor. It
+  /// divides polygons by fans from their first point: centres that are not snapped come first, then
+  /// vertices that are not, then all others by id. So tets on both sides of a face match.
+  /// @param labels  labels of the four nodes, -1 if snapped; at least one is not
   const LatticeStencil& Stencil(int shape, const std::array<int, 4>& labels) const
   {
     return this->Stencils[shape * Patterns + this->PatternOfCode[Code(labels)]];
@@ -100,7 +101,7 @@ private:
     std::array<HalfPoint, 4> Nodes;
   };
 
-  static constexpr int Patterns = 52; // patterns of equal labels and snapped nodes
+  static constexpr int Patterns = 51; // patterns of equal labels and snapped nodes
 
   LatticeTables();
   void AddShape(int shape, const std::array<HalfPoint, 4>& nodes, int domain);

@@ -1,8 +1,9 @@
 #include "Tet/LatticeTopology.h"
 
 #include "Tet/BlockPoints.h"
-#include "Tet/LatticeSnappedTets.h"
-#include "Tet/NonManifoldNodes.h"
+#include "Tet/LatticeFaults.h"
+#include "Tet/LatticeRules.h"
+#include "Tet/LatticeStencils.h"
 
 #include <atomic>
 #include <utility>
@@ -18,8 +19,6 @@ struct Row
   Row(Index j, Index k) : J(j), K(k) {}
   Index J, K;
   Index Tets = 0; // number of tets, later index of the first
-  std::vector<SnappedTet> Snapped;
-  std::vector<SnappedFace> Faces;
 };
 
 /// Shape of a lattice tet on this grid, relative to its block.
@@ -36,7 +35,6 @@ struct Work
   const CartesianGrid& Grid;
   const LatticeNodes& Nodes;
   bool MeshVoid;
-  const Partition& Parts;
   Runtime& Run;
   const CoarseTets& Coarse;
   const IndexBox Box = Grid.HexBox();
@@ -125,6 +123,24 @@ void MarkNextToCoarse(Work& work, const Row& row)
   }
 }
 
+/// Returns the diagonal of a face on the domain boundary. If three of its corners are snapped, it
+/// begins at the fourth, so that no triangle has all its corners on a curve. Such faces have no
+/// cuts, because only pure vertices have labels there.
+int DiagonalOf(const Work& work, const Index3& block, int axis)
+{
+  const int u = 1 << (axis + 1) % 3, v = 1 << (axis + 2) % 3;
+  const int around[4] = { 0, u, u | v, v };
+  const int* vertices = work.Nodes.Labels(LatticeNodes::Vertex) + work.Grid.Linear(block);
+  int free = 0, last = 0;
+  for (int q = 0; q < 4; ++q)
+  {
+    const bool isFree = vertices[work.Grid.CornerOffset(around[q])] != LatticeNodes::Snapped;
+    free += isFree;
+    last = isFree ? q : last;
+  }
+  return free == 1 ? last & 1 : LatticeTables::Diagonal(block);
+}
+
 /// Returns the first shape of a face, and sets count to the number of its lattice tets: 4 inside
 /// the domain, 2 on its boundary, 0 outside the box.
 int FirstShape(const Work& work, const Index3& block, int axis, int& count)
@@ -136,7 +152,7 @@ int FirstShape(const Work& work, const Index3& block, int axis, int& count)
   if (atLower || atUpper)
   {
     count = isFace ? 2 : 0;
-    return LatticeTables::DomainShape(axis, atUpper, LatticeTables::Diagonal(block));
+    return LatticeTables::DomainShape(axis, atUpper, isFace ? DiagonalOf(work, block, axis) : 0);
   }
   const bool isInside = block[axis] > work.Box.Lower[axis] && block[axis] < work.Box.Upper[axis];
   count = isFace && isInside ? 4 : 0;
@@ -183,36 +199,8 @@ void MarkSets(Work& work, const PlacedShape& shape, Index n, std::uint32_t sets)
   }
 }
 
-int LabelOfMean(const Work& work, const Index3& block, int shape)
+void CountTet(Work& work, Row& row, Index n, int shape, const std::array<int, 4>& labels)
 {
-  const LatticeTet& tet = work.Tables.Shape(shape);
-  std::array<LatticeNodes::Node, 4> nodes;
-  for (int i = 0; i < 4; ++i)
-  {
-    nodes[i] = { LatticeNodes::Kind(tet.Slot[1 << i]), block };
-    for (int a = 0; a < 3; ++a)
-    {
-      nodes[i].Position[a] += tet.Block[1 << i][a];
-    }
-  }
-  return work.Nodes.LabelOfMean(nodes);
-}
-
-void CountTet(Work& work, Row& row, const Index3& block, Index n, int shape, int tet,
-  const std::array<int, 4>& labels)
-{
-  const PlacedShape& placed = work.Shapes[shape];
-  const int snapped =
-    (labels[0] < 0) | (labels[1] < 0) << 1 | (labels[2] < 0) << 2 | (labels[3] < 0) << 3;
-  const Index key = work.Grid.NodeKey(block);
-  const auto faceId = [&](int set)
-  { return TetIds.PointSlots * (key + placed.Key[set]) + placed.Slot[set] + 1; };
-  if (snapped == 15)
-  {
-    row.Snapped.push_back({ key * TetIds.ElementSlots + tet * PiecesPerTet + 1, block, shape,
-      LabelOfMean(work, block, shape), { { faceId(14), faceId(13), faceId(11), faceId(7) } } });
-    return;
-  }
   const LatticeStencil& stencil = work.Tables.Stencil(shape, labels);
   for (int r = 0; r < stencil.Count; ++r)
   {
@@ -220,12 +208,8 @@ void CountTet(Work& work, Row& row, const Index3& block, Index n, int shape, int
     if (IsMeshed(labels[region.Node], work.MeshVoid))
     {
       row.Tets += region.Last - region.First;
-      MarkSets(work, placed, n, region.Points);
+      MarkSets(work, work.Shapes[shape], n, region.Points);
     }
-  }
-  if (snapped == 14 || snapped == 13 || snapped == 11 || snapped == 7)
-  {
-    row.Faces.push_back({ faceId(snapped), labels[stencil.List[0].Node] });
   }
 }
 
@@ -250,36 +234,8 @@ void Count(Work& work, Row& row)
         }
       }
     },
-    [&](const Index3& block, Index n, int shape, int tet, const std::array<int, 4>& labels)
-    { CountTet(work, row, block, n, shape, tet, labels); });
-}
-
-/// Labels the snapped tets and marks their points. Collective.
-void SettleSnappedTets(Work& work)
-{
-  std::vector<SnappedTet> tets;
-  std::vector<SnappedFace> faces;
-  for (Row& row : work.Rows)
-  {
-    tets.insert(tets.end(), row.Snapped.begin(), row.Snapped.end());
-    faces.insert(faces.end(), row.Faces.begin(), row.Faces.end());
-    row.Faces = {};
-  }
-  vfm::SettleSnappedTets(tets, faces, work.Grid, work.Parts);
-  auto next = tets.begin();
-  for (Row& row : work.Rows)
-  {
-    for (SnappedTet& tet : row.Snapped)
-    {
-      tet.Label = (next++)->Label;
-      if (IsMeshed(tet.Label, work.MeshVoid))
-      {
-        ++row.Tets;
-        MarkSets(work, work.Shapes[tet.Shape], work.Grid.Linear(tet.Block),
-          1 << 1 | 1 << 2 | 1 << 4 | 1 << 8);
-      }
-    }
-  }
+    [&](const Index3&, Index n, int shape, int, const std::array<int, 4>& labels)
+    { CountTet(work, row, n, shape, labels); });
 }
 
 PointPosition PositionOf(const Work& work, const Index3& block, Index n, int slot)
@@ -325,14 +281,11 @@ void FillUniform(Work& work, Index tet, Index n, Index id, int label)
 }
 
 /// Makes the pieces of a lattice tet, with regions in the order of labels.
-/// @param ownLabel  label of the tet if all its nodes are snapped
-void FillCut(Work& work, Index& tet, Index n, int shape, Index id, const std::array<int, 4>& labels,
-  int ownLabel)
+void FillCut(Work& work, Index& tet, Index n, int shape, Index id, const std::array<int, 4>& labels)
 {
   const LatticeStencil& stencil = work.Tables.Stencil(shape, labels);
   const PlacedShape& placed = work.Shapes[shape];
-  const auto labelOf = [&](int r)
-  { return stencil.List[r].Node < 0 ? ownLabel : labels[stencil.List[r].Node]; };
+  const auto labelOf = [&](int r) { return labels[stencil.List[r].Node]; };
   std::array<int, 4> order{ { 0, 1, 2, 3 } };
   for (int r = 1; r < stencil.Count; ++r)
   {
@@ -365,7 +318,6 @@ void FillTets(Work& work, const Row& row)
 {
   const int* centres = work.Nodes.Labels(LatticeNodes::Centre);
   Index tet = row.Tets;
-  auto snapped = row.Snapped.begin();
   OverTets(
     work, row,
     [&](const Index3& block, Index n)
@@ -379,11 +331,7 @@ void FillTets(Work& work, const Row& row)
     [&](const Index3& block, Index n, int shape, int slot, const std::array<int, 4>& labels)
     {
       const Index id = work.Grid.NodeKey(block) * TetIds.ElementSlots + slot * PiecesPerTet + 1;
-      const int ownLabel =
-        labels[0] + labels[1] + labels[2] + labels[3] == 4 * LatticeNodes::Snapped
-        ? (snapped++)->Label
-        : LatticeNodes::Snapped;
-      FillCut(work, tet, n, shape, id, labels, ownLabel);
+      FillCut(work, tet, n, shape, id, labels);
     });
 }
 
@@ -425,9 +373,9 @@ void PlaceShapes(Work& work)
 }
 
 TetTopology BuildTets(const CartesianGrid& grid, const LatticeNodes& nodes, bool meshVoid,
-  const Partition& partition, Runtime& runtime, const CoarseTets& coarse)
+  Runtime& runtime, const CoarseTets& coarse)
 {
-  Work work{ grid, nodes, meshVoid, partition, runtime, coarse };
+  Work work{ grid, nodes, meshVoid, runtime, coarse };
   PlaceShapes(work);
   ForRows(NodesOf(work.Box), [&](Index j, Index k) { work.Rows.emplace_back(j, k); });
   if (!work.Levels.IsUniform())
@@ -435,7 +383,6 @@ TetTopology BuildTets(const CartesianGrid& grid, const LatticeNodes& nodes, bool
     OverRows(work, [&](Row& row) { MarkNextToCoarse(work, row); });
   }
   OverRows(work, [&](Row& row) { Count(work, row); });
-  SettleSnappedTets(work);
   work.FinePoints = MakeBlockPoints(
     grid, coarse, runtime,
     [&](const Index3&, Index n) { return work.Slots[n].load(std::memory_order_relaxed); },
@@ -447,33 +394,24 @@ TetTopology BuildTets(const CartesianGrid& grid, const LatticeNodes& nodes, bool
 
 } // namespace
 
-/// The loop terminates: every round unsnaps a node, and boundaries
-/// without snapped nodes are manifolds.
+/// The loop terminates: every round settles a node that was not settled, and no node is ever
+/// unsettled.
 LatticeTets BuildLatticeTets(const CartesianGrid& grid, LatticeNodes& nodes, bool meshVoid,
   const Partition& partition, Runtime& runtime, const CoarseTets& coarse)
 {
   CheckIds(grid, TetIds.ElementSlots);
-  for (;;)
+  SettleBridges(nodes, grid, partition, runtime);
+  LatticeTets tets;
+  bool isFaulty = true;
+  while (isFaulty)
   {
-    LatticeTets tets;
-    tets.Topology = BuildTets(grid, nodes, meshVoid, partition, runtime, coarse);
+    SettleCentres(nodes, grid, partition, runtime);
+    tets.Topology = BuildTets(grid, nodes, meshVoid, runtime, coarse);
     tets.Faces = FindTetFaces(tets.Topology, grid);
-    const std::vector<Index> nonManifold = GatherItems(
-      runtime.Group(), FindNonManifoldNodes(tets.Topology, tets.Faces, grid, partition));
-    if (nonManifold.empty())
-    {
-      return tets;
-    }
-    for (Index id : nonManifold)
-    {
-      const Index3 block = NodeOfPoint(grid, tets.Topology.Tets, id);
-      const bool isVertex = SlotOfPoint(id) == VertexSlot;
-      if (isVertex ? grid.HexBox().Touches(block) : grid.HexBox().Contains(block))
-      {
-        nodes.Unsnap({ isVertex ? LatticeNodes::Vertex : LatticeNodes::Centre, block });
-      }
-    }
+    isFaulty =
+      nodes.Settle(FindLatticeFaults(tets.Topology, tets.Faces, nodes, grid, partition), partition);
   }
+  return tets;
 }
 
 std::vector<Index> FindLatticeInterfaces(const CartesianGrid& grid, const LatticeNodes& nodes)

@@ -20,11 +20,13 @@ struct LatticeTets
 };
 
 /// Makes the tets of labelled lattice nodes: lattice tets whose nodes have several labels are cut.
-/// All tets are positive for any fractions. The mesh is made again, with some nodes unsnapped,
-/// until the boundary of every material is a manifold.
+/// All tets are positive for any labels, and each has a point inside its material and the domain.
+/// Nodes are settled (LatticeNodes.h), and tets made again, until the tets have the fragments of
+/// the cells, the same pairs of fragments touch, and the boundary of every material is a manifold.
 /// F. Labelle and J. R. Shewchuk, Isosurface stuffing, ACM Transactions on Graphics 26 (2007), here
 /// for several labels.
-/// @param nodes  labels of the nodes; nodes that make a boundary non-manifold are unsnapped
+/// @param nodes  labels of the nodes; nodes that break LatticeRules or cause LatticeFaults are
+/// settled
 /// @param coarse  tets of the coarse hexes. The nodes of FindLatticeInterfaces must be surrounded
 /// by finest cells.
 /// @return points and tets in CartesianGrid::HexBox, ordered by id, and their faces

@@ -11,6 +11,7 @@
 #include "MeasureAlone.h"
 #include "MeshCases.h"
 #include "NoCoarseTets.h"
+#include "RankFields.h"
 #include "Tet/LatticeTopology.h"
 
 #include <benchmark/benchmark.h>
@@ -144,13 +145,14 @@ void LatticeExtraction(benchmark::State& state)
   const MeshCase c = MakeSphereCase(static_cast<int>(state.range(0)));
   Runtime runtime;
   const Partition partition(c.Grid, runtime.Group());
+  const LabelArray labels = MakeResolvedLabels(c.Grid, c.Fractions, partition, runtime);
   TetTopology topology;
   double seconds = 1e300;
   for (auto _ : state)
   {
     topology = TetTopology();
     const double begin = Now();
-    LatticeNodes nodes(c.Grid, c.Fractions, 0.5, runtime);
+    LatticeNodes nodes(c.Grid, c.Fractions, labels, 0.5, runtime);
     topology =
       BuildLatticeTets(c.Grid, nodes, false, partition, runtime, NoCoarseTets(c.Grid, runtime).Tets)
         .Topology;

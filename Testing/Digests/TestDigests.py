@@ -19,7 +19,7 @@ DIGESTS = {
     "labels": "4c79bea19aabbbc1dd3d751fbd814340c39ab42628ae8ed3eef13a5c399c7b1e",
     "levels": "6c9f784f05bd625d7c27dd7c8c539e98c623bc5b1995aa6f86fdb5f47b74b956",
     "state": "94c82f2d4ce2db74a22f61f8a2e897039a34a2b0d73f68ffa6c2ed310868ee9c",
-    "tets": "54a5f202a0bc9241423201c9c54e2255e2313e653b57eb0d21d71eba202692e3",
+    "tets": "ff148fcc35780074fff7dc4d5f1a5f106834c3cb49fa1278c462f6286d6a2a12",
 }
 
 

@@ -100,6 +100,24 @@ std::string FindVolumeProblem(const FuzzCase& c, const Mesh& mesh, const MeshRep
     : "";
 }
 
+/// Checks that the mesh has the fragments of its cells, that the same pairs of them touch, and that
+/// no tet of the lattice has all points on interfaces or sides. Not if interfaces cross levels:
+/// then poor hexes refine cells further, so the cells are not known.
+std::string FindTruthProblem(const FuzzCase& c, const Mesh& mesh)
+{
+  if (c.Make == MakeHexMesh && InterfacesCrossLevels(c.Options))
+  {
+    return "";
+  }
+  MeshOptions options = c.Options;
+  options.Levels.FineInterfaces = options.Levels.FineInterfaces || c.Make == MakeTetMesh;
+  const std::string problem =
+    FindCellProblem(c.Grid, mesh, MakeCells(c.Grid, c.Fractions, options));
+  const bool mayLock = c.Make == MakeHexMesh || c.Options.Tets == TetMethod::TetGen;
+  const Index locked = mayLock ? 0 : CountLocked(mesh);
+  return problem.empty() && locked > 0 ? std::to_string(locked) + " locked elements" : problem;
+}
+
 /// Returns the first problem, or an empty string.
 std::string FirstOf(std::initializer_list<std::string> problems)
 {
@@ -111,9 +129,9 @@ std::string FirstOf(std::initializer_list<std::string> problems)
 std::string FindMeshProblem(
   const FuzzCase& c, const Mesh& mesh, const MeshReport& report, FuzzResult& result)
 {
-  return FirstOf(
-    { FindJacobianProblem(c, mesh, result), FindTopologyProblem(mesh), FindFragmentProblem(mesh),
-      FindFacetProblem(mesh), FindPlaceProblem(c.Grid, mesh), FindVolumeProblem(c, mesh, report) });
+  return FirstOf({ FindJacobianProblem(c, mesh, result), FindTopologyProblem(mesh),
+    FindFragmentProblem(mesh), FindFacetProblem(mesh), FindTruthProblem(c, mesh),
+    FindPlaceProblem(c.Grid, mesh), FindVolumeProblem(c, mesh, report) });
 }
 
 std::string FindRanksProblem(const FuzzCase& c, const RankMesh& alone)

@@ -2,6 +2,7 @@
 #include "MeshChecks.h"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 namespace vfm
@@ -129,6 +130,103 @@ private:
   std::map<Edge, std::vector<std::size_t>> Edges;
   std::map<Index, std::vector<std::size_t>> Fans;
 };
+
+/// Returns whether all points of a face are on one side of the domain.
+bool IsOnDomain(const CartesianGrid& grid, const Mesh& mesh, const Face& face)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (double side : { grid.Coordinates(axis).front(), grid.Coordinates(axis).back() })
+    {
+      if (std::all_of(face.begin(), face.end(),
+            [&](Index p) { return p < 0 || mesh.Points[3 * p + axis] == side; }))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+using FragmentPairs = std::set<std::pair<int, int>>;
+
+/// Returns the pairs of fragments that share a face; 0 is void without elements.
+/// @param numberOf  number of each fragment of the mesh in the pairs
+FragmentPairs ListPairs(
+  const CartesianGrid& grid, const Mesh& mesh, const std::map<int, int>& numberOf)
+{
+  FragmentPairs pairs;
+  for (const auto& face : FacesOf(mesh))
+  {
+    const Index first = face.second.front().Element, last = face.second.back().Element;
+    if (first != last || !IsOnDomain(grid, mesh, face.first))
+    {
+      const int a = numberOf.at(mesh.Fragment[first]);
+      const int b = first == last ? 0 : numberOf.at(mesh.Fragment[last]);
+      pairs.insert(std::minmax(a, b));
+    }
+  }
+  FragmentPairs different;
+  std::copy_if(pairs.begin(), pairs.end(), std::inserter(different, different.end()),
+    [](const auto& pair) { return pair.first != pair.second; });
+  return different;
+}
+
+/// Material and fragment of each cell that has elements, by its linear index.
+using CellFragments = std::map<Index, std::pair<int, int>>;
+
+CellFragments ListCells(const CartesianGrid& grid, const Mesh& cells)
+{
+  CellFragments fragments;
+  for (std::size_t e = 0; e < cells.ElementIds.size(); ++e)
+  {
+    ForCells(CellsOfElement(grid, cells, cells.ElementIds[e]),
+      [&](const Index3& cell) {
+        fragments[grid.Linear(cell)] = { cells.Material[e], cells.Fragment[e] };
+      });
+  }
+  return fragments;
+}
+
+/// Returns the cells that an element may overlap: those from which it was made. A tet belongs to
+/// the face of the grid below its cell along an axis, so the cell below is added.
+std::vector<Index> CellsNear(const CartesianGrid& grid, const Mesh& mesh, Index id)
+{
+  const IndexBox box = CellsOfElement(grid, mesh, id);
+  std::vector<Index> cells{ grid.Linear(box.Lower) };
+  for (int axis = 0; mesh.Corners == 4 && axis < 3; ++axis)
+  {
+    Index3 below = box.Lower;
+    --below[axis];
+    const bool isOfFace = (id - 1) % mesh.Ids.ElementSlots / (4 * PiecesPerTet) == axis;
+    if (isOfFace && box.NumberOfCells() == 1 && grid.InDomain(below))
+    {
+      cells.push_back(grid.Linear(below));
+    }
+  }
+  return cells;
+}
+
+/// Returns the fragment of the cells of each fragment of a mesh; -1 if there are several.
+std::map<int, int> MatchFragments(
+  const CartesianGrid& grid, const Mesh& mesh, const CellFragments& cells)
+{
+  std::map<int, int> numberOf;
+  for (std::size_t e = 0; e < mesh.ElementIds.size(); ++e)
+  {
+    for (Index cell : CellsNear(grid, mesh, mesh.ElementIds[e]))
+    {
+      const auto at = cells.find(cell);
+      if (at != cells.end() && at->second.first == mesh.Material[e])
+      {
+        const int fragment = at->second.second;
+        int& number = numberOf.emplace(mesh.Fragment[e], fragment).first->second;
+        number = number == fragment ? fragment : -1;
+      }
+    }
+  }
+  return numberOf;
+}
 
 template <class T>
 bool AreUnique(const Buffer<T>& ids)
@@ -293,6 +391,60 @@ std::string FindFacetProblem(const Mesh& mesh)
     facets.erase(at);
   }
   return facets.empty() ? "" : "a facet is not a face between fragments";
+}
+
+Index CountLocked(const Mesh& mesh)
+{
+  Index count = 0;
+  for (std::size_t e = 0; e < mesh.ElementIds.size(); ++e)
+  {
+    const Index* points = mesh.Elements.data() + mesh.Corners * e;
+    count += std::all_of(points, points + mesh.Corners,
+      [&](Index point) { return mesh.GeometryDimension[point] < 3; });
+  }
+  return count;
+}
+
+Mesh MakeCells(
+  const CartesianGrid& grid, const FractionField& fractions, const MeshOptions& options)
+{
+  MeshOptions own = options;
+  own.StairStep = true;
+  Runtime runtime;
+  MeshReport report;
+  return MakeHexMesh(grid, fractions, own, runtime, report);
+}
+
+std::string FindCellProblem(const CartesianGrid& grid, const Mesh& mesh, const Mesh& cells)
+{
+  const std::set<int> all(cells.Fragment.begin(), cells.Fragment.end());
+  std::map<int, int> unchanged;
+  for (int fragment : all)
+  {
+    unchanged[fragment] = fragment;
+  }
+  const std::set<int> own(mesh.Fragment.begin(), mesh.Fragment.end());
+  if (own.size() != all.size())
+  {
+    return std::to_string(own.size()) + " fragments, of the cells " + std::to_string(all.size());
+  }
+  const bool knowsCells = mesh.Ids.ElementSlots > 0;
+  const std::map<int, int> numberOf =
+    knowsCells ? MatchFragments(grid, mesh, ListCells(grid, cells)) : unchanged;
+  std::set<int> matched;
+  for (const auto& pair : numberOf)
+  {
+    matched.insert(pair.second);
+  }
+  if (numberOf.size() != own.size() || matched != all)
+  {
+    return "fragments are not those of the cells";
+  }
+  const FragmentPairs pairs = ListPairs(grid, mesh, numberOf);
+  const FragmentPairs expected = ListPairs(grid, cells, unchanged);
+  return pairs == expected ? ""
+                           : std::to_string(pairs.size()) +
+      " pairs of fragments touch, of the cells " + std::to_string(expected.size());
 }
 
 } // namespace testing

@@ -63,6 +63,19 @@ std::string FindFragmentProblem(const Mesh& mesh);
 /// between fragments and the faces of only one element.
 std::string FindFacetProblem(const Mesh& mesh);
 
+/// Returns the number of elements whose points are all on interfaces or on sides of the domain.
+Index CountLocked(const Mesh& mesh);
+
+/// Returns the mesh of the resolved cells: hexes that are not moved.
+Mesh MakeCells(
+  const CartesianGrid& grid, const FractionField& fractions, const MeshOptions& options);
+
+/// Returns an empty string or the first problem: the fragments of a mesh, and the pairs of them
+/// that share a face, must be those of the cells. Void without elements counts as one fragment.
+/// @param mesh  mesh of one rank
+/// @param cells  MakeCells of the same options, for tets with Levels.FineInterfaces
+std::string FindCellProblem(const CartesianGrid& grid, const Mesh& mesh, const Mesh& cells);
+
 /// Returns how deep a point next to unmeshed void lies in an element without this corner, in widths
 /// of the element; 0 if there is no such point.
 double DeepestOverlap(const Mesh& mesh);

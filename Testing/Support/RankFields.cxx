@@ -1,5 +1,6 @@
 #include "RankFields.h"
 
+#include "Labels/ResolveLabels.h"
 #include "RandomDraw.h"
 
 #include <atomic>
@@ -53,6 +54,14 @@ FractionField CopyToLocal(
   const IndexBox& box = grid.Local();
   ForCells(box, [&](const Index3& p) { field.CopyCell(grid.Linear(p), from, whole.Linear(p)); });
   return field;
+}
+
+LabelArray MakeResolvedLabels(const CartesianGrid& grid, const FractionField& fractions,
+  const Partition& partition, Runtime& runtime)
+{
+  LabelArray labels = AssignMaterials(grid, fractions, 0.5);
+  ResolveLabels(grid, fractions, labels, partition, runtime);
+  return labels;
 }
 
 CartesianGrid MakeUnevenGrid(int n)

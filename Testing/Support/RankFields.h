@@ -5,6 +5,7 @@
 
 #include "Base/Partition.h"
 #include "HexPipeline.h"
+#include "Labels/Labels.h"
 #include "ThreadRanks.h"
 
 namespace vfm
@@ -42,6 +43,11 @@ inline CartesianGrid MakeRankGrid(
 /// Returns the part of a field of the whole grid that a rank stores.
 FractionField CopyToLocal(
   const CartesianGrid& whole, const FractionField& from, const CartesianGrid& grid);
+
+/// Returns the labels of which meshes are made.
+/// @pre Collective.
+LabelArray MakeResolvedLabels(const CartesianGrid& grid, const FractionField& fractions,
+  const Partition& partition, Runtime& runtime);
 
 /// Returns a grid of n cells along each axis; widths vary by up to 1.3 from
 /// cell to cell and differ by axis.

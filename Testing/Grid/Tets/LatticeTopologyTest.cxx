@@ -28,7 +28,8 @@ TetTopology BuildAlone(const CartesianGrid& grid, const FractionField& fractions
 {
   Runtime runtime;
   const Partition partition(grid, runtime.Group());
-  LatticeNodes nodes(grid, fractions, 0.5, runtime);
+  const LabelArray labels = MakeResolvedLabels(grid, fractions, partition, runtime);
+  LatticeNodes nodes(grid, fractions, labels, 0.5, runtime);
   return BuildLatticeTets(
     grid, nodes, meshVoid, partition, runtime, NoCoarseTets(grid, runtime).Tets)
     .Topology;
@@ -292,7 +293,8 @@ TEST(LatticeTopology, RanksMakeTheTetsOfOneProcess)
         RankRuntime runtime(ranks);
         const Partition partition(grid, ranks);
         const FractionField own = CopyToLocal(whole, field, grid);
-        LatticeNodes nodes(grid, own, 0.5, runtime);
+        const LabelArray labels = MakeResolvedLabels(grid, own, partition, runtime);
+        LatticeNodes nodes(grid, own, labels, 0.5, runtime);
         parts[ranks.Rank()] = BuildLatticeTets(
           grid, nodes, meshVoid, partition, runtime, NoCoarseTets(grid, runtime).Tets)
                                 .Topology;
