@@ -15,7 +15,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import pictures
 from need_files import need_files
 
-SIZE = (560, 480)
+SIZE = (540, 460)
 WALL = (0.80, 0.77, 0.70)
 LINES = 240
 
@@ -75,7 +75,7 @@ def main():
     bar = simple.GetScalarBar(simple.GetColorTransferFunction("Speed"), view)
     bar.TitleFontSize, bar.LabelFontSize, bar.ScalarBarThickness, bar.Position = (
         20, 16, 14, (0.25, 0.01))
-    pictures.aim(view, bounds, (-0.3, -1.0, 0.35), 1.2)
+    pictures.aim(view, bounds, (-0.3, -1.0, 0.35), 1.1, 0.25)
     pictures.save(view, arguments.picture)
 
 

@@ -14,7 +14,7 @@ pytest.importorskip("volume_fraction_mesh")
 pytestmark = pytest.mark.skipif(not foam.is_installed(), reason="install Debian's openfoam")
 EXAMPLES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples")
 COLUMNS = ("elements", "hexes", "seconds", "volume", "failed", "regions", "angle", "skewness",
-           "permeability", "balance", "steps", "solving")
+           "permeability", "balance", "change", "solving")
 BALANCE = 1e-6  # largest difference of inflow and outflow, relative to inflow
 
 
@@ -63,7 +63,7 @@ def test_duct(case, exact, limit, tmp_path):
 
 
 def test_pores(tmp_path):
-    """Refinement brings both meshes to the same permeability, and the volume is that of the image."""
+    """Refinement brings both meshes to the same permeability, and the volume is the image's."""
     ours, snappy = zip(*(run_example("--cells", 16, "--refine", level, "--folder",
                                      tmp_path / str(level)) for level in (0, 1)))
     ratios = [b["permeability"] / a["permeability"] for a, b in zip(ours, snappy)]
