@@ -81,9 +81,10 @@ def colour_by_quality(display, view, lowest):
     colour_by(display, view, "ScaledJacobian", "Scaled Jacobian", math.floor(10 * lowest) / 10)
 
 
-def colour_by(display, view, array, title, lowest, preset=VIRIDIS, inverted=False):
-    """Colours cells by an array, from `lowest` to 1, and shows a colour bar."""
-    simple.ColorBy(display, ("CELLS", array))
+def colour_by(display, view, array, title, lowest, preset=VIRIDIS, inverted=False,
+              kind="CELLS"):
+    """Colours cells or POINTS by an array, from `lowest` to 1, and shows a colour bar."""
+    simple.ColorBy(display, (kind, array))
     table = simple.GetColorTransferFunction(array)
     table.ApplyPreset(preset, True)
     if inverted:

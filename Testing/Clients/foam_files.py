@@ -2,47 +2,14 @@
 
 import os
 import re
-import shutil
-import subprocess
+import sys
 
 import numpy as np
 
-HEADER = "FoamFile\n{ version 2.0; format ascii; class %s; object %s; }\n"
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples"))
+from openfoam import CHECKS, MPI_RUN, find_problems, is_installed, run, write
+
 MESH = "polyMesh"
-MPI_RUN = ["mpirun", "--oversubscribe", "-np"]
-
-
-def find_settings():
-    """Returns the folder with OpenFOAM's settings: of the loaded environment, or of Debian."""
-    for folder in (os.environ.get("WM_PROJECT_DIR", ""), "/usr/share/openfoam"):
-        if os.path.isfile(os.path.join(folder, "etc", "controlDict")):
-            return folder
-    return None
-
-
-def is_installed():
-    return bool(find_settings() and shutil.which("checkMesh"))
-
-
-def run(command, case, ranks=1):
-    """Runs a program in a case and returns its output, which must not report an error."""
-    environment = dict(os.environ, WM_PROJECT_DIR=find_settings(), OMPI_ALLOW_RUN_AS_ROOT="1",
-                       OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
-    words = command.split()
-    if ranks > 1:
-        words = [*MPI_RUN, str(ranks), *words, "-parallel"]
-    done = subprocess.run(words, cwd=case, env=environment, text=True, check=False,
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-    assert done.returncode == 0 and "FATAL" not in done.stdout, done.stdout
-    return done.stdout
-
-
-def write(case, name, text, kind="dictionary"):
-    """Writes a dictionary or field."""
-    path = os.path.join(case, name)
-    os.makedirs(os.path.dirname(path), exist_ok=True)
-    with open(path, "w") as file:
-        file.write(HEADER % (kind, os.path.basename(name)) + text)
 
 
 def set_entry(case, name, key, value):

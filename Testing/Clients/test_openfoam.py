@@ -18,7 +18,6 @@ ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 SCULPTOR = os.environ.get("SCULPTOR", os.path.join(ROOT, "build", "bin", "sculptor"))
 ATLAS = "/usr/share/mricron/templates/HarvardOxford-cort-maxprob-thr0-1mm.nii.gz"
 WARPED = 100  # of the 250,000 faces of the atlas, at points and curves of several regions
-CHECKS = "checkMesh -constant -allGeometry -allTopology"
 
 
 def make_noise(size, width):
@@ -71,8 +70,8 @@ def check_mesh(case, ranks=1, warped=0):
 
     warped: number of faces that OpenFOAM may fail to decompose into good tetrahedra.
     """
-    report = foam.run(CHECKS, case, ranks)
-    problems = re.findall(r"\*\*\*(.*)", report)
+    report = foam.run(foam.CHECKS, case, ranks)
+    problems = foam.find_problems(report)
     faces = re.findall(r"face tets: (\d+) faces", report)
     print("faces with poor tetrahedra: %s" % ", ".join(faces or ["0"]))
     assert len(problems) == len(faces) and all(int(face) <= warped for face in faces), problems
