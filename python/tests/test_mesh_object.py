@@ -211,7 +211,8 @@ def test_names_of_sets(tmp_path):
         return [line.split("ELSET=")[1] for line in lines if line.startswith("*ELSET")]
 
     assert sets_of(vfm.hexes({"a b": BALL, "A_b": PLATE})) == ["A_B", "A_B_2", "EALL, GENERATE"]
-    assert sets_of(vfm.hexes(labels=BALL > 0.5, names={1: "7 \u00e9t\u00e9"})) == ["S_7_T", "EALL, GENERATE"]
+    assert sets_of(vfm.hexes(labels=BALL > 0.5, names={1: "7 \u00e9t\u00e9"})) == [
+        "S_7_T", "EALL, GENERATE"]
 
 
 def test_files_without_ending(tmp_path):
