@@ -19,7 +19,14 @@ ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 CASES_FOLDER = os.path.join(ROOT, "python", "tests")
 sys.path[:0] = [os.path.join(ROOT, "Testing", "Python"), CASES_FOLDER]
 
-from digest_cases import CASES, ORIGIN, SPACING, digest  # noqa: E402: after the path
+from digest_cases import (  # noqa: E402: after the path
+    CASES,
+    ENDINGS,
+    ORIGIN,
+    SPACING,
+    digest,
+    path_of,
+)
 from vfmtest import (  # noqa: E402
     VolumeFractionToHex,
     VolumeFractionToTet,
@@ -134,15 +141,22 @@ def read_without_date(path):
                       file.read())
 
 
+def read_folder(folder):
+    """Returns {path: bytes} of all files in a folder, without dates."""
+    paths = [os.path.join(path, name) for path, _, names in os.walk(folder) for name in names]
+    return {os.path.relpath(path, folder): read_without_date(path) for path in paths}
+
+
 def files_differ(mesh, name, folder):
-    """Returns the names of the package's files that differ from the plugin's files."""
+    """Returns the case and the formats in which files of the package and of the plugin differ."""
     found = []
-    for ending in ("exo", "inp"):
-        path = os.path.join(folder, "plugin." + ending)
+    for ending in ENDINGS:
+        path, other = (path_of(folder, part, ending) for part in (name + " of the plugin", name))
+        os.makedirs(os.path.dirname(path))
         simple.SaveData(path, proxy=producer(mesh))
-        other = os.path.join(folder, "%s.%s" % (name, ending))
-        if read_without_date(path) != read_without_date(other):
-            found.append(os.path.basename(other))
+        files = read_folder(os.path.dirname(path))
+        if not files or files != read_folder(os.path.dirname(other)):
+            found.append("%s .%s" % (name, ending))
     return found
 
 

@@ -12,6 +12,7 @@ from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
 
+ENDINGS = ("exo", "inp", "msh", "k", "rad", "bdf", "foam")
 SPACING, ORIGIN = (0.25, 0.25, 0.5), (-1.0, 0.5, 2.0)
 TURNED = ((0.6, 0.8, 0.0), (0.8, -0.6, 0.0), (0.0, 0.0, 1.0))  # rotates and mirrors
 
@@ -192,13 +193,20 @@ def mesh_of(case: Case, **more: Any) -> Any:
     return (vfm.tets if case.tets else vfm.hexes)(**settings(case), **more)
 
 
+def path_of(folder: str, name: str, ending: str) -> str:
+    """Returns the path of a file of a mesh, in a folder of its own for formats of several files."""
+    return os.path.join(folder, name, ending, "mesh." + ending)
+
+
 def main(folder: str = "") -> None:
     """Prints a line `case sha256` per case. folder: for files of the meshes; "" writes none."""
     for name, make in CASES.items():
         mesh = mesh_of(make())
         print(name, digest(vars(mesh)), flush=True)
-        for ending in ("exo", "inp") if folder else ():
-            mesh.save(os.path.join(folder, "%s.%s" % (name, ending)))
+        for ending in ENDINGS if folder else ():
+            path = path_of(folder, name, ending)
+            os.makedirs(os.path.dirname(path), exist_ok=True)
+            mesh.save(path)
 
 
 if __name__ == "__main__":
