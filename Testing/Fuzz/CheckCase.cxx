@@ -1,6 +1,7 @@
 #include "CheckCase.h"
 
 #include "GeometryChecks.h"
+#include "OverlapChecks.h"
 #include "TetPipeline.h"
 
 #include <cmath>
@@ -118,6 +119,17 @@ std::string FindTruthProblem(const FuzzCase& c, const Mesh& mesh)
   return problem.empty() && locked > 0 ? std::to_string(locked) + " locked elements" : problem;
 }
 
+/// Checks that no elements overlap and no points coincide.
+std::string FindSpaceProblem(const Mesh& mesh, FuzzResult& result)
+{
+  const Overlap overlap = FindDeepestOverlap(mesh);
+  result.Overlap = overlap.Depth;
+  const Index coincident = CountCoincidentPoints(mesh);
+  return overlap.Depth > 0.0 ? Describe("overlap by", overlap.Depth, overlap.Ids[0])
+    : coincident > 0         ? std::to_string(coincident) + " coincident points"
+                             : "";
+}
+
 /// Returns the first problem, or an empty string.
 std::string FirstOf(std::initializer_list<std::string> problems)
 {
@@ -131,7 +143,8 @@ std::string FindMeshProblem(
 {
   return FirstOf({ FindJacobianProblem(c, mesh, result), FindTopologyProblem(mesh),
     FindFragmentProblem(mesh), FindFacetProblem(mesh), FindTruthProblem(c, mesh),
-    FindPlaceProblem(c.Grid, mesh), FindVolumeProblem(c, mesh, report) });
+    FindPlaceProblem(c.Grid, mesh), FindVolumeProblem(c, mesh, report),
+    FindSpaceProblem(mesh, result) });
 }
 
 std::string FindRanksProblem(const FuzzCase& c, const RankMesh& alone)
@@ -163,7 +176,6 @@ FuzzResult CheckCase(const FuzzCase& c)
     { FindMeshProblem(c, mesh, alone.Reports[0], result), FindGeometryProblem(alone.Merged) });
   if (result.Elements > 0)
   {
-    result.Overlap = DeepestOverlap(mesh);
     result.ScaledJacobian = alone.Reports[0].MinimumScaledJacobian;
   }
   if (!c.Boxes.empty())

@@ -12,8 +12,6 @@ namespace testing
 namespace
 {
 
-constexpr double OverlapThatCounts = 1e-3; // in widths of an element
-
 template <std::size_t Size>
 void CopyText(const std::string& from, char (&to)[Size])
 {
@@ -95,7 +93,7 @@ void Summary::Add(const Outcome& outcome)
   row.OnRanks += outcome.Ranks > 1;
   row.Failed += hasFailed;
   row.Elements += outcome.Elements;
-  row.Overlaps += outcome.Overlap > OverlapThatCounts;
+  row.Overlaps += outcome.Overlap > 0.0;
   row.Coefficient.Add(outcome.Coefficient, outcome.Seed);
   if (outcome.IsUsual)
   {

@@ -130,105 +130,6 @@ bool IsPositive(const Corners& x, const Vector3& low, const Vector3& high, int d
   return true;
 }
 
-struct Bounds
-{
-  Vector3 Lower{ { 1e300, 1e300, 1e300 } }, Upper{ { -1e300, -1e300, -1e300 } };
-  bool Contain(const Vector3& x) const
-  {
-    return x[0] >= this->Lower[0] && x[0] <= this->Upper[0] && x[1] >= this->Lower[1] &&
-      x[1] <= this->Upper[1] && x[2] >= this->Lower[2] && x[2] <= this->Upper[2];
-  }
-};
-
-Vector3 PointOf(const Mesh& mesh, Index point)
-{
-  const double* x = mesh.Points.data() + 3 * point;
-  return { { x[0], x[1], x[2] } };
-}
-
-std::vector<Bounds> BoundsOfElements(const Mesh& mesh)
-{
-  std::vector<Bounds> bounds(mesh.ElementIds.size());
-  for (std::size_t at = 0; at < mesh.Elements.size(); ++at)
-  {
-    Bounds& own = bounds[at / mesh.Corners];
-    const Vector3 x = PointOf(mesh, mesh.Elements[at]);
-    for (int a = 0; a < 3; ++a)
-    {
-      own.Lower[a] = std::min(own.Lower[a], x[a]);
-      own.Upper[a] = std::max(own.Upper[a], x[a]);
-    }
-  }
-  return bounds;
-}
-
-/// Returns the depth of a point in a tet: its smallest barycentric coordinate, negative outside.
-double DepthInTet(const TetCorners& x, const Vector3& point)
-{
-  double depth = 1.0;
-  const double volume = SixVolumes(x);
-  for (int c = 0; c < 4; ++c)
-  {
-    TetCorners part = x;
-    part[c] = point;
-    depth = std::min(depth, SixVolumes(part) / volume);
-  }
-  return depth;
-}
-
-/// Returns the depth of a point in a hex: the distance to the nearest face, in widths of the hex.
-/// Newton's method; negative if it does not converge.
-double DepthInHex(const Corners& x, const Vector3& point)
-{
-  Vector3 at{ { 0.5, 0.5, 0.5 } };
-  for (int step = 0; step < 20; ++step)
-  {
-    Vector3 rest = point;
-    for (int c = 0; c < 8; ++c)
-    {
-      rest = rest -
-        ((c & 1 ? at[0] : 1.0 - at[0]) * (c & 2 ? at[1] : 1.0 - at[1]) *
-          (c & 4 ? at[2] : 1.0 - at[2])) *
-          x[c];
-    }
-    const Vector3 d[3] = { Derivative(x, 0, at), Derivative(x, 1, at), Derivative(x, 2, at) };
-    const double jacobian = Dot(d[0], Cross(d[1], d[2]));
-    Vector3 move;
-    for (int a = 0; a < 3; ++a)
-    {
-      move[a] = Dot(rest, Cross(d[(a + 1) % 3], d[(a + 2) % 3])) / jacobian;
-    }
-    at = at + move;
-    if (Norm(move) < 1e-9)
-    {
-      return std::min({ at[0], at[1], at[2], 1.0 - at[0], 1.0 - at[1], 1.0 - at[2] });
-    }
-    if (!(Norm(at) < 10.0))
-    {
-      break;
-    }
-  }
-  return -1.0;
-}
-
-/// Lists the points of facets between meshed and unmeshed cells, without sides of the domain.
-std::set<Index> ListFreePoints(const Mesh& mesh)
-{
-  std::set<Index> points;
-  const int corners = mesh.CornersOfFacet();
-  const bool hasVoid =
-    std::find(mesh.Material.begin(), mesh.Material.end(), 0) != mesh.Material.end();
-  for (std::size_t f = 0; !hasVoid && f < mesh.Surfaces.SurfaceId.size(); ++f)
-  {
-    if (mesh.Surfaces.DomainSide[f] < 0 && mesh.Surfaces.MaterialPair[2 * f] == 0)
-    {
-      const Index* facet = mesh.Surfaces.Points.data() + corners * f;
-      points.insert(facet, facet + corners);
-    }
-  }
-  return points;
-}
-
 template <class T>
 bool SameContent(const Buffer<T>& a, const Buffer<T>& b)
 {
@@ -323,29 +224,6 @@ double SmallestCoefficient(const Mesh& mesh, Index element)
   return mesh.Corners == 4
     ? SixVolumes(TetCornersOf(mesh, element))
     : SmallestCoefficient(CornersOf(mesh, element), { { 0, 0, 0 } }, { { 1, 1, 1 } });
-}
-
-double DeepestOverlap(const Mesh& mesh)
-{
-  const std::vector<Bounds> bounds = BoundsOfElements(mesh);
-  double deepest = 0.0;
-  for (Index p : ListFreePoints(mesh))
-  {
-    const Vector3 x = PointOf(mesh, p);
-    for (std::size_t e = 0; e < bounds.size(); ++e)
-    {
-      const Index* own = mesh.Elements.data() + mesh.Corners * e;
-      if (!bounds[e].Contain(x) || std::find(own, own + mesh.Corners, p) != own + mesh.Corners)
-      {
-        continue;
-      }
-      const Index element = static_cast<Index>(e);
-      deepest = std::max(deepest,
-        mesh.Corners == 4 ? DepthInTet(TetCornersOf(mesh, element), x)
-                          : DepthInHex(CornersOf(mesh, element), x - PointOf(mesh, own[0])));
-    }
-  }
-  return deepest;
 }
 
 double MeasureVolume(const Mesh& mesh, int material)

@@ -76,10 +76,6 @@ Mesh MakeCells(
 /// @param cells  MakeCells of the same options, for tets with Levels.FineInterfaces
 std::string FindCellProblem(const CartesianGrid& grid, const Mesh& mesh, const Mesh& cells);
 
-/// Returns how deep a point next to unmeshed void lies in an element without this corner, in widths
-/// of the element; 0 if there is no such point.
-double DeepestOverlap(const Mesh& mesh);
-
 /// Returns the volume of a material, exact for tets and trilinear hexes.
 double MeasureVolume(const Mesh& mesh, int material);
 

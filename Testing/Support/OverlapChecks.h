@@ -1,0 +1,31 @@
+/**
+ * Independent checks that elements do not overlap and that points do not coincide.
+ */
+#pragma once
+
+#include "Mesh/Mesh.h"
+
+namespace vfm
+{
+namespace testing
+{
+
+/// Two elements that overlap.
+struct Overlap
+{
+  /// Length by which one must move to leave the other, over the cube root of the smaller volume.
+  double Depth = 0.0;
+  std::array<Index, 2> Ids{}; ///< element ids
+};
+
+/// Returns the deepest overlap of two elements, depth 0 if there is none. A hex is the solid of
+/// the 24 tets between its centre, the centres of its faces and its edges. Elements with a common
+/// face, and elements without a point next to unmeshed void, are not compared: positive elements
+/// fill the space around their common points.
+Overlap FindDeepestOverlap(const Mesh& mesh);
+
+/// Returns the number of points at the place of another point.
+Index CountCoincidentPoints(const Mesh& mesh);
+
+} // namespace testing
+} // namespace vfm
