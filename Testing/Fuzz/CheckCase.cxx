@@ -141,10 +141,10 @@ std::string FirstOf(std::initializer_list<std::string> problems)
 std::string FindMeshProblem(
   const FuzzCase& c, const Mesh& mesh, const MeshReport& report, FuzzResult& result)
 {
-  return FirstOf({ FindJacobianProblem(c, mesh, result), FindTopologyProblem(mesh),
-    FindFragmentProblem(mesh), FindFacetProblem(mesh), FindTruthProblem(c, mesh),
-    FindPlaceProblem(c.Grid, mesh), FindVolumeProblem(c, mesh, report),
-    FindSpaceProblem(mesh, result) });
+  return FirstOf(
+    { FindJacobianProblem(c, mesh, result), FindTopologyProblem(mesh), FindFragmentProblem(mesh),
+      FindFacetProblem(mesh), FindTruthProblem(c, mesh), FindPlaceProblem(c.Grid, mesh),
+      FindVolumeProblem(c, mesh, report), FindSpaceProblem(mesh, result) });
 }
 
 std::string FindRanksProblem(const FuzzCase& c, const RankMesh& alone)

@@ -15,6 +15,7 @@ namespace
 {
 
 constexpr double Touching = 1e-12; // overlap of projections that is rounding, in element widths
+constexpr int MostHalvings = 5;    // of hexes whose tets overlap
 
 using Tet = std::array<Vector3, 4>;
 
@@ -70,8 +71,8 @@ struct Solid
   Index Element = 0;
   Bounds Box;
   std::vector<Vector3> Corners;
-  std::vector<Vector3> Normals; // of its faces, of any length
-  std::vector<Part> Parts;      // found when they are needed
+  std::vector<Vector3> Normals; // of a hex's faces, of any length
+  std::vector<Part> Parts;
   double Width = 0.0;
 };
 
@@ -190,16 +191,11 @@ void FindNormals(Solid& solid)
   }
 }
 
-Solid MakeSolid(const Mesh& mesh, Index element)
+/// corners: of a hex by bits, or of a tet.
+Solid MakeSolid(std::vector<Vector3> corners)
 {
   Solid solid;
-  solid.Element = element;
-  for (int c = 0; c < mesh.Corners; ++c)
-  {
-    const int at = mesh.Corners == 8 ? VtkCorner[c] : c;
-    const double* x = mesh.Points.data() + 3 * mesh.Elements[mesh.Corners * element + at];
-    solid.Corners.push_back({ { x[0], x[1], x[2] } });
-  }
+  solid.Corners = std::move(corners);
   solid.Box = BoundsOf(solid.Corners);
   FindNormals(solid);
   FindParts(solid);
@@ -212,6 +208,20 @@ Solid MakeSolid(const Mesh& mesh, Index element)
   return solid;
 }
 
+Solid MakeSolid(const Mesh& mesh, Index element)
+{
+  std::vector<Vector3> corners;
+  for (int c = 0; c < mesh.Corners; ++c)
+  {
+    const int at = mesh.Corners == 8 ? VtkCorner[c] : c;
+    const double* x = mesh.Points.data() + 3 * mesh.Elements[mesh.Corners * element + at];
+    corners.push_back({ { x[0], x[1], x[2] } });
+  }
+  Solid solid = MakeSolid(std::move(corners));
+  solid.Element = element;
+  return solid;
+}
+
 /// Returns whether a plane parallel to a face separates two hexes.
 bool AreApart(const Solid& a, const Solid& b, double touching)
 {
@@ -221,14 +231,9 @@ bool AreApart(const Solid& a, const Solid& b, double touching)
     std::any_of(b.Normals.begin(), b.Normals.end(), separates);
 }
 
-/// Returns the depth of the overlap of two elements in the width of the smaller.
-double DepthOf(const Solid& a, const Solid& b)
+/// Returns the depth of the overlap of the tets of two elements.
+double DepthOfParts(const Solid& a, const Solid& b, double touching)
 {
-  const double width = std::min(a.Width, b.Width), touching = Touching * width;
-  if (AreApart(a, b, touching))
-  {
-    return 0.0;
-  }
   double depth = 0.0;
   for (const Part& p : a.Parts)
   {
@@ -240,7 +245,70 @@ double DepthOf(const Solid& a, const Solid& b)
       }
     }
   }
-  return depth / width;
+  return depth;
+}
+
+/// Returns the eight parts of a halved hex.
+std::vector<Solid> Halve(const Solid& hex)
+{
+  std::vector<Vector3> nodes; // of the hex's 2 x 2 x 2 parts
+  for (int n = 0; n < 27; ++n)
+  {
+    const int at[3] = { n % 3, n / 3 % 3, n / 9 };
+    std::array<int, 8> corners;
+    for (int c = 0; c < 8; ++c)
+    {
+      corners[c] = 0;
+      for (int a = 0; a < 3; ++a)
+      {
+        corners[c] |= (at[a] == 1 ? c >> a & 1 : at[a] / 2) << a;
+      }
+    }
+    nodes.push_back(MeanOf(hex.Corners, corners));
+  }
+  std::vector<Solid> parts;
+  for (int p = 0; p < 8; ++p)
+  {
+    std::vector<Vector3> corners;
+    for (int c = 0; c < 8; ++c)
+    {
+      const int x = (p & 1) + (c & 1), y = (p >> 1 & 1) + (c >> 1 & 1), z = (p >> 2) + (c >> 2);
+      corners.push_back(nodes[x + 3 * y + 9 * z]);
+    }
+    parts.push_back(MakeSolid(std::move(corners)));
+  }
+  return parts;
+}
+
+/// Returns whether two hexes overlap, told by the tets of their parts after some halvings.
+bool DoOverlap(const Solid& a, const Solid& b, int halvings, double touching)
+{
+  if (!a.Box.Overlap(b.Box) || AreApart(a, b, touching))
+  {
+    return false;
+  }
+  if (halvings == 0)
+  {
+    return DepthOfParts(a, b, touching) > 0.0;
+  }
+  const std::vector<Solid> ofA = Halve(a), ofB = Halve(b);
+  return std::any_of(ofA.begin(), ofA.end(),
+    [&](const Solid& p)
+    {
+      return p.Box.Overlap(b.Box) &&
+        std::any_of(ofB.begin(), ofB.end(),
+          [&](const Solid& q) { return DoOverlap(p, q, halvings - 1, touching); });
+    });
+}
+
+/// Returns the depth of the overlap of two elements in the width of the smaller.
+double DepthOf(const Solid& a, const Solid& b)
+{
+  const double width = std::min(a.Width, b.Width), touching = Touching * width;
+  const double depth = AreApart(a, b, touching) ? 0.0 : DepthOfParts(a, b, touching);
+  const bool areHexes = a.Corners.size() == 8;
+  return depth > 0.0 && (!areHexes || DoOverlap(a, b, MostHalvings, touching)) ? depth / width
+                                                                               : 0.0;
 }
 
 bool ShareFace(const Mesh& mesh, Index a, Index b)
@@ -307,7 +375,8 @@ Overlap FindDeepestOverlap(const Mesh& mesh)
       const double depth = DepthOf(first, second);
       if (depth > deepest.Depth)
       {
-        deepest = { depth, { { mesh.ElementIds[first.Element], mesh.ElementIds[second.Element] } } };
+        deepest = { depth,
+          { { mesh.ElementIds[first.Element], mesh.ElementIds[second.Element] } } };
       }
     }
   }

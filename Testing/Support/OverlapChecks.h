@@ -19,9 +19,9 @@ struct Overlap
 };
 
 /// Returns the deepest overlap of two elements, depth 0 if there is none. A hex is the solid of
-/// the 24 tets between its centre, the centres of its faces and its edges. Elements with a common
-/// face, and elements without a point next to unmeshed void, are not compared: positive elements
-/// fill the space around their common points.
+/// the 24 tets between its centre, the centres of its faces and its edges; where those overlap, the
+/// tets of its 32 x 32 x 32 parts decide. Elements with a common face, and elements without a point
+/// next to unmeshed void, are not compared: positive elements fill the space around their points.
 Overlap FindDeepestOverlap(const Mesh& mesh);
 
 /// Returns the number of points at the place of another point.
