@@ -100,11 +100,14 @@ Mesh MakeMesh(MeshJob& job)
   LabelledGrid labelled;
   FindLabels(job, labelled);
   CoarseHexes& coarse = *labelled.Levels.Coarse;
+  const NarrowVoid narrow =
+    FindNarrowVoid(job, *labelled.Levels.Grid, labelled.Labels, labelled.Mixed);
   PointNumbering numbering(
-    job.Grid, labelled.Labels, job.Options.MeshVoid, !coarse.Levels().IsUniform());
+    job.Grid, labelled.Labels, job.Options.MeshVoid, !coarse.Levels().IsUniform(), narrow);
   Mesh mesh = BuildHexes(
     job.Grid, labelled.Labels, labelled.Mixed, job.Options.StairStep, numbering, job.Run, coarse);
   mesh.Levels = labelled.Levels.Grid;
+  mesh.HasBarrier = !narrow.IsEmpty();
   job.Clock.Start("Finding fragments", 0.12);
   const Fragments fragments(job.Grid, labelled.Labels, job.Options.MeshVoid, job.Parts);
   job.Report.NumberOfFragments = fragments.NumberOfFragments();

@@ -6,7 +6,7 @@
 #include "Base/Options.h"
 #include "Fractions/FractionField.h"
 #include "Interface/SurfaceTargets.h"
-#include "Labels/Labels.h"
+#include "Labels/NarrowVoid.h"
 #include "Mesh/Facet.h"
 #include "Mesh/FeatureKind.h"
 #include "Mesh/Mesh.h"
@@ -35,6 +35,13 @@ void CheckOptions(const MeshOptions& options);
 /// Changes labels until a valid mesh can be made from them (ResolveLabels.h).
 /// @pre Collective.
 void Resolve(MeshJob& job, LabelArray& labels);
+
+/// Returns the void cells that get elements as a barrier: none if void is meshed or no point moves.
+/// Fills MeshReport::NarrowVoidCells.
+/// @param mixed  all mixed nodes
+/// @pre Collective.
+NarrowVoid FindNarrowVoid(MeshJob& job, const RefinedGrid& levels, const LabelArray& labels,
+  const std::vector<Index>& mixed);
 
 /// Finds the edges of interfaces, if the options request it, and attracts the
 /// attached points to them.

@@ -93,18 +93,20 @@ MadeTets MakeTets(MeshJob& job, const LabelArray& labels)
   }
   LevelHexes levels;
   const std::unique_ptr<const CoarseTets> coarse = MakeCoarse(job, labels, nodes, energy, levels);
+  const NarrowVoid narrow =
+    FindNarrowVoid(job, *levels.Grid, labels, FindMixedNodes(job.Grid, labels));
   MadeTets made;
   made.RequestedFamilies = std::move(levels.RequestedFamilies);
   if (nodes)
   {
     LatticeTets tets =
-      BuildLatticeTets(job.Grid, *nodes, job.Options.MeshVoid, job.Parts, job.Run, *coarse);
+      BuildLatticeTets(job.Grid, *nodes, job.Options.MeshVoid, narrow, job.Parts, job.Run, *coarse);
     made.Topology = std::move(tets.Topology);
     made.Faces = std::move(tets.Faces);
   }
   else
   {
-    made.Topology = BuildCellTets(job.Grid, labels, job.Options.MeshVoid, job.Run, *coarse);
+    made.Topology = BuildCellTets(job.Grid, labels, job.Options.MeshVoid, narrow, job.Run, *coarse);
     job.Clock.Start("Finding faces", 0.12);
     made.Faces = FindTetFaces(made.Topology, job.Grid);
   }

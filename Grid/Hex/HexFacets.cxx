@@ -130,6 +130,10 @@ void Reserve(Work& work)
 
 void AddDomainFacet(Work& work, Index hex, int face, int side, const Index3& cell)
 {
+  if (work.Input.IsBarrier(hex))
+  {
+    return;
+  }
   Facet facet{ {}, { { work.Input.Material[hex], 0 } }, { { work.Input.Fragment[hex], 0 } }, side,
     work.Parts.OwnsCell(cell) };
   for (int c = 0; c < 4; ++c)

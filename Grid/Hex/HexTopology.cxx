@@ -27,17 +27,17 @@ Vector3 StartOfInnerPoint(
 int PointNumbering::MeshedRank(Index node, int label) const
 {
   const StarLabels star(StarOfNode(this->Grid, this->Labels, node));
-  return star.RankOf(label) - (this->IsMeshed(star.Label[0]) ? 0 : 1);
+  return star.RankOf(label) - (this->HasPoint(node, star.Label[0]) ? 0 : 1);
 }
 
 int PointNumbering::PointsAt(Index node) const
 {
   if (!this->IsSplit(node))
   {
-    return this->IsMeshed(this->Labels[node]) ? 1 : 0;
+    return this->HasPoint(node, this->Labels[node]) ? 1 : 0;
   }
   const StarLabels star(StarOfNode(this->Grid, this->Labels, node));
-  return 1 + star.Count - (this->IsMeshed(star.Label[0]) ? 0 : 1);
+  return 1 + star.Count - (this->HasPoint(node, star.Label[0]) ? 0 : 1);
 }
 
 const int* PointNumbering::CodesOf(Index first, Index count, std::vector<int>& copy) const
@@ -106,7 +106,7 @@ struct Work
 };
 
 /// Visits the nodes of finest cells in row (j, k). Calls mixed(p, node) for each mixed node, and
-/// plain(p, node, count, label) for each run of nodes with one label between mixed ones.
+/// plain(p, node, count, hasPoint) for runs of nodes with one label between mixed ones.
 template <class Plain, class MixedOne>
 void ForNodes(const Work& work, Index j, Index k, const Plain& plain, const MixedOne& mixed)
 {
@@ -121,8 +121,12 @@ void ForNodes(const Work& work, Index j, Index k, const Plain& plain, const Mixe
       const Index stop = next == work.Mixed.end() ? end : std::min(*next, end);
       if (node < stop)
       {
-        plain(p, node, stop - node, work.Labels[node]);
-        p[0] += stop - node;
+        work.Numbering.ForNodes(node, stop, work.Labels[node],
+          [&](Index begin, Index end, bool hasPoint)
+          {
+            plain(p, begin, end - begin, hasPoint);
+            p[0] += end - begin;
+          });
         node = stop;
         continue;
       }
@@ -142,7 +146,7 @@ int PointsOfMixed(const Work& work, Index node)
     return 1;
   }
   const StarLabels star(StarOfNode(work.Grid, work.Labels, node));
-  return 1 + star.Count - (work.Numbering.IsMeshed(star.Label[0]) ? 0 : 1);
+  return 1 + star.Count - (work.Numbering.HasPoint(node, star.Label[0]) ? 0 : 1);
 }
 
 Index MakeOffsets(std::vector<Index>& counts)
@@ -166,15 +170,14 @@ Index CountPoints(Work& work)
       Index count = 0;
       ForNodes(
         work, j, k,
-        [&](const Index3&, Index, Index nodes, int label)
-        { count += work.Numbering.IsMeshed(label) ? nodes : 0; },
+        [&](const Index3&, Index, Index nodes, bool hasPoint) { count += hasPoint ? nodes : 0; },
         [&](const Index3&, Index node) { count += PointsOfMixed(work, node); });
       work.PointOffset[row] = count;
     });
   return MakeOffsets(work.PointOffset);
 }
 
-/// Calls visit(run, length) for the runs of meshed finest cells in row (j, k).
+/// Calls visit(run, length) for the runs of finest cells with hexes in row (j, k).
 template <class Visitor>
 void ForCells(const Work& work, Index j, Index k, const Visitor& visit)
 {
@@ -191,16 +194,16 @@ void ForCells(const Work& work, Index j, Index k, const Visitor& visit)
     }
     const auto visitLabel = [&](Index begin, Index end, int label)
     {
-      if (!work.Numbering.IsMeshed(label))
-      {
-        return;
-      }
-      CellRun run{ { { first + begin - row, j, k } }, begin, label, codes };
-      for (const int*& at : run.Codes)
-      {
-        at += begin - row;
-      }
-      visit(run, end - begin);
+      work.Numbering.ForCells(begin, end, label,
+        [&](Index start, Index stop)
+        {
+          CellRun run{ { { first + start - row, j, k } }, start, label, codes };
+          for (const int*& at : run.Codes)
+          {
+            at += start - row;
+          }
+          visit(run, stop - start);
+        });
     };
     work.Labels.Visit(row, row + last - first, visitLabel,
       [&](Index begin, Index end, const int* labels)
@@ -275,7 +278,7 @@ void FillInnerPoints(Work& work, const Index3& p, Index node, Index point)
   const StarLabels labels(StarOfNode(work.Grid, work.Labels, node));
   for (int rank = 0; rank < labels.Count; ++rank)
   {
-    if (!work.Numbering.IsMeshed(labels.Label[rank]))
+    if (!work.Numbering.HasPoint(node, labels.Label[rank]))
     {
       continue;
     }
@@ -289,11 +292,10 @@ void FillPoints(Work& work, Index j, Index k, Index row)
   Index point = work.PointOffset[row];
   ForNodes(
     work, j, k,
-    [&](const Index3& p, Index node, Index count, int label)
+    [&](const Index3& p, Index node, Index count, bool hasPoint)
     {
-      const bool isMeshed = work.Numbering.IsMeshed(label);
-      work.Numbering.SetCodes(node, count, point, isMeshed ? 1 : 0);
-      if (isMeshed)
+      work.Numbering.SetCodes(node, count, point, hasPoint ? 1 : 0);
+      if (hasPoint)
       {
         FillPlainPoints(work, p, count, point);
         point += count;

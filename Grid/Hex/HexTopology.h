@@ -22,7 +22,7 @@
 
 #include "Base/HexNumbering.h"
 #include "Base/Runtime.h"
-#include "Labels/Labels.h"
+#include "Labels/NarrowVoid.h"
 #include "Mesh/Mesh.h"
 
 namespace vfm
@@ -59,9 +59,10 @@ class PointNumbering
 public:
   /// @param isRefined  whether only some cells are hexes of their own; memory is then proportional
   /// to these
-  PointNumbering(
-    const CartesianGrid& grid, const LabelArray& labels, bool meshVoid, bool isRefined) :
-    Grid(grid), Labels(labels), MeshVoid(meshVoid)
+  /// @param narrow  void cells that get hexes as a barrier; empty if void is meshed
+  PointNumbering(const CartesianGrid& grid, const LabelArray& labels, bool meshVoid, bool isRefined,
+    const NarrowVoid& narrow) :
+    Grid(grid), Labels(labels), MeshVoid(meshVoid), Narrow(narrow)
   {
     if (isRefined)
     {
@@ -73,7 +74,21 @@ public:
     }
   }
 
+  /// Returns whether cells of a label are part of the finished mesh.
   bool IsMeshed(int label) const { return vfm::IsMeshed(label, this->MeshVoid); }
+  /// Returns whether a node has a point of a label that is around it: G or I.
+  bool HasPoint(Index node, int label) const
+  {
+    return this->IsMeshed(label) || (label == 0 && this->Narrow.Touches(node));
+  }
+  /// Calls visit(begin, end) for the runs of cells with hexes in [first, last), cells of one label
+  /// in a row.
+  template <class Visitor>
+  void ForCells(Index first, Index last, int label, const Visitor& visit) const;
+  /// Calls visit(begin, end, hasPoint) for runs of nodes in [first, last), nodes of one label in a
+  /// row.
+  template <class Visitor>
+  void ForNodes(Index first, Index last, int label, const Visitor& visit) const;
   /// Returns whether a node has points S and I; never in a stair-step mesh.
   bool IsSplit(Index node) const { return this->CodeOf(node) < 0; }
   /// Returns point G or S of a node.
@@ -120,10 +135,42 @@ private:
   const CartesianGrid& Grid;
   const LabelArray& Labels;
   bool MeshVoid;
+  const NarrowVoid& Narrow;
   // Code of each node, in one of both: index of G, or ~(index of S).
   Buffer<int> Codes;
   PagedArray<int> SomeCodes;
 };
+
+template <class Visitor>
+void PointNumbering::ForCells(Index first, Index last, int label, const Visitor& visit) const
+{
+  if (this->IsMeshed(label))
+  {
+    visit(first, last);
+  }
+  else if (!this->Narrow.IsEmpty())
+  {
+    this->Narrow.ForCells(first, last,
+      [&](Index begin, Index end, bool isNarrow)
+      {
+        if (isNarrow)
+        {
+          visit(begin, end);
+        }
+      });
+  }
+}
+
+template <class Visitor>
+void PointNumbering::ForNodes(Index first, Index last, int label, const Visitor& visit) const
+{
+  if (this->IsMeshed(label) || this->Narrow.IsEmpty())
+  {
+    visit(first, last, this->IsMeshed(label));
+    return;
+  }
+  this->Narrow.ForNodes(first, last, visit);
+}
 
 class CoarseHexes;
 

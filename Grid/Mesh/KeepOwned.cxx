@@ -25,7 +25,8 @@ std::vector<Index> FindOwnedElements(const Mesh& mesh, const CartesianGrid& grid
   std::vector<Index> kept;
   for (std::size_t h = 0; h < mesh.ElementIds.size(); ++h)
   {
-    if (grid.Owned().Contains(CellOfElement(grid, mesh, mesh.ElementIds[h])))
+    if (!mesh.IsBarrier(static_cast<Index>(h)) &&
+      grid.Owned().Contains(CellOfElement(grid, mesh, mesh.ElementIds[h])))
     {
       kept.push_back(static_cast<Index>(h));
     }
@@ -45,7 +46,7 @@ void Renumber(Buffer<Index>& points, const std::vector<Index>& numbers)
 
 void KeepOwned(Mesh& mesh, const CartesianGrid& grid)
 {
-  if (grid.HexBox() == grid.Owned())
+  if (grid.HexBox() == grid.Owned() && !mesh.HasBarrier)
   {
     mesh.Facets = FindElements(ListFacetSides(mesh), mesh);
     return;
@@ -57,6 +58,7 @@ void KeepOwned(Mesh& mesh, const CartesianGrid& grid)
   mesh.ElementIds = Select(mesh.ElementIds, elements);
   mesh.Material = Select(mesh.Material, elements);
   mesh.Fragment = Select(mesh.Fragment, elements);
+  mesh.HasBarrier = false;
 
   std::vector<Index> numbers(mesh.PointIds.size(), -1), points;
   for (Index point : mesh.Elements)

@@ -1,5 +1,5 @@
 /**
- * KeepOwned: removal of the elements that other ranks own.
+ * KeepOwned: removal of the elements that other ranks own, and of the barrier (NarrowVoid.h).
  */
 #pragma once
 
@@ -8,7 +8,8 @@
 namespace vfm
 {
 
-/// Fills mesh.Facets, then removes the elements, points and facets of cells that other ranks own.
+/// Fills mesh.Facets, then removes the elements, points and facets of cells that other ranks own,
+/// and elements that are only a barrier, with the points that only they have.
 void KeepOwned(Mesh& mesh, const CartesianGrid& grid);
 
 } // namespace vfm

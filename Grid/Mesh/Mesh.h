@@ -69,9 +69,14 @@ struct Mesh
   /// Only for hexes of cells of the finest grid: the first hex of each row of CartesianGrid::HexBox
   /// (y fastest), then the end.
   std::vector<Index> RowOffset;
+  /// Whether elements of void are only a barrier between bodies while points move (NarrowVoid.h).
+  /// They have no fragment, and KeepOwned removes them.
+  bool HasBarrier = false;
   Index WholeCells = 0; ///< number of elements, from the first one, that are unchanged cells
   std::shared_ptr<const RefinedGrid> Levels; ///< refined grid of the elements; never null
 
+  /// Returns whether an element is only a barrier.
+  bool IsBarrier(Index element) const { return this->HasBarrier && this->Material[element] == 0; }
   int CornersOfFacet() const { return this->Corners == 8 ? 4 : 3; }
 
   /// ResizePoints allocates points and their ids; ResizeElements elements, their ids and materials.

@@ -31,6 +31,9 @@ struct MeshReport
   Index ChosenCells = 0;  ///< user-selected cells of the input to refine
   Index FlippedCells = 0; ///< cells or leaves whose label was changed to make interfaces manifold
   int ResolveRounds = 0;
+  /// Void cells between bodies that are close, which kept them apart while points moved
+  /// (NarrowVoid.h); coarser cells count as finest cells.
+  Index NarrowVoidCells = 0;
   Index NumberOfFragments = 0;
   Index NumberOfSurfaces = 0, NumberOfCurves = 0, NumberOfVertices = 0;
   Index SmoothedPoints = 0;               ///< points that may move

@@ -37,6 +37,20 @@ bool IsUniform(const CartesianGrid& grid)
   return true;
 }
 
+std::vector<float> DemandsOf(const Mesh& mesh, const std::vector<Index>& elements)
+{
+  std::vector<float> demands;
+  if (mesh.HasBarrier)
+  {
+    demands.reserve(elements.size());
+    for (Index element : elements)
+    {
+      demands.push_back(mesh.IsBarrier(element) ? BarrierDemand : 1.0f);
+    }
+  }
+  return demands;
+}
+
 std::vector<Vector3> WidthsOfCells(
   const CartesianGrid& grid, const Mesh& mesh, const std::vector<Index>& elements)
 {

@@ -33,6 +33,10 @@ struct Attachment
   double Weight = 1.0; ///< weight of the squared distance
 };
 
+/// Factor of the target quality of elements that are only a barrier (Mesh::HasBarrier). Their
+/// energy grows without bound as they degenerate, but hardly pulls points before.
+constexpr float BarrierDemand = 0.1f;
+
 /// Position in ActiveMesh::Elements.
 using CornerPosition = std::uint32_t;
 
@@ -127,6 +131,8 @@ struct ActiveMesh
   {
     return this->Demands.empty() ? 1.0 : this->Demands[position / this->Corners];
   }
+  /// Returns whether an element is only a barrier. position: in Elements.
+  bool IsBarrier(Index position) const { return this->DemandAt(position) <= BarrierDemand; }
   /// Fills X, Fixed, Lower and Upper from the positions in the mesh. Points on sides of the domain
   /// stay there; all others stay 0.01 cells inside. Keeps a pointer to the points of the mesh.
   void PlacePoints(const CartesianGrid& grid, const Mesh& mesh);
@@ -172,6 +178,8 @@ Vector3 ToGrid(const CartesianGrid& grid, const double* point);
 
 /// Returns whether all cells have equal widths along each axis, within 1e-9.
 bool IsUniform(const CartesianGrid& grid);
+/// Returns ActiveMesh::Demands of elements: BarrierDemand for those that are only a barrier.
+std::vector<float> DemandsOf(const Mesh& mesh, const std::vector<Index>& elements);
 /// Returns ActiveMesh::Widths of elements that were made in finest cells.
 /// @param elements  indices in the mesh
 std::vector<Vector3> WidthsOfCells(

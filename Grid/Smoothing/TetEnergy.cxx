@@ -31,6 +31,20 @@ VFM_INLINE bool HasOneWidth(const ActiveMesh& mesh)
   return mesh.Widths.size() == 1;
 }
 
+/// Returns the demands of the tets at some corners, from position `at` of CornerList on.
+/// @param count  number of tets; further lanes repeat the last one
+template <class Real>
+VFM_INLINE LanesOf<Real> DemandsAt(const ActiveMesh& mesh, Index at, Index count)
+{
+  LanesOf<Real> demands;
+  for (int lane = 0; lane < ElementLanes<Real>::Count; ++lane)
+  {
+    demands[lane] =
+      static_cast<Real>(mesh.DemandAt(mesh.CornerList[at + std::min<Index>(lane, count - 1)]));
+  }
+  return demands;
+}
+
 template <class Real>
 VFM_INLINE VectorLanes<Real> Scaled(const VectorLanes<Real>& a, const VectorLanes<Real>& scale)
 {
@@ -68,6 +82,10 @@ public:
     }
   }
   VFM_INLINE bool IsDone() const { return this->At >= this->End; }
+  VFM_INLINE LanesOf<float> Demands() const
+  {
+    return DemandsAt<float>(this->Mesh, this->At, this->End - this->At);
+  }
   VFM_INLINE Tets<float> Take(Factors<float>& factors)
   {
     const Index count = this->End - this->At;
@@ -134,6 +152,10 @@ public:
   {
   }
   VFM_INLINE bool IsDone() const { return this->At >= this->End; }
+  VFM_INLINE LanesOf<double> Demands() const
+  {
+    return DemandsAt<double>(this->Mesh, this->At, this->End - this->At);
+  }
   VFM_INLINE Tets<double> Take(Factors<double>& factors)
   {
     constexpr int Count = ElementLanes<double>::Count;
@@ -204,15 +226,30 @@ VFM_INLINE bool IsGood(const Found<float>& found, double energy)
     AllExceed(Fill(PoorestInFloat), found.Poorest);
 }
 
+/// Returns the factors of the next tets of a source.
+/// @param all  factors without demands
+template <class Source, class Real = typename Source::Real>
+VFM_INLINE Factors<Real> NextFactors(
+  const Source& source, const Request& what, const Factors<Real>& all)
+{
+  Factors<Real> factors = all;
+  if (!what.Mesh.Demands.empty())
+  {
+    SetDemands(factors, source.Demands());
+  }
+  return factors;
+}
+
 /// Computes the energy of all tets of a source; returns it too.
 template <class Source>
 VFM_INLINE double Compute(
   Source& source, const Request& what, Found<typename Source::Real>& found, double& energy)
 {
   using Real = typename Source::Real;
-  Factors<Real> factors = MakeFactors<Real>(what.Floors, what.Stage);
+  const Factors<Real> all = MakeFactors<Real>(what.Floors, what.Stage);
   while (!source.IsDone())
   {
+    Factors<Real> factors = NextFactors(source, what, all);
     const Tets<Real> tets = source.Take(factors);
     found.Add(tets, ComputeTerms(tets, factors));
   }
@@ -240,12 +277,13 @@ VFM_INLINE double Compute(
   Source& source, const Request& what, Found<typename Source::Real>& found, Derivatives& d)
 {
   using Real = typename Source::Real;
-  Factors<Real> factors = MakeFactors<Real>(what.Floors, what.Stage);
+  const Factors<Real> all = MakeFactors<Real>(what.Floors, what.Stage);
   const bool hasOneWidth = HasOneWidth(what.Mesh);
   Sums<Real> sum{};
   d = Derivatives();
   while (!source.IsDone())
   {
+    Factors<Real> factors = NextFactors(source, what, all);
     const Tets<Real> tets = source.Take(factors);
     const Terms<Real> terms = ComputeTerms(tets, factors);
     found.Add(tets, terms);

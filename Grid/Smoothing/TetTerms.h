@@ -97,6 +97,18 @@ VFM_INLINE void KeepLanes(Factors<Real>& factors, Index count)
   factors.ShortestEdge *= weight;
 }
 
+/// Multiplies the targets of tets by their demands (ActiveMesh::Demands).
+template <class Real>
+VFM_INLINE void SetDemands(Factors<Real>& factors, const LanesOf<Real>& demands)
+{
+  const LanesOf<Real> square = demands * demands;
+  factors.Acute *= square;
+  factors.Obtuse *= square;
+  factors.MeanRatio *= square * demands;
+  factors.ShortestEdge *= square;
+  factors.Omega *= demands;
+}
+
 /// Terms of the energy of tets.
 template <class Real>
 struct Terms

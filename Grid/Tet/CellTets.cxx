@@ -21,6 +21,7 @@ struct Work
   const CartesianGrid& Grid;
   const LabelArray& Labels;
   bool MeshVoid;
+  const NarrowVoid& Narrow;
   Runtime& Run;
   const CoarseTets& Coarse;
   const IndexBox Box = Grid.HexBox(), Nodes = NodesOf(Box);
@@ -30,6 +31,16 @@ struct Work
   TetTopology Result{};
 };
 
+/// Returns whether a cell has tets.
+bool HasTets(const Work& work, Index cell, int label)
+{
+  return IsMeshed(label, work.MeshVoid) || (label == 0 && work.Narrow.Has(cell));
+}
+bool HasTets(const Work& work, Index cell)
+{
+  return HasTets(work, cell, work.Labels[cell]);
+}
+
 bool IsFine(const Work& work, const Index3& cell)
 {
   return work.Coarse.Levels().IsFine(cell);
@@ -38,16 +49,14 @@ bool IsFine(const Work& work, const Index3& cell)
 /// Returns the slots in use of a block, one bit per slot.
 int SlotsOf(const Work& work, const Index3& p, Index node)
 {
-  const bool isCentre =
-    work.Box.Contains(p) && IsMeshed(work.Labels[node], work.MeshVoid) && IsFine(work, p);
+  const bool isCentre = work.Box.Contains(p) && HasTets(work, node) && IsFine(work, p);
   int slots = isCentre << CentreSlot;
   const bool isVertex = work.Coarse.Levels().TouchesFine(p);
   for (int c = 0; isVertex && c < 8; ++c)
   {
     const Index3 cell = CellOfStar(p, c);
-    const bool meshed = work.Box.Contains(cell) &&
-      IsMeshed(work.Labels[work.Grid.CellOfNode(node, c)], work.MeshVoid);
-    slots |= meshed << VertexSlot;
+    const bool hasTets = work.Box.Contains(cell) && HasTets(work, work.Grid.CellOfNode(node, c));
+    slots |= hasTets << VertexSlot;
   }
   return slots;
 }
@@ -99,6 +108,11 @@ void OverFaces(const Work& work, Index j, Index k, const Body& body)
     });
 }
 
+Index LowerCell(const Work& work, const Face& face)
+{
+  return face.Node - work.Grid.Stride(face.Axis);
+}
+
 Index CountTets(Work& work)
 {
   work.FirstTet.assign(work.Nodes.Size(1) * work.Nodes.Size(2) + 1, 0);
@@ -108,8 +122,10 @@ Index CountTets(Work& work)
       OverFaces(work, j, k,
         [&](const Face& face)
         {
-          work.FirstTet[row + 1] += 2 *
-            (IsMeshed(face.LowerLabel, work.MeshVoid) + IsMeshed(face.UpperLabel, work.MeshVoid));
+          const bool lower = HasTets(work, LowerCell(work, face), face.LowerLabel);
+          const bool upper = HasTets(work, face.Node, face.UpperLabel);
+          const bool isInner = face.LowerLabel == face.UpperLabel;
+          work.FirstTet[row + 1] += isInner ? 4 * (lower && upper) : 2 * (lower + upper);
         });
     });
   std::partial_sum(work.FirstTet.begin(), work.FirstTet.end(), work.FirstTet.begin());
@@ -142,12 +158,12 @@ void SetTet(
 /// Makes the four tets around the edge between the centres.
 void FillInnerFace(Work& work, const Face& face, Index& tet)
 {
-  if (!IsMeshed(face.LowerLabel, work.MeshVoid))
+  if (!HasTets(work, LowerCell(work, face)) || !HasTets(work, face.Node))
   {
     return;
   }
   const std::array<Index, 4> q = CornersOf(work, face);
-  const Index below = Centre(work, face.Node - work.Grid.Stride(face.Axis));
+  const Index below = Centre(work, LowerCell(work, face));
   const Index above = Centre(work, face.Node);
   for (int t = 0; t < 4; ++t)
   {
@@ -160,18 +176,19 @@ void FillInnerFace(Work& work, const Face& face, Index& tet)
 /// counterclockwise as seen from the centre.
 void FillHalves(Work& work, const Face& face, int label, int firstPiece, Index& tet)
 {
-  if (!IsMeshed(label, work.MeshVoid))
+  const bool isUpper = label == face.UpperLabel;
+  const Index cell = isUpper ? face.Node : LowerCell(work, face);
+  if (!HasTets(work, cell, label))
   {
     return;
   }
-  const bool isUpper = label == face.UpperLabel;
   std::array<Index, 4> q = CornersOf(work, face);
   std::rotate(q.begin(), q.begin() + LatticeTables::Diagonal(face.Block), q.end());
   if (!isUpper)
   {
     std::swap(q[1], q[3]);
   }
-  const Index centre = Centre(work, isUpper ? face.Node : face.Node - work.Grid.Stride(face.Axis));
+  const Index centre = Centre(work, cell);
   SetTet(work, tet++, { { q[0], q[1], q[2], centre } }, face, firstPiece, label);
   SetTet(work, tet++, { { q[0], q[2], q[3], centre } }, face, firstPiece + 1, label);
 }
@@ -195,9 +212,9 @@ void FillTets(Work& work, Index j, Index k, Index row)
 } // namespace
 
 TetTopology BuildCellTets(const CartesianGrid& grid, const LabelArray& labels, bool meshVoid,
-  Runtime& runtime, const CoarseTets& coarse)
+  const NarrowVoid& narrow, Runtime& runtime, const CoarseTets& coarse)
 {
-  Work work{ grid, labels, meshVoid, runtime, coarse };
+  Work work{ grid, labels, meshVoid, narrow, runtime, coarse };
   CheckIds(grid, TetIds.ElementSlots);
   const Index finePoints = MakeBlockPoints(
     grid, coarse, runtime, [&](const Index3& p, Index node) { return SlotsOf(work, p, node); },
@@ -210,6 +227,7 @@ TetTopology BuildCellTets(const CartesianGrid& grid, const LabelArray& labels, b
   work.Coarse.Fill(work.Result, finePoints, fineTets,
     [&](Index at, Index slot)
     { return slot == CentreSlot ? Centre(work, at) : Index(work.FirstPoint[at]); });
+  work.Result.Tets.HasBarrier = !narrow.IsEmpty();
   return std::move(work.Result);
 }
 

@@ -86,8 +86,16 @@ double DiagonalFlips::EnergyOf(
       corners[t][c] = this->Active.X[tets[t][c]];
     }
   }
-  const std::array<double, 4> energies =
+  std::array<double, 4> energies =
     this->Energy.OfTets(corners, this->Active.WidthsAt(4 * quad.First), stage);
+  for (int t = 0; t < 2 * quad.Sides; ++t)
+  {
+    // Tets that are only a barrier must be positive, but their shape does not count.
+    if (this->Active.IsBarrier(4 * (quad.First + t)) && energies[t] < InvalidEnergy)
+    {
+      energies[t] = 0.0;
+    }
+  }
   return (energies[0] + energies[1]) + (energies[2] + energies[3]);
 }
 

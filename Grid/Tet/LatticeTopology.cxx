@@ -35,6 +35,7 @@ struct Work
   const CartesianGrid& Grid;
   const LatticeNodes& Nodes;
   bool MeshVoid;
+  const NarrowVoid& Narrow;
   Runtime& Run;
   const CoarseTets& Coarse;
   const IndexBox Box = Grid.HexBox();
@@ -159,16 +160,34 @@ int FirstShape(const Work& work, const Index3& block, int axis, int& count)
   return LatticeTables::InnerShape(axis);
 }
 
-/// Calls whole(block, n) for a block if all its tets have one label. Else calls cut(block, n,
-/// shape, t, labels) for every lattice tet of the block.
+/// Returns whether a face has a corner at a narrow void cell.
+bool TouchesNarrow(const Work& work, Index n, int axis)
+{
+  const int u = 1 << (axis + 1) % 3, v = 1 << (axis + 2) % 3;
+  return work.Narrow.Touches(n) || work.Narrow.Touches(n + work.Grid.CornerOffset(u)) ||
+    work.Narrow.Touches(n + work.Grid.CornerOffset(v)) ||
+    work.Narrow.Touches(n + work.Grid.CornerOffset(u | v));
+}
+
+/// Returns whether pieces of void in the lattice tets of a face are made.
+bool HasVoid(const Work& work, Index n, int axis)
+{
+  return work.MeshVoid || (!work.Narrow.IsEmpty() && TouchesNarrow(work, n, axis));
+}
+
+/// Calls whole(block, n) for a block if all its tets have one label, which is meshed. Else calls
+/// cut(block, n, shape, t, labels, hasVoid) for every lattice tet of the block that may have
+/// pieces; hasVoid says whether pieces of void are made.
 template <class Whole, class Cut>
 void OverTets(const Work& work, const Row& row, const Whole& whole, const Cut& cut)
 {
+  const int* centres = work.Nodes.Labels(LatticeNodes::Centre);
   Index3 block{ { work.Box.Lower[0], row.J, row.K } };
   Index n = work.Grid.Linear(block);
   for (; block[0] <= work.Box.Upper[0]; ++block[0], ++n)
   {
-    if (IsUniform(work, n, block))
+    const bool isUniform = IsUniform(work, n, block);
+    if (isUniform && IsMeshed(centres[n], work.MeshVoid))
     {
       whole(block, n);
       continue;
@@ -177,12 +196,14 @@ void OverTets(const Work& work, const Row& row, const Whole& whole, const Cut& c
     {
       int count = 0;
       const int first = FirstShape(work, block, axis, count);
-      for (int t = 0; t < count; ++t)
+      const bool hasVoid = count > 0 && HasVoid(work, n, axis);
+      for (int t = 0; t < count && (hasVoid || !isUniform); ++t)
       {
         const PlacedShape& shape = work.Shapes[first + t];
         cut(block, n, first + t, 4 * axis + t,
           std::array<int, 4>{
-            { shape.Labels[0][n], shape.Labels[1][n], shape.Labels[2][n], shape.Labels[3][n] } });
+            { shape.Labels[0][n], shape.Labels[1][n], shape.Labels[2][n], shape.Labels[3][n] } },
+          hasVoid);
       }
     }
   }
@@ -199,13 +220,14 @@ void MarkSets(Work& work, const PlacedShape& shape, Index n, std::uint32_t sets)
   }
 }
 
-void CountTet(Work& work, Row& row, Index n, int shape, const std::array<int, 4>& labels)
+void CountTet(
+  Work& work, Row& row, Index n, int shape, const std::array<int, 4>& labels, bool hasVoid)
 {
   const LatticeStencil& stencil = work.Tables.Stencil(shape, labels);
   for (int r = 0; r < stencil.Count; ++r)
   {
     const LatticeStencil::Region& region = stencil.List[r];
-    if (IsMeshed(labels[region.Node], work.MeshVoid))
+    if (IsMeshed(labels[region.Node], hasVoid))
     {
       row.Tets += region.Last - region.First;
       MarkSets(work, work.Shapes[shape], n, region.Points);
@@ -215,27 +237,23 @@ void CountTet(Work& work, Row& row, Index n, int shape, const std::array<int, 4>
 
 void Count(Work& work, Row& row)
 {
-  const int* centres = work.Nodes.Labels(LatticeNodes::Centre);
   OverTets(
     work, row,
     [&](const Index3&, Index n)
     {
-      if (IsMeshed(centres[n], work.MeshVoid))
+      row.Tets += 12;
+      for (int c = 0; c < 8; ++c)
       {
-        row.Tets += 12;
-        for (int c = 0; c < 8; ++c)
-        {
-          Mark(work, n + work.Grid.CornerOffset(c), 1);
-        }
-        Mark(work, n, 2);
-        for (int a = 0; a < 3; ++a)
-        {
-          Mark(work, n - work.Grid.Stride(a), 2);
-        }
+        Mark(work, n + work.Grid.CornerOffset(c), 1);
+      }
+      Mark(work, n, 2);
+      for (int a = 0; a < 3; ++a)
+      {
+        Mark(work, n - work.Grid.Stride(a), 2);
       }
     },
-    [&](const Index3&, Index n, int shape, int, const std::array<int, 4>& labels)
-    { CountTet(work, row, n, shape, labels); });
+    [&](const Index3&, Index n, int shape, int, const std::array<int, 4>& labels, bool hasVoid)
+    { CountTet(work, row, n, shape, labels, hasVoid); });
 }
 
 PointPosition PositionOf(const Work& work, const Index3& block, Index n, int slot)
@@ -281,7 +299,8 @@ void FillUniform(Work& work, Index tet, Index n, Index id, int label)
 }
 
 /// Makes the pieces of a lattice tet, with regions in the order of labels.
-void FillCut(Work& work, Index& tet, Index n, int shape, Index id, const std::array<int, 4>& labels)
+void FillCut(Work& work, Index& tet, Index n, int shape, Index id, const std::array<int, 4>& labels,
+  bool hasVoid)
 {
   const LatticeStencil& stencil = work.Tables.Stencil(shape, labels);
   const PlacedShape& placed = work.Shapes[shape];
@@ -300,7 +319,7 @@ void FillCut(Work& work, Index& tet, Index n, int shape, Index id, const std::ar
     const int label = labelOf(order[r]);
     for (int piece = region.First; piece < region.Last; ++piece, ++id)
     {
-      if (IsMeshed(label, work.MeshVoid))
+      if (IsMeshed(label, hasVoid))
       {
         std::array<Index, 4> points;
         for (int i = 0; i < 4; ++i)
@@ -322,16 +341,14 @@ void FillTets(Work& work, const Row& row)
     work, row,
     [&](const Index3& block, Index n)
     {
-      if (IsMeshed(centres[n], work.MeshVoid))
-      {
-        FillUniform(work, tet, n, work.Grid.NodeKey(block) * TetIds.ElementSlots + 1, centres[n]);
-        tet += 12;
-      }
+      FillUniform(work, tet, n, work.Grid.NodeKey(block) * TetIds.ElementSlots + 1, centres[n]);
+      tet += 12;
     },
-    [&](const Index3& block, Index n, int shape, int slot, const std::array<int, 4>& labels)
+    [&](const Index3& block, Index n, int shape, int slot, const std::array<int, 4>& labels,
+      bool hasVoid)
     {
       const Index id = work.Grid.NodeKey(block) * TetIds.ElementSlots + slot * PiecesPerTet + 1;
-      FillCut(work, tet, n, shape, id, labels);
+      FillCut(work, tet, n, shape, id, labels, hasVoid);
     });
 }
 
@@ -373,9 +390,9 @@ void PlaceShapes(Work& work)
 }
 
 TetTopology BuildTets(const CartesianGrid& grid, const LatticeNodes& nodes, bool meshVoid,
-  Runtime& runtime, const CoarseTets& coarse)
+  const NarrowVoid& narrow, Runtime& runtime, const CoarseTets& coarse)
 {
-  Work work{ grid, nodes, meshVoid, runtime, coarse };
+  Work work{ grid, nodes, meshVoid, narrow, runtime, coarse };
   PlaceShapes(work);
   ForRows(NodesOf(work.Box), [&](Index j, Index k) { work.Rows.emplace_back(j, k); });
   if (!work.Levels.IsUniform())
@@ -389,6 +406,7 @@ TetTopology BuildTets(const CartesianGrid& grid, const LatticeNodes& nodes, bool
     [&](const Index3& block, Index n, int slot) { return PositionOf(work, block, n, slot); },
     work.FirstPoint, work.Result);
   MakeTets(work);
+  work.Result.Tets.HasBarrier = !narrow.IsEmpty();
   return std::move(work.Result);
 }
 
@@ -397,7 +415,7 @@ TetTopology BuildTets(const CartesianGrid& grid, const LatticeNodes& nodes, bool
 /// The loop terminates: every round settles a node that was not settled, and no node is ever
 /// unsettled.
 LatticeTets BuildLatticeTets(const CartesianGrid& grid, LatticeNodes& nodes, bool meshVoid,
-  const Partition& partition, Runtime& runtime, const CoarseTets& coarse)
+  const NarrowVoid& narrow, const Partition& partition, Runtime& runtime, const CoarseTets& coarse)
 {
   CheckIds(grid, TetIds.ElementSlots);
   SettleBridges(nodes, grid, partition, runtime);
@@ -406,7 +424,7 @@ LatticeTets BuildLatticeTets(const CartesianGrid& grid, LatticeNodes& nodes, boo
   while (isFaulty)
   {
     SettleCentres(nodes, grid, partition, runtime);
-    tets.Topology = BuildTets(grid, nodes, meshVoid, runtime, coarse);
+    tets.Topology = BuildTets(grid, nodes, meshVoid, narrow, runtime, coarse);
     tets.Faces = FindTetFaces(tets.Topology, grid);
     isFaulty =
       nodes.Settle(FindLatticeFaults(tets.Topology, tets.Faces, nodes, grid, partition), partition);

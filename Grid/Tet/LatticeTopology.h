@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include "Labels/NarrowVoid.h"
 #include "Tet/LatticeNodes.h"
 #include "Tet/TetFacets.h"
 
@@ -27,13 +28,15 @@ struct LatticeTets
 /// for several labels.
 /// @param nodes  labels of the nodes; nodes that break LatticeRules or cause LatticeFaults are
 /// settled
+/// @param narrow  void cells that get tets as a barrier, in all lattice tets that touch them; empty
+/// if void is meshed
 /// @param coarse  tets of the coarse hexes. The nodes of FindLatticeInterfaces must be surrounded
 /// by finest cells.
 /// @return points and tets in CartesianGrid::HexBox, ordered by id, and their faces
 /// @throws InputError  if ids or numbers of points are too large
 /// @pre Collective.
 LatticeTets BuildLatticeTets(const CartesianGrid& grid, LatticeNodes& nodes, bool meshVoid,
-  const Partition& partition, Runtime& runtime, const CoarseTets& coarse);
+  const NarrowVoid& narrow, const Partition& partition, Runtime& runtime, const CoarseTets& coarse);
 
 /// Returns the vertices at which lattice tets may be cut or move: they are snapped, or a centre
 /// around them is snapped or has another label.

@@ -29,8 +29,8 @@ HalfFace MakeHalfFace(const Mesh& mesh, Index t, int corner)
   return half;
 }
 
-/// Lists the faces without points inside a material. Only these can be on
-/// interfaces or the domain boundary.
+/// Lists the faces without points inside a material, except those of the barrier. Only these can be
+/// on interfaces or the domain boundary.
 std::vector<HalfFace> ListHalfFaces(const TetTopology& topology)
 {
   const Mesh& mesh = topology.Tets;
@@ -38,6 +38,10 @@ std::vector<HalfFace> ListHalfFaces(const TetTopology& topology)
   const Index count = static_cast<Index>(mesh.ElementIds.size());
   for (Index t = 0; t < count; ++t)
   {
+    if (mesh.IsBarrier(t))
+    {
+      continue;
+    }
     const Index* tet = mesh.Elements.data() + 4 * t;
     int inside = 0;
     for (int c = 0; c < 4; ++c)

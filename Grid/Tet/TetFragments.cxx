@@ -73,7 +73,7 @@ TetFragments::TetFragments(TetTopology& topology, const TetFaces& faces, const C
   mesh.Fragment = Buffer<int>(mesh.ElementIds.size());
   for (std::size_t t = 0; t < this->PieceOf.size(); ++t)
   {
-    mesh.Fragment[t] = fragments[this->PieceOf[t]];
+    mesh.Fragment[t] = this->PieceOf[t] < 0 ? 0 : fragments[this->PieceOf[t]];
   }
   this->FindLocations(topology, fragments);
 }
@@ -88,7 +88,7 @@ std::vector<Piece> TetFragments::FindPieces(const TetTopology& topology, const T
   std::vector<Index> bare; // tets without an anchor
   for (Index t = 0; t < tets; ++t)
   {
-    if (AnchorOf(topology, t) < 0)
+    if (AnchorOf(topology, t) < 0 && !mesh.IsBarrier(t))
     {
       bare.push_back(t);
     }
@@ -101,6 +101,10 @@ std::vector<Piece> TetFragments::FindPieces(const TetTopology& topology, const T
   std::vector<Index> parent = MakeSets(points + bare.size());
   for (Index t = 0; t < tets; ++t)
   {
+    if (mesh.IsBarrier(t))
+    {
+      continue;
+    }
     const Index* corners = mesh.Elements.data() + 4 * t;
     const Index anchor = AnchorOf(topology, t);
     for (int c = 0; c < 4; ++c)
@@ -120,6 +124,11 @@ std::vector<Piece> TetFragments::FindPieces(const TetTopology& topology, const T
   this->PieceOf.reserve(tets);
   for (Index t = 0; t < tets; ++t)
   {
+    if (mesh.IsBarrier(t))
+    {
+      this->PieceOf.push_back(-1);
+      continue;
+    }
     int& piece = pieceOf[FindRoot(parent, itemOf(t))];
     if (piece < 0)
     {
@@ -176,7 +185,7 @@ PiecePairs TetFragments::FindSameTets(const TetTopology& topology, Index offset)
   {
     const Index* points = mesh.Elements.data() + 4 * t;
     const Index3 cell = CellOfElement(this->Grid, mesh, mesh.ElementIds[t]);
-    if (!this->Parts.OwnsCell(cell) &&
+    if (this->PieceOf[t] >= 0 && !this->Parts.OwnsCell(cell) &&
       std::none_of(points, points + 4,
         [&](Index p) { return IsCentrePoint(mesh, p) && IsAnchor(topology, p); }))
     {
@@ -215,7 +224,8 @@ void TetFragments::FindLocations(const TetTopology& topology, const std::vector<
   for (std::size_t t = 0; t < mesh.ElementIds.size(); ++t)
   {
     const Index* points = mesh.Elements.data() + 4 * t;
-    if (!std::all_of(points, points + 4, [&](Index p) { return IsAnchor(topology, p); }))
+    if (this->PieceOf[t] >= 0 &&
+      !std::all_of(points, points + 4, [&](Index p) { return IsAnchor(topology, p); }))
     {
       this->AddLocations(mesh, static_cast<Index>(t));
     }

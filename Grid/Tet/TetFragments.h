@@ -47,7 +47,7 @@ private:
 
   const CartesianGrid& Grid;
   const Partition& Parts;
-  std::vector<int> PieceOf; // local component of each tet
+  std::vector<int> PieceOf; // local component of each tet, -1 if it is only a barrier
   // Local component of each point, -1 if it is not an anchor; freed by FindLocations.
   std::vector<int> PieceAt;
   std::vector<int> MaterialOf;      // material of each fragment

@@ -1,0 +1,77 @@
+/**
+ * NarrowVoid: the void cells between bodies that are close to each other. Where void is not meshed,
+ * these cells get elements nevertheless while points move. The elements stay positive, so bodies
+ * cannot overlap across them. They are no part of the finished mesh (Mesh::HasBarrier).
+ *
+ * A void cell is narrow if it has cells of materials within two cells on both sides, along one of
+ * 13 directions: the axes and the diagonals of faces and cells. If interfaces cross levels, this
+ * holds for leaves, in units of their width.
+ */
+#pragma once
+
+#include "Labels/Labels.h"
+#include "Octree/RefinedGrid.h"
+
+namespace vfm
+{
+
+/// Narrow void cells of the local box, and their nodes. Thread safe once made.
+class NarrowVoid
+{
+public:
+  /// Makes an object without cells.
+  NarrowVoid() = default;
+  /// Finds the narrow cells. If all interfaces have finest cells, these are finest cells.
+  /// @param labels  equal within each leaf if interfaces cross levels
+  /// @param mixed  all mixed nodes (FindMixedNodes)
+  NarrowVoid(
+    const RefinedGrid& levels, const LabelArray& labels, const std::vector<Index>& mixed);
+
+  bool IsEmpty() const { return this->Empty; }
+  /// Returns whether a cell is narrow. Known in HexBox and one layer around it.
+  bool Has(Index cell) const { return !this->Empty && this->Cells[cell] != 0; }
+  /// Returns whether a node is a corner of a narrow cell.
+  bool Touches(Index node) const { return !this->Empty && this->Nodes[node] != 0; }
+  /// Calls visit(begin, end, isNarrow) for runs of [first, last), which is in one row.
+  template <class Visitor>
+  void ForCells(Index first, Index last, const Visitor& visit) const
+  {
+    ForRuns(this->Cells, first, last, visit);
+  }
+  /// Calls visit(begin, end, touches) for runs of nodes of [first, last), which is in one row.
+  template <class Visitor>
+  void ForNodes(Index first, Index last, const Visitor& visit) const
+  {
+    ForRuns(this->Nodes, first, last, visit);
+  }
+  /// Returns the number of narrow cells that this rank owns; leaves count as finest cells.
+  Index CountOwned() const { return this->Owned; }
+
+private:
+  using Flags = PagedArray<unsigned char>;
+
+  template <class Visitor>
+  static void ForRuns(const Flags& flags, Index first, Index last, const Visitor& visit)
+  {
+    flags.Visit(
+      first, last, [&](Index begin, Index end, unsigned char flag) { visit(begin, end, flag != 0); },
+      [&](Index begin, Index end, const unsigned char* values)
+      {
+        for (Index at = begin, next; at < end; at = next)
+        {
+          const unsigned char flag = values[at - begin];
+          for (next = at; next < end && values[next - begin] == flag; ++next)
+          {
+          }
+          visit(at, next, flag != 0);
+        }
+      });
+  }
+  void Add(const CartesianGrid& grid, const IndexBox& cells);
+
+  bool Empty = true;
+  Index Owned = 0;
+  Flags Cells, Nodes;
+};
+
+} // namespace vfm
