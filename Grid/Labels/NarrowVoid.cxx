@@ -1,5 +1,6 @@
 #include "Labels/NarrowVoid.h"
 
+#include "Base/DisjointSets.h"
 #include "Labels/LeafLabels.h"
 
 namespace vfm
@@ -7,7 +8,10 @@ namespace vfm
 namespace
 {
 
-constexpr int Reach = 2; // distance of the materials on both sides, in cells
+Index SquareOf(const Index3& step)
+{
+  return step[0] * step[0] + step[1] * step[1] + step[2] * step[2];
+}
 
 struct Work
 {
@@ -22,13 +26,14 @@ bool IsVoid(const Work& work, const Index3& cell)
   return work.Grid.Local().Contains(cell) && work.Labels[work.Grid.Linear(cell)] == 0;
 }
 
-/// Returns whether any cell of a box has a material.
-bool HasMaterial(const Work& work, const IndexBox& cells)
+/// Returns the material of the first cell of a box that has one, else 0.
+int MaterialIn(const Work& work, const IndexBox& cells)
 {
-  bool found = false;
+  int material = 0;
   ForCells(Intersect(cells, work.Grid.Local()),
-    [&](const Index3& cell) { found = found || work.Labels[work.Grid.Linear(cell)] > 0; });
-  return found;
+    [&](const Index3& cell)
+    { material = material > 0 ? material : work.Labels[work.Grid.Linear(cell)]; });
+  return material;
 }
 
 IndexBox Shifted(IndexBox cells, const Index3& step, Index factor)
@@ -41,26 +46,96 @@ IndexBox Shifted(IndexBox cells, const Index3& step, Index factor)
   return cells;
 }
 
-/// Returns whether a unit has a material within its reach on one side.
-bool HasMaterialBeside(const Work& work, const IndexBox& cells, const Index3& step, Index side)
+/// A void unit and the materials of the units around it, by StepAround; 0 is void or outside.
+struct Around
 {
-  bool found = false;
-  for (Index distance = 1; distance <= Reach && !found; ++distance)
+  Around(const Work& work, const IndexBox& cells) : Cells(cells)
   {
-    found = HasMaterial(work, Shifted(cells, step, side * distance * cells.Size(0)));
+    for (int n = 0; n < 27; ++n)
+    {
+      this->Material[n] = MaterialIn(work, Shifted(cells, StepAround(n), cells.Size(0)));
+    }
+  }
+  bool HasMaterial(int n) const { return this->Material[n] > 0; }
+
+  IndexBox Cells;
+  std::array<int, 27> Material;
+};
+
+/// Returns whether materials are within two units on both sides.
+bool IsBetween(const Work& work, const Around& around)
+{
+  const auto reaches = [&](int n)
+  {
+    return around.HasMaterial(n) ||
+      MaterialIn(work, Shifted(around.Cells, StepAround(n), 2 * around.Cells.Size(0))) > 0;
+  };
+  bool found = false;
+  for (int n = 0; n < 13 && !found; ++n) // one of each pair of opposite steps
+  {
+    found = reaches(n) && reaches(26 - n);
+  }
+  return found;
+}
+
+/// Returns the connected parts of the materials around a unit: a number for each step.
+std::array<Index, 27> FindParts(const Around& around)
+{
+  std::vector<Index> parent = MakeSets(27);
+  for (int n = 0; n < 27; ++n)
+  {
+    const Index3 step = StepAround(n);
+    for (int axis = 0, next = 1; axis < 3; ++axis, next *= 3)
+    {
+      if (step[axis] < 1 && around.HasMaterial(n) && around.HasMaterial(n + next))
+      {
+        Join(parent, n, n + next);
+      }
+    }
+  }
+  std::array<Index, 27> parts;
+  for (int n = 0; n < 27; ++n)
+  {
+    parts[n] = FindRoot(parent, n);
+  }
+  return parts;
+}
+
+/// Returns whether two separate parts are around a unit, at an angle of 120 degrees or more.
+bool IsBetweenParts(const Around& around)
+{
+  const std::array<Index, 27> parts = FindParts(around);
+  bool found = false;
+  for (int n = 0; n < 27; ++n)
+  {
+    for (int m = 0; m < n && !found; ++m)
+    {
+      const Index3 a = StepAround(n), b = StepAround(m);
+      const Index dot = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+      found = dot < 0 && 4 * dot * dot >= SquareOf(a) * SquareOf(b) && around.HasMaterial(n) &&
+        around.HasMaterial(m) && parts[n] != parts[m];
+    }
+  }
+  return found;
+}
+
+/// Returns whether a unit shares faces with different materials.
+bool IsBesideSeveral(const Around& around)
+{
+  int material = 0;
+  bool found = false;
+  for (int n : { 4, 10, 12, 14, 16, 22 }) // steps to the neighbours by faces
+  {
+    found = found || (around.HasMaterial(n) && material > 0 && around.Material[n] != material);
+    material = std::max(material, around.Material[n]);
   }
   return found;
 }
 
 bool IsNarrow(const Work& work, const IndexBox& cells)
 {
-  bool isNarrow = false;
-  for (int n = 0; n < 13 && !isNarrow; ++n) // one of each pair of opposite directions
-  {
-    isNarrow = HasMaterialBeside(work, cells, StepAround(n), 1) &&
-      HasMaterialBeside(work, cells, StepAround(n), -1);
-  }
-  return isNarrow;
+  const Around around(work, cells);
+  return IsBetween(work, around) || IsBesideSeveral(around) || IsBetweenParts(around);
 }
 
 /// Calls visit(cell) for the void cells that can be narrow: those at mixed nodes, and a cell of

@@ -35,7 +35,7 @@ struct Attachment
 
 /// Factor of the target quality of elements that are only a barrier (Mesh::HasBarrier). Their
 /// energy grows without bound as they degenerate, but hardly pulls points before.
-constexpr float BarrierDemand = 0.1f;
+constexpr float BarrierDemand = 0.3f;
 
 /// Position in ActiveMesh::Elements.
 using CornerPosition = std::uint32_t;
