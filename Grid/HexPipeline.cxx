@@ -46,6 +46,10 @@ void FindLabels(MeshJob& job, LabelledGrid& result)
   LevelPlan plan = job.Options.Levels;
   MakeLevels(job.Grid, result.Labels, result.Mixed, { job.Options.MeshVoid, false, true }, plan,
     job.Run, job.Report, result.Levels);
+  if (HasBarrier(job.Options))
+  {
+    result.Narrow = NarrowVoid(*result.Levels.Grid, result.Labels, result.Mixed);
+  }
 }
 
 FragmentVolumes FindVolumes(
@@ -100,8 +104,8 @@ Mesh MakeMesh(MeshJob& job)
   LabelledGrid labelled;
   FindLabels(job, labelled);
   CoarseHexes& coarse = *labelled.Levels.Coarse;
-  const NarrowVoid narrow =
-    FindNarrowVoid(job, *labelled.Levels.Grid, labelled.Labels, labelled.Mixed);
+  const NarrowVoid& narrow = labelled.Narrow;
+  ReportNarrowVoid(narrow, job.Run.Group(), job.Report);
   PointNumbering numbering(
     job.Grid, labelled.Labels, job.Options.MeshVoid, !coarse.Levels().IsUniform(), narrow);
   Mesh mesh = BuildHexes(

@@ -38,19 +38,11 @@ void Resolve(MeshJob& job, LabelArray& labels)
   job.Report.ResolveRounds = resolved.Rounds;
 }
 
-NarrowVoid FindNarrowVoid(MeshJob& job, const RefinedGrid& levels, const LabelArray& labels,
-  const std::vector<Index>& mixed)
+void ReportNarrowVoid(const NarrowVoid& narrow, Ranks& ranks, MeshReport& report)
 {
-  const MeshOptions& options = job.Options;
-  if (options.MeshVoid || options.StairStep || options.Method == Smoothing::Off)
-  {
-    return NarrowVoid();
-  }
-  NarrowVoid narrow(levels, labels, mixed);
   std::vector<std::int64_t> count{ narrow.CountOwned() };
-  job.Run.Group().Sum(count);
-  job.Report.NarrowVoidCells = count[0];
-  return narrow;
+  ranks.Sum(count);
+  report.NarrowVoidCells = count[0];
 }
 
 namespace

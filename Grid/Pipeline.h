@@ -36,12 +36,9 @@ void CheckOptions(const MeshOptions& options);
 /// @pre Collective.
 void Resolve(MeshJob& job, LabelArray& labels);
 
-/// Returns the void cells that get elements as a barrier: none if void is meshed or no point moves.
 /// Fills MeshReport::NarrowVoidCells.
-/// @param mixed  all mixed nodes
 /// @pre Collective.
-NarrowVoid FindNarrowVoid(MeshJob& job, const RefinedGrid& levels, const LabelArray& labels,
-  const std::vector<Index>& mixed);
+void ReportNarrowVoid(const NarrowVoid& narrow, Ranks& ranks, MeshReport& report);
 
 /// Finds the edges of interfaces, if the options request it, and attracts the
 /// attached points to them.

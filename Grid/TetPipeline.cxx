@@ -93,8 +93,12 @@ MadeTets MakeTets(MeshJob& job, const LabelArray& labels)
   }
   LevelHexes levels;
   const std::unique_ptr<const CoarseTets> coarse = MakeCoarse(job, labels, nodes, energy, levels);
-  const NarrowVoid narrow =
-    FindNarrowVoid(job, *levels.Grid, labels, FindMixedNodes(job.Grid, labels));
+  NarrowVoid narrow;
+  if (HasBarrier(job.Options))
+  {
+    narrow = NarrowVoid(*levels.Grid, labels, FindMixedNodes(job.Grid, labels));
+  }
+  ReportNarrowVoid(narrow, job.Run.Group(), job.Report);
   MadeTets made;
   made.RequestedFamilies = std::move(levels.RequestedFamilies);
   if (nodes)

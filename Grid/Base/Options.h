@@ -105,6 +105,13 @@ inline bool InterfacesCrossLevels(const MeshOptions& options)
   return InterfacesCrossLevels(options.Levels);
 }
 
+/// Returns whether narrow void gets elements that keep bodies apart while points move
+/// (NarrowVoid.h). If void is meshed, it needs none.
+inline bool HasBarrier(const MeshSettings& options)
+{
+  return !options.MeshVoid && !options.StairStep && options.Method != Smoothing::Off;
+}
+
 /// Numbers of layers of cells around the owned cells.
 struct GridLayers
 {

@@ -11,7 +11,11 @@ namespace vfm
 
 CoarseHexes::CoarseHexes(
   const RefinedGrid& grid, const LabelArray& labels, const Options& options, Runtime& runtime) :
-  Grid(grid), Labels(labels), MeshVoid(options.MeshVoid), HasBuffers(options.HasBuffers)
+  Grid(grid),
+  Labels(labels),
+  MeshVoid(options.MeshVoid),
+  Narrow(options.Narrow),
+  HasBuffers(options.HasBuffers)
 {
   if (grid.IsUniform())
   {
@@ -24,8 +28,8 @@ CoarseHexes::CoarseHexes(
     SmoothTransitions(grid.Lattice(), this->TheRefined, runtime, true, options.AsCubes);
   if (!grid.HasFineInterfaces())
   {
-    this->TheSplits =
-      FindSplitNodes(grid, this->TheRefined, this->Region, labels, options.MeshVoid);
+    this->TheSplits = FindSplitNodes(grid, this->TheRefined, this->Region, labels,
+      [this](const OctreeKeys::LevelIndex& cell) { return this->HasHexes(cell); });
   }
   this->FindBadFamilies(report.BadCells);
   for (Index key : this->TheRefined.HexKeys)
@@ -50,16 +54,27 @@ void CoarseHexes::FindBadFamilies(const std::vector<OctreeKeys::LevelIndex>& bad
   }
 }
 
+/// Returns whether a cell is meshed or gets hexes as a barrier. The label of a cell beyond the
+/// local box is unknown; it counts as void.
+bool CoarseHexes::HasHexes(const OctreeKeys::LevelIndex& cell) const
+{
+  const int label = LabelOfLeaf(this->Grid, this->Labels, cell);
+  return IsMeshed(label, this->MeshVoid) ||
+    (label == 0 && this->Narrow &&
+      this->Narrow->Has(this->Grid.Finest().Linear(this->Grid.NearestCell(cell.Level, cell.At))));
+}
+
 /// Returns whether the hexes of a cell are made. The position of a point on or in an owned cell
 /// depends on all hexes around it. These are in cells of its level around the cell of the
 /// previous level in which the point was made, so a cell is needed if its parent is near. Void is
-/// needed only if it is meshed. The label of a cell beyond the local box is unknown, and its
-/// hexes are made.
+/// needed only if it is meshed or narrow. The label of a cell beyond the local box is unknown, and
+/// its hexes are made.
 bool CoarseHexes::IsRequested(const OctreeKeys::LevelIndex& cell) const
 {
   const bool isNear = cell.Level == 0 ? this->Grid.IsNear(0, cell.At)
                                       : this->Grid.IsNear(cell.Level - 1, ParentOfCell(cell.At));
-  return isNear && (this->MeshVoid || LabelOfLeaf(this->Grid, this->Labels, cell) != 0);
+  return isNear &&
+    (LabelOfLeaf(this->Grid, this->Labels, cell) == UnknownLabel || this->HasHexes(cell));
 }
 
 /// Calls visit(key, cell, corners) for all requested hexes, by key.
@@ -127,10 +142,7 @@ bool CoarseHexes::IsPointOfFine(const OctreeKeys::LevelIndex& node) const
 int CoarseHexes::CountPoints(Index key) const
 {
   const Index n = this->HasBuffers ? this->FindSplit(key) : -1;
-  return n < 0 ? 1
-               : 1 +
-      static_cast<int>(std::count_if(this->TheSplits.LabelsBegin(n), this->TheSplits.LabelsEnd(n),
-        [this](int label) { return IsMeshed(label, this->MeshVoid); }));
+  return n < 0 ? 1 : 1 + this->TheSplits.CountInner(n);
 }
 
 void CoarseHexes::MarkPoints()
@@ -266,7 +278,7 @@ public:
     int rank = 0;
     for (const int* label = splits.LabelsBegin(n); label != splits.LabelsEnd(n); ++label, ++rank)
     {
-      if (this->Coarse.HasBuffers && IsMeshed(*label, this->Coarse.MeshVoid))
+      if (this->Coarse.HasBuffers && splits.HasInner(n, rank))
       {
         this->SetPoint(point++, key, 1 + rank, splits.InnerPoint(n, rank));
       }
@@ -313,8 +325,7 @@ private:
     if (n >= 0)
     {
       const SplitNodes& splits = this->Coarse.TheSplits;
-      inner += 1 + splits.RankOf(n, this->Label) -
-        (IsMeshed(*splits.LabelsBegin(n), this->Coarse.MeshVoid) ? 0 : 1);
+      inner += 1 + splits.NumberOfInner(n, this->Label);
     }
   }
 
@@ -350,7 +361,7 @@ void CoarseHexes::SetFinePoints(Mesh& mesh, const FinePoints& finePoints)
     for (const int* label = this->TheSplits.LabelsBegin(n); label != this->TheSplits.LabelsEnd(n);
          ++label, ++rank)
     {
-      if (this->HasBuffers && IsMeshed(*label, this->MeshVoid))
+      if (this->HasBuffers && this->TheSplits.HasInner(n, rank))
       {
         const Vector3& x = this->TheSplits.InnerPoint(n, rank);
         std::copy(x.begin(), x.end(), mesh.Points.data() + 3 * finePoints.Inner(p, *label));

@@ -12,7 +12,7 @@
 
 #include "Base/Runtime.h"
 #include "Hex/SplitNodes.h"
-#include "Labels/Labels.h"
+#include "Labels/NarrowVoid.h"
 #include "Mesh/Mesh.h"
 #include "Octree/RefinedGrid.h"
 
@@ -31,6 +31,8 @@ public:
     bool AsCubes = false;
     /// Splits hexes on interfaces; otherwise interfaces run between unsplit hexes.
     bool HasBuffers = true;
+    /// Void cells whose hexes are made as a barrier; must outlive the hexes.
+    const NarrowVoid* Narrow = nullptr;
   };
 
   /// Makes and smooths the transitions. A grid without refinements has no coarse hexes. If
@@ -97,6 +99,7 @@ private:
   class Writer;
 
   bool IsRequested(const OctreeKeys::LevelIndex& cell) const;
+  bool HasHexes(const OctreeKeys::LevelIndex& cell) const;
   /// Returns the number of the split node with a key, or -1.
   Index FindSplit(Index key) const { return this->TheSplits.Find(key); }
   /// Returns the faces of a hex (bits) that have buffer hexes.
@@ -125,6 +128,7 @@ private:
   const RefinedGrid& Grid;
   const LabelArray& Labels;
   bool MeshVoid;
+  const NarrowVoid* Narrow;
   bool HasBuffers;
   IndexBox Region;                      // base cells whose hexes are made
   RefinedMesh TheRefined;               // mesh without the finest cells, but with all other hexes

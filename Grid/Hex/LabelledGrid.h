@@ -22,7 +22,8 @@ struct LevelHexes
   std::vector<Index> RequestedFamilies;
 };
 
-/// Labels, mixed nodes and levels. It cannot be copied, because the levels refer to the labels.
+/// Labels, mixed nodes and levels. It cannot be copied, because the levels refer to the labels and
+/// the narrow void.
 struct LabelledGrid
 {
   LabelledGrid() = default;
@@ -31,6 +32,7 @@ struct LabelledGrid
 
   LabelArray Labels;
   std::vector<Index> Mixed; ///< nodes of the grid with several labels around them
+  NarrowVoid Narrow;        ///< void cells that get hexes as a barrier
   LevelHexes Levels;
 };
 

@@ -66,7 +66,7 @@ struct Work
   const OctreeKeys& Lattice;
   const HexStars& Stars;
   const LabelArray& Labels;
-  const bool MeshVoid;
+  const std::function<bool(const OctreeKeys::LevelIndex&)>& HasHexes;
   SplitNodes& Result;
 };
 
@@ -207,6 +207,17 @@ bool IsOwned(const Work& work, const Hex& hex)
     work.Grid.FinestNode(hex.Side.Cell.Level, hex.Side.Cell.At));
 }
 
+/// Returns whether a cell of a label at a node has hexes.
+bool HasPoint(const Work& work, const Star& star, int label)
+{
+  return std::any_of(star.begin(), star.end(),
+    [&](const Corner& at)
+    {
+      const HexStars::Side& side = HexOf(work, at).Side;
+      return side.Label == label && work.HasHexes(side.Cell);
+    });
+}
+
 void PlaceInnerPoints(
   Work& work, Index n, const Star& star, const std::vector<LabelNormal>& normals, bool isBad)
 {
@@ -218,9 +229,11 @@ void PlaceInnerPoints(
   for (int label : labels)
   {
     const VisibleDirection out = FindOutward(label, sides, normals);
-    isBad = isBad || (IsMeshed(label, work.MeshVoid) && out.Margin < SmallestMargin);
+    const bool hasPoint = HasPoint(work, star, label);
+    isBad = isBad || (hasPoint && out.Margin < SmallestMargin);
     const double length = BufferThickness / std::max(out.Margin, ThinnestMargin);
     work.Result.Labels.push_back(label);
+    work.Result.HasPoint.push_back(hasPoint);
     work.Result.Inner.push_back(x - Scaled(widths, length * out.Direction));
   }
   work.Result.LabelOffset.push_back(static_cast<Index>(work.Result.Labels.size()));
@@ -352,7 +365,7 @@ void CheckHexes(Work& work)
 {
   for (const Hex& hex : work.Stars.Hexes())
   {
-    if (!IsOwned(work, hex) || !IsMeshed(hex.Side.Label, work.MeshVoid) || IsPositive(work, hex))
+    if (!IsOwned(work, hex) || !work.HasHexes(hex.Side.Cell) || IsPositive(work, hex))
     {
       continue;
     }
@@ -396,13 +409,14 @@ void SortFamilies(Work& work)
 } // namespace
 
 SplitNodes FindSplitNodes(const RefinedGrid& grid, const RefinedMesh& refined,
-  const IndexBox& region, const LabelArray& labels, bool meshVoid)
+  const IndexBox& region, const LabelArray& labels,
+  const std::function<bool(const OctreeKeys::LevelIndex& cell)>& hasHexes)
 {
   const HexStars stars(grid, refined, region, labels);
   SplitNodes result;
   result.Keys = stars.Nodes();
   result.BadFamilies.resize(grid.NumberOfRefinements());
-  Work work{ grid, grid.Lattice(), stars, labels, meshVoid, result };
+  Work work{ grid, grid.Lattice(), stars, labels, hasHexes, result };
   SplitAll(work);
   SortFaces(work);
   CheckHexes(work);

@@ -18,6 +18,8 @@
 
 #include "Hex/HexStars.h"
 
+#include <functional>
+
 namespace vfm
 {
 
@@ -38,6 +40,8 @@ struct SplitNodes
   std::vector<Index> LabelOffset{ 0 };
   /// Labels around the nodes, ascending at each node; node n starts at LabelOffset[n].
   std::vector<int> Labels;
+  /// Whether each label has a point I, because a cell of it at the node has hexes.
+  std::vector<unsigned char> HasPoint;
   /// Initial position of point I of each label, length units of the grid.
   std::vector<Vector3> Inner;
   std::vector<Face> Faces;
@@ -56,19 +60,42 @@ struct SplitNodes
   const int* LabelsEnd(Index n) const { return this->Labels.data() + this->LabelOffset[n + 1]; }
   /// Returns the position of a label among the labels around a node.
   int RankOf(Index n, int label) const;
+  bool HasInner(Index n, int rank) const
+  {
+    return this->HasPoint[this->LabelOffset[n] + rank] != 0;
+  }
+  /// Returns the number of points I at a node.
+  int CountInner(Index n) const
+  {
+    return this->CountBefore(n, static_cast<int>(this->LabelsEnd(n) - this->LabelsBegin(n)));
+  }
+  /// Returns the number of the point I of a label among those at the node, from 0.
+  int NumberOfInner(Index n, int label) const
+  {
+    return this->CountBefore(n, this->RankOf(n, label));
+  }
   const Vector3& InnerPoint(Index n, int rank) const
   {
     return this->Inner[this->LabelOffset[n] + rank];
   }
   /// Returns the entry of a hex in HexFaces, 0 if it has none.
   int FacesOfHex(Index hexKey) const;
+
+private:
+  int CountBefore(Index n, int rank) const
+  {
+    const auto first = this->HasPoint.begin() + this->LabelOffset[n];
+    return static_cast<int>(std::count(first, first + rank, 1));
+  }
 };
 
 /// Finds the split nodes of a refined grid.
 /// @param refined  hexes of the base cells of region, without the finest ones
 /// @param region  base cells
 /// @param labels  labels of the finest grid, equal in each leaf
+/// @param hasHexes  whether the hexes in a cell are made
 SplitNodes FindSplitNodes(const RefinedGrid& grid, const RefinedMesh& refined,
-  const IndexBox& region, const LabelArray& labels, bool meshVoid);
+  const IndexBox& region, const LabelArray& labels,
+  const std::function<bool(const OctreeKeys::LevelIndex& cell)>& hasHexes);
 
 } // namespace vfm
