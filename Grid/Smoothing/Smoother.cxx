@@ -140,9 +140,11 @@ void Smoother::RunStage(const SmoothingStage& stage, const std::function<void(do
     [&]
     {
       std::fill_n(this->Dirty.get(), this->Mesh.X.size(), 0);
+      const std::vector<Index>& corners = this->Mesh.CornerOffset;
       for (std::size_t point = 0; point < this->Mesh.X.size(); ++point)
       {
-        if (this->TheGuard.Returned()[point])
+        // A ghost may have no element here.
+        if (this->TheGuard.Returned()[point] && corners[point] < corners[point + 1])
         {
           this->MarkNeighbours(static_cast<int>(point));
         }
