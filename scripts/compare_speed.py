@@ -2,12 +2,13 @@
 
 usage: compare_speed.py BEFORE AFTER RUNS [CASE ...]
 """
+import math
 import statistics
 import subprocess
 import sys
 
 COLUMNS = ('threads ranks elements seconds cpu speed min mean largest rms points sweeps visits '
-           'peak').split()
+           'peak fragments off material bytes memory').split()
 
 
 def list_cases(program):
@@ -31,18 +32,18 @@ def compare(before, after, runs, case):
     old, new = (min((pair[i] for pair in pairs), key=lambda row: row['seconds']) for i in (0, 1))
 
     def both(key, digits):
-        return f'{old[key]:.{digits}f} -> {new[key]:.{digits}f}'
+        return f'{old.get(key, math.nan):.{digits}f} -> {new[key]:.{digits}f}'
 
     print('|', ' | '.join([
         case, both('seconds', 3), f'{ratio:.2f}', both('speed', 0), both('sweeps', 0),
         both('visits', 1), both('min', 3), both('mean', 4), both('largest', 3), both('rms', 5),
-        both('peak', 0)]), '|', flush=True)
+        both('peak', 0), both('memory', 1), both('off', 0)]), '|', flush=True)
 
 
 def main():
     before, after, runs, *cases = sys.argv[1:]
     print('| case | seconds | ratio | elements/s | sweeps | visits per point | SJ min | SJ mean '
-          '| distance max | rms | peak MB |\n|' + '---|' * 11)
+          '| distance max | rms | peak MB | memory | off |\n|' + '---|' * 13)
     for case in cases or list_cases(after):
         compare(before, after, int(runs), case)
 

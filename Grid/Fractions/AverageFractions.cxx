@@ -25,22 +25,116 @@ Shares FindShares(const CartesianGrid& grid, int axis, Index i)
     0.25 * std::min(width, grid.Width(axis, i + 1)) / width };
 }
 
+/// Cells of a row in order: of one label, or one cell with label -1.
+struct Run
+{
+  Index End; // first cell behind the run, from the start of the row
+  int Label;
+};
+
+/// The averages of a row.
+struct RowOfAverages
+{
+  std::vector<Run> Runs;
+  std::vector<FractionSum> Mixed; // of the cells with label -1
+};
+
 /// Averages along one axis, row by row.
 class RowAverage
 {
 public:
-  RowAverage(const CartesianGrid& grid, const FractionField& from, int axis) :
-    Grid(grid), From(from), Axis(axis)
+  RowAverage(const CartesianGrid& grid, const FractionField& from, int axis, const IndexBox& box) :
+    Grid(grid), From(from), Axis(axis), Box(box)
   {
+    for (Index i = box.Lower[axis]; i < box.Upper[axis]; ++i)
+    {
+      this->SharesAt.push_back(FindShares(grid, axis, i));
+    }
   }
 
-  bool IsPure(Index cell, const Shares& shares) const
+  void AverageRow(Index j, Index k, RowOfAverages& row) const
+  {
+    row.Runs.clear();
+    row.Mixed.clear();
+    const Index first = this->Grid.Linear({ { this->Box.Lower[0], j, k } });
+    const Index count = this->Box.Size(0);
+    const Index at = this->Axis == 0 ? 0 : (this->Axis == 1 ? j : k) - this->Box.Lower[this->Axis];
+    const auto sharesOf = [&](Index i) { return this->SharesAt[this->Axis == 0 ? i : at]; };
+    // Only cells inside of the domain exchange anything along the axis.
+    const auto exchanges = [&](Index i) { return sharesOf(i).Lower > 0.0; };
+    for (Index i = 0, end = 0; i < count; i = end)
+    {
+      const bool isInside = exchanges(i);
+      for (end = i + 1; end < count && exchanges(end) == isInside;)
+      {
+        ++end;
+      }
+      this->AverageRange(first, { { i, end } }, isInside, sharesOf, row);
+    }
+  }
+
+  void StoreRow(Index j, Index k, const RowOfAverages& averages, FractionField& to) const
+  {
+    auto next = averages.Mixed.begin();
+    FractionField::RowWriter row(to);
+    row.Start(this->Grid.Linear({ { this->Box.Lower[0], j, k } }));
+    Index begin = 0;
+    for (const Run& run : averages.Runs)
+    {
+      if (run.Label >= 0)
+      {
+        row.AddLabel(run.Label, run.End - begin);
+      }
+      else
+      {
+        row.CopyParts((next++)->Parts());
+      }
+      begin = run.End;
+    }
+    row.Finish();
+  }
+
+private:
+  /// Lists the runs of cells [range[0], range[1]) of a row that starts at cell `first`.
+  std::vector<Run> ListRuns(Index first, const std::array<Index, 2>& range) const
+  {
+    std::vector<Run> runs;
+    this->From.VisitRuns(first + range[0], first + range[1],
+      [&](Index, Index end, int label) {
+        runs.push_back({ end - first, label });
+      });
+    return runs;
+  }
+
+  /// Averages a range of a row in which all cells exchange, or none.
+  template <class SharesOf>
+  void AverageRange(Index first, const std::array<Index, 2>& range, bool exchanges,
+    const SharesOf& sharesOf, RowOfAverages& row) const
   {
     const Index step = this->Grid.Stride(this->Axis);
-    const auto same = [&](Index other)
-    { return !this->From.IsMixed(other) && this->From.Label(other) == this->From.Label(cell); };
-    return !this->From.IsMixed(cell) && (shares.Lower == 0.0 || same(cell - step)) &&
-      (shares.Upper == 0.0 || same(cell + step));
+    const std::vector<Run> own = this->ListRuns(first, range);
+    const std::vector<Run> below = exchanges ? this->ListRuns(first - step, range) : own;
+    const std::vector<Run> above = exchanges ? this->ListRuns(first + step, range) : own;
+    const Run *o = own.data(), *b = below.data(), *a = above.data();
+    for (Index i = range[0]; i < range[1];)
+    {
+      const Index end = std::min({ o->End, b->End, a->End });
+      const bool isPure = o->Label >= 0 && b->Label == o->Label && a->Label == o->Label;
+      if (isPure)
+      {
+        row.Runs.push_back({ end, o->Label });
+      }
+      for (; !isPure && i < end; ++i)
+      {
+        row.Runs.push_back({ i + 1, -1 });
+        row.Mixed.emplace_back();
+        this->Average(first + i, sharesOf(i), row.Mixed.back());
+      }
+      i = end;
+      o += o->End == end;
+      b += b->End == end;
+      a += a->End == end;
+    }
   }
 
   void Average(Index cell, const Shares& shares, FractionSum& sum) const
@@ -57,66 +151,27 @@ public:
     }
   }
 
-  /// Appends the averages of the cells of a row that are not pure, x fastest.
-  void AverageRow(const IndexBox& box, Index j, Index k, std::vector<FractionSum>& mixed) const
-  {
-    for (Index i = box.Lower[0]; i < box.Upper[0]; ++i)
-    {
-      const Index3 p{ { i, j, k } };
-      const Shares shares = FindShares(this->Grid, this->Axis, p[this->Axis]);
-      const Index cell = this->Grid.Linear(p);
-      if (!this->IsPure(cell, shares))
-      {
-        mixed.emplace_back();
-        this->Average(cell, shares, mixed.back());
-      }
-    }
-  }
-
-  void StoreRow(const IndexBox& box, Index j, Index k, const std::vector<FractionSum>& mixed,
-    FractionField& to) const
-  {
-    auto next = mixed.begin();
-    FractionField::RowWriter row(to);
-    row.Start(this->Grid.Linear({ { box.Lower[0], j, k } }));
-    for (Index i = box.Lower[0]; i < box.Upper[0]; ++i)
-    {
-      const Index3 p{ { i, j, k } };
-      const Index cell = this->Grid.Linear(p);
-      if (this->IsPure(cell, FindShares(this->Grid, this->Axis, p[this->Axis])))
-      {
-        row.AddLabel(this->From.Label(cell));
-        continue;
-      }
-      row.CopyParts((next++)->Parts());
-    }
-    row.Finish();
-  }
-
-private:
   const CartesianGrid& Grid;
   const FractionField& From;
-  int Axis;
+  const int Axis;
+  const IndexBox Box;
+  std::vector<Shares> SharesAt; // by cell of the box along the axis
 };
 
 FractionField AverageAlong(const CartesianGrid& grid, const FractionField& from, int axis,
   const IndexBox& box, Runtime& runtime)
 {
   FractionField to(grid, from.NumberOfMaterials());
-  const RowAverage average(grid, from, axis);
+  const RowAverage average(grid, from, axis, box);
   const Index rows = std::max<Index>(box.Size(1), 0);
-  std::vector<std::vector<FractionSum>> mixed(rows); // one per row of a layer
+  std::vector<RowOfAverages> averages(rows); // of a layer
   for (Index k = box.Lower[2]; k < box.Upper[2]; ++k)
   {
-    ForEach(runtime, rows,
-      [&](Index row)
-      {
-        mixed[row].clear();
-        average.AverageRow(box, box.Lower[1] + row, k, mixed[row]);
-      });
+    ForEach(
+      runtime, rows, [&](Index row) { average.AverageRow(box.Lower[1] + row, k, averages[row]); });
     for (Index row = 0; row < rows; ++row)
     {
-      average.StoreRow(box, box.Lower[1] + row, k, mixed[row], to);
+      average.StoreRow(box.Lower[1] + row, k, averages[row], to);
     }
   }
   return to;

@@ -62,9 +62,14 @@ public:
   virtual Derivatives Differentiate(
     const ActiveMesh& mesh, int point, const SmoothingStage& stage) const = 0;
 
-  /// Returns whether the elements of this rank meet the conditions that the energy does
-  /// not contain.
-  virtual bool IsKept(const ActiveMesh&, Runtime&) const { return true; }
+  /// Marks the points of the elements of this rank that do not meet the conditions that the energy
+  /// does not contain.
+  /// @param[in,out] points  flags of all points
+  /// @return whether there is such an element
+  virtual bool MarkLost(const ActiveMesh&, Runtime&, std::vector<unsigned char>& /*points*/) const
+  {
+    return false;
+  }
   /// Returns whether the elements at a point meet these conditions for position x.
   virtual bool KeepsAt(const ActiveMesh&, int, const Vector3&) const { return true; }
 };

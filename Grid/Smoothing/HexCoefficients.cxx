@@ -147,18 +147,18 @@ VFM_INLINE bool Exceeds(const EdgeProducts& products, double least)
   return BoundOf(products) > least || SmallestOf(products) > least;
 }
 
+/// Appends the hexes with a small coefficient.
 VFM_CLONES
-bool HexesExceed(const ActiveMesh& mesh, Index first, Index last)
+void FindSmallHexes(const ActiveMesh& mesh, Index first, Index last, std::vector<Index>& found)
 {
   for (Index hex = first; hex < last; ++hex)
   {
     const Index position = 8 * hex;
     if (!Exceeds(MakeProducts(MakeEdges(CornersOf(mesh, position))), LeastAt(mesh, position)))
     {
-      return false;
+      found.push_back(hex);
     }
   }
-  return true;
 }
 
 /// Returns the smallest coefficient of the hex at a position of the corner list.
@@ -203,18 +203,25 @@ double SmallestCoefficient(const std::array<Vector3, 8>& corners)
   return FindSmallest(pointers);
 }
 
-bool HavePositiveCoefficients(const ActiveMesh& mesh, Runtime& runtime)
+bool MarkSmallCoefficients(
+  const ActiveMesh& mesh, Runtime& runtime, std::vector<unsigned char>& points)
 {
-  std::atomic<bool> positive(true);
+  std::atomic<bool> isFound(false);
   runtime.For(0, static_cast<Index>(mesh.Elements.size() / 8),
     [&](Index first, Index last)
     {
-      if (!HexesExceed(mesh, first, last))
+      std::vector<Index> found;
+      FindSmallHexes(mesh, first, last, found);
+      for (Index hex : found)
       {
-        positive = false;
+        for (int c = 0; c < 8; ++c)
+        {
+          __atomic_store_n(&points[mesh.Elements[8 * hex + c]], 1, __ATOMIC_RELAXED);
+        }
+        isFound = true;
       }
     });
-  return positive;
+  return isFound;
 }
 
 bool KeepPositiveCoefficients(const ActiveMesh& mesh, int point, const Vector3& x)

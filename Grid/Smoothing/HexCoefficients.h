@@ -14,8 +14,11 @@ namespace vfm
 /// @param corners  numbered by bits
 double SmallestCoefficient(const std::array<Vector3, 8>& corners);
 
-/// Returns whether all coefficients of all hexes on this rank exceed 1e-6 cell volumes.
-bool HavePositiveCoefficients(const ActiveMesh& mesh, Runtime& runtime);
+/// Marks the points of the hexes on this rank that have a coefficient of at most 1e-6 cell volumes.
+/// @param[in,out] points  flags of all points
+/// @return whether there is such a hex
+bool MarkSmallCoefficients(
+  const ActiveMesh& mesh, Runtime& runtime, std::vector<unsigned char>& points);
 
 /// Returns whether the coefficients of each hex at a point, moved to x, exceed 1e-6 cell volumes or
 /// are not smaller than the smallest one at its current position.

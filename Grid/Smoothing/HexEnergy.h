@@ -35,9 +35,10 @@ public:
     const SmoothingStage& stage) const override;
   Derivatives Differentiate(
     const ActiveMesh& mesh, int point, const SmoothingStage& stage) const override;
-  bool IsKept(const ActiveMesh& mesh, Runtime& runtime) const override
+  bool MarkLost(
+    const ActiveMesh& mesh, Runtime& runtime, std::vector<unsigned char>& points) const override
   {
-    return HavePositiveCoefficients(mesh, runtime);
+    return MarkSmallCoefficients(mesh, runtime, points);
   }
   bool KeepsAt(const ActiveMesh& mesh, int point, const Vector3& x) const override
   {

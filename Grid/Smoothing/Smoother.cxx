@@ -102,6 +102,7 @@ Smoother::Smoother(
   Targets(targets),
   Energy(energy),
   Run(runtime),
+  TheGuard(mesh, energy, runtime),
   Dirty(new unsigned char[mesh.X.size()]),
   Marked(mesh.X.size(), 0)
 {
@@ -116,17 +117,15 @@ void Smoother::MarkAll()
   std::fill_n(this->Dirty.get(), this->Mesh.X.size(), 1);
 }
 
-/// Moves points. If that violates the conditions of the energy, restores the points and moves again
-/// with each move checked.
-void Smoother::MoveAndCheck(const std::function<void()>& move)
+/// Moves points. Where that violates conditions, points go back; moveReturned moves them again.
+void Smoother::MoveAndCheck(
+  const std::function<void()>& move, const std::function<void()>& moveReturned)
 {
-  const std::vector<Vector3> before = this->IsGuarded ? std::vector<Vector3>() : this->Mesh.X;
+  const std::vector<Vector3> before = this->Mesh.X;
   move();
-  if (!this->IsGuarded && this->Run.Group().Any(!this->Energy.IsKept(this->Mesh, this->Run)))
+  while (this->TheGuard.PutBack(before, this->Mesh.X))
   {
-    this->Mesh.X = before;
-    this->IsGuarded = true;
-    move();
+    moveReturned();
   }
 }
 
@@ -137,6 +136,20 @@ void Smoother::RunStage(const SmoothingStage& stage, const std::function<void(do
     {
       this->MarkAll();
       this->RunSweeps(stage, report);
+    },
+    [&]
+    {
+      std::fill_n(this->Dirty.get(), this->Mesh.X.size(), 0);
+      const std::vector<Index>& corners = this->Mesh.CornerOffset;
+      for (std::size_t point = 0; point < this->Mesh.X.size(); ++point)
+      {
+        // A ghost may have no element here.
+        if (this->TheGuard.Returned()[point] && corners[point] < corners[point + 1])
+        {
+          this->MarkNeighbours(static_cast<int>(point));
+        }
+      }
+      this->RunSweeps(stage, [](double) {});
     });
 }
 
@@ -268,10 +281,9 @@ bool Smoother::Follow(
   {
     return false;
   }
-  const bool wasGuarded = this->IsGuarded;
-  this->IsGuarded = true; // cheaper than a check of all elements, because few points move
+  this->ChecksAll = true; // cheaper than a check of all elements, because few points move
   this->RunSweeps(stage, [](double) {});
-  this->IsGuarded = wasGuarded;
+  this->ChecksAll = false;
   return true;
 }
 
@@ -282,7 +294,12 @@ void Smoother::MoveAlongNormals(const std::vector<double>& shifts, const Smoothi
     this->MoveAlongNormal(point, shifts, stage);
     return NoVisit;
   };
-  this->MoveAndCheck([&] { this->ForPoints(move); });
+  this->MoveAndCheck([&] { this->ForPoints(move); },
+    [&]
+    {
+      this->ForPoints(
+        [&](int point) { return this->TheGuard.Returned()[point] ? move(point) : NoVisit; });
+    });
 }
 
 void Smoother::MoveAlongNormal(

@@ -7,13 +7,13 @@
  * each colour. So the result depends neither on threads nor on ranks.
  *
  * Some conditions on elements are not part of the energy: hexes must also be positive between their
- * corners (HexCoefficients.h). They are checked after each stage. A stage that violates them is
- * repeated from its start, and from then on each move is checked.
+ * corners (HexCoefficients.h). They are checked after each stage; where they are violated, points
+ * start the stage again (Guard.h).
  */
 #pragma once
 
 #include "Interface/SurfaceTargets.h"
-#include "Smoothing/ElementEnergy.h"
+#include "Smoothing/Guard.h"
 
 #include <atomic>
 #include <memory>
@@ -75,7 +75,7 @@ private:
     const std::vector<double>& shifts, const HasLongOffset& isLong, const SmoothingStage& stage);
   std::array<double, 2> LongRange(
     int point, const Attachment& a, const SmoothingStage& stage) const;
-  void MoveAndCheck(const std::function<void()>& move);
+  void MoveAndCheck(const std::function<void()>& move, const std::function<void()>& moveReturned);
   template <class Move>
   double ForPoints(const Move& move);
   void MoveAlongNormal(int point, const std::vector<double>& shifts, const SmoothingStage& stage);
@@ -99,7 +99,8 @@ private:
   void AddDistance(int point, double lambda, Derivatives& d) const;
   bool MayMove(int point, const Vector3& x) const
   {
-    return !this->IsGuarded || this->Energy.KeepsAt(this->Mesh, point, x);
+    return !(this->ChecksAll || this->TheGuard.Has(point)) ||
+      this->Energy.KeepsAt(this->Mesh, point, x);
   }
   void MarkNeighbours(int point);
   void MarkAll();
@@ -109,7 +110,8 @@ private:
   const SurfaceTargets* Targets;
   const ElementEnergy& Energy;
   Runtime& Run;
-  bool IsGuarded = false; // whether each move is checked
+  Guard TheGuard;
+  bool ChecksAll = false; // whether each move is checked
   int NumberOfSweeps = 0;
   std::atomic<Index> NumberOfVisits{ 0 }; // visits to points in sweeps
   /// Set if a point of one of its elements has moved since the last visit.

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <cstdio>
 #include <vector>
 
 #include <sys/resource.h>
@@ -22,6 +23,20 @@ inline double Now()
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+/// Returns the memory of this process now, and at its peak.
+inline std::size_t CurrentBytes()
+{
+  std::size_t total = 0, resident = 0;
+  if (std::FILE* file = std::fopen("/proc/self/statm", "r"))
+  {
+    if (std::fscanf(file, "%zu %zu", &total, &resident) != 2)
+    {
+      resident = 0;
+    }
+    std::fclose(file);
+  }
+  return resident * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+}
 inline std::size_t PeakBytes()
 {
   rusage usage;

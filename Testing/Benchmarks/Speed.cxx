@@ -1,22 +1,28 @@
 /**
  * Speed, effort and quality of meshes: one row per case. scripts/compare_speed compares two builds.
  *
- * usage: Speed [CASE, list or all, default all] [runs, default 3] [threads, default 1]
- *              [ranks, default 1]
+ * usage: Speed [CASE, list, list-real, all or real, default all] [runs, default 3]
+ *              [threads, default 1] [ranks, default 1]
  *
- * Seconds are of the fastest run, CPU of all threads in it. Ranks are
- * threads here, with slabs along z.
+ * Seconds are of the fastest run, CPU of all threads in it. Ranks are threads here, with slabs
+ * along z. Off: fragments of one rank whose volume is off by more than .5 %. Memory: the peak of
+ * the process above its memory before meshing, over that of fractions and mesh; bytes a point: the
+ * same over the points that move. `real` are the cases like the data of users (RealCases.h); images
+ * come from Debian's package mricron-data.
  */
 #include "Atlas.h"
 #include "Base/ThreadRuntime.h"
 #include "Labels/SmoothLabels.h"
 #include "MeasureAlone.h"
+#include "Mesh/MeasureFragments.h"
 #include "RankMeshes.h"
+#include "RealCases.h"
 
 #include <atomic>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <iterator>
 
 using namespace vfm;
 using namespace vfm::testing;
@@ -26,8 +32,9 @@ namespace
 
 constexpr char Header[] =
   "| case | threads | ranks | elements | seconds | CPU | elements/s | SJ min | SJ mean | "
-  "distance max | rms | points | sweeps | visits per point | peak MB |\n"
-  "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
+  "distance max | rms | points | sweeps | visits per point | peak MB | fragments | off | material "
+  "off by | bytes a point | memory |\n"
+  "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
 
 /// A case and the options of its mesh.
 struct SpeedCase
@@ -46,11 +53,6 @@ MeshCase MakeGyroidCase(int n)
   c.Grid = grid;
   c.Fractions = FractionsOfShapes(grid, shapes);
   return c;
-}
-
-MeshCase WithoutDistance(const CartesianGrid& grid, FractionField fractions)
-{
-  return { "", grid, std::move(fractions), {}, 0.0, 0.0, 0.0, 0.0, 0.0 };
 }
 
 MeshCase MakeLabelsCase(int n, int labels)
@@ -85,6 +87,17 @@ std::vector<SpeedCase> ListCases()
     { "cells", [] { return MakeSphereCase(64); }, cells, MakeTetMesh } };
 }
 
+std::vector<SpeedCase> ListRealCases()
+{
+  return { { "spray-100", [] { return MakeSprayCase(100, 2880, 1); }, {} },
+    { "spray-200", [] { return MakeSprayCase(200, 23040, 1); }, {} },
+    { "pores", [] { return MakePoresCase(48, 3, 1); }, {} },
+    { "aicha", [] { return MakeImageCase("AICHAmc", 0); }, {} },
+    { "jhu", [] { return MakeImageCase("JHU-WhiteMatter-labels-1mm", 3); }, {} },
+    { "aal", [] { return MakeImageCase("aal", 0); }, {} },
+    { "inia19", [] { return MakeImageCase("inia19-NeuroMaps", 0); }, {} } };
+}
+
 double CpuSeconds()
 {
   timespec time;
@@ -92,12 +105,18 @@ double CpuSeconds()
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
+constexpr double TolerableError = 5e-3; // relative error of a fragment
+
 struct Outcome
 {
   double Seconds = 1e300, Cpu = 1e300;
   Index Elements = 0;
   MeshReport Report; // report of the fastest run
   Distances Distance;
+  Index OffFragments = 0;      ///< fragments off by more than TolerableError
+  double MaterialError = 0.0;  ///< largest relative error of a material
+  double Memory = 0.0;         ///< bytes above those before meshing, at the peak
+  double InputAndOutput = 0.0; ///< bytes of fractions and mesh
 };
 
 /// The mesh of one rank, or the largest part of several.
@@ -157,11 +176,39 @@ private:
   std::vector<FractionField> Fields;
 };
 
+double BytesOf(const Mesh& mesh)
+{
+  return static_cast<double>(sizeof(double) * mesh.Points.size() +
+    sizeof(Index) * (mesh.PointIds.size() + mesh.Elements.size() + mesh.ElementIds.size()) +
+    sizeof(int) * (mesh.Material.size() + mesh.Fragment.size()));
+}
+
+/// Compares volumes with those of the fractions.
+void MeasureVolumes(const MeshCase& c, const Run& run, Outcome& outcome)
+{
+  Runtime runtime;
+  const MeshReport& report = run.Report;
+  const std::vector<double> volumes =
+    MeasureFragments(run.Result, c.Grid, static_cast<int>(report.NumberOfFragments), runtime);
+  for (std::size_t f = 1; f < volumes.size(); ++f)
+  {
+    const double target = report.FragmentTargetVolume[f]; // cells have volume 1
+    outcome.OffFragments += std::abs(volumes[f] - target) > TolerableError * target;
+  }
+  for (std::size_t m = 1; m < report.MeshVolume.size(); ++m)
+  {
+    const double target = report.TargetVolume[m];
+    outcome.MaterialError =
+      std::max(outcome.MaterialError, std::abs(report.MeshVolume[m] - target) / target);
+  }
+}
+
 Outcome Measure(const SpeedCase& what, int runs, int threads, int ranks)
 {
   const MeshCase c = what.Make();
   const RankedCase cut(c, ranks);
   Outcome outcome;
+  const double before = static_cast<double>(CurrentBytes());
   for (int r = 0; r < runs; ++r)
   {
     const double begin = Now(), cpu = CpuSeconds();
@@ -174,10 +221,16 @@ Outcome Measure(const SpeedCase& what, int runs, int threads, int ranks)
       outcome.Report = run.Report;
     }
     outcome.Elements = run.Elements;
-    if (r == 0 && c.Distance && ranks == 1)
+    outcome.Memory = static_cast<double>(PeakBytes()) - before;
+    outcome.InputAndOutput = static_cast<double>(c.Fractions.MemoryInBytes()) + BytesOf(run.Result);
+    if (r == 0 && ranks == 1)
     {
+      MeasureVolumes(c, run, outcome);
       Distances onSides;
-      MeasureInterfaces(c, run.Result, outcome.Distance, onSides);
+      if (c.Distance)
+      {
+        MeasureInterfaces(c, run.Result, outcome.Distance, onSides);
+      }
     }
   }
   return outcome;
@@ -189,11 +242,13 @@ void Print(const std::string& name, int threads, int ranks, const Outcome& o)
   const double points = std::max<double>(1.0, static_cast<double>(r.SmoothedPoints));
   std::printf(
     "| %s | %d | %d | %lld | %.3f | %.3f | %.0f | %.4f | %.4f | %.4f | %.5f | %lld | %d | "
-    "%.1f | %.0f |\n",
+    "%.1f | %.0f | %lld | %lld | %.1e | %.0f | %.1f |\n",
     name.c_str(), threads, ranks, static_cast<long long>(o.Elements), o.Seconds, o.Cpu,
     static_cast<double>(o.Elements) / o.Seconds, r.MinimumScaledJacobian, r.MeanScaledJacobian,
     o.Distance.Largest, o.Distance.RootMeanSquare, static_cast<long long>(r.SmoothedPoints),
-    r.Sweeps, static_cast<double>(r.Visits) / points, static_cast<double>(PeakBytes()) * 1e-6);
+    r.Sweeps, static_cast<double>(r.Visits) / points, static_cast<double>(PeakBytes()) * 1e-6,
+    static_cast<long long>(r.NumberOfFragments), static_cast<long long>(o.OffFragments),
+    o.MaterialError, o.Memory / points, o.Memory / o.InputAndOutput);
   for (const MeshReport::Stage& stage : r.Stages)
   {
     std::printf("    %-24s %7.3f s\n", stage.Name, stage.Seconds);
@@ -209,15 +264,27 @@ int main(int argc, char** argv)
   const auto argument = [&](int a, int otherwise)
   { return argc > a ? std::max(1, std::atoi(argv[a])) : otherwise; };
   const int runs = argument(2, 3), threads = argument(3, 1), ranks = argument(4, 1);
-  bool isKnown = false;
-  for (const SpeedCase& what : ListCases())
+  std::vector<SpeedCase> cases = ListCases(), real = ListRealCases();
+  if (requested == "list" || requested == "list-real")
   {
-    if (requested == "list")
+    for (const SpeedCase& what : requested == "list" ? cases : real)
     {
       std::printf("%s\n", what.Name.c_str());
-      isKnown = true;
     }
-    else if (requested == "all" || requested == what.Name)
+    return 0;
+  }
+  if (requested == "real")
+  {
+    cases.clear();
+  }
+  if (requested != "all")
+  {
+    std::move(real.begin(), real.end(), std::back_inserter(cases));
+  }
+  bool isKnown = false;
+  for (const SpeedCase& what : cases)
+  {
+    if (requested == "all" || requested == "real" || requested == what.Name)
     {
       std::printf("%s", isKnown ? "" : Header);
       isKnown = true;

@@ -122,10 +122,10 @@ std::string FindTruthProblem(const FuzzCase& c, const Mesh& mesh)
 /// Checks that no elements overlap and no points coincide.
 std::string FindSpaceProblem(const Mesh& mesh, FuzzResult& result)
 {
-  const Overlap overlap = FindDeepestOverlap(mesh);
-  result.Overlap = overlap.Depth;
+  const ElementOverlaps overlaps = FindElementOverlaps(mesh);
+  result.Overlap = overlaps.Depth;
   const Index coincident = CountCoincidentPoints(mesh);
-  return overlap.Depth > 0.0 ? Describe("overlap by", overlap.Depth, overlap.Ids[0])
+  return overlaps.Pairs > 0 ? Describe("overlap by", overlaps.Depth, overlaps.Deepest[0])
     : coincident > 0         ? std::to_string(coincident) + " coincident points"
                              : "";
 }

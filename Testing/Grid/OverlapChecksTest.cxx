@@ -54,7 +54,7 @@ double DepthOfCubes(const Vector3& second, double saddle = 0.0)
   std::vector<Vector3> points;
   AddCube({ { 0, 0, 0 } }, saddle, points);
   AddCube(second, saddle, points);
-  return FindDeepestOverlap(MakeElements(8, points)).Depth;
+  return FindElementOverlaps(MakeElements(8, points)).Depth;
 }
 
 double DepthOfTets(const Vector3& shift)
@@ -65,7 +65,7 @@ double DepthOfTets(const Vector3& shift)
     points.push_back(
       { { points[c][0] + shift[0], points[c][1] + shift[1], points[c][2] + shift[2] } });
   }
-  return FindDeepestOverlap(MakeElements(4, points)).Depth;
+  return FindElementOverlaps(MakeElements(4, points)).Depth;
 }
 
 } // namespace

@@ -43,7 +43,8 @@ ALLOWED.update({
     "Testing/Support": GRID + ("Shapes",),
     "Testing/Grid": GRID + ("Shapes", "Testing/Support"),
     "Testing/Fuzz": GRID + MESHER + ("Shapes", "Filters", "InSitu", "Program", "Testing/Support"),
-    "Testing/Benchmarks": GRID + ("Shapes", "Filters", "Testing/Support"),
+    "Testing/Benchmarks": GRID + (
+        "Mesher/Input", "IO", "IO/Images", "Shapes", "Filters", "Testing/Support"),
     "Testing/IO": GRID + MESHER + ("Shapes", "IO/Meshes", "IO/Report", "Testing/Support"),
     "Testing/Mesher": GRID + MESHER + ("Shapes", "Testing/Support"),
     "Testing/Parallel": BASE + ("Parallel", "Testing/Support"),

@@ -358,10 +358,10 @@ std::vector<Solid> ListFreeSolids(const Mesh& mesh)
 
 } // namespace
 
-Overlap FindDeepestOverlap(const Mesh& mesh)
+ElementOverlaps FindElementOverlaps(const Mesh& mesh)
 {
   const std::vector<Solid> solids = ListFreeSolids(mesh);
-  Overlap deepest;
+  ElementOverlaps found;
   for (std::size_t a = 0; a < solids.size(); ++a)
   {
     for (std::size_t b = a + 1;
@@ -373,14 +373,15 @@ Overlap FindDeepestOverlap(const Mesh& mesh)
         continue;
       }
       const double depth = DepthOf(first, second);
-      if (depth > deepest.Depth)
+      found.Pairs += depth > 0.0;
+      if (depth > found.Depth)
       {
-        deepest = { depth,
-          { { mesh.ElementIds[first.Element], mesh.ElementIds[second.Element] } } };
+        found.Depth = depth;
+        found.Deepest = { { mesh.ElementIds[first.Element], mesh.ElementIds[second.Element] } };
       }
     }
   }
-  return deepest;
+  return found;
 }
 
 Index CountCoincidentPoints(const Mesh& mesh)

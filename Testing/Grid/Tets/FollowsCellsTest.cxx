@@ -2,6 +2,7 @@
 /// No element has all points on interfaces or sides of the domain.
 #include "Labels/SmoothLabels.h"
 #include "MeshCases.h"
+#include "OverlapChecks.h"
 #include "RandomDraw.h"
 #include "RankMeshes.h"
 #include "Sweep.h"
@@ -97,6 +98,8 @@ void ExpectCells(
   EXPECT_EQ(FindCellProblem(grid, mesh, MakeCells(grid, field, options)), "");
   EXPECT_EQ(FindTopologyProblem(mesh), "");
   EXPECT_EQ(CountLocked(mesh), 0);
+  EXPECT_EQ(FindElementOverlaps(mesh).Pairs, 0);
+  EXPECT_EQ(CountCoincidentPoints(mesh), 0);
   EXPECT_GT(SmallestCornerDeterminant(mesh), 0.0);
 }
 

@@ -1,0 +1,88 @@
+#include "Smoothing/Guard.h"
+
+namespace vfm
+{
+namespace
+{
+
+constexpr int Rings = 2; // around points that go back, and around those again
+
+void Add(const std::vector<unsigned char>& flags, std::vector<unsigned char>& to)
+{
+  for (std::size_t p = 0; p < flags.size(); ++p)
+  {
+    to[p] |= flags[p];
+  }
+}
+
+} // namespace
+
+/// Marks the active points of lost elements. Returns whether any is not known, on any rank.
+bool Guard::MarkLost(const Flags& known, Flags& lost) const
+{
+  lost.assign(this->Mesh.X.size(), 0);
+  bool isNew = false;
+  if (this->Energy.MarkLost(this->Mesh, this->Run, lost))
+  {
+    for (std::size_t p = 0; p < lost.size(); ++p)
+    {
+      lost[p] &= this->Mesh.IsActive[p];
+    }
+    this->Mesh.ForOwned([&](int p) { isNew = isNew || (lost[p] && (known.empty() || !known[p])); });
+  }
+  return this->Run.Group().Any(isNew);
+}
+
+/// Sets the flags of ghosts to those of their owners.
+void Guard::Exchange(Flags& flags) const
+{
+  this->Mesh.Exchange.SendAll(
+    [&](int p) { return flags[p]; }, [&](int p, unsigned char flag) { flags[p] = flag; });
+}
+
+/// Adds rings of points. Only owners know all elements at a point, so they decide.
+void Guard::Grow(Flags& flags) const
+{
+  this->Exchange(flags);
+  for (int ring = 0; ring < Rings; ++ring)
+  {
+    Flags grown = flags;
+    this->Mesh.ForOwned(
+      [&](int p)
+      {
+        if (this->Mesh.IsActive[p])
+        {
+          this->Mesh.ForAround(
+            p, [&](int other) { grown[p] |= flags[other] && this->Mesh.IsActive[other]; });
+        }
+      });
+    this->Exchange(grown);
+    flags.swap(grown);
+  }
+}
+
+bool Guard::PutBack(const std::vector<Vector3>& before, std::vector<Vector3>& points)
+{
+  Flags lost;
+  if (!this->MarkLost(this->Guarded, lost))
+  {
+    return false;
+  }
+  this->PutBackNow.assign(points.size(), 0);
+  do
+  {
+    this->Grow(lost);
+    for (std::size_t p = 0; p < points.size(); ++p)
+    {
+      points[p] = lost[p] ? before[p] : points[p];
+    }
+    Add(lost, this->PutBackNow);
+  } while (this->MarkLost(this->PutBackNow, lost));
+  Flags guarded = this->PutBackNow;
+  this->Grow(guarded);
+  this->Guarded.resize(points.size(), 0);
+  Add(guarded, this->Guarded);
+  return true;
+}
+
+} // namespace vfm

@@ -1,0 +1,49 @@
+/**
+ * Guard: keeps conditions on elements that are not part of the energy (ElementEnergy::MarkLost).
+ * They are checked after many moves. Where elements have lost them, points go back, and from then
+ * on each move is checked there. Everywhere else points keep their places and move without checks.
+ */
+#pragma once
+
+#include "Smoothing/ElementEnergy.h"
+
+namespace vfm
+{
+
+/// Refers to all arguments of the constructor.
+class Guard
+{
+public:
+  Guard(const ActiveMesh& mesh, const ElementEnergy& energy, Runtime& runtime) :
+    Mesh(mesh), Energy(energy), Run(runtime)
+  {
+  }
+
+  /// Returns whether moves of a point are checked.
+  bool Has(int point) const { return !this->Guarded.empty() && this->Guarded[point]; }
+
+  /// Puts points back where elements were lost, with two rings of points around, and more until no
+  /// element is lost that was not lost before.
+  /// @param before  positions of all points before they moved
+  /// @param[in,out] points  positions of all points now
+  /// @return false if no element was lost on any rank; then nothing changes
+  /// @pre Collective.
+  bool PutBack(const std::vector<Vector3>& before, std::vector<Vector3>& points);
+
+  /// Returns whether the last call of PutBack put each point back.
+  const std::vector<unsigned char>& Returned() const { return this->PutBackNow; }
+
+private:
+  using Flags = std::vector<unsigned char>; // of points
+
+  bool MarkLost(const Flags& known, Flags& lost) const;
+  void Grow(Flags& flags) const;
+  void Exchange(Flags& flags) const;
+
+  const ActiveMesh& Mesh;
+  const ElementEnergy& Energy;
+  Runtime& Run;
+  Flags Guarded, PutBackNow;
+};
+
+} // namespace vfm

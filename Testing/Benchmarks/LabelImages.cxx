@@ -1,0 +1,131 @@
+/**
+ * Meshes an image of labels and compares the mesh with the cells: fragments, pairs of fragments
+ * that touch, area to the void, volumes of labels; counts elements that overlap and elements with
+ * all points on surfaces.
+ *
+ * usage: LabelImages IMAGE CELLS [METHODS, default hexes,Lattice,Cells] [PASSES, default 0,3]
+ *
+ * IMAGE is a file, or `atlas` for an artificial one (Support/Atlas.h); CELLS the size of the cube
+ * in its middle, 0 for the whole image; PASSES a list of label smoothings.
+ */
+#include "Atlas.h"
+#include "Base/ParseText.h"
+#include "Base/Partition.h"
+#include "HexPipeline.h"
+#include "Labels/SmoothLabels.h"
+#include "MeshChecks.h"
+#include "OverlapChecks.h"
+#include "ReadLabelImage.h"
+#include "TetPipeline.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <sstream>
+
+using namespace vfm;
+using namespace vfm::testing;
+
+namespace
+{
+
+std::vector<std::string> SplitAtCommas(const std::string& text)
+{
+  std::vector<std::string> words;
+  std::istringstream stream(text);
+  for (std::string word; std::getline(stream, word, ',');)
+  {
+    words.push_back(word);
+  }
+  return words;
+}
+
+LabelImage MakeArtificialImage(Index cells)
+{
+  CartesianGrid grid = MakeUnitGrid(cells);
+  FractionField labels = MakeAtlas(grid, static_cast<int>(cells * cells / 36), 1);
+  return { std::move(grid), std::move(labels), {} };
+}
+
+double AreaToVoid(const Mesh& mesh)
+{
+  double area = 0.0;
+  for (std::size_t s = 0; s < mesh.Tables.SurfaceAreas.size(); ++s)
+  {
+    const bool isFree = mesh.Tables.SurfaceSides[s] < 0 && mesh.Tables.SurfaceMaterials[s][0] == 0;
+    area += isFree ? mesh.Tables.SurfaceAreas[s] : 0.0;
+  }
+  return area;
+}
+
+MeshOptions OptionsOf(const std::string& method)
+{
+  MeshOptions options;
+  options.Tets = method == "Cells" ? TetMethod::Cells : TetMethod::Lattice;
+  return options;
+}
+
+/// Prints a row and the volumes of labels.
+void Measure(
+  const LabelImage& image, const FractionField& fractions, int passes, const std::string& method)
+{
+  const MeshOptions options = OptionsOf(method);
+  Runtime runtime;
+  MeshReport report;
+  const bool hasHexes = method == "hexes";
+  const std::clock_t begin = std::clock();
+  const Mesh mesh =
+    (hasHexes ? MakeHexMesh : MakeTetMesh)(image.Grid, fractions, options, runtime, report);
+  const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  const std::string problem =
+    FindCellProblem(image.Grid, mesh, MakeCells(image.Grid, fractions, options));
+  const ElementOverlaps overlaps = FindElementOverlaps(mesh);
+  std::printf("| %s | %d | %.1f | %zu | %lld | %s | %.0f | %lld, %.2g | %lld | %lld | ",
+    method.c_str(), passes, seconds, mesh.ElementIds.size(),
+    static_cast<long long>(report.NumberOfFragments), problem.empty() ? "equal" : problem.c_str(),
+    AreaToVoid(mesh), static_cast<long long>(overlaps.Pairs), overlaps.Depth,
+    static_cast<long long>(CountCoincidentPoints(mesh)), static_cast<long long>(CountLocked(mesh)));
+  if (hasHexes)
+  {
+    std::printf("%.3f |\n", report.MinimumScaledJacobian);
+  }
+  else
+  {
+    std::printf("%.1f-%.1f |\n", report.MinimumDihedralAngle, report.MaximumDihedralAngle);
+  }
+  std::fflush(stdout);
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  if (argc < 3)
+  {
+    std::fprintf(stderr, "usage: LabelImages IMAGE CELLS [METHODS] [PASSES]\n");
+    return 2;
+  }
+  const std::string path = argv[1];
+  const Index cells = std::atoi(argv[2]);
+  const LabelImage image =
+    path == "atlas" ? MakeArtificialImage(cells) : ReadLabelImage(path, cells);
+  std::printf("| method | label smoothing | CPU s | elements | fragments | fragments and pairs of "
+              "the cells | area to the void | overlaps, depth | coincident points | locked | "
+              "smallest scaled Jacobian; dihedral angles |\n"
+              "|---|---|---|---|---|---|---|---|---|---|---|\n");
+  for (const std::string& word : SplitAtCommas(argc > 4 ? argv[4] : "0,3"))
+  {
+    const int passes = std::atoi(word.c_str());
+    Runtime runtime;
+    FractionField fractions = image.Labels;
+    if (passes > 0)
+    {
+      SmoothLabels(image.Grid, passes, Partition(image.Grid, runtime.Group()), runtime, fractions);
+    }
+    for (const std::string& method : SplitAtCommas(argc > 3 ? argv[3] : "hexes,Lattice,Cells"))
+    {
+      Measure(image, fractions, passes, method);
+    }
+  }
+  return 0;
+}

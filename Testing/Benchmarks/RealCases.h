@@ -1,0 +1,31 @@
+/**
+ * Cases like the data of users: label images of brains, sprays of drops, pores.
+ */
+#pragma once
+
+#include "MeshCases.h"
+
+namespace vfm
+{
+namespace testing
+{
+
+/// Returns a case whose true interface is not known.
+MeshCase WithoutDistance(const CartesianGrid& grid, FractionField fractions);
+
+/// Returns drops without contact in n^3 unit cells of void, radii .8 to 2.2 cells at random. Fewer
+/// than `drops` if they do not fit.
+MeshCase MakeSprayCase(int n, int drops, unsigned seed);
+
+/// Returns labels of connected and other pores in n^3 unit cells: 60 % of smoothed noise. The other
+/// 40 % are void.
+MeshCase MakePoresCase(int n, int passes, unsigned seed);
+
+/// Returns an image of labels (ReadLabelImage.h).
+/// @param name  file in the folder of Debian's package mricron-data, without .nii.gz
+/// @param passes  label smoothing
+/// @throws InputError  if the file cannot be read
+MeshCase MakeImageCase(const std::string& name, int passes);
+
+} // namespace testing
+} // namespace vfm
