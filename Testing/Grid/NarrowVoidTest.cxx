@@ -199,7 +199,7 @@ TEST(NarrowVoid, KeepsPlatesApart)
   for (const Method& method : ListMethods())
   {
     const Made made = MakeMesh(grid, plates, method);
-    EXPECT_EQ(FindDeepestOverlap(made.Elements).Depth, 0.0) << method.Name;
+    EXPECT_EQ(FindElementOverlaps(made.Elements).Depth, 0.0) << method.Name;
     EXPECT_TRUE(HasOnlyMaterials(made.Elements)) << method.Name;
     EXPECT_FALSE(made.Elements.HasBarrier) << method.Name;
     EXPECT_EQ(made.Report.NumberOfFragments, 2) << method.Name;
@@ -249,7 +249,7 @@ TEST(NarrowVoid, KeepsRandomLabelsApart)
       MeshOptions options;
       options.Edges = seed % 2 == 0 ? SharpEdges::On : SharpEdges::Off;
       const Made made = MakeMesh(grid, MakeRandomLabels(grid, 2, 0, seed), method, options);
-      EXPECT_EQ(FindDeepestOverlap(made.Elements).Depth, 0.0) << method.Name << ", seed " << seed;
+      EXPECT_EQ(FindElementOverlaps(made.Elements).Depth, 0.0) << method.Name << ", seed " << seed;
       EXPECT_TRUE(HasOnlyMaterials(made.Elements)) << method.Name << ", seed " << seed;
       EXPECT_GT(made.Report.NarrowVoidCells, 0) << method.Name << ", seed " << seed;
     }
@@ -289,6 +289,6 @@ TEST(NarrowVoid, HasCoarseHexesWhereInterfacesCrossLevels)
   options.Levels.FineInterfaces = false;
   const Made made = MakeMesh(grid, plates, ListMethods()[0], options);
   EXPECT_EQ(made.Report.NarrowVoidCells, 24 * 24 * 2);
-  EXPECT_EQ(FindDeepestOverlap(made.Elements).Depth, 0.0);
+  EXPECT_EQ(FindElementOverlaps(made.Elements).Depth, 0.0);
   EXPECT_TRUE(HasOnlyMaterials(made.Elements));
 }
