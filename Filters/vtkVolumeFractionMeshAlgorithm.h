@@ -324,8 +324,9 @@ public:
   vfmSwitchOption(NodalVelocity);
   /// Treatment of the kinetic energy that is lost where one element, or one node, moves with the
   /// mean velocity of several cells. Report: the table of materials lists it. Internal Energy: it
-  /// is added to Energy Array, so that the sum of both energies matches the input. Allowed: Report,
-  /// InternalEnergy (or 0 to 1); default Report.
+  /// is added to Energy Array, so that the sum of both energies matches the input. With State Order
+  /// 2 it may be negative: elements can have slightly more kinetic energy than their cells.
+  /// Allowed: Report, InternalEnergy (or 0 to 1); default Report.
   vfmNumberOption(LostKineticEnergy, int);
   /// Treatment of material that is not attached to any element of its kind, such as small drops and
   /// removed regions. Give: Conserve adds it to the nearest fragment of its material within a few

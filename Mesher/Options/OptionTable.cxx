@@ -212,7 +212,9 @@ OptionTable StateOptions()
     Row("LostKineticEnergy", Choice<&M::LostKineticEnergy>({ "Report", "Internal Energy" }),
       "Treatment of the kinetic energy that is lost where one element, or one node, moves with the "
       "mean velocity of several cells. Report: the table of materials lists it. Internal Energy: "
-      "it is added to Energy Array, so that the sum of both energies matches the input.")
+      "it is added to Energy Array, so that the sum of both energies matches the input. With State "
+      "Order 2 it may be negative: elements can have slightly more kinetic energy than their "
+      "cells.")
       .EnabledIf(Moves + " & EnergyArray")
       .Advanced()
       .Sculptor("--lost-kinetic-energy WHERE"),

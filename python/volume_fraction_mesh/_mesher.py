@@ -246,7 +246,8 @@ def hexes(
         Treatment of the kinetic energy that is lost where one element, or one node, moves with the
         mean velocity of several cells. "report": the table of materials lists it.
         "internal_energy": it is added to `energy`, so that the sum of both energies matches the
-        input.
+        input. With `state_order` 2 it may be negative: elements can have slightly more kinetic
+        energy than their cells.
     unmeshed_material : {"give", "drop"}, default "give"
         Treatment of material that is not attached to any element of its kind, such as small drops
         and removed regions. "give": "conserve" adds it to the nearest fragment of its material
