@@ -208,6 +208,19 @@ public:
 
   ///@{
   /**
+   * State arrays whose vectors (3 components), symmetric tensors (6: xx, yy, zz, xy, yz, xz) or
+   * tensors (9, row-major) are given along the axes of an image with a direction matrix. They are
+   * rotated with the mesh, except with ImageAxes. Of arrays per material, or per component of the
+   * velocity, any one stands for all. Copied arrays must be of reals. Default: none.
+   */
+  void AddRotatedArray(const char* name);
+  void ClearRotatedArrays();
+  int GetNumberOfRotatedArrays();
+  const char* GetRotatedArray(int index);
+  ///@}
+
+  ///@{
+  /**
    * File with names of labels (MaterialIdArray), read by rank 0. Formats: a text with a label and
    * its name in each line, label files of ITK-SNAP, lookup tables of FreeSurfer and MRIcron, and
    * the XML of an FSL atlas. Labels without an entry are called "Material 7". Errors state the
@@ -283,7 +296,8 @@ public:
   // options: generated
   /// Leave the mesh of an image with a direction matrix in the axes of the image. The sides of the
   /// domain then lie along x, y and z. Off: the mesh is rotated to the position of the image in
-  /// space. State arrays and refinement boxes are not rotated. Allowed: on or off; default off.
+  /// space. Refinement boxes are in space; so are state arrays, except Rotated Arrays. Allowed: on
+  /// or off; default off.
   vfmSwitchOption(ImageAxes);
   /// Mesh the void as well, as material 0, conforming with the materials. Allowed: on or off;
   /// default off.
