@@ -219,7 +219,7 @@ def hexes(
     image_axes : bool, default False
         Leave the mesh of an image with a direction matrix in the axes of the image. The sides of
         the domain then lie along x, y and z. False: the mesh is rotated to the position of the
-        image in space. Refinement boxes are in space; so are state arrays, except Rotated Arrays.
+        image in space. Refinement boxes are in space; so are state arrays, except `rotated_arrays`.
     mesh_void : bool, default False
         Mesh the void as well, as material 0, conforming with the materials.
     minimum_region_cells : int, default 0
