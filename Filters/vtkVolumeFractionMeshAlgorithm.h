@@ -208,6 +208,19 @@ public:
 
   ///@{
   /**
+   * State arrays whose vectors (3 components), symmetric tensors (6: xx, yy, zz, xy, yz, xz) or
+   * tensors (9, row-major) are given along the axes of an image with a direction matrix. They are
+   * rotated with the mesh, except with ImageAxes. Of arrays per material, or per component of the
+   * velocity, any one stands for all. Copied arrays must be of reals. Default: none.
+   */
+  void AddRotatedArray(const char* name);
+  void ClearRotatedArrays();
+  int GetNumberOfRotatedArrays();
+  const char* GetRotatedArray(int index);
+  ///@}
+
+  ///@{
+  /**
    * File with names of labels (MaterialIdArray), read by rank 0. Formats: a text with a label and
    * its name in each line, label files of ITK-SNAP, lookup tables of FreeSurfer and MRIcron, and
    * the XML of an FSL atlas. Labels without an entry are called "Material 7". Errors state the
@@ -283,7 +296,8 @@ public:
   // options: generated
   /// Leave the mesh of an image with a direction matrix in the axes of the image. The sides of the
   /// domain then lie along x, y and z. Off: the mesh is rotated to the position of the image in
-  /// space. State arrays and refinement boxes are not rotated. Allowed: on or off; default off.
+  /// space. Refinement boxes are in space; so are state arrays, except Rotated Arrays. Allowed: on
+  /// or off; default off.
   vfmSwitchOption(ImageAxes);
   /// Mesh the void as well, as material 0, conforming with the materials. Allowed: on or off;
   /// default off.
@@ -324,8 +338,9 @@ public:
   vfmSwitchOption(NodalVelocity);
   /// Treatment of the kinetic energy that is lost where one element, or one node, moves with the
   /// mean velocity of several cells. Report: the table of materials lists it. Internal Energy: it
-  /// is added to Energy Array, so that the sum of both energies matches the input. Allowed: Report,
-  /// InternalEnergy (or 0 to 1); default Report.
+  /// is added to Energy Array, so that the sum of both energies matches the input. With State Order
+  /// 2 it may be negative: elements can have slightly more kinetic energy than their cells.
+  /// Allowed: Report, InternalEnergy (or 0 to 1); default Report.
   vfmNumberOption(LostKineticEnergy, int);
   /// Treatment of material that is not attached to any element of its kind, such as small drops and
   /// removed regions. Give: Conserve adds it to the nearest fragment of its material within a few

@@ -211,6 +211,29 @@ const char* vtkVolumeFractionMeshAlgorithm::GetStateKind(int index)
   return TextAt(this->Options->StateKinds, index);
 }
 
+void vtkVolumeFractionMeshAlgorithm::AddRotatedArray(const char* name)
+{
+  if (name && *name)
+  {
+    AddItem(std::string(name), this->Options->RotatedArrays, this);
+  }
+}
+
+void vtkVolumeFractionMeshAlgorithm::ClearRotatedArrays()
+{
+  ClearItems(this->Options->RotatedArrays, this);
+}
+
+int vtkVolumeFractionMeshAlgorithm::GetNumberOfRotatedArrays()
+{
+  return static_cast<int>(this->Options->RotatedArrays.size());
+}
+
+const char* vtkVolumeFractionMeshAlgorithm::GetRotatedArray(int index)
+{
+  return TextAt(this->Options->RotatedArrays, index);
+}
+
 void vtkVolumeFractionMeshAlgorithm::SetLabelNamesFile(const char* path)
 {
   this->SetText("LabelNames", path);

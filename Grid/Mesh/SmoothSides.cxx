@@ -176,35 +176,46 @@ bool ShareEdge(const Work& work, std::size_t f, std::size_t g)
            [&](Index p) { return std::find(begin, end, p) != end; }) > 1;
 }
 
-/// Returns the adjacent side of a facet, other than its own, with the most common edges; among
-/// equals the one with the nearest normal. Without an adjacent side returns its own side, or the
-/// remainder of the interface.
-int NearestSide(const Work& work, std::size_t f, const Groups<int>& around)
+/// A side adjacent to a facet.
+struct AdjacentSide
 {
-  struct Around
+  bool IsSmooth = false; ///< a facet of the side is nearly parallel
+  int Edges = -1;        ///< number of common edges
+  double Cosine = -2.0;  ///< largest cosine between the normals of its facets and of the facet
+  int Side = 0;
+
+  /// Orders sides by how well the facet continues them.
+  bool operator<(const AdjacentSide& other) const
   {
-    int Edges = 0;
-    double Cosine = -2.0;
-  };
-  std::map<int, Around> sides;
+    return std::tie(this->IsSmooth, this->Edges, this->Cosine, other.Side) <
+      std::tie(other.IsSmooth, other.Edges, other.Cosine, this->Side);
+  }
+};
+
+/// Returns the adjacent side of a facet that the facet continues best, other than its own. Without
+/// such a side returns its own side, or the remainder of the interface.
+/// @param prefersSmooth  false: the number of common edges decides, whether or not a side is smooth
+AdjacentSide NearestSide(
+  const Work& work, std::size_t f, const Groups<int>& around, bool prefersSmooth)
+{
+  std::map<int, AdjacentSide> sides;
   const Vector3 normal = NormalOf(work.Input, work.Facets[f]);
   for (int other : ListAdjacent(work, f, around))
   {
-    Around& side = sides[work.SideOf[other]];
-    side.Edges += ShareEdge(work, f, other);
+    AdjacentSide& side = sides[work.SideOf[other]];
+    side.Side = work.SideOf[other];
+    side.Edges = std::max(side.Edges, 0) + ShareEdge(work, f, other);
     side.Cosine = std::max(side.Cosine, Dot(normal, NormalOf(work.Input, work.Facets[other])));
+    side.IsSmooth = prefersSmooth && side.Cosine > SmoothCosine;
   }
   const int own = work.SideOf[f];
-  const int rest = own > 0 ? own : work.PiecesEnd + work.Points.CutOf[f];
-  std::tuple<int, double, int> nearest(-1, 0.0, -rest);
+  AdjacentSide nearest;
+  nearest.Side = own > 0 ? own : work.PiecesEnd + work.Points.CutOf[f];
   for (const auto& [side, its] : sides)
   {
-    if (side != own)
-    {
-      nearest = std::max(nearest, { its.Edges, its.Cosine, -side });
-    }
+    nearest = side != own ? std::max(nearest, its) : nearest;
   }
-  return -std::get<2>(nearest);
+  return nearest;
 }
 
 void TakeDecisions(Work& work, const std::vector<int>& loose, const std::vector<Decision>& mine)
@@ -221,26 +232,28 @@ void TakeDecisions(Work& work, const std::vector<int>& loose, const std::vector<
     {
       work.SideOf[f] = static_cast<int>(at->Side);
     }
-    else if (work.SideOf[f] == Undecided) // far from owned elements no rank may have decided
-    {
-      work.SideOf[f] = work.PiecesEnd + work.Points.CutOf[f];
-    }
   }
 }
 
 /// Decides the sides of facets on their owners, which have all adjacent facets, and exchanges them.
+/// @param around  facets with a side, at each point
+/// @param isTaken  whether the nearest side (AdjacentSide) of a facet is taken
 template <class Condition>
 void Decide(Work& work, const std::vector<int>& loose, const Groups<int>& around,
-  const Condition& isRequested)
+  const Condition& isTaken, bool prefersSmooth = true)
 {
   std::vector<int> decided(work.SideOf);
   std::vector<Decision> mine;
   for (int f : loose)
   {
-    if (work.Facets[f].IsOwned && isRequested(f))
+    if (work.Facets[f].IsOwned)
     {
-      decided[f] = NearestSide(work, f, around);
-      mine.push_back({ KeyOf(work, f), decided[f] });
+      const AdjacentSide nearest = NearestSide(work, f, around, prefersSmooth);
+      if (isTaken(f, nearest))
+      {
+        decided[f] = nearest.Side;
+        mine.push_back({ KeyOf(work, f), nearest.Side });
+      }
     }
   }
   work.SideOf = std::move(decided);
@@ -269,8 +282,9 @@ bool IsPinched(const Work& work, int f, const Groups<int>& around)
     });
 }
 
-/// Decides facets whose points do not determine the side. Then decides again those facets of them
-/// through which two parts of their side would touch at a point.
+/// Decides facets whose points do not determine the side: first those that continue a side
+/// smoothly, then the others. Then decides again those of them through which two parts of their
+/// side would touch at a point.
 void DecideOthers(Work& work)
 {
   std::vector<int> loose;
@@ -281,10 +295,22 @@ void DecideOthers(Work& work)
       loose.push_back(static_cast<int>(f));
     }
   }
-  const auto isDecided = [&](int f) { return work.SideOf[f] > 0; };
-  Decide(work, loose, ListFacetsAt(work.Facets, work.Input, isDecided), [](int) { return true; });
-  const Groups<int> around = ListFacetsAt(work.Facets, work.Input, isDecided);
-  Decide(work, loose, around, [&](int f) { return IsPinched(work, f, around); });
+  const auto listDecided = [&work]
+  { return ListFacetsAt(work.Facets, work.Input, [&](int f) { return work.SideOf[f] > 0; }); };
+  Decide(work, loose, listDecided(), [](int, const AdjacentSide& side) { return side.IsSmooth; });
+  Decide(work, loose, listDecided(),
+    [&work](int f, const AdjacentSide&) { return work.SideOf[f] == Undecided; });
+  for (int f : loose)
+  {
+    if (work.SideOf[f] == Undecided) // far from owned elements no rank may have decided
+    {
+      work.SideOf[f] = work.PiecesEnd + work.Points.CutOf[f];
+    }
+  }
+  const Groups<int> around = listDecided();
+  Decide(
+    work, loose, around, [&](int f, const AdjacentSide&) { return IsPinched(work, f, around); },
+    false);
 }
 
 /// Returns the unit mean normal of the facets of the side of f at the points that f and

@@ -18,9 +18,10 @@ namespace vfm
 /// points of an interface that are not carriers and touch no other interface are joined over facet
 /// edges; the connected components are the sides. A facet belongs to the side of its points. If all
 /// its points are carriers, or its points belong to several sides, the facet gets the adjacent side
-/// with which it has most edges in common, or among equals the nearest normal. Sides are joined if
-/// most of their common border is smooth. A side of few facets is joined with the adjacent side
-/// that has the nearest normal. An edge that ends inside a side does not divide it.
+/// that has a facet within 25 degrees of it, else the one with which it has most edges in common,
+/// among equals the one with the nearest normal. Sides are joined if most of their common border is
+/// smooth. A side of few facets is joined with the adjacent side that has the nearest normal. An
+/// edge that ends inside a side does not divide it.
 /// @param facets  facets of the mesh
 /// @param kinds  kind of every mesh point, valid for points of owned nodes; empty:
 ///   there are no carriers

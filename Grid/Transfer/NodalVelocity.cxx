@@ -9,6 +9,9 @@ namespace vfm
 namespace
 {
 
+// Fraction of a kinetic energy by which it and its velocity may differ by rounding.
+constexpr double Rounding = 1e-14;
+
 /// Mass and momentum of a point.
 struct Momentum
 {
@@ -246,7 +249,9 @@ Buffer<double> FindLostKineticEnergy(const Buffer<double>& mass, const Buffer<do
     [&](Index e)
     {
       const Vector3 u = VectorAt(velocity, e);
-      lost[e] = mass[e] * (kinetic[e] - 0.5 * Dot(u, u));
+      const double difference = kinetic[e] - 0.5 * Dot(u, u);
+      const bool isRounding = std::fabs(difference) <= Rounding * kinetic[e];
+      lost[e] = isRounding ? 0.0 : mass[e] * difference;
     });
   return lost;
 }

@@ -33,9 +33,11 @@ struct NodalVelocity
 NodalVelocity FindNodalVelocity(const Mesh& mesh, const CartesianGrid& grid,
   const Buffer<double>& mass, const Buffer<double>& velocity, Runtime& runtime);
 
-/// Returns the kinetic energy that the cells of each element had and its velocity lacks. It is
-/// usually positive, because velocities of several cells are averaged. It is negative where
-/// limiters permit velocity to vary more than its square.
+/// Returns the kinetic energy that the cells of each element had and its velocity lacks.
+/// Differences within rounding are 0. A transfer of first order averages velocities, so its result
+/// is >= 0. A transfer of second order gives elements the variation of velocity inside cells, which
+/// the kinetic energy of the cells does not contain: the result is negative where elements are not
+/// larger than cells, and its sum may be.
 /// @param mass  mass of each element
 /// @param velocity  transferred velocity (elements, 3), row-major
 /// @param kinetic  |u|^2 / 2 of the cells, transferred per mass like velocity (elements)

@@ -9,7 +9,6 @@ namespace vfm
 namespace
 {
 
-constexpr int FinerBits = 30; // bits by which sums are finer than ExactSum
 // Overlap of a connected component, in mean cells, up to which its factor is not reported.
 constexpr double LeastPiece = 1e-13;
 // Fraction of the outflow that counts as nothing.
@@ -33,18 +32,13 @@ struct Movers
 std::vector<double> SumPieces(
   Movers& movers, const std::function<double(std::size_t node)>& valueOf)
 {
-  const double unit = std::ldexp(Cube(movers.Grid.MeanWidth()), -FinerBits);
+  const double unit = Cube(movers.Grid.MeanWidth());
   std::vector<ExactSum> sums(movers.Nodes.FragmentsOfPieces().size());
   for (std::size_t i = 0; i < movers.Nodes.Owned(); ++i)
   {
     sums[movers.Nodes.Graph().Pieces[i]].Add(valueOf(i) / unit);
   }
-  std::vector<double> totals = SumOverRanks(sums, movers.Run.Group());
-  for (double& total : totals)
-  {
-    total = std::ldexp(total, -FinerBits);
-  }
-  return totals;
+  return SumOverRanks(sums, movers.Run.Group());
 }
 
 /// Returns the factor by which the volumes of each component must be divided so that their sum is

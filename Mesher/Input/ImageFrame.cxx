@@ -54,6 +54,22 @@ void CheckAxes(const Axes& axes, const std::string& name)
   }
 }
 
+/// Replaces the tensor t by A t A^T, both row-major.
+void RotateTensor(const Axes& axes, double* t)
+{
+  Axes half{};
+  for (int i = 0; i < 9; ++i)
+  {
+    const double *row = axes.data() + i / 3 * 3, *column = t + i % 3;
+    half[i] = row[0] * column[0] + row[1] * column[3] + row[2] * column[6];
+  }
+  for (int i = 0; i < 9; ++i)
+  {
+    const double *row = half.data() + i / 3 * 3, *other = axes.data() + i % 3 * 3;
+    t[i] = row[0] * other[0] + row[1] * other[1] + row[2] * other[2];
+  }
+}
+
 template <class Swap>
 void SwapCorners(Buffer<Index>& elements, int corners, const Swap& swap)
 {
@@ -157,6 +173,40 @@ ImageFrame AgreeOnFrame(std::vector<ImageFrame> frames, Ranks& ranks)
       ": all must have the same, to lie on one grid.");
   }
   return first;
+}
+
+bool CanRotate(int components)
+{
+  return components == 3 || components == 6 || components == 9;
+}
+
+void RotateTuple(const ImageFrame& frame, int components, double* values)
+{
+  if (frame.IsIdentity())
+  {
+    return;
+  }
+  if (components == 3)
+  {
+    const Vector3 rotated = values[0] * Column(frame.Axes, 0) + values[1] * Column(frame.Axes, 1) +
+      values[2] * Column(frame.Axes, 2);
+    std::copy_n(rotated.begin(), 3, values);
+  }
+  else if (components == 6)
+  {
+    constexpr int places[9] = { 0, 3, 5, 3, 1, 4, 5, 4, 2 };
+    Axes tensor;
+    std::transform(places, places + 9, tensor.begin(), [values](int p) { return values[p]; });
+    RotateTensor(frame.Axes, tensor.data());
+    for (int i = 0; i < 9; ++i)
+    {
+      values[places[i]] = tensor[i];
+    }
+  }
+  else if (components == 9)
+  {
+    RotateTensor(frame.Axes, values);
+  }
 }
 
 void TurnMesh(const ImageFrame& frame, Mesh& mesh)

@@ -4,7 +4,8 @@
  * Such images are meshed in image axes, as if the matrix were the identity. Afterwards the points
  * of the mesh are rotated about an origin. A matrix of determinant -1 inverts elements and facets;
  * the order of their corners is then reversed. All blocks must have the same matrix. Blocks with
- * other origins are shifted along the common axes to their position in space.
+ * other origins are shifted along the common axes to their position in space. State arrays that
+ * are vectors or tensors in image axes are rotated as well (RotateTuple).
  */
 #pragma once
 
@@ -55,6 +56,14 @@ ImageFrame MakeImageFrame(
 /// @throws InputError if axes differ, on all ranks
 /// @pre Collective
 ImageFrame AgreeOnFrame(std::vector<ImageFrame> frames, Ranks& ranks);
+
+/// Returns whether RotateTuple rotates tuples of a number of components: 3, 6 or 9.
+bool CanRotate(int components);
+
+/// Rotates a vector or tensor from image axes to world coordinates.
+/// @param components  3: a vector; 6: a symmetric tensor in the order xx, yy, zz, xy, yz, xz; 9: a
+/// tensor, row-major
+void RotateTuple(const ImageFrame& frame, int components, double* values);
 
 /// Transforms a mesh from image axes to world coordinates.
 void TurnMesh(const ImageFrame& frame, Mesh& mesh);

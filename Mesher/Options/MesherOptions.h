@@ -90,6 +90,7 @@ struct MesherOptions : MeshSettings, LevelSettings, ConserveOptions
   std::vector<std::string> DensityArrays;
   std::vector<std::string> StateKinds; ///< entries name=kind
   std::string VelocityArray, EnergyArray;
+  std::vector<std::string> RotatedArrays;
   Refinement Where = Refinement::InputLevels; ///< option Refinement
   int MaximumLevel = -1;                      ///< -1: automatic
   double ThinCells = 2.0, CurvaturePerCell = 0.0;

@@ -138,7 +138,7 @@ OptionTable MaterialsOptions()
     Row("ImageAxes", Switch<&M::ImageAxes>(),
       "Leave the mesh of an image with a direction matrix in the axes of the image. The sides of "
       "the domain then lie along x, y and z. Off: the mesh is rotated to the position of the image "
-      "in space. State arrays and refinement boxes are not rotated.")
+      "in space. Refinement boxes are in space; so are state arrays, except Rotated Arrays.")
       .Advanced()
       .Sculptor("--image-axes"),
     Row("MeshVoid", Switch<&M::MeshVoid>(),
@@ -212,10 +212,21 @@ OptionTable StateOptions()
     Row("LostKineticEnergy", Choice<&M::LostKineticEnergy>({ "Report", "Internal Energy" }),
       "Treatment of the kinetic energy that is lost where one element, or one node, moves with the "
       "mean velocity of several cells. Report: the table of materials lists it. Internal Energy: "
-      "it is added to Energy Array, so that the sum of both energies matches the input.")
+      "it is added to Energy Array, so that the sum of both energies matches the input. With State "
+      "Order 2 it may be negative: elements can have slightly more kinetic energy than their "
+      "cells.")
       .EnabledIf(Moves + " & EnergyArray")
       .Advanced()
       .Sculptor("--lost-kinetic-energy WHERE"),
+    Row("RotatedArrays", Texts(OptionKind::Arrays, &M::RotatedArrays),
+      "State arrays whose vectors or tensors are given along the axes of the image, not along x, y "
+      "and z. They are rotated with the mesh of an image with a direction matrix. Vectors have "
+      "three components, symmetric tensors six (xx, yy, zz, xy, yz, xz), tensors nine (row by "
+      "row). All other arrays keep their values.")
+      .WithVectors()
+      .EnabledIf("!ImageAxes")
+      .Advanced()
+      .Sculptor("--rotated A,.."),
     Row("UnmeshedMaterial", Choice<&M::UnmeshedMaterial>({ "Give", "Drop" }),
       "Treatment of material that is not attached to any element of its kind, such as small drops "
       "and removed regions. Give: Conserve adds it to the nearest fragment of its material within "

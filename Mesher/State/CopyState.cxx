@@ -37,9 +37,27 @@ StatePlace FindPlace(const Index3& cell, int level, const StateValues& values)
   throw InputError("A cell of the input has no state."); // the levels fill a box
 }
 
-/// Makes the array of a state; number: its index.
-TransferredArray MakeOutput(
-  const StateArray& state, std::size_t number, const std::vector<StatePlace>& places)
+/// Rotates the tuples of an array of reals of this type.
+template <class Real>
+void Rotate(const ImageFrame& frame, TransferredArray& array)
+{
+  const std::size_t size = array.Components * sizeof(Real);
+  std::vector<Real> tuple(array.Components);
+  std::vector<double> values(array.Components);
+  for (char* at = array.Values.begin(); at < array.Values.end(); at += size)
+  {
+    std::memcpy(tuple.data(), at, size);
+    std::copy(tuple.begin(), tuple.end(), values.begin());
+    RotateTuple(frame, array.Components, values.data());
+    std::transform(values.begin(), values.end(), tuple.begin(),
+      [](double value) { return static_cast<Real>(value); });
+    std::memcpy(at, tuple.data(), size);
+  }
+}
+
+/// Makes the array of a state; number: its index; frame: axes of arrays that are rotated.
+TransferredArray MakeOutput(const StateArray& state, std::size_t number,
+  const std::vector<StatePlace>& places, const ImageFrame& frame)
 {
   const std::size_t size = TupleSize(state);
   TransferredArray array{ state.Name, state.Type, state.Components, state.ComponentNames,
@@ -49,6 +67,10 @@ TransferredArray MakeOutput(
   {
     std::memcpy(to, place.Source->Values[number] + place.Place * size, size);
     to += size;
+  }
+  if (state.IsRotated)
+  {
+    state.Type == ValueType::Float ? Rotate<float>(frame, array) : Rotate<double>(frame, array);
   }
   return array;
 }
@@ -77,7 +99,7 @@ std::vector<TransferredArray> CopyState(const InputLevels& input,
       }
       for (std::size_t a = 0; a < states.size(); ++a)
       {
-        arrays.push_back(MakeOutput(states[a], a, places));
+        arrays.push_back(MakeOutput(states[a], a, places, input.Reading.Frame));
       }
     });
   return arrays;

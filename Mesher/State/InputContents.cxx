@@ -46,8 +46,9 @@ Filling FindFilling(const FractionField& fractions, Index cell, int material)
 
 } // namespace
 
-InputContents::InputContents(std::vector<StateArray> states, StatePlan plan) :
-  States(std::move(states)), Plan(std::move(plan))
+InputContents::InputContents(
+  std::vector<StateArray> states, StatePlan plan, const ImageFrame& frame) :
+  States(std::move(states)), Plan(std::move(plan)), Frame(frame)
 {
   for (const StateArray& state : this->States)
   {
@@ -78,6 +79,10 @@ void InputContents::Read(const InputCell& cell, int material, double* values) co
       *to++ = factor *
         this->ReadComponent(
           *cell.Source, place, this->StateOf(array, material, c), array.IsVector ? 0 : c);
+    }
+    if (array.IsRotated)
+    {
+      RotateTuple(this->Frame, array.Components, to - array.Components);
     }
   }
   if (this->Plan.Velocity >= 0)

@@ -25,7 +25,8 @@ struct InputCell
 class InputContents
 {
 public:
-  InputContents(std::vector<StateArray> states, StatePlan plan);
+  /// @param frame  axes of the arrays of the plan that are rotated
+  InputContents(std::vector<StateArray> states, StatePlan plan, const ImageFrame& frame);
 
   /// Returns the number of values of a cell: the components of all arrays of the plan, followed by
   /// |u|^2 / 2 if there is a velocity.
@@ -55,6 +56,7 @@ private:
 
   const std::vector<StateArray> States;
   const StatePlan Plan;
+  const ImageFrame Frame;
   std::vector<ReadValue> Readers; // reader of each state
   std::vector<int> First;         // first column of each array
   int Columns = 0;

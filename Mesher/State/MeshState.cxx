@@ -1,24 +1,37 @@
 #include "State/MeshState.h"
 
+#include "State/RotatedArrays.h"
+
 #include <map>
 #include <numeric>
 
 namespace vfm
 {
+namespace
+{
+
+/// Returns the plan that copies all states.
+StatePlan PlanCopies(std::size_t states)
+{
+  StatePlan plan;
+  plan.Copied.resize(states);
+  std::iota(plan.Copied.begin(), plan.Copied.end(), 0);
+  return plan;
+}
+
+} // namespace
 
 StoredState StoreState(const InputLevels& input, const LevelCells& cells, const StateChoice& choice,
-  const std::vector<StateArray>& states, const LevelFields& fields, const LevelSetup& setup,
-  bool meshVoid, const std::vector<BlockPlace>& owners, Runtime& runtime)
+  std::vector<StateArray> states, const LevelFields& fields, const LevelSetup& setup,
+  const MesherOptions& options, const std::vector<BlockPlace>& owners, Runtime& runtime)
 {
-  StoredState kept;
-  if (!choice.IsConserved)
+  StatePlan plan =
+    choice.IsConserved ? PlanState(choice, states, fields.Field.Table) : PlanCopies(states.size());
+  if (!options.ImageAxes)
   {
-    kept.Copied = states;
-    kept.Places.resize(states.size());
-    std::iota(kept.Places.begin(), kept.Places.end(), 0);
-    return kept;
+    MarkRotated(choice.Rotated, plan, states);
   }
-  StatePlan plan = PlanState(choice, states, fields.Field.Table);
+  StoredState kept;
   kept.Places = plan.Copied;
   for (std::size_t s : kept.Places)
   {
@@ -26,9 +39,9 @@ StoredState StoreState(const InputLevels& input, const LevelCells& cells, const 
   }
   if (!plan.Conserved.empty())
   {
-    kept.Conserved =
-      std::make_unique<ConservedCells>(input, cells, InputContents(states, std::move(plan)), fields,
-        std::min(setup.Finest, input.Finest()), meshVoid, owners, runtime);
+    kept.Conserved = std::make_unique<ConservedCells>(input, cells,
+      InputContents(states, std::move(plan), input.Reading.Frame), fields,
+      std::min(setup.Finest, input.Finest()), options.MeshVoid, owners, runtime);
   }
   return kept;
 }

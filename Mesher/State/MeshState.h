@@ -33,11 +33,11 @@ struct OutputState
 /// @param states state arrays of the choice
 /// @param fields result of MakeLevelFields; setup: its levels
 /// @param owners cells of level 0 that each rank meshes
-/// @throws InputError if PlanState or ConservedCells do, on all ranks
+/// @throws InputError if PlanState, MarkRotated or ConservedCells do, on all ranks
 /// @pre Collective
 StoredState StoreState(const InputLevels& input, const LevelCells& cells, const StateChoice& choice,
-  const std::vector<StateArray>& states, const LevelFields& fields, const LevelSetup& setup,
-  bool meshVoid, const std::vector<BlockPlace>& owners, Runtime& runtime);
+  std::vector<StateArray> states, const LevelFields& fields, const LevelSetup& setup,
+  const MesherOptions& options, const std::vector<BlockPlace>& owners, Runtime& runtime);
 
 /// Makes the state arrays of the mesh.
 /// @param mesh elements owned by this rank, in image axes

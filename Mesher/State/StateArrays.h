@@ -18,6 +18,7 @@ struct StateArray
   int Type = 0; ///< one of ValueType
   int Components = 1;
   std::vector<std::string> ComponentNames; ///< empty, or one per component; "" if unnamed
+  bool IsRotated = false; ///< true: copies are rotated from image axes to world coordinates
 };
 
 /// Finds the state arrays with given names.

@@ -60,10 +60,10 @@ StateChoice ChooseState(const MesherOptions& options, std::vector<std::string> a
 {
   if (!ConservesState(options.Transfer, options.DensityArrays))
   {
-    return { false, std::move(arrays), {}, {}, {}, {} };
+    return { false, std::move(arrays), {}, {}, {}, {}, options.RotatedArrays };
   }
   return { true, std::move(arrays), options.DensityArrays, options.StateKinds,
-    options.VelocityArray, options.EnergyArray };
+    options.VelocityArray, options.EnergyArray, options.RotatedArrays };
 }
 
 bool IsCandidate(const std::string& name, const StateChoice& choice)

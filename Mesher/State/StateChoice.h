@@ -15,8 +15,9 @@ struct StateChoice
   bool IsConserved = false;        ///< false: all arrays are copied
   std::vector<std::string> Arrays; ///< distinct names of all arrays
   std::vector<std::string> Densities;
-  std::vector<std::string> Kinds; ///< entries name=kind
-  std::string Velocity, Energy;   ///< empty: not selected
+  std::vector<std::string> Kinds;        ///< entries name=kind
+  std::string Velocity, Energy;          ///< empty: not selected
+  std::vector<std::string> Rotated = {}; ///< arrays that are rotated from image axes
 };
 
 /// Returns whether state is conserved.

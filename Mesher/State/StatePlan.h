@@ -32,7 +32,8 @@ struct ConservedArray
   int Weight = -1; ///< index of the conserved array that multiplies the mass; -1: none
   /// Indices of state arrays: one for all materials, one per material from 1, or one per component.
   std::vector<std::size_t> States;
-  bool IsVector = false; ///< true if States has one array per component
+  bool IsVector = false;  ///< true if States has one array per component
+  bool IsRotated = false; ///< true: values are rotated from image axes to world coordinates
 
   /// Returns whether States has one array per material.
   bool IsOfMaterials() const { return this->States.size() > 1 && !this->IsVector; }

@@ -18,10 +18,6 @@ namespace
 
 using Moments = std::vector<ElementMoments>;
 
-/// The unit of volumes is this fraction of the largest element, so that ExactSum keeps nearly all
-/// bits of the other elements.
-constexpr double VolumeShare = 0x1p-24;
-
 /// Units of the mesh in which sums are taken, so that their relative error does not depend
 /// on scale.
 struct Units
@@ -131,7 +127,7 @@ Units FindUnits(
   }
   MaxOfEach(extremes, ranks);
   const auto orOne = [](double unit) { return unit > 0.0 ? unit : 1.0; };
-  Units units{ { { -extremes[0], -extremes[2], -extremes[4] } }, 0.0, VolumeShare * extremes[6],
+  Units units{ { { -extremes[0], -extremes[2], -extremes[4] } }, 0.0, extremes[6],
     orOne(extremes[7]), orOne(extremes[8]) };
   for (int a = 0; a < 3; ++a)
   {

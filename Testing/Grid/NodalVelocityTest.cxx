@@ -4,9 +4,12 @@
 
 #include "Base/Vector3.h"
 #include "RankMeshes.h"
+#include "SmoothState.h"
 #include "Transfer/Overlaps.h"
 
 #include <gtest/gtest.h>
+
+#include <numeric>
 
 using namespace vfm;
 using namespace vfm::testing;
@@ -154,7 +157,79 @@ void CompareRanks(const MeshCase& c, const MeshOptions& options, MeshMaker make)
   }
 }
 
+/// Smooth velocity of each cell, and |u|^2 / 2.
+class SmoothVelocity : public StateCellValues
+{
+public:
+  explicit SmoothVelocity(const CartesianGrid& grid) : Grid(grid) {}
+  void Read(const Index3& cell, int, double* values) const override
+  {
+    const Vector3 x =
+      0.5 * (this->Grid.NodePoint(cell) + this->Grid.NodePoint(CornerOfCell(cell, 7)));
+    const Vector3 u{ { 1.0 + std::sin(5.0 * x[0]), x[1] * x[2], 2.0 - x[2] * x[2] } };
+    std::copy(u.begin(), u.end(), values);
+    values[3] = 0.5 * Dot(u, u);
+  }
+
+private:
+  const CartesianGrid& Grid;
+};
+
+/// Lost kinetic energy of the elements of a ball in n^3 cells of the unit cube, and of the cells.
+struct BallLoss
+{
+  Buffer<double> OfElements;
+  double Input = 0.0, Kept = 0.0; ///< kinetic energies of cells and elements
+
+  BallLoss(int n, Elements elements, int order)
+  {
+    const CartesianGrid grid = MakeUnitCube(n);
+    const FractionField fractions =
+      FractionsOfShapes(grid, { MakeSphere(1, { { 0.51, 0.52, 0.49 } }, 0.37) });
+    const Mesh mesh = MakeMesh(grid, fractions, elements);
+    const SmoothVelocity values(grid);
+    TransferRequest request{ grid, fractions, values,
+      { { StateKind::PerMass, 3, -1 }, { StateKind::PerMass, 1, -1 } } };
+    request.Order = order;
+    Runtime runtime;
+    const TransferredState state = TransferState(mesh, request, runtime);
+    this->OfElements = FindLostKineticEnergy(state.Mass, state.Values[0], state.Values[1], runtime);
+    this->Input = state.Input[1].back();
+    for (std::size_t e = 0; e < state.Mass.size(); ++e)
+    {
+      const double* u = state.Values[0].data() + 3 * e;
+      this->Kept += 0.5 * state.Mass[e] * (u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
+    }
+  }
+  double Sum() const
+  {
+    return std::accumulate(this->OfElements.begin(), this->OfElements.end(), 0.0);
+  }
+};
+
 } // namespace
+
+// The difference of two means that are equal but for rounding has either sign.
+TEST(NodalVelocity, NoElementGainsKineticEnergyInFirstOrder)
+{
+  for (Elements elements : { Elements::Hexes, Elements::Lattice })
+  {
+    const BallLoss loss(24, elements, 1);
+    EXPECT_GE(*std::min_element(loss.OfElements.begin(), loss.OfElements.end()), 0.0);
+    EXPECT_GT(loss.Sum(), 1e-6 * loss.Input) << "nothing tested";
+    EXPECT_NEAR(loss.Kept + loss.Sum(), loss.Input, 1e-13 * loss.Input);
+  }
+}
+
+TEST(NodalVelocity, SecondOrderGainsLittleKineticEnergyAndCountsIt)
+{
+  for (Elements elements : { Elements::Hexes, Elements::Lattice })
+  {
+    const BallLoss loss(24, elements, 2);
+    EXPECT_NEAR(loss.Kept + loss.Sum(), loss.Input, 1e-13 * loss.Input);
+    EXPECT_LT(std::fabs(loss.Sum()), 5e-4 * loss.Input);
+  }
+}
 
 TEST(NodalVelocity, KeepsMomentumOnAnyRanks)
 {

@@ -162,10 +162,10 @@ TEST(Ranks, PartsOfTetGenMatch)
       for (int m = 1; m <= field.NumberOfMaterials(); ++m)
       {
         const double volume = MeasureVolume(serial, m);
-        EXPECT_NEAR(MeasureVolume(merged, m), volume, 1e-9 * volume) << "material " << m;
+        EXPECT_NEAR(MeasureVolume(merged, m), volume, 1e-13 * volume) << "material " << m;
         for (const MeshReport& report : made.Reports)
         {
-          EXPECT_NEAR(report.MeshVolume[m], volume, 1e-9 * volume) << "material " << m;
+          EXPECT_NEAR(report.MeshVolume[m], volume, 1e-13 * volume) << "material " << m;
         }
       }
       std::printf("%s on %d ranks: %zu tets, dihedral %.1f - %.1f, %lld parts rejected\n", name,

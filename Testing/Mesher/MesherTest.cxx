@@ -19,15 +19,20 @@ constexpr Index Side = 12; // cells
 class Values : public BlockArray
 {
 public:
-  Values(std::vector<double> values, bool isPlain) : Held(std::move(values))
+  Values(std::vector<double> values, bool isPlain, int components = 1) : Held(std::move(values))
   {
-    this->Tuples = static_cast<Index>(this->Held.size());
+    this->Components = components;
+    this->Tuples = static_cast<Index>(this->Held.size()) / components;
     this->Memory = isPlain ? this->Held.data() : nullptr;
   }
-  double Get(Index tuple, int) const override { return this->Held[tuple]; }
+  double Get(Index tuple, int component) const override
+  {
+    return this->Held[tuple * this->Components + component];
+  }
   void Copy(Index first, Index count, void* to) const override
   {
-    std::copy_n(this->Held.data() + first, count, static_cast<double*>(to));
+    std::copy_n(this->Held.data() + first * this->Components, count * this->Components,
+      static_cast<double*>(to));
   }
 
 private:
@@ -149,6 +154,128 @@ TEST(Mesher, MeshesOfRotatedImagesStayInTheirAxesOnRequest)
   EXPECT_FALSE(FindField(left.Fields, "DomainFrame"));
 }
 
+using Axes = std::array<double, 9>;
+constexpr Axes Oblique{ { 0.48, -0.6, 0.64, 0.8, 0.0, -0.6, 0.36, 0.8, 0.48 } };
+constexpr Axes Mirrored{ { 0.48, -0.6, -0.64, 0.8, 0.0, 0.6, 0.36, 0.8, -0.48 } };
+
+/// Returns A v, or A T A^T for tensors, written as sums over all components.
+std::vector<double> Rotated(const Axes& a, const std::vector<double>& v)
+{
+  std::vector<double> result(v.size(), 0.0);
+  if (v.size() == 3)
+  {
+    for (int i = 0; i < 9; ++i)
+    {
+      result[i / 3] += a[i] * v[i % 3];
+    }
+    return result;
+  }
+  const std::vector<int> places = v.size() == 6 ? std::vector<int>{ 0, 3, 5, 3, 1, 4, 5, 4, 2 }
+                                                : std::vector<int>{ 0, 1, 2, 3, 4, 5, 6, 7, 8 };
+  for (int n = 0; n < 81; ++n)
+  {
+    const int i = n % 3, j = n / 3 % 3, k = n / 9 % 3, l = n / 27;
+    const bool isSecond = v.size() == 6 && i > j; // t_ji has the place of t_ij
+    result[places[3 * i + j]] +=
+      isSecond ? 0.0 : a[3 * i + k] * a[3 * j + l] * v[places[3 * k + l]];
+  }
+  return result;
+}
+
+std::shared_ptr<const BlockArray> MakeTuples(int components, const Axes* axes)
+{
+  std::vector<double> all;
+  for (Index cell = 0; cell < Side * Side * Side; ++cell)
+  {
+    std::vector<double> tuple;
+    for (int c = 0; c < components; ++c)
+    {
+      tuple.push_back(std::sin(0.3 * static_cast<double>(cell % Side) + c) +
+        0.01 * c * static_cast<double>(cell / Side));
+    }
+    tuple = axes ? Rotated(*axes, tuple) : tuple;
+    all.insert(all.end(), tuple.begin(), tuple.end());
+  }
+  return std::make_shared<Values>(std::move(all), true, components);
+}
+
+/// Input with vectors v and tensors of six and nine components, s and t, in an image with these
+/// axes; areRotated: the arrays are in world coordinates.
+MesherInput MakeTensors(const Axes& axes, bool areRotated)
+{
+  MesherInput input = MakeInput(true);
+  InputBlock& block = input.Levels.Levels[0].Blocks[0];
+  auto arrays = std::make_shared<NamedValues>();
+  arrays->Arrays = { { "ball", block.Arrays->Find("ball") } };
+  for (const auto& [name, components] : { std::pair("v", 3), { "s", 6 }, { "t", 9 } })
+  {
+    arrays->Arrays[name] = MakeTuples(components, areRotated ? &axes : nullptr);
+  }
+  block.Arrays = arrays;
+  input.Levels.Reading.Frame = MakeImageFrame(axes, { { 1.0, 2.0, 3.0 } }, "A");
+  input.Arrays.State.Arrays = { "v", "s", "t" };
+  return input;
+}
+
+const double* ValuesOf(const TransferredArray& array)
+{
+  return reinterpret_cast<const double*>(array.Values.data());
+}
+
+/// Expects the same tuples of doubles to a tolerance.
+void ExpectSameState(const MesherResult& one, const MesherResult& other)
+{
+  ASSERT_EQ(one.State.Arrays.size(), 3u);
+  for (std::size_t a = 0; a < one.State.Arrays.size(); ++a)
+  {
+    const TransferredArray &mine = one.State.Arrays[a], &its = other.State.Arrays.at(a);
+    ASSERT_EQ(mine.Values.size(), its.Values.size());
+    ASSERT_EQ(mine.Values.size(), mine.Components * sizeof(double) * one.TheMesh.ElementIds.size());
+    double largest = 0.0;
+    for (std::size_t i = 0; i < mine.Values.size() / sizeof(double); ++i)
+    {
+      largest = std::max(largest, std::fabs(ValuesOf(mine)[i] - ValuesOf(its)[i]));
+    }
+    EXPECT_LT(largest, 1e-13) << mine.Name;
+  }
+}
+
+// Copied and conserved, the result is that of the same input in world coordinates.
+TEST(Mesher, VectorsAndTensorsAreRotatedWithTheImageOnRequest)
+{
+  Runtime serial;
+  for (const Axes& axes : { Oblique, Mirrored })
+  {
+    for (bool isConserved : { false, true })
+    {
+      MesherInput own = MakeTensors(axes, false), world = MakeTensors(axes, true);
+      for (MesherInput* input : { &own, &world })
+      {
+        input->Arrays.State.IsConserved = isConserved;
+        input->Arrays.State.Velocity = isConserved ? "v" : "";
+      }
+      own.Arrays.State.Rotated = { "v", " s", "t" };
+      MesherOptions options;
+      options.NodalVelocity = true;
+      const MesherResult rotated = RunMesher(own, options, serial);
+      const MesherResult expected = RunMesher(world, options, serial);
+      ExpectSameState(rotated, expected);
+      if (isConserved)
+      {
+        const Vector3 &momentum = rotated.State.Balance.Mesh[1].Momentum,
+                      &given = expected.State.Balance.Input[1].Momentum;
+        EXPECT_LT(Norm(momentum - given), 1e-12 * Norm(given));
+        EXPECT_EQ(rotated.State.NodalVelocity->Values.size(),
+          sizeof(double) * rotated.TheMesh.Points.size());
+      }
+      options.ImageAxes = true; // nothing is rotated
+      MesherInput plain = own;
+      plain.Arrays.State.Rotated.clear();
+      ExpectSameState(RunMesher(own, options, serial), RunMesher(plain, options, serial));
+    }
+  }
+}
+
 TEST(Mesher, ReportsTheMesh)
 {
   Runtime serial;
@@ -190,6 +317,21 @@ TEST(Mesher, WrongNames)
   ExpectError(input,
     "The state array 'MaterialId' has the name of an array that the mesh itself may have: rename "
     "it, or leave it out.");
+}
+
+TEST(Mesher, WrongRotatedArrays)
+{
+  for (bool isConserved : { false, true })
+  {
+    MesherInput input = MakeInput(true);
+    input.Arrays.State.IsConserved = isConserved;
+    input.Arrays.State.Rotated = { "x" };
+    ExpectError(input,
+      "The rotated array 'x' has 1 component: a vector has 3, a symmetric tensor 6 (xx, yy, zz, "
+      "xy, yz, xz), a tensor 9.");
+    input.Arrays.State.Rotated = { "y" };
+    ExpectError(input, "The rotated array 'y' is not a selected state array.");
+  }
 }
 
 TEST(Mesher, WarnsOfAnEmptyMesh)

@@ -162,11 +162,11 @@ TEST(Arguments, OptionsOfTheMesher)
     { "--label-names a.txt", { { "LabelNames", "a.txt" } } },
     { "--density a,b --velocity v --energy e --nodal-velocity --state-kinds s=volume "
       "--lost-kinetic-energy internalenergy --unmeshed drop --state-order 1 "
-      "--state-transfer conserve",
+      "--state-transfer conserve --rotated v,s",
       { { "DensityArrays", "a,b" }, { "VelocityArray", "v" }, { "EnergyArray", "e" },
         { "NodalVelocity", "on" }, { "StateKinds", "s=volume" },
         { "LostKineticEnergy", "InternalEnergy" }, { "UnmeshedMaterial", "Drop" },
-        { "StateOrder", "1" }, { "StateTransfer", "Conserve" } } },
+        { "StateOrder", "1" }, { "StateTransfer", "Conserve" }, { "RotatedArrays", "v,s" } } },
     { "--refine-cells wish", and_({ { "RefinementArray", "wish" } }) },
     { box, and_({ { "RefinementBoxes", "-1,.5,2,0,1,4" } }) },
     { box + " --refine-box=1,2,3,2,3,4,2", and_({ { "RefinementBoxes", boxes } }) },

@@ -53,6 +53,7 @@ StateChoice ReadStateChoice(nb::handle state, StateTransfer transfer)
     Read(from, "kinds", choice.Kinds);
     Read(from, "velocity", choice.Velocity);
     Read(from, "energy", choice.Energy);
+    Read(from, "rotated", choice.Rotated);
     choice.IsConserved = ConservesState(transfer, choice.Densities);
   }
   return choice;

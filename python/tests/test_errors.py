@@ -133,6 +133,12 @@ WRONG = {
     ),
     "kinds without state": (dict(fractions=BALL, state_kinds={"T": "mass"}), ValueError,
                             "no state is given"),
+    "rotated without state": (dict(fractions=BALL, rotated_arrays=["T"]), ValueError,
+                              "no state is given"),
+    "rotated, type": (dict(fractions=BALL, state={"T": BALL}, rotated_arrays=3), TypeError,
+                      "rotated_arrays is 3: a list"),
+    "rotated scalar": (dict(fractions=BALL, state={"T": BALL}, rotated_arrays=["T"]), ValueError,
+                       "The rotated array 'T' has 1 component"),
     "density": (
         dict(fractions=BALL, density=BALL - 1),
         ValueError,

@@ -43,6 +43,7 @@ def test_signatures(make):
         "velocity",
         "energy",
         "state_kinds",
+        "rotated_arrays",
         "refinement_array",
         "refinement_boxes",
         "progress",

@@ -98,6 +98,28 @@ def test_kinds():
         assert mesh.state["code"].dtype == np.int16
 
 
+@pytest.mark.parametrize("how", ("copy", "conserve"))
+def test_rotated_arrays(how):
+    """Vectors and tensors along the axes of a rotated image are those in world coordinates."""
+    axes = np.array([[0.48, -0.6, 0.64], [0.8, 0, -0.6], [0.36, 0.8, 0.48]])
+    random = np.random.default_rng(3)
+    tensor = random.random((*BALL.shape, 3, 3))
+    even = tensor + tensor.swapaxes(-1, -2)
+
+    def arrays(vector, any_tensor, symmetric):
+        return {"v": vector, "t": any_tensor.reshape(*BALL.shape, 9),
+                "s": symmetric[..., (0, 1, 2, 0, 1, 0), (0, 1, 2, 1, 2, 2)]}
+
+    given = dict(direction=axes, state_transfer=how)
+    names = ["v", "t", "s"]
+    mesh = vfm.hexes(FRACTIONS, state=arrays(VELOCITY, tensor, even), rotated_arrays=names, **given)
+    world = arrays(VELOCITY @ axes.T, axes @ tensor @ axes.T, axes @ even @ axes.T)
+    expected = vfm.hexes(FRACTIONS, state=world, **given)
+    assert np.array_equal(mesh.points, expected.points)
+    for name in names:
+        assert np.allclose(mesh.state[name], expected.state[name], rtol=0, atol=1e-13), name
+
+
 def test_arrays_of_materials():
     dense = {"ball": DENSITY, "plate": 3 * DENSITY}
     mesh = vfm.hexes(FRACTIONS, density=dense, spacing=SPACING)

@@ -72,6 +72,7 @@ def make_parser() -> argparse.ArgumentParser:
         ("density", "array of mass per volume, which switches conservation on; "
          "one for all materials, or repeat for each"),
         ("state-kind", "array=kind: quantity to conserve for a state array"),
+        ("rotated-array", "state array of vectors or tensors along the axes of the image"),
     ):
         parser.add_argument("--" + name, action="append", metavar="NAME", help=told)
     for name, told in (
@@ -129,8 +130,8 @@ def _arguments(words: argparse.Namespace) -> Dict[str, Any]:
         density=words.density
     )
     given.update(
-        state_kinds=words.state_kind, refinement_array=words.refinement_array,
-        refinement_boxes=words.refinement_box
+        state_kinds=words.state_kind, rotated_arrays=words.rotated_array,
+        refinement_array=words.refinement_array, refinement_boxes=words.refinement_box
     )
     return _name_arrays(given, source.others)
 

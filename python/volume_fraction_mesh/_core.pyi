@@ -114,6 +114,7 @@ class StateChoice(TypedDict, total=False):
     """Entries name=kind."""
     velocity: str
     energy: str
+    rotated: List[str]
 
 class Surfaces(TypedDict):
     cells: NDArray[np.int64]

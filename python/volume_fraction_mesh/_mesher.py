@@ -111,6 +111,7 @@ def hexes(
     velocity: OfMaterials = None,
     energy: OfMaterials = None,
     state_kinds: Union[Mapping[str, str], Sequence[str], None] = None,
+    rotated_arrays: Optional[Sequence[str]] = None,
     refinement_array: Any = None,
     refinement_boxes: Optional[Sequence[Sequence[float]]] = None,
     progress: Progress = None,
@@ -200,6 +201,10 @@ def hexes(
         mass; default of floating point), "mass*other" (per mass, times array ``other``), "volume"
         (per volume of the material), "cell" (per volume of the cell), "extensive" (sums), "copy"
         (not conserved; default of integers).
+    rotated_arrays : sequence of str, optional
+        Arrays of `state`, or "velocity", that are given along the axes of the image and are rotated
+        with its mesh (`direction`): vectors (3 components), symmetric tensors (6: xx, yy, zz, xy,
+        yz, xz) or tensors (9).
     refinement_array : array_like of shape (nx, ny, nz) or str, optional
         Number of times, 0 to 10, that ``refinement="automatic"`` halves each cell.
     refinement_boxes : list of sequences of 6 or 7 floats, optional
@@ -214,7 +219,7 @@ def hexes(
     image_axes : bool, default False
         Leave the mesh of an image with a direction matrix in the axes of the image. The sides of
         the domain then lie along x, y and z. False: the mesh is rotated to the position of the
-        image in space. State arrays and refinement boxes are not rotated.
+        image in space. Refinement boxes are in space; so are state arrays, except `rotated_arrays`.
     mesh_void : bool, default False
         Mesh the void as well, as material 0, conforming with the materials.
     minimum_region_cells : int, default 0
@@ -246,7 +251,8 @@ def hexes(
         Treatment of the kinetic energy that is lost where one element, or one node, moves with the
         mean velocity of several cells. "report": the table of materials lists it.
         "internal_energy": it is added to `energy`, so that the sum of both energies matches the
-        input.
+        input. With `state_order` 2 it may be negative: elements can have slightly more kinetic
+        energy than their cells.
     unmeshed_material : {"give", "drop"}, default "give"
         Treatment of material that is not attached to any element of its kind, such as small drops
         and removed regions. "give": "conserve" adds it to the nearest fragment of its material
@@ -405,7 +411,7 @@ def hexes(
     )
     source = Source(fractions, labels, spacing, origin, coordinates, direction, order, names,
                     arrays)
-    carried = StateGiven(state, density, velocity, energy, state_kinds)
+    carried = StateGiven(state, density, velocity, energy, state_kinds, rotated_arrays)
     return _run(options, source, carried, refinement_array, refinement_boxes, progress)
 
 
@@ -425,6 +431,7 @@ def tets(
     velocity: OfMaterials = None,
     energy: OfMaterials = None,
     state_kinds: Union[Mapping[str, str], Sequence[str], None] = None,
+    rotated_arrays: Optional[Sequence[str]] = None,
     refinement_array: Any = None,
     refinement_boxes: Optional[Sequence[Sequence[float]]] = None,
     progress: Progress = None,
@@ -476,7 +483,7 @@ def tets(
         Materials.
     spacing, origin, coordinates, direction, order : see hexes
         Grid and order of axes.
-    state, density, velocity, energy, state_kinds : see hexes
+    state, density, velocity, energy, state_kinds, rotated_arrays : see hexes
         State to transfer to the elements.
     refinement_array, refinement_boxes : see hexes
         Cells to refine.
@@ -589,5 +596,5 @@ def tets(
     )
     source = Source(fractions, labels, spacing, origin, coordinates, direction, order, names,
                     arrays)
-    carried = StateGiven(state, density, velocity, energy, state_kinds)
+    carried = StateGiven(state, density, velocity, energy, state_kinds, rotated_arrays)
     return _run(options, source, carried, refinement_array, refinement_boxes, progress)

@@ -22,6 +22,7 @@ class StateGiven(NamedTuple):
     velocity: Any
     energy: Any
     state_kinds: Any
+    rotated_arrays: Any
 
 
 def read_state(given: StateGiven, field: Field) -> Optional[StateChoice]:
@@ -33,9 +34,11 @@ def read_state(given: StateGiven, field: Field) -> Optional[StateChoice]:
     for names in (velocities, energies):  # the core transfers a single array by its role
         arrays += [name for name in names if len(names) > 1 and name not in arrays]
     kinds = _list_kinds(given.state_kinds)
+    rotated = _list_rotated(given.rotated_arrays)
     if not (arrays or densities or velocity or energy):
-        if kinds:
-            raise ValueError("state_kinds is %r, but no state is given." % (given.state_kinds,))
+        for name in ("state_kinds", "rotated_arrays"):
+            if getattr(given, name):
+                raise ValueError("%s is %r, but no state is given." % (name, getattr(given, name)))
         return None
     return {
         "arrays": arrays,
@@ -43,6 +46,7 @@ def read_state(given: StateGiven, field: Field) -> Optional[StateChoice]:
         "kinds": kinds,
         "velocity": velocity,
         "energy": energy,
+        "rotated": rotated,
     }
 
 
@@ -70,6 +74,16 @@ def _list_kinds(kinds: Any) -> List[str]:
     if isinstance(kinds, (list, tuple)):
         return [str(word) for word in kinds]
     raise TypeError("state_kinds is %r: a dict {array: kind} is required." % (kinds,))
+
+
+def _list_rotated(names: Any) -> List[str]:
+    if names is None:
+        return []
+    if isinstance(names, str):
+        return [names]
+    if isinstance(names, (list, tuple)) and all(isinstance(name, str) for name in names):
+        return list(names)
+    raise TypeError("rotated_arrays is %r: a list of names is required." % (names,))
 
 
 def _add(field: Field, name: str, value: Any) -> List[str]:

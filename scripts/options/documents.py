@@ -25,7 +25,7 @@ INPUTS = {"Materials": ["VolumeFractionArrays", "MaterialIdArray"], "State": ["S
 # Names in front ends that do not follow from the table of options.
 PYTHON = {"VolumeFractionArrays": "fractions", "MaterialIdArray": "labels", "StateArrays": "state",
           "LabelNames": "names", "DensityArrays": "density", "VelocityArray": "velocity",
-          "EnergyArray": "energy", "StateKinds": "state_kinds",
+          "EnergyArray": "energy", "StateKinds": "state_kinds", "RotatedArrays": "rotated_arrays",
           "RefinementArray": "refinement_array", "RefinementBoxes": "refinement_boxes"}
 ARGUMENTS = {"VolumeFractionArrays": "--fractions A,B,..", "MaterialIdArray": "--labels ARRAY",
              "StateArrays": "--state A,B,..", "RefinementArray": "--refine-cells ARRAY",

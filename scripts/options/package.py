@@ -7,7 +7,7 @@ from options.table import common, label, of_tets, put, snake, wrap
 WIDTH = 100
 # Labels of the panels without a generated option in Python, with what replaces them.
 NAMES = {"Density Arrays": "`density`", "Energy Array": "`energy`",
-         "Volume Fraction To Hex": "`hexes`"}
+         "Rotated Arrays": "`rotated_arrays`", "Volume Fraction To Hex": "`hexes`"}
 # Choices that texts of other options refer to.
 WORDS = ("Automatic", "Coarsen", "Conserve", "Copy", "Uniform")
 

@@ -91,7 +91,7 @@ TEST_P(TetCases, ReachesItsFigures)
   for (std::size_t m = 0; m < report.MeshVolume.size(); ++m)
   {
     EXPECT_NEAR(MeasureVolume(mesh, static_cast<int>(m)), report.MeshVolume[m],
-      1e-9 * c.Grid.Owned().NumberOfCells())
+      1e-14 * c.Grid.Owned().NumberOfCells())
       << "material " << m;
   }
   Index angles = 0;

@@ -223,6 +223,30 @@ def test_turned_images():
     assert np.allclose(points_of(mesh_of(data)), expected, rtol=0, atol=1e-12)
 
 
+def test_rotated_arrays():
+    """Rotated Arrays are vectors and tensors in image axes; the mesh has them in world axes."""
+    random = np.random.default_rng(5)
+    shape = FIELDS["ball"].shape
+    vector, tensor = random.random((*shape, 3)), random.random((*shape, 3, 3))
+    even = tensor + np.swapaxes(tensor, -1, -2)
+
+    def arrays(*values):
+        return {**FIELDS, "v": values[0], "t": values[1].reshape(*shape, 9),
+                "s": values[2][..., (0, 1, 2, 0, 1, 0), (0, 1, 2, 1, 2, 2)]}
+
+    names = ["v", "t", "s"]
+    for matrix in (ROTATIONS["oblique"], MIRRORS["oblique"]):
+        a = np.array(matrix)
+        own = at_points(image(arrays(vector, tensor, even)), matrix)
+        world = at_points(image(arrays(vector @ a.T, a @ tensor @ a.T, a @ even @ a.T)), matrix)
+        for how in ("Copy", "Conserve"):
+            state = {"StateArrays": names, "StateTransfer": how}
+            meshes = [mesh_of(own, RotatedArrays=names, **state), mesh_of(world, **state)]
+            for name in names:
+                one, other = [vtk_to_numpy(m.mesh.GetCellData().GetArray(name)) for m in meshes]
+                assert np.allclose(one, other, rtol=0, atol=1e-13), (name, how)
+
+
 def test_turned_blocks():
     """Rotated blocks with different origins lie where they lie in space."""
     matrix = MIRRORS["oblique"]
