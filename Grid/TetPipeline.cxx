@@ -191,7 +191,7 @@ std::vector<FeatureKind> Smooth(
   const std::vector<FeatureKind> kinds = Attach(job, interface, made, targets, active);
   const TetEnergy energy(FloorsOf(job.Options));
   std::optional<DiagonalFlips> flips;
-  Improvement improvement{ active, targets, energy, TetRamp(), volumes, job.Report,
+  Improvement improvement{ active, targets, energy, TetRamp(job.Options.Tets), volumes, job.Report,
     job.Options.ConserveVolume && job.Options.IsoValue == 0.5, {}, {} };
   if (!IsLattice(job))
   {

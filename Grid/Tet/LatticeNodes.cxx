@@ -208,18 +208,20 @@ double LatticeNodes::Lead(const Node& node, int label, int other) const
 }
 
 /// Returns whether a node may be snapped. A centre may not if its cell is at the domain boundary,
-/// or thin: along an axis, neither neighbour has the label of the cell.
+/// or thin: along two axes, neither neighbour has the label of the cell.
 bool LatticeNodes::MaySnap(const Node& node, Index n) const
 {
-  bool may = true;
-  for (int a = 0; node.Type == Centre && may && a < 3; ++a)
+  bool isInside = true;
+  int thinAxes = 0;
+  for (int a = 0; node.Type == Centre && isInside && a < 3; ++a)
   {
     const Index stride = this->Grid.Stride(a);
     const int label = this->CellLabels[n];
-    may = node.Position[a] > 0 && node.Position[a] < this->Grid.Global().Upper[a] - 1 &&
-      (this->CellLabels[n - stride] == label || this->CellLabels[n + stride] == label);
+    isInside = node.Position[a] > 0 && node.Position[a] < this->Grid.Global().Upper[a] - 1;
+    thinAxes +=
+      isInside && this->CellLabels[n - stride] != label && this->CellLabels[n + stride] != label;
   }
-  return may;
+  return isInside && thinAxes < 2;
 }
 
 /// Snaps nodes of one kind and parity, among some cells or their vertices.

@@ -1,6 +1,8 @@
 #include "Tet/LatticeRules.h"
 
-#include "Base/DisjointSets.h"
+#include "Tet/LatticeNear.h"
+
+#include <tuple>
 
 namespace vfm
 {
@@ -56,165 +58,70 @@ bool IsAtBridge(const Work& work, Index vertex)
   return found;
 }
 
-/// The 14 nodes around a centre: vertices, then centres of neighbours.
-struct Link
+NearNodes Near(const Work& work, Index cell, int label)
 {
-  std::array<bool, 14> HasLabel; ///< whether the node has the label of the cell in the middle
-  std::array<bool, 14> IsCell;   ///< whether it is the centre of a cell with this label
-  std::array<bool, 14> IsSnapped;
-};
+  return FindNear(work.Nodes, work.Grid, cell, label);
+}
 
-Link LinkOf(const Work& work, Index cell)
+/// Returns the nodes that stand for a cell: its centre, or if that is snapped, the nodes around it
+/// that have the label of the cell.
+/// @param own  nodes that have this label
+NearNodes NodesOfCell(const NearNodes& centre, const NearNodes& own)
 {
-  Link link{};
+  return IsEmpty(centre & own) ? NeighboursOf(centre) & own : centre;
+}
+
+/// Returns any node of a set that has nodes.
+NearNodes AnyOf(const NearNodes& set)
+{
+  const auto lowest = [](std::uint64_t bits) { return bits & (~bits + 1); };
+  return set.Centres ? NearNodes{ 0, lowest(set.Centres) } : NearNodes{ lowest(set.Vertices), 0 };
+}
+
+/// Returns whether the nodes that stand for a cell are connected, also to those of its neighbours
+/// with its label.
+bool IsWhole(const Work& work, Index cell)
+{
   const int label = work.Cells[cell];
-  for (int c = 0; c < 8; ++c)
+  const NearNodes own = Near(work, cell, label);
+  const NearNodes nodes = NodesOfCell(MiddleCentre(), own);
+  const NearNodes connected = ConnectedTo(AnyOf(nodes), own);
+  bool isWhole = !IsEmpty(nodes) && IsSubset(nodes, connected);
+  for (int face = 0; isWhole && face < 6; ++face)
   {
-    const int own = work.Vertices[work.Grid.NodeOfCell(cell, c)];
-    link.HasLabel[c] = own == label;
-    link.IsSnapped[c] = own == Snapped;
+    isWhole = work.Cells[work.Grid.Neighbour(cell, face)] != label ||
+      !IsEmpty(NodesOfCell(CentreAcross(face), own) & connected);
   }
-  for (int face = 0; face < 6; ++face)
-  {
-    const Index neighbour = work.Grid.Neighbour(cell, face);
-    link.IsCell[8 + face] = work.Cells[neighbour] == label;
-    link.HasLabel[8 + face] = work.Centres[neighbour] == label;
-    link.IsSnapped[8 + face] = work.Centres[neighbour] == Snapped;
-  }
-  return link;
+  return isWhole;
 }
 
-/// Calls body(v, w) for each of the 12 edges of the cell.
-template <class Body>
-void ForCubeEdges(const Body& body)
-{
-  for (int v = 0; v < 8; ++v)
-  {
-    for (int bit = 1; bit < 8; bit *= 2)
-    {
-      if (!(v & bit))
-      {
-        body(v, v | bit);
-      }
-    }
-  }
-}
-
-/// Returns the node of a link across the face of a cell that is on the side of a vertex.
-int NodeBeyond(int vertex, int axis)
-{
-  return 8 + 2 * axis + (vertex >> axis & 1);
-}
-
-/// Calls body(i, j) for each of the 36 edges of a link. The first node is a vertex.
-template <class Body>
-void ForEdges(const Body& body)
-{
-  ForCubeEdges(body);
-  for (int v = 0; v < 8; ++v)
-  {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      body(v, NodeBeyond(v, axis));
-    }
-  }
-}
-
-/// Calls body(i, j, p, q) for each edge i, j of a link and the other nodes p, q of its two
-/// triangles.
-template <class Body>
-void ForTrianglePairs(const Body& body)
-{
-  ForCubeEdges(
-    [&](int v, int w)
-    {
-      const int axis = (v ^ w) >> 1; // along the edge
-      body(v, w, NodeBeyond(v, (axis + 1) % 3), NodeBeyond(v, (axis + 2) % 3));
-    });
-  for (int v = 0; v < 8; ++v)
-  {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      body(v, NodeBeyond(v, axis), v ^ 1 << (axis + 1) % 3, v ^ 1 << (axis + 2) % 3);
-    }
-  }
-}
-
-/// Returns whether the nodes of a link that have the label are connected, and a node with the label
-/// is next to every cell with the label.
-bool IsWhole(const Link& link)
-{
-  std::vector<Index> parent = MakeSets(14);
-  std::array<bool, 14> isReached = link.HasLabel;
-  ForEdges(
-    [&](int a, int b)
-    {
-      if (link.HasLabel[a] && link.HasLabel[b])
-      {
-        Join(parent, a, b);
-      }
-      isReached[b] = isReached[b] || link.HasLabel[a];
-    });
-  Index root = -1;
-  bool isWhole = true;
-  for (int i = 0; i < 14; ++i)
-  {
-    if (link.HasLabel[i])
-    {
-      root = root < 0 ? FindRoot(parent, i) : root;
-      isWhole = isWhole && FindRoot(parent, i) == root;
-    }
-    isWhole = isWhole && (!link.IsCell[i] || isReached[i]);
-  }
-  return isWhole && root >= 0;
-}
-
-/// Returns the nodes of a link at a face that have the label of the cell beyond the face.
-std::array<bool, 14> NodesOfNeighbour(const Work& work, Index cell, int face)
-{
-  std::array<bool, 14> isOther{};
-  const Index other = work.Grid.Neighbour(cell, face);
-  const int label = work.Cells[other];
-  isOther[8 + face] = work.Centres[other] == label;
-  for (int v = 0; v < 8; ++v)
-  {
-    isOther[v] =
-      NodeBeyond(v, face / 2) == 8 + face && work.Vertices[work.Grid.NodeOfCell(cell, v)] == label;
-  }
-  return isOther;
-}
-
-/// Returns whether tets around a snapped centre join the label of its cell to the cell beyond a
-/// face.
+/// Returns whether tets near a cell join the connected nodes of the cell to those of the cell
+/// across a face.
 bool HasContact(const Work& work, Index cell, int face)
 {
-  const Link link = LinkOf(work, cell);
-  const std::array<bool, 14> isOther = NodesOfNeighbour(work, cell, face);
-  const auto meet = [&](int p, int q)
-  { return (link.HasLabel[p] && isOther[q]) || (link.HasLabel[q] && isOther[p]); };
-  bool found = false;
-  ForEdges([&](int p, int q) { found = found || meet(p, q); });
-  ForTrianglePairs([&](int i, int j, int p, int q)
-    { found = found || (link.IsSnapped[i] && link.IsSnapped[j] && meet(p, q)); });
-  return found;
+  const NearNodes own = Near(work, cell, work.Cells[cell]);
+  const NearNodes other = Near(work, cell, work.Cells[work.Grid.Neighbour(cell, face)]);
+  const NearNodes here = ConnectedTo(NodesOfCell(MiddleCentre(), own), own);
+  const NearNodes there = ConnectedTo(NodesOfCell(CentreAcross(face), other), other);
+  return !IsEmpty(NeighboursOf(here) & there) ||
+    MeetAtTriangle(here, there, Near(work, cell, Snapped));
 }
 
 bool LosesContact(const Work& work, Index cell)
 {
   bool loses = false;
-  for (int face = 0; face < 6; ++face)
+  for (int face = 0; !loses && face < 6; ++face)
   {
     const Index other = work.Grid.Neighbour(cell, face);
-    loses = loses ||
-      (work.Cells[other] != work.Cells[cell] && !HasContact(work, cell, face) &&
-        !(work.Centres[other] == Snapped && HasContact(work, other, face ^ 1)));
+    loses = work.Cells[other] != work.Cells[cell] && !HasContact(work, cell, face) &&
+      !(work.Centres[other] == Snapped && HasContact(work, other, face ^ 1));
   }
   return loses;
 }
 
 bool IsBroken(const Work& work, Index cell)
 {
-  return !IsWhole(LinkOf(work, cell)) || LosesContact(work, cell);
+  return !IsWhole(work, cell) || LosesContact(work, cell);
 }
 
 /// Returns whether the edges of a face of the grid include one between snapped vertices.
@@ -227,19 +134,38 @@ bool HasSnappedEdge(const Work& work, Index block, int axis)
   return (isSnapped(0) || isSnapped(u | v)) && (isSnapped(u) || isSnapped(v));
 }
 
-/// Returns whether a centre is to be settled because of a snapped tet with the centre of a
-/// neighbour.
-bool GivesWay(const Work& work, Index cell)
+/// Returns whether lattice tets at a face of a cell with a snapped centre have four snapped nodes.
+bool IsSnappedFace(const Work& work, Index cell, int face)
 {
-  bool gives = false;
+  const Index other = work.Grid.Neighbour(cell, face);
+  return work.Centres[other] == Snapped && HasSnappedEdge(work, face & 1 ? other : cell, face / 2);
+}
+
+int CountSnappedFaces(const Work& work, Index cell)
+{
+  int count = 0;
   for (int face = 0; face < 6; ++face)
   {
-    const Index other = work.Grid.Neighbour(cell, face);
-    const bool isUpper = face & 1;
-    if (work.Centres[other] == Snapped && HasSnappedEdge(work, isUpper ? other : cell, face / 2))
+    count += IsSnappedFace(work, cell, face);
+  }
+  return count;
+}
+
+/// Returns whether a centre is to be settled because of snapped tets: it is before all other
+/// centres of these tets. First are those at the most faces with snapped tets, so that few centres
+/// are settled, then those with the largest fraction of their own label.
+bool GivesWay(const Work& work, Index cell)
+{
+  const int count = CountSnappedFaces(work, cell);
+  bool gives = count > 0;
+  for (int face = 0; gives && face < 6; ++face)
+  {
+    if (IsSnappedFace(work, cell, face))
     {
-      const double lead = work.Nodes.OwnFraction(cell) - work.Nodes.OwnFraction(other);
-      gives = gives || lead > 0.0 || (lead == 0.0 && !isUpper);
+      const Index other = work.Grid.Neighbour(cell, face);
+      const auto rank = [&](Index n, int faces)
+      { return std::make_tuple(faces, work.Nodes.OwnFraction(n), n); };
+      gives = rank(cell, count) > rank(other, CountSnappedFaces(work, other));
     }
   }
   return gives;

@@ -124,22 +124,53 @@ void MarkNextToCoarse(Work& work, const Row& row)
   }
 }
 
+/// Returns how much the angle of a face on the domain boundary opens at a corner, when the
+/// interfaces on this side of the domain become smooth: 2 if the face is the only one with its
+/// label around the corner, -2 if there are three of four.
+/// @param cell  cell of the face
+/// @param corner  corner of the face, as a corner of the cell
+int OpeningOf(const Work& work, const Index3& cell, int axis, int corner)
+{
+  const LabelArray& cells = work.Nodes.Cells();
+  const int label = cells[work.Grid.Linear(cell)];
+  int around = 0, equal = 0;
+  for (int c = 0; c < 4; ++c)
+  {
+    Index3 other = cell;
+    for (int side = 0; side < 2; ++side)
+    {
+      const int a = (axis + 1 + side) % 3;
+      other[a] += c >> side & 1 ? (corner >> a & 1 ? 1 : -1) : 0;
+    }
+    const bool isInside = work.Grid.InDomain(other);
+    around += isInside;
+    equal += isInside && cells[work.Grid.Linear(other)] == label;
+  }
+  return equal == around ? 0 : 4 - 2 * equal - (4 - around) / 2;
+}
+
 /// Returns the diagonal of a face on the domain boundary. If three of its corners are snapped, it
-/// begins at the fourth, so that no triangle has all its corners on a curve. Such faces have no
-/// cuts, because only pure vertices have labels there.
+/// begins at the fourth, so that no triangle has all its corners on a curve. Else it divides the
+/// angles that open, so that they can become straight. Such faces have no cuts, because only pure
+/// vertices have labels there.
 int DiagonalOf(const Work& work, const Index3& block, int axis)
 {
   const int u = 1 << (axis + 1) % 3, v = 1 << (axis + 2) % 3;
   const int around[4] = { 0, u, u | v, v };
   const int* vertices = work.Nodes.Labels(LatticeNodes::Vertex) + work.Grid.Linear(block);
-  int free = 0, last = 0;
+  Index3 cell = block;
+  cell[axis] -= block[axis] != 0;
+  int free = 0, last = 0, openings[2] = { 0, 0 };
   for (int q = 0; q < 4; ++q)
   {
     const bool isFree = vertices[work.Grid.CornerOffset(around[q])] != LatticeNodes::Snapped;
     free += isFree;
     last = isFree ? q : last;
+    openings[q & 1] += isFree ? 0 : OpeningOf(work, cell, axis, around[q]);
   }
-  return free == 1 ? last & 1 : LatticeTables::Diagonal(block);
+  return free == 1               ? last & 1
+    : openings[0] == openings[1] ? LatticeTables::Diagonal(block)
+                                 : openings[1] > openings[0];
 }
 
 /// Returns the first shape of a face, and sets count to the number of its lattice tets: 4 inside

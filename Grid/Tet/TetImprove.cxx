@@ -17,11 +17,15 @@ TetQualityFloors FloorsOf(const MeshOptions& options)
   return floors;
 }
 
-const SmoothingRamp& TetRamp()
+const SmoothingRamp& TetRamp(TetMethod method)
 {
-  static const SmoothingRamp ramp{ { 1, 1.0, 0.1, 5, 0.0 }, { 2, 10.0, 0.05, 10, 0.0 },
-    { 8, 70.0, 0.01, 15, 2e-3 } };
-  return ramp;
+  const auto make = [](double weight)
+  {
+    return SmoothingRamp{ { 1, 1.0, 0.1, 5, 0.0 }, { 2, 10.0, 0.05, 10, 0.0 },
+      { 8, weight, 0.01, 15, 2e-3 } };
+  };
+  static const SmoothingRamp cells = make(70.0), lattice = make(100.0);
+  return method == TetMethod::Lattice ? lattice : cells;
 }
 
 void ImproveInside(const TetEnergy& energy, std::size_t fixed,

@@ -13,8 +13,8 @@ namespace vfm
 
 /// Returns the floors of TetEnergy that match the options.
 TetQualityFloors FloorsOf(const MeshOptions& options);
-/// Returns the stages of smoothing of tets.
-const SmoothingRamp& TetRamp();
+/// Returns the stages of smoothing of tets. Methods differ in the weight of distances.
+const SmoothingRamp& TetRamp(TetMethod method = TetMethod::Cells);
 
 /// Moves the points of a mesh, except its first `fixed` ones, to reduce the energy of its tets.
 /// @param points  points in grid coordinates (Interface.h)
