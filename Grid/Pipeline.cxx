@@ -1,6 +1,6 @@
 #include "Pipeline.h"
 
-#include "Labels/ResolveLabels.h"
+#include "Hex/MakeLevels.h"
 #include "Mesh/LevelIds.h"
 #include "Mesh/MeasureMaterials.h"
 #include "Mesh/Quality.h"
@@ -33,9 +33,7 @@ void CheckOptions(const MeshOptions& options)
 void Resolve(MeshJob& job, LabelArray& labels)
 {
   job.Clock.Start("Resolving labels", 0.05);
-  const ResolveReport resolved = ResolveLabels(job.Grid, job.Fractions, labels, job.Parts, job.Run);
-  job.Report.FlippedCells = resolved.FlippedCells;
-  job.Report.ResolveRounds = resolved.Rounds;
+  ReportFlips(ResolveLabels(job.Grid, job.Fractions, labels, job.Parts, job.Run), job.Report);
 }
 
 void ReportNarrowVoid(const NarrowVoid& narrow, Ranks& ranks, MeshReport& report)

@@ -192,7 +192,7 @@ std::vector<FeatureKind> Smooth(
   const TetEnergy energy(FloorsOf(job.Options));
   std::optional<DiagonalFlips> flips;
   Improvement improvement{ active, targets, energy, TetRamp(job.Options.Tets), volumes, job.Report,
-    job.Options.ConserveVolume && job.Options.IsoValue == 0.5, {}, {} };
+    job.Options.ConserveVolume && job.Options.IsoValue == 0.5, 1.0f, {}, {} };
   if (!IsLattice(job))
   {
     flips.emplace(mesh, active, energy, kinds);

@@ -198,7 +198,14 @@ void Finish(
   }
 }
 
-/// Warns of corrected input, an empty mesh, and materials without elements.
+/// Returns whether the mesh should have the volumes of the input.
+bool ConservesVolume(const MesherOptions& options)
+{
+  return options.ConserveVolume && options.IsoValue == 0.5 && !options.StairStep &&
+    options.Method != Smoothing::Off;
+}
+
+/// Warns of corrected input, an empty mesh, and materials without elements or with wrong volumes.
 void WarnOfMesh(const MesherJob& job, const MeshReport& report, const InputField& field)
 {
   const CorrectedCells& corrected = field.Corrected;
@@ -219,6 +226,10 @@ void WarnOfMesh(const MesherJob& job, const MeshReport& report, const InputField
   Warn(job,
     isEmpty ? "The mesh is empty: no cell is filled by its materials to the iso value."
             : DescribeLostMaterials(report, field.Table));
+  if (ConservesVolume(job.Options))
+  {
+    Warn(job, DescribeInexactMaterials(report, field.Table, AreLabels(job)));
+  }
 }
 
 } // namespace

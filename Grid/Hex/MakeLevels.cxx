@@ -1,7 +1,6 @@
 #include "Hex/MakeLevels.h"
 
 #include "Labels/LeafLabels.h"
-#include "Labels/ResolveLabels.h"
 
 namespace vfm
 {
@@ -12,6 +11,14 @@ namespace
 constexpr int FlipRounds = 4;
 
 } // namespace
+
+void ReportFlips(const ResolveReport& resolved, MeshReport& report)
+{
+  report.FlippedCells = resolved.FlippedCells;
+  report.LostCells = resolved.LostCells;
+  report.GainedCells = resolved.GainedCells;
+  report.ResolveRounds = resolved.Rounds;
+}
 
 bool AddFamilies(const std::vector<std::vector<Index>>& families, LevelPlan& plan, Ranks& ranks)
 {
@@ -99,8 +106,7 @@ void LabelLeaves(const CartesianGrid& grid, const FractionField& fractions,
     result.Labels = AssignLeafMaterials(*result.Levels.Grid, fractions, ofCells, options.IsoValue);
     const ResolveReport resolved =
       ResolveLabels(grid, fractions, result.Labels, partition, runtime, result.Levels.Grid.get());
-    report.FlippedCells = resolved.FlippedCells;
-    report.ResolveRounds = resolved.Rounds;
+    ReportFlips(resolved, report);
     if (report.LevelRounds < FlipRounds &&
       AddFlippedFamilies(*result.Levels.Grid, resolved.CostlyFlips, plan, runtime.Group()))
     {

@@ -5,10 +5,14 @@
 
 #include "Base/Options.h"
 #include "Hex/LabelledGrid.h"
+#include "Labels/ResolveLabels.h"
 #include "Mesh/MeshReport.h"
 
 namespace vfm
 {
+
+/// Copies the counts of flipped cells into the report of a mesh.
+void ReportFlips(const ResolveReport& resolved, MeshReport& report);
 
 /// Makes levels and labels of leaves where interfaces may cross levels. Refines leaves until a
 /// valid mesh starts everywhere.

@@ -7,6 +7,7 @@
 #include "Ranks/Agreement.h"
 
 #include <algorithm>
+#include <numeric>
 #include <unordered_map>
 
 namespace vfm
@@ -420,14 +421,25 @@ std::vector<Index3> FindCostlyFlips(const Work& work)
   return flips;
 }
 
-Index CountChanges(const Work& work)
+/// Counts the flipped units of all ranks, by their initial and by their present label.
+void CountChanges(const Work& work, ResolveReport& report)
 {
-  return std::count_if(work.Original.begin(), work.Original.end(),
-    [&](const auto& unit)
+  const std::size_t labels = report.LostCells.size();
+  std::vector<std::int64_t> counts(2 * labels, 0);
+  for (const auto& [unit, first] : work.Original)
+  {
+    const int label = work.Labels[unit];
+    if (label != first && work.Parts.OwnsCell(work.Grid.Position(unit)))
     {
-      return work.Parts.OwnsCell(work.Grid.Position(unit.first)) &&
-        work.Labels[unit.first] != unit.second;
-    });
+      ++counts[first];
+      ++counts[labels + label];
+    }
+  }
+  work.Parts.Group().Sum(counts);
+  report.LostCells.assign(counts.begin(), counts.begin() + labels);
+  report.GainedCells.assign(counts.begin() + labels, counts.end());
+  report.FlippedCells =
+    std::accumulate(report.LostCells.begin(), report.LostCells.end(), Index{ 0 });
 }
 
 } // namespace
@@ -446,6 +458,8 @@ ResolveReport ResolveLabels(const CartesianGrid& grid, const FractionField& frac
   KeepViolated(work);
   Ranks& ranks = work.Parts.Group();
   ResolveReport report;
+  report.LostCells.assign(fractions.NumberOfMaterials() + 1, 0);
+  report.GainedCells = report.LostCells;
   if (!ranks.Any(!work.Violated.empty()))
   {
     return report;
@@ -470,7 +484,7 @@ ResolveReport ResolveLabels(const CartesianGrid& grid, const FractionField& frac
     ++report.Rounds;
   }
   report.Rounds += Restore(work);
-  report.FlippedCells = SumOverRanks(CountChanges(work), ranks);
+  CountChanges(work, report);
   report.CostlyFlips = FindCostlyFlips(work);
   return report;
 }

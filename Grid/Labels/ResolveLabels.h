@@ -15,6 +15,8 @@ class RefinedGrid;
 struct ResolveReport
 {
   Index FlippedCells = 0; ///< cells or leaves, over all ranks, whose label differs from before
+  std::vector<Index> LostCells;   ///< those of them that had label 0, 1, ..
+  std::vector<Index> GainedCells; ///< those of them that have label 0, 1, .. now
   int Rounds = 0;
   /// Lowest cells of owned leaves of several cells whose flip moves the interface far.
   std::vector<Index3> CostlyFlips;

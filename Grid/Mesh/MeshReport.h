@@ -30,6 +30,8 @@ struct MeshReport
   Index RemovedRegions = 0, RemovedCells = 0;
   Index ChosenCells = 0;  ///< user-selected cells of the input to refine
   Index FlippedCells = 0; ///< cells or leaves whose label was changed to make interfaces manifold
+  std::vector<Index> LostCells;   ///< of these, those that materials 0, 1, .. lost
+  std::vector<Index> GainedCells; ///< of these, those that materials 0, 1, .. gained
   int ResolveRounds = 0;
   /// Void cells between bodies that are close, which kept them apart while points moved
   /// (NarrowVoid.h); coarser cells count as finest cells.

@@ -58,21 +58,13 @@ void Rewrite(const std::vector<FeaturePull>& pulls, ActiveMesh& active)
 
 /// Lowers the target quality of the hexes at acute edges.
 /// @param bluntness  value of each point
-void SetDemands(std::vector<float> bluntness, ActiveMesh& active)
+void LowerDemands(std::vector<float> bluntness, ActiveMesh& active)
 {
-  active.Exchange.SendAll([&](int mover) { return bluntness[mover]; },
-    [&](int mover, float demand) { bluntness[mover] = demand; });
-  std::vector<float> demands = active.Demands; // of the barrier
-  demands.resize(active.Elements.size() / active.Corners, 1.0f);
-  for (std::size_t at = 0; at < active.Elements.size(); ++at)
+  for (float& value : bluntness)
   {
-    float& demand = demands[at / active.Corners];
-    demand = std::min(demand, std::max(bluntness[active.Elements[at]], SmallestDemand));
+    value = std::max(value, SmallestDemand);
   }
-  if (std::any_of(demands.begin(), demands.end(), [](float demand) { return demand < 1.0f; }))
-  {
-    active.Demands.swap(demands);
-  }
+  active.LowerDemands(std::move(bluntness));
 }
 
 } // namespace
@@ -90,7 +82,7 @@ std::vector<FeatureKind> AttachFeatures(const InterfaceFeatures& features,
   Rewrite(pulls.OfPairs, active);
   if (active.Corners == 8) // tets fill acute edges well enough
   {
-    SetDemands(std::move(pulls.Bluntness), active);
+    LowerDemands(std::move(pulls.Bluntness), active);
   }
   return std::move(pulls.Kinds);
 }

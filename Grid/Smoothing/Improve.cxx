@@ -11,12 +11,21 @@ namespace
 
 constexpr int CorrectionRounds = 6;
 constexpr int SweepsPerCorrection = 4;
-constexpr double VolumeTolerance = 2e-4; // relative error, in the rounds with smoothing
-constexpr int SmallRounds = 40;          // further rounds for small fragments only
-constexpr double SmallTolerance = 5e-3;  // relative error of a small fragment
+constexpr double VolumeTolerance = 2e-4;   // relative error, in the rounds with smoothing
+constexpr int FurtherRounds = 6;           // before fragments resist
+constexpr double FragmentTolerance = 5e-3; // relative error, in the further rounds
+// Errors above which fragments resist, one after the other, and the rounds after each. The first
+// selects few, so that their neighbours, which they pull off their targets, are not selected too.
+constexpr double ResistingErrors[] = { 5e-2, FragmentTolerance };
+constexpr int ResistingRounds = 8;
 constexpr int Moves = 6;
-constexpr int MoreMoves = 4;            // if fragments were excluded
+constexpr int MoreMoves = 4;            // if fragments resist
 constexpr double FinalTolerance = 1e-7; // relative
+
+bool HasAny(const std::vector<unsigned char>& flags)
+{
+  return std::find(flags.begin(), flags.end(), 1) != flags.end();
+}
 
 std::vector<double> Multiplied(std::vector<double> values, double factor)
 {
@@ -27,36 +36,112 @@ std::vector<double> Multiplied(std::vector<double> values, double factor)
   return values;
 }
 
-/// Shifts the targets and smooths, then moves the surface points to correct the remaining errors.
-/// Small fragments, whose surfaces are uncertain in the fractions and hard to move, get more rounds
-/// and longer shifts.
-void CorrectVolumes(const Improvement& what, Smoother& smoother, StageClock& clock)
+/// Corrects the volumes of a smoothed mesh.
+class VolumeCorrection
 {
-  FragmentVolumes& volumes = what.Volumes;
-  SmoothingStage stage = what.Ramp.back();
-  stage.Sweeps = SweepsPerCorrection;
-  const auto isSmall = [&volumes](const Attachment& a)
-  { return volumes.IsSmall(a.Fragments[0]) || volumes.IsSmall(a.Fragments[1]); };
-  for (int round = 0; round < CorrectionRounds && volumes.WorstError() > VolumeTolerance; ++round)
+public:
+  VolumeCorrection(const Improvement& what, Smoother& smoother, StageClock& clock) :
+    What(what), TheSmoother(smoother), Clock(clock), Stage(what.Ramp.back())
   {
-    if (!smoother.Follow(volumes.FindShifts(what.Active), isSmall, stage))
+    this->Stage.Sweeps = SweepsPerCorrection;
+  }
+
+  /// Shifts the targets and smooths, then moves the surface points to correct the remaining errors.
+  /// Small fragments, whose surfaces are uncertain in the fractions and hard to move, get more
+  /// rounds and longer shifts. So do fragments that resist.
+  void Run();
+
+private:
+  FragmentVolumes& Volumes() const { return this->What.Volumes; }
+  bool HasLongOffset(int fragment) const
+  {
+    return this->Volumes().IsSmall(fragment) || (!this->Yields.empty() && this->Yields[fragment]);
+  }
+  bool Follow();
+  void FollowFragments(int rounds);
+  void Yield();
+
+  const Improvement& What;
+  Smoother& TheSmoother;
+  StageClock& Clock;
+  SmoothingStage Stage;
+  std::vector<unsigned char> Yields{}; // whether the elements at a fragment may be worse
+};
+
+/// Runs one round. Returns false if all shifts were too small to matter.
+bool VolumeCorrection::Follow()
+{
+  const auto isLong = [this](const Attachment& a)
+  { return this->HasLongOffset(a.Fragments[0]) || this->HasLongOffset(a.Fragments[1]); };
+  ActiveMesh& active = this->What.Active;
+  if (!this->TheSmoother.Follow(this->Volumes().FindShifts(active, true), isLong, this->Stage))
+  {
+    return false;
+  }
+  this->Volumes().Measure(active);
+  return true;
+}
+
+/// Runs rounds until no fragment is off its aim.
+void VolumeCorrection::FollowFragments(int rounds)
+{
+  for (int round = 0;
+       round<rounds&& this->Volumes().WorstFragmentError()> FragmentTolerance && this->Follow();
+       ++round)
+  {
+    this->Clock.Update(0.92);
+  }
+}
+
+/// Lowers the target quality of the elements at the selected fragments.
+void VolumeCorrection::Yield()
+{
+  ActiveMesh& active = this->What.Active;
+  std::vector<float> demands(active.X.size(), 1.0f);
+  active.ForOwned(
+    [&](int point)
     {
-      break; // MoveAlongNormals corrects the rest
-    }
-    volumes.Measure(what.Active);
-    clock.Update(0.8 + 0.02 * round);
-  }
-  for (int round = 0; round < SmallRounds && volumes.WorstSmallError() > SmallTolerance; ++round)
+      for (Index i = active.AttachmentOffset[point]; i < active.AttachmentOffset[point + 1]; ++i)
+      {
+        const std::array<int, 2>& fragments = active.Attachments[i].Fragments;
+        if (this->Yields[fragments[0]] || this->Yields[fragments[1]])
+        {
+          demands[point] = this->What.LowestDemand;
+        }
+      }
+    });
+  active.LowerDemands(std::move(demands));
+}
+
+void VolumeCorrection::Run()
+{
+  FragmentVolumes& volumes = this->Volumes();
+  for (int round = 0;
+       round < CorrectionRounds && volumes.WorstError() > VolumeTolerance && this->Follow();
+       ++round)
   {
-    smoother.Follow(volumes.FindShifts(what.Active), isSmall, stage);
-    volumes.Measure(what.Active);
-    clock.Update(0.92);
+    this->Clock.Update(0.8 + 0.02 * round);
   }
-  const int moves = Moves + (volumes.ExcludeSmall(SmallTolerance) ? MoreMoves : 0);
+  this->FollowFragments(FurtherRounds);
+  bool resists = false;
+  for (double error : ResistingErrors)
+  {
+    resists = volumes.MarkResisting(error);
+    this->FollowFragments(ResistingRounds);
+  }
+  this->Yields = volumes.FindLacking(FragmentTolerance);
+  if (this->What.LowestDemand < 1.0f && HasAny(this->Yields))
+  {
+    this->Yield();
+    this->FollowFragments(ResistingRounds);
+    volumes.MarkResisting(FragmentTolerance);
+    this->FollowFragments(ResistingRounds);
+  }
+  const int moves = Moves + (resists ? MoreMoves : 0);
   for (int move = 0; move < moves && volumes.WorstError() > FinalTolerance; ++move)
   {
-    smoother.MoveAlongNormals(volumes.FindShifts(what.Active), what.Ramp.back());
-    volumes.Measure(what.Active);
+    this->TheSmoother.MoveAlongNormals(volumes.FindShifts(this->What.Active), this->Stage);
+    volumes.Measure(this->What.Active);
   }
 }
 
@@ -90,7 +175,7 @@ void Improve(const Improvement& what, StageClock& clock, Runtime& runtime)
   if (what.ConserveVolume)
   {
     clock.Start("Correcting volumes", 0.8);
-    CorrectVolumes(what, smoother, clock);
+    VolumeCorrection(what, smoother, clock).Run();
   }
   std::vector<std::int64_t> efforts{ 0, smoother.Visits() };
   what.Active.ForOwned([&](int) { ++efforts[0]; });

@@ -11,6 +11,8 @@ namespace
 {
 
 constexpr Index FacetsOfBlock = 256; // facets per task
+// Largest part of its target by which a fragment compensates for resisting fragments.
+constexpr double LargestTakeover = 0.1;
 
 double AreaOf(const std::array<Vector3, 4>& q)
 {
@@ -207,6 +209,7 @@ FragmentVolumes::FragmentVolumes(const CartesianGrid& grid, const FractionField&
   this->TotalOfMaterial = SumOverRanks(sums.Totals, ranks);
   this->DistributeOrphans();
   this->Aims = this->Targets;
+  this->Resists.assign(this->Targets.size(), 0);
 }
 
 /// Distributes fractions without a cell of their material nearby to all fragments of the material,
@@ -252,6 +255,7 @@ void FragmentVolumes::Measure(const ActiveMesh& mesh)
   }
   this->Swept = SumOverRanks(swept, this->Run.Group());
   this->Areas = GatherPairSums(areas, this->Run.Group());
+  this->SetAims();
 }
 
 /// Returns mu of each fragment; [0] is the outside.
@@ -265,9 +269,13 @@ std::vector<double> FragmentVolumes::FindPotentials() const
   return SolveForLack(this->Areas, lack);
 }
 
-std::vector<double> FragmentVolumes::FindShifts(const ActiveMesh& mesh) const
+std::vector<double> FragmentVolumes::FindShifts(const ActiveMesh& mesh, bool pushes) const
 {
-  const std::vector<double> mu = this->FindPotentials();
+  std::vector<double> mu = this->FindPotentials();
+  if (pushes)
+  {
+    this->AddPushes(mu);
+  }
   std::vector<double> shifts(mesh.Attachments.size());
   ForEach(this->Run, shifts.size(),
     [&](Index i)
@@ -278,49 +286,88 @@ std::vector<double> FragmentVolumes::FindShifts(const ActiveMesh& mesh) const
   return shifts;
 }
 
+void FragmentVolumes::AddPushes(std::vector<double>& mu) const
+{
+  std::vector<double> areas(mu.size(), 0.0);
+  for (const PairSum& sum : this->Areas)
+  {
+    areas[sum.First] += sum.Value.Value();
+    areas[sum.Second] += sum.Value.Value();
+  }
+  for (int f = 1; f < static_cast<int>(mu.size()); ++f)
+  {
+    if (this->Resists[f] && areas[f] > 0.0)
+    {
+      mu[f] += (this->Targets[f] - this->VolumeOf(f)) / areas[f];
+    }
+  }
+}
+
 double FragmentVolumes::ErrorOf(int fragment) const
 {
   return std::fabs(this->VolumeOf(fragment) - this->Aims[fragment]) / this->Aims[fragment];
 }
 
-/// Returns the largest error of the small fragments, or of the others.
-double FragmentVolumes::WorstOf(bool small) const
+double FragmentVolumes::WorstFragmentError() const
 {
   double worst = 0.0;
   for (int f = 1; f < static_cast<int>(this->Targets.size()); ++f)
   {
-    worst = this->IsSmall(f) == small ? std::max(worst, this->ErrorOf(f)) : worst;
+    worst = std::max(worst, this->ErrorOf(f));
   }
   return worst;
 }
 
-double FragmentVolumes::WorstSmallError() const
+bool FragmentVolumes::MarkResisting(double error)
 {
-  return this->WorstOf(true);
+  for (int f = 1; f < static_cast<int>(this->Targets.size()); ++f)
+  {
+    this->Resists[f] |= !(this->ErrorOf(f) <= error);
+  }
+  this->Tolerance = error;
+  this->SetAims();
+  return std::find(this->Resists.begin(), this->Resists.end(), 1) != this->Resists.end();
 }
 
-bool FragmentVolumes::ExcludeSmall(double error)
+/// Ends the marks of fragments that have reached their targets, and sets the aims of all fragments.
+void FragmentVolumes::SetAims()
 {
-  std::vector<unsigned char> isExcluded(this->Targets.size(), 0);
-  std::vector<double> lack(this->TotalOfMaterial.size(), 0.0), kept(lack);
+  std::vector<double> lack(this->TotalOfMaterial.size(), 0.0), free(lack);
   for (int f = 1; f < static_cast<int>(this->Targets.size()); ++f)
   {
-    const int m = this->Materials[f];
-    isExcluded[f] = this->IsSmall(f) && this->ErrorOf(f) > error;
-    lack[m] += isExcluded[f] ? this->Aims[f] - this->VolumeOf(f) : 0.0;
-    kept[m] += isExcluded[f] ? 0.0 : this->Aims[f];
+    const double target = this->Targets[f], missing = target - this->VolumeOf(f);
+    this->Resists[f] &= !(std::fabs(missing) <= this->Tolerance * target);
+    (this->Resists[f] ? lack : free)[this->Materials[f]] += this->Resists[f] ? missing : target;
   }
   for (int f = 1; f < static_cast<int>(this->Targets.size()); ++f)
   {
     const int m = this->Materials[f];
-    this->Aims[f] = isExcluded[f] ? this->VolumeOf(f) : this->Aims[f] * (1.0 + lack[m] / kept[m]);
+    const double takeover =
+      free[m] > 0.0 ? std::clamp(lack[m] / free[m], -LargestTakeover, LargestTakeover) : 0.0;
+    this->Aims[f] = this->Resists[f] ? this->VolumeOf(f) : (1.0 + takeover) * this->Targets[f];
   }
-  return std::find(isExcluded.begin(), isExcluded.end(), 1) != isExcluded.end();
+}
+
+std::vector<unsigned char> FragmentVolumes::FindLacking(double error) const
+{
+  const std::vector<double> volumes = this->MaterialVolumes();
+  std::vector<unsigned char> lack(this->Resists);
+  for (std::size_t f = 1; f < lack.size(); ++f)
+  {
+    const int m = this->Materials[f];
+    const double total = this->TotalOfMaterial[m];
+    lack[f] &= std::fabs(volumes[m] - total) > error * total;
+  }
+  return lack;
 }
 
 double FragmentVolumes::WorstError() const
 {
-  double worst = this->WorstOf(false);
+  double worst = 0.0;
+  for (int f = 1; f < static_cast<int>(this->Targets.size()); ++f)
+  {
+    worst = this->IsSmall(f) ? worst : std::max(worst, this->ErrorOf(f));
+  }
   const std::vector<double> volumes = this->MaterialVolumes();
   for (std::size_t m = 1; m < volumes.size(); ++m)
   {

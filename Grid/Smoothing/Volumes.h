@@ -5,6 +5,11 @@
  * Sums are exact (ExactSum), so they depend on neither their order nor the number of ranks. Every
  * rank holds the volumes of all fragments and the interface areas of all pairs of fragments.
  * Volumes are in grid coordinates (Interface.h), where the volume of a mean cell is 1.
+ *
+ * Some fragments resist: the barrier, or a lack of cells, keeps them far from their targets. The
+ * shifts of all fragments are coupled, so a fragment that resists would pull its neighbours off
+ * their targets too. Therefore the system assumes that it keeps its volume, and the other fragments
+ * of its material take over what it lacks. It is pushed towards its target apart from the system.
  */
 #pragma once
 
@@ -61,10 +66,12 @@ public:
   /// Returns the shift of each attachment, in grid coordinates, that corrects the errors of the
   /// last measurement. Solves
   ///
-  ///   sum_g A_fg (mu_f - mu_g) = target_f - volume_f
+  ///   sum_g A_fg (mu_f - mu_g) = aim_f - volume_f
   ///
-  /// with the areas A of the interfaces and mu = 0 outside. An interface shifts by mu_f - mu_g.
-  std::vector<double> FindShifts(const ActiveMesh& mesh) const;
+  /// with the areas A of the interfaces and mu = 0 outside. An interface shifts by mu_f - mu_g. The
+  /// aim is the target, or the volume of a resisting fragment.
+  /// @param pushes  whether to add (target_f - volume_f) / sum_g A_fg to mu of resisting fragments
+  std::vector<double> FindShifts(const ActiveMesh& mesh, bool pushes = false) const;
 
   /// Returns whether the target of a fragment is below 64 cells; false for 0, the outside.
   bool IsSmall(int fragment) const
@@ -72,16 +79,20 @@ public:
     return fragment > 0 && this->Targets[fragment] < LargeFragment;
   }
 
-  /// Returns the largest |volume - target| / target of all materials and of all fragments that are
-  /// not small.
+  /// Returns the largest |volume - aim| / aim of all materials and of all fragments that are not
+  /// small.
   double WorstError() const;
-  /// Returns the largest |volume - target| / target of the small fragments.
-  double WorstSmallError() const;
+  /// Returns the largest |volume - aim| / aim of all fragments.
+  double WorstFragmentError() const;
 
-  /// Excludes small fragments with a relative error above `error` from later shifts. The other
-  /// fragments of their material take over the missing volume in proportion to their targets.
-  /// @return whether any fragment was excluded
-  bool ExcludeSmall(double error);
+  /// Marks the fragments with a relative error above `error` as resisting. The other fragments of
+  /// their material take over the missing volume in proportion to their targets, each at most 10 %.
+  /// The marks of fragments that reach their targets within this error end.
+  /// @return whether any fragment resists
+  bool MarkResisting(double error);
+  /// Returns for each fragment whether it resists and the relative error of its material is above
+  /// `error`.
+  std::vector<unsigned char> FindLacking(double error) const;
 
   /// Return the volume per material from 0, in mean cells. Targets include cells without an element
   /// of the material nearby.
@@ -95,18 +106,21 @@ public:
 
 private:
   void DistributeOrphans();
+  void SetAims();
   std::vector<double> FindPotentials() const;
+  void AddPushes(std::vector<double>& mu) const;
   double VolumeOf(int fragment) const
   {
     return this->StartVolumes[fragment] + this->Swept[fragment];
   }
   double ErrorOf(int fragment) const;
-  double WorstOf(bool small) const;
 
   const std::vector<int> Materials; // material of each fragment
   Runtime& Run;
   std::vector<double> Targets;         // target of each fragment
-  std::vector<double> Aims;            // targets after ExcludeSmall
+  std::vector<double> Aims;            // volumes that the system requests
+  std::vector<unsigned char> Resists;  // whether each fragment resists
+  double Tolerance = 0.0;              // relative error up to which none resists
   std::vector<double> StartVolumes;    // initial volume of each fragment
   std::vector<double> Swept;           // volume that each fragment has gained since then
   std::vector<PairSum> Areas;          // interface areas of pairs of fragments

@@ -121,6 +121,15 @@ std::string PrintError(double error, double target)
                       : NoValue;
 }
 
+/// Counts of a material: the name of the column, and its title.
+struct CountColumn
+{
+  const char *Name, *Head;
+};
+
+constexpr CountColumn CountColumns[] = { { "Fragments", "Fragments" },
+  { "LostCells", "Lost cells" }, { "GainedCells", "Gained cells" } };
+
 /// Prints the last row of the table of materials.
 std::vector<std::string> SumMaterials(const ReportContent& content)
 {
@@ -129,6 +138,10 @@ std::vector<std::string> SumMaterials(const ReportContent& content)
   const double volume = SumOf(NumbersOfField(materials, "MeshVolume"));
   std::vector<std::string> row{ "All", "", PrintIndex(SumOf(NumbersOfField(materials, "Elements"))),
     PrintNumber(target), PrintNumber(volume), PrintError(volume / target - 1.0, target) };
+  for (const CountColumn& count : CountColumns)
+  {
+    row.push_back(PrintIndex(SumOf(NumbersOfField(materials, count.Name))));
+  }
   for (const char* name : { "MinimumScaledJacobian", "MeanScaledJacobian" })
   {
     const std::optional<double> value = NumberOf(content.Fields, name);
@@ -150,6 +163,10 @@ std::string PrintMaterials(const ReportContent& content)
   const std::vector<std::string> names = TextsOf(content.Materials, "Name");
   HtmlTable table{ "Materials",
     { "Material", "Id", "Elements", "Fraction volume", "Mesh volume", "Error in %" }, {}, {} };
+  for (const CountColumn& count : CountColumns)
+  {
+    table.Heads.push_back(count.Head);
+  }
   if (!least.empty())
   {
     table.Heads.insert(table.Heads.end(), { "Smallest SJ", "Mean SJ" });
@@ -158,6 +175,10 @@ std::string PrintMaterials(const ReportContent& content)
   {
     table.Rows.push_back({ HtmlText(names[m]), PrintFixed(ids[m], 0), PrintIndex(elements[m]),
       PrintNumber(targets[m]), PrintNumber(volumes[m]), PrintError(errors[m], targets[m]) });
+    for (const CountColumn& count : CountColumns)
+    {
+      table.Rows.back().push_back(PrintIndex(column(count.Name).at(m)));
+    }
     for (const std::vector<double>* values : { &least, &means })
     {
       if (!values->empty())
@@ -174,7 +195,8 @@ std::string PrintMaterials(const ReportContent& content)
   return PrintSection("Materials",
     PrintTable(table) +
       PrintParagraph("The fraction volume is the volume of the material in the input; the error "
-                     "compares the mesh volume with it." +
+                     "compares the mesh volume with it. Lost and gained cells changed their "
+                     "material so that interfaces are manifold." +
         std::string(least.empty() ? "" : " SJ is the scaled Jacobian.")));
 }
 

@@ -1,5 +1,10 @@
 #include "Summary/MeshFields.h"
 
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
 namespace vfm
 {
 namespace
@@ -92,6 +97,8 @@ void AddMaterials(FieldArrays& fields, const MeshReport& report, const Materials
   fields.push_back({ "TargetVolume", TakeMeshed(report.TargetVolume, meshVoid) });
   fields.push_back({ "MeshVolume", TakeMeshed(report.MeshVolume, meshVoid) });
   fields.push_back({ "VolumeError", TakeMeshed(FindVolumeErrors(report), meshVoid) });
+  fields.push_back({ "LostCells", TakeMeshed(report.LostCells, meshVoid) });
+  fields.push_back({ "GainedCells", TakeMeshed(report.GainedCells, meshVoid) });
 }
 
 } // namespace
@@ -199,31 +206,99 @@ FieldArrays ListDomain(const CartesianGrid& grid, const ImageFrame& frame)
   return fields;
 }
 
-std::string DescribeLostMaterials(const MeshReport& report, const Materials& table)
+namespace
+{
+
+constexpr double LargestQuietError = 0.01; // relative error of a volume without a warning
+
+/// Returns a material for a message: its name and id.
+std::string NameMaterial(const Materials& table, std::size_t material)
+{
+  return "'" + table.Names[material] + "' (id " + std::to_string(table.Labels[material]) + ")";
+}
+
+/// Returns the first items in a sequence, and how many more there are.
+std::string Enumerate(const std::vector<std::string>& items)
 {
   constexpr std::size_t MaximumNames = 20;
+  std::string list;
+  for (std::size_t i = 0; i < std::min(items.size(), MaximumNames); ++i)
+  {
+    list += (i > 0 ? ", " : "") + items[i];
+  }
+  return items.size() > MaximumNames
+    ? list + " and " + std::to_string(items.size() - MaximumNames) + " more"
+    : list;
+}
+
+std::string CountMaterials(std::size_t count, const char* one, const char* several)
+{
+  return std::to_string(count) + (count == 1 ? " material " : " materials ") +
+    (count == 1 ? one : several);
+}
+
+/// Returns the materials with elements whose volumes are inexact, by missing volume, descending.
+std::vector<std::size_t> FindInexact(const MeshReport& report)
+{
+  const auto missing = [&report](std::size_t m)
+  { return std::fabs(report.MeshVolume[m] - report.TargetVolume[m]); };
+  std::vector<std::size_t> found;
+  for (std::size_t m = 1; m < report.TargetVolume.size(); ++m)
+  {
+    if (report.MeshVolume[m] > 0.0 && missing(m) > LargestQuietError * report.TargetVolume[m])
+    {
+      found.push_back(m);
+    }
+  }
+  std::stable_sort(found.begin(), found.end(),
+    [&missing](std::size_t a, std::size_t b) { return missing(a) > missing(b); });
+  return found;
+}
+
+/// Returns a material with its volume error, number of fragments and flips.
+std::string DescribeError(const MeshReport& report, const Materials& table, std::size_t m)
+{
+  const double error = report.MeshVolume[m] / report.TargetVolume[m] - 1.0;
+  std::ostringstream text;
+  text << NameMaterial(table, m) << " by " << std::showpos << std::setprecision(2) << 100.0 * error
+       << std::noshowpos << " % (fragments: " << report.Materials[m].Fragments
+       << ", cells lost: " << report.LostCells[m] << ", gained: " << report.GainedCells[m] << ")";
+  return text.str();
+}
+
+} // namespace
+
+std::string DescribeLostMaterials(const MeshReport& report, const Materials& table)
+{
   std::vector<std::string> lost;
   for (std::size_t m = 1; m < report.TargetVolume.size(); ++m)
   {
     if (report.TargetVolume[m] > 0.0 && report.MeshVolume[m] == 0.0)
     {
-      lost.push_back("'" + table.Names[m] + "' (id " + std::to_string(table.Labels[m]) + ")");
+      lost.push_back(NameMaterial(table, m));
     }
   }
-  std::string list;
-  for (std::size_t l = 0; l < std::min(lost.size(), MaximumNames); ++l)
-  {
-    list += (l > 0 ? ", " : "") + lost[l];
-  }
-  if (lost.size() > MaximumNames)
-  {
-    list += " and " + std::to_string(lost.size() - MaximumNames) + " more";
-  }
-  return lost.empty()
-    ? ""
-    : std::to_string(lost.size()) + (lost.size() == 1 ? " material has" : " materials have") +
-      " no element, since no cell is left to them: " + list +
+  return lost.empty() ? ""
+                      : CountMaterials(lost.size(), "has", "have") +
+      " no element, since no cell is left to them: " + Enumerate(lost) +
       ". In finer cells they may be kept (Refinement).";
+}
+
+std::string DescribeInexactMaterials(
+  const MeshReport& report, const Materials& table, bool areLabels)
+{
+  std::vector<std::string> errors;
+  for (std::size_t m : FindInexact(report))
+  {
+    errors.push_back(DescribeError(report, table, m));
+  }
+  return errors.empty() ? ""
+                        : CountMaterials(errors.size(), "misses its", "miss their") +
+      (errors.size() == 1 ? " volume" : " volumes") + " by more than 1 %: " + Enumerate(errors) +
+      ". Lost and gained cells changed their material so that interfaces are manifold. " +
+      (areLabels ? "LabelSmoothing, a" : "A") +
+      " larger MinimumRegionCells, or finer cells there (Refinement with RefineFlippedCells) may "
+      "help.";
 }
 
 } // namespace vfm

@@ -18,7 +18,8 @@ using FieldArrays = std::vector<FieldArray>;
 
 /// Lists the report of a mesh.
 /// - One value per material, void only if meshed: MaterialNames, MaterialIds, TargetVolume,
-///   MeshVolume, VolumeError (MeshVolume / TargetVolume - 1; 0 if the input has no such material)
+///   MeshVolume, VolumeError (MeshVolume / TargetVolume - 1; 0 if the input has no such material),
+///   LostCells and GainedCells (cells or leaves that changed their material)
 /// - One value per fragment: FragmentTargetVolume
 /// - Counts: NormalisedCells, ClippedCells, RemovedRegions, RemovedCells, ChosenCells,
 ///   FlippedCells, ResolveRounds, NarrowVoidCells, NumberOfFragments, NumberOfSurfaces,
@@ -33,8 +34,9 @@ FieldArrays ListReport(const Mesh& mesh, const MeshReport& report, const Materia
   const MeshOptions& options, const CorrectedCells& corrected);
 
 /// Lists columns with one row per material, void only if meshed: Name, MaterialId, TargetVolume,
-/// MeshVolume (length units cubed), VolumeError, Elements and Fragments. ComputeQuality adds
-/// MinimumScaledJacobian and MeanScaledJacobian, 0 for a material without elements.
+/// MeshVolume (length units cubed), VolumeError, LostCells and GainedCells (cells that changed
+/// their material), Elements and Fragments. ComputeQuality adds MinimumScaledJacobian and
+/// MeanScaledJacobian, 0 for a material without elements.
 FieldArrays ListMaterials(
   const MeshReport& report, const Materials& table, const MeshOptions& options);
 
@@ -59,5 +61,12 @@ FieldArrays ListDomain(const CartesianGrid& grid, const ImageFrame& frame);
 /// Returns a sentence with the materials of the input that have no element; "" if all
 /// have elements.
 std::string DescribeLostMaterials(const MeshReport& report, const Materials& table);
+
+/// Returns sentences with the materials whose elements miss their volume by more than 1 %, those
+/// with the largest missing volumes first, and with what helps; "" if there are none. Does not name
+/// materials without elements.
+/// @param areLabels  whether the input was labels, not fractions
+std::string DescribeInexactMaterials(
+  const MeshReport& report, const Materials& table, bool areLabels);
 
 } // namespace vfm
