@@ -132,10 +132,31 @@ bool IsBesideSeveral(const Around& around)
   return found;
 }
 
+/// Returns whether a unit lies between a side of the domain and a material, beside more of it.
+bool IsPocket(const Work& work, const Around& around)
+{
+  const IndexBox& domain = work.Grid.Global();
+  bool found = false;
+  for (int axis = 0, step = 1; axis < 3; ++axis, step *= 3)
+  {
+    const bool isClosed =
+      (around.Cells.Lower[axis] == domain.Lower[axis] && around.HasMaterial(13 + step)) ||
+      (around.Cells.Upper[axis] == domain.Upper[axis] && around.HasMaterial(13 - step));
+    for (int other = 1; other < 27; other *= 3)
+    {
+      found = found ||
+        (isClosed && other != step &&
+          (around.HasMaterial(13 + other) || around.HasMaterial(13 - other)));
+    }
+  }
+  return found;
+}
+
 bool IsNarrow(const Work& work, const IndexBox& cells)
 {
   const Around around(work, cells);
-  return IsBetween(work, around) || IsBesideSeveral(around) || IsBetweenParts(around);
+  return IsBetween(work, around) || IsBesideSeveral(around) || IsPocket(work, around) ||
+    IsBetweenParts(around);
 }
 
 /// Calls visit(cell) for the void cells that can be narrow: those at mixed nodes, and a cell of

@@ -131,8 +131,6 @@ struct ActiveMesh
   {
     return this->Demands.empty() ? 1.0 : this->Demands[position / this->Corners];
   }
-  /// Returns whether an element is only a barrier. position: in Elements.
-  bool IsBarrier(Index position) const { return this->DemandAt(position) <= BarrierDemand; }
   /// Fills X, Fixed, Lower and Upper from the positions in the mesh. Points on sides of the domain
   /// stay there; all others stay 0.01 cells inside. Keeps a pointer to the points of the mesh.
   void PlacePoints(const CartesianGrid& grid, const Mesh& mesh);

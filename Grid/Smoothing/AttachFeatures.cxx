@@ -62,7 +62,8 @@ void SetDemands(std::vector<float> bluntness, ActiveMesh& active)
 {
   active.Exchange.SendAll([&](int mover) { return bluntness[mover]; },
     [&](int mover, float demand) { bluntness[mover] = demand; });
-  std::vector<float> demands(active.Elements.size() / active.Corners, 1.0f);
+  std::vector<float> demands = active.Demands; // of the barrier
+  demands.resize(active.Elements.size() / active.Corners, 1.0f);
   for (std::size_t at = 0; at < active.Elements.size(); ++at)
   {
     float& demand = demands[at / active.Corners];

@@ -97,7 +97,8 @@ VFM_INLINE void KeepLanes(Factors<Real>& factors, Index count)
   factors.ShortestEdge *= weight;
 }
 
-/// Multiplies the targets of tets by their demands (ActiveMesh::Demands).
+/// Multiplies the targets of tets, and the weight of their shape, by their demands
+/// (ActiveMesh::Demands).
 template <class Real>
 VFM_INLINE void SetDemands(Factors<Real>& factors, const LanesOf<Real>& demands)
 {

@@ -28,7 +28,9 @@ DiagonalFlips::DiagonalFlips(const Mesh& mesh, ActiveTets& active, const TetEner
     const bool isHalf = SlotOfPoint(mesh.PointIds[point]) == VertexSlot;
     if (isHalf && (last - first) % 2 == 0)
     {
-      this->Quads.push_back({ static_cast<Index>(first), static_cast<int>(last - first) / 2 });
+      this->Quads.push_back({ static_cast<Index>(first), static_cast<int>(last - first) / 2,
+        { mesh.IsBarrier(active.MeshElement[first]),
+          mesh.IsBarrier(active.MeshElement[last - 1]) } });
     }
   }
 }
@@ -91,7 +93,7 @@ double DiagonalFlips::EnergyOf(
   for (int t = 0; t < 2 * quad.Sides; ++t)
   {
     // Tets that are only a barrier must be positive, but their shape does not count.
-    if (this->Active.IsBarrier(4 * (quad.First + t)) && energies[t] < InvalidEnergy)
+    if (quad.IsBarrier[t / 2] && energies[t] < InvalidEnergy)
     {
       energies[t] = 0.0;
     }

@@ -35,8 +35,9 @@ public:
 private:
   struct Quad
   {
-    Index First; // first of its tets, which are consecutive, two per side
-    int Sides;   // 1 on the domain boundary, 2 on interfaces
+    Index First;                   // first of its tets, which are consecutive, two per side
+    int Sides;                     // 1 on the domain boundary, 2 on interfaces
+    std::array<bool, 2> IsBarrier; // whether the tets of each side are only a barrier
   };
   using Tets = std::array<std::array<int, 4>, 4>;
   Tets TetsOf(const Quad& quad) const;

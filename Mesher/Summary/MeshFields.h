@@ -21,8 +21,9 @@ using FieldArrays = std::vector<FieldArray>;
 ///   MeshVolume, VolumeError (MeshVolume / TargetVolume - 1; 0 if the input has no such material)
 /// - One value per fragment: FragmentTargetVolume
 /// - Counts: NormalisedCells, ClippedCells, RemovedRegions, RemovedCells, ChosenCells,
-///   FlippedCells, ResolveRounds, NumberOfFragments, NumberOfSurfaces, NumberOfCurves,
-///   NumberOfVertices; EdgePoints and CornerPoints with SharpEdges; RefusedParts of tetrahedra
+///   FlippedCells, ResolveRounds, NarrowVoidCells, NumberOfFragments, NumberOfSurfaces,
+///   NumberOfCurves, NumberOfVertices; EdgePoints and CornerPoints with SharpEdges; RefusedParts of
+///   tetrahedra
 /// - ComputeQuality adds MinimumScaledJacobian, MeanScaledJacobian; MinimumDihedralAngle,
 ///   MaximumDihedralAngle and DihedralAngles of tetrahedra
 /// - Several levels add RefinedCells, CellsAddedForBalance, CellsAddedForValidity, LevelCells,

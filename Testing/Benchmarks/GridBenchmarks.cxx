@@ -153,9 +153,9 @@ void LatticeExtraction(benchmark::State& state)
     topology = TetTopology();
     const double begin = Now();
     LatticeNodes nodes(c.Grid, c.Fractions, labels, 0.5, runtime);
-    topology =
-      BuildLatticeTets(c.Grid, nodes, false, partition, runtime, NoCoarseTets(c.Grid, runtime).Tets)
-        .Topology;
+    topology = BuildLatticeTets(
+      c.Grid, nodes, false, NarrowVoid(), partition, runtime, NoCoarseTets(c.Grid, runtime).Tets)
+                 .Topology;
     seconds = std::min(seconds, Now() - begin);
   }
   Report(state, c.Grid, topology.Tets, MeshReport(), seconds);

@@ -69,7 +69,7 @@ struct CubeHexes
     MakeLevels(grid, this->Labelled.Labels, this->Labelled.Mixed, { false, false, true }, plan, Run,
       report, this->Labelled.Levels);
     CoarseHexes& coarse = *this->Labelled.Levels.Coarse;
-    PointNumbering numbering(grid, this->Labelled.Labels, false, false);
+    PointNumbering numbering(grid, this->Labelled.Labels, false, false, this->Labelled.Narrow);
     this->Hexes =
       BuildHexes(grid, this->Labelled.Labels, this->Labelled.Mixed, false, numbering, Run, coarse);
     this->Hexes.Levels = this->Labelled.Levels.Grid;

@@ -256,7 +256,8 @@ struct Stairs
         std::vector<Index>(), runtime.Group())),
     Labels(LabelLeaves(*this->Levels, [](const Index3& p) { return p[0] < 16 ? 1 : 0; }))
   {
-    PointNumbering numbering(grid, this->Labels, true, true);
+    const NarrowVoid narrow;
+    PointNumbering numbering(grid, this->Labels, true, true, narrow);
     CoarseHexes coarse(*this->Levels, this->Labels, { true }, runtime);
     this->Hexes = BuildHexes(
       grid, this->Labels, FindMixedNodes(grid, this->Labels), true, numbering, runtime, coarse);

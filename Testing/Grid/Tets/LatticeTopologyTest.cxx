@@ -31,7 +31,7 @@ TetTopology BuildAlone(const CartesianGrid& grid, const FractionField& fractions
   const LabelArray labels = MakeResolvedLabels(grid, fractions, partition, runtime);
   LatticeNodes nodes(grid, fractions, labels, 0.5, runtime);
   return BuildLatticeTets(
-    grid, nodes, meshVoid, partition, runtime, NoCoarseTets(grid, runtime).Tets)
+    grid, nodes, meshVoid, NarrowVoid(), partition, runtime, NoCoarseTets(grid, runtime).Tets)
     .Topology;
 }
 
@@ -296,7 +296,7 @@ TEST(LatticeTopology, RanksMakeTheTetsOfOneProcess)
         const LabelArray labels = MakeResolvedLabels(grid, own, partition, runtime);
         LatticeNodes nodes(grid, own, labels, 0.5, runtime);
         parts[ranks.Rank()] = BuildLatticeTets(
-          grid, nodes, meshVoid, partition, runtime, NoCoarseTets(grid, runtime).Tets)
+          grid, nodes, meshVoid, NarrowVoid(), partition, runtime, NoCoarseTets(grid, runtime).Tets)
                                 .Topology;
       });
     for (int rank = 0; rank < count; ++rank)
