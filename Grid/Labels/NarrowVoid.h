@@ -31,8 +31,7 @@ public:
   /// Finds the narrow cells. If all interfaces have finest cells, only finest cells can be narrow.
   /// @param labels  equal within each leaf if interfaces cross levels
   /// @param mixed  all mixed nodes (FindMixedNodes)
-  NarrowVoid(
-    const RefinedGrid& levels, const LabelArray& labels, const std::vector<Index>& mixed);
+  NarrowVoid(const RefinedGrid& levels, const LabelArray& labels, const std::vector<Index>& mixed);
 
   bool IsEmpty() const { return this->Empty; }
   /// Returns whether a cell is narrow. Known in HexBox and one layer around it.
@@ -61,7 +60,8 @@ private:
   static void ForRuns(const Flags& flags, Index first, Index last, const Visitor& visit)
   {
     flags.Visit(
-      first, last, [&](Index begin, Index end, unsigned char flag) { visit(begin, end, flag != 0); },
+      first, last,
+      [&](Index begin, Index end, unsigned char flag) { visit(begin, end, flag != 0); },
       [&](Index begin, Index end, const unsigned char* values)
       {
         for (Index at = begin, next; at < end; at = next)
