@@ -10,6 +10,8 @@
  *
  *   hexes = meshed cells + one per interface face and meshed side.
  *
+ * Narrow void cells get points and hexes like meshed ones, as a barrier (NarrowVoid.h).
+ *
  * In a stair-step mesh, mixed nodes are one point like the others and there is no buffer
  * layer. In a refined grid, all this applies only to the finest cells; the coarse hexes
  * follow (CoarseHexes.h).

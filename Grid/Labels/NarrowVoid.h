@@ -3,9 +3,16 @@
  * these cells get elements nevertheless while points move. The elements stay positive, so bodies
  * cannot overlap across them. They are no part of the finished mesh (Mesh::HasBarrier).
  *
- * A void cell is narrow if it has cells of materials within two cells on both sides, along one of
- * 13 directions: the axes and the diagonals of faces and cells. If interfaces cross levels, this
- * holds for leaves, in units of their width.
+ * A void cell is narrow if any of these holds:
+ * - Along one of 13 directions, the axes and the diagonals of faces and cells, it has cells of
+ *   materials within two cells on both sides.
+ * - The 26 cells around it contain parts of materials that are not connected there by faces, in
+ *   directions at an angle of 120 degrees or more.
+ * - It shares faces with cells of different materials.
+ * - It lies between a side of the domain and a material, and shares a face with more material
+ *   along another axis.
+ *
+ * If interfaces cross levels, the same holds for leaves, in units of their width.
  */
 #pragma once
 
@@ -21,11 +28,10 @@ class NarrowVoid
 public:
   /// Makes an object without cells.
   NarrowVoid() = default;
-  /// Finds the narrow cells. If all interfaces have finest cells, these are finest cells.
+  /// Finds the narrow cells. If all interfaces have finest cells, only finest cells can be narrow.
   /// @param labels  equal within each leaf if interfaces cross levels
   /// @param mixed  all mixed nodes (FindMixedNodes)
-  NarrowVoid(
-    const RefinedGrid& levels, const LabelArray& labels, const std::vector<Index>& mixed);
+  NarrowVoid(const RefinedGrid& levels, const LabelArray& labels, const std::vector<Index>& mixed);
 
   bool IsEmpty() const { return this->Empty; }
   /// Returns whether a cell is narrow. Known in HexBox and one layer around it.
@@ -54,7 +60,8 @@ private:
   static void ForRuns(const Flags& flags, Index first, Index last, const Visitor& visit)
   {
     flags.Visit(
-      first, last, [&](Index begin, Index end, unsigned char flag) { visit(begin, end, flag != 0); },
+      first, last,
+      [&](Index begin, Index end, unsigned char flag) { visit(begin, end, flag != 0); },
       [&](Index begin, Index end, const unsigned char* values)
       {
         for (Index at = begin, next; at < end; at = next)

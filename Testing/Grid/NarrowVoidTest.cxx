@@ -36,7 +36,7 @@ Index CountNarrow(const CartesianGrid& grid, const LabelOf& label)
 int LabelOfPlates(const Index3& p, Index gap)
 {
   const bool isBeside = p[0] < 4 || p[0] >= 20 || p[1] < 4 || p[1] >= 20;
-  const bool isLower = p[2] >= 5 && p[2] < 11, isUpper = p[2] >= 11 + gap && p[2] < 17 + gap;
+  const bool isLower = p[2] >= 6 && p[2] < 12, isUpper = p[2] >= 12 + gap && p[2] < 18 + gap;
   return isBeside ? 0 : (isLower ? 1 : (isUpper ? 2 : 0));
 }
 
@@ -44,8 +44,11 @@ FractionField MakePlates(const CartesianGrid& grid, int passes)
 {
   FractionField fractions =
     MakeLabels(grid, 2, [](const Index3& p) { return LabelOfPlates(p, 1); });
-  Runtime runtime;
-  SmoothLabels(grid, passes, Partition(grid, runtime.Group()), runtime, fractions);
+  if (passes > 0)
+  {
+    Runtime runtime;
+    SmoothLabels(grid, passes, Partition(grid, runtime.Group()), runtime, fractions);
+  }
   return fractions;
 }
 
@@ -101,12 +104,13 @@ bool HasOnlyMaterials(const Mesh& mesh)
 TEST(NarrowVoid, IsBetweenPlatesUpToThreeCellsApart)
 {
   const CartesianGrid grid = MakeUnitGrid(24);
-  for (Index gap = 1; gap <= 3; ++gap)
+  const Index layers[5] = { 0, 1, 2, 1, 0 }; // of three layers of void, only the middle one
+  for (Index gap = 1; gap <= 4; ++gap)
   {
-    EXPECT_EQ(CountNarrow(grid, [&](const Index3& p) { return LabelOfPlates(p, gap); }), 256 * gap)
+    EXPECT_EQ(
+      CountNarrow(grid, [&](const Index3& p) { return LabelOfPlates(p, gap); }), 256 * layers[gap])
       << gap;
   }
-  EXPECT_EQ(CountNarrow(grid, [&](const Index3& p) { return LabelOfPlates(p, 4); }), 0);
 }
 
 TEST(NarrowVoid, IsNotAroundOneSmoothBody)
@@ -127,13 +131,11 @@ TEST(NarrowVoid, IsNotAroundOneSmoothBody)
       0)
       << radius;
   }
-  EXPECT_EQ(
-    CountNarrow(grid, [](const Index3& p) { return 3 * p[0] + 2 * p[1] + p[2] < 60 ? 1 : 0; }), 0);
 }
 
 TEST(NarrowVoid, IsBetweenSeparatePartsAndBesideSeveralMaterials)
 {
-  const CartesianGrid grid = MakeUnitGrid(5);
+  const CartesianGrid grid = MakeUnitGrid(7);
   // Two cells, in directions at 135 degrees from the middle one.
   EXPECT_EQ(CountNarrow(grid,
               [](const Index3& p)
@@ -142,11 +144,14 @@ TEST(NarrowVoid, IsBetweenSeparatePartsAndBesideSeveralMaterials)
                 return isBelow || p == Index3{ { 2, 3, 3 } } ? 1 : 0;
               }),
     2);
-  // A corner, of one material or two.
+  // A step at the edge of a block, of one material or two.
   const auto label = [](const Index3& p, int other)
-  { return p[0] < 2 ? 1 : (p[1] < 2 ? other : 0); };
+  {
+    const bool isInside = p[0] > 0 && p[1] > 0 && p[2] > 0 && p[0] < 5 && p[1] < 5 && p[2] < 4;
+    return isInside && p[0] + p[1] > 2 ? (p[0] > 1 ? 1 : other) : 0;
+  };
   EXPECT_EQ(CountNarrow(grid, [&](const Index3& p) { return label(p, 1); }), 0);
-  EXPECT_EQ(CountNarrow(grid, [&](const Index3& p) { return label(p, 2); }), 5);
+  EXPECT_EQ(CountNarrow(grid, [&](const Index3& p) { return label(p, 2); }), 3);
 }
 
 TEST(NarrowVoid, IsInPocketsAtSidesOfTheDomain)

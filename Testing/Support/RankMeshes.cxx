@@ -30,9 +30,9 @@ bool AreEqual(const MeshReport& a, const MeshReport& b)
 {
   return a.TargetVolume == b.TargetVolume && a.MeshVolume == b.MeshVolume &&
     a.FlippedCells == b.FlippedCells && a.ResolveRounds == b.ResolveRounds &&
-    a.NarrowVoidCells == b.NarrowVoidCells &&
-    a.NumberOfFragments == b.NumberOfFragments && a.NumberOfSurfaces == b.NumberOfSurfaces &&
-    a.NumberOfCurves == b.NumberOfCurves && a.NumberOfVertices == b.NumberOfVertices &&
+    a.NarrowVoidCells == b.NarrowVoidCells && a.NumberOfFragments == b.NumberOfFragments &&
+    a.NumberOfSurfaces == b.NumberOfSurfaces && a.NumberOfCurves == b.NumberOfCurves &&
+    a.NumberOfVertices == b.NumberOfVertices &&
     a.MinimumScaledJacobian == b.MinimumScaledJacobian &&
     a.MeanScaledJacobian == b.MeanScaledJacobian &&
     a.MinimumDihedralAngle == b.MinimumDihedralAngle &&

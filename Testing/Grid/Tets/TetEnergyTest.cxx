@@ -236,6 +236,45 @@ TEST(TetEnergy, HasTheDerivativesThatDifferencesGive)
   }
 }
 
+/// A demand d multiplies the targets by d and the weight of the shape by d.
+TEST(TetEnergy, EachTetHasItsDemand)
+{
+  constexpr double demand = 0.3;
+  const SmoothingStage stage = Stage(2);
+  SmoothingStage lenientStage = stage;
+  lenientStage.Omega *= demand;
+  TetQualityFloors lower = Floors;
+  for (double* floor : { &lower.Acute, &lower.Obtuse, &lower.MeanRatio, &lower.ShortestEdge })
+  {
+    *floor *= demand;
+  }
+  RandomDraw random(7);
+  for (int trial = 0; trial < 20; ++trial)
+  {
+    const ActiveMesh mesh = Star(random, 0.12, trial % 2 == 0);
+    const int tets = static_cast<int>(mesh.Elements.size()) / 4, strict = tets / 3;
+    ActiveMesh both = mesh;
+    both.Demands.assign(tets, static_cast<float>(demand));
+    std::fill_n(both.Demands.begin(), strict, 1.0f);
+    const ActiveMesh first = SomeTets(mesh, 0, strict), rest = SomeTets(mesh, strict, tets);
+    for (bool precise : { true, false })
+    {
+      const TetEnergy energy(Floors, precise), lenient(lower, precise);
+      const Derivatives a = energy.Differentiate(first, 0, stage),
+                        b = lenient.Differentiate(rest, 0, lenientStage);
+      const double expected = a.Value + b.Value, tolerance = precise ? 1e-6 : 1e-4;
+      EXPECT_NEAR(energy.Evaluate(both, 0, both.X[0], stage), expected, tolerance * expected);
+      const Derivatives d = energy.Differentiate(both, 0, stage);
+      EXPECT_NEAR(d.Value, expected, tolerance * expected);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        EXPECT_NEAR(d.Gradient[axis], a.Gradient[axis] + b.Gradient[axis],
+          tolerance * (Norm(a.Gradient) + Norm(b.Gradient)));
+      }
+    }
+  }
+}
+
 TEST(TetEnergy, CountsEachTetOnceHoweverManyThereAre)
 {
   const TetEnergy energy(Floors, true);
