@@ -184,7 +184,7 @@ TEST_P(GeometryOf, SidesOfSolidsWithEdges)
     std::size_t Planes;
   };
   for (const Solid& solid : { Solid{ "cube A", 16, 6, 12, 8, 6 },
-         Solid{ "cylinder", 16, 3, 2, 0, 2 }, Solid{ "L", 21, 8, 18, 12, 8 } })
+         Solid{ "cylinder", 16, 3, 2, 0, 2 }, Solid{ "L", 24, 8, 18, 12, 8 } })
   {
     const SharpCase c = MakeSharpCase(solid.Name, solid.Cells);
     MeshOptions options;
