@@ -55,6 +55,7 @@ struct ActiveMesh
   /// points back.
   Vector3 Lower{ { -1e300, -1e300, -1e300 } }, Upper{ { 1e300, 1e300, 1e300 } };
   std::vector<unsigned char> IsActive; ///< whether each point may move
+  bool StaysNear = false;              ///< whether points must stay within one cell of their start
   std::vector<int> Elements;           ///< Corners points per element
   /// Widths of the cell of each element, grid coordinates; one entry if all are equal.
   std::vector<Vector3> Widths;

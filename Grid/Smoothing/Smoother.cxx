@@ -110,6 +110,50 @@ Smoother::Smoother(
   {
     mesh.Rings = HexRings(mesh, runtime);
   }
+  if (mesh.StaysNear)
+  {
+    this->FindReach();
+  }
+}
+
+void Smoother::FindReach()
+{
+  if (this->Mesh.Widths.size() == 1)
+  {
+    this->Reach = this->Mesh.Widths;
+    return;
+  }
+  this->Reach.assign(this->Mesh.X.size(), { { 1e300, 1e300, 1e300 } });
+  this->Mesh.ForOwned(
+    [&](int point)
+    {
+      const std::vector<Index>& corners = this->Mesh.CornerOffset;
+      for (Index at = corners[point]; at < corners[point + 1]; ++at)
+      {
+        const Vector3& widths = this->Mesh.WidthsAt(this->Mesh.CornerList[at]);
+        for (int a = 0; a < 3; ++a)
+        {
+          this->Reach[point][a] = std::min(this->Reach[point][a], widths[a]);
+        }
+      }
+    });
+}
+
+/// Returns whether a point may be at x, as far as its distance from its start tells.
+bool Smoother::StaysNear(int point, const Vector3& x) const
+{
+  if (this->Reach.empty())
+  {
+    return true;
+  }
+  const Vector3 start = this->Mesh.StartOf(point);
+  const Vector3& reach = this->Reach[this->Reach.size() == 1 ? 0 : point];
+  bool isNear = true;
+  for (int a = 0; a < 3; ++a)
+  {
+    isNear &= std::abs(x[a] - start[a]) <= reach[a];
+  }
+  return isNear;
 }
 
 void Smoother::MarkAll()

@@ -9,6 +9,9 @@
  * Some conditions on elements are not part of the energy: hexes must also be positive between their
  * corners (HexCoefficients.h). They are checked after each stage; where they are violated, points
  * start the stage again (Guard.h).
+ *
+ * Where void is not meshed, points stay within one cell of their start along each axis. So bodies
+ * meet only where void is narrow (NarrowVoid.h).
  */
 #pragma once
 
@@ -93,14 +96,17 @@ private:
     }
     return stays;
   }
+  void FindReach();
+  bool StaysNear(int point, const Vector3& x) const;
   int FixedAxes(int point, const Vector3& step) const;
   Vector3 Moved(int point, const Vector3& step) const;
   double DistanceEnergy(int point, const Vector3& x, double lambda) const;
   void AddDistance(int point, double lambda, Derivatives& d) const;
   bool MayMove(int point, const Vector3& x) const
   {
-    return !(this->ChecksAll || this->TheGuard.Has(point)) ||
-      this->Energy.KeepsAt(this->Mesh, point, x);
+    return this->StaysNear(point, x) &&
+      (!(this->ChecksAll || this->TheGuard.Has(point)) ||
+        this->Energy.KeepsAt(this->Mesh, point, x));
   }
   void MarkNeighbours(int point);
   void MarkAll();
@@ -111,6 +117,9 @@ private:
   const ElementEnergy& Energy;
   Runtime& Run;
   Guard TheGuard;
+  /// Largest distance from the start along each axis: of each point, or one of all; empty: no
+  /// limit.
+  std::vector<Vector3> Reach;
   bool ChecksAll = false; // whether each move is checked
   int NumberOfSweeps = 0;
   std::atomic<Index> NumberOfVisits{ 0 }; // visits to points in sweeps
