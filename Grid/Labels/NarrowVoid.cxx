@@ -54,12 +54,14 @@ struct Around
     for (int n = 0; n < 27; ++n)
     {
       this->Material[n] = MaterialIn(work, Shifted(cells, StepAround(n), cells.Size(0)));
+      this->IsBeside = this->IsBeside || this->HasMaterial(n);
     }
   }
   bool HasMaterial(int n) const { return this->Material[n] > 0; }
 
   IndexBox Cells;
   std::array<int, 27> Material;
+  bool IsBeside = false; // whether any unit around has a material
 };
 
 /// Returns whether materials are within two units on both sides.
@@ -108,12 +110,15 @@ bool IsBetweenParts(const Around& around)
   bool found = false;
   for (int n = 0; n < 27; ++n)
   {
-    for (int m = 0; m < n && !found; ++m)
+    for (int m = 0; m < n && around.HasMaterial(n) && !found; ++m)
     {
+      if (parts[n] == parts[m] || !around.HasMaterial(m))
+      {
+        continue;
+      }
       const Index3 a = StepAround(n), b = StepAround(m);
       const Index dot = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-      found = dot < 0 && 4 * dot * dot >= SquareOf(a) * SquareOf(b) && around.HasMaterial(n) &&
-        around.HasMaterial(m) && parts[n] != parts[m];
+      found = dot < 0 && 4 * dot * dot >= SquareOf(a) * SquareOf(b);
     }
   }
   return found;
@@ -155,8 +160,9 @@ bool IsPocket(const Work& work, const Around& around)
 bool IsNarrow(const Work& work, const IndexBox& cells)
 {
   const Around around(work, cells);
-  return IsBetween(work, around) || IsBesideSeveral(around) || IsPocket(work, around) ||
-    IsBetweenParts(around);
+  return IsBetween(work, around) ||
+    (around.IsBeside &&
+      (IsBesideSeveral(around) || IsPocket(work, around) || IsBetweenParts(around)));
 }
 
 /// Calls visit(cell) for the void cells that can be narrow: those at mixed nodes, and a cell of

@@ -229,7 +229,8 @@ def test_field_data():
                 expected = fractions.sum() * np.prod(SPACING)
                 assert abs(value - expected) < (1e-9 if name == "TargetVolume" else 2e-3) * expected
         assert result.field("NormalisedCells") == [0]
-        for name in ("FlippedCells", "ResolveRounds", "NumberOfCurves", "NumberOfVertices"):
+        for name in ("FlippedCells", "ResolveRounds", "NarrowVoidCells", "NumberOfCurves",
+                     "NumberOfVertices"):
             assert result.field(name)[0] >= 0
         assert result.field("NumberOfFragments") == [len(set(result.cells("FragmentId")))]
         surface_ids = surface_array(result, "SurfaceId")
