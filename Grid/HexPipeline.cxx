@@ -26,7 +26,7 @@ const SmoothingRamp Ramp{ { 1, 1.0, 0.1, 4, 0.0, Early }, { 2, 10.0, 0.05, 7, 0.
   { 8, 60.0, 0.01, 30, 2e-3, Late } };
 
 // Factor of the target scaled Jacobian at small fragments whose materials miss their volumes.
-constexpr float LowestDemand = 0.85f;
+constexpr float LowestDemand = 0.9f;
 
 double TargetJacobian(const FractionField& fractions, const MeshOptions& options)
 {
