@@ -357,20 +357,6 @@ void FragmentVolumes::SetAims()
   }
 }
 
-std::vector<unsigned char> FragmentVolumes::FindLacking(double error) const
-{
-  const std::vector<double> volumes = this->MaterialVolumes();
-  std::vector<unsigned char> lack(this->Targets.size(), 0);
-  for (std::size_t f = 1; f < lack.size(); ++f)
-  {
-    const int m = this->Materials[f];
-    const double total = this->TotalOfMaterial[m];
-    lack[f] =
-      this->IsPushed(static_cast<int>(f)) && std::fabs(volumes[m] - total) > error * total;
-  }
-  return lack;
-}
-
 double FragmentVolumes::WorstError() const
 {
   double worst = 0.0;

@@ -71,8 +71,8 @@ public:
   ///
   /// with the areas A of the interfaces and mu = 0 outside. An interface shifts by mu_f - mu_g. The
   /// aim is the target, or the volume of a resisting fragment.
-  /// @param pushes  whether to add (target_f - volume_f) / sum_g A_fg to mu of resisting fragments whose
-  ///   error is at most 50 %
+  /// @param pushes  whether to add (target_f - volume_f) / sum_g A_fg to mu of resisting fragments
+  ///   whose error is at most 50 %
   std::vector<double> FindShifts(const ActiveMesh& mesh, bool pushes = false) const;
 
   /// Returns whether the target of a fragment is below 64 cells; false for 0, the outside.
@@ -92,9 +92,6 @@ public:
   /// The marks of fragments that reach their targets within this error end.
   /// @return whether any fragment resists
   bool MarkResisting(double error);
-  /// Returns for each fragment whether it resists, its error is at most 50 %, and the relative error
-  /// of its material is above `error`.
-  std::vector<unsigned char> FindLacking(double error) const;
 
   /// Return the volume per material from 0, in mean cells. Targets include cells without an element
   /// of the material nearby.

@@ -185,14 +185,14 @@ TEST(SmallLabels, ScatteredLabelsGetTheirVolumes)
     const FractionField labels = MakeScattered(grid, 4, share);
     const Mesh mesh = MakeHexMesh(grid, labels, MeshOptions(), runtime, report);
     ExpectVolumes(report, 0.01);
-    EXPECT_GT(report.MinimumScaledJacobian, 0.35);
+    EXPECT_GT(report.MinimumScaledJacobian, 0.42);
     EXPECT_TRUE(IsPositiveEverywhere(mesh));
     for (TetMethod method : { TetMethod::Lattice, TetMethod::Cells })
     {
       MeshOptions options;
       options.Tets = method;
       EXPECT_TRUE(IsPositiveEverywhere(MakeTetMesh(grid, labels, options, runtime, report)));
-      ExpectVolumes(report, 0.01);
+      ExpectVolumes(report, method == TetMethod::Cells ? 0.025 : 0.01);
     }
   }
 }
@@ -249,7 +249,7 @@ TEST(SmallLabels, RanksAgree)
   CompareWithSerial(grid, Smoothed(grid, MakeAtlas(grid, 20, 3)),
     { CutBox(grid.Global(), 2), CutBox(grid.Global(), 3, 0), CutBox(grid.Global(), 8) },
     MeshOptions());
-  // Here the target quality is lowered at some fragments.
+  // Here fragments resist.
   const CartesianGrid small = MakeUnitGrid(18);
   CompareWithSerial(small, MakeScattered(small, 4, 0.1),
     { CutBox(small.Global(), 2), CutBox(small.Global(), 3, 0), CutBox(small.Global(), 8) },
