@@ -38,8 +38,8 @@
  * and equal on all ranks.
  *
  * Port 4, one row per material: Name, MaterialId, TargetVolume, MeshVolume (length units cubed),
- * VolumeError (relative), Elements, Fragments; MinimumScaledJacobian and MeanScaledJacobian if
- * ComputeQuality is on.
+ * VolumeError (relative), LostCells, GainedCells (cells that changed their material), Elements,
+ * Fragments; MinimumScaledJacobian and MeanScaledJacobian if ComputeQuality is on.
  */
 #ifndef vtkVolumeFractionToHex_h
 #define vtkVolumeFractionToHex_h

@@ -25,9 +25,6 @@ const SmoothingPace Early{ 1.8, 4.0, 0.0, 2e-4, 5e-3 }, Late{ 1.75, 4.0, 0.0, 1e
 const SmoothingRamp Ramp{ { 1, 1.0, 0.1, 4, 0.0, Early }, { 2, 10.0, 0.05, 7, 0.0, Early },
   { 8, 60.0, 0.01, 30, 2e-3, Late } };
 
-// Factor of the target scaled Jacobian at small fragments whose materials miss their volumes.
-constexpr float LowestDemand = 0.85f;
-
 double TargetJacobian(const FractionField& fractions, const MeshOptions& options)
 {
   const bool several = fractions.NumberOfMaterials() > 1 || options.MeshVoid;
@@ -97,7 +94,7 @@ SmoothedPoints Smooth(MeshJob& job, const LabelledGrid& labelled, const std::vec
   }
   const HexEnergy energy(TargetJacobian(job.Fractions, job.Options));
   Improve({ active, targets, energy, Ramp, volumes, job.Report,
-            job.Options.ConserveVolume && job.Options.IsoValue == 0.5, LowestDemand, {}, {} },
+            job.Options.ConserveVolume && job.Options.IsoValue == 0.5, {}, {} },
     job.Clock, job.Run);
   active.CopyTo(mesh, job.Grid);
   return { std::move(kinds), active.ListMoved(mesh) };

@@ -193,7 +193,7 @@ std::vector<FeatureKind> Smooth(
   const TetEnergy energy(FloorsOf(job.Options));
   std::optional<DiagonalFlips> flips;
   Improvement improvement{ active, targets, energy, TetRamp(job.Options.Tets), volumes, job.Report,
-    job.Options.ConserveVolume && job.Options.IsoValue == 0.5, 1.0f, {}, {} };
+    job.Options.ConserveVolume && job.Options.IsoValue == 0.5, {}, {} };
   if (!IsLattice(job))
   {
     flips.emplace(mesh, active, energy, kinds);

@@ -163,23 +163,6 @@ void ActiveMesh::ListCorners()
   }
 }
 
-void ActiveMesh::LowerDemands(std::vector<float> ofPoints)
-{
-  this->Exchange.SendAll([&](int mover) { return ofPoints[mover]; },
-    [&](int mover, float demand) { ofPoints[mover] = demand; });
-  if (this->Demands.empty() &&
-    std::all_of(ofPoints.begin(), ofPoints.end(), [](float demand) { return demand >= 1.0f; }))
-  {
-    return;
-  }
-  this->Demands.resize(this->Elements.size() / this->Corners, 1.0f);
-  for (std::size_t at = 0; at < this->Elements.size(); ++at)
-  {
-    float& demand = this->Demands[at / this->Corners];
-    demand = std::min(demand, ofPoints[this->Elements[at]]);
-  }
-}
-
 void ActiveMesh::CopyTo(Mesh& mesh, const CartesianGrid& grid) const
 {
   const double scale = grid.MeanWidth();

@@ -132,10 +132,6 @@ struct ActiveMesh
   {
     return this->Demands.empty() ? 1.0 : this->Demands[position / this->Corners];
   }
-  /// Lowers the demands of elements to the smallest value of their points.
-  /// @param ofPoints  value of each point; only owned points need one
-  /// @pre Collective among the ranks that share points.
-  void LowerDemands(std::vector<float> ofPoints);
   /// Fills X, Fixed, Lower and Upper from the positions in the mesh. Points on sides of the domain
   /// stay there; all others stay 0.01 cells inside. Keeps a pointer to the points of the mesh.
   void PlacePoints(const CartesianGrid& grid, const Mesh& mesh);

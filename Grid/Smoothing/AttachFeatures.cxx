@@ -58,13 +58,21 @@ void Rewrite(const std::vector<FeaturePull>& pulls, ActiveMesh& active)
 
 /// Lowers the target quality of the hexes at acute edges.
 /// @param bluntness  value of each point
-void LowerDemands(std::vector<float> bluntness, ActiveMesh& active)
+void SetDemands(std::vector<float> bluntness, ActiveMesh& active)
 {
-  for (float& value : bluntness)
+  active.Exchange.SendAll([&](int mover) { return bluntness[mover]; },
+    [&](int mover, float demand) { bluntness[mover] = demand; });
+  std::vector<float> demands = active.Demands; // of the barrier
+  demands.resize(active.Elements.size() / active.Corners, 1.0f);
+  for (std::size_t at = 0; at < active.Elements.size(); ++at)
   {
-    value = std::max(value, SmallestDemand);
+    float& demand = demands[at / active.Corners];
+    demand = std::min(demand, std::max(bluntness[active.Elements[at]], SmallestDemand));
   }
-  active.LowerDemands(std::move(bluntness));
+  if (std::any_of(demands.begin(), demands.end(), [](float demand) { return demand < 1.0f; }))
+  {
+    active.Demands.swap(demands);
+  }
 }
 
 } // namespace
@@ -82,7 +90,7 @@ std::vector<FeatureKind> AttachFeatures(const InterfaceFeatures& features,
   Rewrite(pulls.OfPairs, active);
   if (active.Corners == 8) // tets fill acute edges well enough
   {
-    LowerDemands(std::move(pulls.Bluntness), active);
+    SetDemands(std::move(pulls.Bluntness), active);
   }
   return std::move(pulls.Kinds);
 }

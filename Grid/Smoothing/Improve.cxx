@@ -22,11 +22,6 @@ constexpr int Moves = 6;
 constexpr int MoreMoves = 4;            // if fragments resist
 constexpr double FinalTolerance = 1e-7; // relative
 
-bool HasAny(const std::vector<unsigned char>& flags)
-{
-  return std::find(flags.begin(), flags.end(), 1) != flags.end();
-}
-
 std::vector<double> Multiplied(std::vector<double> values, double factor)
 {
   for (double& value : values)
@@ -48,33 +43,28 @@ public:
 
   /// Shifts the targets and smooths, then moves the surface points to correct the remaining errors.
   /// Small fragments, whose surfaces are uncertain in the fractions and hard to move, get more
-  /// rounds and longer shifts. So do fragments that resist.
+  /// rounds and longer shifts.
   void Run();
 
 private:
   FragmentVolumes& Volumes() const { return this->What.Volumes; }
-  bool HasLongOffset(int fragment) const
-  {
-    return this->Volumes().IsSmall(fragment) || (!this->Yields.empty() && this->Yields[fragment]);
-  }
   bool Follow();
   void FollowFragments(int rounds);
-  void Yield();
 
   const Improvement& What;
   Smoother& TheSmoother;
   StageClock& Clock;
   SmoothingStage Stage;
-  std::vector<unsigned char> Yields{}; // whether the elements at a fragment may be worse
 };
 
 /// Runs one round. Returns false if all shifts were too small to matter.
 bool VolumeCorrection::Follow()
 {
-  const auto isLong = [this](const Attachment& a)
-  { return this->HasLongOffset(a.Fragments[0]) || this->HasLongOffset(a.Fragments[1]); };
+  const FragmentVolumes& volumes = this->Volumes();
+  const auto isSmall = [&volumes](const Attachment& a)
+  { return volumes.IsSmall(a.Fragments[0]) || volumes.IsSmall(a.Fragments[1]); };
   ActiveMesh& active = this->What.Active;
-  if (!this->TheSmoother.Follow(this->Volumes().FindShifts(active, true), isLong, this->Stage))
+  if (!this->TheSmoother.Follow(volumes.FindShifts(active, true), isSmall, this->Stage))
   {
     return false;
   }
@@ -85,32 +75,15 @@ bool VolumeCorrection::Follow()
 /// Runs rounds until no fragment is off its aim.
 void VolumeCorrection::FollowFragments(int rounds)
 {
-  for (int round = 0;
-       round<rounds&& this->Volumes().WorstFragmentError()> FragmentTolerance && this->Follow();
-       ++round)
+  const FragmentVolumes& volumes = this->Volumes();
+  for (int round = 0; round < rounds; ++round)
   {
+    if (!(volumes.WorstFragmentError() > FragmentTolerance) || !this->Follow())
+    {
+      break;
+    }
     this->Clock.Update(0.92);
   }
-}
-
-/// Lowers the target quality of the elements at the selected fragments.
-void VolumeCorrection::Yield()
-{
-  ActiveMesh& active = this->What.Active;
-  std::vector<float> demands(active.X.size(), 1.0f);
-  active.ForOwned(
-    [&](int point)
-    {
-      for (Index i = active.AttachmentOffset[point]; i < active.AttachmentOffset[point + 1]; ++i)
-      {
-        const std::array<int, 2>& fragments = active.Attachments[i].Fragments;
-        if (this->Yields[fragments[0]] || this->Yields[fragments[1]])
-        {
-          demands[point] = this->What.LowestDemand;
-        }
-      }
-    });
-  active.LowerDemands(std::move(demands));
 }
 
 void VolumeCorrection::Run()
@@ -127,14 +100,6 @@ void VolumeCorrection::Run()
   for (double error : ResistingErrors)
   {
     resists = volumes.MarkResisting(error);
-    this->FollowFragments(ResistingRounds);
-  }
-  this->Yields = volumes.FindLacking(FragmentTolerance);
-  if (this->What.LowestDemand < 1.0f && HasAny(this->Yields))
-  {
-    this->Yield();
-    this->FollowFragments(ResistingRounds);
-    volumes.MarkResisting(FragmentTolerance);
     this->FollowFragments(ResistingRounds);
   }
   const int moves = Moves + (resists ? MoreMoves : 0);

@@ -22,9 +22,6 @@ struct Improvement
   /// Receives the number of points, sweeps and visits.
   MeshReport& Report;
   bool ConserveVolume;
-  /// Factor to which the target quality may fall where materials cannot reach their volumes
-  /// otherwise; 1: nowhere.
-  float LowestDemand;
   /// Is called after each sweep with its number in the stage, from 0; may be empty.
   std::function<void(Smoother&, const SmoothingStage&, int)> AfterSweep;
   /// Is called after the ramp, before volumes are measured; may be empty.

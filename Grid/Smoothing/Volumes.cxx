@@ -13,6 +13,8 @@ namespace
 constexpr Index FacetsOfBlock = 256; // facets per task
 // Largest part of its target by which a fragment compensates for resisting fragments.
 constexpr double LargestTakeover = 0.1;
+// Relative error above which a push is in vain and only makes elements worse.
+constexpr double LargestPushedError = 0.5;
 
 double AreaOf(const std::array<Vector3, 4>& q)
 {
@@ -296,7 +298,7 @@ void FragmentVolumes::AddPushes(std::vector<double>& mu) const
   }
   for (int f = 1; f < static_cast<int>(mu.size()); ++f)
   {
-    if (this->Resists[f] && areas[f] > 0.0)
+    if (this->IsPushed(f) && areas[f] > 0.0)
     {
       mu[f] += (this->Targets[f] - this->VolumeOf(f)) / areas[f];
     }
@@ -316,6 +318,13 @@ double FragmentVolumes::WorstFragmentError() const
     worst = std::max(worst, this->ErrorOf(f));
   }
   return worst;
+}
+
+bool FragmentVolumes::IsPushed(int fragment) const
+{
+  const double target = this->Targets[fragment];
+  return this->Resists[fragment] &&
+    std::fabs(this->VolumeOf(fragment) - target) <= LargestPushedError * target;
 }
 
 bool FragmentVolumes::MarkResisting(double error)
@@ -346,19 +355,6 @@ void FragmentVolumes::SetAims()
       free[m] > 0.0 ? std::clamp(lack[m] / free[m], -LargestTakeover, LargestTakeover) : 0.0;
     this->Aims[f] = this->Resists[f] ? this->VolumeOf(f) : (1.0 + takeover) * this->Targets[f];
   }
-}
-
-std::vector<unsigned char> FragmentVolumes::FindLacking(double error) const
-{
-  const std::vector<double> volumes = this->MaterialVolumes();
-  std::vector<unsigned char> lack(this->Resists);
-  for (std::size_t f = 1; f < lack.size(); ++f)
-  {
-    const int m = this->Materials[f];
-    const double total = this->TotalOfMaterial[m];
-    lack[f] &= std::fabs(volumes[m] - total) > error * total;
-  }
-  return lack;
 }
 
 double FragmentVolumes::WorstError() const

@@ -9,7 +9,8 @@
  * Some fragments resist: the barrier, or a lack of cells, keeps them far from their targets. The
  * shifts of all fragments are coupled, so a fragment that resists would pull its neighbours off
  * their targets too. Therefore the system assumes that it keeps its volume, and the other fragments
- * of its material take over what it lacks. It is pushed towards its target apart from the system.
+ * of its material take over what it lacks. It is pushed towards its target apart from the system,
+ * unless it is hopelessly far from it.
  */
 #pragma once
 
@@ -71,6 +72,7 @@ public:
   /// with the areas A of the interfaces and mu = 0 outside. An interface shifts by mu_f - mu_g. The
   /// aim is the target, or the volume of a resisting fragment.
   /// @param pushes  whether to add (target_f - volume_f) / sum_g A_fg to mu of resisting fragments
+  ///   whose error is at most 50 %
   std::vector<double> FindShifts(const ActiveMesh& mesh, bool pushes = false) const;
 
   /// Returns whether the target of a fragment is below 64 cells; false for 0, the outside.
@@ -90,9 +92,6 @@ public:
   /// The marks of fragments that reach their targets within this error end.
   /// @return whether any fragment resists
   bool MarkResisting(double error);
-  /// Returns for each fragment whether it resists and the relative error of its material is above
-  /// `error`.
-  std::vector<unsigned char> FindLacking(double error) const;
 
   /// Return the volume per material from 0, in mean cells. Targets include cells without an element
   /// of the material nearby.
@@ -109,6 +108,7 @@ private:
   void SetAims();
   std::vector<double> FindPotentials() const;
   void AddPushes(std::vector<double>& mu) const;
+  bool IsPushed(int fragment) const;
   double VolumeOf(int fragment) const
   {
     return this->StartVolumes[fragment] + this->Swept[fragment];

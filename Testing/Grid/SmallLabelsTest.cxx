@@ -5,10 +5,14 @@
 #include "Labels/ResolveLabels.h"
 #include "Labels/SmoothLabels.h"
 #include "MeshCases.h"
+#include "RandomDraw.h"
 #include "RankMeshes.h"
 #include "Sweep.h"
+#include "TetPipeline.h"
 
 #include <gtest/gtest.h>
+
+#include <numeric>
 
 using namespace vfm;
 using namespace vfm::testing;
@@ -38,6 +42,34 @@ std::vector<Index> CountCells(const CartesianGrid& grid, const LabelArray& label
   std::vector<Index> cells(materials + 1, 0);
   ForCells(grid.Owned(), [&](const Index3& p) { ++cells[labels[grid.Linear(p)]]; });
   return cells;
+}
+
+/// Returns two halves of label 1 and 2, with scattered cells of label 3 and 4 in their middle.
+/// @param share  share of label 4, and of label 3, in the middle
+FractionField MakeScattered(const CartesianGrid& grid, unsigned seed, double share)
+{
+  RandomDraw draw(seed);
+  const Index n = grid.Global().Size(0);
+  std::vector<double> random;
+  ForCells(grid.Global(), [&](const Index3&) { random.push_back(draw.Between(0.0, 1.0)); });
+  return MakeLabels(grid, 4,
+    [&](const Index3& p)
+    {
+      const bool isMiddle =
+        std::all_of(p.begin(), p.end(), [n](Index i) { return i >= 4 && i < n - 4; });
+      const double r = isMiddle ? random[IndexInBox(grid.Global(), p)] : 1.0;
+      const int half = p[0] < n / 2 ? 1 : 2;
+      return r < share ? 4 : (r < 2.0 * share ? 3 : half);
+    });
+}
+
+void ExpectVolumes(const MeshReport& report, double error)
+{
+  for (int m = 1; m <= 4; ++m)
+  {
+    std::printf("label %d: volume %.4f of %.0f\n", m, report.MeshVolume[m], report.TargetVolume[m]);
+    EXPECT_NEAR(report.MeshVolume[m], report.TargetVolume[m], error * report.TargetVolume[m]);
+  }
 }
 
 /// Counts the violations at the nodes of a cell if the cell has the given label.
@@ -141,6 +173,54 @@ TEST(SmallLabels, SingleCellsGetTheirVolume)
   EXPECT_GT(report.MinimumScaledJacobian, 0.45);
 }
 
+/// Fragments of one or two cells that cannot reach their targets neither keep their neighbours off
+/// their volumes nor their label.
+TEST(SmallLabels, ScatteredLabelsGetTheirVolumes)
+{
+  const CartesianGrid grid = MakeUnitGrid(18);
+  Runtime runtime;
+  MeshReport report;
+  for (double share : { 0.1, 0.3 })
+  {
+    const FractionField labels = MakeScattered(grid, 4, share);
+    const Mesh mesh = MakeHexMesh(grid, labels, MeshOptions(), runtime, report);
+    ExpectVolumes(report, 0.01);
+    EXPECT_GT(report.MinimumScaledJacobian, 0.42);
+    EXPECT_TRUE(IsPositiveEverywhere(mesh));
+    for (TetMethod method : { TetMethod::Lattice, TetMethod::Cells })
+    {
+      MeshOptions options;
+      options.Tets = method;
+      EXPECT_TRUE(IsPositiveEverywhere(MakeTetMesh(grid, labels, options, runtime, report)));
+      ExpectVolumes(report, method == TetMethod::Cells ? 0.025 : 0.01);
+    }
+  }
+}
+
+/// Each flip is counted for the label that lost the cell, and for the one that gained it.
+TEST(SmallLabels, FlipsAreCountedPerLabel)
+{
+  const CartesianGrid grid = MakeUnitGrid(18);
+  const FractionField fractions = MakeScattered(grid, 1, 0.2);
+  const LabelArray before = AssignMaterials(grid, fractions, 0.5);
+  LabelArray after = before;
+  Runtime runtime;
+  const ResolveReport report =
+    ResolveLabels(grid, fractions, after, Partition(grid, runtime.Group()), runtime);
+  std::vector<Index> lost(5, 0), gained(5, 0);
+  ForCells(grid.Owned(),
+    [&](const Index3& p)
+    {
+      const Index cell = grid.Linear(p);
+      lost[before[cell]] += before[cell] != after[cell];
+      gained[after[cell]] += before[cell] != after[cell];
+    });
+  EXPECT_EQ(report.LostCells, lost);
+  EXPECT_EQ(report.GainedCells, gained);
+  EXPECT_EQ(report.FlippedCells, std::accumulate(lost.begin(), lost.end(), Index{ 0 }));
+  EXPECT_GT(lost[3], 10);
+}
+
 TEST(SmallLabels, AtlasKeepsLabelsAndVolumes)
 {
   const CartesianGrid grid = MakeUnitGrid(48);
@@ -168,5 +248,10 @@ TEST(SmallLabels, RanksAgree)
   const CartesianGrid grid = MakeUnitGrid(20);
   CompareWithSerial(grid, Smoothed(grid, MakeAtlas(grid, 20, 3)),
     { CutBox(grid.Global(), 2), CutBox(grid.Global(), 3, 0), CutBox(grid.Global(), 8) },
+    MeshOptions());
+  // Here fragments resist.
+  const CartesianGrid small = MakeUnitGrid(18);
+  CompareWithSerial(small, MakeScattered(small, 4, 0.1),
+    { CutBox(small.Global(), 2), CutBox(small.Global(), 3, 0), CutBox(small.Global(), 8) },
     MeshOptions());
 }

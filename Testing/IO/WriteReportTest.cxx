@@ -146,13 +146,16 @@ TEST(WriteReport, ValuesAreThoseOfTheMesher)
       const MeshReport& report = part.Report;
       const std::vector<std::string> cells = CellsOf(SectionOf(page, "Materials"));
       const auto at = std::find(cells.begin(), cells.end(), "one");
-      ASSERT_LE(8, cells.end() - at);
+      ASSERT_LE(11, cells.end() - at);
       EXPECT_EQ(at[1], "1");
       EXPECT_EQ(at[2], PrintCount(report.Materials[1].Elements));
       EXPECT_EQ(at[3], PrintNumber(report.TargetVolume[1]));
       EXPECT_EQ(at[4], PrintNumber(report.MeshVolume[1]));
-      EXPECT_EQ(at[6], PrintFixed(report.Materials[1].MinimumScaledJacobian, 4));
-      EXPECT_EQ(at[7], PrintFixed(report.Materials[1].MeanScaledJacobian, 4));
+      EXPECT_EQ(at[6], PrintCount(report.Materials[1].Fragments));
+      EXPECT_EQ(at[7], PrintCount(report.LostCells[1]));
+      EXPECT_EQ(at[8], PrintCount(report.GainedCells[1]));
+      EXPECT_EQ(at[9], PrintFixed(report.Materials[1].MinimumScaledJacobian, 4));
+      EXPECT_EQ(at[10], PrintFixed(report.Materials[1].MeanScaledJacobian, 4));
       const std::string counts = SectionOf(page, "Counts");
       EXPECT_NE(counts.find("<dt>Tetrahedra</dt><dd>" + PrintCount(part.Mesh.NumberOfElements)),
         std::string::npos);

@@ -3,6 +3,7 @@
 #include "Input/NodeCoordinates.h"
 #include "Shapes/ShapesFractions.h"
 #include "Summary/MeshData.h"
+#include "Summary/MeshFields.h"
 
 #include <gtest/gtest.h>
 
@@ -291,6 +292,63 @@ TEST(Mesher, ReportsTheMesh)
     (std::vector<double>{ 0, 12, 0, 12, 0, 12 }));
   EXPECT_EQ(std::get<std::vector<Index>>(find(result.MaterialFields, "Elements")->Values),
     (std::vector<Index>{ static_cast<Index>(result.TheMesh.ElementIds.size()) }));
+}
+
+/// Of 301 cells that contain the material, one is filled most by it.
+TEST(Mesher, WarnsOfInexactVolumes)
+{
+  MesherInput input = MakeInput(true);
+  std::vector<double> fractions(Side * Side * Side, 0.0);
+  fractions[0] = 0.6;
+  std::fill(fractions.begin() + 200, fractions.begin() + 500, 0.4);
+  auto arrays = std::make_shared<NamedValues>();
+  arrays->Arrays = { { "dust", std::make_shared<Values>(std::move(fractions), true) } };
+  input.Levels.Levels[0].Blocks[0].Arrays = arrays;
+  input.Arrays.Fractions = { "dust" };
+  input.Arrays.State.Arrays.clear();
+  std::vector<std::string> warnings;
+  input.Warn = [&warnings](const std::string& text) { warnings.push_back(text); };
+  Runtime serial;
+  MesherOptions options;
+  RunMesher(input, options, serial);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].find("1 material misses its volume by more than 1 %: 'dust' (id 1) by -"),
+    std::string::npos)
+    << warnings[0];
+  EXPECT_NE(warnings[0].find("MinimumRegionCells"), std::string::npos);
+  options.ConserveVolume = false;
+  RunMesher(input, options, serial);
+  EXPECT_EQ(warnings.size(), 1u);
+}
+
+/// The message names the materials with the largest missing volumes, at most twenty.
+TEST(Mesher, InexactVolumesAreSorted)
+{
+  MeshReport report;
+  Materials table;
+  for (int m = 0; m <= 25; ++m)
+  {
+    table.Names.push_back("m" + std::to_string(m));
+    table.Labels.push_back(10 * m);
+    report.TargetVolume.push_back(100.0);
+    report.MeshVolume.push_back(m < 3 ? 100.5 : 100.0 + m);
+    report.Materials.push_back({ 1, 7 });
+    report.LostCells.push_back(m);
+    report.GainedCells.push_back(2 * m);
+  }
+  report.MeshVolume[4] = 0.0; // has no element
+  const std::string text = DescribeInexactMaterials(report, table, true);
+  EXPECT_EQ(text.find("22 materials miss their volumes by more than 1 %: 'm25' (id 250) by +25 % "
+                      "(fragments: 7, cells lost: 25, gained: 50), 'm24' (id 240)"),
+    0u)
+    << text;
+  EXPECT_NE(text.find("'m6' (id 60) by +6 % (fragments: 7, cells lost: 6, gained: 12) and 2 more"),
+    std::string::npos)
+    << text;
+  EXPECT_EQ(text.find("'m5'"), std::string::npos);
+  EXPECT_NE(text.find("LabelSmoothing"), std::string::npos);
+  EXPECT_EQ(
+    DescribeInexactMaterials(report, table, false).find("LabelSmoothing"), std::string::npos);
 }
 
 void ExpectError(const MesherInput& input, const std::string& text)

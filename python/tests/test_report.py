@@ -55,7 +55,9 @@ def test_content(make, tmp_path):
         columns = ("MaterialId", "Elements", "TargetVolume", "MeshVolume")
         assert np.allclose(numbers[:4], [table[name][m] for name in columns], rtol=1e-5)
         assert np.isclose(numbers[4], 100 * table["VolumeError"][m], rtol=1e-2, atol=1e-12)
-        assert np.isclose(numbers[5], table["MinimumScaledJacobian"][m], atol=1e-4)
+        assert numbers[5:8] == [
+            table[name][m] for name in ("Fragments", "LostCells", "GainedCells")]
+        assert np.isclose(numbers[8], table["MinimumScaledJacobian"][m], atol=1e-4)
     worst = page.rows["Worst elements"][1:]
     order = np.lexsort((mesh.cell_ids, mesh.quality))[:10]
     assert [int(row[0]) for row in worst] == mesh.cell_ids[order].tolist()

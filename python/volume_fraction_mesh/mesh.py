@@ -80,8 +80,9 @@ class Mesh:
     materials : dict
         Table with one entry per material in each column: ``Name`` (list of str), ``MaterialId``,
         ``TargetVolume`` (of the fractions), ``MeshVolume``, ``VolumeError`` (relative),
-        ``Elements``, ``Fragments`` and the quality. Conserved state adds sums over cells and over
-        elements, such as ``InputMass``, ``MeshMass``, ``UnmeshedMass``.
+        ``LostCells`` and ``GainedCells`` (cells that changed their material to make interfaces
+        manifold), ``Elements``, ``Fragments`` and the quality. Conserved state adds sums over cells
+        and over elements, such as ``InputMass``, ``MeshMass``, ``UnmeshedMass``.
     fields : dict
         Values for the whole mesh, such as ``MinimumScaledJacobian``, ``NumberOfFragments`` and
         ``FlippedCells`` (cells moved to another material to make interfaces manifold).

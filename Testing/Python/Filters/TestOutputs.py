@@ -82,12 +82,13 @@ def test_arrays_of_the_surfaces():
 
 def test_table_of_materials():
     assert list(table_of(MESHES[0].materials)) == [
-        "Name", "MaterialId", "TargetVolume", "MeshVolume", "VolumeError", "Elements", "Fragments",
-        "MinimumScaledJacobian", "MeanScaledJacobian"]
+        "Name", "MaterialId", "TargetVolume", "MeshVolume", "VolumeError", "LostCells",
+        "GainedCells", "Elements", "Fragments", "MinimumScaledJacobian", "MeanScaledJacobian"]
     for result in MESHES + WITH_VOID:
         table = table_of(result.materials)
-        for name in ("TargetVolume", "MeshVolume", "VolumeError"):
+        for name in ("TargetVolume", "MeshVolume", "VolumeError", "LostCells", "GainedCells"):
             assert table[name] == result.field(name)
+        assert sum(table["LostCells"]) <= result.field("FlippedCells")[0]
         assert table["Name"] == result.field("MaterialNames") and table[
             "MaterialId"] == result.field("MaterialIds")
         quality = result.cells("ScaledJacobian").astype(float)
