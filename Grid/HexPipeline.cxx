@@ -81,7 +81,6 @@ SmoothedPoints Smooth(MeshJob& job, const LabelledGrid& labelled, const std::vec
   SurfaceTargets targets(interfaces->All(), KindOfTargets(job.Options), job.Run);
   job.Clock.Update(0.21);
   ActiveMesh active = MakeActiveHexes(labelled, job.Parts, mesh, job.Run);
-  active.StaysNear = !job.Options.MeshVoid;
   job.Clock.Update(0.215);
   AttachHexes(*interfaces, *labelled.Levels.Coarse, mesh, facets, job.Run, active);
   std::vector<FeatureKind> kinds = active.OfMesh(

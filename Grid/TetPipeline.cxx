@@ -188,7 +188,6 @@ std::vector<FeatureKind> Smooth(
     job.Options.IsoValue, job.Run);
   SurfaceTargets targets(interface, KindOfTargets(job.Options), job.Run);
   ActiveTets active = MakeActiveTets(made.Topology, job.Grid, job.Parts);
-  active.StaysNear = !job.Options.MeshVoid;
   const std::vector<FeatureKind> kinds = Attach(job, interface, made, targets, active);
   const TetEnergy energy(FloorsOf(job.Options));
   std::optional<DiagonalFlips> flips;

@@ -89,7 +89,7 @@ ActiveMesh MakeActiveHexes(
     levels.HasFineInterfaces() ? ActiveMeshBuilder::Nodes::OfGrid : ActiveMeshBuilder::Nodes::Any);
   active.Widths = levels.HasFineInterfaces() ? WidthsOfCells(levels.Finest(), mesh, hexes)
                                              : WidthsOfHexes(levels, mesh, hexes);
-  active.Demands = DemandsOf(mesh, hexes);
+  active.SetBarrier(mesh, hexes);
   active.PlacePoints(levels.Finest(), mesh);
   return active;
 }

@@ -37,20 +37,6 @@ bool IsUniform(const CartesianGrid& grid)
   return true;
 }
 
-std::vector<float> DemandsOf(const Mesh& mesh, const std::vector<Index>& elements)
-{
-  std::vector<float> demands;
-  if (mesh.HasBarrier)
-  {
-    demands.reserve(elements.size());
-    for (Index element : elements)
-    {
-      demands.push_back(mesh.IsBarrier(element) ? BarrierDemand : 1.0f);
-    }
-  }
-  return demands;
-}
-
 std::vector<Vector3> WidthsOfCells(
   const CartesianGrid& grid, const Mesh& mesh, const std::vector<Index>& elements)
 {
@@ -115,6 +101,39 @@ unsigned char FixedOnSides(int sides)
 {
   return static_cast<unsigned char>(
     ((sides & 3) != 0) | ((sides >> 2 & 3) != 0) << 1 | ((sides >> 4 & 3) != 0) << 2);
+}
+
+void ActiveMesh::SetBarrier(const Mesh& mesh, const std::vector<Index>& elements)
+{
+  std::vector<unsigned char> isNear(this->X.size(), 0);
+  const auto forPoints = [this](std::size_t element, const auto& visit)
+  {
+    const auto points = this->Elements.begin() + this->Corners * element;
+    std::for_each(points, points + this->Corners, visit);
+  };
+  for (std::size_t e = 0; mesh.HasBarrier && e < elements.size(); ++e)
+  {
+    if (mesh.IsBarrier(elements[e]))
+    {
+      this->Demands.resize(elements.size(), 1.0f);
+      this->Demands[e] = BarrierDemand;
+      forPoints(e, [&](int point) { isNear[point] = 1; });
+    }
+  }
+  // Only the owner of a point knows all elements at it.
+  this->Exchange.SendAll([&](int mover) { return isNear[mover]; },
+    [&](int mover, unsigned char flag) { isNear[mover] = flag; });
+  if (std::find(isNear.begin(), isNear.end(), 1) == isNear.end())
+  {
+    return;
+  }
+  this->StaysNear = isNear;
+  for (std::size_t e = 0; e < elements.size(); ++e)
+  {
+    bool touches = false;
+    forPoints(e, [&](int point) { touches = touches || (this->IsActive[point] && isNear[point]); });
+    forPoints(e, [&](int point) { this->StaysNear[point] |= touches; });
+  }
 }
 
 void ActiveMesh::PlacePoints(const CartesianGrid& grid, const Mesh& mesh)

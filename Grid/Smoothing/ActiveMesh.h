@@ -55,7 +55,8 @@ struct ActiveMesh
   /// points back.
   Vector3 Lower{ { -1e300, -1e300, -1e300 } }, Upper{ { 1e300, 1e300, 1e300 } };
   std::vector<unsigned char> IsActive; ///< whether each point may move
-  bool StaysNear = false;              ///< whether points must stay within one cell of their start
+  /// Whether each point must stay near its start; empty: none.
+  std::vector<unsigned char> StaysNear;
   std::vector<int> Elements;           ///< Corners points per element
   /// Widths of the cell of each element, grid coordinates; one entry if all are equal.
   std::vector<Vector3> Widths;
@@ -132,6 +133,11 @@ struct ActiveMesh
   {
     return this->Demands.empty() ? 1.0 : this->Demands[position / this->Corners];
   }
+  /// Sets Demands for the elements that are only a barrier, and StaysNear for their points and the
+  /// points of the elements at these.
+  /// @param elements  index in the mesh of each element
+  /// @pre Collective among the ranks that share points.
+  void SetBarrier(const Mesh& mesh, const std::vector<Index>& elements);
   /// Fills X, Fixed, Lower and Upper from the positions in the mesh. Points on sides of the domain
   /// stay there; all others stay 0.01 cells inside. Keeps a pointer to the points of the mesh.
   void PlacePoints(const CartesianGrid& grid, const Mesh& mesh);
@@ -177,8 +183,6 @@ Vector3 ToGrid(const CartesianGrid& grid, const double* point);
 
 /// Returns whether all cells have equal widths along each axis, within 1e-9.
 bool IsUniform(const CartesianGrid& grid);
-/// Returns ActiveMesh::Demands of elements: BarrierDemand for those that are only a barrier.
-std::vector<float> DemandsOf(const Mesh& mesh, const std::vector<Index>& elements);
 /// Returns ActiveMesh::Widths of elements that were made in finest cells.
 /// @param elements  indices in the mesh
 std::vector<Vector3> WidthsOfCells(

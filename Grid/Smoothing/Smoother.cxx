@@ -27,7 +27,8 @@ constexpr double LongestOffset = 1.0; // limit of long offsets, in cells
 constexpr double LargestPrice = 10.0;
 // Returned instead of a length by points that are not visited.
 constexpr double NoVisit = -1.0;
-static const double LF = std::getenv("LF") ? std::atof(std::getenv("LF")) : 1.0;
+constexpr double LargestReach = 0.75; // of points near narrow void, in cells
+constexpr double NoLimit = 1e300;     // of a distance
 // Smallest shift of a target that marks its points, in mean cells.
 constexpr double ShiftThatCounts = 1e-3;
 
@@ -111,7 +112,7 @@ Smoother::Smoother(
   {
     mesh.Rings = HexRings(mesh, runtime);
   }
-  if (mesh.StaysNear)
+  if (!mesh.StaysNear.empty())
   {
     this->FindReach();
   }
@@ -119,22 +120,18 @@ Smoother::Smoother(
 
 void Smoother::FindReach()
 {
-  if (this->Mesh.Widths.size() == 1)
-  {
-    this->Reach = this->Mesh.Widths;
-    return;
-  }
-  this->Reach.assign(this->Mesh.X.size(), { { 1e300, 1e300, 1e300 } });
+  this->Reach.assign(this->Mesh.X.size(), { { NoLimit, NoLimit, NoLimit } });
+  const std::vector<Index>& corners = this->Mesh.CornerOffset;
   this->Mesh.ForOwned(
     [&](int point)
     {
-      const std::vector<Index>& corners = this->Mesh.CornerOffset;
-      for (Index at = corners[point]; at < corners[point + 1]; ++at)
+      Vector3& reach = this->Reach[point];
+      for (Index at = corners[point]; this->Mesh.StaysNear[point] && at < corners[point + 1]; ++at)
       {
         const Vector3& widths = this->Mesh.WidthsAt(this->Mesh.CornerList[at]);
         for (int a = 0; a < 3; ++a)
         {
-          this->Reach[point][a] = std::min(this->Reach[point][a], widths[a]);
+          reach[a] = std::min(reach[a], LargestReach * widths[a]);
         }
       }
     });
@@ -143,16 +140,15 @@ void Smoother::FindReach()
 /// Returns whether a point may be at x, as far as its distance from its start tells.
 bool Smoother::StaysNear(int point, const Vector3& x) const
 {
-  if (this->Reach.empty())
+  if (this->Reach.empty() || this->Reach[point][0] == NoLimit)
   {
     return true;
   }
   const Vector3 start = this->Mesh.StartOf(point);
-  const Vector3& reach = this->Reach[this->Reach.size() == 1 ? 0 : point];
   bool isNear = true;
   for (int a = 0; a < 3; ++a)
   {
-    isNear &= std::abs(x[a] - start[a]) <= LF * reach[a];
+    isNear &= std::abs(x[a] - start[a]) <= this->Reach[point][a];
   }
   return isNear;
 }

@@ -10,8 +10,8 @@
  * corners (HexCoefficients.h). They are checked after each stage; where they are violated, points
  * start the stage again (Guard.h).
  *
- * Where void is not meshed, points stay within one cell of their start along each axis. So bodies
- * meet only where void is narrow (NarrowVoid.h).
+ * Points near narrow void (NarrowVoid.h) stay within three quarters of a cell of their start along
+ * each axis, so that they do not pass the ends of the void elements between bodies.
  */
 #pragma once
 

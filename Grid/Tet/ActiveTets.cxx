@@ -110,7 +110,7 @@ ActiveTets MakeActiveTets(
   std::vector<Index> tets = builder.AddAround(mesh);
   ActiveTets active{ builder.Finish(&partition), std::move(tets) };
   active.Widths = WidthsOfCells(grid, mesh, active.MeshElement);
-  active.Demands = DemandsOf(mesh, active.MeshElement);
+  active.SetBarrier(mesh, active.MeshElement);
   active.PlacePoints(grid, mesh);
   return active;
 }
