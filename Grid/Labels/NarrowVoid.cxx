@@ -8,9 +8,25 @@ namespace vfm
 namespace
 {
 
+constexpr double WidthTolerance = 1e-9; // relative
+
 Index SquareOf(const Index3& step)
 {
   return step[0] * step[0] + step[1] * step[1] + step[2] * step[2];
+}
+
+bool AreCubes(const CartesianGrid& grid)
+{
+  bool hasCubes = true;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const std::vector<double>& x = grid.Coordinates(axis);
+    for (std::size_t i = 1; i < x.size(); ++i)
+    {
+      hasCubes = hasCubes && std::abs((x[i] - x[i - 1]) / grid.MeanWidth() - 1.0) < WidthTolerance;
+    }
+  }
+  return hasCubes;
 }
 
 struct Work
@@ -18,6 +34,7 @@ struct Work
   const RefinedGrid& Levels;
   const LabelArray& Labels;
   const CartesianGrid& Grid = Levels.Finest();
+  const bool HasCubes = AreCubes(Grid);
   const LabelUnits Units{ Grid, Levels.HasFineInterfaces() ? nullptr : &Levels };
 };
 
@@ -93,8 +110,10 @@ bool IsBetween(const Work& work, const Around& around)
 {
   const auto reaches = [&](int n)
   {
+    const bool looksFar = !work.HasCubes || SquareOf(StepAround(n)) == 1;
     return around.HasMaterial(n) ||
-      MaterialIn(work, Shifted(around.Cells, StepAround(n), 2 * around.Cells.Size(0))) > 0;
+      (looksFar &&
+        MaterialIn(work, Shifted(around.Cells, StepAround(n), 2 * around.Cells.Size(0))) > 0);
   };
   const std::array<Index, 27> parts = FindParts(around);
   bool found = false;
