@@ -5,8 +5,8 @@
  *
  * A void cell is narrow if any of these holds:
  * - Along an axis it has cells of materials within two cells on both sides.
- * - Along a diagonal of its faces or the cell it has such cells on both sides, not of one part as at
- *   a concave edge; within two cells if cells are not cubes.
+ * - Along a diagonal of its faces or the cell it has such cells on both sides, not of one part as
+ * at a concave edge; within two cells if cells are not cubes.
  * - The 26 cells around it contain parts of materials that are not connected there by faces, in
  *   directions at an angle of 120 degrees or more.
  * - It shares faces with cells of different materials.
