@@ -253,8 +253,8 @@ MesherResult RunMesher(const MesherInput& input, const MesherOptions& given, Run
 
   LevelFields fields = MakeLevelFields(levels, cells, setup, options.Children, owners, runtime);
   NameLabels(arrays.Names, fields.Field.Table);
-  const StoredState kept = StoreState(
-    levels, cells, arrays.State, states, fields, setup, options, owners, runtime);
+  const StoredState kept =
+    StoreState(levels, cells, arrays.State, states, fields, setup, options, owners, runtime);
 
   const RemovedRegions removed = RemoveRegions(job, fields);
   SmoothFields(job, fields);

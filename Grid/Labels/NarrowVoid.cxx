@@ -8,9 +8,25 @@ namespace vfm
 namespace
 {
 
+constexpr double WidthTolerance = 1e-9; // relative
+
 Index SquareOf(const Index3& step)
 {
   return step[0] * step[0] + step[1] * step[1] + step[2] * step[2];
+}
+
+bool AreCubes(const CartesianGrid& grid)
+{
+  bool hasCubes = true;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const std::vector<double>& x = grid.Coordinates(axis);
+    for (std::size_t i = 1; i < x.size(); ++i)
+    {
+      hasCubes = hasCubes && std::abs((x[i] - x[i - 1]) / grid.MeanWidth() - 1.0) < WidthTolerance;
+    }
+  }
+  return hasCubes;
 }
 
 struct Work
@@ -18,6 +34,7 @@ struct Work
   const RefinedGrid& Levels;
   const LabelArray& Labels;
   const CartesianGrid& Grid = Levels.Finest();
+  const bool HasCubes = AreCubes(Grid);
   const LabelUnits Units{ Grid, Levels.HasFineInterfaces() ? nullptr : &Levels };
 };
 
@@ -64,22 +81,6 @@ struct Around
   bool IsBeside = false; // whether any unit around has a material
 };
 
-/// Returns whether materials are within two units on both sides.
-bool IsBetween(const Work& work, const Around& around)
-{
-  const auto reaches = [&](int n)
-  {
-    return around.HasMaterial(n) ||
-      MaterialIn(work, Shifted(around.Cells, StepAround(n), 2 * around.Cells.Size(0))) > 0;
-  };
-  bool found = false;
-  for (int n = 0; n < 13 && !found; ++n) // one of each pair of opposite steps
-  {
-    found = reaches(n) && reaches(26 - n);
-  }
-  return found;
-}
-
 /// Returns the connected parts of the materials around a unit: a number for each step.
 std::array<Index, 27> FindParts(const Around& around)
 {
@@ -101,6 +102,28 @@ std::array<Index, 27> FindParts(const Around& around)
     parts[n] = FindRoot(parent, n);
   }
   return parts;
+}
+
+/// Returns whether materials are within two units on both sides. Not where one part, as at a
+/// concave edge, is beside the unit along a diagonal.
+bool IsBetween(const Work& work, const Around& around)
+{
+  const auto reaches = [&](int n)
+  {
+    const bool looksFar = !work.HasCubes || SquareOf(StepAround(n)) == 1;
+    return around.HasMaterial(n) ||
+      (looksFar &&
+        MaterialIn(work, Shifted(around.Cells, StepAround(n), 2 * around.Cells.Size(0))) > 0);
+  };
+  const std::array<Index, 27> parts = FindParts(around);
+  bool found = false;
+  for (int n = 0; n < 13 && !found; ++n) // one of each pair of opposite steps
+  {
+    const bool isOnePart = SquareOf(StepAround(n)) > 1 && around.HasMaterial(n) &&
+      around.HasMaterial(26 - n) && parts[n] == parts[26 - n];
+    found = !isOnePart && reaches(n) && reaches(26 - n);
+  }
+  return found;
 }
 
 /// Returns whether two separate parts are around a unit, at an angle of 120 degrees or more.

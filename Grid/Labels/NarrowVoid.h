@@ -4,8 +4,9 @@
  * cannot overlap across them. They are no part of the finished mesh (Mesh::HasBarrier).
  *
  * A void cell is narrow if any of these holds:
- * - Along one of 13 directions, the axes and the diagonals of faces and cells, it has cells of
- *   materials within two cells on both sides.
+ * - Along an axis it has cells of materials within two cells on both sides.
+ * - Along a diagonal of its faces or the cell it has such cells on both sides, not of one part as
+ * at a concave edge; within two cells if cells are not cubes.
  * - The 26 cells around it contain parts of materials that are not connected there by faces, in
  *   directions at an angle of 120 degrees or more.
  * - It shares faces with cells of different materials.

@@ -57,7 +57,7 @@ struct ActiveMesh
   std::vector<unsigned char> IsActive; ///< whether each point may move
   /// Whether each point must stay near its start; empty: none.
   std::vector<unsigned char> StaysNear;
-  std::vector<int> Elements;           ///< Corners points per element
+  std::vector<int> Elements; ///< Corners points per element
   /// Widths of the cell of each element, grid coordinates; one entry if all are equal.
   std::vector<Vector3> Widths;
   /// Factor of each element's target quality, up to 1; empty if all are 1.

@@ -27,8 +27,10 @@ constexpr double LongestOffset = 1.0; // limit of long offsets, in cells
 constexpr double LargestPrice = 10.0;
 // Returned instead of a length by points that are not visited.
 constexpr double NoVisit = -1.0;
-constexpr double LargestReach = 0.75; // of points near narrow void, in cells
-constexpr double NoLimit = 1e300;     // of a distance
+// Largest distance of points near narrow void from their start, in cells. Where cells are not
+// cubes, points of good elements slide farther.
+constexpr double ReachInCubes = 1.0, ReachInBoxes = 0.75;
+constexpr double NoLimit = 1e300; // of a distance
 // Smallest shift of a target that marks its points, in mean cells.
 constexpr double ShiftThatCounts = 1e-3;
 
@@ -121,6 +123,7 @@ Smoother::Smoother(
 void Smoother::FindReach()
 {
   this->Reach.assign(this->Mesh.X.size(), { { NoLimit, NoLimit, NoLimit } });
+  const double cells = this->Mesh.HasCubes() ? ReachInCubes : ReachInBoxes;
   const std::vector<Index>& corners = this->Mesh.CornerOffset;
   this->Mesh.ForOwned(
     [&](int point)
@@ -131,7 +134,7 @@ void Smoother::FindReach()
         const Vector3& widths = this->Mesh.WidthsAt(this->Mesh.CornerList[at]);
         for (int a = 0; a < 3; ++a)
         {
-          reach[a] = std::min(reach[a], LargestReach * widths[a]);
+          reach[a] = std::min(reach[a], cells * widths[a]);
         }
       }
     });

@@ -10,8 +10,9 @@
  * corners (HexCoefficients.h). They are checked after each stage; where they are violated, points
  * start the stage again (Guard.h).
  *
- * Points near narrow void (NarrowVoid.h) stay within three quarters of a cell of their start along
- * each axis, so that they do not pass the ends of the void elements between bodies.
+ * Points near narrow void (NarrowVoid.h) stay within a cell of their start along each axis, or
+ * three quarters if cells are not cubes, so that they do not pass the ends of the void elements
+ * between bodies.
  */
 #pragma once
 

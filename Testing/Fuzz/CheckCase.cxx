@@ -126,8 +126,8 @@ std::string FindSpaceProblem(const Mesh& mesh, FuzzResult& result)
   result.Overlap = overlaps.Depth;
   const Index coincident = CountCoincidentPoints(mesh);
   return overlaps.Pairs > 0 ? Describe("overlap by", overlaps.Depth, overlaps.Deepest[0])
-    : coincident > 0         ? std::to_string(coincident) + " coincident points"
-                             : "";
+    : coincident > 0        ? std::to_string(coincident) + " coincident points"
+                            : "";
 }
 
 /// Returns the first problem, or an empty string.

@@ -17,7 +17,7 @@ struct FuzzResult
   /// smallest Jacobian determinant of any element, in volumes of its cells
   double Coefficient = 1e300;
   double ScaledJacobian = 1e300; ///< smallest of all elements
-  double Overlap = 0.0; ///< ElementOverlaps::Depth
+  double Overlap = 0.0;          ///< ElementOverlaps::Depth
 };
 
 /// Makes the mesh of a case on one rank and on the ranks of the case.

@@ -85,12 +85,11 @@ Vectors VelocitiesOfNodes(vtkUnstructuredGrid* mesh)
 
 TEST_F(SculptorState, OptionsByText)
 {
-  for (const auto& [name, value] :
-    Words{ { "StateTransfer", "conserve" }, { "DensityArrays", "rho - 1, rho - 2" },
-      { "StateKinds", "p=volume,T=mass*cv" }, { "StateOrder", "1" },
-      { "VelocityArray", "velocity" }, { "EnergyArray", "None" }, { "NodalVelocity", "on" },
-      { "LostKineticEnergy", "internal energy" }, { "UnmeshedMaterial", "Drop" },
-      { "RotatedArrays", "velocity, stress" } })
+  for (const auto& [name, value] : Words{ { "StateTransfer", "conserve" },
+         { "DensityArrays", "rho - 1, rho - 2" }, { "StateKinds", "p=volume,T=mass*cv" },
+         { "StateOrder", "1" }, { "VelocityArray", "velocity" }, { "EnergyArray", "None" },
+         { "NodalVelocity", "on" }, { "LostKineticEnergy", "internal energy" },
+         { "UnmeshedMaterial", "Drop" }, { "RotatedArrays", "velocity, stress" } })
   {
     EXPECT_EQ(this->Set(name, value), SCULPTOR_OK) << sculptor_error_text(this->Sculptor);
   }

@@ -34,7 +34,7 @@ std::vector<TetCase> ListTetCases()
     { Lattice, "sphere 16", 37.5, 128.5, .060, .0184 },
     { Lattice, "sphere 32", 35.5, 128.5, .056, .0144 },
     { Lattice, "two spheres, gap .3", 34.5, 134.5, .330, .0250 },
-    { Lattice, "plate 2 thick", 32.0, 138.0, .110, .0167 },
+    { Lattice, "plate 2 thick", 32.0, 138.0, .130, .0167 },
     { Lattice, "plate 5 thick", 32.0, 138.5, .110, .0166 },
     { Lattice, "torus", 33.5, 135.5, .130, .0190 },
     { Lattice, "gyroid", 31.5, 137.0, .445, .0253 },
