@@ -15,11 +15,11 @@ import tempfile
 
 WITHOUT_FMA = "glibc.cpu.hwcaps=-FMA,-AVX2,-FMA4,-AVX"
 DIGESTS = {
-    "hexes": "59d4777807c1a1934378dd2a9967497a0243fc9f1bac114748a8a3d593853a0a",
-    "labels": "4c79bea19aabbbc1dd3d751fbd814340c39ab42628ae8ed3eef13a5c399c7b1e",
-    "levels": "6c9f784f05bd625d7c27dd7c8c539e98c623bc5b1995aa6f86fdb5f47b74b956",
-    "state": "94c82f2d4ce2db74a22f61f8a2e897039a34a2b0d73f68ffa6c2ed310868ee9c",
-    "tets": "ff148fcc35780074fff7dc4d5f1a5f106834c3cb49fa1278c462f6286d6a2a12",
+    "hexes": "3421ddd337d95ca5ae4a8997f52503f4fc4726f3a3c1be35042422c52a7ed88f",
+    "labels": "4c562acf1658f41ef1bc544d76e800aa889d2028ade4c8cd282a48813a77e20b",
+    "levels": "9149689c4a718eee03f7cf028029e6ef478f44c7d101e67bd17d780d67ec9584",
+    "state": "9a0e9bd9401a20bb49dbefbbd9da38e102f7e2f292824098c1c224ebfdc1b733",
+    "tets": "78a304c595841f5e1c33ac20fa9c5ac73fc3e17d37d336bba98c5c108bde5cd8",
 }
 
 
