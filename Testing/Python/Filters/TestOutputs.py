@@ -256,9 +256,9 @@ def test_materials_without_elements_are_named():
     for kind in ({}, {"make": VolumeFractionToTet, "Method": "Lattice"}):
         result = mesh_of(data, VolumeFractionArrays=names, **kind)
         assert result.field("VolumeError")[1:] == [-1, 0, -1]
-        assert len(result.warnings) == 1 and "2 materials have no element" in result.warnings[
-            0], result.warnings
-        assert "'trace' (id 2), 'dust' (id 4)" in result.warnings[0], result.warnings
+        named = [text for text in result.warnings if "have no element" in text]
+        assert len(named) == 1 and "2 materials" in named[0], result.warnings
+        assert "'trace' (id 2), 'dust' (id 4)" in named[0], result.warnings
 
 
 def test_ids_are_positive_and_unique():

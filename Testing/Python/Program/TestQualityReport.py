@@ -46,8 +46,8 @@ def test_numbers_are_those_of_the_printed_table(at):
     materials = table(page, "Materials")
     assert [row[0] for row in materials] == ["ball", "plate", "All"]
     for name, *cells in materials:
-        number, elements, target, volume, error, least, mean = (
-            float(cell.replace(",", "") or 0) for cell in cells)
+        values = [float(cell.replace(",", "") or 0) for cell in cells]
+        (number, elements, target, volume, error), (least, mean) = values[:5], values[-2:]
         line = printed["all" if name == "All" else "%d %s" % (number, name)]
         assert [elements, least, mean] == [line[0], line[2], line[3]], (name, line)
         assert np.allclose([volume, target], [line[4], line[5]], rtol=1e-5)
