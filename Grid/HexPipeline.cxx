@@ -46,10 +46,7 @@ void FindLabels(MeshJob& job, LabelledGrid& result)
   LevelPlan plan = job.Options.Levels;
   MakeLevels(job.Grid, result.Labels, result.Mixed, { job.Options.MeshVoid, false, true }, plan,
     job.Run, job.Report, result.Levels);
-  if (HasBarrier(job.Options))
-  {
-    result.Narrow = NarrowVoid(*result.Levels.Grid, result.Labels, result.Mixed);
-  }
+  result.Narrow = FindBarrier(job.Options, *result.Levels.Grid, result.Labels, result.Mixed);
 }
 
 FragmentVolumes FindVolumes(
@@ -92,8 +89,8 @@ SmoothedPoints Smooth(MeshJob& job, const LabelledGrid& labelled, const std::vec
     interfaces.reset(); // only facets need them
   }
   const HexEnergy energy(TargetJacobian(job.Fractions, job.Options));
-  Improve({ active, targets, energy, Ramp, volumes, job.Report,
-            job.Options.ConserveVolume && job.Options.IsoValue == 0.5, {}, {} },
+  Improve(
+    { active, targets, energy, Ramp, volumes, job.Report, ConservesVolume(job.Options), {}, {} },
     job.Clock, job.Run);
   active.CopyTo(mesh, job.Grid);
   return { std::move(kinds), active.ListMoved(mesh) };
@@ -121,7 +118,7 @@ Mesh MakeMesh(MeshJob& job)
   job.Clock.Start("Finding interfaces", 0.15);
   FragmentVolumes volumes = FindVolumes(job, labelled.Labels, fragments, mesh);
   SmoothedPoints points;
-  if (!job.Options.StairStep && job.Options.Method != Smoothing::Off)
+  if (MovesPoints(job.Options))
   {
     points = Smooth(job, labelled, facets, volumes, mesh);
     if (!mesh.Levels->IsUniform())

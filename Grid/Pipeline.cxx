@@ -4,6 +4,7 @@
 #include "Mesh/LevelIds.h"
 #include "Mesh/MeasureMaterials.h"
 #include "Mesh/Quality.h"
+#include "Ranks/Agreement.h"
 #include "Smoothing/AttachFeatures.h"
 #include "Tet/TetTopology.h"
 
@@ -38,9 +39,7 @@ void Resolve(MeshJob& job, LabelArray& labels)
 
 void ReportNarrowVoid(const NarrowVoid& narrow, Ranks& ranks, MeshReport& report)
 {
-  std::vector<std::int64_t> count{ narrow.CountOwned() };
-  ranks.Sum(count);
-  report.NarrowVoidCells = count[0];
+  report.NarrowVoidCells = SumOverRanks(narrow.CountOwned(), ranks);
 }
 
 namespace

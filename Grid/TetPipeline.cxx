@@ -38,6 +38,7 @@ struct MadeTets
   TetTopology Topology;
   TetFaces Faces;
   std::vector<Index> RequestedFamilies; ///< LevelHexes::RequestedFamilies
+  std::vector<Index> Mixed;             ///< FindMixedNodes of the labels
 };
 
 bool HasLevels(const MeshJob& job)
@@ -61,13 +62,15 @@ LabelArray AssignLabels(MeshJob& job)
 /// Makes the tets of coarse cells. Refines more families until all tets start
 /// with positive volumes.
 /// @param nodes  nodes of the lattice; only for the method Lattice
+/// @param mixed  FindMixedNodes of the labels
 std::unique_ptr<const CoarseTets> MakeCoarse(MeshJob& job, const LabelArray& labels,
-  const std::optional<LatticeNodes>& nodes, const TetEnergy& energy, LevelHexes& levels)
+  const std::optional<LatticeNodes>& nodes, const std::vector<Index>& mixed,
+  const TetEnergy& energy, LevelHexes& levels)
 {
   std::vector<Index> interfaces;
   if (HasLevels(job))
   {
-    interfaces = nodes ? FindLatticeInterfaces(job.Grid, *nodes) : FindMixedNodes(job.Grid, labels);
+    interfaces = nodes ? FindLatticeInterfaces(job.Grid, *nodes) : mixed;
   }
   LevelPlan plan = job.Options.Levels;
   for (;; ++job.Report.LevelRounds)
@@ -91,15 +94,13 @@ MadeTets MakeTets(MeshJob& job, const LabelArray& labels)
   {
     nodes.emplace(job.Grid, job.Fractions, labels, job.Options.IsoValue, job.Run);
   }
-  LevelHexes levels;
-  const std::unique_ptr<const CoarseTets> coarse = MakeCoarse(job, labels, nodes, energy, levels);
-  NarrowVoid narrow;
-  if (HasBarrier(job.Options))
-  {
-    narrow = NarrowVoid(*levels.Grid, labels, FindMixedNodes(job.Grid, labels));
-  }
-  ReportNarrowVoid(narrow, job.Run.Group(), job.Report);
   MadeTets made;
+  made.Mixed = FindMixedNodes(job.Grid, labels);
+  LevelHexes levels;
+  const std::unique_ptr<const CoarseTets> coarse =
+    MakeCoarse(job, labels, nodes, made.Mixed, energy, levels);
+  const NarrowVoid narrow = FindBarrier(job.Options, *levels.Grid, labels, made.Mixed);
+  ReportNarrowVoid(narrow, job.Run.Group(), job.Report);
   made.RequestedFamilies = std::move(levels.RequestedFamilies);
   if (nodes)
   {
@@ -184,15 +185,15 @@ std::vector<FeatureKind> Smooth(
 {
   Mesh& mesh = made.Topology.Tets;
   job.Clock.Start("Finding interfaces", 0.2);
-  const Interface interface(job.Grid, job.Fractions, labels, FindMixedNodes(job.Grid, labels),
-    job.Options.IsoValue, job.Run);
+  const Interface interface(
+    job.Grid, job.Fractions, labels, made.Mixed, job.Options.IsoValue, job.Run);
   SurfaceTargets targets(interface, KindOfTargets(job.Options), job.Run);
   ActiveTets active = MakeActiveTets(made.Topology, job.Grid, job.Parts);
   const std::vector<FeatureKind> kinds = Attach(job, interface, made, targets, active);
   const TetEnergy energy(FloorsOf(job.Options));
   std::optional<DiagonalFlips> flips;
   Improvement improvement{ active, targets, energy, TetRamp(job.Options.Tets), volumes, job.Report,
-    job.Options.ConserveVolume && job.Options.IsoValue == 0.5, {}, {} };
+    ConservesVolume(job.Options), {}, {} };
   if (!IsLattice(job))
   {
     flips.emplace(mesh, active, energy, kinds);
@@ -250,7 +251,7 @@ Mesh MakeMesh(MeshJob& job)
   MadeTets made = MakeTets(job, labels);
   FragmentVolumes volumes = FindFragments(job, labels, made);
   std::vector<FeatureKind> kinds; // empty: there are no carriers
-  if (!job.Options.StairStep && job.Options.Method != Smoothing::Off)
+  if (MovesPoints(job.Options))
   {
     kinds = Smooth(job, labels, made, volumes);
   }

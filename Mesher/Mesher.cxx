@@ -198,13 +198,6 @@ void Finish(
   }
 }
 
-/// Returns whether the mesh should have the volumes of the input.
-bool ConservesVolume(const MesherOptions& options)
-{
-  return options.ConserveVolume && options.IsoValue == 0.5 && !options.StairStep &&
-    options.Method != Smoothing::Off;
-}
-
 /// Warns of corrected input, an empty mesh, and materials without elements or with wrong volumes.
 void WarnOfMesh(const MesherJob& job, const MeshReport& report, const InputField& field)
 {
@@ -226,7 +219,7 @@ void WarnOfMesh(const MesherJob& job, const MeshReport& report, const InputField
   Warn(job,
     isEmpty ? "The mesh is empty: no cell is filled by its materials to the iso value."
             : DescribeLostMaterials(report, field.Table));
-  if (ConservesVolume(job.Options))
+  if (MovesPoints(job.Options) && ConservesVolume(job.Options))
   {
     Warn(job, DescribeInexactMaterials(report, field.Table, AreLabels(job)));
   }

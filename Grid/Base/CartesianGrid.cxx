@@ -11,6 +11,8 @@ namespace vfm
 namespace
 {
 
+constexpr double WidthTolerance = 1e-9; // relative difference of equal widths
+
 IndexBox WholeBox(const std::array<std::vector<double>, 3>& coordinates)
 {
   IndexBox box;
@@ -88,6 +90,28 @@ double CartesianGrid::MeanWidth() const
       (this->X[a].back() - this->X[a].front()) / static_cast<double>(this->GlobalBox.Upper[a]);
   }
   return CubeRoot(volume);
+}
+
+bool IsUniform(const CartesianGrid& grid)
+{
+  for (int a = 0; a < 3; ++a)
+  {
+    for (Index i = 1; i < grid.Global().Upper[a]; ++i)
+    {
+      if (std::fabs(grid.Width(a, i) - grid.Width(a, 0)) > WidthTolerance * grid.Width(a, 0))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+bool HasCubes(const CartesianGrid& grid)
+{
+  const double width = grid.Width(0, 0);
+  return IsUniform(grid) && std::fabs(grid.Width(1, 0) - width) < WidthTolerance * width &&
+    std::fabs(grid.Width(2, 0) - width) < WidthTolerance * width;
 }
 
 } // namespace vfm

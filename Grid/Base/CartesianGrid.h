@@ -167,6 +167,11 @@ private:
   int HexGhosts;
 };
 
+/// Returns whether all cells have equal widths along each axis, within 1e-9.
+bool IsUniform(const CartesianGrid& grid);
+/// Returns whether all cells are cubes of equal size, within 1e-9.
+bool HasCubes(const CartesianGrid& grid);
+
 template <class Body>
 void CartesianGrid::ForMirrors(Index cell, const Body& body) const
 {

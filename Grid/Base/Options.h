@@ -105,11 +105,16 @@ inline bool InterfacesCrossLevels(const MeshOptions& options)
   return InterfacesCrossLevels(options.Levels);
 }
 
-/// Returns whether narrow void gets elements that keep bodies apart while points move
-/// (NarrowVoid.h). If void is meshed, it needs none.
-inline bool HasBarrier(const MeshSettings& options)
+/// Returns whether points move from where the cells place them.
+inline bool MovesPoints(const MeshSettings& options)
 {
-  return !options.MeshVoid && !options.StairStep && options.Method != Smoothing::Off;
+  return !options.StairStep && options.Method != Smoothing::Off;
+}
+
+/// Returns whether a mesh whose points move gets the volumes of the fractions.
+inline bool ConservesVolume(const MeshSettings& options)
+{
+  return options.ConserveVolume && options.IsoValue == 0.5;
 }
 
 /// Numbers of layers of cells around the owned cells.

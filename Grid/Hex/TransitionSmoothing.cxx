@@ -235,13 +235,6 @@ private:
   std::vector<OctreeKeys::LevelIndex> Bad;
 };
 
-bool HasCubes(const CartesianGrid& grid)
-{
-  const double width = grid.Width(0, 0);
-  return IsUniform(grid) && std::fabs(grid.Width(1, 0) - width) < 1e-9 * width &&
-    std::fabs(grid.Width(2, 0) - width) < 1e-9 * width;
-}
-
 void MovePoints(const OctreeKeys& lattice, RefinedMesh& mesh, const Partition& partition,
   bool inLattice, bool smooth, Runtime& runtime, TransitionReport& report)
 {

@@ -8,25 +8,9 @@ namespace vfm
 namespace
 {
 
-constexpr double WidthTolerance = 1e-9; // relative
-
 Index SquareOf(const Index3& step)
 {
   return step[0] * step[0] + step[1] * step[1] + step[2] * step[2];
-}
-
-bool AreCubes(const CartesianGrid& grid)
-{
-  bool hasCubes = true;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const std::vector<double>& x = grid.Coordinates(axis);
-    for (std::size_t i = 1; i < x.size(); ++i)
-    {
-      hasCubes = hasCubes && std::abs((x[i] - x[i - 1]) / grid.MeanWidth() - 1.0) < WidthTolerance;
-    }
-  }
-  return hasCubes;
 }
 
 struct Work
@@ -34,7 +18,7 @@ struct Work
   const RefinedGrid& Levels;
   const LabelArray& Labels;
   const CartesianGrid& Grid = Levels.Finest();
-  const bool HasCubes = AreCubes(Grid);
+  const bool HasCubes = vfm::HasCubes(Grid);
   const LabelUnits Units{ Grid, Levels.HasFineInterfaces() ? nullptr : &Levels };
 };
 
@@ -64,8 +48,9 @@ IndexBox Shifted(IndexBox cells, const Index3& step, Index factor)
 }
 
 /// A void unit and the materials of the units around it, by StepAround; 0 is void or outside.
-struct Around
+class Around
 {
+public:
   Around(const Work& work, const IndexBox& cells) : Cells(cells)
   {
     for (int n = 0; n < 27; ++n)
@@ -73,36 +58,39 @@ struct Around
       this->Material[n] = MaterialIn(work, Shifted(cells, StepAround(n), cells.Size(0)));
       this->IsBeside = this->IsBeside || this->HasMaterial(n);
     }
+    this->FindParts();
   }
   bool HasMaterial(int n) const { return this->Material[n] > 0; }
+  /// Returns whether two materials around the unit are connected there by faces.
+  bool AreOnePart(int n, int m) const { return this->Parts[n] == this->Parts[m]; }
 
   IndexBox Cells;
   std::array<int, 27> Material;
   bool IsBeside = false; // whether any unit around has a material
-};
 
-/// Returns the connected parts of the materials around a unit: a number for each step.
-std::array<Index, 27> FindParts(const Around& around)
-{
-  std::vector<Index> parent = MakeSets(27);
-  for (int n = 0; n < 27; ++n)
+private:
+  void FindParts()
   {
-    const Index3 step = StepAround(n);
-    for (int axis = 0, next = 1; axis < 3; ++axis, next *= 3)
+    std::vector<Index> parent = MakeSets(27);
+    for (int n = 0; n < 27; ++n)
     {
-      if (step[axis] < 1 && around.HasMaterial(n) && around.HasMaterial(n + next))
+      const Index3 step = StepAround(n);
+      for (int axis = 0, next = 1; axis < 3; ++axis, next *= 3)
       {
-        Join(parent, n, n + next);
+        if (step[axis] < 1 && this->HasMaterial(n) && this->HasMaterial(n + next))
+        {
+          Join(parent, n, n + next);
+        }
       }
     }
+    for (int n = 0; n < 27; ++n)
+    {
+      this->Parts[n] = FindRoot(parent, n);
+    }
   }
-  std::array<Index, 27> parts;
-  for (int n = 0; n < 27; ++n)
-  {
-    parts[n] = FindRoot(parent, n);
-  }
-  return parts;
-}
+
+  std::array<Index, 27> Parts; // a number for each connected part
+};
 
 /// Returns whether materials are within two units on both sides. Not where one part, as at a
 /// concave edge, is beside the unit along a diagonal.
@@ -115,12 +103,11 @@ bool IsBetween(const Work& work, const Around& around)
       (looksFar &&
         MaterialIn(work, Shifted(around.Cells, StepAround(n), 2 * around.Cells.Size(0))) > 0);
   };
-  const std::array<Index, 27> parts = FindParts(around);
   bool found = false;
   for (int n = 0; n < 13 && !found; ++n) // one of each pair of opposite steps
   {
     const bool isOnePart = SquareOf(StepAround(n)) > 1 && around.HasMaterial(n) &&
-      around.HasMaterial(26 - n) && parts[n] == parts[26 - n];
+      around.HasMaterial(26 - n) && around.AreOnePart(n, 26 - n);
     found = !isOnePart && reaches(n) && reaches(26 - n);
   }
   return found;
@@ -129,13 +116,12 @@ bool IsBetween(const Work& work, const Around& around)
 /// Returns whether two separate parts are around a unit, at an angle of 120 degrees or more.
 bool IsBetweenParts(const Around& around)
 {
-  const std::array<Index, 27> parts = FindParts(around);
   bool found = false;
   for (int n = 0; n < 27; ++n)
   {
     for (int m = 0; m < n && around.HasMaterial(n) && !found; ++m)
     {
-      if (parts[n] == parts[m] || !around.HasMaterial(m))
+      if (around.AreOnePart(n, m) || !around.HasMaterial(m))
       {
         continue;
       }
@@ -250,6 +236,13 @@ void NarrowVoid::Add(const CartesianGrid& grid, const IndexBox& cells)
   vfm::ForCells(NodesOf(cells), [&](const Index3& node) { this->Nodes.Set(grid.Linear(node), 1); });
   const IndexBox owned = Intersect(cells, grid.Owned());
   this->Owned += owned.NumberOfCells();
+}
+
+NarrowVoid FindBarrier(const MeshSettings& options, const RefinedGrid& levels,
+  const LabelArray& labels, const std::vector<Index>& mixed)
+{
+  return !options.MeshVoid && MovesPoints(options) ? NarrowVoid(levels, labels, mixed)
+                                                   : NarrowVoid();
 }
 
 } // namespace vfm

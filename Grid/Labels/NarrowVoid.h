@@ -5,8 +5,9 @@
  *
  * A void cell is narrow if any of these holds:
  * - Along an axis it has cells of materials within two cells on both sides.
- * - Along a diagonal of its faces or the cell it has such cells on both sides, not of one part as
- * at a concave edge; within two cells if cells are not cubes.
+ * - Along a diagonal of a face or of the cell it has cells of materials beside it on both sides, or
+ *   within two cells if cells are not cubes. One part on both sides, as at a concave edge, does not
+ *   count.
  * - The 26 cells around it contain parts of materials that are not connected there by faces, in
  *   directions at an angle of 120 degrees or more.
  * - It shares faces with cells of different materials.
@@ -17,6 +18,7 @@
  */
 #pragma once
 
+#include "Base/Options.h"
 #include "Labels/Labels.h"
 #include "Octree/RefinedGrid.h"
 
@@ -81,5 +83,10 @@ private:
   Index Owned = 0;
   Flags Cells, Nodes;
 };
+
+/// Returns the void cells that get elements as a barrier: none if void is meshed or no point moves.
+/// @param levels,labels,mixed  arguments of NarrowVoid
+NarrowVoid FindBarrier(const MeshSettings& options, const RefinedGrid& levels,
+  const LabelArray& labels, const std::vector<Index>& mixed);
 
 } // namespace vfm

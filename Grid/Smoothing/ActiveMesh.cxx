@@ -22,21 +22,6 @@ Vector3 CellWidths(const CartesianGrid& grid, const Index3& cell)
 
 } // namespace
 
-bool IsUniform(const CartesianGrid& grid)
-{
-  for (int a = 0; a < 3; ++a)
-  {
-    for (Index i = 1; i < grid.Global().Upper[a]; ++i)
-    {
-      if (std::fabs(grid.Width(a, i) - grid.Width(a, 0)) > 1e-9 * grid.Width(a, 0))
-      {
-        return false;
-      }
-    }
-  }
-  return true;
-}
-
 std::vector<Vector3> WidthsOfCells(
   const CartesianGrid& grid, const Mesh& mesh, const std::vector<Index>& elements)
 {

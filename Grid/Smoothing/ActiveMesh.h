@@ -181,8 +181,6 @@ unsigned char FixedOnSides(int sides);
 /// Converts a point from length units of the grid to grid coordinates.
 Vector3 ToGrid(const CartesianGrid& grid, const double* point);
 
-/// Returns whether all cells have equal widths along each axis, within 1e-9.
-bool IsUniform(const CartesianGrid& grid);
 /// Returns ActiveMesh::Widths of elements that were made in finest cells.
 /// @param elements  indices in the mesh
 std::vector<Vector3> WidthsOfCells(

@@ -27,8 +27,8 @@ constexpr double LongestOffset = 1.0; // limit of long offsets, in cells
 constexpr double LargestPrice = 10.0;
 // Returned instead of a length by points that are not visited.
 constexpr double NoVisit = -1.0;
-// Largest distance of points near narrow void from their start, in cells. Where cells are not
-// cubes, points of good elements slide farther.
+// Largest distance of points near narrow void from their start, in cells. It is smaller where cells
+// are not cubes, because points slide farther there.
 constexpr double ReachInCubes = 1.0, ReachInBoxes = 0.75;
 constexpr double NoLimit = 1e300; // of a distance
 // Smallest shift of a target that marks its points, in mean cells.
@@ -128,8 +128,12 @@ void Smoother::FindReach()
   this->Mesh.ForOwned(
     [&](int point)
     {
+      if (!this->Mesh.StaysNear[point])
+      {
+        return;
+      }
       Vector3& reach = this->Reach[point];
-      for (Index at = corners[point]; this->Mesh.StaysNear[point] && at < corners[point + 1]; ++at)
+      for (Index at = corners[point]; at < corners[point + 1]; ++at)
       {
         const Vector3& widths = this->Mesh.WidthsAt(this->Mesh.CornerList[at]);
         for (int a = 0; a < 3; ++a)

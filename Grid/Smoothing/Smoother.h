@@ -118,8 +118,7 @@ private:
   const ElementEnergy& Energy;
   Runtime& Run;
   Guard TheGuard;
-  /// Largest distance from the start along each axis: of each point, or one of all; empty: no
-  /// limit.
+  /// Largest distance of each point from its start, along each axis; empty: no limit.
   std::vector<Vector3> Reach;
   bool ChecksAll = false; // whether each move is checked
   int NumberOfSweeps = 0;

@@ -95,26 +95,40 @@ bool IsWhole(const Work& work, Index cell)
   return isWhole;
 }
 
+/// A cell and what is near it.
+struct Middle
+{
+  Middle(const Work& work, Index cell) : Cell(cell), Snapped(Near(work, cell, vfm::Snapped))
+  {
+    const NearNodes own = Near(work, cell, work.Cells[cell]);
+    this->Nodes = ConnectedTo(NodesOfCell(MiddleCentre(), own), own);
+  }
+
+  Index Cell;
+  NearNodes Nodes; // nodes that stand for the cell, and those connected to them
+  NearNodes Snapped;
+};
+
 /// Returns whether tets near a cell join the connected nodes of the cell to those of the cell
 /// across a face.
-bool HasContact(const Work& work, Index cell, int face)
+bool HasContact(const Work& work, const Middle& middle, int face)
 {
-  const NearNodes own = Near(work, cell, work.Cells[cell]);
-  const NearNodes other = Near(work, cell, work.Cells[work.Grid.Neighbour(cell, face)]);
-  const NearNodes here = ConnectedTo(NodesOfCell(MiddleCentre(), own), own);
+  const Index across = work.Grid.Neighbour(middle.Cell, face);
+  const NearNodes other = Near(work, middle.Cell, work.Cells[across]);
   const NearNodes there = ConnectedTo(NodesOfCell(CentreAcross(face), other), other);
-  return !IsEmpty(NeighboursOf(here) & there) ||
-    MeetAtTriangle(here, there, Near(work, cell, Snapped));
+  return !IsEmpty(NeighboursOf(middle.Nodes) & there) ||
+    MeetAtTriangle(middle.Nodes, there, middle.Snapped);
 }
 
 bool LosesContact(const Work& work, Index cell)
 {
+  const Middle middle(work, cell);
   bool loses = false;
   for (int face = 0; !loses && face < 6; ++face)
   {
     const Index other = work.Grid.Neighbour(cell, face);
-    loses = work.Cells[other] != work.Cells[cell] && !HasContact(work, cell, face) &&
-      !(work.Centres[other] == Snapped && HasContact(work, other, face ^ 1));
+    loses = work.Cells[other] != work.Cells[cell] && !HasContact(work, middle, face) &&
+      !(work.Centres[other] == Snapped && HasContact(work, { work, other }, face ^ 1));
   }
   return loses;
 }

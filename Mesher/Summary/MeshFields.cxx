@@ -1,5 +1,7 @@
 #include "Summary/MeshFields.h"
 
+#include "Base/ParseText.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
@@ -221,14 +223,12 @@ std::string NameMaterial(const Materials& table, std::size_t material)
 std::string Enumerate(const std::vector<std::string>& items)
 {
   constexpr std::size_t MaximumNames = 20;
-  std::string list;
-  for (std::size_t i = 0; i < std::min(items.size(), MaximumNames); ++i)
+  if (items.size() <= MaximumNames)
   {
-    list += (i > 0 ? ", " : "") + items[i];
+    return JoinTexts(items);
   }
-  return items.size() > MaximumNames
-    ? list + " and " + std::to_string(items.size() - MaximumNames) + " more"
-    : list;
+  return JoinTexts({ items.begin(), items.begin() + MaximumNames }) + " and " +
+    std::to_string(items.size() - MaximumNames) + " more";
 }
 
 std::string CountMaterials(std::size_t count, const char* one, const char* several)

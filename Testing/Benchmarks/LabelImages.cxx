@@ -10,35 +10,22 @@
  */
 #include "Atlas.h"
 #include "Base/ParseText.h"
-#include "Base/Partition.h"
 #include "HexPipeline.h"
-#include "Labels/SmoothLabels.h"
 #include "MeshChecks.h"
 #include "OverlapChecks.h"
 #include "ReadLabelImage.h"
+#include "RealCases.h"
 #include "TetPipeline.h"
 
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
-#include <sstream>
 
 using namespace vfm;
 using namespace vfm::testing;
 
 namespace
 {
-
-std::vector<std::string> SplitAtCommas(const std::string& text)
-{
-  std::vector<std::string> words;
-  std::istringstream stream(text);
-  for (std::string word; std::getline(stream, word, ',');)
-  {
-    words.push_back(word);
-  }
-  return words;
-}
 
 LabelImage MakeArtificialImage(Index cells)
 {
@@ -113,16 +100,11 @@ int main(int argc, char** argv)
               "the cells | area to the void | overlaps, depth | coincident points | locked | "
               "smallest scaled Jacobian; dihedral angles |\n"
               "|---|---|---|---|---|---|---|---|---|---|---|\n");
-  for (const std::string& word : SplitAtCommas(argc > 4 ? argv[4] : "0,3"))
+  for (const std::string& word : SplitText(argc > 4 ? argv[4] : "0,3"))
   {
     const int passes = std::atoi(word.c_str());
-    Runtime runtime;
-    FractionField fractions = image.Labels;
-    if (passes > 0)
-    {
-      SmoothLabels(image.Grid, passes, Partition(image.Grid, runtime.Group()), runtime, fractions);
-    }
-    for (const std::string& method : SplitAtCommas(argc > 3 ? argv[3] : "hexes,Lattice,Cells"))
+    const FractionField fractions = MakeSmoothedCase(image.Grid, image.Labels, passes).Fractions;
+    for (const std::string& method : SplitText(argc > 3 ? argv[3] : "hexes,Lattice,Cells"))
     {
       Measure(image, fractions, passes, method);
     }

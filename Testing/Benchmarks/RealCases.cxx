@@ -29,16 +29,6 @@ struct Drop
   double Radius;
 };
 
-MeshCase MakeSmoothed(const CartesianGrid& grid, FractionField labels, int passes)
-{
-  Runtime runtime;
-  if (passes > 0)
-  {
-    SmoothLabels(grid, passes, Partition(grid, runtime.Group()), runtime, labels);
-  }
-  return WithoutDistance(grid, std::move(labels));
-}
-
 /// Drops in bins of a box, to find those near a place.
 class Drops
 {
@@ -154,6 +144,16 @@ MeshCase WithoutDistance(const CartesianGrid& grid, FractionField fractions)
   return { "", grid, std::move(fractions), {}, 0.0, 0.0, 0.0, 0.0, 0.0 };
 }
 
+MeshCase MakeSmoothedCase(const CartesianGrid& grid, FractionField labels, int passes)
+{
+  Runtime runtime;
+  if (passes > 0)
+  {
+    SmoothLabels(grid, passes, Partition(grid, runtime.Group()), runtime, labels);
+  }
+  return WithoutDistance(grid, std::move(labels));
+}
+
 MeshCase MakeSprayCase(int n, int drops, unsigned seed)
 {
   const CartesianGrid grid = MakeUnitGrid(n);
@@ -198,7 +198,7 @@ MeshCase MakePoresCase(int n, int passes, unsigned seed)
   std::sort(sorted.begin(), sorted.end());
   const double level =
     sorted[static_cast<std::size_t>(PoreShare * static_cast<double>(sorted.size()))];
-  return MakeSmoothed(grid,
+  return MakeSmoothedCase(grid,
     MakeLabels(
       grid, 1, [&](const Index3& p) { return noise[IndexInBox(grid.Owned(), p)] < level; }),
     passes);
@@ -207,7 +207,7 @@ MeshCase MakePoresCase(int n, int passes, unsigned seed)
 MeshCase MakeImageCase(const std::string& name, int passes)
 {
   LabelImage image = ReadLabelImage(Images + name + ".nii.gz", 0);
-  return MakeSmoothed(image.Grid, std::move(image.Labels), passes);
+  return MakeSmoothedCase(image.Grid, std::move(image.Labels), passes);
 }
 
 } // namespace testing

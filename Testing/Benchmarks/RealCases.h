@@ -13,6 +13,10 @@ namespace testing
 /// Returns a case whose true interface is not known.
 MeshCase WithoutDistance(const CartesianGrid& grid, FractionField fractions);
 
+/// Returns such a case of labels.
+/// @param passes  label smoothing
+MeshCase MakeSmoothedCase(const CartesianGrid& grid, FractionField labels, int passes);
+
 /// Returns drops without contact in n^3 unit cells of void, radii .8 to 2.2 cells at random. Fewer
 /// than `drops` if they do not fit.
 MeshCase MakeSprayCase(int n, int drops, unsigned seed);

@@ -12,7 +12,6 @@
  */
 #include "Atlas.h"
 #include "Base/ThreadRuntime.h"
-#include "Labels/SmoothLabels.h"
 #include "MeasureAlone.h"
 #include "Mesh/MeasureFragments.h"
 #include "RankMeshes.h"
@@ -58,10 +57,7 @@ MeshCase MakeGyroidCase(int n)
 MeshCase MakeLabelsCase(int n, int labels)
 {
   const CartesianGrid grid = MakeUnitGrid(n);
-  FractionField fractions = MakeAtlas(grid, labels, 1);
-  Runtime runtime;
-  SmoothLabels(grid, 3, Partition(grid, runtime.Group()), runtime, fractions);
-  return WithoutDistance(grid, std::move(fractions));
+  return MakeSmoothedCase(grid, MakeAtlas(grid, labels, 1), 3);
 }
 
 std::vector<SpeedCase> ListCases()
