@@ -4,6 +4,7 @@
 #include "Hex/CoarseSmoothing.h"
 #include "Hex/HexFacets.h"
 #include "Hex/MakeLevels.h"
+#include "Mesh/CloseSeam.h"
 #include "Mesh/Geometry.h"
 #include "Mesh/KeepOwned.h"
 #include "Mesh/MeasureFragments.h"
@@ -131,6 +132,7 @@ Mesh MakeMesh(MeshJob& job)
   std::vector<unsigned char>().swap(points.Moved);
   job.Clock.Start("Finding geometry", 0.93);
   ClassifyGeometry(facets, points.Kinds, job.Parts, mesh, job.Report);
+  CloseSeam(job.Parts, mesh);
   KeepOwned(mesh, job.Grid);
   ReportLevels(mesh, labelled.Levels.RequestedFamilies, job.Run.Group(), job.Report);
   ReportVolumes(job.Grid, volumes, job.Report);

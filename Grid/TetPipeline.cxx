@@ -1,6 +1,7 @@
 #include "TetPipeline.h"
 
 #include "Hex/MakeLevels.h"
+#include "Mesh/CloseSeam.h"
 #include "Mesh/Geometry.h"
 #include "Mesh/KeepOwned.h"
 #include "Mesh/MeasureFragments.h"
@@ -92,7 +93,7 @@ MadeTets MakeTets(MeshJob& job, const LabelArray& labels)
   std::optional<LatticeNodes> nodes;
   if (IsLattice(job))
   {
-    nodes.emplace(job.Grid, job.Fractions, labels, job.Options.IsoValue, job.Run);
+    nodes.emplace(job.Grid, job.Fractions, labels, job.Options.IsoValue, job.Parts, job.Run);
   }
   MadeTets made;
   made.Mixed = FindMixedNodes(job.Grid, labels);
@@ -260,6 +261,7 @@ Mesh MakeMesh(MeshJob& job)
   Mesh& mesh = made.Topology.Tets;
   FillInside(mesh);
   ClassifyGeometry(ListFacets(job, made), kinds, job.Parts, mesh, job.Report);
+  CloseSeam(job.Parts, mesh);
   KeepOwned(mesh, job.Grid);
   ReportLevels(mesh, made.RequestedFamilies, job.Run.Group(), job.Report);
   Refill(job, labels, mesh);

@@ -37,11 +37,56 @@ IndexBox WholeBox(const std::array<std::vector<double>, 3>& coordinates)
   return box;
 }
 
+/// Returns the coordinates of one period with `layers` copies of cells before and after it. Both
+/// ends of the period are copies of its upper end, whose node has an owned cell below.
+std::vector<double> RepeatCoordinates(const std::vector<double>& x, Index layers)
+{
+  const Index period = static_cast<Index>(x.size()) - 1;
+  const double length = x.back() - x.front();
+  std::vector<double> all;
+  for (Index i = -layers; i <= period + layers; ++i)
+  {
+    const Index own = (i - 1 + (layers + 1) * period) % period + 1; // 1 to period
+    const Index shift = (i - own) / period;
+    all.push_back(shift == 0 ? x[own] : x[own] + static_cast<double>(shift) * length);
+  }
+  return all;
+}
+
+IndexBox MoveAlong(IndexBox box, int axis, Index cells)
+{
+  if (box.NumberOfCells() > 0)
+  {
+    box.Lower[axis] += cells;
+    box.Upper[axis] += cells;
+  }
+  return box;
+}
+
 } // namespace
 
 CartesianGrid::CartesianGrid(std::array<std::vector<double>, 3> coordinates, const IndexBox& owned,
   int ghostLayers, int hexLayers) :
-  X(std::move(coordinates)), GlobalBox(WholeBox(this->X)), OwnedBox(owned), HexGhosts(hexLayers)
+  X(std::move(coordinates)),
+  GlobalBox(WholeBox(this->X)),
+  DomainBox(GlobalBox),
+  OwnedBox(owned),
+  HexGhosts(hexLayers)
+{
+  this->SetLocal(ghostLayers);
+}
+
+CartesianGrid::CartesianGrid(
+  const CartesianGrid& other, const IndexBox& owned, int ghostLayers, int hexLayers) :
+  CartesianGrid(other)
+{
+  this->OwnedBox = owned;
+  this->HexGhosts = hexLayers;
+  this->SetLocal(ghostLayers);
+}
+
+/// Sets the local box and the layout of arrays.
+void CartesianGrid::SetLocal(int ghostLayers)
 {
   this->LocalBox = this->GlobalBox; // Extended clips at LocalBox: here at the domain
   this->LocalBox = this->Extended(ghostLayers);
@@ -65,6 +110,29 @@ CartesianGrid::CartesianGrid(std::array<std::vector<double>, 3> coordinates) :
 {
 }
 
+CartesianGrid CartesianGrid::Covering(const std::array<std::vector<double>, 3>& coordinates,
+  const IndexBox& owned, const std::array<bool, 3>& isPeriodic, int ghostLayers, int hexLayers)
+{
+  IndexBox domain = WholeBox(coordinates), shifted = owned;
+  std::array<std::vector<double>, 3> all = coordinates;
+  Index3 periods{ { 0, 0, 0 } };
+  const Index layers = ghostLayers + (ghostLayers & 1);
+  for (int a = 0; a < 3; ++a)
+  {
+    if (isPeriodic[a])
+    {
+      periods[a] = domain.Upper[a];
+      all[a] = RepeatCoordinates(coordinates[a], layers);
+      domain = MoveAlong(domain, a, layers);
+      shifted = MoveAlong(shifted, a, layers);
+    }
+  }
+  CartesianGrid grid(std::move(all), shifted, ghostLayers, hexLayers);
+  grid.DomainBox = domain;
+  grid.Periods = periods;
+  return grid;
+}
+
 IndexBox CartesianGrid::Extended(int levels) const
 {
   return Grow(this->OwnedBox, levels, this->LocalBox);
@@ -81,13 +149,70 @@ Index3 CartesianGrid::CellAt(const Vector3& point) const
   return cell;
 }
 
+double CartesianGrid::PeriodLength(int axis) const
+{
+  const IndexBox& box = this->DomainBox;
+  return this->Periods[axis] > 0 ? this->X[axis][box.Upper[axis]] - this->X[axis][box.Lower[axis]]
+                                 : 0.0;
+}
+
+Index3 CartesianGrid::Canonical(const Index3& p) const
+{
+  Index3 own = p;
+  for (int a = 0; a < 3; ++a)
+  {
+    const Index period = this->Periods[a], lower = this->DomainBox.Lower[a];
+    if (period > 0)
+    {
+      own[a] = lower + ((p[a] - lower) % period + period) % period;
+    }
+  }
+  return own;
+}
+
+Index3 CartesianGrid::CanonicalNode(const Index3& node) const
+{
+  Index3 own = this->Canonical(node);
+  for (int a = 0; a < 3; ++a)
+  {
+    const bool isLower = this->Periods[a] > 0 && own[a] == this->DomainBox.Lower[a];
+    own[a] += isLower ? this->Periods[a] : 0;
+  }
+  return own;
+}
+
+int CartesianGrid::Colour(const Index3& node) const
+{
+  const Index3 own = this->Canonical(node);
+  int colour = 0;
+  for (int a = 2; a >= 0; --a)
+  {
+    const bool isOdd = (this->Periods[a] & 1) != 0;
+    const bool isLast = isOdd && own[a] == this->DomainBox.Upper[a] - 1;
+    const int digit = static_cast<int>((own[a] - this->DomainBox.Lower[a]) & 1);
+    colour = colour * (isOdd ? 3 : 2) + (isLast ? 2 : digit);
+  }
+  return colour;
+}
+
+int CartesianGrid::NumberOfColours() const
+{
+  int count = 1;
+  for (Index period : this->Periods)
+  {
+    count *= (period & 1) != 0 ? 3 : 2;
+  }
+  return count;
+}
+
 double CartesianGrid::MeanWidth() const
 {
   double volume = 1.0;
   for (int a = 0; a < 3; ++a)
   {
+    const IndexBox& box = this->DomainBox;
     volume *=
-      (this->X[a].back() - this->X[a].front()) / static_cast<double>(this->GlobalBox.Upper[a]);
+      (this->X[a][box.Upper[a]] - this->X[a][box.Lower[a]]) / static_cast<double>(box.Size(a));
   }
   return CubeRoot(volume);
 }

@@ -33,6 +33,12 @@ constexpr int HexLayers = 2;
 /// star is n - CornerOffset(7) + CornerOffset(c). Faces -x +x -y +y -z +z have the numbers 0 to 5.
 ///
 /// Keys. NodeKey and CellKey are global numbers that do not depend on the number of ranks.
+///
+/// Periodic axes. Along an axis on which the domain repeats, Global() covers more than one period:
+/// an even number of layers of copies of cells lies before the domain and after it. So stages find
+/// neighbours beyond the seam, the sides of the domain across this axis, as ghost cells. Only cells
+/// of the domain are owned. The copies of a cell or node differ by whole periods; Canonical returns
+/// one of them.
 class CartesianGrid
 {
 public:
@@ -47,10 +53,24 @@ public:
   CartesianGrid(std::array<std::vector<double>, 3> coordinates, const IndexBox& owned,
     int ghostLayers = 0, int hexLayers = HexLayers);
 
+  /// Makes the grid of one rank from another grid of the same domain.
+  CartesianGrid(const CartesianGrid& other, const IndexBox& owned, int ghostLayers = 0,
+    int hexLayers = HexLayers);
   /// Makes a grid of which one rank owns all cells.
   explicit CartesianGrid(std::array<std::vector<double>, 3> coordinates);
+  /// Makes the grid of one rank of a domain that repeats. Indices of the result count from the
+  /// first copy, so along periodic axes the lowest cell of the domain is at least ghostLayers.
+  /// @param coordinates  node coordinates of one period along periodic axes
+  /// @param owned  cells that this rank owns, counted from the lowest cell of the domain
+  /// @param isPeriodic  whether the domain repeats along each axis
+  static CartesianGrid Covering(const std::array<std::vector<double>, 3>& coordinates,
+    const IndexBox& owned, const std::array<bool, 3>& isPeriodic, int ghostLayers,
+    int hexLayers = HexLayers);
 
+  /// Returns the cells that exist for the stages: the domain, and along periodic axes its copies.
   const IndexBox& Global() const { return this->GlobalBox; }
+  /// Returns the cells of the domain: one period along periodic axes.
+  const IndexBox& Domain() const { return this->DomainBox; }
   const IndexBox& Owned() const { return this->OwnedBox; }
   const IndexBox& Local() const { return this->LocalBox; }
   /// Returns the owned cells and the innermost `levels` ghost layers around them, as far as they
@@ -89,6 +109,22 @@ public:
     return (face & 1) ? cell + this->Strides[face / 2] : cell - this->Strides[face / 2];
   }
   bool InDomain(const Index3& cell) const { return this->GlobalBox.Contains(cell); }
+
+  bool IsPeriodic() const { return this->Periods != Index3{}; }
+  /// Returns the number of cells after which the domain repeats along an axis; 0: it does not.
+  Index Period(int axis) const { return this->Periods[axis]; }
+  /// Returns the cells in a number of periods along each axis.
+  Index3 CellsInPeriods(const Index3& count) const
+  {
+    return { { count[0] * this->Periods[0], count[1] * this->Periods[1],
+      count[2] * this->Periods[2] } };
+  }
+  /// Returns the length of a period; 0: the domain does not repeat along the axis.
+  double PeriodLength(int axis) const;
+  /// Returns the copy of a cell whose index is in the domain, or of a node: the lower one, if it is
+  /// on a seam. CanonicalNode returns the upper one, which has owned cells below.
+  Index3 Canonical(const Index3& p) const;
+  Index3 CanonicalNode(const Index3& node) const;
 
   Vector3 NodePoint(const Index3& p) const
   {
@@ -131,12 +167,17 @@ public:
     return { { std::min(node[0], n[0] - 1), std::min(node[1], n[1] - 1),
       std::min(node[2], n[2] - 1) } };
   }
-  /// Returns the colour of a node, 0 to 7, the parities of i, j and k. Nodes of one colour
-  /// have no common cell.
-  static int Colour(const Index3& p)
+  /// Returns the parities of i, j and k as bits of a number, 0 to 7.
+  static int Parities(const Index3& p)
   {
     return static_cast<int>((p[0] & 1) | (p[1] & 1) << 1 | (p[2] & 1) << 2);
   }
+  /// Returns the colour of a node, from 0. Nodes of one colour have no common cell, and copies have
+  /// one colour. Without odd periods, colours are the parities. Along an axis with an odd period,
+  /// the last node of the period has a third value.
+  int Colour(const Index3& node) const;
+  /// Returns the number of colours: 8, or 12, 18 or 27 with odd periods.
+  int NumberOfColours() const;
   /// Returns the sides of the domain on which a node lies: bit f is set for side f.
   int DomainSides(const Index3& node) const
   {
@@ -154,13 +195,15 @@ public:
   void ForMirrors(Index cell, const Body& body) const;
 
 private:
+  void SetLocal(int ghostLayers);
   static Index3 Unpack(Index key, const Index3& size)
   {
     return { { key % size[0], key / size[0] % size[1], key / (size[0] * size[1]) } };
   }
 
   std::array<std::vector<double>, 3> X;
-  IndexBox GlobalBox, OwnedBox, LocalBox;
+  IndexBox GlobalBox, DomainBox, OwnedBox, LocalBox;
+  Index3 Periods{ { 0, 0, 0 } };
   Index3 Origin, Strides;
   std::array<Index, 8> Corners;
   Index Entries = 0;

@@ -1,7 +1,65 @@
 #include "Base/Partition.h"
 
+#include <numeric>
+
 namespace vfm
 {
+namespace
+{
+
+IndexBox Moved(IndexBox box, const Index3& cells)
+{
+  for (int a = 0; a < 3 && box.NumberOfCells() > 0; ++a)
+  {
+    box.Lower[a] += cells[a];
+    box.Upper[a] += cells[a];
+  }
+  return box;
+}
+
+/// Returns the shifts, in periods, with which cells of the domain can be ghosts.
+IndexBox PossibleShifts(const CartesianGrid& grid)
+{
+  IndexBox shifts{ { { 0, 0, 0 } }, { { 1, 1, 1 } } };
+  for (int a = 0; a < 3; ++a)
+  {
+    if (grid.Period(a) > 0)
+    {
+      const Index copies = (grid.Domain().Lower[a] + grid.Period(a) - 1) / grid.Period(a);
+      shifts.Lower[a] = -copies;
+      shifts.Upper[a] = copies + 1;
+    }
+  }
+  return shifts;
+}
+
+/// Messages of one rank one after another, each after its length.
+class MessageReader
+{
+public:
+  explicit MessageReader(const Bytes& all) : All(all) {}
+  Bytes Next()
+  {
+    Index length = 0;
+    std::memcpy(&length, this->All.data() + this->At, sizeof(length));
+    const auto begin = this->All.begin() + this->At + sizeof(length);
+    this->At += sizeof(length) + length;
+    return { begin, begin + length };
+  }
+
+private:
+  const Bytes& All;
+  Index At = 0;
+};
+
+void Append(const Bytes& message, Bytes& all)
+{
+  const Bytes length = ToBytes(std::vector<Index>{ static_cast<Index>(message.size()) });
+  all.insert(all.end(), length.begin(), length.end());
+  all.insert(all.end(), message.begin(), message.end());
+}
+
+} // namespace
 
 Partition::Partition(const CartesianGrid& grid, Ranks& ranks) : Grid(grid), TheRanks(ranks)
 {
@@ -13,16 +71,35 @@ Partition::Partition(const CartesianGrid& grid, Ranks& ranks) : Grid(grid), TheR
     GatherItems(ranks, std::vector<Boxes>{ { grid.Owned(), grid.Local() } });
   for (int rank = 0; rank < ranks.Count(); ++rank)
   {
-    const IndexBox outgoing = Intersect(grid.Owned(), all[rank].Local);
-    const IndexBox incoming = Intersect(grid.Local(), all[rank].Owned);
-    if (rank != ranks.Rank() && outgoing.NumberOfCells() + incoming.NumberOfCells() > 0)
-    {
-      this->ThePeers.push_back(rank);
-      this->Owned.push_back(all[rank].Owned);
-      this->Outgoing.push_back(outgoing);
-      this->Incoming.push_back(incoming);
-    }
+    vfm::ForCells(PossibleShifts(grid),
+      [&](const Index3& shift)
+      {
+        const Index3 cells = grid.CellsInPeriods(shift);
+        const IndexBox owned = Moved(all[rank].Owned, cells);
+        const IndexBox incoming = Intersect(grid.Local(), owned);
+        const Index3 back{ { -cells[0], -cells[1], -cells[2] } };
+        const IndexBox outgoing = Intersect(grid.Owned(), Moved(all[rank].Local, back));
+        if ((rank != ranks.Rank() || shift != Index3{}) &&
+          outgoing.NumberOfCells() + incoming.NumberOfCells() > 0)
+        {
+          this->ThePeers.push_back(rank);
+          this->Shifts.push_back(shift);
+          this->Owned.push_back(owned);
+          this->Outgoing.push_back(outgoing);
+          this->Incoming.push_back(incoming);
+        }
+      });
   }
+}
+
+Vector3 Partition::TranslationOf(std::size_t peer) const
+{
+  Vector3 translation;
+  for (int a = 0; a < 3; ++a)
+  {
+    translation[a] = static_cast<double>(this->Shifts[peer][a]) * this->Grid.PeriodLength(a);
+  }
+  return translation;
 }
 
 int Partition::PeerOfCell(const Index3& cell) const
@@ -33,6 +110,53 @@ int Partition::PeerOfCell(const Index3& cell) const
     ++peer;
   }
   return peer;
+}
+
+std::vector<Bytes> Partition::SendAll(const std::vector<Bytes>& messages) const
+{
+  std::vector<std::size_t> peers(this->ThePeers.size());
+  std::iota(peers.begin(), peers.end(), 0);
+  return this->Send(peers, messages);
+}
+
+/// On a periodic grid, a rank gets one message with the messages for all its shifts. Messages of
+/// this rank to itself are not sent.
+std::vector<Bytes> Partition::Send(
+  const std::vector<std::size_t>& peers, const std::vector<Bytes>& messages) const
+{
+  std::vector<int> ranks;
+  if (!this->Grid.IsPeriodic())
+  {
+    std::transform(peers.begin(), peers.end(), std::back_inserter(ranks),
+      [this](std::size_t peer) { return this->ThePeers[peer]; });
+    return this->TheRanks.Exchange(ranks, messages);
+  }
+  std::vector<Bytes> packed;
+  for (std::size_t i = 0; i < peers.size(); ++i)
+  {
+    const int rank = this->ThePeers[peers[i]];
+    if (rank == this->TheRanks.Rank())
+    {
+      continue;
+    }
+    if (ranks.empty() || ranks.back() != rank)
+    {
+      ranks.push_back(rank);
+      packed.emplace_back();
+    }
+    Append(messages[i], packed.back());
+  }
+  packed = ranks.empty() ? packed : this->TheRanks.Exchange(ranks, packed);
+  std::vector<MessageReader> readers(packed.begin(), packed.end());
+  std::vector<Bytes> received;
+  for (std::size_t i = 0; i < peers.size(); ++i)
+  {
+    const int rank = this->ThePeers[peers[i]];
+    const auto at = std::lower_bound(ranks.begin(), ranks.end(), rank);
+    received.push_back(
+      rank == this->TheRanks.Rank() ? messages[i] : readers[at - ranks.begin()].Next());
+  }
+  return received;
 }
 
 } // namespace vfm

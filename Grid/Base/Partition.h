@@ -14,6 +14,10 @@ namespace vfm
 /// Distribution of a grid over ranks. Each rank owns a box of cells. A node is owned by the rank
 /// that owns the cell with the lowest indices at it. A rank with an empty box owns nothing. The
 /// grid and the ranks must outlive this object.
+///
+/// On a periodic grid a peer is a rank and a shift, a number of periods along each axis: the cells
+/// that one of both ranks owns are ghosts of the other one so many periods higher. A rank may be a
+/// peer with several shifts, and its own peer.
 class Partition
 {
 public:
@@ -23,9 +27,16 @@ public:
   Partition(const CartesianGrid& grid, Ranks& ranks);
 
   Ranks& Group() const { return this->TheRanks; }
-  /// Returns the peers in ascending order: the ranks that own ghost cells of this rank, or that
-  /// hold owned cells of this rank as ghosts.
+  /// Returns the rank of each peer, ascending. Peers own ghost cells of this rank, or hold owned
+  /// cells of this rank as ghosts.
   const std::vector<int>& Peers() const { return this->ThePeers; }
+  /// Returns the shift of a peer in cells. A cell or node of the peer is so much higher here.
+  Index3 ShiftOf(std::size_t peer) const { return this->Grid.CellsInPeriods(this->Shifts[peer]); }
+  /// Returns the shift of a peer in length units.
+  Vector3 TranslationOf(std::size_t peer) const;
+  /// Returns the key that a node of a peer has here minus the key that it has there.
+  Index NodeKeyShift(std::size_t peer) const { return this->Grid.NodeKey(this->ShiftOf(peer)); }
+  Index CellKeyShift(std::size_t peer) const { return this->Grid.CellKey(this->ShiftOf(peer)); }
   bool OwnsCell(const Index3& cell) const { return this->Grid.Owned().Contains(cell); }
   bool OwnsNode(const Index3& node) const { return this->OwnsCell(LowestCell(node)); }
   /// PeerOfCell and PeerOfNode return the position in Peers() of the owner of a cell or node.
@@ -57,12 +68,22 @@ public:
   template <class T, class Changed>
   void ExchangeCells(PagedArray<T>& values, const Changed& changed) const;
 
+  /// Sends messages[i] to peer peers[i] and returns the message received from each of them.
+  /// @param peers  positions in Peers(), ascending, the same pairs of peers on all ranks
+  /// @pre Collective among these peers.
+  std::vector<Bytes> Send(
+    const std::vector<std::size_t>& peers, const std::vector<Bytes>& messages) const;
   /// Sends lists[p] to peer p and returns the list received from each peer.
   /// @pre Collective among peers.
   template <class T>
   std::vector<std::vector<T>> Exchange(const std::vector<std::vector<T>>& lists) const
   {
-    return ExchangeLists(this->TheRanks, this->ThePeers, lists);
+    std::vector<std::vector<T>> received;
+    for (const Bytes& message : this->SendAll(PackLists(lists)))
+    {
+      received.push_back(FromBytes<T>(message));
+    }
+    return received;
   }
   /// Sends a list of ids to each peer and returns their answers, one list per peer, in the order of
   /// the ids.
@@ -73,6 +94,7 @@ public:
   auto Query(const std::vector<std::vector<Index>>& ids, const Answer& answer) const;
 
 private:
+  std::vector<Bytes> SendAll(const std::vector<Bytes>& messages) const;
   /// Returns the cell with the lowest index at a node, whose owner owns the node.
   static Index3 LowestCell(const Index3& node)
   {
@@ -83,6 +105,7 @@ private:
   const CartesianGrid& Grid;
   Ranks& TheRanks;
   std::vector<int> ThePeers;
+  std::vector<Index3> Shifts;     // shift of each peer in periods
   std::vector<IndexBox> Owned;    // owned cells of each peer
   std::vector<IndexBox> Outgoing; // owned cells of this rank that each peer holds as ghosts
   std::vector<IndexBox> Incoming; // ghost cells of this rank that each peer owns
@@ -120,7 +143,7 @@ void Partition::ExchangeBoxes(const Pack& pack, const Unpack& unpack) const
   {
     outgoing.push_back(pack(box));
   }
-  const std::vector<Bytes> incoming = this->TheRanks.Exchange(this->ThePeers, outgoing);
+  const std::vector<Bytes> incoming = this->SendAll(outgoing);
   for (std::size_t p = 0; p < incoming.size(); ++p)
   {
     unpack(this->Incoming[p], incoming[p]);

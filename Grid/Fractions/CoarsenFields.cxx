@@ -161,6 +161,10 @@ void StoreRow(const CoarseRow& row, FractionField::RowWriter& writer)
 
 CartesianGrid CoarsenGrid(const CartesianGrid& grid, int halvings, int ghostLayers)
 {
+  if (halvings == 0)
+  {
+    return CartesianGrid(grid, grid.Owned(), ghostLayers);
+  }
   const Index factor = Index(1) << halvings;
   for (int a = 0; a < 3; ++a)
   {

@@ -4,6 +4,7 @@
 #include "Hex/NodesNear.h"
 #include "Hex/TransitionSmoothing.h"
 #include "Mesh/LevelIds.h"
+#include "Mesh/PeriodicIds.h"
 #include "Smoothing/ActiveMeshBuilder.h"
 #include "Smoothing/Attach.h"
 
@@ -48,7 +49,8 @@ void AddMover(const Work& work, Index point, std::vector<Mover>& movers)
   if (halvings <= work.Halvings && work.Near[halvings].Has(node.At))
   {
     movers.push_back({ point, id, work.Levels.Lattice().NodeKey(node.Level, node.At, 0),
-      work.Levels.FinestNode(node.Level, node.At), ColourOfNode(node) });
+      work.Levels.FinestNode(node.Level, node.At),
+      work.Levels.IsUniform() ? work.Levels.Finest().Colour(node.At) : ColourOfNode(node) });
   }
 }
 
@@ -85,8 +87,11 @@ ActiveMesh MakeActiveHexes(
   const RefinedGrid& levels = *labelled.Levels.Grid;
   ActiveMeshBuilder builder(8, mesh.PointIds.size(), FindMovers(labelled, mesh, runtime));
   const std::vector<Index> hexes = builder.AddAround(mesh);
-  ActiveMesh active = builder.Finish(&partition, 8 * (levels.NumberOfRefinements() + 1),
-    levels.HasFineInterfaces() ? ActiveMeshBuilder::Nodes::OfGrid : ActiveMeshBuilder::Nodes::Any);
+  const int colours = levels.Finest().NumberOfColours();
+  const bool hasPlanes = levels.HasFineInterfaces() && colours == 8;
+  ActiveMesh active =
+    builder.Finish(partition, CopiesOfMovers(mesh), colours * (levels.NumberOfRefinements() + 1),
+      hasPlanes ? ActiveMeshBuilder::Nodes::OfGrid : ActiveMeshBuilder::Nodes::Any);
   active.Widths = levels.HasFineInterfaces() ? WidthsOfCells(levels.Finest(), mesh, hexes)
                                              : WidthsOfHexes(levels, mesh, hexes);
   active.SetBarrier(mesh, hexes);

@@ -4,6 +4,7 @@
 #include "Hex/HexTopology.h"
 #include "Hex/TransitionSmoothing.h"
 #include "Mesh/LevelIds.h"
+#include "Mesh/PeriodicIds.h"
 #include "Mesh/Quality.h"
 #include "Smoothing/ActiveMeshBuilder.h"
 #include "Smoothing/HexEnergy.h"
@@ -137,7 +138,8 @@ void SmoothCoarse(const CoarseHexes& coarse, const std::vector<unsigned char>& i
   ActiveMeshBuilder builder(
     8, mesh.PointIds.size(), FindMovers(work, FindNodesFarFromRefined(coarse)));
   const std::vector<Index> hexes = builder.AddAround(mesh);
-  work.Active = builder.Finish(&partition, 8 * work.Levels.NumberOfRefinements());
+  work.Active =
+    builder.Finish(partition, CopiesOfMovers(mesh), 8 * work.Levels.NumberOfRefinements());
   work.Active.Widths = WidthsOfHexes(work.Levels, mesh, hexes);
   work.Active.PlacePoints(work.Levels.Finest(), mesh);
   for (std::size_t p = 0; p < work.Active.MeshPoint.size(); ++p)

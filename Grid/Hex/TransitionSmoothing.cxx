@@ -2,6 +2,7 @@
 
 #include "Base/Vector3.h"
 #include "Hex/HexTopology.h"
+#include "Mesh/PeriodicIds.h"
 #include "Mesh/Quality.h"
 #include "Ranks/Agreement.h"
 #include "Smoothing/ActiveMeshBuilder.h"
@@ -35,7 +36,7 @@ std::vector<Mover> ListMovers(const OctreeKeys& lattice, const RefinedMesh& mesh
   {
     const OctreeKeys::LevelIndex anchor = lattice.NodeOfKey(point.Anchor);
     movers.push_back({ point.Point, point.Anchor, point.Anchor / OctreeKeys::NodeSlots,
-      OwnerNode(anchor), CartesianGrid::Colour(anchor.At) });
+      OwnerNode(anchor), CartesianGrid::Parities(anchor.At) });
   }
   return movers;
 }
@@ -165,6 +166,20 @@ void PlacePoints(Work& work)
   }
 }
 
+MoverCopies CopiesOfMovers(const Work& work)
+{
+  const CartesianGrid& base = work.Lattice.Base();
+  MoverCopies copies{ [&work](Index key, const Index3& cells)
+    { return KeyBelow(work.Lattice, key, cells, 0); },
+    { { base.MeanWidth(), base.MeanWidth(), base.MeanWidth() } } };
+  for (int a = 0; work.InLattice && a < 3; ++a)
+  {
+    copies.Unit[a] = base.PeriodLength(a) / static_cast<double>(std::max<Index>(base.Period(a), 1));
+    copies.Unit[a] = base.Period(a) > 0 ? copies.Unit[a] : 1.0;
+  }
+  return copies;
+}
+
 void Activate(Work& work)
 {
   const RefinedMesh& mesh = work.Refined;
@@ -178,7 +193,7 @@ void Activate(Work& work)
       widths.push_back(AddCell(work, work.Lattice.HexOfKey(mesh.HexKeys[h])));
     }
   }
-  work.Active = builder.Finish(&work.Parts);
+  work.Active = builder.Finish(work.Parts, CopiesOfMovers(work), 8);
   work.Active.Widths = std::move(widths);
   PlacePoints(work);
   work.IsFree = work.Active.IsActive;

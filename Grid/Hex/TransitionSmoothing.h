@@ -31,7 +31,7 @@ Index3 OwnerNode(const OctreeKeys::LevelIndex& anchor);
 /// per level.
 inline int ColourOfNode(const OctreeKeys::LevelIndex& anchor)
 {
-  return 8 * anchor.Level + CartesianGrid::Colour(anchor.At);
+  return 8 * anchor.Level + CartesianGrid::Parities(anchor.At);
 }
 
 /// Result of SmoothTransitions.

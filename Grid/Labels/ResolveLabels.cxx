@@ -218,13 +218,19 @@ double Price(const Work& work, const IndexBox& cells, int current, int label)
     (CostOffset + Cost(work, cells, current, label));
 }
 
+/// Returns the key that decides between equal scores, equal for all copies of a unit.
+Index TieKey(const Work& work, const IndexBox& cells)
+{
+  return work.Grid.CellKey(work.Grid.Canonical(cells.Lower));
+}
+
 /// Returns the best of some labels, ascending, that a unit may take; its label is -1
 /// if there is none.
 Candidate Consider(const Work& work, Index unit, const std::vector<int>& labels, bool decreasing)
 {
   const IndexBox cells = work.Units.CellsOf(unit);
   const std::vector<int> gains = FindGains(work, cells, labels);
-  Candidate best{ 0.0, -1, work.Grid.CellKey(cells.Lower) };
+  Candidate best{ 0.0, -1, TieKey(work, cells) };
   for (std::size_t n = 0; n < labels.size(); ++n)
   {
     const int gain = gains[n];
@@ -375,9 +381,8 @@ void FindRestorable(Work& work)
       const int label = work.Labels[unit];
       const bool may = work.Reach.Contains(cells.Lower) && label != first &&
         FindGains(work, cells, { first })[0] == 0;
-      found[n] = may
-        ? Candidate{ Price(work, cells, first, label), first, work.Grid.CellKey(cells.Lower) }
-        : Candidate{ 0.0, -1, 0 };
+      found[n] = may ? Candidate{ Price(work, cells, first, label), first, TieKey(work, cells) }
+                     : Candidate{ 0.0, -1, 0 };
     });
   for (std::size_t n = 0; n < units.size(); ++n)
   {

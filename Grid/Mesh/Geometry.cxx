@@ -3,6 +3,7 @@
 #include "Base/Sorted.h"
 #include "Mesh/Junctions.h"
 #include "Mesh/MeasureSurfaces.h"
+#include "Mesh/PeriodicIds.h"
 #include "Mesh/SmoothSides.h"
 
 namespace vfm
@@ -218,7 +219,7 @@ Index FillVertices(Work& work, const Junctions& junctions)
     if (junctions.IsVertex(p) && IsOwned(work, junctions.Points()[p]))
     {
       points.push_back(point);
-      ids.push_back(mesh.PointIds[point]);
+      ids.push_back(IdOfOwner(mesh, mesh.PointIds[point]));
     }
   }
   const Numbering<Index> numbers = Gather(work.Group, ids);
@@ -228,7 +229,7 @@ Index FillVertices(Work& work, const Junctions& junctions)
     if (junctions.IsVertex(p))
     {
       mesh.GeometryDimension[point] = 0;
-      mesh.GeometryId[point] = numbers.Find(mesh.PointIds[point]);
+      mesh.GeometryId[point] = numbers.Find(IdOfOwner(mesh, mesh.PointIds[point]));
     }
   }
   mesh.Vertices.Points = Buffer<Index>(points.size());
@@ -333,7 +334,7 @@ void ListEdgeFacets(Work& work)
       EdgeFacet facet{ { -1, -1, -1, -1, mesh.Surfaces.SurfaceId[q] } };
       const Index* points = mesh.Surfaces.Points.data() + work.Corners * q;
       std::transform(points, points + work.Corners, facet.begin() + (4 - work.Corners),
-        [&mesh](Index point) { return mesh.PointIds[point]; });
+        [&mesh](Index point) { return IdOfOwner(mesh, mesh.PointIds[point]); });
       std::sort(facet.begin(), facet.begin() + 4);
       mine.push_back(facet);
     }

@@ -30,9 +30,9 @@ private:
 
 } // namespace
 
-PointExchange::PointExchange(
-  const std::vector<Mover>& movers, const Partition& partition, int colours) :
-  Group(&partition.Group())
+PointExchange::PointExchange(const std::vector<Mover>& movers, const Partition& partition,
+  int colours, const MoverCopies& copies) :
+  Parts(&partition)
 {
   const std::size_t peers = partition.Peers().size();
   if (peers == 0)
@@ -46,7 +46,7 @@ PointExchange::PointExchange(
     if (!partition.OwnsNode(movers[m].Owner))
     {
       const int peer = partition.PeerOfNode(movers[m].Owner);
-      requested[peer].push_back(movers[m].Id);
+      requested[peer].push_back(copies.IdBelow(movers[m].Id, partition.ShiftOf(peer)));
       links[peer][movers[m].Colour].Incoming.push_back(static_cast<int>(m));
     }
   }
@@ -67,7 +67,8 @@ PointExchange::PointExchange(
       if (!link.Outgoing.empty() || !link.Incoming.empty())
       {
         link.NeedsFlag.assign(link.Incoming.size(), 1);
-        this->Peers[colour].push_back(partition.Peers()[peer]);
+        link.Translation = Divided(partition.TranslationOf(peer), copies.Unit);
+        this->Peers[colour].push_back(peer);
         this->Links[colour].push_back(std::move(link));
       }
     }
@@ -97,7 +98,7 @@ void PointExchange::Send(int colour, std::vector<Vector3>& points,
   const auto unpack = [&](const Link& link, std::size_t i, const Message& message)
   {
     const int mover = link.Incoming[i];
-    points[mover] = message.X;
+    points[mover] = message.X + link.Translation;
     if (message.Flag > 0.0 && link.NeedsFlag[i])
     {
       received(mover);

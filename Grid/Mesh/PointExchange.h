@@ -23,6 +23,14 @@ struct Mover
   int Colour;      ///< colour of the node
 };
 
+/// How the ids and positions of movers change between their copies on a periodic grid.
+struct MoverCopies
+{
+  /// idBelow(id, cells) returns the id of the copy that is `cells` lower in the partition's grid.
+  std::function<Index(Index, const Index3&)> IdBelow;
+  Vector3 Unit; ///< unit of positions along each axis, in length units of the grid
+};
+
 /// Exchange of movers by colour. The owner of a mover sends its position to the
 /// ranks that requested it.
 class PointExchange
@@ -35,7 +43,8 @@ public:
   ///   movers that others request
   /// @param colours  number of colours
   /// @pre Collective among peers.
-  PointExchange(const std::vector<Mover>& movers, const Partition& partition, int colours);
+  PointExchange(const std::vector<Mover>& movers, const Partition& partition, int colours,
+    const MoverCopies& copies);
 
   bool HasPeers() const { return !this->Links.empty(); }
   int CountColours() const { return static_cast<int>(this->Links.size()); }
@@ -59,7 +68,15 @@ public:
   /// for the values received.
   /// @pre Collective among peers.
   template <class Pack, class Unpack>
-  void SendAll(const Pack& pack, const Unpack& unpack) const;
+  void SendAll(const Pack& pack, const Unpack& unpack) const
+  {
+    this->SendPositions(
+      pack, [&](int mover, const auto& value, const Vector3&) { unpack(mover, value); });
+  }
+  /// Does the same for values that contain positions. Calls unpack(mover, value, translation);
+  /// positions received must be translated.
+  template <class Pack, class Unpack>
+  void SendPositions(const Pack& pack, const Unpack& unpack) const;
 
 private:
   struct Message
@@ -73,6 +90,7 @@ private:
   {
     std::vector<int> Outgoing, Incoming;
     std::vector<unsigned char> NeedsFlag; // whether the flag of each incoming mover is selected
+    Vector3 Translation{};                // from positions of the peer to positions here
   };
 
   /// Sends pack(mover) of the movers of a colour and calls unpack(link, i, value) for incoming
@@ -80,9 +98,9 @@ private:
   template <class Pack, class Unpack>
   void SendColour(int colour, const Pack& pack, const Unpack& unpack) const;
 
-  Ranks* Group = nullptr;
-  std::vector<std::vector<int>> Peers;  // ranks with common movers, by colour
-  std::vector<std::vector<Link>> Links; // links by colour and peer; empty without peers
+  const Partition* Parts = nullptr;
+  std::vector<std::vector<std::size_t>> Peers; // peers with common movers, by colour
+  std::vector<std::vector<Link>> Links;        // links by colour and peer; empty without peers
 };
 
 template <class Visitor>
@@ -101,31 +119,33 @@ template <class Pack, class Unpack>
 void PointExchange::SendColour(int colour, const Pack& pack, const Unpack& unpack) const
 {
   const std::vector<Link>& links = this->Links[colour];
-  std::vector<std::vector<decltype(pack(0))>> values;
+  using Value = decltype(pack(0));
+  std::vector<Bytes> messages;
   for (const Link& link : links)
   {
-    values.emplace_back();
-    std::transform(
-      link.Outgoing.begin(), link.Outgoing.end(), std::back_inserter(values.back()), pack);
+    std::vector<Value> values;
+    std::transform(link.Outgoing.begin(), link.Outgoing.end(), std::back_inserter(values), pack);
+    messages.push_back(ToBytes(values));
   }
-  values = ExchangeLists(*this->Group, this->Peers[colour], values);
-  for (std::size_t peer = 0; peer < values.size(); ++peer)
+  messages = this->Parts->Send(this->Peers[colour], messages);
+  for (std::size_t peer = 0; peer < messages.size(); ++peer)
   {
-    for (std::size_t i = 0; i < values[peer].size(); ++i)
+    const std::vector<Value> values = FromBytes<Value>(messages[peer]);
+    for (std::size_t i = 0; i < values.size(); ++i)
     {
-      unpack(links[peer], i, values[peer][i]);
+      unpack(links[peer], i, values[i]);
     }
   }
 }
 
 template <class Pack, class Unpack>
-void PointExchange::SendAll(const Pack& pack, const Unpack& unpack) const
+void PointExchange::SendPositions(const Pack& pack, const Unpack& unpack) const
 {
   for (int colour = 0; colour < this->CountColours(); ++colour)
   {
     this->SendColour(colour, pack,
       [&unpack](const Link& link, std::size_t i, const auto& value)
-      { unpack(link.Incoming[i], value); });
+      { unpack(link.Incoming[i], value, link.Translation); });
   }
 }
 

@@ -1,6 +1,7 @@
 #include "Mesh/PointValues.h"
 
 #include "Base/Sorted.h"
+#include "Mesh/PeriodicIds.h"
 #include "Octree/RefinedGrid.h"
 
 namespace vfm
@@ -19,7 +20,7 @@ PointValues::PointValues(
     {
       const int peer = partition.PeerOfNode(node);
       this->Requested[peer].push_back(point);
-      ids[peer].push_back(id);
+      ids[peer].push_back(IdAtPeer(mesh, partition, peer, id));
     }
   }
   this->ToSend =

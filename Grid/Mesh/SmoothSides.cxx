@@ -2,6 +2,7 @@
 
 #include "Base/DisjointSets.h"
 #include "Base/Sorted.h"
+#include "Mesh/PeriodicIds.h"
 #include "Mesh/SidePoints.h"
 
 #include <map>
@@ -150,7 +151,7 @@ std::array<Index, 4> KeyOf(const Work& work, std::size_t f)
 {
   std::array<Index, 4> key;
   std::transform(work.Facets[f].Points.begin(), work.Facets[f].Points.end(), key.begin(),
-    [&](Index p) { return work.Input.PointIds[p]; });
+    [&](Index p) { return IdOfOwner(work.Input, work.Input.PointIds[p]); });
   std::sort(key.begin(), key.end());
   return key;
 }
@@ -220,9 +221,8 @@ AdjacentSide NearestSide(
 
 void TakeDecisions(Work& work, const std::vector<int>& loose, const std::vector<Decision>& mine)
 {
-  const std::vector<Bytes> messages(work.Parts.Peers().size(), ToBytes(mine));
-  std::vector<Decision> told =
-    JoinItems<Decision>(work.Parts.Group().Exchange(work.Parts.Peers(), messages));
+  const std::vector<std::vector<Decision>> lists(work.Parts.Peers().size(), mine);
+  std::vector<Decision> told = Joined(work.Parts.Exchange(lists));
   std::sort(told.begin(), told.end());
   for (int f : loose)
   {

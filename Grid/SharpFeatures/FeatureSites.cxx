@@ -96,7 +96,8 @@ void FeatureSites::Share(FoundFeatures& found) const
       const LabelPair pair = this->PairOf(site);
       const int peer = this->Parts.PeerOfNode(this->PositionOf(site));
       sites[peer].push_back(site);
-      requested[peer].insert(requested[peer].end(), { this->KeyOf(site), pair.first, pair.second });
+      requested[peer].insert(requested[peer].end(),
+        { this->KeyOf(site) - this->Parts.NodeKeyShift(peer), pair.first, pair.second });
       found[site.Point].reset();
     }
   }

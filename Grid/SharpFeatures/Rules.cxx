@@ -91,6 +91,20 @@ struct Work
   std::vector<RuleFacet> Facets{};
 };
 
+/// Translates the positions in a value.
+template <class Value>
+void Translate(Value&, const Vector3&)
+{
+}
+void Translate(FeaturePoint& point, const Vector3& by)
+{
+  point.Corner = point.Corner + by;
+}
+void Translate(Bid& bid, const Vector3& by)
+{
+  bid.Corner = bid.Corner + by;
+}
+
 /// Sets the values of pairs at points of other ranks to the values there for the same labels.
 template <class Value>
 void Exchange(const Work& work, std::vector<Value>& values)
@@ -112,7 +126,7 @@ void Exchange(const Work& work, std::vector<Value>& values)
     }
     return slots;
   };
-  const auto unpack = [&](int mover, const Slots& slots)
+  const auto unpack = [&](int mover, const Slots& slots, const Vector3& translation)
   {
     for (Index i = offset[mover]; i < offset[mover + 1]; ++i)
     {
@@ -120,9 +134,10 @@ void Exchange(const Work& work, std::vector<Value>& values)
       const auto slot =
         std::find_if(slots.begin(), slots.end(), [&](const Slot& s) { return s.Labels == labels; });
       values[i] = slot != slots.end() ? slot->Of : Value{};
+      Translate(values[i], translation);
     }
   };
-  work.Pairs.Exchange.SendAll(pack, unpack);
+  work.Pairs.Exchange.SendPositions(pack, unpack);
 }
 
 /// Merges, in each round, into the value of each pair the previous values at the other

@@ -82,7 +82,7 @@ void ActiveMeshBuilder::RequestFlags(const std::vector<MoveOrder::Node>& nodes)
   this->Result.Exchange.RequestFlags(isNear);
 }
 
-ActiveMesh ActiveMeshBuilder::Finish(const Partition* partition, int colours, Nodes which)
+void ActiveMeshBuilder::Allocate()
 {
   const std::size_t points = this->Result.MeshPoint.size();
   this->Result.X.resize(points);
@@ -90,11 +90,28 @@ ActiveMesh ActiveMeshBuilder::Finish(const Partition* partition, int colours, No
   this->Result.IsActive.assign(points, 0);
   std::fill_n(this->Result.IsActive.begin(), this->Movers.size(), 1);
   this->Result.AttachmentOffset.assign(points + 1, 0);
-  if (partition)
-  {
-    this->Result.Exchange = PointExchange(this->Movers, *partition, colours);
-  }
-  const std::vector<MoveOrder::Node> nodes = this->ListNodes(partition);
+}
+
+ActiveMesh ActiveMeshBuilder::TakeResult()
+{
+  std::vector<Mover>().swap(this->Movers);
+  this->Result.ListCorners();
+  return std::move(this->Result);
+}
+
+ActiveMesh ActiveMeshBuilder::FinishAlone()
+{
+  this->Allocate();
+  this->Result.Order = MoveOrder::ByColour(this->ListNodes(nullptr), 8);
+  return this->TakeResult();
+}
+
+ActiveMesh ActiveMeshBuilder::Finish(
+  const Partition& partition, const MoverCopies& copies, int colours, Nodes which)
+{
+  this->Allocate();
+  this->Result.Exchange = PointExchange(this->Movers, partition, colours, copies);
+  const std::vector<MoveOrder::Node> nodes = this->ListNodes(&partition);
   if (this->Result.Exchange.HasPeers() &&
     this->Result.Corners == 8) // tets may get other points (DiagonalFlips)
   {
@@ -102,9 +119,7 @@ ActiveMesh ActiveMeshBuilder::Finish(const Partition* partition, int colours, No
   }
   this->Result.Order = which == Nodes::OfGrid ? MoveOrder::ByPlanes(nodes, this->Result.Exchange)
                                               : MoveOrder::ByColour(nodes, colours);
-  std::vector<Mover>().swap(this->Movers);
-  this->Result.ListCorners();
-  return std::move(this->Result);
+  return this->TakeResult();
 }
 
 } // namespace vfm

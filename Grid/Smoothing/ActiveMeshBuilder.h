@@ -46,11 +46,16 @@ public:
   /// @param partition  nullptr if ranks share no points
   /// @param colours  number of colours, equal on all ranks
   /// @pre Collective among the ranks that share movers.
-  ActiveMesh Finish(const Partition* partition, int colours = 8, Nodes which = Nodes::Any);
+  ActiveMesh Finish(
+    const Partition& partition, const MoverCopies& copies, int colours, Nodes which = Nodes::Any);
+  /// Returns the mesh of movers with eight colours that ranks do not share.
+  ActiveMesh FinishAlone();
 
 private:
   int AddPoint(Index meshPoint);
+  void Allocate();
   std::vector<MoveOrder::Node> ListNodes(const Partition* partition) const;
+  ActiveMesh TakeResult();
   void RequestFlags(const std::vector<MoveOrder::Node>& nodes);
 
   std::vector<Mover> Movers;

@@ -1,5 +1,7 @@
 #include "Smoothing/AttachFeatures.h"
 
+#include "Mesh/PeriodicIds.h"
+
 namespace vfm
 {
 namespace
@@ -16,7 +18,7 @@ SurfacePairs ListPairs(
   active.ForOwned([&](int point) { pairs.IsOwned[point] = 1; });
   for (Index meshPoint : active.MeshPoint)
   {
-    pairs.Ids.push_back(mesh.PointIds[meshPoint]);
+    pairs.Ids.push_back(IdOfOwner(mesh, mesh.PointIds[meshPoint]));
   }
   for (const Attachment& attachment : active.Attachments)
   {

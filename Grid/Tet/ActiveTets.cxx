@@ -1,5 +1,7 @@
 #include "Tet/ActiveTets.h"
 
+#include "Base/Sorted.h"
+#include "Mesh/PeriodicIds.h"
 #include "Smoothing/ActiveMeshBuilder.h"
 
 namespace vfm
@@ -51,24 +53,23 @@ void ReceiveMoving(const CartesianGrid& grid, const Mesh& mesh, const Partition&
     near[p] = near[p] && IsOwned(grid, mesh, partition, p);
   }
   near = Spread(mesh, Spread(mesh, near));
-  std::vector<std::vector<Index>> requested(partition.Peers().size());
+  std::vector<std::vector<Index>> requested(partition.Peers().size()), ids(requested.size());
   for (std::size_t p = 0; p < near.size(); ++p)
   {
     if (near[p] && !moving[p] && !IsOwned(grid, mesh, partition, p))
     {
-      requested[partition.PeerOfNode(NodeOfPoint(grid, mesh, mesh.PointIds[p]))].push_back(
-        mesh.PointIds[p]);
+      const int peer = partition.PeerOfNode(NodeOfPoint(grid, mesh, mesh.PointIds[p]));
+      requested[peer].push_back(static_cast<Index>(p));
+      ids[peer].push_back(IdAtPeer(mesh, partition, peer, mesh.PointIds[p]));
     }
   }
-  const Index* ids = mesh.PointIds.data();
-  const auto placeOf = [&](Index id)
-  { return std::lower_bound(ids, ids + mesh.PointIds.size(), id) - ids; };
-  const auto answers = partition.Query(requested, [&](Index id) { return moving[placeOf(id)]; });
+  const auto answers =
+    partition.Query(ids, [&](Index id) { return moving[FindSorted(mesh.PointIds, id)]; });
   for (std::size_t peer = 0; peer < requested.size(); ++peer)
   {
     for (std::size_t i = 0; i < requested[peer].size(); ++i)
     {
-      moving[placeOf(requested[peer][i])] = answers[peer][i];
+      moving[requested[peer][i]] = answers[peer][i];
     }
   }
 }
@@ -93,8 +94,8 @@ std::vector<Mover> FindMovers(
     {
       const Index id = mesh.PointIds[p];
       const Index3 node = NodeOfPoint(grid, mesh, id);
-      movers.push_back({ static_cast<Index>(p), id, (id - 1) / mesh.Ids.PointSlots, node,
-        CartesianGrid::Colour(node) });
+      movers.push_back(
+        { static_cast<Index>(p), id, (id - 1) / mesh.Ids.PointSlots, node, grid.Colour(node) });
     }
   }
   return movers;
@@ -108,7 +109,8 @@ ActiveTets MakeActiveTets(
   const Mesh& mesh = topology.Tets;
   ActiveMeshBuilder builder(4, mesh.PointIds.size(), FindMovers(topology, grid, partition));
   std::vector<Index> tets = builder.AddAround(mesh);
-  ActiveTets active{ builder.Finish(&partition), std::move(tets) };
+  ActiveTets active{ builder.Finish(partition, CopiesOfMovers(mesh), grid.NumberOfColours()),
+    std::move(tets) };
   active.Widths = WidthsOfCells(grid, mesh, active.MeshElement);
   active.SetBarrier(mesh, active.MeshElement);
   active.PlacePoints(grid, mesh);

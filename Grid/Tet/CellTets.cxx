@@ -183,7 +183,8 @@ void FillHalves(Work& work, const Face& face, int label, int firstPiece, Index& 
     return;
   }
   std::array<Index, 4> q = CornersOf(work, face);
-  std::rotate(q.begin(), q.begin() + LatticeTables::Diagonal(face.Block), q.end());
+  std::rotate(
+    q.begin(), q.begin() + LatticeTables::Diagonal(work.Grid.Canonical(face.Block)), q.end());
   if (!isUpper)
   {
     std::swap(q[1], q[3]);

@@ -434,7 +434,7 @@ std::vector<Mover> CoarseTets::FindMovers(int level) const
   const auto add = [&](int point, const OctreeKeys::LevelIndex& node)
   {
     movers.push_back({ point, this->Local.PointIds[point], lattice.NodeKey(level, node.At, 0),
-      OwnerNode(node), CartesianGrid::Colour(node.At) });
+      OwnerNode(node), CartesianGrid::Parities(node.At) });
   };
   for (int p = 0; p < this->HexPoints; ++p)
   {

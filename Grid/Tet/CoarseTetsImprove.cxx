@@ -1,5 +1,6 @@
 #include "Tet/CoarseTetsImprove.h"
 
+#include "Mesh/PeriodicIds.h"
 #include "Mesh/TetQuality.h"
 #include "Smoothing/ActiveMeshBuilder.h"
 #include "Smoothing/Smoother.h"
@@ -68,7 +69,7 @@ void ImproveCoarseTets(std::vector<Mover> movers, const TetList& tets, const Car
         widths.push_back(widthsOfTet);
       }
     });
-  ActiveMesh active = builder.Finish(&partition);
+  ActiveMesh active = builder.Finish(partition, CopiesOfMovers(mesh), 8);
   active.Widths = std::move(widths);
   active.PlacePoints(finest, mesh);
   if (runtime.Group().Any(ActivatePoor(active)))

@@ -36,7 +36,7 @@ bool TouchesAll(const Star& star, int label)
 } // namespace
 
 LatticeNodes::LatticeNodes(const CartesianGrid& grid, const FractionField& fractions,
-  const LabelArray& cells, double isoValue, Runtime& runtime) :
+  const LabelArray& cells, double isoValue, const Partition& partition, Runtime& runtime) :
   Grid(grid),
   Fractions(fractions),
   CellLabels(cells),
@@ -54,6 +54,12 @@ LatticeNodes::LatticeNodes(const CartesianGrid& grid, const FractionField& fract
   ForRows(runtime, grid.Local(), [this](Index j, Index k, Index) { this->LabelCentres(j, k); });
   const auto around = [&](Index layers) { return Grow(grid.HexBox(), layers, grid.Local()); };
   this->LabelVertices(around(3));
+  if (grid.NumberOfColours() > 8)
+  {
+    this->SnapByClass(Centre, around(1), partition);
+    this->SnapByClass(Vertex, around(1), partition);
+    return;
+  }
   // Each pass reads one layer more than it writes.
   this->Snap(Centre, 0, around(3));
   this->Snap(Centre, 1, around(2));
@@ -66,20 +72,29 @@ bool LatticeNodes::Settle(const std::vector<Index>& ids, const Partition& partit
   bool changed = false;
   for (Index id : ids)
   {
-    changed = this->SettleHere(id) || changed;
+    changed = this->SettleHere(id, {}) || changed;
   }
-  const std::vector<std::vector<Index>> lists(partition.Peers().size(), ids);
-  for (Index id : Joined(partition.Exchange(lists)))
+  const std::vector<std::vector<Index>> lists =
+    partition.Exchange(std::vector<std::vector<Index>>(partition.Peers().size(), ids));
+  for (std::size_t peer = 0; peer < lists.size(); ++peer)
   {
-    changed = this->SettleHere(id) || changed;
+    for (Index id : lists[peer])
+    {
+      changed = this->SettleHere(id, partition.ShiftOf(peer)) || changed;
+    }
   }
   return partition.Group().Any(changed);
 }
 
-/// Settles a node if this rank has it. Returns whether this changes the node.
-bool LatticeNodes::SettleHere(Index id)
+/// Settles the copy of a node that is some cells higher, if this rank has it. Returns whether this
+/// changes the node.
+bool LatticeNodes::SettleHere(Index id, const Index3& shift)
 {
-  const Node node{ Kind(SlotOfPoint(id)), this->Grid.NodeOfKey((id - 1) / TetIds.PointSlots) };
+  Node node{ Kind(SlotOfPoint(id)), this->Grid.NodeOfKey((id - 1) / TetIds.PointSlots) };
+  for (int a = 0; a < 3; ++a)
+  {
+    node.Position[a] += shift[a];
+  }
   const IndexBox hexes = this->Grid.HexBox();
   if (node.Type == Centre ? !hexes.Contains(node.Position) : !hexes.Touches(node.Position))
   {
@@ -258,6 +273,55 @@ void LatticeNodes::Snap(Kind kind, int parity, const IndexBox& cells)
         }
       }
     });
+}
+
+/// Returns the class of a node on a grid with odd periods: its parity, and along which of these
+/// axes it is the last one of the period. Nodes of one class share no lattice edge, also across the
+/// seam.
+int LatticeNodes::ClassOf(const Index3& position) const
+{
+  const Index3 own = this->Grid.Canonical(position);
+  int result = static_cast<int>((own[0] + own[1] + own[2]) & 1);
+  for (int a = 0; a < 3; ++a)
+  {
+    const bool isOdd = (this->Grid.Period(a) & 1) != 0;
+    result |= (isOdd && own[a] == this->Grid.Domain().Upper[a] - 1) << (a + 1);
+  }
+  return result;
+}
+
+/// Snaps nodes of one kind class by class. After each class, owners send the labels.
+void LatticeNodes::SnapByClass(Kind kind, const IndexBox& cells, const Partition& partition)
+{
+  const IndexBox box = kind == Vertex ? NodesOf(cells) : cells;
+  auto& labels = this->Label[kind];
+  for (int current = 0; current < 16; ++current)
+  {
+    ForCells(box,
+      [&](const Index3& p)
+      {
+        const Index n = this->Grid.Linear(p);
+        const Node node{ kind, p };
+        if (this->ClassOf(p) == current && labels[n] != Snapped && this->MaySnap(node, n) &&
+          this->IsNearInterface(node, n))
+        {
+          labels[n] = Snapped;
+        }
+      });
+    partition.ExchangeBoxes(
+      [&](const IndexBox& part)
+      {
+        std::vector<int> values;
+        partition.ForCells(part, [&](Index n) { values.push_back(labels[n]); });
+        return ToBytes(values);
+      },
+      [&](const IndexBox& part, const Bytes& bytes)
+      {
+        const std::vector<int> values = FromBytes<int>(bytes);
+        auto next = values.begin();
+        partition.ForCells(part, [&](Index n) { labels[n] = *next++; });
+      });
+  }
 }
 
 bool LatticeNodes::IsNearInterface(const Node& node, Index n) const

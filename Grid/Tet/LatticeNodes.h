@@ -14,8 +14,8 @@
  * that has another label and is not snapped, the interface is within the first 45 % (edges between
  * vertex and centre) or 30 % (edges along an axis). Centres of cells at the domain boundary, and
  * of thin cells, keep their labels. Nodes are snapped in four passes: even cells, odd cells, even
- * vertices, odd vertices (parity of i + j + k). No two nodes of one pass share a lattice edge, so
- * the result does not depend on order or ranks.
+ * vertices, odd vertices (parity of i + j + k); in more passes on a grid with odd periods. No two
+ * nodes of one pass share a lattice edge, so the result does not depend on order or ranks.
  *
  * A node is settled if it is as in the method Cells: a centre or pure vertex has its label, a mixed
  * vertex is snapped. LatticeRules.h and LatticeFaults.h list nodes to be settled.
@@ -25,6 +25,7 @@
  */
 #pragma once
 
+#include "Base/Partition.h"
 #include "Base/Runtime.h"
 #include "Fractions/FractionSum.h"
 #include "Labels/Labels.h"
@@ -54,8 +55,9 @@ public:
   /// Labels and snaps the nodes.
   /// @param cells  resolved labels of the cells
   /// @param isoValue  limit of void, in (0,1): a node is void if its materials fill less
+  /// @pre Collective among peers.
   LatticeNodes(const CartesianGrid& grid, const FractionField& fractions, const LabelArray& cells,
-    double isoValue, Runtime& runtime);
+    double isoValue, const Partition& partition, Runtime& runtime);
 
   /// Returns labels by linear index of the grid. Valid for the cells of CartesianGrid::HexBox and
   /// their vertices.
@@ -86,12 +88,14 @@ private:
   void LabelVertices(const IndexBox& box);
   int LabelOfMixed(const Index3& vertex) const;
   int SettledLabel(const Node& node) const;
-  bool SettleHere(Index id);
+  bool SettleHere(Index id, const Index3& shift);
   std::array<Index, 8> StarOf(const Index3& vertex) const;
   double Fraction(const Node& node, int material) const;
   double Lead(const Node& node, int label, int other) const;
   bool MaySnap(const Node& node, Index n) const;
   void Snap(Kind kind, int parity, const IndexBox& cells);
+  int ClassOf(const Index3& position) const;
+  void SnapByClass(Kind kind, const IndexBox& cells, const Partition& partition);
   bool IsNearInterface(const Node& node, Index n) const;
 
   const CartesianGrid& Grid;

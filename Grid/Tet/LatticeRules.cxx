@@ -178,7 +178,10 @@ bool GivesWay(const Work& work, Index cell)
     {
       const Index other = work.Grid.Neighbour(cell, face);
       const auto rank = [&](Index n, int faces)
-      { return std::make_tuple(faces, work.Nodes.OwnFraction(n), n); };
+      {
+        const Index tie = work.Grid.CellKey(work.Grid.Canonical(work.Grid.Position(n)));
+        return std::make_tuple(faces, work.Nodes.OwnFraction(n), tie);
+      };
       gives = rank(cell, count) > rank(other, CountSnappedFaces(work, other));
     }
   }

@@ -443,7 +443,7 @@ Vector3 LatticeTables::StartOf(const CartesianGrid& grid, const Index3& block, i
     Index3 face = block;
     face[axis] += slot > 57 || (slot > 51 && (slot & 1)); // face on the upper side of the cell
     const bool onDomain = face[axis] == 0 || face[axis] == grid.Global().Upper[axis];
-    source = onDomain ? 1 + Diagonal(face) : 0;
+    source = onDomain ? 1 + Diagonal(grid.Canonical(face)) : 0;
   }
   const PointNodes& point = this->Sources[source][slot];
   Vector3 first, x;

@@ -169,7 +169,7 @@ int DiagonalOf(const Work& work, const Index3& block, int axis)
     openings[q & 1] += isFree ? 0 : OpeningOf(work, cell, axis, around[q]);
   }
   return free == 1               ? last & 1
-    : openings[0] == openings[1] ? LatticeTables::Diagonal(block)
+    : openings[0] == openings[1] ? LatticeTables::Diagonal(work.Grid.Canonical(block))
                                  : openings[1] > openings[0];
 }
 

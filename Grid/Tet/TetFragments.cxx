@@ -190,7 +190,8 @@ PiecePairs TetFragments::FindSameTets(const TetTopology& topology, Index offset)
         [&](Index p) { return IsCentrePoint(mesh, p) && IsAnchor(topology, p); }))
     {
       const int peer = this->Parts.PeerOfCell(cell);
-      ids[peer].push_back(mesh.ElementIds[t]);
+      ids[peer].push_back(
+        mesh.ElementIds[t] - TetIds.ElementSlots * this->Parts.NodeKeyShift(peer));
       tets[peer].push_back(static_cast<Index>(t));
     }
   }

@@ -42,7 +42,7 @@ void ImproveInside(const TetEnergy& energy, std::size_t fixed,
   {
     builder.Add(tet.data());
   }
-  ActiveMesh active = builder.Finish(nullptr);
+  ActiveMesh active = builder.FinishAlone();
   active.Widths.assign(1, { { 1.0, 1.0, 1.0 } });
   for (std::size_t p = 0; p < active.X.size(); ++p)
   {

@@ -85,7 +85,7 @@ std::vector<MoveOrder::Node> MakeNodes(const Index3& size, double share, unsigne
       if (random() < share * 4294967296.0)
       {
         const int n = static_cast<int>(nodes.size());
-        nodes.push_back({ p, CartesianGrid::Colour(p), { n, n + 1 } });
+        nodes.push_back({ p, CartesianGrid::Parities(p), { n, n + 1 } });
       }
     });
   return nodes;
@@ -149,7 +149,7 @@ TEST(MoveOrder, PutsWhatOtherRanksShareFirst)
         ForCells(NodesOf(grid.HexBox()),
           [&](const Index3& p)
           {
-            const int n = static_cast<int>(movers.size()), colour = CartesianGrid::Colour(p);
+            const int n = static_cast<int>(movers.size()), colour = CartesianGrid::Parities(p);
             movers.push_back({ n, grid.NodeKey(p), grid.NodeKey(p), p, colour });
           });
         std::vector<int> placeOf(movers.size(), -1);

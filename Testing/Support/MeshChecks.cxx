@@ -157,22 +157,19 @@ FractionField MakeLabels(
   const CartesianGrid& grid, int materials, const std::function<int(const Index3&)>& label)
 {
   FractionField field(grid, materials);
-  const IndexBox& box = grid.Owned();
+  const IndexBox& box = grid.Local();
   FractionField::RowWriter row(field);
-  Index3 p;
-  for (p[2] = 0; p[2] < box.Upper[2]; ++p[2])
-  {
-    for (p[1] = 0; p[1] < box.Upper[1]; ++p[1])
+  ForRows(box,
+    [&](Index j, Index k)
     {
-      p[0] = 0;
+      Index3 p{ { box.Lower[0], j, k } };
       row.Start(grid.Linear(p));
       for (; p[0] < box.Upper[0]; ++p[0])
       {
         row.AddLabel(label(p));
       }
       row.Finish();
-    }
-  }
+    });
   return field;
 }
 

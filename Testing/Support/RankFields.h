@@ -37,7 +37,7 @@ std::vector<IndexBox> CutBox(const IndexBox& box, int parts, int axis = -1);
 inline CartesianGrid MakeRankGrid(
   const CartesianGrid& whole, const IndexBox& box, const GridLayers& layers = {})
 {
-  return CartesianGrid(whole.Coordinates(), box, layers.Ghosts, layers.Hexes);
+  return CartesianGrid(whole, box, layers.Ghosts, layers.Hexes);
 }
 
 /// Returns the part of a field of the whole grid that a rank stores.

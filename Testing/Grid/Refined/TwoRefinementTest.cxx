@@ -319,7 +319,8 @@ TEST(TwoRefinement, ColoursAreIndependent)
     {
       place[point.Point] = point.Anchor;
     }
-    const auto colour = [&](Index p) { return CartesianGrid::Colour(c.Lattice->NodeOfKey(p).At); };
+    const auto colour = [&](Index p)
+    { return CartesianGrid::Parities(c.Lattice->NodeOfKey(p).At); };
     for (Index at = 0; at < 64 * mesh.NumberOfHexes(); ++at)
     {
       const Index a = place[mesh.Hexes[at / 64 * 8 + at % 8]];

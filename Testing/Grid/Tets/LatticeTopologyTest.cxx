@@ -183,7 +183,8 @@ double CheckTets(const CartesianGrid& grid, const Mesh& mesh, Sums& sums)
     {
       const Index3 block = NodeOfPoint(grid, mesh, mesh.PointIds[tet[c / 4]]);
       const Index3 other = NodeOfPoint(grid, mesh, mesh.PointIds[tet[c % 4]]);
-      EXPECT_TRUE(block == other || CartesianGrid::Colour(block) != CartesianGrid::Colour(other));
+      EXPECT_TRUE(
+        block == other || CartesianGrid::Parities(block) != CartesianGrid::Parities(other));
     }
   }
   return volume;

@@ -1,0 +1,78 @@
+#include "Mesh/CloseSeam.h"
+
+#include "Mesh/PointValues.h"
+#include "Octree/RefinedGrid.h"
+
+namespace vfm
+{
+namespace
+{
+
+/// A point of which there are copies in the mesh, and its shift in periods from the owned copy.
+struct SeamPoint
+{
+  Index Point;
+  Index3 Node, Shift;
+};
+
+std::vector<SeamPoint> ListSeamPoints(const CartesianGrid& grid, const Mesh& mesh)
+{
+  std::vector<SeamPoint> points;
+  for (std::size_t p = 0; p < mesh.PointIds.size(); ++p)
+  {
+    SeamPoint point{ static_cast<Index>(p), NodeOfPoint(grid, mesh, mesh.PointIds[p]), {} };
+    const Index3 owned = grid.CanonicalNode(point.Node);
+    bool hasCopies = false;
+    for (int a = 0; a < 3; ++a)
+    {
+      const bool isPeriodic = grid.Period(a) > 0;
+      point.Shift[a] = isPeriodic ? (point.Node[a] - owned[a]) / grid.Period(a) : 0;
+      hasCopies = hasCopies || (isPeriodic && owned[a] == grid.Domain().Upper[a]) ||
+        point.Shift[a] != 0;
+    }
+    if (hasCopies)
+    {
+      points.push_back(point);
+    }
+  }
+  return points;
+}
+
+} // namespace
+
+void CloseSeam(const Partition& partition, Mesh& mesh)
+{
+  const CartesianGrid& grid = mesh.Levels->Finest();
+  if (!grid.IsPeriodic())
+  {
+    return;
+  }
+  const std::vector<SeamPoint> seam = ListSeamPoints(grid, mesh);
+  std::vector<Index> points;
+  for (const SeamPoint& point : seam)
+  {
+    points.push_back(point.Point);
+  }
+  std::vector<Vector3> positions(mesh.PointIds.size());
+  for (std::size_t p = 0; p < positions.size(); ++p)
+  {
+    positions[p] = mesh.PointAt(static_cast<Index>(p));
+  }
+  std::vector<Vector3> owned = positions;
+  PointValues(points, mesh, partition)
+    .Fetch(positions, [&owned](Index point, const Vector3& x) { owned[point] = x; });
+  for (const SeamPoint& point : seam)
+  {
+    for (int a = 0; a < 3; ++a)
+    {
+      const double length = grid.PeriodLength(a);
+      const double lower = owned[point.Point][a] - length;
+      const bool isPeriodic = grid.Period(a) > 0;
+      mesh.Points[3 * point.Point + a] = isPeriodic
+        ? lower + static_cast<double>(point.Shift[a] + 1) * length
+        : owned[point.Point][a];
+    }
+  }
+}
+
+} // namespace vfm

@@ -1,0 +1,28 @@
+/**
+ * PeriodicIds: ids of the copies of points and tets on a periodic grid (CartesianGrid.h).
+ */
+#pragma once
+
+#include "Base/Partition.h"
+#include "Mesh/Mesh.h"
+#include "Mesh/PointExchange.h"
+#include "Octree/OctreeKeys.h"
+
+namespace vfm
+{
+
+/// Returns the key of the copy of a lattice node that is some cells of a level lower.
+/// @param cells  whole periods
+Index KeyBelow(const OctreeKeys& lattice, Index key, const Index3& cells, int level);
+
+/// Returns the id that a point has on a peer, which has the node of the point `ShiftOf` lower.
+Index IdAtPeer(const Mesh& mesh, const Partition& partition, std::size_t peer, Index id);
+
+/// Returns the id of the copy of a point whose node is owned by a rank. Equal for all copies.
+Index IdOfOwner(const Mesh& mesh, Index id);
+
+/// Returns how movers that are points of a mesh change between copies, with positions in mean
+/// widths of the finest grid.
+MoverCopies CopiesOfMovers(const Mesh& mesh);
+
+} // namespace vfm

@@ -1,0 +1,100 @@
+/// Periodic meshes: opposite sides are bitwise translates, the glued mesh is valid, and the mesh
+/// does not depend on ranks.
+#include "GluedChecks.h"
+#include "RankMeshes.h"
+#include "Sweep.h"
+
+#include "TetPipeline.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+using namespace vfm;
+using namespace vfm::testing;
+
+namespace
+{
+
+struct Method
+{
+  const char* Name;
+  MeshMaker Make;
+  TetMethod Tets;
+};
+
+const Method Methods[] = { { "hexes", MakeHexMesh, TetMethod::Lattice },
+  { "Lattice", MakeTetMesh, TetMethod::Lattice }, { "Cells", MakeTetMesh, TetMethod::Cells } };
+
+class Periodic : public ::testing::TestWithParam<Method>
+{
+};
+
+FractionField MakeRandomPeriodic(
+  const CartesianGrid& grid, int materials, int lowest, unsigned seed)
+{
+  std::mt19937 random(seed);
+  std::map<Index3, int> labels;
+  return MakePeriodicLabels(grid, materials,
+    [&](const Index3& cell)
+    {
+      const auto at = labels.emplace(cell, 0);
+      if (at.second)
+      {
+        at.first->second =
+          lowest + static_cast<int>(random() % static_cast<unsigned>(materials + 1 - lowest));
+      }
+      return at.first->second;
+    });
+}
+
+} // namespace
+
+TEST_P(Periodic, RandomLabelsGiveValidTorus)
+{
+  const Method& method = this->GetParam();
+  const Index sizes[] = { 3, 4, 7, 8 };
+  for (unsigned seed : ListSeeds(16))
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Index3 n{ { sizes[seed % 4], sizes[(seed / 2 + 1) % 4], sizes[(seed / 3) % 4] } };
+    const int axes = 1 + static_cast<int>(seed % 7);
+    const CartesianGrid grid =
+      MakePeriodicGrid(n, { { (axes & 1) != 0, (axes & 2) != 0, (axes & 4) != 0 } });
+    MeshOptions options;
+    options.Tets = method.Tets;
+    options.MeshVoid = seed % 2 == 0;
+    const FractionField field = MakeRandomPeriodic(grid, 2, seed % 3 == 0 ? 1 : 0, seed);
+    Runtime alone;
+    MeshReport report;
+    const Mesh mesh = method.Make(grid, field, options, alone, report);
+    EXPECT_TRUE(IsPositiveEverywhere(mesh));
+    EXPECT_EQ(FindConformityProblem(mesh), "");
+    EXPECT_EQ(FindGluedProblem(grid, mesh, options.MeshVoid, report.NumberOfFragments), "");
+  }
+}
+
+TEST_P(Periodic, RanksGiveTheSameMesh)
+{
+  const Method& method = this->GetParam();
+  for (unsigned seed : ListSeeds(3))
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const CartesianGrid grid =
+      MakePeriodicGrid({ { 8, 7, 6 } }, { { seed % 3 != 1, true, seed % 3 != 2 } });
+    const FractionField field = MakeRandomPeriodic(grid, 3, 0, seed);
+    MeshOptions options;
+    options.Tets = method.Tets;
+    const RankMesh alone = MakeAlone(grid, field, options, method.Make);
+    for (int ranks : { 2, 3, 8 })
+    {
+      SCOPED_TRACE(std::to_string(ranks) + " ranks");
+      std::vector<IndexBox> boxes = CutBox(grid.Domain(), ranks);
+      boxes.push_back(IndexBox());
+      EXPECT_EQ(FindDifference(MakeOnRanks(grid, field, boxes, options, method.Make), alone), "");
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, Periodic, ::testing::ValuesIn(Methods),
+  [](const auto& info) { return std::string(info.param.Name); });

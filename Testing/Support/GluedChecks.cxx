@@ -1,0 +1,172 @@
+#include "GluedChecks.h"
+
+#include <map>
+#include <set>
+
+namespace vfm
+{
+namespace testing
+{
+namespace
+{
+
+/// Returns the positions of a point moved by periods along some axes, bit a of `axes`.
+Vector3 Upper(const CartesianGrid& grid, const Vector3& x, int axes)
+{
+  Vector3 moved = x;
+  for (int a = 0; a < 3; ++a)
+  {
+    moved[a] = axes >> a & 1 ? x[a] + grid.PeriodLength(a) : x[a];
+  }
+  return moved;
+}
+
+int PeriodicAxes(const CartesianGrid& grid)
+{
+  int axes = 0;
+  for (int a = 0; a < 3; ++a)
+  {
+    axes |= (grid.Period(a) > 0) << a;
+  }
+  return axes;
+}
+
+Index Root(const std::vector<Index>& parent, Index p)
+{
+  while (parent[p] != p)
+  {
+    p = parent[p];
+  }
+  return p;
+}
+
+/// Returns the lowest translate of each point.
+std::vector<Index> FindTranslates(const CartesianGrid& grid, const Mesh& mesh)
+{
+  const Index count = static_cast<Index>(mesh.PointIds.size());
+  std::map<Vector3, Index> places;
+  std::vector<Index> parent(count);
+  for (Index p = 0; p < count; ++p)
+  {
+    places[mesh.PointAt(p)] = parent[p] = p;
+  }
+  for (Index p = 0; p < count; ++p)
+  {
+    for (int axes = 1; axes < 8; ++axes)
+    {
+      const auto at = places.find(Upper(grid, mesh.PointAt(p), axes));
+      if ((axes & ~PeriodicAxes(grid)) == 0 && at != places.end())
+      {
+        const Index a = Root(parent, p), b = Root(parent, at->second);
+        parent[std::max(a, b)] = std::min(a, b);
+      }
+    }
+  }
+  for (Index p = 0; p < count; ++p)
+  {
+    parent[p] = Root(parent, p);
+  }
+  return parent;
+}
+
+/// Returns the number of faces that are on one element only.
+Index CountFreeFaces(const Mesh& mesh)
+{
+  static const int hexFaces[6][4] = { { 0, 4, 7, 3 }, { 1, 2, 6, 5 }, { 0, 1, 5, 4 },
+    { 3, 7, 6, 2 }, { 0, 3, 2, 1 }, { 4, 5, 6, 7 } };
+  std::map<std::array<Index, 4>, int> counts;
+  const bool isHexes = mesh.Corners == 8;
+  for (std::size_t e = 0; e < mesh.ElementIds.size(); ++e)
+  {
+    const Index* points = mesh.Elements.data() + mesh.Corners * e;
+    for (int f = 0; f < (isHexes ? 6 : 4); ++f)
+    {
+      std::array<Index, 4> face{ { -1, -1, -1, -1 } };
+      for (int c = 0, n = 0; c < 4; ++c)
+      {
+        if (isHexes || c != f)
+        {
+          face[n++] = points[isHexes ? hexFaces[f][c] : c];
+        }
+      }
+      std::sort(face.begin(), face.end());
+      ++counts[face];
+    }
+  }
+  return std::count_if(
+    counts.begin(), counts.end(), [](const auto& face) { return face.second == 1; });
+}
+
+} // namespace
+
+CartesianGrid MakePeriodicGrid(const Index3& n, const std::array<bool, 3>& isPeriodic)
+{
+  const CartesianGrid unit = MakeUnitGrid(n[0], n[1], n[2]);
+  return CartesianGrid::Covering(unit.Coordinates(), unit.Global(), isPeriodic, GhostLayers);
+}
+
+FractionField MakePeriodicLabels(
+  const CartesianGrid& grid, int materials, const std::function<int(const Index3&)>& label)
+{
+  return MakeLabels(grid, materials,
+    [&](const Index3& cell)
+    {
+      Index3 own = grid.Canonical(cell);
+      for (int a = 0; a < 3; ++a)
+      {
+        own[a] -= grid.Domain().Lower[a];
+      }
+      return label(own);
+    });
+}
+
+Mesh Glue(const CartesianGrid& grid, const Mesh& mesh)
+{
+  const std::vector<Index> lowest = FindTranslates(grid, mesh);
+  std::vector<Index> number(lowest.size(), -1);
+  Mesh glued;
+  glued.Corners = mesh.Corners;
+  std::vector<Index> kept;
+  for (std::size_t p = 0; p < lowest.size(); ++p)
+  {
+    if (lowest[p] == static_cast<Index>(p))
+    {
+      number[p] = static_cast<Index>(kept.size());
+      kept.push_back(static_cast<Index>(p));
+    }
+  }
+  glued.ResizePoints(static_cast<Index>(kept.size()));
+  for (std::size_t k = 0; k < kept.size(); ++k)
+  {
+    glued.SetPoint(static_cast<Index>(k), mesh.PointAt(kept[k]), mesh.PointIds[kept[k]]);
+  }
+  glued.ResizeElements(static_cast<Index>(mesh.ElementIds.size()));
+  std::copy_n(mesh.ElementIds.data(), mesh.ElementIds.size(), glued.ElementIds.data());
+  std::copy_n(mesh.Material.data(), mesh.Material.size(), glued.Material.data());
+  glued.Fragment = Buffer<int>(mesh.Fragment.size());
+  std::copy_n(mesh.Fragment.data(), mesh.Fragment.size(), glued.Fragment.data());
+  for (std::size_t at = 0; at < mesh.Elements.size(); ++at)
+  {
+    glued.Elements[at] = number[lowest[mesh.Elements[at]]];
+  }
+  return glued;
+}
+
+std::string FindGluedProblem(
+  const CartesianGrid& grid, const Mesh& mesh, bool meshVoid, Index fragments)
+{
+  const Mesh glued = Glue(grid, mesh);
+  const std::string topology = FindTopologyProblem(glued) + FindFragmentProblem(glued);
+  const std::set<int> numbers(glued.Fragment.data(), glued.Fragment.data() + glued.Fragment.size());
+  const bool isTorus = PeriodicAxes(grid) == 7;
+  if (static_cast<Index>(numbers.size()) != fragments)
+  {
+    return topology + std::to_string(numbers.size()) + " fragments instead of " +
+      std::to_string(fragments);
+  }
+  const Index free = isTorus && meshVoid ? CountFreeFaces(glued) : 0;
+  return topology + (free > 0 ? std::to_string(free) + " faces are on one element only" : "");
+}
+
+} // namespace testing
+} // namespace vfm

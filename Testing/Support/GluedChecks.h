@@ -1,0 +1,34 @@
+/**
+ * Checks of periodic meshes: opposite sides are translates of each other, and the mesh glued along
+ * them is valid.
+ */
+#pragma once
+
+#include "MeshChecks.h"
+
+namespace vfm
+{
+namespace testing
+{
+
+/// Returns the grid of one rank that owns all n cells of unit width, periodic along some axes.
+CartesianGrid MakePeriodicGrid(const Index3& n, const std::array<bool, 3>& isPeriodic);
+
+/// Returns label(i, j, k) of each cell as fractions, with i, j, k from 0 in the domain; copies get
+/// the labels of their cells.
+FractionField MakePeriodicLabels(
+  const CartesianGrid& grid, int materials, const std::function<int(const Index3&)>& label);
+
+/// Returns a mesh in which points that are translates of each other, bitwise, are one point.
+/// @param mesh  mesh of the whole domain
+Mesh Glue(const CartesianGrid& grid, const Mesh& mesh);
+
+/// Returns an empty string or the first problem of the glued mesh: a face between cells of the
+/// domain that is not on two elements, a boundary of a material that is not a closed manifold, a
+/// fragment that is not connected or not counted.
+/// @param meshVoid  whether all cells have elements
+std::string FindGluedProblem(
+  const CartesianGrid& grid, const Mesh& mesh, bool meshVoid, Index fragments);
+
+} // namespace testing
+} // namespace vfm
