@@ -41,7 +41,7 @@ void FindLabels(MeshJob& job, LabelledGrid& result)
     return;
   }
   result.Labels = AssignMaterials(job.Grid, job.Fractions, job.Options.IsoValue);
-  Resolve(job, result.Labels);
+  Resolve(job, result.Labels, true);
   job.Clock.Start("Making hexahedra", 0.1);
   result.Mixed = FindMixedNodes(job.Grid, result.Labels);
   LevelPlan plan = job.Options.Levels;

@@ -31,10 +31,12 @@ void CheckOptions(const MeshOptions& options)
   }
 }
 
-void Resolve(MeshJob& job, LabelArray& labels)
+void Resolve(MeshJob& job, LabelArray& labels, bool keepsSeam)
 {
   job.Clock.Start("Resolving labels", 0.05);
-  ReportFlips(ResolveLabels(job.Grid, job.Fractions, labels, job.Parts, job.Run), job.Report);
+  ReportFlips(
+    ResolveLabels(job.Grid, job.Fractions, labels, job.Parts, job.Run, nullptr, keepsSeam),
+    job.Report);
 }
 
 void ReportNarrowVoid(const NarrowVoid& narrow, Ranks& ranks, MeshReport& report)

@@ -33,8 +33,9 @@ struct MeshJob
 void CheckOptions(const MeshOptions& options);
 
 /// Changes labels until a valid mesh can be made from them (ResolveLabels.h).
+/// @param keepsSeam  ResolveLabels
 /// @pre Collective.
-void Resolve(MeshJob& job, LabelArray& labels);
+void Resolve(MeshJob& job, LabelArray& labels, bool keepsSeam);
 
 /// Fills MeshReport::NarrowVoidCells.
 /// @pre Collective.

@@ -56,7 +56,7 @@ LabelArray AssignLabels(MeshJob& job)
 {
   job.Clock.Start("Assigning materials", 0.0);
   LabelArray labels = AssignMaterials(job.Grid, job.Fractions, job.Options.IsoValue);
-  Resolve(job, labels);
+  Resolve(job, labels, false);
   return labels;
 }
 
@@ -197,7 +197,7 @@ std::vector<FeatureKind> Smooth(
     ConservesVolume(job.Options), {}, {} };
   if (!IsLattice(job))
   {
-    flips.emplace(mesh, active, energy, kinds);
+    flips.emplace(mesh, job.Parts, active, energy, kinds);
     improvement.AfterSweep = [&](Smoother& smoother, const SmoothingStage& stage, int sweep)
     {
       if (stage.HalfPower < TetRamp().back().HalfPower || sweep % LateFlips == LateFlips - 1)

@@ -111,7 +111,8 @@ CartesianGrid::CartesianGrid(std::array<std::vector<double>, 3> coordinates) :
 }
 
 CartesianGrid CartesianGrid::Covering(const std::array<std::vector<double>, 3>& coordinates,
-  const IndexBox& owned, const std::array<bool, 3>& isPeriodic, int ghostLayers, int hexLayers)
+  const IndexBox& owned, const std::array<bool, 3>& isPeriodic, Seam seam, int ghostLayers,
+  int hexLayers)
 {
   IndexBox domain = WholeBox(coordinates), shifted = owned;
   std::array<std::vector<double>, 3> all = coordinates;
@@ -130,6 +131,7 @@ CartesianGrid CartesianGrid::Covering(const std::array<std::vector<double>, 3>& 
   CartesianGrid grid(std::move(all), shifted, ghostLayers, hexLayers);
   grid.DomainBox = domain;
   grid.Periods = periods;
+  grid.TheSeam = seam;
   return grid;
 }
 
@@ -179,6 +181,20 @@ Index3 CartesianGrid::CanonicalNode(const Index3& node) const
     own[a] += isLower ? this->Periods[a] : 0;
   }
   return own;
+}
+
+int CartesianGrid::FlatSeams(const Index3& node) const
+{
+  int axes = 0;
+  if (this->TheSeam == Seam::Flat && this->IsPeriodic())
+  {
+    const Index3 own = this->Canonical(node);
+    for (int a = 0; a < 3; ++a)
+    {
+      axes |= (this->Periods[a] > 0 && own[a] == this->DomainBox.Lower[a]) << a;
+    }
+  }
+  return axes;
 }
 
 int CartesianGrid::Colour(const Index3& node) const

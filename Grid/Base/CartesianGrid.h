@@ -17,6 +17,13 @@ constexpr int GhostLayers = 6;
 /// the boundary of the owned cells need them.
 constexpr int HexLayers = 2;
 
+/// Kind of the sides across periodic axes.
+enum class Seam
+{
+  Flat, ///< nodes of the sides stay in their planes
+  Free  ///< sides are faces like those inside, and follow interfaces
+};
+
 /// Uniform or rectilinear grid, of which this rank holds the local box: its owned cells and the
 /// ghost layers around them. Cells and nodes are implicit. The grid does not change after
 /// construction, so threads may read it at the same time.
@@ -64,7 +71,7 @@ public:
   /// @param owned  cells that this rank owns, counted from the lowest cell of the domain
   /// @param isPeriodic  whether the domain repeats along each axis
   static CartesianGrid Covering(const std::array<std::vector<double>, 3>& coordinates,
-    const IndexBox& owned, const std::array<bool, 3>& isPeriodic, int ghostLayers,
+    const IndexBox& owned, const std::array<bool, 3>& isPeriodic, Seam seam, int ghostLayers,
     int hexLayers = HexLayers);
 
   /// Returns the cells that exist for the stages: the domain, and along periodic axes its copies.
@@ -118,6 +125,13 @@ public:
   {
     return { { count[0] * this->Periods[0], count[1] * this->Periods[1],
       count[2] * this->Periods[2] } };
+  }
+  /// Returns the axes across which a node or the lower corner of a cell lies on a flat seam: bit a
+  /// is set for axis a.
+  int FlatSeams(const Index3& node) const;
+  bool IsOnFlatSeam(const Index3& node, int axis) const
+  {
+    return (this->FlatSeams(node) >> axis & 1) != 0;
   }
   /// Returns the length of a period; 0: the domain does not repeat along the axis.
   double PeriodLength(int axis) const;
@@ -204,6 +218,7 @@ private:
   std::array<std::vector<double>, 3> X;
   IndexBox GlobalBox, DomainBox, OwnedBox, LocalBox;
   Index3 Periods{ { 0, 0, 0 } };
+  Seam TheSeam = Seam::Free;
   Index3 Origin, Strides;
   std::array<Index, 8> Corners;
   Index Entries = 0;

@@ -104,8 +104,8 @@ void LabelLeaves(const CartesianGrid& grid, const FractionField& fractions,
   {
     MakeGrid(grid, plan, {}, runtime.Group(), result.Levels);
     result.Labels = AssignLeafMaterials(*result.Levels.Grid, fractions, ofCells, options.IsoValue);
-    const ResolveReport resolved =
-      ResolveLabels(grid, fractions, result.Labels, partition, runtime, result.Levels.Grid.get());
+    const ResolveReport resolved = ResolveLabels(
+      grid, fractions, result.Labels, partition, runtime, result.Levels.Grid.get(), true);
     ReportFlips(resolved, report);
     if (report.LevelRounds < FlipRounds &&
       AddFlippedFamilies(*result.Levels.Grid, resolved.CostlyFlips, plan, runtime.Group()))

@@ -20,6 +20,8 @@
  * - Buffer hex: the edges across it are delta along that axis and 0 along the others. For these
  *   others, the same argument holds with two edges.
  * The star is mirrored at the domain boundary.
+ *
+ * Flat seams of periodic grids have one more condition, CountSeamViolations.
  */
 #pragma once
 
@@ -116,6 +118,29 @@ constexpr int CountViolations(const Star& star)
     const int region = RegionOfLabel(star, star[c]);
     seen |= region;
     count += RegionNormalsTable[region].ViolatedAxes();
+  }
+  return count;
+}
+
+/// Returns the number of cells of a star at which a label breaks the condition of a flat seam.
+/// A label on both sides of the seam has one inner point there, a corner of hexes on both sides. So
+/// that it can lie in the plane, no face of this label may be on the seam at this node.
+/// @param axes  bit a is set if the node is on a flat seam across axis a
+constexpr int CountSeamViolations(const std::array<int, 8>& star, int axes)
+{
+  int count = 0;
+  for (int a = 0; a < 3; ++a)
+  {
+    const int bit = 1 << a;
+    for (int c = 0; (axes & bit) != 0 && c < 8; ++c)
+    {
+      bool isBeyond = false; // whether the label is also on the other side
+      for (int d = 0; d < 8; ++d)
+      {
+        isBeyond = isBeyond || ((d & bit) != (c & bit) && star[d] == star[c]);
+      }
+      count += star[c ^ bit] != star[c] && isBeyond;
+    }
   }
   return count;
 }

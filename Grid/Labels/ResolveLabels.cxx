@@ -131,6 +131,7 @@ struct Work
   const Partition& Parts;
   Runtime& Run;
   const LabelUnits Units;
+  const bool KeepsSeam; // whether the condition of flat seams holds too
   const IndexBox Reach = Grid.Extended(Units.LargestWidth());
   std::vector<Index> Violated{};
   /// Initial labels of flipped units, owned or nearby.
@@ -149,9 +150,17 @@ bool IsNear(const Work& work, Index node)
   return work.Reach.Touches(work.Grid.Position(node));
 }
 
+/// Returns the violations of a star: of the label condition, and on a flat seam of the condition
+/// there.
+int Violations(const std::array<int, 8>& star, int flatSeams)
+{
+  return CountViolations(star) + (flatSeams != 0 ? CountSeamViolations(star, flatSeams) : 0);
+}
+
 int Violations(const Work& work, Index node)
 {
-  return CountViolations(StarOfNode(work.Grid, work.Labels, node));
+  return Violations(StarOfNode(work.Grid, work.Labels, node),
+    work.KeepsSeam ? work.Grid.FlatSeams(work.Grid.Position(node)) : 0);
 }
 
 void KeepViolated(Work& work)
@@ -189,7 +198,8 @@ std::vector<int> FindGains(const Work& work, const IndexBox& cells, const std::v
     [&](const Index3& node)
     {
       std::array<int, 8> star = StarOfNode(work.Grid, work.Labels, work.Grid.Linear(node));
-      const int before = CountViolations(star);
+      const int seams = work.KeepsSeam ? work.Grid.FlatSeams(node) : 0;
+      const int before = Violations(star, seams);
       const int region = work.Units.RegionAt(node, cells);
       for (std::size_t n = 0; n < labels.size(); ++n)
       {
@@ -197,7 +207,7 @@ std::vector<int> FindGains(const Work& work, const IndexBox& cells, const std::v
         {
           star[s] = region >> s & 1 ? labels[n] : star[s];
         }
-        gains[n] += before - CountViolations(star);
+        gains[n] += before - Violations(star, seams);
       }
     });
   return gains;
@@ -456,9 +466,10 @@ void CountChanges(const Work& work, ResolveReport& report)
 /// candidates flips, and units that flip at once share no star. Only if the last order leaves no
 /// other choice, a label loses its last unit.
 ResolveReport ResolveLabels(const CartesianGrid& grid, const FractionField& fractions,
-  LabelArray& labels, const Partition& partition, Runtime& runtime, const RefinedGrid* leaves)
+  LabelArray& labels, const Partition& partition, Runtime& runtime, const RefinedGrid* leaves,
+  bool keepsSeam)
 {
-  Work work{ grid, fractions, labels, partition, runtime, { grid, leaves } };
+  Work work{ grid, fractions, labels, partition, runtime, { grid, leaves }, keepsSeam };
   work.Violated = FindMixedNodes(work.Grid, work.Labels);
   KeepViolated(work);
   Ranks& ranks = work.Parts.Group();

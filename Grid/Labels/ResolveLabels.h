@@ -33,10 +33,11 @@ struct ResolveReport
 /// @param leaves  if given, leaves flip as a whole and compete with all leaves that share a
 ///   node with them; labels must be equal within each leaf, and the grid needs ghost layers
 ///   of three base cells
+/// @param keepsSeam  whether labels must also pass the condition of flat seams, as hexes need
 /// @pre Collective.
 /// @note Bitwise reproducible on any number of ranks and threads.
 ResolveReport ResolveLabels(const CartesianGrid& grid, const FractionField& fractions,
   LabelArray& labels, const Partition& partition, Runtime& runtime,
-  const RefinedGrid* leaves = nullptr);
+  const RefinedGrid* leaves = nullptr, bool keepsSeam = false);
 
 } // namespace vfm

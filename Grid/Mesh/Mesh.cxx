@@ -16,6 +16,16 @@ bool IsCoarse(const Mesh& mesh, Index element)
                            : IsCoarseTet(*mesh.Levels, element, mesh.Ids.ElementSlots);
 }
 
+/// On a flat seam, tets 0 and 1 of a face belong to the cell below it.
+Index3 CellOfTet(const CartesianGrid& grid, Index id)
+{
+  const Index3 block = grid.NodeOfKey((id - 1) / TetIds.ElementSlots);
+  const int tet = static_cast<int>((id - 1) % TetIds.ElementSlots / PiecesPerTet);
+  Index3 cell = grid.CellOfBlock(block);
+  cell[tet / 4] -= tet % 4 < 2 && grid.IsOnFlatSeam(block, tet / 4);
+  return cell;
+}
+
 } // namespace
 
 Index3 NodeOfPoint(const CartesianGrid& grid, const Mesh& mesh, Index id)
@@ -37,7 +47,7 @@ IndexBox CellsOfElement(const CartesianGrid& grid, const Mesh& mesh, Index id)
     return mesh.Levels->FinestCells(cell.Level, cell.At);
   }
   const Index key = (id - 1) / mesh.Ids.ElementSlots;
-  return BoxOfCell(mesh.Corners == 8 ? grid.CellOfKey(key) : grid.CellOfBlock(grid.NodeOfKey(key)));
+  return BoxOfCell(mesh.Corners == 8 ? grid.CellOfKey(key) : CellOfTet(grid, id));
 }
 
 Index3 CellOfElement(const CartesianGrid& grid, const Mesh& mesh, Index id)

@@ -117,7 +117,7 @@ struct Mesh
 Index3 NodeOfPoint(const CartesianGrid& grid, const Mesh& mesh, Index id);
 /// Returns the cells of the grid from which an element was made, by its id: one cell, or all finest
 /// cells in a coarser cell. For a tet, which surrounds a face of the grid, it is the cell above the
-/// face, on an upper side of the domain the cell below it.
+/// face, on an upper side of the domain the cell below it, on a flat seam the cell that it is in.
 /// @pre The element was not made by TetGen.
 IndexBox CellsOfElement(const CartesianGrid& grid, const Mesh& mesh, Index id);
 /// Returns the lowest cell of CellsOfElement.

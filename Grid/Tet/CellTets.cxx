@@ -113,6 +113,12 @@ Index LowerCell(const Work& work, const Face& face)
   return face.Node - work.Grid.Stride(face.Axis);
 }
 
+/// Returns whether the tets of a face surround the edge between the centres of its cells.
+bool IsInner(const Work& work, const Face& face)
+{
+  return face.LowerLabel == face.UpperLabel && !work.Grid.IsOnFlatSeam(face.Block, face.Axis);
+}
+
 Index CountTets(Work& work)
 {
   work.FirstTet.assign(work.Nodes.Size(1) * work.Nodes.Size(2) + 1, 0);
@@ -124,7 +130,7 @@ Index CountTets(Work& work)
         {
           const bool lower = HasTets(work, LowerCell(work, face), face.LowerLabel);
           const bool upper = HasTets(work, face.Node, face.UpperLabel);
-          const bool isInner = face.LowerLabel == face.UpperLabel;
+          const bool isInner = IsInner(work, face);
           work.FirstTet[row + 1] += isInner ? 4 * (lower && upper) : 2 * (lower + upper);
         });
     });
@@ -174,9 +180,9 @@ void FillInnerFace(Work& work, const Face& face, Index& tet)
 /// Makes the two tets between the halves of a quad and the centre on one side. DiagonalFlips relies
 /// on their order: they are consecutive, with the halves (q0 q1 q2) and (q0 q2 q3),
 /// counterclockwise as seen from the centre.
-void FillHalves(Work& work, const Face& face, int label, int firstPiece, Index& tet)
+void FillHalves(Work& work, const Face& face, bool isUpper, int firstPiece, Index& tet)
 {
-  const bool isUpper = label == face.UpperLabel;
+  const int label = isUpper ? face.UpperLabel : face.LowerLabel;
   const Index cell = isUpper ? face.Node : LowerCell(work, face);
   if (!HasTets(work, cell, label))
   {
@@ -200,13 +206,13 @@ void FillTets(Work& work, Index j, Index k, Index row)
   OverFaces(work, j, k,
     [&](const Face& face)
     {
-      if (face.LowerLabel == face.UpperLabel)
+      if (IsInner(work, face))
       {
         FillInnerFace(work, face, tet);
         return;
       }
-      FillHalves(work, face, face.LowerLabel, 0, tet);
-      FillHalves(work, face, face.UpperLabel, face.LowerLabel < 0 ? 0 : 2, tet);
+      FillHalves(work, face, false, 0, tet);
+      FillHalves(work, face, true, face.LowerLabel < 0 ? 0 : 2, tet);
     });
 }
 

@@ -1,5 +1,8 @@
 #include "Tet/DiagonalFlips.h"
 
+#include "Base/Sorted.h"
+#include "Octree/RefinedGrid.h"
+
 #include <cmath>
 
 namespace vfm
@@ -9,15 +12,21 @@ namespace
 
 constexpr double SmallestGain = 1e-6; // relative gain required of a flip
 
+/// Returns a number of the face of the grid that a tet surrounds.
+Index FaceOfId(Index id)
+{
+  return (id - 1) / (4 * PiecesPerTet);
+}
+
 } // namespace
 
 /// The tets at a quad are consecutive, the two tets on its lower side first (CellTets.cxx).
-DiagonalFlips::DiagonalFlips(const Mesh& mesh, ActiveTets& active, const TetEnergy& energy,
-  const std::vector<FeatureKind>& kinds) :
-  Active(active), Energy(energy), Kinds(kinds)
+DiagonalFlips::DiagonalFlips(const Mesh& mesh, const Partition& partition, ActiveTets& active,
+  const TetEnergy& energy, const std::vector<FeatureKind>& kinds) :
+  Parts(partition), Active(active), Energy(energy), Kinds(kinds)
 {
   const auto faceOf = [&](std::size_t tet)
-  { return (mesh.ElementIds[active.MeshElement[tet]] - 1) / (4 * PiecesPerTet); };
+  { return FaceOfId(mesh.ElementIds[active.MeshElement[tet]]); };
   for (std::size_t first = 0, last = 0; first < active.MeshElement.size(); first = last)
   {
     for (last = first; last < active.MeshElement.size() && faceOf(last) == faceOf(first); ++last)
@@ -31,6 +40,51 @@ DiagonalFlips::DiagonalFlips(const Mesh& mesh, ActiveTets& active, const TetEner
       this->Quads.push_back({ static_cast<Index>(first), static_cast<int>(last - first) / 2,
         { mesh.IsBarrier(active.MeshElement[first]),
           mesh.IsBarrier(active.MeshElement[last - 1]) } });
+    }
+  }
+  if (mesh.Levels->Finest().IsPeriodic())
+  {
+    this->FindCopies(mesh);
+  }
+}
+
+/// Requests the choices of copies that this rank does not own.
+void DiagonalFlips::FindCopies(const Mesh& mesh)
+{
+  const auto idOf = [&](const Quad& quad)
+  { return mesh.ElementIds[this->Active.MeshElement[quad.First]]; };
+  this->OfPeers.resize(this->Parts.Peers().size());
+  std::vector<std::vector<Index>> faces(this->OfPeers.size());
+  for (std::size_t q = 0; q < this->Quads.size(); ++q)
+  {
+    const Index id = idOf(this->Quads[q]);
+    const Index3 cell = CellOfElement(mesh.Levels->Finest(), mesh, id);
+    if (!this->Parts.OwnsCell(cell))
+    {
+      const int peer = this->Parts.PeerOfCell(cell);
+      this->OfPeers[peer].push_back(static_cast<Index>(q));
+      faces[peer].push_back(FaceOfId(id - TetIds.ElementSlots * this->Parts.NodeKeyShift(peer)));
+    }
+  }
+  std::vector<Index> own;
+  for (const Quad& quad : this->Quads)
+  {
+    own.push_back(FaceOfId(idOf(quad)));
+  }
+  this->ForPeers =
+    MapLists(this->Parts.Exchange(faces), [&](Index face) { return FindSorted(own, face); });
+}
+
+/// Replaces the choices of copies by those of their owners.
+void DiagonalFlips::TakeChoices(std::vector<unsigned char>& isBetter) const
+{
+  const std::vector<std::vector<unsigned char>> choices =
+    this->Parts.Exchange(MapLists(this->ForPeers, [&](Index q) { return isBetter[q]; }));
+  for (std::size_t peer = 0; peer < choices.size(); ++peer)
+  {
+    for (std::size_t i = 0; i < choices[peer].size(); ++i)
+    {
+      isBetter[this->OfPeers[peer][i]] = choices[peer][i];
     }
   }
 }
@@ -103,12 +157,20 @@ double DiagonalFlips::EnergyOf(
 
 void DiagonalFlips::Run(const SmoothingStage& stage, const std::function<void(int)>& changed)
 {
-  std::vector<Index> flipped;
+  std::vector<unsigned char> isBetter;
   for (const Quad& quad : this->Quads)
   {
-    const Tets tets = this->TetsOf(quad), other = Flipped(tets);
-    if (this->IsBetter(quad, tets, other, stage))
+    const Tets tets = this->TetsOf(quad);
+    isBetter.push_back(this->IsBetter(quad, tets, Flipped(tets), stage));
+  }
+  this->TakeChoices(isBetter);
+  std::vector<Index> flipped;
+  for (std::size_t q = 0; q < this->Quads.size(); ++q)
+  {
+    const Quad& quad = this->Quads[q];
+    if (isBetter[q])
     {
+      const Tets other = Flipped(this->TetsOf(quad));
       for (int t = 0; t < 2 * quad.Sides; ++t)
       {
         std::copy(

@@ -40,10 +40,13 @@ bool IsOwned(const Work& work, Index tet)
     !IsCoarseTet(*work.Tets.Levels, id, TetIds.ElementSlots);
 }
 
-bool IsOnDomain(const Work& work, const Place& place)
+/// Returns whether the face of a tet is on the domain boundary or a flat seam: the tet belongs to
+/// one cell.
+bool IsHalf(const Work& work, const Place& place)
 {
   const Index at = place.Block[place.Axis];
-  return at == 0 || at == work.Grid.Global().Upper[place.Axis];
+  return at == 0 || at == work.Grid.Global().Upper[place.Axis] ||
+    work.Grid.IsOnFlatSeam(place.Block, place.Axis);
 }
 
 /// Returns the cells around the corners of the face of a tet.
@@ -55,12 +58,12 @@ IndexBox CellsAroundFace(const Work& work, const Place& place)
   return Intersect(cells, work.Grid.Global());
 }
 
-/// Returns the cells around the ends of the edge of a tet that lies on the grid. A tet at a face on
-/// the domain boundary has the whole face instead.
+/// Returns the cells around the ends of the edge of a tet that lies on the grid. A half has the
+/// whole face instead.
 IndexBox CellsAroundEdge(const Work& work, const Place& place)
 {
   IndexBox cells = CellsAroundFace(work, place);
-  if (IsOnDomain(work, place))
+  if (IsHalf(work, place))
   {
     return cells;
   }
@@ -163,7 +166,7 @@ void CheckFacet(Work& work, const TetFace& facet)
 void CheckJoint(Work& work, const std::array<Index, 2>& tets)
 {
   const Place place = PlaceOf(work, tets[0]), other = PlaceOf(work, tets[1]);
-  if (place.Block != other.Block || place.Axis != other.Axis || IsOnDomain(work, place))
+  if (place.Block != other.Block || place.Axis != other.Axis || IsHalf(work, place))
   {
     return;
   }

@@ -151,7 +151,8 @@ void LatticeNodes::LabelVertices(const IndexBox& box)
       const Index3 p = this->Grid.Position(this->Mixed[m]);
       if (vertices.Contains(p))
       {
-        labels[this->Mixed[m]] = this->Grid.DomainSides(p) != 0 ? Snapped : this->LabelOfMixed(p);
+        const bool isInside = this->Grid.DomainSides(p) == 0 && this->Grid.FlatSeams(p) == 0;
+        labels[this->Mixed[m]] = isInside ? this->LabelOfMixed(p) : Snapped;
       }
     });
 }
@@ -222,8 +223,8 @@ double LatticeNodes::Lead(const Node& node, int label, int other) const
   return std::max(this->Fraction(node, label) - this->Fraction(node, other), 0.0);
 }
 
-/// Returns whether a node may be snapped. A centre may not if its cell is at the domain boundary,
-/// or thin: along two axes, neither neighbour has the label of the cell.
+/// Returns whether a node may be snapped. A centre may not if its cell is at the domain boundary or
+/// a flat seam, or thin: along two axes, neither neighbour has the label of the cell.
 bool LatticeNodes::MaySnap(const Node& node, Index n) const
 {
   bool isInside = true;
@@ -232,7 +233,10 @@ bool LatticeNodes::MaySnap(const Node& node, Index n) const
   {
     const Index stride = this->Grid.Stride(a);
     const int label = this->CellLabels[n];
-    isInside = node.Position[a] > 0 && node.Position[a] < this->Grid.Global().Upper[a] - 1;
+    Index3 next = node.Position;
+    ++next[a];
+    isInside = node.Position[a] > 0 && next[a] < this->Grid.Global().Upper[a] &&
+      !this->Grid.IsOnFlatSeam(node.Position, a) && !this->Grid.IsOnFlatSeam(next, a);
     thinAxes +=
       isInside && this->CellLabels[n - stride] != label && this->CellLabels[n + stride] != label;
   }

@@ -7,7 +7,8 @@
  * - A centre has the label of its cell.
  * - A pure vertex, whose cells have one label, has this label. The label of a mixed vertex is the
  *   one with the largest mean fraction in its cells, if this label touches every other label
- *   around the vertex by a face. Else, and on the domain boundary, the vertex is snapped.
+ *   around the vertex by a face. Else, and on the domain boundary or a flat seam, the vertex is
+ *   snapped.
  *
  * A snapped node has no label. The interface may run through it, so the lattice tets around it need
  * fewer cuts. Other nodes are snapped if an interface is near. This means: on an edge to a node

@@ -87,6 +87,7 @@ bool IsUniform(const Work& work, Index n, const Index3& block)
     differs |= (centres[-work.Grid.Stride(a)] ^ label) | (block[a] == work.Box.Lower[a]) |
       (block[a] == work.Box.Upper[a]);
   }
+  differs |= work.Grid.FlatSeams(block);
   return !differs && HasFineFaces(work, block);
 }
 
@@ -149,33 +150,45 @@ int OpeningOf(const Work& work, const Index3& cell, int axis, int corner)
   return equal == around ? 0 : 4 - 2 * equal - (4 - around) / 2;
 }
 
-/// Returns the diagonal of a face on the domain boundary. If three of its corners are snapped, it
-/// begins at the fourth, so that no triangle has all its corners on a curve. Else it divides the
-/// angles that open, so that they can become straight. Such faces have no cuts, because only pure
-/// vertices have labels there.
+/// Returns the diagonal of a face on the domain boundary or a flat seam. If three of its corners
+/// are snapped, it begins at the fourth, so that no triangle has all its corners on a curve. Else
+/// it divides the angles that open, so that they can become straight. Such faces have no cuts,
+/// because only pure vertices have labels there.
 int DiagonalOf(const Work& work, const Index3& block, int axis)
 {
   const int u = 1 << (axis + 1) % 3, v = 1 << (axis + 2) % 3;
   const int around[4] = { 0, u, u | v, v };
   const int* vertices = work.Nodes.Labels(LatticeNodes::Vertex) + work.Grid.Linear(block);
-  Index3 cell = block;
-  cell[axis] -= block[axis] != 0;
+  Index3 below = block;
+  --below[axis];
   int free = 0, last = 0, openings[2] = { 0, 0 };
   for (int q = 0; q < 4; ++q)
   {
     const bool isFree = vertices[work.Grid.CornerOffset(around[q])] != LatticeNodes::Snapped;
     free += isFree;
     last = isFree ? q : last;
-    openings[q & 1] += isFree ? 0 : OpeningOf(work, cell, axis, around[q]);
+    for (const Index3& cell : { below, block })
+    {
+      const bool counts = !isFree && work.Grid.InDomain(cell);
+      openings[q & 1] += counts ? OpeningOf(work, cell, axis, around[q]) : 0;
+    }
   }
   return free == 1               ? last & 1
     : openings[0] == openings[1] ? LatticeTables::Diagonal(work.Grid.Canonical(block))
                                  : openings[1] > openings[0];
 }
 
-/// Returns the first shape of a face, and sets count to the number of its lattice tets: 4 inside
-/// the domain, 2 on its boundary, 0 outside the box.
-int FirstShape(const Work& work, const Index3& block, int axis, int& count)
+/// Lattice tets of a face.
+struct FaceTets
+{
+  int Count = 0; ///< 4 inside the domain, 2 on its boundary, 0 outside the box
+  /// First shape of tets 0 and 1, and of tets 2 and 3. On a flat seam, these are the halves of the
+  /// cells below and above, as on the boundary of the domain.
+  std::array<int, 2> First{};
+  int ShapeOf(int tet) const { return this->First[tet / 2] + tet % 2; }
+};
+
+FaceTets TetsOfFace(const Work& work, const Index3& block, int axis)
 {
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;
   const bool isFace =
@@ -183,12 +196,20 @@ int FirstShape(const Work& work, const Index3& block, int axis, int& count)
   const bool atLower = block[axis] == 0, atUpper = block[axis] == work.Grid.Global().Upper[axis];
   if (atLower || atUpper)
   {
-    count = isFace ? 2 : 0;
-    return LatticeTables::DomainShape(axis, atUpper, isFace ? DiagonalOf(work, block, axis) : 0);
+    const int diagonal = isFace ? DiagonalOf(work, block, axis) : 0;
+    return { isFace ? 2 : 0, { { LatticeTables::DomainShape(axis, atUpper, diagonal), 0 } } };
   }
   const bool isInside = block[axis] > work.Box.Lower[axis] && block[axis] < work.Box.Upper[axis];
-  count = isFace && isInside ? 4 : 0;
-  return LatticeTables::InnerShape(axis);
+  const int count = isFace && isInside ? 4 : 0;
+  if (count > 0 && work.Grid.IsOnFlatSeam(block, axis))
+  {
+    const int diagonal = DiagonalOf(work, block, axis);
+    return { count,
+      { { LatticeTables::DomainShape(axis, 1, diagonal),
+        LatticeTables::DomainShape(axis, 0, diagonal) } } };
+  }
+  const int first = LatticeTables::InnerShape(axis);
+  return { count, { { first, first + 2 } } };
 }
 
 /// Returns whether a face has a corner at a narrow void cell.
@@ -225,13 +246,12 @@ void OverTets(const Work& work, const Row& row, const Whole& whole, const Cut& c
     }
     for (int axis = 0; axis < 3; ++axis)
     {
-      int count = 0;
-      const int first = FirstShape(work, block, axis, count);
-      const bool hasVoid = count > 0 && HasVoid(work, n, axis);
-      for (int t = 0; t < count && (hasVoid || !isUniform); ++t)
+      const FaceTets face = TetsOfFace(work, block, axis);
+      const bool hasVoid = face.Count > 0 && HasVoid(work, n, axis);
+      for (int t = 0; t < face.Count && (hasVoid || !isUniform); ++t)
       {
-        const PlacedShape& shape = work.Shapes[first + t];
-        cut(block, n, first + t, 4 * axis + t,
+        const PlacedShape& shape = work.Shapes[face.ShapeOf(t)];
+        cut(block, n, face.ShapeOf(t), 4 * axis + t,
           std::array<int, 4>{
             { shape.Labels[0][n], shape.Labels[1][n], shape.Labels[2][n], shape.Labels[3][n] } },
           hasVoid);

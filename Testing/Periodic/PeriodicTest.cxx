@@ -21,10 +21,15 @@ struct Method
   const char* Name;
   MeshMaker Make;
   TetMethod Tets;
+  Seam Sides;
 };
 
-const Method Methods[] = { { "hexes", MakeHexMesh, TetMethod::Lattice },
-  { "Lattice", MakeTetMesh, TetMethod::Lattice }, { "Cells", MakeTetMesh, TetMethod::Cells } };
+const Method Methods[] = { { "FlatHexes", MakeHexMesh, TetMethod::Lattice, Seam::Flat },
+  { "FlatLattice", MakeTetMesh, TetMethod::Lattice, Seam::Flat },
+  { "FlatCells", MakeTetMesh, TetMethod::Cells, Seam::Flat },
+  { "FreeHexes", MakeHexMesh, TetMethod::Lattice, Seam::Free },
+  { "FreeLattice", MakeTetMesh, TetMethod::Lattice, Seam::Free },
+  { "FreeCells", MakeTetMesh, TetMethod::Cells, Seam::Free } };
 
 class Periodic : public ::testing::TestWithParam<Method>
 {
@@ -60,7 +65,7 @@ TEST_P(Periodic, RandomLabelsGiveValidTorus)
     const Index3 n{ { sizes[seed % 4], sizes[(seed / 2 + 1) % 4], sizes[(seed / 3) % 4] } };
     const int axes = 1 + static_cast<int>(seed % 7);
     const CartesianGrid grid =
-      MakePeriodicGrid(n, { { (axes & 1) != 0, (axes & 2) != 0, (axes & 4) != 0 } });
+      MakePeriodicGrid(n, { { (axes & 1) != 0, (axes & 2) != 0, (axes & 4) != 0 } }, method.Sides);
     MeshOptions options;
     options.Tets = method.Tets;
     options.MeshVoid = seed % 2 == 0;
@@ -81,7 +86,7 @@ TEST_P(Periodic, RanksGiveTheSameMesh)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const CartesianGrid grid =
-      MakePeriodicGrid({ { 8, 7, 6 } }, { { seed % 3 != 1, true, seed % 3 != 2 } });
+      MakePeriodicGrid({ { 8, 7, 6 } }, { { seed % 3 != 1, true, seed % 3 != 2 } }, method.Sides);
     const FractionField field = MakeRandomPeriodic(grid, 3, 0, seed);
     MeshOptions options;
     options.Tets = method.Tets;

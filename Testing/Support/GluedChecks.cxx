@@ -99,10 +99,10 @@ Index CountFreeFaces(const Mesh& mesh)
 
 } // namespace
 
-CartesianGrid MakePeriodicGrid(const Index3& n, const std::array<bool, 3>& isPeriodic)
+CartesianGrid MakePeriodicGrid(const Index3& n, const std::array<bool, 3>& isPeriodic, Seam seam)
 {
   const CartesianGrid unit = MakeUnitGrid(n[0], n[1], n[2]);
-  return CartesianGrid::Covering(unit.Coordinates(), unit.Global(), isPeriodic, GhostLayers);
+  return CartesianGrid::Covering(unit.Coordinates(), unit.Global(), isPeriodic, seam, GhostLayers);
 }
 
 FractionField MakePeriodicLabels(

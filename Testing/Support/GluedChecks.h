@@ -12,7 +12,8 @@ namespace testing
 {
 
 /// Returns the grid of one rank that owns all n cells of unit width, periodic along some axes.
-CartesianGrid MakePeriodicGrid(const Index3& n, const std::array<bool, 3>& isPeriodic);
+CartesianGrid MakePeriodicGrid(
+  const Index3& n, const std::array<bool, 3>& isPeriodic, Seam seam = Seam::Flat);
 
 /// Returns label(i, j, k) of each cell as fractions, with i, j, k from 0 in the domain; copies get
 /// the labels of their cells.
