@@ -106,8 +106,7 @@ DonorParts CutElements(Work& work, std::vector<Index> elements)
 /// cells, in the order of element ids.
 std::vector<SentPart> ExchangeParts(const Work& work)
 {
-  std::vector<SentPart> received =
-    ExchangeItems(work.Parts.Group(), work.Parts.Peers(), work.Sent);
+  std::vector<SentPart> received = ExchangeItems(work.Parts.Group(), work.Parts.Peers(), work.Sent);
   std::stable_sort(received.begin(), received.end(),
     [](const SentPart& a, const SentPart& b) { return a.Id < b.Id; });
   return received;
@@ -162,8 +161,7 @@ void AddOthers(
           if (isShared[part.Donor])
           {
             addBefore(work.TheMesh.ElementIds[some.Elements[i]]);
-            AddPart(
-              part.Volume, part.Centroid, work.Donors[part.Donor], work.Shapes[part.Donor]);
+            AddPart(part.Volume, part.Centroid, work.Donors[part.Donor], work.Shapes[part.Donor]);
           }
         });
     }

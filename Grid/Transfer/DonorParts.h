@@ -72,8 +72,8 @@ public:
   {
     if (some.Offsets[i] < some.Offsets[i + 1])
     {
-      std::for_each(some.Parts.begin() + some.Offsets[i],
-        some.Parts.begin() + some.Offsets[i + 1], body);
+      std::for_each(
+        some.Parts.begin() + some.Offsets[i], some.Parts.begin() + some.Offsets[i + 1], body);
       return;
     }
     std::array<OverlapPart, 2> parts;

@@ -38,10 +38,10 @@ Place FindPlace(const std::vector<double>& x, Index first, Index last, double va
     i = std::upper_bound(x.begin() + first, x.begin() + last, value) - x.begin() - 1;
     i = std::max(i, first);
   }
-  return value == x[i]                      ? 2 * (i - first)
-    : value == 0.5 * (x[i] + x[i + 1])      ? 2 * (i - first) + 1
-    : value == x[i + 1] && i + 1 == last    ? 2 * (last - first)
-                                            : -1;
+  return value == x[i]                   ? 2 * (i - first)
+    : value == 0.5 * (x[i] + x[i + 1])   ? 2 * (i - first) + 1
+    : value == x[i + 1] && i + 1 == last ? 2 * (last - first)
+                                         : -1;
 }
 
 } // namespace
@@ -50,12 +50,11 @@ RegularTets::RegularTets(const Mesh& mesh, const CartesianGrid& grid, Runtime& r
   TheMesh(mesh), Grid(grid)
 {
   const IndexBox& box = grid.Local();
-  if (mesh.Corners != 4 ||
-    std::max(std::max(box.Size(0), box.Size(1)), box.Size(2)) >= Mask / 2)
+  if (mesh.Corners != 4 || std::max(std::max(box.Size(0), box.Size(1)), box.Size(2)) >= Mask / 2)
   {
     return;
   }
-  this->Places.resize(mesh.PointIds.size());
+  this->Places.resize(mesh.Points.size() / 3);
   runtime.For(0, static_cast<Index>(this->Places.size()),
     [&](Index begin, Index end)
     {
@@ -104,8 +103,7 @@ int RegularTets::CutTet(Index element, std::array<OverlapPart, 2>& parts) const
                       : 0;
 }
 
-int RegularTets::CutInCell(
-  const Index* points, int centre, std::array<OverlapPart, 2>& parts) const
+int RegularTets::CutInCell(const Index* points, int centre, std::array<OverlapPart, 2>& parts) const
 {
   const Place place = this->Places[points[centre]];
   std::array<Vector3, 4> x;

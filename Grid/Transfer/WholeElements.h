@@ -22,10 +22,7 @@ public:
   WholeElements(
     const Mesh& mesh, const CartesianGrid& grid, const FractionField& fractions, Runtime& runtime);
 
-  bool IsWhole(Index element) const
-  {
-    return !this->Lowest.empty() && this->Lowest[element] >= 0;
-  }
+  bool IsWhole(Index element) const { return !this->Lowest.empty() && this->Lowest[element] >= 0; }
   /// Returns the cells of a whole element.
   IndexBox CellsOf(Index element) const;
   /// Returns whether a cell belongs to a whole element.
