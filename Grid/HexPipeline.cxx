@@ -72,12 +72,13 @@ struct SmoothedPoints
 SmoothedPoints Smooth(MeshJob& job, const LabelledGrid& labelled, const std::vector<Facet>& facets,
   FragmentVolumes& volumes, Mesh& mesh)
 {
+  // Before the interfaces, which would add to the peak of memory.
+  ActiveMesh active = MakeActiveHexes(labelled, job.Parts, mesh, job.Run);
+  job.Clock.Update(0.16);
   std::optional<LevelInterfaces> interfaces(std::in_place, *mesh.Levels, job.Fractions,
     labelled.Labels, labelled.Mixed, job.Options.IsoValue, job.Run);
   job.Clock.Start("Fitting surfaces", 0.2);
   SurfaceTargets targets(interfaces->All(), KindOfTargets(job.Options), job.Run);
-  job.Clock.Update(0.21);
-  ActiveMesh active = MakeActiveHexes(labelled, job.Parts, mesh, job.Run);
   job.Clock.Update(0.215);
   AttachHexes(*interfaces, *labelled.Levels.Coarse, mesh, facets, job.Run, active);
   std::vector<FeatureKind> kinds = active.OfMesh(
