@@ -21,6 +21,8 @@ constexpr int ResistingRounds = 8;
 constexpr int Moves = 6;
 constexpr int MoreMoves = 4;            // if fragments resist
 constexpr double FinalTolerance = 1e-7; // relative
+// Rounds of EndCrossings after which points move again. Further rounds only put points back.
+constexpr int MovingRounds = 4;
 
 std::vector<double> Multiplied(std::vector<double> values, double factor)
 {
@@ -110,6 +112,15 @@ void VolumeCorrection::Run()
   }
 }
 
+void CorrectVolumes(const Improvement& what, Smoother& smoother, StageClock& clock)
+{
+  if (what.ConserveVolume)
+  {
+    clock.Start("Correcting volumes", 0.8);
+    VolumeCorrection(what, smoother, clock).Run();
+  }
+}
+
 } // namespace
 
 void Improve(const Improvement& what, StageClock& clock, Runtime& runtime)
@@ -137,10 +148,14 @@ void Improve(const Improvement& what, StageClock& clock, Runtime& runtime)
     what.AfterRamp();
   }
   what.Volumes.Measure(what.Active);
-  if (what.ConserveVolume)
+  CorrectVolumes(what, smoother, clock);
+  for (int round = 0; smoother.EndCrossings(what.Ramp.back(), round < MovingRounds); ++round)
   {
-    clock.Start("Correcting volumes", 0.8);
-    VolumeCorrection(what, smoother, clock).Run();
+    what.Volumes.Measure(what.Active);
+    if (round < MovingRounds)
+    {
+      CorrectVolumes(what, smoother, clock);
+    }
   }
   std::vector<std::int64_t> efforts{ 0, smoother.Visits() };
   what.Active.ForOwned([&](int) { ++efforts[0]; });
