@@ -8,7 +8,7 @@ namespace vfm
 namespace
 {
 
-constexpr int BoxesOfLeaf = 8;
+constexpr int BoxesOfLeaf = 16;
 
 } // namespace
 
@@ -42,6 +42,7 @@ void BoxTree::Build(int first, int last, const std::vector<Bounds>& boxes)
   {
     this->Nodes[number].First = first;
     this->Nodes[number].Last = last;
+    this->Leaves.push_back(static_cast<int>(number));
   }
   else
   {

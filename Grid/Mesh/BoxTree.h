@@ -1,9 +1,10 @@
 /**
- * BoxTree: a search tree of boxes with sides along the axes, to find the boxes that overlap a box.
+ * BoxTree: a search tree of boxes with sides along the axes, to find the pairs of boxes that touch.
  */
 #pragma once
 
 #include "Base/CartesianGrid.h"
+#include "Base/Runtime.h"
 
 #include <vector>
 
@@ -37,45 +38,69 @@ struct Bounds
   }
 };
 
-/// Tree of boxes. Reading is thread safe.
+/// Binary tree of boxes.
 class BoxTree
 {
 public:
   explicit BoxTree(const std::vector<Bounds>& boxes);
-  /// Calls visit(i) for all boxes that touch a box.
+  /// Calls visit(i, j) once for each pair of boxes that touch, possibly several pairs at the same
+  /// time.
   template <class Visitor>
-  void ForTouching(const Bounds& box, const Visitor& visit) const;
+  void ForPairs(Runtime& runtime, const Visitor& visit) const;
 
 private:
-  /// Node of a binary tree in preorder.
+  /// Node of the tree; a leaf has boxes.
   struct Node
   {
     Bounds Box;
-    int Next = 0;            // the node after all nodes below this one
+    int Next = 0;            // the first node behind all nodes below this one
     int First = 0, Last = 0; // range of Items; empty unless this is a leaf
   };
   void Build(int first, int last, const std::vector<Bounds>& boxes);
+  template <class Visitor>
+  void ForPairs(const Node& a, const Node& b, const Visitor& visit) const;
 
-  std::vector<int> Items; // numbers of the boxes
+  std::vector<int> Items;    // numbers of the boxes
   std::vector<Bounds> Boxes; // in the order of Items
-  std::vector<Node> Nodes;
+  std::vector<Node> Nodes;   // in preorder
+  std::vector<int> Leaves;   // numbers of nodes, ascending
 };
 
 template <class Visitor>
-void BoxTree::ForTouching(const Bounds& box, const Visitor& visit) const
+void BoxTree::ForPairs(Runtime& runtime, const Visitor& visit) const
 {
-  for (int n = 0; n < static_cast<int>(this->Nodes.size());)
-  {
-    const Node& node = this->Nodes[n];
-    const bool touches = node.Box.Touches(box);
-    for (int i = node.First; touches && i < node.Last; ++i)
+  const int nodes = static_cast<int>(this->Nodes.size());
+  ForEach(runtime, this->Leaves.size(),
+    [&](Index number)
     {
-      if (this->Boxes[i].Touches(box))
+      const Node& leaf = this->Nodes[this->Leaves[number]];
+      for (int n = this->Leaves[number]; n < nodes;) // earlier leaves have visited this one
       {
-        visit(this->Items[i]);
+        const Node& node = this->Nodes[n];
+        const bool touches = node.Box.Touches(leaf.Box);
+        if (touches && node.First < node.Last)
+        {
+          this->ForPairs(leaf, node, visit);
+        }
+        n = touches ? n + 1 : node.Next;
+      }
+    });
+}
+
+/// Visits the pairs of the boxes of two leaves, or of one.
+template <class Visitor>
+void BoxTree::ForPairs(const Node& a, const Node& b, const Visitor& visit) const
+{
+  for (int i = a.First; i < a.Last; ++i)
+  {
+    const Bounds& box = this->Boxes[i];
+    for (int j = &a == &b ? i + 1 : b.First; j < b.Last && box.Touches(b.Box); ++j)
+    {
+      if (box.Touches(this->Boxes[j]))
+      {
+        visit(this->Items[i], this->Items[j]);
       }
     }
-    n = touches ? n + 1 : node.Next;
   }
 }
 

@@ -45,14 +45,10 @@ Bounds BoundsOf(const std::array<Vector3, 4>& x)
   return box;
 }
 
-bool IsCorner(Index point, const Shape& shape)
-{
-  return std::find(shape.Points.begin(), shape.Points.end(), point) != shape.Points.end();
-}
-
 /// Common corners of two facets.
 struct Common
 {
+  int OfA = 0, OfB = 0; // bit c is set for corner c
   int Count = 0;
   Vector3 First{}, Last{};
 };
@@ -60,12 +56,20 @@ struct Common
 Common FindCommon(const Shape& a, const Shape& b)
 {
   Common common;
-  for (int i = 0; i < a.Corners(); ++i)
+  for (int i = 0; i < 4; ++i)
   {
-    if (IsCorner(a.Points[i], b))
+    int equal = 0; // corners of b
+    for (int j = 0; j < 4; ++j)
     {
-      (common.Count == 0 ? common.First : common.Last) = a.X[i];
-      ++common.Count;
+      equal |= (a.Points[i] == b.Points[j]) << j;
+    }
+    common.OfB |= equal;
+    if (equal != 0)
+    {
+      common.OfA |= 1 << i;
+      const bool isNew = i < a.Corners();
+      common.Count += isNew;
+      (common.Count == 1 ? common.First : common.Last) = a.X[i];
     }
   }
   return common;
@@ -90,8 +94,9 @@ bool AreSeparated(const Shape& a, const Shape& b)
   double lowest = 1e300, highest = -1e300; // of a and b
   for (int c = 0; c < 4; ++c)
   {
-    lowest = IsCorner(a.Points[c], b) ? lowest : std::min(lowest, Dot(normal, a.X[c] - origin));
-    highest = IsCorner(b.Points[c], a) ? highest : std::max(highest, Dot(normal, b.X[c] - origin));
+    const double ofA = Dot(normal, a.X[c] - origin), ofB = Dot(normal, b.X[c] - origin);
+    lowest = common.OfA >> c & 1 ? lowest : std::min(lowest, ofA);
+    highest = common.OfB >> c & 1 ? highest : std::max(highest, ofB);
   }
   return common.Count == 0 ? lowest > highest : lowest > 0.0 && highest < 0.0;
 }
@@ -161,17 +166,18 @@ bool Coincide(const Shape& a, const Shape& b)
   return coincide;
 }
 
-/// Returns whether two facets cross. The order of the arguments does not change the result.
+/// Returns whether two facets cross, whichever is the first.
 bool DoCross(const Shape& one, const Shape& other)
 {
+  if (AreSeparated(one, other))
+  {
+    return false;
+  }
   const Shape &a = one.X < other.X ? one : other, &b = one.X < other.X ? other : one;
-  return !AreSeparated(a, b) &&
-    (Coincide(a, b) ||
-      AnyTriangle(a,
-        [&](const Triangle& first)
-        {
-          return AnyTriangle(b, [&](const Triangle& second) { return DoCross(first, second); });
-        }));
+  return Coincide(a, b) ||
+    AnyTriangle(a,
+      [&](const Triangle& first)
+      { return AnyTriangle(b, [&](const Triangle& second) { return DoCross(first, second); }); });
 }
 
 /// The facets next to void that is not meshed, of this rank and those near it of other ranks.
@@ -297,19 +303,14 @@ std::vector<unsigned char> FindCrossings(const ActiveMesh& mesh, Runtime& runtim
   const FreeFacets facets(mesh, runtime.Group());
   const BoxTree tree(facets.AllBounds());
   std::vector<unsigned char> crosses(facets.AllBounds().size(), 0);
-  ForEach(runtime, facets.CountOwn(),
-    [&](Index f)
+  tree.ForPairs(runtime,
+    [&](Index f, Index g)
     {
-      const Shape shape = facets.At(f);
-      tree.ForTouching(facets.AllBounds()[f],
-        [&](Index other)
-        {
-          if (other > f && DoCross(shape, facets.At(other)))
-          {
-            __atomic_store_n(&crosses[f], 1, __ATOMIC_RELAXED);
-            __atomic_store_n(&crosses[other], 1, __ATOMIC_RELAXED);
-          }
-        });
+      if (std::min(f, g) < facets.CountOwn() && DoCross(facets.At(f), facets.At(g)))
+      {
+        __atomic_store_n(&crosses[f], 1, __ATOMIC_RELAXED);
+        __atomic_store_n(&crosses[g], 1, __ATOMIC_RELAXED);
+      }
     });
   std::vector<unsigned char> points(mesh.X.size(), 0);
   for (Index f = 0; f < facets.CountOwn(); ++f)

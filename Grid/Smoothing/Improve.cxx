@@ -47,11 +47,15 @@ public:
   /// Small fragments, whose surfaces are uncertain in the fractions and hard to move, get more
   /// rounds and longer shifts.
   void Run();
+  /// Runs again after points were put back. The same fragments resist.
+  void Repeat();
 
 private:
   FragmentVolumes& Volumes() const { return this->What.Volumes; }
   bool Follow();
+  void FollowMaterials();
   void FollowFragments(int rounds);
+  void MoveAlongNormals(int moves);
 
   const Improvement& What;
   Smoother& TheSmoother;
@@ -88,23 +92,19 @@ void VolumeCorrection::FollowFragments(int rounds)
   }
 }
 
-void VolumeCorrection::Run()
+void VolumeCorrection::FollowMaterials()
 {
-  FragmentVolumes& volumes = this->Volumes();
   for (int round = 0;
-       round < CorrectionRounds && volumes.WorstError() > VolumeTolerance && this->Follow();
+       round < CorrectionRounds && this->Volumes().WorstError() > VolumeTolerance && this->Follow();
        ++round)
   {
     this->Clock.Update(0.8 + 0.02 * round);
   }
-  this->FollowFragments(FurtherRounds);
-  bool resists = false;
-  for (double error : ResistingErrors)
-  {
-    resists = volumes.MarkResisting(error);
-    this->FollowFragments(ResistingRounds);
-  }
-  const int moves = Moves + (resists ? MoreMoves : 0);
+}
+
+void VolumeCorrection::MoveAlongNormals(int moves)
+{
+  FragmentVolumes& volumes = this->Volumes();
   for (int move = 0; move < moves && volumes.WorstError() > FinalTolerance; ++move)
   {
     this->TheSmoother.MoveAlongNormals(volumes.FindShifts(this->What.Active), this->Stage);
@@ -112,12 +112,36 @@ void VolumeCorrection::Run()
   }
 }
 
-void CorrectVolumes(const Improvement& what, Smoother& smoother, StageClock& clock)
+void VolumeCorrection::Run()
 {
-  if (what.ConserveVolume)
+  this->FollowMaterials();
+  this->FollowFragments(FurtherRounds);
+  bool resists = false;
+  for (double error : ResistingErrors)
   {
-    clock.Start("Correcting volumes", 0.8);
-    VolumeCorrection(what, smoother, clock).Run();
+    resists = this->Volumes().MarkResisting(error);
+    this->FollowFragments(ResistingRounds);
+  }
+  this->MoveAlongNormals(Moves + (resists ? MoreMoves : 0));
+}
+
+void VolumeCorrection::Repeat()
+{
+  this->FollowMaterials();
+  this->FollowFragments(FurtherRounds);
+  this->MoveAlongNormals(Moves + MoreMoves);
+}
+
+/// Ends crossings that the smoothed mesh has, and corrects the volumes again.
+void EndCrossings(const Improvement& what, Smoother& smoother, VolumeCorrection& correction)
+{
+  for (int round = 0; smoother.EndCrossings(what.Ramp.back(), round < MovingRounds); ++round)
+  {
+    what.Volumes.Measure(what.Active);
+    if (what.ConserveVolume && round < MovingRounds)
+    {
+      correction.Repeat();
+    }
   }
 }
 
@@ -148,15 +172,13 @@ void Improve(const Improvement& what, StageClock& clock, Runtime& runtime)
     what.AfterRamp();
   }
   what.Volumes.Measure(what.Active);
-  CorrectVolumes(what, smoother, clock);
-  for (int round = 0; smoother.EndCrossings(what.Ramp.back(), round < MovingRounds); ++round)
+  VolumeCorrection correction(what, smoother, clock);
+  if (what.ConserveVolume)
   {
-    what.Volumes.Measure(what.Active);
-    if (round < MovingRounds)
-    {
-      CorrectVolumes(what, smoother, clock);
-    }
+    clock.Start("Correcting volumes", 0.8);
+    correction.Run();
   }
+  EndCrossings(what, smoother, correction);
   std::vector<std::int64_t> efforts{ 0, smoother.Visits() };
   what.Active.ForOwned([&](int) { ++efforts[0]; });
   runtime.Group().Sum(efforts);

@@ -446,7 +446,8 @@ double Smoother::MovePoint(int point, const SmoothingStage& stage)
   step = cut * step;
   for (int trial = 0; trial <= Backtracks; ++trial, t = t > 1.0 ? 1.0 : t * Backtrack)
   {
-    const Vector3 x = isFree ? this->Mesh.X[point] + t * step : this->Moved(point, t * step);
+    const bool staysWithin = isFree && t <= 1.0; // longer steps may leave the bounds
+    const Vector3 x = staysWithin ? this->Mesh.X[point] + t * step : this->Moved(point, t * step);
     const double energy = this->Energy.Evaluate(this->Mesh, point, x, stage) +
       this->DistanceEnergy(point, x, stage.Lambda);
     if (energy <= (1.0 + Noise) * d.Value + Armijo * t * cut * slope && this->MayMove(point, x))
