@@ -84,8 +84,8 @@ private:
   /// each link receives.
   /// @param sent  Link::Outgoing or Link::Incoming
   template <class Pack, class Unpack>
-  void SendColour(int colour, std::vector<int> Link::*sent, const Pack& pack,
-    const Unpack& unpack) const;
+  void SendColour(
+    int colour, std::vector<int> Link::*sent, const Pack& pack, const Unpack& unpack) const;
 
   Ranks* Group = nullptr;
   std::vector<std::vector<int>> Peers;  // ranks with common movers, by colour

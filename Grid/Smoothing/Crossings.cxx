@@ -285,8 +285,8 @@ void FreeFacets::Add(const std::vector<SentFacet>& facets, const std::vector<Ind
     Shape shape{ facet.X, {} };
     for (int c = 0; c < 4; ++c)
     {
-      const auto at = std::lower_bound(
-        known.begin(), known.end(), std::make_pair(facet.Start[c], std::numeric_limits<Index>::min()));
+      const auto at = std::lower_bound(known.begin(), known.end(),
+        std::make_pair(facet.Start[c], std::numeric_limits<Index>::min()));
       shape.Points[c] = at != known.end() && at->first == facet.Start[c] ? at->second
         : c > 0 && facet.Start[c] == facet.Start[c - 1]                  ? shape.Points[c - 1]
                                                                          : unknown--;

@@ -47,15 +47,11 @@ public:
   /// Small fragments, whose surfaces are uncertain in the fractions and hard to move, get more
   /// rounds and longer shifts.
   void Run();
-  /// Runs again after points were put back. The same fragments resist.
-  void Repeat();
 
 private:
   FragmentVolumes& Volumes() const { return this->What.Volumes; }
   bool Follow();
-  void FollowMaterials();
   void FollowFragments(int rounds);
-  void MoveAlongNormals(int moves);
 
   const Improvement& What;
   Smoother& TheSmoother;
@@ -92,19 +88,23 @@ void VolumeCorrection::FollowFragments(int rounds)
   }
 }
 
-void VolumeCorrection::FollowMaterials()
+void VolumeCorrection::Run()
 {
+  FragmentVolumes& volumes = this->Volumes();
   for (int round = 0;
-       round < CorrectionRounds && this->Volumes().WorstError() > VolumeTolerance && this->Follow();
+       round < CorrectionRounds && volumes.WorstError() > VolumeTolerance && this->Follow();
        ++round)
   {
     this->Clock.Update(0.8 + 0.02 * round);
   }
-}
-
-void VolumeCorrection::MoveAlongNormals(int moves)
-{
-  FragmentVolumes& volumes = this->Volumes();
+  this->FollowFragments(FurtherRounds);
+  bool resists = false;
+  for (double error : ResistingErrors)
+  {
+    resists = volumes.MarkResisting(error);
+    this->FollowFragments(ResistingRounds);
+  }
+  const int moves = Moves + (resists ? MoreMoves : 0);
   for (int move = 0; move < moves && volumes.WorstError() > FinalTolerance; ++move)
   {
     this->TheSmoother.MoveAlongNormals(volumes.FindShifts(this->What.Active), this->Stage);
@@ -112,36 +112,12 @@ void VolumeCorrection::MoveAlongNormals(int moves)
   }
 }
 
-void VolumeCorrection::Run()
+void CorrectVolumes(const Improvement& what, Smoother& smoother, StageClock& clock)
 {
-  this->FollowMaterials();
-  this->FollowFragments(FurtherRounds);
-  bool resists = false;
-  for (double error : ResistingErrors)
+  if (what.ConserveVolume)
   {
-    resists = this->Volumes().MarkResisting(error);
-    this->FollowFragments(ResistingRounds);
-  }
-  this->MoveAlongNormals(Moves + (resists ? MoreMoves : 0));
-}
-
-void VolumeCorrection::Repeat()
-{
-  this->FollowMaterials();
-  this->FollowFragments(FurtherRounds);
-  this->MoveAlongNormals(Moves + MoreMoves);
-}
-
-/// Ends crossings that the smoothed mesh has, and corrects the volumes again.
-void EndCrossings(const Improvement& what, Smoother& smoother, VolumeCorrection& correction)
-{
-  for (int round = 0; smoother.EndCrossings(what.Ramp.back(), round < MovingRounds); ++round)
-  {
-    what.Volumes.Measure(what.Active);
-    if (what.ConserveVolume && round < MovingRounds)
-    {
-      correction.Repeat();
-    }
+    clock.Start("Correcting volumes", 0.8);
+    VolumeCorrection(what, smoother, clock).Run();
   }
 }
 
@@ -172,13 +148,15 @@ void Improve(const Improvement& what, StageClock& clock, Runtime& runtime)
     what.AfterRamp();
   }
   what.Volumes.Measure(what.Active);
-  VolumeCorrection correction(what, smoother, clock);
-  if (what.ConserveVolume)
+  CorrectVolumes(what, smoother, clock);
+  for (int round = 0; smoother.EndCrossings(what.Ramp.back(), round < MovingRounds); ++round)
   {
-    clock.Start("Correcting volumes", 0.8);
-    correction.Run();
+    what.Volumes.Measure(what.Active);
+    if (round < MovingRounds)
+    {
+      CorrectVolumes(what, smoother, clock);
+    }
   }
-  EndCrossings(what, smoother, correction);
   std::vector<std::int64_t> efforts{ 0, smoother.Visits() };
   what.Active.ForOwned([&](int) { ++efforts[0]; });
   runtime.Group().Sum(efforts);

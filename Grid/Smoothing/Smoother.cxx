@@ -31,7 +31,7 @@ constexpr double NoVisit = -1.0;
 // Largest distance of points near narrow void from their start, in cells. It is smaller where cells
 // are not cubes, because points slide farther there.
 constexpr double ReachInCubes = 1.0, ReachInBoxes = 0.75;
-constexpr double NoLimit = 1e300; // of a distance
+constexpr double NoLimit = 1e300;           // of a distance
 constexpr unsigned char FixedOnAllAxes = 7; // ActiveMesh::Fixed
 // Smallest shift of a target that marks its points, in mean cells.
 constexpr double ShiftThatCounts = 1e-3;
