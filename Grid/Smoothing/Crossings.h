@@ -1,7 +1,8 @@
 /**
- * Crossings: finds facets next to void that is not meshed which pass through each other. Positive
- * elements fill the space inside such facets once, so bodies overlap, or parts of one body, only
- * where their facets cross.
+ * Crossings: finds facets next to void that is not meshed which pass through each other. The
+ * elements between such facets are positive, so bodies, or parts of one body, overlap only where
+ * their facets cross. (A body that is wholly inside another one would have no crossings, but it
+ * would have to move through all of the void around it.)
  *
  * A quad is the four triangles around the mean of its corners. All facets of all ranks are
  * compared, whatever their distance was before points moved.
