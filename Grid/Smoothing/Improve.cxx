@@ -21,8 +21,9 @@ constexpr int ResistingRounds = 8;
 constexpr int Moves = 6;
 constexpr int MoreMoves = 4;            // if fragments resist
 constexpr double FinalTolerance = 1e-7; // relative
-// Rounds of EndCrossings after which points move again. Further rounds only put points back.
-constexpr int MovingRounds = 4;
+// Rounds of EndCrossings after which volumes are corrected, and points move again. Further rounds
+// only put points back.
+constexpr int CorrectedRounds = 4, MovingRounds = 30;
 
 std::vector<double> Multiplied(std::vector<double> values, double factor)
 {
@@ -152,7 +153,7 @@ void Improve(const Improvement& what, StageClock& clock, Runtime& runtime)
   for (int round = 0; smoother.EndCrossings(what.Ramp.back(), round < MovingRounds); ++round)
   {
     what.Volumes.Measure(what.Active);
-    if (round < MovingRounds)
+    if (round < CorrectedRounds)
     {
       CorrectVolumes(what, smoother, clock);
     }
