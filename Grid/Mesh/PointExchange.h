@@ -60,6 +60,11 @@ public:
   /// @pre Collective among peers.
   template <class Pack, class Unpack>
   void SendAll(const Pack& pack, const Unpack& unpack) const;
+  /// Sends values of the movers that this rank received back to their owners: the opposite of
+  /// SendAll. The value of a mover arrives once per rank that holds it as a ghost.
+  /// @pre Collective among peers.
+  template <class Pack, class Unpack>
+  void ReturnAll(const Pack& pack, const Unpack& unpack) const;
 
 private:
   struct Message
@@ -75,10 +80,12 @@ private:
     std::vector<unsigned char> NeedsFlag; // whether the flag of each incoming mover is selected
   };
 
-  /// Sends pack(mover) of the movers of a colour and calls unpack(link, i, value) for incoming
-  /// mover i of each link.
+  /// Sends pack(mover) of the movers of a colour and calls unpack(link, i, value) for mover i that
+  /// each link receives.
+  /// @param sent  Link::Outgoing or Link::Incoming
   template <class Pack, class Unpack>
-  void SendColour(int colour, const Pack& pack, const Unpack& unpack) const;
+  void SendColour(
+    int colour, std::vector<int> Link::*sent, const Pack& pack, const Unpack& unpack) const;
 
   Ranks* Group = nullptr;
   std::vector<std::vector<int>> Peers;  // ranks with common movers, by colour
@@ -98,7 +105,8 @@ void PointExchange::ForSent(const Visitor& visit) const
 }
 
 template <class Pack, class Unpack>
-void PointExchange::SendColour(int colour, const Pack& pack, const Unpack& unpack) const
+void PointExchange::SendColour(
+  int colour, std::vector<int> Link::*sent, const Pack& pack, const Unpack& unpack) const
 {
   const std::vector<Link>& links = this->Links[colour];
   std::vector<std::vector<decltype(pack(0))>> values;
@@ -106,7 +114,7 @@ void PointExchange::SendColour(int colour, const Pack& pack, const Unpack& unpac
   {
     values.emplace_back();
     std::transform(
-      link.Outgoing.begin(), link.Outgoing.end(), std::back_inserter(values.back()), pack);
+      (link.*sent).begin(), (link.*sent).end(), std::back_inserter(values.back()), pack);
   }
   values = ExchangeLists(*this->Group, this->Peers[colour], values);
   for (std::size_t peer = 0; peer < values.size(); ++peer)
@@ -123,9 +131,20 @@ void PointExchange::SendAll(const Pack& pack, const Unpack& unpack) const
 {
   for (int colour = 0; colour < this->CountColours(); ++colour)
   {
-    this->SendColour(colour, pack,
+    this->SendColour(colour, &Link::Outgoing, pack,
       [&unpack](const Link& link, std::size_t i, const auto& value)
       { unpack(link.Incoming[i], value); });
+  }
+}
+
+template <class Pack, class Unpack>
+void PointExchange::ReturnAll(const Pack& pack, const Unpack& unpack) const
+{
+  for (int colour = 0; colour < this->CountColours(); ++colour)
+  {
+    this->SendColour(colour, &Link::Incoming, pack,
+      [&unpack](const Link& link, std::size_t i, const auto& value)
+      { unpack(link.Outgoing[i], value); });
   }
 }
 

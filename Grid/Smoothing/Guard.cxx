@@ -33,6 +33,24 @@ bool Guard::MarkLost(const Flags& known, Flags& lost) const
   return this->Run.Group().Any(isNew);
 }
 
+/// Adds the points that were put back and have an element that is not positive. Returns whether
+/// there is one, on any rank.
+bool Guard::MarkNegative(const Flags& returned, const SmoothingStage& stage, Flags& lost) const
+{
+  bool isNegative = false;
+  this->Mesh.ForOwned(
+    [&](int p)
+    {
+      if (returned[p] &&
+        this->Energy.Evaluate(this->Mesh, p, this->Mesh.X[p], stage) >= InvalidEnergy)
+      {
+        lost[p] = 1;
+        isNegative = true;
+      }
+    });
+  return this->Run.Group().Any(isNegative);
+}
+
 /// Sets the flags of ghosts to those of their owners.
 void Guard::Exchange(Flags& flags) const
 {
@@ -61,6 +79,17 @@ void Guard::Grow(Flags& flags) const
   }
 }
 
+/// Puts the lost points back, with rings around them.
+void Guard::Return(Flags& lost, const std::vector<Vector3>& before, std::vector<Vector3>& points)
+{
+  this->Grow(lost);
+  for (std::size_t p = 0; p < points.size(); ++p)
+  {
+    points[p] = lost[p] ? before[p] : points[p];
+  }
+  Add(lost, this->PutBackNow);
+}
+
 bool Guard::PutBack(const std::vector<Vector3>& before, std::vector<Vector3>& points)
 {
   Flags lost;
@@ -71,18 +100,26 @@ bool Guard::PutBack(const std::vector<Vector3>& before, std::vector<Vector3>& po
   this->PutBackNow.assign(points.size(), 0);
   do
   {
-    this->Grow(lost);
-    for (std::size_t p = 0; p < points.size(); ++p)
-    {
-      points[p] = lost[p] ? before[p] : points[p];
-    }
-    Add(lost, this->PutBackNow);
+    this->Return(lost, before, points);
   } while (this->MarkLost(this->PutBackNow, lost));
   Flags guarded = this->PutBackNow;
   this->Grow(guarded);
   this->Guarded.resize(points.size(), 0);
   Add(guarded, this->Guarded);
   return true;
+}
+
+void Guard::PutBack(std::vector<unsigned char> points, const std::vector<Vector3>& before,
+  std::vector<Vector3>& now, const SmoothingStage& stage)
+{
+  this->PutBackNow.assign(now.size(), 0);
+  bool isLost = true;
+  while (isLost)
+  {
+    this->Return(points, before, now);
+    isLost = this->MarkLost(this->PutBackNow, points);
+    isLost = this->MarkNegative(this->PutBackNow, stage, points) || isLost;
+  }
 }
 
 } // namespace vfm

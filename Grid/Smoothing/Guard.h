@@ -30,6 +30,15 @@ public:
   /// @pre Collective.
   bool PutBack(const std::vector<Vector3>& before, std::vector<Vector3>& points);
 
+  /// Puts points back, with two rings of points around, and more until all elements at these points
+  /// are positive and no element is lost.
+  /// @param points  flags of the points; those of ghosts are not used
+  /// @param before,now  arguments of the other PutBack
+  /// @param stage  determines how positive elements are checked
+  /// @pre Collective.
+  void PutBack(std::vector<unsigned char> points, const std::vector<Vector3>& before,
+    std::vector<Vector3>& now, const SmoothingStage& stage);
+
   /// Returns whether the last call of PutBack put each point back.
   const std::vector<unsigned char>& Returned() const { return this->PutBackNow; }
 
@@ -37,6 +46,8 @@ private:
   using Flags = std::vector<unsigned char>; // of points
 
   bool MarkLost(const Flags& known, Flags& lost) const;
+  bool MarkNegative(const Flags& returned, const SmoothingStage& stage, Flags& lost) const;
+  void Return(Flags& lost, const std::vector<Vector3>& before, std::vector<Vector3>& points);
   void Grow(Flags& flags) const;
   void Exchange(Flags& flags) const;
 

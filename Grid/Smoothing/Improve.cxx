@@ -21,6 +21,9 @@ constexpr int ResistingRounds = 8;
 constexpr int Moves = 6;
 constexpr int MoreMoves = 4;            // if fragments resist
 constexpr double FinalTolerance = 1e-7; // relative
+// Rounds of EndCrossings after which volumes are corrected, and points move again. Further rounds
+// only put points back.
+constexpr int CorrectedRounds = 4, MovingRounds = 30;
 
 std::vector<double> Multiplied(std::vector<double> values, double factor)
 {
@@ -110,6 +113,15 @@ void VolumeCorrection::Run()
   }
 }
 
+void CorrectVolumes(const Improvement& what, Smoother& smoother, StageClock& clock)
+{
+  if (what.ConserveVolume)
+  {
+    clock.Start("Correcting volumes", 0.8);
+    VolumeCorrection(what, smoother, clock).Run();
+  }
+}
+
 } // namespace
 
 void Improve(const Improvement& what, StageClock& clock, Runtime& runtime)
@@ -137,10 +149,14 @@ void Improve(const Improvement& what, StageClock& clock, Runtime& runtime)
     what.AfterRamp();
   }
   what.Volumes.Measure(what.Active);
-  if (what.ConserveVolume)
+  CorrectVolumes(what, smoother, clock);
+  for (int round = 0; smoother.EndCrossings(what.Ramp.back(), round < MovingRounds); ++round)
   {
-    clock.Start("Correcting volumes", 0.8);
-    VolumeCorrection(what, smoother, clock).Run();
+    what.Volumes.Measure(what.Active);
+    if (round < CorrectedRounds)
+    {
+      CorrectVolumes(what, smoother, clock);
+    }
   }
   std::vector<std::int64_t> efforts{ 0, smoother.Visits() };
   what.Active.ForOwned([&](int) { ++efforts[0]; });

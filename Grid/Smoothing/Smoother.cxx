@@ -1,6 +1,7 @@
 #include "Smoothing/Smoother.h"
 
 #include "Base/Vector3.h"
+#include "Smoothing/Crossings.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -30,7 +31,8 @@ constexpr double NoVisit = -1.0;
 // Largest distance of points near narrow void from their start, in cells. It is smaller where cells
 // are not cubes, because points slide farther there.
 constexpr double ReachInCubes = 1.0, ReachInBoxes = 0.75;
-constexpr double NoLimit = 1e300; // of a distance
+constexpr double NoLimit = 1e300;           // of a distance
+constexpr unsigned char FixedOnAllAxes = 7; // ActiveMesh::Fixed
 // Smallest shift of a target that marks its points, in mean cells.
 constexpr double ShiftThatCounts = 1e-3;
 
@@ -187,18 +189,54 @@ void Smoother::RunStage(const SmoothingStage& stage, const std::function<void(do
     },
     [&]
     {
-      std::fill_n(this->Dirty.get(), this->Mesh.X.size(), 0);
-      const std::vector<Index>& corners = this->Mesh.CornerOffset;
-      for (std::size_t point = 0; point < this->Mesh.X.size(); ++point)
-      {
-        // A ghost may have no element here.
-        if (this->TheGuard.Returned()[point] && corners[point] < corners[point + 1])
-        {
-          this->MarkNeighbours(static_cast<int>(point));
-        }
-      }
+      this->MarkReturned();
       this->RunSweeps(stage, [](double) {});
     });
+}
+
+bool Smoother::EndCrossings(const SmoothingStage& stage, bool moves)
+{
+  const std::vector<unsigned char> crossing = FindCrossings(this->Mesh, this->Run);
+  bool isNew = false;
+  this->Mesh.ForOwned(
+    [&](int p)
+    {
+      isNew = isNew || (crossing[p] && this->Mesh.Fixed[p] != FixedOnAllAxes);
+      this->Mesh.Fixed[p] = crossing[p] ? FixedOnAllAxes : this->Mesh.Fixed[p];
+    });
+  if (!this->Run.Group().Any(isNew))
+  {
+    return false;
+  }
+  std::vector<Vector3> start(this->Mesh.X.size());
+  for (std::size_t p = 0; p < start.size(); ++p)
+  {
+    start[p] = this->Mesh.StartOf(static_cast<int>(p));
+  }
+  this->TheGuard.PutBack(crossing, start, this->Mesh.X, stage);
+  if (moves)
+  {
+    this->MarkReturned();
+    this->ChecksAll = true;
+    this->RunSweeps(stage, [](double) {});
+    this->ChecksAll = false;
+  }
+  return true;
+}
+
+/// Marks only the points that were put back and their neighbours.
+void Smoother::MarkReturned()
+{
+  std::fill_n(this->Dirty.get(), this->Mesh.X.size(), 0);
+  const std::vector<Index>& corners = this->Mesh.CornerOffset;
+  for (std::size_t point = 0; point < this->Mesh.X.size(); ++point)
+  {
+    // A ghost may have no element here.
+    if (this->TheGuard.Returned()[point] && corners[point] < corners[point + 1])
+    {
+      this->MarkNeighbours(static_cast<int>(point));
+    }
+  }
 }
 
 void Smoother::RunSweeps(const SmoothingStage& stage, const std::function<void(double)>& report)
@@ -408,7 +446,8 @@ double Smoother::MovePoint(int point, const SmoothingStage& stage)
   step = cut * step;
   for (int trial = 0; trial <= Backtracks; ++trial, t = t > 1.0 ? 1.0 : t * Backtrack)
   {
-    const Vector3 x = isFree ? this->Mesh.X[point] + t * step : this->Moved(point, t * step);
+    const bool staysWithin = isFree && t <= 1.0; // longer steps may leave the bounds
+    const Vector3 x = staysWithin ? this->Mesh.X[point] + t * step : this->Moved(point, t * step);
     const double energy = this->Energy.Evaluate(this->Mesh, point, x, stage) +
       this->DistanceEnergy(point, x, stage.Lambda);
     if (energy <= (1.0 + Noise) * d.Value + Armijo * t * cut * slope && this->MayMove(point, x))

@@ -69,6 +69,13 @@ public:
   /// @pre Collective.
   void MoveAlongNormals(const std::vector<double>& shifts, const SmoothingStage& stage);
 
+  /// Ends crossings of facets next to void that is not meshed (Crossings.h): puts their points back
+  /// to their start for good, with rings of points around, which then move again.
+  /// @param moves  whether these and their neighbours move again
+  /// @return whether any facets crossed; then points have moved
+  /// @pre Collective.
+  bool EndCrossings(const SmoothingStage& stage, bool moves);
+
   /// Sweeps returns the number of sweeps so far, Visits the number of visits to points of this rank
   /// in them.
   int Sweeps() const { return this->NumberOfSweeps; }
@@ -111,6 +118,7 @@ private:
   }
   void MarkNeighbours(int point);
   void MarkAll();
+  void MarkReturned();
   void RunSweeps(const SmoothingStage& stage, const std::function<void(double)>& report);
 
   ActiveMesh& Mesh;
