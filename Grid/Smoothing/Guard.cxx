@@ -18,11 +18,11 @@ void Add(const std::vector<unsigned char>& flags, std::vector<unsigned char>& to
 } // namespace
 
 /// Marks the active points of lost elements. Returns whether any is not known, on any rank.
-bool Guard::MarkLost(const Flags& known, Flags& lost) const
+bool Guard::MarkLost(const Flags& known, const Flags& returned, Flags& lost) const
 {
   lost.assign(this->Mesh.X.size(), 0);
   bool isNew = false;
-  if (this->Energy.MarkLost(this->Mesh, this->Run, lost))
+  if (this->Energy.MarkLost(this->Mesh, this->Run, returned, lost))
   {
     for (std::size_t p = 0; p < lost.size(); ++p)
     {
@@ -41,10 +41,10 @@ void Guard::Exchange(Flags& flags) const
 }
 
 /// Adds rings of points. Only owners know all elements at a point, so they decide.
-void Guard::Grow(Flags& flags) const
+void Guard::Grow(int rings, Flags& flags) const
 {
   this->Exchange(flags);
-  for (int ring = 0; ring < Rings; ++ring)
+  for (int ring = 0; ring < rings; ++ring)
   {
     Flags grown = flags;
     this->Mesh.ForOwned(
@@ -64,22 +64,24 @@ void Guard::Grow(Flags& flags) const
 bool Guard::PutBack(const std::vector<Vector3>& before, std::vector<Vector3>& points)
 {
   Flags lost;
-  if (!this->MarkLost(this->Guarded, lost))
+  if (!this->MarkLost(this->Guarded, {}, lost))
   {
     return false;
   }
   this->PutBackNow.assign(points.size(), 0);
+  int rings = Rings;
   do
   {
-    this->Grow(lost);
+    this->Grow(rings, lost);
     for (std::size_t p = 0; p < points.size(); ++p)
     {
       points[p] = lost[p] ? before[p] : points[p];
     }
     Add(lost, this->PutBackNow);
-  } while (this->MarkLost(this->PutBackNow, lost));
+    rings = 0;
+  } while (this->MarkLost(this->PutBackNow, this->PutBackNow, lost));
   Flags guarded = this->PutBackNow;
-  this->Grow(guarded);
+  this->Grow(Rings, guarded);
   this->Guarded.resize(points.size(), 0);
   Add(guarded, this->Guarded);
   return true;
