@@ -18,11 +18,11 @@ void Add(const std::vector<unsigned char>& flags, std::vector<unsigned char>& to
 } // namespace
 
 /// Marks the active points of lost elements. Returns whether any is not known, on any rank.
-bool Guard::MarkLost(const Flags& known, Flags& lost) const
+bool Guard::MarkLost(const Flags& known, const Flags& returned, Flags& lost) const
 {
   lost.assign(this->Mesh.X.size(), 0);
   bool isNew = false;
-  if (this->Energy.MarkLost(this->Mesh, this->Run, lost))
+  if (this->Energy.MarkLost(this->Mesh, this->Run, returned, lost))
   {
     for (std::size_t p = 0; p < lost.size(); ++p)
     {
@@ -59,10 +59,10 @@ void Guard::Exchange(Flags& flags) const
 }
 
 /// Adds rings of points. Only owners know all elements at a point, so they decide.
-void Guard::Grow(Flags& flags) const
+void Guard::Grow(int rings, Flags& flags) const
 {
   this->Exchange(flags);
-  for (int ring = 0; ring < Rings; ++ring)
+  for (int ring = 0; ring < rings; ++ring)
   {
     Flags grown = flags;
     this->Mesh.ForOwned(
@@ -79,10 +79,11 @@ void Guard::Grow(Flags& flags) const
   }
 }
 
-/// Puts the lost points back, with rings around them.
-void Guard::Return(Flags& lost, const std::vector<Vector3>& before, std::vector<Vector3>& points)
+/// Puts the lost points back, with rings of points around them.
+void Guard::Return(
+  int rings, Flags& lost, const std::vector<Vector3>& before, std::vector<Vector3>& points)
 {
-  this->Grow(lost);
+  this->Grow(rings, lost);
   for (std::size_t p = 0; p < points.size(); ++p)
   {
     points[p] = lost[p] ? before[p] : points[p];
@@ -93,17 +94,19 @@ void Guard::Return(Flags& lost, const std::vector<Vector3>& before, std::vector<
 bool Guard::PutBack(const std::vector<Vector3>& before, std::vector<Vector3>& points)
 {
   Flags lost;
-  if (!this->MarkLost(this->Guarded, lost))
+  if (!this->MarkLost(this->Guarded, {}, lost))
   {
     return false;
   }
   this->PutBackNow.assign(points.size(), 0);
+  int rings = Rings;
   do
   {
-    this->Return(lost, before, points);
-  } while (this->MarkLost(this->PutBackNow, lost));
+    this->Return(rings, lost, before, points);
+    rings = 0;
+  } while (this->MarkLost(this->PutBackNow, this->PutBackNow, lost));
   Flags guarded = this->PutBackNow;
-  this->Grow(guarded);
+  this->Grow(Rings, guarded);
   this->Guarded.resize(points.size(), 0);
   Add(guarded, this->Guarded);
   return true;
@@ -116,8 +119,8 @@ void Guard::PutBack(std::vector<unsigned char> points, const std::vector<Vector3
   bool isLost = true;
   while (isLost)
   {
-    this->Return(points, before, now);
-    isLost = this->MarkLost(this->PutBackNow, points);
+    this->Return(Rings, points, before, now);
+    isLost = this->MarkLost(this->PutBackNow, {}, points);
     isLost = this->MarkNegative(this->PutBackNow, stage, points) || isLost;
   }
 }

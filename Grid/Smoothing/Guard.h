@@ -22,8 +22,9 @@ public:
   /// Returns whether moves of a point are checked.
   bool Has(int point) const { return !this->Guarded.empty() && this->Guarded[point]; }
 
-  /// Puts points back where elements were lost, with two rings of points around, and more until no
-  /// element is lost that was not lost before.
+  /// Puts points back where elements were lost, with two rings of points around. Then puts back the
+  /// points of elements that this has lost, without rings, until no element is lost that was not
+  /// lost before.
   /// @param before  positions of all points before they moved
   /// @param[in,out] points  positions of all points now
   /// @return false if no element was lost on any rank; then nothing changes
@@ -45,10 +46,11 @@ public:
 private:
   using Flags = std::vector<unsigned char>; // of points
 
-  bool MarkLost(const Flags& known, Flags& lost) const;
+  bool MarkLost(const Flags& known, const Flags& returned, Flags& lost) const;
   bool MarkNegative(const Flags& returned, const SmoothingStage& stage, Flags& lost) const;
-  void Return(Flags& lost, const std::vector<Vector3>& before, std::vector<Vector3>& points);
-  void Grow(Flags& flags) const;
+  void Return(
+    int rings, Flags& lost, const std::vector<Vector3>& before, std::vector<Vector3>& points);
+  void Grow(int rings, Flags& flags) const;
   void Exchange(Flags& flags) const;
 
   const ActiveMesh& Mesh;
