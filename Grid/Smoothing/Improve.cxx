@@ -49,6 +49,7 @@ public:
 private:
   FragmentVolumes& Volumes() const { return this->What.Volumes; }
   bool Follow();
+  void Measure();
   void FollowFragments(int rounds);
 
   const Improvement& What;
@@ -68,8 +69,14 @@ bool VolumeCorrection::Follow()
   {
     return false;
   }
-  this->Volumes().Measure(active);
+  this->Measure();
   return true;
+}
+
+void VolumeCorrection::Measure()
+{
+  this->Volumes().Measure(this->What.Active, this->TheSmoother.MovedPoints());
+  this->TheSmoother.ForgetMoved();
 }
 
 /// Runs rounds until no fragment is off its aim.
@@ -106,7 +113,7 @@ void VolumeCorrection::Run()
   for (int move = 0; move < moves && volumes.WorstError() > FinalTolerance; ++move)
   {
     this->TheSmoother.MoveAlongNormals(volumes.FindShifts(this->What.Active), this->Stage);
-    volumes.Measure(this->What.Active);
+    this->Measure();
   }
 }
 
@@ -137,6 +144,7 @@ void Improve(const Improvement& what, StageClock& clock, Runtime& runtime)
     what.AfterRamp();
   }
   what.Volumes.Measure(what.Active);
+  smoother.ForgetMoved();
   if (what.ConserveVolume)
   {
     clock.Start("Correcting volumes", 0.8);

@@ -108,8 +108,18 @@ Smoother::Smoother(
   Run(runtime),
   TheGuard(mesh, energy, runtime),
   Dirty(new unsigned char[mesh.X.size()]),
-  Marked(mesh.X.size(), 0)
+  Marked(mesh.X.size(), 0),
+  HasMoved(mesh.X.size(), 1)
 {
+  std::vector<unsigned char> isGhost = mesh.IsActive;
+  mesh.ForOwned([&](int point) { isGhost[point] = 0; });
+  for (std::size_t point = 0; point < isGhost.size(); ++point)
+  {
+    if (isGhost[point])
+    {
+      this->Ghosts.push_back(static_cast<int>(point));
+    }
+  }
   if (mesh.Corners == 8 && mesh.Rings.IsEmpty())
   {
     mesh.Rings = HexRings(mesh, runtime);
@@ -160,6 +170,15 @@ bool Smoother::StaysNear(int point, const Vector3& x) const
   return isNear;
 }
 
+void Smoother::ForgetMoved()
+{
+  std::fill(this->HasMoved.begin(), this->HasMoved.end(), 0);
+  for (int ghost : this->Ghosts)
+  {
+    this->HasMoved[ghost] = 1; // its owner does not report whether it moves
+  }
+}
+
 void Smoother::MarkAll()
 {
   std::fill_n(this->Dirty.get(), this->Mesh.X.size(), 1);
@@ -173,6 +192,10 @@ void Smoother::MoveAndCheck(
   move();
   while (this->TheGuard.PutBack(before, this->Mesh.X))
   {
+    for (std::size_t point = 0; point < before.size(); ++point)
+    {
+      this->HasMoved[point] |= this->TheGuard.Returned()[point];
+    }
     moveReturned();
   }
 }
@@ -376,6 +399,7 @@ void Smoother::MoveAlongNormal(
     this->MayMove(point, x))
   {
     this->Mesh.X[point] = x;
+    this->HasMoved[point] = 1;
   }
 }
 
@@ -414,6 +438,7 @@ double Smoother::MovePoint(int point, const SmoothingStage& stage)
     if (energy <= (1.0 + Noise) * d.Value + Armijo * t * cut * slope && this->MayMove(point, x))
     {
       this->Mesh.X[point] = x;
+      this->HasMoved[point] = 1;
       const double move = t * cut * length;
       if (move > stage.Pace.MoveThatCounts &&
         d.Value - energy >= FallThatCounts(stage.Pace, energy))

@@ -74,6 +74,10 @@ public:
   int Sweeps() const { return this->NumberOfSweeps; }
   Index Visits() const { return this->NumberOfVisits; }
 
+  /// Returns whether each point may have moved since ForgetMoved; at first all.
+  const std::vector<unsigned char>& MovedPoints() const { return this->HasMoved; }
+  void ForgetMoved();
+
 private:
   void Shift(
     const std::vector<double>& shifts, const HasLongOffset& isLong, const SmoothingStage& stage);
@@ -127,6 +131,9 @@ private:
   std::unique_ptr<unsigned char[]> Dirty;
   /// Set if the point marked its neighbours in this sweep.
   std::vector<unsigned char> Marked;
+  std::vector<unsigned char> HasMoved;
+  /// Active points that other ranks move.
+  std::vector<int> Ghosts;
 };
 
 } // namespace vfm

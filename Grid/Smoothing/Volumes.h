@@ -14,10 +14,8 @@
  */
 #pragma once
 
-#include "Base/PairSums.h"
-#include "Base/Runtime.h"
 #include "Labels/Fragments.h"
-#include "Smoothing/ActiveMesh.h"
+#include "Smoothing/FacetSums.h"
 
 #include <functional>
 
@@ -63,6 +61,10 @@ public:
   /// first call, volumes are the initial ones.
   /// @pre Collective.
   void Measure(const ActiveMesh& mesh);
+  /// Measures the mesh again; equal to Measure(mesh).
+  /// @param moved  whether each point may have moved since the last measurement
+  /// @pre Measure(mesh) was called, and the facets are the same. Collective.
+  void Measure(const ActiveMesh& mesh, const std::vector<unsigned char>& moved);
 
   /// Returns the shift of each attachment, in grid coordinates, that corrects the errors of the
   /// last measurement. Solves
@@ -105,6 +107,7 @@ public:
 
 private:
   void DistributeOrphans();
+  void SumFacets();
   void SetAims();
   std::vector<double> FindPotentials() const;
   void AddPushes(std::vector<double>& mu) const;
@@ -121,6 +124,7 @@ private:
   std::vector<double> Aims;            // volumes that the system requests
   std::vector<unsigned char> Resists;  // whether each fragment resists
   double Tolerance = 0.0;              // relative error up to which none resists
+  FacetSums Facets;
   std::vector<double> StartVolumes;    // initial volume of each fragment
   std::vector<double> Swept;           // volume that each fragment has gained since then
   std::vector<PairSum> Areas;          // interface areas of pairs of fragments
