@@ -17,10 +17,16 @@ constexpr double FragmentTolerance = 5e-3; // relative error, in the further rou
 // Errors above which fragments resist, one after the other, and the rounds after each. The first
 // selects few, so that their neighbours, which they pull off their targets, are not selected too.
 constexpr double ResistingErrors[] = { 5e-2, FragmentTolerance };
+// Fragments are corrected until their errors are within a part of the tolerances, so that they stay
+// within these while their neighbours move.
+constexpr double CorrectedPart = 0.5;
+constexpr VolumeTolerances Rounds{ CorrectedPart * VolumeTolerance,
+  CorrectedPart * FragmentTolerance };
 constexpr int ResistingRounds = 8;
 constexpr int Moves = 6;
 constexpr int MoreMoves = 4;            // if fragments resist
 constexpr double FinalTolerance = 1e-7; // relative
+constexpr VolumeTolerances Final{ CorrectedPart * FinalTolerance, CorrectedPart * FinalTolerance };
 
 std::vector<double> Multiplied(std::vector<double> values, double factor)
 {
@@ -65,7 +71,7 @@ bool VolumeCorrection::Follow()
   const auto isSmall = [&volumes](const Attachment& a)
   { return volumes.IsSmall(a.Fragments[0]) || volumes.IsSmall(a.Fragments[1]); };
   ActiveMesh& active = this->What.Active;
-  if (!this->TheSmoother.Follow(volumes.FindShifts(active, true), isSmall, this->Stage))
+  if (!this->TheSmoother.Follow(volumes.FindShifts(active, Rounds, true), isSmall, this->Stage))
   {
     return false;
   }
@@ -112,7 +118,7 @@ void VolumeCorrection::Run()
   const int moves = Moves + (resists ? MoreMoves : 0);
   for (int move = 0; move < moves && volumes.WorstError() > FinalTolerance; ++move)
   {
-    this->TheSmoother.MoveAlongNormals(volumes.FindShifts(this->What.Active), this->Stage);
+    this->TheSmoother.MoveAlongNormals(volumes.FindShifts(this->What.Active, Final), this->Stage);
     this->Measure();
   }
 }

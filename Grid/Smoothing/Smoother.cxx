@@ -33,6 +33,7 @@ constexpr double ReachInCubes = 1.0, ReachInBoxes = 0.75;
 constexpr double NoLimit = 1e300; // of a distance
 // Smallest shift of a target that marks its points, in mean cells.
 constexpr double ShiftThatCounts = 1e-3;
+constexpr double SmallestShift = 1e-5; // smaller ones are left out
 
 /// Solves H x = -g by L D L^T, H as xx yy zz xy xz yz; returns whether H is positive definite.
 bool SolvePositive(const std::array<double, 6>& h, const Vector3& g, Vector3& x)
@@ -318,6 +319,10 @@ void Smoother::Shift(
   {
     for (Index i = offsets[point]; i < offsets[point + 1]; ++i)
     {
+      if (std::fabs(shifts[i]) < SmallestShift)
+      {
+        continue;
+      }
       Attachment& a = this->Mesh.Attachments[i];
       const double offset = a.Offset + shifts[i] * this->Targets->LocalScale(a.Target);
       const std::array<double, 2> range = isLong(a)
@@ -393,6 +398,10 @@ void Smoother::MoveAlongNormal(
     step[a] = this->Mesh.Fixed[point] >> a & 1 ? 0.0 : step[a];
   }
   const double length = Norm(step);
+  if (length == 0.0)
+  {
+    return;
+  }
   const Vector3 x = this->Moved(point, (length > MoveRadius ? MoveRadius / length : 1.0) * step);
   if (this->Energy.Evaluate(this->Mesh, point, x, stage) <=
       MovePrice * this->Energy.Evaluate(this->Mesh, point, this->Mesh.X[point], stage) &&

@@ -55,7 +55,7 @@ public:
   /// points with a shift of at least 1e-3 mean cells and their neighbours are marked. An offset is
   /// limited to a quarter of a cell. A long offset is limited to one cell, and to a quarter of a
   /// cell beyond the present distance of its point from the target. It grows only if the energy of
-  /// the elements at the point is at most 10.
+  /// the elements at the point is at most 10. Shifts below 1e-5 mean cells are left out.
   /// @param shifts  shift of each attachment, grid coordinates, towards the second label
   /// @param isLong  selects the attachments with long offsets
   /// @return false if all shifts on all ranks were smaller; then no point was moved

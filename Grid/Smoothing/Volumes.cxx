@@ -221,19 +221,22 @@ void FragmentVolumes::SumFacets()
 }
 
 /// Returns mu of each fragment; [0] is the outside.
-std::vector<double> FragmentVolumes::FindPotentials() const
+std::vector<double> FragmentVolumes::FindPotentials(const VolumeTolerances& tolerances) const
 {
   std::vector<double> lack(this->Targets.size(), 0.0);
-  for (std::size_t f = 1; f < lack.size(); ++f)
+  for (int f = 1; f < static_cast<int>(lack.size()); ++f)
   {
-    lack[f] = this->Aims[f] - this->VolumeOf(static_cast<int>(f));
+    const bool isRight =
+      this->ErrorOf(f) <= (this->IsSmall(f) ? tolerances.Small : tolerances.Large);
+    lack[f] = isRight ? 0.0 : this->Aims[f] - this->VolumeOf(f);
   }
   return SolveForLack(this->Areas, lack);
 }
 
-std::vector<double> FragmentVolumes::FindShifts(const ActiveMesh& mesh, bool pushes) const
+std::vector<double> FragmentVolumes::FindShifts(
+  const ActiveMesh& mesh, const VolumeTolerances& tolerances, bool pushes) const
 {
-  std::vector<double> mu = this->FindPotentials();
+  std::vector<double> mu = this->FindPotentials(tolerances);
   if (pushes)
   {
     this->AddPushes(mu);

@@ -40,6 +40,12 @@ public:
 int FindNearestCell(const CartesianGrid& grid, const Index3& cell,
   const std::function<int(const Index3&)>& fragmentOf);
 
+/// Relative errors of volumes that are not corrected.
+struct VolumeTolerances
+{
+  double Large, Small; ///< of fragments that are not small, and of small ones
+};
+
 /// Target and current volumes of all fragments, equal on all ranks. Refers to the runtime.
 class FragmentVolumes
 {
@@ -72,10 +78,11 @@ public:
   ///   sum_g A_fg (mu_f - mu_g) = aim_f - volume_f
   ///
   /// with the areas A of the interfaces and mu = 0 outside. An interface shifts by mu_f - mu_g. The
-  /// aim is the target, or the volume of a resisting fragment.
+  /// aim is the target, or the volume of a fragment that resists or is within its tolerance.
   /// @param pushes  whether to add (target_f - volume_f) / sum_g A_fg to mu of resisting fragments
   ///   whose error is at most 50 %
-  std::vector<double> FindShifts(const ActiveMesh& mesh, bool pushes = false) const;
+  std::vector<double> FindShifts(
+    const ActiveMesh& mesh, const VolumeTolerances& tolerances, bool pushes = false) const;
 
   /// Returns whether the target of a fragment is below 64 cells; false for 0, the outside.
   bool IsSmall(int fragment) const
@@ -109,7 +116,7 @@ private:
   void DistributeOrphans();
   void SumFacets();
   void SetAims();
-  std::vector<double> FindPotentials() const;
+  std::vector<double> FindPotentials(const VolumeTolerances& tolerances) const;
   void AddPushes(std::vector<double>& mu) const;
   bool IsPushed(int fragment) const;
   double VolumeOf(int fragment) const
