@@ -9,6 +9,10 @@ namespace vfm
 namespace
 {
 
+// In the last stage of the ramp, targets are shifted after its first sweep and then every 5 sweeps,
+// until 4 sweeps are left. More often, the volumes would oscillate.
+constexpr int ShiftPeriod = 5;
+constexpr int SweepsAfterShift = 4;
 constexpr int CorrectionRounds = 6;
 constexpr int SweepsPerCorrection = 4;
 constexpr double VolumeTolerance = 2e-4;   // relative error, in the rounds with smoothing
@@ -37,7 +41,7 @@ std::vector<double> Multiplied(std::vector<double> values, double factor)
   return values;
 }
 
-/// Corrects the volumes of a smoothed mesh.
+/// Corrects the volumes of a mesh, in the last stage of the ramp and after it.
 class VolumeCorrection
 {
 public:
@@ -47,6 +51,14 @@ public:
     this->Stage.Sweeps = SweepsPerCorrection;
   }
 
+  /// Measures the volumes of the fragments.
+  void Measure();
+
+  /// Shifts the targets after a sweep of the last stage, if one is due, so that the surfaces come
+  /// to rest where the volumes are right.
+  /// @param sweep  number of the sweep in its stage, from 1
+  void ShiftAfterSweep(int sweep);
+
   /// Shifts the targets and smooths, then moves the surface points to correct the remaining errors.
   /// Small fragments, whose surfaces are uncertain in the fractions and hard to move, get more
   /// rounds and longer shifts.
@@ -54,35 +66,57 @@ public:
 
 private:
   FragmentVolumes& Volumes() const { return this->What.Volumes; }
+  /// Returns whether an attachment may have a long offset.
+  bool IsLong(const Attachment& a) const
+  {
+    return this->Volumes().IsSmall(a.Fragments[0]) || this->Volumes().IsSmall(a.Fragments[1]);
+  }
   bool Follow();
-  void Measure();
   void FollowFragments(int rounds);
 
   const Improvement& What;
   Smoother& TheSmoother;
   StageClock& Clock;
   SmoothingStage Stage;
+  bool IsMeasured = false;
 };
+
+void VolumeCorrection::Measure()
+{
+  const ActiveMesh& active = this->What.Active;
+  if (this->IsMeasured)
+  {
+    this->Volumes().Measure(active, this->TheSmoother.MovedPoints());
+  }
+  else
+  {
+    this->Volumes().Measure(active);
+  }
+  this->TheSmoother.ForgetMoved();
+  this->IsMeasured = true;
+}
+
+void VolumeCorrection::ShiftAfterSweep(int sweep)
+{
+  const SmoothingStage& stage = this->What.Ramp.back();
+  if (sweep % ShiftPeriod == 1 && sweep + SweepsAfterShift <= stage.Sweeps)
+  {
+    this->Measure();
+    this->TheSmoother.ShiftTargets(this->Volumes().FindShifts(this->What.Active, Rounds),
+      [this](const Attachment& a) { return this->IsLong(a); }, stage);
+  }
+}
 
 /// Runs one round. Returns false if all shifts were too small to matter.
 bool VolumeCorrection::Follow()
 {
-  const FragmentVolumes& volumes = this->Volumes();
-  const auto isSmall = [&volumes](const Attachment& a)
-  { return volumes.IsSmall(a.Fragments[0]) || volumes.IsSmall(a.Fragments[1]); };
-  ActiveMesh& active = this->What.Active;
-  if (!this->TheSmoother.Follow(volumes.FindShifts(active, Rounds, true), isSmall, this->Stage))
+  if (!this->TheSmoother.Follow(this->Volumes().FindShifts(this->What.Active, Rounds, true),
+        [this](const Attachment& a) { return this->IsLong(a); }, this->Stage))
   {
     return false;
   }
   this->Measure();
   return true;
-}
-
-void VolumeCorrection::Measure()
-{
-  this->Volumes().Measure(this->What.Active, this->TheSmoother.MovedPoints());
-  this->TheSmoother.ForgetMoved();
 }
 
 /// Runs rounds until no fragment is off its aim.
@@ -129,6 +163,9 @@ void Improve(const Improvement& what, StageClock& clock, Runtime& runtime)
 {
   clock.Start("Smoothing", 0.25);
   Smoother smoother(what.Active, &what.Targets, what.Energy, runtime);
+  VolumeCorrection correction(what, smoother, clock);
+  // AfterRamp may replace the facets.
+  const bool shifts = what.ConserveVolume && !what.AfterRamp;
   double done = 0.25;
   for (const SmoothingStage& stage : what.Ramp)
   {
@@ -140,7 +177,12 @@ void Improve(const Improvement& what, StageClock& clock, Runtime& runtime)
         clock.Update(done + share * fraction);
         if (what.AfterSweep)
         {
-          what.AfterSweep(smoother, stage, sweep++);
+          what.AfterSweep(smoother, stage, sweep);
+        }
+        ++sweep;
+        if (shifts && &stage == &what.Ramp.back())
+        {
+          correction.ShiftAfterSweep(sweep);
         }
       });
     done += share;
@@ -149,12 +191,11 @@ void Improve(const Improvement& what, StageClock& clock, Runtime& runtime)
   {
     what.AfterRamp();
   }
-  what.Volumes.Measure(what.Active);
-  smoother.ForgetMoved();
+  correction.Measure();
   if (what.ConserveVolume)
   {
     clock.Start("Correcting volumes", 0.8);
-    VolumeCorrection(what, smoother, clock).Run();
+    correction.Run();
   }
   std::vector<std::int64_t> efforts{ 0, smoother.Visits() };
   what.Active.ForOwned([&](int) { ++efforts[0]; });

@@ -230,8 +230,9 @@ void Smoother::RunSweeps(const SmoothingStage& stage, const std::function<void(d
   for (int sweep = 0; sweep < stage.Sweeps; ++sweep)
   {
     const double move = this->Sweep(stage);
+    this->HasShifted = false;
     report((sweep + 1.0) / stage.Sweeps);
-    if (move < stage.SmallestMove)
+    if (move < stage.SmallestMove && !this->HasShifted)
     {
       break;
     }
@@ -333,27 +334,39 @@ void Smoother::Shift(
   }
 }
 
+/// Marks the points with shifts that count, and their neighbours. Returns whether any rank has some.
+bool Smoother::MarkShifted(const std::vector<double>& shifts)
+{
+  const std::vector<Index>& offsets = this->Mesh.AttachmentOffset;
+  this->ForPoints(
+    [&](int point)
+    {
+      if (std::any_of(shifts.begin() + offsets[point], shifts.begin() + offsets[point + 1],
+            [](double shift) { return std::fabs(shift) >= ShiftThatCounts; }))
+      {
+        // The mark is sent to other ranks, which may not know all attachments of the point.
+        this->Marked[point] = 1;
+        this->MarkNeighbours(point);
+      }
+      return NoVisit;
+    });
+  return this->Run.Group().Any(
+    std::find(this->Marked.begin(), this->Marked.end(), 1) != this->Marked.end());
+}
+
+void Smoother::ShiftTargets(
+  const std::vector<double>& shifts, const HasLongOffset& isLong, const SmoothingStage& stage)
+{
+  this->Shift(shifts, isLong, stage);
+  this->HasShifted = this->MarkShifted(shifts);
+}
+
 bool Smoother::Follow(
   const std::vector<double>& shifts, const HasLongOffset& isLong, const SmoothingStage& stage)
 {
   this->Shift(shifts, isLong, stage);
   std::fill_n(this->Dirty.get(), this->Mesh.X.size(), 0);
-  const std::vector<Index>& offsets = this->Mesh.AttachmentOffset;
-  this->ForPoints(
-    [&](int point)
-    {
-      if (std::none_of(shifts.begin() + offsets[point], shifts.begin() + offsets[point + 1],
-            [](double shift) { return std::fabs(shift) >= ShiftThatCounts; }))
-      {
-        return NoVisit;
-      }
-      // The mark is sent to other ranks, which may not know all attachments of the point.
-      this->Marked[point] = 1;
-      this->MarkNeighbours(point);
-      return NoVisit;
-    });
-  if (!this->Run.Group().Any(
-        std::find(this->Marked.begin(), this->Marked.end(), 1) != this->Marked.end()))
+  if (!this->MarkShifted(shifts))
   {
     return false;
   }

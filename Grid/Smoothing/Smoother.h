@@ -63,6 +63,12 @@ public:
   bool Follow(
     const std::vector<double>& shifts, const HasLongOffset& isLong, const SmoothingStage& stage);
 
+  /// Adds shifts to the offsets and marks points as Follow does; points that are marked already stay
+  /// so. In a report of RunStage, the stage goes on if points were marked on any rank.
+  /// @pre Collective.
+  void ShiftTargets(
+    const std::vector<double>& shifts, const HasLongOffset& isLong, const SmoothingStage& stage);
+
   /// Moves each surface point by the shifts of its attachments along their normals, at most 0.01
   /// mean cells. A point does not move if the energy of its elements would grow by more than 5 %.
   /// @param shifts  shift of each attachment, grid coordinates
@@ -79,6 +85,7 @@ public:
   void ForgetMoved();
 
 private:
+  bool MarkShifted(const std::vector<double>& shifts);
   void Shift(
     const std::vector<double>& shifts, const HasLongOffset& isLong, const SmoothingStage& stage);
   std::array<double, 2> LongRange(
@@ -125,6 +132,8 @@ private:
   /// Largest distance of each point from its start, along each axis; empty: no limit.
   std::vector<Vector3> Reach;
   bool ChecksAll = false; // whether each move is checked
+  /// Set if targets were shifted and points marked since the last sweep.
+  bool HasShifted = false;
   int NumberOfSweeps = 0;
   std::atomic<Index> NumberOfVisits{ 0 }; // visits to points in sweeps
   /// Set if a point of one of its elements has moved since the last visit.
