@@ -27,8 +27,8 @@ constexpr double CorrectedPart = 0.5;
 constexpr VolumeTolerances Rounds{ CorrectedPart * VolumeTolerance,
   CorrectedPart * FragmentTolerance };
 constexpr int ResistingRounds = 8;
-constexpr int Moves = 6;
-constexpr int MoreMoves = 4;            // if fragments resist
+constexpr int Moves = 8;
+constexpr int MoreMoves = 12;           // if fragments resist
 constexpr double FinalTolerance = 1e-7; // relative
 constexpr VolumeTolerances Final{ CorrectedPart * FinalTolerance, CorrectedPart * FinalTolerance };
 
