@@ -117,7 +117,8 @@ struct ActiveMesh
       std::for_each(element, element + this->Corners, visit);
     }
   }
-  /// Returns the element of a position in Elements. Shifts, because divisions take time in energies.
+  /// Returns the element of a position in Elements. Shifts, because divisions take time in
+  /// energies.
   CornerPosition ElementAt(CornerPosition position) const
   {
     return this->Corners == 8 ? position / 8 : position / 4;

@@ -25,12 +25,12 @@ constexpr double ResistingErrors[] = { 5e-2, FragmentTolerance };
 // within these while their neighbours move.
 constexpr double CorrectedPart = 0.5;
 constexpr VolumeTolerances Rounds{ CorrectedPart * VolumeTolerance,
-  CorrectedPart * FragmentTolerance };
+  CorrectedPart* FragmentTolerance };
 constexpr int ResistingRounds = 8;
 constexpr int Moves = 8;
 constexpr int MoreMoves = 12;           // if fragments resist
 constexpr double FinalTolerance = 1e-7; // relative
-constexpr VolumeTolerances Final{ CorrectedPart * FinalTolerance, CorrectedPart * FinalTolerance };
+constexpr VolumeTolerances Final{ CorrectedPart * FinalTolerance, CorrectedPart* FinalTolerance };
 
 std::vector<double> Multiplied(std::vector<double> values, double factor)
 {
@@ -102,7 +102,8 @@ void VolumeCorrection::ShiftAfterSweep(int sweep)
   if (sweep % ShiftPeriod == 1 && sweep + SweepsAfterShift <= stage.Sweeps)
   {
     this->Measure();
-    this->TheSmoother.ShiftTargets(this->Volumes().FindShifts(this->What.Active, Rounds),
+    this->TheSmoother.ShiftTargets(
+      this->Volumes().FindShifts(this->What.Active, Rounds),
       [this](const Attachment& a) { return this->IsLong(a); }, stage);
   }
 }
@@ -110,7 +111,8 @@ void VolumeCorrection::ShiftAfterSweep(int sweep)
 /// Runs one round. Returns false if all shifts were too small to matter.
 bool VolumeCorrection::Follow()
 {
-  if (!this->TheSmoother.Follow(this->Volumes().FindShifts(this->What.Active, Rounds, true),
+  if (!this->TheSmoother.Follow(
+        this->Volumes().FindShifts(this->What.Active, Rounds, true),
         [this](const Attachment& a) { return this->IsLong(a); }, this->Stage))
   {
     return false;

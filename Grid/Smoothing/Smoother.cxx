@@ -336,8 +336,8 @@ void Smoother::Shift(
   }
 }
 
-/// Marks the points with shifts that count. Their neighbours follow if these points move far enough.
-/// Returns whether any rank has some.
+/// Marks the points with shifts that count. Their neighbours follow if these points move far
+/// enough. Returns whether any rank has some.
 bool Smoother::MarkShifted(const std::vector<double>& shifts)
 {
   const std::vector<Index>& offsets = this->Mesh.AttachmentOffset;

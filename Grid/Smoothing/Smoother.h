@@ -63,8 +63,8 @@ public:
   bool Follow(
     const std::vector<double>& shifts, const HasLongOffset& isLong, const SmoothingStage& stage);
 
-  /// Adds shifts to the offsets and marks points as Follow does; points that are marked already stay
-  /// so. In a report of RunStage, the stage goes on if points were marked on any rank.
+  /// Adds shifts to the offsets and marks points as Follow does; points that are marked already
+  /// stay so. In a report of RunStage, the stage goes on if points were marked on any rank.
   /// @pre Collective.
   void ShiftTargets(
     const std::vector<double>& shifts, const HasLongOffset& isLong, const SmoothingStage& stage);

@@ -127,10 +127,10 @@ private:
 
   const std::vector<int> Materials; // material of each fragment
   Runtime& Run;
-  std::vector<double> Targets;         // target of each fragment
-  std::vector<double> Aims;            // volumes that the system requests
-  std::vector<unsigned char> Resists;  // whether each fragment resists
-  double Tolerance = 0.0;              // relative error up to which none resists
+  std::vector<double> Targets;        // target of each fragment
+  std::vector<double> Aims;           // volumes that the system requests
+  std::vector<unsigned char> Resists; // whether each fragment resists
+  double Tolerance = 0.0;             // relative error up to which none resists
   FacetSums Facets;
   std::vector<double> StartVolumes;    // initial volume of each fragment
   std::vector<double> Swept;           // volume that each fragment has gained since then

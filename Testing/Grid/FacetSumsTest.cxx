@@ -1,7 +1,7 @@
 /// Sums of facets that are kept between moves are equal to new sums.
+#include "Smoothing/FacetSums.h"
 #include "Base/ThreadRuntime.h"
 #include "RandomDraw.h"
-#include "Smoothing/FacetSums.h"
 
 #include <gtest/gtest.h>
 
