@@ -19,6 +19,8 @@ constexpr double Noise = 1e-6;  // relative error of an energy, which may be a s
 constexpr double SettledFalls = 4.0;
 constexpr double BarrierShare = 0.9; // 1 - 1 / p for the powers of a hard barrier
 constexpr double MoveRadius = 0.01;  // in mean cells
+// In mean cells. Without shorter steps, errors of fragments of 64 cells change by less than 1e-7.
+constexpr double SmallestStep = 2e-8;
 // Factor by which MoveAlongNormals may raise the barrier.
 constexpr double MovePrice = 1.05;
 // Limit of an offset beyond 0 or beyond the position of its point, in cells.
@@ -35,6 +37,7 @@ constexpr double NoLimit = 1e300;           // of a distance
 constexpr unsigned char FixedOnAllAxes = 7; // ActiveMesh::Fixed
 // Smallest shift of a target that marks its points, in mean cells.
 constexpr double ShiftThatCounts = 1e-3;
+constexpr double SmallestShift = 1e-5; // smaller ones are left out
 
 /// Solves H x = -g by L D L^T, H as xx yy zz xy xz yz; returns whether H is positive definite.
 bool SolvePositive(const std::array<double, 6>& h, const Vector3& g, Vector3& x)
@@ -110,8 +113,18 @@ Smoother::Smoother(
   Run(runtime),
   TheGuard(mesh, energy, runtime),
   Dirty(new unsigned char[mesh.X.size()]),
-  Marked(mesh.X.size(), 0)
+  Marked(mesh.X.size(), 0),
+  HasMoved(mesh.X.size(), 1)
 {
+  std::vector<unsigned char> isGhost = mesh.IsActive;
+  mesh.ForOwned([&](int point) { isGhost[point] = 0; });
+  for (std::size_t point = 0; point < isGhost.size(); ++point)
+  {
+    if (isGhost[point])
+    {
+      this->Ghosts.push_back(static_cast<int>(point));
+    }
+  }
   if (mesh.Corners == 8 && mesh.Rings.IsEmpty())
   {
     mesh.Rings = HexRings(mesh, runtime);
@@ -149,7 +162,7 @@ void Smoother::FindReach()
 /// Returns whether a point may be at x, as far as its distance from its start tells.
 bool Smoother::StaysNear(int point, const Vector3& x) const
 {
-  if (this->Reach.empty() || this->Reach[point][0] == NoLimit)
+  if (this->Reach.empty() || !this->Mesh.StaysNear[point])
   {
     return true;
   }
@@ -160,6 +173,15 @@ bool Smoother::StaysNear(int point, const Vector3& x) const
     isNear &= std::abs(x[a] - start[a]) <= this->Reach[point][a];
   }
   return isNear;
+}
+
+void Smoother::ForgetMoved()
+{
+  std::fill(this->HasMoved.begin(), this->HasMoved.end(), 0);
+  for (int ghost : this->Ghosts)
+  {
+    this->HasMoved[ghost] = 1; // its owner does not report whether it moves
+  }
 }
 
 void Smoother::MarkAll()
@@ -175,6 +197,10 @@ void Smoother::MoveAndCheck(
   move();
   while (this->TheGuard.PutBack(before, this->Mesh.X))
   {
+    for (std::size_t point = 0; point < before.size(); ++point)
+    {
+      this->HasMoved[point] |= this->TheGuard.Returned()[point];
+    }
     moveReturned();
   }
 }
@@ -244,8 +270,9 @@ void Smoother::RunSweeps(const SmoothingStage& stage, const std::function<void(d
   for (int sweep = 0; sweep < stage.Sweeps; ++sweep)
   {
     const double move = this->Sweep(stage);
+    this->HasShifted = false;
     report((sweep + 1.0) / stage.Sweeps);
-    if (move < stage.SmallestMove)
+    if (move < stage.SmallestMove && !this->HasShifted)
     {
       break;
     }
@@ -333,6 +360,10 @@ void Smoother::Shift(
   {
     for (Index i = offsets[point]; i < offsets[point + 1]; ++i)
     {
+      if (std::fabs(shifts[i]) < SmallestShift)
+      {
+        continue;
+      }
       Attachment& a = this->Mesh.Attachments[i];
       const double offset = a.Offset + shifts[i] * this->Targets->LocalScale(a.Target);
       const std::array<double, 2> range = isLong(a)
@@ -343,27 +374,39 @@ void Smoother::Shift(
   }
 }
 
+/// Marks the points with shifts that count. Their neighbours follow if these points move far
+/// enough. Returns whether any rank has some.
+bool Smoother::MarkShifted(const std::vector<double>& shifts)
+{
+  const std::vector<Index>& offsets = this->Mesh.AttachmentOffset;
+  bool marks = false;
+  this->Mesh.ForOwned(
+    [&](int point)
+    {
+      if (this->Mesh.IsActive[point] &&
+        std::any_of(shifts.begin() + offsets[point], shifts.begin() + offsets[point + 1],
+          [](double shift) { return std::fabs(shift) >= ShiftThatCounts; }))
+      {
+        this->Dirty[point] = 1;
+        marks = true;
+      }
+    });
+  return this->Run.Group().Any(marks);
+}
+
+void Smoother::ShiftTargets(
+  const std::vector<double>& shifts, const HasLongOffset& isLong, const SmoothingStage& stage)
+{
+  this->Shift(shifts, isLong, stage);
+  this->HasShifted = this->MarkShifted(shifts);
+}
+
 bool Smoother::Follow(
   const std::vector<double>& shifts, const HasLongOffset& isLong, const SmoothingStage& stage)
 {
   this->Shift(shifts, isLong, stage);
   std::fill_n(this->Dirty.get(), this->Mesh.X.size(), 0);
-  const std::vector<Index>& offsets = this->Mesh.AttachmentOffset;
-  this->ForPoints(
-    [&](int point)
-    {
-      if (std::none_of(shifts.begin() + offsets[point], shifts.begin() + offsets[point + 1],
-            [](double shift) { return std::fabs(shift) >= ShiftThatCounts; }))
-      {
-        return NoVisit;
-      }
-      // The mark is sent to other ranks, which may not know all attachments of the point.
-      this->Marked[point] = 1;
-      this->MarkNeighbours(point);
-      return NoVisit;
-    });
-  if (!this->Run.Group().Any(
-        std::find(this->Marked.begin(), this->Marked.end(), 1) != this->Marked.end()))
+  if (!this->MarkShifted(shifts))
   {
     return false;
   }
@@ -408,12 +451,17 @@ void Smoother::MoveAlongNormal(
     step[a] = this->Mesh.Fixed[point] >> a & 1 ? 0.0 : step[a];
   }
   const double length = Norm(step);
+  if (length < SmallestStep)
+  {
+    return;
+  }
   const Vector3 x = this->Moved(point, (length > MoveRadius ? MoveRadius / length : 1.0) * step);
   if (this->Energy.Evaluate(this->Mesh, point, x, stage) <=
       MovePrice * this->Energy.Evaluate(this->Mesh, point, this->Mesh.X[point], stage) &&
     this->MayMove(point, x))
   {
     this->Mesh.X[point] = x;
+    this->HasMoved[point] = 1;
   }
 }
 
@@ -453,6 +501,7 @@ double Smoother::MovePoint(int point, const SmoothingStage& stage)
     if (energy <= (1.0 + Noise) * d.Value + Armijo * t * cut * slope && this->MayMove(point, x))
     {
       this->Mesh.X[point] = x;
+      this->HasMoved[point] = 1;
       const double move = t * cut * length;
       if (move > stage.Pace.MoveThatCounts &&
         d.Value - energy >= FallThatCounts(stage.Pace, energy))
