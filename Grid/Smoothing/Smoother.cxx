@@ -374,31 +374,29 @@ void Smoother::Shift(
   }
 }
 
-/// Marks the points with shifts that count. Their neighbours follow if these points move far
-/// enough. Returns whether any rank has some.
-bool Smoother::MarkShifted(const std::vector<double>& shifts)
+/// Returns whether an attachment of a point has a shift that counts.
+bool Smoother::IsShifted(int point, const std::vector<double>& shifts) const
 {
   const std::vector<Index>& offsets = this->Mesh.AttachmentOffset;
-  bool marks = false;
-  this->Mesh.ForOwned(
-    [&](int point)
-    {
-      if (this->Mesh.IsActive[point] &&
-        std::any_of(shifts.begin() + offsets[point], shifts.begin() + offsets[point + 1],
-          [](double shift) { return std::fabs(shift) >= ShiftThatCounts; }))
-      {
-        this->Dirty[point] = 1;
-        marks = true;
-      }
-    });
-  return this->Run.Group().Any(marks);
+  return std::any_of(shifts.begin() + offsets[point], shifts.begin() + offsets[point + 1],
+    [](double shift) { return std::fabs(shift) >= ShiftThatCounts; });
 }
 
 void Smoother::ShiftTargets(
   const std::vector<double>& shifts, const HasLongOffset& isLong, const SmoothingStage& stage)
 {
   this->Shift(shifts, isLong, stage);
-  this->HasShifted = this->MarkShifted(shifts);
+  bool marks = false;
+  this->Mesh.ForOwned(
+    [&](int point)
+    {
+      if (this->Mesh.IsActive[point] && this->IsShifted(point, shifts))
+      {
+        this->Dirty[point] = 1;
+        marks = true;
+      }
+    });
+  this->HasShifted = this->Run.Group().Any(marks);
 }
 
 bool Smoother::Follow(
@@ -406,7 +404,19 @@ bool Smoother::Follow(
 {
   this->Shift(shifts, isLong, stage);
   std::fill_n(this->Dirty.get(), this->Mesh.X.size(), 0);
-  if (!this->MarkShifted(shifts))
+  this->ForPoints(
+    [&](int point)
+    {
+      if (this->IsShifted(point, shifts))
+      {
+        // The mark is sent to other ranks, which may not know all attachments of the point.
+        this->Marked[point] = 1;
+        this->MarkNeighbours(point);
+      }
+      return NoVisit;
+    });
+  if (!this->Run.Group().Any(
+        std::find(this->Marked.begin(), this->Marked.end(), 1) != this->Marked.end()))
   {
     return false;
   }

@@ -52,7 +52,7 @@ public:
   /// Function that returns whether an attachment may have a long offset, up to a cell width.
   using HasLongOffset = std::function<bool(const Attachment&)>;
   /// Adds shifts to the offsets of the attachments, then runs sweeps in which, at first, only
-  /// points with a shift of at least 1e-3 mean cells are marked. An offset is
+  /// points with a shift of at least 1e-3 mean cells and their neighbours are marked. An offset is
   /// limited to a quarter of a cell. A long offset is limited to one cell, and to a quarter of a
   /// cell beyond the present distance of its point from the target. It grows only if the energy of
   /// the elements at the point is at most 10. Shifts below 1e-5 mean cells are left out.
@@ -63,8 +63,9 @@ public:
   bool Follow(
     const std::vector<double>& shifts, const HasLongOffset& isLong, const SmoothingStage& stage);
 
-  /// Adds shifts to the offsets and marks points as Follow does; points that are marked already
-  /// stay so. In a report of RunStage, the stage goes on if points were marked on any rank.
+  /// Adds shifts to the offsets as Follow does and marks the points with a shift of at least 1e-3
+  /// mean cells, without their neighbours, which follow if these points move far enough. In a
+  /// report of RunStage, the stage goes on if points were marked on any rank.
   /// @pre Collective.
   void ShiftTargets(
     const std::vector<double>& shifts, const HasLongOffset& isLong, const SmoothingStage& stage);
@@ -92,7 +93,7 @@ public:
   void ForgetMoved();
 
 private:
-  bool MarkShifted(const std::vector<double>& shifts);
+  bool IsShifted(int point, const std::vector<double>& shifts) const;
   void Shift(
     const std::vector<double>& shifts, const HasLongOffset& isLong, const SmoothingStage& stage);
   std::array<double, 2> LongRange(
