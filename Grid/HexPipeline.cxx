@@ -22,7 +22,7 @@ namespace vfm
 namespace
 {
 
-const SmoothingPace Early{ 1.8, 4.0, 0.0, 2e-4, 5e-3 }, Late{ 1.75, 4.0, 0.0, 1e-4, 2.5e-3 };
+const SmoothingPace Early{ 1.8, 4.0, 0.0, 2e-4, 5e-3 }, Late{ 1.75, 4.0, 0.0, 1.6e-4, 4e-3 };
 const SmoothingRamp Ramp{ { 1, 1.0, 0.1, 4, 0.0, Early }, { 2, 10.0, 0.05, 7, 0.0, Early },
   { 8, 60.0, 0.01, 30, 2e-3, Late } };
 
@@ -73,12 +73,13 @@ struct SmoothedPoints
 SmoothedPoints Smooth(MeshJob& job, const LabelledGrid& labelled, const std::vector<Facet>& facets,
   FragmentVolumes& volumes, Mesh& mesh)
 {
+  // Before the interfaces, which would add to the peak of memory.
+  ActiveMesh active = MakeActiveHexes(labelled, job.Parts, mesh, job.Run);
+  job.Clock.Update(0.16);
   std::optional<LevelInterfaces> interfaces(std::in_place, *mesh.Levels, job.Fractions,
     labelled.Labels, labelled.Mixed, job.Options.IsoValue, job.Run);
   job.Clock.Start("Fitting surfaces", 0.2);
   SurfaceTargets targets(interfaces->All(), KindOfTargets(job.Options), job.Run);
-  job.Clock.Update(0.21);
-  ActiveMesh active = MakeActiveHexes(labelled, job.Parts, mesh, job.Run);
   job.Clock.Update(0.215);
   AttachHexes(*interfaces, *labelled.Levels.Coarse, mesh, facets, job.Run, active);
   std::vector<FeatureKind> kinds = active.OfMesh(

@@ -139,7 +139,8 @@ void SurfaceTargets::FitQuadric(
   frame.Base = base.Point;
   frame.InverseWidths = Divided({ { 1.0, 1.0, 1.0 } }, widths);
   frame.N = Unit(Scaled(base.Normal, widths));
-  MakeTangents(frame.N, frame.U, frame.V);
+  Vector3 tangent;
+  MakeTangents(frame.N, frame.U, tangent);
 
   Matrix6 A = Matrix6::Zero();
   Vector6 b = Vector6::Zero();
@@ -149,7 +150,7 @@ void SurfaceTargets::FitQuadric(
     const Crossing& crossing = interface.Crossings()[face];
     const Vector3 y = Scaled(crossing.Point - frame.Base, frame.InverseWidths);
     const Vector3 normal = Scaled(crossing.Normal, widths);
-    const double u = Dot(y, frame.U), v = Dot(y, frame.V), w = Dot(y, frame.N);
+    const double u = Dot(y, frame.U), v = Dot(y, tangent), w = Dot(y, frame.N);
     if (std::fabs(w) >= LargestHeight || Dot(normal, frame.N) <= SmallestCosine * Norm(normal))
     {
       continue;
@@ -208,7 +209,8 @@ LocalQuadric SurfaceTargets::QuadricOf(
   Index target, const Vector3& origin, const Vector3& widths) const
 {
   const Frame& frame = this->Frames[target];
-  LocalQuadric quadric{ Divided(frame.Base - origin, widths), frame.U, frame.V, frame.N, frame.C };
+  LocalQuadric quadric{ Divided(frame.Base - origin, widths), frame.U, Cross(frame.N, frame.U),
+    frame.N, frame.C };
   quadric.C[0] += StandOff * (quadric.C[3] + quadric.C[5]);
   return quadric;
 }
@@ -216,7 +218,7 @@ LocalQuadric SurfaceTargets::QuadricOf(
 Index SurfaceTargets::Add(const LocalQuadric& quadric, const Vector3& origin, const Vector3& widths)
 {
   this->Frames.push_back({ origin + Scaled(quadric.Base, widths),
-    Divided({ { 1.0, 1.0, 1.0 } }, widths), quadric.U, quadric.V, quadric.N, quadric.C });
+    Divided({ { 1.0, 1.0, 1.0 } }, widths), quadric.U, quadric.N, quadric.C });
   return this->Count() - 1;
 }
 
@@ -239,7 +241,8 @@ double SurfaceTargets::Distance(Index target, const Vector3& x, Vector3& gradien
 double SurfaceTargets::QuadricDistance(
   const Frame& frame, const Vector3& y, Vector3& gradient) const
 {
-  const double u = Dot(y, frame.U), v = Dot(y, frame.V), w = Dot(y, frame.N);
+  const Vector3 tangent = Cross(frame.N, frame.U);
+  const double u = Dot(y, frame.U), v = Dot(y, tangent), w = Dot(y, frame.N);
   const std::array<double, 6>& c = frame.C;
   const double r2 = u * u + v * v;
   const double shrink = r2 > LinearBeyond * LinearBeyond ? LinearBeyond / std::sqrt(r2) : 1.0;
@@ -249,7 +252,7 @@ double SurfaceTargets::QuadricDistance(
   const double f = c[0] + c[1] * uc + c[2] * vc + c[3] * uc * uc + c[4] * uc * vc + c[5] * vc * vc +
     fu * (u - uc) + fv * (v - vc);
   const double steep = 1.0 / std::sqrt(1.0 + fu * fu + fv * fv);
-  gradient = steep * (frame.N - fu * frame.U - fv * frame.V);
+  gradient = steep * (frame.N - fu * frame.U - fv * tangent);
   return (w - f) * steep;
 }
 

@@ -59,6 +59,7 @@ public:
   LocalQuadric QuadricOf(Index target, const Vector3& origin, const Vector3& widths) const;
   /// Appends a quadric to targets of kind Quadrics and returns its number. It is used as given;
   /// fitted quadrics are shifted a little where they bend.
+  /// @pre quadric.V is bitwise equal to the cross product of N and U, as from MakeTangents
   Index Add(const LocalQuadric& quadric, const Vector3& origin, const Vector3& widths);
 
   /// Returns the number of units of Distance per unit of grid coordinates along the normal:
@@ -76,7 +77,7 @@ private:
   {
     Vector3 Base;          // grid coordinates of the finest grid
     Vector3 InverseWidths; // inverse widths of the node, in the same coordinates
-    Vector3 U, V, N;       // unit vectors of the local frame
+    Vector3 U, N;          // unit vectors of the local frame; the third is N x U
     std::array<double, 6> C;
   };
 

@@ -104,7 +104,7 @@ void PointExchange::Send(int colour, std::vector<Vector3>& points,
       received(mover);
     }
   };
-  this->SendColour(colour, pack, unpack);
+  this->SendColour(colour, &Link::Outgoing, pack, unpack);
 }
 
 } // namespace vfm

@@ -77,6 +77,11 @@ public:
   /// positions received must be translated.
   template <class Pack, class Unpack>
   void SendPositions(const Pack& pack, const Unpack& unpack) const;
+  /// Sends values of the movers that this rank received back to their owners: the opposite of
+  /// SendAll. The value of a mover arrives once per rank that holds it as a ghost.
+  /// @pre Collective among peers.
+  template <class Pack, class Unpack>
+  void ReturnAll(const Pack& pack, const Unpack& unpack) const;
 
 private:
   struct Message
@@ -93,10 +98,12 @@ private:
     Vector3 Translation{};                // from positions of the peer to positions here
   };
 
-  /// Sends pack(mover) of the movers of a colour and calls unpack(link, i, value) for incoming
-  /// mover i of each link.
+  /// Sends pack(mover) of the movers of a colour and calls unpack(link, i, value) for mover i that
+  /// each link receives.
+  /// @param sent  Link::Outgoing or Link::Incoming
   template <class Pack, class Unpack>
-  void SendColour(int colour, const Pack& pack, const Unpack& unpack) const;
+  void SendColour(
+    int colour, std::vector<int> Link::*sent, const Pack& pack, const Unpack& unpack) const;
 
   const Partition* Parts = nullptr;
   std::vector<std::vector<std::size_t>> Peers; // peers with common movers, by colour
@@ -116,7 +123,8 @@ void PointExchange::ForSent(const Visitor& visit) const
 }
 
 template <class Pack, class Unpack>
-void PointExchange::SendColour(int colour, const Pack& pack, const Unpack& unpack) const
+void PointExchange::SendColour(
+  int colour, std::vector<int> Link::*sent, const Pack& pack, const Unpack& unpack) const
 {
   const std::vector<Link>& links = this->Links[colour];
   using Value = decltype(pack(0));
@@ -124,7 +132,7 @@ void PointExchange::SendColour(int colour, const Pack& pack, const Unpack& unpac
   for (const Link& link : links)
   {
     std::vector<Value> values;
-    std::transform(link.Outgoing.begin(), link.Outgoing.end(), std::back_inserter(values), pack);
+    std::transform((link.*sent).begin(), (link.*sent).end(), std::back_inserter(values), pack);
     messages.push_back(ToBytes(values));
   }
   messages = this->Parts->Send(this->Peers[colour], messages);
@@ -143,9 +151,20 @@ void PointExchange::SendPositions(const Pack& pack, const Unpack& unpack) const
 {
   for (int colour = 0; colour < this->CountColours(); ++colour)
   {
-    this->SendColour(colour, pack,
+    this->SendColour(colour, &Link::Outgoing, pack,
       [&unpack](const Link& link, std::size_t i, const auto& value)
       { unpack(link.Incoming[i], value, link.Translation); });
+  }
+}
+
+template <class Pack, class Unpack>
+void PointExchange::ReturnAll(const Pack& pack, const Unpack& unpack) const
+{
+  for (int colour = 0; colour < this->CountColours(); ++colour)
+  {
+    this->SendColour(colour, &Link::Incoming, pack,
+      [&unpack](const Link& link, std::size_t i, const auto& value)
+      { unpack(link.Outgoing[i], value); });
   }
 }
 

@@ -117,10 +117,16 @@ struct ActiveMesh
       std::for_each(element, element + this->Corners, visit);
     }
   }
-  /// position: in Elements.
-  const Vector3& WidthsAt(Index position) const
+  /// Returns the element of a position in Elements. Shifts, because divisions take time in
+  /// energies.
+  CornerPosition ElementAt(CornerPosition position) const
   {
-    return this->Widths[this->Widths.size() == 1 ? 0 : position / this->Corners];
+    return this->Corners == 8 ? position / 8 : position / 4;
+  }
+  /// position: in Elements.
+  const Vector3& WidthsAt(CornerPosition position) const
+  {
+    return this->Widths[this->Widths.size() == 1 ? 0 : this->ElementAt(position)];
   }
   /// Returns whether all cells are cubes of equal size.
   bool HasCubes() const
@@ -129,9 +135,9 @@ struct ActiveMesh
     return this->Widths.size() == 1 && widths[0] == widths[1] && widths[0] == widths[2];
   }
   /// position: in Elements.
-  double DemandAt(Index position) const
+  double DemandAt(CornerPosition position) const
   {
-    return this->Demands.empty() ? 1.0 : this->Demands[position / this->Corners];
+    return this->Demands.empty() ? 1.0 : this->Demands[this->ElementAt(position)];
   }
   /// Sets Demands for the elements that are only a barrier, and StaysNear for their points and the
   /// points of the elements at these.

@@ -64,9 +64,12 @@ public:
 
   /// Marks the points of the elements of this rank that do not meet the conditions that the energy
   /// does not contain.
+  /// @param returned  whether each point went back to an earlier position; empty: none. Elements
+  /// of which only some active points went back must meet stricter conditions.
   /// @param[in,out] points  flags of all points
   /// @return whether there is such an element
-  virtual bool MarkLost(const ActiveMesh&, Runtime&, std::vector<unsigned char>& /*points*/) const
+  virtual bool MarkLost(const ActiveMesh&, Runtime&, const std::vector<unsigned char>& /*returned*/,
+    std::vector<unsigned char>& /*points*/) const
   {
     return false;
   }

@@ -18,11 +18,11 @@ void Add(const std::vector<unsigned char>& flags, std::vector<unsigned char>& to
 } // namespace
 
 /// Marks the active points of lost elements. Returns whether any is not known, on any rank.
-bool Guard::MarkLost(const Flags& known, Flags& lost) const
+bool Guard::MarkLost(const Flags& known, const Flags& returned, Flags& lost) const
 {
   lost.assign(this->Mesh.X.size(), 0);
   bool isNew = false;
-  if (this->Energy.MarkLost(this->Mesh, this->Run, lost))
+  if (this->Energy.MarkLost(this->Mesh, this->Run, returned, lost))
   {
     for (std::size_t p = 0; p < lost.size(); ++p)
     {
@@ -33,6 +33,24 @@ bool Guard::MarkLost(const Flags& known, Flags& lost) const
   return this->Run.Group().Any(isNew);
 }
 
+/// Adds the points that were put back and have an element that is not positive. Returns whether
+/// there is one, on any rank.
+bool Guard::MarkNegative(const Flags& returned, const SmoothingStage& stage, Flags& lost) const
+{
+  bool isNegative = false;
+  this->Mesh.ForOwned(
+    [&](int p)
+    {
+      if (returned[p] &&
+        this->Energy.Evaluate(this->Mesh, p, this->Mesh.X[p], stage) >= InvalidEnergy)
+      {
+        lost[p] = 1;
+        isNegative = true;
+      }
+    });
+  return this->Run.Group().Any(isNegative);
+}
+
 /// Sets the flags of ghosts to those of their owners.
 void Guard::Exchange(Flags& flags) const
 {
@@ -41,10 +59,10 @@ void Guard::Exchange(Flags& flags) const
 }
 
 /// Adds rings of points. Only owners know all elements at a point, so they decide.
-void Guard::Grow(Flags& flags) const
+void Guard::Grow(int rings, Flags& flags) const
 {
   this->Exchange(flags);
-  for (int ring = 0; ring < Rings; ++ring)
+  for (int ring = 0; ring < rings; ++ring)
   {
     Flags grown = flags;
     this->Mesh.ForOwned(
@@ -61,28 +79,50 @@ void Guard::Grow(Flags& flags) const
   }
 }
 
+/// Puts the lost points back, with rings of points around them.
+void Guard::Return(
+  int rings, Flags& lost, const std::vector<Vector3>& before, std::vector<Vector3>& points)
+{
+  this->Grow(rings, lost);
+  for (std::size_t p = 0; p < points.size(); ++p)
+  {
+    points[p] = lost[p] ? before[p] : points[p];
+  }
+  Add(lost, this->PutBackNow);
+}
+
 bool Guard::PutBack(const std::vector<Vector3>& before, std::vector<Vector3>& points)
 {
   Flags lost;
-  if (!this->MarkLost(this->Guarded, lost))
+  if (!this->MarkLost(this->Guarded, {}, lost))
   {
     return false;
   }
   this->PutBackNow.assign(points.size(), 0);
+  int rings = Rings;
   do
   {
-    this->Grow(lost);
-    for (std::size_t p = 0; p < points.size(); ++p)
-    {
-      points[p] = lost[p] ? before[p] : points[p];
-    }
-    Add(lost, this->PutBackNow);
-  } while (this->MarkLost(this->PutBackNow, lost));
+    this->Return(rings, lost, before, points);
+    rings = 0;
+  } while (this->MarkLost(this->PutBackNow, this->PutBackNow, lost));
   Flags guarded = this->PutBackNow;
-  this->Grow(guarded);
+  this->Grow(Rings, guarded);
   this->Guarded.resize(points.size(), 0);
   Add(guarded, this->Guarded);
   return true;
+}
+
+void Guard::PutBack(std::vector<unsigned char> points, const std::vector<Vector3>& before,
+  std::vector<Vector3>& now, const SmoothingStage& stage)
+{
+  this->PutBackNow.assign(now.size(), 0);
+  bool isLost = true;
+  while (isLost)
+  {
+    this->Return(Rings, points, before, now);
+    isLost = this->MarkLost(this->PutBackNow, {}, points);
+    isLost = this->MarkNegative(this->PutBackNow, stage, points) || isLost;
+  }
 }
 
 } // namespace vfm

@@ -22,13 +22,23 @@ public:
   /// Returns whether moves of a point are checked.
   bool Has(int point) const { return !this->Guarded.empty() && this->Guarded[point]; }
 
-  /// Puts points back where elements were lost, with two rings of points around, and more until no
-  /// element is lost that was not lost before.
+  /// Puts points back where elements were lost, with two rings of points around. Then puts back the
+  /// points of elements that this has lost, without rings, until no element is lost that was not
+  /// lost before.
   /// @param before  positions of all points before they moved
   /// @param[in,out] points  positions of all points now
   /// @return false if no element was lost on any rank; then nothing changes
   /// @pre Collective.
   bool PutBack(const std::vector<Vector3>& before, std::vector<Vector3>& points);
+
+  /// Puts points back, with two rings of points around, and more until all elements at these points
+  /// are positive and no element is lost.
+  /// @param points  flags of the points; those of ghosts are not used
+  /// @param before,now  arguments of the other PutBack
+  /// @param stage  determines how positive elements are checked
+  /// @pre Collective.
+  void PutBack(std::vector<unsigned char> points, const std::vector<Vector3>& before,
+    std::vector<Vector3>& now, const SmoothingStage& stage);
 
   /// Returns whether the last call of PutBack put each point back.
   const std::vector<unsigned char>& Returned() const { return this->PutBackNow; }
@@ -36,8 +46,11 @@ public:
 private:
   using Flags = std::vector<unsigned char>; // of points
 
-  bool MarkLost(const Flags& known, Flags& lost) const;
-  void Grow(Flags& flags) const;
+  bool MarkLost(const Flags& known, const Flags& returned, Flags& lost) const;
+  bool MarkNegative(const Flags& returned, const SmoothingStage& stage, Flags& lost) const;
+  void Return(
+    int rings, Flags& lost, const std::vector<Vector3>& before, std::vector<Vector3>& points);
+  void Grow(int rings, Flags& flags) const;
   void Exchange(Flags& flags) const;
 
   const ActiveMesh& Mesh;

@@ -9,7 +9,9 @@ namespace vfm
 namespace
 {
 
-constexpr double LeastCoefficient = 1e-6; // in cell volumes
+// Smallest coefficients, in cell volumes, of all hexes and of those of which only some points went
+// back.
+constexpr double LeastCoefficient = 1e-6, LeastOfMixed = 0.01;
 
 using Corners = std::array<const double*, 8>; // corners of a hex, by bits
 
@@ -135,11 +137,29 @@ VFM_INLINE Corners CornersOf(const ActiveMesh& mesh, Index firstPosition)
   return corners;
 }
 
+VFM_INLINE double VolumeAt(const ActiveMesh& mesh, Index position)
+{
+  const Vector3& widths = mesh.WidthsAt(position);
+  return widths[0] * widths[1] * widths[2];
+}
+
 /// Returns the value that the coefficients of the hex at a position must exceed.
 VFM_INLINE double LeastAt(const ActiveMesh& mesh, Index position)
 {
-  const Vector3& widths = mesh.WidthsAt(position);
-  return LeastCoefficient * widths[0] * widths[1] * widths[2];
+  return LeastCoefficient * VolumeAt(mesh, position);
+}
+
+/// Returns whether some active points of a hex went back, but not all.
+bool IsMixed(const ActiveMesh& mesh, const std::vector<unsigned char>& returned, Index hex)
+{
+  bool isAny = false, areAll = true;
+  for (int c = 0; c < 8; ++c)
+  {
+    const int point = mesh.Elements[8 * hex + c];
+    isAny |= returned[point] != 0;
+    areAll &= returned[point] || !mesh.IsActive[point];
+  }
+  return isAny && !areAll;
 }
 
 VFM_INLINE bool Exceeds(const EdgeProducts& products, double least)
@@ -149,12 +169,16 @@ VFM_INLINE bool Exceeds(const EdgeProducts& products, double least)
 
 /// Appends the hexes with a small coefficient.
 VFM_CLONES
-void FindSmallHexes(const ActiveMesh& mesh, Index first, Index last, std::vector<Index>& found)
+void FindSmallHexes(const ActiveMesh& mesh, const std::vector<unsigned char>& returned, Index first,
+  Index last, std::vector<Index>& found)
 {
   for (Index hex = first; hex < last; ++hex)
   {
     const Index position = 8 * hex;
-    if (!Exceeds(MakeProducts(MakeEdges(CornersOf(mesh, position))), LeastAt(mesh, position)))
+    const double least = !returned.empty() && IsMixed(mesh, returned, hex)
+      ? LeastOfMixed * VolumeAt(mesh, position)
+      : LeastAt(mesh, position);
+    if (!Exceeds(MakeProducts(MakeEdges(CornersOf(mesh, position))), least))
     {
       found.push_back(hex);
     }
@@ -203,15 +227,15 @@ double SmallestCoefficient(const std::array<Vector3, 8>& corners)
   return FindSmallest(pointers);
 }
 
-bool MarkSmallCoefficients(
-  const ActiveMesh& mesh, Runtime& runtime, std::vector<unsigned char>& points)
+bool MarkSmallCoefficients(const ActiveMesh& mesh, Runtime& runtime,
+  const std::vector<unsigned char>& returned, std::vector<unsigned char>& points)
 {
   std::atomic<bool> isFound(false);
   runtime.For(0, static_cast<Index>(mesh.Elements.size() / 8),
     [&](Index first, Index last)
     {
       std::vector<Index> found;
-      FindSmallHexes(mesh, first, last, found);
+      FindSmallHexes(mesh, returned, first, last, found);
       for (Index hex : found)
       {
         for (int c = 0; c < 8; ++c)

@@ -14,11 +14,14 @@ namespace vfm
 /// @param corners  numbered by bits
 double SmallestCoefficient(const std::array<Vector3, 8>& corners);
 
-/// Marks the points of the hexes on this rank that have a coefficient of at most 1e-6 cell volumes.
+/// Marks the points of the hexes on this rank that have a coefficient of at most 1e-6 cell volumes,
+/// or .01 where only some active points went back. Between positions of different stages, such a
+/// hex may be so poor that no further move within these conditions makes it good again.
+/// @param returned  whether each point went back; empty: none
 /// @param[in,out] points  flags of all points
 /// @return whether there is such a hex
-bool MarkSmallCoefficients(
-  const ActiveMesh& mesh, Runtime& runtime, std::vector<unsigned char>& points);
+bool MarkSmallCoefficients(const ActiveMesh& mesh, Runtime& runtime,
+  const std::vector<unsigned char>& returned, std::vector<unsigned char>& points);
 
 /// Returns whether the coefficients of each hex at a point, moved to x, exceed 1e-6 cell volumes or
 /// are not smaller than the smallest one at its current position.

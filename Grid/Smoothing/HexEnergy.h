@@ -35,10 +35,10 @@ public:
     const SmoothingStage& stage) const override;
   Derivatives Differentiate(
     const ActiveMesh& mesh, int point, const SmoothingStage& stage) const override;
-  bool MarkLost(
-    const ActiveMesh& mesh, Runtime& runtime, std::vector<unsigned char>& points) const override
+  bool MarkLost(const ActiveMesh& mesh, Runtime& runtime,
+    const std::vector<unsigned char>& returned, std::vector<unsigned char>& points) const override
   {
-    return MarkSmallCoefficients(mesh, runtime, points);
+    return MarkSmallCoefficients(mesh, runtime, returned, points);
   }
   bool KeepsAt(const ActiveMesh& mesh, int point, const Vector3& x) const override
   {

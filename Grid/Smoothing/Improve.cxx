@@ -9,6 +9,10 @@ namespace vfm
 namespace
 {
 
+// In the last stage of the ramp, targets are shifted after its first sweep and then every 5 sweeps,
+// until 4 sweeps are left. More often, the volumes would oscillate.
+constexpr int ShiftPeriod = 5;
+constexpr int SweepsAfterShift = 4;
 constexpr int CorrectionRounds = 6;
 constexpr int SweepsPerCorrection = 4;
 constexpr double VolumeTolerance = 2e-4;   // relative error, in the rounds with smoothing
@@ -17,10 +21,19 @@ constexpr double FragmentTolerance = 5e-3; // relative error, in the further rou
 // Errors above which fragments resist, one after the other, and the rounds after each. The first
 // selects few, so that their neighbours, which they pull off their targets, are not selected too.
 constexpr double ResistingErrors[] = { 5e-2, FragmentTolerance };
+// Fragments are corrected until their errors are within a part of the tolerances, so that they stay
+// within these while their neighbours move.
+constexpr double CorrectedPart = 0.5;
+constexpr VolumeTolerances Rounds{ CorrectedPart * VolumeTolerance,
+  CorrectedPart* FragmentTolerance };
 constexpr int ResistingRounds = 8;
-constexpr int Moves = 6;
-constexpr int MoreMoves = 4;            // if fragments resist
+constexpr int Moves = 8;
+constexpr int MoreMoves = 12;           // if fragments resist
 constexpr double FinalTolerance = 1e-7; // relative
+constexpr VolumeTolerances Final{ CorrectedPart * FinalTolerance, CorrectedPart* FinalTolerance };
+// Rounds of EndCrossings after which volumes are corrected, and points move again. Further rounds
+// only put points back.
+constexpr int CorrectedRounds = 4, MovingRounds = 30;
 
 std::vector<double> Multiplied(std::vector<double> values, double factor)
 {
@@ -31,7 +44,7 @@ std::vector<double> Multiplied(std::vector<double> values, double factor)
   return values;
 }
 
-/// Corrects the volumes of a smoothed mesh.
+/// Corrects the volumes of a mesh, in the last stage of the ramp and after it.
 class VolumeCorrection
 {
 public:
@@ -41,6 +54,16 @@ public:
     this->Stage.Sweeps = SweepsPerCorrection;
   }
 
+  /// Measures the volumes of the fragments. MeasureAll looks at all facets, also at new ones and at
+  /// points that were not moved in sweeps.
+  void Measure();
+  void MeasureAll();
+
+  /// Shifts the targets after a sweep of the last stage, if one is due, so that the surfaces come
+  /// to rest where the volumes are right.
+  /// @param sweep  number of the sweep in its stage, from 1
+  void ShiftAfterSweep(int sweep);
+
   /// Shifts the targets and smooths, then moves the surface points to correct the remaining errors.
   /// Small fragments, whose surfaces are uncertain in the fractions and hard to move, get more
   /// rounds and longer shifts.
@@ -48,6 +71,11 @@ public:
 
 private:
   FragmentVolumes& Volumes() const { return this->What.Volumes; }
+  /// Returns whether an attachment may have a long offset.
+  bool IsLong(const Attachment& a) const
+  {
+    return this->Volumes().IsSmall(a.Fragments[0]) || this->Volumes().IsSmall(a.Fragments[1]);
+  }
   bool Follow();
   void FollowFragments(int rounds);
 
@@ -55,20 +83,51 @@ private:
   Smoother& TheSmoother;
   StageClock& Clock;
   SmoothingStage Stage;
+  bool IsMeasured = false;
 };
+
+void VolumeCorrection::Measure()
+{
+  if (this->IsMeasured)
+  {
+    this->Volumes().Measure(this->What.Active, this->TheSmoother.MovedPoints());
+    this->TheSmoother.ForgetMoved();
+  }
+  else
+  {
+    this->MeasureAll();
+  }
+}
+
+void VolumeCorrection::MeasureAll()
+{
+  this->Volumes().Measure(this->What.Active);
+  this->TheSmoother.ForgetMoved();
+  this->IsMeasured = true;
+}
+
+void VolumeCorrection::ShiftAfterSweep(int sweep)
+{
+  const SmoothingStage& stage = this->What.Ramp.back();
+  if (sweep % ShiftPeriod == 1 && sweep + SweepsAfterShift <= stage.Sweeps)
+  {
+    this->Measure();
+    this->TheSmoother.ShiftTargets(
+      this->Volumes().FindShifts(this->What.Active, Rounds),
+      [this](const Attachment& a) { return this->IsLong(a); }, stage);
+  }
+}
 
 /// Runs one round. Returns false if all shifts were too small to matter.
 bool VolumeCorrection::Follow()
 {
-  const FragmentVolumes& volumes = this->Volumes();
-  const auto isSmall = [&volumes](const Attachment& a)
-  { return volumes.IsSmall(a.Fragments[0]) || volumes.IsSmall(a.Fragments[1]); };
-  ActiveMesh& active = this->What.Active;
-  if (!this->TheSmoother.Follow(volumes.FindShifts(active, true), isSmall, this->Stage))
+  if (!this->TheSmoother.Follow(
+        this->Volumes().FindShifts(this->What.Active, Rounds, true),
+        [this](const Attachment& a) { return this->IsLong(a); }, this->Stage))
   {
     return false;
   }
-  this->Volumes().Measure(active);
+  this->Measure();
   return true;
 }
 
@@ -105,8 +164,8 @@ void VolumeCorrection::Run()
   const int moves = Moves + (resists ? MoreMoves : 0);
   for (int move = 0; move < moves && volumes.WorstError() > FinalTolerance; ++move)
   {
-    this->TheSmoother.MoveAlongNormals(volumes.FindShifts(this->What.Active), this->Stage);
-    volumes.Measure(this->What.Active);
+    this->TheSmoother.MoveAlongNormals(volumes.FindShifts(this->What.Active, Final), this->Stage);
+    this->Measure();
   }
 }
 
@@ -116,6 +175,9 @@ void Improve(const Improvement& what, StageClock& clock, Runtime& runtime)
 {
   clock.Start("Smoothing", 0.25);
   Smoother smoother(what.Active, &what.Targets, what.Energy, runtime);
+  VolumeCorrection correction(what, smoother, clock);
+  // AfterRamp may replace the facets.
+  const bool shifts = what.ConserveVolume && !what.AfterRamp;
   double done = 0.25;
   for (const SmoothingStage& stage : what.Ramp)
   {
@@ -127,7 +189,12 @@ void Improve(const Improvement& what, StageClock& clock, Runtime& runtime)
         clock.Update(done + share * fraction);
         if (what.AfterSweep)
         {
-          what.AfterSweep(smoother, stage, sweep++);
+          what.AfterSweep(smoother, stage, sweep);
+        }
+        ++sweep;
+        if (shifts && &stage == &what.Ramp.back())
+        {
+          correction.ShiftAfterSweep(sweep);
         }
       });
     done += share;
@@ -136,11 +203,23 @@ void Improve(const Improvement& what, StageClock& clock, Runtime& runtime)
   {
     what.AfterRamp();
   }
-  what.Volumes.Measure(what.Active);
-  if (what.ConserveVolume)
+  correction.MeasureAll();
+  const auto correct = [&]
   {
-    clock.Start("Correcting volumes", 0.8);
-    VolumeCorrection(what, smoother, clock).Run();
+    if (what.ConserveVolume)
+    {
+      clock.Start("Correcting volumes", 0.8);
+      correction.Run();
+    }
+  };
+  correct();
+  for (int round = 0; smoother.EndCrossings(what.Ramp.back(), round < MovingRounds); ++round)
+  {
+    correction.MeasureAll();
+    if (round < CorrectedRounds)
+    {
+      correct();
+    }
   }
   std::vector<std::int64_t> efforts{ 0, smoother.Visits() };
   what.Active.ForOwned([&](int) { ++efforts[0]; });

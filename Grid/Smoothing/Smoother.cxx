@@ -1,6 +1,7 @@
 #include "Smoothing/Smoother.h"
 
 #include "Base/Vector3.h"
+#include "Smoothing/Crossings.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -18,6 +19,8 @@ constexpr double Noise = 1e-6;  // relative error of an energy, which may be a s
 constexpr double SettledFalls = 4.0;
 constexpr double BarrierShare = 0.9; // 1 - 1 / p for the powers of a hard barrier
 constexpr double MoveRadius = 0.01;  // in mean cells
+// In mean cells. Without shorter steps, errors of fragments of 64 cells change by less than 1e-7.
+constexpr double SmallestStep = 2e-8;
 // Factor by which MoveAlongNormals may raise the barrier.
 constexpr double MovePrice = 1.05;
 // Limit of an offset beyond 0 or beyond the position of its point, in cells.
@@ -30,9 +33,11 @@ constexpr double NoVisit = -1.0;
 // Largest distance of points near narrow void from their start, in cells. It is smaller where cells
 // are not cubes, because points slide farther there.
 constexpr double ReachInCubes = 1.0, ReachInBoxes = 0.75;
-constexpr double NoLimit = 1e300; // of a distance
+constexpr double NoLimit = 1e300;           // of a distance
+constexpr unsigned char FixedOnAllAxes = 7; // ActiveMesh::Fixed
 // Smallest shift of a target that marks its points, in mean cells.
 constexpr double ShiftThatCounts = 1e-3;
+constexpr double SmallestShift = 1e-5; // smaller ones are left out
 
 /// Solves H x = -g by L D L^T, H as xx yy zz xy xz yz; returns whether H is positive definite.
 bool SolvePositive(const std::array<double, 6>& h, const Vector3& g, Vector3& x)
@@ -108,8 +113,18 @@ Smoother::Smoother(
   Run(runtime),
   TheGuard(mesh, energy, runtime),
   Dirty(new unsigned char[mesh.X.size()]),
-  Marked(mesh.X.size(), 0)
+  Marked(mesh.X.size(), 0),
+  HasMoved(mesh.X.size(), 1)
 {
+  std::vector<unsigned char> isGhost = mesh.IsActive;
+  mesh.ForOwned([&](int point) { isGhost[point] = 0; });
+  for (std::size_t point = 0; point < isGhost.size(); ++point)
+  {
+    if (isGhost[point])
+    {
+      this->Ghosts.push_back(static_cast<int>(point));
+    }
+  }
   if (mesh.Corners == 8 && mesh.Rings.IsEmpty())
   {
     mesh.Rings = HexRings(mesh, runtime);
@@ -147,7 +162,7 @@ void Smoother::FindReach()
 /// Returns whether a point may be at x, as far as its distance from its start tells.
 bool Smoother::StaysNear(int point, const Vector3& x) const
 {
-  if (this->Reach.empty() || this->Reach[point][0] == NoLimit)
+  if (this->Reach.empty() || !this->Mesh.StaysNear[point])
   {
     return true;
   }
@@ -158,6 +173,15 @@ bool Smoother::StaysNear(int point, const Vector3& x) const
     isNear &= std::abs(x[a] - start[a]) <= this->Reach[point][a];
   }
   return isNear;
+}
+
+void Smoother::ForgetMoved()
+{
+  std::fill(this->HasMoved.begin(), this->HasMoved.end(), 0);
+  for (int ghost : this->Ghosts)
+  {
+    this->HasMoved[ghost] = 1; // its owner does not report whether it moves
+  }
 }
 
 void Smoother::MarkAll()
@@ -173,6 +197,10 @@ void Smoother::MoveAndCheck(
   move();
   while (this->TheGuard.PutBack(before, this->Mesh.X))
   {
+    for (std::size_t point = 0; point < before.size(); ++point)
+    {
+      this->HasMoved[point] |= this->TheGuard.Returned()[point];
+    }
     moveReturned();
   }
 }
@@ -187,18 +215,54 @@ void Smoother::RunStage(const SmoothingStage& stage, const std::function<void(do
     },
     [&]
     {
-      std::fill_n(this->Dirty.get(), this->Mesh.X.size(), 0);
-      const std::vector<Index>& corners = this->Mesh.CornerOffset;
-      for (std::size_t point = 0; point < this->Mesh.X.size(); ++point)
-      {
-        // A ghost may have no element here.
-        if (this->TheGuard.Returned()[point] && corners[point] < corners[point + 1])
-        {
-          this->MarkNeighbours(static_cast<int>(point));
-        }
-      }
+      this->MarkReturned();
       this->RunSweeps(stage, [](double) {});
     });
+}
+
+bool Smoother::EndCrossings(const SmoothingStage& stage, bool moves)
+{
+  const std::vector<unsigned char> crossing = FindCrossings(this->Mesh, this->Run);
+  bool isNew = false;
+  this->Mesh.ForOwned(
+    [&](int p)
+    {
+      isNew = isNew || (crossing[p] && this->Mesh.Fixed[p] != FixedOnAllAxes);
+      this->Mesh.Fixed[p] = crossing[p] ? FixedOnAllAxes : this->Mesh.Fixed[p];
+    });
+  if (!this->Run.Group().Any(isNew))
+  {
+    return false;
+  }
+  std::vector<Vector3> start(this->Mesh.X.size());
+  for (std::size_t p = 0; p < start.size(); ++p)
+  {
+    start[p] = this->Mesh.StartOf(static_cast<int>(p));
+  }
+  this->TheGuard.PutBack(crossing, start, this->Mesh.X, stage);
+  if (moves)
+  {
+    this->MarkReturned();
+    this->ChecksAll = true;
+    this->RunSweeps(stage, [](double) {});
+    this->ChecksAll = false;
+  }
+  return true;
+}
+
+/// Marks only the points that were put back and their neighbours.
+void Smoother::MarkReturned()
+{
+  std::fill_n(this->Dirty.get(), this->Mesh.X.size(), 0);
+  const std::vector<Index>& corners = this->Mesh.CornerOffset;
+  for (std::size_t point = 0; point < this->Mesh.X.size(); ++point)
+  {
+    // A ghost may have no element here.
+    if (this->TheGuard.Returned()[point] && corners[point] < corners[point + 1])
+    {
+      this->MarkNeighbours(static_cast<int>(point));
+    }
+  }
 }
 
 void Smoother::RunSweeps(const SmoothingStage& stage, const std::function<void(double)>& report)
@@ -206,8 +270,9 @@ void Smoother::RunSweeps(const SmoothingStage& stage, const std::function<void(d
   for (int sweep = 0; sweep < stage.Sweeps; ++sweep)
   {
     const double move = this->Sweep(stage);
+    this->HasShifted = false;
     report((sweep + 1.0) / stage.Sweeps);
-    if (move < stage.SmallestMove)
+    if (move < stage.SmallestMove && !this->HasShifted)
     {
       break;
     }
@@ -295,6 +360,10 @@ void Smoother::Shift(
   {
     for (Index i = offsets[point]; i < offsets[point + 1]; ++i)
     {
+      if (std::fabs(shifts[i]) < SmallestShift)
+      {
+        continue;
+      }
       Attachment& a = this->Mesh.Attachments[i];
       const double offset = a.Offset + shifts[i] * this->Targets->LocalScale(a.Target);
       const std::array<double, 2> range = isLong(a)
@@ -305,23 +374,45 @@ void Smoother::Shift(
   }
 }
 
+/// Returns whether an attachment of a point has a shift that counts.
+bool Smoother::IsShifted(int point, const std::vector<double>& shifts) const
+{
+  const std::vector<Index>& offsets = this->Mesh.AttachmentOffset;
+  return std::any_of(shifts.begin() + offsets[point], shifts.begin() + offsets[point + 1],
+    [](double shift) { return std::fabs(shift) >= ShiftThatCounts; });
+}
+
+void Smoother::ShiftTargets(
+  const std::vector<double>& shifts, const HasLongOffset& isLong, const SmoothingStage& stage)
+{
+  this->Shift(shifts, isLong, stage);
+  bool marks = false;
+  this->Mesh.ForOwned(
+    [&](int point)
+    {
+      if (this->Mesh.IsActive[point] && this->IsShifted(point, shifts))
+      {
+        this->Dirty[point] = 1;
+        marks = true;
+      }
+    });
+  this->HasShifted = this->Run.Group().Any(marks);
+}
+
 bool Smoother::Follow(
   const std::vector<double>& shifts, const HasLongOffset& isLong, const SmoothingStage& stage)
 {
   this->Shift(shifts, isLong, stage);
   std::fill_n(this->Dirty.get(), this->Mesh.X.size(), 0);
-  const std::vector<Index>& offsets = this->Mesh.AttachmentOffset;
   this->ForPoints(
     [&](int point)
     {
-      if (std::none_of(shifts.begin() + offsets[point], shifts.begin() + offsets[point + 1],
-            [](double shift) { return std::fabs(shift) >= ShiftThatCounts; }))
+      if (this->IsShifted(point, shifts))
       {
-        return NoVisit;
+        // The mark is sent to other ranks, which may not know all attachments of the point.
+        this->Marked[point] = 1;
+        this->MarkNeighbours(point);
       }
-      // The mark is sent to other ranks, which may not know all attachments of the point.
-      this->Marked[point] = 1;
-      this->MarkNeighbours(point);
       return NoVisit;
     });
   if (!this->Run.Group().Any(
@@ -370,12 +461,17 @@ void Smoother::MoveAlongNormal(
     step[a] = this->Mesh.Fixed[point] >> a & 1 ? 0.0 : step[a];
   }
   const double length = Norm(step);
+  if (length < SmallestStep)
+  {
+    return;
+  }
   const Vector3 x = this->Moved(point, (length > MoveRadius ? MoveRadius / length : 1.0) * step);
   if (this->Energy.Evaluate(this->Mesh, point, x, stage) <=
       MovePrice * this->Energy.Evaluate(this->Mesh, point, this->Mesh.X[point], stage) &&
     this->MayMove(point, x))
   {
     this->Mesh.X[point] = x;
+    this->HasMoved[point] = 1;
   }
 }
 
@@ -408,12 +504,14 @@ double Smoother::MovePoint(int point, const SmoothingStage& stage)
   step = cut * step;
   for (int trial = 0; trial <= Backtracks; ++trial, t = t > 1.0 ? 1.0 : t * Backtrack)
   {
-    const Vector3 x = isFree ? this->Mesh.X[point] + t * step : this->Moved(point, t * step);
+    const bool staysWithin = isFree && t <= 1.0; // longer steps may leave the bounds
+    const Vector3 x = staysWithin ? this->Mesh.X[point] + t * step : this->Moved(point, t * step);
     const double energy = this->Energy.Evaluate(this->Mesh, point, x, stage) +
       this->DistanceEnergy(point, x, stage.Lambda);
     if (energy <= (1.0 + Noise) * d.Value + Armijo * t * cut * slope && this->MayMove(point, x))
     {
       this->Mesh.X[point] = x;
+      this->HasMoved[point] = 1;
       const double move = t * cut * length;
       if (move > stage.Pace.MoveThatCounts &&
         d.Value - energy >= FallThatCounts(stage.Pace, energy))

@@ -55,12 +55,19 @@ public:
   /// points with a shift of at least 1e-3 mean cells and their neighbours are marked. An offset is
   /// limited to a quarter of a cell. A long offset is limited to one cell, and to a quarter of a
   /// cell beyond the present distance of its point from the target. It grows only if the energy of
-  /// the elements at the point is at most 10.
+  /// the elements at the point is at most 10. Shifts below 1e-5 mean cells are left out.
   /// @param shifts  shift of each attachment, grid coordinates, towards the second label
   /// @param isLong  selects the attachments with long offsets
   /// @return false if all shifts on all ranks were smaller; then no point was moved
   /// @pre Collective.
   bool Follow(
+    const std::vector<double>& shifts, const HasLongOffset& isLong, const SmoothingStage& stage);
+
+  /// Adds shifts to the offsets as Follow does and marks the points with a shift of at least 1e-3
+  /// mean cells, without their neighbours, which follow if these points move far enough. In a
+  /// report of RunStage, the stage goes on if points were marked on any rank.
+  /// @pre Collective.
+  void ShiftTargets(
     const std::vector<double>& shifts, const HasLongOffset& isLong, const SmoothingStage& stage);
 
   /// Moves each surface point by the shifts of its attachments along their normals, at most 0.01
@@ -69,12 +76,24 @@ public:
   /// @pre Collective.
   void MoveAlongNormals(const std::vector<double>& shifts, const SmoothingStage& stage);
 
+  /// Ends crossings of facets next to void that is not meshed (Crossings.h): puts their points back
+  /// to their start for good, with rings of points around, which then move again.
+  /// @param moves  whether these and their neighbours move again
+  /// @return whether any facets crossed; then points have moved
+  /// @pre Collective.
+  bool EndCrossings(const SmoothingStage& stage, bool moves);
+
   /// Sweeps returns the number of sweeps so far, Visits the number of visits to points of this rank
   /// in them.
   int Sweeps() const { return this->NumberOfSweeps; }
   Index Visits() const { return this->NumberOfVisits; }
 
+  /// Returns whether each point may have moved since ForgetMoved; at first all.
+  const std::vector<unsigned char>& MovedPoints() const { return this->HasMoved; }
+  void ForgetMoved();
+
 private:
+  bool IsShifted(int point, const std::vector<double>& shifts) const;
   void Shift(
     const std::vector<double>& shifts, const HasLongOffset& isLong, const SmoothingStage& stage);
   std::array<double, 2> LongRange(
@@ -111,6 +130,7 @@ private:
   }
   void MarkNeighbours(int point);
   void MarkAll();
+  void MarkReturned();
   void RunSweeps(const SmoothingStage& stage, const std::function<void(double)>& report);
 
   ActiveMesh& Mesh;
@@ -121,12 +141,17 @@ private:
   /// Largest distance of each point from its start, along each axis; empty: no limit.
   std::vector<Vector3> Reach;
   bool ChecksAll = false; // whether each move is checked
+  /// Set if targets were shifted and points marked since the last sweep.
+  bool HasShifted = false;
   int NumberOfSweeps = 0;
   std::atomic<Index> NumberOfVisits{ 0 }; // visits to points in sweeps
   /// Set if a point of one of its elements has moved since the last visit.
   std::unique_ptr<unsigned char[]> Dirty;
   /// Set if the point marked its neighbours in this sweep.
   std::vector<unsigned char> Marked;
+  std::vector<unsigned char> HasMoved;
+  /// Active points that other ranks move.
+  std::vector<int> Ghosts;
 };
 
 } // namespace vfm

@@ -1,6 +1,5 @@
 #include "Smoothing/Volumes.h"
 
-#include "Base/HexVolume.h"
 #include "Smoothing/RowVolumes.h"
 
 #include <mutex>
@@ -10,39 +9,10 @@ namespace vfm
 namespace
 {
 
-constexpr Index FacetsOfBlock = 256; // facets per task
 // Largest part of its target by which a fragment compensates for resisting fragments.
 constexpr double LargestTakeover = 0.1;
 // Relative error above which a push is in vain and only makes elements worse.
 constexpr double LargestPushedError = 0.5;
-
-double AreaOf(const std::array<Vector3, 4>& q)
-{
-  return 0.5 * Norm(Cross(q[2] - q[0], q[3] - q[1]));
-}
-
-/// Sums over consecutive facets between the same fragments.
-struct FacetSum
-{
-  std::array<int, 2> Fragments;
-  ExactSum Swept, Area;
-};
-
-void AddFacet(const ActiveMesh& mesh, const Facet& facet, std::vector<FacetSum>& sums)
-{
-  if (sums.empty() || sums.back().Fragments != facet.Fragments)
-  {
-    sums.push_back({ facet.Fragments, {}, {} });
-  }
-  std::array<Vector3, 4> start, now;
-  for (int c = 0; c < 4; ++c)
-  {
-    start[c] = mesh.StartOf(static_cast<int>(facet.Points[c]));
-    now[c] = mesh.X[facet.Points[c]];
-  }
-  sums.back().Swept.Add(VolumeBetween(start, now));
-  sums.back().Area.Add(AreaOf(now));
-}
 
 } // namespace
 
@@ -232,48 +202,41 @@ void FragmentVolumes::DistributeOrphans()
 
 void FragmentVolumes::Measure(const ActiveMesh& mesh)
 {
-  const Index facets = static_cast<Index>(mesh.Facets.size());
-  std::vector<std::vector<FacetSum>> blocks((facets + FacetsOfBlock - 1) / FacetsOfBlock);
-  ForEach(this->Run, blocks.size(),
-    [&](Index block)
-    {
-      const Index first = block * FacetsOfBlock;
-      for (Index f = first; f < std::min(facets, first + FacetsOfBlock); ++f)
-      {
-        AddFacet(mesh, mesh.Facets[f], blocks[block]);
-      }
-    });
-  std::vector<ExactSum> swept(this->Swept.size());
-  PairSumMap areas;
-  for (const std::vector<FacetSum>& block : blocks)
-  {
-    for (const FacetSum& sum : block)
-    {
-      const auto& [behind, before] = sum.Fragments;
-      swept[behind].Add(sum.Swept);
-      swept[before].Subtract(sum.Swept);
-      areas[std::minmax(behind, before)].Add(sum.Area);
-    }
-  }
-  this->Swept = SumOverRanks(swept, this->Run.Group());
-  this->Areas = GatherPairSums(areas, this->Run.Group());
+  this->Facets.Start(mesh, this->Targets.size(), this->Run);
+  this->SumFacets();
+}
+
+void FragmentVolumes::Measure(const ActiveMesh& mesh, const std::vector<unsigned char>& moved)
+{
+  this->Facets.Update(mesh, moved, this->Run);
+  this->SumFacets();
+}
+
+/// Sums over the ranks.
+void FragmentVolumes::SumFacets()
+{
+  this->Swept = SumOverRanks(this->Facets.Swept(), this->Run.Group());
+  this->Areas = GatherPairSums(this->Facets.Areas(), this->Run.Group());
   this->SetAims();
 }
 
 /// Returns mu of each fragment; [0] is the outside.
-std::vector<double> FragmentVolumes::FindPotentials() const
+std::vector<double> FragmentVolumes::FindPotentials(const VolumeTolerances& tolerances) const
 {
   std::vector<double> lack(this->Targets.size(), 0.0);
-  for (std::size_t f = 1; f < lack.size(); ++f)
+  for (int f = 1; f < static_cast<int>(lack.size()); ++f)
   {
-    lack[f] = this->Aims[f] - this->VolumeOf(static_cast<int>(f));
+    const bool isRight =
+      this->ErrorOf(f) <= (this->IsSmall(f) ? tolerances.Small : tolerances.Large);
+    lack[f] = isRight ? 0.0 : this->Aims[f] - this->VolumeOf(f);
   }
   return SolveForLack(this->Areas, lack);
 }
 
-std::vector<double> FragmentVolumes::FindShifts(const ActiveMesh& mesh, bool pushes) const
+std::vector<double> FragmentVolumes::FindShifts(
+  const ActiveMesh& mesh, const VolumeTolerances& tolerances, bool pushes) const
 {
-  std::vector<double> mu = this->FindPotentials();
+  std::vector<double> mu = this->FindPotentials(tolerances);
   if (pushes)
   {
     this->AddPushes(mu);

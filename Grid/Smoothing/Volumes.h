@@ -14,10 +14,8 @@
  */
 #pragma once
 
-#include "Base/PairSums.h"
-#include "Base/Runtime.h"
 #include "Labels/Fragments.h"
-#include "Smoothing/ActiveMesh.h"
+#include "Smoothing/FacetSums.h"
 
 #include <functional>
 
@@ -42,6 +40,12 @@ public:
 int FindNearestCell(const CartesianGrid& grid, const Index3& cell,
   const std::function<int(const Index3&)>& fragmentOf);
 
+/// Relative errors of volumes that are not corrected.
+struct VolumeTolerances
+{
+  double Large, Small; ///< of fragments that are not small, and of small ones
+};
+
 /// Target and current volumes of all fragments, equal on all ranks. Refers to the runtime.
 class FragmentVolumes
 {
@@ -63,6 +67,10 @@ public:
   /// first call, volumes are the initial ones.
   /// @pre Collective.
   void Measure(const ActiveMesh& mesh);
+  /// Measures the mesh again; equal to Measure(mesh).
+  /// @param moved  whether each point may have moved since the last measurement
+  /// @pre Measure(mesh) was called, and the facets are the same. Collective.
+  void Measure(const ActiveMesh& mesh, const std::vector<unsigned char>& moved);
 
   /// Returns the shift of each attachment, in grid coordinates, that corrects the errors of the
   /// last measurement. Solves
@@ -70,10 +78,11 @@ public:
   ///   sum_g A_fg (mu_f - mu_g) = aim_f - volume_f
   ///
   /// with the areas A of the interfaces and mu = 0 outside. An interface shifts by mu_f - mu_g. The
-  /// aim is the target, or the volume of a resisting fragment.
+  /// aim is the target, or the volume of a fragment that resists or is within its tolerance.
   /// @param pushes  whether to add (target_f - volume_f) / sum_g A_fg to mu of resisting fragments
   ///   whose error is at most 50 %
-  std::vector<double> FindShifts(const ActiveMesh& mesh, bool pushes = false) const;
+  std::vector<double> FindShifts(
+    const ActiveMesh& mesh, const VolumeTolerances& tolerances, bool pushes = false) const;
 
   /// Returns whether the target of a fragment is below 64 cells; false for 0, the outside.
   bool IsSmall(int fragment) const
@@ -105,8 +114,9 @@ public:
 
 private:
   void DistributeOrphans();
+  void SumFacets();
   void SetAims();
-  std::vector<double> FindPotentials() const;
+  std::vector<double> FindPotentials(const VolumeTolerances& tolerances) const;
   void AddPushes(std::vector<double>& mu) const;
   bool IsPushed(int fragment) const;
   double VolumeOf(int fragment) const
@@ -117,10 +127,11 @@ private:
 
   const std::vector<int> Materials; // material of each fragment
   Runtime& Run;
-  std::vector<double> Targets;         // target of each fragment
-  std::vector<double> Aims;            // volumes that the system requests
-  std::vector<unsigned char> Resists;  // whether each fragment resists
-  double Tolerance = 0.0;              // relative error up to which none resists
+  std::vector<double> Targets;        // target of each fragment
+  std::vector<double> Aims;           // volumes that the system requests
+  std::vector<unsigned char> Resists; // whether each fragment resists
+  double Tolerance = 0.0;             // relative error up to which none resists
+  FacetSums Facets;
   std::vector<double> StartVolumes;    // initial volume of each fragment
   std::vector<double> Swept;           // volume that each fragment has gained since then
   std::vector<PairSum> Areas;          // interface areas of pairs of fragments

@@ -34,118 +34,112 @@ void AddPart(double volume, const Vector3& centroid, Donor& donor, DonorShape& s
 
 constexpr std::size_t ElementsAtOnce = 32768;
 
-/// Finds the donors of parts. Stores recent ones, because consecutive elements are mostly in the
-/// same cells.
-class DonorFinder
+/// What FindDonorParts works on.
+struct Work
 {
-public:
-  DonorFinder(const CartesianGrid& grid, DonorTable& donors) : Grid(grid), Donors(donors) {}
-
-  int Find(std::size_t place, Index cell, int fragment, int material)
-  {
-    Last& last = this->Recent[place % this->Recent.size()];
-    if (last.Cell != cell || last.Fragment != fragment)
-    {
-      const Index n = this->Grid.Linear(CellInBox(this->Grid.Local(), cell));
-      last = { cell, fragment, this->Donors.Get(n, fragment, material) };
-    }
-    return last.Donor;
-  }
-
-private:
-  struct Last
-  {
-    Index Cell = -1;
-    int Fragment = 0, Donor = 0;
-  };
+  const Mesh& TheMesh;
   const CartesianGrid& Grid;
+  const RegularTets& Regular;
+  const Partition& Parts;
   DonorTable& Donors;
-  std::array<Last, 8> Recent;
+  std::vector<DonorShape>& Shapes;
+  OverlapFinder Finder;
+  // Parts in cells of other ranks, per peer.
+  std::vector<std::vector<SentPart>> Sent{ Parts.Peers().size() };
+  RecentDonors Recent{};
 };
 
-/// Cuts some elements and makes the donors of their parts.
-DonorParts CutElements(const Mesh& mesh, std::vector<Index> elements, const CartesianGrid& grid,
-  Runtime& runtime, DonorFinder& finder)
+int GetDonor(Work& work, std::size_t place, Index cell, Index element)
 {
-  DonorParts some{ std::move(elements), {}, {} };
-  const Overlaps overlaps = FindOverlaps(mesh, some.Elements, grid, runtime);
-  some.Offsets.assign(overlaps.Offsets.begin(), overlaps.Offsets.end());
-  some.Parts.reserve(overlaps.Parts.size());
-  for (std::size_t i = 0; i < some.Elements.size(); ++i)
-  {
-    const Index e = some.Elements[i];
-    for (Index p = overlaps.Offsets[i]; p < overlaps.Offsets[i + 1]; ++p)
+  return work.Recent.Find(place, cell, work.TheMesh.Fragment[element],
+    [&](Index of, int fragment)
     {
-      const OverlapPart& part = overlaps.Parts[p];
-      const std::size_t place = p - overlaps.Offsets[i];
-      some.Parts.push_back({ part.Volume, part.Centroid,
-        finder.Find(place, part.Cell, mesh.Fragment[e], mesh.Material[e]) });
-    }
-  }
-  return some;
+      const Index n = work.Grid.Linear(CellInBox(work.Grid.Local(), of));
+      const int donor = work.Donors.Get(n, fragment, work.TheMesh.Material[element]);
+      work.Shapes.resize(work.Donors.Count());
+      return donor;
+    });
 }
 
-/// Calls body(element, part) for all parts.
-template <class Body>
-void ForParts(const std::vector<DonorParts>& pieces, const Body& body)
+/// Adds a part to its donor, or to the parts that are sent to the owner of the cell.
+void AddOrSend(Work& work, Index element, const DonorPart& part)
 {
-  for (const DonorParts& some : pieces)
+  Donor& donor = work.Donors[part.Donor];
+  if (donor.IsOwned)
   {
-    for (std::size_t i = 0; i < some.Elements.size(); ++i)
+    AddPart(part.Volume, part.Centroid, donor, work.Shapes[part.Donor]);
+    return;
+  }
+  donor.HasParts = true;
+  const Index3 cell = work.Grid.Position(donor.Cell);
+  work.Sent[work.Parts.PeerOfCell(cell)].push_back({ work.TheMesh.ElementIds[element],
+    work.Grid.CellKey(cell), donor.Fragment, donor.Material, part.Volume, part.Centroid });
+}
+
+/// Cuts some elements, makes the donors of their parts and adds the parts to them.
+DonorParts CutElements(Work& work, std::vector<Index> elements)
+{
+  DonorParts some{ std::move(elements), { 0 }, {} };
+  const Overlaps& overlaps = work.Finder.Find(some.Elements);
+  some.Offsets.reserve(some.Elements.size() + 1);
+  for (std::size_t i = 0; i < some.Elements.size(); ++i)
+  {
+    const Index e = some.Elements[i], first = overlaps.Offsets[i];
+    for (Index p = first; p < overlaps.Offsets[i + 1]; ++p)
     {
-      for (int p = some.Offsets[i]; p < some.Offsets[i + 1]; ++p)
+      const OverlapPart& overlap = overlaps.Parts[p];
+      const DonorPart part{ overlap.Volume, overlap.Centroid,
+        GetDonor(work, p - first, overlap.Cell, e) };
+      AddOrSend(work, e, part);
+      if (!overlaps.IsRegular[i])
       {
-        body(some.Elements[i], some.Parts[p]);
+        some.Parts.push_back(part);
       }
     }
+    some.Offsets.push_back(static_cast<int>(some.Parts.size()));
   }
+  some.Parts.shrink_to_fit();
+  return some;
 }
 
 /// Sends parts in ghost cells to the owners of the cells. Returns the parts received for owned
 /// cells, in the order of element ids.
-std::vector<SentPart> ExchangeParts(const Mesh& mesh, const std::vector<DonorParts>& pieces,
-  const CartesianGrid& grid, const Partition& partition, const DonorTable& donors)
+std::vector<SentPart> ExchangeParts(const Work& work)
 {
-  std::vector<std::vector<SentPart>> sent(partition.Peers().size());
-  if (sent.empty())
-  {
-    return {};
-  }
-  ForParts(pieces,
-    [&](Index e, const DonorPart& part)
-    {
-      const Donor& donor = donors[part.Donor];
-      if (!donor.IsOwned)
-      {
-        const Index3 cell = grid.Position(donor.Cell);
-        sent[partition.PeerOfCell(cell)].push_back({ mesh.ElementIds[e], grid.CellKey(cell),
-          donor.Fragment, donor.Material, part.Volume, part.Centroid });
-      }
-    });
-  std::vector<SentPart> received = ExchangeItems(partition.Group(), partition.Peers(), sent);
+  std::vector<SentPart> received = ExchangeItems(work.Parts.Group(), work.Parts.Peers(), work.Sent);
   std::stable_sort(received.begin(), received.end(),
     [](const SentPart& a, const SentPart& b) { return a.Id < b.Id; });
   return received;
 }
 
-/// Adds the parts of other ranks. Donors that receive some are summed again, over the parts of all
-/// ranks in the order of element ids.
-void AddOthers(const std::vector<SentPart>& others, const std::vector<DonorParts>& pieces,
-  const Mesh& mesh, const CartesianGrid& grid, DonorTable& donors, std::vector<DonorShape>& shapes)
+/// Makes the donors of parts of other ranks, without overlaps. Returns the donor of each part.
+std::vector<int> GetDonors(Work& work, const std::vector<SentPart>& others)
 {
   std::vector<int> donorOf;
   for (const SentPart& other : others)
   {
-    donorOf.push_back(
-      donors.Get(grid.Linear(grid.CellOfKey(other.Key)), other.Fragment, other.Material));
+    donorOf.push_back(work.Donors.Get(
+      work.Grid.Linear(work.Grid.CellOfKey(other.Key)), other.Fragment, other.Material));
   }
-  shapes.resize(donors.Count());
-  std::vector<unsigned char> isShared(donors.Count(), 0);
+  work.Shapes.resize(work.Donors.Count());
+  for (int s : donorOf)
+  {
+    work.Donors[s].Overlap = 0.0;
+    work.Shapes[s] = DonorShape();
+  }
+  return donorOf;
+}
+
+/// Adds the parts of other ranks. Donors that receive some are summed again, over the parts of all
+/// ranks in the order of element ids.
+void AddOthers(
+  Work& work, const std::vector<SentPart>& others, const std::vector<DonorParts>& pieces)
+{
+  const std::vector<int> donorOf = GetDonors(work, others);
+  std::vector<unsigned char> isShared(work.Donors.Count(), 0);
   for (int s : donorOf)
   {
     isShared[s] = 1;
-    donors[s].Overlap = 0.0;
-    shapes[s] = DonorShape();
   }
   std::size_t next = 0;
   const auto addBefore = [&](Index id)
@@ -153,46 +147,48 @@ void AddOthers(const std::vector<SentPart>& others, const std::vector<DonorParts
     for (; next < others.size() && others[next].Id < id; ++next)
     {
       const int s = donorOf[next];
-      AddPart(others[next].Volume, others[next].Centroid, donors[s], shapes[s]);
+      AddPart(others[next].Volume, others[next].Centroid, work.Donors[s], work.Shapes[s]);
     }
   };
-  ForParts(pieces,
-    [&](Index e, const DonorPart& part)
+  PartReader reader(work.TheMesh, work.Grid, work.Regular, work.Donors);
+  for (const DonorParts& some : pieces)
+  {
+    for (std::size_t i = 0; i < some.Elements.size(); ++i)
     {
-      if (isShared[part.Donor])
-      {
-        addBefore(mesh.ElementIds[e]);
-        AddPart(part.Volume, part.Centroid, donors[part.Donor], shapes[part.Donor]);
-      }
-    });
+      reader.ForParts(some, i,
+        [&](const DonorPart& part)
+        {
+          if (isShared[part.Donor])
+          {
+            addBefore(work.TheMesh.ElementIds[some.Elements[i]]);
+            AddPart(part.Volume, part.Centroid, work.Donors[part.Donor], work.Shapes[part.Donor]);
+          }
+        });
+    }
+  }
   addBefore(std::numeric_limits<Index>::max());
 }
 
 } // namespace
 
 std::vector<DonorParts> FindDonorParts(const Mesh& mesh, const std::vector<Index>& elements,
-  const CartesianGrid& grid, const Partition& partition, Runtime& runtime, DonorTable& donors,
-  std::vector<DonorShape>& shapes)
+  const CartesianGrid& grid, const RegularTets& regular, const Partition& partition,
+  Runtime& runtime, DonorTable& donors, std::vector<DonorShape>& shapes)
 {
+  Work work{ mesh, grid, regular, partition, donors, shapes,
+    OverlapFinder(mesh, grid, regular, runtime) };
+  shapes.resize(donors.Count());
   std::vector<DonorParts> pieces;
-  DonorFinder finder(grid, donors);
   for (std::size_t begin = 0; begin < elements.size(); begin += ElementsAtOnce)
   {
     const std::size_t end = std::min(begin + ElementsAtOnce, elements.size());
-    pieces.push_back(CutElements(mesh,
-      std::vector<Index>(elements.begin() + begin, elements.begin() + end), grid, runtime, finder));
+    pieces.push_back(
+      CutElements(work, std::vector<Index>(elements.begin() + begin, elements.begin() + end)));
   }
-  shapes.resize(donors.Count());
-  ForParts(pieces,
-    [&](Index, const DonorPart& part)
-    {
-      if (donors[part.Donor].IsOwned)
-      {
-        AddPart(part.Volume, part.Centroid, donors[part.Donor], shapes[part.Donor]);
-      }
-    });
-  AddOthers(
-    ExchangeParts(mesh, pieces, grid, partition, donors), pieces, mesh, grid, donors, shapes);
+  if (!partition.Peers().empty())
+  {
+    AddOthers(work, ExchangeParts(work), pieces);
+  }
   return pieces;
 }
 

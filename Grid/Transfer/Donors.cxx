@@ -19,7 +19,7 @@ int DonorTable::Get(Index cell, int fragment, int material)
   const Index3 p = this->Grid.Position(cell);
   const Vector3 centre = 0.5 * (this->Grid.NodePoint(p) + this->Grid.NodePoint(CornerOfCell(p, 7)));
   this->Donors.push_back(
-    { cell, fragment, material, next, this->Grid.Owned().Contains(p), 0.0, 0.0, centre });
+    { cell, fragment, material, next, this->Grid.Owned().Contains(p), false, 0.0, 0.0, centre });
   if (before < 0)
   {
     this->Firsts.Set(cell, donor);

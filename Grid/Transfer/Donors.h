@@ -24,6 +24,7 @@ struct Donor
   int Fragment, Material;
   int Next;             ///< next donor of the cell, in the order of fragments, or -1
   bool IsOwned;         ///< whether this rank owns the cell
+  bool HasParts;        ///< whether it is a copy that has parts of elements of this rank
   double Volume = 0.0;  ///< volume of material that it contains
   double Overlap = 0.0; ///< volume of the fragment's elements in the cell
   Vector3 Centroid{};   ///< centroid of the overlap; the cell centre until CentreShapes

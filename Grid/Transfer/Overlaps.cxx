@@ -558,33 +558,48 @@ private:
 
 } // namespace
 
-Overlaps FindOverlaps(
-  const Mesh& mesh, const std::vector<Index>& elements, const CartesianGrid& grid, Runtime& runtime)
+OverlapFinder::OverlapFinder(
+  const Mesh& mesh, const CartesianGrid& grid, const RegularTets& regular, Runtime& runtime) :
+  TheMesh(mesh), Grid(grid), Regular(regular), Run(runtime)
+{
+}
+
+const Overlaps& OverlapFinder::Find(const std::vector<Index>& elements)
 {
   const Index count = static_cast<Index>(elements.size());
   const Index pieces = (count + ElementsAtOnce - 1) / ElementsAtOnce;
-  std::vector<std::vector<OverlapPart>> parts(pieces);
-  const ElementReach reach(mesh, grid);
-  Overlaps overlaps;
+  this->Pieces.resize(std::max<std::size_t>(this->Pieces.size(), pieces));
+  const ElementReach reach(this->TheMesh, this->Grid);
+  Overlaps& overlaps = this->Found;
   overlaps.Offsets.assign(count + 1, 0);
-  ForEach(runtime, pieces,
+  overlaps.IsRegular.assign(count, 0);
+  ForEach(this->Run, pieces,
     [&](Index piece)
     {
-      ElementCutter cutter(mesh, grid, reach);
+      std::vector<OverlapPart>& parts = this->Pieces[piece];
+      parts.clear();
+      ElementCutter cutter(this->TheMesh, this->Grid, reach);
+      std::array<OverlapPart, 2> halves;
       const Index end = std::min(count, (piece + 1) * ElementsAtOnce);
       for (Index i = piece * ElementsAtOnce; i < end; ++i)
       {
-        cutter.Cut(elements[i], parts[piece]);
-        overlaps.Offsets[i + 1] = static_cast<Index>(parts[piece].size());
+        const int regular = this->Regular.Cut(elements[i], halves);
+        overlaps.IsRegular[i] = regular > 0;
+        parts.insert(parts.end(), halves.begin(), halves.begin() + regular);
+        if (regular == 0)
+        {
+          cutter.Cut(elements[i], parts);
+        }
+        overlaps.Offsets[i + 1] = static_cast<Index>(parts.size());
       }
     });
   std::vector<Index> first(pieces + 1, 0);
   for (Index piece = 0; piece < pieces; ++piece)
   {
-    first[piece + 1] = first[piece] + static_cast<Index>(parts[piece].size());
+    first[piece + 1] = first[piece] + static_cast<Index>(this->Pieces[piece].size());
   }
   overlaps.Parts.resize(first[pieces]);
-  ForEach(runtime, pieces,
+  ForEach(this->Run, pieces,
     [&](Index piece)
     {
       const Index end = std::min(count, (piece + 1) * ElementsAtOnce);
@@ -592,10 +607,17 @@ Overlaps FindOverlaps(
       {
         overlaps.Offsets[i + 1] += first[piece];
       }
-      std::copy(parts[piece].begin(), parts[piece].end(), overlaps.Parts.begin() + first[piece]);
-      parts[piece] = {};
+      std::copy(this->Pieces[piece].begin(), this->Pieces[piece].end(),
+        overlaps.Parts.begin() + first[piece]);
     });
   return overlaps;
+}
+
+Overlaps FindOverlaps(
+  const Mesh& mesh, const std::vector<Index>& elements, const CartesianGrid& grid, Runtime& runtime)
+{
+  const RegularTets regular(mesh, grid, runtime);
+  return OverlapFinder(mesh, grid, regular, runtime).Find(elements);
 }
 
 } // namespace vfm

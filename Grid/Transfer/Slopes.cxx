@@ -24,7 +24,7 @@ public:
     Values(values),
     Shapes(shapes),
     Steps(StepsAround(grid)),
-    Sums(columns.Count())
+    Sums(5 * columns.Count())
   {
   }
 
@@ -40,9 +40,13 @@ public:
       std::fill_n(line, 4, 0.0);
       if (!this->Columns.IsConstant(c))
       {
-        const Eigen::Vector3d slope = inverse * Eigen::Map<Eigen::Vector3d>(this->Sums[c].Right);
+        const int count = this->Columns.Count();
+        const double* sums = this->Sums.data() + c;
+        const Eigen::Vector3d slope =
+          inverse * Eigen::Vector3d(sums[0], sums[count], sums[2 * count]);
         std::copy_n(slope.data(), 3, line);
-        this->Limit(this->Shapes[s], this->Sums[c], this->FindShift(s, c, lines), line);
+        this->Limit(
+          this->Shapes[s], sums[3 * count], sums[4 * count], this->FindShift(s, c, lines), line);
       }
     }
   }
@@ -54,12 +58,6 @@ private:
     Vector3 Place; // position relative to the centroid
     double Weight;
   };
-  struct ColumnSums
-  {
-    double Right[3] = { 0.0, 0.0, 0.0 };
-    double Least = 0.0, Most = 0.0; // range of the differences to neighbours, which includes 0
-  };
-
   /// Lists the neighbours of a donor.
   void FindAround(int s)
   {
@@ -115,21 +113,28 @@ private:
   {
     const int count = this->Columns.Count();
     const double* own = this->Values.Of(s);
-    std::fill(this->Sums.begin(), this->Sums.end(), ColumnSums());
+    std::fill(this->Sums.begin(), this->Sums.end(), 0.0);
     for (const Neighbour& other : this->Around)
     {
-      const double* values = this->Values.Of(other.Donor);
-      const Vector3 weights = other.Weight * other.Place;
-      for (int c = 0; c < count; ++c)
-      {
-        const double difference = values[c] - own[c];
-        ColumnSums& sums = this->Sums[c];
-        sums.Least = std::min(sums.Least, difference);
-        sums.Most = std::max(sums.Most, difference);
-        sums.Right[0] += weights[0] * difference;
-        sums.Right[1] += weights[1] * difference;
-        sums.Right[2] += weights[2] * difference;
-      }
+      AddNeighbour(
+        this->Values.Of(other.Donor), own, other.Weight * other.Place, count, this->Sums.data());
+    }
+  }
+
+  /// Adds the differences to a neighbour. The loop is vectorised.
+  static void AddNeighbour(const double* __restrict values, const double* __restrict own,
+    const Vector3& weights, int count, double* __restrict sums)
+  {
+    const double x = weights[0], y = weights[1], z = weights[2];
+    for (int c = 0; c < count; ++c)
+    {
+      const double difference = values[c] - own[c];
+      double &least = sums[3 * count + c], &most = sums[4 * count + c];
+      sums[c] += x * difference;
+      sums[count + c] += y * difference;
+      sums[2 * count + c] += z * difference;
+      least = difference < least ? difference : least;
+      most = difference > most ? difference : most;
     }
   }
 
@@ -156,7 +161,8 @@ private:
 
   /// Limits a slope, so that in the bounding box of the parts, values stay
   /// within the range of neighbours.
-  static void Limit(const DonorShape& shape, const ColumnSums& sums, double shift, double* line)
+  /// @param least,most  range of the differences to neighbours, which includes 0
+  static void Limit(const DonorShape& shape, double least, double most, double shift, double* line)
   {
     double low = shift, high = shift;
     for (int a = 0; a < 3; ++a)
@@ -166,8 +172,8 @@ private:
       high += std::max(atLower, atUpper);
     }
     double part = 1.0;
-    part = low < sums.Least ? std::min(part, sums.Least / low) : part;
-    part = high > sums.Most ? std::min(part, sums.Most / high) : part;
+    part = low < least ? std::min(part, least / low) : part;
+    part = high > most ? std::min(part, most / high) : part;
     line[3] = shift;
     for (int i = 0; i < 4; ++i)
     {
@@ -181,7 +187,9 @@ private:
   const std::vector<DonorShape>& Shapes;
   const std::array<Index, 27> Steps; // offsets of the cells around
   std::vector<Neighbour> Around;
-  std::vector<ColumnSums> Sums; // one per column
+  // Per column the right-hand side, three numbers, then the least and the largest difference: five
+  // lists, each with one number per column.
+  std::vector<double> Sums;
 };
 
 /// Returns whether all parts of a donor are at one position.

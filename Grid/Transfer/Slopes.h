@@ -31,21 +31,23 @@ public:
     const DonorValues& values, const std::vector<DonorShape>& shapes, const DonorLinks& links,
     Runtime& runtime);
 
-  /// Changes the values of a donor to its values at a position.
+  /// Finds the values of a donor at a position.
   /// @param x  position relative to the centroid of the donor
-  /// @param values  values of the donor, one per column
-  void AddAt(int donor, const Vector3& x, double* values) const
+  /// @param own  values at the centroid, one per column
+  /// @param[out] values  values at the position
+  void Evaluate(int donor, const Vector3& x, const double* own, double* values) const
   {
     const int place = this->Places.empty() ? -1 : this->Places[donor];
+    const int count = this->Columns.Count();
     if (place < 0)
     {
+      std::copy_n(own, count, values);
       return;
     }
-    const double* line =
-      this->Lines.data() + static_cast<std::size_t>(place) * 4 * this->Columns.Count();
-    for (int c = 0; c < this->Columns.Count(); ++c, line += 4)
+    const double* line = this->Lines.data() + static_cast<std::size_t>(place) * 4 * count;
+    for (int c = 0; c < count; ++c, line += 4)
     {
-      values[c] += line[0] * x[0] + line[1] * x[1] + line[2] * x[2] + line[3];
+      values[c] = own[c] + (line[0] * x[0] + line[1] * x[1] + line[2] * x[2] + line[3]);
     }
   }
 

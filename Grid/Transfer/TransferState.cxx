@@ -28,51 +28,55 @@ class ElementState
 {
 public:
   explicit ElementState(const StateColumns& columns) :
-    Columns(columns),
-    Values(columns.Count()),
-    Contents(columns.Count()),
-    Parts(columns.Count()),
-    Means(columns.Count())
+    Columns(columns), Count(columns.Count()), Numbers(4 * columns.Count())
   {
   }
 
   void Start()
   {
     this->Inside = 0.0;
-    std::fill(this->Contents.begin(), this->Contents.end(), 0.0);
-    std::fill(this->Means.begin(), this->Means.end(), 0.0);
+    std::fill_n(this->Contents(), 2 * this->Count, 0.0);
   }
   /// Returns the array to which the caller writes the values of the next part.
-  double* NextValues() { return this->Values.data(); }
+  double* NextValues() { return this->Numbers.data(); }
   /// Adds a part.
   /// @param inside  volume of the element in the part
   /// @param volume  volume of the material that the part receives, equal up to rounding
   void Add(double inside, double volume)
   {
-    this->Columns.FindContents(volume, this->Values.data(), this->Parts.data());
+    double *values = this->NextValues(), *parts = values + this->Count;
+    double *contents = this->Contents(), *means = contents + this->Count;
+    this->Columns.FindContents(volume, values, parts);
     this->Inside += inside;
-    for (int c = 0; c < this->Columns.Count(); ++c)
+    for (int c = 0; c < this->Count; ++c)
     {
-      this->Contents[c] += this->Parts[c];
-      this->Means[c] += inside * this->Values[c];
+      contents[c] += parts[c];
+      means[c] += inside * values[c];
     }
   }
-  double Mass() const { return this->Contents[this->Columns.Density()]; }
+  double Mass() const { return this->Contents()[this->Columns.Density()]; }
   double Value(int c) const
   {
     const int base = this->Columns.Base(c);
-    const double weight = base < 0 ? this->Inside : this->Contents[base];
+    const double* contents = this->Contents();
+    const double weight = base < 0 ? this->Inside : contents[base];
     if (weight > 0.0)
     {
-      return this->Contents[c] / weight;
+      return contents[c] / weight;
     }
-    return this->Inside > 0.0 ? this->Means[c] / this->Inside : 0.0; // volume mean without mass
+    const double mean = contents[this->Count + c]; // volume mean without mass
+    return this->Inside > 0.0 ? mean / this->Inside : 0.0;
   }
 
 private:
+  double* Contents() { return this->Numbers.data() + 2 * this->Count; }
+  const double* Contents() const { return this->Numbers.data() + 2 * this->Count; }
+
   const StateColumns& Columns;
+  const int Count;
   double Inside = 0.0;
-  std::vector<double> Values, Contents, Parts, Means;
+  // Per column: values and contents of the last part, sums of contents, and of values by volume.
+  std::vector<double> Numbers;
 };
 
 /// Data of all steps.
@@ -89,6 +93,7 @@ struct Work
     FindMeshed(TheMesh, Request.Fractions.NumberOfMaterials(), Run.Group());
   const StateSource Source{ Request, Columns, IsMeshed };
   const WholeElements Whole{ TheMesh, Grid, Request.Fractions, Run };
+  const RegularTets Regular{ TheMesh, Grid, Run };
   DonorTable Donors{ Grid };
 };
 
@@ -106,7 +111,7 @@ std::vector<DonorParts> FindParts(
     }
   }
   return FindDonorParts(
-    work.TheMesh, elements, work.Grid, work.Parts, work.Run, work.Donors, shapes);
+    work.TheMesh, elements, work.Grid, work.Regular, work.Parts, work.Run, work.Donors, shapes);
 }
 
 /// Returns whether a whole element has donors because mismatch cells are near.
@@ -144,21 +149,6 @@ void UpdateCopies(Work& work, const DonorLinks& links, DonorValues& values)
     });
 }
 
-/// Returns the links of the copies that have parts of some elements.
-DonorLinks LinksToParts(
-  const Work& work, const DonorLinks& links, const std::vector<DonorParts>& moved)
-{
-  std::vector<unsigned char> requested(work.Donors.Count(), 0);
-  for (const DonorParts& some : moved)
-  {
-    for (const DonorPart& part : some.Parts)
-    {
-      requested[part.Donor] = 1;
-    }
-  }
-  return links.Narrow([&requested](int s) { return requested[s]; });
-}
-
 void Allocate(const Work& work, TransferredState& state)
 {
   const std::size_t elements = work.TheMesh.Material.size();
@@ -192,17 +182,18 @@ void FillFromDonors(Work& work, const std::vector<DonorParts>& pieces, const Slo
       [&](Index begin, Index end)
       {
         ElementState element(work.Columns);
+        PartReader reader(work.TheMesh, work.Grid, work.Regular, work.Donors);
         for (Index i = begin; i < end; ++i)
         {
           element.Start();
-          for (int p = some.Offsets[i]; p < some.Offsets[i + 1]; ++p)
-          {
-            const DonorPart& part = some.Parts[p];
-            const Donor& donor = work.Donors[part.Donor];
-            std::copy_n(values.Of(part.Donor), work.Columns.Count(), element.NextValues());
-            slopes.AddAt(part.Donor, part.Centroid - donor.Centroid, element.NextValues());
-            element.Add(part.Volume, part.Volume * (donor.Volume / donor.Overlap));
-          }
+          reader.ForParts(some, i,
+            [&](const DonorPart& part)
+            {
+              const Donor& donor = work.Donors[part.Donor];
+              slopes.Evaluate(part.Donor, part.Centroid - donor.Centroid, values.Of(part.Donor),
+                element.NextValues());
+              element.Add(part.Volume, part.Volume * (donor.Volume / donor.Overlap));
+            });
           Write(work, element, some.Elements[i], state);
         }
       });
@@ -267,8 +258,8 @@ TransferredState TransferState(const Mesh& mesh, const TransferRequest& request,
   UpdateCopies(work, links, values);
   const Slopes slopes = work.Request.Order == 1
     ? Slopes(work.Columns)
-    : Slopes(work.Columns, work.Grid, work.Donors, values, shapes, LinksToParts(work, links, moved),
-        work.Run);
+    : Slopes(work.Columns, work.Grid, work.Donors, values, shapes,
+        links.Narrow([&work](int s) { return work.Donors[s].HasParts; }), work.Run);
   Allocate(work, state);
   FillFromDonors(work, moved, slopes, values, state);
   FillFromDonors(work, near, slopes, values, state);

@@ -10,13 +10,9 @@ WholeElements::WholeElements(
   TheMesh(mesh),
   Grid(grid),
   Fractions(fractions),
-  Lowest(mesh.Material.size(), -1),
+  Lowest(mesh.Corners == 8 ? mesh.Material.size() : 0, -1),
   Covered(grid, 0)
 {
-  if (mesh.Corners != 8)
-  {
-    return;
-  }
   ForEach(runtime, this->Lowest.size(),
     [this](Index e)
     {

@@ -22,7 +22,7 @@ public:
   WholeElements(
     const Mesh& mesh, const CartesianGrid& grid, const FractionField& fractions, Runtime& runtime);
 
-  bool IsWhole(Index element) const { return this->Lowest[element] >= 0; }
+  bool IsWhole(Index element) const { return !this->Lowest.empty() && this->Lowest[element] >= 0; }
   /// Returns the cells of a whole element.
   IndexBox CellsOf(Index element) const;
   /// Returns whether a cell belongs to a whole element.
@@ -35,7 +35,7 @@ private:
   const Mesh& TheMesh;
   const CartesianGrid& Grid;
   const FractionField& Fractions;
-  // Linear index of the lowest cell of each element; -1 if it is not whole.
+  // Linear index of the lowest cell of each element, -1 if it is not whole; empty for tets.
   std::vector<Index> Lowest;
   PagedArray<unsigned char> Covered; // one flag per cell
 };

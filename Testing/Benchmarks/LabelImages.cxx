@@ -17,9 +17,11 @@
 #include "RealCases.h"
 #include "TetPipeline.h"
 
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <limits>
 
 using namespace vfm;
 using namespace vfm::testing;
@@ -52,8 +54,52 @@ MeshOptions OptionsOf(const std::string& method)
   return options;
 }
 
-/// Prints a row and the volumes of labels.
-void Measure(
+/// Sizes of labels, in voxels: small ones below the first, then classes from each to the next.
+constexpr std::array<Index, 4> SizeClasses{ { 30, 100, 500, std::numeric_limits<Index>::max() } };
+
+/// Returns the number of voxels of each label.
+std::vector<Index> CountVoxels(const LabelImage& image)
+{
+  std::vector<Index> counts(image.Labels.NumberOfMaterials() + 1, 0);
+  ForCells(image.Grid.Owned(),
+    [&](const Index3& cell) { ++counts[image.Labels.Label(image.Grid.Linear(cell))]; });
+  return counts;
+}
+
+/// Returns a row of the table of volumes: lost labels, then for each class the labels, those off by
+/// more than 1 %, and the largest error.
+std::string ListVolumes(const std::vector<Index>& voxels, const MeshReport& report)
+{
+  Index lost = 0;
+  for (std::size_t l = 1; l < voxels.size(); ++l)
+  {
+    lost += voxels[l] > 0 && report.MeshVolume[l] == 0.0;
+  }
+  std::string row = std::to_string(lost);
+  for (std::size_t c = 0; c + 1 < SizeClasses.size(); ++c)
+  {
+    Index labels = 0, off = 0;
+    double worst = 0.0;
+    for (std::size_t l = 1; l < voxels.size(); ++l)
+    {
+      if (voxels[l] >= SizeClasses[c] && voxels[l] < SizeClasses[c + 1])
+      {
+        const double error = std::fabs(report.MeshVolume[l] / report.TargetVolume[l] - 1.0);
+        ++labels;
+        off += error > 0.01;
+        worst = std::max(worst, error);
+      }
+    }
+    char text[80];
+    std::snprintf(text, sizeof(text), " | %lld, %lld, %.2f", static_cast<long long>(labels),
+      static_cast<long long>(off), 100.0 * worst);
+    row += text;
+  }
+  return row;
+}
+
+/// Prints a row. Returns the row of the table of volumes.
+std::string Measure(
   const LabelImage& image, const FractionField& fractions, int passes, const std::string& method)
 {
   const MeshOptions options = OptionsOf(method);
@@ -81,6 +127,8 @@ void Measure(
     std::printf("%.1f-%.1f |\n", report.MinimumDihedralAngle, report.MaximumDihedralAngle);
   }
   std::fflush(stdout);
+  return "| " + method + " | " + std::to_string(passes) + " | " +
+    ListVolumes(CountVoxels(image), report) + " |\n";
 }
 
 } // namespace
@@ -100,14 +148,19 @@ int main(int argc, char** argv)
               "the cells | area to the void | overlaps, depth | coincident points | locked | "
               "smallest scaled Jacobian; dihedral angles |\n"
               "|---|---|---|---|---|---|---|---|---|---|---|\n");
+  std::string volumes;
   for (const std::string& word : SplitText(argc > 4 ? argv[4] : "0,3"))
   {
     const int passes = std::atoi(word.c_str());
     const FractionField fractions = MakeSmoothedCase(image.Grid, image.Labels, passes).Fractions;
     for (const std::string& method : SplitText(argc > 3 ? argv[3] : "hexes,Lattice,Cells"))
     {
-      Measure(image, fractions, passes, method);
+      volumes += Measure(image, fractions, passes, method);
     }
   }
+  std::printf(
+    "\n| method | label smoothing | lost | 30 to 99 voxels: labels, off by more than 1 %%, "
+    "largest error %% | 100 to 499 | 500 and more |\n|---|---|---|---|---|---|\n%s",
+    volumes.c_str());
   return 0;
 }

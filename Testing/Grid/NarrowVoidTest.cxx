@@ -261,6 +261,23 @@ TEST(NarrowVoid, KeepsRandomLabelsApart)
   }
 }
 
+/// Points beside narrow void move so far that parts of one body overlap in a notch; then points go
+/// back to their start (Crossings.h). Without that, two pairs of hexes overlap in each mesh.
+TEST(NarrowVoid, IsNotCrossedInNotches)
+{
+  const CartesianGrid grid = MakeUnitGrid(8);
+  for (unsigned seed : { 26, 29 })
+  {
+    const FractionField labels = MakeRandomLabels(grid, 1, 0, seed);
+    const Made made = MakeMesh(grid, labels, ListMethods()[0]);
+    EXPECT_EQ(FindElementOverlaps(made.Elements).Pairs, 0) << seed;
+    EXPECT_EQ(CountCoincidentPoints(made.Elements), 0) << seed;
+    EXPECT_GT(made.Report.MinimumScaledJacobian, 0.3) << seed;
+    EXPECT_NEAR(made.Report.MeshVolume[1] / made.Report.TargetVolume[1], 1.0, 1e-6) << seed;
+    CompareWithSerial(grid, labels, { CutBox(grid.Owned(), 8) }, MeshOptions());
+  }
+}
+
 TEST(NarrowVoid, KeepsBodiesApartOnRanks)
 {
   const CartesianGrid grid = MakeUnitGrid(24);

@@ -283,6 +283,52 @@ TEST(Overlaps, OfRandomTets)
   CompareWithHand(list, grid);
 }
 
+TEST(Overlaps, OfRegularTets)
+{
+  const CartesianGrid grid = MakeUnevenGrid(5);
+  ElementList list(4);
+  const auto centreOf = [&](const Index3& cell)
+  { return 0.5 * (grid.NodePoint(cell) + grid.NodePoint(CornerOfCell(cell, 7))); };
+  for (int a = 0; a < 3; ++a)
+  {
+    for (int b : { (a + 1) % 3, (a + 2) % 3 }) // axis of the edge
+    {
+      for (int side : { 0, 1 })
+      {
+        Index3 cell{ { 1, 2, 2 } }, begin{ { 2, 2, 2 } };
+        cell[a] = 1;
+        begin[a] = 2;
+        begin[b] = cell[b];
+        begin[3 - a - b] = cell[3 - a - b] + side;
+        Index3 other = cell, end = begin;
+        ++other[a];
+        ++end[b];
+        const Vector3 p = centreOf(cell), q = centreOf(other), x = grid.NodePoint(begin),
+                      y = grid.NodePoint(end);
+        const bool turned = Dot(q - p, Cross(x - p, y - p)) < 0.0;
+        list.Add({ p, q, turned ? y : x, turned ? x : y });
+        list.Add({ q, p, turned ? x : y, turned ? y : x });
+      }
+    }
+  }
+  // In one cell, then across an edge of one of the cells only, which is not regular.
+  list.Add({ centreOf({ { 1, 1, 1 } }), grid.NodePoint({ { 1, 1, 1 } }),
+    grid.NodePoint({ { 1, 2, 1 } }), grid.NodePoint({ { 2, 2, 1 } }) });
+  list.Add({ centreOf({ { 1, 1, 1 } }), centreOf({ { 2, 1, 1 } }), grid.NodePoint({ { 3, 1, 1 } }),
+    grid.NodePoint({ { 3, 2, 1 } }) });
+  Runtime runtime;
+  const Mesh mesh = list.AsMesh();
+  const std::vector<Index> elements = AllElements(mesh);
+  for (Index e : elements)
+  {
+    ASSERT_GT(VolumeOfElement(mesh, e), 0.0);
+  }
+  std::vector<unsigned char> expected(elements.size(), 1);
+  expected.back() = 0;
+  EXPECT_EQ(FindOverlaps(mesh, elements, grid, runtime).IsRegular, expected);
+  CompareWithHand(list, grid);
+}
+
 TEST(Overlaps, OfElementsWithCornersOnPlanes)
 {
   RandomDraw random(3);

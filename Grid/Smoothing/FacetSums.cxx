@@ -1,0 +1,112 @@
+#include "Smoothing/FacetSums.h"
+
+#include "Base/HexVolume.h"
+
+#include <mutex>
+
+namespace vfm
+{
+namespace
+{
+
+constexpr Index LongestRun = 64; // facets
+
+double AreaOf(const std::array<Vector3, 4>& q)
+{
+  return 0.5 * Norm(Cross(q[2] - q[0], q[3] - q[1]));
+}
+
+} // namespace
+
+void FacetSums::Start(const ActiveMesh& mesh, std::size_t fragments, Runtime& runtime)
+{
+  this->TheSwept.assign(fragments, {});
+  this->TheAreas.clear();
+  this->FindRuns(mesh);
+  this->Update(mesh, Flags(mesh.X.size(), 1), runtime);
+}
+
+void FacetSums::FindRuns(const ActiveMesh& mesh)
+{
+  this->Runs.clear();
+  const Index facets = static_cast<Index>(mesh.Facets.size());
+  for (Index f = 0; f < facets; ++f)
+  {
+    const Facet& facet = mesh.Facets[f];
+    const auto [low, high] = std::minmax_element(facet.Points.begin(), facet.Points.end());
+    if (f == 0 || this->Runs.back().Fragments != facet.Fragments ||
+      f - this->Runs.back().First == LongestRun)
+    {
+      this->Runs.push_back({ f, f, facet.Fragments, { { *low, *high } }, {}, {} });
+    }
+    FacetRun& run = this->Runs.back();
+    run.End = f + 1;
+    run.Points = { { std::min(run.Points[0], *low), std::max(run.Points[1], *high) } };
+  }
+}
+
+void FacetSums::Update(const ActiveMesh& mesh, const Flags& moved, Runtime& runtime)
+{
+  std::mutex lock;
+  runtime.For(0, static_cast<Index>(this->Runs.size()),
+    [&](Index begin, Index end)
+    {
+      std::vector<std::pair<Index, FacetRun>> old;
+      for (Index r = begin; r < end; ++r)
+      {
+        if (HasMoved(mesh, this->Runs[r], moved))
+        {
+          old.emplace_back(r, this->Runs[r]);
+          Sum(mesh, this->Runs[r]);
+        }
+      }
+      const std::lock_guard<std::mutex> guard(lock);
+      for (const auto& [r, run] : old)
+      {
+        this->Replace(run, this->Runs[r]);
+      }
+    });
+}
+
+bool FacetSums::HasMoved(const ActiveMesh& mesh, const FacetRun& run, const Flags& moved)
+{
+  const auto last = moved.begin() + run.Points[1] + 1;
+  return std::find(moved.begin() + run.Points[0], last, 1) != last &&
+    std::any_of(mesh.Facets.begin() + run.First, mesh.Facets.begin() + run.End,
+      [&](const Facet& facet)
+      {
+        const std::array<Index, 4>& p = facet.Points;
+        return (moved[p[0]] | moved[p[1]] | moved[p[2]] | moved[p[3]]) != 0;
+      });
+}
+
+void FacetSums::Sum(const ActiveMesh& mesh, FacetRun& run)
+{
+  run.Swept = run.Area = ExactSum();
+  for (Index f = run.First; f < run.End; ++f)
+  {
+    std::array<Vector3, 4> start, now;
+    for (int c = 0; c < 4; ++c)
+    {
+      const auto point = static_cast<int>(mesh.Facets[f].Points[c]);
+      start[c] = mesh.StartOf(point);
+      now[c] = mesh.X[point];
+    }
+    run.Swept.Add(VolumeBetween(start, now));
+    run.Area.Add(AreaOf(now));
+  }
+}
+
+/// Replaces the sums of a run in the totals.
+void FacetSums::Replace(const FacetRun& from, const FacetRun& to)
+{
+  const auto& [behind, before] = to.Fragments;
+  ExactSum swept = to.Swept, area = to.Area;
+  swept.Subtract(from.Swept);
+  area.Subtract(from.Area);
+  this->TheSwept[behind].Add(swept);
+  this->TheSwept[before].Subtract(swept);
+  this->TheAreas[std::minmax(behind, before)].Add(area);
+}
+
+} // namespace vfm
