@@ -31,7 +31,7 @@ constexpr int Moves = 8;
 constexpr int MoreMoves = 12;           // if fragments resist
 constexpr double FinalTolerance = 1e-7; // relative
 constexpr VolumeTolerances Final{ CorrectedPart * FinalTolerance, CorrectedPart* FinalTolerance };
-// Rounds of EndCrossings after which volumes are corrected, and points move again. Further rounds
+// Rounds of EndIntersections after which volumes are corrected, and points move again. Further rounds
 // only put points back.
 constexpr int CorrectedRounds = 4, MovingRounds = 30;
 
@@ -213,7 +213,7 @@ void Improve(const Improvement& what, StageClock& clock, Runtime& runtime)
     }
   };
   correct();
-  for (int round = 0; smoother.EndCrossings(what.Ramp.back(), round < MovingRounds); ++round)
+  for (int round = 0; smoother.EndIntersections(what.Ramp.back(), round < MovingRounds); ++round)
   {
     correction.MeasureAll();
     if (round < CorrectedRounds)

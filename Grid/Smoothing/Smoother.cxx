@@ -1,7 +1,7 @@
 #include "Smoothing/Smoother.h"
 
 #include "Base/Vector3.h"
-#include "Smoothing/Crossings.h"
+#include "Smoothing/Intersections.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -220,15 +220,15 @@ void Smoother::RunStage(const SmoothingStage& stage, const std::function<void(do
     });
 }
 
-bool Smoother::EndCrossings(const SmoothingStage& stage, bool moves)
+bool Smoother::EndIntersections(const SmoothingStage& stage, bool moves)
 {
-  const std::vector<unsigned char> crossing = FindCrossings(this->Mesh, this->Run);
+  const std::vector<unsigned char> intersects = FindIntersections(this->Mesh, this->Run);
   bool isNew = false;
   this->Mesh.ForOwned(
     [&](int p)
     {
-      isNew = isNew || (crossing[p] && this->Mesh.Fixed[p] != FixedOnAllAxes);
-      this->Mesh.Fixed[p] = crossing[p] ? FixedOnAllAxes : this->Mesh.Fixed[p];
+      isNew = isNew || (intersects[p] && this->Mesh.Fixed[p] != FixedOnAllAxes);
+      this->Mesh.Fixed[p] = intersects[p] ? FixedOnAllAxes : this->Mesh.Fixed[p];
     });
   if (!this->Run.Group().Any(isNew))
   {
@@ -239,7 +239,7 @@ bool Smoother::EndCrossings(const SmoothingStage& stage, bool moves)
   {
     start[p] = this->Mesh.StartOf(static_cast<int>(p));
   }
-  this->TheGuard.PutBack(crossing, start, this->Mesh.X, stage);
+  this->TheGuard.PutBack(intersects, start, this->Mesh.X, stage);
   if (moves)
   {
     this->MarkReturned();

@@ -76,12 +76,12 @@ public:
   /// @pre Collective.
   void MoveAlongNormals(const std::vector<double>& shifts, const SmoothingStage& stage);
 
-  /// Ends crossings of facets next to void that is not meshed (Crossings.h): puts their points back
-  /// to their start for good, with rings of points around, which then move again.
+  /// Ends intersections of facets next to void that is not meshed (Intersections.h): puts their
+  /// points back to their start for good, with rings of points around, which then move again.
   /// @param moves  whether these and their neighbours move again
-  /// @return whether any facets crossed; then points have moved
+  /// @return whether any facets intersected; then points have moved
   /// @pre Collective.
-  bool EndCrossings(const SmoothingStage& stage, bool moves);
+  bool EndIntersections(const SmoothingStage& stage, bool moves);
 
   /// Sweeps returns the number of sweeps so far, Visits the number of visits to points of this rank
   /// in them.

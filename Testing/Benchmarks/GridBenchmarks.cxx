@@ -152,7 +152,7 @@ void LatticeExtraction(benchmark::State& state)
   {
     topology = TetTopology();
     const double begin = Now();
-    LatticeNodes nodes(c.Grid, c.Fractions, labels, 0.5, runtime);
+    LatticeNodes nodes(c.Grid, c.Fractions, labels, 0.5, partition, runtime);
     topology = BuildLatticeTets(
       c.Grid, nodes, false, NarrowVoid(), partition, runtime, NoCoarseTets(c.Grid, runtime).Tets)
                  .Topology;

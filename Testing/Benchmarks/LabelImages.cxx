@@ -54,8 +54,9 @@ MeshOptions OptionsOf(const std::string& method)
   return options;
 }
 
-/// Sizes of labels, in voxels: small ones below the first, then classes from each to the next.
-constexpr std::array<Index, 4> SizeClasses{ { 30, 100, 500, std::numeric_limits<Index>::max() } };
+/// Sizes of labels, in voxels: classes from each size to the next.
+constexpr std::array<Index, 7> SizeClasses{ { 1, 5, 8, 30, 100, 500,
+  std::numeric_limits<Index>::max() } };
 
 /// Returns the number of voxels of each label.
 std::vector<Index> CountVoxels(const LabelImage& image)
@@ -158,9 +159,9 @@ int main(int argc, char** argv)
       volumes += Measure(image, fractions, passes, method);
     }
   }
-  std::printf(
-    "\n| method | label smoothing | lost | 30 to 99 voxels: labels, off by more than 1 %%, "
-    "largest error %% | 100 to 499 | 500 and more |\n|---|---|---|---|---|---|\n%s",
+  std::printf("\nPer class of voxels: labels, off by more than 1 %%, largest error in %%.\n\n"
+              "| method | label smoothing | lost | 1 to 4 | 5 to 7 | 8 to 29 | 30 to 99 | "
+              "100 to 499 | 500 and more |\n|---|---|---|---|---|---|---|---|---|\n%s",
     volumes.c_str());
   return 0;
 }

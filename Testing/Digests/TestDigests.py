@@ -15,11 +15,11 @@ import tempfile
 
 WITHOUT_FMA = "glibc.cpu.hwcaps=-FMA,-AVX2,-FMA4,-AVX"
 DIGESTS = {
-    "hexes": "3421ddd337d95ca5ae4a8997f52503f4fc4726f3a3c1be35042422c52a7ed88f",
-    "labels": "4c562acf1658f41ef1bc544d76e800aa889d2028ade4c8cd282a48813a77e20b",
-    "levels": "9149689c4a718eee03f7cf028029e6ef478f44c7d101e67bd17d780d67ec9584",
-    "state": "9a0e9bd9401a20bb49dbefbbd9da38e102f7e2f292824098c1c224ebfdc1b733",
-    "tets": "78a304c595841f5e1c33ac20fa9c5ac73fc3e17d37d336bba98c5c108bde5cd8",
+    "hexes": "500c5f123dceeef88d37749d7c2208ee9841694ae232a7a38614655385b97209",
+    "labels": "33398d9d917fbbc7dfa6243b4dd4baf0aad81e312bd7cf66d97d59783d4c033e",
+    "levels": "4d03e3e28f03d8b0a4b74ce436bbc96d97af7bb8c378dd799be78b0554d6306e",
+    "state": "4fea4247c0692525b5438915bb8e606943707f16b8cff3c6dd4588fdccad04ff",
+    "tets": "8524198071cd2788c3bb3a3863324fea000daaa83f5ec4147be87d0c5b4d7f47",
 }
 
 

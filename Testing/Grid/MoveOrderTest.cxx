@@ -161,7 +161,9 @@ TEST(MoveOrder, PutsWhatOtherRanksShareFirst)
             nodes.push_back({ movers[m].Owner, movers[m].Colour, { n, n + 1 } });
           }
         }
-        const PointExchange exchange(movers, partition, 8);
+        const MoverCopies noCopies{ [](Index id, const Index3&) { return id; },
+          { { 1.0, 1.0, 1.0 } } };
+        const PointExchange exchange(movers, partition, 8, noCopies);
         MoveOrder order = MoveOrder::ByPlanes(nodes, exchange);
         std::vector<int> step(movers.size(), -1);
         for (std::size_t s = 0; s < order.Steps().size(); ++s)

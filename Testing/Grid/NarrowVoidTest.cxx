@@ -262,7 +262,7 @@ TEST(NarrowVoid, KeepsRandomLabelsApart)
 }
 
 /// Points beside narrow void move so far that parts of one body overlap in a notch; then points go
-/// back to their start (Crossings.h). Without that, two pairs of hexes overlap in each mesh.
+/// back to their start (Intersections.h). Without that, two pairs of hexes overlap in each mesh.
 TEST(NarrowVoid, IsNotCrossedInNotches)
 {
   const CartesianGrid grid = MakeUnitGrid(8);

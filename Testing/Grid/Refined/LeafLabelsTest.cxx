@@ -387,9 +387,7 @@ TEST_P(LeafRanks, HaveTheLabelsOfOne)
     RunOnRanks(static_cast<int>(boxes.size()),
       [&](Ranks& ranks)
       {
-        const LeafGrid mine(
-          CartesianGrid({ { whole.Coordinates(0), whole.Coordinates(1), whole.Coordinates(2) } },
-            boxes[ranks.Rank()], GhostLayers << c.Refinements),
+        const LeafGrid mine(CartesianGrid(whole, boxes[ranks.Rank()], GhostLayers << c.Refinements),
           ranks.Rank() == 0 ? plan : MakePlan(c.Refinements, {}), ranks);
         const FractionField fractions = CopyToLocal(whole, field, mine.Finest);
         LabelArray labels = mine.Assign(fractions);

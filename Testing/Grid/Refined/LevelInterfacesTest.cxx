@@ -290,8 +290,7 @@ TEST_P(LevelParts, SameAsOfTheWhole)
   for (const IndexBox& box :
     CutBaseBox(grid, refinements, 3, 1)) // the boxes cross borders of levels
   {
-    const CartesianGrid local({ { grid.Coordinates(0), grid.Coordinates(1), grid.Coordinates(2) } },
-      box, GhostLayers << refinements);
+    const CartesianGrid local(grid, box, GhostLayers << refinements);
     ASSERT_LT(local.Local().NumberOfCells(), grid.Local().NumberOfCells());
     const LevelCase part(local, CopyToLocal(grid, fractions, local), plan, this->GetParam());
     for (int level = 0; level <= refinements; ++level)

@@ -298,7 +298,8 @@ TEST(RefineCells, RefusesGridsWhoseIdsWouldNotFit)
 {
   std::vector<double> x(140001);
   std::iota(x.begin(), x.end(), 0.0);
-  const CartesianGrid grid({ { x, x, x } }, { { { 5, 5, 5 } }, { { 6, 6, 6 } } }, GhostLayers);
+  const CartesianGrid grid(std::array<std::vector<double>, 3>{ { x, x, x } },
+    { { { 5, 5, 5 } }, { { 6, 6, 6 } } }, GhostLayers);
   EXPECT_THROW(Refine(grid, FractionField(grid, 1)), InputError);
 }
 

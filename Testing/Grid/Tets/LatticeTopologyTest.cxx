@@ -29,7 +29,7 @@ TetTopology BuildAlone(const CartesianGrid& grid, const FractionField& fractions
   Runtime runtime;
   const Partition partition(grid, runtime.Group());
   const LabelArray labels = MakeResolvedLabels(grid, fractions, partition, runtime);
-  LatticeNodes nodes(grid, fractions, labels, 0.5, runtime);
+  LatticeNodes nodes(grid, fractions, labels, 0.5, partition, runtime);
   return BuildLatticeTets(
     grid, nodes, meshVoid, NarrowVoid(), partition, runtime, NoCoarseTets(grid, runtime).Tets)
     .Topology;
@@ -295,7 +295,7 @@ TEST(LatticeTopology, RanksMakeTheTetsOfOneProcess)
         const Partition partition(grid, ranks);
         const FractionField own = CopyToLocal(whole, field, grid);
         const LabelArray labels = MakeResolvedLabels(grid, own, partition, runtime);
-        LatticeNodes nodes(grid, own, labels, 0.5, runtime);
+        LatticeNodes nodes(grid, own, labels, 0.5, partition, runtime);
         parts[ranks.Rank()] = BuildLatticeTets(
           grid, nodes, meshVoid, NarrowVoid(), partition, runtime, NoCoarseTets(grid, runtime).Tets)
                                 .Topology;

@@ -1,4 +1,4 @@
-#include "Smoothing/Crossings.h"
+#include "Smoothing/Intersections.h"
 
 #include "Base/Vector3.h"
 #include "Mesh/BoxTree.h"
@@ -76,7 +76,7 @@ Common FindCommon(const Shape& a, const Shape& b)
 }
 
 /// Returns whether a plane separates two facets, which may only touch it in a common corner or
-/// edge. Tests one plane, which separates nearly all facets that do not cross.
+/// edge. Tests one plane, which separates nearly all facets that do not intersect.
 bool AreSeparated(const Shape& a, const Shape& b)
 {
   const Common common = FindCommon(a, b);
@@ -114,9 +114,9 @@ double ProjectedOverlap(const Triangle& a, const Triangle& b, const Vector3& axi
   return std::min(ofA.second - ofB.first, ofB.second - ofA.first);
 }
 
-/// Returns whether triangles cross: no plane parallel to one of them, or to an edge of each,
+/// Returns whether triangles intersect: no plane parallel to one of them, or to an edge of each,
 /// separates them.
-bool DoCross(const Triangle& a, const Triangle& b)
+bool DoIntersect(const Triangle& a, const Triangle& b)
 {
   const std::array<Vector3, 3> ofA{ { a[1] - a[0], a[2] - a[1], a[0] - a[2] } },
     ofB{ { b[1] - b[0], b[2] - b[1], b[0] - b[2] } };
@@ -166,8 +166,8 @@ bool Coincide(const Shape& a, const Shape& b)
   return coincide;
 }
 
-/// Returns whether two facets cross, whichever is the first.
-bool DoCross(const Shape& one, const Shape& other)
+/// Returns whether two facets intersect, whichever is the first.
+bool DoIntersect(const Shape& one, const Shape& other)
 {
   if (AreSeparated(one, other))
   {
@@ -176,8 +176,9 @@ bool DoCross(const Shape& one, const Shape& other)
   const Shape &a = one.X < other.X ? one : other, &b = one.X < other.X ? other : one;
   return Coincide(a, b) ||
     AnyTriangle(a,
-      [&](const Triangle& first)
-      { return AnyTriangle(b, [&](const Triangle& second) { return DoCross(first, second); }); });
+      [&](const Triangle& first) {
+        return AnyTriangle(b, [&](const Triangle& second) { return DoIntersect(first, second); });
+      });
 }
 
 /// The facets next to void that is not meshed, of this rank and those near it of other ranks.
@@ -298,24 +299,24 @@ void FreeFacets::Add(const std::vector<SentFacet>& facets, const std::vector<Ind
 
 } // namespace
 
-std::vector<unsigned char> FindCrossings(const ActiveMesh& mesh, Runtime& runtime)
+std::vector<unsigned char> FindIntersections(const ActiveMesh& mesh, Runtime& runtime)
 {
   const FreeFacets facets(mesh, runtime.Group());
   const BoxTree tree(facets.AllBounds());
-  std::vector<unsigned char> crosses(facets.AllBounds().size(), 0);
+  std::vector<unsigned char> intersects(facets.AllBounds().size(), 0);
   tree.ForPairs(runtime,
     [&](Index f, Index g)
     {
-      if (std::min(f, g) < facets.CountOwn() && DoCross(facets.At(f), facets.At(g)))
+      if (std::min(f, g) < facets.CountOwn() && DoIntersect(facets.At(f), facets.At(g)))
       {
-        __atomic_store_n(&crosses[f], 1, __ATOMIC_RELAXED);
-        __atomic_store_n(&crosses[g], 1, __ATOMIC_RELAXED);
+        __atomic_store_n(&intersects[f], 1, __ATOMIC_RELAXED);
+        __atomic_store_n(&intersects[g], 1, __ATOMIC_RELAXED);
       }
     });
   std::vector<unsigned char> points(mesh.X.size(), 0);
   for (Index f = 0; f < facets.CountOwn(); ++f)
   {
-    if (crosses[f])
+    if (intersects[f])
     {
       for (Index point : facets.At(f).Points)
       {

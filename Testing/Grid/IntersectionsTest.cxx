@@ -1,5 +1,5 @@
-/// Crossings of facets: which facets cross, on one rank and several, and pairs of boxes.
-#include "Smoothing/Crossings.h"
+/// Intersections of facets: which facets intersect, on one rank and several, and pairs of boxes.
+#include "Smoothing/Intersections.h"
 
 #include "Base/Vector3.h"
 #include "Mesh/BoxTree.h"
@@ -63,10 +63,10 @@ Flags FlagsOf(const Sheet& sheet)
 {
   std::vector<Vector3> starts;
   Runtime runtime;
-  return FindCrossings(MakeActive(sheet, starts), runtime);
+  return FindIntersections(MakeActive(sheet, starts), runtime);
 }
 
-Index CountCrossing(const Sheet& sheet)
+Index CountIntersecting(const Sheet& sheet)
 {
   const Flags flags = FlagsOf(sheet);
   return std::count(flags.begin(), flags.end(), 1);
@@ -172,48 +172,48 @@ TEST(BoxTree, FindsEachPairOnce)
   }
 }
 
-TEST(Crossings, AreOnlyWhereFacetsPassThroughEachOther)
+TEST(Intersections, AreOnlyWhereFacetsPassThroughEachOther)
 {
   Sheet sheet;
   sheet.Add(Square(0, 0, 0));
   sheet.Add(Square(0.3, 0.3, 0.1));
-  EXPECT_EQ(CountCrossing(sheet), 0); // one above the other
+  EXPECT_EQ(CountIntersecting(sheet), 0); // one above the other
   sheet.Points[6][2] = -0.01;
-  EXPECT_EQ(CountCrossing(sheet), 0); // a corner beside the other
+  EXPECT_EQ(CountIntersecting(sheet), 0); // a corner beside the other
   sheet.Points[4][2] = -0.1;
-  EXPECT_EQ(CountCrossing(sheet), 8);
+  EXPECT_EQ(CountIntersecting(sheet), 8);
   std::vector<Vector3> starts;
   ActiveMesh mesh = MakeActive(sheet, starts);
   mesh.Facets[0].Fragments = { { 1, 2 } }; // not next to void
   Runtime runtime;
-  const Flags flags = FindCrossings(mesh, runtime);
+  const Flags flags = FindIntersections(mesh, runtime);
   EXPECT_EQ(std::count(flags.begin(), flags.end(), 1), 0);
 }
 
-TEST(Crossings, AreFoundBetweenNeighbours)
+TEST(Intersections, AreFoundBetweenNeighbours)
 {
   for (bool hasTriangles : { false, true })
   {
     Sheet cube = MakeCube(hasTriangles);
-    EXPECT_EQ(CountCrossing(cube), 0);
+    EXPECT_EQ(CountIntersecting(cube), 0);
     cube.Points[7] = { { 0.6, 0.6, 0.6 } }; // still apart
-    EXPECT_EQ(CountCrossing(cube), 0);
+    EXPECT_EQ(CountIntersecting(cube), 0);
     cube.Points[7] = { { 0.4, -0.3, 0.4 } }; // through the side y = 0
-    EXPECT_GT(CountCrossing(cube), 4);
+    EXPECT_GT(CountIntersecting(cube), 4);
   }
 }
 
-TEST(Crossings, AreWherePointsCoincide)
+TEST(Intersections, AreWherePointsCoincide)
 {
   Sheet sheet;
   sheet.Add(Square(0, 0, 0));
   sheet.Add(Square(1, 1, 0));
-  EXPECT_EQ(CountCrossing(sheet), 8);
+  EXPECT_EQ(CountIntersecting(sheet), 8);
   sheet.Facets[1][0] = 2; // the same point
-  EXPECT_EQ(CountCrossing(sheet), 0);
+  EXPECT_EQ(CountIntersecting(sheet), 0);
 }
 
-TEST(Crossings, OfTrianglesAreWhereTheirEdgesCross)
+TEST(Intersections, OfTrianglesAreWhereTheirEdgesCross)
 {
   RandomDraw draw(1);
   Index crossing = 0;
@@ -229,14 +229,14 @@ TEST(Crossings, OfTrianglesAreWhereTheirEdgesCross)
     sheet.Add(a);
     sheet.Add(b);
     const bool expected = DoEdgesCross(a, b) || DoEdgesCross(b, a);
-    EXPECT_EQ(CountCrossing(sheet), expected ? 6 : 0) << pair;
+    EXPECT_EQ(CountIntersecting(sheet), expected ? 6 : 0) << pair;
     crossing += expected;
   }
   EXPECT_GT(crossing, 200);
 }
 
 /// Facets of several ranks cross too.
-TEST(Crossings, AreTheSameOnAnyRanks)
+TEST(Intersections, AreTheSameOnAnyRanks)
 {
   for (unsigned seed = 0; seed < 5; ++seed)
   {
@@ -252,7 +252,7 @@ TEST(Crossings, AreTheSameOnAnyRanks)
           std::vector<Vector3> starts;
           RankRuntime runtime(ranks);
           found[ranks.Rank()] =
-            FindCrossings(MakeActive(sheet, starts, ranks.Rank(), count), runtime);
+            FindIntersections(MakeActive(sheet, starts, ranks.Rank(), count), runtime);
         });
       for (std::size_t p = 0; p < expected.size(); ++p)
       {

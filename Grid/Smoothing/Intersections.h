@@ -1,8 +1,8 @@
 /**
- * Crossings: finds facets next to void that is not meshed which pass through each other. The
+ * Intersections: finds facets next to void that is not meshed which pass through each other. The
  * elements between such facets are positive, so bodies, or parts of one body, overlap only where
- * their facets cross. (A body that is wholly inside another one would have no crossings, but it
- * would have to move through all of the void around it.)
+ * their facets intersect. (A body that is wholly inside another one would have no intersections,
+ * but it would have to move through all of the void around it.)
  *
  * A quad is the four triangles around the mean of its corners. All facets of all ranks are
  * compared, whatever their distance was before points moved.
@@ -15,10 +15,10 @@
 namespace vfm
 {
 
-/// Returns flags of the points of facets that cross others, for all points. The flags of points
+/// Returns flags of the points of facets that intersect others, for all points. The flags of points
 /// that this rank moves are complete; it does not know all flags of ghosts.
 /// @param mesh  with facets and current positions
 /// @pre Collective.
-std::vector<unsigned char> FindCrossings(const ActiveMesh& mesh, Runtime& runtime);
+std::vector<unsigned char> FindIntersections(const ActiveMesh& mesh, Runtime& runtime);
 
 } // namespace vfm
