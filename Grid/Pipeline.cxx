@@ -1,9 +1,9 @@
 #include "Pipeline.h"
 
 #include "Hex/MakeLevels.h"
-#include "Mesh/LevelIds.h"
 #include "Mesh/MeasureMaterials.h"
 #include "Mesh/Quality.h"
+#include "Octree/LevelIds.h"
 #include "Ranks/Agreement.h"
 #include "Smoothing/AttachFeatures.h"
 #include "Tet/TetTopology.h"

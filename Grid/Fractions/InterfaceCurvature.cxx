@@ -1,10 +1,10 @@
 #include "Fractions/InterfaceCurvature.h"
 
 #include "Base/ConvexClip.h"
-#include "Base/GradientFit.h"
 #include "Base/PortableMath.h"
 #include "Base/Sorted.h"
 #include "Base/Vector3.h"
+#include "Fractions/GradientFit.h"
 #include "Fractions/Plic.h"
 
 #include <Eigen/Eigenvalues>

@@ -1,7 +1,7 @@
 #include "Fractions/LayerFit.h"
 
-#include "Base/GradientFit.h"
 #include "Base/Vector3.h"
+#include "Fractions/GradientFit.h"
 #include "Fractions/Plic.h"
 
 #include <Eigen/Eigenvalues>

@@ -3,8 +3,8 @@
 #include "Base/Groups.h"
 #include "Hex/NodesNear.h"
 #include "Hex/TransitionSmoothing.h"
-#include "Mesh/LevelIds.h"
 #include "Mesh/PeriodicIds.h"
+#include "Octree/LevelIds.h"
 #include "Smoothing/ActiveMeshBuilder.h"
 #include "Smoothing/Attach.h"
 

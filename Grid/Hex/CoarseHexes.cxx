@@ -2,7 +2,7 @@
 
 #include "Hex/HexTopology.h"
 #include "Hex/TransitionSmoothing.h"
-#include "Mesh/LevelIds.h"
+#include "Octree/LevelIds.h"
 
 #include <limits>
 

@@ -1,7 +1,7 @@
 #include "Hex/HexFacets.h"
 
 #include "Labels/InterfaceFaces.h"
-#include "Mesh/LevelIds.h"
+#include "Octree/LevelIds.h"
 #include "Smoothing/ActiveMesh.h"
 
 namespace vfm

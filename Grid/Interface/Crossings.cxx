@@ -1,7 +1,7 @@
 #include "Interface/Crossings.h"
 
-#include "Base/GradientFit.h"
 #include "Base/Vector3.h"
+#include "Fractions/GradientFit.h"
 #include "Fractions/LayerFit.h"
 #include "Fractions/Plic.h"
 

@@ -1,7 +1,7 @@
 #include "Mesh/Mesh.h"
 
 #include "Base/Runtime.h"
-#include "Mesh/LevelIds.h"
+#include "Octree/LevelIds.h"
 
 #include <limits>
 

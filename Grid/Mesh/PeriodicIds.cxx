@@ -1,6 +1,6 @@
 #include "Mesh/PeriodicIds.h"
 
-#include "Mesh/LevelIds.h"
+#include "Octree/LevelIds.h"
 
 namespace vfm
 {

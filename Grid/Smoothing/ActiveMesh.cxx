@@ -2,7 +2,7 @@
 
 #include "Base/Groups.h"
 #include "Base/Vector3.h"
-#include "Mesh/LevelIds.h"
+#include "Octree/LevelIds.h"
 
 #include <limits>
 

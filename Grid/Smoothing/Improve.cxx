@@ -31,8 +31,8 @@ constexpr int Moves = 8;
 constexpr int MoreMoves = 12;           // if fragments resist
 constexpr double FinalTolerance = 1e-7; // relative
 constexpr VolumeTolerances Final{ CorrectedPart * FinalTolerance, CorrectedPart* FinalTolerance };
-// Rounds of EndIntersections after which volumes are corrected, and points move again. Further rounds
-// only put points back.
+// Rounds of EndIntersections after which volumes are corrected, and points move again. Further
+// rounds only put points back.
 constexpr int CorrectedRounds = 4, MovingRounds = 30;
 
 std::vector<double> Multiplied(std::vector<double> values, double factor)

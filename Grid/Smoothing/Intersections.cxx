@@ -1,7 +1,7 @@
 #include "Smoothing/Intersections.h"
 
+#include "Base/BoxTree.h"
 #include "Base/Vector3.h"
-#include "Mesh/BoxTree.h"
 
 #include <limits>
 

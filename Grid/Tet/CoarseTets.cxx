@@ -4,7 +4,7 @@
 #include "Base/Sorted.h"
 #include "Base/Vector3.h"
 #include "Hex/TransitionSmoothing.h"
-#include "Mesh/LevelIds.h"
+#include "Octree/LevelIds.h"
 #include "Tet/CoarseTetsImprove.h"
 #include "Tet/TetImprove.h"
 

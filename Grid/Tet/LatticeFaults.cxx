@@ -1,7 +1,7 @@
 #include "Tet/LatticeFaults.h"
 
 #include "Base/DisjointSets.h"
-#include "Mesh/LevelIds.h"
+#include "Octree/LevelIds.h"
 #include "Tet/NonManifoldNodes.h"
 
 namespace vfm

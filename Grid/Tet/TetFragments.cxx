@@ -4,7 +4,7 @@
 #include "Base/ExactSum.h"
 #include "Base/Sorted.h"
 #include "Base/Vector3.h"
-#include "Mesh/LevelIds.h"
+#include "Octree/LevelIds.h"
 
 namespace vfm
 {

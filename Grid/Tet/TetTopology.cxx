@@ -1,6 +1,6 @@
 #include "Tet/TetTopology.h"
 
-#include "Mesh/LevelIds.h"
+#include "Octree/LevelIds.h"
 
 namespace vfm
 {

@@ -6,7 +6,7 @@
 #include "Base/Vector3.h"
 #include "Labels/Fragments.h"
 #include "Mesh/FacetSides.h"
-#include "Mesh/LevelIds.h"
+#include "Octree/LevelIds.h"
 #include "Ranks/Agreement.h"
 #include "Tet/TetFacets.h"
 #include "Tet/TetImprove.h"

@@ -1,8 +1,8 @@
 /// Intersections of facets: which facets intersect, on one rank and several, and pairs of boxes.
 #include "Smoothing/Intersections.h"
 
+#include "Base/BoxTree.h"
 #include "Base/Vector3.h"
-#include "Mesh/BoxTree.h"
 #include "RandomDraw.h"
 #include "RankFields.h"
 #include "ThreadRanks.h"

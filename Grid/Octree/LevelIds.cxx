@@ -1,4 +1,4 @@
-#include "Mesh/LevelIds.h"
+#include "Octree/LevelIds.h"
 
 namespace vfm
 {

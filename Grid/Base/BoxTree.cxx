@@ -1,4 +1,4 @@
-#include "Mesh/BoxTree.h"
+#include "Base/BoxTree.h"
 
 #include <algorithm>
 #include <numeric>
