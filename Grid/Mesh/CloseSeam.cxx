@@ -27,8 +27,8 @@ std::vector<SeamPoint> ListSeamPoints(const CartesianGrid& grid, const Mesh& mes
     {
       const bool isPeriodic = grid.Period(a) > 0;
       point.Shift[a] = isPeriodic ? (point.Node[a] - owned[a]) / grid.Period(a) : 0;
-      hasCopies = hasCopies || (isPeriodic && owned[a] == grid.Domain().Upper[a]) ||
-        point.Shift[a] != 0;
+      hasCopies =
+        hasCopies || (isPeriodic && owned[a] == grid.Domain().Upper[a]) || point.Shift[a] != 0;
     }
     if (hasCopies)
     {
