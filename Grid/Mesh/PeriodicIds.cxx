@@ -10,6 +10,10 @@ namespace
 /// Returns the id of the copy of a point that is some cells of the finest grid lower.
 Index IdBelow(const Mesh& mesh, Index id, const Index3& cells)
 {
+  if (cells == Index3{})
+  {
+    return id;
+  }
   const RefinedGrid& levels = *mesh.Levels;
   const Index slots = mesh.Ids.PointSlots;
   if (!IsCoarsePoint(levels, id, slots))

@@ -47,6 +47,7 @@ CoarseTets::CoarseTets(CoarseHexes& hexes, const TetEnergy& energy, Runtime& run
 /// ~(linear index), until AddCentres replaces it by a point.
 void CoarseTets::TakeHexes(CoarseHexes& hexes)
 {
+  this->Local.Levels = this->Grid.shared_from_this();
   this->Local.Points = Buffer<double>(3 * hexes.NumberOfPoints());
   std::vector<Index> ids;
   hexes.Visit(

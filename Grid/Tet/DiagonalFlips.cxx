@@ -163,7 +163,10 @@ void DiagonalFlips::Run(const SmoothingStage& stage, const std::function<void(in
     const Tets tets = this->TetsOf(quad);
     isBetter.push_back(this->IsBetter(quad, tets, Flipped(tets), stage));
   }
-  this->TakeChoices(isBetter);
+  if (!this->OfPeers.empty())
+  {
+    this->TakeChoices(isBetter);
+  }
   std::vector<Index> flipped;
   for (std::size_t q = 0; q < this->Quads.size(); ++q)
   {
