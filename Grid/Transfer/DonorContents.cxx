@@ -211,7 +211,7 @@ std::vector<T> Receive(const Work& work, std::vector<std::vector<T>>& sent)
 {
   std::vector<T> items = std::move(sent.back());
   sent.pop_back();
-  const std::vector<T> received = ExchangeItems(work.Parts.Group(), work.Parts.Peers(), sent);
+  const std::vector<T> received = Joined(work.Parts.Exchange(sent));
   items.insert(items.end(), received.begin(), received.end());
   return items;
 }

@@ -106,7 +106,7 @@ DonorParts CutElements(Work& work, std::vector<Index> elements)
 /// cells, in the order of element ids.
 std::vector<SentPart> ExchangeParts(const Work& work)
 {
-  std::vector<SentPart> received = ExchangeItems(work.Parts.Group(), work.Parts.Peers(), work.Sent);
+  std::vector<SentPart> received = Joined(work.Parts.Exchange(work.Sent));
   std::stable_sort(received.begin(), received.end(),
     [](const SentPart& a, const SentPart& b) { return a.Id < b.Id; });
   return received;
