@@ -127,20 +127,6 @@ std::vector<Bytes> PackLists(const std::vector<std::vector<T>>& lists)
   return messages;
 }
 
-/// Sends lists[i] to rank peers[i] and returns the list received from each peer (Ranks::Exchange).
-/// @pre Collective among peers.
-template <class T>
-std::vector<std::vector<T>> ExchangeLists(
-  Ranks& ranks, const std::vector<int>& peers, const std::vector<std::vector<T>>& lists)
-{
-  std::vector<std::vector<T>> received;
-  for (const Bytes& message : ranks.Exchange(peers, PackLists(lists)))
-  {
-    received.push_back(FromBytes<T>(message));
-  }
-  return received;
-}
-
 /// Sends lists[i] to rank peers[i] and returns all items received, in the order of the peers.
 /// @pre Collective among peers.
 template <class T>
