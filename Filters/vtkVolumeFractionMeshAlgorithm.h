@@ -302,6 +302,16 @@ public:
   /// Mesh the void as well, as material 0, conforming with the materials. Allowed: on or off;
   /// default off.
   vfmSwitchOption(MeshVoid);
+  /// Axes along which the input is one period of a material that repeats. The mesh of one side is
+  /// then a copy of the mesh of the opposite side, at exactly one period from it, and the point
+  /// array PeriodicPartner pairs their nodes. Surfaces, volumes and fragments continue across these
+  /// sides. Along each of the axes, the input needs at least 3 cells. Allowed: Off, X, Y, XY, Z,
+  /// XZ, YZ, XYZ (or 0 to 7); default Off.
+  vfmNumberOption(Periodic, int);
+  /// Shape of the sides across periodic axes. Flat: their nodes stay in the planes. Free: nodes
+  /// move as inside the domain, which gives the best surfaces; the sides then wave by up to a cell
+  /// where they meet surfaces. Allowed: Flat, Free (or 0 to 1); default Flat.
+  vfmNumberOption(PeriodicSides, int);
   /// Remove small fragments and cavities. A face-connected region of one material, or of void, with
   /// fewer cells than this becomes part of the material or void with which it shares the most
   /// faces. 0: all regions stay. Allowed: an integer, 0 or more; default 0.

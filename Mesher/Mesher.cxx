@@ -7,8 +7,11 @@
 #include "Input/UseLabels.h"
 #include "Labels/SmallRegions.h"
 #include "Labels/SmoothLabels.h"
+#include "Levels/PeriodicFields.h"
+#include "Mesh/LeaveCovering.h"
 #include "Options/SetOptions.h"
 #include "Ranks/Agreement.h"
+#include "Summary/SeamFacets.h"
 #include "TetPipeline.h"
 
 #include <algorithm>
@@ -112,6 +115,18 @@ void SmoothFields(const MesherJob& job, LevelFields& fields)
   }
 }
 
+/// Divides cells of high aspect ratio. Labels are smooth before: the parts of a slice would keep
+/// its steps.
+void Divide(const MesherJob& job, LevelFields& fields)
+{
+  if (job.Options.MaximumAspectRatio > 0.0)
+  {
+    RemoveCopies(job.Run.Group(), fields);
+    DivideFields(fields, job.Options.MaximumAspectRatio, job.Options.Children, job.Run);
+    AddCopies(job.Options, job.Run.Group(), fields);
+  }
+}
+
 /// Returns the number of levels finer than the grid that criteria and selected cells request; adds
 /// their families.
 int FindRefinements(const MesherJob& job, const LevelSetup& setup, const InputRequests& requests,
@@ -169,6 +184,18 @@ Mesh MakeMesh(
   return mesh;
 }
 
+/// Turns a periodic mesh into a mesh of the domain.
+void LeaveCopies(const MesherJob& job, LevelFields& fields, Mesh& mesh)
+{
+  if (fields.Grid.IsPeriodic())
+  {
+    const std::array<bool, 3> axes = fields.Grid.PeriodicAxes();
+    LeaveCovering(Partition(fields.Grid, job.Run.Group()), mesh);
+    RemoveCopies(job.Run.Group(), fields);
+    AddSeamFacets(fields.Grid, axes, job.Run.Group(), mesh);
+  }
+}
+
 MeshedGrid DescribeGrid(const LevelFields& fields, const LevelSetup& setup, const LevelPlan& plan)
 {
   const int finest = setup.IsUniform ? setup.Finest : setup.Base + plan.Refinements;
@@ -189,7 +216,7 @@ void Finish(
   append(ListSides(result.TheMesh.Tables), result.Fields);
   append(ListReport(result.TheMesh, result.Report, table, options, fields.Field.Corrected),
     result.Fields);
-  append(ListDomain(fields.Grid, frame), result.Fields);
+  append(ListDomain(fields.Grid, frame, RepeatingAxes(job.Options)), result.Fields);
   append(ListMaterials(result.Report, table, options), result.MaterialFields);
   if (result.State.IsConserved)
   {
@@ -241,6 +268,7 @@ MesherResult RunMesher(const MesherInput& input, const MesherOptions& given, Run
   const std::vector<StateArray> states = FindStateArrays(levels, arrays.State.Arrays, ranks);
   InputRequests requests = FindRequests(job);
   const LevelSetup setup = SetUpLevels(job, requests);
+  CheckPeriods(options, levels, setup);
   const std::vector<BlockPlace> owners = FindOwners(job, cells, setup);
   requests = DistributeRequests(requests, levels, owners, ranks);
 
@@ -249,14 +277,15 @@ MesherResult RunMesher(const MesherInput& input, const MesherOptions& given, Run
   const StoredState kept =
     StoreState(levels, cells, arrays.State, states, fields, setup, options, owners, runtime);
 
+  AddCopies(options, ranks, fields);
   const RemovedRegions removed = RemoveRegions(job, fields);
   SmoothFields(job, fields);
-  // after labels are smoothed: the parts of a slice would keep its steps
-  DivideFields(fields, options.MaximumAspectRatio, options.Children, runtime);
+  Divide(job, fields);
   const MeshOptions meshOptions{ options, Refine(job, setup, requests, fields) };
 
   MesherResult result;
   result.TheMesh = MakeMesh(job, fields, meshOptions, result.Report);
+  LeaveCopies(job, fields, result.TheMesh);
   result.Report.RemovedRegions = removed.Regions;
   result.Report.RemovedCells = removed.Cells;
   result.Report.ChosenCells = requests.Cells;

@@ -112,12 +112,13 @@ CartesianGrid::CartesianGrid(std::array<std::vector<double>, 3> coordinates) :
 
 CartesianGrid CartesianGrid::Covering(const std::array<std::vector<double>, 3>& coordinates,
   const IndexBox& owned, const std::array<bool, 3>& isPeriodic, Seam seam, int ghostLayers,
-  int hexLayers)
+  int hexLayers, Index layers)
 {
   IndexBox domain = WholeBox(coordinates), shifted = owned;
   std::array<std::vector<double>, 3> all = coordinates;
   Index3 periods{ { 0, 0, 0 } };
-  const Index layers = ghostLayers + (ghostLayers & 1);
+  layers = std::max<Index>(layers, ghostLayers);
+  layers += layers & 1;
   for (int a = 0; a < 3; ++a)
   {
     if (isPeriodic[a])
@@ -133,6 +134,19 @@ CartesianGrid CartesianGrid::Covering(const std::array<std::vector<double>, 3>& 
   grid.Periods = periods;
   grid.TheSeam = seam;
   return grid;
+}
+
+CartesianGrid CartesianGrid::OfDomain(int ghostLayers) const
+{
+  std::array<std::vector<double>, 3> coordinates;
+  IndexBox owned = this->OwnedBox;
+  for (int a = 0; a < 3; ++a)
+  {
+    const Index first = this->DomainBox.Lower[a], last = this->DomainBox.Upper[a];
+    coordinates[a].assign(this->X[a].begin() + first, this->X[a].begin() + last + 1);
+    owned = MoveAlong(owned, a, -first);
+  }
+  return CartesianGrid(std::move(coordinates), owned, ghostLayers, this->HexGhosts);
 }
 
 IndexBox CartesianGrid::Extended(int levels) const

@@ -66,13 +66,17 @@ public:
   /// Makes a grid of which one rank owns all cells.
   explicit CartesianGrid(std::array<std::vector<double>, 3> coordinates);
   /// Makes the grid of one rank of a domain that repeats. Indices of the result count from the
-  /// first copy, so along periodic axes the lowest cell of the domain is at least ghostLayers.
+  /// first copy.
   /// @param coordinates  node coordinates of one period along periodic axes
   /// @param owned  cells that this rank owns, counted from the lowest cell of the domain
   /// @param isPeriodic  whether the domain repeats along each axis
+  /// @param layers  number of layers of copies before and after the domain; an odd number or one
+  ///   below ghostLayers is raised
   static CartesianGrid Covering(const std::array<std::vector<double>, 3>& coordinates,
     const IndexBox& owned, const std::array<bool, 3>& isPeriodic, Seam seam, int ghostLayers,
-    int hexLayers = HexLayers);
+    int hexLayers = HexLayers, Index layers = 0);
+  /// Returns the grid of the domain, without copies of cells. Indices count from its lowest cell.
+  CartesianGrid OfDomain(int ghostLayers = 0) const;
 
   /// Returns the cells that exist for the stages: the domain, and along periodic axes its copies.
   const IndexBox& Global() const { return this->GlobalBox; }
@@ -118,6 +122,11 @@ public:
   bool InDomain(const Index3& cell) const { return this->GlobalBox.Contains(cell); }
 
   bool IsPeriodic() const { return this->Periods != Index3{}; }
+  std::array<bool, 3> PeriodicAxes() const
+  {
+    return { { this->Periods[0] > 0, this->Periods[1] > 0, this->Periods[2] > 0 } };
+  }
+  Seam KindOfSeam() const { return this->TheSeam; }
   /// Returns the number of cells after which the domain repeats along an axis; 0: it does not.
   Index Period(int axis) const { return this->Periods[axis]; }
   /// Returns the cells in a number of periods along each axis.

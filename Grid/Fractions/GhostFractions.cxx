@@ -81,12 +81,14 @@ FractionField CopyOwned(
 {
   FractionField result(to, fractions.NumberOfMaterials());
   const IndexBox& box = from.Owned();
+  const Index3& start = to.Owned().Lower;
   FractionField::RowWriter writer(result);
   ForRows(box,
     [&](Index j, Index k)
     {
       const Index first = from.Linear({ { box.Lower[0], j, k } });
-      writer.Start(to.Linear({ { box.Lower[0], j, k } }));
+      writer.Start(to.Linear(
+        { { start[0], start[1] + j - box.Lower[1], start[2] + k - box.Lower[2] } }));
       fractions.Visit(
         first, first + box.Size(0),
         [&](Index begin, Index end, int label) { writer.AddLabel(label, end - begin); },
@@ -110,17 +112,21 @@ void FillGhosts(const Partition& partition, FractionField& fractions)
     [&](const IndexBox& box, const Bytes& bytes) { UnpackBox(bytes, partition, box, fractions); });
 }
 
+void ReplaceGrid(CartesianGrid to, Ranks& ranks, CartesianGrid& grid, FractionField& fractions)
+{
+  fractions = CopyOwned(grid, fractions, to);
+  grid = std::move(to);
+  FillGhosts(Partition(grid, ranks), fractions);
+}
+
 void WidenGrid(
   const GridLayers& layers, Ranks& ranks, CartesianGrid& grid, FractionField& fractions)
 {
-  CartesianGrid wide(grid.Coordinates(), grid.Owned(), layers.Ghosts, layers.Hexes);
-  if (!ranks.Any(!(grid.Local() == wide.Local() && grid.HexBox() == wide.HexBox())))
+  CartesianGrid wide(grid, grid.Owned(), layers.Ghosts, layers.Hexes);
+  if (ranks.Any(!(grid.Local() == wide.Local() && grid.HexBox() == wide.HexBox())))
   {
-    return;
+    ReplaceGrid(std::move(wide), ranks, grid, fractions);
   }
-  fractions = CopyOwned(grid, fractions, wide);
-  grid = std::move(wide);
-  FillGhosts(Partition(grid, ranks), fractions);
 }
 
 } // namespace vfm

@@ -52,6 +52,9 @@ struct Mesh
   IdScheme Ids = HexIds;         ///< scheme of PointIds and ElementIds
   Buffer<double> Points;         ///< coordinates, (points, 3), length units of the grid
   Buffer<Index> PointIds;        ///< global ids, from 1, ascending
+  /// Per point, the lowest global id of its copies on opposite sides of a periodic domain, or its
+  /// own id; empty for a domain that does not repeat.
+  Buffer<Index> PeriodicPartner;
   Buffer<int> GeometryDimension; ///< dimension per point: 3 volume, .., 0 vertex
   Buffer<int> GeometryId;        ///< number per point in its dimension, from 1; 3: fragment
   Buffer<Index> Elements;        ///< points, (elements, Corners), VTK order

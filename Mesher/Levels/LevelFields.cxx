@@ -303,10 +303,6 @@ LevelFields MakeLevelFields(const InputLevels& input, const LevelCells& cells,
 
 void DivideFields(LevelFields& fields, double maximumAspectRatio, ChildRule rule, Runtime& runtime)
 {
-  if (maximumAspectRatio == 0.0)
-  {
-    return;
-  }
   runtime.Progress(0.0, "Dividing cells of high aspect ratio");
   WorkTogether(runtime.Group(),
     [&] { fields.Division = DivideLongCells(fields.Base.Coordinates(), maximumAspectRatio); });

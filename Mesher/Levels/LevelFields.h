@@ -49,7 +49,7 @@ LevelFields MakeLevelFields(const InputLevels& input, const LevelCells& cells,
 
 /// Divides the cells of Base and Grid until no aspect ratio exceeds a maximum (DivideLongCells).
 /// Ratios between levels and the places of families do not change.
-/// @param maximumAspectRatio at least SmallestAspectRatio; 0: no division
+/// @param maximumAspectRatio at least SmallestAspectRatio
 /// @throws InputError if there would be too many cells, on all ranks
 /// @pre Collective
 void DivideFields(LevelFields& fields, double maximumAspectRatio, ChildRule rule, Runtime& runtime);

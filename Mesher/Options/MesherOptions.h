@@ -81,6 +81,8 @@ struct MesherOptions : MeshSettings, LevelSettings, ConserveOptions
   MesherOptions() { this->Edges = SharpEdges::Automatic; }
 
   ElementKind Elements = ElementKind::Hexes;
+  int Periodic = 0; ///< bit a is set if the domain repeats along axis a
+  Seam PeriodicSides = Seam::Flat;
   double FractionTolerance = 1e-6;
   int LabelSmoothing = 0;
   std::string LabelNames; ///< path of a file
@@ -102,6 +104,13 @@ struct MesherOptions : MeshSettings, LevelSettings, ConserveOptions
   ChildRule Children = ChildRule::Planes;
   int NumberOfThreads = 0; ///< used by the code that creates the Runtime
 };
+
+/// Returns whether the domain repeats along each axis.
+inline std::array<bool, 3> RepeatingAxes(const MesherOptions& options)
+{
+  return { { (options.Periodic & 1) != 0, (options.Periodic & 2) != 0,
+    (options.Periodic & 4) != 0 } };
+}
 
 /// Returns the name of the refinement array, or "" unless Refinement is Automatic.
 inline std::string FindRefinementArray(const MesherOptions& options)

@@ -144,6 +144,20 @@ OptionTable MaterialsOptions()
     Row("MeshVoid", Switch<&M::MeshVoid>(),
       "Mesh the void as well, as material 0, conforming with the materials.")
       .Sculptor("--void"),
+    Row("Periodic", Choice<&M::Periodic>({ "Off", "X", "Y", "XY", "Z", "XZ", "YZ", "XYZ" }),
+      "Axes along which the input is one period of a material that repeats. The mesh of one side "
+      "is then a copy of the mesh of the opposite side, at exactly one period from it, and the "
+      "point array PeriodicPartner pairs their nodes. Surfaces, volumes and fragments continue "
+      "across these sides. Along each of the axes, the input needs at least 3 cells.")
+      .Advanced()
+      .Sculptor("--periodic AXES"),
+    Row("PeriodicSides", Choice<&M::PeriodicSides>({ "Flat", "Free" }),
+      "Shape of the sides across periodic axes. Flat: their nodes stay in the planes. Free: nodes "
+      "move as inside the domain, which gives the best surfaces; the sides then wave by up to a "
+      "cell where they meet surfaces.")
+      .EnabledIf("Periodic!=Off")
+      .Advanced()
+      .Sculptor("--periodic-sides KIND"),
     Row("MinimumRegionCells", Number<&M::MinimumRegionCells>(0),
       "Remove small fragments and cavities. A face-connected region of one material, or of void, "
       "with fewer cells than this becomes part of the material or void with which it shares the "

@@ -27,6 +27,10 @@ void VisitPointArrays(TheMesh& mesh, const Visit& visit)
   visit("GlobalPointIds", mesh.PointIds);
   visit("GeometryDimension", mesh.GeometryDimension);
   visit("GeometryId", mesh.GeometryId);
+  if (!mesh.PeriodicPartner.empty())
+  {
+    visit("PeriodicPartner", mesh.PeriodicPartner);
+  }
 }
 ///@}
 

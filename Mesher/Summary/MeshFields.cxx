@@ -190,15 +190,21 @@ FieldArrays ListVertices(const GeometryTables& tables)
   return { FieldOfRows("CurveVertices", tables.CurveVertices) };
 }
 
-FieldArrays ListDomain(const CartesianGrid& grid, const ImageFrame& frame)
+FieldArrays ListDomain(
+  const CartesianGrid& grid, const ImageFrame& frame, const std::array<bool, 3>& isPeriodic)
 {
-  std::vector<double> bounds;
+  std::vector<double> bounds, lengths;
   for (int axis = 0; axis < 3; ++axis)
   {
-    bounds.push_back(grid.Coordinates(axis).front());
-    bounds.push_back(grid.Coordinates(axis).back());
+    const double least = grid.Coordinates(axis).front(), most = grid.Coordinates(axis).back();
+    bounds.insert(bounds.end(), { least, most });
+    lengths.push_back(isPeriodic[axis] ? most - least : 0.0);
   }
   FieldArrays fields{ { "DomainBounds", std::move(bounds) } };
+  if (isPeriodic != std::array<bool, 3>())
+  {
+    fields.push_back({ "PeriodLengths", std::move(lengths) });
+  }
   if (!frame.IsIdentity())
   {
     std::vector<double> numbers(frame.Axes.begin(), frame.Axes.end());

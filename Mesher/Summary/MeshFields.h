@@ -55,8 +55,10 @@ FieldArrays ListVertices(const GeometryTables& tables);
 /// Lists the domain. DomainBounds: x min, max, y min, max, z min, max; nodes on a side of the
 /// domain have exactly this coordinate. Bounds of a rotated image are in image axes.
 /// DomainFrame then has the matrix A, row-major, and the origin o: x = o + A (u - o) for a
-/// point u in image axes.
-FieldArrays ListDomain(const CartesianGrid& grid, const ImageFrame& frame);
+/// point u in image axes. PeriodLengths of a periodic mesh: lengths along x, y, z after which the
+/// domain repeats; 0: it does not.
+FieldArrays ListDomain(const CartesianGrid& grid, const ImageFrame& frame,
+  const std::array<bool, 3>& isPeriodic = {});
 
 /// Returns a sentence with the materials of the input that have no element; "" if all
 /// have elements.

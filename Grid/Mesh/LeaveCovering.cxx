@@ -1,0 +1,200 @@
+#include "Mesh/LeaveCovering.h"
+
+#include "Mesh/PeriodicIds.h"
+#include "Octree/LevelIds.h"
+#include "Ranks/Agreement.h"
+
+namespace vfm
+{
+namespace
+{
+
+using LevelIndex = OctreeKeys::LevelIndex;
+
+/// The refined grid of the domain, and ids on it.
+class DomainIds
+{
+public:
+  /// Collective.
+  DomainIds(const Mesh& mesh, Ranks& ranks) :
+    Covering(*mesh.Levels), Lower(Covering.Finest().Domain().Lower), Ids(mesh.Ids)
+  {
+    const bool isFirst = ranks.Rank() == 0; // the families of all ranks are joined
+    LevelPlan plan;
+    plan.FineInterfaces = this->Covering.HasFineInterfaces();
+    plan.Refinements = this->Covering.NumberOfRefinements();
+    const CartesianGrid finest = this->Covering.Finest().OfDomain(GhostLayers);
+    const CartesianGrid base = this->Covering.Base().OfDomain();
+    plan.Families = isFirst ? this->ListFamilies(OctreeKeys(base, plan.Refinements))
+                            : std::vector<std::vector<Index>>();
+    this->Domain = std::make_shared<const RefinedGrid>(finest, plan, std::vector<Index>(), ranks);
+  }
+
+  const std::shared_ptr<const RefinedGrid>& Levels() const { return this->Domain; }
+
+  /// Returns whether a point was added by TetGen.
+  bool IsAdded(Index id) const
+  {
+    return id >= EndOfPointIds(this->Covering, this->Ids.PointSlots);
+  }
+
+  Index OfPoint(Index id) const
+  {
+    const Index slots = this->Ids.PointSlots;
+    if (this->IsAdded(id))
+    {
+      return id - EndOfPointIds(this->Covering, slots) + EndOfPointIds(*this->Domain, slots);
+    }
+    if (!IsCoarsePoint(this->Covering, id, slots))
+    {
+      const Index3 node = this->Covering.Finest().NodeOfKey((id - 1) / slots);
+      return this->Domain->Finest().NodeKey(Minus(node, this->Lower)) * slots + (id - 1) % slots +
+        1;
+    }
+    if (IsCoarseCentre(this->Covering, id, slots))
+    {
+      return CentreId(
+        *this->Domain, this->HexKey(CellOfCoarseCentre(this->Covering, id, slots)), slots);
+    }
+    const LevelIndex node = this->Shifted(
+      this->Covering.Lattice().NodeOfKey(KeyOfPoint(this->Covering, id, slots)));
+    return CoarsePointId(*this->Domain,
+      this->Domain->Lattice().NodeKey(node.Level, node.At, node.Slot), slots,
+      static_cast<int>((id - 1) % slots));
+  }
+
+  Index OfHex(Index id) const
+  {
+    const Index slots = this->Ids.ElementSlots;
+    const int slot = static_cast<int>((id - 1) % slots);
+    if (IsCoarseElement(this->Covering, id, slots))
+    {
+      return ElementId(
+        *this->Domain, this->HexKey(CellOfCoarseElement(this->Covering, id, slots)), slots, slot);
+    }
+    const Index3 cell = this->Covering.Finest().CellOfKey((id - 1) / slots);
+    return this->Domain->Finest().CellKey(Minus(cell, this->Lower)) * slots + slot + 1;
+  }
+
+  Index OfTet(Index id) const
+  {
+    const Index slots = this->Ids.ElementSlots;
+    if (slots == 0)
+    {
+      return id; // TetGen's
+    }
+    if (IsCoarseTet(this->Covering, id, slots))
+    {
+      const Index number = (id - TetId(this->Covering, 0, 0, slots)) % TetsOfHex;
+      return TetId(
+        *this->Domain, this->HexKey(CellOfCoarseTet(this->Covering, id, slots)), number, slots);
+    }
+    const Index3 block = this->Covering.Finest().NodeOfKey((id - 1) / slots);
+    return this->Domain->Finest().NodeKey(Minus(block, this->Lower)) * slots + (id - 1) % slots + 1;
+  }
+
+private:
+  static Index3 Minus(const Index3& p, const Index3& q)
+  {
+    return { { p[0] - q[0], p[1] - q[1], p[2] - q[2] } };
+  }
+  /// Returns a cell or node of a level of the covering grid, counted in the domain.
+  LevelIndex Shifted(LevelIndex at) const
+  {
+    for (int a = 0; a < 3; ++a)
+    {
+      at.At[a] -= this->Lower[a] >> (this->Covering.NumberOfRefinements() - at.Level);
+    }
+    return at;
+  }
+  Index HexKey(const LevelIndex& covering) const
+  {
+    const LevelIndex cell = this->Shifted(covering);
+    return this->Domain->Lattice().HexKey(cell.Level, cell.At, cell.Slot);
+  }
+  std::vector<std::vector<Index>> ListFamilies(const OctreeKeys& domain) const
+  {
+    std::vector<std::vector<Index>> families(this->Covering.NumberOfRefinements());
+    for (int level = 0; level < this->Covering.NumberOfRefinements(); ++level)
+    {
+      for (Index key : this->Covering.Families().Keys(level))
+      {
+        const Index3 first =
+          ChangeLevel(BoxOfCell(this->Covering.Lattice().FamilyOfKey(level, key)), 1).Lower;
+        const Index3 family = ParentOfCell(this->Shifted({ level, first, 0 }).At);
+        if (domain.HasFamily(level, family))
+        {
+          families[level].push_back(domain.FamilyKey(level, family));
+        }
+      }
+    }
+    return families;
+  }
+
+  const RefinedGrid& Covering;
+  const Index3 Lower; // first finest cell of the domain
+  const IdScheme Ids;
+  std::shared_ptr<const RefinedGrid> Domain;
+};
+
+/// Id of the owner of a point, and the id of the point on the grid of the domain.
+using Copy = std::array<Index, 2>;
+
+bool HasCopies(const CartesianGrid& grid, const Index3& node)
+{
+  const Index3 owned = grid.CanonicalNode(node);
+  bool hasCopies = node != owned;
+  for (int a = 0; a < 3; ++a)
+  {
+    hasCopies = hasCopies || (grid.Period(a) > 0 && node[a] == grid.Domain().Upper[a]);
+  }
+  return hasCopies;
+}
+
+/// Collective. Returns the partner of each point.
+/// @param ids  ids of the points on the grid of the domain
+Buffer<Index> FindPartners(
+  const Mesh& mesh, const DomainIds& domain, const Buffer<Index>& ids, Ranks& ranks)
+{
+  const CartesianGrid& grid = mesh.Levels->Finest();
+  std::vector<Copy> copies;
+  std::vector<std::size_t> points;
+  for (std::size_t p = 0; p < ids.size(); ++p)
+  {
+    const Index id = mesh.PointIds[p];
+    if (!domain.IsAdded(id) && HasCopies(grid, NodeOfPoint(grid, mesh, id)))
+    {
+      points.push_back(p);
+      copies.push_back({ { IdOfOwner(mesh, id), ids[p] } });
+    }
+  }
+  Buffer<Index> partners(ids.size());
+  std::copy(ids.begin(), ids.end(), partners.begin());
+  const std::vector<Copy> all = UnionOverRanks(ranks, copies);
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const Copy first{ { copies[i][0], 0 } };
+    partners[points[i]] = (*std::lower_bound(all.begin(), all.end(), first))[1];
+  }
+  return partners;
+}
+
+} // namespace
+
+void LeaveCovering(const Partition& covering, Mesh& mesh)
+{
+  Ranks& ranks = covering.Group();
+  const DomainIds domain(mesh, ranks);
+  Buffer<Index> ids(mesh.PointIds.size());
+  std::transform(mesh.PointIds.begin(), mesh.PointIds.end(), ids.begin(),
+    [&domain](Index id) { return domain.OfPoint(id); });
+  mesh.PeriodicPartner = FindPartners(mesh, domain, ids, ranks);
+  mesh.PointIds = std::move(ids);
+  for (Index& id : mesh.ElementIds)
+  {
+    id = mesh.Corners == 8 ? domain.OfHex(id) : domain.OfTet(id);
+  }
+  mesh.Levels = domain.Levels();
+}
+
+} // namespace vfm
