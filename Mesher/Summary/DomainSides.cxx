@@ -11,15 +11,23 @@ constexpr double SideTolerance = 1e-9; // relative to the length of the domain
 
 } // namespace
 
-DomainSides::DomainSides(const MeshData& mesh) :
-  TheMesh(mesh), Bounds(NumbersOfField(mesh.Fields, "DomainBounds"))
+ImageFrame FrameOfDomain(const MeshData& mesh)
 {
-  const std::vector<double> frame = NumbersOfField(mesh.Fields, "DomainFrame");
-  if (frame.size() == this->Frame.Axes.size() + this->Frame.Origin.size())
+  ImageFrame frame;
+  const std::vector<double> numbers = NumbersOfField(mesh.Fields, "DomainFrame");
+  if (numbers.size() == frame.Axes.size() + frame.Origin.size())
   {
-    std::copy_n(frame.begin(), this->Frame.Axes.size(), this->Frame.Axes.begin());
-    std::copy(frame.begin() + this->Frame.Axes.size(), frame.end(), this->Frame.Origin.begin());
+    std::copy_n(numbers.begin(), frame.Axes.size(), frame.Axes.begin());
+    std::copy(numbers.begin() + frame.Axes.size(), numbers.end(), frame.Origin.begin());
   }
+  return frame;
+}
+
+DomainSides::DomainSides(const MeshData& mesh) :
+  TheMesh(mesh),
+  Bounds(NumbersOfField(mesh.Fields, "DomainBounds")),
+  Frame(FrameOfDomain(mesh))
+{
 }
 
 bool DomainSides::IsOnSide(Index point, int side) const

@@ -12,6 +12,9 @@ namespace vfm
 
 constexpr int NoSide = -1;
 
+/// Returns the frame of image axes from the field DomainFrame of a mesh.
+ImageFrame FrameOfDomain(const MeshData& mesh);
+
 /// Sides 0..5 are -x +x -y +y -z +z, in image axes if the image is rotated. Views the mesh, which
 /// must outlive this object.
 class DomainSides
@@ -27,7 +30,7 @@ public:
 private:
   const MeshData& TheMesh;
   const std::vector<double> Bounds;
-  ImageFrame Frame;
+  const ImageFrame Frame;
 };
 
 } // namespace vfm

@@ -36,6 +36,8 @@ struct MeshData
   const double* Points = nullptr;         ///< (points, 3)
   const Index* Elements = nullptr;        ///< (elements, Corners), points from 0, VTK's order
   const Index* PointIds = nullptr;        ///< global ids of points, from 1
+  /// Lowest global id among the copies of each point on opposite sides of a periodic mesh.
+  const Index* PeriodicPartner = nullptr;
   const Index* ElementIds = nullptr;      ///< global ids of elements, from 1
   const int* Material = nullptr;          ///< material id of each element; 0 void
   const int* Fragment = nullptr;          ///< fragment of each element, from 1

@@ -1,0 +1,225 @@
+/// Meshes of periodic domains: ids, partners and sides of the output.
+#include "Input/NodeCoordinates.h"
+#include "Input/PlainArrays.h"
+#include "Mesh/ElementFaces.h"
+#include "Mesher.h"
+#include "State/ViewMesh.h"
+#include "Summary/MeshSets.h"
+#include "Summary/PeriodicPairs.h"
+#include "RankFields.h"
+#include "ThreadRanks.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <mutex>
+#include <random>
+
+using namespace vfm;
+using namespace vfm::testing;
+
+namespace
+{
+
+constexpr Index3 Cells{ { 7, 8, 6 } };
+constexpr double Width = 0.3; // coordinates are not exact
+
+/// Returns the part of a rank of an image of random labels, cut across z.
+MesherInput MakeRandomInput(const Index3& n, Ranks& ranks)
+{
+  InputBlock block;
+  block.Name = "The input";
+  const Index first = ranks.Rank() * n[2] / ranks.Count();
+  const Index last = (ranks.Rank() + 1) * n[2] / ranks.Count();
+  for (int a = 0; a < 3; ++a)
+  {
+    const Index begin = a == 2 ? first : 0, end = a == 2 ? last : n[a];
+    for (Index i = begin; i <= end; ++i)
+    {
+      block.Coordinates[a].push_back(0.1 + Width * static_cast<double>(i));
+    }
+  }
+  KeepAllCells(block);
+  std::mt19937 random(5);
+  std::vector<int> labels;
+  for (Index cell = 0; cell < n[0] * n[1] * last; ++cell)
+  {
+    const int label = static_cast<int>(random() % 3);
+    if (cell >= n[0] * n[1] * first)
+    {
+      labels.push_back(label);
+    }
+  }
+  auto arrays = std::make_shared<PlainArrays>(static_cast<Index>(labels.size()));
+  arrays->Store("labels", ValueType::Int, std::move(labels));
+  block.Arrays = arrays;
+  CollectedBlocks collected;
+  collected.Blocks.push_back(std::move(block));
+  MesherInput input;
+  input.Levels = FindInputLevels(std::move(collected), ranks);
+  input.Arrays.Labels = "labels";
+  return input;
+}
+
+struct Method
+{
+  const char* Name;
+  ElementKind Elements;
+  Seam Sides;
+};
+
+MesherOptions OptionsOf(const Method& method)
+{
+  MesherOptions options;
+  options.Elements = method.Elements;
+  options.PeriodicSides = method.Sides;
+  options.Periodic = 5; // x and z
+  return options;
+}
+
+class PeriodicMesher : public ::testing::TestWithParam<Method>
+{
+};
+
+using Point = std::array<double, 4>; // position and partner
+/// A mesh by global ids.
+struct MeshById
+{
+  std::map<Index, Point> Points;
+  std::map<Index, std::vector<Index>> Elements;
+  std::map<FaceIds, int> Sides; // side of the domain of each face on it
+
+  void Add(const Mesh& mesh)
+  {
+    for (std::size_t p = 0; p < mesh.PointIds.size(); ++p)
+    {
+      const Vector3 x = mesh.PointAt(static_cast<Index>(p));
+      this->Points[mesh.PointIds[p]] = { { x[0], x[1], x[2],
+        static_cast<double>(mesh.PeriodicPartner[p]) } };
+    }
+    for (std::size_t at = 0; at < mesh.Elements.size(); ++at)
+    {
+      this->Elements[mesh.ElementIds[at / mesh.Corners]].push_back(
+        mesh.PointIds[mesh.Elements[at]]);
+    }
+    for (const MeshFacet& facet : mesh.Facets)
+    {
+      if (facet.DomainSide >= 0)
+      {
+        FaceIds face = ElementFaces(mesh.Corners)
+          .PointsOf(mesh.Elements.data() + mesh.Corners * facet.Element, facet.Side);
+        for (Index& point : face)
+        {
+          point = point < 0 ? -1 : mesh.PointIds[point];
+        }
+        std::sort(face.begin(), face.end());
+        this->Sides[face] = facet.DomainSide;
+      }
+    }
+  }
+};
+
+} // namespace
+
+TEST_P(PeriodicMesher, PairsAreExactTranslates)
+{
+  Runtime serial;
+  const MesherResult result =
+    RunMesher(MakeRandomInput(Cells, serial.Group()), OptionsOf(this->GetParam()), serial);
+  const MeshData mesh = ViewMesh(result.TheMesh, result.State, result.Fields);
+  const std::vector<PeriodicPair> pairs = FindPeriodicPairs(mesh);
+  ASSERT_GT(pairs.size(), 100u);
+  const std::vector<double> lengths = NumbersOfField(mesh.Fields, "PeriodLengths");
+  EXPECT_EQ(lengths[1], 0.0);
+  for (const PeriodicPair& pair : pairs)
+  {
+    EXPECT_NE(pair.Periods, Index3{});
+    for (int a = 0; a < 3; ++a)
+    {
+      EXPECT_EQ(mesh.Point(pair.Point)[a],
+        mesh.Point(pair.Partner)[a] + static_cast<double>(pair.Periods[a]) * lengths[a]);
+    }
+  }
+}
+
+TEST_P(PeriodicMesher, FacesOfOppositeSidesMatch)
+{
+  Runtime serial;
+  const MesherResult result =
+    RunMesher(MakeRandomInput(Cells, serial.Group()), OptionsOf(this->GetParam()), serial);
+  MeshById mesh;
+  mesh.Add(result.TheMesh);
+  std::map<FaceIds, std::vector<int>> sides; // of faces with partners as points
+  for (const auto& [ids, side] : mesh.Sides)
+  {
+    FaceIds face = ids;
+    for (Index& id : face)
+    {
+      id = id < 0 ? -1 : static_cast<Index>(mesh.Points.at(id)[3]);
+    }
+    std::sort(face.begin(), face.end());
+    if (side / 2 != 1)
+    {
+      sides[face].push_back(side);
+    }
+  }
+  ASSERT_GT(sides.size(), 50u);
+  for (const auto& face : sides)
+  {
+    ASSERT_EQ(face.second.size(), 2u);
+    EXPECT_EQ(face.second[0] ^ 1, face.second[1]);
+  }
+}
+
+TEST_P(PeriodicMesher, RanksGiveTheSameMesh)
+{
+  Runtime serial;
+  MeshById alone;
+  alone.Add(RunMesher(
+    MakeRandomInput(Cells, serial.Group()), OptionsOf(this->GetParam()), serial).TheMesh);
+  for (int count : { 2, 3 })
+  {
+    MeshById joined;
+    std::mutex mutex;
+    RunOnRanks(count,
+      [&](ThreadRanks& ranks)
+      {
+        RankRuntime runtime(ranks);
+        const MesherResult result =
+          RunMesher(MakeRandomInput(Cells, ranks), OptionsOf(this->GetParam()), runtime);
+        const std::lock_guard<std::mutex> lock(mutex);
+        joined.Add(result.TheMesh);
+      });
+    EXPECT_TRUE(joined.Points == alone.Points);
+    EXPECT_TRUE(joined.Elements == alone.Elements);
+    EXPECT_TRUE(joined.Sides == alone.Sides);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, PeriodicMesher,
+  ::testing::Values(Method{ "FlatHexes", ElementKind::Hexes, Seam::Flat },
+    Method{ "FreeHexes", ElementKind::Hexes, Seam::Free },
+    Method{ "FlatTets", ElementKind::Tets, Seam::Flat }),
+  [](const auto& info) { return std::string(info.param.Name); });
+
+TEST(PeriodicMesher, WrongInput)
+{
+  Runtime serial;
+  const auto messageOf = [&](const MesherOptions& options, const Index3& cells) -> std::string
+  {
+    try
+    {
+      RunMesher(MakeRandomInput(cells, serial.Group()), options, serial);
+    }
+    catch (const InputError& error)
+    {
+      return error.what();
+    }
+    return "";
+  };
+  MesherOptions options;
+  options.Periodic = 1;
+  EXPECT_EQ(messageOf(options, { { 2, 5, 5 } }),
+    "A periodic mesh needs at least 3 cells along x, not 2.");
+  EXPECT_EQ(messageOf(options, { { 3, 2, 2 } }), "");
+}
