@@ -32,6 +32,14 @@ void CheckPeriods(
     return;
   }
   CheckSizes(options, input.Levels[0].Global());
+  if (options.Elements == ElementKind::Tets && options.PeriodicSides == Sides::Free)
+  {
+    throw InputError("PeriodicSides is Free: the sides of tetrahedra can only be Flat or Joined.");
+  }
+  if (options.NodalVelocity)
+  {
+    throw InputError("NodalVelocity is not available for periodic meshes.");
+  }
   if (setup.Refinements() > 0 || setup.Finest != 0 || input.Finest() > 0)
   {
     throw InputError("A periodic mesh cannot be refined yet: set Refinement to Off, and Periodic "
@@ -47,7 +55,7 @@ void AddCopies(const MesherOptions& options, Ranks& ranks, LevelFields& fields)
   }
   const CartesianGrid& grid = fields.Grid;
   ReplaceGrid(CartesianGrid::Covering(grid.Coordinates(), grid.Owned(), RepeatingAxes(options),
-                options.PeriodicSides, GhostLayers),
+                options.PeriodicSides == Sides::Flat ? Seam::Flat : Seam::Free, GhostLayers),
     ranks, fields.Grid, fields.Field.Fractions);
   fields.Base = fields.Grid;
 }
