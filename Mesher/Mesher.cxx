@@ -283,6 +283,7 @@ MesherResult RunMesher(const MesherInput& input, const MesherOptions& given, Run
     StoreState(levels, cells, arrays.State, states, fields, setup, options, owners, runtime);
 
   AddCopies(options, ranks, fields);
+  Warn(job, DescribeSeams(fields, options.IsoValue, ranks));
   const RemovedRegions removed = RemoveRegions(job, fields);
   SmoothFields(job, fields);
   Divide(job, fields);

@@ -260,6 +260,31 @@ INSTANTIATE_TEST_SUITE_P(Elements, JoinedMesher,
   ::testing::Values(ElementKind::Hexes, ElementKind::Tets),
   [](const auto& info) { return info.param == ElementKind::Hexes ? "Hexes" : "Tets"; });
 
+/// Material 1 below, 2 above: they meet inside, and across z at the sides.
+TEST(PeriodicMesher, WarnsIfMaterialsDoNotContinue)
+{
+  Runtime serial;
+  MesherInput input = MakeRandomInput({ { 4, 4, 12 } }, serial.Group());
+  auto arrays = std::make_shared<PlainArrays>(Index(192));
+  std::vector<int> labels(192, 1);
+  std::fill(labels.begin() + 96, labels.end(), 2);
+  arrays->Store("labels", ValueType::Int, std::move(labels));
+  input.Levels.Levels[0].Blocks[0].Arrays = arrays;
+  std::vector<std::string> warnings;
+  input.Warn = [&warnings](const std::string& text) { warnings.push_back(text); };
+  MesherOptions options;
+  options.Periodic = 3;
+  RunMesher(input, options, serial);
+  EXPECT_TRUE(warnings.empty());
+  options.Periodic = 7;
+  const MesherResult result = RunMesher(input, options, serial);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0],
+    "Across z, the materials of 16 of 16 faces of cells on opposite sides differ: the mesh has an "
+    "interface there. Is the input one period?");
+  EXPECT_EQ(result.Report.FlippedCells, 0);
+}
+
 TEST(PeriodicMesher, WrongInput)
 {
   Runtime serial;
