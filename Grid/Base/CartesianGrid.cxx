@@ -136,6 +136,14 @@ CartesianGrid CartesianGrid::Covering(const std::array<std::vector<double>, 3>& 
   return grid;
 }
 
+CartesianGrid CartesianGrid::WithCells(const std::array<std::vector<double>, 3>& coordinates,
+  const IndexBox& owned, int ghostLayers, Index layers) const
+{
+  return Covering(coordinates, owned,
+    { { this->Periods[0] > 0, this->Periods[1] > 0, this->Periods[2] > 0 } }, this->TheSeam,
+    ghostLayers, HexLayers, layers);
+}
+
 CartesianGrid CartesianGrid::OfDomain(int ghostLayers) const
 {
   std::array<std::vector<double>, 3> coordinates;
@@ -206,6 +214,21 @@ int CartesianGrid::FlatSeams(const Index3& node) const
     for (int a = 0; a < 3; ++a)
     {
       axes |= (this->Periods[a] > 0 && own[a] == this->DomainBox.Lower[a]) << a;
+    }
+  }
+  return axes;
+}
+
+int CartesianGrid::FlatSeams(const Vector3& point) const
+{
+  int axes = 0;
+  for (int a = 0; this->TheSeam == Seam::Flat && a < 3; ++a)
+  {
+    const Index period = this->Periods[a], first = this->DomainBox.Lower[a];
+    for (Index i = period > 0 ? first % period : 0; period > 0 && i <= this->GlobalBox.Upper[a];
+         i += period)
+    {
+      axes |= (this->X[a][i] == point[a]) << a;
     }
   }
   return axes;

@@ -99,10 +99,12 @@ Index CountFreeFaces(const Mesh& mesh)
 
 } // namespace
 
-CartesianGrid MakePeriodicGrid(const Index3& n, const std::array<bool, 3>& isPeriodic, Seam seam)
+CartesianGrid MakePeriodicGrid(
+  const Index3& n, const std::array<bool, 3>& isPeriodic, Seam seam, Index layers)
 {
   const CartesianGrid unit = MakeUnitGrid(n[0], n[1], n[2]);
-  return CartesianGrid::Covering(unit.Coordinates(), unit.Global(), isPeriodic, seam, GhostLayers);
+  return CartesianGrid::Covering(
+    unit.Coordinates(), unit.Global(), isPeriodic, seam, GhostLayers, HexLayers, layers);
 }
 
 FractionField MakePeriodicLabels(

@@ -98,6 +98,63 @@ TEST_P(Periodic, RandomLabelsGiveValidTorus)
   EXPECT_TRUE(method.Sides == Seam::Flat ? excess < 1e-12 : excess > 0.1) << excess;
 }
 
+/// Returns void with a few balls, some across sides, in base cells of 2^refinements cells.
+FractionField MakeBalls(const CartesianGrid& grid, unsigned seed)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  std::vector<std::array<double, 4>> balls(2);
+  for (auto& ball : balls)
+  {
+    ball = { { uniform(random), uniform(random), uniform(random), 0.1 + 0.1 * uniform(random) } };
+  }
+  return MakePeriodicLabels(grid, 2,
+    [&](const Index3& cell)
+    {
+      for (std::size_t b = 0; b < balls.size(); ++b)
+      {
+        double squares = 0.0;
+        for (int a = 0; a < 3; ++a)
+        {
+          const double size = static_cast<double>(grid.Domain().Size(a));
+          const double away = std::abs((static_cast<double>(cell[a]) + 0.5) / size - balls[b][a]);
+          squares += std::pow(std::min(away, 1.0 - away), 2);
+        }
+        if (squares < balls[b][3] * balls[b][3])
+        {
+          return static_cast<int>(b) + 1;
+        }
+      }
+      return 0;
+    });
+}
+
+TEST_P(Periodic, RefinedGivesValidTorus)
+{
+  const Method& method = this->GetParam();
+  for (unsigned seed : ListSeeds(6))
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const int refinements = 1 + static_cast<int>(seed % 2);
+    const Index base = 6 + 2 * (seed % 3), n = base << refinements;
+    const int axes = 1 + static_cast<int>(seed % 7);
+    const CartesianGrid grid =
+      MakePeriodicGrid({ { n, n, n } }, { { (axes & 1) != 0, (axes & 2) != 0, (axes & 4) != 0 } },
+        method.Sides, GhostLayers << refinements);
+    MeshOptions options;
+    options.Tets = method.Tets;
+    options.MeshVoid = true;
+    options.Levels.Refinements = refinements;
+    const FractionField field = MakeBalls(grid, seed);
+    Runtime alone;
+    MeshReport report;
+    const Mesh mesh = method.Make(grid, field, options, alone, report);
+    EXPECT_TRUE(IsPositiveEverywhere(mesh));
+    EXPECT_EQ(FindConformityProblem(mesh), "");
+    EXPECT_EQ(FindGluedProblem(grid, mesh, true, report.NumberOfFragments), "");
+  }
+}
+
 TEST_P(Periodic, RanksGiveTheSameMesh)
 {
   const Method& method = this->GetParam();
