@@ -129,31 +129,66 @@ FractionField MakeBalls(const CartesianGrid& grid, unsigned seed)
     });
 }
 
-TEST_P(Periodic, RefinedGivesValidTorus)
+/// Returns a grid of cubes whose base cells have 2^refinements cells along each axis.
+CartesianGrid MakeRefinedGrid(unsigned seed, int refinements, Seam seam)
 {
-  const Method& method = this->GetParam();
+  const Index n = (6 + 2 * static_cast<Index>(seed % 3)) << refinements;
+  const int axes = 1 + static_cast<int>(seed % 7);
+  return MakePeriodicGrid({ { n, n, n } },
+    { { (axes & 1) != 0, (axes & 2) != 0, (axes & 4) != 0 } }, seam, GhostLayers << refinements);
+}
+
+class PeriodicLevels : public ::testing::TestWithParam<Seam>
+{
+};
+
+TEST_P(PeriodicLevels, GiveValidTorus)
+{
   for (unsigned seed : ListSeeds(6))
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    const int refinements = 1 + static_cast<int>(seed % 2);
-    const Index base = 6 + 2 * (seed % 3), n = base << refinements;
-    const int axes = 1 + static_cast<int>(seed % 7);
-    const CartesianGrid grid =
-      MakePeriodicGrid({ { n, n, n } }, { { (axes & 1) != 0, (axes & 2) != 0, (axes & 4) != 0 } },
-        method.Sides, GhostLayers << refinements);
     MeshOptions options;
-    options.Tets = method.Tets;
-    options.MeshVoid = true;
-    options.Levels.Refinements = refinements;
-    const FractionField field = MakeBalls(grid, seed);
+    options.MeshVoid = seed % 4 < 2;
+    options.Levels.Refinements = 1 + static_cast<int>(seed % 2);
+    const CartesianGrid grid = MakeRefinedGrid(seed, options.Levels.Refinements, this->GetParam());
     Runtime alone;
     MeshReport report;
-    const Mesh mesh = method.Make(grid, field, options, alone, report);
+    const Mesh mesh = MakeHexMesh(grid, MakeBalls(grid, seed), options, alone, report);
+    Index families = 0;
+    for (const MeshReport::Level& level : report.Levels)
+    {
+      families += level.Families;
+    }
+    EXPECT_GT(families, 0);
     EXPECT_TRUE(IsPositiveEverywhere(mesh));
     EXPECT_EQ(FindConformityProblem(mesh), "");
-    EXPECT_EQ(FindGluedProblem(grid, mesh, true, report.NumberOfFragments), "");
+    EXPECT_EQ(FindGluedProblem(grid, mesh, options.MeshVoid, report.NumberOfFragments), "");
   }
 }
+
+TEST_P(PeriodicLevels, RanksGiveTheSameMesh)
+{
+  for (unsigned seed : ListSeeds(2))
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    MeshOptions options;
+    options.MeshVoid = true;
+    options.Levels.Refinements = 1 + static_cast<int>(seed % 2);
+    const CartesianGrid grid =
+      MakeRefinedGrid(seed + 4, options.Levels.Refinements, this->GetParam());
+    const FractionField field = MakeBalls(grid, seed);
+    const RankMesh alone = MakeAlone(grid, field, options, MakeHexMesh);
+    for (int ranks : { 2, 3, 8 })
+    {
+      SCOPED_TRACE(std::to_string(ranks) + " ranks");
+      const std::vector<IndexBox> boxes = CutBaseBox(grid, options.Levels.Refinements, ranks);
+      EXPECT_EQ(FindDifference(MakeOnRanks(grid, field, boxes, options, MakeHexMesh), alone), "");
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Seams, PeriodicLevels, ::testing::Values(Seam::Flat, Seam::Free),
+  [](const auto& info) { return info.param == Seam::Flat ? "Flat" : "Free"; });
 
 TEST_P(Periodic, RanksGiveTheSameMesh)
 {
