@@ -174,8 +174,10 @@ MoverCopies CopiesOfMovers(const Work& work)
     { { base.MeanWidth(), base.MeanWidth(), base.MeanWidth() } } };
   for (int a = 0; work.InLattice && a < 3; ++a)
   {
-    copies.Unit[a] = base.PeriodLength(a) / static_cast<double>(std::max<Index>(base.Period(a), 1));
-    copies.Unit[a] = base.Period(a) > 0 ? copies.Unit[a] : 1.0;
+    if (base.Period(a) > 0)
+    {
+      copies.Unit[a] = base.PeriodLength(a) / static_cast<double>(base.Period(a));
+    }
   }
   return copies;
 }
