@@ -197,7 +197,8 @@ void LeaveCopies(const MesherJob& job, LevelFields& fields, Mesh& mesh)
     RemoveCopies(job.Run.Group(), fields);
     if (!joins)
     {
-      AddSeamFacets(fields.Grid, RepeatingAxes(job.Options), job.Run.Group(), mesh);
+      AddSeamFacets(ListDomain(fields.Grid, ImageFrame(), RepeatingAxes(job.Options)),
+        job.Run.Group(), mesh);
     }
   }
 }
