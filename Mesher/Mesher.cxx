@@ -192,13 +192,13 @@ void LeaveCopies(const MesherJob& job, LevelFields& fields, Mesh& mesh)
   if (fields.Grid.IsPeriodic())
   {
     const bool joins = job.Options.PeriodicSides == Sides::Joined;
-    LeaveCovering(Partition(fields.Grid, job.Run.Group()),
-      joins ? Partner::Upper : Partner::Lowest, mesh);
+    LeaveCovering(
+      Partition(fields.Grid, job.Run.Group()), joins ? Partner::Upper : Partner::Lowest, mesh);
     RemoveCopies(job.Run.Group(), fields);
     if (!joins)
     {
-      AddSeamFacets(ListDomain(fields.Grid, ImageFrame(), RepeatingAxes(job.Options)),
-        job.Run.Group(), mesh);
+      AddSeamFacets(
+        ListDomain(fields.Grid, ImageFrame(), RepeatingAxes(job.Options)), job.Run.Group(), mesh);
     }
   }
 }

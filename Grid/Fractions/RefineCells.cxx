@@ -257,8 +257,8 @@ RefinedCells RefineCells(const CartesianGrid& grid, const FractionField& fractio
 RefinedCells DivideCells(const CartesianGrid& grid, const FractionField& fractions,
   const CellDivision& division, Runtime& runtime, ChildRule rule)
 {
-  RefinedCells refined = MakeVoidCells(CartesianGrid(division.Divide(grid.Coordinates()),
-                                         division.Divide(grid.Owned()), GhostLayers),
+  RefinedCells refined = MakeVoidCells(
+    CartesianGrid(division.Divide(grid.Coordinates()), division.Divide(grid.Owned()), GhostLayers),
     fractions);
   Cut({ grid, fractions, division, rule, runtime }, grid.Owned(), {}, refined);
   return refined;

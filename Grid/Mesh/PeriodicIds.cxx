@@ -74,8 +74,7 @@ MoverCopies CopiesOfMovers(const Mesh& mesh, int halvings)
   const Index factor = Index(1) << halvings;
   return { [&mesh, factor](Index id, const Index3& cells)
     {
-      return IdBelow(
-        mesh, id, { { cells[0] * factor, cells[1] * factor, cells[2] * factor } });
+      return IdBelow(mesh, id, { { cells[0] * factor, cells[1] * factor, cells[2] * factor } });
     },
     { { width, width, width } } };
 }

@@ -21,7 +21,8 @@ Index IdOfOwner(const Mesh& mesh, Index id);
 /// widths of the finest grid.
 /// @param halvings  number of halvings from cells of the partition's grid to finest cells
 MoverCopies CopiesOfMovers(const Mesh& mesh, int halvings = 0);
-/// Returns the same for movers whose ids are keys of lattice nodes, on a partition of the base grid.
+/// Returns the same for movers whose ids are keys of lattice nodes, on a partition of the base
+/// grid.
 /// @param unit  unit of positions along each axis, in length units
 MoverCopies CopiesOfAnchors(const OctreeKeys& lattice, const Vector3& unit);
 

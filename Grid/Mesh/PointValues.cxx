@@ -23,8 +23,8 @@ public:
     {
       this->Order.resize(ids.size());
       std::iota(this->Order.begin(), this->Order.end(), 0);
-      std::sort(
-        this->Order.begin(), this->Order.end(), [&ids](Index a, Index b) { return ids[a] < ids[b]; });
+      std::sort(this->Order.begin(), this->Order.end(),
+        [&ids](Index a, Index b) { return ids[a] < ids[b]; });
     }
   }
   /// Returns the point with an id, or -1.
@@ -63,8 +63,7 @@ PointValues::PointValues(
     }
   }
   const PointsById byId(mesh.PointIds);
-  this->ToSend =
-    MapLists(partition.Exchange(ids), [&byId](Index id) { return byId.Find(id); });
+  this->ToSend = MapLists(partition.Exchange(ids), [&byId](Index id) { return byId.Find(id); });
 }
 
 } // namespace vfm

@@ -86,7 +86,8 @@ void OctantFamilies::AddCopies(int level, std::vector<Index>& keys) const
     {
       const Index step = base.Period(a) << level; // a family has two cells, so twice the families
       shifts.Lower[a] = step > 0 ? -(2 * family[a] / step) : 0;
-      shifts.Upper[a] = step > 0 ? (this->TheLattice.Cells(level, a) - 2 * family[a] - 1) / step + 1 : 1;
+      shifts.Upper[a] =
+        step > 0 ? (this->TheLattice.Cells(level, a) - 2 * family[a] - 1) / step + 1 : 1;
     }
     ForCells(shifts,
       [&](const Index3& shift)

@@ -70,7 +70,8 @@ void ImproveCoarseTets(std::vector<Mover> movers, const TetList& tets, const Car
         widths.push_back(widthsOfTet);
       }
     });
-  ActiveMesh active = builder.Finish(partition, CopiesOfMovers(mesh, mesh.Levels->NumberOfRefinements()), 8);
+  ActiveMesh active =
+    builder.Finish(partition, CopiesOfMovers(mesh, mesh.Levels->NumberOfRefinements()), 8);
   active.Widths = std::move(widths);
   active.PlacePoints(finest, mesh);
   if (runtime.Group().Any(ActivatePoor(active)))

@@ -74,8 +74,7 @@ int CountPeriodicLevels(
   return levels;
 }
 
-void CheckPeriods(
-  const MesherOptions& options, const InputLevels& input, const LevelSetup& setup)
+void CheckPeriods(const MesherOptions& options, const InputLevels& input, const LevelSetup& setup)
 {
   if (options.Periodic == 0)
   {

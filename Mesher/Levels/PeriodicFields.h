@@ -18,8 +18,7 @@ int CountPeriodicLevels(
 /// Checks whether other options and the levels of the input allow a periodic mesh.
 /// @param setup levels of the mesh
 /// @throws InputError if they do not
-void CheckPeriods(
-  const MesherOptions& options, const InputLevels& input, const LevelSetup& setup);
+void CheckPeriods(const MesherOptions& options, const InputLevels& input, const LevelSetup& setup);
 
 /// Adds the copies of cells that meshing needs (CartesianGrid::Covering). Does nothing without
 /// periodic axes.

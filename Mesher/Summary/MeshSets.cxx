@@ -256,7 +256,8 @@ std::vector<NodeSet> MakeNodeSets(
   const std::vector<unsigned char> sidesOfFacets = FindSidesOfFacets(mesh, facets);
   for (int side = 0; side < 6; ++side)
   {
-    add(side + 1, SideNames[side], [&](Index point)
+    add(side + 1, SideNames[side],
+      [&](Index point)
       { return domain.IsOnSide(point, side) || (sidesOfFacets[point] >> side & 1) != 0; });
   }
   const std::vector<SurfacePoint> rims = FindRims(mesh, facets, ranks);

@@ -69,8 +69,7 @@ std::vector<FacetSide> ListCandidates(const Mesh& mesh)
       const MeshFacet facet{ element, side, NothingBehind, 0, NoSide };
       const bool isOnSide = std::all_of(points.begin(), points.end(),
         [&areOnSides](Index point) { return point < 0 || areOnSides[point] != 0; });
-      if (isOnSide &&
-        !std::binary_search(mesh.Facets.begin(), mesh.Facets.end(), facet, IsBefore))
+      if (isOnSide && !std::binary_search(mesh.Facets.begin(), mesh.Facets.end(), facet, IsBefore))
       {
         found.push_back({ points, facet });
       }
