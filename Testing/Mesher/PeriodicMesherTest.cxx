@@ -4,9 +4,9 @@
 #include "Mesh/ElementFaces.h"
 #include "Mesher.h"
 #include "RankFields.h"
+#include "Sets/MeshSets.h"
+#include "Sets/PeriodicPairs.h"
 #include "State/ViewMesh.h"
-#include "Summary/MeshSets.h"
-#include "Summary/PeriodicPairs.h"
 #include "ThreadRanks.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 #include "Meshes/Decks/WriteEquations.h"
 
 #include "Meshes/Decks/DeckCards.h"
+#include "Sets/PeriodicPairs.h"
 #include "Summary/DomainSides.h"
-#include "Summary/PeriodicPairs.h"
 
 namespace vfm
 {

@@ -1,4 +1,4 @@
-#include "Summary/MeshSets.h"
+#include "Sets/MeshSets.h"
 
 #include "Ranks/Agreement.h"
 #include "Summary/MeshFacets.h"

@@ -1,4 +1,4 @@
-#include "Mesh/LeaveCovering.h"
+#include "Periodic/LeaveCovering.h"
 
 #include "Mesh/PeriodicIds.h"
 #include "Octree/LevelIds.h"
