@@ -4,9 +4,11 @@
 #include "Fractions/FractionSum.h"
 #include "Labels/LabelCondition.h"
 #include "Labels/LeafLabels.h"
+#include "Labels/SeamBlocks.h"
 #include "Ranks/Agreement.h"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 #include <unordered_map>
 
@@ -24,12 +26,20 @@ constexpr double CostOffset = 0.05;   // price of a flip that loses no fraction
 constexpr Index SmallLabel = 1000;    // cells; each cell of a label with fewer costs more
 constexpr double PriceOfGrowth = 0.3; // price of a cell too many, relative to a cell too few
 
+/// New label of some cells.
+struct Change
+{
+  IndexBox Cells;
+  int Label;
+};
+
 /// Best change of one unit.
 struct Candidate
 {
   double Score;
   int Label;
   Index Key;
+  IndexBox Cells; // the cells that change
   bool Beats(const Candidate& other) const
   {
     return this->Score > other.Score || (this->Score == other.Score && this->Key < other.Key);
@@ -130,11 +140,17 @@ struct Work
   LabelArray& Labels;
   const Partition& Parts;
   Runtime& Run;
-  const LabelUnits Units;
+  const RefinedGrid* Leaves;
   const bool KeepsSeam; // whether the condition of flat seams holds too
-  const IndexBox Reach = Grid.Extended(Units.LargestWidth());
+  const bool HasBlocks = KeepsSeam && !Leaves; // whether cells glued across a seam are one unit
+  const LabelUnits Units{ Grid, Leaves, HasBlocks ? &Labels : nullptr };
+  /// Holds the units that compete with units of owned cells. A block of an owned cell ends one cell
+  /// beyond it, so adjacent units end two cells beyond it.
+  const IndexBox Near = Grid.Extended(HasBlocks ? 2 : Units.LargestWidth());
+  /// Holds the units of cells in Near. All their nodes are known.
+  const IndexBox Reach = Grid.Extended(HasBlocks ? 3 : Units.LargestWidth());
   std::vector<Index> Violated{};
-  /// Initial labels of flipped units, owned or nearby.
+  /// Initial labels of flipped cells or leaves that are owned or in Near, and of others.
   std::unordered_map<Index, int> Original{};
   std::unique_ptr<LabelSizes> Sizes{};
   int Turn = 0;
@@ -148,6 +164,24 @@ struct Work
 bool IsNear(const Work& work, Index node)
 {
   return work.Reach.Touches(work.Grid.Position(node));
+}
+
+bool OwnsSome(const Work& work, const IndexBox& cells)
+{
+  return Intersect(cells, work.Grid.Owned()).NumberOfCells() > 0;
+}
+
+/// Calls body(n, size) for the linear index n and the number of cells of each cell or leaf of a unit
+/// or block.
+template <class Body>
+void ForParts(const Work& work, const IndexBox& cells, const Body& body)
+{
+  if (work.Leaves)
+  {
+    body(work.Grid.Linear(cells.Lower), cells.NumberOfCells());
+    return;
+  }
+  ForCells(cells, [&](const Index3& cell) { body(work.Grid.Linear(cell), 1); });
 }
 
 /// Returns the violations of a star: of the label condition, and on a flat seam of the condition
@@ -240,7 +274,7 @@ Candidate Consider(const Work& work, Index unit, const std::vector<int>& labels,
 {
   const IndexBox cells = work.Units.CellsOf(unit);
   const std::vector<int> gains = FindGains(work, cells, labels);
-  Candidate best{ 0.0, -1, TieKey(work, cells) };
+  Candidate best{ 0.0, -1, TieKey(work, cells), cells };
   for (std::size_t n = 0; n < labels.size(); ++n)
   {
     const int gain = gains[n];
@@ -302,7 +336,7 @@ void FindCandidates(Work& work, bool decreasing)
         }
       }
       found[n] =
-        allowed.empty() ? Candidate{ 0.0, -1, 0 } : Consider(work, unit, allowed, decreasing);
+        allowed.empty() ? Candidate{ 0.0, -1, 0, {} } : Consider(work, unit, allowed, decreasing);
     });
   for (std::size_t n = 0; n < found.size(); ++n)
   {
@@ -329,34 +363,35 @@ bool IsBestAround(const Work& work, const IndexBox& cells, const Candidate& mine
   return isBest;
 }
 
-/// Flips the best candidates. Each rank also stores the initial labels of units that may flip
+/// Applies changes on all ranks. Each rank also stores the initial labels of cells that change
 /// around its own.
-void Flip(Work& work)
+/// @param changes  changes of boxes that hold owned cells
+/// @param others  boxes without owned cells that may change
+void Apply(Work& work, const std::vector<Change>& changes, const std::vector<IndexBox>& others)
 {
-  std::vector<std::pair<IndexBox, int>> flips;
-  std::vector<std::pair<Index, int>> others; // candidates of other ranks, and their labels
-  for (const auto& candidate : work.Candidates)
+  std::vector<std::pair<Index, int>> before; // labels of `others`
+  for (const IndexBox& cells : others)
   {
-    const IndexBox cells = work.Units.CellsOf(candidate.first);
-    const int label = work.Labels[candidate.first];
-    if (!work.Parts.OwnsCell(cells.Lower))
-    {
-      others.emplace_back(candidate.first, label);
-    }
-    else if (IsBestAround(work, cells, candidate.second))
-    {
-      work.Original.emplace(candidate.first, label);
-      work.Sizes->Add(cells.NumberOfCells(), label, candidate.second.Label);
-      flips.emplace_back(cells, candidate.second.Label);
-    }
+    ForParts(work, cells, [&](Index n, Index) { before.emplace_back(n, work.Labels[n]); });
+  }
+  for (const Change& change : changes)
+  {
+    ForParts(work, change.Cells,
+      [&](Index n, Index size)
+      {
+        const int label = work.Labels[n];
+        if (label != change.Label)
+        {
+          work.Original.emplace(n, label);
+          work.Sizes->Add(
+            work.Parts.OwnsCell(work.Grid.Position(n)) ? size : 0, label, change.Label);
+        }
+      });
+    FillLabels(work.Grid, change.Cells, change.Label, work.Labels);
+    ForSurfaceNodes(
+      change.Cells, [&](const Index3& node) { work.Violated.push_back(work.Grid.Linear(node)); });
   }
   work.Sizes->Share();
-  for (const auto& flip : flips)
-  {
-    FillLabels(work.Grid, flip.first, flip.second, work.Labels);
-    ForSurfaceNodes(
-      flip.first, [&](const Index3& node) { work.Violated.push_back(work.Grid.Linear(node)); });
-  }
   work.Parts.ExchangeCells(work.Labels,
     [&](Index cell)
     {
@@ -367,7 +402,7 @@ void Flip(Work& work)
         work.Violated.push_back(work.Grid.NodeOfCell(cell, c));
       }
     });
-  for (const auto& other : others)
+  for (const auto& other : before)
   {
     if (work.Labels[other.first] != other.second)
     {
@@ -376,36 +411,174 @@ void Flip(Work& work)
   }
 }
 
-/// Makes the initial labels of units candidates where they leave the
-/// number of violations unchanged.
+/// Flips the best candidates.
+void Flip(Work& work)
+{
+  std::vector<Change> flips;
+  std::vector<IndexBox> others;
+  for (const auto& candidate : work.Candidates)
+  {
+    const Candidate& change = candidate.second;
+    if (!OwnsSome(work, change.Cells))
+    {
+      others.push_back(change.Cells);
+    }
+    else if (IsBestAround(work, change.Cells, change))
+    {
+      flips.push_back({ change.Cells, change.Label });
+    }
+  }
+  Apply(work, flips, others);
+}
+
+/// Returns the axes across which labels of cells of blocks break the condition of flat seams, by
+/// the lowest cell of the block.
+std::map<Index, int> FindBroken(const Work& work)
+{
+  std::map<Index, int> broken;
+  for (Index node : work.Violated)
+  {
+    const Index3 position = work.Grid.Position(node);
+    const int seams = work.Grid.FlatSeams(position);
+    const std::array<int, 8> star = StarOfNode(work.Grid, work.Labels, node);
+    for (int n = 0; seams != 0 && n < 24; ++n)
+    {
+      if ((seams >> n / 8 & 1) != 0 && BreaksSeam(star, n % 8, n / 8))
+      {
+        const IndexBox block = BlockOfCell(work.Grid, CellOfStar(position, n % 8));
+        broken[work.Grid.Linear(block.Lower)] |= 1 << n / 8;
+      }
+    }
+  }
+  return broken;
+}
+
+/// Returns the label of a box of cells for which the prices of all changes of cells have the
+/// smallest sum; -1 if each label costs another label its last cell.
+int CheapestLabel(const Work& work, const IndexBox& cells)
+{
+  std::map<int, Index> counts;
+  ForCells(cells, [&](const Index3& cell) { ++counts[work.Labels[work.Grid.Linear(cell)]]; });
+  int best = -1;
+  double lowest = 0.0;
+  for (const auto& [label, count] : counts)
+  {
+    const int kept = label;
+    const bool may = std::none_of(counts.begin(), counts.end(),
+      [&](const auto& other)
+      { return other.first != kept && work.Sizes->IsLast(other.second, other.first); });
+    double price = 0.0;
+    ForCells(cells,
+      [&](const Index3& cell)
+      {
+        const int current = work.Labels[work.Grid.Linear(cell)];
+        price += current != kept ? Price(work, BoxOfCell(cell), current, kept) : 0.0;
+      });
+    if (may && (best < 0 || price < lowest))
+    {
+      best = kept;
+      lowest = price;
+    }
+  }
+  return best;
+}
+
+/// Returns the changes that glue a block along some axes, in addition to the axes along which it
+/// is glued; empty if there is no way without the loss of a label.
+std::vector<Change> FindGluing(const Work& work, const IndexBox& block, int axes)
+{
+  axes |= FindGluedAxes(work.Grid, work.Labels, block);
+  std::vector<Change> changes;
+  bool may = true;
+  ForCells(block,
+    [&](const Index3& cell)
+    {
+      const IndexBox part = PartOfBlock(block, axes, cell);
+      if (part.Lower == cell)
+      {
+        changes.push_back({ part, CheapestLabel(work, part) });
+        may = may && changes.back().Label >= 0;
+      }
+    });
+  return may ? changes : std::vector<Change>{};
+}
+
+/// Glues blocks that break the condition of flat seams, until there is none that can be glued. It
+/// ends because blocks remain glued along each axis. Returns the number of rounds.
+int GlueBlocks(Work& work)
+{
+  for (int rounds = 0;; ++rounds)
+  {
+    std::vector<Change> changes;
+    std::vector<IndexBox> others;
+    for (const auto& [lowest, axes] : FindBroken(work))
+    {
+      const IndexBox block = BlockOfCell(work.Grid, work.Grid.Position(lowest));
+      const std::vector<Change> gluing = FindGluing(work, block, axes);
+      if (OwnsSome(work, block))
+      {
+        changes.insert(changes.end(), gluing.begin(), gluing.end());
+      }
+      else if (!gluing.empty())
+      {
+        others.push_back(block);
+      }
+    }
+    if (!work.Parts.Group().Any(!changes.empty()))
+    {
+      return rounds;
+    }
+    Apply(work, changes, others);
+    KeepViolated(work);
+  }
+}
+
+/// Returns the change to the initial label of a cell or leaf, or of its unit if that was its label
+/// everywhere; the label is -1 if that would add a violation.
+Candidate FindRestoration(const Work& work, Index part, int first)
+{
+  const Index unit = work.Units.UnitOf(work.Grid.Position(part));
+  IndexBox cells = work.Units.CellsOf(unit);
+  const int label = work.Labels[part];
+  bool isWhole = true;
+  ForParts(work, cells,
+    [&](Index n, Index)
+    {
+      const auto at = work.Original.find(n);
+      isWhole = isWhole && at != work.Original.end() && at->second == first;
+    });
+  cells = isWhole ? cells : BoxOfCell(work.Grid.Position(part));
+  const bool may = label != first && Intersect(cells, work.Near) == cells &&
+    FindGains(work, cells, { first })[0] == 0;
+  return may ? Candidate{ Price(work, cells, first, label), first, TieKey(work, cells), cells }
+             : Candidate{ 0.0, -1, 0, {} };
+}
+
+/// Makes initial labels candidates where they leave the number of violations unchanged.
 void FindRestorable(Work& work)
 {
   work.Candidates.clear();
-  const std::vector<std::pair<Index, int>> units(work.Original.begin(), work.Original.end());
-  std::vector<Candidate> found(units.size());
-  ForEach(work.Run, units.size(),
-    [&](Index n)
-    {
-      const auto& [unit, first] = units[n];
-      const IndexBox cells = work.Units.CellsOf(unit);
-      const int label = work.Labels[unit];
-      const bool may = work.Reach.Contains(cells.Lower) && label != first &&
-        FindGains(work, cells, { first })[0] == 0;
-      found[n] = may ? Candidate{ Price(work, cells, first, label), first, TieKey(work, cells) }
-                     : Candidate{ 0.0, -1, 0 };
-    });
-  for (std::size_t n = 0; n < units.size(); ++n)
+  const std::vector<std::pair<Index, int>> parts(work.Original.begin(), work.Original.end());
+  std::vector<Candidate> found(parts.size());
+  ForEach(work.Run, parts.size(),
+    [&](Index n) { found[n] = FindRestoration(work, parts[n].first, parts[n].second); });
+  for (std::size_t n = 0; n < parts.size(); ++n)
   {
     if (found[n].Label >= 0)
     {
-      work.Candidates.emplace(units[n].first, found[n]);
+      const Index unit = work.Units.UnitOf(work.Grid.Position(parts[n].first));
+      const auto at = work.Candidates.emplace(unit, found[n]);
+      if (found[n].Beats(at.first->second))
+      {
+        at.first->second = found[n];
+      }
     }
   }
 }
 
 /// Restores the initial labels of units where that adds no violation, until no unit is left:
 /// reverts useless perturbations. It ends because each round reduces the number of changed units.
-/// Not all flips of units beyond Reach are known. Returns the number of rounds.
+/// Not all flips of units beyond Near are known. Returns the number of rounds.
 int Restore(Work& work)
 {
   for (int rounds = 0;; ++rounds)
@@ -469,7 +642,8 @@ ResolveReport ResolveLabels(const CartesianGrid& grid, const FractionField& frac
   LabelArray& labels, const Partition& partition, Runtime& runtime, const RefinedGrid* leaves,
   bool keepsSeam)
 {
-  Work work{ grid, fractions, labels, partition, runtime, { grid, leaves }, keepsSeam };
+  Work work{ grid, fractions, labels, partition, runtime, leaves,
+    keepsSeam && grid.IsPeriodic() && grid.KindOfSeam() == Seam::Flat };
   work.Violated = FindMixedNodes(work.Grid, work.Labels);
   KeepViolated(work);
   Ranks& ranks = work.Parts.Group();
@@ -482,6 +656,7 @@ ResolveReport ResolveLabels(const CartesianGrid& grid, const FractionField& frac
   }
   work.Sizes = std::make_unique<LabelSizes>(
     work.Grid, work.Labels, work.Fractions.NumberOfMaterials() + 1, work.Parts);
+  report.Rounds += work.HasBlocks ? GlueBlocks(work) : 0;
   int perturbations = 0;
   while (ranks.Any(!work.Violated.empty()))
   {
@@ -490,6 +665,12 @@ ResolveReport ResolveLabels(const CartesianGrid& grid, const FractionField& frac
     FindCandidates(work, work.InOrder);
     if (!ranks.Any(!work.Candidates.empty()))
     {
+      const int glued = work.HasBlocks ? GlueBlocks(work) : 0;
+      report.Rounds += glued;
+      if (glued > 0)
+      {
+        continue;
+      }
       work.InOrder = work.InOrder || ++perturbations > Perturbations;
       work.Turn = work.InOrder ? 0 : perturbations;
       work.KeepsLast = !work.InOrder;
