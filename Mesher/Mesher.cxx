@@ -8,6 +8,7 @@
 #include "Labels/SmallRegions.h"
 #include "Labels/SmoothLabels.h"
 #include "Levels/PeriodicFields.h"
+#include "Mesh/JoinCopies.h"
 #include "Mesh/LeaveCovering.h"
 #include "Options/SetOptions.h"
 #include "Ranks/Agreement.h"
@@ -189,10 +190,14 @@ void LeaveCopies(const MesherJob& job, LevelFields& fields, Mesh& mesh)
 {
   if (fields.Grid.IsPeriodic())
   {
-    const std::array<bool, 3> axes = fields.Grid.PeriodicAxes();
-    LeaveCovering(Partition(fields.Grid, job.Run.Group()), mesh);
+    const bool joins = job.Options.PeriodicSides == Sides::Joined;
+    LeaveCovering(Partition(fields.Grid, job.Run.Group()),
+      joins ? Partner::Upper : Partner::Lowest, mesh);
     RemoveCopies(job.Run.Group(), fields);
-    AddSeamFacets(fields.Grid, axes, job.Run.Group(), mesh);
+    if (!joins)
+    {
+      AddSeamFacets(fields.Grid, RepeatingAxes(job.Options), job.Run.Group(), mesh);
+    }
   }
 }
 
@@ -278,6 +283,7 @@ MesherResult RunMesher(const MesherInput& input, const MesherOptions& given, Run
     StoreState(levels, cells, arrays.State, states, fields, setup, options, owners, runtime);
 
   AddCopies(options, ranks, fields);
+  Warn(job, DescribeSeams(fields, options.IsoValue, ranks));
   const RemovedRegions removed = RemoveRegions(job, fields);
   SmoothFields(job, fields);
   Divide(job, fields);
@@ -293,6 +299,10 @@ MesherResult RunMesher(const MesherInput& input, const MesherOptions& given, Run
   runtime.Progress(0.98, "Filling output");
   result.State = MakeOutputState(kept, levels, result.TheMesh,
     DescribeGrid(fields, setup, meshOptions.Levels), options, owners, runtime);
+  if (options.Periodic != 0 && options.PeriodicSides == Sides::Joined)
+  {
+    JoinCopies(ranks, result.TheMesh); // after the state, which needs positions
+  }
   WorkTogether(ranks, [&] { Finish(job, fields, meshOptions, result); });
   WarnOfMesh(job, result.Report, fields.Field);
   Warn(job, DescribeUnmeshed(result.State.Balance, fields.Field.Table));

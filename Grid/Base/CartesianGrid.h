@@ -122,11 +122,6 @@ public:
   bool InDomain(const Index3& cell) const { return this->GlobalBox.Contains(cell); }
 
   bool IsPeriodic() const { return this->Periods != Index3{}; }
-  std::array<bool, 3> PeriodicAxes() const
-  {
-    return { { this->Periods[0] > 0, this->Periods[1] > 0, this->Periods[2] > 0 } };
-  }
-  Seam KindOfSeam() const { return this->TheSeam; }
   /// Returns the number of cells after which the domain repeats along an axis; 0: it does not.
   Index Period(int axis) const { return this->Periods[axis]; }
   /// Returns the cells in a number of periods along each axis.

@@ -1,24 +1,12 @@
 #include "Mesh/KeepOwned.h"
 
 #include "Mesh/FacetSides.h"
+#include "Mesh/SelectPoints.h"
 
 namespace vfm
 {
 namespace
 {
-
-/// Returns the items with the given indices.
-/// @param width  values per item
-template <class T>
-Buffer<T> Select(const Buffer<T>& items, const std::vector<Index>& kept, Index width = 1)
-{
-  Buffer<T> result(kept.size() * width);
-  for (std::size_t i = 0; i < kept.size(); ++i)
-  {
-    std::copy_n(items.data() + width * kept[i], width, result.data() + width * i);
-  }
-  return result;
-}
 
 std::vector<Index> FindOwnedElements(const Mesh& mesh, const CartesianGrid& grid)
 {
@@ -32,14 +20,6 @@ std::vector<Index> FindOwnedElements(const Mesh& mesh, const CartesianGrid& grid
     }
   }
   return kept;
-}
-
-void Renumber(Buffer<Index>& points, const std::vector<Index>& numbers)
-{
-  for (Index& point : points)
-  {
-    point = numbers[point];
-  }
 }
 
 } // namespace
@@ -73,14 +53,9 @@ void KeepOwned(Mesh& mesh, const CartesianGrid& grid)
       points.push_back(static_cast<Index>(p));
     }
   }
-  Renumber(mesh.Elements, numbers);
-  mesh.Points = Select(mesh.Points, points, 3);
-  mesh.PointIds = Select(mesh.PointIds, points);
-  mesh.GeometryDimension = Select(mesh.GeometryDimension, points);
-  mesh.GeometryId = Select(mesh.GeometryId, points);
+  SelectPoints(points, numbers, mesh);
 
   SurfaceFacets& surfaces = mesh.Surfaces;
-  Renumber(surfaces.Points, numbers);
   mesh.Facets = FindElements(ListFacetSides(mesh), mesh);
   std::vector<Index> facets;
   for (std::size_t q = 0; q < surfaces.IsOwned.size(); ++q)
@@ -94,8 +69,6 @@ void KeepOwned(Mesh& mesh, const CartesianGrid& grid)
   surfaces.SurfaceId = Select(surfaces.SurfaceId, facets);
   surfaces.MaterialPair = Select(surfaces.MaterialPair, facets, 2);
   surfaces.DomainSide = Select(surfaces.DomainSide, facets);
-  Renumber(mesh.Curves.Points, numbers);
-  Renumber(mesh.Vertices.Points, numbers);
 }
 
 } // namespace vfm

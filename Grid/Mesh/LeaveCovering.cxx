@@ -4,6 +4,8 @@
 #include "Octree/LevelIds.h"
 #include "Ranks/Agreement.h"
 
+#include <limits>
+
 namespace vfm
 {
 namespace
@@ -151,44 +153,57 @@ bool HasCopies(const CartesianGrid& grid, const Index3& node)
   return hasCopies;
 }
 
-/// Collective. Returns the partner of each point.
-/// @param ids  ids of the points on the grid of the domain
-Buffer<Index> FindPartners(
-  const Mesh& mesh, const DomainIds& domain, const Buffer<Index>& ids, Ranks& ranks)
+/// Returns the points that may have copies.
+std::vector<Index> ListCopies(const Mesh& mesh, const DomainIds& domain)
 {
   const CartesianGrid& grid = mesh.Levels->Finest();
-  std::vector<Copy> copies;
-  std::vector<std::size_t> points;
-  for (std::size_t p = 0; p < ids.size(); ++p)
+  std::vector<Index> points;
+  for (std::size_t p = 0; p < mesh.PointIds.size(); ++p)
   {
     const Index id = mesh.PointIds[p];
     if (!domain.IsAdded(id) && HasCopies(grid, NodeOfPoint(grid, mesh, id)))
     {
-      points.push_back(p);
-      copies.push_back({ { IdOfOwner(mesh, id), ids[p] } });
+      points.push_back(static_cast<Index>(p));
     }
   }
+  return points;
+}
+
+/// Collective. Returns the partner of each point.
+/// @param ids  ids of the points on the grid of the domain
+Buffer<Index> FindPartners(const Mesh& mesh, const DomainIds& domain, const Buffer<Index>& ids,
+  Partner partner, Ranks& ranks)
+{
   Buffer<Index> partners(ids.size());
   std::copy(ids.begin(), ids.end(), partners.begin());
-  const std::vector<Copy> all = UnionOverRanks(ranks, copies);
+  const std::vector<Index> points = ListCopies(mesh, domain);
+  std::vector<Copy> copies;
+  for (Index point : points)
+  {
+    copies.push_back({ { IdOfOwner(mesh, mesh.PointIds[point]), ids[point] } });
+  }
+  const std::vector<Copy> all =
+    partner == Partner::Lowest ? UnionOverRanks(ranks, copies) : std::vector<Copy>();
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    const Copy first{ { copies[i][0], 0 } };
-    partners[points[i]] = (*std::lower_bound(all.begin(), all.end(), first))[1];
+    const Copy first{ { copies[i][0], std::numeric_limits<Index>::min() } };
+    partners[points[i]] = partner == Partner::Lowest
+      ? (*std::lower_bound(all.begin(), all.end(), first))[1]
+      : domain.OfPoint(copies[i][0]);
   }
   return partners;
 }
 
 } // namespace
 
-void LeaveCovering(const Partition& covering, Mesh& mesh)
+void LeaveCovering(const Partition& covering, Partner partner, Mesh& mesh)
 {
   Ranks& ranks = covering.Group();
   const DomainIds domain(mesh, ranks);
   Buffer<Index> ids(mesh.PointIds.size());
   std::transform(mesh.PointIds.begin(), mesh.PointIds.end(), ids.begin(),
     [&domain](Index id) { return domain.OfPoint(id); });
-  mesh.PeriodicPartner = FindPartners(mesh, domain, ids, ranks);
+  mesh.PeriodicPartner = FindPartners(mesh, domain, ids, partner, ranks);
   mesh.PointIds = std::move(ids);
   for (Index& id : mesh.ElementIds)
   {

@@ -2,6 +2,7 @@
 
 #include "Fractions/GhostFractions.h"
 #include "Input/NodeCoordinates.h"
+#include "Labels/Labels.h"
 
 namespace vfm
 {
@@ -9,6 +10,10 @@ namespace
 {
 
 constexpr Index FewestCells = 3; // with two, different hexahedra would have the same points
+// Largest number of faces between different materials at the seam without a warning: relative to
+// the mean between two layers inside, and to all faces.
+constexpr Index LargestExcess = 3;
+constexpr double LargestShare = 0.05;
 
 void CheckSizes(const MesherOptions& options, const IndexBox& cells)
 {
@@ -22,6 +27,26 @@ void CheckSizes(const MesherOptions& options, const IndexBox& cells)
   }
 }
 
+/// Collective. Returns for each axis the number of faces across it between cells of different
+/// materials: inside the domain, and between the last cells and the copies of the first.
+std::vector<Index> CountChanges(const CartesianGrid& grid, const LabelArray& labels, Ranks& ranks)
+{
+  std::vector<std::int64_t> counts(6, 0);
+  ForCells(grid.Owned(),
+    [&](const Index3& cell)
+    {
+      const Index at = grid.Linear(cell);
+      for (int a = 0; a < 3; ++a)
+      {
+        const bool isLast = cell[a] == grid.Domain().Upper[a] - 1;
+        const bool hasNext = !isLast || grid.Period(a) > 0;
+        counts[2 * a + isLast] += hasNext && labels[at] != labels[at + grid.Stride(a)];
+      }
+    });
+  ranks.Sum(counts);
+  return counts;
+}
+
 } // namespace
 
 void CheckPeriods(
@@ -32,6 +57,14 @@ void CheckPeriods(
     return;
   }
   CheckSizes(options, input.Levels[0].Global());
+  if (options.Elements == ElementKind::Tets && options.PeriodicSides == Sides::Free)
+  {
+    throw InputError("PeriodicSides is Free: the sides of tetrahedra can only be Flat or Joined.");
+  }
+  if (options.NodalVelocity)
+  {
+    throw InputError("NodalVelocity is not available for periodic meshes.");
+  }
   if (setup.Refinements() > 0 || setup.Finest != 0 || input.Finest() > 0)
   {
     throw InputError("A periodic mesh cannot be refined yet: set Refinement to Off, and Periodic "
@@ -47,9 +80,36 @@ void AddCopies(const MesherOptions& options, Ranks& ranks, LevelFields& fields)
   }
   const CartesianGrid& grid = fields.Grid;
   ReplaceGrid(CartesianGrid::Covering(grid.Coordinates(), grid.Owned(), RepeatingAxes(options),
-                options.PeriodicSides, GhostLayers),
+                options.PeriodicSides == Sides::Flat ? Seam::Flat : Seam::Free, GhostLayers),
     ranks, fields.Grid, fields.Field.Fractions);
   fields.Base = fields.Grid;
+}
+
+std::string DescribeSeams(const LevelFields& fields, double isoValue, Ranks& ranks)
+{
+  const CartesianGrid& grid = fields.Grid;
+  std::string text;
+  if (!grid.IsPeriodic())
+  {
+    return text;
+  }
+  const std::vector<Index> changes =
+    CountChanges(grid, AssignMaterials(grid, fields.Field.Fractions, isoValue), ranks);
+  for (int a = 0; a < 3; ++a)
+  {
+    const IndexBox& box = grid.Domain();
+    const Index faces = box.NumberOfCells() / box.Size(a), layers = box.Size(a) - 1;
+    const Index atSeam = changes[2 * a + 1];
+    if (grid.Period(a) > 0 && atSeam * layers > LargestExcess * changes[2 * a] &&
+      static_cast<double>(atSeam) > LargestShare * static_cast<double>(faces))
+    {
+      text += std::string(text.empty() ? "" : " ") + "Across " + AxisNames[a] +
+        ", the materials of " + std::to_string(atSeam) + " of " + std::to_string(faces) +
+        " faces of cells on opposite sides differ: the mesh has an interface there. Is the input "
+        "one period?";
+    }
+  }
+  return text;
 }
 
 void RemoveCopies(Ranks& ranks, LevelFields& fields)

@@ -21,6 +21,12 @@ void CheckPeriods(
 /// @pre Collective
 void AddCopies(const MesherOptions& options, Ranks& ranks, LevelFields& fields);
 
+/// Returns a sentence if materials do not seem to continue across sides where the domain repeats:
+/// if they change at more than three times as many faces there as between layers inside; ""
+/// otherwise.
+/// @pre Collective
+std::string DescribeSeams(const LevelFields& fields, double isoValue, Ranks& ranks);
+
 /// Removes the copies of cells. Does nothing without periodic axes.
 /// @pre Collective
 void RemoveCopies(Ranks& ranks, LevelFields& fields);

@@ -50,6 +50,14 @@ enum class Unmeshed
   Drop  ///< left out of the mesh, and reported
 };
 
+/// Sides of a periodic mesh.
+enum class Sides
+{
+  Flat,  ///< nodes of the sides stay in their planes
+  Free,  ///< sides follow interfaces
+  Joined ///< none: elements at opposite sides share nodes
+};
+
 /// Maximum number of halvings of a cell.
 constexpr int MaximumHalvings = 10;
 
@@ -82,7 +90,7 @@ struct MesherOptions : MeshSettings, LevelSettings, ConserveOptions
 
   ElementKind Elements = ElementKind::Hexes;
   int Periodic = 0; ///< bit a is set if the domain repeats along axis a
-  Seam PeriodicSides = Seam::Flat;
+  Sides PeriodicSides = Sides::Flat;
   double FractionTolerance = 1e-6;
   int LabelSmoothing = 0;
   std::string LabelNames; ///< path of a file

@@ -151,10 +151,12 @@ OptionTable MaterialsOptions()
       "across these sides. Along each of the axes, the input needs at least 3 cells.")
       .Advanced()
       .Sculptor("--periodic AXES"),
-    Row("PeriodicSides", Choice<&M::PeriodicSides>({ "Flat", "Free" }),
-      "Shape of the sides across periodic axes. Flat: their nodes stay in the planes. Free: nodes "
-      "move as inside the domain, which gives the best surfaces; the sides then wave by up to a "
-      "cell where they meet surfaces.")
+    Row("PeriodicSides", Choice<&M::PeriodicSides>({ "Flat", "Free", "Joined" }),
+      "Sides across periodic axes. Flat: their nodes stay in the planes. Free: nodes move as "
+      "inside the domain, which gives the best surfaces; the sides wave by up to a cell where they "
+      "meet surfaces. Joined: there are no sides; elements at opposite sides share nodes, so some "
+      "elements seem to extend across the whole domain. Surfaces are those of Free. Tetrahedra are "
+      "Flat or Joined.")
       .EnabledIf("Periodic!=Off")
       .Advanced()
       .Sculptor("--periodic-sides KIND"),

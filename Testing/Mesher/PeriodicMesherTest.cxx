@@ -65,14 +65,14 @@ struct Method
 {
   const char* Name;
   ElementKind Elements;
-  Seam Sides;
+  Sides Kind;
 };
 
 MesherOptions OptionsOf(const Method& method)
 {
   MesherOptions options;
   options.Elements = method.Elements;
-  options.PeriodicSides = method.Sides;
+  options.PeriodicSides = method.Kind;
   options.Periodic = 5; // x and z
   return options;
 }
@@ -80,6 +80,29 @@ MesherOptions OptionsOf(const Method& method)
 class PeriodicMesher : public ::testing::TestWithParam<Method>
 {
 };
+
+FaceIds IdsOfFace(const Mesh& mesh, Index element, int side)
+{
+  FaceIds face =
+    ElementFaces(mesh.Corners).PointsOf(mesh.Elements.data() + mesh.Corners * element, side);
+  for (Index& point : face)
+  {
+    point = point < 0 ? -1 : mesh.PointIds[point];
+  }
+  std::sort(face.begin(), face.end());
+  return face;
+}
+
+void CountFaces(const Mesh& mesh, std::map<FaceIds, int>& faces)
+{
+  for (std::size_t element = 0; element < mesh.ElementIds.size(); ++element)
+  {
+    for (int side = 0; side < ElementFaces(mesh.Corners).Count; ++side)
+    {
+      ++faces[IdsOfFace(mesh, static_cast<Index>(element), side)];
+    }
+  }
+}
 
 using Point = std::array<double, 4>; // position and partner
 /// A mesh by global ids.
@@ -94,8 +117,8 @@ struct MeshById
     for (std::size_t p = 0; p < mesh.PointIds.size(); ++p)
     {
       const Vector3 x = mesh.PointAt(static_cast<Index>(p));
-      this->Points[mesh.PointIds[p]] = { { x[0], x[1], x[2],
-        static_cast<double>(mesh.PeriodicPartner[p]) } };
+      const Index partner = mesh.PeriodicPartner.empty() ? 0 : mesh.PeriodicPartner[p];
+      this->Points[mesh.PointIds[p]] = { { x[0], x[1], x[2], static_cast<double>(partner) } };
     }
     for (std::size_t at = 0; at < mesh.Elements.size(); ++at)
     {
@@ -106,14 +129,7 @@ struct MeshById
     {
       if (facet.DomainSide >= 0)
       {
-        FaceIds face = ElementFaces(mesh.Corners)
-          .PointsOf(mesh.Elements.data() + mesh.Corners * facet.Element, facet.Side);
-        for (Index& point : face)
-        {
-          point = point < 0 ? -1 : mesh.PointIds[point];
-        }
-        std::sort(face.begin(), face.end());
-        this->Sides[face] = facet.DomainSide;
+        this->Sides[IdsOfFace(mesh, facet.Element, facet.Side)] = facet.DomainSide;
       }
     }
   }
@@ -197,10 +213,77 @@ TEST_P(PeriodicMesher, RanksGiveTheSameMesh)
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, PeriodicMesher,
-  ::testing::Values(Method{ "FlatHexes", ElementKind::Hexes, Seam::Flat },
-    Method{ "FreeHexes", ElementKind::Hexes, Seam::Free },
-    Method{ "FlatTets", ElementKind::Tets, Seam::Flat }),
+  ::testing::Values(Method{ "FlatHexes", ElementKind::Hexes, Sides::Flat },
+    Method{ "FreeHexes", ElementKind::Hexes, Sides::Free },
+    Method{ "FlatTets", ElementKind::Tets, Sides::Flat }),
   [](const auto& info) { return std::string(info.param.Name); });
+
+class JoinedMesher : public ::testing::TestWithParam<ElementKind>
+{
+};
+
+/// All cells have elements, so all faces of the torus are on two elements.
+TEST_P(JoinedMesher, HasNoBoundary)
+{
+  MesherOptions options = OptionsOf({ "", this->GetParam(), Sides::Joined });
+  options.Periodic = 7;
+  options.MeshVoid = true;
+  MeshById alone;
+  for (int count : { 1, 2, 3 })
+  {
+    MeshById joined;
+    std::map<FaceIds, int> faces; // number of elements of each
+    std::mutex mutex;
+    RunOnRanks(count,
+      [&](ThreadRanks& ranks)
+      {
+        RankRuntime runtime(ranks);
+        Mesh mesh = RunMesher(MakeRandomInput(Cells, ranks), options, runtime).TheMesh;
+        EXPECT_TRUE(std::is_sorted(mesh.PointIds.begin(), mesh.PointIds.end()));
+        EXPECT_TRUE(mesh.PointIds.empty() || mesh.PointIds[0] > 0);
+        EXPECT_TRUE(mesh.PeriodicPartner.empty());
+        const std::lock_guard<std::mutex> lock(mutex);
+        joined.Add(mesh);
+        CountFaces(mesh, faces);
+      });
+    for (const auto& face : faces)
+    {
+      ASSERT_EQ(face.second, 2);
+    }
+    alone = count == 1 ? joined : alone;
+    EXPECT_TRUE(joined.Points == alone.Points);
+    EXPECT_TRUE(joined.Elements == alone.Elements);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Elements, JoinedMesher,
+  ::testing::Values(ElementKind::Hexes, ElementKind::Tets),
+  [](const auto& info) { return info.param == ElementKind::Hexes ? "Hexes" : "Tets"; });
+
+/// Material 1 below, 2 above: they meet inside, and across z at the sides.
+TEST(PeriodicMesher, WarnsIfMaterialsDoNotContinue)
+{
+  Runtime serial;
+  MesherInput input = MakeRandomInput({ { 4, 4, 12 } }, serial.Group());
+  auto arrays = std::make_shared<PlainArrays>(Index(192));
+  std::vector<int> labels(192, 1);
+  std::fill(labels.begin() + 96, labels.end(), 2);
+  arrays->Store("labels", ValueType::Int, std::move(labels));
+  input.Levels.Levels[0].Blocks[0].Arrays = arrays;
+  std::vector<std::string> warnings;
+  input.Warn = [&warnings](const std::string& text) { warnings.push_back(text); };
+  MesherOptions options;
+  options.Periodic = 3;
+  RunMesher(input, options, serial);
+  EXPECT_TRUE(warnings.empty());
+  options.Periodic = 7;
+  const MesherResult result = RunMesher(input, options, serial);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0],
+    "Across z, the materials of 16 of 16 faces of cells on opposite sides differ: the mesh has an "
+    "interface there. Is the input one period?");
+  EXPECT_EQ(result.Report.FlippedCells, 0);
+}
 
 TEST(PeriodicMesher, WrongInput)
 {
@@ -222,4 +305,8 @@ TEST(PeriodicMesher, WrongInput)
   EXPECT_EQ(messageOf(options, { { 2, 5, 5 } }),
     "A periodic mesh needs at least 3 cells along x, not 2.");
   EXPECT_EQ(messageOf(options, { { 3, 2, 2 } }), "");
+  options.Elements = ElementKind::Tets;
+  options.PeriodicSides = Sides::Free;
+  EXPECT_EQ(messageOf(options, { { 5, 5, 5 } }),
+    "PeriodicSides is Free: the sides of tetrahedra can only be Flat or Joined.");
 }

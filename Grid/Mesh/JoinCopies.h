@@ -1,0 +1,17 @@
+/**
+ * JoinCopies: a mesh of a periodic domain in which each point exists once.
+ */
+#pragma once
+
+#include "Mesh/Mesh.h"
+
+namespace vfm
+{
+
+/// Joins the copies of points on opposite sides: each point gets the id that PeriodicPartner names,
+/// and the position of the copy with the lowest id. Elements at the sides then have corners on
+/// both. Empties PeriodicPartner.
+/// @pre Collective.
+void JoinCopies(Ranks& ranks, Mesh& mesh);
+
+} // namespace vfm

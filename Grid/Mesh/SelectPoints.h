@@ -1,0 +1,44 @@
+/**
+ * SelectPoints: removal of points of a mesh.
+ */
+#pragma once
+
+#include "Mesh/Mesh.h"
+
+namespace vfm
+{
+
+/// Returns the items with the given indices.
+/// @param width  values per item
+template <class T>
+Buffer<T> Select(const Buffer<T>& items, const std::vector<Index>& kept, Index width = 1)
+{
+  Buffer<T> result(kept.size() * width);
+  for (std::size_t i = 0; i < kept.size(); ++i)
+  {
+    std::copy_n(items.data() + width * kept[i], width, result.data() + width * i);
+  }
+  return result;
+}
+
+/// Leaves only some points, and renumbers the points of elements, facets, curves and vertices.
+/// @param kept  points that remain, in their new order
+/// @param numbers  new number of each point, or -1
+inline void SelectPoints(
+  const std::vector<Index>& kept, const std::vector<Index>& numbers, Mesh& mesh)
+{
+  mesh.Points = Select(mesh.Points, kept, 3);
+  mesh.PointIds = Select(mesh.PointIds, kept);
+  mesh.GeometryDimension = Select(mesh.GeometryDimension, kept);
+  mesh.GeometryId = Select(mesh.GeometryId, kept);
+  for (Buffer<Index>* points :
+    { &mesh.Elements, &mesh.Surfaces.Points, &mesh.Curves.Points, &mesh.Vertices.Points })
+  {
+    for (Index& point : *points)
+    {
+      point = numbers[point];
+    }
+  }
+}
+
+} // namespace vfm
