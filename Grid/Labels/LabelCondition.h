@@ -122,8 +122,8 @@ constexpr int CountViolations(const Star& star)
   return count;
 }
 
-/// Returns whether a cell of a star breaks the condition of a flat seam across an axis: its label is
-/// on both sides of the seam, but not in the cell on the other side.
+/// Returns whether a cell of a star breaks the condition of a flat seam across an axis: its label
+/// is on both sides of the seam, but not in the cell on the other side.
 constexpr bool BreaksSeam(const std::array<int, 8>& star, int cell, int axis)
 {
   const int bit = 1 << axis;

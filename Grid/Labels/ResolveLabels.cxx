@@ -141,7 +141,7 @@ struct Work
   const Partition& Parts;
   Runtime& Run;
   const RefinedGrid* Leaves;
-  const bool KeepsSeam; // whether the condition of flat seams holds too
+  const bool KeepsSeam;                        // whether the condition of flat seams holds too
   const bool HasBlocks = KeepsSeam && !Leaves; // whether cells glued across a seam are one unit
   const LabelUnits Units{ Grid, Leaves, HasBlocks ? &Labels : nullptr };
   /// Holds the units that compete with units of owned cells. A block of an owned cell ends one cell
@@ -171,8 +171,8 @@ bool OwnsSome(const Work& work, const IndexBox& cells)
   return Intersect(cells, work.Grid.Owned()).NumberOfCells() > 0;
 }
 
-/// Calls body(n, size) for the linear index n and the number of cells of each cell or leaf of a unit
-/// or block.
+/// Calls body(n, size) for the linear index n and the number of cells of each cell or leaf of a
+/// unit or block.
 template <class Body>
 void ForParts(const Work& work, const IndexBox& cells, const Body& body)
 {
@@ -643,7 +643,7 @@ ResolveReport ResolveLabels(const CartesianGrid& grid, const FractionField& frac
   bool keepsSeam)
 {
   Work work{ grid, fractions, labels, partition, runtime, leaves,
-    keepsSeam && grid.IsPeriodic() && grid.KindOfSeam() == Seam::Flat };
+    keepsSeam && grid.FlatSeams(grid.Domain().Lower) != 0 };
   work.Violated = FindMixedNodes(work.Grid, work.Labels);
   KeepViolated(work);
   Ranks& ranks = work.Parts.Group();
