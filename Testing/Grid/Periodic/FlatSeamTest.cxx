@@ -17,7 +17,6 @@ using namespace vfm::testing;
 namespace
 {
 
-constexpr int Grains = 20;
 constexpr std::array<bool, 3> AllAxes{ { true, true, true } };
 
 /// Returns the distance of two points of a domain of n cells that repeats, squared.
@@ -33,23 +32,23 @@ double SquaredDistance(const Vector3& x, const Vector3& y, double n)
 }
 
 /// Returns a polycrystal that repeats, with fractions from 4^3 samples per cell.
-FractionField MakePolycrystal(const CartesianGrid& grid, unsigned seed)
+FractionField MakePolycrystal(const CartesianGrid& grid, unsigned seed, int grains = 20)
 {
   constexpr int Samples = 4;
   const Index3 first = grid.Domain().Lower;
   const auto n = static_cast<double>(grid.Domain().Size(0));
   RandomDraw draw(seed);
   std::vector<Vector3> seeds;
-  for (int g = 0; g < Grains; ++g)
+  for (int g = 0; g < grains; ++g)
   {
     seeds.push_back(draw.Vector(0.0, n));
   }
-  FractionField field(grid, Grains);
+  FractionField field(grid, grains);
   ForCells(grid.Local(),
     [&](const Index3& cell)
     {
       const Index3 own = grid.Canonical(cell);
-      std::vector<int> counts(Grains, 0);
+      std::vector<int> counts(grains, 0);
       ForCells({ { { 0, 0, 0 } }, { { Samples, Samples, Samples } } },
         [&](const Index3& sample)
         {
@@ -65,7 +64,7 @@ FractionField MakePolycrystal(const CartesianGrid& grid, unsigned seed)
           ++counts[nearest - seeds.begin()];
         });
       std::vector<FractionField::Part> parts;
-      for (int g = 0; g < Grains; ++g)
+      for (int g = 0; g < grains; ++g)
       {
         if (counts[g] > 0)
         {
@@ -90,6 +89,13 @@ Resolved Resolve(const CartesianGrid& grid, const FractionField& field, bool kee
   result.Report = ResolveLabels(
     grid, field, result.Labels, Partition(grid, alone.Group()), alone, nullptr, keepsSeam);
   return result;
+}
+
+std::set<int> ListLabels(const CartesianGrid& grid, const LabelArray& labels)
+{
+  std::set<int> all;
+  ForCells(grid.Domain(), [&](const Index3& cell) { all.insert(labels[grid.Linear(cell)]); });
+  return all;
 }
 
 /// Returns the number of columns across seams that break the condition of flat seams.
@@ -206,12 +212,24 @@ TEST(FlatSeam, PolycrystalKeepsGrains)
   Runtime alone;
   MeshReport report;
   const Mesh mesh = MakeHexMesh(grid, field, MeshOptions(), alone, report);
-  EXPECT_EQ(report.NumberOfFragments, Grains);
+  EXPECT_EQ(report.NumberOfFragments, 20);
   EXPECT_EQ(FindGluedProblem(grid, mesh, true, report.NumberOfFragments), "");
   EXPECT_TRUE(IsPositiveEverywhere(mesh));
-  for (int m = 1; m <= Grains; ++m)
+  for (int m = 1; m <= field.NumberOfMaterials(); ++m)
   {
     EXPECT_NEAR(report.MeshVolume[m] / report.TargetVolume[m], 1.0, 2e-5) << m;
+  }
+}
+
+TEST(FlatSeam, SmallGrainsKeepACell)
+{
+  for (unsigned seed : ListSeeds(6))
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const CartesianGrid grid = MakePeriodicGrid({ { 8, 8, 8 } }, AllAxes);
+    const FractionField field = MakePolycrystal(grid, seed, 100);
+    EXPECT_EQ(ListLabels(grid, Resolve(grid, field, true).Labels),
+      ListLabels(grid, AssignMaterials(grid, field, 0.5)));
   }
 }
 
