@@ -189,7 +189,9 @@ Candidate FindRestoration(const Work& work, Index part, int first)
       isWhole = isWhole && at != work.Original.end() && at->second == first;
     });
   cells = isWhole ? cells : BoxOfCell(work.Grid.Position(part));
-  const bool may = label != first && Intersect(cells, work.Near) == cells &&
+  // A label that lost its initial cells can have others that it got as blocks were glued.
+  const bool isKept = work.HasBlocks && work.Sizes->IsLast(cells.NumberOfCells(), label);
+  const bool may = label != first && !isKept && Intersect(cells, work.Near) == cells &&
     FindGains(work, cells, { first })[0] == 0;
   return may ? Candidate{ Price(work, cells, first, label), first, TieKey(work, cells), cells }
              : Candidate{ 0.0, -1, 0, {} };

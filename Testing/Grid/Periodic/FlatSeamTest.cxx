@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+#include <map>
 #include <set>
 
 using namespace vfm;
@@ -31,45 +33,57 @@ double SquaredDistance(const Vector3& x, const Vector3& y, double n)
   return sum;
 }
 
+/// Returns the grain of the nearest seed in a domain of n cells that repeats, from 1.
+int NearestGrain(const std::vector<Vector3>& seeds, const Vector3& x, double n)
+{
+  int nearest = 0;
+  double lowest = std::numeric_limits<double>::max();
+  for (std::size_t g = 0; g < seeds.size(); ++g)
+  {
+    const double distance = SquaredDistance(x, seeds[g], n);
+    if (distance < lowest)
+    {
+      lowest = distance;
+      nearest = static_cast<int>(g) + 1;
+    }
+  }
+  return nearest;
+}
+
 /// Returns a polycrystal that repeats, with fractions from 4^3 samples per cell.
 FractionField MakePolycrystal(const CartesianGrid& grid, unsigned seed, int grains = 20)
 {
   constexpr int Samples = 4;
-  const Index3 first = grid.Domain().Lower;
-  const auto n = static_cast<double>(grid.Domain().Size(0));
+  const IndexBox& domain = grid.Domain();
+  const auto n = static_cast<double>(domain.Size(0));
   RandomDraw draw(seed);
   std::vector<Vector3> seeds;
   for (int g = 0; g < grains; ++g)
   {
     seeds.push_back(draw.Vector(0.0, n));
   }
+  std::vector<std::map<int, int>> counts(domain.NumberOfCells()); // samples by grain
+  ForCells({ { { 0, 0, 0 } },
+             { { domain.Size(0) * Samples, domain.Size(1) * Samples, domain.Size(2) * Samples } } },
+    [&](const Index3& sample)
+    {
+      Vector3 x;
+      Index3 cell;
+      for (int a = 0; a < 3; ++a)
+      {
+        x[a] = (static_cast<double>(sample[a]) + 0.5) / Samples;
+        cell[a] = domain.Lower[a] + sample[a] / Samples;
+      }
+      ++counts[IndexInBox(domain, cell)][NearestGrain(seeds, x, n)];
+    });
   FractionField field(grid, grains);
   ForCells(grid.Local(),
     [&](const Index3& cell)
     {
-      const Index3 own = grid.Canonical(cell);
-      std::vector<int> counts(grains, 0);
-      ForCells({ { { 0, 0, 0 } }, { { Samples, Samples, Samples } } },
-        [&](const Index3& sample)
-        {
-          Vector3 x;
-          for (int a = 0; a < 3; ++a)
-          {
-            x[a] = static_cast<double>(own[a] - first[a]) +
-              (static_cast<double>(sample[a]) + 0.5) / Samples;
-          }
-          const auto nearest = std::min_element(seeds.begin(), seeds.end(),
-            [&](const Vector3& s, const Vector3& t)
-            { return SquaredDistance(x, s, n) < SquaredDistance(x, t, n); });
-          ++counts[nearest - seeds.begin()];
-        });
       std::vector<FractionField::Part> parts;
-      for (int g = 0; g < grains; ++g)
+      for (const auto& [grain, count] : counts[IndexInBox(domain, grid.Canonical(cell))])
       {
-        if (counts[g] > 0)
-        {
-          parts.push_back({ g + 1, counts[g] / static_cast<double>(Samples * Samples * Samples) });
-        }
+        parts.push_back({ grain, count / static_cast<double>(Samples * Samples * Samples) });
       }
       field.SetParts(grid.Linear(cell), parts);
     });
