@@ -122,6 +122,19 @@ constexpr int CountViolations(const Star& star)
   return count;
 }
 
+/// Returns whether a cell of a star breaks the condition of a flat seam across an axis: its label
+/// is on both sides of the seam, but not in the cell on the other side.
+constexpr bool BreaksSeam(const std::array<int, 8>& star, int cell, int axis)
+{
+  const int bit = 1 << axis;
+  bool isBeyond = false; // whether the label is also on the other side
+  for (int d = 0; d < 8; ++d)
+  {
+    isBeyond = isBeyond || ((d & bit) != (cell & bit) && star[d] == star[cell]);
+  }
+  return star[cell ^ bit] != star[cell] && isBeyond;
+}
+
 /// Returns the number of cells of a star at which a label breaks the condition of a flat seam.
 /// A label on both sides of the seam has one inner point there, a corner of hexes on both sides. So
 /// that it can lie in the plane, no face of this label may be on the seam at this node.
@@ -131,15 +144,9 @@ constexpr int CountSeamViolations(const std::array<int, 8>& star, int axes)
   int count = 0;
   for (int a = 0; a < 3; ++a)
   {
-    const int bit = 1 << a;
-    for (int c = 0; (axes & bit) != 0 && c < 8; ++c)
+    for (int c = 0; (axes >> a & 1) != 0 && c < 8; ++c)
     {
-      bool isBeyond = false; // whether the label is also on the other side
-      for (int d = 0; d < 8; ++d)
-      {
-        isBeyond = isBeyond || ((d & bit) != (c & bit) && star[d] == star[c]);
-      }
-      count += star[c ^ bit] != star[c] && isBeyond;
+      count += BreaksSeam(star, c, a);
     }
   }
   return count;

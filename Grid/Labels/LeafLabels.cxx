@@ -2,12 +2,18 @@
 
 #include "Base/Sorted.h"
 #include "Fractions/FractionSum.h"
+#include "Labels/SeamBlocks.h"
 
 namespace vfm
 {
 
-IndexBox LabelUnits::LeafCells(const Index3& cell) const
+IndexBox LabelUnits::CellsAround(const Index3& cell) const
 {
+  if (!this->Leaves)
+  {
+    const IndexBox block = BlockOfCell(this->Grid, cell);
+    return PartOfBlock(block, FindGluedAxes(this->Grid, *this->Glued, block), cell);
+  }
   const OctreeKeys::LevelIndex leaf = this->Leaves->LeafOf(cell);
   return Intersect(this->Leaves->FinestCells(leaf.Level, leaf.At), this->Grid.Local());
 }

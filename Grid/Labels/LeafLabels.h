@@ -12,13 +12,19 @@ namespace vfm
 {
 
 /// Units of labels. A unit has one label and changes it as a whole: it is a cell of the grid or,
-/// with levels, a leaf. It is identified by the linear index of its lowest cell in the local box.
-/// Leaves at the rim of the local box consist of their cells inside it.
+/// with levels, a leaf. Cells that are glued across flat seams (SeamBlocks.h) can also be one unit.
+/// A unit is identified by the linear index of its lowest cell in the local box. Leaves at the rim
+/// of the local box consist of their cells inside it.
 class LabelUnits
 {
 public:
-  /// @param grid,leaves  must outlive this object; leaves: nullptr if units are cells
-  LabelUnits(const CartesianGrid& grid, const RefinedGrid* leaves) : Grid(grid), Leaves(leaves) {}
+  /// @param grid,leaves,glued  must outlive this object; leaves: nullptr if units are cells; glued:
+  ///   labels of cells that determine which of them are glued, or nullptr
+  LabelUnits(
+    const CartesianGrid& grid, const RefinedGrid* leaves, const LabelArray* glued = nullptr) :
+    Grid(grid), Leaves(leaves), Glued(glued)
+  {
+  }
 
   /// Returns the number of cells along an edge of the largest units.
   int LargestWidth() const { return this->Leaves ? 1 << this->Leaves->NumberOfRefinements() : 1; }
@@ -27,14 +33,13 @@ public:
   Index UnitOf(const Index3& cell) const
   {
     const Index3 inside = this->Grid.Local().Nearest(cell);
-    return this->IsCell(inside) ? this->Grid.Linear(inside)
-                                : this->Grid.Linear(this->LeafCells(inside).Lower);
+    return this->Grid.Linear(this->IsCell(inside) ? inside : this->CellsAround(inside).Lower);
   }
   /// Returns the cells of a unit in the local box.
   IndexBox CellsOf(Index unit) const
   {
     const Index3 p = this->Grid.Position(unit);
-    return this->IsCell(p) ? BoxOfCell(p) : this->LeafCells(p);
+    return this->IsCell(p) ? BoxOfCell(p) : this->CellsAround(p);
   }
   /// Returns the cells in the star of a node that belong to a unit or mirror it, as a
   /// mask of eight bits.
@@ -55,11 +60,16 @@ public:
   }
 
 private:
-  bool IsCell(const Index3& cell) const { return !this->Leaves || this->Leaves->IsFine(cell); }
-  IndexBox LeafCells(const Index3& cell) const;
+  /// Returns whether a unit is known to be a cell.
+  bool IsCell(const Index3& cell) const
+  {
+    return this->Leaves ? this->Leaves->IsFine(cell) : !this->Glued;
+  }
+  IndexBox CellsAround(const Index3& cell) const;
 
   const CartesianGrid& Grid;
   const RefinedGrid* Leaves;
+  const LabelArray* Glued;
 };
 
 /// Sets the label of a box of cells in the local box, and of the cells that mirror them.

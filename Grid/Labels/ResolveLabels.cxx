@@ -1,14 +1,10 @@
 #include "Labels/ResolveLabels.h"
 
 #include "Base/Sorted.h"
-#include "Fractions/FractionSum.h"
+#include "Labels/GlueBlocks.h"
 #include "Labels/LabelCondition.h"
-#include "Labels/LeafLabels.h"
-#include "Ranks/Agreement.h"
 
-#include <algorithm>
 #include <numeric>
-#include <unordered_map>
 
 namespace vfm
 {
@@ -20,9 +16,6 @@ constexpr int Perturbations = 40;
 constexpr int GreedyRounds = 400; // rounds before the same
 // Shift of the interface by a costly flip, in cells of the grid.
 constexpr double CostlyFlip = 0.3;
-constexpr double CostOffset = 0.05;   // price of a flip that loses no fraction
-constexpr Index SmallLabel = 1000;    // cells; each cell of a label with fewer costs more
-constexpr double PriceOfGrowth = 0.3; // price of a cell too many, relative to a cell too few
 
 /// Best change of one unit.
 struct Candidate
@@ -30,151 +23,21 @@ struct Candidate
   double Score;
   int Label;
   Index Key;
+  IndexBox Cells; // the cells that change
   bool Beats(const Candidate& other) const
   {
     return this->Score > other.Score || (this->Score == other.Score && this->Key < other.Key);
   }
 };
 
-/// Calls body(node) for the nodes on the surface of a box of cells.
-template <class Body>
-void ForSurfaceNodes(const IndexBox& cells, const Body& body)
+/// Labels and candidates for the next flips.
+struct Work : LabelFlips
 {
-  ForCells(NodesOf(cells),
-    [&](const Index3& node)
-    {
-      bool isInside = true;
-      for (int a = 0; a < 3; ++a)
-      {
-        isInside = isInside && node[a] > cells.Lower[a] && node[a] < cells.Upper[a];
-      }
-      if (!isInside)
-      {
-        body(node);
-      }
-    });
-}
-
-/// Number of cells of each label in the domain, initially and now. It determines how much a flip
-/// costs the smaller of both labels.
-class LabelSizes
-{
-public:
-  /// @pre Collective.
-  LabelSizes(
-    const CartesianGrid& grid, const LabelArray& labels, int count, const Partition& partition) :
-    First(count, 0), Group(&partition.Group())
-  {
-    partition.ForRows(grid.Owned(),
-      [&](Index first, Index last)
-      {
-        labels.Visit(
-          first, last,
-          [&](Index begin, Index end, int label) { this->First[label] += end - begin; },
-          [&](Index begin, Index end, const int* own)
-          { std::for_each(own, own + (end - begin), [&](int label) { ++this->First[label]; }); });
-      });
-    this->Group->Sum(this->First);
-    this->Now = this->First;
-    this->HasSmall = std::any_of(this->First.begin(), this->First.end(),
-      [](Index cells) { return cells > 0 && cells < SmallLabel; });
-  }
-
-  /// Returns the initial size of a label, at most SmallLabel.
-  Index CappedSize(int label) const { return std::min<Index>(this->First[label], SmallLabel); }
-
-  bool IsLast(Index cells, int label) const { return this->Now[label] <= cells; }
-
-  /// Returns the factor on the price of a flip of some cells; 1 between large labels. A small label
-  /// pays more for the loss of cells if it has at most its initial number, and for a gain if it has
-  /// at least that number.
-  double Factor(Index cells, int current, int label) const
-  {
-    const auto partOf = [&](int l)
-    { return static_cast<double>(SmallLabel * cells) / static_cast<double>(this->First[l]); };
-    return std::max({ 1.0, this->Now[current] <= this->First[current] ? partOf(current) : 0.0,
-      this->Now[label] >= this->First[label] ? PriceOfGrowth * partOf(label) : 0.0 });
-  }
-
-  /// Counts a flip of this rank.
-  void Add(Index cells, int current, int label)
-  {
-    this->Change.resize(this->Now.size(), 0);
-    this->Change[current] -= cells;
-    this->Change[label] += cells;
-  }
-  /// Sums the flips of all ranks.
-  /// @pre Collective.
-  void Share()
-  {
-    this->Change.resize(this->Now.size(), 0);
-    if (this->HasSmall)
-    {
-      this->Group->Sum(this->Change);
-      std::transform(
-        this->Now.begin(), this->Now.end(), this->Change.begin(), this->Now.begin(), std::plus<>());
-    }
-    std::fill(this->Change.begin(), this->Change.end(), 0);
-  }
-
-private:
-  std::vector<std::int64_t> First, Now, Change;
-  Ranks* Group;
-  bool HasSmall = false; // if false, sizes do not matter
-};
-
-struct Work
-{
-  const CartesianGrid& Grid;
-  const FractionField& Fractions;
-  LabelArray& Labels;
-  const Partition& Parts;
-  Runtime& Run;
-  const LabelUnits Units;
-  const bool KeepsSeam; // whether the condition of flat seams holds too
-  const IndexBox Reach = Grid.Extended(Units.LargestWidth());
-  std::vector<Index> Violated{};
-  /// Initial labels of flipped units, owned or nearby.
-  std::unordered_map<Index, int> Original{};
-  std::unique_ptr<LabelSizes> Sizes{};
   int Turn = 0;
   bool InOrder = false;  // whether units may only take smaller labels, in the last order
   bool KeepsLast = true; // whether no label may lose its last unit
-  std::unordered_map<Index, Candidate> Candidates{};
+  std::unordered_map<Index, Candidate> Candidates{}; // by unit
 };
-
-/// Returns whether a node touches a unit whose change competes with changes of owned units. Owned
-/// boxes consist of complete base cells, so these units are in Reach.
-bool IsNear(const Work& work, Index node)
-{
-  return work.Reach.Touches(work.Grid.Position(node));
-}
-
-/// Returns the violations of a star: of the label condition, and on a flat seam of the condition
-/// there.
-int Violations(const std::array<int, 8>& star, int flatSeams)
-{
-  return CountViolations(star) + (flatSeams != 0 ? CountSeamViolations(star, flatSeams) : 0);
-}
-
-int Violations(const Work& work, Index node)
-{
-  return Violations(StarOfNode(work.Grid, work.Labels, node),
-    work.KeepsSeam ? work.Grid.FlatSeams(work.Grid.Position(node)) : 0);
-}
-
-void KeepViolated(Work& work)
-{
-  std::vector<Index>& nodes = work.Violated;
-  SortUnique(nodes);
-  ForEach(work.Run, nodes.size(),
-    [&](Index n)
-    {
-      const bool isKept = IsNear(work, nodes[n]) && Violations(work, nodes[n]) > 0;
-      nodes[n] = isKept ? nodes[n] : -1;
-    });
-  nodes.erase(std::remove(nodes.begin(), nodes.end(), -1), nodes.end());
-}
 
 /// Returns the position of a label in the current order, which begins at label Turn and wraps
 /// around. In the last order, small labels come first.
@@ -190,44 +53,6 @@ bool MayTake(const Work& work, int current, int label, bool decreasing)
   return label != current && !(decreasing && Order(work, label) > Order(work, current));
 }
 
-/// Returns the violations removed at the nodes of a unit by each of some labels.
-std::vector<int> FindGains(const Work& work, const IndexBox& cells, const std::vector<int>& labels)
-{
-  std::vector<int> gains(labels.size(), 0);
-  ForSurfaceNodes(cells,
-    [&](const Index3& node)
-    {
-      std::array<int, 8> star = StarOfNode(work.Grid, work.Labels, work.Grid.Linear(node));
-      const int seams = work.KeepsSeam ? work.Grid.FlatSeams(node) : 0;
-      const int before = Violations(star, seams);
-      const int region = work.Units.RegionAt(node, cells);
-      for (std::size_t n = 0; n < labels.size(); ++n)
-      {
-        for (int s = 0; s < 8; ++s)
-        {
-          star[s] = region >> s & 1 ? labels[n] : star[s];
-        }
-        gains[n] += before - Violations(star, seams);
-      }
-    });
-  return gains;
-}
-
-/// Returns the fraction that a unit loses times its width: how far the interface moves, in
-/// cells of the grid.
-double Cost(const Work& work, const IndexBox& cells, int current, int label)
-{
-  const FractionSum mean = MeanOfCells(work.Grid, work.Fractions, cells);
-  return static_cast<double>(cells.Size(0)) *
-    std::max(0.0, mean.Fraction(current) - mean.Fraction(label));
-}
-
-double Price(const Work& work, const IndexBox& cells, int current, int label)
-{
-  return work.Sizes->Factor(cells.NumberOfCells(), current, label) *
-    (CostOffset + Cost(work, cells, current, label));
-}
-
 /// Returns the key that decides between equal scores, equal for all copies of a unit.
 Index TieKey(const Work& work, const IndexBox& cells)
 {
@@ -240,7 +65,7 @@ Candidate Consider(const Work& work, Index unit, const std::vector<int>& labels,
 {
   const IndexBox cells = work.Units.CellsOf(unit);
   const std::vector<int> gains = FindGains(work, cells, labels);
-  Candidate best{ 0.0, -1, TieKey(work, cells) };
+  Candidate best{ 0.0, -1, TieKey(work, cells), cells };
   for (std::size_t n = 0; n < labels.size(); ++n)
   {
     const int gain = gains[n];
@@ -302,7 +127,7 @@ void FindCandidates(Work& work, bool decreasing)
         }
       }
       found[n] =
-        allowed.empty() ? Candidate{ 0.0, -1, 0 } : Consider(work, unit, allowed, decreasing);
+        allowed.empty() ? Candidate{ 0.0, -1, 0, {} } : Consider(work, unit, allowed, decreasing);
     });
   for (std::size_t n = 0; n < found.size(); ++n)
   {
@@ -329,83 +154,74 @@ bool IsBestAround(const Work& work, const IndexBox& cells, const Candidate& mine
   return isBest;
 }
 
-/// Flips the best candidates. Each rank also stores the initial labels of units that may flip
-/// around its own.
+/// Flips the best candidates.
 void Flip(Work& work)
 {
-  std::vector<std::pair<IndexBox, int>> flips;
-  std::vector<std::pair<Index, int>> others; // candidates of other ranks, and their labels
+  std::vector<LabelChange> flips;
+  std::vector<IndexBox> others;
   for (const auto& candidate : work.Candidates)
   {
-    const IndexBox cells = work.Units.CellsOf(candidate.first);
-    const int label = work.Labels[candidate.first];
-    if (!work.Parts.OwnsCell(cells.Lower))
+    const Candidate& change = candidate.second;
+    if (!OwnsSome(work, change.Cells))
     {
-      others.emplace_back(candidate.first, label);
+      others.push_back(change.Cells);
     }
-    else if (IsBestAround(work, cells, candidate.second))
+    else if (IsBestAround(work, change.Cells, change))
     {
-      work.Original.emplace(candidate.first, label);
-      work.Sizes->Add(cells.NumberOfCells(), label, candidate.second.Label);
-      flips.emplace_back(cells, candidate.second.Label);
+      flips.push_back({ change.Cells, change.Label });
     }
   }
-  work.Sizes->Share();
-  for (const auto& flip : flips)
-  {
-    FillLabels(work.Grid, flip.first, flip.second, work.Labels);
-    ForSurfaceNodes(
-      flip.first, [&](const Index3& node) { work.Violated.push_back(work.Grid.Linear(node)); });
-  }
-  work.Parts.ExchangeCells(work.Labels,
-    [&](Index cell)
-    {
-      const int label = work.Labels[cell];
-      work.Grid.ForMirrors(cell, [&](Index mirror) { work.Labels.Set(mirror, label); });
-      for (int c = 0; c < 8; ++c)
-      {
-        work.Violated.push_back(work.Grid.NodeOfCell(cell, c));
-      }
-    });
-  for (const auto& other : others)
-  {
-    if (work.Labels[other.first] != other.second)
-    {
-      work.Original.insert(other);
-    }
-  }
+  ApplyChanges(work, flips, others);
 }
 
-/// Makes the initial labels of units candidates where they leave the
-/// number of violations unchanged.
+/// Returns the change to the initial label of a cell or leaf, or of its unit if that was its label
+/// everywhere; the label is -1 if that would add a violation.
+Candidate FindRestoration(const Work& work, Index part, int first)
+{
+  const Index unit = work.Units.UnitOf(work.Grid.Position(part));
+  IndexBox cells = work.Units.CellsOf(unit);
+  const int label = work.Labels[part];
+  bool isWhole = true;
+  ForParts(work, cells,
+    [&](Index n, Index)
+    {
+      const auto at = work.Original.find(n);
+      isWhole = isWhole && at != work.Original.end() && at->second == first;
+    });
+  cells = isWhole ? cells : BoxOfCell(work.Grid.Position(part));
+  // A label that lost its initial cells can have others that it got as blocks were glued.
+  const bool isKept = work.HasBlocks && work.Sizes->IsLast(cells.NumberOfCells(), label);
+  const bool may = label != first && !isKept && Intersect(cells, work.Near) == cells &&
+    FindGains(work, cells, { first })[0] == 0;
+  return may ? Candidate{ Price(work, cells, first, label), first, TieKey(work, cells), cells }
+             : Candidate{ 0.0, -1, 0, {} };
+}
+
+/// Makes initial labels candidates where they leave the number of violations unchanged.
 void FindRestorable(Work& work)
 {
   work.Candidates.clear();
-  const std::vector<std::pair<Index, int>> units(work.Original.begin(), work.Original.end());
-  std::vector<Candidate> found(units.size());
-  ForEach(work.Run, units.size(),
-    [&](Index n)
-    {
-      const auto& [unit, first] = units[n];
-      const IndexBox cells = work.Units.CellsOf(unit);
-      const int label = work.Labels[unit];
-      const bool may = work.Reach.Contains(cells.Lower) && label != first &&
-        FindGains(work, cells, { first })[0] == 0;
-      found[n] = may ? Candidate{ Price(work, cells, first, label), first, TieKey(work, cells) }
-                     : Candidate{ 0.0, -1, 0 };
-    });
-  for (std::size_t n = 0; n < units.size(); ++n)
+  const std::vector<std::pair<Index, int>> parts(work.Original.begin(), work.Original.end());
+  std::vector<Candidate> found(parts.size());
+  ForEach(work.Run, parts.size(),
+    [&](Index n) { found[n] = FindRestoration(work, parts[n].first, parts[n].second); });
+  for (std::size_t n = 0; n < parts.size(); ++n)
   {
     if (found[n].Label >= 0)
     {
-      work.Candidates.emplace(units[n].first, found[n]);
+      const Index unit = work.Units.UnitOf(work.Grid.Position(parts[n].first));
+      const auto at = work.Candidates.emplace(unit, found[n]);
+      if (found[n].Beats(at.first->second))
+      {
+        at.first->second = found[n];
+      }
     }
   }
 }
 
 /// Restores the initial labels of units where that adds no violation, until no unit is left:
 /// reverts useless perturbations. It ends because each round reduces the number of changed units.
-/// Not all flips of units beyond Reach are known. Returns the number of rounds.
+/// Not all flips of units beyond Near are known. Returns the number of rounds.
 int Restore(Work& work)
 {
   for (int rounds = 0;; ++rounds)
@@ -424,6 +240,10 @@ int Restore(Work& work)
 std::vector<Index3> FindCostlyFlips(const Work& work)
 {
   std::vector<Index3> flips;
+  if (!work.Leaves)
+  {
+    return flips;
+  }
   for (const auto& unit : work.Original)
   {
     const IndexBox cells = work.Units.CellsOf(unit.first);
@@ -464,12 +284,14 @@ void CountChanges(const Work& work, ResolveReport& report)
 /// fixed, so the sum of the labels of units decreases until no star is violated. A violated star
 /// has several labels, hence a unit that can take a smaller label of the star. The best of all
 /// candidates flips, and units that flip at once share no star. Only if the last order leaves no
-/// other choice, a label loses its last unit.
+/// other choice, a label loses its last unit. Flat seams: blocks are glued at first and in dead
+/// ends. Flips keep them glued, so that ends too.
 ResolveReport ResolveLabels(const CartesianGrid& grid, const FractionField& fractions,
   LabelArray& labels, const Partition& partition, Runtime& runtime, const RefinedGrid* leaves,
   bool keepsSeam)
 {
-  Work work{ grid, fractions, labels, partition, runtime, { grid, leaves }, keepsSeam };
+  Work work{ { grid, fractions, labels, partition, runtime, leaves,
+    keepsSeam && grid.FlatSeams(grid.Domain().Lower) != 0 } };
   work.Violated = FindMixedNodes(work.Grid, work.Labels);
   KeepViolated(work);
   Ranks& ranks = work.Parts.Group();
@@ -482,6 +304,7 @@ ResolveReport ResolveLabels(const CartesianGrid& grid, const FractionField& frac
   }
   work.Sizes = std::make_unique<LabelSizes>(
     work.Grid, work.Labels, work.Fractions.NumberOfMaterials() + 1, work.Parts);
+  report.Rounds += GlueBlocks(work);
   int perturbations = 0;
   while (ranks.Any(!work.Violated.empty()))
   {
@@ -490,6 +313,12 @@ ResolveReport ResolveLabels(const CartesianGrid& grid, const FractionField& frac
     FindCandidates(work, work.InOrder);
     if (!ranks.Any(!work.Candidates.empty()))
     {
+      const int glued = GlueBlocks(work);
+      report.Rounds += glued;
+      if (glued > 0)
+      {
+        continue;
+      }
       work.InOrder = work.InOrder || ++perturbations > Perturbations;
       work.Turn = work.InOrder ? 0 : perturbations;
       work.KeepsLast = !work.InOrder;

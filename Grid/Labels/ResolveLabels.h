@@ -33,7 +33,9 @@ struct ResolveReport
 /// @param leaves  if given, leaves flip as a whole and compete with all leaves that share a
 ///   node with them; labels must be equal within each leaf, and the grid needs ghost layers
 ///   of three base cells
-/// @param keepsSeam  whether labels must also pass the condition of flat seams, as hexes need
+/// @param keepsSeam  whether labels must also pass the condition of flat seams, as hexes need.
+///   Without leaves, cells that are equal across a flat seam then flip together (GlueBlocks.h), and
+///   a periodic grid needs its GhostLayers
 /// @pre Collective.
 /// @note Bitwise reproducible on any number of ranks and threads.
 ResolveReport ResolveLabels(const CartesianGrid& grid, const FractionField& fractions,

@@ -131,7 +131,7 @@ std::string FindRankProblem(
   for (const std::array<int, 2>& cut :
     { std::array<int, 2>{ { 2, -1 } }, { { 3, 0 } }, { { 4, -1 } }, { { 8, -1 } }, { { 6, 2 } } })
   {
-    std::vector<IndexBox> boxes = CutBox(whole.Global(), cut[0], cut[1]);
+    std::vector<IndexBox> boxes = CutBox(whole.Domain(), cut[0], cut[1]);
     boxes.push_back(IndexBox());
     std::atomic<Index> differences{ 0 };
     RunOnRanks(static_cast<int>(boxes.size()),
