@@ -1,8 +1,8 @@
 """Runs CalculiX (ccx) on a mesh in an .inp file and reads its results, for linear elasticity.
 
 write_deck() writes the input of one static step, which includes the mesh. run() solves it.
-read_results() reads displacements, reaction forces and stresses. Examples/ball_under_pressure.py
-and cube_under_pressure.py use this module.
+read_results() reads displacements, reaction forces and stresses; read_tables() those of several
+steps. Examples/ball_under_pressure.py, cube_under_pressure.py and homogenise.py use this module.
 """
 import os
 import re
@@ -86,8 +86,8 @@ class Results:
                 self.stresses = rows[:, 2:].reshape(len(np.unique(rows[:, 0])), -1, 6)
 
 
-def read_results(path):
-    """Returns the Results of the input file at path (.inp)."""
+def read_tables(path):
+    """Returns the title, set and rows of each table that the input file at path (.inp) printed."""
     tables = []
     with open(os.path.splitext(path)[0] + ".dat", encoding="ascii") as file:
         for line in file:
@@ -97,4 +97,9 @@ def read_results(path):
                 tables.append((title.group(1), line.split(" set ")[1].split()[0], rows))
             elif line.strip() and tables:
                 rows.append(SHORT_EXPONENT.sub(r"\1E\2", line).split())
-    return Results([(title, name, np.array(rows, dtype=float)) for title, name, rows in tables])
+    return [(title, name, np.array(rows, dtype=float)) for title, name, rows in tables]
+
+
+def read_results(path):
+    """Returns the Results of the input file at path (.inp)."""
+    return Results(read_tables(path))
