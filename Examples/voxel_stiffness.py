@@ -38,7 +38,7 @@ def sphere_fractions(cells, volume):
     for step in np.stack(np.meshgrid(steps, steps, steps), axis=-1).reshape(-1, 3):
         inside += np.linalg.norm(place[:, cut] + step[:, None], axis=0) < radius
     fractions[cut] = inside / PARTS ** 3
-    return fractions, place / distance
+    return fractions, place / np.maximum(distance, 0.5)
 
 
 def times(tensor, normal):

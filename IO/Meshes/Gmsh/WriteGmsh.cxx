@@ -3,6 +3,7 @@
 #include "Meshes/Files/WriteWhole.h"
 #include "Meshes/Gmsh/GmshFile.h"
 #include "Meshes/Gmsh/GmshModel.h"
+#include "Meshes/Gmsh/GmshPeriodic.h"
 #include "Summary/MeshFacets.h"
 
 #include <iterator>
@@ -458,6 +459,7 @@ void WriteFile(MeshData mesh, const std::string& path, const GmshForm& form)
     WriteEntities(file, model);
     WriteNodes4(file, model);
     WriteElements4(file, model);
+    WriteLinks(file, mesh, FindGmshLinks(model));
   }
   file.Close();
 }

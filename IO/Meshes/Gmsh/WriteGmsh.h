@@ -8,6 +8,7 @@
  *   that owns the face
  * - nodes and elements with their global ids; faces have the ids after the greatest of an element
  * - elementary entities: volumes are fragments, surfaces, curves and vertices those of the mesh
+ * - in version 4.1, pairs of nodes on opposite sides of periodic meshes (GmshPeriodic.h)
  *
  * In version 2.2 an element is in one group, so a face is in the finest: the side of the domain,
  * the smooth side, or the interface. Version 4.1 has all groups and the entities with their bounds.
