@@ -3,13 +3,14 @@
 usage: python Examples/homogenise.py [--quick] [--folder DIR] [--picture homogenise.png]
 
 The Python package meshes one period of a material, and writes the mesh and the equations between
-points on opposite sides as .inp. Six forces at the reference nodes REF_X, REF_Y and REF_Z apply mean
-stresses; their displacements are the mean strains times the periods. The matrix of both, inverted,
-is the effective stiffness, printed as a 6 x 6 matrix (xx, yy, zz, yz, xz, xy).
+points on opposite sides as .inp. In six steps, a force at a reference node (REF_X, REF_Y, REF_Z)
+applies a mean stress of 1. The displacements of these nodes are the mean strains times the periods:
+the effective compliance. Prints its inverse, the stiffness, as a 6 x 6 matrix (xx, yy, zz, yz, xz,
+xy).
 
 Laminate: two layers. The exact stiffness has a closed form.
 Spheres: a cubic array, 20 % by volume, ten times and a tenth as stiff as the matrix, on two grids.
-The reference is computed by Examples/voxel_stiffness.py with 128^3 voxels.
+The reference is computed by Examples/voxel_stiffness.py on 128^3 voxels.
 Grains: 50 Voronoi cells of copper that continue across the sides, each with its own orientation.
 The bulk modulus of such a polycrystal is exactly that of the crystal (Hill, Proc. Phys. Soc. A 65
 (1952) 349-354); its shear modulus is between the bounds of Reuss and Voigt.

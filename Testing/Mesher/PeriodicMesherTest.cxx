@@ -7,6 +7,7 @@
 #include "Sets/MeshSets.h"
 #include "Sets/PeriodicPairs.h"
 #include "State/ViewMesh.h"
+#include "Summary/MeshFacets.h"
 #include "ThreadRanks.h"
 
 #include <gtest/gtest.h>
@@ -209,6 +210,36 @@ TEST_P(PeriodicMesher, RanksGiveTheSameMesh)
     EXPECT_TRUE(joined.Points == alone.Points);
     EXPECT_TRUE(joined.Elements == alone.Elements);
     EXPECT_TRUE(joined.Sides == alone.Sides);
+  }
+}
+
+/// A mesh from a file has no facets. Interfaces on a side that repeats are only faces of that side.
+TEST_P(PeriodicMesher, FacetsAreFoundAgain)
+{
+  for (int count : { 1, 3 })
+  {
+    RunOnRanks(count,
+      [&](ThreadRanks& ranks)
+      {
+        RankRuntime runtime(ranks);
+        const MesherResult result =
+          RunMesher(MakeRandomInput(Cells, ranks), OptionsOf(this->GetParam()), runtime);
+        MeshData mesh = ViewMesh(result.TheMesh, result.State, result.Fields);
+        mesh.Facets = nullptr;
+        const std::vector<MeshFacet> found = FindMeshFacets(mesh, ranks);
+        const std::vector<MeshFacet>& expected = result.TheMesh.Facets;
+        ASSERT_EQ(found.size(), expected.size());
+        for (std::size_t f = 0; f < found.size(); ++f)
+        {
+          EXPECT_EQ(found[f].Element, expected[f].Element);
+          EXPECT_EQ(found[f].Side, expected[f].Side);
+          if (expected[f].Behind == NothingBehind || found[f].DomainSide == NoSide)
+          {
+            EXPECT_EQ(found[f].Behind, expected[f].Behind);
+            EXPECT_EQ(found[f].DomainSide, expected[f].DomainSide);
+          }
+        }
+      });
   }
 }
 
