@@ -1,5 +1,7 @@
 """Tests files of Gmsh: Gmsh itself reads names, groups, volumes and closed surfaces."""
 
+from contextlib import contextmanager
+
 import numpy as np
 import pytest
 
@@ -33,16 +35,14 @@ def mesh(request):
     return MESHES[request.param]
 
 
-@pytest.fixture
-def opened(mesh, form, tmp_path):
-    """Opens the file in Gmsh and returns {(dimension, name): (tag, entities)}."""
-    path = str(tmp_path / "mesh.msh")
-    mesh.save(path, **form)
+@contextmanager
+def open_file(path):
+    """Opens a file in Gmsh and gives {(dimension, name): (tag, entities)}."""
     gmsh.initialize(interruptible=False)
     try:
         gmsh.option.setNumber("General.Terminal", 0)
         gmsh.logger.start()
-        gmsh.open(path)
+        gmsh.open(str(path))
         bad = [line for line in gmsh.logger.get() if line.startswith(("Warning", "Error"))]
         gmsh.logger.stop()
         assert not bad, bad
@@ -53,6 +53,13 @@ def opened(mesh, form, tmp_path):
         }
     finally:
         gmsh.finalize()
+
+
+@pytest.fixture
+def opened(mesh, form, tmp_path):
+    mesh.save(tmp_path / "mesh.msh", **form)
+    with open_file(tmp_path / "mesh.msh") as groups:
+        yield groups
 
 
 def read_elements(dimension, entities):

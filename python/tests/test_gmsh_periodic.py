@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import volume_fraction_mesh as vfm
-from test_gmsh import FORMS, SIDES, gmsh
+from test_gmsh import FORMS, SIDES, gmsh, open_file
 from test_periodic import FRACTIONS, GRID, MESHES, vectors
 
 
@@ -22,25 +22,10 @@ def mesh(request):
 def links(mesh, form, tmp_path):
     """Opens the file in Gmsh and returns per surface on a side of the domain: the side, the master,
     the nodes, the nodes of the master, and the matrix."""
-    path = str(tmp_path / "mesh.msh")
-    mesh.save(path, **form)
-    gmsh.initialize(interruptible=False)
-    try:
-        gmsh.option.setNumber("General.Terminal", 0)
-        gmsh.logger.start()
-        gmsh.open(path)
-        bad = [line for line in gmsh.logger.get() if line.startswith(("Warning", "Error"))]
-        gmsh.logger.stop()
-        assert not bad, bad
-        found = {}
-        for side in SIDES:
-            group, = [group for _, group in gmsh.model.getPhysicalGroups(2)
-                      if gmsh.model.getPhysicalName(2, group) == side]
-            for surface in gmsh.model.getEntitiesForPhysicalGroup(2, group).tolist():
-                found[surface] = (side, *gmsh.model.mesh.getPeriodicNodes(2, surface))
-        yield found
-    finally:
-        gmsh.finalize()
+    mesh.save(tmp_path / "mesh.msh", **form)
+    with open_file(tmp_path / "mesh.msh") as groups:
+        yield {surface: (side, *gmsh.model.mesh.getPeriodicNodes(2, surface))
+               for side in SIDES for surface in groups[2, side][1]}
 
 
 def test_nodes_of_sides(mesh, links):
