@@ -55,8 +55,16 @@ bool IsBefore(const MeshFacet& a, const MeshFacet& b)
   return std::tie(a.Element, a.Side) < std::tie(b.Element, b.Side);
 }
 
-/// Returns the faces of elements that have only nodes on sides of the domain, without facets.
-std::vector<FacetSide> ListCandidates(const Mesh& mesh)
+/// Returns the facet of the same face, or null.
+MeshFacet* FindFacet(std::vector<MeshFacet>& facets, const MeshFacet& face)
+{
+  const auto found = std::lower_bound(facets.begin(), facets.end(), face, IsBefore);
+  return found == facets.end() || IsBefore(face, *found) ? nullptr : &*found;
+}
+
+/// Returns the faces of elements that have only nodes on sides of the domain, without those known
+/// to be on the boundary.
+std::vector<FacetSide> ListCandidates(Mesh& mesh)
 {
   const std::vector<unsigned char> areOnSides = FindNodesOnSides(mesh);
   const ElementFaces faces(mesh.Corners);
@@ -69,7 +77,8 @@ std::vector<FacetSide> ListCandidates(const Mesh& mesh)
       const MeshFacet facet{ element, side, NothingBehind, 0, NoSide };
       const bool isOnSide = std::all_of(points.begin(), points.end(),
         [&areOnSides](Index point) { return point < 0 || areOnSides[point] != 0; });
-      if (isOnSide && !std::binary_search(mesh.Facets.begin(), mesh.Facets.end(), facet, IsBefore))
+      const MeshFacet* listed = isOnSide ? FindFacet(mesh.Facets, facet) : nullptr;
+      if (isOnSide && (!listed || listed->Behind != NothingBehind))
       {
         found.push_back({ points, facet });
       }
@@ -141,15 +150,23 @@ void AddSeamFacets(const std::vector<FieldArray>& fields, Ranks& ranks, Mesh& me
   view.PeriodicPartner = mesh.PeriodicPartner.data();
   view.Fields = fields;
   const std::vector<int> sides = FindSeamSides(view, open, ranks);
-  const std::size_t before = mesh.Facets.size();
+  std::vector<MeshFacet> added;
   for (std::size_t f = 0; f < open.size(); ++f)
   {
-    if (sides[f] != NoSide)
+    MeshFacet facet = open[f].Facet;
+    facet.DomainSide = sides[f];
+    MeshFacet* listed = FindFacet(mesh.Facets, facet);
+    if (facet.DomainSide != NoSide && listed)
     {
-      mesh.Facets.push_back(open[f].Facet);
-      mesh.Facets.back().DomainSide = sides[f];
+      *listed = facet;
+    }
+    else if (facet.DomainSide != NoSide)
+    {
+      added.push_back(facet);
     }
   }
+  const auto before = static_cast<std::ptrdiff_t>(mesh.Facets.size());
+  mesh.Facets.insert(mesh.Facets.end(), added.begin(), added.end());
   std::inplace_merge(
     mesh.Facets.begin(), mesh.Facets.begin() + before, mesh.Facets.end(), IsBefore);
 }

@@ -17,7 +17,8 @@ namespace vfm
 std::vector<int> FindSeamSides(
   const MeshData& mesh, const std::vector<FacetSide>& faces, Ranks& ranks);
 
-/// Adds these faces to Mesh::Facets of a mesh made by LeaveCovering.
+/// Adds these faces to Mesh::Facets of a mesh made by LeaveCovering. Interfaces between elements on
+/// opposite sides become faces of the sides.
 /// @param fields ListDomain of the mesh
 /// @pre Collective
 void AddSeamFacets(const std::vector<FieldArray>& fields, Ranks& ranks, Mesh& mesh);
