@@ -12,15 +12,13 @@ namespace vfm
 namespace
 {
 
-/// Returns the faces that can be on a surface.
+/// Returns the faces that can be on a surface. Points on periodic sides count as inside a volume.
 std::vector<FacetSide> CollectFaces(const MeshData& mesh)
 {
   const ElementFaces table(mesh.Corners);
-  const auto isInside = [&mesh](Index point)
-  {
-    return point >= 0 && mesh.GeometryDimension &&
-      mesh.GeometryDimension[point] >= DimensionOfVolumes;
-  };
+  const int* dimensions = mesh.PeriodicPartner ? nullptr : mesh.GeometryDimension;
+  const auto isInside = [dimensions](Index point)
+  { return point >= 0 && dimensions && dimensions[point] >= DimensionOfVolumes; };
   std::vector<FacetSide> faces;
   for (Index element = 0; element < mesh.NumberOfElements; ++element)
   {
