@@ -308,9 +308,11 @@ public:
   /// sides. Along each of the axes, the input needs at least 3 cells. Allowed: Off, X, Y, XY, Z,
   /// XZ, YZ, XYZ (or 0 to 7); default Off.
   vfmNumberOption(Periodic, int);
-  /// Shape of the sides across periodic axes. Flat: their nodes stay in the planes. Free: nodes
-  /// move as inside the domain, which gives the best surfaces; the sides then wave by up to a cell
-  /// where they meet surfaces. Allowed: Flat, Free (or 0 to 1); default Flat.
+  /// Sides across periodic axes. Flat: their nodes stay in the planes. Free: nodes move as inside
+  /// the domain, which gives the best surfaces; the sides wave by up to a cell where they meet
+  /// surfaces. Joined: there are no sides; elements at opposite sides share nodes, so some elements
+  /// seem to extend across the whole domain. Surfaces are those of Free. Tetrahedra are Flat or
+  /// Joined. Allowed: Flat, Free, Joined (or 0 to 2); default Flat.
   vfmNumberOption(PeriodicSides, int);
   /// Remove small fragments and cavities. A face-connected region of one material, or of void, with
   /// fewer cells than this becomes part of the material or void with which it shares the most

@@ -1,10 +1,10 @@
 #include "TetPipeline.h"
 
 #include "Hex/MakeLevels.h"
-#include "Mesh/CloseSeam.h"
 #include "Mesh/Geometry.h"
 #include "Mesh/KeepOwned.h"
 #include "Mesh/MeasureFragments.h"
+#include "Periodic/CloseSeam.h"
 #include "Pipeline.h"
 #include "Smoothing/Attach.h"
 #include "Smoothing/CellLocator.h"

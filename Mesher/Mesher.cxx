@@ -8,9 +8,9 @@
 #include "Labels/SmallRegions.h"
 #include "Labels/SmoothLabels.h"
 #include "Levels/PeriodicFields.h"
-#include "Mesh/JoinCopies.h"
-#include "Mesh/LeaveCovering.h"
 #include "Options/SetOptions.h"
+#include "Periodic/JoinCopies.h"
+#include "Periodic/LeaveCovering.h"
 #include "Ranks/Agreement.h"
 #include "Summary/SeamFacets.h"
 #include "TetPipeline.h"
@@ -72,8 +72,9 @@ LevelSetup SetUpLevels(const MesherJob& job, const InputRequests& requests)
   const InputBlocks& coarsest = levels.Levels[0];
   const int alignment =
     job.Input.StaysInPlace ? CountAlignedLevels(coarsest.Boxes(), job.Run.Group()) : AnyLevel;
+  const int periodic = CountPeriodicLevels(job.Options, coarsest.Coordinates);
   LevelSetup setup = DecideLevels(job.Options.Where, job.Options.MaximumLevel, coarsest.Coordinates,
-    levels.Finest(), alignment, requests.Finest);
+    levels.Finest(), std::min(alignment, periodic), requests.Finest);
   Warn(job, setup.Warning);
   return setup;
 }
@@ -118,13 +119,13 @@ void SmoothFields(const MesherJob& job, LevelFields& fields)
 
 /// Divides cells of high aspect ratio. Labels are smooth before: the parts of a slice would keep
 /// its steps.
-void Divide(const MesherJob& job, LevelFields& fields)
+void Divide(const MesherJob& job, const LevelSetup& setup, LevelFields& fields)
 {
   if (job.Options.MaximumAspectRatio > 0.0)
   {
     RemoveCopies(job.Run.Group(), fields);
     DivideFields(fields, job.Options.MaximumAspectRatio, job.Options.Children, job.Run);
-    AddCopies(job.Options, job.Run.Group(), fields);
+    AddCopies(job.Options, setup, job.Run.Group(), fields);
   }
 }
 
@@ -191,12 +192,13 @@ void LeaveCopies(const MesherJob& job, LevelFields& fields, Mesh& mesh)
   if (fields.Grid.IsPeriodic())
   {
     const bool joins = job.Options.PeriodicSides == Sides::Joined;
-    LeaveCovering(Partition(fields.Grid, job.Run.Group()),
-      joins ? Partner::Upper : Partner::Lowest, mesh);
+    LeaveCovering(
+      Partition(fields.Grid, job.Run.Group()), joins ? Partner::Upper : Partner::Lowest, mesh);
     RemoveCopies(job.Run.Group(), fields);
     if (!joins)
     {
-      AddSeamFacets(fields.Grid, RepeatingAxes(job.Options), job.Run.Group(), mesh);
+      AddSeamFacets(
+        ListDomain(fields.Grid, ImageFrame(), RepeatingAxes(job.Options)), job.Run.Group(), mesh);
     }
   }
 }
@@ -282,11 +284,11 @@ MesherResult RunMesher(const MesherInput& input, const MesherOptions& given, Run
   const StoredState kept =
     StoreState(levels, cells, arrays.State, states, fields, setup, options, owners, runtime);
 
-  AddCopies(options, ranks, fields);
+  AddCopies(options, setup, ranks, fields);
   Warn(job, DescribeSeams(fields, options.IsoValue, ranks));
   const RemovedRegions removed = RemoveRegions(job, fields);
   SmoothFields(job, fields);
-  Divide(job, fields);
+  Divide(job, setup, fields);
   const MeshOptions meshOptions{ options, Refine(job, setup, requests, fields) };
 
   MesherResult result;

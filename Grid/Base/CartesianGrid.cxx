@@ -53,16 +53,6 @@ std::vector<double> RepeatCoordinates(const std::vector<double>& x, Index layers
   return all;
 }
 
-IndexBox MoveAlong(IndexBox box, int axis, Index cells)
-{
-  if (box.NumberOfCells() > 0)
-  {
-    box.Lower[axis] += cells;
-    box.Upper[axis] += cells;
-  }
-  return box;
-}
-
 } // namespace
 
 CartesianGrid::CartesianGrid(std::array<std::vector<double>, 3> coordinates, const IndexBox& owned,
@@ -114,9 +104,9 @@ CartesianGrid CartesianGrid::Covering(const std::array<std::vector<double>, 3>& 
   const IndexBox& owned, const std::array<bool, 3>& isPeriodic, Seam seam, int ghostLayers,
   int hexLayers, Index layers)
 {
-  IndexBox domain = WholeBox(coordinates), shifted = owned;
+  const IndexBox domain = WholeBox(coordinates);
   std::array<std::vector<double>, 3> all = coordinates;
-  Index3 periods{ { 0, 0, 0 } };
+  Index3 periods{ { 0, 0, 0 } }, copies = periods;
   layers = std::max<Index>(layers, ghostLayers);
   layers += layers & 1;
   for (int a = 0; a < 3; ++a)
@@ -125,28 +115,36 @@ CartesianGrid CartesianGrid::Covering(const std::array<std::vector<double>, 3>& 
     {
       periods[a] = domain.Upper[a];
       all[a] = RepeatCoordinates(coordinates[a], layers);
-      domain = MoveAlong(domain, a, layers);
-      shifted = MoveAlong(shifted, a, layers);
+      copies[a] = layers;
     }
   }
-  CartesianGrid grid(std::move(all), shifted, ghostLayers, hexLayers);
-  grid.DomainBox = domain;
+  CartesianGrid grid(std::move(all), Moved(owned, copies), ghostLayers, hexLayers);
+  grid.DomainBox = Moved(domain, copies);
   grid.Periods = periods;
   grid.TheSeam = seam;
   return grid;
 }
 
+CartesianGrid CartesianGrid::WithCells(const std::array<std::vector<double>, 3>& coordinates,
+  const IndexBox& owned, int ghostLayers, Index layers) const
+{
+  return Covering(coordinates, owned,
+    { { this->Periods[0] > 0, this->Periods[1] > 0, this->Periods[2] > 0 } }, this->TheSeam,
+    ghostLayers, HexLayers, layers);
+}
+
 CartesianGrid CartesianGrid::OfDomain(int ghostLayers) const
 {
   std::array<std::vector<double>, 3> coordinates;
-  IndexBox owned = this->OwnedBox;
+  Index3 back;
   for (int a = 0; a < 3; ++a)
   {
     const Index first = this->DomainBox.Lower[a], last = this->DomainBox.Upper[a];
     coordinates[a].assign(this->X[a].begin() + first, this->X[a].begin() + last + 1);
-    owned = MoveAlong(owned, a, -first);
+    back[a] = -first;
   }
-  return CartesianGrid(std::move(coordinates), owned, ghostLayers, this->HexGhosts);
+  return CartesianGrid(
+    std::move(coordinates), Moved(this->OwnedBox, back), ghostLayers, this->HexGhosts);
 }
 
 IndexBox CartesianGrid::Extended(int levels) const
@@ -206,6 +204,21 @@ int CartesianGrid::FlatSeams(const Index3& node) const
     for (int a = 0; a < 3; ++a)
     {
       axes |= (this->Periods[a] > 0 && own[a] == this->DomainBox.Lower[a]) << a;
+    }
+  }
+  return axes;
+}
+
+int CartesianGrid::FlatSeams(const Vector3& point) const
+{
+  int axes = 0;
+  for (int a = 0; this->TheSeam == Seam::Flat && a < 3; ++a)
+  {
+    const Index period = this->Periods[a], first = this->DomainBox.Lower[a];
+    for (Index i = period > 0 ? first % period : 0; period > 0 && i <= this->GlobalBox.Upper[a];
+         i += period)
+    {
+      axes |= (this->X[a][i] == point[a]) << a;
     }
   }
   return axes;

@@ -75,6 +75,11 @@ public:
   static CartesianGrid Covering(const std::array<std::vector<double>, 3>& coordinates,
     const IndexBox& owned, const std::array<bool, 3>& isPeriodic, Seam seam, int ghostLayers,
     int hexLayers = HexLayers, Index layers = 0);
+  /// Returns the grid of the same domain with other cells, repeated like this one.
+  /// @param coordinates  node coordinates of the domain
+  /// @param owned, layers  as of Covering
+  CartesianGrid WithCells(const std::array<std::vector<double>, 3>& coordinates,
+    const IndexBox& owned, int ghostLayers, Index layers) const;
   /// Returns the grid of the domain, without copies of cells. Indices count from its lowest cell.
   CartesianGrid OfDomain(int ghostLayers = 0) const;
 
@@ -133,6 +138,8 @@ public:
   /// Returns the axes across which a node or the lower corner of a cell lies on a flat seam: bit a
   /// is set for axis a.
   int FlatSeams(const Index3& node) const;
+  /// Returns the same for a point, which must have exactly the coordinate of the seam.
+  int FlatSeams(const Vector3& point) const;
   bool IsOnFlatSeam(const Index3& node, int axis) const
   {
     return (this->FlatSeams(node) >> axis & 1) != 0;

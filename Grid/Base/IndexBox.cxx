@@ -25,6 +25,17 @@ IndexBox Grow(const IndexBox& box, Index layers, const IndexBox& limits)
   return grown;
 }
 
+IndexBox Moved(const IndexBox& box, const Index3& cells)
+{
+  IndexBox moved = box;
+  for (int a = 0; box.NumberOfCells() > 0 && a < 3; ++a)
+  {
+    moved.Lower[a] += cells[a];
+    moved.Upper[a] += cells[a];
+  }
+  return moved;
+}
+
 IndexBox ChangeLevel(const IndexBox& box, int levels)
 {
   IndexBox result;

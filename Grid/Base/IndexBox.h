@@ -101,6 +101,9 @@ IndexBox Intersect(const IndexBox& a, const IndexBox& b);
 /// cells is returned unchanged.
 IndexBox Grow(const IndexBox& box, Index layers, const IndexBox& limits);
 
+/// Returns the box moved by some cells along each axis. A box without cells is returned unchanged.
+IndexBox Moved(const IndexBox& box, const Index3& cells);
+
 /// Returns the box on a grid whose cells are halved `levels` times. If `levels` is negative, the
 /// cells are doubled -levels times; the result holds every larger cell that overlaps the box.
 IndexBox ChangeLevel(const IndexBox& box, int levels);

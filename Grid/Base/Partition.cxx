@@ -7,16 +7,6 @@ namespace vfm
 namespace
 {
 
-IndexBox Moved(IndexBox box, const Index3& cells)
-{
-  for (int a = 0; a < 3 && box.NumberOfCells() > 0; ++a)
-  {
-    box.Lower[a] += cells[a];
-    box.Upper[a] += cells[a];
-  }
-  return box;
-}
-
 /// Returns the shifts, in periods, with which cells of the domain can be ghosts.
 IndexBox PossibleShifts(const CartesianGrid& grid)
 {

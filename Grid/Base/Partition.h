@@ -66,6 +66,10 @@ public:
   /// @pre Collective among peers.
   template <class T, class Changed>
   void ExchangeCells(PagedArray<T>& values, const Changed& changed) const;
+  /// Sets the ghost cells of an array by linear index to the values of their owners.
+  /// @pre Collective among peers.
+  template <class T>
+  void ExchangeCells(T* values) const;
 
   /// Sends messages[i] to peer peers[i] and returns the message received from each of them.
   /// @param peers  positions in Peers(), ascending, the same pairs of peers on all ranks
@@ -147,6 +151,30 @@ void Partition::ExchangeBoxes(const Pack& pack, const Unpack& unpack) const
   {
     unpack(this->Incoming[p], incoming[p]);
   }
+}
+
+template <class T>
+void Partition::ExchangeCells(T* values) const
+{
+  this->ExchangeBoxes(
+    [&](const IndexBox& box)
+    {
+      std::vector<T> own;
+      this->ForRows(box,
+        [&](Index first, Index last) { own.insert(own.end(), values + first, values + last); });
+      return ToBytes(own);
+    },
+    [&](const IndexBox& box, const Bytes& bytes)
+    {
+      const std::vector<T> received = FromBytes<T>(bytes);
+      auto next = received.begin();
+      this->ForRows(box,
+        [&](Index first, Index last)
+        {
+          std::copy_n(next, last - first, values + first);
+          next += last - first;
+        });
+    });
 }
 
 template <class Answer>

@@ -168,18 +168,18 @@ CartesianGrid CoarsenGrid(const CartesianGrid& grid, int halvings, int ghostLaye
   const Index factor = Index(1) << halvings;
   for (int a = 0; a < 3; ++a)
   {
-    for (Index n : { grid.Global().Upper[a], grid.Owned().Lower[a], grid.Owned().Upper[a] })
+    for (Index n : { grid.Domain().Lower[a], grid.Domain().Upper[a], grid.Owned().Lower[a],
+           grid.Owned().Upper[a] })
     {
       if (n % factor != 0)
       {
-        throw InputError("A grid of " + std::to_string(grid.Global().Upper[a]) +
+        throw InputError("A grid of " + std::to_string(grid.Domain().Size(a)) +
           " cells along an axis, or a rank's part of it, does not consist of blocks of " +
           std::to_string(factor) + ": use fewer levels.");
       }
     }
   }
-  return CartesianGrid(
-    HalveWidths(grid.Coordinates(), -halvings), ChangeLevel(grid.Owned(), -halvings), ghostLayers);
+  return ChangeLevel(grid, -halvings, ghostLayers);
 }
 
 int CountCoarseGhosts(const CartesianGrid& grid, int halvings, int most)

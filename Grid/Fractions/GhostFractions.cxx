@@ -87,8 +87,8 @@ FractionField CopyOwned(
     [&](Index j, Index k)
     {
       const Index first = from.Linear({ { box.Lower[0], j, k } });
-      writer.Start(to.Linear(
-        { { start[0], start[1] + j - box.Lower[1], start[2] + k - box.Lower[2] } }));
+      writer.Start(
+        to.Linear({ { start[0], start[1] + j - box.Lower[1], start[2] + k - box.Lower[2] } }));
       fractions.Visit(
         first, first + box.Size(0),
         [&](Index begin, Index end, int label) { writer.AddLabel(label, end - begin); },

@@ -204,14 +204,11 @@ void Cut(const Work& work, const IndexBox& box, const std::function<bool(const I
   }
 }
 
-RefinedCells MakeVoidCells(
-  const CartesianGrid& grid, const FractionField& fractions, const CellDivision& division)
+RefinedCells MakeVoidCells(CartesianGrid grid, const FractionField& fractions)
 {
-  CartesianGrid divided(
-    division.Divide(grid.Coordinates()), division.Divide(grid.Owned()), GhostLayers);
-  CheckIds(divided, TetIds.ElementSlots);
-  FractionField field(divided, fractions.NumberOfMaterials());
-  return { std::move(divided), std::move(field) };
+  CheckIds(grid, TetIds.ElementSlots);
+  FractionField field(grid, fractions.NumberOfMaterials());
+  return { std::move(grid), std::move(field) };
 }
 
 } // namespace
@@ -239,11 +236,20 @@ std::array<std::vector<double>, 3> HalveWidths(
   return coordinates;
 }
 
+CartesianGrid ChangeLevel(const CartesianGrid& grid, int levels, int ghostLayers)
+{
+  const CartesianGrid domain = grid.OfDomain();
+  const IndexBox copies = ChangeLevel(IndexBox{ {}, grid.Domain().Lower }, levels);
+  return grid.WithCells(HalveWidths(domain.Coordinates(), levels),
+    ChangeLevel(domain.Owned(), levels), ghostLayers,
+    *std::max_element(copies.Upper.begin(), copies.Upper.end()));
+}
+
 RefinedCells RefineCells(const CartesianGrid& grid, const FractionField& fractions,
   Runtime& runtime, ChildRule rule, const std::function<bool(const Index3&)>& skips)
 {
   const CellDivision halves(grid.Global().Upper, 2);
-  RefinedCells refined = MakeVoidCells(grid, fractions, halves);
+  RefinedCells refined = MakeVoidCells(ChangeLevel(grid, 1, GhostLayers), fractions);
   Cut({ grid, fractions, halves, rule, runtime }, grid.Extended(ReadLayers), skips, refined);
   return refined;
 }
@@ -251,7 +257,9 @@ RefinedCells RefineCells(const CartesianGrid& grid, const FractionField& fractio
 RefinedCells DivideCells(const CartesianGrid& grid, const FractionField& fractions,
   const CellDivision& division, Runtime& runtime, ChildRule rule)
 {
-  RefinedCells refined = MakeVoidCells(grid, fractions, division);
+  RefinedCells refined = MakeVoidCells(
+    CartesianGrid(division.Divide(grid.Coordinates()), division.Divide(grid.Owned()), GhostLayers),
+    fractions);
   Cut({ grid, fractions, division, rule, runtime }, grid.Owned(), {}, refined);
   return refined;
 }

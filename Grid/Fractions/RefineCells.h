@@ -31,6 +31,9 @@ struct RefinedCells
 /// negative number joins pairs of cells.
 std::array<std::vector<double>, 3> HalveWidths(
   std::array<std::vector<double>, 3> coordinates, int times = 1);
+/// Returns the grid of the same domain and owned region whose cells are halved `levels` times, or
+/// joined if the number is negative. Copies of cells on a periodic grid cover the same region.
+CartesianGrid ChangeLevel(const CartesianGrid& grid, int levels, int ghostLayers);
 
 /// Halves the owned cells along each axis, with GhostLayers layers of half cells around them.
 /// Children of pure cells get their label, children of mixed cells fractions with the same mean.

@@ -138,8 +138,10 @@ void SmoothCoarse(const CoarseHexes& coarse, const std::vector<unsigned char>& i
   ActiveMeshBuilder builder(
     8, mesh.PointIds.size(), FindMovers(work, FindNodesFarFromRefined(coarse)));
   const std::vector<Index> hexes = builder.AddAround(mesh);
+  const double width = work.Levels.Finest().MeanWidth();
   work.Active =
-    builder.Finish(partition, CopiesOfMovers(mesh), 8 * work.Levels.NumberOfRefinements());
+    builder.Finish(partition, CopiesOfAnchors(work.Levels.Lattice(), { { width, width, width } }),
+      8 * work.Levels.NumberOfRefinements());
   work.Active.Widths = WidthsOfHexes(work.Levels, mesh, hexes);
   work.Active.PlacePoints(work.Levels.Finest(), mesh);
   for (std::size_t p = 0; p < work.Active.MeshPoint.size(); ++p)

@@ -162,22 +162,22 @@ void PlacePoints(Work& work)
     const double* p = work.Refined.Points.data() + 3 * point;
     work.Active.X[n] = work.InLattice ? work.Lattice.FromPoint({ { p[0], p[1], p[2] } })
                                       : ToGrid(work.Lattice.Base(), p);
-    work.Active.Fixed[n] = FixedOnSides(work.Refined.DomainSides[point]);
+    work.Active.Fixed[n] = FixedOnSides(work.Refined.DomainSides[point]) |
+      work.Lattice.Base().FlatSeams(Vector3{ { p[0], p[1], p[2] } });
   }
 }
 
-MoverCopies CopiesOfMovers(const Work& work)
+/// Returns the unit of positions along each axis, in length units.
+Vector3 UnitOf(const Work& work)
 {
   const CartesianGrid& base = work.Lattice.Base();
-  MoverCopies copies{ [&work](Index key, const Index3& cells)
-    { return KeyBelow(work.Lattice, key, cells, 0); },
-    { { base.MeanWidth(), base.MeanWidth(), base.MeanWidth() } } };
-  for (int a = 0; work.InLattice && a < 3; ++a)
+  Vector3 unit{ { work.Scale, work.Scale, work.Scale } };
+  for (int a = 0; a < 3; ++a)
   {
-    copies.Unit[a] = base.PeriodLength(a) / static_cast<double>(std::max<Index>(base.Period(a), 1));
-    copies.Unit[a] = base.Period(a) > 0 ? copies.Unit[a] : 1.0;
+    const bool isCells = work.InLattice && base.Period(a) > 0;
+    unit[a] = isCells ? base.PeriodLength(a) / static_cast<double>(base.Period(a)) : unit[a];
   }
-  return copies;
+  return unit;
 }
 
 void Activate(Work& work)
@@ -193,7 +193,7 @@ void Activate(Work& work)
       widths.push_back(AddCell(work, work.Lattice.HexOfKey(mesh.HexKeys[h])));
     }
   }
-  work.Active = builder.Finish(work.Parts, CopiesOfMovers(work), 8);
+  work.Active = builder.Finish(work.Parts, CopiesOfAnchors(work.Lattice, UnitOf(work)), 8);
   work.Active.Widths = std::move(widths);
   PlacePoints(work);
   work.IsFree = work.Active.IsActive;

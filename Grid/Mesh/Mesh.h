@@ -48,10 +48,10 @@ struct VertexPoints
 /// the elements of CartesianGrid::HexBox; KeepOwned leaves the elements of owned cells.
 struct Mesh
 {
-  int Corners = 8;               ///< corners per element: 8 for hexes, 4 for tets
-  IdScheme Ids = HexIds;         ///< scheme of PointIds and ElementIds
-  Buffer<double> Points;         ///< coordinates, (points, 3), length units of the grid
-  Buffer<Index> PointIds;        ///< global ids, from 1, ascending
+  int Corners = 8;        ///< corners per element: 8 for hexes, 4 for tets
+  IdScheme Ids = HexIds;  ///< scheme of PointIds and ElementIds
+  Buffer<double> Points;  ///< coordinates, (points, 3), length units of the grid
+  Buffer<Index> PointIds; ///< global ids, from 1, ascending
   /// Per point, the lowest global id of its copies on opposite sides of a periodic domain, or its
   /// own id; empty for a domain that does not repeat.
   Buffer<Index> PeriodicPartner;

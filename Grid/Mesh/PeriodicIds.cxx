@@ -7,6 +7,24 @@ namespace vfm
 namespace
 {
 
+/// Returns the copy of a node or cell that is some cells of a level lower.
+OctreeKeys::LevelIndex Below(OctreeKeys::LevelIndex at, const Index3& cells, int level)
+{
+  for (int a = 0; a < 3; ++a)
+  {
+    at.At[a] -= level > at.Level ? cells[a] >> (level - at.Level)
+                                 : cells[a] * (Index(1) << (at.Level - level));
+  }
+  return at;
+}
+
+/// Returns the key of the copy of a lattice node that is some cells of a level lower.
+Index KeyBelow(const OctreeKeys& lattice, Index key, const Index3& cells, int level)
+{
+  const OctreeKeys::LevelIndex node = Below(lattice.NodeOfKey(key), cells, level);
+  return lattice.NodeKey(node.Level, node.At, node.Slot);
+}
+
 /// Returns the id of the copy of a point that is some cells of the finest grid lower.
 Index IdBelow(const Mesh& mesh, Index id, const Index3& cells)
 {
@@ -20,23 +38,19 @@ Index IdBelow(const Mesh& mesh, Index id, const Index3& cells)
   {
     return id - slots * levels.Finest().NodeKey(cells);
   }
+  const OctreeKeys& lattice = levels.Lattice();
+  if (IsCoarseCentre(levels, id, slots))
+  {
+    const OctreeKeys::LevelIndex cell =
+      Below(CellOfCoarseCentre(levels, id, slots), cells, levels.NumberOfRefinements());
+    return CentreId(levels, lattice.HexKey(cell.Level, cell.At, cell.Slot), slots);
+  }
   const Index key =
-    KeyBelow(levels.Lattice(), KeyOfPoint(levels, id, slots), cells, levels.NumberOfRefinements());
-  return PointId(levels, key, slots, static_cast<int>((id - 1) % slots));
+    KeyBelow(lattice, KeyOfPoint(levels, id, slots), cells, levels.NumberOfRefinements());
+  return CoarsePointId(levels, key, slots, static_cast<int>((id - 1) % slots));
 }
 
 } // namespace
-
-Index KeyBelow(const OctreeKeys& lattice, Index key, const Index3& cells, int level)
-{
-  OctreeKeys::LevelIndex node = lattice.NodeOfKey(key);
-  for (int a = 0; a < 3; ++a)
-  {
-    node.At[a] -= level > node.Level ? cells[a] >> (level - node.Level)
-                                     : cells[a] * (Index(1) << (node.Level - level));
-  }
-  return lattice.NodeKey(node.Level, node.At, node.Slot);
-}
 
 Index IdAtPeer(const Mesh& mesh, const Partition& partition, std::size_t peer, Index id)
 {
@@ -54,11 +68,21 @@ Index IdOfOwner(const Mesh& mesh, Index id)
   return IdBelow(mesh, id, { { node[0] - owned[0], node[1] - owned[1], node[2] - owned[2] } });
 }
 
-MoverCopies CopiesOfMovers(const Mesh& mesh)
+MoverCopies CopiesOfMovers(const Mesh& mesh, int halvings)
 {
   const double width = mesh.Levels->Finest().MeanWidth();
-  return { [&mesh](Index id, const Index3& cells) { return IdBelow(mesh, id, cells); },
+  const Index factor = Index(1) << halvings;
+  return { [&mesh, factor](Index id, const Index3& cells)
+    {
+      return IdBelow(mesh, id, { { cells[0] * factor, cells[1] * factor, cells[2] * factor } });
+    },
     { { width, width, width } } };
+}
+
+MoverCopies CopiesOfAnchors(const OctreeKeys& lattice, const Vector3& unit)
+{
+  return { [&lattice](Index key, const Index3& cells) { return KeyBelow(lattice, key, cells, 0); },
+    unit };
 }
 
 } // namespace vfm

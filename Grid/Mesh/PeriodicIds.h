@@ -11,10 +11,6 @@
 namespace vfm
 {
 
-/// Returns the key of the copy of a lattice node that is some cells of a level lower.
-/// @param cells  whole periods
-Index KeyBelow(const OctreeKeys& lattice, Index key, const Index3& cells, int level);
-
 /// Returns the id that a point has on a peer, which has the node of the point `ShiftOf` lower.
 Index IdAtPeer(const Mesh& mesh, const Partition& partition, std::size_t peer, Index id);
 
@@ -23,6 +19,11 @@ Index IdOfOwner(const Mesh& mesh, Index id);
 
 /// Returns how movers that are points of a mesh change between copies, with positions in mean
 /// widths of the finest grid.
-MoverCopies CopiesOfMovers(const Mesh& mesh);
+/// @param halvings  number of halvings from cells of the partition's grid to finest cells
+MoverCopies CopiesOfMovers(const Mesh& mesh, int halvings = 0);
+/// Returns the same for movers whose ids are keys of lattice nodes, on a partition of the base
+/// grid.
+/// @param unit  unit of positions along each axis, in length units
+MoverCopies CopiesOfAnchors(const OctreeKeys& lattice, const Vector3& unit);
 
 } // namespace vfm

@@ -9,13 +9,15 @@ namespace vfm
 namespace
 {
 
-/// Adds sorted keys to sorted keys; returns the number of new ones.
-Index Merge(std::vector<Index>& set, const std::vector<Index>& added)
+/// Adds sorted keys to sorted keys; returns the new ones.
+std::vector<Index> Merge(std::vector<Index>& set, const std::vector<Index>& added)
 {
-  std::vector<Index> all;
-  std::set_union(set.begin(), set.end(), added.begin(), added.end(), std::back_inserter(all));
-  all.swap(set);
-  return static_cast<Index>(set.size() - all.size());
+  std::vector<Index> all, fresh;
+  std::set_difference(
+    added.begin(), added.end(), set.begin(), set.end(), std::back_inserter(fresh));
+  std::set_union(set.begin(), set.end(), fresh.begin(), fresh.end(), std::back_inserter(all));
+  set = std::move(all);
+  return fresh;
 }
 
 Index3 Moved(Index3 p, int b, Index alongB, int c, Index alongC)
@@ -34,8 +36,8 @@ OctantFamilies::OctantFamilies(
   this->Sets.resize(this->Reports.size());
   for (int level = this->NumberOfRefinements() - 1; level >= 0; --level)
   {
-    SortUnique(this->Sets[level]);
-    this->Reports[level].Requested = static_cast<Index>(this->Sets[level].size());
+    this->AddCopies(level, this->Sets[level]);
+    this->Reports[level].Requested = this->CountInDomain(level, this->Sets[level]);
     if (level + 1 < this->NumberOfRefinements())
     {
       this->AddBalance(level);
@@ -71,6 +73,48 @@ int OctantFamilies::FindSlabs(int level, const Index3& cell) const
   return slabs;
 }
 
+/// Adds the copies of families on a periodic grid, and sorts the keys.
+void OctantFamilies::AddCopies(int level, std::vector<Index>& keys) const
+{
+  const CartesianGrid& base = this->TheLattice.Base();
+  std::vector<Index> copies;
+  for (std::size_t k = 0; base.IsPeriodic() && k < keys.size(); ++k)
+  {
+    const Index3 family = this->TheLattice.FamilyOfKey(level, keys[k]);
+    IndexBox shifts{ {}, { { 1, 1, 1 } } };
+    for (int a = 0; a < 3; ++a)
+    {
+      const Index step = base.Period(a) << level; // a family has two cells, so twice the families
+      shifts.Lower[a] = step > 0 ? -(2 * family[a] / step) : 0;
+      shifts.Upper[a] =
+        step > 0 ? (this->TheLattice.Cells(level, a) - 2 * family[a] - 1) / step + 1 : 1;
+    }
+    ForCells(shifts,
+      [&](const Index3& shift)
+      {
+        Index3 copy = family;
+        for (int a = 0; a < 3; ++a)
+        {
+          copy[a] += shift[a] * ((base.Period(a) << level) / 2);
+        }
+        copies.push_back(this->TheLattice.FamilyKey(level, copy));
+      });
+  }
+  keys.insert(keys.end(), copies.begin(), copies.end());
+  SortUnique(keys);
+}
+
+Index OctantFamilies::CountInDomain(int level, const std::vector<Index>& keys) const
+{
+  const IndexBox domain = ChangeLevel(this->TheLattice.Base().Domain(), level);
+  return std::count_if(keys.begin(), keys.end(),
+    [&](Index key)
+    {
+      const IndexBox family = ChangeLevel(BoxOfCell(this->TheLattice.FamilyOfKey(level, key)), 1);
+      return domain.Contains(family.Lower);
+    });
+}
+
 /// Adds the families of a level that the families of the next level need.
 void OctantFamilies::AddBalance(int level)
 {
@@ -87,8 +131,8 @@ void OctantFamilies::AddBalance(int level)
       }
     }
   }
-  SortUnique(needed);
-  this->Reports[level].Balance = Merge(this->Sets[level], needed);
+  this->AddCopies(level, needed);
+  this->Reports[level].Balance = this->CountInDomain(level, Merge(this->Sets[level], needed));
 }
 
 void OctantFamilies::CloseNonManifoldEdges(int level)
@@ -113,10 +157,10 @@ void OctantFamilies::CloseNonManifoldEdges(int level)
         }
       }
     }
-    SortUnique(added);
-    const Index count = Merge(this->Sets[level], added);
-    this->Reports[level].NonManifold += count;
-    this->Reports[level].Rounds += count > 0;
+    this->AddCopies(level, added);
+    const std::vector<Index> fresh = Merge(this->Sets[level], added);
+    this->Reports[level].NonManifold += this->CountInDomain(level, fresh);
+    this->Reports[level].Rounds += !fresh.empty();
     front = std::move(added);
   }
 }

@@ -68,6 +68,8 @@ public:
   }
 
 private:
+  void AddCopies(int level, std::vector<Index>& keys) const;
+  Index CountInDomain(int level, const std::vector<Index>& keys) const;
   void AddBalance(int level);
   void CloseNonManifoldEdges(int level);
 

@@ -21,21 +21,6 @@ Vector3 CellWidths(const CartesianGrid& grid, const Index3& cell)
 }
 
 /// Returns the axes along which a point is fixed because it starts in the plane of a flat seam.
-int FixedOnSeams(const CartesianGrid& grid, const Mesh& mesh, Index point)
-{
-  int axes = 0;
-  if (grid.IsPeriodic())
-  {
-    const Index3 node = NodeOfPoint(grid, mesh, mesh.PointIds[point]);
-    const Vector3 plane = grid.NodePoint(node), x = mesh.PointAt(point);
-    for (int a = 0; a < 3; ++a)
-    {
-      axes |= (grid.IsOnFlatSeam(node, a) && x[a] == plane[a]) << a;
-    }
-  }
-  return axes;
-}
-
 } // namespace
 
 std::vector<Vector3> WidthsOfCells(
@@ -147,7 +132,7 @@ void ActiveMesh::PlacePoints(const CartesianGrid& grid, const Mesh& mesh)
     this->X[p] = this->StartOf(static_cast<int>(p));
     this->Fixed[p] =
       FixedOnSides(FindDomainSides(grid, this->MeshPoints + 3 * this->MeshPoint[p])) |
-      FixedOnSeams(grid, mesh, this->MeshPoint[p]);
+      grid.FlatSeams(mesh.PointAt(this->MeshPoint[p]));
   }
   for (int a = 0; a < 3; ++a)
   {

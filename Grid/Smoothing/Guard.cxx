@@ -79,16 +79,24 @@ void Guard::Grow(int rings, Flags& flags) const
   }
 }
 
-/// Puts the lost points back, with rings of points around them.
-void Guard::Return(
-  int rings, Flags& lost, const std::vector<Vector3>& before, std::vector<Vector3>& points)
+/// Puts the lost points back, with two rings of points around them. While findMore(lost) finds more
+/// points, puts these back with other rings.
+template <class FindMore>
+void Guard::Return(Flags& lost, const std::vector<Vector3>& before, std::vector<Vector3>& points,
+  int laterRings, const FindMore& findMore)
 {
-  this->Grow(rings, lost);
-  for (std::size_t p = 0; p < points.size(); ++p)
+  this->PutBackNow.assign(points.size(), 0);
+  int rings = Rings;
+  do
   {
-    points[p] = lost[p] ? before[p] : points[p];
-  }
-  Add(lost, this->PutBackNow);
+    this->Grow(rings, lost);
+    for (std::size_t p = 0; p < points.size(); ++p)
+    {
+      points[p] = lost[p] ? before[p] : points[p];
+    }
+    Add(lost, this->PutBackNow);
+    rings = laterRings;
+  } while (findMore(lost));
 }
 
 bool Guard::PutBack(const std::vector<Vector3>& before, std::vector<Vector3>& points)
@@ -98,13 +106,8 @@ bool Guard::PutBack(const std::vector<Vector3>& before, std::vector<Vector3>& po
   {
     return false;
   }
-  this->PutBackNow.assign(points.size(), 0);
-  int rings = Rings;
-  do
-  {
-    this->Return(rings, lost, before, points);
-    rings = 0;
-  } while (this->MarkLost(this->PutBackNow, this->PutBackNow, lost));
+  this->Return(lost, before, points, 0,
+    [&](Flags& more) { return this->MarkLost(this->PutBackNow, this->PutBackNow, more); });
   Flags guarded = this->PutBackNow;
   this->Grow(Rings, guarded);
   this->Guarded.resize(points.size(), 0);
@@ -115,14 +118,12 @@ bool Guard::PutBack(const std::vector<Vector3>& before, std::vector<Vector3>& po
 void Guard::PutBack(std::vector<unsigned char> points, const std::vector<Vector3>& before,
   std::vector<Vector3>& now, const SmoothingStage& stage)
 {
-  this->PutBackNow.assign(now.size(), 0);
-  bool isLost = true;
-  while (isLost)
-  {
-    this->Return(Rings, points, before, now);
-    isLost = this->MarkLost(this->PutBackNow, {}, points);
-    isLost = this->MarkNegative(this->PutBackNow, stage, points) || isLost;
-  }
+  this->Return(points, before, now, Rings,
+    [&](Flags& more)
+    {
+      const bool isLost = this->MarkLost(this->PutBackNow, {}, more);
+      return this->MarkNegative(this->PutBackNow, stage, more) || isLost;
+    });
 }
 
 } // namespace vfm

@@ -48,8 +48,9 @@ private:
 
   bool MarkLost(const Flags& known, const Flags& returned, Flags& lost) const;
   bool MarkNegative(const Flags& returned, const SmoothingStage& stage, Flags& lost) const;
-  void Return(
-    int rings, Flags& lost, const std::vector<Vector3>& before, std::vector<Vector3>& points);
+  template <class FindMore>
+  void Return(Flags& lost, const std::vector<Vector3>& before, std::vector<Vector3>& points,
+    int laterRings, const FindMore& findMore);
   void Grow(int rings, Flags& flags) const;
   void Exchange(Flags& flags) const;
 

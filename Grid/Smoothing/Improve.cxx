@@ -202,8 +202,12 @@ void Improve(const Improvement& what, StageClock& clock, Runtime& runtime)
   if (what.AfterRamp)
   {
     what.AfterRamp();
+    correction.MeasureAll();
   }
-  correction.MeasureAll();
+  else
+  {
+    correction.Measure();
+  }
   const auto correct = [&]
   {
     if (what.ConserveVolume)

@@ -48,6 +48,7 @@ CoarseTets::CoarseTets(CoarseHexes& hexes, const TetEnergy& energy, Runtime& run
 void CoarseTets::TakeHexes(CoarseHexes& hexes)
 {
   this->Local.Levels = this->Grid.shared_from_this();
+  this->Local.Ids = TetIds;
   this->Local.Points = Buffer<double>(3 * hexes.NumberOfPoints());
   std::vector<Index> ids;
   hexes.Visit(

@@ -2,6 +2,7 @@
 
 #include "Mesh/PeriodicIds.h"
 #include "Mesh/TetQuality.h"
+#include "Octree/RefinedGrid.h"
 #include "Smoothing/ActiveMeshBuilder.h"
 #include "Smoothing/Smoother.h"
 #include "Tet/TetImprove.h"
@@ -69,7 +70,8 @@ void ImproveCoarseTets(std::vector<Mover> movers, const TetList& tets, const Car
         widths.push_back(widthsOfTet);
       }
     });
-  ActiveMesh active = builder.Finish(partition, CopiesOfMovers(mesh), 8);
+  ActiveMesh active =
+    builder.Finish(partition, CopiesOfMovers(mesh, mesh.Levels->NumberOfRefinements()), 8);
   active.Widths = std::move(widths);
   active.PlacePoints(finest, mesh);
   if (runtime.Group().Any(ActivatePoor(active)))

@@ -54,10 +54,16 @@ LatticeNodes::LatticeNodes(const CartesianGrid& grid, const FractionField& fract
   ForRows(runtime, grid.Local(), [this](Index j, Index k, Index) { this->LabelCentres(j, k); });
   const auto around = [&](Index layers) { return Grow(grid.HexBox(), layers, grid.Local()); };
   this->LabelVertices(around(3));
-  if (grid.NumberOfColours() > 8)
+  if (this->HasOddPeriods())
   {
-    this->SnapByClass(Centre, around(1), partition);
-    this->SnapByClass(Vertex, around(1), partition);
+    for (Kind kind : { Centre, Vertex })
+    {
+      for (int current = 0; current < 16; ++current)
+      {
+        this->Snap(kind, current, around(1));
+        partition.ExchangeCells(this->Label[kind].data());
+      }
+    }
     return;
   }
   // Each pass reads one layer more than it writes.
@@ -243,9 +249,11 @@ bool LatticeNodes::MaySnap(const Node& node, Index n) const
   return isInside && thinAxes < 2;
 }
 
-/// Snaps nodes of one kind and parity, among some cells or their vertices.
-void LatticeNodes::Snap(Kind kind, int parity, const IndexBox& cells)
+/// Snaps nodes of one kind and class (the parity of i + j + k, or ClassOf if there are odd
+/// periods), among some cells or their vertices.
+void LatticeNodes::Snap(Kind kind, int current, const IndexBox& cells)
 {
+  const bool hasParities = !this->HasOddPeriods();
   const int extra = kind == Vertex;
   const IndexBox box = extra ? NodesOf(cells) : cells;
   Index offsets[14]; // offsets of all neighbours: 8 of the other kind, then 6 along the axes
@@ -260,9 +268,10 @@ void LatticeNodes::Snap(Kind kind, int parity, const IndexBox& cells)
   ForRows(this->Run, box,
     [&](Index j, Index k, Index)
     {
-      const Index begin = box.Lower[0] + ((box.Lower[0] + j + k + parity) & 1);
+      const Index begin = box.Lower[0] + (hasParities ? (box.Lower[0] + j + k + current) & 1 : 0);
+      const Index step = hasParities ? 2 : 1;
       Index n = this->Grid.Linear({ { begin, j, k } });
-      for (Index i = begin; i < box.Upper[0]; i += 2, n += 2)
+      for (Index i = begin; i < box.Upper[0]; i += step, n += step)
       {
         const int label = this->Label[kind][n];
         int differs = 0;
@@ -271,7 +280,9 @@ void LatticeNodes::Snap(Kind kind, int parity, const IndexBox& cells)
           differs |= neighbour[n] ^ label;
         }
         const Node node{ kind, { { i, j, k } } };
-        if (label != Snapped && differs && this->MaySnap(node, n) && this->IsNearInterface(node, n))
+        if (label != Snapped && differs &&
+          (hasParities || this->ClassOf(node.Position) == current) && this->MaySnap(node, n) &&
+          this->IsNearInterface(node, n))
         {
           this->Label[kind][n] = Snapped;
         }
@@ -292,40 +303,6 @@ int LatticeNodes::ClassOf(const Index3& position) const
     result |= (isOdd && own[a] == this->Grid.Domain().Upper[a] - 1) << (a + 1);
   }
   return result;
-}
-
-/// Snaps nodes of one kind class by class. After each class, owners send the labels.
-void LatticeNodes::SnapByClass(Kind kind, const IndexBox& cells, const Partition& partition)
-{
-  const IndexBox box = kind == Vertex ? NodesOf(cells) : cells;
-  auto& labels = this->Label[kind];
-  for (int current = 0; current < 16; ++current)
-  {
-    ForCells(box,
-      [&](const Index3& p)
-      {
-        const Index n = this->Grid.Linear(p);
-        const Node node{ kind, p };
-        if (this->ClassOf(p) == current && labels[n] != Snapped && this->MaySnap(node, n) &&
-          this->IsNearInterface(node, n))
-        {
-          labels[n] = Snapped;
-        }
-      });
-    partition.ExchangeBoxes(
-      [&](const IndexBox& part)
-      {
-        std::vector<int> values;
-        partition.ForCells(part, [&](Index n) { values.push_back(labels[n]); });
-        return ToBytes(values);
-      },
-      [&](const IndexBox& part, const Bytes& bytes)
-      {
-        const std::vector<int> values = FromBytes<int>(bytes);
-        auto next = values.begin();
-        partition.ForCells(part, [&](Index n) { labels[n] = *next++; });
-      });
-  }
 }
 
 bool LatticeNodes::IsNearInterface(const Node& node, Index n) const

@@ -94,9 +94,9 @@ private:
   double Fraction(const Node& node, int material) const;
   double Lead(const Node& node, int label, int other) const;
   bool MaySnap(const Node& node, Index n) const;
-  void Snap(Kind kind, int parity, const IndexBox& cells);
+  void Snap(Kind kind, int current, const IndexBox& cells);
+  bool HasOddPeriods() const { return this->Grid.NumberOfColours() > 8; }
   int ClassOf(const Index3& position) const;
-  void SnapByClass(Kind kind, const IndexBox& cells, const Partition& partition);
   bool IsNearInterface(const Node& node, Index n) const;
 
   const CartesianGrid& Grid;

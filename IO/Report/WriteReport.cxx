@@ -4,7 +4,7 @@
 #include "Meshes/Files/OutputFile.h"
 #include "Options/SetOptions.h"
 #include "Ranks/WorkTogether.h"
-#include "Summary/MeshSets.h"
+#include "Sets/MeshSets.h"
 #include "Summary/PointCounts.h"
 
 namespace vfm

@@ -326,7 +326,8 @@ std::vector<ChosenBox> TakeRequests(
     const CellDivision division = fields.Division.OfHalves(step);
     for (const ChosenBox& row : requests.Levels[level])
     {
-      const IndexBox cells = division.Divide(row.Cells);
+      const IndexBox first = ChangeLevel({ {}, fields.Base.Domain().Lower }, step);
+      const IndexBox cells = Moved(division.Divide(row.Cells), first.Upper);
       const Index halvings = std::min(row.Halvings, steps - step);
       AddRequestedFamilies(lattice, step, { cells, halvings }, layers, fields.Families);
       if (row.Halvings > halvings)

@@ -43,7 +43,7 @@ void Coarsen(const std::array<std::vector<double>, 3>& coordinates, int requeste
 {
   const int most = requested - setup.Finest; // levels below 0; negative: the base is finer than 0
   int joins = std::min(most, alignment);
-  std::string limit = joins < most ? "the boxes of the ranks do" : "";
+  std::string limit = joins < most ? "the boxes of the ranks, or the periods, do" : "";
   for (int axis = 0; axis < 3 && joins > 0; ++axis)
   {
     const int own = CountJoins(coordinates[axis], joins);

@@ -40,7 +40,8 @@ int CountAlignedLevels(const std::vector<IndexBox>& boxes, Ranks& ranks);
 /// levels of the data; at most 3 by coarsening; 1 for a refined image, or as selected cells request
 /// @param coordinates nodes of the coarsest level of the input
 /// @param inputFinest finest level of the input
-/// @param alignment levels by which the boxes of the ranks can be coarsened, or AnyLevel
+/// @param alignment levels by which the boxes of the ranks and the periods can be coarsened, or
+/// AnyLevel
 /// @param requestedFinest finest level that selected cells request; 0 without cells
 LevelSetup DecideLevels(Refinement how, int maximumLevel,
   const std::array<std::vector<double>, 3>& coordinates, int inputFinest, int alignment,

@@ -1,5 +1,6 @@
 #include "Levels/PeriodicFields.h"
 
+#include "Fractions/CoarsenFields.h"
 #include "Fractions/GhostFractions.h"
 #include "Input/NodeCoordinates.h"
 #include "Labels/Labels.h"
@@ -15,14 +16,21 @@ constexpr Index FewestCells = 3; // with two, different hexahedra would have the
 constexpr Index LargestExcess = 3;
 constexpr double LargestShare = 0.05;
 
-void CheckSizes(const MesherOptions& options, const IndexBox& cells)
+/// Checks the numbers of cells of the coarsest level.
+void CheckSizes(const MesherOptions& options, const IndexBox& cells, bool isRefined)
 {
   for (int a = 0; a < 3; ++a)
   {
-    if (RepeatingAxes(options)[a] && cells.Size(a) < FewestCells)
+    const Index size = RepeatingAxes(options)[a] ? cells.Size(a) : 2 * FewestCells;
+    if (size < FewestCells)
     {
       throw InputError("A periodic mesh needs at least " + std::to_string(FewestCells) +
-        " cells along " + AxisNames[a] + ", not " + std::to_string(cells.Size(a)) + ".");
+        " cells along " + AxisNames[a] + ", not " + std::to_string(size) + ".");
+    }
+    if (isRefined && size % 2 != 0) // families are pairs of cells
+    {
+      throw InputError("A refined periodic mesh needs an even number of cells along " +
+        std::string(AxisNames[a]) + ", not " + std::to_string(size) + ".");
     }
   }
 }
@@ -49,14 +57,42 @@ std::vector<Index> CountChanges(const CartesianGrid& grid, const LabelArray& lab
 
 } // namespace
 
-void CheckPeriods(
-  const MesherOptions& options, const InputLevels& input, const LevelSetup& setup)
+int CountPeriodicLevels(
+  const MesherOptions& options, const std::array<std::vector<double>, 3>& coordinates)
+{
+  int levels = AnyLevel;
+  for (int a = 0; a < 3; ++a)
+  {
+    const Index cells = static_cast<Index>(coordinates[a].size()) - 1;
+    int own = 0;
+    while (cells % (Index(4) << own) == 0 && (cells >> (own + 1)) >= FewestCells)
+    {
+      ++own;
+    }
+    levels = RepeatingAxes(options)[a] ? std::min(levels, own) : levels;
+  }
+  return levels;
+}
+
+void CheckPeriods(const MesherOptions& options, const InputLevels& input, const LevelSetup& setup)
 {
   if (options.Periodic == 0)
   {
     return;
   }
-  CheckSizes(options, input.Levels[0].Global());
+  if (input.Finest() > 0)
+  {
+    throw InputError("A periodic mesh needs input of one level.");
+  }
+  if (setup.Refinements() > 0 && options.Elements == ElementKind::Tets)
+  {
+    throw InputError("Periodic meshes of tetrahedra cannot be refined: set Refinement to Off or "
+                     "Uniform.");
+  }
+  if (setup.Refinements() > 0 && !options.FineInterfaces)
+  {
+    throw InputError("Periodic meshes are refined with FineInterfaces on only.");
+  }
   if (options.Elements == ElementKind::Tets && options.PeriodicSides == Sides::Free)
   {
     throw InputError("PeriodicSides is Free: the sides of tetrahedra can only be Flat or Joined.");
@@ -65,24 +101,23 @@ void CheckPeriods(
   {
     throw InputError("NodalVelocity is not available for periodic meshes.");
   }
-  if (setup.Refinements() > 0 || setup.Finest != 0 || input.Finest() > 0)
-  {
-    throw InputError("A periodic mesh cannot be refined yet: set Refinement to Off, and Periodic "
-                     "only for input of one level.");
-  }
 }
 
-void AddCopies(const MesherOptions& options, Ranks& ranks, LevelFields& fields)
+void AddCopies(
+  const MesherOptions& options, const LevelSetup& setup, Ranks& ranks, LevelFields& fields)
 {
   if (options.Periodic == 0)
   {
     return;
   }
-  const CartesianGrid& grid = fields.Grid;
-  ReplaceGrid(CartesianGrid::Covering(grid.Coordinates(), grid.Owned(), RepeatingAxes(options),
-                options.PeriodicSides == Sides::Flat ? Seam::Flat : Seam::Free, GhostLayers),
+  CheckSizes(options, fields.Base.Global(), setup.Refinements() > 0);
+  const int levels = static_cast<int>(fields.Families.size());
+  ReplaceGrid(
+    CartesianGrid::Covering(fields.Grid.Coordinates(), fields.Grid.Owned(), RepeatingAxes(options),
+      options.PeriodicSides == Sides::Flat ? Seam::Flat : Seam::Free, GhostLayers, HexLayers,
+      Index(GhostLayers) << levels),
     ranks, fields.Grid, fields.Field.Fractions);
-  fields.Base = fields.Grid;
+  fields.Base = CoarsenGrid(fields.Grid, levels, GhostLayers);
 }
 
 std::string DescribeSeams(const LevelFields& fields, double isoValue, Ranks& ranks)
@@ -117,7 +152,7 @@ void RemoveCopies(Ranks& ranks, LevelFields& fields)
   if (fields.Grid.IsPeriodic())
   {
     ReplaceGrid(fields.Grid.OfDomain(GhostLayers), ranks, fields.Grid, fields.Field.Fractions);
-    fields.Base = fields.Grid;
+    fields.Base = CoarsenGrid(fields.Grid, static_cast<int>(fields.Families.size()), GhostLayers);
   }
 }
 

@@ -9,17 +9,24 @@
 namespace vfm
 {
 
-/// Checks whether a domain can repeat as the options request.
-/// @param setup  levels of the mesh
-/// @throws InputError if there are fewer than 3 cells along a periodic axis, or other options or
-/// the levels of the input do not allow it
-void CheckPeriods(
-  const MesherOptions& options, const InputLevels& input, const LevelSetup& setup);
+/// Returns how often the cells of a periodic domain can be joined in pairs, so that the coarsest
+/// level has an even number of at least 4 cells along each periodic axis.
+/// @param coordinates nodes of the coarsest level of the input
+int CountPeriodicLevels(
+  const MesherOptions& options, const std::array<std::vector<double>, 3>& coordinates);
+
+/// Checks whether other options and the levels of the input allow a periodic mesh.
+/// @param setup levels of the mesh
+/// @throws InputError if they do not
+void CheckPeriods(const MesherOptions& options, const InputLevels& input, const LevelSetup& setup);
 
 /// Adds the copies of cells that meshing needs (CartesianGrid::Covering). Does nothing without
 /// periodic axes.
+/// @throws InputError if there are fewer than 3 cells along a periodic axis, or an odd number in a
+/// refined mesh
 /// @pre Collective
-void AddCopies(const MesherOptions& options, Ranks& ranks, LevelFields& fields);
+void AddCopies(
+  const MesherOptions& options, const LevelSetup& setup, Ranks& ranks, LevelFields& fields);
 
 /// Returns a sentence if materials do not seem to continue across sides where the domain repeats:
 /// if they change at more than three times as many faces there as between layers inside; ""

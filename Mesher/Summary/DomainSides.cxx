@@ -26,6 +26,7 @@ ImageFrame FrameOfDomain(const MeshData& mesh)
 DomainSides::DomainSides(const MeshData& mesh) :
   TheMesh(mesh),
   Bounds(NumbersOfField(mesh.Fields, "DomainBounds")),
+  Periods(NumbersOfField(mesh.Fields, "PeriodLengths")),
   Frame(FrameOfDomain(mesh))
 {
 }
@@ -42,6 +43,11 @@ bool DomainSides::IsOnSide(Index point, int side) const
   const Vector3 x{ { place[0], place[1], place[2] } };
   const double own = this->Frame.IsIdentity() ? x[axis] : this->Frame.ToOwn(x)[axis];
   return std::abs(own - this->Bounds[side]) <= SideTolerance * length;
+}
+
+bool DomainSides::IsPeriodic(int side) const
+{
+  return side != NoSide && this->Periods.size() == 3 && this->Periods[side / 2] > 0.0;
 }
 
 int DomainSides::SideOfFace(const std::array<Index, 4>& points) const

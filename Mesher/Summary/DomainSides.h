@@ -24,12 +24,14 @@ public:
 
   /// Returns whether a point is on a side; always false without the field DomainBounds.
   bool IsOnSide(Index point, int side) const;
+  /// Returns whether the domain repeats across a side; false for NoSide.
+  bool IsPeriodic(int side) const;
   /// Returns the side that contains all points of a face, or NoSide. Points below 0 are skipped.
   int SideOfFace(const std::array<Index, 4>& points) const;
 
 private:
   const MeshData& TheMesh;
-  const std::vector<double> Bounds;
+  const std::vector<double> Bounds, Periods;
   const ImageFrame Frame;
 };
 

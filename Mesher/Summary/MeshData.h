@@ -33,9 +33,9 @@ struct MeshData
 {
   int Corners = 8; ///< corners of an element: 8 hexahedra, 4 tetrahedra
   Index NumberOfPoints = 0, NumberOfElements = 0;
-  const double* Points = nullptr;         ///< (points, 3)
-  const Index* Elements = nullptr;        ///< (elements, Corners), points from 0, VTK's order
-  const Index* PointIds = nullptr;        ///< global ids of points, from 1
+  const double* Points = nullptr;  ///< (points, 3)
+  const Index* Elements = nullptr; ///< (elements, Corners), points from 0, VTK's order
+  const Index* PointIds = nullptr; ///< global ids of points, from 1
   /// Lowest global id among the copies of each point on opposite sides of a periodic mesh.
   const Index* PeriodicPartner = nullptr;
   const Index* ElementIds = nullptr;      ///< global ids of elements, from 1

@@ -3,6 +3,7 @@
 #include "Ranks/Agreement.h"
 #include "Summary/DomainSides.h"
 #include "Summary/MatchFaces.h"
+#include "Summary/SeamFacets.h"
 
 #include <map>
 
@@ -96,6 +97,34 @@ private:
   std::map<FaceIds, int> EdgeFacets;
 };
 
+/// Collective. Sets the sides of the domain on which faces lie.
+void FindSides(const MeshData& mesh, Ranks& ranks, std::vector<FacetSide>& faces)
+{
+  const DomainSides domain(mesh);
+  std::vector<FacetSide*> open;
+  std::vector<FacetSide> copies;
+  for (FacetSide& face : faces)
+  {
+    face.Facet.DomainSide = NoSide;
+    if (face.Facet.Behind == NothingBehind)
+    {
+      face.Facet.DomainSide = domain.SideOfFace(face.Points);
+      open.push_back(&face);
+      copies.push_back(face);
+    }
+  }
+  if (!ranks.Any(mesh.PeriodicPartner != nullptr))
+  {
+    return;
+  }
+  const std::vector<int> seams = FindSeamSides(mesh, copies, ranks);
+  for (std::size_t f = 0; f < open.size(); ++f)
+  {
+    int& side = open[f]->Facet.DomainSide;
+    side = seams[f] != NoSide || domain.IsPeriodic(side) ? seams[f] : side;
+  }
+}
+
 } // namespace
 
 std::vector<FacetSide> FindMeshFaces(const MeshData& mesh, const int* values, Ranks& ranks)
@@ -134,15 +163,14 @@ std::vector<MeshFacet> FindMeshFacets(const MeshData& mesh, Ranks& ranks)
     return mesh.Facets ? *mesh.Facets : std::vector<MeshFacet>();
   }
   WorkTogether(ranks, [&mesh] { Require(mesh.Material, "MaterialId", mesh); });
-  const DomainSides domain(mesh);
+  std::vector<FacetSide> faces = FindMeshFaces(mesh, mesh.Material, ranks);
+  FindSides(mesh, ranks, faces);
   const FaceSurfaces surfaces(mesh);
   std::vector<MeshFacet> facets;
-  for (const FacetSide& face : FindMeshFaces(mesh, mesh.Material, ranks))
+  for (const FacetSide& face : faces)
   {
     facets.push_back(face.Facet);
-    MeshFacet& facet = facets.back();
-    facet.DomainSide = facet.Behind == NothingBehind ? domain.SideOfFace(face.Points) : NoSide;
-    facet.Surface = facet.DomainSide == NoSide ? surfaces.Find(face) : 0;
+    facets.back().Surface = facets.back().DomainSide == NoSide ? surfaces.Find(face) : 0;
   }
   return facets;
 }

@@ -57,8 +57,8 @@ FieldArrays ListVertices(const GeometryTables& tables);
 /// DomainFrame then has the matrix A, row-major, and the origin o: x = o + A (u - o) for a
 /// point u in image axes. PeriodLengths of a periodic mesh: lengths along x, y, z after which the
 /// domain repeats; 0: it does not.
-FieldArrays ListDomain(const CartesianGrid& grid, const ImageFrame& frame,
-  const std::array<bool, 3>& isPeriodic = {});
+FieldArrays ListDomain(
+  const CartesianGrid& grid, const ImageFrame& frame, const std::array<bool, 3>& isPeriodic = {});
 
 /// Returns a sentence with the materials of the input that have no element; "" if all
 /// have elements.

@@ -1,11 +1,10 @@
 #include "Summary/SeamFacets.h"
 
-#include "Mesh/ElementFaces.h"
 #include "Octree/LevelIds.h"
 #include "Ranks/Agreement.h"
+#include "Summary/DomainSides.h"
 #include "Summary/MatchFaces.h"
 
-#include <cmath>
 #include <tuple>
 
 namespace vfm
@@ -13,32 +12,42 @@ namespace vfm
 namespace
 {
 
-/// Faces of elements, and the sides of the domain (bits) on which all their nodes lie.
-struct Candidates
+/// Returns the axes (bits) along which the centre of a face lies in the upper half of the domain.
+/// They differ between both copies of a face along the axis of their sides.
+int FindHalves(const MeshData& mesh, const ImageFrame& frame, const std::vector<double>& bounds,
+  const FaceIds& points)
 {
-  std::vector<MeshFacet> Faces;
-  std::vector<int> Sides;
-  std::vector<FaceIds> Ids; // global ids of the points, sorted
-};
-
-/// Returns the sides across periodic axes on which the node of each point lies.
-std::vector<unsigned char> FindSides(
-  const CartesianGrid& domain, const std::array<bool, 3>& isPeriodic, const Mesh& mesh)
-{
-  int periodic = 0;
+  Vector3 sum{ { 0.0, 0.0, 0.0 } };
+  double count = 0.0;
+  for (Index point : points)
+  {
+    if (point >= 0)
+    {
+      const double* x = mesh.Point(point);
+      sum = sum + frame.ToOwn({ { x[0], x[1], x[2] } });
+      count += 1.0;
+    }
+  }
+  int halves = 0;
   for (int a = 0; a < 3; ++a)
   {
-    periodic |= isPeriodic[a] ? 3 << (2 * a) : 0;
+    halves |= (sum[a] > 0.5 * count * (bounds[2 * a] + bounds[2 * a + 1])) << a;
   }
+  return halves;
+}
+
+/// Returns whether the nodes of points may lie on a side of the domain.
+std::vector<unsigned char> FindNodesOnSides(const Mesh& mesh)
+{
+  const CartesianGrid& domain = mesh.Levels->Finest();
   const Index end = EndOfPointIds(*mesh.Levels, mesh.Ids.PointSlots); // later ones are TetGen's
-  std::vector<unsigned char> sides(mesh.PointIds.size(), 0);
-  for (std::size_t p = 0; p < sides.size(); ++p)
+  std::vector<unsigned char> areOnSides(mesh.PointIds.size(), 0);
+  for (std::size_t p = 0; p < areOnSides.size(); ++p)
   {
     const Index id = mesh.PointIds[p];
-    const int own = id < end ? domain.DomainSides(NodeOfPoint(domain, mesh, id)) : 0;
-    sides[p] = static_cast<unsigned char>(own & periodic);
+    areOnSides[p] = id < end && domain.DomainSides(NodeOfPoint(domain, mesh, id)) != 0;
   }
-  return sides;
+  return areOnSides;
 }
 
 bool IsBefore(const MeshFacet& a, const MeshFacet& b)
@@ -46,75 +55,99 @@ bool IsBefore(const MeshFacet& a, const MeshFacet& b)
   return std::tie(a.Element, a.Side) < std::tie(b.Element, b.Side);
 }
 
-Candidates ListCandidates(const std::vector<unsigned char>& sides, const Mesh& mesh)
+/// Returns the faces of elements that have only nodes on sides of the domain, without facets.
+std::vector<FacetSide> ListCandidates(const Mesh& mesh)
 {
-  Candidates found;
+  const std::vector<unsigned char> areOnSides = FindNodesOnSides(mesh);
   const ElementFaces faces(mesh.Corners);
+  std::vector<FacetSide> found;
   for (Index element = 0; element < static_cast<Index>(mesh.ElementIds.size()); ++element)
   {
     for (int side = 0; side < faces.Count; ++side)
     {
-      FaceIds points = faces.PointsOf(mesh.Elements.data() + mesh.Corners * element, side);
-      int common = 63;
-      for (Index& point : points)
+      const FaceIds points = faces.PointsOf(mesh.Elements.data() + mesh.Corners * element, side);
+      const MeshFacet facet{ element, side, NothingBehind, 0, NoSide };
+      const bool isOnSide = std::all_of(points.begin(), points.end(),
+        [&areOnSides](Index point) { return point < 0 || areOnSides[point] != 0; });
+      if (isOnSide && !std::binary_search(mesh.Facets.begin(), mesh.Facets.end(), facet, IsBefore))
       {
-        common &= point < 0 ? 63 : sides[point];
-        point = point < 0 ? -1 : mesh.PointIds[point];
-      }
-      const MeshFacet facet{ element, side, NothingBehind, 0, -1 };
-      if (common != 0 &&
-        !std::binary_search(mesh.Facets.begin(), mesh.Facets.end(), facet, IsBefore))
-      {
-        std::sort(points.begin(), points.end());
-        found.Faces.push_back(facet);
-        found.Sides.push_back(common);
-        found.Ids.push_back(points);
+        found.push_back({ points, facet });
       }
     }
   }
   return found;
 }
 
-/// Returns the side among several whose axis is nearest to the normal of a face.
-int NearestSide(const Mesh& mesh, const MeshFacet& face, int sides)
+FaceIds IdsOf(const FaceIds& points, const Index* ids)
 {
-  const std::array<Index, 4> points = ElementFaces(mesh.Corners)
-    .PointsOf(mesh.Elements.data() + mesh.Corners * face.Element, face.Side);
-  const Vector3 a = mesh.PointAt(points[0]), b = mesh.PointAt(points[1]),
-                c = mesh.PointAt(points[2]), d = points[3] < 0 ? a : mesh.PointAt(points[3]);
-  int nearest = -1;
-  double greatest = -1.0;
-  for (int side = 0; side < 6; ++side)
-  {
-    const int u = (side / 2 + 1) % 3, v = (side / 2 + 2) % 3;
-    const double area =
-      std::abs((c[u] - a[u]) * (d[v] - b[v]) - (c[v] - a[v]) * (d[u] - b[u])); // twice the area
-    if ((sides >> side & 1) != 0 && area > greatest)
-    {
-      nearest = side;
-      greatest = area;
-    }
-  }
-  return nearest;
+  FaceIds found;
+  std::transform(points.begin(), points.end(), found.begin(),
+    [ids](Index point) { return point < 0 ? -1 : ids[point]; });
+  std::sort(found.begin(), found.end());
+  return found;
 }
 
 } // namespace
 
-void AddSeamFacets(
-  const CartesianGrid& domain, const std::array<bool, 3>& isPeriodic, Ranks& ranks, Mesh& mesh)
+std::vector<int> FindSeamSides(
+  const MeshData& mesh, const std::vector<FacetSide>& faces, Ranks& ranks)
 {
-  Candidates found;
+  const std::vector<double> bounds = NumbersOfField(mesh.Fields, "DomainBounds");
+  const ImageFrame frame = FrameOfDomain(mesh);
+  std::vector<FaceIds> ids;
+  std::vector<Index> halves;
+  for (const FacetSide& face : faces)
+  {
+    ids.push_back(IdsOf(face.Points, mesh.PeriodicPartner));
+    halves.push_back(FindHalves(mesh, frame, bounds, face.Points));
+  }
+  const std::vector<Index> copies = MatchFaces(ids, halves, ranks);
+  std::vector<int> sides(faces.size(), NoSide);
+  for (std::size_t f = 0; f < faces.size(); ++f)
+  {
+    for (int a = 2; copies[f] != NothingBehind && a >= 0; --a)
+    {
+      const bool differs = ((copies[f] ^ halves[f]) >> a & 1) != 0;
+      sides[f] = differs ? 2 * a + static_cast<int>(halves[f] >> a & 1) : sides[f];
+    }
+  }
+  return sides;
+}
+
+void AddSeamFacets(const std::vector<FieldArray>& fields, Ranks& ranks, Mesh& mesh)
+{
+  std::vector<FacetSide> faces;
+  std::vector<FaceIds> ids;
   WorkTogether(ranks,
-    [&] { found = ListCandidates(FindSides(domain, isPeriodic, mesh), mesh); });
-  const std::vector<Index> behind =
-    MatchFaces(found.Ids, std::vector<Index>(found.Ids.size(), 0), ranks);
-  const std::size_t before = mesh.Facets.size();
-  for (std::size_t f = 0; f < behind.size(); ++f)
+    [&]
+    {
+      faces = ListCandidates(mesh);
+      for (const FacetSide& face : faces)
+      {
+        ids.push_back(IdsOf(face.Points, mesh.PointIds.data()));
+      }
+    });
+  const std::vector<Index> behind = MatchFaces(ids, std::vector<Index>(ids.size(), 0), ranks);
+  std::vector<FacetSide> open;
+  for (std::size_t f = 0; f < faces.size(); ++f)
   {
     if (behind[f] == NothingBehind)
     {
-      mesh.Facets.push_back(found.Faces[f]);
-      mesh.Facets.back().DomainSide = NearestSide(mesh, found.Faces[f], found.Sides[f]);
+      open.push_back(faces[f]);
+    }
+  }
+  MeshData view;
+  view.Points = mesh.Points.data();
+  view.PeriodicPartner = mesh.PeriodicPartner.data();
+  view.Fields = fields;
+  const std::vector<int> sides = FindSeamSides(view, open, ranks);
+  const std::size_t before = mesh.Facets.size();
+  for (std::size_t f = 0; f < open.size(); ++f)
+  {
+    if (sides[f] != NoSide)
+    {
+      mesh.Facets.push_back(open[f].Facet);
+      mesh.Facets.back().DomainSide = sides[f];
     }
   }
   std::inplace_merge(

@@ -3,16 +3,23 @@
  */
 #pragma once
 
-#include "Mesh/Mesh.h"
+#include "Mesh/FacetSides.h"
+#include "Summary/MeshData.h"
 
 namespace vfm
 {
 
-/// Adds these faces to Mesh::Facets, as facets on sides of the domain.
-/// @param domain grid of the domain (LeaveCovering.h)
-/// @param isPeriodic whether the domain repeats along each axis
+/// Finds the faces with a copy on the opposite side: another face whose points have the same
+/// partners (MeshData::PeriodicPartner).
+/// @param faces sides of elements with nothing behind
+/// @return per face its side of the domain, 0..5 for -x +x -y +y -z +z, or NoSide
 /// @pre Collective
-void AddSeamFacets(
-  const CartesianGrid& domain, const std::array<bool, 3>& isPeriodic, Ranks& ranks, Mesh& mesh);
+std::vector<int> FindSeamSides(
+  const MeshData& mesh, const std::vector<FacetSide>& faces, Ranks& ranks);
+
+/// Adds these faces to Mesh::Facets of a mesh made by LeaveCovering.
+/// @param fields ListDomain of the mesh
+/// @pre Collective
+void AddSeamFacets(const std::vector<FieldArray>& fields, Ranks& ranks, Mesh& mesh);
 
 } // namespace vfm

@@ -3,10 +3,10 @@
 #include "Input/PlainArrays.h"
 #include "Mesh/ElementFaces.h"
 #include "Mesher.h"
-#include "State/ViewMesh.h"
-#include "Summary/MeshSets.h"
-#include "Summary/PeriodicPairs.h"
 #include "RankFields.h"
+#include "Sets/MeshSets.h"
+#include "Sets/PeriodicPairs.h"
+#include "State/ViewMesh.h"
 #include "ThreadRanks.h"
 
 #include <gtest/gtest.h>
@@ -191,8 +191,8 @@ TEST_P(PeriodicMesher, RanksGiveTheSameMesh)
 {
   Runtime serial;
   MeshById alone;
-  alone.Add(RunMesher(
-    MakeRandomInput(Cells, serial.Group()), OptionsOf(this->GetParam()), serial).TheMesh);
+  alone.Add(
+    RunMesher(MakeRandomInput(Cells, serial.Group()), OptionsOf(this->GetParam()), serial).TheMesh);
   for (int count : { 2, 3 })
   {
     MeshById joined;
@@ -302,8 +302,8 @@ TEST(PeriodicMesher, WrongInput)
   };
   MesherOptions options;
   options.Periodic = 1;
-  EXPECT_EQ(messageOf(options, { { 2, 5, 5 } }),
-    "A periodic mesh needs at least 3 cells along x, not 2.");
+  EXPECT_EQ(
+    messageOf(options, { { 2, 5, 5 } }), "A periodic mesh needs at least 3 cells along x, not 2.");
   EXPECT_EQ(messageOf(options, { { 3, 2, 2 } }), "");
   options.Elements = ElementKind::Tets;
   options.PeriodicSides = Sides::Free;

@@ -7,9 +7,9 @@ import re
 # Modules of Grid and Mesher, from bottom to top. A module may include only modules before it; the
 # root of each is above all its modules.
 MODULES = {
-    "Grid": ("Ranks", "Base", "Fractions", "Octree", "Labels", "Interface", "Mesh", "Transfer",
-             "SharpFeatures", "Smoothing", "Hex", "Tet", "TetGen"),
-    "Mesher": ("Options", "Input", "Levels", "Summary", "State"),
+    "Grid": ("Ranks", "Base", "Fractions", "Octree", "Labels", "Interface", "Mesh", "Periodic",
+             "Transfer", "SharpFeatures", "Smoothing", "Hex", "Tet", "TetGen"),
+    "Mesher": ("Options", "Input", "Levels", "Summary", "Sets", "State"),
 }
 GRID, MESHER = (tuple(top + "/" + module for module in MODULES[top]) + (top,)
                 for top in ("Grid", "Mesher"))

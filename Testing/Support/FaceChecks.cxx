@@ -393,6 +393,13 @@ std::string FindFacetProblem(const Mesh& mesh)
   return facets.empty() ? "" : "a facet is not a face between fragments";
 }
 
+Index CountFreeFaces(const Mesh& mesh)
+{
+  const auto faces = FacesOf(mesh);
+  return std::count_if(
+    faces.begin(), faces.end(), [](const auto& face) { return face.second.size() == 1; });
+}
+
 Index CountLocked(const Mesh& mesh)
 {
   Index count = 0;

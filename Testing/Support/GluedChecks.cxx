@@ -70,40 +70,14 @@ std::vector<Index> FindTranslates(const CartesianGrid& grid, const Mesh& mesh)
   return parent;
 }
 
-/// Returns the number of faces that are on one element only.
-Index CountFreeFaces(const Mesh& mesh)
-{
-  static const int hexFaces[6][4] = { { 0, 4, 7, 3 }, { 1, 2, 6, 5 }, { 0, 1, 5, 4 },
-    { 3, 7, 6, 2 }, { 0, 3, 2, 1 }, { 4, 5, 6, 7 } };
-  std::map<std::array<Index, 4>, int> counts;
-  const bool isHexes = mesh.Corners == 8;
-  for (std::size_t e = 0; e < mesh.ElementIds.size(); ++e)
-  {
-    const Index* points = mesh.Elements.data() + mesh.Corners * e;
-    for (int f = 0; f < (isHexes ? 6 : 4); ++f)
-    {
-      std::array<Index, 4> face{ { -1, -1, -1, -1 } };
-      for (int c = 0, n = 0; c < 4; ++c)
-      {
-        if (isHexes || c != f)
-        {
-          face[n++] = points[isHexes ? hexFaces[f][c] : c];
-        }
-      }
-      std::sort(face.begin(), face.end());
-      ++counts[face];
-    }
-  }
-  return std::count_if(
-    counts.begin(), counts.end(), [](const auto& face) { return face.second == 1; });
-}
-
 } // namespace
 
-CartesianGrid MakePeriodicGrid(const Index3& n, const std::array<bool, 3>& isPeriodic, Seam seam)
+CartesianGrid MakePeriodicGrid(
+  const Index3& n, const std::array<bool, 3>& isPeriodic, Seam seam, Index layers)
 {
   const CartesianGrid unit = MakeUnitGrid(n[0], n[1], n[2]);
-  return CartesianGrid::Covering(unit.Coordinates(), unit.Global(), isPeriodic, seam, GhostLayers);
+  return CartesianGrid::Covering(
+    unit.Coordinates(), unit.Global(), isPeriodic, seam, GhostLayers, HexLayers, layers);
 }
 
 FractionField MakePeriodicLabels(

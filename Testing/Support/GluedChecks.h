@@ -12,8 +12,9 @@ namespace testing
 {
 
 /// Returns the grid of one rank that owns all n cells of unit width, periodic along some axes.
-CartesianGrid MakePeriodicGrid(
-  const Index3& n, const std::array<bool, 3>& isPeriodic, Seam seam = Seam::Flat);
+/// @param layers  layers of copies
+CartesianGrid MakePeriodicGrid(const Index3& n, const std::array<bool, 3>& isPeriodic,
+  Seam seam = Seam::Flat, Index layers = GhostLayers);
 
 /// Returns label(i, j, k) of each cell as fractions, with i, j, k from 0 in the domain; copies get
 /// the labels of their cells.

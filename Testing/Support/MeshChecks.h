@@ -63,6 +63,9 @@ std::string FindFragmentProblem(const Mesh& mesh);
 /// between fragments and the faces of only one element.
 std::string FindFacetProblem(const Mesh& mesh);
 
+/// Returns the number of faces that are on one element only.
+Index CountFreeFaces(const Mesh& mesh);
+
 /// Returns the number of elements whose points are all on interfaces or on sides of the domain.
 Index CountLocked(const Mesh& mesh);
 

@@ -307,19 +307,10 @@ std::vector<std::vector<Index>> MakeRandomFamilies(
 
 std::vector<IndexBox> CutBaseBox(const CartesianGrid& grid, int refinements, int ranks, int axis)
 {
-  IndexBox base;
-  for (int a = 0; a < 3; ++a)
-  {
-    base.Upper[a] = grid.Global().Upper[a] >> refinements;
-  }
-  std::vector<IndexBox> boxes = CutBox(base, ranks, axis);
+  std::vector<IndexBox> boxes = CutBox(ChangeLevel(grid.Domain(), -refinements), ranks, axis);
   for (IndexBox& box : boxes)
   {
-    for (int a = 0; a < 3; ++a)
-    {
-      box.Lower[a] <<= refinements;
-      box.Upper[a] <<= refinements;
-    }
+    box = ChangeLevel(box, refinements);
   }
   return boxes;
 }

@@ -3,8 +3,8 @@
 #include "Mesh/ElementFaces.h"
 #include "NumpyFields.h"
 #include "NumpyMesh.h"
+#include "Sets/NamedSurfaces.h"
 #include "Summary/MatchFaces.h"
-#include "Summary/NamedSurfaces.h"
 
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/pair.h>

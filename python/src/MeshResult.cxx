@@ -41,6 +41,8 @@ void TakeMesh(Mesh& mesh, nb::dict& all)
   all["cells"] = ToNumpy(mesh.Elements, mesh.Corners);
   all["point_ids"] = ToNumpy(mesh.PointIds);
   all["cell_ids"] = ToNumpy(mesh.ElementIds);
+  const bool isPeriodic = !mesh.PeriodicPartner.empty();
+  all["partner"] = isPeriodic ? ToNumpy(mesh.PeriodicPartner) : nb::object(nb::none());
   all["material"] = ToNumpy(mesh.Material);
   all["fragment"] = ToNumpy(mesh.Fragment);
   all["geometry_dimension"] = ToNumpy(mesh.GeometryDimension);

@@ -22,7 +22,8 @@ std::vector<MeshArray> ListArrays(const NamedArrays& arrays, Index rows)
     {
       throw InputError("The array '" + name + "' has another length than the mesh.");
     }
-    const bool isId = name == "GlobalPointIds" || name == "GlobalCellIds";
+    const bool isId =
+      name == "GlobalPointIds" || name == "GlobalCellIds" || name == "PeriodicPartner";
     list.push_back({ name, isId ? ValueType::Id : view.Type, view.Components, {}, view.Values });
   }
   return list;

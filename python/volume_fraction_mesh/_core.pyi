@@ -31,7 +31,7 @@ class Options:
     image_axes: bool
     mesh_void: bool
     periodic: Literal["off", "x", "y", "xy", "z", "xz", "yz", "xyz"]
-    periodic_sides: Literal["flat", "free"]
+    periodic_sides: Literal["flat", "free", "joined"]
     minimum_region_cells: int
     fraction_tolerance: float
     iso_value: float

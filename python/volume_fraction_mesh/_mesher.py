@@ -119,7 +119,7 @@ def hexes(
     image_axes: bool = False,
     mesh_void: bool = False,
     periodic: Literal["off", "x", "y", "xy", "z", "xz", "yz", "xyz"] = "off",
-    periodic_sides: Literal["flat", "free"] = "flat",
+    periodic_sides: Literal["flat", "free", "joined"] = "flat",
     minimum_region_cells: int = 0,
     fraction_tolerance: float = 1e-06,
     iso_value: float = 0.5,
@@ -229,10 +229,12 @@ def hexes(
         then a copy of the mesh of the opposite side, at exactly one period from it, and the point
         array PeriodicPartner pairs their nodes. Surfaces, volumes and fragments continue across
         these sides. Along each of the axes, the input needs at least 3 cells.
-    periodic_sides : {"flat", "free"}, default "flat"
-        Shape of the sides across periodic axes. "flat": their nodes stay in the planes. "free":
-        nodes move as inside the domain, which gives the best surfaces; the sides then wave by up to
-        a cell where they meet surfaces.
+    periodic_sides : {"flat", "free", "joined"}, default "flat"
+        Sides across periodic axes. "flat": their nodes stay in the planes. "free": nodes move as
+        inside the domain, which gives the best surfaces; the sides wave by up to a cell where they
+        meet surfaces. "joined": there are no sides; elements at opposite sides share nodes, so some
+        elements seem to extend across the whole domain. Surfaces are those of "free". Tetrahedra
+        are "flat" or "joined".
     minimum_region_cells : int, default 0
         An integer, 0 or more. Remove small fragments and cavities. A face-connected region of one
         material, or of void, with fewer cells than this becomes part of the material or void with
@@ -451,7 +453,7 @@ def tets(
     image_axes: bool = False,
     mesh_void: bool = False,
     periodic: Literal["off", "x", "y", "xy", "z", "xz", "yz", "xyz"] = "off",
-    periodic_sides: Literal["flat", "free"] = "flat",
+    periodic_sides: Literal["flat", "free", "joined"] = "flat",
     minimum_region_cells: int = 0,
     fraction_tolerance: float = 1e-06,
     iso_value: float = 0.5,

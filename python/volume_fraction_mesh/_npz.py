@@ -12,6 +12,7 @@ if TYPE_CHECKING:
 
 FORMAT = "volume_fraction_mesh 1"  # value of the key "format"
 ARRAYS = ("points", "cells", "material", "fragment", "point_ids", "cell_ids")
+OPTIONAL = ("quality", "partner")
 PARTS = {
     "geometry": ("dimension", "id"),
     "surfaces": ("cells", "surface_id", "material_pair", "domain_side", "fields"),
@@ -25,8 +26,8 @@ def write(mesh: Mesh, file: IO[bytes], compress: bool = False) -> None:
     """Writes all arrays of a mesh by key: an attribute, or attribute/name."""
     arrays: Dict[str, Any] = {"format": FORMAT}
     arrays.update((name, getattr(mesh, name)) for name in ARRAYS)
-    if mesh.quality is not None:
-        arrays["quality"] = mesh.quality
+    arrays.update((name, getattr(mesh, name)) for name in OPTIONAL
+                  if getattr(mesh, name) is not None)
     for part, names in PARTS.items():
         for name in names:
             _add(arrays, "%s/%s" % (part, name), getattr(getattr(mesh, part), name))
@@ -95,7 +96,7 @@ def _make_mesh(arrays: Dict[str, Any]) -> Mesh:
              for name, names in PARTS.items()}
     return types.Mesh(
         **{name: arrays[name] for name in ARRAYS},
-        quality=arrays.get("quality"),
+        **{name: arrays.get(name) for name in OPTIONAL},
         geometry=types.Geometry(**parts["geometry"]),
         surfaces=types.Surfaces(**parts["surfaces"]),
         curves=types.Curves(**parts["curves"]),

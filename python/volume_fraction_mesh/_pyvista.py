@@ -45,12 +45,11 @@ def cell_arrays(mesh: Mesh) -> Dict[str, np.ndarray]:
 
 def point_arrays(mesh: Mesh) -> Dict[str, np.ndarray]:
     """Returns the arrays of the points, by their names in the ParaView filters."""
-    return {
-        "GlobalPointIds": mesh.point_ids,
-        "GeometryDimension": mesh.geometry.dimension,
-        "GeometryId": mesh.geometry.id,
-        **mesh.point_state,
-    }
+    arrays = {"GlobalPointIds": mesh.point_ids, "GeometryDimension": mesh.geometry.dimension,
+              "GeometryId": mesh.geometry.id}
+    if mesh.partner is not None:
+        arrays["PeriodicPartner"] = mesh.partner
+    return {**arrays, **mesh.point_state}
 
 
 def _volume(mesh: Mesh, pyvista: Any) -> Any:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Dict, List, Mapping, Optional, Union
+from typing import TYPE_CHECKING, Any, Dict, List, Mapping, Optional, Tuple, Union
 
 import numpy as np
 
@@ -66,6 +66,9 @@ class Mesh:
         Number of the fragment, from 1: a set of elements of one material, connected over faces.
     point_ids, cell_ids : ndarray of int64, shapes (n,) and (m,)
         Unique ids from 1. They follow from the position in the grid and are not consecutive.
+    partner : ndarray of int64, shape (n,), or None
+        Lowest id among the copies of a point on opposite sides of a periodic mesh, or its own id.
+        None without ``periodic``.
     quality : ndarray of float32, shape (m,), or None
         Scaled Jacobian as in Verdict: 1 for a cube or a regular tetrahedron, positive for a valid
         element. None without ``compute_quality``.
@@ -110,6 +113,7 @@ class Mesh:
     fragment: np.ndarray
     point_ids: np.ndarray
     cell_ids: np.ndarray
+    partner: Optional[np.ndarray]
     quality: Optional[np.ndarray]
     geometry: Geometry
     surfaces: Surfaces
@@ -190,6 +194,35 @@ class Mesh:
         from ._facets import neighbours
 
         return neighbours(self)
+
+    def periodic_pairs(self) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Find the points that are copies of another point on an opposite side.
+
+        Returns
+        -------
+        copies, partners : ndarray of int64, shape (k,)
+            Points of each pair. The partner has the lowest id of all copies and is no copy itself,
+            so each copy can be eliminated from a system of equations.
+        periods : ndarray of int64, shape (k, 3)
+            Number of periods along each axis of the input from the partner to the copy.
+
+        Raises
+        ------
+        ValueError
+            If the mesh is not periodic, or its sides are joined.
+
+        Examples
+        --------
+        >>> mesh = vfm.hexes(np.ones((4, 4, 4)), periodic="x")
+        >>> copies, partners, periods = mesh.periodic_pairs()
+        >>> len(copies), periods[0].tolist()
+        (25, [1, 0, 0])
+        >>> np.array_equal(mesh.points[copies], mesh.points[partners] + [4, 0, 0])
+        True
+        """
+        from ._periodic import pairs
+
+        return pairs(self)
 
     def facet_sets(self) -> Dict[str, Facets]:
         """Find the named sides of the mesh: the side sets of its Exodus and Abaqus files.
@@ -572,6 +605,7 @@ def make_mesh(result: Mapping[str, Any], roles: Dict[str, str], run: Run) -> Mes
         fragment=result["fragment"],
         point_ids=result["point_ids"],
         cell_ids=result["cell_ids"],
+        partner=result["partner"],
         quality=result["scaled_jacobian"],
         geometry=Geometry(result["geometry_dimension"], result["geometry_id"]),
         surfaces=Surfaces(**surfaces, fields=result["surface_fields"]),

@@ -18,6 +18,7 @@ FOLDERS = (
     ("Grid/Labels", "One material per cell."),
     ("Grid/Interface", "The position of the true interface."),
     ("Grid/Mesh", "The mesh, its facets and geometry, and measurements."),
+    ("Grid/Periodic", "Sides of periodic meshes."),
     ("Grid/Transfer", "Transfer of state from cells to elements: "
                       "[state transfer](../theory/state-transfer.md)."),
     ("Grid/SharpFeatures", "Edges and corners found in fractions: "
@@ -30,7 +31,8 @@ FOLDERS = (
     ("Mesher/Options", "The options of a run."),
     ("Mesher/Input", "Blocks of cells, and their distribution over ranks."),
     ("Mesher/Levels", "The levels of a refined grid."),
-    ("Mesher/Summary", "Reports, sets and parts of a finished mesh."),
+    ("Mesher/Summary", "Reports, faces and parts of a finished mesh."),
+    ("Mesher/Sets", "Named surfaces, and pairs of periodic points."),
     ("Mesher/State", "State arrays of the input, on the elements."),
     ("Mesher", "One run, from blocks to a mesh."),
     ("Shapes", "Solids with exact fractions. They depend on Grid/Base and Grid/Fractions only."),

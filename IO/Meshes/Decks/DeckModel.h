@@ -7,8 +7,8 @@
 #pragma once
 
 #include "Ranks/Ranks.h"
+#include "Sets/MeshSets.h"
 #include "Summary/MeshData.h"
-#include "Summary/MeshSets.h"
 
 #include <functional>
 #include <string>

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "Meshes/Decks/DeckCards.h"
-#include "Summary/MeshSets.h"
+#include "Sets/MeshSets.h"
 
 namespace vfm
 {

@@ -3,7 +3,10 @@
 #include "Meshes/Decks/AbaqusText.h"
 #include "Meshes/Decks/DeckCards.h"
 #include "Meshes/Decks/DeckModel.h"
+#include "Meshes/Decks/WriteEquations.h"
 #include "Meshes/Files/OutputFile.h"
+
+#include <filesystem>
 
 namespace vfm
 {
@@ -209,6 +212,13 @@ void WriteFile(const DeckModel& model, const std::string& path)
   if (model.State.Velocity)
   {
     WriteVelocity(file, mesh, *model.State.Velocity);
+  }
+  std::filesystem::path equations(path);
+  equations.replace_filename(
+    equations.stem().string() + "_periodic" + equations.extension().string());
+  if (WriteEquations(mesh, equations.string()))
+  {
+    file.Add("*INCLUDE, INPUT=" + equations.filename().string() + "\n");
   }
   file.Close();
 }

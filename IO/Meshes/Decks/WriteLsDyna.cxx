@@ -3,7 +3,7 @@
 #include "Meshes/Decks/DeckCards.h"
 #include "Meshes/Decks/DeckModel.h"
 #include "Meshes/Decks/DeckParts.h"
-#include "Summary/NamedSurfaces.h"
+#include "Sets/NamedSurfaces.h"
 #include "Summary/UniqueNames.h"
 
 namespace vfm

@@ -2,7 +2,7 @@
 
 #include "Meshes/Decks/DeckCards.h"
 #include "Meshes/Decks/DeckModel.h"
-#include "Summary/NamedSurfaces.h"
+#include "Sets/NamedSurfaces.h"
 
 #include <algorithm>
 

@@ -4,7 +4,7 @@
 #include "Meshes/Decks/DeckModel.h"
 #include "Meshes/Decks/DeckParts.h"
 #include "Ranks/Errors.h"
-#include "Summary/NamedSurfaces.h"
+#include "Sets/NamedSurfaces.h"
 #include "Summary/UniqueNames.h"
 
 namespace vfm

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "Meshes/Exodus/ExodusVariables.h"
-#include "Summary/MeshSets.h"
+#include "Sets/MeshSets.h"
 #include "Summary/SharedPoints.h"
 
 namespace vfm

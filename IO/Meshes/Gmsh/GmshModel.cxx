@@ -1,8 +1,8 @@
 #include "Meshes/Gmsh/GmshModel.h"
 
 #include "Ranks/Errors.h"
+#include "Sets/NamedSurfaces.h"
 #include "Summary/MeshMaterials.h"
-#include "Summary/NamedSurfaces.h"
 #include "Summary/UniqueNames.h"
 
 namespace vfm

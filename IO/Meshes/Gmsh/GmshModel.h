@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "Summary/MeshEntities.h"
+#include "Sets/MeshEntities.h"
 
 #include <map>
 

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "Ranks/Ranks.h"
-#include "Summary/MeshSets.h"
+#include "Sets/MeshSets.h"
 
 namespace vfm
 {

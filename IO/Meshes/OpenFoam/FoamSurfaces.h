@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "Summary/NamedSurfaces.h"
+#include "Sets/NamedSurfaces.h"
 
 namespace vfm
 {

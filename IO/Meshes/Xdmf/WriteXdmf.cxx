@@ -3,8 +3,8 @@
 #include "Meshes/Files/OutputFile.h"
 #include "Meshes/Files/WriteWhole.h"
 #include "Meshes/Vtk/VtuText.h"
+#include "Sets/NamedSurfaces.h"
 #include "Summary/MeshMaterials.h"
-#include "Summary/NamedSurfaces.h"
 #include "Summary/UniqueNames.h"
 
 #include <filesystem>

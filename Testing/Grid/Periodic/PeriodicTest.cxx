@@ -78,6 +78,98 @@ TEST_P(Periodic, RandomLabelsGiveValidTorus)
   EXPECT_TRUE(method.Sides == Seam::Flat ? excess < 1e-12 : excess > 0.1) << excess;
 }
 
+/// Returns void with a few balls, some across sides, in base cells of 2^refinements cells.
+FractionField MakeBalls(const CartesianGrid& grid, unsigned seed)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  std::vector<std::array<double, 4>> balls(2);
+  for (auto& ball : balls)
+  {
+    ball = { { uniform(random), uniform(random), uniform(random), 0.1 + 0.1 * uniform(random) } };
+  }
+  return MakePeriodicLabels(grid, 2,
+    [&](const Index3& cell)
+    {
+      for (std::size_t b = 0; b < balls.size(); ++b)
+      {
+        double squares = 0.0;
+        for (int a = 0; a < 3; ++a)
+        {
+          const double size = static_cast<double>(grid.Domain().Size(a));
+          const double away = std::abs((static_cast<double>(cell[a]) + 0.5) / size - balls[b][a]);
+          squares += std::pow(std::min(away, 1.0 - away), 2);
+        }
+        if (squares < balls[b][3] * balls[b][3])
+        {
+          return static_cast<int>(b) + 1;
+        }
+      }
+      return 0;
+    });
+}
+
+/// Returns a grid of cubes whose base cells have 2^refinements cells along each axis.
+CartesianGrid MakeRefinedGrid(unsigned seed, int refinements, Seam seam)
+{
+  const Index n = (6 + 2 * static_cast<Index>(seed % 3)) << refinements;
+  const int axes = 1 + static_cast<int>(seed % 7);
+  return MakePeriodicGrid({ { n, n, n } },
+    { { (axes & 1) != 0, (axes & 2) != 0, (axes & 4) != 0 } }, seam, GhostLayers << refinements);
+}
+
+class PeriodicLevels : public ::testing::TestWithParam<Seam>
+{
+};
+
+TEST_P(PeriodicLevels, GiveValidTorus)
+{
+  for (unsigned seed : ListSeeds(6))
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    MeshOptions options;
+    options.MeshVoid = seed % 4 < 2;
+    options.Levels.Refinements = 1 + static_cast<int>(seed % 2);
+    const CartesianGrid grid = MakeRefinedGrid(seed, options.Levels.Refinements, this->GetParam());
+    Runtime alone;
+    MeshReport report;
+    const Mesh mesh = MakeHexMesh(grid, MakeBalls(grid, seed), options, alone, report);
+    Index families = 0;
+    for (const MeshReport::Level& level : report.Levels)
+    {
+      families += level.Families;
+    }
+    EXPECT_GT(families, 0);
+    EXPECT_TRUE(IsPositiveEverywhere(mesh));
+    EXPECT_EQ(FindConformityProblem(mesh), "");
+    EXPECT_EQ(FindGluedProblem(grid, mesh, options.MeshVoid, report.NumberOfFragments), "");
+  }
+}
+
+TEST_P(PeriodicLevels, RanksGiveTheSameMesh)
+{
+  for (unsigned seed : ListSeeds(2))
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    MeshOptions options;
+    options.MeshVoid = true;
+    options.Levels.Refinements = 1 + static_cast<int>(seed % 2);
+    const CartesianGrid grid =
+      MakeRefinedGrid(seed + 4, options.Levels.Refinements, this->GetParam());
+    const FractionField field = MakeBalls(grid, seed);
+    const RankMesh alone = MakeAlone(grid, field, options, MakeHexMesh);
+    for (int ranks : { 2, 3, 8 })
+    {
+      SCOPED_TRACE(std::to_string(ranks) + " ranks");
+      const std::vector<IndexBox> boxes = CutBaseBox(grid, options.Levels.Refinements, ranks);
+      EXPECT_EQ(FindDifference(MakeOnRanks(grid, field, boxes, options, MakeHexMesh), alone), "");
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Seams, PeriodicLevels, ::testing::Values(Seam::Flat, Seam::Free),
+  [](const auto& info) { return info.param == Seam::Flat ? "Flat" : "Free"; });
+
 TEST_P(Periodic, RanksGiveTheSameMesh)
 {
   const Method& method = this->GetParam();

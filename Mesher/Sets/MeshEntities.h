@@ -7,7 +7,7 @@
  */
 #pragma once
 
-#include "Summary/MeshSets.h"
+#include "Sets/MeshSets.h"
 
 namespace vfm
 {

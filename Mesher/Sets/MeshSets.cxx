@@ -1,4 +1,4 @@
-#include "Summary/MeshSets.h"
+#include "Sets/MeshSets.h"
 
 #include "Ranks/Agreement.h"
 #include "Summary/MeshFacets.h"
@@ -214,6 +214,24 @@ std::vector<SurfacePoint> FindRims(const MeshData& mesh, const Facets& facets, R
   return UnionOverRanks(ranks, std::move(rims));
 }
 
+/// Returns the sides of the domain (bits) on which each point has a facet. Sides of periodic meshes
+/// need not be plane.
+std::vector<unsigned char> FindSidesOfFacets(const MeshData& mesh, const Facets& facets)
+{
+  std::vector<unsigned char> sides(mesh.NumberOfPoints, 0);
+  for (const MeshFacet& facet : facets)
+  {
+    for (Index point : PointsOfSide(mesh, { facet.Element, facet.Side }))
+    {
+      if (point >= 0 && facet.DomainSide != NoSide)
+      {
+        sides[point] = static_cast<unsigned char>(sides[point] | 1 << facet.DomainSide);
+      }
+    }
+  }
+  return sides;
+}
+
 /// Collective. Makes the node sets of sides of the domain and smooth sides.
 std::vector<NodeSet> MakeNodeSets(
   const MeshData& mesh, const Facets& facets, const std::vector<SideSet>& sideSets, Ranks& ranks)
@@ -235,9 +253,12 @@ std::vector<NodeSet> MakeNodeSets(
     }
   };
   const DomainSides domain(mesh);
+  const std::vector<unsigned char> sidesOfFacets = FindSidesOfFacets(mesh, facets);
   for (int side = 0; side < 6; ++side)
   {
-    add(side + 1, SideNames[side], [&](Index point) { return domain.IsOnSide(point, side); });
+    add(side + 1, SideNames[side],
+      [&](Index point)
+      { return domain.IsOnSide(point, side) || (sidesOfFacets[point] >> side & 1) != 0; });
   }
   const std::vector<SurfacePoint> rims = FindRims(mesh, facets, ranks);
   for (const SideSet& sides : sideSets)

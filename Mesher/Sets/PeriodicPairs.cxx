@@ -1,4 +1,4 @@
-#include "Summary/PeriodicPairs.h"
+#include "Sets/PeriodicPairs.h"
 
 #include "Summary/DomainSides.h"
 

@@ -1,4 +1,4 @@
-#include "Summary/NamedSurfaces.h"
+#include "Sets/NamedSurfaces.h"
 
 #include <algorithm>
 

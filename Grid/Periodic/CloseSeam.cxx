@@ -1,4 +1,4 @@
-#include "Mesh/CloseSeam.h"
+#include "Periodic/CloseSeam.h"
 
 #include "Mesh/PointValues.h"
 #include "Octree/RefinedGrid.h"

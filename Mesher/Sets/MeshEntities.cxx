@@ -1,9 +1,9 @@
-#include "Summary/MeshEntities.h"
+#include "Sets/MeshEntities.h"
 
 #include "Base/Sorted.h"
 #include "Mesh/Junctions.h"
+#include "Sets/NamedSurfaces.h"
 #include "Summary/MeshMaterials.h"
-#include "Summary/NamedSurfaces.h"
 
 #include <map>
 

@@ -1,4 +1,4 @@
-#include "Mesh/JoinCopies.h"
+#include "Periodic/JoinCopies.h"
 
 #include "Mesh/SelectPoints.h"
 #include "Ranks/Agreement.h"

@@ -8,7 +8,7 @@
  */
 #pragma once
 
-#include "Summary/MeshSets.h"
+#include "Sets/MeshSets.h"
 
 #include <map>
 

@@ -1,4 +1,4 @@
-#include "Mesh/LeaveCovering.h"
+#include "Periodic/LeaveCovering.h"
 
 #include "Mesh/PeriodicIds.h"
 #include "Octree/LevelIds.h"
@@ -35,10 +35,7 @@ public:
   const std::shared_ptr<const RefinedGrid>& Levels() const { return this->Domain; }
 
   /// Returns whether a point was added by TetGen.
-  bool IsAdded(Index id) const
-  {
-    return id >= EndOfPointIds(this->Covering, this->Ids.PointSlots);
-  }
+  bool IsAdded(Index id) const { return id >= EndOfPointIds(this->Covering, this->Ids.PointSlots); }
 
   Index OfPoint(Index id) const
   {
@@ -58,8 +55,8 @@ public:
       return CentreId(
         *this->Domain, this->HexKey(CellOfCoarseCentre(this->Covering, id, slots)), slots);
     }
-    const LevelIndex node = this->Shifted(
-      this->Covering.Lattice().NodeOfKey(KeyOfPoint(this->Covering, id, slots)));
+    const LevelIndex node =
+      this->Shifted(this->Covering.Lattice().NodeOfKey(KeyOfPoint(this->Covering, id, slots)));
     return CoarsePointId(*this->Domain,
       this->Domain->Lattice().NodeKey(node.Level, node.At, node.Slot), slots,
       static_cast<int>((id - 1) % slots));
