@@ -1,6 +1,7 @@
 #include "GluedChecks.h"
 
 #include <map>
+#include <random>
 #include <set>
 
 namespace vfm
@@ -91,6 +92,24 @@ FractionField MakePeriodicLabels(
         own[a] -= grid.Domain().Lower[a];
       }
       return label(own);
+    });
+}
+
+FractionField MakeRandomPeriodic(
+  const CartesianGrid& grid, int materials, int lowest, unsigned seed)
+{
+  std::mt19937 random(seed);
+  std::map<Index3, int> labels;
+  return MakePeriodicLabels(grid, materials,
+    [&](const Index3& cell)
+    {
+      const auto at = labels.emplace(cell, 0);
+      if (at.second)
+      {
+        at.first->second =
+          lowest + static_cast<int>(random() % static_cast<unsigned>(materials + 1 - lowest));
+      }
+      return at.first->second;
     });
 }
 

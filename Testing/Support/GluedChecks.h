@@ -21,6 +21,10 @@ CartesianGrid MakePeriodicGrid(const Index3& n, const std::array<bool, 3>& isPer
 FractionField MakePeriodicLabels(
   const CartesianGrid& grid, int materials, const std::function<int(const Index3&)>& label);
 
+/// Returns random labels from lowest to materials; copies get the labels of their cells.
+FractionField MakeRandomPeriodic(
+  const CartesianGrid& grid, int materials, int lowest, unsigned seed);
+
 /// Returns a mesh in which points that are translates of each other, bitwise, are one point.
 /// @param mesh  mesh of the whole domain
 Mesh Glue(const CartesianGrid& grid, const Mesh& mesh);

@@ -8,8 +8,6 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
-
 using namespace vfm;
 using namespace vfm::testing;
 
@@ -34,24 +32,6 @@ const Method Methods[] = { { "FlatHexes", MakeHexMesh, TetMethod::Lattice, Seam:
 class Periodic : public ::testing::TestWithParam<Method>
 {
 };
-
-FractionField MakeRandomPeriodic(
-  const CartesianGrid& grid, int materials, int lowest, unsigned seed)
-{
-  std::mt19937 random(seed);
-  std::map<Index3, int> labels;
-  return MakePeriodicLabels(grid, materials,
-    [&](const Index3& cell)
-    {
-      const auto at = labels.emplace(cell, 0);
-      if (at.second)
-      {
-        at.first->second =
-          lowest + static_cast<int>(random() % static_cast<unsigned>(materials + 1 - lowest));
-      }
-      return at.first->second;
-    });
-}
 
 /// Returns the largest distance of a point beyond the domain along periodic axes.
 double FindExcess(const CartesianGrid& grid, const Mesh& mesh)
