@@ -11,7 +11,7 @@ Each mesher runs in a process of its own with one thread; CGAL by PYTHON_DEBIAN,
 /usr/bin/python3. Meshers of surfaces get the surface of our hexahedra, only of the pores. --keep:
 keeps images, meshes and messages.
 
-Columns: CPU and wall seconds; peak MB of the whole process; largest error of the volume of a label;
+Columns: CPU and wall seconds; peak MB of the process; largest error of the volume of a label;
 smallest scaled Jacobian at a corner of hexahedra or tetrahedra; smallest dihedral angle of
 tetrahedra in degrees; cells whose volume is not positive, or a Jacobian at a corner of theirs; rms distance of points of interfaces to
 the true surface, in voxels; faces inside of the box that belong to one cell, where all of the box

@@ -116,7 +116,7 @@ def make_cgal(given, clock):
     sizes = {"min_facet_angle": 30.0, "max_radius_surface_delaunay_ball": 1.0,
              "max_facet_distance": 0.25, "max_circumradius_edge_ratio": 3.0,
              "max_cell_circumradius": 1.0}
-    # CGAL has the labels at points, half a voxel from our sides; label 0 around puts the sides back.
+    # Labels are at points, half a voxel from the sides; label 0 around puts the sides back.
     with clock:
         mesh = pygalmesh.generate_from_array(np.pad(given["labels"], 1), (1.0, 1.0, 1.0),
                                              verbose=False, seed=1, **sizes)
