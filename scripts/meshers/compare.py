@@ -13,7 +13,8 @@ keeps images, meshes and messages.
 
 Columns: CPU and wall seconds; peak MB of the process; largest error of the volume of a label;
 smallest scaled Jacobian at a corner of hexahedra or tetrahedra; smallest dihedral angle of
-Columns: CPU and wall seconds; peak MB of the process; largest error of the volume of a label;
+tetrahedra in degrees; cells whose volume is not positive, or a Jacobian at a corner of theirs;
+rms distance of points of interfaces to
 the true surface, in voxels; faces inside of the box that belong to one cell, where all of the box
 is meshed: 0 if interfaces conform.
 """
