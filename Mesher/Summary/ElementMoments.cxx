@@ -67,8 +67,8 @@ class JoinedSides
 {
 public:
   explicit JoinedSides(const MeshData& mesh) :
-    Lengths(mesh.PeriodicPartner ? std::vector<double>()
-                                 : NumbersOfField(mesh.Fields, "PeriodLengths")),
+    Lengths(
+      mesh.PeriodicPartner ? std::vector<double>() : NumbersOfField(mesh.Fields, "PeriodLengths")),
     Frame(FrameOfDomain(mesh))
   {
   }
