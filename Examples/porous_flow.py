@@ -139,12 +139,17 @@ def connect(pores):
     return kept
 
 
-def make_pores(cells, seed):
-    """Returns an image of connected pores, from noise whose width is 1/16 of the image."""
+def make_noise(cells, seed):
+    """Returns smooth periodic noise at the centres of cells; its width is 1/16 of the image."""
     wave = np.fft.fftfreq(cells, 1 / cells)
     square = sum(np.meshgrid(*3 * [wave ** 2], indexing="ij"))
     noise = np.random.default_rng(seed).standard_normal(3 * [cells])
-    noise = np.fft.ifftn(np.fft.fftn(noise) * np.exp(-2 * (np.pi / 16) ** 2 * square)).real
+    return np.fft.ifftn(np.fft.fftn(noise) * np.exp(-2 * (np.pi / 16) ** 2 * square)).real
+
+
+def make_pores(cells, seed):
+    """Returns an image of connected pores, where the noise is smallest."""
+    noise = make_noise(cells, seed)
     pores = connect(noise < np.quantile(noise, PORES))
     if not pores.any():
         sys.exit("porous_flow.py: no pores connect x_min to x_max; use another --seed")
@@ -182,7 +187,11 @@ def write_wall(mesh, path):
     """Writes the wall of the pores as triangles, .stl."""
     corners = np.concatenate([mesh.points[mesh.facets(name).points] for name in mesh.facet_sets()
                               if name.startswith("pores_to_")])
-    triangles = np.concatenate([corners[:, [0, 1, 2]], corners[:, [0, 2, 3]]])
+    write_triangles(np.concatenate([corners[:, [0, 1, 2]], corners[:, [0, 2, 3]]]), path)
+
+
+def write_triangles(triangles, path):
+    """Writes triangles of shape (triangles, 3, 3) as .stl."""
     records = np.zeros(len(triangles), [("numbers", "<f4", 12), ("end", "<u2")])
     records["numbers"][:, 3:] = triangles.reshape(-1, 9)
     with open(path, "wb") as file:

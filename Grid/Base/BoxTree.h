@@ -42,7 +42,7 @@ struct Bounds
 class BoxTree
 {
 public:
-  explicit BoxTree(const std::vector<Bounds>& boxes);
+  explicit BoxTree(std::vector<Bounds> boxes);
   /// Calls visit(i, j) once for each pair of boxes that touch, possibly several pairs at the same
   /// time.
   template <class Visitor>
@@ -56,14 +56,15 @@ private:
     int Next = 0;            // the first node behind all nodes below this one
     int First = 0, Last = 0; // range of Items; empty unless this is a leaf
   };
-  void Build(int first, int last, const std::vector<Bounds>& boxes);
+  void Build(int first, int last);
+  const Bounds& BoxOf(int item) const { return this->Boxes[this->Items[item]]; }
   template <class Visitor>
   void ForPairs(const Node& a, const Node& b, const Visitor& visit) const;
 
-  std::vector<int> Items;    // numbers of the boxes
-  std::vector<Bounds> Boxes; // in the order of Items
-  std::vector<Node> Nodes;   // in preorder
-  std::vector<int> Leaves;   // numbers of nodes, ascending
+  std::vector<Bounds> Boxes;
+  std::vector<int> Items;  // numbers of the boxes, in the order of the leaves
+  std::vector<Node> Nodes; // in preorder
+  std::vector<int> Leaves; // numbers of nodes, ascending
 };
 
 template <class Visitor>
@@ -93,10 +94,10 @@ void BoxTree::ForPairs(const Node& a, const Node& b, const Visitor& visit) const
 {
   for (int i = a.First; i < a.Last; ++i)
   {
-    const Bounds& box = this->Boxes[i];
+    const Bounds& box = this->BoxOf(i);
     for (int j = &a == &b ? i + 1 : b.First; j < b.Last && box.Touches(b.Box); ++j)
     {
-      if (box.Touches(this->Boxes[j]))
+      if (box.Touches(this->BoxOf(j)))
       {
         visit(this->Items[i], this->Items[j]);
       }

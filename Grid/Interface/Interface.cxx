@@ -3,6 +3,8 @@
 #include "Base/Vector3.h"
 #include "Interface/Crossings.h"
 
+#include <numeric>
+
 namespace vfm
 {
 namespace
@@ -12,6 +14,7 @@ namespace
 constexpr double SmallestSlide = 0.1;
 // Least distance of a node to a crossing, in cells; limits its weight.
 constexpr double SmallestDistance = 0.05;
+constexpr Index NodesOfBlock = 1024; // nodes per task
 
 } // namespace
 
@@ -102,21 +105,23 @@ Vector3 Interface::NodeWidths(Index node) const
 void Interface::FindSurfacePoints(Runtime& runtime)
 {
   const Index count = static_cast<Index>(this->MixedNodes.size());
-  std::vector<std::vector<SurfacePoint>> found(count);
-  runtime.For(0, count,
-    [&](Index first, Index last)
+  std::vector<std::vector<SurfacePoint>> found((count + NodesOfBlock - 1) / NodesOfBlock);
+  this->PointsAt.assign(count + 1, 0);
+  ForEach(runtime, found.size(),
+    [&](Index block)
     {
-      for (Index n = first; n < last; ++n)
+      std::vector<SurfacePoint> points;
+      const Index first = block * NodesOfBlock;
+      for (Index n = first; n < std::min(count, first + NodesOfBlock); ++n)
       {
-        this->AddSurfacePoints(n, found[n]);
+        points.clear();
+        this->AddSurfacePoints(n, points);
+        this->PointsAt[n + 1] = static_cast<Index>(points.size());
+        found[block].insert(found[block].end(), points.begin(), points.end());
       }
     });
-  this->PointsAt.assign(1, 0);
-  for (const auto& points : found)
-  {
-    this->SurfacePoints.insert(this->SurfacePoints.end(), points.begin(), points.end());
-    this->PointsAt.push_back(static_cast<Index>(this->SurfacePoints.size()));
-  }
+  std::partial_sum(this->PointsAt.begin(), this->PointsAt.end(), this->PointsAt.begin());
+  this->SurfacePoints = Joined(found);
 }
 
 /// Adds a point per pair at the node: the mean of the node projected onto the planes of the

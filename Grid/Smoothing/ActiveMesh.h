@@ -101,7 +101,10 @@ struct ActiveMesh
     if (this->Corners == 8)
     {
       const HexRings::Ring ring = this->Rings.PointsAt(point);
-      std::for_each(ring.First, ring.Last, visit);
+      for (int n = 0; n < ring.Count; ++n)
+      {
+        visit(ring[n]);
+      }
       return;
     }
     if (this->Stars.Has(point))

@@ -2,6 +2,7 @@
 
 #include "Smoothing/ActiveMesh.h"
 
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <unordered_map>
@@ -90,13 +91,51 @@ private:
   std::string Key;
 };
 
+/// Range of numbers of points.
+struct Range
+{
+  int Lowest = std::numeric_limits<int>::max(), Highest = -1;
+  void Add(int point)
+  {
+    this->Lowest = std::min(this->Lowest, point);
+    this->Highest = std::max(this->Highest, point);
+  }
+  Index Size() const { return std::max<Index>(Index(this->Highest) - this->Lowest + 1, 0); }
+};
+
 } // namespace
+
+/// Stores the points of all rings.
+void HexRings::Block::Store(const std::vector<int>& points, int firstOfRim)
+{
+  Range moving, rim;
+  for (int point : points)
+  {
+    (point < firstOfRim ? moving : rim).Add(point);
+  }
+  if (moving.Size() + rim.Size() > std::numeric_limits<std::uint16_t>::max())
+  {
+    this->Wide.assign(points.begin(), points.end()); // copied to drop spare capacity
+    return;
+  }
+  const int size = static_cast<int>(moving.Size());
+  this->Codes = { moving.Lowest, rim.Lowest - size, size };
+  this->Narrow.reserve(points.size());
+  for (int point : points)
+  {
+    const int shift = point < firstOfRim ? this->Codes.MovingShift : this->Codes.RimShift;
+    this->Narrow.push_back(static_cast<std::uint16_t>(point - shift));
+  }
+}
 
 /// Finds the rings of a block of points. Place::Hexes is the number of a list of the block.
 class HexRings::Finder
 {
 public:
-  Finder(const ActiveMesh& mesh, Block& block) : Mesh(mesh), Result(block) {}
+  Finder(const ActiveMesh& mesh, int firstOfRim, Block& block) :
+    Mesh(mesh), FirstOfRim(firstOfRim), Result(block)
+  {
+  }
 
   std::vector<HexList> Find(int first, int last)
   {
@@ -111,7 +150,7 @@ public:
       points.insert(points.end(), this->Ring.Points.begin(), this->Ring.Points.end());
     }
     this->Result.Places.push_back({ static_cast<std::uint32_t>(points.size()), 0, 0 });
-    this->Result.Points.assign(points.begin(), points.end()); // copied to drop spare capacity
+    this->Result.Store(points, this->FirstOfRim);
     return std::move(this->Numbers.Lists);
   }
 
@@ -144,6 +183,7 @@ private:
   }
 
   const ActiveMesh& Mesh;
+  int FirstOfRim;
   Block& Result;
   RingNumbers Ring;
   std::size_t Near = 0; // points of the ring before the far corners
@@ -164,8 +204,8 @@ HexRings::HexRings(const ActiveMesh& mesh, Runtime& runtime)
     [&](Index b)
     {
       const Index first = b * PointsOfBlock, last = std::min(count, first + PointsOfBlock);
-      lists[b] =
-        Finder(mesh, this->Blocks[b]).Find(static_cast<int>(first), static_cast<int>(last));
+      Finder finder(mesh, static_cast<int>(count), this->Blocks[b]);
+      lists[b] = finder.Find(static_cast<int>(first), static_cast<int>(last));
     });
   ListNumbers numbers;
   std::vector<std::uint32_t> begins; // first hex of each list

@@ -4,6 +4,8 @@
  *
  * Most points have the hexes of an equal star of cells in equal order. Such lists of indices are
  * stored once for all points that share them.
+ *
+ * Points of a ring are near each other in memory, so most rings are stored in 16 bits per point.
  */
 #pragma once
 
@@ -38,18 +40,45 @@ public:
   HexRings(const ActiveMesh& mesh, Runtime& runtime);
 
   bool IsEmpty() const { return this->Blocks.empty(); }
-  /// Points around an active point. From Near on, they are only far corners of its hexes.
-  struct Ring
+
+  /// Points of two ranges of numbers as codes of 16 bits: first the points that move, then the rim.
+  struct PointCodes
   {
-    const int *First, *Near, *Last;
+    int MovingShift = 0, RimShift = 0; ///< point minus code
+    int FirstOfRim = 0;                ///< code
+    int Point(int code) const
+    {
+      return code + (code < this->FirstOfRim ? this->MovingShift : this->RimShift);
+    }
+  };
+  /// Points around an active point. From Near on, they are only far corners of its hexes.
+  class Ring
+  {
+  public:
+    int Near, Count;
+    int operator[](int n) const
+    {
+      return this->Wide ? this->Wide[n] : this->Codes->Point(this->Narrow[n]);
+    }
+
+  private:
+    friend class HexRings;
+    Ring(int near, int count) : Near(near), Count(count) {}
+
+    const PointCodes* Codes = nullptr;
+    const std::uint16_t* Narrow = nullptr;
+    const int* Wide = nullptr; // nullptr if the points have codes
   };
   Ring PointsAt(int point) const
   {
     const Block& block = this->Blocks[point / PointsOfBlock];
-    const Place& place = block.Places[point % PointsOfBlock];
-    const int* points = block.Points.data();
-    return { points + place.First, points + place.Near,
-      points + block.Places[point % PointsOfBlock + 1].First };
+    const Place* place = block.Places.data() + point % PointsOfBlock;
+    Ring ring(static_cast<int>(place->Near - place->First),
+      static_cast<int>(place[1].First - place->First));
+    ring.Codes = &block.Codes;
+    ring.Narrow = block.Narrow.data() + place->First;
+    ring.Wide = block.Wide.empty() ? nullptr : block.Wide.data() + place->First;
+    return ring;
   }
   /// Returns the hexes at an active point, in number and order of ActiveMesh::CornerList.
   const Hex* HexesAt(int point) const
@@ -68,7 +97,12 @@ private:
   struct Block
   {
     std::vector<Place> Places; // one per point, and the end
-    std::vector<int> Points;
+    // Points of the rings: codes, or the points themselves if codes need more than 16 bits.
+    PointCodes Codes;
+    std::vector<std::uint16_t> Narrow;
+    std::vector<int> Wide;
+
+    void Store(const std::vector<int>& points, int firstOfRim);
   };
   class Finder;
 

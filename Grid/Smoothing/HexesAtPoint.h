@@ -44,10 +44,9 @@ public:
     List(mesh.Rings.HexesAt(point))
   {
     const HexRings::Ring ring = mesh.Rings.PointsAt(point);
-    PointOf<Real>* around = this->Around;
-    for (const int* p = ring.First; p < ring.Near; ++p)
+    for (int n = 0; n < ring.Near; ++n)
     {
-      *around++ = Difference<Real>(mesh.X[*p], x);
+      this->Around[n] = Difference<Real>(mesh.X[ring[n]], x);
     }
   }
 

@@ -187,9 +187,14 @@ class FreeFacets
 public:
   FreeFacets(const ActiveMesh& mesh, Ranks& ranks) : Mesh(mesh)
   {
+    const auto isFree = [](const Facet& facet)
+    { return facet.Fragments[0] == 0 || facet.Fragments[1] == 0; };
+    const Index count = std::count_if(mesh.Facets.begin(), mesh.Facets.end(), isFree);
+    this->Own.reserve(count);
+    this->Boxes.reserve(count);
     for (const Facet& facet : mesh.Facets)
     {
-      if (facet.Fragments[0] == 0 || facet.Fragments[1] == 0)
+      if (isFree(facet))
       {
         this->Own.push_back(&facet);
         this->Boxes.push_back(BoundsOf(this->OwnAt(this->Own.size() - 1).X));
@@ -203,7 +208,8 @@ public:
 
   /// Returns the number of facets of this rank; they are the first ones.
   Index CountOwn() const { return static_cast<Index>(this->Own.size()); }
-  const std::vector<Bounds>& AllBounds() const { return this->Boxes; }
+  /// Returns the bounds of all facets; they are not kept.
+  std::vector<Bounds> TakeBounds() { return std::move(this->Boxes); }
   Shape At(Index facet) const
   {
     return facet < this->CountOwn() ? this->OwnAt(facet) : this->Received[facet - this->CountOwn()];
@@ -301,9 +307,10 @@ void FreeFacets::Add(const std::vector<SentFacet>& facets, const std::vector<Ind
 
 std::vector<unsigned char> FindIntersections(const ActiveMesh& mesh, Runtime& runtime)
 {
-  const FreeFacets facets(mesh, runtime.Group());
-  const BoxTree tree(facets.AllBounds());
-  std::vector<unsigned char> intersects(facets.AllBounds().size(), 0);
+  FreeFacets facets(mesh, runtime.Group());
+  std::vector<Bounds> bounds = facets.TakeBounds();
+  std::vector<unsigned char> intersects(bounds.size(), 0);
+  const BoxTree tree(std::move(bounds));
   tree.ForPairs(runtime,
     [&](Index f, Index g)
     {

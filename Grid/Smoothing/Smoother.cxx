@@ -129,48 +129,40 @@ Smoother::Smoother(
   {
     mesh.Rings = HexRings(mesh, runtime);
   }
-  if (!mesh.StaysNear.empty())
-  {
-    this->FindReach();
-  }
 }
 
-void Smoother::FindReach()
+/// Returns the largest distance of a point near narrow void from its start, along each axis.
+Vector3 Smoother::ReachOf(int point) const
 {
-  this->Reach.assign(this->Mesh.X.size(), { { NoLimit, NoLimit, NoLimit } });
-  const double cells = this->Mesh.HasCubes() ? ReachInCubes : ReachInBoxes;
+  if (this->Mesh.HasCubes())
+  {
+    return ReachInCubes * this->Mesh.Widths[0];
+  }
+  Vector3 reach{ { NoLimit, NoLimit, NoLimit } };
   const std::vector<Index>& corners = this->Mesh.CornerOffset;
-  this->Mesh.ForOwned(
-    [&](int point)
+  for (Index at = corners[point]; at < corners[point + 1]; ++at)
+  {
+    const Vector3& widths = this->Mesh.WidthsAt(this->Mesh.CornerList[at]);
+    for (int a = 0; a < 3; ++a)
     {
-      if (!this->Mesh.StaysNear[point])
-      {
-        return;
-      }
-      Vector3& reach = this->Reach[point];
-      for (Index at = corners[point]; at < corners[point + 1]; ++at)
-      {
-        const Vector3& widths = this->Mesh.WidthsAt(this->Mesh.CornerList[at]);
-        for (int a = 0; a < 3; ++a)
-        {
-          reach[a] = std::min(reach[a], cells * widths[a]);
-        }
-      }
-    });
+      reach[a] = std::min(reach[a], ReachInBoxes * widths[a]);
+    }
+  }
+  return reach;
 }
 
 /// Returns whether a point may be at x, as far as its distance from its start tells.
 bool Smoother::StaysNear(int point, const Vector3& x) const
 {
-  if (this->Reach.empty() || !this->Mesh.StaysNear[point])
+  if (this->Mesh.StaysNear.empty() || !this->Mesh.StaysNear[point])
   {
     return true;
   }
-  const Vector3 start = this->Mesh.StartOf(point);
+  const Vector3 start = this->Mesh.StartOf(point), reach = this->ReachOf(point);
   bool isNear = true;
   for (int a = 0; a < 3; ++a)
   {
-    isNear &= std::abs(x[a] - start[a]) <= this->Reach[point][a];
+    isNear &= std::abs(x[a] - start[a]) <= reach[a];
   }
   return isNear;
 }
@@ -546,14 +538,10 @@ Vector3 Smoother::Moved(int point, const Vector3& step) const
   Vector3 x = this->Mesh.X[point] + step;
   for (int a = 0; a < 3; ++a)
   {
-    if (step[a] < 0.0)
-    {
-      x[a] = std::max(x[a], std::min(this->Mesh.Lower[a], this->Mesh.X[point][a]));
-    }
-    else if (step[a] > 0.0)
-    {
-      x[a] = std::min(x[a], std::max(this->Mesh.Upper[a], this->Mesh.X[point][a]));
-    }
+    const double before = this->Mesh.X[point][a];
+    const double low = std::min(this->Mesh.Lower[a], before);
+    const double high = std::max(this->Mesh.Upper[a], before);
+    x[a] = std::min(std::max(x[a], low), high);
   }
   return x;
 }

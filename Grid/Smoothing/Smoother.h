@@ -116,7 +116,7 @@ private:
     }
     return stays;
   }
-  void FindReach();
+  Vector3 ReachOf(int point) const;
   bool StaysNear(int point, const Vector3& x) const;
   int FixedAxes(int point, const Vector3& step) const;
   Vector3 Moved(int point, const Vector3& step) const;
@@ -138,8 +138,6 @@ private:
   const ElementEnergy& Energy;
   Runtime& Run;
   Guard TheGuard;
-  /// Largest distance of each point from its start, along each axis; empty: no limit.
-  std::vector<Vector3> Reach;
   bool ChecksAll = false; // whether each move is checked
   /// Set if targets were shifted and points marked since the last sweep.
   bool HasShifted = false;

@@ -54,7 +54,8 @@ def read_numbers(path, columns=1):
 
 
 def read_faces(path):
-    """Reads faces of equal numbers of corners, shape (faces, corners), as text or binary."""
+    """Reads faces, as text or binary: shape (faces, corners), or a list if faces of a text have
+    different numbers of corners."""
     with open(path, "rb") as file:
         data = file.read()
     if b"faceCompactList" not in data:
@@ -62,7 +63,10 @@ def read_faces(path):
         count = int(re.search(rb"\n(\d+)\n", body).group(1))
         lines = re.findall(rb"\d+\(([\d ]+)\)", body)
         assert len(lines) == count
-        return np.array([line.split() for line in lines], int)
+        faces = [line.split() for line in lines]
+        if len(set(map(len, faces))) > 1:
+            return [np.array(face, int) for face in faces]
+        return np.array(faces, int)
     begin, lists = data.index(b"}\n"), []
     for _ in range(2):
         match = re.compile(rb"\n(\d+)\n").search(data, begin)

@@ -55,6 +55,20 @@ ActiveMesh MakeStar(double shake, int times, std::vector<Vector3> widths, unsign
   return mesh;
 }
 
+/// Returns the rings of one hex. Its upper four points are numbered from `upper` on.
+/// @param moves  whether these points move; if not, they are the rim
+HexRings RingsOfHex(int upper, bool moves)
+{
+  ActiveMesh mesh;
+  mesh.Elements = { 0, 1, 2, 3, upper, upper + 1, upper + 2, upper + 3 };
+  mesh.X.resize(upper + 4);
+  mesh.IsActive.assign(mesh.X.size(), moves);
+  std::fill_n(mesh.IsActive.begin(), 4, 1);
+  mesh.ListCorners();
+  Runtime runtime;
+  return HexRings(mesh, runtime);
+}
+
 /// Type of higher precision, so that the reference has no rounding error.
 using Real = long double;
 
@@ -226,4 +240,25 @@ TEST(HexEnergyTest, PlaceDoesNotMatter)
   const HexEnergy energy(Target);
   const double here = energy.Evaluate(near, 0, near.X[0], stage);
   EXPECT_NEAR(energy.Evaluate(far, 0, far.X[0], stage), here, 1e-5 * here);
+}
+
+TEST(HexRingsTest, HoldsPointsOfAnyNumber)
+{
+  for (int upper : { 4, 60000, 70000 })
+  {
+    for (bool moves : { false, true })
+    {
+      const HexRings rings = RingsOfHex(upper, moves);
+      const HexRings::Ring ring = rings.PointsAt(3);
+      std::vector<int> points;
+      for (int n = 0; n < ring.Count; ++n)
+      {
+        points.push_back(ring[n]);
+      }
+      EXPECT_EQ(points.back(), upper) << "the far corner";
+      EXPECT_EQ(ring.Near, 6);
+      std::sort(points.begin(), points.end());
+      EXPECT_EQ(points, (std::vector<int>{ 0, 1, 2, upper, upper + 1, upper + 2, upper + 3 }));
+    }
+  }
 }

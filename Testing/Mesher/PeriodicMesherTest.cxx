@@ -7,6 +7,7 @@
 #include "Sets/MeshSets.h"
 #include "Sets/PeriodicPairs.h"
 #include "State/ViewMesh.h"
+#include "Summary/ElementMoments.h"
 #include "Summary/MeshFacets.h"
 #include "ThreadRanks.h"
 
@@ -103,6 +104,19 @@ void CountFaces(const Mesh& mesh, std::map<FaceIds, int>& faces)
       ++faces[IdsOfFace(mesh, static_cast<Index>(element), side)];
     }
   }
+}
+
+/// Returns the volume of the elements of a mesh with joined sides; all must be positive.
+double SumVolumes(const MesherResult& result)
+{
+  double sum = 0.0;
+  for (const ElementMoments& element :
+    FindElementMoments(ViewMesh(result.TheMesh, result.State, result.Fields)))
+  {
+    EXPECT_GT(element.Volume, 0.0);
+    sum += element.Volume;
+  }
+  return sum;
 }
 
 using Point = std::array<double, 4>; // position and partner
@@ -261,23 +275,27 @@ TEST_P(JoinedMesher, HasNoBoundary)
   {
     MeshById joined;
     std::map<FaceIds, int> faces; // number of elements of each
+    double volume = 0.0;
     std::mutex mutex;
     RunOnRanks(count,
       [&](ThreadRanks& ranks)
       {
         RankRuntime runtime(ranks);
-        Mesh mesh = RunMesher(MakeRandomInput(Cells, ranks), options, runtime).TheMesh;
+        const MesherResult result = RunMesher(MakeRandomInput(Cells, ranks), options, runtime);
+        const Mesh& mesh = result.TheMesh;
         EXPECT_TRUE(std::is_sorted(mesh.PointIds.begin(), mesh.PointIds.end()));
         EXPECT_TRUE(mesh.PointIds.empty() || mesh.PointIds[0] > 0);
         EXPECT_TRUE(mesh.PeriodicPartner.empty());
         const std::lock_guard<std::mutex> lock(mutex);
         joined.Add(mesh);
         CountFaces(mesh, faces);
+        volume += SumVolumes(result);
       });
     for (const auto& face : faces)
     {
       ASSERT_EQ(face.second, 2);
     }
+    EXPECT_NEAR(volume, 7.0 * 8.0 * 6.0 * Width * Width * Width, 1e-12);
     alone = count == 1 ? joined : alone;
     EXPECT_TRUE(joined.Points == alone.Points);
     EXPECT_TRUE(joined.Elements == alone.Elements);

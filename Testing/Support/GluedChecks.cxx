@@ -1,6 +1,10 @@
 #include "GluedChecks.h"
 
+#include "RandomDraw.h"
+
+#include <limits>
 #include <map>
+#include <random>
 #include <set>
 
 namespace vfm
@@ -91,6 +95,88 @@ FractionField MakePeriodicLabels(
         own[a] -= grid.Domain().Lower[a];
       }
       return label(own);
+    });
+}
+
+FractionField SamplePeriodic(const CartesianGrid& grid, int materials, int samples,
+  const std::function<int(const Vector3&)>& label)
+{
+  const IndexBox& domain = grid.Domain();
+  const Vector3 corner = grid.NodePoint(domain.Lower);
+  const double part = 1.0 / (samples * samples * samples);
+  std::map<Index3, std::vector<FractionField::Part>> cells;
+  ForCells(domain,
+    [&](const Index3& cell)
+    {
+      std::map<int, int> counts;
+      ForCells({ {}, { { samples, samples, samples } } },
+        [&](const Index3& sample)
+        {
+          Vector3 x = grid.NodePoint(cell) - corner;
+          for (int a = 0; a < 3; ++a)
+          {
+            x[a] += grid.Width(a, cell[a]) * (static_cast<double>(sample[a]) + 0.5) / samples;
+          }
+          ++counts[label(x)];
+        });
+      for (const auto& [own, count] : counts)
+      {
+        if (own > 0)
+        {
+          cells[cell].push_back({ own, count * part });
+        }
+      }
+    });
+  FractionField field(grid, materials);
+  ForCells(grid.Local(),
+    [&](const Index3& cell) { field.SetParts(grid.Linear(cell), cells[grid.Canonical(cell)]); });
+  return field;
+}
+
+FractionField MakePeriodicPolycrystal(const CartesianGrid& grid, unsigned seed, int grains)
+{
+  const auto n = static_cast<double>(grid.Domain().Size(0));
+  RandomDraw draw(seed);
+  std::vector<Vector3> seeds;
+  for (int g = 0; g < grains; ++g)
+  {
+    seeds.push_back(draw.Vector(0.0, n));
+  }
+  return SamplePeriodic(grid, grains, 4,
+    [&](const Vector3& x)
+    {
+      int nearest = 0;
+      double lowest = std::numeric_limits<double>::max();
+      for (int g = 0; g < grains; ++g)
+      {
+        double distance = 0.0;
+        for (int a = 0; a < 3; ++a)
+        {
+          const double d = std::fabs(x[a] - seeds[g][a]);
+          distance += std::min(d, n - d) * std::min(d, n - d);
+        }
+        nearest = distance < lowest ? g + 1 : nearest;
+        lowest = std::min(lowest, distance);
+      }
+      return nearest;
+    });
+}
+
+FractionField MakeRandomPeriodic(
+  const CartesianGrid& grid, int materials, int lowest, unsigned seed)
+{
+  std::mt19937 random(seed);
+  std::map<Index3, int> labels;
+  return MakePeriodicLabels(grid, materials,
+    [&](const Index3& cell)
+    {
+      const auto at = labels.emplace(cell, 0);
+      if (at.second)
+      {
+        at.first->second =
+          lowest + static_cast<int>(random() % static_cast<unsigned>(materials + 1 - lowest));
+      }
+      return at.first->second;
     });
 }
 

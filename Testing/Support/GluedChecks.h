@@ -21,6 +21,20 @@ CartesianGrid MakePeriodicGrid(const Index3& n, const std::array<bool, 3>& isPer
 FractionField MakePeriodicLabels(
   const CartesianGrid& grid, int materials, const std::function<int(const Index3&)>& label);
 
+/// Returns random labels from lowest to materials; copies get the labels of their cells.
+FractionField MakeRandomPeriodic(
+  const CartesianGrid& grid, int materials, int lowest, unsigned seed);
+
+/// Returns the fractions of labels at samples^3 points of each cell; copies get those of their
+/// cells.
+/// @param label  label(x) at a point, in lengths from the lower corner of the domain
+FractionField SamplePeriodic(const CartesianGrid& grid, int materials, int samples,
+  const std::function<int(const Vector3&)>& label);
+
+/// Returns a polycrystal of Voronoi cells that repeats along all axes, in n^3 unit cells, by 4^3
+/// samples per cell.
+FractionField MakePeriodicPolycrystal(const CartesianGrid& grid, unsigned seed, int grains = 20);
+
 /// Returns a mesh in which points that are translates of each other, bitwise, are one point.
 /// @param mesh  mesh of the whole domain
 Mesh Glue(const CartesianGrid& grid, const Mesh& mesh);

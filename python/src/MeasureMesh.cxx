@@ -30,9 +30,12 @@ const T* OfEach(const Column<T>& values, Index count, const char* name)
   return values.data();
 }
 
-nb::object MeasureVolumes(const NumpyPoints& points, const NumpyCells& cells)
+nb::object MeasureVolumes(
+  const NumpyPoints& points, const NumpyCells& cells, const nb::dict& fields)
 {
-  const std::vector<ElementMoments> moments = FindElementMoments(ViewMesh(points, cells));
+  MeshData mesh = ViewMesh(points, cells);
+  mesh.Fields = ReadFields(fields);
+  const std::vector<ElementMoments> moments = FindElementMoments(mesh);
   Buffer<double> volumes(moments.size());
   std::transform(moments.begin(), moments.end(), volumes.begin(),
     [](const ElementMoments& element) { return element.Volume; });
@@ -118,7 +121,7 @@ nb::dict MeasureFragments(const NumpyPoints& points, const NumpyCells& cells,
 
 void BindMeasures(nb::module_& module)
 {
-  module.def("element_volumes", MeasureVolumes, "points"_a, "cells"_a);
+  module.def("element_volumes", MeasureVolumes, "points"_a, "cells"_a, "fields"_a);
   module.def("fragments", MeasureFragments, "points"_a, "cells"_a, "point_ids"_a, "dimension"_a,
     "material"_a, "fragment"_a, "density"_a.none(), "velocity"_a.none());
 }

@@ -282,9 +282,10 @@ def triangle_fractions(
     surface is open or not manifold.
     """
 
-def element_volumes(points: NDArray[np.float64], cells: NDArray[np.int64]) -> NDArray[np.float64]:
+def element_volumes(points: NDArray[np.float64], cells: NDArray[np.int64],
+                    fields: Dict[str, Any]) -> NDArray[np.float64]:
     """Returns the exact volumes, shape (m,), of trilinear hexahedra, cells of shape (m, 8), or of
-    tetrahedra, (m, 4)."""
+    tetrahedra, (m, 4). fields: those of a mesh whose periodic sides are joined, or empty."""
 
 class FragmentColumns(TypedDict, total=False):
     """Columns with an entry per fragment 1, 2, ..: mass with a density, momentum with a velocity

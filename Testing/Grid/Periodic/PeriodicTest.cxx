@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 using namespace vfm;
@@ -34,24 +35,6 @@ const Method Methods[] = { { "FlatHexes", MakeHexMesh, TetMethod::Lattice, Seam:
 class Periodic : public ::testing::TestWithParam<Method>
 {
 };
-
-FractionField MakeRandomPeriodic(
-  const CartesianGrid& grid, int materials, int lowest, unsigned seed)
-{
-  std::mt19937 random(seed);
-  std::map<Index3, int> labels;
-  return MakePeriodicLabels(grid, materials,
-    [&](const Index3& cell)
-    {
-      const auto at = labels.emplace(cell, 0);
-      if (at.second)
-      {
-        at.first->second =
-          lowest + static_cast<int>(random() % static_cast<unsigned>(materials + 1 - lowest));
-      }
-      return at.first->second;
-    });
-}
 
 /// Returns the largest distance of a point beyond the domain along periodic axes.
 double FindExcess(const CartesianGrid& grid, const Mesh& mesh)
@@ -96,6 +79,42 @@ TEST_P(Periodic, RandomLabelsGiveValidTorus)
   }
   // Flat sides stay in their planes, free sides follow interfaces.
   EXPECT_TRUE(method.Sides == Seam::Flat ? excess < 1e-12 : excess > 0.1) << excess;
+}
+
+/// With free sides, a body across the corner of the cell gets the same mesh as one in its middle.
+TEST_P(Periodic, PlaceOfSidesDoesNotMatter)
+{
+  const Method& method = this->GetParam();
+  if (method.Sides == Seam::Flat)
+  {
+    GTEST_SKIP() << "flat sides cut bodies";
+  }
+  const CartesianGrid grid =
+    MakePeriodicGrid({ { 12, 12, 12 } }, { { true, true, true } }, method.Sides);
+  MeshReport reports[2];
+  std::size_t elements[2];
+  for (const int place : { 0, 1 })
+  {
+    const FractionField field = SamplePeriodic(grid, 1, 4,
+      [&](const Vector3& x)
+      {
+        double squares = 0.0;
+        for (double coordinate : x)
+        {
+          const double away = std::fabs(coordinate - 6.0 * place);
+          squares += std::pow(std::min(away, 12.0 - away), 2);
+        }
+        return squares < 4.2 * 4.2 ? 1 : 0;
+      });
+    MeshOptions options;
+    options.Tets = method.Tets;
+    Runtime alone;
+    elements[place] = method.Make(grid, field, options, alone, reports[place]).ElementIds.size();
+  }
+  EXPECT_EQ(elements[0], elements[1]);
+  EXPECT_EQ(reports[0].NumberOfFragments, 1);
+  EXPECT_NEAR(reports[0].MinimumScaledJacobian, reports[1].MinimumScaledJacobian, 1e-4);
+  EXPECT_NEAR(reports[0].MeshVolume[1], reports[0].TargetVolume[1], 1e-5);
 }
 
 /// Returns void with a few balls, some across sides, in base cells of 2^refinements cells.
