@@ -1,5 +1,6 @@
 #include "GluedChecks.h"
 
+#include "Base/Vector3.h"
 #include "RandomDraw.h"
 
 #include <limits>
