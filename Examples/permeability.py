@@ -12,13 +12,14 @@ drag 6 pi viscosity x radius x mean velocity in the cube. It is compared with ta
 and G. M. Homsy, Stokes flow through periodic arrays of spheres, Journal of Fluid Mechanics 115
 (1982) 13-26. The permeability in squares of the radius is 2 / (9 x solid fraction x K).
 
-Prints a row per solid fraction: elements, relative error of the volume of the mesh, failed checks by
-checkMesh, permeability, K, K of the table and the difference, change of K in the last steps, and
-CPU seconds of simpleFoam. The picture, of the last fraction, requires pvbatch. Requires
+Prints a row per solid fraction: elements, relative error of the volume of the mesh, failed checks
+by checkMesh, permeability, K, K of the table and the relative difference, change of K in the last
+steps, and CPU seconds of simpleFoam. The picture, of the last fraction, requires pvbatch. Requires
 volume_fraction_mesh and OpenFOAM (Debian: openfoam).
 """
 import argparse
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -68,7 +69,8 @@ ROW = "%-7s %9s %9s %9s %9s %8s %8s %8s %7s %7s"
 def parse_arguments():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--cells", type=int, default=32, help="cells of the cube along an axis, even")
+    parser.add_argument("--cells", type=int, default=32,
+                        help="cells of the cube along an axis, even")
     parser.add_argument("--solid", type=float, nargs="+", default=[0.064, 0.125, 0.216],
                         choices=PUBLISHED, help="volume fractions of the spheres")
     parser.add_argument("--sides", choices=("flat", "free"), default="flat")
@@ -120,6 +122,7 @@ def measure(solid, folder, arguments):
     report = openfoam.run(openfoam.CHECKS, folder)
     problems = openfoam.find_problems(report)
     begin = cpu_seconds()
+    shutil.rmtree(os.path.join(folder, "postProcessing"), ignore_errors=True)  # of an earlier run
     openfoam.run("simpleFoam", folder)
     solving = cpu_seconds() - begin
     velocities = read_velocities(folder)

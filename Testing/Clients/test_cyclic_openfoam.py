@@ -43,6 +43,7 @@ def test_decompose(tmp_path):
     write_input(tmp_path, make_labels("array"))
     case = tmp_path / "case"
     run_sculptor(tmp_path, case, 3, "--periodic", "xyz", "--single-file")
-    foam.write(case, "system/decomposeParDict", "numberOfSubdomains 3;\nmethod scotch;\n")
+    foam.write(case, "system/decomposeParDict", "numberOfSubdomains 3;\nmethod simple;\n"
+               "simpleCoeffs { n (3 1 1); delta 0.001; }\n")
     foam.run("decomposePar", case)
     check_mesh(case, 3)

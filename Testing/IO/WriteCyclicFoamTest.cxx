@@ -180,7 +180,9 @@ TEST_P(CyclicFoam, ZonesHaveBothCopies)
       }
     }
   }
-  EXPECT_GT(found, 0);
+  EXPECT_EQ(found > 0,
+    this->GetParam().Kind == Sides::Free ||
+      this->GetParam().Elements == ElementKind::Tets); // no label of flat hexahedra needs them here
 }
 
 TEST_P(CyclicFoam, WholeMeshOfThreeRanks)
