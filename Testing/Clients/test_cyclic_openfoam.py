@@ -39,7 +39,7 @@ def test_check_mesh(name, make, sides, tmp_path):
 
 
 def test_decompose(tmp_path):
-    """decomposePar makes parts of a whole mesh that three ranks wrote, and checkMesh accepts them."""
+    """decomposePar decomposes a whole mesh of three ranks, and checkMesh accepts the parts."""
     write_input(tmp_path, make_labels("array"))
     case = tmp_path / "case"
     run_sculptor(tmp_path, case, 3, "--periodic", "xyz", "--single-file")

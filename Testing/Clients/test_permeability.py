@@ -1,4 +1,4 @@
-"""Examples/permeability.py: drag of a cubic array of spheres against the table of Zick and Homsy."""
+"""Examples/permeability.py: drag of a cubic array of spheres against Zick and Homsy."""
 
 import os
 import re

@@ -1,10 +1,10 @@
 #include "Meshes/OpenFoam/CyclicSides.h"
 
 #include "Meshes/OpenFoam/CellSides.h"
+#include "Sets/PeriodicPairs.h"
 #include "Summary/DomainSides.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <tuple>
 
@@ -41,7 +41,7 @@ std::vector<Copy> SortByPartners(const MeshData& mesh, const std::vector<Index>&
   return copies;
 }
 
-/// Counts the periods along the axes of the image between copies.
+/// Counts the periods between sides that are copies of each other.
 class PeriodCounter
 {
 public:
@@ -56,14 +56,7 @@ public:
 
   Index3 Count(Index from, Index to) const
   {
-    const Vector3 step = this->FirstPoint(to) - this->FirstPoint(from);
-    Index3 periods{ { 0, 0, 0 } };
-    for (int a = 0; a < 3; ++a)
-    {
-      const double length = this->Lengths[a];
-      periods[a] = length > 0.0 ? std::llround(step[a] / length) : 0;
-    }
-    return periods;
+    return CountPeriods(this->FirstPoint(from), this->FirstPoint(to), this->Lengths);
   }
 
 private:
