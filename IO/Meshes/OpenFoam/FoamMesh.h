@@ -7,11 +7,11 @@
  *   the owner. Each face begins with its lowest point; in a periodic mesh with the one with the
  *   lowest partner.
  * - Patches of a periodic mesh: pairs of type cyclic on opposite sides of the domain, also for
- * faces between two materials. Face i of one patch is a translate of face i of the other, with the
- * same first point.
+ *   faces between two materials. Face i of one patch is a translate of face i of the other, with
+ *   the same first point.
  * - Other patches: each side of the domain, of type patch; each smooth side, or else interface, to
- * space without elements, of type wall; "defaultFaces" for boundary faces that are on no named
- * surface. A smooth side is in the patch group of its interface.
+ *   space without elements, of type wall; "defaultFaces" for boundary faces that are on no named
+ *   surface. A smooth side is in the patch group of its interface.
  * - Zones: cells of each material; faces between cells of each interface, oriented from its first
  *   to its second material, also in cyclic patches.
  */
