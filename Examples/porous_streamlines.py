@@ -1,6 +1,6 @@
-"""Draws streamlines in the pores of a case that porous_flow.py solved.
+"""Draws streamlines in the pores of a case that porous_flow.py or permeability.py solved.
 
-usage: pvbatch porous_streamlines.py CASE/mesh.foam FILE.png
+usage: pvbatch porous_streamlines.py [--zoom 1.1] CASE/mesh.foam FILE.png
 
 One half of the wall is shown. The colour of the streamlines is the speed, relative to its maximum.
 Needs an X server.
@@ -25,6 +25,7 @@ def parse_arguments():
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("case", help="file .foam of the case")
     parser.add_argument("picture", help="file to write, .png")
+    parser.add_argument("--zoom", type=float, default=1.1)
     return parser.parse_args()
 
 
@@ -43,7 +44,7 @@ def wall_names(case):
     """Returns the patches of the wall."""
     reader = simple.OpenFOAMReader(FileName=case)
     reader.UpdatePipelineInformation()
-    return [name for name in reader.MeshRegions.Available if "pores_to_" in name]
+    return [name for name in reader.MeshRegions.Available if "_to_Void" in name]
 
 
 def main():
@@ -75,7 +76,7 @@ def main():
     bar = simple.GetScalarBar(simple.GetColorTransferFunction("Speed"), view)
     bar.TitleFontSize, bar.LabelFontSize, bar.ScalarBarThickness, bar.Position = (
         20, 16, 14, (0.25, 0.01))
-    pictures.aim(view, bounds, (-0.3, -1.0, 0.35), 1.1, 0.25)
+    pictures.aim(view, bounds, (-0.3, -1.0, 0.35), arguments.zoom, 0.25)
     pictures.save(view, arguments.picture)
 
 

@@ -8,11 +8,7 @@
 
 namespace vfm
 {
-namespace
-{
 
-/// Returns the number of periods between two points.
-/// @param lengths PeriodLengths
 Index3 CountPeriods(const Vector3& from, const Vector3& to, const std::vector<double>& lengths)
 {
   Index3 periods{ { 0, 0, 0 } };
@@ -22,8 +18,6 @@ Index3 CountPeriods(const Vector3& from, const Vector3& to, const std::vector<do
   }
   return periods;
 }
-
-} // namespace
 
 std::vector<PeriodicPair> FindPeriodicPairs(const MeshData& mesh)
 {

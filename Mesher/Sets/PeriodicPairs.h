@@ -15,6 +15,10 @@ struct PeriodicPair
   Index3 Periods;       ///< number of periods along x, y, z (axes of the image) between both
 };
 
+/// Returns the number of periods between two points in axes of the image.
+/// @param lengths PeriodLengths
+Index3 CountPeriods(const Vector3& from, const Vector3& to, const std::vector<double>& lengths);
+
 /// Returns the pairs of a mesh, ascending by point; none if the mesh is not periodic.
 /// @param mesh whole mesh, with the field PeriodLengths
 /// @throws InputError if a partner is not in the mesh

@@ -140,7 +140,11 @@ FaceIds PointsOfSide(const MeshData& mesh, Index side)
   FaceIds points =
     table.PointsOf(mesh.Element(side / table.Count), static_cast<int>(side % table.Count));
   const auto end = points.begin() + table.Corners;
-  std::rotate(points.begin(), std::min_element(points.begin(), end), end);
+  const auto key = [&mesh](Index point)
+  { return mesh.PeriodicPartner ? mesh.PeriodicPartner[point] : point; };
+  const auto first =
+    std::min_element(points.begin(), end, [&key](Index a, Index b) { return key(a) < key(b); });
+  std::rotate(points.begin(), first, end);
   return points;
 }
 

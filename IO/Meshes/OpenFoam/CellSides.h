@@ -30,7 +30,8 @@ struct CellSides
 };
 
 /// Returns the points of a side, counterclockwise seen from outside of its cell, from the lowest
-/// one. The last point of a triangle is -1.
+/// one; in a periodic mesh from the one with the lowest partner. The last point of a triangle is
+/// -1.
 FaceIds PointsOfSide(const MeshData& mesh, Index side);
 /// Returns the points of a side in ascending order. The first point of a triangle is -1.
 FaceIds SortedPointsOfSide(const MeshData& mesh, Index side);

@@ -99,6 +99,11 @@ void PolyMeshWriter::WriteBoundary() const
         file.Text("    " + patch.Name + "\n    {\n        type            " + patch.Type + ";\n" +
           DescribeGroups(patch) + "        nFaces          " + std::to_string(patch.Count) +
           ";\n        startFace       " + std::to_string(first) + ";\n");
+        if (!patch.Opposite.empty())
+        {
+          file.Text(
+            "        matchTolerance  0.0001;\n        neighbourPatch  " + patch.Opposite + ";\n");
+        }
         if (patch.Neighbour >= 0)
         {
           file.Text("        matchTolerance  0.0001;\n        myProcNo        " +

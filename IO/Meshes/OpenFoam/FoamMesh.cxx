@@ -1,5 +1,6 @@
 #include "Meshes/OpenFoam/FoamMesh.h"
 
+#include "Meshes/OpenFoam/CyclicSides.h"
 #include "Meshes/OpenFoam/FoamSurfaces.h"
 #include "Ranks/Agreement.h"
 #include "Summary/MeshMaterials.h"
@@ -7,6 +8,7 @@
 
 #include <limits>
 #include <map>
+#include <numeric>
 
 namespace vfm
 {
@@ -27,6 +29,7 @@ public:
   }
 
   void AddInnerFaces();
+  void AddCyclicPatches();
   /// @pre Collective
   void AddPatches(Ranks& ranks);
   void AddRemoteFaces();
@@ -42,6 +45,7 @@ private:
   FoamMesh& Foam;
   const FoamSurfaces Surfaces;
   const CellSides Cells;
+  std::vector<Index> Open; ///< sides on patches that are added later
 };
 
 void FoamMeshMaker::AddInnerFaces()
@@ -74,11 +78,39 @@ void FoamMeshMaker::AddInnerFaces()
   }
 }
 
+void FoamMeshMaker::AddCyclicPatches()
+{
+  std::vector<Index> open;
+  for (Index side = 0; side < static_cast<Index>(this->Cells.Behind.size()); ++side)
+  {
+    if (this->Cells.Behind[side] == NothingBehind)
+    {
+      open.push_back(side);
+    }
+  }
+  CyclicSides cyclic = FindCyclicSides(this->Foam.Mesh, open);
+  for (const CyclicPatches& both : cyclic.Patches)
+  {
+    for (int p = 0; p < 2; ++p)
+    {
+      const std::vector<Index>& sides = both.Sides[p];
+      this->Foam.Patches.push_back(
+        { both.Names[p], "cyclic", "", static_cast<Index>(sides.size()), -1, both.Names[1 - p] });
+      this->Foam.Sides.insert(this->Foam.Sides.end(), sides.begin(), sides.end());
+    }
+  }
+  this->Open = std::move(cyclic.Others);
+}
+
 /// Returns a patch for each surface and for faces on no surface.
 std::vector<FoamPatch> FoamMeshMaker::ListPatches() const
 {
   std::vector<FoamPatch> patches;
   UniqueNames used;
+  for (const FoamPatch& cyclic : this->Foam.Patches)
+  {
+    used.Add(cyclic.Name);
+  }
   for (const FoamSurface& surface : this->Surfaces.Surfaces)
   {
     const std::string& interface = this->Surfaces.Surfaces[surface.Interface].Name;
@@ -107,13 +139,10 @@ void FoamMeshMaker::AddPatches(Ranks& ranks)
 {
   std::vector<FoamPatch> patches = this->ListPatches();
   std::vector<std::vector<Index>> sides(patches.size());
-  for (Index side = 0; side < static_cast<Index>(this->Cells.Behind.size()); ++side)
+  for (Index side : this->Open)
   {
-    if (this->Cells.Behind[side] == NothingBehind)
-    {
-      const SurfaceSide* entry = this->Surfaces.Find(side);
-      (entry ? sides[entry->Surface] : sides.back()).push_back(side);
-    }
+    const SurfaceSide* entry = this->Surfaces.Find(side);
+    (entry ? sides[entry->Surface] : sides.back()).push_back(side);
   }
   std::vector<Index> totals;
   for (const std::vector<Index>& list : sides)
@@ -193,16 +222,20 @@ void FoamMeshMaker::AddFaceZones(Ranks& ranks)
   std::vector<FoamZone> zones(this->Surfaces.Surfaces.size());
   const auto add = [&](Index face)
   {
-    if (const SurfaceSide* side = this->Surfaces.Find(foam.Sides[face]))
+    const SurfaceSide* side = this->Surfaces.Find(foam.Sides[face]);
+    if (side && !this->Surfaces.Surfaces[side->Surface].IsDomainSide)
     {
       FoamZone& zone = zones[this->Surfaces.Surfaces[side->Surface].Interface];
       zone.Members.push_back(face);
       zone.IsFlipped.push_back(side->IsFlipped);
     }
   };
-  const Index inner = static_cast<Index>(foam.Neighbours.size());
+  const Index coupled = std::accumulate(foam.Patches.begin(), foam.Patches.end(),
+    static_cast<Index>(foam.Neighbours.size()),
+    [](Index sum, const FoamPatch& patch)
+    { return sum + (patch.Opposite.empty() ? 0 : patch.Count); }); // inner and cyclic faces
   const Index faces = static_cast<Index>(foam.Sides.size());
-  for (Index face = 0; face < inner; ++face)
+  for (Index face = 0; face < coupled; ++face)
   {
     add(face);
   }
@@ -243,6 +276,7 @@ FoamMesh MakeFoamMesh(const MeshData& mesh, Ranks& ranks)
       foam.Cells = OrderIds(mesh.ElementIds, mesh.NumberOfElements, ranks);
       FoamMeshMaker maker(foam, ranks);
       maker.AddInnerFaces();
+      maker.AddCyclicPatches();
       maker.AddPatches(ranks);
       maker.AddRemoteFaces();
       maker.AddCellZones(ranks);

@@ -4,12 +4,16 @@
  * - Points and cells are ordered by global id, each once.
  * - Faces between two cells of this rank come first, ordered by owner (the lower cell), then by
  *   neighbour; then the faces of each patch; then the faces to other ranks. Normals point out of
- *   the owner. Each face begins with its lowest point.
- * - Patches: each side of the domain, of type patch; each smooth side, or else interface, to space
- *   without elements, of type wall; "defaultFaces" for boundary faces that are on no named surface.
- *   A smooth side is in the patch group of its interface.
+ *   the owner. Each face begins with its lowest point; in a periodic mesh with the one with the
+ *   lowest partner.
+ * - Patches of a periodic mesh: pairs of type cyclic on opposite sides of the domain, also for
+ *   faces between two materials. Face i of one patch is a translate of face i of the other, with
+ *   the same first point.
+ * - Other patches: each side of the domain, of type patch; each smooth side, or else interface, to
+ *   space without elements, of type wall; "defaultFaces" for boundary faces that are on no named
+ *   surface. A smooth side is in the patch group of its interface.
  * - Zones: cells of each material; faces between cells of each interface, oriented from its first
- *   to its second material.
+ *   to its second material, also in cyclic patches.
  */
 #pragma once
 
@@ -22,9 +26,10 @@ namespace vfm
 struct FoamPatch
 {
   std::string Name, Type;
-  std::string Group;  ///< name of a patch group; empty: none
-  Index Count = 0;    ///< number of faces
-  int Neighbour = -1; ///< rank behind the patch; -1: none
+  std::string Group;         ///< name of a patch group; empty: none
+  Index Count = 0;           ///< number of faces
+  int Neighbour = -1;        ///< rank behind the patch; -1: none
+  std::string Opposite = {}; ///< name of the other patch of a cyclic pair
 };
 
 struct FoamZone
@@ -53,7 +58,7 @@ struct FoamMesh
   }
 };
 
-/// Makes the model of this rank's part.
+/// Makes the model of this rank's part, of a periodic mesh only if there is one rank.
 /// @param mesh  ordered mesh (OrderMesh), with MaterialId; must outlive the result
 /// @throws InputError  if faces do not match, or if FindNamedSurfaces does; on all ranks
 /// @pre Collective

@@ -5,6 +5,7 @@
 #include "Ranks/WorkTogether.h"
 #include "Summary/GatherMesh.h"
 
+#include <algorithm>
 #include <optional>
 
 namespace vfm
@@ -12,10 +13,30 @@ namespace vfm
 namespace
 {
 
+/// Throws InputError for periodic meshes that OpenFOAM cannot read, on all ranks.
+/// @pre Collective
+void CheckPeriodic(const MeshData& mesh, Ranks& ranks)
+{
+  const std::vector<double> lengths = NumbersOfField(mesh.Fields, "PeriodLengths");
+  const bool isPeriodic =
+    std::any_of(lengths.begin(), lengths.end(), [](double length) { return length > 0.0; });
+  if (ranks.Any(isPeriodic && !mesh.PeriodicPartner && mesh.NumberOfElements > 0))
+  {
+    throw InputError("OpenFOAM needs a periodic mesh that is cut open: PeriodicSides flat or free, "
+                     "and the array PeriodicPartner.");
+  }
+  if (ranks.Count() > 1 && ranks.Any(mesh.PeriodicPartner != nullptr))
+  {
+    throw InputError("A periodic mesh is written as a single mesh for OpenFOAM, which decomposePar "
+                     "decomposes: choose a single file (sculptor: --single-file).");
+  }
+}
+
 /// Writes the mesh of each rank, or one mesh if there is one rank. All files appear, or none.
 /// @pre Collective
 void WriteCase(const MeshData& mesh, const std::string& path, Ranks& ranks, bool isBinary)
 {
+  CheckPeriodic(mesh, ranks);
   const FoamMesh foam = MakeFoamMesh(mesh, ranks);
   WorkTogether(ranks, [&foam] { CheckSizes(foam); });
   std::optional<FoamAddressing> addressing;

@@ -1,0 +1,218 @@
+/// Cases of OpenFOAM of periodic meshes: cyclic patches, read by a parser of its own.
+#include "FoamReader.h"
+#include "Input/NodeCoordinates.h"
+#include "Input/PlainArrays.h"
+#include "Mesher.h"
+#include "Meshes/OpenFoam/WriteFoam.h"
+#include "State/ViewMesh.h"
+
+#include <numeric>
+#include <random>
+
+using namespace vfm;
+using namespace vfm::testing;
+
+namespace
+{
+
+constexpr Index Width = 8; // cells along each axis
+
+/// Returns the part of a rank of an image of two random labels, cut across z.
+MesherInput MakeRandomInput(Ranks& ranks)
+{
+  InputBlock block;
+  block.Name = "The input";
+  const Index first = ranks.Rank() * Width / ranks.Count();
+  const Index last = (ranks.Rank() + 1) * Width / ranks.Count();
+  for (int a = 0; a < 3; ++a)
+  {
+    const Index begin = a == 2 ? first : 0, end = a == 2 ? last : Width;
+    block.Coordinates[a].resize(static_cast<std::size_t>(end - begin + 1));
+    std::iota(block.Coordinates[a].begin(), block.Coordinates[a].end(), begin);
+  }
+  KeepAllCells(block);
+  std::mt19937 random(3);
+  std::vector<int> all(Width * Width * Width);
+  std::generate(all.begin(), all.end(), [&random] { return static_cast<int>(random() % 3); });
+  std::vector<int> labels(all.begin() + Width * Width * first, all.begin() + Width * Width * last);
+  auto arrays = std::make_shared<PlainArrays>(static_cast<Index>(labels.size()));
+  arrays->Store("labels", ValueType::Int, std::move(labels));
+  block.Arrays = arrays;
+  CollectedBlocks collected;
+  collected.Blocks.push_back(std::move(block));
+  MesherInput input;
+  input.Levels = FindInputLevels(std::move(collected), ranks);
+  input.Arrays.Labels = "labels";
+  return input;
+}
+
+struct Method
+{
+  const char* Name;
+  ElementKind Elements;
+  Sides Kind;
+};
+
+/// Writes the mesh of this many ranks.
+void WriteCase(int count, const Method& method, const std::string& path, const FoamForm& form)
+{
+  RunOnRanks(count,
+    [&](ThreadRanks& ranks)
+    {
+      RankRuntime runtime(ranks);
+      MesherOptions options;
+      options.Elements = method.Elements;
+      options.PeriodicSides = method.Kind;
+      options.Periodic = 7;
+      const MesherResult result = RunMesher(MakeRandomInput(ranks), options, runtime);
+      WriteFoam(ViewMesh(result.TheMesh, result.State, result.Fields), path, ranks, form);
+    });
+}
+
+/// Returns the vector between two points, in periods.
+Index3 PeriodsBetween(const FoamContent& content, Index from, Index to)
+{
+  Index3 periods{};
+  for (int a = 0; a < 3; ++a)
+  {
+    const double step = content.Points[3 * to + a] - content.Points[3 * from + a];
+    periods[a] = std::llround(step / Width);
+    EXPECT_EQ(content.Points[3 * to + a], content.Points[3 * from + a] + Width * periods[a]);
+  }
+  return periods;
+}
+
+/// Returns the periods that the names of the patches state, as x_min to x_max: (1, 0, 0).
+Index3 PeriodsOf(const std::string& name)
+{
+  Index3 periods{};
+  for (int a = 0; a < 3; ++a)
+  {
+    const std::string axis(1, "xyz"[a]);
+    periods[a] = name.find(axis + "_min") != std::string::npos ? 1
+      : name.find(axis + "_max") != std::string::npos          ? -1
+                                                               : 0;
+  }
+  return periods;
+}
+
+const FoamPatchEntry& FindPatch(const FoamContent& content, const std::string& name)
+{
+  const auto found = std::find_if(content.Patches.begin(), content.Patches.end(),
+    [&name](const FoamPatchEntry& patch) { return patch.Name == name; });
+  if (found == content.Patches.end())
+  {
+    throw std::runtime_error("no patch " + name);
+  }
+  return *found;
+}
+
+class CyclicFoam : public ::testing::TestWithParam<Method>
+{
+};
+
+} // namespace
+
+/// Face i of both patches are translates; both begin at the same point and go around in opposite
+/// directions.
+TEST_P(CyclicFoam, FacesAreTranslates)
+{
+  const Folder folder;
+  WriteCase(1, this->GetParam(), folder / "mesh.foam", {});
+  const FoamContent content = ReadFoam(folder / "");
+  std::map<std::string, Index> counts;
+  for (const FoamPatchEntry& patch : content.Patches)
+  {
+    if (patch.Words.at("type") != "cyclic")
+    {
+      EXPECT_EQ(patch.Words.at("type"), "wall") << patch.Name;
+      continue;
+    }
+    counts[patch.Name] = patch.Count();
+    const FoamPatchEntry& other = FindPatch(content, patch.Words.at("neighbourPatch"));
+    EXPECT_EQ(other.Words.at("neighbourPatch"), patch.Name);
+    ASSERT_EQ(other.Count(), patch.Count());
+    for (Index f = 0; f < patch.Count(); ++f)
+    {
+      const std::vector<Index>& face = content.Faces[patch.First() + f];
+      std::vector<Index> copy = content.Faces[other.First() + f];
+      std::reverse(copy.begin() + 1, copy.end());
+      ASSERT_EQ(face.size(), copy.size());
+      for (std::size_t p = 0; p < face.size(); ++p)
+      {
+        EXPECT_EQ(PeriodsBetween(content, face[p], copy[p]), PeriodsOf(patch.Name));
+      }
+    }
+  }
+  for (const char* name : { "x_min", "x_max", "y_min", "y_max", "z_min", "z_max" })
+  {
+    EXPECT_GT(counts[name], 10) << name;
+  }
+  EXPECT_EQ(counts.size() > 6, this->GetParam().Kind == Sides::Free); // several axes
+}
+
+/// Faces between two materials are in the face zone on both sides, with opposite flags.
+TEST_P(CyclicFoam, ZonesHaveBothCopies)
+{
+  const Folder folder;
+  WriteCase(1, this->GetParam(), folder / "mesh.foam", {});
+  const FoamContent content = ReadFoam(folder / "");
+  ASSERT_EQ(content.FaceZones.size(), 1u);
+  const FoamZoneEntry& zone = content.FaceZones[0];
+  EXPECT_TRUE(std::is_sorted(zone.Members.begin(), zone.Members.end()));
+  std::map<Index, char> flips;
+  for (std::size_t i = 0; i < zone.Members.size(); ++i)
+  {
+    flips[zone.Members[i]] = zone.Flips[i];
+  }
+  Index found = 0;
+  for (const FoamPatchEntry& patch : content.Patches)
+  {
+    for (Index f = 0; patch.Words.at("type") == "cyclic" && f < patch.Count(); ++f)
+    {
+      const FoamPatchEntry& other = FindPatch(content, patch.Words.at("neighbourPatch"));
+      const auto face = flips.find(patch.First() + f), copy = flips.find(other.First() + f);
+      ASSERT_EQ(face == flips.end(), copy == flips.end());
+      if (face != flips.end())
+      {
+        EXPECT_NE(face->second != 0, copy->second != 0);
+        ++found;
+      }
+    }
+  }
+  EXPECT_EQ(found > 0,
+    this->GetParam().Kind == Sides::Free ||
+      this->GetParam().Elements == ElementKind::Tets); // no label of flat hexahedra needs them here
+}
+
+TEST_P(CyclicFoam, WholeMeshOfThreeRanks)
+{
+  const Folder one, three;
+  WriteCase(1, this->GetParam(), one / "mesh.foam", {});
+  WriteCase(3, this->GetParam(), three / "mesh.foam", { true, false });
+  for (const char* name : { "points", "faces", "owner", "neighbour", "boundary", "faceZones" })
+  {
+    const std::string file = std::string("constant/polyMesh/") + name;
+    EXPECT_TRUE(ReadBytes(one / file) == ReadBytes(three / file)) << name;
+  }
+}
+
+TEST_P(CyclicFoam, DecomposedCaseIsAnError)
+{
+  const Folder folder;
+  EXPECT_THROW(WriteCase(2, this->GetParam(), folder / "mesh.foam", {}), InputError);
+  EXPECT_FALSE(std::filesystem::exists(folder / "processor0"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, CyclicFoam,
+  ::testing::Values(Method{ "FlatHexes", ElementKind::Hexes, Sides::Flat },
+    Method{ "FreeHexes", ElementKind::Hexes, Sides::Free },
+    Method{ "FlatTets", ElementKind::Tets, Sides::Flat }),
+  [](const auto& info) { return std::string(info.param.Name); });
+
+TEST(CyclicFoamErrors, JoinedSides)
+{
+  const Folder folder;
+  const Method joined{ "", ElementKind::Hexes, Sides::Joined };
+  EXPECT_THROW(WriteCase(1, joined, folder / "mesh.foam", {}), InputError);
+}
