@@ -6,6 +6,7 @@
  *
  * Seconds are CPU seconds of one thread, over those without the option.
  */
+#include "Base/Vector3.h"
 #include "GluedChecks.h"
 #include "HexPipeline.h"
 #include "TetPipeline.h"
@@ -14,6 +15,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <string>
 
 using namespace vfm;
 using namespace vfm::testing;
@@ -85,13 +87,21 @@ double WorstVolume(const MeshReport& report)
   return worst;
 }
 
+std::string FormatAngles(const MeshReport& report)
+{
+  char text[32];
+  std::snprintf(
+    text, sizeof(text), "%.1f to %.1f", report.MinimumDihedralAngle, report.MaximumDihedralAngle);
+  return text;
+}
+
 void Print(const char* name, const char* sides, bool ofHexes, const Result& result, double alone)
 {
-  std::printf("| %s | %s | %s | %zu | %lld | %.3f | %.1f to %.1f | %.0e | %.2f |\n", name,
+  std::printf("| %s | %s | %s | %zu | %lld | %.3f | %s | %.0e | %.2f |\n", name,
     ofHexes ? "hexes" : "Lattice", sides, result.TheMesh.ElementIds.size(),
     static_cast<long long>(result.Report.NumberOfFragments), result.Report.MinimumScaledJacobian,
-    result.Report.MinimumDihedralAngle, result.Report.MaximumDihedralAngle,
-    WorstVolume(result.Report), result.Seconds / alone);
+    ofHexes ? "" : FormatAngles(result.Report).c_str(), WorstVolume(result.Report),
+    result.Seconds / alone);
   std::fflush(stdout);
 }
 
@@ -118,7 +128,7 @@ void Measure(
 int main(int argc, char** argv)
 {
   const Index n = argc > 1 ? std::atoi(argv[1]) : 32;
-  std::printf("| %lld^3 cells | elements | sides | number | fragments | min SJ | dihedral angles | "
+  std::printf("| %lld^3 cells | mesh | sides | elements | fragments | min SJ | dihedral angles | "
               "worst volume | time |\n|---|---|---|---|---|---|---|---|---|\n",
     static_cast<long long>(n));
   for (const Body& body :
