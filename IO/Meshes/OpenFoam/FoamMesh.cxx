@@ -8,7 +8,6 @@
 
 #include <limits>
 #include <map>
-#include <numeric>
 
 namespace vfm
 {
@@ -222,20 +221,16 @@ void FoamMeshMaker::AddFaceZones(Ranks& ranks)
   std::vector<FoamZone> zones(this->Surfaces.Surfaces.size());
   const auto add = [&](Index face)
   {
-    const SurfaceSide* side = this->Surfaces.Find(foam.Sides[face]);
-    if (side && !this->Surfaces.Surfaces[side->Surface].IsDomainSide)
+    if (const SurfaceSide* side = this->Surfaces.Find(foam.Sides[face]))
     {
       FoamZone& zone = zones[this->Surfaces.Surfaces[side->Surface].Interface];
       zone.Members.push_back(face);
       zone.IsFlipped.push_back(side->IsFlipped);
     }
   };
-  const Index coupled = std::accumulate(foam.Patches.begin(), foam.Patches.end(),
-    static_cast<Index>(foam.Neighbours.size()),
-    [](Index sum, const FoamPatch& patch)
-    { return sum + (patch.Opposite.empty() ? 0 : patch.Count); }); // inner and cyclic faces
+  const Index inner = static_cast<Index>(foam.Neighbours.size());
   const Index faces = static_cast<Index>(foam.Sides.size());
-  for (Index face = 0; face < coupled; ++face)
+  for (Index face = 0; face < inner; ++face)
   {
     add(face);
   }

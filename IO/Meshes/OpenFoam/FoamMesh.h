@@ -13,7 +13,7 @@
  *   space without elements, of type wall; "defaultFaces" for boundary faces that are on no named
  *   surface. A smooth side is in the patch group of its interface.
  * - Zones: cells of each material; faces between cells of each interface, oriented from its first
- *   to its second material, also in cyclic patches.
+ *   to its second material. Faces of cyclic patches are in no zone.
  */
 #pragma once
 
