@@ -7,17 +7,6 @@ namespace vfm
 namespace
 {
 
-/// Returns the copy of a node or cell that is some cells of a level lower.
-OctreeKeys::LevelIndex Below(OctreeKeys::LevelIndex at, const Index3& cells, int level)
-{
-  for (int a = 0; a < 3; ++a)
-  {
-    at.At[a] -= level > at.Level ? cells[a] >> (level - at.Level)
-                                 : cells[a] * (Index(1) << (at.Level - level));
-  }
-  return at;
-}
-
 /// Returns the key of the copy of a lattice node that is some cells of a level lower.
 Index KeyBelow(const OctreeKeys& lattice, Index key, const Index3& cells, int level)
 {
@@ -51,6 +40,27 @@ Index IdBelow(const Mesh& mesh, Index id, const Index3& cells)
 }
 
 } // namespace
+
+OctreeKeys::LevelIndex Below(OctreeKeys::LevelIndex at, const Index3& cells, int level)
+{
+  for (int a = 0; a < 3; ++a)
+  {
+    at.At[a] -= level > at.Level ? cells[a] >> (level - at.Level)
+                                 : cells[a] * (Index(1) << (at.Level - level));
+  }
+  return at;
+}
+
+bool HasCopies(const CartesianGrid& grid, const Index3& node)
+{
+  const Index3 owned = grid.CanonicalNode(node);
+  bool hasCopies = node != owned;
+  for (int a = 0; a < 3; ++a)
+  {
+    hasCopies = hasCopies || (grid.Period(a) > 0 && owned[a] == grid.Domain().Upper[a]);
+  }
+  return hasCopies;
+}
 
 Index IdAtPeer(const Mesh& mesh, const Partition& partition, std::size_t peer, Index id)
 {

@@ -11,6 +11,14 @@
 namespace vfm
 {
 
+/// Returns the copy of a node or cell that is some cells of a level lower.
+/// @param cells  cells of `level`; whole cells of the level of `at`
+OctreeKeys::LevelIndex Below(OctreeKeys::LevelIndex at, const Index3& cells, int level);
+
+/// Returns whether points at a node can have copies in a mesh of owned cells and ghosts: whether
+/// the node lies on a seam or beyond.
+bool HasCopies(const CartesianGrid& grid, const Index3& node);
+
 /// Returns the id that a point has on a peer, which has the node of the point `ShiftOf` lower.
 Index IdAtPeer(const Mesh& mesh, const Partition& partition, std::size_t peer, Index id);
 

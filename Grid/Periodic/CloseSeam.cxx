@@ -1,5 +1,6 @@
 #include "Periodic/CloseSeam.h"
 
+#include "Mesh/PeriodicIds.h"
 #include "Mesh/PointValues.h"
 #include "Octree/RefinedGrid.h"
 
@@ -12,7 +13,7 @@ namespace
 struct SeamPoint
 {
   Index Point;
-  Index3 Node, Shift;
+  Index3 Shift;
 };
 
 std::vector<SeamPoint> ListSeamPoints(const CartesianGrid& grid, const Mesh& mesh)
@@ -20,19 +21,17 @@ std::vector<SeamPoint> ListSeamPoints(const CartesianGrid& grid, const Mesh& mes
   std::vector<SeamPoint> points;
   for (std::size_t p = 0; p < mesh.PointIds.size(); ++p)
   {
-    SeamPoint point{ static_cast<Index>(p), NodeOfPoint(grid, mesh, mesh.PointIds[p]), {} };
-    const Index3 owned = grid.CanonicalNode(point.Node);
-    bool hasCopies = false;
+    const Index3 node = NodeOfPoint(grid, mesh, mesh.PointIds[p]);
+    if (!HasCopies(grid, node))
+    {
+      continue;
+    }
+    const Index3 owned = grid.CanonicalNode(node);
+    points.push_back({ static_cast<Index>(p), {} });
     for (int a = 0; a < 3; ++a)
     {
-      const bool isPeriodic = grid.Period(a) > 0;
-      point.Shift[a] = isPeriodic ? (point.Node[a] - owned[a]) / grid.Period(a) : 0;
-      hasCopies =
-        hasCopies || (isPeriodic && owned[a] == grid.Domain().Upper[a]) || point.Shift[a] != 0;
-    }
-    if (hasCopies)
-    {
-      points.push_back(point);
+      const Index period = grid.Period(a);
+      points.back().Shift[a] = period > 0 ? (node[a] - owned[a]) / period : 0;
     }
   }
   return points;

@@ -98,13 +98,9 @@ private:
     return { { p[0] - q[0], p[1] - q[1], p[2] - q[2] } };
   }
   /// Returns a cell or node of a level of the covering grid, counted in the domain.
-  LevelIndex Shifted(LevelIndex at) const
+  LevelIndex Shifted(const LevelIndex& at) const
   {
-    for (int a = 0; a < 3; ++a)
-    {
-      at.At[a] -= this->Lower[a] >> (this->Covering.NumberOfRefinements() - at.Level);
-    }
-    return at;
+    return Below(at, this->Lower, this->Covering.NumberOfRefinements());
   }
   Index HexKey(const LevelIndex& covering) const
   {
@@ -138,17 +134,6 @@ private:
 
 /// Id of the owner of a point, and the id of the point on the grid of the domain.
 using Copy = std::array<Index, 2>;
-
-bool HasCopies(const CartesianGrid& grid, const Index3& node)
-{
-  const Index3 owned = grid.CanonicalNode(node);
-  bool hasCopies = node != owned;
-  for (int a = 0; a < 3; ++a)
-  {
-    hasCopies = hasCopies || (grid.Period(a) > 0 && node[a] == grid.Domain().Upper[a]);
-  }
-  return hasCopies;
-}
 
 /// Returns the points that may have copies.
 std::vector<Index> ListCopies(const Mesh& mesh, const DomainIds& domain)
