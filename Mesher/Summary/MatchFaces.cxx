@@ -80,6 +80,15 @@ std::vector<Bytes> Answer(const std::vector<Bytes>& questions)
 
 } // namespace
 
+FaceIds SortedIds(const FaceIds& points, const Index* ids)
+{
+  FaceIds found;
+  std::transform(points.begin(), points.end(), found.begin(),
+    [ids](Index point) { return point < 0 ? point : ids[point]; });
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
 std::vector<Index> MatchFaces(
   const std::vector<FaceIds>& ids, const std::vector<Index>& values, Ranks& ranks)
 {

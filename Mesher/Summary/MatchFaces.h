@@ -12,6 +12,10 @@
 namespace vfm
 {
 
+/// Returns ids of the points of a face, sorted.
+/// @param ids id of each point, such as its global id; the -1 of a triangle stays
+FaceIds SortedIds(const FaceIds& points, const Index* ids);
+
 /// Finds the value of the element behind each face.
 /// @param ids sorted global ids of the points of each face
 /// @param values value >= 0 of the element of each face, such as its material or number

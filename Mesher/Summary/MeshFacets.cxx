@@ -34,15 +34,6 @@ std::vector<FacetSide> CollectFaces(const MeshData& mesh)
   return faces;
 }
 
-FaceIds GlobalIds(const FacetSide& face, const MeshData& mesh)
-{
-  FaceIds ids;
-  std::transform(face.Points.begin(), face.Points.end(), ids.begin(),
-    [&mesh](Index point) { return point < 0 ? point : mesh.PointIds[point]; });
-  std::sort(ids.begin(), ids.end());
-  return ids;
-}
-
 /// Finds the smooth side of an interface that contains a face: the surface of its points inside a
 /// surface, or the entry of the face in EdgeFacets.
 class FaceSurfaces
@@ -82,7 +73,7 @@ public:
         surface = std::max(surface, mesh.GeometryId[point]);
       }
     }
-    const auto listed = this->EdgeFacets.find(GlobalIds(face, mesh));
+    const auto listed = this->EdgeFacets.find(SortedIds(face.Points, mesh.PointIds));
     surface = listed == this->EdgeFacets.end() ? surface : listed->second;
     const bool isSide = surface >= 1 && surface <= static_cast<int>(this->Parts.size()) &&
       this->Parts[surface - 1] >= 1;
@@ -138,7 +129,7 @@ std::vector<FacetSide> FindMeshFaces(const MeshData& mesh, const int* values, Ra
       for (const FacetSide& face : faces)
       {
         valuesOfFaces.push_back(values[face.Facet.Element]);
-        ids.push_back(GlobalIds(face, mesh));
+        ids.push_back(SortedIds(face.Points, mesh.PointIds));
       }
     });
   const std::vector<Index> behind = MatchFaces(ids, valuesOfFaces, ranks);

@@ -87,15 +87,6 @@ std::vector<FacetSide> ListCandidates(Mesh& mesh)
   return found;
 }
 
-FaceIds IdsOf(const FaceIds& points, const Index* ids)
-{
-  FaceIds found;
-  std::transform(points.begin(), points.end(), found.begin(),
-    [ids](Index point) { return point < 0 ? -1 : ids[point]; });
-  std::sort(found.begin(), found.end());
-  return found;
-}
-
 } // namespace
 
 std::vector<int> FindSeamSides(
@@ -107,7 +98,7 @@ std::vector<int> FindSeamSides(
   std::vector<Index> halves;
   for (const FacetSide& face : faces)
   {
-    ids.push_back(IdsOf(face.Points, mesh.PeriodicPartner));
+    ids.push_back(SortedIds(face.Points, mesh.PeriodicPartner));
     halves.push_back(FindHalves(mesh, frame, bounds, face.Points));
   }
   const std::vector<Index> copies = MatchFaces(ids, halves, ranks);
@@ -133,7 +124,7 @@ void AddSeamFacets(const std::vector<FieldArray>& fields, Ranks& ranks, Mesh& me
       faces = ListCandidates(mesh);
       for (const FacetSide& face : faces)
       {
-        ids.push_back(IdsOf(face.Points, mesh.PointIds.data()));
+        ids.push_back(SortedIds(face.Points, mesh.PointIds.data()));
       }
     });
   const std::vector<Index> behind = MatchFaces(ids, std::vector<Index>(ids.size(), 0), ranks);

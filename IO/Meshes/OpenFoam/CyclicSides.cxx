@@ -3,6 +3,7 @@
 #include "Meshes/OpenFoam/CellSides.h"
 #include "Sets/PeriodicPairs.h"
 #include "Summary/DomainSides.h"
+#include "Summary/MatchFaces.h"
 
 #include <algorithm>
 #include <map>
@@ -29,13 +30,7 @@ std::vector<Copy> SortByPartners(const MeshData& mesh, const std::vector<Index>&
   std::vector<Copy> copies;
   for (Index side : open)
   {
-    FaceIds points = PointsOfSide(mesh, side);
-    for (Index& point : points)
-    {
-      point = point < 0 ? point : mesh.PeriodicPartner[point];
-    }
-    std::sort(points.begin(), points.end());
-    copies.push_back({ points, side });
+    copies.push_back({ SortedIds(PointsOfSide(mesh, side), mesh.PeriodicPartner), side });
   }
   std::sort(copies.begin(), copies.end());
   return copies;
