@@ -78,7 +78,7 @@ void SetUsedPoints(Buffer<Index>& users, const Mesh& mesh, vtkPolyData* output)
   {
     const Index place = used.PlaceOf(point);
     std::copy_n(mesh.Points.data() + 3 * point, 3, usedPoints.data() + 3 * place);
-    usedIds[place] = mesh.PointIds[point];
+    usedIds[place] = mesh.UnsplitPointIds()[point];
     point = place;
   }
   vtkNew<vtkPoints> vtkpoints;

@@ -8,6 +8,7 @@
 #include "Labels/SmallRegions.h"
 #include "Labels/SmoothLabels.h"
 #include "Levels/PeriodicFields.h"
+#include "Modify/SplitInterfaces.h"
 #include "Options/SetOptions.h"
 #include "Periodic/JoinCopies.h"
 #include "Periodic/LeaveCovering.h"
@@ -16,6 +17,7 @@
 #include "TetPipeline.h"
 
 #include <algorithm>
+#include <optional>
 #include <sstream>
 
 namespace vfm
@@ -232,6 +234,34 @@ void Finish(
   }
 }
 
+/// Returns the pairs of materials to split, or nothing.
+std::optional<MaterialPairs> ChoosePairs(const MesherOptions& options, const Materials& table)
+{
+  if (options.SplitInterfaces.empty())
+  {
+    return std::nullopt;
+  }
+  std::map<int, std::string> names;
+  for (std::size_t m = 0; m < table.Names.size(); ++m)
+  {
+    names[table.Labels[m]] = table.Names[m];
+  }
+  return MaterialPairs(options.SplitInterfaces, names);
+}
+
+/// Splits the interfaces between the pairs of materials.
+void Split(const MesherJob& job, const MaterialPairs& pairs, MesherResult& result)
+{
+  SplitInterfaces(
+    pairs, job.Options.Connection, job.Run.Group(), result.Fields, result.TheMesh, result.State);
+  if (std::get<std::vector<int>>(FindField(result.Fields, "SplitPairs")->Values).empty())
+  {
+    Warn(job,
+      "SplitInterfaces is " + job.Options.SplitInterfaces +
+        ", but no such materials have a common face.");
+  }
+}
+
 /// Warns of corrected input, an empty mesh, and materials without elements or with wrong volumes.
 void WarnOfMesh(const MesherJob& job, const MeshReport& report, const InputField& field)
 {
@@ -281,6 +311,7 @@ MesherResult RunMesher(const MesherInput& input, const MesherOptions& given, Run
 
   LevelFields fields = MakeLevelFields(levels, cells, setup, options.Children, owners, runtime);
   NameLabels(arrays.Names, fields.Field.Table);
+  const std::optional<MaterialPairs> pairs = ChoosePairs(options, fields.Field.Table);
   const StoredState kept =
     StoreState(levels, cells, arrays.State, states, fields, setup, options, owners, runtime);
 
@@ -306,6 +337,10 @@ MesherResult RunMesher(const MesherInput& input, const MesherOptions& given, Run
     JoinCopies(ranks, result.TheMesh); // after the state, which needs positions
   }
   WorkTogether(ranks, [&] { Finish(job, fields, meshOptions, result); });
+  if (pairs)
+  {
+    Split(job, *pairs, result);
+  }
   WarnOfMesh(job, result.Report, fields.Field);
   Warn(job, DescribeUnmeshed(result.State.Balance, fields.Field.Table));
   return result;

@@ -5,6 +5,9 @@
 
 #include "Mesh/Mesh.h"
 
+#include <tuple>
+#include <utility>
+
 namespace vfm
 {
 
@@ -38,6 +41,27 @@ inline void SelectPoints(
     {
       point = numbers[point];
     }
+  }
+}
+
+/// Restores the order of the points of curves and vertices after points were renumbered.
+inline void SortGeometry(Mesh& mesh)
+{
+  Buffer<Index>& edges = mesh.Curves.Points;
+  for (std::size_t e = 0; e < edges.size(); e += 2)
+  {
+    std::sort(edges.begin() + e, edges.begin() + e + 2);
+  }
+  const std::size_t count = mesh.Vertices.Points.size();
+  std::vector<std::pair<Index, int>> vertices;
+  for (std::size_t v = 0; v < count; ++v)
+  {
+    vertices.emplace_back(mesh.Vertices.Points[v], mesh.Vertices.VertexId[v]);
+  }
+  std::sort(vertices.begin(), vertices.end());
+  for (std::size_t v = 0; v < count; ++v)
+  {
+    std::tie(mesh.Vertices.Points[v], mesh.Vertices.VertexId[v]) = vertices[v];
   }
 }
 

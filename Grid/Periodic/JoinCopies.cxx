@@ -67,27 +67,6 @@ std::vector<Index> OrderPoints(const Buffer<Index>& ids, std::vector<Index>& num
   return kept;
 }
 
-/// Restores the order of the points of curves and vertices.
-void SortGeometry(Mesh& mesh)
-{
-  Buffer<Index>& edges = mesh.Curves.Points;
-  for (std::size_t e = 0; e < edges.size(); e += 2)
-  {
-    std::sort(edges.begin() + e, edges.begin() + e + 2);
-  }
-  const std::size_t count = mesh.Vertices.Points.size();
-  std::vector<std::pair<Index, int>> vertices;
-  for (std::size_t v = 0; v < count; ++v)
-  {
-    vertices.emplace_back(mesh.Vertices.Points[v], mesh.Vertices.VertexId[v]);
-  }
-  std::sort(vertices.begin(), vertices.end());
-  for (std::size_t v = 0; v < count; ++v)
-  {
-    std::tie(mesh.Vertices.Points[v], mesh.Vertices.VertexId[v]) = vertices[v];
-  }
-}
-
 } // namespace
 
 void JoinCopies(Ranks& ranks, Mesh& mesh)

@@ -58,6 +58,15 @@ enum class Sides
   Joined ///< none: elements at opposite sides share nodes
 };
 
+/// What connects both sides of split interfaces, in files.
+enum class SplitConnection
+{
+  None,     ///< nothing
+  Cohesive, ///< elements of zero thickness
+  Contact,  ///< contact of surfaces
+  Tied      ///< tied surfaces
+};
+
 /// Maximum number of halvings of a cell.
 constexpr int MaximumHalvings = 10;
 
@@ -91,6 +100,8 @@ struct MesherOptions : MeshSettings, LevelSettings, ConserveOptions
   ElementKind Elements = ElementKind::Hexes;
   int Periodic = 0; ///< bit a is set if the domain repeats along axis a
   Sides PeriodicSides = Sides::Flat;
+  std::string SplitInterfaces; ///< pairs of materials (Modify/MaterialPairs.h)
+  SplitConnection Connection = SplitConnection::None; ///< option SplitConnection
   double FractionTolerance = 1e-6;
   int LabelSmoothing = 0;
   std::string LabelNames; ///< path of a file

@@ -196,6 +196,7 @@ using SurfacePoint = std::array<Index, 2>; // surface and global id of a point
 /// Collective. Returns the points on the edges of smooth sides (not inside a surface), ascending.
 std::vector<SurfacePoint> FindRims(const MeshData& mesh, const Facets& facets, Ranks& ranks)
 {
+  const Index* ids = mesh.UnsplitPointIds();
   std::vector<SurfacePoint> rims;
   for (const MeshFacet& facet : facets)
   {
@@ -207,7 +208,7 @@ std::vector<SurfacePoint> FindRims(const MeshData& mesh, const Facets& facets, R
     {
       if (point >= 0 && mesh.GeometryDimension[point] != DimensionOfSurfaces)
       {
-        rims.push_back({ { facet.Surface, mesh.PointIds[point] } });
+        rims.push_back({ { facet.Surface, ids[point] } });
       }
     }
   }
@@ -270,8 +271,8 @@ std::vector<NodeSet> MakeNodeSets(
         {
           return mesh.GeometryDimension[point] == DimensionOfSurfaces
             ? mesh.GeometryId[point] == sides.Surface
-            : std::binary_search(
-                rims.begin(), rims.end(), SurfacePoint{ { sides.Surface, mesh.PointIds[point] } });
+            : std::binary_search(rims.begin(), rims.end(),
+                SurfacePoint{ { sides.Surface, mesh.UnsplitPointIds()[point] } });
         });
     }
   }

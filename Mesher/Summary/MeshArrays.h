@@ -31,6 +31,10 @@ void VisitPointArrays(TheMesh& mesh, const Visit& visit)
   {
     visit("PeriodicPartner", mesh.PeriodicPartner);
   }
+  if (!mesh.OriginalPointIds.empty())
+  {
+    visit("OriginalPointIds", mesh.OriginalPointIds);
+  }
 }
 ///@}
 

@@ -1,8 +1,6 @@
 /// Meshes of periodic domains: ids, partners and sides of the output.
-#include "Input/NodeCoordinates.h"
-#include "Input/PlainArrays.h"
+#include "LabelInput.h"
 #include "Mesh/ElementFaces.h"
-#include "Mesher.h"
 #include "RankFields.h"
 #include "Sets/MeshSets.h"
 #include "Sets/PeriodicPairs.h"
@@ -24,43 +22,17 @@ namespace
 {
 
 constexpr Index3 Cells{ { 7, 8, 6 } };
-constexpr double Width = 0.3; // coordinates are not exact
 
-/// Returns the part of a rank of an image of random labels, cut across z.
+/// Returns the part of a rank of an image of random labels.
 MesherInput MakeRandomInput(const Index3& n, Ranks& ranks)
 {
-  InputBlock block;
-  block.Name = "The input";
-  const Index first = ranks.Rank() * n[2] / ranks.Count();
-  const Index last = (ranks.Rank() + 1) * n[2] / ranks.Count();
-  for (int a = 0; a < 3; ++a)
-  {
-    const Index begin = a == 2 ? first : 0, end = a == 2 ? last : n[a];
-    for (Index i = begin; i <= end; ++i)
-    {
-      block.Coordinates[a].push_back(0.1 + Width * static_cast<double>(i));
-    }
-  }
-  KeepAllCells(block);
   std::mt19937 random(5);
   std::vector<int> labels;
-  for (Index cell = 0; cell < n[0] * n[1] * last; ++cell)
+  for (Index cell = 0; cell < n[0] * n[1] * n[2]; ++cell)
   {
-    const int label = static_cast<int>(random() % 3);
-    if (cell >= n[0] * n[1] * first)
-    {
-      labels.push_back(label);
-    }
+    labels.push_back(static_cast<int>(random() % 3));
   }
-  auto arrays = std::make_shared<PlainArrays>(static_cast<Index>(labels.size()));
-  arrays->Store("labels", ValueType::Int, std::move(labels));
-  block.Arrays = arrays;
-  CollectedBlocks collected;
-  collected.Blocks.push_back(std::move(block));
-  MesherInput input;
-  input.Levels = FindInputLevels(std::move(collected), ranks);
-  input.Arrays.Labels = "labels";
-  return input;
+  return MakeLabelInput(n, labels, ranks);
 }
 
 struct Method
@@ -295,7 +267,7 @@ TEST_P(JoinedMesher, HasNoBoundary)
     {
       ASSERT_EQ(face.second, 2);
     }
-    EXPECT_NEAR(volume, 7.0 * 8.0 * 6.0 * Width * Width * Width, 1e-12);
+    EXPECT_NEAR(volume, 7.0 * 8.0 * 6.0 * LabelWidth * LabelWidth * LabelWidth, 1e-12);
     alone = count == 1 ? joined : alone;
     EXPECT_TRUE(joined.Points == alone.Points);
     EXPECT_TRUE(joined.Elements == alone.Elements);

@@ -9,7 +9,7 @@ import re
 MODULES = {
     "Grid": ("Ranks", "Base", "Fractions", "Octree", "Labels", "Interface", "Mesh", "Periodic",
              "Transfer", "SharpFeatures", "Smoothing", "Hex", "Tet", "TetGen"),
-    "Mesher": ("Options", "Input", "Levels", "Summary", "Sets", "State"),
+    "Mesher": ("Options", "Input", "Levels", "Summary", "Sets", "State", "Modify"),
 }
 GRID, MESHER = (tuple(top + "/" + module for module in MODULES[top]) + (top,)
                 for top in ("Grid", "Mesher"))

@@ -34,6 +34,7 @@ FOLDERS = (
     ("Mesher/Summary", "Reports, faces and parts of a finished mesh."),
     ("Mesher/Sets", "Named surfaces, and pairs of periodic points."),
     ("Mesher/State", "State arrays of the input, on the elements."),
+    ("Mesher/Modify", "Changes of a finished mesh."),
     ("Mesher", "One run, from blocks to a mesh."),
     ("Shapes", "Solids with exact fractions. They depend on Grid/Base and Grid/Fractions only."),
     ("Parallel/Mpi", "Ranks over MPI, without VTK."),
