@@ -391,6 +391,25 @@ OptionTable RefinementOptions()
   };
 }
 
+OptionTable SplitOptions()
+{
+  return {
+    Row("SplitInterfaces", Text(OptionKind::Pairs, &M::SplitInterfaces),
+      "Pairs of materials whose interfaces are split: the elements on each side get their own "
+      "nodes, also where several fragments meet at a line or a corner. A pair is two names or ids "
+      "with a slash between them, such as steel/copper or 1/3; * is any material. The point array "
+      "OriginalPointIds has the ids of the nodes before.")
+      .InPython("split_interfaces")
+      .Sculptor("--split PAIRS"),
+    Row("SplitConnection", Choice<&M::Connection>({ "None", "Cohesive", "Contact", "Tied" }),
+      "Connection of both sides of split interfaces in files. Cohesive: elements of zero thickness "
+      "in blocks of their own, in .inp, Exodus and .msh files. Contact, Tied: contact pairs or "
+      "ties in .inp files. None: the sides are free.")
+      .EnabledIf("SplitInterfaces")
+      .Sculptor("--split-connection KIND"),
+  };
+}
+
 OptionTable QualityOptions()
 {
   return {
@@ -475,6 +494,7 @@ OptionTable JoinGroups()
   add("State kinds (array=kind)", StateKindsOptions());
   add("Surface", SurfaceOptions());
   add("Refinement", RefinementOptions());
+  add("Split interfaces", SplitOptions());
   add("Quality (target 0: automatic)", QualityOptions());
   add("Performance (0: automatic)", PerformanceOptions());
   add("Tetrahedra", TetrahedraOptions(), true);

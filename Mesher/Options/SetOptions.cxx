@@ -214,6 +214,9 @@ std::string Option::Allowed() const
     case OptionKind::Kinds:
       return "name=kind with commas between them, or None; kinds: mass, mass*other, volume, cell, "
              "extensive, copy";
+    case OptionKind::Pairs:
+      return "pairs of materials such as steel/copper or 1/3 with commas between them, all, or "
+             "None";
     case OptionKind::Boxes:
       return "x0,y0,z0,x1,y1,z1, optionally followed by the number of halvings, 0 to " +
         std::to_string(MaximumHalvings) + "; boxes are separated by semicolons";
@@ -279,6 +282,7 @@ std::string GetOption(const MesherOptions& options, const Option& option)
       return WithoutSpaces(option.Words)[static_cast<int>(option.GetNumber(options))];
     case OptionKind::Array:
     case OptionKind::File:
+    case OptionKind::Pairs:
       return orNone(options.*option.Text);
     case OptionKind::Arrays:
     case OptionKind::Kinds:

@@ -49,6 +49,12 @@ struct CohesiveBlock
   std::vector<Index> Ids;       ///< global ids, above the ids of all elements of the mesh
 };
 
+/// Returns the number of corners of a cohesive element.
+inline int CohesiveCorners(const MeshData& mesh)
+{
+  return mesh.Corners == 8 ? 8 : 6;
+}
+
 /// Returns the cohesive elements of a mesh whose connection is Cohesive, else none.
 /// Ids ascend by block, by element of the first side, and by its side; they do not depend on the
 /// number of ranks.

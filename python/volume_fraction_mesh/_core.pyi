@@ -55,6 +55,8 @@ class Options:
     interface_layers: int
     maximum_aspect_ratio: float
     child_fractions: Literal["planes", "parent"]
+    split_interfaces: str
+    split_connection: Literal["none", "cohesive", "contact", "tied"]
     target_scaled_jacobian: float
     compute_quality: bool
     threads: int

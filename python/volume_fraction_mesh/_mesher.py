@@ -143,6 +143,8 @@ def hexes(
     interface_layers: int = 0,
     maximum_aspect_ratio: float = 0.0,
     child_fractions: Literal["planes", "parent"] = "planes",
+    split_interfaces: str = "",
+    split_connection: Literal["none", "cohesive", "contact", "tied"] = "none",
     target_scaled_jacobian: float = 0.0,
     compute_quality: bool = True,
     threads: int = 0,
@@ -332,6 +334,16 @@ def hexes(
         "planes": the cell is cut by planes that preserve the volume of each material. "parent": the
         parts get the fractions of the cell. Material ids keep their steps with either choice,
         unless `label_smoothing` is on.
+    split_interfaces : str, default ""
+        Pairs of materials such as steel/copper or 1/3 with commas between them, all, or None. Pairs
+        of materials whose interfaces are split: the elements on each side get their own nodes, also
+        where several fragments meet at a line or a corner. A pair is two names or ids with a slash
+        between them, such as steel/copper or 1/3; * is any material. The point array
+        OriginalPointIds has the ids of the nodes before.
+    split_connection : {"none", "cohesive", "contact", "tied"}, default "none"
+        Connection of both sides of split interfaces in files. "cohesive": elements of zero
+        thickness in blocks of their own, in .inp, Exodus and .msh files. "contact", "tied": contact
+        pairs or ties in .inp files. "none": the sides are free.
     target_scaled_jacobian : float, default 0.0
         A number from 0 (automatic) to below 1. Target of smoothing for the scaled Jacobian. Larger
         values give better hexahedra that follow the surfaces less closely. 0 is automatic: 0.55
@@ -419,6 +431,7 @@ def hexes(
         thin_cells=thin_cells, curvature_per_cell=curvature_per_cell,
         refine_flipped_cells=refine_flipped_cells, interface_layers=interface_layers,
         maximum_aspect_ratio=maximum_aspect_ratio, child_fractions=child_fractions,
+        split_interfaces=split_interfaces, split_connection=split_connection,
         target_scaled_jacobian=target_scaled_jacobian, compute_quality=compute_quality,
         threads=threads,
         # end of arguments
@@ -477,6 +490,8 @@ def tets(
     interface_layers: int = 0,
     maximum_aspect_ratio: float = 0.0,
     child_fractions: Literal["planes", "parent"] = "planes",
+    split_interfaces: str = "",
+    split_connection: Literal["none", "cohesive", "contact", "tied"] = "none",
     target_scaled_jacobian: float = 0.0,
     compute_quality: bool = True,
     threads: int = 0,
@@ -554,7 +569,7 @@ def tets(
         Option of `hexes`, with the same default.
     curvature_per_cell, refine_flipped_cells, interface_layers, maximum_aspect_ratio : see hexes
         Option of `hexes`, with the same default.
-    child_fractions, threads : see hexes
+    child_fractions, split_interfaces, split_connection, threads : see hexes
         Option of `hexes`, with the same default.
 
     Returns
@@ -607,6 +622,7 @@ def tets(
         thin_cells=thin_cells, curvature_per_cell=curvature_per_cell,
         refine_flipped_cells=refine_flipped_cells, interface_layers=interface_layers,
         maximum_aspect_ratio=maximum_aspect_ratio, child_fractions=child_fractions,
+        split_interfaces=split_interfaces, split_connection=split_connection,
         target_scaled_jacobian=target_scaled_jacobian, compute_quality=compute_quality,
         threads=threads, method=method, relative_size=relative_size, growth=growth,
         radius_edge_ratio=radius_edge_ratio, minimum_dihedral_angle=minimum_dihedral_angle,

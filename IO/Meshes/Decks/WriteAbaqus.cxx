@@ -3,6 +3,7 @@
 #include "Meshes/Decks/AbaqusText.h"
 #include "Meshes/Decks/DeckCards.h"
 #include "Meshes/Decks/DeckModel.h"
+#include "Meshes/Decks/WriteConnections.h"
 #include "Meshes/Decks/WriteEquations.h"
 #include "Meshes/Files/OutputFile.h"
 
@@ -34,22 +35,16 @@ std::string BlockName(const DeckSection& section)
   return "EB" + std::to_string(section.Id);
 }
 
-struct Surface
-{
-  std::string Name;
-  const std::vector<MeshSide>* Sides; ///< sides of a side set
-};
-
 /// Returns the surfaces of all sides of the domain, or all other surfaces.
-std::vector<Surface> MakeSurfaces(
+std::vector<DeckSurface> MakeSurfaces(
   const std::vector<SideSet>& sets, AbaqusNames& names, bool ofDomain)
 {
-  std::vector<Surface> surfaces;
+  std::vector<DeckSurface> surfaces;
   for (const SideSet& set : sets)
   {
     if ((set.DomainSide != NoSide) == ofDomain)
     {
-      surfaces.push_back({ names.Add(set.Name), &set.Sides });
+      surfaces.push_back({ names.Add(set.Name), &set });
     }
   }
   return surfaces;
@@ -98,6 +93,29 @@ void WriteElements(
       file.Add(mesh.Element(element)[c] + 1);
     }
     file.Add("\n");
+  }
+}
+
+/// Writes the cohesive elements of all blocks, numbered after the elements of the mesh.
+void WriteCohesive(OutputFile& file, const DeckModel& model, AbaqusNames& names)
+{
+  const auto corners = static_cast<std::size_t>(CohesiveCorners(model.Mesh));
+  Index number = model.Mesh.NumberOfElements;
+  for (const CohesiveBlock& block : model.Blocks)
+  {
+    file.Add("*ELEMENT, TYPE=");
+    file.Add(corners == 8 ? "COH3D8" : "COH3D6");
+    file.Add(", ELSET=" + names.Add(block.Name) + "\n");
+    for (std::size_t c = 0; c < block.Points.size(); ++c)
+    {
+      if (c % corners == 0)
+      {
+        file.Add(++number);
+      }
+      file.Add(",");
+      file.Add(block.Points[c] + 1);
+      file.Add(c % corners + 1 == corners ? "\n" : "");
+    }
   }
 }
 
@@ -150,10 +168,10 @@ void WriteVelocity(OutputFile& file, const MeshData& mesh, const MeshArray& velo
   }
 }
 
-void WriteSurface(OutputFile& file, const Surface& surface, bool ofHexes)
+void WriteSurface(OutputFile& file, const DeckSurface& surface, bool ofHexes)
 {
   file.Add("*SURFACE, NAME=" + surface.Name + ", TYPE=ELEMENT\n");
-  for (const MeshSide& side : *surface.Sides)
+  for (const MeshSide& side : surface.Set->Sides)
   {
     file.Add(side.Element + 1);
     file.Add(",S");
@@ -178,7 +196,7 @@ std::vector<SectionNames> NameSections(const DeckModel& model, AbaqusNames& name
 void WriteFile(const DeckModel& model, const std::string& path)
 {
   const MeshData& mesh = model.Mesh;
-  RequireNumbers(mesh, LargestNumber, "Abaqus", ".e, .msh, .vtu");
+  RequireNumbers(model, LargestNumber, "Abaqus", ".e, .msh, .vtu");
   AbaqusNames names, nodeNames;
   names.Add("EALL");
   nodeNames.Add("NALL");
@@ -186,9 +204,9 @@ void WriteFile(const DeckModel& model, const std::string& path)
   {
     names.Add(BlockName(section));
   }
-  std::vector<Surface> surfaces = MakeSurfaces(model.SideSets, names, true);
+  std::vector<DeckSurface> surfaces = MakeSurfaces(model.SideSets, names, true);
   const std::vector<SectionNames> sections = NameSections(model, names);
-  for (Surface& surface : MakeSurfaces(model.SideSets, names, false))
+  for (DeckSurface& surface : MakeSurfaces(model.SideSets, names, false))
   {
     surfaces.push_back(std::move(surface));
   }
@@ -201,14 +219,16 @@ void WriteFile(const DeckModel& model, const std::string& path)
     WriteElements(file, mesh, model.Sections[s], sections[s].Block);
   }
   WriteElementSets(file, model, sections);
+  WriteCohesive(file, model, names);
   for (const NodeSet& set : model.NodeSets)
   {
     WriteNodeSet(file, nodeNames.Add(set.Name), set.Points);
   }
-  for (const Surface& surface : surfaces)
+  for (const DeckSurface& surface : surfaces)
   {
     WriteSurface(file, surface, mesh.Corners == 8);
   }
+  WriteConnections(model, surfaces, names, file);
   if (model.State.Velocity)
   {
     WriteVelocity(file, mesh, *model.State.Velocity);

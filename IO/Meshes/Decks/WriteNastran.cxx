@@ -106,7 +106,7 @@ bool HaveShortIds(const std::vector<Set>& sets)
 void WriteFile(const DeckModel& model, const std::string& path)
 {
   const MeshData& mesh = model.Mesh;
-  RequireNumbers(mesh, LargestNumber, "Nastran", OtherFormats);
+  RequireNumbers(model, LargestNumber, "Nastran", OtherFormats);
   RequireIds(model, LargestNumber, "Nastran", OtherFormats);
   DeckCards cards(path, RealForm::Nastran);
   cards.Line("$pyNastran: punch=True"); // tells this reader that there is no case control
