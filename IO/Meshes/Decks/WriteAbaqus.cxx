@@ -220,15 +220,16 @@ void WriteFile(const DeckModel& model, const std::string& path)
   }
   WriteElementSets(file, model, sections);
   WriteCohesive(file, model, names);
+  const NodeTies ties = FindNodeTies(model);
   for (const NodeSet& set : model.NodeSets)
   {
-    WriteNodeSet(file, nodeNames.Add(set.Name), set.Points);
+    WriteNodeSet(file, nodeNames.Add(set.Name), RemoveTiedNodes(set, ties).Points);
   }
   for (const DeckSurface& surface : surfaces)
   {
     WriteSurface(file, surface, mesh.Corners == 8);
   }
-  WriteConnections(model, surfaces, names, file);
+  WriteConnections(model, ties, surfaces, names, file);
   if (model.State.Velocity)
   {
     WriteVelocity(file, mesh, *model.State.Velocity);

@@ -108,11 +108,10 @@ void WriteEqual(const std::array<Index, 2>& nodes, OutputFile& file)
   }
 }
 
-void WriteTies(const DeckModel& model, const std::vector<DeckSurface>& surfaces, AbaqusNames& names,
-  OutputFile& file)
+void WriteTies(const DeckModel& model, const NodeTies& ties,
+  const std::vector<DeckSurface>& surfaces, AbaqusNames& names, OutputFile& file)
 {
   const std::map<int, std::string> materials = NamesOfMaterials(model.Mesh);
-  const NodeTies ties = FindNodeTies(model.Mesh, model.SplitFaces);
   ForRuns(
     ties.Nodes.begin(), ties.Nodes.end(),
     [](const TiedNode& a, const TiedNode& b) { return a.Materials == b.Materials; },
@@ -138,12 +137,17 @@ void WriteTies(const DeckModel& model, const std::vector<DeckSurface>& surfaces,
 
 } // namespace
 
-NodeTies FindNodeTies(const MeshData& mesh, const std::vector<SplitFace>& faces)
+NodeTies FindNodeTies(const DeckModel& model)
 {
   NodeTies ties;
+  if (model.Connection != SplitConnection::Tied)
+  {
+    return ties;
+  }
+  const MeshData& mesh = model.Mesh;
   std::vector<Index> sets = MakeSets(mesh.NumberOfPoints); // copies that ties connect
   std::vector<char> isTied(mesh.NumberOfPoints, 0);
-  const std::vector<Link> links = ListLinks(mesh, faces);
+  const std::vector<Link> links = ListLinks(mesh, model.SplitFaces);
   for (const Link& link : links)
   {
     if (isTied[link.First] == 0)
@@ -174,17 +178,32 @@ NodeTies FindNodeTies(const MeshData& mesh, const std::vector<SplitFace>& faces)
   return ties;
 }
 
-void WriteConnections(const DeckModel& model, const std::vector<DeckSurface>& surfaces,
-  AbaqusNames& names, OutputFile& file)
+NodeSet RemoveTiedNodes(NodeSet set, const NodeTies& ties)
+{
+  std::vector<Index> tied;
+  for (const TiedNode& node : ties.Nodes)
+  {
+    tied.push_back(node.Node);
+  }
+  for (const std::array<Index, 2>& nodes : ties.Equal)
+  {
+    tied.push_back(nodes[0]);
+  }
+  std::sort(tied.begin(), tied.end());
+  set.Points.erase(std::remove_if(set.Points.begin(), set.Points.end(),
+                     [&tied](Index point) { return FindSorted(tied, point) >= 0; }),
+    set.Points.end());
+  return set;
+}
+
+void WriteConnections(const DeckModel& model, const NodeTies& ties,
+  const std::vector<DeckSurface>& surfaces, AbaqusNames& names, OutputFile& file)
 {
   if (model.Connection == SplitConnection::Contact)
   {
     WriteContact(model, surfaces, names, file);
   }
-  else if (model.Connection == SplitConnection::Tied)
-  {
-    WriteTies(model, surfaces, names, file);
-  }
+  WriteTies(model, ties, surfaces, names, file);
 }
 
 } // namespace vfm

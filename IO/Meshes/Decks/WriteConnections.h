@@ -35,10 +35,12 @@ struct NodeTies
   std::vector<std::array<Index, 2>> Equal;
 };
 
-/// Finds the ties. The node of the lower material depends on the other side. A node of several
+/// Finds the ties; none unless the connection of the model is Tied. The node of the lower material depends on the other side. A node of several
 /// interfaces depends on the first, because a solver allows one constraint per node.
-/// @param mesh  whole mesh, points ascending by id
-NodeTies FindNodeTies(const MeshData& mesh, const std::vector<SplitFace>& faces);
+NodeTies FindNodeTies(const DeckModel& model);
+
+/// Returns the set without nodes that follow other nodes, on which solvers reject conditions.
+NodeSet RemoveTiedNodes(NodeSet set, const NodeTies& ties);
 
 /// Writes the connection of the model: Contact or Tied.
 /// - Contact: *CONTACT PAIR of the two surfaces of each pair, the lower material as slave, with a
@@ -46,7 +48,7 @@ NodeTies FindNodeTies(const MeshData& mesh, const std::vector<SplitFace>& faces)
 /// - Tied: *TIE of the nodes of the lower material to the surface of the other, and *EQUATION for
 ///   NodeTies::Equal
 /// @param surfaces  surfaces of the file
-void WriteConnections(const DeckModel& model, const std::vector<DeckSurface>& surfaces,
-  AbaqusNames& names, OutputFile& file);
+void WriteConnections(const DeckModel& model, const NodeTies& ties,
+  const std::vector<DeckSurface>& surfaces, AbaqusNames& names, OutputFile& file);
 
 } // namespace vfm
