@@ -13,6 +13,7 @@
 #include "Periodic/JoinCopies.h"
 #include "Periodic/LeaveCovering.h"
 #include "Ranks/Agreement.h"
+#include "State/ViewMesh.h"
 #include "Summary/SeamFacets.h"
 #include "TetPipeline.h"
 
@@ -252,8 +253,11 @@ std::optional<MaterialPairs> ChoosePairs(const MesherOptions& options, const Mat
 /// Splits the interfaces between the pairs of materials.
 void Split(const MesherJob& job, const MaterialPairs& pairs, MesherResult& result)
 {
+  Ranks& ranks = job.Run.Group();
   SplitInterfaces(
-    pairs, job.Options.Connection, job.Run.Group(), result.Fields, result.TheMesh, result.State);
+    pairs, job.Options.Connection, ranks, result.Fields, result.TheMesh, result.State);
+  result.Cohesive =
+    FindCohesiveBlocks(ViewMesh(result.TheMesh, result.State, result.Fields), ranks);
   if (std::get<std::vector<int>>(FindField(result.Fields, "SplitPairs")->Values).empty())
   {
     Warn(job,

@@ -235,4 +235,19 @@ std::vector<CohesiveBlock> FindCohesiveBlocks(const MeshData& mesh, Ranks& ranks
   return blocks;
 }
 
+CohesiveElements JoinBlocks(const std::vector<CohesiveBlock>& blocks)
+{
+  CohesiveElements all;
+  for (const CohesiveBlock& block : blocks)
+  {
+    all.Points.insert(all.Points.end(), block.Points.begin(), block.Points.end());
+    all.Ids.insert(all.Ids.end(), block.Ids.begin(), block.Ids.end());
+    for (std::size_t e = 0; e < block.Ids.size(); ++e)
+    {
+      all.Materials.insert(all.Materials.end(), block.Materials.begin(), block.Materials.end());
+    }
+  }
+  return all;
+}
+
 } // namespace vfm

@@ -63,4 +63,13 @@ inline int CohesiveCorners(const MeshData& mesh)
 /// @pre Collective
 std::vector<CohesiveBlock> FindCohesiveBlocks(const MeshData& mesh, Ranks& ranks);
 
+/// The cohesive elements of all blocks, in the order of the blocks.
+struct CohesiveElements
+{
+  std::vector<Index> Points, Ids; ///< as in CohesiveBlock
+  std::vector<int> Materials;     ///< of the first and of the second side, (elements, 2)
+};
+
+CohesiveElements JoinBlocks(const std::vector<CohesiveBlock>& blocks);
+
 } // namespace vfm

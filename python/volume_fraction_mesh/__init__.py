@@ -19,10 +19,12 @@ from ._images import Fractions
 from ._mesher import VolumeFractionMeshWarning, hexes, tets
 from ._npz import load
 from ._shapes import shapes, surface
+from ._split import Cohesive
 from .mesh import Mesh, Run
 
 __all__ = [
     "Blocks",
+    "Cohesive",
     "Curves",
     "DolfinxMesh",
     "Facets",

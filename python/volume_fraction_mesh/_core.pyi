@@ -338,6 +338,18 @@ def tagged_faces(
     The arguments are those of write_mesh().
     """
 
+def cohesive_blocks(
+    points: NDArray[np.float64],
+    cells: NDArray[np.int64],
+    point_arrays: Sequence[Tuple[str, NDArray[Any]]],
+    cell_arrays: Sequence[Tuple[str, NDArray[Any]]],
+    fields: Fields,
+) -> List[Tuple[int, str, Tuple[int, int], NDArray[np.int64], NDArray[np.int64]]]:
+    """Returns the blocks of cohesive elements: id, name, materials, corners and ids of elements.
+
+    The arguments are those of write_mesh().
+    """
+
 def face_points(
     cells: NDArray[np.int64], elements: NDArray[np.int64], sides: NDArray[np.int32]
 ) -> NDArray[np.int64]:

@@ -35,8 +35,9 @@ struct NodeTies
   std::vector<std::array<Index, 2>> Equal;
 };
 
-/// Finds the ties; none unless the connection of the model is Tied. The node of the lower material depends on the other side. A node of several
-/// interfaces depends on the first, because a solver allows one constraint per node.
+/// Finds the ties; none unless the connection of the model is Tied. The node of the lower material
+/// depends on the other side. A node of several interfaces depends on the first of them, because a
+/// solver allows one constraint per node.
 NodeTies FindNodeTies(const DeckModel& model);
 
 /// Returns the set without nodes that follow other nodes, on which solvers reject conditions.
