@@ -169,6 +169,7 @@ class Result:
     def __init__(self, algorithm, errors, warnings):
         self.mesh, self.surfaces, self.curves, self.vertices, self.materials = map(
             algorithm.GetOutputDataObject, range(5))
+        self.cohesive = algorithm.GetOutputDataObject(5)
         self.errors, self.warnings = errors, warnings
 
     def cells(self, name):
