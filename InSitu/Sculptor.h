@@ -323,7 +323,8 @@ extern "C"
    */
   SCULPTOR_EXPORT int sculptor_get_geometry(int sculptor, const int** dimensions, const int** ids);
   /**
-   * Returns the facets of surfaces on this rank. Each facet is on one rank.
+   * Returns the facets of surfaces on this rank. Each facet is on one rank. At a split interface
+   * its nodes may be those of either side.
    * @param[out] facets  number of facets
    * @param[out] corners  nodes per facet, 4 or 3; 0 without facets
    * @param[out] connectivity  node numbers from 0, shape (facets, corners); null without facets

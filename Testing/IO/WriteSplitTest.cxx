@@ -1,4 +1,4 @@
-/// Files of split interfaces: the same bytes from any number of ranks, and the parts of Exodus files.
+/// Files of split interfaces: the same bytes from any number of ranks, and parts of Exodus files.
 #include "FileCases.h"
 #include "Meshes/Exodus/ExodusModel.h"
 #include "Meshes/WriteMesh.h"

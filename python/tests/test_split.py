@@ -274,6 +274,12 @@ def test_ties_connect_all_copies(make, tmp_path):
         assert listed and not listed & set(follows)
 
 
+def run_ccx(folder, name):
+    told = subprocess.run(["ccx", name], cwd=folder, capture_output=True, text=True,
+                          env={**os.environ, "OMP_NUM_THREADS": "1"})
+    assert "Job finished" in told.stdout and "*ERROR" not in told.stdout, told.stdout
+
+
 RUN = """%s*STEP
 *STATIC
 *BOUNDARY
@@ -294,15 +300,16 @@ def solve(mesh, folder, name):
         % (i, 1000 * (1 + i % 5), i, i) for i in mesh.materials["MaterialId"])
     with open(folder / (name + ".inp"), "a") as file:
         file.write(RUN % sections)
-    told = subprocess.run(["ccx", name], cwd=folder, capture_output=True, text=True,
-                          env={**os.environ, "OMP_NUM_THREADS": "1"})
-    assert "Job finished" in told.stdout and "*ERROR" not in told.stdout, told.stdout
+    run_ccx(folder, name)
     rows = [line.split() for line in (folder / (name + ".dat")).read_text().splitlines()[3:]]
     rows = np.array([row for row in rows if row], float)
     return rows[np.argsort(rows[:, 0]), 1:]
 
 
-@pytest.mark.skipif(not shutil.which("ccx"), reason="CalculiX (ccx) is not installed")
+NEEDS_CCX = pytest.mark.skipif(not shutil.which("ccx"), reason="CalculiX (ccx) is not installed")
+
+
+@NEEDS_CCX
 @MAKERS
 @pytest.mark.parametrize("labels", [FEW, make_grains(60, 10)], ids=["12 grains", "60 grains"])
 def test_tied_grains_move_as_whole_ones(make, labels, tmp_path):
@@ -313,6 +320,38 @@ def test_tied_grains_move_as_whole_ones(make, labels, tmp_path):
     before = np.searchsorted(whole.point_ids, tied.original_ids)
     assert abs(expected).max() > 0.09
     assert abs(found - expected[before]).max() < 1e-7  # 1e-6 of the largest displacement
+
+
+PRESS = """*MATERIAL, NAME=M
+*ELASTIC
+1000, 0.
+*SOLID SECTION, ELSET=EALL, MATERIAL=M
+*STEP
+*STATIC
+*BOUNDARY
+Z_MIN, 1, 3
+Z_MAX, 1, 2
+Z_MAX, 3, 3, %g
+*NODE PRINT, NSET=Z_MIN, TOTALS=ONLY
+RF
+*END STEP
+"""
+
+
+@NEEDS_CCX
+@pytest.mark.parametrize("connection, moved, force", [
+    ("contact", -0.06, 360.0), ("none", -0.06, 0.0), ("tied", 0.06, -360.0)])
+def test_pressed_layers(connection, moved, force, tmp_path):
+    """Contact transmits pressure, a tie also tension; free sides transmit nothing."""
+    labels = np.ones((6, 6, 6), np.int32)
+    labels[..., 3:] = 2
+    mesh = vfm.hexes(labels=labels, split_interfaces="1/2", split_connection=connection)
+    mesh.save(tmp_path / "layers.inp")
+    with open(tmp_path / "layers.inp", "a") as file:
+        file.write(PRESS % moved)
+    run_ccx(tmp_path, "layers")
+    found = float((tmp_path / "layers.dat").read_text().split()[-1])
+    assert abs(found - force) < 2  # the contact of CalculiX is not rigid
 
 
 @MAKERS
