@@ -279,6 +279,18 @@ protected:
     options.Connection = SplitConnection::Cohesive;
     return options;
   }
+
+  /// Returns the mesh with all interfaces split, made once for all tests.
+  const WholeMesh& AllSplit() const
+  {
+    static std::map<ElementKind, WholeMesh> meshes;
+    const ElementKind elements = this->GetParam();
+    if (meshes.count(elements) == 0)
+    {
+      meshes[elements] = MakeWhole(GrainCells, Grains(), this->Options("all"));
+    }
+    return meshes[elements];
+  }
 };
 
 using Vector = std::array<double, 3>;
@@ -304,7 +316,7 @@ TEST_P(SplitGrains, EachGroupOfElementsHasItsCopy)
 {
   const WholeMesh before = MakeWhole(GrainCells, Grains(), this->Options(""));
   EXPECT_EQ(before.AddedNodes, -1);
-  const WholeMesh all = MakeWhole(GrainCells, Grains(), this->Options("all"));
+  const WholeMesh& all = this->AllSplit();
   CheckCopies(all, IsAlwaysCut);
   EXPECT_GT(all.AddedNodes, 3000);
   const WholeMesh some = MakeWhole(GrainCells, Grains(), this->Options(SomePairs));
@@ -324,7 +336,7 @@ TEST_P(SplitGrains, EachGroupOfElementsHasItsCopy)
 /// Each face between two grains has one cohesive element from the lower to the higher grain.
 TEST_P(SplitGrains, CohesiveElementsFillTheFaces)
 {
-  const WholeMesh mesh = MakeWhole(GrainCells, Grains(), this->Options("all"));
+  const WholeMesh& mesh = this->AllSplit();
   std::map<std::set<Index>, std::set<int>> grains; // of each face
   std::map<int, std::set<Index>> nodes;            // of each grain
   for (const auto& [id, points] : mesh.Elements)
@@ -369,7 +381,7 @@ TEST_P(SplitGrains, CohesiveElementsFillTheFaces)
 
 TEST_P(SplitGrains, CohesiveElementsPointToTheHigherGrain)
 {
-  const WholeMesh mesh = MakeWhole(GrainCells, Grains(), this->Options("all"));
+  const WholeMesh& mesh = this->AllSplit();
   const int corners = mesh.Corners == 8 ? 4 : 3;
   std::map<std::vector<Index>, Index> elementOfFace; // outward faces, from their lowest point
   const auto rotated = [](std::vector<Index> ids)
@@ -402,19 +414,26 @@ TEST_P(SplitGrains, CohesiveElementsPointToTheHigherGrain)
 
 TEST_P(SplitGrains, RanksGiveTheSameMesh)
 {
-  for (const std::string& pairs : { std::string("all"), SomePairs })
+  const WholeMesh& alone = this->AllSplit();
+  for (int count : { 2, 3 })
   {
-    const WholeMesh alone = MakeWhole(GrainCells, Grains(), this->Options(pairs));
-    for (int count : { 2, 3 })
-    {
-      const WholeMesh joined = MakeWhole(GrainCells, Grains(), this->Options(pairs), count);
-      EXPECT_TRUE(joined.Points == alone.Points);
-      EXPECT_TRUE(joined.Originals == alone.Originals);
-      EXPECT_TRUE(joined.Elements == alone.Elements);
-      EXPECT_TRUE(joined.CohesiveElements == alone.CohesiveElements);
-      EXPECT_EQ(joined.AddedNodes, alone.AddedNodes);
-    }
+    const WholeMesh joined = MakeWhole(GrainCells, Grains(), this->Options("all"), count);
+    EXPECT_TRUE(joined.Points == alone.Points);
+    EXPECT_TRUE(joined.Originals == alone.Originals);
+    EXPECT_TRUE(joined.Elements == alone.Elements);
+    EXPECT_TRUE(joined.CohesiveElements == alone.CohesiveElements);
+    EXPECT_EQ(joined.AddedNodes, alone.AddedNodes);
   }
+}
+
+/// The nodes at the tips of splits are those of several ranks.
+TEST_P(SplitGrains, RanksGiveTheSameTips)
+{
+  const WholeMesh alone = MakeWhole(GrainCells, Grains(), this->Options(SomePairs));
+  const WholeMesh joined = MakeWhole(GrainCells, Grains(), this->Options(SomePairs), 3);
+  EXPECT_TRUE(joined.Points == alone.Points);
+  EXPECT_TRUE(joined.Elements == alone.Elements);
+  EXPECT_TRUE(joined.CohesiveElements == alone.CohesiveElements);
 }
 
 INSTANTIATE_TEST_SUITE_P(Elements, SplitGrains,
