@@ -5,6 +5,7 @@
  */
 #pragma once
 
+#include "Base/Vector3.h"
 #include "Input/FieldArray.h"
 #include "Input/ValueType.h"
 #include "Mesh/MeshFacet.h"
@@ -52,6 +53,11 @@ struct MeshData
 
   const Index* Element(Index element) const { return this->Elements + this->Corners * element; }
   const double* Point(Index point) const { return this->Points + 3 * point; }
+  Vector3 PointAt(Index point) const
+  {
+    const double* x = this->Point(point);
+    return { { x[0], x[1], x[2] } };
+  }
 };
 
 /// A mesh that shares ownership of the memory of its pointers.

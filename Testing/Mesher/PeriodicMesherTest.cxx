@@ -1,8 +1,7 @@
 /// Meshes of periodic domains: ids, partners and sides of the output.
-#include "Input/NodeCoordinates.h"
 #include "Input/PlainArrays.h"
+#include "LabelInput.h"
 #include "Mesh/ElementFaces.h"
-#include "Mesher.h"
 #include "RankFields.h"
 #include "Sets/MeshSets.h"
 #include "Sets/PeriodicPairs.h"
@@ -15,7 +14,6 @@
 
 #include <map>
 #include <mutex>
-#include <random>
 
 using namespace vfm;
 using namespace vfm::testing;
@@ -26,41 +24,10 @@ namespace
 constexpr Index3 Cells{ { 7, 8, 6 } };
 constexpr double Width = 0.3; // coordinates are not exact
 
-/// Returns the part of a rank of an image of random labels, cut across z.
-MesherInput MakeRandomInput(const Index3& n, Ranks& ranks)
+/// Returns the part of a rank of an image of random labels.
+MesherInput MakeRandomInput(const Index3& cells, Ranks& ranks)
 {
-  InputBlock block;
-  block.Name = "The input";
-  const Index first = ranks.Rank() * n[2] / ranks.Count();
-  const Index last = (ranks.Rank() + 1) * n[2] / ranks.Count();
-  for (int a = 0; a < 3; ++a)
-  {
-    const Index begin = a == 2 ? first : 0, end = a == 2 ? last : n[a];
-    for (Index i = begin; i <= end; ++i)
-    {
-      block.Coordinates[a].push_back(0.1 + Width * static_cast<double>(i));
-    }
-  }
-  KeepAllCells(block);
-  std::mt19937 random(5);
-  std::vector<int> labels;
-  for (Index cell = 0; cell < n[0] * n[1] * last; ++cell)
-  {
-    const int label = static_cast<int>(random() % 3);
-    if (cell >= n[0] * n[1] * first)
-    {
-      labels.push_back(label);
-    }
-  }
-  auto arrays = std::make_shared<PlainArrays>(static_cast<Index>(labels.size()));
-  arrays->Store("labels", ValueType::Int, std::move(labels));
-  block.Arrays = arrays;
-  CollectedBlocks collected;
-  collected.Blocks.push_back(std::move(block));
-  MesherInput input;
-  input.Levels = FindInputLevels(std::move(collected), ranks);
-  input.Arrays.Labels = "labels";
-  return input;
+  return MakeLabelInput({ cells, 0.1, Width }, RandomLabels(cells, 5), ranks);
 }
 
 struct Method
@@ -199,6 +166,40 @@ TEST_P(PeriodicMesher, FacesOfOppositeSidesMatch)
   {
     ASSERT_EQ(face.second.size(), 2u);
     EXPECT_EQ(face.second[0] ^ 1, face.second[1]);
+  }
+}
+
+/// Sides that are not flat, and sides next to void, can have points without a copy.
+TEST_P(PeriodicMesher, NodeSetsOfOppositeSidesBeginInTheSameOrder)
+{
+  Runtime serial;
+  const MesherResult result =
+    RunMesher(MakeRandomInput(Cells, serial.Group()), OptionsOf(this->GetParam()), serial);
+  const MeshData mesh = ViewMesh(result.TheMesh, result.State, result.Fields);
+  const std::vector<NodeSet> sets = FindMeshSets(mesh, serial.Group()).NodeSets;
+  const std::vector<double> lengths = NumbersOfField(mesh.Fields, "PeriodLengths");
+  for (int axis : { 0, 2 })
+  {
+    std::array<std::vector<Vector3>, 2> points; // of the lower side, and of the upper side moved
+    for (int side : { 0, 1 })
+    {
+      for (Index point : sets[2 * axis + side].Points)
+      {
+        points[side].push_back(mesh.PointAt(point));
+        points[side].back()[axis] -= side * lengths[axis];
+      }
+    }
+    auto end = std::mismatch(points[0].begin(), points[0].end(), points[1].begin(), points[1].end(),
+      [](const Vector3& a, const Vector3& b) {
+        return Norm(a - b) < 1e-12;
+      }).first;
+    EXPECT_GT(end - points[0].begin(), 45);
+    for (; end != points[0].end(); ++end)
+    {
+      EXPECT_EQ(std::count_if(points[1].begin(), points[1].end(),
+                  [&](const Vector3& b) { return Norm(*end - b) < 1e-12; }),
+        0);
+    }
   }
 }
 
