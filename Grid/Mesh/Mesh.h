@@ -66,6 +66,8 @@ struct Mesh
   Buffer<int> Material;          ///< material per element; 0 is void
   Buffer<int> Fragment;          ///< fragment per element, from 1 over all ranks
   Buffer<float> ScaledJacobian;  ///< quality per element (Quality.h); empty if not computed
+  Buffer<int>
+    Layer; ///< per element, its layer along a surface, from 1; 0: none. Empty without layers
   SurfaceFacets Surfaces;
   /// Facets by element and side, ascending. A facet is listed for each adjacent element of this
   /// rank, whichever rank owns the facet.

@@ -1,6 +1,7 @@
 #include "Sets/MeshSets.h"
 
 #include "Ranks/Agreement.h"
+#include "Sets/SidePoints.h"
 #include "Summary/MeshFacets.h"
 #include "Summary/MeshMaterials.h"
 #include "Summary/UniqueNames.h"
@@ -215,22 +216,23 @@ std::vector<SurfacePoint> FindRims(const MeshData& mesh, const Facets& facets, R
   return UnionOverRanks(ranks, std::move(rims));
 }
 
-/// Returns the sides of the domain (bits) on which each point has a facet. Sides of periodic meshes
-/// need not be plane.
-std::vector<unsigned char> FindSidesOfFacets(const MeshData& mesh, const Facets& facets)
+/// Returns the points on a smooth side.
+std::vector<Index> FindSurfacePoints(
+  const MeshData& mesh, int surface, const std::vector<SurfacePoint>& rims)
 {
-  std::vector<unsigned char> sides(mesh.NumberOfPoints, 0);
-  for (const MeshFacet& facet : facets)
+  const Index* ids = mesh.UnsplitPointIds();
+  std::vector<Index> points;
+  for (Index point = 0; point < mesh.NumberOfPoints; ++point)
   {
-    for (Index point : PointsOfSide(mesh, { facet.Element, facet.Side }))
+    const bool isOnSurface = mesh.GeometryDimension[point] == DimensionOfSurfaces
+      ? mesh.GeometryId[point] == surface
+      : std::binary_search(rims.begin(), rims.end(), SurfacePoint{ { surface, ids[point] } });
+    if (isOnSurface)
     {
-      if (point >= 0 && facet.DomainSide != NoSide)
-      {
-        sides[point] = static_cast<unsigned char>(sides[point] | 1 << facet.DomainSide);
-      }
+      points.push_back(point);
     }
   }
-  return sides;
+  return points;
 }
 
 /// Collective. Makes the node sets of sides of the domain and smooth sides.
@@ -238,42 +240,24 @@ std::vector<NodeSet> MakeNodeSets(
   const MeshData& mesh, const Facets& facets, const std::vector<SideSet>& sideSets, Ranks& ranks)
 {
   std::vector<NodeSet> sets;
-  const auto add = [&](int id, const std::string& name, const auto& contains)
+  const auto add = [&](int id, const std::string& name, std::vector<Index> points)
   {
-    NodeSet set{ id, name, {} };
-    for (Index point = 0; point < mesh.NumberOfPoints; ++point)
+    if (ranks.Any(!points.empty()))
     {
-      if (contains(point))
-      {
-        set.Points.push_back(point);
-      }
-    }
-    if (ranks.Any(!set.Points.empty()))
-    {
-      sets.push_back(std::move(set));
+      sets.push_back({ id, name, std::move(points) });
     }
   };
-  const DomainSides domain(mesh);
-  const std::vector<unsigned char> sidesOfFacets = FindSidesOfFacets(mesh, facets);
+  std::array<std::vector<Index>, 6> sidePoints = FindSidePoints(mesh, facets);
   for (int side = 0; side < 6; ++side)
   {
-    add(side + 1, SideNames[side],
-      [&](Index point)
-      { return domain.IsOnSide(point, side) || (sidesOfFacets[point] >> side & 1) != 0; });
+    add(side + 1, SideNames[side], std::move(sidePoints[side]));
   }
   const std::vector<SurfacePoint> rims = FindRims(mesh, facets, ranks);
   for (const SideSet& sides : sideSets)
   {
     if (sides.Surface > 0)
     {
-      add(sides.Id, sides.Name,
-        [&](Index point)
-        {
-          return mesh.GeometryDimension[point] == DimensionOfSurfaces
-            ? mesh.GeometryId[point] == sides.Surface
-            : std::binary_search(rims.begin(), rims.end(),
-                SurfacePoint{ { sides.Surface, mesh.UnsplitPointIds()[point] } });
-        });
+      add(sides.Id, sides.Name, FindSurfacePoints(mesh, sides.Surface, rims));
     }
   }
   return sets;

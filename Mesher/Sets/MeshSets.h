@@ -71,7 +71,7 @@ struct NodeSet
 {
   int Id;
   std::string Name;
-  std::vector<Index> Points; ///< points of this rank, ascending
+  std::vector<Index> Points; ///< points of this rank, ascending; sides: as FindSidePoints
 };
 
 /// All sets of a mesh.

@@ -36,11 +36,7 @@ std::vector<PeriodicPair> FindPeriodicPairs(const MeshData& mesh)
     }
   }
   const ImageFrame frame = FrameOfDomain(mesh);
-  const auto positionOf = [&](Index point)
-  {
-    const double* x = mesh.Point(point);
-    return frame.ToOwn({ { x[0], x[1], x[2] } });
-  };
+  const auto positionOf = [&](Index point) { return frame.ToOwn(mesh.PointAt(point)); };
   for (Index point = 0; point < mesh.NumberOfPoints; ++point)
   {
     const Index id = mesh.PeriodicPartner[point];

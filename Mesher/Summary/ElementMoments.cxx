@@ -1,9 +1,6 @@
 #include "Summary/ElementMoments.h"
 
-#include "Summary/DomainSides.h"
-
-#include <algorithm>
-#include <cmath>
+#include "Summary/ElementCorners.h"
 
 namespace vfm
 {
@@ -62,54 +59,16 @@ ElementMoments MomentsOfHex(const Corners& p)
   return moments;
 }
 
-/// Moves corners across joined sides.
-class JoinedSides
-{
-public:
-  explicit JoinedSides(const MeshData& mesh) :
-    Lengths(
-      mesh.PeriodicPartner ? std::vector<double>() : NumbersOfField(mesh.Fields, "PeriodLengths")),
-    Frame(FrameOfDomain(mesh))
-  {
-  }
-
-  /// Moves the corners by whole periods to where they are nearest to the first one.
-  void Unwrap(Corners& corners, int count) const
-  {
-    for (int c = 1; !this->Lengths.empty() && c < count; ++c)
-    {
-      Vector3 own = this->Frame.ToOwn(corners[c]);
-      const Vector3 first = this->Frame.ToOwn(corners[0]);
-      for (int a = 0; a < 3; ++a)
-      {
-        const double length = this->Lengths[a];
-        own[a] -= length > 0.0 ? length * std::round((own[a] - first[a]) / length) : 0.0;
-      }
-      corners[c] = this->Frame.ToSpace(own);
-    }
-  }
-
-private:
-  const std::vector<double> Lengths; // empty: no sides are joined
-  const ImageFrame Frame;
-};
-
 } // namespace
 
 std::vector<ElementMoments> FindElementMoments(const MeshData& mesh)
 {
   std::vector<ElementMoments> moments(mesh.NumberOfElements);
-  const JoinedSides sides(mesh);
-  Corners corners{};
+  const ElementCorners corners(mesh);
   for (std::size_t e = 0; e < moments.size(); ++e)
   {
-    const Index* points = mesh.Element(static_cast<Index>(e));
-    for (int c = 0; c < mesh.Corners; ++c)
-    {
-      std::copy_n(mesh.Point(points[c]), 3, corners[c].begin());
-    }
-    sides.Unwrap(corners, mesh.Corners);
-    moments[e] = mesh.Corners == 4 ? MomentsOfTet(corners) : MomentsOfHex(corners);
+    const Corners positions = corners.Find(static_cast<Index>(e));
+    moments[e] = mesh.Corners == 4 ? MomentsOfTet(positions) : MomentsOfHex(positions);
   }
   return moments;
 }

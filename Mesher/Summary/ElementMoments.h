@@ -15,8 +15,7 @@ struct ElementMoments
   Vector3 Moment; ///< integral of the position: centroid times volume
 };
 
-/// Returns the moments of each element. Where the sides of a periodic mesh are joined, corners
-/// count at the period nearest to the first corner.
+/// Returns the moments of each element, from its ElementCorners.
 std::vector<ElementMoments> FindElementMoments(const MeshData& mesh);
 
 } // namespace vfm

@@ -3,10 +3,12 @@
 #include "Base/ExactSum.h"
 #include "Ranks/Agreement.h"
 #include "Ranks/MaxOfEach.h"
+#include "Summary/ElementCorners.h"
 #include "Summary/ElementMoments.h"
 #include "Summary/GatherMesh.h"
 #include "Summary/MeshFacets.h"
 #include "Summary/MeshMaterials.h"
+#include "Summary/PeriodicPieces.h"
 
 #include <limits>
 #include <numeric>
@@ -136,7 +138,35 @@ Units FindUnits(
   return units;
 }
 
-/// Sums over the elements of this rank; extremes: Extremes values per fragment.
+/// Returns the moments of elements moved by translations; unmoved if there are none.
+Moments Translate(Moments moments, const std::vector<Vector3>& translations)
+{
+  for (std::size_t e = 0; e < translations.size(); ++e)
+  {
+    moments[e].Moment = moments[e].Moment + moments[e].Volume * translations[e];
+  }
+  return moments;
+}
+
+/// Extends the bounds of fragments by the corners of their elements.
+void WidenByElements(
+  const MeshData& mesh, const std::vector<Vector3>& translations, std::vector<double>& extremes)
+{
+  const ElementCorners corners(mesh);
+  for (Index e = 0; e < mesh.NumberOfElements; ++e)
+  {
+    const std::array<Vector3, 8> positions = corners.Find(e);
+    const Vector3 move = translations.empty() ? Vector3{} : translations[e];
+    for (int c = 0; c < mesh.Corners; ++c)
+    {
+      const Vector3 moved = positions[c] + move;
+      WidenBounds(moved.data(), &extremes[Extremes * (mesh.Fragment[e] - 1) + 1]);
+    }
+  }
+}
+
+/// Sums over the elements of this rank; extremes: sets the material, the first of Extremes values
+/// per fragment.
 void SumElements(const MeshData& mesh, const Moments& moments, const ElementState& state,
   const Units& units, std::vector<Sums>& sums, std::vector<double>& extremes)
 {
@@ -149,8 +179,7 @@ void SumElements(const MeshData& mesh, const Moments& moments, const ElementStat
     ++sum.Elements;
     sum.Volume.Add(volume);
     sum.Mass.Add(mass);
-    double* extreme = &extremes[Extremes * fragment];
-    extreme[0] = mesh.Material[e];
+    extremes[Extremes * fragment] = mesh.Material[e];
     for (int a = 0; a < 3; ++a)
     {
       const double moment = moments[e].Moment[a] / units.Volume - volume * units.Origin[a];
@@ -158,8 +187,6 @@ void SumElements(const MeshData& mesh, const Moments& moments, const ElementStat
       sum.Momentum[a].Add(
         state.Velocity.empty() ? 0.0 : mass * (state.Velocity[e][a] / units.Speed));
     }
-    std::for_each(mesh.Element(e), mesh.Element(e + 1),
-      [&](Index point) { WidenBounds(mesh.Point(point), extreme + 1); });
   }
 }
 
@@ -200,11 +227,12 @@ std::vector<FragmentSummary> MergeFragments(
   return fragments;
 }
 
-/// Collective. Finds the fragments that share faces.
-void FindNeighbours(const MeshData& mesh, Ranks& ranks, std::vector<FragmentSummary>& fragments)
+/// Collective. Finds the fragments that share faces, also across sides of a periodic domain.
+void FindNeighbours(MeshData mesh, Ranks& ranks, std::vector<FragmentSummary>& fragments)
 {
   using Pair = std::array<int, 2>;
   std::vector<Pair> pairs;
+  mesh.PointIds = mesh.PeriodicPartner ? mesh.PeriodicPartner : mesh.PointIds;
   for (const FacetSide& face : FindMeshFaces(mesh, mesh.Fragment, ranks))
   {
     if (face.Facet.Behind != NothingBehind)
@@ -301,7 +329,10 @@ std::vector<FragmentSummary> FindFragments(
   const Units units = FindUnits(mesh, moments, state, ranks);
   std::vector<Sums> sums(count);
   std::vector<double> extremes(Extremes * count, Nowhere);
+  const std::vector<Vector3> translations = FindTranslations(mesh, ranks);
+  moments = Translate(std::move(moments), translations);
   SumElements(mesh, moments, state, units, sums, extremes);
+  WidenByElements(mesh, translations, extremes);
   std::vector<FragmentSummary> fragments = MergeFragments(sums, extremes, units, ranks);
   FindNeighbours(mesh, ranks, fragments);
   return fragments;

@@ -30,7 +30,8 @@ struct FragmentArrays
   std::string Velocity;               ///< array of three components; empty: none
 };
 
-/// Finds the fragments of a mesh.
+/// Finds the fragments of a mesh. Positions of fragments that sides of a periodic domain cut are
+/// those of the whole fragment (FindTranslations).
 /// @return fragments 1, 2, ... of all ranks, on all ranks; bitwise identical for any number
 /// of ranks
 /// @throws InputError if arrays are missing, have other numbers of components, or if the number of

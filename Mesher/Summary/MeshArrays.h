@@ -19,6 +19,10 @@ void VisitElementArrays(TheMesh& mesh, const Visit& visit)
   {
     visit("ScaledJacobian", mesh.ScaledJacobian);
   }
+  if (!mesh.Layer.empty())
+  {
+    visit("Layer", mesh.Layer);
+  }
 }
 
 template <class TheMesh, class Visit>

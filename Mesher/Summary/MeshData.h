@@ -5,6 +5,7 @@
  */
 #pragma once
 
+#include "Base/Vector3.h"
 #include "Input/FieldArray.h"
 #include "Input/ValueType.h"
 #include "Mesh/MeshFacet.h"
@@ -58,6 +59,11 @@ struct MeshData
   const Index* UnsplitPointIds() const
   {
     return this->OriginalPointIds ? this->OriginalPointIds : this->PointIds;
+  }
+  Vector3 PointAt(Index point) const
+  {
+    const double* x = this->Point(point);
+    return { { x[0], x[1], x[2] } };
   }
 };
 

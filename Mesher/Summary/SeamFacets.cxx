@@ -3,6 +3,7 @@
 #include "Octree/LevelIds.h"
 #include "Ranks/Agreement.h"
 #include "Summary/DomainSides.h"
+#include "Summary/ElementCorners.h"
 #include "Summary/MatchFaces.h"
 
 #include <tuple>
@@ -12,28 +13,18 @@ namespace vfm
 namespace
 {
 
-/// Returns the axes (bits) along which the centre of a face lies in the upper half of the domain.
-/// They differ between both copies of a face along the axis of their sides.
-int FindHalves(const MeshData& mesh, const ImageFrame& frame, const std::vector<double>& bounds,
-  const FaceIds& points)
+/// Returns the positions of the corners of a face.
+std::vector<Vector3> CornersOf(const MeshData& mesh, const FaceIds& points)
 {
-  Vector3 sum{ { 0.0, 0.0, 0.0 } };
-  double count = 0.0;
+  std::vector<Vector3> corners;
   for (Index point : points)
   {
     if (point >= 0)
     {
-      const double* x = mesh.Point(point);
-      sum = sum + frame.ToOwn({ { x[0], x[1], x[2] } });
-      count += 1.0;
+      corners.push_back(mesh.PointAt(point));
     }
   }
-  int halves = 0;
-  for (int a = 0; a < 3; ++a)
-  {
-    halves |= (sum[a] > 0.5 * count * (bounds[2 * a] + bounds[2 * a + 1])) << a;
-  }
-  return halves;
+  return corners;
 }
 
 /// Returns whether the nodes of points may lie on a side of the domain.
@@ -92,23 +83,24 @@ std::vector<FacetSide> ListCandidates(Mesh& mesh)
 std::vector<int> FindSeamSides(
   const MeshData& mesh, const std::vector<FacetSide>& faces, Ranks& ranks)
 {
-  const std::vector<double> bounds = NumbersOfField(mesh.Fields, "DomainBounds");
-  const ImageFrame frame = FrameOfDomain(mesh);
+  const FacePlaces copies(mesh);
   std::vector<FaceIds> ids;
-  std::vector<Index> halves;
+  std::vector<Index> places;
   for (const FacetSide& face : faces)
   {
     ids.push_back(SortedIds(face.Points, mesh.PeriodicPartner));
-    halves.push_back(FindHalves(mesh, frame, bounds, face.Points));
+    places.push_back(copies.Of(CornersOf(mesh, face.Points)));
   }
-  const std::vector<Index> copies = MatchFaces(ids, halves, ranks);
+  const std::vector<Index> others = MatchFaces(ids, places, ranks);
   std::vector<int> sides(faces.size(), NoSide);
   for (std::size_t f = 0; f < faces.size(); ++f)
   {
-    for (int a = 2; copies[f] != NothingBehind && a >= 0; --a)
+    const Index3 periods = others[f] == NothingBehind
+      ? Index3{ { 0, 0, 0 } }
+      : FacePlaces::PeriodsBetween(others[f], places[f]);
+    for (int a = 2; a >= 0; --a)
     {
-      const bool differs = ((copies[f] ^ halves[f]) >> a & 1) != 0;
-      sides[f] = differs ? 2 * a + static_cast<int>(halves[f] >> a & 1) : sides[f];
+      sides[f] = periods[a] == 0 ? sides[f] : 2 * a + (periods[a] > 0 ? 1 : 0);
     }
   }
   return sides;

@@ -1,14 +1,11 @@
 /// Cases of OpenFOAM of periodic meshes: cyclic patches, read by a parser of its own.
 #include "FoamReader.h"
-#include "Input/NodeCoordinates.h"
-#include "Input/PlainArrays.h"
-#include "Mesher.h"
+#include "LabelInput.h"
 #include "Meshes/OpenFoam/WriteFoam.h"
 #include "State/ViewMesh.h"
 
 #include <limits>
 #include <map>
-#include <numeric>
 #include <random>
 
 using namespace vfm;
@@ -19,33 +16,11 @@ namespace
 
 constexpr Index Width = 8; // cells along each axis
 
-/// Returns the part of a rank of an image of two random labels, cut across z.
+/// Returns the part of a rank of an image of random labels.
 MesherInput MakeRandomInput(Ranks& ranks)
 {
-  InputBlock block;
-  block.Name = "The input";
-  const Index first = ranks.Rank() * Width / ranks.Count();
-  const Index last = (ranks.Rank() + 1) * Width / ranks.Count();
-  for (int a = 0; a < 3; ++a)
-  {
-    const Index begin = a == 2 ? first : 0, end = a == 2 ? last : Width;
-    block.Coordinates[a].resize(static_cast<std::size_t>(end - begin + 1));
-    std::iota(block.Coordinates[a].begin(), block.Coordinates[a].end(), begin);
-  }
-  KeepAllCells(block);
-  std::mt19937 random(3);
-  std::vector<int> all(Width * Width * Width);
-  std::generate(all.begin(), all.end(), [&random] { return static_cast<int>(random() % 3); });
-  std::vector<int> labels(all.begin() + Width * Width * first, all.begin() + Width * Width * last);
-  auto arrays = std::make_shared<PlainArrays>(static_cast<Index>(labels.size()));
-  arrays->Store("labels", ValueType::Int, std::move(labels));
-  block.Arrays = arrays;
-  CollectedBlocks collected;
-  collected.Blocks.push_back(std::move(block));
-  MesherInput input;
-  input.Levels = FindInputLevels(std::move(collected), ranks);
-  input.Arrays.Labels = "labels";
-  return input;
+  const Index3 cells{ { Width, Width, Width } };
+  return MakeLabelInput({ cells, 0.0, 1.0 }, RandomLabels(cells, 3), ranks);
 }
 
 struct Method

@@ -1,4 +1,5 @@
 /// Meshes of periodic domains: ids, partners and sides of the output.
+#include "Input/PlainArrays.h"
 #include "LabelInput.h"
 #include "Mesh/ElementFaces.h"
 #include "RankFields.h"
@@ -13,7 +14,6 @@
 
 #include <map>
 #include <mutex>
-#include <random>
 
 using namespace vfm;
 using namespace vfm::testing;
@@ -22,17 +22,12 @@ namespace
 {
 
 constexpr Index3 Cells{ { 7, 8, 6 } };
+constexpr double Width = 0.3; // coordinates are not exact
 
 /// Returns the part of a rank of an image of random labels.
-MesherInput MakeRandomInput(const Index3& n, Ranks& ranks)
+MesherInput MakeRandomInput(const Index3& cells, Ranks& ranks)
 {
-  std::mt19937 random(5);
-  std::vector<int> labels;
-  for (Index cell = 0; cell < n[0] * n[1] * n[2]; ++cell)
-  {
-    labels.push_back(static_cast<int>(random() % 3));
-  }
-  return MakeLabelInput(n, labels, ranks);
+  return MakeLabelInput({ cells, 0.1, Width }, RandomLabels(cells, 5), ranks);
 }
 
 struct Method
@@ -174,6 +169,40 @@ TEST_P(PeriodicMesher, FacesOfOppositeSidesMatch)
   }
 }
 
+/// Sides that are not flat, and sides next to void, can have points without a copy.
+TEST_P(PeriodicMesher, NodeSetsOfOppositeSidesBeginInTheSameOrder)
+{
+  Runtime serial;
+  const MesherResult result =
+    RunMesher(MakeRandomInput(Cells, serial.Group()), OptionsOf(this->GetParam()), serial);
+  const MeshData mesh = ViewMesh(result.TheMesh, result.State, result.Fields);
+  const std::vector<NodeSet> sets = FindMeshSets(mesh, serial.Group()).NodeSets;
+  const std::vector<double> lengths = NumbersOfField(mesh.Fields, "PeriodLengths");
+  for (int axis : { 0, 2 })
+  {
+    std::array<std::vector<Vector3>, 2> points; // of the lower side, and of the upper side moved
+    for (int side : { 0, 1 })
+    {
+      for (Index point : sets[2 * axis + side].Points)
+      {
+        points[side].push_back(mesh.PointAt(point));
+        points[side].back()[axis] -= side * lengths[axis];
+      }
+    }
+    auto end = std::mismatch(points[0].begin(), points[0].end(), points[1].begin(), points[1].end(),
+      [](const Vector3& a, const Vector3& b) {
+        return Norm(a - b) < 1e-12;
+      }).first;
+    EXPECT_GT(end - points[0].begin(), 45);
+    for (; end != points[0].end(); ++end)
+    {
+      EXPECT_EQ(std::count_if(points[1].begin(), points[1].end(),
+                  [&](const Vector3& b) { return Norm(*end - b) < 1e-12; }),
+        0);
+    }
+  }
+}
+
 TEST_P(PeriodicMesher, RanksGiveTheSameMesh)
 {
   Runtime serial;
@@ -267,7 +296,7 @@ TEST_P(JoinedMesher, HasNoBoundary)
     {
       ASSERT_EQ(face.second, 2);
     }
-    EXPECT_NEAR(volume, 7.0 * 8.0 * 6.0 * LabelWidth * LabelWidth * LabelWidth, 1e-12);
+    EXPECT_NEAR(volume, 7.0 * 8.0 * 6.0 * Width * Width * Width, 1e-12);
     alone = count == 1 ? joined : alone;
     EXPECT_TRUE(joined.Points == alone.Points);
     EXPECT_TRUE(joined.Elements == alone.Elements);

@@ -22,6 +22,8 @@ using namespace vfm::testing;
 namespace
 {
 
+constexpr double LabelWidth = 0.3; // coordinates are not exact
+
 /// Returns grains around random points of a periodic box, with labels from 1.
 std::vector<int> MakeGrains(const Index3& n, int grains)
 {
@@ -166,7 +168,7 @@ WholeMesh MakeWhole(
     [&](ThreadRanks& ranks)
     {
       RankRuntime runtime(ranks);
-      MesherInput input = MakeLabelInput(n, labels, ranks);
+      MesherInput input = MakeLabelInput({ n, 0.1, LabelWidth }, labels, ranks);
       whole.Add(RunMesher(input, options, runtime), ranks, mutex);
     });
   return whole;

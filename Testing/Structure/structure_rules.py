@@ -41,12 +41,14 @@ ALLOWED.update({
     "python": GRID + MESHER + ("Shapes", "IO/Blocks", "IO/Labels", "IO/Meshes", "IO/Report"),
     "Examples": ("InSitu", "InSitu/Catalyst"),
     "Testing/Support": GRID + ("Shapes",),
+    "Testing/Inputs": GRID + MESHER,
     "Testing/Grid": GRID + ("Shapes", "Testing/Support"),
     "Testing/Fuzz": GRID + MESHER + ("Shapes", "Filters", "InSitu", "Program", "Testing/Support"),
     "Testing/Benchmarks": GRID + (
         "Mesher/Input", "IO", "IO/Images", "Shapes", "Filters", "Testing/Support"),
-    "Testing/IO": GRID + MESHER + ("Shapes", "IO/Meshes", "IO/Report", "Testing/Support"),
-    "Testing/Mesher": GRID + MESHER + ("Shapes", "Testing/Support"),
+    "Testing/IO": GRID + MESHER + (
+        "Shapes", "IO/Meshes", "IO/Report", "Testing/Inputs", "Testing/Support"),
+    "Testing/Mesher": GRID + MESHER + ("Shapes", "Testing/Inputs", "Testing/Support"),
     "Testing/Parallel": BASE + ("Parallel", "Testing/Support"),
     "Testing/Digests": ("Filters",),
     "Testing/InSitu": BASE + ("Parallel", "Filters", "Filters/Data", "InSitu", "InSitu/Catalyst"),
@@ -56,7 +58,7 @@ ALLOWED.update({
 # PLAIN: folders without VTK. WITHOUT_MPI: folders without VTK and MPI.
 WITHOUT_MPI = GRID + MESHER + (
     "Shapes", "IO", "IO/Blocks", "IO/Images", "IO/Labels", "IO/Meshes", "IO/Report", "python",
-    "Testing/IO", "Testing/Support", "Testing/Grid", "Testing/Mesher")
+    "Testing/IO", "Testing/Inputs", "Testing/Support", "Testing/Grid", "Testing/Mesher")
 PLAIN = WITHOUT_MPI + ("Parallel/Mpi", "InSitu")
 VTK = re.compile(r"(vtk|paraview|pv|pq)", re.IGNORECASE)
 MPI = re.compile(r"mpi", re.IGNORECASE)

@@ -58,8 +58,7 @@ private:
   /// Returns the position of the first point of a side, which has the lowest partner.
   Vector3 FirstPoint(Index side) const
   {
-    const double* x = this->TheMesh.Point(PointsOfSide(this->TheMesh, side)[0]);
-    return this->Frame.ToOwn({ { x[0], x[1], x[2] } });
+    return this->Frame.ToOwn(this->TheMesh.PointAt(PointsOfSide(this->TheMesh, side)[0]));
   }
 
   const MeshData& TheMesh;

@@ -1,25 +1,28 @@
-/**
- * LabelInput: images of labels as input of the mesher.
- */
-#pragma once
+#include "LabelInput.h"
 
 #include "Input/NodeCoordinates.h"
 #include "Input/PlainArrays.h"
-#include "Mesher.h"
+
+#include <random>
 
 namespace vfm
 {
 namespace testing
 {
 
-constexpr double LabelWidth = 0.3; // of cells; coordinates are not exact
+std::vector<int> RandomLabels(const Index3& cells, unsigned seed)
+{
+  std::mt19937 random(seed);
+  std::vector<int> labels(cells[0] * cells[1] * cells[2]);
+  std::generate(labels.begin(), labels.end(), [&random] { return static_cast<int>(random() % 3); });
+  return labels;
+}
 
-/// Returns the part of a rank of an image of labels, cut across z.
-/// @param labels  of all cells, x fastest
-inline MesherInput MakeLabelInput(const Index3& n, const std::vector<int>& labels, Ranks& ranks)
+MesherInput MakeLabelInput(const LabelGrid& grid, const std::vector<int>& labels, Ranks& ranks)
 {
   InputBlock block;
   block.Name = "The input";
+  const Index3& n = grid.Cells;
   const Index first = ranks.Rank() * n[2] / ranks.Count();
   const Index last = (ranks.Rank() + 1) * n[2] / ranks.Count();
   for (int a = 0; a < 3; ++a)
@@ -27,11 +30,12 @@ inline MesherInput MakeLabelInput(const Index3& n, const std::vector<int>& label
     const Index begin = a == 2 ? first : 0, end = a == 2 ? last : n[a];
     for (Index i = begin; i <= end; ++i)
     {
-      block.Coordinates[a].push_back(0.1 + LabelWidth * static_cast<double>(i));
+      block.Coordinates[a].push_back(grid.Origin + grid.Width * static_cast<double>(i));
     }
   }
   KeepAllCells(block);
-  std::vector<int> own(labels.begin() + n[0] * n[1] * first, labels.begin() + n[0] * n[1] * last);
+  const Index layer = n[0] * n[1];
+  std::vector<int> own(labels.begin() + layer * first, labels.begin() + layer * last);
   auto arrays = std::make_shared<PlainArrays>(static_cast<Index>(own.size()));
   arrays->Store("labels", ValueType::Int, std::move(own));
   block.Arrays = arrays;
