@@ -145,6 +145,13 @@ def hexes(
     child_fractions: Literal["planes", "parent"] = "planes",
     split_interfaces: str = "",
     split_connection: Literal["none", "cohesive", "contact", "tied"] = "none",
+    layers: int = 0,
+    layer_growth: float = 1.5,
+    first_layer: float = 0.0,
+    first_layer_unit: Literal["cells", "length"] = "cells",
+    layer_interfaces: str = "",
+    layers_on: Literal["both_materials", "first_material"] = "both_materials",
+    layer_sides: Literal["off", "x", "y", "xy", "z", "xz", "yz", "xyz"] = "off",
     target_scaled_jacobian: float = 0.0,
     compute_quality: bool = True,
     threads: int = 0,
@@ -344,6 +351,31 @@ def hexes(
         Connection of both sides of split interfaces in files. "cohesive": elements of zero
         thickness in blocks of their own, in .inp, Exodus and .msh files. "contact", "tied": contact
         pairs or ties in .inp files. "none": the sides are free.
+    layers : int, default 0
+        An integer from 0 to 20. Cut the hexahedra along interfaces into this number of layers, as
+        for boundary layers or contact. The cell array Layer counts them from the surface. A
+        fragment gets layers along its whole surface. 0, 1: no layers.
+    layer_growth : float, default 1.5
+        A number from 1 to 10. Thickness of each layer relative to the one before it, away from the
+        surface.
+    first_layer : float, default 0.0
+        A number, 0 or more. Thickness of the first layer, where there is room: where the hexahedra
+        are high enough for all layers. Layers grow less where there is less room, and the last one
+        is thicker where there is more. 0: layers fill the hexahedra along the interface, which are
+        half a cell high.
+    first_layer_unit : {"cells", "length"}, default "cells"
+        Unit of `first_layer`. "cells": the mean width of the finest cells. "length": the length
+        unit of the input.
+    layer_interfaces : str, default ""
+        Pairs of materials such as steel/copper or 1/3 with commas between them, all, or None. Pairs
+        of materials whose interfaces have layers. A pair is two names or ids with a slash between
+        them, such as water/steel or 1/3; * is any material, 0 or Void the void. None: all
+        interfaces.
+    layers_on : {"both_materials", "first_material"}, default "both_materials"
+        Side of the interfaces with layers: the elements of both materials of each pair, or only
+        those of the first.
+    layer_sides : {"off", "x", "y", "xy", "z", "xz", "yz", "xyz"}, default "off"
+        Axes across which the sides of the domain have layers as well, such as walls.
     target_scaled_jacobian : float, default 0.0
         A number from 0 (automatic) to below 1. Target of smoothing for the scaled Jacobian. Larger
         values give better hexahedra that follow the surfaces less closely. 0 is automatic: 0.55
@@ -431,7 +463,9 @@ def hexes(
         thin_cells=thin_cells, curvature_per_cell=curvature_per_cell,
         refine_flipped_cells=refine_flipped_cells, interface_layers=interface_layers,
         maximum_aspect_ratio=maximum_aspect_ratio, child_fractions=child_fractions,
-        split_interfaces=split_interfaces, split_connection=split_connection,
+        split_interfaces=split_interfaces, split_connection=split_connection, layers=layers,
+        layer_growth=layer_growth, first_layer=first_layer, first_layer_unit=first_layer_unit,
+        layer_interfaces=layer_interfaces, layers_on=layers_on, layer_sides=layer_sides,
         target_scaled_jacobian=target_scaled_jacobian, compute_quality=compute_quality,
         threads=threads,
         # end of arguments
@@ -492,6 +526,13 @@ def tets(
     child_fractions: Literal["planes", "parent"] = "planes",
     split_interfaces: str = "",
     split_connection: Literal["none", "cohesive", "contact", "tied"] = "none",
+    layers: int = 0,
+    layer_growth: float = 1.5,
+    first_layer: float = 0.0,
+    first_layer_unit: Literal["cells", "length"] = "cells",
+    layer_interfaces: str = "",
+    layers_on: Literal["both_materials", "first_material"] = "both_materials",
+    layer_sides: Literal["off", "x", "y", "xy", "z", "xz", "yz", "xyz"] = "off",
     target_scaled_jacobian: float = 0.0,
     compute_quality: bool = True,
     threads: int = 0,
@@ -569,7 +610,9 @@ def tets(
         Option of `hexes`, with the same default.
     curvature_per_cell, refine_flipped_cells, interface_layers, maximum_aspect_ratio : see hexes
         Option of `hexes`, with the same default.
-    child_fractions, split_interfaces, split_connection, threads : see hexes
+    child_fractions, split_interfaces, split_connection, layers, layer_growth : see hexes
+        Option of `hexes`, with the same default.
+    first_layer, first_layer_unit, layer_interfaces, layers_on, layer_sides, threads : see hexes
         Option of `hexes`, with the same default.
 
     Returns
@@ -622,7 +665,9 @@ def tets(
         thin_cells=thin_cells, curvature_per_cell=curvature_per_cell,
         refine_flipped_cells=refine_flipped_cells, interface_layers=interface_layers,
         maximum_aspect_ratio=maximum_aspect_ratio, child_fractions=child_fractions,
-        split_interfaces=split_interfaces, split_connection=split_connection,
+        split_interfaces=split_interfaces, split_connection=split_connection, layers=layers,
+        layer_growth=layer_growth, first_layer=first_layer, first_layer_unit=first_layer_unit,
+        layer_interfaces=layer_interfaces, layers_on=layers_on, layer_sides=layer_sides,
         target_scaled_jacobian=target_scaled_jacobian, compute_quality=compute_quality,
         threads=threads, method=method, relative_size=relative_size, growth=growth,
         radius_edge_ratio=radius_edge_ratio, minimum_dihedral_angle=minimum_dihedral_angle,
