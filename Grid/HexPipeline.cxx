@@ -47,7 +47,8 @@ void FindLabels(MeshJob& job, LabelledGrid& result)
   LevelPlan plan = job.Options.Levels;
   MakeLevels(job.Grid, result.Labels, result.Mixed, { job.Options.MeshVoid, false, true }, plan,
     job.Run, job.Report, result.Levels);
-  result.Narrow = FindBarrier(job.Options, *result.Levels.Grid, result.Labels, result.Mixed);
+  result.Narrow =
+    FindBarrier(job.Options, *result.Levels.Grid, result.Labels, result.Mixed, job.Run);
 }
 
 FragmentVolumes FindVolumes(

@@ -100,7 +100,7 @@ MadeTets MakeTets(MeshJob& job, const LabelArray& labels)
   LevelHexes levels;
   const std::unique_ptr<const CoarseTets> coarse =
     MakeCoarse(job, labels, nodes, made.Mixed, energy, levels);
-  const NarrowVoid narrow = FindBarrier(job.Options, *levels.Grid, labels, made.Mixed);
+  const NarrowVoid narrow = FindBarrier(job.Options, *levels.Grid, labels, made.Mixed, job.Run);
   ReportNarrowVoid(narrow, job.Run.Group(), job.Report);
   made.RequestedFamilies = std::move(levels.RequestedFamilies);
   if (nodes)

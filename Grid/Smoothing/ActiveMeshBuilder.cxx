@@ -1,7 +1,15 @@
 #include "Smoothing/ActiveMeshBuilder.h"
 
+#include "Base/Groups.h"
+
 namespace vfm
 {
+namespace
+{
+
+constexpr Index ElementsOfBlock = 4096; // elements per task
+
+} // namespace
 
 ActiveMeshBuilder::ActiveMeshBuilder(int corners, std::size_t points, std::vector<Mover> movers) :
   Movers(std::move(movers))
@@ -25,16 +33,17 @@ int ActiveMeshBuilder::AddPoint(Index meshPoint)
   return this->Result.PointOf[meshPoint] = point;
 }
 
-std::vector<Index> ActiveMeshBuilder::AddAround(const Mesh& mesh)
+std::vector<Index> ActiveMeshBuilder::AddAround(const Mesh& mesh, Runtime& runtime)
 {
-  std::vector<Index> elements;
-  for (std::size_t e = 0; e < mesh.ElementIds.size(); ++e)
-  {
-    if (this->HasMover(mesh.Elements.data() + mesh.Corners * e))
+  std::vector<Index> elements = CollectItems<Index>(runtime, mesh.ElementIds.size(),
+    ElementsOfBlock,
+    [&](Index e, std::vector<Index>& found)
     {
-      elements.push_back(static_cast<Index>(e));
-    }
-  }
+      if (this->HasMover(mesh.Elements.data() + mesh.Corners * e))
+      {
+        found.push_back(e);
+      }
+    });
   this->Result.Elements.reserve(mesh.Corners * elements.size());
   for (Index e : elements)
   {
