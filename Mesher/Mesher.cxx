@@ -347,7 +347,7 @@ MesherResult RunMesher(const MesherInput& input, const MesherOptions& given, Run
     runtime, result.TheMesh, result.State, result.Report);
   if (options.Periodic != 0 && options.PeriodicSides == Sides::Joined)
   {
-    JoinCopies(ranks, result.TheMesh); // after the state, which needs positions
+    JoinCopies(runtime, result.TheMesh); // after the state, which needs positions
   }
   WorkTogether(ranks, [&] { Finish(job, fields, meshOptions, result); });
   if (split)

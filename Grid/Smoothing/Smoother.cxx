@@ -348,22 +348,23 @@ void Smoother::Shift(
   const std::vector<double>& shifts, const HasLongOffset& isLong, const SmoothingStage& stage)
 {
   const std::vector<Index>& offsets = this->Mesh.AttachmentOffset;
-  for (std::size_t point = 0; point < this->Mesh.X.size(); ++point)
-  {
-    for (Index i = offsets[point]; i < offsets[point + 1]; ++i)
+  ForEach(this->Run, this->Mesh.X.size(),
+    [&](Index point)
     {
-      if (std::fabs(shifts[i]) < SmallestShift)
+      for (Index i = offsets[point]; i < offsets[point + 1]; ++i)
       {
-        continue;
+        if (std::fabs(shifts[i]) < SmallestShift)
+        {
+          continue;
+        }
+        Attachment& a = this->Mesh.Attachments[i];
+        const double offset = a.Offset + shifts[i] * this->Targets->LocalScale(a.Target);
+        const std::array<double, 2> range = isLong(a)
+          ? this->LongRange(static_cast<int>(point), a, stage)
+          : std::array<double, 2>{ { -OffsetAhead, OffsetAhead } };
+        a.Offset = std::min(std::max(offset, range[0]), range[1]);
       }
-      Attachment& a = this->Mesh.Attachments[i];
-      const double offset = a.Offset + shifts[i] * this->Targets->LocalScale(a.Target);
-      const std::array<double, 2> range = isLong(a)
-        ? this->LongRange(static_cast<int>(point), a, stage)
-        : std::array<double, 2>{ { -OffsetAhead, OffsetAhead } };
-      a.Offset = std::min(std::max(offset, range[0]), range[1]);
-    }
-  }
+    });
 }
 
 /// Returns whether an attachment of a point has a shift that counts.
@@ -378,8 +379,8 @@ void Smoother::ShiftTargets(
   const std::vector<double>& shifts, const HasLongOffset& isLong, const SmoothingStage& stage)
 {
   this->Shift(shifts, isLong, stage);
-  bool marks = false;
-  this->Mesh.ForOwned(
+  std::atomic<bool> marks(false);
+  this->Mesh.ForOwned(this->Run,
     [&](int point)
     {
       if (this->Mesh.IsActive[point] && this->IsShifted(point, shifts))
