@@ -57,6 +57,7 @@ std::vector<MoveOrder::Node> ActiveMeshBuilder::ListNodes(const Partition* parti
 {
   std::vector<MoveOrder::Node> nodes;
   const int count = static_cast<int>(this->Movers.size());
+  nodes.reserve(count); // an upper bound; unused memory is never touched
   for (int first = 0, last = 0; first < count; first = last)
   {
     const Mover& mover = this->Movers[first];

@@ -185,11 +185,12 @@ void Smoother::MarkAll()
 void Smoother::MoveAndCheck(
   const std::function<void()>& move, const std::function<void()>& moveReturned)
 {
-  const std::vector<Vector3> before = this->Mesh.X;
+  this->Before.resize(this->Mesh.X.size());
+  ForEach(this->Run, this->Before.size(), [this](Index p) { this->Before[p] = this->Mesh.X[p]; });
   move();
-  while (this->TheGuard.PutBack(before, this->Mesh.X))
+  while (this->TheGuard.PutBack(this->Before, this->Mesh.X))
   {
-    for (std::size_t point = 0; point < before.size(); ++point)
+    for (std::size_t point = 0; point < this->Before.size(); ++point)
     {
       this->HasMoved[point] |= this->TheGuard.Returned()[point];
     }
@@ -214,6 +215,7 @@ void Smoother::RunStage(const SmoothingStage& stage, const std::function<void(do
 
 bool Smoother::EndIntersections(const SmoothingStage& stage, bool moves)
 {
+  std::vector<Vector3>().swap(this->Before); // before the tree of boxes, which takes memory
   const std::vector<unsigned char> intersects = FindIntersections(this->Mesh, this->Run);
   bool isNew = false;
   this->Mesh.ForOwned(
@@ -226,12 +228,12 @@ bool Smoother::EndIntersections(const SmoothingStage& stage, bool moves)
   {
     return false;
   }
-  std::vector<Vector3> start(this->Mesh.X.size());
-  for (std::size_t p = 0; p < start.size(); ++p)
+  this->Before.resize(this->Mesh.X.size());
+  for (std::size_t p = 0; p < this->Before.size(); ++p)
   {
-    start[p] = this->Mesh.StartOf(static_cast<int>(p));
+    this->Before[p] = this->Mesh.StartOf(static_cast<int>(p));
   }
-  this->TheGuard.PutBack(intersects, start, this->Mesh.X, stage);
+  this->TheGuard.PutBack(intersects, this->Before, this->Mesh.X, stage);
   if (moves)
   {
     this->MarkReturned();
