@@ -61,8 +61,8 @@ std::vector<Item> Joined(const std::vector<std::vector<Item>>& lists)
   return items;
 }
 
-/// Calls body(i, items) for 0 <= i < count, possibly several at the same time. Returns the items that
-/// the calls append, in the order of i.
+/// Calls body(i, items) for 0 <= i < count, possibly several at the same time. Returns the items
+/// that the calls append, in the order of i.
 /// @param block  number of calls per task
 template <class Item, class Body>
 std::vector<Item> CollectItems(Runtime& runtime, std::size_t count, Index block, const Body& body)

@@ -35,15 +35,15 @@ int ActiveMeshBuilder::AddPoint(Index meshPoint)
 
 std::vector<Index> ActiveMeshBuilder::AddAround(const Mesh& mesh, Runtime& runtime)
 {
-  std::vector<Index> elements = CollectItems<Index>(runtime, mesh.ElementIds.size(),
-    ElementsOfBlock,
-    [&](Index e, std::vector<Index>& found)
-    {
-      if (this->HasMover(mesh.Elements.data() + mesh.Corners * e))
+  std::vector<Index> elements =
+    CollectItems<Index>(runtime, mesh.ElementIds.size(), ElementsOfBlock,
+      [&](Index e, std::vector<Index>& found)
       {
-        found.push_back(e);
-      }
-    });
+        if (this->HasMover(mesh.Elements.data() + mesh.Corners * e))
+        {
+          found.push_back(e);
+        }
+      });
   this->Result.Elements.reserve(mesh.Corners * elements.size());
   for (Index e : elements)
   {
