@@ -23,62 +23,6 @@ std::vector<unsigned char> FindMeshed(const Mesh& mesh, int materials, Ranks& ra
   return isMeshed;
 }
 
-/// State of an element, summed over its parts.
-class ElementState
-{
-public:
-  explicit ElementState(const StateColumns& columns) :
-    Columns(columns), Count(columns.Count()), Numbers(4 * columns.Count())
-  {
-  }
-
-  void Start()
-  {
-    this->Inside = 0.0;
-    std::fill_n(this->Contents(), 2 * this->Count, 0.0);
-  }
-  /// Returns the array to which the caller writes the values of the next part.
-  double* NextValues() { return this->Numbers.data(); }
-  /// Adds a part.
-  /// @param inside  volume of the element in the part
-  /// @param volume  volume of the material that the part receives, equal up to rounding
-  void Add(double inside, double volume)
-  {
-    double *values = this->NextValues(), *parts = values + this->Count;
-    double *contents = this->Contents(), *means = contents + this->Count;
-    this->Columns.FindContents(volume, values, parts);
-    this->Inside += inside;
-    for (int c = 0; c < this->Count; ++c)
-    {
-      contents[c] += parts[c];
-      means[c] += inside * values[c];
-    }
-  }
-  double Mass() const { return this->Contents()[this->Columns.Density()]; }
-  double Value(int c) const
-  {
-    const int base = this->Columns.Base(c);
-    const double* contents = this->Contents();
-    const double weight = base < 0 ? this->Inside : contents[base];
-    if (weight > 0.0)
-    {
-      return contents[c] / weight;
-    }
-    const double mean = contents[this->Count + c]; // volume mean without mass
-    return this->Inside > 0.0 ? mean / this->Inside : 0.0;
-  }
-
-private:
-  double* Contents() { return this->Numbers.data() + 2 * this->Count; }
-  const double* Contents() const { return this->Numbers.data() + 2 * this->Count; }
-
-  const StateColumns& Columns;
-  const int Count;
-  double Inside = 0.0;
-  // Per column: values and contents of the last part, sums of contents, and of values by volume.
-  std::vector<double> Numbers;
-};
-
 /// Data of all steps.
 struct Work
 {
@@ -159,19 +103,51 @@ void Allocate(const Work& work, TransferredState& state)
   state.Mass = Buffer<double>(elements);
 }
 
-void Write(const Work& work, const ElementState& element, Index e, TransferredState& state)
+/// Writes the state of elements.
+class StateWriter
 {
-  state.Mass[e] = element.Mass();
-  int c = 0;
-  for (std::size_t q = 0; q < work.Request.Quantities.size(); ++q)
+public:
+  StateWriter(const StateColumns& columns, const TransferRequest& request, TransferredState& state) :
+    Mass(state.Mass.data()), State(columns)
   {
-    const int components = work.Request.Quantities[q].Components;
-    for (int i = 0; i < components; ++i)
+    for (std::size_t q = 0; q < state.Values.size(); ++q)
     {
-      state.Values[q][e * components + i] = element.Value(c++);
+      const int components = request.Quantities[q].Components;
+      for (int i = 0; i < components; ++i)
+      {
+        this->Targets.push_back({ state.Values[q].data() + i, components });
+      }
     }
   }
-}
+
+  /// Returns the state of the next element, to which the caller adds its parts.
+  ElementState& Next()
+  {
+    this->State.Start();
+    return this->State;
+  }
+  /// Writes the state of an element.
+  void Write(Index e)
+  {
+    this->State.Finish();
+    this->Mass[e] = this->State.Mass();
+    const double* value = this->State.Values();
+    for (const Target& target : this->Targets)
+    {
+      target.Values[e * target.Components] = *value++;
+    }
+  }
+
+private:
+  struct Target
+  {
+    double* Values;
+    Index Components;
+  };
+  std::vector<Target> Targets; // one per column of the quantities
+  double* Mass;
+  ElementState State;
+};
 
 void FillFromDonors(Work& work, const std::vector<DonorParts>& pieces, const Slopes& slopes,
   const DonorValues& values, TransferredState& state)
@@ -181,20 +157,20 @@ void FillFromDonors(Work& work, const std::vector<DonorParts>& pieces, const Slo
     work.Run.For(0, static_cast<Index>(some.Elements.size()),
       [&](Index begin, Index end)
       {
-        ElementState element(work.Columns);
+        StateWriter writer(work.Columns, work.Request, state);
         PartReader reader(work.TheMesh, work.Grid, work.Regular, work.Donors);
         for (Index i = begin; i < end; ++i)
         {
-          element.Start();
+          ElementState& element = writer.Next();
           reader.ForParts(some, i,
             [&](const DonorPart& part)
             {
               const Donor& donor = work.Donors[part.Donor];
-              slopes.Evaluate(part.Donor, part.Centroid - donor.Centroid, values.Of(part.Donor),
-                element.NextValues());
-              element.Add(part.Volume, part.Volume * (donor.Volume / donor.Overlap));
+              element.Add({ values.Of(part.Donor), slopes.LineOf(part.Donor),
+                part.Centroid - donor.Centroid, part.Volume,
+                part.Volume * (donor.Volume / donor.Overlap) });
             });
-          Write(work, element, some.Elements[i], state);
+          writer.Write(some.Elements[i]);
         }
       });
   }
@@ -206,7 +182,9 @@ void FillFromCells(Work& work, const FlowRegion& region, TransferredState& state
   work.Run.For(0, static_cast<Index>(work.TheMesh.Material.size()),
     [&](Index begin, Index end)
     {
-      ElementState element(work.Columns);
+      StateWriter writer(work.Columns, work.Request, state);
+      const Slopes slopes(work.Columns);
+      std::vector<double> own(work.Columns.Width());
       for (Index e = begin; e < end; ++e)
       {
         if (!work.Whole.IsWhole(e) || IsNear(work, region.Mismatches, e) ||
@@ -214,14 +192,19 @@ void FillFromCells(Work& work, const FlowRegion& region, TransferredState& state
         {
           continue;
         }
-        element.Start();
-        ForCells(work.Whole.CellsOf(e),
+        ElementState& element = writer.Next();
+        const IndexBox cells = work.Whole.CellsOf(e);
+        own.resize(cells.NumberOfCells() * work.Columns.Width());
+        double* next = own.data();
+        ForCells(cells,
           [&](const Index3& p)
           {
-            work.Source.Read(p, work.TheMesh.Material[e], element.NextValues());
-            element.Add(work.Grid.CellVolume(p), work.Grid.CellVolume(p));
+            work.Source.Read(p, work.TheMesh.Material[e], next);
+            const double volume = work.Grid.CellVolume(p);
+            element.Add({ next, slopes.LineOf(0), {}, volume, volume });
+            next += work.Columns.Width();
           });
-        Write(work, element, e, state);
+        writer.Write(e);
       }
     });
 }
