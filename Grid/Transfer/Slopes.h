@@ -12,7 +12,6 @@
 
 #include "Transfer/DonorContents.h"
 #include "Transfer/DonorParts.h"
-#include "Transfer/ElementState.h"
 
 namespace vfm
 {

@@ -1,5 +1,6 @@
 #include "Transfer/TransferState.h"
 
+#include "Transfer/ElementState.h"
 #include "Transfer/Slopes.h"
 #include "Transfer/VolumeFluxes.h"
 
@@ -42,20 +43,11 @@ struct Work
 };
 
 /// Cuts the elements for which isNeeded(element) is true, and makes their donors. Collective.
-template <class IsNeeded>
-std::vector<DonorParts> FindParts(
-  Work& work, const IsNeeded& isNeeded, std::vector<DonorShape>& shapes)
+std::vector<DonorParts> FindParts(Work& work,
+  const std::function<bool(Index element)>& isNeeded, std::vector<DonorShape>& shapes)
 {
-  std::vector<Index> elements;
-  for (Index e = 0; e < static_cast<Index>(work.TheMesh.Material.size()); ++e)
-  {
-    if (isNeeded(e))
-    {
-      elements.push_back(e);
-    }
-  }
   return FindDonorParts(
-    work.TheMesh, elements, work.Grid, work.Regular, work.Parts, work.Run, work.Donors, shapes);
+    work.TheMesh, isNeeded, work.Grid, work.Regular, work.Parts, work.Run, work.Donors, shapes);
 }
 
 /// Returns whether a whole element has donors because mismatch cells are near.
@@ -149,8 +141,77 @@ private:
   ElementState State;
 };
 
-void FillFromDonors(Work& work, const std::vector<DonorParts>& pieces, const Slopes& slopes,
-  const DonorValues& values, TransferredState& state)
+/// What elements get from a donor.
+class DonorSource
+{
+public:
+  DonorSource(const CartesianGrid& grid, const Donor& donor, const double* own, const double* line) :
+    Own(own), Line(line), Centroid(donor.Centroid), Ratio(donor.Volume / donor.Overlap)
+  {
+    const Index3 cell = grid.Position(donor.Cell);
+    for (int a = 0; a < 3; ++a)
+    {
+      const std::vector<double>& x = grid.Coordinates(a);
+      this->Eighth[a] = grid.Width(a, cell[a]) / 8.0;
+      this->Centre[a] = 0.5 * (x[cell[a]] + x[cell[a] + 1]) - donor.Centroid[a];
+    }
+    this->Volume24 = grid.CellVolume(cell) / 24.0;
+  }
+
+  StatePart Find(const DonorPart& part) const
+  {
+    return { this->Own, this->Line, part.Centroid - this->Centroid, part.Volume,
+      part.Volume * this->Ratio };
+  }
+  /// Returns the part of a regular tet.
+  StatePart Find(int kind) const
+  {
+    const RegularShape& shape = ShapeOfKind(kind);
+    Vector3 x;
+    for (int a = 0; a < 3; ++a)
+    {
+      x[a] = this->Centre[a] + shape.Centroid[a] * this->Eighth[a];
+    }
+    const double inside = shape.Volume * this->Volume24;
+    return { this->Own, this->Line, x, inside, inside * this->Ratio };
+  }
+
+private:
+  const double *Own, *Line;
+  Vector3 Centroid;
+  double Ratio;           // volume of material per volume of elements
+  Vector3 Centre, Eighth; // centre of the cell relative to the centroid, eighths of its widths
+  double Volume24;        // 24th of the volume of the cell
+};
+
+std::vector<DonorSource> ListSources(
+  const Work& work, const Slopes& slopes, const DonorValues& values)
+{
+  std::vector<DonorSource> sources;
+  sources.reserve(work.Donors.Count());
+  for (int s = 0; s < work.Donors.Count(); ++s)
+  {
+    sources.emplace_back(work.Grid, work.Donors[s], values.Of(s), slopes.LineOf(s));
+  }
+  return sources;
+}
+
+/// Adds the parts of element i of a list.
+void AddParts(const DonorParts& some, Index i, const std::vector<DonorSource>& sources,
+  ElementState& element)
+{
+  for (int p = some.Offsets[i]; p < some.Offsets[i + 1]; ++p)
+  {
+    element.Add(sources[some.Parts[p].Donor].Find(some.Parts[p]));
+  }
+  for (int p = 0; !some.Regular.empty() && p < 2 && some.Regular[i].Donor[p] >= 0; ++p)
+  {
+    element.Add(sources[some.Regular[i].Donor[p]].Find(some.Regular[i].Kind[p]));
+  }
+}
+
+void FillFromDonors(Work& work, const std::vector<DonorParts>& pieces,
+  const std::vector<DonorSource>& sources, TransferredState& state)
 {
   for (const DonorParts& some : pieces)
   {
@@ -158,18 +219,9 @@ void FillFromDonors(Work& work, const std::vector<DonorParts>& pieces, const Slo
       [&](Index begin, Index end)
       {
         StateWriter writer(work.Columns, work.Request, state);
-        PartReader reader(work.TheMesh, work.Grid, work.Regular, work.Donors);
         for (Index i = begin; i < end; ++i)
         {
-          ElementState& element = writer.Next();
-          reader.ForParts(some, i,
-            [&](const DonorPart& part)
-            {
-              const Donor& donor = work.Donors[part.Donor];
-              element.Add({ values.Of(part.Donor), slopes.LineOf(part.Donor),
-                part.Centroid - donor.Centroid, part.Volume,
-                part.Volume * (donor.Volume / donor.Overlap) });
-            });
+          AddParts(some, i, sources, writer.Next());
           writer.Write(some.Elements[i]);
         }
       });
@@ -244,9 +296,10 @@ TransferredState TransferState(const Mesh& mesh, const TransferRequest& request,
     : Slopes(work.Columns, work.Grid, work.Donors, values, shapes,
         links.Narrow([&work](int s) { return work.Donors[s].HasParts; }), work.Run);
   Allocate(work, state);
-  FillFromDonors(work, moved, slopes, values, state);
-  FillFromDonors(work, near, slopes, values, state);
-  FillFromDonors(work, inside, slopes, values, state);
+  const std::vector<DonorSource> sources = ListSources(work, slopes, values);
+  FillFromDonors(work, moved, sources, state);
+  FillFromDonors(work, near, sources, state);
+  FillFromDonors(work, inside, sources, state);
   FillFromCells(work, region, state);
   state.Input = input.Finish(work.Run.Group());
   state.Unmeshed = unmeshed.Finish(work.Run.Group());
