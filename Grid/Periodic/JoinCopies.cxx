@@ -19,7 +19,10 @@ struct Copy
   {
     return std::tie(this->Joined, this->Id) < std::tie(other.Joined, other.Id);
   }
-  bool operator==(const Copy& other) const { return this->Id == other.Id; }
+  bool operator==(const Copy& other) const
+  {
+    return this->Joined == other.Joined && this->Id == other.Id;
+  }
 };
 
 /// Collective. Returns the copies of all ranks of points whose id changes, and of the points that
