@@ -1,5 +1,6 @@
 #include "Pipeline.h"
 
+#include "Curved/EdgePulls.h"
 #include "Hex/MakeLevels.h"
 #include "Mesh/MeasureMaterials.h"
 #include "Mesh/Quality.h"
@@ -81,6 +82,29 @@ std::vector<FeatureKind> AttachToFeatures(MeshJob& job, const Interface& interfa
     AttachFeatures({ features, interface, firstTarget }, facets, mesh, targets, active, job.Run);
   CountCarriers(kinds, active, job.Run.Group(), job.Report);
   return kinds;
+}
+
+std::function<std::vector<double>()> BulgesOf(MeshJob& job, const std::vector<Facet>& facets,
+  const Mesh& mesh, const SurfaceTargets& targets, const ActiveMesh& active)
+{
+  if (!HasCurvedEdges(job.Options))
+  {
+    return {};
+  }
+  return [&]
+  {
+    return MeasureBulges(FindEdgePulls(facets, mesh, targets, active, job.Run), mesh, active,
+      job.Report.NumberOfFragments + 1, job.Run);
+  };
+}
+
+void SetPulls(MeshJob& job, const std::vector<Facet>& facets, const SurfaceTargets& targets,
+  const ActiveMesh& active, Mesh& mesh)
+{
+  if (HasCurvedEdges(job.Options))
+  {
+    mesh.Pulls = FindEdgePulls(facets, mesh, targets, active, job.Run);
+  }
 }
 
 namespace

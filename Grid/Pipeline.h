@@ -50,6 +50,22 @@ void ReportNarrowVoid(const NarrowVoid& narrow, Ranks& ranks, MeshReport& report
 std::vector<FeatureKind> AttachToFeatures(MeshJob& job, const Interface& interface,
   const std::vector<Facet>& facets, const Mesh& mesh, SurfaceTargets& targets, ActiveMesh& active);
 
+/// Returns whether mid nodes of interfaces leave the middles of edges.
+inline bool HasCurvedEdges(const MeshSettings& options)
+{
+  return options.Order != ElementOrder::Linear && MovesPoints(options) &&
+    KindOfTargets(options) == SurfaceTargets::Kind::Quadrics;
+}
+
+/// Returns Improvement::MeasureBulges, which refers to the arguments.
+/// @param facets  all facets of the mesh; the owned ones are in the active mesh
+std::function<std::vector<double>()> BulgesOf(MeshJob& job, const std::vector<Facet>& facets,
+  const Mesh& mesh, const SurfaceTargets& targets, const ActiveMesh& active);
+
+/// Fills Mesh::Pulls, if the options request curved elements.
+void SetPulls(MeshJob& job, const std::vector<Facet>& facets, const SurfaceTargets& targets,
+  const ActiveMesh& active, Mesh& mesh);
+
 /// Fills MeshReport::Levels and TransitionCells: the families and hexes of each
 /// level over all ranks.
 /// @param mesh  mesh with owned elements only

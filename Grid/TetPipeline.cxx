@@ -194,7 +194,13 @@ std::vector<FeatureKind> Smooth(
   const TetEnergy energy(FloorsOf(job.Options));
   std::optional<DiagonalFlips> flips;
   Improvement improvement{ active, targets, energy, TetRamp(job.Options.Tets), volumes, job.Report,
-    ConservesVolume(job.Options), {}, {} };
+    ConservesVolume(job.Options), {}, {}, {} };
+  std::vector<Facet> facets;
+  if (HasCurvedEdges(job.Options))
+  {
+    facets = ListFacets(job, made);
+    improvement.MeasureBulges = BulgesOf(job, facets, mesh, targets, active);
+  }
   if (!IsLattice(job))
   {
     flips.emplace(mesh, job.Parts, active, energy, kinds);
@@ -209,10 +215,16 @@ std::vector<FeatureKind> Smooth(
     {
       flips->CopyTo(mesh);
       made.Faces = FindTetFaces(made.Topology, job.Grid);
-      SetFacets(ListFacets(job, made), active);
+      std::vector<Facet> flipped = ListFacets(job, made);
+      SetFacets(flipped, active);
+      if (HasCurvedEdges(job.Options))
+      {
+        facets.swap(flipped);
+      }
     };
   }
   Improve(improvement, job.Clock, job.Run);
+  SetPulls(job, facets, targets, active, mesh);
   active.CopyTo(mesh, job.Grid);
   return active.OfMesh(kinds, mesh);
 }

@@ -58,4 +58,11 @@ std::vector<T> UnionOverRanks(Ranks& ranks, std::vector<T> values)
   return values;
 }
 
+/// Returns the maximum of an integer over all ranks, exact above 2^53.
+/// @pre Collective over `ranks`.
+inline std::int64_t MaximumOverRanks(std::int64_t mine, Ranks& ranks)
+{
+  return UnionOverRanks(ranks, std::vector<std::int64_t>{ mine }).back();
+}
+
 } // namespace vfm

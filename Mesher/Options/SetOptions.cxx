@@ -315,6 +315,11 @@ void CheckOptions(const MesherOptions& options, const OptionTable& table)
       Reject(option, FormatNumber(option.GetNumber(options)));
     }
   }
+  if (options.Order != ElementOrder::Linear && options.Periodic != 0)
+  {
+    throw InputError("ElementOrder must be Linear for a periodic mesh (Periodic): the mid nodes of "
+                     "opposite sides would have no partners.");
+  }
 }
 
 std::vector<std::string> DescribeOptions(ElementKind elements, const OptionTable& table)

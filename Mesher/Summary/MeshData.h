@@ -36,6 +36,8 @@ struct MeshData
   Index NumberOfPoints = 0, NumberOfElements = 0;
   const double* Points = nullptr;  ///< (points, 3)
   const Index* Elements = nullptr; ///< (elements, Corners), points from 0, VTK's order
+  int MidsPerElement = 0;           ///< mid nodes of an element (MidNodes.h): 0, 12, 19 or 6
+  const Index* MidPoints = nullptr; ///< (elements, MidsPerElement), points from 0, VTK's order
   const Index* PointIds = nullptr; ///< global ids of points, from 1
   /// Lowest global id among the copies of each point on opposite sides of a periodic mesh.
   const Index* PeriodicPartner = nullptr;
@@ -52,6 +54,15 @@ struct MeshData
   const std::vector<MeshFacet>* Facets = nullptr;
 
   const Index* Element(Index element) const { return this->Elements + this->Corners * element; }
+  /// Calls visit(first, last) for the corners, then for the mid nodes of an element.
+  template <class Visit>
+  void ForNodes(Index element, const Visit& visit) const
+  {
+    visit(this->Element(element), this->Element(element + 1));
+    const Index* mids = this->MidPoints + this->MidsPerElement * element;
+    visit(mids, mids + this->MidsPerElement);
+  }
+  int NodesPerElement() const { return this->Corners + this->MidsPerElement; }
   const double* Point(Index point) const { return this->Points + 3 * point; }
   Vector3 PointAt(Index point) const
   {

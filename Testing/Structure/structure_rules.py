@@ -8,8 +8,8 @@ import re
 # root of each is above all its modules.
 MODULES = {
     "Grid": ("Ranks", "Base", "Fractions", "Octree", "Labels", "Interface", "Mesh", "Periodic",
-             "Transfer", "SharpFeatures", "Smoothing", "Hex", "Tet", "TetGen"),
-    "Mesher": ("Options", "Input", "Levels", "Summary", "Sets", "State"),
+             "Transfer", "SharpFeatures", "Smoothing", "Curved", "Hex", "Tet", "TetGen"),
+    "Mesher": ("Options", "Input", "Levels", "Summary", "Sets", "State", "Modify"),
 }
 GRID, MESHER = (tuple(top + "/" + module for module in MODULES[top]) + (top,)
                 for top in ("Grid", "Mesher"))

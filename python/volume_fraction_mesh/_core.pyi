@@ -44,6 +44,7 @@ class Options:
     smoothing: Literal["off", "quadric_surface", "geometry_based"]
     sharp_edges: Literal["off", "on", "automatic"]
     label_smoothing: int
+    element_order: Literal["linear", "quadratic", "quadratic27"]
     conserve_volume: bool
     refinement: Literal["off", "input_levels", "automatic", "coarsen", "uniform"]
     maximum_level: int

@@ -132,6 +132,7 @@ def hexes(
     smoothing: Literal["off", "quadric_surface", "geometry_based"] = "quadric_surface",
     sharp_edges: Literal["off", "on", "automatic"] = "automatic",
     label_smoothing: int = 0,
+    element_order: Literal["linear", "quadratic", "quadratic27"] = "linear",
     conserve_volume: bool = True,
     refinement: Literal["off", "input_levels", "automatic", "coarsen", "uniform"] = "input_levels",
     maximum_level: int = -1,
@@ -290,6 +291,12 @@ def hexes(
         passes over neighbour cells. Each material keeps the volume of its cells, and thin parts
         stay. 2 or 3 passes suit most images; more round off edges. Volume fractions are not
         smoothed.
+    element_order : {"linear", "quadratic", "quadratic27"}, default "linear"
+        Nodes of the elements. "linear": corners only. "quadratic": also mid nodes of edges,
+        hexahedra of 20 nodes and tetrahedra of 10. "quadratic27": hexahedra also have mid nodes of
+        faces and a centre, 27 nodes. Mid nodes of interface edges lie on the curved interface, so
+        elements follow it more closely; Smoothing must be Quadric Surface. All elements are
+        positive throughout.
     conserve_volume : bool, default True
         Shift the surfaces until each fragment has the volume given by its volume fractions.
     refinement : {"off", "input_levels", "automatic", "coarsen", "uniform"}, default "input_levels"
@@ -414,13 +421,13 @@ def hexes(
         state_order=state_order, nodal_velocity=nodal_velocity,
         lost_kinetic_energy=lost_kinetic_energy, unmeshed_material=unmeshed_material,
         stair_step=stair_step, smoothing=smoothing, sharp_edges=sharp_edges,
-        label_smoothing=label_smoothing, conserve_volume=conserve_volume, refinement=refinement,
-        maximum_level=maximum_level, fine_interfaces=fine_interfaces, fine_layers=fine_layers,
-        thin_cells=thin_cells, curvature_per_cell=curvature_per_cell,
-        refine_flipped_cells=refine_flipped_cells, interface_layers=interface_layers,
-        maximum_aspect_ratio=maximum_aspect_ratio, child_fractions=child_fractions,
-        target_scaled_jacobian=target_scaled_jacobian, compute_quality=compute_quality,
-        threads=threads,
+        label_smoothing=label_smoothing, element_order=element_order,
+        conserve_volume=conserve_volume, refinement=refinement, maximum_level=maximum_level,
+        fine_interfaces=fine_interfaces, fine_layers=fine_layers, thin_cells=thin_cells,
+        curvature_per_cell=curvature_per_cell, refine_flipped_cells=refine_flipped_cells,
+        interface_layers=interface_layers, maximum_aspect_ratio=maximum_aspect_ratio,
+        child_fractions=child_fractions, target_scaled_jacobian=target_scaled_jacobian,
+        compute_quality=compute_quality, threads=threads,
         # end of arguments
     )
     source = Source(fractions, labels, spacing, origin, coordinates, direction, order, names,
@@ -466,6 +473,7 @@ def tets(
     smoothing: Literal["off", "quadric_surface", "geometry_based"] = "quadric_surface",
     sharp_edges: Literal["off", "on", "automatic"] = "automatic",
     label_smoothing: int = 0,
+    element_order: Literal["linear", "quadratic", "quadratic27"] = "linear",
     conserve_volume: bool = True,
     refinement: Literal["off", "input_levels", "automatic", "coarsen", "uniform"] = "input_levels",
     maximum_level: int = -1,
@@ -548,7 +556,7 @@ def tets(
         Option of `hexes`, with the same default.
     fraction_tolerance, iso_value, state_transfer, state_order, nodal_velocity : see hexes
         Option of `hexes`, with the same default.
-    lost_kinetic_energy, unmeshed_material, sharp_edges, label_smoothing : see hexes
+    lost_kinetic_energy, unmeshed_material, sharp_edges, label_smoothing, element_order : see hexes
         Option of `hexes`, with the same default.
     conserve_volume, refinement, maximum_level, fine_layers, thin_cells : see hexes
         Option of `hexes`, with the same default.
@@ -602,15 +610,15 @@ def tets(
         state_order=state_order, nodal_velocity=nodal_velocity,
         lost_kinetic_energy=lost_kinetic_energy, unmeshed_material=unmeshed_material,
         stair_step=stair_step, smoothing=smoothing, sharp_edges=sharp_edges,
-        label_smoothing=label_smoothing, conserve_volume=conserve_volume, refinement=refinement,
-        maximum_level=maximum_level, fine_interfaces=fine_interfaces, fine_layers=fine_layers,
-        thin_cells=thin_cells, curvature_per_cell=curvature_per_cell,
-        refine_flipped_cells=refine_flipped_cells, interface_layers=interface_layers,
-        maximum_aspect_ratio=maximum_aspect_ratio, child_fractions=child_fractions,
-        target_scaled_jacobian=target_scaled_jacobian, compute_quality=compute_quality,
-        threads=threads, method=method, relative_size=relative_size, growth=growth,
-        radius_edge_ratio=radius_edge_ratio, minimum_dihedral_angle=minimum_dihedral_angle,
-        optimization_level=optimization_level,
+        label_smoothing=label_smoothing, element_order=element_order,
+        conserve_volume=conserve_volume, refinement=refinement, maximum_level=maximum_level,
+        fine_interfaces=fine_interfaces, fine_layers=fine_layers, thin_cells=thin_cells,
+        curvature_per_cell=curvature_per_cell, refine_flipped_cells=refine_flipped_cells,
+        interface_layers=interface_layers, maximum_aspect_ratio=maximum_aspect_ratio,
+        child_fractions=child_fractions, target_scaled_jacobian=target_scaled_jacobian,
+        compute_quality=compute_quality, threads=threads, method=method,
+        relative_size=relative_size, growth=growth, radius_edge_ratio=radius_edge_ratio,
+        minimum_dihedral_angle=minimum_dihedral_angle, optimization_level=optimization_level,
         # end of arguments
     )
     source = Source(fractions, labels, spacing, origin, coordinates, direction, order, names,

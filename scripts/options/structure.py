@@ -24,6 +24,7 @@ FOLDERS = (
     ("Grid/SharpFeatures", "Edges and corners found in fractions: "
                            "[algorithm](../theory/algorithm.md#sharp-edges-and-corners)."),
     ("Grid/Smoothing", "The points that move, and the energies that move them."),
+    ("Grid/Curved", "Mid nodes of second-order elements on curved interfaces."),
     ("Grid/Hex", "Hexahedra from labels."),
     ("Grid/Tet", "Tetrahedra from labels or fractions."),
     ("Grid/TetGen", "Fragments filled by TetGen."),
@@ -34,6 +35,7 @@ FOLDERS = (
     ("Mesher/Summary", "Reports, faces and parts of a finished mesh."),
     ("Mesher/Sets", "Named surfaces, and pairs of periodic points."),
     ("Mesher/State", "State arrays of the input, on the elements."),
+    ("Mesher/Modify", "Changes of a finished mesh."),
     ("Mesher", "One run, from blocks to a mesh."),
     ("Shapes", "Solids with exact fractions. They depend on Grid/Base and Grid/Fractions only."),
     ("Parallel/Mpi", "Ranks over MPI, without VTK."),

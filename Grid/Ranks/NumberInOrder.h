@@ -1,0 +1,105 @@
+/**
+ * NumberInOrder: numbers the items of all ranks in one order, without all items on one rank.
+ */
+#pragma once
+
+#include "Ranks/Agreement.h"
+#include "Ranks/ExchangeAll.h"
+
+#include <numeric>
+
+namespace vfm
+{
+
+/// Returns items that divide the items of all ranks into about equal parts, one less than ranks.
+/// @pre Collective over `ranks`.
+template <class Item>
+std::vector<Item> FindSplitters(std::vector<Item> items, Ranks& ranks)
+{
+  constexpr std::size_t samples = 64; // per rank
+  std::sort(items.begin(), items.end());
+  std::vector<Item> chosen;
+  for (std::size_t s = 0; s < std::min(samples, items.size()); ++s)
+  {
+    chosen.push_back(items[s * items.size() / std::min(samples, items.size())]);
+  }
+  chosen = UnionOverRanks(ranks, std::move(chosen));
+  std::vector<Item> splitters;
+  for (std::size_t r = 1; !chosen.empty() && r < static_cast<std::size_t>(ranks.Count()); ++r)
+  {
+    splitters.push_back(chosen[r * chosen.size() / ranks.Count()]);
+  }
+  return splitters;
+}
+
+/// Returns the numbers of the items in each message: their positions in the sorted list of all
+/// distinct items.
+/// @pre Collective over `ranks`. The items of a rank are above those of lower ranks.
+template <class Item>
+std::vector<std::vector<std::int64_t>> NumberMessages(
+  const std::vector<Bytes>& messages, Ranks& ranks)
+{
+  const std::vector<Item> items = JoinItems<Item>(messages);
+  std::vector<std::size_t> order(items.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(),
+    [&items](std::size_t a, std::size_t b) { return items[a] < items[b]; });
+  std::vector<std::int64_t> numbers(items.size());
+  std::int64_t distinct = 0;
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    distinct += i == 0 || !(items[order[i - 1]] == items[order[i]]);
+    numbers[order[i]] = distinct - 1;
+  }
+  const std::vector<std::int64_t> counts =
+    GatherItems(ranks, std::vector<std::int64_t>{ distinct });
+  const std::int64_t first =
+    std::accumulate(counts.begin(), counts.begin() + ranks.Rank(), std::int64_t(0));
+  for (std::int64_t& number : numbers)
+  {
+    number += first;
+  }
+  std::vector<std::vector<std::int64_t>> ofMessages;
+  auto begin = numbers.begin();
+  for (const Bytes& message : messages)
+  {
+    const auto end = begin + static_cast<std::ptrdiff_t>(message.size() / sizeof(Item));
+    ofMessages.emplace_back(begin, end);
+    begin = end;
+  }
+  return ofMessages;
+}
+
+/// Returns the position of each item, from 0, in the sorted list of the distinct items of all ranks.
+/// @tparam Item  trivially copyable type with operators < and ==
+/// @param items  an item may exist on several ranks; its position is the same on all
+/// @pre Collective over `ranks`.
+/// @note Each rank sorts a part of the list (sample sort) and sends about as many items as it has.
+template <class Item>
+std::vector<std::int64_t> NumberInOrder(const std::vector<Item>& items, Ranks& ranks)
+{
+  const std::vector<Item> splitters = FindSplitters(items, ranks);
+  std::vector<std::vector<Item>> questions(ranks.Count());
+  std::vector<std::vector<std::size_t>> places(ranks.Count());
+  for (std::size_t i = 0; i < items.size(); ++i)
+  {
+    const auto above = std::upper_bound(splitters.begin(), splitters.end(), items[i]);
+    const auto target = static_cast<std::size_t>(above - splitters.begin());
+    questions[target].push_back(items[i]);
+    places[target].push_back(i);
+  }
+  const std::vector<Bytes> answers = ExchangeAll(
+    PackLists(NumberMessages<Item>(ExchangeAll(PackLists(questions), ranks), ranks)), ranks);
+  std::vector<std::int64_t> positions(items.size());
+  for (std::size_t target = 0; target < answers.size(); ++target)
+  {
+    const std::vector<std::int64_t> numbers = FromBytes<std::int64_t>(answers[target]);
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+    {
+      positions[places[target][i]] = numbers[i];
+    }
+  }
+  return positions;
+}
+
+} // namespace vfm
