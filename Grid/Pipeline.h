@@ -42,7 +42,7 @@ void Resolve(MeshJob& job, LabelArray& labels, bool keepsSeam);
 void ReportNarrowVoid(const NarrowVoid& narrow, Ranks& ranks, MeshReport& report);
 
 /// Finds the edges of interfaces, if the options request it, and attracts the
-/// attached points to them.
+/// attached points to them. Refines the targets of curved elements (RefineTargets.h).
 /// @param interface  interface of the finest grid
 /// @param[in,out] targets,active  targets and attached points; points near edges get new targets
 /// @return kind of every point of the active mesh

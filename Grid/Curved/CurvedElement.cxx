@@ -1,5 +1,6 @@
 #include "Curved/CurvedElement.h"
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 namespace vfm
