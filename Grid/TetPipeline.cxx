@@ -32,6 +32,8 @@ namespace
 
 constexpr double ShareBeforeTetGen = 0.15; // share of the run time, and of the progress
 constexpr int LateFlips = 5;               // sweeps between two rounds of flips in the last stage
+// Factor of the weight of distances for curved elements: their surface is as close as their corners.
+constexpr double CurvedWeight = 30.0;
 
 /// Tets of the methods Cells or Lattice.
 struct MadeTets
@@ -180,6 +182,13 @@ std::vector<FeatureKind> Attach(MeshJob& job, const Interface& interface, const 
   return kinds;
 }
 
+SmoothingRamp MakeRamp(const MeshOptions& options)
+{
+  SmoothingRamp ramp = TetRamp(options.Tets);
+  ramp.back().Lambda *= HasCurvedEdges(options) ? CurvedWeight : 1.0;
+  return ramp;
+}
+
 /// Smooths the mesh. Returns the kinds of its points.
 std::vector<FeatureKind> Smooth(
   MeshJob& job, const LabelArray& labels, MadeTets& made, FragmentVolumes& volumes)
@@ -193,7 +202,8 @@ std::vector<FeatureKind> Smooth(
   const std::vector<FeatureKind> kinds = Attach(job, interface, made, targets, active);
   const TetEnergy energy(FloorsOf(job.Options));
   std::optional<DiagonalFlips> flips;
-  Improvement improvement{ active, targets, energy, TetRamp(job.Options.Tets), volumes, job.Report,
+  const SmoothingRamp ramp = MakeRamp(job.Options);
+  Improvement improvement{ active, targets, energy, ramp, volumes, job.Report,
     ConservesVolume(job.Options), {}, {}, {} };
   std::vector<Facet> facets;
   if (HasCurvedEdges(job.Options))
