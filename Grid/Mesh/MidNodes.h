@@ -39,14 +39,21 @@ struct MidNodes
   }
   bool HasFaces() const { return this->Count > this->Edges; }
 
-  /// Numbers of the edges of each face of a hex, in the order of ElementFaces.
-  static constexpr int FaceEdges[6][4] = { { 8, 7, 11, 3 }, { 1, 10, 5, 9 }, { 0, 9, 4, 8 },
-    { 11, 6, 10, 2 }, { 3, 2, 1, 0 }, { 4, 5, 6, 7 } };
+  /// Returns the number of an edge of a face: from a corner of the face, in the order of
+  /// ElementFaces, to the next one.
+  int EdgeOfFace(int face, int corner) const
+  {
+    return this->Edges == 12 ? FacesOfHex[face][corner] : FacesOfTet[face][corner];
+  }
 
   const int Edges, Count;       ///< number of edges, and of mid nodes
   const int (*EdgeCorners)[2]; ///< corners of each edge
 
 private:
+  static constexpr int FacesOfHex[6][4] = { { 8, 7, 11, 3 }, { 1, 10, 5, 9 }, { 0, 9, 4, 8 },
+    { 11, 6, 10, 2 }, { 3, 2, 1, 0 }, { 4, 5, 6, 7 } };
+  static constexpr int FacesOfTet[4][4] = { { 0, 4, 3, -1 }, { 1, 5, 4, -1 }, { 2, 3, 5, -1 },
+    { 2, 1, 0, -1 } };
   static constexpr int OfHex[12][2] = { { 0, 1 }, { 1, 2 }, { 2, 3 }, { 3, 0 }, { 4, 5 }, { 5, 6 },
     { 6, 7 }, { 7, 4 }, { 0, 4 }, { 1, 5 }, { 2, 6 }, { 3, 7 } };
   static constexpr int OfTet[6][2] = { { 0, 1 }, { 1, 2 }, { 2, 0 }, { 0, 3 }, { 1, 3 }, { 2, 3 } };

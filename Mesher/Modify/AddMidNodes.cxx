@@ -327,8 +327,10 @@ void MidNodeBuilder::PlaceOthers()
       }
       isPlaced[mid - firstFace] = 1;
       Index edges[4];
-      std::transform(MidNodes::FaceEdges[f], MidNodes::FaceEdges[f] + 4, edges,
-        [mids](int e) { return mids[e]; });
+      for (int c = 0; c < 4; ++c)
+      {
+        edges[c] = mids[this->Mids.EdgeOfFace(f, c)];
+      }
       const std::array<Index, 4> corners = faces.PointsOf(this->CornersOf(element), f);
       place(mid,
         0.5 * this->CornersSum(edges, 4) - 0.25 * this->CornersSum(corners.data(), 4));

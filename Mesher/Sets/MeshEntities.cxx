@@ -2,6 +2,7 @@
 
 #include "Base/Sorted.h"
 #include "Mesh/Junctions.h"
+#include "Mesh/MidNodes.h"
 #include "Sets/NamedSurfaces.h"
 #include "Summary/MeshMaterials.h"
 
@@ -112,21 +113,25 @@ void ClassifyPoints(const MeshData& mesh, MeshEntities& entities)
   entities.PointEntity.assign(mesh.NumberOfPoints, entities.Volumes.front());
   for (Index element = 0; element < mesh.NumberOfElements; ++element)
   {
-    for (int c = 0; c < mesh.Corners; ++c)
-    {
-      entities.PointEntity[mesh.Element(element)[c]] = entities.Volumes[element];
-    }
+    mesh.ForNodes(element,
+      [&](const Index* first, const Index* last)
+      {
+        std::for_each(first, last,
+          [&](Index point) { entities.PointEntity[point] = entities.Volumes[element]; });
+      });
   }
   const int count = ElementFaces(mesh.Corners).Corners;
   for (std::size_t s = 0; s < entities.Surfaces.size(); ++s)
   {
     for (const MeshSide& side : entities.Surfaces[s].Sides)
     {
-      const FaceIds points = PointsOfSide(mesh, side);
-      for (int c = 0; c < count; ++c)
+      const FaceIds corners = PointsOfSide(mesh, side);
+      std::vector<Index> points = MidsOfFace(mesh, side.Element, side.Side);
+      points.insert(points.end(), corners.begin(), corners.begin() + count);
+      for (Index point : points)
       {
-        entities.PointDimension[points[c]] = DimensionOfSurfaces;
-        entities.PointEntity[points[c]] = static_cast<int>(s) + 1;
+        entities.PointDimension[point] = DimensionOfSurfaces;
+        entities.PointEntity[point] = static_cast<int>(s) + 1;
       }
     }
   }
@@ -212,6 +217,37 @@ void FindCurves(const Junctions& junctions, MeshEntities& entities)
   }
 }
 
+/// Classifies the mid nodes of edges of curves.
+void ClassifyMids(const MeshData& mesh, MeshEntities& entities)
+{
+  std::map<EdgeIds, int> curves; // by the points of their edges
+  for (std::size_t c = 0; c < entities.Curves.size(); ++c)
+  {
+    for (const std::array<Index, 2>& edge : entities.Curves[c].Edges)
+    {
+      curves[MakeEdgeIds(edge[0], edge[1])] = static_cast<int>(c) + 1;
+    }
+  }
+  const int count = ElementFaces(mesh.Corners).Corners;
+  for (const SurfaceEntity& surface : entities.Surfaces)
+  {
+    for (const MeshSide& side : surface.Sides)
+    {
+      const FaceIds corners = PointsOfSide(mesh, side);
+      const std::vector<Index> mids = MidsOfFace(mesh, side.Element, side.Side);
+      for (int c = 0; !mids.empty() && c < count; ++c)
+      {
+        const auto curve = curves.find(MakeEdgeIds(corners[c], corners[(c + 1) % count]));
+        if (curve != curves.end())
+        {
+          entities.PointDimension[mids[c]] = 1;
+          entities.PointEntity[mids[c]] = curve->second;
+        }
+      }
+    }
+  }
+}
+
 } // namespace
 
 MeshEntities FindMeshEntities(const MeshData& mesh)
@@ -223,6 +259,10 @@ MeshEntities FindMeshEntities(const MeshData& mesh)
   const Junctions junctions(MakeFacets(mesh, entities));
   FindVertices(junctions, entities);
   FindCurves(junctions, entities);
+  if (mesh.MidsPerElement > 0)
+  {
+    ClassifyMids(mesh, entities);
+  }
   return entities;
 }
 

@@ -71,6 +71,10 @@ struct MeshData
   }
 };
 
+/// Returns the mid nodes of a face of an element: of its edges in the order of its corners
+/// (ElementFaces), then its centre; none for linear elements.
+std::vector<Index> MidsOfFace(const MeshData& mesh, Index element, int face);
+
 /// A mesh that shares ownership of the memory of its pointers.
 struct StoredMesh
 {

@@ -1,3 +1,4 @@
+#include "Meshes/Files/ElementNodes.h"
 #include "Meshes/Exodus/ExodusLayout.h"
 
 #include "Meshes/Exodus/NemesisLayout.h"
@@ -181,17 +182,30 @@ void AddRecords(NetcdfLayout& layout, const ExodusModel& model)
     Texts({ Describe(model) }, LineLength));
 }
 
-std::vector<Index> CornersOf(const MeshData& mesh, const ExodusBlock& block)
+const char* TypeOfElements(const MeshData& mesh)
 {
-  std::vector<Index> corners;
-  corners.reserve(mesh.Corners * block.Elements.size());
+  if (mesh.Corners == 4)
+  {
+    return mesh.MidsPerElement > 0 ? "TETRA10" : "TETRA";
+  }
+  return mesh.MidsPerElement == 0 ? "HEX8" : mesh.MidsPerElement == 12 ? "HEX20" : "HEX27";
+}
+
+std::vector<Index> NodesOf(const MeshData& mesh, const ExodusBlock& block)
+{
+  // Edges along z before the upper ones; the centre before the faces.
+  const MidOrders orders{ { 0, 1, 2, 3, 8, 9, 10, 11, 4, 5, 6, 7 },
+    { 0, 1, 2, 3, 8, 9, 10, 11, 4, 5, 6, 7, 18, 16, 17, 12, 13, 14, 15 }, {} };
+  ElementNodes nodes(mesh, orders);
+  std::vector<Index> all;
+  all.reserve(nodes.Count() * block.Elements.size());
   for (Index element : block.Elements)
   {
-    const Index* points = mesh.Element(element);
-    std::transform(points, points + mesh.Corners, std::back_inserter(corners),
+    const Index* points = nodes.Of(element);
+    std::transform(points, points + nodes.Count(), std::back_inserter(all),
       [](Index point) { return point + 1; });
   }
-  return corners;
+  return all;
 }
 
 /// Adds the element blocks and returns the dimension of each.
@@ -204,11 +218,11 @@ std::vector<std::size_t> AddBlocks(NetcdfLayout& layout, const ExodusModel& mode
     const std::string number = std::to_string(dimensions.size() + 1);
     dimensions.push_back(
       AddDimension(layout, "num_el_in_blk" + number, Size(block.Elements.size())));
-    const std::size_t corners =
-      AddDimension(layout, "num_nod_per_el" + number, block.Elements.empty() ? 0 : mesh.Corners);
-    AddVariable(layout, "connect" + number, KindOfNumbers(model), { dimensions.back(), corners },
-      [&mesh, &block] { return CornersOf(mesh, block); },
-      { { "elem_type", mesh.Corners == 4 ? "TETRA" : "HEX8" } });
+    const std::size_t nodes = AddDimension(
+      layout, "num_nod_per_el" + number, block.Elements.empty() ? 0 : mesh.NodesPerElement());
+    AddVariable(layout, "connect" + number, KindOfNumbers(model), { dimensions.back(), nodes },
+      [&mesh, &block] { return NodesOf(mesh, block); },
+      { { "elem_type", TypeOfElements(mesh) } });
   }
   return dimensions;
 }
