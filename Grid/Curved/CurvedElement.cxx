@@ -227,6 +227,17 @@ CurvedElement::CurvedElement(int corners)
 
 double CurvedElement::SmallestCoefficient(const Nodes& nodes) const
 {
+  return this->FindCoefficients(nodes).minCoeff();
+}
+
+double CurvedElement::Volume(const Nodes& nodes) const
+{
+  const double domain = this->NodeCount() == MaximumNodes ? 1.0 : 1.0 / 6.0; // cube, simplex
+  return domain * this->FindCoefficients(nodes).mean(); // Bernstein polynomials have equal integrals
+}
+
+Eigen::VectorXd CurvedElement::FindCoefficients(const Nodes& nodes) const
+{
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
   const Eigen::Map<const Rows> x(nodes[0].data(), this->NodeCount(), 3);
   const Rows u = this->Along[0] * x, v = this->Along[1] * x, w = this->Along[2] * x;
@@ -235,7 +246,7 @@ double CurvedElement::SmallestCoefficient(const Nodes& nodes) const
   {
     jacobian[p] = u.row(p).dot(v.row(p).cross(w.row(p)));
   }
-  return (this->ToBernstein * jacobian).minCoeff();
+  return this->ToBernstein * jacobian;
 }
 
 const CurvedElement& GetCurvedElement(int corners)

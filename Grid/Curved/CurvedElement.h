@@ -33,9 +33,13 @@ public:
   /// a hexahedron is for the unit cube, that of a tetrahedron for the unit simplex.
   /// @param nodes  positions in VTK's order
   double SmallestCoefficient(const Nodes& nodes) const;
+  /// Returns the volume.
+  double Volume(const Nodes& nodes) const;
 
 private:
   using Matrix = Eigen::MatrixXd;
+
+  Eigen::VectorXd FindCoefficients(const Nodes& nodes) const;
 
   Matrix Along[3];    // derivatives of shape functions, (points of the lattice, nodes)
   Matrix ToBernstein; // (coefficients, points of the lattice)

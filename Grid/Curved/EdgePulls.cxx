@@ -1,6 +1,7 @@
 #include "Curved/EdgePulls.h"
 
 #include "Base/ExactSum.h"
+#include "Octree/RefinedGrid.h"
 #include "Ranks/AskByKey.h"
 
 #include <Eigen/Cholesky>
@@ -114,10 +115,20 @@ struct Aim
 class EdgeCurver
 {
 public:
-  EdgeCurver(
-    const std::vector<Facet>& facets, const SurfaceTargets& targets, const ActiveMesh& active) :
-    Targets(targets), Active(active), Materials(FindMaterials(facets))
+  EdgeCurver(const std::vector<Facet>& facets, const Mesh& mesh, const SurfaceTargets& targets,
+    const ActiveMesh& active) :
+    Grid(mesh.Levels->Finest()),
+    Targets(targets),
+    Active(active),
+    Materials(FindMaterials(facets))
   {
+  }
+
+  /// Returns whether a point was put back to its start for good, because facets intersected. Only
+  /// the rank that moves the point knows it.
+  bool IsHeld(int point) const
+  {
+    return (this->Active.Fixed[point] & ~FixedOnSides(this->SidesOf(point))) != 0;
   }
 
   /// Returns the displacement of the middle, in grid coordinates, from the uses of one edge and end.
@@ -129,7 +140,7 @@ public:
     {
       this->AddAims(*use, Norm(q - p), aims);
     }
-    const int held = this->Active.Fixed[first->End] & this->Active.Fixed[first->Other];
+    const int held = FixedOnSides(this->SidesOf(first->End) & this->SidesOf(first->Other));
     const Vector3 middle = 0.5 * (p + q);
     const Vector3 pull = this->Inside(middle, this->Approach(aims, middle, held) - middle, held);
     const double length = Norm(pull), longest = LargestPull * Norm(q - p);
@@ -137,6 +148,12 @@ public:
   }
 
 private:
+  int SidesOf(int point) const
+  {
+    return FindDomainSides(
+      this->Grid, this->Active.MeshPoints + 3 * this->Active.MeshPoint[point]);
+  }
+
   void AddAims(const EdgeUse& use, double length, std::vector<Aim>& aims) const
   {
     const std::vector<Index>& offsets = this->Active.AttachmentOffset;
@@ -210,6 +227,7 @@ private:
     return pull;
   }
 
+  const CartesianGrid& Grid;
   const SurfaceTargets& Targets;
   const ActiveMesh& Active;
   const std::vector<int> Materials;
@@ -231,13 +249,13 @@ std::vector<EdgePull> FindEdgePulls(const std::vector<Facet>& facets, const Mesh
   }
   std::vector<EdgePull> pulls(starts.size());
   starts.push_back(uses.size());
-  const EdgeCurver curver(facets, targets, active);
+  const EdgeCurver curver(facets, mesh, targets, active);
   ForEach(runtime, pulls.size(),
     [&](Index i)
     {
       const EdgeUse* use = uses.data() + starts[i];
       pulls[i] = { use->Edge, mesh.PointIds[active.MeshPoint[use->End]],
-        active.Scale * curver.Find(use, uses.data() + starts[i + 1]) };
+        active.Scale * curver.Find(use, uses.data() + starts[i + 1]), curver.IsHeld(use->End) };
     });
   return pulls;
 }
@@ -250,11 +268,13 @@ std::vector<Vector3> CombinePulls(
     [](auto first, auto last)
     {
       Vector3 sum{ { 0.0, 0.0, 0.0 } };
+      bool isHeld = false;
       for (auto pull = first; pull < last; ++pull)
       {
         sum = sum + 0.5 * pull->Pull;
+        isHeld |= pull->IsHeld;
       }
-      return sum;
+      return isHeld ? Vector3{} : sum;
     },
     ranks);
 }

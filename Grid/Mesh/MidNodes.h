@@ -66,6 +66,7 @@ struct EdgePull
   EdgeIds Edge;
   Index End;    ///< global id of the end, equal to one of Edge
   Vector3 Pull; ///< length units of the grid
+  bool IsHeld;  ///< the edge stays straight, whatever the other end requests
 
   const EdgeIds& Key() const { return this->Edge; }
   bool operator<(const EdgePull& other) const

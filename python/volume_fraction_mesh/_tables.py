@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any, Dict, List, Mapping, Tuple
 
 import numpy as np
 
-from ._pyvista import cell_arrays, point_arrays
+from ._pyvista import all_nodes, cell_arrays, point_arrays
 
 if TYPE_CHECKING:
     from .mesh import Mesh
@@ -25,7 +25,15 @@ def list_arrays(arrays: Mapping[str, Any]) -> List[Tuple[str, np.ndarray]]:
 
 def core_arrays(mesh: Mesh) -> Tuple[Any, ...]:
     """Returns points, cells and arrays as arguments of the core."""
-    return (*core_mesh(mesh), list_arrays(point_arrays(mesh)), list_arrays(cell_arrays(mesh)))
+    return (core_mesh(mesh)[0], np.ascontiguousarray(all_nodes(mesh), np.int64),
+            list_arrays(point_arrays(mesh)), list_arrays(cell_arrays(mesh)))
+
+
+def require_linear(mesh: Mesh, target: str) -> None:
+    """Raises ValueError for a mesh of second order."""
+    if mesh.mids is not None:
+        raise ValueError("A mesh with mid nodes is not converted to %s: element_order must be "
+                         "'linear'." % target)
 
 
 def field_for_core(values: Any) -> Any:

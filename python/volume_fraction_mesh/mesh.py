@@ -94,6 +94,9 @@ class Mesh:
         Names in `state` of the "density" (mass per volume of the material) and the "velocity".
     run : Run
         Input, options and warnings of the call that made the mesh.
+    mids : ndarray of int64, shape (m, 12), (m, 19) or (m, 6), or None
+        Mid nodes with ``element_order``, in the order of VTK: indices of `points`. None for
+        linear elements.
 
     See Also
     --------
@@ -126,17 +129,21 @@ class Mesh:
     fields: Dict[str, Any]
     roles: Dict[str, str] = field(default_factory=dict)
     run: Run = field(default_factory=Run)
+    mids: Optional[np.ndarray] = None
 
     @property
     def kind(self) -> str:
-        """Type of the elements in meshio, "hexahedron" or "tetra".
+        """Type of the elements in meshio: "hexahedron" or "tetra", and with mid nodes
+        "hexahedron20", "hexahedron27" or "tetra10".
 
         Examples
         --------
         >>> vfm.tets(vfm.shapes("sphere radius=4 center=6,6,6", 12)).kind
         'tetra'
         """
-        return "tetra" if self.cells.shape[1] == 4 else "hexahedron"
+        corners = self.cells.shape[1]
+        name = "tetra" if corners == 4 else "hexahedron"
+        return name if self.mids is None else "%s%d" % (name, corners + self.mids.shape[1])
 
     def __repr__(self) -> str:
         names = {"tetra": "tetrahedra", "hexahedron": "hexahedra"}
@@ -607,6 +614,7 @@ def make_mesh(result: Mapping[str, Any], roles: Dict[str, str], run: Run) -> Mes
         point_ids=result["point_ids"],
         cell_ids=result["cell_ids"],
         partner=result["partner"],
+        mids=result["mids"],
         quality=result["scaled_jacobian"],
         geometry=Geometry(result["geometry_dimension"], result["geometry_id"]),
         surfaces=Surfaces(**surfaces, fields=result["surface_fields"]),
