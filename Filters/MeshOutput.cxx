@@ -44,9 +44,9 @@ int TypeOfCells(const Mesh& mesh)
   {
     return mesh.MidsPerElement > 0 ? VTK_QUADRATIC_TETRA : VTK_TETRA;
   }
-  return mesh.MidsPerElement == 0    ? VTK_HEXAHEDRON
-    : mesh.MidsPerElement == 12 ? VTK_QUADRATIC_HEXAHEDRON
-                                : VTK_TRIQUADRATIC_HEXAHEDRON;
+  return mesh.MidsPerElement == 0 ? VTK_HEXAHEDRON
+    : mesh.MidsPerElement == 12   ? VTK_QUADRATIC_HEXAHEDRON
+                                  : VTK_TRIQUADRATIC_HEXAHEDRON;
 }
 
 /// Adopts the elements, with their mid nodes.

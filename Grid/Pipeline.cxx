@@ -70,8 +70,7 @@ std::vector<FeatureKind> AttachToFeatures(MeshJob& job, const Interface& interfa
   const std::vector<Facet>& facets, const Mesh& mesh, SurfaceTargets& targets, ActiveMesh& active)
 {
   const MeshOptions& options = job.Options;
-  const bool hasQuadrics =
-    options.IsoValue == 0.5 && options.Method == Smoothing::QuadricSurface;
+  const bool hasQuadrics = options.IsoValue == 0.5 && options.Method == Smoothing::QuadricSurface;
   const Index firstTarget = targets.Count() - static_cast<Index>(interface.Points().size());
   std::vector<FeatureKind> kinds(active.X.size(), FeatureKind::None);
   if (options.Edges != SharpEdges::Off && hasQuadrics)

@@ -32,7 +32,8 @@ namespace
 
 constexpr double ShareBeforeTetGen = 0.15; // share of the run time, and of the progress
 constexpr int LateFlips = 5;               // sweeps between two rounds of flips in the last stage
-// Factor of the weight of distances for curved elements: their surface is as close as their corners.
+// Factor of the weight of distances for curved elements: their surface is as close as their
+// corners.
 constexpr double CurvedWeight = 30.0;
 
 /// Tets of the methods Cells or Lattice.

@@ -313,8 +313,7 @@ MesherResult RunMesher(const MesherInput& input, const MesherOptions& given, Run
   if (options.Order != ElementOrder::Linear)
   {
     runtime.Progress(0.99, "Adding mid nodes");
-    AppendFields(
-      AddMidNodes(options.Order, runtime, result.TheMesh, result.State), result.Fields);
+    AppendFields(AddMidNodes(options.Order, runtime, result.TheMesh, result.State), result.Fields);
   }
   WarnOfMesh(job, result.Report, fields.Field);
   Warn(job, DescribeUnmeshed(result.State.Balance, fields.Field.Table));

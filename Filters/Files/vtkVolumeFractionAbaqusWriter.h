@@ -3,7 +3,8 @@
  * @brief   writes a mesh as an input file of Abaqus and CalculiX (.inp)
  *
  * Writes one file, also from several ranks:
- * - nodes; elements C3D8, C3D20, C3D20R, C3D4 or C3D10 with one element set per material, and EALL for all;
+ * - nodes; elements C3D8, C3D20, C3D20R, C3D4 or C3D10 with one element set per material, and EALL
+ * for all;
  * - node sets of the sides of the domain, X_MIN to Z_MAX, and NALL for all nodes;
  * - surfaces of these sides, and of each pair of adjacent materials (BALL_TO_PLATE, BALL_TO_VOID).
  *

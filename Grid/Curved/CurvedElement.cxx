@@ -13,8 +13,8 @@ using Matrix = Eigen::MatrixXd;
 constexpr int HexDegree = 5, TetDegree = 3;
 constexpr int HexPoints = HexDegree + 1; // along an axis
 // Corners of the unit cube in VTK's order.
-constexpr int CubeCorners[8][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 },
-  { 0, 0, 1 }, { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 } };
+constexpr int CubeCorners[8][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
+  { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 } };
 
 /// A function along an axis and its derivative.
 struct Factor
@@ -137,8 +137,9 @@ Matrix HexToBernstein()
   }
   const Matrix along = values.inverse();
   const int count = HexPoints * HexPoints * HexPoints;
-  const auto split = [](int n, int axis)
-  { return n / (axis == 0 ? 1 : axis == 1 ? HexPoints : HexPoints * HexPoints) % HexPoints; };
+  const auto split = [](int n, int axis) {
+    return n / (axis == 0 ? 1 : axis == 1 ? HexPoints : HexPoints * HexPoints) % HexPoints;
+  };
   Matrix all(count, count);
   for (int c = 0; c < count; ++c)
   {
@@ -233,7 +234,8 @@ double CurvedElement::SmallestCoefficient(const Nodes& nodes) const
 double CurvedElement::Volume(const Nodes& nodes) const
 {
   const double domain = this->NodeCount() == MaximumNodes ? 1.0 : 1.0 / 6.0; // cube, simplex
-  return domain * this->FindCoefficients(nodes).mean(); // Bernstein polynomials have equal integrals
+  return domain *
+    this->FindCoefficients(nodes).mean(); // Bernstein polynomials have equal integrals
 }
 
 Eigen::VectorXd CurvedElement::FindCoefficients(const Nodes& nodes) const

@@ -15,10 +15,10 @@ namespace
 
 using Labels = std::array<int, 2>;
 
-constexpr int Steps = 3; // of Newton
-constexpr double LargestPull = 0.25;     // per length of the edge
+constexpr int Steps = 3;                   // of Newton
+constexpr double LargestPull = 0.25;       // per length of the edge
 constexpr double LargestDifference = 0.25; // of the distances of both ends, per length of the edge
-constexpr double Damping = 1e-9; // of normal equations of parallel targets
+constexpr double Damping = 1e-9;           // of normal equations of parallel targets
 
 /// An end of an edge with a pair of labels of a facet at the edge.
 struct EdgeUse
@@ -117,10 +117,7 @@ class EdgeCurver
 public:
   EdgeCurver(const std::vector<Facet>& facets, const Mesh& mesh, const SurfaceTargets& targets,
     const ActiveMesh& active) :
-    Grid(mesh.Levels->Finest()),
-    Targets(targets),
-    Active(active),
-    Materials(FindMaterials(facets))
+    Grid(mesh.Levels->Finest()), Targets(targets), Active(active), Materials(FindMaterials(facets))
   {
   }
 
@@ -131,7 +128,8 @@ public:
     return (this->Active.Fixed[point] & ~FixedOnSides(this->SidesOf(point))) != 0;
   }
 
-  /// Returns the displacement of the middle, in grid coordinates, from the uses of one edge and end.
+  /// Returns the displacement of the middle, in grid coordinates, from the uses of one edge and
+  /// end.
   Vector3 Find(const EdgeUse* first, const EdgeUse* last) const
   {
     const Vector3 &p = this->Active.X[first->End], &q = this->Active.X[first->Other];
@@ -150,8 +148,7 @@ public:
 private:
   int SidesOf(int point) const
   {
-    return FindDomainSides(
-      this->Grid, this->Active.MeshPoints + 3 * this->Active.MeshPoint[point]);
+    return FindDomainSides(this->Grid, this->Active.MeshPoints + 3 * this->Active.MeshPoint[point]);
   }
 
   void AddAims(const EdgeUse& use, double length, std::vector<Aim>& aims) const
@@ -334,13 +331,14 @@ double VolumeOfBulge(const Vector3 (&x)[4], const Vector3 (&pulls)[4], bool isTr
   for (int n = 0; n < 9; ++n)
   {
     const double u = Nodes3[n % 3];
-    const double narrow = isTriangle ? 1.0 - u : 1.0; // a triangle is a quad with an edge of length 0
+    const double narrow =
+      isTriangle ? 1.0 - u : 1.0; // a triangle is a quad with an edge of length 0
     const double v = Nodes3[n / 3] * narrow;
-    const FacetPoint p =
-      isTriangle ? PointOfTriangle(x, pulls, u, v) : PointOfQuad(x, pulls, u, v);
+    const FacetPoint p = isTriangle ? PointOfTriangle(x, pulls, u, v) : PointOfQuad(x, pulls, u, v);
     for (double s : Nodes2)
     {
-      const Vector3 normal = Cross(p.Along[0] + s * p.PullAlong[0], p.Along[1] + s * p.PullAlong[1]);
+      const Vector3 normal =
+        Cross(p.Along[0] + s * p.PullAlong[0], p.Along[1] + s * p.PullAlong[1]);
       volume += 0.5 * Weights3[n % 3] * Weights3[n / 3] * narrow * Dot(p.Pull, normal);
     }
   }

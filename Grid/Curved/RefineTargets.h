@@ -4,8 +4,8 @@
  *
  * The targets of straight elements are fitted to crossings of planes with lines between cell
  * centres (SurfaceTargets.h), which are off a curved surface by some 4 % of a cell per radian that
- * it turns within a cell. Straight facets are off by more; curved ones are not. A quadric that gives
- * each cell its fraction (FeatureFit.h) is much closer.
+ * it turns within a cell. Straight facets are off by more; curved ones are not. A quadric that
+ * gives each cell its fraction (FeatureFit.h) is much closer.
  */
 #pragma once
 

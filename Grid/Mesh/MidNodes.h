@@ -46,7 +46,7 @@ struct MidNodes
     return this->Edges == 12 ? FacesOfHex[face][corner] : FacesOfTet[face][corner];
   }
 
-  const int Edges, Count;       ///< number of edges, and of mid nodes
+  const int Edges, Count;      ///< number of edges, and of mid nodes
   const int (*EdgeCorners)[2]; ///< corners of each edge
 
 private:

@@ -70,7 +70,8 @@ std::vector<std::vector<std::int64_t>> NumberMessages(
   return ofMessages;
 }
 
-/// Returns the position of each item, from 0, in the sorted list of the distinct items of all ranks.
+/// Returns the position of each item, from 0, in the sorted list of the distinct items of all
+/// ranks.
 /// @tparam Item  trivially copyable type with operators < and ==
 /// @param items  an item may exist on several ranks; its position is the same on all
 /// @pre Collective over `ranks`.

@@ -169,7 +169,8 @@ void MidNodeBuilder::ListNodes()
     }
     for (int f = 0; this->Mids.HasFaces() && f < faces.Count; ++f)
     {
-      faceUses.push_back({ this->FaceOf(faces.PointsOf(corners, f)), place + this->Mids.Edges + f });
+      faceUses.push_back(
+        { this->FaceOf(faces.PointsOf(corners, f)), place + this->Mids.Edges + f });
     }
   }
   this->Edges = NumberKeys(std::move(edgeUses), this->Corners, mesh.MidPoints);
@@ -188,8 +189,8 @@ void MidNodeBuilder::AppendPoints()
   Mesh& mesh = this->TheMesh;
   Ranks& ranks = this->Run.Group();
   const Index centres = this->Mids.HasFaces() ? this->Elements : 0;
-  const Index points = this->Corners +
-    static_cast<Index>(this->Edges.size() + this->Faces.size()) + centres;
+  const Index points =
+    this->Corners + static_cast<Index>(this->Edges.size() + this->Faces.size()) + centres;
   CheckNumberOfPoints(points, ranks);
   Index next = this->Corners, greatest = 0;
   for (Index id : mesh.PointIds)
@@ -332,8 +333,7 @@ void MidNodeBuilder::PlaceOthers()
         edges[c] = mids[this->Mids.EdgeOfFace(f, c)];
       }
       const std::array<Index, 4> corners = faces.PointsOf(this->CornersOf(element), f);
-      place(mid,
-        0.5 * this->CornersSum(edges, 4) - 0.25 * this->CornersSum(corners.data(), 4));
+      place(mid, 0.5 * this->CornersSum(edges, 4) - 0.25 * this->CornersSum(corners.data(), 4));
     }
   }
 }
@@ -363,11 +363,12 @@ void MidNodeBuilder::FillGeometry()
   for (std::size_t e = 0; e < mesh.Curves.CurveId.size(); ++e)
   {
     const Index* ends = mesh.Curves.Points.data() + 2 * e;
-    edges.push_back({ this->EdgeOf(ends[0], ends[1]), DimensionOfSurfaces - 1,
-      mesh.Curves.CurveId[e] });
+    edges.push_back(
+      { this->EdgeOf(ends[0], ends[1]), DimensionOfSurfaces - 1, mesh.Curves.CurveId[e] });
   }
-  const auto combine = [](auto first, auto last)
-  { return first < last ? Place{ { first->Dimension, first->Id } } : Place{ { 3, 0 } }; };
+  const auto combine = [](auto first, auto last) {
+    return first < last ? Place{ { first->Dimension, first->Id } } : Place{ { 3, 0 } };
+  };
   std::vector<Place> places = AskByKey(edges, this->Edges, combine, this->Run.Group());
   const std::vector<Place> ofFaces = AskByKey(faces, this->Faces, combine, this->Run.Group());
   places.insert(places.end(), ofFaces.begin(), ofFaces.end());
@@ -425,8 +426,7 @@ FieldArrays AddMidNodes(ElementOrder order, Runtime& runtime, Mesh& mesh, Output
   {
     TransferredArray& velocity = *state.NodalVelocity;
     VisitType(CarrierType(velocity.Type),
-      [&](auto tag)
-      { AppendMeans<typename decltype(tag)::Type>(builder, mesh, velocity); });
+      [&](auto tag) { AppendMeans<typename decltype(tag)::Type>(builder, mesh, velocity); });
   }
   return { { "CurvedMidNodes", std::vector<Index>{ report.Curved } },
     { "StraightenedMidNodes", std::vector<Index>{ report.Straightened } },

@@ -150,8 +150,7 @@ private:
     }
     const std::vector<int> parts = AskByKey(
       requests, this->Edges.Keys,
-      [](auto first, auto last) { return first < last ? (last - 1)->Part : 0; },
-      this->Run.Group());
+      [](auto first, auto last) { return first < last ? (last - 1)->Part : 0; }, this->Run.Group());
     std::vector<unsigned char> isMoved(parts.size(), 0);
     for (std::size_t e = 0; e < parts.size(); ++e)
     {
@@ -207,8 +206,7 @@ private:
 
 } // namespace
 
-CurvedReport StraightenEdges(
-  const Mesh& mesh, Index firstMid, Runtime& runtime, CurvedEdges& edges)
+CurvedReport StraightenEdges(const Mesh& mesh, Index firstMid, Runtime& runtime, CurvedEdges& edges)
 {
   return Straightener(mesh, firstMid, runtime, edges).Straighten();
 }

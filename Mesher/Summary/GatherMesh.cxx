@@ -155,8 +155,8 @@ StoredMesh MergePieces(const Pieces& pieces)
   data.Points = merged.Store(
     MergeValues<double>(pieces, points, 3, [](const MeshData& piece) { return piece.Points; }));
   data.MidsPerElement = pieces[0]->MidsPerElement;
-  data.Elements = merged.Store(
-    MergeNodes(pieces, points, elements, &MeshData::Elements, &MeshData::Corners));
+  data.Elements =
+    merged.Store(MergeNodes(pieces, points, elements, &MeshData::Elements, &MeshData::Corners));
   data.MidPoints = merged.Store(
     MergeNodes(pieces, points, elements, &MeshData::MidPoints, &MeshData::MidsPerElement));
   data.PointArrays = MergeArrays(pieces, points, &MeshData::PointArrays, merged);

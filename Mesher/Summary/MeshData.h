@@ -34,11 +34,11 @@ struct MeshData
 {
   int Corners = 8; ///< corners of an element: 8 hexahedra, 4 tetrahedra
   Index NumberOfPoints = 0, NumberOfElements = 0;
-  const double* Points = nullptr;  ///< (points, 3)
-  const Index* Elements = nullptr; ///< (elements, Corners), points from 0, VTK's order
+  const double* Points = nullptr;   ///< (points, 3)
+  const Index* Elements = nullptr;  ///< (elements, Corners), points from 0, VTK's order
   int MidsPerElement = 0;           ///< mid nodes of an element (MidNodes.h): 0, 12, 19 or 6
   const Index* MidPoints = nullptr; ///< (elements, MidsPerElement), points from 0, VTK's order
-  const Index* PointIds = nullptr; ///< global ids of points, from 1
+  const Index* PointIds = nullptr;  ///< global ids of points, from 1
   /// Lowest global id among the copies of each point on opposite sides of a periodic mesh.
   const Index* PeriodicPartner = nullptr;
   const Index* ElementIds = nullptr;      ///< global ids of elements, from 1

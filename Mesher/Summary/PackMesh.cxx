@@ -126,7 +126,8 @@ StoredMesh UnpackMesh(const Bytes& bytes)
   unpacker.TakeTo(data.NumberOfElements);
   data.Points = mesh.Store(unpacker.TakeMany<double>(3 * data.NumberOfPoints));
   data.Elements = mesh.Store(unpacker.TakeMany<Index>(data.Corners * data.NumberOfElements));
-  data.MidPoints = mesh.Store(unpacker.TakeMany<Index>(data.MidsPerElement * data.NumberOfElements));
+  data.MidPoints =
+    mesh.Store(unpacker.TakeMany<Index>(data.MidsPerElement * data.NumberOfElements));
   data.PointArrays = TakeArrays(data.NumberOfPoints, unpacker, mesh);
   data.ElementArrays = TakeArrays(data.NumberOfElements, unpacker, mesh);
   data.Fields = TakeFields(unpacker);

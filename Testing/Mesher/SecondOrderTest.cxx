@@ -108,8 +108,7 @@ struct MeshById
     {
       const Vector3 x = mesh.PointAt(static_cast<Index>(p));
       const std::array<double, 5> point{ { x[0], x[1], x[2],
-        static_cast<double>(mesh.GeometryDimension[p]),
-        static_cast<double>(mesh.GeometryId[p]) } };
+        static_cast<double>(mesh.GeometryDimension[p]), static_cast<double>(mesh.GeometryId[p]) } };
       const auto added = this->Points.emplace(mesh.PointIds[p], point);
       EXPECT_EQ(added.first->second, point) << "id " << mesh.PointIds[p];
     }
@@ -228,8 +227,7 @@ TEST(SecondOrder27, FollowsTheElementOf20Nodes)
   std::array<MesherResult, 2> results;
   for (int n = 0; n < 2; ++n)
   {
-    results[n] = RunMesher(
-      MakeLabelInput({ cells, 0.0, Width }, BallLabels(cells), serial.Group()),
+    results[n] = RunMesher(MakeLabelInput({ cells, 0.0, Width }, BallLabels(cells), serial.Group()),
       OptionsOf(Kinds[n]), serial);
   }
   const Mesh &with20 = results[0].TheMesh, &with27 = results[1].TheMesh;
@@ -271,10 +269,9 @@ TEST(SecondOrder200, AllCoefficientsArePositiveOnRandomGrids)
     options.MeshVoid = draw.Chance(0.4);
     options.LabelSmoothing = draw.Whole(0, 3);
     options.Edges = draw.Pick({ SharpEdges::Off, SharpEdges::On, SharpEdges::Automatic });
-    const MesherResult result =
-      RunMesher(MakeLabelInput({ cells, 0.1, Width }, RandomLabels(cells, draw.Seed()),
-                  serial.Group()),
-        options, serial);
+    const MesherResult result = RunMesher(
+      MakeLabelInput({ cells, 0.1, Width }, RandomLabels(cells, draw.Seed()), serial.Group()),
+      options, serial);
     const double ratio = SmallestRatio(result.TheMesh);
     EXPECT_GT(ratio, 0.0999) << "seed " << seed;
     EXPECT_NEAR(ratio, NumberOf(result, "CurvedJacobian"), 1e-9) << "seed " << seed;
@@ -299,8 +296,8 @@ TEST_P(SecondOrder, ConservesVolumes)
   Runtime serial;
   MesherOptions options = OptionsOf(this->GetParam());
   options.LabelSmoothing = 3;
-  const MesherResult result = RunMesher(
-    MakeLabelInput({ cells, 0.0, Width }, labels, serial.Group()), options, serial);
+  const MesherResult result =
+    RunMesher(MakeLabelInput({ cells, 0.0, Width }, labels, serial.Group()), options, serial);
   const Mesh& mesh = result.TheMesh;
   double volume = 0.0;
   for (Index e = 0; e < static_cast<Index>(mesh.ElementIds.size()); ++e)

@@ -43,7 +43,8 @@ ALLOWED.update({
     "Testing/Support": GRID + ("Shapes",),
     "Testing/Inputs": GRID + MESHER,
     "Testing/Grid": GRID + ("Shapes", "Testing/Support"),
-    "Testing/Fuzz": GRID + MESHER + ("Shapes", "Filters", "InSitu", "Program", "Testing/Support"),
+    "Testing/Fuzz": GRID + MESHER + (
+        "Shapes", "Filters", "InSitu", "Program", "Testing/Inputs", "Testing/Support"),
     "Testing/Benchmarks": GRID + (
         "Mesher/Input", "IO", "IO/Images", "Shapes", "Filters", "Testing/Support"),
     "Testing/IO": GRID + MESHER + (

@@ -11,6 +11,8 @@ from ._pyvista import all_nodes, cell_arrays, point_arrays
 if TYPE_CHECKING:
     from .mesh import Mesh
 
+LINEAR = "A mesh with mid nodes is not converted to %s: element_order must be 'linear'."
+
 
 def core_mesh(mesh: Mesh) -> Tuple[np.ndarray, np.ndarray]:
     """Returns the points and cells in the form of the core."""
@@ -32,8 +34,7 @@ def core_arrays(mesh: Mesh) -> Tuple[Any, ...]:
 def require_linear(mesh: Mesh, target: str) -> None:
     """Raises ValueError for a mesh of second order."""
     if mesh.mids is not None:
-        raise ValueError("A mesh with mid nodes is not converted to %s: element_order must be "
-                         "'linear'." % target)
+        raise ValueError(LINEAR % target)
 
 
 def field_for_core(values: Any) -> Any:

@@ -235,8 +235,7 @@ void WriteFile(const DeckModel& model, const std::string& path, bool isReduced)
 
 } // namespace
 
-void WriteAbaqus(
-  const MeshData& mesh, const std::string& path, Ranks& ranks, bool isReduced)
+void WriteAbaqus(const MeshData& mesh, const std::string& path, Ranks& ranks, bool isReduced)
 {
   WriteDeck(
     mesh, ranks, IsVelocity, [&](const DeckModel& model) { WriteFile(model, path, isReduced); });

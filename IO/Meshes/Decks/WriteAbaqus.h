@@ -3,8 +3,8 @@
  *
  * The file contains only the mesh, without sections, materials or steps:
  * - *NODE, in the set NALL
- * - *ELEMENT of type C3D8, C3D20, C3D20R, C3D4 or C3D10, one element set per material, EB and its id, whose ids deal.II
- *   reads
+ * - *ELEMENT of type C3D8, C3D20, C3D20R, C3D4 or C3D10, one element set per material, EB and its
+ * id, whose ids deal.II reads
  * - *ELSET with the name of each material; EALL contains all elements
  * - *NSET of each node set and *SURFACE of each side set (MeshSets.h)
  * - *INITIAL CONDITIONS, if a point array with three components has "velocity" in its name

@@ -1,5 +1,5 @@
-#include "Meshes/Files/ElementNodes.h"
 #include "Meshes/Exodus/ExodusLayout.h"
+#include "Meshes/Files/ElementNodes.h"
 
 #include "Meshes/Exodus/NemesisLayout.h"
 
@@ -221,8 +221,7 @@ std::vector<std::size_t> AddBlocks(NetcdfLayout& layout, const ExodusModel& mode
     const std::size_t nodes = AddDimension(
       layout, "num_nod_per_el" + number, block.Elements.empty() ? 0 : mesh.NodesPerElement());
     AddVariable(layout, "connect" + number, KindOfNumbers(model), { dimensions.back(), nodes },
-      [&mesh, &block] { return NodesOf(mesh, block); },
-      { { "elem_type", TypeOfElements(mesh) } });
+      [&mesh, &block] { return NodesOf(mesh, block); }, { { "elem_type", TypeOfElements(mesh) } });
   }
   return dimensions;
 }

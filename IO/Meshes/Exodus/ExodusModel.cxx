@@ -143,8 +143,7 @@ void FindSizes(ExodusModel& model, Ranks& ranks)
   model.HasWideIds = ranks.Any(
     isWide(mesh.PointIds, mesh.NumberOfPoints) || isWide(mesh.ElementIds, mesh.NumberOfElements));
   const double largest =
-    std::max(
-      4.0 * mesh.NodesPerElement() * static_cast<double>(mesh.NumberOfElements),
+    std::max(4.0 * mesh.NodesPerElement() * static_cast<double>(mesh.NumberOfElements),
       8.0 * static_cast<double>(mesh.NumberOfPoints));
   model.HasLargeArrays = ranks.Max(largest) > LargestArray;
 }

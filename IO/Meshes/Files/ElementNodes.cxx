@@ -49,8 +49,7 @@ std::vector<Index> NodesOfSide(const MeshData& mesh, Index element, int side)
   return points;
 }
 
-void RequireNodes(
-  const MeshData& mesh, std::initializer_list<int> mids, const char* format)
+void RequireNodes(const MeshData& mesh, std::initializer_list<int> mids, const char* format)
 {
   if (mesh.MidsPerElement > 0 &&
     std::find(mids.begin(), mids.end(), mesh.MidsPerElement) == mids.end())

@@ -10,8 +10,8 @@
 namespace vfm
 {
 
-/// Orders of mid nodes: for each place in the file, the mid node in VTK's order. An empty list keeps
-/// VTK's order.
+/// Orders of mid nodes: for each place in the file, the mid node in VTK's order. An empty list
+/// keeps VTK's order.
 struct MidOrders
 {
   std::vector<int> Of20, Of27, Of10;
@@ -41,7 +41,6 @@ std::vector<Index> NodesOfSide(const MeshData& mesh, Index element, int side);
 /// Checks that a format has elements with the mid nodes of the mesh.
 /// @param mids  supported numbers of mid nodes per element, in addition to 0
 /// @throws InputError  with the name of the format
-void RequireNodes(
-  const MeshData& mesh, std::initializer_list<int> mids, const char* format);
+void RequireNodes(const MeshData& mesh, std::initializer_list<int> mids, const char* format);
 
 } // namespace vfm

@@ -43,8 +43,7 @@ ElementNodes NodesFor(const MeshData& mesh)
 {
   return ElementNodes(mesh,
     { { 0, 3, 8, 1, 9, 2, 10, 11, 4, 7, 5, 6 },
-      { 0, 3, 8, 1, 9, 2, 10, 11, 4, 7, 5, 6, 16, 14, 12, 13, 15, 17, 18 },
-      { 0, 1, 2, 3, 5, 4 } });
+      { 0, 3, 8, 1, 9, 2, 10, 11, 4, 7, 5, 6, 16, 14, 12, 13, 15, 17, 18 }, { 0, 1, 2, 3, 5, 4 } });
 }
 
 Index LargestId(const Index* ids, Index count)
@@ -333,7 +332,8 @@ void WriteVolumes(GmshFile& file, const GmshModel& model)
     BoundingBox box(model.Mesh);
     for (Index element : volume.Elements)
     {
-      model.Mesh.ForNodes(element, [&box](const Index* first, const Index* last)
+      model.Mesh.ForNodes(element,
+        [&box](const Index* first, const Index* last)
         { box.Add(first, static_cast<int>(last - first)); });
     }
     WriteEntity(file, tag, box, { volume.Group }, surfaces[tag]);
