@@ -8,6 +8,7 @@
 #include "Labels/SmallRegions.h"
 #include "Labels/SmoothLabels.h"
 #include "Levels/PeriodicFields.h"
+#include "Modify/AddLayers.h"
 #include "Modify/SplitInterfaces.h"
 #include "Options/SetOptions.h"
 #include "Periodic/JoinCopies.h"
@@ -235,10 +236,11 @@ void Finish(
   }
 }
 
-/// Returns the pairs of materials to split, or nothing.
-std::optional<MaterialPairs> ChoosePairs(const MesherOptions& options, const Materials& table)
+/// Returns the pairs of materials in an option, or nothing if it is empty.
+std::optional<MaterialPairs> ReadPairs(
+  const std::string& option, const std::string& text, const Materials& table)
 {
-  if (options.SplitInterfaces.empty())
+  if (text.empty())
   {
     return std::nullopt;
   }
@@ -247,7 +249,7 @@ std::optional<MaterialPairs> ChoosePairs(const MesherOptions& options, const Mat
   {
     names[table.Labels[m]] = table.Names[m];
   }
-  return MaterialPairs(options.SplitInterfaces, names);
+  return MaterialPairs(option, text, names);
 }
 
 /// Splits the interfaces between the pairs of materials.
@@ -298,6 +300,7 @@ void WarnOfMesh(const MesherJob& job, const MeshReport& report, const InputField
 MesherResult RunMesher(const MesherInput& input, const MesherOptions& given, Runtime& runtime)
 {
   CheckOptions(given);
+  CheckLayers(given);
   MesherOptions options = given;
   options.FineInterfaces |= options.Elements == ElementKind::Tets; // tets support nothing else
   const MesherJob job{ input, options, runtime };
@@ -315,7 +318,11 @@ MesherResult RunMesher(const MesherInput& input, const MesherOptions& given, Run
 
   LevelFields fields = MakeLevelFields(levels, cells, setup, options.Children, owners, runtime);
   NameLabels(arrays.Names, fields.Field.Table);
-  const std::optional<MaterialPairs> pairs = ChoosePairs(options, fields.Field.Table);
+  const Materials& table = fields.Field.Table;
+  const std::optional<MaterialPairs> split =
+    ReadPairs("SplitInterfaces", options.SplitInterfaces, table);
+  const std::optional<MaterialPairs> layers =
+    ReadPairs("LayerInterfaces", options.LayerInterfaces, table);
   const StoredState kept =
     StoreState(levels, cells, arrays.State, states, fields, setup, options, owners, runtime);
 
@@ -336,14 +343,16 @@ MesherResult RunMesher(const MesherInput& input, const MesherOptions& given, Run
   runtime.Progress(0.98, "Filling output");
   result.State = MakeOutputState(kept, levels, result.TheMesh,
     DescribeGrid(fields, setup, meshOptions.Levels), options, owners, runtime);
+  AddLayers(options, { table.Labels, layers ? &*layers : nullptr }, fields.Grid.MeanWidth(),
+    runtime, result.TheMesh, result.State, result.Report);
   if (options.Periodic != 0 && options.PeriodicSides == Sides::Joined)
   {
-    JoinCopies(ranks, result.TheMesh); // after the state, which needs positions
+    JoinCopies(runtime, result.TheMesh); // after the state, which needs positions
   }
   WorkTogether(ranks, [&] { Finish(job, fields, meshOptions, result); });
-  if (pairs)
+  if (split)
   {
-    Split(job, *pairs, result);
+    Split(job, *split, result);
   }
   WarnOfMesh(job, result.Report, fields.Field);
   Warn(job, DescribeUnmeshed(result.State.Balance, fields.Field.Table));

@@ -19,7 +19,10 @@ struct Copy
   {
     return std::tie(this->Joined, this->Id) < std::tie(other.Joined, other.Id);
   }
-  bool operator==(const Copy& other) const { return this->Id == other.Id; }
+  bool operator==(const Copy& other) const
+  {
+    return this->Joined == other.Joined && this->Id == other.Id;
+  }
 };
 
 /// Collective. Returns the copies of all ranks of points whose id changes, and of the points that
@@ -69,13 +72,13 @@ std::vector<Index> OrderPoints(const Buffer<Index>& ids, std::vector<Index>& num
 
 } // namespace
 
-void JoinCopies(Ranks& ranks, Mesh& mesh)
+void JoinCopies(Runtime& runtime, Mesh& mesh)
 {
-  const std::vector<Copy> copies = GatherCopies(mesh, ranks);
+  const std::vector<Copy> copies = GatherCopies(mesh, runtime.Group());
   mesh.PointIds = std::move(mesh.PeriodicPartner);
   std::vector<Index> numbers;
   const std::vector<Index> kept = OrderPoints(mesh.PointIds, numbers);
-  SelectPoints(kept, numbers, mesh);
+  SelectPoints(kept, numbers, runtime, mesh);
   for (std::size_t p = 0; p < kept.size(); ++p)
   {
     const Index id = mesh.PointIds[p];

@@ -58,7 +58,7 @@ std::optional<std::array<int, 2>> ParsePair(const std::string& text, const Names
 
 } // namespace
 
-MaterialPairs::MaterialPairs(const std::string& text, const Names& names)
+MaterialPairs::MaterialPairs(const std::string& option, const std::string& text, const Names& names)
 {
   if (IsSameWord(text, "all"))
   {
@@ -70,7 +70,7 @@ MaterialPairs::MaterialPairs(const std::string& text, const Names& names)
     const std::optional<Pair> pair = ParsePair(part, names, Any);
     if (!pair)
     {
-      throw InputError("SplitInterfaces contains '" + part +
+      throw InputError(option + " contains '" + part +
         "', which is not a pair of two different materials, such as steel/copper, 1/3 or steel/*. "
         "The materials are: " +
         ListMaterials(names) + ".");
@@ -81,14 +81,15 @@ MaterialPairs::MaterialPairs(const std::string& text, const Names& names)
 
 bool MaterialPairs::Contains(int one, int other) const
 {
+  return this->IsFirst(one, other) || this->IsFirst(other, one);
+}
+
+bool MaterialPairs::IsFirst(int first, int second) const
+{
   const auto fits = [](int chosen, int material) { return chosen == Any || chosen == material; };
-  return one != other &&
+  return first != second &&
     std::any_of(this->Pairs.begin(), this->Pairs.end(),
-      [&](const Pair& pair)
-      {
-        return (fits(pair[0], one) && fits(pair[1], other)) ||
-          (fits(pair[0], other) && fits(pair[1], one));
-      });
+      [&](const Pair& pair) { return fits(pair[0], first) && fits(pair[1], second); });
 }
 
 } // namespace vfm

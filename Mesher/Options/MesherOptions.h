@@ -67,6 +67,32 @@ enum class SplitConnection
   Tied      ///< tied surfaces
 };
 
+/// Unit of a thickness.
+enum class ThicknessUnit
+{
+  Cells,
+  Length
+};
+
+/// Sides of selected interfaces with layers.
+enum class LayerSide
+{
+  Both,
+  First ///< of the first material of each pair
+};
+
+/// Options of layers of hexahedra along surfaces.
+struct LayerOptions
+{
+  int Layers = 0; ///< 0, 1: elements are not cut
+  double LayerGrowth = 1.5;
+  double FirstLayer = 0.0; ///< thickness; 0: as the elements are
+  ThicknessUnit FirstLayerUnit = ThicknessUnit::Cells;
+  std::string LayerInterfaces; ///< pairs of materials (Modify/MaterialPairs.h); empty: all
+  LayerSide LayersOn = LayerSide::Both;
+  int LayerSides = 0; ///< bit a is set if sides of the domain across axis a have layers
+};
+
 /// Maximum number of halvings of a cell.
 constexpr int MaximumHalvings = 10;
 
@@ -92,7 +118,7 @@ struct ConserveOptions
 };
 
 /// All user options. An empty name means no array or no file.
-struct MesherOptions : MeshSettings, LevelSettings, ConserveOptions
+struct MesherOptions : MeshSettings, LevelSettings, ConserveOptions, LayerOptions
 {
   /// Sets Edges to Automatic, the default for users; the default of MeshSettings is Off.
   MesherOptions() { this->Edges = SharpEdges::Automatic; }

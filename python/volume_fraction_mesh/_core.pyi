@@ -57,6 +57,13 @@ class Options:
     child_fractions: Literal["planes", "parent"]
     split_interfaces: str
     split_connection: Literal["none", "cohesive", "contact", "tied"]
+    layers: int
+    layer_growth: float
+    first_layer: float
+    first_layer_unit: Literal["cells", "length"]
+    layer_interfaces: str
+    layers_on: Literal["both_materials", "first_material"]
+    layer_sides: Literal["off", "x", "y", "xy", "z", "xz", "yz", "xyz"]
     target_scaled_jacobian: float
     compute_quality: bool
     threads: int
