@@ -100,10 +100,6 @@ void CheckPeriods(const MesherOptions& options, const LevelSetup& setup)
   {
     return;
   }
-  if (setup.Refinements() > 0 && !options.FineInterfaces)
-  {
-    throw InputError("Periodic meshes are refined with FineInterfaces on only.");
-  }
   if (options.Elements == ElementKind::Tets && options.PeriodicSides == Sides::Free)
   {
     throw InputError("PeriodicSides is Free: the sides of tetrahedra can only be Flat or Joined.");

@@ -44,6 +44,7 @@ struct Method
   ElementKind Elements;
   Sides Kind;
   bool HasLevels = false;
+  bool FineInterfaces = true;
 };
 
 MesherInput MakeInput(const Method& method, Ranks& ranks)
@@ -58,6 +59,7 @@ MesherOptions OptionsOf(const Method& method)
   options.PeriodicSides = method.Kind;
   options.Periodic = 5; // x and z
   options.MeshVoid = method.HasLevels;
+  options.FineInterfaces = method.FineInterfaces;
   return options;
 }
 
@@ -276,6 +278,8 @@ INSTANTIATE_TEST_SUITE_P(Methods, PeriodicMesher,
     Method{ "FlatTets", ElementKind::Tets, Sides::Flat },
     Method{ "FlatHexesOfLevels", ElementKind::Hexes, Sides::Flat, true },
     Method{ "FreeHexesOfLevels", ElementKind::Hexes, Sides::Free, true },
+    Method{ "FlatHexesAcrossLevels", ElementKind::Hexes, Sides::Flat, true, false },
+    Method{ "FreeHexesAcrossLevels", ElementKind::Hexes, Sides::Free, true, false },
     Method{ "FlatTetsOfLevels", ElementKind::Tets, Sides::Flat, true }),
   [](const auto& info) { return std::string(info.param.Name); });
 
@@ -326,6 +330,7 @@ INSTANTIATE_TEST_SUITE_P(Elements, JoinedMesher,
   ::testing::Values(Method{ "Hexes", ElementKind::Hexes, Sides::Joined },
     Method{ "Tets", ElementKind::Tets, Sides::Joined },
     Method{ "HexesOfLevels", ElementKind::Hexes, Sides::Joined, true },
+    Method{ "HexesAcrossLevels", ElementKind::Hexes, Sides::Joined, true, false },
     Method{ "TetsOfLevels", ElementKind::Tets, Sides::Joined, true }),
   [](const auto& info) { return std::string(info.param.Name); });
 
