@@ -315,11 +315,12 @@ MesherResult RunMesher(const MesherInput& input, const MesherOptions& given, Run
   const std::vector<StateArray> states = FindStateArrays(levels, arrays.State.Arrays, ranks);
   InputRequests requests = FindRequests(job);
   const LevelSetup setup = SetUpLevels(job, requests);
-  CheckPeriods(options, levels, setup);
+  CheckPeriods(options, setup);
   const std::vector<BlockPlace> owners = FindOwners(job, cells, setup);
   requests = DistributeRequests(requests, levels, owners, ranks);
 
-  LevelFields fields = MakeLevelFields(levels, cells, setup, options.Children, owners, runtime);
+  LevelFields fields = MakeLevelFields(
+    levels, cells, setup, options.Children, RepeatingAxes(options), owners, runtime);
   NameLabels(arrays.Names, fields.Field.Table);
   const Materials& table = fields.Field.Table;
   const std::optional<MaterialPairs> split =
