@@ -166,7 +166,7 @@ public:
   /// Returns the part of a regular tet.
   StatePart Find(int kind) const
   {
-    const RegularShape& shape = ShapeOfKind(kind);
+    const RegularShape& shape = RegularShapes[kind];
     Vector3 x;
     for (int a = 0; a < 3; ++a)
     {
@@ -222,7 +222,7 @@ void FillFromDonors(Work& work, const std::vector<DonorParts>& pieces,
         for (Index i = begin; i < end; ++i)
         {
           AddParts(some, i, sources, writer.Next());
-          writer.Write(some.Elements[i]);
+          writer.Write(some.ElementAt(i));
         }
       });
   }
@@ -295,6 +295,7 @@ TransferredState TransferState(const Mesh& mesh, const TransferRequest& request,
     ? Slopes(work.Columns)
     : Slopes(work.Columns, work.Grid, work.Donors, values, shapes,
         links.Narrow([&work](int s) { return work.Donors[s].HasParts; }), work.Run);
+  std::vector<DonorShape>().swap(shapes); // keeps the peak of memory low
   Allocate(work, state);
   const std::vector<DonorSource> sources = ListSources(work, slopes, values);
   FillFromDonors(work, moved, sources, state);
