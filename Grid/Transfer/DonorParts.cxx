@@ -167,8 +167,7 @@ std::vector<Index> FindRegular(Work& work, DonorParts& some)
 {
   const std::size_t count = some.Elements.size();
   std::vector<std::array<RegularPart, 2>> found(work.Regular.IsUsed() ? count : 0);
-  ForEach(work.Run, found.size(),
-    [&](Index i) { work.Regular.Find(some.ElementAt(i), found[i]); });
+  ForEach(work.Run, found.size(), [&](Index i) { work.Regular.Find(some.ElementAt(i), found[i]); });
   some.Regular.resize(found.size());
   std::vector<Index> others;
   for (std::size_t i = 0; i < count; ++i)
@@ -240,9 +239,8 @@ std::vector<SentPart> ExchangeParts(Work& work, const std::vector<DonorParts>& p
         {
           donor.HasParts = true;
           const Index3 cell = work.Grid.Position(donor.Cell);
-          sent[work.Parts.PeerOfCell(cell)].push_back(
-            { work.TheMesh.ElementIds[some.ElementAt(i)], work.Grid.CellKey(cell), donor.Fragment,
-              donor.Material, part.Volume, part.Centroid });
+          sent[work.Parts.PeerOfCell(cell)].push_back({ work.TheMesh.ElementIds[some.ElementAt(i)],
+            work.Grid.CellKey(cell), donor.Fragment, donor.Material, part.Volume, part.Centroid });
         }
       }
     }
@@ -284,8 +282,8 @@ void AddParts(
   std::vector<int> donorOf;
   for (const SentPart& other : others)
   {
-    donorOf.push_back(GetDonor(work, work.Grid.Linear(work.Grid.CellOfKey(other.Key)),
-      other.Fragment, other.Material));
+    donorOf.push_back(GetDonor(
+      work, work.Grid.Linear(work.Grid.CellOfKey(other.Key)), other.Fragment, other.Material));
   }
   work.Shapes.resize(work.Donors.Count());
   RegularSums sums(0);
@@ -294,8 +292,8 @@ void AddParts(
     if (work.Donors[s].IsOwned && work.Kinds[s] != 0)
     {
       sums = sums.Kinds == work.Kinds[s] ? sums : RegularSums(work.Kinds[s]);
-      AddRegular(sums, work.Grid, work.Grid.Position(work.Donors[s].Cell),
-        work.Donors[s], work.Shapes[s]);
+      AddRegular(
+        sums, work.Grid, work.Grid.Position(work.Donors[s].Cell), work.Donors[s], work.Shapes[s]);
     }
   }
   std::size_t next = 0;

@@ -12,8 +12,7 @@ VFM_INLINE double ValueIn(const StatePart& part, int column, int width)
 {
   const double* line = part.Line + column;
   return part.Own[column] +
-    (line[0] * part.X[0] + line[width] * part.X[1] + line[2 * width] * part.X[2] +
-      line[3 * width]);
+    (line[0] * part.X[0] + line[width] * part.X[1] + line[2 * width] * part.X[2] + line[3 * width]);
 }
 VFM_INLINE Lanes ValuesIn(const StatePart& part, int column, int width)
 {

@@ -41,8 +41,8 @@ Place FindPlace(const std::vector<double>& x, Index first, Index last, double va
                                          : -1;
 }
 
-/// Returns the corner of the cell of a centre at which a node is: bit a is set if it is on the upper
-/// side of axis a.
+/// Returns the corner of the cell of a centre at which a node is: bit a is set if it is on the
+/// upper side of axis a.
 int CornerAt(Place node, Place centre)
 {
   const Place sides = node - centre + Ones;

@@ -43,8 +43,8 @@ struct Work
 };
 
 /// Cuts the elements for which isNeeded(element) is true, and makes their donors. Collective.
-std::vector<DonorParts> FindParts(Work& work,
-  const std::function<bool(Index element)>& isNeeded, std::vector<DonorShape>& shapes)
+std::vector<DonorParts> FindParts(
+  Work& work, const std::function<bool(Index element)>& isNeeded, std::vector<DonorShape>& shapes)
 {
   return FindDonorParts(
     work.TheMesh, isNeeded, work.Grid, work.Regular, work.Parts, work.Run, work.Donors, shapes);
@@ -99,7 +99,8 @@ void Allocate(const Work& work, TransferredState& state)
 class StateWriter
 {
 public:
-  StateWriter(const StateColumns& columns, const TransferRequest& request, TransferredState& state) :
+  StateWriter(
+    const StateColumns& columns, const TransferRequest& request, TransferredState& state) :
     Mass(state.Mass.data()), State(columns)
   {
     for (std::size_t q = 0; q < state.Values.size(); ++q)
@@ -145,7 +146,8 @@ private:
 class DonorSource
 {
 public:
-  DonorSource(const CartesianGrid& grid, const Donor& donor, const double* own, const double* line) :
+  DonorSource(
+    const CartesianGrid& grid, const Donor& donor, const double* own, const double* line) :
     Own(own), Line(line), Centroid(donor.Centroid), Ratio(donor.Volume / donor.Overlap)
   {
     const Index3 cell = grid.Position(donor.Cell);
@@ -197,8 +199,8 @@ std::vector<DonorSource> ListSources(
 }
 
 /// Adds the parts of element i of a list.
-void AddParts(const DonorParts& some, Index i, const std::vector<DonorSource>& sources,
-  ElementState& element)
+void AddParts(
+  const DonorParts& some, Index i, const std::vector<DonorSource>& sources, ElementState& element)
 {
   for (int p = some.Offsets[i]; p < some.Offsets[i + 1]; ++p)
   {
