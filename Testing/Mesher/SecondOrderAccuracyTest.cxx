@@ -121,7 +121,8 @@ TEST(SecondOrderAccuracy, FacesAreNearTheSphere)
     const Ball ball{ { { 0.5 * n + 0.13, 0.5 * n + 0.07, 0.5 * n + 0.21 } }, 0.35 * n };
     std::vector<double> nodes(n + 1);
     std::iota(nodes.begin(), nodes.end(), 0.0);
-    const CartesianGrid grid({ { nodes, nodes, nodes } });
+    const std::array<std::vector<double>, 3> coordinates{ { nodes, nodes, nodes } };
+    const CartesianGrid grid(coordinates);
     const FractionField fractions =
       FractionsOfShapes(grid, { MakeSphere(1, ball.Centre, ball.Radius) });
     for (const Kind& kind : { Kind{ "hexes", MakeHexMesh }, Kind{ "Lattice", MakeTetMesh } })
