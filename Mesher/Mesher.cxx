@@ -259,11 +259,10 @@ std::optional<MaterialPairs> ReadPairs(
 /// Splits the interfaces between the pairs of materials.
 void Split(const MesherJob& job, const MaterialPairs& pairs, MesherResult& result)
 {
-  Ranks& ranks = job.Run.Group();
   SplitInterfaces(
-    pairs, job.Options.Connection, ranks, result.Fields, result.TheMesh, result.State);
+    pairs, job.Options.Connection, job.Run, result.Fields, result.TheMesh, result.State);
   result.Cohesive =
-    FindCohesiveBlocks(ViewMesh(result.TheMesh, result.State, result.Fields), ranks);
+    FindCohesiveBlocks(ViewMesh(result.TheMesh, result.State, result.Fields), job.Run.Group());
   if (std::get<std::vector<int>>(FindField(result.Fields, "SplitPairs")->Values).empty())
   {
     Warn(job,

@@ -3,6 +3,7 @@
 #include "Mesh/MeasureFragments.h"
 #include "Mesh/SelectPoints.h"
 #include "Modify/LayerFacets.h"
+#include "Ranks/Agreement.h"
 #include "Ranks/MergeByKey.h"
 #include "Ranks/NumberInOrder.h"
 
@@ -27,7 +28,7 @@ std::vector<Index> MakeIds(
   const std::vector<std::int64_t>& numbers, Index count, const Buffer<Index>& ids, Ranks& ranks)
 {
   const Index mine = ids.empty() ? 0 : *std::max_element(ids.begin(), ids.end());
-  const auto greatest = static_cast<Index>(ranks.Max(static_cast<double>(mine)));
+  const Index greatest = MaximumOverRanks(mine, ranks);
   std::vector<Index> added;
   for (std::int64_t number : numbers)
   {
@@ -104,7 +105,7 @@ std::vector<Index> ListParents(const LayerParts& parts)
 
 /// Collective. Adds the layers above the first one, which replaces the column.
 void AddElements(
-  const LayerParts& parts, const std::vector<Index>& parents, Ranks& ranks, Mesh& mesh)
+  const LayerParts& parts, const std::vector<Index>& parents, Runtime& runtime, Mesh& mesh)
 {
   const std::vector<LayerColumns::Column>& columns = parts.Columns.Columns;
   std::vector<Index> ids;
@@ -112,13 +113,14 @@ void AddElements(
   {
     ids.push_back(mesh.ElementIds[column.Element]);
   }
+  Ranks& ranks = runtime.Group();
   ids = MakeIds(NumberInOrder(ids, ranks), parts.Layers - 1, mesh.ElementIds, ranks);
   Append(mesh.ElementIds, ids);
-  mesh.Elements = Select(mesh.Elements, parents, mesh.Corners);
-  mesh.Material = Select(mesh.Material, parents);
-  mesh.Fragment = Select(mesh.Fragment, parents);
+  mesh.Elements = Select(mesh.Elements, parents, runtime, mesh.Corners);
+  mesh.Material = Select(mesh.Material, parents, runtime);
+  mesh.Fragment = Select(mesh.Fragment, parents, runtime);
   Buffer<int> layers =
-    mesh.Layer.empty() ? Buffer<int>(parents.size(), 0) : Select(mesh.Layer, parents);
+    mesh.Layer.empty() ? Buffer<int>(parents.size(), 0) : Select(mesh.Layer, parents, runtime);
   for (std::size_t c = 0; c < columns.size(); ++c)
   {
     for (int layer = 0; layer < parts.Layers; ++layer)
@@ -154,13 +156,14 @@ std::vector<double> FindShares(const Mesh& mesh, const std::vector<Index>& paren
 /// Gives the parts of an element its values.
 /// @param elements number of elements before
 void DivideArray(Index elements, const std::vector<Index>& parents,
-  const std::vector<double>& shares, TransferredArray& array)
+  const std::vector<double>& shares, Runtime& runtime, TransferredArray& array)
 {
   if (elements == 0)
   {
     return;
   }
-  array.Values = Select(array.Values, parents, static_cast<Index>(array.Values.size()) / elements);
+  array.Values =
+    Select(array.Values, parents, runtime, static_cast<Index>(array.Values.size()) / elements);
   if (array.IsExtensive)
   {
     auto* values = reinterpret_cast<double*>(array.Values.data());
@@ -180,12 +183,12 @@ void CutLayers(const LayerColumns& columns, const LayerSpacing& spacing, Runtime
   AddPoints(columns, spacing, runtime, mesh);
   CheckNumberOfPoints(static_cast<Index>(mesh.PointIds.size()), runtime.Group());
   const std::vector<Index> parents = ListParents(parts);
-  AddElements(parts, parents, runtime.Group(), mesh);
+  AddElements(parts, parents, runtime, mesh);
   CutFacets(parts, runtime.Group(), mesh);
   const std::vector<double> shares = FindShares(mesh, parents);
   for (TransferredArray& array : state.Arrays)
   {
-    DivideArray(parts.OldElements, parents, shares, array);
+    DivideArray(parts.OldElements, parents, shares, runtime, array);
   }
 }
 

@@ -80,7 +80,8 @@ CutFacets ChooseFacets(const MeshData& mesh, const MaterialPairs& pairs, Ranks& 
 /// Replaces the points of the mesh, and renumbers their users. A user of a point that has several
 /// copies gets the copy with the id of the point, or else the first.
 /// @param points ascending by id
-void ReplacePoints(const std::vector<NewPoint>& points, Mesh& mesh, OutputState& state)
+void ReplacePoints(
+  const std::vector<NewPoint>& points, Runtime& runtime, Mesh& mesh, OutputState& state)
 {
   std::vector<Index> sources, numbers(mesh.PointIds.size(), -1);
   for (const NewPoint& point : points)
@@ -91,8 +92,8 @@ void ReplacePoints(const std::vector<NewPoint>& points, Mesh& mesh, OutputState&
     sources.push_back(point.Source);
   }
   const Buffer<Index>& original = mesh.UnsplitPointIds();
-  mesh.OriginalPointIds = Select(original, sources);
-  SelectPoints(sources, numbers, mesh);
+  mesh.OriginalPointIds = Select(original, sources, runtime);
+  SelectPoints(sources, numbers, runtime, mesh);
   SortGeometry(mesh);
   for (std::size_t p = 0; p < points.size(); ++p)
   {
@@ -108,7 +109,7 @@ void ReplacePoints(const std::vector<NewPoint>& points, Mesh& mesh, OutputState&
   {
     TransferredArray& velocity = *state.NodalVelocity;
     const Index size = static_cast<Index>(velocity.Values.size() / numbers.size());
-    velocity.Values = Select(velocity.Values, sources, size);
+    velocity.Values = Select(velocity.Values, sources, runtime, size);
   }
 }
 
@@ -125,7 +126,8 @@ Index PlaceOf(const std::vector<NewPoint>& points, Index id)
 }
 
 /// Gives the corners of elements their copies of nodes.
-void UseCopies(const std::vector<CornerCopy>& copies, Mesh& mesh, OutputState& state)
+void UseCopies(
+  const std::vector<CornerCopy>& copies, Runtime& runtime, Mesh& mesh, OutputState& state)
 {
   std::vector<char> isReplaced(mesh.PointIds.size(), 0);
   std::vector<NewPoint> points;
@@ -142,7 +144,7 @@ void UseCopies(const std::vector<CornerCopy>& copies, Mesh& mesh, OutputState& s
     }
   }
   SortUnique(points);
-  ReplacePoints(points, mesh, state);
+  ReplacePoints(points, runtime, mesh, state);
   for (const CornerCopy& copy : copies)
   {
     mesh.Elements[copy.Corner] = PlaceOf(points, copy.Id);
@@ -151,9 +153,10 @@ void UseCopies(const std::vector<CornerCopy>& copies, Mesh& mesh, OutputState& s
 
 /// Adds the nodes of the second sides of faces whose first element is on this rank.
 void AddSecondSides(
-  const std::vector<FieldArray>& fields, Ranks& ranks, Mesh& mesh, OutputState& state)
+  const std::vector<FieldArray>& fields, Runtime& runtime, Mesh& mesh, OutputState& state)
 {
-  const std::vector<SplitFace> faces = FindSplitFaces(ViewMesh(mesh, state, fields), ranks);
+  const std::vector<SplitFace> faces =
+    FindSplitFaces(ViewMesh(mesh, state, fields), runtime.Group());
   std::vector<NewPoint> points;
   for (std::size_t p = 0; p < mesh.PointIds.size(); ++p)
   {
@@ -172,7 +175,7 @@ void AddSecondSides(
     }
   }
   SortUnique(points);
-  ReplacePoints(points, mesh, state);
+  ReplacePoints(points, runtime, mesh, state);
 }
 
 Index LargestPointId(const Mesh& mesh, Ranks& ranks)
@@ -182,19 +185,20 @@ Index LargestPointId(const Mesh& mesh, Ranks& ranks)
 
 } // namespace
 
-void SplitInterfaces(const MaterialPairs& pairs, SplitConnection connection, Ranks& ranks,
+void SplitInterfaces(const MaterialPairs& pairs, SplitConnection connection, Runtime& runtime,
   std::vector<FieldArray>& fields, Mesh& mesh, OutputState& state)
 {
+  Ranks& ranks = runtime.Group();
   const MeshData before = ViewMesh(mesh, state, fields);
   const CutFacets cut = ChooseFacets(before, pairs, ranks);
   const Index largest = LargestPointId(mesh, ranks);
-  UseCopies(FindNodeCopies(before, cut.IsCut, ranks), mesh, state);
+  UseCopies(FindNodeCopies(before, cut.IsCut, ranks), runtime, mesh, state);
   fields.push_back({ SplitConnectionField, std::vector<int>{ static_cast<int>(connection) } });
   fields.push_back(FieldOfRows("SplitPairs", cut.Pairs));
   fields.push_back({ "AddedNodes", std::vector<Index>{ LargestPointId(mesh, ranks) - largest } });
   if (connection == SplitConnection::Cohesive)
   {
-    AddSecondSides(fields, ranks, mesh, state);
+    AddSecondSides(fields, runtime, mesh, state);
   }
 }
 

@@ -13,8 +13,8 @@
  */
 #pragma once
 
+#include "Base/Runtime.h"
 #include "Modify/MaterialPairs.h"
-#include "Ranks/Ranks.h"
 #include "Sets/SplitFaces.h"
 #include "State/MeshState.h"
 
@@ -29,7 +29,7 @@ namespace vfm
 /// @param mesh elements of this rank; PointIds stay ascending
 /// @param state state of the mesh; nodal arrays follow the points
 /// @pre Collective
-void SplitInterfaces(const MaterialPairs& pairs, SplitConnection connection, Ranks& ranks,
+void SplitInterfaces(const MaterialPairs& pairs, SplitConnection connection, Runtime& runtime,
   std::vector<FieldArray>& fields, Mesh& mesh, OutputState& state);
 
 } // namespace vfm

@@ -17,8 +17,9 @@ MeshChange SplitAll(SplitConnection connection)
   return [connection](Mesh& mesh, FieldArrays& fields, Ranks& ranks)
   {
     OutputState state;
+    RankRuntime runtime(ranks);
     SplitInterfaces(
-      MaterialPairs("SplitInterfaces", "all", {}), connection, ranks, fields, mesh, state);
+      MaterialPairs("SplitInterfaces", "all", {}), connection, runtime, fields, mesh, state);
   };
 }
 
