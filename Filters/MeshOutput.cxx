@@ -38,6 +38,38 @@ vtkSmartPointer<vtkCellArray> AdoptCells(Buffer<Index>& buffer, int cellSize)
   return cells;
 }
 
+/// Returns the type of the cells of a mesh.
+int TypeOfCells(const Mesh& mesh)
+{
+  if (mesh.Corners == 4)
+  {
+    return mesh.MidsPerElement > 0 ? VTK_QUADRATIC_TETRA : VTK_TETRA;
+  }
+  return mesh.MidsPerElement == 0 ? VTK_HEXAHEDRON
+    : mesh.MidsPerElement == 12   ? VTK_QUADRATIC_HEXAHEDRON
+                                  : VTK_TRIQUADRATIC_HEXAHEDRON;
+}
+
+/// Adopts the elements, with their mid nodes.
+vtkSmartPointer<vtkCellArray> AdoptElements(Mesh& mesh)
+{
+  if (mesh.MidsPerElement == 0)
+  {
+    return AdoptCells(mesh.Elements, mesh.Corners);
+  }
+  const int nodes = mesh.Corners + mesh.MidsPerElement;
+  Buffer<Index> all(nodes * mesh.ElementIds.size());
+  for (std::size_t e = 0; e < mesh.ElementIds.size(); ++e)
+  {
+    Index* to = all.data() + nodes * e;
+    to = std::copy_n(mesh.Elements.data() + mesh.Corners * e, mesh.Corners, to);
+    std::copy_n(mesh.MidPoints.data() + mesh.MidsPerElement * e, mesh.MidsPerElement, to);
+  }
+  mesh.Elements = Buffer<Index>();
+  mesh.MidPoints = Buffer<Index>();
+  return AdoptCells(all, nodes);
+}
+
 /// A subset of the numbers 0 .. end - 1, and the place of each in the subset.
 class Subset
 {
@@ -166,8 +198,7 @@ void SetMeshOutput(Mesh& mesh, const CohesiveElements& cohesive, const MeshOutpu
   }
   else
   {
-    output->SetCells(
-      mesh.Corners == 4 ? VTK_TETRA : VTK_HEXAHEDRON, AdoptCells(mesh.Elements, mesh.Corners));
+    output->SetCells(TypeOfCells(mesh), AdoptElements(mesh));
   }
   vtkCellData* cells = output->GetCellData();
   VisitElementArrays(mesh, AdoptInto(cells));

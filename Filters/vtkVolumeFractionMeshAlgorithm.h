@@ -379,6 +379,12 @@ public:
   /// images; more round off edges. Volume fractions are not smoothed. Allowed: an integer from 0 to
   /// 10; default 0.
   vfmNumberOption(LabelSmoothing, int);
+  /// Nodes of the elements. Linear: corners only. Quadratic: also mid nodes of edges, hexahedra of
+  /// 20 nodes and tetrahedra of 10. Quadratic27: hexahedra also have mid nodes of faces and a
+  /// centre, 27 nodes. Mid nodes of interface edges lie on the curved interface, so elements follow
+  /// it more closely; Smoothing must be Quadric Surface. All elements are positive throughout.
+  /// Allowed: Linear, Quadratic, Quadratic27 (or 0 to 2); default Linear.
+  vfmNumberOption(ElementOrder, int);
   /// Shift the surfaces until each fragment has the volume given by its volume fractions. Allowed:
   /// on or off; default on.
   vfmSwitchOption(ConserveVolume);

@@ -92,9 +92,10 @@ SmoothedPoints Smooth(MeshJob& job, const LabelledGrid& labelled, const std::vec
     interfaces.reset(); // only facets need them
   }
   const HexEnergy energy(TargetJacobian(job.Fractions, job.Options));
-  Improve(
-    { active, targets, energy, Ramp, volumes, job.Report, ConservesVolume(job.Options), {}, {} },
+  Improve({ active, targets, energy, Ramp, volumes, job.Report, ConservesVolume(job.Options), {},
+            {}, BulgesOf(job, facets, mesh, targets, active) },
     job.Clock, job.Run);
+  SetPulls(job, facets, targets, active, mesh);
   active.CopyTo(mesh, job.Grid);
   return { std::move(kinds), active.ListMoved(mesh) };
 }

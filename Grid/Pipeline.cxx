@@ -1,5 +1,7 @@
 #include "Pipeline.h"
 
+#include "Curved/EdgePulls.h"
+#include "Curved/RefineTargets.h"
 #include "Hex/MakeLevels.h"
 #include "Mesh/MeasureMaterials.h"
 #include "Mesh/Quality.h"
@@ -68,19 +70,46 @@ std::vector<FeatureKind> AttachToFeatures(MeshJob& job, const Interface& interfa
   const std::vector<Facet>& facets, const Mesh& mesh, SurfaceTargets& targets, ActiveMesh& active)
 {
   const MeshOptions& options = job.Options;
-  if (options.Edges == SharpEdges::Off || options.IsoValue != 0.5 ||
-    options.Method != Smoothing::QuadricSurface)
-  {
-    return std::vector<FeatureKind>(active.X.size(), FeatureKind::None);
-  }
-  job.Clock.Start("Finding sharp features", 0.22);
+  const bool hasQuadrics = options.IsoValue == 0.5 && options.Method == Smoothing::QuadricSurface;
   const Index firstTarget = targets.Count() - static_cast<Index>(interface.Points().size());
-  const SharpFeatures features(
-    interface, job.Fractions, targets, firstTarget, options.Edges, job.Parts, job.Run);
-  const std::vector<FeatureKind> kinds =
-    AttachFeatures({ features, interface, firstTarget }, facets, mesh, targets, active, job.Run);
-  CountCarriers(kinds, active, job.Run.Group(), job.Report);
+  std::vector<FeatureKind> kinds(active.X.size(), FeatureKind::None);
+  if (options.Edges != SharpEdges::Off && hasQuadrics)
+  {
+    job.Clock.Start("Finding sharp features", 0.22);
+    const SharpFeatures features(
+      interface, job.Fractions, targets, firstTarget, options.Edges, job.Parts, job.Run);
+    kinds =
+      AttachFeatures({ features, interface, firstTarget }, facets, mesh, targets, active, job.Run);
+    CountCarriers(kinds, active, job.Run.Group(), job.Report);
+  }
+  if (HasCurvedEdges(options) && hasQuadrics)
+  {
+    RefineTargets(interface, job.Fractions, firstTarget, active, job.Run, targets);
+  }
   return kinds;
+}
+
+std::function<std::vector<double>()> BulgesOf(MeshJob& job, const std::vector<Facet>& facets,
+  const Mesh& mesh, const SurfaceTargets& targets, const ActiveMesh& active)
+{
+  if (!HasCurvedEdges(job.Options))
+  {
+    return {};
+  }
+  return [&]
+  {
+    return MeasureBulges(FindEdgePulls(facets, mesh, targets, active, job.Run), mesh, active,
+      job.Report.NumberOfFragments + 1, job.Run);
+  };
+}
+
+void SetPulls(MeshJob& job, const std::vector<Facet>& facets, const SurfaceTargets& targets,
+  const ActiveMesh& active, Mesh& mesh)
+{
+  if (HasCurvedEdges(job.Options))
+  {
+    mesh.Pulls = FindEdgePulls(facets, mesh, targets, active, job.Run);
+  }
 }
 
 namespace

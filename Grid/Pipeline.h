@@ -42,13 +42,29 @@ void Resolve(MeshJob& job, LabelArray& labels, bool keepsSeam);
 void ReportNarrowVoid(const NarrowVoid& narrow, Ranks& ranks, MeshReport& report);
 
 /// Finds the edges of interfaces, if the options request it, and attracts the
-/// attached points to them.
+/// attached points to them. Refines the targets of curved elements (RefineTargets.h).
 /// @param interface  interface of the finest grid
 /// @param[in,out] targets,active  targets and attached points; points near edges get new targets
 /// @return kind of every point of the active mesh
 /// @pre Collective.
 std::vector<FeatureKind> AttachToFeatures(MeshJob& job, const Interface& interface,
   const std::vector<Facet>& facets, const Mesh& mesh, SurfaceTargets& targets, ActiveMesh& active);
+
+/// Returns whether mid nodes of interfaces leave the middles of edges.
+inline bool HasCurvedEdges(const MeshSettings& options)
+{
+  return options.Order != ElementOrder::Linear && MovesPoints(options) &&
+    KindOfTargets(options) == SurfaceTargets::Kind::Quadrics;
+}
+
+/// Returns Improvement::MeasureBulges, which refers to the arguments.
+/// @param facets  all facets of the mesh; the owned ones are in the active mesh
+std::function<std::vector<double>()> BulgesOf(MeshJob& job, const std::vector<Facet>& facets,
+  const Mesh& mesh, const SurfaceTargets& targets, const ActiveMesh& active);
+
+/// Fills Mesh::Pulls, if the options request curved elements.
+void SetPulls(MeshJob& job, const std::vector<Facet>& facets, const SurfaceTargets& targets,
+  const ActiveMesh& active, Mesh& mesh);
 
 /// Fills MeshReport::Levels and TransitionCells: the families and hexes of each
 /// level over all ranks.

@@ -32,6 +32,9 @@ namespace
 
 constexpr double ShareBeforeTetGen = 0.15; // share of the run time, and of the progress
 constexpr int LateFlips = 5;               // sweeps between two rounds of flips in the last stage
+// Factor of the weight of distances for curved elements: their surface is as close as their
+// corners.
+constexpr double CurvedWeight = 30.0;
 
 /// Tets of the methods Cells or Lattice.
 struct MadeTets
@@ -180,6 +183,13 @@ std::vector<FeatureKind> Attach(MeshJob& job, const Interface& interface, const 
   return kinds;
 }
 
+SmoothingRamp MakeRamp(const MeshOptions& options)
+{
+  SmoothingRamp ramp = TetRamp(options.Tets);
+  ramp.back().Lambda *= HasCurvedEdges(options) ? CurvedWeight : 1.0;
+  return ramp;
+}
+
 /// Smooths the mesh. Returns the kinds of its points.
 std::vector<FeatureKind> Smooth(
   MeshJob& job, const LabelArray& labels, MadeTets& made, FragmentVolumes& volumes)
@@ -193,8 +203,15 @@ std::vector<FeatureKind> Smooth(
   const std::vector<FeatureKind> kinds = Attach(job, interface, made, targets, active);
   const TetEnergy energy(FloorsOf(job.Options));
   std::optional<DiagonalFlips> flips;
-  Improvement improvement{ active, targets, energy, TetRamp(job.Options.Tets), volumes, job.Report,
-    ConservesVolume(job.Options), {}, {} };
+  const SmoothingRamp ramp = MakeRamp(job.Options);
+  Improvement improvement{ active, targets, energy, ramp, volumes, job.Report,
+    ConservesVolume(job.Options), {}, {}, {} };
+  std::vector<Facet> facets;
+  if (HasCurvedEdges(job.Options))
+  {
+    facets = ListFacets(job, made);
+    improvement.MeasureBulges = BulgesOf(job, facets, mesh, targets, active);
+  }
   if (!IsLattice(job))
   {
     flips.emplace(mesh, job.Parts, active, energy, kinds);
@@ -209,10 +226,16 @@ std::vector<FeatureKind> Smooth(
     {
       flips->CopyTo(mesh);
       made.Faces = FindTetFaces(made.Topology, job.Grid);
-      SetFacets(ListFacets(job, made), job.Run, active);
+      std::vector<Facet> flipped = ListFacets(job, made);
+      SetFacets(flipped, job.Run, active);
+      if (HasCurvedEdges(job.Options))
+      {
+        facets.swap(flipped);
+      }
     };
   }
   Improve(improvement, job.Clock, job.Run);
+  SetPulls(job, facets, targets, active, mesh);
   active.CopyTo(mesh, job.Grid);
   return active.OfMesh(kinds, mesh);
 }

@@ -9,6 +9,7 @@
 #include "Labels/SmoothLabels.h"
 #include "Levels/PeriodicFields.h"
 #include "Modify/AddLayers.h"
+#include "Modify/AddMidNodes.h"
 #include "Modify/SplitInterfaces.h"
 #include "Options/SetOptions.h"
 #include "Periodic/JoinCopies.h"
@@ -214,25 +215,28 @@ MeshedGrid DescribeGrid(const LevelFields& fields, const LevelSetup& setup, cons
     fields.Division.OfHalves(finest - setup.Base) };
 }
 
+void AppendFields(FieldArrays more, FieldArrays& to)
+{
+  std::move(more.begin(), more.end(), std::back_inserter(to));
+}
+
 /// Transforms the mesh to world coordinates, and lists its fields.
 void Finish(
   const MesherJob& job, const LevelFields& fields, const MeshOptions& options, MesherResult& result)
 {
-  const auto append = [](FieldArrays more, FieldArrays& to)
-  { std::move(more.begin(), more.end(), std::back_inserter(to)); };
   const Materials& table = fields.Field.Table;
   const ImageFrame frame = job.Options.ImageAxes ? ImageFrame() : job.Input.Levels.Reading.Frame;
   TurnMesh(frame, result.TheMesh);
   UseLabels(table, result.TheMesh);
-  append(ListSides(result.TheMesh.Tables), result.Fields);
-  append(ListReport(result.TheMesh, result.Report, table, options, fields.Field.Corrected),
+  AppendFields(ListSides(result.TheMesh.Tables), result.Fields);
+  AppendFields(ListReport(result.TheMesh, result.Report, table, options, fields.Field.Corrected),
     result.Fields);
-  append(ListDomain(fields.Grid, frame, RepeatingAxes(job.Options)), result.Fields);
-  append(ListMaterials(result.Report, table, options), result.MaterialFields);
+  AppendFields(ListDomain(fields.Grid, frame, RepeatingAxes(job.Options)), result.Fields);
+  AppendFields(ListMaterials(result.Report, table, options), result.MaterialFields);
   if (result.State.IsConserved)
   {
-    append(ListBalance(result.State.Balance, options.MeshVoid), result.Fields);
-    append(ListBalance(result.State.Balance, options.MeshVoid), result.MaterialFields);
+    AppendFields(ListBalance(result.State.Balance, options.MeshVoid), result.Fields);
+    AppendFields(ListBalance(result.State.Balance, options.MeshVoid), result.MaterialFields);
   }
 }
 
@@ -300,7 +304,6 @@ void WarnOfMesh(const MesherJob& job, const MeshReport& report, const InputField
 MesherResult RunMesher(const MesherInput& input, const MesherOptions& given, Runtime& runtime)
 {
   CheckOptions(given);
-  CheckLayers(given);
   MesherOptions options = given;
   options.FineInterfaces |= options.Elements == ElementKind::Tets; // tets support nothing else
   const MesherJob job{ input, options, runtime };
@@ -312,11 +315,12 @@ MesherResult RunMesher(const MesherInput& input, const MesherOptions& given, Run
   const std::vector<StateArray> states = FindStateArrays(levels, arrays.State.Arrays, ranks);
   InputRequests requests = FindRequests(job);
   const LevelSetup setup = SetUpLevels(job, requests);
-  CheckPeriods(options, levels, setup);
+  CheckPeriods(options, setup);
   const std::vector<BlockPlace> owners = FindOwners(job, cells, setup);
   requests = DistributeRequests(requests, levels, owners, ranks);
 
-  LevelFields fields = MakeLevelFields(levels, cells, setup, options.Children, owners, runtime);
+  LevelFields fields = MakeLevelFields(
+    levels, cells, setup, options.Children, RepeatingAxes(options), owners, runtime);
   NameLabels(arrays.Names, fields.Field.Table);
   const Materials& table = fields.Field.Table;
   const std::optional<MaterialPairs> split =
@@ -350,6 +354,11 @@ MesherResult RunMesher(const MesherInput& input, const MesherOptions& given, Run
     JoinCopies(runtime, result.TheMesh); // after the state, which needs positions
   }
   WorkTogether(ranks, [&] { Finish(job, fields, meshOptions, result); });
+  if (options.Order != ElementOrder::Linear)
+  {
+    runtime.Progress(0.99, "Adding mid nodes");
+    AppendFields(AddMidNodes(options.Order, runtime, result.TheMesh, result.State), result.Fields);
+  }
   if (split)
   {
     Split(job, *split, result);

@@ -46,6 +46,7 @@ const std::vector<ArgumentOption> OwnOptions{
   { "--msh-version", "2.2|4.1",
     "version of a .msh file; default 2.2, or 4.1 if an id exceeds 2147483647" },
   { "--binary", "", "write a .msh file or an OpenFOAM case in binary form instead of text" },
+  { "--reduced", "", "write C3D20R instead of C3D20 in an .inp file" },
   { "--no-interfaces", "", "leave the faces between elements out of a .msh file, for deal.II" },
   { "--quiet", "", "print neither progress nor table" },
   { "--help", "", "print this text; also -h" },

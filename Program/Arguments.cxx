@@ -176,6 +176,7 @@ OutputForm ReadForm(const GivenArguments& given)
                    .value_or(GmshVersion::Automatic);
   form.IsBinary = given.count("--binary") > 0;
   form.HasInterfaces = given.count("--no-interfaces") == 0;
+  form.IsReduced = given.count("--reduced") > 0;
   return form;
 }
 

@@ -111,11 +111,23 @@ std::vector<FieldArray> ListFields(vtkFieldData* data)
   return fields;
 }
 
-/// Returns the number of corners of all cells, 8 or 4.
-int FindCorners(vtkUnstructuredGrid* mesh)
+/// Corners and mid nodes of the cells of a type.
+struct CellNodes
+{
+  int Type, Corners, Mids;
+};
+
+constexpr CellNodes KnownCells[] = { { VTK_HEXAHEDRON, 8, 0 }, { VTK_TETRA, 4, 0 },
+  { VTK_QUADRATIC_HEXAHEDRON, 8, 12 }, { VTK_TRIQUADRATIC_HEXAHEDRON, 8, 19 },
+  { VTK_QUADRATIC_TETRA, 4, 6 } };
+
+/// Returns the nodes of all cells.
+CellNodes FindNodes(vtkUnstructuredGrid* mesh)
 {
   const int type = mesh->GetCellType(0);
-  bool isOneKind = type == VTK_HEXAHEDRON || type == VTK_TETRA;
+  const auto* known = std::find_if(std::begin(KnownCells), std::end(KnownCells),
+    [type](const CellNodes& cell) { return cell.Type == type; });
+  bool isOneKind = known != std::end(KnownCells);
   for (vtkIdType cell = 0; isOneKind && cell < mesh->GetNumberOfCells(); ++cell)
   {
     isOneKind = mesh->GetCellType(cell) == type;
@@ -124,9 +136,10 @@ int FindCorners(vtkUnstructuredGrid* mesh)
   {
     throw InputError("The mesh must be all hexahedra or all tetrahedra.");
   }
-  return type == VTK_HEXAHEDRON ? 8 : 4;
+  return *known;
 }
 
+/// Sets the elements of a mesh of linear cells without a copy if possible.
 const Index* KeepElements(vtkCellArray* cells, StoredMesh& mesh)
 {
   const Index corners = mesh.Data.Corners, count = corners * mesh.Data.NumberOfElements;
@@ -136,16 +149,31 @@ const Index* KeepElements(vtkCellArray* cells, StoredMesh& mesh)
     vtkDataArray* connectivity = cells->GetConnectivityArray64();
     return static_cast<const Index*>(Store(connectivity, connectivity->GetDataType(), mesh));
   }
-  std::vector<Index> elements;
-  elements.reserve(count);
-  for (vtkIdType cell = 0; cell < mesh.Data.NumberOfElements; ++cell)
+  return nullptr;
+}
+
+/// Sets the corners and mid nodes of all cells.
+void SetElements(vtkCellArray* cells, StoredMesh& mesh)
+{
+  MeshData& data = mesh.Data;
+  data.Elements = data.MidsPerElement == 0 ? KeepElements(cells, mesh) : nullptr;
+  if (data.Elements)
+  {
+    return;
+  }
+  std::vector<Index> corners, mids;
+  corners.reserve(data.Corners * data.NumberOfElements);
+  mids.reserve(data.MidsPerElement * data.NumberOfElements);
+  for (vtkIdType cell = 0; cell < data.NumberOfElements; ++cell)
   {
     vtkIdType size = 0;
     const vtkIdType* points = nullptr;
     cells->GetCellAtId(cell, size, points);
-    elements.insert(elements.end(), points, points + size);
+    corners.insert(corners.end(), points, points + data.Corners);
+    mids.insert(mids.end(), points + data.Corners, points + size);
   }
-  return mesh.Store(std::move(elements));
+  data.Elements = mesh.Store(std::move(corners));
+  data.MidPoints = mesh.Store(std::move(mids));
 }
 
 } // namespace
@@ -163,8 +191,10 @@ StoredMesh MeshDataOf(vtkUnstructuredGrid* mesh)
   }
   if (data.NumberOfElements > 0)
   {
-    data.Corners = FindCorners(mesh);
-    data.Elements = KeepElements(mesh->GetCells(), stored);
+    const CellNodes nodes = FindNodes(mesh);
+    data.Corners = nodes.Corners;
+    data.MidsPerElement = nodes.Mids;
+    SetElements(mesh->GetCells(), stored);
   }
   data.PointArrays = ListArrays(mesh->GetPointData(), stored);
   data.ElementArrays = ListArrays(mesh->GetCellData(), stored);

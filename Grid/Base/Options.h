@@ -34,6 +34,14 @@ enum class TetMethod
   Lattice ///< a body-centred lattice of cell centres and nodes, cut where labels differ
 };
 
+/// Order of the elements.
+enum class ElementOrder
+{
+  Linear,
+  Quadratic,  ///< hexahedra of 20 nodes, tetrahedra of 10
+  Quadratic27 ///< hexahedra of 27 nodes, tetrahedra of 10
+};
+
 /// Range of an option, limits included.
 struct NumberRange
 {
@@ -87,6 +95,7 @@ struct MeshSettings : TetGenOptions
   bool ConserveVolume = true;          ///< match the fractions' volumes; only with IsoValue 0.5
   bool ComputeQuality = true;          ///< fill Mesh::ScaledJacobian
   TetMethod Tets = TetMethod::Lattice; ///< method of tetrahedral meshes
+  ElementOrder Order = ElementOrder::Linear;
 };
 
 /// All options of a pipeline.

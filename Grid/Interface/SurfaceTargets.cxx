@@ -217,9 +217,16 @@ LocalQuadric SurfaceTargets::QuadricOf(
 
 Index SurfaceTargets::Add(const LocalQuadric& quadric, const Vector3& origin, const Vector3& widths)
 {
-  this->Frames.push_back({ origin + Scaled(quadric.Base, widths),
-    Divided({ { 1.0, 1.0, 1.0 } }, widths), quadric.U, quadric.N, quadric.C });
+  this->Frames.emplace_back();
+  this->Replace(this->Count() - 1, quadric, origin, widths);
   return this->Count() - 1;
+}
+
+void SurfaceTargets::Replace(
+  Index target, const LocalQuadric& quadric, const Vector3& origin, const Vector3& widths)
+{
+  this->Frames[target] = { origin + Scaled(quadric.Base, widths),
+    Divided({ { 1.0, 1.0, 1.0 } }, widths), quadric.U, quadric.N, quadric.C };
 }
 
 double SurfaceTargets::LocalScale(Index target) const

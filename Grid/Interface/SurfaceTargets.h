@@ -61,6 +61,9 @@ public:
   /// fitted quadrics are shifted a little where they bend.
   /// @pre quadric.V is bitwise equal to the cross product of N and U, as from MakeTangents
   Index Add(const LocalQuadric& quadric, const Vector3& origin, const Vector3& widths);
+  /// Replaces a target by a quadric as in Add. Threads may replace different targets.
+  void Replace(
+    Index target, const LocalQuadric& quadric, const Vector3& origin, const Vector3& widths);
 
   /// Returns the number of units of Distance per unit of grid coordinates along the normal:
   /// distance = length * LocalScale.

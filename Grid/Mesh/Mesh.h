@@ -8,6 +8,7 @@
 #include "Base/GlobalIds.h"
 #include "Mesh/GeometryTables.h"
 #include "Mesh/MeshFacet.h"
+#include "Mesh/MidNodes.h"
 #include "Ranks/Ranks.h"
 
 #include <memory>
@@ -62,6 +63,9 @@ struct Mesh
   Buffer<int> GeometryDimension; ///< dimension per point: 3 volume, .., 0 vertex
   Buffer<int> GeometryId;        ///< number per point in its dimension, from 1; 3: fragment
   Buffer<Index> Elements;        ///< points, (elements, Corners), VTK order
+  int MidsPerElement = 0;        ///< mid nodes per element (MidNodes.h); 0: linear
+  Buffer<Index> MidPoints;       ///< points, (elements, MidsPerElement); they follow the corners
+  std::vector<EdgePull> Pulls;   ///< of interface edges, before there are mid nodes
   Buffer<Index> ElementIds;      ///< global ids, from 1, ascending
   Buffer<int> Material;          ///< material per element; 0 is void
   Buffer<int> Fragment;          ///< fragment per element, from 1 over all ranks

@@ -31,6 +31,7 @@ constexpr int Moves = 8;
 constexpr int MoreMoves = 12;           // if fragments resist
 constexpr double FinalTolerance = 1e-7; // relative
 constexpr VolumeTolerances Final{ CorrectedPart * FinalTolerance, CorrectedPart* FinalTolerance };
+constexpr int BulgeRounds = 4; // of corrections, after each of which bulges are measured again
 // Rounds of EndIntersections after which volumes are corrected, and points move again. Further
 // rounds only put points back.
 constexpr int CorrectedRounds = 4, MovingRounds = 30;
@@ -68,6 +69,10 @@ public:
   /// Small fragments, whose surfaces are uncertain in the fractions and hard to move, get more
   /// rounds and longer shifts.
   void Run();
+  /// Does so with curved elements too, whose volumes change as their points move.
+  void RunCurved();
+  /// Measures the volumes between straight and curved elements, if there are curved ones.
+  void MeasureBulges();
 
 private:
   FragmentVolumes& Volumes() const { return this->What.Volumes; }
@@ -112,6 +117,7 @@ void VolumeCorrection::ShiftAfterSweep(int sweep)
   if (sweep % ShiftPeriod == 1 && sweep + SweepsAfterShift <= stage.Sweeps)
   {
     this->Measure();
+    this->MeasureBulges();
     this->TheSmoother.ShiftTargets(
       this->Volumes().FindShifts(this->What.Active, Rounds),
       [this](const Attachment& a) { return this->IsLong(a); }, stage);
@@ -169,6 +175,29 @@ void VolumeCorrection::Run()
   }
 }
 
+void VolumeCorrection::RunCurved()
+{
+  this->MeasureBulges();
+  this->Run();
+  for (int round = 1; round < BulgeRounds && this->What.MeasureBulges; ++round)
+  {
+    this->MeasureBulges();
+    if (!(this->Volumes().WorstError() > FinalTolerance))
+    {
+      break;
+    }
+    this->Run();
+  }
+}
+
+void VolumeCorrection::MeasureBulges()
+{
+  if (this->What.MeasureBulges)
+  {
+    this->Volumes().SetBulges(this->What.MeasureBulges());
+  }
+}
+
 } // namespace
 
 void Improve(const Improvement& what, StageClock& clock, Runtime& runtime)
@@ -213,7 +242,7 @@ void Improve(const Improvement& what, StageClock& clock, Runtime& runtime)
     if (what.ConserveVolume)
     {
       clock.Start("Correcting volumes", 0.8);
-      correction.Run();
+      correction.RunCurved();
     }
   };
   correct();
@@ -225,6 +254,7 @@ void Improve(const Improvement& what, StageClock& clock, Runtime& runtime)
       correct();
     }
   }
+  correction.MeasureBulges();
   std::vector<std::int64_t> efforts{ 0, smoother.Visits() };
   what.Active.ForOwned([&](int) { ++efforts[0]; });
   runtime.Group().Sum(efforts);

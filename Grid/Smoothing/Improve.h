@@ -26,6 +26,9 @@ struct Improvement
   std::function<void(Smoother&, const SmoothingStage&, int)> AfterSweep;
   /// Is called after the ramp, before volumes are measured; may be empty.
   std::function<void()> AfterRamp;
+  /// Measures FragmentVolumes::SetBulges at the present positions. Collective; empty: elements stay
+  /// straight.
+  std::function<std::vector<double>()> MeasureBulges;
 };
 
 /// Smooths a mesh. If ConserveVolume is set, moves the interfaces until the relative errors of the

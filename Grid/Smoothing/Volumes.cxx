@@ -212,6 +212,12 @@ void FragmentVolumes::Measure(const ActiveMesh& mesh, const std::vector<unsigned
   this->SumFacets();
 }
 
+void FragmentVolumes::SetBulges(std::vector<double> bulges)
+{
+  this->Bulges = std::move(bulges);
+  this->SetAims();
+}
+
 /// Sums over the ranks.
 void FragmentVolumes::SumFacets()
 {

@@ -72,6 +72,9 @@ public:
   /// @pre Measure(mesh) was called, and the facets are the same. Collective.
   void Measure(const ActiveMesh& mesh, const std::vector<unsigned char>& moved);
 
+  /// Sets the volume that each fragment gains because its elements are curved; 0 without this call.
+  void SetBulges(std::vector<double> bulges);
+
   /// Returns the shift of each attachment, in grid coordinates, that corrects the errors of the
   /// last measurement. Solves
   ///
@@ -121,7 +124,8 @@ private:
   bool IsPushed(int fragment) const;
   double VolumeOf(int fragment) const
   {
-    return this->StartVolumes[fragment] + this->Swept[fragment];
+    return this->StartVolumes[fragment] + this->Swept[fragment] +
+      (this->Bulges.empty() ? 0.0 : this->Bulges[fragment]);
   }
   double ErrorOf(int fragment) const;
 
@@ -134,6 +138,7 @@ private:
   FacetSums Facets;
   std::vector<double> StartVolumes;    // initial volume of each fragment
   std::vector<double> Swept;           // volume that each fragment has gained since then
+  std::vector<double> Bulges;          // SetBulges
   std::vector<PairSum> Areas;          // interface areas of pairs of fragments
   std::vector<double> TotalOfMaterial; // total volume of each material in the fractions
 };

@@ -40,52 +40,66 @@ void AddPart(double volume, const Vector3& centroid, Donor& donor, DonorShape& s
   shape.Second[5] += volume * x[1] * x[2];
 }
 
-/// Adds the parts of regular tets in a donor to it.
-/// @param kinds  one bit per kind
-/// @param cell  cell of the donor
-void AddRegular(std::uint64_t kinds, const CartesianGrid& grid, const Index3& cell, Donor& donor,
-  DonorShape& shape)
+/// Sums over the parts of regular tets in a donor.
+struct RegularSums
 {
-  // Sums of volumes, in 24ths, of products with positions, and the range of positions, in eighths.
-  int volume = 0;
-  std::array<int, 3> first{}, lower{ { 8, 8, 8 } }, upper{ { -8, -8, -8 } };
-  std::array<int, 6> second{};
-  for (int kind = 0; kinds >> kind; ++kind)
+  explicit RegularSums(std::uint64_t kinds) : Kinds(kinds)
   {
-    if (kinds >> kind & 1)
+    for (int kind = 0; kind < RegularKinds; ++kind)
     {
-      const RegularShape& part = ShapeOfKind(kind);
-      const std::array<int, 3>& x = part.Centroid;
-      volume += part.Volume;
-      for (int a = 0; a < 3; ++a)
+      if (kinds >> kind & 1)
       {
-        first[a] += part.Volume * x[a];
-        second[a] += part.Volume * x[a] * x[a];
-        lower[a] = std::min(lower[a], x[a]);
-        upper[a] = std::max(upper[a], x[a]);
+        this->Add(RegularShapes[kind]);
       }
-      second[3] += part.Volume * x[0] * x[1];
-      second[4] += part.Volume * x[0] * x[2];
-      second[5] += part.Volume * x[1] * x[2];
     }
   }
+
+  std::uint64_t Kinds; // one bit per kind
+  // Sums of volumes, in 24ths, of products with positions, and the range of positions, in eighths.
+  int Volume = 0;
+  std::array<int, 3> First{}, Lower{ { 8, 8, 8 } }, Upper{ { -8, -8, -8 } };
+  std::array<int, 6> Second{}; // as DonorShape::Second
+
+private:
+  void Add(const RegularShape& part)
+  {
+    const std::array<int, 3>& x = part.Centroid;
+    this->Volume += part.Volume;
+    for (int a = 0; a < 3; ++a)
+    {
+      this->First[a] += part.Volume * x[a];
+      this->Second[a] += part.Volume * x[a] * x[a];
+      this->Lower[a] = std::min(this->Lower[a], x[a]);
+      this->Upper[a] = std::max(this->Upper[a], x[a]);
+    }
+    this->Second[3] += part.Volume * x[0] * x[1];
+    this->Second[4] += part.Volume * x[0] * x[2];
+    this->Second[5] += part.Volume * x[1] * x[2];
+  }
+};
+
+/// Adds the parts of regular tets to their donor.
+/// @param cell  cell of the donor
+void AddRegular(const RegularSums& sums, const CartesianGrid& grid, const Index3& cell,
+  Donor& donor, DonorShape& shape)
+{
   const double unit = grid.CellVolume(cell);
   const Vector3 h{ { grid.Width(0, cell[0]) / 8.0, grid.Width(1, cell[1]) / 8.0,
     grid.Width(2, cell[2]) / 8.0 } };
-  donor.Overlap += unit * (volume / 24.0);
+  donor.Overlap += unit * (sums.Volume / 24.0);
   for (int a = 0; a < 3; ++a)
   {
-    shape.First[a] += unit * h[a] * (first[a] / 24.0);
-    shape.Second[a] += unit * h[a] * h[a] * (second[a] / 24.0);
-    shape.Lower[a] = std::min(shape.Lower[a], lower[a] * h[a]);
-    shape.Upper[a] = std::max(shape.Upper[a], upper[a] * h[a]);
+    shape.First[a] += unit * h[a] * (sums.First[a] / 24.0);
+    shape.Second[a] += unit * h[a] * h[a] * (sums.Second[a] / 24.0);
+    shape.Lower[a] = std::min(shape.Lower[a], sums.Lower[a] * h[a]);
+    shape.Upper[a] = std::max(shape.Upper[a], sums.Upper[a] * h[a]);
   }
-  shape.Second[3] += unit * h[0] * h[1] * (second[3] / 24.0);
-  shape.Second[4] += unit * h[0] * h[2] * (second[4] / 24.0);
-  shape.Second[5] += unit * h[1] * h[2] * (second[5] / 24.0);
+  shape.Second[3] += unit * h[0] * h[1] * (sums.Second[3] / 24.0);
+  shape.Second[4] += unit * h[0] * h[2] * (sums.Second[4] / 24.0);
+  shape.Second[5] += unit * h[1] * h[2] * (sums.Second[5] / 24.0);
 }
 
-constexpr std::size_t ElementsAtOnce = 32768;
+constexpr Index ElementsAtOnce = 32768;
 
 /// Donors of the cells that were searched last, because consecutive elements are mostly in the same
 /// cells.
@@ -153,8 +167,7 @@ std::vector<Index> FindRegular(Work& work, DonorParts& some)
 {
   const std::size_t count = some.Elements.size();
   std::vector<std::array<RegularPart, 2>> found(work.Regular.IsUsed() ? count : 0);
-  ForEach(work.Run, found.size(),
-    [&](Index i) { work.Regular.Find(some.Elements[i], found[i]); });
+  ForEach(work.Run, found.size(), [&](Index i) { work.Regular.Find(some.ElementAt(i), found[i]); });
   some.Regular.resize(found.size());
   std::vector<Index> others;
   for (std::size_t i = 0; i < count; ++i)
@@ -167,7 +180,7 @@ std::vector<Index> FindRegular(Work& work, DonorParts& some)
     for (int p = 0; p < 2 && found[i][p].Cell >= 0; ++p)
     {
       const RegularPart& part = found[i][p];
-      const int donor = GetDonor(work, part.Cell, some.Elements[i]);
+      const int donor = GetDonor(work, part.Cell, some.ElementAt(i));
       some.Regular[i].Donor[p] = donor;
       some.Regular[i].Kind[p] = static_cast<std::uint8_t>(part.Kind);
       work.Kinds[donor] |= std::uint64_t(1) << part.Kind;
@@ -177,14 +190,16 @@ std::vector<Index> FindRegular(Work& work, DonorParts& some)
 }
 
 /// Cuts some elements and makes the donors of their parts.
-DonorParts CutElements(Work& work, std::vector<Index> elements)
+DonorParts CutElements(Work& work, Index first, std::vector<int> elements)
 {
-  DonorParts some{ std::move(elements), {}, {}, {} };
+  DonorParts some;
+  some.First = first;
+  some.Elements = std::move(elements);
   const std::vector<Index> others = FindRegular(work, some);
   std::vector<Index> cut;
   for (Index i : others)
   {
-    cut.push_back(some.Elements[i]);
+    cut.push_back(some.ElementAt(i));
   }
   const Overlaps& overlaps = work.Finder.Find(cut);
   some.Offsets.assign(some.Elements.size() + 1, 0);
@@ -198,7 +213,7 @@ DonorParts CutElements(Work& work, std::vector<Index> elements)
         const OverlapPart& overlap = overlaps.Parts[p];
         const Index cell = work.Grid.Linear(CellInBox(work.Grid.Local(), overlap.Cell));
         some.Parts.push_back(
-          { overlap.Volume, overlap.Centroid, GetDonor(work, cell, some.Elements[i]) });
+          { overlap.Volume, overlap.Centroid, GetDonor(work, cell, some.ElementAt(i)) });
       }
       ++n;
     }
@@ -224,9 +239,8 @@ std::vector<SentPart> ExchangeParts(Work& work, const std::vector<DonorParts>& p
         {
           donor.HasParts = true;
           const Index3 cell = work.Grid.Position(donor.Cell);
-          sent[work.Parts.PeerOfCell(cell)].push_back(
-            { work.TheMesh.ElementIds[some.Elements[i]], work.Grid.CellKey(cell), donor.Fragment,
-              donor.Material, part.Volume, part.Centroid });
+          sent[work.Parts.PeerOfCell(cell)].push_back({ work.TheMesh.ElementIds[some.ElementAt(i)],
+            work.Grid.CellKey(cell), donor.Fragment, donor.Material, part.Volume, part.Centroid });
         }
       }
     }
@@ -268,16 +282,18 @@ void AddParts(
   std::vector<int> donorOf;
   for (const SentPart& other : others)
   {
-    donorOf.push_back(GetDonor(work, work.Grid.Linear(work.Grid.CellOfKey(other.Key)),
-      other.Fragment, other.Material));
+    donorOf.push_back(GetDonor(
+      work, work.Grid.Linear(work.Grid.CellOfKey(other.Key)), other.Fragment, other.Material));
   }
   work.Shapes.resize(work.Donors.Count());
+  RegularSums sums(0);
   for (int s = 0; s < work.Donors.Count(); ++s)
   {
     if (work.Donors[s].IsOwned && work.Kinds[s] != 0)
     {
-      AddRegular(work.Kinds[s], work.Grid, work.Grid.Position(work.Donors[s].Cell),
-        work.Donors[s], work.Shapes[s]);
+      sums = sums.Kinds == work.Kinds[s] ? sums : RegularSums(work.Kinds[s]);
+      AddRegular(
+        sums, work.Grid, work.Grid.Position(work.Donors[s].Cell), work.Donors[s], work.Shapes[s]);
     }
   }
   std::size_t next = 0;
@@ -293,7 +309,7 @@ void AddParts(
   {
     for (std::size_t i = 0; i < some.Elements.size(); ++i)
     {
-      addBefore(work.TheMesh.ElementIds[some.Elements[i]]);
+      addBefore(work.TheMesh.ElementIds[some.ElementAt(i)]);
       for (int p = some.Offsets[i]; p < some.Offsets[i + 1]; ++p)
       {
         const DonorPart& part = some.Parts[p];
@@ -317,20 +333,20 @@ std::vector<DonorParts> FindDonorParts(const Mesh& mesh,
   Work work{ mesh, grid, regular, partition, runtime, donors, shapes };
   std::vector<DonorParts> pieces;
   const Index count = static_cast<Index>(mesh.Material.size());
-  for (Index e = 0; e < count;)
+  for (Index first = 0; first < count; first += ElementsAtOnce)
   {
-    std::vector<Index> elements;
-    for (; e < count && elements.size() < ElementsAtOnce; ++e)
+    std::vector<int> elements;
+    for (Index e = first; e < std::min(count, first + ElementsAtOnce); ++e)
     {
       if (isNeeded(e))
       {
-        elements.push_back(e);
+        elements.push_back(static_cast<int>(e - first));
       }
     }
     if (!elements.empty())
     {
       elements.shrink_to_fit();
-      pieces.push_back(CutElements(work, std::move(elements)));
+      pieces.push_back(CutElements(work, first, std::move(elements)));
     }
   }
   std::vector<SentPart> others;

@@ -31,10 +31,13 @@ struct RegularDonors
 /// or if it is a regular tet, the parts Regular[i]. Regular is empty for hexes.
 struct DonorParts
 {
-  std::vector<Index> Elements; ///< indices in the mesh, ascending
+  Index First = 0;           ///< index in the mesh from which Elements count
+  std::vector<int> Elements; ///< indices in the mesh minus First, ascending
   std::vector<int> Offsets;
   std::vector<DonorPart> Parts;
   std::vector<RegularDonors> Regular;
+
+  Index ElementAt(std::size_t i) const { return this->First + this->Elements[i]; }
 };
 
 /// Moments of the parts in a donor. Positions are the centroids

@@ -12,88 +12,97 @@ VFM_INLINE double ValueIn(const StatePart& part, int column, int width)
 {
   const double* line = part.Line + column;
   return part.Own[column] +
-    (line[0] * part.X[0] + line[width] * part.X[1] + line[2 * width] * part.X[2] +
-      line[3 * width]);
+    (line[0] * part.X[0] + line[width] * part.X[1] + line[2 * width] * part.X[2] + line[3 * width]);
 }
 VFM_INLINE Lanes ValuesIn(const StatePart& part, int column, int width)
 {
   const double* line = part.Line + column;
   return LoadLanes(part.Own + column) +
-    (LoadLanes(line) * part.X[0] + LoadLanes(line + width) * part.X[1] + LoadLanes(line + 2 * width) * part.X[2] +
-      LoadLanes(line + 3 * width));
+    (LoadLanes(line) * part.X[0] + LoadLanes(line + width) * part.X[1] +
+      LoadLanes(line + 2 * width) * part.X[2] + LoadLanes(line + 3 * width));
 }
 
-/// Sums the contents of all columns over parts.
-/// @param width  StateColumns::Width()
-/// @param slots  slot of each column, `width` numbers
-/// @param factors  rows of the factors of each slot, `slotCount` numbers per part
-VFM_CLONES
-void SumContents(const StatePart* parts, std::size_t count, int width, const int* slots,
-  const double* factors, std::size_t slotCount, double* contents)
+VFM_INLINE Lanes Gather(const double* numbers, const int* places)
 {
-  for (int c = 0; c < width; c += ElementLanes<double>::Count)
-  {
-    const int* slot = slots + c;
-    Lanes sum{};
-    const double* factor = factors;
-    for (std::size_t p = 0; p < count; ++p, factor += slotCount)
-    {
-      const Lanes four{ factor[slot[0]], factor[slot[1]], factor[slot[2]], factor[slot[3]] };
-      sum += four * ValuesIn(parts[p], c, width);
-    }
-    StoreLanes(sum, contents + c);
-  }
+  return Lanes{ numbers[places[0]], numbers[places[1]], numbers[places[2]], numbers[places[3]] };
 }
 
 } // namespace
 
-ElementState::ElementState(const StateColumns& columns) :
-  Columns(columns),
-  Slots(columns.Width(), 0),
-  Contents(columns.Width(), 0.0),
-  Found(columns.Width(), 0.0)
+/// Sums the contents of all columns over the parts, and divides them by the contents of their
+/// bases. Returns whether all of these are positive.
+VFM_CLONES
+bool ElementState::Sum()
 {
-  for (int c : columns.Order())
+  const int width = this->Columns.Width(), slots = static_cast<int>(this->Bases.size());
+  double* weights = this->Factors.data(); // contents of the bases
+  std::fill_n(weights, slots, 0.0);
+  double* factor = weights;
+  for (const StatePart& part : this->Parts)
   {
-    const int base = columns.Base(c);
-    if (base >= 0)
+    factor += slots;
+    factor[0] = part.Volume;
+    weights[0] += part.Inside;
+    for (int s = 1; s < slots; ++s)
     {
-      const auto at = std::find(this->Multiplied.begin(), this->Multiplied.end(), base);
-      this->Slots[c] = 1 + static_cast<int>(at - this->Multiplied.begin());
-      if (at == this->Multiplied.end())
-      {
-        this->Multiplied.push_back(base);
-      }
+      const int c = this->Bases[s];
+      factor[s] = factor[this->Slots[c]] * ValueIn(part, c, width);
+      weights[s] += factor[s];
     }
   }
+  for (int c = 0; c < width; c += ElementLanes<double>::Count)
+  {
+    const int* places = this->Slots.data() + c;
+    Lanes sum{};
+    factor = weights;
+    for (const StatePart& part : this->Parts)
+    {
+      factor += slots;
+      sum += Gather(factor, places) * ValuesIn(part, c, width);
+    }
+    StoreLanes(sum / Gather(weights, places), this->Found.data() + c);
+  }
+  // A call here would make GCC 12 leave out vzeroupper, which slows down all code that follows.
+  bool arePositive = true;
+  for (int s = 0; s < slots; ++s)
+  {
+    arePositive = arePositive && weights[s] > 0.0;
+  }
+  return arePositive;
+}
+
+ElementState::ElementState(const StateColumns& columns) :
+  Columns(columns), Slots(columns.Width(), 0), Bases(1, -1), Found(columns.Width(), 0.0)
+{
+  this->FindSlot(columns.Density());
+  for (int c : columns.Order())
+  {
+    this->Slots[c] = columns.Base(c) < 0 ? 0 : this->FindSlot(columns.Base(c));
+  }
+}
+
+/// Returns the slot of a base, which is made if there is none.
+int ElementState::FindSlot(int base)
+{
+  const auto at = std::find(this->Bases.begin(), this->Bases.end(), base);
+  const int slot = static_cast<int>(at - this->Bases.begin());
+  if (at == this->Bases.end())
+  {
+    this->Bases.push_back(base);
+  }
+  return slot;
 }
 
 void ElementState::Finish()
 {
-  const int width = this->Columns.Width();
-  const std::size_t slots = 1 + this->Multiplied.size();
-  double inside = 0.0;
-  this->Factors.resize(this->Parts.size() * slots);
-  double* factor = this->Factors.data();
-  for (const StatePart& part : this->Parts)
+  this->Factors.resize((this->Parts.size() + 1) * this->Bases.size());
+  if (this->Sum())
   {
-    inside += part.Inside;
-    factor[0] = part.Volume;
-    for (std::size_t s = 1; s < slots; ++s)
-    {
-      const int c = this->Multiplied[s - 1];
-      factor[s] = factor[this->Slots[c]] * ValueIn(part, c, width);
-    }
-    factor += slots;
+    return;
   }
-  SumContents(this->Parts.data(), this->Parts.size(), width, this->Slots.data(),
-    this->Factors.data(), slots, this->Contents.data());
   for (int c = 0; c < this->Columns.Count(); ++c)
   {
-    const int base = this->Columns.Base(c);
-    const double weight = base < 0 ? inside : this->Contents[base];
-    this->Found[c] = this->Contents[c] / weight;
-    if (!(weight > 0.0))
+    if (!(this->Factors[this->Slots[c]] > 0.0))
     {
       this->FindMean(c);
     }

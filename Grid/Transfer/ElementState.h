@@ -32,17 +32,20 @@ public:
   void Finish();
   /// Returns the values, one per column, after Finish.
   const double* Values() const { return this->Found.data(); }
-  double Mass() const { return this->Contents[this->Columns.Density()]; }
+  double Mass() const { return this->Factors[1]; }
 
 private:
+  int FindSlot(int base);
+  bool Sum();
   void FindMean(int column);
 
   const StateColumns& Columns;
   std::vector<StatePart> Parts;
-  std::vector<int> Slots;      // position of the base of each column in a row of Factors
-  std::vector<int> Multiplied; // columns that are bases, in the order of their slots from 1
-  std::vector<double> Factors; // volume, and contents of Multiplied, one row per part
-  std::vector<double> Contents, Found;
+  std::vector<int> Slots; // position of the base of each column in Bases, 0 up to Width()
+  std::vector<int> Bases; // columns that are bases: -1 for volume, density, then weights
+  // Contents of the bases: in the element, where that of volume is its own volume, then per part.
+  std::vector<double> Factors;
+  std::vector<double> Found;
 };
 
 } // namespace vfm

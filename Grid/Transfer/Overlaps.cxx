@@ -478,10 +478,13 @@ private:
   {
     for (CellSums& s : this->Sums)
     {
-      s.Volume /= 6.0;
-      s.X /= 24.0;
-      s.Y /= 24.0;
-      s.Z /= 24.0;
+      if (s.Volume > 0.0) // others are dropped
+      {
+        s.Volume /= 6.0;
+        s.X /= 24.0;
+        s.Y /= 24.0;
+        s.Z /= 24.0;
+      }
     }
   }
 

@@ -41,64 +41,15 @@ Place FindPlace(const std::vector<double>& x, Index first, Index last, double va
                                          : -1;
 }
 
-/// Returns the corner of the cell of a centre at which a node is: bit a is set if it is on the upper
-/// side of axis a.
+/// Returns the corner of the cell of a centre at which a node is: bit a is set if it is on the
+/// upper side of axis a.
 int CornerAt(Place node, Place centre)
 {
   const Place sides = node - centre + Ones;
   return static_cast<int>((sides >> 1 & 1) | (sides >> Bits & 2) | (sides >> (2 * Bits - 1) & 4));
 }
 
-constexpr int KindsInTwo = 24;
-
-/// Returns the kind of the part between the centre of a cell, an edge of a face, and the projection
-/// of the centre onto the face.
-/// @param side  1 if the face is on the upper side of its axis
-/// @param other  axis normal to the edge in the face
-/// @param otherSide  1 if the edge is on the upper side of this axis
-int KindInTwo(int axis, int side, int other, int otherSide)
-{
-  return 8 * axis + 4 * side + 2 * (other != (axis + 1) % 3) + otherSide;
-}
-
-/// Returns the kind of the part between the centre of a cell and half of a face.
-/// @param missing  corner of the face that the half lacks
-int KindInCell(int axis, int missing)
-{
-  return KindsInTwo + 8 * axis + missing;
-}
-
-std::array<RegularShape, RegularKinds> ListShapes()
-{
-  std::array<RegularShape, RegularKinds> shapes;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    for (int bits = 0; bits < 8; ++bits)
-    {
-      const int other = (axis + 1 + (bits >> 1 & 1)) % 3, side = bits >> 2;
-      RegularShape& half = shapes[KindInTwo(axis, side, other, bits & 1)];
-      half.Volume = 1;
-      half.Centroid[axis] = side ? 3 : -3;
-      half.Centroid[other] = bits & 1 ? 2 : -2;
-      RegularShape& inCell = shapes[KindInCell(axis, bits)];
-      inCell.Volume = 2;
-      for (int a = 0; a < 3; ++a)
-      {
-        const bool isUpper = bits >> a & 1;
-        inCell.Centroid[a] = a == axis ? (isUpper ? 3 : -3) : (isUpper ? -1 : 1);
-      }
-    }
-  }
-  return shapes;
-}
-
 } // namespace
-
-const RegularShape& ShapeOfKind(int kind)
-{
-  static const std::array<RegularShape, RegularKinds> shapes = ListShapes();
-  return shapes[kind];
-}
 
 RegularTets::RegularTets(const Mesh& mesh, const CartesianGrid& grid, Runtime& runtime) :
   TheMesh(mesh), Grid(grid)

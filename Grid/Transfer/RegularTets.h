@@ -32,8 +32,51 @@ struct RegularShape
   std::array<int, 3> Centroid{}; ///< relative to the centre of the cell, in eighths of its widths
 };
 
-/// Returns the geometry of a kind.
-const RegularShape& ShapeOfKind(int kind);
+constexpr int KindsInTwo = 24;
+
+/// Returns the kind of the part between the centre of a cell, an edge of a face, and the projection
+/// of the centre onto the face.
+/// @param side  1 if the face is on the upper side of its axis
+/// @param other  axis normal to the edge in the face
+/// @param otherSide  1 if the edge is on the upper side of this axis
+constexpr int KindInTwo(int axis, int side, int other, int otherSide)
+{
+  return 8 * axis + 4 * side + 2 * (other != (axis + 1) % 3) + otherSide;
+}
+
+/// Returns the kind of the part between the centre of a cell and half of a face.
+/// @param missing  corner of the face that the half lacks
+constexpr int KindInCell(int axis, int missing)
+{
+  return KindsInTwo + 8 * axis + missing;
+}
+
+constexpr std::array<RegularShape, RegularKinds> ListRegularShapes()
+{
+  std::array<RegularShape, RegularKinds> shapes{};
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (int bits = 0; bits < 8; ++bits)
+    {
+      const int other = (axis + 1 + (bits >> 1 & 1)) % 3, side = bits >> 2;
+      RegularShape& half = shapes[KindInTwo(axis, side, other, bits & 1)];
+      half.Volume = 1;
+      half.Centroid[axis] = side ? 3 : -3;
+      half.Centroid[other] = bits & 1 ? 2 : -2;
+      RegularShape& inCell = shapes[KindInCell(axis, bits)];
+      inCell.Volume = 2;
+      for (int a = 0; a < 3; ++a)
+      {
+        const bool isUpper = bits >> a & 1;
+        inCell.Centroid[a] = a == axis ? (isUpper ? 3 : -3) : (isUpper ? -1 : 1);
+      }
+    }
+  }
+  return shapes;
+}
+
+/// Geometry of each kind.
+constexpr std::array<RegularShape, RegularKinds> RegularShapes = ListRegularShapes();
 
 /// Finds the regular tets of a mesh. Thread safe once made. Mesh and grid must outlive it.
 class RegularTets

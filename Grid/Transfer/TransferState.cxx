@@ -43,8 +43,8 @@ struct Work
 };
 
 /// Cuts the elements for which isNeeded(element) is true, and makes their donors. Collective.
-std::vector<DonorParts> FindParts(Work& work,
-  const std::function<bool(Index element)>& isNeeded, std::vector<DonorShape>& shapes)
+std::vector<DonorParts> FindParts(
+  Work& work, const std::function<bool(Index element)>& isNeeded, std::vector<DonorShape>& shapes)
 {
   return FindDonorParts(
     work.TheMesh, isNeeded, work.Grid, work.Regular, work.Parts, work.Run, work.Donors, shapes);
@@ -99,7 +99,8 @@ void Allocate(const Work& work, TransferredState& state)
 class StateWriter
 {
 public:
-  StateWriter(const StateColumns& columns, const TransferRequest& request, TransferredState& state) :
+  StateWriter(
+    const StateColumns& columns, const TransferRequest& request, TransferredState& state) :
     Mass(state.Mass.data()), State(columns)
   {
     for (std::size_t q = 0; q < state.Values.size(); ++q)
@@ -145,7 +146,8 @@ private:
 class DonorSource
 {
 public:
-  DonorSource(const CartesianGrid& grid, const Donor& donor, const double* own, const double* line) :
+  DonorSource(
+    const CartesianGrid& grid, const Donor& donor, const double* own, const double* line) :
     Own(own), Line(line), Centroid(donor.Centroid), Ratio(donor.Volume / donor.Overlap)
   {
     const Index3 cell = grid.Position(donor.Cell);
@@ -166,7 +168,7 @@ public:
   /// Returns the part of a regular tet.
   StatePart Find(int kind) const
   {
-    const RegularShape& shape = ShapeOfKind(kind);
+    const RegularShape& shape = RegularShapes[kind];
     Vector3 x;
     for (int a = 0; a < 3; ++a)
     {
@@ -197,8 +199,8 @@ std::vector<DonorSource> ListSources(
 }
 
 /// Adds the parts of element i of a list.
-void AddParts(const DonorParts& some, Index i, const std::vector<DonorSource>& sources,
-  ElementState& element)
+void AddParts(
+  const DonorParts& some, Index i, const std::vector<DonorSource>& sources, ElementState& element)
 {
   for (int p = some.Offsets[i]; p < some.Offsets[i + 1]; ++p)
   {
@@ -222,7 +224,7 @@ void FillFromDonors(Work& work, const std::vector<DonorParts>& pieces,
         for (Index i = begin; i < end; ++i)
         {
           AddParts(some, i, sources, writer.Next());
-          writer.Write(some.Elements[i]);
+          writer.Write(some.ElementAt(i));
         }
       });
   }
@@ -295,6 +297,7 @@ TransferredState TransferState(const Mesh& mesh, const TransferRequest& request,
     ? Slopes(work.Columns)
     : Slopes(work.Columns, work.Grid, work.Donors, values, shapes,
         links.Narrow([&work](int s) { return work.Donors[s].HasParts; }), work.Run);
+  std::vector<DonorShape>().swap(shapes); // keeps the peak of memory low
   Allocate(work, state);
   const std::vector<DonorSource> sources = ListSources(work, slopes, values);
   FillFromDonors(work, moved, sources, state);

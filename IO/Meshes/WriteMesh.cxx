@@ -59,13 +59,19 @@ void WriteFoamCase(
   WriteFoam(mesh, path, ranks, { form.Files == OutputFiles::Single, form.IsBinary });
 }
 
+void WriteAbaqusFile(
+  const MeshData& mesh, const std::string& path, Ranks& ranks, const OutputForm& form)
+{
+  WriteAbaqus(mesh, path, ranks, form.IsReduced);
+}
+
 constexpr Format Formats[] = {
   { ".vtu", WritePlain<WriteVtu>, true, false, false },
   { ".pvtu", WritePlain<WritePvtu>, false, false, false },
   { ".e", WriteExodusFiles, true, false, false },
   { ".ex2", WriteExodusFiles, true, false, false },
   { ".exo", WriteExodusFiles, true, false, false },
-  { ".inp", WritePlain<WriteAbaqus>, true, false, false },
+  { ".inp", WriteAbaqusFile, true, false, false },
   { ".k", WritePlain<WriteLsDyna>, true, false, false },
   { ".key", WritePlain<WriteLsDyna>, true, false, false },
   { ".rad", WritePlain<WriteRadioss>, true, false, false },
@@ -136,6 +142,10 @@ std::string FindOutputProblem(const std::string& path, const OutputForm& form)
   {
     return "The output " + path +
       " has no binary form. Formats that have it: " + ListSuffixes(&Format::HasBinary) + ".";
+  }
+  if (form.IsReduced && format->Write != WriteAbaqusFile)
+  {
+    return "The output " + path + " has no elements of reduced integration. Only .inp has them.";
   }
   return "";
 }

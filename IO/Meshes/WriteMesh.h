@@ -26,6 +26,7 @@ struct OutputForm
   GmshVersion Version = GmshVersion::Automatic; ///< only for .msh
   bool IsBinary = false;     ///< binary instead of text; only for formats that have both
   bool HasInterfaces = true; ///< whether a .msh file has faces between elements
+  bool IsReduced = false;    ///< C3D20R instead of C3D20; only for .inp
 };
 
 /// Returns all supported suffixes, for instance ".vtu".

@@ -229,6 +229,10 @@ void TurnMesh(const ImageFrame& frame, Mesh& mesh)
   {
     normal = frame.ToSpace(frame.Origin + normal) - frame.Origin;
   }
+  for (EdgePull& pull : mesh.Pulls)
+  {
+    pull.Pull = frame.ToSpace(frame.Origin + pull.Pull) - frame.Origin;
+  }
   if (frame.IsMirrored())
   {
     ReverseCorners(mesh);

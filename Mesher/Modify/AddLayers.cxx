@@ -26,27 +26,6 @@ bool IsSelected(const Mesh& mesh, const MeshFacet& facet, const LayerChoice& cho
 
 } // namespace
 
-void CheckLayers(const MesherOptions& options)
-{
-  if (options.Layers < 2)
-  {
-    return;
-  }
-  if (options.Elements == ElementKind::Tets)
-  {
-    throw InputError("Layers are for hexahedra: set Layers to 0 for tetrahedra.");
-  }
-  if (options.StairStep)
-  {
-    throw InputError("Layers need a layer of hexahedra along interfaces, which StairStep does not "
-                     "make.");
-  }
-  if (options.NodalVelocity)
-  {
-    throw InputError("NodalVelocity is not available for meshes with Layers.");
-  }
-}
-
 void AddLayers(const MesherOptions& options, const LayerChoice& choice, double width,
   Runtime& runtime, Mesh& mesh, OutputState& state, MeshReport& report)
 {

@@ -11,10 +11,6 @@
 namespace vfm
 {
 
-/// Checks whether layers can be made with other options.
-/// @throws InputError if they cannot
-void CheckLayers(const MesherOptions& options);
-
 /// The interfaces that the user selected.
 struct LayerChoice
 {

@@ -303,6 +303,15 @@ OptionTable SurfaceOptions()
       "images; more round off edges. Volume fractions are not smoothed.")
       .ShownIf("MaterialIdArray")
       .Sculptor("--label-smoothing N"),
+    Row("ElementOrder", Choice<&M::Order>({ "Linear", "Quadratic", "Quadratic27" }),
+      "Nodes of the elements. Linear: corners only. Quadratic: also mid nodes of edges, hexahedra "
+      "of "
+      "20 nodes and tetrahedra of 10. Quadratic27: hexahedra also have mid nodes of faces and a "
+      "centre, 27 nodes. Mid nodes of interface edges lie on the curved interface, so elements "
+      "follow it more closely; Smoothing must be Quadric Surface. All elements are positive "
+      "throughout.")
+      .Advanced()
+      .Sculptor("--element-order ORDER"),
     Row("ConserveVolume", Switch<&M::ConserveVolume>(),
       "Shift the surfaces until each fragment has the volume given by its volume fractions.")
       .EnabledIf("!StairStep & Smoothing!=Off")

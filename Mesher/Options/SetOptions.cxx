@@ -190,6 +190,43 @@ std::string ListNames(ElementKind elements, const OptionTable& table)
     "The option " + option.Name + " cannot be '" + value + "': it takes " + option.Allowed() + ".");
 }
 
+void CheckLayers(const MesherOptions& options)
+{
+  if (options.Layers < 2)
+  {
+    return;
+  }
+  if (options.Elements == ElementKind::Tets)
+  {
+    throw InputError("Layers are for hexahedra: set Layers to 0 for tetrahedra.");
+  }
+  if (options.StairStep)
+  {
+    throw InputError("Layers need hexahedra along interfaces, which StairStep does not make.");
+  }
+  if (options.NodalVelocity)
+  {
+    throw InputError("NodalVelocity is not available for meshes with Layers.");
+  }
+}
+
+void CheckOrder(const MesherOptions& options)
+{
+  if (options.Order == ElementOrder::Linear)
+  {
+    return;
+  }
+  if (options.Periodic != 0)
+  {
+    throw InputError("ElementOrder must be Linear for a periodic mesh (Periodic): the mid nodes of "
+                     "opposite sides would have no partners.");
+  }
+  if (options.Layers > 1 || !options.SplitInterfaces.empty())
+  {
+    throw InputError("ElementOrder must be Linear for meshes with Layers or SplitInterfaces.");
+  }
+}
+
 } // namespace
 
 std::string Option::Allowed() const
@@ -319,6 +356,8 @@ void CheckOptions(const MesherOptions& options, const OptionTable& table)
       Reject(option, FormatNumber(option.GetNumber(options)));
     }
   }
+  CheckLayers(options);
+  CheckOrder(options);
 }
 
 std::vector<std::string> DescribeOptions(ElementKind elements, const OptionTable& table)

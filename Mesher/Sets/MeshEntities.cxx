@@ -2,6 +2,7 @@
 
 #include "Base/Sorted.h"
 #include "Mesh/Junctions.h"
+#include "Mesh/MidNodes.h"
 #include "Sets/NamedSurfaces.h"
 #include "Summary/MatchFaces.h"
 #include "Summary/MeshMaterials.h"
@@ -131,20 +132,24 @@ void ClassifyPoints(
   entities.PointEntity.assign(mesh.NumberOfPoints, entities.Volumes.front());
   for (Index element = 0; element < mesh.NumberOfElements; ++element)
   {
-    for (int c = 0; c < mesh.Corners; ++c)
-    {
-      entities.PointEntity[mesh.Element(element)[c]] = entities.Volumes[element];
-    }
+    mesh.ForNodes(element,
+      [&](const Index* first, const Index* last)
+      {
+        std::for_each(first, last,
+          [&](Index point) { entities.PointEntity[point] = entities.Volumes[element]; });
+      });
   }
   const int count = ElementFaces(mesh.Corners).Corners;
   for (std::size_t s = 0; s < entities.Surfaces.size(); ++s)
   {
     for (const MeshSide& side : entities.Surfaces[s].Sides)
     {
-      const FaceIds points = PointsOfSide(mesh, side);
-      for (int c = 0; c < count; ++c)
+      const FaceIds corners = PointsOfSide(mesh, side);
+      std::vector<Index> points = MidsOfFace(mesh, side.Element, side.Side);
+      points.insert(points.end(), corners.begin(), corners.begin() + count);
+      for (Index point : points)
       {
-        const Index point = firstCopies[points[c]];
+        point = firstCopies[point];
         entities.PointDimension[point] = DimensionOfSurfaces;
         entities.PointEntity[point] = static_cast<int>(s) + 1;
       }
@@ -244,6 +249,37 @@ void FindCurves(const Junctions& junctions, MeshEntities& entities)
   }
 }
 
+/// Classifies the mid nodes of edges of curves.
+void ClassifyMids(const MeshData& mesh, MeshEntities& entities)
+{
+  std::map<EdgeIds, int> curves; // by the points of their edges
+  for (std::size_t c = 0; c < entities.Curves.size(); ++c)
+  {
+    for (const std::array<Index, 2>& edge : entities.Curves[c].Edges)
+    {
+      curves[MakeEdgeIds(edge[0], edge[1])] = static_cast<int>(c) + 1;
+    }
+  }
+  const int count = ElementFaces(mesh.Corners).Corners;
+  for (const SurfaceEntity& surface : entities.Surfaces)
+  {
+    for (const MeshSide& side : surface.Sides)
+    {
+      const FaceIds corners = PointsOfSide(mesh, side);
+      const std::vector<Index> mids = MidsOfFace(mesh, side.Element, side.Side);
+      for (int c = 0; !mids.empty() && c < count; ++c)
+      {
+        const auto curve = curves.find(MakeEdgeIds(corners[c], corners[(c + 1) % count]));
+        if (curve != curves.end())
+        {
+          entities.PointDimension[mids[c]] = 1;
+          entities.PointEntity[mids[c]] = curve->second;
+        }
+      }
+    }
+  }
+}
+
 } // namespace
 
 MeshEntities FindMeshEntities(const MeshData& mesh)
@@ -257,6 +293,10 @@ MeshEntities FindMeshEntities(const MeshData& mesh)
   FindVertices(junctions, entities);
   FindCurves(junctions, entities);
   ClassifyCopies(firstCopies, entities);
+  if (mesh.MidsPerElement > 0)
+  {
+    ClassifyMids(mesh, entities);
+  }
   return entities;
 }
 

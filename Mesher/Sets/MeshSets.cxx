@@ -205,13 +205,17 @@ std::vector<SurfacePoint> FindRims(const MeshData& mesh, const Facets& facets, R
     {
       continue;
     }
-    for (Index point : PointsOfSide(mesh, { facet.Element, facet.Side }))
+    const auto add = [&](Index point)
     {
       if (point >= 0 && mesh.GeometryDimension[point] != DimensionOfSurfaces)
       {
         rims.push_back({ { facet.Surface, ids[point] } });
       }
-    }
+    };
+    const FaceIds corners = PointsOfSide(mesh, { facet.Element, facet.Side });
+    std::for_each(corners.begin(), corners.end(), add);
+    const std::vector<Index> mids = MidsOfFace(mesh, facet.Element, facet.Side);
+    std::for_each(mids.begin(), mids.end(), add);
   }
   return UnionOverRanks(ranks, std::move(rims));
 }

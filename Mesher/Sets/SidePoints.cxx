@@ -20,13 +20,17 @@ std::vector<unsigned char> FindSidesOfFacets(
   std::vector<unsigned char> sides(mesh.NumberOfPoints, 0);
   for (const MeshFacet& facet : facets)
   {
-    for (Index point : table.PointsOf(mesh.Element(facet.Element), facet.Side))
+    const auto mark = [&](Index point)
     {
       if (point >= 0 && facet.DomainSide != NoSide)
       {
         sides[point] = static_cast<unsigned char>(sides[point] | 1 << facet.DomainSide);
       }
-    }
+    };
+    const FaceIds corners = table.PointsOf(mesh.Element(facet.Element), facet.Side);
+    std::for_each(corners.begin(), corners.end(), mark);
+    const std::vector<Index> mids = MidsOfFace(mesh, facet.Element, facet.Side);
+    std::for_each(mids.begin(), mids.end(), mark);
   }
   return sides;
 }

@@ -39,6 +39,8 @@ MeshData ViewMesh(const Mesh& mesh, const OutputState& state, const std::vector<
   data.NumberOfElements = static_cast<Index>(mesh.ElementIds.size());
   data.Points = mesh.Points.data();
   data.Elements = mesh.Elements.data();
+  data.MidsPerElement = mesh.MidsPerElement;
+  data.MidPoints = mesh.MidPoints.data();
   data.PointIds = mesh.PointIds.data();
   data.PeriodicPartner = mesh.PeriodicPartner.data();
   data.OriginalPointIds = mesh.OriginalPointIds.data();

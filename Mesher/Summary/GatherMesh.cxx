@@ -102,19 +102,20 @@ std::vector<MeshArray> MergeArrays(const Pieces& pieces, const std::vector<Item>
   return list;
 }
 
-std::vector<Index> MergeElements(
-  const Pieces& pieces, const std::vector<Item>& points, const std::vector<Item>& elements)
+/// Merges the corners or mid nodes of elements; nodes, width: members of MeshData.
+std::vector<Index> MergeNodes(const Pieces& pieces, const std::vector<Item>& points,
+  const std::vector<Item>& elements, const Index* MeshData::*nodes, int MeshData::*width)
 {
-  std::vector<Index> corners;
-  corners.reserve(pieces[0]->Corners * elements.size());
+  std::vector<Index> merged;
+  merged.reserve(pieces[0]->*width * elements.size());
   for (const Item& element : elements)
   {
     const MeshData& piece = *pieces[element.Piece];
-    std::transform(piece.Element(element.Place), piece.Element(element.Place + 1),
-      std::back_inserter(corners),
+    const Index* first = piece.*nodes + piece.*width * element.Place;
+    std::transform(first, first + piece.*width, std::back_inserter(merged),
       [&](Index point) { return PlaceOf(points, piece.PointIds[point]); });
   }
-  return corners;
+  return merged;
 }
 
 void MergeFacets(const Pieces& pieces, const std::vector<Item>& elements, StoredMesh& merged)
@@ -153,7 +154,11 @@ StoredMesh MergePieces(const Pieces& pieces)
   data.NumberOfElements = static_cast<Index>(elements.size());
   data.Points = merged.Store(
     MergeValues<double>(pieces, points, 3, [](const MeshData& piece) { return piece.Points; }));
-  data.Elements = merged.Store(MergeElements(pieces, points, elements));
+  data.MidsPerElement = pieces[0]->MidsPerElement;
+  data.Elements =
+    merged.Store(MergeNodes(pieces, points, elements, &MeshData::Elements, &MeshData::Corners));
+  data.MidPoints = merged.Store(
+    MergeNodes(pieces, points, elements, &MeshData::MidPoints, &MeshData::MidsPerElement));
   data.PointArrays = MergeArrays(pieces, points, &MeshData::PointArrays, merged);
   data.ElementArrays = MergeArrays(pieces, elements, &MeshData::ElementArrays, merged);
   data.Fields = pieces[0]->Fields;
@@ -193,6 +198,12 @@ void CheckCorners(const MeshData& mesh, Ranks& ranks)
   if (const bool hasHexes = has(8), hasTets = has(4); hasHexes && hasTets)
   {
     throw InputError("The mesh must be all hexahedra or all tetrahedra.");
+  }
+  const double own = mesh.NumberOfElements > 0 ? mesh.MidsPerElement : -1.0;
+  const double most = ranks.Max(own);
+  if (ranks.Any(own >= 0.0 && own != most))
+  {
+    throw InputError("All elements of the mesh must have the same number of nodes.");
   }
 }
 
@@ -235,6 +246,7 @@ MeshData ShareHead(const MeshData& mesh, Ranks& ranks)
   MeshData empty = UnpackMesh(heads[static_cast<std::size_t>(first)]).Data;
   empty.Points = nullptr;
   empty.Elements = nullptr;
+  empty.MidPoints = nullptr;
   empty.Time = mesh.Time;
   return empty;
 }

@@ -1,5 +1,7 @@
 #include "Summary/MeshData.h"
 
+#include "Mesh/MidNodes.h"
+
 #include <algorithm>
 #include <iterator>
 #include <type_traits>
@@ -48,6 +50,22 @@ void SetPointer(StoredMesh& mesh, const std::vector<MeshArray>& arrays, const ch
 }
 
 } // namespace
+
+std::vector<Index> MidsOfFace(const MeshData& mesh, Index element, int face)
+{
+  std::vector<Index> points;
+  const MidNodes nodes(mesh.Corners, mesh.MidsPerElement);
+  const Index* mids = mesh.MidPoints + mesh.MidsPerElement * element;
+  for (int e = 0; mesh.MidsPerElement > 0 && e < ElementFaces(mesh.Corners).Corners; ++e)
+  {
+    points.push_back(mids[nodes.EdgeOfFace(face, e)]);
+  }
+  if (nodes.HasFaces())
+  {
+    points.push_back(mids[nodes.Edges + face]);
+  }
+  return points;
+}
 
 void FindKnownArrays(StoredMesh& mesh)
 {

@@ -34,9 +34,11 @@ struct MeshData
 {
   int Corners = 8; ///< corners of an element: 8 hexahedra, 4 tetrahedra
   Index NumberOfPoints = 0, NumberOfElements = 0;
-  const double* Points = nullptr;  ///< (points, 3)
-  const Index* Elements = nullptr; ///< (elements, Corners), points from 0, VTK's order
-  const Index* PointIds = nullptr; ///< global ids of points, from 1
+  const double* Points = nullptr;   ///< (points, 3)
+  const Index* Elements = nullptr;  ///< (elements, Corners), points from 0, VTK's order
+  int MidsPerElement = 0;           ///< mid nodes of an element (MidNodes.h): 0, 12, 19 or 6
+  const Index* MidPoints = nullptr; ///< (elements, MidsPerElement), points from 0, VTK's order
+  const Index* PointIds = nullptr;  ///< global ids of points, from 1
   /// Lowest global id among the copies of each point on opposite sides of a periodic mesh.
   const Index* PeriodicPartner = nullptr;
   /// Global ids of points before interfaces were split (Modify/SplitInterfaces.h).
@@ -54,6 +56,15 @@ struct MeshData
   const std::vector<MeshFacet>* Facets = nullptr;
 
   const Index* Element(Index element) const { return this->Elements + this->Corners * element; }
+  /// Calls visit(first, last) for the corners, then for the mid nodes of an element.
+  template <class Visit>
+  void ForNodes(Index element, const Visit& visit) const
+  {
+    visit(this->Element(element), this->Element(element + 1));
+    const Index* mids = this->MidPoints + this->MidsPerElement * element;
+    visit(mids, mids + this->MidsPerElement);
+  }
+  int NodesPerElement() const { return this->Corners + this->MidsPerElement; }
   const double* Point(Index point) const { return this->Points + 3 * point; }
   /// Returns the global ids of points before interfaces were split.
   const Index* UnsplitPointIds() const
@@ -66,6 +77,10 @@ struct MeshData
     return { { x[0], x[1], x[2] } };
   }
 };
+
+/// Returns the mid nodes of a face of an element: of its edges in the order of its corners
+/// (ElementFaces), then its centre; none for linear elements.
+std::vector<Index> MidsOfFace(const MeshData& mesh, Index element, int face);
 
 /// A mesh that shares ownership of the memory of its pointers.
 struct StoredMesh

@@ -87,10 +87,12 @@ Bytes PackMesh(const MeshData& mesh)
 {
   Packer packer;
   packer.Add(mesh.Corners);
+  packer.Add(mesh.MidsPerElement);
   packer.Add(mesh.NumberOfPoints);
   packer.Add(mesh.NumberOfElements);
   packer.AddMany(mesh.Points, 3 * mesh.NumberOfPoints);
   packer.AddMany(mesh.Elements, mesh.Corners * mesh.NumberOfElements);
+  packer.AddMany(mesh.MidPoints, mesh.MidsPerElement * mesh.NumberOfElements);
   AddArrays(mesh.PointArrays, mesh.NumberOfPoints, packer);
   AddArrays(mesh.ElementArrays, mesh.NumberOfElements, packer);
   AddFields(mesh.Fields, packer);
@@ -106,6 +108,7 @@ Bytes PackHead(const MeshData& mesh)
 {
   MeshData head;
   head.Corners = mesh.Corners;
+  head.MidsPerElement = mesh.MidsPerElement;
   head.PointArrays = mesh.PointArrays;
   head.ElementArrays = mesh.ElementArrays;
   head.Fields = mesh.Fields;
@@ -118,10 +121,13 @@ StoredMesh UnpackMesh(const Bytes& bytes)
   StoredMesh mesh;
   MeshData& data = mesh.Data;
   unpacker.TakeTo(data.Corners);
+  unpacker.TakeTo(data.MidsPerElement);
   unpacker.TakeTo(data.NumberOfPoints);
   unpacker.TakeTo(data.NumberOfElements);
   data.Points = mesh.Store(unpacker.TakeMany<double>(3 * data.NumberOfPoints));
   data.Elements = mesh.Store(unpacker.TakeMany<Index>(data.Corners * data.NumberOfElements));
+  data.MidPoints =
+    mesh.Store(unpacker.TakeMany<Index>(data.MidsPerElement * data.NumberOfElements));
   data.PointArrays = TakeArrays(data.NumberOfPoints, unpacker, mesh);
   data.ElementArrays = TakeArrays(data.NumberOfElements, unpacker, mesh);
   data.Fields = TakeFields(unpacker);

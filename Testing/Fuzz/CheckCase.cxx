@@ -1,6 +1,8 @@
 #include "CheckCase.h"
 
+#include "CurvedNodes.h"
 #include "GeometryChecks.h"
+#include "Modify/AddMidNodes.h"
 #include "OverlapChecks.h"
 #include "TetPipeline.h"
 
@@ -85,6 +87,10 @@ std::string FindPlaceProblem(const CartesianGrid& grid, const Mesh& mesh)
 /// domain if all of it is meshed.
 std::string FindVolumeProblem(const FuzzCase& c, const Mesh& mesh, const MeshReport& report)
 {
+  if (c.Options.Order != ElementOrder::Linear)
+  {
+    return ""; // the report has the volumes of curved elements
+  }
   const double domain = VolumeOf(c.Grid, c.Grid.Global());
   double all = 0.0;
   for (int m = c.Options.MeshVoid ? 0 : 1; m <= c.Fractions.NumberOfMaterials(); ++m)
@@ -147,9 +153,56 @@ std::string FindMeshProblem(
       FindVolumeProblem(c, mesh, report), FindSpaceProblem(mesh, result) });
 }
 
+/// Makes a mesh with its mid nodes.
+template <auto Make>
+Mesh MakeCurved(const CartesianGrid& grid, const FractionField& fractions,
+  const MeshOptions& options, Runtime& runtime, MeshReport& report)
+{
+  Mesh mesh = Make(grid, fractions, options, runtime, report);
+  OutputState none;
+  AddMidNodes(options.Order, runtime, mesh, none);
+  return mesh;
+}
+
+/// Adds mid nodes to a mesh of one rank. Checks that all elements are positive, and the volumes of
+/// materials, if no mid node was moved back.
+std::string FindCurvedProblem(const FuzzCase& c, Mesh& mesh, const MeshReport& report)
+{
+  Runtime runtime;
+  OutputState none;
+  const FieldArrays counts = AddMidNodes(c.Options.Order, runtime, mesh, none);
+  const CurvedElement& shape = GetCurvedElement(mesh.Corners);
+  std::vector<double> volumes(c.Fractions.NumberOfMaterials() + 1, 0.0);
+  for (Index e = 0; e < static_cast<Index>(mesh.ElementIds.size()); ++e)
+  {
+    const CurvedElement::Nodes nodes = NodesOf(mesh, e);
+    volumes[mesh.Material[e]] += shape.Volume(nodes);
+    const double smallest = shape.SmallestCoefficient(nodes);
+    if (!(smallest > 0.0))
+    {
+      return Describe("smallest coefficient of a curved element", smallest, mesh.ElementIds[e]);
+    }
+  }
+  const bool isMovedBack = std::get<std::vector<Index>>(counts[1].Values)[0] > 0;
+  const double domain = VolumeOf(c.Grid, c.Grid.Global());
+  for (int m = c.Options.MeshVoid ? 0 : 1; !isMovedBack && m <= c.Fractions.NumberOfMaterials();
+       ++m)
+  {
+    if (!(std::fabs(volumes[m] - report.MeshVolume[m]) <= VolumeTolerance * domain))
+    {
+      return Describe("curved volume off by", volumes[m] / report.MeshVolume[m] - 1.0, m);
+    }
+  }
+  return FindPlaceProblem(c.Grid, mesh);
+}
+
 std::string FindRanksProblem(const FuzzCase& c, const RankMesh& alone)
 {
-  const RankMesh made = MakeOnRanks(c.Grid, c.Fractions, c.Boxes, c.Options, c.Make);
+  const bool isLinear = c.Options.Order == ElementOrder::Linear;
+  const MeshMaker make = isLinear ? c.Make
+    : c.Make == MakeHexMesh       ? MakeCurved<MakeHexMesh>
+                                  : MakeCurved<MakeTetMesh>;
+  const RankMesh made = MakeOnRanks(c.Grid, c.Fractions, c.Boxes, c.Options, make);
   if (KnowsCells(c))
   {
     return FindDifference(made, alone);
@@ -169,11 +222,18 @@ FuzzResult CheckCase(const FuzzCase& c)
   Runtime runtime;
   RankMesh alone;
   alone.Reports.resize(1);
-  const Mesh mesh = c.Make(c.Grid, c.Fractions, c.Options, runtime, alone.Reports[0]);
+  Mesh mesh = c.Make(c.Grid, c.Fractions, c.Options, runtime, alone.Reports[0]);
   result.Elements = static_cast<Index>(mesh.ElementIds.size());
   alone.Merged.Add(mesh);
   result.Problem = FirstOf(
     { FindMeshProblem(c, mesh, alone.Reports[0], result), FindGeometryProblem(alone.Merged) });
+  if (c.Options.Order != ElementOrder::Linear)
+  {
+    const std::string problem = FindCurvedProblem(c, mesh, alone.Reports[0]);
+    result.Problem += problem.empty() ? "" : " curved: " + problem;
+    alone.Merged = {};
+    alone.Merged.Add(mesh);
+  }
   if (result.Elements > 0)
   {
     result.ScaledJacobian = alone.Reports[0].MinimumScaledJacobian;

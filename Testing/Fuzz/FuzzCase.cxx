@@ -217,6 +217,16 @@ void DrawEdges(RandomDraw& draw, FuzzCase& c)
     : (c.Options.Edges == SharpEdges::On ? ", sharp edges" : ", sharp edges automatically");
 }
 
+/// Draws the order of the elements, after all other options. TetGen fills the parts of ranks apart.
+void DrawOrder(RandomDraw& draw, FuzzCase& c)
+{
+  if (draw.Chance(0.3) && (c.Make == MakeHexMesh || c.Options.Tets != TetMethod::TetGen))
+  {
+    c.Options.Order = draw.Pick({ ElementOrder::Quadratic, ElementOrder::Quadratic27 });
+    c.Words += c.Options.Order == ElementOrder::Quadratic ? ", quadratic" : ", quadratic 27";
+  }
+}
+
 void PrintList(const char* name, const std::vector<double>& values)
 {
   std::printf("%s", name);
@@ -257,6 +267,7 @@ FuzzCase MakeFuzzCase(unsigned seed)
     DrawBoxes(extent, draw, c);
   }
   DrawEdges(draw, c);
+  DrawOrder(draw, c);
   return c;
 }
 

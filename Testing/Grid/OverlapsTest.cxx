@@ -347,7 +347,7 @@ TEST(Overlaps, OfRegularTets)
     {
       const OverlapPart& cut = overlaps.Parts[overlaps.Offsets[e] + p];
       const Index3 cell = CellInBox(grid.Local(), cut.Cell);
-      const RegularShape& shape = ShapeOfKind(parts[p].Kind);
+      const RegularShape& shape = RegularShapes[parts[p].Kind];
       EXPECT_EQ(parts[p].Cell, grid.Linear(cell));
       EXPECT_NEAR(grid.CellVolume(cell) * shape.Volume / 24.0, cut.Volume, 1e-14);
       for (int a = 0; a < 3; ++a)

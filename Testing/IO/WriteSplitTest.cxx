@@ -17,7 +17,8 @@ MeshChange SplitAll(SplitConnection connection)
   return [connection](Mesh& mesh, FieldArrays& fields, Ranks& ranks)
   {
     OutputState state;
-    SplitInterfaces(MaterialPairs("all", {}), connection, ranks, fields, mesh, state);
+    SplitInterfaces(
+      MaterialPairs("SplitInterfaces", "all", {}), connection, ranks, fields, mesh, state);
   };
 }
 

@@ -507,7 +507,7 @@ TEST(MaterialPairs, AreNamesOrIds)
 {
   const std::map<int, std::string> names{ { 0, "Void" }, { 1, "steel" }, { 2, "a/b" },
     { 30, "copper" } };
-  const MaterialPairs pairs("steel/copper, 2/0", names);
+  const MaterialPairs pairs("SplitInterfaces", "steel/copper, 2/0", names);
   EXPECT_TRUE(pairs.Contains(1, 30));
   EXPECT_TRUE(pairs.Contains(30, 1));
   EXPECT_TRUE(pairs.Contains(0, 2));
@@ -528,7 +528,7 @@ TEST(MaterialPairs, RejectsOthers)
   {
     try
     {
-      MaterialPairs(text, names);
+      MaterialPairs("SplitInterfaces", text, names);
       ADD_FAILURE() << text;
     }
     catch (const InputError& error)

@@ -8,7 +8,7 @@ import re
 # root of each is above all its modules.
 MODULES = {
     "Grid": ("Ranks", "Base", "Fractions", "Octree", "Labels", "Interface", "Mesh", "Periodic",
-             "Transfer", "SharpFeatures", "Smoothing", "Hex", "Tet", "TetGen"),
+             "Transfer", "SharpFeatures", "Smoothing", "Curved", "Hex", "Tet", "TetGen"),
     "Mesher": ("Options", "Input", "Levels", "Summary", "Sets", "State", "Modify"),
 }
 GRID, MESHER = (tuple(top + "/" + module for module in MODULES[top]) + (top,)
@@ -43,7 +43,8 @@ ALLOWED.update({
     "Testing/Support": GRID + ("Shapes",),
     "Testing/Inputs": GRID + MESHER,
     "Testing/Grid": GRID + ("Shapes", "Testing/Support"),
-    "Testing/Fuzz": GRID + MESHER + ("Shapes", "Filters", "InSitu", "Program", "Testing/Support"),
+    "Testing/Fuzz": GRID + MESHER + (
+        "Shapes", "Filters", "InSitu", "Program", "Testing/Inputs", "Testing/Support"),
     "Testing/Benchmarks": GRID + (
         "Mesher/Input", "IO", "IO/Images", "Shapes", "Filters", "Testing/Support"),
     "Testing/IO": GRID + MESHER + (

@@ -39,6 +39,8 @@ void TakeMesh(Mesh& mesh, nb::dict& all)
 {
   all["points"] = ToNumpy(mesh.Points, 3);
   all["cells"] = ToNumpy(mesh.Elements, mesh.Corners);
+  const bool isLinear = mesh.MidsPerElement == 0;
+  all["mids"] = isLinear ? nb::object(nb::none()) : ToNumpy(mesh.MidPoints, mesh.MidsPerElement);
   all["point_ids"] = ToNumpy(mesh.PointIds);
   all["cell_ids"] = ToNumpy(mesh.ElementIds);
   const bool isPeriodic = !mesh.PeriodicPartner.empty();

@@ -57,6 +57,20 @@ FieldArray ReadField(const std::string& name, nb::handle value)
   }
 }
 
+[[noreturn]] void RejectCells()
+{
+  throw nb::value_error("cells must be points of hexahedra (n, 8) or tetrahedra (n, 4).");
+}
+
+void CheckPoints(const NumpyCells& cells, Index points)
+{
+  const auto isPoint = [points](Index point) { return point >= 0 && point < points; };
+  if (!std::all_of(cells.data(), cells.data() + cells.size(), isPoint))
+  {
+    RejectCells();
+  }
+}
+
 } // namespace
 
 MeshData ViewMesh(const NumpyPoints& points, const NumpyCells& cells)
@@ -67,14 +81,46 @@ MeshData ViewMesh(const NumpyPoints& points, const NumpyCells& cells)
   mesh.Corners = static_cast<int>(cells.shape(1));
   mesh.Points = points.data();
   mesh.Elements = cells.data();
-  const auto isPoint = [&](Index point) { return point >= 0 && point < mesh.NumberOfPoints; };
-  if ((mesh.Corners != 8 && mesh.Corners != 4) ||
-    !std::all_of(cells.data(), cells.data() + cells.size(), isPoint))
+  if (mesh.Corners != 8 && mesh.Corners != 4)
   {
-    throw nb::value_error("cells must be points of hexahedra (n, 8) or tetrahedra (n, 4).");
+    RejectCells();
   }
+  CheckPoints(cells, mesh.NumberOfPoints);
   return mesh;
 }
+
+namespace
+{
+
+/// Views cells of 8 or 4 points, or copies the corners and mid nodes of cells of 20, 27 or 10.
+StoredMesh ViewNodes(const NumpyPoints& points, const NumpyCells& cells)
+{
+  const auto nodes = static_cast<int>(cells.shape(1));
+  if (nodes != 20 && nodes != 27 && nodes != 10)
+  {
+    return { ViewMesh(points, cells), {} };
+  }
+  StoredMesh mesh;
+  MeshData& data = mesh.Data;
+  data.NumberOfPoints = static_cast<Index>(points.shape(0));
+  data.NumberOfElements = static_cast<Index>(cells.shape(0));
+  data.Corners = nodes == 10 ? 4 : 8;
+  data.MidsPerElement = nodes - data.Corners;
+  data.Points = points.data();
+  CheckPoints(cells, data.NumberOfPoints);
+  std::vector<Index> corners, mids;
+  for (Index e = 0; e < data.NumberOfElements; ++e)
+  {
+    const Index* cell = cells.data() + nodes * e;
+    corners.insert(corners.end(), cell, cell + data.Corners);
+    mids.insert(mids.end(), cell + data.Corners, cell + nodes);
+  }
+  data.Elements = mesh.Store(std::move(corners));
+  data.MidPoints = mesh.Store(std::move(mids));
+  return mesh;
+}
+
+} // namespace
 
 FieldArrays ReadFields(const nb::dict& fields)
 {
@@ -89,7 +135,7 @@ FieldArrays ReadFields(const nb::dict& fields)
 StoredMesh ViewMesh(const NumpyPoints& points, const NumpyCells& cells,
   const NamedArrays& pointArrays, const NamedArrays& cellArrays, const nb::dict& fields)
 {
-  StoredMesh mesh{ ViewMesh(points, cells), {} };
+  StoredMesh mesh = ViewNodes(points, cells);
   mesh.Data.PointArrays = ListArrays(pointArrays, mesh.Data.NumberOfPoints);
   mesh.Data.ElementArrays = ListArrays(cellArrays, mesh.Data.NumberOfElements);
   mesh.Data.Fields = ReadFields(fields);

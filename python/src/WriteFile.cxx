@@ -31,12 +31,14 @@ OutputForm ReadForm(const std::string& version, bool isBinary)
 
 void WriteFile(const std::string& path, const NumpyPoints& points, const NumpyCells& cells,
   const NamedArrays& pointArrays, const NamedArrays& cellArrays, const nb::dict& fields,
-  std::optional<double> time, const std::string& version, bool binary, bool interfaces)
+  std::optional<double> time, const std::string& version, bool binary, bool interfaces,
+  bool reduced)
 {
   StoredMesh mesh = ViewMesh(points, cells, pointArrays, cellArrays, fields);
   mesh.Data.Time = time;
   OutputForm form = ReadForm(version, binary);
   form.HasInterfaces = interfaces;
+  form.IsReduced = reduced;
   const nb::gil_scoped_release others;
   Ranks alone;
   WorkInStage(alone, ErrorCode::UnwritableOutput, [&] { WriteMesh(mesh.Data, path, alone, form); });
@@ -63,7 +65,7 @@ void BindWriters(nb::module_& module)
 {
   module.def("write_mesh", WriteFile, "path"_a, "points"_a, "cells"_a, "point_arrays"_a,
     "cell_arrays"_a, "fields"_a, "time"_a.none(), "version"_a = "", "binary"_a = false,
-    "interfaces"_a = true);
+    "interfaces"_a = true, "reduced"_a = false);
   module.def("write_report", WriteReportFile, "path"_a, "points"_a, "cells"_a, "point_arrays"_a,
     "cell_arrays"_a, "fields"_a, "materials"_a, "title"_a, "facts"_a, "options"_a, "warnings"_a);
 }

@@ -44,6 +44,7 @@ class Options:
     smoothing: Literal["off", "quadric_surface", "geometry_based"]
     sharp_edges: Literal["off", "on", "automatic"]
     label_smoothing: int
+    element_order: Literal["linear", "quadratic", "quadratic27"]
     conserve_volume: bool
     refinement: Literal["off", "input_levels", "automatic", "coarsen", "uniform"]
     maximum_level: int
@@ -240,10 +241,12 @@ def write_mesh(
     version: str = "",
     binary: bool = False,
     interfaces: bool = True,
+    reduced: bool = False,
 ) -> None:
     """Writes a mesh as .vtu, .e, .ex2, .exo, .inp, .msh, .xdmf or .foam.
 
-    version, "2.2" or "4.1", and interfaces are for .msh only, binary for .msh and .foam.
+    version, "2.2" or "4.1", and interfaces are for .msh only, binary for .msh and .foam, reduced
+    for .inp. cells has shape (m, 8) or (m, 4), or (m, 20), (m, 27) or (m, 10) with mid nodes.
 
     point_arrays contains GlobalPointIds, int64. cell_arrays contains GlobalCellIds, int64, and
     MaterialId, int32. All arrays are C-contiguous, of shape (items,) or (items, components). fields

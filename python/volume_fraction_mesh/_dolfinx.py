@@ -9,7 +9,7 @@ import numpy as np
 
 from . import _core
 from ._facets import neighbours
-from ._tables import core_arrays, core_fields, material_names
+from ._tables import LINEAR, core_arrays, core_fields, material_names
 
 if TYPE_CHECKING:
     from .mesh import Mesh
@@ -75,6 +75,8 @@ def _list_tags(mesh: Optional[Mesh]) -> Any:
     NO_TAG, and the numbers of the names; or an exception, which all ranks raise."""
     if mesh is None or not len(mesh):
         return ValueError("Rank 0 has no mesh with elements to convert.")
+    if mesh.mids is not None:
+        return ValueError(LINEAR % "dolfinx")
     elements, sides, ids, surfaces = _core.tagged_faces(
         *core_arrays(mesh), core_fields(mesh.fields))
     behind = neighbours(mesh)

@@ -52,6 +52,7 @@ def hexes(
     smoothing: Literal["off", "quadric_surface", "geometry_based"] = "quadric_surface",
     sharp_edges: Literal["off", "on", "automatic"] = "automatic",
     label_smoothing: int = 0,
+    element_order: Literal["linear", "quadratic", "quadratic27"] = "linear",
     conserve_volume: bool = True,
     refinement: Literal["off", "input_levels", "automatic", "coarsen", "uniform"] = "input_levels",
     maximum_level: int = -1,
@@ -219,6 +220,12 @@ def hexes(
         passes over neighbour cells. Each material keeps the volume of its cells, and thin parts
         stay. 2 or 3 passes suit most images; more round off edges. Volume fractions are not
         smoothed.
+    element_order : {"linear", "quadratic", "quadratic27"}, default "linear"
+        Nodes of the elements. "linear": corners only. "quadratic": also mid nodes of edges,
+        hexahedra of 20 nodes and tetrahedra of 10. "quadratic27": hexahedra also have mid nodes of
+        faces and a centre, 27 nodes. Mid nodes of interface edges lie on the curved interface, so
+        elements follow it more closely; Smoothing must be Quadric Surface. All elements are
+        positive throughout.
     conserve_volume : bool, default True
         Shift the surfaces until each fragment has the volume given by its volume fractions.
     refinement : {"off", "input_levels", "automatic", "coarsen", "uniform"}, default "input_levels"
@@ -433,6 +440,7 @@ def tets(
     smoothing: Literal["off", "quadric_surface", "geometry_based"] = "quadric_surface",
     sharp_edges: Literal["off", "on", "automatic"] = "automatic",
     label_smoothing: int = 0,
+    element_order: Literal["linear", "quadratic", "quadratic27"] = "linear",
     conserve_volume: bool = True,
     refinement: Literal["off", "input_levels", "automatic", "coarsen", "uniform"] = "input_levels",
     maximum_level: int = -1,
@@ -524,7 +532,7 @@ def tets(
         Option of `hexes`, with the same default.
     fraction_tolerance, iso_value, state_transfer, state_order, nodal_velocity : see hexes
         Option of `hexes`, with the same default.
-    lost_kinetic_energy, unmeshed_material, sharp_edges, label_smoothing : see hexes
+    lost_kinetic_energy, unmeshed_material, sharp_edges, label_smoothing, element_order : see hexes
         Option of `hexes`, with the same default.
     conserve_volume, refinement, maximum_level, fine_layers, thin_cells : see hexes
         Option of `hexes`, with the same default.

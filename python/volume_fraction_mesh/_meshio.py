@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any, Dict, List
 
 import numpy as np
 
-from ._pyvista import cell_arrays, point_arrays
+from ._pyvista import all_nodes, cell_arrays, point_arrays
 from ._tables import material_names
 
 if TYPE_CHECKING:
@@ -27,7 +27,7 @@ def convert(mesh: Mesh, blocks: bool) -> meshio.Mesh:
     data = {name: [array[part] for part in parts] for name, array in cell_arrays(mesh).items()}
     return meshio.Mesh(
         mesh.points,
-        [(mesh.kind, mesh.cells[part]) for part in parts],
+        [(mesh.kind, all_nodes(mesh)[part]) for part in parts],
         point_data=point_arrays(mesh),
         cell_data=data,
         cell_sets=_sets(mesh, parts),

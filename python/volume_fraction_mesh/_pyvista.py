@@ -10,6 +10,8 @@ if TYPE_CHECKING:
     from .mesh import Mesh
 
 PARTS = ("mesh", "surfaces", "curves", "vertices")
+# Numbers of the cell types of VTK, by their names in meshio.
+TYPES = {"hexahedron": 12, "tetra": 10, "hexahedron20": 25, "hexahedron27": 29, "tetra10": 24}
 
 
 def convert(mesh: Mesh, part: str) -> Any:
@@ -34,6 +36,11 @@ def convert(mesh: Mesh, part: str) -> Any:
     )
 
 
+def all_nodes(mesh: Mesh) -> np.ndarray:
+    """Returns the corners and mid nodes of the elements, in the order of VTK."""
+    return mesh.cells if mesh.mids is None else np.hstack([mesh.cells, mesh.mids])
+
+
 def cell_arrays(mesh: Mesh) -> Dict[str, np.ndarray]:
     """Returns the arrays of the elements, by their names in the ParaView filters."""
     arrays = {"MaterialId": mesh.material, "FragmentId": mesh.fragment,
@@ -55,8 +62,7 @@ def point_arrays(mesh: Mesh) -> Dict[str, np.ndarray]:
 
 
 def _volume(mesh: Mesh, pyvista: Any) -> Any:
-    kind = pyvista.CellType.TETRA if mesh.kind == "tetra" else pyvista.CellType.HEXAHEDRON
-    grid = pyvista.UnstructuredGrid({kind: mesh.cells}, mesh.points)
+    grid = pyvista.UnstructuredGrid({TYPES[mesh.kind]: all_nodes(mesh)}, mesh.points)
     for name, array in point_arrays(mesh).items():
         grid.point_data.set_array(array, name)
     for name, array in cell_arrays(mesh).items():

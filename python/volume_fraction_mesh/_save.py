@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 BY_CORE = (".vtu", ".e", ".ex2", ".exo", ".inp", ".k", ".key", ".rad", ".bdf", ".nas", ".msh",
            ".xdmf", ".foam")
 OPTIONS = {".vtu": ("time", "texts"), ".msh": ("version", "binary", "interfaces"), ".xdmf": (),
-           ".foam": ("binary",)}  # else: time
+           ".inp": ("time", "reduced"), ".foam": ("binary",)}  # else: time
 BY_PACKAGE = {".npz": _npz.write, ".vtk": _vtk.write}
 # Formats in which meshio 5.3.5 writes hexahedra and tetrahedra with their materials.
 BY_MESHIO = (".avs", ".f3grid", ".hmf", ".med", ".mesh", ".meshb", ".vol", ".xmf")
@@ -79,7 +79,7 @@ def _save_by_core(mesh: Mesh, path: str, suffix: str, **options: Any) -> None:
 
 def _write(mesh: Mesh, path: str, time: Optional[float] = None, texts: bool = True,
            version: Optional[str] = None, binary: bool = False,
-           interfaces: bool = True) -> None:
+           interfaces: bool = True, reduced: bool = False) -> None:
     fields = core_fields(mesh.fields)
     _core.write_mesh(
         path,
@@ -89,6 +89,7 @@ def _write(mesh: Mesh, path: str, time: Optional[float] = None, texts: bool = Tr
         "" if version is None else str(version),
         binary,
         interfaces,
+        reduced,
     )
 
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ._facets import Facets, facet_sets
-from ._tables import material_names
+from ._tables import material_names, require_linear
 
 if TYPE_CHECKING:
     from .mesh import Mesh
@@ -21,6 +21,7 @@ def convert(mesh: Mesh) -> Any:
     """Implements Mesh.to_skfem."""
     import skfem
 
+    require_linear(mesh, "scikit-fem")
     is_tet = mesh.kind == "tetra"
     cells = mesh.cells if is_tet else mesh.cells[:, HEX_ORDER]
     result = (skfem.MeshTet if is_tet else skfem.MeshHex)(

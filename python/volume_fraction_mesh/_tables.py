@@ -6,10 +6,12 @@ from typing import TYPE_CHECKING, Any, Dict, List, Mapping, Tuple
 
 import numpy as np
 
-from ._pyvista import cell_arrays, point_arrays
+from ._pyvista import all_nodes, cell_arrays, point_arrays
 
 if TYPE_CHECKING:
     from .mesh import Mesh
+
+LINEAR = "A mesh with mid nodes is not converted to %s: element_order must be 'linear'."
 
 
 def core_mesh(mesh: Mesh) -> Tuple[np.ndarray, np.ndarray]:
@@ -25,7 +27,14 @@ def list_arrays(arrays: Mapping[str, Any]) -> List[Tuple[str, np.ndarray]]:
 
 def core_arrays(mesh: Mesh) -> Tuple[Any, ...]:
     """Returns points, cells and arrays as arguments of the core."""
-    return (*core_mesh(mesh), list_arrays(point_arrays(mesh)), list_arrays(cell_arrays(mesh)))
+    return (core_mesh(mesh)[0], np.ascontiguousarray(all_nodes(mesh), np.int64),
+            list_arrays(point_arrays(mesh)), list_arrays(cell_arrays(mesh)))
+
+
+def require_linear(mesh: Mesh, target: str) -> None:
+    """Raises ValueError for a mesh of second order."""
+    if mesh.mids is not None:
+        raise ValueError(LINEAR % target)
 
 
 def field_for_core(values: Any) -> Any:

@@ -7,7 +7,7 @@ from urllib.parse import quote
 
 import numpy as np
 
-from ._pyvista import cell_arrays, point_arrays
+from ._pyvista import TYPES as CELL_TYPES, all_nodes, cell_arrays, point_arrays
 from ._tables import material_tags
 
 if TYPE_CHECKING:
@@ -41,11 +41,12 @@ def write(mesh: Mesh, file: IO[bytes], binary: bool = False) -> None:
     head("# vtk DataFile Version 4.2\nvolume_fraction_mesh\n%s", "BINARY" if binary else "ASCII")
     head("DATASET UNSTRUCTURED_GRID\nPOINTS %d double", len(mesh.points))
     body(mesh.points)
-    count, corners = mesh.cells.shape
-    head("CELLS %d %d", count, count * (corners + 1))
-    body(np.column_stack([np.full(count, corners), mesh.cells]).astype(np.int32))
+    cells = all_nodes(mesh)
+    count, nodes = cells.shape
+    head("CELLS %d %d", count, count * (nodes + 1))
+    body(np.column_stack([np.full(count, nodes), cells]).astype(np.int32))
     head("CELL_TYPES %d", count)
-    body(np.full(count, 12 if corners == 8 else 10, np.int32))
+    body(np.full(count, CELL_TYPES[mesh.kind], np.int32))
     head("CELL_DATA %d\nSCALARS material int 1\nLOOKUP_TABLE default", count)
     tags = material_tags(mesh)
     body(np.array([tags[i] for i in mesh.material.tolist()], np.int32))

@@ -97,6 +97,9 @@ class Mesh:
         Input, options and warnings of the call that made the mesh.
     original_ids : ndarray of int64, shape (n,), or None
         Id of each point before interfaces were split. None without ``split_interfaces``.
+    mids : ndarray of int64, shape (m, 12), (m, 19) or (m, 6), or None
+        Mid nodes with ``element_order``, in the order of VTK: indices of `points`. None for
+        linear elements.
 
     See Also
     --------
@@ -130,17 +133,21 @@ class Mesh:
     roles: Dict[str, str] = field(default_factory=dict)
     run: Run = field(default_factory=Run)
     original_ids: Optional[np.ndarray] = None
+    mids: Optional[np.ndarray] = None
 
     @property
     def kind(self) -> str:
-        """Type of the elements in meshio, "hexahedron" or "tetra".
+        """Type of the elements in meshio: "hexahedron" or "tetra", and with mid nodes
+        "hexahedron20", "hexahedron27" or "tetra10".
 
         Examples
         --------
         >>> vfm.tets(vfm.shapes("sphere radius=4 center=6,6,6", 12)).kind
         'tetra'
         """
-        return "tetra" if self.cells.shape[1] == 4 else "hexahedron"
+        corners = self.cells.shape[1]
+        name = "tetra" if corners == 4 else "hexahedron"
+        return name if self.mids is None else "%s%d" % (name, corners + self.mids.shape[1])
 
     def __repr__(self) -> str:
         names = {"tetra": "tetrahedra", "hexahedron": "hexahedra"}
@@ -553,6 +560,7 @@ class Mesh:
             - ``.msh``: ``version``, "2.2" or "4.1", default 2.2, or 4.1 if an id exceeds
               2147483647; ``binary``, bool, default False; ``interfaces=False`` leaves out the
               faces between elements, for deal.II.
+            - ``.inp``: ``reduced=True`` writes C3D20R instead of C3D20.
             - ``.foam``: ``binary``, bool, default False.
             - ``.vtk``: ``binary=True`` instead of text. ``.npz``: ``compress=True``.
             - Other formats: arguments of ``pyvista.DataSet.save`` or ``meshio.write``.
@@ -631,6 +639,7 @@ def make_mesh(result: Mapping[str, Any], roles: Dict[str, str], run: Run) -> Mes
         point_ids=result["point_ids"],
         cell_ids=result["cell_ids"],
         partner=result["partner"],
+        mids=result["mids"],
         quality=result["scaled_jacobian"],
         geometry=Geometry(result["geometry_dimension"], result["geometry_id"]),
         surfaces=Surfaces(**surfaces, fields=result["surface_fields"]),

@@ -24,6 +24,7 @@ FOLDERS = (
     ("Grid/SharpFeatures", "Edges and corners found in fractions: "
                            "[algorithm](../theory/algorithm.md#sharp-edges-and-corners)."),
     ("Grid/Smoothing", "The points that move, and the energies that move them."),
+    ("Grid/Curved", "Mid nodes of second-order elements on curved interfaces."),
     ("Grid/Hex", "Hexahedra from labels."),
     ("Grid/Tet", "Tetrahedra from labels or fractions."),
     ("Grid/TetGen", "Fragments filled by TetGen."),

@@ -5,6 +5,7 @@
 #include "Meshes/Decks/DeckModel.h"
 #include "Meshes/Decks/WriteConnections.h"
 #include "Meshes/Decks/WriteEquations.h"
+#include "Meshes/Files/ElementNodes.h"
 #include "Meshes/Files/OutputFile.h"
 
 #include <filesystem>
@@ -16,6 +17,7 @@ namespace
 
 constexpr Index LargestNumber = 999999999;
 constexpr std::size_t NumbersInLine = 8; // Abaqus reads 16
+constexpr int NodesInLine = 16;          // numbers in a line of an element, with its own
 /// Number of characters of a number that Abaqus and CalculiX read; they ignore further ones.
 constexpr std::size_t NumberLength = 20;
 /// Numbers of the faces in Abaqus, indexed by the numbers in VTK. S1 of a hexahedron has its
@@ -77,20 +79,26 @@ void WriteNodes(OutputFile& file, const MeshData& mesh)
   }
 }
 
-/// Writes the elements of a section. The corners of C3D8 and C3D4 have the same order as in VTK.
-void WriteElements(
-  OutputFile& file, const MeshData& mesh, const DeckSection& section, const std::string& set)
+std::string TypeOfElements(const MeshData& mesh, bool isReduced)
 {
-  file.Add("*ELEMENT, TYPE=");
-  file.Add(mesh.Corners == 8 ? "C3D8" : "C3D4");
-  file.Add(", ELSET=" + set + "\n");
+  return "C3D" + std::to_string(mesh.NodesPerElement()) +
+    (isReduced && mesh.MidsPerElement == 12 ? "R" : "");
+}
+
+/// Writes the elements of a section. Nodes have the same order as in VTK.
+void WriteElements(OutputFile& file, const MeshData& mesh, const DeckSection& section,
+  const std::string& type, const std::string& set)
+{
+  file.Add("*ELEMENT, TYPE=" + type + ", ELSET=" + set + "\n");
+  ElementNodes nodes(mesh, {});
   for (Index element : section.Elements)
   {
     file.Add(element + 1);
-    for (int c = 0; c < mesh.Corners; ++c)
+    const Index* points = nodes.Of(element);
+    for (int n = 0; n < nodes.Count(); ++n)
     {
-      file.Add(",");
-      file.Add(mesh.Element(element)[c] + 1);
+      file.Add(n + 1 == NodesInLine ? ",\n" : ",");
+      file.Add(points[n] + 1);
     }
     file.Add("\n");
   }
@@ -193,9 +201,10 @@ std::vector<SectionNames> NameSections(const DeckModel& model, AbaqusNames& name
 
 /// Writes the whole mesh. The sides of the domain get their names first, so that X_MIN is a side of
 /// the domain even if a material has this name.
-void WriteFile(const DeckModel& model, const std::string& path)
+void WriteFile(const DeckModel& model, const std::string& path, bool isReduced)
 {
   const MeshData& mesh = model.Mesh;
+  RequireNodes(mesh, { 12, 6 }, "Abaqus");
   RequireNumbers(model, LargestNumber, "Abaqus", ".e, .msh, .vtu");
   AbaqusNames names, nodeNames;
   names.Add("EALL");
@@ -216,7 +225,8 @@ void WriteFile(const DeckModel& model, const std::string& path)
   WriteNodes(file, mesh);
   for (std::size_t s = 0; s < sections.size(); ++s)
   {
-    WriteElements(file, mesh, model.Sections[s], sections[s].Block);
+    WriteElements(
+      file, mesh, model.Sections[s], TypeOfElements(mesh, isReduced), sections[s].Block);
   }
   WriteElementSets(file, model, sections);
   WriteCohesive(file, model, names);
@@ -246,9 +256,10 @@ void WriteFile(const DeckModel& model, const std::string& path)
 
 } // namespace
 
-void WriteAbaqus(const MeshData& mesh, const std::string& path, Ranks& ranks)
+void WriteAbaqus(const MeshData& mesh, const std::string& path, Ranks& ranks, bool isReduced)
 {
-  WriteDeck(mesh, ranks, IsVelocity, [&](const DeckModel& model) { WriteFile(model, path); });
+  WriteDeck(
+    mesh, ranks, IsVelocity, [&](const DeckModel& model) { WriteFile(model, path, isReduced); });
 }
 
 } // namespace vfm

@@ -3,8 +3,8 @@
  *
  * The file contains only the mesh, without sections, materials or steps:
  * - *NODE, in the set NALL
- * - *ELEMENT of type C3D8 or C3D4, one element set per material, EB and its id, whose ids deal.II
- *   reads
+ * - *ELEMENT of type C3D8, C3D20, C3D20R, C3D4 or C3D10, one element set per material, EB and its
+ * id, whose ids deal.II reads
  * - *ELSET with the name of each material; EALL contains all elements
  * - *NSET of each node set and *SURFACE of each side set (MeshSets.h)
  * - *INITIAL CONDITIONS, if a point array with three components has "velocity" in its name
@@ -23,10 +23,12 @@ namespace vfm
 
 /// Writes one file on rank 0. Its contents do not depend on the number of ranks.
 /// @param mesh  part of this rank, made by the mesher or read from a file
+/// @param isReduced  C3D20R instead of C3D20
 /// @throws InputError  if the mesh is empty or lacks a required array, or if the file cannot be
 ///   written; on all ranks. An incomplete file is removed
 /// @pre Collective
 /// @note Rank 0 needs the memory of GatherMesh.
-void WriteAbaqus(const MeshData& mesh, const std::string& path, Ranks& ranks);
+void WriteAbaqus(
+  const MeshData& mesh, const std::string& path, Ranks& ranks, bool isReduced = false);
 
 } // namespace vfm

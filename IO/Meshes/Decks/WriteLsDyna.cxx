@@ -3,6 +3,7 @@
 #include "Meshes/Decks/DeckCards.h"
 #include "Meshes/Decks/DeckModel.h"
 #include "Meshes/Decks/DeckParts.h"
+#include "Meshes/Files/ElementNodes.h"
 #include "Sets/NamedSurfaces.h"
 #include "Summary/UniqueNames.h"
 
@@ -18,8 +19,15 @@ constexpr int LargestNumber = 99999999;
 constexpr std::size_t LongestTitle = 70, NumbersInLine = 8;
 constexpr std::size_t Narrow = 8, Normal = 10, Wide = 16; // widths of fields
 constexpr const char* OtherFormats = ".rad, .inp, .e";
-/// Formulations of *SECTION_SOLID: constant stress, tetrahedron with one point.
-constexpr int HexForm = 1, TetForm = 10;
+/// Formulations of *SECTION_SOLID: constant stress, tetrahedron with one point; of 20 nodes, of 10.
+constexpr int HexForm = 1, TetForm = 10, Hex20Form = 23, Tet10Form = 16;
+constexpr int NodesInLine = 10; // of an element with mid nodes
+
+int FormOf(const MeshData& mesh)
+{
+  const bool isLinear = mesh.MidsPerElement == 0;
+  return mesh.Corners == 8 ? (isLinear ? HexForm : Hex20Form) : (isLinear ? TetForm : Tet10Form);
+}
 
 void WriteNodes(DeckCards& cards, const MeshData& mesh)
 {
@@ -33,7 +41,7 @@ void WriteParts(DeckCards& cards, const DeckModel& model)
 {
   cards.Line("*SECTION_SOLID");
   cards.Line("$    SECID    ELFORM");
-  cards.Integer(1, Normal).Integer(model.Mesh.Corners == 8 ? HexForm : TetForm, Normal).End();
+  cards.Integer(1, Normal).Integer(FormOf(model.Mesh), Normal).End();
   UniqueNames names(LongestTitle);
   for (const DeckSection& section : model.Sections)
   {
@@ -55,6 +63,25 @@ void WriteElements(DeckCards& cards, const MeshData& mesh, const DeckSection& se
       cards.Integer(mesh.Element(element)[std::min(n, mesh.Corners - 1)] + 1, Narrow);
     }
     cards.End();
+  }
+}
+
+/// Writes elements of 20 or 10 nodes, in VTK's order, each on lines of its own.
+void WriteCurvedElements(DeckCards& cards, const MeshData& mesh, const DeckSection& section)
+{
+  ElementNodes nodes(mesh, {});
+  for (Index element : section.Elements)
+  {
+    cards.Integer(element + 1, Narrow).Integer(section.Id, Narrow).End();
+    const Index* points = nodes.Of(element);
+    for (int n = 0; n < nodes.Count(); ++n)
+    {
+      cards.Integer(points[n] + 1, Narrow);
+      if ((n + 1) % NodesInLine == 0)
+      {
+        cards.End();
+      }
+    }
   }
 }
 
@@ -136,6 +163,7 @@ std::vector<NamedSurface> SelectSurfaces(const DeckModel& model)
 void WriteFile(const DeckModel& model, const std::string& path)
 {
   const MeshData& mesh = model.Mesh;
+  RequireNodes(mesh, { 12, 6 }, "LS-DYNA");
   RequireNumbers(model, LargestNumber, "LS-DYNA", OtherFormats);
   RequireIds(model, LargestNumber, "LS-DYNA", OtherFormats);
   DeckCards cards(path, RealForm::Compact);
@@ -143,11 +171,14 @@ void WriteFile(const DeckModel& model, const std::string& path)
   cards.Line("$ " + DescribeDeck(model));
   WriteNodes(cards, mesh);
   WriteParts(cards, model);
-  cards.Line("*ELEMENT_SOLID");
-  cards.Line("$    EID     PID      N1      N2      N3      N4      N5      N6      N7      N8");
+  const bool isLinear = mesh.MidsPerElement == 0;
+  cards.Line(mesh.MidsPerElement == 12 ? "*ELEMENT_SOLID_H20" : "*ELEMENT_SOLID");
+  cards.Line(isLinear
+      ? "$    EID     PID      N1      N2      N3      N4      N5      N6      N7      N8"
+      : "$    EID     PID");
   for (const DeckSection& section : model.Sections)
   {
-    WriteElements(cards, mesh, section);
+    (isLinear ? WriteElements : WriteCurvedElements)(cards, mesh, section);
   }
   UniqueNames nodeNames(LongestTitle), names(LongestTitle);
   for (const NodeSet& set : model.NodeSets)

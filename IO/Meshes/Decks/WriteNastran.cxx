@@ -2,6 +2,7 @@
 
 #include "Meshes/Decks/DeckCards.h"
 #include "Meshes/Decks/DeckModel.h"
+#include "Meshes/Files/ElementNodes.h"
 #include "Sets/NamedSurfaces.h"
 
 #include <algorithm>
@@ -106,6 +107,7 @@ bool HaveShortIds(const std::vector<Set>& sets)
 void WriteFile(const DeckModel& model, const std::string& path)
 {
   const MeshData& mesh = model.Mesh;
+  RequireNodes(mesh, {}, "Nastran");
   RequireNumbers(model, LargestNumber, "Nastran", OtherFormats);
   RequireIds(model, LargestNumber, "Nastran", OtherFormats);
   DeckCards cards(path, RealForm::Nastran);

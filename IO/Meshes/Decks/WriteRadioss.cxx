@@ -3,6 +3,7 @@
 #include "Meshes/Decks/DeckCards.h"
 #include "Meshes/Decks/DeckModel.h"
 #include "Meshes/Decks/DeckParts.h"
+#include "Meshes/Files/ElementNodes.h"
 #include "Ranks/Errors.h"
 #include "Sets/NamedSurfaces.h"
 #include "Summary/UniqueNames.h"
@@ -151,6 +152,7 @@ void WriteFile(const DeckModel& model, const std::string& path)
 {
   const MeshData& mesh = model.Mesh;
   const DeckState& state = model.State;
+  RequireNodes(mesh, {}, "OpenRadioss");
   RequireNumbers(model, LargestNumber, "OpenRadioss", ".e, .vtu, .msh of version 4.1");
   if (state.Energy && !state.Density)
   {

@@ -1,4 +1,5 @@
 #include "Meshes/Exodus/ExodusLayout.h"
+#include "Meshes/Files/ElementNodes.h"
 
 #include "Meshes/Exodus/NemesisLayout.h"
 
@@ -181,28 +182,45 @@ void AddRecords(NetcdfLayout& layout, const ExodusModel& model)
     Texts({ Describe(model) }, LineLength));
 }
 
-std::vector<Index> CornersOf(const MeshData& mesh, const ExodusBlock& block)
+const char* TypeOfElements(const MeshData& mesh)
 {
-  std::vector<Index> corners;
+  if (mesh.Corners == 4)
+  {
+    return mesh.MidsPerElement > 0 ? "TETRA10" : "TETRA";
+  }
+  return mesh.MidsPerElement == 0 ? "HEX8" : mesh.MidsPerElement == 12 ? "HEX20" : "HEX27";
+}
+
+std::vector<Index> NodesOf(const MeshData& mesh, const ExodusBlock& block)
+{
   if (block.Cohesive)
   {
     return Collect(block.Cohesive->Points, [](Index point) { return point + 1; });
   }
-  corners.reserve(mesh.Corners * block.Elements.size());
+  // Edges along z before the upper ones; the centre before the faces.
+  const MidOrders orders{ { 0, 1, 2, 3, 8, 9, 10, 11, 4, 5, 6, 7 },
+    { 0, 1, 2, 3, 8, 9, 10, 11, 4, 5, 6, 7, 18, 16, 17, 12, 13, 14, 15 }, {} };
+  ElementNodes nodes(mesh, orders);
+  std::vector<Index> all;
+  all.reserve(nodes.Count() * block.Elements.size());
   for (Index element : block.Elements)
   {
-    const Index* points = mesh.Element(element);
-    std::transform(points, points + mesh.Corners, std::back_inserter(corners),
+    const Index* points = nodes.Of(element);
+    std::transform(points, points + nodes.Count(), std::back_inserter(all),
       [](Index point) { return point + 1; });
   }
-  return corners;
+  return all;
 }
 
-/// Returns the type of elements and their number of corners.
+/// Returns the type of elements and their number of nodes.
 std::pair<const char*, int> TypeOf(const MeshData& mesh, const ExodusBlock& block)
 {
-  const int corners = block.Cohesive ? CohesiveCorners(mesh) : mesh.Corners;
-  return { corners == 8 ? "HEX8" : corners == 6 ? "WEDGE" : "TETRA", corners };
+  if (block.Cohesive)
+  {
+    const int corners = CohesiveCorners(mesh);
+    return { corners == 8 ? "HEX8" : "WEDGE", corners };
+  }
+  return { TypeOfElements(mesh), mesh.NodesPerElement() };
 }
 
 /// Adds the element blocks and returns the dimension of each.
@@ -215,10 +233,10 @@ std::vector<std::size_t> AddBlocks(NetcdfLayout& layout, const ExodusModel& mode
     const std::string number = std::to_string(dimensions.size() + 1);
     const auto [type, count] = TypeOf(mesh, block);
     dimensions.push_back(AddDimension(layout, "num_el_in_blk" + number, block.Count()));
-    const std::size_t corners =
+    const std::size_t nodes =
       AddDimension(layout, "num_nod_per_el" + number, block.Count() == 0 ? 0 : count);
-    AddVariable(layout, "connect" + number, KindOfNumbers(model), { dimensions.back(), corners },
-      [&mesh, &block] { return CornersOf(mesh, block); }, { { "elem_type", type } });
+    AddVariable(layout, "connect" + number, KindOfNumbers(model), { dimensions.back(), nodes },
+      [&mesh, &block] { return NodesOf(mesh, block); }, { { "elem_type", type } });
   }
   return dimensions;
 }

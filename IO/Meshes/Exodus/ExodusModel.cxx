@@ -152,7 +152,7 @@ void FindSizes(ExodusModel& model, Ranks& ranks)
   }
   model.HasWideIds = ranks.Any(hasWideIds);
   const double largest =
-    std::max(4.0 * static_cast<double>(mesh.Corners) * static_cast<double>(mesh.NumberOfElements),
+    std::max(4.0 * mesh.NodesPerElement() * static_cast<double>(mesh.NumberOfElements),
       8.0 * static_cast<double>(mesh.NumberOfPoints));
   model.HasLargeArrays = ranks.Max(largest) > LargestArray;
 }

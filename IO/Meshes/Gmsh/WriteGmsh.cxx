@@ -1,5 +1,6 @@
 #include "Meshes/Gmsh/WriteGmsh.h"
 
+#include "Meshes/Files/ElementNodes.h"
 #include "Meshes/Files/WriteWhole.h"
 #include "Meshes/Gmsh/GmshFile.h"
 #include "Meshes/Gmsh/GmshModel.h"
@@ -19,9 +20,13 @@ constexpr Index LargestInt = std::numeric_limits<std::int32_t>::max();
 constexpr int NumberOfTags = 2; // of an element in version 2.2: group and entity
 
 /// Numbers of types of elements in Gmsh.
-int ElementType(int corners)
+int ElementType(const MeshData& mesh)
 {
-  return corners == 8 ? 5 : 4;
+  if (mesh.Corners == 4)
+  {
+    return mesh.MidsPerElement == 0 ? 4 : 11;
+  }
+  return mesh.MidsPerElement == 0 ? 5 : mesh.MidsPerElement == 12 ? 17 : 12;
 }
 
 int CohesiveType(int corners)
@@ -29,9 +34,21 @@ int CohesiveType(int corners)
   return corners == 8 ? 5 : 6;
 }
 
-int FaceType(int corners)
+int FaceType(const MeshData& mesh)
 {
-  return corners == 8 ? 3 : 2;
+  if (mesh.Corners == 4)
+  {
+    return mesh.MidsPerElement == 0 ? 2 : 9;
+  }
+  return mesh.MidsPerElement == 0 ? 3 : mesh.MidsPerElement == 12 ? 16 : 10;
+}
+
+/// Returns the nodes of elements in the order of Gmsh.
+ElementNodes NodesFor(const MeshData& mesh)
+{
+  return ElementNodes(mesh,
+    { { 0, 3, 8, 1, 9, 2, 10, 11, 4, 7, 5, 6 },
+      { 0, 3, 8, 1, 9, 2, 10, 11, 4, 7, 5, 6, 16, 14, 12, 13, 15, 17, 18 }, { 0, 1, 2, 3, 5, 4 } });
 }
 
 Index LargestId(const Index* ids, Index count)
@@ -75,11 +92,10 @@ public:
   template <class Visit>
   void ForFaces(const SurfaceEntity& surface, const Visit& visit)
   {
-    const int corners = ElementFaces(this->TheMesh.Corners).Corners;
     for (const MeshSide& side : surface.Sides)
     {
-      const FaceIds points = PointsOfSide(this->TheMesh, side);
-      visit(this->Next++, points.data(), corners);
+      const std::vector<Index> points = NodesOfSide(this->TheMesh, side.Element, side.Side);
+      visit(this->Next++, points.data(), static_cast<int>(points.size()));
     }
   }
 
@@ -207,7 +223,7 @@ void WriteElements2(GmshFile& file, const GmshModel& model, bool isBinary)
   const MeshData& mesh = model.Mesh;
   file.Begin("Elements");
   file.Line(std::to_string(model.NumberOfFaces + mesh.NumberOfElements + model.NumberOfCohesive()));
-  ElementWriter2 faces(file, mesh, FaceType(mesh.Corners), model.NumberOfFaces, isBinary);
+  ElementWriter2 faces(file, mesh, FaceType(mesh), model.NumberOfFaces, isBinary);
   FaceIdCounter ids(model);
   ForSurfaces(model,
     [&](std::size_t s)
@@ -217,12 +233,13 @@ void WriteElements2(GmshFile& file, const GmshModel& model, bool isBinary)
           faces.Write(id, model.SurfaceGroups[s].front(), static_cast<int>(s) + 1, points, corners);
         });
     });
-  ElementWriter2 elements(file, mesh, ElementType(mesh.Corners), mesh.NumberOfElements, isBinary);
+  ElementWriter2 elements(file, mesh, ElementType(mesh), mesh.NumberOfElements, isBinary);
+  ElementNodes nodes = NodesFor(mesh);
   for (Index element = 0; element < mesh.NumberOfElements; ++element)
   {
     const int volume = model.Entities.Volumes[element];
     elements.Write(mesh.ElementIds[element], model.Volumes.at(volume).Group, volume,
-      mesh.Element(element), mesh.Corners);
+      nodes.Of(element), nodes.Count());
   }
   ElementWriter2 cohesive(
     file, mesh, CohesiveType(mesh.Corners), model.NumberOfCohesive(), isBinary);
@@ -348,7 +365,9 @@ void WriteVolumes(GmshFile& file, const GmshModel& model)
     BoundingBox box(model.Mesh);
     for (Index element : volume.Elements)
     {
-      box.Add(model.Mesh.Element(element), model.Mesh.Corners);
+      model.Mesh.ForNodes(element,
+        [&box](const Index* first, const Index* last)
+        { box.Add(first, static_cast<int>(last - first)); });
     }
     WriteEntity(file, tag, box, { volume.Group }, surfaces[tag]);
   }
@@ -448,17 +467,18 @@ void WriteElements4(GmshFile& file, const GmshModel& model)
     [&](std::size_t s)
     {
       const SurfaceEntity& surface = model.Entities.Surfaces[s];
-      WriteBlock(file, 2, static_cast<int>(s) + 1, FaceType(mesh.Corners), surface.Sides.size());
+      WriteBlock(file, 2, static_cast<int>(s) + 1, FaceType(mesh), surface.Sides.size());
       ids.ForFaces(surface,
         [&](Index id, const Index* points, int corners)
         { WriteElement4(file, mesh, id, points, corners); });
     });
+  ElementNodes nodes = NodesFor(mesh);
   for (const auto& [tag, volume] : model.Volumes)
   {
-    WriteBlock(file, 3, tag, ElementType(mesh.Corners), volume.Elements.size());
+    WriteBlock(file, 3, tag, ElementType(mesh), volume.Elements.size());
     for (Index element : volume.Elements)
     {
-      WriteElement4(file, mesh, mesh.ElementIds[element], mesh.Element(element), mesh.Corners);
+      WriteElement4(file, mesh, mesh.ElementIds[element], nodes.Of(element), nodes.Count());
     }
   }
   ForCohesive(model,

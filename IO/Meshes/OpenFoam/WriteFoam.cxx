@@ -1,5 +1,6 @@
 #include "Meshes/OpenFoam/WriteFoam.h"
 
+#include "Meshes/Files/ElementNodes.h"
 #include "Meshes/Files/WriteWhole.h"
 #include "Meshes/OpenFoam/FoamFolder.h"
 #include "Ranks/WorkTogether.h"
@@ -36,6 +37,7 @@ void CheckPeriodic(const MeshData& mesh, Ranks& ranks)
 /// @pre Collective
 void WriteCase(const MeshData& mesh, const std::string& path, Ranks& ranks, bool isBinary)
 {
+  WorkTogether(ranks, [&mesh] { RequireNodes(mesh, {}, "OpenFOAM"); });
   CheckPeriodic(mesh, ranks);
   const FoamMesh foam = MakeFoamMesh(mesh, ranks);
   WorkTogether(ranks, [&foam] { CheckSizes(foam); });

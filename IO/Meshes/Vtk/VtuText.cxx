@@ -242,13 +242,19 @@ void AddVtuMesh(OutputFile& file, const MeshData& mesh)
 
 void AddVtuElements(OutputFile& file, const MeshData& mesh)
 {
-  const Index count = mesh.NumberOfElements;
-  AddVtuArray(
-    file, "type=\"Int64\" Name=\"connectivity\"", View(mesh.Elements, mesh.Corners * count));
+  const Index count = mesh.NumberOfElements, nodes = mesh.NodesPerElement();
+  std::vector<Index> all;
+  for (Index element = 0; mesh.MidsPerElement > 0 && element < count; ++element)
+  {
+    mesh.ForNodes(element,
+      [&all](const Index* first, const Index* last) { all.insert(all.end(), first, last); });
+  }
+  AddVtuArray(file, "type=\"Int64\" Name=\"connectivity\"",
+    View(all.empty() ? mesh.Elements : all.data(), nodes * count));
   std::vector<Index> offsets(count);
   for (Index element = 0; element < count; ++element)
   {
-    offsets[element] = mesh.Corners * (element + 1);
+    offsets[element] = nodes * (element + 1);
   }
   AddVtuArray(file, "type=\"Int64\" Name=\"offsets\"", View(offsets.data(), count));
 }

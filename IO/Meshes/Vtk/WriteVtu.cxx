@@ -13,7 +13,16 @@ namespace vfm
 namespace
 {
 
-constexpr char HexType = 12, TetType = 10; // VTK_HEXAHEDRON, VTK_TETRA
+/// Returns the type of the cells in VTK.
+char TypeOfCells(const MeshData& mesh)
+{
+  const bool isCurved = mesh.MidsPerElement > 0;
+  if (mesh.Corners == 4)
+  {
+    return isCurved ? 24 : 10; // VTK_QUADRATIC_TETRA, VTK_TETRA
+  }
+  return !isCurved ? 12 : mesh.MidsPerElement == 12 ? 25 : 29; // VTK_HEXAHEDRON and its quadratics
+}
 
 void WritePiece(const MeshData& mesh, const std::string& path)
 {
@@ -25,7 +34,7 @@ void WritePiece(const MeshData& mesh, const std::string& path)
   AddVtuMesh(file, mesh);
   file.Add("<Cells>\n");
   AddVtuElements(file, mesh);
-  const std::string types(mesh.NumberOfElements, mesh.Corners == 8 ? HexType : TetType);
+  const std::string types(mesh.NumberOfElements, TypeOfCells(mesh));
   AddVtuArray(file, "type=\"UInt8\" Name=\"types\"", types);
   file.Add("</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
   file.Close();

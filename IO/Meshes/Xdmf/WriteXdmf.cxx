@@ -1,5 +1,6 @@
 #include "Meshes/Xdmf/WriteXdmf.h"
 
+#include "Meshes/Files/ElementNodes.h"
 #include "Meshes/Files/OutputFile.h"
 #include "Meshes/Files/WriteWhole.h"
 #include "Meshes/Vtk/VtuText.h"
@@ -167,6 +168,7 @@ void WriteXdmf(const MeshData& mesh, const std::string& path, Ranks& ranks)
   WriteWhole(mesh, ranks,
     [&](const MeshData& whole)
     {
+      RequireNodes(whole, {}, "XDMF");
       WriteElements(whole, path);
       UnfinishedFile elements(path);
       WriteFacets(whole, facets.string());
