@@ -85,6 +85,18 @@ int MeshFromData(int sculptor, const HostFields& fields, double* fractions, int 
     ranks[4], refine, stairStep, smooth, tets);
 }
 
+int CreateSculptor(const HostFields& fields)
+{
+  int sculptor = 0;
+  const bool isGood = sculptor_create(&sculptor) == SCULPTOR_OK &&
+    sculptor_set_option(sculptor, "Method", "Lattice") == SCULPTOR_OK &&
+    sculptor_set_box(sculptor, fields.Bounds.data(), fields.Intervals.data()) == SCULPTOR_OK &&
+    sculptor_set_neighbours(sculptor, fields.Neighbours.data()) == SCULPTOR_OK &&
+    sculptor_add_material(sculptor, "ball", fields.Ball.data()) == SCULPTOR_OK &&
+    sculptor_add_material(sculptor, "plate", fields.Plate.data()) == SCULPTOR_OK;
+  return isGood ? sculptor : 0;
+}
+
 void MeshWhole(const HostFields& fields, vtkVolumeFractionMeshAlgorithm& mesher)
 {
   const auto& bounds = fields.Bounds;

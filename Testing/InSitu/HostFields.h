@@ -35,6 +35,10 @@ constexpr Vector3 HostOrigin{ { -1.0, 0.5, 2.0 } }, HostSpacing{ { 0.1, 0.125, 0
 int MeshFromData(int sculptor, const HostFields& fields, double* fractions, int refine = 0,
   int stairStep = 0, int smooth = 1, int tets = 0);
 
+/// Creates a handle of the C interface with a rank's box and neighbours, the materials ball and
+/// plate, and the method Lattice. Returns 0 after an error.
+int CreateSculptor(const HostFields& fields);
+
 /// Meshes the whole grid with a filter on this rank only. fields: of a box that is the whole grid.
 /// The results are at the filter's output ports.
 void MeshWhole(const HostFields& fields, vtkVolumeFractionMeshAlgorithm& mesher);

@@ -96,12 +96,8 @@ protected:
   void SetUp() override
   {
     const HostFields f(MyRank(), NumberOfRanks());
-    ASSERT_EQ(sculptor_create(&this->Sculptor), SCULPTOR_OK);
-    sculptor_set_option(this->Sculptor, "Method", "Lattice");
-    sculptor_set_box(this->Sculptor, f.Bounds.data(), f.Intervals.data());
-    sculptor_set_neighbours(this->Sculptor, f.Neighbours.data());
-    sculptor_add_material(this->Sculptor, "ball", f.Ball.data());
-    sculptor_add_material(this->Sculptor, "plate", f.Plate.data());
+    this->Sculptor = CreateSculptor(f);
+    ASSERT_NE(this->Sculptor, 0);
     ASSERT_EQ(sculptor_make_mesh(this->Sculptor, GetParam()), SCULPTOR_OK)
       << sculptor_error_text(this->Sculptor);
     this->Tets->SetMethod(vtkVolumeFractionToTet::METHOD_LATTICE);
