@@ -10,6 +10,7 @@
 #include "vtkCellData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
@@ -99,9 +100,11 @@ private:
   Index Count = 0;
 };
 
-/// Sets the points that surfaces, curves or vertices use, in the order of the mesh, and renumbers
-/// the users.
-void SetUsedPoints(Buffer<Index>& users, const Mesh& mesh, vtkPolyData* output)
+/// Sets the points that surfaces, curves, vertices or cohesive elements use, in the order of the
+/// mesh, and renumbers the users.
+/// @param ids  of the points of the mesh
+void SetUsedPoints(
+  Buffer<Index>& users, const Mesh& mesh, const Buffer<Index>& ids, vtkPointSet* output)
 {
   const Subset used(users, users.empty() ? 0 : mesh.PointIds.size());
   Buffer<double> usedPoints(3 * used.Size());
@@ -110,7 +113,7 @@ void SetUsedPoints(Buffer<Index>& users, const Mesh& mesh, vtkPolyData* output)
   {
     const Index place = used.PlaceOf(point);
     std::copy_n(mesh.Points.data() + 3 * point, 3, usedPoints.data() + 3 * place);
-    usedIds[place] = mesh.PointIds[point];
+    usedIds[place] = ids[point];
     point = place;
   }
   vtkNew<vtkPoints> vtkpoints;
@@ -128,7 +131,7 @@ auto AdoptInto(vtkDataSetAttributes* arrays)
 void SetSurfaces(Mesh& mesh, vtkPolyData* surfaces)
 {
   SurfaceFacets& facets = mesh.Surfaces;
-  SetUsedPoints(facets.Points, mesh, surfaces);
+  SetUsedPoints(facets.Points, mesh, mesh.UnsplitPointIds(), surfaces);
   surfaces->SetPolys(AdoptCells(facets.Points, mesh.CornersOfFacet()));
   vtkCellData* sides = surfaces->GetCellData();
   sides->SetScalars(AdoptBuffer(facets.SurfaceId, "SurfaceId"));
@@ -139,7 +142,7 @@ void SetSurfaces(Mesh& mesh, vtkPolyData* surfaces)
 
 void SetCurves(Mesh& mesh, vtkPolyData* curves)
 {
-  SetUsedPoints(mesh.Curves.Points, mesh, curves);
+  SetUsedPoints(mesh.Curves.Points, mesh, mesh.UnsplitPointIds(), curves);
   curves->SetLines(AdoptCells(mesh.Curves.Points, 2));
   curves->GetCellData()->SetScalars(AdoptBuffer(mesh.Curves.CurveId, "CurveId"));
   AddFields(ListCurves(mesh.Tables), curves->GetFieldData());
@@ -147,16 +150,41 @@ void SetCurves(Mesh& mesh, vtkPolyData* curves)
 
 void SetVertices(Mesh& mesh, vtkPolyData* vertices)
 {
-  SetUsedPoints(mesh.Vertices.Points, mesh, vertices);
+  SetUsedPoints(mesh.Vertices.Points, mesh, mesh.UnsplitPointIds(), vertices);
   vertices->SetVerts(AdoptCells(mesh.Vertices.Points, 1));
   vertices->GetCellData()->SetScalars(AdoptBuffer(mesh.Vertices.VertexId, "VertexId"));
   AddFields(ListVertices(mesh.Tables), vertices->GetFieldData());
 }
 
+template <class T>
+Buffer<T> CopyOf(const std::vector<T>& values)
+{
+  Buffer<T> copy(values.size());
+  std::copy(values.begin(), values.end(), copy.begin());
+  return copy;
+}
+
+void SetCohesive(const Mesh& mesh, const CohesiveElements& elements, vtkUnstructuredGrid* output)
+{
+  if (elements.Ids.empty())
+  {
+    return;
+  }
+  const int corners = mesh.Corners == 8 ? 8 : 6;
+  Buffer<Index> points = CopyOf(elements.Points), ids = CopyOf(elements.Ids);
+  Buffer<int> materials = CopyOf(elements.Materials);
+  SetUsedPoints(points, mesh, mesh.PointIds, output);
+  output->SetCells(corners == 8 ? VTK_HEXAHEDRON : VTK_WEDGE, AdoptCells(points, corners));
+  vtkCellData* cells = output->GetCellData();
+  cells->AddArray(AdoptBuffer(materials, "MaterialPair", 2));
+  cells->SetGlobalIds(AdoptBuffer(ids, "GlobalCellIds"));
+}
+
 } // namespace
 
-void SetMeshOutput(Mesh& mesh, const MeshOutputs& outputs)
+void SetMeshOutput(Mesh& mesh, const CohesiveElements& cohesive, const MeshOutputs& outputs)
 {
+  SetCohesive(mesh, cohesive, outputs.Cohesive);
   SetSurfaces(mesh, outputs.Surfaces);
   SetCurves(mesh, outputs.Curves);
   SetVertices(mesh, outputs.Vertices);

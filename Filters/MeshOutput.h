@@ -5,6 +5,7 @@
 #pragma once
 
 #include "Mesh/Mesh.h"
+#include "Sets/SplitFaces.h"
 
 class vtkPolyData;
 class vtkTable;
@@ -19,6 +20,7 @@ struct MeshOutputs
   vtkUnstructuredGrid* Mesh;
   vtkPolyData *Surfaces, *Curves, *Vertices;
   vtkTable* Materials;
+  vtkUnstructuredGrid* Cohesive;
 };
 
 /// Fills all outputs except Materials.
@@ -27,9 +29,12 @@ struct MeshOutputs
 /// - Surfaces: quads or triangles with cell data SurfaceId, MaterialPair, DomainSide
 /// - Curves: lines of two points with cell data CurveId
 /// - Vertices: cell data VertexId
+/// - Cohesive: hexahedra or wedges with cell data MaterialPair, GlobalCellIds
 ///
-/// Surfaces, Curves and Vertices have their own points, with GlobalPointIds, and the field data of
-/// ListSurfaces, ListCurves and ListVertices.
-void SetMeshOutput(Mesh& mesh, const MeshOutputs& outputs);
+/// All outputs except Mesh have their own points, with GlobalPointIds. Surfaces, Curves and
+/// Vertices have the ids before interfaces were split, and the field data of ListSurfaces,
+/// ListCurves and ListVertices.
+/// @param cohesive  cohesive elements of this rank
+void SetMeshOutput(Mesh& mesh, const CohesiveElements& cohesive, const MeshOutputs& outputs);
 
 } // namespace vfm

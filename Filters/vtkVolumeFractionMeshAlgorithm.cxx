@@ -64,7 +64,7 @@ vtkVolumeFractionMeshAlgorithm::vtkVolumeFractionMeshAlgorithm(vfm::ElementKind 
   Options(std::make_unique<vfm::MesherOptions>())
 {
   this->Options->Elements = elements;
-  this->SetNumberOfOutputPorts(5);
+  this->SetNumberOfOutputPorts(6);
   this->SetController(vtkMultiProcessController::GetGlobalController());
 }
 
@@ -104,9 +104,9 @@ int vtkVolumeFractionMeshAlgorithm::FillInputPortInformation(int, vtkInformation
 
 int vtkVolumeFractionMeshAlgorithm::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  const char* const kind = port == 0 ? "vtkUnstructuredGrid"
-    : port == 4                      ? "vtkTable"
-                                     : "vtkPolyData";
+  const char* const kind = port == 0 || port == 5 ? "vtkUnstructuredGrid"
+    : port == 4                                   ? "vtkTable"
+                                                  : "vtkPolyData";
   info->Set(vtkDataObject::DATA_TYPE_NAME(), kind);
   return 1;
 }
@@ -130,7 +130,8 @@ int vtkVolumeFractionMeshAlgorithm::RequestData(
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
   const vfm::MeshOutputs outputs{ vtkUnstructuredGrid::GetData(outputVector, 0),
     vtkPolyData::GetData(outputVector, 1), vtkPolyData::GetData(outputVector, 2),
-    vtkPolyData::GetData(outputVector, 3), vtkTable::GetData(outputVector, 4) };
+    vtkPolyData::GetData(outputVector, 3), vtkTable::GetData(outputVector, 4),
+    vtkUnstructuredGrid::GetData(outputVector, 5) };
   if ((!this->Controller || this->Controller->GetNumberOfProcesses() == 1) &&
     outputVector->GetInformationObject(0)->Get(Pipeline::UPDATE_PIECE_NUMBER()) > 0)
   {
@@ -181,7 +182,7 @@ void vtkVolumeFractionMeshAlgorithm::Run(
   vfm::WorkTogether(ranks,
     [&]
     {
-      vfm::SetMeshOutput(result.TheMesh, outputs);
+      vfm::SetMeshOutput(result.TheMesh, vfm::JoinBlocks(result.Cohesive), outputs);
       vfm::AddFields(result.Fields, outputs.Mesh->GetFieldData());
       vfm::SetStateOutput(result.State, outputs.Mesh);
       if (ranks.Rank() == 0) // views append the rows of all ranks

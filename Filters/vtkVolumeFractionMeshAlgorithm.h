@@ -74,10 +74,10 @@
   {                                                                                                \
     this->Set##name(false);                                                                        \
   }
-#define vfmArrayOption(name)                                                                       \
-  void Set##name(const char* array)                                                                \
+#define vfmTextOption(name)                                                                        \
+  void Set##name(const char* text)                                                                 \
   {                                                                                                \
-    this->SetText(#name, array);                                                                   \
+    this->SetText(#name, text);                                                                    \
   }                                                                                                \
   const char* Get##name()                                                                          \
   {                                                                                                \
@@ -340,11 +340,11 @@ public:
   /// kinetic energy and the part that is lost. Select an array of three components, or one of three
   /// arrays with a component each (X velocity). Transferred like State Arrays. Allowed: the name of
   /// a cell array, or None; default None.
-  vfmArrayOption(VelocityArray);
+  vfmTextOption(VelocityArray);
   /// Internal energy per unit mass. Conserve preserves and reports it for each material. If every
   /// material has its own energy array, select any one of them. Transferred like State Arrays.
   /// Allowed: the name of a cell array, or None; default None.
-  vfmArrayOption(EnergyArray);
+  vfmTextOption(EnergyArray);
   /// Add the velocity of the nodes as a point array, the initial state of a Lagrangian code. The
   /// momentum of all nodes equals the momentum of all elements. Allowed: on or off; default off.
   vfmSwitchOption(NodalVelocity);
@@ -425,7 +425,7 @@ public:
   /// mask), up to Maximum Level. With Thin Cells 0 only these cells are refined. Without Fine
   /// Interfaces each place gets the level that is requested there. Allowed: the name of a cell
   /// array, or None; default None.
-  vfmArrayOption(RefinementArray);
+  vfmTextOption(RefinementArray);
   /// Divide cells of high aspect ratio first (slices thicker than their pixels), until no width of
   /// a cell exceeds another by more than this factor. 1.5 gives elements of good shape. 0: off.
   /// Allowed: 0 (off) or a number, 1.1 or more; default 0.
@@ -435,6 +435,43 @@ public:
   /// get the fractions of the cell. Material ids keep their steps with either choice, unless Label
   /// Smoothing is on. Allowed: Planes, Parent (or 0 to 1); default Planes.
   vfmNumberOption(ChildFractions, int);
+  /// Pairs of materials whose interfaces are split: the elements on each side get their own nodes,
+  /// also where several fragments meet at a line or a corner. A pair is two names or ids with a
+  /// slash between them, such as steel/copper or 1/3; * is any material. The point array
+  /// OriginalPointIds has the ids of the nodes before. Allowed: pairs of materials such as
+  /// steel/copper or 1/3 with commas between them, all, or None; default None.
+  vfmTextOption(SplitInterfaces);
+  /// Connection of both sides of split interfaces in files. Cohesive: elements of zero thickness in
+  /// blocks of their own, in .inp, Exodus and .msh files. Contact, Tied: contact pairs or ties in
+  /// .inp files. None: the sides are free. Allowed: None, Cohesive, Contact, Tied (or 0 to 3);
+  /// default None.
+  vfmNumberOption(SplitConnection, int);
+  /// Cut the hexahedra along interfaces into this number of layers, as for boundary layers or
+  /// contact. The cell array Layer counts them from the surface. A fragment gets layers along its
+  /// whole surface. 0, 1: no layers. Allowed: an integer from 0 to 20; default 0.
+  vfmNumberOption(Layers, int);
+  /// Thickness of each layer relative to the one before it, away from the surface. Allowed: a
+  /// number from 1 to 10; default 1.5.
+  vfmNumberOption(LayerGrowth, double);
+  /// Thickness of the first layer, where there is room: where the hexahedra are high enough for all
+  /// layers. Layers grow less where there is less room, and the last one is thicker where there is
+  /// more. 0: layers fill the hexahedra along the interface, which are half a cell high. Allowed: a
+  /// number, 0 or more; default 0.
+  vfmNumberOption(FirstLayer, double);
+  /// Unit of First Layer. Cells: the mean width of the finest cells. Length: the length unit of the
+  /// input. Allowed: Cells, Length (or 0 to 1); default Cells.
+  vfmNumberOption(FirstLayerUnit, int);
+  /// Pairs of materials whose interfaces have layers. A pair is two names or ids with a slash
+  /// between them, such as water/steel or 1/3; * is any material, 0 or Void the void. None: all
+  /// interfaces. Allowed: pairs of materials such as steel/copper or 1/3 with commas between them,
+  /// all, or None; default None.
+  vfmTextOption(LayerInterfaces);
+  /// Side of the interfaces with layers: the elements of both materials of each pair, or only those
+  /// of the first. Allowed: BothMaterials, FirstMaterial (or 0 to 1); default BothMaterials.
+  vfmNumberOption(LayersOn, int);
+  /// Axes across which the sides of the domain have layers as well, such as walls. Allowed: Off, X,
+  /// Y, XY, Z, XZ, YZ, XYZ (or 0 to 7); default Off.
+  vfmNumberOption(LayerSides, int);
   /// Target of smoothing for the scaled Jacobian. Larger values give better hexahedra that follow
   /// the surfaces less closely. 0 is automatic: 0.55 with one material, 0.5 with several. Allowed:
   /// a number from 0 (automatic) to below 1; default 0.

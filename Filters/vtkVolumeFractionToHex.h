@@ -40,6 +40,10 @@
  * Port 4, one row per material: Name, MaterialId, TargetVolume, MeshVolume (length units cubed),
  * VolumeError (relative), LostCells, GainedCells (cells that changed their material), Elements,
  * Fragments; MinimumScaledJacobian and MeanScaledJacobian if ComputeQuality is on.
+ *
+ * Port 5, vtkUnstructuredGrid: hexahedra of zero thickness between the sides of split interfaces,
+ * if SplitConnection is Cohesive; cell arrays MaterialPair, GlobalCellIds, point array
+ * GlobalPointIds of the mesh.
  */
 #ifndef vtkVolumeFractionToHex_h
 #define vtkVolumeFractionToHex_h

@@ -47,7 +47,8 @@ void FindLabels(MeshJob& job, LabelledGrid& result)
   LevelPlan plan = job.Options.Levels;
   MakeLevels(job.Grid, result.Labels, result.Mixed, { job.Options.MeshVoid, false, true }, plan,
     job.Run, job.Report, result.Levels);
-  result.Narrow = FindBarrier(job.Options, *result.Levels.Grid, result.Labels, result.Mixed);
+  result.Narrow =
+    FindBarrier(job.Options, *result.Levels.Grid, result.Labels, result.Mixed, job.Run);
 }
 
 FragmentVolumes FindVolumes(
@@ -84,7 +85,7 @@ SmoothedPoints Smooth(MeshJob& job, const LabelledGrid& labelled, const std::vec
   AttachHexes(*interfaces, *labelled.Levels.Coarse, mesh, facets, job.Run, active);
   std::vector<FeatureKind> kinds = active.OfMesh(
     AttachToFeatures(job, *interfaces->All().back(), facets, mesh, targets, active), mesh);
-  SetFacets(facets, active);
+  SetFacets(facets, job.Run, active);
   std::vector<int>().swap(active.PointOf);
   if (KindOfTargets(job.Options) == SurfaceTargets::Kind::Quadrics)
   {
@@ -117,7 +118,8 @@ Mesh MakeMesh(MeshJob& job)
   job.Report.NumberOfFragments = fragments.NumberOfFragments();
   FillFragments(labelled, numbering, fragments, job.Run, mesh);
   job.Clock.Update(0.135);
-  const std::vector<Facet> facets = FindHexFacets(labelled, numbering, fragments, job.Parts, mesh);
+  const std::vector<Facet> facets =
+    FindHexFacets(labelled, numbering, fragments, job.Parts, job.Run, mesh);
   job.Clock.Start("Finding interfaces", 0.15);
   FragmentVolumes volumes = FindVolumes(job, labelled.Labels, fragments, mesh);
   SmoothedPoints points;
@@ -133,9 +135,9 @@ Mesh MakeMesh(MeshJob& job)
   }
   std::vector<unsigned char>().swap(points.Moved);
   job.Clock.Start("Finding geometry", 0.93);
-  ClassifyGeometry(facets, points.Kinds, job.Parts, mesh, job.Report);
+  ClassifyGeometry(facets, points.Kinds, job.Parts, job.Run, mesh, job.Report);
   CloseSeam(job.Parts, mesh);
-  KeepOwned(mesh, job.Grid);
+  KeepOwned(mesh, job.Grid, job.Run);
   ReportLevels(mesh, labelled.Levels.RequestedFamilies, job.Run.Group(), job.Report);
   ReportVolumes(job.Grid, volumes, job.Report);
   MeasureQuality(job, mesh);

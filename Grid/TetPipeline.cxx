@@ -103,7 +103,7 @@ MadeTets MakeTets(MeshJob& job, const LabelArray& labels)
   LevelHexes levels;
   const std::unique_ptr<const CoarseTets> coarse =
     MakeCoarse(job, labels, nodes, made.Mixed, energy, levels);
-  const NarrowVoid narrow = FindBarrier(job.Options, *levels.Grid, labels, made.Mixed);
+  const NarrowVoid narrow = FindBarrier(job.Options, *levels.Grid, labels, made.Mixed, job.Run);
   ReportNarrowVoid(narrow, job.Run.Group(), job.Report);
   made.RequestedFamilies = std::move(levels.RequestedFamilies);
   if (nodes)
@@ -179,7 +179,7 @@ std::vector<FeatureKind> Attach(MeshJob& job, const Interface& interface, const 
     hasQuads ? JoinTriangles(facets, made.Faces, mesh) : std::vector<Facet>();
   std::vector<FeatureKind> kinds =
     AttachToFeatures(job, interface, hasQuads ? quads : facets, mesh, targets, active);
-  SetFacets(facets, active);
+  SetFacets(facets, job.Run, active);
   return kinds;
 }
 
@@ -199,7 +199,7 @@ std::vector<FeatureKind> Smooth(
   const Interface interface(
     job.Grid, job.Fractions, labels, made.Mixed, job.Options.IsoValue, job.Run);
   SurfaceTargets targets(interface, KindOfTargets(job.Options), job.Run);
-  ActiveTets active = MakeActiveTets(made.Topology, job.Grid, job.Parts);
+  ActiveTets active = MakeActiveTets(made.Topology, job.Grid, job.Parts, job.Run);
   const std::vector<FeatureKind> kinds = Attach(job, interface, made, targets, active);
   const TetEnergy energy(FloorsOf(job.Options));
   std::optional<DiagonalFlips> flips;
@@ -227,7 +227,7 @@ std::vector<FeatureKind> Smooth(
       flips->CopyTo(mesh);
       made.Faces = FindTetFaces(made.Topology, job.Grid);
       std::vector<Facet> flipped = ListFacets(job, made);
-      SetFacets(flipped, active);
+      SetFacets(flipped, job.Run, active);
       if (HasCurvedEdges(job.Options))
       {
         facets.swap(flipped);
@@ -261,7 +261,7 @@ void Refill(MeshJob& job, const LabelArray& labels, Mesh& mesh)
       mesh, job.Grid, labels, job.Options,
       [&job](double done)
       { job.Clock.Update(ShareBeforeTetGen + (0.95 - ShareBeforeTetGen) * done); },
-      job.Run.Group(), job.Report);
+      job.Run, job.Report);
   }
 #else
   (void)job, (void)labels, (void)mesh;
@@ -283,9 +283,9 @@ Mesh MakeMesh(MeshJob& job)
   job.Clock.Start("Finding geometry", 0.9);
   Mesh& mesh = made.Topology.Tets;
   FillInside(mesh);
-  ClassifyGeometry(ListFacets(job, made), kinds, job.Parts, mesh, job.Report);
+  ClassifyGeometry(ListFacets(job, made), kinds, job.Parts, job.Run, mesh, job.Report);
   CloseSeam(job.Parts, mesh);
-  KeepOwned(mesh, job.Grid);
+  KeepOwned(mesh, job.Grid, job.Run);
   ReportLevels(mesh, made.RequestedFamilies, job.Run.Group(), job.Report);
   Refill(job, labels, mesh);
   MeasureQuality(job, mesh);

@@ -170,6 +170,28 @@ int sculptor_get_element_ids(int sculptor, const int64_t** ids)
   return GetArray(sculptor, &vfm::Mesh::ElementIds, ids, "ids");
 }
 
+int sculptor_get_original_ids(int sculptor, const int64_t** ids)
+{
+  return GetArray(sculptor, &vfm::Mesh::OriginalPointIds, ids, "ids");
+}
+
+int sculptor_get_cohesive(int sculptor, int64_t* elements, int* corners,
+  const int64_t** connectivity, const int64_t** ids, const int** materials)
+{
+  return WithSession(sculptor,
+    [=](SculptorSession& session)
+    {
+      const vfm::CohesiveElements& all = session.GetCohesive();
+      const bool areNone = all.Ids.empty();
+      *NotNull(elements, "elements") = static_cast<int64_t>(all.Ids.size());
+      *NotNull(corners, "corners") =
+        areNone ? 0 : static_cast<int>(all.Points.size() / all.Ids.size());
+      *NotNull(connectivity, "connectivity") = areNone ? nullptr : all.Points.data();
+      *NotNull(ids, "ids") = areNone ? nullptr : all.Ids.data();
+      *NotNull(materials, "materials") = areNone ? nullptr : all.Materials.data();
+    });
+}
+
 int sculptor_get_materials(int sculptor, const int** ids)
 {
   return GetArray(sculptor, &vfm::Mesh::Material, ids, "ids");

@@ -247,6 +247,27 @@ extern "C"
    */
   SCULPTOR_EXPORT int sculptor_get_element_ids(int sculptor, const int64_t** ids);
   /**
+   * Returns the global ids that nodes had before the option SplitInterfaces gave both sides of
+   * interfaces their own nodes. Copies of a node have the same.
+   * @param[out] ids  id per node; null if no interface was split
+   */
+  SCULPTOR_EXPORT int sculptor_get_original_ids(int sculptor, const int64_t** ids);
+  /**
+   * Returns the cohesive elements of this rank between both sides of split interfaces, if the
+   * option SplitConnection is Cohesive. Each element is on the rank of its first side, where the
+   * nodes of both sides exist.
+   * @param[out] elements  number of cohesive elements
+   * @param[out] corners  nodes per element, 8 or 6; 0 without cohesive elements
+   * @param[out] connectivity  node numbers from 0, shape (elements, corners): the nodes of the
+   * first side, counterclockwise seen from the second side, then those of the second side; null
+   * without cohesive elements
+   * @param[out] ids  global id per element, above those of all elements; null likewise
+   * @param[out] materials  materials of the first and the second side, shape (elements, 2); null
+   *   likewise
+   */
+  SCULPTOR_EXPORT int sculptor_get_cohesive(int sculptor, int64_t* elements, int* corners,
+    const int64_t** connectivity, const int64_t** ids, const int** materials);
+  /**
    * Returns the materials of the elements.
    * @param[out] ids  material number per element, 0 for void; null without elements
    */
@@ -302,7 +323,8 @@ extern "C"
    */
   SCULPTOR_EXPORT int sculptor_get_geometry(int sculptor, const int** dimensions, const int** ids);
   /**
-   * Returns the facets of surfaces on this rank. Each facet is on one rank.
+   * Returns the facets of surfaces on this rank. Each facet is on one rank. At a split interface
+   * its nodes may be those of either side.
    * @param[out] facets  number of facets
    * @param[out] corners  nodes per facet, 4 or 3; 0 without facets
    * @param[out] connectivity  node numbers from 0, shape (facets, corners); null without facets

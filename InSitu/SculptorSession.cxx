@@ -163,6 +163,7 @@ MesherResult SculptorSession::Run(
 void SculptorSession::MakeMesh(bool tets, const std::function<void()>& prepare)
 {
   this->Result.reset();
+  this->Cohesive.reset();
   this->Parts.reset();
   this->Tables.clear();
   this->WarningText.clear();
@@ -211,6 +212,15 @@ const MesherResult& SculptorSession::GetResult() const
     throw InputError(ErrorCode::NoMesh, "There is no mesh yet, or the last one failed.");
   }
   return *this->Result;
+}
+
+const CohesiveElements& SculptorSession::GetCohesive()
+{
+  if (!this->Cohesive)
+  {
+    this->Cohesive = JoinBlocks(this->GetResult().Cohesive);
+  }
+  return *this->Cohesive;
 }
 
 const FragmentParts& SculptorSession::GetFragmentParts()

@@ -41,6 +41,7 @@ public:
 
   ///@{ Throws InputError if there is no mesh, or if it lacks the named values.
   const Mesh& GetMesh() const { return this->GetResult().TheMesh; }
+  const CohesiveElements& GetCohesive();
   const FragmentParts& GetFragmentParts();
   int GetNumberOfFragments() const;
   /// Returns a table of adjacency with integer values (ListSurfaces, ListCurves, ListVertices).
@@ -71,7 +72,8 @@ private:
   int IndexBase = 0;
   std::optional<std::array<int, 6>> Neighbours;
   std::optional<MesherResult> Result;
-  std::optional<FragmentParts> Parts; // Parts and Tables are made at first use
+  std::optional<CohesiveElements> Cohesive; // Cohesive, Parts and Tables are made at first use
+  std::optional<FragmentParts> Parts;
   FieldArrays Tables;
   std::string WarningText;
 };

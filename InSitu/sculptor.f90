@@ -17,10 +17,11 @@ module sculptor
     sculptor_add_material, sculptor_set_material_ids, sculptor_add_state, sculptor_set_refinement, &
     sculptor_clear_fields, sculptor_make_mesh, sculptor_get_counts, sculptor_get_points, &
     sculptor_get_elements, sculptor_get_point_ids, sculptor_get_element_ids, &
-    sculptor_get_materials, sculptor_get_fragments, sculptor_get_state, sculptor_get_point_state, &
-    sculptor_get_number, sculptor_get_geometry, sculptor_get_surfaces, sculptor_get_curves, &
-    sculptor_get_vertices, sculptor_get_bounds, sculptor_write, sculptor_error_code, &
-    sculptor_error_message, sculptor_warning_message
+    sculptor_get_original_ids, sculptor_get_cohesive, sculptor_get_materials, &
+    sculptor_get_fragments, sculptor_get_state, sculptor_get_point_state, sculptor_get_number, &
+    sculptor_get_geometry, sculptor_get_surfaces, sculptor_get_curves, sculptor_get_vertices, &
+    sculptor_get_bounds, sculptor_write, sculptor_error_code, sculptor_error_message, &
+    sculptor_warning_message
 
   interface
     integer(c_int) function sculptor_create(sculptor) bind(C)
@@ -143,6 +144,23 @@ module sculptor
       import
       integer(c_int), value :: sculptor
       type(c_ptr), intent(out) :: ids
+    end function
+
+    integer(c_int) function sculptor_get_original_ids(sculptor, ids) bind(C)
+      import
+      integer(c_int), value :: sculptor
+      type(c_ptr), intent(out) :: ids
+    end function
+
+    integer(c_int) function sculptor_get_cohesive(sculptor, elements, corners, connectivity, ids, &
+      materials) bind(C)
+      import
+      integer(c_int), value :: sculptor
+      integer(c_int64_t), intent(out) :: elements
+      integer(c_int), intent(out) :: corners
+      type(c_ptr), intent(out) :: connectivity
+      type(c_ptr), intent(out) :: ids
+      type(c_ptr), intent(out) :: materials
     end function
 
     integer(c_int) function sculptor_get_materials(sculptor, ids) bind(C)

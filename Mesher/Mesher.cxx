@@ -8,15 +8,19 @@
 #include "Labels/SmallRegions.h"
 #include "Labels/SmoothLabels.h"
 #include "Levels/PeriodicFields.h"
+#include "Modify/AddLayers.h"
 #include "Modify/AddMidNodes.h"
+#include "Modify/SplitInterfaces.h"
 #include "Options/SetOptions.h"
 #include "Periodic/JoinCopies.h"
 #include "Periodic/LeaveCovering.h"
 #include "Ranks/Agreement.h"
+#include "State/ViewMesh.h"
 #include "Summary/SeamFacets.h"
 #include "TetPipeline.h"
 
 #include <algorithm>
+#include <optional>
 #include <sstream>
 
 namespace vfm
@@ -236,6 +240,38 @@ void Finish(
   }
 }
 
+/// Returns the pairs of materials in an option, or nothing if it is empty.
+std::optional<MaterialPairs> ReadPairs(
+  const std::string& option, const std::string& text, const Materials& table)
+{
+  if (text.empty())
+  {
+    return std::nullopt;
+  }
+  std::map<int, std::string> names;
+  for (std::size_t m = 0; m < table.Names.size(); ++m)
+  {
+    names[table.Labels[m]] = table.Names[m];
+  }
+  return MaterialPairs(option, text, names);
+}
+
+/// Splits the interfaces between the pairs of materials.
+void Split(const MesherJob& job, const MaterialPairs& pairs, MesherResult& result)
+{
+  Ranks& ranks = job.Run.Group();
+  SplitInterfaces(
+    pairs, job.Options.Connection, ranks, result.Fields, result.TheMesh, result.State);
+  result.Cohesive =
+    FindCohesiveBlocks(ViewMesh(result.TheMesh, result.State, result.Fields), ranks);
+  if (std::get<std::vector<int>>(FindField(result.Fields, "SplitPairs")->Values).empty())
+  {
+    Warn(job,
+      "SplitInterfaces is " + job.Options.SplitInterfaces +
+        ", but no such materials have a common face.");
+  }
+}
+
 /// Warns of corrected input, an empty mesh, and materials without elements or with wrong volumes.
 void WarnOfMesh(const MesherJob& job, const MeshReport& report, const InputField& field)
 {
@@ -279,12 +315,18 @@ MesherResult RunMesher(const MesherInput& input, const MesherOptions& given, Run
   const std::vector<StateArray> states = FindStateArrays(levels, arrays.State.Arrays, ranks);
   InputRequests requests = FindRequests(job);
   const LevelSetup setup = SetUpLevels(job, requests);
-  CheckPeriods(options, levels, setup);
+  CheckPeriods(options, setup);
   const std::vector<BlockPlace> owners = FindOwners(job, cells, setup);
   requests = DistributeRequests(requests, levels, owners, ranks);
 
-  LevelFields fields = MakeLevelFields(levels, cells, setup, options.Children, owners, runtime);
+  LevelFields fields = MakeLevelFields(
+    levels, cells, setup, options.Children, RepeatingAxes(options), owners, runtime);
   NameLabels(arrays.Names, fields.Field.Table);
+  const Materials& table = fields.Field.Table;
+  const std::optional<MaterialPairs> split =
+    ReadPairs("SplitInterfaces", options.SplitInterfaces, table);
+  const std::optional<MaterialPairs> layers =
+    ReadPairs("LayerInterfaces", options.LayerInterfaces, table);
   const StoredState kept =
     StoreState(levels, cells, arrays.State, states, fields, setup, options, owners, runtime);
 
@@ -305,15 +347,21 @@ MesherResult RunMesher(const MesherInput& input, const MesherOptions& given, Run
   runtime.Progress(0.98, "Filling output");
   result.State = MakeOutputState(kept, levels, result.TheMesh,
     DescribeGrid(fields, setup, meshOptions.Levels), options, owners, runtime);
+  AddLayers(options, { table.Labels, layers ? &*layers : nullptr }, fields.Grid.MeanWidth(),
+    runtime, result.TheMesh, result.State, result.Report);
   if (options.Periodic != 0 && options.PeriodicSides == Sides::Joined)
   {
-    JoinCopies(ranks, result.TheMesh); // after the state, which needs positions
+    JoinCopies(runtime, result.TheMesh); // after the state, which needs positions
   }
   WorkTogether(ranks, [&] { Finish(job, fields, meshOptions, result); });
   if (options.Order != ElementOrder::Linear)
   {
     runtime.Progress(0.99, "Adding mid nodes");
     AppendFields(AddMidNodes(options.Order, runtime, result.TheMesh, result.State), result.Fields);
+  }
+  if (split)
+  {
+    Split(job, *split, result);
   }
   WarnOfMesh(job, result.Report, fields.Field);
   Warn(job, DescribeUnmeshed(result.State.Balance, fields.Field.Table));

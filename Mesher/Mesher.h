@@ -6,6 +6,7 @@
 
 #include "Input/LabelNames.h"
 #include "Options/MesherOptions.h"
+#include "Sets/SplitFaces.h"
 #include "State/MeshState.h"
 #include "Summary/MeshFields.h"
 
@@ -42,6 +43,7 @@ struct MesherResult
   Mesh TheMesh; ///< elements of this rank, in world coordinates; materials have the ids of the user
   MeshReport Report;
   OutputState State;
+  std::vector<CohesiveBlock> Cohesive; ///< cohesive elements of this rank
   /// Field data of the whole mesh: ListSides, ListReport, ListDomain (MeshFields.h), ListBalance.
   FieldArrays Fields;
   /// Table with one row per material: ListMaterials (MeshFields.h), ListBalance (StateBalance.h).

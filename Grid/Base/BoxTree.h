@@ -42,7 +42,7 @@ struct Bounds
 class BoxTree
 {
 public:
-  explicit BoxTree(std::vector<Bounds> boxes);
+  BoxTree(std::vector<Bounds> boxes, Runtime& runtime);
   /// Calls visit(i, j) once for each pair of boxes that touch, possibly several pairs at the same
   /// time.
   template <class Visitor>
@@ -56,7 +56,13 @@ private:
     int Next = 0;            // the first node behind all nodes below this one
     int First = 0, Last = 0; // range of Items; empty unless this is a leaf
   };
-  void Build(int first, int last);
+  /// Node with all nodes below it: its number and the range of Items.
+  struct Part
+  {
+    int Number, First, Last;
+  };
+  std::vector<Part> Halve(const Part& part);
+  void Build(const Part& part);
   const Bounds& BoxOf(int item) const { return this->Boxes[this->Items[item]]; }
   template <class Visitor>
   void ForPairs(const Node& a, const Node& b, const Visitor& visit) const;

@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include "Base/IndexBox.h"
+#include "Base/Runtime.h"
 
 #include <algorithm>
 #include <iterator>
@@ -59,6 +59,25 @@ std::vector<Item> Joined(const std::vector<std::vector<Item>>& lists)
     items.insert(items.end(), list.begin(), list.end());
   }
   return items;
+}
+
+/// Calls body(i, items) for 0 <= i < count, possibly several at the same time. Returns the items
+/// that the calls append, in the order of i.
+/// @param block  number of calls per task
+template <class Item, class Body>
+std::vector<Item> CollectItems(Runtime& runtime, std::size_t count, Index block, const Body& body)
+{
+  const Index last = static_cast<Index>(count);
+  std::vector<std::vector<Item>> found((last + block - 1) / block);
+  ForEach(runtime, found.size(),
+    [&](Index b)
+    {
+      for (Index i = b * block; i < std::min(last, (b + 1) * block); ++i)
+      {
+        body(i, found[b]);
+      }
+    });
+  return Joined(found);
 }
 
 /// Returns lists of the same lengths with map(item) for each item.

@@ -8,6 +8,8 @@
 #include "Base/Clones.h"
 #include "Base/Vector3.h"
 
+#include <cstring>
+
 namespace vfm
 {
 
@@ -54,6 +56,18 @@ template <class Real>
 VFM_INLINE LanesOf<Real> Fill(Real a)
 {
   return a - LanesOf<Real>{}; // keeps the sign of a zero
+}
+
+/// Reads lanes from consecutive doubles, or writes them.
+VFM_INLINE Lanes LoadLanes(const double* from)
+{
+  Lanes lanes;
+  std::memcpy(&lanes, from, sizeof(lanes));
+  return lanes;
+}
+VFM_INLINE void StoreLanes(const Lanes& lanes, double* to)
+{
+  std::memcpy(to, &lanes, sizeof(lanes));
 }
 
 /// Returns 1 in the first `count` lanes and 0 in the others.

@@ -188,11 +188,11 @@ int CountCoarseGhosts(const CartesianGrid& grid, int halvings, int most)
   for (int a = 0; a < 3; ++a)
   {
     const Index low = grid.Local().Lower[a], high = grid.Local().Upper[a];
-    if (low > 0)
+    if (low > 0 || grid.Period(a) > 0)
     {
       levels = std::min(levels, (grid.Owned().Lower[a] - low) >> halvings);
     }
-    if (high < grid.Global().Upper[a])
+    if (high < grid.Global().Upper[a] || grid.Period(a) > 0)
     {
       levels = std::min(levels, (high - grid.Owned().Upper[a]) >> halvings);
     }

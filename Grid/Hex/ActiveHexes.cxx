@@ -65,18 +65,8 @@ std::vector<Mover> FindMovers(const LabelledGrid& labelled, const Mesh& mesh, Ru
   {
     work.Near.emplace_back(work.Levels.Finest(), labelled.Mixed, work.Halvings, Rings + 1);
   }
-  const Index points = static_cast<Index>(work.Input.PointIds.size());
-  std::vector<std::vector<Mover>> found((points + PointsOfBlock - 1) / PointsOfBlock);
-  ForEach(runtime, found.size(),
-    [&](Index block)
-    {
-      const Index first = block * PointsOfBlock;
-      for (Index p = first; p < std::min(points, first + PointsOfBlock); ++p)
-      {
-        AddMover(work, p, found[block]);
-      }
-    });
-  return Joined(found);
+  return CollectItems<Mover>(runtime, mesh.PointIds.size(), PointsOfBlock,
+    [&](Index point, std::vector<Mover>& movers) { AddMover(work, point, movers); });
 }
 
 } // namespace
@@ -86,7 +76,7 @@ ActiveMesh MakeActiveHexes(
 {
   const RefinedGrid& levels = *labelled.Levels.Grid;
   ActiveMeshBuilder builder(8, mesh.PointIds.size(), FindMovers(labelled, mesh, runtime));
-  const std::vector<Index> hexes = builder.AddAround(mesh);
+  const std::vector<Index> hexes = builder.AddAround(mesh, runtime);
   const int colours = levels.Finest().NumberOfColours();
   const bool hasPlanes = levels.HasFineInterfaces() && colours == 8;
   ActiveMesh active =

@@ -137,7 +137,7 @@ void SmoothCoarse(const CoarseHexes& coarse, const std::vector<unsigned char>& i
   Work work{ coarse.Levels(), coarse.Refined(), mesh };
   ActiveMeshBuilder builder(
     8, mesh.PointIds.size(), FindMovers(work, FindNodesFarFromRefined(coarse)));
-  const std::vector<Index> hexes = builder.AddAround(mesh);
+  const std::vector<Index> hexes = builder.AddAround(mesh, runtime);
   const double width = work.Levels.Finest().MeanWidth();
   work.Active =
     builder.Finish(partition, CopiesOfAnchors(work.Levels.Lattice(), { { width, width, width } }),

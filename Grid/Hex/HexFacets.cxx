@@ -1,5 +1,6 @@
 #include "Hex/HexFacets.h"
 
+#include "Base/Groups.h"
 #include "Labels/InterfaceFaces.h"
 #include "Octree/LevelIds.h"
 #include "Smoothing/ActiveMesh.h"
@@ -9,18 +10,7 @@ namespace vfm
 namespace
 {
 
-/// Calls visit(j, k, first hex, last hex + 1) for the rows of cells in HexBox.
-template <class Visitor>
-void ForRowsOfHexes(const IndexBox& box, const Mesh& mesh, const Visitor& visit)
-{
-  Index row = 0;
-  ForRows(box,
-    [&](Index j, Index k)
-    {
-      visit(j, k, mesh.RowOffset[row], mesh.RowOffset[row + 1]);
-      ++row;
-    });
-}
+constexpr Index RowsOfBlock = 64, NodesOfBlock = 1024; // per task
 
 /// Calls visit(hex, cell) for the coarse hexes with a cell in HexBox. The cell is the finest cell
 /// in the hex that is nearest to the owned ones.
@@ -83,25 +73,27 @@ void FillRow(const CartesianGrid& grid, const Fragments& fragments, Index j, Ind
 
 /// Sets the fragments of the points I.
 void FillInnerPoints(const LabelledGrid& labelled, const PointNumbering& numbering,
-  const Fragments& fragments, Mesh& mesh)
+  const Fragments& fragments, Runtime& runtime, Mesh& mesh)
 {
   const CartesianGrid& grid = mesh.Levels->Finest();
   const IndexBox box = grid.HexBox();
-  for (Index node : labelled.Mixed)
-  {
-    const Index3 p = grid.Position(node);
-    // Nodes without a cell in the box have no numbers.
-    const bool isSplit = box.Touches(p) && numbering.IsSplit(node);
-    const std::array<int, 8> star = StarOfNode(grid, labelled.Labels, node);
-    for (int c = 0; isSplit && c < 8; ++c)
+  ForEach(runtime, labelled.Mixed.size(),
+    [&](Index n)
     {
-      const Index3 cell = CellOfStar(p, c);
-      if (numbering.IsMeshed(star[c]) && box.Contains(cell))
+      const Index node = labelled.Mixed[n];
+      const Index3 p = grid.Position(node);
+      // Nodes without a cell in the box have no numbers.
+      const bool isSplit = box.Touches(p) && numbering.IsSplit(node);
+      const std::array<int, 8> star = StarOfNode(grid, labelled.Labels, node);
+      for (int c = 0; isSplit && c < 8; ++c)
       {
-        mesh.GeometryId[numbering.InnerPoint(node, star[c])] = fragments.FragmentOfCell(cell);
+        const Index3 cell = CellOfStar(p, c);
+        if (numbering.IsMeshed(star[c]) && box.Contains(cell))
+        {
+          mesh.GeometryId[numbering.InnerPoint(node, star[c])] = fragments.FragmentOfCell(cell);
+        }
       }
-    }
-  }
+    });
 }
 
 struct Work
@@ -114,21 +106,10 @@ struct Work
   const RefinedGrid& Levels = *Labelled.Levels.Grid;
   const CartesianGrid& Grid = Levels.Finest();
   const IndexBox Box = Grid.HexBox();
-  std::vector<Facet> Found{};
 };
 
-/// Reserves an upper bound; unused memory is never touched.
-void Reserve(Work& work)
-{
-  Index sides = 0;
-  for (int a = 0; a < 3; ++a)
-  {
-    sides += 2 * work.Box.Size((a + 1) % 3) * work.Box.Size((a + 2) % 3);
-  }
-  work.Found.reserve(sides + 2 * work.Labelled.Mixed.size());
-}
-
-void AddDomainFacet(Work& work, Index hex, int face, int side, const Index3& cell)
+void AddDomainFacet(
+  const Work& work, Index hex, int face, int side, const Index3& cell, std::vector<Facet>& found)
 {
   if (work.Input.IsBarrier(hex))
   {
@@ -140,13 +121,14 @@ void AddDomainFacet(Work& work, Index hex, int face, int side, const Index3& cel
   {
     facet.Points[c] = work.Input.Elements[8 * hex + VtkCorner[FaceCorners[face][c]]];
   }
-  work.Found.push_back(facet);
+  found.push_back(facet);
 }
 
 /// Adds the facets of a hex on sides of the domain. Faces of a buffer hex along its own axis are
 /// not on a side.
 /// @param slot  0: core hex; 1 + face: buffer hex
-void AddDomainFacets(Work& work, Index hex, int slot, const Index3& cell)
+void AddDomainFacets(
+  const Work& work, Index hex, int slot, const Index3& cell, std::vector<Facet>& found)
 {
   for (int a = 0; a < 3; ++a)
   {
@@ -156,17 +138,18 @@ void AddDomainFacets(Work& work, Index hex, int slot, const Index3& cell)
     }
     if (cell[a] == 0)
     {
-      AddDomainFacet(work, hex, 2 * a, 2 * a, cell);
+      AddDomainFacet(work, hex, 2 * a, 2 * a, cell, found);
     }
     if (cell[a] == work.Grid.Global().Upper[a] - 1)
     {
-      AddDomainFacet(work, hex, 2 * a + 1, 2 * a + 1, cell);
+      AddDomainFacet(work, hex, 2 * a + 1, 2 * a + 1, cell, found);
     }
   }
 }
 
 /// Adds the facets on sides of the domain of a row of finest cells.
-void AddDomainFacets(Work& work, Index j, Index k, Index first, Index last)
+void AddDomainFacets(
+  const Work& work, Index j, Index k, Index first, Index last, std::vector<Facet>& found)
 {
   const Index* ids = work.Input.ElementIds.data();
   const Index start = HexIds.ElementSlots * work.Grid.CellKey({ { 0, j, k } }) + 1;
@@ -187,14 +170,14 @@ void AddDomainFacets(Work& work, Index j, Index k, Index first, Index last)
     {
       const Index place = ids[h] - start;
       AddDomainFacets(work, h, static_cast<int>(place % HexIds.ElementSlots),
-        { { place / HexIds.ElementSlots, j, k } });
+        { { place / HexIds.ElementSlots, j, k } }, found);
     }
   }
 }
 
 /// Adds the facets on sides of the domain of a coarse hex, which may have any orientation in
 /// its cell.
-void AddDomainFacets(Work& work, Index hex, const Index3& cell)
+void AddDomainFacets(const Work& work, Index hex, const Index3& cell, std::vector<Facet>& found)
 {
   std::array<int, 8> sides;
   for (int c = 0; c < 8; ++c)
@@ -210,14 +193,15 @@ void AddDomainFacets(Work& work, Index hex, const Index3& cell)
     {
       if (common >> side & 1)
       {
-        AddDomainFacet(work, hex, f, side, cell);
+        AddDomainFacet(work, hex, f, side, cell, found);
       }
     }
   }
 }
 
 /// Adds the facet of a face if a finest cell is on a side of it.
-void AddFineFacet(Work& work, const InterfaceFace& face, const Index3& lower, const Index3& upper)
+void AddFineFacet(const Work& work, const InterfaceFace& face, const Index3& lower,
+  const Index3& upper, std::vector<Facet>& found)
 {
   if (!work.Levels.IsFine(lower) && !work.Levels.IsFine(upper))
   {
@@ -229,11 +213,11 @@ void AddFineFacet(Work& work, const InterfaceFace& face, const Index3& lower, co
   const std::array<Index, 4> nodes = NodesOfFace(work.Grid, face);
   std::transform(nodes.begin(), nodes.end(), facet.Points.begin(),
     [&](Index node) { return work.Numbering.FirstPoint(node); });
-  work.Found.push_back(facet);
+  found.push_back(facet);
 }
 
 /// Adds the facet of a face between two coarse hexes.
-void AddCoarseFacet(Work& work, const SplitNodes::Face& face)
+void AddCoarseFacet(const Work& work, const SplitNodes::Face& face, std::vector<Facet>& found)
 {
   Facet facet{ {}, {}, {}, -1, false };
   for (int c = 0; c < 4; ++c)
@@ -258,7 +242,7 @@ void AddCoarseFacet(Work& work, const SplitNodes::Face& face)
   const int writer = work.Numbering.IsMeshed(facet.Materials[0]) ? 0 : 1;
   const OctreeKeys::LevelIndex& leaf = face.Sides[writer].Cell;
   facet.IsOwned = work.Parts.OwnsCell(work.Levels.FinestNode(leaf.Level, leaf.At));
-  work.Found.push_back(facet);
+  found.push_back(facet);
 }
 
 } // namespace
@@ -290,26 +274,37 @@ void FillFragments(const LabelledGrid& labelled, const PointNumbering& numbering
       std::for_each(mesh.Elements.data() + 8 * hex, mesh.Elements.data() + 8 * hex + 8,
         [&](Index point) { mesh.GeometryId[point] = mesh.Fragment[hex]; });
     });
-  FillInnerPoints(labelled, numbering, fragments, mesh);
+  FillInnerPoints(labelled, numbering, fragments, runtime, mesh);
 }
 
 std::vector<Facet> FindHexFacets(const LabelledGrid& labelled, const PointNumbering& numbering,
-  const Fragments& fragments, const Partition& partition, const Mesh& mesh)
+  const Fragments& fragments, const Partition& partition, Runtime& runtime, const Mesh& mesh)
 {
-  Work work{ labelled, numbering, fragments, partition, mesh };
-  Reserve(work);
-  ForRowsOfHexes(work.Box, work.Input,
-    [&](Index j, Index k, Index first, Index last) { AddDomainFacets(work, j, k, first, last); });
+  const Work work{ labelled, numbering, fragments, partition, mesh };
+  using Facets = std::vector<Facet>;
+  std::vector<Facets> parts(4); // in their order
+  const Index rowsPerLayer = work.Box.Size(1);
+  parts[0] = CollectItems<Facet>(runtime, mesh.RowOffset.size() - 1, RowsOfBlock,
+    [&](Index row, Facets& found)
+    {
+      AddDomainFacets(work, work.Box.Lower[1] + row % rowsPerLayer,
+        work.Box.Lower[2] + row / rowsPerLayer, mesh.RowOffset[row], mesh.RowOffset[row + 1],
+        found);
+    });
   ForCoarseHexes(
-    work.Input, [&](Index hex, const Index3& cell) { AddDomainFacets(work, hex, cell); });
-  ForInterfaceFaces(work.Grid, work.Labelled.Labels, work.Labelled.Mixed, work.Box,
-    [&](const InterfaceFace& face, const Index3& lower, const Index3& upper)
-    { AddFineFacet(work, face, lower, upper); });
-  for (const SplitNodes::Face& face : work.Labelled.Levels.Coarse->Splits().Faces)
+    mesh, [&](Index hex, const Index3& cell) { AddDomainFacets(work, hex, cell, parts[1]); });
+  parts[2] = CollectItems<Facet>(runtime, labelled.Mixed.size(), NodesOfBlock,
+    [&](Index n, Facets& found)
+    {
+      ForFacesOfNode(work.Grid, labelled.Labels, labelled.Mixed[n], work.Box,
+        [&](const InterfaceFace& face, const Index3& lower, const Index3& upper)
+        { AddFineFacet(work, face, lower, upper, found); });
+    });
+  for (const SplitNodes::Face& face : labelled.Levels.Coarse->Splits().Faces)
   {
-    AddCoarseFacet(work, face);
+    AddCoarseFacet(work, face, parts[3]);
   }
-  return std::move(work.Found);
+  return Joined(parts);
 }
 
 } // namespace vfm

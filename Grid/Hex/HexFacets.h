@@ -20,6 +20,6 @@ void FillFragments(const LabelledGrid& labelled, const PointNumbering& numbering
 /// @return facets on sides of the domain, by hex; then facets of finest cells, by node and axis,
 /// with normals along the axis; then facets between coarse hexes
 std::vector<Facet> FindHexFacets(const LabelledGrid& labelled, const PointNumbering& numbering,
-  const Fragments& fragments, const Partition& partition, const Mesh& mesh);
+  const Fragments& fragments, const Partition& partition, Runtime& runtime, const Mesh& mesh);
 
 } // namespace vfm

@@ -113,7 +113,7 @@ void LabelLeaves(const CartesianGrid& grid, const FractionField& fractions,
       continue;
     }
     result.Mixed = FindMixedNodes(grid, result.Labels);
-    result.Narrow = FindBarrier(options, *result.Levels.Grid, result.Labels, result.Mixed);
+    result.Narrow = FindBarrier(options, *result.Levels.Grid, result.Labels, result.Mixed, runtime);
     result.Levels.Coarse = std::make_unique<CoarseHexes>(*result.Levels.Grid, result.Labels,
       CoarseHexes::Options{ options.MeshVoid, false, !options.StairStep, &result.Narrow }, runtime);
     if (!AddFamilies(result.Levels.Coarse->BadFamilies(), plan, runtime.Group()))

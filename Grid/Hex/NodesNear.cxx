@@ -11,40 +11,56 @@ NodesNear::NodesNear(
     this->Box.Lower[a] = (finest.Local().Lower[a] >> halvings) - rings;
     this->Box.Upper[a] = (finest.Local().Upper[a] >> halvings) + 1 + rings;
   }
+  std::vector<Run> runs;
   for (Index node : mixed)
   {
     const Index3 p = finest.Position(node);
     const Index at =
       IndexInBox(this->Box, { { p[0] >> halvings, p[1] >> halvings, p[2] >> halvings } });
-    this->Runs.push_back({ at, at + 1 });
+    AddRun({ at - rings, at + rings + 1 }, runs);
   }
-  this->Spread(1, rings);
+  if (!std::is_sorted(runs.begin(), runs.end()))
+  {
+    std::sort(runs.begin(), runs.end());
+  }
+  for (const Run& run : runs)
+  {
+    AddRun(run, this->Runs);
+  }
   this->Spread(this->Box.Size(0), rings);
   this->Spread(this->Box.Size(0) * this->Box.Size(1), rings);
 }
 
-/// Extends the runs by `rings` nodes on both sides along an axis, and joins runs that touch.
+/// Appends a run, or extends the last one if both touch and are in order.
+void NodesNear::AddRun(const Run& run, std::vector<Run>& runs)
+{
+  if (!runs.empty() && runs.back().Begin <= run.Begin && run.Begin <= runs.back().End)
+  {
+    runs.back().End = std::max(runs.back().End, run.End);
+    return;
+  }
+  runs.push_back(run);
+}
+
+/// Adds copies of the runs, shifted by up to `rings` nodes on both sides along an axis.
 void NodesNear::Spread(Index stride, Index rings)
 {
-  std::vector<Run> spread;
-  for (const Run& run : this->Runs)
+  std::vector<Run> shifted(this->Runs), spread, merged;
+  for (Index step = -rings; step <= rings; ++step)
   {
-    for (Index step = -rings * stride; step <= rings * stride; step += stride)
+    std::transform(this->Runs.begin(), this->Runs.end(), shifted.begin(),
+      [&](const Run& run) {
+        return Run{ run.Begin + step * stride, run.End + step * stride };
+      });
+    merged.resize(spread.size() + shifted.size());
+    std::merge(spread.begin(), spread.end(), shifted.begin(), shifted.end(), merged.begin());
+    spread.clear();
+    for (const Run& run : merged)
     {
-      spread.push_back({ run.Begin + step, run.End + step });
+      AddRun(run, spread);
     }
   }
-  std::sort(spread.begin(), spread.end());
-  this->Runs.clear();
-  for (const Run& run : spread)
-  {
-    if (!this->Runs.empty() && run.Begin <= this->Runs.back().End)
-    {
-      this->Runs.back().End = std::max(this->Runs.back().End, run.End);
-      continue;
-    }
-    this->Runs.push_back(run);
-  }
+  this->Runs = std::move(spread);
 }
 
 bool NodesNear::Has(const Index3& node) const

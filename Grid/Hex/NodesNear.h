@@ -28,6 +28,7 @@ private:
     Index Begin, End; // positions by IndexInBox
     bool operator<(const Run& other) const { return this->Begin < other.Begin; }
   };
+  static void AddRun(const Run& run, std::vector<Run>& runs);
   void Spread(Index stride, Index rings);
 
   IndexBox Box; // box of nodes

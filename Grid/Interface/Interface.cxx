@@ -23,7 +23,7 @@ Interface::Interface(const CartesianGrid& grid, const FractionField& fractions,
   const std::vector<Index>& steps) :
   TheGrid(grid), MeanWidth(grid.MeanWidth()), MixedNodes(std::move(mixed))
 {
-  this->FindFaces(labels);
+  this->FindFaces(labels, runtime);
   this->TheCrossings.resize(this->TheFaces.size());
   const auto isStep = [&](Index cell)
   { return std::binary_search(steps.begin(), steps.end(), cell); };
@@ -47,10 +47,24 @@ Index Interface::Find(Index node) const
   return at != this->MixedNodes.end() && *at == node ? at - this->MixedNodes.begin() : -1;
 }
 
-void Interface::FindFaces(const LabelArray& labels)
+void Interface::FindFaces(const LabelArray& labels, Runtime& runtime)
 {
-  ForInterfaceFaces(this->TheGrid, labels, this->MixedNodes, this->TheGrid.Local(),
-    [this](const InterfaceFace& face, const Index3&, const Index3&) { this->AddFace(face); });
+  const std::vector<NodedFace> faces =
+    CollectItems<NodedFace>(runtime, this->MixedNodes.size(), NodesOfBlock,
+      [&](Index n, std::vector<NodedFace>& found)
+      {
+        ForFacesOfNode(this->TheGrid, labels, this->MixedNodes[n], this->TheGrid.Local(),
+          [&](const InterfaceFace& face, const Index3&, const Index3&)
+          { this->AddFace(face, found); });
+      });
+  this->TheFaces.resize(faces.size());
+  this->FaceNodes.resize(faces.size());
+  ForEach(runtime, faces.size(),
+    [&](Index f)
+    {
+      this->TheFaces[f] = faces[f].Face;
+      this->FaceNodes[f] = faces[f].Nodes;
+    });
   this->FacesOfNodes = MakeGroups<Index>(this->MixedNodes.size(),
     [this](const auto& visit)
     {
@@ -65,15 +79,14 @@ void Interface::FindFaces(const LabelArray& labels)
 }
 
 /// Adds a face and its nodes, unless one of them is not listed.
-void Interface::AddFace(const InterfaceFace& face)
+void Interface::AddFace(const InterfaceFace& face, std::vector<NodedFace>& faces) const
 {
   std::array<Index, 4> nodes = NodesOfFace(this->TheGrid, face);
   std::transform(
     nodes.begin(), nodes.end(), nodes.begin(), [this](Index node) { return this->Find(node); });
   if (std::find(nodes.begin(), nodes.end(), -1) == nodes.end())
   {
-    this->TheFaces.push_back(face);
-    this->FaceNodes.push_back(nodes);
+    faces.push_back({ face, nodes });
   }
 }
 

@@ -84,8 +84,14 @@ public:
   double Scale() const { return this->MeanWidth; }
 
 private:
-  void FindFaces(const LabelArray& labels);
-  void AddFace(const InterfaceFace& face);
+  /// Face and the numbers of its nodes.
+  struct NodedFace
+  {
+    InterfaceFace Face;
+    std::array<Index, 4> Nodes;
+  };
+  void FindFaces(const LabelArray& labels, Runtime& runtime);
+  void AddFace(const InterfaceFace& face, std::vector<NodedFace>& faces) const;
   void FindSurfacePoints(Runtime& runtime);
   void SlideIntoDomain(Index node, const Vector3& x, SurfacePoint& point) const;
   void AddSurfacePoints(Index n, std::vector<SurfacePoint>& points) const;

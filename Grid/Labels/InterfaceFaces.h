@@ -26,25 +26,21 @@ inline std::array<Index, 4> NodesOfFace(const CartesianGrid& grid, const Interfa
   return { { face.Node, face.Node + b, face.Node + b + c, face.Node + c } };
 }
 
-/// Calls visit(face, lower cell, upper cell) for the faces whose cells are both in a box,
-/// by node and axis.
-/// @param mixed  FindMixedNodes, or some of these nodes
+/// Calls visit(face, lower cell, upper cell) for the faces with this lowest node whose cells are
+/// both in a box, by axis.
 template <class Visitor>
-void ForInterfaceFaces(const CartesianGrid& grid, const LabelArray& labels,
-  const std::vector<Index>& mixed, const IndexBox& box, const Visitor& visit)
+void ForFacesOfNode(const CartesianGrid& grid, const LabelArray& labels, Index node,
+  const IndexBox& box, const Visitor& visit)
 {
-  for (Index node : mixed)
+  const Index3 upper = grid.Position(node);
+  for (int axis = 0; axis < 3; ++axis)
   {
-    const Index3 upper = grid.Position(node);
-    for (int axis = 0; axis < 3; ++axis)
+    Index3 lower = upper;
+    --lower[axis];
+    const int below = labels[node - grid.Stride(axis)], above = labels[node];
+    if (below != above && box.Contains(upper) && box.Contains(lower))
     {
-      Index3 lower = upper;
-      --lower[axis];
-      const int below = labels[node - grid.Stride(axis)], above = labels[node];
-      if (below != above && box.Contains(upper) && box.Contains(lower))
-      {
-        visit(InterfaceFace{ node, axis, below, above }, lower, upper);
-      }
+      visit(InterfaceFace{ node, axis, below, above }, lower, upper);
     }
   }
 }

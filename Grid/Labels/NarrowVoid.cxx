@@ -1,6 +1,8 @@
 #include "Labels/NarrowVoid.h"
 
 #include "Base/DisjointSets.h"
+#include "Base/Groups.h"
+#include "Base/Sorted.h"
 #include "Labels/LeafLabels.h"
 
 namespace vfm
@@ -58,10 +60,14 @@ public:
       this->Material[n] = MaterialIn(work, Shifted(cells, StepAround(n), cells.Size(0)));
       this->IsBeside = this->IsBeside || this->HasMaterial(n);
     }
-    this->FindParts();
+    if (this->IsBeside)
+    {
+      this->FindParts();
+    }
   }
   bool HasMaterial(int n) const { return this->Material[n] > 0; }
-  /// Returns whether two materials around the unit are connected there by faces.
+  /// Returns whether two materials around the unit are connected there by faces. Both must be
+  /// materials.
   bool AreOnePart(int n, int m) const { return this->Parts[n] == this->Parts[m]; }
 
   IndexBox Cells;
@@ -89,7 +95,7 @@ private:
     }
   }
 
-  std::array<Index, 27> Parts; // a number for each connected part
+  std::array<Index, 27> Parts{}; // a number for each connected part
 };
 
 /// Returns whether materials are within two units on both sides. Not where one part, as at a
@@ -174,59 +180,154 @@ bool IsNarrow(const Work& work, const IndexBox& cells)
       (IsBesideSeveral(around) || IsPocket(work, around) || IsBetweenParts(around)));
 }
 
-/// Calls visit(cell) for the void cells that can be narrow: those at mixed nodes, and a cell of
-/// each unit around these.
-template <class Visitor>
-void ForCandidates(const Work& work, const std::vector<Index>& mixed, const Visitor& visit)
+/// Void cell with a mixed node, in a row along x.
+struct BesideCell
 {
-  PagedArray<unsigned char> isDone(work.Grid, 0);
-  for (Index node : mixed)
+  Index X, Width; // index along x; width of the unit of the cell, in cells
+};
+
+/// The void cells with mixed nodes, by rows of the local box.
+class BesideCells
+{
+public:
+  BesideCells(const Work& work, const std::vector<Index>& mixed, Runtime& runtime) :
+    Box(work.Grid.Local()), Rows(Box.Size(1) * Box.Size(2))
   {
-    const Index3 p = work.Grid.Position(node);
-    for (int c = 0; c < 8; ++c)
+    ForRows(runtime, this->Box,
+      [&](Index j, Index k, Index row) { this->FillRow(work, mixed, j, k, this->Rows[row]); });
+    std::vector<unsigned char> occurs(work.Units.LargestWidth() + 1, 0);
+    for (const std::vector<BesideCell>& row : this->Rows)
     {
-      const Index3 cell = CellOfStar(p, c);
-      if (!IsVoid(work, cell) || isDone[work.Grid.Linear(cell)] != 0)
+      std::for_each(
+        row.begin(), row.end(), [&](const BesideCell& cell) { occurs[cell.Width] = 1; });
+    }
+    for (std::size_t width = 0; width < occurs.size(); ++width)
+    {
+      if (occurs[width])
       {
-        continue;
+        this->TheWidths.push_back(static_cast<Index>(width));
       }
-      isDone.Set(work.Grid.Linear(cell), 1);
-      const IndexBox cells = work.Units.CellsOf(work.Units.UnitOf(cell));
-      for (int n = 0; n < 27; ++n)
+    }
+  }
+
+  /// Returns the widths of the cells, each once.
+  const std::vector<Index>& Widths() const { return this->TheWidths; }
+
+  /// Returns the cells of a row; empty outside the local box.
+  const std::vector<BesideCell>& Row(Index j, Index k) const
+  {
+    static const std::vector<BesideCell> none;
+    const bool isInside = this->Box.Lower[1] <= j && j < this->Box.Upper[1] &&
+      this->Box.Lower[2] <= k && k < this->Box.Upper[2];
+    return isInside
+      ? this->Rows[(k - this->Box.Lower[2]) * this->Box.Size(1) + j - this->Box.Lower[1]]
+      : none;
+  }
+
+private:
+  void FillRow(const Work& work, const std::vector<Index>& mixed, Index j, Index k,
+    std::vector<BesideCell>& cells) const
+  {
+    std::vector<Index> at; // indices along x
+    for (int n = 0; n < 4; ++n)
+    {
+      const Index first = work.Grid.Linear({ { this->Box.Lower[0], j + (n & 1), k + (n >> 1) } });
+      const auto begin = std::lower_bound(mixed.begin(), mixed.end(), first);
+      for (auto node = begin; node != mixed.end() && *node <= first + this->Box.Size(0); ++node)
       {
-        const Index3 other = Shifted(BoxOfCell(cell), StepAround(n), cells.Size(0)).Lower;
-        if (IsVoid(work, other))
+        const Index x = this->Box.Lower[0] + *node - first;
+        at.push_back(x - 1);
+        at.push_back(x);
+      }
+    }
+    SortUnique(at);
+    for (Index x : at)
+    {
+      const Index3 cell{ { x, j, k } };
+      if (IsVoid(work, cell))
+      {
+        cells.push_back({ x, work.Units.CellsOf(work.Units.UnitOf(cell)).Size(0) });
+      }
+    }
+  }
+
+  const IndexBox Box;
+  std::vector<std::vector<BesideCell>> Rows;
+  std::vector<Index> TheWidths;
+};
+
+/// Returns the units of the void cells of a row that can be narrow: the cells with mixed nodes, and
+/// a cell of each unit around these. Units can occur repeatedly.
+std::vector<Index> FindCandidates(const Work& work, const BesideCells& beside, Index j, Index k)
+{
+  const IndexBox& box = work.Grid.Local();
+  std::vector<unsigned char> isNear(box.Size(0), 0);
+  const auto mark = [&](Index x)
+  {
+    if (box.Lower[0] <= x && x < box.Upper[0])
+    {
+      isNear[x - box.Lower[0]] = 1;
+    }
+  };
+  for (Index width : beside.Widths())
+  {
+    for (Index row = 0; row < 9; ++row)
+    {
+      for (const BesideCell& cell :
+        beside.Row(j + (row % 3 - 1) * width, k + (row / 3 - 1) * width))
+      {
+        for (Index step = -1; step <= 1 && cell.Width == width; ++step)
         {
-          visit(other);
+          mark(cell.X + step * width);
         }
       }
     }
   }
+  std::vector<Index> units;
+  for (Index x = box.Lower[0]; x < box.Upper[0]; ++x)
+  {
+    const Index3 cell{ { x, j, k } };
+    if (isNear[x - box.Lower[0]] && IsVoid(work, cell) &&
+      !(work.Levels.HasFineInterfaces() && !work.Levels.IsFine(cell)))
+    {
+      units.push_back(work.Units.UnitOf(cell));
+    }
+  }
+  return units;
+}
+
+/// Returns the narrow units, ascending.
+std::vector<Index> FindNarrow(const Work& work, const std::vector<Index>& mixed, Runtime& runtime)
+{
+  const IndexBox& box = work.Grid.Local();
+  const BesideCells beside(work, mixed, runtime);
+  std::vector<std::vector<Index>> found(box.Size(1) * box.Size(2));
+  ForRows(runtime, box,
+    [&](Index j, Index k, Index row)
+    {
+      std::vector<Index>& units = found[row];
+      units = FindCandidates(work, beside, j, k);
+      SortUnique(units);
+      units.erase(std::remove_if(units.begin(), units.end(),
+                    [&](Index unit) { return !IsNarrow(work, work.Units.CellsOf(unit)); }),
+        units.end());
+    });
+  std::vector<Index> narrow = Joined(found);
+  SortUnique(narrow);
+  return narrow;
 }
 
 } // namespace
 
-NarrowVoid::NarrowVoid(
-  const RefinedGrid& levels, const LabelArray& labels, const std::vector<Index>& mixed) :
+NarrowVoid::NarrowVoid(const RefinedGrid& levels, const LabelArray& labels,
+  const std::vector<Index>& mixed, Runtime& runtime) :
   Cells(levels.Finest(), 0), Nodes(levels.Finest(), 0)
 {
   const Work work{ levels, labels };
-  PagedArray<unsigned char> isDone(work.Grid, 0);
-  ForCandidates(work, mixed,
-    [&](const Index3& cell)
-    {
-      const Index unit = work.Units.UnitOf(cell);
-      if (isDone[unit] != 0 || (levels.HasFineInterfaces() && !levels.IsFine(cell)))
-      {
-        return;
-      }
-      isDone.Set(unit, 1);
-      const IndexBox cells = work.Units.CellsOf(unit);
-      if (IsNarrow(work, cells))
-      {
-        this->Add(work.Grid, cells);
-      }
-    });
+  for (Index unit : FindNarrow(work, mixed, runtime))
+  {
+    this->Add(work.Grid, work.Units.CellsOf(unit));
+  }
 }
 
 void NarrowVoid::Add(const CartesianGrid& grid, const IndexBox& cells)
@@ -239,9 +340,9 @@ void NarrowVoid::Add(const CartesianGrid& grid, const IndexBox& cells)
 }
 
 NarrowVoid FindBarrier(const MeshSettings& options, const RefinedGrid& levels,
-  const LabelArray& labels, const std::vector<Index>& mixed)
+  const LabelArray& labels, const std::vector<Index>& mixed, Runtime& runtime)
 {
-  return !options.MeshVoid && MovesPoints(options) ? NarrowVoid(levels, labels, mixed)
+  return !options.MeshVoid && MovesPoints(options) ? NarrowVoid(levels, labels, mixed, runtime)
                                                    : NarrowVoid();
 }
 

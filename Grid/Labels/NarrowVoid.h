@@ -19,6 +19,7 @@
 #pragma once
 
 #include "Base/Options.h"
+#include "Base/Runtime.h"
 #include "Labels/Labels.h"
 #include "Octree/RefinedGrid.h"
 
@@ -34,7 +35,8 @@ public:
   /// Finds the narrow cells. If all interfaces have finest cells, only finest cells can be narrow.
   /// @param labels  equal within each leaf if interfaces cross levels
   /// @param mixed  all mixed nodes (FindMixedNodes)
-  NarrowVoid(const RefinedGrid& levels, const LabelArray& labels, const std::vector<Index>& mixed);
+  NarrowVoid(const RefinedGrid& levels, const LabelArray& labels, const std::vector<Index>& mixed,
+    Runtime& runtime);
 
   bool IsEmpty() const { return this->Empty; }
   /// Returns whether a cell is narrow. Known in HexBox and one layer around it.
@@ -87,6 +89,6 @@ private:
 /// Returns the void cells that get elements as a barrier: none if void is meshed or no point moves.
 /// @param levels,labels,mixed  arguments of NarrowVoid
 NarrowVoid FindBarrier(const MeshSettings& options, const RefinedGrid& levels,
-  const LabelArray& labels, const std::vector<Index>& mixed);
+  const LabelArray& labels, const std::vector<Index>& mixed, Runtime& runtime);
 
 } // namespace vfm

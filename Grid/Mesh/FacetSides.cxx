@@ -1,14 +1,13 @@
 #include "Mesh/FacetSides.h"
 
+#include "Base/Groups.h"
+
 namespace vfm
 {
 namespace
 {
 
-bool IsBefore(const FacetSide& side, const FacetSide& other)
-{
-  return side.Points < other.Points;
-}
+constexpr Index FacetsOfBlock = 4096, ElementsOfBlock = 4096; // per task
 
 /// Adds the side of a facet on which the material with position `own` in the pair is.
 void AddSide(const Mesh& mesh, std::size_t facet, int own, const FaceIds& points,
@@ -30,24 +29,23 @@ void AddSide(const Mesh& mesh, std::size_t facet, int own, const FaceIds& points
 
 } // namespace
 
-std::vector<FacetSide> ListFacetSides(const Mesh& mesh)
+std::vector<FacetSide> ListFacetSides(const Mesh& mesh, Runtime& runtime)
 {
   const int corners = mesh.CornersOfFacet();
   const auto surfaces = static_cast<int>(mesh.Tables.SurfaceVolumes.size());
-  std::vector<FacetSide> sides;
-  for (std::size_t facet = 0; facet < mesh.Surfaces.SurfaceId.size(); ++facet)
-  {
-    FaceIds points{ { -1, -1, -1, -1 } };
-    std::copy_n(mesh.Surfaces.Points.data() + corners * facet, corners, points.end() - corners);
-    std::sort(points.begin(), points.end());
-    // Facets outside the elements of this rank may be on surfaces without a number.
-    if (points[4 - corners] >= 0 && mesh.Surfaces.SurfaceId[facet] <= surfaces)
+  return CollectItems<FacetSide>(runtime, mesh.Surfaces.SurfaceId.size(), FacetsOfBlock,
+    [&](Index facet, std::vector<FacetSide>& sides)
     {
-      AddSide(mesh, facet, 0, points, sides);
-      AddSide(mesh, facet, 1, points, sides);
-    }
-  }
-  return sides;
+      FaceIds points{ { -1, -1, -1, -1 } };
+      std::copy_n(mesh.Surfaces.Points.data() + corners * facet, corners, points.end() - corners);
+      std::sort(points.begin(), points.end());
+      // Facets outside the elements of this rank may be on surfaces without a number.
+      if (points[4 - corners] >= 0 && mesh.Surfaces.SurfaceId[facet] <= surfaces)
+      {
+        AddSide(mesh, facet, 0, points, sides);
+        AddSide(mesh, facet, 1, points, sides);
+      }
+    });
 }
 
 std::vector<FacetSide> ListPointsOfFacets(const Mesh& mesh)
@@ -62,39 +60,76 @@ std::vector<FacetSide> ListPointsOfFacets(const Mesh& mesh)
   return sides;
 }
 
-std::vector<MeshFacet> FindElements(std::vector<FacetSide> sides, const Mesh& mesh)
+namespace
 {
-  for (FacetSide& side : sides)
+
+/// Facets by their last point.
+class SidesAtPoints
+{
+public:
+  SidesAtPoints(std::vector<FacetSide> sides, std::size_t points, Runtime& runtime) :
+    Sides(std::move(sides))
   {
-    std::sort(side.Points.begin(), side.Points.end());
+    ForEach(runtime, this->Sides.size(),
+      [this](Index s) { std::sort(this->Sides[s].Points.begin(), this->Sides[s].Points.end()); });
+    this->At = MakeGroups<int>(points,
+      [this](const auto& visit)
+      {
+        for (std::size_t s = 0; s < this->Sides.size(); ++s)
+        {
+          visit(this->Sides[s].Points.back(), static_cast<int>(s));
+        }
+      });
   }
-  std::sort(sides.begin(), sides.end(), IsBefore);
+
+  /// Returns the facet with these points that is not in front of a material, or nullptr.
+  /// @param points  ascending
+  const MeshFacet* Find(const FaceIds& points, int material) const
+  {
+    for (Index at = this->At.Begin[points.back()]; at < this->At.Begin[points.back() + 1]; ++at)
+    {
+      const FacetSide& side = this->Sides[this->At.Items[at]];
+      if (side.Points == points && side.Facet.Behind != material)
+      {
+        return &side.Facet;
+      }
+    }
+    return nullptr;
+  }
+
+private:
+  std::vector<FacetSide> Sides;
+  Groups<int> At;
+};
+
+} // namespace
+
+std::vector<MeshFacet> FindElements(
+  std::vector<FacetSide> sides, const Mesh& mesh, Runtime& runtime)
+{
+  const SidesAtPoints known(std::move(sides), mesh.PointIds.size(), runtime);
   const ElementFaces faces(mesh.Corners);
   const auto isInside = [&mesh](Index point)
   { return point >= 0 && mesh.GeometryDimension[point] >= DimensionOfVolumes; };
-  std::vector<MeshFacet> facets;
-  for (std::size_t e = 0; e < mesh.ElementIds.size(); ++e)
-  {
-    for (int face = 0; face < faces.Count; ++face)
+  return CollectItems<MeshFacet>(runtime, mesh.ElementIds.size(), ElementsOfBlock,
+    [&](Index e, std::vector<MeshFacet>& facets)
     {
-      FacetSide side{ faces.PointsOf(mesh.Elements.data() + mesh.Corners * e, face), {} };
-      if (std::any_of(side.Points.begin(), side.Points.end(), isInside))
+      for (int face = 0; face < faces.Count; ++face)
       {
-        continue;
+        FaceIds points = faces.PointsOf(mesh.Elements.data() + mesh.Corners * e, face);
+        if (std::any_of(points.begin(), points.end(), isInside))
+        {
+          continue;
+        }
+        std::sort(points.begin(), points.end());
+        if (const MeshFacet* found = known.Find(points, mesh.Material[e]))
+        {
+          facets.push_back(*found);
+          facets.back().Element = e;
+          facets.back().Side = face;
+        }
       }
-      std::sort(side.Points.begin(), side.Points.end());
-      const auto [begin, end] = std::equal_range(sides.begin(), sides.end(), side, IsBefore);
-      const auto found = std::find_if(
-        begin, end, [&](const FacetSide& other) { return other.Facet.Behind != mesh.Material[e]; });
-      if (found != end)
-      {
-        facets.push_back(found->Facet);
-        facets.back().Element = static_cast<Index>(e);
-        facets.back().Side = face;
-      }
-    }
-  }
-  return facets;
+    });
 }
 
 } // namespace vfm

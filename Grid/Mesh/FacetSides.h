@@ -3,6 +3,7 @@
  */
 #pragma once
 
+#include "Base/Runtime.h"
 #include "Mesh/ElementFaces.h"
 #include "Mesh/Mesh.h"
 
@@ -18,7 +19,7 @@ struct FacetSide
 
 /// Returns the facets in mesh.Surfaces, once for each meshed fragment at a facet, without their
 /// elements. Facets with a negative point are omitted.
-std::vector<FacetSide> ListFacetSides(const Mesh& mesh);
+std::vector<FacetSide> ListFacetSides(const Mesh& mesh, Runtime& runtime);
 
 /// Returns the facets in Mesh::Facets with their points.
 std::vector<FacetSide> ListPointsOfFacets(const Mesh& mesh);
@@ -27,6 +28,7 @@ std::vector<FacetSide> ListPointsOfFacets(const Mesh& mesh);
 /// @param sides  facets without elements
 /// @param mesh  GeometryDimension must be below 3 at all points of the facets
 /// @return facets of elements, ascending by element and side
-std::vector<MeshFacet> FindElements(std::vector<FacetSide> sides, const Mesh& mesh);
+std::vector<MeshFacet> FindElements(
+  std::vector<FacetSide> sides, const Mesh& mesh, Runtime& runtime);
 
 } // namespace vfm

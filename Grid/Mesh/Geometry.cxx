@@ -6,6 +6,8 @@
 #include "Mesh/PeriodicIds.h"
 #include "Mesh/SmoothSides.h"
 
+#include <mutex>
+
 namespace vfm
 {
 namespace
@@ -104,8 +106,9 @@ struct Work
 {
   const std::vector<Facet>& Facets;
   const std::vector<int> Sides; // side of each facet
-  Ranks& Group;
+  Runtime& Run;
   Mesh& Result;
+  Ranks& Group = Run.Group();
   const int Corners = Result.CornersOfFacet();
 };
 
@@ -151,23 +154,35 @@ void FillSurfaceTables(Work& work, const std::vector<SurfaceKey>& surfaces)
   std::sort(tables.VolumeSurfaces.begin(), tables.VolumeSurfaces.end());
 }
 
-Index FillSurfaces(Work& work)
+/// Returns the keys of the surfaces of owned facets; some occur repeatedly.
+std::vector<SurfaceKey> ListKeys(const Work& work)
 {
   std::vector<SurfaceKey> keys;
-  RecentSurfaces known;
-  for (std::size_t q = 0; q < work.Facets.size(); ++q)
-  {
-    if (work.Facets[q].IsOwned) // the sides of other facets may be unknown
+  std::mutex lock;
+  work.Run.For(0, static_cast<Index>(work.Facets.size()),
+    [&](Index first, Index last)
     {
-      known.Find(KeyOf(work.Facets[q], work.Sides[q]),
-        [&keys](const SurfaceKey& key)
+      RecentSurfaces known;
+      for (Index q = first; q < last; ++q)
+      {
+        if (work.Facets[q].IsOwned) // the sides of other facets may be unknown
         {
-          keys.push_back(key);
-          return 0;
-        });
-    }
-  }
-  const Numbering<SurfaceKey> numbers = Gather(work.Group, keys);
+          known.Find(KeyOf(work.Facets[q], work.Sides[q]),
+            [&](const SurfaceKey& key)
+            {
+              const std::lock_guard<std::mutex> guard(lock);
+              keys.push_back(key);
+              return 0;
+            });
+        }
+      }
+    });
+  return keys;
+}
+
+Index FillSurfaces(Work& work)
+{
+  const Numbering<SurfaceKey> numbers = Gather(work.Group, ListKeys(work));
   SurfaceFacets& surfaces = work.Result.Surfaces;
   const std::size_t count = work.Facets.size();
   surfaces.Points = Buffer<Index>(work.Corners * count);
@@ -175,16 +190,20 @@ Index FillSurfaces(Work& work)
   surfaces.MaterialPair = Buffer<int>(2 * count);
   surfaces.DomainSide = Buffer<int>(count);
   surfaces.IsOwned.resize(count);
-  RecentSurfaces numbered;
-  for (std::size_t q = 0; q < count; ++q)
-  {
-    const Facet& facet = work.Facets[q];
-    SetFacet(work, q, facet);
-    surfaces.SurfaceId[q] = numbered.Find(
-      KeyOf(facet, work.Sides[q]), [&numbers](const SurfaceKey& key) { return numbers.Find(key); });
-    surfaces.DomainSide[q] = facet.DomainSide;
-    surfaces.IsOwned[q] = facet.IsOwned;
-  }
+  work.Run.For(0, static_cast<Index>(count),
+    [&](Index first, Index last)
+    {
+      RecentSurfaces numbered;
+      for (Index q = first; q < last; ++q)
+      {
+        const Facet& facet = work.Facets[q];
+        SetFacet(work, q, facet);
+        surfaces.SurfaceId[q] = numbered.Find(KeyOf(facet, work.Sides[q]),
+          [&numbers](const SurfaceKey& key) { return numbers.Find(key); });
+        surfaces.DomainSide[q] = facet.DomainSide;
+        surfaces.IsOwned[q] = facet.IsOwned;
+      }
+    });
   FillSurfaceTables(work, numbers.All());
   return numbers.Count();
 }
@@ -345,16 +364,16 @@ void ListEdgeFacets(Work& work)
 } // namespace
 
 void ClassifyGeometry(const std::vector<Facet>& facets, const std::vector<FeatureKind>& kinds,
-  const Partition& partition, Mesh& mesh, MeshReport& report)
+  const Partition& partition, Runtime& runtime, Mesh& mesh, MeshReport& report)
 {
-  Work work{ facets, FindSmoothSides(facets, kinds, mesh, partition), partition.Group(), mesh };
+  Work work{ facets, FindSmoothSides(facets, kinds, mesh, partition), runtime, mesh };
   report.NumberOfSurfaces = FillSurfaces(work);
   ClassifySurfacePoints(work);
   const Junctions junctions(work.Result);
   report.NumberOfVertices = FillVertices(work, junctions);
   report.NumberOfCurves = FillCurves(work, junctions);
   ListEdgeFacets(work);
-  MeasureSurfaces(work.Result, work.Group);
+  MeasureSurfaces(work.Result, runtime);
 }
 
 } // namespace vfm

@@ -33,6 +33,6 @@ namespace vfm
 /// @param[out] report  NumberOfSurfaces, NumberOfCurves and NumberOfVertices are set
 /// @pre Collective.
 void ClassifyGeometry(const std::vector<Facet>& facets, const std::vector<FeatureKind>& kinds,
-  const Partition& partition, Mesh& mesh, MeshReport& report);
+  const Partition& partition, Runtime& runtime, Mesh& mesh, MeshReport& report);
 
 } // namespace vfm

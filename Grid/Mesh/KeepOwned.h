@@ -3,6 +3,7 @@
  */
 #pragma once
 
+#include "Base/Runtime.h"
 #include "Mesh/Mesh.h"
 
 namespace vfm
@@ -10,6 +11,6 @@ namespace vfm
 
 /// Fills mesh.Facets, then removes the elements, points and facets of cells that other ranks own,
 /// and elements that are only a barrier, with the points that only they have.
-void KeepOwned(Mesh& mesh, const CartesianGrid& grid);
+void KeepOwned(Mesh& mesh, const CartesianGrid& grid, Runtime& runtime);
 
 } // namespace vfm

@@ -3,8 +3,8 @@
  */
 #pragma once
 
+#include "Base/Runtime.h"
 #include "Mesh/Mesh.h"
-#include "Ranks/Ranks.h"
 
 namespace vfm
 {
@@ -13,6 +13,6 @@ namespace vfm
 /// counts as two triangles.
 /// @param[in,out] mesh  mesh with Surfaces and final point positions
 /// @pre Collective.
-void MeasureSurfaces(Mesh& mesh, Ranks& ranks);
+void MeasureSurfaces(Mesh& mesh, Runtime& runtime);
 
 } // namespace vfm

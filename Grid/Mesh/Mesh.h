@@ -56,6 +56,10 @@ struct Mesh
   /// Per point, the lowest global id of its copies on opposite sides of a periodic domain, or its
   /// own id; empty for a domain that does not repeat.
   Buffer<Index> PeriodicPartner;
+  /// Per point, its global id before interfaces were split; copies of a point have the same. Empty
+  /// if none was split. Surfaces, curves and vertices are those before: any copy may stand for the
+  /// point.
+  Buffer<Index> OriginalPointIds;
   Buffer<int> GeometryDimension; ///< dimension per point: 3 volume, .., 0 vertex
   Buffer<int> GeometryId;        ///< number per point in its dimension, from 1; 3: fragment
   Buffer<Index> Elements;        ///< points, (elements, Corners), VTK order
@@ -66,6 +70,8 @@ struct Mesh
   Buffer<int> Material;          ///< material per element; 0 is void
   Buffer<int> Fragment;          ///< fragment per element, from 1 over all ranks
   Buffer<float> ScaledJacobian;  ///< quality per element (Quality.h); empty if not computed
+  Buffer<int>
+    Layer; ///< per element, its layer along a surface, from 1; 0: none. Empty without layers
   SurfaceFacets Surfaces;
   /// Facets by element and side, ascending. A facet is listed for each adjacent element of this
   /// rank, whichever rank owns the facet.
@@ -84,6 +90,11 @@ struct Mesh
 
   /// Returns whether an element is only a barrier.
   bool IsBarrier(Index element) const { return this->HasBarrier && this->Material[element] == 0; }
+  /// Returns the global ids of points before interfaces were split.
+  const Buffer<Index>& UnsplitPointIds() const
+  {
+    return this->OriginalPointIds.empty() ? this->PointIds : this->OriginalPointIds;
+  }
   int CornersOfFacet() const { return this->Corners == 8 ? 4 : 3; }
 
   /// ResizePoints allocates points and their ids; ResizeElements elements, their ids and materials.

@@ -3,7 +3,11 @@
  */
 #pragma once
 
+#include "Base/Runtime.h"
 #include "Mesh/Mesh.h"
+
+#include <tuple>
+#include <utility>
 
 namespace vfm
 {
@@ -11,13 +15,13 @@ namespace vfm
 /// Returns the items with the given indices.
 /// @param width  values per item
 template <class T>
-Buffer<T> Select(const Buffer<T>& items, const std::vector<Index>& kept, Index width = 1)
+Buffer<T> Select(
+  const Buffer<T>& items, const std::vector<Index>& kept, Runtime& runtime, Index width = 1)
 {
   Buffer<T> result(kept.size() * width);
-  for (std::size_t i = 0; i < kept.size(); ++i)
-  {
-    std::copy_n(items.data() + width * kept[i], width, result.data() + width * i);
-  }
+  ForEach(runtime, kept.size(),
+    [&](Index i)
+    { std::copy_n(items.data() + width * kept[i], width, result.data() + width * i); });
   return result;
 }
 
@@ -25,19 +29,37 @@ Buffer<T> Select(const Buffer<T>& items, const std::vector<Index>& kept, Index w
 /// @param kept  points that remain, in their new order
 /// @param numbers  new number of each point, or -1
 inline void SelectPoints(
-  const std::vector<Index>& kept, const std::vector<Index>& numbers, Mesh& mesh)
+  const std::vector<Index>& kept, const std::vector<Index>& numbers, Runtime& runtime, Mesh& mesh)
 {
-  mesh.Points = Select(mesh.Points, kept, 3);
-  mesh.PointIds = Select(mesh.PointIds, kept);
-  mesh.GeometryDimension = Select(mesh.GeometryDimension, kept);
-  mesh.GeometryId = Select(mesh.GeometryId, kept);
+  mesh.Points = Select(mesh.Points, kept, runtime, 3);
+  mesh.PointIds = Select(mesh.PointIds, kept, runtime);
+  mesh.GeometryDimension = Select(mesh.GeometryDimension, kept, runtime);
+  mesh.GeometryId = Select(mesh.GeometryId, kept, runtime);
   for (Buffer<Index>* points :
     { &mesh.Elements, &mesh.Surfaces.Points, &mesh.Curves.Points, &mesh.Vertices.Points })
   {
-    for (Index& point : *points)
-    {
-      point = numbers[point];
-    }
+    ForEach(runtime, points->size(), [&](Index i) { (*points)[i] = numbers[(*points)[i]]; });
+  }
+}
+
+/// Restores the order of the points of curves and vertices after points were renumbered.
+inline void SortGeometry(Mesh& mesh)
+{
+  Buffer<Index>& edges = mesh.Curves.Points;
+  for (std::size_t e = 0; e < edges.size(); e += 2)
+  {
+    std::sort(edges.begin() + e, edges.begin() + e + 2);
+  }
+  const std::size_t count = mesh.Vertices.Points.size();
+  std::vector<std::pair<Index, int>> vertices;
+  for (std::size_t v = 0; v < count; ++v)
+  {
+    vertices.emplace_back(mesh.Vertices.Points[v], mesh.Vertices.VertexId[v]);
+  }
+  std::sort(vertices.begin(), vertices.end());
+  for (std::size_t v = 0; v < count; ++v)
+  {
+    std::tie(mesh.Vertices.Points[v], mesh.Vertices.VertexId[v]) = vertices[v];
   }
 }
 

@@ -153,6 +153,17 @@ int OctreeKeys::DomainSides(int level, const Index3& node) const
   return sides;
 }
 
+int OctreeKeys::FlatSeams(int level, const Index3& node) const
+{
+  const Index3 below{ { node[0] >> level, node[1] >> level, node[2] >> level } };
+  int axes = this->Grid.IsPeriodic() ? this->Grid.FlatSeams(below) : 0;
+  for (int a = 0; a < 3; ++a)
+  {
+    axes &= ~((node[a] != below[a] << level) << a);
+  }
+  return axes;
+}
+
 Index OctreeKeys::FamilyKey(int level, const Index3& family) const
 {
   return Linear(family, this->Families(level, 0), this->Families(level, 1));

@@ -67,6 +67,8 @@ public:
   Vector3 CellWidths(int level, const Index3& cell) const;
   /// Returns the sides of the domain on which a node lies: bit f is set for side f.
   int DomainSides(int level, const Index3& node) const;
+  /// Returns the axes across which a node lies on a flat seam: bit a is set for axis a.
+  int FlatSeams(int level, const Index3& node) const;
 
   Index FamilyKey(int level, const Index3& family) const;
   /// Returns the key of the family of a cell.

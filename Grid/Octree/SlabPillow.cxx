@@ -143,6 +143,7 @@ void CopyNodes(Work& work)
       if (copy.Base[work.Axis] % 2 == 0)
       {
         copy.Sides &= ~(3 << (2 * work.Axis));
+        copy.Seams &= ~(1 << work.Axis);
       }
       work.Mesh.Nodes.push_back(copy);
     }
@@ -234,7 +235,7 @@ void PlaceCopies(Work& work)
       const Vector3 mean = (1.0 / std::max(count[f], 1)) * ends[f];
       for (int a = 0; a < 3; ++a)
       {
-        const bool stays = node.Sides >> (2 * a) & 3;
+        const bool stays = (node.Sides >> (2 * a) & 3) || (node.Seams >> a & 1);
         node.X[a] += stays || !count[f] ? 0.0 : step * (mean[a] - start[a]);
       }
     }
@@ -349,8 +350,8 @@ PillowedLevel MakeCells(const OctantFamilies& sets, int level, const IndexBox& b
     const Index3 node = lattice.NodeOfKey(key).At;
     const Vector3 x{ { static_cast<double>(node[0]), static_cast<double>(node[1]),
       static_cast<double>(node[2]) } };
-    mesh.Nodes.push_back(
-      { node, 0, lattice.DomainSides(level, node), std::ldexp(1.0, -level) * x });
+    mesh.Nodes.push_back({ node, 0, lattice.DomainSides(level, node), lattice.FlatSeams(level, node),
+      std::ldexp(1.0, -level) * x });
   }
   for (std::size_t n = 0; n < mesh.Cells.size(); ++n)
   {

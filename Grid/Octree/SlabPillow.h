@@ -12,7 +12,8 @@
  * two-refinement", Computer-Aided Design (2017), without its templates.
  *
  * On the domain boundary, only faces across the axis at the end of a slab are pillowed; elsewhere
- * the sheet ends at the boundary.
+ * the sheet ends at the boundary. Flat seams are ends of slabs, and copies of their nodes stay in
+ * them, except across the axis of the slab.
  *
  * The slot of a node has three digits of base 3, x lowest. A digit 0 means not copied for this
  * axis. 1 means copied, with the lattice node in the middle or on the upper end of the slab; 2 the
@@ -41,6 +42,7 @@ struct PillowedLevel
     Index3 Base; ///< lattice node from which it stems
     int Slot;
     int Sides; ///< sides of the domain, one bit each
+    int Seams; ///< axes across which it lies on a flat seam, one bit each
     Vector3 X; ///< position in lattice coordinates (OctreeKeys::ToPoint)
   };
   struct Hex

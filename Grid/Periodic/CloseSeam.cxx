@@ -9,11 +9,13 @@ namespace vfm
 namespace
 {
 
-/// A point of which there are copies in the mesh, and its shift in periods from the owned copy.
+/// A point of which there are copies in the mesh, its shift in periods from the owned copy, and the
+/// axes (bits) along which it is on a seam.
 struct SeamPoint
 {
   Index Point;
   Index3 Shift;
+  int Seams;
 };
 
 std::vector<SeamPoint> ListSeamPoints(const CartesianGrid& grid, const Mesh& mesh)
@@ -27,11 +29,12 @@ std::vector<SeamPoint> ListSeamPoints(const CartesianGrid& grid, const Mesh& mes
       continue;
     }
     const Index3 owned = grid.CanonicalNode(node);
-    points.push_back({ static_cast<Index>(p), {} });
+    points.push_back({ static_cast<Index>(p), {}, 0 });
     for (int a = 0; a < 3; ++a)
     {
       const Index period = grid.Period(a);
       points.back().Shift[a] = period > 0 ? (node[a] - owned[a]) / period : 0;
+      points.back().Seams |= (period > 0 && owned[a] == grid.Domain().Upper[a]) << a;
     }
   }
   return points;
@@ -64,12 +67,11 @@ void CloseSeam(const Partition& partition, Mesh& mesh)
   {
     for (int a = 0; a < 3; ++a)
     {
-      const double length = grid.PeriodLength(a);
-      const double lower = owned[point.Point][a] - length;
-      const bool isPeriodic = grid.Period(a) > 0;
-      mesh.Points[3 * point.Point + a] = isPeriodic
-        ? lower + static_cast<double>(point.Shift[a] + 1) * length
-        : owned[point.Point][a];
+      const double length = grid.PeriodLength(a), x = owned[point.Point][a];
+      const auto shift = static_cast<double>(point.Shift[a]);
+      // Points inside keep their coordinate, and only points on seams have copies below them.
+      mesh.Points[3 * point.Point + a] =
+        point.Seams >> a & 1 ? (x - length) + (shift + 1.0) * length : x + shift * length;
     }
   }
 }

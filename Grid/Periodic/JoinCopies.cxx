@@ -19,7 +19,10 @@ struct Copy
   {
     return std::tie(this->Joined, this->Id) < std::tie(other.Joined, other.Id);
   }
-  bool operator==(const Copy& other) const { return this->Id == other.Id; }
+  bool operator==(const Copy& other) const
+  {
+    return this->Joined == other.Joined && this->Id == other.Id;
+  }
 };
 
 /// Collective. Returns the copies of all ranks of points whose id changes, and of the points that
@@ -67,36 +70,15 @@ std::vector<Index> OrderPoints(const Buffer<Index>& ids, std::vector<Index>& num
   return kept;
 }
 
-/// Restores the order of the points of curves and vertices.
-void SortGeometry(Mesh& mesh)
-{
-  Buffer<Index>& edges = mesh.Curves.Points;
-  for (std::size_t e = 0; e < edges.size(); e += 2)
-  {
-    std::sort(edges.begin() + e, edges.begin() + e + 2);
-  }
-  const std::size_t count = mesh.Vertices.Points.size();
-  std::vector<std::pair<Index, int>> vertices;
-  for (std::size_t v = 0; v < count; ++v)
-  {
-    vertices.emplace_back(mesh.Vertices.Points[v], mesh.Vertices.VertexId[v]);
-  }
-  std::sort(vertices.begin(), vertices.end());
-  for (std::size_t v = 0; v < count; ++v)
-  {
-    std::tie(mesh.Vertices.Points[v], mesh.Vertices.VertexId[v]) = vertices[v];
-  }
-}
-
 } // namespace
 
-void JoinCopies(Ranks& ranks, Mesh& mesh)
+void JoinCopies(Runtime& runtime, Mesh& mesh)
 {
-  const std::vector<Copy> copies = GatherCopies(mesh, ranks);
+  const std::vector<Copy> copies = GatherCopies(mesh, runtime.Group());
   mesh.PointIds = std::move(mesh.PeriodicPartner);
   std::vector<Index> numbers;
   const std::vector<Index> kept = OrderPoints(mesh.PointIds, numbers);
-  SelectPoints(kept, numbers, mesh);
+  SelectPoints(kept, numbers, runtime, mesh);
   for (std::size_t p = 0; p < kept.size(); ++p)
   {
     const Index id = mesh.PointIds[p];

@@ -3,6 +3,7 @@
  */
 #pragma once
 
+#include "Base/Runtime.h"
 #include "Mesh/Mesh.h"
 
 namespace vfm
@@ -12,6 +13,6 @@ namespace vfm
 /// and the position of the copy with the lowest id. Elements at the sides then have corners on
 /// both. Empties PeriodicPartner.
 /// @pre Collective.
-void JoinCopies(Ranks& ranks, Mesh& mesh);
+void JoinCopies(Runtime& runtime, Mesh& mesh);
 
 } // namespace vfm

@@ -32,48 +32,38 @@ std::vector<Item> FindSplitters(std::vector<Item> items, Ranks& ranks)
   return splitters;
 }
 
-/// Returns the numbers of the items in each message: their positions in the sorted list of all
-/// distinct items.
+/// Returns the numbers of the items in each message: their positions in the list of all different
+/// items.
 /// @pre Collective over `ranks`. The items of a rank are above those of lower ranks.
 template <class Item>
 std::vector<std::vector<std::int64_t>> NumberMessages(
   const std::vector<Bytes>& messages, Ranks& ranks)
 {
   const std::vector<Item> items = JoinItems<Item>(messages);
-  std::vector<std::size_t> order(items.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(),
-    [&items](std::size_t a, std::size_t b) { return items[a] < items[b]; });
-  std::vector<std::int64_t> numbers(items.size());
-  std::int64_t distinct = 0;
-  for (std::size_t i = 0; i < order.size(); ++i)
-  {
-    distinct += i == 0 || !(items[order[i - 1]] == items[order[i]]);
-    numbers[order[i]] = distinct - 1;
-  }
+  std::vector<Item> different(items);
+  std::sort(different.begin(), different.end());
+  different.erase(std::unique(different.begin(), different.end()), different.end());
   const std::vector<std::int64_t> counts =
-    GatherItems(ranks, std::vector<std::int64_t>{ distinct });
+    GatherItems(ranks, std::vector<std::int64_t>{ static_cast<std::int64_t>(different.size()) });
   const std::int64_t first =
     std::accumulate(counts.begin(), counts.begin() + ranks.Rank(), std::int64_t(0));
-  for (std::int64_t& number : numbers)
-  {
-    number += first;
-  }
-  std::vector<std::vector<std::int64_t>> ofMessages;
-  auto begin = numbers.begin();
+  std::vector<std::vector<std::int64_t>> numbers;
   for (const Bytes& message : messages)
   {
-    const auto end = begin + static_cast<std::ptrdiff_t>(message.size() / sizeof(Item));
-    ofMessages.emplace_back(begin, end);
-    begin = end;
+    numbers.emplace_back();
+    for (const Item& item : FromBytes<Item>(message))
+    {
+      const auto place = std::lower_bound(different.begin(), different.end(), item);
+      numbers.back().push_back(first + (place - different.begin()));
+    }
   }
-  return ofMessages;
+  return numbers;
 }
 
-/// Returns the position of each item, from 0, in the sorted list of the distinct items of all
+/// Returns the position of each item, from 0, in the sorted list of the different items of all
 /// ranks.
 /// @tparam Item  trivially copyable type with operators < and ==
-/// @param items  an item may exist on several ranks; its position is the same on all
+/// @param items  may be repeated, also on other ranks
 /// @pre Collective over `ranks`.
 /// @note Each rank sorts a part of the list (sample sort) and sends about as many items as it has.
 template <class Item>

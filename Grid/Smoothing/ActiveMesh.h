@@ -93,6 +93,20 @@ struct ActiveMesh
       }
     }
   }
+  /// Does the same with several threads.
+  template <class Visitor>
+  void ForOwned(Runtime& runtime, const Visitor& visit) const
+  {
+    const std::vector<MoveOrder::Group>& groups = this->Order.Groups();
+    ForEach(runtime, groups.size(),
+      [&](Index g)
+      {
+        for (int point = groups[g].First; point < groups[g].Last; ++point)
+        {
+          visit(point);
+        }
+      });
+  }
   /// Calls visit(other) for the points of the elements at an active point. Some are visited more
   /// than once; the point itself may be left out.
   template <class Visitor>

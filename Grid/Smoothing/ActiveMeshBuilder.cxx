@@ -1,7 +1,15 @@
 #include "Smoothing/ActiveMeshBuilder.h"
 
+#include "Base/Groups.h"
+
 namespace vfm
 {
+namespace
+{
+
+constexpr Index ElementsOfBlock = 4096; // elements per task
+
+} // namespace
 
 ActiveMeshBuilder::ActiveMeshBuilder(int corners, std::size_t points, std::vector<Mover> movers) :
   Movers(std::move(movers))
@@ -25,16 +33,17 @@ int ActiveMeshBuilder::AddPoint(Index meshPoint)
   return this->Result.PointOf[meshPoint] = point;
 }
 
-std::vector<Index> ActiveMeshBuilder::AddAround(const Mesh& mesh)
+std::vector<Index> ActiveMeshBuilder::AddAround(const Mesh& mesh, Runtime& runtime)
 {
-  std::vector<Index> elements;
-  for (std::size_t e = 0; e < mesh.ElementIds.size(); ++e)
-  {
-    if (this->HasMover(mesh.Elements.data() + mesh.Corners * e))
-    {
-      elements.push_back(static_cast<Index>(e));
-    }
-  }
+  std::vector<Index> elements =
+    CollectItems<Index>(runtime, mesh.ElementIds.size(), ElementsOfBlock,
+      [&](Index e, std::vector<Index>& found)
+      {
+        if (this->HasMover(mesh.Elements.data() + mesh.Corners * e))
+        {
+          found.push_back(e);
+        }
+      });
   this->Result.Elements.reserve(mesh.Corners * elements.size());
   for (Index e : elements)
   {
@@ -48,6 +57,7 @@ std::vector<MoveOrder::Node> ActiveMeshBuilder::ListNodes(const Partition* parti
 {
   std::vector<MoveOrder::Node> nodes;
   const int count = static_cast<int>(this->Movers.size());
+  nodes.reserve(count); // an upper bound; unused memory is never touched
   for (int first = 0, last = 0; first < count; first = last)
   {
     const Mover& mover = this->Movers[first];

@@ -32,7 +32,7 @@ public:
   void Add(const Point* element);
 
   /// Adds the elements of a mesh that have a mover; returns their indices.
-  std::vector<Index> AddAround(const Mesh& mesh);
+  std::vector<Index> AddAround(const Mesh& mesh, Runtime& runtime);
 
   /// Kind of the nodes of movers.
   enum class Nodes

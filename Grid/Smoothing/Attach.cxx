@@ -107,7 +107,7 @@ void AttachToFacets(const std::vector<Facet>& facets, const FindTarget& findTarg
 }
 
 /// Stores facets between the same fragments in sequence, so that Measure needs few sums.
-void SetFacets(const std::vector<Facet>& facets, ActiveMesh& active)
+void SetFacets(const std::vector<Facet>& facets, Runtime& runtime, ActiveMesh& active)
 {
   std::vector<int> measured;
   int most = 0;
@@ -119,30 +119,33 @@ void SetFacets(const std::vector<Facet>& facets, ActiveMesh& active)
       most = std::max(most, facets[f].Fragments[0]);
     }
   }
-  const Groups<int> behind = MakeGroups<int>(most + 1,
+  Groups<int> ordered = MakeGroups<int>(most + 1,
     [&](const auto& visit)
     {
       std::for_each(
         measured.begin(), measured.end(), [&](int f) { visit(facets[f].Fragments[0], f); });
     });
-  active.Facets.clear();
-  active.Facets.reserve(measured.size());
   for (int fragment = 0; fragment <= most; ++fragment)
   {
-    const auto begin = behind.Items.begin() + behind.Begin[fragment];
-    const auto end = behind.Items.begin() + behind.Begin[fragment + 1];
-    measured.assign(begin, end);
-    std::stable_sort(measured.begin(), measured.end(),
-      [&](int a, int b) { return facets[a].Fragments[1] < facets[b].Fragments[1]; });
-    for (int f : measured)
+    const auto begin = ordered.Items.begin() + ordered.Begin[fragment];
+    const auto end = ordered.Items.begin() + ordered.Begin[fragment + 1];
+    const auto isLess = [&](int a, int b)
+    { return facets[a].Fragments[1] < facets[b].Fragments[1]; };
+    if (!std::is_sorted(begin, end, isLess)) // most fragments have few neighbours
     {
-      active.Facets.push_back(facets[f]);
-      for (Index& point : active.Facets.back().Points)
+      std::stable_sort(begin, end, isLess);
+    }
+  }
+  active.Facets.resize(ordered.Items.size());
+  ForEach(runtime, ordered.Items.size(),
+    [&](Index f)
+    {
+      active.Facets[f] = facets[ordered.Items[f]];
+      for (Index& point : active.Facets[f].Points)
       {
         point = active.PointOf[point];
       }
-    }
-  }
+    });
 }
 
 } // namespace vfm

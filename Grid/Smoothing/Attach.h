@@ -24,6 +24,6 @@ void AttachToFacets(const std::vector<Facet>& facets, const FindTarget& findTarg
   Runtime& runtime, ActiveMesh& active);
 
 /// Fills ActiveMesh::Facets with the owned facets of interfaces.
-void SetFacets(const std::vector<Facet>& facets, ActiveMesh& active);
+void SetFacets(const std::vector<Facet>& facets, Runtime& runtime, ActiveMesh& active);
 
 } // namespace vfm

@@ -1,5 +1,7 @@
 #include "Smoothing/Guard.h"
 
+#include <atomic>
+
 namespace vfm
 {
 namespace
@@ -37,8 +39,8 @@ bool Guard::MarkLost(const Flags& known, const Flags& returned, Flags& lost) con
 /// there is one, on any rank.
 bool Guard::MarkNegative(const Flags& returned, const SmoothingStage& stage, Flags& lost) const
 {
-  bool isNegative = false;
-  this->Mesh.ForOwned(
+  std::atomic<bool> isNegative(false);
+  this->Mesh.ForOwned(this->Run,
     [&](int p)
     {
       if (returned[p] &&
@@ -65,7 +67,7 @@ void Guard::Grow(int rings, Flags& flags) const
   for (int ring = 0; ring < rings; ++ring)
   {
     Flags grown = flags;
-    this->Mesh.ForOwned(
+    this->Mesh.ForOwned(this->Run,
       [&](int p)
       {
         if (this->Mesh.IsActive[p])

@@ -310,7 +310,7 @@ std::vector<unsigned char> FindIntersections(const ActiveMesh& mesh, Runtime& ru
   FreeFacets facets(mesh, runtime.Group());
   std::vector<Bounds> bounds = facets.TakeBounds();
   std::vector<unsigned char> intersects(bounds.size(), 0);
-  const BoxTree tree(std::move(bounds));
+  const BoxTree tree(std::move(bounds), runtime);
   tree.ForPairs(runtime,
     [&](Index f, Index g)
     {

@@ -185,11 +185,12 @@ void Smoother::MarkAll()
 void Smoother::MoveAndCheck(
   const std::function<void()>& move, const std::function<void()>& moveReturned)
 {
-  const std::vector<Vector3> before = this->Mesh.X;
+  this->Before.resize(this->Mesh.X.size());
+  ForEach(this->Run, this->Before.size(), [this](Index p) { this->Before[p] = this->Mesh.X[p]; });
   move();
-  while (this->TheGuard.PutBack(before, this->Mesh.X))
+  while (this->TheGuard.PutBack(this->Before, this->Mesh.X))
   {
-    for (std::size_t point = 0; point < before.size(); ++point)
+    for (std::size_t point = 0; point < this->Before.size(); ++point)
     {
       this->HasMoved[point] |= this->TheGuard.Returned()[point];
     }
@@ -214,6 +215,7 @@ void Smoother::RunStage(const SmoothingStage& stage, const std::function<void(do
 
 bool Smoother::EndIntersections(const SmoothingStage& stage, bool moves)
 {
+  std::vector<Vector3>().swap(this->Before); // before the tree of boxes, which takes memory
   const std::vector<unsigned char> intersects = FindIntersections(this->Mesh, this->Run);
   bool isNew = false;
   this->Mesh.ForOwned(
@@ -226,12 +228,12 @@ bool Smoother::EndIntersections(const SmoothingStage& stage, bool moves)
   {
     return false;
   }
-  std::vector<Vector3> start(this->Mesh.X.size());
-  for (std::size_t p = 0; p < start.size(); ++p)
+  this->Before.resize(this->Mesh.X.size());
+  for (std::size_t p = 0; p < this->Before.size(); ++p)
   {
-    start[p] = this->Mesh.StartOf(static_cast<int>(p));
+    this->Before[p] = this->Mesh.StartOf(static_cast<int>(p));
   }
-  this->TheGuard.PutBack(intersects, start, this->Mesh.X, stage);
+  this->TheGuard.PutBack(intersects, this->Before, this->Mesh.X, stage);
   if (moves)
   {
     this->MarkReturned();
@@ -348,22 +350,23 @@ void Smoother::Shift(
   const std::vector<double>& shifts, const HasLongOffset& isLong, const SmoothingStage& stage)
 {
   const std::vector<Index>& offsets = this->Mesh.AttachmentOffset;
-  for (std::size_t point = 0; point < this->Mesh.X.size(); ++point)
-  {
-    for (Index i = offsets[point]; i < offsets[point + 1]; ++i)
+  ForEach(this->Run, this->Mesh.X.size(),
+    [&](Index point)
     {
-      if (std::fabs(shifts[i]) < SmallestShift)
+      for (Index i = offsets[point]; i < offsets[point + 1]; ++i)
       {
-        continue;
+        if (std::fabs(shifts[i]) < SmallestShift)
+        {
+          continue;
+        }
+        Attachment& a = this->Mesh.Attachments[i];
+        const double offset = a.Offset + shifts[i] * this->Targets->LocalScale(a.Target);
+        const std::array<double, 2> range = isLong(a)
+          ? this->LongRange(static_cast<int>(point), a, stage)
+          : std::array<double, 2>{ { -OffsetAhead, OffsetAhead } };
+        a.Offset = std::min(std::max(offset, range[0]), range[1]);
       }
-      Attachment& a = this->Mesh.Attachments[i];
-      const double offset = a.Offset + shifts[i] * this->Targets->LocalScale(a.Target);
-      const std::array<double, 2> range = isLong(a)
-        ? this->LongRange(static_cast<int>(point), a, stage)
-        : std::array<double, 2>{ { -OffsetAhead, OffsetAhead } };
-      a.Offset = std::min(std::max(offset, range[0]), range[1]);
-    }
-  }
+    });
 }
 
 /// Returns whether an attachment of a point has a shift that counts.
@@ -378,8 +381,8 @@ void Smoother::ShiftTargets(
   const std::vector<double>& shifts, const HasLongOffset& isLong, const SmoothingStage& stage)
 {
   this->Shift(shifts, isLong, stage);
-  bool marks = false;
-  this->Mesh.ForOwned(
+  std::atomic<bool> marks(false);
+  this->Mesh.ForOwned(this->Run,
     [&](int point)
     {
       if (this->Mesh.IsActive[point] && this->IsShifted(point, shifts))

@@ -148,6 +148,8 @@ private:
   /// Set if the point marked its neighbours in this sweep.
   std::vector<unsigned char> Marked;
   std::vector<unsigned char> HasMoved;
+  /// Positions to which points go back. Kept between stages, because new memory takes time.
+  std::vector<Vector3> Before;
   /// Active points that other ranks move.
   std::vector<int> Ghosts;
 };

@@ -103,12 +103,12 @@ std::vector<Mover> FindMovers(
 
 } // namespace
 
-ActiveTets MakeActiveTets(
-  const TetTopology& topology, const CartesianGrid& grid, const Partition& partition)
+ActiveTets MakeActiveTets(const TetTopology& topology, const CartesianGrid& grid,
+  const Partition& partition, Runtime& runtime)
 {
   const Mesh& mesh = topology.Tets;
   ActiveMeshBuilder builder(4, mesh.PointIds.size(), FindMovers(topology, grid, partition));
-  std::vector<Index> tets = builder.AddAround(mesh);
+  std::vector<Index> tets = builder.AddAround(mesh, runtime);
   ActiveTets active{ builder.Finish(partition, CopiesOfMovers(mesh), grid.NumberOfColours()),
     std::move(tets) };
   active.Widths = WidthsOfCells(grid, mesh, active.MeshElement);

@@ -19,7 +19,7 @@ struct ActiveTets : ActiveMesh
 /// Returns the active part of a mesh of method Cells or Lattice, without attachments.
 /// @param topology  tets in CartesianGrid::HexBox of the grid
 /// @pre Collective among peers.
-ActiveTets MakeActiveTets(
-  const TetTopology& topology, const CartesianGrid& grid, const Partition& partition);
+ActiveTets MakeActiveTets(const TetTopology& topology, const CartesianGrid& grid,
+  const Partition& partition, Runtime& runtime);
 
 } // namespace vfm

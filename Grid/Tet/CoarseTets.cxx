@@ -4,6 +4,7 @@
 #include "Base/Sorted.h"
 #include "Base/Vector3.h"
 #include "Hex/TransitionSmoothing.h"
+#include "Mesh/PeriodicIds.h"
 #include "Octree/LevelIds.h"
 #include "Tet/CoarseTetsImprove.h"
 #include "Tet/TetImprove.h"
@@ -145,7 +146,9 @@ void CoarseTets::AddCentres()
       sum = sum + this->Local.PointAt(corner);
     }
     const Vector3 centre = 0.125 * sum;
-    std::copy(centre.begin(), centre.end(), this->Local.Points.data() + 3 * (this->HexPoints + h));
+    this->Hexes[h].Centre = this->HexPoints + static_cast<int>(h);
+    std::copy(
+      centre.begin(), centre.end(), this->Local.Points.data() + 3 * this->Hexes[h].Centre);
   }
 }
 
@@ -195,24 +198,94 @@ void CoarseTets::FindFaces()
     if (halves[h].Key == halves[h - 1].Key)
     {
       Face& face = faces[halves[h - 1].Face];
-      const Face& other = faces[halves[h].Face];
-      face.Centre = this->HexPoints + other.Hex;
-      face.IsPlain = face.IsPlain && other.IsPlain;
+      Face& other = faces[halves[h].Face];
+      face.IsPlain = other.IsPlain = face.IsPlain && other.IsPlain;
+      if (this->SeamOf(face) >= 0)
+      {
+        face.Partner = halves[h].Face;
+        other.Partner = halves[h - 1].Face;
+        continue;
+      }
+      face.Centre = this->Hexes[other.Hex].Centre;
       isSecond[halves[h].Face] = 1;
     }
   }
+  std::vector<int> positions(faces.size(), -1);
+  std::vector<FineHalf> fineHalves;
   for (std::size_t f = 0; f < faces.size(); ++f)
   {
-    if (!isSecond[f])
+    if (!isSecond[f] && this->AddFace(faces[f], fineHalves))
     {
-      this->AddFace(faces[f]);
+      positions[f] = static_cast<int>(this->Faces.size()) - 1;
     }
+  }
+  for (Face& face : this->Faces)
+  {
+    face.Partner = face.Partner < 0 ? -1 : positions[face.Partner];
+  }
+  this->AddFineHalves(fineHalves);
+}
+
+/// Returns the axis across which a face lies on a flat seam, or -1.
+int CoarseTets::SeamOf(const Face& face) const
+{
+  int axes = this->Grid.Finest().IsPeriodic() ? 7 : 0;
+  for (int p : face.Corners)
+  {
+    axes &= axes == 0 ? 0 : this->Grid.Finest().FlatSeams(this->Local.PointAt(p));
+  }
+  return axes == 0 ? -1 : axes & 1 ? 0 : axes & 2 ? 1 : 2;
+}
+
+/// Adds the faces of finest cells that are on flat seams, and opposite to faces of coarse hexes.
+void CoarseTets::AddFineHalves(const std::vector<FineHalf>& fineHalves)
+{
+  const CartesianGrid& grid = this->Grid.Finest();
+  const int level = this->Grid.NumberOfRefinements();
+  struct Half
+  {
+    Index Key;
+    int Side;
+    const FineHalf* Of;
+    bool operator<(const Half& other) const
+    {
+      return this->Key != other.Key ? this->Key < other.Key : this->Side < other.Side;
+    }
+  };
+  std::vector<Half> halves;
+  for (const FineHalf& half : fineHalves)
+  {
+    const Index3 cell = grid.Position(this->FineCodes[half.Centre - this->NumberOfPoints()] / 2);
+    const bool isBelow = !grid.IsOnFlatSeam(cell, half.Axis);
+    halves.push_back(
+      { this->Grid.Lattice().HexKey(level, cell, 0), 2 * half.Axis + isBelow, &half });
+  }
+  std::sort(halves.begin(), halves.end());
+  for (const Half& half : halves)
+  {
+    const int face = half.Of->Face;
+    Face own = this->Faces[face];
+    std::reverse(own.Corners.begin(), own.Corners.end());
+    this->Faces[face].Partner = static_cast<int>(this->Faces.size());
+    this->Hexes.push_back({ half.Key, this->Grid.Lattice().HexOfKey(half.Key),
+      this->Hexes[own.Hex].Material, true, {}, half.Of->Centre });
+    own.Hex = static_cast<int>(this->Hexes.size()) - 1;
+    own.Side = half.Side;
+    own.Partner = face;
+    this->Faces.push_back(own);
   }
 }
 
-void CoarseTets::AddFace(Face face)
+/// Adds a face, unless its other side is unknown. Returns whether it is added.
+bool CoarseTets::AddFace(Face face, std::vector<FineHalf>& fineHalves)
 {
-  if (face.Centre < 0)
+  const Index3& at = this->Hexes[face.Hex].Cell.At;
+  const int diagonal = 1 + static_cast<int>((at[0] + at[1] + at[2]) & 1);
+  if (face.Partner >= 0)
+  {
+    face.Way = diagonal;
+  }
+  else if (face.Centre < 0)
   {
     int sides = 63;
     for (int p : face.Corners)
@@ -221,19 +294,28 @@ void CoarseTets::AddFace(Face face)
     }
     if (sides == 0)
     {
-      face.Centre = this->FineCentreBeyond(face);
-      if (face.Centre < 0)
+      const int centre = this->FineCentreBeyond(face), seam = centre < 0 ? -1 : this->SeamOf(face);
+      if (centre < 0)
       {
-        return;
+        return false;
+      }
+      if (seam >= 0)
+      {
+        face.Way = diagonal;
+        fineHalves.push_back({ static_cast<int>(this->Faces.size()), seam, centre });
+      }
+      else
+      {
+        face.Centre = centre;
       }
     }
     else
     {
-      const Index3& at = this->Hexes[face.Hex].Cell.At;
-      face.Way = 1 + static_cast<int>((at[0] + at[1] + at[2]) & 1);
+      face.Way = diagonal;
     }
   }
   this->Faces.push_back(face);
+  return true;
 }
 
 /// Returns the centre of the fine cell on the other side of a face of a coarse hex, or -1 if there
@@ -276,11 +358,11 @@ int CoarseTets::FineCentreBeyond(const Face& face) const
 }
 
 /// Writes the tets of a face that is divided in one way. Returns their number: 4, or 2 on the
-/// domain boundary.
+/// domain boundary and flat seams.
 int CoarseTets::TetsOf(const Face& face, int way, Tet tets[4]) const
 {
   std::array<int, 4> q = face.Corners;
-  const int centre = this->HexPoints + face.Hex;
+  const int centre = this->Hexes[face.Hex].Centre;
   if (way == 0)
   {
     for (int t = 0; t < 4; ++t)
@@ -301,6 +383,22 @@ int CoarseTets::TetsOf(const Face& face, int way, Tet tets[4]) const
   return 4;
 }
 
+/// Writes the tets of a face, on a flat seam those on both sides. Returns their number.
+int CoarseTets::TetsOnBothSides(const Face& face, int way, Tet tets[4]) const
+{
+  const int count = this->TetsOf(face, way, tets);
+  return face.Partner < 0 ? count
+                          : count +
+      this->TetsOf(this->Faces[face.Partner], this->WayOfPartner(face, way), tets + count);
+}
+
+/// Returns the way in which the partner of a face has the same diagonal.
+int CoarseTets::WayOfPartner(const Face& face, int way) const
+{
+  const std::array<int, 4>& corners = this->Faces[face.Partner].Corners;
+  return 1 + (corners[0] == face.Corners[way - 1] || corners[2] == face.Corners[way - 1] ? 0 : 1);
+}
+
 Vector3 CoarseTets::WidthsOf(const Face& face) const
 {
   const OctreeKeys::LevelIndex& cell = this->Hexes[face.Hex].Cell;
@@ -311,7 +409,7 @@ Vector3 CoarseTets::WidthsOf(const Face& face) const
 double CoarseTets::EnergyOf(const Face& face, int way) const
 {
   Tet tets[4];
-  const int count = this->TetsOf(face, way, tets);
+  const int count = this->TetsOnBothSides(face, way, tets);
   Vector3 corners[4][4];
   for (int t = 0; t < 4; ++t)
   {
@@ -347,10 +445,67 @@ int CoarseTets::BestWay(const Face& face) const
   return best;
 }
 
+/// Returns whether the way of a face is chosen for it, not for its partner.
+bool CoarseTets::Decides(const Face& face) const
+{
+  return face.Partner < 0 || face.Hex < this->Faces[face.Partner].Hex;
+}
+
 void CoarseTets::ChooseWays(Runtime& runtime)
 {
   ForEach(runtime, this->Faces.size(),
-    [this](Index f) { this->Faces[f].Way = this->BestWay(this->Faces[f]); });
+    [this](Index f)
+    {
+      if (this->Decides(this->Faces[f]))
+      {
+        this->Faces[f].Way = this->BestWay(this->Faces[f]);
+      }
+    });
+  if (this->Grid.Finest().IsPeriodic())
+  {
+    this->TakeWays(runtime.Group());
+  }
+  for (const Face& face : this->Faces)
+  {
+    if (face.Partner >= 0 && this->Decides(face))
+    {
+      this->Faces[face.Partner].Way = this->WayOfPartner(face, face.Way);
+    }
+  }
+}
+
+/// Replaces the ways of faces that this rank does not own by those of their owners: the positions
+/// of copies are rounded, which may change a choice. Collective.
+void CoarseTets::TakeWays(Ranks& ranks)
+{
+  const Partition partition(this->Grid.Base(), ranks);
+  const auto codeOf = [](Index hexKey, int side) { return 8 * hexKey + side; };
+  std::vector<std::vector<Index>> faces(partition.Peers().size()), codes(faces.size());
+  std::vector<Index> own;
+  for (std::size_t f = 0; f < this->Faces.size(); ++f)
+  {
+    const Face& face = this->Faces[f];
+    const Hex& hex = this->Hexes[face.Hex];
+    const Index3 cell = BaseCellOf(hex.Cell);
+    own.push_back(codeOf(hex.Key, face.Side));
+    if (!face.IsPlain && this->Decides(face) && !partition.OwnsCell(cell))
+    {
+      const int peer = partition.PeerOfCell(cell);
+      const OctreeKeys::LevelIndex there = Below(hex.Cell, partition.ShiftOf(peer), 0);
+      faces[peer].push_back(static_cast<Index>(f));
+      codes[peer].push_back(
+        codeOf(this->Grid.Lattice().HexKey(there.Level, there.At, there.Slot), face.Side));
+    }
+  }
+  const std::vector<std::vector<int>> ways =
+    partition.Query(codes, [&](Index code) { return this->Faces[FindSorted(own, code)].Way; });
+  for (std::size_t peer = 0; peer < ways.size(); ++peer)
+  {
+    for (std::size_t i = 0; i < ways[peer].size(); ++i)
+    {
+      this->Faces[faces[peer][i]].Way = ways[peer][i];
+    }
+  }
 }
 
 /// Finds the families of transition hexes that have tets of invalid energy. The owner of the tets
@@ -374,10 +529,9 @@ void CoarseTets::FindBadFamilies()
       continue;
     }
     add(hex);
-    const std::size_t beyond = face.Centre - this->HexPoints;
-    if (face.Centre >= this->HexPoints && beyond < this->Hexes.size())
+    if (face.Centre >= this->HexPoints && face.Centre < this->NumberOfPoints())
     {
-      add(this->Hexes[beyond]);
+      add(this->Hexes[face.Centre - this->HexPoints]);
     }
   }
 }

@@ -9,6 +9,10 @@
  * smallest energy (TetEnergy). The choice depends only on the two hexes of the face. Faces of whole
  * cells are not changed.
  *
+ * On a periodic grid, a face takes the way of its owner's copy. A face on a flat seam has two tets
+ * on each side, which belong to their own hexes, along one diagonal for both. If a finest cell is
+ * beyond the seam, its two tets have an id made from the key of that cell.
+ *
  * Afterwards, level by level, the centres and free points of transition hexes are moved where tets
  * are poor.
  *
@@ -63,14 +67,21 @@ private:
     int Material;
     bool IsWhole;                 // whether it is a cell, not a transition hex
     std::array<Index, 8> Corners; // points of Local, numbered by bits
+    int Centre = -1;              // point of Local
   };
   struct Face
   {
     int Hex, Side;
-    int Centre;                 // centre of the hex beyond the face; -1 on the domain boundary
+    int Centre; // centre of the hex beyond the face; -1 on the domain boundary and flat seams
     std::array<int, 4> Corners; // counterclockwise as seen from beyond the face
     bool IsPlain;               // whether its hexes are whole cells
     int Way; // 0: around the edge between the centres; 1 + k: along the diagonal from corner k
+    int Partner = -1; // on a flat seam, the same face as a face of the hex beyond
+  };
+  struct FineHalf
+  {
+    int Face, Axis; // face on a flat seam, and the axis across which it lies
+    int Centre;     // centre of the finest cell beyond
   };
   Vector3 PointAt(int point) const;
   Vector3 WidthsOf(const Face& face) const;
@@ -78,13 +89,19 @@ private:
   void AddFinePoints();
   void FindFaces();
   std::vector<Face> ListFaces() const;
-  void AddFace(Face face);
+  bool AddFace(Face face, std::vector<FineHalf>& fineHalves);
+  int SeamOf(const Face& face) const;
+  void AddFineHalves(const std::vector<FineHalf>& fineHalves);
   int FineCentreBeyond(const Face& face) const;
   void AddCentres();
   int TetsOf(const Face& face, int way, Tet tets[4]) const;
+  int TetsOnBothSides(const Face& face, int way, Tet tets[4]) const;
   double EnergyOf(const Face& face, int way) const;
   int BestWay(const Face& face) const;
+  bool Decides(const Face& face) const;
+  int WayOfPartner(const Face& face, int way) const;
   void ChooseWays(Runtime& runtime);
+  void TakeWays(Ranks& ranks);
   void FindBadFamilies();
   int FindFine(Index code) const;
   std::vector<Mover> FindMovers(int level) const;
@@ -95,7 +112,7 @@ private:
   Mesh Local;        // points of coarse hexes, centres, and fine points, which have no ids
   int HexPoints = 0; // number of points before the centres
   std::vector<Index> FineCodes; // 2 linear + slot of each fine point, ascending
-  std::vector<Hex> Hexes;       // ordered by key
+  std::vector<Hex> Hexes;       // ordered by key, then the finest cells with tets on flat seams
   std::vector<Face> Faces;      // ordered by hex and side
   std::vector<std::vector<Index>> Bad;
 };

@@ -197,7 +197,7 @@ public:
   }
 
   /// Writes the points, tets and facets into the mesh. Collective.
-  void Finish(Ranks& ranks)
+  void Finish(Runtime& runtime)
   {
     std::vector<Index> kept;
     for (std::size_t p = 0; p < this->NewIndex.size(); ++p)
@@ -209,14 +209,14 @@ public:
       }
     }
     std::vector<FacetSide> facets = ListPointsOfFacets(this->Old);
-    this->FillPoints(kept, ranks);
-    this->FillTets(static_cast<Index>(kept.size()), ranks);
+    this->FillPoints(kept, runtime.Group());
+    this->FillTets(static_cast<Index>(kept.size()), runtime.Group());
     for (FacetSide& facet : facets)
     {
       std::transform(facet.Points.begin(), facet.Points.begin() + 3, facet.Points.begin(),
         [this](Index point) { return this->NewIndex[point]; });
     }
-    this->Old.Facets = FindElements(std::move(facets), this->Old);
+    this->Old.Facets = FindElements(std::move(facets), this->Old, runtime);
     for (Buffer<Index>* points :
       { &this->Old.Surfaces.Points, &this->Old.Curves.Points, &this->Old.Vertices.Points })
     {
@@ -306,7 +306,7 @@ private:
 } // namespace
 
 void RefillTets(Mesh& mesh, const CartesianGrid& grid, const LabelArray& labels,
-  const MeshOptions& options, const FillProgress& progress, Ranks& ranks, MeshReport& report)
+  const MeshOptions& options, const FillProgress& progress, Runtime& runtime, MeshReport& report)
 {
   const SizeField sizes(grid, labels, options);
   const TetEnergy energy(FloorsOf(options));
@@ -334,8 +334,8 @@ void RefillTets(Mesh& mesh, const CartesianGrid& grid, const LabelArray& labels,
     done += weight;
     progress(done);
   }
-  refilled.Finish(ranks);
-  report.RefusedParts = SumOverRanks(rejected, ranks);
+  refilled.Finish(runtime);
+  report.RefusedParts = SumOverRanks(rejected, runtime.Group());
 }
 
 } // namespace vfm

@@ -6,10 +6,10 @@
 #pragma once
 
 #include "Base/Options.h"
+#include "Base/Runtime.h"
 #include "Labels/Labels.h"
 #include "Mesh/Mesh.h"
 #include "Mesh/MeshReport.h"
-#include "Ranks/Ranks.h"
 #include "TetGen/TetGenFill.h"
 
 namespace vfm
@@ -27,6 +27,6 @@ namespace vfm
 /// @param report  RefusedParts is set to the number of rejected local fragments of all ranks
 /// @pre Collective.
 void RefillTets(Mesh& mesh, const CartesianGrid& grid, const LabelArray& labels,
-  const MeshOptions& options, const FillProgress& progress, Ranks& ranks, MeshReport& report);
+  const MeshOptions& options, const FillProgress& progress, Runtime& runtime, MeshReport& report);
 
 } // namespace vfm

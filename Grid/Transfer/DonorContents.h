@@ -54,12 +54,12 @@ private:
   std::vector<double> Contents;
 };
 
-/// Values of all columns, per donor.
+/// Values of all columns, per donor, and zeros up to StateColumns::Width().
 class DonorValues
 {
 public:
   DonorValues(int donors, const StateColumns& columns) :
-    Width(columns.Count()), Values(static_cast<std::size_t>(donors) * columns.Count(), 0.0)
+    Width(columns.Width()), Values(static_cast<std::size_t>(donors) * columns.Width(), 0.0)
   {
   }
   double* Of(int donor)

@@ -53,12 +53,20 @@ public:
   /// Returns the donor of a fragment in a cell, or -1 if there is none.
   int Find(Index cell, int fragment) const
   {
-    int donor = this->Firsts[cell];
-    while (donor >= 0 && this->Donors[donor].Fragment != fragment)
+    return this->FindFrom(this->Firsts[cell], fragment);
+  }
+  /// Returns the donors of a fragment in the cell below a cell along x, in the cell, and above it;
+  /// -1 where there is none.
+  std::array<int, 3> FindThree(Index cell, int fragment) const
+  {
+    const PagedArray<int>::RowView row = this->Firsts.Row(cell);
+    const Index i = this->Firsts.InRow(cell);
+    std::array<int, 3> three{ { row[i - 1], row[i], row[i + 1] } };
+    for (int& donor : three)
     {
-      donor = this->Donors[donor].Next;
+      donor = this->FindFrom(donor, fragment);
     }
-    return donor;
+    return three;
   }
   /// Returns the donor of a fragment in a cell, which is made if there is none.
   int Get(Index cell, int fragment, int material);
@@ -78,6 +86,16 @@ public:
   const Donor& operator[](int donor) const { return this->Donors[donor]; }
 
 private:
+  /// Returns the donor of a fragment in the list of a cell that begins with a donor, or -1.
+  int FindFrom(int donor, int fragment) const
+  {
+    while (donor >= 0 && this->Donors[donor].Fragment != fragment)
+    {
+      donor = this->Donors[donor].Next;
+    }
+    return donor;
+  }
+
   const CartesianGrid& Grid;
   PagedArray<int> Firsts; // first donor of each cell, or -1
   std::vector<Donor> Donors;

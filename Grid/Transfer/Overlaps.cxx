@@ -478,10 +478,13 @@ private:
   {
     for (CellSums& s : this->Sums)
     {
-      s.Volume /= 6.0;
-      s.X /= 24.0;
-      s.Y /= 24.0;
-      s.Z /= 24.0;
+      if (s.Volume > 0.0) // others are dropped
+      {
+        s.Volume /= 6.0;
+        s.X /= 24.0;
+        s.Y /= 24.0;
+        s.Z /= 24.0;
+      }
     }
   }
 
@@ -558,9 +561,8 @@ private:
 
 } // namespace
 
-OverlapFinder::OverlapFinder(
-  const Mesh& mesh, const CartesianGrid& grid, const RegularTets& regular, Runtime& runtime) :
-  TheMesh(mesh), Grid(grid), Regular(regular), Run(runtime)
+OverlapFinder::OverlapFinder(const Mesh& mesh, const CartesianGrid& grid, Runtime& runtime) :
+  TheMesh(mesh), Grid(grid), Run(runtime)
 {
 }
 
@@ -572,24 +574,16 @@ const Overlaps& OverlapFinder::Find(const std::vector<Index>& elements)
   const ElementReach reach(this->TheMesh, this->Grid);
   Overlaps& overlaps = this->Found;
   overlaps.Offsets.assign(count + 1, 0);
-  overlaps.IsRegular.assign(count, 0);
   ForEach(this->Run, pieces,
     [&](Index piece)
     {
       std::vector<OverlapPart>& parts = this->Pieces[piece];
       parts.clear();
       ElementCutter cutter(this->TheMesh, this->Grid, reach);
-      std::array<OverlapPart, 2> halves;
       const Index end = std::min(count, (piece + 1) * ElementsAtOnce);
       for (Index i = piece * ElementsAtOnce; i < end; ++i)
       {
-        const int regular = this->Regular.Cut(elements[i], halves);
-        overlaps.IsRegular[i] = regular > 0;
-        parts.insert(parts.end(), halves.begin(), halves.begin() + regular);
-        if (regular == 0)
-        {
-          cutter.Cut(elements[i], parts);
-        }
+        cutter.Cut(elements[i], parts);
         overlaps.Offsets[i + 1] = static_cast<Index>(parts.size());
       }
     });
@@ -616,8 +610,7 @@ const Overlaps& OverlapFinder::Find(const std::vector<Index>& elements)
 Overlaps FindOverlaps(
   const Mesh& mesh, const std::vector<Index>& elements, const CartesianGrid& grid, Runtime& runtime)
 {
-  const RegularTets regular(mesh, grid, runtime);
-  return OverlapFinder(mesh, grid, regular, runtime).Find(elements);
+  return OverlapFinder(mesh, grid, runtime).Find(elements);
 }
 
 } // namespace vfm

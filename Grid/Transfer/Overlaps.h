@@ -10,12 +10,19 @@
 
 #include "Base/Runtime.h"
 #include "Mesh/MeasureFragments.h"
-#include "Transfer/RegularTets.h"
 
 #include <vector>
 
 namespace vfm
 {
+
+/// Part of an element in a cell.
+struct OverlapPart
+{
+  Index Cell = 0;      ///< index of the cell in grid.Local() (IndexInBox)
+  double Volume = 0.0; ///< > 0, length units cubed
+  Vector3 Centroid{};  ///< point in the cell
+};
 
 /// Parts of some elements. Element i has Parts[Offsets[i]] to before Parts[Offsets[i + 1]],
 /// ascending by cell.
@@ -23,7 +30,6 @@ struct Overlaps
 {
   std::vector<Index> Offsets;
   std::vector<OverlapPart> Parts;
-  std::vector<unsigned char> IsRegular; ///< whether each element is a regular tet
 };
 
 /// Cuts elements by the cells of a grid, some at a time. It keeps its memory between calls. The
@@ -36,8 +42,7 @@ class OverlapFinder
 public:
   /// The arguments must outlive it.
   /// @param grid  grid with cells of any widths, coarser or finer than the grid of the mesh
-  OverlapFinder(
-    const Mesh& mesh, const CartesianGrid& grid, const RegularTets& regular, Runtime& runtime);
+  OverlapFinder(const Mesh& mesh, const CartesianGrid& grid, Runtime& runtime);
 
   /// Cuts elements. The result is valid until the next call.
   /// @param elements  indices in the mesh
@@ -46,7 +51,6 @@ public:
 private:
   const Mesh& TheMesh;
   const CartesianGrid& Grid;
-  const RegularTets& Regular;
   Runtime& Run;
   std::vector<std::vector<OverlapPart>> Pieces; // parts of consecutive elements
   Overlaps Found;

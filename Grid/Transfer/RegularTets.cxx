@@ -1,9 +1,6 @@
 #include "Transfer/RegularTets.h"
 
-#include "Base/Vector3.h"
-
 #include <algorithm>
-#include <cmath>
 
 namespace vfm
 {
@@ -44,6 +41,14 @@ Place FindPlace(const std::vector<double>& x, Index first, Index last, double va
                                          : -1;
 }
 
+/// Returns the corner of the cell of a centre at which a node is: bit a is set if it is on the
+/// upper side of axis a.
+int CornerAt(Place node, Place centre)
+{
+  const Place sides = node - centre + Ones;
+  return static_cast<int>((sides >> 1 & 1) | (sides >> Bits & 2) | (sides >> (2 * Bits - 1) & 4));
+}
+
 } // namespace
 
 RegularTets::RegularTets(const Mesh& mesh, const CartesianGrid& grid, Runtime& runtime) :
@@ -77,13 +82,13 @@ RegularTets::RegularTets(const Mesh& mesh, const CartesianGrid& grid, Runtime& r
 
 Index RegularTets::CellOf(Place centre) const
 {
-  const IndexBox& box = this->Grid.Local();
   const Place x = centre >> 1 & (Mask >> 1), y = centre >> (Bits + 1) & (Mask >> 1),
               z = centre >> (2 * Bits + 1);
-  return (z * box.Size(1) + y) * box.Size(0) + x;
+  return this->Grid.Linear(this->Grid.Local().Lower) + x + y * this->Grid.Stride(1) +
+    z * this->Grid.Stride(2);
 }
 
-int RegularTets::CutTet(Index element, std::array<OverlapPart, 2>& parts) const
+int RegularTets::FindInTet(Index element, std::array<RegularPart, 2>& parts) const
 {
   const Index* points = this->TheMesh.Elements.data() + 4 * element;
   // Corners: centres from the first, nodes from the last.
@@ -98,65 +103,54 @@ int RegularTets::CutTet(Index element, std::array<OverlapPart, 2>& parts) const
     }
     order[IsCentre(place) ? centres++ : --nodes] = c;
   }
-  return centres == 2 ? this->CutInTwo(points, order, parts)
-    : centres == 1    ? this->CutInCell(points, order[0], parts)
+  return centres == 2 ? this->FindInTwo(points, order, parts)
+    : centres == 1    ? this->FindInCell(points, order[0], parts)
                       : 0;
 }
 
-int RegularTets::CutInCell(const Index* points, int centre, std::array<OverlapPart, 2>& parts) const
+int RegularTets::FindInCell(
+  const Index* points, int centre, std::array<RegularPart, 2>& parts) const
 {
   const Place place = this->Places[points[centre]];
-  std::array<Vector3, 4> x;
-  for (int c = 0; c < 4; ++c)
+  std::array<int, 3> corners{};
+  for (int i = 0; i < 3; ++i)
   {
-    if (c != centre && !IsCorner(this->Places[points[c]], place))
+    const Place node = this->Places[points[(centre + 1 + i) % 4]];
+    if (!IsCorner(node, place))
     {
       return 0;
     }
-    x[c] = this->TheMesh.PointAt(points[c]);
+    corners[i] = CornerAt(node, place);
   }
-  const double volume = Dot(x[1] - x[0], Cross(x[2] - x[0], x[3] - x[0])) / 6.0;
-  parts[0] = { this->CellOf(place), volume, 0.25 * ((x[0] + x[1]) + (x[2] + x[3])) };
-  return volume > 0.0 ? 1 : 0;
+  // The axes along which all three corners are on the same side; one if they are on a face.
+  const int equal = 7 & ~((corners[0] ^ corners[1]) | (corners[0] ^ corners[2]));
+  if (equal != 1 && equal != 2 && equal != 4)
+  {
+    return 0;
+  }
+  const int missing = corners[0] ^ corners[1] ^ corners[2];
+  parts[0] = { this->CellOf(place), KindInCell(equal / 2, missing) };
+  return 1;
 }
 
-int RegularTets::CutInTwo(
-  const Index* points, std::array<int, 4> order, std::array<OverlapPart, 2>& parts) const
+int RegularTets::FindInTwo(
+  const Index* points, const std::array<int, 4>& order, std::array<RegularPart, 2>& parts) const
 {
-  Index low = points[order[0]], high = points[order[1]];
-  if (this->Places[high] < this->Places[low])
-  {
-    std::swap(low, high);
-  }
-  const Index first = points[order[2]], second = points[order[3]];
-  const Place lower = this->Places[low], upper = this->Places[high], a = this->Places[first],
-              b = this->Places[second];
+  const Place one = this->Places[points[order[0]]], two = this->Places[points[order[1]]],
+              a = this->Places[points[order[2]]], b = this->Places[points[order[3]]];
+  const Place lower = std::min(one, two), upper = std::max(one, two);
   const Place along = (upper - lower) / 2, edge = (a > b ? a - b : b - a) / 2;
   const int axis = along == Steps[0] ? 0 : along == Steps[1] ? 1 : 2;
-  const bool isEdge = edge == Steps[0] || edge == Steps[1] || edge == Steps[2];
-  if (along != Steps[axis] || !isEdge || edge == along || !IsCorner(a, lower) ||
+  const int edgeAxis = edge == Steps[0] ? 0 : edge == Steps[1] ? 1 : 2;
+  if (along != Steps[axis] || edge != Steps[edgeAxis] || edgeAxis == axis || !IsCorner(a, lower) ||
     !IsCorner(a, upper) || !IsCorner(b, lower))
   {
     return 0;
   }
-  const Vector3 p = this->TheMesh.PointAt(first), q = this->TheMesh.PointAt(second);
-  parts[0] = this->HalfOf(lower, this->TheMesh.PointAt(low), p, q, axis);
-  parts[1] = this->HalfOf(upper, this->TheMesh.PointAt(high), p, q, axis);
+  const int other = 3 - axis - edgeAxis, otherSide = CornerAt(a, lower) >> other & 1;
+  parts[0] = { this->CellOf(lower), KindInTwo(axis, 1, other, otherSide) };
+  parts[1] = { this->CellOf(upper), KindInTwo(axis, 0, other, otherSide) };
   return 2;
-}
-
-/// Returns the half of a tet in the cell of one of its centres. Its corners are the centre, the
-/// ends a and b of an edge, and the projection of the centre onto the face of the edge. Its volume
-/// is a 24th of the cell, and the cell is 8 times the box between the centre and a.
-/// @param axis  axis normal to the face
-OverlapPart RegularTets::HalfOf(
-  Place place, const Vector3& centre, const Vector3& a, const Vector3& b, int axis) const
-{
-  Vector3 foot = centre;
-  foot[axis] = a[axis];
-  const Vector3 size = a - centre;
-  return { this->CellOf(place), std::fabs(size[0] * size[1] * size[2]) / 3.0,
-    0.25 * ((centre + foot) + (a + b)) };
 }
 
 } // namespace vfm

@@ -1,8 +1,8 @@
 /**
  * RegularTets: tets whose corners are all at nodes and centres of cells. They are the tets between
- * the centres of two cells and an edge of their common face, and tets in one cell with a corner at
- * its centre. Most tets by Lattice and Cells are regular, because points move only near interfaces.
- * Their parts in cells have a closed form.
+ * the centres of two cells and an edge of their common face, and the tets between the centre of a
+ * cell and half of a face. Most tets by Lattice and Cells are regular, because points move only
+ * near interfaces. A cell has 48 possible parts of such tets, which are known in closed form.
  */
 #pragma once
 
@@ -15,35 +15,90 @@
 namespace vfm
 {
 
-/// Part of an element in a cell.
-struct OverlapPart
+/// Part of a regular tet in a cell.
+struct RegularPart
 {
-  Index Cell = 0;      ///< index of the cell in grid.Local() (IndexInBox)
-  double Volume = 0.0; ///< > 0, length units cubed
-  Vector3 Centroid{};  ///< point in the cell
+  Index Cell = -1; ///< CartesianGrid::Linear
+  int Kind = 0;    ///< position of the part in its cell: 0 to RegularKinds - 1
 };
 
-/// Cuts the regular tets of a mesh. Thread safe once made. Mesh and grid must outlive it.
+constexpr int RegularKinds = 48;
+
+/// Geometry of a kind of part. All numbers are integers, so sums of parts do not depend on their
+/// order.
+struct RegularShape
+{
+  int Volume = 0;                ///< in 24ths of the cell
+  std::array<int, 3> Centroid{}; ///< relative to the centre of the cell, in eighths of its widths
+};
+
+constexpr int KindsInTwo = 24;
+
+/// Returns the kind of the part between the centre of a cell, an edge of a face, and the projection
+/// of the centre onto the face.
+/// @param side  1 if the face is on the upper side of its axis
+/// @param other  axis normal to the edge in the face
+/// @param otherSide  1 if the edge is on the upper side of this axis
+constexpr int KindInTwo(int axis, int side, int other, int otherSide)
+{
+  return 8 * axis + 4 * side + 2 * (other != (axis + 1) % 3) + otherSide;
+}
+
+/// Returns the kind of the part between the centre of a cell and half of a face.
+/// @param missing  corner of the face that the half lacks
+constexpr int KindInCell(int axis, int missing)
+{
+  return KindsInTwo + 8 * axis + missing;
+}
+
+constexpr std::array<RegularShape, RegularKinds> ListRegularShapes()
+{
+  std::array<RegularShape, RegularKinds> shapes{};
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (int bits = 0; bits < 8; ++bits)
+    {
+      const int other = (axis + 1 + (bits >> 1 & 1)) % 3, side = bits >> 2;
+      RegularShape& half = shapes[KindInTwo(axis, side, other, bits & 1)];
+      half.Volume = 1;
+      half.Centroid[axis] = side ? 3 : -3;
+      half.Centroid[other] = bits & 1 ? 2 : -2;
+      RegularShape& inCell = shapes[KindInCell(axis, bits)];
+      inCell.Volume = 2;
+      for (int a = 0; a < 3; ++a)
+      {
+        const bool isUpper = bits >> a & 1;
+        inCell.Centroid[a] = a == axis ? (isUpper ? 3 : -3) : (isUpper ? -1 : 1);
+      }
+    }
+  }
+  return shapes;
+}
+
+/// Geometry of each kind.
+constexpr std::array<RegularShape, RegularKinds> RegularShapes = ListRegularShapes();
+
+/// Finds the regular tets of a mesh. Thread safe once made. Mesh and grid must outlive it.
 class RegularTets
 {
 public:
   RegularTets(const Mesh& mesh, const CartesianGrid& grid, Runtime& runtime);
 
-  /// Cuts an element if it is a regular tet.
+  /// Finds the parts of an element if it is a regular tet.
   /// @param[out] parts  parts, ascending by cell
   /// @return number of parts, 0 if the element is not a regular tet
-  int Cut(Index element, std::array<OverlapPart, 2>& parts) const
+  int Find(Index element, std::array<RegularPart, 2>& parts) const
   {
-    return this->Places.empty() ? 0 : this->CutTet(element, parts);
+    return this->Places.empty() ? 0 : this->FindInTet(element, parts);
   }
+  /// Returns whether there can be regular tets.
+  bool IsUsed() const { return !this->Places.empty(); }
 
 private:
-  int CutTet(Index element, std::array<OverlapPart, 2>& parts) const;
-  int CutInCell(const Index* points, int centre, std::array<OverlapPart, 2>& parts) const;
-  int CutInTwo(
-    const Index* points, std::array<int, 4> order, std::array<OverlapPart, 2>& parts) const;
-  OverlapPart HalfOf(
-    std::int64_t place, const Vector3& centre, const Vector3& a, const Vector3& b, int axis) const;
+  int FindInTet(Index element, std::array<RegularPart, 2>& parts) const;
+  int FindInCell(const Index* points, int centre, std::array<RegularPart, 2>& parts) const;
+  int FindInTwo(
+    const Index* points, const std::array<int, 4>& order, std::array<RegularPart, 2>& parts) const;
   Index CellOf(std::int64_t centre) const;
 
   const Mesh& TheMesh;

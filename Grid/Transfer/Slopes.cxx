@@ -1,5 +1,7 @@
 #include "Transfer/Slopes.h"
 
+#include "Base/Lanes.h"
+
 #include <Eigen/Eigenvalues>
 
 namespace vfm
@@ -13,91 +15,234 @@ constexpr double Little = 1e-4;
 // Fraction of the largest eigenvalue below which neighbours are in a plane or on a line.
 constexpr double Flat = 1e-6;
 
+constexpr int LaneCount = ElementLanes<double>::Count;
+
+/// Neighbour of a donor.
+struct Neighbour
+{
+  const double* Values;
+  Vector3 Weighted; // position relative to the centroid, divided by the squared distance
+};
+
+/// Symmetric matrix: xx yy zz xy xz yz.
+using Matrix = std::array<double, 6>;
+
+Vector3 Product(const Matrix& m, const Vector3& x)
+{
+  return { { m[0] * x[0] + m[3] * x[1] + m[4] * x[2], m[3] * x[0] + m[1] * x[1] + m[5] * x[2],
+    m[4] * x[0] + m[5] * x[1] + m[2] * x[2] } };
+}
+
+/// Donor whose slopes are found.
+struct SlopeInput
+{
+  const std::vector<Neighbour>& Around;
+  const double* Own;
+  const DonorShape& Shape;
+  Matrix Inverse; // inverse of the least-squares matrix
+  double Mass;
+};
+
+/// Kinds of the columns, one number per column: -1 if it applies, else 0.
+struct ColumnKinds
+{
+  explicit ColumnKinds(const StateColumns& columns) :
+    Width(columns.Width()),
+    Density(columns.Density()),
+    IsPerMass(columns.Width(), 0),
+    IsSloping(columns.Width(), 0)
+  {
+    for (int c = 0; c < columns.Count(); ++c)
+    {
+      this->IsPerMass[c] = columns.Base(c) < 0 ? 0 : -1;
+      this->IsSloping[c] = columns.IsConstant(c) ? 0 : -1;
+    }
+  }
+  const int Width, Density;
+  std::vector<double> IsPerMass, IsSloping;
+};
+
+VFM_INLINE Lanes LesserOf(const Lanes& a, const Lanes& b)
+{
+  return a < b ? a : b;
+}
+VFM_INLINE Lanes GreaterOf(const Lanes& a, const Lanes& b)
+{
+  return a > b ? a : b;
+}
+VFM_INLINE bool IsAny(const Mask& mask)
+{
+  return (mask[0] | mask[1] | mask[2] | mask[3]) != 0;
+}
+
+/// Slopes of some columns before they are limited, and the range of the differences to neighbours,
+/// which includes 0.
+struct Fit
+{
+  Lanes X, Y, Z, Least, Most;
+};
+
+/// Slopes along x, y, z and the shift of some columns.
+using LineLanes = std::array<Lanes, 4>;
+
+VFM_INLINE Fit FitLines(const SlopeInput& input, int column)
+{
+  const Lanes own = LoadLanes(input.Own + column);
+  Lanes x{}, y{}, z{}, least{}, most{};
+  for (const Neighbour& other : input.Around)
+  {
+    const Lanes difference = LoadLanes(other.Values + column) - own;
+    x += other.Weighted[0] * difference;
+    y += other.Weighted[1] * difference;
+    z += other.Weighted[2] * difference;
+    least = LesserOf(difference, least);
+    most = GreaterOf(difference, most);
+  }
+  const Matrix& m = input.Inverse;
+  return { m[0] * x + m[3] * y + m[4] * z, m[3] * x + m[1] * y + m[5] * z,
+    m[4] * x + m[5] * y + m[2] * z, least, most };
+}
+
+/// Limits slopes, so that in the bounding box of the parts, values stay within the range of
+/// neighbours.
+VFM_INLINE LineLanes LimitLines(const Fit& fit, const Lanes& shift, const DonorShape& shape)
+{
+  const Lanes zero{};
+  LineLanes line{ { fit.X, fit.Y, fit.Z, shift } };
+  Lanes low = shift, high = shift;
+  for (int a = 0; a < 3; ++a)
+  {
+    const Lanes atLower = line[a] * shape.Lower[a], atUpper = line[a] * shape.Upper[a];
+    low += LesserOf(atLower, atUpper);
+    high += GreaterOf(atLower, atUpper);
+  }
+  Lanes part = Fill(1.0);
+  if (IsAny((low < fit.Least) | (high > fit.Most)))
+  {
+    part = low < fit.Least ? LesserOf(fit.Least / low, part) : part;
+    part = high > fit.Most ? LesserOf(fit.Most / high, part) : part;
+  }
+  for (Lanes& number : line)
+  {
+    const Lanes limited = part * number;
+    // A number is finite if its difference to itself is 0.
+    number = (part > zero) & (number - number == zero) ? limited : zero;
+  }
+  return line;
+}
+
+/// Finds the slopes of a donor: 4 lists of columns. The density's slope comes first, because the
+/// shifts of values per mass compensate its product with their slopes.
+VFM_CLONES
+void FindLines(const SlopeInput& input, const ColumnKinds& kinds, double* lines)
+{
+  const int first = kinds.Density / LaneCount * LaneCount;
+  Vector3 weights{};
+  for (int i = 0; i < kinds.Width; i += LaneCount)
+  {
+    const int c = (first + i) % kinds.Width;
+    const Fit fit = FitLines(input, c);
+    if (i == 0 && input.Mass > 0.0)
+    {
+      const LineLanes line = LimitLines(fit, Lanes{}, input.Shape);
+      const int density = kinds.Density - first;
+      weights = (-1.0 / input.Mass) *
+        Product(
+          input.Shape.Second, { { line[0][density], line[1][density], line[2][density] } });
+    }
+    const Lanes shift = weights[0] * fit.X + weights[1] * fit.Y + weights[2] * fit.Z;
+    const LineLanes line = LimitLines(
+      fit, LoadLanes(kinds.IsPerMass.data() + c) < 0.0 ? shift : Lanes{}, input.Shape);
+    const Mask isSloping = LoadLanes(kinds.IsSloping.data() + c) < 0.0;
+    for (int k = 0; k < 4; ++k)
+    {
+      StoreLanes(isSloping ? line[k] : Lanes{}, lines + k * kinds.Width + c);
+    }
+  }
+}
+
 /// Finds the slopes of donors, one after another.
 class SlopeFinder
 {
 public:
   SlopeFinder(const StateColumns& columns, const CartesianGrid& grid, const DonorTable& donors,
     const DonorValues& values, const std::vector<DonorShape>& shapes) :
-    Columns(columns),
-    Donors(donors),
-    Values(values),
-    Shapes(shapes),
-    Steps(StepsAround(grid)),
-    Sums(5 * columns.Count())
+    Kinds(columns), Donors(donors), Values(values), Shapes(shapes), Steps(StepsAround(grid))
   {
   }
 
-  /// Finds the slopes of donor s. lines: gets 4 numbers per column.
+  /// Finds the slopes of donor s. lines: gets 4 lists of columns.
   void Find(int s, double* lines)
   {
-    this->FindAround(s);
-    this->AddDifferences(s);
-    const Eigen::Matrix3d inverse = this->InvertMatrix();
-    for (int c : this->Columns.Order())
-    {
-      double* line = lines + 4 * c;
-      std::fill_n(line, 4, 0.0);
-      if (!this->Columns.IsConstant(c))
-      {
-        const int count = this->Columns.Count();
-        const double* sums = this->Sums.data() + c;
-        const Eigen::Vector3d slope =
-          inverse * Eigen::Vector3d(sums[0], sums[count], sums[2 * count]);
-        std::copy_n(slope.data(), 3, line);
-        this->Limit(
-          this->Shapes[s], sums[3 * count], sums[4 * count], this->FindShift(s, c, lines), line);
-      }
-    }
+    const double* own = this->Values.Of(s);
+    const Matrix matrix = this->FindAround(s);
+    const SlopeInput input{ this->Around, own, this->Shapes[s], Inverse(matrix),
+      own[this->Kinds.Density] * this->Donors[s].Overlap };
+    FindLines(input, this->Kinds, lines);
   }
 
 private:
-  struct Neighbour
-  {
-    int Donor;
-    Vector3 Place; // position relative to the centroid
-    double Weight;
-  };
-  /// Lists the neighbours of a donor.
-  void FindAround(int s)
+  /// Lists the neighbours of a donor. Returns the least-squares matrix.
+  Matrix FindAround(int s)
   {
     const Donor& donor = this->Donors[s];
+    Matrix m{};
     this->Around.clear();
-    for (int n = 0; n < 27; ++n)
+    for (int row = 0; row < 27; row += 3)
     {
-      const int other =
-        n == 13 ? -1 : this->Donors.Find(donor.Cell + this->Steps[n], donor.Fragment);
-      if (other >= 0 && this->Donors[other].Volume > Little * donor.Volume)
+      const std::array<int, 3> three =
+        this->Donors.FindThree(donor.Cell + this->Steps[row + 1], donor.Fragment);
+      for (int n = 0; n < 3; ++n)
       {
-        const Vector3 x = this->Donors[other].Centroid - donor.Centroid;
+        if (three[n] < 0 || three[n] == s ||
+          !(this->Donors[three[n]].Volume > Little * donor.Volume))
+        {
+          continue;
+        }
+        const Vector3 x = this->Donors[three[n]].Centroid - donor.Centroid;
         const double square = Dot(x, x);
         if (square > 0.0)
         {
-          this->Around.push_back({ other, x, 1.0 / square });
+          const Vector3 w = (1.0 / square) * x;
+          this->Around.push_back({ this->Values.Of(three[n]), w });
+          m[0] += w[0] * x[0];
+          m[1] += w[1] * x[1];
+          m[2] += w[2] * x[2];
+          m[3] += w[0] * x[1];
+          m[4] += w[0] * x[2];
+          m[5] += w[1] * x[2];
         }
       }
     }
+    return m;
   }
 
-  /// Returns the inverse of the least-squares matrix. It is zero across a plane or a line in which
-  /// all neighbours are.
-  Eigen::Matrix3d InvertMatrix() const
+  /// Returns the inverse of a matrix. It is zero across a plane or a line in which all neighbours
+  /// are.
+  static Matrix Inverse(const Matrix& m)
   {
-    Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
-    for (const Neighbour& other : this->Around)
-    {
-      const Eigen::Vector3d x(other.Place[0], other.Place[1], other.Place[2]);
-      a += other.Weight * x * x.transpose();
-    }
-    const double scale = a.trace() / 3.0;
+    const double scale = (m[0] + m[1] + m[2]) / 3.0;
     if (!(scale > 0.0))
     {
-      return Eigen::Matrix3d::Zero();
+      return {};
     }
-    if (a.determinant() > 0.01 * scale * scale * scale)
+    const Matrix minors{ { m[1] * m[2] - m[5] * m[5], m[0] * m[2] - m[4] * m[4],
+      m[0] * m[1] - m[3] * m[3], m[4] * m[5] - m[3] * m[2], m[3] * m[5] - m[4] * m[1],
+      m[3] * m[4] - m[5] * m[0] } };
+    const double determinant = m[0] * minors[0] + m[3] * minors[3] + m[4] * minors[4];
+    if (determinant > 0.01 * scale * scale * scale)
     {
-      return a.inverse();
+      Matrix inverse;
+      std::transform(minors.begin(), minors.end(), inverse.begin(),
+        [determinant](double minor) { return minor / determinant; });
+      return inverse;
     }
+    return PseudoInverse(m);
+  }
+  static Matrix PseudoInverse(const Matrix& m)
+  {
+    Eigen::Matrix3d a;
+    a << m[0], m[3], m[4], m[3], m[1], m[5], m[4], m[5], m[2];
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(a);
     Eigen::Vector3d inverse = solver.eigenvalues();
     const double least = Flat * inverse[2];
@@ -105,91 +250,16 @@ private:
     {
       inverse[i] = inverse[i] > least ? 1.0 / inverse[i] : 0.0;
     }
-    return solver.eigenvectors() * inverse.asDiagonal() * solver.eigenvectors().transpose();
+    a = solver.eigenvectors() * inverse.asDiagonal() * solver.eigenvectors().transpose();
+    return { { a(0, 0), a(1, 1), a(2, 2), a(0, 1), a(0, 2), a(1, 2) } };
   }
 
-  /// Sums the differences to neighbours, for all columns.
-  void AddDifferences(int s)
-  {
-    const int count = this->Columns.Count();
-    const double* own = this->Values.Of(s);
-    std::fill(this->Sums.begin(), this->Sums.end(), 0.0);
-    for (const Neighbour& other : this->Around)
-    {
-      AddNeighbour(
-        this->Values.Of(other.Donor), own, other.Weight * other.Place, count, this->Sums.data());
-    }
-  }
-
-  /// Adds the differences to a neighbour. The loop is vectorised.
-  static void AddNeighbour(const double* __restrict values, const double* __restrict own,
-    const Vector3& weights, int count, double* __restrict sums)
-  {
-    const double x = weights[0], y = weights[1], z = weights[2];
-    for (int c = 0; c < count; ++c)
-    {
-      const double difference = values[c] - own[c];
-      double &least = sums[3 * count + c], &most = sums[4 * count + c];
-      sums[c] += x * difference;
-      sums[count + c] += y * difference;
-      sums[2 * count + c] += z * difference;
-      least = difference < least ? difference : least;
-      most = difference > most ? difference : most;
-    }
-  }
-
-  /// Returns the shift of a value that compensates the product of the slopes of mass and value.
-  double FindShift(int s, int c, const double* lines) const
-  {
-    int base = this->Columns.Base(c);
-    while (base >= 0 && this->Columns.IsConstant(base))
-    {
-      base = this->Columns.Base(base);
-    }
-    const double value = base < 0 ? 0.0 : this->Values.Of(s)[base] * this->Donors[s].Overlap;
-    if (!(value > 0.0))
-    {
-      return 0.0;
-    }
-    const std::array<double, 6>& m = this->Shapes[s].Second;
-    const double *g = lines + 4 * base, *h = lines + 4 * c;
-    const double sum = g[0] * (m[0] * h[0] + m[3] * h[1] + m[4] * h[2]) +
-      g[1] * (m[3] * h[0] + m[1] * h[1] + m[5] * h[2]) +
-      g[2] * (m[4] * h[0] + m[5] * h[1] + m[2] * h[2]);
-    return -sum / value;
-  }
-
-  /// Limits a slope, so that in the bounding box of the parts, values stay
-  /// within the range of neighbours.
-  /// @param least,most  range of the differences to neighbours, which includes 0
-  static void Limit(const DonorShape& shape, double least, double most, double shift, double* line)
-  {
-    double low = shift, high = shift;
-    for (int a = 0; a < 3; ++a)
-    {
-      const double atLower = line[a] * shape.Lower[a], atUpper = line[a] * shape.Upper[a];
-      low += std::min(atLower, atUpper);
-      high += std::max(atLower, atUpper);
-    }
-    double part = 1.0;
-    part = low < least ? std::min(part, least / low) : part;
-    part = high > most ? std::min(part, most / high) : part;
-    line[3] = shift;
-    for (int i = 0; i < 4; ++i)
-    {
-      line[i] = part > 0.0 && std::isfinite(line[i]) ? part * line[i] : 0.0;
-    }
-  }
-
-  const StateColumns& Columns;
+  const ColumnKinds Kinds;
   const DonorTable& Donors;
   const DonorValues& Values;
   const std::vector<DonorShape>& Shapes;
   const std::array<Index, 27> Steps; // offsets of the cells around
   std::vector<Neighbour> Around;
-  // Per column the right-hand side, three numbers, then the least and the largest difference: five
-  // lists, each with one number per column.
-  std::vector<double> Sums;
 };
 
 /// Returns whether all parts of a donor are at one position.
@@ -204,9 +274,9 @@ bool IsPoint(const DonorShape& shape)
 Slopes::Slopes(const StateColumns& columns, const CartesianGrid& grid, const DonorTable& donors,
   const DonorValues& values, const std::vector<DonorShape>& shapes, const DonorLinks& links,
   Runtime& runtime) :
-  Columns(columns), Places(donors.Count(), -1)
+  Width(4 * columns.Width()), Zeros(this->Width, 0.0), Places(donors.Count(), -1)
 {
-  const int width = 4 * columns.Count();
+  const int width = this->Width;
   std::vector<int> sloping;
   int places = 0;
   for (int s = 0; s < donors.Count(); ++s)

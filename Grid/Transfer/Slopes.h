@@ -16,12 +16,14 @@
 namespace vfm
 {
 
-/// Slopes of the donors whose parts are not all at one position. The columns must outlive it.
+/// Slopes of the donors whose parts are not all at one position.
 class Slopes
 {
 public:
   /// Makes all values constant in their donors.
-  explicit Slopes(const StateColumns& columns) : Columns(columns) {}
+  explicit Slopes(const StateColumns& columns) : Width(4 * columns.Width()), Zeros(this->Width, 0.0)
+  {
+  }
   /// Finds the slopes of owned donors, and receives the slopes of copies.
   /// @param donors,values  donors and their values; copies around owned donors must be up to date
   /// @param shapes  shapes of owned donors, after CentreShapes
@@ -31,30 +33,19 @@ public:
     const DonorValues& values, const std::vector<DonorShape>& shapes, const DonorLinks& links,
     Runtime& runtime);
 
-  /// Finds the values of a donor at a position.
-  /// @param x  position relative to the centroid of the donor
-  /// @param own  values at the centroid, one per column
-  /// @param[out] values  values at the position
-  void Evaluate(int donor, const Vector3& x, const double* own, double* values) const
+  /// Returns the slopes of a donor relative to its centroid: StatePart::Line.
+  const double* LineOf(int donor) const
   {
     const int place = this->Places.empty() ? -1 : this->Places[donor];
-    const int count = this->Columns.Count();
-    if (place < 0)
-    {
-      std::copy_n(own, count, values);
-      return;
-    }
-    const double* line = this->Lines.data() + static_cast<std::size_t>(place) * 4 * count;
-    for (int c = 0; c < count; ++c, line += 4)
-    {
-      values[c] = own[c] + (line[0] * x[0] + line[1] * x[1] + line[2] * x[2] + line[3]);
-    }
+    return place < 0 ? this->Zeros.data()
+                     : this->Lines.data() + static_cast<std::size_t>(place) * this->Width;
   }
 
 private:
-  const StateColumns& Columns;
-  std::vector<int> Places;   // position of each donor in Lines; -1 if it is constant
-  std::vector<double> Lines; // slope and shift of each column, per donor
+  const int Width;
+  const std::vector<double> Zeros; // slopes of constant donors
+  std::vector<int> Places;         // position of each donor in Lines; -1 if it is constant
+  std::vector<double> Lines;       // Width numbers per donor
 };
 
 } // namespace vfm

@@ -24,6 +24,9 @@ public:
   /// Returns the number of columns: all components of the quantities. Without a density, there is
   /// one more column with the value 1, so that mass is the volume of material in cells.
   int Count() const { return static_cast<int>(this->Bases.size()); }
+  /// Returns the length of lists with one number per column: Count(), rounded up to whole SIMD
+  /// registers.
+  int Width() const { return (this->Count() + 3) / 4 * 4; }
   /// Returns the number of components of all quantities.
   int CountOfQuantities() const { return this->QuantityCount; }
   /// Returns the base of a column, the column whose content it is multiplied with; -1 for volume.

@@ -1,5 +1,6 @@
 #include "Transfer/TransferState.h"
 
+#include "Transfer/ElementState.h"
 #include "Transfer/Slopes.h"
 #include "Transfer/VolumeFluxes.h"
 
@@ -23,62 +24,6 @@ std::vector<unsigned char> FindMeshed(const Mesh& mesh, int materials, Ranks& ra
   return isMeshed;
 }
 
-/// State of an element, summed over its parts.
-class ElementState
-{
-public:
-  explicit ElementState(const StateColumns& columns) :
-    Columns(columns), Count(columns.Count()), Numbers(4 * columns.Count())
-  {
-  }
-
-  void Start()
-  {
-    this->Inside = 0.0;
-    std::fill_n(this->Contents(), 2 * this->Count, 0.0);
-  }
-  /// Returns the array to which the caller writes the values of the next part.
-  double* NextValues() { return this->Numbers.data(); }
-  /// Adds a part.
-  /// @param inside  volume of the element in the part
-  /// @param volume  volume of the material that the part receives, equal up to rounding
-  void Add(double inside, double volume)
-  {
-    double *values = this->NextValues(), *parts = values + this->Count;
-    double *contents = this->Contents(), *means = contents + this->Count;
-    this->Columns.FindContents(volume, values, parts);
-    this->Inside += inside;
-    for (int c = 0; c < this->Count; ++c)
-    {
-      contents[c] += parts[c];
-      means[c] += inside * values[c];
-    }
-  }
-  double Mass() const { return this->Contents()[this->Columns.Density()]; }
-  double Value(int c) const
-  {
-    const int base = this->Columns.Base(c);
-    const double* contents = this->Contents();
-    const double weight = base < 0 ? this->Inside : contents[base];
-    if (weight > 0.0)
-    {
-      return contents[c] / weight;
-    }
-    const double mean = contents[this->Count + c]; // volume mean without mass
-    return this->Inside > 0.0 ? mean / this->Inside : 0.0;
-  }
-
-private:
-  double* Contents() { return this->Numbers.data() + 2 * this->Count; }
-  const double* Contents() const { return this->Numbers.data() + 2 * this->Count; }
-
-  const StateColumns& Columns;
-  const int Count;
-  double Inside = 0.0;
-  // Per column: values and contents of the last part, sums of contents, and of values by volume.
-  std::vector<double> Numbers;
-};
-
 /// Data of all steps.
 struct Work
 {
@@ -98,20 +43,11 @@ struct Work
 };
 
 /// Cuts the elements for which isNeeded(element) is true, and makes their donors. Collective.
-template <class IsNeeded>
 std::vector<DonorParts> FindParts(
-  Work& work, const IsNeeded& isNeeded, std::vector<DonorShape>& shapes)
+  Work& work, const std::function<bool(Index element)>& isNeeded, std::vector<DonorShape>& shapes)
 {
-  std::vector<Index> elements;
-  for (Index e = 0; e < static_cast<Index>(work.TheMesh.Material.size()); ++e)
-  {
-    if (isNeeded(e))
-    {
-      elements.push_back(e);
-    }
-  }
   return FindDonorParts(
-    work.TheMesh, elements, work.Grid, work.Regular, work.Parts, work.Run, work.Donors, shapes);
+    work.TheMesh, isNeeded, work.Grid, work.Regular, work.Parts, work.Run, work.Donors, shapes);
 }
 
 /// Returns whether a whole element has donors because mismatch cells are near.
@@ -159,42 +95,136 @@ void Allocate(const Work& work, TransferredState& state)
   state.Mass = Buffer<double>(elements);
 }
 
-void Write(const Work& work, const ElementState& element, Index e, TransferredState& state)
+/// Writes the state of elements.
+class StateWriter
 {
-  state.Mass[e] = element.Mass();
-  int c = 0;
-  for (std::size_t q = 0; q < work.Request.Quantities.size(); ++q)
+public:
+  StateWriter(
+    const StateColumns& columns, const TransferRequest& request, TransferredState& state) :
+    Mass(state.Mass.data()), State(columns)
   {
-    const int components = work.Request.Quantities[q].Components;
-    for (int i = 0; i < components; ++i)
+    for (std::size_t q = 0; q < state.Values.size(); ++q)
     {
-      state.Values[q][e * components + i] = element.Value(c++);
+      const int components = request.Quantities[q].Components;
+      for (int i = 0; i < components; ++i)
+      {
+        this->Targets.push_back({ state.Values[q].data() + i, components });
+      }
     }
+  }
+
+  /// Returns the state of the next element, to which the caller adds its parts.
+  ElementState& Next()
+  {
+    this->State.Start();
+    return this->State;
+  }
+  /// Writes the state of an element.
+  void Write(Index e)
+  {
+    this->State.Finish();
+    this->Mass[e] = this->State.Mass();
+    const double* value = this->State.Values();
+    for (const Target& target : this->Targets)
+    {
+      target.Values[e * target.Components] = *value++;
+    }
+  }
+
+private:
+  struct Target
+  {
+    double* Values;
+    Index Components;
+  };
+  std::vector<Target> Targets; // one per column of the quantities
+  double* Mass;
+  ElementState State;
+};
+
+/// What elements get from a donor.
+class DonorSource
+{
+public:
+  DonorSource(
+    const CartesianGrid& grid, const Donor& donor, const double* own, const double* line) :
+    Own(own), Line(line), Centroid(donor.Centroid), Ratio(donor.Volume / donor.Overlap)
+  {
+    const Index3 cell = grid.Position(donor.Cell);
+    for (int a = 0; a < 3; ++a)
+    {
+      const std::vector<double>& x = grid.Coordinates(a);
+      this->Eighth[a] = grid.Width(a, cell[a]) / 8.0;
+      this->Centre[a] = 0.5 * (x[cell[a]] + x[cell[a] + 1]) - donor.Centroid[a];
+    }
+    this->Volume24 = grid.CellVolume(cell) / 24.0;
+  }
+
+  StatePart Find(const DonorPart& part) const
+  {
+    return { this->Own, this->Line, part.Centroid - this->Centroid, part.Volume,
+      part.Volume * this->Ratio };
+  }
+  /// Returns the part of a regular tet.
+  StatePart Find(int kind) const
+  {
+    const RegularShape& shape = RegularShapes[kind];
+    Vector3 x;
+    for (int a = 0; a < 3; ++a)
+    {
+      x[a] = this->Centre[a] + shape.Centroid[a] * this->Eighth[a];
+    }
+    const double inside = shape.Volume * this->Volume24;
+    return { this->Own, this->Line, x, inside, inside * this->Ratio };
+  }
+
+private:
+  const double *Own, *Line;
+  Vector3 Centroid;
+  double Ratio;           // volume of material per volume of elements
+  Vector3 Centre, Eighth; // centre of the cell relative to the centroid, eighths of its widths
+  double Volume24;        // 24th of the volume of the cell
+};
+
+std::vector<DonorSource> ListSources(
+  const Work& work, const Slopes& slopes, const DonorValues& values)
+{
+  std::vector<DonorSource> sources;
+  sources.reserve(work.Donors.Count());
+  for (int s = 0; s < work.Donors.Count(); ++s)
+  {
+    sources.emplace_back(work.Grid, work.Donors[s], values.Of(s), slopes.LineOf(s));
+  }
+  return sources;
+}
+
+/// Adds the parts of element i of a list.
+void AddParts(
+  const DonorParts& some, Index i, const std::vector<DonorSource>& sources, ElementState& element)
+{
+  for (int p = some.Offsets[i]; p < some.Offsets[i + 1]; ++p)
+  {
+    element.Add(sources[some.Parts[p].Donor].Find(some.Parts[p]));
+  }
+  for (int p = 0; !some.Regular.empty() && p < 2 && some.Regular[i].Donor[p] >= 0; ++p)
+  {
+    element.Add(sources[some.Regular[i].Donor[p]].Find(some.Regular[i].Kind[p]));
   }
 }
 
-void FillFromDonors(Work& work, const std::vector<DonorParts>& pieces, const Slopes& slopes,
-  const DonorValues& values, TransferredState& state)
+void FillFromDonors(Work& work, const std::vector<DonorParts>& pieces,
+  const std::vector<DonorSource>& sources, TransferredState& state)
 {
   for (const DonorParts& some : pieces)
   {
     work.Run.For(0, static_cast<Index>(some.Elements.size()),
       [&](Index begin, Index end)
       {
-        ElementState element(work.Columns);
-        PartReader reader(work.TheMesh, work.Grid, work.Regular, work.Donors);
+        StateWriter writer(work.Columns, work.Request, state);
         for (Index i = begin; i < end; ++i)
         {
-          element.Start();
-          reader.ForParts(some, i,
-            [&](const DonorPart& part)
-            {
-              const Donor& donor = work.Donors[part.Donor];
-              slopes.Evaluate(part.Donor, part.Centroid - donor.Centroid, values.Of(part.Donor),
-                element.NextValues());
-              element.Add(part.Volume, part.Volume * (donor.Volume / donor.Overlap));
-            });
-          Write(work, element, some.Elements[i], state);
+          AddParts(some, i, sources, writer.Next());
+          writer.Write(some.ElementAt(i));
         }
       });
   }
@@ -206,7 +236,9 @@ void FillFromCells(Work& work, const FlowRegion& region, TransferredState& state
   work.Run.For(0, static_cast<Index>(work.TheMesh.Material.size()),
     [&](Index begin, Index end)
     {
-      ElementState element(work.Columns);
+      StateWriter writer(work.Columns, work.Request, state);
+      const Slopes slopes(work.Columns);
+      std::vector<double> own(work.Columns.Width());
       for (Index e = begin; e < end; ++e)
       {
         if (!work.Whole.IsWhole(e) || IsNear(work, region.Mismatches, e) ||
@@ -214,14 +246,19 @@ void FillFromCells(Work& work, const FlowRegion& region, TransferredState& state
         {
           continue;
         }
-        element.Start();
-        ForCells(work.Whole.CellsOf(e),
+        ElementState& element = writer.Next();
+        const IndexBox cells = work.Whole.CellsOf(e);
+        own.resize(cells.NumberOfCells() * work.Columns.Width());
+        double* next = own.data();
+        ForCells(cells,
           [&](const Index3& p)
           {
-            work.Source.Read(p, work.TheMesh.Material[e], element.NextValues());
-            element.Add(work.Grid.CellVolume(p), work.Grid.CellVolume(p));
+            work.Source.Read(p, work.TheMesh.Material[e], next);
+            const double volume = work.Grid.CellVolume(p);
+            element.Add({ next, slopes.LineOf(0), {}, volume, volume });
+            next += work.Columns.Width();
           });
-        Write(work, element, e, state);
+        writer.Write(e);
       }
     });
 }
@@ -260,10 +297,12 @@ TransferredState TransferState(const Mesh& mesh, const TransferRequest& request,
     ? Slopes(work.Columns)
     : Slopes(work.Columns, work.Grid, work.Donors, values, shapes,
         links.Narrow([&work](int s) { return work.Donors[s].HasParts; }), work.Run);
+  std::vector<DonorShape>().swap(shapes); // keeps the peak of memory low
   Allocate(work, state);
-  FillFromDonors(work, moved, slopes, values, state);
-  FillFromDonors(work, near, slopes, values, state);
-  FillFromDonors(work, inside, slopes, values, state);
+  const std::vector<DonorSource> sources = ListSources(work, slopes, values);
+  FillFromDonors(work, moved, sources, state);
+  FillFromDonors(work, near, sources, state);
+  FillFromDonors(work, inside, sources, state);
   FillFromCells(work, region, state);
   state.Input = input.Finish(work.Run.Group());
   state.Unmeshed = unmeshed.Finish(work.Run.Group());

@@ -317,10 +317,37 @@ LevelCover::LevelCover(const InputLevels& input, int level, const IndexBox& box)
   {
     for (const BlockPlace& place : input.Levels[finer].Places)
     {
-      ForCells(Intersect(ChangeLevel(place.Box, level - finer), box),
-        [&](const Index3& cell) { this->Covered[IndexInBox(box, cell)] = true; });
+      this->Add(ChangeLevel(place.Box, level - finer));
     }
   }
+}
+
+LevelCover::LevelCover(const InputLevels& input, int level, const CartesianGrid& grid) :
+  Box(grid.Local()), Covered(Box.NumberOfCells(), false)
+{
+  const Index3& domain = grid.Domain().Lower;
+  IndexBox shifts{ {}, { { 1, 1, 1 } } }; // periods from the first copy
+  for (int a = 0; a < 3; ++a)
+  {
+    const Index period = grid.Period(a);
+    shifts.Lower[a] = period > 0 ? -((domain[a] + period - 1) / period) : 0;
+    shifts.Upper[a] = 1 - shifts.Lower[a];
+  }
+  for (int finer = level; finer <= input.Finest(); ++finer)
+  {
+    for (const BlockPlace& place : input.Levels[finer].Places)
+    {
+      const IndexBox box = Moved(ChangeLevel(place.Box, level - finer), domain);
+      ForCells(
+        shifts, [&](const Index3& shift) { this->Add(Moved(box, grid.CellsInPeriods(shift))); });
+    }
+  }
+}
+
+void LevelCover::Add(const IndexBox& box)
+{
+  ForCells(Intersect(box, this->Box),
+    [this](const Index3& cell) { this->Covered[IndexInBox(this->Box, cell)] = true; });
 }
 
 InputLevels FindInputLevels(CollectedBlocks collected, Ranks& ranks)

@@ -42,6 +42,8 @@ class LevelCover
 {
 public:
   LevelCover(const InputLevels& input, int level, const IndexBox& box);
+  /// Marks the local cells of a grid of the level, which may be periodic.
+  LevelCover(const InputLevels& input, int level, const CartesianGrid& grid);
 
   bool Has(const Index3& cell) const { return this->Covered[IndexInBox(this->Box, cell)]; }
   /// Returns whether no cell contains such data.
@@ -51,6 +53,8 @@ public:
   }
 
 private:
+  void Add(const IndexBox& box);
+
   IndexBox Box;
   std::vector<bool> Covered;
 };

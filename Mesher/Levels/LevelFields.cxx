@@ -143,7 +143,7 @@ void RefineLevel(const InputLevels& input, const LevelStack& levels, int level, 
   Runtime& runtime, FractionField& fractions)
 {
   const CartesianGrid& finer = levels.Grids[level + 1];
-  const LevelCover cover(input, level + 1, finer.Local());
+  const LevelCover cover(input, level + 1, finer);
   RefinedCells refined = RefineCells(levels.Grids[level], fractions, runtime, rule,
     [&cover](const Index3& cell) { return cover.Has(ChildOfCell(cell, 0)); });
   const FractionField& data = levels.Fields[level + 1].Fractions;
@@ -158,20 +158,45 @@ void RefineLevel(const InputLevels& input, const LevelStack& levels, int level, 
   fractions = std::move(refined.Fractions);
 }
 
-/// Collective. Returns the field of the finest level.
-InputField JoinLevels(const InputLevels& input, ChildRule rule, Runtime& runtime, LevelStack levels)
+/// Collective. Adds the copies of cells of a domain that repeats.
+void AddLevelCopies(const std::array<bool, 3>& repeats, Ranks& ranks, LevelStack& levels)
 {
+  for (std::size_t level = 0; level < levels.Grids.size(); ++level)
+  {
+    CartesianGrid& grid = levels.Grids[level];
+    ReplaceGrid(CartesianGrid::Covering(grid.Coordinates(), grid.Owned(), repeats, Seam::Free,
+                  GhostLayers, HexLayers, Index(GhostLayers) << level),
+      ranks, grid, levels.Fields[level].Fractions);
+  }
+}
+
+/// Collective. Returns the field of the finest level.
+InputField JoinLevels(const InputLevels& input, ChildRule rule, const std::array<bool, 3>& repeats,
+  Runtime& runtime, LevelStack levels)
+{
+  Ranks& ranks = runtime.Group();
+  const bool isPeriodic = repeats[0] || repeats[1] || repeats[2];
+  if (isPeriodic)
+  {
+    AddLevelCopies(repeats, ranks, levels);
+  }
   InputField field = std::move(levels.Fields[0]);
-  WorkTogether(runtime.Group(),
-    [&]
+  for (int level = 0; level + 1 < static_cast<int>(levels.Grids.size()); ++level)
+  {
+    WorkTogether(
+      ranks, [&] { RefineLevel(input, levels, level, rule, runtime, field.Fractions); });
+    if (isPeriodic) // children of copies are rounded
     {
-      for (int level = 0; level + 1 < static_cast<int>(levels.Grids.size()); ++level)
-      {
-        RefineLevel(input, levels, level, rule, runtime, field.Fractions);
-      }
-    });
+      FillGhosts(Partition(levels.Grids[level + 1], ranks), field.Fractions);
+    }
+  }
+  if (isPeriodic)
+  {
+    CartesianGrid& finest = levels.Grids.back();
+    ReplaceGrid(finest.OfDomain(GhostLayers), ranks, finest, field.Fractions);
+  }
   std::vector<Index> corrected{ levels.Corrected.Normalised, levels.Corrected.Clipped };
-  runtime.Group().Sum(corrected);
+  ranks.Sum(corrected);
   field.Corrected = { corrected[0], corrected[1] };
   return field;
 }
@@ -280,12 +305,13 @@ std::vector<BlockPlace> DistributeCells(
 }
 
 LevelFields MakeLevelFields(const InputLevels& input, const LevelCells& cells,
-  const LevelSetup& setup, ChildRule rule, const std::vector<BlockPlace>& owners, Runtime& runtime)
+  const LevelSetup& setup, ChildRule rule, const std::array<bool, 3>& repeats,
+  const std::vector<BlockPlace>& owners, Runtime& runtime)
 {
   LevelStack levels = ReadLevels(input, cells, setup, owners, runtime.Group());
   AverageLevels(input, runtime.Group(), levels);
   CartesianGrid grid = levels.Grids.back();
-  InputField field = JoinLevels(input, rule, runtime, std::move(levels));
+  InputField field = JoinLevels(input, rule, repeats, runtime, std::move(levels));
   const IndexBox owned = BoxOfRank(owners, runtime.Group().Rank());
   const int top = std::min(setup.Finest, input.Finest());
   LevelFields result{ CartesianGrid(HalveWidths(input.Levels[0].Coordinates, setup.Base),

@@ -40,12 +40,15 @@ struct LevelFields
 std::vector<BlockPlace> DistributeCells(
   const InputLevels& input, const LevelCells& cells, const LevelSetup& setup, Ranks& ranks);
 
-/// Makes the grids and fractions of this rank.
+/// Makes the grids and fractions of this rank, without copies of cells.
+/// @param repeats whether the domain repeats along each axis: cells at sides are then halved with
+/// their neighbours across
 /// @param owners cells of level 0 that each rank meshes, of all ranks or of nearby ranks
 /// @throws InputError if values are not fractions, or if CheckCover does; on all ranks
 /// @pre Collective
 LevelFields MakeLevelFields(const InputLevels& input, const LevelCells& cells,
-  const LevelSetup& setup, ChildRule rule, const std::vector<BlockPlace>& owners, Runtime& runtime);
+  const LevelSetup& setup, ChildRule rule, const std::array<bool, 3>& repeats,
+  const std::vector<BlockPlace>& owners, Runtime& runtime);
 
 /// Divides the cells of Base and Grid until no aspect ratio exceeds a maximum (DivideLongCells).
 /// Ratios between levels and the places of families do not change.

@@ -4,6 +4,7 @@
 #include "Fractions/GhostFractions.h"
 #include "Input/NodeCoordinates.h"
 #include "Labels/Labels.h"
+#include "Mesh/PeriodicIds.h"
 
 namespace vfm
 {
@@ -55,6 +56,25 @@ std::vector<Index> CountChanges(const CartesianGrid& grid, const LabelArray& lab
   return counts;
 }
 
+/// Replaces the coarsest grid, and the keys of families accordingly.
+void ReplaceBase(LevelFields& fields)
+{
+  const int levels = static_cast<int>(fields.Families.size());
+  CartesianGrid base = CoarsenGrid(fields.Grid, levels, GhostLayers);
+  const OctreeKeys before(fields.Base, levels), after(base, levels);
+  const Index3 &from = fields.Base.Domain().Lower, &to = base.Domain().Lower;
+  const Index3 cells{ { from[0] - to[0], from[1] - to[1], from[2] - to[2] } };
+  for (int level = 0; level < levels; ++level)
+  {
+    for (Index& key : fields.Families[level])
+    {
+      const IndexBox family = ChangeLevel(BoxOfCell(before.FamilyOfKey(level, key)), 1);
+      key = after.FamilyKeyOf(Below({ level, family.Lower, 0 }, cells, 0));
+    }
+  }
+  fields.Base = std::move(base);
+}
+
 } // namespace
 
 int CountPeriodicLevels(
@@ -74,24 +94,11 @@ int CountPeriodicLevels(
   return levels;
 }
 
-void CheckPeriods(const MesherOptions& options, const InputLevels& input, const LevelSetup& setup)
+void CheckPeriods(const MesherOptions& options, const LevelSetup& setup)
 {
   if (options.Periodic == 0)
   {
     return;
-  }
-  if (input.Finest() > 0)
-  {
-    throw InputError("A periodic mesh needs input of one level.");
-  }
-  if (setup.Refinements() > 0 && options.Elements == ElementKind::Tets)
-  {
-    throw InputError("Periodic meshes of tetrahedra cannot be refined: set Refinement to Off or "
-                     "Uniform.");
-  }
-  if (setup.Refinements() > 0 && !options.FineInterfaces)
-  {
-    throw InputError("Periodic meshes are refined with FineInterfaces on only.");
   }
   if (options.Elements == ElementKind::Tets && options.PeriodicSides == Sides::Free)
   {
@@ -117,7 +124,7 @@ void AddCopies(
       options.PeriodicSides == Sides::Flat ? Seam::Flat : Seam::Free, GhostLayers, HexLayers,
       Index(GhostLayers) << levels),
     ranks, fields.Grid, fields.Field.Fractions);
-  fields.Base = CoarsenGrid(fields.Grid, levels, GhostLayers);
+  ReplaceBase(fields);
 }
 
 std::string DescribeSeams(const LevelFields& fields, double isoValue, Ranks& ranks)
@@ -152,7 +159,7 @@ void RemoveCopies(Ranks& ranks, LevelFields& fields)
   if (fields.Grid.IsPeriodic())
   {
     ReplaceGrid(fields.Grid.OfDomain(GhostLayers), ranks, fields.Grid, fields.Field.Fractions);
-    fields.Base = CoarsenGrid(fields.Grid, static_cast<int>(fields.Families.size()), GhostLayers);
+    ReplaceBase(fields);
   }
 }
 

@@ -15,10 +15,10 @@ namespace vfm
 int CountPeriodicLevels(
   const MesherOptions& options, const std::array<std::vector<double>, 3>& coordinates);
 
-/// Checks whether other options and the levels of the input allow a periodic mesh.
+/// Checks whether other options allow a periodic mesh.
 /// @param setup levels of the mesh
 /// @throws InputError if they do not
-void CheckPeriods(const MesherOptions& options, const InputLevels& input, const LevelSetup& setup);
+void CheckPeriods(const MesherOptions& options, const LevelSetup& setup);
 
 /// Adds the copies of cells that meshing needs (CartesianGrid::Covering). Does nothing without
 /// periodic axes.

@@ -58,6 +58,41 @@ enum class Sides
   Joined ///< none: elements at opposite sides share nodes
 };
 
+/// What connects both sides of split interfaces, in files.
+enum class SplitConnection
+{
+  None,     ///< nothing
+  Cohesive, ///< elements of zero thickness
+  Contact,  ///< contact of surfaces
+  Tied      ///< tied surfaces
+};
+
+/// Unit of a thickness.
+enum class ThicknessUnit
+{
+  Cells,
+  Length
+};
+
+/// Sides of selected interfaces with layers.
+enum class LayerSide
+{
+  Both,
+  First ///< of the first material of each pair
+};
+
+/// Options of layers of hexahedra along surfaces.
+struct LayerOptions
+{
+  int Layers = 0; ///< 0, 1: elements are not cut
+  double LayerGrowth = 1.5;
+  double FirstLayer = 0.0; ///< thickness; 0: as the elements are
+  ThicknessUnit FirstLayerUnit = ThicknessUnit::Cells;
+  std::string LayerInterfaces; ///< pairs of materials (Modify/MaterialPairs.h); empty: all
+  LayerSide LayersOn = LayerSide::Both;
+  int LayerSides = 0; ///< bit a is set if sides of the domain across axis a have layers
+};
+
 /// Maximum number of halvings of a cell.
 constexpr int MaximumHalvings = 10;
 
@@ -83,7 +118,7 @@ struct ConserveOptions
 };
 
 /// All user options. An empty name means no array or no file.
-struct MesherOptions : MeshSettings, LevelSettings, ConserveOptions
+struct MesherOptions : MeshSettings, LevelSettings, ConserveOptions, LayerOptions
 {
   /// Sets Edges to Automatic, the default for users; the default of MeshSettings is Off.
   MesherOptions() { this->Edges = SharpEdges::Automatic; }
@@ -91,6 +126,8 @@ struct MesherOptions : MeshSettings, LevelSettings, ConserveOptions
   ElementKind Elements = ElementKind::Hexes;
   int Periodic = 0; ///< bit a is set if the domain repeats along axis a
   Sides PeriodicSides = Sides::Flat;
+  std::string SplitInterfaces; ///< pairs of materials (Modify/MaterialPairs.h)
+  SplitConnection Connection = SplitConnection::None; ///< option SplitConnection
   double FractionTolerance = 1e-6;
   int LabelSmoothing = 0;
   std::string LabelNames; ///< path of a file

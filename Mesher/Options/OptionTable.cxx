@@ -400,6 +400,82 @@ OptionTable RefinementOptions()
   };
 }
 
+OptionTable SplitOptions()
+{
+  return {
+    Row("SplitInterfaces", Text(OptionKind::Pairs, &M::SplitInterfaces),
+      "Pairs of materials whose interfaces are split: the elements on each side get their own "
+      "nodes, also where several fragments meet at a line or a corner. A pair is two names or ids "
+      "with a slash between them, such as steel/copper or 1/3; * is any material. The point array "
+      "OriginalPointIds has the ids of the nodes before.")
+      .InPython("split_interfaces")
+      .Sculptor("--split PAIRS"),
+    Row("SplitConnection", Choice<&M::Connection>({ "None", "Cohesive", "Contact", "Tied" }),
+      "Connection of both sides of split interfaces in files. Cohesive: elements of zero thickness "
+      "in blocks of their own, in .inp, Exodus and .msh files. Contact, Tied: contact pairs or "
+      "ties in .inp files. None: the sides are free.")
+      .EnabledIf("SplitInterfaces")
+      .Sculptor("--split-connection KIND"),
+  };
+}
+
+OptionTable LayerOptionsTable()
+{
+  return {
+    Row("Layers", Number<&M::Layers>(0, 20),
+      "Cut the hexahedra along interfaces into this number of layers, as for boundary layers or "
+      "contact. The cell array Layer counts them from the surface. A fragment gets layers along "
+      "its whole surface. 0, 1: no layers.")
+      .Advanced()
+      .NotOfTets()
+      .Sculptor("--layers N"),
+    Row("LayerGrowth", Number<&M::LayerGrowth>(1.0, 10.0),
+      "Thickness of each layer relative to the one before it, away from the surface.")
+      .EnabledIf("Layers")
+      .Advanced()
+      .NotOfTets()
+      .Sculptor("--layer-growth G"),
+    Row("FirstLayer", Number<&M::FirstLayer>(0.0),
+      "Thickness of the first layer, where there is room: where the hexahedra are high enough for "
+      "all layers. Layers grow less where there is less room, and the last one is thicker where "
+      "there is more. 0: layers fill the hexahedra along the interface, which are half a cell "
+      "high.")
+      .EnabledIf("Layers")
+      .Advanced()
+      .NotOfTets()
+      .Sculptor("--first-layer T"),
+    Row("FirstLayerUnit", Choice<&M::FirstLayerUnit>({ "Cells", "Length" }),
+      "Unit of First Layer. Cells: the mean width of the finest cells. Length: the length unit of "
+      "the input.")
+      .EnabledIf("Layers")
+      .Advanced()
+      .NotOfTets()
+      .Sculptor("--first-layer-unit UNIT"),
+    Row("LayerInterfaces", Text(OptionKind::Pairs, &M::LayerInterfaces),
+      "Pairs of materials whose interfaces have layers. A pair is two names or ids with a slash "
+      "between them, such as water/steel or 1/3; * is any material, 0 or Void the void. None: all "
+      "interfaces.")
+      .InPython("layer_interfaces")
+      .EnabledIf("Layers")
+      .Advanced()
+      .NotOfTets()
+      .Sculptor("--layer-interfaces PAIRS"),
+    Row("LayersOn", Choice<&M::LayersOn>({ "Both Materials", "First Material" }),
+      "Side of the interfaces with layers: the elements of both materials of each pair, or only "
+      "those of the first.")
+      .EnabledIf("Layers & LayerInterfaces")
+      .Advanced()
+      .NotOfTets()
+      .Sculptor("--layers-on SIDE"),
+    Row("LayerSides", Choice<&M::LayerSides>({ "Off", "X", "Y", "XY", "Z", "XZ", "YZ", "XYZ" }),
+      "Axes across which the sides of the domain have layers as well, such as walls.")
+      .EnabledIf("Layers")
+      .Advanced()
+      .NotOfTets()
+      .Sculptor("--layer-sides AXES"),
+  };
+}
+
 OptionTable QualityOptions()
 {
   return {
@@ -484,6 +560,8 @@ OptionTable JoinGroups()
   add("State kinds (array=kind)", StateKindsOptions());
   add("Surface", SurfaceOptions());
   add("Refinement", RefinementOptions());
+  add("Split interfaces", SplitOptions());
+  add("Layers", LayerOptionsTable());
   add("Quality (target 0: automatic)", QualityOptions());
   add("Performance (0: automatic)", PerformanceOptions());
   add("Tetrahedra", TetrahedraOptions(), true);

@@ -26,6 +26,7 @@ enum class OptionKind
   File,   ///< path of a file
   Arrays, ///< names of arrays
   Kinds,  ///< entries array=kind
+  Pairs,  ///< pairs of materials
   Boxes   ///< RefinementBoxes
 };
 
@@ -50,7 +51,7 @@ struct Option
   /// Reads a number; 0 or 1 for a switch, the index of the word for a choice. Null for texts.
   double (*GetNumber)(const MesherOptions&) = nullptr;
   void (*SetNumber)(MesherOptions&, double) = nullptr;
-  std::string MesherOptions::*Text = nullptr;               ///< set for an array or a file
+  std::string MesherOptions::*Text = nullptr;               ///< set for an array, a file or pairs
   std::vector<std::string> MesherOptions::*Texts = nullptr; ///< set for arrays or kinds
   OptionRange Range;                                        ///< range of integers and reals
   std::vector<std::string> Words; ///< words of a choice, as in panels; the first is number 0

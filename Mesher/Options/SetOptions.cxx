@@ -190,6 +190,43 @@ std::string ListNames(ElementKind elements, const OptionTable& table)
     "The option " + option.Name + " cannot be '" + value + "': it takes " + option.Allowed() + ".");
 }
 
+void CheckLayers(const MesherOptions& options)
+{
+  if (options.Layers < 2)
+  {
+    return;
+  }
+  if (options.Elements == ElementKind::Tets)
+  {
+    throw InputError("Layers are for hexahedra: set Layers to 0 for tetrahedra.");
+  }
+  if (options.StairStep)
+  {
+    throw InputError("Layers need hexahedra along interfaces, which StairStep does not make.");
+  }
+  if (options.NodalVelocity)
+  {
+    throw InputError("NodalVelocity is not available for meshes with Layers.");
+  }
+}
+
+void CheckOrder(const MesherOptions& options)
+{
+  if (options.Order == ElementOrder::Linear)
+  {
+    return;
+  }
+  if (options.Periodic != 0)
+  {
+    throw InputError("ElementOrder must be Linear for a periodic mesh (Periodic): the mid nodes of "
+                     "opposite sides would have no partners.");
+  }
+  if (options.Layers > 1 || !options.SplitInterfaces.empty())
+  {
+    throw InputError("ElementOrder must be Linear for meshes with Layers or SplitInterfaces.");
+  }
+}
+
 } // namespace
 
 std::string Option::Allowed() const
@@ -214,6 +251,9 @@ std::string Option::Allowed() const
     case OptionKind::Kinds:
       return "name=kind with commas between them, or None; kinds: mass, mass*other, volume, cell, "
              "extensive, copy";
+    case OptionKind::Pairs:
+      return "pairs of materials such as steel/copper or 1/3 with commas between them, all, or "
+             "None";
     case OptionKind::Boxes:
       return "x0,y0,z0,x1,y1,z1, optionally followed by the number of halvings, 0 to " +
         std::to_string(MaximumHalvings) + "; boxes are separated by semicolons";
@@ -279,6 +319,7 @@ std::string GetOption(const MesherOptions& options, const Option& option)
       return WithoutSpaces(option.Words)[static_cast<int>(option.GetNumber(options))];
     case OptionKind::Array:
     case OptionKind::File:
+    case OptionKind::Pairs:
       return orNone(options.*option.Text);
     case OptionKind::Arrays:
     case OptionKind::Kinds:
@@ -315,11 +356,8 @@ void CheckOptions(const MesherOptions& options, const OptionTable& table)
       Reject(option, FormatNumber(option.GetNumber(options)));
     }
   }
-  if (options.Order != ElementOrder::Linear && options.Periodic != 0)
-  {
-    throw InputError("ElementOrder must be Linear for a periodic mesh (Periodic): the mid nodes of "
-                     "opposite sides would have no partners.");
-  }
+  CheckLayers(options);
+  CheckOrder(options);
 }
 
 std::vector<std::string> DescribeOptions(ElementKind elements, const OptionTable& table)

@@ -4,8 +4,10 @@
 #include "Mesh/Junctions.h"
 #include "Mesh/MidNodes.h"
 #include "Sets/NamedSurfaces.h"
+#include "Summary/MatchFaces.h"
 #include "Summary/MeshMaterials.h"
 
+#include <iterator>
 #include <map>
 
 namespace vfm
@@ -25,11 +27,24 @@ struct Face
   bool operator<(const Face& other) const { return this->Points < other.Points; }
 };
 
-FaceIds SortedPoints(const MeshData& mesh, const MeshFacet& facet)
+/// Returns, for each point, the lowest of its copies at split interfaces, or itself.
+std::vector<Index> FindFirstCopies(const MeshData& mesh)
 {
-  FaceIds points = PointsOfSide(mesh, { facet.Element, facet.Side });
-  std::sort(points.begin(), points.end());
-  return points;
+  std::vector<Index> first(mesh.NumberOfPoints);
+  std::map<Index, Index> firstOfId;
+  for (Index point = 0; point < mesh.NumberOfPoints; ++point)
+  {
+    first[point] = mesh.OriginalPointIds
+      ? firstOfId.emplace(mesh.OriginalPointIds[point], point).first->second
+      : point;
+  }
+  return first;
+}
+
+FaceIds SortedPoints(
+  const MeshData& mesh, const MeshFacet& facet, const std::vector<Index>& firstCopies)
+{
+  return SortedIds(PointsOfSide(mesh, { facet.Element, facet.Side }), firstCopies.data());
 }
 
 std::vector<int> NumberVolumes(const MeshData& mesh)
@@ -51,34 +66,37 @@ bool OwnsFacet(const MeshData& mesh, const MeshFacet& facet)
 }
 
 /// Returns the faces behind which the element that owns the face is, sorted.
-std::vector<Face> ListFacesBehind(const MeshData& mesh, const std::vector<int>& volumes)
+std::vector<Face> ListFacesBehind(
+  const MeshData& mesh, const std::vector<int>& volumes, const std::vector<Index>& firstCopies)
 {
   std::vector<Face> faces;
   for (const MeshFacet& facet : *mesh.Facets)
   {
     if (!OwnsFacet(mesh, facet))
     {
-      faces.push_back({ SortedPoints(mesh, facet), volumes[facet.Element] });
+      faces.push_back({ SortedPoints(mesh, facet, firstCopies), volumes[facet.Element] });
     }
   }
   std::sort(faces.begin(), faces.end());
   return faces;
 }
 
-int VolumeBehind(const MeshData& mesh, const MeshFacet& facet, const std::vector<Face>& faces)
+int VolumeBehind(const MeshData& mesh, const MeshFacet& facet, const std::vector<Face>& faces,
+  const std::vector<Index>& firstCopies)
 {
   if (facet.Behind == NothingBehind)
   {
     return 0;
   }
-  const Face key{ SortedPoints(mesh, facet), 0 };
+  const Face key{ SortedPoints(mesh, facet, firstCopies), 0 };
   const auto found = std::lower_bound(faces.begin(), faces.end(), key);
   return found != faces.end() && found->Points == key.Points ? found->Volume : 0;
 }
 
-std::vector<SurfaceEntity> FindSurfaces(const MeshData& mesh, const std::vector<int>& volumes)
+std::vector<SurfaceEntity> FindSurfaces(
+  const MeshData& mesh, const std::vector<int>& volumes, const std::vector<Index>& firstCopies)
 {
-  const std::vector<Face> faces = ListFacesBehind(mesh, volumes);
+  const std::vector<Face> faces = ListFacesBehind(mesh, volumes, firstCopies);
   std::map<SurfaceKey, SurfaceEntity> found;
   for (const MeshFacet& facet : *mesh.Facets)
   {
@@ -86,7 +104,7 @@ std::vector<SurfaceEntity> FindSurfaces(const MeshData& mesh, const std::vector<
     {
       continue;
     }
-    const int own = volumes[facet.Element], behind = VolumeBehind(mesh, facet, faces);
+    const int own = volumes[facet.Element], behind = VolumeBehind(mesh, facet, faces, firstCopies);
     const int other = facet.DomainSide != NoSide ? -1 - facet.DomainSide : behind;
     const SurfaceKey key{ { std::min(own, other), std::max(own, other), facet.Surface } };
     const std::array<int, 2> materials{ { mesh.Material[facet.Element],
@@ -107,7 +125,8 @@ std::vector<SurfaceEntity> FindSurfaces(const MeshData& mesh, const std::vector<
 }
 
 /// Classifies the points inside volumes and on surfaces.
-void ClassifyPoints(const MeshData& mesh, MeshEntities& entities)
+void ClassifyPoints(
+  const MeshData& mesh, const std::vector<Index>& firstCopies, MeshEntities& entities)
 {
   entities.PointDimension.assign(mesh.NumberOfPoints, DimensionOfVolumes);
   entities.PointEntity.assign(mesh.NumberOfPoints, entities.Volumes.front());
@@ -130,6 +149,7 @@ void ClassifyPoints(const MeshData& mesh, MeshEntities& entities)
       points.insert(points.end(), corners.begin(), corners.begin() + count);
       for (Index point : points)
       {
+        point = firstCopies[point];
         entities.PointDimension[point] = DimensionOfSurfaces;
         entities.PointEntity[point] = static_cast<int>(s) + 1;
       }
@@ -137,8 +157,19 @@ void ClassifyPoints(const MeshData& mesh, MeshEntities& entities)
   }
 }
 
+/// Classifies further copies of points like the first ones.
+void ClassifyCopies(const std::vector<Index>& firstCopies, MeshEntities& entities)
+{
+  for (std::size_t p = 0; p < firstCopies.size(); ++p)
+  {
+    entities.PointDimension[p] = entities.PointDimension[firstCopies[p]];
+    entities.PointEntity[p] = entities.PointEntity[firstCopies[p]];
+  }
+}
+
 /// Returns a mesh with only the facets of the surfaces, for Junctions.
-Mesh MakeFacets(const MeshData& mesh, const MeshEntities& entities)
+Mesh MakeFacets(
+  const MeshData& mesh, const std::vector<Index>& firstCopies, const MeshEntities& entities)
 {
   std::vector<Index> points;
   std::vector<int> ids;
@@ -148,7 +179,8 @@ Mesh MakeFacets(const MeshData& mesh, const MeshEntities& entities)
     for (const MeshSide& side : entities.Surfaces[s].Sides)
     {
       const FaceIds corners = PointsOfSide(mesh, side);
-      points.insert(points.end(), corners.begin(), corners.begin() + count);
+      std::transform(corners.begin(), corners.begin() + count, std::back_inserter(points),
+        [&firstCopies](Index point) { return firstCopies[point]; });
       ids.push_back(static_cast<int>(s) + 1);
     }
   }
@@ -254,11 +286,13 @@ MeshEntities FindMeshEntities(const MeshData& mesh)
 {
   MeshEntities entities;
   entities.Volumes = NumberVolumes(mesh);
-  entities.Surfaces = FindSurfaces(mesh, entities.Volumes);
-  ClassifyPoints(mesh, entities);
-  const Junctions junctions(MakeFacets(mesh, entities));
+  const std::vector<Index> firstCopies = FindFirstCopies(mesh);
+  entities.Surfaces = FindSurfaces(mesh, entities.Volumes, firstCopies);
+  ClassifyPoints(mesh, firstCopies, entities);
+  const Junctions junctions(MakeFacets(mesh, firstCopies, entities));
   FindVertices(junctions, entities);
   FindCurves(junctions, entities);
+  ClassifyCopies(firstCopies, entities);
   if (mesh.MidsPerElement > 0)
   {
     ClassifyMids(mesh, entities);

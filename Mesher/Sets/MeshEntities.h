@@ -4,6 +4,7 @@
  * The definitions are those of ClassifyGeometry (Grid), which a mesh from a file no longer has. The
  * numbers of surfaces, curves and vertices are equal to SurfaceId, CurveId and VertexId of the
  * mesher if the mesh is complete and not periodic: sides of periodic meshes are surfaces here only.
+ * Copies of a point at split interfaces count as one point.
  */
 #pragma once
 

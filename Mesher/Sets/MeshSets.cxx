@@ -197,6 +197,7 @@ using SurfacePoint = std::array<Index, 2>; // surface and global id of a point
 /// Collective. Returns the points on the edges of smooth sides (not inside a surface), ascending.
 std::vector<SurfacePoint> FindRims(const MeshData& mesh, const Facets& facets, Ranks& ranks)
 {
+  const Index* ids = mesh.UnsplitPointIds();
   std::vector<SurfacePoint> rims;
   for (const MeshFacet& facet : facets)
   {
@@ -208,7 +209,7 @@ std::vector<SurfacePoint> FindRims(const MeshData& mesh, const Facets& facets, R
     {
       if (point >= 0 && mesh.GeometryDimension[point] != DimensionOfSurfaces)
       {
-        rims.push_back({ { facet.Surface, mesh.PointIds[point] } });
+        rims.push_back({ { facet.Surface, ids[point] } });
       }
     };
     const FaceIds corners = PointsOfSide(mesh, { facet.Element, facet.Side });
@@ -223,13 +224,13 @@ std::vector<SurfacePoint> FindRims(const MeshData& mesh, const Facets& facets, R
 std::vector<Index> FindSurfacePoints(
   const MeshData& mesh, int surface, const std::vector<SurfacePoint>& rims)
 {
+  const Index* ids = mesh.UnsplitPointIds();
   std::vector<Index> points;
   for (Index point = 0; point < mesh.NumberOfPoints; ++point)
   {
     const bool isOnSurface = mesh.GeometryDimension[point] == DimensionOfSurfaces
       ? mesh.GeometryId[point] == surface
-      : std::binary_search(
-          rims.begin(), rims.end(), SurfacePoint{ { surface, mesh.PointIds[point] } });
+      : std::binary_search(rims.begin(), rims.end(), SurfacePoint{ { surface, ids[point] } });
     if (isOnSurface)
     {
       points.push_back(point);

@@ -159,7 +159,7 @@ TransferredArray MakeArray(
   const ConservedArray& array, const std::vector<StateArray>& states, Buffer<double>& values)
 {
   return { array.Name, ValueType::Double, array.Components, NamesFor(array, states),
-    TakeBytes(values) };
+    array.Meaning == StateMeaning::Extensive, TakeBytes(values) };
 }
 
 } // namespace

@@ -61,7 +61,7 @@ TransferredArray MakeOutput(const StateArray& state, std::size_t number,
 {
   const std::size_t size = TupleSize(state);
   TransferredArray array{ state.Name, state.Type, state.Components, state.ComponentNames,
-    Buffer<char>(places.size() * size) };
+    false, Buffer<char>(places.size() * size) };
   char* to = array.Values.data();
   for (const StatePlace& place : places)
   {

@@ -43,6 +43,7 @@ MeshData ViewMesh(const Mesh& mesh, const OutputState& state, const std::vector<
   data.MidPoints = mesh.MidPoints.data();
   data.PointIds = mesh.PointIds.data();
   data.PeriodicPartner = mesh.PeriodicPartner.data();
+  data.OriginalPointIds = mesh.OriginalPointIds.data();
   data.ElementIds = mesh.ElementIds.data();
   data.Material = mesh.Material.data();
   data.Fragment = mesh.Fragment.data();

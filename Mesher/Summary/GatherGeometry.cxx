@@ -59,7 +59,7 @@ StoredMesh ViewCells(const Mesh& mesh, const OwnCells& own, Index firstId)
   {
     points.insert(
       points.end(), mesh.Points.data() + 3 * point, mesh.Points.data() + 3 * (point + 1));
-    pointIds.push_back(mesh.PointIds[point]);
+    pointIds.push_back(mesh.UnsplitPointIds()[point]);
   }
   StoredMesh cells;
   MeshData& data = cells.Data;

@@ -19,6 +19,10 @@ void VisitElementArrays(TheMesh& mesh, const Visit& visit)
   {
     visit("ScaledJacobian", mesh.ScaledJacobian);
   }
+  if (!mesh.Layer.empty())
+  {
+    visit("Layer", mesh.Layer);
+  }
 }
 
 template <class TheMesh, class Visit>
@@ -30,6 +34,10 @@ void VisitPointArrays(TheMesh& mesh, const Visit& visit)
   if (!mesh.PeriodicPartner.empty())
   {
     visit("PeriodicPartner", mesh.PeriodicPartner);
+  }
+  if (!mesh.OriginalPointIds.empty())
+  {
+    visit("OriginalPointIds", mesh.OriginalPointIds);
   }
 }
 ///@}

@@ -73,6 +73,7 @@ void FindKnownArrays(StoredMesh& mesh)
   const Index points = data.NumberOfPoints, elements = data.NumberOfElements;
   SetPointer(mesh, data.PointArrays, "GlobalPointIds", points, data.PointIds);
   SetPointer(mesh, data.PointArrays, "PeriodicPartner", points, data.PeriodicPartner);
+  SetPointer(mesh, data.PointArrays, "OriginalPointIds", points, data.OriginalPointIds);
   SetPointer(mesh, data.PointArrays, "GeometryDimension", points, data.GeometryDimension);
   SetPointer(mesh, data.PointArrays, "GeometryId", points, data.GeometryId);
   SetPointer(mesh, data.ElementArrays, "GlobalCellIds", elements, data.ElementIds);
@@ -82,8 +83,8 @@ void FindKnownArrays(StoredMesh& mesh)
 
 bool IsKnownArray(const MeshArray& array)
 {
-  constexpr const char* names[] = { "GlobalPointIds", "PeriodicPartner", "GeometryDimension",
-    "GeometryId", "GlobalCellIds", "MaterialId", "FragmentId" };
+  constexpr const char* names[] = { "GlobalPointIds", "PeriodicPartner", "OriginalPointIds",
+    "GeometryDimension", "GeometryId", "GlobalCellIds", "MaterialId", "FragmentId" };
   return std::find(std::begin(names), std::end(names), array.Name) != std::end(names);
 }
 

@@ -41,6 +41,8 @@ struct MeshData
   const Index* PointIds = nullptr;  ///< global ids of points, from 1
   /// Lowest global id among the copies of each point on opposite sides of a periodic mesh.
   const Index* PeriodicPartner = nullptr;
+  /// Global ids of points before interfaces were split (Modify/SplitInterfaces.h).
+  const Index* OriginalPointIds = nullptr;
   const Index* ElementIds = nullptr;      ///< global ids of elements, from 1
   const int* Material = nullptr;          ///< material id of each element; 0 void
   const int* Fragment = nullptr;          ///< fragment of each element, from 1
@@ -64,6 +66,11 @@ struct MeshData
   }
   int NodesPerElement() const { return this->Corners + this->MidsPerElement; }
   const double* Point(Index point) const { return this->Points + 3 * point; }
+  /// Returns the global ids of points before interfaces were split.
+  const Index* UnsplitPointIds() const
+  {
+    return this->OriginalPointIds ? this->OriginalPointIds : this->PointIds;
+  }
   Vector3 PointAt(Index point) const
   {
     const double* x = this->Point(point);

@@ -73,7 +73,7 @@ public:
         surface = std::max(surface, mesh.GeometryId[point]);
       }
     }
-    const auto listed = this->EdgeFacets.find(SortedIds(face.Points, mesh.PointIds));
+    const auto listed = this->EdgeFacets.find(SortedIds(face.Points, mesh.UnsplitPointIds()));
     surface = listed == this->EdgeFacets.end() ? surface : listed->second;
     const bool isSide = surface >= 1 && surface <= static_cast<int>(this->Parts.size()) &&
       this->Parts[surface - 1] >= 1;
@@ -129,7 +129,7 @@ std::vector<FacetSide> FindMeshFaces(const MeshData& mesh, const int* values, Ra
       for (const FacetSide& face : faces)
       {
         valuesOfFaces.push_back(values[face.Facet.Element]);
-        ids.push_back(SortedIds(face.Points, mesh.PointIds));
+        ids.push_back(SortedIds(face.Points, mesh.UnsplitPointIds()));
       }
     });
   const std::vector<Index> behind = MatchFaces(ids, valuesOfFaces, ranks);

@@ -4,23 +4,24 @@
  * usage: Speed [CASE, list, list-real, all or real, default all] [runs, default 3]
  *              [threads, default 1] [ranks, default 1]
  *
- * Seconds are of the fastest run, CPU of all threads in it. Ranks are threads here, with slabs
- * along z. Off: fragments of one rank whose volume is off by more than .5 %. Memory: the peak of
- * the process above its memory before meshing, over that of fractions and mesh; bytes a point: the
- * same over the points that move. `real` are the cases like the data of users (RealCases.h); images
- * come from Debian's package mricron-data.
+ * Seconds are of the fastest run, CPU of all threads in it. Stages of rank 0: wall time, CPU of its
+ * threads, the part of it that runs on one thread only (serial), and the largest possible ratio of
+ * the speeds on two threads and on one (bound). CPU times of a stage that occurs repeatedly are of
+ * all its occurrences. Ranks are threads here, with slabs along z. Off: fragments of one rank whose
+ * volume is off by more than .5 %. Memory: the peak of the process above its memory before meshing,
+ * over that of fractions and mesh; bytes a point: the same over the points that move. `real` are
+ * the cases like the data of users (RealCases.h); images come from Debian's package mricron-data.
  */
 #include "Atlas.h"
-#include "Base/ThreadRuntime.h"
 #include "MeasureAlone.h"
 #include "Mesh/MeasureFragments.h"
 #include "RankMeshes.h"
 #include "RealCases.h"
+#include "SerialTimes.h"
 
 #include <atomic>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <iterator>
 
 using namespace vfm;
@@ -85,20 +86,14 @@ std::vector<SpeedCase> ListCases()
 
 std::vector<SpeedCase> ListRealCases()
 {
-  return { { "spray-100", [] { return MakeSprayCase(100, 2880, 1); }, {} },
+  return { { "gyroid-128", [] { return MakeGyroidCase(128); }, {} },
+    { "spray-100", [] { return MakeSprayCase(100, 2880, 1); }, {} },
     { "spray-200", [] { return MakeSprayCase(200, 23040, 1); }, {} },
     { "pores", [] { return MakePoresCase(48, 3, 1); }, {} },
     { "aicha", [] { return MakeImageCase("AICHAmc", 0); }, {} },
     { "jhu", [] { return MakeImageCase("JHU-WhiteMatter-labels-1mm", 3); }, {} },
     { "aal", [] { return MakeImageCase("aal", 0); }, {} },
     { "inia19", [] { return MakeImageCase("inia19-NeuroMaps", 0); }, {} } };
-}
-
-double CpuSeconds()
-{
-  timespec time;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
 constexpr double TolerableError = 5e-3; // relative error of a fragment
@@ -108,6 +103,7 @@ struct Outcome
   double Seconds = 1e300, Cpu = 1e300;
   Index Elements = 0;
   MeshReport Report; // report of the fastest run
+  SerialTimes Times; // of the fastest run
   Distances Distance;
   Index OffFragments = 0;      ///< fragments off by more than TolerableError
   double MaterialError = 0.0;  ///< largest relative error of a material
@@ -120,14 +116,16 @@ struct Run
 {
   Mesh Result;
   MeshReport Report;
+  SerialTimes Times; // of rank 0
   Index Elements = 0;
 };
 
 Run MeshOnce(const SpeedCase& what, const MeshCase& c, int threads)
 {
-  ThreadRuntime runtime(threads, nullptr);
+  TimedRuntime runtime(threads, nullptr);
   Run run;
   run.Result = what.Maker(c.Grid, c.Fractions, what.Options, runtime, run.Report);
+  run.Times = runtime.Times();
   run.Elements = static_cast<Index>(run.Result.ElementIds.size());
   return run;
 }
@@ -151,7 +149,7 @@ public:
     RunOnRanks(static_cast<int>(this->Boxes.size()),
       [&](Ranks& ranks)
       {
-        ThreadRuntime runtime(threads, &ranks);
+        TimedRuntime runtime(threads, &ranks);
         MeshReport report;
         const std::size_t rank = ranks.Rank();
         const Mesh mesh =
@@ -160,6 +158,7 @@ public:
         if (rank == 0)
         {
           run.Report = report;
+          run.Times = runtime.Times();
         }
       });
     run.Elements = elements;
@@ -207,14 +206,15 @@ Outcome Measure(const SpeedCase& what, int runs, int threads, int ranks)
   const double before = static_cast<double>(CurrentBytes());
   for (int r = 0; r < runs; ++r)
   {
-    const double begin = Now(), cpu = CpuSeconds();
+    const double begin = Now(), cpu = CpuSeconds(CLOCK_PROCESS_CPUTIME_ID);
     const Run run = ranks > 1 ? cut.MeshOnce(what, threads) : MeshOnce(what, c, threads);
     const double seconds = Now() - begin;
-    outcome.Cpu = std::min(outcome.Cpu, CpuSeconds() - cpu);
+    outcome.Cpu = std::min(outcome.Cpu, CpuSeconds(CLOCK_PROCESS_CPUTIME_ID) - cpu);
     if (seconds < outcome.Seconds)
     {
       outcome.Seconds = seconds;
       outcome.Report = run.Report;
+      outcome.Times = run.Times;
     }
     outcome.Elements = run.Elements;
     outcome.Memory = static_cast<double>(PeakBytes()) - before;
@@ -232,6 +232,12 @@ Outcome Measure(const SpeedCase& what, int runs, int threads, int ranks)
   return outcome;
 }
 
+void PrintStage(const char* name, double seconds, const SerialTime& time)
+{
+  std::printf("    %-24s %7.3f s, CPU %7.3f s, serial %7.3f s, bound %.3f\n", name, seconds,
+    time.Total(), time.Serial, time.Bound(2));
+}
+
 void Print(const std::string& name, int threads, int ranks, const Outcome& o)
 {
   const MeshReport& r = o.Report;
@@ -247,8 +253,15 @@ void Print(const std::string& name, int threads, int ranks, const Outcome& o)
     o.MaterialError, o.Memory / points, o.Memory / o.InputAndOutput);
   for (const MeshReport::Stage& stage : r.Stages)
   {
-    std::printf("    %-24s %7.3f s\n", stage.Name, stage.Seconds);
+    PrintStage(stage.Name, stage.Seconds, o.Times.at(stage.Name));
   }
+  SerialTime all;
+  for (const auto& time : o.Times)
+  {
+    all.Serial += time.second.Serial;
+    all.Loops += time.second.Loops;
+  }
+  PrintStage("all", o.Seconds, all);
   std::fflush(stdout);
 }
 

@@ -75,7 +75,8 @@ struct CubeHexes
     this->Hexes.Levels = this->Labelled.Levels.Grid;
     const Fragments fragments(grid, this->Labelled.Labels, false, this->Parts);
     FillFragments(this->Labelled, numbering, fragments, runtime, this->Hexes);
-    this->Facets = FindHexFacets(this->Labelled, numbering, fragments, this->Parts, this->Hexes);
+    this->Facets =
+      FindHexFacets(this->Labelled, numbering, fragments, this->Parts, runtime, this->Hexes);
     const LevelInterfaces interfaces(
       *this->Hexes.Levels, fractions, this->Labelled.Labels, this->Labelled.Mixed, 0.5, Run);
     this->Targets =

@@ -153,8 +153,9 @@ TEST(BoxTree, FindsEachPairOnce)
     }
     Runtime runtime;
     std::vector<std::pair<Index, Index>> found;
-    BoxTree(boxes).ForPairs(
-      runtime, [&](Index i, Index j) { found.emplace_back(std::min(i, j), std::max(i, j)); });
+    BoxTree(boxes, runtime)
+      .ForPairs(
+        runtime, [&](Index i, Index j) { found.emplace_back(std::min(i, j), std::max(i, j)); });
     std::sort(found.begin(), found.end());
     std::vector<std::pair<Index, Index>> expected;
     for (Index i = 0; i < count; ++i)

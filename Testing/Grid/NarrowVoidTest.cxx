@@ -1,5 +1,7 @@
 /// Narrow void: which cells are narrow, and that bodies on both sides do not overlap.
 #include "Labels/NarrowVoid.h"
+
+#include "Base/ThreadRuntime.h"
 #include "Labels/SmoothLabels.h"
 #include "MeshChecks.h"
 #include "OverlapChecks.h"
@@ -24,7 +26,7 @@ Index CountNarrow(const CartesianGrid& grid, const LabelOf& label)
   Runtime runtime;
   const LabelArray labels = AssignMaterials(grid, MakeLabels(grid, 2, label), 0.5);
   const RefinedGrid levels(grid, runtime.Group());
-  const NarrowVoid narrow(levels, labels, FindMixedNodes(grid, labels));
+  const NarrowVoid narrow(levels, labels, FindMixedNodes(grid, labels), runtime);
   Index count = 0;
   ForCells(grid.Global(), [&](const Index3& cell) { count += narrow.Has(grid.Linear(cell)); });
   EXPECT_EQ(count, narrow.CountOwned());
@@ -168,7 +170,9 @@ TEST(NarrowVoid, IsTheSameOnAnyRanks)
   const auto listCells = [&](const CartesianGrid& grid, Ranks& ranks)
   {
     const LabelArray labels = AssignMaterials(grid, CopyToLocal(whole, fractions, grid), 0.5);
-    const NarrowVoid narrow(RefinedGrid(grid, ranks), labels, FindMixedNodes(grid, labels));
+    const RefinedGrid levels(grid, ranks);
+    ThreadRuntime runtime(2, &ranks);
+    const NarrowVoid narrow(levels, labels, FindMixedNodes(grid, labels), runtime);
     std::vector<Index> cells;
     ForCells(Grow(grid.HexBox(), 1, grid.Global()),
       [&](const Index3& cell)

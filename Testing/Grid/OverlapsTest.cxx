@@ -1,6 +1,7 @@
 /// Overlaps of elements with cells, compared with bodies cut plane by plane; whole meshes are
 /// compared with the cells that they fill.
 #include "Transfer/Overlaps.h"
+#include "Transfer/RegularTets.h"
 
 #include "Base/ConvexClip.h"
 #include "Base/HexNumbering.h"
@@ -311,9 +312,21 @@ TEST(Overlaps, OfRegularTets)
       }
     }
   }
-  // In one cell, then across an edge of one of the cells only, which is not regular.
-  list.Add({ centreOf({ { 1, 1, 1 } }), grid.NodePoint({ { 1, 1, 1 } }),
-    grid.NodePoint({ { 1, 2, 1 } }), grid.NodePoint({ { 2, 2, 1 } }) });
+  // In one cell, all halves of its faces.
+  const Index3 one{ { 1, 1, 1 } };
+  for (int missing = 0; missing < 8; ++missing)
+  {
+    for (int a = 0; a < 3; ++a)
+    {
+      const int b = 1 << (a + 1) % 3, c = 1 << (a + 2) % 3;
+      const Vector3 p = centreOf(one), x = grid.NodePoint(CornerOfCell(one, missing ^ b)),
+                    y = grid.NodePoint(CornerOfCell(one, missing ^ c)),
+                    z = grid.NodePoint(CornerOfCell(one, missing ^ b ^ c));
+      const bool turned = Dot(x - p, Cross(y - p, z - p)) < 0.0;
+      list.Add({ p, turned ? y : x, turned ? x : y, z });
+    }
+  }
+  // Across an edge of one of the cells only, which is not regular.
   list.Add({ centreOf({ { 1, 1, 1 } }), centreOf({ { 2, 1, 1 } }), grid.NodePoint({ { 3, 1, 1 } }),
     grid.NodePoint({ { 3, 2, 1 } }) });
   Runtime runtime;
@@ -323,9 +336,27 @@ TEST(Overlaps, OfRegularTets)
   {
     ASSERT_GT(VolumeOfElement(mesh, e), 0.0);
   }
-  std::vector<unsigned char> expected(elements.size(), 1);
-  expected.back() = 0;
-  EXPECT_EQ(FindOverlaps(mesh, elements, grid, runtime).IsRegular, expected);
+  const RegularTets regular(mesh, grid, runtime);
+  const Overlaps overlaps = FindOverlaps(mesh, elements, grid, runtime);
+  for (Index e : elements)
+  {
+    std::array<RegularPart, 2> parts;
+    const int count = regular.Find(e, parts);
+    ASSERT_EQ(count, e == elements.back() ? 0 : overlaps.Offsets[e + 1] - overlaps.Offsets[e]);
+    for (int p = 0; p < count; ++p)
+    {
+      const OverlapPart& cut = overlaps.Parts[overlaps.Offsets[e] + p];
+      const Index3 cell = CellInBox(grid.Local(), cut.Cell);
+      const RegularShape& shape = RegularShapes[parts[p].Kind];
+      EXPECT_EQ(parts[p].Cell, grid.Linear(cell));
+      EXPECT_NEAR(grid.CellVolume(cell) * shape.Volume / 24.0, cut.Volume, 1e-14);
+      for (int a = 0; a < 3; ++a)
+      {
+        EXPECT_NEAR(centreOf(cell)[a] + grid.Width(a, cell[a]) * shape.Centroid[a] / 8.0,
+          cut.Centroid[a], 1e-14);
+      }
+    }
+  }
   CompareWithHand(list, grid);
 }
 

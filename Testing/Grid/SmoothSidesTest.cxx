@@ -1,6 +1,7 @@
 /// Sides of interfaces with edges and the resulting geometry, on faces of cells. A function
 /// defines which points carry edges.
 #include "Mesh/SmoothSides.h"
+#include "Base/ThreadRuntime.h"
 #include "Base/Vector3.h"
 #include "Labels/Fragments.h"
 #include "Labels/InterfaceFaces.h"
@@ -53,23 +54,27 @@ public:
       MakeLabels(whole, 1, [&](const Index3& cell) { return body.Has(cell) ? 1 : 0; });
     const LabelArray labels = AssignMaterials(grid, CopyToLocal(whole, field, grid), .5);
     const Fragments fragments(grid, labels, false, this->Parts);
-    ForInterfaceFaces(grid, labels, FindMixedNodes(grid, labels), grid.HexBox(),
-      [&](const InterfaceFace& face, const Index3& lower, const Index3& upper)
-      {
-        Facet facet{ {}, { { face.LowerLabel, face.UpperLabel } },
-          { { fragments.FragmentOfCell(lower), fragments.FragmentOfCell(upper) } }, -1,
-          this->Parts.OwnsCell(face.LowerLabel > 0 ? lower : upper) };
-        const std::array<Index, 4> nodes = NodesOfFace(grid, face);
-        std::transform(nodes.begin(), nodes.end(), facet.Points.begin(),
-          [&points](Index node) { return points[node]; });
-        this->Facets.push_back(facet);
-      });
+    const auto addFacet = [&](const InterfaceFace& face, const Index3& lower, const Index3& upper)
+    {
+      Facet facet{ {}, { { face.LowerLabel, face.UpperLabel } },
+        { { fragments.FragmentOfCell(lower), fragments.FragmentOfCell(upper) } }, -1,
+        this->Parts.OwnsCell(face.LowerLabel > 0 ? lower : upper) };
+      const std::array<Index, 4> nodes = NodesOfFace(grid, face);
+      std::transform(nodes.begin(), nodes.end(), facet.Points.begin(),
+        [&points](Index node) { return points[node]; });
+      this->Facets.push_back(facet);
+    };
+    for (Index node : FindMixedNodes(grid, labels))
+    {
+      ForFacesOfNode(grid, labels, node, grid.HexBox(), addFacet);
+    }
   }
 
   Classified Classify()
   {
     Classified made;
-    ClassifyGeometry(this->Facets, this->Kinds, this->Parts, this->Result, made.Report);
+    ThreadRuntime runtime(2, &this->Parts.Group());
+    ClassifyGeometry(this->Facets, this->Kinds, this->Parts, runtime, this->Result, made.Report);
     made.Tables = this->Result.Tables;
     for (std::size_t f = 0; f < this->Facets.size(); ++f)
     {

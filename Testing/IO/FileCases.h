@@ -95,10 +95,14 @@ struct FileCase
   MeshReport Report;
 };
 
+/// Changes a mesh and its fields; collective.
+using MeshChange = std::function<void(Mesh&, FieldArrays&, Ranks&)>;
+
 /// Calls work on each rank with its part of a mesh of three materials, one of which has a name that
 /// XML and HTML must escape.
 template <class Work>
-void WithMesh(int count, MeshMaker make, const Work& work, const MeshOptions& options = {})
+void WithMesh(int count, MeshMaker make, const Work& work, const MeshOptions& options = {},
+  const MeshChange& change = {})
 {
   const MeshCase whole = MakePolycrystalCase(3, 8);
   const std::vector<IndexBox> boxes = CutBox(whole.Grid.Global(), count);
@@ -109,12 +113,16 @@ void WithMesh(int count, MeshMaker make, const Work& work, const MeshOptions& op
       const CartesianGrid grid = MakeRankGrid(whole.Grid, boxes[ranks.Rank()]);
       RankRuntime runtime(ranks);
       FileCase part;
-      const Mesh mesh =
+      Mesh mesh =
         make(grid, CopyToLocal(whole.Grid, whole.Fractions, grid), options, runtime, part.Report);
       FieldArrays fields = ListReport(mesh, part.Report, table, options, {});
       for (FieldArray& field : ListDomain(whole.Grid, ImageFrame()))
       {
         fields.push_back(std::move(field));
+      }
+      if (change)
+      {
+        change(mesh, fields, ranks);
       }
       part.Mesh = ViewMesh(mesh, OutputState(), fields);
       part.Mesh.Time = 0.5;

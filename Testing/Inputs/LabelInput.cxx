@@ -18,33 +18,76 @@ std::vector<int> RandomLabels(const Index3& cells, unsigned seed)
   return labels;
 }
 
-MesherInput MakeLabelInput(const LabelGrid& grid, const std::vector<int>& labels, Ranks& ranks)
+namespace
+{
+
+/// Returns a block of labels, x fastest.
+/// @param cells box of cells of the given width
+InputBlock MakeBlock(
+  const IndexBox& cells, const LabelGrid& grid, double width, std::vector<int> labels)
 {
   InputBlock block;
   block.Name = "The input";
-  const Index3& n = grid.Cells;
-  const Index first = ranks.Rank() * n[2] / ranks.Count();
-  const Index last = (ranks.Rank() + 1) * n[2] / ranks.Count();
   for (int a = 0; a < 3; ++a)
   {
-    const Index begin = a == 2 ? first : 0, end = a == 2 ? last : n[a];
-    for (Index i = begin; i <= end; ++i)
+    for (Index i = cells.Lower[a]; i <= cells.Upper[a]; ++i)
     {
-      block.Coordinates[a].push_back(grid.Origin + grid.Width * static_cast<double>(i));
+      block.Coordinates[a].push_back(grid.Origin + width * static_cast<double>(i));
     }
   }
   KeepAllCells(block);
-  const Index layer = n[0] * n[1];
-  std::vector<int> own(labels.begin() + layer * first, labels.begin() + layer * last);
-  auto arrays = std::make_shared<PlainArrays>(static_cast<Index>(own.size()));
-  arrays->Store("labels", ValueType::Int, std::move(own));
+  auto arrays = std::make_shared<PlainArrays>(static_cast<Index>(labels.size()));
+  arrays->Store("labels", ValueType::Int, std::move(labels));
   block.Arrays = arrays;
+  return block;
+}
+
+MesherInput MakeInput(std::vector<InputBlock> blocks, Ranks& ranks)
+{
   CollectedBlocks collected;
-  collected.Blocks.push_back(std::move(block));
+  collected.Blocks = std::move(blocks);
   MesherInput input;
   input.Levels = FindInputLevels(std::move(collected), ranks);
   input.Arrays.Labels = "labels";
   return input;
+}
+
+} // namespace
+
+MesherInput MakeLabelInput(const LabelGrid& grid, const std::vector<int>& labels, Ranks& ranks)
+{
+  const Index3& n = grid.Cells;
+  const Index first = ranks.Rank() * n[2] / ranks.Count();
+  const Index last = (ranks.Rank() + 1) * n[2] / ranks.Count();
+  const Index layer = n[0] * n[1];
+  std::vector<int> own(labels.begin() + layer * first, labels.begin() + layer * last);
+  return MakeInput({ MakeBlock({ { { 0, 0, first } }, { { n[0], n[1], last } } }, grid, grid.Width,
+                     std::move(own)) },
+    ranks);
+}
+
+MesherInput MakeLevelInput(const LabelGrid& grid, const std::vector<IndexBox>& boxes, Ranks& ranks)
+{
+  std::vector<InputBlock> blocks;
+  const auto isMine = [&](std::size_t block)
+  { return static_cast<int>(block) % ranks.Count() == ranks.Rank(); };
+  if (isMine(0))
+  {
+    const IndexBox all{ {}, grid.Cells };
+    blocks.push_back(
+      MakeBlock(all, grid, grid.Width, std::vector<int>(all.NumberOfCells(), 1)));
+  }
+  for (std::size_t b = 0; b < boxes.size(); ++b)
+  {
+    if (isMine(b + 1))
+    {
+      const IndexBox cells = ChangeLevel(boxes[b], 1);
+      const Index3 size{ { cells.Size(0), cells.Size(1), cells.Size(2) } };
+      blocks.push_back(MakeBlock(
+        cells, grid, 0.5 * grid.Width, RandomLabels(size, static_cast<unsigned>(b))));
+    }
+  }
+  return MakeInput(std::move(blocks), ranks);
 }
 
 } // namespace testing

@@ -24,5 +24,9 @@ std::vector<int> RandomLabels(const Index3& cells, unsigned seed);
 /// @param labels of all cells, x fastest
 MesherInput MakeLabelInput(const LabelGrid& grid, const std::vector<int>& labels, Ranks& ranks);
 
+/// Returns the blocks of a rank of an input of two levels: a grid of label 1, and boxes of it of
+/// random labels in cells of half the width. Blocks are dealt to the ranks in turn.
+MesherInput MakeLevelInput(const LabelGrid& grid, const std::vector<IndexBox>& boxes, Ranks& ranks);
+
 } // namespace testing
 } // namespace vfm

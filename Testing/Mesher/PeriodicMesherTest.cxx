@@ -30,12 +30,27 @@ MesherInput MakeRandomInput(const Index3& cells, Ranks& ranks)
   return MakeLabelInput({ cells, 0.1, Width }, RandomLabels(cells, 5), ranks);
 }
 
+/// Returns the part of a rank of an input of two levels: a box at the lower sides, and one at the
+/// upper side of x.
+MesherInput MakeRandomLevels(Ranks& ranks)
+{
+  return MakeLevelInput({ { { 8, 8, 6 } }, 0.1, Width },
+    { { { { 0, 0, 0 } }, { { 2, 3, 2 } } }, { { { 6, 3, 1 } }, { { 8, 5, 3 } } } }, ranks);
+}
+
 struct Method
 {
   const char* Name;
   ElementKind Elements;
   Sides Kind;
+  bool HasLevels = false;
+  bool FineInterfaces = true;
 };
+
+MesherInput MakeInput(const Method& method, Ranks& ranks)
+{
+  return method.HasLevels ? MakeRandomLevels(ranks) : MakeRandomInput(Cells, ranks);
+}
 
 MesherOptions OptionsOf(const Method& method)
 {
@@ -43,6 +58,8 @@ MesherOptions OptionsOf(const Method& method)
   options.Elements = method.Elements;
   options.PeriodicSides = method.Kind;
   options.Periodic = 5; // x and z
+  options.MeshVoid = method.HasLevels;
+  options.FineInterfaces = method.FineInterfaces;
   return options;
 }
 
@@ -123,7 +140,7 @@ TEST_P(PeriodicMesher, PairsAreExactTranslates)
 {
   Runtime serial;
   const MesherResult result =
-    RunMesher(MakeRandomInput(Cells, serial.Group()), OptionsOf(this->GetParam()), serial);
+    RunMesher(MakeInput(this->GetParam(), serial.Group()), OptionsOf(this->GetParam()), serial);
   const MeshData mesh = ViewMesh(result.TheMesh, result.State, result.Fields);
   const std::vector<PeriodicPair> pairs = FindPeriodicPairs(mesh);
   ASSERT_GT(pairs.size(), 100u);
@@ -144,7 +161,7 @@ TEST_P(PeriodicMesher, FacesOfOppositeSidesMatch)
 {
   Runtime serial;
   const MesherResult result =
-    RunMesher(MakeRandomInput(Cells, serial.Group()), OptionsOf(this->GetParam()), serial);
+    RunMesher(MakeInput(this->GetParam(), serial.Group()), OptionsOf(this->GetParam()), serial);
   MeshById mesh;
   mesh.Add(result.TheMesh);
   std::map<FaceIds, std::vector<int>> sides; // of faces with partners as points
@@ -174,7 +191,7 @@ TEST_P(PeriodicMesher, NodeSetsOfOppositeSidesBeginInTheSameOrder)
 {
   Runtime serial;
   const MesherResult result =
-    RunMesher(MakeRandomInput(Cells, serial.Group()), OptionsOf(this->GetParam()), serial);
+    RunMesher(MakeInput(this->GetParam(), serial.Group()), OptionsOf(this->GetParam()), serial);
   const MeshData mesh = ViewMesh(result.TheMesh, result.State, result.Fields);
   const std::vector<NodeSet> sets = FindMeshSets(mesh, serial.Group()).NodeSets;
   const std::vector<double> lengths = NumbersOfField(mesh.Fields, "PeriodLengths");
@@ -208,7 +225,7 @@ TEST_P(PeriodicMesher, RanksGiveTheSameMesh)
   Runtime serial;
   MeshById alone;
   alone.Add(
-    RunMesher(MakeRandomInput(Cells, serial.Group()), OptionsOf(this->GetParam()), serial).TheMesh);
+    RunMesher(MakeInput(this->GetParam(), serial.Group()), OptionsOf(this->GetParam()), serial).TheMesh);
   for (int count : { 2, 3 })
   {
     MeshById joined;
@@ -218,7 +235,7 @@ TEST_P(PeriodicMesher, RanksGiveTheSameMesh)
       {
         RankRuntime runtime(ranks);
         const MesherResult result =
-          RunMesher(MakeRandomInput(Cells, ranks), OptionsOf(this->GetParam()), runtime);
+          RunMesher(MakeInput(this->GetParam(), ranks), OptionsOf(this->GetParam()), runtime);
         const std::lock_guard<std::mutex> lock(mutex);
         joined.Add(result.TheMesh);
       });
@@ -238,7 +255,7 @@ TEST_P(PeriodicMesher, FacetsAreFoundAgain)
       {
         RankRuntime runtime(ranks);
         const MesherResult result =
-          RunMesher(MakeRandomInput(Cells, ranks), OptionsOf(this->GetParam()), runtime);
+          RunMesher(MakeInput(this->GetParam(), ranks), OptionsOf(this->GetParam()), runtime);
         MeshData mesh = ViewMesh(result.TheMesh, result.State, result.Fields);
         mesh.Facets = nullptr;
         const std::vector<MeshFacet> found = FindMeshFacets(mesh, ranks);
@@ -258,17 +275,22 @@ TEST_P(PeriodicMesher, FacetsAreFoundAgain)
 INSTANTIATE_TEST_SUITE_P(Methods, PeriodicMesher,
   ::testing::Values(Method{ "FlatHexes", ElementKind::Hexes, Sides::Flat },
     Method{ "FreeHexes", ElementKind::Hexes, Sides::Free },
-    Method{ "FlatTets", ElementKind::Tets, Sides::Flat }),
+    Method{ "FlatTets", ElementKind::Tets, Sides::Flat },
+    Method{ "FlatHexesOfLevels", ElementKind::Hexes, Sides::Flat, true },
+    Method{ "FreeHexesOfLevels", ElementKind::Hexes, Sides::Free, true },
+    Method{ "FlatHexesAcrossLevels", ElementKind::Hexes, Sides::Flat, true, false },
+    Method{ "FreeHexesAcrossLevels", ElementKind::Hexes, Sides::Free, true, false },
+    Method{ "FlatTetsOfLevels", ElementKind::Tets, Sides::Flat, true }),
   [](const auto& info) { return std::string(info.param.Name); });
 
-class JoinedMesher : public ::testing::TestWithParam<ElementKind>
+class JoinedMesher : public ::testing::TestWithParam<Method>
 {
 };
 
 /// All cells have elements, so all faces of the torus are on two elements.
 TEST_P(JoinedMesher, HasNoBoundary)
 {
-  MesherOptions options = OptionsOf({ "", this->GetParam(), Sides::Joined });
+  MesherOptions options = OptionsOf(this->GetParam());
   options.Periodic = 7;
   options.MeshVoid = true;
   MeshById alone;
@@ -282,7 +304,7 @@ TEST_P(JoinedMesher, HasNoBoundary)
       [&](ThreadRanks& ranks)
       {
         RankRuntime runtime(ranks);
-        const MesherResult result = RunMesher(MakeRandomInput(Cells, ranks), options, runtime);
+        const MesherResult result = RunMesher(MakeInput(this->GetParam(), ranks), options, runtime);
         const Mesh& mesh = result.TheMesh;
         EXPECT_TRUE(std::is_sorted(mesh.PointIds.begin(), mesh.PointIds.end()));
         EXPECT_TRUE(mesh.PointIds.empty() || mesh.PointIds[0] > 0);
@@ -296,7 +318,8 @@ TEST_P(JoinedMesher, HasNoBoundary)
     {
       ASSERT_EQ(face.second, 2);
     }
-    EXPECT_NEAR(volume, 7.0 * 8.0 * 6.0 * Width * Width * Width, 1e-12);
+    const double cells = this->GetParam().HasLevels ? 8.0 * 8.0 * 6.0 : 7.0 * 8.0 * 6.0;
+    EXPECT_NEAR(volume / (cells * Width * Width * Width), 1.0, 1e-12);
     alone = count == 1 ? joined : alone;
     EXPECT_TRUE(joined.Points == alone.Points);
     EXPECT_TRUE(joined.Elements == alone.Elements);
@@ -304,8 +327,12 @@ TEST_P(JoinedMesher, HasNoBoundary)
 }
 
 INSTANTIATE_TEST_SUITE_P(Elements, JoinedMesher,
-  ::testing::Values(ElementKind::Hexes, ElementKind::Tets),
-  [](const auto& info) { return info.param == ElementKind::Hexes ? "Hexes" : "Tets"; });
+  ::testing::Values(Method{ "Hexes", ElementKind::Hexes, Sides::Joined },
+    Method{ "Tets", ElementKind::Tets, Sides::Joined },
+    Method{ "HexesOfLevels", ElementKind::Hexes, Sides::Joined, true },
+    Method{ "HexesAcrossLevels", ElementKind::Hexes, Sides::Joined, true, false },
+    Method{ "TetsOfLevels", ElementKind::Tets, Sides::Joined, true }),
+  [](const auto& info) { return std::string(info.param.Name); });
 
 /// Material 1 below, 2 above: they meet inside, and across z at the sides.
 TEST(PeriodicMesher, WarnsIfMaterialsDoNotContinue)

@@ -61,7 +61,7 @@ def list_defaults(of_tets):
         if of_tets or not row["tets"]:
             words = re.sub("(?<=[a-z])(?=[A-Z])", " ", row["default"])
             lists = dict.fromkeys(("arrays", "kinds", "boxes"), [])
-            defaults[row["name"]] = {**lists, "array": "None", "file": "",
+            defaults[row["name"]] = {**lists, "array": "None", "pairs": "None", "file": "",
                                      "choice": words}.get(row["kind"], row["number"])
     # The GUI shows these defaults as text.
     return {**defaults, "StateOrder": "2", "MaximumLevel": "Automatic"}
@@ -169,6 +169,7 @@ class Result:
     def __init__(self, algorithm, errors, warnings):
         self.mesh, self.surfaces, self.curves, self.vertices, self.materials = map(
             algorithm.GetOutputDataObject, range(5))
+        self.cohesive = algorithm.GetOutputDataObject(5)
         self.errors, self.warnings = errors, warnings
 
     def cells(self, name):
@@ -448,11 +449,12 @@ def check_error(data, *words, make=None, **properties):
     for word in words:
         assert word in message, (word, message)
     assert result.mesh.IsA("vtkUnstructuredGrid") and result.surfaces.IsA("vtkPolyData")
-    for output in (result.mesh, result.surfaces, result.curves, result.vertices):
+    for output in (result.mesh, result.surfaces, result.curves, result.vertices, result.cohesive):
         assert output.GetNumberOfCells() == 0 and output.GetNumberOfPoints() == 0
         assert output.GetCellData().GetNumberOfArrays() == 0
     assert result.materials.GetNumberOfColumns() == 0
-    for output in (result.mesh, result.surfaces, result.curves, result.vertices, result.materials):
+    for output in (result.mesh, result.surfaces, result.curves, result.vertices, result.materials,
+                   result.cohesive):
         assert output.GetFieldData().GetNumberOfArrays() == 1 and failure_of(output) == message, (
             message, failure_of(output))
 

@@ -4,6 +4,7 @@
 #include "NumpyFields.h"
 #include "NumpyMesh.h"
 #include "Sets/NamedSurfaces.h"
+#include "Sets/SplitFaces.h"
 #include "Summary/MatchFaces.h"
 
 #include <nanobind/stl/map.h>
@@ -104,6 +105,29 @@ nb::tuple ListTaggedFaces(const NumpyPoints& points, const NumpyCells& cells,
   return nb::make_tuple(elements, sides, ToNumpy(tags), tagged.Names);
 }
 
+nb::list ListCohesive(const NumpyPoints& points, const NumpyCells& cells,
+  const NamedArrays& pointArrays, const NamedArrays& cellArrays, const nb::dict& fields)
+{
+  const StoredMesh mesh = ViewMesh(points, cells, pointArrays, cellArrays, fields);
+  std::vector<CohesiveBlock> blocks;
+  {
+    const nb::gil_scoped_release others;
+    Ranks alone;
+    blocks = FindCohesiveBlocks(mesh.Data, alone);
+  }
+  nb::list list;
+  for (const CohesiveBlock& block : blocks)
+  {
+    Buffer<Index> corners(block.Points.size()), ids(block.Ids.size());
+    std::copy(block.Points.begin(), block.Points.end(), corners.begin());
+    std::copy(block.Ids.begin(), block.Ids.end(), ids.begin());
+    list.append(
+      nb::make_tuple(block.Id, block.Name, nb::make_tuple(block.Materials[0], block.Materials[1]),
+        ToNumpy(corners, CohesiveCorners(mesh.Data)), ToNumpy(ids)));
+  }
+  return list;
+}
+
 nb::object ListFacePoints(
   const NumpyCells& cells, const Column<std::int64_t>& elements, const Column<int>& sides)
 {
@@ -140,6 +164,8 @@ void BindFaces(nb::module_& module)
   module.def("side_sets", ListSideSets, "points"_a, "cells"_a, "point_arrays"_a, "cell_arrays"_a,
     "fields"_a);
   module.def("tagged_faces", ListTaggedFaces, "points"_a, "cells"_a, "point_arrays"_a,
+    "cell_arrays"_a, "fields"_a);
+  module.def("cohesive_blocks", ListCohesive, "points"_a, "cells"_a, "point_arrays"_a,
     "cell_arrays"_a, "fields"_a);
   module.def("face_points", ListFacePoints, "cells"_a, "elements"_a, "sides"_a);
 }

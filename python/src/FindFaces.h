@@ -8,7 +8,7 @@
 namespace vfm
 {
 
-/// Adds neighbours, side_sets and face_points to the module.
+/// Adds neighbours, side_sets, tagged_faces, cohesive_blocks and face_points to the module.
 void BindFaces(nanobind::module_& module);
 
 } // namespace vfm

@@ -45,6 +45,8 @@ void TakeMesh(Mesh& mesh, nb::dict& all)
   all["cell_ids"] = ToNumpy(mesh.ElementIds);
   const bool isPeriodic = !mesh.PeriodicPartner.empty();
   all["partner"] = isPeriodic ? ToNumpy(mesh.PeriodicPartner) : nb::object(nb::none());
+  const bool isSplit = !mesh.OriginalPointIds.empty();
+  all["original_ids"] = isSplit ? ToNumpy(mesh.OriginalPointIds) : nb::object(nb::none());
   all["material"] = ToNumpy(mesh.Material);
   all["fragment"] = ToNumpy(mesh.Fragment);
   all["geometry_dimension"] = ToNumpy(mesh.GeometryDimension);

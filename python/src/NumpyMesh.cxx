@@ -22,8 +22,8 @@ std::vector<MeshArray> ListArrays(const NamedArrays& arrays, Index rows)
     {
       throw InputError("The array '" + name + "' has another length than the mesh.");
     }
-    const bool isId =
-      name == "GlobalPointIds" || name == "GlobalCellIds" || name == "PeriodicPartner";
+    const bool isId = name == "GlobalPointIds" || name == "GlobalCellIds" ||
+      name == "PeriodicPartner" || name == "OriginalPointIds";
     list.push_back({ name, isId ? ValueType::Id : view.Type, view.Components, {}, view.Values });
   }
   return list;

@@ -51,6 +51,7 @@ const char* KindInPython(const Option& option)
   return option.Kind == OptionKind::Switch ? "flag"
     : option.Kind == OptionKind::Choice    ? "word"
     : option.Kind == OptionKind::Integer   ? "whole"
+    : option.Kind == OptionKind::Pairs     ? "text"
                                            : "real";
 }
 
@@ -121,6 +122,15 @@ double ReadNumber(const Option& option, nb::handle value)
 
 void Set(MesherOptions& options, const Option& option, nb::handle value)
 {
+  if (option.Text)
+  {
+    if (!nb::isinstance<nb::str>(value))
+    {
+      RejectType(option, value);
+    }
+    SetOption(options, option.Name, nb::cast<std::string>(value));
+    return;
+  }
   const double number = option.Kind == OptionKind::Switch ? ReadSwitch(option, value)
     : option.Kind == OptionKind::Choice                   ? ReadChoice(option, value)
                                                           : ReadNumber(option, value);
@@ -129,6 +139,10 @@ void Set(MesherOptions& options, const Option& option, nb::handle value)
 
 nb::object Get(const MesherOptions& options, const Option& option)
 {
+  if (option.Text)
+  {
+    return nb::str((options.*option.Text).c_str());
+  }
   const double number = option.GetNumber(options);
   switch (option.Kind)
   {

@@ -67,7 +67,7 @@ def read_elements(dimension, entities):
     ids, nodes = [], []
     for entity in entities:
         for kind, own, corners in zip(*gmsh.model.mesh.getElements(dimension, entity)):
-            assert kind in (2, 3, 4, 5)
+            assert kind in (2, 3, 4, 5, 6)
             ids.append(own)
             nodes.append(corners.reshape(len(own), -1))
     return np.concatenate(ids).astype(int), np.concatenate(nodes).astype(int)
@@ -194,3 +194,27 @@ def test_choices(tmp_path):
     with pytest.raises(TypeError, match="time"):
         mesh.save(tmp_path / "mesh.msh", time=1.0)
     assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("make", [vfm.hexes, vfm.tets])
+def test_cohesive_elements(make, form, tmp_path):
+    """Each block of cohesive elements is a group of volumes with their ids and nodes."""
+    mesh = make(labels=GRAINS, split_interfaces="all", split_connection="cohesive")
+    mesh.save(tmp_path / "mesh.msh", **form)
+    with open_file(tmp_path / "mesh.msh") as groups:
+        ids, points = read_points()
+        assert np.array_equal(ids, mesh.point_ids) and np.array_equal(points, mesh.points)
+        blocks = mesh.cohesive()
+        assert len(blocks) >= 3
+        for name, block in blocks.items():
+            tag, entities = groups[3, name]
+            numbers, corners = read_elements(3, entities)
+            assert tag == block.block and np.array_equal(numbers, block.ids)
+            assert np.array_equal(corners, mesh.point_ids[block.cells])
+        for material, name in zip(mesh.materials["MaterialId"], mesh.materials["Name"]):
+            _, entities = groups[3, name]
+            numbers, _ = read_elements(3, entities)
+            assert np.array_equal(np.sort(numbers), mesh.cell_ids[mesh.material == material])
+        if "version" in form:  # in 2.2, a face is only in the finest of its groups
+            _, faces = read_elements(2, groups[2, "interfaces"][1])
+            assert len(faces) == sum(map(len, blocks.values()))

@@ -16,13 +16,16 @@ from ._facets import Facets, Separated
 from ._fragments import fragments
 from ._geometry import Curves, Geometry, Surfaces, Vertices
 from ._images import Fractions
-from ._mesher import VolumeFractionMeshWarning, hexes, tets
+from ._mesher import hexes, tets
 from ._npz import load
+from ._run import VolumeFractionMeshWarning
 from ._shapes import shapes, surface
+from ._split import Cohesive
 from .mesh import Mesh, Run
 
 __all__ = [
     "Blocks",
+    "Cohesive",
     "Curves",
     "DolfinxMesh",
     "Facets",

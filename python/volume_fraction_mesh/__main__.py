@@ -25,7 +25,7 @@ def _add_option(group: Any, option: Option) -> None:
                            help=told)
     else:
         told += " (%s; %s)" % (option.allowed, option.default)
-        kind = {"word": str, "whole": int, "real": float}[option.kind]
+        kind = {"word": str, "text": str, "whole": int, "real": float}[option.kind]
         group.add_argument(word, type=kind, default=option.default, metavar=option.kind.upper(),
                            help=told)
 

@@ -56,6 +56,15 @@ class Options:
     interface_layers: int
     maximum_aspect_ratio: float
     child_fractions: Literal["planes", "parent"]
+    split_interfaces: str
+    split_connection: Literal["none", "cohesive", "contact", "tied"]
+    layers: int
+    layer_growth: float
+    first_layer: float
+    first_layer_unit: Literal["cells", "length"]
+    layer_interfaces: str
+    layers_on: Literal["both_materials", "first_material"]
+    layer_sides: Literal["off", "x", "y", "xy", "z", "xz", "yz", "xyz"]
     target_scaled_jacobian: float
     compute_quality: bool
     threads: int
@@ -335,6 +344,18 @@ def tagged_faces(
 ) -> Tuple[NDArray[np.int64], NDArray[np.int32], NDArray[np.int32], Dict[int, str]]:
     """Returns the faces on sides of the domain and interfaces, each once: elements, their sides,
     id of the finest named surface, and the names of these ids.
+
+    The arguments are those of write_mesh().
+    """
+
+def cohesive_blocks(
+    points: NDArray[np.float64],
+    cells: NDArray[np.int64],
+    point_arrays: Sequence[Tuple[str, NDArray[Any]]],
+    cell_arrays: Sequence[Tuple[str, NDArray[Any]]],
+    fields: Fields,
+) -> List[Tuple[int, str, Tuple[int, int], NDArray[np.int64], NDArray[np.int64]]]:
+    """Returns the blocks of cohesive elements: id, name, materials, corners and ids of elements.
 
     The arguments are those of write_mesh().
     """

@@ -3,96 +3,16 @@ and the docstrings of options are written by scripts/generate."""
 
 from __future__ import annotations
 
-import warnings
-from typing import TYPE_CHECKING, Any, Dict, List, Literal, Mapping, Optional, Sequence, Union
+from typing import Any, Literal, Mapping, Optional, Sequence, Union
 
-import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._input import Source, read_field
-from ._progress import shown
-from ._report import describe
-from ._state import StateGiven, add_refinement, list_boxes, read_state
+from ._input import Source
+from ._run import run_mesher
+from ._state import StateGiven
 from ._types import FractionsLike, Names, OfMaterials, Order, Progress, StateLike, Triple
-from .mesh import Mesh, Run, make_mesh
-
-if TYPE_CHECKING:
-    from ._core import StateChoice
-
-CALLER = 3  # stack level of the caller of hexes(), for warnings
-
-
-class VolumeFractionMeshWarning(UserWarning):
-    """Warning about a mesh that may differ from what the input suggests.
-
-    Examples are fractions that were clipped, a material without elements, and material that is left
-    out of the mesh.
-
-    Examples
-    --------
-    >>> import warnings
-    >>> import numpy as np
-    >>> fraction = np.zeros((5, 5, 5))  # nothing to mesh
-    >>> with warnings.catch_warnings(record=True) as caught:
-    ...     warnings.simplefilter("always", vfm.VolumeFractionMeshWarning)
-    ...     mesh = vfm.hexes(fraction)
-    >>> len(mesh), caught[0].category.__name__
-    (0, 'VolumeFractionMeshWarning')
-    """
-
-
-def _run(
-    options: _core.Options,
-    source: Source,
-    carried: StateGiven,
-    refinement_array: Any,
-    refinement_boxes: Optional[Sequence[Sequence[float]]],
-    shows: Progress,
-) -> Mesh:
-    field = read_field(source)
-    state = read_state(carried, field)
-    options.refinement_array = add_refinement(refinement_array, field)
-    options.refinement_boxes = list_boxes(refinement_boxes)
-    told: List[str] = []
-    try:
-        with shown(shows) as progress:
-            result = _core.mesh(
-                blocks=field.blocks,
-                arrays=field.arrays.items(),
-                coordinates=list(field.grid.nodes),
-                axes=field.grid.direction.ravel().tolist(),
-                origin=list(field.grid.origin),
-                are_points=field.grid.are_points,
-                fractions=field.fractions,
-                labels=field.labels,
-                label_names=field.label_names,
-                state=state,
-                options=options,
-                progress=progress,
-                warn=told.append,
-            )
-    finally:
-        for text in told:
-            warnings.warn(text, VolumeFractionMeshWarning, stacklevel=CALLER)
-    run = Run(describe(field), options.changed(), told)
-    return make_mesh(result, _find_roles(state, result["state"]), run)
-
-
-def _find_roles(state: Optional[StateChoice], carried: Mapping[str, ArrayLike]) -> Dict[str, str]:
-    """Returns the names of the arrays of density and velocity. carried: all arrays of the mesh."""
-    if state is None:
-        return {}
-    densities, velocity = ["density", *state["densities"]], state["velocity"]
-    kinds = dict(word.split("=", 1) for word in state["kinds"])
-    are_volume = bool(state["densities"]) and all(kinds.get(name, "volume") == "volume"
-                                                  for name in densities)
-    found = {"density": next((name for name in densities if are_volume and name in carried), None)}
-    # The core joins components to one array, whose name is part of the names of the components.
-    vectors = [name for name in carried if velocity and name in velocity
-               and np.shape(carried[name])[1:] == (3,)]
-    found["velocity"] = max(vectors, key=len, default=None)
-    return {role: name for role, name in found.items() if name}
+from .mesh import Mesh
 
 
 def hexes(
@@ -144,6 +64,15 @@ def hexes(
     interface_layers: int = 0,
     maximum_aspect_ratio: float = 0.0,
     child_fractions: Literal["planes", "parent"] = "planes",
+    split_interfaces: str = "",
+    split_connection: Literal["none", "cohesive", "contact", "tied"] = "none",
+    layers: int = 0,
+    layer_growth: float = 1.5,
+    first_layer: float = 0.0,
+    first_layer_unit: Literal["cells", "length"] = "cells",
+    layer_interfaces: str = "",
+    layers_on: Literal["both_materials", "first_material"] = "both_materials",
+    layer_sides: Literal["off", "x", "y", "xy", "z", "xz", "yz", "xyz"] = "off",
     target_scaled_jacobian: float = 0.0,
     compute_quality: bool = True,
     threads: int = 0,
@@ -339,6 +268,41 @@ def hexes(
         "planes": the cell is cut by planes that preserve the volume of each material. "parent": the
         parts get the fractions of the cell. Material ids keep their steps with either choice,
         unless `label_smoothing` is on.
+    split_interfaces : str, default ""
+        Pairs of materials such as steel/copper or 1/3 with commas between them, all, or None. Pairs
+        of materials whose interfaces are split: the elements on each side get their own nodes, also
+        where several fragments meet at a line or a corner. A pair is two names or ids with a slash
+        between them, such as steel/copper or 1/3; * is any material. The point array
+        OriginalPointIds has the ids of the nodes before.
+    split_connection : {"none", "cohesive", "contact", "tied"}, default "none"
+        Connection of both sides of split interfaces in files. "cohesive": elements of zero
+        thickness in blocks of their own, in .inp, Exodus and .msh files. "contact", "tied": contact
+        pairs or ties in .inp files. "none": the sides are free.
+    layers : int, default 0
+        An integer from 0 to 20. Cut the hexahedra along interfaces into this number of layers, as
+        for boundary layers or contact. The cell array Layer counts them from the surface. A
+        fragment gets layers along its whole surface. 0, 1: no layers.
+    layer_growth : float, default 1.5
+        A number from 1 to 10. Thickness of each layer relative to the one before it, away from the
+        surface.
+    first_layer : float, default 0.0
+        A number, 0 or more. Thickness of the first layer, where there is room: where the hexahedra
+        are high enough for all layers. Layers grow less where there is less room, and the last one
+        is thicker where there is more. 0: layers fill the hexahedra along the interface, which are
+        half a cell high.
+    first_layer_unit : {"cells", "length"}, default "cells"
+        Unit of `first_layer`. "cells": the mean width of the finest cells. "length": the length
+        unit of the input.
+    layer_interfaces : str, default ""
+        Pairs of materials such as steel/copper or 1/3 with commas between them, all, or None. Pairs
+        of materials whose interfaces have layers. A pair is two names or ids with a slash between
+        them, such as water/steel or 1/3; * is any material, 0 or Void the void. None: all
+        interfaces.
+    layers_on : {"both_materials", "first_material"}, default "both_materials"
+        Side of the interfaces with layers: the elements of both materials of each pair, or only
+        those of the first.
+    layer_sides : {"off", "x", "y", "xy", "z", "xz", "yz", "xyz"}, default "off"
+        Axes across which the sides of the domain have layers as well, such as walls.
     target_scaled_jacobian : float, default 0.0
         A number from 0 (automatic) to below 1. Target of smoothing for the scaled Jacobian. Larger
         values give better hexahedra that follow the surfaces less closely. 0 is automatic: 0.55
@@ -421,19 +385,22 @@ def hexes(
         state_order=state_order, nodal_velocity=nodal_velocity,
         lost_kinetic_energy=lost_kinetic_energy, unmeshed_material=unmeshed_material,
         stair_step=stair_step, smoothing=smoothing, sharp_edges=sharp_edges,
-        label_smoothing=label_smoothing, element_order=element_order,
-        conserve_volume=conserve_volume, refinement=refinement, maximum_level=maximum_level,
-        fine_interfaces=fine_interfaces, fine_layers=fine_layers, thin_cells=thin_cells,
-        curvature_per_cell=curvature_per_cell, refine_flipped_cells=refine_flipped_cells,
-        interface_layers=interface_layers, maximum_aspect_ratio=maximum_aspect_ratio,
-        child_fractions=child_fractions, target_scaled_jacobian=target_scaled_jacobian,
-        compute_quality=compute_quality, threads=threads,
+        label_smoothing=label_smoothing, conserve_volume=conserve_volume, refinement=refinement,
+        maximum_level=maximum_level, fine_interfaces=fine_interfaces, fine_layers=fine_layers,
+        thin_cells=thin_cells, curvature_per_cell=curvature_per_cell,
+        refine_flipped_cells=refine_flipped_cells, interface_layers=interface_layers,
+        maximum_aspect_ratio=maximum_aspect_ratio, child_fractions=child_fractions,
+        split_interfaces=split_interfaces, split_connection=split_connection, layers=layers,
+        layer_growth=layer_growth, first_layer=first_layer, first_layer_unit=first_layer_unit,
+        layer_interfaces=layer_interfaces, layers_on=layers_on, layer_sides=layer_sides,
+        target_scaled_jacobian=target_scaled_jacobian, compute_quality=compute_quality,
+        threads=threads,
         # end of arguments
     )
     source = Source(fractions, labels, spacing, origin, coordinates, direction, order, names,
                     arrays)
     carried = StateGiven(state, density, velocity, energy, state_kinds, rotated_arrays)
-    return _run(options, source, carried, refinement_array, refinement_boxes, progress)
+    return run_mesher(options, source, carried, refinement_array, refinement_boxes, progress)
 
 
 def tets(
@@ -485,6 +452,15 @@ def tets(
     interface_layers: int = 0,
     maximum_aspect_ratio: float = 0.0,
     child_fractions: Literal["planes", "parent"] = "planes",
+    split_interfaces: str = "",
+    split_connection: Literal["none", "cohesive", "contact", "tied"] = "none",
+    layers: int = 0,
+    layer_growth: float = 1.5,
+    first_layer: float = 0.0,
+    first_layer_unit: Literal["cells", "length"] = "cells",
+    layer_interfaces: str = "",
+    layers_on: Literal["both_materials", "first_material"] = "both_materials",
+    layer_sides: Literal["off", "x", "y", "xy", "z", "xz", "yz", "xyz"] = "off",
     target_scaled_jacobian: float = 0.0,
     compute_quality: bool = True,
     threads: int = 0,
@@ -562,7 +538,9 @@ def tets(
         Option of `hexes`, with the same default.
     curvature_per_cell, refine_flipped_cells, interface_layers, maximum_aspect_ratio : see hexes
         Option of `hexes`, with the same default.
-    child_fractions, threads : see hexes
+    child_fractions, split_interfaces, split_connection, layers, layer_growth : see hexes
+        Option of `hexes`, with the same default.
+    first_layer, first_layer_unit, layer_interfaces, layers_on, layer_sides, threads : see hexes
         Option of `hexes`, with the same default.
 
     Returns
@@ -610,18 +588,21 @@ def tets(
         state_order=state_order, nodal_velocity=nodal_velocity,
         lost_kinetic_energy=lost_kinetic_energy, unmeshed_material=unmeshed_material,
         stair_step=stair_step, smoothing=smoothing, sharp_edges=sharp_edges,
-        label_smoothing=label_smoothing, element_order=element_order,
-        conserve_volume=conserve_volume, refinement=refinement, maximum_level=maximum_level,
-        fine_interfaces=fine_interfaces, fine_layers=fine_layers, thin_cells=thin_cells,
-        curvature_per_cell=curvature_per_cell, refine_flipped_cells=refine_flipped_cells,
-        interface_layers=interface_layers, maximum_aspect_ratio=maximum_aspect_ratio,
-        child_fractions=child_fractions, target_scaled_jacobian=target_scaled_jacobian,
-        compute_quality=compute_quality, threads=threads, method=method,
-        relative_size=relative_size, growth=growth, radius_edge_ratio=radius_edge_ratio,
-        minimum_dihedral_angle=minimum_dihedral_angle, optimization_level=optimization_level,
+        label_smoothing=label_smoothing, conserve_volume=conserve_volume, refinement=refinement,
+        maximum_level=maximum_level, fine_interfaces=fine_interfaces, fine_layers=fine_layers,
+        thin_cells=thin_cells, curvature_per_cell=curvature_per_cell,
+        refine_flipped_cells=refine_flipped_cells, interface_layers=interface_layers,
+        maximum_aspect_ratio=maximum_aspect_ratio, child_fractions=child_fractions,
+        split_interfaces=split_interfaces, split_connection=split_connection, layers=layers,
+        layer_growth=layer_growth, first_layer=first_layer, first_layer_unit=first_layer_unit,
+        layer_interfaces=layer_interfaces, layers_on=layers_on, layer_sides=layer_sides,
+        target_scaled_jacobian=target_scaled_jacobian, compute_quality=compute_quality,
+        threads=threads, method=method, relative_size=relative_size, growth=growth,
+        radius_edge_ratio=radius_edge_ratio, minimum_dihedral_angle=minimum_dihedral_angle,
+        optimization_level=optimization_level,
         # end of arguments
     )
     source = Source(fractions, labels, spacing, origin, coordinates, direction, order, names,
                     arrays)
     carried = StateGiven(state, density, velocity, energy, state_kinds, rotated_arrays)
-    return _run(options, source, carried, refinement_array, refinement_boxes, progress)
+    return run_mesher(options, source, carried, refinement_array, refinement_boxes, progress)

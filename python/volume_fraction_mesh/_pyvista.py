@@ -56,6 +56,8 @@ def point_arrays(mesh: Mesh) -> Dict[str, np.ndarray]:
               "GeometryId": mesh.geometry.id}
     if mesh.partner is not None:
         arrays["PeriodicPartner"] = mesh.partner
+    if mesh.original_ids is not None:
+        arrays["OriginalPointIds"] = mesh.original_ids
     return {**arrays, **mesh.point_state}
 
 

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 
     from ._dolfinx import DolfinxMesh
     from ._facets import Facets, Separated
+    from ._split import Cohesive
 
 
 @dataclass
@@ -94,6 +95,8 @@ class Mesh:
         Names in `state` of the "density" (mass per volume of the material) and the "velocity".
     run : Run
         Input, options and warnings of the call that made the mesh.
+    original_ids : ndarray of int64, shape (n,), or None
+        Id of each point before interfaces were split. None without ``split_interfaces``.
     mids : ndarray of int64, shape (m, 12), (m, 19) or (m, 6), or None
         Mid nodes with ``element_order``, in the order of VTK: indices of `points`. None for
         linear elements.
@@ -129,6 +132,7 @@ class Mesh:
     fields: Dict[str, Any]
     roles: Dict[str, str] = field(default_factory=dict)
     run: Run = field(default_factory=Run)
+    original_ids: Optional[np.ndarray] = None
     mids: Optional[np.ndarray] = None
 
     @property
@@ -321,6 +325,26 @@ class Mesh:
         from ._facets import skin
 
         return skin(self, material)
+
+    def cohesive(self) -> Dict[str, Cohesive]:
+        """Return the cohesive elements of split interfaces.
+
+        Returns
+        -------
+        dict of str to Cohesive
+            Elements by name, such as ``ball_to_plate_cohesive``. Empty unless the mesh was made
+            with ``split_connection="cohesive"``.
+
+        Examples
+        --------
+        >>> left = np.ones((2, 2, 2)) * [[[1]], [[0]]]
+        >>> mesh = vfm.hexes([left, 1 - left], split_interfaces="all", split_connection="cohesive")
+        >>> mesh.cohesive()["Material 1_to_Material 2_cohesive"].cells.shape
+        (4, 8)
+        """
+        from ._split import cohesive
+
+        return cohesive(self)
 
     def separate(self) -> Separated:
         """Give each material its own points, so that materials can slide and part in contact.
@@ -627,4 +651,5 @@ def make_mesh(result: Mapping[str, Any], roles: Dict[str, str], run: Run) -> Mes
         fields=result["fields"],
         roles=roles,
         run=run,
+        original_ids=result["original_ids"],
     )

@@ -164,7 +164,8 @@ def values_of_row(row):
     if row["kind"] == "choice":
         return ", ".join(row["words"])
     return {"switch": "on, off", "array": "an array", "arrays": "arrays",
-            "kinds": "array=kind, ..", "file": "file"}.get(row["kind"], allowed(row))
+            "kinds": "array=kind, ..", "pairs": "all, or A/B, ..",
+            "file": "file"}.get(row["kind"], allowed(row))
 
 
 def default_of_row(row):

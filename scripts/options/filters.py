@@ -3,7 +3,8 @@ from options.table import common, of_tets, put, wrap
 
 MACROS = {"switch": "vfmSwitchOption(%s)", "integer": "vfmNumberOption(%s, int)",
           "choice": "vfmNumberOption(%s, int)",
-          "real": "vfmNumberOption(%s, double)", "array": "vfmArrayOption(%s)"}
+          "real": "vfmNumberOption(%s, double)", "array": "vfmTextOption(%s)",
+          "pairs": "vfmTextOption(%s)"}
 
 
 def write_accessors(text, rows):

@@ -22,13 +22,15 @@ def value(row):
         return str(bool(row["number"]))
     if row["kind"] == "choice":
         return '"%s"' % snake(row["words"][row["number"]])
+    if row["kind"] == "pairs":
+        return '""' if row["default"] == "None" else '"%s"' % row["default"]
     return repr(float(row["number"]) if row["kind"] == "real" else row["number"])
 
 
 def type_of(row):
     if row["kind"] == "choice":
         return "Literal[%s]" % ", ".join('"%s"' % snake(word) for word in row["words"])
-    return {"switch": "bool", "integer": "int", "real": "float"}[row["kind"]]
+    return {"switch": "bool", "integer": "int", "real": "float", "pairs": "str"}[row["kind"]]
 
 
 def replace_choices(text, row, table):

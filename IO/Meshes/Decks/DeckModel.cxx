@@ -74,7 +74,8 @@ DeckModel MakeModel(const MeshData& mesh)
   return { mesh, MakeSections(mesh), std::move(sets.NodeSets), std::move(sets.SideSets),
     { FindFirst(mesh.PointArrays, IsVelocity), FindFirst(arrays, IsDensity),
       FindFirst(arrays, IsEnergy), FindFirst(arrays, IsStress),
-      FindFirst(arrays, IsPlasticStrain) } };
+      FindFirst(arrays, IsPlasticStrain) },
+    ConnectionOf(mesh), FindSplitFaces(mesh, alone), FindCohesiveBlocks(mesh, alone) };
 }
 
 } // namespace
@@ -115,9 +116,14 @@ std::string DescribeDeck(const DeckModel& model)
     (model.Mesh.Corners == 8 ? " hexahedra" : " tetrahedra");
 }
 
-void RequireNumbers(const MeshData& mesh, Index largest, const char* format, const char* others)
+void RequireNumbers(const DeckModel& model, Index largest, const char* format, const char* others)
 {
-  if (std::max(mesh.NumberOfPoints, mesh.NumberOfElements) > largest)
+  Index elements = model.Mesh.NumberOfElements;
+  for (const CohesiveBlock& block : model.Blocks)
+  {
+    elements += static_cast<Index>(block.Ids.size());
+  }
+  if (std::max(model.Mesh.NumberOfPoints, elements) > largest)
   {
     throw InputError("The mesh has more than " + std::to_string(largest) +
       " nodes or elements, which " + format + " cannot number. Formats that can: " + others + ".");

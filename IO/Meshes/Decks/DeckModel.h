@@ -7,7 +7,7 @@
 #pragma once
 
 #include "Ranks/Ranks.h"
-#include "Sets/MeshSets.h"
+#include "Sets/SplitFaces.h"
 #include "Summary/MeshData.h"
 
 #include <functional>
@@ -42,6 +42,9 @@ struct DeckModel
   std::vector<NodeSet> NodeSets;
   std::vector<SideSet> SideSets; ///< all side sets; SelectNamedSurfaces has one per face
   DeckState State;
+  SplitConnection Connection;        ///< of both sides of split interfaces
+  std::vector<SplitFace> SplitFaces; ///< faces at which interfaces were split
+  std::vector<CohesiveBlock> Blocks; ///< cohesive elements, numbered after all elements
 };
 
 /// Returns whether an array has the velocity of nodes: three components, and "velocity" in its
@@ -61,7 +64,7 @@ std::string DescribeDeck(const DeckModel& model);
 
 /// Throws InputError if the mesh has more nodes or elements than a format can number.
 /// @param others  formats that can
-void RequireNumbers(const MeshData& mesh, Index largest, const char* format, const char* others);
+void RequireNumbers(const DeckModel& model, Index largest, const char* format, const char* others);
 /// Throws InputError if the id of a material has too many digits for a format.
 void RequireIds(const DeckModel& model, int largest, const char* format, const char* others);
 

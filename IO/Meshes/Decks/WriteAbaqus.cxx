@@ -3,6 +3,7 @@
 #include "Meshes/Decks/AbaqusText.h"
 #include "Meshes/Decks/DeckCards.h"
 #include "Meshes/Decks/DeckModel.h"
+#include "Meshes/Decks/WriteConnections.h"
 #include "Meshes/Decks/WriteEquations.h"
 #include "Meshes/Files/ElementNodes.h"
 #include "Meshes/Files/OutputFile.h"
@@ -36,22 +37,16 @@ std::string BlockName(const DeckSection& section)
   return "EB" + std::to_string(section.Id);
 }
 
-struct Surface
-{
-  std::string Name;
-  const std::vector<MeshSide>* Sides; ///< sides of a side set
-};
-
 /// Returns the surfaces of all sides of the domain, or all other surfaces.
-std::vector<Surface> MakeSurfaces(
+std::vector<DeckSurface> MakeSurfaces(
   const std::vector<SideSet>& sets, AbaqusNames& names, bool ofDomain)
 {
-  std::vector<Surface> surfaces;
+  std::vector<DeckSurface> surfaces;
   for (const SideSet& set : sets)
   {
     if ((set.DomainSide != NoSide) == ofDomain)
     {
-      surfaces.push_back({ names.Add(set.Name), &set.Sides });
+      surfaces.push_back({ names.Add(set.Name), &set });
     }
   }
   return surfaces;
@@ -109,6 +104,29 @@ void WriteElements(OutputFile& file, const MeshData& mesh, const DeckSection& se
   }
 }
 
+/// Writes the cohesive elements of all blocks, numbered after the elements of the mesh.
+void WriteCohesive(OutputFile& file, const DeckModel& model, AbaqusNames& names)
+{
+  const auto corners = static_cast<std::size_t>(CohesiveCorners(model.Mesh));
+  Index number = model.Mesh.NumberOfElements;
+  for (const CohesiveBlock& block : model.Blocks)
+  {
+    file.Add("*ELEMENT, TYPE=");
+    file.Add(corners == 8 ? "COH3D8" : "COH3D6");
+    file.Add(", ELSET=" + names.Add(block.Name) + "\n");
+    for (std::size_t c = 0; c < block.Points.size(); ++c)
+    {
+      if (c % corners == 0)
+      {
+        file.Add(++number);
+      }
+      file.Add(",");
+      file.Add(block.Points[c] + 1);
+      file.Add(c % corners + 1 == corners ? "\n" : "");
+    }
+  }
+}
+
 /// Writes lines of numbers. deal.II requires a comma after a single one.
 void WriteNumbers(OutputFile& file, const std::vector<Index>& indices)
 {
@@ -158,10 +176,10 @@ void WriteVelocity(OutputFile& file, const MeshData& mesh, const MeshArray& velo
   }
 }
 
-void WriteSurface(OutputFile& file, const Surface& surface, bool ofHexes)
+void WriteSurface(OutputFile& file, const DeckSurface& surface, bool ofHexes)
 {
   file.Add("*SURFACE, NAME=" + surface.Name + ", TYPE=ELEMENT\n");
-  for (const MeshSide& side : *surface.Sides)
+  for (const MeshSide& side : surface.Set->Sides)
   {
     file.Add(side.Element + 1);
     file.Add(",S");
@@ -187,7 +205,7 @@ void WriteFile(const DeckModel& model, const std::string& path, bool isReduced)
 {
   const MeshData& mesh = model.Mesh;
   RequireNodes(mesh, { 12, 6 }, "Abaqus");
-  RequireNumbers(mesh, LargestNumber, "Abaqus", ".e, .msh, .vtu");
+  RequireNumbers(model, LargestNumber, "Abaqus", ".e, .msh, .vtu");
   AbaqusNames names, nodeNames;
   names.Add("EALL");
   nodeNames.Add("NALL");
@@ -195,9 +213,9 @@ void WriteFile(const DeckModel& model, const std::string& path, bool isReduced)
   {
     names.Add(BlockName(section));
   }
-  std::vector<Surface> surfaces = MakeSurfaces(model.SideSets, names, true);
+  std::vector<DeckSurface> surfaces = MakeSurfaces(model.SideSets, names, true);
   const std::vector<SectionNames> sections = NameSections(model, names);
-  for (Surface& surface : MakeSurfaces(model.SideSets, names, false))
+  for (DeckSurface& surface : MakeSurfaces(model.SideSets, names, false))
   {
     surfaces.push_back(std::move(surface));
   }
@@ -211,14 +229,17 @@ void WriteFile(const DeckModel& model, const std::string& path, bool isReduced)
       file, mesh, model.Sections[s], TypeOfElements(mesh, isReduced), sections[s].Block);
   }
   WriteElementSets(file, model, sections);
+  WriteCohesive(file, model, names);
+  const NodeTies ties = FindNodeTies(model);
   for (const NodeSet& set : model.NodeSets)
   {
-    WriteNodeSet(file, nodeNames.Add(set.Name), set.Points);
+    WriteNodeSet(file, nodeNames.Add(set.Name), RemoveTiedNodes(set, ties).Points);
   }
-  for (const Surface& surface : surfaces)
+  for (const DeckSurface& surface : surfaces)
   {
     WriteSurface(file, surface, mesh.Corners == 8);
   }
+  WriteConnections(model, ties, surfaces, names, file);
   if (model.State.Velocity)
   {
     WriteVelocity(file, mesh, *model.State.Velocity);

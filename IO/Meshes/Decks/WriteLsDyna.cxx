@@ -7,6 +7,9 @@
 #include "Sets/NamedSurfaces.h"
 #include "Summary/UniqueNames.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace vfm
 {
 namespace
@@ -142,11 +145,26 @@ void WriteStresses(DeckCards& cards, const DeckModel& model)
   }
 }
 
+/// Returns the surfaces of the file: of a split interface those of both sides, for contact.
+std::vector<NamedSurface> SelectSurfaces(const DeckModel& model)
+{
+  const auto isSplit = [&model](const SideSet& set)
+  {
+    const std::array<int, 2> pair{ { set.Materials[1], set.Materials[0] } };
+    return set.Kind == SurfaceKind::Interface &&
+      std::any_of(model.SplitFaces.begin(), model.SplitFaces.end(),
+        [&pair](const SplitFace& face) { return face.Materials == pair; });
+  };
+  std::vector<NamedSurface> surfaces = SelectNamedSurfaces(model.SideSets);
+  std::copy_if(model.SideSets.begin(), model.SideSets.end(), std::back_inserter(surfaces), isSplit);
+  return surfaces;
+}
+
 void WriteFile(const DeckModel& model, const std::string& path)
 {
   const MeshData& mesh = model.Mesh;
   RequireNodes(mesh, { 12, 6 }, "LS-DYNA");
-  RequireNumbers(mesh, LargestNumber, "LS-DYNA", OtherFormats);
+  RequireNumbers(model, LargestNumber, "LS-DYNA", OtherFormats);
   RequireIds(model, LargestNumber, "LS-DYNA", OtherFormats);
   DeckCards cards(path, RealForm::Compact);
   cards.Line("*KEYWORD");
@@ -167,7 +185,7 @@ void WriteFile(const DeckModel& model, const std::string& path)
   {
     WriteNodeSet(cards, set, nodeNames);
   }
-  for (const NamedSurface& surface : SelectNamedSurfaces(model.SideSets))
+  for (const NamedSurface& surface : SelectSurfaces(model))
   {
     WriteSurface(cards, mesh, surface, names);
   }

@@ -108,7 +108,7 @@ void WriteFile(const DeckModel& model, const std::string& path)
 {
   const MeshData& mesh = model.Mesh;
   RequireNodes(mesh, {}, "Nastran");
-  RequireNumbers(mesh, LargestNumber, "Nastran", OtherFormats);
+  RequireNumbers(model, LargestNumber, "Nastran", OtherFormats);
   RequireIds(model, LargestNumber, "Nastran", OtherFormats);
   DeckCards cards(path, RealForm::Nastran);
   cards.Line("$pyNastran: punch=True"); // tells this reader that there is no case control

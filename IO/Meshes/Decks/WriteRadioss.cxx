@@ -153,7 +153,7 @@ void WriteFile(const DeckModel& model, const std::string& path)
   const MeshData& mesh = model.Mesh;
   const DeckState& state = model.State;
   RequireNodes(mesh, {}, "OpenRadioss");
-  RequireNumbers(mesh, LargestNumber, "OpenRadioss", ".e, .vtu, .msh of version 4.1");
+  RequireNumbers(model, LargestNumber, "OpenRadioss", ".e, .vtu, .msh of version 4.1");
   if (state.Energy && !state.Density)
   {
     throw InputError("The array " + state.Energy->Name +

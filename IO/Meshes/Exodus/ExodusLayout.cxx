@@ -110,7 +110,7 @@ Sizes AddSizes(NetcdfLayout& layout, const ExodusModel& model)
   sizes.Time = sizes.Name + 1;
   sizes.Axes = add("num_dim", 3);
   sizes.Nodes = add("num_nodes", model.Mesh.Data.NumberOfPoints);
-  sizes.Elements = add("num_elem", model.Mesh.Data.NumberOfElements);
+  sizes.Elements = add("num_elem", model.NumberOfElements());
   sizes.Blocks = add("num_el_blk", model.Blocks.size());
   sizes.NodeSets = add("num_node_sets", model.Sets.NodeSets.size());
   sizes.SideSets = add("num_side_sets", model.Sets.SideSets.size());
@@ -157,7 +157,7 @@ void AddEntities(NetcdfLayout& layout, const ExodusModel& model, const Sizes& si
   AddVariable(layout, "time_whole", NetcdfKind::Real, { sizes.Time },
     [&model] { return std::vector<double>{ model.Mesh.Data.Time.value_or(0.0) }; });
   AddIds(layout, "eb", sizes.Blocks, model.Blocks,
-    [](const ExodusBlock& block) { return block.Elements.size(); });
+    [](const ExodusBlock& block) { return block.Count(); });
   AddIds(layout, "ns", sizes.NodeSets, model.Sets.NodeSets,
     [](const NodeSet& set) { return set.Points.size(); });
   AddIds(layout, "ss", sizes.SideSets, model.Sets.SideSets,
@@ -193,6 +193,10 @@ const char* TypeOfElements(const MeshData& mesh)
 
 std::vector<Index> NodesOf(const MeshData& mesh, const ExodusBlock& block)
 {
+  if (block.Cohesive)
+  {
+    return Collect(block.Cohesive->Points, [](Index point) { return point + 1; });
+  }
   // Edges along z before the upper ones; the centre before the faces.
   const MidOrders orders{ { 0, 1, 2, 3, 8, 9, 10, 11, 4, 5, 6, 7 },
     { 0, 1, 2, 3, 8, 9, 10, 11, 4, 5, 6, 7, 18, 16, 17, 12, 13, 14, 15 }, {} };
@@ -208,6 +212,17 @@ std::vector<Index> NodesOf(const MeshData& mesh, const ExodusBlock& block)
   return all;
 }
 
+/// Returns the type of elements and their number of nodes.
+std::pair<const char*, int> TypeOf(const MeshData& mesh, const ExodusBlock& block)
+{
+  if (block.Cohesive)
+  {
+    const int corners = CohesiveCorners(mesh);
+    return { corners == 8 ? "HEX8" : "WEDGE", corners };
+  }
+  return { TypeOfElements(mesh), mesh.NodesPerElement() };
+}
+
 /// Adds the element blocks and returns the dimension of each.
 std::vector<std::size_t> AddBlocks(NetcdfLayout& layout, const ExodusModel& model)
 {
@@ -216,12 +231,12 @@ std::vector<std::size_t> AddBlocks(NetcdfLayout& layout, const ExodusModel& mode
   for (const ExodusBlock& block : model.Blocks)
   {
     const std::string number = std::to_string(dimensions.size() + 1);
-    dimensions.push_back(
-      AddDimension(layout, "num_el_in_blk" + number, Size(block.Elements.size())));
-    const std::size_t nodes = AddDimension(
-      layout, "num_nod_per_el" + number, block.Elements.empty() ? 0 : mesh.NodesPerElement());
+    const auto [type, count] = TypeOf(mesh, block);
+    dimensions.push_back(AddDimension(layout, "num_el_in_blk" + number, block.Count()));
+    const std::size_t nodes =
+      AddDimension(layout, "num_nod_per_el" + number, block.Count() == 0 ? 0 : count);
     AddVariable(layout, "connect" + number, KindOfNumbers(model), { dimensions.back(), nodes },
-      [&mesh, &block] { return NodesOf(mesh, block); }, { { "elem_type", TypeOfElements(mesh) } });
+      [&mesh, &block] { return NodesOf(mesh, block); }, { { "elem_type", type } });
   }
   return dimensions;
 }
@@ -290,7 +305,7 @@ void AddPointVariables(NetcdfLayout& layout, const ExodusModel& model, const Siz
   }
 }
 
-/// Adds the variables of elements; each block has all of them.
+/// Adds the variables of elements; each block of a material has all of them.
 void AddElementVariables(NetcdfLayout& layout, const ExodusModel& model, const Sizes& sizes,
   const std::vector<std::size_t>& blocks)
 {
@@ -300,6 +315,10 @@ void AddElementVariables(NetcdfLayout& layout, const ExodusModel& model, const S
   for (std::size_t b = 0; b < blocks.size(); ++b)
   {
     const ExodusBlock& block = model.Blocks[b];
+    if (block.Cohesive)
+    {
+      continue;
+    }
     int number = 0;
     for (const ExodusVariable& variable : model.ElementVariables)
     {
@@ -314,8 +333,15 @@ void AddElementVariables(NetcdfLayout& layout, const ExodusModel& model, const S
     }
   }
   AddVariable(layout, "elem_var_tab", NetcdfKind::Int, { sizes.Blocks, count },
-    [cells = model.Blocks.size() * model.ElementVariables.size()]
-    { return std::vector<Index>(cells, 1); });
+    [&model]
+    {
+      std::vector<Index> table; // whether a block has a variable
+      for (const ExodusBlock& block : model.Blocks)
+      {
+        table.insert(table.end(), model.ElementVariables.size(), block.Cohesive ? 0 : 1);
+      }
+      return table;
+    });
 }
 
 void AddMaps(NetcdfLayout& layout, const ExodusModel& model, const Sizes& sizes)
@@ -331,6 +357,10 @@ void AddMaps(NetcdfLayout& layout, const ExodusModel& model, const Sizes& sizes)
       for (Index element = 0; element < mesh.NumberOfElements; ++element)
       {
         ids[model.Numbers[element] - 1] = mesh.ElementIds[element];
+      }
+      for (const CohesiveBlock& block : model.CohesiveBlocks)
+      {
+        ids.insert(ids.end(), block.Ids.begin(), block.Ids.end());
       }
       return ids;
     });

@@ -55,7 +55,7 @@ void MakeBlocks(ExodusModel& model, Ranks& ranks)
   {
     places[material] = model.Blocks.size();
     model.Blocks.push_back(
-      { material == 0 ? voidId : material, NameOfMaterial(names, material), {} });
+      { material == 0 ? voidId : material, NameOfMaterial(names, material), {}, nullptr });
   }
   for (Index element = 0; element < mesh.NumberOfElements; ++element)
   {
@@ -63,6 +63,10 @@ void MakeBlocks(ExodusModel& model, Ranks& ranks)
   }
   std::sort(model.Blocks.begin(), model.Blocks.end(),
     [](const ExodusBlock& a, const ExodusBlock& b) { return a.Id < b.Id; });
+  for (const CohesiveBlock& block : model.CohesiveBlocks) // their ids are above all others
+  {
+    model.Blocks.push_back({ block.Id, block.Name, {}, &block });
+  }
   model.Numbers.resize(mesh.NumberOfElements);
   Index next = 0;
   for (const ExodusBlock& block : model.Blocks)
@@ -81,10 +85,10 @@ void CountAll(ExodusModel& model, Ranks& ranks)
   model.Sharing = FindSharedPoints({ mesh.PointIds, mesh.PointIds + mesh.NumberOfPoints }, ranks);
   const std::vector<char>& isOwned = model.Sharing.IsOwned;
   std::vector<std::int64_t> counts{ std::count(isOwned.begin(), isOwned.end(), 1),
-    mesh.NumberOfElements };
+    model.NumberOfElements() };
   for (const ExodusBlock& block : model.Blocks)
   {
-    counts.push_back(static_cast<std::int64_t>(block.Elements.size()));
+    counts.push_back(block.Count());
   }
   for (const SideSet& set : model.Sets.SideSets)
   {
@@ -140,8 +144,13 @@ void FindSizes(ExodusModel& model, Ranks& ranks)
   const MeshData& mesh = model.Mesh.Data;
   const auto isWide = [](const Index* ids, Index count)
   { return count > 0 && *std::max_element(ids, ids + count) > LargestPlainId; };
-  model.HasWideIds = ranks.Any(
-    isWide(mesh.PointIds, mesh.NumberOfPoints) || isWide(mesh.ElementIds, mesh.NumberOfElements));
+  bool hasWideIds =
+    isWide(mesh.PointIds, mesh.NumberOfPoints) || isWide(mesh.ElementIds, mesh.NumberOfElements);
+  for (const CohesiveBlock& block : model.CohesiveBlocks)
+  {
+    hasWideIds |= isWide(block.Ids.data(), static_cast<Index>(block.Ids.size()));
+  }
+  model.HasWideIds = ranks.Any(hasWideIds);
   const double largest =
     std::max(4.0 * mesh.NodesPerElement() * static_cast<double>(mesh.NumberOfElements),
       8.0 * static_cast<double>(mesh.NumberOfPoints));
@@ -155,6 +164,7 @@ ExodusModel MakeExodusModel(const MeshData& mesh, Ranks& ranks)
   ExodusModel model;
   model.Mesh = OrderMesh(mesh, ranks);
   model.Sets = FindMeshSets(model.Mesh.Data, ranks);
+  model.CohesiveBlocks = FindCohesiveBlocks(model.Mesh.Data, ranks);
   MakeBlocks(model, ranks);
   NameItems(model.Blocks, model.LongestName);
   NameItems(model.Sets.SideSets, model.LongestName);

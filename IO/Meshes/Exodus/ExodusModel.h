@@ -5,27 +5,38 @@
 #pragma once
 
 #include "Meshes/Exodus/ExodusVariables.h"
-#include "Sets/MeshSets.h"
+#include "Sets/SplitFaces.h"
 #include "Summary/SharedPoints.h"
+
+#include <numeric>
 
 namespace vfm
 {
 
-/// Element block, which holds the elements of one material.
+/// Element block, which holds the elements of one material, or cohesive elements.
 struct ExodusBlock
 {
-  int Id; ///< material id; for the void, material 0, FindVoidId()
+  int Id; ///< material id; for the void, material 0, FindVoidId(); CohesiveBlock::Id
   std::string Name;
-  std::vector<Index> Elements; ///< elements of this rank, ascending
-  Index Total = 0;             ///< number of elements on all ranks
+  std::vector<Index> Elements;             ///< elements of this rank, ascending
+  const CohesiveBlock* Cohesive = nullptr; ///< set for cohesive elements; Elements is then empty
+  Index Total = 0;                         ///< number of elements on all ranks
+
+  /// Returns the number of elements on this rank.
+  Index Count() const
+  {
+    return static_cast<Index>(this->Cohesive ? this->Cohesive->Ids.size() : this->Elements.size());
+  }
 };
 
 /// Contents of the Exodus file of one rank.
 struct ExodusModel
 {
   StoredMesh Mesh; ///< part of this rank; points and elements in the order of their ids
+  std::vector<CohesiveBlock> CohesiveBlocks;
   std::vector<ExodusBlock> Blocks; ///< list of blocks by id, equal on all ranks
-  std::vector<Index> Numbers;      ///< number of each element in the file, from 1
+  std::vector<Index> Numbers;      ///< number of each element in the file, from 1; then come the
+                                   ///< cohesive elements
   MeshSets Sets;                   ///< list of sets, equal on all ranks, with unique names
   std::vector<Index> SideTotals;   ///< number of sides of each side set on all ranks
   std::vector<Index> NodeTotals;   ///< number of different nodes of each node set on all ranks
@@ -37,6 +48,13 @@ struct ExodusModel
   bool HasWideIds = false; ///< an id is greater than 2^31 - 1
   /// An array exceeds the limit of the classic file format, 4 GiB.
   bool HasLargeArrays = false;
+
+  /// Returns the number of elements on this rank, with cohesive elements.
+  Index NumberOfElements() const
+  {
+    return std::accumulate(this->Blocks.begin(), this->Blocks.end(), Index(0),
+      [](Index sum, const ExodusBlock& block) { return sum + block.Count(); });
+  }
 };
 
 /// Makes the contents of the file of this rank.

@@ -57,6 +57,15 @@ std::vector<char> FindBorderElements(const ExodusModel& model, const std::vector
     border[model.Numbers[e] - 1] =
       std::any_of(points, points + mesh.Corners, [&](Index point) { return isBorder[point] != 0; });
   }
+  for (const CohesiveBlock& block : model.CohesiveBlocks)
+  {
+    const std::ptrdiff_t corners = CohesiveCorners(mesh);
+    for (auto at = block.Points.begin(); at != block.Points.end(); at += corners)
+    {
+      border.push_back(
+        std::any_of(at, at + corners, [&](Index point) { return isBorder[point] != 0; }));
+    }
+  }
   return border;
 }
 

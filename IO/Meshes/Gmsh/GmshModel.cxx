@@ -46,6 +46,10 @@ void AddMaterialGroups(GmshModel& model, const std::vector<int>& materials, int 
     model.Groups.push_back(
       { 3, TagOf(material, voidId), used.Add(PlainName(NameOfMaterial(names, material))) });
   }
+  for (const CohesiveBlock& block : model.Blocks)
+  {
+    model.Groups.push_back({ 3, block.Id, used.Add(PlainName(block.Name)) });
+  }
 }
 
 bool Contains(const NamedSurface& group, const SurfaceEntity& surface)
@@ -109,8 +113,8 @@ void AddSurfaceGroups(GmshModel& model, bool hasInterfaces)
 
 GmshModel MakeGmshModel(const MeshData& mesh, bool hasInterfaces)
 {
-  GmshModel model{ mesh, FindMeshEntities(mesh), {}, {}, {} };
   Ranks alone;
+  GmshModel model{ mesh, FindMeshEntities(mesh), {}, {}, {}, 0, FindCohesiveBlocks(mesh, alone) };
   const std::vector<int> materials = FindMaterials(mesh, alone);
   const int voidId = materials.front() == 0 ? FindVoidId(mesh, alone) : 0;
   AddVolumes(model, voidId);

@@ -4,8 +4,10 @@
 #pragma once
 
 #include "Sets/MeshEntities.h"
+#include "Sets/SplitFaces.h"
 
 #include <map>
+#include <numeric>
 
 namespace vfm
 {
@@ -34,6 +36,18 @@ struct GmshModel
   /// smooth side, or the interface. Surfaces whose faces are left out have none.
   std::vector<std::vector<int>> SurfaceGroups;
   Index NumberOfFaces = 0; ///< faces of the surfaces with groups
+  /// Cohesive elements. Each block is a group of volumes with the id of the block, and a volume
+  /// with the number after the one before, or after all others.
+  std::vector<CohesiveBlock> Blocks;
+
+  Index NumberOfCohesive() const
+  {
+    return std::accumulate(this->Blocks.begin(), this->Blocks.end(), Index(0),
+      [](Index sum, const CohesiveBlock& block)
+      { return sum + static_cast<Index>(block.Ids.size()); });
+  }
+  /// Returns the number of the volume of the first block.
+  int FirstCohesiveVolume() const { return this->Volumes.rbegin()->first + 1; }
 
   bool HasFaces(std::size_t surface) const { return !this->SurfaceGroups[surface].empty(); }
 };

@@ -29,6 +29,11 @@ int ElementType(const MeshData& mesh)
   return mesh.MidsPerElement == 0 ? 5 : mesh.MidsPerElement == 12 ? 17 : 12;
 }
 
+int CohesiveType(int corners)
+{
+  return corners == 8 ? 5 : 6;
+}
+
 int FaceType(const MeshData& mesh)
 {
   if (mesh.Corners == 4)
@@ -51,12 +56,35 @@ Index LargestId(const Index* ids, Index count)
   return *std::max_element(ids, ids + count);
 }
 
+/// Returns the largest id of an element, also of cohesive elements, which follow the others.
+Index LargestElementId(const GmshModel& model)
+{
+  const MeshData& mesh = model.Mesh;
+  return LargestId(mesh.ElementIds, mesh.NumberOfElements) + model.NumberOfCohesive();
+}
+
+/// Calls visit(id, points, volume, block) for each cohesive element.
+template <class Visit>
+void ForCohesive(const GmshModel& model, const Visit& visit)
+{
+  const int corners = CohesiveCorners(model.Mesh);
+  int volume = model.FirstCohesiveVolume();
+  for (const CohesiveBlock& block : model.Blocks)
+  {
+    for (std::size_t e = 0; e < block.Ids.size(); ++e)
+    {
+      visit(block.Ids[e], block.Points.data() + corners * e, volume, block);
+    }
+    ++volume;
+  }
+}
+
 /// Visits the faces of a surface with their ids.
 class FaceIdCounter
 {
 public:
-  explicit FaceIdCounter(const MeshData& mesh) :
-    TheMesh(mesh), Next(LargestId(mesh.ElementIds, mesh.NumberOfElements) + 1)
+  explicit FaceIdCounter(const GmshModel& model) :
+    TheMesh(model.Mesh), Next(LargestElementId(model) + 1)
   {
   }
 
@@ -194,9 +222,9 @@ void WriteElements2(GmshFile& file, const GmshModel& model, bool isBinary)
 {
   const MeshData& mesh = model.Mesh;
   file.Begin("Elements");
-  file.Line(std::to_string(model.NumberOfFaces + mesh.NumberOfElements));
+  file.Line(std::to_string(model.NumberOfFaces + mesh.NumberOfElements + model.NumberOfCohesive()));
   ElementWriter2 faces(file, mesh, FaceType(mesh), model.NumberOfFaces, isBinary);
-  FaceIdCounter ids(mesh);
+  FaceIdCounter ids(model);
   ForSurfaces(model,
     [&](std::size_t s)
     {
@@ -213,6 +241,11 @@ void WriteElements2(GmshFile& file, const GmshModel& model, bool isBinary)
     elements.Write(mesh.ElementIds[element], model.Volumes.at(volume).Group, volume,
       nodes.Of(element), nodes.Count());
   }
+  ElementWriter2 cohesive(
+    file, mesh, CohesiveType(mesh.Corners), model.NumberOfCohesive(), isBinary);
+  ForCohesive(model,
+    [&](Index id, const Index* points, int volume, const CohesiveBlock& block)
+    { cohesive.Write(id, block.Id, volume, points, CohesiveCorners(mesh)); });
   file.End("Elements");
 }
 
@@ -307,7 +340,7 @@ void WriteSurfaces(GmshFile& file, const GmshModel& model)
       curves[surface - 1].push_back(static_cast<int>(c) + 1);
     }
   }
-  FaceIdCounter ids(model.Mesh);
+  FaceIdCounter ids(model);
   for (std::size_t s = 0; s < entities.Surfaces.size(); ++s)
   {
     BoundingBox box(model.Mesh);
@@ -338,6 +371,13 @@ void WriteVolumes(GmshFile& file, const GmshModel& model)
     }
     WriteEntity(file, tag, box, { volume.Group }, surfaces[tag]);
   }
+  int tag = model.FirstCohesiveVolume();
+  for (const CohesiveBlock& block : model.Blocks)
+  {
+    BoundingBox box(model.Mesh);
+    box.Add(block.Points.data(), static_cast<int>(block.Points.size()));
+    WriteEntity(file, tag++, box, { block.Id }, {});
+  }
 }
 
 void WriteEntities(GmshFile& file, const GmshModel& model)
@@ -347,7 +387,7 @@ void WriteEntities(GmshFile& file, const GmshModel& model)
   file.Size(static_cast<Index>(entities.Vertices.size()));
   file.Size(static_cast<Index>(entities.Curves.size()));
   file.Size(static_cast<Index>(entities.Surfaces.size()));
-  file.Size(static_cast<Index>(model.Volumes.size()));
+  file.Size(static_cast<Index>(model.Volumes.size() + model.Blocks.size()));
   file.EndLine();
   WriteVertices(file, model);
   WriteCurves(file, model);
@@ -418,11 +458,11 @@ void WriteElements4(GmshFile& file, const GmshModel& model)
 {
   const MeshData& mesh = model.Mesh;
   file.Begin("Elements");
-  std::size_t blocks = model.Volumes.size();
+  std::size_t blocks = model.Volumes.size() + model.Blocks.size();
   ForSurfaces(model, [&blocks](std::size_t) { ++blocks; });
-  WriteTotals(file, blocks, model.NumberOfFaces + mesh.NumberOfElements, mesh.ElementIds[0],
-    LargestId(mesh.ElementIds, mesh.NumberOfElements) + model.NumberOfFaces);
-  FaceIdCounter ids(mesh);
+  WriteTotals(file, blocks, model.NumberOfFaces + mesh.NumberOfElements + model.NumberOfCohesive(),
+    mesh.ElementIds[0], LargestElementId(model) + model.NumberOfFaces);
+  FaceIdCounter ids(model);
   ForSurfaces(model,
     [&](std::size_t s)
     {
@@ -441,6 +481,15 @@ void WriteElements4(GmshFile& file, const GmshModel& model)
       WriteElement4(file, mesh, mesh.ElementIds[element], nodes.Of(element), nodes.Count());
     }
   }
+  ForCohesive(model,
+    [&](Index id, const Index* points, int volume, const CohesiveBlock& block)
+    {
+      if (id == block.Ids.front())
+      {
+        WriteBlock(file, 3, volume, CohesiveType(mesh.Corners), block.Ids.size());
+      }
+      WriteElement4(file, mesh, id, points, CohesiveCorners(mesh));
+    });
   file.End("Elements");
 }
 
@@ -448,8 +497,8 @@ void WriteElements4(GmshFile& file, const GmshModel& model)
 GmshVersion ChooseVersion(const GmshModel& model, GmshVersion version)
 {
   const MeshData& mesh = model.Mesh;
-  const Index largest = std::max(LargestId(mesh.PointIds, mesh.NumberOfPoints),
-    LargestId(mesh.ElementIds, mesh.NumberOfElements) + model.NumberOfFaces);
+  const Index largest = std::max(
+    LargestId(mesh.PointIds, mesh.NumberOfPoints), LargestElementId(model) + model.NumberOfFaces);
   if (version == GmshVersion::V2_2 && largest > LargestInt)
   {
     throw InputError("The id " + std::to_string(largest) +

@@ -157,22 +157,24 @@ CartesianGrid MakeRefinedGrid(unsigned seed, int refinements, Seam seam)
     { { (axes & 1) != 0, (axes & 2) != 0, (axes & 4) != 0 } }, seam, GhostLayers << refinements);
 }
 
-class PeriodicLevels : public ::testing::TestWithParam<Seam>
+class PeriodicLevels : public ::testing::TestWithParam<Method>
 {
 };
 
 TEST_P(PeriodicLevels, GiveValidTorus)
 {
+  const Method& method = this->GetParam();
   for (unsigned seed : ListSeeds(6))
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
     MeshOptions options;
+    options.Tets = method.Tets;
     options.MeshVoid = seed % 4 < 2;
     options.Levels.Refinements = 1 + static_cast<int>(seed % 2);
-    const CartesianGrid grid = MakeRefinedGrid(seed, options.Levels.Refinements, this->GetParam());
+    const CartesianGrid grid = MakeRefinedGrid(seed, options.Levels.Refinements, method.Sides);
     Runtime alone;
     MeshReport report;
-    const Mesh mesh = MakeHexMesh(grid, MakeBalls(grid, seed), options, alone, report);
+    const Mesh mesh = method.Make(grid, MakeBalls(grid, seed), options, alone, report);
     Index families = 0;
     for (const MeshReport::Level& level : report.Levels)
     {
@@ -181,33 +183,38 @@ TEST_P(PeriodicLevels, GiveValidTorus)
     EXPECT_GT(families, 0);
     EXPECT_TRUE(IsPositiveEverywhere(mesh));
     EXPECT_EQ(FindConformityProblem(mesh), "");
+    if (method.Sides == Seam::Flat)
+    {
+      EXPECT_LT(FindExcess(grid, mesh), 1e-12);
+    }
     EXPECT_EQ(FindGluedProblem(grid, mesh, options.MeshVoid, report.NumberOfFragments), "");
   }
 }
 
 TEST_P(PeriodicLevels, RanksGiveTheSameMesh)
 {
+  const Method& method = this->GetParam();
   for (unsigned seed : ListSeeds(2))
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
     MeshOptions options;
+    options.Tets = method.Tets;
     options.MeshVoid = true;
     options.Levels.Refinements = 1 + static_cast<int>(seed % 2);
-    const CartesianGrid grid =
-      MakeRefinedGrid(seed + 4, options.Levels.Refinements, this->GetParam());
+    const CartesianGrid grid = MakeRefinedGrid(seed + 4, options.Levels.Refinements, method.Sides);
     const FractionField field = MakeBalls(grid, seed);
-    const RankMesh alone = MakeAlone(grid, field, options, MakeHexMesh);
+    const RankMesh alone = MakeAlone(grid, field, options, method.Make);
     for (int ranks : { 2, 3, 8 })
     {
       SCOPED_TRACE(std::to_string(ranks) + " ranks");
       const std::vector<IndexBox> boxes = CutBaseBox(grid, options.Levels.Refinements, ranks);
-      EXPECT_EQ(FindDifference(MakeOnRanks(grid, field, boxes, options, MakeHexMesh), alone), "");
+      EXPECT_EQ(FindDifference(MakeOnRanks(grid, field, boxes, options, method.Make), alone), "");
     }
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Seams, PeriodicLevels, ::testing::Values(Seam::Flat, Seam::Free),
-  [](const auto& info) { return info.param == Seam::Flat ? "Flat" : "Free"; });
+INSTANTIATE_TEST_SUITE_P(Methods, PeriodicLevels, ::testing::ValuesIn(Methods),
+  [](const auto& info) { return std::string(info.param.Name); });
 
 TEST_P(Periodic, RanksGiveTheSameMesh)
 {

@@ -1,0 +1,28 @@
+/**
+ * AddLayers: layers along the interfaces and sides of the domain that the user selected.
+ */
+#pragma once
+
+#include "Mesh/MeshReport.h"
+#include "Modify/CutLayers.h"
+#include "Modify/MaterialPairs.h"
+#include "Options/MesherOptions.h"
+
+namespace vfm
+{
+
+/// The interfaces that the user selected.
+struct LayerChoice
+{
+  const std::vector<int>& Labels; ///< ids of the user by material
+  const MaterialPairs* Pairs;     ///< option LayerInterfaces; null: all interfaces
+};
+
+/// Cuts the hexahedra along interfaces, then those along each side of the domain, and measures the
+/// mesh again. Does nothing without the option Layers.
+/// @param width width of a cell, unit of FirstLayer
+/// @pre Collective
+void AddLayers(const MesherOptions& options, const LayerChoice& choice, double width,
+  Runtime& runtime, Mesh& mesh, OutputState& state, MeshReport& report);
+
+} // namespace vfm
