@@ -5,7 +5,8 @@
  * of the edge moves along the normals of these targets until its distance to each of them is the
  * mean distance of the two ends. So an edge gets the curvature of the surface, whatever keeps its
  * ends off the surface, and a flat surface leaves it straight. At a sharp edge, only targets that
- * both ends follow count. The mid node lies at the mean of what both ends request.
+ * both ends follow count. The mid node lies at the mean of what both ends request. Edges at points
+ * that were put back to their start, because facets intersected, stay straight.
  */
 #pragma once
 

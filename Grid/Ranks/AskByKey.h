@@ -6,6 +6,7 @@
 #include "Ranks/ExchangeAll.h"
 
 #include <algorithm>
+#include <array>
 
 namespace vfm
 {

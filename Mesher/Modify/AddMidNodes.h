@@ -23,8 +23,7 @@ namespace vfm
 /// @param order  Quadratic or Quadratic27
 /// @return field data of the whole mesh: CurvedMidNodes, the number of mid nodes off the middle of
 ///   their edge; StraightenedMidNodes, how many of them were moved back; CurvedJacobian, the
-///   smallest Bezier coefficient of an element over that of the straight element, 1 if none is
-///   curved
+///   smallest Bezier coefficient of an element over that of the straight element, at most 1
 /// @pre Collective over runtime.Group(). The mesh is not periodic.
 FieldArrays AddMidNodes(ElementOrder order, Runtime& runtime, Mesh& mesh, OutputState& state);
 
