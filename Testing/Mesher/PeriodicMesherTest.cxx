@@ -225,7 +225,8 @@ TEST_P(PeriodicMesher, RanksGiveTheSameMesh)
   Runtime serial;
   MeshById alone;
   alone.Add(
-    RunMesher(MakeInput(this->GetParam(), serial.Group()), OptionsOf(this->GetParam()), serial).TheMesh);
+    RunMesher(MakeInput(this->GetParam(), serial.Group()), OptionsOf(this->GetParam()), serial)
+      .TheMesh);
   for (int count : { 2, 3 })
   {
     MeshById joined;
