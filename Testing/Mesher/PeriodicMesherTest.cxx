@@ -227,7 +227,7 @@ TEST_P(PeriodicMesher, RanksGiveTheSameMesh)
   alone.Add(
     RunMesher(MakeInput(this->GetParam(), serial.Group()), OptionsOf(this->GetParam()), serial)
       .TheMesh);
-  for (int count : { 2, 3 })
+  for (int count : { 2, 3, 8 })
   {
     MeshById joined;
     std::mutex mutex;
