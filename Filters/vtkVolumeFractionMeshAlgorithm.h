@@ -305,8 +305,9 @@ public:
   /// Axes along which the input is one period of a material that repeats. The mesh of one side is
   /// then a copy of the mesh of the opposite side, at exactly one period from it, and the point
   /// array PeriodicPartner pairs their nodes. Surfaces, volumes and fragments continue across these
-  /// sides. Along each of the axes, the input needs at least 3 cells. Allowed: Off, X, Y, XY, Z,
-  /// XZ, YZ, XYZ (or 0 to 7); default Off.
+  /// sides. Along each of the axes, the input needs at least 3 cells, and for a refined mesh an
+  /// even number of cells of the coarsest level. Allowed: Off, X, Y, XY, Z, XZ, YZ, XYZ (or 0 to
+  /// 7); default Off.
   vfmNumberOption(Periodic, int);
   /// Sides across periodic axes. Flat: their nodes stay in the planes. Free: nodes move as inside
   /// the domain, which gives the best surfaces; the sides wave by up to a cell where they meet

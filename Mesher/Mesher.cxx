@@ -314,7 +314,7 @@ MesherResult RunMesher(const MesherInput& input, const MesherOptions& given, Run
   const std::vector<StateArray> states = FindStateArrays(levels, arrays.State.Arrays, ranks);
   InputRequests requests = FindRequests(job);
   const LevelSetup setup = SetUpLevels(job, requests);
-  CheckPeriods(options, setup);
+  CheckPeriods(options);
   const std::vector<BlockPlace> owners = FindOwners(job, cells, setup);
   requests = DistributeRequests(requests, levels, owners, ranks);
 

@@ -153,7 +153,7 @@ std::vector<int> ListLabels(const Work& work, const Star& star)
   return labels;
 }
 
-/// Returns the direction out of a label at a node. On sides of the domain it is tangential to them.
+/// Returns the direction out of a label at a node. It is tangential to these sides.
 VisibleDirection FindOutward(int label, int sides, const std::vector<LabelNormal>& normals)
 {
   std::vector<Vector3> own;
@@ -218,6 +218,29 @@ bool HasPoint(const Work& work, const Star& star, int label)
     });
 }
 
+/// Returns the sides to which the point of a label is tangential: those of the domain, and both
+/// sides of a flat seam if the label is on both.
+int FindSides(const Work& work, Index n, const Star& star, const Vector3& x, int label)
+{
+  const CartesianGrid& finest = work.Grid.Finest();
+  int sides = work.Stars.DomainSides(n);
+  const int seams = finest.IsPeriodic() ? finest.FlatSeams(x) : 0;
+  for (int a = 0; a < 3; ++a)
+  {
+    bool isBelow = false, isAbove = false;
+    for (const Corner& at : star)
+    {
+      const HexStars::Side& side = HexOf(work, at).Side;
+      const Index first = work.Grid.FinestNode(side.Cell.Level, side.Cell.At)[a];
+      const bool above = finest.Coordinates(a)[first] >= x[a];
+      isAbove = isAbove || (side.Label == label && above);
+      isBelow = isBelow || (side.Label == label && !above);
+    }
+    sides |= (seams >> a & 1) && isAbove && isBelow ? 3 << (2 * a) : 0;
+  }
+  return sides;
+}
+
 void PlaceInnerPoints(
   Work& work, Index n, const Star& star, const std::vector<LabelNormal>& normals, bool isBad)
 {
@@ -225,10 +248,9 @@ void PlaceInnerPoints(
   const Vector3 widths = work.Stars.WidthsAt(star);
   const Vector3 x =
     star.empty() ? Vector3{} : work.Stars.PointAt(HexOf(work, star[0]), star[0].Bits);
-  const int sides = work.Stars.DomainSides(n);
   for (int label : labels)
   {
-    const VisibleDirection out = FindOutward(label, sides, normals);
+    const VisibleDirection out = FindOutward(label, FindSides(work, n, star, x, label), normals);
     const bool hasPoint = HasPoint(work, star, label);
     isBad = isBad || (hasPoint && out.Margin < SmallestMargin);
     const double length = BufferThickness / std::max(out.Margin, ThinnestMargin);

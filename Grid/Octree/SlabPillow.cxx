@@ -350,8 +350,8 @@ PillowedLevel MakeCells(const OctantFamilies& sets, int level, const IndexBox& b
     const Index3 node = lattice.NodeOfKey(key).At;
     const Vector3 x{ { static_cast<double>(node[0]), static_cast<double>(node[1]),
       static_cast<double>(node[2]) } };
-    mesh.Nodes.push_back({ node, 0, lattice.DomainSides(level, node), lattice.FlatSeams(level, node),
-      std::ldexp(1.0, -level) * x });
+    mesh.Nodes.push_back({ node, 0, lattice.DomainSides(level, node),
+      lattice.FlatSeams(level, node), std::ldexp(1.0, -level) * x });
   }
   for (std::size_t n = 0; n < mesh.Cells.size(); ++n)
   {

@@ -147,8 +147,7 @@ void CoarseTets::AddCentres()
     }
     const Vector3 centre = 0.125 * sum;
     this->Hexes[h].Centre = this->HexPoints + static_cast<int>(h);
-    std::copy(
-      centre.begin(), centre.end(), this->Local.Points.data() + 3 * this->Hexes[h].Centre);
+    std::copy(centre.begin(), centre.end(), this->Local.Points.data() + 3 * this->Hexes[h].Centre);
   }
 }
 
@@ -387,9 +386,9 @@ int CoarseTets::TetsOf(const Face& face, int way, Tet tets[4]) const
 int CoarseTets::TetsOnBothSides(const Face& face, int way, Tet tets[4]) const
 {
   const int count = this->TetsOf(face, way, tets);
-  return face.Partner < 0 ? count
-                          : count +
-      this->TetsOf(this->Faces[face.Partner], this->WayOfPartner(face, way), tets + count);
+  return face.Partner < 0
+    ? count
+    : count + this->TetsOf(this->Faces[face.Partner], this->WayOfPartner(face, way), tets + count);
 }
 
 /// Returns the way in which the partner of a face has the same diagonal.

@@ -183,8 +183,7 @@ InputField JoinLevels(const InputLevels& input, ChildRule rule, const std::array
   InputField field = std::move(levels.Fields[0]);
   for (int level = 0; level + 1 < static_cast<int>(levels.Grids.size()); ++level)
   {
-    WorkTogether(
-      ranks, [&] { RefineLevel(input, levels, level, rule, runtime, field.Fractions); });
+    WorkTogether(ranks, [&] { RefineLevel(input, levels, level, rule, runtime, field.Fractions); });
     if (isPeriodic) // children of copies are rounded
     {
       FillGhosts(Partition(levels.Grids[level + 1], ranks), field.Fractions);

@@ -94,7 +94,7 @@ int CountPeriodicLevels(
   return levels;
 }
 
-void CheckPeriods(const MesherOptions& options, const LevelSetup& setup)
+void CheckPeriods(const MesherOptions& options)
 {
   if (options.Periodic == 0)
   {

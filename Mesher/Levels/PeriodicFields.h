@@ -16,9 +16,8 @@ int CountPeriodicLevels(
   const MesherOptions& options, const std::array<std::vector<double>, 3>& coordinates);
 
 /// Checks whether other options allow a periodic mesh.
-/// @param setup levels of the mesh
 /// @throws InputError if they do not
-void CheckPeriods(const MesherOptions& options, const LevelSetup& setup);
+void CheckPeriods(const MesherOptions& options);
 
 /// Adds the copies of cells that meshing needs (CartesianGrid::Covering). Does nothing without
 /// periodic axes.

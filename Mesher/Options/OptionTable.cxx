@@ -148,7 +148,8 @@ OptionTable MaterialsOptions()
       "Axes along which the input is one period of a material that repeats. The mesh of one side "
       "is then a copy of the mesh of the opposite side, at exactly one period from it, and the "
       "point array PeriodicPartner pairs their nodes. Surfaces, volumes and fragments continue "
-      "across these sides. Along each of the axes, the input needs at least 3 cells.")
+      "across these sides. Along each of the axes, the input needs at least 3 cells, and for a "
+      "refined mesh an even number of cells of the coarsest level.")
       .Advanced()
       .Sculptor("--periodic AXES"),
     Row("PeriodicSides", Choice<&M::PeriodicSides>({ "Flat", "Free", "Joined" }),

@@ -74,8 +74,7 @@ MesherInput MakeLevelInput(const LabelGrid& grid, const std::vector<IndexBox>& b
   if (isMine(0))
   {
     const IndexBox all{ {}, grid.Cells };
-    blocks.push_back(
-      MakeBlock(all, grid, grid.Width, std::vector<int>(all.NumberOfCells(), 1)));
+    blocks.push_back(MakeBlock(all, grid, grid.Width, std::vector<int>(all.NumberOfCells(), 1)));
   }
   for (std::size_t b = 0; b < boxes.size(); ++b)
   {
@@ -83,8 +82,8 @@ MesherInput MakeLevelInput(const LabelGrid& grid, const std::vector<IndexBox>& b
     {
       const IndexBox cells = ChangeLevel(boxes[b], 1);
       const Index3 size{ { cells.Size(0), cells.Size(1), cells.Size(2) } };
-      blocks.push_back(MakeBlock(
-        cells, grid, 0.5 * grid.Width, RandomLabels(size, static_cast<unsigned>(b))));
+      blocks.push_back(
+        MakeBlock(cells, grid, 0.5 * grid.Width, RandomLabels(size, static_cast<unsigned>(b))));
     }
   }
   return MakeInput(std::move(blocks), ranks);

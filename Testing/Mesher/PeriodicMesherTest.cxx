@@ -225,8 +225,9 @@ TEST_P(PeriodicMesher, RanksGiveTheSameMesh)
   Runtime serial;
   MeshById alone;
   alone.Add(
-    RunMesher(MakeInput(this->GetParam(), serial.Group()), OptionsOf(this->GetParam()), serial).TheMesh);
-  for (int count : { 2, 3 })
+    RunMesher(MakeInput(this->GetParam(), serial.Group()), OptionsOf(this->GetParam()), serial)
+      .TheMesh);
+  for (int count : { 2, 3, 8 })
   {
     MeshById joined;
     std::mutex mutex;

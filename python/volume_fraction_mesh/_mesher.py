@@ -158,7 +158,8 @@ def hexes(
         Axes along which the input is one period of a material that repeats. The mesh of one side is
         then a copy of the mesh of the opposite side, at exactly one period from it, and the point
         array PeriodicPartner pairs their nodes. Surfaces, volumes and fragments continue across
-        these sides. Along each of the axes, the input needs at least 3 cells.
+        these sides. Along each of the axes, the input needs at least 3 cells, and for a refined
+        mesh an even number of cells of the coarsest level.
     periodic_sides : {"flat", "free", "joined"}, default "flat"
         Sides across periodic axes. "flat": their nodes stay in the planes. "free": nodes move as
         inside the domain, which gives the best surfaces; the sides wave by up to a cell where they

@@ -1,6 +1,9 @@
 /// Periodic meshes: opposite sides are bitwise translates, the glued mesh is valid, and the mesh
 /// does not depend on ranks.
+#include "Fractions/GhostFractions.h"
+#include "Fractions/RefineCells.h"
 #include "GluedChecks.h"
+#include "Octree/OctreeKeys.h"
 #include "RankMeshes.h"
 #include "Sweep.h"
 
@@ -188,6 +191,58 @@ TEST_P(PeriodicLevels, GiveValidTorus)
       EXPECT_LT(FindExcess(grid, mesh), 1e-12);
     }
     EXPECT_EQ(FindGluedProblem(grid, mesh, options.MeshVoid, report.NumberOfFragments), "");
+  }
+}
+
+/// Returns families at random places of the domain, for one refinement.
+std::vector<Index> ListRandomFamilies(const CartesianGrid& grid, unsigned seed)
+{
+  std::mt19937 random(seed);
+  const CartesianGrid base = ChangeLevel(grid, -1, 0);
+  const OctreeKeys lattice(base, 1);
+  std::vector<Index> keys;
+  ForCells(ChangeLevel(base.Domain(), -1),
+    [&](const Index3& family)
+    {
+      if (random() % 12 == 0)
+      {
+        keys.push_back(lattice.FamilyKey(0, family));
+      }
+    });
+  return keys;
+}
+
+/// Few families are refined, so that interfaces cross cells of both levels and transition cells.
+TEST_P(PeriodicLevels, InterfacesAcrossLevelsGiveValidTorus)
+{
+  const Method& method = this->GetParam();
+  if (method.Make != MakeHexMesh)
+  {
+    GTEST_SKIP() << "tetrahedra need fine cells at interfaces";
+  }
+  for (unsigned seed : ListSeeds(6))
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    MeshOptions options;
+    options.MeshVoid = seed % 2 == 0;
+    options.Levels.Refinements = 1;
+    options.Levels.FineInterfaces = false;
+    CartesianGrid grid = MakeRefinedGrid(seed, 1, method.Sides);
+    options.Levels.Families = { ListRandomFamilies(grid, seed) };
+    FractionField field = MakePeriodicPolycrystal(grid, seed, 5);
+    Runtime alone;
+    WidenGrid(LayersFor(options.Levels), alone.Group(), grid, field);
+    MeshReport report;
+    const Mesh mesh = MakeHexMesh(grid, field, options, alone, report);
+    EXPECT_GT(report.TransitionCells, 0);
+    EXPECT_GT(report.Levels[0].Cells, 0);
+    EXPECT_TRUE(IsPositiveEverywhere(mesh));
+    EXPECT_EQ(FindConformityProblem(mesh), "");
+    EXPECT_EQ(FindGluedProblem(grid, mesh, options.MeshVoid, report.NumberOfFragments), "");
+    if (method.Sides == Seam::Flat)
+    {
+      EXPECT_LT(FindExcess(grid, mesh), 1e-12);
+    }
   }
 }
 
