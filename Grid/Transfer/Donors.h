@@ -51,10 +51,7 @@ public:
   explicit DonorTable(const CartesianGrid& grid) : Grid(grid), Firsts(grid, -1) {}
 
   /// Returns the donor of a fragment in a cell, or -1 if there is none.
-  int Find(Index cell, int fragment) const
-  {
-    return this->FindFrom(this->Firsts[cell], fragment);
-  }
+  int Find(Index cell, int fragment) const { return this->FindFrom(this->Firsts[cell], fragment); }
   /// Returns the donors of a fragment in the cell below a cell along x, in the cell, and above it;
   /// -1 where there is none.
   std::array<int, 3> FindThree(Index cell, int fragment) const

@@ -29,7 +29,6 @@ double UnitOf(double like)
 struct Work
 {
   const FlowGraph& Graph;
-  const std::vector<double>& Sizes;
   Runtime& Run;
   std::vector<double> Residual; // one per node of this rank
   CoarseGraph Blocks{ Graph, Run.Group() };
@@ -79,11 +78,11 @@ double FirstSum(Work& work, const Term& term)
 /// @param product  previous result, 0 in the first step
 double Correct(Work& work, double residual, double product)
 {
-  const double unit = UnitOf(residual);
+  const double unit = UnitOf(residual), units = 1.0 / unit; // exact
   std::vector<std::int64_t> sums(work.Blocks.NumberOfBlocks(), 0);
   for (std::size_t i = 0; i < work.Residual.size(); ++i)
   {
-    sums[work.Blocks.BlockOf(i)] += static_cast<std::int64_t>(work.Residual[i] / unit);
+    sums[work.Blocks.BlockOf(i)] += static_cast<std::int64_t>(work.Residual[i] * units);
   }
   work.Run.Group().Sum(sums);
   Eigen::VectorXd excess(sums.size());
@@ -133,18 +132,20 @@ double FindCurvature(Work& work, double like)
 std::vector<double> FindPotential(const FlowGraph& graph, std::vector<double> excess,
   const std::vector<double>& sizes, Runtime& runtime)
 {
-  Work work{ graph, sizes, runtime, std::move(excess) };
+  Work work{ graph, runtime, std::move(excess) };
+  std::vector<double> perSize(sizes.size());
   for (std::size_t i = 0; i < work.Inverse.size(); ++i)
   {
     const std::array<double, 6>& w = graph.Nodes[i].Widths;
     const double sum = ((w[0] + w[1]) + (w[2] + w[3])) + (w[4] + w[5]);
     work.Inverse[i] = sum > 0.0 ? 1.0 / sum : 0.0;
     work.Largest = std::max(work.Largest, sizes[i]);
+    perSize[i] = 1.0 / sizes[i];
   }
   work.Largest = runtime.Group().Max(work.Largest);
   const auto mismatch = [&](Index i)
   {
-    const double part = work.Residual[i] / work.Sizes[i];
+    const double part = work.Residual[i] * perSize[i];
     return part * part;
   };
   const double small = Accuracy * Accuracy * Sum(work, 1e9, [](Index) { return 1.0; });

@@ -147,12 +147,11 @@ void FindLines(const SlopeInput& input, const ColumnKinds& kinds, double* lines)
       const LineLanes line = LimitLines(fit, Lanes{}, input.Shape);
       const int density = kinds.Density - first;
       weights = (-1.0 / input.Mass) *
-        Product(
-          input.Shape.Second, { { line[0][density], line[1][density], line[2][density] } });
+        Product(input.Shape.Second, { { line[0][density], line[1][density], line[2][density] } });
     }
     const Lanes shift = weights[0] * fit.X + weights[1] * fit.Y + weights[2] * fit.Z;
-    const LineLanes line = LimitLines(
-      fit, LoadLanes(kinds.IsPerMass.data() + c) < 0.0 ? shift : Lanes{}, input.Shape);
+    const LineLanes line =
+      LimitLines(fit, LoadLanes(kinds.IsPerMass.data() + c) < 0.0 ? shift : Lanes{}, input.Shape);
     const Mask isSloping = LoadLanes(kinds.IsSloping.data() + c) < 0.0;
     for (int k = 0; k < 4; ++k)
     {

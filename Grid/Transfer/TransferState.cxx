@@ -1,5 +1,6 @@
 #include "Transfer/TransferState.h"
 
+#include "Base/Memory.h"
 #include "Transfer/ElementState.h"
 #include "Transfer/Slopes.h"
 #include "Transfer/VolumeFluxes.h"
@@ -212,10 +213,13 @@ void AddParts(
   }
 }
 
-void FillFromDonors(Work& work, const std::vector<DonorParts>& pieces,
+/// Fills elements, and frees their parts, so that parts and state need not fit in memory together.
+void FillFromDonors(Work& work, std::vector<DonorParts> pieces,
   const std::vector<DonorSource>& sources, TransferredState& state)
 {
-  for (const DonorParts& some : pieces)
+  constexpr int ListsPerRelease = 16;
+  int filled = 0;
+  for (DonorParts& some : pieces)
   {
     work.Run.For(0, static_cast<Index>(some.Elements.size()),
       [&](Index begin, Index end)
@@ -227,6 +231,11 @@ void FillFromDonors(Work& work, const std::vector<DonorParts>& pieces,
           writer.Write(some.ElementAt(i));
         }
       });
+    some = DonorParts();
+    if (++filled % ListsPerRelease == 0)
+    {
+      ReleaseFreeMemory();
+    }
   }
 }
 
@@ -270,14 +279,14 @@ TransferredState TransferState(const Mesh& mesh, const TransferRequest& request,
   Work work{ mesh, request, runtime };
   const int materials = static_cast<int>(work.IsMeshed.size());
   std::vector<DonorShape> shapes;
-  const std::vector<DonorParts> moved = FindParts(
+  std::vector<DonorParts> moved = FindParts(
     work, [&](Index e) { return !work.Whole.IsWhole(e); }, shapes);
   const MismatchCells mismatches(
     work.Grid, work.Request.Fractions, work.Whole, work.Donors, work.IsMeshed, work.Parts);
-  const std::vector<DonorParts> near = FindParts(
+  std::vector<DonorParts> near = FindParts(
     work, [&](Index e) { return work.Whole.IsWhole(e) && IsNear(work, mismatches, e); }, shapes);
   const FlowRegion region = FindRegion(work, mismatches);
-  const std::vector<DonorParts> inside = FindParts(
+  std::vector<DonorParts> inside = FindParts(
     work,
     [&](Index e)
     {
@@ -300,9 +309,9 @@ TransferredState TransferState(const Mesh& mesh, const TransferRequest& request,
   std::vector<DonorShape>().swap(shapes); // keeps the peak of memory low
   Allocate(work, state);
   const std::vector<DonorSource> sources = ListSources(work, slopes, values);
-  FillFromDonors(work, moved, sources, state);
-  FillFromDonors(work, near, sources, state);
-  FillFromDonors(work, inside, sources, state);
+  FillFromDonors(work, std::move(moved), sources, state);
+  FillFromDonors(work, std::move(near), sources, state);
+  FillFromDonors(work, std::move(inside), sources, state);
   FillFromCells(work, region, state);
   state.Input = input.Finish(work.Run.Group());
   state.Unmeshed = unmeshed.Finish(work.Run.Group());
