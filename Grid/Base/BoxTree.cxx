@@ -11,10 +11,10 @@ namespace
 {
 
 constexpr int BoxesOfLeaf = 16;
-constexpr int LevelsByParts =
-  6; // uppermost levels; the parts below them are built at the same time
+// Number of uppermost levels. Threads share the nodes of each, then the parts of the tree below.
+constexpr int SharedLevels = 6;
 
-/// Returns the number of nodes above and with the leaves of a number of items.
+/// Returns the number of nodes of a tree of a number of items.
 int CountNodes(int items)
 {
   return items <= BoxesOfLeaf ? 1 : 1 + CountNodes(items / 2) + CountNodes(items - items / 2);
@@ -33,7 +33,7 @@ BoxTree::BoxTree(std::vector<Bounds> boxes, Runtime& runtime) :
   const int count = static_cast<int>(this->Boxes.size());
   this->Nodes.resize(CountNodes(count));
   std::vector<Part> parts{ { 0, 0, count } };
-  for (int level = 0; level < LevelsByParts; ++level)
+  for (int level = 0; level < SharedLevels; ++level)
   {
     std::vector<std::vector<Part>> halves(parts.size());
     ForEach(runtime, parts.size(), [&](Index p) { halves[p] = this->Halve(parts[p]); });
