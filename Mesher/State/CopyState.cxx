@@ -60,8 +60,8 @@ TransferredArray MakeOutput(const StateArray& state, std::size_t number,
   const std::vector<StatePlace>& places, const ImageFrame& frame)
 {
   const std::size_t size = TupleSize(state);
-  TransferredArray array{ state.Name, state.Type, state.Components, state.ComponentNames,
-    false, Buffer<char>(places.size() * size) };
+  TransferredArray array{ state.Name, state.Type, state.Components, state.ComponentNames, false,
+    Buffer<char>(places.size() * size) };
   char* to = array.Values.data();
   for (const StatePlace& place : places)
   {

@@ -18,8 +18,8 @@ struct TransferredArray
   int Type = ValueType::Double; ///< one of ValueType
   int Components = 1;
   std::vector<std::string> ComponentNames; ///< empty, or one per component; "" if unnamed
-  bool IsExtensive = false; ///< true: values are sums over an element
-  Buffer<char> Values;      ///< shape (tuples, Components), row-major, of type CarrierType(Type)
+  bool IsExtensive = false;                ///< true: values are sums over an element
+  Buffer<char> Values; ///< shape (tuples, Components), row-major, of type CarrierType(Type)
 };
 
 /// Returns the memory of a buffer as bytes, without a copy.

@@ -15,7 +15,7 @@ GENERATE = [sys.executable, os.path.join(ROOT, "scripts", "generate"), "--table"
 TABLE = sys.argv.pop(1)
 # Files in which the new row must appear, and the text.
 # SetOptions.AnAddedRowIsAnOption tests the C interface and the help.
-PLACES = {"Plugin/VolumeFractionMesh.xml": 'command="SetNewOption"',
+PLACES = {"Plugin/VolumeFractionSurface.xml": 'command="SetNewOption"',
           "Filters/vtkVolumeFractionMeshAlgorithm.h": "vfmNumberOption(NewOption, double);",
           "python/volume_fraction_mesh/_mesher.py": "    new_option: float = 0.5,",
           "python/volume_fraction_mesh/_core.pyi": "    new_option: float\n",

@@ -80,6 +80,8 @@ nb::dict ToPython(MesherResult result)
   Mesh& mesh = result.TheMesh;
   const bool hasQuality = mesh.ScaledJacobian.size() == mesh.ElementIds.size();
   TakeMesh(mesh, all);
+  const bool hasLayers = !mesh.Layer.empty();
+  all["layer"] = hasLayers ? ToNumpy(mesh.Layer) : nb::object(nb::none());
   all["scaled_jacobian"] = hasQuality ? ToNumpy(mesh.ScaledJacobian) : nb::object(nb::none());
   TakeState(result.State, all);
   all["fields"] = ToDict(result.Fields);

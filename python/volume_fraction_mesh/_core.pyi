@@ -157,6 +157,7 @@ class MeshDict(TypedDict):
     material: NDArray[np.int32]
     fragment: NDArray[np.int32]
     scaled_jacobian: Optional[NDArray[np.float32]]
+    layer: Optional[NDArray[np.int32]]
     geometry_dimension: NDArray[np.int32]
     """3 for points in a volume, 2 on a surface, 1 on a curve, 0 at a vertex."""
     geometry_id: NDArray[np.int32]

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 FORMAT = "volume_fraction_mesh 1"  # value of the key "format"
 ARRAYS = ("points", "cells", "material", "fragment", "point_ids", "cell_ids")
-OPTIONAL = ("quality", "partner", "original_ids", "mids")
+OPTIONAL = ("quality", "partner", "original_ids", "mids", "layer")
 PARTS = {
     "geometry": ("dimension", "id"),
     "surfaces": ("cells", "surface_id", "material_pair", "domain_side", "fields"),

@@ -47,6 +47,8 @@ def cell_arrays(mesh: Mesh) -> Dict[str, np.ndarray]:
               "GlobalCellIds": mesh.cell_ids}
     if mesh.quality is not None:
         arrays["ScaledJacobian"] = mesh.quality
+    if mesh.layer is not None:
+        arrays["Layer"] = mesh.layer
     return {**arrays, **mesh.state}
 
 

@@ -12,9 +12,10 @@ from . import _core
 from ._input import Source, read_field
 from ._progress import shown
 from ._report import describe
+from ._result import make_mesh
 from ._state import StateGiven, add_refinement, list_boxes, read_state
 from ._types import Progress
-from .mesh import Mesh, Run, make_mesh
+from .mesh import Mesh, Run
 
 if TYPE_CHECKING:
     from ._core import StateChoice

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Dict, List, Mapping, Optional, Tuple, Union
+from typing import TYPE_CHECKING, Any, Dict, List, Optional, Tuple, Union
 
 import numpy as np
 
@@ -100,6 +100,8 @@ class Mesh:
     mids : ndarray of int64, shape (m, 12), (m, 19) or (m, 6), or None
         Mid nodes with ``element_order``, in the order of VTK: indices of `points`. None for
         linear elements.
+    layer : ndarray of int32, shape (m,), or None
+        Layer of each element along a surface, from 1; 0 for others. None without ``layers``.
 
     See Also
     --------
@@ -134,6 +136,7 @@ class Mesh:
     run: Run = field(default_factory=Run)
     original_ids: Optional[np.ndarray] = None
     mids: Optional[np.ndarray] = None
+    layer: Optional[np.ndarray] = None
 
     @property
     def kind(self) -> str:
@@ -623,33 +626,3 @@ class Mesh:
         from ._report import report
 
         report(self, path, title)
-
-
-def make_mesh(result: Mapping[str, Any], roles: Dict[str, str], run: Run) -> Mesh:
-    """Makes a Mesh from the result of the core."""
-    result = dict(result)
-    surfaces, curves, vertices = result.pop("surfaces"), result.pop("curves"), result.pop(
-        "vertices")
-    nodal = result.pop("nodal_velocity")
-    return Mesh(
-        points=result["points"],
-        cells=result["cells"],
-        material=result["material"],
-        fragment=result["fragment"],
-        point_ids=result["point_ids"],
-        cell_ids=result["cell_ids"],
-        partner=result["partner"],
-        mids=result["mids"],
-        quality=result["scaled_jacobian"],
-        geometry=Geometry(result["geometry_dimension"], result["geometry_id"]),
-        surfaces=Surfaces(**surfaces, fields=result["surface_fields"]),
-        curves=Curves(**curves, fields=result["curve_fields"]),
-        vertices=Vertices(**vertices, fields=result["vertex_fields"]),
-        state=result["state"],
-        point_state=dict([nodal]) if nodal else {},
-        materials=result["materials"],
-        fields=result["fields"],
-        roles=roles,
-        run=run,
-        original_ids=result["original_ids"],
-    )

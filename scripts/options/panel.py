@@ -14,6 +14,7 @@ from options.table import common, label, of_tets, put, wrap
 FIRST = {"Materials": ["VolumeFractionArrays", "MaterialIdArray"], "State": ["StateArrays"],
          "Tetrahedra": ["Input"]}
 INPUT_GROUPS = ("Materials", "State", "State kinds (array=kind)")
+SURFACE_GROUPS = ("Surface", "Refinement")
 LONGEST_SLIDER = 1000  # a longer range has no slider
 WIDTH = 100
 BOX = ("x from", "y from", "z from", "x to", "y to", "z to", "halvings")
@@ -196,9 +197,11 @@ def files(table):
     """Returns, for each generated file, a function that updates its text."""
     hexes = common(table)
     inputs = [row for row in hexes if row["group"] in INPUT_GROUPS]
-    others = [row for row in hexes if row["group"] not in INPUT_GROUPS]
+    surfaces = [row for row in hexes if row["group"] in SURFACE_GROUPS]
+    others = [row for row in hexes if row["group"] not in INPUT_GROUPS + SURFACE_GROUPS]
     overrides = [row for row in hexes if row["text_of_tets"]]
     return {"Plugin/VolumeFractionInput.xml": lambda text: write_part(text, table, inputs),
+            "Plugin/VolumeFractionSurface.xml": lambda text: write_part(text, table, surfaces),
             "Plugin/VolumeFractionMesh.xml": lambda text: write_part(text, table, others),
             "Plugin/VolumeFractionToTet.xml":
                 lambda text: write_part(text, table, of_tets(table), overrides)}
