@@ -50,6 +50,16 @@ def test_flat_sides_are_plane():
     assert free.mesh.GetBounds()[1] > bounds[1] + 0.01 * SPACING[0]
 
 
+def test_refined_sides_are_plane():
+    away = (np.indices((24, 24, 24)) + 0.5) / 24
+    labels = np.where((np.minimum(away, 1 - away)**2).sum(0) < 0.1**2, 2, 1)
+    for properties, parts in (CASES[0], 1), (CASES[2], 12), (CASES[3], 12):
+        mesh = mesh_of(**{**INPUT, "data": image({"id": labels})}, **properties,
+                       Refinement="Coarsen", MaximumLevel=1)
+        assert np.array_equal(mesh.mesh.GetBounds(), mesh.field("DomainBounds"))
+        assert 0 < mesh.mesh.GetNumberOfCells() < parts * 24**3
+
+
 def test_joined_sides_have_no_copies():
     for make in VolumeFractionToHex, VolumeFractionToTet:
         mesh = mesh_of(**INPUT, make=make, PeriodicSides="Joined")
