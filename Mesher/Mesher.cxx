@@ -346,8 +346,8 @@ MesherResult RunMesher(const MesherInput& input, const MesherOptions& given, Run
   runtime.Progress(0.98, "Filling output");
   result.State = MakeOutputState(kept, levels, result.TheMesh,
     DescribeGrid(fields, setup, meshOptions.Levels), options, owners, runtime);
-  AddLayers(options, { table.Labels, layers ? &*layers : nullptr }, fields.Grid.MeanWidth(),
-    runtime, result.TheMesh, result.State, result.Report);
+  AddLayers(options, { fields.Grid, table.Labels, layers ? &*layers : nullptr }, runtime,
+    result.TheMesh, result.State, result.Report);
   if (options.Periodic != 0 && options.PeriodicSides == Sides::Joined)
   {
     JoinCopies(runtime, result.TheMesh); // after the state, which needs positions

@@ -14,38 +14,54 @@ bool IsInterface(const MeshFacet& facet)
 }
 
 /// Returns whether the user selected the interface of a facet, on the side of its element.
-bool IsSelected(const Mesh& mesh, const MeshFacet& facet, const LayerChoice& choice, LayerSide side)
+bool IsSelected(const Mesh& mesh, const MeshFacet& facet, const LayerInput& input, LayerSide side)
 {
-  const int own = choice.Labels[mesh.Material[facet.Element]];
-  const int behind = choice.Labels[std::max(facet.Behind, 0)];
+  const int own = input.Labels[mesh.Material[facet.Element]];
+  const int behind = input.Labels[std::max(facet.Behind, 0)];
   return IsInterface(facet) &&
-    (!choice.Pairs ||
-      (side == LayerSide::First ? choice.Pairs->IsFirst(own, behind)
-                                : choice.Pairs->Contains(own, behind)));
+    (!input.Pairs ||
+      (side == LayerSide::First ? input.Pairs->IsFirst(own, behind)
+                                : input.Pairs->Contains(own, behind)));
+}
+
+/// Returns the lengths after which the domain repeats; 0 along other axes.
+Vector3 FindPeriods(const MesherOptions& options, const CartesianGrid& grid)
+{
+  Vector3 periods{};
+  for (int a = 0; a < 3; ++a)
+  {
+    const std::vector<double>& x = grid.Coordinates(a);
+    periods[a] = RepeatingAxes(options)[a] ? x.back() - x.front() : 0.0;
+  }
+  return periods;
 }
 
 } // namespace
 
-void AddLayers(const MesherOptions& options, const LayerChoice& choice, double width,
-  Runtime& runtime, Mesh& mesh, OutputState& state, MeshReport& report)
+void AddLayers(const MesherOptions& options, const LayerInput& input, Runtime& runtime, Mesh& mesh,
+  OutputState& state, MeshReport& report)
 {
   if (options.Layers < 2)
   {
     return;
   }
-  const double unit = options.FirstLayerUnit == ThicknessUnit::Cells ? width : 1.0;
-  const LayerSpacing spacing{ options.Layers, options.LayerGrowth, unit * options.FirstLayer };
-  const auto isChosen = [&](const MeshFacet& facet)
-  { return IsSelected(mesh, facet, choice, options.LayersOn); };
-  CutLayers(
-    FindLayerColumns(mesh, IsInterface, isChosen, runtime.Group()), spacing, runtime, mesh, state);
+  const bool isInCells = options.FirstLayerUnit == ThicknessUnit::Cells;
+  const LayerSpacing spacing{ options.Layers, options.LayerGrowth,
+    options.FirstLayer * (isInCells ? input.Grid.MeanWidth() : 1.0) };
+  const Vector3 periods = FindPeriods(options, input.Grid);
+  const auto cut = [&](const auto& isOnSurface, const auto& isChosen)
+  {
+    CutLayers(FindLayerColumns(mesh, isOnSurface, isChosen, runtime.Group()), spacing, periods,
+      runtime, mesh, state);
+  };
+  cut(IsInterface,
+    [&](const MeshFacet& facet) { return IsSelected(mesh, facet, input, options.LayersOn); });
   for (int side = 0; side < 6; ++side)
   {
     const auto isOnSide = [side](const MeshFacet& facet) { return facet.DomainSide == side; };
     if ((options.LayerSides >> side / 2 & 1) != 0)
     {
-      CutLayers(
-        FindLayerColumns(mesh, isOnSide, isOnSide, runtime.Group()), spacing, runtime, mesh, state);
+      cut(isOnSide, isOnSide);
     }
   }
   if (options.ComputeQuality)

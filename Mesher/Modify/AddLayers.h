@@ -11,18 +11,18 @@
 namespace vfm
 {
 
-/// The interfaces that the user selected.
-struct LayerChoice
+/// The mesh that gets layers, and the interfaces that the user selected.
+struct LayerInput
 {
+  const CartesianGrid& Grid;      ///< grid of the finest cells
   const std::vector<int>& Labels; ///< ids of the user by material
   const MaterialPairs* Pairs;     ///< option LayerInterfaces; null: all interfaces
 };
 
 /// Cuts the hexahedra along interfaces, then those along each side of the domain, and measures the
 /// mesh again. Does nothing without the option Layers.
-/// @param width width of a cell, unit of FirstLayer
 /// @pre Collective
-void AddLayers(const MesherOptions& options, const LayerChoice& choice, double width,
-  Runtime& runtime, Mesh& mesh, OutputState& state, MeshReport& report);
+void AddLayers(const MesherOptions& options, const LayerInput& input, Runtime& runtime, Mesh& mesh,
+  OutputState& state, MeshReport& report);
 
 } // namespace vfm

@@ -7,6 +7,8 @@
 #include "Ranks/MergeByKey.h"
 #include "Ranks/NumberInOrder.h"
 
+#include <cmath>
+
 namespace vfm
 {
 namespace
@@ -40,10 +42,18 @@ std::vector<Index> MakeIds(
   return added;
 }
 
-/// Collective. Returns the partners of new points: the lowest id of the same part of all copies of
-/// an edge.
-std::vector<Index> FindPartners(const Mesh& mesh, const LayerColumns& columns,
-  const std::vector<Index>& ids, Index count, Ranks& ranks)
+/// A new point inside an edge.
+struct NewPoint
+{
+  Index Id;
+  Vector3 Position;
+};
+
+/// Collective. Returns for each new point the copy with the lowest id: the same part of a copy of
+/// its edge.
+/// @param count new points per edge
+std::vector<NewPoint> FindPartners(const Mesh& mesh, const LayerColumns& columns,
+  const std::vector<NewPoint>& points, Index count, Ranks& ranks)
 {
   std::vector<std::array<Index, 3>> keys;
   for (const std::array<Index, 2>& edge : columns.KeysOfEdges(mesh.PeriodicPartner))
@@ -54,38 +64,79 @@ std::vector<Index> FindPartners(const Mesh& mesh, const LayerColumns& columns,
     }
   }
   return MergeByKey(
-    keys, ids, [](Index a, Index b) { return std::min(a, b); }, ranks);
+    keys, points, [](const NewPoint& a, const NewPoint& b) { return a.Id < b.Id ? a : b; }, ranks);
 }
 
-/// Collective. Adds the points inside edges.
-void AddPoints(
-  const LayerColumns& columns, const LayerSpacing& spacing, Runtime& runtime, Mesh& mesh)
+/// Moves a point to exactly whole periods from its partner.
+Vector3 MoveToCopy(const Vector3& x, const Vector3& partner, const Vector3& periods)
 {
-  Ranks& ranks = runtime.Group();
-  const int inner = spacing.Layers - 1;
-  const std::vector<EdgeGeometry> geometry = FindEdgeGeometry(mesh, columns, ranks);
+  Vector3 moved = partner;
+  for (int a = 0; a < 3; ++a)
+  {
+    moved[a] += periods[a] > 0.0 ? periods[a] * std::round((x[a] - partner[a]) / periods[a]) : 0.0;
+  }
+  return moved;
+}
+
+/// Collective. Returns the points inside edges.
+std::vector<NewPoint> MakePoints(
+  const LayerColumns& columns, const LayerSpacing& spacing, Runtime& runtime, const Mesh& mesh)
+{
+  const Index inner = spacing.Layers - 1;
   const std::vector<std::vector<double>> ends = FindLayerHeights(mesh, columns, spacing, runtime);
   const std::vector<Index> ids =
-    MakeIds(NumberInOrder(columns.KeysOfEdges(mesh.PointIds), ranks), inner, mesh.PointIds, ranks);
-  std::vector<double> points;
-  std::vector<int> dimensions, numbers;
+    MakeIds(NumberInOrder(columns.KeysOfEdges(mesh.PointIds), runtime.Group()), inner,
+      mesh.PointIds, runtime.Group());
+  std::vector<NewPoint> points;
   for (std::size_t e = 0; e < columns.Edges.size(); ++e)
   {
     const Vector3 foot = mesh.PointAt(columns.Edges[e].Foot);
     const Vector3 along = mesh.PointAt(columns.Edges[e].Top) - foot;
-    for (int part = 1; part <= inner; ++part)
+    for (Index part = 1; part <= inner; ++part)
     {
-      const Vector3 x = foot + ends[e][part] * along;
-      points.insert(points.end(), x.begin(), x.end());
-      dimensions.push_back(geometry[e].Dimension);
-      numbers.push_back(geometry[e].Id);
+      points.push_back({ ids[points.size()], foot + ends[e][part] * along });
     }
   }
-  if (ranks.Any(!mesh.PeriodicPartner.empty()))
+  return points;
+}
+
+/// Collective. Appends the partners of new points, and moves points to copies of their partners.
+void AddPartners(const LayerColumns& columns, const LayerSpacing& spacing, const Vector3& periods,
+  Ranks& ranks, std::vector<NewPoint>& points, Mesh& mesh)
+{
+  const std::vector<NewPoint> partners =
+    FindPartners(mesh, columns, points, spacing.Layers - 1, ranks);
+  std::vector<Index> ids;
+  for (std::size_t p = 0; p < points.size(); ++p)
   {
-    Append(mesh.PeriodicPartner, FindPartners(mesh, columns, ids, inner, ranks));
+    ids.push_back(partners[p].Id);
+    points[p].Position = MoveToCopy(points[p].Position, partners[p].Position, periods);
   }
-  Append(mesh.Points, points);
+  Append(mesh.PeriodicPartner, ids);
+}
+
+/// Collective. Adds the points inside edges.
+void AddPoints(const LayerColumns& columns, const LayerSpacing& spacing, const Vector3& periods,
+  Runtime& runtime, Mesh& mesh)
+{
+  const std::vector<EdgeGeometry> geometry = FindEdgeGeometry(mesh, columns, runtime.Group());
+  std::vector<NewPoint> points = MakePoints(columns, spacing, runtime, mesh);
+  if (runtime.Group().Any(!mesh.PeriodicPartner.empty()))
+  {
+    AddPartners(columns, spacing, periods, runtime.Group(), points, mesh);
+  }
+  std::vector<double> positions;
+  std::vector<Index> ids;
+  std::vector<int> dimensions, numbers;
+  for (std::size_t p = 0; p < points.size(); ++p)
+  {
+    const EdgeGeometry& of = geometry[p / (spacing.Layers - 1)];
+    positions.insert(positions.end(), points[p].Position.begin(), points[p].Position.end());
+    ids.push_back(points[p].Id);
+    dimensions.push_back(of.Dimension);
+    numbers.push_back(of.Id);
+  }
+  Append(mesh.Points, positions);
   Append(mesh.PointIds, ids);
   Append(mesh.GeometryDimension, dimensions);
   Append(mesh.GeometryId, numbers);
@@ -176,11 +227,11 @@ void DivideArray(Index elements, const std::vector<Index>& parents,
 
 } // namespace
 
-void CutLayers(const LayerColumns& columns, const LayerSpacing& spacing, Runtime& runtime,
-  Mesh& mesh, OutputState& state)
+void CutLayers(const LayerColumns& columns, const LayerSpacing& spacing, const Vector3& periods,
+  Runtime& runtime, Mesh& mesh, OutputState& state)
 {
   const LayerParts parts(columns, spacing.Layers, mesh);
-  AddPoints(columns, spacing, runtime, mesh);
+  AddPoints(columns, spacing, periods, runtime, mesh);
   CheckNumberOfPoints(static_cast<Index>(mesh.PointIds.size()), runtime.Group());
   const std::vector<Index> parents = ListParents(parts);
   AddElements(parts, parents, runtime, mesh);

@@ -19,9 +19,10 @@ namespace vfm
 /// layer of a column keeps its id. State of elements is that of the column; extensive arrays are
 /// divided by volume. Sets Mesh::Layer, the layer of each element of a column from the surface.
 /// @param spacing Layers >= 2
+/// @param periods lengths along x, y, z after which the mesh repeats; 0: it does not
 /// @pre Collective
 /// @note The same mesh on any number of ranks.
-void CutLayers(const LayerColumns& columns, const LayerSpacing& spacing, Runtime& runtime,
-  Mesh& mesh, OutputState& state);
+void CutLayers(const LayerColumns& columns, const LayerSpacing& spacing, const Vector3& periods,
+  Runtime& runtime, Mesh& mesh, OutputState& state);
 
 } // namespace vfm

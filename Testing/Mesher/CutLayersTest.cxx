@@ -28,7 +28,7 @@ Mesh MakeWithLayers(const CartesianGrid& grid, const FractionField& fractions,
   Mesh mesh = MakeHexMesh(grid, fractions, options, runtime, report);
   OutputState state;
   CutLayers(FindLayerColumns(mesh, IsInterface, IsInterface, runtime.Group()),
-    { Layers, Growth, thickness }, runtime, mesh, state);
+    { Layers, Growth, thickness }, Vector3{}, runtime, mesh, state);
   ComputeQuality(mesh, runtime, report);
   return mesh;
 }

@@ -58,6 +58,8 @@ MesherOptions OptionsOf(const Method& method)
   options.Elements = method.Elements;
   options.PeriodicSides = method.Kind;
   options.Periodic = 5; // x and z
+  options.Layers = method.Layers;
+  options.FirstLayer = 0.1;
   options.MeshVoid = method.HasLevels;
   options.FineInterfaces = method.FineInterfaces;
   return options;
