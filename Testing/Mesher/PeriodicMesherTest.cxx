@@ -45,6 +45,7 @@ struct Method
   Sides Kind;
   bool HasLevels = false;
   bool FineInterfaces = true;
+  int Layers = 0;
 };
 
 MesherInput MakeInput(const Method& method, Ranks& ranks)
@@ -283,7 +284,9 @@ INSTANTIATE_TEST_SUITE_P(Methods, PeriodicMesher,
     Method{ "FreeHexesOfLevels", ElementKind::Hexes, Sides::Free, true },
     Method{ "FlatHexesAcrossLevels", ElementKind::Hexes, Sides::Flat, true, false },
     Method{ "FreeHexesAcrossLevels", ElementKind::Hexes, Sides::Free, true, false },
-    Method{ "FlatTetsOfLevels", ElementKind::Tets, Sides::Flat, true }),
+    Method{ "FlatTetsOfLevels", ElementKind::Tets, Sides::Flat, true },
+    Method{ "FlatLayers", ElementKind::Hexes, Sides::Flat, false, true, 3 },
+    Method{ "FreeLayers", ElementKind::Hexes, Sides::Free, false, true, 2 }),
   [](const auto& info) { return std::string(info.param.Name); });
 
 class JoinedMesher : public ::testing::TestWithParam<Method>
@@ -334,7 +337,8 @@ INSTANTIATE_TEST_SUITE_P(Elements, JoinedMesher,
     Method{ "Tets", ElementKind::Tets, Sides::Joined },
     Method{ "HexesOfLevels", ElementKind::Hexes, Sides::Joined, true },
     Method{ "HexesAcrossLevels", ElementKind::Hexes, Sides::Joined, true, false },
-    Method{ "TetsOfLevels", ElementKind::Tets, Sides::Joined, true }),
+    Method{ "TetsOfLevels", ElementKind::Tets, Sides::Joined, true },
+    Method{ "Layers", ElementKind::Hexes, Sides::Joined, false, true, 2 }),
   [](const auto& info) { return std::string(info.param.Name); });
 
 /// Material 1 below, 2 above: they meet inside, and across z at the sides.

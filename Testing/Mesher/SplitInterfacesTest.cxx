@@ -513,7 +513,7 @@ TEST(MaterialPairs, AreNamesOrIds)
   EXPECT_TRUE(pairs.Contains(0, 2));
   EXPECT_FALSE(pairs.Contains(1, 2));
   EXPECT_FALSE(pairs.Contains(1, 1));
-  const MaterialPairs named("a/b / *", names);
+  const MaterialPairs named("SplitInterfaces", "a/b / *", names);
   EXPECT_TRUE(named.Contains(30, 2));
   EXPECT_FALSE(named.Contains(30, 1));
   const MaterialPairs all("All", names);
