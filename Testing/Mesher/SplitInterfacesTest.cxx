@@ -516,7 +516,7 @@ TEST(MaterialPairs, AreNamesOrIds)
   const MaterialPairs named("SplitInterfaces", "a/b / *", names);
   EXPECT_TRUE(named.Contains(30, 2));
   EXPECT_FALSE(named.Contains(30, 1));
-  const MaterialPairs all("All", names);
+  const MaterialPairs all("SplitInterfaces", "All", names);
   EXPECT_TRUE(all.Contains(30, 0));
   EXPECT_FALSE(all.Contains(30, 30));
 }
