@@ -18,9 +18,10 @@ def show(mesh: vfm.Mesh, path: str) -> None:
     plotter = pyvista.Plotter(off_screen=True, window_size=(760, 600))
     plotter.background_color = "white"
     plotter.add_mesh(half, scalars="Layer", show_edges=True, edge_color="#303030", line_width=0.5,
-                     show_scalar_bar=False, cmap=["#d9d9d9", "#08519c", "#4292c6", "#9ecae1"])
+                     show_scalar_bar=False, lighting=False,
+                     cmap=["#d9d9d9", "#08519c", "#4292c6", "#9ecae1"])
     plotter.camera_position = [(0.5, -4.2, 0.9), (0, 0, 0), (0, 0, 1)]
-    plotter.camera.zoom(1.35)
+    plotter.camera.zoom(1.05)
     plotter.screenshot(path)
 
 

@@ -2,8 +2,8 @@
 import numpy as np
 
 from vfmtest import (
-    ORIGIN, SPACING, ball_and_plate, box_along_axes, check_surfaces, digest, fraction_image, image,
-    labels, list_defaults, main, mesh_of, points_of, producer, run,
+    ORIGIN, SPACING, ball_and_plate, box_along_axes, check_error, check_surfaces, digest,
+    fraction_image, image, labels, list_defaults, main, mesh_of, points_of, producer, run,
     simple, uniform, VolumeFractionToHex, VolumeFractionToTet)
 
 N = 12
@@ -165,6 +165,20 @@ def test_compute_quality():
     points = result.mesh.GetPoints().GetData()
     assert digest(mesh_of(DATA, ComputeQuality=1)) == digest(REFERENCE)
     assert points.GetNumberOfTuples() == REFERENCE.mesh.GetNumberOfPoints()
+
+
+def test_layers():
+    assert not REFERENCE.mesh.GetCellData().HasArray("Layer")
+    layers = mesh_of(DATA, Layers=3, FirstLayer=0.1).cells("Layer")
+    count = (layers == 1).sum()
+    assert count > 100 and (layers == 2).sum() == (layers == 3).sum() == count
+    assert len(layers) == REFERENCE.mesh.GetNumberOfCells() + 2 * count
+    one_side = mesh_of(DATA, Layers=2, LayerInterfaces="1/0", LayersOn="First Material")
+    materials = one_side.cells("MaterialId")[one_side.cells("Layer") > 0]
+    assert set(materials) == {1}
+    sides = mesh_of(DATA, Layers=2, LayerInterfaces="1/2", LayerSides="XYZ").cells("Layer")
+    assert (sides > 0).sum() > 0
+    check_error(DATA, "Layers are for hexahedra", make=VolumeFractionToTet, Layers=2)
 
 
 def test_number_of_threads_does_not_change_the_mesh():
