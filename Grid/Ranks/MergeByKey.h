@@ -25,34 +25,56 @@ int MeetingRank(const std::array<std::int64_t, N>& ids, int count)
   return static_cast<int>(hash % static_cast<std::uint64_t>(count));
 }
 
-/// Returns for each key the combination of all values with the same key in this list.
+/// Different keys of a list, each with the combination of its values.
+template <class Key, class Value>
+struct MergedList
+{
+  std::vector<Key> Keys; ///< ascending
+  std::vector<Value> Values;
+  std::vector<std::size_t> Places; ///< of each key of the list
+
+  /// Returns the combined value for each key of the list.
+  std::vector<Value> Expand() const
+  {
+    std::vector<Value> all;
+    for (std::size_t place : this->Places)
+    {
+      all.push_back(this->Values[place]);
+    }
+    return all;
+  }
+};
+
 /// @param combine (Value, Value) -> Value, commutative and associative
 template <class Key, class Value, class Combine>
-std::vector<Value> MergeHere(
+MergedList<Key, Value> MergeList(
   const std::vector<Key>& keys, const std::vector<Value>& values, const Combine& combine)
 {
   std::vector<std::size_t> order(keys.size());
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(),
     [&keys](std::size_t a, std::size_t b) { return keys[a] < keys[b]; });
-  std::vector<Value> merged(values);
-  for (std::size_t first = 0, last = 0; first < order.size(); first = last)
+  MergedList<Key, Value> merged;
+  merged.Places.resize(keys.size());
+  for (std::size_t item : order)
   {
-    Value value = values[order[first]];
-    for (last = first + 1; last < order.size() && keys[order[last]] == keys[order[first]]; ++last)
+    if (merged.Keys.empty() || merged.Keys.back() != keys[item])
     {
-      value = combine(value, values[order[last]]);
+      merged.Keys.push_back(keys[item]);
+      merged.Values.push_back(values[item]);
     }
-    for (std::size_t i = first; i < last; ++i)
+    else
     {
-      merged[order[i]] = value;
+      merged.Values.back() = combine(merged.Values.back(), values[item]);
     }
+    merged.Places[item] = merged.Keys.size() - 1;
   }
   return merged;
 }
 
 /// Returns for each key the combination of all values with the same key on all ranks.
 /// @tparam Key  array of ids; Value: trivially copyable
+/// @param keys  may be repeated
 /// @param combine (Value, Value) -> Value, commutative and associative
 /// @pre Collective over `ranks`.
 /// @note Each rank sends and receives about as many keys as it has.
@@ -60,22 +82,23 @@ template <class Key, class Value, class Combine>
 std::vector<Value> MergeByKey(const std::vector<Key>& keys, const std::vector<Value>& values,
   const Combine& combine, Ranks& ranks)
 {
-  std::vector<Value> merged = MergeHere(keys, values, combine);
+  MergedList<Key, Value> own = MergeList(keys, values, combine);
   if (ranks.Count() == 1)
   {
-    return merged;
+    return own.Expand();
   }
   std::vector<std::vector<Key>> sentKeys(ranks.Count());
   std::vector<std::vector<Value>> sentValues(ranks.Count());
-  for (std::size_t i = 0; i < keys.size(); ++i)
+  for (std::size_t i = 0; i < own.Keys.size(); ++i)
   {
-    const int rank = MeetingRank(keys[i], ranks.Count());
-    sentKeys[rank].push_back(keys[i]);
-    sentValues[rank].push_back(merged[i]);
+    const int rank = MeetingRank(own.Keys[i], ranks.Count());
+    sentKeys[rank].push_back(own.Keys[i]);
+    sentValues[rank].push_back(own.Values[i]);
   }
   const std::vector<Bytes> receivedKeys = ExchangeAll(PackLists(sentKeys), ranks);
-  std::vector<Value> answers = MergeHere(JoinItems<Key>(receivedKeys),
-    JoinItems<Value>(ExchangeAll(PackLists(sentValues), ranks)), combine);
+  const std::vector<Bytes> receivedValues = ExchangeAll(PackLists(sentValues), ranks);
+  const std::vector<Value> answers =
+    MergeList(JoinItems<Key>(receivedKeys), JoinItems<Value>(receivedValues), combine).Expand();
   std::vector<std::vector<Value>> returned;
   auto begin = answers.begin();
   for (const Bytes& received : receivedKeys)
@@ -84,19 +107,18 @@ std::vector<Value> MergeByKey(const std::vector<Key>& keys, const std::vector<Va
     returned.emplace_back(begin, end);
     begin = end;
   }
-  const std::vector<Bytes> mine = ExchangeAll(PackLists(returned), ranks);
   std::vector<std::vector<Value>> lists;
-  for (const Bytes& list : mine)
+  for (const Bytes& list : ExchangeAll(PackLists(returned), ranks))
   {
     lists.push_back(FromBytes<Value>(list));
   }
   std::vector<std::size_t> next(ranks.Count(), 0);
-  for (std::size_t i = 0; i < keys.size(); ++i)
+  for (std::size_t i = 0; i < own.Keys.size(); ++i)
   {
-    const int rank = MeetingRank(keys[i], ranks.Count());
-    merged[i] = lists[rank][next[rank]++];
+    const int rank = MeetingRank(own.Keys[i], ranks.Count());
+    own.Values[i] = lists[rank][next[rank]++];
   }
-  return merged;
+  return own.Expand();
 }
 
 } // namespace vfm

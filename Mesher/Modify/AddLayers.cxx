@@ -2,26 +2,57 @@
 
 #include "Mesh/MeasureMaterials.h"
 #include "Mesh/Quality.h"
+#include "Sets/MaterialsBehind.h"
+#include "State/ViewMesh.h"
 
 namespace vfm
 {
 namespace
 {
 
-bool IsInterface(const MeshFacet& facet)
+/// Returns whether the user selected the interface between an element and a material behind it.
+bool IsSelected(const LayerInput& input, LayerSide side, int own, int behind)
 {
-  return facet.DomainSide < 0;
+  const int first = input.Labels[own], second = input.Labels[behind];
+  return !input.Pairs ||
+    (side == LayerSide::First ? input.Pairs->IsFirst(first, second)
+                              : input.Pairs->Contains(first, second));
 }
 
-/// Returns whether the user selected the interface of a facet, on the side of its element.
-bool IsSelected(const Mesh& mesh, const MeshFacet& facet, const LayerInput& input, LayerSide side)
+/// Collective. Returns the facets between materials or at void, also those between opposite sides
+/// of a periodic domain.
+std::vector<ColumnBase> ListInterfaces(
+  const MesherOptions& options, const LayerInput& input, const Mesh& mesh, Ranks& ranks)
 {
-  const int own = input.Labels[mesh.Material[facet.Element]];
-  const int behind = input.Labels[std::max(facet.Behind, 0)];
-  return IsInterface(facet) &&
-    (!input.Pairs ||
-      (side == LayerSide::First ? input.Pairs->IsFirst(own, behind)
-                                : input.Pairs->Contains(own, behind)));
+  const std::vector<Index> materials = FindMaterialsBehind(ViewMesh(mesh, {}, {}), ranks);
+  std::vector<ColumnBase> bases;
+  for (std::size_t f = 0; f < materials.size(); ++f)
+  {
+    const MeshFacet& facet = mesh.Facets[f];
+    const int own = mesh.Material[facet.Element];
+    const int behind = std::max(static_cast<int>(materials[f]), 0);
+    const bool isAcross = materials[f] != NothingBehind && behind != own;
+    if (facet.DomainSide < 0 || isAcross)
+    {
+      bases.push_back(
+        { facet.Element, facet.Side, IsSelected(input, options.LayersOn, own, behind) });
+    }
+  }
+  return bases;
+}
+
+/// Returns the facets on a side of the domain.
+std::vector<ColumnBase> ListSide(const Mesh& mesh, int side)
+{
+  std::vector<ColumnBase> bases;
+  for (const MeshFacet& facet : mesh.Facets)
+  {
+    if (facet.DomainSide == side)
+    {
+      bases.push_back({ facet.Element, facet.Side, true });
+    }
+  }
+  return bases;
 }
 
 /// Returns the lengths after which the domain repeats; 0 along other axes.
@@ -49,19 +80,17 @@ void AddLayers(const MesherOptions& options, const LayerInput& input, Runtime& r
   const LayerSpacing spacing{ options.Layers, options.LayerGrowth,
     options.FirstLayer * (isInCells ? input.Grid.MeanWidth() : 1.0) };
   const Vector3 periods = FindPeriods(options, input.Grid);
-  const auto cut = [&](const auto& isOnSurface, const auto& isChosen)
+  const auto cut = [&](const std::vector<ColumnBase>& bases)
   {
-    CutLayers(FindLayerColumns(mesh, isOnSurface, isChosen, runtime.Group()), spacing, periods,
-      runtime, mesh, state);
+    CutLayers(
+      FindLayerColumns(mesh, bases, runtime.Group()), spacing, periods, runtime, mesh, state);
   };
-  cut(IsInterface,
-    [&](const MeshFacet& facet) { return IsSelected(mesh, facet, input, options.LayersOn); });
+  cut(ListInterfaces(options, input, mesh, runtime.Group()));
   for (int side = 0; side < 6; ++side)
   {
-    const auto isOnSide = [side](const MeshFacet& facet) { return facet.DomainSide == side; };
     if ((options.LayerSides >> side / 2 & 1) != 0)
     {
-      cut(isOnSide, isOnSide);
+      cut(ListSide(mesh, side));
     }
   }
   if (options.ComputeQuality)

@@ -24,13 +24,16 @@ void Append(Buffer<T>& buffer, const std::vector<T>& values)
   buffer = std::move(all);
 }
 
-/// Collective. Returns new ids for the parts of items: `count` ids per item, above all ids.
-/// @param numbers  position of each item among those of all ranks
-std::vector<Index> MakeIds(
-  const std::vector<std::int64_t>& numbers, Index count, const Buffer<Index>& ids, Ranks& ranks)
+Index Greatest(const Buffer<Index>& ids)
 {
-  const Index mine = ids.empty() ? 0 : *std::max_element(ids.begin(), ids.end());
-  const Index greatest = MaximumOverRanks(mine, ranks);
+  return ids.empty() ? 0 : *std::max_element(ids.begin(), ids.end());
+}
+
+/// Returns new ids for the parts of items: `count` ids per item.
+/// @param numbers  position of each item among those of all ranks
+/// @param greatest  greatest id of all ranks
+std::vector<Index> MakeIds(const std::vector<std::int64_t>& numbers, Index count, Index greatest)
+{
   std::vector<Index> added;
   for (std::int64_t number : numbers)
   {
@@ -56,7 +59,7 @@ std::vector<NewPoint> FindPartners(const Mesh& mesh, const LayerColumns& columns
   const std::vector<NewPoint>& points, Index count, Ranks& ranks)
 {
   std::vector<std::array<Index, 3>> keys;
-  for (const std::array<Index, 2>& edge : columns.KeysOfEdges(mesh.PeriodicPartner))
+  for (const std::array<Index, 2>& edge : columns.KeysOfEdges(mesh))
   {
     for (Index part = 0; part < count; ++part)
     {
@@ -84,9 +87,11 @@ std::vector<NewPoint> MakePoints(
 {
   const Index inner = spacing.Layers - 1;
   const std::vector<std::vector<double>> ends = FindLayerHeights(mesh, columns, spacing, runtime);
+  // Where sides will be joined, partners may be points that are not in the mesh.
+  const Index greatest = MaximumOverRanks(
+    std::max(Greatest(mesh.PointIds), Greatest(mesh.PeriodicPartner)), runtime.Group());
   const std::vector<Index> ids =
-    MakeIds(NumberInOrder(columns.KeysOfEdges(mesh.PointIds), runtime.Group()), inner,
-      mesh.PointIds, runtime.Group());
+    MakeIds(NumberInOrder(columns.IdsOfEdges(mesh), runtime.Group()), inner, greatest);
   std::vector<NewPoint> points;
   for (std::size_t e = 0; e < columns.Edges.size(); ++e)
   {
@@ -165,7 +170,8 @@ void AddElements(
     ids.push_back(mesh.ElementIds[column.Element]);
   }
   Ranks& ranks = runtime.Group();
-  ids = MakeIds(NumberInOrder(ids, ranks), parts.Layers - 1, mesh.ElementIds, ranks);
+  ids = MakeIds(NumberInOrder(ids, ranks), parts.Layers - 1,
+    MaximumOverRanks(Greatest(mesh.ElementIds), ranks));
   Append(mesh.ElementIds, ids);
   mesh.Elements = Select(mesh.Elements, parents, runtime, mesh.Corners);
   mesh.Material = Select(mesh.Material, parents, runtime);

@@ -12,29 +12,19 @@ namespace
 
 using Key = std::array<Index, 2>;
 
-/// Returns the facets on the surface, one per element.
-std::vector<MeshFacet> ListBases(
-  const Mesh& mesh, const std::function<bool(const MeshFacet&)>& isOnSurface)
+void CheckBases(const Mesh& mesh, const std::vector<ColumnBase>& bases)
 {
-  std::vector<MeshFacet> bases;
-  for (const MeshFacet& facet : mesh.Facets)
+  const auto pair = std::adjacent_find(bases.begin(), bases.end(),
+    [](const ColumnBase& a, const ColumnBase& b) { return a.Element == b.Element; });
+  if (pair != bases.end())
   {
-    if (!isOnSurface(facet))
-    {
-      continue;
-    }
-    if (!bases.empty() && bases.back().Element == facet.Element)
-    {
-      throw InputError("The hexahedron " + std::to_string(mesh.ElementIds[facet.Element]) +
-        " has two faces on the surface: it cannot be cut into layers.");
-    }
-    bases.push_back(facet);
+    throw InputError("The hexahedron " + std::to_string(mesh.ElementIds[pair->Element]) +
+      " has two faces on the surface: it cannot be cut into layers.");
   }
-  return bases;
 }
 
 /// Returns the columns on facets and all their edges.
-LayerColumns MakeColumns(const Mesh& mesh, const std::vector<MeshFacet>& bases)
+LayerColumns MakeColumns(const Mesh& mesh, const std::vector<ColumnBase>& bases)
 {
   struct Place
   {
@@ -42,7 +32,7 @@ LayerColumns MakeColumns(const Mesh& mesh, const std::vector<MeshFacet>& bases)
     LayerColumns::Edge Edge;
   };
   std::vector<Place> places;
-  for (const MeshFacet& base : bases)
+  for (const ColumnBase& base : bases)
   {
     const Index* points = mesh.Elements.data() + mesh.Corners * base.Element;
     for (int corner : FaceCorners[base.Side])
@@ -57,7 +47,7 @@ LayerColumns MakeColumns(const Mesh& mesh, const std::vector<MeshFacet>& bases)
   std::sort(order.begin(), order.end(),
     [&places](Index a, Index b) { return places[a].Ids < places[b].Ids; });
   LayerColumns found;
-  for (const MeshFacet& base : bases)
+  for (const ColumnBase& base : bases)
   {
     found.Columns.push_back({ base.Element, base.Side, {} });
   }
@@ -129,34 +119,41 @@ LayerColumns SelectMarked(const LayerColumns& all, const std::vector<char>& isMa
   return chosen;
 }
 
-} // namespace
-
-std::vector<std::array<Index, 2>> LayerColumns::KeysOfEdges(const Buffer<Index>& ids) const
+std::vector<Key> ListKeys(const std::vector<LayerColumns::Edge>& edges, const Buffer<Index>& ids)
 {
-  std::vector<std::array<Index, 2>> keys;
-  for (const Edge& edge : this->Edges)
+  std::vector<Key> keys;
+  for (const LayerColumns::Edge& edge : edges)
   {
     keys.push_back({ { ids[edge.Foot], ids[edge.Top] } });
   }
   return keys;
 }
 
-LayerColumns FindLayerColumns(const Mesh& mesh,
-  const std::function<bool(const MeshFacet&)>& isOnSurface,
-  const std::function<bool(const MeshFacet&)>& isChosen, Ranks& ranks)
+} // namespace
+
+std::vector<std::array<Index, 2>> LayerColumns::IdsOfEdges(const Mesh& mesh) const
 {
-  std::vector<MeshFacet> bases;
-  WorkTogether(ranks, [&] { bases = ListBases(mesh, isOnSurface); });
+  return ListKeys(this->Edges, mesh.PointIds);
+}
+
+std::vector<std::array<Index, 2>> LayerColumns::KeysOfEdges(const Mesh& mesh) const
+{
+  return ListKeys(this->Edges, mesh.PeriodicPartner.empty() ? mesh.PointIds : mesh.PeriodicPartner);
+}
+
+LayerColumns FindLayerColumns(const Mesh& mesh, const std::vector<ColumnBase>& bases, Ranks& ranks)
+{
+  WorkTogether(ranks, [&] { CheckBases(mesh, bases); });
   const LayerColumns all = MakeColumns(mesh, bases);
   std::vector<char> isMarked(all.Edges.size(), 0);
   for (std::size_t c = 0; c < bases.size(); ++c)
   {
     for (Index edge : all.Columns[c].Edges)
     {
-      isMarked[edge] |= isChosen(bases[c]) ? 1 : 0;
+      isMarked[edge] |= bases[c].IsChosen ? 1 : 0;
     }
   }
-  SpreadMarks(all, all.KeysOfEdges(mesh.PointIds), ranks, isMarked);
+  SpreadMarks(all, all.KeysOfEdges(mesh), ranks, isMarked);
   return SelectMarked(all, isMarked);
 }
 

@@ -5,8 +5,6 @@
 
 #include "Mesh/Mesh.h"
 
-#include <functional>
-
 namespace vfm
 {
 
@@ -28,8 +26,18 @@ struct LayerColumns
   std::vector<Edge> Edges;     ///< ascending by the global ids of foot and top
   std::vector<Column> Columns; ///< ascending by element
 
-  /// Returns the global ids of each edge.
-  std::vector<std::array<Index, 2>> KeysOfEdges(const Buffer<Index>& ids) const;
+  /// Returns the global ids of the points of each edge.
+  std::vector<std::array<Index, 2>> IdsOfEdges(const Mesh& mesh) const;
+  /// Returns ids that copies of an edge in a periodic mesh have in common; else IdsOfEdges.
+  std::vector<std::array<Index, 2>> KeysOfEdges(const Mesh& mesh) const;
+};
+
+/// A facet on which a column stands.
+struct ColumnBase
+{
+  Index Element;
+  int Side;
+  bool IsChosen; ///< the user selected it
 };
 
 /// Returns the corner, by bits, at the other end of the edge from a face of a cell.
@@ -38,15 +46,12 @@ inline int OppositeCorner(int corner, int side)
   return corner ^ (1 << side / 2);
 }
 
-/// Finds the columns at chosen facets, and those that must be cut with them: columns are connected
+/// Finds the columns on chosen facets, and those that must be cut with them: columns are connected
 /// by edges, so the surface of a fragment is chosen as a whole.
 /// @param mesh hexahedra
-/// @param isOnSurface facets that columns may stand on
-/// @param isChosen facets of these that the user selected
-/// @throws InputError if a hexahedron has two facets on the surface, on all ranks
+/// @param bases facets that columns may stand on, ascending by element
+/// @throws InputError if a hexahedron has two bases, on all ranks
 /// @pre Collective
-LayerColumns FindLayerColumns(const Mesh& mesh,
-  const std::function<bool(const MeshFacet&)>& isOnSurface,
-  const std::function<bool(const MeshFacet&)>& isChosen, Ranks& ranks);
+LayerColumns FindLayerColumns(const Mesh& mesh, const std::vector<ColumnBase>& bases, Ranks& ranks);
 
 } // namespace vfm

@@ -230,7 +230,7 @@ std::vector<EdgeGeometry> FindEdgeGeometry(
       }
     }
   }
-  surfaces = MergeByKey(columns.KeysOfEdges(mesh.PointIds), surfaces, widen, ranks);
+  surfaces = MergeByKey(columns.IdsOfEdges(mesh), surfaces, widen, ranks);
   std::vector<EdgeGeometry> geometry(surfaces.size(), { DimensionOfVolumes, 0 });
   for (const LayerColumns::Column& column : columns.Columns)
   {

@@ -159,7 +159,7 @@ std::vector<std::vector<double>> FindLayerHeights(
   {
     return ends;
   }
-  const std::vector<std::array<Index, 2>> keys = columns.KeysOfEdges(mesh.PointIds);
+  const std::vector<std::array<Index, 2>> keys = columns.KeysOfEdges(mesh);
   const std::vector<double> heights =
     FindNormalHeights(mesh, columns, keys, spacing.Thickness, runtime.Group());
   std::vector<char> steps(columns.Edges.size(), 0);

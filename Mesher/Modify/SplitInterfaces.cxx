@@ -4,8 +4,8 @@
 #include "Mesh/SelectPoints.h"
 #include "Modify/NodeCopies.h"
 #include "Ranks/Agreement.h"
+#include "Sets/MaterialsBehind.h"
 #include "State/ViewMesh.h"
-#include "Summary/MatchFaces.h"
 
 namespace vfm
 {
@@ -23,34 +23,6 @@ struct NewPoint
   bool operator<(const NewPoint& other) const { return this->Id < other.Id; }
   bool operator==(const NewPoint& other) const { return this->Id == other.Id; }
 };
-
-/// Returns the material behind each facet, also across a periodic side, or NothingBehind.
-std::vector<Index> FindMaterialsBehind(const MeshData& mesh, Ranks& ranks)
-{
-  std::vector<Index> behind, materials;
-  std::vector<std::size_t> open;
-  std::vector<FaceIds> ids;
-  for (const MeshFacet& facet : *mesh.Facets)
-  {
-    if (mesh.PeriodicPartner && facet.DomainSide != NoSide)
-    {
-      open.push_back(behind.size());
-      materials.push_back(mesh.Material[facet.Element]);
-      ids.push_back(
-        SortedIds(PointsOfSide(mesh, { facet.Element, facet.Side }), mesh.PeriodicPartner));
-    }
-    behind.push_back(facet.Behind);
-  }
-  if (ranks.Any(mesh.PeriodicPartner != nullptr))
-  {
-    const std::vector<Index> across = MatchFaces(ids, materials, ranks);
-    for (std::size_t f = 0; f < open.size(); ++f)
-    {
-      behind[open[f]] = across[f];
-    }
-  }
-  return behind;
-}
 
 /// The facets to cut, and their pairs of materials.
 struct CutFacets

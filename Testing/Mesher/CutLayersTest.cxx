@@ -27,8 +27,16 @@ Mesh MakeWithLayers(const CartesianGrid& grid, const FractionField& fractions,
 {
   Mesh mesh = MakeHexMesh(grid, fractions, options, runtime, report);
   OutputState state;
-  CutLayers(FindLayerColumns(mesh, IsInterface, IsInterface, runtime.Group()),
-    { Layers, Growth, thickness }, Vector3{}, runtime, mesh, state);
+  std::vector<ColumnBase> bases;
+  for (const MeshFacet& facet : mesh.Facets)
+  {
+    if (IsInterface(facet))
+    {
+      bases.push_back({ facet.Element, facet.Side, true });
+    }
+  }
+  CutLayers(FindLayerColumns(mesh, bases, runtime.Group()), { Layers, Growth, thickness },
+    Vector3{}, runtime, mesh, state);
   ComputeQuality(mesh, runtime, report);
   return mesh;
 }

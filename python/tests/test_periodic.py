@@ -221,7 +221,6 @@ def test_no_pairs(sides):
     (vfm.hexes, (9, 8, 8), {"refinement": "automatic"}, "an even number of cells along"),
     (vfm.hexes, (4, 4, 4), {"periodic": "zyx"}, "periodic"),
     (vfm.tets, (4, 4, 4), {"periodic_sides": "free"}, "can only be Flat or Joined"),
-    (vfm.tets, (8, 8, 8), {"refinement": "automatic"}, "set Refinement to Off or"),
     (vfm.hexes, (4, 4, 4), {"density": np.ones((4, 4, 4)), "velocity": np.ones((4, 4, 4, 3)),
                             "nodal_velocity": True}, "NodalVelocity is not available"),
 ])

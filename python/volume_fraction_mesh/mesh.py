@@ -156,7 +156,7 @@ class Mesh:
         names = {"tetra": "tetrahedra", "hexahedron": "hexahedra"}
         text = "%d %s, %d points, %d materials, %d fragments" % (
             len(self.cells),
-            names[self.kind],
+            names[self.kind.rstrip("0123456789")],
             len(self.points),
             len(self.materials.get("Name", ())),
             self.fragment.max(initial=0),
