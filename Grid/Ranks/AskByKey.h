@@ -4,25 +4,12 @@
 #pragma once
 
 #include "Ranks/ExchangeAll.h"
+#include "Ranks/MeetingRank.h"
 
 #include <algorithm>
-#include <array>
 
 namespace vfm
 {
-
-/// Returns the rank that combines the entries of a key.
-template <std::size_t Length>
-std::size_t HomeOfKey(const std::array<std::int64_t, Length>& key, const Ranks& ranks)
-{
-  std::uint64_t hash = 0;
-  for (std::int64_t part : key)
-  {
-    hash = (hash ^ static_cast<std::uint64_t>(part)) * 0x9E3779B97F4A7C15u;
-    hash ^= hash >> 32;
-  }
-  return hash % static_cast<std::uint64_t>(ranks.Count());
-}
 
 /// Returns one answer per question: combine(first, last) of the entries of all ranks whose Key()
 /// is the question.
@@ -37,13 +24,13 @@ auto AskByKey(const std::vector<Entry>& entries, const std::vector<Key>& questio
   std::vector<std::vector<Entry>> toEntries(ranks.Count());
   for (const Entry& entry : entries)
   {
-    toEntries[HomeOfKey(entry.Key(), ranks)].push_back(entry);
+    toEntries[MeetingRank(entry.Key(), ranks.Count())].push_back(entry);
   }
   std::vector<std::vector<Key>> toQuestions(ranks.Count());
   std::vector<std::vector<std::size_t>> places(ranks.Count());
   for (std::size_t q = 0; q < questions.size(); ++q)
   {
-    const std::size_t home = HomeOfKey(questions[q], ranks);
+    const int home = MeetingRank(questions[q], ranks.Count());
     toQuestions[home].push_back(questions[q]);
     places[home].push_back(q);
   }

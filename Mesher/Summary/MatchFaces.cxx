@@ -2,6 +2,7 @@
 
 #include "Ranks/Agreement.h"
 #include "Ranks/ExchangeAll.h"
+#include "Ranks/MeetingRank.h"
 
 #include <algorithm>
 #include <numeric>
@@ -42,18 +43,6 @@ std::vector<Index> MatchHere(const std::vector<Face>& faces)
     behind[order[i + 1]] = face.Value;
   }
   return behind;
-}
-
-/// Returns the rank that matches a face, from a hash of its ids.
-int MeetingRank(const FaceIds& ids, int count)
-{
-  std::uint64_t hash = 0;
-  for (Index id : ids)
-  {
-    hash = (hash ^ static_cast<std::uint64_t>(id)) * 0x9e3779b97f4a7c15u;
-    hash ^= hash >> 29;
-  }
-  return static_cast<int>(hash % static_cast<std::uint64_t>(count));
 }
 
 /// Returns the values behind the faces that each rank sent.
