@@ -26,11 +26,10 @@ MAKE_MESH = [
 
 
 def save(path):
-    """Returns the clicks that save the mesh; Exodus files have a dialog of options."""
-    confirm = [] if path.endswith(".inp") else [("WriterSettingsDialog/widget/OKButton", "activate",
-                                                 "")]
+    """Returns the clicks that save the mesh; the writers have a dialog of options."""
     return [(MENUS + "_File", "activate", "actionFileSaveData"),
-            ("FileSaveDialog", "filesSelected", path)] + confirm
+            ("FileSaveDialog", "filesSelected", path),
+            ("WriterSettingsDialog/widget/OKButton", "activate", "")]
 
 
 def play(clicks, folder):
