@@ -172,7 +172,7 @@ RankMesh MakeAlone(const CartesianGrid& whole, const FractionField& field,
 RankMesh MakeOnRanks(const CartesianGrid& whole, const FractionField& field,
   const std::vector<IndexBox>& boxes, const MeshOptions& options, MeshMaker make)
 {
-  const GridLayers layers = make == MakeHexMesh ? LayersFor(options.Levels) : GridLayers();
+  const GridLayers layers = make == MakeTetMesh ? GridLayers() : LayersFor(options.Levels);
   const int count = static_cast<int>(boxes.size());
   std::vector<Mesh> meshes(count);
   RankMesh made;
