@@ -3,6 +3,7 @@
 #include "Base/DisjointSets.h"
 #include "Base/Sorted.h"
 #include "Mesh/ElementFaces.h"
+#include "Ranks/MergeByKey.h"
 #include "Ranks/NumberInOrder.h"
 #include "Summary/MatchFaces.h"
 
@@ -70,53 +71,28 @@ std::vector<char> MarkOwnNodes(const MeshData& mesh, const std::vector<char>& is
   return isMarked;
 }
 
-/// Returns which of the asked classes any rank marked, for each rank that asks.
-std::vector<Bytes> AnswerMarks(const std::vector<Bytes>& marked, const std::vector<Bytes>& asked)
-{
-  std::vector<Index> all = JoinItems<Index>(marked);
-  SortUnique(all);
-  std::vector<Bytes> answers;
-  for (const Bytes& message : asked)
-  {
-    answers.emplace_back();
-    for (Index one : FromBytes<Index>(message))
-    {
-      answers.back().push_back(FindSorted(all, one) >= 0 ? 1 : 0);
-    }
-  }
-  return answers;
-}
-
 /// Marks the points of cut faces, also of faces on other ranks and on opposite sides.
 std::vector<char> MarkNodes(const MeshData& mesh, const std::vector<char>& isCut, Ranks& ranks)
 {
   std::vector<char> isMarked = MarkOwnNodes(mesh, isCut);
   const bool isPeriodic = ranks.Any(mesh.PeriodicPartner != nullptr);
-  std::vector<std::vector<Index>> marked(ranks.Count()), asked(ranks.Count());
-  std::vector<std::vector<Index>> places(ranks.Count());
+  std::vector<Index> points;
+  std::vector<std::array<Index, 1>> classes;
+  std::vector<char> marks;
   for (Index point = 0; point < mesh.NumberOfPoints; ++point)
   {
-    const Index nodeClass = ClassesOf(mesh)[point];
-    const int rank = MeetingRank(nodeClass, ranks);
-    if (isMarked[point] != 0)
+    if (isPeriodic || isMarked[point] != 0 || mesh.GeometryDimension[point] < DimensionOfVolumes)
     {
-      marked[rank].push_back(nodeClass);
-    }
-    else if (isPeriodic || mesh.GeometryDimension[point] < DimensionOfVolumes)
-    {
-      asked[rank].push_back(nodeClass);
-      places[rank].push_back(point);
+      points.push_back(point);
+      classes.push_back({ { ClassesOf(mesh)[point] } });
+      marks.push_back(isMarked[point]);
     }
   }
-  const std::vector<Bytes> marks = ExchangeAll(PackLists(marked), ranks);
-  const std::vector<Bytes> questions = ExchangeAll(PackLists(asked), ranks);
-  const std::vector<Bytes> answers = ExchangeAll(AnswerMarks(marks, questions), ranks);
-  for (std::size_t rank = 0; rank < answers.size(); ++rank)
+  marks = MergeByKey(
+    classes, marks, [](char a, char b) { return std::max(a, b); }, ranks);
+  for (std::size_t i = 0; i < points.size(); ++i)
   {
-    for (std::size_t i = 0; i < answers[rank].size(); ++i)
-    {
-      isMarked[places[rank][i]] = answers[rank][i];
-    }
+    isMarked[points[i]] = marks[i];
   }
   return isMarked;
 }
