@@ -160,7 +160,7 @@ Mesh MakeCurved(const CartesianGrid& grid, const FractionField& fractions,
 {
   Mesh mesh = Make(grid, fractions, options, runtime, report);
   OutputState none;
-  AddMidNodes(options.Order, runtime, mesh, none);
+  AddMidNodes(options.Order, {}, runtime, mesh, none);
   return mesh;
 }
 
@@ -170,7 +170,7 @@ std::string FindCurvedProblem(const FuzzCase& c, Mesh& mesh, const MeshReport& r
 {
   Runtime runtime;
   OutputState none;
-  const FieldArrays counts = AddMidNodes(c.Options.Order, runtime, mesh, none);
+  const FieldArrays counts = AddMidNodes(c.Options.Order, {}, runtime, mesh, none);
   const CurvedElement& shape = GetCurvedElement(mesh.Corners);
   std::vector<double> volumes(c.Fractions.NumberOfMaterials() + 1, 0.0);
   for (Index e = 0; e < static_cast<Index>(mesh.ElementIds.size()); ++e)

@@ -309,12 +309,13 @@ TEST_P(SecondOrder, ConservesVolumes)
   EXPECT_NEAR(volume / result.Report.TargetVolume[1], 1.0, 2e-7);
 }
 
-TEST(SecondOrderOptions, RefusesPeriodicMeshes)
+TEST(SecondOrderOptions, RefusesCohesiveElements)
 {
   Runtime serial;
   MesherOptions options;
   options.Order = ElementOrder::Quadratic;
-  options.Periodic = 1;
+  options.SplitInterfaces = "*";
+  options.Connection = SplitConnection::Cohesive;
   const MesherInput input =
     MakeLabelInput({ { { 4, 4, 4 } }, 0.0, 1.0 }, std::vector<int>(64, 1), serial.Group());
   EXPECT_THROW(RunMesher(input, options, serial), InputError);
