@@ -348,10 +348,11 @@ void MidNodeBuilder::SetPartners(Index first, const DistinctKeys<Key>& keys)
 void MidNodeBuilder::PlaceEdges()
 {
   Mesh& mesh = this->TheMesh;
+  const Buffer<Index>& ids = mesh.UnsplitPointIds();
   for (std::size_t edge = 0; edge < this->Edges.Places.size(); ++edge)
   {
     auto [low, high] = this->EndsAt(this->Edges.Places[edge]);
-    if (mesh.PointIds[low] > mesh.PointIds[high])
+    if (ids[low] > ids[high])
     {
       std::swap(low, high);
     }

@@ -44,12 +44,12 @@ constexpr auto Quadratic = ElementOrder::Quadratic;
 constexpr auto Quadratic27 = ElementOrder::Quadratic27;
 
 constexpr Combination Combinations[] = { { "SplitHexes", Hexes, Quadratic, 0, Sides::Flat, 0, 0,
-                                           "*" },
-  { "SplitHexes27", Hexes, Quadratic27, 0, Sides::Flat, 0, 0, "1/2" },
-  { "SplitTets", Tets, Quadratic, 0, Sides::Flat, 0, 0, "*" },
+                                           "all" },
+  { "SplitHexes27", Hexes, Quadratic27, 0, Sides::Flat, 0, 0, "1/3" },
+  { "SplitTets", Tets, Quadratic, 0, Sides::Flat, 0, 0, "all" },
   { "Layers", Hexes, Quadratic, 0, Sides::Flat, 3 },
   { "LayersOnSides27", Hexes, Quadratic27, 0, Sides::Flat, 2, 5 },
-  { "SplitLayers", Hexes, Quadratic27, 0, Sides::Flat, 3, 0, "*" },
+  { "SplitLayers", Hexes, Quadratic27, 0, Sides::Flat, 3, 0, "all" },
   { "FlatHexes", Hexes, Quadratic, 5 }, { "FreeHexes27", Hexes, Quadratic27, 7, Sides::Free },
   { "JoinedHexes27", Hexes, Quadratic27, 7, Sides::Joined }, { "FlatLattice", Tets, Quadratic, 7 },
   { "JoinedLattice", Tets, Quadratic, 7, Sides::Joined },
@@ -60,10 +60,10 @@ constexpr Combination Combinations[] = { { "SplitHexes", Hexes, Quadratic, 0, Si
   { "FlatLayers", Hexes, Quadratic27, 5, Sides::Flat, 3 },
   { "FreeLayers", Hexes, Quadratic, 7, Sides::Free, 2 },
   { "JoinedLayers", Hexes, Quadratic, 7, Sides::Joined, 2 },
-  { "FlatSplitHexes27", Hexes, Quadratic27, 7, Sides::Flat, 0, 0, "*" },
-  { "FreeSplitHexes", Hexes, Quadratic, 5, Sides::Free, 0, 0, "*" },
-  { "JoinedSplitTets", Tets, Quadratic, 7, Sides::Joined, 0, 0, "1/2" },
-  { "FlatSplitLayers", Hexes, Quadratic27, 7, Sides::Flat, 3, 0, "*" } };
+  { "FlatSplitHexes27", Hexes, Quadratic27, 7, Sides::Flat, 0, 0, "all" },
+  { "FreeSplitHexes", Hexes, Quadratic, 5, Sides::Free, 0, 0, "all" },
+  { "JoinedSplitTets", Tets, Quadratic, 7, Sides::Joined, 0, 0, "1/3" },
+  { "FlatSplitLayers", Hexes, Quadratic27, 7, Sides::Flat, 3, 0, "all" } };
 
 /// Labels of two balls, at a corner of the periodic domain and inside, in a third material.
 std::vector<int> BallLabels()
@@ -333,7 +333,7 @@ TEST_P(CombinedOrder, CopiesAreAtTheSamePlace)
   EXPECT_EQ(copies > 100, *this->GetParam().Split != '\0');
 }
 
-/// Mid nodes lie where they are without the split.
+/// Mid nodes lie where they are without the split; those of faces and copies up to rounding.
 TEST_P(CombinedOrder, SplitMovesNothing)
 {
   if (*this->GetParam().Split == '\0')
@@ -353,7 +353,7 @@ TEST_P(CombinedOrder, SplitMovesNothing)
     {
       const Index at = mesh.MidsPerElement * e + m;
       const Vector3 x = mesh.PointAt(mesh.MidPoints[at]), y = before.PointAt(before.MidPoints[at]);
-      EXPECT_LT(Norm(x - y), mesh.PeriodicPartner ? 1e-15 : 1e-300);
+      EXPECT_LE(Norm(x - y), mesh.PeriodicPartner || m >= 12 ? 1e-14 : 0.0);
     }
   }
 }
