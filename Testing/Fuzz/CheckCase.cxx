@@ -168,7 +168,8 @@ Mesh MakeCurved(const CartesianGrid& grid, const FractionField& fractions,
   Mesh mesh = Make(grid, fractions, options, runtime, report);
   if constexpr (HasLayers)
   {
-    CutAtInterfaces(ThinLayers(grid), runtime, mesh);
+    MeshReport ofLayers;
+    CutAtInterfaces(ThinLayers(grid), runtime, mesh, ofLayers);
   }
   OutputState none;
   AddMidNodes(options.Order, {}, runtime, mesh, none);
@@ -182,7 +183,8 @@ std::string FindCurvedProblem(const FuzzCase& c, Mesh& mesh, const MeshReport& r
   Runtime runtime;
   if (c.HasLayers)
   {
-    CutAtInterfaces(ThinLayers(c.Grid), runtime, mesh);
+    MeshReport ofLayers;
+    CutAtInterfaces(ThinLayers(c.Grid), runtime, mesh, ofLayers);
   }
   OutputState none;
   const FieldArrays counts = AddMidNodes(c.Options.Order, {}, runtime, mesh, none);

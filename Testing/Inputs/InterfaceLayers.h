@@ -3,6 +3,7 @@
  */
 #pragma once
 
+#include "Mesh/Quality.h"
 #include "Modify/CutLayers.h"
 
 namespace vfm
@@ -10,8 +11,9 @@ namespace vfm
 namespace testing
 {
 
-/// Cuts the hexahedra on both sides of all interfaces into layers.
-inline void CutAtInterfaces(const LayerSpacing& spacing, Runtime& runtime, Mesh& mesh)
+/// Cuts the hexahedra on both sides of all interfaces into layers, and measures quality.
+inline void CutAtInterfaces(
+  const LayerSpacing& spacing, Runtime& runtime, Mesh& mesh, MeshReport& report)
 {
   std::vector<ColumnBase> bases;
   for (const MeshFacet& facet : mesh.Facets)
@@ -24,6 +26,7 @@ inline void CutAtInterfaces(const LayerSpacing& spacing, Runtime& runtime, Mesh&
   OutputState state;
   CutLayers(FindLayerColumns(mesh, bases, runtime.Group()), spacing, Vector3{}, runtime, mesh,
     state);
+  ComputeQuality(mesh, runtime, report);
 }
 
 } // namespace testing

@@ -2,7 +2,6 @@
 #include "InterfaceLayers.h"
 #include "Mesh/ElementFaces.h"
 #include "Mesh/MeasureFragments.h"
-#include "Mesh/Quality.h"
 #include "RankMeshes.h"
 
 #include <gtest/gtest.h>
@@ -26,8 +25,7 @@ Mesh MakeWithLayers(const CartesianGrid& grid, const FractionField& fractions,
   const MeshOptions& options, double thickness, Runtime& runtime, MeshReport& report)
 {
   Mesh mesh = MakeHexMesh(grid, fractions, options, runtime, report);
-  CutAtInterfaces({ Layers, Growth, thickness }, runtime, mesh);
-  ComputeQuality(mesh, runtime, report);
+  CutAtInterfaces({ Layers, Growth, thickness }, runtime, mesh, report);
   return mesh;
 }
 
