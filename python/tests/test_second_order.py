@@ -56,8 +56,9 @@ def test_reduced_integration(ball, tmp_path):
 
 
 def test_refused(ball, tmp_path):
-    with pytest.raises(ValueError, match="ElementOrder must be Linear"):
-        vfm.hexes(ball, element_order="quadratic", periodic="x")
+    with pytest.raises(ValueError, match="Cohesive is for meshes of ElementOrder Linear"):
+        vfm.hexes(ball, element_order="quadratic", split_interfaces="all",
+                  split_connection="cohesive")
     mesh = vfm.hexes(ball, element_order="quadratic27")
     with pytest.raises(OSError, match="not written with elements of 27 nodes"):
         mesh.save(tmp_path / "ball.inp")
