@@ -283,8 +283,8 @@ void ReplaceFields(const FieldArrays& newer, FieldArrays& fields)
 }
 
 /// Adds mid nodes, and reports the volumes of the curved elements.
-void AddOrder(const MesherJob& job, const LevelFields& fields, const MeshOptions& options,
-  MesherResult& result)
+void AddOrder(
+  const MesherJob& job, const LevelFields& fields, const MeshOptions& options, MesherResult& result)
 {
   const Materials& table = fields.Field.Table;
   Mesh& mesh = result.TheMesh;

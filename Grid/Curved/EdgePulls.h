@@ -26,8 +26,8 @@ namespace vfm
 std::vector<EdgePull> FindEdgePulls(const std::vector<Facet>& facets, const Mesh& mesh,
   const SurfaceTargets& targets, const ActiveMesh& active, Runtime& runtime);
 
-/// Returns the displacement of the mid node of each edge, from the requests of all ranks. Of several
-/// requests of an end the first counts: ranks may list the same edge of a layer.
+/// Returns the displacement of the mid node of each edge, from the requests of all ranks. Of
+/// several requests of an end the first counts: ranks may list the same edge of a layer.
 /// @pre Collective over `ranks`.
 std::vector<EdgeMove> CombinePulls(
   const std::vector<EdgePull>& pulls, const std::vector<EdgeIds>& edges, Ranks& ranks);

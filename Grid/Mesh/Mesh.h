@@ -99,10 +99,10 @@ struct Mesh
   /// Returns ids that copies of points on opposite sides and at split interfaces have in common.
   const Buffer<Index>& CommonIds() const
   {
-    return !this->OriginalPartner.empty()  ? this->OriginalPartner
-      : !this->OriginalPointIds.empty()    ? this->OriginalPointIds
-      : this->PeriodicPartner.empty()      ? this->PointIds
-                                           : this->PeriodicPartner;
+    return !this->OriginalPartner.empty() ? this->OriginalPartner
+      : !this->OriginalPointIds.empty()   ? this->OriginalPointIds
+      : this->PeriodicPartner.empty()     ? this->PointIds
+                                          : this->PeriodicPartner;
   }
   int CornersOfFacet() const { return this->Corners == 8 ? 4 : 3; }
 

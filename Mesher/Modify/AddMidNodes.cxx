@@ -154,10 +154,7 @@ private:
   {
     return this->TheMesh.MidPoints.data() + this->Mids.Count * element;
   }
-  Index FirstFace() const
-  {
-    return this->Corners + static_cast<Index>(this->Edges.Ids.size());
-  }
+  Index FirstFace() const { return this->Corners + static_cast<Index>(this->Edges.Ids.size()); }
   /// Returns the corners of the edge with a place in MidPoints.
   std::array<Index, 2> EndsAt(Index place) const
   {
@@ -305,8 +302,7 @@ void MidNodeBuilder::SetOriginalIds()
   {
     const auto start = mesh.PointIds.begin() + first;
     const std::vector<Index> lowest = MergeByKey(
-      this->KeysOf(keys, mesh.OriginalPointIds),
-      std::vector<Index>(start, start + keys.Ids.size()),
+      this->KeysOf(keys, mesh.OriginalPointIds), std::vector<Index>(start, start + keys.Ids.size()),
       [](Index a, Index b) { return std::min(a, b); }, this->Run.Group());
     std::copy(lowest.begin(), lowest.end(), mesh.OriginalPointIds.begin() + first);
   };
@@ -334,8 +330,7 @@ void MidNodeBuilder::SetPartners(Index first, const DistinctKeys<Key>& keys)
   {
     copies.push_back({ mesh.PointIds[point], this->Images.ToOwn(mesh.PointAt(point)) });
   }
-  copies =
-    MergeByKey(this->KeysOf(keys, mesh.PeriodicPartner), copies, Join, this->Run.Group());
+  copies = MergeByKey(this->KeysOf(keys, mesh.PeriodicPartner), copies, Join, this->Run.Group());
   for (Index i = 0; i < count; ++i)
   {
     mesh.PeriodicPartner[first + i] = copies[i].Id;
@@ -416,8 +411,7 @@ CurvedReport MidNodeBuilder::CurveEdges()
       curved.Moves.push_back(moves[i].Move);
     }
   }
-  const CurvedReport report =
-    StraightenEdges(mesh, this->Corners, this->Images, this->Run, curved);
+  const CurvedReport report = StraightenEdges(mesh, this->Corners, this->Images, this->Run, curved);
   for (std::size_t edge = 0; edge < curved.OfMidPoint.size(); ++edge)
   {
     for (int a = 0; curved.OfMidPoint[edge] >= 0 && a < 3; ++a)
@@ -435,10 +429,9 @@ Vector3 MidNodeBuilder::SumOf(const Index* points, int count, const Vector3& nea
   const Buffer<Index>& ids = this->TheMesh.UnsplitPointIds();
   std::array<Index, 12> sorted;
   std::copy_n(points, count, sorted.begin());
-  std::sort(sorted.begin(), sorted.begin() + count,
-    [&ids](Index a, Index b) { return ids[a] < ids[b]; });
-  const auto at = [&](int i)
-  { return this->Images.Near(this->TheMesh.PointAt(sorted[i]), near); };
+  std::sort(
+    sorted.begin(), sorted.begin() + count, [&ids](Index a, Index b) { return ids[a] < ids[b]; });
+  const auto at = [&](int i) { return this->Images.Near(this->TheMesh.PointAt(sorted[i]), near); };
   Vector3 sum{ { 0.0, 0.0, 0.0 } };
   for (int i = 0; i < count; i += 2)
   {
@@ -503,8 +496,9 @@ void MidNodeBuilder::FillGeometry()
     const Index* points = surfaces.Points.data() + corners * f;
     for (int c = 0; c < corners; ++c)
     {
-      edges.push_back({ KeyOf(ids, std::array<Index, 2>{ { points[c], points[(c + 1) % corners] } }),
-        DimensionOfSurfaces, surfaces.SurfaceId[f] });
+      edges.push_back(
+        { KeyOf(ids, std::array<Index, 2>{ { points[c], points[(c + 1) % corners] } }),
+          DimensionOfSurfaces, surfaces.SurfaceId[f] });
     }
     if (this->Mids.HasFaces())
     {
@@ -521,8 +515,10 @@ void MidNodeBuilder::FillGeometry()
   const auto combine = [](auto first, auto last) {
     return first < last ? Place{ { first->Dimension, first->Id } } : Place{ { 3, 0 } };
   };
-  std::vector<Place> places = AskByKey(edges, this->KeysOf(this->Edges, ids), combine, this->Run.Group());
-  const std::vector<Place> ofFaces = AskByKey(faces, this->KeysOf(this->Faces, ids), combine, this->Run.Group());
+  std::vector<Place> places =
+    AskByKey(edges, this->KeysOf(this->Edges, ids), combine, this->Run.Group());
+  const std::vector<Place> ofFaces =
+    AskByKey(faces, this->KeysOf(this->Faces, ids), combine, this->Run.Group());
   places.insert(places.end(), ofFaces.begin(), ofFaces.end());
   places.resize(mesh.PointIds.size() - this->Corners, Place{ { DimensionOfVolumes, 0 } });
   for (std::size_t i = 0; i < places.size(); ++i)
@@ -571,8 +567,8 @@ void AppendMeans(const MidNodeBuilder& builder, const Mesh& mesh, TransferredArr
 
 } // namespace
 
-FieldArrays AddMidNodes(ElementOrder order, const FieldArrays& fields, Runtime& runtime, Mesh& mesh,
-  OutputState& state)
+FieldArrays AddMidNodes(
+  ElementOrder order, const FieldArrays& fields, Runtime& runtime, Mesh& mesh, OutputState& state)
 {
   MidNodeBuilder builder(order, fields, runtime, mesh);
   const CurvedReport report = builder.Build();

@@ -10,9 +10,9 @@
  * their ends, then faces in the order of their corners, then elements. So they are the same on any
  * number of ranks.
  *
- * Where interfaces are split, an edge with a copy for each side has a mid node for each side, at the
- * same place bitwise. In a periodic mesh, mid nodes have partners like corners, and copies are whole
- * periods apart bitwise.
+ * Where interfaces are split, an edge with a copy for each side has a mid node for each side, at
+ * the same place bitwise. In a periodic mesh, mid nodes have partners like corners, and copies are
+ * whole periods apart bitwise.
  */
 #pragma once
 
@@ -30,7 +30,7 @@ namespace vfm
 ///   their edge; StraightenedMidNodes, how many of them were moved back; CurvedJacobian, the
 ///   smallest Bezier coefficient of an element over that of the straight element, at most 1
 /// @pre Collective over runtime.Group().
-FieldArrays AddMidNodes(ElementOrder order, const FieldArrays& fields, Runtime& runtime, Mesh& mesh,
-  OutputState& state);
+FieldArrays AddMidNodes(
+  ElementOrder order, const FieldArrays& fields, Runtime& runtime, Mesh& mesh, OutputState& state);
 
 } // namespace vfm

@@ -36,8 +36,8 @@ bool FindNodes(
 
 } // namespace
 
-std::vector<double> MeasureCurvedVolumes(const Mesh& mesh, const std::vector<int>& labels,
-  const FieldArrays& fields, Runtime& runtime)
+std::vector<double> MeasureCurvedVolumes(
+  const Mesh& mesh, const std::vector<int>& labels, const FieldArrays& fields, Runtime& runtime)
 {
   Ranks& ranks = runtime.Group();
   const PeriodImages images(fields, ranks.Any(!mesh.PeriodicPartner.empty()));

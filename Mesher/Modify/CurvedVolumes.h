@@ -14,7 +14,7 @@ namespace vfm
 /// @param fields  ListDomain of the mesh
 /// @pre Collective over runtime.Group().
 /// @note The same bits on any number of ranks.
-std::vector<double> MeasureCurvedVolumes(const Mesh& mesh, const std::vector<int>& labels,
-  const FieldArrays& fields, Runtime& runtime);
+std::vector<double> MeasureCurvedVolumes(
+  const Mesh& mesh, const std::vector<int>& labels, const FieldArrays& fields, Runtime& runtime);
 
 } // namespace vfm

@@ -270,8 +270,8 @@ void ClassifyMids(
       const std::vector<Index> mids = MidsOfFace(mesh, side.Element, side.Side);
       for (int c = 0; !mids.empty() && c < count; ++c)
       {
-        const auto curve = curves.find(
-          MakeEdgeIds(firstCopies[corners[c]], firstCopies[corners[(c + 1) % count]]));
+        const auto curve =
+          curves.find(MakeEdgeIds(firstCopies[corners[c]], firstCopies[corners[(c + 1) % count]]));
         if (curve != curves.end())
         {
           entities.PointDimension[firstCopies[mids[c]]] = 1;

@@ -24,8 +24,8 @@ inline void CutAtInterfaces(
     }
   }
   OutputState state;
-  CutLayers(FindLayerColumns(mesh, bases, runtime.Group()), spacing, Vector3{}, runtime, mesh,
-    state);
+  CutLayers(
+    FindLayerColumns(mesh, bases, runtime.Group()), spacing, Vector3{}, runtime, mesh, state);
   ComputeQuality(mesh, runtime, report);
 }
 

@@ -106,11 +106,10 @@ MesherResult MakeMesh(const Combination& c, Runtime& runtime)
   options.LabelSmoothing = c.HasLevels ? 0 : 2;
   options.MeshVoid = true;
   Ranks& ranks = runtime.Group();
-  return RunMesher(c.HasLevels ? MakeLevelInput({ { { 8, 8, 6 } }, 0.1, Width },
-                                   { { { { 0, 0, 0 } }, { { 2, 3, 2 } } },
-                                     { { { 6, 3, 1 } }, { { 8, 5, 3 } } } },
-                                   ranks)
-                               : MakeLabelInput({ Cells, 0.1, Width }, BallLabels(), ranks),
+  return RunMesher(c.HasLevels
+      ? MakeLevelInput({ { { 8, 8, 6 } }, 0.1, Width },
+          { { { { 0, 0, 0 } }, { { 2, 3, 2 } } }, { { { 6, 3, 1 } }, { { 8, 5, 3 } } } }, ranks)
+      : MakeLabelInput({ Cells, 0.1, Width }, BallLabels(), ranks),
     options, runtime);
 }
 
@@ -134,8 +133,7 @@ CurvedElement::Nodes JoinedNodesOf(const MesherResult& result, Index element)
     for (int a = 0; a < 3; ++a)
     {
       const double length = lengths[a];
-      nodes[n][a] -=
-        length > 0.0 ? length * std::round((nodes[n][a] - nodes[0][a]) / length) : 0.0;
+      nodes[n][a] -= length > 0.0 ? length * std::round((nodes[n][a] - nodes[0][a]) / length) : 0.0;
     }
   }
   return nodes;
@@ -304,9 +302,8 @@ TEST_P(CombinedOrder, CopiesAreAtTheSamePlace)
   Runtime serial;
   const MesherResult result = MakeMesh(this->GetParam(), serial);
   const MeshData mesh = ViewOf(result);
-  const Index firstMid = *std::max_element(mesh.Elements,
-                           mesh.Elements + mesh.Corners * mesh.NumberOfElements) +
-    1;
+  const Index firstMid =
+    *std::max_element(mesh.Elements, mesh.Elements + mesh.Corners * mesh.NumberOfElements) + 1;
   Index mids = 0;
   const std::vector<double> lengths = NumbersOfField(mesh.Fields, "PeriodLengths");
   for (const PeriodicPair& pair : FindPeriodicPairs(mesh))
