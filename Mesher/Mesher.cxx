@@ -277,8 +277,10 @@ void ReplaceFields(const FieldArrays& newer, FieldArrays& fields)
 {
   for (FieldArray& field : fields)
   {
-    const FieldArray* found = FindField(newer, field.Name);
-    field = found ? *found : field;
+    if (const FieldArray* found = FindField(newer, field.Name))
+    {
+      field = *found;
+    }
   }
 }
 

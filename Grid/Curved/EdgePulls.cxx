@@ -1,6 +1,7 @@
 #include "Curved/EdgePulls.h"
 
 #include "Base/ExactSum.h"
+#include "Curved/GaussRule.h"
 #include "Mesh/PeriodicIds.h"
 #include "Octree/RefinedGrid.h"
 #include "Ranks/AskByKey.h"
@@ -292,8 +293,6 @@ std::vector<EdgeMove> CombinePulls(
 namespace
 {
 
-constexpr double Nodes3[3] = { 0.1127016653792583, 0.5, 0.8872983346207417 };
-constexpr double Weights3[3] = { 5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0 };
 constexpr double Nodes2[2] = { 0.2113248654051871, 0.7886751345948129 };
 
 /// A point of a facet and of its curved counterpart, with derivatives along u and v.
@@ -343,16 +342,16 @@ double VolumeOfBulge(const Vector3 (&x)[4], const Vector3 (&pulls)[4], bool isTr
   double volume = 0.0;
   for (int n = 0; n < 9; ++n)
   {
-    const double u = Nodes3[n % 3];
+    const double u = GaussPoints[n % 3];
     const double narrow =
       isTriangle ? 1.0 - u : 1.0; // a triangle is a quad with an edge of length 0
-    const double v = Nodes3[n / 3] * narrow;
+    const double v = GaussPoints[n / 3] * narrow;
     const FacetPoint p = isTriangle ? PointOfTriangle(x, pulls, u, v) : PointOfQuad(x, pulls, u, v);
     for (double s : Nodes2)
     {
       const Vector3 normal =
         Cross(p.Along[0] + s * p.PullAlong[0], p.Along[1] + s * p.PullAlong[1]);
-      volume += 0.5 * Weights3[n % 3] * Weights3[n / 3] * narrow * Dot(p.Pull, normal);
+      volume += 0.5 * GaussWeights[n % 3] * GaussWeights[n / 3] * narrow * Dot(p.Pull, normal);
     }
   }
   return volume;

@@ -13,6 +13,7 @@
 #include <cstdio>
 #include <map>
 #include <mutex>
+#include <numeric>
 #include <set>
 
 using namespace vfm;
@@ -213,7 +214,7 @@ TEST_P(CombinedOrder, RanksGiveTheSameMesh)
 }
 
 /// All Bezier coefficients are at least a tenth of the smallest one of the straight element, and
-/// elements fill the domain.
+/// elements fill the domain. The reported volumes are those of curved elements.
 TEST_P(CombinedOrder, ElementsArePositive)
 {
   Runtime serial;
@@ -234,6 +235,9 @@ TEST_P(CombinedOrder, ElementsArePositive)
     }
     least = std::min(least, curved / shape.SmallestCoefficient(nodes));
   }
+  const std::vector<double> reported = NumbersOfField(result.Fields, "MeshVolume");
+  EXPECT_NEAR(std::accumulate(reported.begin(), reported.end(), 0.0) / volume, 1.0, 1e-12);
+  EXPECT_EQ(result.Report.MeshVolume, reported);
   EXPECT_GT(least, 0.0999);
   EXPECT_NEAR(least, NumberOf(result, "CurvedJacobian"), 1e-9);
   EXPECT_GT(NumberOf(result, "CurvedMidNodes"), 200.0);
