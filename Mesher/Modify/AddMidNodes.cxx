@@ -175,6 +175,7 @@ private:
   std::vector<EdgeIds> KeysOf(const DistinctKeys<EdgeIds>& edges, const Buffer<Index>& ids) const
   {
     std::vector<EdgeIds> keys;
+    keys.reserve(edges.Places.size());
     for (Index place : edges.Places)
     {
       keys.push_back(KeyOf(ids, this->EndsAt(place)));
@@ -185,6 +186,7 @@ private:
   {
     const ElementFaces table(this->TheMesh.Corners);
     std::vector<FaceIds> keys;
+    keys.reserve(faces.Places.size());
     for (Index place : faces.Places)
     {
       const Index* corners = this->CornersOf(place / this->Mids.Count);
@@ -515,10 +517,11 @@ void MidNodeBuilder::FillGeometry()
   const auto combine = [](auto first, auto last) {
     return first < last ? Place{ { first->Dimension, first->Id } } : Place{ { 3, 0 } };
   };
-  std::vector<Place> places =
-    AskByKey(edges, this->KeysOf(this->Edges, ids), combine, this->Run.Group());
+  const auto unsplit = [&](const auto& keys)
+  { return this->IsSplit ? this->KeysOf(keys, ids) : keys.Ids; };
+  std::vector<Place> places = AskByKey(edges, unsplit(this->Edges), combine, this->Run.Group());
   const std::vector<Place> ofFaces =
-    AskByKey(faces, this->KeysOf(this->Faces, ids), combine, this->Run.Group());
+    AskByKey(faces, unsplit(this->Faces), combine, this->Run.Group());
   places.insert(places.end(), ofFaces.begin(), ofFaces.end());
   places.resize(mesh.PointIds.size() - this->Corners, Place{ { DimensionOfVolumes, 0 } });
   for (std::size_t i = 0; i < places.size(); ++i)
