@@ -1,10 +1,10 @@
 /// Second-order meshes that are periodic, split or have layers.
 #include "CurvedNodes.h"
 #include "LabelInput.h"
+#include "NodesById.h"
 #include "RankFields.h"
 #include "Sets/MeshSets.h"
 #include "Sets/PeriodicPairs.h"
-#include "State/ViewMesh.h"
 #include "ThreadRanks.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,6 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
-#include <mutex>
 #include <numeric>
 #include <set>
 
@@ -114,11 +113,6 @@ MesherResult MakeMesh(const Combination& c, Runtime& runtime)
     options, runtime);
 }
 
-MeshData ViewOf(const MesherResult& result)
-{
-  return ViewMesh(result.TheMesh, result.State, result.Fields);
-}
-
 double NumberOf(const MesherResult& result, const char* name)
 {
   return NumbersOfField(result.Fields, name).at(0);
@@ -140,49 +134,6 @@ CurvedElement::Nodes JoinedNodesOf(const MesherResult& result, Index element)
   return nodes;
 }
 
-/// A mesh by global ids.
-struct MeshById
-{
-  std::map<Index, std::array<double, 7>> Points; // position, geometry, partner, original id
-  std::map<Index, std::vector<Index>> Nodes;     // corners and mid nodes of each element
-  std::set<std::pair<Index, Index>> InNodeSets;  // set and point
-
-  void Add(const MesherResult& result, Ranks& ranks, std::mutex& mutex)
-  {
-    const MeshData mesh = ViewOf(result);
-    const std::vector<NodeSet> sets = FindMeshSets(mesh, ranks).NodeSets;
-    const std::lock_guard<std::mutex> lock(mutex);
-    const auto valueOf = [](const Index* ids, Index point)
-    { return ids ? static_cast<double>(ids[point]) : 0.0; };
-    for (Index p = 0; p < mesh.NumberOfPoints; ++p)
-    {
-      const Vector3 x = mesh.PointAt(p);
-      const std::array<double, 7> point{ { x[0], x[1], x[2],
-        static_cast<double>(mesh.GeometryDimension[p]), static_cast<double>(mesh.GeometryId[p]),
-        valueOf(mesh.PeriodicPartner, p), valueOf(mesh.OriginalPointIds, p) } };
-      const auto added = this->Points.emplace(mesh.PointIds[p], point);
-      EXPECT_EQ(added.first->second, point) << "id " << mesh.PointIds[p];
-    }
-    for (Index e = 0; e < mesh.NumberOfElements; ++e)
-    {
-      std::vector<Index>& nodes = this->Nodes[mesh.ElementIds[e]];
-      mesh.ForNodes(e,
-        [&](const Index* first, const Index* last)
-        {
-          std::transform(first, last, std::back_inserter(nodes),
-            [&mesh](Index point) { return mesh.PointIds[point]; });
-        });
-    }
-    for (const NodeSet& set : sets)
-    {
-      for (Index point : set.Points)
-      {
-        this->InNodeSets.emplace(set.Id, mesh.PointIds[point]);
-      }
-    }
-  }
-};
-
 class CombinedOrder : public ::testing::TestWithParam<Combination>
 {
 };
@@ -191,10 +142,10 @@ class CombinedOrder : public ::testing::TestWithParam<Combination>
 
 TEST_P(CombinedOrder, RanksGiveTheSameMesh)
 {
-  MeshById alone;
+  NodesById alone;
   for (int count : { 1, 2, 3, 8 })
   {
-    MeshById joined;
+    NodesById joined;
     std::mutex mutex;
     RunOnRanks(count,
       [&](ThreadRanks& ranks)
