@@ -132,8 +132,9 @@ bool Give(Work& work, const Index3& p, int material, double volume)
   const Donor& donor = work.Donors[nearest];
   const Index3 to = work.Grid.Position(donor.Cell);
   const std::size_t peer = donor.IsOwned ? work.Gifts.size() - 1 : work.Parts.PeerOfCell(to);
+  const Index shift = donor.IsOwned ? 0 : work.Parts.CellKeyShift(peer);
   work.Gifts[peer].push_back(
-    { work.Grid.CellKey(p), work.Grid.CellKey(to), donor.Fragment, volume });
+    { work.Grid.CellKey(p), work.Grid.CellKey(to) - shift, donor.Fragment, volume });
   work.GiftValues[peer].insert(work.GiftValues[peer].end(), work.Own.begin(), work.Own.end());
   return true;
 }

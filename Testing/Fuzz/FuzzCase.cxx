@@ -3,6 +3,7 @@
 #include "Fractions/RefineCells.h"
 #include "FuzzFields.h"
 #include "FuzzGrids.h"
+#include "FuzzPeriods.h"
 #include "Labels/RefinementCriteria.h"
 #include "TetPipeline.h"
 
@@ -239,7 +240,7 @@ void PrintList(const char* name, const std::vector<double>& values)
 
 } // namespace
 
-FuzzCase MakeFuzzCase(unsigned seed)
+FuzzCase MakeFuzzCase(unsigned seed, bool isPeriodic)
 {
   RandomDraw draw(seed);
   const Extent extent = DrawExtent(draw);
@@ -247,7 +248,9 @@ FuzzCase MakeFuzzCase(unsigned seed)
   std::string words;
   const MeshMaker make = DrawMethod(options, draw, words);
   DrawOptions(options, draw, words);
-  const FuzzGrid base = DrawGrid(DrawSize(extent, draw), draw);
+  const Index3 size = DrawSize(extent, draw);
+  const FuzzGrid base =
+    DrawGrid(isPeriodic ? FitPeriods(size, extent.Refinements > 0) : size, draw);
   const bool isAutomatic = extent.Refinements > 0 && extent.IsAutomatic;
   const CartesianGrid grid = isAutomatic
     ? base.Grid
@@ -267,7 +270,7 @@ FuzzCase MakeFuzzCase(unsigned seed)
     DrawBoxes(extent, draw, c);
   }
   DrawEdges(draw, c);
-  DrawOrder(draw, c);
+  isPeriodic ? DrawPeriods(draw, c) : DrawOrder(draw, c);
   return c;
 }
 
@@ -287,7 +290,7 @@ void PrintCase(const FuzzCase& c)
     }
     std::printf("\n");
   }
-  ForCells(c.Grid.Global(),
+  ForCells(c.Grid.Domain(),
     [&](const Index3& p)
     {
       const Index cell = c.Grid.Linear(p);
