@@ -2,6 +2,7 @@
 
 #include "Base/Vector3.h"
 #include "GluedChecks.h"
+#include "Mesh/TetQuality.h"
 #include "Periodic/JoinCopies.h"
 #include "Periodic/LeaveCovering.h"
 #include "TetPipeline.h"
@@ -77,6 +78,43 @@ std::string FindPartnerProblem(const CartesianGrid& grid, const Mesh& mesh)
       " families of points instead of " + std::to_string(families);
 }
 
+using Face = std::array<Index, 3>;
+
+Face FaceOf(const Mesh& mesh, Index tet, int side)
+{
+  Face face;
+  for (int c = 0; c < 3; ++c)
+  {
+    face[c] = mesh.Elements[4 * tet + FaceOfTet[side][c]];
+  }
+  std::sort(face.begin(), face.end());
+  return face;
+}
+
+/// Checks that each face of one tet has one copy, if all cells have tets and all axes are periodic.
+/// TetGen's tets may reach from one side to the other: then different faces of the glued mesh have
+/// the same points.
+std::string FindCopyProblem(const CartesianGrid& grid, const Mesh& mesh)
+{
+  const Mesh glued = Glue(grid, mesh);
+  std::map<Face, std::vector<Face>> faces; // for each face its copies in the glued mesh
+  for (Index tet = 0; tet < static_cast<Index>(mesh.ElementIds.size()); ++tet)
+  {
+    for (int side = 0; side < 4; ++side)
+    {
+      faces[FaceOf(mesh, tet, side)].push_back(FaceOf(glued, tet, side));
+    }
+  }
+  std::map<Face, int> copies;
+  for (const auto& face : faces)
+  {
+    copies[face.second[0]] += face.second.size() == 1;
+  }
+  const bool areMatched = std::all_of(copies.begin(), copies.end(),
+    [](const auto& copy) { return copy.second == 0 || copy.second == 2; });
+  return areMatched ? "" : "faces of sides without a copy";
+}
+
 /// Checks that each point of joined sides exists once.
 std::string FindJoinedProblem(const Mesh& mesh)
 {
@@ -109,7 +147,14 @@ Mesh MakeTorus(const CartesianGrid& grid, const FractionField& fractions,
 
 std::string FindTorusProblem(const FuzzCase& c, const Mesh& mesh, const MeshReport& report)
 {
-  return FindGluedProblem(c.Grid, mesh, c.Options.MeshVoid, report.NumberOfFragments);
+  if (c.Make == MakeHexMesh || c.Options.Tets != TetMethod::TetGen)
+  {
+    return FindGluedProblem(c.Grid, mesh, c.Options.MeshVoid, report.NumberOfFragments);
+  }
+  const bool isTorus = c.Grid.Period(0) > 0 && c.Grid.Period(1) > 0 && c.Grid.Period(2) > 0;
+  return isTorus && c.Options.MeshVoid && c.PeriodicSides != Sides::Joined
+    ? FindCopyProblem(c.Grid, mesh)
+    : "";
 }
 
 std::string FindSideProblem(const FuzzCase& c, const Mesh& mesh)
