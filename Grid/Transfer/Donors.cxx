@@ -68,7 +68,7 @@ DonorLinks::DonorLinks(const CartesianGrid& grid, const Partition& partition, Do
   const auto unpack = [&](const IndexBox&, const Bytes& bytes)
   {
     const std::size_t peer = this->Copies.size();
-    const Index shift = partition.CellKeyShift(peer);
+    const Index shift = grid.CellKey(partition.ShiftOf(peer));
     const Vector3 translation = partition.TranslationOf(peer);
     this->Copies.emplace_back();
     for (const DonorName& name : FromBytes<DonorName>(bytes))
