@@ -285,6 +285,26 @@ TEST_P(PeriodicState, RanksGiveTheSameState)
   }
 }
 
+TEST_P(PeriodicState, ThreadsGiveTheSameMeshAndState)
+{
+  Runtime serial;
+  ThreadedRuntime threaded;
+  StateById states[2];
+  std::vector<double> points[2];
+  int at = 0;
+  for (Runtime* runtime : { &serial, static_cast<Runtime*>(&threaded) })
+  {
+    const MesherResult result = RunMesher(
+      MakeInput(this->GetParam(), true, runtime->Group()), OptionsOf(this->GetParam()), *runtime);
+    states[at].Add(result);
+    points[at].assign(result.TheMesh.Points.begin(), result.TheMesh.Points.end());
+    ++at;
+  }
+  EXPECT_TRUE(points[0] == points[1]);
+  EXPECT_TRUE(states[0].Elements == states[1].Elements);
+  EXPECT_TRUE(states[0].Velocities == states[1].Velocities);
+}
+
 INSTANTIATE_TEST_SUITE_P(Methods, PeriodicState, ::testing::ValuesIn(Methods),
   [](const auto& info) { return std::string(info.param.Name); });
 
