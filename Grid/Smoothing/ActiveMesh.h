@@ -60,7 +60,7 @@ struct ActiveMesh
   /// Bounds of coordinates that are not fixed. Where void is not meshed, nothing else holds
   /// points back.
   MoveBounds Bounds;
-  std::vector<MoveBounds> OwnBounds; ///< bounds of each point between flat seams; empty: none
+  std::vector<MoveBounds> OwnBounds;   ///< bounds of each point between flat seams; empty: none
   std::vector<unsigned char> IsActive; ///< whether each point may move
   /// Whether each point must stay near its start; empty: none.
   std::vector<unsigned char> StaysNear;

@@ -528,8 +528,8 @@ int Smoother::FixedAxes(int point, const Vector3& step) const
   const MoveBounds& bounds = this->Mesh.BoundsOf(point);
   for (int a = 0; a < 3; ++a)
   {
-    const bool isHeld = (step[a] < 0.0 && x[a] <= bounds.Lower[a]) ||
-      (step[a] > 0.0 && x[a] >= bounds.Upper[a]);
+    const bool isHeld =
+      (step[a] < 0.0 && x[a] <= bounds.Lower[a]) || (step[a] > 0.0 && x[a] >= bounds.Upper[a]);
     held |= isHeld << a;
   }
   return held;

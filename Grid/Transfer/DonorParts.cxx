@@ -265,8 +265,8 @@ void ExchangeKinds(Work& work)
       donor.HasParts = true;
       const Index3 cell = work.Grid.Position(donor.Cell);
       const int peer = work.Parts.PeerOfCell(cell);
-      sent[peer].push_back({ work.Parts.CellKeyAtPeer(peer, cell), donor.Fragment, donor.Material,
-        work.Kinds[s] });
+      sent[peer].push_back(
+        { work.Parts.CellKeyAtPeer(peer, cell), donor.Fragment, donor.Material, work.Kinds[s] });
     }
   }
   for (const SentKinds& other : Joined(work.Parts.Exchange(sent)))

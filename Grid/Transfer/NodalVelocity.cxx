@@ -173,7 +173,6 @@ std::vector<std::vector<Momentum>> Answer(
   return answers;
 }
 
-
 /// Adds the shares of other ranks and at copies. The owner of a point receives all shares and
 /// returns their sum, even if it has no element at the point.
 void AddOfPeers(Work& work, const Partition& partition)

@@ -12,8 +12,8 @@ RepeatedCells::RepeatedCells(
   if (meshed.IsPeriodic())
   {
     this->Copies = { cells.GetGrid(), cells.GetFractions() };
-    ReplaceGrid(meshed.WithCells(cells.GetGrid().Coordinates(), cells.GetGrid().Owned(), GhostLayers,
-                  GhostLayers),
+    ReplaceGrid(meshed.WithCells(
+                  cells.GetGrid().Coordinates(), cells.GetGrid().Owned(), GhostLayers, GhostLayers),
       ranks, this->Copies->Grid, this->Copies->Fractions);
   }
 }

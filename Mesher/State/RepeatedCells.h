@@ -11,8 +11,8 @@
 namespace vfm
 {
 
-/// Grid, fractions and values of the cells of a mesh, which may be periodic. Read() may be called by
-/// several threads, for cells that this rank owns.
+/// Grid, fractions and values of the cells of a mesh, which may be periodic. Read() may be called
+/// by several threads, for cells that this rank owns.
 class RepeatedCells : public StateCellValues
 {
 public:

@@ -159,9 +159,8 @@ std::string FindMeshProblem(
       FindTruthProblem(c, mesh) });
   };
   return FirstOf({ FindJacobianProblem(c, mesh, result),
-    c.Grid.IsPeriodic() ? FindSideProblem(c, mesh) : findInBox(),
-    FindPlaceProblem(c.Grid, mesh), FindVolumeProblem(c, mesh, report),
-    FindSpaceProblem(mesh, result) });
+    c.Grid.IsPeriodic() ? FindSideProblem(c, mesh) : findInBox(), FindPlaceProblem(c.Grid, mesh),
+    FindVolumeProblem(c, mesh, report), FindSpaceProblem(mesh, result) });
 }
 
 /// Makes a mesh with its mid nodes.
@@ -212,8 +211,8 @@ std::string FindRanksProblem(const FuzzCase& c, const RankMesh& alone)
   const bool isLinear = c.Options.Order == ElementOrder::Linear;
   const MeshMaker make = c.Grid.IsPeriodic() ? MakerOfTorus(c)
     : isLinear                               ? c.Make
-    : c.Make == MakeHexMesh       ? MakeCurved<MakeHexMesh>
-                                  : MakeCurved<MakeTetMesh>;
+    : c.Make == MakeHexMesh                  ? MakeCurved<MakeHexMesh>
+                                             : MakeCurved<MakeTetMesh>;
   const RankMesh made = MakeOnRanks(c.Grid, c.Fractions, c.Boxes, c.Options, make);
   if (KnowsCells(c))
   {

@@ -126,8 +126,7 @@ std::string FindJoinedProblem(const Mesh& mesh)
 void Leave(const CartesianGrid& grid, Sides sides, Runtime& runtime, Mesh& mesh)
 {
   const bool joins = sides == Sides::Joined;
-  LeaveCovering(
-    Partition(grid, runtime.Group()), joins ? Partner::Upper : Partner::Lowest, mesh);
+  LeaveCovering(Partition(grid, runtime.Group()), joins ? Partner::Upper : Partner::Lowest, mesh);
   if (joins)
   {
     JoinCopies(runtime, mesh);

@@ -206,8 +206,7 @@ int main(int argc, char** argv)
     }
     else
     {
-      RunSeeds(
-        arguments.First, arguments.First + arguments.Count, arguments.IsPeriodic, summary);
+      RunSeeds(arguments.First, arguments.First + arguments.Count, arguments.IsPeriodic, summary);
     }
     summary.Print();
     return summary.Failures() > 0 ? 1 : 0;

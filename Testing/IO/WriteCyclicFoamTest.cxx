@@ -172,7 +172,8 @@ TEST_P(CyclicFoam, RanksWriteTheDecomposedCase)
   for (int rank = 0; rank < count; ++rank)
   {
     const FoamContent part = ReadFoam(folder / ("processor" + std::to_string(rank)));
-    const std::vector<Index>&faces = part.Addressing.at("face"), &points = part.Addressing.at("point");
+    const std::vector<Index>&faces = part.Addressing.at("face"),
+          &points = part.Addressing.at("point");
     for (std::size_t f = 0; f < part.Faces.size(); ++f)
     {
       std::vector<Index> face;

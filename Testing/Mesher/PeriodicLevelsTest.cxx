@@ -52,9 +52,8 @@ LevelFields MakeFields(Index shift, bool repeats, Runtime& runtime)
         [&](const Index3& cell)
         {
           const auto& x = level.Coordinates;
-          fractions.push_back(
-            FractionOfBall({ { x[0][cell[0]], x[1][cell[1]], x[2][cell[2]] } },
-              x[0][1] - x[0][0], static_cast<double>(shift)));
+          fractions.push_back(FractionOfBall({ { x[0][cell[0]], x[1][cell[1]], x[2][cell[2]] } },
+            x[0][1] - x[0][0], static_cast<double>(shift)));
         });
       auto arrays = std::make_shared<PlainArrays>(block.Arrays);
       arrays->Store("ball", ValueType::Double, std::move(fractions));
@@ -64,8 +63,7 @@ LevelFields MakeFields(Index shift, bool repeats, Runtime& runtime)
   LevelSetup setup;
   setup.Finest = 1;
   setup.TakesInputLevels = true;
-  const LevelCells cells =
-    OpenFractions(input.Levels.Levels, { "ball" }, 1e-6, runtime.Group());
+  const LevelCells cells = OpenFractions(input.Levels.Levels, { "ball" }, 1e-6, runtime.Group());
   return MakeLevelFields(input.Levels, cells, setup, ChildRule::Planes,
     { { repeats, repeats, repeats } }, input.Levels.Levels[0].Places, runtime);
 }

@@ -206,8 +206,8 @@ class PeriodicState : public ::testing::TestWithParam<Method>
 TEST_P(PeriodicState, SumsAreConserved)
 {
   Runtime serial;
-  const MesherResult result =
-    RunMesher(MakeInput(this->GetParam(), true, serial.Group()), OptionsOf(this->GetParam()), serial);
+  const MesherResult result = RunMesher(
+    MakeInput(this->GetParam(), true, serial.Group()), OptionsOf(this->GetParam()), serial);
   const StateBalance& balance = result.State.Balance;
   const std::array<double, 6> input = SumUp(balance.Input, {});
   const std::array<double, 6> mesh = SumUp(balance.Mesh, balance.Unmeshed);
@@ -223,8 +223,8 @@ TEST_P(PeriodicState, SumsAreConserved)
 TEST_P(PeriodicState, PointsHaveTheMomentumOfElements)
 {
   Runtime serial;
-  const MesherResult result =
-    RunMesher(MakeInput(this->GetParam(), true, serial.Group()), OptionsOf(this->GetParam()), serial);
+  const MesherResult result = RunMesher(
+    MakeInput(this->GetParam(), true, serial.Group()), OptionsOf(this->GetParam()), serial);
   const Mesh& mesh = result.TheMesh;
   const std::vector<ElementMoments> moments =
     FindElementMoments(ViewMesh(mesh, result.State, result.Fields));
@@ -272,9 +272,8 @@ TEST_P(PeriodicState, RanksGiveTheSameState)
         [&](ThreadRanks& ranks)
         {
           RankRuntime runtime(ranks);
-          const MesherResult result =
-            RunMesher(MakeInput(this->GetParam(), isConserved, ranks), OptionsOf(this->GetParam()),
-              runtime);
+          const MesherResult result = RunMesher(
+            MakeInput(this->GetParam(), isConserved, ranks), OptionsOf(this->GetParam()), runtime);
           const std::lock_guard<std::mutex> lock(mutex);
           joined.Add(result);
         });
@@ -317,7 +316,8 @@ TEST(PeriodicState, MovedFieldGivesTheSameState)
   for (bool isConserved : { true, false })
   {
     std::map<Place, std::vector<double>> first;
-    for (const Index3& shift : { Index3{ { 0, 0, 0 } }, Index3{ { 5, 4, 6 } }, Index3{ { 3, 7, 1 } } })
+    for (const Index3& shift :
+      { Index3{ { 0, 0, 0 } }, Index3{ { 5, 4, 6 } }, Index3{ { 3, 7, 1 } } })
     {
       MesherOptions options = OptionsOf({ "", ElementKind::Hexes, Sides::Free });
       options.Method = Smoothing::Off;

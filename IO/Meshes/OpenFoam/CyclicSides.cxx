@@ -30,8 +30,7 @@ struct Copy
 
 /// Returns the sides of all ranks.
 /// @pre Collective
-std::vector<Copy> SortByPartners(
-  const MeshData& mesh, const std::vector<Index>& open, Ranks& ranks)
+std::vector<Copy> SortByPartners(const MeshData& mesh, const std::vector<Index>& open, Ranks& ranks)
 {
   std::vector<Copy> copies;
   const ImageFrame frame = FrameOfDomain(mesh);

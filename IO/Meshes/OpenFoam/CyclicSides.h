@@ -16,7 +16,8 @@ struct RankSide
   Index Side; ///< number of the side (CellSides.h)
 };
 
-/// Two patches of the whole mesh. Face i of the second one is face i of the first one moved by whole periods.
+/// Two patches of the whole mesh. Face i of the second one is face i of the first one moved by
+/// whole periods.
 struct CyclicPatches
 {
   /// Names such as x_min and x_max. Faces that are moved along several axes, which free sides may

@@ -3,9 +3,9 @@
  *
  * - Points and cells are ordered by global id, each once.
  * - Faces between two cells of this rank come first, ordered by owner (the lower cell), then by
- *   neighbour; then the faces of each patch; then those of cyclic patches with their copy on another
- *   rank; then the faces to other ranks. Normals point out of the owner. Each face begins with its lowest point; in a periodic mesh with the one with the
- *   lowest partner.
+ *   neighbour; then the faces of each patch; then those of cyclic patches whose copy is on another
+ *   rank; then the faces to other ranks. Normals point out of the owner. Each face begins with its
+ *   lowest point; in a periodic mesh with the one with the lowest partner.
  * - Patches of a periodic mesh: pairs of type cyclic on opposite sides of the domain, also for
  *   faces between two materials. Face i of one patch is a translate of face i of the other, with
  *   the same first point. Faces with their copy on another rank are in patches of type
