@@ -192,8 +192,7 @@ def run_spheres(cells, contrast, folder):
 def conductivity_of_series(share, contrast):
     """Returns the conductivity of a simple cubic array of spheres relative to that of the matrix.
 
-    A. S. Sangani and A. Acrivos, Proc. R. Soc. Lond. A 386 (1983) 263-275; the first terms are those
-    of R. C. McPhedran and D. R. McKenzie, Proc. R. Soc. Lond. A 359 (1978) 45-63."""
+    A. S. Sangani and A. Acrivos, Proc. R. Soc. Lond. A 386 (1983) 263-275."""
     first, second, third, fourth, fifth = (
         (contrast - 1) / (contrast + 2 * i / (2 * i - 1)) for i in range(1, 6))
     pole = 1.305 * second * share ** (10 / 3) * (1 + 0.231 * third * share ** (11 / 3)) / (
