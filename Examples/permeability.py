@@ -15,7 +15,8 @@ and G. M. Homsy, Stokes flow through periodic arrays of spheres, Journal of Flui
 Prints a row per solid fraction: elements, relative error of the volume of the mesh, failed checks
 by checkMesh, permeability, K, K of the table and the relative difference, change of K in the last
 steps, and CPU seconds of simpleFoam. --extrapolate: also meshes two thirds as many cells along
-each axis, and prints the limit of K for small cells. The picture, of the last fraction, requires pvbatch. Requires
+each axis, and prints the limit of K for small cells. The picture, of the last fraction, requires
+pvbatch. Requires
 volume_fraction_mesh and OpenFOAM (Debian: openfoam).
 """
 import argparse
