@@ -1,6 +1,7 @@
 #include "Modify/LayerHeights.h"
 
 #include "Base/HexNumbering.h"
+#include "Modify/FlattenLayers.h"
 #include "Ranks/MergeByKey.h"
 #include "Smoothing/HexCoefficients.h"
 
@@ -11,7 +12,9 @@ namespace vfm
 namespace
 {
 
-constexpr int Steps = 4;          // in which edges approach the division without a thickness
+using Ends = std::vector<std::vector<double>>;
+
+constexpr int Steps = 4;          // in which edges approach a division whose layers are positive
 constexpr double Parts = 1 << 30; // components of normals are summed as integers of this unit
 
 /// Returns the sum 1 + growth + .. of this many terms.
@@ -115,15 +118,47 @@ bool ArePositive(const Mesh& mesh, const LayerColumns& columns, const LayerColum
   return true;
 }
 
-/// Moves the ends of an edge to a mean of those with and without a thickness.
+/// Returns the ends of an edge after this number of steps from the wanted to the positive ones.
 std::vector<double> Blend(
-  const std::vector<double>& thick, const std::vector<double>& even, int step)
+  const std::vector<double>& wanted, const std::vector<double>& positive, int step)
 {
-  std::vector<double> ends(even);
+  std::vector<double> ends(positive);
   const double weight = 1.0 - static_cast<double>(step) / Steps;
   for (std::size_t k = 0; k < ends.size() && step < Steps; ++k)
   {
-    ends[k] = even[k] + weight * (thick[k] - even[k]);
+    ends[k] = positive[k] + weight * (wanted[k] - positive[k]);
+  }
+  return ends;
+}
+
+/// Collective. Returns the wanted division of edges, moved towards one whose layers are positive
+/// where layers would not be.
+Ends KeepPositive(const Mesh& mesh, const LayerColumns& columns, const Ends& wanted,
+  const Ends& positive, Ranks& ranks)
+{
+  const std::vector<std::array<Index, 2>> keys = columns.KeysOfEdges(mesh);
+  std::vector<char> steps(columns.Edges.size(), 0);
+  Ends ends = wanted;
+  for (bool changes = true; changes;)
+  {
+    std::vector<char> next(steps);
+    for (const LayerColumns::Column& column : columns.Columns)
+    {
+      const bool isPositive = ArePositive(mesh, columns, column, ends);
+      for (Index edge : column.Edges)
+      {
+        const int after = isPositive ? 0 : steps[edge] + 1;
+        next[edge] = static_cast<char>(std::min(Steps, std::max<int>(next[edge], after)));
+      }
+    }
+    next = MergeByKey(
+      keys, next, [](char a, char b) { return std::max(a, b); }, ranks);
+    changes = ranks.Any(next != steps);
+    steps = std::move(next);
+    for (std::size_t e = 0; e < ends.size(); ++e)
+    {
+      ends[e] = Blend(wanted[e], positive[e], steps[e]);
+    }
   }
   return ends;
 }
@@ -153,38 +188,22 @@ std::vector<double> FindLayerEnds(const LayerSpacing& spacing, double height)
 std::vector<std::vector<double>> FindLayerHeights(
   const Mesh& mesh, const LayerColumns& columns, const LayerSpacing& spacing, Runtime& runtime)
 {
-  const std::vector<double> even = FindLayerEnds(spacing, 0.0);
-  std::vector<std::vector<double>> ends(columns.Edges.size(), even);
-  if (spacing.Thickness <= 0.0)
+  Ranks& ranks = runtime.Group();
+  Ends ends(columns.Edges.size(), FindLayerEnds(spacing, 0.0));
+  if (spacing.Thickness > 0.0)
   {
-    return ends;
-  }
-  const std::vector<std::array<Index, 2>> keys = columns.KeysOfEdges(mesh);
-  const std::vector<double> heights =
-    FindNormalHeights(mesh, columns, keys, spacing.Thickness, runtime.Group());
-  std::vector<char> steps(columns.Edges.size(), 0);
-  for (bool changes = true; changes;)
-  {
-    for (std::size_t e = 0; e < ends.size(); ++e)
+    const std::vector<double> heights =
+      FindNormalHeights(mesh, columns, columns.KeysOfEdges(mesh), spacing.Thickness, ranks);
+    Ends thick;
+    for (double height : heights)
     {
-      ends[e] = Blend(FindLayerEnds(spacing, heights[e]), even, steps[e]);
+      thick.push_back(FindLayerEnds(spacing, height));
     }
-    std::vector<char> next(steps);
-    for (const LayerColumns::Column& column : columns.Columns)
-    {
-      const bool isPositive = ArePositive(mesh, columns, column, ends);
-      for (Index edge : column.Edges)
-      {
-        const int after = isPositive ? 0 : steps[edge] + 1;
-        next[edge] = static_cast<char>(std::min(Steps, std::max<int>(next[edge], after)));
-      }
-    }
-    next = MergeByKey(
-      keys, next, [](char a, char b) { return std::max(a, b); }, runtime.Group());
-    changes = runtime.Group().Any(next != steps);
-    steps = std::move(next);
+    ends = KeepPositive(mesh, columns, thick, ends, ranks);
   }
-  return ends;
+  Ends flat = ends;
+  FlattenLayers(mesh, columns, ranks, flat);
+  return KeepPositive(mesh, columns, flat, ends, ranks);
 }
 
 } // namespace vfm

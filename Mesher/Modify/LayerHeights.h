@@ -24,9 +24,10 @@ struct LayerSpacing
 /// layers of this growth need, the last layer fills it; if there is less, layers grow less.
 std::vector<double> FindLayerEnds(const LayerSpacing& spacing, double height);
 
-/// Returns for each edge where its layers end: Layers + 1 values from 0 to 1. All coefficients of
-/// the Jacobian (HexCoefficients.h) of the layers are positive if those of the columns are; where a
-/// given thickness prevents this, edges approach the division of columns without a thickness.
+/// Returns for each edge where its layers end: Layers + 1 values from 0 to 1. Faces between layers
+/// are flattened (FlattenLayers.h). All coefficients of the Jacobian (HexCoefficients.h) of the
+/// layers are positive if those of the columns are; where flat faces or a given thickness prevent
+/// this, edges approach the division of columns without them.
 /// @pre Collective
 /// @note The same values on any number of ranks.
 std::vector<std::vector<double>> FindLayerHeights(
