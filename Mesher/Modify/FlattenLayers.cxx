@@ -16,7 +16,7 @@ using Ends = std::vector<std::vector<double>>;
 constexpr int Sweeps = 100;
 constexpr double LargestBend = 0.5; // relative to the thickness of a layer
 constexpr double Relaxation = 1.8;  // of the mean move
-constexpr double Kept = 1.0 / 3.0;  // least share of the thickness of a layer
+constexpr double Kept = 0.6;        // least share of the thickness of a layer
 constexpr double Parts = 1LL << 40; // moves are summed as integers of this part of an edge
 
 /// Moves of the end of a layer on an edge that faces request.

@@ -14,7 +14,7 @@
 namespace vfm
 {
 
-/// Moves the ends of layers inside edges. Each layer keeps at least a third of its thickness.
+/// Moves the ends of layers inside edges. Each layer keeps at least 60 % of its thickness.
 /// @param[in,out] ends for each edge, where its layers end: 0, .., 1
 /// @pre Collective
 /// @note The same values on any number of ranks.

@@ -170,7 +170,8 @@ RankMesh MakeAlone(const CartesianGrid& whole, const FractionField& field,
 }
 
 RankMesh MakeOnRanks(const CartesianGrid& whole, const FractionField& field,
-  const std::vector<IndexBox>& boxes, const MeshOptions& options, MeshMaker make)
+  const std::vector<IndexBox>& boxes, const MeshOptions& options, MeshMaker make,
+  const MeshChange& change)
 {
   const GridLayers layers = make == MakeTetMesh ? GridLayers() : LayersFor(options.Levels);
   const int count = static_cast<int>(boxes.size());
@@ -184,6 +185,10 @@ RankMesh MakeOnRanks(const CartesianGrid& whole, const FractionField& field,
       RankRuntime runtime(ranks);
       meshes[ranks.Rank()] =
         make(grid, CopyToLocal(whole, field, grid), options, runtime, made.Reports[ranks.Rank()]);
+      if (change)
+      {
+        change(runtime, meshes[ranks.Rank()], made.Reports[ranks.Rank()]);
+      }
     });
   for (const Mesh& mesh : meshes)
   {
