@@ -1,7 +1,7 @@
 """Breaks a polycrystal along its grains with cohesive elements of Akantu.
 
-usage: python akantu_grains.py [--tets] [--split] [--grains 12] [--cells 10] [--rate 0.3] [--steps 1500]
-       [--courant 0.2] [--picture FILE.png]
+usage: python akantu_grains.py [--tets] [--split] [--grains 12] [--cells 10] [--rate 0.3]
+       [--steps 1500] [--courant 0.2] [--picture FILE.png]
 
 The Python package meshes grains that fill a block of 2 mm and writes them as .msh, version 2.2. The
 block expands by a velocity in proportion to the distance from its middle. Akantu (PyPI) reads the

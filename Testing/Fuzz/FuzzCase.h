@@ -23,7 +23,7 @@ struct FuzzCase
   bool HasCubes;
   int Layers = 1;          ///< along all interfaces
   double FirstLayer = 0.0; ///< thickness, length units of the grid; 0: from the mesh
-  std::string Split;       ///< option SplitInterfaces, by ids; empty: none
+  std::string Split = {};  ///< option SplitInterfaces, by ids; empty: none
 };
 
 /// Returns the same case for the same seed on any machine.
