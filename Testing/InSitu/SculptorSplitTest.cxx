@@ -139,7 +139,8 @@ INSTANTIATE_TEST_SUITE_P(Kinds, SculptorSplit, ::testing::Values(0, 1));
 /// Layers of the elements; none by default.
 TEST(SculptorLayers, AreThoseOfTheFilter)
 {
-  const int sculptor = CreateSculptor(HostFields(MyRank(), NumberOfRanks()));
+  const HostFields fields(MyRank(), NumberOfRanks()); // not copied
+  const int sculptor = CreateSculptor(fields);
   ASSERT_NE(sculptor, 0);
   const int* layers = nullptr;
   ASSERT_EQ(sculptor_make_mesh(sculptor, 0), SCULPTOR_OK);
