@@ -1,13 +1,14 @@
 """Breaks a polycrystal along its grains with cohesive elements of Akantu.
 
-usage: python akantu_grains.py [--tets] [--grains 12] [--cells 10] [--rate 0.3] [--steps 1500]
-       [--courant 0.2] [--picture FILE.png]
+usage: python akantu_grains.py [--tets] [--split] [--grains 12] [--cells 10] [--rate 0.3]
+       [--steps 1500] [--courant 0.2] [--picture FILE.png]
 
 The Python package meshes grains that fill a block of 2 mm and writes them as .msh, version 2.2. The
 block expands by a velocity in proportion to the distance from its middle. Akantu (PyPI) reads the
 file and inserts cohesive elements where the traction reaches the strength, but only in the groups
 of faces between two grains, which have names such as Grain1_to_Grain2. Without these groups, every
-face inside a grain can also open.
+face inside a grain can also open. With --split the mesh has its own cohesive elements, between
+all grains: Akantu gets them with the nodes and elements, and inserts none.
 
 Prints the number of faces between grains, of inserted and of broken cohesive elements, the number
 of fragments, and the largest relative change of momentum and energy. The energy is the sum of
@@ -39,6 +40,14 @@ material cohesive_linear [
   beta = 1
 ]
 """
+# Cohesive elements of the mesh have a bilinear law. A box that contains no face prevents others.
+SPLIT_DECK = """
+model solid_mechanics_model_cohesive [
+  cohesive_inserter [
+    bounding_box = [[90, 91], [90, 91], [90, 91]]
+  ]
+%s]
+""" % DECK.replace("cohesive_linear [", "cohesive_bilinear [\n  delta_0 = 1e-8")
 ENERGIES = ["kinetic", "potential", "dissipated", "reversible"]
 PICTURES = 3
 VIEW = [(6, -8, 5.5), (0, 0, 0), (0, 0, 1)]  # camera, focal point, up
@@ -48,6 +57,8 @@ def parse_arguments():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--tets", action="store_true", help="tetrahedra instead of hexahedra")
+    parser.add_argument("--split", action="store_true",
+                        help="cohesive elements of the mesh instead of Akantu's")
     parser.add_argument("--grains", type=int, default=12, help="number of grains (default: 12)")
     parser.add_argument("--cells", type=int, default=10, help="cells per side (default: 10)")
     parser.add_argument("--rate", type=float, default=0.3,
@@ -59,12 +70,12 @@ def parse_arguments():
     return parser.parse_args()
 
 
-def make_mesh(grains, cells, tets):
+def make_mesh(grains, cells, tets, **options):
     fractions = vfm.shapes("polycrystal grains=%d seed=4" % grains, cells, bounds=[-1, 1] * 3)
     names = ["Grain%d" % (number + 1) for number in range(grains)]
     if tets:
-        return vfm.tets(fractions, names=names, method="cells")
-    return vfm.hexes(fractions, names=names)
+        return vfm.tets(fractions, names=names, method="cells", **options)
+    return vfm.hexes(fractions, names=names, **options)
 
 
 class Grains:
@@ -72,23 +83,41 @@ class Grains:
 
     def __init__(self, mesh, rate, courant):
         self.mesh = aka.Mesh(3)
-        with tempfile.TemporaryDirectory() as folder:
-            path, deck = (os.path.join(folder, name) for name in ("grains.msh", "grains.dat"))
-            mesh.save(path, version="2.2")
-            self.mesh.read(path)
-            with open(deck, "w", encoding="ascii") as file:
-                file.write(DECK)
-            aka.parseInput(deck)
+        self.is_split = bool(mesh.cohesive())
+        self.grain = mesh.material  # of each element; Akantu may reorder those of a file
         self.kind, self.facets, self.cohesive = (
             (aka._tetrahedron_4, aka._triangle_3, aka._cohesive_3d_6) if mesh.kind == "tetra"
             else (aka._hexahedron_8, aka._quadrangle_4, aka._cohesive_3d_8))
+        with tempfile.TemporaryDirectory() as folder:
+            self.read(mesh, folder)
         self.model = aka.SolidMechanicsModelCohesive(self.mesh)
-        self.model.initFull(_analysis_method=aka._explicit_lumped_mass, _is_extrinsic=True)
-        self.faces = self.allow_cracks()
+        self.model.initFull(_analysis_method=aka._explicit_lumped_mass,
+                            _is_extrinsic=not self.is_split)
+        self.faces = self.inserted() if self.is_split else self.allow_cracks()
         self.model.assembleMassLumped()  # before getMass()
         self.model.getVelocity()[:] = rate * self.mesh.getNodes()
         self.time_step = courant * self.model.getStableTimeStep()
         self.model.setTimeStep(self.time_step)
+
+    def read(self, mesh, folder):
+        """Gives Akantu the mesh and the materials."""
+        if self.is_split:
+            cohesive = np.concatenate([block.cells for block in mesh.cohesive().values()])
+            accessor = aka.MeshAccessor(self.mesh)
+            accessor.resizeNodes(len(mesh.points))
+            self.mesh.getNodes()[:] = mesh.points
+            for kind, cells in ((self.kind, mesh.cells), (self.cohesive, cohesive)):
+                accessor.resizeConnectivity(len(cells), kind)
+                self.mesh.getConnectivity(kind)[:] = cells
+            accessor.makeReady()
+        else:
+            path = os.path.join(folder, "grains.msh")
+            mesh.save(path, version="2.2")
+            self.mesh.read(path)
+        deck = os.path.join(folder, "grains.dat")
+        with open(deck, "w", encoding="ascii") as file:
+            file.write(SPLIT_DECK if self.is_split else DECK)
+        aka.parseInput(deck)
 
     def allow_cracks(self):
         """Selects the groups of faces between grains. Returns the number of faces."""
@@ -100,7 +129,8 @@ class Grains:
         return np.count_nonzero(inserter.getCheckFacets(self.facets))
 
     def step(self):
-        self.model.checkCohesiveStress()
+        if not self.is_split:
+            self.model.checkCohesiveStress()
         self.model.solveStep()
 
     def momentum(self):
@@ -112,6 +142,7 @@ class Grains:
         return [self.model.getEnergy(name) for name in ENERGIES]
 
     def inserted(self):
+        """Returns the number of cohesive elements."""
         return self.mesh.getNbElement(type=self.cohesive)
 
     def broken(self):
@@ -130,7 +161,7 @@ class Grains:
         """Returns the elements where they are, with the number of their grain."""
         import pyvista
         cells = np.array(self.mesh.getConnectivity(self.kind))
-        grain = np.zeros(len(cells), int)
+        grain = self.grain.copy()
         for group in self.mesh.iterateElementGroups():
             if "_to_" not in group.getName() and group.getName().startswith("Grain"):
                 grain[group.getElements()(self.kind).ravel()] = int(group.getName()[5:])
@@ -173,7 +204,9 @@ def draw(shots, path):
 
 def main():
     arguments = parse_arguments()
-    mesh = make_mesh(arguments.grains, arguments.cells, arguments.tets)
+    options = {"split_interfaces": "all", "split_connection": "cohesive"}
+    mesh = make_mesh(arguments.grains, arguments.cells, arguments.tets,
+                     **options if arguments.split else {})
     grains = Grains(mesh, arguments.rate, arguments.courant)
     shots, between = [], max(arguments.steps // (PICTURES - 1), 1)
 

@@ -202,6 +202,11 @@ int sculptor_get_fragments(int sculptor, const int** ids)
   return GetArray(sculptor, &vfm::Mesh::Fragment, ids, "ids");
 }
 
+int sculptor_get_layers(int sculptor, const int** layers)
+{
+  return GetArray(sculptor, &vfm::Mesh::Layer, layers, "layers");
+}
+
 int sculptor_get_state(int sculptor, const char* name, int* components, const double** values)
 {
   return WithSession(sculptor,

@@ -279,6 +279,11 @@ extern "C"
    */
   SCULPTOR_EXPORT int sculptor_get_fragments(int sculptor, const int** ids);
   /**
+   * Returns the layers of the elements along interfaces and sides, from the option Layers.
+   * @param[out] layers  per element 1 next to the surface, 2, ..; 0 elsewhere; null without layers
+   */
+  SCULPTOR_EXPORT int sculptor_get_layers(int sculptor, const int** layers);
+  /**
    * Returns a state of the elements.
    * @param name  name in sculptor_add_state
    * @param[out] components  number of values per element

@@ -18,10 +18,10 @@ module sculptor
     sculptor_clear_fields, sculptor_make_mesh, sculptor_get_counts, sculptor_get_points, &
     sculptor_get_elements, sculptor_get_point_ids, sculptor_get_element_ids, &
     sculptor_get_original_ids, sculptor_get_cohesive, sculptor_get_materials, &
-    sculptor_get_fragments, sculptor_get_state, sculptor_get_point_state, sculptor_get_number, &
-    sculptor_get_geometry, sculptor_get_surfaces, sculptor_get_curves, sculptor_get_vertices, &
-    sculptor_get_bounds, sculptor_write, sculptor_error_code, sculptor_error_message, &
-    sculptor_warning_message
+    sculptor_get_fragments, sculptor_get_layers, sculptor_get_state, sculptor_get_point_state, &
+    sculptor_get_number, sculptor_get_geometry, sculptor_get_surfaces, sculptor_get_curves, &
+    sculptor_get_vertices, sculptor_get_bounds, sculptor_write, sculptor_error_code, &
+    sculptor_error_message, sculptor_warning_message
 
   interface
     integer(c_int) function sculptor_create(sculptor) bind(C)
@@ -173,6 +173,12 @@ module sculptor
       import
       integer(c_int), value :: sculptor
       type(c_ptr), intent(out) :: ids
+    end function
+
+    integer(c_int) function sculptor_get_layers(sculptor, layers) bind(C)
+      import
+      integer(c_int), value :: sculptor
+      type(c_ptr), intent(out) :: layers
     end function
 
     integer(c_int) function c_sculptor_get_state(sculptor, name, components, values) bind(C, &

@@ -34,7 +34,7 @@ struct SurfaceFacets
 /// Facet edges where the same surfaces meet. Each edge is stored on one rank.
 struct CurveEdges
 {
-  Buffer<Index> Points; ///< mesh points, (edges, 2), ascending in each edge
+  Buffer<Index> Points; ///< mesh points, (edges, 2), ascending by UnsplitPointIds in each edge
   Buffer<int> CurveId;  ///< curve of each edge, from 1 over all ranks, ascending
 };
 

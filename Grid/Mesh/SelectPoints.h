@@ -42,13 +42,16 @@ inline void SelectPoints(
   }
 }
 
-/// Restores the order of the points of curves and vertices after points were renumbered.
+/// Restores the order of the points of curves and vertices after points were renumbered. The points
+/// of an edge ascend by their ids before interfaces were split, which do not depend on ranks.
 inline void SortGeometry(Mesh& mesh)
 {
+  const Buffer<Index>& ids = mesh.UnsplitPointIds();
   Buffer<Index>& edges = mesh.Curves.Points;
   for (std::size_t e = 0; e < edges.size(); e += 2)
   {
-    std::sort(edges.begin() + e, edges.begin() + e + 2);
+    std::sort(edges.begin() + e, edges.begin() + e + 2,
+      [&ids](Index a, Index b) { return ids[a] < ids[b]; });
   }
   const std::size_t count = mesh.Vertices.Points.size();
   std::vector<std::pair<Index, int>> vertices;

@@ -2,9 +2,9 @@
 
 #include "Mesh/MeasureFragments.h"
 #include "Mesh/SelectPoints.h"
+#include "Modify/GreatestId.h"
 #include "Modify/LayerFacets.h"
 #include "Modify/LayerPulls.h"
-#include "Ranks/Agreement.h"
 #include "Ranks/MergeByKey.h"
 #include "Ranks/NumberInOrder.h"
 
@@ -23,11 +23,6 @@ void Append(Buffer<T>& buffer, const std::vector<T>& values)
   std::copy(buffer.begin(), buffer.end(), all.begin());
   std::copy(values.begin(), values.end(), all.begin() + buffer.size());
   buffer = std::move(all);
-}
-
-Index Greatest(const Buffer<Index>& ids)
-{
-  return ids.empty() ? 0 : *std::max_element(ids.begin(), ids.end());
 }
 
 /// Returns new ids for the parts of items: `count` ids per item.
@@ -89,8 +84,8 @@ std::vector<NewPoint> MakePoints(
   const Index inner = spacing.Layers - 1;
   const std::vector<std::vector<double>> ends = FindLayerHeights(mesh, columns, spacing, runtime);
   // Where sides will be joined, partners may be points that are not in the mesh.
-  const Index greatest = MaximumOverRanks(
-    std::max(Greatest(mesh.PointIds), Greatest(mesh.PeriodicPartner)), runtime.Group());
+  const Index greatest = std::max(FindGreatestId(mesh.PointIds, runtime.Group()),
+    FindGreatestId(mesh.PeriodicPartner, runtime.Group()));
   const std::vector<Index> ids =
     MakeIds(NumberInOrder(columns.IdsOfEdges(mesh), runtime.Group()), inner, greatest);
   std::vector<NewPoint> points;
@@ -171,8 +166,8 @@ void AddElements(
     ids.push_back(mesh.ElementIds[column.Element]);
   }
   Ranks& ranks = runtime.Group();
-  ids = MakeIds(NumberInOrder(ids, ranks), parts.Layers - 1,
-    MaximumOverRanks(Greatest(mesh.ElementIds), ranks));
+  ids =
+    MakeIds(NumberInOrder(ids, ranks), parts.Layers - 1, FindGreatestId(mesh.ElementIds, ranks));
   Append(mesh.ElementIds, ids);
   mesh.Elements = Select(mesh.Elements, parents, runtime, mesh.Corners);
   mesh.Material = Select(mesh.Material, parents, runtime);

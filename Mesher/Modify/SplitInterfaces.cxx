@@ -2,8 +2,8 @@
 
 #include "Base/Sorted.h"
 #include "Mesh/SelectPoints.h"
+#include "Modify/GreatestId.h"
 #include "Modify/NodeCopies.h"
-#include "Ranks/Agreement.h"
 #include "Sets/MaterialsBehind.h"
 #include "State/ViewMesh.h"
 
@@ -155,11 +155,6 @@ void AddSecondSides(
   ReplacePoints(points, runtime, mesh, state);
 }
 
-Index LargestPointId(const Mesh& mesh, Ranks& ranks)
-{
-  return MaximumOverRanks(mesh.PointIds.empty() ? 0 : *(mesh.PointIds.end() - 1), ranks);
-}
-
 } // namespace
 
 void SplitInterfaces(const MaterialPairs& pairs, SplitConnection connection, Runtime& runtime,
@@ -168,11 +163,12 @@ void SplitInterfaces(const MaterialPairs& pairs, SplitConnection connection, Run
   Ranks& ranks = runtime.Group();
   const MeshData before = ViewMesh(mesh, state, fields);
   const CutFacets cut = ChooseFacets(before, pairs, ranks);
-  const Index largest = LargestPointId(mesh, ranks);
+  const Index largest = FindGreatestId(mesh.PointIds, ranks);
   UseCopies(FindNodeCopies(before, cut.IsCut, ranks), runtime, mesh, state);
   fields.push_back({ SplitConnectionField, std::vector<int>{ static_cast<int>(connection) } });
   fields.push_back(FieldOfRows("SplitPairs", cut.Pairs));
-  fields.push_back({ "AddedNodes", std::vector<Index>{ LargestPointId(mesh, ranks) - largest } });
+  fields.push_back(
+    { "AddedNodes", std::vector<Index>{ FindGreatestId(mesh.PointIds, ranks) - largest } });
   if (connection == SplitConnection::Cohesive)
   {
     AddSecondSides(fields, runtime, mesh, state);

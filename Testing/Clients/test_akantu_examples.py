@@ -146,6 +146,18 @@ def test_grains_break(grains, tmp_path):
     assert picture.stat().st_size > 20000
 
 
+def test_own_cohesive_elements(grains, tmp_path):
+    """The cohesive elements of the mesh break as those of Akantu do."""
+    options, count, area = grains
+    picture = tmp_path / "split.png"
+    faces, opened, broken, fragments, momentum, energy, dissipated = run_grains(
+        *options, "--split", "--courant", 0.1, "--steps", 400, "--picture", picture)
+    assert faces == opened == broken == count and fragments == 5
+    assert momentum < ROUNDING and energy < GOOD
+    assert np.isclose(dissipated, 5e-5 * area, rtol=0.03), (dissipated, area)
+    assert picture.stat().st_size > 20000
+
+
 def test_grains_stay_whole(grains):
     """Below the strength no face opens."""
     options, count, _ = grains

@@ -4,12 +4,15 @@
 #include "CurvedNodes.h"
 #include "GeometryChecks.h"
 #include "InterfaceLayers.h"
+#include "Modify/AddLayers.h"
 #include "Modify/AddMidNodes.h"
+#include "Modify/SplitInterfaces.h"
 #include "OverlapChecks.h"
 #include "TetPipeline.h"
 
 #include <cmath>
 #include <cstdio>
+#include <numeric>
 
 namespace vfm
 {
@@ -223,6 +226,52 @@ std::string FindCurvedProblem(const FuzzCase& c, Mesh& mesh, const MeshReport& r
   return FindPlaceProblem(c.Grid, mesh);
 }
 
+bool IsModified(const FuzzCase& c)
+{
+  return c.Layers > 1 || !c.Split.empty();
+}
+
+/// Cuts layers and splits interfaces. Collective.
+void Modify(const FuzzCase& c, Runtime& runtime, Mesh& mesh, MeshReport& report)
+{
+  std::vector<int> labels(c.Fractions.NumberOfMaterials() + 1);
+  std::iota(labels.begin(), labels.end(), 0);
+  MesherOptions options;
+  options.Layers = c.Layers;
+  options.FirstLayer = c.FirstLayer;
+  options.FirstLayerUnit = ThicknessUnit::Length;
+  OutputState none;
+  AddLayers(options, { c.Grid, labels, nullptr }, runtime, mesh, none, report);
+  if (!c.Split.empty())
+  {
+    std::map<int, std::string> names;
+    for (int label : labels)
+    {
+      names[label] = std::to_string(label);
+    }
+    std::vector<FieldArray> fields;
+    SplitInterfaces(MaterialPairs("SplitInterfaces", c.Split, names), SplitConnection::Cohesive,
+      runtime, fields, mesh, none);
+  }
+}
+
+/// Cuts and splits a mesh of one rank. Checks that its layers are positive, and the volumes.
+std::string FindModifiedProblem(const FuzzCase& c, Mesh& mesh, MeshReport& report)
+{
+  Runtime runtime;
+  Modify(c, runtime, mesh, report);
+  for (Index e = 0; c.Layers > 1 && e < static_cast<Index>(mesh.ElementIds.size()); ++e)
+  {
+    const double smallest = SmallestCoefficient(mesh, e);
+    if (!(smallest > 0.0))
+    {
+      return Describe("smallest coefficient of a layer", smallest, mesh.ElementIds[e]);
+    }
+  }
+  return FirstOf(
+    { c.Split.empty() ? FindTopologyProblem(mesh) : "", FindVolumeProblem(c, mesh, report) });
+}
+
 std::string FindRanksProblem(const FuzzCase& c, const RankMesh& alone)
 {
   const bool isLinear = c.Options.Order == ElementOrder::Linear;
@@ -231,7 +280,14 @@ std::string FindRanksProblem(const FuzzCase& c, const RankMesh& alone)
     : c.HasLayers                            ? MakeCurved<MakeHexMesh, true>
     : c.Make == MakeHexMesh                  ? MakeCurved<MakeHexMesh>
                                              : MakeCurved<MakeTetMesh>;
-  const RankMesh made = MakeOnRanks(c.Grid, c.Fractions, c.Boxes, c.Options, make);
+  const MeshChange modify = [&c](Runtime& runtime, Mesh& mesh, MeshReport& report)
+  {
+    if (IsModified(c))
+    {
+      Modify(c, runtime, mesh, report);
+    }
+  };
+  const RankMesh made = MakeOnRanks(c.Grid, c.Fractions, c.Boxes, c.Options, make, modify);
   if (KnowsCells(c))
   {
     return FindDifference(made, alone);
@@ -276,6 +332,13 @@ FuzzResult CheckCase(const FuzzCase& c)
   {
     const std::string problem = FindCurvedProblem(c, mesh, alone.Reports[0]);
     result.Problem += problem.empty() ? "" : " curved: " + problem;
+    alone.Merged = {};
+    alone.Merged.Add(mesh);
+  }
+  if (IsModified(c))
+  {
+    const std::string problem = FindModifiedProblem(c, mesh, alone.Reports[0]);
+    result.Problem += problem.empty() ? "" : " modified: " + problem;
     alone.Merged = {};
     alone.Merged.Add(mesh);
   }

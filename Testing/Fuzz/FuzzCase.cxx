@@ -230,6 +230,28 @@ void DrawOrder(RandomDraw& draw, FuzzCase& c)
   }
 }
 
+/// Draws layers and split interfaces of linear elements, after all other options.
+void DrawModified(RandomDraw& draw, FuzzCase& c)
+{
+  const bool hasLayers = draw.Chance(0.3), isSplit = draw.Chance(0.3);
+  const bool isHexes = c.Make == MakeHexMesh;
+  if (c.Options.Order != ElementOrder::Linear)
+  {
+    return;
+  }
+  if (hasLayers && isHexes && !c.Options.StairStep)
+  {
+    c.Layers = draw.Whole(2, 4);
+    c.FirstLayer = draw.Chance(0.5) ? 0.0 : draw.Between(0.02, 0.3) * c.Grid.MeanWidth();
+    c.Words += ", " + std::to_string(c.Layers) + " layers";
+  }
+  if (isSplit && (isHexes || c.Options.Tets != TetMethod::TetGen))
+  {
+    c.Split = draw.Chance(0.5) ? "all" : "1/*";
+    c.Words += ", split " + c.Split;
+  }
+}
+
 void PrintList(const char* name, const std::vector<double>& values)
 {
   std::printf("%s", name);
@@ -272,7 +294,15 @@ FuzzCase MakeFuzzCase(unsigned seed, bool isPeriodic)
     DrawBoxes(extent, draw, c);
   }
   DrawEdges(draw, c);
-  isPeriodic ? DrawPeriods(draw, c) : DrawOrder(draw, c);
+  if (isPeriodic)
+  {
+    DrawPeriods(draw, c);
+  }
+  else
+  {
+    DrawOrder(draw, c);
+    DrawModified(draw, c);
+  }
   return c;
 }
 

@@ -1,4 +1,5 @@
-/// Split interfaces from the C interface on several ranks equal the filter's on one rank.
+/// Split interfaces and layers from the C interface on several ranks equal the filter's on one
+/// rank.
 #include "HostFields.h"
 #include "Sculptor.h"
 
@@ -134,3 +135,41 @@ TEST_P(SculptorSplit, NodesAreThoseOfTheFilter)
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, SculptorSplit, ::testing::Values(0, 1));
+
+/// Layers of the elements; none by default.
+TEST(SculptorLayers, AreThoseOfTheFilter)
+{
+  const HostFields fields(MyRank(), NumberOfRanks()); // not copied
+  const int sculptor = CreateSculptor(fields);
+  ASSERT_NE(sculptor, 0);
+  const int* layers = nullptr;
+  ASSERT_EQ(sculptor_make_mesh(sculptor, 0), SCULPTOR_OK);
+  ASSERT_EQ(sculptor_get_layers(sculptor, &layers), SCULPTOR_OK);
+  EXPECT_EQ(layers, nullptr);
+  sculptor_set_option(sculptor, "Layers", "3");
+  ASSERT_EQ(sculptor_make_mesh(sculptor, 0), SCULPTOR_OK) << sculptor_error_text(sculptor);
+  vtkNew<vtkVolumeFractionToHex> filter;
+  filter->SetLayers(3);
+  MeshWhole(HostFields(0, 1), *filter);
+  vtkCellData* cells = filter->GetOutput()->GetCellData();
+  std::map<std::int64_t, std::int64_t> expected; // layers by id
+  for (vtkIdType e = 0; e < filter->GetOutput()->GetNumberOfCells(); ++e)
+  {
+    expected[IdOf(cells->GetGlobalIds(), e)] = IdOf(cells->GetArray("Layer"), e);
+  }
+  std::int64_t points = 0, count = 0, third = 0;
+  int corners = 0;
+  const std::int64_t* ids = nullptr;
+  ASSERT_EQ(sculptor_get_counts(sculptor, &points, &count, &corners), SCULPTOR_OK);
+  ASSERT_EQ(sculptor_get_element_ids(sculptor, &ids), SCULPTOR_OK);
+  ASSERT_EQ(sculptor_get_layers(sculptor, &layers), SCULPTOR_OK);
+  for (std::int64_t e = 0; e < count; ++e)
+  {
+    EXPECT_EQ(expected.at(ids[e]), layers[e]);
+    third += layers[e] == 3 ? 1 : 0;
+  }
+  std::int64_t all = 0;
+  MPI_Allreduce(&third, &all, 1, MPI_INT64_T, MPI_SUM, MPI_COMM_WORLD);
+  EXPECT_GT(all, 100);
+  EXPECT_EQ(sculptor_delete(sculptor), SCULPTOR_OK);
+}

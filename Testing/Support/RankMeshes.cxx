@@ -104,7 +104,7 @@ void MergedMesh::Add(const Mesh& m)
     std::array<Index, 4> points{};
     for (int c = 0; c < corners; ++c)
     {
-      points[c] = m.PointIds[s.Points[corners * f + c]];
+      points[c] = m.UnsplitPointIds()[s.Points[corners * f + c]];
     }
     this->Conflicts += !this->Facets
                           .emplace(points,
@@ -114,13 +114,13 @@ void MergedMesh::Add(const Mesh& m)
   }
   for (std::size_t e = 0; e < m.Curves.CurveId.size(); ++e)
   {
-    const std::array<Index, 2> ends{ { m.PointIds[m.Curves.Points[2 * e]],
-      m.PointIds[m.Curves.Points[2 * e + 1]] } };
+    const std::array<Index, 2> ends{ { m.UnsplitPointIds()[m.Curves.Points[2 * e]],
+      m.UnsplitPointIds()[m.Curves.Points[2 * e + 1]] } };
     this->Conflicts += !this->CurveEdges.emplace(ends, m.Curves.CurveId[e]).second;
   }
   for (std::size_t v = 0; v < m.Vertices.VertexId.size(); ++v)
   {
-    const Index id = m.PointIds[m.Vertices.Points[v]];
+    const Index id = m.UnsplitPointIds()[m.Vertices.Points[v]];
     this->Conflicts += !this->Vertices.emplace(id, m.Vertices.VertexId[v]).second;
   }
 }
@@ -170,7 +170,8 @@ RankMesh MakeAlone(const CartesianGrid& whole, const FractionField& field,
 }
 
 RankMesh MakeOnRanks(const CartesianGrid& whole, const FractionField& field,
-  const std::vector<IndexBox>& boxes, const MeshOptions& options, MeshMaker make)
+  const std::vector<IndexBox>& boxes, const MeshOptions& options, MeshMaker make,
+  const MeshChange& change)
 {
   const GridLayers layers = make == MakeTetMesh ? GridLayers() : LayersFor(options.Levels);
   const int count = static_cast<int>(boxes.size());
@@ -184,6 +185,10 @@ RankMesh MakeOnRanks(const CartesianGrid& whole, const FractionField& field,
       RankRuntime runtime(ranks);
       meshes[ranks.Rank()] =
         make(grid, CopyToLocal(whole, field, grid), options, runtime, made.Reports[ranks.Rank()]);
+      if (change)
+      {
+        change(runtime, meshes[ranks.Rank()], made.Reports[ranks.Rank()]);
+      }
     });
   for (const Mesh& mesh : meshes)
   {

@@ -6,6 +6,7 @@
 #include "MeshCases.h"
 #include "RankFields.h"
 
+#include <functional>
 #include <map>
 
 namespace vfm
@@ -38,9 +39,13 @@ struct RankMesh
 
 RankMesh MakeAlone(const CartesianGrid& whole, const FractionField& field,
   const MeshOptions& options, MeshMaker make);
+/// A collective change of a finished mesh.
+using MeshChange = std::function<void(Runtime&, Mesh&, MeshReport&)>;
 /// Makes a mesh on one rank per box.
+/// @param change called for the mesh of each rank
 RankMesh MakeOnRanks(const CartesianGrid& whole, const FractionField& field,
-  const std::vector<IndexBox>& boxes, const MeshOptions& options, MeshMaker make);
+  const std::vector<IndexBox>& boxes, const MeshOptions& options, MeshMaker make,
+  const MeshChange& change = {});
 
 /// Returns an empty string, or the number of facets, their points, edges of curves, vertices and
 /// tables that are not bitwise identical to the result of one rank. They do not depend on the
