@@ -1,5 +1,7 @@
 # Builds the ParaView plugin. build/lib/VolumeFractionMesh.so is a link to it.
 include(CMake/HelpPages.cmake)
+set(vfm_shared_modules "${BUILD_SHARED_LIBS}")
+set(BUILD_SHARED_LIBS ON) # ParaView loads plugins
 paraview_plugin_scan(
   PLUGIN_FILES      "${PROJECT_SOURCE_DIR}/Plugin/paraview.plugin"
   PROVIDES_PLUGINS  vfm_plugins
@@ -18,3 +20,4 @@ file(CREATE_LINK
   "${vfm_lib_folder}/VolumeFractionMesh.so" SYMBOLIC)
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME Unspecified)
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${vfm_lib_folder}/libraries")
+set(BUILD_SHARED_LIBS "${vfm_shared_modules}")

@@ -29,7 +29,9 @@ set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_ENABLE_COMPONENT_DEPENDS OFF)
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS_POLICY ">=")
+set(CPACK_DEBIAN_LIBSCULPTOR_PACKAGE_CONTROL_EXTRA "${PROJECT_SOURCE_DIR}/CMake/debian/triggers")
 set(CPACK_COMPONENTS_ALL "")
 set(files "${PROJECT_BINARY_DIR}/package-files")
 
@@ -72,8 +74,8 @@ file(WRITE "${files}/paraview.conf"
   "../${CMAKE_INSTALL_LIBDIR}/${VFM_PLUGIN_FOLDER}/VolumeFractionMesh.plugins.xml\n")
 install(FILES "${files}/paraview.conf" DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT plugin)
 
-set(text " Turns volume fractions on Cartesian and AMR grids into conforming hexahedral\n"
-  " and tetrahedral meshes of every material, on any number of MPI ranks.")
+set(text "Turns volume fractions on Cartesian and AMR grids into conforming hexahedral\n"
+  "and tetrahedral meshes of every material, on any number of MPI ranks.")
 string(JOIN "" text ${text})
 vfm_add_package(sculptor sculptor science
   "meshes from volume fractions: command-line program" "${text}")
