@@ -3,6 +3,7 @@
 # usage: vfm_add_pkg_config(NAME headers of the installed tree, headers of the source tree ...)
 function (vfm_add_pkg_config name installed_headers)
   file(RELATIVE_PATH up "/prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig" /prefix)
+  string(REGEX REPLACE "/$" "" up "${up}")
   set(prefix "\${pcfiledir}/${up}")
   set(libdir "\${prefix}/${CMAKE_INSTALL_LIBDIR}")
   set(includedir "\${prefix}/${installed_headers}")
