@@ -10,6 +10,7 @@
 #include "Levels/PeriodicFields.h"
 #include "Modify/AddLayers.h"
 #include "Modify/AddMidNodes.h"
+#include "Modify/CurvedVolumes.h"
 #include "Modify/SplitInterfaces.h"
 #include "Options/SetOptions.h"
 #include "Periodic/JoinCopies.h"
@@ -271,6 +272,32 @@ void Split(const MesherJob& job, const MaterialPairs& pairs, MesherResult& resul
   }
 }
 
+/// Replaces fields by those of the same names.
+void ReplaceFields(const FieldArrays& newer, FieldArrays& fields)
+{
+  for (FieldArray& field : fields)
+  {
+    if (const FieldArray* found = FindField(newer, field.Name))
+    {
+      field = *found;
+    }
+  }
+}
+
+/// Adds mid nodes, and reports the volumes of the curved elements.
+void AddOrder(
+  const MesherJob& job, const LevelFields& fields, const MeshOptions& options, MesherResult& result)
+{
+  const Materials& table = fields.Field.Table;
+  Mesh& mesh = result.TheMesh;
+  AppendFields(
+    AddMidNodes(job.Options.Order, result.Fields, job.Run, mesh, result.State), result.Fields);
+  result.Report.MeshVolume = MeasureCurvedVolumes(mesh, table.Labels, result.Fields, job.Run);
+  ReplaceFields(
+    ListReport(mesh, result.Report, table, options, fields.Field.Corrected), result.Fields);
+  ReplaceFields(ListMaterials(result.Report, table, options), result.MaterialFields);
+}
+
 /// Warns of corrected input, an empty mesh, and materials without elements or with wrong volumes.
 void WarnOfMesh(const MesherJob& job, const MeshReport& report, const InputField& field)
 {
@@ -353,14 +380,14 @@ MesherResult RunMesher(const MesherInput& input, const MesherOptions& given, Run
     JoinCopies(runtime, result.TheMesh); // after the state, which needs positions
   }
   WorkTogether(ranks, [&] { Finish(job, fields, meshOptions, result); });
-  if (options.Order != ElementOrder::Linear)
-  {
-    runtime.Progress(0.99, "Adding mid nodes");
-    AppendFields(AddMidNodes(options.Order, runtime, result.TheMesh, result.State), result.Fields);
-  }
   if (split)
   {
     Split(job, *split, result);
+  }
+  if (options.Order != ElementOrder::Linear)
+  {
+    runtime.Progress(0.99, "Adding mid nodes");
+    AddOrder(job, fields, meshOptions, result);
   }
   WarnOfMesh(job, result.Report, fields.Field);
   Warn(job, DescribeUnmeshed(result.State.Balance, fields.Field.Table));

@@ -1,5 +1,7 @@
 #include "Curved/CurvedElement.h"
 
+#include "Curved/GaussRule.h"
+
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
@@ -224,31 +226,53 @@ CurvedElement::CurvedElement(int corners)
     }
   }
   this->ToBernstein = corners == 8 ? HexToBernstein() : TetToBernstein(lattice);
+  this->SetRule(corners);
+}
+
+void CurvedElement::SetRule(int corners)
+{
+  if (corners == 4)
+  {
+    std::copy(std::begin(this->Along), std::end(this->Along), std::begin(this->AlongRule));
+    // Bernstein polynomials have equal integrals.
+    this->Weights = this->ToBernstein.colwise().mean().transpose() / 6.0;
+    return;
+  }
+  constexpr int count = 27; // of Gauss points
+  this->Weights.resize(count);
+  for (Matrix& along : this->AlongRule)
+  {
+    along = Matrix::Zero(count, this->NodeCount());
+  }
+  for (int p = 0; p < count; ++p)
+  {
+    const int at[3] = { p % 3, p / 3 % 3, p / 9 };
+    FillHex({ GaussPoints[at[0]], GaussPoints[at[1]], GaussPoints[at[2]] }, p, this->AlongRule);
+    this->Weights[p] = GaussWeights[at[0]] * GaussWeights[at[1]] * GaussWeights[at[2]];
+  }
 }
 
 double CurvedElement::SmallestCoefficient(const Nodes& nodes) const
 {
-  return this->FindCoefficients(nodes).minCoeff();
+  return (this->ToBernstein * this->JacobianAt(this->Along, nodes)).minCoeff();
 }
 
 double CurvedElement::Volume(const Nodes& nodes) const
 {
-  const double domain = this->NodeCount() == MaximumNodes ? 1.0 : 1.0 / 6.0; // cube, simplex
-  return domain *
-    this->FindCoefficients(nodes).mean(); // Bernstein polynomials have equal integrals
+  return this->Weights.dot(this->JacobianAt(this->AlongRule, nodes));
 }
 
-Eigen::VectorXd CurvedElement::FindCoefficients(const Nodes& nodes) const
+Eigen::VectorXd CurvedElement::JacobianAt(const Slopes& along, const Nodes& nodes) const
 {
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
   const Eigen::Map<const Rows> x(nodes[0].data(), this->NodeCount(), 3);
-  const Rows u = this->Along[0] * x, v = this->Along[1] * x, w = this->Along[2] * x;
+  const Rows u = along[0] * x, v = along[1] * x, w = along[2] * x;
   Eigen::VectorXd jacobian(u.rows());
   for (Eigen::Index p = 0; p < u.rows(); ++p)
   {
     jacobian[p] = u.row(p).dot(v.row(p).cross(w.row(p)));
   }
-  return this->ToBernstein * jacobian;
+  return jacobian;
 }
 
 const CurvedElement& GetCurvedElement(int corners)

@@ -39,10 +39,16 @@ public:
 private:
   using Matrix = Eigen::MatrixXd;
 
-  Eigen::VectorXd FindCoefficients(const Nodes& nodes) const;
+  /// Derivatives of the shape functions at some points, (points, nodes).
+  using Slopes = Matrix[3];
 
-  Matrix Along[3];    // derivatives of shape functions, (points of the lattice, nodes)
-  Matrix ToBernstein; // (coefficients, points of the lattice)
+  void SetRule(int corners);
+  Eigen::VectorXd JacobianAt(const Slopes& along, const Nodes& nodes) const;
+
+  Slopes Along;            // at the points of the lattice
+  Matrix ToBernstein;      // (coefficients, points of the lattice)
+  Slopes AlongRule;        // at the points of a rule that integrates the Jacobian exactly
+  Eigen::VectorXd Weights; // of these points
 };
 
 /// Returns the element of a kind.

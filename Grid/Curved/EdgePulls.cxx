@@ -1,6 +1,8 @@
 #include "Curved/EdgePulls.h"
 
 #include "Base/ExactSum.h"
+#include "Curved/GaussRule.h"
+#include "Mesh/PeriodicIds.h"
 #include "Octree/RefinedGrid.h"
 #include "Ranks/AskByKey.h"
 
@@ -70,7 +72,8 @@ std::vector<EdgeUse> ListUses(
     for (Index c = 0; c < corners; ++c)
     {
       const Index points[2] = { facet.Points[c], facet.Points[(c + 1) % corners] };
-      const EdgeIds edge = MakeEdgeIds(mesh.PointIds[points[0]], mesh.PointIds[points[1]]);
+      const EdgeIds edge = MakeEdgeIds(
+        IdOfOwner(mesh, mesh.PointIds[points[0]]), IdOfOwner(mesh, mesh.PointIds[points[1]]));
       for (int e = 0; e < 2; ++e)
       {
         const int end = pointOf[points[e]], other = pointOf[points[1 - e]];
@@ -125,7 +128,8 @@ public:
   /// the rank that moves the point knows it.
   bool IsHeld(int point) const
   {
-    return (this->Active.Fixed[point] & ~FixedOnSides(this->SidesOf(point))) != 0;
+    return (this->Active.Fixed[point] & ~FixedOnSides(this->SidesOf(point)) &
+             ~this->SeamsOf(point)) != 0;
   }
 
   /// Returns the displacement of the middle, in grid coordinates, from the uses of one edge and
@@ -138,7 +142,8 @@ public:
     {
       this->AddAims(*use, Norm(q - p), aims);
     }
-    const int held = FixedOnSides(this->SidesOf(first->End) & this->SidesOf(first->Other));
+    const int held = FixedOnSides(this->SidesOf(first->End) & this->SidesOf(first->Other)) |
+      (this->SeamsOf(first->End) & this->SeamsOf(first->Other));
     const Vector3 middle = 0.5 * (p + q);
     const Vector3 pull = this->Inside(middle, this->Approach(aims, middle, held) - middle, held);
     const double length = Norm(pull), longest = LargestPull * Norm(q - p);
@@ -149,6 +154,13 @@ private:
   int SidesOf(int point) const
   {
     return FindDomainSides(this->Grid, this->Active.MeshPoints + 3 * this->Active.MeshPoint[point]);
+  }
+
+  /// Returns the axes (bits) along which a point is on a flat seam.
+  int SeamsOf(int point) const
+  {
+    const double* x = this->Active.MeshPoints + 3 * this->Active.MeshPoint[point];
+    return this->Grid.FlatSeams(Vector3{ { x[0], x[1], x[2] } });
   }
 
   void AddAims(const EdgeUse& use, double length, std::vector<Aim>& aims) const
@@ -252,26 +264,28 @@ std::vector<EdgePull> FindEdgePulls(const std::vector<Facet>& facets, const Mesh
     {
       const EdgeUse* use = uses.data() + starts[i];
       pulls[i] = { use->Edge, mesh.PointIds[active.MeshPoint[use->End]],
-        active.Scale * curver.Find(use, uses.data() + starts[i + 1]), curver.IsHeld(use->End) };
+        active.Scale * curver.Find(use, uses.data() + starts[i + 1]), curver.IsHeld(use->End),
+        use->Edge };
     });
   return pulls;
 }
 
-std::vector<Vector3> CombinePulls(
+std::vector<EdgeMove> CombinePulls(
   const std::vector<EdgePull>& pulls, const std::vector<EdgeIds>& edges, Ranks& ranks)
 {
   return AskByKey(
     pulls, edges,
     [](auto first, auto last)
     {
-      Vector3 sum{ { 0.0, 0.0, 0.0 } };
+      EdgeMove sum{};
       bool isHeld = false;
       for (auto pull = first; pull < last; ++pull)
       {
-        sum = sum + 0.5 * pull->Pull;
+        const bool isCopy = pull > first && pull->End == (pull - 1)->End;
+        sum = { isCopy ? sum.Move : sum.Move + 0.5 * pull->Pull, first->Group };
         isHeld |= pull->IsHeld;
       }
-      return isHeld ? Vector3{} : sum;
+      return isHeld ? EdgeMove{} : sum;
     },
     ranks);
 }
@@ -279,8 +293,6 @@ std::vector<Vector3> CombinePulls(
 namespace
 {
 
-constexpr double Nodes3[3] = { 0.1127016653792583, 0.5, 0.8872983346207417 };
-constexpr double Weights3[3] = { 5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0 };
 constexpr double Nodes2[2] = { 0.2113248654051871, 0.7886751345948129 };
 
 /// A point of a facet and of its curved counterpart, with derivatives along u and v.
@@ -330,16 +342,16 @@ double VolumeOfBulge(const Vector3 (&x)[4], const Vector3 (&pulls)[4], bool isTr
   double volume = 0.0;
   for (int n = 0; n < 9; ++n)
   {
-    const double u = Nodes3[n % 3];
+    const double u = GaussPoints[n % 3];
     const double narrow =
       isTriangle ? 1.0 - u : 1.0; // a triangle is a quad with an edge of length 0
-    const double v = Nodes3[n / 3] * narrow;
+    const double v = GaussPoints[n / 3] * narrow;
     const FacetPoint p = isTriangle ? PointOfTriangle(x, pulls, u, v) : PointOfQuad(x, pulls, u, v);
     for (double s : Nodes2)
     {
       const Vector3 normal =
         Cross(p.Along[0] + s * p.PullAlong[0], p.Along[1] + s * p.PullAlong[1]);
-      volume += 0.5 * Weights3[n % 3] * Weights3[n / 3] * narrow * Dot(p.Pull, normal);
+      volume += 0.5 * GaussWeights[n % 3] * GaussWeights[n / 3] * narrow * Dot(p.Pull, normal);
     }
   }
   return volume;
@@ -350,7 +362,8 @@ double VolumeOfBulge(const Vector3 (&x)[4], const Vector3 (&pulls)[4], bool isTr
 std::vector<double> MeasureBulges(const std::vector<EdgePull>& pulls, const Mesh& mesh,
   const ActiveMesh& active, std::size_t fragments, Runtime& runtime)
 {
-  const auto idOf = [&](Index point) { return mesh.PointIds[active.MeshPoint[point]]; };
+  const auto idOf = [&](Index point)
+  { return IdOfOwner(mesh, mesh.PointIds[active.MeshPoint[point]]); };
   std::vector<EdgeIds> edges;
   for (const Facet& facet : active.Facets)
   {
@@ -360,7 +373,7 @@ std::vector<double> MeasureBulges(const std::vector<EdgePull>& pulls, const Mesh
       edges.push_back(MakeEdgeIds(idOf(facet.Points[c]), idOf(facet.Points[(c + 1) % corners])));
     }
   }
-  const std::vector<Vector3> moves = CombinePulls(pulls, edges, runtime.Group());
+  const std::vector<EdgeMove> moves = CombinePulls(pulls, edges, runtime.Group());
   std::vector<ExactSum> sums(fragments);
   std::size_t at = 0;
   for (const Facet& facet : active.Facets)
@@ -370,7 +383,7 @@ std::vector<double> MeasureBulges(const std::vector<EdgePull>& pulls, const Mesh
     for (Index c = 0; c < corners; ++c)
     {
       x[c] = active.X[facet.Points[c]];
-      ofEdges[c] = (1.0 / active.Scale) * moves[at++];
+      ofEdges[c] = (1.0 / active.Scale) * moves[at++].Move;
     }
     ExactSum volume;
     volume.Add(VolumeOfBulge(x, ofEdges, corners == 3));

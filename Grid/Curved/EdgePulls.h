@@ -7,6 +7,8 @@
  * ends off the surface, and a flat surface leaves it straight. At a sharp edge, only targets that
  * both ends follow count. The mid node lies at the mean of what both ends request. Edges at points
  * that were put back to their start, because facets intersected, stay straight.
+ *
+ * On a periodic grid, edges have the ids that owners have of their ends (IdOfOwner).
  */
 #pragma once
 
@@ -24,9 +26,10 @@ namespace vfm
 std::vector<EdgePull> FindEdgePulls(const std::vector<Facet>& facets, const Mesh& mesh,
   const SurfaceTargets& targets, const ActiveMesh& active, Runtime& runtime);
 
-/// Returns the displacement of the mid node of each edge, from the requests of all ranks.
+/// Returns the displacement of the mid node of each edge, from the requests of all ranks. Of
+/// several requests of an end the first counts: ranks may list the same edge of a layer.
 /// @pre Collective over `ranks`.
-std::vector<Vector3> CombinePulls(
+std::vector<EdgeMove> CombinePulls(
   const std::vector<EdgePull>& pulls, const std::vector<EdgeIds>& edges, Ranks& ranks);
 
 /// Returns the volume that each fragment gains when interface edges become curved, in grid

@@ -60,6 +60,7 @@ struct Mesh
   /// if none was split. Surfaces, curves and vertices are those before: any copy may stand for the
   /// point.
   Buffer<Index> OriginalPointIds;
+  Buffer<Index> OriginalPartner; ///< PeriodicPartner before interfaces were split, in the same way
   Buffer<int> GeometryDimension; ///< dimension per point: 3 volume, .., 0 vertex
   Buffer<int> GeometryId;        ///< number per point in its dimension, from 1; 3: fragment
   Buffer<Index> Elements;        ///< points, (elements, Corners), VTK order
@@ -94,6 +95,14 @@ struct Mesh
   const Buffer<Index>& UnsplitPointIds() const
   {
     return this->OriginalPointIds.empty() ? this->PointIds : this->OriginalPointIds;
+  }
+  /// Returns ids that copies of points on opposite sides and at split interfaces have in common.
+  const Buffer<Index>& CommonIds() const
+  {
+    return !this->OriginalPartner.empty() ? this->OriginalPartner
+      : !this->OriginalPointIds.empty()   ? this->OriginalPointIds
+      : this->PeriodicPartner.empty()     ? this->PointIds
+                                          : this->PeriodicPartner;
   }
   int CornersOfFacet() const { return this->Corners == 8 ? 4 : 3; }
 

@@ -8,6 +8,8 @@
 #include "Base/Vector3.h"
 #include "Mesh/ElementFaces.h"
 
+#include <tuple>
+
 namespace vfm
 {
 
@@ -60,19 +62,29 @@ private:
 };
 
 /// Displacement from its middle that the surfaces at one end of an edge request of the mid node.
-/// The displacement of the node is half the sum over both ends.
+/// The displacement of the node is half the sum over both ends. All copies of an edge, on opposite
+/// sides and at split interfaces, have the same pulls: their ids are Mesh::CommonIds.
 struct EdgePull
 {
   EdgeIds Edge;
-  Index End;    ///< global id of the end, equal to one of Edge
-  Vector3 Pull; ///< length units of the grid
-  bool IsHeld;  ///< the edge stays straight, whatever the other end requests
+  Index End;     ///< id of the end, equal to one of Edge
+  Vector3 Pull;  ///< length units of the grid
+  bool IsHeld;   ///< the edge stays straight, whatever the other end requests
+  EdgeIds Group; ///< edges of a group become straight together: those of layers above an edge
 
   const EdgeIds& Key() const { return this->Edge; }
   bool operator<(const EdgePull& other) const
   {
-    return this->Edge != other.Edge ? this->Edge < other.Edge : this->End < other.End;
+    return std::tie(this->Edge, this->End, this->Pull) <
+      std::tie(other.Edge, other.End, other.Pull);
   }
+};
+
+/// Displacement of the mid node of an edge.
+struct EdgeMove
+{
+  Vector3 Move;
+  EdgeIds Group; ///< EdgePull::Group
 };
 
 } // namespace vfm

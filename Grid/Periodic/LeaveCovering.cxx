@@ -151,29 +151,51 @@ std::vector<Index> ListCopies(const Mesh& mesh, const DomainIds& domain)
   return points;
 }
 
-/// Collective. Returns the partner of each point.
-/// @param ids  ids of the points on the grid of the domain
-Buffer<Index> FindPartners(const Mesh& mesh, const DomainIds& domain, const Buffer<Index>& ids,
-  Partner partner, Ranks& ranks)
+/// Finds the partners of points.
+class PartnerIds
 {
-  Buffer<Index> partners(ids.size());
-  std::copy(ids.begin(), ids.end(), partners.begin());
-  const std::vector<Index> points = ListCopies(mesh, domain);
-  std::vector<Copy> copies;
-  for (Index point : points)
+public:
+  /// Collective.
+  /// @param points  those that may have copies
+  /// @param ids  ids of the points of the mesh on the grid of the domain
+  PartnerIds(const Mesh& mesh, const DomainIds& domain, const std::vector<Index>& points,
+    const Buffer<Index>& ids, Partner partner, Ranks& ranks) :
+    Domain(domain)
   {
-    copies.push_back({ { IdOfOwner(mesh, mesh.PointIds[point]), ids[point] } });
+    std::vector<Copy> copies;
+    for (Index point : points)
+    {
+      copies.push_back({ { IdOfOwner(mesh, mesh.PointIds[point]), ids[point] } });
+    }
+    if (partner == Partner::Lowest)
+    {
+      this->Copies = UnionOverRanks(ranks, std::move(copies));
+    }
   }
-  const std::vector<Copy> all =
-    partner == Partner::Lowest ? UnionOverRanks(ranks, copies) : std::vector<Copy>();
-  for (std::size_t i = 0; i < points.size(); ++i)
+
+  /// Returns the partner from the id of the owner.
+  Index Of(Index owner) const
   {
-    const Copy first{ { copies[i][0], std::numeric_limits<Index>::min() } };
-    partners[points[i]] = partner == Partner::Lowest
-      ? (*std::lower_bound(all.begin(), all.end(), first))[1]
-      : domain.OfPoint(copies[i][0]);
+    const auto found = std::lower_bound(this->Copies.begin(), this->Copies.end(),
+      Copy{ { owner, std::numeric_limits<Index>::min() } });
+    return found != this->Copies.end() && (*found)[0] == owner ? (*found)[1]
+                                                               : this->Domain.OfPoint(owner);
   }
-  return partners;
+
+private:
+  const DomainIds& Domain;
+  std::vector<Copy> Copies; // of all ranks, ascending; empty if partners are owners
+};
+
+/// Names the edges of pulls by the partners of their ends.
+void RenamePulls(const PartnerIds& partners, std::vector<EdgePull>& pulls)
+{
+  for (EdgePull& pull : pulls)
+  {
+    pull.End = partners.Of(pull.End);
+    pull.Edge = MakeEdgeIds(partners.Of(pull.Edge[0]), partners.Of(pull.Edge[1]));
+    pull.Group = pull.Edge;
+  }
 }
 
 } // namespace
@@ -185,7 +207,15 @@ void LeaveCovering(const Partition& covering, Partner partner, Mesh& mesh)
   Buffer<Index> ids(mesh.PointIds.size());
   std::transform(mesh.PointIds.begin(), mesh.PointIds.end(), ids.begin(),
     [&domain](Index id) { return domain.OfPoint(id); });
-  mesh.PeriodicPartner = FindPartners(mesh, domain, ids, partner, ranks);
+  const std::vector<Index> points = ListCopies(mesh, domain);
+  const PartnerIds partners(mesh, domain, points, ids, partner, ranks);
+  mesh.PeriodicPartner = Buffer<Index>(ids.size());
+  std::copy(ids.begin(), ids.end(), mesh.PeriodicPartner.begin());
+  for (Index point : points)
+  {
+    mesh.PeriodicPartner[point] = partners.Of(IdOfOwner(mesh, mesh.PointIds[point]));
+  }
+  RenamePulls(partners, mesh.Pulls);
   mesh.PointIds = std::move(ids);
   for (Index& id : mesh.ElementIds)
   {

@@ -2,9 +2,10 @@
 
 #include "Curved/EdgePulls.h"
 #include "Modify/StraightenEdges.h"
-#include "Ranks/AskByKey.h"
+#include "Ranks/MergeByKey.h"
 #include "Ranks/NumberInOrder.h"
 #include "State/StateArrays.h"
+#include "Summary/MatchFaces.h"
 
 namespace vfm
 {
@@ -29,19 +30,28 @@ struct KeyUse
   bool operator<(const KeyUse& other) const { return this->Ids < other.Ids; }
 };
 
-/// Returns the distinct keys, ascending. Sets the points of the mid nodes from `first` on.
+/// The distinct edges or faces of the elements, ascending.
 template <class Key>
-std::vector<Key> NumberKeys(std::vector<KeyUse<Key>> uses, Index first, Buffer<Index>& midPoints)
+struct DistinctKeys
+{
+  std::vector<Key> Ids;
+  std::vector<Index> Places; ///< a place of each in MidPoints
+};
+
+/// Returns the distinct keys. Sets the points of the mid nodes from `first` on.
+template <class Key>
+DistinctKeys<Key> NumberKeys(std::vector<KeyUse<Key>> uses, Index first, Buffer<Index>& midPoints)
 {
   std::sort(uses.begin(), uses.end());
-  std::vector<Key> keys;
+  DistinctKeys<Key> keys;
   for (const KeyUse<Key>& use : uses)
   {
-    if (keys.empty() || keys.back() != use.Ids)
+    if (keys.Ids.empty() || keys.Ids.back() != use.Ids)
     {
-      keys.push_back(use.Ids);
+      keys.Ids.push_back(use.Ids);
+      keys.Places.push_back(use.Place);
     }
-    midPoints[use.Place] = first + static_cast<Index>(keys.size()) - 1;
+    midPoints[use.Place] = first + static_cast<Index>(keys.Ids.size()) - 1;
   }
   return keys;
 }
@@ -62,12 +72,33 @@ struct OnGeometry
 
 using Place = std::array<int, 2>; // dimension and id
 
+/// A mid node or its copies on opposite sides: the lowest id, and the lowest coordinate of all
+/// along each axis.
+struct Copies
+{
+  Index Id;
+  Vector3 Lowest;
+};
+
+Copies Join(const Copies& a, const Copies& b)
+{
+  Copies joined{ std::min(a.Id, b.Id), a.Lowest };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    joined.Lowest[axis] = std::min(a.Lowest[axis], b.Lowest[axis]);
+  }
+  return joined;
+}
+
 class MidNodeBuilder
 {
 public:
-  MidNodeBuilder(ElementOrder order, Runtime& runtime, Mesh& mesh) :
+  MidNodeBuilder(ElementOrder order, const FieldArrays& fields, Runtime& runtime, Mesh& mesh) :
     TheMesh(mesh),
     Run(runtime),
+    HasCopies(runtime.Group().Any(!mesh.PeriodicPartner.empty())),
+    IsSplit(runtime.Group().Any(!mesh.OriginalPointIds.empty())),
+    Images(fields, HasCopies),
     Mids(mesh.Corners, MidNodes::CountOf(order, mesh.Corners)),
     Corners(static_cast<Index>(mesh.PointIds.size())),
     Elements(static_cast<Index>(mesh.ElementIds.size()))
@@ -78,9 +109,12 @@ public:
   {
     this->ListNodes();
     this->AppendPoints();
+    this->SetOriginalIds();
     this->PlaceEdges();
     const CurvedReport report = this->CurveEdges();
+    this->SetPartners(this->Corners, this->Edges);
     this->PlaceOthers();
+    this->SetPartners(this->FirstFace(), this->Faces);
     this->FillGeometry();
     return report;
   }
@@ -120,33 +154,69 @@ private:
   {
     return this->TheMesh.MidPoints.data() + this->Mids.Count * element;
   }
-  EdgeIds EdgeOf(Index a, Index b) const
+  Index FirstFace() const { return this->Corners + static_cast<Index>(this->Edges.Ids.size()); }
+  /// Returns the corners of the edge with a place in MidPoints.
+  std::array<Index, 2> EndsAt(Index place) const
   {
-    return MakeEdgeIds(this->TheMesh.PointIds[a], this->TheMesh.PointIds[b]);
+    const Index* corners = this->CornersOf(place / this->Mids.Count);
+    const int(&ends)[2] = this->Mids.EdgeCorners[place % this->Mids.Count];
+    return { { corners[ends[0]], corners[ends[1]] } };
   }
-  FaceIds FaceOf(const std::array<Index, 4>& points) const
+  /// Returns the edge with other ids of points than Mesh::PointIds.
+  static EdgeIds KeyOf(const Buffer<Index>& ids, const std::array<Index, 2>& ends)
   {
-    FaceIds ids;
-    std::transform(points.begin(), points.end(), ids.begin(),
-      [this](Index point) { return this->TheMesh.PointIds[point]; });
-    std::sort(ids.begin(), ids.end());
-    return ids;
+    return MakeEdgeIds(ids[ends[0]], ids[ends[1]]);
+  }
+  static FaceIds KeyOf(const Buffer<Index>& ids, const std::array<Index, 4>& points)
+  {
+    return SortedIds(points, ids.data());
+  }
+  /// Returns all edges or faces with other ids of points.
+  std::vector<EdgeIds> KeysOf(const DistinctKeys<EdgeIds>& edges, const Buffer<Index>& ids) const
+  {
+    std::vector<EdgeIds> keys;
+    keys.reserve(edges.Places.size());
+    for (Index place : edges.Places)
+    {
+      keys.push_back(KeyOf(ids, this->EndsAt(place)));
+    }
+    return keys;
+  }
+  std::vector<FaceIds> KeysOf(const DistinctKeys<FaceIds>& faces, const Buffer<Index>& ids) const
+  {
+    const ElementFaces table(this->TheMesh.Corners);
+    std::vector<FaceIds> keys;
+    keys.reserve(faces.Places.size());
+    for (Index place : faces.Places)
+    {
+      const Index* corners = this->CornersOf(place / this->Mids.Count);
+      const int face = static_cast<int>(place % this->Mids.Count) - this->Mids.Edges;
+      keys.push_back(KeyOf(ids, table.PointsOf(corners, face)));
+    }
+    return keys;
   }
 
   void ListNodes();
   void AppendPoints();
+  void SetOriginalIds();
   void PlaceEdges();
   CurvedReport CurveEdges();
+  std::vector<Index> ListCurvedEdges() const;
   void PlaceOthers();
   void FillGeometry();
-  Vector3 CornersSum(const Index* sorted, int count) const;
+  Vector3 SumOf(const Index* points, int count, const Vector3& near) const;
+  Vector3 PlaceOfLowest(const Index* corners, int count) const;
+  template <class Key>
+  void SetPartners(Index first, const DistinctKeys<Key>& keys);
 
   Mesh& TheMesh;
   Runtime& Run;
+  const bool HasCopies, IsSplit; // copies on opposite sides; at split interfaces
+  const PeriodImages Images;
   const MidNodes Mids;
   const Index Corners, Elements; // numbers of corner points and of elements
-  std::vector<EdgeIds> Edges;    // ascending; the points of their mid nodes follow the corners
-  std::vector<FaceIds> Faces;    // ascending; their points follow those of edges
+  DistinctKeys<EdgeIds> Edges;   // the points of their mid nodes follow the corners
+  DistinctKeys<FaceIds> Faces;   // their points follow those of edges
 };
 
 void MidNodeBuilder::ListNodes()
@@ -164,19 +234,17 @@ void MidNodeBuilder::ListNodes()
     const Index place = this->Mids.Count * element;
     for (int e = 0; e < this->Mids.Edges; ++e)
     {
-      const int(&ends)[2] = this->Mids.EdgeCorners[e];
-      edgeUses.push_back({ this->EdgeOf(corners[ends[0]], corners[ends[1]]), place + e });
+      edgeUses.push_back({ KeyOf(mesh.PointIds, this->EndsAt(place + e)), place + e });
     }
     for (int f = 0; this->Mids.HasFaces() && f < faces.Count; ++f)
     {
       faceUses.push_back(
-        { this->FaceOf(faces.PointsOf(corners, f)), place + this->Mids.Edges + f });
+        { KeyOf(mesh.PointIds, faces.PointsOf(corners, f)), place + this->Mids.Edges + f });
     }
   }
   this->Edges = NumberKeys(std::move(edgeUses), this->Corners, mesh.MidPoints);
-  const Index firstFace = this->Corners + static_cast<Index>(this->Edges.size());
-  this->Faces = NumberKeys(std::move(faceUses), firstFace, mesh.MidPoints);
-  const Index firstCentre = firstFace + static_cast<Index>(this->Faces.size());
+  this->Faces = NumberKeys(std::move(faceUses), this->FirstFace(), mesh.MidPoints);
+  const Index firstCentre = this->FirstFace() + static_cast<Index>(this->Faces.Ids.size());
   for (Index element = 0; this->Mids.HasFaces() && element < this->Elements; ++element)
   {
     mesh.MidPoints[this->Mids.Count * (element + 1) - 1] = firstCentre + element;
@@ -189,8 +257,7 @@ void MidNodeBuilder::AppendPoints()
   Mesh& mesh = this->TheMesh;
   Ranks& ranks = this->Run.Group();
   const Index centres = this->Mids.HasFaces() ? this->Elements : 0;
-  const Index points =
-    this->Corners + static_cast<Index>(this->Edges.size() + this->Faces.size()) + centres;
+  const Index points = this->FirstFace() + static_cast<Index>(this->Faces.Ids.size()) + centres;
   CheckNumberOfPoints(points, ranks);
   Index next = this->Corners, greatest = 0;
   for (Index id : mesh.PointIds)
@@ -208,71 +275,145 @@ void MidNodeBuilder::AppendPoints()
     }
     greatest = MaximumOverRanks(numbers.empty() ? greatest : mesh.PointIds[next - 1], ranks);
   };
-  append(this->Edges);
+  append(this->Edges.Ids);
   if (this->Mids.HasFaces())
   {
-    append(this->Faces);
+    append(this->Faces.Ids);
     append(std::vector<Index>(mesh.ElementIds.begin(), mesh.ElementIds.end()));
   }
   mesh.Points = Grown(mesh.Points, 3 * points);
   mesh.GeometryDimension = Grown(mesh.GeometryDimension, points);
   mesh.GeometryId = Grown(mesh.GeometryId, points);
+  for (Buffer<Index>* ids : { &mesh.PeriodicPartner, &mesh.OriginalPointIds })
+  {
+    if (!ids->empty())
+    {
+      *ids = Grown(*ids, points);
+      std::copy(
+        mesh.PointIds.begin() + this->Corners, mesh.PointIds.end(), ids->begin() + this->Corners);
+    }
+  }
+}
+
+/// Collective. Gives all copies of a mid node at split interfaces the lowest id of them as the id
+/// before the split.
+void MidNodeBuilder::SetOriginalIds()
+{
+  Mesh& mesh = this->TheMesh;
+  const auto setLowest = [&](Index first, const auto& keys)
+  {
+    const auto start = mesh.PointIds.begin() + first;
+    const std::vector<Index> lowest = MergeByKey(
+      this->KeysOf(keys, mesh.OriginalPointIds), std::vector<Index>(start, start + keys.Ids.size()),
+      [](Index a, Index b) { return std::min(a, b); }, this->Run.Group());
+    std::copy(lowest.begin(), lowest.end(), mesh.OriginalPointIds.begin() + first);
+  };
+  if (this->IsSplit)
+  {
+    setLowest(this->Corners, this->Edges);
+    setLowest(this->FirstFace(), this->Faces);
+  }
+}
+
+/// Collective. Sets the partners of the mid nodes of edges or faces, and moves copies to exactly
+/// whole periods from each other.
+/// @param first  point of the first key
+template <class Key>
+void MidNodeBuilder::SetPartners(Index first, const DistinctKeys<Key>& keys)
+{
+  if (!this->HasCopies)
+  {
+    return;
+  }
+  Mesh& mesh = this->TheMesh;
+  const auto count = static_cast<Index>(keys.Ids.size());
+  std::vector<Copies> copies;
+  for (Index point = first; point < first + count; ++point)
+  {
+    copies.push_back({ mesh.PointIds[point], this->Images.ToOwn(mesh.PointAt(point)) });
+  }
+  copies = MergeByKey(this->KeysOf(keys, mesh.PeriodicPartner), copies, Join, this->Run.Group());
+  for (Index i = 0; i < count; ++i)
+  {
+    mesh.PeriodicPartner[first + i] = copies[i].Id;
+    const Vector3 x = this->Images.ImageOf(copies[i].Lowest, mesh.PointAt(first + i));
+    std::copy(x.begin(), x.end(), mesh.Points.data() + 3 * (first + i));
+  }
 }
 
 /// Places the mid nodes of edges in their middles.
 void MidNodeBuilder::PlaceEdges()
 {
   Mesh& mesh = this->TheMesh;
-  this->ForCorners(
-    [&](Index mid, const Index* ends, int count)
+  const Buffer<Index>& ids = mesh.UnsplitPointIds();
+  for (std::size_t edge = 0; edge < this->Edges.Places.size(); ++edge)
+  {
+    auto [low, high] = this->EndsAt(this->Edges.Places[edge]);
+    if (ids[low] > ids[high])
     {
-      if (count == 2)
-      {
-        const Vector3 x = 0.5 * (mesh.PointAt(ends[0]) + mesh.PointAt(ends[1]));
-        std::copy(x.begin(), x.end(), mesh.Points.data() + 3 * mid);
-      }
-    });
+      std::swap(low, high);
+    }
+    const Vector3 end = mesh.PointAt(low);
+    const Vector3 x = 0.5 * (end + this->Images.Near(mesh.PointAt(high), end));
+    std::copy(x.begin(), x.end(), mesh.Points.data() + 3 * (this->Corners + edge));
+  }
+}
+
+/// Returns the edges that may be curved: those with both ends on surfaces, and those of layers.
+std::vector<Index> MidNodeBuilder::ListCurvedEdges() const
+{
+  const Mesh& mesh = this->TheMesh;
+  std::vector<unsigned char> mayBeCurved(this->Edges.Ids.size(), 0);
+  for (std::size_t edge = 0; edge < mayBeCurved.size(); ++edge)
+  {
+    const auto [first, second] = this->EndsAt(this->Edges.Places[edge]);
+    mayBeCurved[edge] = mesh.GeometryDimension[first] < DimensionOfVolumes &&
+      mesh.GeometryDimension[second] < DimensionOfVolumes;
+  }
+  for (std::size_t element = 0; element < mesh.Layer.size(); ++element)
+  {
+    for (int e = 0; mesh.Layer[element] > 0 && e < this->Mids.Edges; ++e)
+    {
+      mayBeCurved[this->MidsOf(static_cast<Index>(element))[e] - this->Corners] = 1;
+    }
+  }
+  std::vector<Index> edges;
+  for (std::size_t edge = 0; edge < mayBeCurved.size(); ++edge)
+  {
+    if (mayBeCurved[edge] != 0)
+    {
+      edges.push_back(static_cast<Index>(edge));
+    }
+  }
+  return edges;
 }
 
 /// Collective. Moves the mid nodes of interface edges onto the interface.
 CurvedReport MidNodeBuilder::CurveEdges()
 {
   Mesh& mesh = this->TheMesh;
-  Ranks& ranks = this->Run.Group();
-  CurvedEdges curved;
-  curved.OfMidPoint.assign(this->Edges.size(), -1);
-  std::vector<Index> onSurface;
+  const std::vector<Index> edges = this->ListCurvedEdges();
   std::vector<EdgeIds> questions;
-  for (Index element = 0; element < this->Elements; ++element)
+  for (Index edge : edges)
   {
-    for (int e = 0; e < this->Mids.Edges; ++e)
-    {
-      const int(&ends)[2] = this->Mids.EdgeCorners[e];
-      const Index* corners = this->CornersOf(element);
-      const Index edge = this->MidsOf(element)[e] - this->Corners;
-      if (curved.OfMidPoint[edge] == -1 &&
-        mesh.GeometryDimension[corners[ends[0]]] < DimensionOfVolumes &&
-        mesh.GeometryDimension[corners[ends[1]]] < DimensionOfVolumes)
-      {
-        curved.OfMidPoint[edge] = -2; // asked
-        onSurface.push_back(edge);
-        questions.push_back(this->Edges[edge]);
-      }
-    }
+    questions.push_back(KeyOf(mesh.CommonIds(), this->EndsAt(this->Edges.Places[edge])));
   }
-  const std::vector<Vector3> moves = CombinePulls(mesh.Pulls, questions, ranks);
+  const std::vector<EdgeMove> moves = CombinePulls(mesh.Pulls, questions, this->Run.Group());
   std::vector<EdgePull>().swap(mesh.Pulls);
+  mesh.OriginalPartner = Buffer<Index>();
+  CurvedEdges curved;
+  curved.OfMidPoint.assign(this->Edges.Ids.size(), -1);
   for (std::size_t i = 0; i < moves.size(); ++i)
   {
-    const bool isCurved = Norm(moves[i]) > 0.0;
-    curved.OfMidPoint[onSurface[i]] = isCurved ? static_cast<Index>(curved.Keys.size()) : -1;
-    if (isCurved)
+    if (Norm(moves[i].Move) > 0.0)
     {
-      curved.Keys.push_back(questions[i]);
-      curved.Moves.push_back(moves[i]);
+      curved.OfMidPoint[edges[i]] = static_cast<Index>(curved.Ids.size());
+      curved.Ids.push_back(this->Edges.Ids[edges[i]]);
+      curved.Groups.push_back(moves[i].Group);
+      curved.Moves.push_back(moves[i].Move);
     }
   }
-  const CurvedReport report = StraightenEdges(mesh, this->Corners, this->Run, curved);
+  const CurvedReport report = StraightenEdges(mesh, this->Corners, this->Images, this->Run, curved);
   for (std::size_t edge = 0; edge < curved.OfMidPoint.size(); ++edge)
   {
     for (int a = 0; curved.OfMidPoint[edge] >= 0 && a < 3; ++a)
@@ -283,20 +424,30 @@ CurvedReport MidNodeBuilder::CurveEdges()
   return report;
 }
 
-/// Returns the sum of some points in the order of their ids, with pairs of equal coordinates added
-/// exactly.
-Vector3 MidNodeBuilder::CornersSum(const Index* points, int count) const
+/// Returns the sum of some points, at the images near to a point, in the order of their ids, with
+/// pairs of equal coordinates added exactly.
+Vector3 MidNodeBuilder::SumOf(const Index* points, int count, const Vector3& near) const
 {
+  const Buffer<Index>& ids = this->TheMesh.UnsplitPointIds();
   std::array<Index, 12> sorted;
   std::copy_n(points, count, sorted.begin());
-  std::sort(sorted.begin(), sorted.begin() + count,
-    [this](Index a, Index b) { return this->TheMesh.PointIds[a] < this->TheMesh.PointIds[b]; });
+  std::sort(
+    sorted.begin(), sorted.begin() + count, [&ids](Index a, Index b) { return ids[a] < ids[b]; });
+  const auto at = [&](int i) { return this->Images.Near(this->TheMesh.PointAt(sorted[i]), near); };
   Vector3 sum{ { 0.0, 0.0, 0.0 } };
   for (int i = 0; i < count; i += 2)
   {
-    sum = sum + (this->TheMesh.PointAt(sorted[i]) + this->TheMesh.PointAt(sorted[i + 1]));
+    sum = sum + (at(i) + at(i + 1));
   }
   return sum;
+}
+
+/// Returns the position of the point with the lowest id.
+Vector3 MidNodeBuilder::PlaceOfLowest(const Index* corners, int count) const
+{
+  const Buffer<Index>& ids = this->TheMesh.UnsplitPointIds();
+  return this->TheMesh.PointAt(*std::min_element(
+    corners, corners + count, [&ids](Index a, Index b) { return ids[a] < ids[b]; }));
 }
 
 /// Places the mid nodes of faces and elements from corners and edges.
@@ -311,31 +462,26 @@ void MidNodeBuilder::PlaceOthers()
     {
       const Index* corners = this->CornersOf(element);
       const Index* mids = this->MidsOf(element);
+      const Vector3 near = this->PlaceOfLowest(corners, 8);
       place(mids[this->Mids.Count - 1],
-        0.25 * (this->CornersSum(mids, 12) - this->CornersSum(corners, 8)));
+        0.25 * (this->SumOf(mids, 12, near) - this->SumOf(corners, 8, near)));
     });
-  std::vector<unsigned char> isPlaced(this->Faces.size(), 0);
-  const Index firstFace = this->Corners + static_cast<Index>(this->Edges.size());
-  for (Index element = 0; this->Mids.HasFaces() && element < this->Elements; ++element)
-  {
-    const Index* mids = this->MidsOf(element);
-    for (int f = 0; f < faces.Count; ++f)
+  ForEach(this->Run, this->Faces.Places.size(),
+    [&](Index i)
     {
-      const Index mid = mids[this->Mids.Edges + f];
-      if (isPlaced[mid - firstFace])
-      {
-        continue;
-      }
-      isPlaced[mid - firstFace] = 1;
+      const Index element = this->Faces.Places[i] / this->Mids.Count;
+      const int face =
+        static_cast<int>(this->Faces.Places[i] % this->Mids.Count) - this->Mids.Edges;
       Index edges[4];
       for (int c = 0; c < 4; ++c)
       {
-        edges[c] = mids[this->Mids.EdgeOfFace(f, c)];
+        edges[c] = this->MidsOf(element)[this->Mids.EdgeOfFace(face, c)];
       }
-      const std::array<Index, 4> corners = faces.PointsOf(this->CornersOf(element), f);
-      place(mid, 0.5 * this->CornersSum(edges, 4) - 0.25 * this->CornersSum(corners.data(), 4));
-    }
-  }
+      const std::array<Index, 4> corners = faces.PointsOf(this->CornersOf(element), face);
+      const Vector3 near = this->PlaceOfLowest(corners.data(), 4);
+      place(this->FirstFace() + i,
+        0.5 * this->SumOf(edges, 4, near) - 0.25 * this->SumOf(corners.data(), 4, near));
+    });
 }
 
 /// Collective. Fills the geometry of mid nodes.
@@ -345,32 +491,37 @@ void MidNodeBuilder::FillGeometry()
   std::vector<OnGeometry<EdgeIds>> edges;
   std::vector<OnGeometry<FaceIds>> faces;
   const SurfaceFacets& surfaces = mesh.Surfaces;
+  const Buffer<Index>& ids = mesh.UnsplitPointIds();
   const int corners = mesh.CornersOfFacet();
   for (std::size_t f = 0; f < surfaces.SurfaceId.size(); ++f)
   {
     const Index* points = surfaces.Points.data() + corners * f;
     for (int c = 0; c < corners; ++c)
     {
-      edges.push_back({ this->EdgeOf(points[c], points[(c + 1) % corners]), DimensionOfSurfaces,
-        surfaces.SurfaceId[f] });
+      edges.push_back(
+        { KeyOf(ids, std::array<Index, 2>{ { points[c], points[(c + 1) % corners] } }),
+          DimensionOfSurfaces, surfaces.SurfaceId[f] });
     }
     if (this->Mids.HasFaces())
     {
-      faces.push_back({ this->FaceOf({ { points[0], points[1], points[2], points[3] } }),
+      faces.push_back({ KeyOf(ids, FaceIds{ { points[0], points[1], points[2], points[3] } }),
         DimensionOfSurfaces, surfaces.SurfaceId[f] });
     }
   }
   for (std::size_t e = 0; e < mesh.Curves.CurveId.size(); ++e)
   {
     const Index* ends = mesh.Curves.Points.data() + 2 * e;
-    edges.push_back(
-      { this->EdgeOf(ends[0], ends[1]), DimensionOfSurfaces - 1, mesh.Curves.CurveId[e] });
+    edges.push_back({ KeyOf(ids, std::array<Index, 2>{ { ends[0], ends[1] } }),
+      DimensionOfSurfaces - 1, mesh.Curves.CurveId[e] });
   }
   const auto combine = [](auto first, auto last) {
     return first < last ? Place{ { first->Dimension, first->Id } } : Place{ { 3, 0 } };
   };
-  std::vector<Place> places = AskByKey(edges, this->Edges, combine, this->Run.Group());
-  const std::vector<Place> ofFaces = AskByKey(faces, this->Faces, combine, this->Run.Group());
+  const auto unsplit = [&](const auto& keys)
+  { return this->IsSplit ? this->KeysOf(keys, ids) : keys.Ids; };
+  std::vector<Place> places = AskByKey(edges, unsplit(this->Edges), combine, this->Run.Group());
+  const std::vector<Place> ofFaces =
+    AskByKey(faces, unsplit(this->Faces), combine, this->Run.Group());
   places.insert(places.end(), ofFaces.begin(), ofFaces.end());
   places.resize(mesh.PointIds.size() - this->Corners, Place{ { DimensionOfVolumes, 0 } });
   for (std::size_t i = 0; i < places.size(); ++i)
@@ -394,6 +545,7 @@ template <class Value>
 void AppendMeans(const MidNodeBuilder& builder, const Mesh& mesh, TransferredArray& array)
 {
   const int width = array.Components;
+  const Buffer<Index>& ids = mesh.UnsplitPointIds();
   Buffer<Value> values(width * mesh.PointIds.size());
   std::copy_n(array.Values.data(), array.Values.size(), reinterpret_cast<char*>(values.data()));
   builder.ForCorners(
@@ -402,7 +554,7 @@ void AppendMeans(const MidNodeBuilder& builder, const Mesh& mesh, TransferredArr
       std::array<Index, 8> sorted;
       std::copy_n(corners, count, sorted.begin());
       std::sort(sorted.begin(), sorted.begin() + count,
-        [&mesh](Index a, Index b) { return mesh.PointIds[a] < mesh.PointIds[b]; });
+        [&ids](Index a, Index b) { return ids[a] < ids[b]; });
       for (int c = 0; c < width; ++c)
       {
         double sum = 0.0;
@@ -418,9 +570,10 @@ void AppendMeans(const MidNodeBuilder& builder, const Mesh& mesh, TransferredArr
 
 } // namespace
 
-FieldArrays AddMidNodes(ElementOrder order, Runtime& runtime, Mesh& mesh, OutputState& state)
+FieldArrays AddMidNodes(
+  ElementOrder order, const FieldArrays& fields, Runtime& runtime, Mesh& mesh, OutputState& state)
 {
-  MidNodeBuilder builder(order, runtime, mesh);
+  MidNodeBuilder builder(order, fields, runtime, mesh);
   const CurvedReport report = builder.Build();
   if (state.NodalVelocity)
   {

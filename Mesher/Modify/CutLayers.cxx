@@ -3,6 +3,7 @@
 #include "Mesh/MeasureFragments.h"
 #include "Mesh/SelectPoints.h"
 #include "Modify/LayerFacets.h"
+#include "Modify/LayerPulls.h"
 #include "Ranks/Agreement.h"
 #include "Ranks/MergeByKey.h"
 #include "Ranks/NumberInOrder.h"
@@ -239,6 +240,7 @@ void CutLayers(const LayerColumns& columns, const LayerSpacing& spacing, const V
   const LayerParts parts(columns, spacing.Layers, mesh);
   AddPoints(columns, spacing, periods, runtime, mesh);
   CheckNumberOfPoints(static_cast<Index>(mesh.PointIds.size()), runtime.Group());
+  AddLayerPulls(parts, runtime.Group(), mesh);
   const std::vector<Index> parents = ListParents(parts);
   AddElements(parts, parents, runtime, mesh);
   CutFacets(parts, runtime.Group(), mesh);

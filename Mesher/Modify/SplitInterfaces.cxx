@@ -63,8 +63,13 @@ void ReplacePoints(
     number = isFirst ? static_cast<Index>(sources.size()) : number;
     sources.push_back(point.Source);
   }
-  const Buffer<Index>& original = mesh.UnsplitPointIds();
-  mesh.OriginalPointIds = Select(original, sources, runtime);
+  mesh.OriginalPointIds = Select(mesh.UnsplitPointIds(), sources, runtime);
+  if (!mesh.PeriodicPartner.empty())
+  {
+    const bool isFirst = mesh.OriginalPartner.empty();
+    mesh.OriginalPartner =
+      Select(isFirst ? mesh.PeriodicPartner : mesh.OriginalPartner, sources, runtime);
+  }
   SelectPoints(sources, numbers, runtime, mesh);
   SortGeometry(mesh);
   for (std::size_t p = 0; p < points.size(); ++p)

@@ -30,14 +30,16 @@ struct PartRequest
 class Straightener
 {
 public:
-  Straightener(const Mesh& mesh, Index firstMid, Runtime& runtime, CurvedEdges& edges) :
+  Straightener(const Mesh& mesh, Index firstMid, const PeriodImages& images, Runtime& runtime,
+    CurvedEdges& edges) :
     TheMesh(mesh),
     FirstMid(firstMid),
+    Images(images),
     Run(runtime),
     Edges(edges),
     Mids(mesh.Corners, mesh.MidsPerElement),
     Shape(GetCurvedElement(mesh.Corners)),
-    Parts(edges.Keys.size(), 0)
+    Parts(edges.Ids.size(), 0)
   {
     this->ListElements();
   }
@@ -97,12 +99,14 @@ private:
     CurvedElement::Nodes nodes;
     for (int c = 0; c < mesh.Corners; ++c)
     {
-      nodes[c] = mesh.PointAt(mesh.Elements[mesh.Corners * element + c]);
+      const Vector3 x = mesh.PointAt(mesh.Elements[mesh.Corners * element + c]);
+      nodes[c] = c == 0 ? x : this->Images.Near(x, nodes[0]);
     }
     for (int mid = 0; mid < this->Mids.Edges; ++mid)
     {
+      const int(&ends)[2] = this->Mids.EdgeCorners[mid];
       Vector3& node = nodes[mesh.Corners + mid];
-      node = mesh.PointAt(mesh.MidPoints[this->Mids.Count * element + mid]);
+      node = 0.5 * (nodes[ends[0]] + nodes[ends[1]]);
       const Index edge = isCurved ? this->CurvedAt(element, mid) : -1;
       if (edge >= 0)
       {
@@ -140,7 +144,7 @@ private:
         const Index edge = this->CurvedAt(this->Elements[i], mid);
         if (edge >= 0 && this->Parts[edge] < LastPart)
         {
-          requests.push_back({ this->Edges.Keys[edge], this->Parts[edge] + 1, 0 });
+          requests.push_back({ this->Edges.Groups[edge], this->Parts[edge] + 1, 0 });
         }
       }
     }
@@ -149,7 +153,7 @@ private:
       return false;
     }
     const std::vector<int> parts = AskByKey(
-      requests, this->Edges.Keys,
+      requests, this->Edges.Groups,
       [](auto first, auto last) { return first < last ? (last - 1)->Part : 0; }, this->Run.Group());
     std::vector<unsigned char> isMoved(parts.size(), 0);
     for (std::size_t e = 0; e < parts.size(); ++e)
@@ -176,10 +180,10 @@ private:
     std::vector<PartRequest> entries;
     for (std::size_t e = 0; e < this->Parts.size(); ++e)
     {
-      entries.push_back({ this->Edges.Keys[e], this->Parts[e], ranks.Rank() });
+      entries.push_back({ this->Edges.Ids[e], this->Parts[e], ranks.Rank() });
     }
     const std::vector<int> owners = AskByKey(
-      entries, this->Edges.Keys, [](auto first, auto) { return first->Rank; }, ranks);
+      entries, this->Edges.Ids, [](auto first, auto) { return first->Rank; }, ranks);
     std::vector<std::int64_t> counts(2, 0);
     for (std::size_t e = 0; e < owners.size(); ++e)
     {
@@ -194,6 +198,7 @@ private:
 
   const Mesh& TheMesh;
   const Index FirstMid;
+  const PeriodImages& Images;
   Runtime& Run;
   CurvedEdges& Edges;
   const MidNodes Mids;
@@ -206,9 +211,10 @@ private:
 
 } // namespace
 
-CurvedReport StraightenEdges(const Mesh& mesh, Index firstMid, Runtime& runtime, CurvedEdges& edges)
+CurvedReport StraightenEdges(const Mesh& mesh, Index firstMid, const PeriodImages& images,
+  Runtime& runtime, CurvedEdges& edges)
 {
-  return Straightener(mesh, firstMid, runtime, edges).Straighten();
+  return Straightener(mesh, firstMid, images, runtime, edges).Straighten();
 }
 
 } // namespace vfm

@@ -10,6 +10,7 @@
 
 #include "Base/Runtime.h"
 #include "Mesh/Mesh.h"
+#include "Modify/PeriodImages.h"
 
 #include <vector>
 
@@ -19,7 +20,8 @@ namespace vfm
 /// Edges whose mid node is off the middle.
 struct CurvedEdges
 {
-  std::vector<EdgeIds> Keys;     ///< the same on all ranks that have the edge
+  std::vector<EdgeIds> Ids;      ///< the same on all ranks that have the edge
+  std::vector<EdgeIds> Groups;   ///< edges of a group are moved back by the same part
   std::vector<Vector3> Moves;    ///< displacement of each mid node
   std::vector<Index> OfMidPoint; ///< for each mid point of an edge, from 0: its curved edge, or -1
 };
@@ -34,8 +36,9 @@ struct CurvedReport
 /// Scales the displacements of mid nodes.
 /// @param mesh  with MidPoints, at straight positions
 /// @param firstMid  first point that is a mid point of an edge
+/// @param images  places the corners of elements near to each other
 /// @pre Collective over runtime.Group().
-CurvedReport StraightenEdges(
-  const Mesh& mesh, Index firstMid, Runtime& runtime, CurvedEdges& edges);
+CurvedReport StraightenEdges(const Mesh& mesh, Index firstMid, const PeriodImages& images,
+  Runtime& runtime, CurvedEdges& edges);
 
 } // namespace vfm

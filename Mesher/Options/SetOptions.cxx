@@ -216,14 +216,11 @@ void CheckOrder(const MesherOptions& options)
   {
     return;
   }
-  if (options.Periodic != 0)
+  if (!options.SplitInterfaces.empty() && options.Connection == SplitConnection::Cohesive)
   {
-    throw InputError("ElementOrder must be Linear for a periodic mesh (Periodic): the mid nodes of "
-                     "opposite sides would have no partners.");
-  }
-  if (options.Layers > 1 || !options.SplitInterfaces.empty())
-  {
-    throw InputError("ElementOrder must be Linear for meshes with Layers or SplitInterfaces.");
+    throw InputError("SplitConnection Cohesive is for meshes of ElementOrder Linear: the formats "
+                     "have no cohesive elements of second order. None, Contact and Tied are "
+                     "available.");
   }
 }
 

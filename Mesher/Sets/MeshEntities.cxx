@@ -250,7 +250,8 @@ void FindCurves(const Junctions& junctions, MeshEntities& entities)
 }
 
 /// Classifies the mid nodes of edges of curves.
-void ClassifyMids(const MeshData& mesh, MeshEntities& entities)
+void ClassifyMids(
+  const MeshData& mesh, const std::vector<Index>& firstCopies, MeshEntities& entities)
 {
   std::map<EdgeIds, int> curves; // by the points of their edges
   for (std::size_t c = 0; c < entities.Curves.size(); ++c)
@@ -269,11 +270,12 @@ void ClassifyMids(const MeshData& mesh, MeshEntities& entities)
       const std::vector<Index> mids = MidsOfFace(mesh, side.Element, side.Side);
       for (int c = 0; !mids.empty() && c < count; ++c)
       {
-        const auto curve = curves.find(MakeEdgeIds(corners[c], corners[(c + 1) % count]));
+        const auto curve =
+          curves.find(MakeEdgeIds(firstCopies[corners[c]], firstCopies[corners[(c + 1) % count]]));
         if (curve != curves.end())
         {
-          entities.PointDimension[mids[c]] = 1;
-          entities.PointEntity[mids[c]] = curve->second;
+          entities.PointDimension[firstCopies[mids[c]]] = 1;
+          entities.PointEntity[firstCopies[mids[c]]] = curve->second;
         }
       }
     }
@@ -292,11 +294,11 @@ MeshEntities FindMeshEntities(const MeshData& mesh)
   const Junctions junctions(MakeFacets(mesh, firstCopies, entities));
   FindVertices(junctions, entities);
   FindCurves(junctions, entities);
-  ClassifyCopies(firstCopies, entities);
   if (mesh.MidsPerElement > 0)
   {
-    ClassifyMids(mesh, entities);
+    ClassifyMids(mesh, firstCopies, entities);
   }
+  ClassifyCopies(firstCopies, entities);
   return entities;
 }
 

@@ -6,6 +6,7 @@
 #include "Summary/MeshMaterials.h"
 
 #include <map>
+#include <numeric>
 
 namespace vfm
 {
@@ -14,13 +15,25 @@ namespace
 
 using Pair = std::array<int, 2>;
 
-/// Returns the places of the points of a face in ascending order of their ids before the split. The
-/// -1 of a triangle is first.
-std::array<int, 4> OrderOf(const FaceIds& points, const Index* ids)
+/// Returns the points of a face.
+FaceNodes NodesOf(const MeshData& mesh, const MeshSide& side)
+{
+  FaceNodes nodes;
+  nodes.fill(-1);
+  const FaceIds corners = PointsOfSide(mesh, side);
+  const std::vector<Index> mids = MidsOfFace(mesh, side.Element, side.Side);
+  std::copy(mids.begin(), mids.end(), std::copy(corners.begin(), corners.end(), nodes.begin()));
+  return nodes;
+}
+
+/// Returns the places of the points of a face in ascending order of their ids before the split;
+/// those without a point first.
+std::array<int, 9> OrderOf(const FaceNodes& points, const Index* ids)
 {
   const auto idOf = [&](int place) { return points[place] < 0 ? -1 : ids[points[place]]; };
-  std::array<int, 4> order{ { 0, 1, 2, 3 } };
-  std::sort(order.begin(), order.end(), [&](int a, int b) { return idOf(a) < idOf(b); });
+  std::array<int, 9> order;
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return idOf(a) < idOf(b); });
   return order;
 }
 
@@ -28,8 +41,9 @@ std::array<int, 4> OrderOf(const FaceIds& points, const Index* ids)
 struct InnerFaces
 {
   std::vector<MeshFacet> Facets;
-  std::vector<FaceIds> Points, Keys; ///< Keys: sorted ids before the split
-  std::vector<std::array<int, 4>> Orders;
+  std::vector<FaceNodes> Points;
+  std::vector<FaceIds> Keys; ///< sorted ids of corners before the split
+  std::vector<std::array<int, 9>> Orders;
 };
 
 InnerFaces ListInnerFaces(const MeshData& mesh, const std::vector<MeshFacet>& facets)
@@ -39,21 +53,22 @@ InnerFaces ListInnerFaces(const MeshData& mesh, const std::vector<MeshFacet>& fa
   {
     if (facet.Behind != NothingBehind && facet.DomainSide == NoSide)
     {
-      const FaceIds points = PointsOfSide(mesh, { facet.Element, facet.Side });
+      const MeshSide side{ facet.Element, facet.Side };
+      const FaceNodes points = NodesOf(mesh, side);
       faces.Facets.push_back(facet);
       faces.Points.push_back(points);
-      faces.Keys.push_back(SortedIds(points, mesh.UnsplitPointIds()));
+      faces.Keys.push_back(SortedIds(PointsOfSide(mesh, side), mesh.UnsplitPointIds()));
       faces.Orders.push_back(OrderOf(points, mesh.UnsplitPointIds()));
     }
   }
   return faces;
 }
 
-/// Returns the values of the points of each face; -1 for the last point of a triangle.
-std::vector<FaceIds> ValuesOf(const InnerFaces& faces, const Index* values)
+/// Returns the values of the points of each face.
+std::vector<FaceNodes> ValuesOf(const InnerFaces& faces, const Index* values)
 {
-  std::vector<FaceIds> found = faces.Points;
-  for (FaceIds& face : found)
+  std::vector<FaceNodes> found = faces.Points;
+  for (FaceNodes& face : found)
   {
     for (Index& point : face)
     {
@@ -65,14 +80,14 @@ std::vector<FaceIds> ValuesOf(const InnerFaces& faces, const Index* values)
 
 /// Returns the values of the points of the element behind each face, in the order of the face.
 /// @pre Collective
-std::vector<FaceIds> FindValuesBehind(
-  const InnerFaces& faces, const std::vector<FaceIds>& values, Ranks& ranks)
+std::vector<FaceNodes> FindValuesBehind(
+  const InnerFaces& faces, const std::vector<FaceNodes>& values, Ranks& ranks)
 {
-  std::vector<FaceIds> found = values;
+  std::vector<FaceNodes> found = values;
   std::vector<Index> some(values.size());
-  for (std::size_t c = 0; c < 4; ++c)
+  for (std::size_t c = 0; c < std::tuple_size<FaceNodes>::value; ++c)
   {
-    // A point without a value, of triangles, keeps it.
+    // A point without a value keeps it.
     for (std::size_t f = 0; f < values.size(); ++f)
     {
       some[f] = std::max<Index>(values[f][faces.Orders[f][c]], 0);
@@ -168,7 +183,7 @@ void FillBlocks(
     CohesiveBlock& block = *std::find_if(blocks.begin(), blocks.end(),
       [&face](const CohesiveBlock& one) { return one.Materials == face.Materials; });
     block.Sides.push_back(face.First);
-    for (const FaceIds& side : face.Points)
+    for (const FaceNodes& side : face.Points)
     {
       for (Index id : side)
       {
@@ -198,10 +213,10 @@ std::vector<SplitFace> FindSplitFaces(const MeshData& mesh, Ranks& ranks)
     return {};
   }
   const InnerFaces inner = ListInnerFaces(mesh, FindMeshFacets(mesh, ranks));
-  const std::vector<FaceIds> first = ValuesOf(inner, mesh.PointIds);
-  const std::vector<FaceIds> second = FindValuesBehind(inner, first, ranks);
+  const std::vector<FaceNodes> first = ValuesOf(inner, mesh.PointIds);
+  const std::vector<FaceNodes> second = FindValuesBehind(inner, first, ranks);
   const bool isPeriodic = ranks.Any(mesh.PeriodicPartner != nullptr);
-  const std::vector<FaceIds> partners =
+  const std::vector<FaceNodes> partners =
     isPeriodic ? FindValuesBehind(inner, ValuesOf(inner, mesh.PeriodicPartner), ranks) : second;
   std::vector<SplitFace> split;
   for (std::size_t f = 0; f < inner.Facets.size(); ++f)

@@ -20,14 +20,18 @@ constexpr const char* SplitConnectionField = "SplitConnection";
 /// Returns the connection of a mesh; None if the mesh is not split.
 SplitConnection ConnectionOf(const MeshData& mesh);
 
+/// Values of the nodes of a face: of four corners, of the mid nodes of its edges, of its centre; -1
+/// for nodes that a face does not have.
+using FaceNodes = std::array<Index, 9>;
+
 /// A face whose sides are split, stored on the rank of its first element.
 struct SplitFace
 {
-  MeshSide First;                ///< side of the first element
-  std::array<int, 2> Materials;  ///< materials of both elements
-  std::array<FaceIds, 2> Points; ///< global ids of the nodes of both sides, in the order of the
-                                 ///< first side; the last one of a triangle is -1
-  FaceIds Partners;              ///< PeriodicPartner of the second nodes, or their ids
+  MeshSide First;                  ///< side of the first element
+  std::array<int, 2> Materials;    ///< materials of both elements
+  std::array<FaceNodes, 2> Points; ///< global ids of the nodes of both sides, in the order of the
+                                   ///< first side
+  FaceNodes Partners;              ///< PeriodicPartner of the second nodes, or their ids
 };
 
 /// Returns the split faces of which this rank has the first element, ascending by side.

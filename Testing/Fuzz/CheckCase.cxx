@@ -2,6 +2,7 @@
 
 #include "CurvedNodes.h"
 #include "GeometryChecks.h"
+#include "InterfaceLayers.h"
 #include "Modify/AddMidNodes.h"
 #include "OverlapChecks.h"
 #include "TetPipeline.h"
@@ -153,14 +154,25 @@ std::string FindMeshProblem(
       FindVolumeProblem(c, mesh, report), FindSpaceProblem(mesh, result) });
 }
 
+/// Returns layers of which the first one is thin.
+LayerSpacing ThinLayers(const CartesianGrid& grid)
+{
+  return { 3, 1.5, 0.1 * grid.MeanWidth() };
+}
+
 /// Makes a mesh with its mid nodes.
-template <auto Make>
+template <auto Make, bool HasLayers = false>
 Mesh MakeCurved(const CartesianGrid& grid, const FractionField& fractions,
   const MeshOptions& options, Runtime& runtime, MeshReport& report)
 {
   Mesh mesh = Make(grid, fractions, options, runtime, report);
+  if constexpr (HasLayers)
+  {
+    MeshReport ofLayers;
+    CutAtInterfaces(ThinLayers(grid), runtime, mesh, ofLayers);
+  }
   OutputState none;
-  AddMidNodes(options.Order, runtime, mesh, none);
+  AddMidNodes(options.Order, {}, runtime, mesh, none);
   return mesh;
 }
 
@@ -169,8 +181,13 @@ Mesh MakeCurved(const CartesianGrid& grid, const FractionField& fractions,
 std::string FindCurvedProblem(const FuzzCase& c, Mesh& mesh, const MeshReport& report)
 {
   Runtime runtime;
+  if (c.HasLayers)
+  {
+    MeshReport ofLayers;
+    CutAtInterfaces(ThinLayers(c.Grid), runtime, mesh, ofLayers);
+  }
   OutputState none;
-  const FieldArrays counts = AddMidNodes(c.Options.Order, runtime, mesh, none);
+  const FieldArrays counts = AddMidNodes(c.Options.Order, {}, runtime, mesh, none);
   const CurvedElement& shape = GetCurvedElement(mesh.Corners);
   std::vector<double> volumes(c.Fractions.NumberOfMaterials() + 1, 0.0);
   for (Index e = 0; e < static_cast<Index>(mesh.ElementIds.size()); ++e)
@@ -200,6 +217,7 @@ std::string FindRanksProblem(const FuzzCase& c, const RankMesh& alone)
 {
   const bool isLinear = c.Options.Order == ElementOrder::Linear;
   const MeshMaker make = isLinear ? c.Make
+    : c.HasLayers                 ? MakeCurved<MakeHexMesh, true>
     : c.Make == MakeHexMesh       ? MakeCurved<MakeHexMesh>
                                   : MakeCurved<MakeTetMesh>;
   const RankMesh made = MakeOnRanks(c.Grid, c.Fractions, c.Boxes, c.Options, make);

@@ -21,6 +21,7 @@ struct FuzzCase
   /// boxes of the ranks that are compared with one rank; empty: one rank only
   std::vector<IndexBox> Boxes;
   bool HasCubes;
+  bool HasLayers = false; ///< of hexahedra of second order
 };
 
 /// Returns the same case for the same seed on any machine.

@@ -1,8 +1,7 @@
 /// Layers of hexahedra along surfaces of a finished mesh.
-#include "Modify/CutLayers.h"
+#include "InterfaceLayers.h"
 #include "Mesh/ElementFaces.h"
 #include "Mesh/MeasureFragments.h"
-#include "Mesh/Quality.h"
 #include "RankMeshes.h"
 
 #include <gtest/gtest.h>
@@ -26,18 +25,7 @@ Mesh MakeWithLayers(const CartesianGrid& grid, const FractionField& fractions,
   const MeshOptions& options, double thickness, Runtime& runtime, MeshReport& report)
 {
   Mesh mesh = MakeHexMesh(grid, fractions, options, runtime, report);
-  OutputState state;
-  std::vector<ColumnBase> bases;
-  for (const MeshFacet& facet : mesh.Facets)
-  {
-    if (IsInterface(facet))
-    {
-      bases.push_back({ facet.Element, facet.Side, true });
-    }
-  }
-  CutLayers(FindLayerColumns(mesh, bases, runtime.Group()), { Layers, Growth, thickness },
-    Vector3{}, runtime, mesh, state);
-  ComputeQuality(mesh, runtime, report);
+  CutAtInterfaces({ Layers, Growth, thickness }, runtime, mesh, report);
   return mesh;
 }
 

@@ -136,7 +136,7 @@ TEST(SecondOrderAccuracy, FacesAreNearTheSphere)
         MeshReport report;
         Mesh mesh = kind.Make(grid, fractions, options, runtime, report);
         OutputState none;
-        AddMidNodes(ElementOrder::Quadratic, runtime, mesh, none);
+        AddMidNodes(ElementOrder::Quadratic, {}, runtime, mesh, none);
         distances[order] = Measure(mesh, ball);
         EXPECT_NEAR(report.MeshVolume[1] / report.TargetVolume[1], 1.0, 2e-7);
       }

@@ -1,18 +1,15 @@
 /// Second-order meshes: nodes, ids, positive Jacobians and volumes.
 #include "CurvedNodes.h"
 #include "LabelInput.h"
+#include "NodesById.h"
 #include "RandomDraw.h"
 #include "RankFields.h"
-#include "Sets/MeshSets.h"
-#include "State/ViewMesh.h"
 #include "Sweep.h"
 #include "ThreadRanks.h"
 
 #include <gtest/gtest.h>
 
 #include <cstdio>
-#include <map>
-#include <mutex>
 #include <set>
 
 using namespace vfm;
@@ -93,44 +90,6 @@ double SmallestRatio(const Mesh& mesh)
   return least;
 }
 
-/// A mesh by global ids.
-struct MeshById
-{
-  std::map<Index, std::array<double, 5>> Points; // position and geometry
-  std::map<Index, std::vector<Index>> Nodes;     // corners and mid nodes of each element
-  std::set<std::pair<Index, Index>> InNodeSets;  // set and point
-
-  void Add(const Mesh& mesh, const MeshData& data, Ranks& ranks, std::mutex& lock)
-  {
-    const std::vector<NodeSet> sets = FindMeshSets(data, ranks).NodeSets;
-    const std::lock_guard<std::mutex> guard(lock);
-    for (std::size_t p = 0; p < mesh.PointIds.size(); ++p)
-    {
-      const Vector3 x = mesh.PointAt(static_cast<Index>(p));
-      const std::array<double, 5> point{ { x[0], x[1], x[2],
-        static_cast<double>(mesh.GeometryDimension[p]), static_cast<double>(mesh.GeometryId[p]) } };
-      const auto added = this->Points.emplace(mesh.PointIds[p], point);
-      EXPECT_EQ(added.first->second, point) << "id " << mesh.PointIds[p];
-    }
-    for (Index e = 0; e < data.NumberOfElements; ++e)
-    {
-      data.ForNodes(e,
-        [&](const Index* first, const Index* last)
-        {
-          std::transform(first, last, std::back_inserter(this->Nodes[mesh.ElementIds[e]]),
-            [&mesh](Index point) { return mesh.PointIds[point]; });
-        });
-    }
-    for (const NodeSet& set : sets)
-    {
-      for (Index point : set.Points)
-      {
-        this->InNodeSets.emplace(set.Id, mesh.PointIds[point]);
-      }
-    }
-  }
-};
-
 class SecondOrder : public ::testing::TestWithParam<Kind>
 {
 };
@@ -142,10 +101,10 @@ TEST_P(SecondOrder, RanksGiveTheSameMesh)
   const Index3 cells{ { 8, 7, 9 } };
   for (const std::vector<int>& labels : { BallLabels(cells), RandomLabels(cells, 3) })
   {
-    MeshById alone;
+    NodesById alone;
     for (int count : { 1, 2, 3 })
     {
-      MeshById joined;
+      NodesById joined;
       std::mutex mutex;
       RunOnRanks(count,
         [&](ThreadRanks& ranks)
@@ -158,7 +117,7 @@ TEST_P(SecondOrder, RanksGiveTheSameMesh)
           const Mesh& mesh = result.TheMesh;
           EXPECT_TRUE(std::is_sorted(mesh.PointIds.begin(), mesh.PointIds.end()));
           EXPECT_EQ(mesh.MidsPerElement, this->GetParam().Mids);
-          joined.Add(mesh, ViewMesh(mesh, result.State, result.Fields), ranks, mutex);
+          joined.Add(result, ranks, mutex);
         });
       alone = count == 1 ? joined : alone;
       EXPECT_TRUE(joined.Points == alone.Points);
@@ -309,12 +268,13 @@ TEST_P(SecondOrder, ConservesVolumes)
   EXPECT_NEAR(volume / result.Report.TargetVolume[1], 1.0, 2e-7);
 }
 
-TEST(SecondOrderOptions, RefusesPeriodicMeshes)
+TEST(SecondOrderOptions, RefusesCohesiveElements)
 {
   Runtime serial;
   MesherOptions options;
   options.Order = ElementOrder::Quadratic;
-  options.Periodic = 1;
+  options.SplitInterfaces = "*";
+  options.Connection = SplitConnection::Cohesive;
   const MesherInput input =
     MakeLabelInput({ { { 4, 4, 4 } }, 0.0, 1.0 }, std::vector<int>(64, 1), serial.Group());
   EXPECT_THROW(RunMesher(input, options, serial), InputError);

@@ -71,12 +71,18 @@ def test_with_split_interfaces():
 @pytest.mark.parametrize("make, options, message", [
     (vfm.tets, {}, "Layers are for hexahedra"),
     (vfm.hexes, {"stair_step": True}, "which StairStep does not make"),
-    (vfm.hexes, {"element_order": "quadratic"}, "ElementOrder must be Linear"),
 ])
 def test_errors(make, options, message):
     with pytest.raises(ValueError, match=message):
         make(BALL, layers=2, **options)
 
 
-def test_text_of_second_order():
-    assert "hexahedra" in repr(vfm.hexes(BALL, element_order="quadratic"))
+def test_layers_follow_curved_interfaces():
+    """The mid nodes of thin layers lie between two spheres, and none is moved back."""
+    words = {"element_order": "quadratic", "mesh_void": True}
+    plain = vfm.hexes(BALL, **words)
+    mesh = vfm.hexes(BALL, layers=3, first_layer=0.02, **words)
+    assert "hexahedra" in repr(mesh)
+    assert mesh.fields["StraightenedMidNodes"][0] == plain.fields["StraightenedMidNodes"][0] == 0
+    assert mesh.fields["CurvedMidNodes"][0] > 4 * plain.fields["CurvedMidNodes"][0]
+    assert mesh.materials["MeshVolume"] == pytest.approx(plain.materials["MeshVolume"], rel=1e-9)

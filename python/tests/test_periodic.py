@@ -20,6 +20,8 @@ MESHES = {
     "void": vfm.hexes({"ball": CORNER}, periodic="xyz", mesh_void=True, **GRID),
     "lattice": vfm.tets(FRACTIONS, periodic="xyz", **GRID),
     "cells": vfm.tets(FRACTIONS, periodic="xyz", method="cells", **GRID),
+    "curved": vfm.hexes(FRACTIONS, periodic="xyz", element_order="quadratic", **GRID),
+    "curved tets": vfm.tets(FRACTIONS, periodic="xy", element_order="quadratic", **GRID),
     "rotated": vfm.hexes(FRACTIONS, periodic="xz", direction=TURNED, **GRID),
 }
 SIDES = ["x_min", "x_max", "y_min", "y_max", "z_min", "z_max"]

@@ -34,6 +34,20 @@ def test_nodes(ball, make, order, mids, kind):
     assert np.array_equal(mesh.points[nodes[inside]], middles[inside])
 
 
+@pytest.mark.parametrize("cells", [8, 16, 32])
+def test_faces_are_as_near_as_edges(cells):
+    """The nodes of faces follow from the edges, and are nearer to the sphere than those."""
+    ball = vfm.shapes("sphere radius=0.7", cells, bounds=[-1, 1] * 3)
+    mesh = vfm.hexes(ball, element_order="quadratic27")
+    off = []
+    for nodes in (mesh.mids[:, :12], mesh.mids[:, 12:18]):
+        nodes = np.unique(nodes)
+        points = mesh.points[nodes[mesh.geometry.dimension[nodes] == 2]]
+        off.append((((np.linalg.norm(points, axis=1) - 0.7) ** 2).mean()) ** 0.5 * cells / 2)
+    print("%d cells: %.5f at edges, %.5f in faces" % (cells, *off))
+    assert off[1] < off[0]
+
+
 @pytest.mark.parametrize("make, order, mids, kind", KINDS)
 def test_files(ball, tmp_path, make, order, mids, kind):
     mesh = make(ball, element_order=order)
@@ -56,8 +70,9 @@ def test_reduced_integration(ball, tmp_path):
 
 
 def test_refused(ball, tmp_path):
-    with pytest.raises(ValueError, match="ElementOrder must be Linear"):
-        vfm.hexes(ball, element_order="quadratic", periodic="x")
+    with pytest.raises(ValueError, match="Cohesive is for meshes of ElementOrder Linear"):
+        vfm.hexes(ball, element_order="quadratic", split_interfaces="all",
+                  split_connection="cohesive")
     mesh = vfm.hexes(ball, element_order="quadratic27")
     with pytest.raises(OSError, match="not written with elements of 27 nodes"):
         mesh.save(tmp_path / "ball.inp")

@@ -1,5 +1,6 @@
 #include "Meshes/Gmsh/GmshPeriodic.h"
 
+#include "Meshes/Files/ElementNodes.h"
 #include "Sets/PeriodicPairs.h"
 #include "Summary/DomainSides.h"
 
@@ -120,12 +121,13 @@ std::vector<GmshLink> FindGmshLinks(const GmshModel& model)
       const FaceIds points = PointsOfSide(model.Mesh, side);
       const auto lower = lowerFaces.find(
         SortedPoints(points, [&](Index point) { return copies.Lower(point, axis); }));
-      for (Index point : points)
+      if (lower == lowerFaces.end())
       {
-        if (lower != lowerFaces.end() && point >= 0)
-        {
-          nodes[lower->second].insert({ { point, copies.Lower(point, axis) } });
-        }
+        continue;
+      }
+      for (Index point : NodesOfSide(model.Mesh, side.Element, side.Side))
+      {
+        nodes[lower->second].insert({ { point, copies.Lower(point, axis) } });
       }
     }
     for (const auto& [master, pairs] : nodes)
