@@ -1,7 +1,7 @@
 """Computes Stokes flow through a cubic array of spheres by OpenFOAM on a periodic mesh.
 
 usage: python permeability.py [--cells 32] [--solid 0.064 0.125 0.216] [--sides flat|free]
-       [--at corner|middle] [--folder FOLDER] [--picture FILE.png]
+       [--at corner|middle] [--extrapolate] [--folder FOLDER] [--picture FILE.png]
 
 The mesh is the fluid in one cube of the array, periodic along x, y, z: opposite sides are patches
 of type cyclic. A sphere is in the middle of the cube, or an eighth of it at each corner. A body
@@ -14,7 +14,9 @@ and G. M. Homsy, Stokes flow through periodic arrays of spheres, Journal of Flui
 
 Prints a row per solid fraction: elements, relative error of the volume of the mesh, failed checks
 by checkMesh, permeability, K, K of the table and the relative difference, change of K in the last
-steps, and CPU seconds of simpleFoam. The picture, of the last fraction, requires pvbatch. Requires
+steps, and CPU seconds of simpleFoam. --extrapolate: also meshes two thirds as many cells along
+each axis, and prints the limit of K for small cells. The picture, of the last fraction, requires
+pvbatch. Requires
 volume_fraction_mesh and OpenFOAM (Debian: openfoam).
 """
 import argparse
@@ -76,6 +78,8 @@ def parse_arguments():
     parser.add_argument("--sides", choices=("flat", "free"), default="flat")
     parser.add_argument("--at", choices=("corner", "middle"), default="corner",
                         help="position of the sphere (default: corner)")
+    parser.add_argument("--extrapolate", action="store_true",
+                        help="mesh two grids, and print the limit of K for small cells")
     parser.add_argument("--folder", help="keep the cases of OpenFOAM in this folder")
     parser.add_argument("--picture", metavar="FILE", help="streamlines, .png")
     return parser.parse_args()
@@ -112,11 +116,11 @@ def read_velocities(folder):
         return [float(line.replace("(", " ").split()[1]) for line in file if line[0] != "#"]
 
 
-def measure(solid, folder, arguments):
-    """Meshes and solves a solid fraction. Prints a row."""
-    fluid = make_fluid(solid, arguments.cells, arguments.at)
+def measure(solid, cells, folder, arguments):
+    """Meshes and solves a solid fraction. Prints a row, and returns the drag coefficient."""
+    fluid = make_fluid(solid, cells, arguments.at)
     write_case(folder)
-    mesh = vfm.hexes({"fluid": fluid}, spacing=3 * [1 / arguments.cells], periodic="xyz",
+    mesh = vfm.hexes({"fluid": fluid}, spacing=3 * [1 / cells], periodic="xyz",
                      periodic_sides=arguments.sides)
     mesh.save(os.path.join(folder, "mesh.foam"))
     report = openfoam.run(openfoam.CHECKS, folder)
@@ -138,6 +142,17 @@ def measure(solid, folder, arguments):
                  "%.0f" % solving), flush=True)
     for problem in problems:
         print("    checkMesh: " + problem.strip(), flush=True)
+    return drag
+
+
+def extrapolate(solid, drag, folder, arguments):
+    """Prints the drag coefficient for cells of no width: the error falls with the square of the
+    width. drag: on the given cells."""
+    cells = arguments.cells * 2 // 3 // 2 * 2
+    coarse = measure(solid, cells, folder, arguments)
+    limit = drag + (drag - coarse) / ((arguments.cells / cells) ** 2 - 1)
+    print("    K of %d and %d cells, extrapolated: %.4f, error %+.2f%%" % (
+        cells, arguments.cells, limit, 100 * (limit / PUBLISHED[solid] - 1)), flush=True)
 
 
 def run(arguments, folder):
@@ -147,7 +162,9 @@ def run(arguments, folder):
                  "change", "solve s"))
     for solid in arguments.solid:
         case = os.path.join(folder, "%.3f" % solid)
-        measure(solid, case, arguments)
+        drag = measure(solid, arguments.cells, case, arguments)
+        if arguments.extrapolate:
+            extrapolate(solid, drag, case + "_coarse", arguments)
     if arguments.picture:
         script = os.path.join(os.path.dirname(os.path.abspath(__file__)), "porous_streamlines.py")
         subprocess.run(["pvbatch", script, "--zoom", "0.95", os.path.join(case, "mesh.foam"),

@@ -8,6 +8,7 @@
 #include "Labels/SmallRegions.h"
 #include "Labels/SmoothLabels.h"
 #include "Levels/PeriodicFields.h"
+#include "Mesh/SelectPoints.h"
 #include "Modify/AddLayers.h"
 #include "Modify/AddMidNodes.h"
 #include "Modify/CurvedVolumes.h"
@@ -209,6 +210,17 @@ void LeaveCopies(const MesherJob& job, LevelFields& fields, Mesh& mesh)
   }
 }
 
+/// Joins the copies of points. Their velocities are equal.
+void JoinSides(const MesherJob& job, MesherResult& result)
+{
+  const std::vector<Index> kept = JoinCopies(job.Run, result.TheMesh);
+  if (std::optional<TransferredArray>& velocity = result.State.NodalVelocity)
+  {
+    const Index size = 3 * sizeof(double);
+    velocity->Values = Select(velocity->Values, kept, job.Run, size);
+  }
+}
+
 MeshedGrid DescribeGrid(const LevelFields& fields, const LevelSetup& setup, const LevelPlan& plan)
 {
   const int finest = setup.IsUniform ? setup.Finest : setup.Base + plan.Refinements;
@@ -365,7 +377,6 @@ MesherResult RunMesher(const MesherInput& input, const MesherOptions& given, Run
 
   MesherResult result;
   result.TheMesh = MakeMesh(job, fields, meshOptions, result.Report);
-  LeaveCopies(job, fields, result.TheMesh);
   result.Report.RemovedRegions = removed.Regions;
   result.Report.RemovedCells = removed.Cells;
   result.Report.ChosenCells = requests.Cells;
@@ -373,11 +384,12 @@ MesherResult RunMesher(const MesherInput& input, const MesherOptions& given, Run
   runtime.Progress(0.98, "Filling output");
   result.State = MakeOutputState(kept, levels, result.TheMesh,
     DescribeGrid(fields, setup, meshOptions.Levels), options, owners, runtime);
+  LeaveCopies(job, fields, result.TheMesh); // after the state, which takes cells across sides
   AddLayers(options, { fields.Grid, table.Labels, layers ? &*layers : nullptr }, runtime,
     result.TheMesh, result.State, result.Report);
   if (options.Periodic != 0 && options.PeriodicSides == Sides::Joined)
   {
-    JoinCopies(runtime, result.TheMesh); // after the state, which needs positions
+    JoinSides(job, result);
   }
   WorkTogether(ranks, [&] { Finish(job, fields, meshOptions, result); });
   if (split)

@@ -36,6 +36,12 @@ public:
   Vector3 TranslationOf(std::size_t peer) const;
   /// Returns the key that a node of a peer has here minus the key that it has there.
   Index NodeKeyShift(std::size_t peer) const { return this->Grid.NodeKey(this->ShiftOf(peer)); }
+  /// Returns the key that a cell of a peer has there.
+  /// @param cell  cell of the peer, as counted here
+  Index CellKeyAtPeer(std::size_t peer, const Index3& cell) const
+  {
+    return this->Grid.CellKey(cell) - this->Grid.CellKey(this->ShiftOf(peer));
+  }
   bool OwnsCell(const Index3& cell) const { return this->Grid.Owned().Contains(cell); }
   bool OwnsNode(const Index3& node) const { return this->OwnsCell(LowestCell(node)); }
   /// PeerOfCell and PeerOfNode return the position in Peers() of the owner of a cell or node.

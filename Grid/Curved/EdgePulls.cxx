@@ -229,8 +229,8 @@ private:
   {
     for (int a = 0; a < 3; ++a)
     {
-      const double low = std::min(this->Active.Lower[a], middle[a]) - middle[a];
-      const double high = std::max(this->Active.Upper[a], middle[a]) - middle[a];
+      const double low = std::min(this->Active.Bounds.Lower[a], middle[a]) - middle[a];
+      const double high = std::max(this->Active.Bounds.Upper[a], middle[a]) - middle[a];
       pull[a] = held >> a & 1 ? 0.0 : std::min(std::max(pull[a], low), high);
     }
     return pull;

@@ -72,7 +72,7 @@ std::vector<Index> OrderPoints(const Buffer<Index>& ids, std::vector<Index>& num
 
 } // namespace
 
-void JoinCopies(Runtime& runtime, Mesh& mesh)
+std::vector<Index> JoinCopies(Runtime& runtime, Mesh& mesh)
 {
   const std::vector<Copy> copies = GatherCopies(mesh, runtime.Group());
   mesh.PointIds = std::move(mesh.PeriodicPartner);
@@ -90,6 +90,7 @@ void JoinCopies(Runtime& runtime, Mesh& mesh)
     }
   }
   SortGeometry(mesh);
+  return kept;
 }
 
 } // namespace vfm

@@ -12,7 +12,8 @@ namespace vfm
 /// Joins the copies of points on opposite sides: each point gets the id that PeriodicPartner names,
 /// and the position of the copy with the lowest id. Elements at the sides then have corners on
 /// both. Empties PeriodicPartner.
+/// @return the points that remain, in their new order
 /// @pre Collective.
-void JoinCopies(Runtime& runtime, Mesh& mesh);
+std::vector<Index> JoinCopies(Runtime& runtime, Mesh& mesh);
 
 } // namespace vfm

@@ -122,6 +122,37 @@ void ActiveMesh::SetBarrier(const Mesh& mesh, const std::vector<Index>& elements
   }
 }
 
+void ActiveMesh::BoundBySeams(const CartesianGrid& grid, const Mesh& mesh)
+{
+  if (grid.FlatSeams(grid.Domain().Lower) == 0)
+  {
+    return;
+  }
+  this->OwnBounds.assign(this->MeshPoint.size(), this->Bounds);
+  const double scale = 1.0 / grid.MeanWidth();
+  for (std::size_t p = 0; p < this->MeshPoint.size(); ++p)
+  {
+    const Index3 cell = grid.CellAt(mesh.PointAt(this->MeshPoint[p]));
+    const Index3 own = grid.Canonical(cell);
+    for (int a = 0; a < 3; ++a)
+    {
+      const std::vector<double>& x = grid.Coordinates(a);
+      const Index lower = cell[a] - (own[a] - grid.Domain().Lower[a]);
+      const Index upper = lower + grid.Period(a);
+      if (grid.Period(a) > 0 && lower >= 0)
+      {
+        const double clearance = SideClearance * grid.Width(a, lower);
+        this->OwnBounds[p].Lower[a] = scale * (x[lower] - x[0] + clearance);
+      }
+      if (grid.Period(a) > 0 && upper < static_cast<Index>(x.size()))
+      {
+        const double clearance = SideClearance * grid.Width(a, upper - 1);
+        this->OwnBounds[p].Upper[a] = scale * (x[upper] - x[0] - clearance);
+      }
+    }
+  }
+}
+
 void ActiveMesh::PlacePoints(const CartesianGrid& grid, const Mesh& mesh)
 {
   this->MeshPoints = mesh.Points.data();
@@ -139,9 +170,10 @@ void ActiveMesh::PlacePoints(const CartesianGrid& grid, const Mesh& mesh)
     const std::vector<double>& x = grid.Coordinates(a);
     const Index last = grid.Global().Upper[a] - 1;
     const double scale = 1.0 / grid.MeanWidth();
-    this->Lower[a] = scale * SideClearance * grid.Width(a, 0);
-    this->Upper[a] = scale * (x.back() - x.front() - SideClearance * grid.Width(a, last));
+    this->Bounds.Lower[a] = scale * SideClearance * grid.Width(a, 0);
+    this->Bounds.Upper[a] = scale * (x.back() - x.front() - SideClearance * grid.Width(a, last));
   }
+  this->BoundBySeams(grid, mesh);
 }
 
 void ActiveMesh::ListCorners()

@@ -37,6 +37,12 @@ struct Attachment
 /// energy grows without bound as they degenerate, but hardly pulls points before.
 constexpr float BarrierDemand = 0.3f;
 
+/// Bounds of the coordinates of points.
+struct MoveBounds
+{
+  Vector3 Lower{ { -1e300, -1e300, -1e300 } }, Upper{ { 1e300, 1e300, 1e300 } };
+};
+
 /// Position in ActiveMesh::Elements.
 using CornerPosition = std::uint32_t;
 
@@ -53,7 +59,8 @@ struct ActiveMesh
   std::vector<unsigned char> Fixed; ///< bit a is set if coordinate a is fixed
   /// Bounds of coordinates that are not fixed. Where void is not meshed, nothing else holds
   /// points back.
-  Vector3 Lower{ { -1e300, -1e300, -1e300 } }, Upper{ { 1e300, 1e300, 1e300 } };
+  MoveBounds Bounds;
+  std::vector<MoveBounds> OwnBounds;   ///< bounds of each point between flat seams; empty: none
   std::vector<unsigned char> IsActive; ///< whether each point may move
   /// Whether each point must stay near its start; empty: none.
   std::vector<unsigned char> StaysNear;
@@ -81,6 +88,10 @@ struct ActiveMesh
   Vector3 Origin{};   ///< origin of grid coordinates
   double Scale = 1.0; ///< unit of grid coordinates
 
+  const MoveBounds& BoundsOf(int point) const
+  {
+    return this->OwnBounds.empty() ? this->Bounds : this->OwnBounds[point];
+  }
   /// Calls visit(point) for the points that this rank moves.
   template <class Visitor>
   void ForOwned(const Visitor& visit) const
@@ -161,9 +172,12 @@ struct ActiveMesh
   /// @param elements  index in the mesh of each element
   /// @pre Collective among the ranks that share points.
   void SetBarrier(const Mesh& mesh, const std::vector<Index>& elements);
-  /// Fills X, Fixed, Lower and Upper from the positions in the mesh. Points on sides of the domain
-  /// stay there; all others stay 0.01 cells inside. Keeps a pointer to the points of the mesh.
+  /// Fills X, Fixed and bounds from the positions in the mesh. Points on sides of the domain and
+  /// flat seams stay there; all others stay 0.01 cells inside. Keeps a pointer to the points of the
+  /// mesh.
   void PlacePoints(const CartesianGrid& grid, const Mesh& mesh);
+  /// Sets OwnBounds: points between flat seams stay in the period in which they start.
+  void BoundBySeams(const CartesianGrid& grid, const Mesh& mesh);
   /// Returns the position of a point in the mesh, grid coordinates.
   Vector3 StartOf(int point) const
   {

@@ -525,10 +525,11 @@ int Smoother::FixedAxes(int point, const Vector3& step) const
 {
   int held = 0;
   const Vector3& x = this->Mesh.X[point];
+  const MoveBounds& bounds = this->Mesh.BoundsOf(point);
   for (int a = 0; a < 3; ++a)
   {
-    const bool isHeld = (step[a] < 0.0 && x[a] <= this->Mesh.Lower[a]) ||
-      (step[a] > 0.0 && x[a] >= this->Mesh.Upper[a]);
+    const bool isHeld =
+      (step[a] < 0.0 && x[a] <= bounds.Lower[a]) || (step[a] > 0.0 && x[a] >= bounds.Upper[a]);
     held |= isHeld << a;
   }
   return held;
@@ -539,11 +540,12 @@ int Smoother::FixedAxes(int point, const Vector3& step) const
 Vector3 Smoother::Moved(int point, const Vector3& step) const
 {
   Vector3 x = this->Mesh.X[point] + step;
+  const MoveBounds& bounds = this->Mesh.BoundsOf(point);
   for (int a = 0; a < 3; ++a)
   {
     const double before = this->Mesh.X[point][a];
-    const double low = std::min(this->Mesh.Lower[a], before);
-    const double high = std::max(this->Mesh.Upper[a], before);
+    const double low = std::min(bounds.Lower[a], before);
+    const double high = std::max(bounds.Upper[a], before);
     x[a] = std::min(std::max(x[a], low), high);
   }
   return x;

@@ -107,7 +107,8 @@ private:
   /// Returns whether the point is strictly inside the bounds of the mesh, before and after a step.
   bool StaysWithin(int point, const Vector3& step) const
   {
-    const Vector3 &x = this->Mesh.X[point], &low = this->Mesh.Lower, &high = this->Mesh.Upper;
+    const MoveBounds& bounds = this->Mesh.BoundsOf(point);
+    const Vector3 &x = this->Mesh.X[point], &low = bounds.Lower, &high = bounds.Upper;
     bool stays = true;
     for (int a = 0; a < 3; ++a)
     {

@@ -132,8 +132,8 @@ bool Give(Work& work, const Index3& p, int material, double volume)
   const Donor& donor = work.Donors[nearest];
   const Index3 to = work.Grid.Position(donor.Cell);
   const std::size_t peer = donor.IsOwned ? work.Gifts.size() - 1 : work.Parts.PeerOfCell(to);
-  work.Gifts[peer].push_back(
-    { work.Grid.CellKey(p), work.Grid.CellKey(to), donor.Fragment, volume });
+  const Index key = donor.IsOwned ? work.Grid.CellKey(to) : work.Parts.CellKeyAtPeer(peer, to);
+  work.Gifts[peer].push_back({ work.Grid.CellKey(p), key, donor.Fragment, volume });
   work.GiftValues[peer].insert(work.GiftValues[peer].end(), work.Own.begin(), work.Own.end());
   return true;
 }
@@ -188,18 +188,64 @@ bool FindMaterial(const Work& work, const Donor& donor, int layers, Index3& cell
   return least < std::numeric_limits<double>::max();
 }
 
+/// A material in a cell of another rank.
+struct CellMaterial
+{
+  Index Key; // key of the cell
+  int Material;
+};
+
+/// Returns the values of the requested materials on each peer, one after another. Collective among
+/// peers.
+std::vector<std::vector<double>> ReadAtPeers(
+  const Work& work, const std::vector<std::vector<CellMaterial>>& requested)
+{
+  const std::size_t width = work.Own.size();
+  std::vector<std::vector<double>> answers;
+  for (const std::vector<CellMaterial>& cells : work.Parts.Exchange(requested))
+  {
+    std::vector<double>& values = answers.emplace_back(cells.size() * width);
+    for (std::size_t i = 0; i < cells.size(); ++i)
+    {
+      work.Source.Read(
+        work.Grid.CellOfKey(cells[i].Key), cells[i].Material, values.data() + i * width);
+    }
+  }
+  return work.Parts.Exchange(answers);
+}
+
 /// Sets the values of donors in cells without their material, whose volume is 0, to the values of
-/// the nearest cell that contains it. They are used if the donor receives nothing.
+/// the nearest cell that contains it. They are used if the donor receives nothing. Collective among
+/// peers.
 void FillEmpty(Work& work)
 {
+  std::vector<std::vector<CellMaterial>> requested(work.Parts.Peers().size());
+  std::vector<std::vector<int>> donors(requested.size());
   for (int s = 0; s < work.Donors.Count(); ++s)
   {
     const Donor& donor = work.Donors[s];
     Index3 cell;
-    if (donor.IsOwned && !(donor.Volume > 0.0) &&
-      (FindMaterial(work, donor, RimReach, cell) || FindMaterial(work, donor, GivingReach, cell)))
+    if (!donor.IsOwned || donor.Volume > 0.0 ||
+      !(FindMaterial(work, donor, RimReach, cell) || FindMaterial(work, donor, GivingReach, cell)))
+    {
+      continue;
+    }
+    if (work.Parts.OwnsCell(cell))
     {
       work.Source.Read(cell, donor.Material, work.Values.Of(s));
+      continue;
+    }
+    const int peer = work.Parts.PeerOfCell(cell);
+    requested[peer].push_back({ work.Parts.CellKeyAtPeer(peer, cell), donor.Material });
+    donors[peer].push_back(s);
+  }
+  const std::vector<std::vector<double>> values = ReadAtPeers(work, requested);
+  for (std::size_t peer = 0; peer < values.size(); ++peer)
+  {
+    for (std::size_t i = 0; i < donors[peer].size(); ++i)
+    {
+      std::copy_n(values[peer].data() + i * work.Own.size(), work.Own.size(),
+        work.Values.Of(donors[peer][i]));
     }
   }
 }

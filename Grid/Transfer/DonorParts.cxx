@@ -239,8 +239,10 @@ std::vector<SentPart> ExchangeParts(Work& work, const std::vector<DonorParts>& p
         {
           donor.HasParts = true;
           const Index3 cell = work.Grid.Position(donor.Cell);
-          sent[work.Parts.PeerOfCell(cell)].push_back({ work.TheMesh.ElementIds[some.ElementAt(i)],
-            work.Grid.CellKey(cell), donor.Fragment, donor.Material, part.Volume, part.Centroid });
+          const int peer = work.Parts.PeerOfCell(cell);
+          sent[peer].push_back({ work.TheMesh.ElementIds[some.ElementAt(i)],
+            work.Parts.CellKeyAtPeer(peer, cell), donor.Fragment, donor.Material, part.Volume,
+            part.Centroid - work.Parts.TranslationOf(peer) });
         }
       }
     }
@@ -262,8 +264,9 @@ void ExchangeKinds(Work& work)
     {
       donor.HasParts = true;
       const Index3 cell = work.Grid.Position(donor.Cell);
-      sent[work.Parts.PeerOfCell(cell)].push_back(
-        { work.Grid.CellKey(cell), donor.Fragment, donor.Material, work.Kinds[s] });
+      const int peer = work.Parts.PeerOfCell(cell);
+      sent[peer].push_back(
+        { work.Parts.CellKeyAtPeer(peer, cell), donor.Fragment, donor.Material, work.Kinds[s] });
     }
   }
   for (const SentKinds& other : Joined(work.Parts.Exchange(sent)))

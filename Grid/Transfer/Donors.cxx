@@ -67,12 +67,16 @@ DonorLinks::DonorLinks(const CartesianGrid& grid, const Partition& partition, Do
   };
   const auto unpack = [&](const IndexBox&, const Bytes& bytes)
   {
+    const std::size_t peer = this->Copies.size();
+    const Index shift = grid.CellKey(partition.ShiftOf(peer));
+    const Vector3 translation = partition.TranslationOf(peer);
     this->Copies.emplace_back();
     for (const DonorName& name : FromBytes<DonorName>(bytes))
     {
-      const int s = donors.Get(grid.Linear(grid.CellOfKey(name.Key)), name.Fragment, name.Material);
+      const Index cell = grid.Linear(grid.CellOfKey(name.Key + shift));
+      const int s = donors.Get(cell, name.Fragment, name.Material);
       donors[s].Overlap = name.Overlap;
-      donors[s].Centroid = name.Centroid;
+      donors[s].Centroid = name.Centroid + translation;
       this->Copies.back().push_back(s);
     }
   };

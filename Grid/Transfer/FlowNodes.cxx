@@ -81,15 +81,15 @@ std::vector<Index> FlowNodes::FindNeighbours()
   return parent;
 }
 
-/// Returns an id that is equal on all ranks. It is formed like the id of a point, from the cell and
-/// the position among the donors of the cell.
+/// Returns an id that is equal on all ranks and for all copies. It is formed like the id of a
+/// point, from the cell and the position among the donors of the cell.
 Index FlowNodes::IdOf(const Donor& donor) const
 {
   Index place = 0;
   this->Donors.ForCell(
     donor.Cell, [&](int s) { place += this->Donors[s].Fragment < donor.Fragment; });
-  return this->Grid.CellKey(this->Grid.Position(donor.Cell)) * TetIds.PointSlots +
-    std::min(place, TetIds.PointSlots - 1);
+  const Index3 cell = this->Grid.Canonical(this->Grid.Position(donor.Cell));
+  return this->Grid.CellKey(cell) * TetIds.PointSlots + std::min(place, TetIds.PointSlots - 1);
 }
 
 /// Numbers the connected components over all ranks. Collective.

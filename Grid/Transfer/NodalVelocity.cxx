@@ -2,6 +2,7 @@
 
 #include "Base/Partition.h"
 #include "Base/Vector3.h"
+#include "Mesh/PeriodicIds.h"
 #include "Octree/LevelIds.h"
 
 namespace vfm
@@ -67,9 +68,10 @@ Momentum GivenBy(const Work& work, Index element)
   return { mass, mass * VectorAt(work.Velocity, element) };
 }
 
-Share MakeShare(const Work& work, Index point, Index element)
+/// @param id  id of the point that gets the share
+Share MakeShare(const Work& work, Index id, Index element)
 {
-  return { work.TheMesh.PointIds[point], work.TheMesh.ElementIds[element], GivenBy(work, element) };
+  return { id, work.TheMesh.ElementIds[element], GivenBy(work, element) };
 }
 
 /// Returns whether no other rank has a point, because TetGen made it.
@@ -120,7 +122,7 @@ void AddOwnShares(const Work& work, std::vector<Share>& shares)
     {
       if (isRequested[point])
       {
-        shares.push_back(MakeShare(work, point, element));
+        shares.push_back(MakeShare(work, work.TheMesh.PointIds[point], element));
       }
     });
 }
@@ -171,33 +173,32 @@ std::vector<std::vector<Momentum>> Answer(
   return answers;
 }
 
-void Write(Work& work, const std::vector<Share>& shares, const std::vector<Momentum>& sums)
-{
-  for (std::size_t i = 0; i < shares.size(); ++i)
-  {
-    work.Sums[FindPoint(work, shares[i].Point)] = sums[i];
-  }
-}
-
-/// Adds the shares of other ranks. The owner of a point receives all shares and returns their sum,
-/// even if it has no element at the point.
+/// Adds the shares of other ranks and at copies. The owner of a point receives all shares and
+/// returns their sum, even if it has no element at the point.
 void AddOfPeers(Work& work, const Partition& partition)
 {
   const std::vector<int> owners = FindOwners(work, partition);
   std::vector<std::vector<Share>> mine(partition.Peers().size());
+  std::vector<std::vector<Index>> points(mine.size()); // of the shares
   ForShares(work,
     [&](Index point, Index element)
     {
-      if (owners[point] >= 0)
+      const int peer = owners[point];
+      if (peer >= 0)
       {
-        mine[owners[point]].push_back(MakeShare(work, point, element));
+        const Index id = IdAtPeer(work.TheMesh, partition, peer, work.TheMesh.PointIds[point]);
+        mine[peer].push_back(MakeShare(work, id, element));
+        points[peer].push_back(point);
       }
     });
   const std::vector<std::vector<Momentum>> sums =
     partition.Exchange(Answer(work, partition.Exchange(mine)));
   for (std::size_t peer = 0; peer < sums.size(); ++peer)
   {
-    Write(work, mine[peer], sums[peer]);
+    for (std::size_t i = 0; i < sums[peer].size(); ++i)
+    {
+      work.Sums[points[peer][i]] = sums[peer][i];
+    }
   }
 }
 

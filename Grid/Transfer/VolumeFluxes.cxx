@@ -114,8 +114,10 @@ void FindWidths(Movers& movers)
         if (node.Others[f] != i)
         {
           const int a = f / 2;
-          const Index q = p[a] + (f & 1 ? 1 : -1);
-          const double distance = movers.Grid.Width(a, p[a]) + movers.Grid.Width(a, q);
+          Index3 q = p;
+          q[a] += f & 1 ? 1 : -1;
+          q = movers.Grid.Canonical(q); // both sides use the same bits
+          const double distance = movers.Grid.Width(a, p[a]) + movers.Grid.Width(a, q[a]);
           node.Widths[f] = std::min(sizeOf(i), sizeOf(node.Others[f])) / (distance * distance);
         }
       }

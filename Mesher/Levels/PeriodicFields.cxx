@@ -104,10 +104,6 @@ void CheckPeriods(const MesherOptions& options)
   {
     throw InputError("PeriodicSides is Free: the sides of tetrahedra can only be Flat or Joined.");
   }
-  if (options.NodalVelocity)
-  {
-    throw InputError("NodalVelocity is not available for periodic meshes.");
-  }
 }
 
 void AddCopies(

@@ -1,5 +1,6 @@
 #include "State/ConserveState.h"
 
+#include "State/RepeatedCells.h"
 #include "Transfer/NodalVelocity.h"
 #include "Transfer/Overlaps.h"
 
@@ -59,8 +60,10 @@ GivenState Transfer(const Mesh& mesh, const CartesianGrid& grid, const Conserved
   const ConserveOptions& options, Runtime& runtime)
 {
   const StatePlan& plan = cells.GetContents().GetPlan();
-  const TransferRequest request{ cells.GetGrid(), cells.GetFractions(), cells, ListQuantities(plan),
-    plan.Density, options.StateOrder, options.UnmeshedMaterial == Unmeshed::Give };
+  const RepeatedCells repeated(cells, grid, runtime.Group());
+  const TransferRequest request{ repeated.GetGrid(), repeated.GetFractions(), repeated,
+    ListQuantities(plan), plan.Density, options.StateOrder,
+    options.UnmeshedMaterial == Unmeshed::Give };
   GivenState given{ TransferState(mesh, request, runtime), {}, {},
     plan.Velocity >= 0 && options.NodalVelocity };
   if (plan.Velocity < 0)

@@ -1,5 +1,6 @@
 #include "State/CopyState.h"
 
+#include "Base/Partition.h"
 #include "Ranks/Agreement.h"
 #include "State/StateValues.h"
 #include "Transfer/StateCells.h"
@@ -19,7 +20,7 @@ struct StatePlace
 };
 
 /// Finds the finest cell of the input at the centre of a cell of a level.
-StatePlace FindPlace(const Index3& cell, int level, const StateValues& values)
+StatePlace FindInLevels(const Index3& cell, int level, const StateValues& values)
 {
   const int finest = static_cast<int>(values.size()) - 1;
   for (int l = finest; l >= 0; --l)
@@ -36,6 +37,80 @@ StatePlace FindPlace(const Index3& cell, int level, const StateValues& values)
   }
   throw InputError("A cell of the input has no state."); // the levels fill a box
 }
+
+/// Finds the cell of the input of a cell of the domain.
+StatePlace FindPlace(const Index3& cell, const MeshedGrid& meshed, const StateValues& values)
+{
+  Index3 own = cell;
+  for (int a = 0; a < 3; ++a)
+  {
+    own[a] -= meshed.Grid.Domain().Lower[a];
+  }
+  return FindInLevels(meshed.Division.ParentOf(own), meshed.Level, values);
+}
+
+/// The values in copies of cells around a periodic domain, which the owners of the cells send.
+class CopiedCells
+{
+public:
+  explicit CopiedCells(const Partition& partition) :
+    Parts(partition), Keys(partition.Peers().size()), Blocks(partition.Peers().size())
+  {
+  }
+
+  /// Requests the values of a copy. The place is valid after Receive().
+  StatePlace Request(const Index3& cell)
+  {
+    const int peer = this->Parts.PeerOfCell(cell);
+    this->Keys[peer].push_back(this->Parts.CellKeyAtPeer(peer, cell));
+    return { &this->Blocks[peer], static_cast<Index>(this->Keys[peer].size()) - 1 };
+  }
+
+  /// Receives the requested values. Collective among peers.
+  void Receive(
+    const std::vector<StateArray>& states, const MeshedGrid& meshed, const StateValues& values)
+  {
+    std::vector<Bytes> answers;
+    for (const std::vector<Index>& keys : this->Parts.Exchange(this->Keys))
+    {
+      answers.push_back(Pack(keys, states, meshed, values));
+    }
+    this->Received = this->Parts.Exchange(answers);
+    for (std::size_t peer = 0; peer < this->Blocks.size(); ++peer)
+    {
+      const char* next = this->Received[peer].data();
+      for (const StateArray& state : states)
+      {
+        this->Blocks[peer].Values.push_back(next);
+        next += TupleSize(state) * this->Keys[peer].size();
+      }
+    }
+  }
+
+private:
+  /// Returns the values in some cells, array by array.
+  static Bytes Pack(const std::vector<Index>& keys, const std::vector<StateArray>& states,
+    const MeshedGrid& meshed, const StateValues& values)
+  {
+    Bytes bytes;
+    for (std::size_t a = 0; a < states.size(); ++a)
+    {
+      for (Index key : keys)
+      {
+        const std::size_t size = TupleSize(states[a]);
+        const StatePlace place = FindPlace(meshed.Grid.CellOfKey(key), meshed, values);
+        const char* tuple = place.Source->Values[a] + place.Place * size;
+        bytes.insert(bytes.end(), tuple, tuple + size);
+      }
+    }
+    return bytes;
+  }
+
+  const Partition& Parts;
+  std::vector<std::vector<Index>> Keys; // keys of the requested cells on each peer
+  std::vector<StateBlock> Blocks;       // values from each peer, in the order of its keys
+  std::vector<Bytes> Received;
+};
 
 /// Rotates the tuples of an array of reals of this type.
 template <class Real>
@@ -88,15 +163,26 @@ std::vector<TransferredArray> CopyState(const InputLevels& input,
   }
   Ranks& ranks = runtime.Group();
   const StateValues values = ExchangeState(input, states, meshed.Level, owners, ranks);
+  const Partition partition(meshed.Grid, ranks);
+  std::vector<StatePlace> places;
+  CopiedCells copied(partition);
   WorkTogether(ranks,
     [&]
     {
-      std::vector<StatePlace> places;
-      for (Index cell : FindStateCells(mesh, meshed.Grid, meshed.Fractions, runtime))
+      for (Index at : FindStateCells(mesh, meshed.Grid, meshed.Fractions, runtime))
       {
-        const Index3 whole = meshed.Division.ParentOf(CellInBox(meshed.Grid.Local(), cell));
-        places.push_back(FindPlace(whole, meshed.Level, values));
+        const Index3 cell = CellInBox(meshed.Grid.Local(), at);
+        const bool isCopy = !meshed.Grid.Domain().Contains(cell);
+        places.push_back(isCopy ? copied.Request(cell) : FindPlace(cell, meshed, values));
       }
+    });
+  if (meshed.Grid.IsPeriodic())
+  {
+    copied.Receive(states, meshed, values);
+  }
+  WorkTogether(ranks,
+    [&]
+    {
       for (std::size_t a = 0; a < states.size(); ++a)
       {
         arrays.push_back(MakeOutput(states[a], a, places, input.Reading.Frame));

@@ -39,6 +39,39 @@ def test_check_mesh(name, make, sides, tmp_path):
     assert others == ({"Material_1_to_Void"} if name == "pores" else set())
 
 
+@pytest.mark.parametrize("sides", ["Flat", "Free"])
+def test_ranks(sides, tmp_path):
+    """Three ranks write a decomposed case; its boundaries are those of decomposePar for the same
+    cells of each rank."""
+    write_input(tmp_path, make_labels("array"))
+    case, whole = tmp_path / "case", tmp_path / "whole"
+    options = ["--periodic", "xyz", "--periodic-sides", sides]
+    run_sculptor(tmp_path, case, 3, *options)
+    check_mesh(case, 3)
+    run_sculptor(tmp_path, whole, 3, *options, "--single-file")
+    parts = [case / ("processor%d" % rank) for rank in range(3)]
+    cells = [foam.PolyMesh(part).addressing["cell"] for part in parts]
+    ranks = np.empty(sum(map(len, cells)), int)
+    for rank, own in enumerate(cells):
+        ranks[own] = rank
+    foam.write(whole, "constant/ranks", "%d(%s)" % (len(ranks), " ".join(map(str, ranks))),
+               "labelList")
+    foam.write(whole, "system/decomposeParDict", "numberOfSubdomains 3;\nmethod manual;\n"
+               "manualCoeffs { dataFile ranks; }\n")
+    foam.run("decomposePar", whole)
+    types = set()
+    for rank, part in enumerate(parts):
+        boundaries = []
+        for folder in (part, whole / ("processor%d" % rank)):
+            boundary = foam.read_boundary(folder / "constant" / "polyMesh" / "boundary")
+            boundaries.append({name: {key: patch.get(key) for key in (
+                "type", "nFaces", "neighbourPatch", "myProcNo", "neighbProcNo", "referPatch")}
+                for name, patch in boundary.items()})
+        assert boundaries[0] == boundaries[1]
+        types.update(patch["type"] for patch in boundaries[0].values())
+    assert types == {"cyclic", "processor", "processorCyclic"}
+
+
 def test_decompose(tmp_path):
     """decomposePar decomposes a whole mesh of three ranks, and checkMesh accepts the parts."""
     write_input(tmp_path, make_labels("array"))

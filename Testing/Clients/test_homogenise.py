@@ -43,6 +43,17 @@ def test_voxels():
         assert np.allclose(found, expected, rtol=3e-3)
 
 
+def test_conductivity(capsys):
+    """Stiff and soft spheres converge to the published series with the square of the width."""
+    pytest.importorskip("skfem")
+    for contrast in homogenise.REFERENCES:
+        for cells in (8, 16):
+            homogenise.run_conduction(cells, contrast)
+    errors = np.array(re.findall(r"error (\S+) %", capsys.readouterr().out), float).reshape(2, 2)
+    assert abs(errors).max() < 1
+    assert (abs(errors[:, 1]) < 0.35 * abs(errors[:, 0])).all()
+
+
 @pytest.mark.skipif(not shutil.which("ccx"), reason="CalculiX (ccx) is not installed")
 def test_example(tmp_path):
     picture = tmp_path / "homogenise.png"

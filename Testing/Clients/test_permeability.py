@@ -38,6 +38,16 @@ def test_drag():
                for coarse, fine in zip(*errors)), errors
 
 
+def test_extrapolation():
+    """The limit of coarse grids is within 2 %, where neither grid is."""
+    command = [sys.executable, os.path.join(EXAMPLES, "permeability.py"), "--cells", "16",
+               "--solid", "0.125", "--extrapolate"]
+    run = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True)
+    print(run.stdout)
+    limit, = re.findall(r"extrapolated: ([.\d]+)", run.stdout)
+    assert abs(float(limit) / ZICK_HOMSY[0.125] - 1) < 0.02
+
+
 def test_position_and_sides(tmp_path):
     """Drag depends neither on where the sides cut the array nor on their kind."""
     choices = (("flat", "middle"), ("flat", "corner"), ("free", "corner"))

@@ -1,5 +1,6 @@
 #include "CheckCase.h"
 
+#include "CheckPeriods.h"
 #include "CurvedNodes.h"
 #include "GeometryChecks.h"
 #include "InterfaceLayers.h"
@@ -63,7 +64,8 @@ std::string FindJacobianProblem(const FuzzCase& c, const Mesh& mesh, FuzzResult&
     : Describe("smallest coefficient", result.Coefficient, worst);
 }
 
-/// Returns how far points lie outside the domain, in widths of the cells at the side.
+/// Returns how far points lie outside the domain, in widths of the cells at the side. Periodic axes
+/// do not count.
 std::string FindPlaceProblem(const CartesianGrid& grid, const Mesh& mesh)
 {
   double farthest = 0.0;
@@ -71,6 +73,10 @@ std::string FindPlaceProblem(const CartesianGrid& grid, const Mesh& mesh)
   for (std::size_t at = 0; at < mesh.Points.size(); ++at)
   {
     const int axis = static_cast<int>(at % 3);
+    if (grid.Period(axis) > 0)
+    {
+      continue;
+    }
     const std::vector<double>& x = grid.Coordinates(axis);
     const double below = (x.front() - mesh.Points[at]) / grid.Width(axis, 0);
     const double above =
@@ -92,7 +98,7 @@ std::string FindVolumeProblem(const FuzzCase& c, const Mesh& mesh, const MeshRep
   {
     return ""; // the report has the volumes of curved elements
   }
-  const double domain = VolumeOf(c.Grid, c.Grid.Global());
+  const double domain = VolumeOf(c.Grid, c.Grid.Domain());
   double all = 0.0;
   for (int m = c.Options.MeshVoid ? 0 : 1; m <= c.Fractions.NumberOfMaterials(); ++m)
   {
@@ -148,10 +154,14 @@ std::string FirstOf(std::initializer_list<std::string> problems)
 std::string FindMeshProblem(
   const FuzzCase& c, const Mesh& mesh, const MeshReport& report, FuzzResult& result)
 {
-  return FirstOf(
-    { FindJacobianProblem(c, mesh, result), FindTopologyProblem(mesh), FindFragmentProblem(mesh),
-      FindFacetProblem(mesh), FindTruthProblem(c, mesh), FindPlaceProblem(c.Grid, mesh),
-      FindVolumeProblem(c, mesh, report), FindSpaceProblem(mesh, result) });
+  const auto findInBox = [&]
+  {
+    return FirstOf({ FindTopologyProblem(mesh), FindFragmentProblem(mesh), FindFacetProblem(mesh),
+      FindTruthProblem(c, mesh) });
+  };
+  return FirstOf({ FindJacobianProblem(c, mesh, result),
+    c.Grid.IsPeriodic() ? FindSideProblem(c, mesh) : findInBox(), FindPlaceProblem(c.Grid, mesh),
+    FindVolumeProblem(c, mesh, report), FindSpaceProblem(mesh, result) });
 }
 
 /// Returns layers of which the first one is thin.
@@ -201,7 +211,7 @@ std::string FindCurvedProblem(const FuzzCase& c, Mesh& mesh, const MeshReport& r
     }
   }
   const bool isMovedBack = std::get<std::vector<Index>>(counts[1].Values)[0] > 0;
-  const double domain = VolumeOf(c.Grid, c.Grid.Global());
+  const double domain = VolumeOf(c.Grid, c.Grid.Domain());
   for (int m = c.Options.MeshVoid ? 0 : 1; !isMovedBack && m <= c.Fractions.NumberOfMaterials();
        ++m)
   {
@@ -216,10 +226,11 @@ std::string FindCurvedProblem(const FuzzCase& c, Mesh& mesh, const MeshReport& r
 std::string FindRanksProblem(const FuzzCase& c, const RankMesh& alone)
 {
   const bool isLinear = c.Options.Order == ElementOrder::Linear;
-  const MeshMaker make = isLinear ? c.Make
-    : c.HasLayers                 ? MakeCurved<MakeHexMesh, true>
-    : c.Make == MakeHexMesh       ? MakeCurved<MakeHexMesh>
-                                  : MakeCurved<MakeTetMesh>;
+  const MeshMaker make = c.Grid.IsPeriodic() ? MakerOfTorus(c)
+    : isLinear                               ? c.Make
+    : c.HasLayers                            ? MakeCurved<MakeHexMesh, true>
+    : c.Make == MakeHexMesh                  ? MakeCurved<MakeHexMesh>
+                                             : MakeCurved<MakeTetMesh>;
   const RankMesh made = MakeOnRanks(c.Grid, c.Fractions, c.Boxes, c.Options, make);
   if (KnowsCells(c))
   {
@@ -227,6 +238,13 @@ std::string FindRanksProblem(const FuzzCase& c, const RankMesh& alone)
   }
   const Mesh merged = made.Merged.Join(); // TetGen fills the part of each rank separately
   FuzzResult unused;
+  if (c.Grid.IsPeriodic()) // the elements of joined sides have no volume
+  {
+    const bool isJoined = c.PeriodicSides == Sides::Joined;
+    return FirstOf({ FindGeometryDifference(made.Merged, alone.Merged),
+      isJoined ? std::string() : FindJacobianProblem(c, merged, unused),
+      FindTorusProblem(c, merged, made.Reports[0]) });
+  }
   return FirstOf({ FindGeometryDifference(made.Merged, alone.Merged),
     FindJacobianProblem(c, merged, unused), FindTopologyProblem(merged),
     FindFragmentProblem(merged), FindVolumeProblem(c, merged, made.Reports[0]) });
@@ -242,9 +260,18 @@ FuzzResult CheckCase(const FuzzCase& c)
   alone.Reports.resize(1);
   Mesh mesh = c.Make(c.Grid, c.Fractions, c.Options, runtime, alone.Reports[0]);
   result.Elements = static_cast<Index>(mesh.ElementIds.size());
+  result.Problem = FindMeshProblem(c, mesh, alone.Reports[0], result);
+  if (c.Grid.IsPeriodic())
+  {
+    const std::string problem = LeaveTorus(c, mesh);
+    result.Problem =
+      FirstOf({ result.Problem, problem, FindTorusProblem(c, mesh, alone.Reports[0]) });
+  }
   alone.Merged.Add(mesh);
-  result.Problem = FirstOf(
-    { FindMeshProblem(c, mesh, alone.Reports[0], result), FindGeometryProblem(alone.Merged) });
+  // Surfaces continue across the sides of a periodic mesh that are not joined.
+  const bool isClosed = !c.Grid.IsPeriodic() || c.PeriodicSides == Sides::Joined;
+  result.Problem =
+    FirstOf({ result.Problem, isClosed ? FindGeometryProblem(alone.Merged) : std::string() });
   if (c.Options.Order != ElementOrder::Linear)
   {
     const std::string problem = FindCurvedProblem(c, mesh, alone.Reports[0]);

@@ -3,6 +3,7 @@
 #include "Fractions/RefineCells.h"
 #include "FuzzFields.h"
 #include "FuzzGrids.h"
+#include "FuzzPeriods.h"
 #include "Labels/RefinementCriteria.h"
 #include "TetPipeline.h"
 
@@ -241,7 +242,7 @@ void PrintList(const char* name, const std::vector<double>& values)
 
 } // namespace
 
-FuzzCase MakeFuzzCase(unsigned seed)
+FuzzCase MakeFuzzCase(unsigned seed, bool isPeriodic)
 {
   RandomDraw draw(seed);
   const Extent extent = DrawExtent(draw);
@@ -249,7 +250,9 @@ FuzzCase MakeFuzzCase(unsigned seed)
   std::string words;
   const MeshMaker make = DrawMethod(options, draw, words);
   DrawOptions(options, draw, words);
-  const FuzzGrid base = DrawGrid(DrawSize(extent, draw), draw);
+  const Index3 size = DrawSize(extent, draw);
+  const FuzzGrid base =
+    DrawGrid(isPeriodic ? FitPeriods(size, extent.Refinements > 0) : size, draw);
   const bool isAutomatic = extent.Refinements > 0 && extent.IsAutomatic;
   const CartesianGrid grid = isAutomatic
     ? base.Grid
@@ -269,7 +272,7 @@ FuzzCase MakeFuzzCase(unsigned seed)
     DrawBoxes(extent, draw, c);
   }
   DrawEdges(draw, c);
-  DrawOrder(draw, c);
+  isPeriodic ? DrawPeriods(draw, c) : DrawOrder(draw, c);
   return c;
 }
 
@@ -289,7 +292,7 @@ void PrintCase(const FuzzCase& c)
     }
     std::printf("\n");
   }
-  ForCells(c.Grid.Global(),
+  ForCells(c.Grid.Domain(),
     [&](const Index3& p)
     {
       const Index cell = c.Grid.Linear(p);

@@ -3,6 +3,7 @@
  */
 #pragma once
 
+#include "Options/MesherOptions.h"
 #include "RankMeshes.h"
 
 namespace vfm
@@ -14,7 +15,7 @@ struct FuzzCase
 {
   std::string Field;  ///< kind of field
   std::string Words;  ///< description of the case in one line
-  CartesianGrid Grid; ///< grid of the finest cells
+  CartesianGrid Grid; ///< grid of the finest cells; of a periodic domain with copies of cells
   FractionField Fractions;
   MeshOptions Options;
   MeshMaker Make;
@@ -22,10 +23,12 @@ struct FuzzCase
   std::vector<IndexBox> Boxes;
   bool HasCubes;
   bool HasLayers = false; ///< of hexahedra of second order
+  Sides PeriodicSides = Sides::Flat; ///< of a periodic grid
 };
 
 /// Returns the same case for the same seed on any machine.
-FuzzCase MakeFuzzCase(unsigned seed);
+/// @param isPeriodic  whether the domain repeats
+FuzzCase MakeFuzzCase(unsigned seed, bool isPeriodic);
 
 /// Prints coordinates, families and fractions as text with all digits.
 void PrintCase(const FuzzCase& c);

@@ -1,7 +1,7 @@
 /**
  * Random cases of the mesher with all checks:
  *
- *   FuzzMeshes [--seed S] [--count N] [--print]
+ *   FuzzMeshes [--seed S] [--count N] [--periodic] [--print]
  *
  * Runs the seeds S to S + N - 1, prints a line for each failure and a table at the end, and returns
  * 1 if any failed. Seeds run in a separate process, so that a crash or hang is a failure as any
@@ -28,7 +28,7 @@ constexpr int PatienceMs = 300000; // limit of one case
 struct Arguments
 {
   unsigned First = 0, Count = 1;
-  bool Prints = false;
+  bool IsPeriodic = false, Prints = false;
 };
 
 unsigned ReadNumber(const char* text)
@@ -52,13 +52,17 @@ Arguments ReadArguments(int argc, char** argv)
     {
       arguments.Prints = true;
     }
+    else if (name == "--periodic")
+    {
+      arguments.IsPeriodic = true;
+    }
     else if ((name == "--seed" || name == "--count") && i + 1 < argc)
     {
       (name == "--seed" ? arguments.First : arguments.Count) = ReadNumber(argv[++i]);
     }
     else
     {
-      throw std::invalid_argument("FuzzMeshes [--seed S] [--count N] [--print]");
+      throw std::invalid_argument("FuzzMeshes [--seed S] [--count N] [--periodic] [--print]");
     }
   }
   return arguments;
@@ -68,7 +72,7 @@ Arguments ReadArguments(int argc, char** argv)
 class Worker
 {
 public:
-  Worker(unsigned first, unsigned end)
+  Worker(unsigned first, unsigned end, bool isPeriodic)
   {
     int ends[2];
     std::fflush(nullptr);
@@ -88,7 +92,7 @@ public:
             std::_Exit(1);
           }
         };
-        tell(RunSeed(seed, tell));
+        tell(RunSeed(seed, isPeriodic, tell));
       }
       std::_Exit(0);
     }
@@ -147,11 +151,11 @@ private:
 };
 
 /// Runs seeds; starts a new process after each seed that ends one.
-void RunSeeds(unsigned first, unsigned end, Summary& summary)
+void RunSeeds(unsigned first, unsigned end, bool isPeriodic, Summary& summary)
 {
   while (first != end)
   {
-    Worker worker(first, end);
+    Worker worker(first, end, isPeriodic);
     Outcome last, told;
     last.Seed = first;
     while (worker.Listen(told))
@@ -174,13 +178,13 @@ void RunSeeds(unsigned first, unsigned end, Summary& summary)
   }
 }
 
-void RunAlone(unsigned seed, bool prints, Summary& summary)
+void RunAlone(const Arguments& arguments, Summary& summary)
 {
-  if (prints)
+  if (arguments.Prints)
   {
-    PrintCase(MakeFuzzCase(seed));
+    PrintCase(MakeFuzzCase(arguments.First, arguments.IsPeriodic));
   }
-  summary.Add(RunSeed(seed,
+  summary.Add(RunSeed(arguments.First, arguments.IsPeriodic,
     [](const Outcome& outcome)
     {
       std::printf("seed %u: %s, %s\n", outcome.Seed, outcome.Method, outcome.Words);
@@ -198,11 +202,11 @@ int main(int argc, char** argv)
     Summary summary;
     if (arguments.Count == 1)
     {
-      RunAlone(arguments.First, arguments.Prints, summary);
+      RunAlone(arguments, summary);
     }
     else
     {
-      RunSeeds(arguments.First, arguments.First + arguments.Count, summary);
+      RunSeeds(arguments.First, arguments.First + arguments.Count, arguments.IsPeriodic, summary);
     }
     summary.Print();
     return summary.Failures() > 0 ? 1 : 0;

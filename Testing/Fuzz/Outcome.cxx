@@ -41,14 +41,14 @@ Outcome DescribeCase(unsigned seed, const FuzzCase& c)
 
 } // namespace
 
-Outcome RunSeed(unsigned seed, const std::function<void(const Outcome&)>& started)
+Outcome RunSeed(unsigned seed, bool isPeriodic, const std::function<void(const Outcome&)>& started)
 {
   Outcome outcome;
   outcome.Seed = seed;
   const auto begin = std::chrono::steady_clock::now();
   try
   {
-    const FuzzCase c = MakeFuzzCase(seed);
+    const FuzzCase c = MakeFuzzCase(seed, isPeriodic);
     outcome = DescribeCase(seed, c);
     started(outcome);
     const FuzzResult result = CheckCase(c);

@@ -27,8 +27,8 @@ struct Outcome
   char Method[24] = "", Field[24] = "", Words[480] = "", Problem[240] = "";
 };
 
-/// Makes and checks the case of a seed; started: called before meshing.
-Outcome RunSeed(unsigned seed, const std::function<void(const Outcome&)>& started);
+/// Makes and checks the case of a seed (MakeFuzzCase); started: called before meshing.
+Outcome RunSeed(unsigned seed, bool isPeriodic, const std::function<void(const Outcome&)>& started);
 
 class Summary
 {

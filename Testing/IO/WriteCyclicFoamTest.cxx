@@ -158,11 +158,60 @@ TEST_P(CyclicFoam, WholeMeshOfThreeRanks)
   }
 }
 
-TEST_P(CyclicFoam, DecomposedCaseIsAnError)
+/// Faces of parts are those of the whole mesh that faceProcAddressing names. Cyclic faces whose
+/// copy is on another rank are in patches of type processorCyclic, in the same order on both ranks.
+TEST_P(CyclicFoam, RanksWriteTheDecomposedCase)
 {
-  const Folder folder;
-  EXPECT_THROW(WriteCase(2, this->GetParam(), folder / "mesh.foam", {}), InputError);
-  EXPECT_FALSE(std::filesystem::exists(folder / "processor0"));
+  constexpr int count = 3;
+  const Folder whole, folder;
+  WriteCase(1, this->GetParam(), whole / "mesh.foam", {});
+  WriteCase(count, this->GetParam(), folder / "mesh.foam", {});
+  const FoamContent content = ReadFoam(whole / "");
+  std::vector<int> seen(content.Faces.size());
+  std::map<std::string, std::vector<Index>> numbers; // in the whole mesh, of processorCyclic faces
+  for (int rank = 0; rank < count; ++rank)
+  {
+    const FoamContent part = ReadFoam(folder / ("processor" + std::to_string(rank)));
+    const std::vector<Index>&faces = part.Addressing.at("face"),
+          &points = part.Addressing.at("point");
+    for (std::size_t f = 0; f < part.Faces.size(); ++f)
+    {
+      std::vector<Index> face;
+      for (Index point : part.Faces[f])
+      {
+        face.push_back(points[point]);
+      }
+      if (faces[f] < 0)
+      {
+        std::reverse(face.begin() + 1, face.end());
+      }
+      ++seen[std::abs(faces[f]) - 1];
+      ASSERT_EQ(face, content.Faces[std::abs(faces[f]) - 1]) << f;
+    }
+    for (const FoamPatchEntry& patch : part.Patches)
+    {
+      if (patch.Words.at("type") == "processorCyclic")
+      {
+        EXPECT_EQ(patch.Name,
+          "procBoundary" + std::to_string(rank) + "to" + patch.Words.at("neighbProcNo") +
+            "through" + patch.Words.at("referPatch"));
+        const FoamPatchEntry& cyclic = FindPatch(content, patch.Words.at("referPatch"));
+        for (Index f = 0; f < patch.Count(); ++f)
+        {
+          numbers[patch.Name].push_back(faces[patch.First() + f] - 1 - cyclic.First());
+        }
+        const std::string back = "procBoundary" + patch.Words.at("neighbProcNo") + "to" +
+          std::to_string(rank) + "through" + cyclic.Words.at("neighbourPatch");
+        if (numbers.count(back) > 0)
+        {
+          EXPECT_EQ(numbers[patch.Name], numbers[back]);
+        }
+      }
+    }
+  }
+  EXPECT_EQ(std::count(seen.begin(), seen.end(), 0), 0);
+  EXPECT_GE(numbers.size(), 2u);
+  EXPECT_EQ(numbers.size() % 2, 0u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, CyclicFoam,

@@ -5,6 +5,7 @@
 
 #include <limits>
 #include <map>
+#include <numeric>
 #include <random>
 #include <set>
 
@@ -49,21 +50,27 @@ Index Root(const std::vector<Index>& parent, Index p)
 std::vector<Index> FindTranslates(const CartesianGrid& grid, const Mesh& mesh)
 {
   const Index count = static_cast<Index>(mesh.PointIds.size());
-  std::map<Vector3, Index> places;
+  const int periodic = PeriodicAxes(grid);
   std::vector<Index> parent(count);
-  for (Index p = 0; p < count; ++p)
+  std::iota(parent.begin(), parent.end(), 0);
+  // Free sides can have only the two copies across an edge of the domain: p + axes = q + others.
+  for (int others = 0; others < 8; ++others)
   {
-    places[mesh.PointAt(p)] = parent[p] = p;
-  }
-  for (Index p = 0; p < count; ++p)
-  {
-    for (int axes = 1; axes < 8; ++axes)
+    std::map<Vector3, Index> places;
+    for (Index q = 0; (others & ~periodic) == 0 && q < count; ++q)
     {
-      const auto at = places.find(Upper(grid, mesh.PointAt(p), axes));
-      if ((axes & ~PeriodicAxes(grid)) == 0 && at != places.end())
+      places[Upper(grid, mesh.PointAt(q), others)] = q;
+    }
+    for (int axes = others + 1; axes < 8; ++axes)
+    {
+      for (Index p = 0; (axes & others) == 0 && (axes & ~periodic) == 0 && p < count; ++p)
       {
-        const Index a = Root(parent, p), b = Root(parent, at->second);
-        parent[std::max(a, b)] = std::min(a, b);
+        const auto at = places.find(Upper(grid, mesh.PointAt(p), axes));
+        if (at != places.end())
+        {
+          const Index a = Root(parent, p), b = Root(parent, at->second);
+          parent[std::max(a, b)] = std::min(a, b);
+        }
       }
     }
   }

@@ -1,6 +1,7 @@
 #include "Meshes/OpenFoam/CyclicSides.h"
 
 #include "Meshes/OpenFoam/CellSides.h"
+#include "Ranks/Agreement.h"
 #include "Sets/PeriodicPairs.h"
 #include "Summary/DomainSides.h"
 #include "Summary/MatchFaces.h"
@@ -18,53 +19,31 @@ namespace
 struct Copy
 {
   FaceIds Partners;
-  Index Side;
+  RankSide Of;
+  Vector3 First; // position of its first point, which has the lowest partner, in image axes
   bool operator<(const Copy& other) const
   {
-    return std::tie(this->Partners, this->Side) < std::tie(other.Partners, other.Side);
+    return std::tie(this->Partners, this->Of.Rank, this->Of.Side) <
+      std::tie(other.Partners, other.Of.Rank, other.Of.Side);
   }
 };
 
-std::vector<Copy> SortByPartners(const MeshData& mesh, const std::vector<Index>& open)
+/// Returns the sides of all ranks.
+/// @pre Collective
+std::vector<Copy> SortByPartners(const MeshData& mesh, const std::vector<Index>& open, Ranks& ranks)
 {
   std::vector<Copy> copies;
+  const ImageFrame frame = FrameOfDomain(mesh);
   for (Index side : open)
   {
-    copies.push_back({ SortedIds(PointsOfSide(mesh, side), mesh.PeriodicPartner), side });
+    const FaceIds points = PointsOfSide(mesh, side);
+    copies.push_back({ SortedIds(points, mesh.PeriodicPartner), { ranks.Rank(), side },
+      frame.ToOwn(mesh.PointAt(points[0])) });
   }
+  copies = GatherItems(ranks, copies);
   std::sort(copies.begin(), copies.end());
   return copies;
 }
-
-/// Counts the periods between sides that are copies of each other.
-class PeriodCounter
-{
-public:
-  explicit PeriodCounter(const MeshData& mesh) :
-    TheMesh(mesh), Lengths(NumbersOfField(mesh.Fields, "PeriodLengths")), Frame(FrameOfDomain(mesh))
-  {
-    if (this->Lengths.size() != 3)
-    {
-      RejectMissing("PeriodLengths");
-    }
-  }
-
-  Index3 Count(Index from, Index to) const
-  {
-    return CountPeriods(this->FirstPoint(from), this->FirstPoint(to), this->Lengths);
-  }
-
-private:
-  /// Returns the position of the first point of a side, which has the lowest partner.
-  Vector3 FirstPoint(Index side) const
-  {
-    return this->Frame.ToOwn(this->TheMesh.PointAt(PointsOfSide(this->TheMesh, side)[0]));
-  }
-
-  const MeshData& TheMesh;
-  const std::vector<double> Lengths;
-  const ImageFrame Frame;
-};
 
 /// Returns the name of the patch on the side of the domain in a direction.
 std::string NameOfPatch(const Index3& direction)
@@ -88,26 +67,33 @@ Index3 Opposite(const Index3& periods)
 
 } // namespace
 
-CyclicSides FindCyclicSides(const MeshData& mesh, const std::vector<Index>& open)
+CyclicSides FindCyclicSides(const MeshData& mesh, const std::vector<Index>& open, Ranks& ranks)
 {
   CyclicSides found;
-  if (!mesh.PeriodicPartner)
+  if (!ranks.Any(mesh.PeriodicPartner != nullptr))
   {
     found.Others = open;
     return found;
   }
-  const PeriodCounter periods(mesh);
-  const std::vector<Copy> copies = SortByPartners(mesh, open);
+  const std::vector<double> lengths = NumbersOfField(mesh.Fields, "PeriodLengths");
+  if (lengths.size() != 3)
+  {
+    RejectMissing("PeriodLengths");
+  }
+  const std::vector<Copy> copies = SortByPartners(mesh, open, ranks);
   std::map<Index3, CyclicPatches, std::greater<Index3>> patches; // by the periods to the second
   for (std::size_t c = 0; c < copies.size(); ++c)
   {
     if (c + 1 == copies.size() || copies[c].Partners != copies[c + 1].Partners)
     {
-      found.Others.push_back(copies[c].Side);
+      if (copies[c].Of.Rank == ranks.Rank())
+      {
+        found.Others.push_back(copies[c].Of.Side);
+      }
       continue;
     }
-    std::array<Index, 2> pair{ { copies[c].Side, copies[c + 1].Side } };
-    Index3 count = periods.Count(pair[0], pair[1]);
+    std::array<RankSide, 2> pair{ { copies[c].Of, copies[c + 1].Of } };
+    Index3 count = CountPeriods(copies[c].First, copies[c + 1].First, lengths);
     if (count < Opposite(count))
     {
       std::swap(pair[0], pair[1]);

@@ -1,5 +1,6 @@
 #include "Meshes/OpenFoam/FoamAddressing.h"
 
+#include "Ranks/Agreement.h"
 #include "Ranks/WorkTogether.h"
 
 #include <tuple>
@@ -22,7 +23,13 @@ struct OwnedFace
   }
 };
 
-/// Returns the faces that this rank numbers, in the order of the whole case.
+bool IsCyclic(const FoamPatch& patch)
+{
+  return !patch.Opposite.empty() || !patch.Refer.empty();
+}
+
+/// Returns the faces that this rank numbers, except those of cyclic patches, in the order of the
+/// whole case.
 std::vector<OwnedFace> ListOwnedFaces(const FoamMesh& foam)
 {
   std::vector<OwnedFace> faces;
@@ -37,9 +44,12 @@ std::vector<OwnedFace> ListOwnedFaces(const FoamMesh& foam)
   for (const FoamPatch& patch : foam.Patches)
   {
     ++group;
-    for (Index i = 0; patch.Neighbour < 0 && i < patch.Count; ++i, ++face)
+    for (Index i = 0; patch.Type != "processor" && i < patch.Count; ++i, ++face)
     {
-      faces.push_back({ group, positions[foam.Owner(face)], NothingBehind, face });
+      if (!IsCyclic(patch))
+      {
+        faces.push_back({ group, positions[foam.Owner(face)], NothingBehind, face });
+      }
     }
   }
   for (const RemoteSide& side : foam.Remote)
@@ -70,6 +80,21 @@ std::vector<FaceCount> CountFaces(const std::vector<OwnedFace>& faces)
   return counts;
 }
 
+/// Sets the numbers, from 1, of the faces of cyclic patches, which are the first patches.
+/// @param inner  number of inner faces of the whole mesh
+void NumberCyclicFaces(const FoamMesh& foam, Index inner, std::vector<Index>& numbers)
+{
+  Index face = static_cast<Index>(foam.Neighbours.size());
+  auto next = foam.CyclicNumbers.begin();
+  for (const FoamPatch& patch : foam.Patches)
+  {
+    for (Index i = 0; i < patch.Count; ++i, ++face)
+    {
+      numbers[face] = IsCyclic(patch) ? inner + *next++ + 1 : numbers[face];
+    }
+  }
+}
+
 /// Sets the numbers, from 1, of the faces that this rank numbers.
 /// @pre Collective
 void NumberOwnedFaces(const FoamMesh& foam, std::vector<Index>& numbers, Ranks& ranks)
@@ -80,14 +105,19 @@ void NumberOwnedFaces(const FoamMesh& foam, std::vector<Index>& numbers, Ranks& 
     [](const FoamPatch& patch) { return patch.Neighbour < 0; });
   const std::vector<Index> first =
     NumberFaces(counts, 1 + static_cast<int>(patches), foam.Cells.Total, ranks);
+  Index inner = 0;
   auto face = faces.begin();
   for (std::size_t entry = 0; entry < counts.size(); ++entry)
   {
+    const bool isInner = counts[entry].Group == 0;
+    const Index before = first[entry] + (isInner ? 0 : foam.TotalCyclic);
+    inner += isInner ? counts[entry].Count : 0;
     for (Index i = 0; i < counts[entry].Count; ++i, ++face)
     {
-      numbers[face->Face] = first[entry] + i + 1;
+      numbers[face->Face] = before + i + 1;
     }
   }
+  NumberCyclicFaces(foam, SumOverRanks(inner, ranks), numbers);
 }
 
 /// Sets the numbers of the faces whose owners are on other ranks; they are negative.
@@ -99,7 +129,7 @@ void TakeNumbers(const FoamMesh& foam, std::vector<Index>& numbers, Ranks& ranks
   std::size_t begin = foam.Sides.size() - foam.Remote.size();
   for (const FoamPatch& patch : foam.Patches)
   {
-    if (patch.Neighbour >= 0)
+    if (patch.Type == "processor")
     {
       peers.push_back(patch.Neighbour);
       lists.emplace_back(numbers.begin() + begin, numbers.begin() + begin + patch.Count);

@@ -108,7 +108,8 @@ void PolyMeshWriter::WriteBoundary() const
         {
           file.Text("        matchTolerance  0.0001;\n        myProcNo        " +
             std::to_string(this->Foam.Rank) + ";\n        neighbProcNo    " +
-            std::to_string(patch.Neighbour) + ";\n");
+            std::to_string(patch.Neighbour) + ";\n" +
+            (patch.Refer.empty() ? "" : "        referPatch      " + patch.Refer + ";\n"));
         }
         file.Text("    }\n");
         first += patch.Count;

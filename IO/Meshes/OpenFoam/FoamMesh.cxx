@@ -16,6 +16,13 @@ namespace
 
 constexpr Index LargestLabel = std::numeric_limits<std::int32_t>::max();
 
+/// Faces of a cyclic patch with their copies on another rank.
+struct RemoteCyclic
+{
+  std::string Name; // of the cyclic patch
+  std::vector<Index> Sides, Numbers;
+};
+
 /// Builds the lists of a model one after another.
 class FoamMeshMaker
 {
@@ -28,9 +35,11 @@ public:
   }
 
   void AddInnerFaces();
-  void AddCyclicPatches();
+  /// @pre Collective
+  void AddCyclicPatches(Ranks& ranks);
   /// @pre Collective
   void AddPatches(Ranks& ranks);
+  void AddRemoteCyclics();
   void AddRemoteFaces();
   /// @pre Collective
   void AddCellZones(Ranks& ranks);
@@ -45,6 +54,8 @@ private:
   const FoamSurfaces Surfaces;
   const CellSides Cells;
   std::vector<Index> Open; ///< sides on patches that are added later
+  /// Patches of cyclic faces with their copy on another rank, by rank and number of the patch.
+  std::map<std::pair<int, std::size_t>, RemoteCyclic> RemoteCyclics;
 };
 
 void FoamMeshMaker::AddInnerFaces()
@@ -77,7 +88,7 @@ void FoamMeshMaker::AddInnerFaces()
   }
 }
 
-void FoamMeshMaker::AddCyclicPatches()
+void FoamMeshMaker::AddCyclicPatches(Ranks& ranks)
 {
   std::vector<Index> open;
   for (Index side = 0; side < static_cast<Index>(this->Cells.Behind.size()); ++side)
@@ -87,18 +98,51 @@ void FoamMeshMaker::AddCyclicPatches()
       open.push_back(side);
     }
   }
-  CyclicSides cyclic = FindCyclicSides(this->Foam.Mesh, open);
+  FoamMesh& foam = this->Foam;
+  CyclicSides cyclic = FindCyclicSides(foam.Mesh, open, ranks);
   for (const CyclicPatches& both : cyclic.Patches)
   {
     for (int p = 0; p < 2; ++p)
     {
-      const std::vector<Index>& sides = both.Sides[p];
-      this->Foam.Patches.push_back(
-        { both.Names[p], "cyclic", "", static_cast<Index>(sides.size()), -1, both.Names[1 - p] });
-      this->Foam.Sides.insert(this->Foam.Sides.end(), sides.begin(), sides.end());
+      foam.Patches.push_back({ both.Names[p], "cyclic", "", 0, -1, both.Names[1 - p] });
+      for (std::size_t f = 0; f < both.Sides[p].size(); ++f, ++foam.TotalCyclic)
+      {
+        const RankSide &side = both.Sides[p][f], &copy = both.Sides[1 - p][f];
+        if (side.Rank == foam.Rank && copy.Rank == foam.Rank)
+        {
+          ++foam.Patches.back().Count;
+          foam.Sides.push_back(side.Side);
+          foam.CyclicNumbers.push_back(foam.TotalCyclic);
+        }
+        else if (side.Rank == foam.Rank)
+        {
+          RemoteCyclic& remote = this->RemoteCyclics[{ copy.Rank, foam.Patches.size() }];
+          remote.Name = both.Names[p];
+          remote.Sides.push_back(side.Side);
+          remote.Numbers.push_back(foam.TotalCyclic);
+        }
+      }
     }
   }
   this->Open = std::move(cyclic.Others);
+}
+
+std::string NameOfPatchTo(int rank, int other)
+{
+  return "procBoundary" + std::to_string(rank) + "to" + std::to_string(other);
+}
+
+void FoamMeshMaker::AddRemoteCyclics()
+{
+  FoamMesh& foam = this->Foam;
+  for (const auto& [key, remote] : this->RemoteCyclics)
+  {
+    foam.Patches.push_back({ NameOfPatchTo(foam.Rank, key.first) + "through" + remote.Name,
+      "processorCyclic", "", static_cast<Index>(remote.Sides.size()), key.first, "", remote.Name });
+    foam.Sides.insert(foam.Sides.end(), remote.Sides.begin(), remote.Sides.end());
+    foam.CyclicNumbers.insert(
+      foam.CyclicNumbers.end(), remote.Numbers.begin(), remote.Numbers.end());
+  }
 }
 
 /// Returns a patch for each surface and for faces on no surface.
@@ -187,11 +231,12 @@ void FoamMeshMaker::AddRemoteFaces()
     [this](const RemoteSide& a, const RemoteSide& b) { return this->IsBefore(a, b); });
   for (const RemoteSide& side : foam.Remote)
   {
-    if (foam.Patches.empty() || foam.Patches.back().Neighbour != side.Rank)
+    const bool isSame = !foam.Patches.empty() && foam.Patches.back().Type == "processor" &&
+      foam.Patches.back().Neighbour == side.Rank;
+    if (!isSame)
     {
-      const std::string name =
-        "procBoundary" + std::to_string(foam.Rank) + "to" + std::to_string(side.Rank);
-      foam.Patches.push_back({ name, "processor", "", 0, side.Rank });
+      foam.Patches.push_back(
+        { NameOfPatchTo(foam.Rank, side.Rank), "processor", "", 0, side.Rank });
     }
     ++foam.Patches.back().Count;
     foam.Sides.push_back(side.Side);
@@ -271,8 +316,9 @@ FoamMesh MakeFoamMesh(const MeshData& mesh, Ranks& ranks)
       foam.Cells = OrderIds(mesh.ElementIds, mesh.NumberOfElements, ranks);
       FoamMeshMaker maker(foam, ranks);
       maker.AddInnerFaces();
-      maker.AddCyclicPatches();
+      maker.AddCyclicPatches(ranks);
       maker.AddPatches(ranks);
+      maker.AddRemoteCyclics();
       maker.AddRemoteFaces();
       maker.AddCellZones(ranks);
       maker.AddFaceZones(ranks);

@@ -3,12 +3,13 @@
  *
  * - Points and cells are ordered by global id, each once.
  * - Faces between two cells of this rank come first, ordered by owner (the lower cell), then by
- *   neighbour; then the faces of each patch; then the faces to other ranks. Normals point out of
- *   the owner. Each face begins with its lowest point; in a periodic mesh with the one with the
- *   lowest partner.
+ *   neighbour; then the faces of each patch; then those of cyclic patches whose copy is on another
+ *   rank; then the faces to other ranks. Normals point out of the owner. Each face begins with its
+ *   lowest point; in a periodic mesh with the one with the lowest partner.
  * - Patches of a periodic mesh: pairs of type cyclic on opposite sides of the domain, also for
  *   faces between two materials. Face i of one patch is a translate of face i of the other, with
- *   the same first point.
+ *   the same first point. Faces with their copy on another rank are in patches of type
+ *   processorCyclic, as decomposePar makes them.
  * - Other patches: each side of the domain, of type patch; each smooth side, or else interface, to
  *   space without elements, of type wall; "defaultFaces" for boundary faces that are on no named
  *   surface. A smooth side is in the patch group of its interface.
@@ -30,6 +31,7 @@ struct FoamPatch
   Index Count = 0;           ///< number of faces
   int Neighbour = -1;        ///< rank behind the patch; -1: none
   std::string Opposite = {}; ///< name of the other patch of a cyclic pair
+  std::string Refer = {};    ///< cyclic patch whose faces have copies on rank Neighbour
 };
 
 struct FoamZone
@@ -47,6 +49,10 @@ struct FoamMesh
   std::vector<Index> Sides;       ///< side of the owner of each face (CellSides.h)
   std::vector<Index> Neighbours;  ///< neighbour of each inner face
   std::vector<RemoteSide> Remote; ///< faces to other ranks, the last ones in Sides
+  /// Number of each face of cyclic patches, counted from the first face on patches of the whole
+  /// mesh: first the faces of patches of type cyclic, then those of type processorCyclic.
+  std::vector<Index> CyclicNumbers;
+  Index TotalCyclic = 0; ///< number of faces of cyclic patches of all ranks
   /// Patches with the same names on all ranks, then patches to other ranks.
   std::vector<FoamPatch> Patches;
   std::vector<FoamZone> CellZones, FaceZones; ///< the same names on all ranks
@@ -58,7 +64,7 @@ struct FoamMesh
   }
 };
 
-/// Makes the model of this rank's part, of a periodic mesh only if there is one rank.
+/// Makes the model of this rank's part.
 /// @param mesh  ordered mesh (OrderMesh), with MaterialId; must outlive the result
 /// @throws InputError  if faces do not match, or if FindNamedSurfaces does; on all ranks
 /// @pre Collective

@@ -26,11 +26,6 @@ void CheckPeriodic(const MeshData& mesh, Ranks& ranks)
     throw InputError("OpenFOAM needs a periodic mesh that is cut open: PeriodicSides flat or free, "
                      "and the array PeriodicPartner.");
   }
-  if (ranks.Count() > 1 && ranks.Any(mesh.PeriodicPartner != nullptr))
-  {
-    throw InputError("A periodic mesh is written as a single mesh for OpenFOAM, which decomposePar "
-                     "decomposes: choose a single file (sculptor: --single-file).");
-  }
 }
 
 /// Writes the mesh of each rank, or one mesh if there is one rank. All files appear, or none.

@@ -11,7 +11,6 @@
  * case/processorRANK/constant/polyMesh with patches procBoundaryXtoY to other ranks and the files
  * pointProcAddressing, faceProcAddressing, cellProcAddressing and boundaryProcAddressing, which
  * contain numbers in the case of a single rank. Folders of other numbers of ranks are not removed.
- * A periodic mesh is written as a whole only.
  *
  * OpenFOAM User Guide v1912, chapter 4.1 "Mesh description".
  */
@@ -35,10 +34,8 @@ struct FoamForm
 /// Writes a case. Whole meshes have identical bytes from any number of ranks.
 /// @param mesh  part of this rank, made by the mesher or read from a file; may be empty
 /// @throws InputError  if the mesh of all ranks is empty or lacks a required array, if it is
-/// periodic
-///   with joined sides, or with several ranks and not whole, if a number
-///   exceeds 2^31 - 1, or if a file cannot be written; on all ranks. The files of all ranks, and
-///   the folders that this call made, are then removed
+///   periodic with joined sides, if a number exceeds 2^31 - 1, or if a file cannot be written; on
+///   all ranks. The files of all ranks, and the folders that this call made, are then removed
 /// @pre Collective
 void WriteFoam(
   const MeshData& mesh, const std::string& path, Ranks& ranks, const FoamForm& form = {});
