@@ -69,10 +69,20 @@ add_custom_target(manual_page ALL DEPENDS "${page}.gz")
 add_dependencies(user manual_page)
 install(FILES "${page}.gz" DESTINATION share/man/man1 COMPONENT sculptor)
 
-# ParaView reads the names of plugins to load from this file beside its programs.
-file(WRITE "${files}/paraview.conf"
-  "../${CMAKE_INSTALL_LIBDIR}/${VFM_PLUGIN_FOLDER}/VolumeFractionMesh.plugins.xml\n")
-install(FILES "${files}/paraview.conf" DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT plugin)
+# ParaView loads plugins that it finds listed: on Debian 13 in a file that its own list names, on
+# Debian 12, where it has no list, in one beside its programs.
+get_filename_component(paraview_folder "/usr/${CMAKE_INSTALL_LIBDIR}/${VFM_PLUGIN_FOLDER}" DIRECTORY)
+if (EXISTS "${paraview_folder}/paraview.conf")
+  set(plugin_file "${VFM_PLUGIN_FOLDER}/VolumeFractionMesh/VolumeFractionMesh.so")
+  file(WRITE "${files}/plugins" "<?xml version=\"1.0\"?>\n<Plugins>\n"
+    "  <Plugin name=\"VolumeFractionMesh\" auto_load=\"1\"\n"
+    "    filename=\"/usr/${CMAKE_INSTALL_LIBDIR}/${plugin_file}\"/>\n</Plugins>\n")
+  install(FILES "${files}/plugins" DESTINATION share/paraview COMPONENT plugin)
+else ()
+  file(WRITE "${files}/paraview.conf"
+    "../${CMAKE_INSTALL_LIBDIR}/${VFM_PLUGIN_FOLDER}/VolumeFractionMesh.plugins.xml\n")
+  install(FILES "${files}/paraview.conf" DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT plugin)
+endif ()
 
 set(text "Turns volume fractions on Cartesian and AMR grids into conforming hexahedral\n"
   "and tetrahedral meshes of every material, on any number of MPI ranks.")
