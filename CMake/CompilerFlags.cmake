@@ -17,3 +17,13 @@ if (VFM_SANITIZE)
     $<$<COMPILE_LANGUAGE:CXX>:-D_GLIBCXX_ASSERTIONS>)
   add_link_options("-fsanitize=${VFM_SANITIZE}")
 endif ()
+
+# Precompiles headers of the standard library, which saves a fifth of the time. Not with ccache,
+# which then finds more in its cache, and so that missing includes are found.
+function (vfm_precompile_headers target)
+  if (NOT CMAKE_CXX_COMPILER_LAUNCHER MATCHES "ccache")
+    target_precompile_headers("${target}" PRIVATE
+      <algorithm> <array> <cmath> <cstdint> <functional> <limits> <map> <memory> <string> <tuple>
+      <utility> <vector>)
+  endif ()
+endfunction ()

@@ -10,8 +10,12 @@ foreach (component IN LISTS vfm_exports)
   set(file "VolumeFractionMesh-${component}-targets.cmake")
   export(EXPORT "${component}" NAMESPACE VolumeFractionMesh::
     FILE "${CMAKE_BINARY_DIR}/${vfm_cmake_folder}/${file}")
+  set(installed_with Unspecified)
+  if (component STREQUAL "sculptor")
+    set(installed_with libsculptor-dev)
+  endif ()
   install(EXPORT "${component}" NAMESPACE VolumeFractionMesh::
-    FILE "${file}" DESTINATION "${vfm_cmake_folder}")
+    FILE "${file}" DESTINATION "${vfm_cmake_folder}" COMPONENT "${installed_with}")
 endforeach ()
 set(vfm_exported ${vfm_exports})
 if (vfm_module_export)
@@ -32,4 +36,4 @@ install(FILES
     "${CMAKE_BINARY_DIR}/${vfm_cmake_folder}/VolumeFractionMeshConfig.cmake"
     "${CMAKE_BINARY_DIR}/${vfm_cmake_folder}/VolumeFractionMeshConfigVersion.cmake"
     ${vfm_own_files}
-  DESTINATION "${vfm_cmake_folder}")
+  DESTINATION "${vfm_cmake_folder}" COMPONENT libsculptor-dev)

@@ -2,7 +2,9 @@
 # NAME-uninstalled.pc in lib/pkgconfig of the build tree. pkg-config prefers uninstalled files.
 # usage: vfm_add_pkg_config(NAME headers of the installed tree, headers of the source tree ...)
 function (vfm_add_pkg_config name installed_headers)
-  set(prefix "\${pcfiledir}/../..")
+  file(RELATIVE_PATH up "/prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig" /prefix)
+  string(REGEX REPLACE "/$" "" up "${up}")
+  set(prefix "\${pcfiledir}/${up}")
   set(libdir "\${prefix}/${CMAKE_INSTALL_LIBDIR}")
   set(includedir "\${prefix}/${installed_headers}")
   set(headers "-I\${includedir}")

@@ -1,31 +1,21 @@
-/// Writes all values of five meshes, which TestDigests.py hashes: MeshValues FOLDER. It writes
-/// values and not memory, because the layout of VTK's memory differs between versions.
-#include "vtkCellArray.h"
-#include "vtkCellData.h"
-#include "vtkDoubleArray.h"
-#include "vtkImageData.h"
-#include "vtkIntArray.h"
-#include "vtkMultiBlockDataSet.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
-#include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
-#include "vtkUnstructuredGrid.h"
-#include "vtkVolumeFractionShapes.h"
-#include "vtkVolumeFractionToHex.h"
-#include "vtkVolumeFractionToTet.h"
-#include "vtkXMLImageDataReader.h"
+/// Writes all values of five meshes, which TestDigests.py hashes: MeshValues FOLDER. It uses only
+/// the mesher, and so runs wherever that can be compiled.
+#include "Input/NodeCoordinates.h"
+#include "Input/PlainArrays.h"
+#include "LabelInput.h"
+#include "Shapes/ShapesFractions.h"
+#include "Shapes/ShapesText.h"
+#include "Summary/MeshArrays.h"
 
-#include <array>
 #include <cstdio>
 #include <fstream>
-#include <initializer_list>
 #include <string>
+#include <vector>
+
+using namespace vfm;
 
 namespace
 {
-
-using Point = std::array<double, 3>;
 
 /// Writes every number as a double of eight bytes: ids here are far below 2^53, reals are exact.
 class Values
@@ -34,196 +24,190 @@ public:
   explicit Values(const std::string& path) : Stream(path, std::ios::binary) {}
   bool HasWritten() { return static_cast<bool>(this->Stream.flush()); }
 
-  void Add(double value)
+  template <class Number>
+  void Add(Number number)
   {
+    const auto value = static_cast<double>(number);
     this->Stream.write(reinterpret_cast<const char*>(&value), sizeof(value));
   }
-  void Add(vtkDataArray* array)
+  template <class Numbers>
+  void Add(const char* name, const Numbers& numbers)
   {
-    for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+    this->Stream << name;
+    for (const auto number : numbers)
     {
-      for (int c = 0; c < array->GetNumberOfComponents(); ++c)
-      {
-        this->Add(array->GetComponent(i, c));
-      }
+      this->Add(number);
     }
   }
-  void Add(vtkDataSetAttributes* arrays)
+  void Add(const Mesh& mesh)
   {
-    for (int a = 0; a < arrays->GetNumberOfArrays(); ++a)
-    {
-      this->Stream << arrays->GetArrayName(a);
-      this->Add(arrays->GetArray(a));
-    }
+    const auto add = [this](const char* name, const auto& numbers) { this->Add(name, numbers); };
+    add("Points", mesh.Points);
+    add("Elements", mesh.Elements);
+    VisitPointArrays(mesh, add);
+    VisitElementArrays(mesh, add);
+    add("Facets", mesh.Surfaces.Points);
+    add("SurfaceId", mesh.Surfaces.SurfaceId);
+    add("MaterialPair", mesh.Surfaces.MaterialPair);
+    add("CurveEdges", mesh.Curves.Points);
+    add("CurveId", mesh.Curves.CurveId);
   }
-  void Add(vtkPointSet* mesh, vtkCellArray* cells)
+  void Add(const TransferredArray& array)
   {
-    this->Add(mesh->GetPoints()->GetData());
-    this->Add(cells->GetOffsetsArray());
-    this->Add(cells->GetConnectivityArray());
-    this->Add(mesh->GetPointData());
-    this->Add(mesh->GetCellData());
+    std::vector<double> numbers(array.Values.size() / sizeof(double));
+    std::copy_n(array.Values.data(), array.Values.size(), reinterpret_cast<char*>(numbers.data()));
+    this->Add(array.Name.c_str(), numbers);
   }
 
 private:
   std::ofstream Stream;
 };
 
-/// Writes the elements and surfaces of a mesh.
-bool WriteMesh(vtkVolumeFractionMeshAlgorithm* mesher, const std::string& path)
+bool WriteMesh(const MesherInput& input, const MesherOptions& options, const std::string& path)
 {
-  mesher->Update();
-  auto* mesh = vtkUnstructuredGrid::SafeDownCast(mesher->GetOutputDataObject(0));
-  auto* surfaces = vtkPolyData::SafeDownCast(mesher->GetOutputDataObject(1));
-  if (mesh->GetNumberOfCells() == 0 || surfaces->GetNumberOfCells() == 0)
-  {
-    return false;
-  }
+  Runtime serial;
+  const MesherResult result = RunMesher(input, options, serial);
   Values values(path);
-  values.Add(mesh, mesh->GetCells());
-  values.Add(surfaces, surfaces->GetPolys());
-  std::printf(
-    "%s: %lld elements\n", path.c_str(), static_cast<long long>(mesh->GetNumberOfCells()));
+  values.Add(result.TheMesh);
+  for (const TransferredArray& array : result.State.Arrays)
+  {
+    values.Add(array);
+  }
+  if (result.State.NodalVelocity)
+  {
+    values.Add(*result.State.NodalVelocity);
+  }
+  std::printf("%s: %zu elements\n", path.c_str(), result.TheMesh.ElementIds.size());
   return values.HasWritten();
 }
 
-vtkSmartPointer<vtkImageData> ReadImage(const std::string& name)
+/// A cube of cells of equal width.
+struct Cells
 {
-  vtkNew<vtkXMLImageDataReader> reader;
-  reader->SetFileName((VFM_DATA "/" + name).c_str());
-  reader->Update();
-  return reader->GetOutput();
-}
+  int Count; ///< along each axis
+  double Origin, Width;
 
-/// Returns fractions of a ball (Material1) on a plate (Material2) in the cells of a box, computed
-/// without functions of the C library.
-vtkSmartPointer<vtkImageData> BallOnPlate(const Point& low, const Point& high, int cells)
-{
-  vtkNew<vtkVolumeFractionShapes> shapes;
-  shapes->SetShapes("sphere radius=2.5 center=4.1,4,5 material=1\n"
-                    "halfspace point=0,0,2.6 normal=0,0,1 material=2");
-  shapes->SetDimensions(cells, cells, cells);
-  shapes->SetBounds(low[0], high[0], low[1], high[1], low[2], high[2]);
-  shapes->Update();
-  return vtkImageData::SafeDownCast(shapes->GetOutputDataObject(0));
-}
+  IndexBox Box() const { return { {}, { { this->Count, this->Count, this->Count } } }; }
+  Vector3 At(double x) const { return { { x, x, x } }; }
+};
 
-/// Returns level 0, and level 1 over its middle.
-vtkSmartPointer<vtkMultiBlockDataSet> TwoLevels()
+/// Returns the fractions of the materials of shapes, named 1, 2 ..
+std::shared_ptr<PlainArrays> FractionsOf(const std::string& shapes, const Cells& cells)
 {
-  auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
-  blocks->SetBlock(0, BallOnPlate({ { 0, 0, 0 } }, { { 8, 8, 8 } }, 8));
-  blocks->SetBlock(1, BallOnPlate({ { 2, 2, 2 } }, { { 6, 6, 6 } }, 8));
-  return blocks;
-}
-
-/// Returns the number of the nearest of six seeds, 0 for the first.
-vtkSmartPointer<vtkImageData> Grains()
-{
-  constexpr int n = 14;
-  constexpr int seeds[6][3] = { { 1, 1, 2 }, { 11, 2, 3 }, { 3, 12, 4 }, { 10, 10, 1 },
-    { 5, 6, 11 }, { 12, 7, 12 } };
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(n + 1, n + 1, n + 1);
-  vtkNew<vtkIntArray> ids;
-  ids->SetName("grain");
-  for (int cell = 0; cell < n * n * n; ++cell)
+  const Vector3 lower = cells.At(cells.Origin);
+  const Vector3 upper = cells.At(cells.Origin + cells.Count * cells.Width);
+  Runtime serial;
+  auto arrays = std::make_shared<PlainArrays>(cells.Box().NumberOfCells());
+  int material = 0;
+  for (Buffer<double>& fractions :
+    FractionArraysOfShapes(EvenCoordinates(lower, cells.At(cells.Width), cells.Box()), cells.Box(),
+      ParseShapes(shapes, lower, upper), DefaultShapeTolerance, serial))
   {
-    const int x[3] = { cell % n, cell / n % n, cell / n / n };
-    const auto distance = [&](int s)
-    {
-      int sum = 0;
-      for (int a = 0; a < 3; ++a)
-      {
-        sum += (x[a] - seeds[s][a]) * (x[a] - seeds[s][a]);
-      }
-      return sum;
-    };
-    int nearest = 0;
-    for (int s = 1; s < 6; ++s)
-    {
-      nearest = distance(s) < distance(nearest) ? s : nearest;
-    }
-    ids->InsertNextValue(nearest);
+    arrays->Store(std::to_string(++material), ValueType::Double, std::move(fractions));
   }
-  image->GetCellData()->AddArray(ids);
-  return image;
+  return arrays;
 }
 
-/// Returns a ball that falls obliquely onto the plate.
-vtkSmartPointer<vtkImageData> MovingBall()
+InputBlock BlockOf(const Cells& cells, std::shared_ptr<const BlockArrays> arrays)
 {
-  constexpr int n = 12;
-  const vtkSmartPointer<vtkImageData> image = BallOnPlate({ { 0, 0, 0 } }, { { 8, 8, 8 } }, n);
-  vtkNew<vtkDoubleArray> density, velocity;
-  density->SetName("density");
-  velocity->SetName("velocity");
-  velocity->SetNumberOfComponents(3);
-  for (int cell = 0; cell < n * n * n; ++cell)
-  {
-    const double x = cell % n, z = cell / n / n;
-    density->InsertNextValue(2.0 + 0.125 * x + 0.03125 * z * z);
-    velocity->InsertNextTuple3(1.0 + 0.25 * z, 0.0625 * x * z, z < 4.0 ? 0.0 : -8.0);
-  }
-  image->GetCellData()->AddArray(density);
-  image->GetCellData()->AddArray(velocity);
-  return image;
+  return testing::MakeBlock(cells.Box(), cells.At(cells.Origin), cells.Width, std::move(arrays));
 }
 
-template <class Mesher>
-vtkSmartPointer<Mesher> MakeMesher(
-  vtkDataObject* input, std::initializer_list<const char*> fractions)
+MesherInput InputOf(
+  std::vector<InputBlock> blocks, std::vector<std::string> fractions, std::string labels = "")
 {
-  auto mesher = vtkSmartPointer<Mesher>::New();
-  mesher->SetInputDataObject(input);
-  for (const char* name : fractions)
-  {
-    mesher->AddVolumeFractionArray(name);
-  }
-  return mesher;
+  Ranks alone;
+  MesherInput input = testing::MakeInput(std::move(blocks), alone);
+  input.Arrays.Fractions = std::move(fractions);
+  input.Arrays.Labels = std::move(labels);
+  return input;
 }
 
-using ToHex = vtkVolumeFractionToHex;
-using ToTet = vtkVolumeFractionToTet;
+constexpr const char* BallOnPlate = "sphere radius=2.5 center=4.1,4,5 material=1\n"
+                                    "halfspace point=0,0,2.6 normal=0,0,1 material=2";
+constexpr const char* BallWithFin =
+  "sphere material=1 center=-0.25,0,0 radius=0.55\n"
+  "box material=1 center=0.55,0,0 size=1.3,0.9,0.15 rotation=0,14,0";
 
 bool WriteHexes(const std::string& path)
 {
-  return WriteMesh(MakeMesher<ToHex>(ReadImage("ball_and_plate.vti"), { "ball", "plate" }), path);
+  const Cells cells{ 40, 0.0, 0.2 };
+  return WriteMesh(
+    InputOf({ BlockOf(cells, FractionsOf(BallOnPlate, cells)) }, { "1", "2" }), {}, path);
 }
 
 bool WriteTets(const std::string& path)
 {
-  const auto mesher = MakeMesher<ToTet>(ReadImage("fin.vti"), { "body" });
-  mesher->SetMethod(ToTet::METHOD_LATTICE);
-  return WriteMesh(mesher, path);
+  const Cells cells{ 32, -1.4, 0.0875 };
+  MesherOptions options;
+  options.Elements = ElementKind::Tets;
+  options.Tets = TetMethod::Lattice;
+  return WriteMesh(
+    InputOf({ BlockOf(cells, FractionsOf(BallWithFin, cells)) }, { "1" }), options, path);
 }
 
+/// Writes the mesh of level 0, and level 1 over its middle.
 bool WriteLevels(const std::string& path)
 {
-  const auto mesher = MakeMesher<ToHex>(TwoLevels(), { "Material1", "Material2" });
-  mesher->SetFineInterfaces(false);
-  return WriteMesh(mesher, path);
+  const Cells coarse{ 8, 0.0, 1.0 }, fine{ 8, 2.0, 0.5 };
+  MesherOptions options;
+  options.FineInterfaces = false;
+  return WriteMesh(InputOf({ BlockOf(coarse, FractionsOf(BallOnPlate, coarse)),
+                             BlockOf(fine, FractionsOf(BallOnPlate, fine)) },
+                     { "1", "2" }),
+    options, path);
 }
 
+/// Writes the mesh of grains: each cell has the number of the nearest of six seeds, 0 for the
+/// first.
 bool WriteLabels(const std::string& path)
 {
-  const auto mesher = MakeMesher<ToTet>(Grains(), {});
-  mesher->SetMaterialIdArray("grain");
-  mesher->SetLabelSmoothing(3);
-  mesher->SetMethod(ToTet::METHOD_CELLS);
-  return WriteMesh(mesher, path);
+  const Cells cells{ 14, 0.0, 1.0 };
+  const std::vector<Vector3> seeds{ { { 1, 1, 2 } }, { { 11, 2, 3 } }, { { 3, 12, 4 } },
+    { { 10, 10, 1 } }, { { 5, 6, 11 } }, { { 12, 7, 12 } } };
+  std::vector<int> labels;
+  ForCells(cells.Box(),
+    [&](const Index3& cell)
+    {
+      const Vector3 at{ { double(cell[0]), double(cell[1]), double(cell[2]) } };
+      const auto isNearer = [&](const Vector3& a, const Vector3& b)
+      { return Dot(at - a, at - a) < Dot(at - b, at - b); };
+      labels.push_back(
+        static_cast<int>(std::min_element(seeds.begin(), seeds.end(), isNearer) - seeds.begin()));
+    });
+  auto arrays = std::make_shared<PlainArrays>(cells.Box().NumberOfCells());
+  arrays->Store("grain", ValueType::Int, std::move(labels));
+  MesherOptions options;
+  options.Elements = ElementKind::Tets;
+  options.Tets = TetMethod::Cells;
+  options.LabelSmoothing = 3;
+  return WriteMesh(InputOf({ BlockOf(cells, arrays) }, {}, "grain"), options, path);
 }
 
+/// Writes the mesh and state of a ball that falls obliquely onto the plate.
 bool WriteState(const std::string& path)
 {
-  const auto mesher = MakeMesher<ToHex>(MovingBall(), { "Material1", "Material2" });
-  mesher->AddStateArray("density");
-  mesher->AddStateArray("velocity");
-  mesher->SetStateTransfer(ToHex::STATE_CONSERVE);
-  mesher->AddDensityArray("density");
-  mesher->SetVelocityArray("velocity");
-  mesher->SetNodalVelocity(true);
-  return WriteMesh(mesher, path);
+  const Cells cells{ 12, 0.0, 8.0 / 12.0 };
+  std::vector<double> density, velocity;
+  ForCells(cells.Box(),
+    [&](const Index3& cell)
+    {
+      const double x = static_cast<double>(cell[0]), z = static_cast<double>(cell[2]);
+      density.push_back(2.0 + 0.125 * x + 0.03125 * z * z);
+      velocity.insert(velocity.end(), { 1.0 + 0.25 * z, 0.0625 * x * z, z < 4.0 ? 0.0 : -8.0 });
+    });
+  const auto arrays = FractionsOf(BallOnPlate, cells);
+  const Index tuples = cells.Box().NumberOfCells();
+  arrays->Add("density", ValueType::Double, tuples, 1, density.data());
+  arrays->Add("velocity", ValueType::Double, tuples, 3, velocity.data());
+  MesherOptions options;
+  options.Transfer = StateTransfer::Conserve;
+  options.DensityArrays = { "density" };
+  options.VelocityArray = "velocity";
+  options.NodalVelocity = true;
+  MesherInput input = InputOf({ BlockOf(cells, arrays) }, { "1", "2" });
+  input.Arrays.State = ChooseState(options, { "density", "velocity" });
+  return WriteMesh(input, options, path);
 }
 
 } // namespace

@@ -18,27 +18,14 @@ std::vector<int> RandomLabels(const Index3& cells, unsigned seed)
   return labels;
 }
 
-namespace
-{
-
-/// Returns a block of labels, x fastest.
-/// @param cells box of cells of the given width
-InputBlock MakeBlock(
-  const IndexBox& cells, const LabelGrid& grid, double width, std::vector<int> labels)
+InputBlock MakeBlock(const IndexBox& cells, const Vector3& origin, double width,
+  std::shared_ptr<const BlockArrays> arrays)
 {
   InputBlock block;
   block.Name = "The input";
-  for (int a = 0; a < 3; ++a)
-  {
-    for (Index i = cells.Lower[a]; i <= cells.Upper[a]; ++i)
-    {
-      block.Coordinates[a].push_back(grid.Origin + width * static_cast<double>(i));
-    }
-  }
+  block.Coordinates = EvenCoordinates(origin, { { width, width, width } }, cells);
   KeepAllCells(block);
-  auto arrays = std::make_shared<PlainArrays>(static_cast<Index>(labels.size()));
-  arrays->Store("labels", ValueType::Int, std::move(labels));
-  block.Arrays = arrays;
+  block.Arrays = std::move(arrays);
   return block;
 }
 
@@ -48,6 +35,23 @@ MesherInput MakeInput(std::vector<InputBlock> blocks, Ranks& ranks)
   collected.Blocks = std::move(blocks);
   MesherInput input;
   input.Levels = FindInputLevels(std::move(collected), ranks);
+  return input;
+}
+
+namespace
+{
+
+InputBlock MakeLabelBlock(
+  const IndexBox& cells, const LabelGrid& grid, double width, std::vector<int> labels)
+{
+  auto arrays = std::make_shared<PlainArrays>(static_cast<Index>(labels.size()));
+  arrays->Store("labels", ValueType::Int, std::move(labels));
+  return MakeBlock(cells, { { grid.Origin, grid.Origin, grid.Origin } }, width, arrays);
+}
+
+MesherInput MakeLabels(std::vector<InputBlock> blocks, Ranks& ranks)
+{
+  MesherInput input = MakeInput(std::move(blocks), ranks);
   input.Arrays.Labels = "labels";
   return input;
 }
@@ -61,8 +65,8 @@ MesherInput MakeLabelInput(const LabelGrid& grid, const std::vector<int>& labels
   const Index last = (ranks.Rank() + 1) * n[2] / ranks.Count();
   const Index layer = n[0] * n[1];
   std::vector<int> own(labels.begin() + layer * first, labels.begin() + layer * last);
-  return MakeInput({ MakeBlock({ { { 0, 0, first } }, { { n[0], n[1], last } } }, grid, grid.Width,
-                     std::move(own)) },
+  return MakeLabels({ MakeLabelBlock({ { { 0, 0, first } }, { { n[0], n[1], last } } }, grid,
+                      grid.Width, std::move(own)) },
     ranks);
 }
 
@@ -74,7 +78,8 @@ MesherInput MakeLevelInput(const LabelGrid& grid, const std::vector<IndexBox>& b
   if (isMine(0))
   {
     const IndexBox all{ {}, grid.Cells };
-    blocks.push_back(MakeBlock(all, grid, grid.Width, std::vector<int>(all.NumberOfCells(), 1)));
+    blocks.push_back(
+      MakeLabelBlock(all, grid, grid.Width, std::vector<int>(all.NumberOfCells(), 1)));
   }
   for (std::size_t b = 0; b < boxes.size(); ++b)
   {
@@ -82,11 +87,11 @@ MesherInput MakeLevelInput(const LabelGrid& grid, const std::vector<IndexBox>& b
     {
       const IndexBox cells = ChangeLevel(boxes[b], 1);
       const Index3 size{ { cells.Size(0), cells.Size(1), cells.Size(2) } };
-      blocks.push_back(
-        MakeBlock(cells, grid, 0.5 * grid.Width, RandomLabels(size, static_cast<unsigned>(b))));
+      blocks.push_back(MakeLabelBlock(
+        cells, grid, 0.5 * grid.Width, RandomLabels(size, static_cast<unsigned>(b))));
     }
   }
-  return MakeInput(std::move(blocks), ranks);
+  return MakeLabels(std::move(blocks), ranks);
 }
 
 } // namespace testing

@@ -1,5 +1,5 @@
 /**
- * Images of labels as input of the mesher.
+ * Blocks of cells and images of labels as input of the mesher.
  */
 #pragma once
 
@@ -9,6 +9,14 @@ namespace vfm
 {
 namespace testing
 {
+
+/// Returns a block of cells of equal width.
+/// @param cells of the grid
+/// @param origin position of cell 0 along each axis
+InputBlock MakeBlock(const IndexBox& cells, const Vector3& origin, double width,
+  std::shared_ptr<const BlockArrays> arrays);
+/// Returns an input of blocks of this rank; the arrays have no names yet.
+MesherInput MakeInput(std::vector<InputBlock> blocks, Ranks& ranks);
 
 /// A grid with cells of equal width.
 struct LabelGrid

@@ -51,7 +51,7 @@ ALLOWED.update({
         "Shapes", "IO/Meshes", "IO/Report", "Testing/Inputs", "Testing/Support"),
     "Testing/Mesher": GRID + MESHER + ("Shapes", "Testing/Inputs", "Testing/Support"),
     "Testing/Parallel": BASE + ("Parallel", "Testing/Support"),
-    "Testing/Digests": ("Filters",),
+    "Testing/Digests": GRID + MESHER + ("Shapes", "Testing/Inputs"),
     "Testing/InSitu": BASE + ("Parallel", "Filters", "Filters/Data", "InSitu", "InSitu/Catalyst"),
     "Testing/Program": MESHER + ("InSitu", "Program"),
 })

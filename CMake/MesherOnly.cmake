@@ -1,0 +1,13 @@
+# Builds the mesher without VTK and MPI, with its tests: for compilers and processors that lack them.
+foreach (folder Grid Mesher Shapes)
+  add_subdirectory(${folder})
+endforeach ()
+if (VFM_BUILD_TESTING)
+  enable_testing()
+  find_package(GTest REQUIRED)
+  include(Testing/DiscoverTests.cmake)
+  find_program(python3_EXECUTABLE python3 REQUIRED)
+  foreach (folder Support Inputs Digests Grid Mesher)
+    add_subdirectory(Testing/${folder})
+  endforeach ()
+endif ()
