@@ -609,6 +609,16 @@ void Smoother::MarkNeighbours(int point)
   const auto mark = [this](int other)
   { __atomic_store_n(&this->Dirty[other], 1, __ATOMIC_RELAXED); };
   mark(point);
+  if (this->Mesh.Corners == 8)
+  {
+    // The energy at a far corner of a hex does not depend on the point.
+    const HexRings::Ring ring = this->Mesh.Rings.PointsAt(point);
+    for (int n = 0; n < ring.Near; ++n)
+    {
+      mark(ring[n]);
+    }
+    return;
+  }
   this->Mesh.ForAround(point, mark);
 }
 
