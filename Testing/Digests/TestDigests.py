@@ -15,10 +15,10 @@ import tempfile
 
 WITHOUT_FMA = "glibc.cpu.hwcaps=-FMA,-AVX2,-FMA4,-AVX"
 DIGESTS = {
-    "hexes": "500c5f123dceeef88d37749d7c2208ee9841694ae232a7a38614655385b97209",
+    "hexes": "f2e58f7287256a2f013653c5694032fe5113c5bfca3db19d763940223bed7f17",
     "labels": "33398d9d917fbbc7dfa6243b4dd4baf0aad81e312bd7cf66d97d59783d4c033e",
-    "levels": "4d03e3e28f03d8b0a4b74ce436bbc96d97af7bb8c378dd799be78b0554d6306e",
-    "state": "d817ad29029cc89645818966cc8b5500151ab8539b2dda1b5f1c8a9568f1c245",
+    "levels": "a5c21da3a37e8ff0b0be4e797a516a7719d6ce4dad34e9cf322f18815a84ce56",
+    "state": "3becfd05fa897475b9b8c5a6876ef2429fc1cc601782fce0e0729700e8625fa8",
     "tets": "8524198071cd2788c3bb3a3863324fea000daaa83f5ec4147be87d0c5b4d7f47",
 }
 
