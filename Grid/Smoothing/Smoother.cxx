@@ -18,9 +18,9 @@ constexpr double Noise = 1e-6;  // relative error of an energy, which may be a s
 // Multiple of the fall that counts, below which a point is settled.
 constexpr double SettledFalls = 4.0;
 constexpr double BarrierShare = 0.9; // 1 - 1 / p for the powers of a hard barrier
-// Largest change of a determinant, relative, by a step that is not checked.
+// Largest relative change of a determinant by a step whose energy is not evaluated.
 constexpr double SureChange = 0.1;
-constexpr double MoveRadius = 0.01;  // in mean cells
+constexpr double MoveRadius = 0.01; // in mean cells
 // In mean cells. Without shorter steps, errors of fragments of 64 cells change by less than 1e-7.
 constexpr double SmallestStep = 2e-8;
 // Factor by which MoveAlongNormals may raise the barrier.
@@ -92,13 +92,6 @@ double FallThatCounts(const SmoothingPace& pace, double energy)
   return pace.FallThatCounts + pace.PartThatCounts * energy;
 }
 
-/// Returns whether a step that lowers the energy by half of `fall` in the quadratic model leaves
-/// little to do.
-bool IsSettled(const SmoothingPace& pace, double fall, double energy)
-{
-  return fall <= SettledFalls * FallThatCounts(pace, energy);
-}
-
 /// Returns the multiple of a Newton step that is tried first. A barrier is nearly E = x^-p, on
 /// which Newton steps grow x only by the factor 1 + 1 / (p + 1). Newton steps of E^(1/p) have the
 /// same direction and are longer by the factor 1 / (1 - (1 - 1 / p) fall / E).
@@ -106,7 +99,7 @@ bool IsSettled(const SmoothingPace& pace, double fall, double energy)
 /// not relaxed, because an exact step leaves nothing to do.
 double FirstFactor(const SmoothingPace& pace, double length, double fall, double energy)
 {
-  const bool isRelaxed = length < TrustRadius && !IsSettled(pace, fall, energy);
+  const bool isRelaxed = length < TrustRadius && fall > SettledFalls * FallThatCounts(pace, energy);
   const double left = std::max(1.0 - BarrierShare * fall / energy, 1.0 / pace.LongestStretch);
   return std::max(
     { 1.0, isRelaxed ? pace.Relaxation : 1.0, std::min(1.0 / left, TrustRadius / length) });
@@ -504,11 +497,12 @@ double Smoother::MovePoint(int point, const SmoothingStage& stage)
   }
   const double cut = std::min(1.0, TrustRadius / length);
   const double slope = Dot(d.Gradient, step);
-  if (isFree && length < TrustRadius && IsSettled(stage.Pace, -slope, d.Value) &&
+  if (isFree && length < TrustRadius && -0.5 * slope < FallThatCounts(stage.Pace, d.Value) &&
     d.Steepness * Norm(step) <= SureChange && this->MayMove(point, this->Mesh.X[point] + step))
   {
-    const double energy = d.Value + 0.5 * slope; // as predicted
-    return this->Place(point, this->Mesh.X[point] + step, length, d.Value, energy, stage.Pace);
+    this->Mesh.X[point] = this->Mesh.X[point] + step;
+    this->HasMoved[point] = 1;
+    return length;
   }
   double t = FirstFactor(stage.Pace, length, -slope, d.Value);
   step = cut * step;
@@ -520,24 +514,19 @@ double Smoother::MovePoint(int point, const SmoothingStage& stage)
       this->DistanceEnergy(point, x, stage.Lambda);
     if (energy <= (1.0 + Noise) * d.Value + Armijo * t * cut * slope && this->MayMove(point, x))
     {
-      return this->Place(point, x, t * cut * length, d.Value, energy, stage.Pace);
+      this->Mesh.X[point] = x;
+      this->HasMoved[point] = 1;
+      const double move = t * cut * length;
+      if (move > stage.Pace.MoveThatCounts &&
+        d.Value - energy >= FallThatCounts(stage.Pace, energy))
+      {
+        this->Marked[point] = 1;
+        this->MarkNeighbours(point);
+      }
+      return move;
     }
   }
   return 0.0;
-}
-
-/// Moves a point to x and marks its neighbours if that counts. Returns the length of the move.
-double Smoother::Place(int point, const Vector3& x, double move, double before, double after,
-  const SmoothingPace& pace)
-{
-  this->Mesh.X[point] = x;
-  this->HasMoved[point] = 1;
-  if (move > pace.MoveThatCounts && before - after >= FallThatCounts(pace, after))
-  {
-    this->Marked[point] = 1;
-    this->MarkNeighbours(point);
-  }
-  return move;
 }
 
 /// Returns the axes (bit a) along which the point is at a bound and the step leads outwards.

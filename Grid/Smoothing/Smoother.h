@@ -104,8 +104,6 @@ private:
   void MoveAlongNormal(int point, const std::vector<double>& shifts, const SmoothingStage& stage);
   double Sweep(const SmoothingStage& stage);
   double MovePoint(int point, const SmoothingStage& stage);
-  double Place(int point, const Vector3& x, double move, double before, double after,
-    const SmoothingPace& pace);
   /// Returns whether the point is strictly inside the bounds of the mesh, before and after a step.
   bool StaysWithin(int point, const Vector3& step) const
   {

@@ -15,10 +15,10 @@ import tempfile
 
 WITHOUT_FMA = "glibc.cpu.hwcaps=-FMA,-AVX2,-FMA4,-AVX"
 DIGESTS = {
-    "hexes": "f2e58f7287256a2f013653c5694032fe5113c5bfca3db19d763940223bed7f17",
+    "hexes": "bf96eecad3efcf6728e97f80788966b03fbc9064a02eb0da29f981fa0a7e638d",
     "labels": "33398d9d917fbbc7dfa6243b4dd4baf0aad81e312bd7cf66d97d59783d4c033e",
-    "levels": "a5c21da3a37e8ff0b0be4e797a516a7719d6ce4dad34e9cf322f18815a84ce56",
-    "state": "3becfd05fa897475b9b8c5a6876ef2429fc1cc601782fce0e0729700e8625fa8",
+    "levels": "0113a5a374e2ad20a5771305b635c066c133fa5f97215967d14e28946bdfe8d9",
+    "state": "cc43e2584e6689cbbca221663d4e43d4b30a441d034823ef94d8c4ed55b39d44",
     "tets": "8524198071cd2788c3bb3a3863324fea000daaa83f5ec4147be87d0c5b4d7f47",
 }
 
