@@ -9,7 +9,7 @@ namespace vfm
 namespace
 {
 
-constexpr Index LongestRun = 16; // facets
+constexpr Index LongestRun = 64; // facets
 
 double AreaOf(const std::array<Vector3, 4>& q)
 {
