@@ -32,6 +32,11 @@ bool IsVoid(const Work& work, const Index3& cell)
 /// Returns the material of the first cell of a box that has one, else 0.
 int MaterialIn(const Work& work, const IndexBox& cells)
 {
+  if (cells.NumberOfCells() == 1)
+  {
+    const Index3& cell = cells.Lower;
+    return work.Grid.Local().Contains(cell) ? work.Labels[work.Grid.Linear(cell)] : 0;
+  }
   int material = 0;
   ForCells(Intersect(cells, work.Grid.Local()),
     [&](const Index3& cell)

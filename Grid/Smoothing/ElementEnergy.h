@@ -6,6 +6,8 @@
 
 #include "Smoothing/ActiveMesh.h"
 
+#include <limits>
+
 namespace vfm
 {
 
@@ -44,6 +46,9 @@ struct Derivatives
   double Value = 0.0;
   Vector3 Gradient{ { 0.0, 0.0, 0.0 } };
   std::array<double, 6> Hessian{ { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 } };
+  /// Largest relative change of a determinant of the elements per length of a step; determinants
+  /// are linear in the point. Infinite if not known.
+  double Steepness = std::numeric_limits<double>::infinity();
 };
 
 /// Energy at positions where an element is not positive.

@@ -108,11 +108,18 @@ VFM_INLINE L Least(const L& a, const L& b)
   return a < b ? a : b;
 }
 
-/// Sum over hexes, and the smallest determinant of their corners in cell volumes.
+template <class L>
+VFM_INLINE L Greatest(const L& a, const L& b)
+{
+  return a > b ? a : b;
+}
+
+/// Sum over hexes, the smallest determinant of their corners in cell volumes, and the largest
+/// squared gradient of the logarithm of a determinant, if derivatives are computed.
 template <class Real>
 struct Barrier
 {
-  LanesOf<Real> Value, Least;
+  LanesOf<Real> Value, Least, Steepest;
 };
 
 template <class Real>
@@ -176,6 +183,8 @@ VFM_INLINE void AddDerivatives(
   const L ownBeta[3] = { overW * h.Scale[0], overW * h.Scale[1], overW * h.Scale[2] };
   AddOwnCorner(d, h, own, t, inverse, ownBeta, p);
   sum.Value += t.Jacobian + t.Shape;
+  const VectorLanes<Real> ownN = Times<Real>(t.InverseD, own.Normal);
+  sum.Steepest = Greatest(sum.Steepest, Dot(ownN, ownN));
   L least = own.D, unit = Fill<Real>(0.0);
   for (int k = 0; k < 3; ++k)
   {
@@ -186,6 +195,7 @@ VFM_INLINE void AddDerivatives(
     const VectorLanes<Real> n = Times<Real>(e.InverseD, end.Normal);
     sum.Value += e.Jacobian + e.Shape + edge;
     least = Least(least, end.D);
+    sum.Steepest = Greatest(sum.Steepest, Dot(n, n));
     const L along = (f + g - Real(8.0) * edge) * alpha + t.Shape * ownBeta[k] + e.Shape * beta;
     unit += along;
     d.Gradient = d.Gradient + Times<Real>(g + e.Shape, n) - Times<Real>(along, h.Arm[k]);
@@ -205,7 +215,7 @@ VFM_INLINE void AddDerivatives(
 template <class Real>
 VFM_INLINE Barrier<Real> NoBarrier()
 {
-  return { Fill<Real>(0.0), Fill<Real>(1e30) };
+  return { Fill<Real>(0.0), Fill<Real>(1e30), Fill<Real>(0.0) };
 }
 
 template <class L>
@@ -217,6 +227,17 @@ VFM_INLINE bool AllExceed(const L& a, double bound)
     exceed &= a[i] > bound;
   }
   return exceed;
+}
+
+template <class L>
+VFM_INLINE double GreatestLane(const L& a)
+{
+  auto greatest = a[0];
+  for (std::size_t i = 1; i < sizeof(L) / sizeof(a[0]); ++i)
+  {
+    greatest = std::max(greatest, a[i]);
+  }
+  return greatest;
 }
 
 VFM_INLINE bool IsSafe(const Barrier<float>& b, double value)
@@ -251,6 +272,7 @@ VFM_INLINE Barrier<Real> SumDerivatives(
   result.Value = Sum(sum.Value);
   result.Gradient = { { Sum(d.Gradient.X), Sum(d.Gradient.Y), Sum(d.Gradient.Z) } };
   result.Hessian = { { Sum(d.XX), Sum(d.YY), Sum(d.ZZ), Sum(d.XY), Sum(d.XZ), Sum(d.YZ) } };
+  result.Steepness = std::sqrt(GreatestLane(sum.Steepest));
   return sum;
 }
 

@@ -18,7 +18,9 @@ constexpr double Noise = 1e-6;  // relative error of an energy, which may be a s
 // Multiple of the fall that counts, below which a point is settled.
 constexpr double SettledFalls = 4.0;
 constexpr double BarrierShare = 0.9; // 1 - 1 / p for the powers of a hard barrier
-constexpr double MoveRadius = 0.01;  // in mean cells
+// Largest relative change of a determinant by a step whose energy is not evaluated.
+constexpr double SureChange = 0.1;
+constexpr double MoveRadius = 0.01; // in mean cells
 // In mean cells. Without shorter steps, errors of fragments of 64 cells change by less than 1e-7.
 constexpr double SmallestStep = 2e-8;
 // Factor by which MoveAlongNormals may raise the barrier.
@@ -495,6 +497,13 @@ double Smoother::MovePoint(int point, const SmoothingStage& stage)
   }
   const double cut = std::min(1.0, TrustRadius / length);
   const double slope = Dot(d.Gradient, step);
+  if (isFree && length < TrustRadius && -0.5 * slope < FallThatCounts(stage.Pace, d.Value) &&
+    d.Steepness * Norm(step) <= SureChange && this->MayMove(point, this->Mesh.X[point] + step))
+  {
+    this->Mesh.X[point] = this->Mesh.X[point] + step;
+    this->HasMoved[point] = 1;
+    return length;
+  }
   double t = FirstFactor(stage.Pace, length, -slope, d.Value);
   step = cut * step;
   for (int trial = 0; trial <= Backtracks; ++trial, t = t > 1.0 ? 1.0 : t * Backtrack)
@@ -591,6 +600,16 @@ void Smoother::MarkNeighbours(int point)
   const auto mark = [this](int other)
   { __atomic_store_n(&this->Dirty[other], 1, __ATOMIC_RELAXED); };
   mark(point);
+  if (this->Mesh.Corners == 8)
+  {
+    // The energy at a far corner of a hex does not depend on the point.
+    const HexRings::Ring ring = this->Mesh.Rings.PointsAt(point);
+    for (int n = 0; n < ring.Near; ++n)
+    {
+      mark(ring[n]);
+    }
+    return;
+  }
   this->Mesh.ForAround(point, mark);
 }
 

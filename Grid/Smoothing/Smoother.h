@@ -1,6 +1,7 @@
 /**
  * Smoother: minimises the barrier energy of the elements plus the squared distances of surface
- * points to their targets. Newton steps of one point at a time keep every element positive.
+ * points to their targets. Newton steps of one point at a time keep every element positive. Steps
+ * that are too small to mark neighbours are taken without evaluating the energy.
  *
  * Points move by colour, the parity of their grid node. Points of one colour share no element,
  * except points of one node, which move one after another. Ranks exchange the new positions after

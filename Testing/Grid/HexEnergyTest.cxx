@@ -118,7 +118,7 @@ double EnergyByDefinition(ActiveMesh mesh, const Vector3& x, const SmoothingStag
   return static_cast<double>(sum);
 }
 
-Vector3 Unit(int axis)
+Vector3 UnitAlong(int axis)
 {
   Vector3 unit{ { 0.0, 0.0, 0.0 } };
   unit[axis] = 1.0;
@@ -144,11 +144,11 @@ void ExpectDerivatives(const ActiveMesh& mesh, const SmoothingStage& stage, doub
   constexpr int Entry[3][3] = { { 0, 3, 4 }, { 3, 1, 5 }, { 4, 5, 2 } };
   for (int a = 0; a < 3; ++a)
   {
-    const Vector3 u = h * Unit(a);
+    const Vector3 u = h * UnitAlong(a);
     EXPECT_NEAR(d.Gradient[a], (at(u) - at(-1.0 * u)) / (2.0 * h), tolerance * largest[0]);
     for (int b = 0; b < 3; ++b)
     {
-      const Vector3 v = h * Unit(b);
+      const Vector3 v = h * UnitAlong(b);
       EXPECT_NEAR(d.Hessian[Entry[a][b]],
         (at(u + v) - at(u - v) - at(v - u) + at(-1.0 * (u + v))) / (4.0 * h * h),
         tolerance * largest[1])
@@ -225,6 +225,46 @@ TEST(HexEnergyTest, InvertedCornersAreRejected)
   EXPECT_LT(energy.Evaluate(mesh, 0, { { 0.3, 0.3, 0.3 } }, stage), InvalidEnergy);
   EXPECT_EQ(energy.Evaluate(mesh, 0, { { 0.34, 0.34, 0.34 } }, stage), InvalidEnergy);
   EXPECT_EQ(energy.Evaluate(mesh, 0, { { 1.2, 0.0, 0.0 } }, stage), InvalidEnergy);
+}
+
+TEST(HexEnergyTest, SteepnessIsThatOfTheNearestPlane)
+{
+  const SmoothingStage stage{ 1, 1.0, 0.1, 1, 0.0 };
+  const HexEnergy energy(Target);
+  std::mt19937 engine(5);
+  std::normal_distribution<double> normal;
+  for (const Vector3& widths : { Cube, Box })
+  {
+    const ActiveMesh mesh = MakeStar(0.15, 2, { widths });
+    const double distance = 1.0 / energy.Differentiate(mesh, 0, stage).Steepness;
+    int beyond = 0;
+    for (int i = 0; i < 2000; ++i)
+    {
+      const Vector3 u = Unit(Vector3{ { normal(engine), normal(engine), normal(engine) } });
+      const auto isValid = [&](double length)
+      { return energy.Evaluate(mesh, 0, mesh.X[0] + length * u, stage) < InvalidEnergy; };
+      EXPECT_TRUE(isValid(0.999 * distance));
+      beyond += !isValid(1.05 * distance);
+    }
+    EXPECT_GT(beyond, 0);
+  }
+}
+
+/// Smoother does not mark these points.
+TEST(HexEnergyTest, FarCornersOfHexesDoNotCount)
+{
+  const SmoothingStage stage{ 8, 1.0, 0.1, 1, 0.0 };
+  const HexEnergy energy(Target);
+  ActiveMesh mesh = MakeStar(0.15, 1, { Cube });
+  const Derivatives before = energy.Differentiate(mesh, 0, stage);
+  for (int corner : { 0, 2, 6, 8, 17, 19, 23, 25 })
+  {
+    mesh.X[1 + corner] = 1.1 * mesh.X[1 + corner];
+  }
+  const Derivatives after = energy.Differentiate(mesh, 0, stage);
+  EXPECT_EQ(before.Value, after.Value);
+  EXPECT_EQ(before.Gradient, after.Gradient);
+  EXPECT_EQ(before.Hessian, after.Hessian);
 }
 
 /// Far from the origin differences of coordinates are as accurate as near it.
