@@ -280,7 +280,7 @@ std::string FindRanksProblem(const FuzzCase& c, const RankMesh& alone)
     : c.HasLayers                            ? MakeCurved<MakeHexMesh, true>
     : c.Make == MakeHexMesh                  ? MakeCurved<MakeHexMesh>
                                              : MakeCurved<MakeTetMesh>;
-  const MeshChange modify = [&c](Runtime& runtime, Mesh& mesh, MeshReport& report)
+  const RankMeshChange modify = [&c](Runtime& runtime, Mesh& mesh, MeshReport& report)
   {
     if (IsModified(c))
     {

@@ -171,7 +171,7 @@ RankMesh MakeAlone(const CartesianGrid& whole, const FractionField& field,
 
 RankMesh MakeOnRanks(const CartesianGrid& whole, const FractionField& field,
   const std::vector<IndexBox>& boxes, const MeshOptions& options, MeshMaker make,
-  const MeshChange& change)
+  const RankMeshChange& change)
 {
   const GridLayers layers = make == MakeTetMesh ? GridLayers() : LayersFor(options.Levels);
   const int count = static_cast<int>(boxes.size());

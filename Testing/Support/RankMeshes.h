@@ -40,12 +40,12 @@ struct RankMesh
 RankMesh MakeAlone(const CartesianGrid& whole, const FractionField& field,
   const MeshOptions& options, MeshMaker make);
 /// A collective change of a finished mesh.
-using MeshChange = std::function<void(Runtime&, Mesh&, MeshReport&)>;
+using RankMeshChange = std::function<void(Runtime&, Mesh&, MeshReport&)>;
 /// Makes a mesh on one rank per box.
 /// @param change called for the mesh of each rank
 RankMesh MakeOnRanks(const CartesianGrid& whole, const FractionField& field,
   const std::vector<IndexBox>& boxes, const MeshOptions& options, MeshMaker make,
-  const MeshChange& change = {});
+  const RankMeshChange& change = {});
 
 /// Returns an empty string, or the number of facets, their points, edges of curves, vertices and
 /// tables that are not bitwise identical to the result of one rank. They do not depend on the
