@@ -15,10 +15,10 @@ import tempfile
 
 WITHOUT_FMA = "glibc.cpu.hwcaps=-FMA,-AVX2,-FMA4,-AVX"
 DIGESTS = {
-    "hexes": "f1870fb51e67562837268e09d92dea6ff75bc14cc5832c337c20f00f19666ff5",
+    "hexes": "59f8e7b8ce0bd6f9f7f95417b46a0143a4305ea0b0ba6ae602da4b08e392e6d3",
     "labels": "2592fed446a54ecf2b881113a8351b0811ac7745bd29d93c534bff8a795086aa",
-    "levels": "16f8a12d8126218ed82a02965e297a09bcf9cfa2d62bced5e348e1f8184de929",
-    "state": "abd07727b874f98196b5ffd777a66ff7b9097b95ba4ca6094c780fa39374dc22",
+    "levels": "dba0a0898dfae6706eee65d39e85e3978f1153ab16039a37b2bc4b0b9cedb579",
+    "state": "79ddae6b4ed26406cb9ab5bb928ac3882ff651654003630872f74b825f512a8a",
     "tets": "93540a4d464554a91d1382e25f2afdce1519ede989ac1d19cc793faec6a63bbe",
 }
 
