@@ -223,8 +223,6 @@ def test_no_pairs(sides):
     (vfm.hexes, (9, 8, 8), {"refinement": "automatic"}, "an even number of cells along"),
     (vfm.hexes, (4, 4, 4), {"periodic": "zyx"}, "periodic"),
     (vfm.tets, (4, 4, 4), {"periodic_sides": "free"}, "can only be Flat or Joined"),
-    (vfm.hexes, (4, 4, 4), {"density": np.ones((4, 4, 4)), "velocity": np.ones((4, 4, 4, 3)),
-                            "nodal_velocity": True}, "NodalVelocity is not available"),
 ])
 def test_errors(make, cells, options, message):
     with pytest.raises(ValueError, match=message):
