@@ -72,22 +72,10 @@ struct OnGeometry
 
 using Place = std::array<int, 2>; // dimension and id
 
-/// A mid node or its copies on opposite sides: the lowest id, and the lowest coordinate of all
-/// along each axis.
-struct Copies
+/// Returns the lowest coordinates of copies along each axis.
+Vector3 LowestOf(const Vector3& a, const Vector3& b)
 {
-  Index Id;
-  Vector3 Lowest;
-};
-
-Copies Join(const Copies& a, const Copies& b)
-{
-  Copies joined{ std::min(a.Id, b.Id), a.Lowest };
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    joined.Lowest[axis] = std::min(a.Lowest[axis], b.Lowest[axis]);
-  }
-  return joined;
+  return { { std::min(a[0], b[0]), std::min(a[1], b[1]), std::min(a[2], b[2]) } };
 }
 
 class MidNodeBuilder
@@ -115,6 +103,7 @@ public:
     this->SetPartners(this->Corners, this->Edges);
     this->PlaceOthers();
     this->SetPartners(this->FirstFace(), this->Faces);
+    this->TheMesh.OriginalPartner = Buffer<Index>();
     this->FillGeometry();
     return report;
   }
@@ -327,16 +316,21 @@ void MidNodeBuilder::SetPartners(Index first, const DistinctKeys<Key>& keys)
   }
   Mesh& mesh = this->TheMesh;
   const auto count = static_cast<Index>(keys.Ids.size());
-  std::vector<Copies> copies;
+  std::vector<Index> ids(mesh.PointIds.begin() + first, mesh.PointIds.begin() + first + count);
+  std::vector<Vector3> places;
   for (Index point = first; point < first + count; ++point)
   {
-    copies.push_back({ mesh.PointIds[point], this->Images.ToOwn(mesh.PointAt(point)) });
+    places.push_back(this->Images.ToOwn(mesh.PointAt(point)));
   }
-  copies = MergeByKey(this->KeysOf(keys, mesh.PeriodicPartner), copies, Join, this->Run.Group());
+  ids = MergeByKey(
+    this->KeysOf(keys, mesh.PeriodicPartner), ids, [](Index a, Index b) { return std::min(a, b); },
+    this->Run.Group());
+  // Copies at split interfaces are in one place too.
+  places = MergeByKey(this->KeysOf(keys, mesh.CommonIds()), places, LowestOf, this->Run.Group());
   for (Index i = 0; i < count; ++i)
   {
-    mesh.PeriodicPartner[first + i] = copies[i].Id;
-    const Vector3 x = this->Images.ImageOf(copies[i].Lowest, mesh.PointAt(first + i));
+    mesh.PeriodicPartner[first + i] = ids[i];
+    const Vector3 x = this->Images.ImageOf(places[i], mesh.PointAt(first + i));
     std::copy(x.begin(), x.end(), mesh.Points.data() + 3 * (first + i));
   }
 }
@@ -400,7 +394,6 @@ CurvedReport MidNodeBuilder::CurveEdges()
   }
   const std::vector<EdgeMove> moves = CombinePulls(mesh.Pulls, questions, this->Run.Group());
   std::vector<EdgePull>().swap(mesh.Pulls);
-  mesh.OriginalPartner = Buffer<Index>();
   CurvedEdges curved;
   curved.OfMidPoint.assign(this->Edges.Ids.size(), -1);
   for (std::size_t i = 0; i < moves.size(); ++i)
