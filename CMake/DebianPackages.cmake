@@ -12,8 +12,6 @@ endif ()
 file(READ "${PROJECT_SOURCE_DIR}/LICENSE" vfm_license_text)
 string(REGEX REPLACE "\n\n" "\n.\n" vfm_license_text "${vfm_license_text}")
 string(REGEX REPLACE "\n([^\n])" "\n \\1" vfm_license_text "${vfm_license_text}")
-execute_process(COMMAND dpkg --print-architecture
-  OUTPUT_VARIABLE architecture OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
 file(STRINGS /etc/os-release release REGEX "^VERSION_ID=")
 string(REGEX REPLACE "[^0-9]" "" release "${release}")
 

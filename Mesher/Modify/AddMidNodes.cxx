@@ -1,6 +1,7 @@
 #include "Modify/AddMidNodes.h"
 
 #include "Curved/EdgePulls.h"
+#include "Modify/GreatestId.h"
 #include "Modify/StraightenEdges.h"
 #include "Ranks/MergeByKey.h"
 #include "Ranks/NumberInOrder.h"
@@ -196,6 +197,8 @@ private:
   Vector3 SumOf(const Index* points, int count, const Vector3& near) const;
   Vector3 PlaceOfLowest(const Index* corners, int count) const;
   template <class Key>
+  std::vector<Index> LowestIds(Index first, const std::vector<Key>& keys) const;
+  template <class Key>
   void SetPartners(Index first, const DistinctKeys<Key>& keys);
 
   Mesh& TheMesh;
@@ -248,12 +251,7 @@ void MidNodeBuilder::AppendPoints()
   const Index centres = this->Mids.HasFaces() ? this->Elements : 0;
   const Index points = this->FirstFace() + static_cast<Index>(this->Faces.Ids.size()) + centres;
   CheckNumberOfPoints(points, ranks);
-  Index next = this->Corners, greatest = 0;
-  for (Index id : mesh.PointIds)
-  {
-    greatest = std::max(greatest, id);
-  }
-  greatest = MaximumOverRanks(greatest, ranks);
+  Index next = this->Corners, greatest = FindGreatestId(mesh.PointIds, ranks);
   mesh.PointIds = Grown(mesh.PointIds, points);
   const auto append = [&](const auto& keys)
   {
@@ -284,6 +282,17 @@ void MidNodeBuilder::AppendPoints()
   }
 }
 
+/// Collective. Returns the lowest id of the mid nodes with equal keys, for each mid node.
+/// @param first  point of the first key
+template <class Key>
+std::vector<Index> MidNodeBuilder::LowestIds(Index first, const std::vector<Key>& keys) const
+{
+  const auto start = this->TheMesh.PointIds.begin() + first;
+  return MergeByKey(
+    keys, std::vector<Index>(start, start + keys.size()),
+    [](Index a, Index b) { return std::min(a, b); }, this->Run.Group());
+}
+
 /// Collective. Gives all copies of a mid node at split interfaces the lowest id of them as the id
 /// before the split.
 void MidNodeBuilder::SetOriginalIds()
@@ -291,10 +300,8 @@ void MidNodeBuilder::SetOriginalIds()
   Mesh& mesh = this->TheMesh;
   const auto setLowest = [&](Index first, const auto& keys)
   {
-    const auto start = mesh.PointIds.begin() + first;
-    const std::vector<Index> lowest = MergeByKey(
-      this->KeysOf(keys, mesh.OriginalPointIds), std::vector<Index>(start, start + keys.Ids.size()),
-      [](Index a, Index b) { return std::min(a, b); }, this->Run.Group());
+    const std::vector<Index> lowest =
+      this->LowestIds(first, this->KeysOf(keys, mesh.OriginalPointIds));
     std::copy(lowest.begin(), lowest.end(), mesh.OriginalPointIds.begin() + first);
   };
   if (this->IsSplit)
@@ -316,20 +323,21 @@ void MidNodeBuilder::SetPartners(Index first, const DistinctKeys<Key>& keys)
   }
   Mesh& mesh = this->TheMesh;
   const auto count = static_cast<Index>(keys.Ids.size());
-  std::vector<Index> ids(mesh.PointIds.begin() + first, mesh.PointIds.begin() + first + count);
   std::vector<Vector3> places;
   for (Index point = first; point < first + count; ++point)
   {
     places.push_back(this->Images.ToOwn(mesh.PointAt(point)));
   }
-  ids = MergeByKey(
-    this->KeysOf(keys, mesh.PeriodicPartner), ids, [](Index a, Index b) { return std::min(a, b); },
-    this->Run.Group());
-  // Copies at split interfaces are in one place too.
-  places = MergeByKey(this->KeysOf(keys, mesh.CommonIds()), places, LowestOf, this->Run.Group());
+  std::vector<Key> shared = this->KeysOf(keys, mesh.PeriodicPartner);
+  const std::vector<Index> lowest = this->LowestIds(first, shared);
+  if (this->IsSplit) // copies at split interfaces are in one place too
+  {
+    shared = this->KeysOf(keys, mesh.CommonIds());
+  }
+  places = MergeByKey(shared, places, LowestOf, this->Run.Group());
+  std::copy(lowest.begin(), lowest.end(), mesh.PeriodicPartner.begin() + first);
   for (Index i = 0; i < count; ++i)
   {
-    mesh.PeriodicPartner[first + i] = ids[i];
     const Vector3 x = this->Images.ImageOf(places[i], mesh.PointAt(first + i));
     std::copy(x.begin(), x.end(), mesh.Points.data() + 3 * (first + i));
   }

@@ -12,11 +12,15 @@ namespace vfm
 {
 
 /// Returns the greatest id of all ranks; 0 without ids.
-/// @param ids in any order
+/// @param first,last  ids of this rank, in any order
 /// @pre Collective
+inline Index FindGreatestId(const Index* first, const Index* last, Ranks& ranks)
+{
+  return MaximumOverRanks(first == last ? 0 : *std::max_element(first, last), ranks);
+}
 inline Index FindGreatestId(const Buffer<Index>& ids, Ranks& ranks)
 {
-  return MaximumOverRanks(ids.empty() ? 0 : *std::max_element(ids.begin(), ids.end()), ranks);
+  return FindGreatestId(ids.data(), ids.data() + ids.size(), ranks);
 }
 
 } // namespace vfm

@@ -3,6 +3,7 @@
 #include "Base/DisjointSets.h"
 #include "Base/Sorted.h"
 #include "Mesh/ElementFaces.h"
+#include "Modify/GreatestId.h"
 #include "Ranks/MergeByKey.h"
 #include "Ranks/NumberInOrder.h"
 #include "Summary/MatchFaces.h"
@@ -348,9 +349,7 @@ std::vector<CornerCopy> FindNodeCopies(
       { partOf[face.Corner], SortedIds(face.Points, ClassesOf(mesh)) });
   }
   const Index* ids = mesh.PointIds;
-  const Index largest =
-    mesh.NumberOfPoints > 0 ? *std::max_element(ids, ids + mesh.NumberOfPoints) : 0;
-  const Index first = MaximumOverRanks(largest, ranks) + 1;
+  const Index first = FindGreatestId(ids, ids + mesh.NumberOfPoints, ranks) + 1;
   const std::vector<std::vector<PartCopy>> answers = AnswerParts(questions, first, ranks);
   std::vector<CornerCopy> copies;
   for (std::size_t c = 0; c < corners.size(); ++c)
