@@ -22,6 +22,7 @@ from petsc4py import PETSc  # noqa: E402
 
 from ball_in_block import (CONDUCTIVITY, SIDES, area_of, check_maximum, check_volumes,  # noqa: E402
                            make_mesh, run_recipe)
+from periodic_ball import check_range, make_cell, run_cell_recipe, sources  # noqa: E402
 
 
 def total(form, comm):
@@ -130,6 +131,29 @@ def test_tags_and_poisson(mesh, route, ranks, tmp_path):
 
 def test_recipe(mesh, tmp_path):
     check_maximum(mesh, run_recipe("dolfinx", mesh, tmp_path)["u"].x.array)
+
+
+@pytest.mark.parametrize("kind, sides", [("hexes", "flat"), ("hexes", "free"), ("tets", "flat")])
+def test_periodic(kind, sides):
+    """dolfinx_mpc, with a constraint for each copy of a point."""
+    pytest.importorskip("dolfinx_mpc",
+                        reason="dolfinx_mpc is missing: install Debian's python3-dolfinx-mpc")
+    mesh = make_cell(kind, sides)
+    solid, cells, _, materials, _ = mesh.to_dolfinx(MPI.COMM_WORLD)
+    constant = fem.FunctionSpace(solid, ("DG", 0))
+    k, f = fem.Function(constant), fem.Function(constant)
+    for name, conductivity, source in zip(("ball", "block"), (10.0, 1.0), sources(mesh)):
+        k.x.array[cells.find(materials[name])] = conductivity
+        f.x.array[cells.find(materials[name])] = source
+    space = fem.FunctionSpace(solid, ("Lagrange", 1))
+    u, v = ufl.TrialFunction(space), ufl.TestFunction(space)
+    dx = ufl.Measure("dx", metadata={"quadrature_degree": 3})
+    names = {"mesh": mesh, "np": np, "space": space, "options": {
+        "ksp_type": "cg", "pc_type": "jacobi", "ksp_rtol": 1e-12},
+             "a": k * ufl.dot(ufl.grad(u), ufl.grad(v)) * dx, "b": f * v * dx}
+    run_cell_recipe("dolfinx_mpc", names)
+    assert names["periodic"].num_local_slaves == len(mesh.points) - len(np.unique(mesh.partner))
+    check_range(mesh, names["u"].x.array)
 
 
 if __name__ == "__main__":
