@@ -1,4 +1,6 @@
-"""Tests OpenFOAM: checkMesh of periodic meshes, and decomposePar."""
+"""Tests OpenFOAM: checkMesh of periodic meshes, decomposePar, and a solution on three ranks."""
+
+import shutil
 
 import numpy as np
 import pytest
@@ -81,3 +83,51 @@ def test_decompose(tmp_path):
                "simpleCoeffs { n (3 1 1); delta 0.001; }\n")
     foam.run("decomposePar", case)
     check_mesh(case, 3)
+
+
+TEMPERATURE = """dimensions [0 0 0 1 0 0 0]; internalField uniform 1;
+boundaryField { ".*" { type cyclic; } }
+"""
+SOURCE = """heat { type scalarSemiImplicitSource; selectionMode cellZone; cellZone Material_2;
+  volumeMode specific; injectionRateSuSp { T (1 0); } }
+"""
+SCHEMES = """ddtSchemes { default Euler; } gradSchemes { default Gauss linear; }
+divSchemes { default none; } laplacianSchemes { default Gauss linear corrected; }
+interpolationSchemes { default linear; } snGradSchemes { default corrected; }
+"""
+SOLUTION = """solvers { T { solver PCG; preconditioner diagonal; tolerance 1e-14; relTol 0; } }
+SIMPLE { nNonOrthogonalCorrectors 1; }
+"""
+
+
+def set_up_diffusion(case):
+    """Ten steps of diffusion by laplacianFoam with a source in the sphere, over a length of four
+    cells. The first value is uniform: laplacianFoam reads no values of patches processorCyclic."""
+    foam.write(case, "0/T", TEMPERATURE, "volScalarField")
+    foam.write(case, "constant/fvOptions", SOURCE)
+    foam.write(case, "system/fvSchemes", SCHEMES)
+    foam.write(case, "system/fvSolution", SOLUTION)
+    foam.write(case, "constant/transportProperties", "DT [0 2 -1 0 0 0 0] 1;\n")
+    for key, value in (("endTime", 10), ("writeInterval", 10), ("writePrecision", 15)):
+        foam.set_entry(case, "system/controlDict", key, value)
+
+
+def test_diffusion(tmp_path):
+    """decomposePar distributes a field to the parts of three ranks, and reconstructPar puts their
+    solution together: it is that of one rank."""
+    write_input(tmp_path, make_labels("array"))
+    three, one = tmp_path / "three", tmp_path / "one"
+    options = ["--periodic", "xyz", "--periodic-sides", "Free"]
+    run_sculptor(tmp_path, three, 3, *options)
+    run_sculptor(tmp_path, three, 3, *options, "--single-file")
+    set_up_diffusion(three)
+    shutil.copytree(three, one, ignore=shutil.ignore_patterns("processor*"))
+    foam.run("decomposePar -fields", three)
+    foam.run("laplacianFoam", one)
+    foam.run("laplacianFoam", three, 3)
+    foam.run("reconstructPar -time 10", three)
+    found, expected = (foam.read_field(case / "10" / "T") for case in (three, one))
+    print("range of T %.6g to %.6g, greatest difference %.1e" % (
+        expected.min(), expected.max(), abs(found - expected).max()))
+    assert np.ptp(expected) > 1e-3
+    assert abs(found - expected).max() < 1e-10
