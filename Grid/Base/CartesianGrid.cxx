@@ -63,6 +63,7 @@ CartesianGrid::CartesianGrid(std::array<std::vector<double>, 3> coordinates, con
   OwnedBox(owned),
   HexGhosts(hexLayers)
 {
+  this->SetWidths();
   this->SetLocal(ghostLayers);
 }
 
@@ -73,6 +74,23 @@ CartesianGrid::CartesianGrid(
   this->OwnedBox = owned;
   this->HexGhosts = hexLayers;
   this->SetLocal(ghostLayers);
+}
+
+/// Sets the widths of cells. Those of copies are not differences of their rounded coordinates.
+void CartesianGrid::SetWidths()
+{
+  for (int a = 0; a < 3; ++a)
+  {
+    const std::vector<double>& x = this->X[a];
+    this->Widths[a].resize(x.size() - 1);
+    for (Index i = 0; i < this->GlobalBox.Upper[a]; ++i)
+    {
+      Index3 cell{};
+      cell[a] = i;
+      const Index own = this->Canonical(cell)[a];
+      this->Widths[a][i] = x[own + 1] - x[own];
+    }
+  }
 }
 
 /// Sets the local box and the layout of arrays.
@@ -122,6 +140,7 @@ CartesianGrid CartesianGrid::Covering(const std::array<std::vector<double>, 3>& 
   grid.DomainBox = Moved(domain, copies);
   grid.Periods = periods;
   grid.TheSeam = seam;
+  grid.SetWidths();
   return grid;
 }
 

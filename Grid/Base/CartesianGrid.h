@@ -161,7 +161,8 @@ public:
   Index3 CellAt(const Vector3& point) const;
   const std::array<std::vector<double>, 3>& Coordinates() const { return this->X; }
   const std::vector<double>& Coordinates(int axis) const { return this->X[axis]; }
-  double Width(int axis, Index i) const { return this->X[axis][i + 1] - this->X[axis][i]; }
+  /// Returns the width of a cell, equal for all copies of it.
+  double Width(int axis, Index i) const { return this->Widths[axis][i]; }
   double CellVolume(const Index3& c) const
   {
     return this->Width(0, c[0]) * this->Width(1, c[1]) * this->Width(2, c[2]);
@@ -220,13 +221,14 @@ public:
   void ForMirrors(Index cell, const Body& body) const;
 
 private:
+  void SetWidths();
   void SetLocal(int ghostLayers);
   static Index3 Unpack(Index key, const Index3& size)
   {
     return { { key % size[0], key / size[0] % size[1], key / (size[0] * size[1]) } };
   }
 
-  std::array<std::vector<double>, 3> X;
+  std::array<std::vector<double>, 3> X, Widths;
   IndexBox GlobalBox, DomainBox, OwnedBox, LocalBox;
   Index3 Periods{ { 0, 0, 0 } };
   Seam TheSeam = Seam::Free;

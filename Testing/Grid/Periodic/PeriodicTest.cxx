@@ -295,3 +295,25 @@ TEST_P(Periodic, RanksGiveTheSameMesh)
 
 INSTANTIATE_TEST_SUITE_P(Methods, Periodic, ::testing::ValuesIn(Methods),
   [](const auto& info) { return std::string(info.param.Name); });
+
+/// Sums that decide between equal fractions of copies must not depend on rounded coordinates.
+TEST(PeriodicGrid, CopiesOfCellsHaveTheirWidths)
+{
+  std::vector<double> x;
+  for (int i = 0; i <= 7; ++i)
+  {
+    x.push_back(0.1 + std::pow(1.3, i));
+  }
+  const CartesianGrid grid = CartesianGrid::Covering(
+    { x, x, x }, IndexBox{ { 0, 0, 0 }, { 7, 7, 7 } }, { true, true, false }, Seam::Free, 4);
+  int rounded = 0;
+  ForCells(grid.Global(),
+    [&](const Index3& cell)
+    {
+      const Index3 own = grid.Canonical(cell);
+      EXPECT_EQ(grid.CellVolume(cell), grid.CellVolume(own));
+      const std::vector<double>& y = grid.Coordinates(1);
+      rounded += y[cell[1] + 1] - y[cell[1]] != grid.Width(1, own[1]);
+    });
+  EXPECT_GT(rounded, 0);
+}
