@@ -52,7 +52,7 @@ model solid_mechanics_model_cohesive [
   ]
 ]
 """ % (STRENGTH, ENERGY_OF_FRACTURE, OPENING_OF_STRENGTH)
-SHOWN = 20  # factor of displacements in the picture
+SHOWN = 30  # factor of displacements in the picture
 
 
 def parse_arguments():
@@ -173,13 +173,13 @@ def draw(mesh, shots, table, path):
     matplotlib.use("Agg")
     from matplotlib import pyplot
     figure, axes = pyplot.subplots(1, 4, figsize=(14, 3.6), layout="constrained")
-    side, above = [(0.3, -5, 1.5), (0, 0, 0.62), (0, 0, 1)], [(0, 0, 4), (0, 0, 0.5), (0, 1, 0)]
+    side, above = [(0.3, -5, 0.8), (0, 0, 0.65), (0, 0, 1)], [(0, 0, 4), (0, 0, 0.5), (0, 1, 0)]
     behind = mesh.points[mesh.cells].mean(1)[:, 1] > 0
     (before, _), (_, glue), (after, _) = shots
     for place, title, picture in (
             (axes[0], "glue opens", take_picture(before.extract_cells(behind), "stress",
                                                 (-0.01, 0.03), side, 1.35)),
-            (axes[1], "damage of the glue", take_picture(glue, "damage", (0, 1), above, 2.6)),
+            (axes[1], "damage of the glue", take_picture(glue, "damage", (0, 1), above, 2.3)),
             (axes[2], "glue is broken", take_picture(after.extract_cells(behind), "stress",
                                                  (-0.01, 0.03), side, 1.35))):
         place.imshow(picture)
@@ -190,7 +190,7 @@ def draw(mesh, shots, table, path):
     axes[3].plot(moved, 1000 * table[:, 2], ":", label="force on the plate [N]")
     axes[3].plot(moved, 10 * table[:, 5], label="mean damage x 10")
     axes[3].set_xlabel("displacement of the ball's top [µm]")
-    axes[3].legend()
+    axes[3].legend(loc="lower left")
     figure.savefig(path, dpi=80)
 
 
