@@ -3,18 +3,19 @@
 usage: python delamination.py [--cells 24] [--speed 0.0015] [--time 6] [--courant 0.4]
        [--picture FILE.png]
 
-The Python package meshes a ball that is flat where it meets a plate. The option split_interfaces gives both their
-own nodes on the interface, and split_connection adds cohesive elements between them. Akantu (PyPI)
-gets the nodes, the elements and the cohesive elements, which have a bilinear law. The top of the
-ball moves upwards, the bottom of the plate is fixed. The glue breaks from its rim to its centre.
+The Python package meshes a ball that is flat where it meets a plate. The option split_interfaces
+gives both their own nodes on the interface, and split_connection adds cohesive elements between
+them. Akantu (PyPI) gets the nodes, the elements and the cohesive elements, which have a bilinear
+law. The top of the ball moves upwards, the bottom of the plate is fixed. The glue breaks from its
+rim to its centre.
 
-Prints the greatest force on the ball, the force on the plate and the mean opening of the glue at that
-time, the number of broken cohesive elements, and three balances. Force: largest sum of the forces
-of all nodes, relative to the greatest force. Energy: largest difference between the work at the top
-of the ball and the sum of kinetic, elastic, dissipated and reversible energy, relative to the work
-at the end. Fracture: dissipated energy, relative to that of the bilinear law for the area of the glue.
-The picture shows half of the bodies, the glue, and force and damage over the displacement.
-Units: mm, microseconds, mg; therefore GPa, km/s, kN, J.
+Prints the greatest force on the ball, the force on the plate and the mean opening of the glue at
+that time, the number of broken cohesive elements, and three balances. Force: largest sum of the
+forces of all nodes, relative to the greatest force. Energy: largest difference between the work at
+the top of the ball and the sum of kinetic, elastic, dissipated and reversible energy, relative to
+the work at the end. Fracture: dissipated energy, relative to that of the bilinear law for the area
+of the glue. The picture shows half of the bodies, the glue, and force and damage over the
+displacement. Units: mm, microseconds, mg; therefore GPa, km/s, kN, J.
 Requires volume_fraction_mesh and akantu, and pyvista and matplotlib for the picture.
 """
 import argparse
@@ -190,7 +191,7 @@ def draw(mesh, shots, table, path):
     axes[3].plot(moved, 1000 * table[:, 2], ":", label="force on the plate [N]")
     axes[3].plot(moved, 10 * table[:, 5], label="mean damage x 10")
     axes[3].set_xlabel("displacement of the ball's top [µm]")
-    axes[3].legend(loc="lower left")
+    axes[3].legend(loc="lower center", bbox_to_anchor=(0.5, 1))
     figure.savefig(path, dpi=80)
 
 
