@@ -78,6 +78,25 @@ def make_mesh(grains, cells, tets, **options):
     return vfm.hexes(fractions, names=names, **options)
 
 
+def give_split_mesh(mesh, target):
+    """Gives Akantu the nodes, elements and cohesive elements of a split mesh.
+
+    For Akantu, the thickness direction of a cohesive element points from its second half of nodes
+    to its first, in the mesh from the first to the second.
+    """
+    tets = mesh.kind == "tetra"
+    cohesive = np.concatenate([block.cells for block in mesh.cohesive().values()])
+    cohesive = np.roll(cohesive, cohesive.shape[1] // 2, axis=1)
+    accessor = aka.MeshAccessor(target)
+    accessor.resizeNodes(len(mesh.points))
+    target.getNodes()[:] = mesh.points
+    for kind, cells in ((aka._tetrahedron_4 if tets else aka._hexahedron_8, mesh.cells),
+                        (aka._cohesive_3d_6 if tets else aka._cohesive_3d_8, cohesive)):
+        accessor.resizeConnectivity(len(cells), kind)
+        target.getConnectivity(kind)[:] = cells
+    accessor.makeReady()
+
+
 class Grains:
     """The grains in Akantu. The types of elements are those of tets or hexes."""
 
@@ -102,14 +121,7 @@ class Grains:
     def read(self, mesh, folder):
         """Gives Akantu the mesh and the materials."""
         if self.is_split:
-            cohesive = np.concatenate([block.cells for block in mesh.cohesive().values()])
-            accessor = aka.MeshAccessor(self.mesh)
-            accessor.resizeNodes(len(mesh.points))
-            self.mesh.getNodes()[:] = mesh.points
-            for kind, cells in ((self.kind, mesh.cells), (self.cohesive, cohesive)):
-                accessor.resizeConnectivity(len(cells), kind)
-                self.mesh.getConnectivity(kind)[:] = cells
-            accessor.makeReady()
+            give_split_mesh(mesh, self.mesh)
         else:
             path = os.path.join(folder, "grains.msh")
             mesh.save(path, version="2.2")

@@ -1,4 +1,4 @@
-"""Examples/akantu_restart.py and akantu_grains.py: what Akantu conserves, and exact solutions."""
+"""Examples akantu_restart.py, akantu_grains.py, delamination.py: balances, exact solutions."""
 
 import os
 import re
@@ -165,3 +165,19 @@ def test_grains_stay_whole(grains):
         *options, "--rate", 1e-4, "--steps", 50)
     assert faces == count and opened == 0 and fragments == 1 and dissipated == 0
     assert momentum < ROUNDING and energy < GOOD
+
+
+def test_delamination(tmp_path):
+    """All of the glue breaks, at a force below its strength times its area. Forces on both bodies
+    agree until then, and the dissipated energy is that of the bilinear law."""
+    picture = tmp_path / "delamination.png"
+    text = run_example("delamination.py", "--cells", 12, "--picture", picture)
+    _, glue, broken = find("# hexahedra, # cohesive elements, # of them broken", text)
+    assert glue == broken > 10
+    ball, plate, opening = find(
+        "greatest force # N on the ball, # N on the plate, opening # µm", text)
+    assert 5 < ball < 1000 * 0.03 * 0.5 and np.isclose(ball, plate, rtol=0.05)
+    assert 0.1 < opening < 3.4
+    force, energy, fracture = find("balances: force #, energy #, fracture #", text)
+    assert force < ROUNDING and energy < GOOD and np.isclose(fracture, 1, rtol=0.01)
+    assert picture.stat().st_size > 20000
