@@ -106,28 +106,32 @@ std::optional<MaterialPairs> ReadPairs(const std::string& option, const std::str
   return MaterialPairs(option, text, names);
 }
 
-/// Measures materials again, and replaces the fields that layers change.
-void UpdateFields(const Mesh& mesh, const MeshReport& report, FieldArrays& fields)
+/// Replaces the fields that layers change, and lists such columns of the table of materials.
+void UpdateFields(const std::vector<int>& labels, ModifiedMesh& result)
 {
-  FieldArrays newer = ListSides(mesh.Tables);
-  if (!mesh.ScaledJacobian.empty())
+  const MeshReport& report = result.Report;
+  std::vector<Index> elements;
+  std::vector<double> minimum, mean;
+  for (const MeshReport::Material& material : report.Materials)
   {
-    newer.push_back({ "MinimumScaledJacobian", std::vector<double>{ report.MinimumScaledJacobian } });
-    newer.push_back({ "MeanScaledJacobian", std::vector<double>{ report.MeanScaledJacobian } });
+    elements.push_back(material.Elements);
+    minimum.push_back(material.MinimumScaledJacobian);
+    mean.push_back(material.MeanScaledJacobian);
   }
-  ReplaceFields(newer, fields);
+  result.MaterialFields = { { "MaterialId", labels }, { "Elements", elements },
+    { "MinimumScaledJacobian", minimum }, { "MeanScaledJacobian", mean } };
+  FieldArrays newer = ListSides(result.TheMesh.Tables);
+  newer.push_back({ "MinimumScaledJacobian", std::vector<double>{ report.MinimumScaledJacobian } });
+  newer.push_back({ "MeanScaledJacobian", std::vector<double>{ report.MeanScaledJacobian } });
+  ReplaceFields(newer, result.Fields);
 }
 
-void CutLayersOf(ModifyInput& input, const MeshData& data, const MesherOptions& given,
+/// Cuts layers into a mesh whose materials are numbers of labels.
+void CutLayersOf(const MeshData& data, const MesherOptions& given, const std::vector<int>& labels,
   const MaterialPairs* pairs, Runtime& runtime, ModifiedMesh& result)
 {
   Mesh& mesh = result.TheMesh;
-  if (!input.Surfaces.SurfaceId.empty())
-  {
-    mesh.Surfaces = std::move(input.Surfaces);
-    mesh.Curves = std::move(input.Curves);
-  }
-  else
+  if (mesh.Surfaces.SurfaceId.empty())
   {
     AddSurfaces(data, runtime.Group(), mesh);
   }
@@ -136,10 +140,9 @@ void CutLayersOf(ModifyInput& input, const MeshData& data, const MesherOptions& 
   Vector3 periods{};
   const std::vector<double> lengths = NumbersOfField(data.Fields, "PeriodLengths");
   std::copy(lengths.begin(), lengths.begin() + (lengths.size() == 3 ? 3 : 0), periods.begin());
-  result.Report.Materials.resize(result.Labels.size());
-  AddLayers(
-    options, { 0.0, periods, result.Labels, pairs }, runtime, mesh, result.State, result.Report);
-  UpdateFields(mesh, result.Report, result.Fields);
+  result.Report.Materials.resize(labels.size());
+  AddLayers(options, { 0.0, periods, labels, pairs }, runtime, mesh, result.State, result.Report);
+  UpdateFields(labels, result);
 }
 
 /// Returns the values of point arrays at the points of the split mesh.
@@ -168,6 +171,54 @@ std::vector<TransferredArray> CopyPointArrays(const MeshData& before, const Mesh
   return copies;
 }
 
+/// Checks options and mesh, and returns the state.
+/// @pre Collective
+OutputState CheckInput(const MeshData& data, const MesherOptions& options,
+  const std::vector<std::string>& extensive, Ranks& ranks)
+{
+  OutputState state;
+  WorkTogether(ranks,
+    [&]
+    {
+      CheckOptions(options);
+      CheckMesh(data);
+      if (options.Layers > 1)
+      {
+        CheckForLayers(data, options);
+      }
+      state = MakeStateOf(data, extensive);
+    });
+  CheckElementIds(data, ranks);
+  return state;
+}
+
+/// Returns the materials of all ranks, ascending, with void.
+/// @pre Collective
+std::vector<int> ListLabels(const MeshData& data, Ranks& ranks)
+{
+  std::vector<int> labels = FindMaterials(data, ranks);
+  if (labels.front() != 0)
+  {
+    labels.insert(labels.begin(), 0);
+  }
+  return labels;
+}
+
+/// Splits interfaces and finds cohesive elements.
+/// @pre Collective
+void Split(const ModifyInput& input, const MesherOptions& options, const MaterialPairs& pairs,
+  Runtime& runtime, ModifiedMesh& result)
+{
+  const std::string warning =
+    SplitMesh(pairs, options, runtime, result.Fields, result.TheMesh, result.State);
+  result.Cohesive =
+    FindCohesiveBlocks(ViewMesh(result.TheMesh, result.State, result.Fields), runtime.Group());
+  if (runtime.Group().Rank() == 0 && !warning.empty() && input.Warn)
+  {
+    input.Warn(warning);
+  }
+}
+
 } // namespace
 
 ModifiedMesh ModifyMesh(ModifyInput input, const MesherOptions& given, Runtime& runtime)
@@ -177,49 +228,27 @@ ModifiedMesh ModifyMesh(ModifyInput input, const MesherOptions& given, Runtime& 
   const MeshData& data = ordered.Data;
   MesherOptions options = given;
   options.Elements = data.Corners == 8 ? ElementKind::Hexes : ElementKind::Tets;
-  const bool hasLayers = options.Layers > 1;
   ModifiedMesh result;
   result.Fields = data.Fields;
-  WorkTogether(ranks,
-    [&]
-    {
-      CheckOptions(options);
-      CheckMesh(data);
-      if (hasLayers)
-      {
-        CheckForLayers(data, options);
-      }
-      result.State = MakeStateOf(data, input.Extensive);
-    });
-  CheckElementIds(data, ranks);
-  result.Labels = FindMaterials(data, ranks);
-  if (result.Labels.front() != 0)
-  {
-    result.Labels.insert(result.Labels.begin(), 0); // void
-  }
+  result.State = CheckInput(data, options, input.Extensive, ranks);
+  const std::vector<int> labels = ListLabels(data, ranks);
   std::optional<MaterialPairs> split, layers;
   WorkTogether(ranks,
     [&]
     {
-      split = ReadPairs("SplitInterfaces", options.SplitInterfaces, result.Labels, data);
-      layers = ReadPairs("LayerInterfaces", options.LayerInterfaces, result.Labels, data);
+      split = ReadPairs("SplitInterfaces", options.SplitInterfaces, labels, data);
+      layers = ReadPairs("LayerInterfaces", options.LayerInterfaces, labels, data);
     });
-  result.TheMesh = MakeMeshOf(data, result.Labels, ranks);
-  if (hasLayers)
+  result.TheMesh = MakeMeshOf(data, labels, ranks);
+  SetGeometry(labels, std::move(input.Surfaces), std::move(input.Curves), result.TheMesh);
+  if (options.Layers > 1)
   {
-    CutLayersOf(input, data, options, layers ? &*layers : nullptr, runtime, result);
+    CutLayersOf(data, options, labels, layers ? &*layers : nullptr, runtime, result);
   }
-  UseLabels({ {}, result.Labels }, result.TheMesh);
+  UseLabels({ {}, labels }, result.TheMesh);
   if (split)
   {
-    const std::string warning =
-      SplitMesh(*split, options, runtime, result.Fields, result.TheMesh, result.State);
-    result.Cohesive =
-      FindCohesiveBlocks(ViewMesh(result.TheMesh, result.State, result.Fields), ranks);
-    if (ranks.Rank() == 0 && !warning.empty() && input.Warn)
-    {
-      input.Warn(warning);
-    }
+    Split(input, options, *split, runtime, result);
   }
   result.PointArrays = CopyPointArrays(data, result.TheMesh);
   return result;

@@ -20,21 +20,18 @@ struct ModifyInput
 {
   MeshData Data;                      ///< mesh of this rank with all arrays and fields
   std::vector<std::string> Extensive; ///< element arrays whose values are sums over an element
-  SurfaceFacets Surfaces; ///< of a mesh on a single rank; empty: found from the arrays
-  CurveEdges Curves;      ///< of a mesh on a single rank, or empty
+  /// Of a mesh on a single rank, whose points have ascending ids; they are modified, too. Empty: the
+  /// surfaces are found from the arrays.
+  SurfaceFacets Surfaces;
+  CurveEdges Curves; ///< in the same way
   std::function<void(const std::string&)> Warn; ///< called only on rank 0; may be empty
 };
 
-/// A modified mesh.
-struct ModifiedMesh
+/// A modified mesh. State are the element arrays that are not part of Mesh. MaterialFields are the
+/// columns that layers change, with MaterialId; none without layers.
+struct ModifiedMesh : MesherResult
 {
-  Mesh TheMesh;      ///< materials have the ids of the user
-  OutputState State; ///< element arrays that are not part of Mesh
   std::vector<TransferredArray> PointArrays; ///< point arrays that are not part of Mesh
-  std::vector<CohesiveBlock> Cohesive;       ///< cohesive elements of this rank
-  FieldArrays Fields;
-  MeshReport Report;       ///< with layers: quality of all elements, and Materials
-  std::vector<int> Labels; ///< material of each row of Report.Materials
 };
 
 /// Cuts layers, then splits interfaces.

@@ -184,6 +184,18 @@ Mesh MakeMeshOf(const MeshData& data, const std::vector<int>& labels, Ranks& ran
   return mesh;
 }
 
+void SetGeometry(
+  const std::vector<int>& labels, SurfaceFacets surfaces, CurveEdges curves, Mesh& mesh)
+{
+  for (int& material : surfaces.MaterialPair)
+  {
+    material = NumberOf(labels, material);
+  }
+  surfaces.IsOwned.assign(surfaces.SurfaceId.size(), 1);
+  mesh.Surfaces = std::move(surfaces);
+  mesh.Curves = std::move(curves);
+}
+
 OutputState MakeStateOf(const MeshData& mesh, const std::vector<std::string>& extensive)
 {
   OutputState state;
