@@ -284,8 +284,7 @@ std::optional<MaterialPairs> ReadPairs(
 /// Splits the interfaces between the pairs of materials.
 void Split(const MesherJob& job, const MaterialPairs& pairs, MesherResult& result)
 {
-  Warn(job,
-    SplitMesh(pairs, job.Options, job.Run, result.Fields, result.TheMesh, result.State));
+  Warn(job, SplitMesh(pairs, job.Options, job.Run, result.Fields, result.TheMesh, result.State));
   result.Cohesive =
     FindCohesiveBlocks(ViewMesh(result.TheMesh, result.State, result.Fields), job.Run.Group());
 }

@@ -165,8 +165,8 @@ std::vector<TransferredArray> CopyPointArrays(const MeshData& before, const Mesh
       const char* from = static_cast<const char*>(array.Values) + width * sources[p];
       std::copy_n(from, width, values.data() + width * p);
     }
-    copies.push_back({ array.Name, array.Type, array.Components, array.ComponentNames, false,
-      std::move(values) });
+    copies.push_back(
+      { array.Name, array.Type, array.Components, array.ComponentNames, false, std::move(values) });
   }
   return copies;
 }

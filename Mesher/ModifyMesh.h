@@ -20,10 +20,10 @@ struct ModifyInput
 {
   MeshData Data;                      ///< mesh of this rank with all arrays and fields
   std::vector<std::string> Extensive; ///< element arrays whose values are sums over an element
-  /// Of a mesh on a single rank, whose points have ascending ids; they are modified, too. Empty: the
-  /// surfaces are found from the arrays.
+  /// Of a mesh on a single rank, whose points have ascending ids; they are modified, too. Empty:
+  /// the surfaces are found from the arrays.
   SurfaceFacets Surfaces;
-  CurveEdges Curves; ///< in the same way
+  CurveEdges Curves;                            ///< in the same way
   std::function<void(const std::string&)> Warn; ///< called only on rank 0; may be empty
 };
 

@@ -20,8 +20,8 @@ Mesh MakeMeshOf(const MeshData& mesh, const std::vector<int>& labels, Ranks& ran
 /// Sets the surfaces and curves of a mesh on a single rank.
 /// @param surfaces  with the ids of materials; IsOwned is set
 /// @param labels  as for MakeMeshOf
-void SetGeometry(const std::vector<int>& labels, SurfaceFacets surfaces, CurveEdges curves,
-  Mesh& mesh);
+void SetGeometry(
+  const std::vector<int>& labels, SurfaceFacets surfaces, CurveEdges curves, Mesh& mesh);
 
 /// Copies the element arrays that are not part of Mesh.
 /// @param extensive  names of arrays whose values are sums over an element

@@ -306,8 +306,8 @@ bool SetClamped(MesherOptions& options, const std::string& name, double value)
 {
   const Option& option = *FindOption(name);
   const OptionRange range = RangeOf(option);
-  const bool isKept = option.Kind == OptionKind::Real ||
-    (option.Kind == OptionKind::Integer && option.OnlyTets);
+  const bool isKept =
+    option.Kind == OptionKind::Real || (option.Kind == OptionKind::Integer && option.OnlyTets);
   const double taken = isKept ? value : std::clamp(value, range.Least, range.Most);
   const bool changes = taken != option.GetNumber(options);
   option.SetNumber(options, taken);
