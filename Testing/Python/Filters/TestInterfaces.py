@@ -1,4 +1,4 @@
-"""Interfaces split, and layers cut, in an existing mesh: the same as by the options of the mesher."""
+"""Interfaces split, and layers cut, in an existing mesh: as by the options of the mesher."""
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
@@ -6,7 +6,8 @@ from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
 from interface_cases import (
     BOTH, GRAINS, LAYERS, SPLIT, WALLS, arrays_of, compare, hexes, modify, run, tets)
 from vfmtest import (
-    VolumeFractionInterfaces, box_along_axes, failure_of, image, in_folder, main, producer, save_data, simple)
+    VolumeFractionInterfaces, box_along_axes, failure_of, image, in_folder, main, producer,
+    save_data, simple)
 
 
 def test_hexes():
