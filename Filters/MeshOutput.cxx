@@ -164,7 +164,10 @@ Buffer<T> CopyOf(const std::vector<T>& values)
   return copy;
 }
 
-void SetCohesive(const Mesh& mesh, const CohesiveElements& elements, vtkUnstructuredGrid* output)
+} // namespace
+
+void SetCohesiveOutput(
+  const Mesh& mesh, const CohesiveElements& elements, vtkUnstructuredGrid* output)
 {
   if (elements.Ids.empty())
   {
@@ -180,15 +183,8 @@ void SetCohesive(const Mesh& mesh, const CohesiveElements& elements, vtkUnstruct
   cells->SetGlobalIds(AdoptBuffer(ids, "GlobalCellIds"));
 }
 
-} // namespace
-
-void SetMeshOutput(Mesh& mesh, const CohesiveElements& cohesive, const MeshOutputs& outputs)
+void SetElementOutput(Mesh& mesh, vtkUnstructuredGrid* output)
 {
-  SetCohesive(mesh, cohesive, outputs.Cohesive);
-  SetSurfaces(mesh, outputs.Surfaces);
-  SetCurves(mesh, outputs.Curves);
-  SetVertices(mesh, outputs.Vertices);
-  vtkUnstructuredGrid* output = outputs.Mesh;
   vtkNew<vtkPoints> points;
   points->SetData(AdoptBuffer(mesh.Points, "Points", 3));
   output->SetPoints(points);
@@ -207,6 +203,15 @@ void SetMeshOutput(Mesh& mesh, const CohesiveElements& cohesive, const MeshOutpu
   vtkPointData* nodes = output->GetPointData();
   VisitPointArrays(mesh, AdoptInto(nodes));
   nodes->SetActiveGlobalIds("GlobalPointIds");
+}
+
+void SetMeshOutput(Mesh& mesh, const CohesiveElements& cohesive, const MeshOutputs& outputs)
+{
+  SetCohesiveOutput(mesh, cohesive, outputs.Cohesive);
+  SetSurfaces(mesh, outputs.Surfaces);
+  SetCurves(mesh, outputs.Curves);
+  SetVertices(mesh, outputs.Vertices);
+  SetElementOutput(mesh, outputs.Mesh);
 }
 
 } // namespace vfm

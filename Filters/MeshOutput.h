@@ -37,4 +37,10 @@ struct MeshOutputs
 /// @param cohesive  cohesive elements of this rank
 void SetMeshOutput(Mesh& mesh, const CohesiveElements& cohesive, const MeshOutputs& outputs);
 
+///@{ Fill Mesh and Cohesive alone. Cohesive elements are first, because the mesh is empty after.
+void SetElementOutput(Mesh& mesh, vtkUnstructuredGrid* output);
+void SetCohesiveOutput(
+  const Mesh& mesh, const CohesiveElements& elements, vtkUnstructuredGrid* output);
+///@}
+
 } // namespace vfm

@@ -61,4 +61,12 @@ void SetStateOutput(OutputState& state, vtkUnstructuredGrid* mesh)
   }
 }
 
+void AddPointArrays(std::vector<TransferredArray>& arrays, vtkUnstructuredGrid* mesh)
+{
+  for (TransferredArray& array : arrays)
+  {
+    mesh->GetPointData()->AddArray(Adopt(array));
+  }
+}
+
 } // namespace vfm

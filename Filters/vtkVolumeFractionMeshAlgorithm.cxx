@@ -33,10 +33,6 @@ namespace
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
-// Set on the output, so that a later request for ghost layers does not run the filter again. The
-// filter never marks ghost cells.
-constexpr int GhostLayersClaimed = 4;
-
 void LogStages(const vfm::MeshReport& report)
 {
   for (const vfm::MeshReport::Stage& stage : report.Stages)
@@ -114,12 +110,7 @@ int vtkVolumeFractionMeshAlgorithm::FillOutputPortInformation(int port, vtkInfor
 int vtkVolumeFractionMeshAlgorithm::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const auto levels = Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS();
-  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
-  {
-    vtkInformation* info = outputVector->GetInformationObject(port);
-    info->Set(levels, std::max(info->Get(levels), GhostLayersClaimed));
-  }
+  vfm::ClaimGhostLayers(outputVector);
   vfm::RequestPiece(this->Controller, inputVector);
   return 1;
 }

@@ -263,14 +263,8 @@ int vtkVolumeFractionMeshAlgorithm::GetNumberOfRefinementBoxes()
 
 void vtkVolumeFractionMeshAlgorithm::SetNumber(const char* name, double value)
 {
-  const vfm::Option& option = *vfm::FindOption(name);
-  const vfm::OptionRange range = vfm::RangeOf(option);
-  const bool isKept = option.Kind == vfm::OptionKind::Real ||
-    (option.Kind == vfm::OptionKind::Integer && option.OnlyTets);
-  const double taken = isKept ? value : std::clamp(value, range.Least, range.Most);
-  if (taken != this->GetNumber(name))
+  if (vfm::SetClamped(*this->Options, name, value))
   {
-    option.SetNumber(*this->Options, taken);
     this->Modified();
   }
 }
@@ -282,9 +276,7 @@ double vtkVolumeFractionMeshAlgorithm::GetNumber(const char* name) const
 
 void vtkVolumeFractionMeshAlgorithm::SetText(const char* name, const char* value)
 {
-  const std::string before = this->GetText(name), given = value ? value : "";
-  vfm::SetOption(*this->Options, name, given);
-  if (this->GetText(name) != before)
+  if (vfm::SetText(*this->Options, name, value ? value : ""))
   {
     this->Modified();
   }

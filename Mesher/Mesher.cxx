@@ -221,6 +221,18 @@ void JoinSides(const MesherJob& job, MesherResult& result)
   }
 }
 
+/// Returns the lengths after which the domain repeats; 0 along other axes.
+Vector3 FindPeriods(const MesherOptions& options, const CartesianGrid& grid)
+{
+  Vector3 periods{};
+  for (int a = 0; a < 3; ++a)
+  {
+    const std::vector<double>& x = grid.Coordinates(a);
+    periods[a] = RepeatingAxes(options)[a] ? x.back() - x.front() : 0.0;
+  }
+  return periods;
+}
+
 MeshedGrid DescribeGrid(const LevelFields& fields, const LevelSetup& setup, const LevelPlan& plan)
 {
   const int finest = setup.IsUniform ? setup.Finest : setup.Base + plan.Refinements;
@@ -272,28 +284,9 @@ std::optional<MaterialPairs> ReadPairs(
 /// Splits the interfaces between the pairs of materials.
 void Split(const MesherJob& job, const MaterialPairs& pairs, MesherResult& result)
 {
-  SplitInterfaces(
-    pairs, job.Options.Connection, job.Run, result.Fields, result.TheMesh, result.State);
+  Warn(job, SplitMesh(pairs, job.Options, job.Run, result.Fields, result.TheMesh, result.State));
   result.Cohesive =
     FindCohesiveBlocks(ViewMesh(result.TheMesh, result.State, result.Fields), job.Run.Group());
-  if (std::get<std::vector<int>>(FindField(result.Fields, "SplitPairs")->Values).empty())
-  {
-    Warn(job,
-      "SplitInterfaces is " + job.Options.SplitInterfaces +
-        ", but no such materials have a common face.");
-  }
-}
-
-/// Replaces fields by those of the same names.
-void ReplaceFields(const FieldArrays& newer, FieldArrays& fields)
-{
-  for (FieldArray& field : fields)
-  {
-    if (const FieldArray* found = FindField(newer, field.Name))
-    {
-      field = *found;
-    }
-  }
 }
 
 /// Adds mid nodes, and reports the volumes of the curved elements.
@@ -385,8 +378,10 @@ MesherResult RunMesher(const MesherInput& input, const MesherOptions& given, Run
   result.State = MakeOutputState(kept, levels, result.TheMesh,
     DescribeGrid(fields, setup, meshOptions.Levels), options, owners, runtime);
   LeaveCopies(job, fields, result.TheMesh); // after the state, which takes cells across sides
-  AddLayers(options, { fields.Grid, table.Labels, layers ? &*layers : nullptr }, runtime,
-    result.TheMesh, result.State, result.Report);
+  AddLayers(options,
+    { fields.Grid.MeanWidth(), FindPeriods(options, fields.Grid), table.Labels,
+      layers ? &*layers : nullptr },
+    runtime, result.TheMesh, result.State, result.Report);
   if (options.Periodic != 0 && options.PeriodicSides == Sides::Joined)
   {
     JoinSides(job, result);

@@ -55,18 +55,6 @@ std::vector<ColumnBase> ListSide(const Mesh& mesh, int side)
   return bases;
 }
 
-/// Returns the lengths after which the domain repeats; 0 along other axes.
-Vector3 FindPeriods(const MesherOptions& options, const CartesianGrid& grid)
-{
-  Vector3 periods{};
-  for (int a = 0; a < 3; ++a)
-  {
-    const std::vector<double>& x = grid.Coordinates(a);
-    periods[a] = RepeatingAxes(options)[a] ? x.back() - x.front() : 0.0;
-  }
-  return periods;
-}
-
 } // namespace
 
 void AddLayers(const MesherOptions& options, const LayerInput& input, Runtime& runtime, Mesh& mesh,
@@ -78,12 +66,11 @@ void AddLayers(const MesherOptions& options, const LayerInput& input, Runtime& r
   }
   const bool isInCells = options.FirstLayerUnit == ThicknessUnit::Cells;
   const LayerSpacing spacing{ options.Layers, options.LayerGrowth,
-    options.FirstLayer * (isInCells ? input.Grid.MeanWidth() : 1.0) };
-  const Vector3 periods = FindPeriods(options, input.Grid);
+    options.FirstLayer * (isInCells ? input.CellWidth : 1.0) };
   const auto cut = [&](const std::vector<ColumnBase>& bases)
   {
     CutLayers(
-      FindLayerColumns(mesh, bases, runtime.Group()), spacing, periods, runtime, mesh, state);
+      FindLayerColumns(mesh, bases, runtime.Group()), spacing, input.Periods, runtime, mesh, state);
   };
   cut(ListInterfaces(options, input, mesh, runtime.Group()));
   for (int side = 0; side < 6; ++side)

@@ -14,7 +14,8 @@ namespace vfm
 /// The mesh that gets layers, and the interfaces that the user selected.
 struct LayerInput
 {
-  const CartesianGrid& Grid;      ///< grid of the finest cells
+  double CellWidth;               ///< mean width of the finest cells
+  Vector3 Periods;                ///< lengths after which the domain repeats; 0 along other axes
   const std::vector<int>& Labels; ///< ids of the user by material
   const MaterialPairs* Pairs;     ///< option LayerInterfaces; null: all interfaces
 };

@@ -117,10 +117,11 @@ void AddPartners(const LayerColumns& columns, const LayerSpacing& spacing, const
 }
 
 /// Collective. Adds the points inside edges.
-void AddPoints(const LayerColumns& columns, const LayerSpacing& spacing, const Vector3& periods,
-  Runtime& runtime, Mesh& mesh)
+void AddPoints(const LayerColumns& columns, const EdgeFinder& edges, const LayerSpacing& spacing,
+  const Vector3& periods, Runtime& runtime, Mesh& mesh)
 {
-  const std::vector<EdgeGeometry> geometry = FindEdgeGeometry(mesh, columns, runtime.Group());
+  const std::vector<EdgeGeometry> geometry =
+    FindEdgeGeometry(mesh, columns, edges, runtime.Group());
   std::vector<NewPoint> points = MakePoints(columns, spacing, runtime, mesh);
   if (runtime.Group().Any(!mesh.PeriodicPartner.empty()))
   {
@@ -233,12 +234,13 @@ void CutLayers(const LayerColumns& columns, const LayerSpacing& spacing, const V
   Runtime& runtime, Mesh& mesh, OutputState& state)
 {
   const LayerParts parts(columns, spacing.Layers, mesh);
-  AddPoints(columns, spacing, periods, runtime, mesh);
+  const EdgeFinder edges(columns);
+  AddPoints(columns, edges, spacing, periods, runtime, mesh);
   CheckNumberOfPoints(static_cast<Index>(mesh.PointIds.size()), runtime.Group());
   AddLayerPulls(parts, runtime.Group(), mesh);
   const std::vector<Index> parents = ListParents(parts);
   AddElements(parts, parents, runtime, mesh);
-  CutFacets(parts, runtime.Group(), mesh);
+  CutFacets(parts, edges, runtime.Group(), mesh);
   const std::vector<double> shares = FindShares(mesh, parents);
   for (TransferredArray& array : state.Arrays)
   {

@@ -4,66 +4,11 @@
 #include "Ranks/MergeByKey.h"
 
 #include <limits>
-#include <map>
-#include <optional>
 
 namespace vfm
 {
 namespace
 {
-
-/// A corner of a face between two edges of columns.
-struct CutCorner
-{
-  Index Edge;
-  bool IsTop;
-};
-
-/// Finds the edges of columns from their points.
-class EdgeFinder
-{
-public:
-  explicit EdgeFinder(const LayerColumns& columns)
-  {
-    for (std::size_t e = 0; e < columns.Edges.size(); ++e)
-    {
-      const LayerColumns::Edge& edge = columns.Edges[e];
-      this->Edges[{ { edge.Foot, edge.Top } }] = static_cast<Index>(e);
-    }
-  }
-
-  /// Returns the edge with this foot and top, or -1.
-  Index Find(Index foot, Index top) const
-  {
-    const auto found = this->Edges.find({ { foot, top } });
-    return found == this->Edges.end() ? -1 : found->second;
-  }
-
-  /// Returns the corners of a face that two opposite edges cut; nothing for other faces.
-  /// @param face four points around a face
-  std::optional<std::array<CutCorner, 4>> FindCut(const Index* face) const
-  {
-    for (int c = 0; c < 4; ++c)
-    {
-      const int next = (c + 1) % 4, across = (c + 2) % 4, last = (c + 3) % 4;
-      const Index one = this->Find(face[c], face[next]),
-                  other = this->Find(face[last], face[across]);
-      if (one >= 0 && other >= 0)
-      {
-        std::array<CutCorner, 4> corners;
-        corners[c] = { one, false };
-        corners[next] = { one, true };
-        corners[across] = { other, true };
-        corners[last] = { other, false };
-        return corners;
-      }
-    }
-    return std::nullopt;
-  }
-
-private:
-  std::map<std::array<Index, 2>, Index> Edges;
-};
 
 /// Returns the points of a layer of a face.
 std::array<Index, 4> PointsOfLayer(
@@ -209,11 +154,10 @@ void CutCurves(const LayerParts& parts, const EdgeFinder& edges, Mesh& mesh)
 } // namespace
 
 std::vector<EdgeGeometry> FindEdgeGeometry(
-  const Mesh& mesh, const LayerColumns& columns, Ranks& ranks)
+  const Mesh& mesh, const LayerColumns& columns, const EdgeFinder& edges, Ranks& ranks)
 {
   using Bounds = std::array<int, 2>; // lowest and highest surface at an edge; none: low > high
   constexpr Bounds none{ { std::numeric_limits<int>::max(), 0 } };
-  const EdgeFinder edges(columns);
   std::vector<Bounds> surfaces(columns.Edges.size(), none);
   const auto widen = [](const Bounds& a, const Bounds& b) {
     return Bounds{ { std::min(a[0], b[0]), std::max(a[1], b[1]) } };
@@ -256,9 +200,8 @@ std::vector<EdgeGeometry> FindEdgeGeometry(
   return geometry;
 }
 
-void CutFacets(const LayerParts& parts, Ranks& ranks, Mesh& mesh)
+void CutFacets(const LayerParts& parts, const EdgeFinder& edges, Ranks& ranks, Mesh& mesh)
 {
-  const EdgeFinder edges(parts.Columns);
   CutElementFacets(parts, mesh);
   CutSurfaces(parts, edges, ranks, mesh);
   CutCurves(parts, edges, mesh);

@@ -4,6 +4,7 @@
 #include "Base/Sorted.h"
 #include "Mesh/ElementFaces.h"
 #include "Modify/GreatestId.h"
+#include "Ranks/MeetingRank.h"
 #include "Ranks/MergeByKey.h"
 #include "Ranks/NumberInOrder.h"
 #include "Summary/MatchFaces.h"
@@ -49,9 +50,10 @@ const Index* ClassesOf(const MeshData& mesh)
   return mesh.PeriodicPartner ? mesh.PeriodicPartner : mesh.PointIds;
 }
 
-int MeetingRank(Index nodeClass, Ranks& ranks)
+/// Returns the rank that numbers the copies of a node.
+int RankOf(Index nodeClass, Ranks& ranks)
 {
-  return static_cast<int>(nodeClass % ranks.Count());
+  return MeetingRank(std::array<Index, 1>{ { nodeClass } }, ranks.Count());
 }
 
 std::vector<char> MarkOwnNodes(const MeshData& mesh, const std::vector<char>& isCut)
@@ -334,7 +336,7 @@ std::vector<CornerCopy> FindNodeCopies(
     const Corner& corner = corners[c];
     const Index root = groups.RootOf(static_cast<Index>(c));
     const Index nodeClass = ClassesOf(mesh)[corner.Node];
-    std::vector<Part>& parts = questions.Parts[MeetingRank(nodeClass, ranks)];
+    std::vector<Part>& parts = questions.Parts[RankOf(nodeClass, ranks)];
     partOf[c] = partOf[root];
     if (root == static_cast<Index>(c))
     {
@@ -345,7 +347,7 @@ std::vector<CornerCopy> FindNodeCopies(
   for (const CornerGroups::Face& face : groups.OpenFaces)
   {
     const Index nodeClass = ClassesOf(mesh)[corners[face.Corner].Node];
-    questions.Faces[MeetingRank(nodeClass, ranks)].push_back(
+    questions.Faces[RankOf(nodeClass, ranks)].push_back(
       { partOf[face.Corner], SortedIds(face.Points, ClassesOf(mesh)) });
   }
   const Index* ids = mesh.PointIds;
@@ -354,7 +356,7 @@ std::vector<CornerCopy> FindNodeCopies(
   std::vector<CornerCopy> copies;
   for (std::size_t c = 0; c < corners.size(); ++c)
   {
-    const int rank = MeetingRank(ClassesOf(mesh)[corners[c].Node], ranks);
+    const int rank = RankOf(ClassesOf(mesh)[corners[c].Node], ranks);
     const PartCopy& copy = answers[rank][partOf[c]];
     copies.push_back({ corners[c].Place, copy.Id, copy.Partner });
   }

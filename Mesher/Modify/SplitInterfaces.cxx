@@ -175,4 +175,14 @@ void SplitInterfaces(const MaterialPairs& pairs, SplitConnection connection, Run
   }
 }
 
+std::string SplitMesh(const MaterialPairs& pairs, const MesherOptions& options, Runtime& runtime,
+  std::vector<FieldArray>& fields, Mesh& mesh, OutputState& state)
+{
+  SplitInterfaces(pairs, options.Connection, runtime, fields, mesh, state);
+  const bool isSplit = !std::get<std::vector<int>>(FindField(fields, "SplitPairs")->Values).empty();
+  return isSplit ? ""
+                 : "SplitInterfaces is " + options.SplitInterfaces +
+      ", but no such materials have a common face.";
+}
+
 } // namespace vfm

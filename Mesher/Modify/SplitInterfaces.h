@@ -32,4 +32,10 @@ namespace vfm
 void SplitInterfaces(const MaterialPairs& pairs, SplitConnection connection, Runtime& runtime,
   std::vector<FieldArray>& fields, Mesh& mesh, OutputState& state);
 
+/// Splits interfaces with the connection of the options.
+/// @return a warning if no selected materials have a common face, else ""
+/// @pre Collective
+std::string SplitMesh(const MaterialPairs& pairs, const MesherOptions& options, Runtime& runtime,
+  std::vector<FieldArray>& fields, Mesh& mesh, OutputState& state);
+
 } // namespace vfm

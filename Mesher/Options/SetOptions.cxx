@@ -302,6 +302,26 @@ void SetOption(MesherOptions& options, const std::string& name, const std::strin
   }
 }
 
+bool SetClamped(MesherOptions& options, const std::string& name, double value)
+{
+  const Option& option = *FindOption(name);
+  const OptionRange range = RangeOf(option);
+  const bool isKept =
+    option.Kind == OptionKind::Real || (option.Kind == OptionKind::Integer && option.OnlyTets);
+  const double taken = isKept ? value : std::clamp(value, range.Least, range.Most);
+  const bool changes = taken != option.GetNumber(options);
+  option.SetNumber(options, taken);
+  return changes;
+}
+
+bool SetText(MesherOptions& options, const std::string& name, const std::string& value)
+{
+  const std::string MesherOptions::*text = FindOption(name)->Text;
+  const std::string before = options.*text;
+  SetOption(options, name, value);
+  return options.*text != before;
+}
+
 std::string GetOption(const MesherOptions& options, const Option& option)
 {
   const auto orNone = [](const std::string& text) { return text.empty() ? "None" : text; };

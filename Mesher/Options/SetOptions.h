@@ -20,6 +20,12 @@ const Option* FindOption(const std::string& name, const OptionTable& table = Get
 void SetOption(MesherOptions& options, const std::string& name, const std::string& value,
   const OptionTable& table = GetOptionTable());
 
+///@{ Set an option that exists, as the accessors of filters do. Return whether its value changed.
+/// SetClamped clamps choices, and integers except options for tetrahedra, to their range.
+bool SetClamped(MesherOptions& options, const std::string& name, double value);
+bool SetText(MesherOptions& options, const std::string& name, const std::string& value);
+///@}
+
 /// Returns the value of an option as text that SetOption accepts.
 std::string GetOption(const MesherOptions& options, const Option& option);
 

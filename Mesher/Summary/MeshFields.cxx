@@ -1,6 +1,7 @@
 #include "Summary/MeshFields.h"
 
 #include "Base/ParseText.h"
+#include "Summary/MeshData.h"
 
 #include <algorithm>
 #include <cmath>
@@ -167,6 +168,17 @@ FieldArrays ListSides(const GeometryTables& tables)
     return {};
   }
   return { { "SurfaceParts", parts }, FieldOfRows("EdgeFacets", tables.EdgeFacets) };
+}
+
+void ReplaceFields(const FieldArrays& newer, FieldArrays& fields)
+{
+  for (FieldArray& field : fields)
+  {
+    if (const FieldArray* found = FindField(newer, field.Name))
+    {
+      field = *found;
+    }
+  }
 }
 
 FieldArrays ListSurfaces(const GeometryTables& tables)

@@ -60,6 +60,9 @@ FieldArrays ListVertices(const GeometryTables& tables);
 FieldArrays ListDomain(
   const CartesianGrid& grid, const ImageFrame& frame, const std::array<bool, 3>& isPeriodic = {});
 
+/// Replaces fields by newer ones of the same names.
+void ReplaceFields(const FieldArrays& newer, FieldArrays& fields);
+
 /// Returns a sentence with the materials of the input that have no element; "" if all
 /// have elements.
 std::string DescribeLostMaterials(const MeshReport& report, const Materials& table);

@@ -3,7 +3,6 @@
 #include "CheckPeriods.h"
 #include "CurvedNodes.h"
 #include "GeometryChecks.h"
-#include "InterfaceLayers.h"
 #include "Modify/AddLayers.h"
 #include "Modify/AddMidNodes.h"
 #include "Modify/SplitInterfaces.h"
@@ -167,40 +166,45 @@ std::string FindMeshProblem(
     FindVolumeProblem(c, mesh, report), FindSpaceProblem(mesh, result) });
 }
 
-/// Returns layers of which the first one is thin.
-LayerSpacing ThinLayers(const CartesianGrid& grid)
+bool IsModified(const FuzzCase& c)
 {
-  return { 3, 1.5, 0.1 * grid.MeanWidth() };
+  return c.Layers > 1 || !c.Split.empty() || c.Options.Order != ElementOrder::Linear;
 }
 
-/// Makes a mesh with its mid nodes.
-template <auto Make, bool HasLayers = false>
-Mesh MakeCurved(const CartesianGrid& grid, const FractionField& fractions,
-  const MeshOptions& options, Runtime& runtime, MeshReport& report)
+/// Cuts layers, splits interfaces and adds mid nodes. Returns the counts of mid nodes. Collective.
+FieldArrays Modify(const FuzzCase& c, Runtime& runtime, Mesh& mesh, MeshReport& report)
 {
-  Mesh mesh = Make(grid, fractions, options, runtime, report);
-  if constexpr (HasLayers)
-  {
-    MeshReport ofLayers;
-    CutAtInterfaces(ThinLayers(grid), runtime, mesh, ofLayers);
-  }
+  std::vector<int> labels(c.Fractions.NumberOfMaterials() + 1);
+  std::iota(labels.begin(), labels.end(), 0);
+  MesherOptions options;
+  options.Layers = c.Layers;
+  options.FirstLayer = c.FirstLayer;
+  options.FirstLayerUnit = ThicknessUnit::Length;
   OutputState none;
-  AddMidNodes(options.Order, {}, runtime, mesh, none);
-  return mesh;
+  AddLayers(
+    options, { c.Grid.MeanWidth(), Vector3{}, labels, nullptr }, runtime, mesh, none, report);
+  if (!c.Split.empty())
+  {
+    std::map<int, std::string> names;
+    for (int label : labels)
+    {
+      names[label] = std::to_string(label);
+    }
+    std::vector<FieldArray> fields;
+    SplitInterfaces(MaterialPairs("SplitInterfaces", c.Split, names), SplitConnection::Cohesive,
+      runtime, fields, mesh, none);
+  }
+  return c.Options.Order == ElementOrder::Linear
+    ? FieldArrays()
+    : AddMidNodes(c.Options.Order, {}, runtime, mesh, none);
 }
 
 /// Adds mid nodes to a mesh of one rank. Checks that all elements are positive, and the volumes of
 /// materials, if no mid node was moved back.
-std::string FindCurvedProblem(const FuzzCase& c, Mesh& mesh, const MeshReport& report)
+std::string FindCurvedProblem(const FuzzCase& c, Mesh& mesh, MeshReport& report)
 {
   Runtime runtime;
-  if (c.HasLayers)
-  {
-    MeshReport ofLayers;
-    CutAtInterfaces(ThinLayers(c.Grid), runtime, mesh, ofLayers);
-  }
-  OutputState none;
-  const FieldArrays counts = AddMidNodes(c.Options.Order, {}, runtime, mesh, none);
+  const FieldArrays counts = Modify(c, runtime, mesh, report);
   const CurvedElement& shape = GetCurvedElement(mesh.Corners);
   std::vector<double> volumes(c.Fractions.NumberOfMaterials() + 1, 0.0);
   for (Index e = 0; e < static_cast<Index>(mesh.ElementIds.size()); ++e)
@@ -226,35 +230,6 @@ std::string FindCurvedProblem(const FuzzCase& c, Mesh& mesh, const MeshReport& r
   return FindPlaceProblem(c.Grid, mesh);
 }
 
-bool IsModified(const FuzzCase& c)
-{
-  return c.Layers > 1 || !c.Split.empty();
-}
-
-/// Cuts layers and splits interfaces. Collective.
-void Modify(const FuzzCase& c, Runtime& runtime, Mesh& mesh, MeshReport& report)
-{
-  std::vector<int> labels(c.Fractions.NumberOfMaterials() + 1);
-  std::iota(labels.begin(), labels.end(), 0);
-  MesherOptions options;
-  options.Layers = c.Layers;
-  options.FirstLayer = c.FirstLayer;
-  options.FirstLayerUnit = ThicknessUnit::Length;
-  OutputState none;
-  AddLayers(options, { c.Grid, labels, nullptr }, runtime, mesh, none, report);
-  if (!c.Split.empty())
-  {
-    std::map<int, std::string> names;
-    for (int label : labels)
-    {
-      names[label] = std::to_string(label);
-    }
-    std::vector<FieldArray> fields;
-    SplitInterfaces(MaterialPairs("SplitInterfaces", c.Split, names), SplitConnection::Cohesive,
-      runtime, fields, mesh, none);
-  }
-}
-
 /// Cuts and splits a mesh of one rank. Checks that its layers are positive, and the volumes.
 std::string FindModifiedProblem(const FuzzCase& c, Mesh& mesh, MeshReport& report)
 {
@@ -274,12 +249,7 @@ std::string FindModifiedProblem(const FuzzCase& c, Mesh& mesh, MeshReport& repor
 
 std::string FindRanksProblem(const FuzzCase& c, const RankMesh& alone)
 {
-  const bool isLinear = c.Options.Order == ElementOrder::Linear;
-  const MeshMaker make = c.Grid.IsPeriodic() ? MakerOfTorus(c)
-    : isLinear                               ? c.Make
-    : c.HasLayers                            ? MakeCurved<MakeHexMesh, true>
-    : c.Make == MakeHexMesh                  ? MakeCurved<MakeHexMesh>
-                                             : MakeCurved<MakeTetMesh>;
+  const MeshMaker make = c.Grid.IsPeriodic() ? MakerOfTorus(c) : c.Make;
   const RankMeshChange modify = [&c](Runtime& runtime, Mesh& mesh, MeshReport& report)
   {
     if (IsModified(c))
@@ -335,7 +305,7 @@ FuzzResult CheckCase(const FuzzCase& c)
     alone.Merged = {};
     alone.Merged.Add(mesh);
   }
-  if (IsModified(c))
+  else if (IsModified(c))
   {
     const std::string problem = FindModifiedProblem(c, mesh, alone.Reports[0]);
     result.Problem += problem.empty() ? "" : " modified: " + problem;

@@ -225,8 +225,12 @@ void DrawOrder(RandomDraw& draw, FuzzCase& c)
   {
     c.Options.Order = draw.Pick({ ElementOrder::Quadratic, ElementOrder::Quadratic27 });
     c.Words += c.Options.Order == ElementOrder::Quadratic ? ", quadratic" : ", quadratic 27";
-    c.HasLayers = c.Make == MakeHexMesh && !c.Options.StairStep && draw.Chance(0.5);
-    c.Words += c.HasLayers ? ", layers" : "";
+    if (c.Make == MakeHexMesh && !c.Options.StairStep && draw.Chance(0.5))
+    {
+      c.Layers = 3;
+      c.FirstLayer = 0.1 * c.Grid.MeanWidth();
+      c.Words += ", layers";
+    }
   }
 }
 

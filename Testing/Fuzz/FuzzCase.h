@@ -22,7 +22,6 @@ struct FuzzCase
   /// boxes of the ranks that are compared with one rank; empty: one rank only
   std::vector<IndexBox> Boxes;
   bool HasCubes;
-  bool HasLayers = false;            ///< of hexahedra of second order
   Sides PeriodicSides = Sides::Flat; ///< of a periodic grid
   int Layers = 1;                    ///< along all interfaces
   double FirstLayer = 0.0;           ///< thickness, length units of the grid; 0: from the mesh

@@ -7,6 +7,7 @@
 #include "MeasureMesh.h"
 #include "MeshResult.h"
 #include "MesherCall.h"
+#include "ModifyNumpyMesh.h"
 #include "PythonRuntime.h"
 #include "RunOptions.h"
 #include "ShapeFractions.h"
@@ -164,6 +165,7 @@ NB_MODULE(_core, module)
   BindBlocks(module);
   vfm::BindFaces(module);
   vfm::BindMeasures(module);
+  vfm::BindModify(module);
   vfm::BindWriters(module);
   module.def("mesh", MakeMesh, "blocks"_a.none(), "arrays"_a, "coordinates"_a, "axes"_a, "origin"_a,
     "are_points"_a, "fractions"_a, "labels"_a, "label_names"_a, "state"_a.none(), "options"_a,

@@ -361,6 +361,26 @@ def cohesive_blocks(
     The arguments are those of write_mesh().
     """
 
+def modify_mesh(
+    points: NDArray[np.float64],
+    cells: NDArray[np.int64],
+    point_arrays: Sequence[Tuple[str, NDArray[Any]]],
+    cell_arrays: Sequence[Tuple[str, NDArray[Any]]],
+    fields: Fields,
+    surfaces: Dict[str, NDArray[Any]],
+    curves: Dict[str, NDArray[Any]],
+    extensive: Sequence[str],
+    options: Options,
+    warn: Callable[[str], object],
+) -> Dict[str, Any]:
+    """Cuts a mesh into layers and splits its interfaces, and returns the keys of mesh(), and
+    point_state: all point arrays by name. Tables of surfaces, curves and vertices, and the
+    vertices, are empty; materials has the columns that layers change.
+
+    The first arguments are those of write_mesh(). surfaces, curves: arrays of Surfaces and Curves.
+    extensive: names of cell arrays whose values are sums over an element.
+    """
+
 def face_points(
     cells: NDArray[np.int64], elements: NDArray[np.int64], sides: NDArray[np.int32]
 ) -> NDArray[np.int64]:

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Dict, List, Optional, Tuple, Union
+from typing import Any, Dict, List, Literal, Optional, Sequence, TYPE_CHECKING, Tuple, Union
 
 import numpy as np
 
 from . import _core
+from ._call import Run
 from ._geometry import Curves, Geometry, Surfaces, Vertices
 from ._tables import core_fields, core_mesh
 
@@ -19,34 +20,6 @@ if TYPE_CHECKING:
     from ._dolfinx import DolfinxMesh
     from ._facets import Facets, Separated
     from ._split import Cohesive
-
-
-@dataclass
-class Run:
-    """Call of `hexes` or `tets` that made a mesh, for its quality report.
-
-    Attributes
-    ----------
-    source : dict of str to str
-        Description of the input, such as its "Grid" and the origin of the materials.
-    options : dict
-        Options that differ from their defaults, by their names as arguments.
-    warnings : list of str
-        Texts of the warnings.
-
-    Examples
-    --------
-    >>> fractions = vfm.shapes("sphere radius=4 center=6,6,6", 12)
-    >>> mesh = vfm.hexes(fractions, smoothing="off", iso_value=0.4)
-    >>> mesh.run.options
-    {'iso_value': 0.4, 'smoothing': 'off'}
-    >>> mesh.run.source["Grid"]
-    '12 x 12 x 12 cells'
-    """
-
-    source: Dict[str, str] = field(default_factory=dict)
-    options: Dict[str, Any] = field(default_factory=dict)
-    warnings: List[str] = field(default_factory=list)
 
 
 @dataclass(eq=False, repr=False)
@@ -348,6 +321,51 @@ class Mesh:
         from ._split import cohesive
 
         return cohesive(self)
+
+    def split(self, pairs: str = "all",
+              connection: Literal["none", "cohesive", "contact", "tied"] = "none") -> Mesh:
+        """Return the mesh with split interfaces, as `split_interfaces` of `hexes` and `tets` does.
+
+        Parameters
+        ----------
+        pairs : str, default "all"
+            Pairs of materials, such as "steel/copper, 1/3, 2/*".
+        connection : {"none", "cohesive", "contact", "tied"}, default "none"
+            Connection of both sides in files.
+
+        Examples
+        --------
+        >>> left = np.ones((2, 2, 2)) * [[[1]], [[0]]]
+        >>> mesh = vfm.hexes([left, 1 - left])
+        >>> len(mesh.split().points) - len(mesh.points)
+        9
+        """
+        from ._modify import modify
+
+        return modify(self, split_interfaces=pairs, split_connection=connection)
+
+    def cut_layers(self, layers: int, extensive: Sequence[str] = (), **options: Any) -> Mesh:
+        """Return the mesh with layers along interfaces, as `layers` of `hexes` makes them.
+
+        Parameters
+        ----------
+        layers : int
+            Number of layers.
+        extensive : sequence of str, optional
+            Arrays in `state` whose values are sums over an element. Layers share them by volume.
+        **options
+            ``layer_growth``, ``first_layer`` (a length), ``layer_interfaces``, ``layers_on``,
+            ``layer_sides`` of `hexes`.
+
+        Examples
+        --------
+        >>> mesh = vfm.hexes(vfm.shapes("sphere radius=4 center=6,6,6", 12)).cut_layers(3)
+        >>> np.unique(mesh.layer)
+        array([0, 1, 2, 3], dtype=int32)
+        """
+        from ._modify import modify
+
+        return modify(self, extensive, layers=layers, first_layer_unit="length", **options)
 
     def separate(self) -> Separated:
         """Give each material its own points, so that materials can slide and part in contact.

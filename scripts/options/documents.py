@@ -15,8 +15,8 @@ from options.table import allowed, label, put, read
 PAGE = "Documentation/reference/options.md"
 COMMAND_LINE = "Documentation/user/command-line.md"
 FILES = ["VolumeFractionInput.xml", "VolumeFractionSurface.xml", "VolumeFractionMesh.xml",
-         "VolumeFractionToTet.xml", "VolumeFractionFragments.xml", "VolumeFractionShapes.xml",
-         "VolumeFractionReaders.xml", "VolumeFractionWriters.xml"]
+         "VolumeFractionToTet.xml", "VolumeFractionFragments.xml", "VolumeFractionInterfaces.xml",
+         "VolumeFractionShapes.xml", "VolumeFractionReaders.xml", "VolumeFractionWriters.xml"]
 MESHERS = ("VolumeFractionToHex", "VolumeFractionToTet")
 
 # Properties of the meshers that are not in the table of options, by the group that they begin.

@@ -1,5 +1,5 @@
 """Generates the accessors of options in the headers of the filters."""
-from options.table import common, of_tets, put, wrap
+from options.table import common, of_interfaces, of_tets, put, wrap
 
 MACROS = {"switch": "vfmSwitchOption(%s)", "integer": "vfmNumberOption(%s, int)",
           "choice": "vfmNumberOption(%s, int)",
@@ -21,4 +21,6 @@ def files(table):
     """Returns, for each generated file, a function that updates its text."""
     return {"Filters/vtkVolumeFractionMeshAlgorithm.h":
                 lambda text: write_accessors(text, common(table)),
+            "Filters/vtkVolumeFractionInterfaces.h":
+                lambda text: write_accessors(text, of_interfaces(table)),
             "Filters/vtkVolumeFractionToTet.h": lambda text: write_accessors(text, of_tets(table))}

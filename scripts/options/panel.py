@@ -8,7 +8,7 @@ import ast
 import re
 from xml.sax.saxutils import escape, quoteattr
 
-from options.table import common, label, of_tets, put, wrap
+from options.table import common, label, of_interfaces, of_tets, put, wrap
 
 # Hand-written properties that come first in a group.
 FIRST = {"Materials": ["VolumeFractionArrays", "MaterialIdArray"], "State": ["StateArrays"],
@@ -203,5 +203,7 @@ def files(table):
     return {"Plugin/VolumeFractionInput.xml": lambda text: write_part(text, table, inputs),
             "Plugin/VolumeFractionSurface.xml": lambda text: write_part(text, table, surfaces),
             "Plugin/VolumeFractionMesh.xml": lambda text: write_part(text, table, others),
+            "Plugin/VolumeFractionInterfaces.xml":
+                lambda text: write_part(text, table, of_interfaces(table)),
             "Plugin/VolumeFractionToTet.xml":
                 lambda text: write_part(text, table, of_tets(table), overrides)}

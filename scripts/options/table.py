@@ -31,6 +31,13 @@ def of_tets(table):
     return [row for row in table if row["tets"]]
 
 
+def of_interfaces(table):
+    """Returns the rows of the filter that modifies meshes. FirstLayer is in length units there."""
+    return [{**row, "advanced": row["group"].startswith("Perf")} for row in table
+            if row["group"] in ("Split interfaces", "Layers") and row["name"] != "FirstLayerUnit"
+            or row["name"] == "NumberOfThreads"]
+
+
 def label(name):
     """Returns a name as panels show it: Iso Value."""
     return re.sub(r"(?<=[a-z])(?=[A-Z])", " ", name)

@@ -1,0 +1,265 @@
+#include "Modify/MeshOfData.h"
+
+#include "Ranks/Agreement.h"
+#include "Sets/MeshSets.h"
+#include "Summary/DomainSides.h"
+#include "Summary/MatchFaces.h"
+#include "Summary/MeshFacets.h"
+
+#include <map>
+
+namespace vfm
+{
+namespace
+{
+
+/// Copies an array. A view of a missing one must be null, which a buffer of size 0 is not.
+template <class T>
+Buffer<T> CopyOf(const T* values, Index count)
+{
+  if (!values)
+  {
+    return {};
+  }
+  Buffer<T> copy(count);
+  std::copy(values, values + copy.size(), copy.begin());
+  return copy;
+}
+
+template <class T>
+Buffer<T> CopyOf(const std::vector<T>& values)
+{
+  return CopyOf(values.data(), static_cast<Index>(values.size()));
+}
+
+/// Returns the values of an element array converted to T; empty if the mesh has no such array.
+template <class T>
+Buffer<T> CopyArray(const MeshData& mesh, const std::string& name)
+{
+  const MeshArray* array = FindArray(mesh.ElementArrays, name);
+  if (!array || array->Components != 1)
+  {
+    return {};
+  }
+  Buffer<T> copy(mesh.NumberOfElements);
+  for (std::size_t e = 0; e < copy.size(); ++e)
+  {
+    copy[e] = static_cast<T>(ValueAt(*array, static_cast<Index>(e)));
+  }
+  return copy;
+}
+
+int NumberOf(const std::vector<int>& labels, int material)
+{
+  return static_cast<int>(
+    std::lower_bound(labels.begin(), labels.end(), material) - labels.begin());
+}
+
+/// Sides of a surface: two fragments, the smaller first; 0: not meshed, -1 - DomainSide: outside.
+using SurfaceSides = std::array<int, 2>;
+
+/// Values of a facet whose sides are not on a surface: opposite sides of a periodic fragment.
+constexpr SurfaceSides NoSurface{ { 0, 0 } };
+
+/// Returns the fragments behind facets, also across a periodic side, or NothingBehind.
+/// @pre Collective
+std::vector<Index> FindFragmentsBehind(
+  const MeshData& data, const std::vector<MeshFacet>& facets, Ranks& ranks)
+{
+  std::vector<std::size_t> inner, across;
+  std::array<std::vector<FaceIds>, 2> ids;
+  std::array<std::vector<Index>, 2> fragments;
+  for (std::size_t f = 0; f < facets.size(); ++f)
+  {
+    const bool isAcross = facets[f].DomainSide != NoSide;
+    if (isAcross && !data.PeriodicPartner)
+    {
+      continue;
+    }
+    (isAcross ? across : inner).push_back(f);
+    ids[isAcross].push_back(SortedIds(PointsOfSide(data, { facets[f].Element, facets[f].Side }),
+      isAcross ? data.PeriodicPartner : data.PointIds));
+    fragments[isAcross].push_back(data.Fragment[facets[f].Element]);
+  }
+  std::vector<Index> behind(facets.size(), NothingBehind);
+  const std::vector<Index> inside = MatchFaces(ids[0], fragments[0], ranks);
+  const std::vector<Index> opposite = MatchFaces(ids[1], fragments[1], ranks);
+  for (std::size_t i = 0; i < inner.size(); ++i)
+  {
+    behind[inner[i]] = inside[i];
+  }
+  for (std::size_t i = 0; i < across.size(); ++i)
+  {
+    behind[across[i]] = opposite[i];
+  }
+  return behind;
+}
+
+/// Returns the sides of the surface of each facet.
+/// @pre Collective
+std::vector<SurfaceSides> FindSurfaceSides(
+  const MeshData& data, const std::vector<MeshFacet>& facets, Ranks& ranks)
+{
+  const std::vector<Index> behind = FindFragmentsBehind(data, facets, ranks);
+  std::vector<SurfaceSides> sides;
+  for (std::size_t f = 0; f < facets.size(); ++f)
+  {
+    const int own = data.Fragment[facets[f].Element];
+    const int other = behind[f] != NothingBehind ? static_cast<int>(behind[f])
+      : facets[f].DomainSide != NoSide           ? -1 - facets[f].DomainSide
+                                                 : 0;
+    sides.push_back(
+      own == other ? NoSurface : SurfaceSides{ { std::min(own, other), std::max(own, other) } });
+  }
+  return sides;
+}
+
+/// Returns the first surface of each pair of sides. Smooth sides of one pair follow each other.
+std::map<SurfaceSides, int> NumberSurfaces(
+  const std::vector<SurfaceSides>& pairs, const MeshData& data)
+{
+  const std::vector<double> parts = NumbersOfField(data.Fields, "SurfaceParts");
+  const std::vector<double> counts = NumbersOfField(data.Fields, "NumberOfSurfaces");
+  std::map<SurfaceSides, int> first;
+  std::size_t surface = 0;
+  for (const SurfaceSides& pair : pairs)
+  {
+    if (pair == NoSurface)
+    {
+      continue;
+    }
+    first[pair] = static_cast<int>(++surface);
+    while (surface < parts.size() && parts[surface] > 1.0)
+    {
+      ++surface;
+    }
+  }
+  if (counts.size() == 1 && counts[0] != static_cast<double>(surface))
+  {
+    throw InputError("The mesh has " + std::to_string(surface) + " surfaces, and " +
+      std::to_string(static_cast<Index>(counts[0])) +
+      " when it was made: parts of it are missing. Layers need the whole mesh.");
+  }
+  return first;
+}
+
+} // namespace
+
+Mesh MakeMeshOf(const MeshData& data, const std::vector<int>& labels, Ranks& ranks)
+{
+  Mesh mesh;
+  const Index points = data.NumberOfPoints, elements = data.NumberOfElements;
+  mesh.Corners = data.Corners;
+  mesh.Points = CopyOf(data.Points, 3 * points);
+  mesh.PointIds = CopyOf(data.PointIds, points);
+  mesh.PeriodicPartner = CopyOf(data.PeriodicPartner, points);
+  mesh.GeometryDimension = CopyOf(data.GeometryDimension, points);
+  mesh.GeometryId = CopyOf(data.GeometryId, points);
+  mesh.Elements = CopyOf(data.Elements, data.Corners * elements);
+  mesh.ElementIds = CopyOf(data.ElementIds, elements);
+  mesh.Material = CopyOf(data.Material, elements);
+  mesh.Fragment = CopyOf(data.Fragment, elements);
+  mesh.ScaledJacobian = CopyArray<float>(data, "ScaledJacobian");
+  mesh.Layer = CopyArray<int>(data, "Layer");
+  mesh.Facets = FindMeshFacets(data, ranks);
+  for (int& material : mesh.Material)
+  {
+    material = NumberOf(labels, material);
+  }
+  for (MeshFacet& facet : mesh.Facets)
+  {
+    facet.Behind = facet.Behind > 0 ? NumberOf(labels, facet.Behind) : facet.Behind;
+  }
+  const std::vector<double> parts = NumbersOfField(data.Fields, "SurfaceParts");
+  mesh.Tables.SurfaceParts.assign(parts.begin(), parts.end());
+  if (const FieldArray* rows = FindField(data.Fields, "EdgeFacets"))
+  {
+    const auto* numbers = std::get_if<std::vector<Index>>(&rows->Values);
+    for (std::size_t at = 0; numbers && at + 5 <= numbers->size(); at += 5)
+    {
+      mesh.Tables.EdgeFacets.emplace_back();
+      std::copy_n(numbers->begin() + at, 5, mesh.Tables.EdgeFacets.back().begin());
+    }
+  }
+  return mesh;
+}
+
+void SetGeometry(
+  const std::vector<int>& labels, SurfaceFacets surfaces, CurveEdges curves, Mesh& mesh)
+{
+  for (int& material : surfaces.MaterialPair)
+  {
+    material = NumberOf(labels, material);
+  }
+  surfaces.IsOwned.assign(surfaces.SurfaceId.size(), 1);
+  mesh.Surfaces = std::move(surfaces);
+  mesh.Curves = std::move(curves);
+}
+
+OutputState MakeStateOf(const MeshData& mesh, const std::vector<std::string>& extensive)
+{
+  OutputState state;
+  for (const MeshArray& array : mesh.ElementArrays)
+  {
+    if (IsKnownArray(array) || array.Name == "ScaledJacobian" || array.Name == "Layer")
+    {
+      continue;
+    }
+    const Index bytes = mesh.NumberOfElements * array.Components * WidthOfType(array.Type);
+    const bool isExtensive =
+      std::find(extensive.begin(), extensive.end(), array.Name) != extensive.end();
+    if (isExtensive && array.Type != ValueType::Double)
+    {
+      throw InputError("The extensive array " + array.Name + " must be of type double, not " +
+        NameOfType(array.Type) + ".");
+    }
+    state.Arrays.push_back({ array.Name, array.Type, array.Components, array.ComponentNames,
+      isExtensive, CopyOf(static_cast<const char*>(array.Values), bytes) });
+  }
+  for (const std::string& name : extensive)
+  {
+    if (std::none_of(state.Arrays.begin(), state.Arrays.end(),
+          [&name](const TransferredArray& array) { return array.Name == name; }))
+    {
+      throw InputError("The mesh has no state array " + name + ", which is to be extensive.");
+    }
+  }
+  return state;
+}
+
+std::vector<MeshArray> ListOtherPointArrays(const MeshData& mesh)
+{
+  std::vector<MeshArray> others;
+  std::copy_if(mesh.PointArrays.begin(), mesh.PointArrays.end(), std::back_inserter(others),
+    [](const MeshArray& array) { return !IsKnownArray(array); });
+  return others;
+}
+
+void AddSurfaces(const MeshData& data, Ranks& ranks, Mesh& mesh)
+{
+  const std::vector<SurfaceSides> sides = FindSurfaceSides(data, mesh.Facets, ranks);
+  const std::vector<SurfaceSides> pairs = UnionOverRanks(ranks, sides);
+  std::map<SurfaceSides, int> surfaces;
+  WorkTogether(ranks, [&] { surfaces = NumberSurfaces(pairs, data); });
+  std::vector<Index> points;
+  std::vector<int> ids, materials, domainSides;
+  const ElementFaces faces(mesh.Corners);
+  for (std::size_t f = 0; f < mesh.Facets.size(); ++f)
+  {
+    const MeshFacet& facet = mesh.Facets[f];
+    if (sides[f] == NoSurface)
+    {
+      continue;
+    }
+    const std::array<Index, 4> face = faces.PointsOf(data.Element(facet.Element), facet.Side);
+    points.insert(points.end(), face.begin(), face.begin() + faces.Corners);
+    ids.push_back(facet.Surface > 0 ? facet.Surface : surfaces.at(sides[f]));
+    const int own = mesh.Material[facet.Element], other = std::max(facet.Behind, 0);
+    materials.insert(materials.end(), { std::min(own, other), std::max(own, other) });
+    domainSides.push_back(facet.DomainSide);
+  }
+  mesh.Surfaces = { CopyOf(points), CopyOf(ids), CopyOf(materials),
+    std::vector<unsigned char>(ids.size(), 1), CopyOf(domainSides) };
+}
+
+} // namespace vfm

@@ -1,0 +1,55 @@
+"""Splits interfaces of a mesh, and cuts it into layers."""
+
+from __future__ import annotations
+
+import warnings
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any, Dict, List, Mapping, Sequence
+
+import numpy as np
+
+from . import _core
+from ._result import make_mesh
+from ._run import VolumeFractionMeshWarning
+from ._tables import core_arrays, core_fields
+
+if TYPE_CHECKING:
+    from .mesh import Mesh
+
+CALLER = 3  # stack level of the caller of Mesh.split(), for warnings
+
+
+def modify(mesh: Mesh, extensive: Sequence[str] = (), **options: Any) -> Mesh:
+    """Implements Mesh.split and Mesh.cut_layers. options: names and values of hexes()."""
+    chosen = _core.Options(False, **options)
+    told: List[str] = []
+    result = _core.modify_mesh(*core_arrays(mesh), core_fields(mesh.fields),
+                               _arrays_of(mesh.surfaces), _arrays_of(mesh.curves),
+                               list(extensive), chosen, told.append)
+    for text in told:
+        warnings.warn(text, VolumeFractionMeshWarning, stacklevel=CALLER)
+    point_state = result.pop("point_state")
+    # Points keep their numbers, and the geometry its tables.
+    result.update(vertices={"points": mesh.vertices.points, "vertex_id": mesh.vertices.vertex_id},
+                  surface_fields=mesh.surfaces.fields, curve_fields=mesh.curves.fields,
+                  vertex_fields=mesh.vertices.fields,
+                  materials=_update(mesh.materials, result["materials"]))
+    run = replace(mesh.run, options={**mesh.run.options, **chosen.changed()},
+                  warnings=mesh.run.warnings + told)
+    return replace(make_mesh(result, mesh.roles, run), point_state=point_state)
+
+
+def _arrays_of(geometry: Any) -> Dict[str, np.ndarray]:
+    return {name: np.ascontiguousarray(values) for name, values in vars(geometry).items()
+            if name != "fields"}
+
+
+def _update(materials: Mapping[str, Any], columns: Mapping[str, Any]) -> Dict[str, Any]:
+    """Returns the table of materials with the columns that layers change."""
+    updated = dict(materials)
+    if columns:
+        rows = np.searchsorted(columns["MaterialId"], materials["MaterialId"])
+        found = np.append(columns["MaterialId"], -1)[rows] == materials["MaterialId"]
+        for name in updated.keys() & columns.keys() - {"MaterialId"}:
+            updated[name] = np.where(found, np.append(columns[name], 0)[rows], 0)
+    return updated
