@@ -111,7 +111,7 @@ def check_volumes(mesh, found, tolerance=1e-9):
 def volume_of(points, cells):
     """Returns the sum of the exact volumes of elements; cells: corners in the order of VTK."""
     return vfm._core.element_volumes(np.ascontiguousarray(points, np.float64),
-                                     np.ascontiguousarray(cells, np.int64)).sum()
+                                     np.ascontiguousarray(cells, np.int64), {}).sum()
 
 
 def side_faces(mesh, name):

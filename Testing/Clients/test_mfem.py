@@ -22,7 +22,7 @@ def test_periodic(kind, tmp_path, monkeypatch):
     assert space.GetTrueVSize() == len(np.unique(mesh.partner))
     a, b, x = mfem.BilinearForm(space), mfem.LinearForm(space), mfem.GridFunction(space)
     k = mfem.PWConstCoefficient(mfem.Vector([10.0, 1.0]))
-    f = mfem.PWConstCoefficient(mfem.Vector(sources(mesh)))
+    f = mfem.PWConstCoefficient(mfem.Vector(list(sources(mesh))))
     integrators = [mfem.DiffusionIntegrator(k), mfem.DomainLFIntegrator(f)]
     for integrator in integrators:
         integrator.SetIntRule(mfem.IntRules.Get(cell.GetElementGeometry(0), 3))
