@@ -333,10 +333,13 @@ class Mesh:
         connection : {"none", "cohesive", "contact", "tied"}, default "none"
             Connection of both sides in files.
 
+        Returns
+        -------
+        Mesh
+
         Examples
         --------
-        >>> left = np.ones((2, 2, 2)) * [[[1]], [[0]]]
-        >>> mesh = vfm.hexes([left, 1 - left])
+        >>> mesh = vfm.hexes(labels=np.ones((2, 2, 2), int) * [[[1]], [[2]]])
         >>> len(mesh.split().points) - len(mesh.points)
         9
         """
@@ -352,16 +355,19 @@ class Mesh:
         layers : int
             Number of layers.
         extensive : sequence of str, optional
-            Arrays in `state` whose values are sums over an element. Layers share them by volume.
+            Arrays in `state` that are sums over an element: layers share them by volume.
         **options
             ``layer_growth``, ``first_layer`` (a length), ``layer_interfaces``, ``layers_on``,
             ``layer_sides`` of `hexes`.
 
+        Returns
+        -------
+        Mesh
+
         Examples
         --------
-        >>> mesh = vfm.hexes(vfm.shapes("sphere radius=4 center=6,6,6", 12)).cut_layers(3)
-        >>> np.unique(mesh.layer)
-        array([0, 1, 2, 3], dtype=int32)
+        >>> int(vfm.hexes(vfm.shapes("sphere radius=4 center=6,6,6", 12)).cut_layers(3).layer.max())
+        3
         """
         from ._modify import modify
 
@@ -377,10 +383,8 @@ class Mesh:
 
         Examples
         --------
-        >>> left = np.ones((2, 2, 2)) * [[[1]], [[0]]]
-        >>> mesh = vfm.hexes([left, 1 - left])
-        >>> parts = mesh.separate()
-        >>> len(parts.points) - len(mesh.points)
+        >>> mesh = vfm.hexes(labels=np.ones((2, 2, 2), int) * [[[1]], [[2]]])
+        >>> len(mesh.separate().points) - len(mesh.points)
         9
         """
         from ._facets import separate
