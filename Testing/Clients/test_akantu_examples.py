@@ -133,29 +133,26 @@ def run_grains(*arguments):
             + find(r"momentum #, energy #\n", text) + find("dissipated #,", text))
 
 
-def test_grains_break(grains, tmp_path):
-    """All faces between grains break, and no others. The dissipated energy is that of cracks of
-    the area of the faces."""
-    options, count, area = grains
-    picture = tmp_path / "grains.png"
+def check_all_break(case, picture, *arguments):
+    """Runs the grains: all faces between them break, and no others. The dissipated energy is that
+    of cracks of the area of the faces."""
+    options, count, area = case
     faces, opened, broken, fragments, momentum, energy, dissipated = run_grains(
-        *options, "--steps", 200, "--picture", picture)
+        *options, *arguments, "--picture", picture)
     assert faces == opened == broken == count and fragments == 5
     assert momentum < ROUNDING and energy < GOOD
     assert np.isclose(dissipated, 5e-5 * area, rtol=0.03), (dissipated, area)
     assert picture.stat().st_size > 20000
+
+
+def test_grains_break(grains, tmp_path):
+    """Akantu inserts cohesive elements, which break."""
+    check_all_break(grains, tmp_path / "grains.png", "--steps", 200)
 
 
 def test_own_cohesive_elements(grains, tmp_path):
     """The cohesive elements of the mesh break as those of Akantu do."""
-    options, count, area = grains
-    picture = tmp_path / "split.png"
-    faces, opened, broken, fragments, momentum, energy, dissipated = run_grains(
-        *options, "--split", "--courant", 0.1, "--steps", 400, "--picture", picture)
-    assert faces == opened == broken == count and fragments == 5
-    assert momentum < ROUNDING and energy < GOOD
-    assert np.isclose(dissipated, 5e-5 * area, rtol=0.03), (dissipated, area)
-    assert picture.stat().st_size > 20000
+    check_all_break(grains, tmp_path / "split.png", "--split", "--courant", 0.1, "--steps", 400)
 
 
 def test_grains_stay_whole(grains):
