@@ -1,5 +1,6 @@
 #include "HexPipeline.h"
 
+#include "Hex/ActiveCorners.h"
 #include "Hex/ActiveHexes.h"
 #include "Hex/CoarseSmoothing.h"
 #include "Hex/HexFacets.h"
@@ -64,46 +65,17 @@ FragmentVolumes FindVolumes(
   return volumes;
 }
 
-/// Data of each point of the mesh.
-struct SmoothedPoints
+/// Hexes in their initial position.
+struct HexStart
 {
-  std::vector<FeatureKind> Kinds;   ///< empty: there are no carriers
-  std::vector<unsigned char> Moved; ///< whether it may have been moved
+  Mesh Result;
+  std::vector<Facet> Facets;
+  FragmentVolumes Volumes;
 };
 
-SmoothedPoints Smooth(MeshJob& job, const LabelledGrid& labelled, const std::vector<Facet>& facets,
-  FragmentVolumes& volumes, Mesh& mesh)
+/// Makes the hexes. The numbers of points and the fragments of cells are freed before points move.
+HexStart MakeStart(MeshJob& job, const LabelledGrid& labelled)
 {
-  // Before the interfaces, which would add to the peak of memory.
-  ActiveMesh active = MakeActiveHexes(labelled, job.Parts, mesh, job.Run);
-  job.Clock.Update(0.16);
-  std::optional<LevelInterfaces> interfaces(std::in_place, *mesh.Levels, job.Fractions,
-    labelled.Labels, labelled.Mixed, job.Options.IsoValue, job.Run);
-  job.Clock.Start("Fitting surfaces", 0.2);
-  SurfaceTargets targets(interfaces->All(), KindOfTargets(job.Options), job.Run);
-  job.Clock.Update(0.215);
-  AttachHexes(*interfaces, *labelled.Levels.Coarse, mesh, facets, job.Run, active);
-  std::vector<FeatureKind> kinds = active.OfMesh(
-    AttachToFeatures(job, *interfaces->All().back(), facets, mesh, targets, active), mesh);
-  SetFacets(facets, job.Run, active);
-  std::vector<int>().swap(active.PointOf);
-  if (KindOfTargets(job.Options) == SurfaceTargets::Kind::Quadrics)
-  {
-    interfaces.reset(); // only facets need them
-  }
-  const HexEnergy energy(TargetJacobian(job.Fractions, job.Options));
-  Improve({ active, targets, energy, Ramp, volumes, job.Report, ConservesVolume(job.Options), {},
-            {}, BulgesOf(job, facets, mesh, targets, active) },
-    job.Clock, job.Run);
-  SetPulls(job, facets, targets, active, mesh);
-  active.CopyTo(mesh, job.Grid);
-  return { std::move(kinds), active.ListMoved(mesh) };
-}
-
-Mesh MakeMesh(MeshJob& job)
-{
-  LabelledGrid labelled;
-  FindLabels(job, labelled);
   CoarseHexes& coarse = *labelled.Levels.Coarse;
   const NarrowVoid& narrow = labelled.Narrow;
   ReportNarrowVoid(narrow, job.Run.Group(), job.Report);
@@ -118,30 +90,104 @@ Mesh MakeMesh(MeshJob& job)
   job.Report.NumberOfFragments = fragments.NumberOfFragments();
   FillFragments(labelled, numbering, fragments, job.Run, mesh);
   job.Clock.Update(0.135);
-  const std::vector<Facet> facets =
+  std::vector<Facet> facets =
     FindHexFacets(labelled, numbering, fragments, job.Parts, job.Run, mesh);
   job.Clock.Start("Finding interfaces", 0.15);
   FragmentVolumes volumes = FindVolumes(job, labelled.Labels, fragments, mesh);
+  return { std::move(mesh), std::move(facets), std::move(volumes) };
+}
+
+/// Data of each point of the mesh.
+struct SmoothedPoints
+{
+  std::vector<FeatureKind> Kinds;   ///< empty: there are no carriers
+  std::vector<unsigned char> Moved; ///< whether it may have been moved
+};
+
+/// Finds the interfaces. Frees the labels, unless coarse hexes refer to them.
+void FindInterfaces(
+  const MeshJob& job, LabelledGrid& labelled, std::optional<LevelInterfaces>& interfaces)
+{
+  const RefinedGrid& levels = *labelled.Levels.Grid;
+  interfaces.emplace(levels, job.Fractions, labelled.Labels, std::move(labelled.Mixed),
+    job.Options.IsoValue, job.Run);
+  if (levels.IsUniform())
+  {
+    labelled.Labels = LabelArray();
+    labelled.Narrow = NarrowVoid();
+  }
+}
+
+/// Moves the points of the active mesh to the interfaces and improves the hexes.
+SmoothedPoints MovePoints(
+  MeshJob& job, LabelledGrid& labelled, HexStart& start, ActiveMesh& active)
+{
+  const std::vector<Facet>& facets = start.Facets;
+  Mesh& mesh = start.Result;
+  std::optional<LevelInterfaces> interfaces;
+  FindInterfaces(job, labelled, interfaces);
+  job.Clock.Start("Fitting surfaces", 0.2);
+  // Before the targets, which would add to the peak of memory.
+  AttachHexes(*interfaces, *labelled.Levels.Coarse, mesh, facets, job.Run, active);
+  job.Clock.Update(0.205);
+  SurfaceTargets targets(interfaces->All(), KindOfTargets(job.Options), job.Run);
+  std::vector<FeatureKind> kinds = active.OfMesh(
+    AttachToFeatures(job, *interfaces->All().back(), facets, mesh, targets, active), mesh);
+  SetFacets(facets, job.Run, active);
+  std::vector<int>().swap(active.PointOf);
+  if (KindOfTargets(job.Options) == SurfaceTargets::Kind::Quadrics)
+  {
+    interfaces.reset(); // only facets need them
+  }
+  const HexEnergy energy(TargetJacobian(job.Fractions, job.Options));
+  Improve({ active, targets, energy, Ramp, start.Volumes, job.Report,
+            ConservesVolume(job.Options), {}, {}, BulgesOf(job, facets, mesh, targets, active) },
+    job.Clock, job.Run);
+  SetPulls(job, facets, targets, active, mesh);
+  active.CopyTo(mesh, job.Grid);
+  return { std::move(kinds), active.ListMoved(mesh) };
+}
+
+SmoothedPoints Smooth(MeshJob& job, LabelledGrid& labelled, HexStart& start)
+{
+  // Before the interfaces, which would add to the peak of memory.
+  ActiveMesh active = MakeActiveHexes(labelled, job.Parts, start.Result, job.Run);
+  const ActiveCorners corners(active, start.Result);
+  job.Clock.Update(0.16);
+  SmoothedPoints points = MovePoints(job, labelled, start, active);
+  const std::vector<int> elements = std::move(active.Elements);
+  const std::vector<Index> meshPoints = std::move(active.MeshPoint);
+  active = ActiveMesh();
+  corners.Restore(elements, meshPoints, job.Run, start.Result);
+  return points;
+}
+
+Mesh MakeMesh(MeshJob& job)
+{
+  LabelledGrid labelled;
+  FindLabels(job, labelled);
+  HexStart start = MakeStart(job, labelled);
+  Mesh& mesh = start.Result;
   SmoothedPoints points;
   if (MovesPoints(job.Options))
   {
-    points = Smooth(job, labelled, facets, volumes, mesh);
+    points = Smooth(job, labelled, start);
     if (!mesh.Levels->IsUniform())
     {
       job.Clock.Start("Smoothing transitions", 0.9);
       ReleaseFreeMemory();
-      SmoothCoarse(coarse, points.Moved, mesh, job.Run);
+      SmoothCoarse(*labelled.Levels.Coarse, points.Moved, mesh, job.Run);
     }
   }
   std::vector<unsigned char>().swap(points.Moved);
   job.Clock.Start("Finding geometry", 0.93);
-  ClassifyGeometry(facets, points.Kinds, job.Parts, job.Run, mesh, job.Report);
+  ClassifyGeometry(start.Facets, points.Kinds, job.Parts, job.Run, mesh, job.Report);
   CloseSeam(job.Parts, mesh);
   KeepOwned(mesh, job.Grid, job.Run);
   ReportLevels(mesh, labelled.Levels.RequestedFamilies, job.Run.Group(), job.Report);
-  ReportVolumes(job.Grid, volumes, job.Report);
+  ReportVolumes(job.Grid, start.Volumes, job.Report);
   MeasureQuality(job, mesh);
-  return mesh;
+  return std::move(mesh);
 }
 
 /// Returns whether the grid has at least the required ghost layers and exactly

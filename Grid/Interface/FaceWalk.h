@@ -26,12 +26,12 @@ public:
   /// @param allowed  allowed(position in Interface::Nodes())
   /// @return valid until the next call
   template <class Allowed>
-  const std::vector<Index>& Find(
+  const std::vector<int>& Find(
     Index node, int first, int second, int rings, const Allowed& allowed)
   {
     ++this->Walk;
     this->NodeWalks[node] = this->Walk;
-    this->Nodes.assign(1, node);
+    this->Nodes.assign(1, static_cast<int>(node));
     this->Faces.clear();
     std::size_t next = 0;
     for (int ring = 0; ring <= rings; ++ring)
@@ -48,10 +48,10 @@ private:
   template <class Allowed>
   void AddFacesAt(Index node, int first, int second, bool addCorners, const Allowed& allowed)
   {
-    const Index* faces = this->Source.FaceList().data();
+    const int* faces = this->Source.FaceList().data();
     for (Index at = this->Source.FaceOffset(node); at < this->Source.FaceOffset(node + 1); ++at)
     {
-      const Index face = faces[at];
+      const int face = faces[at];
       const InterfaceFace& f = this->Source.Faces()[face];
       if (this->FaceWalks[face] == this->Walk || f.First() != first || f.Second() != second)
       {
@@ -61,7 +61,7 @@ private:
       this->Faces.push_back(face);
       for (std::size_t c = 0; addCorners && c < 4; ++c)
       {
-        const Index corner = this->Source.CornersOfFace(face)[c];
+        const int corner = this->Source.CornersOfFace(face)[c];
         if (this->NodeWalks[corner] != this->Walk && allowed(corner))
         {
           this->NodeWalks[corner] = this->Walk;
@@ -72,9 +72,9 @@ private:
   }
 
   const Interface& Source;
-  Index Walk = 0;
-  std::vector<Index> NodeWalks, FaceWalks; // number of the last walk that visited each
-  std::vector<Index> Nodes, Faces;
+  int Walk = 0;
+  std::vector<int> NodeWalks, FaceWalks; // number of the last walk that visited each
+  std::vector<int> Nodes, Faces;
 };
 
 } // namespace vfm

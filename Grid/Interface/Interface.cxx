@@ -65,14 +65,14 @@ void Interface::FindFaces(const LabelArray& labels, Runtime& runtime)
       this->TheFaces[f] = faces[f].Face;
       this->FaceNodes[f] = faces[f].Nodes;
     });
-  this->FacesOfNodes = MakeGroups<Index>(this->MixedNodes.size(),
+  this->FacesOfNodes = MakeGroups<int>(this->MixedNodes.size(),
     [this](const auto& visit)
     {
       for (std::size_t f = 0; f < this->FaceNodes.size(); ++f)
       {
         for (Index n : this->FaceNodes[f])
         {
-          visit(n, static_cast<Index>(f));
+          visit(n, static_cast<int>(f));
         }
       }
     });
@@ -81,12 +81,13 @@ void Interface::FindFaces(const LabelArray& labels, Runtime& runtime)
 /// Adds a face and its nodes, unless one of them is not listed.
 void Interface::AddFace(const InterfaceFace& face, std::vector<NodedFace>& faces) const
 {
-  std::array<Index, 4> nodes = NodesOfFace(this->TheGrid, face);
-  std::transform(
-    nodes.begin(), nodes.end(), nodes.begin(), [this](Index node) { return this->Find(node); });
-  if (std::find(nodes.begin(), nodes.end(), -1) == nodes.end())
+  std::array<int, 4> corners;
+  const std::array<Index, 4> nodes = NodesOfFace(this->TheGrid, face);
+  std::transform(nodes.begin(), nodes.end(), corners.begin(),
+    [this](Index node) { return static_cast<int>(this->Find(node)); });
+  if (std::find(corners.begin(), corners.end(), -1) == corners.end())
   {
-    faces.push_back({ face, nodes });
+    faces.push_back({ face, corners });
   }
 }
 

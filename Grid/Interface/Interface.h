@@ -62,11 +62,11 @@ public:
   /// Returns the crossings, one per face.
   const std::vector<Crossing>& Crossings() const { return this->TheCrossings; }
   /// Returns the four nodes of a face (positions in Nodes()), in order around it.
-  const std::array<Index, 4>& CornersOfFace(Index face) const { return this->FaceNodes[face]; }
+  const std::array<int, 4>& CornersOfFace(Index face) const { return this->FaceNodes[face]; }
   /// Returns the position in FaceList() of the first face at the n-th node. Faces are ascending,
   /// and end where the faces of the next node begin.
   Index FaceOffset(Index n) const { return this->FacesOfNodes.Begin[n]; }
-  const std::vector<Index>& FaceList() const { return this->FacesOfNodes.Items; }
+  const std::vector<int>& FaceList() const { return this->FacesOfNodes.Items; }
 
   /// Returns the position in Points() of the first surface point of the n-th node. Points are
   /// ascending by pair, and end where the points of the next node begin.
@@ -88,7 +88,7 @@ private:
   struct NodedFace
   {
     InterfaceFace Face;
-    std::array<Index, 4> Nodes;
+    std::array<int, 4> Nodes;
   };
   void FindFaces(const LabelArray& labels, Runtime& runtime);
   void AddFace(const InterfaceFace& face, std::vector<NodedFace>& faces) const;
@@ -100,9 +100,9 @@ private:
   double MeanWidth;
   std::vector<Index> MixedNodes;
   std::vector<InterfaceFace> TheFaces;
-  std::vector<std::array<Index, 4>> FaceNodes;
+  std::vector<std::array<int, 4>> FaceNodes;
   std::vector<Crossing> TheCrossings;
-  Groups<Index> FacesOfNodes;
+  Groups<int> FacesOfNodes;
   std::vector<Index> PointsAt;
   std::vector<SurfacePoint> SurfacePoints;
 };

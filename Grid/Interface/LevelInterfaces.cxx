@@ -182,14 +182,14 @@ std::vector<Index3> MakeSteps()
 } // namespace
 
 LevelInterfaces::LevelInterfaces(const RefinedGrid& levels, const FractionField& fractions,
-  const LabelArray& labels, const std::vector<Index>& mixed, double isoValue, Runtime& runtime) :
+  const LabelArray& labels, std::vector<Index> mixed, double isoValue, Runtime& runtime) :
   Levels(levels), FirstPoint(1, 0)
 {
   const CartesianGrid& finest = levels.Finest();
   if (levels.HasFineInterfaces())
   {
     this->Interfaces.push_back(
-      std::make_unique<Interface>(finest, fractions, labels, mixed, isoValue, runtime));
+      std::make_unique<Interface>(finest, fractions, labels, std::move(mixed), isoValue, runtime));
     return;
   }
   for (int level = 0; level < levels.NumberOfRefinements(); ++level)

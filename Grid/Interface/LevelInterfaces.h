@@ -31,7 +31,7 @@ public:
   /// @note Reproducible on any number of ranks. If interfaces cross levels, the finest grid needs
   ///   GhostLayers base cells around the owned ones for this.
   LevelInterfaces(const RefinedGrid& levels, const FractionField& fractions,
-    const LabelArray& labels, const std::vector<Index>& mixed, double isoValue, Runtime& runtime);
+    const LabelArray& labels, std::vector<Index> mixed, double isoValue, Runtime& runtime);
   LevelInterfaces(const LevelInterfaces&) = delete;
   LevelInterfaces& operator=(const LevelInterfaces&) = delete;
 

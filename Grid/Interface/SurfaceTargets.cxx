@@ -107,7 +107,7 @@ void SurfaceTargets::FitLevel(const Level& level, Runtime& runtime)
         for (Index p = interface.PointOffset(n); p < interface.PointOffset(n + 1); ++p)
         {
           const SurfacePoint& point = interface.Points()[p];
-          const std::vector<Index>& faces = walk.Find(n, point.First, point.Second, Rings, all);
+          const std::vector<int>& faces = walk.Find(n, point.First, point.Second, Rings, all);
           this->FitQuadric(level, n, p, faces);
           if (hasFacets)
           {
@@ -130,7 +130,7 @@ const SurfaceTargets::Level& SurfaceTargets::LevelOf(Index target) const
 }
 
 void SurfaceTargets::FitQuadric(
-  const Level& level, Index node, Index point, const std::vector<Index>& faces)
+  const Level& level, Index node, Index point, const std::vector<int>& faces)
 {
   const Interface& interface = *level.Source;
   const SurfacePoint& base = interface.Points()[point];
@@ -145,7 +145,7 @@ void SurfaceTargets::FitQuadric(
   Matrix6 A = Matrix6::Zero();
   Vector6 b = Vector6::Zero();
   int used = 0;
-  for (Index face : faces)
+  for (int face : faces)
   {
     const Crossing& crossing = interface.Crossings()[face];
     const Vector3 y = Scaled(crossing.Point - frame.Base, frame.InverseWidths);
@@ -273,11 +273,11 @@ double SurfaceTargets::FacetDistance(Index target, const Vector3& y, Vector3& gr
   constexpr double None = 1e30;
   double best = None;
   Vector3 nearest{ { 0.0, 0.0, 0.0 } }, normal = frame.N;
-  for (Index face : this->Facets[target])
+  for (int face : this->Facets[target])
   {
     Vector3 corner[4];
     int c = 0;
-    for (Index n : interface.CornersOfFace(face))
+    for (int n : interface.CornersOfFace(face))
     {
       const SurfacePoint* point = interface.FindPoint(n, base.First, base.Second);
       const Vector3& x = this->Corners[level.First + (point - interface.Points().data())];

@@ -85,7 +85,7 @@ private:
   };
 
   void FitLevel(const Level& level, Runtime& runtime);
-  void FitQuadric(const Level& level, Index node, Index point, const std::vector<Index>& faces);
+  void FitQuadric(const Level& level, Index node, Index point, const std::vector<int>& faces);
   Vector3 FindCorner(const Level& level, Index node, Index point) const;
   const Level& LevelOf(Index target) const;
   double QuadricDistance(const Frame& frame, const Vector3& y, Vector3& gradient) const;
@@ -94,7 +94,7 @@ private:
   Kind TheKind;
   std::vector<Level> Levels;
   std::vector<Frame> Frames;
-  std::vector<std::vector<Index>> Facets; // interface faces around each target
+  std::vector<std::vector<int>> Facets; // interface faces around each target
   // Surface point of each target, moved onto its quadric; only for facets.
   std::vector<Vector3> Corners;
 };

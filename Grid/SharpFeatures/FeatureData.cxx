@@ -247,7 +247,7 @@ void GatherCrossings(const Interface& interface, const NodeFrame& frame, Index n
       std::abs(p[2] - frame.Position[2]) <= SeedRadius;
   };
   crossings.clear();
-  for (Index face : walk.Find(node, labels[0], labels[1], SeedRings, isNear))
+  for (int face : walk.Find(node, labels[0], labels[1], SeedRings, isNear))
   {
     const Crossing& crossing = interface.Crossings()[face];
     crossings.push_back({ Divided(crossing.Point - frame.Origin, frame.Widths),
