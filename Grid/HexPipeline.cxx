@@ -119,8 +119,7 @@ void FindInterfaces(
 }
 
 /// Moves the points of the active mesh to the interfaces and improves the hexes.
-SmoothedPoints MovePoints(
-  MeshJob& job, LabelledGrid& labelled, HexStart& start, ActiveMesh& active)
+SmoothedPoints MovePoints(MeshJob& job, LabelledGrid& labelled, HexStart& start, ActiveMesh& active)
 {
   const std::vector<Facet>& facets = start.Facets;
   Mesh& mesh = start.Result;
@@ -140,8 +139,8 @@ SmoothedPoints MovePoints(
     interfaces.reset(); // only facets need them
   }
   const HexEnergy energy(TargetJacobian(job.Fractions, job.Options));
-  Improve({ active, targets, energy, Ramp, start.Volumes, job.Report,
-            ConservesVolume(job.Options), {}, {}, BulgesOf(job, facets, mesh, targets, active) },
+  Improve({ active, targets, energy, Ramp, start.Volumes, job.Report, ConservesVolume(job.Options),
+            {}, {}, BulgesOf(job, facets, mesh, targets, active) },
     job.Clock, job.Run);
   SetPulls(job, facets, targets, active, mesh);
   active.CopyTo(mesh, job.Grid);

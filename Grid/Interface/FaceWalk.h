@@ -26,8 +26,7 @@ public:
   /// @param allowed  allowed(position in Interface::Nodes())
   /// @return valid until the next call
   template <class Allowed>
-  const std::vector<int>& Find(
-    Index node, int first, int second, int rings, const Allowed& allowed)
+  const std::vector<int>& Find(Index node, int first, int second, int rings, const Allowed& allowed)
   {
     ++this->Walk;
     this->NodeWalks[node] = this->Walk;
