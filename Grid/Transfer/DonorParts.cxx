@@ -143,7 +143,8 @@ struct Work
   OverlapFinder Finder{ TheMesh, Grid, Run };
   // Kinds of the parts of regular tets, one bit per kind, per donor.
   std::vector<std::uint64_t> Kinds = std::vector<std::uint64_t>(Donors.Count(), 0);
-  RecentDonors Recent{};
+  RecentDonors Recent{};      // by linear index of the cell
+  RecentDonors RecentInBox{}; // by index of the cell in the local box
 };
 
 int GetDonor(Work& work, Index cell, int fragment, int material)
@@ -160,6 +161,13 @@ int GetDonor(Work& work, Index cell, int fragment, int material)
 int GetDonor(Work& work, Index cell, Index element)
 {
   return GetDonor(work, cell, work.TheMesh.Fragment[element], work.TheMesh.Material[element]);
+}
+
+/// Returns the donor of an element in a cell of the local box (IndexInBox).
+int GetDonorInBox(Work& work, Index cell, Index element)
+{
+  return work.RecentInBox.Find(cell, work.TheMesh.Fragment[element],
+    [&] { return GetDonor(work, work.Grid.Linear(CellInBox(work.Grid.Local(), cell)), element); });
 }
 
 /// Finds the parts of regular tets and their donors. Returns the positions of the other elements.
@@ -211,9 +219,8 @@ DonorParts CutElements(Work& work, Index first, std::vector<int> elements)
       for (Index p = overlaps.Offsets[n]; p < overlaps.Offsets[n + 1]; ++p)
       {
         const OverlapPart& overlap = overlaps.Parts[p];
-        const Index cell = work.Grid.Linear(CellInBox(work.Grid.Local(), overlap.Cell));
-        some.Parts.push_back(
-          { overlap.Volume, overlap.Centroid, GetDonor(work, cell, some.ElementAt(i)) });
+        some.Parts.push_back({ overlap.Volume, overlap.Centroid,
+          GetDonorInBox(work, overlap.Cell, some.ElementAt(i)) });
       }
       ++n;
     }

@@ -51,6 +51,16 @@ std::vector<DonorParts> FindParts(
     work.TheMesh, isNeeded, work.Grid, work.Regular, work.Parts, work.Run, work.Donors, shapes);
 }
 
+/// Does so for whole elements.
+std::vector<DonorParts> FindWholeParts(
+  Work& work, const std::function<bool(Index element)>& isNeeded, std::vector<DonorShape>& shapes)
+{
+  return work.Whole.CanExist()
+    ? FindParts(
+        work, [&](Index e) { return work.Whole.IsWhole(e) && isNeeded(e); }, shapes)
+    : std::vector<DonorParts>();
+}
+
 /// Returns whether a whole element has donors because mismatch cells are near.
 bool IsNear(const Work& work, const MismatchCells& mismatches, Index element)
 {
@@ -283,16 +293,13 @@ TransferredState TransferState(const Mesh& mesh, const TransferRequest& request,
     work, [&](Index e) { return !work.Whole.IsWhole(e); }, shapes);
   const MismatchCells mismatches(
     work.Grid, work.Request.Fractions, work.Whole, work.Donors, work.IsMeshed, work.Parts);
-  std::vector<DonorParts> near = FindParts(
-    work, [&](Index e) { return work.Whole.IsWhole(e) && IsNear(work, mismatches, e); }, shapes);
+  std::vector<DonorParts> near = FindWholeParts(
+    work, [&](Index e) { return IsNear(work, mismatches, e); }, shapes);
   const FlowRegion region = FindRegion(work, mismatches);
-  std::vector<DonorParts> inside = FindParts(
+  std::vector<DonorParts> inside = FindWholeParts(
     work,
     [&](Index e)
-    {
-      return work.Whole.IsWhole(e) && !IsNear(work, mismatches, e) &&
-        region.HoldsAll(work.TheMesh.Fragment[e]);
-    },
+    { return !IsNear(work, mismatches, e) && region.HoldsAll(work.TheMesh.Fragment[e]); },
     shapes);
   CentreShapes(work.Donors, shapes);
   const DonorLinks links(work.Grid, work.Parts, work.Donors);

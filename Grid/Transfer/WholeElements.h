@@ -22,6 +22,8 @@ public:
   WholeElements(
     const Mesh& mesh, const CartesianGrid& grid, const FractionField& fractions, Runtime& runtime);
 
+  /// Returns whether elements of the mesh can be whole, on any rank.
+  bool CanExist() const { return this->TheMesh.Corners == 8; }
   bool IsWhole(Index element) const { return !this->Lowest.empty() && this->Lowest[element] >= 0; }
   /// Returns the cells of a whole element.
   IndexBox CellsOf(Index element) const;
