@@ -5,6 +5,7 @@
 #include "Hex/CoarseSmoothing.h"
 #include "Hex/HexFacets.h"
 #include "Hex/MakeLevels.h"
+#include "Hex/PackedLists.h"
 #include "Mesh/Geometry.h"
 #include "Mesh/KeepOwned.h"
 #include "Mesh/MeasureFragments.h"
@@ -104,6 +105,28 @@ struct SmoothedPoints
   std::vector<unsigned char> Moved; ///< whether it may have been moved
 };
 
+/// Data of the hexes that nothing reads while points move.
+class PackedStart
+{
+public:
+  /// Takes the ids and facets.
+  explicit PackedStart(HexStart& start) :
+    PointIds(start.Result.PointIds), ElementIds(start.Result.ElementIds), Facets(start.Facets)
+  {
+  }
+  /// Gives them back.
+  void UnpackTo(HexStart& start) const
+  {
+    start.Result.PointIds = this->PointIds.Unpack();
+    start.Result.ElementIds = this->ElementIds.Unpack();
+    start.Facets = this->Facets.Unpack();
+  }
+
+private:
+  PackedIds PointIds, ElementIds;
+  PackedFacets Facets;
+};
+
 /// Finds the interfaces. Frees the labels, unless coarse hexes refer to them.
 void FindInterfaces(
   const MeshJob& job, LabelledGrid& labelled, std::optional<LevelInterfaces>& interfaces)
@@ -132,16 +155,25 @@ SmoothedPoints MovePoints(MeshJob& job, LabelledGrid& labelled, HexStart& start,
   SurfaceTargets targets(interfaces->All(), KindOfTargets(job.Options), job.Run);
   std::vector<FeatureKind> kinds = active.OfMesh(
     AttachToFeatures(job, *interfaces->All().back(), facets, mesh, targets, active), mesh);
-  SetFacets(facets, job.Run, active);
-  std::vector<int>().swap(active.PointOf);
   if (KindOfTargets(job.Options) == SurfaceTargets::Kind::Quadrics)
   {
     interfaces.reset(); // only facets need them
+  }
+  SetFacets(facets, job.Run, active);
+  std::vector<int>().swap(active.PointOf);
+  std::optional<PackedStart> packed;
+  if (!HasCurvedEdges(job.Options)) // bulges are measured by facets and ids
+  {
+    packed.emplace(start);
   }
   const HexEnergy energy(TargetJacobian(job.Fractions, job.Options));
   Improve({ active, targets, energy, Ramp, start.Volumes, job.Report, ConservesVolume(job.Options),
             {}, {}, BulgesOf(job, facets, mesh, targets, active) },
     job.Clock, job.Run);
+  if (packed)
+  {
+    packed->UnpackTo(start);
+  }
   SetPulls(job, facets, targets, active, mesh);
   active.CopyTo(mesh, job.Grid);
   return { std::move(kinds), active.ListMoved(mesh) };
