@@ -172,6 +172,7 @@ SmoothedPoints MovePoints(MeshJob& job, LabelledGrid& labelled, HexStart& start,
     job.Clock, job.Run);
   if (packed)
   {
+    active.Rings = HexRings(); // before the lists, which would add to the peak of memory
     packed->UnpackTo(start);
   }
   SetPulls(job, facets, targets, active, mesh);
