@@ -55,10 +55,13 @@ std::vector<DonorParts> FindParts(
 std::vector<DonorParts> FindWholeParts(
   Work& work, const std::function<bool(Index element)>& isNeeded, std::vector<DonorShape>& shapes)
 {
-  return work.Whole.CanExist()
-    ? FindParts(
-        work, [&](Index e) { return work.Whole.IsWhole(e) && isNeeded(e); }, shapes)
-    : std::vector<DonorParts>();
+  if (!work.Whole.CanExist())
+  {
+    shapes.resize(work.Donors.Count());
+    return {};
+  }
+  return FindParts(
+    work, [&](Index e) { return work.Whole.IsWhole(e) && isNeeded(e); }, shapes);
 }
 
 /// Returns whether a whole element has donors because mismatch cells are near.
