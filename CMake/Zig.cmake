@@ -10,6 +10,3 @@ foreach (language C CXX)
   set(CMAKE_${language}_ARCHIVE_CREATE "\"${zig}\" ar qc <TARGET> <OBJECTS>")
   set(CMAKE_${language}_ARCHIVE_FINISH "\"${zig}\" ranlib <TARGET>")
 endforeach ()
-# Checks of the compiler link the libc++ of the package, as zig compiles one for each set of flags.
-set(CMAKE_TRY_COMPILE_CONFIGURATION Release)
-set(CMAKE_EXE_LINKER_FLAGS_INIT -fPIC)
