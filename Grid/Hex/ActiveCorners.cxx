@@ -19,15 +19,19 @@ ActiveCorners::ActiveCorners(const ActiveMesh& active, Mesh& mesh)
   Index next = 0; // active hex
   const auto isNext = [&](const Index* corners)
   {
+    if (next == count)
+    {
+      return false;
+    }
     const int* points = active.Elements.data() + 8 * next;
-    for (int c = 0; next < count && c < 8; ++c)
+    for (int c = 0; c < 8; ++c)
     {
       if (active.MeshPoint[points[c]] != corners[VtkCorner[c]])
       {
         return false;
       }
     }
-    return next < count;
+    return true;
   };
   for (Index hex = 0; hex < hexes; ++hex)
   {
