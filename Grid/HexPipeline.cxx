@@ -24,9 +24,8 @@ namespace vfm
 namespace
 {
 
-const SmoothingPace Early{ 1.8, 4.0, 0.0, 2e-4, 5e-3 }, Late{ 1.75, 4.0, 0.0, 1.6e-4, 4e-3 };
-const SmoothingRamp Ramp{ { 1, 1.0, 0.1, 4, 0.0, Early }, { 2, 10.0, 0.05, 7, 0.0, Early },
-  { 8, 60.0, 0.01, 30, 2e-3, Late } };
+const SmoothingPace Early{ 1.8, 4.0, 0.0, 2e-4, 5e-3 }, Late{ 1.7, 4.0, 0.0, 2e-4, 4e-3 };
+const SmoothingRamp Ramp{ { 2, 10.0, 0.05, 6, 0.0, Early, 2 }, { 8, 60.0, 0.01, 30, 2e-3, Late } };
 
 double TargetJacobian(const FractionField& fractions, const MeshOptions& options)
 {

@@ -12,6 +12,10 @@ namespace
 {
 
 constexpr double SideClearance = 0.01; // distance kept by points that are not on a side, in cells
+// Largest distance of points near narrow void from their start, in cells. It is smaller where cells
+// are not cubes, because points slide farther there.
+constexpr double ReachInCubes = 1.0, ReachInBoxes = 0.75;
+constexpr double NoLimit = 1e300; // of a distance
 
 /// Returns the widths of a cell in grid coordinates.
 Vector3 CellWidths(const CartesianGrid& grid, const Index3& cell)
@@ -20,7 +24,6 @@ Vector3 CellWidths(const CartesianGrid& grid, const Index3& cell)
     Vector3{ { grid.Width(0, cell[0]), grid.Width(1, cell[1]), grid.Width(2, cell[2]) } };
 }
 
-/// Returns the axes along which a point is fixed because it starts in the plane of a flat seam.
 } // namespace
 
 std::vector<Vector3> WidthsOfCells(
@@ -174,6 +177,41 @@ void ActiveMesh::PlacePoints(const CartesianGrid& grid, const Mesh& mesh)
     this->Bounds.Upper[a] = scale * (x.back() - x.front() - SideClearance * grid.Width(a, last));
   }
   this->BoundBySeams(grid, mesh);
+}
+
+/// Returns the largest distance of a point near narrow void from its start, along each axis.
+Vector3 ActiveMesh::ReachOf(int point) const
+{
+  if (this->HasCubes())
+  {
+    return ReachInCubes * this->Widths[0];
+  }
+  Vector3 reach{ { NoLimit, NoLimit, NoLimit } };
+  const std::vector<Index>& corners = this->CornerOffset;
+  for (Index at = corners[point]; at < corners[point + 1]; ++at)
+  {
+    const Vector3& widths = this->WidthsAt(this->CornerList[at]);
+    for (int a = 0; a < 3; ++a)
+    {
+      reach[a] = std::min(reach[a], ReachInBoxes * widths[a]);
+    }
+  }
+  return reach;
+}
+
+bool ActiveMesh::IsNearStart(int point, const Vector3& x) const
+{
+  if (this->StaysNear.empty() || !this->StaysNear[point])
+  {
+    return true;
+  }
+  const Vector3 start = this->StartOf(point), reach = this->ReachOf(point);
+  bool isNear = true;
+  for (int a = 0; a < 3; ++a)
+  {
+    isNear &= std::abs(x[a] - start[a]) <= reach[a];
+  }
+  return isNear;
 }
 
 void ActiveMesh::ListCorners()

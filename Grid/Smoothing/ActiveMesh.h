@@ -185,6 +185,8 @@ struct ActiveMesh
     return { { (start[0] - this->Origin[0]) / this->Scale,
       (start[1] - this->Origin[1]) / this->Scale, (start[2] - this->Origin[2]) / this->Scale } };
   }
+  /// Returns whether a point that must stay near its start may be at x; true for all others.
+  bool IsNearStart(int point, const Vector3& x) const;
   /// Fills CornerOffset, CornerList and Stars from Elements.
   /// @throws InputError  if this rank has more corners than 32 bits can number
   void ListCorners();
@@ -207,6 +209,9 @@ struct ActiveMesh
   /// Writes the coordinates of the active points to the mesh. Unchanged coordinates are not
   /// written, so they stay bitwise identical on all ranks.
   void CopyTo(Mesh& mesh, const CartesianGrid& grid) const;
+
+private:
+  Vector3 ReachOf(int point) const;
 };
 
 /// Returns the sides of the domain on which a point lies: bit f is set for side f.

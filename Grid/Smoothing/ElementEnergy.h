@@ -36,6 +36,9 @@ struct SmoothingStage
   /// The stage ends when no point moved farther, in cells; 0: all sweeps run.
   double SmallestMove;
   SmoothingPace Pace{};
+  /// Sweeps before the others that move points to the mean of their neighbours and onto their
+  /// targets, without derivatives.
+  int Snaps = 0;
 };
 
 using SmoothingRamp = std::vector<SmoothingStage>;

@@ -286,6 +286,10 @@ double EvaluateBarrier(
   {
     return value;
   }
+  if (!AllExceed(coarse.Least, -SmallestInFloat))
+  {
+    return InvalidEnergy;
+  }
   const Barrier<double> fine = SumValues<double>(mesh, point, x, weights);
   return AllExceed(fine.Least, SmallestDeterminant) ? Sum(fine.Value) : InvalidEnergy;
 }

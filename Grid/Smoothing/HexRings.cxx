@@ -145,11 +145,11 @@ public:
     {
       const std::uint32_t begin = static_cast<std::uint32_t>(points.size());
       this->FindRing(p);
-      const std::uint32_t near = begin + static_cast<std::uint32_t>(this->Near);
-      this->Result.Places.push_back({ begin, near, this->Numbers.Of(this->List) });
+      this->Result.Places.push_back(
+        { begin, this->Numbers.Of(this->List), this->Near, this->HasDemands(p) });
       points.insert(points.end(), this->Ring.Points.begin(), this->Ring.Points.end());
     }
-    this->Result.Places.push_back({ static_cast<std::uint32_t>(points.size()), 0, 0 });
+    this->Result.Places.push_back({ static_cast<std::uint32_t>(points.size()), 0, 0, false });
     this->Result.Store(points, this->FirstOfRim);
     return std::move(this->Numbers.Lists);
   }
@@ -178,15 +178,23 @@ private:
         }
         this->List.push_back(hex);
       });
-    this->Near = this->Ring.Points.size();
+    this->Near = static_cast<std::uint16_t>(this->Ring.Points.size());
     forHexes([&](const int* points, int corner) { this->Ring.Of(points[corner ^ 7]); });
+  }
+
+  bool HasDemands(int point) const
+  {
+    const auto begin = this->Mesh.CornerList.begin();
+    return std::any_of(begin + this->Mesh.CornerOffset[point],
+      begin + this->Mesh.CornerOffset[point + 1],
+      [this](CornerPosition at) { return this->Mesh.DemandAt(at) != 1.0; });
   }
 
   const ActiveMesh& Mesh;
   int FirstOfRim;
   Block& Result;
   RingNumbers Ring;
-  std::size_t Near = 0; // points of the ring before the far corners
+  std::uint16_t Near = 0; // points of the ring before the far corners
   HexList List;
   ListNumbers Numbers;
 };

@@ -36,7 +36,7 @@ public:
 
   HexRings() = default;
   /// Finds the rings of all active points.
-  /// @pre The corners of the mesh are listed (ActiveMesh::ListCorners).
+  /// @pre The corners of the mesh are listed (ActiveMesh::ListCorners) and its demands set.
   HexRings(const ActiveMesh& mesh, Runtime& runtime);
 
   bool IsEmpty() const { return this->Blocks.empty(); }
@@ -73,12 +73,16 @@ public:
   {
     const Block& block = this->Blocks[point / PointsOfBlock];
     const Place* place = block.Places.data() + point % PointsOfBlock;
-    Ring ring(static_cast<int>(place->Near - place->First),
-      static_cast<int>(place[1].First - place->First));
+    Ring ring(place->Near, static_cast<int>(place[1].First - place->First));
     ring.Codes = &block.Codes;
     ring.Narrow = block.Narrow.data() + place->First;
     ring.Wide = block.Wide.empty() ? nullptr : block.Wide.data() + place->First;
     return ring;
+  }
+  /// Returns whether a hex at an active point has a demand other than 1 (ActiveMesh::Demands).
+  bool HasDemands(int point) const
+  {
+    return this->Blocks[point / PointsOfBlock].Places[point % PointsOfBlock].HasDemands;
   }
   /// Returns the hexes at an active point, in number and order of ActiveMesh::CornerList.
   const Hex* HexesAt(int point) const
@@ -92,7 +96,9 @@ private:
   /// Offsets of a point: in the points of its block, and of its hexes among all.
   struct Place
   {
-    std::uint32_t First, Near, Hexes;
+    std::uint32_t First, Hexes;
+    std::uint16_t Near; // points of the ring that are not only far corners
+    bool HasDemands;    // whether the demand of a hex is not 1
   };
   struct Block
   {

@@ -41,7 +41,8 @@ public:
     TheMesh(mesh),
     Corners(mesh.CornerList.data() + mesh.CornerOffset[point]),
     Number(static_cast<int>(mesh.CornerOffset[point + 1] - mesh.CornerOffset[point])),
-    List(mesh.Rings.HexesAt(point))
+    List(mesh.Rings.HexesAt(point)),
+    HasDemands(mesh.Rings.HasDemands(point))
   {
     const HexRings::Ring ring = mesh.Rings.PointsAt(point);
     for (int n = 0; n < ring.Near; ++n)
@@ -67,6 +68,7 @@ private:
   const CornerPosition* Corners;
   int Number;
   const HexRings::Hex* List;
+  bool HasDemands;
   PointOf<Real> Around[HexRings::LargestRing];
 };
 
@@ -123,7 +125,7 @@ VFM_INLINE Hexes<Real> HexesAtPoint<Real>::Get(int first, const BarrierWeights& 
     h.Diagonal[k] = GatherPoints(this->Around, [&](int lane) { return hexes[lane]->Ends[3 + k]; });
   }
   h.Target = isThere * static_cast<Real>(weights.Target * weights.Target);
-  for (int lane = 0; lane < Lanes && !this->TheMesh.Demands.empty(); ++lane)
+  for (int lane = 0; lane < Lanes && this->HasDemands; ++lane)
   {
     const Real demand =
       static_cast<Real>(this->TheMesh.DemandAt(this->Corners[this->HexAt(first, lane)]));

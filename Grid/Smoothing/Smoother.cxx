@@ -2,22 +2,17 @@
 
 #include "Base/Vector3.h"
 #include "Smoothing/Intersections.h"
-
-#include <Eigen/Eigenvalues>
+#include "Smoothing/NewtonStep.h"
 
 namespace vfm
 {
 namespace
 {
 
-constexpr double TrustRadius = 0.2; // largest step, in cells
-constexpr double Backtrack = 0.4;   // factor of the line search
+constexpr double Backtrack = 0.4; // factor of the line search
 constexpr int Backtracks = 8;
 constexpr double Armijo = 1e-4; // share of the predicted decrease that a step must reach
 constexpr double Noise = 1e-6;  // relative error of an energy, which may be a sum of floats
-// Multiple of the fall that counts, below which a point is settled.
-constexpr double SettledFalls = 4.0;
-constexpr double BarrierShare = 0.9; // 1 - 1 / p for the powers of a hard barrier
 // Largest relative change of a determinant by a step whose energy is not evaluated.
 constexpr double SureChange = 0.1;
 constexpr double MoveRadius = 0.01; // in mean cells
@@ -32,78 +27,14 @@ constexpr double LongestOffset = 1.0; // limit of long offsets, in cells
 constexpr double LargestPrice = 10.0;
 // Returned instead of a length by points that are not visited.
 constexpr double NoVisit = -1.0;
-// Largest distance of points near narrow void from their start, in cells. It is smaller where cells
-// are not cubes, because points slide farther there.
-constexpr double ReachInCubes = 1.0, ReachInBoxes = 0.75;
-constexpr double NoLimit = 1e300;           // of a distance
 constexpr unsigned char FixedOnAllAxes = 7; // ActiveMesh::Fixed
 // Smallest shift of a target that marks its points, in mean cells.
 constexpr double ShiftThatCounts = 1e-3;
 constexpr double SmallestShift = 1e-5; // smaller ones are left out
-
-/// Solves H x = -g by L D L^T, H as xx yy zz xy xz yz; returns whether H is positive definite.
-bool SolvePositive(const std::array<double, 6>& h, const Vector3& g, Vector3& x)
-{
-  const double first = 1.0 / h[0], l10 = h[3] * first, l20 = h[4] * first;
-  const double d1 = h[1] - l10 * h[3], e = h[5] - l20 * h[3];
-  const double second = 1.0 / d1, l21 = e * second;
-  const double d2 = h[2] - l20 * h[4] - l21 * e;
-  const double y1 = l10 * g[0] - g[1], y2 = l20 * g[0] - g[2] - l21 * y1;
-  x[2] = y2 / d2;
-  x[1] = y1 * second - l21 * x[2];
-  x[0] = -g[0] * first - l10 * x[1] - l20 * x[2];
-  return h[0] > 0.0 && d1 > 0.0 && d2 > 0.0;
-}
-
-/// Returns -|H|^-1 g.
-Vector3 SolveIndefinite(const std::array<double, 6>& h, const Vector3& g)
-{
-  Eigen::Matrix3d H;
-  H << h[0], h[3], h[4], h[3], h[1], h[5], h[4], h[5], h[2];
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(H);
-  const double floor = 1e-6 * eigen.eigenvalues().cwiseAbs().maxCoeff() + 1e-12;
-  const Eigen::Vector3d inverse = eigen.eigenvalues().cwiseAbs().cwiseMax(floor).cwiseInverse();
-  const Eigen::Vector3d x = eigen.eigenvectors() *
-    (inverse.asDiagonal() *
-      (eigen.eigenvectors().transpose() * -Eigen::Vector3d(g[0], g[1], g[2])));
-  return { { x[0], x[1], x[2] } };
-}
-
-/// Returns the Newton step along the axes that are not held, always a direction of descent.
-Vector3 SolveNewton(int held, Derivatives& d)
-{
-  constexpr int RowOf[3][2] = { { 3, 4 }, { 3, 5 }, { 4, 5 } };
-  for (int a = 0; a < 3; ++a)
-  {
-    if (held >> a & 1)
-    {
-      d.Hessian[a] = 1.0;
-      d.Hessian[RowOf[a][0]] = d.Hessian[RowOf[a][1]] = 0.0;
-      d.Gradient[a] = 0.0;
-    }
-  }
-  Vector3 step;
-  return SolvePositive(d.Hessian, d.Gradient, step) ? step : SolveIndefinite(d.Hessian, d.Gradient);
-}
-
-/// Returns the smallest decrease of an energy that marks the neighbours.
-double FallThatCounts(const SmoothingPace& pace, double energy)
-{
-  return pace.FallThatCounts + pace.PartThatCounts * energy;
-}
-
-/// Returns the multiple of a Newton step that is tried first. A barrier is nearly E = x^-p, on
-/// which Newton steps grow x only by the factor 1 + 1 / (p + 1). Newton steps of E^(1/p) have the
-/// same direction and are longer by the factor 1 / (1 - (1 - 1 / p) fall / E).
-/// @param fall  twice the decrease that the quadratic model predicts. If it is small, the step is
-/// not relaxed, because an exact step leaves nothing to do.
-double FirstFactor(const SmoothingPace& pace, double length, double fall, double energy)
-{
-  const bool isRelaxed = length < TrustRadius && fall > SettledFalls * FallThatCounts(pace, energy);
-  const double left = std::max(1.0 - BarrierShare * fall / energy, 1.0 / pace.LongestStretch);
-  return std::max(
-    { 1.0, isRelaxed ? pace.Relaxation : 1.0, std::min(1.0 / left, TrustRadius / length) });
-}
+// Energy of the elements at a point that a snap may reach in any case.
+constexpr double SnapEnergy = 100.0;
+constexpr double SmallestSnap = 0.2; // part of a snap
+constexpr int Projections = 2;       // of a snap onto each of its targets
 
 } // namespace
 
@@ -131,42 +62,6 @@ Smoother::Smoother(
   {
     mesh.Rings = HexRings(mesh, runtime);
   }
-}
-
-/// Returns the largest distance of a point near narrow void from its start, along each axis.
-Vector3 Smoother::ReachOf(int point) const
-{
-  if (this->Mesh.HasCubes())
-  {
-    return ReachInCubes * this->Mesh.Widths[0];
-  }
-  Vector3 reach{ { NoLimit, NoLimit, NoLimit } };
-  const std::vector<Index>& corners = this->Mesh.CornerOffset;
-  for (Index at = corners[point]; at < corners[point + 1]; ++at)
-  {
-    const Vector3& widths = this->Mesh.WidthsAt(this->Mesh.CornerList[at]);
-    for (int a = 0; a < 3; ++a)
-    {
-      reach[a] = std::min(reach[a], ReachInBoxes * widths[a]);
-    }
-  }
-  return reach;
-}
-
-/// Returns whether a point may be at x, as far as its distance from its start tells.
-bool Smoother::StaysNear(int point, const Vector3& x) const
-{
-  if (this->Mesh.StaysNear.empty() || !this->Mesh.StaysNear[point])
-  {
-    return true;
-  }
-  const Vector3 start = this->Mesh.StartOf(point), reach = this->ReachOf(point);
-  bool isNear = true;
-  for (int a = 0; a < 3; ++a)
-  {
-    isNear &= std::abs(x[a] - start[a]) <= reach[a];
-  }
-  return isNear;
 }
 
 void Smoother::ForgetMoved()
@@ -206,6 +101,11 @@ void Smoother::RunStage(const SmoothingStage& stage, const std::function<void(do
     [&]
     {
       this->MarkAll();
+      for (int snap = 0; snap < stage.Snaps; ++snap)
+      {
+        ++this->NumberOfSweeps;
+        this->ForPoints([&](int point) { return this->SnapPoint(point, stage); });
+      }
       this->RunSweeps(stage, report);
     },
     [&]
@@ -396,24 +296,29 @@ void Smoother::ShiftTargets(
   this->HasShifted = this->Run.Group().Any(marks);
 }
 
-bool Smoother::Follow(
-  const std::vector<double>& shifts, const HasLongOffset& isLong, const SmoothingStage& stage)
+bool Smoother::Follow(const std::vector<double>& shifts, const HasLongOffset& isLong,
+  const SmoothingStage& stage, bool marksNeighbours)
 {
   this->Shift(shifts, isLong, stage);
   std::fill_n(this->Dirty.get(), this->Mesh.X.size(), 0);
+  std::atomic<bool> anyShifted(false);
   this->ForPoints(
     [&](int point)
     {
       if (this->IsShifted(point, shifts))
       {
+        this->Mark(point);
         // The mark is sent to other ranks, which may not know all attachments of the point.
-        this->Marked[point] = 1;
-        this->MarkNeighbours(point);
+        this->Marked[point] = marksNeighbours;
+        anyShifted = true;
+        if (marksNeighbours)
+        {
+          this->MarkNeighbours(point);
+        }
       }
       return NoVisit;
     });
-  if (!this->Run.Group().Any(
-        std::find(this->Marked.begin(), this->Marked.end(), 1) != this->Marked.end()))
+  if (!this->Run.Group().Any(anyShifted))
   {
     return false;
   }
@@ -529,6 +434,57 @@ double Smoother::MovePoint(int point, const SmoothingStage& stage)
   return 0.0;
 }
 
+/// Returns the mean of the points around a point, moved onto the targets of the point.
+Vector3 Smoother::SnappedPosition(int point) const
+{
+  const HexRings::Ring ring = this->Mesh.Rings.PointsAt(point);
+  Vector3 x{ { 0.0, 0.0, 0.0 } };
+  for (int n = 0; n < ring.Near; ++n)
+  {
+    x = x + this->Mesh.X[ring[n]];
+  }
+  x = (1.0 / ring.Near) * x;
+  const std::vector<Index>& offsets = this->Mesh.AttachmentOffset;
+  for (int round = 0; round < Projections; ++round)
+  {
+    for (Index i = offsets[point]; i < offsets[point + 1]; ++i)
+    {
+      const Attachment& a = this->Mesh.Attachments[i];
+      Vector3 g;
+      const double distance = this->Targets->Distance(a.Target, x, g) - a.Offset;
+      x = x - (distance / Dot(g, g)) * g;
+    }
+  }
+  return x;
+}
+
+/// Moves a point towards its snapped position; returns the length in cells.
+double Smoother::SnapPoint(int point, const SmoothingStage& stage)
+{
+  Vector3 step = this->SnappedPosition(point) - this->Mesh.X[point];
+  for (int a = 0; a < 3; ++a)
+  {
+    step[a] = this->Mesh.Fixed[point] >> a & 1 ? 0.0 : step[a];
+  }
+  double limit = SnapEnergy;
+  for (double part = 1.0; part > SmallestSnap; part *= 0.5)
+  {
+    const Vector3 x = this->Moved(point, part * step);
+    const double energy = this->Energy.Evaluate(this->Mesh, point, x, stage);
+    if (energy > limit && limit == SnapEnergy)
+    {
+      limit = std::max(limit, this->Energy.Evaluate(this->Mesh, point, this->Mesh.X[point], stage));
+    }
+    if (energy <= limit && this->MayMove(point, x))
+    {
+      this->Mesh.X[point] = x;
+      this->HasMoved[point] = 1;
+      return part * Norm(step);
+    }
+  }
+  return 0.0;
+}
+
 /// Returns the axes (bit a) along which the point is at a bound and the step leads outwards.
 int Smoother::FixedAxes(int point, const Vector3& step) const
 {
@@ -597,20 +553,18 @@ void Smoother::AddDistance(int point, double lambda, Derivatives& d) const
 
 void Smoother::MarkNeighbours(int point)
 {
-  const auto mark = [this](int other)
-  { __atomic_store_n(&this->Dirty[other], 1, __ATOMIC_RELAXED); };
-  mark(point);
+  this->Mark(point);
   if (this->Mesh.Corners == 8)
   {
     // The energy at a far corner of a hex does not depend on the point.
     const HexRings::Ring ring = this->Mesh.Rings.PointsAt(point);
     for (int n = 0; n < ring.Near; ++n)
     {
-      mark(ring[n]);
+      this->Mark(ring[n]);
     }
     return;
   }
-  this->Mesh.ForAround(point, mark);
+  this->Mesh.ForAround(point, [this](int other) { this->Mark(other); });
 }
 
 } // namespace vfm

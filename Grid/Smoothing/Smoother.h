@@ -3,6 +3,9 @@
  * points to their targets. Newton steps of one point at a time keep every element positive. Steps
  * that are too small to mark neighbours are taken without evaluating the energy.
  *
+ * The first sweeps may be snaps: points move to the mean of their neighbours and onto their targets
+ * as far as their elements stay good, which costs less than a Newton step and goes farther.
+ *
  * Points move by colour, the parity of their grid node. Points of one colour share no element,
  * except points of one node, which move one after another. Ranks exchange the new positions after
  * each colour. So the result depends neither on threads nor on ranks.
@@ -53,16 +56,17 @@ public:
   /// Function that returns whether an attachment may have a long offset, up to a cell width.
   using HasLongOffset = std::function<bool(const Attachment&)>;
   /// Adds shifts to the offsets of the attachments, then runs sweeps in which, at first, only
-  /// points with a shift of at least 1e-3 mean cells and their neighbours are marked. An offset is
+  /// points with a shift of at least 1e-3 mean cells are marked. An offset is
   /// limited to a quarter of a cell. A long offset is limited to one cell, and to a quarter of a
   /// cell beyond the present distance of its point from the target. It grows only if the energy of
   /// the elements at the point is at most 10. Shifts below 1e-5 mean cells are left out.
   /// @param shifts  shift of each attachment, grid coordinates, towards the second label
   /// @param isLong  selects the attachments with long offsets
+  /// @param marksNeighbours  whether the neighbours of these points are marked as well
   /// @return false if all shifts on all ranks were smaller; then no point was moved
   /// @pre Collective.
-  bool Follow(
-    const std::vector<double>& shifts, const HasLongOffset& isLong, const SmoothingStage& stage);
+  bool Follow(const std::vector<double>& shifts, const HasLongOffset& isLong,
+    const SmoothingStage& stage, bool marksNeighbours);
 
   /// Adds shifts to the offsets as Follow does and marks the points with a shift of at least 1e-3
   /// mean cells, without their neighbours, which follow if these points move far enough. In a
@@ -105,6 +109,8 @@ private:
   void MoveAlongNormal(int point, const std::vector<double>& shifts, const SmoothingStage& stage);
   double Sweep(const SmoothingStage& stage);
   double MovePoint(int point, const SmoothingStage& stage);
+  double SnapPoint(int point, const SmoothingStage& stage);
+  Vector3 SnappedPosition(int point) const;
   /// Returns whether the point is strictly inside the bounds of the mesh, before and after a step.
   bool StaysWithin(int point, const Vector3& step) const
   {
@@ -118,18 +124,17 @@ private:
     }
     return stays;
   }
-  Vector3 ReachOf(int point) const;
-  bool StaysNear(int point, const Vector3& x) const;
   int FixedAxes(int point, const Vector3& step) const;
   Vector3 Moved(int point, const Vector3& step) const;
   double DistanceEnergy(int point, const Vector3& x, double lambda) const;
   void AddDistance(int point, double lambda, Derivatives& d) const;
   bool MayMove(int point, const Vector3& x) const
   {
-    return this->StaysNear(point, x) &&
+    return this->Mesh.IsNearStart(point, x) &&
       (!(this->ChecksAll || this->TheGuard.Has(point)) ||
         this->Energy.KeepsAt(this->Mesh, point, x));
   }
+  void Mark(int point) { __atomic_store_n(&this->Dirty[point], 1, __ATOMIC_RELAXED); }
   void MarkNeighbours(int point);
   void MarkAll();
   void MarkReturned();

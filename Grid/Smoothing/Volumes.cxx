@@ -1,6 +1,6 @@
 #include "Smoothing/Volumes.h"
 
-#include "Smoothing/RowVolumes.h"
+#include "Fractions/RowVolumes.h"
 
 #include <mutex>
 
