@@ -18,8 +18,9 @@ constexpr double SureChange = 0.1;
 constexpr double MoveRadius = 0.01; // in mean cells
 // In mean cells. Without shorter steps, errors of fragments of 64 cells change by less than 1e-7.
 constexpr double SmallestStep = 2e-8;
-// Factor by which MoveAlongNormals may raise the barrier.
-constexpr double MovePrice = 1.05;
+// Factor by which MoveAlongNormals may raise the barrier. Shorter moves of points of hexes than
+// CheapMove, in mean cells, raise it too little to evaluate it.
+constexpr double MovePrice = 1.05, CheapMove = 1e-4;
 // Limit of an offset beyond 0 or beyond the position of its point, in cells.
 constexpr double OffsetAhead = 0.25;
 constexpr double LongestOffset = 1.0; // limit of long offsets, in cells
@@ -34,7 +35,6 @@ constexpr double SmallestShift = 1e-5; // smaller ones are left out
 // Energy of the elements at a point that a snap may reach in any case.
 constexpr double SnapEnergy = 100.0;
 constexpr double SmallestSnap = 0.2; // part of a snap
-constexpr int Projections = 2;       // of a snap onto each of its targets
 
 } // namespace
 
@@ -368,8 +368,11 @@ void Smoother::MoveAlongNormal(
     return;
   }
   const Vector3 x = this->Moved(point, (length > MoveRadius ? MoveRadius / length : 1.0) * step);
-  if (this->Energy.Evaluate(this->Mesh, point, x, stage) <=
-      MovePrice * this->Energy.Evaluate(this->Mesh, point, this->Mesh.X[point], stage) &&
+  // TheGuard checks all hexes after the moves.
+  const bool isCheap = this->Mesh.Corners == 8 && length < CheapMove;
+  if ((isCheap ||
+        this->Energy.Evaluate(this->Mesh, point, x, stage) <=
+          MovePrice * this->Energy.Evaluate(this->Mesh, point, this->Mesh.X[point], stage)) &&
     this->MayMove(point, x))
   {
     this->Mesh.X[point] = x;
@@ -445,15 +448,12 @@ Vector3 Smoother::SnappedPosition(int point) const
   }
   x = (1.0 / ring.Near) * x;
   const std::vector<Index>& offsets = this->Mesh.AttachmentOffset;
-  for (int round = 0; round < Projections; ++round)
+  for (Index i = offsets[point]; i < offsets[point + 1]; ++i)
   {
-    for (Index i = offsets[point]; i < offsets[point + 1]; ++i)
-    {
-      const Attachment& a = this->Mesh.Attachments[i];
-      Vector3 g;
-      const double distance = this->Targets->Distance(a.Target, x, g) - a.Offset;
-      x = x - (distance / Dot(g, g)) * g;
-    }
+    const Attachment& a = this->Mesh.Attachments[i];
+    Vector3 g;
+    const double distance = this->Targets->Distance(a.Target, x, g) - a.Offset;
+    x = x - (distance / Dot(g, g)) * g;
   }
   return x;
 }
