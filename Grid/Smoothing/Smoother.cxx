@@ -104,7 +104,12 @@ void Smoother::RunStage(const SmoothingStage& stage, const std::function<void(do
       for (int snap = 0; snap < stage.Snaps; ++snap)
       {
         ++this->NumberOfSweeps;
-        this->ForPoints([&](int point) { return this->SnapPoint(point, stage); });
+        this->ForPoints(
+          [&](int point)
+          {
+            this->SnapPoint(point, stage);
+            return 0.0;
+          });
       }
       this->RunSweeps(stage, report);
     },
@@ -458,8 +463,8 @@ Vector3 Smoother::SnappedPosition(int point) const
   return x;
 }
 
-/// Moves a point towards its snapped position; returns the length in cells.
-double Smoother::SnapPoint(int point, const SmoothingStage& stage)
+/// Moves a point towards its snapped position.
+void Smoother::SnapPoint(int point, const SmoothingStage& stage)
 {
   Vector3 step = this->SnappedPosition(point) - this->Mesh.X[point];
   for (int a = 0; a < 3; ++a)
@@ -479,10 +484,9 @@ double Smoother::SnapPoint(int point, const SmoothingStage& stage)
     {
       this->Mesh.X[point] = x;
       this->HasMoved[point] = 1;
-      return part * Norm(step);
+      return;
     }
   }
-  return 0.0;
 }
 
 /// Returns the axes (bit a) along which the point is at a bound and the step leads outwards.

@@ -56,10 +56,10 @@ public:
   /// Function that returns whether an attachment may have a long offset, up to a cell width.
   using HasLongOffset = std::function<bool(const Attachment&)>;
   /// Adds shifts to the offsets of the attachments, then runs sweeps in which, at first, only
-  /// points with a shift of at least 1e-3 mean cells are marked. An offset is
-  /// limited to a quarter of a cell. A long offset is limited to one cell, and to a quarter of a
-  /// cell beyond the present distance of its point from the target. It grows only if the energy of
-  /// the elements at the point is at most 10. Shifts below 1e-5 mean cells are left out.
+  /// points with a shift of at least 1e-3 mean cells are marked. An offset is limited to a quarter
+  /// of a cell. A long offset is limited to one cell, and to a quarter of a cell beyond the present
+  /// distance of its point from the target. It grows only if the energy of the elements at the
+  /// point is at most 10. Shifts below 1e-5 mean cells are left out.
   /// @param shifts  shift of each attachment, grid coordinates, towards the second label
   /// @param isLong  selects the attachments with long offsets
   /// @param marksNeighbours  whether the neighbours of these points are marked as well
@@ -109,7 +109,7 @@ private:
   void MoveAlongNormal(int point, const std::vector<double>& shifts, const SmoothingStage& stage);
   double Sweep(const SmoothingStage& stage);
   double MovePoint(int point, const SmoothingStage& stage);
-  double SnapPoint(int point, const SmoothingStage& stage);
+  void SnapPoint(int point, const SmoothingStage& stage);
   Vector3 SnappedPosition(int point) const;
   /// Returns whether the point is strictly inside the bounds of the mesh, before and after a step.
   bool StaysWithin(int point, const Vector3& step) const

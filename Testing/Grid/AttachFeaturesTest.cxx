@@ -319,11 +319,12 @@ TEST(AttachFeatures, EnergiesUseTheDemandOfElements)
   { return energy.Evaluate(cube.Active, point, cube.Active.X[point], stage); };
   const auto differentiate = [&](const HexEnergy& energy, int point)
   { return energy.Differentiate(cube.Active, point, stage).Value; };
-  cube.Active.Rings = HexRings(cube.Active, runtime);
   cube.Active.Demands.clear();
+  cube.Active.Rings = HexRings(cube.Active, runtime);
   std::vector<double> requested;
   cube.Active.ForOwned([&](int point) { requested.push_back(evaluate(lenient, point)); });
   cube.Active.Demands.assign(cube.Active.Elements.size() / 8, 0.8f);
+  cube.Active.Rings = HexRings(cube.Active, runtime);
   std::size_t at = 0;
   cube.Active.ForOwned(
     [&](int point)
@@ -331,6 +332,39 @@ TEST(AttachFeatures, EnergiesUseTheDemandOfElements)
       EXPECT_NEAR(evaluate(strict, point), requested[at], 1e-5 * requested[at]);
       EXPECT_NEAR(differentiate(strict, point), requested[at], 1e-5 * requested[at]);
       ++at;
+    });
+}
+
+TEST(Smoother, SnapsBringPointsToTheirTargets)
+{
+  Runtime runtime;
+  CubeHexes cube(CubeGrid(), CubeFractions(), runtime);
+  const HexEnergy energy(0.5);
+  const SmoothingStage snaps{ 2, 10.0, 0.05, 0, 0.0, {}, 2 };
+  const auto sumSquares = [&]
+  {
+    double sum = 0.0;
+    for (int point = 0; point < static_cast<int>(cube.Active.X.size()); ++point)
+    {
+      for (Index i = cube.Active.AttachmentOffset[point];
+           i < cube.Active.AttachmentOffset[point + 1]; ++i)
+      {
+        Vector3 gradient;
+        const double distance =
+          cube.Targets->Distance(cube.Active.Attachments[i].Target, cube.Active.X[point], gradient);
+        sum += distance * distance;
+      }
+    }
+    return sum;
+  };
+  const double before = sumSquares();
+  Smoother smoother(cube.Active, &*cube.Targets, energy, runtime);
+  smoother.RunStage(snaps, [](double) {});
+  EXPECT_EQ(smoother.Sweeps(), 2);
+  EXPECT_LT(sumSquares(), 0.02 * before);
+  cube.Active.ForOwned(
+    [&](int point) {
+      EXPECT_LT(energy.Evaluate(cube.Active, point, cube.Active.X[point], snaps), InvalidEnergy);
     });
 }
 

@@ -197,6 +197,8 @@ TEST(HexEnergyTest, EachHexHasItsWidthsAndDemand)
   }
   ActiveMesh mesh = MakeStar(0.1, 1, widths);
   mesh.Demands = { 1.0f, 0.5f, 0.25f, 1.0f, 0.75f, 1.0f, 0.5f, 1.0f };
+  Runtime runtime;
+  mesh.Rings = HexRings(mesh, runtime);
   ExpectDerivatives(mesh, { 8, 1.0, 0.01, 1, 0.0 }, Tolerance);
 }
 
