@@ -15,10 +15,10 @@ import tempfile
 
 WITHOUT_FMA = "glibc.cpu.hwcaps=-FMA,-AVX2,-FMA4,-AVX"
 DIGESTS = {
-    "hexes": "59f8e7b8ce0bd6f9f7f95417b46a0143a4305ea0b0ba6ae602da4b08e392e6d3",
-    "labels": "2592fed446a54ecf2b881113a8351b0811ac7745bd29d93c534bff8a795086aa",
-    "levels": "dba0a0898dfae6706eee65d39e85e3978f1153ab16039a37b2bc4b0b9cedb579",
-    "state": "79ddae6b4ed26406cb9ab5bb928ac3882ff651654003630872f74b825f512a8a",
+    "hexes": "89927a15b039446e5d5fcb67d61d8a160a9326002107d850a3ee597642a9ace1",
+    "labels": "88fa7a1578e4b1e40ecd50c4848da25e249f3349408ee27f385782c1b48ca89a",
+    "levels": "2f6aafe257932a736476a2d8dd72c361d976a84e7a965f003415410949f24c56",
+    "state": "61c19532afdf5385e6ef980c6f1e8d587d48900bf62c9a181e5ce3f7b24a8c04",
     "tets": "93540a4d464554a91d1382e25f2afdce1519ede989ac1d19cc793faec6a63bbe",
 }
 
