@@ -25,7 +25,7 @@ namespace
 {
 
 const SmoothingPace Early{ 1.8, 4.0, 0.0, 2e-4, 5e-3 }, Late{ 1.7, 4.0, 0.0, 2e-4, 4e-3 };
-const SmoothingRamp Ramp{ { 2, 10.0, 0.05, 6, 0.0, Early, 2 }, { 8, 60.0, 0.01, 30, 2e-3, Late } };
+const SmoothingRamp Ramp{ { 2, 10.0, 0.05, 8, 0.0, Early, 2 }, { 8, 60.0, 0.01, 30, 2e-3, Late } };
 
 double TargetJacobian(const FractionField& fractions, const MeshOptions& options)
 {

@@ -33,7 +33,7 @@ constexpr unsigned char FixedOnAllAxes = 7; // ActiveMesh::Fixed
 constexpr double ShiftThatCounts = 1e-3;
 constexpr double SmallestShift = 1e-5; // smaller ones are left out
 // Energy of the elements at a point that a snap may reach in any case.
-constexpr double SnapEnergy = 100.0;
+constexpr double SnapEnergy = 20.0;
 constexpr double SmallestSnap = 0.2; // part of a snap
 
 } // namespace
