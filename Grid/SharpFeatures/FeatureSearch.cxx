@@ -15,6 +15,8 @@ constexpr double Accepted = 0.03; // largest residual of a model
 constexpr double AcceptedNarrow = 0.01;
 // Least factor by which a model must be better than one surface.
 constexpr double Gain = 3.0;
+// The same two limits of edges in gaps.
+constexpr double AcceptedInGap = 0.05, GainInGap = 2.0;
 // Least factor over the quadric of the point that needs no other comparison.
 constexpr double ClearGain = 12.0;
 // Least residual of the quadric for a search in the narrow stencil.
@@ -182,7 +184,10 @@ bool FeatureSearch::Gather()
 
 bool FeatureSearch::IsAccepted(const FittedFeature& feature, const FitData& data) const
 {
-  if (!(feature.Residual < data.Accepted && feature.Residual * Gain < data.Before) ||
+  const bool isInGap = this->IsInGap && feature.Model.Count == 2;
+  const double accepted = isInGap ? AcceptedInGap : data.Accepted;
+  const double gain = isInGap ? GainInGap : Gain;
+  if (!(feature.Residual < accepted && feature.Residual * gain < data.Before) ||
     !IsPlausible(feature.Model, data.Cells))
   {
     return false;
@@ -193,7 +198,7 @@ bool FeatureSearch::IsAccepted(const FittedFeature& feature, const FitData& data
   }
   FittedFeature single{ ModelOf(this->Quadric), 0.0 };
   Refine(single, data.Cells, 6, SingleIterations);
-  return feature.Residual * Gain < single.Residual;
+  return feature.Residual * gain < single.Residual;
 }
 
 std::optional<FittedFeature> FeatureSearch::FitSeeds(

@@ -9,6 +9,8 @@
  *   to the same fractions.
  * - Each surface has an area of at least two cells.
  * - Any two surfaces differ by at least 28 degrees.
+ * An edge that fills a gap between models is accepted below 0.05, and below half of the
+ * residual of a quadric.
  */
 #pragma once
 
@@ -68,6 +70,9 @@ public:
   /// contain only the pair.
   double NearResidual() const;
 
+  /// Accepts edges by the weaker limits of gaps.
+  void AcceptInGap() { this->IsInGap = true; }
+
   /// Collects the cells around the point; returns false if too few contain only the pair.
   bool Gather();
   /// Returns the residual of the quadric of the point over all collected cells.
@@ -92,6 +97,7 @@ private:
   const FeatureInput& Input;
   Index Node;
   bool IsSharp;
+  bool IsInGap = false;
   std::array<int, 2> Labels;
   NodeFrame Frame;
   LocalQuadric Quadric;

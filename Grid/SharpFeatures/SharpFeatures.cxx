@@ -226,7 +226,7 @@ void SearchModels(Work& work)
 }
 
 /// Third phase: tries the models found so far at strong points that still lack one, for example
-/// near corners. Only pairs that have edges are searched.
+/// near corners and in gaps of edges. Only pairs that have edges are searched.
 void SearchLeft(Work& work)
 {
   const auto isDone = [&](const Candidate& candidate)
@@ -240,6 +240,7 @@ void SearchLeft(Work& work)
     [&](const FeatureSite& site, FaceWalk&)
     {
       FeatureSearch search = SearchOf(work, site);
+      search.AcceptInGap();
       if (!search.Gather())
       {
         return Result();

@@ -1,8 +1,10 @@
 /**
  * Effect of option SharpEdges on edges and corners, and on shapes without edges.
  *
- * usage: SharpEdges table|controls [hexes|Lattice|Cells [Off,On,Automatic [case...]]]
+ * usage: SharpEdges table|controls [METHOD[:TARGET] [Off,On,Automatic [case...]]]
  *   SharpEdges table hexes Off,On "cube A 32" "L 16"
+ *
+ * METHOD is hexes, Lattice or Cells; TARGET the target scaled Jacobian, default automatic.
  *
  * table: one row per solid, number of cells and option. Distances are in cells, as
  * largest/root mean square: interface nodes to the true surface, facets to the true surface,
@@ -12,6 +14,7 @@
  *
  * controls: number of points that the option moves, and its cost in alternating runs.
  */
+#include "Base/ParseText.h"
 #include "Base/Vector3.h"
 #include "MeasureAlone.h"
 #include "MeshCases.h"
@@ -74,16 +77,21 @@ struct Method
   MeshMaker Make = MakeHexMesh;
   MeshOptions Options;
 };
-Method MethodOf(const std::string& name)
+Method MethodOf(const std::string& text)
 {
+  const std::size_t colon = text.find(':');
+  const std::string name = text.substr(0, colon);
+  const std::optional<double> target =
+    colon == std::string::npos ? 0.0 : ParseNumber(text.substr(colon + 1), 0.0, 0.99);
+  if (!target || (name != "hexes" && name != "Lattice" && name != "Cells"))
+  {
+    throw InputError("There is no method '" + text + "'.");
+  }
   Method method;
+  method.Options.TargetScaledJacobian = *target;
   if (name == "hexes")
   {
     return method;
-  }
-  if (name != "Lattice" && name != "Cells")
-  {
-    throw InputError("There is no method '" + name + "'.");
   }
   method.Make = MakeTetMesh;
   method.Options.Tets = name == "Cells" ? TetMethod::Cells : TetMethod::Lattice;
