@@ -65,7 +65,7 @@ MeshCase MakeTwoSpheres()
   const double radius = 9.0, reach = radius + 0.15; // a gap of 0.3
   return MakeSingle("two spheres, gap .3", MakeUnitGrid(40, 24, 24),
     { MakeSphere(1, centre - reach * axis, radius), MakeSphere(1, centre + reach * axis, radius) },
-    { .630, .884, .430, .025, 1e-5 });
+    { .625, .884, .430, .025, 1e-5 });
 }
 
 MeshCase MakeBallAndPlate()
