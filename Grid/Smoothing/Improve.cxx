@@ -89,7 +89,6 @@ private:
   StageClock& Clock;
   SmoothingStage Stage;
   bool IsMeasured = false;
-  bool Resists = false; // whether fragments resist
 };
 
 void VolumeCorrection::Measure()
@@ -130,7 +129,7 @@ bool VolumeCorrection::Follow()
 {
   if (!this->TheSmoother.Follow(
         this->Volumes().FindShifts(this->What.Active, Rounds, true),
-        [this](const Attachment& a) { return this->IsLong(a); }, this->Stage, this->Resists))
+        [this](const Attachment& a) { return this->IsLong(a); }, this->Stage))
   {
     return false;
   }
@@ -162,12 +161,13 @@ void VolumeCorrection::Run()
     this->Clock.Update(0.8 + 0.02 * round);
   }
   this->FollowFragments(FurtherRounds);
+  bool resists = false;
   for (double error : ResistingErrors)
   {
-    this->Resists = volumes.MarkResisting(error);
+    resists = volumes.MarkResisting(error);
     this->FollowFragments(ResistingRounds);
   }
-  const int moves = Moves + (this->Resists ? MoreMoves : 0);
+  const int moves = Moves + (resists ? MoreMoves : 0);
   for (int move = 0; move < moves && volumes.WorstError() > FinalTolerance; ++move)
   {
     this->TheSmoother.MoveAlongNormals(volumes.FindShifts(this->What.Active, Final), this->Stage);

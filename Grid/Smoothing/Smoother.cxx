@@ -301,29 +301,24 @@ void Smoother::ShiftTargets(
   this->HasShifted = this->Run.Group().Any(marks);
 }
 
-bool Smoother::Follow(const std::vector<double>& shifts, const HasLongOffset& isLong,
-  const SmoothingStage& stage, bool marksNeighbours)
+bool Smoother::Follow(
+  const std::vector<double>& shifts, const HasLongOffset& isLong, const SmoothingStage& stage)
 {
   this->Shift(shifts, isLong, stage);
   std::fill_n(this->Dirty.get(), this->Mesh.X.size(), 0);
-  std::atomic<bool> anyShifted(false);
   this->ForPoints(
     [&](int point)
     {
       if (this->IsShifted(point, shifts))
       {
-        this->Mark(point);
         // The mark is sent to other ranks, which may not know all attachments of the point.
-        this->Marked[point] = marksNeighbours;
-        anyShifted = true;
-        if (marksNeighbours)
-        {
-          this->MarkNeighbours(point);
-        }
+        this->Marked[point] = 1;
+        this->MarkNeighbours(point);
       }
       return NoVisit;
     });
-  if (!this->Run.Group().Any(anyShifted))
+  if (!this->Run.Group().Any(
+        std::find(this->Marked.begin(), this->Marked.end(), 1) != this->Marked.end()))
   {
     return false;
   }

@@ -56,17 +56,16 @@ public:
   /// Function that returns whether an attachment may have a long offset, up to a cell width.
   using HasLongOffset = std::function<bool(const Attachment&)>;
   /// Adds shifts to the offsets of the attachments, then runs sweeps in which, at first, only
-  /// points with a shift of at least 1e-3 mean cells are marked. An offset is limited to a quarter
-  /// of a cell. A long offset is limited to one cell, and to a quarter of a cell beyond the present
-  /// distance of its point from the target. It grows only if the energy of the elements at the
-  /// point is at most 10. Shifts below 1e-5 mean cells are left out.
+  /// points with a shift of at least 1e-3 mean cells and their neighbours are marked. An offset is
+  /// limited to a quarter of a cell. A long offset is limited to one cell, and to a quarter of a
+  /// cell beyond the present distance of its point from the target. It grows only if the energy of
+  /// the elements at the point is at most 10. Shifts below 1e-5 mean cells are left out.
   /// @param shifts  shift of each attachment, grid coordinates, towards the second label
   /// @param isLong  selects the attachments with long offsets
-  /// @param marksNeighbours  whether the neighbours of these points are marked as well
   /// @return false if all shifts on all ranks were smaller; then no point was moved
   /// @pre Collective.
-  bool Follow(const std::vector<double>& shifts, const HasLongOffset& isLong,
-    const SmoothingStage& stage, bool marksNeighbours);
+  bool Follow(
+    const std::vector<double>& shifts, const HasLongOffset& isLong, const SmoothingStage& stage);
 
   /// Adds shifts to the offsets as Follow does and marks the points with a shift of at least 1e-3
   /// mean cells, without their neighbours, which follow if these points move far enough. In a
