@@ -16,7 +16,7 @@ import tempfile
 WITHOUT_FMA = "glibc.cpu.hwcaps=-FMA,-AVX2,-FMA4,-AVX"
 DIGESTS = {
     "hexes": "d316d5a2e1f4d3908936965104d6774c95e284832a532ff535a5861e27771acf",
-    "labels": "88fa7a1578e4b1e40ecd50c4848da25e249f3349408ee27f385782c1b48ca89a",
+    "labels": "2592fed446a54ecf2b881113a8351b0811ac7745bd29d93c534bff8a795086aa",
     "levels": "df242b50df3a54f1fb4b48c545fa4390c9f75eff6e9874097b13cfe94a1cfb91",
     "state": "03aec8cf8e1c0eaccc4f9ddfa13c4a515095a1c9eaa912d3b7b1633ff32e037d",
     "tets": "93540a4d464554a91d1382e25f2afdce1519ede989ac1d19cc793faec6a63bbe",
