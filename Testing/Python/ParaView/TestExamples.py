@@ -227,7 +227,7 @@ def test_demo(path):
     names = ["fin" + kind + ending for kind in ("", "_tets")
              for ending in (".vtu", ".e", ".inp", ".csv", "_cut.png")]
     assert sorted(os.listdir(path("out"))) == sorted(names + ["fin_surface.png"])
-    assert re.search(r"^fin +body +10368 +0\.572 ", result.stdout, re.MULTILINE), result.stdout
+    assert re.search(r"^fin +body +10368 +0\.571 ", result.stdout, re.MULTILINE), result.stdout
 
 
 @in_folder
