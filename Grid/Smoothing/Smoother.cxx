@@ -358,10 +358,7 @@ void Smoother::MoveAlongNormal(
     this->Targets->Distance(this->Mesh.Attachments[i].Target, this->Mesh.X[point], gradient);
     step = step + shifts[i] * Unit(gradient);
   }
-  for (int a = 0; a < 3; ++a)
-  {
-    step[a] = this->Mesh.Fixed[point] >> a & 1 ? 0.0 : step[a];
-  }
+  step = this->AlongFreeAxes(point, step);
   const double length = Norm(step);
   if (length < SmallestStep)
   {
@@ -461,21 +458,18 @@ Vector3 Smoother::SnappedPosition(int point) const
 /// Moves a point towards its snapped position.
 void Smoother::SnapPoint(int point, const SmoothingStage& stage)
 {
-  Vector3 step = this->SnappedPosition(point) - this->Mesh.X[point];
-  for (int a = 0; a < 3; ++a)
-  {
-    step[a] = this->Mesh.Fixed[point] >> a & 1 ? 0.0 : step[a];
-  }
-  double limit = SnapEnergy;
+  const Vector3 step =
+    this->AlongFreeAxes(point, this->SnappedPosition(point) - this->Mesh.X[point]);
+  double before = 0.0; // present energy, found once a place exceeds SnapEnergy
   for (double part = 1.0; part > SmallestSnap; part *= 0.5)
   {
     const Vector3 x = this->Moved(point, part * step);
     const double energy = this->Energy.Evaluate(this->Mesh, point, x, stage);
-    if (energy > limit && limit == SnapEnergy)
+    if (energy > SnapEnergy && before == 0.0)
     {
-      limit = std::max(limit, this->Energy.Evaluate(this->Mesh, point, this->Mesh.X[point], stage));
+      before = this->Energy.Evaluate(this->Mesh, point, this->Mesh.X[point], stage);
     }
-    if (energy <= limit && this->MayMove(point, x))
+    if (energy <= std::max(SnapEnergy, before) && this->MayMove(point, x))
     {
       this->Mesh.X[point] = x;
       this->HasMoved[point] = 1;
@@ -497,6 +491,16 @@ int Smoother::FixedAxes(int point, const Vector3& step) const
     held |= isHeld << a;
   }
   return held;
+}
+
+/// Returns a step without its components along fixed axes.
+Vector3 Smoother::AlongFreeAxes(int point, Vector3 step) const
+{
+  for (int a = 0; a < 3; ++a)
+  {
+    step[a] = this->Mesh.Fixed[point] >> a & 1 ? 0.0 : step[a];
+  }
+  return step;
 }
 
 /// Returns the position after a step, limited by the bounds. A point outside the bounds does not

@@ -124,6 +124,7 @@ private:
     return stays;
   }
   int FixedAxes(int point, const Vector3& step) const;
+  Vector3 AlongFreeAxes(int point, Vector3 step) const;
   Vector3 Moved(int point, const Vector3& step) const;
   double DistanceEnergy(int point, const Vector3& x, double lambda) const;
   void AddDistance(int point, double lambda, Derivatives& d) const;
