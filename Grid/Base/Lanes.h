@@ -8,6 +8,7 @@
 #include "Base/Clones.h"
 #include "Base/Vector3.h"
 
+#include <algorithm>
 #include <cstring>
 
 namespace vfm
@@ -133,6 +134,30 @@ VFM_INLINE double Sum(const Float8& a)
 VFM_INLINE double Sum(const Double4& a)
 {
   return (a[0] + a[1]) + (a[2] + a[3]);
+}
+
+/// Returns the smaller or the greater number of each lane.
+template <class L>
+VFM_INLINE L Least(const L& a, const L& b)
+{
+  return a < b ? a : b;
+}
+template <class L>
+VFM_INLINE L Greatest(const L& a, const L& b)
+{
+  return a > b ? a : b;
+}
+
+/// Returns the greatest lane.
+template <class L>
+VFM_INLINE double GreatestLane(const L& a)
+{
+  auto greatest = a[0];
+  for (std::size_t i = 1; i < sizeof(L) / sizeof(a[0]); ++i)
+  {
+    greatest = std::max(greatest, a[i]);
+  }
+  return greatest;
 }
 
 /// Coordinates x, y, z of one point and an unused fourth number.

@@ -30,7 +30,7 @@ struct Attachment
   std::array<int, 2> Fragments{};
   /// Shift of the target's zero level towards the second label, in the target's frame.
   double Offset = 0.0;
-  double Weight = 1.0; ///< weight of the squared distance
+  double Weight = 1.0; ///< weight of the squared distance; greater near sharp features
 };
 
 /// Factor of the target quality of elements that are only a barrier (Mesh::HasBarrier). Their
@@ -118,6 +118,13 @@ struct ActiveMesh
         }
       });
   }
+  /// Returns whether a point is attracted to a sharp feature (AttachFeatures.h).
+  bool IsNearFeature(int point) const
+  {
+    return std::any_of(this->Attachments.begin() + this->AttachmentOffset[point],
+      this->Attachments.begin() + this->AttachmentOffset[point + 1],
+      [](const Attachment& a) { return a.Weight > 1.0; });
+  }
   /// Calls visit(other) for the points of the elements at an active point. Some are visited more
   /// than once; the point itself may be left out.
   template <class Visitor>
@@ -143,6 +150,21 @@ struct ActiveMesh
       const int* element =
         this->Elements.data() + this->CornerList[at] / this->Corners * this->Corners;
       std::for_each(element, element + this->Corners, visit);
+    }
+  }
+  /// The same without the far corners of hexes, whose energy there does not depend on the point.
+  template <class Visitor>
+  void ForNear(int point, const Visitor& visit) const
+  {
+    if (this->Corners != 8)
+    {
+      this->ForAround(point, visit);
+      return;
+    }
+    const HexRings::Ring ring = this->Rings.PointsAt(point);
+    for (int n = 0; n < ring.Near; ++n)
+    {
+      visit(ring[n]);
     }
   }
   /// Returns the element of a position in Elements. Shifts, because divisions take time in

@@ -102,18 +102,6 @@ VFM_INLINE LanesOf<Real> ComputeEdge(
   return Real(2.0) * square * square;
 }
 
-template <class L>
-VFM_INLINE L Least(const L& a, const L& b)
-{
-  return a < b ? a : b;
-}
-
-template <class L>
-VFM_INLINE L Greatest(const L& a, const L& b)
-{
-  return a > b ? a : b;
-}
-
 /// Sum over hexes, the smallest determinant of their corners in cell volumes, and the largest
 /// squared gradient of the logarithm of a determinant, if derivatives are computed.
 template <class Real>
@@ -227,17 +215,6 @@ VFM_INLINE bool AllExceed(const L& a, double bound)
     exceed &= a[i] > bound;
   }
   return exceed;
-}
-
-template <class L>
-VFM_INLINE double GreatestLane(const L& a)
-{
-  auto greatest = a[0];
-  for (std::size_t i = 1; i < sizeof(L) / sizeof(a[0]); ++i)
-  {
-    greatest = std::max(greatest, a[i]);
-  }
-  return greatest;
 }
 
 VFM_INLINE bool IsSafe(const Barrier<float>& b, double value)

@@ -437,13 +437,15 @@ double Smoother::MovePoint(int point, const SmoothingStage& stage)
 /// Returns the mean of the points around a point, moved onto the targets of the point.
 Vector3 Smoother::SnappedPosition(int point) const
 {
-  const HexRings::Ring ring = this->Mesh.Rings.PointsAt(point);
   Vector3 x{ { 0.0, 0.0, 0.0 } };
-  for (int n = 0; n < ring.Near; ++n)
-  {
-    x = x + this->Mesh.X[ring[n]];
-  }
-  x = (1.0 / ring.Near) * x;
+  int count = 0;
+  this->Mesh.ForNear(point,
+    [&](int other)
+    {
+      x = x + this->Mesh.X[other];
+      ++count;
+    });
+  x = (1.0 / count) * x;
   const std::vector<Index>& offsets = this->Mesh.AttachmentOffset;
   for (Index i = offsets[point]; i < offsets[point + 1]; ++i)
   {
@@ -455,9 +457,15 @@ Vector3 Smoother::SnappedPosition(int point) const
   return x;
 }
 
-/// Moves a point towards its snapped position.
+/// Moves a point towards its snapped position. Points near sharp features, whose targets meet at
+/// angles, take a Newton step instead.
 void Smoother::SnapPoint(int point, const SmoothingStage& stage)
 {
+  if (this->Mesh.IsNearFeature(point))
+  {
+    this->MovePoint(point, stage);
+    return;
+  }
   const Vector3 step =
     this->AlongFreeAxes(point, this->SnappedPosition(point) - this->Mesh.X[point]);
   double before = 0.0; // present energy, found once a place exceeds SnapEnergy
@@ -557,17 +565,7 @@ void Smoother::AddDistance(int point, double lambda, Derivatives& d) const
 void Smoother::MarkNeighbours(int point)
 {
   this->Mark(point);
-  if (this->Mesh.Corners == 8)
-  {
-    // The energy at a far corner of a hex does not depend on the point.
-    const HexRings::Ring ring = this->Mesh.Rings.PointsAt(point);
-    for (int n = 0; n < ring.Near; ++n)
-    {
-      this->Mark(ring[n]);
-    }
-    return;
-  }
-  this->Mesh.ForAround(point, [this](int other) { this->Mark(other); });
+  this->Mesh.ForNear(point, [this](int other) { this->Mark(other); });
 }
 
 } // namespace vfm

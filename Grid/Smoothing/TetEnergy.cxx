@@ -280,6 +280,7 @@ VFM_INLINE double Compute(
   const Factors<Real> all = MakeFactors<Real>(what.Floors, what.Stage);
   const bool hasOneWidth = HasOneWidth(what.Mesh);
   Sums<Real> sum{};
+  LanesOf<Real> steepest{};
   d = Derivatives();
   while (!source.IsDone())
   {
@@ -288,12 +289,16 @@ VFM_INLINE double Compute(
     const Terms<Real> terms = ComputeTerms(tets, factors);
     found.Add(tets, terms);
     AddDerivatives(sum, tets, terms, factors);
+    const VectorLanes<Real> steepness =
+      Scaled(Times<Real>(terms.InverseD, tets.Normal[3]), source.Scales());
+    steepest = Greatest(steepest, Dot(steepness, steepness));
     if (source.IsDone() || !hasOneWidth)
     {
       AddTo(d, sum, source.Scales());
       sum = Sums<Real>{};
     }
   }
+  d.Steepness = std::sqrt(static_cast<double>(GreatestLane(steepest)));
   return d.Value = Sum(found.Value);
 }
 

@@ -5,6 +5,12 @@
 
 namespace vfm
 {
+namespace
+{
+
+const SmoothingPace Pace{ 1.3, 1.0, 0.0, 2e-4, 4e-3 };
+
+} // namespace
 
 TetQualityFloors FloorsOf(const MeshOptions& options)
 {
@@ -21,8 +27,7 @@ const SmoothingRamp& TetRamp(TetMethod method)
 {
   const auto make = [](double weight)
   {
-    return SmoothingRamp{ { 1, 1.0, 0.1, 5, 0.0 }, { 2, 10.0, 0.05, 10, 0.0 },
-      { 8, weight, 0.01, 15, 2e-3 } };
+    return SmoothingRamp{ { 2, 10.0, 0.05, 8, 0.0, Pace, 2 }, { 8, weight, 0.01, 15, 2e-3, Pace } };
   };
   static const SmoothingRamp cells = make(70.0), lattice = make(100.0);
   return method == TetMethod::Lattice ? lattice : cells;
