@@ -81,6 +81,7 @@ std::vector<SpeedCase> ListCases()
       },
       stairs },
     { "lattice", [] { return MakeSphereCase(64); }, {}, MakeTetMesh },
+    { "polycrystal-lattice", [] { return MakePolycrystalCase(300, 48); }, {}, MakeTetMesh },
     { "cells", [] { return MakeSphereCase(64); }, cells, MakeTetMesh } };
 }
 

@@ -16,10 +16,10 @@ import tempfile
 WITHOUT_FMA = "glibc.cpu.hwcaps=-FMA,-AVX2,-FMA4,-AVX"
 DIGESTS = {
     "hexes": "d316d5a2e1f4d3908936965104d6774c95e284832a532ff535a5861e27771acf",
-    "labels": "2592fed446a54ecf2b881113a8351b0811ac7745bd29d93c534bff8a795086aa",
+    "labels": "b4a9102150b3e44dd5bc16af7af0e6a53c36c04fabefab62f77430dfc5cf150d",
     "levels": "df242b50df3a54f1fb4b48c545fa4390c9f75eff6e9874097b13cfe94a1cfb91",
     "state": "03aec8cf8e1c0eaccc4f9ddfa13c4a515095a1c9eaa912d3b7b1633ff32e037d",
-    "tets": "93540a4d464554a91d1382e25f2afdce1519ede989ac1d19cc793faec6a63bbe",
+    "tets": "4969e99ce13858951aee4ed9e711579de80c878fad6ce2725a3fcf218a945f73",
 }
 
 

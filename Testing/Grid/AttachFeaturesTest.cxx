@@ -335,6 +335,7 @@ TEST(AttachFeatures, EnergiesUseTheDemandOfElements)
     });
 }
 
+/// Points near sharp features take Newton steps instead, which move them less.
 TEST(Smoother, SnapsBringPointsToTheirTargets)
 {
   Runtime runtime;
@@ -346,8 +347,9 @@ TEST(Smoother, SnapsBringPointsToTheirTargets)
     double sum = 0.0;
     for (int point = 0; point < static_cast<int>(cube.Active.X.size()); ++point)
     {
-      for (Index i = cube.Active.AttachmentOffset[point];
-           i < cube.Active.AttachmentOffset[point + 1]; ++i)
+      const Index end =
+        cube.Active.IsNearFeature(point) ? 0 : cube.Active.AttachmentOffset[point + 1];
+      for (Index i = cube.Active.AttachmentOffset[point]; i < end; ++i)
       {
         Vector3 gradient;
         const double distance =
@@ -361,7 +363,7 @@ TEST(Smoother, SnapsBringPointsToTheirTargets)
   Smoother smoother(cube.Active, &*cube.Targets, energy, runtime);
   smoother.RunStage(snaps, [](double) {});
   EXPECT_EQ(smoother.Sweeps(), 2);
-  EXPECT_LT(sumSquares(), 0.4 * before);
+  EXPECT_LT(sumSquares(), 0.1 * before);
   cube.Active.ForOwned(
     [&](int point) {
       EXPECT_LT(energy.Evaluate(cube.Active, point, cube.Active.X[point], snaps), InvalidEnergy);

@@ -227,8 +227,8 @@ TEST(NarrowVoid, LowersQualityLittle)
   const FractionField plates = MakePlates(grid, 0);
   EXPECT_GT(MakeMesh(grid, plates, ListMethods()[0]).Report.MinimumScaledJacobian, 0.72);
   const MeshReport lattice = MakeMesh(grid, plates, ListMethods()[1]).Report;
-  EXPECT_GT(lattice.MinimumDihedralAngle, 43.0);
-  EXPECT_LT(lattice.MaximumDihedralAngle, 111.5);
+  EXPECT_GT(lattice.MinimumDihedralAngle, 42.0);
+  EXPECT_LT(lattice.MaximumDihedralAngle, 113.5);
 }
 
 TEST(NarrowVoid, HasNoElementsWhereNothingMoves)
