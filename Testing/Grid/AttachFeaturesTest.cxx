@@ -335,11 +335,14 @@ TEST(AttachFeatures, EnergiesUseTheDemandOfElements)
     });
 }
 
-/// Points near sharp features take Newton steps instead, which move them less.
 TEST(Smoother, SnapsBringPointsToTheirTargets)
 {
   Runtime runtime;
   CubeHexes cube(CubeGrid(), CubeFractions(), runtime);
+  for (Attachment& attachment : cube.Active.Attachments)
+  {
+    attachment.Weight = 1.0; // as without sharp features, near which points take Newton steps
+  }
   const HexEnergy energy(0.5);
   const SmoothingStage snaps{ 2, 10.0, 0.05, 0, 0.0, {}, 2 };
   const auto sumSquares = [&]
@@ -347,9 +350,8 @@ TEST(Smoother, SnapsBringPointsToTheirTargets)
     double sum = 0.0;
     for (int point = 0; point < static_cast<int>(cube.Active.X.size()); ++point)
     {
-      const Index end =
-        cube.Active.IsNearFeature(point) ? 0 : cube.Active.AttachmentOffset[point + 1];
-      for (Index i = cube.Active.AttachmentOffset[point]; i < end; ++i)
+      for (Index i = cube.Active.AttachmentOffset[point];
+           i < cube.Active.AttachmentOffset[point + 1]; ++i)
       {
         Vector3 gradient;
         const double distance =
@@ -363,7 +365,7 @@ TEST(Smoother, SnapsBringPointsToTheirTargets)
   Smoother smoother(cube.Active, &*cube.Targets, energy, runtime);
   smoother.RunStage(snaps, [](double) {});
   EXPECT_EQ(smoother.Sweeps(), 2);
-  EXPECT_LT(sumSquares(), 0.1 * before);
+  EXPECT_LT(sumSquares(), 0.4 * before);
   cube.Active.ForOwned(
     [&](int point) {
       EXPECT_LT(energy.Evaluate(cube.Active, point, cube.Active.X[point], snaps), InvalidEnergy);
