@@ -29,6 +29,7 @@ constexpr VolumeTolerances Rounds{ CorrectedPart * VolumeTolerance,
 constexpr int ResistingRounds = 8;
 constexpr int Moves = 8;
 constexpr int MoreMoves = 12;           // if fragments resist
+constexpr int FewestMoves = 4;          // if small fragments are off
 constexpr double FinalTolerance = 1e-7; // relative
 constexpr VolumeTolerances Final{ CorrectedPart * FinalTolerance, CorrectedPart* FinalTolerance };
 constexpr int BulgeRounds = 4; // of corrections, after each of which bulges are measured again
@@ -168,7 +169,12 @@ void VolumeCorrection::Run()
     this->FollowFragments(ResistingRounds);
   }
   const int moves = Moves + (resists ? MoreMoves : 0);
-  for (int move = 0; move < moves && volumes.WorstError() > FinalTolerance; ++move)
+  const auto isOff = [&](int move)
+  {
+    return volumes.WorstError() > FinalTolerance ||
+      (move < FewestMoves && volumes.WorstFragmentError() > FinalTolerance);
+  };
+  for (int move = 0; move < moves && isOff(move); ++move)
   {
     this->TheSmoother.MoveAlongNormals(volumes.FindShifts(this->What.Active, Final), this->Stage);
     this->Measure();
