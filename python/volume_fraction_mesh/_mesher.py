@@ -575,7 +575,7 @@ def tets(
     >>> ball = vfm.shapes("sphere radius=0.7", 12, bounds=[-1, 1] * 3)
     >>> mesh = vfm.tets(ball)
     >>> mesh
-    Mesh(4032 tetrahedra, 941 points, 1 materials, 1 fragments, scaled Jacobian 0.411 to 0.943)
+    Mesh(4032 tetrahedra, 941 points, 1 materials, 1 fragments, scaled Jacobian 0.405 to 0.945)
     >>> bool(mesh.volumes().min() > 0)
     True
     >>> len(vfm.tets(ball, method="cells"))
