@@ -158,7 +158,7 @@ TEST_P(SharpSolids, EdgesAndCornersAreHeld)
     figures.EdgesToMesh.RootMeanSquare, figures.CornersToNodes.Largest,
     report.MinimumScaledJacobian);
   EXPECT_EQ(FindProblem(mesh, report, 1e-6), "");
-  EXPECT_LE(figures.EdgesToMesh.RootMeanSquare, isAcute ? 0.1 : 0.055);
+  EXPECT_LE(figures.EdgesToMesh.RootMeanSquare, isAcute ? 0.1 : 0.05);
   EXPECT_LE(figures.CornersToNodes.Largest, isAcute ? 0.55 : 0.2);
   EXPECT_GE(report.MinimumScaledJacobian, isCube ? 0.47 : 0.40);
   EXPECT_EQ((std::array<Index, 3>{
@@ -173,6 +173,17 @@ INSTANTIATE_TEST_SUITE_P(All, SharpSolids, ::testing::ValuesIn(ListSharpCases())
     std::replace(name.begin(), name.end(), ' ', '_');
     return name;
   });
+
+/// In few cells, edges are found in part. Weaker limits find the gaps between the parts; without
+/// these, the edges here are 0.085 of a cell off.
+TEST(SharpEdges, EdgesInGapsAreFound)
+{
+  const SharpCase c = MakeSharpCase("L", 16);
+  Runtime runtime;
+  MeshReport report;
+  const Mesh mesh = MakeHexMesh(c.Grid, c.Fractions, OptionsOf(SharpEdges::On), runtime, report);
+  EXPECT_LE(MeasureSharp(c, mesh, report).EdgesToMesh.RootMeanSquare, 0.072);
+}
 
 TEST(SharpEdges, WhatIsSmoothStays)
 {
