@@ -202,8 +202,8 @@ struct Found
   VFM_INLINE void Add(const Tets<Real>& tets, const Terms<Real>& terms)
   {
     this->Value += Total(terms);
-    this->Least = tets.D < this->Least ? tets.D : this->Least;
-    this->Poorest = terms.Cube > this->Poorest ? terms.Cube : this->Poorest;
+    this->Least = vfm::Least(tets.D, this->Least);
+    this->Poorest = Greatest(terms.Cube, this->Poorest);
   }
 };
 
