@@ -301,11 +301,28 @@ bool DoOverlap(const Solid& a, const Solid& b, int halvings, double touching)
     });
 }
 
-/// Returns the depth of the overlap of two elements in the width of the smaller.
-double DepthOf(const Solid& a, const Solid& b)
+/// Returns an element relative to a place. Near it the differences are exact, so that the rounding
+/// of halved edges does not count as an overlap far from the origin.
+Solid Relative(const Solid& solid, const Vector3& place)
 {
-  const double width = std::min(a.Width, b.Width), touching = Touching * width;
-  const double depth = AreApart(a, b, touching) ? 0.0 : DepthOfParts(a, b, touching);
+  std::vector<Vector3> corners = solid.Corners;
+  for (Vector3& x : corners)
+  {
+    x = x - place;
+  }
+  return MakeSolid(std::move(corners));
+}
+
+/// Returns the depth of the overlap of two elements in the width of the smaller.
+double DepthOf(const Solid& one, const Solid& other)
+{
+  const double width = std::min(one.Width, other.Width), touching = Touching * width;
+  if (AreApart(one, other, touching))
+  {
+    return 0.0;
+  }
+  const Solid a = Relative(one, one.Corners[0]), b = Relative(other, one.Corners[0]);
+  const double depth = DepthOfParts(a, b, touching);
   const bool areHexes = a.Corners.size() == 8;
   return depth > 0.0 && (!areHexes || DoOverlap(a, b, MostHalvings, touching)) ? depth / width
                                                                                : 0.0;
