@@ -1,6 +1,7 @@
 #include "TetGen/TetGenFill.h"
 
 #include "Base/Runtime.h"
+#include "TetGen/CallTetGen.h"
 #include "TetGen/TetGenFaces.h"
 #include "TetGen/TetGenImprove.h"
 #include "TetGen/TetGenTerminate.h"
@@ -9,9 +10,6 @@
 #include <cmath>
 #include <mutex>
 #include <new>
-
-#define TETLIBRARY
-#include <tetgen.h>
 
 namespace vfm
 {
@@ -173,7 +171,7 @@ std::string CheckCrossings(const LocalPart& local)
   b.diagnose = 1;
   b.nojettison = 1;
   b.nomergefacet = b.nomergevertex = 1;
-  tetrahedralize(&b, &input.Io, &output);
+  CallTetGen(b, input.Io, output);
   if (output.numberoftrifaces == 0)
   {
     return "";
@@ -386,7 +384,7 @@ std::string RunOnce(const LocalPart& local, std::size_t partPoints, const TetGen
   }
   tetgenbehavior b = Switches(options, limit);
   tetgenio output;
-  tetrahedralize(&b, &input.Io, &output);
+  CallTetGen(b, input.Io, output);
   fill.Complete = output.numberofpoints - old < limit;
   return TakeOutput(output, local, partPoints, fill);
 }
