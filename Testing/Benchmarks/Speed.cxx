@@ -7,12 +7,14 @@
  * Seconds are of the fastest run, CPU of all threads in it. Stages of rank 0: wall time, CPU of its
  * threads, the part of it that runs on one thread only (serial), and the largest possible ratio of
  * the speeds on two threads and on one (bound). CPU times of a stage that occurs repeatedly are of
- * all its occurrences. Ranks are threads here, with slabs along z. Off: fragments of one rank whose
- * volume is off by more than .5 %. Memory: the peak of the process above its memory before meshing,
- * over that of fractions and mesh; bytes a point: the same over the points that move. `real` are
- * the cases like the data of users (RealCases.h); images come from Debian's package mricron-data.
+ * all its occurrences. Ranks are threads here, with boxes of equal weight (MakePartition). Off:
+ * fragments of one rank whose volume is off by more than .5 %. Memory: the peak of the process
+ * above its memory before meshing, over that of fractions and mesh; bytes a point: the same over
+ * the points that move. `real` are the cases like the data of users (RealCases.h); images come from
+ * Debian's package mricron-data.
  */
 #include "Atlas.h"
+#include "Input/MakePartition.h"
 #include "MeasureAlone.h"
 #include "Mesh/MeasureFragments.h"
 #include "RankMeshes.h"
@@ -131,10 +133,58 @@ Run MeshOnce(const SpeedCase& what, const MeshCase& c, int threads)
   return run;
 }
 
+/// Returns the cells that are mixed, or differ from the cell before along any axis.
+std::vector<Index3> ListInterfaceCells(const MeshCase& c)
+{
+  std::vector<Index3> cells;
+  const auto label = [&](const Index3& at)
+  {
+    const Index cell = c.Grid.Linear(at);
+    return c.Fractions.IsMixed(cell) ? -1 : c.Fractions.Label(cell);
+  };
+  ForCells(c.Grid.Owned(),
+    [&](const Index3& cell)
+    {
+      bool differs = label(cell) < 0;
+      for (int a = 0; a < 3; ++a)
+      {
+        Index3 before = cell;
+        before[a] = std::max(c.Grid.Owned().Lower[a], cell[a] - 1);
+        differs = differs || label(before) != label(cell);
+      }
+      if (differs)
+      {
+        cells.push_back(cell);
+      }
+    });
+  return cells;
+}
+
+/// Returns the boxes of the ranks as the filters choose them.
+std::vector<IndexBox> CutByWeights(const MeshCase& c, int count)
+{
+  std::vector<IndexBox> boxes;
+  RunOnRanks(count,
+    [&](Ranks& ranks)
+    {
+      const bool isFirst = ranks.Rank() == 0;
+      const auto listCells = [&]
+      { return isFirst ? ListInterfaceCells(c) : std::vector<Index3>(); };
+      const std::vector<IndexBox> found = MakePartition(c.Grid.Owned(),
+        isFirst ? std::vector<IndexBox>{ c.Grid.Owned() } : std::vector<IndexBox>(), listCells,
+        ranks, false);
+      if (isFirst)
+      {
+        boxes = found;
+      }
+    });
+  return boxes;
+}
+
 class RankedCase
 {
 public:
-  RankedCase(const MeshCase& c, int ranks) : Boxes(CutBox(c.Grid.Owned(), ranks, 2))
+  RankedCase(const MeshCase& c, int ranks) : Boxes(CutByWeights(c, ranks))
   {
     for (const IndexBox& box : this->Boxes)
     {
