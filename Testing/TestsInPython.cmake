@@ -20,7 +20,8 @@ endif ()
 # tests fail by the text of its messages.
 function (vfm_set_python_properties test label)
   set_tests_properties("${test}" PROPERTIES
-    ENVIRONMENT "${vfm_python_environment}"
+    ENVIRONMENT
+      "${vfm_python_environment};OMPI_MCA_orte_tmpdir_base=${PROJECT_BINARY_DIR}/Testing/mpi/${test}"
     FAIL_REGULAR_EXPRESSION "ERR\\|;Traceback"
     LABELS "${label}"
     TIMEOUT ${vfm_timeout})

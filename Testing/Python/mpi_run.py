@@ -2,6 +2,7 @@
 import os
 import re
 import subprocess
+import tempfile
 
 # Prefixes of the variables that mark a process as part of an MPI run.
 OF_THIS_PROCESS = ("PMIX_", "PMI_", "ORTE_", "OMPI_")
@@ -25,10 +26,12 @@ def mpi_run(ranks, command, folder=None, without=(), **environment):
                  if not name.startswith(OF_THIS_PROCESS + tuple(without))}
     launcher = ["mpiexec", "--oversubscribe", "--bind-to", "none", "-n",
                 str(ranks)] if ranks > 1 else []
-    result = subprocess.run(
-        launcher + command, env={**variables, **SETTINGS, **environment}, cwd=folder,
-        stdin=subprocess.DEVNULL,
-        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=LIMIT)
+    with tempfile.TemporaryDirectory() as sessions:
+        own = {"OMPI_MCA_orte_tmpdir_base": sessions}
+        result = subprocess.run(
+            launcher + command, env={**variables, **SETTINGS, **own, **environment}, cwd=folder,
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=LIMIT)
     if ranks > 1:
         result.stderr = LAUNCHER_NOTE.sub("", result.stderr)
     return result
