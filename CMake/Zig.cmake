@@ -10,3 +10,7 @@ foreach (language C CXX)
   set(CMAKE_${language}_ARCHIVE_CREATE "\"${zig}\" ar qc <TARGET> <OBJECTS>")
   set(CMAKE_${language}_ARCHIVE_FINISH "\"${zig}\" ranlib <TARGET>")
 endforeach ()
+# A wheel needs nothing but glibc, so optional libraries of this machine are not linked.
+foreach (package EXPAT ZLIB)
+  set(CMAKE_DISABLE_FIND_PACKAGE_${package} ON)
+endforeach ()
