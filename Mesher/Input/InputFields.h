@@ -73,9 +73,6 @@ protected:
     std::size_t block, const Index3& first, Index count, int* materials) const = 0;
 
   const InputBlocks& Input;
-
-private:
-  void FindInterfaceCells(std::size_t block, std::vector<Index3>& found) const;
 };
 
 /// The materials in the blocks of each level.

@@ -185,6 +185,30 @@ std::vector<Part> CutParts(const std::vector<Part>& parts, Weights& weights, Ran
 
 } // namespace
 
+void FindInterfaceCells(const IndexBox& box, const RowReader& read, std::vector<Index3>& found)
+{
+  const Index n = box.Size(0), plane = n * box.Size(1);
+  std::vector<int> last(plane),
+    row(n); // last: previous rows of this plane, then the remaining rows of the previous plane
+  ForRows(box,
+    [&](Index j, Index k)
+    {
+      int* below = last.data() + (j - box.Lower[1]) * n;
+      read({ { box.Lower[0], j, k } }, n, row.data());
+      for (Index i = 0; i < n; ++i)
+      {
+        const int material = row[i];
+        if (material < 0 || (i > 0 && row[i - 1] != material) ||
+          (j > box.Lower[1] && below[i - n] != material) ||
+          (k > box.Lower[2] && below[i] != material))
+        {
+          found.push_back({ { box.Lower[0] + i, j, k } });
+        }
+      }
+      std::copy(row.begin(), row.end(), below);
+    });
+}
+
 std::vector<IndexBox> MakePartition(const IndexBox& global, const std::vector<IndexBox>& blocks,
   const std::function<std::vector<Index3>()>& findInterfaceCells, Ranks& ranks, bool mayStay)
 {

@@ -22,6 +22,13 @@ constexpr Index CellWeight = 1, InterfaceCellWeight = 20;
 /// most this.
 constexpr double GoodBalance = 1.5;
 
+/// Reads the material of each cell of a row along x; negative if a cell has several.
+using RowReader = std::function<void(const Index3& first, Index count, int* materials)>;
+
+/// Appends the cells of a box that are mixed, or differ from the previous cell of the box along any
+/// axis.
+void FindInterfaceCells(const IndexBox& box, const RowReader& read, std::vector<Index3>& found);
+
 /// Partitions the global box.
 /// @param blocks cells that this rank holds; the cells of all ranks fill the global box once. If
 /// they form one box on every rank and the weights are balanced, these boxes are the partition.

@@ -133,30 +133,20 @@ Run MeshOnce(const SpeedCase& what, const MeshCase& c, int threads)
   return run;
 }
 
-/// Returns the cells that are mixed, or differ from the cell before along any axis.
 std::vector<Index3> ListInterfaceCells(const MeshCase& c)
 {
   std::vector<Index3> cells;
-  const auto label = [&](const Index3& at)
-  {
-    const Index cell = c.Grid.Linear(at);
-    return c.Fractions.IsMixed(cell) ? -1 : c.Fractions.Label(cell);
-  };
-  ForCells(c.Grid.Owned(),
-    [&](const Index3& cell)
+  FindInterfaceCells(
+    c.Grid.Owned(),
+    [&](const Index3& first, Index count, int* materials)
     {
-      bool differs = label(cell) < 0;
-      for (int a = 0; a < 3; ++a)
+      const Index begin = c.Grid.Linear(first);
+      for (Index i = 0; i < count; ++i)
       {
-        Index3 before = cell;
-        before[a] = std::max(c.Grid.Owned().Lower[a], cell[a] - 1);
-        differs = differs || label(before) != label(cell);
+        materials[i] = c.Fractions.IsMixed(begin + i) ? -1 : c.Fractions.Label(begin + i);
       }
-      if (differs)
-      {
-        cells.push_back(cell);
-      }
-    });
+    },
+    cells);
   return cells;
 }
 
