@@ -3,6 +3,7 @@
 #include "Base/PortableMath.h"
 
 #include <cmath>
+#include <limits>
 
 namespace vfm
 {
@@ -13,25 +14,28 @@ namespace
 // until 4 sweeps are left. More often, the volumes would oscillate.
 constexpr int ShiftPeriod = 5;
 constexpr int SweepsAfterShift = 4;
-constexpr int CorrectionRounds = 6;
-constexpr int SweepsPerCorrection = 4;
-constexpr double VolumeTolerance = 2e-4;   // relative error, in the rounds with smoothing
-constexpr int FurtherRounds = 6;           // before fragments resist
-constexpr double FragmentTolerance = 5e-3; // relative error, in the further rounds
+constexpr int SweepsPerRound = 4;
+constexpr double VolumeTolerance = 2e-4;   // relative error
+constexpr double FragmentTolerance = 5e-3; // of any fragment
 // Errors above which fragments resist, one after the other, and the rounds after each. The first
 // selects few, so that their neighbours, which they pull off their targets, are not selected too.
 constexpr double ResistingErrors[] = { 5e-2, FragmentTolerance };
-// Fragments are corrected until their errors are within a part of the tolerances, so that they stay
-// within these while their neighbours move.
-constexpr double CorrectedPart = 0.5;
-constexpr VolumeTolerances Rounds{ CorrectedPart * VolumeTolerance,
-  CorrectedPart* FragmentTolerance };
 constexpr int ResistingRounds = 8;
-constexpr int Moves = 8;
-constexpr int MoreMoves = 12;           // if fragments resist
-constexpr int FewestMoves = 4;          // if small fragments are off
-constexpr double FinalTolerance = 1e-7; // relative
-constexpr VolumeTolerances Final{ CorrectedPart * FinalTolerance, CorrectedPart* FinalTolerance };
+constexpr double FinalTolerance = 1e-7; // relative error
+// Fragments are corrected until their errors are within half the tolerances, so that they stay
+// within these while their neighbours move. Larger factors in the ramp would make volumes
+// oscillate.
+constexpr VolumeRules InRamp{ { 0.5 * VolumeTolerance, 1.0 }, { 0.5 * FragmentTolerance, 2.0 },
+  false };
+constexpr VolumeRules InRounds{ { 0.5 * VolumeTolerance, 3.0 }, { 0.5 * FragmentTolerance, 3.0 },
+  true };
+constexpr VolumeRules InMoves{ { 0.5 * FinalTolerance, 3.0 }, { 0.5 * FinalTolerance, 3.0 },
+  false };
+constexpr int Moves = 20;
+constexpr int FewestMoves = 4; // if small fragments are off
+// Moves end once the error was not within this part of the least one this many times in turn.
+constexpr double PartThatCounts = 0.9;
+constexpr int IdleMoves = 3;
 constexpr int BulgeRounds = 4; // of corrections, after each of which bulges are measured again
 // Rounds of EndIntersections after which volumes are corrected, and points move again. Further
 // rounds only put points back.
@@ -53,7 +57,7 @@ public:
   VolumeCorrection(const Improvement& what, Smoother& smoother, StageClock& clock) :
     What(what), TheSmoother(smoother), Clock(clock), Stage(what.Ramp.back())
   {
-    this->Stage.Sweeps = SweepsPerCorrection;
+    this->Stage.Sweeps = SweepsPerRound;
   }
 
   /// Measures the volumes of the fragments. MeasureAll looks at all facets, also at new ones and at
@@ -83,7 +87,8 @@ private:
     return this->Volumes().IsSmall(a.Fragments[0]) || this->Volumes().IsSmall(a.Fragments[1]);
   }
   bool Follow();
-  void FollowFragments(int rounds);
+  void FollowFragments();
+  void MoveSurfaces();
 
   const Improvement& What;
   Smoother& TheSmoother;
@@ -120,7 +125,7 @@ void VolumeCorrection::ShiftAfterSweep(int sweep)
     this->Measure();
     this->MeasureBulges();
     this->TheSmoother.ShiftTargets(
-      this->Volumes().FindShifts(this->What.Active, Rounds),
+      this->Volumes().FindShifts(this->What.Active, InRamp),
       [this](const Attachment& a) { return this->IsLong(a); }, stage);
   }
 }
@@ -129,7 +134,7 @@ void VolumeCorrection::ShiftAfterSweep(int sweep)
 bool VolumeCorrection::Follow()
 {
   if (!this->TheSmoother.Follow(
-        this->Volumes().FindShifts(this->What.Active, Rounds, true),
+        this->Volumes().FindShifts(this->What.Active, InRounds),
         [this](const Attachment& a) { return this->IsLong(a); }, this->Stage))
   {
     return false;
@@ -139,44 +144,49 @@ bool VolumeCorrection::Follow()
 }
 
 /// Runs rounds until no fragment is off its aim.
-void VolumeCorrection::FollowFragments(int rounds)
+void VolumeCorrection::FollowFragments()
 {
-  const FragmentVolumes& volumes = this->Volumes();
-  for (int round = 0; round < rounds; ++round)
+  for (int round = 0;
+       round<ResistingRounds&& this->Volumes().WorstFragmentError()> FragmentTolerance &&
+       this->Follow();
+       ++round)
   {
-    if (!(volumes.WorstFragmentError() > FragmentTolerance) || !this->Follow())
-    {
-      break;
-    }
-    this->Clock.Update(0.92);
+    this->Clock.Update(0.82 + 0.01 * round);
   }
 }
 
 void VolumeCorrection::Run()
 {
   FragmentVolumes& volumes = this->Volumes();
-  for (int round = 0;
-       round < CorrectionRounds && volumes.WorstError() > VolumeTolerance && this->Follow();
-       ++round)
+  if (volumes.WorstError() > VolumeTolerance)
   {
-    this->Clock.Update(0.8 + 0.02 * round);
+    this->Follow();
   }
-  this->FollowFragments(FurtherRounds);
-  bool resists = false;
   for (double error : ResistingErrors)
   {
-    resists = volumes.MarkResisting(error);
-    this->FollowFragments(ResistingRounds);
+    volumes.MarkResisting(error);
+    this->FollowFragments();
   }
-  const int moves = Moves + (resists ? MoreMoves : 0);
-  const auto isOff = [&](int move)
+  this->Clock.Update(0.92);
+  this->MoveSurfaces();
+}
+
+/// Moves surface points along their normals until volumes are right or errors do not fall.
+void VolumeCorrection::MoveSurfaces()
+{
+  FragmentVolumes& volumes = this->Volumes();
+  double least = std::numeric_limits<double>::infinity();
+  for (int move = 0, idle = 0; move < Moves && idle < IdleMoves; ++move)
   {
-    return volumes.WorstError() > FinalTolerance ||
-      (move < FewestMoves && volumes.WorstFragmentError() > FinalTolerance);
-  };
-  for (int move = 0; move < moves && isOff(move); ++move)
-  {
-    this->TheSmoother.MoveAlongNormals(volumes.FindShifts(this->What.Active, Final), this->Stage);
+    const double error = volumes.WorstError();
+    if (!(error > FinalTolerance) &&
+      !(move < FewestMoves && volumes.WorstFragmentError() > FinalTolerance))
+    {
+      break;
+    }
+    idle = error <= PartThatCounts * least ? 0 : idle + 1;
+    least = std::min(least, error);
+    this->TheSmoother.MoveAlongNormals(volumes.FindShifts(this->What.Active, InMoves), this->Stage);
     this->Measure();
   }
 }
@@ -261,12 +271,11 @@ void Improve(const Improvement& what, StageClock& clock, Runtime& runtime)
     }
   }
   correction.MeasureBulges();
-  std::vector<std::int64_t> efforts{ 0, smoother.Visits() };
-  what.Active.ForOwned([&](int) { ++efforts[0]; });
-  runtime.Group().Sum(efforts);
-  what.Report.SmoothedPoints = efforts[0];
+  std::vector<std::int64_t> visits{ smoother.Visits() };
+  runtime.Group().Sum(visits);
+  what.Report.SmoothedPoints = smoother.Points();
   what.Report.Sweeps = smoother.Sweeps();
-  what.Report.Visits = efforts[1];
+  what.Report.Visits = visits[0];
 }
 
 void ReportVolumes(const CartesianGrid& grid, const FragmentVolumes& volumes, MeshReport& report)

@@ -32,6 +32,9 @@ constexpr unsigned char FixedOnAllAxes = 7; // ActiveMesh::Fixed
 // Smallest shift of a target that marks its points, in mean cells.
 constexpr double ShiftThatCounts = 1e-3;
 constexpr double SmallestShift = 1e-5; // smaller ones are left out
+// If less than this part of the points is shifted, a check of each move is cheaper than one of all
+// elements.
+constexpr double FewPoints = 1.0 / 32.0;
 // Energy of the elements at a point that a snap may reach in any case.
 constexpr double SnapEnergy = 20.0;
 constexpr double SmallestSnap = 0.2; // part of a snap
@@ -50,7 +53,15 @@ Smoother::Smoother(
   HasMoved(mesh.X.size(), 1)
 {
   std::vector<unsigned char> isGhost = mesh.IsActive;
-  mesh.ForOwned([&](int point) { isGhost[point] = 0; });
+  std::vector<std::int64_t> points{ 0 };
+  mesh.ForOwned(
+    [&](int point)
+    {
+      ++points[0];
+      isGhost[point] = 0;
+    });
+  runtime.Group().Sum(points);
+  this->NumberOfPoints = points[0];
   for (std::size_t point = 0; point < isGhost.size(); ++point)
   {
     if (isGhost[point])
@@ -95,9 +106,20 @@ void Smoother::MoveAndCheck(
   }
 }
 
+/// Sweeps, then checks all elements. Points that go back move again.
+void Smoother::SweepAndCheck(const SmoothingStage& stage, const std::function<void()>& sweep)
+{
+  this->MoveAndCheck(sweep,
+    [&]
+    {
+      this->MarkReturned();
+      this->RunSweeps(stage, [](double) {});
+    });
+}
+
 void Smoother::RunStage(const SmoothingStage& stage, const std::function<void(double)>& report)
 {
-  this->MoveAndCheck(
+  this->SweepAndCheck(stage,
     [&]
     {
       this->MarkAll();
@@ -112,11 +134,6 @@ void Smoother::RunStage(const SmoothingStage& stage, const std::function<void(do
           });
       }
       this->RunSweeps(stage, report);
-    },
-    [&]
-    {
-      this->MarkReturned();
-      this->RunSweeps(stage, [](double) {});
     });
 }
 
@@ -144,11 +161,17 @@ bool Smoother::EndIntersections(const SmoothingStage& stage, bool moves)
   if (moves)
   {
     this->MarkReturned();
-    this->ChecksAll = true;
-    this->RunSweeps(stage, [](double) {});
-    this->ChecksAll = false;
+    this->SweepWithChecks(stage);
   }
   return true;
+}
+
+/// Sweeps and checks each move.
+void Smoother::SweepWithChecks(const SmoothingStage& stage)
+{
+  this->ChecksAll = true;
+  this->RunSweeps(stage, [](double) {});
+  this->ChecksAll = false;
 }
 
 /// Marks only the points that were put back and their neighbours.
@@ -317,14 +340,20 @@ bool Smoother::Follow(
       }
       return NoVisit;
     });
-  if (!this->Run.Group().Any(
-        std::find(this->Marked.begin(), this->Marked.end(), 1) != this->Marked.end()))
+  std::vector<std::int64_t> marked{ std::count(this->Marked.begin(), this->Marked.end(), 1) };
+  this->Run.Group().Sum(marked);
+  if (marked[0] == 0)
   {
     return false;
   }
-  this->ChecksAll = true; // cheaper than a check of all elements, because few points move
-  this->RunSweeps(stage, [](double) {});
-  this->ChecksAll = false;
+  if (static_cast<double>(marked[0]) < FewPoints * static_cast<double>(this->NumberOfPoints))
+  {
+    this->SweepWithChecks(stage);
+  }
+  else
+  {
+    this->SweepAndCheck(stage, [&] { this->RunSweeps(stage, [](double) {}); });
+  }
   return true;
 }
 
@@ -347,7 +376,12 @@ void Smoother::MoveAlongNormal(
   int point, const std::vector<double>& shifts, const SmoothingStage& stage)
 {
   const std::vector<Index>& offsets = this->Mesh.AttachmentOffset;
-  if (offsets[point] == offsets[point + 1])
+  double longest = 0.0; // step, if all normals are parallel
+  for (Index i = offsets[point]; i < offsets[point + 1]; ++i)
+  {
+    longest += std::fabs(shifts[i]);
+  }
+  if (longest < SmallestStep)
   {
     return;
   }

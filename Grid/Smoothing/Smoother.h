@@ -87,8 +87,9 @@ public:
   /// @pre Collective.
   bool EndIntersections(const SmoothingStage& stage, bool moves);
 
-  /// Sweeps returns the number of sweeps so far, Visits the number of visits to points of this rank
-  /// in them.
+  /// Points returns the number of points of all ranks, Sweeps the number of sweeps so far, Visits
+  /// the number of visits to points of this rank in them.
+  Index Points() const { return this->NumberOfPoints; }
   int Sweeps() const { return this->NumberOfSweeps; }
   Index Visits() const { return this->NumberOfVisits; }
 
@@ -103,6 +104,8 @@ private:
   std::array<double, 2> LongRange(
     int point, const Attachment& a, const SmoothingStage& stage) const;
   void MoveAndCheck(const std::function<void()>& move, const std::function<void()>& moveReturned);
+  void SweepAndCheck(const SmoothingStage& stage, const std::function<void()>& sweep);
+  void SweepWithChecks(const SmoothingStage& stage);
   template <class Move>
   double ForPoints(const Move& move);
   void MoveAlongNormal(int point, const std::vector<double>& shifts, const SmoothingStage& stage);
@@ -148,6 +151,7 @@ private:
   bool ChecksAll = false; // whether each move is checked
   /// Set if targets were shifted and points marked since the last sweep.
   bool HasShifted = false;
+  Index NumberOfPoints = 0;
   int NumberOfSweeps = 0;
   std::atomic<Index> NumberOfVisits{ 0 }; // visits to points in sweeps
   /// Set if a point of one of its elements has moved since the last visit.

@@ -202,6 +202,7 @@ void FragmentVolumes::DistributeOrphans()
 
 void FragmentVolumes::Measure(const ActiveMesh& mesh)
 {
+  this->Requests.assign(this->Targets.size(), {});
   this->Facets.Start(mesh, this->Targets.size(), this->Run);
   this->SumFacets();
 }
@@ -226,26 +227,48 @@ void FragmentVolumes::SumFacets()
   this->SetAims();
 }
 
-/// Returns mu of each fragment; [0] is the outside.
-std::vector<double> FragmentVolumes::FindPotentials(const VolumeTolerances& tolerances) const
+/// Returns the factor by which a fragment is asked for more than it lacks.
+double FragmentVolumes::FactorOf(int fragment, double largest) const
 {
-  std::vector<double> lack(this->Targets.size(), 0.0);
-  for (int f = 1; f < static_cast<int>(lack.size()); ++f)
+  const Request& last = this->Requests[fragment];
+  if (last.Change == 0.0)
   {
-    const bool isRight =
-      this->ErrorOf(f) <= (this->IsSmall(f) ? tolerances.Small : tolerances.Large);
-    lack[f] = isRight ? 0.0 : this->Aims[f] - this->VolumeOf(f);
+    return 1.0;
   }
-  return SolveForLack(this->Areas, lack);
+  const double part = (this->VolumeOf(fragment) - last.Volume) / last.Change;
+  return part * largest <= 1.0 ? largest : std::max(1.0, 1.0 / part);
 }
 
-std::vector<double> FragmentVolumes::FindShifts(
-  const ActiveMesh& mesh, const VolumeTolerances& tolerances, bool pushes) const
+/// Returns by how much the volume of each fragment is asked to change; [0] is the outside.
+std::vector<double> FragmentVolumes::FindRequests(const VolumeRules& rules) const
 {
-  std::vector<double> mu = this->FindPotentials(tolerances);
-  if (pushes)
+  std::vector<double> requests(this->Targets.size(), 0.0);
+  for (int f = 1; f < static_cast<int>(requests.size()); ++f)
   {
-    this->AddPushes(mu);
+    const VolumeRule& rule = this->IsSmall(f) ? rules.Small : rules.Large;
+    const bool isPushed = rules.Pushes && this->IsPushed(f);
+    if (isPushed || !(this->ErrorOf(f) <= rule.Tolerance))
+    {
+      const double aim = isPushed ? this->Targets[f] : this->Aims[f];
+      requests[f] = this->FactorOf(f, rule.LargestFactor) * (aim - this->VolumeOf(f));
+    }
+  }
+  return requests;
+}
+
+std::vector<double> FragmentVolumes::FindShifts(const ActiveMesh& mesh, const VolumeRules& rules)
+{
+  const std::vector<double> requests = this->FindRequests(rules);
+  std::vector<double> lack(requests.size(), 0.0);
+  for (std::size_t f = 1; f < lack.size(); ++f)
+  {
+    lack[f] = this->Resists[f] ? 0.0 : requests[f];
+    this->Requests[f] = { requests[f], this->VolumeOf(static_cast<int>(f)) };
+  }
+  std::vector<double> mu = SolveForLack(this->Areas, lack);
+  if (rules.Pushes)
+  {
+    this->AddPushes(requests, mu);
   }
   std::vector<double> shifts(mesh.Attachments.size());
   ForEach(this->Run, shifts.size(),
@@ -257,7 +280,7 @@ std::vector<double> FragmentVolumes::FindShifts(
   return shifts;
 }
 
-void FragmentVolumes::AddPushes(std::vector<double>& mu) const
+void FragmentVolumes::AddPushes(const std::vector<double>& requests, std::vector<double>& mu) const
 {
   std::vector<double> areas(mu.size(), 0.0);
   for (const PairSum& sum : this->Areas)
@@ -265,12 +288,9 @@ void FragmentVolumes::AddPushes(std::vector<double>& mu) const
     areas[sum.First] += sum.Value.Value();
     areas[sum.Second] += sum.Value.Value();
   }
-  for (int f = 1; f < static_cast<int>(mu.size()); ++f)
+  for (std::size_t f = 1; f < mu.size(); ++f)
   {
-    if (this->IsPushed(f) && areas[f] > 0.0)
-    {
-      mu[f] += (this->Targets[f] - this->VolumeOf(f)) / areas[f];
-    }
+    mu[f] += this->Resists[f] && areas[f] > 0.0 ? requests[f] / areas[f] : 0.0;
   }
 }
 
@@ -296,7 +316,7 @@ bool FragmentVolumes::IsPushed(int fragment) const
     std::fabs(this->VolumeOf(fragment) - target) <= LargestPushedError * target;
 }
 
-bool FragmentVolumes::MarkResisting(double error)
+void FragmentVolumes::MarkResisting(double error)
 {
   for (int f = 1; f < static_cast<int>(this->Targets.size()); ++f)
   {
@@ -304,7 +324,6 @@ bool FragmentVolumes::MarkResisting(double error)
   }
   this->Tolerance = error;
   this->SetAims();
-  return std::find(this->Resists.begin(), this->Resists.end(), 1) != this->Resists.end();
 }
 
 /// Ends the marks of fragments that have reached their targets, and sets the aims of all fragments.
@@ -334,12 +353,16 @@ double FragmentVolumes::WorstError() const
     worst = this->IsSmall(f) ? worst : std::max(worst, this->ErrorOf(f));
   }
   const std::vector<double> volumes = this->MaterialVolumes();
+  std::vector<double> aims(volumes.size(), 0.0);
+  for (std::size_t f = 1; f < this->Aims.size(); ++f)
+  {
+    aims[this->Materials[f]] += this->Aims[f];
+  }
   for (std::size_t m = 1; m < volumes.size(); ++m)
   {
     if (volumes[m] > 0.0)
     {
-      worst = std::max(
-        worst, std::fabs(volumes[m] - this->TotalOfMaterial[m]) / this->TotalOfMaterial[m]);
+      worst = std::max(worst, std::fabs(volumes[m] - aims[m]) / aims[m]);
     }
   }
   return worst;

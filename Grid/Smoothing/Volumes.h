@@ -40,10 +40,20 @@ public:
 int FindNearestCell(const CartesianGrid& grid, const Index3& cell,
   const std::function<int(const Index3&)>& fragmentOf);
 
-/// Relative errors of volumes that are not corrected.
-struct VolumeTolerances
+/// How the volume of a fragment is corrected.
+struct VolumeRule
 {
-  double Large, Small; ///< of fragments that are not small, and of small ones
+  double Tolerance; ///< relative error that is not corrected
+  /// Largest factor by which the fragment is asked for more than its error, if it changed by less
+  /// than the last time it was asked.
+  double LargestFactor;
+};
+
+/// How the volumes of fragments are corrected.
+struct VolumeRules
+{
+  VolumeRule Large, Small; ///< of fragments that are not small, and of small ones
+  bool Pushes;             ///< whether fragments that resist are pushed towards their targets
 };
 
 /// Target and current volumes of all fragments, equal on all ranks. Refers to the runtime.
@@ -78,14 +88,14 @@ public:
   /// Returns the shift of each attachment, in grid coordinates, that corrects the errors of the
   /// last measurement. Solves
   ///
-  ///   sum_g A_fg (mu_f - mu_g) = aim_f - volume_f
+  ///   sum_g A_fg (mu_f - mu_g) = factor_f (aim_f - volume_f)
   ///
   /// with the areas A of the interfaces and mu = 0 outside. An interface shifts by mu_f - mu_g. The
-  /// aim is the target, or the volume of a fragment that resists or is within its tolerance.
-  /// @param pushes  whether to add (target_f - volume_f) / sum_g A_fg to mu of resisting fragments
-  ///   whose error is at most 50 %
-  std::vector<double> FindShifts(
-    const ActiveMesh& mesh, const VolumeTolerances& tolerances, bool pushes = false) const;
+  /// aim is the target, or the volume of a fragment that resists or is within its tolerance. The
+  /// factor is the inverse of the part of the last request by which the fragment changed, from 1 to
+  /// the largest factor. A push adds factor_f (target_f - volume_f) / sum_g A_fg to mu of a
+  /// resisting fragment whose error is at most 50 %.
+  std::vector<double> FindShifts(const ActiveMesh& mesh, const VolumeRules& rules);
 
   /// Returns whether the target of a fragment is below 64 cells; false for 0, the outside.
   bool IsSmall(int fragment) const
@@ -102,8 +112,7 @@ public:
   /// Marks the fragments with a relative error above `error` as resisting. The other fragments of
   /// their material take over the missing volume in proportion to their targets, each at most 10 %.
   /// The marks of fragments that reach their targets within this error end.
-  /// @return whether any fragment resists
-  bool MarkResisting(double error);
+  void MarkResisting(double error);
 
   /// Return the volume per material from 0, in mean cells. Targets include cells without an element
   /// of the material nearby.
@@ -116,11 +125,18 @@ public:
   const std::vector<double>& FragmentTargets() const { return this->Targets; }
 
 private:
+  /// The last request to a fragment: the change of its volume, 0 if none, and its volume then.
+  struct Request
+  {
+    double Change = 0.0, Volume = 0.0;
+  };
+
   void DistributeOrphans();
   void SumFacets();
   void SetAims();
-  std::vector<double> FindPotentials(const VolumeTolerances& tolerances) const;
-  void AddPushes(std::vector<double>& mu) const;
+  std::vector<double> FindRequests(const VolumeRules& rules) const;
+  double FactorOf(int fragment, double largest) const;
+  void AddPushes(const std::vector<double>& requests, std::vector<double>& mu) const;
   bool IsPushed(int fragment) const;
   double VolumeOf(int fragment) const
   {
@@ -139,6 +155,7 @@ private:
   std::vector<double> StartVolumes;    // initial volume of each fragment
   std::vector<double> Swept;           // volume that each fragment has gained since then
   std::vector<double> Bulges;          // SetBulges
+  std::vector<Request> Requests;       // of each fragment
   std::vector<PairSum> Areas;          // interface areas of pairs of fragments
   std::vector<double> TotalOfMaterial; // total volume of each material in the fractions
 };
