@@ -15,11 +15,11 @@ import tempfile
 
 WITHOUT_FMA = "glibc.cpu.hwcaps=-FMA,-AVX2,-FMA4,-AVX"
 DIGESTS = {
-    "hexes": "d316d5a2e1f4d3908936965104d6774c95e284832a532ff535a5861e27771acf",
-    "labels": "b4a9102150b3e44dd5bc16af7af0e6a53c36c04fabefab62f77430dfc5cf150d",
-    "levels": "df242b50df3a54f1fb4b48c545fa4390c9f75eff6e9874097b13cfe94a1cfb91",
-    "state": "03aec8cf8e1c0eaccc4f9ddfa13c4a515095a1c9eaa912d3b7b1633ff32e037d",
-    "tets": "4969e99ce13858951aee4ed9e711579de80c878fad6ce2725a3fcf218a945f73",
+    "hexes": "dec1f6d8e90ee833d251305807cd24da29f147ea1fb22bcc9626ac9efd8069d0",
+    "labels": "5f9afe6dedb32cf368aed8cafd009bc1c9feb4a0ec4d664701a9820e8f766b2b",
+    "levels": "fe0771dce2d015f9a9d91be1cbfaf7c1b5ab01801f9816ae256a68ee906e4bb1",
+    "state": "469013ad5e57c341ea7acbd53519f97250acad5a7a866ebdf2c10054e2e1de95",
+    "tets": "b76b683fe46f282fd4958ddb53eda35fdfa4e4e88c35abcc85c82986ada03c14",
 }
 
 
