@@ -356,7 +356,7 @@ def hexes(
     >>> ball = vfm.shapes("sphere radius=0.7", 12, bounds=[-1, 1] * 3)
     >>> mesh = vfm.hexes(ball)
     >>> mesh
-    Mesh(616 hexahedra, 799 points, 1 materials, 1 fragments, scaled Jacobian 0.758 to 1.000)
+    Mesh(616 hexahedra, 799 points, 1 materials, 1 fragments, scaled Jacobian 0.762 to 1.000)
     >>> mesh.materials["MeshVolume"].round(4)
     array([1.4368])
 
