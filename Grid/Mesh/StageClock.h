@@ -6,6 +6,7 @@
 #include "Base/Runtime.h"
 #include "Mesh/MeshReport.h"
 
+#include <algorithm>
 #include <chrono>
 
 namespace vfm
@@ -27,10 +28,11 @@ public:
     this->Begin = std::chrono::steady_clock::now();
     this->Update(fraction);
   }
-  /// Reports progress inside the running stage.
+  /// Reports progress inside the running stage. It does not go back where a stage occurs again.
   void Update(double fraction)
   {
-    this->Run.Progress(this->Share * fraction, this->Report.Stages.back().Name);
+    this->Farthest = std::max(this->Farthest, this->Share * fraction);
+    this->Run.Progress(this->Farthest, this->Report.Stages.back().Name);
   }
   /// Sets the share of the whole run that later fractions are relative to.
   void SetShare(double share) { this->Share = share; }
@@ -46,7 +48,7 @@ private:
   }
   Runtime& Run;
   MeshReport& Report;
-  double Share = 1.0;
+  double Share = 1.0, Farthest = 0.0;
   std::chrono::steady_clock::time_point Begin;
 };
 
