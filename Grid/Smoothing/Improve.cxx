@@ -176,6 +176,7 @@ void VolumeCorrection::Run()
 void VolumeCorrection::MoveSurfaces()
 {
   FragmentVolumes& volumes = this->Volumes();
+  volumes.ForgetRequests(); // sweeps tell nothing about moves along normals
   double least = std::numeric_limits<double>::infinity();
   for (int move = 0, idle = 0; move < Moves && idle < IdleMoves; ++move)
   {

@@ -202,7 +202,7 @@ void FragmentVolumes::DistributeOrphans()
 
 void FragmentVolumes::Measure(const ActiveMesh& mesh)
 {
-  this->Requests.assign(this->Targets.size(), {});
+  this->ForgetRequests();
   this->Facets.Start(mesh, this->Targets.size(), this->Run);
   this->SumFacets();
 }

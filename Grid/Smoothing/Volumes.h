@@ -96,6 +96,8 @@ public:
   /// the largest factor. A push adds factor_f (target_f - volume_f) / sum_g A_fg to mu of a
   /// resisting fragment whose error is at most 50 %.
   std::vector<double> FindShifts(const ActiveMesh& mesh, const VolumeRules& rules);
+  /// Sets all factors of the next call of FindShifts to 1. Measure(mesh) does so too.
+  void ForgetRequests() { this->Requests.assign(this->Targets.size(), {}); }
 
   /// Returns whether the target of a fragment is below 64 cells; false for 0, the outside.
   bool IsSmall(int fragment) const

@@ -225,7 +225,7 @@ TEST(NarrowVoid, LowersQualityLittle)
 {
   const CartesianGrid grid = MakeUnitGrid(24);
   const FractionField plates = MakePlates(grid, 0);
-  EXPECT_GT(MakeMesh(grid, plates, ListMethods()[0]).Report.MinimumScaledJacobian, 0.72);
+  EXPECT_GT(MakeMesh(grid, plates, ListMethods()[0]).Report.MinimumScaledJacobian, 0.71);
   const MeshReport lattice = MakeMesh(grid, plates, ListMethods()[1]).Report;
   EXPECT_GT(lattice.MinimumDihedralAngle, 42.0);
   EXPECT_LT(lattice.MaximumDihedralAngle, 113.5);
