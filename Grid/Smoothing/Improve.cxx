@@ -143,13 +143,13 @@ bool VolumeCorrection::Follow()
   return true;
 }
 
-/// Runs rounds until no fragment is off its aim.
+/// Runs rounds until no fragment is off its aim or pushed.
 void VolumeCorrection::FollowFragments()
 {
-  for (int round = 0;
-       round<ResistingRounds&& this->Volumes().WorstFragmentError()> FragmentTolerance &&
-       this->Follow();
-       ++round)
+  const FragmentVolumes& volumes = this->Volumes();
+  const auto isDue = [&]
+  { return volumes.WorstFragmentError() > FragmentTolerance || volumes.HasPushed(); };
+  for (int round = 0; round < ResistingRounds && isDue() && this->Follow(); ++round)
   {
     this->Clock.Update(0.82 + 0.01 * round);
   }

@@ -316,6 +316,18 @@ bool FragmentVolumes::IsPushed(int fragment) const
     std::fabs(this->VolumeOf(fragment) - target) <= LargestPushedError * target;
 }
 
+bool FragmentVolumes::HasPushed() const
+{
+  for (int f = 1; f < static_cast<int>(this->Targets.size()); ++f)
+  {
+    if (this->IsPushed(f))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 void FragmentVolumes::MarkResisting(double error)
 {
   for (int f = 1; f < static_cast<int>(this->Targets.size()); ++f)

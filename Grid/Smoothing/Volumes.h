@@ -110,6 +110,8 @@ public:
   double WorstError() const;
   /// Returns the largest |volume - aim| / aim of all fragments.
   double WorstFragmentError() const;
+  /// Returns whether FindShifts may push any fragment that resists.
+  bool HasPushed() const;
 
   /// Marks the fragments with a relative error above `error` as resisting. The other fragments of
   /// their material take over the missing volume in proportion to their targets, each at most 10 %.

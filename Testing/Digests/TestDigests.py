@@ -15,11 +15,11 @@ import tempfile
 
 WITHOUT_FMA = "glibc.cpu.hwcaps=-FMA,-AVX2,-FMA4,-AVX"
 DIGESTS = {
-    "hexes": "dec1f6d8e90ee833d251305807cd24da29f147ea1fb22bcc9626ac9efd8069d0",
-    "labels": "5f9afe6dedb32cf368aed8cafd009bc1c9feb4a0ec4d664701a9820e8f766b2b",
+    "hexes": "d316d5a2e1f4d3908936965104d6774c95e284832a532ff535a5861e27771acf",
+    "labels": "0be9b343ed95ac65a1c77e1e19e89beed3891950dac3ef854f1d2deea5ec5bb3",
     "levels": "fe0771dce2d015f9a9d91be1cbfaf7c1b5ab01801f9816ae256a68ee906e4bb1",
     "state": "469013ad5e57c341ea7acbd53519f97250acad5a7a866ebdf2c10054e2e1de95",
-    "tets": "b76b683fe46f282fd4958ddb53eda35fdfa4e4e88c35abcc85c82986ada03c14",
+    "tets": "baf8463802a7e04e50a9bf11db7317a01150d436bfe88521b8430b9de0605070",
 }
 
 
