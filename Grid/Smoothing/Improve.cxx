@@ -167,7 +167,6 @@ void VolumeCorrection::Run()
     volumes.MarkResisting(error);
     this->FollowFragments();
   }
-  volumes.MarkResisting(FragmentTolerance); // without more rounds
   this->Clock.Update(0.92);
   this->MoveSurfaces();
 }
