@@ -26,10 +26,11 @@ constexpr double FinalTolerance = 1e-7; // relative error
 // within these while their neighbours move. Larger factors in the ramp would make volumes
 // oscillate.
 constexpr VolumeRules InRamp{ { 0.5 * VolumeTolerance, 1.0 }, { 0.5 * FragmentTolerance, 2.0 },
-  false };
+  false, true };
 constexpr VolumeRules InRounds{ { 0.5 * VolumeTolerance, 3.0 }, { 0.5 * FragmentTolerance, 3.0 },
-  true };
-constexpr VolumeRules InMoves{ { 0.5 * FinalTolerance, 3.0 }, { 0.5 * FinalTolerance, 3.0 },
+  true, true };
+// A fragment that cannot move would pull its neighbours off their targets.
+constexpr VolumeRules InMoves{ { 0.5 * FinalTolerance, 3.0 }, { 0.5 * FinalTolerance, 3.0 }, false,
   false };
 constexpr int Moves = 20;
 constexpr int FewestMoves = 4; // if small fragments are off

@@ -228,15 +228,20 @@ void FragmentVolumes::SumFacets()
 }
 
 /// Returns the factor by which a fragment is asked for more than it lacks.
-double FragmentVolumes::FactorOf(int fragment, double largest) const
+double FragmentVolumes::FactorOf(int fragment, const VolumeRules& rules) const
 {
+  const double largest = (this->IsSmall(fragment) ? rules.Small : rules.Large).LargestFactor;
   const Request& last = this->Requests[fragment];
   if (last.Change == 0.0)
   {
     return 1.0;
   }
   const double part = (this->VolumeOf(fragment) - last.Volume) / last.Change;
-  return part * largest <= 1.0 ? largest : std::max(1.0, 1.0 / part);
+  if (part * largest <= 1.0)
+  {
+    return rules.Insists ? largest : 1.0;
+  }
+  return std::max(1.0, 1.0 / part);
 }
 
 /// Returns by how much the volume of each fragment is asked to change; [0] is the outside.
@@ -245,12 +250,12 @@ std::vector<double> FragmentVolumes::FindRequests(const VolumeRules& rules) cons
   std::vector<double> requests(this->Targets.size(), 0.0);
   for (int f = 1; f < static_cast<int>(requests.size()); ++f)
   {
-    const VolumeRule& rule = this->IsSmall(f) ? rules.Small : rules.Large;
+    const double tolerance = (this->IsSmall(f) ? rules.Small : rules.Large).Tolerance;
     const bool isPushed = rules.Pushes && this->IsPushed(f);
-    if (isPushed || !(this->ErrorOf(f) <= rule.Tolerance))
+    if (isPushed || !(this->ErrorOf(f) <= tolerance))
     {
       const double aim = isPushed ? this->Targets[f] : this->Aims[f];
-      requests[f] = this->FactorOf(f, rule.LargestFactor) * (aim - this->VolumeOf(f));
+      requests[f] = this->FactorOf(f, rules) * (aim - this->VolumeOf(f));
     }
   }
   return requests;

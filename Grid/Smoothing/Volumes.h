@@ -54,6 +54,7 @@ struct VolumeRules
 {
   VolumeRule Large, Small; ///< of fragments that are not small, and of small ones
   bool Pushes;             ///< whether fragments that resist are pushed towards their targets
+  bool Insists;            ///< whether fragments that hardly follow are asked for more, too
 };
 
 /// Target and current volumes of all fragments, equal on all ranks. Refers to the runtime.
@@ -93,8 +94,8 @@ public:
   /// with the areas A of the interfaces and mu = 0 outside. An interface shifts by mu_f - mu_g. The
   /// aim is the target, or the volume of a fragment that resists or is within its tolerance. The
   /// factor is the inverse of the part of the last request by which the fragment changed, from 1 to
-  /// the largest factor. A push adds factor_f (target_f - volume_f) / sum_g A_fg to mu of a
-  /// resisting fragment whose error is at most 50 %.
+  /// the largest factor. Without Insists it is 1 where that part is smaller. A push adds factor_f
+  /// (target_f - volume_f) / sum_g A_fg to mu of a resisting fragment whose error is at most 50 %.
   std::vector<double> FindShifts(const ActiveMesh& mesh, const VolumeRules& rules);
   /// Sets all factors of the next call of FindShifts to 1. Measure(mesh) does so too.
   void ForgetRequests() { this->Requests.assign(this->Targets.size(), {}); }
@@ -139,7 +140,7 @@ private:
   void SumFacets();
   void SetAims();
   std::vector<double> FindRequests(const VolumeRules& rules) const;
-  double FactorOf(int fragment, double largest) const;
+  double FactorOf(int fragment, const VolumeRules& rules) const;
   void AddPushes(const std::vector<double>& requests, std::vector<double>& mu) const;
   bool IsPushed(int fragment) const;
   double VolumeOf(int fragment) const
