@@ -26,11 +26,11 @@ constexpr double FinalTolerance = 1e-7; // relative error
 // within these while their neighbours move. Larger factors in the ramp would make volumes
 // oscillate.
 constexpr VolumeRules InRamp{ { 0.5 * VolumeTolerance, 1.0 }, { 0.5 * FragmentTolerance, 2.0 },
-  false, true };
+  true };
 constexpr VolumeRules InRounds{ { 0.5 * VolumeTolerance, 3.0 }, { 0.5 * FragmentTolerance, 3.0 },
-  true, true };
+  true };
 // A fragment that cannot move would pull its neighbours off their targets.
-constexpr VolumeRules InMoves{ { 0.5 * FinalTolerance, 3.0 }, { 0.5 * FinalTolerance, 3.0 }, false,
+constexpr VolumeRules InMoves{ { 0.5 * FinalTolerance, 3.0 }, { 0.5 * FinalTolerance, 3.0 },
   false };
 constexpr int Moves = 20;
 constexpr int FewestMoves = 4; // if small fragments are off
@@ -181,8 +181,9 @@ void VolumeCorrection::MoveSurfaces()
   for (int move = 0, idle = 0; move < Moves && idle < IdleMoves; ++move)
   {
     const double error = volumes.WorstError();
-    if (!(error > FinalTolerance) &&
-      !(move < FewestMoves && volumes.WorstFragmentError() > FinalTolerance))
+    const bool isOff = error > FinalTolerance ||
+      (move < FewestMoves && volumes.WorstFragmentError() > FinalTolerance);
+    if (!isOff)
     {
       break;
     }
@@ -273,11 +274,11 @@ void Improve(const Improvement& what, StageClock& clock, Runtime& runtime)
     }
   }
   correction.MeasureBulges();
-  std::vector<std::int64_t> visits{ smoother.Visits() };
-  runtime.Group().Sum(visits);
-  what.Report.SmoothedPoints = smoother.Points();
+  std::vector<std::int64_t> sums{ smoother.Points(), smoother.Visits() };
+  runtime.Group().Sum(sums);
+  what.Report.SmoothedPoints = sums[0];
   what.Report.Sweeps = smoother.Sweeps();
-  what.Report.Visits = visits[0];
+  what.Report.Visits = sums[1];
 }
 
 void ReportVolumes(const CartesianGrid& grid, const FragmentVolumes& volumes, MeshReport& report)

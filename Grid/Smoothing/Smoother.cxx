@@ -53,15 +53,12 @@ Smoother::Smoother(
   HasMoved(mesh.X.size(), 1)
 {
   std::vector<unsigned char> isGhost = mesh.IsActive;
-  std::vector<std::int64_t> points{ 0 };
   mesh.ForOwned(
     [&](int point)
     {
-      ++points[0];
+      ++this->NumberOfPoints;
       isGhost[point] = 0;
     });
-  runtime.Group().Sum(points);
-  this->NumberOfPoints = points[0];
   for (std::size_t point = 0; point < isGhost.size(); ++point)
   {
     if (isGhost[point])
@@ -340,13 +337,15 @@ bool Smoother::Follow(
       }
       return NoVisit;
     });
-  std::vector<std::int64_t> marked{ std::count(this->Marked.begin(), this->Marked.end(), 1) };
-  this->Run.Group().Sum(marked);
-  if (marked[0] == 0)
+  std::vector<std::int64_t> sums{ std::count(this->Marked.begin(), this->Marked.end(), 1),
+    this->NumberOfPoints };
+  this->Run.Group().Sum(sums);
+  const auto marked = static_cast<double>(sums[0]), points = static_cast<double>(sums[1]);
+  if (marked == 0.0)
   {
     return false;
   }
-  if (static_cast<double>(marked[0]) < FewPoints * static_cast<double>(this->NumberOfPoints))
+  if (marked < FewPoints * points)
   {
     this->SweepWithChecks(stage);
   }

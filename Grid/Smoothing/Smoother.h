@@ -87,8 +87,8 @@ public:
   /// @pre Collective.
   bool EndIntersections(const SmoothingStage& stage, bool moves);
 
-  /// Points returns the number of points of all ranks, Sweeps the number of sweeps so far, Visits
-  /// the number of visits to points of this rank in them.
+  /// Points returns the number of points of this rank, Sweeps the number of sweeps so far, Visits
+  /// the number of visits to these points in them.
   Index Points() const { return this->NumberOfPoints; }
   int Sweeps() const { return this->NumberOfSweeps; }
   Index Visits() const { return this->NumberOfVisits; }

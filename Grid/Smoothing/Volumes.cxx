@@ -184,15 +184,24 @@ FragmentVolumes::FragmentVolumes(const CartesianGrid& grid, const FractionField&
   this->Resists.assign(this->Targets.size(), 0);
 }
 
+/// Sums valueOf(fragment) over the fragments of each material.
+template <class ValueOf>
+std::vector<double> FragmentVolumes::SumByMaterial(const ValueOf& valueOf) const
+{
+  std::vector<double> sums(this->TotalOfMaterial.size(), 0.0);
+  for (int f = 1; f < static_cast<int>(this->Targets.size()); ++f)
+  {
+    sums[this->Materials[f]] += valueOf(f);
+  }
+  return sums;
+}
+
 /// Distributes fractions without a cell of their material nearby to all fragments of the material,
 /// in proportion to their targets.
 void FragmentVolumes::DistributeOrphans()
 {
-  std::vector<double> found(this->TotalOfMaterial.size(), 0.0);
-  for (std::size_t f = 1; f < this->Targets.size(); ++f)
-  {
-    found[this->Materials[f]] += this->Targets[f];
-  }
+  const std::vector<double> found =
+    this->SumByMaterial([this](int fragment) { return this->Targets[fragment]; });
   for (std::size_t f = 1; f < this->Targets.size(); ++f)
   {
     const int m = this->Materials[f];
@@ -228,9 +237,8 @@ void FragmentVolumes::SumFacets()
 }
 
 /// Returns the factor by which a fragment is asked for more than it lacks.
-double FragmentVolumes::FactorOf(int fragment, const VolumeRules& rules) const
+double FragmentVolumes::FactorOf(int fragment, double largest, bool insists) const
 {
-  const double largest = (this->IsSmall(fragment) ? rules.Small : rules.Large).LargestFactor;
   const Request& last = this->Requests[fragment];
   if (last.Change == 0.0)
   {
@@ -239,7 +247,7 @@ double FragmentVolumes::FactorOf(int fragment, const VolumeRules& rules) const
   const double part = (this->VolumeOf(fragment) - last.Volume) / last.Change;
   if (part * largest <= 1.0)
   {
-    return rules.Insists ? largest : 1.0;
+    return insists ? largest : 1.0;
   }
   return std::max(1.0, 1.0 / part);
 }
@@ -250,12 +258,13 @@ std::vector<double> FragmentVolumes::FindRequests(const VolumeRules& rules) cons
   std::vector<double> requests(this->Targets.size(), 0.0);
   for (int f = 1; f < static_cast<int>(requests.size()); ++f)
   {
-    const double tolerance = (this->IsSmall(f) ? rules.Small : rules.Large).Tolerance;
-    const bool isPushed = rules.Pushes && this->IsPushed(f);
-    if (isPushed || !(this->ErrorOf(f) <= tolerance))
+    const VolumeRule& rule = this->IsSmall(f) ? rules.Small : rules.Large;
+    const bool isPushed = rules.Insists && this->IsPushed(f);
+    if (isPushed || !(this->ErrorOf(f) <= rule.Tolerance))
     {
       const double aim = isPushed ? this->Targets[f] : this->Aims[f];
-      requests[f] = this->FactorOf(f, rules) * (aim - this->VolumeOf(f));
+      requests[f] =
+        this->FactorOf(f, rule.LargestFactor, rules.Insists) * (aim - this->VolumeOf(f));
     }
   }
   return requests;
@@ -271,7 +280,7 @@ std::vector<double> FragmentVolumes::FindShifts(const ActiveMesh& mesh, const Vo
     this->Requests[f] = { requests[f], this->VolumeOf(static_cast<int>(f)) };
   }
   std::vector<double> mu = SolveForLack(this->Areas, lack);
-  if (rules.Pushes)
+  if (rules.Insists)
   {
     this->AddPushes(requests, mu);
   }
@@ -370,11 +379,8 @@ double FragmentVolumes::WorstError() const
     worst = this->IsSmall(f) ? worst : std::max(worst, this->ErrorOf(f));
   }
   const std::vector<double> volumes = this->MaterialVolumes();
-  std::vector<double> aims(volumes.size(), 0.0);
-  for (std::size_t f = 1; f < this->Aims.size(); ++f)
-  {
-    aims[this->Materials[f]] += this->Aims[f];
-  }
+  const std::vector<double> aims =
+    this->SumByMaterial([this](int fragment) { return this->Aims[fragment]; });
   for (std::size_t m = 1; m < volumes.size(); ++m)
   {
     if (volumes[m] > 0.0)
@@ -387,12 +393,7 @@ double FragmentVolumes::WorstError() const
 
 std::vector<double> FragmentVolumes::MaterialVolumes() const
 {
-  std::vector<double> volumes(this->TotalOfMaterial.size(), 0.0);
-  for (std::size_t f = 1; f < this->Targets.size(); ++f)
-  {
-    volumes[this->Materials[f]] += this->VolumeOf(static_cast<int>(f));
-  }
-  return volumes;
+  return this->SumByMaterial([this](int fragment) { return this->VolumeOf(fragment); });
 }
 
 std::vector<Index> FragmentVolumes::MaterialFragments() const

@@ -53,8 +53,9 @@ struct VolumeRule
 struct VolumeRules
 {
   VolumeRule Large, Small; ///< of fragments that are not small, and of small ones
-  bool Pushes;             ///< whether fragments that resist are pushed towards their targets
-  bool Insists;            ///< whether fragments that hardly follow are asked for more, too
+  /// Whether fragments that resist are pushed towards their targets, and fragments that hardly
+  /// follow are asked for the largest factor.
+  bool Insists;
 };
 
 /// Target and current volumes of all fragments, equal on all ranks. Refers to the runtime.
@@ -136,11 +137,13 @@ private:
     double Change = 0.0, Volume = 0.0;
   };
 
+  template <class ValueOf>
+  std::vector<double> SumByMaterial(const ValueOf& valueOf) const;
   void DistributeOrphans();
   void SumFacets();
   void SetAims();
   std::vector<double> FindRequests(const VolumeRules& rules) const;
-  double FactorOf(int fragment, const VolumeRules& rules) const;
+  double FactorOf(int fragment, double largest, bool insists) const;
   void AddPushes(const std::vector<double>& requests, std::vector<double>& mu) const;
   bool IsPushed(int fragment) const;
   double VolumeOf(int fragment) const
