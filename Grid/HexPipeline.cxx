@@ -12,9 +12,9 @@
 #include "Periodic/CloseSeam.h"
 #include "Pipeline.h"
 #include "Smoothing/Attach.h"
-#include "Smoothing/CellLocator.h"
+#include "Volumes/CellLocator.h"
 #include "Smoothing/HexEnergy.h"
-#include "Smoothing/Improve.h"
+#include "Volumes/Improve.h"
 
 #include <optional>
 #include <stdexcept>

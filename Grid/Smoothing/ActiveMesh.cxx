@@ -199,6 +199,26 @@ Vector3 ActiveMesh::ReachOf(int point) const
   return reach;
 }
 
+MoveBounds ActiveMesh::RangeOf(int point) const
+{
+  MoveBounds range = this->BoundsOf(point);
+  const bool staysNear = !this->StaysNear.empty() && this->StaysNear[point];
+  const Vector3 start = this->StartOf(point), reach = this->ReachOf(point);
+  for (int a = 0; a < 3; ++a)
+  {
+    if (this->Fixed[point] >> a & 1)
+    {
+      range.Lower[a] = range.Upper[a] = this->X[point][a];
+    }
+    else if (staysNear)
+    {
+      range.Lower[a] = std::max(range.Lower[a], start[a] - reach[a]);
+      range.Upper[a] = std::min(range.Upper[a], start[a] + reach[a]);
+    }
+  }
+  return range;
+}
+
 bool ActiveMesh::IsNearStart(int point, const Vector3& x) const
 {
   if (this->StaysNear.empty() || !this->StaysNear[point])

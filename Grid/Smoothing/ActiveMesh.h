@@ -189,6 +189,11 @@ struct ActiveMesh
   {
     return this->Demands.empty() ? 1.0 : this->Demands[this->ElementAt(position)];
   }
+  /// Returns whether an element is only a barrier. position: in Elements.
+  bool IsBarrierAt(CornerPosition position) const
+  {
+    return !this->Demands.empty() && this->Demands[this->ElementAt(position)] == BarrierDemand;
+  }
   /// Sets Demands for the elements that are only a barrier, and StaysNear for their points and the
   /// points of the elements at these.
   /// @param elements  index in the mesh of each element
@@ -207,6 +212,9 @@ struct ActiveMesh
     return { { (start[0] - this->Origin[0]) / this->Scale,
       (start[1] - this->Origin[1]) / this->Scale, (start[2] - this->Origin[2]) / this->Scale } };
   }
+  /// Returns where a point may be: within its bounds, near its start if it must stay there, and at
+  /// its fixed coordinates.
+  MoveBounds RangeOf(int point) const;
   /// Returns whether a point that must stay near its start may be at x; true for all others.
   bool IsNearStart(int point, const Vector3& x) const;
   /// Fills CornerOffset, CornerList and Stars from Elements.

@@ -81,6 +81,14 @@ void Smoother::ForgetMoved()
   }
 }
 
+void Smoother::NoteMoved(const std::vector<int>& points)
+{
+  for (int point : points)
+  {
+    this->HasMoved[point] = 1;
+  }
+}
+
 void Smoother::MarkAll()
 {
   std::fill_n(this->Dirty.get(), this->Mesh.X.size(), 1);

@@ -96,6 +96,8 @@ public:
   /// Returns whether each point may have moved since ForgetMoved; at first all.
   const std::vector<unsigned char>& MovedPoints() const { return this->HasMoved; }
   void ForgetMoved();
+  /// Notes that other code has moved points.
+  void NoteMoved(const std::vector<int>& points);
 
 private:
   bool IsShifted(int point, const std::vector<double>& shifts) const;

@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "Smoothing/Volumes.h"
+#include "Volumes/FragmentVolumes.h"
 #include "Tet/TetFacets.h"
 
 #include <tuple>

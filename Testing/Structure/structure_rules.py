@@ -8,7 +8,7 @@ import re
 # root of each is above all its modules.
 MODULES = {
     "Grid": ("Ranks", "Base", "Fractions", "Octree", "Labels", "Interface", "Mesh", "Periodic",
-             "Transfer", "SharpFeatures", "Smoothing", "Curved", "Hex", "Tet", "TetGen"),
+             "Transfer", "SharpFeatures", "Smoothing", "Volumes", "Curved", "Hex", "Tet", "TetGen"),
     "Mesher": ("Options", "Input", "Levels", "Summary", "Sets", "State", "Modify"),
 }
 GRID, MESHER = (tuple(top + "/" + module for module in MODULES[top]) + (top,)

@@ -2,7 +2,7 @@
 /// volumes of hexes before smoothing.
 #include "Base/Partition.h"
 #include "RankMeshes.h"
-#include "Smoothing/CellLocator.h"
+#include "Volumes/CellLocator.h"
 #include "Sweep.h"
 
 #include "Hex/CoarseHexes.h"

@@ -1,4 +1,4 @@
-#include "Smoothing/CellLocator.h"
+#include "Volumes/CellLocator.h"
 
 #include "Fractions/RefineCells.h"
 

@@ -1,6 +1,8 @@
-#include "Smoothing/Improve.h"
+#include "Volumes/Improve.h"
 
 #include "Base/PortableMath.h"
+
+#include "Volumes/ScaleFragments.h"
 
 #include <cmath>
 #include <limits>
@@ -55,8 +57,9 @@ std::vector<double> Multiplied(std::vector<double> values, double factor)
 class VolumeCorrection
 {
 public:
-  VolumeCorrection(const Improvement& what, Smoother& smoother, StageClock& clock) :
-    What(what), TheSmoother(smoother), Clock(clock), Stage(what.Ramp.back())
+  VolumeCorrection(
+    const Improvement& what, Smoother& smoother, StageClock& clock, Runtime& runtime) :
+    What(what), TheSmoother(smoother), Clock(clock), TheRuntime(runtime), Stage(what.Ramp.back())
   {
     this->Stage.Sweeps = SweepsPerRound;
   }
@@ -87,6 +90,7 @@ private:
   {
     return this->Volumes().IsSmall(a.Fragments[0]) || this->Volumes().IsSmall(a.Fragments[1]);
   }
+  void ScaleFree();
   bool Follow();
   void FollowFragments();
   void MoveSurfaces();
@@ -94,6 +98,7 @@ private:
   const Improvement& What;
   Smoother& TheSmoother;
   StageClock& Clock;
+  Runtime& TheRuntime;
   SmoothingStage Stage;
   bool IsMeasured = false;
 };
@@ -131,6 +136,18 @@ void VolumeCorrection::ShiftAfterSweep(int sweep)
   }
 }
 
+/// Gives free fragments that are off their targets.
+void VolumeCorrection::ScaleFree()
+{
+  const std::vector<double> scales = this->Volumes().FindScales(FragmentTolerance);
+  if (std::any_of(scales.begin(), scales.end(), [](double scale) { return scale != 1.0; }))
+  {
+    this->TheSmoother.NoteMoved(ScaleFragments(this->What.Targets, this->What.Energy, this->Stage,
+      scales, this->TheRuntime, this->What.Active));
+    this->Measure();
+  }
+}
+
 /// Runs one round. Returns false if all shifts were too small to matter.
 bool VolumeCorrection::Follow()
 {
@@ -159,12 +176,14 @@ void VolumeCorrection::FollowFragments()
 void VolumeCorrection::Run()
 {
   FragmentVolumes& volumes = this->Volumes();
+  this->ScaleFree();
   if (volumes.WorstError() > VolumeTolerance)
   {
     this->Follow();
   }
   for (double error : ResistingErrors)
   {
+    this->ScaleFree();
     volumes.MarkResisting(error);
     this->FollowFragments();
   }
@@ -223,7 +242,7 @@ void Improve(const Improvement& what, StageClock& clock, Runtime& runtime)
 {
   clock.Start("Smoothing", 0.25);
   Smoother smoother(what.Active, &what.Targets, what.Energy, runtime);
-  VolumeCorrection correction(what, smoother, clock);
+  VolumeCorrection correction(what, smoother, clock, runtime);
   // AfterRamp may replace the facets.
   const bool shifts = what.ConserveVolume && !what.AfterRamp;
   double done = 0.25;

@@ -6,7 +6,7 @@
 
 #include "Mesh/StageClock.h"
 #include "Smoothing/Smoother.h"
-#include "Smoothing/Volumes.h"
+#include "Volumes/FragmentVolumes.h"
 
 namespace vfm
 {

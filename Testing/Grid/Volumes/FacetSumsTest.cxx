@@ -1,5 +1,5 @@
 /// Sums of facets that are kept between moves are equal to new sums.
-#include "Smoothing/FacetSums.h"
+#include "Volumes/FacetSums.h"
 #include "Base/ThreadRuntime.h"
 #include "RandomDraw.h"
 

@@ -1,5 +1,6 @@
-#include "Smoothing/Volumes.h"
+#include "Volumes/FragmentVolumes.h"
 
+#include "Base/PortableMath.h"
 #include "Fractions/RowVolumes.h"
 
 #include <mutex>
@@ -350,6 +351,20 @@ void FragmentVolumes::MarkResisting(double error)
   }
   this->Tolerance = error;
   this->SetAims();
+}
+
+std::vector<double> FragmentVolumes::FindScales(double error) const
+{
+  std::vector<double> scales(this->Targets.size(), 1.0);
+  for (int f = 1; f < static_cast<int>(scales.size()); ++f)
+  {
+    const double target = this->Targets[f], volume = this->VolumeOf(f);
+    if (volume > 0.0 && std::fabs(volume - target) > error * target)
+    {
+      scales[f] = CubeRoot(target / volume);
+    }
+  }
+  return scales;
 }
 
 /// Ends the marks of fragments that have reached their targets, and sets the aims of all fragments.

@@ -15,7 +15,7 @@
 #pragma once
 
 #include "Labels/Fragments.h"
-#include "Smoothing/FacetSums.h"
+#include "Volumes/FacetSums.h"
 
 #include <functional>
 
@@ -119,6 +119,10 @@ public:
   /// their material take over the missing volume in proportion to their targets, each at most 10 %.
   /// The marks of fragments that reach their targets within this error end.
   void MarkResisting(double error);
+
+  /// Returns by which factor the lengths of each fragment must change to give it its target, 1 for
+  /// fragments whose volume is off by at most this relative error, and for the outside, [0].
+  std::vector<double> FindScales(double error) const;
 
   /// Return the volume per material from 0, in mean cells. Targets include cells without an element
   /// of the material nearby.

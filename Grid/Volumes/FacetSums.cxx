@@ -1,4 +1,4 @@
-#include "Smoothing/FacetSums.h"
+#include "Volumes/FacetSums.h"
 
 #include "Base/HexVolume.h"
 

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "Octree/RefinedGrid.h"
-#include "Smoothing/Volumes.h"
+#include "Volumes/FragmentVolumes.h"
 
 namespace vfm
 {
