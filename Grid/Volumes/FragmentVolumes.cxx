@@ -358,10 +358,11 @@ std::vector<double> FragmentVolumes::FindScales(double error) const
   std::vector<double> scales(this->Targets.size(), 1.0);
   for (int f = 1; f < static_cast<int>(scales.size()); ++f)
   {
-    const double target = this->Targets[f], volume = this->VolumeOf(f);
-    if (volume > 0.0 && std::fabs(volume - target) > error * target)
+    const double aim = this->Resists[f] ? this->Targets[f] : this->Aims[f];
+    const double volume = this->VolumeOf(f);
+    if (volume > 0.0 && std::fabs(volume - aim) > error * aim)
     {
-      scales[f] = CubeRoot(target / volume);
+      scales[f] = CubeRoot(aim / volume);
     }
   }
   return scales;

@@ -367,6 +367,7 @@ void Scaling::Apply()
   }
   this->ListPoints();
   this->LeaveMarked();
+  this->KeepScaledPoints();
   this->FindTranslations();
   this->Move();
   this->PutBack();
