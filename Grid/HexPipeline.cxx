@@ -12,8 +12,8 @@
 #include "Periodic/CloseSeam.h"
 #include "Pipeline.h"
 #include "Smoothing/Attach.h"
-#include "Volumes/CellLocator.h"
 #include "Smoothing/HexEnergy.h"
+#include "Volumes/CellLocator.h"
 #include "Volumes/Improve.h"
 
 #include <optional>

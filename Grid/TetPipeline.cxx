@@ -7,8 +7,6 @@
 #include "Periodic/CloseSeam.h"
 #include "Pipeline.h"
 #include "Smoothing/Attach.h"
-#include "Volumes/CellLocator.h"
-#include "Volumes/Improve.h"
 #include "Tet/ActiveTets.h"
 #include "Tet/CellTets.h"
 #include "Tet/CoarseTets.h"
@@ -17,6 +15,8 @@
 #include "Tet/TetAttach.h"
 #include "Tet/TetFragments.h"
 #include "Tet/TetImprove.h"
+#include "Volumes/CellLocator.h"
+#include "Volumes/Improve.h"
 #ifdef VFM_HAS_TETGEN
 #include "TetGen/RefillTets.h"
 #endif

@@ -3,8 +3,8 @@
  */
 #pragma once
 
-#include "Volumes/FragmentVolumes.h"
 #include "Tet/TetFacets.h"
+#include "Volumes/FragmentVolumes.h"
 
 #include <tuple>
 

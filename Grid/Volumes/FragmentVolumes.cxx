@@ -360,7 +360,7 @@ std::vector<double> FragmentVolumes::FindScales(double error) const
   {
     const double aim = this->Resists[f] ? this->Targets[f] : this->Aims[f];
     const double volume = this->VolumeOf(f);
-    if (volume > 0.0 && std::fabs(volume - aim) > error * aim)
+    if (this->IsSmall(f) && volume > 0.0 && std::fabs(volume - aim) > error * aim)
     {
       scales[f] = CubeRoot(aim / volume);
     }

@@ -120,9 +120,9 @@ public:
   /// The marks of fragments that reach their targets within this error end.
   void MarkResisting(double error);
 
-  /// Returns by which factor the lengths of each fragment must change to give it its aim, or its
-  /// target if it resists: 1 for fragments that are off by at most this relative error, and for the
-  /// outside, [0].
+  /// Returns by which factor the lengths of each small fragment must change to give it its aim, or
+  /// its target if it resists; 1 for fragments that are off by at most this relative error, for
+  /// those that are not small, and for the outside, [0].
   std::vector<double> FindScales(double error) const;
 
   /// Return the volume per material from 0, in mean cells. Targets include cells without an element

@@ -176,7 +176,6 @@ void VolumeCorrection::FollowFragments()
 void VolumeCorrection::Run()
 {
   FragmentVolumes& volumes = this->Volumes();
-  this->ScaleFree();
   if (volumes.WorstError() > VolumeTolerance)
   {
     this->Follow();

@@ -24,6 +24,7 @@ FOLDERS = (
     ("Grid/SharpFeatures", "Edges and corners found in fractions: "
                            "[algorithm](../theory/algorithm.md#sharp-edges-and-corners)."),
     ("Grid/Smoothing", "The points that move, and the energies that move them."),
+    ("Grid/Volumes", "The volumes of fragments, and how smoothing and corrections reach them."),
     ("Grid/Curved", "Mid nodes of second-order elements on curved interfaces."),
     ("Grid/Hex", "Hexahedra from labels."),
     ("Grid/Tet", "Tetrahedra from labels or fractions."),

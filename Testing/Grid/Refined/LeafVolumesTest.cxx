@@ -2,8 +2,8 @@
 /// volumes of hexes before smoothing.
 #include "Base/Partition.h"
 #include "RankMeshes.h"
-#include "Volumes/CellLocator.h"
 #include "Sweep.h"
+#include "Volumes/CellLocator.h"
 
 #include "Hex/CoarseHexes.h"
 #include "Hex/HexTopology.h"
