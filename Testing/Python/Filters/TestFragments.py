@@ -5,6 +5,7 @@ import tempfile
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOXML import vtkXMLImageDataReader
 
 from mpi_run import mpi_run
 from vfmtest import (
@@ -12,6 +13,8 @@ from vfmtest import (
     ball_and_plate, collect, elements,
     fraction_image, image, labels, main, mesh_of, producer, surface_faces, tet_volumes, simple)
 
+SPLASH = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "Data",
+                      "splash_3500us.vti")
 CORNERS = np.array([[-1, -1, -1], [1, -1, -1], [1, 1, -1], [-1, 1, -1], [-1, -1, 1], [1, -1, 1],
                     [1, 1, 1], [-1, 1, 1]])
 
@@ -113,6 +116,19 @@ def test_fraction_volumes():
         place = table["Material"].index(name)
         assert np.isclose(table["FractionVolume"][place], target, rtol=1e-9)
         assert np.isclose(table["MeshVolume"][place], target, rtol=1e-6)
+
+
+def test_drops_of_a_splash():
+    """Each drop, also one of a single cell, has the volume of its fractions."""
+    reader = vtkXMLImageDataReader()
+    reader.SetFileName(SPLASH)
+    reader.Update()
+    result = mesh_of(reader.GetOutput(), VolumeFractionArrays=["water"])
+    table, _ = table_of(result.mesh)
+    assert len(table["FragmentId"]) == 22
+    errors = np.array(table["MeshVolume"]) / table["FractionVolume"] - 1
+    print("largest relative error of a fragment: %.1e" % abs(errors).max())
+    assert abs(errors).max() < 1e-6, errors
 
 
 def test_void_has_neighbours():
