@@ -126,21 +126,27 @@ void Scaling::LeaveTouching()
   this->LeaveMarked();
 }
 
+/// Labels the points of surfaces. Leaves fragments that touch others only at points or edges.
 void Scaling::LabelSurfaces()
 {
   this->Mesh.ForOwned(
     [this](int point)
     {
-      for (Index i = this->Mesh.AttachmentOffset[point]; i < this->Mesh.AttachmentOffset[point + 1];
-           ++i)
-      {
-        const auto& [first, second] = this->Mesh.Attachments[i].Fragments;
-        const int fragment = std::max(first, second);
-        if (this->IsScaled(fragment))
+      const auto begin = this->Mesh.Attachments.begin();
+      int known = 0;
+      std::for_each(begin + this->Mesh.AttachmentOffset[point],
+        begin + this->Mesh.AttachmentOffset[point + 1],
+        [&](const Attachment& a)
         {
-          this->FragmentOf[point] = fragment;
-        }
-      }
+          const int fragment = std::max(a.Fragments[0], a.Fragments[1]);
+          if (known > 0 && known != fragment)
+          {
+            this->Leave(known);
+            this->Leave(fragment);
+          }
+          known = fragment;
+        });
+      this->FragmentOf[point] = this->IsScaled(known) ? known : 0;
     });
 }
 
