@@ -55,12 +55,13 @@ private:
   }
   void ListPoints();
   void KeepScaledPoints();
-  std::vector<int> ListFragments();
+  void NumberFragments();
   void FindTranslations();
   Vector3 Scaled(int point, const Vector3& x) const;
   void Move();
   bool MayStay(std::size_t n) const;
   void SendPositions();
+  bool LeavePoor();
   void PutBack();
   /// Calls visit(corners) for the elements at a point that are not only a barrier.
   template <class Visitor>
@@ -219,25 +220,23 @@ void Scaling::ListPoints()
     });
 }
 
-/// Returns the number of each fragment among those that are scaled.
-std::vector<int> Scaling::ListFragments()
+/// Numbers the fragments that are scaled.
+void Scaling::NumberFragments()
 {
-  std::vector<int> numbers(this->Factors.size(), 0);
   int count = 0;
-  for (std::size_t f = 0; f < numbers.size(); ++f)
+  for (double factor : this->Factors)
   {
-    numbers[f] = count;
-    count += this->Factors[f] != 1.0;
+    this->NumberOf.push_back(count);
+    count += factor != 1.0;
   }
   this->Translations.resize(count);
-  return numbers;
 }
 
 /// Finds translations that keep the means of the points in place, or else as near as the limits of
 /// the points permit. Leaves fragments whose points cannot all stay within their limits.
 void Scaling::FindTranslations()
 {
-  this->NumberOf = this->ListFragments();
+  this->NumberFragments();
   const std::size_t count = this->Translations.size();
   std::vector<ExactSum> sums(4 * count);           // of positions along each axis, and their number
   std::vector<double> limits(6 * count, -NoLimit); // lower limits, and minus the upper ones
@@ -331,24 +330,27 @@ bool Scaling::MayStay(std::size_t n) const
     this->Energy.KeepsAt(this->Mesh, point, x);
 }
 
+/// Leaves the fragments with elements that are not good enough. Returns whether there are any, on
+/// any rank.
+bool Scaling::LeavePoor()
+{
+  ForEach(this->Run, this->Points.size(),
+    [this](Index n)
+    {
+      const int fragment = this->FragmentOf[this->Points[n]];
+      if (this->IsScaled(fragment) && !this->MayStay(n))
+      {
+        this->Leave(fragment);
+      }
+    });
+  return this->LeaveMarked();
+}
+
 /// Puts fragments back until all elements are good enough.
 void Scaling::PutBack()
 {
-  do
+  while (this->LeavePoor())
   {
-    ForEach(this->Run, this->Points.size(),
-      [this](Index n)
-      {
-        const int fragment = this->FragmentOf[this->Points[n]];
-        if (this->IsScaled(fragment) && !this->MayStay(n))
-        {
-          this->Leave(fragment);
-        }
-      });
-    if (!this->LeaveMarked())
-    {
-      return;
-    }
     for (std::size_t n = 0; n < this->Points.size(); ++n)
     {
       const int point = this->Points[n];
@@ -356,7 +358,7 @@ void Scaling::PutBack()
         this->IsScaled(this->FragmentOf[point]) ? this->Mesh.X[point] : this->Before[n];
     }
     this->SendPositions();
-  } while (true);
+  }
 }
 
 void Scaling::Apply()
