@@ -14,10 +14,11 @@ namespace vfm
 {
 
 /// Items of the groups 0 to n-1 (compressed rows).
-template <class Item>
+/// @tparam Offset  type of positions in Items
+template <class Item, class Offset = Index>
 struct Groups
 {
-  std::vector<Index> Begin; ///< begin of each group in Items, then the number of items
+  std::vector<Offset> Begin; ///< begin of each group in Items, then the number of items
   /// Items of group 0, then of group 1 and so on. The items of a group keep the
   /// order of the visits.
   std::vector<Item> Items;
@@ -26,11 +27,11 @@ struct Groups
 /// Makes `count` groups.
 /// @param forItems  forItems(visit) calls visit(group, item) for all items. It runs twice, to count
 ///   the items and to store them, and must visit the same items in the same order.
-template <class Item, class ForItems>
-Groups<Item> MakeGroups(std::size_t count, const ForItems& forItems)
+template <class Item, class Offset = Index, class ForItems>
+Groups<Item, Offset> MakeGroups(std::size_t count, const ForItems& forItems)
 {
-  Groups<Item> groups;
-  std::vector<Index>& begin = groups.Begin;
+  Groups<Item, Offset> groups;
+  std::vector<Offset>& begin = groups.Begin;
   begin.assign(count + 1, 0);
   forItems([&](Index group, Item) { ++begin[group + 1]; });
   for (std::size_t g = 1; g <= count; ++g)
@@ -38,7 +39,7 @@ Groups<Item> MakeGroups(std::size_t count, const ForItems& forItems)
     begin[g] += begin[g - 1];
   }
   groups.Items.resize(begin.back());
-  std::vector<Index> next(begin.begin(), begin.end() - 1);
+  std::vector<Offset> next(begin.begin(), begin.end() - 1);
   forItems([&](Index group, Item item) { groups.Items[next[group]++] = item; });
   return groups;
 }

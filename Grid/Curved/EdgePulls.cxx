@@ -44,7 +44,9 @@ bool IsInterface(const Facet& facet)
   return facet.DomainSide < 0;
 }
 
-Index CountCorners(const Facet& facet)
+/// Returns the number of corners of a Facet or an ActiveFacet.
+template <class Face>
+Index CountCorners(const Face& facet)
 {
   return facet.Points[2] == facet.Points[3] ? 3 : 4;
 }
@@ -165,7 +167,7 @@ private:
 
   void AddAims(const EdgeUse& use, double length, std::vector<Aim>& aims) const
   {
-    const std::vector<Index>& offsets = this->Active.AttachmentOffset;
+    const std::vector<CornerPosition>& offsets = this->Active.AttachmentOffset;
     for (Index i = offsets[use.End]; i < offsets[use.End + 1]; ++i)
     {
       const Attachment& a = this->Active.Attachments[i];
@@ -365,7 +367,7 @@ std::vector<double> MeasureBulges(const std::vector<EdgePull>& pulls, const Mesh
   const auto idOf = [&](Index point)
   { return IdOfOwner(mesh, mesh.PointIds[active.MeshPoint[point]]); };
   std::vector<EdgeIds> edges;
-  for (const Facet& facet : active.Facets)
+  for (const ActiveFacet& facet : active.Facets)
   {
     const Index corners = CountCorners(facet);
     for (Index c = 0; c < corners; ++c)
@@ -376,7 +378,7 @@ std::vector<double> MeasureBulges(const std::vector<EdgePull>& pulls, const Mesh
   const std::vector<EdgeMove> moves = CombinePulls(pulls, edges, runtime.Group());
   std::vector<ExactSum> sums(fragments);
   std::size_t at = 0;
-  for (const Facet& facet : active.Facets)
+  for (const ActiveFacet& facet : active.Facets)
   {
     const Index corners = CountCorners(facet);
     Vector3 x[4]{}, ofEdges[4]{};

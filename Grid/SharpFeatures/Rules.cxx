@@ -115,7 +115,7 @@ void Exchange(const Work& work, std::vector<Value>& values)
     Value Of;
   };
   using Slots = std::array<Slot, MaximumPairs>;
-  const std::vector<Index>& offset = work.Pairs.Offset;
+  const std::vector<std::uint32_t>& offset = work.Pairs.Offset;
   const auto pack = [&](int mover)
   {
     Slots slots{};

@@ -31,7 +31,7 @@ struct SurfacePairs
 {
   bool IsOfHexes;
   const std::vector<Vector3>& Places; ///< position of each point, grid coordinates
-  const std::vector<Index>& Offset;   ///< the pairs of point p are [Offset[p], Offset[p + 1])
+  const std::vector<std::uint32_t>& Offset; ///< the pairs of point p are [Offset[p], Offset[p + 1])
   const std::vector<int>& PointOf;    ///< index here of each point of the mesh, or -1
   const PointExchange& Exchange;      ///< sends values of points to the ranks that share them
   std::vector<Index> Ids;             ///< id of each point, equal on all ranks

@@ -187,8 +187,8 @@ Vector3 ActiveMesh::ReachOf(int point) const
     return ReachInCubes * this->Widths[0];
   }
   Vector3 reach{ { NoLimit, NoLimit, NoLimit } };
-  const std::vector<Index>& corners = this->CornerOffset;
-  for (Index at = corners[point]; at < corners[point + 1]; ++at)
+  const std::vector<CornerPosition>& corners = this->CornerOffset;
+  for (CornerPosition at = corners[point]; at < corners[point + 1]; ++at)
   {
     const Vector3& widths = this->WidthsAt(this->CornerList[at]);
     for (int a = 0; a < 3; ++a)
@@ -240,7 +240,7 @@ void ActiveMesh::ListCorners()
   {
     throw InputError("More elements at interfaces than one rank can smooth: use more ranks.");
   }
-  auto corners = MakeGroups<CornerPosition>(this->X.size(),
+  auto corners = MakeGroups<CornerPosition, CornerPosition>(this->X.size(),
     [this](const auto& visit)
     {
       for (std::size_t position = 0; position < this->Elements.size(); ++position)

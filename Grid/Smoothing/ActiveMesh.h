@@ -25,12 +25,19 @@ namespace vfm
 /// Attraction of a surface point to the target of a pair of labels that meet at it.
 struct Attachment
 {
-  Index Target; ///< number in SurfaceTargets
+  int Target; ///< number in SurfaceTargets
   /// Fragments of the first and second label; 0 if not meshed.
   std::array<int, 2> Fragments{};
+  float Weight = 1.0f; ///< weight of the squared distance; greater near sharp features
   /// Shift of the target's zero level towards the second label, in the target's frame.
   double Offset = 0.0;
-  double Weight = 1.0; ///< weight of the squared distance; greater near sharp features
+};
+
+/// Face between two fragments.
+struct ActiveFacet
+{
+  std::array<int, 4> Points;    ///< points of the active mesh; triangles repeat the last one
+  std::array<int, 2> Fragments; ///< fragment behind and before; 0: not meshed
 };
 
 /// Factor of the target quality of elements that are only a barrier (Mesh::HasBarrier). Their
@@ -43,7 +50,7 @@ struct MoveBounds
   Vector3 Lower{ { -1e300, -1e300, -1e300 } }, Upper{ { 1e300, 1e300, 1e300 } };
 };
 
-/// Position in ActiveMesh::Elements.
+/// Position in ActiveMesh::Elements or Attachments.
 using CornerPosition = std::uint32_t;
 
 /// Active part of a mesh as compact arrays. It owns its arrays but refers to the points of the
@@ -70,19 +77,18 @@ struct ActiveMesh
   /// Factor of each element's target quality, up to 1; empty if all are 1.
   std::vector<float> Demands;
   /// Corners at point p: CornerList[CornerOffset[p]] to before CornerList[CornerOffset[p + 1]].
-  std::vector<Index> CornerOffset;
+  std::vector<CornerPosition> CornerOffset;
   /// Positions in Elements, ascending; points that are not active have no entries.
   std::vector<CornerPosition> CornerList;
-  HexRings Rings;         ///< rings of hexes, found by Smoother
+  HexRings Rings;         ///< rings of hexes, found by Smoother like the lists of corners
   TetStars Stars;         ///< stars of tets
   MoveOrder Order;        ///< order of the owned nodes
   PointExchange Exchange; ///< exchange of the points that move
   /// First attachment of each point, like CornerOffset.
-  std::vector<Index> AttachmentOffset;
+  std::vector<CornerPosition> AttachmentOffset;
   std::vector<Attachment> Attachments;
-  /// Faces between two fragments by which volumes are measured, each on one rank. Their points are
-  /// indices of this mesh.
-  std::vector<Facet> Facets;
+  /// Faces by which volumes are measured, each on one rank.
+  std::vector<ActiveFacet> Facets;
   /// Points of the mesh, in length units of the grid.
   const double* MeshPoints = nullptr;
   Vector3 Origin{};   ///< origin of grid coordinates
@@ -123,7 +129,7 @@ struct ActiveMesh
   {
     return std::any_of(this->Attachments.begin() + this->AttachmentOffset[point],
       this->Attachments.begin() + this->AttachmentOffset[point + 1],
-      [](const Attachment& a) { return a.Weight > 1.0; });
+      [](const Attachment& a) { return a.Weight > 1.0f; });
   }
   /// Calls visit(other) for the points of the elements at an active point. Some are visited more
   /// than once; the point itself may be left out.
@@ -145,7 +151,7 @@ struct ActiveMesh
       std::for_each(star.FirstNeighbour, star.LastNeighbour, visit);
       return;
     }
-    for (Index at = this->CornerOffset[point]; at < this->CornerOffset[point + 1]; ++at)
+    for (CornerPosition at = this->CornerOffset[point]; at < this->CornerOffset[point + 1]; ++at)
     {
       const int* element =
         this->Elements.data() + this->CornerList[at] / this->Corners * this->Corners;

@@ -105,7 +105,6 @@ void ActiveMeshBuilder::Allocate()
 ActiveMesh ActiveMeshBuilder::TakeResult()
 {
   std::vector<Mover>().swap(this->Movers);
-  this->Result.ListCorners();
   return std::move(this->Result);
 }
 

@@ -42,7 +42,7 @@ public:
     /// one apart along each axis.
     OfGrid
   };
-  /// Returns the mesh, complete except for widths, positions and attachments.
+  /// Returns the mesh, complete except for widths, positions, attachments and lists of corners.
   /// @param partition  nullptr if ranks share no points
   /// @param colours  number of colours, equal on all ranks
   /// @pre Collective among the ranks that share movers.

@@ -95,7 +95,7 @@ void AttachToFacets(const std::vector<Facet>& facets, const FindTarget& findTarg
           const Index target = findTarget(static_cast<int>(point), pair.Labels);
           if (target >= 0)
           {
-            found[block].push_back({ target, pair.Fragments });
+            found[block].push_back({ static_cast<int>(target), pair.Fragments });
             ++active.AttachmentOffset[point + 1];
           }
         }
@@ -140,11 +140,10 @@ void SetFacets(const std::vector<Facet>& facets, Runtime& runtime, ActiveMesh& a
   ForEach(runtime, ordered.Items.size(),
     [&](Index f)
     {
-      active.Facets[f] = facets[ordered.Items[f]];
-      for (Index& point : active.Facets[f].Points)
-      {
-        point = active.PointOf[point];
-      }
+      const Facet& facet = facets[ordered.Items[f]];
+      active.Facets[f].Fragments = facet.Fragments;
+      std::transform(facet.Points.begin(), facet.Points.end(), active.Facets[f].Points.begin(),
+        [&](Index point) { return active.PointOf[point]; });
     });
 }
 

@@ -38,21 +38,21 @@ SurfacePairs ListPairs(
 void Rewrite(const std::vector<FeaturePull>& pulls, ActiveMesh& active)
 {
   std::vector<Attachment> attachments;
-  std::vector<Index> offsets(1, 0);
+  std::vector<CornerPosition> offsets(1, 0);
   for (std::size_t p = 0; p < active.X.size(); ++p)
   {
-    for (Index i = active.AttachmentOffset[p]; i < active.AttachmentOffset[p + 1]; ++i)
+    for (CornerPosition i = active.AttachmentOffset[p]; i < active.AttachmentOffset[p + 1]; ++i)
     {
       const FeaturePull& pull = pulls[i];
       Attachment own = active.Attachments[i];
       own.Weight = pull.Count > 0 ? pull.Weight : own.Weight;
       for (int n = 0; n < std::max(pull.Count, 1); ++n)
       {
-        own.Target = pull.Count > 0 ? pull.Targets[n] : own.Target;
+        own.Target = pull.Count > 0 ? static_cast<int>(pull.Targets[n]) : own.Target;
         attachments.push_back(own);
       }
     }
-    offsets.push_back(static_cast<Index>(attachments.size()));
+    offsets.push_back(static_cast<CornerPosition>(attachments.size()));
   }
   active.Attachments.swap(attachments);
   active.AttachmentOffset.swap(offsets);

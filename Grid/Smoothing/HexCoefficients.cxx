@@ -194,7 +194,7 @@ VFM_INLINE double SmallestAt(const ActiveMesh& mesh, Index position)
 VFM_CLONES
 bool MayStandAt(const ActiveMesh& mesh, int point, const Vector3& x)
 {
-  for (Index at = mesh.CornerOffset[point]; at < mesh.CornerOffset[point + 1]; ++at)
+  for (CornerPosition at = mesh.CornerOffset[point]; at < mesh.CornerOffset[point + 1]; ++at)
   {
     const Index position = mesh.CornerList[at];
     Corners corners = CornersOf(mesh, position & ~7);

@@ -187,12 +187,12 @@ class FreeFacets
 public:
   FreeFacets(const ActiveMesh& mesh, Ranks& ranks) : Mesh(mesh)
   {
-    const auto isFree = [](const Facet& facet)
+    const auto isFree = [](const ActiveFacet& facet)
     { return facet.Fragments[0] == 0 || facet.Fragments[1] == 0; };
     const Index count = std::count_if(mesh.Facets.begin(), mesh.Facets.end(), isFree);
     this->Own.reserve(count);
     this->Boxes.reserve(count);
-    for (const Facet& facet : mesh.Facets)
+    for (const ActiveFacet& facet : mesh.Facets)
     {
       if (isFree(facet))
       {
@@ -219,9 +219,9 @@ private:
   Shape OwnAt(Index facet) const
   {
     Shape shape;
-    shape.Points = this->Own[facet]->Points;
     for (int c = 0; c < 4; ++c)
     {
+      shape.Points[c] = this->Own[facet]->Points[c];
       shape.X[c] = this->Mesh.X[shape.Points[c]];
     }
     return shape;
@@ -230,7 +230,7 @@ private:
   void Add(const std::vector<SentFacet>& facets, const std::vector<Index>& sent);
 
   const ActiveMesh& Mesh;
-  std::vector<const Facet*> Own;
+  std::vector<const ActiveFacet*> Own;
   std::vector<Shape> Received;
   std::vector<Bounds> Boxes;
 };

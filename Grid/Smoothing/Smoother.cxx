@@ -66,6 +66,10 @@ Smoother::Smoother(
       this->Ghosts.push_back(static_cast<int>(point));
     }
   }
+  if (mesh.CornerOffset.empty())
+  {
+    mesh.ListCorners();
+  }
   if (mesh.Corners == 8 && mesh.Rings.IsEmpty())
   {
     mesh.Rings = HexRings(mesh, runtime);
@@ -183,7 +187,7 @@ void Smoother::SweepWithChecks(const SmoothingStage& stage)
 void Smoother::MarkReturned()
 {
   std::fill_n(this->Dirty.get(), this->Mesh.X.size(), 0);
-  const std::vector<Index>& corners = this->Mesh.CornerOffset;
+  const std::vector<CornerPosition>& corners = this->Mesh.CornerOffset;
   for (std::size_t point = 0; point < this->Mesh.X.size(); ++point)
   {
     // A ghost may have no element here.
@@ -284,7 +288,7 @@ std::array<double, 2> Smoother::LongRange(
 void Smoother::Shift(
   const std::vector<double>& shifts, const HasLongOffset& isLong, const SmoothingStage& stage)
 {
-  const std::vector<Index>& offsets = this->Mesh.AttachmentOffset;
+  const std::vector<CornerPosition>& offsets = this->Mesh.AttachmentOffset;
   ForEach(this->Run, this->Mesh.X.size(),
     [&](Index point)
     {
@@ -307,7 +311,7 @@ void Smoother::Shift(
 /// Returns whether an attachment of a point has a shift that counts.
 bool Smoother::IsShifted(int point, const std::vector<double>& shifts) const
 {
-  const std::vector<Index>& offsets = this->Mesh.AttachmentOffset;
+  const std::vector<CornerPosition>& offsets = this->Mesh.AttachmentOffset;
   return std::any_of(shifts.begin() + offsets[point], shifts.begin() + offsets[point + 1],
     [](double shift) { return std::fabs(shift) >= ShiftThatCounts; });
 }
@@ -382,7 +386,7 @@ void Smoother::MoveAlongNormals(const std::vector<double>& shifts, const Smoothi
 void Smoother::MoveAlongNormal(
   int point, const std::vector<double>& shifts, const SmoothingStage& stage)
 {
-  const std::vector<Index>& offsets = this->Mesh.AttachmentOffset;
+  const std::vector<CornerPosition>& offsets = this->Mesh.AttachmentOffset;
   double longest = 0.0; // step, if all normals are parallel
   for (Index i = offsets[point]; i < offsets[point + 1]; ++i)
   {
@@ -487,7 +491,7 @@ Vector3 Smoother::SnappedPosition(int point) const
       ++count;
     });
   x = (1.0 / count) * x;
-  const std::vector<Index>& offsets = this->Mesh.AttachmentOffset;
+  const std::vector<CornerPosition>& offsets = this->Mesh.AttachmentOffset;
   for (Index i = offsets[point]; i < offsets[point + 1]; ++i)
   {
     const Attachment& a = this->Mesh.Attachments[i];
@@ -570,7 +574,7 @@ Vector3 Smoother::Moved(int point, const Vector3& step) const
 
 double Smoother::DistanceEnergy(int point, const Vector3& x, double lambda) const
 {
-  const std::vector<Index>& offsets = this->Mesh.AttachmentOffset;
+  const std::vector<CornerPosition>& offsets = this->Mesh.AttachmentOffset;
   double energy = 0.0;
   Vector3 gradient;
   for (Index i = offsets[point]; i < offsets[point + 1]; ++i)
@@ -585,7 +589,7 @@ double Smoother::DistanceEnergy(int point, const Vector3& x, double lambda) cons
 /// Adds the squared distances by Gauss-Newton: the Hessian omits the curvature of the targets.
 void Smoother::AddDistance(int point, double lambda, Derivatives& d) const
 {
-  const std::vector<Index>& offsets = this->Mesh.AttachmentOffset;
+  const std::vector<CornerPosition>& offsets = this->Mesh.AttachmentOffset;
   for (Index i = offsets[point]; i < offsets[point + 1]; ++i)
   {
     const Attachment& a = this->Mesh.Attachments[i];

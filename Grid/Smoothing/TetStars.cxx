@@ -5,7 +5,7 @@
 namespace vfm
 {
 
-void TetStars::Build(const std::vector<int>& elements, const std::vector<Index>& begin,
+void TetStars::Build(const std::vector<int>& elements, const std::vector<std::uint32_t>& begin,
   const std::vector<std::uint32_t>& corners)
 {
   const std::size_t points = begin.size() - 1;

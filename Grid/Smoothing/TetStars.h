@@ -27,7 +27,7 @@ public:
   /// @param elements  four points per tet
   /// @param begin  first entry of each point in corners, and the end
   /// @param corners  positions in elements of the tets at each point
-  void Build(const std::vector<int>& elements, const std::vector<Index>& begin,
+  void Build(const std::vector<int>& elements, const std::vector<std::uint32_t>& begin,
     const std::vector<std::uint32_t>& corners);
 
   struct Star

@@ -145,7 +145,7 @@ void AddCorner(Derivatives& d, const Corner& k, double omega, double eps)
 template <class Visitor>
 void ForCorners(const ActiveMesh& mesh, int point, const Vector3& x, const Visitor& visit)
 {
-  for (Index at = mesh.CornerOffset[point]; at < mesh.CornerOffset[point + 1]; ++at)
+  for (CornerPosition at = mesh.CornerOffset[point]; at < mesh.CornerOffset[point + 1]; ++at)
   {
     const Index position = mesh.CornerList[at];
     const int* hex = mesh.Elements.data() + (position & ~7);

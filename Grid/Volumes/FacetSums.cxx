@@ -33,7 +33,7 @@ void FacetSums::FindRuns(const ActiveMesh& mesh)
   const Index facets = static_cast<Index>(mesh.Facets.size());
   for (Index f = 0; f < facets; ++f)
   {
-    const Facet& facet = mesh.Facets[f];
+    const ActiveFacet& facet = mesh.Facets[f];
     const auto [low, high] = std::minmax_element(facet.Points.begin(), facet.Points.end());
     if (f == 0 || this->Runs.back().Fragments != facet.Fragments ||
       f - this->Runs.back().First == LongestRun)
@@ -74,9 +74,9 @@ bool FacetSums::HasMoved(const ActiveMesh& mesh, const FacetRun& run, const Flag
   const Index points = run.Points[1] + 1 - run.Points[0];
   return std::memchr(moved.data() + run.Points[0], 1, points) && // faster than std::find
     std::any_of(mesh.Facets.begin() + run.First, mesh.Facets.begin() + run.End,
-      [&](const Facet& facet)
+      [&](const ActiveFacet& facet)
       {
-        const std::array<Index, 4>& p = facet.Points;
+        const std::array<int, 4>& p = facet.Points;
         return (moved[p[0]] | moved[p[1]] | moved[p[2]] | moved[p[3]]) != 0;
       });
 }
@@ -89,7 +89,7 @@ void FacetSums::Sum(const ActiveMesh& mesh, FacetRun& run)
     std::array<Vector3, 4> start, now;
     for (int c = 0; c < 4; ++c)
     {
-      const auto point = static_cast<int>(mesh.Facets[f].Points[c]);
+      const int point = mesh.Facets[f].Points[c];
       start[c] = mesh.StartOf(point);
       now[c] = mesh.X[point];
     }

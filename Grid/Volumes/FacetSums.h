@@ -37,7 +37,7 @@ private:
   {
     Index First, End;
     std::array<int, 2> Fragments;
-    std::array<Index, 2> Points; // smallest and largest point of the facets
+    std::array<int, 2> Points; // smallest and largest point of the facets
     ExactSum Swept, Area;
   };
 

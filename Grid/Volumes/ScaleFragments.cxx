@@ -67,7 +67,7 @@ private:
   template <class Visitor>
   void ForElements(int point, const Visitor& visit) const
   {
-    for (Index at = this->Mesh.CornerOffset[point]; at < this->Mesh.CornerOffset[point + 1]; ++at)
+    for (CornerPosition at = this->Mesh.CornerOffset[point]; at < this->Mesh.CornerOffset[point + 1]; ++at)
     {
       const CornerPosition position = this->Mesh.CornerList[at];
       if (!this->Mesh.IsBarrierAt(position))
@@ -109,7 +109,7 @@ bool Scaling::LeaveMarked()
 
 void Scaling::LeaveTouching()
 {
-  for (const Facet& facet : this->Mesh.Facets)
+  for (const ActiveFacet& facet : this->Mesh.Facets)
   {
     if (facet.Fragments[0] > 0 && facet.Fragments[1] > 0)
     {
@@ -388,7 +388,7 @@ std::vector<int> Scaling::ShiftTargets(const SurfaceTargets& targets)
     [&](Index n)
     {
       const int point = this->Points[n];
-      const std::vector<Index>& offsets = this->Mesh.AttachmentOffset;
+      const std::vector<CornerPosition>& offsets = this->Mesh.AttachmentOffset;
       for (Index i = offsets[point]; i < offsets[point + 1]; ++i)
       {
         Attachment& a = this->Mesh.Attachments[i];

@@ -18,7 +18,7 @@ namespace
 {
 
 using Flags = std::vector<unsigned char>;
-using Corners = std::array<Index, 4>;
+using Corners = std::array<int, 4>;
 
 /// Points in their current and in their start positions, and facets next to void.
 struct Sheet
@@ -32,7 +32,7 @@ struct Sheet
     Corners facet;
     for (std::size_t c = 0; c < 4; ++c)
     {
-      facet[c] = static_cast<Index>(this->Points.size() + std::min(c, corners.size() - 1));
+      facet[c] = static_cast<int>(this->Points.size() + std::min(c, corners.size() - 1));
     }
     this->Facets.push_back(facet);
     this->Points.insert(this->Points.end(), corners.begin(), corners.end());
@@ -54,7 +54,7 @@ ActiveMesh MakeActive(const Sheet& sheet, std::vector<Vector3>& starts, int rank
   mesh.MeshPoints = starts[0].data();
   for (std::size_t f = rank; f < sheet.Facets.size(); f += ranks)
   {
-    mesh.Facets.push_back({ sheet.Facets[f], { { 1, 0 } }, { { 1, 0 } }, -1, true });
+    mesh.Facets.push_back({ sheet.Facets[f], { { 1, 0 } } });
   }
   return mesh;
 }

@@ -33,8 +33,7 @@ struct Sheet
       }
       if (x + 1 < Size && y + 1 < Size)
       {
-        this->Mesh.Facets.push_back(
-          { { { p, p + 1, p + Size + 1, p + Size } }, {}, pair, -1, true });
+        this->Mesh.Facets.push_back({ { { p, p + 1, p + Size + 1, p + Size } }, pair });
       }
     }
     this->Mesh.MeshPoints = this->Start.data();
