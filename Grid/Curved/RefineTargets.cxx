@@ -18,7 +18,8 @@ std::vector<Index> ListTargets(const ActiveMesh& active, Index first, Index last
   active.ForOwned(
     [&](int point)
     {
-      for (CornerPosition i = active.AttachmentOffset[point]; i < active.AttachmentOffset[point + 1]; ++i)
+      for (CornerPosition i = active.AttachmentOffset[point];
+           i < active.AttachmentOffset[point + 1]; ++i)
       {
         const Index target = active.Attachments[i].Target;
         if (target >= first && target < last)

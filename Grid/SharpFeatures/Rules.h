@@ -30,13 +30,13 @@ namespace vfm
 struct SurfacePairs
 {
   bool IsOfHexes;
-  const std::vector<Vector3>& Places; ///< position of each point, grid coordinates
+  const std::vector<Vector3>& Places;       ///< position of each point, grid coordinates
   const std::vector<std::uint32_t>& Offset; ///< the pairs of point p are [Offset[p], Offset[p + 1])
-  const std::vector<int>& PointOf;    ///< index here of each point of the mesh, or -1
-  const PointExchange& Exchange;      ///< sends values of points to the ranks that share them
-  std::vector<Index> Ids;             ///< id of each point, equal on all ranks
-  std::vector<unsigned char> IsOwned; ///< whether this rank moves each point
-  std::vector<Index> SurfacePoint;    ///< position of each pair in Interface::Points(), or -1
+  const std::vector<int>& PointOf;          ///< index here of each point of the mesh, or -1
+  const PointExchange& Exchange;            ///< sends values of points to the ranks that share them
+  std::vector<Index> Ids;                   ///< id of each point, equal on all ranks
+  std::vector<unsigned char> IsOwned;       ///< whether this rank moves each point
+  std::vector<Index> SurfacePoint;          ///< position of each pair in Interface::Points(), or -1
   /// Labels of each pair, the smaller first; -1 where SurfacePoint is -1.
   std::vector<std::array<int, 2>> Labels;
 };

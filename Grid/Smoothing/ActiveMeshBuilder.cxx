@@ -52,8 +52,9 @@ std::vector<Index> ActiveMeshBuilder::AddAround(const Mesh& mesh, Runtime& runti
   return elements;
 }
 
-/// Lists the nodes of the owned movers, because only they move on this rank.
-std::vector<MoveOrder::Node> ActiveMeshBuilder::ListNodes(const Partition* partition) const
+/// Lists the nodes of the owned movers, because only they move on this rank. Frees the movers,
+/// which would add to the peak of memory.
+std::vector<MoveOrder::Node> ActiveMeshBuilder::TakeNodes(const Partition* partition)
 {
   std::vector<MoveOrder::Node> nodes;
   const int count = static_cast<int>(this->Movers.size());
@@ -70,6 +71,7 @@ std::vector<MoveOrder::Node> ActiveMeshBuilder::ListNodes(const Partition* parti
       nodes.push_back({ mover.Owner, mover.Colour, { first, last } });
     }
   }
+  std::vector<Mover>().swap(this->Movers);
   return nodes;
 }
 
@@ -92,35 +94,31 @@ void ActiveMeshBuilder::RequestFlags(const std::vector<MoveOrder::Node>& nodes)
   this->Result.Exchange.RequestFlags(isNear);
 }
 
-void ActiveMeshBuilder::Allocate()
+/// Returns the result with the arrays that have one entry per point.
+ActiveMesh ActiveMeshBuilder::TakeResult(std::size_t movers)
 {
   const std::size_t points = this->Result.MeshPoint.size();
   this->Result.X.resize(points);
   this->Result.Fixed.assign(points, 0);
   this->Result.IsActive.assign(points, 0);
-  std::fill_n(this->Result.IsActive.begin(), this->Movers.size(), 1);
+  std::fill_n(this->Result.IsActive.begin(), movers, 1);
   this->Result.AttachmentOffset.assign(points + 1, 0);
-}
-
-ActiveMesh ActiveMeshBuilder::TakeResult()
-{
-  std::vector<Mover>().swap(this->Movers);
   return std::move(this->Result);
 }
 
 ActiveMesh ActiveMeshBuilder::FinishAlone()
 {
-  this->Allocate();
-  this->Result.Order = MoveOrder::ByColour(this->ListNodes(nullptr), 8);
-  return this->TakeResult();
+  const std::size_t movers = this->Movers.size();
+  this->Result.Order = MoveOrder::ByColour(this->TakeNodes(nullptr), 8);
+  return this->TakeResult(movers);
 }
 
 ActiveMesh ActiveMeshBuilder::Finish(
   const Partition& partition, const MoverCopies& copies, int colours, Nodes which)
 {
-  this->Allocate();
+  const std::size_t movers = this->Movers.size();
   this->Result.Exchange = PointExchange(this->Movers, partition, colours, copies);
-  const std::vector<MoveOrder::Node> nodes = this->ListNodes(&partition);
+  const std::vector<MoveOrder::Node> nodes = this->TakeNodes(&partition);
   if (this->Result.Exchange.HasPeers() &&
     this->Result.Corners == 8) // tets may get other points (DiagonalFlips)
   {
@@ -128,7 +126,7 @@ ActiveMesh ActiveMeshBuilder::Finish(
   }
   this->Result.Order = which == Nodes::OfGrid ? MoveOrder::ByPlanes(nodes, this->Result.Exchange)
                                               : MoveOrder::ByColour(nodes, colours);
-  return this->TakeResult();
+  return this->TakeResult(movers);
 }
 
 } // namespace vfm

@@ -53,9 +53,8 @@ public:
 
 private:
   int AddPoint(Index meshPoint);
-  void Allocate();
-  std::vector<MoveOrder::Node> ListNodes(const Partition* partition) const;
-  ActiveMesh TakeResult();
+  ActiveMesh TakeResult(std::size_t movers);
+  std::vector<MoveOrder::Node> TakeNodes(const Partition* partition);
   void RequestFlags(const std::vector<MoveOrder::Node>& nodes);
 
   std::vector<Mover> Movers;

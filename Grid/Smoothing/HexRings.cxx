@@ -159,7 +159,8 @@ private:
   {
     const auto forHexes = [&](const auto& visit)
     {
-      for (CornerPosition at = this->Mesh.CornerOffset[point]; at < this->Mesh.CornerOffset[point + 1]; ++at)
+      for (CornerPosition at = this->Mesh.CornerOffset[point];
+           at < this->Mesh.CornerOffset[point + 1]; ++at)
       {
         const Index position = this->Mesh.CornerList[at];
         visit(this->Mesh.Elements.data() + (position & ~7), static_cast<int>(position & 7));

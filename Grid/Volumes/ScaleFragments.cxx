@@ -67,7 +67,8 @@ private:
   template <class Visitor>
   void ForElements(int point, const Visitor& visit) const
   {
-    for (CornerPosition at = this->Mesh.CornerOffset[point]; at < this->Mesh.CornerOffset[point + 1]; ++at)
+    for (CornerPosition at = this->Mesh.CornerOffset[point];
+         at < this->Mesh.CornerOffset[point + 1]; ++at)
     {
       const CornerPosition position = this->Mesh.CornerList[at];
       if (!this->Mesh.IsBarrierAt(position))
