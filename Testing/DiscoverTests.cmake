@@ -12,16 +12,17 @@ function (vfm_discover_tests target)
   list(JOIN arg_QUICK ":" quick)
   if (unit)
     gtest_discover_tests(${target}
-      TEST_FILTER "${unit}" TEST_LIST ${target}_unit PROPERTIES LABELS unit TIMEOUT ${vfm_timeout})
+      TEST_FILTER "${unit}" TEST_LIST ${target}_unit NO_PRETTY_VALUES
+      PROPERTIES LABELS unit TIMEOUT ${vfm_timeout})
   endif ()
   if (quick)
     gtest_discover_tests(${target}
-      TEST_FILTER "${quick}-${unit}" TEST_LIST ${target}_quick
+      TEST_FILTER "${quick}-${unit}" TEST_LIST ${target}_quick NO_PRETTY_VALUES
       PROPERTIES LABELS quick TIMEOUT ${vfm_timeout})
   endif ()
   if (NOT unit STREQUAL "*")
     gtest_discover_tests(${target}
-      TEST_FILTER "*-${chosen}" TEST_LIST ${target}_full
+      TEST_FILTER "*-${chosen}" TEST_LIST ${target}_full NO_PRETTY_VALUES
       PROPERTIES LABELS full TIMEOUT ${vfm_timeout})
   endif ()
 endfunction ()
