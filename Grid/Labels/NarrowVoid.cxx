@@ -1,6 +1,5 @@
 #include "Labels/NarrowVoid.h"
 
-#include "Base/DisjointSets.h"
 #include "Base/Groups.h"
 #include "Base/Sorted.h"
 #include "Labels/LeafLabels.h"
@@ -54,17 +53,34 @@ IndexBox Shifted(IndexBox cells, const Index3& step, Index factor)
   return cells;
 }
 
+/// Returns the units that share faces with some units around a unit. Bit n is unit StepAround(n).
+std::uint32_t BesideUnits(std::uint32_t units)
+{
+  constexpr std::uint32_t LowX = 0x1249249, LowY = 0x1c0e07; // units at the lower side
+  return (units & ~(LowX << 2)) << 1 | (units & ~LowX) >> 1 | (units & ~(LowY << 6)) << 3 |
+    (units & ~LowY) >> 3 | units << 9 | units >> 9;
+}
+
 /// A void unit and the materials of the units around it, by StepAround; 0 is void or outside.
 class Around
 {
 public:
   Around(const Work& work, const IndexBox& cells) : Cells(cells)
   {
-    for (int n = 0; n < 27; ++n)
+    const IndexBox& box = work.Grid.Local();
+    if (cells.NumberOfCells() == 1 && Grow(cells, 1, box).NumberOfCells() == 27)
     {
-      this->Material[n] = MaterialIn(work, Shifted(cells, StepAround(n), cells.Size(0)));
-      this->IsBeside = this->IsBeside || this->HasMaterial(n);
+      this->ReadCells(work.Labels, work.Grid);
     }
+    else
+    {
+      for (int n = 0; n < 27; ++n)
+      {
+        this->Material[n] = MaterialIn(work, Shifted(cells, StepAround(n), cells.Size(0)));
+      }
+    }
+    this->IsBeside = std::any_of(
+      this->Material.begin(), this->Material.end(), [](int material) { return material > 0; });
     if (this->IsBeside)
     {
       this->FindParts();
@@ -74,33 +90,53 @@ public:
   /// Returns whether two materials around the unit are connected there by faces. Both must be
   /// materials.
   bool AreOnePart(int n, int m) const { return this->Parts[n] == this->Parts[m]; }
+  bool HasSeveralParts() const { return this->NumberOfParts > 1; }
 
   IndexBox Cells;
   std::array<int, 27> Material;
   bool IsBeside = false; // whether any unit around has a material
 
 private:
-  void FindParts()
+  /// Fills Material for a single cell whose neighbours are all in the local box.
+  void ReadCells(const LabelArray& labels, const CartesianGrid& grid)
   {
-    std::vector<Index> parent = MakeSets(27);
-    for (int n = 0; n < 27; ++n)
+    const Index3& cell = this->Cells.Lower;
+    for (int row = 0; row < 9; ++row)
     {
-      const Index3 step = StepAround(n);
-      for (int axis = 0, next = 1; axis < 3; ++axis, next *= 3)
+      const Index first =
+        grid.Linear({ { cell[0] - 1, cell[1] + row % 3 - 1, cell[2] + row / 3 - 1 } });
+      const LabelArray::RowView view = labels.Row(first);
+      for (int x = 0; x < 3; ++x)
       {
-        if (step[axis] < 1 && this->HasMaterial(n) && this->HasMaterial(n + next))
-        {
-          Join(parent, n, n + next);
-        }
+        this->Material[3 * row + x] = view[labels.InRow(first) + x];
       }
     }
+  }
+  void FindParts()
+  {
+    std::uint32_t left = 0;
     for (int n = 0; n < 27; ++n)
     {
-      this->Parts[n] = FindRoot(parent, n);
+      left |= static_cast<std::uint32_t>(this->HasMaterial(n)) << n;
+    }
+    for (; left != 0; ++this->NumberOfParts)
+    {
+      std::uint32_t part = left & ~(left - 1); // grows from the lowest unit
+      for (std::uint32_t before = 0; part != before;)
+      {
+        before = part;
+        part = (part | BesideUnits(part)) & left;
+      }
+      for (int n = 0; n < 27; ++n)
+      {
+        this->Parts[n] = part >> n & 1 ? this->NumberOfParts : this->Parts[n];
+      }
+      left &= ~part;
     }
   }
 
-  std::array<Index, 27> Parts{}; // a number for each connected part
+  std::array<int, 27> Parts{}; // number of the part of each unit with a material
+  int NumberOfParts = 0;
 };
 
 /// Returns whether materials are within two units on both sides. Not where one part, as at a
@@ -128,7 +164,7 @@ bool IsBetween(const Work& work, const Around& around)
 bool IsBetweenParts(const Around& around)
 {
   bool found = false;
-  for (int n = 0; n < 27; ++n)
+  for (int n = 0; n < 27 && around.HasSeveralParts(); ++n)
   {
     for (int m = 0; m < n && around.HasMaterial(n) && !found; ++m)
     {
