@@ -320,6 +320,7 @@ TEST(AttachFeatures, EnergiesUseTheDemandOfElements)
   const auto differentiate = [&](const HexEnergy& energy, int point)
   { return energy.Differentiate(cube.Active, point, stage).Value; };
   cube.Active.Demands.clear();
+  cube.Active.ListCorners();
   cube.Active.Rings = HexRings(cube.Active, runtime);
   std::vector<double> requested;
   cube.Active.ForOwned([&](int point) { requested.push_back(evaluate(lenient, point)); });
