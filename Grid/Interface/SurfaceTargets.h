@@ -54,6 +54,16 @@ public:
   /// @param[out] gradient  gradient in grid coordinates
   double Distance(Index target, const Vector3& x, Vector3& gradient) const;
 
+  /// Begins to load a target.
+  void Prefetch(Index target) const
+  {
+    const char* frame = reinterpret_cast<const char*>(&this->Frames[target]);
+    for (std::size_t at = 0; at < sizeof(Frame); at += 64)
+    {
+      __builtin_prefetch(frame + at);
+    }
+  }
+
   /// Returns the fitted quadric in the local frame of a node.
   /// @param origin,widths  frame of the node, in grid coordinates of the finest grid
   LocalQuadric QuadricOf(Index target, const Vector3& origin, const Vector3& widths) const;

@@ -423,9 +423,21 @@ void Smoother::MoveAlongNormal(
 }
 
 /// Moves a point by one Newton step with a line search; returns its length in cells.
+/// Begins to load what is read after the derivatives: the start of a point and its targets.
+void Smoother::Prefetch(int point) const
+{
+  __builtin_prefetch(this->Mesh.MeshPoints + 3 * this->Mesh.MeshPoint[point]);
+  const std::vector<CornerPosition>& offsets = this->Mesh.AttachmentOffset;
+  for (Index i = offsets[point]; i < offsets[point + 1]; ++i)
+  {
+    this->Targets->Prefetch(this->Mesh.Attachments[i].Target);
+  }
+}
+
 double Smoother::MovePoint(int point, const SmoothingStage& stage)
 {
   __atomic_store_n(&this->Dirty[point], 0, __ATOMIC_RELAXED);
+  this->Prefetch(point);
   Derivatives d = this->Energy.Differentiate(this->Mesh, point, stage);
   this->AddDistance(point, stage.Lambda, d);
   bool isFree;

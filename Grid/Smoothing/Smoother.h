@@ -112,6 +112,7 @@ private:
   double ForPoints(const Move& move);
   void MoveAlongNormal(int point, const std::vector<double>& shifts, const SmoothingStage& stage);
   double Sweep(const SmoothingStage& stage);
+  void Prefetch(int point) const;
   double MovePoint(int point, const SmoothingStage& stage);
   void SnapPoint(int point, const SmoothingStage& stage);
   Vector3 SnappedPosition(int point) const;
