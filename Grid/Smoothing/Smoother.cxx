@@ -426,7 +426,10 @@ void Smoother::MoveAlongNormal(
 /// Begins to load what is read after the derivatives: the start of a point and its targets.
 void Smoother::Prefetch(int point) const
 {
-  __builtin_prefetch(this->Mesh.MeshPoints + 3 * this->Mesh.MeshPoint[point]);
+  if (!this->Mesh.StaysNear.empty())
+  {
+    __builtin_prefetch(this->Mesh.MeshPoints + 3 * this->Mesh.MeshPoint[point]);
+  }
   const std::vector<CornerPosition>& offsets = this->Mesh.AttachmentOffset;
   for (Index i = offsets[point]; i < offsets[point + 1]; ++i)
   {
