@@ -422,7 +422,6 @@ void Smoother::MoveAlongNormal(
   }
 }
 
-/// Moves a point by one Newton step with a line search; returns its length in cells.
 /// Begins to load what is read after the derivatives: the start of a point and its targets.
 void Smoother::Prefetch(int point) const
 {
@@ -437,6 +436,7 @@ void Smoother::Prefetch(int point) const
   }
 }
 
+/// Moves a point by one Newton step with a line search; returns its length in cells.
 double Smoother::MovePoint(int point, const SmoothingStage& stage)
 {
   __atomic_store_n(&this->Dirty[point], 0, __ATOMIC_RELAXED);

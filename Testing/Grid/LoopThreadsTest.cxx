@@ -78,21 +78,24 @@ TEST(LoopThreads, ShareOnlyLongLoops)
     threads.For(2, 0, 20, collect);
   }
   EXPECT_EQ(workers.size(), 2u);
-  // On an idle machine nearly all loops run on one thread. If this thread waits for its core, it
-  // finds a loop long.
+  // Most loops run on one thread. If this thread waits for its core, it finds a loop long.
   int alone = 0;
-  for (int loop = 0; loop < 100; ++loop)
+  for (int tries = 0; tries < 100 && alone <= 50; ++tries)
   {
-    workers.clear();
-    threads.For(2, 0, 1000,
-      [&](std::int64_t, std::int64_t)
-      {
-        const std::lock_guard<std::mutex> guard(lock);
-        workers.insert(std::this_thread::get_id());
-      });
-    alone += workers == std::set<std::thread::id>{ std::this_thread::get_id() };
+    alone = 0;
+    for (int loop = 0; loop < 100; ++loop)
+    {
+      workers.clear();
+      threads.For(2, 0, 1000,
+        [&](std::int64_t, std::int64_t)
+        {
+          const std::lock_guard<std::mutex> guard(lock);
+          workers.insert(std::this_thread::get_id());
+        });
+      alone += workers == std::set<std::thread::id>{ std::this_thread::get_id() };
+    }
   }
-  EXPECT_GT(alone, 0);
+  EXPECT_GT(alone, 50);
 }
 
 TEST(LoopThreads, ThrowTheFirstException)
