@@ -22,10 +22,3 @@ endfunction ()
 vfm_append_targets(vfm_user_targets "${PROJECT_SOURCE_DIR}")
 add_custom_target(user COMMENT "What users run, without tests")
 add_dependencies(user ${vfm_user_targets})
-
-# A message for installations before the target was built.
-install(CODE "
-  if (NOT EXISTS \"$<TARGET_FILE:sculptor>\")
-    message(FATAL_ERROR \"$<TARGET_FILE:sculptor> is not built. \"
-      \"Build the target `user` first: scripts/build --user\")
-  endif ()")
