@@ -4,6 +4,7 @@
 #include "Base/Runtime.h"
 
 #include <cmath>
+#include <sstream>
 #include <string>
 
 namespace vfm
@@ -13,7 +14,80 @@ namespace
 
 constexpr double WidthTolerance = 1e-9; // relative difference of equal widths
 
-IndexBox WholeBox(const std::array<std::vector<double>, 3>& coordinates)
+// Range of widths. Products of up to five lengths of the domain stay in the range of double.
+constexpr double SmallestWidth = 1e-50, LargestWidth = 1e50;
+constexpr double LargestRatio = 1e10; // of two widths of a grid
+// Largest coordinate along an axis in its smallest width. Coordinates are rounded to 1e-16 of their
+// magnitude, therefore positions to 1e-6 of a width, and volumes have this error.
+constexpr double LargestCoordinate = 1e10;
+
+using AxisLists = std::array<std::vector<double>, 3>;
+
+/// Smallest and largest width of the cells along an axis, and the largest magnitude of its
+/// coordinates.
+struct AxisLengths
+{
+  char Name;
+  double Narrowest, Widest, Farthest;
+};
+
+AxisLengths LengthsOf(const std::vector<double>& x, char name)
+{
+  AxisLengths lengths{ name, x[1] - x[0], 0.0,
+    std::max(std::fabs(x.front()), std::fabs(x.back())) };
+  for (std::size_t i = 1; i < x.size(); ++i)
+  {
+    lengths.Narrowest = std::min(lengths.Narrowest, x[i] - x[i - 1]);
+    lengths.Widest = std::max(lengths.Widest, x[i] - x[i - 1]);
+  }
+  return lengths;
+}
+
+void CheckAxis(const AxisLengths& axis)
+{
+  std::ostringstream text;
+  if (!(axis.Narrowest >= SmallestWidth && axis.Widest <= LargestWidth))
+  {
+    text << "The grid has cells of width "
+         << (axis.Narrowest >= SmallestWidth ? axis.Widest : axis.Narrowest) << " along "
+         << axis.Name << ". Widths, also of refined cells, must be from " << SmallestWidth << " to "
+         << LargestWidth << ". Scale the coordinates: use another unit of length.";
+    throw InputError(text.str());
+  }
+  if (!(axis.Farthest <= LargestCoordinate * axis.Narrowest))
+  {
+    text << "The grid has cells of width " << axis.Narrowest << " along " << axis.Name
+         << ", where its coordinates reach " << axis.Farthest << ". Coordinates must be at most "
+         << LargestCoordinate << " times the smallest width, also of refined cells, because "
+         << "they are rounded to 16 digits. Move the origin to the grid, or use wider cells.";
+    throw InputError(text.str());
+  }
+}
+
+/// Throws InputError if lengths are so large, small or different that a mesh would not be valid or
+/// measurements of it would leave the range of double.
+void CheckLengths(const AxisLists& coordinates)
+{
+  AxisLengths narrowest{}, widest{};
+  for (int a = 0; a < 3; ++a)
+  {
+    const AxisLengths axis = LengthsOf(coordinates[a], static_cast<char>('x' + a));
+    CheckAxis(axis);
+    narrowest = a == 0 || axis.Narrowest < narrowest.Narrowest ? axis : narrowest;
+    widest = a == 0 || axis.Widest > widest.Widest ? axis : widest;
+  }
+  if (!(widest.Widest <= LargestRatio * narrowest.Narrowest))
+  {
+    std::ostringstream text;
+    text << "The grid has cells of width " << narrowest.Narrowest << " along " << narrowest.Name
+         << " and of width " << widest.Widest << " along " << widest.Name
+         << ". The largest width must be at most " << LargestRatio
+         << " times the smallest. Use a grid with widths that differ less.";
+    throw InputError(text.str());
+  }
+}
+
+IndexBox WholeBox(const AxisLists& coordinates)
 {
   IndexBox box;
   for (int a = 0; a < 3; ++a)
@@ -34,6 +108,7 @@ IndexBox WholeBox(const std::array<std::vector<double>, 3>& coordinates)
     }
     box.Upper[a] = static_cast<Index>(x.size()) - 1;
   }
+  CheckLengths(coordinates);
   return box;
 }
 

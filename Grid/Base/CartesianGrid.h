@@ -56,7 +56,7 @@ public:
   /// @param ghostLayers  number of layers of cells held around the owned cells
   /// @param hexLayers  number of the innermost of these layers whose hexes this rank makes, in
   ///   addition to the hexes of the owned cells
-  /// @throws InputError  if a list has fewer than two entries or does not increase
+  /// @throws InputError  if a list has no cell or does not increase, or lengths are out of range
   CartesianGrid(std::array<std::vector<double>, 3> coordinates, const IndexBox& owned,
     int ghostLayers = 0, int hexLayers = HexLayers);
 

@@ -23,11 +23,12 @@ double Normalised(const Vector3& a, const Vector3& b, const Vector3& c)
 
 double HexScaledJacobian(const double* points, const Index* hex)
 {
+  const double scale = LengthScale(points, hex, 8);
   Vector3 x[8];
   for (int c = 0; c < 8; ++c)
   {
     const double* p = points + 3 * hex[VtkCorner[c]];
-    x[c] = { { p[0], p[1], p[2] } };
+    x[c] = { { scale * p[0], scale * p[1], scale * p[2] } };
   }
   Vector3 axis[3]{};
   double smallest = 1.0;

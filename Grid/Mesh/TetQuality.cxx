@@ -17,18 +17,19 @@ constexpr int EdgeEnds[6][2] = { { 0, 1 }, { 0, 2 }, { 0, 3 }, { 1, 2 }, { 1, 3 
 
 struct TetShape
 {
-  Vector3 Edge[6];
+  Vector3 Edge[6];    // times LengthScale
   double Determinant; // 6 V
 };
 
 TetShape ShapeOf(const double* points, const Index* tet)
 {
   TetShape shape;
+  const double scale = LengthScale(points, tet, 4);
   for (int e = 0; e < 6; ++e)
   {
     const double* from = points + 3 * tet[EdgeEnds[e][0]];
     const double* to = points + 3 * tet[EdgeEnds[e][1]];
-    shape.Edge[e] = { { to[0] - from[0], to[1] - from[1], to[2] - from[2] } };
+    shape.Edge[e] = scale * Vector3{ { to[0] - from[0], to[1] - from[1], to[2] - from[2] } };
   }
   shape.Determinant = Dot(shape.Edge[0], Cross(shape.Edge[1], shape.Edge[2]));
   return shape;
@@ -47,6 +48,22 @@ double Degrees()
 }
 
 } // namespace
+
+double LengthScale(const double* points, const Index* element, int corners)
+{
+  double longest = 0.0;
+  for (int c = 1; c < corners; ++c)
+  {
+    for (int a = 0; a < 3; ++a)
+    {
+      longest =
+        std::max(longest, std::fabs(points[3 * element[c] + a] - points[3 * element[0] + a]));
+    }
+  }
+  int exponent = 0;
+  std::frexp(longest, &exponent);
+  return std::ldexp(1.0, std::min(-exponent, 1000)); // finite
+}
 
 double TetScaledJacobian(const double* points, const Index* tet)
 {
@@ -157,21 +174,25 @@ struct LaneShapes
 };
 
 /// Returns corner c of four tets.
+/// @param scale  factor of the coordinates, a power of two
 VFM_INLINE VectorLanes<double> CornersOf(
-  const double* points, const Index* const (&tets)[Width], int c)
+  const double* points, const Index* const (&tets)[Width], int c, double scale)
 {
   const auto along = [&](int a)
   {
-    return Double4{ points[3 * tets[0][c] + a], points[3 * tets[1][c] + a],
-      points[3 * tets[2][c] + a], points[3 * tets[3][c] + a] };
+    return scale *
+      Double4{ points[3 * tets[0][c] + a], points[3 * tets[1][c] + a], points[3 * tets[2][c] + a],
+        points[3 * tets[3][c] + a] };
   };
   return { along(0), along(1), along(2) };
 }
 
-VFM_INLINE LaneShapes ShapesOf(const double* points, const Index* const (&tets)[Width])
+VFM_INLINE LaneShapes ShapesOf(
+  const double* points, const Index* const (&tets)[Width], double scale)
 {
-  const VectorLanes<double> x[4] = { CornersOf(points, tets, 0), CornersOf(points, tets, 1),
-    CornersOf(points, tets, 2), CornersOf(points, tets, 3) };
+  const VectorLanes<double> x[4] = { CornersOf(points, tets, 0, scale),
+    CornersOf(points, tets, 1, scale), CornersOf(points, tets, 2, scale),
+    CornersOf(points, tets, 3, scale) };
   VectorLanes<double> edge[6];
   LaneShapes shapes;
   for (int e = 0; e < 6; ++e)
@@ -276,6 +297,8 @@ AngleStatistics MeasureTets(
 {
   AngleStatistics flat;
   Cotangents cotangents;
+  const double scale =
+    count > 0 ? LengthScale(points, tets, 4) : 1.0; // the others have similar lengths
   for (Index first = 0; first < count; first += Width)
   {
     const int lanes = static_cast<int>(std::min<Index>(Width, count - first));
@@ -284,7 +307,7 @@ AngleStatistics MeasureTets(
     {
       four[lane] = tets + 4 * (first + std::min(lane, lanes - 1));
     }
-    const LaneShapes shapes = ShapesOf(points, four);
+    const LaneShapes shapes = ShapesOf(points, four, scale);
     CopyScaledJacobians(shapes, lanes, scaledJacobians + first);
     if (!HasFlat(shapes))
     {

@@ -77,6 +77,7 @@ InputBlocks PlaceOwnBlocks(std::vector<InputBlock> blocks, Ranks& ranks)
     input.Coordinates[axis] = MergeCoordinates(input.Blocks, axis, ranks);
   }
   CheckIds(input);
+  const CartesianGrid grid(input.Coordinates); // throws if lengths are out of range
   WorkTogether(ranks,
     [&input]
     {

@@ -2,9 +2,11 @@
 
 #include "Base/ExactSum.h"
 #include "Curved/CurvedElement.h"
+#include "Octree/RefinedGrid.h"
 #include "State/ViewMesh.h"
 #include "Summary/ElementMoments.h"
 
+#include <cmath>
 #include <map>
 
 namespace vfm
@@ -61,12 +63,19 @@ std::vector<double> MeasureCurvedVolumes(
   {
     materials[labels[m]] = m;
   }
+  const int exponent =
+    3 * std::ilogb(mesh.Levels->Finest().MeanWidth()); // sums are of numbers near 1
   std::vector<ExactSum> sums(labels.size());
   for (std::size_t e = 0; e < volumes.size(); ++e)
   {
-    sums[materials.at(mesh.Material[e])].Add(volumes[e]);
+    sums[materials.at(mesh.Material[e])].Add(std::ldexp(volumes[e], -exponent));
   }
-  return SumOverRanks(sums, ranks);
+  std::vector<double> all = SumOverRanks(sums, ranks);
+  for (double& volume : all)
+  {
+    volume = std::ldexp(volume, exponent);
+  }
+  return all;
 }
 
 } // namespace vfm

@@ -1,0 +1,408 @@
+/// Lengths far from 1: a mesh does not depend on the unit of length, and grids whose lengths are
+/// out of range are rejected.
+#include "Input/PlainArrays.h"
+#include "LabelInput.h"
+#include "MeshChecks.h"
+#include "State/ViewMesh.h"
+#include "Summary/FragmentTable.h"
+#include "Summary/QualityDistribution.h"
+#include "TetPipeline.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <random>
+
+using namespace vfm;
+using namespace vfm::testing;
+
+namespace
+{
+
+constexpr Index Side = 8; // cells
+
+enum class Field
+{
+  Ball,
+  Noise
+};
+
+/// Returns the fraction of a ball in each cell, or noise; x fastest.
+std::vector<double> MakeFractions(Field field)
+{
+  std::mt19937 random(7);
+  std::vector<double> fractions;
+  ForCells({ {}, { { Side, Side, Side } } },
+    [&](const Index3& cell)
+    {
+      double squares = 0.0;
+      for (Index i : cell)
+      {
+        squares += std::pow(static_cast<double>(i) - 3.4, 2);
+      }
+      const double ball = std::min(1.0, std::max(0.0, 3.3 - std::sqrt(squares)));
+      const double noise = static_cast<double>(random() % 1024) / 1024.0;
+      fractions.push_back(field == Field::Ball ? ball : noise);
+    });
+  return fractions;
+}
+
+/// Returns arrays of two materials that fill the grid, and of their state.
+std::shared_ptr<const BlockArrays> MakeArrays(Field field)
+{
+  const std::vector<double> inside = MakeFractions(field);
+  std::vector<double> outside, density, velocity, energy;
+  for (std::size_t cell = 0; cell < inside.size(); ++cell)
+  {
+    const double at = static_cast<double>(cell);
+    outside.push_back(1.0 - inside[cell]);
+    density.push_back(2.0 + std::sin(0.1 * at));
+    energy.push_back(3.0 + std::cos(0.2 * at));
+    velocity.insert(velocity.end(), { std::sin(0.3 * at), std::cos(0.4 * at), 1.0 });
+  }
+  const auto tuples = static_cast<Index>(inside.size());
+  auto arrays = std::make_shared<PlainArrays>(tuples);
+  arrays->Store("inside", ValueType::Double, inside);
+  arrays->Store("outside", ValueType::Double, outside);
+  arrays->Store("density", ValueType::Double, density);
+  arrays->Store("energy", ValueType::Double, energy);
+  const auto kept = std::make_shared<const std::vector<double>>(std::move(velocity));
+  arrays->Add(
+    "velocity", ValueType::Double, tuples, 3, std::shared_ptr<const void>(kept, kept->data()));
+  return arrays;
+}
+
+/// Returns an input on a grid with these widths and this lower corner.
+MesherInput MakeGrid(Field field, const Vector3& widths, const Vector3& origin)
+{
+  const IndexBox cells{ {}, { { Side, Side, Side } } };
+  InputBlock block = MakeBlock(cells, origin, 1.0, MakeArrays(field));
+  for (int a = 0; a < 3; ++a)
+  {
+    for (std::size_t i = 0; i < block.Coordinates[a].size(); ++i)
+    {
+      block.Coordinates[a][i] = origin[a] + static_cast<double>(i) * widths[a];
+    }
+  }
+  CheckCoordinates(block);
+  Ranks alone;
+  MesherInput input = MakeInput({ std::move(block) }, alone);
+  input.Arrays.Fractions = { "inside", "outside" };
+  return input;
+}
+
+MesherInput MakeCubes(Field field, double width)
+{
+  return MakeGrid(field, { { width, width, width } }, {});
+}
+
+struct Method
+{
+  const char* Name;
+  ElementKind Elements;
+  TetMethod Tets;
+};
+
+const Method Methods[] = { { "hexes", ElementKind::Hexes, TetMethod::Lattice },
+  { "Lattice", ElementKind::Tets, TetMethod::Lattice },
+  { "Cells", ElementKind::Tets, TetMethod::Cells },
+  { "TetGen", ElementKind::Tets, TetMethod::TetGen } };
+
+bool IsBuilt(const Method& method)
+{
+  return method.Elements == ElementKind::Hexes || method.Tets != TetMethod::TetGen || HasTetGen();
+}
+
+MesherOptions OptionsOf(const Method& method)
+{
+  MesherOptions options;
+  options.Elements = method.Elements;
+  options.Tets = method.Tets;
+  options.ComputeQuality = true;
+  return options;
+}
+
+/// Returns the first problem of a mesh that fills the domain, or "". Lengths are in `width`.
+std::string FindProblem(const MesherResult& result, double width)
+{
+  const Mesh& mesh = result.TheMesh;
+  const double cell = width * width * width;
+  for (Index e = 0; e < static_cast<Index>(mesh.ElementIds.size()); ++e)
+  {
+    if (!(SmallestCoefficient(mesh, e) / cell > 0.0))
+    {
+      return "element " + std::to_string(mesh.ElementIds[e]) + " is not positive";
+    }
+  }
+  double sum = 0.0;
+  for (int material : { 1, 2 })
+  {
+    const double volume = MeasureVolume(mesh, material);
+    sum += volume / cell;
+    if (!(std::fabs(volume / result.Report.MeshVolume[material] - 1.0) < 1e-9))
+    {
+      return "reported volume is wrong";
+    }
+  }
+  const auto cells = static_cast<double>(Side * Side * Side);
+  const std::string topology = FindTopologyProblem(mesh);
+  return !topology.empty()                   ? topology
+    : !(std::fabs(sum / cells - 1.0) < 1e-9) ? "volumes do not fill the domain"
+    : !(result.Report.MinimumScaledJacobian > 0.0 && result.Report.MeanScaledJacobian <= 1.0)
+    ? "scaled Jacobian"
+    : "";
+}
+
+/// Returns the message of a run, or "" if it makes a valid mesh.
+std::string RunCase(const Method& method, const MesherInput& input, double width)
+{
+  Runtime serial;
+  const MesherResult result = RunMesher(input, OptionsOf(method), serial);
+  const std::string problem = FindProblem(result, width);
+  EXPECT_EQ(problem, "") << method.Name << " width " << width;
+  return "";
+}
+
+/// Makes the grid and the mesh; returns the message of the error, or "".
+template <class MakeGridOf>
+std::string TryCase(const Method& method, double width, const MakeGridOf& makeGrid)
+{
+  try
+  {
+    return RunCase(method, makeGrid(), width);
+  }
+  catch (const InputError& error)
+  {
+    return error.what();
+  }
+}
+
+TEST(Lengths, BoxesFrom1e300To1e300)
+{
+  for (const Method& method : Methods)
+  {
+    if (!IsBuilt(method))
+    {
+      continue;
+    }
+    int meshes = 0, messages = 0, least = 400, most = -400;
+    for (int exponent = -300; exponent <= 300; exponent += 10)
+    {
+      for (Field field : { Field::Ball, Field::Noise })
+      {
+        const double width = std::pow(10.0, exponent) / static_cast<double>(Side);
+        const std::string message = TryCase(method, width, [&] { return MakeCubes(field, width); });
+        const bool isMesh = message.empty();
+        EXPECT_EQ(isMesh, width >= 1e-50 && width <= 1e50) << exponent << ": " << message;
+        EXPECT_EQ(message.find("idth") != std::string::npos, !isMesh) << message;
+        ++(isMesh ? meshes : messages);
+        least = isMesh ? std::min(least, exponent) : least;
+        most = isMesh ? std::max(most, exponent) : most;
+      }
+    }
+    std::printf("%-8s %3d valid meshes, boxes of 1e%d to 1e%d; %3d messages\n", method.Name, meshes,
+      least, most, messages);
+  }
+}
+
+using Numbers = std::map<std::string, std::vector<double>>;
+
+template <class Values>
+void AddNumbers(const std::string& name, const Values& values, Numbers& numbers)
+{
+  std::vector<double>& all = numbers[name];
+  for (const auto& value : values)
+  {
+    all.push_back(static_cast<double>(value));
+  }
+}
+
+void AddFields(const std::string& name, const FieldArrays& fields, Numbers& numbers)
+{
+  for (const FieldArray& field : fields)
+  {
+    std::visit(
+      [&](const auto& values)
+      {
+        if constexpr (!std::is_same_v<std::decay_t<decltype(values)>, std::vector<std::string>>)
+        {
+          AddNumbers(name + field.Name, values, numbers);
+        }
+      },
+      field.Values);
+  }
+}
+
+void AddTuples(
+  const std::string& name, const std::vector<std::array<double, 3>>& rows, Numbers& numbers)
+{
+  for (const std::array<double, 3>& row : rows)
+  {
+    AddNumbers(name, row, numbers);
+  }
+}
+
+void AddState(const TransferredArray& array, Numbers& numbers)
+{
+  const auto* values = reinterpret_cast<const double*>(array.Values.data());
+  const std::size_t count = array.Values.size() / sizeof(double);
+  AddNumbers("state " + array.Name, std::vector<double>(values, values + count), numbers);
+}
+
+/// Returns all numbers of a result, by name.
+Numbers ListNumbers(const MesherResult& result)
+{
+  const Mesh& mesh = result.TheMesh;
+  Numbers numbers;
+  AddNumbers("points", mesh.Points, numbers);
+  AddNumbers("elements", mesh.Elements, numbers);
+  AddNumbers("mid points", mesh.MidPoints, numbers);
+  AddNumbers("scaled Jacobians", mesh.ScaledJacobian, numbers);
+  AddNumbers("fragments", mesh.Fragment, numbers);
+  AddNumbers("dimension", mesh.GeometryDimension, numbers);
+  AddNumbers("areas", mesh.Tables.SurfaceAreas, numbers);
+  AddTuples("centroids", mesh.Tables.SurfaceCentroids, numbers);
+  AddTuples("normals", mesh.Tables.SurfaceNormals, numbers);
+  AddFields("", result.Fields, numbers);
+  AddFields("material ", result.MaterialFields, numbers);
+  for (const TransferredArray& array : result.State.Arrays)
+  {
+    AddState(array, numbers);
+  }
+  if (result.State.NodalVelocity)
+  {
+    AddState(*result.State.NodalVelocity, numbers);
+  }
+  Ranks alone;
+  const MeshData view = ViewMesh(mesh, result.State, result.Fields);
+  const bool hasDensity = !result.State.Arrays.empty();
+  AddFields("fragment ",
+    MakeFragmentTable(
+      view, hasDensity ? std::vector<std::string>{ "density" } : std::vector<std::string>(), alone),
+    numbers);
+  for (const RatedElement& element : FindQualityDistribution(view, 5, alone).Worst)
+  {
+    AddNumbers("worst", element.Centroid, numbers);
+  }
+  return numbers;
+}
+
+/// Returns the power of the length with which numbers grow, if they are bitwise equal except for
+/// the factor; else a number below -9.
+int FindPower(const std::vector<double>& one, const std::vector<double>& other, int exponent)
+{
+  for (int power : { 0, 1, 2, 3, -1, 4 })
+  {
+    const auto same = [&](double a, double b) { return std::ldexp(a, power * exponent) == b; };
+    if (std::equal(one.begin(), one.end(), other.begin(), other.end(), same))
+    {
+      return power;
+    }
+  }
+  return -10;
+}
+
+struct Variant
+{
+  std::string Name;
+  /// Sets options for a grid whose lengths have the factor `unit`.
+  std::function<void(double unit, MesherOptions&)> Set;
+  bool HasState = false;
+  bool OnlyHexes = false;
+};
+
+const Variant Variants[] = { { "state", [](double, MesherOptions& o) { o.NodalVelocity = true; },
+                               true },
+  { "quadratic", [](double, MesherOptions& o) { o.Order = ElementOrder::Quadratic; } },
+  { "refined",
+    [](double unit, MesherOptions& o)
+    {
+      o.Where = Refinement::Automatic;
+      o.MaximumLevel = 1;
+      o.CurvaturePerCell = 0.3;
+      const double low = 0.5 * unit, high = 2.5 * unit;
+      o.RefinementBoxes = { { { { low, low, low } }, { { high, high, high } }, 1.0 } };
+    },
+    true },
+  { "periodic",
+    [](double, MesherOptions& o)
+    {
+      o.Periodic = 7;
+      o.PeriodicSides = Sides::Joined;
+    },
+    true },
+  { "layers",
+    [](double unit, MesherOptions& o)
+    {
+      o.Layers = 3;
+      o.FirstLayer = 0.1 * unit;
+      o.FirstLayerUnit = ThicknessUnit::Length;
+      o.Edges = SharpEdges::On;
+    },
+    false, true } };
+
+MesherResult MakeVariant(const Method& method, const Variant& variant, Field field, double unit)
+{
+  MesherOptions options = OptionsOf(method);
+  variant.Set(unit, options);
+  MesherInput input = MakeGrid(
+    field, { { unit, 1.5 * unit, 0.75 * unit } }, { { 0.3 * unit, -20.0 * unit, 7.0 * unit } });
+  if (variant.HasState)
+  {
+    input.Arrays.State = { true, { "density", "velocity", "energy" }, { "density" }, {}, "velocity",
+      "energy" };
+  }
+  Runtime serial;
+  return RunMesher(input, options, serial);
+}
+
+/// Powers of 2 that change the unit, 5e-49 to 2e48. Sums of state (WideSum) are rounded differently
+/// by others than multiples of 32.
+constexpr int Exponents[] = { -160, -96, 96, 160 };
+
+TEST(Lengths, MeshesDoNotDependOnTheUnit)
+{
+  std::map<std::string, std::map<int, int>> powers;
+  for (const Method& method : Methods)
+  {
+    for (const Variant& variant : Variants)
+    {
+      for (Field field : { Field::Ball, Field::Noise })
+      {
+        const bool isTetGen = method.Tets == TetMethod::TetGen;
+        if (!IsBuilt(method) || (variant.OnlyHexes && method.Elements != ElementKind::Hexes) ||
+          (isTetGen && (variant.Name == "quadratic" || field == Field::Noise)))
+        {
+          continue;
+        }
+        const Numbers one = ListNumbers(MakeVariant(method, variant, field, 1.0));
+        for (int exponent : Exponents)
+        {
+          const Numbers other =
+            ListNumbers(MakeVariant(method, variant, field, std::ldexp(1.0, exponent)));
+          for (const auto& [name, values] : one)
+          {
+            const int power = FindPower(values, other.at(name), exponent);
+            EXPECT_GE(power, -1) << method.Name << " " << variant.Name << " "
+                                 << (field == Field::Noise ? "noise " : "ball ") << exponent << ": "
+                                 << name;
+            ++powers[name][power];
+          }
+        }
+      }
+    }
+  }
+  for (const auto& [name, counts] : powers)
+  {
+    std::printf("%-24s", name.c_str());
+    for (const auto& [power, count] : counts)
+    {
+      std::printf("  L^%d %d", power, count);
+    }
+    std::printf("\n");
+  }
+}
+
+} // namespace
