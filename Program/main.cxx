@@ -275,7 +275,10 @@ int main(int argc, char* argv[])
   }
   const int status = vfm::Run(std::vector<std::string>(argv + 1, argv + argc), ranks);
   std::cout.flush();
-  vfm::HandleSignalsSilently(); // after a failure, mpiexec ends ranks that have not ended yet
+  if (status != 0)
+  {
+    vfm::HandleSignalsSilently(); // mpiexec ends ranks that have not ended yet
+  }
   MPI_Finalize();
   return status;
 }
