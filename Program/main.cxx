@@ -6,6 +6,7 @@
 #include "Base/ParseText.h"
 #include "BuiltInTest.h"
 #include "ChooseArrays.h"
+#include "EndBySignal.h"
 #include "ListInput.h"
 #include "MakeMesh.h"
 #include "Meshes/Files/WriteTable.h"
@@ -265,10 +266,19 @@ int Run(const std::vector<std::string>& words, Ranks& ranks)
 
 int main(int argc, char* argv[])
 {
+  vfm::HandleSignals();
   MPI_Init(&argc, &argv);
   vfm::MpiRanks ranks(MPI_COMM_WORLD);
+  if (ranks.Rank() > 0)
+  {
+    vfm::HandleSignalsSilently();
+  }
   const int status = vfm::Run(std::vector<std::string>(argv + 1, argv + argc), ranks);
   std::cout.flush();
+  if (status != 0)
+  {
+    vfm::HandleSignalsSilently(); // mpiexec ends ranks that have not ended yet
+  }
   MPI_Finalize();
   return status;
 }

@@ -27,7 +27,7 @@ TextPairs ListReportOptions(const MesherOptions& options);
 /// @param materials MesherResult::MaterialFields, equal on all ranks
 /// @param head texts of rank 0; other ranks may pass an empty head
 /// @throws InputError if the suffix is wrong, an array is missing, or the file cannot be written;
-/// on all ranks, with path and reason. An incomplete file is removed
+/// on all ranks, with path and reason. The earlier file then remains
 /// @pre Collective
 void WriteReport(const MeshData& mesh, const FieldArrays& materials, const ReportHead& head,
   const std::string& path, Ranks& ranks);

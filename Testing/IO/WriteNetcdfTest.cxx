@@ -33,7 +33,9 @@ NetcdfLayout MakeLayout()
 std::string Write(NetcdfFormat format)
 {
   const std::string path = testing::TempDir() + "vfm_netcdf_test.nc";
-  WriteNetcdf(MakeLayout(), path, format);
+  OutputSet files(path);
+  WriteNetcdf(MakeLayout(), path, format, files);
+  files.Rename();
   std::ifstream file(path, std::ios::binary);
   return { std::istreambuf_iterator<char>(file), {} };
 }

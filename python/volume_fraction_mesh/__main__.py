@@ -13,6 +13,7 @@ import numpy as np
 from . import VolumeFractionMeshWarning, __version__, fragments, hexes, tets
 from ._core import Option, list_options, read_label_names
 from ._files import are_labels, read_source
+from ._output import ended_by_signals, whole_file
 from .mesh import Mesh
 
 OPTIONS = list_options()
@@ -177,14 +178,22 @@ def write_table(mesh: Mesh, path: str) -> None:
         else:
             columns[name] = [" ".join(map(str, ids))
                              for ids in values] if name == "neighbours" else values
-    with open(path, "w", newline="", encoding="utf-8") as file:
+    with whole_file(path) as unfinished, open(unfinished, "w", newline="",
+                                              encoding="utf-8") as file:
         writer = csv.writer(file)
         writer.writerow(columns)
         writer.writerows(zip(*columns.values()))
 
 
 def main(arguments: Optional[List[str]] = None) -> int:
-    """Runs the command. Returns the exit status: 0, or 1 after one line with the reason."""
+    """Runs the command. Returns the exit status: 0, or 1 after one line with the reason. SIGTERM,
+    SIGINT and SIGHUP end the process."""
+    with ended_by_signals("vfmesh"):
+        return _run(arguments)
+    return 1
+
+
+def _run(arguments: Optional[List[str]]) -> int:
     words = make_parser().parse_args(arguments)
     warnings.showwarning = lambda message, *_, **__: print("warning: %s" % message, file=sys.stderr)
     warnings.simplefilter("always", VolumeFractionMeshWarning)
@@ -193,7 +202,8 @@ def main(arguments: Optional[List[str]] = None) -> int:
         mesh = make(**_arguments(words), progress=not words.quiet)
         mesh.save(words.output)
         if words.surfaces:
-            mesh.to_pyvista("surfaces").save(words.surfaces)
+            with whole_file(words.surfaces) as path:
+                mesh.to_pyvista("surfaces").save(path)
         if words.table:
             write_table(mesh, words.table)
         if words.report:
@@ -202,8 +212,6 @@ def main(arguments: Optional[List[str]] = None) -> int:
     except (ValueError, TypeError, ImportError, OSError, RuntimeError) as error:
         print("vfmesh: %s" % error, file=sys.stderr)
         return 1
-    except KeyboardInterrupt:
-        return 130
     if not words.quiet:
         print(mesh)
     return 0

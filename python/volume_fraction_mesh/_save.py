@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import os
-import tempfile
-from contextlib import contextmanager
 from importlib.util import find_spec
-from typing import TYPE_CHECKING, Any, Iterator, Optional
+from typing import TYPE_CHECKING, Any, Optional
 
 from . import _core, _npz, _vtk
+from ._output import whole_file
 from ._tables import core_arrays, core_fields
 
 if TYPE_CHECKING:
@@ -31,7 +30,7 @@ def save(mesh: Mesh, path: Any, **options: Any) -> None:
     if suffix in BY_CORE:
         _save_by_core(mesh, path, suffix, **options)
         return
-    with _whole_file(path) as unfinished:
+    with whole_file(path) as unfinished:
         if suffix in BY_PACKAGE:
             with open(unfinished, "wb") as file:
                 BY_PACKAGE[suffix](mesh, file, **options)
@@ -54,20 +53,6 @@ def _check_suffix(path: str, suffix: str) -> None:
                          % (path, suffix, formats))
     if not find_spec("meshio"):
         raise ImportError("Writing %s requires meshio: pip install meshio" % path)
-
-
-@contextmanager
-def _whole_file(path: str) -> Iterator[str]:
-    """Gives a path in a folder next to the file. At the end of the block, the files in the folder
-    replace files of their names; after an error they are removed."""
-    folder = os.path.dirname(path) or "."
-    if not os.access(folder, os.W_OK | os.X_OK):
-        problem = "Permission denied" if os.path.isdir(folder) else "No such file or directory"
-        raise OSError("Cannot write the output %s: %s." % (path, problem))
-    with tempfile.TemporaryDirectory(prefix=".unfinished-", dir=folder) as unfinished:
-        yield os.path.join(unfinished, os.path.basename(path))
-        for name in os.listdir(unfinished):
-            os.replace(os.path.join(unfinished, name), os.path.join(folder, name))
 
 
 def _save_by_core(mesh: Mesh, path: str, suffix: str, **options: Any) -> None:

@@ -220,7 +220,8 @@ void WriteFile(const DeckModel& model, const std::string& path, bool isReduced)
     surfaces.push_back(std::move(surface));
   }
 
-  OutputFile file(path);
+  OutputSet files(path);
+  OutputFile file(path, files);
   WriteHeading(file, model, sections);
   WriteNodes(file, mesh);
   for (std::size_t s = 0; s < sections.size(); ++s)
@@ -247,11 +248,12 @@ void WriteFile(const DeckModel& model, const std::string& path, bool isReduced)
   std::filesystem::path equations(path);
   equations.replace_filename(
     equations.stem().string() + "_periodic" + equations.extension().string());
-  if (WriteEquations(mesh, equations.string()))
+  if (WriteEquations(mesh, equations.string(), files))
   {
     file.Add("*INCLUDE, INPUT=" + equations.filename().string() + "\n");
   }
   file.Close();
+  files.Rename();
 }
 
 } // namespace

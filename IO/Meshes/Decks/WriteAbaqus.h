@@ -25,7 +25,7 @@ namespace vfm
 /// @param mesh  part of this rank, made by the mesher or read from a file
 /// @param isReduced  C3D20R instead of C3D20
 /// @throws InputError  if the mesh is empty or lacks a required array, or if the file cannot be
-///   written; on all ranks. An incomplete file is removed
+///   written; on all ranks. The earlier file then remains
 /// @pre Collective
 /// @note Rank 0 needs the memory of GatherMesh.
 void WriteAbaqus(

@@ -80,7 +80,7 @@ void WriteEquation(OutputFile& file, const std::vector<Term>& terms)
 
 } // namespace
 
-bool WriteEquations(const MeshData& mesh, const std::string& path)
+bool WriteEquations(const MeshData& mesh, const std::string& path, OutputSet& files)
 {
   const std::vector<PeriodicPair> pairs = FindPeriodicPairs(mesh);
   if (pairs.empty())
@@ -89,7 +89,7 @@ bool WriteEquations(const MeshData& mesh, const std::string& path)
   }
   const std::vector<double> lengths = NumbersOfField(mesh.Fields, "PeriodLengths");
   const Index3 references = NumberReferences(mesh, lengths);
-  OutputFile file(path);
+  OutputFile file(path, files);
   file.Add("** u(copy) = u(partner) + periods x u(REF_X) + ..\n");
   WriteReferences(file, mesh, lengths);
   std::vector<Term> terms;

@@ -8,6 +8,7 @@
  */
 #pragma once
 
+#include "Meshes/Files/OutputSet.h"
 #include "Summary/MeshData.h"
 
 #include <string>
@@ -20,6 +21,6 @@ namespace vfm
 /// @param mesh  whole mesh; nodes have the numbers 1, 2, 3, ..
 /// @return whether the file was written
 /// @throws InputError  if FindPeriodicPairs does, or the file cannot be written
-bool WriteEquations(const MeshData& mesh, const std::string& path);
+bool WriteEquations(const MeshData& mesh, const std::string& path, OutputSet& files);
 
 } // namespace vfm

@@ -22,7 +22,7 @@ namespace vfm
 /// Writes one file on rank 0. Its contents do not depend on the number of ranks.
 /// @param mesh  part of this rank, made by the mesher or read from a file
 /// @throws InputError  if WriteDeck does, if a number or id exceeds eight digits, or if the file
-///   cannot be written; on all ranks. An incomplete file is removed
+///   cannot be written; on all ranks. The earlier file then remains
 /// @pre Collective
 void WriteLsDyna(const MeshData& mesh, const std::string& path, Ranks& ranks);
 

@@ -23,7 +23,7 @@ namespace vfm
 /// Writes one file on rank 0. Its contents do not depend on the number of ranks.
 /// @param mesh  part of this rank, made by the mesher or read from a file
 /// @throws InputError  if WriteDeck does, if the mesh has an energy without a density, or if the
-///   file cannot be written; on all ranks. An incomplete file is removed
+///   file cannot be written; on all ranks. The earlier file then remains
 /// @pre Collective
 void WriteRadioss(const MeshData& mesh, const std::string& path, Ranks& ranks);
 

@@ -2,11 +2,9 @@
 
 #include "Meshes/Exodus/ExodusLayout.h"
 #include "Meshes/Exodus/WriteNetcdf.h"
-#include "Meshes/Files/OutputFile.h"
+#include "Meshes/Files/OutputSet.h"
 #include "Ranks/WorkTogether.h"
 #include "Summary/GatherMesh.h"
-
-#include <optional>
 
 namespace vfm
 {
@@ -25,12 +23,12 @@ std::string PartPath(const std::string& path, const Ranks& ranks)
 }
 
 /// Writes the file of this rank. If there are several files, error messages contain its path.
-void WritePart(const ExodusModel& model, const std::string& part, int ranks)
+void WritePart(const ExodusModel& model, const std::string& part, int ranks, OutputSet& files)
 {
   const NetcdfFormat format =
     model.HasWideIds || model.HasLargeArrays ? NetcdfFormat::Wide : NetcdfFormat::Classic;
   PrefixErrors(ranks > 1 ? part + ": " : "",
-    [&] { WriteNetcdf(MakeExodusLayout(model, ranks), part, format); });
+    [&] { WriteNetcdf(MakeExodusLayout(model, ranks), part, format, files); });
 }
 
 /// Writes the files of all ranks, or none if one of them fails.
@@ -39,15 +37,13 @@ void WriteParts(const MeshData& mesh, const std::string& path, Ranks& ranks)
 {
   const ExodusModel model = MakeExodusModel(mesh, ranks);
   const std::string part = PartPath(path, ranks);
-  std::optional<UnfinishedFile> file;
+  OutputSet files(part);
   WorkTogether(ranks,
     [&]
     {
-      WritePart(model, part, ranks.Count());
-      file.emplace(part);
-      ranks.Any(false); // throws if another rank failed
+      WritePart(model, part, ranks.Count(), files);
+      files.Rename(ranks);
     });
-  file->Keep();
 }
 
 } // namespace

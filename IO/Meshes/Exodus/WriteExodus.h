@@ -32,7 +32,7 @@ enum class ExodusParts
 /// their QA record.
 /// @param mesh  part of this rank, made by the mesher or read from a file
 /// @throws InputError  if the mesh is empty or lacks a required array, or if a file cannot be
-///   written; on all ranks. The files of all ranks are then removed
+///   written; on all ranks. The earlier files of all ranks then remain
 /// @pre Collective
 void WriteExodus(const MeshData& mesh, const std::string& path, Ranks& ranks,
   ExodusParts parts = ExodusParts::OnePerRank);

@@ -196,9 +196,10 @@ void AddValues(OutputFile& file, const NetcdfVariable& variable)
     [&](Index number) { AppendNumber(bytes, static_cast<std::uint64_t>(number), size); });
 }
 
-void WriteClassic(const NetcdfLayout& layout, const std::string& path, bool isWide)
+void WriteClassic(
+  const NetcdfLayout& layout, const std::string& path, bool isWide, OutputSet& files)
 {
-  OutputFile file(path);
+  OutputFile file(path, files);
   const ClassicHeader header(layout, isWide);
   file.Add(header.Bytes());
   for (const NetcdfVariable* variable : header.Order())
@@ -210,12 +211,13 @@ void WriteClassic(const NetcdfLayout& layout, const std::string& path, bool isWi
 
 } // namespace
 
-void WriteNetcdf(const NetcdfLayout& layout, const std::string& path, NetcdfFormat format)
+void WriteNetcdf(
+  const NetcdfLayout& layout, const std::string& path, NetcdfFormat format, OutputSet& files)
 {
   const bool isWide = format == NetcdfFormat::Wide;
-  if (!isWide || !TryWriteNetcdf4(layout, path))
+  if (!isWide || !TryWriteNetcdf4(layout, path, files))
   {
-    WriteClassic(layout, path, isWide);
+    WriteClassic(layout, path, isWide, files);
   }
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "Meshes/Exodus/NetcdfLayout.h"
+#include "Meshes/Files/OutputSet.h"
 
 namespace vfm
 {
@@ -14,9 +15,10 @@ enum class NetcdfFormat
   Wide     ///< netCDF-4; in builds without the netCDF library, classic with 64-bit data
 };
 
-/// Writes a file. Only the values of one variable are in memory at a time.
+/// Writes a file of a set. Only the values of one variable are in memory at a time.
 /// @throws InputError  if the file cannot be written; the message holds the reason, not the path.
-///   An incomplete file is removed
-void WriteNetcdf(const NetcdfLayout& layout, const std::string& path, NetcdfFormat format);
+///   The earlier file then remains
+void WriteNetcdf(
+  const NetcdfLayout& layout, const std::string& path, NetcdfFormat format, OutputSet& files);
 
 } // namespace vfm

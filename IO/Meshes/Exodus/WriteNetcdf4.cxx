@@ -2,7 +2,7 @@
 
 #ifdef VFM_HAS_NETCDF
 
-#include "Meshes/Files/OutputFile.h"
+#include "Meshes/Files/OutputSet.h"
 #include "Ranks/Errors.h"
 
 #include <netcdf.h>
@@ -37,6 +37,7 @@ struct OpenNetcdf
 {
   explicit OpenNetcdf(const std::string& path)
   {
+    const auto held = HoldUnfinishedPaths(); // the file is not created again when it was removed
     errno = 0;
     Check(nc_create(path.c_str(), NC_CLOBBER | NC_NETCDF4, &this->Id));
   }
@@ -130,10 +131,10 @@ void PutValues(int file, int id, const NetcdfLayout& layout, const NetcdfVariabl
 
 } // namespace
 
-bool TryWriteNetcdf4(const NetcdfLayout& layout, const std::string& path)
+bool TryWriteNetcdf4(const NetcdfLayout& layout, const std::string& path, OutputSet& files)
 {
-  OpenNetcdf file(path);
-  UnfinishedFile begun(path);
+  const std::string begun = files.Create(path);
+  OpenNetcdf file(begun);
   std::vector<int> variables;
   Define(file.Id, layout, variables);
   for (std::size_t v = 0; v < variables.size(); ++v)
@@ -141,7 +142,7 @@ bool TryWriteNetcdf4(const NetcdfLayout& layout, const std::string& path)
     PutValues(file.Id, variables[v], layout, layout.Variables[v]);
   }
   file.Close();
-  begun.Keep();
+  SyncFile(begun);
   return true;
 }
 
@@ -152,7 +153,7 @@ bool TryWriteNetcdf4(const NetcdfLayout& layout, const std::string& path)
 namespace vfm
 {
 
-bool TryWriteNetcdf4(const NetcdfLayout&, const std::string&)
+bool TryWriteNetcdf4(const NetcdfLayout&, const std::string&, OutputSet&)
 {
   return false;
 }

@@ -2,10 +2,13 @@
 
 #include "Ranks/Errors.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <cstring>
-#include <filesystem>
+#include <fcntl.h>
+#include <unistd.h>
+#include <utility>
 
 namespace vfm
 {
@@ -14,46 +17,39 @@ namespace
 
 constexpr std::size_t BufferSize = 1 << 20;
 
+[[noreturn]] void ThrowReason()
+{
+  throw InputError(std::strerror(errno) + std::string("."));
+}
+
 } // namespace
 
-void MakeFolder(const std::string& path)
+OutputFile::OutputFile(const std::string& path) : Own(std::make_unique<OutputSet>(path))
 {
-  std::error_code error;
-  std::filesystem::create_directory(path, error);
-  if (error)
-  {
-    throw InputError(path + ": " + error.message() + ".");
-  }
+  this->Open(this->Own->Create(path));
 }
 
-UnfinishedFile::UnfinishedFile(std::string path) : Path(std::move(path)) {}
-
-UnfinishedFile::~UnfinishedFile()
+OutputFile::OutputFile(const std::string& path, OutputSet& set)
 {
-  std::error_code ignored;
-  if (!this->IsKept && std::filesystem::is_regular_file(this->Path, ignored))
-  {
-    std::filesystem::remove(this->Path, ignored);
-  }
-}
-
-OutputFile::OutputFile(const std::string& path) : Path(path), File(std::fopen(path.c_str(), "wb"))
-{
-  if (!this->File)
-  {
-    throw InputError(std::strerror(errno) + std::string("."));
-  }
-  std::setvbuf(this->File, nullptr, _IONBF, 0); // this class has its own buffer
-  this->Buffer.reserve(2 * BufferSize);
+  this->Open(set.Create(path));
 }
 
 OutputFile::~OutputFile()
 {
-  if (this->File)
+  if (this->File >= 0)
   {
-    const UnfinishedFile removed(this->Path);
-    std::fclose(this->File);
+    close(this->File);
   }
+}
+
+void OutputFile::Open(const std::string& path)
+{
+  this->File = open(path.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC);
+  if (this->File < 0)
+  {
+    ThrowReason();
+  }
+  this->Buffer.reserve(2 * BufferSize);
 }
 
 void OutputFile::Add(std::string_view text)
@@ -79,10 +75,16 @@ void OutputFile::AddReal(double number)
 
 void OutputFile::Flush()
 {
-  errno = 0;
-  if (std::fwrite(this->Buffer.data(), 1, this->Buffer.size(), this->File) != this->Buffer.size())
+  const char* next = this->Buffer.data();
+  const char* const end = next + this->Buffer.size();
+  while (next < end)
   {
-    throw InputError(std::strerror(errno) + std::string("."));
+    const ssize_t written = write(this->File, next, static_cast<std::size_t>(end - next));
+    if (written < 0 && errno != EINTR)
+    {
+      ThrowReason();
+    }
+    next += std::max<ssize_t>(written, 0);
   }
   this->Buffer.clear();
 }
@@ -90,14 +92,18 @@ void OutputFile::Flush()
 void OutputFile::Close()
 {
   this->Flush();
-  UnfinishedFile closed(this->Path);
-  std::FILE* file = this->File;
-  this->File = nullptr;
-  if (std::fclose(file) != 0) // some file systems report errors only here
+  if (fsync(this->File) != 0 && errno != EINVAL) // EINVAL: a pipe or a device
   {
-    throw InputError(std::strerror(errno) + std::string("."));
+    ThrowReason();
   }
-  closed.Keep();
+  if (close(std::exchange(this->File, -1)) != 0) // some file systems report errors only here
+  {
+    ThrowReason();
+  }
+  if (this->Own)
+  {
+    this->Own->Rename();
+  }
 }
 
 } // namespace vfm

@@ -3,41 +3,27 @@
  */
 #pragma once
 
+#include "Meshes/Files/OutputSet.h"
+
 #include <cstdint>
-#include <cstdio>
+#include <memory>
 #include <string>
 #include <string_view>
 
 namespace vfm
 {
 
-/// Creates a folder unless it exists.
-/// @throws InputError  if it cannot be created; contains the path and the reason
-void MakeFolder(const std::string& path);
-
-/// Guard that removes a file in its destructor, unless Keep was called. It never removes a device.
-class UnfinishedFile
-{
-public:
-  explicit UnfinishedFile(std::string path);
-  ~UnfinishedFile();
-  UnfinishedFile(const UnfinishedFile&) = delete;
-  UnfinishedFile& operator=(const UnfinishedFile&) = delete;
-
-  void Keep() { this->IsKept = true; }
-
-private:
-  std::string Path;
-  bool IsKept = false;
-};
-
-/// Buffered file. The destructor removes the file unless Close has returned.
+/// Buffered file, which replaces an earlier file of its name when it is complete. The destructor
+/// removes what was written unless Close has returned.
 /// @throws InputError  (each function) if the file cannot be written; the message holds the reason,
 ///   not the path
 class OutputFile
 {
 public:
+  /// Begins a file that Close renames.
   explicit OutputFile(const std::string& path);
+  /// Begins a file of a set, which the set renames.
+  OutputFile(const std::string& path, OutputSet& set);
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
@@ -52,13 +38,16 @@ public:
   {
     this->Add(std::string_view(reinterpret_cast<const char*>(&number), sizeof(T)));
   }
+  /// Returns when the content is on the disk.
   void Close();
 
 private:
+  void Open(const std::string& path);
   void Flush();
 
-  std::string Path, Buffer;
-  std::FILE* File;
+  std::unique_ptr<OutputSet> Own; ///< set of this file only; null if it belongs to another set
+  std::string Buffer;
+  int File = -1;
 };
 
 } // namespace vfm

@@ -49,7 +49,7 @@ std::optional<GmshVersion> ParseGmshVersion(const std::string& name);
 /// Writes one file on rank 0. Its contents do not depend on the number of ranks.
 /// @param mesh  part of this rank, made by the mesher or read from a file
 /// @throws InputError  if the mesh is empty or lacks a required array, if version 2.2 cannot hold
-///   its ids, or if the file cannot be written; on all ranks. An incomplete file is removed
+///   its ids, or if the file cannot be written; on all ranks. The earlier file then remains
 /// @pre Collective
 /// @note Rank 0 needs the memory of GatherMesh.
 void WriteGmsh(

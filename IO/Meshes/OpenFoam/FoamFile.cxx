@@ -15,8 +15,9 @@ bool IsLittleEndian()
 
 } // namespace
 
-FoamFile::FoamFile(const std::string& folder, const FoamHeader& header, bool isBinary) :
-  File(folder + "/" + header.Location + "/" + header.Object), IsBinary(isBinary)
+FoamFile::FoamFile(
+  const std::string& folder, const FoamHeader& header, bool isBinary, OutputSet& files) :
+  File(folder + "/" + header.Location + "/" + header.Object, files), IsBinary(isBinary)
 {
   this->Text("FoamFile\n{\n    version     2.0;\n");
   this->Text(std::string("    format      ") + (isBinary ? "binary" : "ascii") + ";\n");

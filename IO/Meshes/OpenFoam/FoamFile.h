@@ -27,7 +27,8 @@ class FoamFile
 {
 public:
   /// @param folder  folder of the case, or of its part; contains header.Location
-  FoamFile(const std::string& folder, const FoamHeader& header, bool isBinary);
+  /// @param files  set to which the file belongs
+  FoamFile(const std::string& folder, const FoamHeader& header, bool isBinary, OutputSet& files);
 
   /// Writes text, also in binary files.
   void Text(std::string_view text) { this->File.Add(text); }

@@ -15,9 +15,8 @@ constexpr const char* MeshFolder = "constant/polyMesh";
 class PolyMeshWriter
 {
 public:
-  PolyMeshWriter(
-    const FoamMesh& foam, const std::string& folder, bool isBinary, UnfinishedFolders& unfinished) :
-    Foam(foam), Folder(folder), IsBinary(isBinary), Unfinished(unfinished)
+  PolyMeshWriter(const FoamMesh& foam, const std::string& folder, bool isBinary, OutputSet& files) :
+    Foam(foam), Folder(folder), IsBinary(isBinary), Files(files)
   {
   }
 
@@ -37,7 +36,7 @@ private:
   const FoamMesh& Foam;
   const std::string& Folder;
   const bool IsBinary;
-  UnfinishedFolders& Unfinished;
+  OutputSet& Files;
 };
 
 /// Writes a file by write(file).
@@ -45,10 +44,9 @@ template <class Write>
 void PolyMeshWriter::WriteFile(const std::string& name, const std::string& type, const Write& write,
   const std::string& note) const
 {
-  FoamFile file(this->Folder, { type, MeshFolder, name, note }, this->IsBinary);
+  FoamFile file(this->Folder, { type, MeshFolder, name, note }, this->IsBinary, this->Files);
   write(file);
   file.Close();
-  this->Unfinished.Add(this->Folder + "/" + MeshFolder + "/" + name);
 }
 
 void PolyMeshWriter::WriteLabels(const std::string& name, const std::vector<Index>& labels) const
@@ -202,40 +200,12 @@ std::vector<Dictionary> ListDictionaries(int ranks)
 
 } // namespace
 
-UnfinishedFolders::~UnfinishedFolders()
-{
-  this->Files.clear();
-  for (const std::string& folder : this->Folders)
-  {
-    std::error_code ignored; // a folder with files of others remains
-    std::filesystem::remove(folder, ignored);
-  }
-}
-
-void UnfinishedFolders::Make(const std::string& path)
-{
-  if (!std::filesystem::exists(path))
-  {
-    MakeFolder(path);
-    this->Folders.push_front(path);
-  }
-}
-
-void UnfinishedFolders::Keep()
-{
-  this->Folders.clear();
-  for (UnfinishedFile& file : this->Files)
-  {
-    file.Keep();
-  }
-}
-
 void WritePolyMesh(const FoamMesh& foam, const FoamAddressing* addressing,
-  const std::string& folder, bool isBinary, UnfinishedFolders& files)
+  const std::string& folder, bool isBinary, OutputSet& files)
 {
-  files.Make(folder);
-  files.Make(folder + "/constant");
-  files.Make(folder + "/" + MeshFolder);
+  files.MakeFolder(folder);
+  files.MakeFolder(folder + "/constant");
+  files.MakeFolder(folder + "/" + MeshFolder);
   const PolyMeshWriter writer(foam, folder, isBinary, files);
   writer.WriteMesh();
   if (addressing)
@@ -244,24 +214,21 @@ void WritePolyMesh(const FoamMesh& foam, const FoamAddressing* addressing,
   }
 }
 
-void WriteCaseFiles(
-  const std::string& folder, const std::string& path, int ranks, UnfinishedFolders& files)
+void WriteCaseFiles(const std::string& folder, const std::string& path, int ranks, OutputSet& files)
 {
-  files.Make(folder + "/system");
+  files.MakeFolder(folder + "/system");
   for (const Dictionary& dictionary : ListDictionaries(ranks))
   {
     const std::string name = folder + "/system/" + dictionary.Name;
     if (!std::filesystem::exists(name))
     {
-      FoamFile file(folder, { "dictionary", "system", dictionary.Name, "" }, false);
+      FoamFile file(folder, { "dictionary", "system", dictionary.Name, "" }, false, files);
       file.Text(dictionary.Text);
       file.Close();
-      files.Add(name);
     }
   }
-  OutputFile stub(path);
+  OutputFile stub(path, files);
   stub.Close();
-  files.Add(path);
 }
 
 } // namespace vfm

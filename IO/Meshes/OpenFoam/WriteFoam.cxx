@@ -45,19 +45,17 @@ void WriteCase(const MeshData& mesh, const std::string& path, Ranks& ranks, bool
   const std::string folder = slash == std::string::npos ? "." : path.substr(0, slash + 1);
   const std::string part =
     ranks.Count() > 1 ? folder + "/processor" + std::to_string(ranks.Rank()) : folder;
-  UnfinishedFolders files;
+  OutputSet files(path);
   WorkTogether(ranks,
     [&]
     {
       WritePolyMesh(foam, addressing ? &*addressing : nullptr, part, isBinary, files);
-      ranks.Any(false); // throws if another rank failed
       if (ranks.Rank() == 0)
       {
         WriteCaseFiles(folder, path, ranks.Count(), files);
       }
-      ranks.Any(false);
+      files.Rename(ranks);
     });
-  files.Keep();
 }
 
 } // namespace

@@ -35,7 +35,8 @@ struct FoamForm
 /// @param mesh  part of this rank, made by the mesher or read from a file; may be empty
 /// @throws InputError  if the mesh of all ranks is empty or lacks a required array, if it is
 ///   periodic with joined sides, if a number exceeds 2^31 - 1, or if a file cannot be written; on
-///   all ranks. The files of all ranks, and the folders that this call made, are then removed
+///   all ranks. The earlier files of all ranks then remain, and the folders that this call made are
+///   removed
 /// @pre Collective
 void WriteFoam(
   const MeshData& mesh, const std::string& path, Ranks& ranks, const FoamForm& form = {});

@@ -7,7 +7,6 @@
 #include "Summary/GatherGeometry.h"
 
 #include <filesystem>
-#include <list>
 
 namespace vfm
 {
@@ -16,9 +15,9 @@ namespace
 
 namespace fs = std::filesystem;
 
-void WritePart(const MeshData& cells, const std::string& path)
+void WritePart(const MeshData& cells, const std::string& path, OutputSet& files)
 {
-  OutputFile file(path);
+  OutputFile file(path, files);
   const std::string kind = cells.Corners == 1 ? "Verts" : cells.Corners == 2 ? "Lines" : "Polys";
   file.Add(VtuHead("PolyData") + "<PolyData>\n");
   AddVtuFields(file, cells);
@@ -36,26 +35,23 @@ void WriteParts(
 {
   const fs::path folder = fs::path(path).replace_extension();
   const std::string name = folder.filename().string();
-  MakeFolder(folder.string());
-  OutputFile file(path);
+  OutputSet files(path);
+  files.MakeFolder(folder.string());
+  OutputFile file(path, files);
   file.Add(VtuHead("vtkMultiBlockDataSet", "1.0") + "<vtkMultiBlockDataSet>\n");
-  std::list<UnfinishedFile> files;
-  for (GeometryPart& part : parts)
+  for (std::size_t p = 0; p < parts.size(); ++p)
   {
-    const std::string number = std::to_string(files.size());
+    GeometryPart& part = parts[p];
+    const std::string number = std::to_string(p);
     const std::string piece = name + "_" + number + ".vtp";
     part.Cells.Data.Time = time;
-    WritePart(part.Cells.Data, (folder / piece).string());
-    files.emplace_back((folder / piece).string());
+    WritePart(part.Cells.Data, (folder / piece).string(), files);
     file.Add("<DataSet index=\"" + number + "\" name=\"" + part.Name + "\" file=\"" +
       XmlText(name + "/" + piece) + "\"/>\n");
   }
   file.Add("</vtkMultiBlockDataSet>\n</VTKFile>\n");
   file.Close();
-  for (UnfinishedFile& written : files)
-  {
-    written.Keep();
-  }
+  files.Rename();
 }
 
 } // namespace

@@ -6,7 +6,6 @@
 #include "Summary/GatherMesh.h"
 
 #include <filesystem>
-#include <list>
 
 namespace vfm
 {
@@ -24,9 +23,9 @@ char TypeOfCells(const MeshData& mesh)
   return !isCurved ? 12 : mesh.MidsPerElement == 12 ? 25 : 29; // VTK_HEXAHEDRON and its quadratics
 }
 
-void WritePiece(const MeshData& mesh, const std::string& path)
+void WritePiece(const MeshData& mesh, const std::string& path, OutputSet& files)
 {
-  OutputFile file(path);
+  OutputFile file(path, files);
   file.Add(VtuHead("UnstructuredGrid") + "<UnstructuredGrid>\n");
   AddVtuFields(file, mesh);
   file.Add("<Piece NumberOfPoints=\"" + std::to_string(mesh.NumberOfPoints) +
@@ -52,9 +51,9 @@ void AddArrayList(OutputFile& file, const char* element, const std::vector<MeshA
 
 /// Writes the file that lists the pieces with elements.
 void WriteSummary(const MeshData& mesh, const std::string& path,
-  const std::vector<std::string>& pieces, const std::vector<char>& isFilled)
+  const std::vector<std::string>& pieces, const std::vector<char>& isFilled, OutputSet& files)
 {
-  OutputFile file(path);
+  OutputFile file(path, files);
   file.Add(VtuHead("PUnstructuredGrid") + "<PUnstructuredGrid GhostLevel=\"0\">\n");
   AddVtuFields(file, mesh);
   AddArrayList(file, "PPointData", mesh.PointArrays);
@@ -78,7 +77,9 @@ void WriteVtu(const MeshData& mesh, const std::string& path, Ranks& ranks)
     {
       if (ranks.Rank() == 0)
       {
-        WritePiece(whole.Data, path);
+        OutputSet files(path);
+        WritePiece(whole.Data, path, files);
+        files.Rename();
       }
     });
 }
@@ -96,28 +97,21 @@ void WritePvtu(const MeshData& mesh, const std::string& path, Ranks& ranks)
   {
     pieces.push_back(name + "/" + name + "_" + std::to_string(rank) + ".vtu");
   }
-  std::list<UnfinishedFile> files;
+  OutputSet files(path);
   WorkTogether(ranks,
     [&]
     {
       if (isFilled[ranks.Rank()])
       {
-        MakeFolder(folder);
-        const std::string piece = (folder.parent_path() / pieces[ranks.Rank()]).string();
-        WritePiece(part, piece);
-        files.emplace_back(piece);
+        files.MakeFolder(folder);
+        WritePiece(part, (folder.parent_path() / pieces[ranks.Rank()]).string(), files);
       }
       if (ranks.Rank() == 0)
       {
-        WriteSummary(part, path, pieces, isFilled);
-        files.emplace_back(path);
+        WriteSummary(part, path, pieces, isFilled, files);
       }
-      ranks.Any(false); // throws if another rank failed
+      files.Rename(ranks);
     });
-  for (UnfinishedFile& file : files)
-  {
-    file.Keep();
-  }
 }
 
 } // namespace vfm

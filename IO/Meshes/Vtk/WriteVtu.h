@@ -18,7 +18,7 @@ namespace vfm
 /// Writes one file on rank 0. Its contents do not depend on the number of ranks.
 /// @param mesh  part of this rank
 /// @throws InputError  if the parts do not form one mesh, or if the file cannot be written; on all
-///   ranks. The message holds the reason, not the path. An incomplete file is removed
+///   ranks. The message holds the reason, not the path. The earlier file then remains
 /// @pre Collective
 /// @note Rank 0 needs the memory of GatherMesh.
 void WriteVtu(const MeshData& mesh, const std::string& path, Ranks& ranks);

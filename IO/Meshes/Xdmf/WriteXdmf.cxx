@@ -112,7 +112,7 @@ void AddTags(OutputFile& file, const char* name, const int* tags, Index count)
   file.Add("</DataItem>\n</Attribute>\n");
 }
 
-void WriteElements(const MeshData& mesh, const std::string& path)
+void WriteElements(const MeshData& mesh, const std::string& path, OutputSet& files)
 {
   Ranks alone;
   const std::map<int, std::string> names = NamesOfMaterials(mesh);
@@ -122,7 +122,7 @@ void WriteElements(const MeshData& mesh, const std::string& path)
   {
     numbers.emplace_back(used.Add(PlainName(NameOfMaterial(names, material))), material);
   }
-  OutputFile file(path);
+  OutputFile file(path, files);
   BeginGrid(file, "mesh");
   AddNames(file, "MaterialNames", numbers, 3);
   AddTopology(file, mesh.Corners == 8 ? "Hexahedron" : "Tetrahedron", mesh.NumberOfElements,
@@ -132,7 +132,7 @@ void WriteElements(const MeshData& mesh, const std::string& path)
   EndGrid(file);
 }
 
-void WriteFacets(const MeshData& mesh, const std::string& path)
+void WriteFacets(const MeshData& mesh, const std::string& path, OutputSet& files)
 {
   Ranks alone;
   const TaggedFaces facets = TagFaces(FindNamedSurfaces(mesh, alone));
@@ -144,7 +144,7 @@ void WriteFacets(const MeshData& mesh, const std::string& path)
   }
   const Index count = static_cast<Index>(facets.Faces.size());
   FaceIds points;
-  OutputFile file(path);
+  OutputFile file(path, files);
   BeginGrid(file, "facets");
   AddNames(file, "SurfaceNames", numbers, 2);
   AddTopology(file, mesh.Corners == 8 ? "Quadrilateral" : "Triangle", count,
@@ -169,10 +169,10 @@ void WriteXdmf(const MeshData& mesh, const std::string& path, Ranks& ranks)
     [&](const MeshData& whole)
     {
       RequireNodes(whole, {}, "XDMF");
-      WriteElements(whole, path);
-      UnfinishedFile elements(path);
-      WriteFacets(whole, facets.string());
-      elements.Keep();
+      OutputSet files(path);
+      WriteElements(whole, path, files);
+      WriteFacets(whole, facets.string(), files);
+      files.Rename();
     });
 }
 

@@ -28,7 +28,7 @@ namespace vfm
 /// @param mesh  part of this rank, made by the mesher or read from a file
 /// @param path  NAME.xdmf
 /// @throws InputError  if the mesh is empty or lacks a required array, or if a file cannot be
-///   written; on all ranks. Incomplete files are removed
+///   written; on all ranks. The earlier files then remain
 /// @pre Collective
 /// @note Rank 0 needs the memory of GatherMesh.
 void WriteXdmf(const MeshData& mesh, const std::string& path, Ranks& ranks);
