@@ -2,7 +2,7 @@
 
 #include "ArrayMemory.h"
 #include "CellOrder.h"
-#include "Input/MaterialGuess.h"
+#include "Input/ArrayNames.h"
 #include "State/StateArrays.h"
 
 #include "vtkDataArray.h"

@@ -1,7 +1,7 @@
 #include "InputAssociation.h"
 
 #include "CollectBlocks.h"
-#include "Input/MaterialGuess.h"
+#include "Input/ArrayNames.h"
 #include "Ranks/Agreement.h"
 
 #include "vtkDataObject.h"

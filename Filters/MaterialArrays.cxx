@@ -2,9 +2,8 @@
 
 #include "BlockArraysOfData.h"
 #include "CollectBlocks.h"
-#include "Input/ArrayInfo.h"
-#include "Input/MaterialGuess.h"
 #include "Input/ValueType.h"
+#include "Materials/ChooseMaterials.h"
 #include "Ranks/Agreement.h"
 
 #include "vtkDataObject.h"
@@ -18,20 +17,14 @@ namespace vfm
 namespace
 {
 
-/// An array that may hold materials.
-struct Candidate
-{
-  ChosenArray Array;
-  int Type; // VTK_VOID: several types
-  MaterialGuess Guess;
-};
+using ArraysOfPlaces = std::map<int, std::vector<ArrayInfo>>; // by association
 
-/// Collective. Returns the arrays with one value per cell, except ids and ghost marks; point arrays
-/// only of images.
-std::vector<Candidate> FindCandidates(vtkDataObject* input, Ranks& ranks)
+/// Collective. Returns the arrays by association; point arrays only of images. Arrays that some
+/// parts lack are left out.
+ArraysOfPlaces FindArrays(vtkDataObject* input, Ranks& ranks)
 {
   std::map<int, ArrayLists> lists{ { vtkDataObject::CELL, {} }, { vtkDataObject::POINT, {} } };
-  std::map<int, std::vector<ArrayInfo>> arrays;
+  ArraysOfPlaces arrays;
   std::vector<Index> parts{ 0 };
   WorkTogether(ranks,
     [&]
@@ -53,67 +46,85 @@ std::vector<Candidate> FindCandidates(vtkDataObject* input, Ranks& ranks)
       }
     });
   ranks.Sum(parts);
-  std::vector<Candidate> found;
-  for (const auto& [association, own] : arrays)
+  for (auto& [association, own] : arrays)
   {
-    for (const ArrayInfo& array : UnionOfArrays(own, ranks))
-    {
-      if (array.Components != 1 || array.HoldsIds || !IsOffered(array.Name))
-      {
-        continue;
-      }
-      const int type = array.HasOneType ? array.Type : VTK_VOID;
-      const MaterialGuess guess = GuessMaterial(type, array.Least, array.Most);
-      const bool isClear = array.Count == parts[0] || guess == MaterialGuess::Nothing;
-      found.push_back(
-        { { array.Name, association }, type, isClear ? guess : MaterialGuess::Unclear });
-    }
+    own = UnionOfArrays(own, ranks);
+    own.erase(std::remove_if(own.begin(), own.end(),
+                [&parts](const ArrayInfo& array) { return array.Count != parts[0]; }),
+      own.end());
   }
-  return found;
+  return arrays;
 }
 
-/// Collective. Returns the only array that can hold materials.
-MaterialArrays FindSingleArray(vtkDataObject* input, Ranks& ranks)
+/// Returns the choice of one association.
+MaterialChoice Choose(int association, const std::vector<ArrayInfo>& arrays, bool hasThreshold)
+{
+  ChoiceRules rules;
+  rules.HasThreshold = hasThreshold;
+  rules.ArePoints = association == vtkDataObject::POINT;
+  return ChooseMaterials(arrays, rules);
+}
+
+/// Collective. Returns the arrays of materials if the choice is clear.
+/// @param hasThreshold  materials are ranges of the values of one array
+MaterialArrays FindClearArrays(vtkDataObject* input, bool hasThreshold, Ranks& ranks)
 {
   MaterialArrays found;
-  int candidates = 0;
-  for (const Candidate& candidate : FindCandidates(input, ranks))
+  found.AreGuessed = true;
+  int choices = 0;
+  std::string problem;
+  for (const auto& [association, arrays] : FindArrays(input, ranks))
   {
-    candidates += candidate.Guess != MaterialGuess::Nothing;
-    if (candidate.Guess == MaterialGuess::Fraction)
+    const MaterialChoice choice = Choose(association, arrays, hasThreshold);
+    const bool isFound = !choice.Fractions.empty() || !choice.Labels.empty();
+    choices += isFound ? 1 + !choice.IsClear : 0;
+    problem += choice.Problem.empty() || arrays.empty() ? "" : " " + choice.Problem;
+    for (const std::string& name : choice.Fractions)
     {
-      found.Fractions.push_back(candidate.Array);
+      found.Fractions.push_back({ name, association });
     }
-    else if (candidate.Guess == MaterialGuess::Labels)
+    if (!choice.Labels.empty())
     {
-      found.Labels = candidate.Array;
+      found.Labels = { choice.Labels, association };
     }
   }
-  if (candidates != 1 || (found.Fractions.empty() && !found.HasLabels()))
+  if (choices != 1)
   {
     throw InputError("No array is chosen. Tick Volume Fraction Arrays, one per material, or choose "
-                     "a Material Id Array (labels).");
+                     "a Material Id Array (labels)." +
+      problem);
   }
   return found;
 }
 
-/// Collective. Decides the role of an array that is selected for both.
+/// Collective. Decides the role of an array that is selected for both: the role that a panel does
+/// not select by default.
 MaterialArrays KeepOneRole(vtkDataObject* input, MaterialArrays chosen, Ranks& ranks)
 {
-  const std::vector<Candidate> candidates = FindCandidates(input, ranks);
-  const bool isReal = std::any_of(candidates.begin(), candidates.end(),
-    [&chosen](const Candidate& candidate)
-    { return candidate.Array.Name == chosen.Labels.Name && IsRealType(candidate.Type); });
-  return isReal ? MaterialArrays{ {}, chosen.Labels } : MaterialArrays{ chosen.Fractions, {} };
+  const std::string& name = chosen.Labels.Name;
+  bool areFractions = false;
+  for (const auto& [association, arrays] : FindArrays(input, ranks))
+  {
+    const std::vector<ContentOfArray> contents = FindContents(arrays, {});
+    for (std::size_t a = 0; a < arrays.size(); ++a)
+    {
+      areFractions = areFractions ||
+        (arrays[a].Name == name && contents[a].Content == ArrayContent::Fraction) ||
+        (arrays[a].Name == name && IsRealType(arrays[a].Type));
+    }
+  }
+  return areFractions ? MaterialArrays{ {}, chosen.Labels, false }
+                      : MaterialArrays{ chosen.Fractions, {}, false };
 }
 
 } // namespace
 
-MaterialArrays FindMaterialArrays(vtkDataObject* input, MaterialArrays chosen, Ranks& ranks)
+MaterialArrays FindMaterialArrays(
+  vtkDataObject* input, MaterialArrays chosen, bool hasThreshold, Ranks& ranks)
 {
   if (chosen.Fractions.empty() && !chosen.HasLabels())
   {
-    return FindSingleArray(input, ranks);
+    return FindClearArrays(input, hasThreshold, ranks);
   }
   if (chosen.HasLabels() && chosen.Fractions.size() == 1 &&
     chosen.Fractions[0].Name == chosen.Labels.Name)

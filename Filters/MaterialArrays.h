@@ -1,8 +1,8 @@
 /**
  * MaterialArrays: decides which arrays of the input hold the materials.
  *
- * If no array is selected and only one array can hold materials (MaterialGuess), it is used. A
- * panel selects this array by default. If a script then selects it in the other role, such as
+ * If no array is selected and the choice is clear (ChooseMaterials.h), it is used. A panel selects
+ * these arrays by default. If a script then selects it in the other role, such as
  * labels instead of fractions, the array has both roles; the role of the script is used.
  */
 #pragma once
@@ -20,7 +20,8 @@ namespace vfm
 struct MaterialArrays
 {
   std::vector<ChosenArray> Fractions;
-  ChosenArray Labels; ///< empty name: none
+  ChosenArray Labels;      ///< empty name: none
+  bool AreGuessed = false; ///< true: not selected by the user
 
   bool HasLabels() const { return !this->Labels.Name.empty(); }
   std::vector<ChosenArray> List() const
@@ -30,9 +31,11 @@ struct MaterialArrays
 };
 
 /// Returns the arrays of fractions, or the array of labels.
-/// @throws InputError if no array is selected and not exactly one can hold materials, or if both
-/// kinds are selected; on all ranks
+/// @param hasThreshold  materials are ranges of the values of one array, which becomes the labels
+/// @throws InputError if no array is selected and the choice is not clear, or if both kinds are
+/// selected; on all ranks
 /// @pre Collective
-MaterialArrays FindMaterialArrays(vtkDataObject* input, MaterialArrays chosen, Ranks& ranks);
+MaterialArrays FindMaterialArrays(
+  vtkDataObject* input, MaterialArrays chosen, bool hasThreshold, Ranks& ranks);
 
 } // namespace vfm

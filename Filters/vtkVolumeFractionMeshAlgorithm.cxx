@@ -161,6 +161,7 @@ void vtkVolumeFractionMeshAlgorithm::Run(
   vfm::MesherInput input;
   input.Arrays.Fractions = vfm::NamesOf(materials.Fractions);
   input.Arrays.Labels = materials.Labels.Name;
+  input.Arrays.AreGuessed = materials.AreGuessed;
   input.Arrays.Names =
     vfm::ShareLabelNames(materials.HasLabels() ? this->Options->LabelNames : "", ranks);
   input.Arrays.State = this->ChooseState(data, ranks);

@@ -295,7 +295,7 @@ vfm::MaterialArrays vtkVolumeFractionMeshAlgorithm::FindMaterials(
   {
     chosen.Labels.Name.clear();
   }
-  return vfm::FindMaterialArrays(input, std::move(chosen), ranks);
+  return vfm::FindMaterialArrays(input, std::move(chosen), false, ranks);
 }
 
 vfm::StateChoice vtkVolumeFractionMeshAlgorithm::ChooseState(

@@ -4,7 +4,7 @@
 #include "HexPipeline.h"
 #include "Input/InputFractions.h"
 #include "Input/InputLabels.h"
-#include "Input/UseLabels.h"
+#include "Materials/UseLabels.h"
 #include "Labels/SmallRegions.h"
 #include "Labels/SmoothLabels.h"
 #include "Levels/PeriodicFields.h"

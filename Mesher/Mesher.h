@@ -24,6 +24,7 @@ struct MesherArrays
   std::string Labels;                 ///< array of labels; empty: Fractions are set
   LabelNames Names;                   ///< names of labels
   StateChoice State;                  ///< state arrays to transfer to the mesh
+  bool AreGuessed = false;            ///< true: the user did not select Fractions or Labels
 };
 
 /// Input of a run.

@@ -1,7 +1,7 @@
 #include "ModifyMesh.h"
 
 #include "Base/Sorted.h"
-#include "Input/UseLabels.h"
+#include "Materials/UseLabels.h"
 #include "Modify/AddLayers.h"
 #include "Modify/MeshOfData.h"
 #include "Modify/SplitInterfaces.h"

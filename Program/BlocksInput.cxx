@@ -1,7 +1,7 @@
 #include "BlocksInput.h"
 
 #include "Blocks/BlockFile.h"
-#include "Input/GuessMaterials.h"
+#include "Input/ArrayNames.h"
 #include "Ranks/WorkTogether.h"
 
 #include <algorithm>

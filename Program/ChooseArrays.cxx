@@ -2,8 +2,8 @@
 
 #include "Base/ParseText.h"
 #include "Images/ImageFile.h"
-#include "Input/GuessMaterials.h"
 #include "Input/PlainArrays.h"
+#include "Materials/ChooseMaterials.h"
 #include "Ranks/Agreement.h"
 #include "Ranks/WorkTogether.h"
 #include "State/StateArrays.h"
@@ -28,12 +28,6 @@ bool Lists(const std::vector<std::string>& names, const std::string& name)
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Returns whether the array of an image file holds labels, because it holds integers.
-bool HoldsLabels(const std::string& path, const std::vector<ArrayInfo>& arrays)
-{
-  return IsImageFile(path) && arrays.size() == 1 && IsWhole(arrays[0]);
-}
-
 /// Lists the arrays that the arguments name for other purposes than materials.
 std::vector<std::string> ListOthers(
   const std::vector<ArrayInfo>& arrays, const Arguments& arguments)
@@ -44,17 +38,32 @@ std::vector<std::string> ListOthers(
   return ListOtherArrays(arguments, names);
 }
 
-/// Returns a warning that lists arrays that would be fractions with a larger tolerance, or "".
-std::string WarnOfNearFractions(
-  const std::vector<ArrayInfo>& arrays, const Arguments& arguments, double tolerance)
+/// Returns what is known about the arrays of one place.
+ChoiceRules MakeRules(const std::vector<ArrayInfo>& arrays, ArrayPlace place,
+  const Arguments& arguments, double tolerance)
 {
+  ChoiceRules rules;
+  rules.Tolerance = tolerance;
+  rules.IsImage = IsImageFile(arguments.Input);
+  rules.Others = ListOthers(arrays, arguments);
+  rules.ArePoints = place == ArrayPlace::Points;
+  return rules;
+}
+
+/// Returns a warning that lists arrays that would be fractions with a larger tolerance, or "".
+std::string WarnOfNearFractions(const std::vector<ArrayInfo>& arrays, const ChoiceRules& rules)
+{
+  ChoiceRules wide = rules;
+  wide.Tolerance = LargestTolerance;
+  const std::vector<ContentOfArray> now = FindContents(arrays, rules);
+  const std::vector<ContentOfArray> then = FindContents(arrays, wide);
   std::vector<std::string> names;
   double outside = 0.0;
-  const std::vector<std::string> others = ListOthers(arrays, arguments);
-  for (const ArrayInfo& array : arrays)
+  for (std::size_t a = 0; a < arrays.size(); ++a)
   {
-    if (IsFraction(array, LargestTolerance) && !IsFraction(array, tolerance) &&
-      !Lists(others, array.Name))
+    const ArrayInfo& array = arrays[a];
+    if (then[a].Content == ArrayContent::Fraction && now[a].Content != ArrayContent::Fraction &&
+      !Lists(rules.Others, array.Name))
     {
       names.push_back(array.Name);
       outside = std::max({ outside, -array.Least, array.Most - 1.0 });
@@ -73,21 +82,21 @@ std::string WarnOfNearFractions(
 /// Reports that the input has no materials, and lists its arrays.
 /// @pre Collective
 [[noreturn]] void RejectArrays(
-  const Input& input, const Arguments& arguments, const std::string& warning, Ranks& ranks)
+  const Input& input, const Arguments& arguments, const ChosenArrays& chosen, Ranks& ranks)
 {
-  std::string text = "No array that can be meshed holds volume fractions: numbers in [0, 1] of "
-                     "type float or double, "
-                     "or unsigned char. " +
+  std::string text = "No array can be meshed without a choice. " + chosen.Problem + " " +
     DescribeArrays(input, ranks);
   if (!ListOtherArrays(arguments, {}).empty())
   {
     text +=
       " Arrays of --state, --density, --velocity, --energy and --refine-cells are not used as "
-      "fractions, unless --fractions lists them.";
+      "materials, unless --fractions or --labels names them.";
   }
-  text += warning.empty() ? "" : " " + warning;
+  text += chosen.Warning.empty() ? "" : " " + chosen.Warning;
   throw InputError(ErrorCode::UnreadableInput,
-    text + " Name the fractions (--fractions A,B,..) or an array of labels (--labels ARRAY).");
+    text +
+      " Name the fractions (--fractions A,B,..), an array of labels (--labels ARRAY), or ranges "
+      "of values (--threshold LOW:HIGH).");
 }
 
 /// Returns the index of a material in the list of arrays.
@@ -292,29 +301,11 @@ ArrayPlace CheckNamedArrays(const Input& input, const std::string& option,
 ChosenArrays FindMaterials(const std::vector<ArrayInfo>& arrays, ArrayPlace place,
   const Arguments& arguments, double tolerance)
 {
-  const bool isOfPoints = place == ArrayPlace::Points;
-  GuessedMaterials guess = GuessMaterials(arrays, ListOthers(arrays, arguments), tolerance);
-  if (!guess.AreNumbered && HoldsLabels(arguments.Input, arrays))
-  {
-    guess = { {}, arrays[0].Name };
-  }
-  ChosenArrays chosen{ guess.Fractions, guess.Labels, "", "", place };
-  if (guess.AreNumbered)
-  {
-    chosen.How = "named Material volume fraction - N";
-    return chosen;
-  }
-  chosen.How =
-    std::string("all ") + (isOfPoints ? "point" : "cell") + " arrays with values in [0, 1]";
-  if (!guess.Labels.empty())
-  {
-    chosen.How = isOfPoints ? "labels of points" : "labels";
-  }
-  if (!HoldsLabels(arguments.Input, arrays))
-  {
-    chosen.Warning = WarnOfNearFractions(arrays, arguments, tolerance);
-  }
-  return chosen;
+  const ChoiceRules rules = MakeRules(arrays, place, arguments, tolerance);
+  MaterialChoice choice = ChooseMaterials(arrays, rules);
+  const bool isComplete = choice.IsClear || !choice.Labels.empty();
+  return { std::move(choice.Fractions), std::move(choice.Labels), std::move(choice.How),
+    isComplete ? "" : WarnOfNearFractions(arrays, rules), place, std::move(choice.Problem), true };
 }
 
 bool HasMaterials(const ChosenArrays& arrays)
@@ -371,14 +362,14 @@ ChosenArrays ChooseArrays(const Input& input, const Arguments& arguments, Ranks&
     isOfLabels ? CheckNamedArrays(input, "--labels", { arguments.Labels }, ranks) : ofFractions;
   const char* ofPoints = place == ArrayPlace::Points ? " of points" : "";
   ChosenArrays chosen{ arguments.Fractions, arguments.Labels,
-    (isOfLabels ? "labels" : "as requested") + std::string(ofPoints), "", place };
+    (isOfLabels ? "labels" : "as requested") + std::string(ofPoints), "", place, "", false };
   if (!HasMaterials(chosen))
   {
     chosen = FindMaterials(input, arguments, mesher.FractionTolerance, ranks);
   }
   if (!HasMaterials(chosen))
   {
-    RejectArrays(input, arguments, chosen.Warning, ranks);
+    RejectArrays(input, arguments, chosen, ranks);
   }
   return chosen;
 }

@@ -22,6 +22,8 @@ struct ChosenArrays
   std::string How;                    ///< reason of the choice, for the user
   std::string Warning;                ///< warning about arrays that may be missing, or empty
   ArrayPlace Place = ArrayPlace::Cells;
+  std::string Problem;       ///< reason if there are no materials
+  bool AreGuessed = false;   ///< false: named by the arguments
 };
 
 /// Returns the arrays of materials that are used by default; possibly none.

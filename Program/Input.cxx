@@ -1,7 +1,7 @@
 #include "Input.h"
 
 #include "Base/ParseText.h"
-#include "Input/MaterialGuess.h"
+#include "Input/ArrayNames.h"
 #include "Ranks/WorkTogether.h"
 
 #include <algorithm>

@@ -53,7 +53,8 @@ MesherArrays NameArrays(
   lists.insert(lists.end(), points.begin(), points.end());
   return { arrays.Fractions, arrays.Labels,
     ShareLabelNames(arrays.Labels.empty() ? "" : arguments.Mesher.LabelNames, ranks),
-    CompleteChoice(ChooseState(arguments.Mesher, arguments.State), lists, ranks) };
+    CompleteChoice(ChooseState(arguments.Mesher, arguments.State), lists, ranks),
+    arrays.AreGuessed };
 }
 
 std::vector<ChosenArray> ListMaterials(const MesherArrays& arrays)

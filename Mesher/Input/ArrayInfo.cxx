@@ -1,6 +1,7 @@
 #include "Input/ArrayInfo.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace vfm
@@ -20,6 +21,7 @@ void AddArray(std::vector<ArrayInfo>& list, const ArrayInfo& info)
   found->Count += info.Count;
   found->HasOneType = found->HasOneType && info.HasOneType && found->Type == info.Type;
   found->HoldsIds = found->HoldsIds || info.HoldsIds;
+  found->AreWhole = found->AreWhole && info.AreWhole;
 }
 
 namespace
@@ -28,7 +30,7 @@ namespace
 /// An ArrayInfo in a message, without its name.
 struct Packed
 {
-  int Type, Components, HasOneType, HoldsIds;
+  int Type, Components, HasOneType, HoldsIds, AreWhole;
   double Least, Most;
   Index Count;
   std::size_t NameLength;
@@ -40,7 +42,8 @@ Bytes Pack(const std::vector<ArrayInfo>& list)
   for (const ArrayInfo& info : list)
   {
     const Bytes numbers = ToBytes(std::vector<Packed>{ { info.Type, info.Components,
-      info.HasOneType, info.HoldsIds, info.Least, info.Most, info.Count, info.Name.size() } });
+      info.HasOneType, info.HoldsIds, info.AreWhole, info.Least, info.Most, info.Count,
+      info.Name.size() } });
     bytes.insert(bytes.end(), numbers.begin(), numbers.end());
     bytes.insert(bytes.end(), info.Name.begin(), info.Name.end());
   }
@@ -55,7 +58,8 @@ void Unpack(const Bytes& bytes, std::vector<ArrayInfo>& list)
     at += sizeof(Packed);
     AddArray(list,
       { std::string(at, at + numbers.NameLength), numbers.Type, numbers.Components, numbers.Least,
-        numbers.Most, numbers.Count, numbers.HasOneType != 0, numbers.HoldsIds != 0 });
+        numbers.Most, numbers.Count, numbers.HasOneType != 0, numbers.HoldsIds != 0,
+        numbers.AreWhole != 0 });
     at += numbers.NameLength;
   }
 }
@@ -75,7 +79,7 @@ std::vector<ArrayInfo> UnionOfArrays(const std::vector<ArrayInfo>& mine, Ranks& 
 namespace
 {
 
-/// Sets the range of the first component.
+/// Sets the range of the first component, and AreWhole.
 void FindRange(const BlockArray& array, ArrayInfo& info)
 {
   info.Least = std::numeric_limits<double>::max();
@@ -87,6 +91,12 @@ void FindRange(const BlockArray& array, ArrayInfo& info)
       const double value = valueOf(tuple);
       info.Least = value < info.Least ? value : info.Least;
       info.Most = value > info.Most ? value : info.Most;
+    }
+    info.AreWhole = true;
+    for (Index tuple = 0; IsRealType(array.Type) && info.AreWhole && tuple < array.Tuples; ++tuple)
+    {
+      const double value = valueOf(tuple);
+      info.AreWhole = std::abs(value - std::round(value)) <= LabelTolerance; // false for NaN
     }
   };
   if (!array.Memory)
@@ -125,7 +135,7 @@ std::vector<ArrayInfo> ListArrays(const ArrayLists& lists)
       if (array && array->Tuples > 0)
       {
         ArrayInfo info{ name, array->Type, array->Components, 0.0, 0.0, 1, true,
-          arrays->HoldsIds(name) };
+          arrays->HoldsIds(name), false };
         FindRange(*array, info);
         AddArray(list, info);
       }

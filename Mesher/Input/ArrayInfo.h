@@ -13,6 +13,9 @@
 namespace vfm
 {
 
+/// Largest distance of a real number from the integer that it is read as.
+constexpr double LabelTolerance = 1e-3;
+
 struct ArrayInfo
 {
   std::string Name;
@@ -22,6 +25,7 @@ struct ArrayInfo
   Index Count = 0;                ///< number of arrays
   bool HasOneType = true;
   bool HoldsIds = false; ///< true if any array is a global or pedigree id
+  bool AreWhole = false; ///< all values are integers within LabelTolerance
 };
 
 /// Adds an array to a list, or merges it with the entry of the same name.

@@ -1,6 +1,7 @@
 #include "vtkSMMeshArrayListDomain.h"
 
-#include "Input/MaterialGuess.h"
+#include "Input/ArrayNames.h"
+#include "Materials/ChooseMaterials.h"
 
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
@@ -55,12 +56,43 @@ bool HoldsIds(vtkPVDataInformation* info, int association, const char* name)
       isAttribute(vtkDataSetAttributes::PEDIGREEIDS));
 }
 
-vfm::MaterialGuess Guess(vtkPVArrayInformation* array)
+/// Returns what the client knows about an array. Whether reals are integers is unknown: false.
+vfm::ArrayInfo Describe(vtkPVArrayInformation* array)
 {
+  vfm::ArrayInfo info;
   const double* range = array->GetComponentRange(0);
-  const vfm::MaterialGuess guess = vfm::GuessMaterial(array->GetDataType(), range[0], range[1]);
-  const bool isWhole = !array->GetIsPartial() || guess == vfm::MaterialGuess::Nothing;
-  return isWhole ? guess : vfm::MaterialGuess::Unclear;
+  info.Name = array->GetName();
+  info.Type = array->GetDataType();
+  info.Components = array->GetNumberOfComponents();
+  info.Least = range[0];
+  info.Most = range[1];
+  return info;
+}
+
+/// Arrays of one association, and their materials.
+struct Choice
+{
+  int Association;
+  std::vector<vfm::ArrayInfo> Arrays;
+  vfm::MaterialChoice Materials;
+};
+
+/// Returns the choice among the arrays of an association that all blocks have.
+Choice Choose(int association, vtkSMArrayListDomain& domain, vtkPVDataInformation* info)
+{
+  Choice choice{ association, {}, {} };
+  for (unsigned int i = 0; i < domain.GetNumberOfStrings(); ++i)
+  {
+    const bool isOfPlace = domain.GetDomainAssociation(i) == association;
+    vtkPVArrayInformation* array =
+      isOfPlace ? FindArray(info, association, domain.GetString(i)) : nullptr;
+    if (array && !array->GetIsPartial())
+    {
+      choice.Arrays.push_back(Describe(array));
+    }
+  }
+  choice.Materials = vfm::ChooseMaterials(choice.Arrays, {});
+  return choice;
 }
 
 } // namespace
@@ -93,35 +125,26 @@ int vtkSMMeshArrayListDomain::SetDefaultValues(vtkSMProperty* property, bool use
   {
     return 1;
   }
-  int candidates = 0, association = 0;
-  vfm::MaterialGuess found = vfm::MaterialGuess::Nothing;
-  std::string name;
-  for (unsigned int i = 0; i < this->GetNumberOfStrings(); ++i)
+  const Choice cells = Choose(vtkDataObject::CELL, *this, info);
+  const Choice points = Choose(vtkDataObject::POINT, *this, info);
+  const auto isFound = [](const Choice& choice)
+  { return !choice.Materials.Fractions.empty() || !choice.Materials.Labels.empty(); };
+  const Choice& found = isFound(cells) ? cells : points;
+  if (isFound(cells) == isFound(points) || !found.Materials.IsClear)
   {
-    vtkPVArrayInformation* array =
-      FindArray(info, this->GetDomainAssociation(i), this->GetString(i));
-    if (array && Guess(array) != vfm::MaterialGuess::Nothing)
-    {
-      ++candidates;
-      found = Guess(array);
-      name = this->GetString(i);
-      association = this->GetDomainAssociation(i);
-    }
+    return 1;
   }
-  const vfm::MaterialGuess requested =
-    this->Role == "labels" ? vfm::MaterialGuess::Labels : vfm::MaterialGuess::Fraction;
-  if (candidates == 1 && found == requested)
+  const vfm::MaterialChoice& materials = found.Materials;
+  vtkSMPropertyHelper helper(property);
+  helper.SetUseUnchecked(useUnchecked);
+  if (this->Role == "labels" && !materials.Labels.empty())
   {
-    vtkSMPropertyHelper helper(property);
-    helper.SetUseUnchecked(useUnchecked);
-    if (this->Role == "labels")
-    {
-      helper.SetInputArrayToProcess(association, name.c_str());
-    }
-    else
-    {
-      helper.Set(0, name.c_str());
-    }
+    helper.SetInputArrayToProcess(found.Association, materials.Labels.c_str());
+  }
+  // A script that chooses labels does not clear fractions that a panel would select.
+  if (this->Role == "fractions" && materials.Fractions.size() == 1)
+  {
+    helper.Set(0, materials.Fractions[0].c_str());
   }
   return 1;
 }

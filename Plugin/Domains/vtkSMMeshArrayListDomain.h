@@ -5,8 +5,8 @@
  * Lists arrays as vtkSMArrayListDomain does, without ids and arrays that mark ghosts. Point data
  * are listed only for images, whose points are the centres of cells.
  *
- * The XML attribute role, "fractions" or "labels", selects a default: the array that can hold
- * materials in this role (MaterialGuess.h), if it is the only one that can hold materials at all.
+ * The XML attribute role, "fractions" or "labels", selects a default: the array that holds the
+ * materials in this role (ChooseMaterials.h), if no other array can hold materials.
  * The required properties with the functions Fractions and Labels disable the default if one of
  * them has a value.
  */

@@ -9,7 +9,7 @@ import re
 MODULES = {
     "Grid": ("Ranks", "Base", "Fractions", "Octree", "Labels", "Interface", "Mesh", "Periodic",
              "Transfer", "SharpFeatures", "Smoothing", "Volumes", "Curved", "Hex", "Tet", "TetGen"),
-    "Mesher": ("Options", "Input", "Levels", "Summary", "Sets", "State", "Modify"),
+    "Mesher": ("Options", "Input", "Materials", "Levels", "Summary", "Sets", "State", "Modify"),
 }
 GRID, MESHER = (tuple(top + "/" + module for module in MODULES[top]) + (top,)
                 for top in ("Grid", "Mesher"))
@@ -23,7 +23,7 @@ ALLOWED.update({
     "Shapes": BASE + ("Grid/Fractions",),
     "Parallel/Mpi": BASE,
     "Parallel": BASE + ("Parallel/Mpi",),
-    "Filters/Data": GRID + MESHER[:4] + ("Parallel",),
+    "Filters/Data": GRID + MESHER[:5] + ("Parallel",),
     "IO": BASE + MESHER,
     "IO/Images": BASE + MESHER + ("IO",),
     "IO/Blocks": BASE + MESHER + ("IO",),
@@ -37,7 +37,7 @@ ALLOWED.update({
     "Program": BASE + ("Grid/Mesh",) + MESHER + (
         "Parallel", "Parallel/Mpi", "IO", "IO/Blocks", "IO/Images", "IO/Labels", "IO/Meshes",
         "IO/Report", "Filters", "Filters/Data"),
-    "Plugin": ("Filters", "Mesher/Input"),
+    "Plugin": ("Filters", "Mesher/Input", "Mesher/Materials"),
     "python": GRID + MESHER + ("Shapes", "IO/Blocks", "IO/Labels", "IO/Meshes", "IO/Report"),
     "Examples": ("InSitu", "InSitu/Catalyst"),
     "Testing/Support": GRID + ("Shapes",),

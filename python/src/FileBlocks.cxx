@@ -2,7 +2,7 @@
 
 #include "Base/ParseText.h"
 #include "Blocks/BlockFile.h"
-#include "Input/GuessMaterials.h"
+#include "Materials/ChooseMaterials.h"
 
 #include <algorithm>
 
@@ -38,11 +38,12 @@ FileBlocks ReadFileBlocks(
       std::to_string(steps) + ", counted from 0.");
   }
   FileBlocks read{ path, file->Times(), file->Times()[index], names.value_or(file->Names()), {},
-    {} };
+    "", {} };
   CheckNames(file->Names(), read.Names);
   read.Blocks = file->Read(index, read.Names, alone);
-  constexpr double rounding = 1e-6;
-  read.Fractions = GuessMaterials(ListArrays(ListsOf(read.Blocks)), {}, rounding).Fractions;
+  MaterialChoice choice = ChooseMaterials(ListArrays(ListsOf(read.Blocks)), {});
+  read.Fractions = std::move(choice.Fractions);
+  read.Labels = std::move(choice.Labels);
   return read;
 }
 

@@ -18,7 +18,8 @@ struct FileBlocks
   std::vector<double> Times; ///< times of all steps
   double Time = 0.0;         ///< time of the step that was read
   std::vector<std::string> Names,
-    Fractions; ///< arrays that were read, and the ones that hold materials
+    Fractions;        ///< arrays that were read, and the ones that hold materials
+  std::string Labels; ///< array of labels; empty: none
   std::vector<InputBlock> Blocks;
 };
 

@@ -68,7 +68,8 @@ MesherInput MakeInput(const MesherCall& call, Runtime& runtime)
   collected.Reading.Frame = MakeImageFrame(call.Axes, call.Origin, "The input");
   MesherInput input;
   input.Arrays = { call.Fractions, call.Labels, call.Names,
-    CompleteChoice(call.State, ArrayLists{ collected.Blocks[0].Arrays }, runtime.Group()) };
+    CompleteChoice(call.State, ArrayLists{ collected.Blocks[0].Arrays }, runtime.Group()),
+    call.AreGuessed };
   input.Levels = FindInputLevels(std::move(collected), runtime.Group());
   return input;
 }

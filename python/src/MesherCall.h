@@ -26,6 +26,7 @@ struct MesherCall
   std::string Labels;
   LabelNames Names;
   StateChoice State;
+  bool AreGuessed;
 };
 
 /// Reads a dict, or None.

@@ -1,6 +1,7 @@
 /**
  * Module: the Python module _core; _core.pyi describes its functions.
  */
+#include "BindChoice.h"
 #include "FileBlocks.h"
 #include "FindFaces.h"
 #include "Labels/ReadLabelNames.h"
@@ -62,11 +63,11 @@ nb::dict MakeMesh(const vfm::FileBlocks* blocks,
   const std::array<double, 9>& axes, const std::array<double, 3>& origin, bool arePoints,
   const std::vector<std::string>& fractions, const std::string& labels,
   const vfm::LabelNames& names, nb::handle state, const vfm::MesherOptions& options,
-  nb::handle progress, nb::handle warn)
+  nb::handle progress, nb::handle warn, bool areGuessed)
 {
   const vfm::MesherCall call{ blocks ? blocks->Blocks : std::vector<vfm::InputBlock>(), arrays,
     Copy(coordinates), axes, origin, arePoints, fractions, labels, names,
-    vfm::ReadStateChoice(state, options.Transfer) };
+    vfm::ReadStateChoice(state, options.Transfer), areGuessed };
   const vfm::MesherOptions kept = options; // other threads may change options during the run
   vfm::PythonRuntime runtime(kept.NumberOfThreads, progress);
   vfm::MesherResult result;
@@ -133,6 +134,8 @@ void BindBlocks(nb::module_& module)
     .def_ro("names", &vfm::FileBlocks::Names, "list of str: Names of the arrays.")
     .def_ro("fractions", &vfm::FileBlocks::Fractions,
       "list of str: Names of the arrays that hold volume fractions.")
+    .def_ro("labels", &vfm::FileBlocks::Labels,
+      "str: Name of the array that holds labels; empty without labels.")
     .def("__len__", [](const vfm::FileBlocks& self) { return self.Blocks.size(); });
   module.def("read_blocks", ReadBlocks, "path"_a, "step"_a, "names"_a.none());
 }
@@ -163,13 +166,14 @@ NB_MODULE(_core, module)
   module.attr("has_tetgen") = vfm::HasTetGen();
   vfm::BindOptions(module);
   BindBlocks(module);
+  vfm::BindChoice(module);
   vfm::BindFaces(module);
   vfm::BindMeasures(module);
   vfm::BindModify(module);
   vfm::BindWriters(module);
   module.def("mesh", MakeMesh, "blocks"_a.none(), "arrays"_a, "coordinates"_a, "axes"_a, "origin"_a,
     "are_points"_a, "fractions"_a, "labels"_a, "label_names"_a, "state"_a.none(), "options"_a,
-    "progress"_a.none(), "warn"_a);
+    "progress"_a.none(), "warn"_a, "guessed"_a = false);
   module.def("read_label_names", vfm::ReadLabelNames, "path"_a);
   module.def("shape_fractions", FillShapes, "text"_a, "coordinates"_a, "tolerance"_a, "threads"_a,
     "progress"_a.none());

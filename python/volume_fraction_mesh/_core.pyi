@@ -116,8 +116,50 @@ class Blocks:
     """Names of the arrays."""
     fractions: List[str]
     """Names of the arrays that hold materials."""
+    labels: str
+    """Name of the array that holds labels; empty without labels."""
 
     def __len__(self) -> int: ...
+
+class MaterialChoice:
+    """Arrays that hold the materials, result of choose_materials()."""
+
+    fractions: List[str]
+    """Names of arrays, one per material."""
+    labels: str
+    """Name of the array of labels; empty with fractions, or if nothing is chosen."""
+    how: str
+    """Reason of the choice."""
+    problem: str
+    """Reason if nothing is chosen, without names of options; otherwise empty."""
+    is_clear: bool
+    """True if no other array or role is possible."""
+    contents: List[Tuple[str, str]]
+    """Content of each array of the list, and the reason. Contents: fraction, mask, labels, grey
+    values, level set, other."""
+
+def choose_materials(
+    arrays: Sequence[Tuple[str, NDArray[Any]]],
+    others: Sequence[str],
+    tolerance: float,
+    image: bool,
+    threshold: bool,
+) -> MaterialChoice:
+    """Selects the arrays of materials, by the rules of all front ends.
+
+    Parameters
+    ----------
+    arrays : sequence of (name, array)
+        Shapes (cells,) or (cells, components), C-contiguous, of the types of mesh().
+    others : list of str
+        Arrays that hold no materials, such as state.
+    tolerance : float
+        Largest distance of volume fractions from [0, 1].
+    image : bool
+        True if uint8 holds labels, as in image files, even if a value exceeds 127.
+    threshold : bool
+        True if ranges of the values of one array are the materials; labels is then its name.
+    """
 
 class StateChoice(TypedDict, total=False):
     arrays: List[str]
@@ -187,6 +229,7 @@ def mesh(
     options: Options,
     progress: Progress,
     warn: Callable[[str], object],
+    guessed: bool = False,
 ) -> MeshDict:
     """Makes a mesh.
 
@@ -213,6 +256,9 @@ def mesh(
         Options of the run.
     progress, warn : callable
         Functions for progress and for the text of a warning.
+    guessed : bool
+        True if the user did not select fractions or labels. Labels that look like grey values are
+        then an error, otherwise a warning.
 
     Returns
     -------

@@ -1,4 +1,4 @@
-#include "Input/UseLabels.h"
+#include "Materials/UseLabels.h"
 
 namespace vfm
 {

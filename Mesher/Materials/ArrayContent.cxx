@@ -1,0 +1,165 @@
+#include "Materials/ArrayContent.h"
+
+#include "Fractions/FractionField.h"
+#include "Input/ArrayNames.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <limits>
+
+namespace vfm
+{
+namespace
+{
+
+constexpr double LargestLabel = std::numeric_limits<int>::max();
+
+bool AreBytes(const ArrayInfo& array)
+{
+  return array.Type == ValueType::UnsignedChar && array.Components == 1;
+}
+
+bool IsLabelsName(const std::string& name)
+{
+  return FindLabelsRank(name) >= 0;
+}
+
+std::string Print(double number)
+{
+  char text[32];
+  std::snprintf(text, sizeof(text), "%g", number);
+  return text;
+}
+
+std::string Range(const ArrayInfo& array)
+{
+  return Print(array.Least) + " to " + Print(array.Most);
+}
+
+/// Returns the content that the name of an array determines; Content Labels: none.
+ContentOfArray FindContentByName(const ArrayInfo& array)
+{
+  const std::string& name = array.Name;
+  if (array.HoldsIds || IsIdName(name))
+  {
+    return { ArrayContent::Other, "ids of cells or points" };
+  }
+  if (!IsOffered(name))
+  {
+    return { ArrayContent::Other, "marks of cells or points" };
+  }
+  if (array.Components != 1)
+  {
+    return { ArrayContent::Other, std::to_string(array.Components) + " components" };
+  }
+  if (IsVoidName(name))
+  {
+    return { ArrayContent::Other, "named void, which is no material" };
+  }
+  if (IsMassName(name) && !IsSpyPlotFraction(name))
+  {
+    return { ArrayContent::Other, "named as a mass or density" };
+  }
+  if (IsBookkeepingName(name))
+  {
+    return { ArrayContent::Other, "named as a processor, level or number of a cell" };
+  }
+  return { ArrayContent::Labels, "" };
+}
+
+ContentOfArray FindContentOfIntegers(const ArrayInfo& array)
+{
+  if (array.Least < 0.0)
+  {
+    return { ArrayContent::Other,
+      "integers from " + Range(array) + ": labels are 0 (void) or positive" };
+  }
+  if (array.Most > LargestLabel)
+  {
+    return { ArrayContent::Other,
+      "integers from " + Range(array) + ": labels are at most " + std::to_string(std::numeric_limits<int>::max()) };
+  }
+  if (array.Most <= 1.0)
+  {
+    return { ArrayContent::Mask,
+      array.Most == 0.0 ? "integers that are all 0: no material" : "integers 0 and 1: 1 is full" };
+  }
+  return { ArrayContent::Labels, "integers from " + Range(array) };
+}
+
+ContentOfArray FindContentOfReals(const ArrayInfo& array, double tolerance)
+{
+  const double outside = std::max(-array.Least, array.Most - 1.0);
+  if (outside <= tolerance)
+  {
+    return { ArrayContent::Fraction, "real numbers in [0, 1]" };
+  }
+  if (outside <= LargestFractionTolerance)
+  {
+    return { ArrayContent::Grey,
+      "real numbers up to " + Print(outside) +
+        " outside [0, 1]: volume fractions if FractionTolerance (--clip) is as large" };
+  }
+  if (array.AreWhole)
+  {
+    ContentOfArray found = FindContentOfIntegers(array);
+    found.Reason = "real numbers that are " + found.Reason;
+    return found;
+  }
+  if (array.Least < 0.0 && array.Most > 0.0)
+  {
+    const char* what = IsDistanceName(array.Name)
+      ? "a level set or signed distance"
+      : "probably a level set or signed distance, or a component of a vector";
+    return { ArrayContent::LevelSet, "values of both signs, " + Range(array) + ": " + what };
+  }
+  return { ArrayContent::Grey,
+    "real numbers from " + Range(array) + ": neither in [0, 1] nor integers" };
+}
+
+/// Returns whether any array of bytes can fill a cell, as a fraction of 255.
+bool HasFullBytes(const std::vector<ArrayInfo>& arrays)
+{
+  return std::any_of(arrays.begin(), arrays.end(),
+    [](const ArrayInfo& array)
+    {
+      return AreBytes(array) && array.Most > LargestEmptyByte && !IsLabelsName(array.Name) &&
+        FindContentByName(array).Content == ArrayContent::Labels;
+    });
+}
+
+} // namespace
+
+bool IsWhole(const ArrayInfo& array)
+{
+  return array.Components == 1 && !IsRealType(array.Type);
+}
+
+std::vector<ContentOfArray> FindContents(
+  const std::vector<ArrayInfo>& arrays, const ContentRules& rules)
+{
+  const bool areFull = !rules.IsImage && HasFullBytes(arrays);
+  std::vector<ContentOfArray> contents;
+  for (const ArrayInfo& array : arrays)
+  {
+    ContentOfArray found = FindContentByName(array);
+    if (found.Content == ArrayContent::Labels)
+    {
+      const bool areOf255 = AreBytes(array) && areFull && !IsLabelsName(array.Name);
+      found = areOf255 ? ContentOfArray{ ArrayContent::Fraction,
+                           "unsigned char up to " + Print(array.Most) + ": 255 is full" }
+        : IsRealType(array.Type) ? FindContentOfReals(array, rules.Tolerance)
+                                 : FindContentOfIntegers(array);
+    }
+    contents.push_back(std::move(found));
+  }
+  return contents;
+}
+
+const char* NameOfContent(ArrayContent content)
+{
+  const char* const names[] = { "fraction", "mask", "labels", "grey values", "level set", "other" };
+  return names[static_cast<int>(content)];
+}
+
+} // namespace vfm

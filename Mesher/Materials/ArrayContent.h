@@ -1,0 +1,53 @@
+/**
+ * ArrayContent: finds what arrays hold, from their names, types and ranges, for all front ends.
+ *
+ * Documentation/reference/arrays.md has the table of the rules.
+ */
+#pragma once
+
+#include "Input/ArrayInfo.h"
+
+#include <string>
+#include <vector>
+
+namespace vfm
+{
+
+enum class ArrayContent
+{
+  Fraction, ///< volume fraction of one material
+  Mask,     ///< integers 0 and 1: one material, or labels
+  Labels,   ///< integers from 0: the material of each cell
+  Grey,     ///< other numbers from 0: grey values or another quantity
+  LevelSet, ///< reals of both signs: level set, signed distance, component of a vector
+  Other     ///< ids, marks, masses, vectors, void
+};
+
+struct ContentOfArray
+{
+  ArrayContent Content = ArrayContent::Other;
+  std::string Reason; ///< for messages: "unsigned char up to 255: 255 is full"
+};
+
+/// Facts that arrays alone do not show.
+struct ContentRules
+{
+  double Tolerance = 1e-6; ///< largest distance of volume fractions from [0, 1]
+  bool IsImage = false;    ///< bytes are labels, as in image files, not fractions of 255
+};
+
+/// Largest value of bytes that cannot fill half of a cell as a fraction of 255.
+constexpr double LargestEmptyByte = 127.0;
+
+/// Returns whether an array has one integer per cell.
+bool IsWhole(const ArrayInfo& array);
+
+/// Returns the content of each array. Bytes are fractions of 255 if any array of bytes, except
+/// labels by name, exceeds LargestEmptyByte.
+std::vector<ContentOfArray> FindContents(
+  const std::vector<ArrayInfo>& arrays, const ContentRules& rules);
+
+/// Returns the word of a content for lists: "fraction", "level set".
+const char* NameOfContent(ArrayContent content);
+
+} // namespace vfm
