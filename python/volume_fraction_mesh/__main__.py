@@ -8,15 +8,16 @@ import sys
 import warnings
 from typing import Any, Dict, List, Optional
 
-import numpy as np
-
 from . import VolumeFractionMeshWarning, __version__, fragments, hexes, tets
 from ._core import Option, list_options, read_label_names
-from ._files import are_labels, read_source
 from ._output import ended_by_signals, whole_file
+from ._read import is_surface, read, sort_slices
+from ._readers.report import one_line
+from ._shapes import surface
 from .mesh import Mesh
 
 OPTIONS = list_options()
+EMPTY = "The mesh is empty"  # begins the warning of the core
 
 
 def _add_option(group: Any, option: Option) -> None:
@@ -36,9 +37,10 @@ def make_parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="vfmesh", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
-    parser.add_argument("input",
-                        help=".npy, .npz, .spcth, a folder of an AMReX plotfile, NIfTI (nibabel), "
-                        ".vti (PyVista), .stl, or a format of SimpleITK")
+    parser.add_argument("input", nargs="+",
+                        help=".npy, .npz, .vti and other files of VTK, NIfTI, NRRD, MetaImage, TIFF, "
+                        "PNG and other pictures, .dream3d, .spcth, the folder of an AMReX plotfile, "
+                        ".stl; or slices: a folder, a pattern such as 'slices/*.tif', or files")
     parser.add_argument("output", help=".vtu, .e, .inp, .msh, .xdmf, .foam or another format of "
                         "Mesh.save")
     parser.add_argument("--version", action="version", version=__version__)
@@ -54,12 +56,14 @@ def make_parser() -> argparse.ArgumentParser:
     parser.add_argument("--names", metavar="FILE",
                         help="names of labels: a text file with a label and its name in each line, "
                         "or a table of ITK-SNAP, FreeSurfer, MRIcron or an FSL atlas")
+    parser.add_argument("--volume", type=int, metavar="N",
+                        help="index of the volume, from 0, of a file with several volumes")
     parser.add_argument(
         "--spacing", type=float, nargs="+", metavar="WIDTH",
-        help="width of cells in .npy and .npz: one number, or three for x, y and z"
+        help="width of cells, instead of that of the file: one number, or three for x, y and z"
     )
     parser.add_argument(
-        "--origin", type=float, nargs=3, metavar="X",
+        "--origin", type=float, nargs=3, metavar="X", default=[0.0, 0.0, 0.0],
         help="corner of the first cell in .npy and .npz"
     )
     parser.add_argument("--order", choices=("xyz", "zyx"), default="xyz",
@@ -67,7 +71,7 @@ def make_parser() -> argparse.ArgumentParser:
     parser.add_argument("--cells", type=int, default=64,
                         help="number of cells along the longest side of a surface (64)")
     parser.add_argument("--step", type=int, default=0,
-                        help="index of the time step in .spcth, from 0")
+                        help="index of the time step in .spcth and TIFF, from 0")
     for name, told in (
         ("state", "array to transfer to the elements; repeat for more"),
         ("density", "array of mass per volume, which switches conservation on; "
@@ -100,66 +104,30 @@ def make_parser() -> argparse.ArgumentParser:
     return parser
 
 
+def _read_input(words: argparse.Namespace) -> Any:
+    """Returns the content of the input file or files."""
+    path = words.input[0] if len(words.input) == 1 else sort_slices(words.input)
+    if isinstance(path, str) and is_surface(path):
+        return surface(path, words.cells)
+    spacing = words.spacing
+    return read(path, step=words.step, volume=words.volume, origin=words.origin, order=words.order,
+                spacing=spacing[0] if spacing and len(spacing) == 1 else spacing)
+
+
 def _arguments(words: argparse.Namespace) -> Dict[str, Any]:
     """Returns the arguments of hexes() or tets()."""
-    source = read_source(words.input, words.array, words.cells, words.step)
     given: Dict[str, Any] = {
         option.name: getattr(words, option.name) for option in OPTIONS if words.tets
         or not option.tets
     }
-    labels = words.labels or (not words.fractions and are_labels(source, words.array))
-    if source.is_image:
-        given["labels" if labels else "fractions"] = source.materials
-        given["arrays"] = words.array
-    elif labels:
-        if len(source.materials) != 1:
-            raise ValueError(
-                "%s has %d arrays: choose the one that holds labels by --array."
-                % (words.input, len(source.materials))
-            )
-        given["labels"] = next(iter(source.materials.values()))
-    else:
-        given["fractions"] = source.materials
+    given["labels" if words.labels else "fractions"] = _read_input(words)
     if words.names is not None:
         given["names"] = read_label_names(words.names)
-    if words.spacing is not None:
-        given["spacing"] = words.spacing if len(words.spacing) > 1 else words.spacing[0]
-    if words.origin is not None:
-        given["origin"] = words.origin
     given.update(
-        order=words.order, state=words.state, velocity=words.velocity, energy=words.energy,
-        density=words.density
-    )
-    given.update(
-        state_kinds=words.state_kind, rotated_arrays=words.rotated_array,
+        arrays=words.array, state=words.state, velocity=words.velocity, energy=words.energy,
+        density=words.density, state_kinds=words.state_kind, rotated_arrays=words.rotated_array,
         refinement_array=words.refinement_array, refinement_boxes=words.refinement_box
     )
-    return _name_arrays(given, source.others)
-
-
-def _name_arrays(given: Dict[str, Any], arrays: Dict[str, np.ndarray]) -> Dict[str, Any]:
-    """Replaces names by arrays of an .npz file."""
-    if not arrays:
-        return given
-    named = [
-        name
-        for key in ("state", "density", "velocity", "energy", "refinement_array")
-        for name in np.atleast_1d(given[key] or [])
-    ]
-    given["state"] = [str(name) for name in given["state"] or []]
-    chosen = {
-        str(name): arrays[str(name)] for name in named if str(name) in arrays
-        and name != given["refinement_array"]
-    }
-    missing = [name for name in given["state"] if name not in arrays]
-    if missing:
-        raise ValueError(
-            "The file has no array %r. Its arrays that are not materials: %s."
-            % (missing[0], ", ".join(map(repr, arrays)))
-        )
-    given["state"] = chosen or None
-    if given["refinement_array"] is not None:
-        given["refinement_array"] = arrays[given["refinement_array"]]
     return given
 
 
@@ -185,6 +153,30 @@ def write_table(mesh: Mesh, path: str) -> None:
         writer.writerows(zip(*columns.values()))
 
 
+def _show_warning(message: Any, *_: Any, **__: Any) -> None:
+    """Prints a warning, except that of an empty mesh, which is an error of the command."""
+    if not str(message).startswith(EMPTY):
+        print("warning: %s" % one_line(message), file=sys.stderr)
+
+
+def _write(mesh: Mesh, words: argparse.Namespace) -> None:
+    """Writes all files of the command."""
+    name = " ".join(words.input)
+    if len(mesh) == 0:
+        raise ValueError("The mesh of %s has no elements, because no cell is filled by its materials "
+                         "to the iso value. Check --array, --labels, --threshold and --iso-value. "
+                         "Nothing is written." % name)
+    mesh.save(words.output)
+    if words.surfaces:
+        with whole_file(words.surfaces) as path:
+            mesh.to_pyvista("surfaces").save(path)
+    if words.table:
+        write_table(mesh, words.table)
+    if words.report:
+        mesh.run.source = {"Input": name, "Mesh": words.output, **mesh.run.source}
+        mesh.report(words.report, title="Mesh quality: " + words.output)
+
+
 def main(arguments: Optional[List[str]] = None) -> int:
     """Runs the command. Returns the exit status: 0, or 1 after one line with the reason. SIGTERM,
     SIGINT and SIGHUP end the process."""
@@ -195,22 +187,14 @@ def main(arguments: Optional[List[str]] = None) -> int:
 
 def _run(arguments: Optional[List[str]]) -> int:
     words = make_parser().parse_args(arguments)
-    warnings.showwarning = lambda message, *_, **__: print("warning: %s" % message, file=sys.stderr)
+    warnings.showwarning = _show_warning
     warnings.simplefilter("always", VolumeFractionMeshWarning)
     try:
         make = tets if words.tets else hexes
         mesh = make(**_arguments(words), progress=not words.quiet)
-        mesh.save(words.output)
-        if words.surfaces:
-            with whole_file(words.surfaces) as path:
-                mesh.to_pyvista("surfaces").save(path)
-        if words.table:
-            write_table(mesh, words.table)
-        if words.report:
-            mesh.run.source = {"Input": words.input, "Mesh": words.output, **mesh.run.source}
-            mesh.report(words.report, title="Mesh quality: " + words.output)
-    except (ValueError, TypeError, ImportError, OSError, RuntimeError) as error:
-        print("vfmesh: %s" % error, file=sys.stderr)
+        _write(mesh, words)
+    except (ValueError, TypeError, ImportError, OSError, RuntimeError, MemoryError) as error:
+        print("vfmesh: %s" % (one_line(error) or "There is not enough memory."), file=sys.stderr)
         return 1
     if not words.quiet:
         print(mesh)

@@ -3,7 +3,7 @@ possible."""
 
 from __future__ import annotations
 
-from typing import Any, Dict, List, Optional, Sequence, Tuple
+from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple
 
 import numpy as np
 
@@ -39,17 +39,9 @@ def as_numbers(values: Any, name: str) -> np.ndarray:
 
 
 def as_fractions(values: Any, name: str) -> np.ndarray:
-    """Returns volume fractions as floating point, or as uint8 with 255 for 1."""
-    if np.asarray(values).dtype == np.bool_:
-        return np.multiply(values, 255, dtype=np.uint8)
+    """Returns fractions of a type that the core supports; bool as integers 0 and 1."""
     array = as_numbers(values, name)
-    if array.dtype.kind != "f" and array.dtype != np.uint8:
-        raise TypeError(
-            "The array %r of fractions is of the type %s: volume fractions are floating-point "
-            "numbers in [0, 1], bool, or uint8 from 0 to 255. Give integer material ids as labels=."
-            % (name, array.dtype)
-        )
-    return array
+    return array.view(np.int8) if np.asarray(values).dtype == np.bool_ else array
 
 
 def check_3d(array: np.ndarray, name: str) -> None:
@@ -128,6 +120,13 @@ class CellArrays:
             raise TypeError("The name of an array is %r: it must be a str." % (name,))
         if name in self.flat:
             raise ValueError("Two arrays are called %r: names must differ." % name)
+
+    def renamed(self, names: Mapping[str, str]) -> CellArrays:
+        """Returns the arrays, some of them with other names."""
+        arrays = CellArrays(self.order, self.cells)
+        for name, array in self.flat.items():
+            arrays.add_flat(names.get(name, name), array)
+        return arrays
 
     def items(self) -> List[Tuple[str, np.ndarray]]:
         """Returns names and arrays for the core."""

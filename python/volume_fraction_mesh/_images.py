@@ -1,4 +1,4 @@
-"""Reads images that define their grid: PyVista and VTK, nibabel, SimpleITK, and Fractions.
+"""Reads images that define their grid: PyVista and VTK, nibabel, SimpleITK, Fractions and Arrays.
 
 An image is read with the package that made it; no other package is imported.
 """
@@ -9,23 +9,34 @@ from typing import Any, Dict, List, Mapping, NamedTuple, Optional, Sequence, Tup
 
 import numpy as np
 
-from ._arrays import as_numbers, check_3d, flatten
+from ._arrays import as_numbers, check_3d, flatten, shaped
+from ._choice import has_materials
 from ._grid import AXES, Grid, even_nodes, point_nodes
+from ._readers.cartesian_cells import REMEDY, find_grid
+from ._readers.label_names import find_caret_names, find_segments, join_segments, unique_names
 
 GHOSTS = "vtkGhostType"
+VTK_CLASSES = ("vtkImageData", "vtkRectilinearGrid", "vtkStructuredGrid", "vtkUnstructuredGrid")
+HEXAHEDRON, VOXEL, LAST_FLAT = 12, 11, 9  # types of cells of VTK; smaller ones are flat
+CHOOSE_VOLUME = "Choose one volume: volume=N of read(), --volume N of vfmesh, from 0."
 
 
 class Image(NamedTuple):
     """Grid and arrays of an image.
 
     arrays: shape (cells,) or (cells, components), x fastest. chosen: names of the arrays that hold
-    materials. order: order of the axes of arrays that are given in addition to the image.
+    materials; None: the core chooses them. order: order of the axes of arrays that are given in
+    addition to the image. names: of labels, from the file. has_labels: bytes are labels, as in files
+    of images, not fractions of 255. hint: what to do if the arrays cannot be used together.
     """
 
     grid: Grid
     arrays: Dict[str, np.ndarray]
-    chosen: List[str]
+    chosen: Optional[List[str]]
     order: str
+    names: Dict[int, str] = {}
+    has_labels: bool = False
+    hint: str = ""
 
 
 class Fractions(Dict[str, np.ndarray]):
@@ -74,6 +85,61 @@ class Fractions(Dict[str, np.ndarray]):
         return Fractions, (dict(self), self.coordinates, self.order)
 
 
+class Arrays(Dict[str, np.ndarray]):
+    """Arrays of a file on a grid of cells, by name: the result of `read`.
+
+    `hexes` and `tets` accept it and use its grid. They choose the arrays of the materials by their
+    contents, unless `arrays` names them.
+
+    Attributes
+    ----------
+    path : str
+        Path of the file or folder.
+    coordinates : tuple of 3 ndarrays
+        Nodes along x, y and z, shapes (nx + 1,), (ny + 1,) and (nz + 1,).
+    direction : ndarray of shape (3, 3)
+        Orthonormal matrix with the axes of the grid in its columns.
+    order : {"xyz", "zyx"}
+        Order of the axes of the arrays.
+    names : dict of int to str
+        Names of labels that the file contains.
+
+    See Also
+    --------
+    read : Makes Arrays.
+
+    Examples
+    --------
+    >>> labels = np.zeros((6, 5, 4), np.uint8)
+    >>> labels[1:5, 1:4, 1:3] = 7
+    >>> np.save("labels.npy", labels)
+    >>> arrays = vfm.read("labels.npy", spacing=0.5)
+    >>> {name: array.shape for name, array in arrays.items()}
+    {'Material 1': (6, 5, 4)}
+    >>> [float(x[-1]) for x in arrays.coordinates]
+    [3.0, 2.5, 2.0]
+    """
+
+    def __init__(self, image: Image, path: str):
+        super().__init__((name, shaped(flat, image.grid.cells, image.order))
+                         for name, flat in image.arrays.items())
+        self.path = path
+        self.coordinates = image.grid.nodes
+        self.direction = image.grid.direction
+        self.order = image.order
+        self.names = dict(image.names)
+        self._image = image._replace(arrays={})
+
+    def to_image(self, names: Optional[Sequence[str]]) -> Image:
+        """Returns the image for the mesher. names: arrays that hold materials."""
+        return self._image._replace(
+            arrays={name: flatten(array, self.order) for name, array in self.items()},
+            chosen=self._image.chosen if names is None else check_names(names), names=self.names)
+
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return Arrays, (self.to_image(None), self.path)
+
+
 def read_image(value: Any, names: Optional[Sequence[str]]) -> Optional[Image]:
     """Returns the image, or None if the value is not an image.
 
@@ -81,11 +147,13 @@ def read_image(value: Any, names: Optional[Sequence[str]]) -> Optional[Image]:
     """
     if isinstance(value, Fractions):
         return _read_fractions(value, names)
+    if isinstance(value, Arrays):
+        return value.to_image(names)
     kinds = [kind.__module__.split(".")[0] + "." + kind.__name__ for kind in type(value).__mro__]
-    if any(kind in ("vtkmodules.vtkImageData", "vtkmodules.vtkRectilinearGrid") for kind in kinds):
-        return _read_vtk(value, names)
-    reader = (_read_nibabel if "nibabel.SpatialImage" in kinds
-              else _read_sitk if "SimpleITK.Image" in kinds else None)
+    if any("vtkmodules." + name in kinds for name in VTK_CLASSES):
+        return read_vtk(value, names)
+    reader = (read_nibabel if "nibabel.SpatialImage" in kinds
+              else read_sitk if "SimpleITK.Image" in kinds else None)
     if reader is None:
         return None
     if names is not None:
@@ -110,17 +178,28 @@ def _read_fractions(value: Fractions, names: Optional[Sequence[str]]) -> Image:
     return Image(grid, arrays, list(value) if names is None else check_names(names), value.order)
 
 
-def _read_vtk(image: Any, names: Optional[Sequence[str]]) -> Image:
-    """Returns the cell arrays, or the point arrays if the chosen arrays are point arrays."""
-    is_image = hasattr(image, "GetSpacing")
-    chosen = [_active_name(image)] if names is None else check_names(names)
-    cells, points = image.GetCellData(), image.GetPointData()
-    are_points = (not all(cells.HasArray(name) for name in chosen)
-                  and all(points.HasArray(name) for name in chosen))
+def read_vtk(data: Any, names: Optional[Sequence[str]], is_file: bool = False) -> Image:
+    """Returns the cell arrays, or the point arrays if the chosen arrays are point arrays.
+
+    names: arrays that hold materials; None: the active scalars, or the choice of the core, which is
+    the default of files.
+    """
+    if is_file and not any(hasattr(data, name) for name in ("GetSpacing", "GetXCoordinates",
+                                                            "GetPoints")):
+        raise ValueError("it holds a %s: %s are supported." % (
+            type(data).__name__, ", ".join(VTK_CLASSES)))
+    chosen = _active_names(data) if names is None else check_names(names)
+    if is_file and names is None:
+        chosen = None
+    is_image = hasattr(data, "GetSpacing")
+    cells, points = data.GetCellData(), data.GetPointData()
+    are_points = not _has_all(cells, chosen) and _has_all(points, chosen)
+    if chosen is None and is_image and not are_points and _has_all(points, None):
+        are_points = not has_materials(_vtk_arrays(cells))
     if are_points and not is_image:
         raise ValueError(
             "The input is a %s, and point data are chosen. Only in images are points the centres "
-            "of cells; other grids need cell data." % type(image).__name__
+            "of cells; other grids need cell data." % type(data).__name__
         )
     arrays = _vtk_arrays(points if are_points else cells)
     if GHOSTS in arrays and arrays[GHOSTS].any():
@@ -128,26 +207,30 @@ def _read_vtk(image: Any, names: Optional[Sequence[str]]) -> Image:
             "The image has ghost or blanked cells (%s): give arrays without ghosts, and 0 where "
             "cells are blanked." % GHOSTS
         )
-    return Image(_image_grid(image, are_points) if is_image else _rectilinear_grid(image), arrays,
-                 chosen, "zyx")
+    if is_image:
+        grid = _image_grid(data, are_points)
+    elif hasattr(data, "GetXCoordinates"):
+        grid = _rectilinear_grid(data)
+    else:
+        grid, arrays = _join_cells(data, arrays)
+    return Image(grid, arrays, None if is_file else chosen, "zyx")
 
 
-def _active_name(image: Any) -> str:
-    """Returns the name of the active array, or of the only array."""
-    for data in (image.GetCellData(), image.GetPointData()):
-        if data.GetScalars() is not None and data.GetScalars().GetName():
-            return data.GetScalars().GetName()
-    names = [
-        data.GetArrayName(i)
-        for data in (image.GetCellData(), image.GetPointData())
-        for i in range(data.GetNumberOfArrays())
-    ]
-    if len(names) != 1:
-        raise ValueError(
-            "The image has no active scalars: name the arrays that hold materials, arrays=[...]. "
-            "It has %s." % (", ".join(map(repr, names)) or "none")
-        )
-    return names[0]
+def _has_all(data: Any, names: Optional[Sequence[str]]) -> bool:
+    """Returns whether the data have the arrays, or any array without names."""
+    if names is None:
+        return data.GetNumberOfArrays() > 0
+    return all(data.HasArray(name) for name in names)
+
+
+def _active_names(data: Any) -> Optional[List[str]]:
+    """Returns the name of the active array, if there is one."""
+    for owner in (data.GetCellData(), data.GetPointData()):
+        if owner.GetScalars() is not None and owner.GetScalars().GetName():
+            return [owner.GetScalars().GetName()]
+    if data.GetCellData().GetNumberOfArrays() + data.GetPointData().GetNumberOfArrays() == 0:
+        raise ValueError("The %s has no arrays." % type(data).__name__)
+    return None
 
 
 def _vtk_arrays(data: Any) -> Dict[str, np.ndarray]:
@@ -183,57 +266,130 @@ def _rectilinear_grid(grid: Any) -> Grid:
     return Grid(nodes, origin=tuple(x[0] for x in nodes))
 
 
-def _components(array: np.ndarray, name: str) -> Dict[str, np.ndarray]:
-    """Splits an array of shape (cells, components) into one array per component."""
-    if array.ndim == 1:
-        return {name: array}
-    if array.shape[1] == 1:
-        return {name: array[:, 0]}
-    return {"%s %d" % (name, i + 1): np.ascontiguousarray(array[:, i])
-            for i in range(array.shape[1])}
+def _join_cells(data: Any, arrays: Dict[str, np.ndarray]) -> Tuple[Grid, Dict[str, np.ndarray]]:
+    """Returns the Cartesian grid that hexahedra form, and their arrays in the order of the grid."""
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+
+    if data.GetPoints() is None:
+        raise ValueError("it has no points.")
+    points = np.asarray(vtk_to_numpy(data.GetPoints().GetData()), np.float64)
+    if hasattr(data, "GetCellTypesArray"):
+        rows, corners = _hexahedra(data)
+    else:
+        corners = _structured_hexahedra(data.GetDimensions())
+        rows = np.arange(len(corners))
+    if corners.size and not 0 <= corners.min() <= corners.max() < len(points):
+        raise ValueError("a cell has a point that does not exist.")
+    found = find_grid(points[corners])
+    ordered = {}
+    for name, array in arrays.items():
+        ordered[name] = np.empty((len(rows), *array.shape[1:]), array.dtype)
+        ordered[name][found.places] = array[rows]
+    return Grid(found.nodes, origin=tuple(x[0] for x in found.nodes)), ordered
 
 
-def _read_nibabel(image: Any) -> Image:
+def _hexahedra(data: Any) -> Tuple[np.ndarray, np.ndarray]:
+    """Returns the numbers of the hexahedra and voxels of an unstructured grid, and their points,
+    shape (n, 8). Flat cells are ignored, other cells are errors."""
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+
+    if data.GetNumberOfCells() == 0:
+        raise ValueError("it has no cells.")
+    types = vtk_to_numpy(data.GetCellTypesArray())
+    rows = np.flatnonzero(types > LAST_FLAT)
+    other = rows[~np.isin(types[rows], (HEXAHEDRON, VOXEL))]
+    if len(other):
+        raise ValueError(
+            "cell %d is a %s: the cells must be hexahedra or voxels that form a Cartesian grid.%s"
+            % (other[0], data.GetCell(int(other[0])).GetClassName().replace("vtk", ""), REMEDY))
+    starts = np.asarray(vtk_to_numpy(data.GetCells().GetOffsetsArray()))
+    points = np.asarray(vtk_to_numpy(data.GetCells().GetConnectivityArray()))
+    if len(starts) != len(types) + 1 or len(points) < starts[-1] or (
+            np.diff(starts)[rows] != 8).any():
+        raise ValueError("a hexahedron has not 8 points.")
+    return rows, points[starts[:-1][rows, None] + np.arange(8)].astype(np.int64)
+
+
+def _structured_hexahedra(dimensions: Sequence[int]) -> np.ndarray:
+    """Returns the points of the cells of a structured grid, x fastest."""
+    nx, ny, _ = dimensions
+    k, j, i = np.meshgrid(*(np.arange(n - 1) for n in dimensions[::-1]), indexing="ij")
+    first = (i + nx * (j + ny * k)).ravel()
+    return first[:, None] + np.array([0, 1, nx, nx + 1, nx * ny, nx * ny + 1, nx * ny + nx,
+                                      nx * ny + nx + 1])
+
+
+def choose_volume(volumes: List[np.ndarray], volume: Optional[int]) -> Dict[str, np.ndarray]:
+    """Returns the volumes, or only the selected one, as arrays "Material 1", "Material 2", .."""
+    if volume is not None:
+        if not 0 <= volume < len(volumes):
+            raise ValueError("there is no volume %d: it has %d, counted from 0."
+                             % (volume, len(volumes)))
+        volumes = [volumes[volume]]
+    return {"Material %d" % (v + 1): values for v, values in enumerate(volumes)}
+
+
+def _volume_hint(arrays: Mapping[str, np.ndarray]) -> str:
+    return CHOOSE_VOLUME if len(arrays) > 1 else ""
+
+
+def read_nibabel(image: Any, volume: Optional[int] = None) -> Image:
     """Reads an image in the space of its affine (millimetres, RAS). The volumes along a fourth axis
-    are materials."""
+    are materials; volume: index of the only one that is read."""
     affine = np.asarray(image.affine, dtype=np.float64)
     spacing = np.sqrt((affine[:3, :3] ** 2).sum(axis=0))
     values = as_numbers(image.dataobj, "image")
-    if values.ndim == 4:
-        volumes = [flatten(values[..., v], "xyz") for v in range(values.shape[3])]
-    else:
-        check_3d(values, "image")
-        volumes = [flatten(values, "xyz")]
-    if not volumes or values.size == 0 or not (spacing > 0).all():
+    if values.ndim == 2:
+        values = values[:, :, None]
+    if values.ndim < 3:
+        raise ValueError("The image has %d axes: three are required." % values.ndim)
+    if values.size == 0 or not (spacing > 0).all() or not np.isfinite(affine).all():
         raise ValueError(
             "The image has the shape %r and voxels of %r: it contains no cells."
             % (values.shape, tuple(spacing.tolist()))
         )
-    many = len(volumes) > 1
-    arrays = {"Material %d" % (v + 1) if many else "Material 1": volume
-              for v, volume in enumerate(volumes)}
-    nodes = point_nodes(affine[:3, 3], spacing, values.shape)
+    values = values.reshape(*values.shape[:3], -1, order="F")
+    volumes = [flatten(values[..., v], "xyz") for v in range(values.shape[3])]
+    arrays = choose_volume(volumes, volume)
+    nodes = point_nodes(affine[:3, 3], spacing, values.shape[:3])
+    names = find_caret_names(getattr(image.header, "extensions", []), volume or 0)
     return Image(
         Grid(nodes, affine[:3, :3] / spacing, tuple(affine[:3, 3].tolist()), True), arrays,
-        list(arrays), "xyz"
+        list(arrays), "xyz", names, hint=_volume_hint(arrays)
     )
 
 
-def _read_sitk(image: Any) -> Image:
-    """Reads an image in the space of ITK (millimetres, LPS). The components of pixels are
-    materials."""
+def read_sitk(image: Any, volume: Optional[int] = None) -> Image:
+    """Reads an image in the space of ITK (millimetres, LPS). The components of pixels, or the
+    volumes along a fourth axis, are materials; volume: index of the only one that is read. Layers
+    of segments of 3D Slicer become one array of labels."""
     from SimpleITK import GetArrayViewFromImage
 
-    if image.GetDimension() != 3:
-        raise ValueError("The image has %d axes: three are required." % image.GetDimension())
+    axes, components = image.GetDimension(), image.GetNumberOfComponentsPerPixel()
     values = as_numbers(GetArrayViewFromImage(image), "image")
     if values.size == 0:
         raise ValueError("The image has the shape %r: it contains no cells."
                          % (image.GetSize(),))
-    arrays = _components(flatten(values, "zyx"), "Material")
-    if len(arrays) == 1:
-        arrays = {"Material 1": next(iter(arrays.values()))}
-    nodes = point_nodes(image.GetOrigin(), image.GetSpacing(), image.GetSize())
-    direction = np.reshape(image.GetDirection(), (3, 3))
-    return Image(Grid(nodes, direction, tuple(image.GetOrigin()), True), arrays, list(arrays),
-                 "zyx")
+    values = values.reshape(*values.shape[:axes], components)
+    if axes == 2:
+        values = values[None]
+    volumes = [flatten(values[(*lead, ..., c)], "zyx") for c in range(components)
+               for lead in np.ndindex(*values.shape[:-4])]
+    segments = find_segments({key: image.GetMetaData(key) for key in image.GetMetaDataKeys()})
+    joined = None
+    if segments and len(volumes) > 1 and volume is None:
+        joined = join_segments(segments, volumes)
+    arrays = choose_volume(volumes, volume) if joined is None else {"Material 1": joined}
+    names = unique_names((number if joined is not None else segment.value, segment.name)
+                         for number, segment in enumerate(segments, 1)
+                         if joined is not None or segment.layer == (volume or 0))
+    spacing, origin = list(image.GetSpacing())[:3], list(image.GetOrigin())[:3]
+    direction = np.eye(3)
+    turned = np.reshape(image.GetDirection(), (axes, axes))[:3, :3]
+    direction[:len(turned), :len(turned)] = turned
+    if axes == 2:
+        spacing.append(spacing[0])
+        origin.append(0.0)
+    nodes = point_nodes(origin, spacing, values.shape[-2:-5:-1])
+    return Image(Grid(nodes, direction, tuple(origin), True), arrays, list(arrays), "zyx", names,
+                 hint=_volume_hint(arrays))

@@ -6,8 +6,9 @@ from typing import Any, Dict, List, Mapping, NamedTuple, Optional, Sequence, Tup
 
 import numpy as np
 
-from ._blocks import Blocks
 from ._arrays import CellArrays, as_fractions, as_numbers, cells_of, check_3d, check_order
+from ._choice import LABELS_HINT, Contents, choose, list_contents
+from ._core import Blocks
 from ._grid import NOWHERE, UNIT, Grid, is_default, make_grid
 from ._images import Image, check_names, read_image
 
@@ -25,10 +26,15 @@ class Field(NamedTuple):
     labels: str
     label_names: Dict[int, str]
     blocks: Optional[Blocks] = None  # read from a file; grid and arrays are then empty
+    guessed: bool = False  # whether the arrays and their kind were chosen by their contents
 
 
 class Source(NamedTuple):
-    """Arguments of hexes() for materials and their grid."""
+    """Arguments of hexes() for materials and their grid.
+
+    others: names of arrays with another purpose. tolerance: distance of fractions from [0, 1].
+    has_threshold: whether ranges of the values of one array are the materials.
+    """
 
     fractions: Any
     labels: Any
@@ -39,6 +45,12 @@ class Source(NamedTuple):
     order: Any
     names: Any
     arrays: Any
+    others: Sequence[str] = ()
+    tolerance: float = 1e-6
+    has_threshold: bool = False
+
+    def contents(self, has_labels: bool = False) -> Contents:
+        return Contents(self.others, self.tolerance, has_labels, self.has_threshold)
 
 
 def read_field(given: Source) -> Field:
@@ -61,29 +73,31 @@ def read_field(given: Source) -> Field:
     return _read_fractions(fractions, order, given)
 
 
-def _named_fractions(fractions: Any, names: Optional[Sequence[str]]) -> List[Tuple[str, Any]]:
+def _list_named(fractions: Any) -> List[Tuple[str, Any]]:
     """Returns pairs of a name and an array or image, one per material."""
     if isinstance(fractions, Mapping):
-        if names is not None:
-            raise TypeError("fractions have names already: names cannot be given too.")
         return list(fractions.items())
     values = list(fractions) if isinstance(fractions, (list, tuple)) else [fractions]
-    if names is None:
-        names = ["Material %d" % (i + 1) for i in range(len(values))]
-    if isinstance(names, str) or isinstance(names, Mapping) or len(names) != len(values):
+    return [("Material %d" % (i + 1), value) for i, value in enumerate(values)]
+
+
+def _rename(chosen: Sequence[str], names: Any) -> List[str]:
+    """Returns the names of fractions that the user gives."""
+    if isinstance(names, (str, Mapping)) or len(names) != len(chosen):
         raise ValueError("names is %r: a list of %d, one for each material, is required."
-                         % (names, len(values)))
-    return list(zip(names, values))
+                         % (names, len(chosen)))
+    return list(names)
 
 
 def _read_fractions(fractions: Any, order: str, given: Source) -> Field:
-    named = _named_fractions(fractions, given.names)
+    named = _list_named(fractions)
     if not named:
         raise ValueError("fractions are empty: one array per material is required.")
     images = [read_image(value, given.arrays) for _, value in named]
     first = images[0]
     if first is not None:
-        return _join_images([name for name, _ in named], images, given)
+        arrays = _join_images([name for name, _ in named], images, given)
+        return _make_field(arrays, first, isinstance(fractions, Mapping), given)
     if any(images) or given.arrays is not None:
         raise TypeError(
             "arrays is %r, or some fractions are images: arrays= requires an image, and images and "
@@ -93,7 +107,46 @@ def _read_fractions(fractions: Any, order: str, given: Source) -> Field:
         array = as_fractions(value, name)
         check_3d(array, name)
         arrays.add(name, array)
-    return Field(arrays, _given_grid(arrays.cells, given), [name for name, _ in named], "", {})
+    image = Image(_given_grid(arrays.cells, given), arrays.flat, list(arrays.flat), order)
+    if all(np.asarray(value).dtype == np.bool_ for _, value in named) and not given.has_threshold:
+        return _name_fractions(arrays, image, isinstance(fractions, Mapping), given)
+    return _make_field(arrays, image, isinstance(fractions, Mapping), given)
+
+
+def _make_field(arrays: CellArrays, image: Image, have_names: bool, given: Source) -> Field:
+    """Makes the field of arrays that are given as fractions. A single array of integers holds
+    labels; several of them must be fractions or masks.
+
+    have_names: whether the user named the arrays.
+    """
+    chosen, names = list(image.chosen or arrays.flat), given.names
+    found = list_contents([(name, arrays.flat[name]) for name in chosen if name in arrays.flat],
+                          given.contents(image.has_labels))
+    if found.labels:
+        label_names = dict(image.names)
+        if have_names:
+            label_names.setdefault(1, found.labels)
+        elif isinstance(names, (list, tuple)):
+            label_names.update(enumerate(_rename(chosen, names), 1))
+            names = None
+        return Field(arrays, image.grid, [], found.labels, _label_names(names, label_names),
+                     guessed=not given.has_threshold)
+    if found.problem:
+        raise ValueError("%s %s" % (found.problem, image.hint or LABELS_HINT))
+    return _name_fractions(arrays, image, have_names, given)
+
+
+def _name_fractions(arrays: CellArrays, image: Image, have_names: bool, given: Source) -> Field:
+    """Makes the field of arrays that hold fractions or masks. have_names: whether the user named
+    the arrays."""
+    chosen, names = list(image.chosen or arrays.flat), given.names
+    if names is not None:
+        if have_names:
+            raise TypeError("fractions have names already: names cannot be given too.")
+        renamed = dict(zip(chosen, _rename(chosen, names)))
+        arrays = arrays.renamed(renamed)
+        chosen = list(renamed.values())
+    return Field(arrays, image.grid, chosen, "", {})
 
 
 def _given_grid(cells: Any, given: Source) -> Grid:
@@ -117,16 +170,19 @@ def _read_labels(labels: Any, order: str, given: Source) -> Field:
                  _label_names(given.names))
 
 
-def _label_names(names: Any) -> Dict[int, str]:
+def _label_names(names: Any, own: Mapping[int, str] = {}) -> Dict[int, str]:
+    """Returns the names of labels. names: from the user; own: from the file, for other labels."""
     if names is None:
-        return {}
+        return dict(own)
     if not isinstance(names, Mapping):
         raise TypeError("names of labels is %r: a dict {label: name} is required." % (names,))
     for label, name in names.items():
         if not isinstance(label, (int, np.integer)) or not isinstance(name, str):
             raise TypeError("names of labels has %r: %r. An int and a str are required."
                             % (label, name))
-    return {int(label): name for label, name in names.items()}
+    told = {int(label): name for label, name in names.items()}
+    rest = {label: name for label, name in own.items() if name not in told.values()}
+    return {**rest, **told}
 
 
 def _check_no_grid(given: Source) -> None:
@@ -144,13 +200,15 @@ def _blocks_field(given: Source) -> Field:
     _check_no_grid(given)
     labels, names = given.labels, given.names
     blocks = given.fractions if labels is None else labels
-    chosen = blocks.fractions if given.arrays is None else check_names(given.arrays)
+    own = [blocks.labels] if blocks.labels and not blocks.fractions else blocks.fractions
+    chosen = own if given.arrays is None else check_names(given.arrays)
     grid = Grid((np.empty(0),) * 3)
-    if labels is not None:
+    if labels is not None or (given.arrays is None and blocks.labels and not blocks.fractions):
         if len(chosen) != 1:
             raise ValueError("labels are %d arrays, %r: one is required, arrays=[...]."
                              % (len(chosen), chosen))
-        return Field(CellArrays("xyz"), grid, [], chosen[0], _label_names(names), blocks)
+        return Field(CellArrays("xyz"), grid, [], chosen[0], _label_names(names), blocks,
+                     labels is None)
     if names is not None:
         raise TypeError("names cannot be given: the materials of %s have the names of its arrays."
                         % blocks.path)
@@ -171,37 +229,36 @@ def _image_arrays(image: Image) -> CellArrays:
 
 def _image_field(image: Image, given: Source, labels: bool) -> Field:
     _check_no_grid(given)
-    names = given.names
-    if labels:
-        if len(image.chosen) != 1:
-            raise ValueError("labels are %d arrays, %r: one is required."
-                             % (len(image.chosen), image.chosen))
-        return Field(_image_arrays(image), image.grid, [], image.chosen[0], _label_names(names))
-    for name in image.chosen:
-        if name in image.arrays:
-            image.arrays[name] = as_fractions(image.arrays[name], name)
-    chosen = image.chosen
-    if names is not None:
-        chosen = [name for name, _ in _named_fractions([None] * len(chosen), names)]
-        renamed = dict(zip(image.chosen, chosen))
-        image = image._replace(arrays={renamed.get(name, name): array
-                                       for name, array in image.arrays.items()})
-    return Field(_image_arrays(image), image.grid, chosen, "", {})
+    arrays = _image_arrays(image)
+    if image.chosen is None:
+        image = image._replace(chosen=choose(arrays.items(), given.contents(image.has_labels),
+                                             labels))
+    if not labels:
+        return _make_field(arrays, image, False, given)
+    chosen = image.chosen or []
+    if len(chosen) != 1:
+        raise ValueError("labels are %d arrays, %r: one is required. %s"
+                         % (len(chosen), chosen, image.hint or "arrays=[..] (--array) selects it."))
+    return Field(arrays, image.grid, [], chosen[0], _label_names(given.names, image.names))
 
 
-def _join_images(names: Sequence[str], images: Sequence[Optional[Image]], given: Source) -> Field:
-    """Makes the field of images on one grid, one image per material."""
+def _join_images(names: Sequence[str], images: Sequence[Optional[Image]],
+                 given: Source) -> CellArrays:
+    """Returns the arrays of images on one grid, one image per material."""
     _check_no_grid(given)
     first = images[0]
     assert first is not None
     arrays = CellArrays(first.order, first.grid.cells)
     for name, image in zip(names, images):
-        if image is None or len(image.chosen) != 1:
+        own = None if image is None else image.chosen or list(image.arrays)
+        if image is None or own is None or len(own) != 1:
             raise TypeError(
                 "fractions has %r, which is not an image of one array: images and arrays cannot be "
                 "mixed." % name)
         if not image.grid.is_same(first.grid):
             raise ValueError("The images %r and %r lie on different grids: resample one of them."
                              % (names[0], name))
-        arrays.add_flat(name, as_fractions(image.arrays[image.chosen[0]], name))
-    return Field(arrays, first.grid, list(names), "", {})
+        if image.order != first.order:
+            raise TypeError("The images %r and %r are of different kinds." % (names[0], name))
+        arrays.add_flat(name, image.arrays[own[0]])
+    return arrays

@@ -13,33 +13,15 @@ from ._input import Source, read_field
 from ._progress import shown
 from ._report import describe
 from ._result import make_mesh
-from ._state import StateGiven, add_refinement, list_boxes, read_state
+from ._state import StateGiven, add_refinement, list_boxes, list_names, read_state
 from ._types import Progress
+from ._warning import VolumeFractionMeshWarning
 from .mesh import Mesh, Run
 
 if TYPE_CHECKING:
     from ._core import StateChoice
 
 CALLER = 3  # stack level of the caller of hexes(), for warnings
-
-
-class VolumeFractionMeshWarning(UserWarning):
-    """Warning about a mesh that may differ from what the input suggests.
-
-    Examples are fractions that were clipped, a material without elements, and material that is left
-    out of the mesh.
-
-    Examples
-    --------
-    >>> import warnings
-    >>> import numpy as np
-    >>> fraction = np.zeros((5, 5, 5))  # nothing to mesh
-    >>> with warnings.catch_warnings(record=True) as caught:
-    ...     warnings.simplefilter("always", vfm.VolumeFractionMeshWarning)
-    ...     mesh = vfm.hexes(fraction)
-    >>> len(mesh), caught[0].category.__name__
-    (0, 'VolumeFractionMeshWarning')
-    """
 
 
 def run_mesher(
@@ -51,7 +33,9 @@ def run_mesher(
     shows: Progress,
 ) -> Mesh:
     """Makes a mesh. Warnings seem to come from the caller of hexes() or tets()."""
-    field = read_field(source)
+    field = read_field(source._replace(
+        others=list_names(carried, refinement_array), tolerance=options.fraction_tolerance,
+        has_threshold=bool(options.threshold)))
     state = read_state(carried, field)
     options.refinement_array = add_refinement(refinement_array, field)
     options.refinement_boxes = list_boxes(refinement_boxes)
@@ -72,6 +56,7 @@ def run_mesher(
                 options=options,
                 progress=progress,
                 warn=told.append,
+                guessed=field.guessed,
             )
     finally:
         for text in told:

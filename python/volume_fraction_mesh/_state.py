@@ -25,6 +25,16 @@ class StateGiven(NamedTuple):
     rotated_arrays: Any
 
 
+def list_names(given: StateGiven, refinement_array: Any) -> List[str]:
+    """Returns the names of arrays that are state or control the refinement."""
+    names: List[str] = []
+    for value in (given.state, given.density, given.velocity, given.energy, refinement_array):
+        values = [value] if isinstance(value, str) else value
+        if isinstance(values, (list, tuple)):
+            names += [name for name in values if isinstance(name, str)]
+    return names
+
+
 def read_state(given: StateGiven, field: Field) -> Optional[StateChoice]:
     """Returns the state for the core, None without state. Adds the arrays to the field."""
     arrays = _list_arrays(field, given.state)

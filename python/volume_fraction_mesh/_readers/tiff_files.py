@@ -1,0 +1,168 @@
+"""Reads TIFF files by tifffile: stacks, single pages, files of ImageJ and OME."""
+
+from __future__ import annotations
+
+import logging
+from typing import Any, Dict, List, NamedTuple, Optional, Tuple
+from xml.etree import ElementTree
+
+import numpy as np
+
+from .report import load_library
+
+ENDINGS = (".tif", ".tiff")
+MILLIMETRES = {2: 25.4, 3: 10.0}  # values of ResolutionUnit
+WHITE_IS_ZERO = 0  # value of PhotometricInterpretation
+# Units of length in metres. Units that OME and ImageJ write.
+METRES = {"m": 1.0, "dm": 0.1, "cm": 1e-2, "mm": 1e-3, "um": 1e-6, "micron": 1e-6,
+          "microns": 1e-6, "micrometer": 1e-6, "micrometre": 1e-6, "nm": 1e-9,
+          "nanometer": 1e-9, "nanometre": 1e-9, "pm": 1e-12, "angstrom": 1e-10, "a": 1e-10,
+          "millimeter": 1e-3, "millimetre": 1e-3, "centimeter": 1e-2, "centimetre": 1e-2,
+          "meter": 1.0, "metre": 1.0, "inch": 0.0254, "in": 0.0254}
+IN_MILLIMETRES = ("cm", "centimeter", "centimetre", "inch", "in")  # converted, like resolutions
+
+Widths = Tuple[Optional[float], Optional[float], Optional[float]]
+
+
+class Stack(NamedTuple):
+    """Volumes of a file, each of shape (slices, rows, columns) or with channels of colour as a
+    fourth axis; widths of voxels along x, y and z, None if the file does not contain them."""
+
+    volumes: List[np.ndarray]
+    widths: Widths
+    steps: int
+
+
+def read(path: str, step: int) -> Stack:
+    tifffile = load_library("tifffile", path)
+    logger = logging.getLogger("tifffile")
+    level = logger.level
+    logger.setLevel(logging.CRITICAL + 1)
+    try:
+        with tifffile.TiffFile(path) as file:
+            return _read_file(file, step)
+    finally:
+        logger.setLevel(level)
+
+
+def _read_file(file: Any, step: int) -> Stack:
+    if not file.series:
+        raise ValueError("it has no image.")
+    series = file.series[0]
+    if len(file.series) > 1 and file.series[1].shape != series.shape:
+        raise ValueError(
+            "its pages differ in size or type: %s of the type %s, and %s of the type %s."
+            % (" x ".join(map(str, series.shape)), series.dtype,
+               " x ".join(map(str, file.series[1].shape)), file.series[1].dtype))
+    values = np.stack([each.asarray() for each in file.series]) if len(file.series) > 1 else (
+        series.asarray())
+    axes = "I" + series.axes if len(file.series) > 1 else series.axes
+    page = series.keyframe
+    values = _turn(values, axes, page)
+    volumes, steps = _split(values, axes, step)
+    return Stack(volumes, _find_widths(file, page), steps)
+
+
+def _turn(values: np.ndarray, axes: str, page: Any) -> np.ndarray:
+    """Inverts values for which 0 is white, and reverses rows that are stored from the bottom."""
+    if page.photometric == WHITE_IS_ZERO and values.dtype.kind in "bu":
+        values = ~values
+    if values.dtype == np.bool_:
+        values = values.view(np.uint8)
+    orientation = page.tags.get(274)
+    if orientation is not None and orientation.value != 1:
+        values = np.flip(values, axis=axes.index("Y"))
+    return values
+
+
+def _split(values: np.ndarray, axes: str, step: int) -> Tuple[List[np.ndarray], int]:
+    """Returns the volumes of a time step, and the number of time steps."""
+    order = [axis for axis in axes]
+    if "Y" not in order or "X" not in order:
+        raise ValueError("its axes are %s: Y and X are required." % axes)
+    slices = [axis for axis in order if axis not in "YXSCT"]
+    if not slices and "T" in order:  # a stack of pages without other axes
+        slices = ["T"]
+    steps = values.shape[order.index("T")] if "T" in order and "T" not in slices else 1
+    if not -steps <= step < steps:
+        raise ValueError("there is no step %d: it has %d, counted from 0." % (step, steps))
+    if steps > 1 or ("T" in order and "T" not in slices):
+        values = values.take(step, axis=order.index("T"))
+        order.remove("T")
+    wanted = (["C"] if "C" in order else []) + slices + ["Y", "X"] + (["S"] if "S" in order else [])
+    values = values.transpose([order.index(axis) for axis in wanted])
+    channels = values.shape[0] if "C" in order else 1
+    tail = values.shape[-3:] if "S" in order else values.shape[-2:]
+    values = values.reshape(channels, -1, *tail)
+    return [np.ascontiguousarray(volume) for volume in values], steps
+
+
+def _find_widths(file: Any, page: Any) -> Widths:
+    """Returns the widths in the unit that ImageJ or OME names, otherwise in millimetres."""
+    if file.is_ome:
+        widths = _find_ome_widths(file.ome_metadata or "")
+        if widths[0] is not None:
+            return widths
+    x, y = (_read_ratio(page, tag) for tag in (282, 283))
+    if file.is_imagej:
+        meta: Dict[str, Any] = file.imagej_metadata or {}
+        scale, z = _find_unit(meta.get("unit")), meta.get("spacing")
+        if scale is not None and x and y:
+            depth = abs(float(z)) * scale if isinstance(z, (int, float)) and z else None
+            return scale / x, scale / y, depth
+    unit = page.tags.get(296)
+    length = MILLIMETRES.get(int(unit.value) if unit is not None else 2)
+    if length is None or not x or not y:
+        return None, None, None
+    return length / x, length / y, None
+
+
+def _read_ratio(page: Any, tag: int) -> Optional[float]:
+    found = page.tags.get(tag)
+    if found is None or not isinstance(found.value, tuple) or len(found.value) != 2:
+        return None
+    above, below = found.value
+    return above / below if above > 0 and below > 0 else None
+
+
+def _clean_unit(unit: Any) -> str:
+    text = str(unit).strip().lower()
+    for sign in ("\\u00b5", "\u00b5", "\u03bc", "\ufffd"):
+        text = text.replace(sign, "u")
+    return text.replace("\u00e5", "angstrom")
+
+
+def _find_unit(unit: Any) -> Optional[float]:
+    """Returns the factor from a unit of ImageJ to the unit of the widths, None without a unit of
+    length."""
+    name = _clean_unit(unit)
+    if name not in METRES:
+        return None
+    return 1e3 * METRES[name] if name in IN_MILLIMETRES else 1.0
+
+
+def _find_ome_widths(text: str) -> Widths:
+    """Returns the PhysicalSize of the first image of OME, in the unit of x; centimetres and inches
+    become millimetres."""
+    if "<!ENTITY" in text:
+        return None, None, None
+    try:
+        root = ElementTree.fromstring(text)
+    except ElementTree.ParseError:
+        return None, None, None
+    pixels = next((node for node in root.iter() if node.tag.split("}")[-1] == "Pixels"), None)
+    if pixels is None:
+        return None, None, None
+    units = [_clean_unit(pixels.get("PhysicalSize%sUnit" % axis, "um")) for axis in "XYZ"]
+    common = METRES.get("mm" if units[0] in IN_MILLIMETRES else units[0])
+    widths: List[Optional[float]] = []
+    for axis, unit in zip("XYZ", units):
+        try:
+            size = float(pixels.get("PhysicalSize" + axis, ""))
+        except ValueError:
+            size = 0.0
+        known = common is not None and unit in METRES and 0 < size < float("inf")
+        same = unit == units[0] and unit not in IN_MILLIMETRES
+        widths.append(size * (1.0 if same else METRES[unit] / common) if known else None)
+    x, y, z = widths
+    return (None, None, None) if x is None or y is None else (x, y, z)
