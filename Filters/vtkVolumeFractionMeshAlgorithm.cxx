@@ -159,16 +159,16 @@ void vtkVolumeFractionMeshAlgorithm::Run(
   vfm::FilterRuntime runtime(this, threads, &ranks);
   runtime.Progress(0.0, "Reading input");
   vfm::MesherInput input;
+  input.Warn = [&](const std::string& text) { this->Warn(text, ranks); };
   input.Arrays.Fractions = vfm::NamesOf(materials.Fractions);
   input.Arrays.Labels = materials.Labels.Name;
   input.Arrays.AreGuessed = materials.AreGuessed;
   input.Arrays.Names =
-    vfm::ShareLabelNames(materials.HasLabels() ? this->Options->LabelNames : "", ranks);
+    vfm::ShareLabelNames(materials.HasLabels() ? this->Options->LabelNames : "", ranks, input.Warn);
   input.Arrays.State = this->ChooseState(data, ranks);
   input.Levels = this->FindLevels(
     data, vfm::ListArrays(materials.List(), input.Arrays.State, *this->Options), ranks);
   input.StaysInPlace = this->HasFaceNeighbours;
-  input.Warn = [&](const std::string& text) { this->Warn(text, ranks); };
   vfm::MesherResult result = vfm::RunMesher(input, *this->Options, runtime);
   LogStages(result.Report);
   vfm::WorkTogether(ranks,

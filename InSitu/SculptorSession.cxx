@@ -145,17 +145,17 @@ MesherResult SculptorSession::Run(
   }
   MesherInput input;
   input.Arrays.Labels = names.HasMaterialIds ? MaterialIdName : "";
+  input.Warn = [this](const std::string& text) { this->WarningText += text + "\n"; };
   input.Arrays.Fractions = NamesOf(names.Materials);
   if (names.HasMaterialIds)
   {
-    input.Arrays.Names = ShareLabelNames(options.LabelNames, ranks);
+    input.Arrays.Names = ShareLabelNames(options.LabelNames, ranks, input.Warn);
   }
   CollectedBlocks collected = CollectHostBlocks(grid, ranks);
   input.Arrays.State =
     CompleteChoice(ChooseState(options, NamesOf(names.States)), ListsOf(collected.Blocks), ranks);
   input.Levels = FindLevels(std::move(collected), this->Neighbours, ranks);
   input.StaysInPlace = this->Neighbours.has_value();
-  input.Warn = [this](const std::string& text) { this->WarningText += text + "\n"; };
   ThreadRuntime runtime(ChooseThreads(options.NumberOfThreads, ranks.Count()), &ranks);
   return RunMesher(input, options, runtime);
 }

@@ -44,15 +44,16 @@ private:
 };
 
 /// Returns the arrays of materials and state, and the names of labels.
+/// @param warn  receives notes about the names
 /// @pre Collective
-MesherArrays NameArrays(
-  const Arguments& arguments, const Input& input, const ChosenArrays& arrays, Ranks& ranks)
+MesherArrays NameArrays(const Arguments& arguments, const Input& input, const ChosenArrays& arrays,
+  Ranks& ranks, const std::function<void(const std::string&)>& warn)
 {
   ArrayLists lists = ListsOf(input, ArrayPlace::Cells);
   const ArrayLists points = ListsOf(input, ArrayPlace::Points);
   lists.insert(lists.end(), points.begin(), points.end());
   return { arrays.Fractions, arrays.Labels,
-    ShareLabelNames(arrays.Labels.empty() ? "" : arguments.Mesher.LabelNames, ranks),
+    ShareLabelNames(arrays.Labels.empty() ? "" : arguments.Mesher.LabelNames, ranks, warn),
     CompleteChoice(ChooseState(arguments.Mesher, arguments.State), lists, ranks),
     arrays.AreGuessed };
 }
@@ -76,14 +77,6 @@ MesherResult MakeMesh(const Arguments& arguments, const Input& input, const Chos
   const MesherOptions& options = arguments.Mesher;
   MesherInput mesherInput;
   CollectedBlocks collected;
-  WorkInStage(ranks, ErrorCode::RejectedMesh,
-    [&]
-    {
-      mesherInput.Arrays = NameArrays(arguments, input, arrays, ranks);
-      collected = input.Collect(
-        ListArrays(ListMaterials(mesherInput.Arrays), mesherInput.Arrays.State, options), ranks);
-    });
-  KeepMaterials(collected.Blocks, arrays, arguments, ranks);
   std::vector<std::string> found;
   mesherInput.Warn = [&found](const std::string& text)
   {
@@ -92,6 +85,14 @@ MesherResult MakeMesh(const Arguments& arguments, const Input& input, const Chos
       found.push_back(text);
     }
   };
+  WorkInStage(ranks, ErrorCode::RejectedMesh,
+    [&]
+    {
+      mesherInput.Arrays = NameArrays(arguments, input, arrays, ranks, mesherInput.Warn);
+      collected = input.Collect(
+        ListArrays(ListMaterials(mesherInput.Arrays), mesherInput.Arrays.State, options), ranks);
+    });
+  KeepMaterials(collected.Blocks, arrays, arguments, ranks);
   mesherInput.Warn(input.Warning);
   MesherResult result;
   WorkInStage(ranks, ErrorCode::RejectedMesh,

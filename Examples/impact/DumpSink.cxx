@@ -46,13 +46,17 @@ std::string OpenFile(const char* type)
     "\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n";
 }
 
+/// Writes a file beside its name and renames it, so that an interrupted run leaves no part of it
+/// under its name.
 void Save(const std::string& path, const std::function<void(std::ostream&)>& write)
 {
-  std::ofstream file(path, std::ios::binary);
+  const std::string unfinished = path + ".part";
+  std::ofstream file(unfinished, std::ios::binary);
   write(file);
   file.close();
-  if (!file)
+  if (!file || std::rename(unfinished.c_str(), path.c_str()) != 0)
   {
+    std::remove(unfinished.c_str());
     throw std::runtime_error("cannot write " + path);
   }
 }

@@ -2,6 +2,7 @@
 
 #include "Base/ParseText.h"
 #include "Ranks/Errors.h"
+#include "Summary/Utf8.h"
 
 #include <algorithm>
 #include <cctype>
@@ -109,12 +110,33 @@ void LabelTable::ReadLine(const std::string& line, int number)
   this->Rows.push_back(std::move(row));
 }
 
+/// Returns a line in UTF-8.
+std::string LabelTable::ConvertLine(const std::string& line, int number)
+{
+  if (IsUtf8(line))
+  {
+    return line;
+  }
+  const std::string converted = ToUtf8(line);
+  if (converted.find(UnknownCharacter) != std::string::npos)
+  {
+    this->Reject(number, "it is neither UTF-8 nor Windows-1252 (Latin-1). Save the file as UTF-8.");
+  }
+  if (this->TheNote.empty())
+  {
+    this->TheNote = "The names of labels in " + this->Path + " are not UTF-8 in " +
+      this->NamePlace(number) + ". They are read as Windows-1252 (Latin-1): '" +
+      TrimText(converted) + "'.";
+  }
+  return converted;
+}
+
 void LabelTable::ReadText(std::istream& stream)
 {
   std::string line;
   for (int number = 1; std::getline(stream, line); ++number)
   {
-    line = TrimText(line);
+    line = TrimText(this->ConvertLine(line, number));
     if (!line.empty() && line[0] != '#')
     {
       this->ReadLine(line, number);

@@ -42,6 +42,10 @@ public:
   /// @throws InputError  if the table is empty, or contains a label or a name twice
   LabelNames MakeNames();
 
+  /// Returns a note about the first line that was not in UTF-8 and was converted from Windows-1252;
+  /// "" if there is none.
+  const std::string& Note() const { return this->TheNote; }
+
   /// Reports a problem of the table.
   /// @param place  number of the entry, 0 for the whole table
   /// @throws InputError  always
@@ -61,11 +65,12 @@ private:
     std::size_t Numbers = 0; ///< number of words after the first
   };
 
+  std::string ConvertLine(const std::string& line, int number);
   std::string NamePlace(int place) const { return this->Unit + std::to_string(place); }
   void ReadLine(const std::string& line, int number);
   bool HasColumnsOfNumbers() const;
 
-  std::string Path, Unit;
+  std::string Path, Unit, TheNote;
   std::vector<Row> Rows;
 };
 

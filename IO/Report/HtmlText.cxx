@@ -1,6 +1,7 @@
 #include "Report/HtmlText.h"
 
 #include "Meshes/Vtk/VtuText.h"
+#include "Summary/Utf8.h"
 
 #include <charconv>
 
@@ -37,9 +38,7 @@ std::string HtmlText(const std::string& text)
   std::string safe;
   for (char c : XmlText(text))
   {
-    const bool isControl =
-      (static_cast<unsigned char>(c) < ' ' && c != '\t' && c != '\n') || c == '\x7f';
-    safe += isControl ? "\xef\xbf\xbd" : std::string(1, c);
+    safe += c == '\x7f' ? UnknownCharacter : std::string(1, c);
   }
   return safe;
 }

@@ -1,6 +1,7 @@
 #include "Summary/MeshMaterials.h"
 
 #include "Ranks/Agreement.h"
+#include "Summary/UniqueNames.h"
 
 #include <limits>
 #include <set>
@@ -16,7 +17,7 @@ std::map<int, std::string> NamesOfMaterials(const MeshData& mesh)
   const auto* texts = field ? std::get_if<std::vector<std::string>>(&field->Values) : nullptr;
   for (std::size_t m = 0; texts && m < std::min(ids.size(), texts->size()); ++m)
   {
-    names[static_cast<int>(ids[m])] = (*texts)[m];
+    names[static_cast<int>(ids[m])] = PrintableName((*texts)[m]);
   }
   return names;
 }

@@ -1,5 +1,7 @@
 #include "Summary/UniqueNames.h"
 
+#include "Summary/Utf8.h"
+
 namespace vfm
 {
 namespace
@@ -26,14 +28,25 @@ std::string CutText(const std::string& text, std::size_t length)
 
 } // namespace
 
-std::string PlainName(std::string name)
+std::string PrintableName(const std::string& name)
 {
-  for (char& c : name)
+  std::string printable = ToUtf8(name);
+  for (char& c : printable)
   {
     const bool isControl = static_cast<unsigned char>(c) < ' ' || c == '\x7f';
-    c = isControl || c == '"' || c == '\\' ? '_' : c;
+    c = isControl ? '_' : c;
   }
-  return name;
+  return printable;
+}
+
+std::string PlainName(const std::string& name)
+{
+  std::string plain = PrintableName(name);
+  for (char& c : plain)
+  {
+    c = c == '"' || c == '\\' ? '_' : c;
+  }
+  return plain;
 }
 
 std::string UniqueNames::Add(const std::string& name)

@@ -10,8 +10,10 @@
 namespace vfm
 {
 
-/// Returns a name in which quotes, backslashes and control characters are replaced by _.
-std::string PlainName(std::string name);
+/// Returns a name in UTF-8 (ToUtf8) in which control characters are replaced by _.
+std::string PrintableName(const std::string& name);
+/// Returns a PrintableName in which also quotes and backslashes are replaced by _.
+std::string PlainName(const std::string& name);
 
 /// List of names that were given.
 class UniqueNames

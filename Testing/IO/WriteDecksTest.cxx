@@ -4,9 +4,12 @@
 #include "Meshes/Decks/DeckCards.h"
 #include "Meshes/Decks/DeckModel.h"
 #include "Meshes/WriteMesh.h"
+#include "Summary/Utf8.h"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
+#include <sstream>
 
 using namespace vfm;
 using namespace vfm::testing;
@@ -80,6 +83,84 @@ TEST(WriteDecks, SameBytesOnRanks)
     const std::string one = ReadBytes(folder / (std::string("1") + suffix));
     EXPECT_GT(one.size(), 1000u);
     EXPECT_TRUE(one == ReadBytes(folder / (std::string("3") + suffix))) << suffix;
+  }
+}
+
+/// Lines of a deck: their number, the longest one, and the first signs of those that begin a
+/// keyword, a comment or a directive.
+struct DeckLines
+{
+  std::size_t Count = 0, Longest = 0;
+  std::string Signs;
+};
+
+DeckLines ReadLines(const std::string& path)
+{
+  DeckLines lines;
+  std::istringstream stream(ReadBytes(path));
+  for (std::string line; std::getline(stream, line); ++lines.Count)
+  {
+    lines.Longest = std::max(lines.Longest, line.size());
+    const std::size_t first = line.find_first_not_of(" \t");
+    const bool isSign =
+      first != std::string::npos && std::string_view("*$#/").find(line[first]) != std::string::npos;
+    lines.Signs += isSign ? line.substr(first, 1) : "";
+    EXPECT_TRUE(std::all_of(line.begin(), line.end(), [](char c) { return c >= ' ' && c <= '~'; }))
+      << line;
+  }
+  return lines;
+}
+
+TEST(WriteDecks, NamesAreNoKeywordsAndNoComments)
+{
+  const Folder folder;
+  const std::vector<std::string> names{ "*NODE", "*END", "$x", "#include other.inc", "//x", "/END",
+    "  *PART", "a\n*END\r\n/END", "\x01\x7f", std::string(3000, 'x'), "", "gr\xc3\xb6\xc3\x9f",
+    "M\xfcller", "&x", "\t#y" };
+  for (const char* suffix : { ".k", ".rad", ".bdf", ".inp" })
+  {
+    TwoCubes plain;
+    Ranks alone;
+    plain.Data.Fields[1].Values = std::vector<std::string>{ std::string(200, 'y'), "b" };
+    WriteMesh(plain.Data, folder / (std::string("plain") + suffix), alone);
+    const DeckLines expected = ReadLines(folder / (std::string("plain") + suffix));
+    for (const std::string& name : names)
+    {
+      TwoCubes cubes;
+      cubes.Data.Fields[1].Values = std::vector<std::string>{ name, name };
+      const std::string path = folder / (std::string("mesh") + suffix);
+      WriteMesh(cubes.Data, path, alone);
+      const DeckLines lines = ReadLines(path);
+      EXPECT_EQ(lines.Signs, expected.Signs) << suffix << " " << name;
+      EXPECT_EQ(lines.Count, expected.Count) << suffix << " " << name;
+      EXPECT_LE(lines.Longest, expected.Longest) << suffix << " " << name;
+    }
+  }
+}
+
+TEST(WriteMesh, NamesOfAnyBytesGiveValidTexts)
+{
+  const Folder folder;
+  TwoCubes cubes;
+  const std::vector<double> values(2, 0.5);
+  cubes.Data.Fields[1].Values = std::vector<std::string>{ "M\xfcller\n\"x\"", "\x81\x01<&" };
+  cubes.Data.ElementArrays.push_back({ "gr\xf6\xdf"
+                                       "e\n\x02",
+    ValueType::Double, 1, {}, values.data() });
+  for (const char* name : { "m.vtu", "m.pvtu", "m.xdmf", "m.msh", "m.inp", "m.k", "m.foam" })
+  {
+    Ranks alone;
+    WriteMesh(cubes.Data, folder / name, alone);
+  }
+  for (const char* name : { "m.vtu", "m.pvtu", "m/m_0.vtu", "m.xdmf", "m_facets.xdmf", "m.msh",
+         "m.inp", "m.k", "constant/polyMesh/cellZones", "constant/polyMesh/boundary" })
+  {
+    const std::string text = ReadBytes(folder / name);
+    EXPECT_TRUE(IsUtf8(text)) << name;
+    EXPECT_FALSE(text.empty()) << name;
+    EXPECT_TRUE(std::all_of(text.begin(), text.end(),
+      [](char c) { return static_cast<unsigned char>(c) >= ' ' || c == '\n'; }))
+      << name;
   }
 }
 

@@ -132,7 +132,7 @@ TEST(WriteReport, TextsAreEscaped)
   EXPECT_NE(materials.find("&quot;two&quot; &amp; &lt;more>"), std::string::npos);
   EXPECT_NE(
     SectionOf(page, "Side sets").find("&quot;two&quot; &amp; &lt;more>"), std::string::npos);
-  EXPECT_EQ(HtmlText("a\x01\t\n\x7f"), "a\xef\xbf\xbd\t\n\xef\xbf\xbd");
+  EXPECT_EQ(HtmlText("a\x01\t\n\x7f"), "a\xef\xbf\xbd&#9;&#10;\xef\xbf\xbd");
 }
 
 TEST(WriteReport, ValuesAreThoseOfTheMesher)

@@ -27,7 +27,7 @@ ALLOWED.update({
     "IO": BASE + MESHER,
     "IO/Images": BASE + MESHER + ("IO",),
     "IO/Blocks": BASE + MESHER + ("IO",),
-    "IO/Labels": BASE + ("Mesher/Input",),
+    "IO/Labels": BASE + ("Mesher/Input", "Mesher/Summary"),
     "IO/Meshes": BASE + MESHER + ("IO",),
     "IO/Report": BASE + MESHER + ("IO", "IO/Meshes"),
     "Filters": GRID + MESHER + ("Shapes", "Parallel", "IO/Labels", "Filters/Data"),

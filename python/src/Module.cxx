@@ -157,6 +157,20 @@ void TranslateError(const std::exception_ptr& raised, void*)
   }
 }
 
+/// Reads names of labels. A note about them is a warning of the package.
+vfm::LabelNames ReadNames(const std::string& path)
+{
+  std::string note;
+  vfm::LabelNames names = vfm::ReadLabelNames(path, &note);
+  if (!note.empty())
+  {
+    const nb::object category =
+      nb::module_::import_("volume_fraction_mesh").attr("VolumeFractionMeshWarning");
+    nb::module_::import_("warnings").attr("warn")(note, category, "stacklevel"_a = 2);
+  }
+  return names;
+}
+
 } // namespace
 
 NB_MODULE(_core, module)
@@ -174,7 +188,7 @@ NB_MODULE(_core, module)
   module.def("mesh", MakeMesh, "blocks"_a.none(), "arrays"_a, "coordinates"_a, "axes"_a, "origin"_a,
     "are_points"_a, "fractions"_a, "labels"_a, "label_names"_a, "state"_a.none(), "options"_a,
     "progress"_a.none(), "warn"_a, "guessed"_a = false);
-  module.def("read_label_names", vfm::ReadLabelNames, "path"_a);
+  module.def("read_label_names", ReadNames, "path"_a);
   module.def("shape_fractions", FillShapes, "text"_a, "coordinates"_a, "tolerance"_a, "threads"_a,
     "progress"_a.none());
   module.def("triangle_fractions", FillTriangles, "points"_a, "triangles"_a, "coordinates"_a,

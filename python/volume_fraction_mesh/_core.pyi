@@ -325,6 +325,7 @@ def read_label_names(path: str) -> Dict[int, str]:
     file of ITK-SNAP, a table of FreeSurfer or MRIcron, or the XML of an FSL atlas.
 
     Raises ValueError, with path and line, if the format is unknown, or a label or name is repeated.
+    Warns if names are not UTF-8; they are then read as Windows-1252, which contains Latin-1.
     """
 
 def triangle_fractions(

@@ -105,6 +105,11 @@ std::string PlainTitle(std::string text, std::size_t longest)
 {
   std::replace_if(
     text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '_');
+  const std::size_t first = text.find_first_not_of(' ');
+  if (first != std::string::npos && std::string_view("*$#/").find(text[first]) != text.npos)
+  {
+    text[first] = '_';
+  }
   return text.substr(0, longest);
 }
 

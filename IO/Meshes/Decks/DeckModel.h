@@ -57,7 +57,8 @@ bool IsState(const MeshArray& array);
 /// Stress of an element: xx yy zz xy yz xz.
 std::array<double, 6> StressOf(const MeshArray& stress, Index element);
 
-/// Returns a title without control characters and characters outside of ASCII, which become '_'.
+/// Returns a title for a line of its own. Control characters and characters outside of ASCII become
+/// '_', also a first sign with which keywords, comments and directives begin: * $ # /
 std::string PlainTitle(std::string text, std::size_t longest);
 /// Returns a line about program and mesh for the head of a file.
 std::string DescribeDeck(const DeckModel& model);

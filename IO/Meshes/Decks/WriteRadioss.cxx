@@ -100,7 +100,7 @@ void WriteSurface(
 /// Writes velocities, with rotations of 0.
 void WriteVelocities(DeckCards& cards, const MeshData& mesh, const MeshArray& velocity)
 {
-  WriteTitle(cards, "/INIVEL/NODE/", 1, velocity.Name);
+  WriteTitle(cards, "/INIVEL/NODE/", 1, PlainTitle(velocity.Name, LongestTitle));
   cards.Line("#  Node_ID   Skew_ID                 Vxt                 Vyt                 Vzt");
   for (Index point = 0; point < mesh.NumberOfPoints; ++point)
   {

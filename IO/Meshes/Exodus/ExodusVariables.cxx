@@ -1,5 +1,7 @@
 #include "Meshes/Exodus/ExodusVariables.h"
 
+#include "Summary/UniqueNames.h"
+
 #include <algorithm>
 #include <iterator>
 
@@ -43,7 +45,8 @@ std::vector<ExodusVariable> ListVariables(const std::vector<MeshArray>& arrays, 
     const bool isVariable = !IsOneOf(array.Name, IdNames) && (!ids || array.Values != ids);
     for (int c = 0; isVariable && c < array.Components; ++c)
     {
-      variables.push_back({ array.Name + Ending(c, array.Components, true), &array, c });
+      variables.push_back(
+        { PrintableName(array.Name) + Ending(c, array.Components, true), &array, c });
     }
   }
   return variables;
@@ -58,7 +61,7 @@ std::vector<ExodusNumber> ListNumbers(const std::vector<FieldArray>& fields)
     const bool isListed = values.size() <= MaximumNumbers && !IsOneOf(field.Name, TableNames);
     for (std::size_t i = 0; isListed && i < values.size(); ++i)
     {
-      numbers.push_back({ field.Name + Ending(i, values.size(), false), values[i] });
+      numbers.push_back({ PrintableName(field.Name) + Ending(i, values.size(), false), values[i] });
     }
   }
   return numbers;

@@ -1,6 +1,7 @@
 #include "Meshes/Files/WriteTable.h"
 
 #include "Meshes/Files/OutputFile.h"
+#include "Summary/Utf8.h"
 
 #include <charconv>
 
@@ -9,9 +10,10 @@ namespace vfm
 namespace
 {
 
-/// Returns a text, in quotes where necessary.
-std::string Print(const std::string& text)
+/// Returns a text in UTF-8, in quotes where necessary.
+std::string Print(const std::string& any)
 {
+  const std::string text = ToUtf8(any);
   if (text.find_first_of(",\"\r\n") == std::string::npos)
   {
     return text;

@@ -1,6 +1,7 @@
 #include "Meshes/Vtk/VtuText.h"
 
 #include "Meshes/Files/OutputFile.h"
+#include "Summary/Utf8.h"
 
 #ifdef VFM_HAS_ZLIB
 #include <zlib.h>
@@ -169,7 +170,7 @@ std::string VtuHead(const std::string& type, const std::string& version)
 std::string XmlText(const std::string& text)
 {
   std::string safe;
-  for (char c : text)
+  for (char c : ToUtf8(text))
   {
     switch (c)
     {
@@ -182,8 +183,13 @@ std::string XmlText(const std::string& text)
       case '"':
         safe += "&quot;";
         break;
+      case '\t':
+      case '\n':
+      case '\r': // readers convert them to spaces in attributes
+        safe += "&#" + std::to_string(static_cast<int>(c)) + ";";
+        break;
       default:
-        safe += c;
+        safe += static_cast<unsigned char>(c) < ' ' ? UnknownCharacter : std::string(1, c);
     }
   }
   return safe;

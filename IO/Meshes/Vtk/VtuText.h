@@ -21,7 +21,8 @@ constexpr const char* VtuPointAttributes =
 /// @param version  version of the format of this type
 std::string VtuHead(const std::string& type, const std::string& version = "0.1");
 
-/// Returns a text with the escapes that an attribute of XML requires.
+/// Returns a text in UTF-8 (ToUtf8) with the escapes that an attribute of XML requires. Control
+/// characters that XML does not allow become UnknownCharacter.
 std::string XmlText(const std::string& text);
 
 /// Returns the attributes of a DataArray: type, name, number and names of components.

@@ -3,11 +3,13 @@
 The names become MaterialNames and names of blocks and sets in files. An error in a table is
 reported with its line, on all ranks.
 """
+from xml.etree import ElementTree
+
 import numpy as np
 
 from image_files import save, write_nrrd
 from inp_file import InpFile
-from sculptor_program import mesh_file, refused
+from sculptor_program import mesh_file, refused, sculptor
 from vfmtest import VolumeFractionToTet, exodus_parts, image, in_folder, main, mesh_of, run
 
 LABELS = np.zeros((6, 6, 6), "i4")
@@ -95,6 +97,50 @@ def test_refused(at):
     result = run(DATA, MaterialIdArray="id", LabelNames=at("none"))
     assert "Cannot read the names of labels from %s: No such file" % at("none") in result.errors[
         0], result.errors
+
+
+LATIN = ((b"3 M\xfcller\n7 Stra\xdfe \x80\n", ["Müller", "Straße €", "Material 12"], "line 1", "Müller"),
+         ("3 Größe\n".encode() + b"7 rechts \xe4\n", ["Größe", "rechts ä", "Material 12"], "line 2",
+          "rechts ä"),
+         (b"\xef\xbb\xbf3 A\n7 B\n", ["A", "B", "Material 12"], None, None),
+         (b"<atlas><header><type>Label</type></header><data><label index='3'>M\xfcller</label>"
+          b"</data></atlas>", ["Müller", "Material 7", "Material 12"], None, None))
+NO_TEXT = ((b"3 A\n7 \x81\n", "line 2: it is neither UTF-8 nor Windows-1252"),
+           ("3 A\n".encode("utf-16"), "it is UTF-16. Save it as UTF-8."),
+           (b"\xfe\xff\x003", "it is UTF-16. Save it as UTF-8."))
+
+
+@in_folder
+def test_encodings(at):
+    """Tables in Latin-1 and Windows-1252 are converted with a warning; others are errors."""
+    for text, expected, line, name in LATIN:
+        result = run(DATA, MaterialIdArray="id", LabelNames=save(at("names"), text))
+        assert result.field("MaterialNames") == expected, result.field("MaterialNames")
+        assert len(result.warnings) == (1 if line else 0), result.warnings
+        assert all(word in warning for warning in result.warnings
+                   for word in (at("names"), line, "Windows-1252", name)), result.warnings
+    for text, problem in NO_TEXT:
+        result = run(DATA, MaterialIdArray="id", LabelNames=save(at("names"), text))
+        assert len(result.errors) == 1 and problem in result.errors[0], (text, result.errors)
+
+
+@in_folder
+def test_encodings_in_files(at):
+    """Files of a mesh whose label names were Latin-1 are UTF-8; sculptor warns once."""
+    path = write_nrrd(at("a.nrrd"), LABELS.astype("u1"), (0, 0, 0))
+    table = save(at("names.txt"), LATIN[0][0])
+    for suffix in (".xdmf", ".msh", ".vtu", ".inp", ".k"):
+        for ranks in (1, 3):
+            result = sculptor(path, at("out" + suffix), "--label-names", table, "--quiet",
+                              "--report", at("out.html"), ranks=ranks)
+            assert result.returncode == 0 and result.stderr.count("\n") == 1, result
+            assert result.stderr.startswith("sculptor: warning: ") and "Müller" in result.stderr
+            for name in ("out" + suffix, "out.html"):
+                with open(at(name), encoding="utf-8") as file:
+                    assert "ller" in file.read().lower(), name
+    ElementTree.parse(at("out.xdmf"))
+    for text, problem in NO_TEXT:
+        refused(3, problem, path, at("out.vtu"), "--label-names", save(at("bad.txt"), text))
 
 
 @in_folder
