@@ -8,11 +8,15 @@
 #include "Input/NodeCoordinates.h"
 
 #include "vtkCell.h"
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkGenericCell.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
+#include "vtkSmartPointer.h"
 #include "vtkStructuredGrid.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <cmath>
 #include <limits>
@@ -50,6 +54,7 @@ class Hexahedra
 public:
   Hexahedra(vtkPointSet* data, const std::string& name) : Data(data), Name(name)
   {
+    this->CheckConnectivity();
     this->FindCells();
     this->FindWidths();
     this->FindNodes();
@@ -63,6 +68,7 @@ public:
 private:
   using Box = std::array<std::array<double, 2>, 3>;
 
+  void CheckConnectivity() const;
   void FindCells();
   void FindWidths();
   void FindNodes();
@@ -87,21 +93,60 @@ void Hexahedra::Reject(vtkIdType cell, const std::string& what) const
   throw InputError(this->Name + ": cell " + std::to_string(cell) + " " + what);
 }
 
+/// Checks that the arrays of an unstructured grid belong together. Readers of VTK accept files
+/// whose arrays contradict each other; access to their cells would then end the program.
+void Hexahedra::CheckConnectivity() const
+{
+  vtkUnstructuredGrid* grid = vtkUnstructuredGrid::SafeDownCast(this->Data);
+  vtkCellArray* cells = grid ? grid->GetCells() : nullptr;
+  vtkUnsignedCharArray* types = grid ? grid->GetCellTypesArray() : nullptr;
+  if (!cells || cells->GetNumberOfCells() == 0)
+  {
+    return;
+  }
+  if (!cells->IsValid() || !types || types->GetNumberOfValues() != cells->GetNumberOfCells())
+  {
+    throw InputError(this->Name +
+      " is damaged: the types, offsets and points of its cells contradict each other.");
+  }
+}
+
+/// Returns why a cell that is not a hexahedron cannot be meshed; an empty text for cells of less
+/// than three dimensions, which are ignored.
+std::string FindTypeProblem(int type)
+{
+  const auto cell = vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(type));
+  if (!cell)
+  {
+    return "is of the type " + std::to_string(type) + ", which VTK does not know.";
+  }
+  if (cell->GetCellDimension() < 3)
+  {
+    return "";
+  }
+  return std::string("is a ") + cell->GetClassName() +
+    ". Only hexahedra and voxels that are the cells of a Cartesian grid can be meshed: bring other "
+    "cells onto a grid first (ParaView's filter Resample To Image).";
+}
+
 void Hexahedra::FindCells()
 {
   vtkStructuredGrid* grid = vtkStructuredGrid::SafeDownCast(this->Data);
   const bool isStructured = grid && grid->GetDataDimension() == 3; // blanked cells have no type
   const auto ghosts = InMemory(FindGhostTypes(this->Data, vtkDataObject::CELL));
+  int known = VTK_EMPTY_CELL; // type without a problem
   for (vtkIdType cell = 0; cell < this->Data->GetNumberOfCells(); ++cell)
   {
     const int type = isStructured ? VTK_HEXAHEDRON : this->Data->GetCellType(cell);
     const bool isHex = type == VTK_HEXAHEDRON || type == VTK_VOXEL;
-    if (!isHex && this->Data->GetCell(cell)->GetCellDimension() == 3)
+    if (!isHex && type != known)
     {
-      this->Reject(cell,
-        std::string("is a ") + this->Data->GetCell(cell)->GetClassName() +
-          ". Only hexahedra and voxels that are the cells of a Cartesian grid can be meshed: bring "
-          "other cells onto a grid first (ParaView's filter Resample To Image).");
+      const std::string problem = FindTypeProblem(type);
+      if (!problem.empty())
+      {
+        this->Reject(cell, problem);
+      }
+      known = type;
     }
     if (isHex && !(ghosts && (ghosts->GetValue(cell) & vtkDataSetAttributes::DUPLICATECELL)))
     {

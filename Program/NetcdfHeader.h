@@ -46,7 +46,7 @@ struct NetcdfHeader
   /// Minimum length of the file, bytes; std::numeric_limits<std::int64_t>::max() if the header
   /// itself is truncated or damaged.
   std::int64_t Size;
-  std::int64_t Records; ///< number of records; in Exodus files, number of times
+  std::int64_t Records; ///< number of records, in Exodus files of times; 0 if unknown
   std::vector<Dimension> Dimensions;
   std::vector<Attribute> Attributes; ///< attributes of the file
   std::vector<Variable> Variables;

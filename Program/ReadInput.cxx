@@ -9,17 +9,23 @@
 #include "ImageInput.h"
 #include "Images/ImageFile.h"
 #include "Ranks/WorkTogether.h"
+#include "VtkFiles/VtkFileCheck.h"
 #include "VtkInput.h"
 #include "VtkMessages.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
+#include "vtkDataSetReader.h"
 #include "vtkXMLImageDataReader.h"
 #include "vtkXMLMultiBlockDataReader.h"
 #include "vtkXMLPImageDataReader.h"
 #include "vtkXMLPRectilinearGridReader.h"
+#include "vtkXMLPStructuredGridReader.h"
+#include "vtkXMLPUnstructuredGridReader.h"
 #include "vtkXMLRectilinearGridReader.h"
+#include "vtkXMLStructuredGridReader.h"
 #include "vtkXMLUniformGridAMRReader.h"
+#include "vtkXMLUnstructuredGridReader.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -37,6 +43,7 @@ struct Format
 {
   std::string Suffix;
   std::function<vtkSmartPointer<vtkAlgorithm>(const Arguments&)> MakeReader;
+  bool IsLegacy = false; ///< rank 0 reads the whole file, which has no times
 };
 
 template <class Reader>
@@ -59,6 +66,21 @@ vtkSmartPointer<vtkAlgorithm> MakeAmrReader(const Arguments& arguments)
   return reader;
 }
 
+/// Makes the reader of files in the legacy format, with all their arrays.
+vtkSmartPointer<vtkAlgorithm> MakeLegacyReader(const Arguments& arguments)
+{
+  auto reader = vtkSmartPointer<vtkDataSetReader>::New();
+  reader->SetFileName(arguments.Input.c_str());
+  reader->ReadAllScalarsOn();
+  reader->ReadAllVectorsOn();
+  reader->ReadAllNormalsOn();
+  reader->ReadAllTensorsOn();
+  reader->ReadAllColorScalarsOn();
+  reader->ReadAllTCoordsOn();
+  reader->ReadAllFieldsOn();
+  return reader;
+}
+
 const std::vector<Format>& Formats()
 {
   static const std::vector<Format> formats{
@@ -66,6 +88,11 @@ const std::vector<Format>& Formats()
     MakeFormat<vtkXMLPImageDataReader>(".pvti"),
     MakeFormat<vtkXMLRectilinearGridReader>(".vtr"),
     MakeFormat<vtkXMLPRectilinearGridReader>(".pvtr"),
+    MakeFormat<vtkXMLStructuredGridReader>(".vts"),
+    MakeFormat<vtkXMLPStructuredGridReader>(".pvts"),
+    MakeFormat<vtkXMLUnstructuredGridReader>(".vtu"),
+    MakeFormat<vtkXMLPUnstructuredGridReader>(".pvtu"),
+    { ".vtk", MakeLegacyReader, true },
     MakeFormat<vtkXMLMultiBlockDataReader>(".vtm"),
     { ".vthb", MakeAmrReader },
     { ".vth", MakeAmrReader },
@@ -115,6 +142,46 @@ private:
   int Kept;
 };
 
+/// Reads the part of this rank by a reader of VTK.
+/// @param[out] times  receives Time and Times
+/// @return null on ranks other than 0 if the format is the legacy one
+vtkSmartPointer<vtkDataObject> ReadPart(
+  const Arguments& arguments, VtkMessages& messages, const Ranks& ranks, Input& times)
+{
+  const Format& format = *FindFormat(arguments.Input);
+  CheckInputFile(arguments.Input);
+  CheckVtkFile(arguments.Input, ranks.Rank(), ranks.Count());
+  if (format.IsLegacy && ranks.Rank() > 0)
+  {
+    return nullptr;
+  }
+  const auto reader = format.MakeReader(arguments);
+  messages.Watch(reader);
+  reader->UpdateInformation();
+  CheckReaderErrors(messages, arguments.Input);
+  times.Times = format.IsLegacy ? std::vector<double>() : GetTimes(reader);
+  times.Time = ChooseTime(arguments, times.Times);
+  UpdatePiece(
+    reader, times.Time, format.IsLegacy ? 0 : ranks.Rank(), format.IsLegacy ? 1 : ranks.Count());
+  CheckReaderErrors(messages, arguments.Input);
+  return reader->GetOutputDataObject(0);
+}
+
+Input ReadByVtk(const Arguments& arguments, VtkMessages& messages, Ranks& ranks)
+{
+  Input input;
+  WorkInStage(ranks, ErrorCode::UnreadableInput,
+    [&]
+    {
+      Input times;
+      const auto data = ReadPart(arguments, messages, ranks, times);
+      input = MakeInput(data, ranks);
+      input.Time = times.Time;
+      input.Times = times.Times;
+    });
+  return input;
+}
+
 } // namespace
 
 std::vector<std::string> GetInputSuffixes()
@@ -160,24 +227,7 @@ Input ReadInput(const Arguments& arguments, Ranks& ranks)
   {
     return ReadExodus(arguments, messages, ranks);
   }
-  Input input;
-  WorkInStage(ranks, ErrorCode::UnreadableInput,
-    [&]
-    {
-      CheckInputFile(arguments.Input);
-      const auto reader = FindFormat(arguments.Input)->MakeReader(arguments);
-      messages.Watch(reader);
-      reader->UpdateInformation();
-      CheckReaderErrors(messages, arguments.Input);
-      const std::vector<double> times = GetTimes(reader);
-      const std::optional<double> time = ChooseTime(arguments, times);
-      UpdatePiece(reader, time, ranks.Rank(), ranks.Count());
-      CheckReaderErrors(messages, arguments.Input);
-      input = MakeInput(reader->GetOutputDataObject(0), ranks);
-      input.Time = time;
-      input.Times = times;
-    });
-  return input;
+  return ReadByVtk(arguments, messages, ranks);
 }
 
 } // namespace vfm

@@ -9,6 +9,7 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 namespace vfm
@@ -94,7 +95,10 @@ void CheckReaderErrors(const VtkMessages& messages, const std::string& path)
 {
   if (messages.HasErrors())
   {
-    const std::string text = messages.GetErrorText(), prefix = "Cannot read " + path;
+    std::string text = messages.GetErrorText();
+    const std::string prefix = "Cannot read " + path;
+    const auto isControl = [](unsigned char c) { return std::iscntrl(c) != 0; };
+    std::replace_if(text.begin(), text.end(), isControl, '?'); // words of a damaged file
     const bool tellsPath = text.compare(0, prefix.size(), prefix) == 0;
     RejectInput(tellsPath ? text : "Cannot read the input " + path + ": " + text);
   }

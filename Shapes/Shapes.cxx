@@ -34,11 +34,13 @@ std::array<Vector3, 3> RotateAxes(const Vector3& degrees)
   double c[3], s[3];
   for (int a = 0; a < 3; ++a)
   {
+    const bool isLarge = std::fabs(degrees[a]) > 1e6; // the sine needs an angle with digits
+    const double angle = isLarge ? std::fmod(degrees[a], 360.0) : degrees[a];
     // Quarter turns are exact.
-    const double quarters = degrees[a] / 90.0;
+    const double quarters = angle / 90.0;
     const bool exact = quarters == std::floor(quarters);
-    c[a] = exact ? std::round(Cosine(quarters * Pi / 2)) : Cosine(degrees[a] * Pi / 180);
-    s[a] = exact ? std::round(Sine(quarters * Pi / 2)) : Sine(degrees[a] * Pi / 180);
+    c[a] = exact ? std::round(Cosine(quarters * Pi / 2)) : Cosine(angle * Pi / 180);
+    s[a] = exact ? std::round(Sine(quarters * Pi / 2)) : Sine(angle * Pi / 180);
   }
   // Columns of Rz Rx Ry.
   return {

@@ -58,12 +58,15 @@ double CosineOf(double r)
   return 1.0 + square * Polynomial(CosineSeries, square);
 }
 
+constexpr double MostTurns = 2147483000.0; // quarter turns that an int holds
+
 /// Returns the sine of x + quarters * Pi / 2.
 double SineOfQuarter(double x, int quarters)
 {
   const double turns = std::floor(x * (2.0 / Pi) + 0.5);
   const double r = ((x - turns * HalfPi[0]) - turns * HalfPi[1]) - turns * HalfPi[2];
-  const int quarter = (static_cast<int>(turns) + quarters) & 3;
+  const int whole = std::fabs(turns) < MostTurns ? static_cast<int>(turns) : 0; // not for NaN
+  const int quarter = (whole + quarters) & 3;
   const double value = quarter % 2 == 0 ? SineOf(r) : CosineOf(r);
   return quarter < 2 ? value : -value;
 }

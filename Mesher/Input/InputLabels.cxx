@@ -27,6 +27,12 @@ int CheckedLabel(Value value, const std::string& name, const Index3& first, Inde
          << TextOf({ { first[0] + offset, first[1], first[2] } })
          << ": material ids are integers in [0, " << std::numeric_limits<int>::max()
          << "], 0 is void.";
+    if (value < 0)
+    {
+      text << " Replace negative ids by unused ones first: in ParaView by the filter Calculator on "
+              "cell data, for instance if("
+           << name << " < 0, 1000000 - " << name << ", " << name << "), in Python by numpy.where.";
+    }
     throw InputError(text.str());
   }
   return static_cast<int>(value);

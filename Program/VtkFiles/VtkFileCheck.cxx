@@ -1,0 +1,388 @@
+#include "VtkFiles/VtkFileCheck.h"
+
+#include "Base/ParseText.h"
+#include "FileSuffix.h"
+#include "Ranks/Errors.h"
+#include "VtkFiles/VtkArrays.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <limits>
+#include <sstream>
+
+namespace vfm
+{
+namespace
+{
+
+constexpr int LargestInt = std::numeric_limits<int>::max() - 1;
+constexpr int MostBlocks = 1 << 22; // number of a block in a file of blocks
+constexpr int MostLevels = 64;
+
+/// Contents of a format.
+enum class Contents
+{
+  Grid,   ///< pieces of a grid with their arrays
+  Pieces, ///< names of files of pieces
+  Blocks, ///< names of files of blocks
+  Levels  ///< names of files of blocks, with their boxes and levels
+};
+
+struct Format
+{
+  std::string Suffix;
+  std::vector<std::string> Types;
+  Contents Holds;
+};
+
+const Format* FindFormat(const std::string& path)
+{
+  static const std::vector<std::string> amr{ "vtkOverlappingAMR", "vtkNonOverlappingAMR",
+    "vtkHierarchicalBoxDataSet" };
+  static const std::vector<Format> formats{ { ".vti", { "ImageData" }, Contents::Grid },
+    { ".vtr", { "RectilinearGrid" }, Contents::Grid },
+    { ".vts", { "StructuredGrid" }, Contents::Grid },
+    { ".vtu", { "UnstructuredGrid" }, Contents::Grid }, { ".vtp", { "PolyData" }, Contents::Grid },
+    { ".pvti", { "PImageData" }, Contents::Pieces },
+    { ".pvtr", { "PRectilinearGrid" }, Contents::Pieces },
+    { ".pvts", { "PStructuredGrid" }, Contents::Pieces },
+    { ".pvtu", { "PUnstructuredGrid" }, Contents::Pieces },
+    { ".vtm", { "vtkMultiBlockDataSet" }, Contents::Blocks }, { ".vthb", amr, Contents::Levels },
+    { ".vth", amr, Contents::Levels } };
+  const auto found = std::find_if(formats.begin(), formats.end(),
+    [&path](const Format& format) { return HasSuffix(path, format.Suffix); });
+  return found == formats.end() ? nullptr : &*found;
+}
+
+[[noreturn]] void Reject(const std::string& what)
+{
+  throw InputError("the file is truncated or damaged: " + what + ".");
+}
+
+/// Returns the integers of an attribute, from `least`; the text must hold just their number.
+template <std::size_t Count>
+std::array<std::int64_t, Count> ReadInts(
+  const XmlElement& element, const std::string& name, int least)
+{
+  std::istringstream words(element.Get(name));
+  std::array<std::int64_t, Count> numbers{};
+  for (std::int64_t& number : numbers)
+  {
+    std::string word;
+    words >> word;
+    const auto parsed = ParseCount(word, least, LargestInt);
+    if (!parsed)
+    {
+      Reject("its " + element.Name + " has " + name + "=\"" + element.Get(name) +
+        "\", which is not " + (Count == 1 ? "an integer" : std::to_string(Count) + " integers") +
+        " in the allowed range");
+    }
+    number = *parsed;
+  }
+  return numbers;
+}
+
+/// Numbers of points and cells of a piece; nothing if unknown.
+struct PieceSize
+{
+  std::optional<std::int64_t> Points, Cells;
+  std::array<std::int64_t, 3> Nodes{}; // along each axis of structured grids
+};
+
+PieceSize ReadExtent(const XmlElement& element, const std::string& name)
+{
+  const auto extent = ReadInts<6>(element, name, -LargestInt);
+  PieceSize size{ 1, 1, {} };
+  double points = 1.0;
+  for (int a = 0; a < 3; ++a)
+  {
+    const std::int64_t cells = std::max<std::int64_t>(extent[2 * a + 1] - extent[2 * a], -1);
+    size.Nodes[a] = cells + 1;
+    points *= static_cast<double>(cells + 1);
+  }
+  if (points > std::pow(2.0, 50))
+  {
+    Reject("its " + name + "=\"" + element.Get(name) + "\" has too many points");
+  }
+  const bool isEmpty = points == 0.0;
+  for (int a = 0; a < 3; ++a)
+  {
+    *size.Points *= size.Nodes[a];
+    *size.Cells *= isEmpty ? 0 : std::max<std::int64_t>(size.Nodes[a] - 1, 1);
+  }
+  return size;
+}
+
+/// Returns whether grids of a format have an extent.
+bool IsStructured(const Format& format)
+{
+  return format.Types[0].find("Unstructured") == std::string::npos &&
+    format.Types[0].find("PolyData") == std::string::npos;
+}
+
+/// Checks a file and the files that it names.
+class FileCheck
+{
+public:
+  FileCheck(const std::string& path, const Format& format, int part, int parts) :
+    Path(path), Kind(format), Part(part), Parts(parts)
+  {
+  }
+
+  void Run()
+  {
+    XmlOutline outline = ReadXmlOutline(this->Path);
+    this->CheckHead(outline);
+    for (const std::string& type : this->Kind.Types)
+    {
+      if (const XmlElement* grid = outline.Root.Find(type))
+      {
+        this->CheckContents(*grid);
+        return;
+      }
+    }
+    Reject("it has no element " + this->Kind.Types[0]);
+  }
+
+private:
+  void CheckHead(const XmlOutline& outline);
+  void CheckVersion(const XmlElement& root) const;
+  void CheckContents(const XmlElement& grid);
+  void CheckPiece(const XmlElement& piece, const std::string& type) const;
+  void CheckArrays(const XmlElement& list, std::optional<std::int64_t> tuples) const;
+  void CheckCells(const XmlElement& piece, const PieceSize& size) const;
+  void CheckBlocks(const XmlElement& parent);
+  void CheckFieldData(const XmlElement& parent) const;
+  void CheckNamedFile(const std::string& name);
+
+  const std::string& Path;
+  const Format& Kind;
+  int Part, Parts, Files = 0;
+  VtkStorage Storage;
+};
+
+void FileCheck::CheckHead(const XmlOutline& outline)
+{
+  const XmlElement& root = outline.Root;
+  const std::string type = root.Get("type");
+  const auto& types = this->Kind.Types;
+  if (root.Name != "VTKFile" || std::find(types.begin(), types.end(), type) == types.end())
+  {
+    throw InputError("it is not a VTK file of the type that its suffix requires: it begins with <" +
+      root.Name + " type=\"" + type + "\">, required is <VTKFile type=\"" + types[0] + "\">.");
+  }
+  this->CheckVersion(root);
+  const std::string order = root.Get("byte_order"), header = root.Get("header_type"),
+                    packed = root.Get("compressor");
+  static const std::map<std::string, double> ratios{ { "", 1.0 },
+    { "vtkZLibDataCompressor", 1100.0 }, { "vtkLZ4DataCompressor", 260.0 },
+    { "vtkLZMADataCompressor", 1e5 } };
+  const auto ratio = ratios.find(packed);
+  if ((!order.empty() && order != "LittleEndian" && order != "BigEndian") ||
+    (!header.empty() && header != "UInt32" && header != "UInt64") || ratio == ratios.end())
+  {
+    Reject("its byte_order \"" + order + "\", header_type \"" + header + "\" or compressor \"" +
+      packed + "\" is unknown");
+  }
+  this->Storage = { this->Path, outline.Encoding, outline.Appended, outline.FileSize,
+    order == "BigEndian", header == "UInt64" ? 8 : 4, !packed.empty(), ratio->second };
+}
+
+/// Checks the version. Files of refined grids before 1.1 end the program in VTK's reader.
+void FileCheck::CheckVersion(const XmlElement& root) const
+{
+  std::string text = root.Get("version");
+  std::istringstream stream(text);
+  int major = -1, minor = -1;
+  char point = 0;
+  if (!text.empty() && !(stream >> major >> point >> minor && point == '.' && major >= 0))
+  {
+    Reject("its version \"" + text + "\" is not a number");
+  }
+  if (this->Kind.Holds == Contents::Levels && (major < 1 || (major == 1 && minor < 1)))
+  {
+    throw InputError("its version is " + (text.empty() ? "missing" : text) +
+      ", 1.1 is required: convert it in a version of ParaView that reads it "
+      "(vtkXMLHierarchicalBoxDataFileConverter of VTK 6 to 9).");
+  }
+}
+
+void FileCheck::CheckContents(const XmlElement& grid)
+{
+  this->CheckFieldData(grid);
+  if (this->Kind.Holds == Contents::Blocks || this->Kind.Holds == Contents::Levels)
+  {
+    this->CheckBlocks(grid);
+    return;
+  }
+  if (IsStructured(this->Kind))
+  {
+    ReadExtent(grid, "WholeExtent");
+  }
+  for (const XmlElement& piece : grid.Children)
+  {
+    if (piece.Name != "Piece")
+    {
+      continue;
+    }
+    if (this->Kind.Holds == Contents::Pieces)
+    {
+      this->CheckNamedFile(piece.Get("Source"));
+    }
+    else
+    {
+      this->CheckPiece(piece, grid.Name);
+    }
+  }
+}
+
+void FileCheck::CheckPiece(const XmlElement& piece, const std::string& type) const
+{
+  PieceSize size;
+  if (type == "UnstructuredGrid")
+  {
+    size.Points = ReadInts<1>(piece, "NumberOfPoints", 0)[0];
+    size.Cells = ReadInts<1>(piece, "NumberOfCells", 0)[0];
+  }
+  else if (type == "PolyData")
+  {
+    size.Points = ReadInts<1>(piece, "NumberOfPoints", 0)[0];
+  }
+  else
+  {
+    size = ReadExtent(piece, "Extent");
+  }
+  for (const XmlElement& child : piece.Children)
+  {
+    const bool isOfPoints = child.Name == "PointData" || child.Name == "Points";
+    if (isOfPoints || child.Name == "CellData")
+    {
+      this->CheckArrays(child, isOfPoints ? size.Points : size.Cells);
+    }
+  }
+  this->CheckCells(piece, size);
+}
+
+void FileCheck::CheckArrays(const XmlElement& list, std::optional<std::int64_t> tuples) const
+{
+  for (const XmlElement& array : list.Children)
+  {
+    if (array.Name == "DataArray" && array.Get("type") != "String")
+    {
+      CheckVtkArray(array, tuples, this->Storage);
+    }
+  }
+}
+
+/// Checks the arrays of the field data, which have their own numbers of tuples.
+void FileCheck::CheckFieldData(const XmlElement& parent) const
+{
+  const XmlElement* fields = parent.Find("FieldData");
+  for (std::size_t c = 0; fields && c < fields->Children.size(); ++c)
+  {
+    const XmlElement& array = fields->Children[c];
+    if (array.Name == "DataArray" && array.Get("type") != "String")
+    {
+      CheckVtkArray(array, ReadInts<1>(array, "NumberOfTuples", 0)[0], this->Storage);
+    }
+  }
+}
+
+/// Checks the coordinates along axes, and the cells of an unstructured grid.
+void FileCheck::CheckCells(const XmlElement& piece, const PieceSize& size) const
+{
+  if (const XmlElement* list = piece.Find("Coordinates"))
+  {
+    if (list->Children.size() < 3)
+    {
+      Reject("it has no coordinates along three axes");
+    }
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      CheckVtkArray(list->Children[a], size.Nodes[a], this->Storage);
+    }
+  }
+  const XmlElement* cells = piece.Find("Cells");
+  for (std::size_t c = 0; cells && c < cells->Children.size(); ++c)
+  {
+    const XmlElement& array = cells->Children[c];
+    const std::string name = array.Get("Name");
+    const bool isPerCell = name == "types" || name == "offsets";
+    CheckVtkArray(array, isPerCell ? size.Cells : std::nullopt, this->Storage);
+  }
+}
+
+void FileCheck::CheckBlocks(const XmlElement& parent)
+{
+  const bool areLevels = this->Kind.Holds == Contents::Levels;
+  const int files = static_cast<int>(std::min<std::size_t>(parent.Children.size(), MostBlocks));
+  for (const XmlElement& child : parent.Children)
+  {
+    if (child.Name != "Block" && child.Name != "Piece" && child.Name != "DataSet")
+    {
+      continue;
+    }
+    const char* number = areLevels && child.Name == "Block" ? "level" : "index";
+    const int most = child.Name == "Block" && areLevels ? MostLevels
+      : areLevels                                       ? files
+                                                        : MostBlocks;
+    if (child.Attributes.count(number) > 0 && ReadInts<1>(child, number, 0)[0] >= most)
+    {
+      Reject("its " + child.Name + " has the " + number + " " + child.Get(number));
+    }
+    if (child.Name == "DataSet")
+    {
+      if (areLevels)
+      {
+        ReadInts<6>(child, "amr_box", -LargestInt);
+      }
+      this->CheckNamedFile(child.Get("file"));
+    }
+    else
+    {
+      this->CheckBlocks(child);
+    }
+  }
+}
+
+/// Checks a file that this file names, relative to its folder. An empty name means no data.
+void FileCheck::CheckNamedFile(const std::string& name)
+{
+  if (name.empty() || this->Files++ % this->Parts != this->Part)
+  {
+    return;
+  }
+  const std::filesystem::path path =
+    std::filesystem::path(this->Path).parent_path() / name; // or name, if it is absolute
+  PrefixErrors("it names the file " + path.string() + ": ",
+    [&path]
+    {
+      const Format* format = FindFormat(path.string());
+      if (!format || format->Holds != Contents::Grid)
+      {
+        throw InputError("only .vti, .vtr, .vts, .vtu and .vtp files can be parts of a file.");
+      }
+      if (std::filesystem::exists(path) && !std::filesystem::is_regular_file(path))
+      {
+        throw InputError("it is not a regular file.");
+      }
+      FileCheck(path.string(), *format, 0, 1).Run();
+    });
+}
+
+} // namespace
+
+void CheckVtkFile(const std::string& path, int part, int parts)
+{
+  const Format* format = FindFormat(path);
+  if (format)
+  {
+    PrefixErrors(
+      "Cannot read the input " + path + ": ", [&] { FileCheck(path, *format, part, parts).Run(); });
+  }
+}
+
+} // namespace vfm

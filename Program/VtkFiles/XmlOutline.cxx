@@ -1,0 +1,189 @@
+#include "VtkFiles/XmlOutline.h"
+
+#include "OpenFile.h"
+
+#include <expat.h>
+#include <filesystem>
+#include <memory>
+
+namespace vfm
+{
+namespace
+{
+
+constexpr std::size_t DeepestElement = 64;
+constexpr std::size_t LongestHead = 64; // characters, enough for the header of an array
+constexpr int ChunkSize = 1 << 16;      // bytes
+constexpr const char* AppendedName = "AppendedData";
+
+bool IsSpace(char c)
+{
+  return c == ' ' || c == '\n' || c == '\t' || c == '\r';
+}
+
+/// State of the parser.
+struct Parse
+{
+  XML_Parser Parser;
+  XmlElement Top; ///< parent of the root
+  std::vector<XmlElement*> Open;
+  bool IsInWord = false;
+  std::string Problem;        ///< reason why the parser stopped
+  std::int64_t Appended = -1; ///< place of the element of the appended data
+};
+
+void Stop(Parse& parse, const std::string& problem)
+{
+  parse.Problem = problem;
+  XML_StopParser(parse.Parser, XML_FALSE);
+}
+
+void Start(void* user, const XML_Char* name, const XML_Char** attributes)
+{
+  Parse& parse = *static_cast<Parse*>(user);
+  XmlElement& parent = *parse.Open.back();
+  parent.Children.emplace_back();
+  XmlElement& element = parent.Children.back();
+  element.Name = name;
+  for (; *attributes; attributes += 2)
+  {
+    element.Attributes[attributes[0]] = attributes[1];
+  }
+  parse.Open.push_back(&element);
+  parse.IsInWord = false;
+  if (parse.Open.size() > DeepestElement)
+  {
+    Stop(parse, "its elements are nested too deeply.");
+  }
+  else if (element.Name == AppendedName)
+  {
+    parse.Appended = XML_GetCurrentByteIndex(parse.Parser);
+    Stop(parse, "");
+  }
+}
+
+void End(void* user, const XML_Char*)
+{
+  Parse& parse = *static_cast<Parse*>(user);
+  parse.Open.pop_back();
+  parse.IsInWord = false;
+}
+
+void AddText(void* user, const XML_Char* text, int length)
+{
+  Parse& parse = *static_cast<Parse*>(user);
+  XmlElement& element = *parse.Open.back();
+  for (const XML_Char* c = text; c != text + length; ++c)
+  {
+    if (IsSpace(*c))
+    {
+      parse.IsInWord = false;
+      continue;
+    }
+    element.Words += !parse.IsInWord;
+    parse.IsInWord = true;
+    if (++element.Letters <= static_cast<std::int64_t>(LongestHead))
+    {
+      element.Head += *c;
+    }
+  }
+}
+
+void RejectDoctype(void* user, const XML_Char*, const XML_Char*, const XML_Char*, int)
+{
+  Stop(*static_cast<Parse*>(user), "it has a document type definition, which VTK does not write.");
+}
+
+/// Reads the elements; throws InputError if they are not XML.
+void ParseElements(std::istream& stream, Parse& parse)
+{
+  for (bool isLast = false; !isLast && parse.Appended < 0;)
+  {
+    void* buffer = XML_GetBuffer(parse.Parser, ChunkSize);
+    if (!buffer)
+    {
+      throw std::bad_alloc();
+    }
+    stream.read(static_cast<char*>(buffer), ChunkSize);
+    isLast = stream.gcount() < ChunkSize;
+    const bool isGood =
+      XML_ParseBuffer(parse.Parser, static_cast<int>(stream.gcount()), isLast) == XML_STATUS_OK;
+    if (!isGood && parse.Appended < 0)
+    {
+      throw InputError(!parse.Problem.empty()
+          ? parse.Problem
+          : "it is truncated or damaged: it is not XML in line " +
+            std::to_string(XML_GetCurrentLineNumber(parse.Parser)) + " (" +
+            XML_ErrorString(XML_GetErrorCode(parse.Parser)) + ").");
+    }
+  }
+}
+
+/// Finds the appended data, which begin after an underscore.
+void FindAppended(std::istream& stream, const Parse& parse, XmlOutline& outline)
+{
+  const XmlElement& element = *parse.Open.back();
+  outline.Encoding = element.Get("encoding");
+  stream.clear();
+  stream.seekg(parse.Appended);
+  int c = 0;
+  const auto skip = [&](auto isSkipped)
+  {
+    do
+    {
+      c = stream.get();
+      ++outline.Appended;
+    } while (c != std::istream::traits_type::eof() && isSkipped(c));
+  };
+  outline.Appended = parse.Appended;
+  skip([](int byte) { return byte != '>'; });
+  skip([](int byte) { return IsSpace(static_cast<char>(byte)); });
+  if (c != '_' || (outline.Encoding != "raw" && outline.Encoding != "base64"))
+  {
+    throw InputError("it is truncated or damaged: its appended data have no encoding or no begin.");
+  }
+}
+
+} // namespace
+
+std::string XmlElement::Get(const std::string& name) const
+{
+  const auto found = this->Attributes.find(name);
+  return found == this->Attributes.end() ? "" : found->second;
+}
+
+const XmlElement* XmlElement::Find(const std::string& name) const
+{
+  for (const XmlElement& child : this->Children)
+  {
+    if (child.Name == name)
+    {
+      return &child;
+    }
+  }
+  return nullptr;
+}
+
+XmlOutline ReadXmlOutline(const std::string& path)
+{
+  std::ifstream stream = OpenFile(path);
+  const std::unique_ptr<XML_ParserStruct, void (*)(XML_Parser)> parser(
+    XML_ParserCreate(nullptr), XML_ParserFree);
+  Parse parse{ parser.get(), {}, {}, false, "", -1 };
+  parse.Open.push_back(&parse.Top);
+  XML_SetUserData(parser.get(), &parse);
+  XML_SetElementHandler(parser.get(), Start, End);
+  XML_SetCharacterDataHandler(parser.get(), AddText);
+  XML_SetStartDoctypeDeclHandler(parser.get(), RejectDoctype);
+  ParseElements(stream, parse);
+  XmlOutline outline;
+  outline.FileSize = static_cast<std::int64_t>(std::filesystem::file_size(path));
+  if (parse.Appended >= 0)
+  {
+    FindAppended(stream, parse, outline);
+  }
+  outline.Root = std::move(parse.Top.Children.at(0));
+  return outline;
+}
+
+} // namespace vfm

@@ -1,0 +1,285 @@
+"""Writes intact inputs for the fuzzers of the readers: FOLDER/HARNESS/FILE.
+
+usage: make_seeds.py FOLDER
+
+Needs only the standard library; seeds of Dream3d also need h5py, and are left out without it.
+"""
+import gzip
+import os
+import struct
+import sys
+import zlib
+
+SIZE = (4, 3, 2)  # values along x, y and z
+VALUES = bytes(i % 5 for i in range(24))  # labels, x fastest
+SHORTS = struct.pack("<24h", *VALUES)
+
+
+def write(folder, harness, name, data):
+    path = os.path.join(folder, harness)
+    os.makedirs(path, exist_ok=True)
+    with open(os.path.join(path, name), "wb") as file:
+        file.write(data.encode() if isinstance(data, str) else data)
+
+
+def numpy_file(kind, shape, data, version=1, fortran=False):
+    text = "{'descr': '%s', 'fortran_order': %s, 'shape': %s, }" % (kind, fortran, shape)
+    size = struct.pack("<H" if version == 1 else "<I", 118 - (0 if version == 1 else 2))
+    body = text.ljust(117 - (0 if version == 1 else 2)) + "\n"
+    return b"\x93NUMPY" + bytes([version, 0]) + size + body.encode() + data
+
+
+def numpy_seeds():
+    yield "bytes", numpy_file("|u1", SIZE, VALUES)
+    yield "big", numpy_file(">i2", SIZE, struct.pack(">24h", *VALUES), 2, True)
+    yield "fractions", numpy_file("<f4", (2,) + SIZE, struct.pack("<48f", *[0.5] * 48))
+    yield "bool", numpy_file("|b1", SIZE, bytes(i % 2 for i in range(24)), 3)
+
+
+def text_seeds():
+    yield "lines", "\n".join(map(str, VALUES)) + "\n"
+    yield "rows", " ".join(str(7 * v) for v in VALUES)
+
+
+def label_name_seeds():
+    yield "spaces", "# comment\n0 Void\n17 Left Hippocampus\n18\tAmygdala\n"
+    yield "commas", "label,name,group\n1,liver,a\n2,kidney,b\n"
+    yield "snap", '1 255 0 0 1 1 1 "Liver"\n2 0 255 0 1 1 1 "Left kidney"\n'
+    yield "colours", "17 Left-Hippocampus 220 216 20 0\n18 Left-Amygdala 103 255 255 0\n"
+    yield "atlas", ('<?xml version="1.0"?>\n<atlas><header><name>a</name><type>Probabilistic</type>'
+                    '</header><data><label index="0" x="1">Pole &amp; Cortex</label>'
+                    '<label index="3">Gyrus</label></data></atlas>\n')
+
+
+def netcdf_file(version):
+    """Returns a file of two dimensions, one of records, and three variables."""
+    wide = version == 5
+    count = lambda n: struct.pack(">q" if wide else ">i", n)
+    place = lambda n: struct.pack(">i" if version == 1 else ">q", n)
+    name = lambda text: count(len(text)) + text.encode() + b"\0" * (-len(text) % 4)
+    tag = lambda kind, n: struct.pack(">i", kind) + count(n)
+    none = tag(0, 0)
+    title = tag(12, 1) + name("title") + struct.pack(">i", 2) + count(5) + b"seeds\0\0\0"
+    head = b"CDF" + bytes([version]) + count(2)
+    head += tag(10, 3) + name("time") + count(0) + name("num_dim") + count(3) + name("n") + count(4)
+    head += title
+
+    def variables(at):
+        item = lambda text, dims, kind, size, begin: (
+            name(text) + count(len(dims)) + b"".join(map(count, dims)) + none
+            + struct.pack(">i", kind) + count(size) + place(begin))
+        return tag(11, 3) + (item("elem_var_tab", [2], 4, 16, at)
+                             + item("coord", [1, 2], 6, 96, at + 16)
+                             + item("time_whole", [0], 6, 8, at + 112))
+
+    at = len(head + variables(0))
+    return head + variables(at) + struct.pack(">4i12d2d", 1, 0, 1, 1, *range(14))
+
+
+def meta_image(values, kind, extra=""):
+    return ("ObjectType = Image\nNDims = 3\nDimSize = 4 3 2\nElementSpacing = 1 1 2\n"
+            "Offset = 0 0 0\nTransformMatrix = 1 0 0 0 1 0 0 0 1\n%sElementType = %s\n"
+            "ElementDataFile = LOCAL\n" % (extra, kind)).encode() + values
+
+
+def meta_seeds():
+    packed = zlib.compress(VALUES)
+    binary = "BinaryData = True\nBinaryDataByteOrderMSB = False\n"
+    yield "raw", meta_image(VALUES, "MET_UCHAR", binary)
+    yield "big", meta_image(struct.pack(">24h", *VALUES), "MET_SHORT",
+                            binary.replace("MSB = False", "MSB = True"))
+    yield "zlib", meta_image(packed, "MET_UCHAR", binary + "CompressedData = True\n"
+                             "CompressedDataSize = %d\n" % len(packed))
+    yield "text", meta_image(" ".join(map(str, VALUES)).encode(), "MET_INT", "BinaryData = False\n")
+
+
+def nrrd(values, kind, encoding="raw", extra=""):
+    return ("NRRD0004\n# comment\ntype: %s\ndimension: 3\nspace: left-posterior-superior\n"
+            "sizes: 4 3 2\nspace directions: (1,0,0) (0,1,0) (0,0,2)\nkinds: domain domain domain\n"
+            "endian: little\nencoding: %s\nspace origin: (0,0,0)\n%s\n" % (kind, encoding, extra)
+            ).encode() + values
+
+
+def nrrd_seeds():
+    yield "raw", nrrd(VALUES, "unsigned char")
+    yield "gzip", nrrd(gzip.compress(SHORTS), "short", "gzip")
+    yield "skip", nrrd(bytes(7) + VALUES, "uchar", extra="byte skip: 7\n")
+    yield "keys", nrrd(VALUES, "uchar", extra="Segment0_Name:=liver\nSegment0_LabelValue:=1\n")
+    yield "spacings", (b"NRRD0001\ntype: float\ndimension: 3\nsizes: 4 3 2\nspacings: 1 2 3\n"
+                       b"encoding: raw\nendian: big\n\n" + struct.pack(">24f", *VALUES))
+
+
+def nifti(version, code, bits, values, swap="<"):
+    head = bytearray(348 if version == 1 else 540)
+    put = lambda form, at, *numbers: struct.pack_into(swap + form, head, at, *numbers)
+    put("i", 0, len(head))
+    if version == 1:
+        put("8h", 40, 3, *SIZE, 1, 1, 1, 1)
+        put("2h", 70, code, bits)
+        put("8f", 76, 1, 1, 1, 2, 1, 1, 1, 1)
+        put("f", 108, 352)
+        head[123] = 2
+        put("2h", 252, 1, 1)
+        for row in range(3):
+            put("4f", 280 + 16 * row, *[float(row == c) for c in range(3)], 0)
+        head[344:348] = b"n+1\0"
+    else:
+        head[4:12] = b"n+2\0\r\n\x1a\n"
+        put("2h", 12, code, bits)
+        put("8q", 16, 3, *SIZE, 1, 1, 1, 1)
+        put("8d", 104, 1, 1, 1, 2, 1, 1, 1, 1)
+        put("q", 168, 544)
+        put("2i", 344, 1, 1)
+        for row in range(3):
+            put("4d", 400 + 32 * row, *[float(row == c) for c in range(3)], 0)
+        put("i", 500, 2)
+    return bytes(head) + b"\0\0\0\0" + values
+
+
+def nifti_seeds():
+    yield "bytes", nifti(1, 2, 8, VALUES)
+    yield "big", nifti(1, 4, 16, struct.pack(">24h", *VALUES), ">")
+    yield "second", nifti(2, 8, 32, struct.pack("<24i", *VALUES))
+    yield "reals", nifti(2, 64, 64, struct.pack("<24d", *VALUES))
+
+
+def tiff(bits, pack=1, order="<", pages=2):
+    """Returns a file of one strip per page. pack: 1 none, 8 zlib, 32773 packed bits."""
+    out = bytearray((b"II*\0" if order == "<" else b"MM\0*") + b"\0\0\0\0")
+    link = 4
+    for page in range(pages):
+        data = struct.pack(order + "12" + {8: "B", 16: "H", 32: "I"}[bits],
+                           *VALUES[12 * page:12 * page + 12])
+        if pack == 8:
+            data = zlib.compress(data)
+        elif pack == 32773:
+            data = b"".join(b"\3" + data[row:row + 4] for row in (0, 4, 8))
+        at = len(out)
+        out += data + b"\0" * (len(data) % 2)
+        out += struct.pack(order + "2I", 25400, 1000)
+        tags = [(256, 4, SIZE[0]), (257, 4, SIZE[1]), (258, 3, bits), (259, 3, pack), (262, 3, 1),
+                (273, 4, at), (277, 3, 1), (278, 4, SIZE[1]), (279, 4, len(data)),
+                (282, 5, len(out) - 8), (283, 5, len(out) - 8), (296, 3, 2)]
+        struct.pack_into(order + "I", out, link, len(out))
+        out += struct.pack(order + "H", len(tags))
+        for tag, kind, value in tags:
+            field = struct.pack(order + ("Hxx" if kind == 3 else "I"), value)
+            out += struct.pack(order + "HHI", tag, kind, 1) + field
+        link = len(out)
+        out += bytes(4)
+    return bytes(out)
+
+
+def tiff_seeds():
+    yield "bytes", tiff(8)
+    yield "big", tiff(16, order=">")
+    yield "zlib", tiff(8, 8)
+    yield "runs", tiff(8, 32773)
+    yield "wide", tiff(32, pages=1)
+
+
+def spyplot(version, blocks):
+    """Returns a file of one time: blocks of 4 x 3 x 3 cells with ghost cells, two arrays."""
+    ints = lambda *numbers: struct.pack(">%di" % len(numbers), *numbers)
+    reals = lambda *numbers: struct.pack(">%dd" % len(numbers), *numbers)
+    text = lambda name, size: name.encode().ljust(size, b"\0")
+    chunk = lambda code: ints(len(code)) + code
+    table = lambda name, number: ints(1) + text("F", 30) + text(name, 80) + ints(number)
+    content = b"spydata\0" + text("seed", 128) + ints(version)
+    content += (ints(64) if version >= 102 else b"") + ints(0, 0, 1, 30, 3, 1, 1)
+    content += reals(0, 0, 0, 2, 1, 1) + ints(blocks) + (ints(0) if version >= 105 else b"")
+    content += ints(1) + (ints(*[0] * 5) if version >= 105 else b"")
+    content += table("Density", 0) + table("Material volume fraction", 100)
+    content += reals(len(content) + 8)
+    start = len(content) + 4 + 100 * (20 + (8 if version >= 102 else 0))
+    content += ints(1, *[0] * 100) + reals(0.5, *[0] * 99)
+    content += reals(*[1e-6] * 100) if version >= 102 else b""
+    content += reals(start, *[0] * 99)
+    plane = chunk(bytes([10]) + struct.pack(">f", 0.5) + bytes([130]) + struct.pack(">2f", 0, 1))
+    values = plane * 3 * blocks
+    bounds = ints(*[0] * 6) if version >= 103 else b""
+    grids = ints(0, 0, blocks) + (ints(4, 3, 3, 1, 1, 0) + bounds) * blocks
+    for block in range(blocks):
+        for axis, count in enumerate((5, 4, 4)):
+            first = -1.0 + (2 * block if axis == 0 else 0)
+            grids += chunk(struct.pack(">2f", first, 1) + bytes([count]) + struct.pack(">f", first))
+    head = ints(2, 0, 101)
+    first = start + len(head) + 16 + len(grids)
+    return content + head + reals(first, first + len(values)) + grids + 2 * values
+
+
+def spyplot_seeds():
+    for version in (101, 103, 105):
+        yield "v%d" % version, spyplot(version, 1 + version % 2)
+
+
+def plotfile():
+    """Returns the files of a plotfile of one level with one box, in the order of FuzzBlocks.cxx."""
+    header = ("HyperCLaw-V1.1\n1\nphi\n3\n0.5\n0\n0 0 0\n4 3 2\n\n((0,0,0) (3,2,1) (0,0,0))\n3\n"
+              "1 1 1\n0\n0\n0 1 0.5\n3\n0 4\n0 3\n0 2\nLevel_0/Cell\n")
+    cells = ("1\n1\n1\n0\n(1 0\n((0,0,0) (3,2,1) (0,0,0))\n)\n1\nFabOnDisk: Cell_D_00000 0\n\n"
+             "1,1\n0,\n\n1,1\n4,\n")
+    fab = ("FAB ((8, (64 11 52 0 1 12 0 1023)),(8, (8 7 6 5 4 3 2 1)))"
+           "((0,0,0) (3,2,1) (0,0,0)) 1\n").encode() + struct.pack("<24d", *VALUES)
+    return b"\n@@\n".join([header.encode(), cells.encode(), fab])
+
+
+def option_seeds():
+    yield "hexes", "Smoothing=3\nVoidFraction=0.4\nStairStep=On\nRefinement=Automatic\n"
+    yield "tets", "Method=Lattice\nMinimumAngle=20\nSecondOrder=1\nMaximumLevel=2\n"
+    yield "lists", "MaterialNames=ball,plate\nRefinementBoxes=0,1,0,1,0,1\nPeriodic=x,y\n"
+
+
+def shape_seeds():
+    yield "solids", ("sphere radius=0.4 center=0,0,0\nellipsoid radii=0.4,0.3,0.2 rotation=0,0,45\n"
+                     "box size=1,1,0.5 material=2 cut=0,0,0,1,1,1\n"
+                     "cylinder radius=0.2 height=1 rotation=90,0,0\n")
+    yield "others", ("cone bottom=0.4 top=0.1 height=1; torus ring=0.5 tube=0.2 # comment\n"
+                     "halfspace point=0,0,0 normal=0,0,1\nplate thickness=0.1 normal=1,1,0\n")
+    yield "fields", "gyroid period=1 level=0.1\npolycrystal grains=3 seed=1 material=4\n"
+
+
+def dream3d_seeds(folder):
+    """Writes files of DREAM.3D 6 and DREAM3D-NX."""
+    import h5py
+
+    os.makedirs(folder, exist_ok=True)
+    values = [[[[VALUES[4 * (3 * k + j) + i]] for i in range(4)] for j in range(3)]
+              for k in range(2)]
+    spacing, origin = [1.0, 1.0, 2.0], [0.0, 0.0, 0.0]
+    with h5py.File(os.path.join(folder, "six"), "w", libver="earliest") as file:
+        image = file.create_group("DataContainers/Image")
+        image.create_dataset("_SIMPL_GEOMETRY/DIMENSIONS", data=SIZE, dtype="i8")
+        image.create_dataset("_SIMPL_GEOMETRY/SPACING", data=spacing, dtype="f4")
+        image.create_dataset("_SIMPL_GEOMETRY/ORIGIN", data=origin, dtype="f4")
+        image.create_dataset("CellData/FeatureIds", data=values, dtype="i4")
+    with h5py.File(os.path.join(folder, "nx"), "w", libver="earliest") as file:
+        file.attrs.create("FileVersion", b"8.0")
+        image = file.create_group("DataStructure/Image Geometry")
+        image.attrs.create("ObjectType", b"ImageGeom")
+        image.attrs.create("_DIMENSIONS", SIZE, dtype="u8")
+        image.attrs.create("_SPACING", spacing, dtype="f4")
+        image.attrs.create("_ORIGIN", origin, dtype="f4")
+        image.create_dataset("Cell Data/FeatureIds", data=values, dtype="i4", compression="gzip")
+
+
+def write_all(folder):
+    for harness, seeds in (
+            ("NumPy", numpy_seeds), ("LabelText", text_seeds), ("LabelNames", label_name_seeds),
+            ("MetaImage", meta_seeds), ("Nrrd", nrrd_seeds), ("Nifti", nifti_seeds),
+            ("Tiff", tiff_seeds), ("SpyPlot", spyplot_seeds), ("Options", option_seeds),
+            ("Shapes", shape_seeds)):
+        for name, data in seeds():
+            write(folder, harness, name, data)
+            if harness == "Nifti":
+                write(folder, "NiftiGzip", name, gzip.compress(data, mtime=0))
+    for version in (1, 2, 5):
+        write(folder, "Netcdf", "cdf%d" % version, netcdf_file(version))
+    write(folder, "Plotfile", "level", plotfile())
+    try:
+        dream3d_seeds(os.path.join(folder, "Dream3d"))
+    except ImportError:
+        print("no seeds of Dream3d: there is no h5py")
+
+
+write_all(sys.argv[1])
