@@ -11,9 +11,9 @@ from . import _core
 from ._warning import VolumeFractionMeshWarning
 
 LABELS_HINT = (
-    "Give one array of ids as labels=.. (--labels), or ranges of grey values as threshold=(LOW, "
-    "HIGH) (--threshold LOW:HIGH). Fractions are real numbers in [0, 1], bytes up to 255, or masks "
-    "of 0 and 1.")
+    "Labels are one array of integers from 0, labels=.. (--labels): renumber negative ids. Ranges "
+    "of other numbers become materials by threshold=(LOW, HIGH) (--threshold LOW:HIGH). Fractions "
+    "are real numbers in [0, 1], bytes up to 255, or masks of 0 and 1.")
 CHOOSE_HINT = "arrays=[..] (--array NAME) selects the arrays that hold the materials."
 
 NamedArrays = Sequence[Tuple[str, np.ndarray]]
@@ -76,7 +76,8 @@ def choose(arrays: NamedArrays, known: Contents, one: bool) -> List[str]:
     if one and len(arrays) == 1:
         return [arrays[0][0]]
     if not chosen:
-        raise ValueError("%s %s" % (choice.problem, CHOOSE_HINT))
+        raise ValueError("%s %s" % (choice.problem,
+                                    LABELS_HINT if len(arrays) == 1 else CHOOSE_HINT))
     rest = ["%r (%s)" % (name, reason) for (name, _), (_, reason) in zip(arrays, choice.contents)
             if name not in chosen and name not in known.others]
     if rest and not choice.is_clear:

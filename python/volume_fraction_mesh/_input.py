@@ -97,6 +97,8 @@ def _read_fractions(fractions: Any, order: str, given: Source) -> Field:
     first = images[0]
     if first is not None:
         arrays = _join_images([name for name, _ in named], images, given)
+        first = first._replace(chosen=list(arrays.flat), names={}, has_labels=all(
+            image is not None and image.has_labels for image in images))
         return _make_field(arrays, first, isinstance(fractions, Mapping), given)
     if any(images) or given.arrays is not None:
         raise TypeError(

@@ -35,7 +35,7 @@ def run_mesher(
     """Makes a mesh. Warnings seem to come from the caller of hexes() or tets()."""
     field = read_field(source._replace(
         others=list_names(carried, refinement_array), tolerance=options.fraction_tolerance,
-        has_threshold=bool(options.threshold)))
+        has_threshold=bool(getattr(options, "threshold", ""))))
     state = read_state(carried, field)
     options.refinement_array = add_refinement(refinement_array, field)
     options.refinement_boxes = list_boxes(refinement_boxes)

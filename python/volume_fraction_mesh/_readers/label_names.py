@@ -32,11 +32,11 @@ def find_caret_names(extensions: Iterable[Any], volume: int) -> Dict[int, str]:
     extensions: of a header of nibabel. volume: index of the volume whose table is read.
     """
     for extension in extensions:
+        content = getattr(extension, "content", None)  # bytes, since nibabel 5.3
         try:
-            content = extension.get_content()
+            content = extension.get_content() if content is None else content
         except Exception:  # extensions of other programs may be damaged
             continue
-        content = content.encode() if isinstance(content, str) else content
         if not isinstance(content, bytes) or b"<LabelTable" not in content:
             continue
         names = _read_caret(content.strip(b"\0"), volume)

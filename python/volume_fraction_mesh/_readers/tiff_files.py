@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import logging
+import re
 from typing import Any, Dict, List, NamedTuple, Optional, Tuple
 from xml.etree import ElementTree
 
 import numpy as np
 
-from .report import load_library
+from .report import keep_log, load_library
 
 ENDINGS = (".tif", ".tiff")
 MILLIMETRES = {2: 25.4, 3: 10.0}  # values of ResolutionUnit
@@ -35,14 +35,12 @@ class Stack(NamedTuple):
 
 def read(path: str, step: int) -> Stack:
     tifffile = load_library("tifffile", path)
-    logger = logging.getLogger("tifffile")
-    level = logger.level
-    logger.setLevel(logging.CRITICAL + 1)
-    try:
-        with tifffile.TiffFile(path) as file:
-            return _read_file(file, step)
-    finally:
-        logger.setLevel(level)
+    with keep_log("tifffile") as log, tifffile.TiffFile(path) as file:
+        stack = _read_file(file, step)
+        lost = [text for text in log if "TiffPages" in text or "Missing data" in text]
+        if lost:
+            raise ValueError("a page is damaged or missing: %s." % re.sub(r"<.*?> ?", "", lost[0]))
+    return stack
 
 
 def _read_file(file: Any, step: int) -> Stack:
