@@ -140,7 +140,7 @@ def test_tetrahedra(tmp_path):
     grid = pyvista.UnstructuredGrid({10: np.array([[0, 1, 2, 3]])}, np.eye(4)[:, :3])
     grid.cell_data["ids"] = [1]
     grid.save(tmp_path / "a.vtu")
-    with pytest.raises(ValueError, match="cell 0 is a Tetra: .* Resample To Image"):
+    with pytest.raises(ValueError, match="cell 0 is a tetrahedron: .* Resample To Image"):
         vfm.read(tmp_path / "a.vtu")
 
 
@@ -216,6 +216,9 @@ def test_segments_of_slicer(tmp_path, run):
     check_boxes(mesh)
     assert mesh.materials["Name"] == ["left lobe", "right lobe"]
     first, second = two_boxes(1, 0), two_boxes(0, 1)
+    data = path.read_bytes()
+    path.write_bytes(data.replace(b"left lobe", b"P\xf4le"))  # Latin-1
+    assert run("a.seg.nrrd").materials["Name"] == ["P\xf4le", "right lobe"]
     segments = [("a", 1, 0), ("b", 1, 1)]
     write_segments(path, [first, second], segments)
     mesh = run("a.seg.nrrd")

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import warnings
 from typing import Dict, List, NamedTuple, Sequence, Tuple
 
 import numpy as np
 
 from . import _core
-from ._warning import VolumeFractionMeshWarning
 
 LABELS_HINT = (
     "Labels are one array of integers from 0, labels=.. (--labels): renumber negative ids. Ranges "
@@ -66,23 +64,21 @@ def list_contents(arrays: NamedArrays, known: Contents) -> Found:
                  % ", ".join("%r (%s)" % pair for pair in wrong))
 
 
-def choose(arrays: NamedArrays, known: Contents, one: bool) -> List[str]:
-    """Returns the names of the arrays that hold materials. one: only one array is possible.
+def choose(arrays: NamedArrays, known: Contents, one: bool) -> Tuple[List[str], str]:
+    """Returns the names of the arrays that hold materials, and a note if another choice is possible.
 
-    Raises ValueError if no array can hold materials. Warns if another choice is possible.
+    one: only one array is possible. Raises ValueError if no array can hold materials.
     """
+    if one and len(arrays) == 1:
+        return [arrays[0][0]], ""
     choice = _ask(arrays, known)
     chosen = [choice.labels] if choice.labels else list(choice.fractions)
-    if one and len(arrays) == 1:
-        return [arrays[0][0]]
     if not chosen:
         raise ValueError("%s %s" % (choice.problem,
                                     LABELS_HINT if len(arrays) == 1 else CHOOSE_HINT))
     rest = ["%r (%s)" % (name, reason) for (name, _), (_, reason) in zip(arrays, choice.contents)
             if name not in chosen and name not in known.others]
-    if rest and not choice.is_clear:
-        warnings.warn(
-            "The materials are in %s (%s). Not used: %s. %s" % (
-                ", ".join(map(repr, chosen)), choice.how, ", ".join(rest), CHOOSE_HINT),
-            VolumeFractionMeshWarning, stacklevel=2)
-    return chosen
+    note = "" if choice.is_clear or not rest else (
+        "The materials are in %s (%s). Not used: %s. %s" % (
+            ", ".join(map(repr, chosen)), choice.how, ", ".join(rest), CHOOSE_HINT))
+    return chosen, note

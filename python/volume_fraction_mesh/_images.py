@@ -17,6 +17,8 @@ from ._readers.label_names import find_caret_names, find_segments, join_segments
 
 GHOSTS = "vtkGhostType"
 VTK_CLASSES = ("vtkImageData", "vtkRectilinearGrid", "vtkStructuredGrid", "vtkUnstructuredGrid")
+CELLS = {10: "tetrahedron", 13: "wedge", 14: "pyramid", 24: "tetrahedron of 10 nodes",
+         25: "hexahedron of 20 nodes", 29: "hexahedron of 27 nodes", 42: "polyhedron"}
 HEXAHEDRON, VOXEL, LAST_FLAT = 12, 11, 9  # types of cells of VTK; smaller ones are flat
 CHOOSE_VOLUME = "Choose one volume: volume=N of read(), --volume N of vfmesh, from 0."
 
@@ -186,10 +188,9 @@ def read_vtk(data: Any, names: Optional[Sequence[str]], is_file: bool = False) -
     names: arrays that hold materials; None: the active scalars, or the choice of the core, which is
     the default of files.
     """
-    if is_file and not any(hasattr(data, name) for name in ("GetSpacing", "GetXCoordinates",
-                                                            "GetPoints")):
-        raise ValueError("it holds a %s: %s are supported." % (
-            type(data).__name__, ", ".join(VTK_CLASSES)))
+    if not any(data.IsA(name) for name in VTK_CLASSES):
+        raise ValueError("it holds a %s, which is not one of %s." % (
+            data.GetClassName(), ", ".join(VTK_CLASSES)))
     chosen = _active_names(data) if names is None else check_names(names)
     if is_file and names is None:
         chosen = None
@@ -304,7 +305,8 @@ def _hexahedra(data: Any) -> Tuple[np.ndarray, np.ndarray]:
     if len(other):
         raise ValueError(
             "cell %d is a %s: the cells must be hexahedra or voxels that form a Cartesian grid.%s"
-            % (other[0], data.GetCell(int(other[0])).GetClassName().replace("vtk", ""), REMEDY))
+            % (other[0], CELLS.get(int(types[other[0]]), "cell of type %d of VTK"
+                                   % types[other[0]]), REMEDY))
     starts = np.asarray(vtk_to_numpy(data.GetCells().GetOffsetsArray()))
     points = np.asarray(vtk_to_numpy(data.GetCells().GetConnectivityArray()))
     if len(starts) != len(types) + 1 or len(points) < starts[-1] or (

@@ -39,7 +39,7 @@ def run_mesher(
     state = read_state(carried, field)
     options.refinement_array = add_refinement(refinement_array, field)
     options.refinement_boxes = list_boxes(refinement_boxes)
-    told: List[str] = []
+    told = [field.note] if field.note else []
     try:
         with shown(shows) as progress:
             result = _core.mesh(
