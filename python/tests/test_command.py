@@ -137,11 +137,12 @@ def test_errors(run):
     (run.folder / "names.txt").write_text("one 1\n")
     np.save(run.folder / "labels.npy", LABELS)
     for words, text in (
-        (["@both.npz", "@out.vtu"], "'plate' holds 2"),
+        (["@both.npz", "@out.vtu", "--array", "ball", "--array", "plate"], "'plate' holds 2"),
         (["@both.npz", "@out.vtu", "--array", "foam"],
-         "no array 'foam'. Its arrays: 'ball', 'plate'"),
-        (["@both.npz", "@out.vtu", "--labels"], "has 2 arrays"),
-        (["@flat.npy", "@out.vtu"], "three axes"),
+         "no numeric cell array 'foam'. Its cell arrays: 'ball', 'plate'"),
+        (["@both.npz", "@out.vtu", "--labels", "--array", "ball", "--array", "plate"],
+         "labels are 2 arrays"),
+        (["@flat.npy", "@out.vtu"], "axes for x, y and z are required"),
         (["@none.npy", "@out.vtu"], "none.npy"),
         (["@none.nii", "@out.vtu"], "There is no file"),
         (["@labels.npy", "@out"], "has no ending"),

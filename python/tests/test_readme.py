@@ -29,11 +29,13 @@ def blocks():
     return re.findall(r"```python\n(.*?)```\n(?:\n((?:    [^\n]*\n)+))?", read(), re.DOTALL)
 
 
-@pytest.mark.parametrize("number", range(3))
+@pytest.mark.parametrize("number", range(4))
 def test_code(number, tmp_path, monkeypatch, capsys):
     nibabel = pytest.importorskip("nibabel")
     pytest.importorskip("meshio")
     write_stl(tmp_path / "part.stl", CUBE, TRIANGLES, True)
+    for name, array in (("labels", GRAINS), ("steel", BALL), ("copper", PLATE)):
+        np.save(tmp_path / (name + ".npy"), array)
     code, printed = blocks()[number]
     brain = nibabel.Nifti1Image(GRAINS.astype(np.int16), np.eye(4))
     names = {"vfm": vfm, "steel": BALL, "copper": PLATE, "water": BALL, "grains": GRAINS, **STATE}
@@ -70,4 +72,5 @@ def test_no_package_is_needed():
     code = "import sys, volume_fraction_mesh; print(*{name.split('.')[0] for name in sys.modules})"
     found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True,
                            check=True).stdout.split()
-    assert not {"pyvista", "vtkmodules", "meshio", "nibabel", "SimpleITK", "tqdm"} & set(found)
+    assert not {"pyvista", "vtkmodules", "meshio", "nibabel", "SimpleITK", "tifffile", "PIL", "h5py",
+                "tqdm"} & set(found)

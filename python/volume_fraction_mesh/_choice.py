@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-import warnings
 from typing import Dict, List, NamedTuple, Sequence, Tuple
 
 import numpy as np
 
 from . import _core
-from ._warning import VolumeFractionMeshWarning
 
 LABELS_HINT = (
-    "Give one array of ids as labels=.. (--labels), or ranges of grey values as threshold=(LOW, "
-    "HIGH) (--threshold LOW:HIGH). Fractions are real numbers in [0, 1], bytes up to 255, or masks "
-    "of 0 and 1.")
+    "Labels are one array of integers from 0, labels=.. (--labels): renumber negative ids. Ranges "
+    "of other numbers become materials by threshold=(LOW, HIGH) (--threshold LOW:HIGH). Fractions "
+    "are real numbers in [0, 1], bytes up to 255, or masks of 0 and 1.")
 CHOOSE_HINT = "arrays=[..] (--array NAME) selects the arrays that hold the materials."
 
 NamedArrays = Sequence[Tuple[str, np.ndarray]]
@@ -66,22 +64,21 @@ def list_contents(arrays: NamedArrays, known: Contents) -> Found:
                  % ", ".join("%r (%s)" % pair for pair in wrong))
 
 
-def choose(arrays: NamedArrays, known: Contents, one: bool) -> List[str]:
-    """Returns the names of the arrays that hold materials. one: only one array is possible.
+def choose(arrays: NamedArrays, known: Contents, one: bool) -> Tuple[List[str], str]:
+    """Returns the names of the arrays that hold materials, and a note if another choice is possible.
 
-    Raises ValueError if no array can hold materials. Warns if another choice is possible.
+    one: only one array is possible. Raises ValueError if no array can hold materials.
     """
+    if one and len(arrays) == 1:
+        return [arrays[0][0]], ""
     choice = _ask(arrays, known)
     chosen = [choice.labels] if choice.labels else list(choice.fractions)
-    if one and len(arrays) == 1:
-        return [arrays[0][0]]
     if not chosen:
-        raise ValueError("%s %s" % (choice.problem, CHOOSE_HINT))
+        raise ValueError("%s %s" % (choice.problem,
+                                    LABELS_HINT if len(arrays) == 1 else CHOOSE_HINT))
     rest = ["%r (%s)" % (name, reason) for (name, _), (_, reason) in zip(arrays, choice.contents)
             if name not in chosen and name not in known.others]
-    if rest and not choice.is_clear:
-        warnings.warn(
-            "The materials are in %s (%s). Not used: %s. %s" % (
-                ", ".join(map(repr, chosen)), choice.how, ", ".join(rest), CHOOSE_HINT),
-            VolumeFractionMeshWarning, stacklevel=2)
-    return chosen
+    note = "" if choice.is_clear or not rest else (
+        "The materials are in %s (%s). Not used: %s. %s" % (
+            ", ".join(map(repr, chosen)), choice.how, ", ".join(rest), CHOOSE_HINT))
+    return chosen, note

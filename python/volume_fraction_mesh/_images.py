@@ -17,6 +17,8 @@ from ._readers.label_names import find_caret_names, find_segments, join_segments
 
 GHOSTS = "vtkGhostType"
 VTK_CLASSES = ("vtkImageData", "vtkRectilinearGrid", "vtkStructuredGrid", "vtkUnstructuredGrid")
+CELLS = {10: "tetrahedron", 13: "wedge", 14: "pyramid", 24: "tetrahedron of 10 nodes",
+         25: "hexahedron of 20 nodes", 29: "hexahedron of 27 nodes", 42: "polyhedron"}
 HEXAHEDRON, VOXEL, LAST_FLAT = 12, 11, 9  # types of cells of VTK; smaller ones are flat
 CHOOSE_VOLUME = "Choose one volume: volume=N of read(), --volume N of vfmesh, from 0."
 
@@ -27,7 +29,8 @@ class Image(NamedTuple):
     arrays: shape (cells,) or (cells, components), x fastest. chosen: names of the arrays that hold
     materials; None: the core chooses them. order: order of the axes of arrays that are given in
     addition to the image. names: of labels, from the file. has_labels: bytes are labels, as in files
-    of images, not fractions of 255. hint: what to do if the arrays cannot be used together.
+    of images, not fractions of 255. hint: what to do if the arrays cannot be used together. note:
+    text of a warning.
     """
 
     grid: Grid
@@ -37,6 +40,7 @@ class Image(NamedTuple):
     names: Dict[int, str] = {}
     has_labels: bool = False
     hint: str = ""
+    note: str = ""
 
 
 class Fractions(Dict[str, np.ndarray]):
@@ -130,14 +134,8 @@ class Arrays(Dict[str, np.ndarray]):
         self.names = dict(image.names)
         self._image = image._replace(arrays={})
 
-    def to_image(self, names: Optional[Sequence[str]]) -> Image:
-        """Returns the image for the mesher. names: arrays that hold materials."""
-        return self._image._replace(
-            arrays={name: flatten(array, self.order) for name, array in self.items()},
-            chosen=self._image.chosen if names is None else check_names(names), names=self.names)
-
     def __reduce__(self) -> Tuple[Any, ...]:
-        return Arrays, (self.to_image(None), self.path)
+        return Arrays, (_arrays_image(self, None), self.path)
 
 
 def read_image(value: Any, names: Optional[Sequence[str]]) -> Optional[Image]:
@@ -148,7 +146,7 @@ def read_image(value: Any, names: Optional[Sequence[str]]) -> Optional[Image]:
     if isinstance(value, Fractions):
         return _read_fractions(value, names)
     if isinstance(value, Arrays):
-        return value.to_image(names)
+        return _arrays_image(value, names)
     kinds = [kind.__module__.split(".")[0] + "." + kind.__name__ for kind in type(value).__mro__]
     if any("vtkmodules." + name in kinds for name in VTK_CLASSES):
         return read_vtk(value, names)
@@ -168,6 +166,12 @@ def check_names(names: Any) -> List[str]:
     return list(names)
 
 
+def _arrays_image(value: Arrays, names: Optional[Sequence[str]]) -> Image:
+    return value._image._replace(
+        arrays={name: flatten(array, value.order) for name, array in value.items()},
+        chosen=value._image.chosen if names is None else check_names(names), names=value.names)
+
+
 def _read_fractions(value: Fractions, names: Optional[Sequence[str]]) -> Image:
     nodes = tuple(np.asarray(x, dtype=np.float64) for x in value.coordinates)
     grid = Grid(nodes, origin=tuple(x[0] for x in nodes))
@@ -184,10 +188,9 @@ def read_vtk(data: Any, names: Optional[Sequence[str]], is_file: bool = False) -
     names: arrays that hold materials; None: the active scalars, or the choice of the core, which is
     the default of files.
     """
-    if is_file and not any(hasattr(data, name) for name in ("GetSpacing", "GetXCoordinates",
-                                                            "GetPoints")):
-        raise ValueError("it holds a %s: %s are supported." % (
-            type(data).__name__, ", ".join(VTK_CLASSES)))
+    if not any(data.IsA(name) for name in VTK_CLASSES):
+        raise ValueError("it holds a %s, which is not one of %s." % (
+            data.GetClassName(), ", ".join(VTK_CLASSES)))
     chosen = _active_names(data) if names is None else check_names(names)
     if is_file and names is None:
         chosen = None
@@ -273,11 +276,12 @@ def _join_cells(data: Any, arrays: Dict[str, np.ndarray]) -> Tuple[Grid, Dict[st
     if data.GetPoints() is None:
         raise ValueError("it has no points.")
     points = np.asarray(vtk_to_numpy(data.GetPoints().GetData()), np.float64)
-    if hasattr(data, "GetCellTypesArray"):
-        rows, corners = _hexahedra(data)
-    else:
-        corners = _structured_hexahedra(data.GetDimensions())
+    if hasattr(data, "GetDimensions"):
+        extent = data.GetExtent()
+        corners = _structured_hexahedra([extent[a + 1] - extent[a] + 1 for a in (0, 2, 4)])
         rows = np.arange(len(corners))
+    else:
+        rows, corners = _hexahedra(data)
     if corners.size and not 0 <= corners.min() <= corners.max() < len(points):
         raise ValueError("a cell has a point that does not exist.")
     found = find_grid(points[corners])
@@ -301,7 +305,8 @@ def _hexahedra(data: Any) -> Tuple[np.ndarray, np.ndarray]:
     if len(other):
         raise ValueError(
             "cell %d is a %s: the cells must be hexahedra or voxels that form a Cartesian grid.%s"
-            % (other[0], data.GetCell(int(other[0])).GetClassName().replace("vtk", ""), REMEDY))
+            % (other[0], CELLS.get(int(types[other[0]]), "cell of type %d of VTK"
+                                   % types[other[0]]), REMEDY))
     starts = np.asarray(vtk_to_numpy(data.GetCells().GetOffsetsArray()))
     points = np.asarray(vtk_to_numpy(data.GetCells().GetConnectivityArray()))
     if len(starts) != len(types) + 1 or len(points) < starts[-1] or (
@@ -329,7 +334,8 @@ def choose_volume(volumes: List[np.ndarray], volume: Optional[int]) -> Dict[str,
     return {"Material %d" % (v + 1): values for v, values in enumerate(volumes)}
 
 
-def _volume_hint(arrays: Mapping[str, np.ndarray]) -> str:
+def volume_hint(arrays: Mapping[str, np.ndarray]) -> str:
+    """Returns how to choose one of several volumes."""
     return CHOOSE_VOLUME if len(arrays) > 1 else ""
 
 
@@ -355,7 +361,7 @@ def read_nibabel(image: Any, volume: Optional[int] = None) -> Image:
     names = find_caret_names(getattr(image.header, "extensions", []), volume or 0)
     return Image(
         Grid(nodes, affine[:3, :3] / spacing, tuple(affine[:3, 3].tolist()), True), arrays,
-        list(arrays), "xyz", names, hint=_volume_hint(arrays)
+        list(arrays), "xyz", names, hint=volume_hint(arrays)
     )
 
 
@@ -392,4 +398,4 @@ def read_sitk(image: Any, volume: Optional[int] = None) -> Image:
         origin.append(0.0)
     nodes = point_nodes(origin, spacing, values.shape[-2:-5:-1])
     return Image(Grid(nodes, direction, tuple(origin), True), arrays, list(arrays), "zyx", names,
-                 hint=_volume_hint(arrays))
+                 hint=volume_hint(arrays))

@@ -27,6 +27,7 @@ class Field(NamedTuple):
     label_names: Dict[int, str]
     blocks: Optional[Blocks] = None  # read from a file; grid and arrays are then empty
     guessed: bool = False  # whether the arrays and their kind were chosen by their contents
+    note: str = ""  # text of a warning
 
 
 class Source(NamedTuple):
@@ -97,6 +98,8 @@ def _read_fractions(fractions: Any, order: str, given: Source) -> Field:
     first = images[0]
     if first is not None:
         arrays = _join_images([name for name, _ in named], images, given)
+        first = first._replace(chosen=list(arrays.flat), names={}, has_labels=all(
+            image is not None and image.has_labels for image in images))
         return _make_field(arrays, first, isinstance(fractions, Mapping), given)
     if any(images) or given.arrays is not None:
         raise TypeError(
@@ -230,16 +233,18 @@ def _image_arrays(image: Image) -> CellArrays:
 def _image_field(image: Image, given: Source, labels: bool) -> Field:
     _check_no_grid(given)
     arrays = _image_arrays(image)
+    note = ""
     if image.chosen is None:
-        image = image._replace(chosen=choose(arrays.items(), given.contents(image.has_labels),
-                                             labels))
+        chosen, note = choose(arrays.items(), given.contents(image.has_labels), labels)
+        image = image._replace(chosen=chosen)
     if not labels:
-        return _make_field(arrays, image, False, given)
+        return _make_field(arrays, image, False, given)._replace(note=note)
     chosen = image.chosen or []
     if len(chosen) != 1:
         raise ValueError("labels are %d arrays, %r: one is required. %s"
                          % (len(chosen), chosen, image.hint or "arrays=[..] (--array) selects it."))
-    return Field(arrays, image.grid, [], chosen[0], _label_names(given.names, image.names))
+    return Field(arrays, image.grid, [], chosen[0], _label_names(given.names, image.names),
+                 note=note)
 
 
 def _join_images(names: Sequence[str], images: Sequence[Optional[Image]],

@@ -89,14 +89,15 @@ def hexes(
     ----------
     fractions : array_like, image, or list or dict of them, optional
         Volume fraction of each material in each cell, one array of shape (nx, ny, nz) per material:
-        floating point in [0, 1], bool, or uint8 from 0 to 255. The remainder of a cell is void. A
-        dict names the materials. Accepted images: ``pyvista.ImageData`` and ``RectilinearGrid``
-        (and VTK's own), nibabel (a fourth axis: materials), SimpleITK (components: materials), and
-        the results of `read`, `shapes` and `surface`. Images define the grid; their points are
-        the centres of cells.
+        floating point in [0, 1], uint8 up to 255, or masks: bool, integers 0 and 1. The remainder
+        of a cell is void. A dict names the materials. A single array of other integers is used as
+        `labels`. Accepted images: ``pyvista.ImageData``, ``RectilinearGrid``, and grids of
+        hexahedra that are Cartesian (and VTK's own), nibabel (a fourth axis: materials), SimpleITK
+        (components: materials), and the results of `read`, `shapes` and `surface`. Images define
+        the grid; their points are the centres of cells.
     labels : array_like or image, optional
         Material of each cell instead of fractions: integers, 0 or more, of any type (floating point
-        too), shape (nx, ny, nz). 0 is void.
+        within 1e-3 of an integer too), shape (nx, ny, nz). 0 is void.
     spacing : float or sequence of 3 floats, default 1
         Widths of the cells along x, y and z, in any unit of length.
     origin : sequence of 3 floats, default (0, 0, 0)
@@ -113,10 +114,11 @@ def hexes(
         copied if they are in Fortran order with "xyz", or in C order with "zyx". All other
         arguments and all results are in the order x, y, z.
     names : list of str, or dict of int to str, optional
-        Names of the materials; for labels a dict ``{label: name}``.
+        Names of the materials; for labels a dict ``{label: name}``, which replaces names that an
+        image contains.
     arrays : list of str, optional
         Arrays of a PyVista image, or of the result of `read`, that hold the materials. Default: the
-        active scalars; for `read`, its ``fractions``.
+        active scalars; without them and for `read`, the arrays whose contents are materials.
     state : dict or list of str, optional
         Arrays of shape (nx, ny, nz) or (nx, ny, nz, components) to transfer to the elements, by
         name, or names of arrays of the image or file. ``Mesh.state`` holds the result.

@@ -12,7 +12,8 @@ from . import _core
 from ._arrays import CellArrays, as_numbers, check_order, flatten
 from ._core import Blocks
 from ._grid import NOWHERE, UNIT, Grid, check_spacing, even_nodes, is_default, make_grid, point_nodes
-from ._images import (Arrays, Image, check_names, choose_volume, read_nibabel, read_sitk, read_vtk)
+from ._images import (Arrays, Image, check_names, choose_volume, read_nibabel, read_sitk,
+                      read_vtk, volume_hint)
 from ._readers import dream3d_files, itk_files, nifti_files, numpy_files, pictures, tiff_files
 from ._readers import vtk_files
 from ._readers.colours import label_colours
@@ -22,6 +23,7 @@ from ._types import Order, Triple
 from ._warning import VolumeFractionMeshWarning
 
 PathLike = Union[str, "os.PathLike[str]"]
+CALLER = 3  # stack level of the caller of read(), for warnings
 SURFACES = (".stl", ".obj", ".ply", ".off")
 VTK = (*vtk_files.READERS, ".vtk")
 SLICES = (*tiff_files.ENDINGS, *pictures.ENDINGS)
@@ -149,10 +151,9 @@ def _list_readers() -> List[Tuple[Tuple[str, ...], Reader]]:
     return [
         ((".npy", ".npz"), _read_numpy),
         (nifti_files.ENDINGS, lambda path, names, choice: read_nibabel(
-            nifti_files.read(path), choice.volume)),
+            nifti_files.read(path), choice.volume)._replace(has_labels=True)),
         (VTK, lambda path, names, choice: read_vtk(vtk_files.read(path), names, is_file=True)),
-        (tuple(itk_files.READERS), lambda path, names, choice: read_sitk(
-            itk_files.read(path), choice.volume)),
+        (tuple(itk_files.READERS), _read_itk),
         (tiff_files.ENDINGS, _read_tiff),
         (pictures.ENDINGS, lambda path, names, choice: _read_slices([path], choice)),
         ((dream3d_files.ENDING,), _read_dream3d),
@@ -205,6 +206,8 @@ def _finish(image: Image, path: str, names: Optional[List[str]], choice: Choice)
                                chosen=chosen or None)
     if choice.spacing is not None:
         image = image._replace(grid=_with_widths(image.grid, check_spacing(choice.spacing)))
+    elif image.note:
+        warnings.warn(one_line(image.note), VolumeFractionMeshWarning, stacklevel=CALLER)
     return Arrays(image, path)
 
 
@@ -232,6 +235,13 @@ def _read_numpy(path: str, names: Optional[List[str]], choice: Choice) -> Image:
                  choice.order)
 
 
+def _read_itk(path: str, names: Optional[List[str]], choice: Choice) -> Image:
+    image = itk_files.read(path)  # owns the values until they are copied
+    found = read_sitk(image, choice.volume)
+    copies = {name: array.copy() for name, array in found.arrays.items()}
+    return found._replace(arrays=copies, has_labels=True)
+
+
 def _read_dream3d(path: str, names: Optional[List[str]], choice: Choice) -> Image:
     grid, arrays = dream3d_files.read(path, names)
     chosen = [dream3d_files.DEFAULT] if dream3d_files.DEFAULT in arrays else None
@@ -241,14 +251,13 @@ def _read_dream3d(path: str, names: Optional[List[str]], choice: Choice) -> Imag
 def _read_tiff(path: str, names: Optional[List[str]], choice: Choice) -> Image:
     stack = tiff_files.read(path, choice.step)
     if len(stack.volumes) == 1 and stack.volumes[0].ndim == 4:
-        return _stack_image(Slice(stack.volumes[0], stack.widths), path, choice)
+        return _stack_image(Slice(stack.volumes[0], stack.widths), path)
     if stack.volumes[0].ndim == 4:
         raise ValueError("it has %d channels of colours: one is required." % len(stack.volumes))
     volumes = [flatten(as_numbers(volume, "image"), "zyx") for volume in stack.volumes]
     arrays = choose_volume(volumes, choice.volume)
-    grid = _stack_grid(stack.volumes[0].shape[2::-1], stack.widths, path, choice)
-    return Image(grid, arrays, list(arrays), "zyx", {}, True,
-                 "Choose one channel: volume=N (--volume N), from 0." if len(arrays) > 1 else "")
+    grid, note = _place_stack(stack.volumes[0].shape[2::-1], stack.widths, path)
+    return Image(grid, arrays, list(arrays), "zyx", {}, True, volume_hint(arrays), note)
 
 
 def _read_slice(path: str) -> Slice:
@@ -273,32 +282,30 @@ def _read_slices(files: Sequence[str], choice: Choice) -> Image:
                          % (files[0], choice.volume))
     volume = join_slices(files, _read_slice)
     with one_message(files[0]):
-        return _stack_image(volume, files[0], choice)
+        return _stack_image(volume, files[0])
 
 
-def _stack_image(stack: Slice, path: str, choice: Choice) -> Image:
+def _stack_image(stack: Slice, path: str) -> Image:
     """Returns the image of values of shape (slices, rows, columns), or with channels of colours as
     a fourth axis."""
     values, names = (label_colours(stack.values) if stack.values.ndim == 4 else (stack.values, {}))
-    grid = _stack_grid(values.shape[::-1], stack.widths, path, choice)
+    grid, note = _place_stack(values.shape[::-1], stack.widths, path)
     arrays = {"Material 1": flatten(as_numbers(values, "image"), "zyx")}
-    return Image(grid, arrays, list(arrays), "zyx", names, True)
+    return Image(grid, arrays, list(arrays), "zyx", names, True, note=note)
 
 
-def _stack_grid(cells: Sequence[int], widths: Sequence[Optional[float]], path: str,
-                choice: Choice) -> Grid:
-    """Returns the grid of voxels whose first one is at 0. Slices without a width are as thick as
-    the voxels along x."""
+def _place_stack(cells: Sequence[int], widths: Sequence[Optional[float]],
+                 path: str) -> Tuple[Grid, str]:
+    """Returns the grid of voxels whose first one is at 0, and a note if the file does not contain
+    their widths. Slices without a width are as thick as the voxels along x."""
     x, y, z = widths
-    if choice.spacing is None and z is None and cells[2] > 1:
-        warnings.warn(
-            "%s has no size %s: %g is used%s. Give spacing=(x, y, z), --spacing X Y Z, if the voxels "
-            "have another size." % (path, "of voxels" if x is None else "along z", x or 1.0,
-                                    "" if x is None else ", as along x"),
-            VolumeFractionMeshWarning, stacklevel=2)
+    note = ""
+    if z is None and cells[2] > 1:
+        note = ("%s has no size %s: %g is used%s. Give spacing=(x, y, z), --spacing X Y Z, if the "
+                "voxels have another size." % (path, "of voxels" if x is None else "along z",
+                                               x or 1.0, "" if x is None else ", as along x"))
     x = x or 1.0
-    spacing = (x, y or x, z or x)
-    return Grid(point_nodes(NOWHERE, spacing, cells), are_points=True)
+    return Grid(point_nodes(NOWHERE, (x, y or x, z or x), cells), are_points=True), note
 
 
 def sort_slices(files: Sequence[str]) -> List[str]:

@@ -35,11 +35,11 @@ def run_mesher(
     """Makes a mesh. Warnings seem to come from the caller of hexes() or tets()."""
     field = read_field(source._replace(
         others=list_names(carried, refinement_array), tolerance=options.fraction_tolerance,
-        has_threshold=bool(options.threshold)))
+        has_threshold=bool(getattr(options, "threshold", ""))))
     state = read_state(carried, field)
     options.refinement_array = add_refinement(refinement_array, field)
     options.refinement_boxes = list_boxes(refinement_boxes)
-    told: List[str] = []
+    told = [field.note] if field.note else []
     try:
         with shown(shows) as progress:
             result = _core.mesh(

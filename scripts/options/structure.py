@@ -66,6 +66,7 @@ FOLDERS = (
     ("Plugin/Domains", "Domains of the plugin's properties."),
     ("python/src", "The compiled module of the Python package."),
     ("python/volume_fraction_mesh", "The Python package."),
+    ("python/volume_fraction_mesh/_readers", "Readers of files for `_read.py`."),
 )
 HEADERS, SOURCES = (".h", ".hpp"), (".cxx", ".cpp")
 COMMENT = re.compile(r"/\*\*?(.*?)\*/", re.DOTALL)

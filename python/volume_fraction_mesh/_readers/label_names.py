@@ -32,11 +32,11 @@ def find_caret_names(extensions: Iterable[Any], volume: int) -> Dict[int, str]:
     extensions: of a header of nibabel. volume: index of the volume whose table is read.
     """
     for extension in extensions:
+        content = getattr(extension, "content", None)  # bytes, since nibabel 5.3
         try:
-            content = extension.get_content()
+            content = extension.get_content() if content is None else content
         except Exception:  # extensions of other programs may be damaged
             continue
-        content = content.encode() if isinstance(content, str) else content
         if not isinstance(content, bytes) or b"<LabelTable" not in content:
             continue
         names = _read_caret(content.strip(b"\0"), volume)
@@ -68,10 +68,19 @@ def find_segments(header: Mapping[str, str]) -> List[Segment]:
             re.compile(r"Segment(\d+)_LabelValue").fullmatch, header) if match):
         value, layer = (header.get("Segment%d_%s" % (number, key), "0").strip()
                         for key in ("LabelValue", "Layer"))
-        name = " ".join(header.get("Segment%d_Name" % number, "").split())
+        name = " ".join(_decode(header.get("Segment%d_Name" % number, "")).split())
         if value.isdecimal() and layer.isdecimal():
             segments.append(Segment(name or "Segment %d" % number, int(value), int(layer)))
     return segments
+
+
+def _decode(text: str) -> str:
+    """Returns a text of SimpleITK, whose bytes are Latin-1 if they are not UTF-8."""
+    try:
+        text.encode()
+    except UnicodeEncodeError:
+        return text.encode("utf-8", "surrogateescape").decode("latin-1")
+    return text
 
 
 def join_segments(segments: List[Segment], layers: List[np.ndarray]) -> Optional[np.ndarray]:

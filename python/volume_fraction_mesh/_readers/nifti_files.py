@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from .report import load_library
+from .report import keep_log, load_library
 
 ENDINGS = (".nii", ".nii.gz", ".mgz", ".mgh", ".img", ".hdr")
 LARGEST_RATIO = 1100  # of gzip
@@ -15,7 +15,9 @@ LARGEST_RATIO = 1100  # of gzip
 
 def read(path: str) -> Any:
     """Returns an image of nibabel whose values are in memory."""
-    image = load_library("nibabel", path).load(path)
+    nibabel = load_library("nibabel", path)
+    with keep_log("nibabel.global"):
+        image = nibabel.load(path)
     size = float(np.prod(image.shape, dtype=float)) * image.get_data_dtype().itemsize
     names = {holder.filename for holder in image.file_map.values()
              if isinstance(holder.filename, str) and os.path.exists(holder.filename)}

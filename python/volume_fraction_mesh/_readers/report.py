@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import logging
 import os
 import re
 import warnings
 from contextlib import contextmanager
 from importlib import import_module
-from typing import Any, Iterator
+from typing import Any, Iterator, List
 
 LONGEST = 300  # characters of a text of a library
 LIBRARIES = {"PIL": "pillow", "vtkmodules": "vtk"}  # modules with another name at PyPI
@@ -33,12 +34,15 @@ def one_message(path: str) -> Iterator[None]:
                           "announces." % path) from None
     except OSError as error:
         _reject(path, error.strerror or error)
-    except Exception as error:  # each library has its own classes
+    except (ValueError, TypeError) as error:
         _reject(path, error)
+    except Exception as error:  # each library has its own classes
+        _reject(path, "it is damaged or of another format: %s"
+                % (one_line(error) or type(error).__name__))
 
 
 def _reject(path: str, problem: Any) -> None:
-    text = one_line(problem) or "%s of the library that reads it" % type(problem).__name__
+    text = one_line(problem) or "it is damaged."
     # the prefix of SimpleITK: source file, line and address
     text = re.sub(r"^Exception thrown in SimpleITK .*?sitk::ERROR: ", "", text)
     text = re.sub(r"\S*/(\w+\.\w+:\d+:)|ITK ERROR: |\w+\(0x[0-9a-f]+\): ", "", text).strip()
@@ -55,6 +59,27 @@ def load_library(name: str, path: str) -> Any:
         package = LIBRARIES.get(name.split(".")[0], name.split(".")[0])
         raise ImportError("Reading %s requires %s: pip install %s"
                           % (path, package, package)) from None
+
+
+class _Keeper(logging.Handler):
+    def __init__(self) -> None:
+        super().__init__()
+        self.texts: List[str] = []
+
+    def emit(self, record: logging.LogRecord) -> None:
+        self.texts.append(record.getMessage())
+
+
+@contextmanager
+def keep_log(name: str) -> Iterator[List[str]]:
+    """Gives the texts that a library logs during the block, and prints none of them."""
+    logger, keeper = logging.getLogger(name), _Keeper()
+    before = logger.handlers, logger.propagate
+    logger.handlers, logger.propagate = [keeper], False
+    try:
+        yield keeper.texts
+    finally:
+        logger.handlers, logger.propagate = before
 
 
 @contextmanager

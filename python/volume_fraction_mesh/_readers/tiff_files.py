@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import logging
+import re
 from typing import Any, Dict, List, NamedTuple, Optional, Tuple
 from xml.etree import ElementTree
 
 import numpy as np
 
-from .report import load_library
+from .report import keep_log, load_library
 
 ENDINGS = (".tif", ".tiff")
 MILLIMETRES = {2: 25.4, 3: 10.0}  # values of ResolutionUnit
@@ -30,37 +30,35 @@ class Stack(NamedTuple):
 
     volumes: List[np.ndarray]
     widths: Widths
-    steps: int
 
 
 def read(path: str, step: int) -> Stack:
     tifffile = load_library("tifffile", path)
-    logger = logging.getLogger("tifffile")
-    level = logger.level
-    logger.setLevel(logging.CRITICAL + 1)
-    try:
-        with tifffile.TiffFile(path) as file:
-            return _read_file(file, step)
-    finally:
-        logger.setLevel(level)
+    with keep_log("tifffile") as log, tifffile.TiffFile(path) as file:
+        stack = _read_file(file, step)
+        lost = [text for text in log if "TiffPages" in text or "Missing data" in text]
+        if lost:
+            raise ValueError("a page is damaged or missing: %s." % re.sub(r"<.*?> ?", "", lost[0]))
+    return stack
 
 
 def _read_file(file: Any, step: int) -> Stack:
     if not file.series:
         raise ValueError("it has no image.")
-    series = file.series[0]
-    if len(file.series) > 1 and file.series[1].shape != series.shape:
-        raise ValueError(
-            "its pages differ in size or type: %s of the type %s, and %s of the type %s."
-            % (" x ".join(map(str, series.shape)), series.dtype,
-               " x ".join(map(str, file.series[1].shape)), file.series[1].dtype))
-    values = np.stack([each.asarray() for each in file.series]) if len(file.series) > 1 else (
-        series.asarray())
-    axes = "I" + series.axes if len(file.series) > 1 else series.axes
-    page = series.keyframe
-    values = _turn(values, axes, page)
-    volumes, steps = _split(values, axes, step)
-    return Stack(volumes, _find_widths(file, page), steps)
+    first = file.series[0]
+    for other in file.series[1:]:
+        if (other.shape, other.dtype, other.axes) != (first.shape, first.dtype, first.axes):
+            raise ValueError(
+                "its pages differ in size or type: %s of the type %s, and %s of the type %s."
+                % (" x ".join(map(str, first.shape)), first.dtype,
+                   " x ".join(map(str, other.shape)), other.dtype))
+    images, axes = [series.asarray() for series in file.series], first.axes
+    if first.axes in ("YX", "YXS") and len(images) > 1:  # one series per page
+        images, axes = [np.stack(images)], "I" + axes
+    volumes: List[np.ndarray] = []
+    for image in images:
+        volumes += _split(_turn(image, axes, first.keyframe), axes, step)
+    return Stack(volumes, _find_widths(file, first.keyframe))
 
 
 def _turn(values: np.ndarray, axes: str, page: Any) -> np.ndarray:
@@ -75,8 +73,8 @@ def _turn(values: np.ndarray, axes: str, page: Any) -> np.ndarray:
     return values
 
 
-def _split(values: np.ndarray, axes: str, step: int) -> Tuple[List[np.ndarray], int]:
-    """Returns the volumes of a time step, and the number of time steps."""
+def _split(values: np.ndarray, axes: str, step: int) -> List[np.ndarray]:
+    """Returns the volumes of a time step, one per channel."""
     order = [axis for axis in axes]
     if "Y" not in order or "X" not in order:
         raise ValueError("its axes are %s: Y and X are required." % axes)
@@ -92,9 +90,11 @@ def _split(values: np.ndarray, axes: str, step: int) -> Tuple[List[np.ndarray], 
     wanted = (["C"] if "C" in order else []) + slices + ["Y", "X"] + (["S"] if "S" in order else [])
     values = values.transpose([order.index(axis) for axis in wanted])
     channels = values.shape[0] if "C" in order else 1
+    if "S" in order and values.shape[-1] not in (3, 4):
+        raise ValueError("it has %d values per point: 1, 3 or 4 are required." % values.shape[-1])
     tail = values.shape[-3:] if "S" in order else values.shape[-2:]
     values = values.reshape(channels, -1, *tail)
-    return [np.ascontiguousarray(volume) for volume in values], steps
+    return [np.ascontiguousarray(volume) for volume in values]
 
 
 def _find_widths(file: Any, page: Any) -> Widths:

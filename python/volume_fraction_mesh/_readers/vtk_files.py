@@ -24,7 +24,7 @@ def read(path: str) -> Any:
     ending = os.path.splitext(path)[1].lower()
     _check_lengths(path, ending)
     text, data = _run_reader(path, ending)
-    problems = re.findall(r"(?:ERROR|ERR\|).*?\)?: ?\n?(.*)", text)
+    problems = re.findall(r"^(?:vtk\w+ \(\w+\): |(?=Error ))(.*)", text, re.MULTILINE)
     if problems or data is None:
         raise ValueError(problems[0] if problems else "it holds no data set of VTK.")
     return data
