@@ -1,3 +1,4 @@
+#include "Base/ParseText.h"
 #include "Base/Vector3.h"
 #include "Images/ImageFile.h"
 #include "Images/StoredValues.h"
@@ -34,9 +35,14 @@ public:
       const int length = read >= Length1 ? this->Take<std::int32_t>(0) : 0;
       const char* magic = this->Bytes.data() + (length == Length1 ? 344 : 4);
       this->IsSecond = length == Length2;
-      if ((length == Length1 && magic[0] == 'n' && magic[2] == '1') ||
-        (length == Length2 && read == Length2 && magic[0] == 'n' && magic[2] == '2'))
+      const bool isFirst = length == Length1 && magic[0] == 'n' && magic[2] == '1';
+      if (isFirst || (length == Length2 && read == Length2 && magic[0] == 'n' && magic[2] == '2'))
       {
+        if (magic[1] != '+')
+        {
+          throw InputError("it is only the header of an image. Pairs of .hdr and .img are not "
+                           "supported; save the image as one file.");
+        }
         return;
       }
     }
@@ -57,6 +63,20 @@ public:
     return this->Number<float, double>(first, second, index);
   }
   double Dimension(int i) const { return this->Number<std::int16_t, std::int64_t>(40, 16, i); }
+  /// Returns the number of bytes before the values. At least the header and the four bytes after it
+  /// precede them.
+  /// @throws InputError  if the number is invalid
+  Index CountSkipped() const
+  {
+    const double skip = this->Number<float, std::int64_t>(108, 168);
+    const int least = (this->IsSecond ? Length2 : Length1) + 4;
+    if (!(skip >= least && skip < 0x1p53 && skip == std::floor(skip)))
+    {
+      throw InputError("its values begin at byte " + FormatNumber(skip) +
+        " (vox_offset); the number must be an integer from " + std::to_string(least) + ".");
+    }
+    return static_cast<Index>(skip);
+  }
   /// Returns entry i of pixdim; 1 if it is 0.
   double Width(int i) const
   {
@@ -105,7 +125,7 @@ Index3 FindSize(const NiftiHeader& header)
   const double dimensions = header.Dimension(0);
   if (!(dimensions >= 0.0 && dimensions <= 7.0))
   {
-    throw InputError("its image has " + std::to_string(static_cast<int>(dimensions)) +
+    throw InputError("its image has " + FormatNumber(dimensions) +
       " dimensions; three are required.");
   }
   const auto size = [&](int i) { return i <= dimensions ? ToSize(header.Dimension(i)) : 1; };
@@ -260,7 +280,7 @@ ImageFile OpenNifti(const std::string& path)
   StoredValues stored{ { path }, FindType(header) };
   stored.AreCompressed = header.IsPacked;
   stored.AreSwapped = header.IsSwapped;
-  stored.Skip = ToSize(header.Number<float, std::int64_t>(108, 168));
+  stored.Skip = header.CountSkipped();
   CheckPlace(image.Place);
   CheckFiles(stored, image.Place.Size);
   const bool isTurned = SetPlace(header, image.Place);

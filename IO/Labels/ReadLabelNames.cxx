@@ -1,26 +1,43 @@
 #include "ReadLabelNames.h"
 
 #include "AtlasXml.h"
+#include "InputTrust.h"
+#include "OpenFile.h"
 #include "Ranks/WorkTogether.h"
 
-#include <cerrno>
-#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <sstream>
 
 namespace vfm
 {
+namespace
+{
+
+constexpr Index LongestTable = 1 << 24; // bytes
+
+std::ifstream OpenTable(const std::string& path)
+{
+  std::ifstream stream;
+  PrefixErrors("Cannot read the names of labels from " + path + ": ",
+    [&]
+    {
+      stream = OpenFile(path);
+      const Index length = GetFileLength(path);
+      if (length > LongestTable && !InputTrust::IsGiven())
+      {
+        throw InputError("it has " + std::to_string(length) + " bytes; tables of up to " +
+          std::to_string(LongestTable) + " bytes are read. " + InputTrust::Advice);
+      }
+    });
+  return stream;
+}
+
+} // namespace
 
 LabelNames ReadLabelNames(const std::string& path)
 {
-  errno = 0;
-  std::ifstream stream(path, std::ios::binary);
-  if (stream.peek() == std::ifstream::traits_type::eof())
-  {
-    throw InputError("Cannot read the names of labels from " + path + ": " +
-      (errno ? std::strerror(errno) : "the file is empty") + ".");
-  }
+  std::ifstream stream = OpenTable(path);
   const bool isXml = stream.peek() == '<';
   LabelTable table(path, isXml ? "element " : "line ");
   if (isXml)
