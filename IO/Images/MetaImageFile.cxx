@@ -205,7 +205,7 @@ TypedValues ReadText(const StoredValues& stored, Index count)
 
 } // namespace
 
-ImageFile OpenMetaImage(const std::string& path)
+ImageFile OpenMetaImage(const std::string& path, const ImageRequest&)
 {
   std::ifstream stream = OpenFile(path);
   const MetaHeader header = ReadHeader(stream);

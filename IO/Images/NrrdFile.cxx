@@ -8,7 +8,7 @@
 namespace vfm
 {
 
-ImageFile OpenNrrd(const std::string& path)
+ImageFile OpenNrrd(const std::string& path, const ImageRequest&)
 {
   const NrrdHeader header = ReadNrrdHeader(path);
   StoredValues stored;
