@@ -5,6 +5,7 @@
 #include "ControllerRanks.h"
 #include "FieldValues.h"
 #include "FilterRuntime.h"
+#include "LabelNameFields.h"
 #include "Labels/ReadLabelNames.h"
 #include "MaterialArrays.h"
 #include "MeshOutput.h"
@@ -30,6 +31,14 @@
 
 namespace
 {
+
+/// Collective. Returns the names of labels of a table, or of the input if there is no table.
+/// @param table  path of a file; empty: none
+vfm::LabelNames ChooseLabelNames(const std::string& table, vtkDataObject* input, vfm::Ranks& ranks)
+{
+  return table.empty() ? vfm::UniteLabelNames(vfm::FindLabelNames(input->GetFieldData()), ranks)
+                       : vfm::ShareLabelNames(table, ranks);
+}
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
@@ -161,8 +170,9 @@ void vtkVolumeFractionMeshAlgorithm::Run(
   vfm::MesherInput input;
   input.Arrays.Fractions = vfm::NamesOf(materials.Fractions);
   input.Arrays.Labels = materials.Labels.Name;
-  input.Arrays.Names =
-    vfm::ShareLabelNames(materials.HasLabels() ? this->Options->LabelNames : "", ranks);
+  input.Arrays.Names = materials.HasLabels()
+    ? ChooseLabelNames(this->Options->LabelNames, data, ranks)
+    : vfm::LabelNames();
   input.Arrays.State = this->ChooseState(data, ranks);
   input.Levels = this->FindLevels(
     data, vfm::ListArrays(materials.List(), input.Arrays.State, *this->Options), ranks);

@@ -51,8 +51,11 @@ MesherArrays NameArrays(
   ArrayLists lists = ListsOf(input, ArrayPlace::Cells);
   const ArrayLists points = ListsOf(input, ArrayPlace::Points);
   lists.insert(lists.end(), points.begin(), points.end());
+  const std::string& table = arguments.Mesher.LabelNames;
   return { arrays.Fractions, arrays.Labels,
-    ShareLabelNames(arrays.Labels.empty() ? "" : arguments.Mesher.LabelNames, ranks),
+    arrays.Labels.empty() ? LabelNames()
+      : table.empty()     ? input.Names
+                          : ShareLabelNames(table, ranks),
     CompleteChoice(ChooseState(arguments.Mesher, arguments.State), lists, ranks) };
 }
 

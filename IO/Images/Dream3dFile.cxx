@@ -347,7 +347,7 @@ TypedValues ReadBox(const std::string& path, const std::string& array, const Ind
 
 } // namespace
 
-ImageFile OpenDream3d(const std::string& path, const std::string& array)
+ImageFile OpenDream3d(const std::string& path, const ImageRequest& request)
 {
   const Hdf5Silence silence;
   const Hdf5Handle file(Open(path), H5Fclose, NoHdf5);
@@ -362,7 +362,7 @@ ImageFile OpenDream3d(const std::string& path, const std::string& array)
     throw InputError("it holds no image geometry of DREAM.3D 6 (/DataContainers) or DREAM3D-NX "
                      "(/DataStructure).");
   }
-  const CellArray chosen = Choose(ListCellArrays(file, geometries), array);
+  const CellArray chosen = Choose(ListCellArrays(file, geometries), request.Array);
   ImageFile image;
   image.Place = chosen.Place;
   image.IsOfCells = true;

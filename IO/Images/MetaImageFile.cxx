@@ -224,7 +224,7 @@ void CheckValues(const StoredValues& stored, const Index3& size, bool isBinary)
 
 } // namespace
 
-ImageFile OpenMetaImage(const std::string& path)
+ImageFile OpenMetaImage(const std::string& path, const ImageRequest&)
 {
   std::ifstream stream = OpenFile(path);
   const MetaHeader header = ReadHeader(stream);

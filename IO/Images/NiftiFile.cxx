@@ -129,11 +129,6 @@ Index3 FindSize(const NiftiHeader& header)
       " dimensions; three are required.");
   }
   const auto size = [&](int i) { return i <= dimensions ? ToSize(header.Dimension(i)) : 1; };
-  if (size(4) > 1)
-  {
-    throw InputError("it holds " + std::to_string(size(4)) +
-      " images (times, or maps of several regions). Save only one of them.");
-  }
   const Index values = size(5);
   if (values > 1)
   {
@@ -141,6 +136,12 @@ Index3 FindSize(const NiftiHeader& header)
       " values per point (a vector or a colour); one is required, a label or a volume fraction.");
   }
   return { size(1), size(2), size(3) };
+}
+
+/// Returns the number of images.
+Index CountVolumes(const NiftiHeader& header)
+{
+  return header.Dimension(0) >= 4.0 ? std::max<Index>(ToSize(header.Dimension(4)), 1) : 1;
 }
 
 /// Axes of an image and the position of its first value.
@@ -271,7 +272,7 @@ TypedValues Rescale(const TypedValues& stored, double slope, double intercept)
 
 } // namespace
 
-ImageFile OpenNifti(const std::string& path)
+ImageFile OpenNifti(const std::string& path, const ImageRequest& request)
 {
   const NiftiHeader header(path);
   ImageFile image;
@@ -282,6 +283,10 @@ ImageFile OpenNifti(const std::string& path)
   stored.AreSwapped = header.IsSwapped;
   stored.Skip = header.CountSkipped();
   CheckPlace(image.Place);
+  CheckFiles(stored, image.Place.Size);
+  image.Volumes = CountVolumes(header);
+  const Index volume = SelectVolume(request, image.Volumes, "times, or maps of several regions");
+  stored.Skip += static_cast<Index>(stored.CountBytes(image.Place.Size)) * volume;
   CheckFiles(stored, image.Place.Size);
   const bool isTurned = SetPlace(header, image.Place);
   double slope = header.Real(112, 176), intercept = header.Real(116, 184);

@@ -6,7 +6,7 @@
 namespace vfm
 {
 
-ImageFile OpenNrrd(const std::string& path)
+ImageFile OpenNrrd(const std::string& path, const ImageRequest&)
 {
   const NrrdHeader header = ReadNrrdHeader(path);
   ImageFile image;

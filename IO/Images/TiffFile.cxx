@@ -156,7 +156,7 @@ void ReadPage(TIFF* file, const Index3& size, Index width, char* to)
 
 } // namespace
 
-ImageFile OpenTiff(const std::string& path)
+ImageFile OpenTiff(const std::string& path, const ImageRequest&)
 {
   const TiffHandle file = Open(path);
   const Page first(file.get());

@@ -54,27 +54,36 @@ LabelNames ReadLabelNames(const std::string& path)
 LabelNames ShareLabelNames(const std::string& path, Ranks& ranks)
 {
   LabelNames names;
-  Bytes text;
   WorkTogether(ranks,
     [&]
     {
       if (ranks.Rank() == 0 && !path.empty())
       {
-        for (const auto& entry : ReadLabelNames(path))
-        {
-          const std::string line = std::to_string(entry.first) + " " + entry.second + "\n";
-          text.insert(text.end(), line.begin(), line.end());
-        }
+        names = ReadLabelNames(path);
       }
     });
-  const Bytes first = ranks.Gather(text)[0];
-  std::istringstream stream(std::string(first.begin(), first.end()));
-  int label = 0;
-  for (std::string name; stream >> label && std::getline(stream, name);)
+  return UniteLabelNames(names, ranks);
+}
+
+LabelNames UniteLabelNames(const LabelNames& names, Ranks& ranks)
+{
+  Bytes text;
+  for (const auto& entry : names)
   {
-    names[label] = name.substr(1);
+    const std::string line = std::to_string(entry.first) + " " + entry.second + "\n";
+    text.insert(text.end(), line.begin(), line.end());
   }
-  return names;
+  LabelNames united;
+  for (const Bytes& ofRank : ranks.Gather(text))
+  {
+    std::istringstream stream(std::string(ofRank.begin(), ofRank.end()));
+    int label = 0;
+    for (std::string name; stream >> label && std::getline(stream, name);)
+    {
+      united.emplace(label, name.substr(1));
+    }
+  }
+  return united;
 }
 
 } // namespace vfm

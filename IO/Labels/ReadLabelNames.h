@@ -20,4 +20,9 @@ LabelNames ReadLabelNames(const std::string& path);
 /// @pre Collective
 LabelNames ShareLabelNames(const std::string& path, Ranks& ranks);
 
+/// Returns the names of labels that any rank has. If ranks name a label differently, the name of
+/// the lowest rank is used.
+/// @pre Collective
+LabelNames UniteLabelNames(const LabelNames& names, Ranks& ranks);
+
 } // namespace vfm
