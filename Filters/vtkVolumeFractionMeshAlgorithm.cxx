@@ -5,6 +5,7 @@
 #include "ControllerRanks.h"
 #include "FieldValues.h"
 #include "FilterRuntime.h"
+#include "LabelNameFields.h"
 #include "Labels/ReadLabelNames.h"
 #include "MaterialArrays.h"
 #include "MeshOutput.h"
@@ -30,6 +31,16 @@
 
 namespace
 {
+
+/// Collective. Returns the names of labels of a table, or of the input if there is no table.
+/// @param table  path of a file; empty: none
+/// @param warn  receives a note about the table
+vfm::LabelNames ChooseLabelNames(const std::string& table, vtkDataObject* input, vfm::Ranks& ranks,
+  const std::function<void(const std::string&)>& warn)
+{
+  return table.empty() ? vfm::UniteLabelNames(vfm::FindLabelNames(input->GetFieldData()), ranks)
+                       : vfm::ShareLabelNames(table, ranks, warn);
+}
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
@@ -163,8 +174,9 @@ void vtkVolumeFractionMeshAlgorithm::Run(
   input.Arrays.Fractions = vfm::NamesOf(materials.Fractions);
   input.Arrays.Labels = materials.Labels.Name;
   input.Arrays.AreGuessed = materials.AreGuessed;
-  input.Arrays.Names =
-    vfm::ShareLabelNames(materials.HasLabels() ? this->Options->LabelNames : "", ranks, input.Warn);
+  input.Arrays.Names = materials.HasLabels()
+    ? ChooseLabelNames(this->Options->LabelNames, data, ranks, input.Warn)
+    : vfm::LabelNames();
   input.Arrays.State = this->ChooseState(data, ranks);
   input.Levels = this->FindLevels(
     data, vfm::ListArrays(materials.List(), input.Arrays.State, *this->Options), ranks);

@@ -43,6 +43,16 @@ std::string ParseType(const std::string& value)
   return isQuoted ? value.substr(1, end - 1) : "";
 }
 
+bool ParseOrder(const std::string& value)
+{
+  const std::string word = value.substr(0, value.find_first_of(" ,}"));
+  if (word != "True" && word != "False")
+  {
+    RejectHeader("'fortran_order' of True or False");
+  }
+  return word == "True";
+}
+
 std::vector<Index> ParseShape(const std::string& value)
 {
   std::vector<Index> shape;
@@ -79,7 +89,12 @@ void SetType(const std::string& type, NumPyHeader& header)
     return; // Kind stays 0
   }
   header.Kind = type[kind];
-  std::from_chars(type.data() + kind + 1, type.data() + type.size(), header.Size);
+  const char *begin = type.data() + kind + 1, *end = type.data() + type.size();
+  const auto [stop, error] = std::from_chars(begin, end, header.Size);
+  if (kind > 1 || (begin < end && header.Kind != 'M' && header.Kind != 'm' && (error != std::errc() || stop != end)))
+  {
+    header.Kind = 0;
+  }
   header.SwapBytes = type[0] == (IsLittleEndian() ? '>' : '<');
 }
 
@@ -121,7 +136,7 @@ NumPyHeader ReadNumPyHeader(const std::string& path)
   NumPyHeader header;
   header.Offset = stream.tellg();
   SetType(ParseType(FindValue(text, "descr")), header);
-  header.Fortran = FindValue(text, "fortran_order").compare(0, 4, "True") == 0;
+  header.Fortran = ParseOrder(FindValue(text, "fortran_order"));
   header.Shape = ParseShape(FindValue(text, "shape"));
   return header;
 }

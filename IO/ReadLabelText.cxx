@@ -1,12 +1,12 @@
 #include "ReadLabelText.h"
 
+#include "CellCount.h"
 #include "OpenFile.h"
 #include "VoxelRows.h"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <filesystem>
 #include <limits>
 #include <vector>
 
@@ -165,14 +165,8 @@ void CheckLabelCount(const VoxelFile& file)
   {
     RequireCells(file);
   }
-  const double requested = static_cast<double>(cells[0]) * cells[1] * cells[2];
-  if (requested > static_cast<double>(std::numeric_limits<Index>::max() / 2))
-  {
-    throw InputError(DescribeCells(cells) + " cells are too many.");
-  }
   // Each value takes a digit and a space, except the last, which needs no space.
-  if (static_cast<Index>(std::filesystem::file_size(file.Path)) <
-    2 * cells[0] * cells[1] * cells[2] - 1)
+  if (GetFileLength(file.Path) < 2 * CountCells(cells) - 1)
   {
     RejectCount(file);
   }

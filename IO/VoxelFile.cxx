@@ -1,11 +1,11 @@
 #include "VoxelFile.h"
 
 #include "Base/Runtime.h"
+#include "CellCount.h"
 #include "FileSuffix.h"
 #include "OpenFile.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <limits>
 
 namespace vfm
@@ -73,7 +73,7 @@ void CheckShape(const NumPyHeader& header)
 /// Checks that the values fill the rest of the file.
 void CheckLength(const std::string& path, const NumPyHeader& header)
 {
-  const Index there = static_cast<Index>(std::filesystem::file_size(path)) - header.Offset;
+  const Index there = GetFileLength(path) - header.Offset;
   Index requested = header.Size;
   for (Index size : header.Shape)
   {
@@ -106,6 +106,7 @@ VoxelFile InspectVoxels(const std::string& path, const Index3& cells, AxisOrder 
   if (!IsNumPyFile(path))
   {
     OpenFile(path);
+    CountCells(cells);
     file.Cells = cells;
     return file;
   }

@@ -18,6 +18,7 @@ const std::vector<ArgumentOption> OwnOptions{
   { "--dimensions", "NX,NY,NZ", "numbers of cells of a .spn file" },
   { "--origin", "X,Y,Z", "lower corner of a .spn or .npy file, default 0,0,0" },
   { "--spacing", "X,Y,Z", "cell widths of a .spn or .npy file, default 1,1,1; or of an image" },
+  { "--volume", "N", "use image number N of an image file that holds several, from 0" },
   { "--axis-order", "ORDER",
     "axes of the values in the file, xyz (default) to zyx, as spn_xyz_order of Sculpt" },
   { "--fractions", "A,B,..",
@@ -67,7 +68,7 @@ usage: [mpiexec -n RANKS] sculptor [--input] FILE [--output] FILE [options]
 
 )";
 
-constexpr const char* Materials =
+constexpr const char* MaterialRules =
   R"(Arrays of materials, without --fractions and --labels
   1. the arrays 'Material volume fraction - N'
   2. otherwise fractions with names that say volume fraction (vf_tin, VOLM+1)
@@ -153,7 +154,7 @@ std::string GetHelp()
     "    .xdmf (dolfinx) is two, FILE.xdmf and FILE_facets.xdmf;\n"
     "    Exodus from N ranks is one file per rank, FILE.N.RANK\n"
     "  .foam: its folder is a case of OpenFOAM; N ranks write a folder processorRANK each\n\n" +
-    Materials;
+    MaterialRules;
   for (const std::string& line : DescribeOptions(ElementKind::Tets))
   {
     text += "  " + line + "\n";

@@ -206,6 +206,7 @@ Arguments ReadValues(const GivenArguments& given)
   to.Origin = ReadThree(given, "--origin", "numbers", ParseNumber, -LargestNumber, LargestNumber);
   to.Spacing = ReadThree(given, "--spacing", "numbers above 0", ParseNumber,
     std::numeric_limits<double>::min(), LargestNumber);
+  to.Volume = ReadCount(given, "--volume", "", LargestCount);
   to.AxisOrder =
     ReadValue(given, "--axis-order", "xyz, xzy, yxz, yzx, zxy or zyx, or its number from 0",
       [](const std::string& text) {
@@ -248,6 +249,10 @@ void CheckVoxels(const Arguments& from)
   if (!isVoxels && (from.Origin || from.AxisOrder))
   {
     RejectArguments("--origin and --axis-order are for .spn and .npy files.");
+  }
+  if (!IsImageFile(from.Input) && from.Volume)
+  {
+    RejectArguments("--volume is for " + JoinTexts(GetImageSuffixes()) + " files.");
   }
   if (!isVoxels && !IsImageFile(from.Input) && from.Spacing)
   {
@@ -391,8 +396,8 @@ Arguments ParseArguments(const std::vector<std::string>& words)
       break;
     case Command::List:
       CheckTaken(given, "--list",
-        { "--input", "--dimensions", "--origin", "--spacing", "--axis-order", "--step", "--time",
-          "--list" });
+        { "--input", "--dimensions", "--origin", "--spacing", "--volume", "--axis-order", "--step",
+          "--time", "--list" });
       CheckInput(arguments);
       break;
     case Command::Mesh:

@@ -29,6 +29,7 @@ struct Arguments
   std::optional<std::array<int, 3>> Dimensions; ///< number of voxels along x, y and z
   /// Lower corner of the voxels, and widths of voxels or of the cells of an image.
   std::optional<std::array<double, 3>> Origin, Spacing;
+  std::optional<int> Volume;          ///< number of an image, from 0, in a file of several
   std::optional<int> AxisOrder;       ///< order of the axes of voxels, vfm::AxisOrder
   std::string Fragments;              ///< file of the table of fragments; empty: none
   std::string Geometry;               ///< file of surfaces, curves and vertices; empty: none

@@ -17,8 +17,10 @@ ImageSource OpenSource(const Arguments& arguments)
   if (!IsVoxelFile(arguments.Input))
   {
     const Vector3 spacing = arguments.Spacing.value_or(Vector3{});
-    return arguments.Labels.empty() ? OpenImage(arguments.Input, spacing)
-                                    : OpenImage(arguments.Input, spacing, arguments.Labels);
+    ImageRequest request;
+    request.Array = arguments.Labels.empty() ? request.Array : arguments.Labels;
+    request.Volume = arguments.Volume;
+    return OpenImage(arguments.Input, spacing, request);
   }
   const std::array<int, 3> cells = arguments.Dimensions.value_or(std::array<int, 3>{});
   return OpenVoxels(arguments.Input, { { cells[0], cells[1], cells[2] } },
@@ -69,11 +71,15 @@ bool IsVoxelFile(const std::string& path)
 Input ReadImage(const Arguments& arguments, Ranks& ranks)
 {
   CollectedBlocks blocks;
+  LabelNames names;
+  std::string warning;
   const auto read = [&]
   {
     const ImageSource source = OpenSource(arguments);
     const IndexBox slab = FindSlab(source.Place.Size, ranks);
     std::vector<TypedValues> values = source.Read(slab, ranks);
+    names = source.Names;
+    warning = source.Warning;
     blocks.Reading = { !source.IsOfCells, FrameOf(source.Place) };
     if (slab.NumberOfCells() > 0)
     {
@@ -88,7 +94,10 @@ Input ReadImage(const Arguments& arguments, Ranks& ranks)
       ChooseTime(arguments, {});
       CheckInput(arguments.Input, read, "Cannot read ");
     });
-  return MakeInput(std::move(blocks), true);
+  Input input = MakeInput(std::move(blocks), true);
+  input.Names = std::move(names);
+  input.Warning = warning.empty() ? "" : arguments.Input + ": " + warning;
+  return input;
 }
 
 } // namespace vfm

@@ -6,6 +6,7 @@
 
 #include "ChosenArray.h"
 #include "Input/ArrayInfo.h"
+#include "Input/LabelNames.h"
 
 #include <functional>
 #include <optional>
@@ -50,7 +51,8 @@ struct Input
   std::function<CollectedBlocks(const ArraysToRead& arrays, Ranks& ranks)> Collect;
   std::optional<double> Time; ///< time of the step that was read, if the file has times
   std::vector<double> Times;  ///< times of all steps
-  std::string Warning;        ///< warning about data that were not read, or empty
+  std::string Warning;        ///< warning about data that were not read or assumed, or empty
+  LabelNames Names;           ///< names of labels that the file contains, equal on all ranks
 };
 
 /// Makes an input of blocks, or of the pieces of one image with their Box.

@@ -53,8 +53,11 @@ MesherArrays NameArrays(const Arguments& arguments, const Input& input, const Ch
   ArrayLists lists = ListsOf(input, ArrayPlace::Cells);
   const ArrayLists points = ListsOf(input, ArrayPlace::Points);
   lists.insert(lists.end(), points.begin(), points.end());
+  const std::string& table = arguments.Mesher.LabelNames;
   return { arrays.Fractions, arrays.Labels,
-    ShareLabelNames(arrays.Labels.empty() ? "" : arguments.Mesher.LabelNames, ranks, warn),
+    arrays.Labels.empty() ? LabelNames()
+      : table.empty()     ? input.Names
+                          : ShareLabelNames(table, ranks, warn),
     CompleteChoice(ChooseState(arguments.Mesher, arguments.State), lists, ranks), arrays.AreGuessed,
     !arguments.Materials.empty() };
 }

@@ -56,6 +56,14 @@ public:
   vtkGetCharFromStdStringMacro(CellArray);
   ///@}
 
+  ///@{
+  /**
+   * Number of the image to read, from 0, in a file that holds several. Default -1: the only image.
+   */
+  vtkSetMacro(Volume, int);
+  vtkGetMacro(Volume, int);
+  ///@}
+
 protected:
   vtkVolumeFractionImageReader() = default;
   ~vtkVolumeFractionImageReader() override = default;
@@ -64,6 +72,7 @@ protected:
 
   double Spacing[3] = { 0.0, 0.0, 0.0 };
   std::string CellArray = "FeatureIds";
+  int Volume = -1;
 
 private:
   vtkVolumeFractionImageReader(const vtkVolumeFractionImageReader&) = delete;

@@ -3,6 +3,7 @@
 #include "ControllerRanks.h"
 #include "FailedOutput.h"
 #include "Images/ImageSource.h"
+#include "LabelNameFields.h"
 #include "Ranks/WorkTogether.h"
 
 #include "vtkDataArray.h"
@@ -140,6 +141,12 @@ int vtkVolumeFractionPartReader::RequestData(
     problem =
       FindProblem(this->Controller, [&](vfm::Ranks& ranks) { this->Read(extent, ranks, image); });
   }
+  const std::string& warning = this->Source->Warning;
+  if (problem.empty() && !warning.empty() &&
+    (!this->Controller || this->Controller->GetLocalProcessId() == 0))
+  {
+    vtkWarningMacro(<< this->FileName << ": " << warning);
+  }
   if (!problem.empty())
   {
     vfm::Fail(this, outputVector, ("Cannot read " + this->FileName + ": " + problem).c_str());
@@ -157,6 +164,7 @@ void vtkVolumeFractionPartReader::Read(const int extent[6], vfm::Ranks& ranks, v
     box = areOfCells ? FindCells(extent, place.Size) : FindPoints(extent);
   }
   std::vector<vfm::TypedValues> arrays = this->Source->Read(box, ranks);
+  vfm::AddLabelNames(this->Source->Names, image->GetFieldData());
   if (isEmpty)
   {
     return;

@@ -1,10 +1,11 @@
+#include "Base/ParseText.h"
 #include "Blocks/BlockFile.h"
 #include "Blocks/PlotfileText.h"
 #include "Input/NodeCoordinates.h"
 #include "Input/PlainArrays.h"
+#include "NamedFile.h"
 #include "SwapBytes.h"
 
-#include <filesystem>
 #include <limits>
 
 namespace vfm
@@ -43,7 +44,7 @@ private:
   void ReadHeader();
   void ReadSizes(PlotfileText& file);
   void ReadLevels(PlotfileText& file);
-  void ReadBlocks(const std::string& prefix, int level, int count);
+  void ReadBlocks(const std::string& path, int level, int count);
   BoxValues FindValues(PlotfileText& file, const Block& block) const;
   InputBlock ReadBlock(const Block& block, const std::vector<std::string>& names) const;
 
@@ -76,7 +77,11 @@ Plotfile::Plotfile(const std::string& folder) : Folder(folder)
 void Plotfile::ReadHeader()
 {
   PlotfileText file(this->Folder + "/Header");
-  file.Word("the name of the format");
+  if (IsSameWord(file.Word("the name of the format").substr(0, 10), "checkpoint"))
+  {
+    throw InputError(this->Folder +
+      " is a checkpoint of AMReX, not a plotfile. Let the simulation write a plotfile.");
+  }
   const int arrays = static_cast<int>(file.Int(1, LargestCount, "a number of arrays"));
   for (int i = 0; i < arrays; ++i)
   {
@@ -149,15 +154,15 @@ void Plotfile::ReadLevels(PlotfileText& file)
     {
       file.Fail("the folder and the name of the files" + place);
     }
-    this->ReadBlocks(path, level, count);
+    PrefixErrors(this->Folder + "/Header: ",
+      [&] { this->ReadBlocks(FindNamedFile(this->Folder + "/Header", path), level, count); });
   }
 }
 
 /// Reads the list of the boxes of a level.
-/// @param prefix  path of the level's files without their ends, for instance Level_0/Cell
-void Plotfile::ReadBlocks(const std::string& prefix, int level, int count)
+/// @param path  path of the level's files without their ends, for instance FOLDER/Level_0/Cell
+void Plotfile::ReadBlocks(const std::string& path, int level, int count)
 {
-  const std::string path = this->Folder + "/" + prefix;
   PlotfileText file(path + "_H");
   file.Int(1, 1, "version 1 of its format");
   file.Int(0, 1, "its storage mode, 0 or 1");
@@ -168,11 +173,12 @@ void Plotfile::ReadBlocks(const std::string& prefix, int level, int count)
   file.Signs("(", same);
   file.Int(count, count, same);
   file.Int(0, 0, same);
-  std::vector<Block> blocks(count);
-  for (Block& block : blocks)
+  std::vector<Block> blocks;
+  for (int b = 0; b < count; ++b)
   {
-    block.Box = file.Box(same);
-    block.Level = level;
+    blocks.emplace_back();
+    blocks.back().Box = file.Box(same);
+    blocks.back().Level = level;
   }
   file.Signs(")", same);
   file.Int(count, count, same);
@@ -182,8 +188,8 @@ void Plotfile::ReadBlocks(const std::string& prefix, int level, int count)
     {
       file.Fail("the files of all boxes");
     }
-    block.Path = std::filesystem::path(path).parent_path().string() + "/" +
-      file.Word("the files of all boxes");
+    const std::string name = file.Word("the files of all boxes");
+    PrefixErrors(path + "_H: ", [&] { block.Path = FindNamedFile(path, name); });
     block.Position = file.Int(0, std::numeric_limits<std::int64_t>::max(), "positions in files");
   }
   this->Blocks.insert(this->Blocks.end(), blocks.begin(), blocks.end());
@@ -193,7 +199,7 @@ void Plotfile::ReadBlocks(const std::string& prefix, int level, int count)
 BoxValues Plotfile::FindValues(PlotfileText& file, const Block& block) const
 {
   const std::string place = " at byte " + std::to_string(block.Position);
-  const std::int64_t size = static_cast<std::int64_t>(std::filesystem::file_size(block.Path));
+  const std::int64_t size = GetFileLength(block.Path);
   if (block.Position >= size)
   {
     file.Fail("a box" + place);
@@ -232,10 +238,10 @@ BoxValues Plotfile::FindValues(PlotfileText& file, const Block& block) const
   const std::int64_t arrays = static_cast<std::int64_t>(this->ArrayNames.size());
   file.Int(arrays, arrays, std::to_string(arrays) + " arrays" + place);
   const std::int64_t begin = file.Position() + 1;
-  const std::int64_t end = begin + arrays * bytes * box.NumberOfCells();
-  if (end > size)
+  if (begin < 0 || box.NumberOfCells() > (size - begin) / (arrays * bytes))
   {
-    file.Fail("bytes up to " + std::to_string(end) + ", it has " + std::to_string(size));
+    file.Fail(std::to_string(arrays) + " arrays of " + std::to_string(box.NumberOfCells()) +
+      " values" + place + ", it has " + std::to_string(size) + " bytes");
   }
   return { begin, static_cast<int>(bytes), (first > 1) != IsLittleEndian() };
 }

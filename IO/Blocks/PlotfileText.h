@@ -4,11 +4,14 @@
 #pragma once
 
 #include "Base/IndexBox.h"
+#include "CellCount.h"
 #include "OpenFile.h"
+#include "ReadLine.h"
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <iomanip>
 #include <string>
 
 namespace vfm
@@ -33,7 +36,8 @@ public:
   {
     std::string word;
     const auto isControl = [](unsigned char c) { return std::iscntrl(c) != 0; };
-    if (!(this->Stream >> word) || std::any_of(word.begin(), word.end(), isControl))
+    this->Stream >> std::setw(static_cast<int>(LongestLine)) >> word;
+    if (!this->Stream || std::any_of(word.begin(), word.end(), isControl))
     {
       this->Fail(what);
     }
@@ -86,9 +90,17 @@ public:
         this->Fail(what);
       }
     }
+    PrefixErrors(
+      this->Path + ": ", [&] { CountCells({ box.Size(0), box.Size(1), box.Size(2) }); });
     return box;
   }
-  void Bytes(char* to, std::int64_t count) { this->Stream.read(to, count); }
+  void Bytes(char* to, std::int64_t count)
+  {
+    if (!this->Stream.read(to, count))
+    {
+      this->Fail(std::to_string(count) + " bytes of values");
+    }
+  }
   void Seek(std::int64_t position) { this->Stream.seekg(position); }
   std::int64_t Position() { return this->Stream.tellg(); }
 

@@ -2,11 +2,12 @@
 #include "Blocks/SpyPlotFile.h"
 #include "Input/NodeCoordinates.h"
 #include "Input/PlainArrays.h"
+#include "NamedFile.h"
 #include "OpenFile.h"
+#include "ReadLine.h"
 
 #include <algorithm>
 #include <cctype>
-#include <filesystem>
 #include <limits>
 
 namespace vfm
@@ -25,19 +26,20 @@ bool HasControls(const std::string& text)
 std::vector<std::string> FindFiles(const std::string& path)
 {
   std::ifstream stream = OpenFile(path);
-  std::string line;
-  std::getline(stream, line);
-  if (line.compare(0, 7, "spydata") == 0)
+  char magic[7] = {};
+  stream.read(magic, sizeof(magic));
+  std::string line(magic, sizeof(magic));
+  if (line == "spydata")
   {
     return { path };
   }
-  if (line.compare(0, 7, "spycase") != 0)
+  if (line != "spycase")
   {
     throw InputError("it is not a SpyPlot file: it begins neither with spycase nor with spydata.");
   }
   std::vector<std::string> files;
-  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-  while (std::getline(stream, line))
+  ReadLine(stream, line);
+  while (ReadLine(stream, line))
   {
     const std::size_t begin = line.find_first_not_of(" \t\r");
     if (begin == std::string::npos || line[begin] == '#')
@@ -49,7 +51,7 @@ std::vector<std::string> FindFiles(const std::string& path)
     {
       throw InputError("it is truncated or damaged: one of its lines is not a file name.");
     }
-    files.push_back((folder / line).string());
+    files.push_back(FindNamedFile(path, line));
   }
   if (files.empty())
   {

@@ -1,11 +1,9 @@
 #include "Blocks/SpyPlotStream.h"
 
-#include "Ranks/Errors.h"
+#include "OpenFile.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cstring>
-#include <filesystem>
 #include <iomanip>
 #include <sstream>
 
@@ -29,16 +27,14 @@ float ToFloat(const unsigned char* bytes)
 
 } // namespace
 
-SpyPlotStream::SpyPlotStream(const std::string& path) : Path(path), Stream(path, std::ios::binary)
+SpyPlotStream::SpyPlotStream(const std::string& path) : Path(path)
 {
-  std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(path, error);
-  if (!this->Stream || error)
-  {
-    throw InputError(
-      path + " cannot be read: " + (error ? error.message() : std::strerror(errno)) + ".");
-  }
-  this->Size = static_cast<std::int64_t>(size);
+  PrefixErrors(path + " cannot be read: ",
+    [&]
+    {
+      this->Stream = OpenFile(path);
+      this->Size = GetFileLength(path);
+    });
 }
 
 void SpyPlotStream::Fail(const std::string& problem) const

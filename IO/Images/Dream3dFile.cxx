@@ -1,8 +1,11 @@
 #include "Images/Hdf5.h"
 #include "Images/ImageFile.h"
+#include "CellCount.h"
+#include "InputTrust.h"
 #include "OpenFile.h"
 
 #include <algorithm>
+#include <set>
 #include <vector>
 
 namespace vfm
@@ -14,6 +17,8 @@ std::string Join(const std::string& group, const std::string& name)
 {
   return group + "/" + name;
 }
+
+constexpr const char* NoHdf5 = "it is not an HDF5 file, or it is damaged.";
 
 std::string CannotRead(const std::string& path)
 {
@@ -49,6 +54,34 @@ bool IsKind(hid_t file, const std::string& path, H5I_type_t kind)
   return isKind;
 }
 
+/// Returns the identity of an object, which is equal for all links to it.
+std::string Identify(hid_t file, const std::string& path)
+{
+#if H5_VERSION_GE(1, 12, 0)
+  H5O_info2_t info;
+  const bool isFound =
+    H5Oget_info_by_name3(file, path.c_str(), &info, H5O_INFO_BASIC, H5P_DEFAULT) >= 0;
+  const auto& identity = info.token;
+#else
+  H5O_info_t info;
+  const bool isFound = H5Oget_info_by_name(file, path.c_str(), &info, H5P_DEFAULT) >= 0;
+  const haddr_t& identity = info.addr;
+#endif
+  return isFound ? std::string(reinterpret_cast<const char*>(&identity), sizeof(identity)) : path;
+}
+
+/// Checks that the values of a data set are in its file, unless the file is trusted.
+void CheckStorage(hid_t data, const std::string& path)
+{
+  const Hdf5Handle storage(H5Dget_create_plist(data), H5Pclose, CannotRead(path));
+  const bool isElsewhere =
+    H5Pget_layout(storage) == H5D_VIRTUAL || H5Pget_external_count(storage) > 0;
+  if (isElsewhere && !InputTrust::IsGiven())
+  {
+    throw InputError(path + " has its values in other files. " + InputTrust::Advice);
+  }
+}
+
 /// Reads three numbers of a data set, or of an attribute of a group. Returns whether there is one.
 bool ReadThree(hid_t file, const std::string& group, const std::string& name, Vector3& numbers)
 {
@@ -62,6 +95,10 @@ bool ReadThree(hid_t file, const std::string& group, const std::string& name, Ve
       ? H5Aopen_by_name(file, group.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT)
       : H5Dopen2(file, path.c_str(), H5P_DEFAULT),
     isAttribute ? H5Aclose : H5Dclose, CannotRead(path));
+  if (!isAttribute)
+  {
+    CheckStorage(item, path);
+  }
   const Hdf5Handle space(
     isAttribute ? H5Aget_space(item) : H5Dget_space(item), H5Sclose, CannotRead(path));
   const bool isRead = H5Sget_simple_extent_npoints(space) == 3 &&
@@ -108,12 +145,14 @@ bool ReadGeometry(
 /// Finds the image geometries below a group: in DREAM.3D 6, /DataContainers/NAME/_SIMPL_GEOMETRY;
 /// in DREAM3D-NX, groups of /DataStructure.
 /// @param depth  number of levels of nested groups that are searched
-void FindGeometries(hid_t file, const std::string& group, int depth, std::vector<Geometry>& found)
+/// @param visited  identities of the groups that were searched; each is searched once
+void FindGeometries(hid_t file, const std::string& group, int depth, std::vector<Geometry>& found,
+  std::set<std::string>& visited)
 {
   for (const std::string& name : ListNames(file, group))
   {
     const std::string path = Join(group, name), simpl = Join(path, "_SIMPL_GEOMETRY");
-    if (!IsKind(file, path, H5I_GROUP))
+    if (!IsKind(file, path, H5I_GROUP) || !visited.insert(Identify(file, path)).second)
     {
       continue;
     }
@@ -126,7 +165,7 @@ void FindGeometries(hid_t file, const std::string& group, int depth, std::vector
     }
     else if (depth > 0)
     {
-      FindGeometries(file, path, depth - 1, found);
+      FindGeometries(file, path, depth - 1, found, visited);
     }
   }
 }
@@ -163,11 +202,16 @@ struct CellArray
 std::vector<CellArray> ListCellArrays(hid_t file, const std::vector<Geometry>& geometries)
 {
   std::vector<CellArray> found;
+  std::set<std::string> visited;
   for (const Geometry& geometry : geometries)
   {
     for (const std::string& matrix : ListNames(file, geometry.Group))
     {
       const std::string group = Join(geometry.Group, matrix);
+      if (!IsKind(file, group, H5I_GROUP) || !visited.insert(Identify(file, group)).second)
+      {
+        continue;
+      }
       for (const std::string& name : ListNames(file, group))
       {
         const std::string path = Join(group, name);
@@ -217,11 +261,32 @@ bool EndsWith(const std::string& path, const std::string& end)
     path.compare(path.size() - whole.size(), whole.size(), whole) == 0;
 }
 
-Hdf5Handle Open(const std::string& path)
+/// Checks that a file does not refer to other files, unless it is trusted.
+void CheckLinks(hid_t file)
+{
+  const auto check = [](hid_t, const char* name, const H5L_info_t* info, void* text)
+  {
+    if (info->type == H5L_TYPE_HARD || info->type == H5L_TYPE_SOFT)
+    {
+      return herr_t(0);
+    }
+    *static_cast<std::string*>(text) = name;
+    return herr_t(1);
+  };
+  std::string found;
+  // Each group is visited once, also if links form cycles.
+  if (!InputTrust::IsGiven() &&
+    H5Lvisit(file, H5_INDEX_NAME, H5_ITER_NATIVE, check, &found) > 0)
+  {
+    throw InputError(
+      "its link '" + found + "' leads to another file. " + InputTrust::Advice);
+  }
+}
+
+hid_t Open(const std::string& path)
 {
   OpenFile(path);
-  return { H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose,
-    "it is not an HDF5 file, or it is damaged." };
+  return H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
 }
 
 /// Returns the array whose path ends with a name; there must be exactly one.
@@ -256,8 +321,9 @@ CellArray Choose(const std::vector<CellArray>& arrays, const std::string& name)
 TypedValues ReadBox(const std::string& path, const std::string& array, const IndexBox& box)
 {
   const Hdf5Silence silence;
-  const Hdf5Handle file = Open(path);
+  const Hdf5Handle file(Open(path), H5Fclose, NoHdf5);
   const Hdf5Handle data(H5Dopen2(file, array.c_str(), H5P_DEFAULT), H5Dclose, CannotRead(array));
+  CheckStorage(data, array);
   const Hdf5Handle storedType(H5Dget_type(data), H5Tclose, CannotRead(array));
   const MemoryType type = ChooseType(storedType, array);
   std::vector<hsize_t> first(GetShape(data).size(), 0), count(first.size(), 1);
@@ -281,23 +347,26 @@ TypedValues ReadBox(const std::string& path, const std::string& array, const Ind
 
 } // namespace
 
-ImageFile OpenDream3d(const std::string& path, const std::string& array)
+ImageFile OpenDream3d(const std::string& path, const ImageRequest& request)
 {
   const Hdf5Silence silence;
-  const Hdf5Handle file = Open(path);
+  const Hdf5Handle file(Open(path), H5Fclose, NoHdf5);
+  CheckLinks(file);
   std::vector<Geometry> geometries;
   constexpr int depth = 4; // levels of nested groups
-  FindGeometries(file, "/DataContainers", 0, geometries);
-  FindGeometries(file, "/DataStructure", depth, geometries);
+  std::set<std::string> visited;
+  FindGeometries(file, "/DataContainers", 0, geometries, visited);
+  FindGeometries(file, "/DataStructure", depth, geometries, visited);
   if (geometries.empty())
   {
     throw InputError("it holds no image geometry of DREAM.3D 6 (/DataContainers) or DREAM3D-NX "
                      "(/DataStructure).");
   }
-  const CellArray chosen = Choose(ListCellArrays(file, geometries), array);
+  const CellArray chosen = Choose(ListCellArrays(file, geometries), request.Array);
   ImageFile image;
   image.Place = chosen.Place;
   image.IsOfCells = true;
+  CheckLength(path, 0, CountCells(image.Place.Size), true);
   image.Read = [path, array = chosen.Path](const IndexBox& box)
   { return ReadBox(path, array, box); };
   return image;

@@ -1,35 +1,29 @@
 #include "Images/ImageFile.h"
 
+#include "Base/ParseText.h"
 #include "FileSuffix.h"
 #include "Ranks/Errors.h"
 
-#include <functional>
+#include <algorithm>
 
 namespace vfm
 {
 namespace
 {
 
-using Opener = std::function<ImageFile(const std::string&, const std::string&)>;
-
 struct Format
 {
   std::vector<std::string> Suffixes;
-  Opener Open;
+  ImageFile (*Open)(const std::string&, const ImageRequest&);
 };
-
-Opener Alone(ImageFile (*open)(const std::string&))
-{
-  return [open](const std::string& path, const std::string&) { return open(path); };
-}
 
 const std::vector<Format>& Formats()
 {
   static const std::vector<Format> formats{
-    { { ".nii", ".nii.gz" }, Alone(OpenNifti) },
-    { { ".nrrd", ".nhdr" }, Alone(OpenNrrd) },
-    { { ".mha", ".mhd" }, Alone(OpenMetaImage) },
-    { { ".tif", ".tiff" }, Alone(OpenTiff) },
+    { { ".nii", ".nii.gz" }, OpenNifti },
+    { { ".nrrd", ".nhdr" }, OpenNrrd },
+    { { ".mha", ".mhd" }, OpenMetaImage },
+    { { ".tif", ".tiff" }, OpenTiff },
     { { ".dream3d" }, OpenDream3d },
   };
   return formats;
@@ -37,16 +31,51 @@ const std::vector<Format>& Formats()
 
 } // namespace
 
-ImageFile OpenImageFile(const std::string& path, const std::string& array)
+ImageFile OpenImageFile(const std::string& path, const ImageRequest& request)
 {
   for (const Format& format : Formats())
   {
     if (HasSuffix(path, format.Suffixes))
     {
-      return format.Open(path, array);
+      ImageFile file = format.Open(path, request);
+      SelectVolume(request, file.Volumes);
+      return file;
     }
   }
-  throw InputError("its suffix is not one of a supported image format.");
+  throw InputError("its suffix is not that of an image format. Supported suffixes: " +
+    JoinTexts(GetImageSuffixes()) + ".");
+}
+
+Index SelectVolume(const ImageRequest& request, Index volumes, const std::string& kinds)
+{
+  const std::string found = "it holds " + std::to_string(volumes) +
+    (volumes == 1 ? " image" : " images") + (kinds.empty() ? "" : " (" + kinds + ")");
+  const std::string range = ", from 0 to " + std::to_string(volumes - 1) + ".";
+  if (!request.Volume && volumes > 1)
+  {
+    throw InputError(found + ". Select one of them by its number, --volume or Volume" + range);
+  }
+  const Index volume = request.Volume.value_or(0);
+  if (volume < 0 || volume >= volumes)
+  {
+    throw InputError(found + ", but image " + std::to_string(volume) +
+      " is requested. Change --volume or Volume" + range);
+  }
+  return volume;
+}
+
+void AddLabelName(LabelNames& names, int label, const std::string& name)
+{
+  std::string text = name;
+  std::replace_if(
+    text.begin(), text.end(), [](char c) { return c == '\x7f' || (c >= 0 && c < ' '); }, ' ');
+  text = TrimText(text);
+  const bool isUsed = std::any_of(names.begin(), names.end(),
+    [&](const auto& other) { return other.first != label && other.second == text; });
+  if (!text.empty())
+  {
+    names[label] = isUsed ? text + " (" + std::to_string(label) + ")" : text;
+  }
 }
 
 const std::vector<std::string>& GetImageSuffixes()

@@ -5,14 +5,25 @@
 #pragma once
 
 #include "Images/ImagePlace.h"
+#include "Input/LabelNames.h"
 #include "TypedValues.h"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace vfm
 {
+
+/// Selection of the data to read from an image file.
+struct ImageRequest
+{
+  /// Name of a cell array of a .dream3d file, or the end of its path.
+  std::string Array = "FeatureIds";
+  /// Number of an image, from 0, in a file that holds several.
+  std::optional<int> Volume;
+};
 
 /// Open image file: its place in space and a function that reads its values.
 struct ImageFile
@@ -23,16 +34,31 @@ struct ImageFile
   bool IsOfCells = false;
   /// False: Read accepts only the box of the whole image.
   bool ReadsParts = true;
+  Index Volumes = 1;   ///< number of images in the file
+  LabelNames Names;    ///< names of labels that the file contains
+  std::string Warning; ///< about the place or the values; empty: none
   /// Returns the values in a box of the image, x fastest, without a name. Throws InputError; the
   /// message does not contain the path.
   std::function<TypedValues(const IndexBox& box)> Read;
 };
 
 /// Opens an image file; the suffix determines the format.
-/// @param array  name of a cell array of a .dream3d file, or the end of its path
-/// @throws InputError  if the suffix is unknown, or if the file cannot be read, is damaged or is
-///   not supported; the message does not contain the path
-ImageFile OpenImageFile(const std::string& path, const std::string& array);
+/// @throws InputError  if the suffix is unknown, if the file cannot be read, is damaged or is not
+///   supported, or if it does not contain the requested image; the message does not contain the
+///   path
+ImageFile OpenImageFile(const std::string& path, const ImageRequest& request = {});
+
+/// Returns the number of the image to read, from 0.
+/// @param volumes  number of images in the file
+/// @param kinds  description of the images, for the message
+/// @throws InputError  if the requested image is missing, or if there are several and none is
+///   requested
+Index SelectVolume(const ImageRequest& request, Index volumes, const std::string& kinds = "");
+
+/// Adds the name of a label that an image file contains. Names without visible text are ignored,
+/// and spaces around them are removed. Control characters become spaces. A name that another label
+/// has is followed by the label in parentheses, because names of materials must differ.
+void AddLabelName(LabelNames& names, int label, const std::string& name);
 
 /// Returns all supported suffixes, for instance ".nii".
 const std::vector<std::string>& GetImageSuffixes();
@@ -43,17 +69,17 @@ bool IsImageFile(const std::string& path);
 /// z up (RAS). They are taken from the sform; if it is missing or sheared, from the qform; without
 /// both, from the spacing. If the axes are left-handed, the order of the slices is reversed.
 /// @throws InputError  same conditions as OpenImageFile, also below
-ImageFile OpenNifti(const std::string& path);
+ImageFile OpenNifti(const std::string& path, const ImageRequest& request);
 /// Opens an NRRD file, encoding raw or gzip. Coordinates are taken from space directions and space
 /// origin, or from spacings, in the space that the file names (mostly LPS).
-ImageFile OpenNrrd(const std::string& path);
+ImageFile OpenNrrd(const std::string& path, const ImageRequest& request);
 /// Opens a MetaImage file, raw, zlib or text. Offset, ElementSpacing and TransformMatrix give the
 /// coordinates, in the space of the file (mostly LPS).
-ImageFile OpenMetaImage(const std::string& path);
+ImageFile OpenMetaImage(const std::string& path, const ImageRequest& request);
 /// Opens a TIFF file. Each page is a slice: x to the right, y up, z from page to page. The
 /// resolution gives the spacing in x and y, millimetres; the spacing in z equals that in x.
-ImageFile OpenTiff(const std::string& path);
+ImageFile OpenTiff(const std::string& path, const ImageRequest& request);
 /// Opens a cell array of an image geometry of DREAM.3D 6 or DREAM3D-NX.
-ImageFile OpenDream3d(const std::string& path, const std::string& array);
+ImageFile OpenDream3d(const std::string& path, const ImageRequest& request);
 
 } // namespace vfm

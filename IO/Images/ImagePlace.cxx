@@ -1,14 +1,14 @@
 #include "Images/ImagePlace.h"
 
+#include "Base/ParseText.h"
 #include "Base/Vector3.h"
-#include "Ranks/Errors.h"
+#include "CellCount.h"
+#include "InputTrust.h"
+#include "OpenFile.h"
 
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
-#include <iomanip>
 #include <limits>
-#include <sstream>
 
 namespace vfm
 {
@@ -16,7 +16,7 @@ namespace
 {
 
 constexpr double LargestCosine = 1e-4;  // an error of 0.03 cells over an image of 300 cells
-constexpr double LargestRatio = 5000.0; // compression ratio; LZW of TIFF can reach half of it
+constexpr Index LargestRatio = 5000; // compression ratio; LZW of TIFF can reach half of it
 
 /// Returns the length of a vector; exact for vectors along axes.
 double Length(const Vector3& a)
@@ -65,7 +65,8 @@ void SetSteps(const std::array<Vector3, 3>& steps, ImagePlace& place)
 Index ToSize(double value)
 {
   constexpr double most = std::numeric_limits<int>::max();
-  return value >= 0.0 && value < most ? static_cast<Index>(value) : 0;
+  const bool isSize = value >= 0.0 && value < most && value == std::floor(value);
+  return isSize ? static_cast<Index>(value) : 0;
 }
 
 void CheckPlace(const ImagePlace& place)
@@ -80,26 +81,25 @@ void CheckPlace(const ImagePlace& place)
     if (!(place.Spacing[a] > 0.0) || !std::isfinite(place.Spacing[a]))
     {
       throw InputError("its spacing along axis " + std::to_string(a + 1) + " is " +
-        std::to_string(place.Spacing[a]) + "; it must be above 0.");
+        FormatNumber(place.Spacing[a]) + "; it must be above 0.");
     }
     if (!std::isfinite(place.Origin[a]))
     {
       throw InputError("its origin is not finite.");
     }
   }
+  CountCells(place.Size);
 }
 
-void CheckLength(const std::string& path, double offset, double bytes, bool areCompressed)
+void CheckLength(const std::string& path, Index offset, Index bytes, bool areCompressed)
 {
-  std::error_code error;
-  const double there = static_cast<double>(std::filesystem::file_size(path, error)) - offset;
-  if (!error && bytes > (areCompressed ? LargestRatio : 1.0) * there)
+  const Index there = GetFileLength(path) - offset;
+  const bool isUnlimited = areCompressed && InputTrust::IsGiven() && there > 0;
+  if (!isUnlimited && (there <= 0 || bytes / (areCompressed ? LargestRatio : 1) > there))
   {
-    std::ostringstream text;
-    text << std::fixed << std::setprecision(0) << "its values are truncated: they have " << bytes
-         << " bytes" << (areCompressed ? " uncompressed" : "") << ", but there are " << there
-         << ".";
-    throw InputError(text.str());
+    throw InputError("its values are truncated: they have " + std::to_string(bytes) + " bytes" +
+      (areCompressed ? " uncompressed" : "") + ", but there are " + std::to_string(there) + "." +
+      (areCompressed && there > 0 ? std::string(" ") + InputTrust::Advice : ""));
   }
 }
 

@@ -30,19 +30,20 @@ bool AreAtRightAngles(const std::array<Vector3, 3>& steps);
 /// @param steps  vector from one value to the next along each axis; AreAtRightAngles
 void SetSteps(const std::array<Vector3, 3>& steps, ImagePlace& place);
 
-/// Converts a size that a header contains; returns 0, which CheckPlace rejects, if it is invalid.
+/// Converts a size that a header contains; returns 0, which CheckPlace rejects, if it is not an
+/// integer from 0 to the range of int.
 Index ToSize(double value);
 
 /// Checks the numbers of an image's place.
-/// @throws InputError  if a size is below 1 or exceeds int, if a spacing is not above 0, or if a
-///   number is not finite
+/// @throws InputError  if a size is below 1 or exceeds int, if there are too many values
+///   (CountCells), if a spacing is not above 0, or if a number is not finite
 void CheckPlace(const ImagePlace& place);
 
 /// Checks that a file is long enough for its values. For compressed values, a compression ratio of
-/// 5000 is assumed to be possible.
+/// 5000 is assumed to be possible, and any ratio if the input is trusted.
 /// @param offset  place of the first value in the file, bytes
 /// @param bytes  size of the values, uncompressed
-/// @throws InputError  if the file is too short
-void CheckLength(const std::string& path, double offset, double bytes, bool areCompressed);
+/// @throws InputError  if the file is too short or not a regular file
+void CheckLength(const std::string& path, Index offset, Index bytes, bool areCompressed);
 
 } // namespace vfm

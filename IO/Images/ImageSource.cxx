@@ -9,7 +9,7 @@
 namespace vfm
 {
 
-ImageSource OpenImage(const std::string& path, const Vector3& spacing, const std::string& array)
+ImageSource OpenImage(const std::string& path, const Vector3& spacing, const ImageRequest& request)
 {
   const bool isSet = spacing != Vector3{ { 0.0, 0.0, 0.0 } };
   if (isSet && !std::all_of(spacing.begin(), spacing.end(), [](double s) { return s > 0.0; }))
@@ -17,10 +17,10 @@ ImageSource OpenImage(const std::string& path, const Vector3& spacing, const std
     throw InputError(
       "Spacing must be above 0 along all axes, or 0 along all to use that of the file.");
   }
-  ImageFile file = OpenImageFile(path, array);
+  ImageFile file = OpenImageFile(path, request);
   file.Place.Spacing = isSet ? spacing : file.Place.Spacing;
-  return { file.Place, file.IsOfCells,
-    [file, array](const IndexBox& box, Ranks& ranks)
+  return { file.Place, file.IsOfCells, file.Names, file.Warning,
+    [file, array = request.Array](const IndexBox& box, Ranks& ranks)
     {
       std::vector<TypedValues> arrays;
       arrays.push_back(ReadPart(file, box, ranks));
@@ -46,7 +46,8 @@ ImageSource OpenVoxels(const std::string& path, const Index3& cells, const Vecto
   place.Size = isSized ? file.Cells : Index3{};
   place.Origin = origin;
   place.Spacing = spacing;
-  return { place, true, [file](const IndexBox& box, Ranks&) { return ReadVoxels(file, box); } };
+  return { place, true, {}, "",
+    [file](const IndexBox& box, Ranks&) { return ReadVoxels(file, box); } };
 }
 
 } // namespace vfm

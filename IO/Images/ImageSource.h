@@ -3,6 +3,7 @@
  */
 #pragma once
 
+#include "Images/ImageFile.h"
 #include "Images/ImagePlace.h"
 #include "Ranks/Ranks.h"
 #include "TypedValues.h"
@@ -22,18 +23,19 @@ struct ImageSource
   /// True: values belong to cells, and the origin is the corner of the first cell. False: values
   /// belong to points, and the origin is the first point.
   bool IsOfCells = false;
+  LabelNames Names;    ///< names of labels that the file contains
+  std::string Warning; ///< about the place or the values; empty: none
   /// Returns the arrays in the box of each rank, which may be empty; x fastest. Collective. Throws
   /// InputError, possibly only on some ranks; the message does not contain the path.
   std::function<std::vector<TypedValues>(const IndexBox& box, Ranks& ranks)> Read;
 };
 
-/// Opens an image, see OpenImageFile. Its array has the name `array` if it belongs to cells,
-/// otherwise 'Labels' (integers) or 'Values'.
+/// Opens an image, see OpenImageFile. Its array has the requested name if it belongs to
+/// cells, otherwise 'Labels' (integers) or 'Values'.
 /// @param spacing  replaces the spacing of the file; 0 along all axes: spacing of the file
-/// @param array  name of a cell array of a .dream3d file, or the end of its path
 /// @throws InputError  if the file cannot be read or is not supported; does not contain the path
 ImageSource OpenImage(
-  const std::string& path, const Vector3& spacing, const std::string& array = "FeatureIds");
+  const std::string& path, const Vector3& spacing, const ImageRequest& request = {});
 
 /// Opens a voxel file, see InspectVoxels.
 /// @param cells  number of cells along x, y and z of a text, 0 if unknown

@@ -1,21 +1,23 @@
+#include "Images/HeaderNumbers.h"
 #include "Images/ImageFile.h"
+#include "Images/ReadNumbers.h"
 #include "Images/StoredValues.h"
+#include "Base/ParseText.h"
 #include "OpenFile.h"
+#include "ReadLine.h"
 #include "SwapBytes.h"
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <filesystem>
 #include <map>
-#include <sstream>
 
 namespace vfm
 {
 namespace
 {
 
-constexpr std::size_t LongestLine = 100000;
+constexpr int MostLines = 10000; // lines of a header
 
 /// Fields of the header and its length.
 struct MetaHeader
@@ -36,43 +38,38 @@ struct MetaHeader
     }
     return without;
   }
+  /// Returns the switch of the first field that exists, or false if none exists.
   bool IsTrue(std::initializer_list<const char*> names) const
   {
     const std::string value = this->Find(names, "False");
-    return !value.empty() && (value[0] == 'T' || value[0] == 't' || value[0] == '1');
+    const char first = value.empty() ? ' ' : value[0];
+    if (std::string("TtFf01").find(first) == std::string::npos)
+    {
+      throw InputError(std::string("its header says '") + *names.begin() + " = " +
+        value.substr(0, 80) + "', where True or False is required.");
+    }
+    return first == 'T' || first == 't' || first == '1';
   }
   /// Returns `count` numbers of the first field that exists, or `without` for each if none exists.
   std::vector<double> Numbers(
     std::initializer_list<const char*> names, std::size_t count, double without) const
   {
     const std::string text = this->Find(names, "");
-    std::istringstream stream(text);
-    std::vector<double> numbers(count, without);
-    for (std::size_t i = 0; i < count && !text.empty(); ++i)
-    {
-      if (!(stream >> numbers[i]))
-      {
-        throw InputError(std::string("its header says '") + *names.begin() + " = " +
-          text.substr(0, 80) + "', where " + std::to_string(count) + " numbers are required.");
-      }
-    }
-    return numbers;
+    return text.empty() ? std::vector<double>(count, without)
+                        : ParseReals(*names.begin(), text, count);
+  }
+  std::vector<Index> Integers(const char* name, std::size_t count, Index without) const
+  {
+    const std::string text = this->Find({ name }, "");
+    return text.empty() ? std::vector<Index>(count, without) : ParseIntegers(name, text, count);
   }
 };
-
-std::string Trim(const std::string& text)
-{
-  const std::size_t first = text.find_first_not_of(" \t\r");
-  return first == std::string::npos
-    ? ""
-    : text.substr(first, text.find_last_not_of(" \t\r") + 1 - first);
-}
 
 MetaHeader ReadHeader(std::ifstream& stream)
 {
   MetaHeader header;
   std::string line;
-  while (std::getline(stream, line) && line.size() < LongestLine)
+  for (int lines = 0; lines < MostLines && ReadLine(stream, line); ++lines)
   {
     const std::size_t equals = line.find('=');
     const bool isText = std::none_of(line.begin(), line.end(),
@@ -81,11 +78,11 @@ MetaHeader ReadHeader(std::ifstream& stream)
     {
       break;
     }
-    const std::string name = Trim(line.substr(0, equals));
-    header.Fields[name] = Trim(line.substr(equals + 1));
+    const std::string name = TrimText(line.substr(0, equals));
+    header.Fields[name] = TrimText(line.substr(equals + 1));
     if (name == "ElementDataFile")
     {
-      header.Length = stream ? static_cast<Index>(stream.tellg()) : 0;
+      header.Length = stream.eof() ? 0 : static_cast<Index>(stream.tellg());
       return header;
     }
   }
@@ -114,15 +111,15 @@ int FindType(const std::string& name)
 
 ImagePlace FindPlace(const MetaHeader& header)
 {
-  const double dimensions = header.Numbers({ "NDims" }, 1, 0.0)[0];
-  if (!(dimensions >= 1.0 && dimensions <= 3.0))
+  const Index dimensions = header.Integers("NDims", 1, 0)[0];
+  if (dimensions < 1 || dimensions > 3)
   {
     throw InputError("its image has " + header.Find({ "NDims" }, "no").substr(0, 20) +
       " dimensions; three are required.");
   }
   const std::size_t n = static_cast<std::size_t>(dimensions);
-  const std::vector<double> sizes = header.Numbers({ "DimSize" }, n, 0.0),
-                            spacing = header.Numbers({ "ElementSpacing", "ElementSize" }, n, 1.0),
+  const std::vector<Index> sizes = header.Integers("DimSize", n, 0);
+  const std::vector<double> spacing = header.Numbers({ "ElementSpacing", "ElementSize" }, n, 1.0),
                             origin = header.Numbers({ "Offset", "Position", "Origin" }, n, 0.0);
   const bool isTurned = !header.Find({ "TransformMatrix", "Rotation", "Orientation" }, "").empty();
   const std::vector<double> matrix =
@@ -133,7 +130,7 @@ ImagePlace FindPlace(const MetaHeader& header)
     { { 0.0, 0.0, 1.0 } } } };
   for (std::size_t a = 0; a < n; ++a)
   {
-    place.Size[a] = ToSize(sizes[a]);
+    place.Size[a] = sizes[a];
     place.Origin[a] = origin[a];
     for (std::size_t c = 0; c < n; ++c)
     {
@@ -156,66 +153,93 @@ ImagePlace FindPlace(const MetaHeader& header)
 std::vector<std::string> FindFiles(const MetaHeader& header, std::istream& stream, Index slices)
 {
   const std::string name = header.Find({ "ElementDataFile" }, "");
-  std::istringstream words(name);
-  std::string pattern;
-  double first = 0.0, last = 0.0, step = 1.0;
-  std::vector<std::string> files;
+  const std::vector<std::string> words = SplitWords(name);
   if (name == "LOCAL" || name == "Local" || name == "local")
   {
-    return files;
+    return {};
   }
-  if (name.compare(0, 4, "LIST") == 0)
+  if (name.empty())
   {
-    for (std::string line; static_cast<Index>(files.size()) < slices && std::getline(stream, line);)
+    throw InputError("its ElementDataFile is empty.");
+  }
+  if (words[0] == "LIST")
+  {
+    if (words.size() > 1 && name != "LIST 2" && name != "LIST 2D")
     {
-      files.push_back(Trim(line));
+      throw InputError("its ElementDataFile is '" + name.substr(0, 80) +
+        "'. Supported lists: LIST, with one file per slice.");
+    }
+    std::vector<std::string> files;
+    for (std::string line; static_cast<Index>(files.size()) < slices && ReadLine(stream, line);)
+    {
+      files.push_back(TrimText(line));
     }
     return files;
   }
-  if (name.find('%') != std::string::npos && words >> pattern >> first >> last)
+  const bool isPattern = words.size() > 2 && words[0].find('%') != std::string::npos;
+  if (!isPattern)
   {
-    words >> step;
-    return ListNumberedFiles(pattern, first, last, step, slices);
+    return { name };
   }
-  return { name };
+  const std::string numbers = name.substr(name.find(words[0]) + words[0].size());
+  std::vector<Index> range =
+    ParseIntegers("ElementDataFile = " + words[0], numbers, words.size() - 1);
+  range.resize(std::max<std::size_t>(range.size(), 3), 1);
+  return ListNumberedFiles(words[0], range[0], range[1], range[2], slices);
 }
 
-/// Reads values that are stored as text.
-TypedValues ReadText(const StoredValues& stored, Index count)
+/// Sets the place of the values according to HeaderSize, which counts from the begin of the file,
+/// as in MetaIO. -1: the values are at the end of the file.
+void SkipHeader(const MetaHeader& header, const Index3& size, StoredValues& stored)
 {
-  TypedValues values = MakeValues("", stored.Type, count);
-  std::ifstream stream = OpenFile(stored.Files[0]);
-  stream.seekg(stored.Begin);
-  VisitType(stored.Type,
-    [&](auto tag)
-    {
-      using Value = typename decltype(tag)::Type;
-      for (Index i = 0; i < count; ++i)
-      {
-        double number = 0.0;
-        if (!(stream >> number))
-        {
-          throw InputError("its values are truncated, or not numbers.");
-        }
-        reinterpret_cast<Value*>(values.Bytes.data())[i] = static_cast<Value>(number);
-      }
-    });
-  return values;
+  const Index skip = header.Integers("HeaderSize", 1, 0)[0];
+  if (skip < -1 || (skip > 0 && skip < stored.Begin))
+  {
+    throw InputError("its HeaderSize is " + std::to_string(skip) +
+      "; it must be -1, or the number of bytes before the values" +
+      (skip < 0 ? "." : ", but the header has " + std::to_string(stored.Begin) + " bytes."));
+  }
+  if (skip == -1)
+  {
+    PlaceAtEnd(size, stored);
+  }
+  stored.Begin = std::max(stored.Begin, skip);
+}
+
+/// Checks the files of the values.
+void CheckValues(const StoredValues& stored, const Index3& size, bool isBinary)
+{
+  if (isBinary)
+  {
+    CheckFiles(stored, size);
+    return;
+  }
+  if (stored.Files.size() != 1 || stored.AreCompressed)
+  {
+    throw InputError("values in text form require one file without compression.");
+  }
+  // Each value takes a digit and a space, except the last, which needs no space.
+  CheckLength(stored.Files[0], stored.Begin, 2 * CountCells(size) - 1, false);
 }
 
 } // namespace
 
-ImageFile OpenMetaImage(const std::string& path)
+ImageFile OpenMetaImage(const std::string& path, const ImageRequest&)
 {
   std::ifstream stream = OpenFile(path);
   const MetaHeader header = ReadHeader(stream);
   ImageFile image;
   image.Place = FindPlace(header);
   const Index3 size = image.Place.Size;
-  const double values = header.Numbers({ "ElementNumberOfChannels" }, 1, 1.0)[0];
-  if (values != 1.0)
+  const std::string kind = header.Find({ "ObjectType" }, "Image");
+  if (kind != "Image")
   {
-    throw InputError("it has " + std::to_string(static_cast<int>(values)) +
+    throw InputError("its ObjectType is '" + kind.substr(0, 80) + "'; Image is required.");
+  }
+  const Index values = header.Integers("ElementNumberOfChannels", 1, 1)[0];
+  if (values != 1)
+  {
+    throw InputError("it has " + std::to_string(values) +
       " values per point (a vector or a colour); one is required, a label or a volume fraction.");
   }
   StoredValues stored;
@@ -223,41 +247,15 @@ ImageFile OpenMetaImage(const std::string& path)
   stored.AreCompressed = header.IsTrue({ "CompressedData" });
   stored.AreSwapped = WidthOfType(stored.Type) > 1 &&
     header.IsTrue({ "BinaryDataByteOrderMSB", "ElementByteOrderMSB" }) == IsLittleEndian();
-  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-  for (const std::string& file : FindFiles(header, stream, size[2]))
-  {
-    stored.Files.push_back((folder / file).string());
-  }
-  if (stored.Files.empty())
-  {
-    stored.Files = { path };
-    stored.Begin = header.Length;
-  }
-  const double skip = header.Numbers({ "HeaderSize" }, 1, 0.0)[0];
+  SetFiles(path, header.Length, FindFiles(header, stream, size[2]), stored);
   const bool isBinary = header.IsTrue({ "BinaryData" });
-  if (skip == -1.0 && stored.Files.size() == 1) // the values are at the end of the file
-  {
-    const double length = static_cast<double>(std::filesystem::file_size(stored.Files[0]));
-    stored.Begin = ToSize(length - stored.CountBytes(size));
-  }
-  else
-  {
-    stored.Begin += ToSize(skip);
-  }
-  if (isBinary)
-  {
-    CheckFiles(stored, size);
-  }
-  else
-  {
-    CheckLength(stored.Files[0], static_cast<double>(stored.Begin),
-      2.0 * stored.CountBytes(size) / double(WidthOfType(stored.Type)) - 1.0, false);
-  }
+  SkipHeader(header, size, stored);
+  CheckValues(stored, size, isBinary);
   image.ReadsParts = isBinary && !stored.AreCompressed;
   image.Read = [stored, size, isBinary](const IndexBox& box)
   {
     return isBinary ? ReadStored(stored, size, box)
-                    : ReadText(stored, box.NumberOfCells()); // box of the whole image
+                    : ReadNumbers(stored, box.NumberOfCells()); // box of the whole image
   };
   return image;
 }

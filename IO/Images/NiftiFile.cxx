@@ -1,3 +1,4 @@
+#include "Base/ParseText.h"
 #include "Base/Vector3.h"
 #include "Images/ImageFile.h"
 #include "Images/StoredValues.h"
@@ -34,9 +35,14 @@ public:
       const int length = read >= Length1 ? this->Take<std::int32_t>(0) : 0;
       const char* magic = this->Bytes.data() + (length == Length1 ? 344 : 4);
       this->IsSecond = length == Length2;
-      if ((length == Length1 && magic[0] == 'n' && magic[2] == '1') ||
-        (length == Length2 && read == Length2 && magic[0] == 'n' && magic[2] == '2'))
+      const bool isFirst = length == Length1 && magic[0] == 'n' && magic[2] == '1';
+      if (isFirst || (length == Length2 && read == Length2 && magic[0] == 'n' && magic[2] == '2'))
       {
+        if (magic[1] != '+')
+        {
+          throw InputError("it is only the header of an image. Pairs of .hdr and .img are not "
+                           "supported; save the image as one file.");
+        }
         return;
       }
     }
@@ -57,6 +63,20 @@ public:
     return this->Number<float, double>(first, second, index);
   }
   double Dimension(int i) const { return this->Number<std::int16_t, std::int64_t>(40, 16, i); }
+  /// Returns the number of bytes before the values. At least the header and the four bytes after it
+  /// precede them.
+  /// @throws InputError  if the number is invalid
+  Index CountSkipped() const
+  {
+    const double skip = this->Number<float, std::int64_t>(108, 168);
+    const int least = (this->IsSecond ? Length2 : Length1) + 4;
+    if (!(skip >= least && skip < 0x1p53 && skip == std::floor(skip)))
+    {
+      throw InputError("its values begin at byte " + FormatNumber(skip) +
+        " (vox_offset); the number must be an integer from " + std::to_string(least) + ".");
+    }
+    return static_cast<Index>(skip);
+  }
   /// Returns entry i of pixdim; 1 if it is 0.
   double Width(int i) const
   {
@@ -105,15 +125,10 @@ Index3 FindSize(const NiftiHeader& header)
   const double dimensions = header.Dimension(0);
   if (!(dimensions >= 0.0 && dimensions <= 7.0))
   {
-    throw InputError("its image has " + std::to_string(static_cast<int>(dimensions)) +
+    throw InputError("its image has " + FormatNumber(dimensions) +
       " dimensions; three are required.");
   }
   const auto size = [&](int i) { return i <= dimensions ? ToSize(header.Dimension(i)) : 1; };
-  if (size(4) > 1)
-  {
-    throw InputError("it holds " + std::to_string(size(4)) +
-      " images (times, or maps of several regions). Save only one of them.");
-  }
   const Index values = size(5);
   if (values > 1)
   {
@@ -121,6 +136,12 @@ Index3 FindSize(const NiftiHeader& header)
       " values per point (a vector or a colour); one is required, a label or a volume fraction.");
   }
   return { size(1), size(2), size(3) };
+}
+
+/// Returns the number of images.
+Index CountVolumes(const NiftiHeader& header)
+{
+  return header.Dimension(0) >= 4.0 ? std::max<Index>(ToSize(header.Dimension(4)), 1) : 1;
 }
 
 /// Axes of an image and the position of its first value.
@@ -251,7 +272,7 @@ TypedValues Rescale(const TypedValues& stored, double slope, double intercept)
 
 } // namespace
 
-ImageFile OpenNifti(const std::string& path)
+ImageFile OpenNifti(const std::string& path, const ImageRequest& request)
 {
   const NiftiHeader header(path);
   ImageFile image;
@@ -260,8 +281,12 @@ ImageFile OpenNifti(const std::string& path)
   StoredValues stored{ { path }, FindType(header) };
   stored.AreCompressed = header.IsPacked;
   stored.AreSwapped = header.IsSwapped;
-  stored.Skip = ToSize(header.Number<float, std::int64_t>(108, 168));
+  stored.Skip = header.CountSkipped();
   CheckPlace(image.Place);
+  CheckFiles(stored, image.Place.Size);
+  image.Volumes = CountVolumes(header);
+  const Index volume = SelectVolume(request, image.Volumes, "times, or maps of several regions");
+  stored.Skip += static_cast<Index>(stored.CountBytes(image.Place.Size)) * volume;
   CheckFiles(stored, image.Place.Size);
   const bool isTurned = SetPlace(header, image.Place);
   double slope = header.Real(112, 176), intercept = header.Real(116, 184);

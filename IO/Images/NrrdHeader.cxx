@@ -1,138 +1,81 @@
 #include "Images/NrrdHeader.h"
 
-#include "Images/ImagePlace.h"
+#include "Images/HeaderNumbers.h"
 #include "Images/StoredValues.h"
-#include "OpenFile.h"
 #include "SwapBytes.h"
 
 #include <algorithm>
 #include <map>
-#include <sstream>
-#include <vector>
+#include <optional>
 
 namespace vfm
 {
 namespace
 {
 
-constexpr std::size_t LongestLine = 100000;
-constexpr double LargestSkip = 1e15;
-
-/// Rejects a line of a truncated header or of another format.
-void CheckLine(const std::string& line, bool hasEnd)
+/// Returns the position of the axis of layers among four axes; nothing if there is none.
+std::optional<std::size_t> FindLayers(const NrrdFields& fields)
 {
-  const bool isText = std::none_of(line.begin(), line.end(),
-    [](unsigned char c) { return (c < ' ' && c != '\t' && c != '\r') || c == 127; });
-  if (!hasEnd || line.size() > LongestLine || !isText)
+  const std::vector<std::string> kinds = SplitWords(fields.Find("kinds", ""));
+  for (const std::size_t axis : { 0, 3 })
   {
-    throw InputError(
-      "its header is not a text that ends with an empty line or with the end of a line.");
-  }
-}
-
-/// Reads the fields of the header, by name.
-/// @param[out] length  length of the header, bytes
-std::map<std::string, std::string> ReadFields(const std::string& path, Index& length)
-{
-  std::ifstream stream = OpenFile(path);
-  std::string line;
-  std::getline(stream, line);
-  if (line.compare(0, 4, "NRRD") != 0)
-  {
-    throw InputError("it is not an NRRD file.");
-  }
-  CheckLine(line, !stream.eof());
-  std::map<std::string, std::string> fields;
-  bool hasEnd = false, isList = false;
-  std::string& list = fields["LIST"]; // names of files, one per line
-  while (!hasEnd && std::getline(stream, line))
-  {
-    CheckLine(line, !stream.eof());
-    if (!line.empty() && line.back() == '\r')
+    if (kinds.size() == 4 && (kinds[axis] == "list" || kinds[axis] == "time"))
     {
-      line.pop_back();
-    }
-    hasEnd = line.empty();
-    const std::size_t colon = line.find(": ");
-    if (!hasEnd && isList)
-    {
-      list += line + "\n";
-    }
-    else if (!hasEnd && line[0] != '#' && colon != std::string::npos)
-    {
-      fields[line.substr(0, colon)] = line.substr(colon + 2);
-      isList = line.compare(0, 4, "data") == 0 && line.compare(colon, 6, ": LIST") == 0;
+      return axis;
     }
   }
-  length = stream ? static_cast<Index>(stream.tellg()) : 0;
-  return fields;
+  return std::nullopt;
 }
 
-/// Returns all numbers at the beginning of a text; brackets and commas between them are ignored.
-std::vector<double> ParseNumbers(std::string text)
+/// Returns the field of a value per axis, without the axis of layers and without signs between
+/// numbers.
+std::string DropLayers(
+  const NrrdFields& fields, const std::string& name, std::optional<std::size_t> layers)
 {
-  for (char& c : text)
+  std::string text = fields.Find(name, "");
+  std::replace_if(
+    text.begin(), text.end(), [](char c) { return c == '(' || c == ')' || c == ','; }, ' ');
+  std::vector<std::string> words = SplitWords(text);
+  const std::size_t each = name == "space directions" ? 3 : 1;
+  if (layers && words.size() == 3 * each + 1)
   {
-    c = c == '(' || c == ')' || c == ',' ? ' ' : c;
+    words.erase(words.begin() + static_cast<std::ptrdiff_t>(*layers * each));
   }
-  std::istringstream stream(text);
-  std::vector<double> numbers;
-  for (double number; stream >> number;)
+  std::string kept;
+  for (const std::string& word : words)
   {
-    numbers.push_back(number);
+    kept += (kept.empty() ? "" : " ") + word;
   }
-  return numbers;
+  return kept;
 }
 
-/// Returns the n numbers of a field.
-/// @throws InputError  if the field is missing or does not have n numbers
-std::vector<double> ParseField(
-  const std::map<std::string, std::string>& fields, const std::string& name, std::size_t n)
+void ReadSteps(
+  const NrrdFields& fields, std::optional<std::size_t> layers, NrrdHeader& header)
 {
-  const auto found = fields.find(name);
-  const std::vector<double> numbers =
-    found == fields.end() ? std::vector<double>() : ParseNumbers(found->second);
-  if (numbers.size() != n)
+  if (fields.Has("space directions"))
   {
-    throw InputError("its header says '" + name + ": " +
-      (found == fields.end() ? "" : found->second.substr(0, 80)) + "', where " + std::to_string(n) +
-      (n == 1 ? " number is" : " numbers are") + " required.");
-  }
-  return numbers;
-}
-
-void ReadSteps(const std::map<std::string, std::string>& fields, NrrdHeader& header)
-{
-  if (fields.count("space directions") > 0)
-  {
-    const std::vector<double> all = ParseField(fields, "space directions", 9);
+    const std::string name = "space directions";
+    const std::vector<double> all = ParseReals(name, DropLayers(fields, name, layers), 9);
     for (std::size_t i = 0; i < 9; ++i)
     {
       header.Steps[i / 3][i % 3] = all[i];
     }
   }
-  else if (fields.count("spacings") > 0)
+  else if (fields.Has("spacings"))
   {
-    const std::vector<double> all = ParseField(fields, "spacings", 3);
+    const std::vector<double> all =
+      ParseReals("spacings", DropLayers(fields, "spacings", layers), 3);
     for (std::size_t a = 0; a < 3; ++a)
     {
       header.Steps[a][a] = all[a];
     }
   }
-  if (fields.count("space origin") > 0)
+  if (fields.Has("space origin"))
   {
-    const std::vector<double> origin = ParseField(fields, "space origin", 3);
+    const std::string name = "space origin";
+    const std::vector<double> origin = ParseReals(name, DropLayers(fields, name, {}), 3);
     std::copy_n(origin.begin(), 3, header.Origin.begin());
   }
-}
-
-std::string FindField(const std::map<std::string, std::string>& fields, const std::string& name,
-  const std::string& without)
-{
-  const auto found = fields.find(name);
-  std::string text = found == fields.end() ? without : found->second;
-  text.erase(text.find_last_not_of(" \t") + 1);
-  return text;
 }
 
 int FindType(const std::string& name)
@@ -177,39 +120,81 @@ bool IsSwapped(const std::string& order)
   return (order == "little") != IsLittleEndian();
 }
 
-/// Returns the number of bytes of the data before the first value.
-Index FindSkip(const std::map<std::string, std::string>& fields)
+/// Returns the number of bytes of the data before the first value; -1: the values are at the end.
+Index FindSkip(const NrrdFields& fields, bool isRaw)
 {
-  if (FindField(fields, "line skip", "0") != "0")
+  if (ParseIntegers("line skip", fields.Find("line skip", "0"), 1)[0] != 0)
   {
     throw InputError("its header has a line skip, which is not supported.");
   }
-  const bool hasSkip = fields.count("byte skip") > 0;
-  const double skip = hasSkip ? ParseField(fields, "byte skip", 1)[0] : 0.0;
-  if (!(skip >= 0.0 && skip < LargestSkip))
+  const Index skip = ParseIntegers("byte skip", fields.Find("byte skip", "0"), 1)[0];
+  if (skip < (isRaw ? -1 : 0))
   {
-    throw InputError("its byte skip is not a number of bytes from 0.");
+    throw InputError("its byte skip is " + std::to_string(skip) +
+      "; it must be a number of bytes from 0, or -1 for raw values at the end of the file.");
   }
-  return static_cast<Index>(skip);
+  return skip;
 }
 
 /// Returns the files with the values: a list, a pattern with first, last and step, or one file.
-std::vector<std::string> FindFiles(const std::map<std::string, std::string>& fields, Index most)
+/// @param most  largest number of files
+/// @param dimension  number of dimensions of the values in each of several files
+std::vector<std::string> FindFiles(const NrrdFields& fields, Index most, Index dimension)
 {
-  const std::string name = FindField(fields, "data file", FindField(fields, "datafile", ""));
-  std::vector<std::string> files;
-  std::istringstream list(fields.at("LIST")), words(name);
-  for (std::string line; std::getline(list, line);)
+  const std::string name = fields.Find("data file", "");
+  const std::vector<std::string> words = SplitWords(name);
+  const bool isList = !words.empty() && words[0] == "LIST";
+  const bool isPattern = words.size() >= 4 && words[0].find('%') != std::string::npos;
+  const std::size_t usual = isList ? 1 : isPattern ? 4 : words.size();
+  if (words.size() > usual && (words.size() > usual + 1 || ParseInteger(words[usual]) != dimension))
   {
-    files.push_back(line);
+    throw InputError("its header says 'data file: " + name.substr(0, 80) + "', where files of " +
+      std::to_string(dimension) + " dimensions are supported.");
   }
-  std::string pattern;
-  double first = 0.0, last = 0.0, step = 0.0;
-  if (files.empty() && words >> pattern >> first >> last >> step)
+  if (isList)
   {
-    return ListNumberedFiles(pattern, first, last, step, most);
+    if (fields.List.empty())
+    {
+      throw InputError("its list of data files is empty.");
+    }
+    return fields.List;
   }
-  return files.empty() && !name.empty() ? std::vector<std::string>{ name } : files;
+  if (isPattern)
+  {
+    const std::vector<Index> range =
+      ParseIntegers("data file", words[1] + " " + words[2] + " " + words[3], 3);
+    return ListNumberedFiles(words[0], range[0], range[1], range[2], most);
+  }
+  return name.empty() ? std::vector<std::string>() : std::vector<std::string>{ name };
+}
+
+/// Reads the number of values along each axis.
+/// @return position of the axis of layers, if any
+std::optional<std::size_t> ReadSizes(const NrrdFields& fields, NrrdHeader& header)
+{
+  const Index dimension = ParseIntegers("dimension", fields.Find("dimension", ""), 1)[0];
+  const std::optional<std::size_t> layers =
+    dimension == 4 ? FindLayers(fields) : std::optional<std::size_t>();
+  if (dimension != 3 && !layers)
+  {
+    throw InputError("its image has " + std::to_string(dimension) +
+      " dimensions; three are required, with one value per point.");
+  }
+  std::vector<Index> sizes = ParseIntegers("sizes", fields.Find("sizes", ""), layers ? 4 : 3);
+  if (layers)
+  {
+    header.Layers = sizes[*layers];
+    header.HasLayersFirst = *layers == 0;
+    sizes.erase(sizes.begin() + static_cast<std::ptrdiff_t>(*layers));
+    constexpr Index most = 10000;
+    if (header.Layers < 1 || header.Layers > most)
+    {
+      throw InputError("it has " + std::to_string(header.Layers) + " layers; 1 to " +
+        std::to_string(most) + " are supported.");
+    }
+  }
+  std::copy_n(sizes.begin(), 3, header.Size.begin());
+  return layers;
 }
 
 } // namespace
@@ -217,30 +202,21 @@ std::vector<std::string> FindFiles(const std::map<std::string, std::string>& fie
 NrrdHeader ReadNrrdHeader(const std::string& path)
 {
   NrrdHeader header;
-  const std::map<std::string, std::string> fields = ReadFields(path, header.Length);
-  const double dimension = ParseField(fields, "dimension", 1)[0];
-  if (dimension != 3.0)
-  {
-    throw InputError("its image has " + std::to_string(static_cast<int>(dimension)) +
-      " dimensions; three are required, with one value per point.");
-  }
-  const std::vector<double> sizes = ParseField(fields, "sizes", 3);
-  for (std::size_t a = 0; a < 3; ++a)
-  {
-    header.Size[a] = ToSize(sizes[a]);
-  }
-  ReadSteps(fields, header);
-  const std::string coded = FindField(fields, "encoding", "");
+  header.Fields = ReadNrrdFields(path);
+  const NrrdFields& fields = header.Fields;
+  const std::optional<std::size_t> layers = ReadSizes(fields, header);
+  ReadSteps(fields, layers, header);
+  const std::string coded = fields.Find("encoding", "");
   header.IsRaw = coded == "raw";
   if (!header.IsRaw && coded != "gzip" && coded != "gz")
   {
     throw InputError(
       "its encoding is '" + coded.substr(0, 80) + "'. Supported encodings: raw and gzip.");
   }
-  header.Type = FindType(FindField(fields, "type", ""));
-  header.IsSwapped = WidthOfType(header.Type) > 1 && IsSwapped(FindField(fields, "endian", ""));
-  header.Skip = FindSkip(fields);
-  header.Files = FindFiles(fields, header.Size[2]);
+  header.Type = FindType(fields.Find("type", ""));
+  header.IsSwapped = WidthOfType(header.Type) > 1 && IsSwapped(fields.Find("endian", ""));
+  header.Skip = FindSkip(fields, header.IsRaw);
+  header.Files = FindFiles(fields, header.StoredSize()[2], layers ? 3 : 2);
   return header;
 }
 

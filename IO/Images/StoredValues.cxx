@@ -1,11 +1,14 @@
 #include "Images/StoredValues.h"
 
 #include "Images/ImagePlace.h"
+#include "NamedFile.h"
 #include "OpenFile.h"
 #include "SwapBytes.h"
 
-#include <cmath>
+#include <algorithm>
 #include <cstdio>
+#include <cstdlib>
+#include <limits>
 #include <memory>
 #include <zlib.h>
 
@@ -110,24 +113,33 @@ private:
   std::vector<char> Buffer = std::vector<char>(BufferSize);
 };
 
+/// Returns the beginning of messages about a file.
+std::string NameFile(const StoredValues& stored, const std::string& file)
+{
+  return stored.AreDetached ? "its data file " + file + ": " : "";
+}
+
 } // namespace
 
 std::vector<std::string> ListNumberedFiles(
-  const std::string& pattern, double first, double last, double step, Index most)
+  const std::string& pattern, Index first, Index last, Index step, Index most)
 {
   const std::size_t percent = pattern.find('%');
   const std::size_t end =
     percent == std::string::npos ? percent : pattern.find_first_not_of("0123456789", percent + 1);
   const bool isNumber = end != std::string::npos && pattern[end] == 'd' && end < percent + 5 &&
     pattern.find('%', end) == std::string::npos;
-  const double count = std::floor((last - first) / step) + 1.0;
-  if (!isNumber || !(count >= 1.0 && count <= static_cast<double>(most)))
+  constexpr Index largest = std::numeric_limits<int>::max();
+  const bool areInt = std::max({ std::abs(first), std::abs(last), std::abs(step) }) <= largest;
+  const bool reachesLast = step > 0 ? last >= first : step < 0 && last <= first;
+  const Index count = areInt && reachesLast ? (last - first) / step + 1 : 0;
+  if (!isNumber || count < 1 || count > most)
   {
     throw InputError(
       "its pattern of files '" + pattern.substr(0, 80) + "' does not name a file for each slice.");
   }
   std::vector<std::string> files;
-  for (int i = 0; i < static_cast<int>(count); ++i)
+  for (Index i = 0; i < count; ++i)
   {
     char number[1024];
     std::snprintf(number, sizeof(number), pattern.substr(percent, end + 1 - percent).c_str(),
@@ -145,12 +157,50 @@ void CheckFiles(const StoredValues& stored, const Index3& size)
     throw InputError("it has " + std::to_string(size[2]) + " slices in " + std::to_string(files) +
       " files; each file must hold the same number of slices.");
   }
+  const Index skip = stored.AreCompressed ? 0 : stored.Skip;
   for (const std::string& file : stored.Files)
   {
-    OpenFile(file);
-    CheckLength(file, static_cast<double>(stored.Begin + (stored.AreCompressed ? 0 : stored.Skip)),
-      stored.CountBytes(size) / static_cast<double>(files), stored.AreCompressed);
+    PrefixErrors(NameFile(stored, file),
+      [&]
+      {
+        OpenFile(file);
+        CheckLength(
+          file, stored.Begin + skip, stored.CountBytes(size) / files, stored.AreCompressed);
+      });
   }
+}
+
+void SetFiles(const std::string& header, Index length, const std::vector<std::string>& names,
+  StoredValues& stored)
+{
+  stored.AreDetached = !names.empty();
+  for (const std::string& name : names)
+  {
+    stored.Files.push_back(FindNamedFile(header, name));
+  }
+  if (names.empty())
+  {
+    if (length == 0)
+    {
+      throw InputError("its header names no data file and does not end, so it has no values.");
+    }
+    stored.Files = { header };
+    stored.Begin = length;
+  }
+}
+
+void PlaceAtEnd(const Index3& size, StoredValues& stored)
+{
+  if (stored.Files.size() != 1 || stored.AreCompressed)
+  {
+    throw InputError("values at the end of a file (skip -1) require one file without compression.");
+  }
+  PrefixErrors(NameFile(stored, stored.Files[0]),
+    [&]
+    {
+      CheckLength(stored.Files[0], stored.Begin, stored.CountBytes(size), false);
+      stored.Begin = GetFileLength(stored.Files[0]) - stored.CountBytes(size);
+    });
 }
 
 TypedValues ReadStored(const StoredValues& stored, const Index3& size, const IndexBox& box)
@@ -164,14 +214,18 @@ TypedValues ReadStored(const StoredValues& stored, const Index3& size, const Ind
   ForRows(box,
     [&](Index j, Index k)
     {
-      if (k / slices != open)
-      {
-        open = k / slices;
-        stream =
-          std::make_unique<ByteStream>(stored.Files[open], stored.Begin, stored.AreCompressed);
-      }
-      const Index first = ((k % slices) * size[1] + j) * size[0] + box.Lower[0];
-      stream->Read(stored.Skip + first * width, to, row);
+      const std::string& file = stored.Files[k / slices];
+      PrefixErrors(NameFile(stored, file),
+        [&]
+        {
+          if (k / slices != open)
+          {
+            open = k / slices;
+            stream = std::make_unique<ByteStream>(file, stored.Begin, stored.AreCompressed);
+          }
+          const Index first = ((k % slices) * size[1] + j) * size[0] + box.Lower[0];
+          stream->Read(stored.Skip + first * width, to, row);
+        });
       to += row;
     });
   VisitType(stored.Type,

@@ -1,4 +1,5 @@
 #include "Images/ImageFile.h"
+#include "CellCount.h"
 #include "OpenFile.h"
 #include "Ranks/Errors.h"
 
@@ -155,7 +156,7 @@ void ReadPage(TIFF* file, const Index3& size, Index width, char* to)
 
 } // namespace
 
-ImageFile OpenTiff(const std::string& path)
+ImageFile OpenTiff(const std::string& path, const ImageRequest&)
 {
   const TiffHandle file = Open(path);
   const Page first(file.get());
@@ -167,7 +168,7 @@ ImageFile OpenTiff(const std::string& path)
   const int type = FindType(first);
   const Index width = WidthOfType(type);
   const Index3 size = image.Place.Size;
-  CheckLength(path, 0.0, double(size[0]) * double(size[1]) * double(size[2]) * double(width), true);
+  CheckLength(path, 0, CountCells(size) * width, true);
   image.ReadsParts = false;
   image.Read = [path, type, width, size](const IndexBox& box) // box of the whole image
   {

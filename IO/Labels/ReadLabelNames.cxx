@@ -1,20 +1,38 @@
 #include "ReadLabelNames.h"
 
 #include "AtlasXml.h"
+#include "InputTrust.h"
+#include "OpenFile.h"
 #include "Ranks/WorkTogether.h"
 #include "Summary/Utf8.h"
 
-#include <cerrno>
-#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <sstream>
 
 namespace vfm
 {
-
 namespace
 {
+
+constexpr Index LongestTable = 1 << 24; // bytes
+
+std::ifstream OpenTable(const std::string& path)
+{
+  std::ifstream stream;
+  PrefixErrors("Cannot read the names of labels from " + path + ": ",
+    [&]
+    {
+      stream = OpenFile(path);
+      const Index length = GetFileLength(path);
+      if (length > LongestTable && !InputTrust::IsGiven())
+      {
+        throw InputError("it has " + std::to_string(length) + " bytes; tables of up to " +
+          std::to_string(LongestTable) + " bytes are read. " + InputTrust::Advice);
+      }
+    });
+  return stream;
+}
 
 /// Skips the mark at the start of a text in UTF-8.
 /// @throws InputError  if the text begins with the mark of UTF-16
@@ -47,13 +65,7 @@ std::string ReadXml(std::istream& stream)
 
 LabelNames ReadLabelNames(const std::string& path, std::string* note)
 {
-  errno = 0;
-  std::ifstream stream(path, std::ios::binary);
-  if (stream.peek() == std::ifstream::traits_type::eof())
-  {
-    throw InputError("Cannot read the names of labels from " + path + ": " +
-      (errno ? std::strerror(errno) : "the file is empty") + ".");
-  }
+  std::ifstream stream = OpenTable(path);
   SkipMark(stream, path);
   const bool isXml = stream.peek() == '<';
   LabelTable table(path, isXml ? "element " : "line ");
@@ -76,33 +88,44 @@ LabelNames ShareLabelNames(
   const std::string& path, Ranks& ranks, const std::function<void(const std::string&)>& warn)
 {
   LabelNames names;
-  std::string note;
-  Bytes text;
+  Bytes note;
   WorkTogether(ranks,
     [&]
     {
       if (ranks.Rank() == 0 && !path.empty())
       {
-        for (const auto& entry : ReadLabelNames(path, &note))
-        {
-          const std::string line = std::to_string(entry.first) + " " + entry.second + "\n";
-          text.insert(text.end(), line.begin(), line.end());
-        }
+        std::string text;
+        names = ReadLabelNames(path, &text);
+        note.assign(text.begin(), text.end());
       }
     });
-  const Bytes first = ranks.Gather(text)[0];
-  const Bytes noted = ranks.Gather(Bytes(note.begin(), note.end()))[0];
+  const Bytes noted = ranks.Gather(note)[0];
   if (!noted.empty())
   {
     warn(std::string(noted.begin(), noted.end()));
   }
-  std::istringstream stream(std::string(first.begin(), first.end()));
-  int label = 0;
-  for (std::string name; stream >> label && std::getline(stream, name);)
+  return UniteLabelNames(names, ranks);
+}
+
+LabelNames UniteLabelNames(const LabelNames& names, Ranks& ranks)
+{
+  Bytes text;
+  for (const auto& entry : names)
   {
-    names[label] = name.substr(1);
+    const std::string line = std::to_string(entry.first) + " " + entry.second + "\n";
+    text.insert(text.end(), line.begin(), line.end());
   }
-  return names;
+  LabelNames united;
+  for (const Bytes& ofRank : ranks.Gather(text))
+  {
+    std::istringstream stream(std::string(ofRank.begin(), ofRank.end()));
+    int label = 0;
+    for (std::string name; stream >> label && std::getline(stream, name);)
+    {
+      united.emplace(label, name.substr(1));
+    }
+  }
+  return united;
 }
 
 } // namespace vfm

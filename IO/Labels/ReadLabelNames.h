@@ -27,4 +27,9 @@ LabelNames ReadLabelNames(const std::string& path, std::string* note = nullptr);
 LabelNames ShareLabelNames(
   const std::string& path, Ranks& ranks, const std::function<void(const std::string&)>& warn);
 
+/// Returns the names of labels that any rank has. If ranks name a label differently, the name of
+/// the lowest rank is used.
+/// @pre Collective
+LabelNames UniteLabelNames(const LabelNames& names, Ranks& ranks);
+
 } // namespace vfm

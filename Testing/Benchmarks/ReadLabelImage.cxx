@@ -42,7 +42,7 @@ IndexBox CutMiddle(const IndexBox& box, Index cells)
 
 LabelImage ReadLabelImage(const std::string& path, Index cells)
 {
-  const ImageFile file = OpenImageFile(path, "");
+  const ImageFile file = OpenImageFile(path);
   const IndexBox whole{ { { 0, 0, 0 } }, file.Place.Size }, box = CutMiddle(whole, cells);
   const bool readsBox = file.ReadsParts;
   const std::vector<int> values = ConvertToLabels(file.Read(readsBox ? box : whole));
