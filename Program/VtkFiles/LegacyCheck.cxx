@@ -49,7 +49,14 @@ void LegacyCheck::ReadHead()
     throw InputError(
       std::string("it is not a legacy VTK file: it does not begin with '") + magic + "'.");
   }
-  this->Version = std::atoi(first.c_str() + std::string(magic).size());
+  const std::string version = TrimText(first.substr(std::string(magic).size()));
+  const std::size_t point = version.find('.');
+  const auto major = ParseCount(version.substr(0, point), 1, 99);
+  if (!major || point == std::string::npos || !ParseCount(version.substr(point + 1), 0, 99))
+  {
+    RejectLegacyFile("its version is " + QuoteWord(version));
+  }
+  this->Version = *major;
   this->File.Line(); // the title
   const std::string form = this->File.Keyword();
   if (form != "ascii" && form != "binary")
