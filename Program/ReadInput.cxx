@@ -150,11 +150,11 @@ vtkSmartPointer<vtkDataObject> ReadPart(
 {
   const Format& format = *FindFormat(arguments.Input);
   CheckInputFile(arguments.Input);
-  CheckVtkFile(arguments.Input, ranks.Rank(), ranks.Count());
   if (format.IsLegacy && ranks.Rank() > 0)
   {
     return nullptr;
   }
+  CheckVtkFile(arguments.Input, ranks.Rank(), ranks.Count());
   const auto reader = format.MakeReader(arguments);
   messages.Watch(reader);
   reader->UpdateInformation();

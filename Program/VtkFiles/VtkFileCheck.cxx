@@ -3,6 +3,7 @@
 #include "Base/ParseText.h"
 #include "FileSuffix.h"
 #include "Ranks/Errors.h"
+#include "VtkFiles/LegacyCheck.h"
 #include "VtkFiles/VtkArrays.h"
 
 #include <algorithm>
@@ -377,12 +378,18 @@ void FileCheck::CheckNamedFile(const std::string& name)
 
 void CheckVtkFile(const std::string& path, int part, int parts)
 {
-  const Format* format = FindFormat(path);
-  if (format)
-  {
-    PrefixErrors(
-      "Cannot read the input " + path + ": ", [&] { FileCheck(path, *format, part, parts).Run(); });
-  }
+  PrefixErrors("Cannot read the input " + path + ": ",
+    [&]
+    {
+      if (HasSuffix(path, ".vtk"))
+      {
+        CheckLegacyFile(path);
+      }
+      else if (const Format* format = FindFormat(path))
+      {
+        FileCheck(path, *format, part, parts).Run();
+      }
+    });
 }
 
 } // namespace vfm

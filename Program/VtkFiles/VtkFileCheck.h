@@ -1,5 +1,5 @@
 /**
- * VtkFileCheck: checks an XML file of VTK before a reader of VTK opens it.
+ * VtkFileCheck: checks a file of VTK, legacy or XML, before a reader of VTK opens it.
  *
  * The readers end the program, or need memory without bound, if a file contradicts itself. Checked
  * are the type of the file, version and byte order, the extents and numbers of points and cells,

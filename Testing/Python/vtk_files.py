@@ -7,7 +7,9 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     VTK_HEXAHEDRON, VTK_VOXEL, vtkCellArray, vtkMultiBlockDataSet, vtkStructuredGrid,
     vtkUnstructuredGrid)
-from vtkmodules.vtkIOLegacy import vtkDataSetWriter
+from vtkmodules.vtkIOLegacy import (
+    vtkRectilinearGridWriter, vtkStructuredGridWriter, vtkStructuredPointsWriter,
+    vtkUnstructuredGridWriter)
 from vtkmodules.vtkIOXML import vtkXMLDataSetWriter, vtkXMLMultiBlockDataWriter
 
 from exodus_grids import CORNERS, VOXEL_CORNERS
@@ -75,7 +77,12 @@ def grids(labels):
 
 
 def write_legacy(path, data, binary, version=51):
-    writer = vtkDataSetWriter()
+    """Writes a legacy file. Version 4.2 has SCALARS and lists of cells, 5.1 FIELD and offsets."""
+    writer = {"vtkImageData": vtkStructuredPointsWriter,
+              "vtkRectilinearGrid": vtkRectilinearGridWriter,
+              "vtkStructuredGrid": vtkStructuredGridWriter,
+              "vtkUnstructuredGrid": vtkUnstructuredGridWriter}[data.GetClassName()]()
+    data.GetCellData().SetActiveScalars(NAME if version == 42 else None)
     writer.SetInputData(data)
     writer.SetFileName(path)
     writer.SetFileVersion(version)

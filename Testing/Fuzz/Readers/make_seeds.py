@@ -9,6 +9,7 @@ import os
 import struct
 import sys
 import zlib
+from base64 import b64encode
 
 SIZE = (4, 3, 2)  # values along x, y and z
 VALUES = bytes(i % 5 for i in range(24))  # labels, x fastest
@@ -224,6 +225,71 @@ def plotfile():
     return b"\n@@\n".join([header.encode(), cells.encode(), fab])
 
 
+CORNERS = [(i, j, k) for k in (0, 1) for j in (0, 1) for i in (0, 1)]  # of a voxel
+
+
+def legacy(form, body, version="3.0"):
+    return ("# vtk DataFile Version %s\nseed\n%s\n" % (version, form)).encode() + body
+
+
+def legacy_seeds():
+    labels = b"CELL_DATA 24\nSCALARS id short 1\nLOOKUP_TABLE default\n"
+    image = b"DATASET STRUCTURED_POINTS\nDIMENSIONS 5 4 3\nORIGIN 0 0 0\nSPACING 1 1 1\n"
+    yield "text", legacy("ASCII", image + labels + " ".join(map(str, VALUES)).encode() + b"\n")
+    yield "binary", legacy("BINARY", image + labels + struct.pack(">24h", *VALUES) + b"\n")
+    axes = b"".join(b"%s_COORDINATES %d float\n%s\n" % (axis, n, b"0 1 2 3 4"[:2 * n - 1])
+                    for axis, n in ((b"X", 5), (b"Y", 4), (b"Z", 3)))
+    field = b"CELL_DATA 24\nFIELD FieldData 1\nid 1 24 int\n" + b"1 " * 24
+    yield "axes", legacy("ASCII", b"DATASET RECTILINEAR_GRID\nDIMENSIONS 5 4 3\n" + axes + field)
+    points = "POINTS 8 float\n%s\n" % " ".join("%d %d %d" % corner for corner in CORNERS)
+    cells = "CELLS 1 9\n8 0 1 2 3 4 5 6 7\nCELL_TYPES 1\n11\n"
+    data = "CELL_DATA 1\nGLOBAL_IDS ids int\n7\nMETADATA\nINFORMATION 0\n\nVECTORS v float\n0 1 2\n"
+    grid = "DATASET UNSTRUCTURED_GRID\n"
+    yield "cells", legacy("ASCII", (grid + points + cells + data).encode())
+    cells = ("CELLS 2 8\nOFFSETS vtktypeint64\n0 8\nCONNECTIVITY vtktypeint64\n0 1 2 3 4 5 6 7\n"
+             "CELL_TYPES 1\n11\n")
+    yield "offsets", legacy("ASCII", (grid + points + cells + data).encode(), "5.1")
+
+
+def vtu(kind, values, more=""):
+    """Returns a file of one voxel whose labels are stored in some way."""
+    array = '<DataArray type="%s" Name="%s" %sformat="ascii">%s</DataArray>'
+    points = " ".join("%d %d %d" % corner for corner in CORNERS)
+    return ('<?xml version="1.0"?>\n<VTKFile type="UnstructuredGrid" version="1.0" %s'
+            'byte_order="LittleEndian" header_type="UInt32"><UnstructuredGrid>'
+            '<Piece NumberOfPoints="8" NumberOfCells="1"><CellData>'
+            '<DataArray type="Int16" Name="id" %s</CellData><Points>%s</Points><Cells>%s%s%s'
+            "</Cells></Piece></UnstructuredGrid>" % (
+                more, values, array % ("Float32", "p", 'NumberOfComponents="3" ', points),
+                array % ("Int64", "connectivity", "", "0 1 2 3 4 5 6 7"),
+                array % ("Int64", "offsets", "", "8"), array % ("UInt8", "types", "", "11"))
+            ).encode() + kind + b"</VTKFile>"
+
+
+def xml_seeds():
+    value = struct.pack("<Ih", 2, 7)
+    appended = lambda form, data: (b'<AppendedData encoding="%s">\n_' % form + data
+                                   + b"</AppendedData>")
+    at = 'format="appended" offset="0"/>'
+    yield "ascii", vtu(b"", 'format="ascii">7</DataArray>')
+    yield "inline", vtu(b"", 'format="binary">%s</DataArray>' % b64encode(value).decode())
+    yield "raw", vtu(appended(b"raw", value), at)
+    yield "base64", vtu(appended(b"base64", b64encode(value)), at)
+    packed = zlib.compress(value[4:])
+    packed = struct.pack("<4I", 1, 2, 2, len(packed)) + packed
+    yield "zlib", vtu(appended(b"raw", packed), at, 'compressor="vtkZLibDataCompressor" ')
+
+
+def block_seeds():
+    """Yields refined grids without data; their parts would be other files."""
+    yield "levels", (
+        '<VTKFile type="vtkOverlappingAMR" version="1.1" byte_order="LittleEndian">'
+        '<vtkOverlappingAMR origin="0 0 0" grid_description="XYZ"><Block level="0" '
+        'spacing="1 1 1"><DataSet index="0" amr_box="0 3 0 3 0 3"/></Block><Block level="1" '
+        'spacing="0.5 0.5 0.5"><DataSet index="0" amr_box="0 3 0 3 0 3"/><DataSet index="1" '
+        'amr_box="4 7 0 3 0 3"/></Block></vtkOverlappingAMR></VTKFile>\n')
+
+
 def option_seeds():
     yield "hexes", "Smoothing=3\nVoidFraction=0.4\nStairStep=On\nRefinement=Automatic\n"
     yield "tets", "Method=Lattice\nMinimumAngle=20\nSecondOrder=1\nMaximumLevel=2\n"
@@ -268,7 +334,8 @@ def write_all(folder):
             ("NumPy", numpy_seeds), ("LabelText", text_seeds), ("LabelNames", label_name_seeds),
             ("MetaImage", meta_seeds), ("Nrrd", nrrd_seeds), ("Nifti", nifti_seeds),
             ("Tiff", tiff_seeds), ("SpyPlot", spyplot_seeds), ("Options", option_seeds),
-            ("Shapes", shape_seeds)):
+            ("Shapes", shape_seeds), ("VtkLegacy", legacy_seeds), ("VtkXml", xml_seeds),
+            ("VtkBlocks", block_seeds)):
         for name, data in seeds():
             write(folder, harness, name, data)
             if harness == "Nifti":

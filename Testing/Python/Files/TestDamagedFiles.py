@@ -20,6 +20,7 @@ from spyplot import split, write_spyplot
 from spyplot_cases import NODES, TIMES, steps
 from vfmtest import image, main, write
 from voxels import grains, turned, write_numpy, write_text
+from vtk_files import cells_of, structured, write_blocks, write_legacy, write_pieces, write_xml
 
 SEEDS, COUNT = (int(x) for x in os.environ.get("VFM_SEEDS", "0:200").split(":"))
 SIDE = 6  # cells along each axis of grids other than AMR
@@ -69,6 +70,18 @@ def write_all(folder):
     add("plotfile-levels", "plt", [], lambda path: write_plotfile(path, amr))
     add("vthb", "a.vthb", [], lambda path: write_vthb(path, amr))
     add("vti", "a.vti", [], lambda path: write(image(fields()), path))
+    chosen, cells = ["--labels", "GrainID"], turned(labels, "ZYX").astype("i2")
+    for name, data, binary, version in (("image", image({"GrainID": cells}), False, 42),
+                                        ("grid", structured(cells), True, 51),
+                                        ("cells", cells_of(cells), True, 42),
+                                        ("offsets", cells_of(cells), False, 51)):
+        add("legacy-" + name, "a.vtk", chosen,
+            lambda path: write_legacy(path, data, binary, version))
+    for mode in ("raw", "zlib", "inline"):
+        add("vtu-" + mode, "a.vtu", chosen, lambda path: write_xml(path, cells_of(cells), mode))
+    add("vts", "a.vts", chosen, lambda path: write_xml(path, structured(cells), "ascii"))
+    add("pvtu", "a.pvtu", chosen, lambda path: write_pieces(path, cells))
+    add("vtm", "a.vtm", chosen, lambda path: write_blocks(path, image({"GrainID": cells})))
     voxels, origin, spacing = turned(labels, "ZYX").astype("u1"), (0, 0, 0), (1, 1, 1)
     add("nifti", "a.nii", [], lambda path: write_nifti(path, voxels.astype("i2"), origin))
     add("nifti-gzip", "a.nii.gz", [], lambda path: write_nifti(path, voxels, origin, forms="sq"))

@@ -154,9 +154,9 @@ def test_damaged_grids(at):
     """Extents, numbers of cells, and places and lengths of arrays are checked."""
     labels = two_boxes()
     for old, new, text in (
-            (b'WholeExtent="0 14', b'WholeExtent="0 99999999999', "6 integers in the allowed range"),
-            (b'WholeExtent="0 14 0 12 0 10"', b'WholeExtent="%s"' % b" ".join([b"0 2000000000"] * 3),
-             "has too many points"),
+            (b'WholeExtent="0 14', b'WholeExtent="0 99999999999', "6 integers in the allowed"),
+            (b'WholeExtent="0 14 0 12 0 10"',
+             b'WholeExtent="%s"' % b" ".join([b"0 2000000000"] * 3), "has too many points"),
             (b'<Piece Extent="0 14', b'<Piece Extent="0 1400000', "are required"),
             (b'offset="0"', b'offset="99999"', "begins at offset 99999"),
             (b'type="Int16"', b'type="Int17"', "has the unknown type 'Int17'"),
@@ -189,6 +189,33 @@ def test_contradictory_cells(at):
         path = write_legacy(at("a.vtk"), data, False, 42)
         change(path, b"CELL_TYPES 1680\n12", b"CELL_TYPES 1680\n%d" % kind)
         refused(3, "is of the type", path, at("out.vtu"), "--labels", NAME)
+
+
+@in_folder
+def test_damaged_legacy_files(at):
+    """Dimensions, numbers and types of a legacy file are checked before VTK reads it."""
+    labels, name = two_boxes(), NAME.encode()
+    changes = {
+        "image": ((b"# vtk", b"# VTK", "is not a legacy VTK file"),
+                  (b"Version 4.2", b"Version 4.x", "its version is '4.x'"),
+                  (b"ASCII", b"ASCIX", "its third line is 'ascix'"),
+                  (b"STRUCTURED_POINTS", b"POLYDATA", "its data set is 'polydata'"),
+                  (b"DIMENSIONS 15", b"DIMENSIONS 1500000000", "values of 1680 cells"),
+                  (b"DIMENSIONS 15", b"DIMENSIONS -15", "its dimension is '-15'"),
+                  (b"CELL_DATA 1680", b"CELL_DATA 1681", "values of 1681 cells"),
+                  (b"GrainID short", b"GrainID shirt", "has the unknown type 'shirt'"),
+                  (b"CELL_DATA", b"CELLS_DATA", "has the unknown keyword 'cells_data'")),
+        "hexes": ((b"POINTS 13440", b"POINTS 1344000000000", "its number of points"),
+                  (b"CELLS 1680 15120", b"CELLS 1680 15119", "its list of cells"),
+                  (b"CELLS 1680 15120\n8", b"CELLS 1680 15120\n9", "its list of cells"),
+                  (b"8 0 1 2 3 4", b"8 0 99999 2 3 4", "a cell has the point 99999"),
+                  (b"CELL_TYPES 1680", b"CELL_TYPES 168", "its number of types"))}
+    for kind, _, data in grids(labels):
+        for old, new, text in changes.get(kind, ()):
+            change(write_legacy(at("a.vtk"), data, False, 42), old, new)
+            refused(2, text, at("a.vtk"), at("out.vtu"), "--labels", NAME)
+    change(write_legacy(at("a.vtk"), image({NAME: labels}), True), name, b"x" * 2000)
+    check_refused(at("a.vtk"), "Cannot read the input")
 
 
 @in_folder
