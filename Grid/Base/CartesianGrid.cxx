@@ -14,12 +14,13 @@ namespace
 
 constexpr double WidthTolerance = 1e-9; // relative difference of equal widths
 
-// Range of widths. Products of up to five lengths of the domain stay in the range of double.
+// Range of widths. Volumes and moments of meshes stay in the range of double.
 constexpr double SmallestWidth = 1e-50, LargestWidth = 1e50;
-constexpr double LargestRatio = 1e10; // of two widths of a grid
-// Largest coordinate along an axis in its smallest width. Coordinates are rounded to 1e-16 of their
-// magnitude, therefore positions to 1e-6 of a width, and volumes have this error.
-constexpr double LargestCoordinate = 1e10;
+constexpr double LargestRatio = 1e6; // of two widths of a grid
+// Largest coordinate along an axis over the smallest width there. Coordinates are rounded to 1e-16
+// of their magnitude, so that positions have errors of up to 1e-6 widths, and volumes too.
+constexpr double LargestDistance = 1e10;
+constexpr double Slack = 1.0 + 1e-6; // of the limits, for rounded coordinates
 
 using AxisLists = std::array<std::vector<double>, 3>;
 
@@ -46,19 +47,19 @@ AxisLengths LengthsOf(const std::vector<double>& x, char name)
 void CheckAxis(const AxisLengths& axis)
 {
   std::ostringstream text;
-  if (!(axis.Narrowest >= SmallestWidth && axis.Widest <= LargestWidth))
+  const bool isWide = axis.Narrowest * Slack >= SmallestWidth;
+  if (!(isWide && axis.Widest <= Slack * LargestWidth))
   {
-    text << "The grid has cells of width "
-         << (axis.Narrowest >= SmallestWidth ? axis.Widest : axis.Narrowest) << " along "
+    text << "The grid has cells of width " << (isWide ? axis.Widest : axis.Narrowest) << " along "
          << axis.Name << ". Widths, also of refined cells, must be from " << SmallestWidth << " to "
          << LargestWidth << ". Scale the coordinates: use another unit of length.";
     throw InputError(text.str());
   }
-  if (!(axis.Farthest <= LargestCoordinate * axis.Narrowest))
+  if (!(axis.Farthest <= Slack * LargestDistance * axis.Narrowest))
   {
     text << "The grid has cells of width " << axis.Narrowest << " along " << axis.Name
          << ", where its coordinates reach " << axis.Farthest << ". Coordinates must be at most "
-         << LargestCoordinate << " times the smallest width, also of refined cells, because "
+         << LargestDistance << " times the smallest width, also of refined cells, because "
          << "they are rounded to 16 digits. Move the origin to the grid, or use wider cells.";
     throw InputError(text.str());
   }
@@ -76,7 +77,7 @@ void CheckLengths(const AxisLists& coordinates)
     narrowest = a == 0 || axis.Narrowest < narrowest.Narrowest ? axis : narrowest;
     widest = a == 0 || axis.Widest > widest.Widest ? axis : widest;
   }
-  if (!(widest.Widest <= LargestRatio * narrowest.Narrowest))
+  if (!(widest.Widest <= Slack * LargestRatio * narrowest.Narrowest))
   {
     std::ostringstream text;
     text << "The grid has cells of width " << narrowest.Narrowest << " along " << narrowest.Name

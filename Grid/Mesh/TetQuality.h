@@ -19,7 +19,7 @@ namespace vfm
 constexpr int FaceOfTet[4][3] = { { 1, 2, 3 }, { 0, 3, 2 }, { 0, 1, 3 }, { 0, 2, 1 } };
 
 /// Returns the power of two by which coordinates of an element are multiplied before its quality is
-/// measured. Its lengths become about 1, so that products of six and eight lengths stay in the range
+/// measured. Its lengths become about 1, so that products of up to eight lengths stay in the range
 /// of double. The factor changes no bit of the result.
 /// @param element  mesh points, (corners)
 double LengthScale(const double* points, const Index* element, int corners);

@@ -200,6 +200,12 @@ void CheckCoordinates(const InputBlock& block)
         text << block.Name << ": the " << AxisNames[a]
              << " coordinates do not increase or are not finite at node " << i << " (" << x[i]
              << ").";
+        if (i > 0 && x[i] == x[i - 1])
+        {
+          text << " Nodes " << i - 1 << " and " << i
+               << " are equal: the cells are too narrow for coordinates of this size, which have "
+                  "16 digits. Move the origin to the grid.";
+        }
         throw InputError(text.str());
       }
     }

@@ -314,14 +314,15 @@ TEST(Quality, OfWholeCellsIsThatOfTheirCorners)
 {
   MeshOptions options;
   options.StairStep = true;
-  for (double origin : { 0.0, -3.3, 1e13 }) // At 1e13 coordinates do not resolve the widths.
+  // At 1e11 z does not resolve the widths along x.
+  for (const auto& [origin, width] : { std::pair(0.0, 0.1), { -3.3, 0.1 }, { 1e11, 100.0 } })
   {
     std::array<std::vector<double>, 3> x;
     for (int i = 0; i <= 6; ++i)
     {
-      x[0].push_back(origin + 0.011 * i);
-      x[1].push_back(origin + 0.07 * i * i);
-      x[2].push_back(origin + 0.1 * i);
+      x[0].push_back(-3.3 + 0.011 * i);
+      x[1].push_back(3.3 + 0.07 * i * i);
+      x[2].push_back(origin + width * i);
     }
     const CartesianGrid grid(x);
     const FractionField field =
@@ -339,6 +340,6 @@ TEST(Quality, OfWholeCellsIsThatOfTheirCorners)
     }
     EXPECT_EQ(report.MinimumScaledJacobian, smallest);
     EXPECT_NEAR(report.MeanScaledJacobian, sum / mesh.ElementIds.size(), 1e-9);
-    EXPECT_EQ(smallest < 1.0, origin == 1e13);
+    EXPECT_EQ(smallest < 1.0, width == 100.0);
   }
 }

@@ -47,7 +47,7 @@ const Vector3 O{ { 0.0, 0.0, 0.0 } }, X{ { 1.0, 0.0, 0.0 } }, Y{ { 0.0, 1.0, 0.0
 TEST(TetQuality, OfTheRegularTetIsOne)
 {
   const double angle = std::acos(1.0 / 3.0) * Degrees;
-  for (double size : { 1e-6, 1.0, 1e6 })
+  for (double size : { 1e-48, 1e-6, 1.0, 1e6, 1e48 })
   {
     const Quality q =
       QualityOf(O, size * (X + Y), size * (Y + Z), size * (X + Z)); // every other corner of a cube
