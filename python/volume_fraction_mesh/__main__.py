@@ -85,7 +85,10 @@ def make_parser() -> argparse.ArgumentParser:
         "--refinement-box", type=float, nargs=7, action="append", metavar="X",
         help="box whose cells are halved: x0 y0 z0 x1 y1 z1 and the number of times"
     )
-    parser.add_argument("--surfaces", metavar="FILE", help="write the surfaces of the mesh, .vtp")
+    parser.add_argument("--surfaces", metavar="FILE",
+                        help="write the surfaces of the mesh: .stl, a closed surface per material, "
+                        "with {} in the name one file each; .vtp or another format of PyVista, all "
+                        "facets once")
     parser.add_argument("--fragments", metavar="FILE", dest="table",
                         help="write a table of the fragments, .csv")
     parser.add_argument("--report", metavar="FILE",
@@ -192,7 +195,9 @@ def main(arguments: Optional[List[str]] = None) -> int:
         make = tets if words.tets else hexes
         mesh = make(**_arguments(words), progress=not words.quiet)
         mesh.save(words.output)
-        if words.surfaces:
+        if words.surfaces and words.surfaces.lower().endswith(".stl"):
+            mesh.save(words.surfaces)
+        elif words.surfaces:
             mesh.to_pyvista("surfaces").save(words.surfaces)
         if words.table:
             write_table(mesh, words.table)
