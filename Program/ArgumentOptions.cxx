@@ -33,6 +33,8 @@ const std::vector<ArgumentOption> OwnOptions{
     "cell arrays to transfer to the elements: velocity, temperature; repeatable", "", true },
   { "--fragments", "FILE.csv", "also write a table of fragments: volumes, centroids, neighbours" },
   { "--geometry", "FILE.vtm", "also write surfaces, curves and vertices, and their adjacency" },
+  { "--surfaces", "FILE.stl",
+    "also write the closed surface of each material; {} in FILE: one file per material" },
   { "--report", "FILE.html", "also write a quality report: volumes, histogram, worst elements" },
   { "--tetmesh", "[METHOD]", "tetrahedra instead of hexahedra; TetGen, Cells or Lattice",
     "Method" },
@@ -153,7 +155,9 @@ std::string GetHelp()
     "    (Nastran) and .msh (Gmsh) are one file, also from several ranks;\n"
     "    .xdmf (dolfinx) is two, FILE.xdmf and FILE_facets.xdmf;\n"
     "    Exodus from N ranks is one file per rank, FILE.N.RANK\n"
-    "  .foam: its folder is a case of OpenFOAM; N ranks write a folder processorRANK each\n\n" +
+    "  .foam: its folder is a case of OpenFOAM; N ranks write a folder processorRANK each\n"
+    "  .stl: only the surfaces of the materials; with {} in the name one file per material, as in\n"
+    "    bones_{}.stl\n\n" +
     MaterialRules;
   for (const std::string& line : DescribeOptions(ElementKind::Tets))
   {

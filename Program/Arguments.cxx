@@ -6,6 +6,7 @@
 #include "FileSuffix.h"
 #include "ImageInput.h"
 #include "Images/ImageFile.h"
+#include "Meshes/Surfaces/WriteStl.h"
 #include "Meshes/Vtk/WriteGeometry.h"
 #include "Meshes/WriteMesh.h"
 #include "Options/SetOptions.h"
@@ -214,6 +215,7 @@ Arguments ReadValues(const GivenArguments& given)
       });
   to.Fragments = TextOf(given, "--fragments");
   to.Geometry = TextOf(given, "--geometry");
+  to.Surfaces = TextOf(given, "--surfaces");
   to.Report = TextOf(given, "--report");
   to.Fractions = ReadList(given, "--fractions");
   to.Labels = TextOf(given, "--labels");
@@ -292,6 +294,7 @@ void CheckMesh(const Arguments& from)
     RejectArguments("--output FILE is missing, as in sculptor " + from.Input + " mesh.vtu.");
   }
   CheckProblem(from.Geometry.empty() ? "" : FindGeometryProblem(from.Geometry));
+  CheckProblem(from.Surfaces.empty() ? "" : FindStlProblem(from.Surfaces));
   CheckProblem(from.Report.empty() ? "" : FindReportProblem(from.Report));
   CheckOutput(from);
 }

@@ -33,6 +33,7 @@ struct Arguments
   std::optional<int> AxisOrder;       ///< order of the axes of voxels, vfm::AxisOrder
   std::string Fragments;              ///< file of the table of fragments; empty: none
   std::string Geometry;               ///< file of surfaces, curves and vertices; empty: none
+  std::string Surfaces;               ///< file of the surfaces of materials; empty: none
   std::string Report;                 ///< file of the quality report; empty: none
   std::vector<std::string> Fractions; ///< cell arrays; empty: found in the input
   std::string Labels;                 ///< cell array; empty: fractions

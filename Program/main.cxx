@@ -134,7 +134,8 @@ ReportHead DescribeRun(
   return head;
 }
 
-/// Writes the mesh, and the table of fragments, the geometry and the report if requested.
+/// Writes the mesh, and the table of fragments, the geometry, the surfaces and the report if
+/// requested.
 /// @param head  texts of the report
 /// @pre Collective
 void WriteFiles(const MesherResult& result, const MeshData& mesh, const ReportHead& head,
@@ -152,6 +153,11 @@ void WriteFiles(const MesherResult& result, const MeshData& mesh, const ReportHe
     PrefixErrors("Cannot write the geometry " + arguments.Geometry + ": ",
       [&] { WorkInStage(ranks, ErrorCode::UnwritableOutput, write); });
   }
+  if (!arguments.Surfaces.empty())
+  {
+    WorkInStage(
+      ranks, ErrorCode::UnwritableOutput, [&] { WriteMesh(mesh, arguments.Surfaces, ranks); });
+  }
   if (!arguments.Report.empty())
   {
     WorkInStage(ranks, ErrorCode::UnwritableOutput,
@@ -165,8 +171,8 @@ void MeshFile(const Arguments& arguments, Ranks& ranks)
   WorkInStage(ranks, ErrorCode::UnwritableOutput,
     [&]
     {
-      for (const std::string& path :
-        { arguments.Output, arguments.Fragments, arguments.Geometry, arguments.Report })
+      for (const std::string& path : { arguments.Output, arguments.Fragments, arguments.Geometry,
+             arguments.Surfaces, arguments.Report })
       {
         const std::string problem = path.empty() ? "" : FindFolderProblem(path);
         if (!problem.empty())

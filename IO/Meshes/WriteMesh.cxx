@@ -8,6 +8,7 @@
 #include "Meshes/Decks/WriteRadioss.h"
 #include "Meshes/Exodus/WriteExodus.h"
 #include "Meshes/OpenFoam/WriteFoam.h"
+#include "Meshes/Surfaces/WriteStl.h"
 #include "Meshes/Vtk/WriteVtu.h"
 #include "Meshes/Xdmf/WriteXdmf.h"
 #include "Ranks/WorkTogether.h"
@@ -80,6 +81,7 @@ constexpr Format Formats[] = {
   { ".msh", WriteGmshFile, true, true, true },
   { ".xdmf", WritePlain<WriteXdmf>, true, false, false },
   { ".foam", WriteFoamCase, true, false, true },
+  { ".stl", WritePlain<WriteStl>, true, false, false },
 };
 
 /// Returns the suffixes of the formats with a property.
@@ -147,7 +149,7 @@ std::string FindOutputProblem(const std::string& path, const OutputForm& form)
   {
     return "The output " + path + " has no elements of reduced integration. Only .inp has them.";
   }
-  return "";
+  return format->Write == WritePlain<WriteStl> ? FindStlProblem(path) : "";
 }
 
 std::string FindFolderProblem(const std::string& path)

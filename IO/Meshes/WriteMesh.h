@@ -48,6 +48,8 @@ std::string FindFolderProblem(const std::string& path);
 /// - .xdmf: one file of the whole mesh, and one of its facets, NAME_facets.xdmf
 /// - .foam (OpenFOAM): the folder of the file is the case, with one mesh per rank, or one whole
 ///   mesh with OutputFiles::Single
+/// - .stl: only the surfaces of the materials, in one file, or with {} in the name in one file per
+///   material
 /// @param mesh  part of this rank
 /// @throws InputError  if the files cannot be written, on all ranks; contains path and reason
 /// @pre Collective

@@ -271,6 +271,9 @@ TEST(Arguments, RejectedValues)
       { "--step 1.5", "--step takes an integer from 0, not '1.5'." },
       { "--refine -1", "--refine takes an integer from 0 to 10, not '-1'." },
       { "--refine 11", "--refine takes an integer from 0 to 10, not '11'." },
+      { "--surfaces s.vtp",
+        "The surfaces s.vtp are of an unknown format. Supported format: .stl." },
+      { "--surfaces {}/s_{}.stl", "has {} for the name of a material in its folder or twice." },
       { "--set IsoValue", "--set takes Option=Value, not 'IsoValue'." },
       { "--set IsoValue=.3 x.vti", "--set takes Option=Value, not 'x.vti'." } });
   ExpectRefusals("in.spn out.vtu ",
@@ -334,7 +337,7 @@ TEST(Arguments, RejectedTestsAndLists)
       { "--refine 1 --refine-cells", "--refine and --refine-cells exclude each other." },
       { "--refine-cells=a", "--refine-cells takes no value, but 'a' is given." },
       { "--refine -1", "--refine takes an integer from 0 to 10, not '-1'." },
-      { "--output no.stl", "The output no.stl is of an unknown format." } });
+      { "--output no.obj", "The output no.obj is of an unknown format." } });
   ExpectRefusals("--list ",
     { { "", "--input FILE is missing." }, { "in.xyz", "The input in.xyz is of an unknown format." },
       { "in.spn", "--dimensions NX,NY,NZ is missing." },

@@ -102,6 +102,10 @@ def test_nifti(run):
     run("@in.nii.gz", "@out.vtu", "--names", "@names.txt", "--mesh-void", "--surfaces",
         "@surfaces.vtp")
     assert read(run.folder / "out.vtu").points[:, 0].max() <= 1
+    run("@in.nii.gz", "@solids.stl", "--names", "@names.txt", "--surfaces", "@part_{}.stl")
+    solids = (run.folder / "solids.stl").read_text()
+    assert solids == "".join((run.folder / ("part_%s.stl" % name)).read_text()
+                             for name in ("left side", "right"))
     labels = '<label index="1">left side</label><label index="2">P&#244;le</label>'
     (run.folder / "names.xml").write_text(
         "<atlas><header><type>Label</type></header><data>%s</data></atlas>" % labels)

@@ -1,6 +1,7 @@
 """Tests the methods of a mesh: printing, pickling, conversion to PyVista and meshio, saving."""
 
 import pickle
+import re
 
 import numpy as np
 import pytest
@@ -220,7 +221,25 @@ def test_files_without_ending(tmp_path):
         HEXES.save(tmp_path / "mesh")
 
 
-@pytest.mark.parametrize("ending", ["stl", "ply", "off", "su2", "ugrid"])
+@BOTH
+def test_surfaces_of_materials(mesh, tmp_path):
+    mesh.save(tmp_path / "parts.stl")
+    solids = re.split(r"^endsolid .*\n", (tmp_path / "parts.stl").read_text(), flags=re.M)[:-1]
+    assert len(solids) == len(mesh.materials["Name"])
+    for text, name, volume in zip(solids, mesh.materials["Name"], mesh.materials["MeshVolume"]):
+        assert text.startswith("solid %s\n" % name)
+        corners = np.array(re.findall(r"vertex (\S+) (\S+) (\S+)", text), float).reshape(-1, 3, 3)
+        found = np.linalg.det(corners).sum() / 6
+        print(name, len(corners), found, volume)
+        assert np.isclose(found, volume, rtol=1e-12)
+        _, points = np.unique(corners.reshape(-1, 3), axis=0, return_inverse=True)
+        edges = np.stack([points.reshape(-1, 3), np.roll(points.reshape(-1, 3), -1, axis=1)], -1)
+        edges = edges.reshape(-1, 2)
+        assert len(np.unique(edges, axis=0)) == len(edges)
+        assert {tuple(edge) for edge in edges} == {tuple(edge) for edge in edges[:, ::-1]}
+
+
+@pytest.mark.parametrize("ending", ["ply", "off", "su2", "ugrid"])
 def test_formats_that_lose_the_mesh(ending, tmp_path):
     with pytest.raises(ValueError, match=r"the ending .%s is not .* Supported: .vtu, .e" % ending):
         HEXES.save(tmp_path / ("mesh." + ending))

@@ -90,7 +90,10 @@ def make_parser() -> argparse.ArgumentParser:
         "--refinement-box", type=float, nargs=7, action="append", metavar="X",
         help="box whose cells are halved: x0 y0 z0 x1 y1 z1 and the number of times"
     )
-    parser.add_argument("--surfaces", metavar="FILE", help="write the surfaces of the mesh, .vtp")
+    parser.add_argument("--surfaces", metavar="FILE",
+                        help="write the surfaces of the mesh: .stl, a closed surface per material, "
+                        "with {} in the name one file each; .vtp or another format of PyVista, all "
+                        "facets once")
     parser.add_argument("--fragments", metavar="FILE", dest="table",
                         help="write a table of the fragments, .csv")
     parser.add_argument("--report", metavar="FILE",
@@ -167,7 +170,9 @@ def _write(mesh: Mesh, words: argparse.Namespace) -> None:
                          "to the iso value. Check --array, --labels, --threshold and --iso-value. "
                          "Nothing is written." % name)
     mesh.save(words.output)
-    if words.surfaces:
+    if words.surfaces and words.surfaces.lower().endswith(".stl"):
+        mesh.save(words.surfaces)
+    elif words.surfaces:
         with whole_file(words.surfaces) as path:
             mesh.to_pyvista("surfaces").save(path)
     if words.table:

@@ -14,9 +14,9 @@ if TYPE_CHECKING:
     from .mesh import Mesh
 
 BY_CORE = (".vtu", ".e", ".ex2", ".exo", ".inp", ".k", ".key", ".rad", ".bdf", ".nas", ".msh",
-           ".xdmf", ".foam")
+           ".xdmf", ".foam", ".stl")
 OPTIONS = {".vtu": ("time", "texts"), ".msh": ("version", "binary", "interfaces"), ".xdmf": (),
-           ".inp": ("time", "reduced"), ".foam": ("binary",)}  # else: time
+           ".inp": ("time", "reduced"), ".foam": ("binary",), ".stl": ()}  # else: time
 BY_PACKAGE = {".npz": _npz.write, ".vtk": _vtk.write}
 # Formats in which meshio 5.3.5 writes hexahedra and tetrahedra with their materials.
 BY_MESHIO = (".avs", ".f3grid", ".hmf", ".med", ".mesh", ".meshb", ".vol", ".xmf")

@@ -567,6 +567,7 @@ class Mesh:
           the file is the case, with ``constant/polyMesh``), byte for byte like the ParaView
           plugin;
         - ``.xdmf`` (dolfinx), with a second file ``NAME_facets.xdmf`` for the tags of facets;
+        - ``.stl``, closed surfaces of materials as solids; with ``{}`` in the name one file each;
         - ``.npz``, the whole mesh for `load`;
         - ``.vtk``, legacy format 4.2, with the array ``material`` first: the void has the number
           after the greatest.
@@ -586,8 +587,7 @@ class Mesh:
               2147483647; ``binary``, bool, default False; ``interfaces=False`` leaves out the
               faces between elements, for deal.II.
             - ``.inp``: ``reduced=True`` writes C3D20R instead of C3D20.
-            - ``.foam``: ``binary``, bool, default False.
-            - ``.vtk``: ``binary=True`` instead of text. ``.npz``: ``compress=True``.
+            - ``.foam``, ``.vtk``: ``binary=True`` instead of text. ``.npz``: ``compress=True``.
             - Other formats: arguments of ``pyvista.DataSet.save`` or ``meshio.write``.
 
         Raises

@@ -52,6 +52,7 @@ FOLDERS = (
     ("IO/Meshes/OpenFoam", "Cases of OpenFOAM."),
     ("IO/Meshes/Decks", "Input files of solvers."),
     ("IO/Meshes/Xdmf", "XDMF files for dolfinx."),
+    ("IO/Meshes/Surfaces", "Surfaces of materials."),
     ("IO/Meshes", "Files of meshes."),
     ("IO/Report", "Quality reports of meshes."),
     ("Filters/Data", "VTK meshes as plain arrays."),
