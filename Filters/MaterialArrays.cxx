@@ -126,6 +126,10 @@ MaterialArrays FindMaterialArrays(
   {
     return FindClearArrays(input, hasThreshold, ranks);
   }
+  if (hasThreshold && !chosen.HasLabels() && chosen.Fractions.size() == 1)
+  {
+    return { {}, chosen.Fractions[0], false };
+  }
   if (chosen.HasLabels() && chosen.Fractions.size() == 1 &&
     chosen.Fractions[0].Name == chosen.Labels.Name)
   {

@@ -294,6 +294,17 @@ public:
   };
 
   // options: generated
+  /// What cells with material id 0 are. Void: empty space, as in segmentations with a background.
+  /// Material: a material, as in codes that number grains from 0. Its id in the mesh is the largest
+  /// id plus 1, and its name that of id 0 in the file of names, otherwise Material 0; all other ids
+  /// stay. Allowed: Void, Material (or 0 to 1); default Void.
+  vfmNumberOption(ZeroLabel, int);
+  /// Make materials of ranges of the values of one array, such as grey values. LOW:HIGH is the
+  /// values above LOW, up to and including HIGH; LOW has no upper limit, :HIGH no lower limit.
+  /// Several ranges, with commas between them, are materials 1, 2, ..; they must not overlap.
+  /// Values in no range are void. Allowed: ranges that do not overlap, LOW:HIGH with LOW below
+  /// HIGH, LOW or :HIGH, with commas between them, or None; default None.
+  vfmTextOption(Threshold);
   /// Leave the mesh of an image with a direction matrix in the axes of the image. The sides of the
   /// domain then lie along x, y and z. Off: the mesh is rotated to the position of the image in
   /// space. Refinement boxes are in space; so are state arrays, except Rotated Arrays. Allowed: on

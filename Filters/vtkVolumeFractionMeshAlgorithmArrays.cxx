@@ -295,7 +295,8 @@ vfm::MaterialArrays vtkVolumeFractionMeshAlgorithm::FindMaterials(
   {
     chosen.Labels.Name.clear();
   }
-  return vfm::FindMaterialArrays(input, std::move(chosen), false, ranks);
+  return vfm::FindMaterialArrays(
+    input, std::move(chosen), !this->Options->Threshold.empty(), ranks);
 }
 
 vfm::StateChoice vtkVolumeFractionMeshAlgorithm::ChooseState(

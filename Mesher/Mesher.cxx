@@ -4,16 +4,19 @@
 #include "HexPipeline.h"
 #include "Input/InputFractions.h"
 #include "Input/InputLabels.h"
-#include "Materials/UseLabels.h"
 #include "Labels/SmallRegions.h"
 #include "Labels/SmoothLabels.h"
+#include "Levels/GreyLabels.h"
 #include "Levels/PeriodicFields.h"
+#include "Materials/UseLabels.h"
+#include "Materials/ZeroLabels.h"
 #include "Mesh/SelectPoints.h"
 #include "Modify/AddLayers.h"
 #include "Modify/AddMidNodes.h"
 #include "Modify/CurvedVolumes.h"
 #include "Modify/SplitInterfaces.h"
 #include "Options/SetOptions.h"
+#include "Options/ValueRanges.h"
 #include "Periodic/JoinCopies.h"
 #include "Periodic/LeaveCovering.h"
 #include "Ranks/Agreement.h"
@@ -55,12 +58,54 @@ bool AreLabels(const MesherJob& job)
 
 LevelCells OpenCells(const MesherJob& job)
 {
+  if (!AreLabels(job) && !job.Options.Threshold.empty())
+  {
+    throw InputError(
+      "Threshold makes materials of ranges of the values of one array, which must be "
+      "chosen as labels (--labels ARRAY), not as volume fractions.");
+  }
   const std::vector<InputBlocks>& levels = job.Input.Levels.Levels;
   const MesherArrays& arrays = job.Input.Arrays;
   Ranks& ranks = job.Run.Group();
   return AreLabels(job)
-    ? OpenLabels(levels, arrays.Labels, ranks)
+    ? OpenLabels(levels,
+        { arrays.Labels, *ParseRanges(job.Options.Threshold),
+          job.Options.Zero == ZeroLabel::Material },
+        ranks)
     : OpenFractions(levels, arrays.Fractions, job.Options.FractionTolerance, ranks);
+}
+
+/// Warns if label 0 may be a material.
+void NoteZeroLabel(const MesherJob& job)
+{
+  const MesherArrays& arrays = job.Input.Arrays;
+  if (AreLabels(job) && job.Options.Threshold.empty() && job.Options.Zero == ZeroLabel::Void &&
+    !arrays.IsZeroVoid)
+  {
+    Warn(job, DescribeZeroLabel(job.Input.Levels.Levels[0], arrays.Labels, job.Run.Group()));
+  }
+}
+
+/// Checks whether labels look like grey values: an error if the user did not select them, otherwise
+/// a warning.
+void CheckGreyLabels(const MesherJob& job, const LevelFields& fields)
+{
+  const std::string found = AreLabels(job) && job.Options.Threshold.empty()
+    ? DescribeGreyLabels(fields, job.Run.Group())
+    : "";
+  if (found.empty())
+  {
+    return;
+  }
+  const std::string& name = job.Input.Arrays.Labels;
+  const std::string text = "The array '" + name + "' looks like grey values, not labels: " + found +
+    ". Threshold (--threshold LOW:HIGH) makes materials of ranges of values.";
+  if (job.Input.Arrays.AreGuessed)
+  {
+    throw InputError(
+      text + " If each value is a material, choose the array as labels (--labels " + name + ").");
+  }
+  Warn(job, text);
 }
 
 /// Returns the user-selected cells that are to be refined.
@@ -343,6 +388,7 @@ MesherResult RunMesher(const MesherInput& input, const MesherOptions& given, Run
   Ranks& ranks = runtime.Group();
 
   const LevelCells cells = OpenCells(job);
+  NoteZeroLabel(job);
   const std::vector<StateArray> states = FindStateArrays(levels, arrays.State.Arrays, ranks);
   InputRequests requests = FindRequests(job);
   const LevelSetup setup = SetUpLevels(job, requests);
@@ -352,6 +398,7 @@ MesherResult RunMesher(const MesherInput& input, const MesherOptions& given, Run
 
   LevelFields fields = MakeLevelFields(
     levels, cells, setup, options.Children, RepeatingAxes(options), owners, runtime);
+  CheckGreyLabels(job, fields);
   NameLabels(arrays.Names, fields.Field.Table);
   const Materials& table = fields.Field.Table;
   const std::optional<MaterialPairs> split =

@@ -25,6 +25,7 @@ struct MesherArrays
   LabelNames Names;                   ///< names of labels
   StateChoice State;                  ///< state arrays to transfer to the mesh
   bool AreGuessed = false;            ///< true: the user did not select Fractions or Labels
+  bool IsZeroVoid = false;            ///< label 0 is known to be void
 };
 
 /// Input of a run.

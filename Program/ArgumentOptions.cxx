@@ -20,11 +20,16 @@ const std::vector<ArgumentOption> OwnOptions{
   { "--spacing", "X,Y,Z", "cell widths of a .spn or .npy file, default 1,1,1; or of an image" },
   { "--axis-order", "ORDER",
     "axes of the values in the file, xyz (default) to zyx, as spn_xyz_order of Sculpt" },
-  { "--fractions", "A,B,..", "cell arrays with the volume fractions of one material each" },
+  { "--fractions", "A,B,..",
+    "cell arrays with the volume fractions of one material each; repeatable, then one name each",
+    "", true },
   { "--labels", "ARRAY", "integer cell array with the material of each cell" },
   { "--material", "ID,..|all",
-    "mesh only these materials, others become void; numbers from 1, or names of arrays" },
-  { "--state", "A,B,..", "cell arrays to transfer to the elements: velocity, temperature" },
+    "mesh only these materials, others become void; numbers from 1, or names of arrays;"
+    " repeatable",
+    "", true },
+  { "--state", "A,B,..",
+    "cell arrays to transfer to the elements: velocity, temperature; repeatable", "", true },
   { "--fragments", "FILE.csv", "also write a table of fragments: volumes, centroids, neighbours" },
   { "--geometry", "FILE.vtm", "also write surfaces, curves and vertices, and their adjacency" },
   { "--report", "FILE.html", "also write a quality report: volumes, histogram, worst elements" },
@@ -65,10 +70,15 @@ usage: [mpiexec -n RANKS] sculptor [--input] FILE [--output] FILE [options]
 constexpr const char* Materials =
   R"(Arrays of materials, without --fractions and --labels
   1. the arrays 'Material volume fraction - N'
-  2. otherwise all cell arrays of float or double in [0, 1], or unsigned char in [0, 255]
-  3. otherwise the array 'MaterialId', as labels
+  2. otherwise fractions with names that say volume fraction (vf_tin, VOLM+1)
+  3. otherwise all fractions: cell arrays of float or double in [0, 1], or unsigned char if a
+     value exceeds 127; 255 is full
+  4. otherwise the array of integers with a name such as MaterialId, FeatureIds, material
+  5. otherwise the only array of integers, as labels; or several of 0 and 1, as masks
+  6. otherwise the same for real numbers that are integers
   If no cell array of an image qualifies, its point arrays are used; each point is the centre of
-  a cell. An integer array of an image file is used as labels.
+  a cell. An array of an image file that holds integers is used as labels. --list prints what
+  each array holds. A name with a comma needs double quotes: --fractions '"a,1",b'.
 
 sculptor test: meshes two boxes, checks the mesh and prints PASS or FAIL. It takes --tetmesh,
   --smooth, --no-smooth, --stairstep, --material 1, --refine N, and --refine-cells without an
@@ -105,7 +115,8 @@ std::vector<ArgumentOption> ListOptions()
     {
       const std::size_t space = argument.find(' ');
       const std::string value = space == std::string::npos ? "" : argument.substr(space + 1);
-      options.push_back({ argument.substr(0, space), value, "", option.Name });
+      options.push_back({ argument.substr(0, space), value, "", option.Name,
+        option.Kind == OptionKind::Arrays || option.Kind == OptionKind::Ranges });
     }
   }
   return options;

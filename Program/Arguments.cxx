@@ -84,14 +84,16 @@ std::optional<int> ReadCount(
     [=](const std::string& text) { return ParseCount(text, 0, most); });
 }
 
-/// Returns names that are separated by commas; they must differ.
+/// Returns names that are separated by commas, or the value of each occurrence of an option that is
+/// given several times. The names must differ.
 std::vector<std::string> ReadList(const GivenArguments& given, const std::string& name)
 {
   if (given.count(name) == 0)
   {
     return {};
   }
-  std::vector<std::string> list = SplitText(TextOf(given, name));
+  const std::vector<std::string> values = ValuesOf(given, name);
+  std::vector<std::string> list = values.size() > 1 ? values : SplitText(values[0]);
   if (std::find(list.begin(), list.end(), "") != list.end())
   {
     RejectArguments(name + " contains an empty name.");
@@ -107,6 +109,20 @@ std::vector<std::string> ReadList(const GivenArguments& given, const std::string
 }
 
 using Settings = std::vector<std::pair<std::string, std::string>>;
+
+/// Returns the value of an option of the mesher as one text. Names of arrays that are given one by
+/// one are quoted, because they may contain commas.
+std::string TextOfOption(const GivenArguments& given, const ArgumentOption& option)
+{
+  std::vector<std::string> values = ValuesOf(given, option.Name);
+  const Option* ofMesher = FindOption(option.MesherOption);
+  if (values.size() < 2 || !ofMesher || ofMesher->Kind != OptionKind::Arrays)
+  {
+    return TextOf(given, option.Name);
+  }
+  std::transform(values.begin(), values.end(), values.begin(), QuoteName);
+  return JoinTexts(values);
+}
 
 /// Returns the settings implied by options of refinement. If cells or boxes are given, only these
 /// cells are refined.
@@ -135,7 +151,7 @@ Settings ListSettings(const GivenArguments& given)
   }
   for (const ArgumentOption& option : GetArgumentOptions())
   {
-    const std::string value = option.Value.empty() ? "on" : TextOf(given, option.Name);
+    const std::string value = option.Value.empty() ? "on" : TextOfOption(given, option);
     if (given.count(option.Name) > 0 && !option.MesherOption.empty() && !value.empty())
     {
       settings.emplace_back(option.MesherOption, value);
@@ -302,7 +318,8 @@ void CheckExclusive(const GivenArguments& given)
 {
   for (const auto& [one, other] :
     { std::pair("--step", "--time"), { "--fractions", "--labels" }, { "--smooth", "--no-smooth" },
-      { "--refine", "--refine-cells" }, { "--refine", "--refine-box" } })
+      { "--refine", "--refine-cells" }, { "--refine", "--refine-box" },
+      { "--threshold", "--fractions" }, { "--threshold", "--material" } })
   {
     if (given.count(one) + given.count(other) == 2)
     {

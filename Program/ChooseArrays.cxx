@@ -9,6 +9,7 @@
 #include "State/StateArrays.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <map>
@@ -47,6 +48,7 @@ ChoiceRules MakeRules(const std::vector<ArrayInfo>& arrays, ArrayPlace place,
   rules.IsImage = IsImageFile(arguments.Input);
   rules.Others = ListOthers(arrays, arguments);
   rules.ArePoints = place == ArrayPlace::Points;
+  rules.HasThreshold = !arguments.Mesher.Threshold.empty();
   return rules;
 }
 
@@ -194,8 +196,9 @@ std::shared_ptr<const BlockArray> GetLabels(const BlockArrays& arrays, const std
 /// Converts a value to a label; 0 for void and for invalid values, which the mesher rejects.
 int GetLabel(double value)
 {
-  const bool isInt = value > 0.0 && value <= std::numeric_limits<int>::max(); // false for NaN
-  return isInt ? static_cast<int>(value) : 0;
+  const double label = std::round(value);
+  const bool isInt = label > 0.0 && label <= std::numeric_limits<int>::max(); // false for NaN
+  return isInt ? static_cast<int>(label) : 0;
 }
 
 /// Adds a copy of an array in which all labels except `kept` are 0.
@@ -303,7 +306,7 @@ ChosenArrays FindMaterials(const std::vector<ArrayInfo>& arrays, ArrayPlace plac
 {
   const ChoiceRules rules = MakeRules(arrays, place, arguments, tolerance);
   MaterialChoice choice = ChooseMaterials(arrays, rules);
-  const bool isComplete = choice.IsClear || !choice.Labels.empty();
+  const bool isComplete = choice.AreNamed || (rules.IsImage && !choice.Labels.empty());
   return { std::move(choice.Fractions), std::move(choice.Labels), std::move(choice.How),
     isComplete ? "" : WarnOfNearFractions(arrays, rules), place, std::move(choice.Problem), true };
 }
@@ -327,6 +330,13 @@ ChosenArrays FindMaterials(
   const ChosenArrays ofPoints = FindMaterials(
     FindArrays(input, ArrayPlace::Points, ranks), ArrayPlace::Points, arguments, tolerance);
   return HasMaterials(ofPoints) || cells.empty() ? ofPoints : ofCells;
+}
+
+std::vector<ContentOfArray> DescribeContents(
+  const std::vector<ArrayInfo>& arrays, ArrayPlace place, const Arguments& arguments)
+{
+  return FindContents(
+    arrays, MakeRules(arrays, place, arguments, arguments.Mesher.FractionTolerance));
 }
 
 std::vector<int> FindLabels(const ArrayLists& lists, const std::string& name, Ranks& ranks)

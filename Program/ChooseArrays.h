@@ -6,6 +6,7 @@
 
 #include "Arguments.h"
 #include "Input.h"
+#include "Materials/ArrayContent.h"
 #include "Ranks/Ranks.h"
 
 #include <string>
@@ -22,8 +23,8 @@ struct ChosenArrays
   std::string How;                    ///< reason of the choice, for the user
   std::string Warning;                ///< warning about arrays that may be missing, or empty
   ArrayPlace Place = ArrayPlace::Cells;
-  std::string Problem;       ///< reason if there are no materials
-  bool AreGuessed = false;   ///< false: named by the arguments
+  std::string Problem;     ///< reason if there are no materials
+  bool AreGuessed = false; ///< false: named by the arguments
 };
 
 /// Returns the arrays of materials that are used by default; possibly none.
@@ -31,6 +32,10 @@ struct ChosenArrays
 /// @pre Collective
 ChosenArrays FindMaterials(
   const Input& input, const Arguments& arguments, double tolerance, Ranks& ranks);
+
+/// Returns what each array of a place holds.
+std::vector<ContentOfArray> DescribeContents(
+  const std::vector<ArrayInfo>& arrays, ArrayPlace place, const Arguments& arguments);
 
 /// Returns the labels above 0 in the arrays of a name on all ranks, ascending.
 /// @pre Collective

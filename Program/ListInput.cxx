@@ -138,7 +138,8 @@ void PrintTimes(const Input& input, std::ostream& to)
   }
 }
 
-void PrintArrays(const std::vector<ArrayInfo>& arrays, const char* what, std::ostream& to)
+void PrintArrays(const std::vector<ArrayInfo>& arrays, const std::vector<ContentOfArray>& contents,
+  const char* what, std::ostream& to)
 {
   std::size_t width = 28;
   for (const ArrayInfo& array : arrays)
@@ -154,6 +155,13 @@ void PrintArrays(const std::vector<ArrayInfo>& arrays, const char* what, std::os
     to << name << Print("%-20s%11d", NameOfType(array.Type), array.Components)
        << (array.Components == 1 ? Print("%14.6g%14.6g", array.Least, array.Most) : "") << "\n";
   }
+  to << "\n" << Print("%-*s%s\n", w, what, "content");
+  for (std::size_t a = 0; a < arrays.size(); ++a)
+  {
+    std::string name = arrays[a].Name;
+    name.resize(width, ' ');
+    to << name << NameOfContent(contents[a].Content) << ": " << contents[a].Reason << "\n";
+  }
 }
 
 void PrintMaterials(const ChosenArrays& arrays, const std::vector<int>& labels, std::ostream& to)
@@ -161,7 +169,8 @@ void PrintMaterials(const ChosenArrays& arrays, const std::vector<int>& labels, 
   to << "\nmaterials";
   if (arrays.Fractions.empty() && arrays.Labels.empty())
   {
-    to << ": none found; name their arrays (--fractions A,B,.. or --labels ARRAY)\n";
+    to << ": none found; name their arrays (--fractions A,B,.., --labels ARRAY, or --threshold)\n";
+    to << arrays.Problem << (arrays.Problem.empty() ? "" : "\n");
     return;
   }
   to << " from " << (arrays.Labels.empty() ? JoinTexts(arrays.Fractions) : arrays.Labels) << " ("
@@ -210,11 +219,11 @@ void ListInput(const Arguments& arguments, Ranks& ranks, std::ostream& to)
   PrintGrid(pieces, input.IsOne, isOfPoints, to);
   if (!cells.empty() || points.empty())
   {
-    PrintArrays(cells, "cell array", to);
+    PrintArrays(cells, DescribeContents(cells, ArrayPlace::Cells, arguments), "cell array", to);
   }
   if (!points.empty())
   {
-    PrintArrays(points, "point array", to);
+    PrintArrays(points, DescribeContents(points, ArrayPlace::Points, arguments), "point array", to);
   }
   PrintMaterials(arrays, labels, to);
   to << (arrays.Warning.empty() ? "" : arrays.Warning + "\n");

@@ -1,5 +1,6 @@
 #include "MakeMesh.h"
 
+#include "Base/ParseText.h"
 #include "Base/ThreadRuntime.h"
 #include "CollectBlocks.h"
 #include "Labels/ReadLabelNames.h"
@@ -53,8 +54,8 @@ MesherArrays NameArrays(
   lists.insert(lists.end(), points.begin(), points.end());
   return { arrays.Fractions, arrays.Labels,
     ShareLabelNames(arrays.Labels.empty() ? "" : arguments.Mesher.LabelNames, ranks),
-    CompleteChoice(ChooseState(arguments.Mesher, arguments.State), lists, ranks),
-    arrays.AreGuessed };
+    CompleteChoice(ChooseState(arguments.Mesher, arguments.State), lists, ranks), arrays.AreGuessed,
+    !arguments.Materials.empty() };
 }
 
 std::vector<ChosenArray> ListMaterials(const MesherArrays& arrays)
@@ -66,6 +67,20 @@ std::vector<ChosenArray> ListMaterials(const MesherArrays& arrays)
     materials.push_back({ name });
   }
   return materials;
+}
+
+/// Reports a mesh without elements.
+/// @pre Collective
+void CheckElements(const Mesh& mesh, const ChosenArrays& arrays, Ranks& ranks)
+{
+  if (!ranks.Any(!mesh.Material.empty()))
+  {
+    throw InputError(ErrorCode::RejectedMesh,
+      "The mesh has no elements, so no file is written: the materials from " +
+        (arrays.Labels.empty() ? JoinTexts(arrays.Fractions) : arrays.Labels) + " (" + arrays.How +
+        ") fill no cell to the iso value. sculptor --list shows what the arrays hold; --fractions, "
+        "--labels and --threshold select others.");
+  }
 }
 
 } // namespace
@@ -103,6 +118,7 @@ MesherResult MakeMesh(const Arguments& arguments, const Input& input, const Chos
       mesherInput.Levels = FindInputLevels(std::move(collected), ranks);
       result = RunMesher(mesherInput, options, runtime);
     });
+  CheckElements(result.TheMesh, arrays, ranks);
   for (const std::string& warning : found)
   {
     std::cerr << (ranks.Rank() == 0 ? "sculptor: warning: " + warning + "\n" : "");

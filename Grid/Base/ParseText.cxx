@@ -9,6 +9,8 @@ namespace vfm
 namespace
 {
 
+constexpr const char* Spaces = " \t\r\n\v\f";
+
 /// Returns the text in lower case without spaces.
 std::string Plain(const std::string& text)
 {
@@ -104,10 +106,9 @@ std::string SnakeCase(const std::string& name)
 
 std::string TrimText(const std::string& text)
 {
-  constexpr const char* blanks = " \t\r\n\v\f";
-  const std::size_t first = text.find_first_not_of(blanks);
+  const std::size_t first = text.find_first_not_of(Spaces);
   return first == std::string::npos ? ""
-                                    : text.substr(first, text.find_last_not_of(blanks) - first + 1);
+                                    : text.substr(first, text.find_last_not_of(Spaces) - first + 1);
 }
 
 std::string JoinTexts(const std::vector<std::string>& texts, const std::string& separator)
@@ -120,16 +121,51 @@ std::string JoinTexts(const std::vector<std::string>& texts, const std::string& 
   return joined;
 }
 
+namespace
+{
+
+/// Returns the end of a quoted part that begins at a place, behind its second quote, if a comma or
+/// the end of the text follows; otherwise npos.
+std::size_t FindQuoteEnd(const std::string& text, std::size_t begin)
+{
+  const std::size_t first = text.find_first_not_of(Spaces, begin);
+  if (first == std::string::npos || text[first] != '"')
+  {
+    return std::string::npos;
+  }
+  for (std::size_t end = text.find('"', first + 1); end != std::string::npos;
+       end = text.find('"', end + 1))
+  {
+    const std::size_t next = text.find_first_not_of(Spaces, end + 1);
+    if (next == std::string::npos || text[next] == ',')
+    {
+      return end + 1;
+    }
+  }
+  return std::string::npos;
+}
+
+} // namespace
+
 std::vector<std::string> SplitText(const std::string& text)
 {
   std::vector<std::string> parts;
   for (std::size_t begin = 0; begin <= text.size();)
   {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    parts.push_back(TrimText(text.substr(begin, end - begin)));
+    const std::size_t quote = FindQuoteEnd(text, begin);
+    const bool isQuoted = quote != std::string::npos;
+    const std::size_t end = std::min(text.find(',', isQuoted ? quote : begin), text.size());
+    const std::string part = TrimText(text.substr(begin, end - begin));
+    parts.push_back(isQuoted ? part.substr(1, part.size() - 2) : part);
     begin = end + 1;
   }
   return parts;
+}
+
+std::string QuoteName(const std::string& name)
+{
+  const bool isPlain = name.find(',') == std::string::npos && TrimText(name) == name;
+  return isPlain ? name : "\"" + name + "\"";
 }
 
 } // namespace vfm

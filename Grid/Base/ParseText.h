@@ -37,7 +37,10 @@ std::string TrimText(const std::string& text);
 
 /// Returns the texts with the separator between them.
 std::string JoinTexts(const std::vector<std::string>& texts, const std::string& separator = ", ");
-/// Returns the parts between commas, trimmed, including empty parts.
+/// Returns the parts between commas, trimmed, including empty parts. A part in double quotes may
+/// contain commas.
 std::vector<std::string> SplitText(const std::string& text);
+/// Returns a name such that SplitText of names with commas between them returns the names.
+std::string QuoteName(const std::string& name);
 
 } // namespace vfm

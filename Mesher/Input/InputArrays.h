@@ -38,14 +38,16 @@ constexpr Value StoredOne(bool bytes)
   return std::is_same<Value, double>::value && bytes ? Value(255) : Value(1);
 }
 
-/// Converts a stored value. Reals outside the range of integers (blanked cells) become 0.
+/// Converts a stored value. Reals become the nearest integer; 0 outside the range of integers
+/// (blanked cells).
 template <class Value, class Stored>
 Value Convert(Stored stored)
 {
   constexpr double largest = 0x1p62;
   if constexpr (std::is_integral<Value>::value && std::is_floating_point<Stored>::value)
   {
-    return std::fabs(stored) < largest ? static_cast<Value>(stored) : Value(0);
+    return std::fabs(stored) < largest ? static_cast<Value>(stored + std::copysign(0.5, stored))
+                                       : Value(0);
   }
   return static_cast<Value>(stored);
 }

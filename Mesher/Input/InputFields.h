@@ -21,6 +21,7 @@ struct Materials
 {
   std::vector<std::string> Names;
   std::vector<int> Labels; ///< ids of the user; 0 is void
+  int ZeroId = 0;          ///< id of the material with label 0 in the input; 0: it is void
 };
 
 /// Numbers of cells of the input that were changed.

@@ -1,9 +1,11 @@
 #include "Input/InputFractions.h"
 
+#include "Input/FractionChecks.h"
 #include "Input/InputArrays.h"
 #include "Ranks/Agreement.h"
 
 #include <functional>
+#include <limits>
 
 namespace vfm
 {
@@ -11,18 +13,23 @@ namespace
 {
 
 constexpr double ByteRounding = 0.50001 / 255; // rounding of fractions stored as unsigned char
+constexpr double NotAccepted = -std::numeric_limits<double>::infinity();
+constexpr double SumTolerance = 1e-3; // excess over 1 that FractionField accepts
 
 class FractionCells : public InputCells
 {
 public:
-  FractionCells(const InputBlocks& input, const std::vector<std::string>& names, double tolerance) :
+  /// areMasks: 1 is full in arrays of type unsigned char, not 255.
+  FractionCells(const InputBlocks& input, const std::vector<std::string>& names, bool areMasks,
+    double tolerance) :
     InputCells(input), Names(names), OutsideTolerance(tolerance), Bytes(names.size(), 0)
   {
     for (const InputBlock& block : input.Blocks)
     {
       for (std::size_t m = 0; m < names.size(); ++m)
       {
-        const auto array = FindMaterialArray(block, names[m]);
+        const auto found = FindMaterialArray(block, names[m]);
+        const auto array = areMasks ? ViewMask(found) : found;
         this->Bytes[m] += array->Type == ValueType::UnsignedChar;
         this->Columns.emplace_back(array);
       }
@@ -37,6 +44,10 @@ public:
   double Rounding(int material) const { return this->Bytes[material - 1] > 0 ? ByteRounding : 0.0; }
 
   double Tolerance() const { return this->OutsideTolerance; }
+
+  /// Finds the cells of this rank whose fractions, if each is accepted, sum to more than accepted.
+  OverfullCells FindOverfull() const;
+  Index NumberOfCells() const;
 
   SparseCells Extract(const InputBlock& block, const IndexBox& box) const override;
   InputField MakeField(
@@ -156,6 +167,58 @@ void FractionCells::ReadMaterials(
   }
 }
 
+OverfullCells FractionCells::FindOverfull() const
+{
+  double most = this->OutsideTolerance;
+  for (int m = 1; m <= this->NumberOfMaterials(); ++m)
+  {
+    most += this->Rounding(m);
+  }
+  most = 1.0 + std::max(SumTolerance, most);
+  OverfullCells found;
+  std::vector<double> values, sums;
+  for (std::size_t b = 0; this->NumberOfMaterials() > 1 && b < this->Blocks().size(); ++b)
+  {
+    const IndexBox& box = this->Blocks()[b].Box;
+    values.resize(box.Size(0));
+    ForRows(box,
+      [&](Index j, Index k)
+      {
+        const Index3 first{ { box.Lower[0], j, k } };
+        sums.assign(box.Size(0), 0.0);
+        for (int m = 1; m <= this->NumberOfMaterials(); ++m)
+        {
+          this->ReadFractions(b, m, first, box.Size(0), values.data());
+          for (Index c = 0; c < box.Size(0); ++c)
+          {
+            // FractionField reports values that are not accepted.
+            const bool isAccepted =
+              values[c] >= -this->OutsideTolerance && values[c] <= 1.0 + this->OutsideTolerance;
+            sums[c] += isAccepted ? std::clamp(values[c], 0.0, 1.0) : NotAccepted;
+          }
+        }
+        for (Index c = 0; c < box.Size(0); ++c)
+        {
+          if (sums[c] > most)
+          {
+            found.Add({ 1, sums[c], sums[c], { { first[0] + c, j, k } } });
+          }
+        }
+      });
+  }
+  return found;
+}
+
+Index FractionCells::NumberOfCells() const
+{
+  Index cells = 0;
+  for (const InputBlock& block : this->Blocks())
+  {
+    cells += block.Box.NumberOfCells();
+  }
+  return cells;
+}
+
 SparseCells FractionCells::Extract(const InputBlock& block, const IndexBox& box) const
 {
   struct Item
@@ -195,7 +258,7 @@ InputField FractionCells::MakeField(
   const CartesianGrid& grid, const std::vector<SparseCells>& received) const
 {
   const int count = this->NumberOfMaterials();
-  Materials table{ { "Void" }, { 0 } };
+  Materials table{ { "Void" }, { 0 }, 0 };
   for (int m = 1; m <= count; ++m)
   {
     table.Names.push_back(this->Name(m));
@@ -216,12 +279,13 @@ LevelCells OpenFractions(const std::vector<InputBlocks>& levels,
   LevelCells cells;
   std::vector<FractionCells*> opened;
   std::vector<Index> bytes(names.size(), 0);
+  const bool areMasks = AreMasks(levels, names, ranks);
   WorkTogether(ranks,
     [&]
     {
       for (const InputBlocks& level : levels)
       {
-        auto own = std::make_unique<FractionCells>(level, names, tolerance);
+        auto own = std::make_unique<FractionCells>(level, names, areMasks, tolerance);
         std::transform(
           bytes.begin(), bytes.end(), own->GetBytes().begin(), bytes.begin(), std::plus<>());
         opened.push_back(own.get());
@@ -233,6 +297,18 @@ LevelCells OpenFractions(const std::vector<InputBlocks>& levels,
   {
     own->SetBytes(bytes);
   }
+  OverfullCells overfull;
+  Index count = 0;
+  WorkTogether(ranks,
+    [&]
+    {
+      for (const FractionCells* own : opened)
+      {
+        overfull.Add(own->FindOverfull());
+        count += own->NumberOfCells();
+      }
+    });
+  CheckSums(overfull, count, ranks);
   return cells;
 }
 

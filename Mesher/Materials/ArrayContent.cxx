@@ -2,6 +2,7 @@
 
 #include "Fractions/FractionField.h"
 #include "Input/ArrayNames.h"
+#include "Input/FractionChecks.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -77,7 +78,8 @@ ContentOfArray FindContentOfIntegers(const ArrayInfo& array)
   if (array.Most > LargestLabel)
   {
     return { ArrayContent::Other,
-      "integers from " + Range(array) + ": labels are at most " + std::to_string(std::numeric_limits<int>::max()) };
+      "integers from " + Range(array) + ": labels are at most " +
+        std::to_string(std::numeric_limits<int>::max()) };
   }
   if (array.Most <= 1.0)
   {
@@ -146,8 +148,8 @@ std::vector<ContentOfArray> FindContents(
     if (found.Content == ArrayContent::Labels)
     {
       const bool areOf255 = AreBytes(array) && areFull && !IsLabelsName(array.Name);
-      found = areOf255 ? ContentOfArray{ ArrayContent::Fraction,
-                           "unsigned char up to " + Print(array.Most) + ": 255 is full" }
+      found = areOf255           ? ContentOfArray{ ArrayContent::Fraction,
+        "unsigned char up to " + Print(array.Most) + ": 255 is full" }
         : IsRealType(array.Type) ? FindContentOfReals(array, rules.Tolerance)
                                  : FindContentOfIntegers(array);
     }

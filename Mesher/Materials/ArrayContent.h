@@ -36,9 +36,6 @@ struct ContentRules
   bool IsImage = false;    ///< bytes are labels, as in image files, not fractions of 255
 };
 
-/// Largest value of bytes that cannot fill half of a cell as a fraction of 255.
-constexpr double LargestEmptyByte = 127.0;
-
 /// Returns whether an array has one integer per cell.
 bool IsWhole(const ArrayInfo& array);
 

@@ -78,25 +78,25 @@ std::vector<std::string> FindSpyPlotFractions(const Candidates& arrays)
 
 /// Selects fractions by their names, or all fractions. Returns whether there are any.
 /// @param known  all arrays; names as in SpyPlot files are materials even if they are also state
-bool ChooseFractions(
-  const Candidates& known, const Candidates& arrays, const ChoiceRules& rules,
+bool ChooseFractions(const Candidates& known, const Candidates& arrays, const ChoiceRules& rules,
   MaterialChoice& choice)
 {
   choice.Fractions = FindSpyPlotFractions(known);
   choice.How = "named Material volume fraction - N";
-  choice.IsClear = true;
+  choice.IsClear = choice.AreNamed = true;
   const Candidates all = Select(arrays, IsFraction);
   if (choice.Fractions.empty())
   {
-    choice.Fractions = NamesOf(
-      Select(all, [](const Candidate& array) { return IsFractionName(array.Array.Name); }));
+    choice.Fractions =
+      NamesOf(Select(all, [](const Candidate& array) { return IsFractionName(array.Array.Name); }));
     choice.How = "named as volume fractions";
   }
   if (choice.Fractions.empty())
   {
+    choice.AreNamed = false;
     choice.Fractions = NamesOf(all);
-    choice.How = std::string("all ") + (rules.ArePoints ? "point" : "cell") +
-      " arrays with values in [0, 1]";
+    choice.How =
+      std::string("all ") + (rules.ArePoints ? "point" : "cell") + " arrays with values in [0, 1]";
     const bool hasLabels = std::any_of(arrays.begin(), arrays.end(),
       [](const Candidate& array) { return AreLabels(array) && IsWhole(array.Array); });
     choice.IsClear = all.size() == 1 && !hasLabels;
@@ -140,18 +140,16 @@ void ChooseLabels(const Candidates& all, const std::string& kind, MaterialChoice
 void ChooseForThreshold(const Candidates& arrays, MaterialChoice& choice)
 {
   const Candidates numbers = Select(arrays,
-    [](const Candidate& array)
-    {
-      return array.Array.Components == 1 && !array.Array.HoldsIds &&
-        IsOffered(array.Array.Name);
+    [](const Candidate& array) {
+      return array.Array.Components == 1 && !array.Array.HoldsIds && IsOffered(array.Array.Name);
     });
   choice.IsClear = numbers.size() == 1;
   choice.How = "the only array, by ranges of its values";
   choice.Labels = choice.IsClear ? numbers.front().Array.Name : "";
   choice.Problem = choice.IsClear ? ""
-    : numbers.empty() ? "No array holds one number per cell, as Threshold requires."
+    : numbers.empty()             ? "No array holds one number per cell, as Threshold requires."
                       : "Threshold takes one array, and there are several: " + Describe(numbers) +
-        ". Choose one as labels.";
+      ". Choose one as labels.";
 }
 
 } // namespace
@@ -178,10 +176,10 @@ MaterialChoice ChooseMaterials(const std::vector<ArrayInfo>& arrays, const Choic
   {
     return choice;
   }
-  const Candidates integers = Select(candidates,
-    [](const Candidate& array) { return AreLabels(array) && IsWhole(array.Array); });
-  const Candidates reals = Select(candidates,
-    [](const Candidate& array) { return AreLabels(array) && !IsWhole(array.Array); });
+  const Candidates integers = Select(
+    candidates, [](const Candidate& array) { return AreLabels(array) && IsWhole(array.Array); });
+  const Candidates reals = Select(
+    candidates, [](const Candidate& array) { return AreLabels(array) && !IsWhole(array.Array); });
   choice.How.clear();
   choice.IsClear = false;
   if (!integers.empty() || !reals.empty())

@@ -21,11 +21,12 @@ struct ChoiceRules : ContentRules
 
 struct MaterialChoice
 {
-  std::vector<std::string> Fractions; ///< arrays of material 1, 2, ...
-  std::string Labels;                 ///< array of labels; empty: fractions, or nothing
-  std::string How;                    ///< reason of the choice
-  std::string Problem;                ///< reason if nothing is chosen; otherwise empty
-  bool IsClear = false;               ///< no other array or role is possible
+  std::vector<std::string> Fractions;   ///< arrays of material 1, 2, ...
+  std::string Labels;                   ///< array of labels; empty: fractions, or nothing
+  std::string How;                      ///< reason of the choice
+  std::string Problem;                  ///< reason if nothing is chosen; otherwise empty
+  bool AreNamed = false;                ///< Fractions were found by their names
+  bool IsClear = false;                 ///< no other array or role is possible
   std::vector<ContentOfArray> Contents; ///< of each array of the list
 };
 

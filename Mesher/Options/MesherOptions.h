@@ -58,6 +58,13 @@ enum class Sides
   Joined ///< none: elements at opposite sides share nodes
 };
 
+/// Option ZeroLabel: what cells of label 0 are.
+enum class ZeroLabel
+{
+  Void,
+  Material
+};
+
 /// What connects both sides of split interfaces, in files.
 enum class SplitConnection
 {
@@ -130,7 +137,9 @@ struct MesherOptions : MeshSettings, LevelSettings, ConserveOptions, LayerOption
   SplitConnection Connection = SplitConnection::None; ///< option SplitConnection
   double FractionTolerance = 1e-6;
   int LabelSmoothing = 0;
-  std::string LabelNames; ///< path of a file
+  std::string LabelNames;           ///< path of a file
+  ZeroLabel Zero = ZeroLabel::Void; ///< option ZeroLabel
+  std::string Threshold;  ///< ranges of values that are materials (ValueRanges.h); empty: labels
   bool ImageAxes = false; ///< true: the mesh is not rotated to world coordinates
   int MinimumRegionCells = 0;
   StateTransfer Transfer = StateTransfer::Automatic;

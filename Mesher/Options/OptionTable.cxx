@@ -135,6 +135,21 @@ OptionTable MaterialsOptions()
       .ShownIf("MaterialIdArray")
       .Advanced()
       .Sculptor("--label-names FILE"),
+    Row("ZeroLabel", Choice<&M::Zero>({ "Void", "Material" }),
+      "What cells with material id 0 are. Void: empty space, as in segmentations with a "
+      "background. Material: a material, as in codes that number grains from 0. Its id in the mesh "
+      "is the largest id plus 1, and its name that of id 0 in the file of names, otherwise "
+      "Material 0; all other ids stay.")
+      .ShownIf("MaterialIdArray")
+      .Advanced()
+      .Sculptor("--zero-label WHAT"),
+    Row("Threshold", Text(OptionKind::Ranges, &M::Threshold),
+      "Make materials of ranges of the values of one array, such as grey values. LOW:HIGH is the "
+      "values above LOW, up to and including HIGH; LOW has no upper limit, :HIGH no lower limit. "
+      "Several ranges, with commas between them, are materials 1, 2, ..; they must not overlap. "
+      "Values in no range are void.")
+      .Advanced()
+      .Sculptor("--threshold LOW:HIGH"),
     Row("ImageAxes", Switch<&M::ImageAxes>(),
       "Leave the mesh of an image with a direction matrix in the axes of the image. The sides of "
       "the domain then lie along x, y and z. Off: the mesh is rotated to the position of the image "

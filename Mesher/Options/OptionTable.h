@@ -27,6 +27,7 @@ enum class OptionKind
   Arrays, ///< names of arrays
   Kinds,  ///< entries array=kind
   Pairs,  ///< pairs of materials
+  Ranges, ///< ranges of values
   Boxes   ///< RefinementBoxes
 };
 
@@ -51,7 +52,7 @@ struct Option
   /// Reads a number; 0 or 1 for a switch, the index of the word for a choice. Null for texts.
   double (*GetNumber)(const MesherOptions&) = nullptr;
   void (*SetNumber)(MesherOptions&, double) = nullptr;
-  std::string MesherOptions::*Text = nullptr;               ///< set for an array, a file or pairs
+  std::string MesherOptions::*Text = nullptr; ///< set for an array, a file, pairs or ranges
   std::vector<std::string> MesherOptions::*Texts = nullptr; ///< set for arrays or kinds
   OptionRange Range;                                        ///< range of integers and reals
   std::vector<std::string> Words; ///< words of a choice, as in panels; the first is number 0

@@ -2,6 +2,7 @@
 
 #include "Base/ParseText.h"
 #include "Base/Runtime.h"
+#include "Options/ValueRanges.h"
 
 #include <algorithm>
 #include <sstream>
@@ -147,6 +148,10 @@ bool SetText(MesherOptions& options, const Option& option, const std::string& gi
     return SetNumber(options, option, given);
   }
   const std::string text = IsSameWord(given, "None") ? "" : given;
+  if (option.Kind == OptionKind::Ranges && !ParseRanges(text))
+  {
+    return false;
+  }
   if (option.Text)
   {
     options.*option.Text = text;
@@ -169,6 +174,13 @@ std::string Join(const Boxes& boxes)
     text += FormatNumber(halvings);
   }
   return text;
+}
+
+/// Joins names; names with commas are quoted.
+std::string JoinNames(Texts names)
+{
+  std::transform(names.begin(), names.end(), names.begin(), QuoteName);
+  return JoinTexts(names);
 }
 
 std::string ListNames(ElementKind elements, const OptionTable& table)
@@ -251,6 +263,9 @@ std::string Option::Allowed() const
     case OptionKind::Pairs:
       return "pairs of materials such as steel/copper or 1/3 with commas between them, all, or "
              "None";
+    case OptionKind::Ranges:
+      return "ranges that do not overlap, LOW:HIGH with LOW below HIGH, LOW or :HIGH, with commas "
+             "between them, or None";
     case OptionKind::Boxes:
       return "x0,y0,z0,x1,y1,z1, optionally followed by the number of halvings, 0 to " +
         std::to_string(MaximumHalvings) + "; boxes are separated by semicolons";
@@ -316,10 +331,11 @@ bool SetClamped(MesherOptions& options, const std::string& name, double value)
 
 bool SetText(MesherOptions& options, const std::string& name, const std::string& value)
 {
-  const std::string MesherOptions::*text = FindOption(name)->Text;
-  const std::string before = options.*text;
-  SetOption(options, name, value);
-  return options.*text != before;
+  std::string MesherOptions::*text = FindOption(name)->Text;
+  std::string after = IsSameWord(value, "None") ? "" : value;
+  const bool changes = options.*text != after;
+  options.*text = std::move(after);
+  return changes;
 }
 
 std::string GetOption(const MesherOptions& options, const Option& option)
@@ -337,10 +353,11 @@ std::string GetOption(const MesherOptions& options, const Option& option)
     case OptionKind::Array:
     case OptionKind::File:
     case OptionKind::Pairs:
+    case OptionKind::Ranges:
       return orNone(options.*option.Text);
     case OptionKind::Arrays:
     case OptionKind::Kinds:
-      return orNone(JoinTexts(options.*option.Texts));
+      return orNone(JoinNames(options.*option.Texts));
     case OptionKind::Boxes:
       return orNone(Join(options.RefinementBoxes));
   }
@@ -371,6 +388,10 @@ void CheckOptions(const MesherOptions& options, const OptionTable& table)
     if (isNumber && isUsed && !option.Range.Holds(option.GetNumber(options)))
     {
       Reject(option, FormatNumber(option.GetNumber(options)));
+    }
+    if (option.Kind == OptionKind::Ranges && !ParseRanges(options.*option.Text))
+    {
+      Reject(option, options.*option.Text);
     }
   }
   CheckLayers(options);

@@ -21,7 +21,8 @@ void SetOption(MesherOptions& options, const std::string& name, const std::strin
   const OptionTable& table = GetOptionTable());
 
 ///@{ Set an option that exists, as the accessors of filters do. Return whether its value changed.
-/// SetClamped clamps choices, and integers except options for tetrahedra, to their range.
+/// SetClamped clamps choices, and integers except options for tetrahedra, to their range. SetText
+/// does not check the text; CheckOptions does.
 bool SetClamped(MesherOptions& options, const std::string& name, double value);
 bool SetText(MesherOptions& options, const std::string& name, const std::string& value);
 ///@}

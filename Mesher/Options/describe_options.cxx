@@ -13,7 +13,7 @@ namespace
 
 /// Names of kinds, indexed by OptionKind.
 constexpr const char* KindNames[] = { "switch", "integer", "real", "choice", "array", "file",
-  "arrays", "kinds", "pairs", "boxes" };
+  "arrays", "kinds", "pairs", "ranges", "boxes" };
 
 std::string Quote(const std::string& text)
 {

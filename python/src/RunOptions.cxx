@@ -252,6 +252,9 @@ void BindOptions(nb::module_& module)
   }
   type.def("__init__", Init, nb::arg("tets"), nb::arg("values"));
   type.def_rw("refinement_array", &MesherOptions::RefinementArray);
+  type.def_prop_rw(
+    "threshold", [](const MesherOptions& self) { return self.Threshold; },
+    [](MesherOptions& self, const std::string& text) { SetOption(self, "Threshold", text); });
   type.def_prop_rw("refinement_boxes", GetBoxes, SetBoxes);
   type.def("changed", ListChanged);
   BindTable(module);

@@ -26,7 +26,7 @@ INPUTS = {"Materials": ["VolumeFractionArrays", "MaterialIdArray"], "State": ["S
 PYTHON = {"VolumeFractionArrays": "fractions", "MaterialIdArray": "labels", "StateArrays": "state",
           "LabelNames": "names", "DensityArrays": "density", "VelocityArray": "velocity",
           "EnergyArray": "energy", "StateKinds": "state_kinds", "RotatedArrays": "rotated_arrays",
-          "RefinementArray": "refinement_array", "RefinementBoxes": "refinement_boxes"}
+          "RefinementArray": "refinement_array", "Threshold": "threshold", "RefinementBoxes": "refinement_boxes"}
 ARGUMENTS = {"VolumeFractionArrays": "--fractions A,B,..", "MaterialIdArray": "--labels ARRAY",
              "StateArrays": "--state A,B,..", "RefinementArray": "--refine-cells ARRAY",
              "RefinementBoxes": "--refine-box BOX", "Method": "--tetmesh [METHOD]"}
@@ -164,7 +164,7 @@ def values_of_row(row):
     if row["kind"] == "choice":
         return ", ".join(row["words"])
     return {"switch": "on, off", "array": "an array", "arrays": "arrays",
-            "kinds": "array=kind, ..", "pairs": "all, or A/B, ..",
+            "kinds": "array=kind, ..", "pairs": "all, or A/B, ..", "ranges": "LOW:HIGH, ..",
             "file": "file"}.get(row["kind"], allowed(row))
 
 

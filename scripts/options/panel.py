@@ -142,7 +142,8 @@ def commands(row):
     if kind in ("arrays", "kinds", "boxes"):
         return [("command", "Add" + one), ("clean_command", "Clear" + name), ("repeat_command", 1),
                 ("number_of_elements_per_command", len(BOX) if kind == "boxes" else 1)]
-    defaults = {"file": "", "array": "None", "pairs": "None", "integer": row["default"],
+    defaults = {"file": "", "array": "None", "pairs": "None", "ranges": "None",
+                "integer": row["default"],
                 "real": row["default"]}
     return [("command", "Set%s%s" % (name, "File" if kind == "file" else "")),
             ("number_of_elements", 1), ("default_values", defaults.get(kind, row["number"]))]

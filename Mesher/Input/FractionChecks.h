@@ -1,0 +1,47 @@
+/**
+ * FractionChecks: checks of the arrays of volume fractions over all blocks and ranks.
+ */
+#pragma once
+
+#include "Input/InputBlocks.h"
+
+#include <string>
+#include <vector>
+
+namespace vfm
+{
+
+/// Largest value of bytes that cannot fill half of a cell as a fraction of 255.
+constexpr int LargestEmptyByte = 127;
+
+/// Returns whether arrays of type unsigned char are masks, in which 1 is full, because none holds a
+/// value above 1. Otherwise 255 is full.
+/// @param levels blocks of each level
+/// @param names arrays of fractions; arrays of other types are ignored
+/// @throws InputError on all ranks, if the largest value is from 2 to LargestEmptyByte and the
+/// names do not say volume fraction; it lists the arrays
+/// @pre Collective
+bool AreMasks(
+  const std::vector<InputBlocks>& levels, const std::vector<std::string>& names, Ranks& ranks);
+
+/// Returns an array in which 1 is full: an array of type unsigned char with another type.
+std::shared_ptr<const BlockArray> ViewMask(std::shared_ptr<const BlockArray> array);
+
+/// Sums of fractions that exceed 1 by more than is accepted.
+struct OverfullCells
+{
+  Index Count = 0;
+  double LargestSum = 0.0, FirstSum = 0.0;
+  Index3 First{}; ///< cell with the lowest indices, z before y before x
+
+  void Add(const OverfullCells& other);
+};
+
+/// Checks the sums of all ranks.
+/// @param mine cells of this rank
+/// @param cells number of cells of this rank
+/// @throws InputError on all ranks, with the tolerance that suffices, if there is one
+/// @pre Collective
+void CheckSums(const OverfullCells& mine, Index cells, Ranks& ranks);
+
+} // namespace vfm

@@ -1,0 +1,81 @@
+#include "Levels/GreyLabels.h"
+
+#include "Ranks/Agreement.h"
+
+#include <cstdio>
+
+namespace vfm
+{
+namespace
+{
+
+// Limits, measured: images of grey values have at least 0.9 of thin labels and 0.2 of busy cells;
+// atlases and polycrystals of 20 cells per grain have at most 0.1 of thin labels.
+constexpr Index LeastLabels = 32;  // labels of an image that is examined
+constexpr double ThinLabel = 0.8;  // share of busy cells
+constexpr double ThinLabels = 0.5; // share of thin labels
+constexpr double BusyCells = 0.1;  // share of busy cells of all labels
+
+/// Counts the cells of each material above 0, then its busy cells.
+std::vector<Index> CountCells(const CartesianGrid& grid, const FractionField& field)
+{
+  const int count = field.NumberOfMaterials();
+  std::vector<Index> cells(2 * static_cast<std::size_t>(count) + 2, 0);
+  const IndexBox& global = grid.Global();
+  ForCells(grid.Owned(),
+    [&](const Index3& cell)
+    {
+      const Index here = grid.Linear(cell);
+      const int label = field.IsMixed(here) ? 0 : field.Label(here);
+      if (label == 0)
+      {
+        return;
+      }
+      bool isBusy = false;
+      for (int a = 0; a < 3; ++a)
+      {
+        Index3 next = cell;
+        ++next[a];
+        const Index there = next[a] < global.Upper[a] ? grid.Linear(next) : here;
+        const int other = field.IsMixed(there) ? 0 : field.Label(there);
+        isBusy = isBusy || (other != label && other != 0);
+      }
+      ++cells[2 * label];
+      cells[2 * label + 1] += isBusy;
+    });
+  return cells;
+}
+
+} // namespace
+
+std::string DescribeGreyLabels(const LevelFields& fields, Ranks& ranks)
+{
+  const int labels = fields.Field.Fractions.NumberOfMaterials();
+  if (labels < LeastLabels)
+  {
+    return "";
+  }
+  std::vector<Index> cells;
+  WorkTogether(ranks, [&] { cells = CountCells(fields.Grid, fields.Field.Fractions); });
+  ranks.Sum(cells);
+  Index thin = 0, all = 0, busy = 0;
+  for (int label = 1; label <= labels; ++label)
+  {
+    const Index own = cells[2 * label], ofOwn = cells[2 * label + 1];
+    thin += own > 0 && static_cast<double>(ofOwn) >= ThinLabel * static_cast<double>(own);
+    all += own;
+    busy += ofOwn;
+  }
+  if (static_cast<double>(thin) < ThinLabels * labels ||
+    static_cast<double>(busy) < BusyCells * static_cast<double>(all))
+  {
+    return "";
+  }
+  char share[32];
+  std::snprintf(
+    share, sizeof(share), "%.3g", 100.0 * static_cast<double>(busy) / static_cast<double>(all));
+  return std::to_string(labels) + " different values, and " + share +
+    " % of the cells have another value beside them";
+}
+
+} // namespace vfm
