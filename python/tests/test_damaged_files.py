@@ -103,7 +103,8 @@ def test_damaged(tmp_path, name, capfd):
             rejected.append(try_file(path))
     assert all(rejected), list(zip(lengths, rejected))
     random = np.random.default_rng(1)
-    for _ in range(60):  # most bytes that describe the file lie at its beginning or end
+    trials = 6 if path.suffix == ".vtk" else 60  # a process reads each .vtk
+    for _ in range(trials):  # most bytes that describe the file lie at its beginning or end
         data = bytearray(whole)
         place = [random.integers(min(400, len(data))), -1 - random.integers(min(300, len(data))),
                  random.integers(len(data))][random.integers(3)]
@@ -111,6 +112,26 @@ def test_damaged(tmp_path, name, capfd):
         path.write_bytes(data)
         try_file(path)
     assert capfd.readouterr().err == ""
+
+
+def test_cells_that_crash_the_reader_of_vtk(tmp_path):
+    """A number of points that is not 8 makes the reader of VTK 9.7 write beyond its memory."""
+    pytest.importorskip("vtkmodules")
+    points, corners, values = hexahedra(LABELS[:5, :5, :5])
+    lines = ["# vtk DataFile Version 3.0", "test", "ASCII", "DATASET UNSTRUCTURED_GRID",
+             "POINTS %d float" % len(points), *(" ".join(map(str, point)) for point in points),
+             "CELLS %d %d" % (len(corners), 9 * len(corners)),
+             *("8 " + " ".join(map(str, cell)) for cell in corners),
+             "CELL_TYPES %d" % len(corners), *["12"] * len(corners), "CELL_DATA %d" % len(corners),
+             "SCALARS ids int 1", "LOOKUP_TABLE default", *map(str, values.tolist()), ""]
+    path = tmp_path / "a.vtk"
+    path.write_text("\n".join(lines))
+    assert not try_file(path)
+    first = 6 + len(points)
+    for line, text in ((first, "9" + lines[first][1:]), (first, "-8" + lines[first][1:]),
+                       (first + 60, "8 1 2 3 4 5 6 7 8 9 10 11"), (first + 120, "8 1 2 x 4")):
+        path.write_text("\n".join([*lines[:line], text, *lines[line + 1:]]))
+        assert try_file(path)
 
 
 def test_damaged_slice(tmp_path):

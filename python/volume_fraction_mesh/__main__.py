@@ -53,6 +53,9 @@ def make_parser() -> argparse.ArgumentParser:
         "--array", action="append", metavar="NAME",
         help="an array of the file that holds a material; repeat for more materials"
     )
+    parser.add_argument("--threshold", metavar="LOW:HIGH",
+                        help="values above LOW, up to and including HIGH, are a material; LOW has no "
+                        "upper limit, :HIGH no lower one; several ranges with commas between them")
     parser.add_argument("--names", metavar="FILE",
                         help="names of labels: a text file with a label and its name in each line, "
                         "or a table of ITK-SNAP, FreeSurfer, MRIcron or an FSL atlas")
@@ -127,7 +130,7 @@ def _arguments(words: argparse.Namespace) -> Dict[str, Any]:
     if words.names is not None:
         given["names"] = read_label_names(words.names)
     given.update(
-        arrays=words.array, state=words.state, velocity=words.velocity, energy=words.energy,
+        arrays=words.array, threshold=words.threshold, state=words.state, velocity=words.velocity, energy=words.energy,
         density=words.density, state_kinds=words.state_kind, rotated_arrays=words.rotated_array,
         refinement_array=words.refinement_array, refinement_boxes=words.refinement_box
     )

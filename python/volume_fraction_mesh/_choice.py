@@ -48,8 +48,9 @@ def has_materials(arrays: Dict[str, np.ndarray]) -> bool:
 def list_contents(arrays: NamedArrays, known: Contents) -> Found:
     """Returns the content of arrays that are given as fractions."""
     are_real = all(array.dtype.kind == "f" for _, array in arrays)
-    if known.has_threshold and len(arrays) == 1:
-        return Found(arrays[0][0], "")
+    if known.has_threshold:
+        return Found(arrays[0][0], "") if len(arrays) == 1 else Found(
+            "", "threshold applies to one array, and %d are given." % len(arrays))
     if are_real and not (len(arrays) == 1 and known.has_labels):
         return Found("", "")
     choice = _ask(arrays, known._replace(others=(), has_threshold=False))

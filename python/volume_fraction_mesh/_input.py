@@ -33,8 +33,8 @@ class Field(NamedTuple):
 class Source(NamedTuple):
     """Arguments of hexes() for materials and their grid.
 
-    others: names of arrays with another purpose. tolerance: distance of fractions from [0, 1].
-    has_threshold: whether ranges of the values of one array are the materials.
+    threshold: text of the ranges of the values of one array that are the materials. others: names
+    of arrays with another purpose. tolerance: distance of fractions from [0, 1].
     """
 
     fractions: Any
@@ -46,12 +46,12 @@ class Source(NamedTuple):
     order: Any
     names: Any
     arrays: Any
+    threshold: str = ""
     others: Sequence[str] = ()
     tolerance: float = 1e-6
-    has_threshold: bool = False
 
     def contents(self, has_labels: bool = False) -> Contents:
-        return Contents(self.others, self.tolerance, has_labels, self.has_threshold)
+        return Contents(self.others, self.tolerance, has_labels, bool(self.threshold))
 
 
 def read_field(given: Source) -> Field:
@@ -111,7 +111,7 @@ def _read_fractions(fractions: Any, order: str, given: Source) -> Field:
         check_3d(array, name)
         arrays.add(name, array)
     image = Image(_given_grid(arrays.cells, given), arrays.flat, list(arrays.flat), order)
-    if all(np.asarray(value).dtype == np.bool_ for _, value in named) and not given.has_threshold:
+    if all(np.asarray(value).dtype == np.bool_ for _, value in named) and not given.threshold:
         return _name_fractions(arrays, image, isinstance(fractions, Mapping), given)
     return _make_field(arrays, image, isinstance(fractions, Mapping), given)
 
@@ -133,7 +133,7 @@ def _make_field(arrays: CellArrays, image: Image, have_names: bool, given: Sourc
             label_names.update(enumerate(_rename(chosen, names), 1))
             names = None
         return Field(arrays, image.grid, [], found.labels, _label_names(names, label_names),
-                     guessed=not given.has_threshold)
+                     guessed=not given.threshold)
     if found.problem:
         raise ValueError("%s %s" % (found.problem, image.hint or LABELS_HINT))
     return _name_fractions(arrays, image, have_names, given)
@@ -206,7 +206,10 @@ def _blocks_field(given: Source) -> Field:
     own = [blocks.labels] if blocks.labels and not blocks.fractions else blocks.fractions
     chosen = own if given.arrays is None else check_names(given.arrays)
     grid = Grid((np.empty(0),) * 3)
-    if labels is not None or (given.arrays is None and blocks.labels and not blocks.fractions):
+    if given.threshold and given.arrays is None and len(blocks.names) == 1:
+        chosen = blocks.names
+    if labels is not None or given.threshold or (
+            given.arrays is None and blocks.labels and not blocks.fractions):
         if len(chosen) != 1:
             raise ValueError("labels are %d arrays, %r: one is required, arrays=[...]."
                              % (len(chosen), chosen))

@@ -11,7 +11,8 @@ from . import _core
 from ._input import Source
 from ._run import run_mesher
 from ._state import StateGiven
-from ._types import FractionsLike, Names, OfMaterials, Order, Progress, StateLike, Triple
+from ._threshold import write_ranges
+from ._types import (FractionsLike, Names, OfMaterials, Order, Progress, Ranges, StateLike, Triple)
 from .mesh import Mesh
 
 
@@ -26,6 +27,7 @@ def hexes(
     order: Order = "xyz",
     names: Names = None,
     arrays: Optional[Sequence[str]] = None,
+    threshold: Ranges = None,
     state: StateLike = None,
     density: OfMaterials = None,
     velocity: OfMaterials = None,
@@ -120,6 +122,10 @@ def hexes(
     arrays : list of str, optional
         Arrays of a PyVista image, or of the result of `read`, that hold the materials. Default: the
         active scalars; without them and for `read`, the arrays whose contents are materials.
+    threshold : float, tuple of 2 floats, list of tuples, or str, optional
+        Ranges of the values of one array that are materials 1, 2, .., such as grey values. A float
+        selects the values above it; ``(low, high)`` the values above ``low``, up to and including
+        ``high``; None is no limit. A str is the form of the command line, "100:200, 200:".
     state : dict or list of str, optional
         Arrays of shape (nx, ny, nz) or (nx, ny, nz, components) to transfer to the elements, by
         name, or names of arrays of the image or file. ``Mesh.state`` holds the result.
@@ -408,7 +414,7 @@ def hexes(
         # end of arguments
     )
     source = Source(fractions, labels, spacing, origin, coordinates, direction, order, names,
-                    arrays)
+                    arrays, write_ranges(threshold))
     carried = StateGiven(state, density, velocity, energy, state_kinds, rotated_arrays)
     return run_mesher(options, source, carried, refinement_array, refinement_boxes, progress)
 
@@ -424,6 +430,7 @@ def tets(
     order: Order = "xyz",
     names: Names = None,
     arrays: Optional[Sequence[str]] = None,
+    threshold: Ranges = None,
     state: StateLike = None,
     density: OfMaterials = None,
     velocity: OfMaterials = None,
@@ -490,7 +497,7 @@ def tets(
 
     Parameters
     ----------
-    fractions, labels, names, arrays : see hexes
+    fractions, labels, names, arrays, threshold : see hexes
         Materials.
     spacing, origin, coordinates, direction, order : see hexes
         Grid and order of axes.
@@ -615,6 +622,6 @@ def tets(
         # end of arguments
     )
     source = Source(fractions, labels, spacing, origin, coordinates, direction, order, names,
-                    arrays)
+                    arrays, write_ranges(threshold))
     carried = StateGiven(state, density, velocity, energy, state_kinds, rotated_arrays)
     return run_mesher(options, source, carried, refinement_array, refinement_boxes, progress)

@@ -34,9 +34,9 @@ def run_mesher(
 ) -> Mesh:
     """Makes a mesh. Warnings seem to come from the caller of hexes() or tets()."""
     field = read_field(source._replace(
-        others=list_names(carried, refinement_array), tolerance=options.fraction_tolerance,
-        has_threshold=bool(getattr(options, "threshold", ""))))
+        others=list_names(carried, refinement_array), tolerance=options.fraction_tolerance))
     state = read_state(carried, field)
+    options.threshold = source.threshold
     options.refinement_array = add_refinement(refinement_array, field)
     options.refinement_boxes = list_boxes(refinement_boxes)
     told = [field.note] if field.note else []

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import os
 import re
+import subprocess
+import sys
+import tempfile
 from typing import Any
 
 from .report import load_library, quiet
@@ -23,41 +26,53 @@ def read(path: str) -> Any:
     load_library("vtkmodules.vtkCommonCore", path)
     ending = os.path.splitext(path)[1].lower()
     _check_lengths(path, ending)
-    text, data = _run_reader(path, ending)
-    problems = re.findall(r"^(?:vtk\w+ \(\w+\): |(?=Error ))(.*)", text, re.MULTILINE)
-    if problems or data is None:
-        raise ValueError(problems[0] if problems else "it holds no data set of VTK.")
-    return data
+    if ending in READERS:
+        return _read_xml(path, ending)
+    with tempfile.TemporaryDirectory() as folder:
+        name = _convert(path, folder)
+        return _read_xml(os.path.join(folder, name), os.path.splitext(name)[1])
 
 
-def _run_reader(path: str, ending: str) -> Any:
-    """Returns the text of the errors of VTK, and the data set."""
+def _convert(path: str, folder: str) -> str:
+    """Converts a legacy file to a file in XML, in another process. Returns its name."""
+    program = os.path.join(os.path.dirname(__file__), "convert_legacy_vtk.py")
+    run = subprocess.run(
+        [sys.executable, program, os.path.abspath(path), folder], stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, errors="replace", check=False,
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(each for each in sys.path if each)})
+    _raise_problem(run.stdout)
+    if run.returncode != 0:
+        raise ValueError("it is damaged: VTK's reader ended with status %d." % run.returncode)
+    return run.stdout.split()[-1]
+
+
+def _raise_problem(text: str) -> None:
+    """Raises ValueError with the first error that VTK printed."""
+    problems = re.findall(r"^(?:vtk\w* \(\w+\): |(?=Error ))(.*)", text, re.MULTILINE)
+    if problems:
+        raise ValueError(problems[0])
+
+
+def _read_xml(path: str, ending: str) -> Any:
+    from vtkmodules import vtkIOXML
     from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
 
+    if ending not in READERS:
+        raise ValueError("it holds polygons: volumes of a grid are required.")
     window, before = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
     vtkOutputWindow.SetInstance(window)
     try:
         with quiet():
-            reader = _make_reader(ending)
+            reader = getattr(vtkIOXML, "vtk%sReader" % READERS[ending])()
             reader.SetFileName(path)
             reader.Update()
         data = reader.GetOutputDataObject(0)
     finally:
         vtkOutputWindow.SetInstance(before)
-    return window.GetOutput() or "", data
-
-
-def _make_reader(ending: str) -> Any:
-    if ending in READERS:
-        from vtkmodules import vtkIOXML
-
-        return getattr(vtkIOXML, "vtk%sReader" % READERS[ending])()
-    from vtkmodules.vtkIOLegacy import vtkGenericDataObjectReader
-
-    reader = vtkGenericDataObjectReader()
-    for kind in ("Scalars", "Vectors", "Normals", "Tensors", "TCoords", "Fields"):
-        getattr(reader, "ReadAll%sOn" % kind)()
-    return reader
+    _raise_problem(window.GetOutput() or "")
+    if data is None:
+        raise ValueError("it holds no data set of VTK.")
+    return data
 
 
 def _check_lengths(path: str, ending: str) -> None:
@@ -68,10 +83,8 @@ def _check_lengths(path: str, ending: str) -> None:
         if ending in READERS:
             _check_extents(file.read(1 << 16), length, ending)
             return
-        if not file.read(14).startswith(b"# vtk DataFile"):
-            raise ValueError("it does not begin with '# vtk DataFile'.")
-        file.seek(0)
         text = file.read(1 << 27)
+    _check_title(text)
     for match in HEADER.finditer(text):
         numbers = [int(word) for word in match.group(2).split() if word.lstrip(b"-").isdigit()]
         if match.group(1) != b"DIMENSIONS":
@@ -82,6 +95,15 @@ def _check_lengths(path: str, ending: str) -> None:
         if any(count < 0 or count > length for count in counts):
             raise ValueError("its line '%s' announces more values than its %d bytes hold."
                              % (match.group(0).decode("ascii").strip(), length))
+
+
+def _check_title(text: bytes) -> None:
+    """Checks the lines before the data."""
+    title = re.match(rb"# vtk DataFile Version ([1-9])\.[0-9]+[ \t\r]*\n[^\n]*\n(ASCII|BINARY)\s+"
+                     rb"DATASET[ \t]+(\w+)", text, re.IGNORECASE)
+    if title is None:
+        raise ValueError("it does not begin with '# vtk DataFile Version N.N', a title, ASCII or "
+                         "BINARY, and DATASET.")
 
 
 def _check_extents(text: bytes, length: int, ending: str) -> None:
