@@ -109,9 +109,12 @@ def make_parser() -> argparse.ArgumentParser:
 def _read_input(words: argparse.Namespace) -> Any:
     """Returns the content of the input file or files."""
     path = words.input[0] if len(words.input) == 1 else sort_slices(words.input)
-    if isinstance(path, str) and is_surface(path):
-        return surface(path, words.cells)
     spacing = words.spacing
+    if isinstance(path, str) and is_surface(path):
+        if spacing or words.volume is not None:
+            raise ValueError("--spacing and --volume do not apply to the surface %s: --cells sets "
+                             "the grid." % path)
+        return surface(path, words.cells)
     return read(path, step=words.step, volume=words.volume, origin=words.origin, order=words.order,
                 spacing=spacing[0] if spacing and len(spacing) == 1 else spacing)
 

@@ -29,7 +29,7 @@ def _write_range(pair: Any, whole: Any) -> str:
     if not isinstance(pair, (tuple, list)) or len(pair) != 2 or not all(map(_is_limit, pair)) or (
             pair[0] is None and pair[1] is None):
         _reject(whole)
-    low, high = ("" if limit is None else repr(float(limit)) for limit in pair)
+    low, high = ("" if limit is None else repr(float(limit)).removesuffix(".0") for limit in pair)
     return "%s:%s" % (low, high) if high else low
 
 
