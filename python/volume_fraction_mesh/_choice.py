@@ -66,7 +66,7 @@ def list_contents(arrays: NamedArrays, known: Contents) -> Found:
 
 
 def choose(arrays: NamedArrays, known: Contents, one: bool) -> Tuple[List[str], str]:
-    """Returns the names of the arrays that hold materials, and a note if another choice is possible.
+    """Returns the names of the arrays that hold materials, and a note if others are possible.
 
     one: only one array is possible. Raises ValueError if no array can hold materials.
     """

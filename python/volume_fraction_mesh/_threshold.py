@@ -34,5 +34,5 @@ def _write_range(pair: Any, whole: Any) -> str:
 
 
 def _reject(threshold: Any) -> None:
-    raise TypeError("threshold is %r: a number, (low, high), a list of such pairs, or a text such as "
-                    "'100:200' is required." % (threshold,))
+    raise TypeError("threshold is %r: a number, (low, high), a list of such pairs, or a text such "
+                    "as '100:200' is required." % (threshold,))
