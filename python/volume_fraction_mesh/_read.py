@@ -233,8 +233,9 @@ def _read_numpy(path: str, names: Optional[List[str]], choice: Choice) -> Image:
     for name, array in numpy_files.select(found, names).items():
         arrays.add(name, as_numbers(array, name))
     grid = make_grid(arrays.cells or (), UNIT, choice.origin, None, None)
-    return Image(grid, arrays.flat, list(arrays.flat) if path.lower().endswith(".npy") else None,
-                 choice.order)
+    is_one = path.lower().endswith(".npy")
+    return Image(grid, arrays.flat, list(arrays.flat) if is_one else None, choice.order,
+                 hint=volume_hint(arrays.flat) if is_one else "")
 
 
 def _read_itk(path: str, names: Optional[List[str]], choice: Choice) -> Image:
