@@ -5,6 +5,7 @@
 #include "Input/FractionChecks.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <limits>
 
@@ -70,7 +71,7 @@ ContentOfArray FindContentByName(const ArrayInfo& array)
 
 ContentOfArray FindContentOfIntegers(const ArrayInfo& array)
 {
-  if (array.Least < 0.0)
+  if (std::round(array.Least) < 0.0)
   {
     return { ArrayContent::Other,
       "integers from " + Range(array) + ": labels are 0 (void) or positive" };
@@ -81,10 +82,11 @@ ContentOfArray FindContentOfIntegers(const ArrayInfo& array)
       "integers from " + Range(array) + ": labels are at most " +
         std::to_string(std::numeric_limits<int>::max()) };
   }
-  if (array.Most <= 1.0)
+  if (std::round(array.Most) <= 1.0)
   {
     return { ArrayContent::Mask,
-      array.Most == 0.0 ? "integers that are all 0: no material" : "integers 0 and 1: 1 is full" };
+      std::round(array.Most) == 0.0 ? "integers that are all 0: no material"
+                                    : "integers 0 and 1: 1 is full" };
   }
   return { ArrayContent::Labels, "integers from " + Range(array) };
 }
@@ -96,17 +98,17 @@ ContentOfArray FindContentOfReals(const ArrayInfo& array, double tolerance)
   {
     return { ArrayContent::Fraction, "real numbers in [0, 1]" };
   }
-  if (outside <= LargestFractionTolerance)
-  {
-    return { ArrayContent::Grey,
-      "real numbers up to " + Print(outside) +
-        " outside [0, 1]: volume fractions if FractionTolerance (--clip) is as large" };
-  }
   if (array.AreWhole)
   {
     ContentOfArray found = FindContentOfIntegers(array);
     found.Reason = "real numbers that are " + found.Reason;
     return found;
+  }
+  if (outside <= LargestFractionTolerance)
+  {
+    return { ArrayContent::Grey,
+      "real numbers up to " + Print(outside) +
+        " outside [0, 1]: volume fractions if FractionTolerance (--clip) is as large" };
   }
   if (array.Least < 0.0 && array.Most > 0.0)
   {

@@ -109,7 +109,7 @@ bool ChooseFractions(const Candidates& known, const Candidates& arrays, const Ch
 void ChooseLabels(const Candidates& all, const std::string& kind, MaterialChoice& choice)
 {
   const Candidates arrays =
-    Select(all, [](const Candidate& array) { return array.Array.Most > 0.0; });
+    Select(all, [](const Candidate& array) { return array.Array.Most > LabelTolerance; });
   const auto rank = [](const Candidate& array) { return FindLabelsRank(array.Array.Name); };
   const Candidate* named = nullptr;
   for (const Candidate& array : arrays)

@@ -1,5 +1,7 @@
 /// Arrays that are selected as materials by name, type and range.
 #include "Materials/ChooseMaterials.h"
+#include "Input/ArrayNames.h"
+#include "Input/FractionChecks.h"
 
 #include <gtest/gtest.h>
 

@@ -213,17 +213,16 @@ def test_fewer_cells_than_ranks(at):
 @in_folder
 def test_empty_mesh(at):
     path = write(image({"ball": np.zeros((4, 4, 4))}), at("in.vti"))
-    for kind, ranks in (("vtu", 1), ("vtu", 2), ("pvtu", 2)):
-        result = sculptor("--input", path, "--output", at("out." + kind), ranks=ranks)
-        assert result.returncode == 0 and result.stderr.count(
-            "warning: The mesh is empty") == 1, result
-    result = sculptor("--input", path, "--output", at("out.inp"), ranks=2)
-    assert result.returncode == 4 and "The mesh is empty." in result.stderr and not os.path.exists(
-        at("out.inp")), result
-    for ranks in (1, 2):
-        result = sculptor("--input", path, "--output", at("out.e"), ranks=ranks)
-        assert result.returncode == 4 and result.stderr.count(
-            "sculptor: Cannot write the output") == 1, result
+    for kind, ranks in (("vtu", 1), ("vtu", 2), ("pvtu", 2), ("inp", 2), ("e", 1), ("e", 2)):
+        refused(3, "The mesh has no elements, so no file is written: the materials from ball (all "
+                "cell arrays with values in [0, 1]) fill no cell", "--input", path, "--output",
+                at("out." + kind), ranks=ranks)
+    assert sorted(os.listdir(at(""))) == ["in.vti"], os.listdir(at(""))
+    with open(at("old.vtu"), "w") as old:
+        old.write("old")
+    refused(3, "no elements", path, at("old.vtu"))
+    with open(at("old.vtu")) as old:
+        assert old.read() == "old"
 
 
 @in_folder
@@ -301,13 +300,13 @@ def test_arrays_are_found(at):
 @in_folder
 def test_point_data_is_told(at):
     """Point data of other grids than images are reported: their points are not centres of cells."""
-    data = rectilinear({"count": np.ones((4, 4, 4), np.int32)}, [np.arange(5.0)] * 3)
+    data = rectilinear({"count": np.full((4, 4, 4), 1.5)}, [np.arange(5.0)] * 3)
     add_array(data.GetPointData(), "phi", np.full((5, 5, 5), 0.25))
     files = ["--input", write(data, at("in.vtr"), vtkXMLRectilinearGridWriter), "--output",
              at("no.vtu")]
     points = "Its point arrays, which cannot be meshed: phi (double, 0.25 to 0.25)."
     for ranks in (1, 2):
-        refused(2, "Its cell arrays: count (int, 1 to 1). " + points, *files, ranks=ranks)
+        refused(2, "Its cell arrays: count (double, 1.5 to 1.5). " + points, *files, ranks=ranks)
         for option in ("--fractions", "--labels", "--state"):
             refused(2, "The array 'phi' (%s) has values of points, not of cells. "
                     "Its cell arrays: count" % option, *files, option, "phi", ranks=ranks)
@@ -318,7 +317,7 @@ def test_the_only_array_as_density(at):
     path = write(image({"ball": ball_and_plate()[0]}), at("in.vti"))
     files = ["--fragments", at("table.csv"), "--density", "ball"]
     refused(2, "Arrays of --state, --density, --velocity, --energy and --refine-cells are not used "
-            "as fractions, unless --fractions lists them.", "--input", path, "--output",
+            "as materials, unless --fractions or --labels names them.", "--input", path, "--output",
             at("no.vtu"), *files)
     mesh_file(path, at("out.vtu"), *files, "--fractions", "ball")
 

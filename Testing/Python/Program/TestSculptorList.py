@@ -113,7 +113,8 @@ def test_blocks_and_levels(at):
 def test_labels(at):
     lines = listed(write(image({"MaterialId": labels(N).astype(np.int32) * 5,
                                 "heat": 9 + ball_and_plate(N)[0]}), at("ids.vti")))
-    assert materials_of(lines) == ("materials from MaterialId (labels)", [["5"], ["10"]])
+    assert materials_of(lines) == (
+        "materials from MaterialId (labels, the only array of integers)", [["5"], ["10"]])
     assert arrays_of(lines)["MaterialId"] == ("int", 1, [0, 10])
     cells = grains()
     size = ",".join(map(str, SIZE))
@@ -158,7 +159,40 @@ def test_spyplot_and_plotfiles():
 def test_what_holds_no_materials(at):
     lines = listed(write(image({"heat": 9 + ball_and_plate(N)[0]}), at("heat.vti")))
     assert materials_of(lines) == (
-        "materials: none found; name their arrays (--fractions A,B,.. or --labels ARRAY)", [])
+        "materials: none found; name their arrays (--fractions A,B,.., --labels ARRAY, or "
+        "--threshold)", [])
+    assert lines[-1] == ("No array holds volume fractions or labels: 'heat' (real numbers from 9 to "
+                         "10: neither in [0, 1] nor integers).")
+
+
+@in_folder
+def test_contents(at):
+    """Each array has its content and the reason."""
+    ball = ball_and_plate(N)[0]
+    values = {"ball": ball, "vf": ball, "void": 1 - ball, "mass": ball, "phi": ball - 0.5,
+              "heat": 300.5 + ball, "whole": 5.0 * labels(N), "velocity": np.zeros((N, N, N, 3))}
+    data = image(values)
+    for name, array, dtype in (("mask", labels(N) > 0, np.uint8), ("grain", labels(N), np.int32),
+                               ("level", labels(N), np.int32), ("signed", labels(N) - 1, np.int16)):
+        add_array(data.GetCellData(), name, array, dtype)
+    lines = listed(write(data, at("in.vti")))
+    start = next(i for i, line in enumerate(lines) if line.split()[2:] == ["content"])
+    found = dict(line.split(None, 1) for line in lines[start + 1:lines.index("", start)])
+    print("\n".join("%s %s" % item for item in found.items()))
+    assert found == {
+        "ball": "fraction: real numbers in [0, 1]",
+        "vf": "fraction: real numbers in [0, 1]",
+        "void": "other: named void, which is no material",
+        "mass": "other: named as a mass or density",
+        "phi": "level set: values of both signs, -0.5 to 0.5: a level set or signed distance",
+        "heat": "grey values: real numbers from 300.5 to 301.5: neither in [0, 1] nor integers",
+        "whole": "labels: real numbers that are integers from 0 to 10",
+        "velocity": "other: 3 components",
+        "mask": "mask: integers 0 and 1: 1 is full",
+        "grain": "labels: integers from 0 to 2",
+        "level": "other: named as a processor, level or number of a cell",
+        "signed": "other: integers from -1 to 1: labels are 0 (void) or positive"}
+    assert materials_of(lines) == ("materials from vf (named as volume fractions)", [["1", "vf"]])
 
 
 @in_folder
