@@ -117,7 +117,8 @@ def test_errors(tmp_path):
     blocks = vfm.read(path)
     for error, text, call in (
         (FileNotFoundError, "There is no file", lambda: vfm.read(str(tmp_path / "none.spcth"))),
-        (ValueError, "contains no slices: .* not a plotfile of AMReX", lambda: vfm.read(str(tmp_path))),
+        (ValueError, "contains no slices: .* not a plotfile of AMReX",
+         lambda: vfm.read(str(tmp_path))),
         (ValueError, "it has no array 'none'. Its arrays: '",
          lambda: vfm.read(path, arrays=["none"])),
         (ValueError, "there is no step 2: it has 2", lambda: vfm.read(path, step=2)),

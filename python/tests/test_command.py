@@ -141,7 +141,7 @@ def test_errors(run):
     (run.folder / "names.txt").write_text("one 1\n")
     np.save(run.folder / "labels.npy", LABELS)
     for words, text in (
-        (["@both.npz", "@out.vtu", "--array", "ball", "--array", "plate"], "'plate' holds 2"),
+        (["@both.npz", "@out.vtu", "--array", "plate"], "'plate' holds 2"),
         (["@both.npz", "@out.vtu", "--array", "foam"],
          "no numeric cell array 'foam'. Its cell arrays: 'ball', 'plate'"),
         (["@both.npz", "@out.vtu", "--labels", "--array", "ball", "--array", "plate"],

@@ -97,13 +97,15 @@ def test_damaged(tmp_path, name, capfd):
     whole = path.read_bytes()
     lengths = sorted({0, 1, 7, 60, 350, len(whole) // 4, len(whole) // 2, 3 * len(whole) // 4})
     rejected = []
+    if path.suffix == ".vtk":
+        lengths = lengths[::3]
     for length in lengths:
         if length < len(whole) // 2 + 1:
             path.write_bytes(whole[:length])
             rejected.append(try_file(path))
     assert all(rejected), list(zip(lengths, rejected))
     random = np.random.default_rng(1)
-    trials = 6 if path.suffix == ".vtk" else 60  # a process reads each .vtk
+    trials = 3 if path.suffix == ".vtk" else 60  # a process reads each .vtk
     for _ in range(trials):  # most bytes that describe the file lie at its beginning or end
         data = bytearray(whole)
         place = [random.integers(min(400, len(data))), -1 - random.integers(min(300, len(data))),

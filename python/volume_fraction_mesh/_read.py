@@ -11,7 +11,8 @@ import numpy as np
 from . import _core
 from ._arrays import CellArrays, as_numbers, check_order, flatten
 from ._core import Blocks
-from ._grid import NOWHERE, UNIT, Grid, check_spacing, even_nodes, is_default, make_grid, point_nodes
+from ._grid import (NOWHERE, UNIT, Grid, check_spacing, even_nodes, is_default, make_grid,
+                    point_nodes)
 from ._images import (Arrays, Image, check_names, choose_volume, read_nibabel, read_sitk,
                       read_vtk, volume_hint)
 from ._readers import dream3d_files, itk_files, nifti_files, numpy_files, pictures, tiff_files
@@ -176,8 +177,9 @@ def _read_file(path: str, names: Optional[List[str]], choice: Choice) -> Image:
         raise ValueError("%s is a closed surface: vfm.surface(path, cells) computes its volume "
                          "fractions." % one_line(path))
     raise ValueError(
-        "%s is of an unknown format. Supported: %s, .spcth, folders of AMReX plotfiles, and folders "
-        "of slices." % (one_line(path), ", ".join(end for endings, _ in readers for end in endings)))
+        "%s is of an unknown format. Supported: %s, .spcth, folders of AMReX plotfiles, and "
+        "folders of slices." % (
+            one_line(path), ", ".join(end for endings, _ in readers for end in endings)))
 
 
 def _check_applies(path: str, image: Image, choice: Choice) -> None:
@@ -231,8 +233,9 @@ def _read_numpy(path: str, names: Optional[List[str]], choice: Choice) -> Image:
     for name, array in numpy_files.select(found, names).items():
         arrays.add(name, as_numbers(array, name))
     grid = make_grid(arrays.cells or (), UNIT, choice.origin, None, None)
-    return Image(grid, arrays.flat, list(arrays.flat) if path.lower().endswith(".npy") else None,
-                 choice.order)
+    is_one = path.lower().endswith(".npy")
+    return Image(grid, arrays.flat, list(arrays.flat) if is_one else None, choice.order,
+                 hint=volume_hint(arrays.flat) if is_one else "")
 
 
 def _read_itk(path: str, names: Optional[List[str]], choice: Choice) -> Image:

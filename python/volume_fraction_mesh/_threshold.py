@@ -29,10 +29,10 @@ def _write_range(pair: Any, whole: Any) -> str:
     if not isinstance(pair, (tuple, list)) or len(pair) != 2 or not all(map(_is_limit, pair)) or (
             pair[0] is None and pair[1] is None):
         _reject(whole)
-    low, high = ("" if limit is None else repr(float(limit)) for limit in pair)
+    low, high = ("" if limit is None else repr(float(limit)).removesuffix(".0") for limit in pair)
     return "%s:%s" % (low, high) if high else low
 
 
 def _reject(threshold: Any) -> None:
-    raise TypeError("threshold is %r: a number, (low, high), a list of such pairs, or a text such as "
-                    "'100:200' is required." % (threshold,))
+    raise TypeError("threshold is %r: a number, (low, high), a list of such pairs, or a text such "
+                    "as '100:200' is required." % (threshold,))

@@ -13,8 +13,8 @@ def label_colours(values: np.ndarray) -> Tuple[np.ndarray, Dict[int, str]]:
     """Returns a label per colour and the names of the labels, such as "#ff0000".
 
     values: shape (.., 3) or (.., 4), of the type uint8 or uint16. Black and transparent points are
-    void; the other colours are numbered from 1 by red, green and blue. Points that are all grey keep
-    their grey value, without names.
+    void; the other colours are numbered from 1 by red, green and blue. If all points are grey,
+    they keep their grey values, without names.
     """
     if values.shape[-1] == 4:
         values = np.where(values[..., 3:] == 0, 0, values)[..., :3]

@@ -1,8 +1,8 @@
 """Program that converts a legacy .vtk file to a file of VTK in XML, for vtk_files.
 
 VTK's reader of the legacy format may corrupt memory if the file is damaged, so it runs in a process
-of its own. usage: convert_legacy_vtk.py INPUT FOLDER. Prints the errors of VTK, and then the name of
-the file in the folder.
+of its own. usage: convert_legacy_vtk.py INPUT FOLDER. Prints the errors of VTK, and then the name
+of the file in the folder.
 """
 
 import os

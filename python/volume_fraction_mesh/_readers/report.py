@@ -31,7 +31,7 @@ def one_message(path: str) -> Iterator[None]:
         raise
     except MemoryError:
         raise MemoryError("Cannot read %s: there is not enough memory for the values that it "
-                          "announces." % path) from None
+                          "announces." % one_line(path)) from None
     except OSError as error:
         _reject(path, error.strerror or error)
     except (ValueError, TypeError) as error:
@@ -48,7 +48,7 @@ def _reject(path: str, problem: Any) -> None:
     text = re.sub(r"\S*/(\w+\.\w+:\d+:)|ITK ERROR: |\w+\(0x[0-9a-f]+\): ", "", text).strip()
     if len(text) > LONGEST:
         text = text[:LONGEST] + " .."
-    raise ValueError("Cannot read %s: %s" % (path, text)) from None
+    raise ValueError("Cannot read %s: %s" % (one_line(path), text)) from None
 
 
 def load_library(name: str, path: str) -> Any:
