@@ -2,7 +2,7 @@
 
 #include "AtlasXml.h"
 #include "Ranks/WorkTogether.h"
-#include "Summary/Utf8.h"
+#include "Summary/UniqueNames.h"
 
 #include <cerrno>
 #include <cstring>
