@@ -1,7 +1,7 @@
 #include "Report/HtmlText.h"
 
 #include "Meshes/Vtk/VtuText.h"
-#include "Summary/Utf8.h"
+#include "Summary/UniqueNames.h"
 
 #include <charconv>
 

@@ -1,6 +1,6 @@
 """Runs programs that a signal, or a full disk, interrupts at a call that changes a file.
 
-VFM_FILE_FAULTS is the library of Testing/Support/FileFaults.cxx. Afterwards each output, which may
+VFM_FILE_FAULTS is the library of Testing/Program/FileFaults.cxx. Afterwards each output, which may
 consist of several files, must be the earlier one or the new one, and there must be no other file.
 """
 import os

@@ -118,9 +118,10 @@ def test_links_modes_and_pipes(at):
     os.umask(mask)
     assert modes == [0o640, 0o640, 0o666 & ~mask], modes
     os.mkfifo(at("pipe.vtu"))
-    with subprocess.Popen(["cat", at("pipe.vtu")], stdout=subprocess.PIPE) as reader:
+    with open(at("read"), "wb") as read, subprocess.Popen(["cat", at("pipe.vtu")], stdout=read):
         assert sculptor(path, at("pipe.vtu"), *size).returncode == 0
-        assert reader.stdout.read() == content[0]
+    with open(at("read"), "rb") as file:
+        assert file.read() == content[0]
     os.mkdir(at("folder.vtu"))
     refused(4, "Is a directory", path, at("folder.vtu"), *size)
 
