@@ -2,6 +2,7 @@
 
 #include "FileSuffix.h"
 #include "Images/ImageSource.h"
+#include "Images/SliceFiles.h"
 #include "Input/NodeCoordinates.h"
 #include "Input/PlainArrays.h"
 #include "Ranks/WorkTogether.h"
@@ -90,7 +91,10 @@ Input ReadImage(const Arguments& arguments, Ranks& ranks)
   WorkInStage(ranks, ErrorCode::UnreadableInput,
     [&]
     {
-      CheckInputFile(arguments.Input);
+      if (!AreSlices(arguments.Input))
+      {
+        CheckInputFile(arguments.Input);
+      }
       ChooseTime(arguments, {});
       CheckInput(arguments.Input, read, "Cannot read ");
     });

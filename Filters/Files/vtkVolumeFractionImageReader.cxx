@@ -8,13 +8,32 @@ vtkStandardNewMacro(vtkVolumeFractionImageReader);
 
 vfm::ImageSource vtkVolumeFractionImageReader::Open()
 {
-  vfm::ImageRequest request{ this->CellArray, std::nullopt };
+  vfm::ImageRequest request;
+  request.Array = this->CellArray;
+  request.Slices = this->Slices;
   if (this->Volume >= 0)
   {
     request.Volume = this->Volume;
   }
+  if (request.Slices.size() == 1) // a file of several slices, a folder or a pattern
+  {
+    request.Slices.clear();
+  }
   return vfm::OpenImage(
     this->FileName, { { this->Spacing[0], this->Spacing[1], this->Spacing[2] } }, request);
+}
+
+void vtkVolumeFractionImageReader::AddSlice(const char* path)
+{
+  this->Slices.emplace_back(path ? path : "");
+  this->FileName = this->Slices.size() == 1 ? this->Slices[0] : this->FileName;
+  this->Modified();
+}
+
+void vtkVolumeFractionImageReader::RemoveAllSlices()
+{
+  this->Slices.clear();
+  this->Modified();
 }
 
 void vtkVolumeFractionImageReader::PrintSelf(ostream& os, vtkIndent indent)
@@ -24,4 +43,10 @@ void vtkVolumeFractionImageReader::PrintSelf(ostream& os, vtkIndent indent)
      << this->Spacing[2] << "\n";
   os << indent << "CellArray: " << this->CellArray << "\n";
   os << indent << "Volume: " << this->Volume << "\n";
+  os << indent << "Slices:";
+  for (const std::string& slice : this->Slices)
+  {
+    os << " " << slice;
+  }
+  os << "\n";
 }

@@ -1,3 +1,4 @@
+#include "Base/ParseText.h"
 #include "Images/Hdf5.h"
 #include "Images/ImageFile.h"
 #include "CellCount.h"
@@ -5,6 +6,9 @@
 #include "OpenFile.h"
 
 #include <algorithm>
+#include <cstring>
+#include <functional>
+#include <iterator>
 #include <set>
 #include <vector>
 
@@ -179,26 +183,42 @@ std::vector<hsize_t> GetShape(hid_t data)
   return shape;
 }
 
-/// Tests whether a data set has one value per cell. Its shape must be z, y, x or z, y, x, 1.
-bool FitsCells(hid_t file, const std::string& path, const Index3& size)
+/// Returns the sizes of a data set without a last size of 1, the number of components.
+std::vector<hsize_t> GetCellShape(hid_t data)
 {
-  const Hdf5Handle data(H5Dopen2(file, path.c_str(), H5P_DEFAULT), H5Dclose, CannotRead(path));
   std::vector<hsize_t> shape = GetShape(data);
-  if (shape.size() == 4 && shape[3] == 1)
+  if ((shape.size() == 4 || shape.size() == 2) && shape.back() == 1)
   {
     shape.pop_back();
   }
-  return std::equal(shape.begin(), shape.end(), size.rbegin(), size.rend(),
-    [](hsize_t a, Index b) { return static_cast<Index>(a) == b; });
+  return shape;
+}
+
+/// Tests whether a data set has one value per cell: its shape is z, y, x, or the number of cells.
+bool FitsCells(const std::vector<hsize_t>& shape, const Index3& size)
+{
+  const auto isSame = [](hsize_t a, Index b) { return static_cast<Index>(a) == b; };
+  return std::equal(shape.begin(), shape.end(), size.rbegin(), size.rend(), isSame) ||
+    (shape.size() == 1 && isSame(shape[0], size[0] * size[1] * size[2]));
+}
+
+std::string DescribeShape(const std::vector<hsize_t>& shape)
+{
+  std::vector<std::string> sizes;
+  std::transform(shape.begin(), shape.end(), std::back_inserter(sizes),
+    [](hsize_t size) { return std::to_string(size); });
+  return JoinTexts(sizes, " x ");
 }
 
 struct CellArray
 {
   std::string Path;
   ImagePlace Place;
+  bool FitsCells = false; ///< false: listed only for messages
+  std::string Shape;      ///< shape of the data set, for messages
 };
 
-/// Lists the arrays of all grids that have one value per cell.
+/// Lists the arrays of all grids.
 std::vector<CellArray> ListCellArrays(hid_t file, const std::vector<Geometry>& geometries)
 {
   std::vector<CellArray> found;
@@ -215,9 +235,12 @@ std::vector<CellArray> ListCellArrays(hid_t file, const std::vector<Geometry>& g
       for (const std::string& name : ListNames(file, group))
       {
         const std::string path = Join(group, name);
-        if (IsKind(file, path, H5I_DATASET) && FitsCells(file, path, geometry.Place.Size))
+        if (IsKind(file, path, H5I_DATASET))
         {
-          found.push_back({ path, geometry.Place });
+          const Hdf5Handle data(
+            H5Dopen2(file, path.c_str(), H5P_DEFAULT), H5Dclose, CannotRead(path));
+          const bool fits = FitsCells(GetCellShape(data), geometry.Place.Size);
+          found.push_back({ path, geometry.Place, fits, DescribeShape(GetShape(data)) });
         }
       }
     }
@@ -293,12 +316,17 @@ hid_t Open(const std::string& path)
 CellArray Choose(const std::vector<CellArray>& arrays, const std::string& name)
 {
   CellArray chosen;
-  std::string others;
+  std::vector<std::string> others, misfits;
   for (const CellArray& array : arrays)
   {
-    if (!EndsWith(array.Path, name))
+    const std::string own = array.Path.substr(array.Path.rfind('/') + 1);
+    if (!array.FitsCells)
     {
-      others += (others.empty() ? "" : ", ") + array.Path.substr(array.Path.rfind('/') + 1);
+      misfits.push_back(own + " (" + array.Shape + ")");
+    }
+    else if (!EndsWith(array.Path, name))
+    {
+      others.push_back(own);
     }
     else if (chosen.Path.empty())
     {
@@ -313,12 +341,50 @@ CellArray Choose(const std::vector<CellArray>& arrays, const std::string& name)
   if (chosen.Path.empty())
   {
     throw InputError("it holds no cell array '" + name +
-      "' with one value per cell. Other arrays: " + (others.empty() ? "none" : others) + ".");
+      "' with one value per cell. Other arrays: " + (others.empty() ? "none" : JoinTexts(others)) +
+      (misfits.empty() ? "." : ". Arrays of other sizes: " + JoinTexts(misfits) + "."));
   }
   return chosen;
 }
 
-TypedValues ReadBox(const std::string& path, const std::string& array, const IndexBox& box)
+/// Reads a part of a data set.
+/// @param first,count  begin and size of the part along each index
+void ReadSlab(hid_t data, hid_t type, const std::string& array, const std::vector<hsize_t>& first,
+  const std::vector<hsize_t>& count, char* to)
+{
+  const Hdf5Handle stored(H5Dget_space(data), H5Sclose, CannotRead(array));
+  const Hdf5Handle memory(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr),
+    H5Sclose, CannotRead(array));
+  if (H5Sselect_hyperslab(stored, H5S_SELECT_SET, first.data(), nullptr, count.data(), nullptr) <
+      0 ||
+    H5Dread(data, type, memory, stored, H5P_DEFAULT, to) < 0)
+  {
+    throw InputError("the values of " + array + " cannot be read.");
+  }
+}
+
+/// Reads a box of values that are stored in one row, x fastest: all rows of a layer at once.
+/// @param width  bytes per value
+/// @param read  reads `length` values from value `begin` on
+void ReadFlat(const Index3& size, const IndexBox& box, Index width, char* to,
+  const std::function<void(Index begin, Index length, char* to)>& read)
+{
+  const Index rows = box.Size(1), length = box.Size(0) * width;
+  std::vector<char> layer(static_cast<std::size_t>(rows * size[0] * width));
+  for (Index k = box.Lower[2]; k < box.Upper[2]; ++k)
+  {
+    read((k * size[1] + box.Lower[1]) * size[0], rows * size[0], layer.data());
+    for (Index j = 0; j < rows; ++j)
+    {
+      std::memcpy(to, layer.data() + (j * size[0] + box.Lower[0]) * width, length);
+      to += length;
+    }
+  }
+}
+
+/// @param size  number of cells of the grid along each axis
+TypedValues ReadBox(
+  const std::string& path, const std::string& array, const Index3& size, const IndexBox& box)
 {
   const Hdf5Silence silence;
   const Hdf5Handle file(Open(path), H5Fclose, NoHdf5);
@@ -326,22 +392,25 @@ TypedValues ReadBox(const std::string& path, const std::string& array, const Ind
   CheckStorage(data, array);
   const Hdf5Handle storedType(H5Dget_type(data), H5Tclose, CannotRead(array));
   const MemoryType type = ChooseType(storedType, array);
-  std::vector<hsize_t> first(GetShape(data).size(), 0), count(first.size(), 1);
-  for (int a = 0; a < 3; ++a)
-  {
-    first[2 - a] = static_cast<hsize_t>(box.Lower[a]);
-    count[2 - a] = static_cast<hsize_t>(box.Size(a));
-  }
-  const Hdf5Handle stored(H5Dget_space(data), H5Sclose, CannotRead(array));
-  const Hdf5Handle memory(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr),
-    H5Sclose, CannotRead(array));
   TypedValues values = MakeValues("", type.Type, box.NumberOfCells());
-  if (H5Sselect_hyperslab(stored, H5S_SELECT_SET, first.data(), nullptr, count.data(), nullptr) <
-      0 ||
-    H5Dread(data, type.Hdf5, memory, stored, H5P_DEFAULT, values.Bytes.data()) < 0)
+  std::vector<hsize_t> first(GetShape(data).size(), 0), count(first.size(), 1);
+  if (first.size() > 2)
   {
-    throw InputError("the values of " + array + " cannot be read.");
+    for (int a = 0; a < 3; ++a)
+    {
+      first[2 - a] = static_cast<hsize_t>(box.Lower[a]);
+      count[2 - a] = static_cast<hsize_t>(box.Size(a));
+    }
+    ReadSlab(data, type.Hdf5, array, first, count, values.Bytes.data());
+    return values;
   }
+  ReadFlat(size, box, WidthOfType(type.Type), values.Bytes.data(),
+    [&](Index begin, Index length, char* to)
+    {
+      first[0] = static_cast<hsize_t>(begin);
+      count[0] = static_cast<hsize_t>(length);
+      ReadSlab(data, type.Hdf5, array, first, count, to);
+    });
   return values;
 }
 
@@ -357,18 +426,25 @@ ImageFile OpenDream3d(const std::string& path, const ImageRequest& request)
   std::set<std::string> visited;
   FindGeometries(file, "/DataContainers", 0, geometries, visited);
   FindGeometries(file, "/DataStructure", depth, geometries, visited);
+  ImagePlace place;
+  const std::string old = "/VoxelDataContainer";
+  if (IsKind(file, old, H5I_GROUP) &&
+    ReadGeometry(file, old, { "DIMENSIONS", "SPACING", "ORIGIN" }, place))
+  {
+    geometries.push_back({ old, place });
+  }
   if (geometries.empty())
   {
-    throw InputError("it holds no image geometry of DREAM.3D 6 (/DataContainers) or DREAM3D-NX "
-                     "(/DataStructure).");
+    throw InputError("it holds no image geometry of DREAM.3D (/DataContainers, "
+                     "/VoxelDataContainer) or DREAM3D-NX (/DataStructure).");
   }
   const CellArray chosen = Choose(ListCellArrays(file, geometries), request.Array);
   ImageFile image;
   image.Place = chosen.Place;
   image.IsOfCells = true;
   CheckLength(path, 0, CountCells(image.Place.Size), true);
-  image.Read = [path, array = chosen.Path](const IndexBox& box)
-  { return ReadBox(path, array, box); };
+  image.Read = [path, array = chosen.Path, size = chosen.Place.Size](const IndexBox& box)
+  { return ReadBox(path, array, size, box); };
   return image;
 }
 

@@ -2,6 +2,8 @@
 
 #include "Base/ParseText.h"
 #include "FileSuffix.h"
+#include "Images/PixelStack.h"
+#include "Images/SliceFiles.h"
 #include "Ranks/Errors.h"
 
 #include <algorithm>
@@ -21,29 +23,42 @@ const std::vector<Format>& Formats()
 {
   static const std::vector<Format> formats{
     { { ".nii", ".nii.gz" }, OpenNifti },
+    { { ".mgz", ".mgh" }, OpenMgh },
     { { ".nrrd", ".nhdr" }, OpenNrrd },
     { { ".mha", ".mhd" }, OpenMetaImage },
     { { ".tif", ".tiff" }, OpenTiff },
+    { { ".png" }, OpenPng },
     { { ".dream3d" }, OpenDream3d },
   };
   return formats;
+}
+
+ImageFile OpenBySuffix(const std::string& path, const ImageRequest& request)
+{
+  for (const Format& format : Formats())
+  {
+    if (HasSuffix(path, format.Suffixes))
+    {
+      return format.Open(path, request);
+    }
+  }
+  throw InputError("its suffix is not that of an image format. Supported suffixes: " +
+    JoinTexts(GetImageSuffixes()) + ".");
 }
 
 } // namespace
 
 ImageFile OpenImageFile(const std::string& path, const ImageRequest& request)
 {
-  for (const Format& format : Formats())
+  std::vector<std::string> slices = request.Slices;
+  SortNaturally(slices);
+  if (slices.empty() && AreSlices(path))
   {
-    if (HasSuffix(path, format.Suffixes))
-    {
-      ImageFile file = format.Open(path, request);
-      SelectVolume(request, file.Volumes);
-      return file;
-    }
+    slices = ListSlices(path);
   }
-  throw InputError("its suffix is not that of an image format. Supported suffixes: " +
-    JoinTexts(GetImageSuffixes()) + ".");
+  ImageFile file = slices.empty() ? OpenBySuffix(path, request) : MakeImage(OpenSlices(slices));
+  SelectVolume(request, file.Volumes);
+  return file;
 }
 
 Index SelectVolume(const ImageRequest& request, Index volumes, const std::string& kinds)
@@ -94,7 +109,7 @@ const std::vector<std::string>& GetImageSuffixes()
 
 bool IsImageFile(const std::string& path)
 {
-  return HasSuffix(path, GetImageSuffixes());
+  return HasSuffix(path, GetImageSuffixes()) || AreSlices(path);
 }
 
 } // namespace vfm

@@ -1,6 +1,6 @@
 /**
- * ImageFile: opens a file of one image, with one value per point or cell: NIfTI, NRRD, MetaImage,
- * TIFF and DREAM.3D. Nothing here communicates.
+ * ImageFile: opens a file of an image, with one value per point or cell: NIfTI, MGH, NRRD,
+ * MetaImage, TIFF, PNG and DREAM.3D, or files of slices. Nothing here communicates.
  */
 #pragma once
 
@@ -23,6 +23,8 @@ struct ImageRequest
   std::string Array = "FeatureIds";
   /// Number of an image, from 0, in a file that holds several.
   std::optional<int> Volume;
+  /// Files of one slice each, which are read in natural order instead of the path; mostly empty.
+  std::vector<std::string> Slices;
 };
 
 /// Open image file: its place in space and a function that reads its values.
@@ -34,15 +36,17 @@ struct ImageFile
   bool IsOfCells = false;
   /// False: Read accepts only the box of the whole image.
   bool ReadsParts = true;
-  Index Volumes = 1;   ///< number of images in the file
-  LabelNames Names;    ///< names of labels that the file contains
-  std::string Warning; ///< about the place or the values; empty: none
+  Index Volumes = 1;          ///< number of images in the file
+  LabelNames Names;           ///< names of labels that the file contains
+  std::string Warning;        ///< about the names; empty: none
+  std::string SpacingWarning; ///< about a spacing that the file does not contain; empty: none
   /// Returns the values in a box of the image, x fastest, without a name. Throws InputError; the
   /// message does not contain the path.
   std::function<TypedValues(const IndexBox& box)> Read;
 };
 
-/// Opens an image file; the suffix determines the format.
+/// Opens an image file, the slices in a folder, or the slices that match a pattern (AreSlices). The
+/// suffix determines the format.
 /// @throws InputError  if the suffix is unknown, if the file cannot be read, is damaged or is not
 ///   supported, or if it does not contain the requested image; the message does not contain the
 ///   path
@@ -62,7 +66,8 @@ void AddLabelName(LabelNames& names, int label, const std::string& name);
 
 /// Returns all supported suffixes, for instance ".nii".
 const std::vector<std::string>& GetImageSuffixes();
-/// Tests whether a path has a supported suffix, in lower or upper case.
+/// Tests whether a path has a supported suffix, in lower or upper case, or names slices
+/// (AreSlices).
 bool IsImageFile(const std::string& path);
 
 /// Opens a NIfTI-1 or NIfTI-2 file. Coordinates are in millimetres, x to the right, y to the front,
@@ -76,9 +81,14 @@ ImageFile OpenNrrd(const std::string& path, const ImageRequest& request);
 /// Opens a MetaImage file, raw, zlib or text. Offset, ElementSpacing and TransformMatrix give the
 /// coordinates, in the space of the file (mostly LPS).
 ImageFile OpenMetaImage(const std::string& path, const ImageRequest& request);
-/// Opens a TIFF file. Each page is a slice: x to the right, y up, z from page to page. The
-/// resolution gives the spacing in x and y, millimetres; the spacing in z equals that in x.
+/// Opens an MGH file of FreeSurfer. Coordinates are in millimetres, RAS.
+ImageFile OpenMgh(const std::string& path, const ImageRequest& request);
+/// Opens a TIFF file. Each page is a slice: x to the right, y from row to row, z from page to page.
+/// The spacing is that of the description by ImageJ or OME, in its unit. Otherwise the resolution
+/// gives the spacing in x and y, millimetres, and the spacing in z equals that in x.
 ImageFile OpenTiff(const std::string& path, const ImageRequest& request);
+/// Opens a PNG file, one layer: x to the right, y from row to row. The spacing is 1.
+ImageFile OpenPng(const std::string& path, const ImageRequest& request);
 /// Opens a cell array of an image geometry of DREAM.3D 6 or DREAM3D-NX.
 ImageFile OpenDream3d(const std::string& path, const ImageRequest& request);
 

@@ -19,6 +19,10 @@ ImageSource OpenImage(const std::string& path, const Vector3& spacing, const Ima
   }
   ImageFile file = OpenImageFile(path, request);
   file.Place.Spacing = isSet ? spacing : file.Place.Spacing;
+  if (!isSet && !file.SpacingWarning.empty())
+  {
+    file.Warning += (file.Warning.empty() ? "" : " ") + file.SpacingWarning;
+  }
   return { file.Place, file.IsOfCells, file.Names, file.Warning,
     [file, array = request.Array](const IndexBox& box, Ranks& ranks)
     {

@@ -1,5 +1,6 @@
 #include "Base/ParseText.h"
 #include "Base/Vector3.h"
+#include "Images/CaretNames.h"
 #include "Images/ImageFile.h"
 #include "Images/StoredValues.h"
 #include "OpenFile.h"
@@ -286,8 +287,11 @@ ImageFile OpenNifti(const std::string& path, const ImageRequest& request)
   CheckFiles(stored, image.Place.Size);
   image.Volumes = CountVolumes(header);
   const Index volume = SelectVolume(request, image.Volumes, "times, or maps of several regions");
-  stored.Skip += static_cast<Index>(stored.CountBytes(image.Place.Size)) * volume;
+  const Index first = stored.Skip;
+  stored.Skip += stored.CountBytes(image.Place.Size, volume);
   CheckFiles(stored, image.Place.Size);
+  image.Names = ReadCaretNames(
+    path, header.IsSecond ? Length2 : Length1, first, header.IsSwapped, volume, image.Warning);
   const bool isTurned = SetPlace(header, image.Place);
   double slope = header.Real(112, 176), intercept = header.Real(116, 184);
   if (slope == 0.0 || !std::isfinite(slope) || !std::isfinite(intercept)) // no scaling

@@ -25,6 +25,12 @@ struct StoredValues
 
   /// Returns the size of all values of an image, bytes.
   Index CountBytes(const Index3& size) const { return CountCells(size) * WidthOfType(this->Type); }
+  /// Returns the size of `volume` images of the same size, bytes. Throws InputError if it is too
+  /// large.
+  Index CountBytes(const Index3& size, Index volume) const
+  {
+    return this->CountBytes({ { size[0], size[1], size[2] * volume } });
+  }
 };
 
 /// Sets the files that a header names, relative to its folder.

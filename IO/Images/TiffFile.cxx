@@ -1,13 +1,10 @@
-#include "Images/ImageFile.h"
 #include "CellCount.h"
-#include "OpenFile.h"
+#include "Images/StoredValues.h"
+#include "Images/TiffDescription.h"
+#include "Images/TiffPage.h"
 #include "Ranks/Errors.h"
 
 #include <algorithm>
-#include <cstdlib>
-#include <cstring>
-#include <memory>
-#include <tiffio.h>
 #include <vector>
 
 namespace vfm
@@ -15,83 +12,20 @@ namespace vfm
 namespace
 {
 
-/// Format of a page, which must be equal for all pages of a stack.
-struct Page
+TiffDescription DescribeStack(TIFF* file, const TiffPage& first)
 {
-  std::uint32_t Width = 0, Height = 0;
-  bool HasStrips = false;
-  std::uint16_t Bits = 0, Format = 0, Samples = 0;
-
-  explicit Page(TIFF* file)
-  {
-    TIFFGetField(file, TIFFTAG_IMAGEWIDTH, &this->Width);
-    TIFFGetField(file, TIFFTAG_IMAGELENGTH, &this->Height);
-    TIFFGetFieldDefaulted(file, TIFFTAG_BITSPERSAMPLE, &this->Bits);
-    TIFFGetFieldDefaulted(file, TIFFTAG_SAMPLEFORMAT, &this->Format);
-    TIFFGetFieldDefaulted(file, TIFFTAG_SAMPLESPERPIXEL, &this->Samples);
-    std::uint32_t rows = 0;
-    TIFFGetFieldDefaulted(file, TIFFTAG_ROWSPERSTRIP, &rows);
-    this->HasStrips = rows > 0 && TIFFIsTiled(file) == 0;
-  }
-  bool operator!=(const Page& other) const
-  {
-    return this->Width != other.Width || this->Height != other.Height || this->Bits != other.Bits ||
-      this->Format != other.Format || this->Samples != other.Samples || !this->HasStrips;
-  }
-};
-
-/// Returns the number of images according to the description by ImageJ, or 1 without a description.
-/// ImageJ may store all of them behind the first page, without pages of their own.
-int CountDescribed(TIFF* file)
-{
-  constexpr const char* key = "\nimages=";
   const char* text = nullptr;
-  const bool isImageJ =
-    TIFFGetField(file, TIFFTAG_IMAGEDESCRIPTION, &text) && std::strncmp(text, "ImageJ=", 7) == 0;
-  const char* found = isImageJ ? std::strstr(text, key) : nullptr;
-  return found ? std::atoi(found + std::strlen(key)) : 1;
+  const bool isDescribed = TIFFGetField(file, TIFFTAG_IMAGEDESCRIPTION, &text) == 1 && text;
+  return ParseTiffDescription(isDescribed ? text : "", first.Samples);
 }
 
-using TiffHandle = std::unique_ptr<TIFF, void (*)(TIFF*)>;
-
-TiffHandle Open(const std::string& path)
+/// Counts the pages, which must have the form of the first.
+Index CountPages(TIFF* file, const TiffPage& first)
 {
-  OpenFile(path);
-  TIFFSetErrorHandler(nullptr);
-  TIFFSetWarningHandler(nullptr);
-  TiffHandle file(TIFFOpen(path.c_str(), "r"), TIFFClose);
-  if (!file)
-  {
-    throw InputError("it is not a TIFF file.");
-  }
-  return file;
-}
-
-/// Checks that all pages have the format of the first; returns their number.
-int CheckPages(TIFF* file, const Page& first)
-{
-  if (first.Samples != 1 || (first.Bits != 8 && first.Bits != 16 && first.Bits != 32))
-  {
-    throw InputError("it has " + std::to_string(first.Samples) + " values of " +
-      std::to_string(first.Bits) + " bits per point; one value of 8, 16 or 32 bits is required.");
-  }
-  if (!first.HasStrips)
-  {
-    throw InputError(
-      "its values are not stored in strips of rows. It has tiles, which are not supported, or is "
-      "damaged.");
-  }
-  const int described = CountDescribed(file);
   const int pages = TIFFNumberOfDirectories(file);
-  if (pages < described)
-  {
-    throw InputError("ImageJ wrote " + std::to_string(described) + " images, but it has " +
-      std::to_string(pages) + (pages == 1 ? " page" : " pages") +
-      ". Save it as a stack with one page per image, or in another format.");
-  }
   for (int page = 2; page <= pages; ++page)
   {
-    if (!TIFFReadDirectory(file) || Page(file) != first)
+    if (!TIFFReadDirectory(file) || TiffPage(file) != first)
     {
       throw InputError("page " + std::to_string(page) +
         " differs from the first in storage, size or type, or is damaged.");
@@ -101,91 +35,148 @@ int CheckPages(TIFF* file, const Page& first)
   return pages;
 }
 
-int FindType(const Page& page)
+/// Finds the place of all images of ImageJ, which stores them behind each other if the file has
+/// more than 4 GB. Only the first image then has a page.
+/// @throws InputError  if they are stored in another way
+StoredValues FindImagesWithoutPages(
+  TIFF* file, const std::string& path, const TiffDescription& description, const PixelForm& form)
 {
-  const bool isSigned = page.Format == SAMPLEFORMAT_INT;
-  if (page.Bits == 8)
+  std::uint16_t compression = 0, bits = 0;
+  TIFFGetFieldDefaulted(file, TIFFTAG_COMPRESSION, &compression);
+  TIFFGetFieldDefaulted(file, TIFFTAG_BITSPERSAMPLE, &bits);
+  const bool isContiguous = compression == COMPRESSION_NONE && bits >= 8 && form.Samples == 1 &&
+    TIFFIsTiled(file) == 0 && TIFFNumberOfStrips(file) == 1;
+  if (description.Program != "ImageJ" || !isContiguous)
   {
-    return isSigned ? ValueType::SignedChar : ValueType::UnsignedChar;
+    throw InputError(description.Program + " describes " +
+      std::to_string(description.CountImages()) + " images, but it has " +
+      std::to_string(TIFFNumberOfDirectories(file)) +
+      " pages. Save it as a stack with one page per image in one file, or in another format.");
   }
-  if (page.Bits == 16)
-  {
-    return isSigned ? ValueType::Short : ValueType::UnsignedShort;
-  }
-  return page.Format == SAMPLEFORMAT_IEEEFP ? ValueType::Float
-    : isSigned                              ? ValueType::Int
-                                            : ValueType::UnsignedInt;
+  StoredValues stored{ { path }, form.Type };
+  stored.Begin = static_cast<Index>(TIFFGetStrileOffset(file, 0));
+  stored.AreSwapped = TIFFIsByteSwapped(file) != 0;
+  return stored;
 }
 
-/// Returns the widths of voxels in millimetres; 1 if the file does not contain them.
-Vector3 FindSpacing(TIFF* file, int pages)
+/// Returns the length of the unit of the resolution in millimetres, or 1 for other units of ImageJ;
+/// 0 if the file has no unit.
+double FindUnit(TIFF* file, const TiffDescription& description)
 {
-  std::uint16_t unit = 0;
+  constexpr double inch = 25.4, centimetre = 10.0;
+  const std::string& unit = description.Unit;
+  if (!unit.empty())
+  {
+    const bool isInch = unit == "inch" || unit == "inches" || unit == "in";
+    const bool isCentimetre = unit == "cm" || unit == "centimeter" || unit == "centimetre";
+    return isInch ? inch : isCentimetre ? centimetre : 1.0;
+  }
+  std::uint16_t number = 0;
+  TIFFGetFieldDefaulted(file, TIFFTAG_RESOLUTIONUNIT, &number);
+  return number == RESUNIT_INCH ? inch : number == RESUNIT_CENTIMETER ? centimetre : 0.0;
+}
+
+/// Sets the spacing from the description or the resolution; what is missing is 1 for pixels, and
+/// the width of pixels for the distance of slices.
+void SetSpacing(TIFF* file, const TiffDescription& description, PixelStack& stack)
+{
   float x = 0.0F, y = 0.0F;
-  TIFFGetFieldDefaulted(file, TIFFTAG_RESOLUTIONUNIT, &unit);
   const bool hasResolution = TIFFGetField(file, TIFFTAG_XRESOLUTION, &x) == 1 &&
     TIFFGetField(file, TIFFTAG_YRESOLUTION, &y) == 1 && x > 0.0F && y > 0.0F;
-  const double length = unit == RESUNIT_INCH ? 25.4 : unit == RESUNIT_CENTIMETER ? 10.0 : 0.0;
-  if (!hasResolution || length == 0.0)
+  const double unit = FindUnit(file, description);
+  const std::array<double, 2>& widths = description.Widths;
+  Vector3& spacing = stack.Place.Spacing;
+  if (widths[0] > 0.0 && widths[1] > 0.0)
   {
-    return { { 1.0, 1.0, 1.0 } };
+    spacing = { { widths[0], widths[1], 0.0 } };
+    stack.HasWidths = true;
   }
-  return { { length / x, length / y, pages > 1 ? length / x : 1.0 } };
+  else if (hasResolution && unit > 0.0)
+  {
+    spacing = { { unit / x, unit / y, 0.0 } };
+    stack.HasWidths = true;
+  }
+  stack.HasDistance = description.Distance > 0.0;
+  const double scale = stack.HasWidths && widths[0] == 0.0 ? unit : 1.0;
+  spacing[2] = stack.HasDistance ? scale * description.Distance : spacing[0];
 }
 
-/// Reads one page as VTK does: the first row of the file becomes the lowest; the last row does if
-/// the orientation is not top left.
-void ReadPage(TIFF* file, const Index3& size, Index width, char* to)
+/// Calls `use` for layers of a stack with one page per image.
+void VisitPages(const std::string& path, const TiffPage& page, const TiffDescription& description,
+  Index volume, Index first, Index last, const UsePixels& use)
 {
-  std::uint16_t orientation = 0, meaning = PHOTOMETRIC_MINISBLACK;
-  TIFFGetFieldDefaulted(file, TIFFTAG_ORIENTATION, &orientation);
-  TIFFGetField(file, TIFFTAG_PHOTOMETRIC, &meaning);
-  const Index length = size[0] * width;
-  std::vector<char> row(std::max<std::size_t>(TIFFScanlineSize(file), length));
-  for (Index j = 0; j < size[1]; ++j)
+  const TiffHandle file = OpenTiffHandle(path);
+  const Index width = page.FindForm().Width();
+  std::vector<char> pixels(static_cast<std::size_t>(Index(page.Width) * page.Height * width));
+  Index at = 0;
+  for (Index layer = first; layer < last; ++layer)
   {
-    if (TIFFReadScanline(file, row.data(), static_cast<std::uint32_t>(j), 0) != 1)
+    for (const Index next = description.FindPage(volume, layer); at < next; ++at)
     {
-      throw InputError("its values cannot be read.");
+      if (!TIFFReadDirectory(file.get()))
+      {
+        throw InputError("its values cannot be read.");
+      }
     }
-    const Index up = orientation == ORIENTATION_TOPLEFT ? j : size[1] - 1 - j;
-    std::transform(row.begin(), row.begin() + length, to + up * length,
-      [meaning](char c) { return meaning == PHOTOMETRIC_MINISWHITE ? static_cast<char>(~c) : c; });
+    ReadTiffPage(file.get(), page, pixels.data());
+    use(layer, pixels.data());
+  }
+}
+
+/// Calls `use` for layers of a stack that is stored without pages.
+void VisitStored(const StoredValues& stored, const Index3& size, const TiffDescription& description,
+  Index volume, Index first, Index last, const UsePixels& use)
+{
+  for (Index layer = first; layer < last; ++layer)
+  {
+    const Index image = description.FindPage(volume, layer);
+    const IndexBox box{ { { 0, 0, image } }, { { size[0], size[1], image + 1 } } };
+    const TypedValues values = ReadStored(stored, size, box);
+    use(layer, values.Bytes.data());
   }
 }
 
 } // namespace
 
-ImageFile OpenTiff(const std::string& path, const ImageRequest&)
+PixelStack OpenTiffStack(const std::string& path, const ImageRequest& request)
 {
-  const TiffHandle file = Open(path);
-  const Page first(file.get());
-  const int pages = CheckPages(file.get(), first);
-  ImageFile image;
-  image.Place.Size = { first.Width, first.Height, pages };
-  image.Place.Spacing = FindSpacing(file.get(), pages);
-  CheckPlace(image.Place);
-  const int type = FindType(first);
-  const Index width = WidthOfType(type);
-  const Index3 size = image.Place.Size;
-  CheckLength(path, 0, CountCells(size) * width, true);
-  image.ReadsParts = false;
-  image.Read = [path, type, width, size](const IndexBox& box) // box of the whole image
+  const TiffHandle file = OpenTiffHandle(path);
+  const TiffPage page(file.get());
+  PixelStack stack;
+  stack.Form = page.FindForm();
+  TiffDescription description = DescribeStack(file.get(), page);
+  const Index pages = CountPages(file.get(), page);
+  if (pages > description.CountImages())
   {
-    TypedValues values = MakeValues("", type, box.NumberOfCells());
-    const TiffHandle pagesOfFile = Open(path);
-    for (Index page = 0; page < size[2]; ++page)
-    {
-      if (page > 0 && !TIFFReadDirectory(pagesOfFile.get()))
-      {
-        throw InputError("its values cannot be read.");
-      }
-      ReadPage(
-        pagesOfFile.get(), size, width, values.Bytes.data() + page * size[0] * size[1] * width);
-    }
-    return values;
-  };
-  return image;
+    description.Slices = pages;
+    description.Channels = description.Times = description.SliceStep = 1;
+  }
+  stack.Volumes = description.CountVolumes();
+  const Index volume = SelectVolume(request, stack.Volumes,
+    std::to_string(description.Channels) + " channels, " + std::to_string(description.Times) +
+      " times");
+  stack.Place.Size = { page.Width, page.Height, description.Slices };
+  SetSpacing(file.get(), description, stack);
+  CheckPlace(stack.Place);
+  Index3 all = stack.Place.Size;
+  all[2] = description.CountImages();
+  CheckLength(path, 0, CountCells(all) * (stack.Form.Samples * page.Bits) / 8, true);
+  if (pages < description.CountImages())
+  {
+    const StoredValues stored = FindImagesWithoutPages(file.get(), path, description, stack.Form);
+    CheckFiles(stored, all);
+    stack.Visit = [=](Index first, Index last, const UsePixels& use)
+    { VisitStored(stored, all, description, volume, first, last, use); };
+    return stack;
+  }
+  stack.Visit = [=](Index first, Index last, const UsePixels& use)
+  { VisitPages(path, page, description, volume, first, last, use); };
+  return stack;
+}
+
+ImageFile OpenTiff(const std::string& path, const ImageRequest& request)
+{
+  return MakeImage(OpenTiffStack(path, request));
 }
 
 } // namespace vfm
