@@ -7,6 +7,7 @@
 #include <array>
 #include <cctype>
 #include <charconv>
+#include <cstdlib>
 #include <filesystem>
 #include <iomanip>
 #include <limits>
@@ -161,10 +162,13 @@ void LegacyStream::SkipValues(const std::string& type, std::int64_t count, const
   }
   for (std::int64_t v = 0; v < count; ++v)
   {
-    if (this->Word().empty())
+    const std::string word = this->Word();
+    char* end = nullptr;
+    std::strtod(word.c_str(), &end);
+    if (word.empty() || end != word.c_str() + word.size())
     {
-      RejectLegacyFile(
-        "its " + name + " holds " + std::to_string(v) + " of " + std::to_string(count) + " values");
+      RejectLegacyFile("its " + name + " holds " + std::to_string(v) + " of " +
+        std::to_string(count) + " numbers, then " + QuoteWord(word));
     }
   }
 }

@@ -5,6 +5,7 @@
 #include "Ranks/Errors.h"
 #include "VtkFiles/LegacyCheck.h"
 #include "VtkFiles/VtkArrays.h"
+#include "VtkFiles/VtkExtents.h"
 
 #include <algorithm>
 #include <array>
@@ -19,7 +20,6 @@ namespace vfm
 namespace
 {
 
-constexpr int LargestInt = std::numeric_limits<int>::max() - 1;
 constexpr int MostBlocks = 1 << 22; // number of a block in a file of blocks
 constexpr int MostLevels = 64;
 
@@ -29,7 +29,8 @@ enum class Contents
   Grid,   ///< pieces of a grid with their arrays
   Pieces, ///< names of files of pieces
   Blocks, ///< names of files of blocks
-  Levels  ///< names of files of blocks, with their boxes and levels
+  Levels, ///< names of files of blocks, with their boxes and levels
+  Other   ///< data that are not meshed
 };
 
 struct Format
@@ -47,7 +48,7 @@ const Format* FindFormat(const std::string& path)
     { ".vtr", { "RectilinearGrid" }, Contents::Grid },
     { ".vts", { "StructuredGrid" }, Contents::Grid },
     { ".vtu", { "UnstructuredGrid" }, Contents::Grid }, { ".vtp", { "PolyData" }, Contents::Grid },
-    { ".pvti", { "PImageData" }, Contents::Pieces },
+    { ".vtt", { "Table" }, Contents::Other }, { ".pvti", { "PImageData" }, Contents::Pieces },
     { ".pvtr", { "PRectilinearGrid" }, Contents::Pieces },
     { ".pvts", { "PStructuredGrid" }, Contents::Pieces },
     { ".pvtu", { "PUnstructuredGrid" }, Contents::Pieces },
@@ -56,65 +57,6 @@ const Format* FindFormat(const std::string& path)
   const auto found = std::find_if(formats.begin(), formats.end(),
     [&path](const Format& format) { return HasSuffix(path, format.Suffix); });
   return found == formats.end() ? nullptr : &*found;
-}
-
-[[noreturn]] void Reject(const std::string& what)
-{
-  throw InputError("the file is truncated or damaged: " + what + ".");
-}
-
-/// Returns the integers of an attribute, from `least`; the text must hold just their number.
-template <std::size_t Count>
-std::array<std::int64_t, Count> ReadInts(
-  const XmlElement& element, const std::string& name, int least)
-{
-  std::istringstream words(element.Get(name));
-  std::array<std::int64_t, Count> numbers{};
-  for (std::int64_t& number : numbers)
-  {
-    std::string word;
-    words >> word;
-    const auto parsed = ParseCount(word, least, LargestInt);
-    if (!parsed)
-    {
-      Reject("its " + element.Name + " has " + name + "=\"" + element.Get(name) +
-        "\", which is not " + (Count == 1 ? "an integer" : std::to_string(Count) + " integers") +
-        " in the allowed range");
-    }
-    number = *parsed;
-  }
-  return numbers;
-}
-
-/// Numbers of points and cells of a piece; nothing if unknown.
-struct PieceSize
-{
-  std::optional<std::int64_t> Points, Cells;
-  std::array<std::int64_t, 3> Nodes{}; // along each axis of structured grids
-};
-
-PieceSize ReadExtent(const XmlElement& element, const std::string& name)
-{
-  const auto extent = ReadInts<6>(element, name, -LargestInt);
-  PieceSize size{ 1, 1, {} };
-  double points = 1.0;
-  for (int a = 0; a < 3; ++a)
-  {
-    const std::int64_t cells = std::max<std::int64_t>(extent[2 * a + 1] - extent[2 * a], -1);
-    size.Nodes[a] = cells + 1;
-    points *= static_cast<double>(cells + 1);
-  }
-  if (points > std::pow(2.0, 50))
-  {
-    Reject("its " + name + "=\"" + element.Get(name) + "\" has too many points");
-  }
-  const bool isEmpty = points == 0.0;
-  for (int a = 0; a < 3; ++a)
-  {
-    *size.Points *= size.Nodes[a];
-    *size.Cells *= isEmpty ? 0 : std::max<std::int64_t>(size.Nodes[a] - 1, 1);
-  }
-  return size;
 }
 
 /// Returns whether grids of a format have an extent.
@@ -128,8 +70,9 @@ bool IsStructured(const Format& format)
 class FileCheck
 {
 public:
-  FileCheck(const std::string& path, const Format& format, int part, int parts) :
-    Path(path), Kind(format), Part(part), Parts(parts)
+  /// @param isPart  whether a file of pieces names this file, which then need not be complete
+  FileCheck(const std::string& path, const Format& format, int part, int parts, bool isPart) :
+    Path(path), Kind(format), Part(part), Parts(parts), IsPart(isPart)
   {
   }
 
@@ -145,7 +88,7 @@ public:
         return;
       }
     }
-    Reject("it has no element " + this->Kind.Types[0]);
+    RejectVtkFile("it has no element " + this->Kind.Types[0]);
   }
 
 private:
@@ -154,7 +97,7 @@ private:
   void CheckContents(const XmlElement& grid);
   void CheckPiece(const XmlElement& piece, const std::string& type) const;
   void CheckArrays(const XmlElement& list, std::optional<std::int64_t> tuples) const;
-  void CheckCells(const XmlElement& piece, const PieceSize& size) const;
+  void CheckCells(const XmlElement& piece, const VtkPieceSize& size) const;
   void CheckBlocks(const XmlElement& parent);
   void CheckFieldData(const XmlElement& parent) const;
   void CheckNamedFile(const std::string& name);
@@ -162,6 +105,7 @@ private:
   const std::string& Path;
   const Format& Kind;
   int Part, Parts, Files = 0;
+  bool IsPart;
   VtkStorage Storage;
 };
 
@@ -185,8 +129,8 @@ void FileCheck::CheckHead(const XmlOutline& outline)
   if ((!order.empty() && order != "LittleEndian" && order != "BigEndian") ||
     (!header.empty() && header != "UInt32" && header != "UInt64") || ratio == ratios.end())
   {
-    Reject("its byte_order \"" + order + "\", header_type \"" + header + "\" or compressor \"" +
-      packed + "\" is unknown");
+    RejectVtkFile("its byte_order \"" + order + "\", header_type \"" + header +
+      "\" or compressor \"" + packed + "\" is unknown");
   }
   this->Storage = { this->Path, outline.Encoding, outline.Appended, outline.FileSize,
     order == "BigEndian", header == "UInt64" ? 8 : 4, !packed.empty(), ratio->second };
@@ -201,7 +145,7 @@ void FileCheck::CheckVersion(const XmlElement& root) const
   char point = 0;
   if (!text.empty() && !(stream >> major >> point >> minor && point == '.' && major >= 0))
   {
-    Reject("its version \"" + text + "\" is not a number");
+    RejectVtkFile("its version \"" + text + "\" is not a number");
   }
   if (this->Kind.Holds == Contents::Levels && (major < 1 || (major == 1 && minor < 1)))
   {
@@ -214,6 +158,10 @@ void FileCheck::CheckVersion(const XmlElement& root) const
 void FileCheck::CheckContents(const XmlElement& grid)
 {
   this->CheckFieldData(grid);
+  if (this->Kind.Holds == Contents::Other)
+  {
+    return;
+  }
   if (this->Kind.Holds == Contents::Blocks || this->Kind.Holds == Contents::Levels)
   {
     this->CheckBlocks(grid);
@@ -221,7 +169,7 @@ void FileCheck::CheckContents(const XmlElement& grid)
   }
   if (IsStructured(this->Kind))
   {
-    ReadExtent(grid, "WholeExtent");
+    CheckVtkExtents(grid, this->IsPart);
   }
   for (const XmlElement& piece : grid.Children)
   {
@@ -242,19 +190,19 @@ void FileCheck::CheckContents(const XmlElement& grid)
 
 void FileCheck::CheckPiece(const XmlElement& piece, const std::string& type) const
 {
-  PieceSize size;
+  VtkPieceSize size;
   if (type == "UnstructuredGrid")
   {
-    size.Points = ReadInts<1>(piece, "NumberOfPoints", 0)[0];
-    size.Cells = ReadInts<1>(piece, "NumberOfCells", 0)[0];
+    size.Points = ReadVtkInts<1>(piece, "NumberOfPoints", 0)[0];
+    size.Cells = ReadVtkInts<1>(piece, "NumberOfCells", 0)[0];
   }
   else if (type == "PolyData")
   {
-    size.Points = ReadInts<1>(piece, "NumberOfPoints", 0)[0];
+    size.Points = ReadVtkInts<1>(piece, "NumberOfPoints", 0)[0];
   }
   else
   {
-    size = ReadExtent(piece, "Extent");
+    size = SizeOfVtkExtent(ReadVtkExtent(piece, "Extent"));
   }
   for (const XmlElement& child : piece.Children)
   {
@@ -287,19 +235,19 @@ void FileCheck::CheckFieldData(const XmlElement& parent) const
     const XmlElement& array = fields->Children[c];
     if (array.Name == "DataArray" && array.Get("type") != "String")
     {
-      CheckVtkArray(array, ReadInts<1>(array, "NumberOfTuples", 0)[0], this->Storage);
+      CheckVtkArray(array, ReadVtkInts<1>(array, "NumberOfTuples", 0)[0], this->Storage);
     }
   }
 }
 
 /// Checks the coordinates along axes, and the cells of an unstructured grid.
-void FileCheck::CheckCells(const XmlElement& piece, const PieceSize& size) const
+void FileCheck::CheckCells(const XmlElement& piece, const VtkPieceSize& size) const
 {
   if (const XmlElement* list = piece.Find("Coordinates"))
   {
     if (list->Children.size() < 3)
     {
-      Reject("it has no coordinates along three axes");
+      RejectVtkFile("it has no coordinates along three axes");
     }
     for (std::size_t a = 0; a < 3; ++a)
     {
@@ -330,15 +278,15 @@ void FileCheck::CheckBlocks(const XmlElement& parent)
     const int most = child.Name == "Block" && areLevels ? MostLevels
       : areLevels                                       ? files
                                                         : MostBlocks;
-    if (child.Attributes.count(number) > 0 && ReadInts<1>(child, number, 0)[0] >= most)
+    if (child.Attributes.count(number) > 0 && ReadVtkInts<1>(child, number, 0)[0] >= most)
     {
-      Reject("its " + child.Name + " has the " + number + " " + child.Get(number));
+      RejectVtkFile("its " + child.Name + " has the " + number + " " + child.Get(number));
     }
     if (child.Name == "DataSet")
     {
       if (areLevels)
       {
-        ReadInts<6>(child, "amr_box", -LargestInt);
+        ReadVtkInts<6>(child, "amr_box", -LargestVtkInt);
       }
       this->CheckNamedFile(child.Get("file"));
     }
@@ -359,18 +307,18 @@ void FileCheck::CheckNamedFile(const std::string& name)
   const std::filesystem::path path =
     std::filesystem::path(this->Path).parent_path() / name; // or name, if it is absolute
   PrefixErrors("it names the file " + path.string() + ": ",
-    [&path]
+    [&]
     {
       const Format* format = FindFormat(path.string());
-      if (!format || format->Holds != Contents::Grid)
+      if (!format || (format->Holds != Contents::Grid && format->Holds != Contents::Other))
       {
-        throw InputError("only .vti, .vtr, .vts, .vtu and .vtp files can be parts of a file.");
+        throw InputError("only .vti, .vtr, .vts, .vtu, .vtp and .vtt files can be parts.");
       }
       if (std::filesystem::exists(path) && !std::filesystem::is_regular_file(path))
       {
         throw InputError("it is not a regular file.");
       }
-      FileCheck(path.string(), *format, 0, 1).Run();
+      FileCheck(path.string(), *format, 0, 1, this->Kind.Holds == Contents::Pieces).Run();
     });
 }
 
@@ -387,7 +335,7 @@ void CheckVtkFile(const std::string& path, int part, int parts)
       }
       else if (const Format* format = FindFormat(path))
       {
-        FileCheck(path, *format, part, parts).Run();
+        FileCheck(path, *format, part, parts, false).Run();
       }
     });
 }

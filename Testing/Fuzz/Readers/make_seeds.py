@@ -296,6 +296,15 @@ def option_seeds():
     yield "lists", "MaterialNames=ball,plate\nRefinementBoxes=0,1,0,1,0,1\nPeriodic=x,y\n"
 
 
+def argument_seeds():
+    yield "mesh", "--input\na.vti\n--output\nb.e\n--fractions\nball,plate\n--iso=0.4\n--quiet\n"
+    yield "labels", "a.nrrd\nb.pvtu\n--labels\nGrainID\n--material\n1,2\n--label-smoothing\n3\n"
+    yield "voxels", "a.spn\nb.msh\n--dimensions\n4,3,2\n--origin\n0,0,0\n--spacing\n1,1,2\n"
+    yield "test", "test\n--tetmesh\nLattice\n--refine=1\n--no-smooth\n"
+    yield "options", "a.vti\nb.e\n--tetmesh\n--set\nMinimumDihedralAngle=20\n--step\n1\n"
+    yield "list", "--list\na.e\n--time\n1e-3\n"
+
+
 def shape_seeds():
     yield "solids", ("sphere radius=0.4 center=0,0,0\nellipsoid radii=0.4,0.3,0.2 rotation=0,0,45\n"
                      "box size=1,1,0.5 material=2 cut=0,0,0,1,1,1\n"
@@ -335,7 +344,7 @@ def write_all(folder):
             ("MetaImage", meta_seeds), ("Nrrd", nrrd_seeds), ("Nifti", nifti_seeds),
             ("Tiff", tiff_seeds), ("SpyPlot", spyplot_seeds), ("Options", option_seeds),
             ("Shapes", shape_seeds), ("VtkLegacy", legacy_seeds), ("VtkXml", xml_seeds),
-            ("VtkBlocks", block_seeds)):
+            ("VtkBlocks", block_seeds), ("Arguments", argument_seeds)):
         for name, data in seeds():
             write(folder, harness, name, data)
             if harness == "Nifti":

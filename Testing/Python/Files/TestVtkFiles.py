@@ -157,7 +157,11 @@ def test_damaged_grids(at):
             (b'WholeExtent="0 14', b'WholeExtent="0 99999999999', "6 integers in the allowed"),
             (b'WholeExtent="0 14 0 12 0 10"',
              b'WholeExtent="%s"' % b" ".join([b"0 2000000000"] * 3), "has too many points"),
-            (b'<Piece Extent="0 14', b'<Piece Extent="0 1400000', "are required"),
+            (b'WholeExtent="0 14', b'WholeExtent="0 20', "fewer cells than its WholeExtent"),
+            (b'WholeExtent="0 14', b'WholeExtent="1 14', "is not inside"),
+            (b'<Piece Extent="0 14', b'<Piece Extent="0 1400000', "is not inside"),
+            (b'Spacing="0.25', b'Spacing="nan', "has Spacing="),
+            (b'Origin="-1', b'Origin="x', "has Origin="),
             (b'offset="0"', b'offset="99999"', "begins at offset 99999"),
             (b'type="Int16"', b'type="Int17"', "has the unknown type 'Int17'"),
             (b'encoding="raw"', b'encoding="none"', "have no encoding")):
