@@ -452,6 +452,21 @@ TEST(Lengths, LimitsAreReported)
   }
 }
 
+TEST(Lengths, WarnsOfRatiosAbove1000)
+{
+  Runtime serial;
+  const std::string expected = "The widths of a cell differ by a factor of 2000. ";
+  for (double ratio : { 500.0, 2000.0 })
+  {
+    MesherInput input = MakeGrid(Field::Ball, { { 1.0, ratio, 1.0 } }, {});
+    std::string warnings;
+    input.Warn = [&warnings](const std::string& text) { warnings += text + "\n"; };
+    RunMesher(input, OptionsOf(Methods[0]), serial);
+    EXPECT_EQ(warnings.find(expected) != std::string::npos, ratio > 1000.0) << warnings;
+    EXPECT_EQ(warnings.find("The widths") != std::string::npos, ratio > 1000.0) << warnings;
+  }
+}
+
 // Width 2e-50 is accepted, and halved twice it is not.
 TEST(Lengths, RefinedWidthsAreReported)
 {
