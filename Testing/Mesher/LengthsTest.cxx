@@ -54,10 +54,12 @@ std::shared_ptr<const BlockArrays> MakeArrays(Field field)
 {
   const std::vector<double> inside = MakeFractions(field);
   std::vector<double> outside, density, velocity, energy;
+  std::vector<int> labels;
   for (std::size_t cell = 0; cell < inside.size(); ++cell)
   {
     const double at = static_cast<double>(cell);
     outside.push_back(1.0 - inside[cell]);
+    labels.push_back(inside[cell] < 0.5 ? 2 : 1);
     density.push_back(2.0 + std::sin(0.1 * at));
     energy.push_back(3.0 + std::cos(0.2 * at));
     velocity.insert(velocity.end(), { std::sin(0.3 * at), std::cos(0.4 * at), 1.0 });
@@ -66,6 +68,7 @@ std::shared_ptr<const BlockArrays> MakeArrays(Field field)
   auto arrays = std::make_shared<PlainArrays>(tuples);
   arrays->Store("inside", ValueType::Double, inside);
   arrays->Store("outside", ValueType::Double, outside);
+  arrays->Store("labels", ValueType::Int, std::move(labels));
   arrays->Store("density", ValueType::Double, density);
   arrays->Store("energy", ValueType::Double, energy);
   const auto kept = std::make_shared<const std::vector<double>>(std::move(velocity));
@@ -313,6 +316,7 @@ struct Variant
   std::function<void(double unit, MesherOptions&)> Set;
   bool HasState = false;
   bool OnlyHexes = false;
+  bool AreLabels = false;
 };
 
 const Variant Variants[] = { { "state", [](double, MesherOptions& o) { o.NodalVelocity = true; },
@@ -356,6 +360,11 @@ MesherResult MakeVariant(const Method& method, const Variant& variant, Field fie
     input.Arrays.State = { true, { "density", "velocity", "energy" }, { "density" }, {}, "velocity",
       "energy" };
   }
+  if (variant.AreLabels)
+  {
+    input.Arrays.Fractions.clear();
+    input.Arrays.Labels = "labels";
+  }
   Runtime serial;
   return RunMesher(input, options, serial);
 }
@@ -376,7 +385,7 @@ TEST(Lengths, MeshesDoNotDependOnTheUnit)
         const bool isTetGen = method.Tets == TetMethod::TetGen;
         const bool isHexes = method.Elements == ElementKind::Hexes;
         if (!IsBuilt(method) || (variant.OnlyHexes && !isHexes) ||
-          (isTetGen && variant.Name == "quadratic") ||
+          (isTetGen && (variant.Name == "quadratic" || variant.AreLabels)) ||
           (field == Field::Noise && !(isHexes && variant.HasState)))
         {
           continue;
