@@ -418,6 +418,47 @@ TEST(Lengths, MeshesDoNotDependOnTheUnit)
   }
 }
 
+/// Returns an input of two levels (LabelInput.h) in another unit of length.
+MesherInput MakeLevels(double unit)
+{
+  Ranks alone;
+  return MakeLevelInput(
+    { { { 6, 6, 6 } }, 2.0 * unit, 0.75 * unit }, { { { { 1, 1, 1 } }, { { 4, 4, 3 } } } }, alone);
+}
+
+TEST(Lengths, MeshesOfLevelsDoNotDependOnTheUnit)
+{
+  Runtime serial;
+  for (const Method& method : { Methods[0], Methods[1] })
+  {
+    const MesherOptions options = OptionsOf(method);
+    const Numbers one = ListNumbers(RunMesher(MakeLevels(1.0), options, serial));
+    ASSERT_GT(one.at("points").size(), 1000u);
+    for (int exponent : Exponents)
+    {
+      const Numbers other =
+        ListNumbers(RunMesher(MakeLevels(std::ldexp(1.0, exponent)), options, serial));
+      for (const auto& [name, values] : one)
+      {
+        EXPECT_GE(FindPower(values, other.at(name), exponent), -1) << method.Name << " " << name;
+      }
+    }
+    for (double unit : { 1e-300, 1e-60, 1e60, 1e300, 1e307 })
+    {
+      try
+      {
+        RunMesher(MakeLevels(unit), options, serial);
+        FAIL() << "no message: " << unit;
+      }
+      catch (const InputError& error)
+      {
+        EXPECT_EQ(std::string(error.what()).find("The grid has cells of width "), 0u)
+          << error.what();
+      }
+    }
+  }
+}
+
 /// Largest widths and coordinates that are accepted, and messages beyond.
 struct LimitCase
 {
