@@ -468,10 +468,10 @@ struct LimitCase
   double Error = VolumeError;
 };
 
-const LimitCase LimitCases[] = { { "ratio 1e6", { { 1e-6, 1.0, 1.0 } }, {}, "" },
-  { "ratio 2e6", { { 1.0, 1.0, 5e-7 } }, {},
-    "The grid has cells of width 5e-07 along z and of width 1 along x. The largest width must be "
-    "at most 1e+06 times the smallest." },
+const LimitCase LimitCases[] = { { "ratio 1e10", { { 1e-10, 1.0, 1.0 } }, {}, "" },
+  { "ratio 2e10", { { 1.0, 1.0, 5e-11 } }, {},
+    "The grid has cells of width 5e-11 along z and of width 1 along x. The largest width must be "
+    "at most 1e+10 times the smallest." },
   { "wide", { { 1e50, 1e50, 1e50 } }, {}, "" }, { "narrow", { { 1e-50, 1e-50, 1e-50 } }, {}, "" },
   { "wider", { { 1e50, 2e50, 1e50 } }, {},
     "The grid has cells of width 2e+50 along y. Widths, also of refined cells, must be from 1e-50 "
@@ -482,7 +482,7 @@ const LimitCase LimitCases[] = { { "ratio 1e6", { { 1e-6, 1.0, 1.0 } }, {}, "" }
     "must be at most 1e+10 times the smallest width" },
   { "not distinct", { { 1.0, 1.0, 1.0 } }, { { 0.0, 0.0, 1e20 } },
     "The input: the z coordinates do not increase or are not finite at node 1 (1e+20). Nodes 0 and "
-    "1 are equal: the cells are too narrow for coordinates of this size" } };
+    "1 are equal. If the origin is far away, move it to the grid" } };
 
 TEST(Lengths, LimitsAreReported)
 {
