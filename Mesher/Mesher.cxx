@@ -34,6 +34,7 @@ namespace
 {
 
 constexpr double LabelVolumeTolerance = 1e-6; // relative volume error of smoothed labels
+constexpr double LargestSafeRatio = 1000.0;   // of widths; no overlaps were seen below
 
 /// Data of a run that all steps use; all steps are collective.
 struct MesherJob
@@ -218,6 +219,35 @@ LevelPlan Refine(
     WidenGrid(LayersFor(plan), job.Run.Group(), fields.Grid, fields.Field.Fractions);
   }
   return plan;
+}
+
+/// Warns of cells with widths that differ so much that close bodies may overlap.
+void WarnOfWidths(const MesherJob& job, const CartesianGrid& grid)
+{
+  double ratio = 1.0;
+  std::array<std::array<double, 2>, 3> range; // smallest and largest width along each axis
+  for (int a = 0; a < 3; ++a)
+  {
+    range[a] = { { grid.Width(a, 0), grid.Width(a, 0) } };
+    for (Index i = 1; i < grid.Global().Upper[a]; ++i)
+    {
+      range[a][0] = std::min(range[a][0], grid.Width(a, i));
+      range[a][1] = std::max(range[a][1], grid.Width(a, i));
+    }
+  }
+  for (int a = 0; a < 3; ++a)
+  {
+    const int b = (a + 1) % 3;
+    ratio = std::max({ ratio, range[a][1] / range[b][0], range[b][1] / range[a][0] });
+  }
+  if (ratio > LargestSafeRatio)
+  {
+    std::ostringstream text;
+    text << "The widths of a cell differ by a factor of " << ratio << ". Above " << LargestSafeRatio
+         << ", elements have a poor quality, and bodies that are close may overlap. "
+            "MaximumAspectRatio divides such cells.";
+    Warn(job, text.str());
+  }
 }
 
 Mesh MakeMesh(
@@ -414,6 +444,8 @@ MesherResult RunMesher(const MesherInput& input, const MesherOptions& given, Run
   SmoothFields(job, fields);
   Divide(job, setup, fields);
   const MeshOptions meshOptions{ options, Refine(job, setup, requests, fields) };
+
+  WarnOfWidths(job, fields.Grid);
 
   MesherResult result;
   result.TheMesh = MakeMesh(job, fields, meshOptions, result.Report);

@@ -16,7 +16,7 @@ constexpr double WidthTolerance = 1e-9; // relative difference of equal widths
 
 // Range of widths. Volumes and moments of meshes stay in the range of double.
 constexpr double SmallestWidth = 1e-50, LargestWidth = 1e50;
-constexpr double LargestRatio = 1e6; // of two widths of a grid
+constexpr double LargestRatio = 1e10; // of two widths of a grid
 // Largest coordinate along an axis over the smallest width there. Coordinates are rounded to 1e-16
 // of their magnitude, so that positions have errors of up to 1e-6 widths, and volumes too.
 constexpr double LargestDistance = 1e10;

@@ -203,8 +203,8 @@ void CheckCoordinates(const InputBlock& block)
         if (i > 0 && x[i] == x[i - 1])
         {
           text << " Nodes " << i - 1 << " and " << i
-               << " are equal: the cells are too narrow for coordinates of this size, which have "
-                  "16 digits. Move the origin to the grid.";
+               << " are equal. If the origin is far away, move it to the grid: coordinates are "
+                  "rounded to 16 digits.";
         }
         throw InputError(text.str());
       }

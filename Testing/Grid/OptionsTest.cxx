@@ -306,6 +306,14 @@ TEST(Quality, ScaledJacobianOfKnownHexes)
     points[3 * c] += 4.0; // sheared by 45 degrees
   }
   EXPECT_NEAR(HexScaledJacobian(points, hex), std::sqrt(0.5), 1e-15);
+  for (double unit : { 0x1p-160, 0x1p320 }) // 7e-49, then 1e48
+  {
+    for (double& x : points)
+    {
+      x *= unit;
+    }
+    EXPECT_NEAR(HexScaledJacobian(points, hex), std::sqrt(0.5), 1e-15);
+  }
   std::swap(points[0], points[3]);
   EXPECT_LT(HexScaledJacobian(points, hex), 0.0);
 }
@@ -314,15 +322,15 @@ TEST(Quality, OfWholeCellsIsThatOfTheirCorners)
 {
   MeshOptions options;
   options.StairStep = true;
-  // At 1e11 z does not resolve the widths along x.
-  for (const auto& [origin, width] : { std::pair(0.0, 0.1), { -3.3, 0.1 }, { 1e11, 100.0 } })
+  // Coordinates x of 1e12 do not resolve the widths along z.
+  for (const auto& [origin, width] : { std::pair(0.0, 0.1), { -3.3, 0.1 }, { 1e12, 123.7 } })
   {
     std::array<std::vector<double>, 3> x;
     for (int i = 0; i <= 6; ++i)
     {
-      x[0].push_back(-3.3 + 0.011 * i);
+      x[0].push_back(origin + width * i);
       x[1].push_back(3.3 + 0.07 * i * i);
-      x[2].push_back(origin + width * i);
+      x[2].push_back(-3.3 + 0.011 * i);
     }
     const CartesianGrid grid(x);
     const FractionField field =
@@ -340,6 +348,6 @@ TEST(Quality, OfWholeCellsIsThatOfTheirCorners)
     }
     EXPECT_EQ(report.MinimumScaledJacobian, smallest);
     EXPECT_NEAR(report.MeanScaledJacobian, sum / mesh.ElementIds.size(), 1e-9);
-    EXPECT_EQ(smallest < 1.0, width == 100.0);
+    EXPECT_EQ(smallest < 1.0, origin == 1e12);
   }
 }

@@ -54,10 +54,12 @@ std::shared_ptr<const BlockArrays> MakeArrays(Field field)
 {
   const std::vector<double> inside = MakeFractions(field);
   std::vector<double> outside, density, velocity, energy;
+  std::vector<int> labels;
   for (std::size_t cell = 0; cell < inside.size(); ++cell)
   {
     const double at = static_cast<double>(cell);
     outside.push_back(1.0 - inside[cell]);
+    labels.push_back(inside[cell] < 0.5 ? 2 : 1);
     density.push_back(2.0 + std::sin(0.1 * at));
     energy.push_back(3.0 + std::cos(0.2 * at));
     velocity.insert(velocity.end(), { std::sin(0.3 * at), std::cos(0.4 * at), 1.0 });
@@ -66,6 +68,7 @@ std::shared_ptr<const BlockArrays> MakeArrays(Field field)
   auto arrays = std::make_shared<PlainArrays>(tuples);
   arrays->Store("inside", ValueType::Double, inside);
   arrays->Store("outside", ValueType::Double, outside);
+  arrays->Store("labels", ValueType::Int, std::move(labels));
   arrays->Store("density", ValueType::Double, density);
   arrays->Store("energy", ValueType::Double, energy);
   const auto kept = std::make_shared<const std::vector<double>>(std::move(velocity));
@@ -313,6 +316,7 @@ struct Variant
   std::function<void(double unit, MesherOptions&)> Set;
   bool HasState = false;
   bool OnlyHexes = false;
+  bool AreLabels = false;
 };
 
 const Variant Variants[] = { { "state", [](double, MesherOptions& o) { o.NodalVelocity = true; },
@@ -356,6 +360,11 @@ MesherResult MakeVariant(const Method& method, const Variant& variant, Field fie
     input.Arrays.State = { true, { "density", "velocity", "energy" }, { "density" }, {}, "velocity",
       "energy" };
   }
+  if (variant.AreLabels)
+  {
+    input.Arrays.Fractions.clear();
+    input.Arrays.Labels = "labels";
+  }
   Runtime serial;
   return RunMesher(input, options, serial);
 }
@@ -376,7 +385,7 @@ TEST(Lengths, MeshesDoNotDependOnTheUnit)
         const bool isTetGen = method.Tets == TetMethod::TetGen;
         const bool isHexes = method.Elements == ElementKind::Hexes;
         if (!IsBuilt(method) || (variant.OnlyHexes && !isHexes) ||
-          (isTetGen && variant.Name == "quadratic") ||
+          (isTetGen && (variant.Name == "quadratic" || variant.AreLabels)) ||
           (field == Field::Noise && !(isHexes && variant.HasState)))
         {
           continue;
@@ -409,6 +418,47 @@ TEST(Lengths, MeshesDoNotDependOnTheUnit)
   }
 }
 
+/// Returns an input of two levels (LabelInput.h) in another unit of length.
+MesherInput MakeLevels(double unit)
+{
+  Ranks alone;
+  return MakeLevelInput(
+    { { { 6, 6, 6 } }, 2.0 * unit, 0.75 * unit }, { { { { 1, 1, 1 } }, { { 4, 4, 3 } } } }, alone);
+}
+
+TEST(Lengths, MeshesOfLevelsDoNotDependOnTheUnit)
+{
+  Runtime serial;
+  for (const Method& method : { Methods[0], Methods[1] })
+  {
+    const MesherOptions options = OptionsOf(method);
+    const Numbers one = ListNumbers(RunMesher(MakeLevels(1.0), options, serial));
+    ASSERT_GT(one.at("points").size(), 1000u);
+    for (int exponent : Exponents)
+    {
+      const Numbers other =
+        ListNumbers(RunMesher(MakeLevels(std::ldexp(1.0, exponent)), options, serial));
+      for (const auto& [name, values] : one)
+      {
+        EXPECT_GE(FindPower(values, other.at(name), exponent), -1) << method.Name << " " << name;
+      }
+    }
+    for (double unit : { 1e-300, 1e-60, 1e60, 1e300, 1e307 })
+    {
+      try
+      {
+        RunMesher(MakeLevels(unit), options, serial);
+        FAIL() << "no message: " << unit;
+      }
+      catch (const InputError& error)
+      {
+        EXPECT_EQ(std::string(error.what()).find("The grid has cells of width "), 0u)
+          << error.what();
+      }
+    }
+  }
+}
+
 /// Largest widths and coordinates that are accepted, and messages beyond.
 struct LimitCase
 {
@@ -418,10 +468,10 @@ struct LimitCase
   double Error = VolumeError;
 };
 
-const LimitCase LimitCases[] = { { "ratio 1e6", { { 1e-6, 1.0, 1.0 } }, {}, "" },
-  { "ratio 2e6", { { 1.0, 1.0, 5e-7 } }, {},
-    "The grid has cells of width 5e-07 along z and of width 1 along x. The largest width must be "
-    "at most 1e+06 times the smallest." },
+const LimitCase LimitCases[] = { { "ratio 1e10", { { 1e-10, 1.0, 1.0 } }, {}, "" },
+  { "ratio 2e10", { { 1.0, 1.0, 5e-11 } }, {},
+    "The grid has cells of width 5e-11 along z and of width 1 along x. The largest width must be "
+    "at most 1e+10 times the smallest." },
   { "wide", { { 1e50, 1e50, 1e50 } }, {}, "" }, { "narrow", { { 1e-50, 1e-50, 1e-50 } }, {}, "" },
   { "wider", { { 1e50, 2e50, 1e50 } }, {},
     "The grid has cells of width 2e+50 along y. Widths, also of refined cells, must be from 1e-50 "
@@ -432,7 +482,7 @@ const LimitCase LimitCases[] = { { "ratio 1e6", { { 1e-6, 1.0, 1.0 } }, {}, "" }
     "must be at most 1e+10 times the smallest width" },
   { "not distinct", { { 1.0, 1.0, 1.0 } }, { { 0.0, 0.0, 1e20 } },
     "The input: the z coordinates do not increase or are not finite at node 1 (1e+20). Nodes 0 and "
-    "1 are equal: the cells are too narrow for coordinates of this size" } };
+    "1 are equal. If the origin is far away, move it to the grid" } };
 
 TEST(Lengths, LimitsAreReported)
 {
@@ -449,6 +499,21 @@ TEST(Lengths, LimitsAreReported)
         message.substr(0, *c.Message ? std::string(c.Message).size() : message.size()), c.Message)
         << c.Name << " " << method.Name;
     }
+  }
+}
+
+TEST(Lengths, WarnsOfRatiosAbove1000)
+{
+  Runtime serial;
+  const std::string expected = "The widths of a cell differ by a factor of 2000. ";
+  for (double ratio : { 500.0, 2000.0 })
+  {
+    MesherInput input = MakeGrid(Field::Ball, { { 1.0, ratio, 1.0 } }, {});
+    std::string warnings;
+    input.Warn = [&warnings](const std::string& text) { warnings += text + "\n"; };
+    RunMesher(input, OptionsOf(Methods[0]), serial);
+    EXPECT_EQ(warnings.find(expected) != std::string::npos, ratio > 1000.0) << warnings;
+    EXPECT_EQ(warnings.find("The widths") != std::string::npos, ratio > 1000.0) << warnings;
   }
 }
 

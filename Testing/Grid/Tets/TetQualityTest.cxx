@@ -176,7 +176,15 @@ TEST(TetQuality, OfManyTetsIsThatOfEach)
       }
       tets.push_back(p);
     }
-    ExpectMeasured(points, tets);
+    for (double unit : { 1.0, 1e-40, 1e48 })
+    {
+      std::vector<double> scaled(points);
+      for (double& x : scaled)
+      {
+        x *= unit;
+      }
+      ExpectMeasured(scaled, tets);
+    }
   }
 }
 
