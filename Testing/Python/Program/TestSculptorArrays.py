@@ -269,5 +269,4 @@ def test_level_sets(at):
     assert found["1 Material 1"][1] == (np.sqrt((i ** 2).sum(axis=0)) <= 4).sum(), found
 
 
-if __name__ == "__main__":
-    main(globals())
+main(globals())
