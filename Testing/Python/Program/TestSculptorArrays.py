@@ -83,7 +83,8 @@ def test_bytes_between(at):
     path = write(unit_image(values), at("in.vti"))
     result = sculptor(path, at("out.vtu"))
     assert "materials from a, b, c (all cell arrays" in result.stdout, result
-    assert [row[5] for row in rows(result.stdout).values()][:3] == [2.82353, 27.2941, 1317.65]
+    table = rows(result.stdout)
+    assert [table[name][5] for name in ("1 a", "2 b", "3 c")] == [2.82353, 27.2941, 1317.65]
     path = write(unit_image({"vf": two_boxes(100, 0, np.uint8)}), at("vf.vti"))
     refused(3, "The mesh has no elements", path, at("o.vtu"), "--fractions", "vf")
 
