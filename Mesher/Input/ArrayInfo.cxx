@@ -41,9 +41,9 @@ Bytes Pack(const std::vector<ArrayInfo>& list)
   Bytes bytes;
   for (const ArrayInfo& info : list)
   {
-    const Bytes numbers = ToBytes(std::vector<Packed>{ { info.Type, info.Components,
-      info.HasOneType, info.HoldsIds, info.AreWhole, info.Least, info.Most, info.Count,
-      info.Name.size() } });
+    const Bytes numbers =
+      ToBytes(std::vector<Packed>{ { info.Type, info.Components, info.HasOneType, info.HoldsIds,
+        info.AreWhole, info.Least, info.Most, info.Count, info.Name.size() } });
     bytes.insert(bytes.end(), numbers.begin(), numbers.end());
     bytes.insert(bytes.end(), info.Name.begin(), info.Name.end());
   }

@@ -64,8 +64,8 @@ std::string Compact(const std::string& name)
 bool HasWord(const std::string& name, const std::vector<std::string>& sought)
 {
   const std::vector<std::string> words = SplitName(name);
-  return std::any_of(words.begin(), words.end(),
-    [&sought](const std::string& word) { return Holds(sought, word); });
+  return std::any_of(
+    words.begin(), words.end(), [&sought](const std::string& word) { return Holds(sought, word); });
 }
 
 /// Returns whether a word of the name begins with a text.
@@ -109,8 +109,8 @@ bool IsFractionName(const std::string& name)
   const auto contains = [&compact](const char* part)
   { return compact.find(part) != std::string::npos; };
   // VOLM is the variable of CTH, VOLFRC of ALEGRA, alpha.water of OpenFOAM.
-  return name.compare(0, 6, "alpha.") == 0 || contains("volumefrac") || contains("volfrac") || contains("volfrc") ||
-    HasWord(name, { "vf", "vof", "vfrac", "volm" });
+  return name.compare(0, 6, "alpha.") == 0 || contains("volumefrac") || contains("volfrac") ||
+    contains("volfrc") || HasWord(name, { "vf", "vof", "vfrac", "volm" });
 }
 
 bool IsVoidName(const std::string& name)

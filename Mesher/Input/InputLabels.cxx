@@ -27,7 +27,10 @@ std::string Print(Index value)
 }
 std::string Print(double value)
 {
-  return std::isfinite(value) ? FormatNumber(value) : std::isnan(value) ? "nan" : "inf";
+  return std::isfinite(value) ? FormatNumber(value)
+    : std::isnan(value)       ? "nan"
+    : value > 0.0             ? "inf"
+                              : "-inf";
 }
 
 /// Returns a value as a label. Value: Index, or double for arrays of reals.

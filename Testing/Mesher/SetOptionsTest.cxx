@@ -2,6 +2,7 @@
 #include "Options/SetOptions.h"
 #include "Base/ParseText.h"
 #include "Base/Runtime.h"
+#include "Options/ValueRanges.h"
 
 #include <gtest/gtest.h>
 
@@ -152,6 +153,46 @@ TEST(SetOptions, AnAddedRowIsAnOption)
   EXPECT_EQ(DescribeOptions(ElementKind::Hexes, table).back(),
     "NewOption, --iso V: a number above 0 and below 1; default 0.5\n"
     "      A cell is void if its materials together fill less than this fraction of it.");
+}
+
+TEST(ParseText, PartsInQuotesMayContainCommas)
+{
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(SplitText("\"a, 1\" , b,\"c\""), Names({ "a, 1", "b", "c" }));
+  EXPECT_EQ(SplitText("a \"b,c\","), Names({ "a \"b", "c\"", "" }));
+  EXPECT_EQ(SplitText("\"a,b"), Names({ "\"a", "b" }));
+  const Names names{ "a, 1", " b", "c \"d\"" };
+  EXPECT_EQ(
+    SplitText(QuoteName(names[0]) + "," + QuoteName(names[1]) + "," + QuoteName(names[2])), names);
+  MesherOptions options;
+  SetOption(options, "DensityArrays", "\"rho, 1\",rho");
+  EXPECT_EQ(options.DensityArrays, Names({ "rho, 1", "rho" }));
+  EXPECT_EQ(GetOption(options, *FindOption("DensityArrays")), "\"rho, 1\", rho");
+}
+
+TEST(ValueRanges, AreAboveTheLowerAndUpToTheUpperLimit)
+{
+  const auto ranges = ParseRanges("128; -5:0.5, 1e3:2e3").value_or(std::vector<ValueRange>());
+  EXPECT_FALSE(ParseRanges("128;1e3:2e3"));
+  EXPECT_TRUE(ranges.empty()); // the first has no upper limit, so the last overlaps it
+  const auto found = ParseRanges("128: ;-5:0.5,:-6").value();
+  ASSERT_EQ(found.size(), 3u);
+  EXPECT_TRUE(found[0].Holds(128.5) && found[0].Holds(1e300) && !found[0].Holds(128.0));
+  EXPECT_TRUE(found[1].Holds(0.5) && found[1].Holds(-4.9) && !found[1].Holds(-5.0));
+  EXPECT_TRUE(found[2].Holds(-6.0) && found[2].Holds(-1e300) && !found[2].Holds(-5.5));
+  EXPECT_FALSE(found[0].Holds(std::numeric_limits<double>::quiet_NaN()));
+  EXPECT_TRUE(ParseRanges("").value().empty());
+  EXPECT_EQ(ParseRanges("0:1,1:2").value().size(), 2u); // neighbours do not overlap
+  for (const char* text : { ":", "1:1", "2:1", "x", "1:2:3", "0:2,1:3", "nan", "1,", "1:inf" })
+  {
+    EXPECT_FALSE(ParseRanges(text)) << text;
+  }
+  // Accessors of filters do not throw; runs do.
+  MesherOptions options;
+  EXPECT_TRUE(SetText(options, "Threshold", "2:1"));
+  EXPECT_THROW(CheckOptions(options), InputError);
+  EXPECT_TRUE(SetText(options, "Threshold", "None"));
+  EXPECT_EQ(options.Threshold, "");
 }
 
 TEST(ParseText, NumbersAreFormattedAsShortAsTheyCanBe)

@@ -116,6 +116,14 @@ TEST(Arguments, ValuesOfTheProgram)
 
 TEST(Arguments, Lists)
 {
+  const Arguments quoted = ParseArguments({ "in.vti", "out.vtu", "--fractions", "\"a, 1\", b",
+    "--state", "p, x", "--state", "q", "--density", "rho, 1", "--density", "rho, 2" });
+  const Arguments ranges =
+    ParseArguments({ "in.vti", "out.vtu", "--threshold", "1:2", "--threshold=-3:1;5" });
+  EXPECT_EQ(quoted.Fractions, Words({ "a, 1", "b" }));
+  EXPECT_EQ(quoted.State, Words({ "p, x", "q", "rho, 1", "rho, 2" }));
+  EXPECT_EQ(quoted.Mesher.DensityArrays, Words({ "rho, 1", "rho, 2" }));
+  EXPECT_EQ(ranges.Mesher.Threshold, "1:2;-3:1;5");
   const Arguments arguments = ParseArguments({ "in.vti", "out.vtu", "--fractions", "ball, plate ",
     "--material=1,plate", "--state", "p,rho", "--density", "rho,rho - 2" });
   EXPECT_EQ(arguments.Fractions, (Words{ "ball", "plate" }));
@@ -263,6 +271,11 @@ TEST(Arguments, RejectedValues)
   ExpectRefusals("in.vti out.vtu ",
     { { "--fractions a,,b", "--fractions contains an empty name." },
       { "--fractions a,a", "--fractions contains 'a' twice." },
+      { "--fractions a --fractions a", "--fractions contains 'a' twice." },
+      { "--threshold 1 --fractions a", "--threshold and --fractions exclude each other." },
+      { "--threshold 1 --material 2", "--threshold and --material exclude each other." },
+      { "--threshold 2:1", "The option Threshold cannot be '2:1'" },
+      { "--zero-label grain", "The option ZeroLabel cannot be 'grain'" },
       { "--state a,", "--state contains an empty name." },
       { "--material 1,2,1", "--material contains '1' twice." },
       { "--time 2s", "--time takes a number, not '2s'." },

@@ -49,8 +49,8 @@ void BindChoice(nb::module_& module)
     .def_ro("problem", &MaterialChoice::Problem, "str: Reason if nothing is chosen.")
     .def_ro("is_clear", &MaterialChoice::IsClear, "bool: True if no other choice is possible.")
     .def_prop_ro("contents", ListContents, "list of (str, str): Content of each array, reason.");
-  module.def("choose_materials", Choose, "arrays"_a, "others"_a, "tolerance"_a, "image"_a,
-    "threshold"_a);
+  module.def(
+    "choose_materials", Choose, "arrays"_a, "others"_a, "tolerance"_a, "image"_a, "threshold"_a);
 }
 
 } // namespace vfm

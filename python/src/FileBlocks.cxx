@@ -37,8 +37,8 @@ FileBlocks ReadFileBlocks(
     throw InputError("there is no step " + std::to_string(step) + ": it has " +
       std::to_string(steps) + ", counted from 0.");
   }
-  FileBlocks read{ path, file->Times(), file->Times()[index], names.value_or(file->Names()), {},
-    "", {} };
+  FileBlocks read{ path, file->Times(), file->Times()[index], names.value_or(file->Names()), {}, "",
+    {} };
   CheckNames(file->Names(), read.Names);
   read.Blocks = file->Read(index, read.Names, alone);
   MaterialChoice choice = ChooseMaterials(ListArrays(ListsOf(read.Blocks)), {});

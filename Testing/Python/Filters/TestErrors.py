@@ -153,7 +153,7 @@ def test_sums_over_one():
 def test_material_ids_that_are_not_whole_numbers():
     for dtype in (np.float32, np.float64):
         for value, text in ((1.5, "1.5"), (-1, "-1"), (np.nan, "nan"), (np.inf, "inf"),
-                            (2.0 ** 31, "2.14748e+09")):
+                            (2.0 ** 31, "2147483648"), (0.998, "0.998"), (-np.inf, "-inf")):
             ids = labels(N).astype(dtype)
             ids[6, 5, 4] = value
             check_error(image({"id": ids}), "'id' holds %s in cell (4, 5, 6)" % text,

@@ -325,7 +325,11 @@ def test_a_single_array_is_chosen():
              ({"ball": BALL, "density": 1000 * BALL}, ["ball"], "None"),
              ({"density": 1000 * BALL}, [], "None"),
              ({"ball": BALL, "id": labels(N)}, [], "None"),
-             ({"mask": 255 * labels(N).clip(0, 1).astype(np.uint8)}, [], "None"),
+             ({"mask": 255 * labels(N).clip(0, 1).astype(np.uint8)}, ["mask"], "None"),
+             ({"mask": labels(N).clip(0, 1).astype(np.uint8)}, [], "mask"),
+             ({"tissue": labels(N).astype(np.uint8), "void": 1 - BALL}, [], "tissue"),
+             ({"vf_ball": BALL, "id": labels(N), "damage": BALL}, ["vf_ball"], "None"),
+             ({"phi": BALL - 0.5}, [], "None"),
              ({"ball": BALL, "vtkGhostType": np.zeros((N, N, N), np.uint8)}, ["ball"], "None")]
     for arrays, fractions, ids in cases:
         for data in (image(arrays), at_points(image(arrays))):

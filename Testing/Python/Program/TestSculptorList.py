@@ -161,8 +161,8 @@ def test_what_holds_no_materials(at):
     assert materials_of(lines) == (
         "materials: none found; name their arrays (--fractions A,B,.., --labels ARRAY, or "
         "--threshold)", [])
-    assert lines[-1] == ("No array holds volume fractions or labels: 'heat' (real numbers from 9 to "
-                         "10: neither in [0, 1] nor integers).")
+    assert lines[-1] == ("No array holds volume fractions or labels: 'heat' (real numbers from 9 "
+                         "to 10: neither in [0, 1] nor integers).")
 
 
 @in_folder
