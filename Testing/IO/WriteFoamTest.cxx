@@ -602,8 +602,7 @@ TEST(WriteFoam, AFailureRemovesTheFilesOfAllRanks)
         messages[ranks.Rank()] = error.what();
       }
     });
-  EXPECT_NE(messages[0].find("processor1: Not a directory."), std::string::npos)
-    << messages[0];
+  EXPECT_NE(messages[0].find("processor1: Not a directory."), std::string::npos) << messages[0];
   EXPECT_EQ(messages, std::vector<std::string>(3, messages[0]));
   EXPECT_EQ(folder.CountFiles(), 1u);
 }

@@ -282,17 +282,21 @@ def test_refused(at):
 
 @in_folder
 def test_file_that_was_begun_is_removed(at):
-    """A file that exceeds the size limit is removed."""
+    """A file that exceeds the size limit is removed; the earlier one stays."""
     mesh = mesh_of(fraction_image()).mesh
     write(mesh, at("mesh.exo"))
     size = os.path.getsize(at("mesh.exo"))
+    with open(at("mesh.exo"), "w", encoding="ascii") as file:
+        file.write("earlier")
     limits = resource.getrlimit(resource.RLIMIT_FSIZE)
     for part in (0.1, 0.5, 0.99):
         resource.setrlimit(resource.RLIMIT_FSIZE, (int(part * size), limits[1]))
         errors = write(mesh, at("mesh.exo"))
         resource.setrlimit(resource.RLIMIT_FSIZE, limits)
         assert len(errors) == 1 and "File too large" in errors[0], errors
-        assert os.listdir(at("")) == []
+        assert os.listdir(at("")) == ["mesh.exo"]
+        with open(at("mesh.exo"), encoding="ascii") as file:
+            assert file.read() == "earlier"
 
 
 def without_date(path):

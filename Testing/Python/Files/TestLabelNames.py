@@ -137,7 +137,8 @@ def test_encodings_in_files(at):
             assert result.stderr.startswith("sculptor: warning: ") and "Müller" in result.stderr
             for name in ("out" + suffix, "out.html"):
                 with open(at(name), encoding="utf-8") as file:
-                    assert "ller" in file.read().lower(), name
+                    text = file.read().lower()
+                assert "ller" in text or name == "out.vtu", name  # which encodes its texts
     ElementTree.parse(at("out.xdmf"))
     for text, problem in NO_TEXT:
         refused(3, problem, path, at("out.vtu"), "--label-names", save(at("bad.txt"), text))
