@@ -226,7 +226,8 @@ def write_png(path, values, palette=None, depth=None):
     colour = 3 if palette else {2: 4, 3: 2, 4: 6}[values.shape[2]] if values.ndim == 3 else 0
 
     def chunk(name, data):
-        return struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
+        check = struct.pack(">I", zlib.crc32(name + data))
+        return struct.pack(">I", len(data)) + name + data + check
 
     rows = values.astype(">" + kind(values)).reshape(len(values), -1)
     if depth < 8:

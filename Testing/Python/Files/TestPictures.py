@@ -23,7 +23,8 @@ UNIT = ["--spacing", "1,1,1"]
 IMAGEJ = "ImageJ=1.53t\nimages=13\nslices=13\nunit=micron\nspacing=3.0\nloop=false\n"
 OME = ('<?xml version="1.0" encoding="UTF-8"?><OME xmlns="http://www.openmicroscopy.org/Schemas/'
        'OME/2016-06"><Image ID="Image:0"><Pixels ID="Pixels:0" DimensionOrder="%s" Type="uint8" '
-       'SizeX="9" SizeY="11" SizeZ="%d" SizeC="%d" SizeT="%d" %s><TiffData/></Pixels></Image></OME>')
+       'SizeX="9" SizeY="11" SizeZ="%d" SizeC="%d" SizeT="%d" %s><TiffData/></Pixels></Image>'
+       '</OME>')
 SIZES = ('PhysicalSizeX="0.5" PhysicalSizeXUnit="\u00b5m" PhysicalSizeY="0.5" '
          'PhysicalSizeYUnit="um" PhysicalSizeZ="%s" PhysicalSizeZUnit="%s"')
 
@@ -137,7 +138,7 @@ def test_missing_distance(at):
         assert not read([path], (1, 1, 2))[1]
     path = write_pages(at("page.tif"), LABELS[:1], resolution=20000, unit=3)
     data, warnings = read([path])
-    assert np.allclose(data.GetSpacing(), (5e-4,) * 3) and not warnings, (data.GetSpacing(), warnings)
+    assert np.allclose(data.GetSpacing(), (5e-4,) * 3) and not warnings, warnings
 
 
 @in_folder
@@ -159,8 +160,8 @@ def test_volumes_of_tiff(at):
             assert (vtk_to_numpy(data.GetPointData().GetArray("Labels")) == part.ravel()).all()
             mesh_file(path, at("out.vtu"), *UNIT, "--volume", str(volume), ranks=3)
             check_same(merge(read_pieces(at("out.vtu"))), gold_of(part), (name, volume))
-    check_readers(write_pages(at("t.tif"), LABELS, description="ImageJ=1.53t\nimages=13\nframes=13\n"),
-                  LABELS)
+    text = "ImageJ=1.53t\nimages=13\nframes=13\n"
+    check_readers(write_pages(at("t.tif"), LABELS, description=text), LABELS)
 
 
 def write_slices(folder, values, write, pattern):
@@ -193,7 +194,8 @@ def test_slices(at):
                 mesh_file(given, at("out.vtu"), *UNIT, ranks=ranks)
                 check_same(merge(read_pieces(at("out.vtu"))), gold, (given, ranks))
     ball = (np.sum((np.indices((16, 16, 16)) - 7.5) ** 2, 0) < 36).astype("u1")
-    printed = rows(mesh_file(write_slices(at("ball"), ball, tiff, "s_%04d.tif"), at("out.vtu"), *UNIT))
+    folder = write_slices(at("ball"), ball, tiff, "s_%04d.tif")
+    printed = rows(mesh_file(folder, at("out.vtu"), *UNIT))
     assert printed["all"][0] == 1584 and abs(printed["all"][4] - 912) < 1e-3, printed
 
 
