@@ -8,6 +8,7 @@
 #include "FileSuffix.h"
 #include "ImageInput.h"
 #include "Images/ImageFile.h"
+#include "Images/SliceFiles.h"
 #include "Ranks/WorkTogether.h"
 #include "VtkFiles/VtkFileCheck.h"
 #include "VtkInput.h"
@@ -204,9 +205,15 @@ void CheckInputSuffix(const std::string& path)
   if (!FindFormat(path) && !IsVoxelFile(path) && !IsImageFile(path) && !IsExodusFile(path) &&
     !IsBlockFile(path))
   {
+    const bool isPicture = HasSuffix(path, { ".jpg", ".jpeg", ".bmp", ".gif", ".webp" });
     throw InputError(ErrorCode::WrongArguments,
-      "The input " + path + " is of an unknown format. Supported formats: " +
-        JoinTexts(GetInputSuffixes()) + ", and folders of AMReX plotfiles.");
+      "The input " + path + " is of an unknown format. " +
+        (isPicture ? "Save the picture as .png or .tif, from the original image, because .jpg "
+                     "changes values. "
+                   : "") +
+        "Supported formats: " + JoinTexts(GetInputSuffixes()) +
+        ", folders of AMReX plotfiles, and folders or patterns of slices (" +
+        JoinTexts(GetSliceSuffixes()) + ").");
   }
 }
 

@@ -235,7 +235,7 @@ std::vector<CellArray> ListCellArrays(hid_t file, const std::vector<Geometry>& g
       for (const std::string& name : ListNames(file, group))
       {
         const std::string path = Join(group, name);
-        if (IsKind(file, path, H5I_DATASET))
+        if (matrix != "_SIMPL_GEOMETRY" && IsKind(file, path, H5I_DATASET))
         {
           const Hdf5Handle data(
             H5Dopen2(file, path.c_str(), H5P_DEFAULT), H5Dclose, CannotRead(path));

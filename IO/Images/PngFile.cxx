@@ -56,6 +56,7 @@ public:
       return false;
     }
     png_read_image(this->Png, rows);
+    png_read_end(this->Png, nullptr); // checks the end of the values
     return true;
   }
 

@@ -18,6 +18,10 @@ NIFTI_TYPES = {"u1": 2, "i2": 4, "i4": 8, "f4": 16, "f8": 64, "i1": 256, "u2": 5
                "i8": 1024, "u8": 1280}
 NRRD_TYPES = {"u1": "unsigned char", "i1": "signed char", "u2": "ushort", "i2": "short",
               "u4": "uint32", "i4": "int", "f4": "float", "f8": "double"}
+CARET = (b'<?xml version="1.0" encoding="UTF-8"?><CaretExtension><VolumeInformation Index="0">'
+         b'<LabelTable><Label Key="0"><![CDATA[???]]></Label><Label Key="1" Red="0">'
+         b'<![CDATA[liver]]></Label><Label Key="2"> left&#10;kidney </Label>'
+         b'<Label Key="3">liver</Label></LabelTable></VolumeInformation></CaretExtension>')
 META_TYPES = {"u1": "MET_UCHAR", "i1": "MET_CHAR", "u2": "MET_USHORT", "i2": "MET_SHORT",
               "i4": "MET_INT", "f4": "MET_FLOAT", "f8": "MET_DOUBLE"}
 STRAIGHT = np.diag([0.25, 0.25, 0.5])  # step vectors
@@ -46,7 +50,8 @@ def quaternion(axes):
     return [b, np.copysign(c, r[0, 1]), np.copysign(d, r[0, 2])]  # b is positive
 
 
-def write_nifti(path, values, origin, steps=STRAIGHT, forms="s", slope=(1, 0), dim=None, order="<"):
+def write_nifti(path, values, origin, steps=STRAIGHT, forms="s", slope=(1, 0), dim=None, order="<",
+                extension=b""):
     """Writes a NIfTI file; `forms`: transforms that give the position: "s", "q", "sq" or ""."""
     steps = np.asarray(steps, float)
     spacing = np.linalg.norm(steps, axis=1)
@@ -61,7 +66,11 @@ def write_nifti(path, values, origin, steps=STRAIGHT, forms="s", slope=(1, 0), d
     put(40, "8h", *(dim or (3, *values.shape[::-1], 1, 1, 1, 1)))
     put(70, "2h", NIFTI_TYPES[kind(values)], 8 * values.itemsize)
     put(76, "8f", handed, *spacing, 0, 0, 0, 0)
-    put(108, "3f", 352, *slope)
+    extension += bytes(-(len(extension) + 8) % 16)
+    extension = struct.pack(order + "2i", len(extension) + 8, 30) + extension if any(
+        extension) else b""
+    put(108, "3f", 352 + len(extension), *slope)
+    header[348] = bool(extension)
     put(123, "b", 2)  # unit: millimetres
     put(252, "2h", "q" in forms, "s" in forms)
     if "q" in forms:
@@ -69,7 +78,21 @@ def write_nifti(path, values, origin, steps=STRAIGHT, forms="s", slope=(1, 0), d
     if "s" in forms:
         put(280, "12f", *np.column_stack([steps.T, origin]).ravel())
     header[344:348] = b"n+1\0"
-    return save(path, bytes(header), values.astype(order + kind(values)).tobytes())
+    return save(path, bytes(header), extension, values.astype(order + kind(values)).tobytes())
+
+
+def write_mgh(path, values, origin, steps=STRAIGHT, kind_of_values=None):
+    """Writes an MGH file of FreeSurfer; values: (z, y, x), or (n, z, y, x) for several images."""
+    steps = np.asarray(steps, float)
+    spacing = np.linalg.norm(steps, axis=1)
+    size = np.array(values.shape[-3:][::-1])
+    middle = np.asarray(origin) + (size / 2) @ steps
+    number = {"u1": 0, "i4": 1, "f4": 3, "i2": 4}[kind(values)]
+    header = struct.pack(">7ih15f", 1, *size, values.size // size.prod(),
+                         number if kind_of_values is None else kind_of_values, 0, 1, *spacing,
+                         *(steps / spacing[:, None]).ravel(), *middle)
+    data = header + bytes(284 - len(header)) + values.astype(">" + kind(values)).tobytes()
+    return save(path, gzip.compress(data, mtime=0) if path.endswith(".mgz") else data)
 
 
 def write_nrrd(path, values, origin, steps=STRAIGHT, encoding="gzip",
@@ -124,6 +147,100 @@ def write_tiff(path, values):
     return path
 
 
+def write_pages(path, values, bits=8, tile=0, white_first=False, colours=1, resolution=None,
+                unit=1, description=None, big=False, reverse_bits=False, order="<"):
+    """Writes a TIFF of one page per slice; values: (z, y, x), or (z, y, x, samples) for colours.
+
+    tile: side of tiles, 0 for one strip; resolution: points per unit (1 none, 2 inch, 3 cm);
+    big: offsets of 64 bits.
+    """
+    wide, head = ("Q", 16) if big else ("I", 8)
+    out = bytearray(struct.pack(order + ("2s3HQ" if big else "2sHI"),
+                                b"II" if order == "<" else b"MM",
+                                *((43, 8, 0, 0) if big else (42, 0))))
+    link = head - struct.calcsize(wide)
+
+    def add(data):
+        at = len(out)
+        out.extend(data + bytes(-len(data) % 8))
+        return at
+
+    def pack(rows):
+        if bits >= 8:
+            return rows.astype(order + rows.dtype.str[1:]).tobytes()
+        expanded = (rows[..., None] >> np.arange(bits)[::-1]) & 1
+        packed = np.packbits(expanded.reshape(len(rows), -1).astype("u1"), axis=1)
+        if reverse_bits:
+            packed = np.packbits(np.unpackbits(packed.ravel()).reshape(-1, 8)[:, ::-1], axis=1)
+        return packed.tobytes()
+
+    formats = {"u": 1, "i": 2, "f": 3}
+    for number, page in enumerate(values):
+        page = 2 ** bits - 1 - page if white_first else page
+        height, width = page.shape[:2]
+        if tile:
+            padded = np.zeros((-(-height // tile) * tile, -(-width // tile) * tile,
+                               *page.shape[2:]), page.dtype)
+            padded[:height, :width] = page
+            parts = [padded[y:y + tile, x:x + tile] for y in range(0, len(padded), tile)
+                     for x in range(0, padded.shape[1], tile)]
+        else:
+            parts = [page]
+        parts = [pack(part) for part in parts]
+        offsets, lengths = [add(part) for part in parts], [len(part) for part in parts]
+        tags = {256: ("I", [width]), 257: ("I", [height]), 258: ("H", [bits] * colours),
+                259: ("H", [1]), 262: ("H", [2 if colours > 1 else int(not white_first)]),
+                277: ("H", [colours]), 339: ("H", [formats[kind(values)[0]]] * colours)}
+        tags.update({322: ("I", [tile]), 323: ("I", [tile]), 324: (wide, offsets),
+                     325: ("I", lengths)} if tile else
+                    {273: (wide, offsets), 278: ("I", [height]), 279: ("I", lengths)})
+        if colours == 4:
+            tags[338] = "H", [2]
+        if reverse_bits:
+            tags[266] = "H", [2]
+        if description and number == 0:
+            tags[270] = "s", [description.encode() + b"\0"]
+        if resolution:
+            tags.update({282: ("2I", [resolution * 1000, 1000]),
+                         283: ("2I", [resolution * 1000, 1000]), 296: ("H", [unit])})
+        entries = b""
+        for tag, (form, content) in sorted(tags.items()):
+            count = len(content[0]) if form == "s" else 1 if form == "2I" else len(content)
+            data = content[0] if form == "s" else struct.pack(
+                "%s%d%s" % (order, len(content), form[-1]), *content)
+            inline = struct.calcsize(wide)
+            data = data.ljust(inline, b"\0") if len(data) <= inline else struct.pack(
+                order + wide, add(data))
+            entries += struct.pack(order + "HH" + wide, tag,
+                                   {"H": 3, "I": 4, "s": 2, "2I": 5, "Q": 16}[form], count) + data
+        struct.pack_into(order + wide, out, link, len(out))
+        out += struct.pack(order + ("Q" if big else "H"), len(tags)) + entries
+        link = len(out)
+        out += bytes(struct.calcsize(wide))
+    return save(path, bytes(out))
+
+
+def write_png(path, values, palette=None, depth=None):
+    """Writes grey values (y, x), indices of a palette, or colours (y, x, 2 to 4 samples)."""
+    depth = depth or 8 * values.itemsize
+    colour = 3 if palette else {2: 4, 3: 2, 4: 6}[values.shape[2]] if values.ndim == 3 else 0
+
+    def chunk(name, data):
+        check = struct.pack(">I", zlib.crc32(name + data))
+        return struct.pack(">I", len(data)) + name + data + check
+
+    rows = values.astype(">" + kind(values)).reshape(len(values), -1)
+    if depth < 8:
+        bits = (rows[..., None] >> np.arange(depth)[::-1]) & 1
+        rows = np.packbits(bits.reshape(len(rows), -1).astype("u1"), axis=1)
+    data = b"".join(b"\0" + row.tobytes() for row in rows)
+    return save(path, b"\x89PNG\r\n\x1a\n",
+                chunk(b"IHDR", struct.pack(">2I5B", values.shape[1], len(values), depth, colour,
+                                           0, 0, 0)),
+                chunk(b"PLTE", bytes(palette)) if palette else b"",
+                chunk(b"IDAT", zlib.compress(data)), chunk(b"IEND", b""))
+
+
 def write_imagej(path, values):
     """Writes one page followed by the other slices, as ImageJ does with stacks above 4 GB."""
     depth, height, width = values.shape
@@ -138,10 +255,11 @@ def write_imagej(path, values):
                 values.astype("u1").tobytes())
 
 
-def write_dream3d(path, values, origin, spacing, name="FeatureIds", more=()):
+def write_dream3d(path, values, origin, spacing, name="FeatureIds", more=(), shape=None):
     """Writes a file like DREAM.3D 6; `origin` is the corner of the first cell.
 
-    more: names of further containers with the same contents.
+    more: names of further containers with the same contents. shape: (-1,) or (-1, 1) for arrays
+    without indices of cells.
     """
     with h5py.File(path, "w") as file:
         for container in ("ImageDataContainer", *more):
@@ -150,9 +268,19 @@ def write_dream3d(path, values, origin, spacing, name="FeatureIds", more=()):
             geometry["DIMENSIONS"] = np.array(values.shape[::-1], "i8")
             geometry["SPACING"], geometry["ORIGIN"] = np.array(spacing, "f4"), np.array(
                 origin, "f4")
-            group["CellData/" + name] = values[..., None]
+            group["CellData/" + name] = values.reshape(shape) if shape else values[..., None]
             group["CellData/EulerAngles"] = np.zeros(values.shape + (3,), "f4")
             group["CellFeatureData/Volumes"] = np.zeros((4, 1), "f4")
+    return path
+
+
+def write_old_dream3d(path, values, origin, spacing):
+    """Writes a file like DREAM.3D 4, with flat arrays."""
+    with h5py.File(path, "w") as file:
+        group = file.create_group("VoxelDataContainer")
+        group["DIMENSIONS"] = np.array(values.shape[::-1], "i8")
+        group["SPACING"], group["ORIGIN"] = np.array(spacing, "f4"), np.array(origin, "f4")
+        group["CELL_DATA/GrainIds"] = values.ravel()
     return path
 
 

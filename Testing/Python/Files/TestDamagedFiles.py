@@ -15,7 +15,8 @@ import numpy as np
 from amr_files import make_amr, write_plotfile, write_vthb
 from exodus_grids import hexes, write_exodus
 from image_files import (
-    write_dream3d, write_dream3d_nx, write_meta, write_nifti, write_nrrd, write_tiff)
+    CARET, write_dream3d, write_dream3d_nx, write_meta, write_mgh, write_nifti, write_nrrd,
+    write_pages, write_png, write_tiff)
 from spyplot import split, write_spyplot
 from spyplot_cases import NODES, TIMES, steps
 from vfmtest import image, main, write
@@ -90,6 +91,14 @@ def write_all(folder):
     add("mha", "a.mha", [], lambda path: write_meta(path, voxels, origin))
     add("mhd", "a.mhd", [], lambda path: write_meta(path, voxels, origin, packed=True))
     add("tiff", "a.tif", [], lambda path: write_tiff(path, voxels))
+    add("tiff-tiles", "a.tif", [], lambda path: write_pages(path, voxels, tile=16, bits=4))
+    add("tiff-imagej", "a.tif", [],
+        lambda path: write_pages(path, voxels, resolution=2, description="ImageJ=1.53t\n"
+                                 "images=%d\nunit=um\nspacing=2\n" % len(voxels)))
+    add("png", "a.png", [], lambda path: write_png(path, voxels[len(voxels) // 2]))
+    add("mgz", "a.mgz", [], lambda path: write_mgh(path, voxels, origin))
+    add("nifti-names", "a.nii", [],
+        lambda path: write_nifti(path, voxels, origin, extension=CARET))
     add("dream3d", "a.dream3d", [],
         lambda path: write_dream3d(path, voxels.astype("i4"), origin, spacing))
     add("dream3d-nx", "a.dream3d", [],

@@ -11,8 +11,8 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from compare_meshes import difference, merge, read_pieces
 from image_files import (
-    STRAIGHT, save, write_dream3d, write_dream3d_nx, write_imagej, write_meta, write_nifti,
-    write_nrrd, write_tiff)
+    CARET, STRAIGHT, save, write_dream3d, write_dream3d_nx, write_imagej, write_meta, write_mgh,
+    write_nifti, write_nrrd, write_old_dream3d, write_tiff)
 from sculptor_program import mesh_file, refused, sculptor
 from vfmtest import (
     ORIGIN, SPACING, LabelImageReader, collect, image, in_folder, main, mesh_of, points_of, simple)
@@ -48,6 +48,10 @@ def straight_files(at):
         (write_dream3d_nx(at("k.dream3d"), LABELS.astype("i4"), ORIGIN, SPACING), []),
         (write_dream3d(at("l.dream3d"), LABELS, ORIGIN, SPACING, more=["Other"]),
          ["--labels", "Other/CellData/FeatureIds"]),
+        (write_dream3d(at("m.dream3d"), LABELS.astype("i4"), ORIGIN, SPACING, shape=(-1,)), []),
+        (write_dream3d(at("n.dream3d"), LABELS.astype("i4"), ORIGIN, SPACING, shape=(-1, 1)), []),
+        (write_mgh(at("o.mgz"), LABELS, MIDDLE), []),
+        (write_mgh(at("p.mgh"), LABELS.astype("i2"), MIDDLE), []),
     ]
 
 
@@ -107,6 +111,83 @@ def test_same_mesh_by_sculptor(at):
             place = "" if path.endswith("dream3d") else " of points"
             assert "(labels%s)" % place in printed, (path, printed)
             check_same(merge(read_pieces(at("out.vtu"))), GOLD, (path, ranks))
+
+
+@in_folder
+def test_volumes(at):
+    """One image of several is selected by its number, also in compressed files and on ranks."""
+    other = np.where(LABELS == 2, 5, 0).astype("u1")
+    dim = (4, *LABELS.shape[::-1], 2, 1, 1, 1)
+    for path in (write_nifti(at("a.nii.gz"), np.stack([LABELS, other]), MIDDLE, dim=dim),
+                 write_nifti(at("b.nii"), np.stack([LABELS, other]), MIDDLE, dim=dim),
+                 write_mgh(at("c.mgz"), np.stack([LABELS, other]), MIDDLE)):
+        for volume, values in enumerate((LABELS, other)):
+            gold = merge([mesh_of(image({"Labels": values.astype("i4")}),
+                                  MaterialIdArray="Labels").mesh])
+            source = simple.OpenDataFile(path, Volume=volume)
+            source.UpdatePipeline()
+            check_same(labels_mesh(source, "Labels"), gold, (path, volume))
+            for ranks in (1, 3):
+                mesh_file(path, at("out.vtu"), "--volume", str(volume), ranks=ranks)
+                check_same(merge(read_pieces(at("out.vtu"))), gold, (path, volume, ranks))
+        refused(2, "but image 2 is requested", path, at("out.vtu"), "--volume", "2", ranks=3)
+        refused(2, "from 0 to 1", path, at("out.vtu"))
+    refused(2, "it holds 1 image, but image 1",
+            write_nrrd(at("a.nrrd"), LABELS, MIDDLE), at("out.vtu"), "--volume", "1")
+
+
+@in_folder
+def test_names_in_nifti(at):
+    """Names of the extension of Caret are names of materials; a table of the user replaces them."""
+    names = ["liver", "left kidney", "liver (3)", "Material 4"]
+    for path in (write_nifti(at("a.nii.gz"), LABELS, MIDDLE, extension=CARET),
+                 write_nifti(at("b.nii"), LABELS, MIDDLE, extension=CARET, order=">")):
+        source = simple.OpenDataFile(path)
+        source.UpdatePipeline()
+        mesh = mesh_of(source.GetClientSideObject().GetOutputDataObject(0),
+                       MaterialIdArray="Labels").mesh
+        found = mesh.GetFieldData().GetAbstractArray("MaterialNames")
+        assert [found.GetValue(i) for i in range(found.GetNumberOfValues())] == names, path
+        for ranks in (1, 3):
+            printed = mesh_file(path, at("out.vtu"), ranks=ranks)
+            assert all("%d %s  " % (i + 1, name) in printed
+                       for i, name in enumerate(names)), printed
+        save(at("table.txt"), b"1 bone\n")
+        printed = mesh_file(path, at("out.vtu"), "--label-names", at("table.txt"))
+        assert "1 bone  " in printed and "2 Material 2  " in printed, printed
+    for text, warning in ((b"<CaretExtension><Label", "its Caret extension is not valid XML"),
+                          (None, "one of its header extensions has a length of 2147483632 bytes")):
+        path = write_nifti(at("c.nii"), LABELS, MIDDLE, extension=text or CARET)
+        if text is None:
+            raw = bytearray(open(path, "rb").read())
+            raw[352:356] = (2 ** 31 - 16).to_bytes(4, "little")
+            save(path, bytes(raw))
+        result = sculptor(path, at("out.vtu"), ranks=3)
+        assert result.returncode == 0 and warning in result.stderr, result
+        check_same(merge(read_pieces(at("out.vtu"))), GOLD, warning)
+
+
+@in_folder
+def test_mgh_directions(at):
+    """Each voxel lies where spacing, directions and centre say; without them as in FreeSurfer."""
+    for steps in (QUARTER, MIRRORED, OBLIQUE):
+        data = read(write_mgh(at("a.mgz"), LABELS, MIDDLE, steps))
+        assert np.abs(steps_of(data) - steps).max() < 1e-6
+        assert np.abs(np.subtract(data.GetOrigin(), MIDDLE)).max() < 1e-5, data.GetOrigin()
+    raw = bytearray(open(write_mgh(at("b.mgh"), LABELS, MIDDLE), "rb").read())
+    raw[28:30] = bytes(2)
+    data = read(save(at("b.mgh"), bytes(raw)))
+    assert np.array_equal(steps_of(data), [[-1, 0, 0], [0, 0, -1], [0, 1, 0]])
+    assert data.GetOrigin() == (4.5, -6.5, 5.5), data.GetOrigin()
+
+
+@in_folder
+def test_old_dream3d(at):
+    """A file of DREAM.3D 4 with flat arrays."""
+    path = write_old_dream3d(at("a.dream3d"), LABELS.astype("i4"), ORIGIN, SPACING)
+    for ranks in (1, 3):
+        mesh_file(path, at("out.vtu"), "--labels", "GrainIds", ranks=ranks)
+        check_same(merge(read_pieces(at("out.vtu"))), GOLD, ranks)
 
 
 @in_folder
@@ -271,7 +352,8 @@ def test_refused(at):
              "its compressed values are truncated"),
             (write_nifti(at("shear.nii"), LABELS, MIDDLE, shear), "its sform is sheared"),
             (write_nifti(at("many.nii"), many, MIDDLE, dim=(4, 9, 11, 13, 2, 1, 1, 1)),
-             "it holds 2 images"),
+             "it holds 2 images (times, or maps of several regions). Select one of them by its "
+             "number, --volume or Volume, from 0 to 1."),
             (write_nifti(at("long.nii"), LABELS, MIDDLE, dim=(3, 9000, 9000, 9000, 1, 1, 1, 1)),
              "are truncated"),
             (save(at("text.nrrd"), b"hello\n"), "it is not an NRRD file"),
@@ -300,13 +382,17 @@ def test_refused(at):
             (write_meta(at("shear.mhd"), LABELS, MIDDLE, shear),
              "TransformMatrix is not a rotation"),
             (save(at("text.tif"), b"hello\n"), "it is not a TIFF file"),
-            (write_imagej(at("imagej.tif"), LABELS), "ImageJ wrote 13 images, but it has 1 page."),
+            (cut(write_imagej(at("imagej.tif"), LABELS), 900), "truncated: they have 1287 bytes"),
+            (save(at("text.mgz"), b"hello\n" * 99), "it is not an MGH file of version 1"),
+            (cut(write_mgh(at("cut.mgh"), LABELS, MIDDLE), 900), "truncated: they have 1287 bytes"),
+            (write_mgh(at("type.mgh"), LABELS, MIDDLE, kind_of_values=7), "are of type 7 of MGH"),
+            (save(at("a.bmp"), b"BM"), "its suffix is not that of an image format"),
             (save(at("text.dream3d"), b"hello\n"), "it is not an HDF5 file, or it is damaged"),
             (cut(write_dream3d(at("cut.dream3d"), LABELS, ORIGIN, SPACING), 3000),
              "it is not an HDF5 file, or it is damaged"),
             (write_dream3d(at("name.dream3d"), LABELS, ORIGIN, SPACING, name="GrainIds"),
              "it holds no cell array 'FeatureIds' with one value per cell. Other arrays: "
-             "GrainIds."),
+             "GrainIds. Arrays of other sizes: EulerAngles (13 x 11 x 9 x 3), Volumes (4 x 1)."),
             (write_dream3d(at("two.dream3d"), LABELS, ORIGIN, SPACING, more=["Other"]),
              "it holds two cell arrays FeatureIds")):
         it = vtkVolumeFractionImageReader()
@@ -318,6 +404,9 @@ def test_refused(at):
             path, errors)
         assert (it.GetOutput().GetPointData().GetNumberOfArrays()
                 == it.GetOutput().GetCellData().GetNumberOfArrays() == 0), path
+        if path.endswith(".bmp"):
+            refused(1, "Save the picture as .png or .tif", path, at("out.vtu"))
+            continue
         for ranks in (1,
                       3) if path.endswith(("text.nii", "cut_gzip.nrrd", "two.dream3d")) else (1,):
             refused(2, text, path, at("out.vtu"), ranks=ranks)
