@@ -1,5 +1,6 @@
 #include "MakeMesh.h"
 
+#include "Base/PrintableText.h"
 #include "Base/ThreadRuntime.h"
 #include "CollectBlocks.h"
 #include "Labels/ReadLabelNames.h"
@@ -107,7 +108,7 @@ MesherResult MakeMesh(const Arguments& arguments, const Input& input, const Chos
     });
   for (const std::string& warning : found)
   {
-    std::cerr << (ranks.Rank() == 0 ? "sculptor: warning: " + warning + "\n" : "");
+    std::cerr << (ranks.Rank() == 0 ? "sculptor: warning: " + MakePrintable(warning) + "\n" : "");
   }
   if (warnings)
   {

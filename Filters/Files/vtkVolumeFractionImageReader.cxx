@@ -1,6 +1,7 @@
 #include "vtkVolumeFractionImageReader.h"
 
 #include "Images/ImageSource.h"
+#include "InputTrust.h"
 
 #include "vtkObjectFactory.h"
 
@@ -13,8 +14,16 @@ vfm::ImageSource vtkVolumeFractionImageReader::Open()
   {
     request.Volume = this->Volume;
   }
-  return vfm::OpenImage(
+  const bool isTrusted = this->TrustInput;
+  const vfm::InputTrust trust(isTrusted);
+  vfm::ImageSource source = vfm::OpenImage(
     this->FileName, { { this->Spacing[0], this->Spacing[1], this->Spacing[2] } }, request);
+  source.Read = [read = source.Read, isTrusted](const vfm::IndexBox& box, vfm::Ranks& ranks)
+  {
+    const vfm::InputTrust again(isTrusted);
+    return read(box, ranks);
+  };
+  return source;
 }
 
 void vtkVolumeFractionImageReader::PrintSelf(ostream& os, vtkIndent indent)
@@ -24,4 +33,5 @@ void vtkVolumeFractionImageReader::PrintSelf(ostream& os, vtkIndent indent)
      << this->Spacing[2] << "\n";
   os << indent << "CellArray: " << this->CellArray << "\n";
   os << indent << "Volume: " << this->Volume << "\n";
+  os << indent << "TrustInput: " << this->TrustInput << "\n";
 }

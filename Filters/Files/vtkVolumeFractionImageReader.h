@@ -64,6 +64,16 @@ public:
   vtkGetMacro(Volume, int);
   ///@}
 
+  ///@{
+  /**
+   * Whether the header may name files outside of its folder, and lines and compression ratios are
+   * not limited. Default off.
+   */
+  vtkSetMacro(TrustInput, bool);
+  vtkGetMacro(TrustInput, bool);
+  vtkBooleanMacro(TrustInput, bool);
+  ///@}
+
 protected:
   vtkVolumeFractionImageReader() = default;
   ~vtkVolumeFractionImageReader() override = default;
@@ -73,6 +83,7 @@ protected:
   double Spacing[3] = { 0.0, 0.0, 0.0 };
   std::string CellArray = "FeatureIds";
   int Volume = -1;
+  bool TrustInput = false;
 
 private:
   vtkVolumeFractionImageReader(const vtkVolumeFractionImageReader&) = delete;

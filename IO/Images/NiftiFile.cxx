@@ -113,6 +113,13 @@ int FindType(const NiftiHeader& header)
   {
     if (number == told)
     {
+      const Index bits = static_cast<Index>(header.Number<std::int16_t, std::int16_t>(72, 14));
+      if (bits != 0 && bits != 8 * WidthOfType(type))
+      {
+        throw InputError("its values of type " + std::to_string(told) + " of NIfTI have " +
+          std::to_string(bits) + " bits (bitpix), where " +
+          std::to_string(8 * WidthOfType(type)) + " are required.");
+      }
       return type;
     }
   }
@@ -129,7 +136,8 @@ Index3 FindSize(const NiftiHeader& header)
       " dimensions; three are required.");
   }
   const auto size = [&](int i) { return i <= dimensions ? ToSize(header.Dimension(i)) : 1; };
-  const Index values = size(5);
+  const auto some = [&](int i) { return std::max<Index>(size(i), 1); };
+  const Index values = CountCells({ { some(5), some(6), some(7) } });
   if (values > 1)
   {
     throw InputError("it has " + std::to_string(values) +
@@ -286,7 +294,7 @@ ImageFile OpenNifti(const std::string& path, const ImageRequest& request)
   CheckFiles(stored, image.Place.Size);
   image.Volumes = CountVolumes(header);
   const Index volume = SelectVolume(request, image.Volumes, "times, or maps of several regions");
-  stored.Skip += static_cast<Index>(stored.CountBytes(image.Place.Size)) * volume;
+  stored.Skip += CountCells({ { stored.CountBytes(image.Place.Size), volume, 1 } });
   CheckFiles(stored, image.Place.Size);
   const bool isTurned = SetPlace(header, image.Place);
   double slope = header.Real(112, 176), intercept = header.Real(116, 184);
