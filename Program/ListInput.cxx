@@ -165,7 +165,8 @@ void PrintMaterials(const ChosenArrays& arrays, const std::vector<int>& labels, 
     to << ": none found; name their arrays (--fractions A,B,.. or --labels ARRAY)\n";
     return;
   }
-  to << " from " << MakePrintable(arrays.Labels.empty() ? JoinTexts(arrays.Fractions) : arrays.Labels) << " ("
+  to << " from "
+     << MakePrintable(arrays.Labels.empty() ? JoinTexts(arrays.Fractions) : arrays.Labels) << " ("
      << arrays.How << ")\n";
   for (std::size_t m = 0; m < arrays.Fractions.size(); ++m)
   {

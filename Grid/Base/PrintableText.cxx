@@ -22,9 +22,11 @@ Character DecodeCharacter(const std::string& text, std::size_t at)
   {
     return { first, 1 };
   }
-  const std::size_t length = first < 0xc2 ? 0 : first < 0xe0 ? 2 : first < 0xf0 ? 3
-    : first < 0xf5                                                             ? 4
-                                                                               : 0;
+  const std::size_t length = first < 0xc2 ? 0
+    : first < 0xe0                        ? 2
+    : first < 0xf0                        ? 3
+    : first < 0xf5                        ? 4
+                                          : 0;
   if (length == 0 || at + length > text.size())
   {
     return {};

@@ -117,8 +117,8 @@ int FindType(const NiftiHeader& header)
       if (bits != 0 && bits != 8 * WidthOfType(type))
       {
         throw InputError("its values of type " + std::to_string(told) + " of NIfTI have " +
-          std::to_string(bits) + " bits (bitpix), where " +
-          std::to_string(8 * WidthOfType(type)) + " are required.");
+          std::to_string(bits) + " bits (bitpix), where " + std::to_string(8 * WidthOfType(type)) +
+          " are required.");
       }
       return type;
     }
@@ -132,8 +132,8 @@ Index3 FindSize(const NiftiHeader& header)
   const double dimensions = header.Dimension(0);
   if (!(dimensions >= 0.0 && dimensions <= 7.0))
   {
-    throw InputError("its image has " + FormatNumber(dimensions) +
-      " dimensions; three are required.");
+    throw InputError(
+      "its image has " + FormatNumber(dimensions) + " dimensions; three are required.");
   }
   const auto size = [&](int i) { return i <= dimensions ? ToSize(header.Dimension(i)) : 1; };
   const auto some = [&](int i) { return std::max<Index>(size(i), 1); };

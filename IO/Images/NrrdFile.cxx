@@ -52,8 +52,7 @@ LabelNames NameSegments(const std::vector<NrrdSegment>& segments, std::optional<
   {
     if (!layer || segment.Layer == *layer)
     {
-      AddLabelName(
-        names, layer ? static_cast<int>(segment.Value) : segment.Label, segment.Name);
+      AddLabelName(names, layer ? static_cast<int>(segment.Value) : segment.Label, segment.Name);
     }
   }
   return names;

@@ -1,5 +1,5 @@
-#include "Images/ImageFile.h"
 #include "CellCount.h"
+#include "Images/ImageFile.h"
 #include "OpenFile.h"
 #include "Ranks/Errors.h"
 
