@@ -19,8 +19,8 @@ public:
 
   static bool IsGiven() { return Current(); }
   /// Advice for messages about a limit.
-  static constexpr const char* Advice =
-    "If you trust the file, use the option trust-input (TrustInput in ParaView).";
+  static constexpr const char* Advice = "If you trust the file, use --trust-input (sculptor) or "
+                                        "TrustInput (ParaView).";
 
 private:
   static bool& Current()

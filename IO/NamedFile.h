@@ -31,8 +31,9 @@ inline std::string FindNamedFile(const std::string& header, const std::string& n
     return path.string();
   }
   std::error_code error;
-  const fs::path top = fs::weakly_canonical(folder.empty() ? fs::path(".") : folder, error);
-  const fs::path there = error ? fs::path() : fs::weakly_canonical(path, error);
+  const fs::path here = fs::current_path(error); // missing relative paths would stay relative
+  const fs::path top = fs::canonical(here / folder, error);
+  const fs::path there = error ? fs::path() : fs::weakly_canonical(here / path, error);
   const auto end = std::mismatch(top.begin(), top.end(), there.begin(), there.end()).first;
   if (error || end != top.end())
   {

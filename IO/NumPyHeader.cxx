@@ -91,7 +91,9 @@ void SetType(const std::string& type, NumPyHeader& header)
   header.Kind = type[kind];
   const char *begin = type.data() + kind + 1, *end = type.data() + type.size();
   const auto [stop, error] = std::from_chars(begin, end, header.Size);
-  if (kind > 1 || (begin < end && header.Kind != 'M' && header.Kind != 'm' && (error != std::errc() || stop != end)))
+  if (kind > 1 ||
+    (begin < end && header.Kind != 'M' && header.Kind != 'm' &&
+      (error != std::errc() || stop != end)))
   {
     header.Kind = 0;
   }

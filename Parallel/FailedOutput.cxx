@@ -1,5 +1,6 @@
 #include "FailedOutput.h"
 
+#include "Base/PrintableText.h"
 #include "EmptyOutput.h"
 
 #include "vtkAlgorithm.h"
@@ -46,7 +47,7 @@ void MarkFailed(vtkInformationVector* outputs, const char* text) noexcept
 void Fail(vtkAlgorithm* algorithm, vtkInformationVector* outputs, const char* text)
 {
   MarkFailed(outputs, text);
-  vtkErrorWithObjectMacro(algorithm, << text);
+  vtkErrorWithObjectMacro(algorithm, << MakePrintable(text));
 }
 
 const char* FindFailure(vtkDataObject* data) noexcept

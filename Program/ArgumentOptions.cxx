@@ -56,6 +56,8 @@ const std::vector<ArgumentOption> OwnOptions{
   { "--binary", "", "write a .msh file or an OpenFOAM case in binary form instead of text" },
   { "--reduced", "", "write C3D20R instead of C3D20 in an .inp file" },
   { "--no-interfaces", "", "leave the faces between elements out of a .msh file, for deal.II" },
+  { "--trust-input", "",
+    "the input may name files outside of its folder; no limit of lines and compression ratio" },
   { "--quiet", "", "print neither progress nor table" },
   { "--help", "", "print this text; also -h" },
   { "--version", "", "print the version" },

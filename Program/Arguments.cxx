@@ -231,6 +231,7 @@ Arguments ReadValues(const GivenArguments& given)
   to.Time = ReadValue(given, "--time", "a number",
     [](const std::string& text) { return ParseNumber(text, -LargestNumber, LargestNumber); });
   to.Form = ReadForm(given);
+  to.TrustsInput = given.count("--trust-input") > 0;
   to.Quiet = given.count("--quiet") > 0;
   return to;
 }
@@ -400,7 +401,7 @@ Arguments ParseArguments(const std::vector<std::string>& words)
     case Command::List:
       CheckTaken(given, "--list",
         { "--input", "--dimensions", "--origin", "--spacing", "--volume", "--axis-order", "--step",
-          "--time", "--list" });
+          "--time", "--trust-input", "--list" });
       CheckInput(arguments);
       break;
     case Command::Mesh:

@@ -44,6 +44,7 @@ struct Arguments
   std::optional<int> Step;    ///< index of a time of the input, from 0
   std::optional<double> Time; ///< time of the input, the nearest one is used
   OutputForm Form;            ///< form of the output
+  bool TrustsInput = false;   ///< InputTrust
   bool Quiet = false;
 };
 

@@ -1,6 +1,7 @@
 #include "ListInput.h"
 
 #include "Base/ParseText.h"
+#include "Base/PrintableText.h"
 #include "ChooseArrays.h"
 #include "Ranks/WorkTogether.h"
 #include "ReadInput.h"
@@ -144,13 +145,13 @@ void PrintArrays(const std::vector<ArrayInfo>& arrays, const std::vector<Content
   std::size_t width = 28;
   for (const ArrayInfo& array : arrays)
   {
-    width = std::max(width, array.Name.size() + 2);
+    width = std::max(width, MakePrintable(array.Name).size() + 2);
   }
   const int w = static_cast<int>(width);
   to << "\n" << Print("%-*s%-20s%11s%14s%14s\n", w, what, "type", "components", "least", "most");
   for (const ArrayInfo& array : arrays)
   {
-    std::string name = array.Name;
+    std::string name = MakePrintable(array.Name);
     name.resize(width, ' ');
     to << name << Print("%-20s%11d", NameOfType(array.Type), array.Components)
        << (array.Components == 1 ? Print("%14.6g%14.6g", array.Least, array.Most) : "") << "\n";
@@ -173,11 +174,12 @@ void PrintMaterials(const ChosenArrays& arrays, const std::vector<int>& labels, 
     to << arrays.Problem << (arrays.Problem.empty() ? "" : "\n");
     return;
   }
-  to << " from " << (arrays.Labels.empty() ? JoinTexts(arrays.Fractions) : arrays.Labels) << " ("
+  to << " from "
+     << MakePrintable(arrays.Labels.empty() ? JoinTexts(arrays.Fractions) : arrays.Labels) << " ("
      << arrays.How << ")\n";
   for (std::size_t m = 0; m < arrays.Fractions.size(); ++m)
   {
-    to << Print("%8zu  ", m + 1) << arrays.Fractions[m] << "\n";
+    to << Print("%8zu  ", m + 1) << MakePrintable(arrays.Fractions[m]) << "\n";
   }
   for (int label : labels)
   {
@@ -214,7 +216,7 @@ void ListInput(const Arguments& arguments, Ranks& ranks, std::ostream& to)
   {
     return;
   }
-  to << arguments.Input << "\n";
+  to << MakePrintable(arguments.Input) << "\n";
   PrintTimes(input, to);
   PrintGrid(pieces, input.IsOne, isOfPoints, to);
   if (!cells.empty() || points.empty())

@@ -1,6 +1,7 @@
 #include "MakeMesh.h"
 
 #include "Base/ParseText.h"
+#include "Base/PrintableText.h"
 #include "Base/ThreadRuntime.h"
 #include "CollectBlocks.h"
 #include "Labels/ReadLabelNames.h"
@@ -125,7 +126,7 @@ MesherResult MakeMesh(const Arguments& arguments, const Input& input, const Chos
   CheckElements(result.TheMesh, arrays, ranks);
   for (const std::string& warning : found)
   {
-    std::cerr << (ranks.Rank() == 0 ? "sculptor: warning: " + warning + "\n" : "");
+    std::cerr << (ranks.Rank() == 0 ? "sculptor: warning: " + MakePrintable(warning) + "\n" : "");
   }
   if (warnings)
   {

@@ -1,5 +1,7 @@
 #include "PrintSummary.h"
 
+#include "Base/PrintableText.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -75,7 +77,7 @@ void PrintMaterials(const MeshSummary& summary, std::ostream& to)
   for (std::size_t m = 0; m < listed; ++m)
   {
     const PartSummary& part = summary.Materials[m];
-    names.push_back(std::to_string(part.Material) + " " + part.Name);
+    names.push_back(std::to_string(part.Material) + " " + MakePrintable(part.Name));
   }
   const std::size_t width = FindWidth(names);
   to << PrintHead(Padded("material", width)) << Print("%14s%13s", "target", "error") << "\n";
@@ -98,7 +100,7 @@ void PrintState(const MeshSummary& summary, std::ostream& to)
      << Print("%16s%16s%14s", "of the cells", "of the mesh", "not meshed") << "\n";
   for (const StateTotal& total : summary.State)
   {
-    to << Padded(total.Name, LeastWidth)
+    to << Padded(MakePrintable(total.Name), LeastWidth)
        << Print("%16.9g%16.9g%14.6g", total.Input, total.Mesh, total.Unmeshed) << "\n";
   }
   if (summary.LostToElements != 0.0 || summary.LostToNodes != 0.0)

@@ -4,9 +4,11 @@
 #include "ArgumentOptions.h"
 #include "Arguments.h"
 #include "Base/ParseText.h"
+#include "Base/PrintableText.h"
 #include "BuiltInTest.h"
 #include "ChooseArrays.h"
 #include "EndBySignal.h"
+#include "InputTrust.h"
 #include "ListInput.h"
 #include "MakeMesh.h"
 #include "Meshes/Files/WriteTable.h"
@@ -59,12 +61,12 @@ std::string DescribeMaterials(const ChosenArrays& arrays)
 
 void PrintHead(const Arguments& arguments, const Input& input, const ChosenArrays& arrays)
 {
-  std::cout << arguments.Input << " -> " << arguments.Output << "\n";
+  std::cout << MakePrintable(arguments.Input + " -> " + arguments.Output) << "\n";
   if (input.Time)
   {
     std::cout << "time " << *input.Time << "\n";
   }
-  std::cout << "materials from " << DescribeMaterials(arrays) << "\n\n";
+  std::cout << "materials from " << MakePrintable(DescribeMaterials(arrays)) << "\n\n";
 }
 
 /// Returns the arrays of the mesh that hold the densities. If arrays of several materials became
@@ -185,7 +187,7 @@ void MeshFile(const Arguments& arguments, Ranks& ranks)
   const ChosenArrays arrays = ChooseArrays(input, arguments, ranks);
   if (ranks.Rank() == 0 && !arrays.Warning.empty())
   {
-    std::cerr << "sculptor: warning: " << arrays.Warning << "\n";
+    std::cerr << "sculptor: warning: " << MakePrintable(arrays.Warning) << "\n";
   }
   times.Add("read");
   std::vector<std::string> warnings;
@@ -217,6 +219,7 @@ int StatusOf(ErrorCode code)
 int Work(const Arguments& arguments, Ranks& ranks)
 {
   const bool isFirst = ranks.Rank() == 0;
+  const InputTrust trust(arguments.TrustsInput);
   switch (arguments.Task)
   {
     case Command::Help:
@@ -251,13 +254,13 @@ int Run(const std::vector<std::string>& words, Ranks& ranks)
   {
     if (ranks.Rank() == 0)
     {
-      std::cerr << "sculptor: " << error.what() << "\n";
+      std::cerr << "sculptor: " << MakePrintable(error.what()) << "\n";
     }
     return StatusOf(error.Code());
   }
   catch (const std::exception& error)
   {
-    std::cerr << "sculptor: internal error: " << error.what() << std::endl;
+    std::cerr << "sculptor: internal error: " << MakePrintable(error.what()) << std::endl;
     if (ranks.Count() > 1)
     {
       // Other ranks may be waiting for a message.

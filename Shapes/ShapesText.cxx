@@ -1,10 +1,12 @@
 #include "Shapes/ShapesText.h"
 
+#include "Base/ParseText.h"
 #include "Base/Runtime.h"
 #include "Shapes/ShapesScenes.h"
 
-#include <cstdlib>
+#include <limits>
 #include <map>
+#include <optional>
 #include <sstream>
 
 namespace vfm
@@ -92,12 +94,14 @@ private:
     std::istringstream items(word.substr(equals + 1) + ",");
     for (std::string item; std::getline(items, item, ',');)
     {
-      char* end = nullptr;
-      values.push_back(std::strtod(item.c_str(), &end));
-      if (item.empty() || *end != '\0')
+      constexpr double most = std::numeric_limits<double>::max();
+      const bool hasPlus = item.size() > 1 && item[0] == '+' && item[1] != '-';
+      const std::optional<double> value = ParseNumber(hasPlus ? item.substr(1) : item, -most, most);
+      if (!value)
       {
-        this->Fail("'" + word + "': '" + item + "' is not a number.");
+        this->Fail("'" + word.substr(0, 80) + "': '" + item.substr(0, 80) + "' is not a number.");
       }
+      values.push_back(*value);
     }
     this->Values.emplace(name, values);
   }

@@ -1,6 +1,7 @@
 #include "vtkVolumeFractionImageReader.h"
 
 #include "Images/ImageSource.h"
+#include "InputTrust.h"
 
 #include "vtkObjectFactory.h"
 
@@ -19,8 +20,16 @@ vfm::ImageSource vtkVolumeFractionImageReader::Open()
   {
     request.Slices.clear();
   }
-  return vfm::OpenImage(
+  const bool isTrusted = this->TrustInput;
+  const vfm::InputTrust trust(isTrusted);
+  vfm::ImageSource source = vfm::OpenImage(
     this->FileName, { { this->Spacing[0], this->Spacing[1], this->Spacing[2] } }, request);
+  source.Read = [read = source.Read, isTrusted](const vfm::IndexBox& box, vfm::Ranks& ranks)
+  {
+    const vfm::InputTrust again(isTrusted);
+    return read(box, ranks);
+  };
+  return source;
 }
 
 void vtkVolumeFractionImageReader::AddSlice(const char* path)
@@ -49,4 +58,5 @@ void vtkVolumeFractionImageReader::PrintSelf(ostream& os, vtkIndent indent)
     os << " " << slice;
   }
   os << "\n";
+  os << indent << "TrustInput: " << this->TrustInput << "\n";
 }

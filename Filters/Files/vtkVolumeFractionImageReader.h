@@ -80,6 +80,16 @@ public:
   void RemoveAllSlices();
   ///@}
 
+  ///@{
+  /**
+   * Whether the header may name files outside of its folder, and lines and compression ratios are
+   * not limited. Default off.
+   */
+  vtkSetMacro(TrustInput, bool);
+  vtkGetMacro(TrustInput, bool);
+  vtkBooleanMacro(TrustInput, bool);
+  ///@}
+
 protected:
   vtkVolumeFractionImageReader() = default;
   ~vtkVolumeFractionImageReader() override = default;
@@ -90,6 +100,7 @@ protected:
   std::string CellArray = "FeatureIds";
   int Volume = -1;
   std::vector<std::string> Slices;
+  bool TrustInput = false;
 
 private:
   vtkVolumeFractionImageReader(const vtkVolumeFractionImageReader&) = delete;

@@ -90,8 +90,7 @@ public:
         this->Fail(what);
       }
     }
-    PrefixErrors(
-      this->Path + ": ", [&] { CountCells({ box.Size(0), box.Size(1), box.Size(2) }); });
+    PrefixErrors(this->Path + ": ", [&] { CountCells({ box.Size(0), box.Size(1), box.Size(2) }); });
     return box;
   }
   void Bytes(char* to, std::int64_t count)

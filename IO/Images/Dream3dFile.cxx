@@ -1,7 +1,7 @@
 #include "Base/ParseText.h"
+#include "CellCount.h"
 #include "Images/Hdf5.h"
 #include "Images/ImageFile.h"
-#include "CellCount.h"
 #include "InputTrust.h"
 #include "OpenFile.h"
 
@@ -298,11 +298,9 @@ void CheckLinks(hid_t file)
   };
   std::string found;
   // Each group is visited once, also if links form cycles.
-  if (!InputTrust::IsGiven() &&
-    H5Lvisit(file, H5_INDEX_NAME, H5_ITER_NATIVE, check, &found) > 0)
+  if (!InputTrust::IsGiven() && H5Lvisit(file, H5_INDEX_NAME, H5_ITER_NATIVE, check, &found) > 0)
   {
-    throw InputError(
-      "its link '" + found + "' leads to another file. " + InputTrust::Advice);
+    throw InputError("its link '" + found + "' leads to another file. " + InputTrust::Advice);
   }
 }
 

@@ -25,7 +25,8 @@ std::optional<Index> ParseInteger(const std::string& word);
 /// Returns the numbers of a field.
 /// @param field  name of the field, for the message
 /// @throws InputError  if the text is not `count` numbers
-std::vector<double> ParseReals(const std::string& field, const std::string& text, std::size_t count);
+std::vector<double> ParseReals(
+  const std::string& field, const std::string& text, std::size_t count);
 std::vector<Index> ParseIntegers(
   const std::string& field, const std::string& text, std::size_t count);
 

@@ -15,8 +15,8 @@ namespace vfm
 namespace
 {
 
-constexpr double LargestCosine = 1e-4;  // an error of 0.03 cells over an image of 300 cells
-constexpr Index LargestRatio = 5000; // compression ratio; LZW of TIFF can reach half of it
+constexpr double LargestCosine = 1e-4; // an error of 0.03 cells over an image of 300 cells
+constexpr Index LargestRatio = 5000;   // compression ratio; LZW of TIFF can reach half of it
 
 /// Returns the length of a vector; exact for vectors along axes.
 double Length(const Vector3& a)

@@ -114,6 +114,13 @@ int FindType(const NiftiHeader& header)
   {
     if (number == told)
     {
+      const Index bits = static_cast<Index>(header.Number<std::int16_t, std::int16_t>(72, 14));
+      if (bits != 0 && bits != 8 * WidthOfType(type))
+      {
+        throw InputError("its values of type " + std::to_string(told) + " of NIfTI have " +
+          std::to_string(bits) + " bits (bitpix), where " + std::to_string(8 * WidthOfType(type)) +
+          " are required.");
+      }
       return type;
     }
   }
@@ -126,11 +133,12 @@ Index3 FindSize(const NiftiHeader& header)
   const double dimensions = header.Dimension(0);
   if (!(dimensions >= 0.0 && dimensions <= 7.0))
   {
-    throw InputError("its image has " + FormatNumber(dimensions) +
-      " dimensions; three are required.");
+    throw InputError(
+      "its image has " + FormatNumber(dimensions) + " dimensions; three are required.");
   }
   const auto size = [&](int i) { return i <= dimensions ? ToSize(header.Dimension(i)) : 1; };
-  const Index values = size(5);
+  const auto some = [&](int i) { return std::max<Index>(size(i), 1); };
+  const Index values = CountCells({ { some(5), some(6), some(7) } });
   if (values > 1)
   {
     throw InputError("it has " + std::to_string(values) +

@@ -1,23 +1,32 @@
 #include "Images/ImageFile.h"
 #include "Images/NrrdHeader.h"
+#include "Images/NrrdSegments.h"
 #include "Images/StoredValues.h"
 #include "Ranks/Errors.h"
 
+#include <optional>
+
 namespace vfm
 {
-
-ImageFile OpenNrrd(const std::string& path, const ImageRequest&)
+namespace
 {
-  const NrrdHeader header = ReadNrrdHeader(path);
-  ImageFile image;
-  image.Place.Size = header.Size;
+
+ImagePlace FindPlace(const NrrdHeader& header)
+{
+  ImagePlace place;
+  place.Size = header.Size;
   if (!AreAtRightAngles(header.Steps))
   {
     throw InputError("its space directions are not at right angles.");
   }
-  SetSteps(header.Steps, image.Place);
-  image.Place.Origin = header.Origin;
-  CheckPlace(image.Place);
+  SetSteps(header.Steps, place);
+  place.Origin = header.Origin;
+  CheckPlace(place);
+  return place;
+}
+
+StoredValues FindValues(const std::string& path, const NrrdHeader& header)
+{
   StoredValues stored;
   stored.Type = header.Type;
   stored.AreCompressed = !header.IsRaw;
@@ -32,9 +41,64 @@ ImageFile OpenNrrd(const std::string& path, const ImageRequest&)
     stored.Skip = header.Skip;
   }
   CheckFiles(stored, header.StoredSize());
+  return stored;
+}
+
+/// Returns the names of the labels of the image, and of all labels of a layer if one is selected.
+LabelNames NameSegments(const std::vector<NrrdSegment>& segments, std::optional<int> layer)
+{
+  LabelNames names;
+  for (const NrrdSegment& segment : segments)
+  {
+    if (!layer || segment.Layer == *layer)
+    {
+      AddLabelName(names, layer ? static_cast<int>(segment.Value) : segment.Label, segment.Name);
+    }
+  }
+  return names;
+}
+
+/// Reads a box of one image, or of the merged layers if there are segments and no selected image.
+TypedValues ReadImage(const StoredValues& stored, const NrrdHeader& header,
+  const std::vector<NrrdSegment>& segments, std::optional<int> volume, IndexBox box)
+{
+  if (!header.HasLayersFirst)
+  {
+    box.Lower[2] += volume.value_or(0) * header.Size[2];
+    box.Upper[2] += volume.value_or(0) * header.Size[2];
+  }
+  else
+  {
+    box.Lower[0] *= header.Layers;
+    box.Upper[0] *= header.Layers;
+  }
+  TypedValues values = ReadStored(stored, header.StoredSize(), box);
+  if (header.Layers == 1 || !header.HasLayersFirst)
+  {
+    return values;
+  }
+  return volume ? TakeLayer(values, header.Layers, *volume)
+                : MergeLayers(values, header.Layers, segments);
+}
+
+} // namespace
+
+ImageFile OpenNrrd(const std::string& path, const ImageRequest& request)
+{
+  const NrrdHeader header = ReadNrrdHeader(path);
+  const std::vector<NrrdSegment> segments = ListSegments(header.Fields);
+  const bool areMerged = header.HasLayersFirst && !segments.empty() && !request.Volume;
+  ImageFile image;
+  image.Place = FindPlace(header);
+  image.Volumes = areMerged ? 1 : header.Layers;
+  const std::optional<int> volume = areMerged || header.Layers == 1
+    ? std::nullopt
+    : std::optional<int>(static_cast<int>(SelectVolume(request, image.Volumes, "layers")));
+  image.Names = NameSegments(segments, volume);
+  const StoredValues stored = FindValues(path, header);
   image.ReadsParts = header.IsRaw;
-  image.Read = [stored, size = header.Size](const IndexBox& box)
-  { return ReadStored(stored, size, box); };
+  image.Read = [stored, header, segments, volume](const IndexBox& box)
+  { return ReadImage(stored, header, segments, volume, box); };
   return image;
 }
 

@@ -49,8 +49,7 @@ std::string DropLayers(
   return kept;
 }
 
-void ReadSteps(
-  const NrrdFields& fields, std::optional<std::size_t> layers, NrrdHeader& header)
+void ReadSteps(const NrrdFields& fields, std::optional<std::size_t> layers, NrrdHeader& header)
 {
   if (fields.Has("space directions"))
   {

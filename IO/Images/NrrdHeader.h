@@ -16,7 +16,7 @@ namespace vfm
 /// Size, place and storage of the values of an NRRD file.
 struct NrrdHeader
 {
-  Index3 Size{}; ///< number of values along each axis in space
+  Index3 Size{};              ///< number of values along each axis in space
   Index Layers = 1;           ///< number of images
   bool HasLayersFirst = true; ///< the layers of a point follow one another; otherwise the images do
   /// Vector from one value to the next along each axis.

@@ -76,8 +76,8 @@ int MergePoint(const Value* values, Index layers, const std::vector<NrrdSegment>
     const bool isLabel = value > Value(0) &&
       static_cast<double>(value) <= std::numeric_limits<int>::max() &&
       static_cast<Value>(static_cast<Index>(value)) == value;
-    const NrrdSegment& segment = FindSegment(segments, layer,
-      isLabel ? std::optional<Index>(static_cast<Index>(value)) : std::nullopt);
+    const NrrdSegment& segment = FindSegment(
+      segments, layer, isLabel ? std::optional<Index>(static_cast<Index>(value)) : std::nullopt);
     if (found)
     {
       throw InputError("its segments '" + found->Name + "' and '" + segment.Name +
@@ -119,8 +119,8 @@ TypedValues TakeLayer(const TypedValues& stored, Index layers, Index layer)
   TypedValues values = MakeValues("", stored.Type, count);
   for (Index i = 0; i < count; ++i)
   {
-    std::memcpy(values.Bytes.data() + i * width,
-      stored.Bytes.data() + (i * layers + layer) * width, static_cast<std::size_t>(width));
+    std::memcpy(values.Bytes.data() + i * width, stored.Bytes.data() + (i * layers + layer) * width,
+      static_cast<std::size_t>(width));
   }
   return values;
 }
@@ -128,8 +128,7 @@ TypedValues TakeLayer(const TypedValues& stored, Index layers, Index layer)
 TypedValues MergeLayers(
   const TypedValues& stored, Index layers, const std::vector<NrrdSegment>& segments)
 {
-  const Index count =
-    static_cast<Index>(stored.Bytes.size()) / (layers * WidthOfType(stored.Type));
+  const Index count = static_cast<Index>(stored.Bytes.size()) / (layers * WidthOfType(stored.Type));
   TypedValues labels = MakeValues("", ValueType::Int, count);
   int* to = reinterpret_cast<int*>(labels.Bytes.data());
   VisitType(stored.Type,

@@ -27,7 +27,7 @@ ALLOWED.update({
     "IO": BASE + MESHER,
     "IO/Images": BASE + MESHER + ("IO",),
     "IO/Blocks": BASE + MESHER + ("IO",),
-    "IO/Labels": BASE + ("Mesher/Input", "Mesher/Summary"),
+    "IO/Labels": BASE + ("Mesher/Input", "Mesher/Summary", "IO"),
     "IO/Meshes": BASE + MESHER + ("IO",),
     "IO/Report": BASE + MESHER + ("IO", "IO/Meshes"),
     "Filters": GRID + MESHER + ("Shapes", "Parallel", "IO/Labels", "Filters/Data"),
@@ -49,7 +49,8 @@ ALLOWED.update({
     "Testing/Benchmarks": GRID + (
         "Mesher/Input", "IO", "IO/Images", "Shapes", "Filters", "Testing/Support"),
     "Testing/IO": GRID + MESHER + (
-        "Shapes", "IO/Meshes", "IO/Report", "Testing/Inputs", "Testing/Support"),
+        "Shapes", "IO", "IO/Blocks", "IO/Images", "IO/Labels", "IO/Meshes", "IO/Report",
+        "Testing/Inputs", "Testing/Support"),
     "Testing/Mesher": GRID + MESHER + ("Shapes", "Testing/Inputs", "Testing/Support"),
     "Testing/Parallel": BASE + ("Parallel", "Testing/Support"),
     "Testing/Digests": GRID + MESHER + ("Shapes", "Testing/Inputs"),

@@ -1,6 +1,7 @@
 /**
  * Module: the Python module _core; _core.pyi describes its functions.
  */
+#include "Base/PrintableText.h"
 #include "BindChoice.h"
 #include "FileBlocks.h"
 #include "FindFaces.h"
@@ -153,7 +154,7 @@ void TranslateError(const std::exception_ptr& raised, void*)
     PyErr_SetString(code == vfm::ErrorCode::OutOfMemory ? PyExc_MemoryError
         : code == vfm::ErrorCode::UnwritableOutput      ? PyExc_OSError
                                                         : PyExc_ValueError,
-      error.what());
+      vfm::MakePrintable(error.what()).c_str()); // Python requires UTF-8
   }
 }
 

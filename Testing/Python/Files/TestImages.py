@@ -371,7 +371,7 @@ def test_refused(at):
              "its image has 4 dimensions"),
             (save(at("sizes.nrrd"),
                   b"NRRD0004\ntype: uchar\ndimension: 3\nsizes: 3 x\nencoding: raw\n\n", bytes(27)),
-             "its header says 'sizes: 3 x', where 3 numbers are required"),
+             "its header says 'sizes: 3 x', where 3 integers are required"),
             (save(at("text.mha"), b"hello\n"), "it is not a MetaImage file"),
             (save(at("dims.mhd"),
                   b"ObjectType = Image\nNDims = 999999999\nDimSize = 1 1 1\n"
