@@ -14,28 +14,29 @@ namespace
 
 constexpr double MostPoints = 1125899906842624.0; // 2^50
 
-[[noreturn]] void RejectAttribute(
-  const XmlElement& element, const std::string& name, const char* as)
+[[noreturn]] void RejectInts(const XmlElement& element, const std::string& name, const char* as)
 {
   RejectVtkFile("its " + element.Name + " has " + name + "=\"" + element.Get(name) +
     "\", which is not " + as + " in the allowed range");
 }
 
 /// Checks an attribute of some numbers, if the element has it.
-void CheckNumbers(const XmlElement& element, const std::string& name, int count, double least)
+void CheckNumbers(const XmlElement& element, const std::string& name, int count)
 {
+  constexpr double largest = std::numeric_limits<double>::max();
   std::istringstream words(element.Get(name));
   int found = 0;
   for (std::string word; words >> word; ++found)
   {
-    if (!ParseNumber(word, least, std::numeric_limits<double>::max()))
+    if (!ParseNumber(word, -largest, largest))
     {
-      RejectAttribute(element, name, "a list of numbers");
+      break;
     }
   }
   if (element.Attributes.count(name) > 0 && found != count)
   {
-    RejectAttribute(element, name, "a list of the required numbers");
+    RejectVtkFile("its " + element.Name + " has " + name + "=\"" + element.Get(name) + "\"; " +
+      std::to_string(count) + " numbers are required");
   }
 }
 
@@ -69,7 +70,7 @@ std::array<std::int64_t, Count> ReadVtkInts(
     const auto parsed = ParseCount(word, least, LargestVtkInt);
     if (!parsed)
     {
-      RejectAttribute(element, name, Count == 1 ? "an integer" : "six integers");
+      RejectInts(element, name, Count == 1 ? "an integer" : "six integers");
     }
     number = *parsed;
   }
@@ -133,9 +134,9 @@ void CheckVtkExtents(const XmlElement& grid, bool isPart)
   {
     RejectVtkFile("its pieces hold fewer cells than its WholeExtent, " + std::to_string(required));
   }
-  CheckNumbers(grid, "Origin", 3, -std::numeric_limits<double>::max());
-  CheckNumbers(grid, "Spacing", 3, std::numeric_limits<double>::min());
-  CheckNumbers(grid, "Direction", 9, -std::numeric_limits<double>::max());
+  CheckNumbers(grid, "Origin", 3);
+  CheckNumbers(grid, "Spacing", 3);
+  CheckNumbers(grid, "Direction", 9);
 }
 
 } // namespace vfm

@@ -105,7 +105,7 @@ private:
   const std::string& Path;
   const Format& Kind;
   int Part, Parts, Files = 0;
-  bool IsPart;
+  bool IsPart, HasBoxes = true; // whether blocks of levels have boxes of indices
   VtkStorage Storage;
 };
 
@@ -164,6 +164,7 @@ void FileCheck::CheckContents(const XmlElement& grid)
   }
   if (this->Kind.Holds == Contents::Blocks || this->Kind.Holds == Contents::Levels)
   {
+    this->HasBoxes = grid.Name != "vtkNonOverlappingAMR";
     this->CheckBlocks(grid);
     return;
   }
@@ -284,7 +285,7 @@ void FileCheck::CheckBlocks(const XmlElement& parent)
     }
     if (child.Name == "DataSet")
     {
-      if (areLevels)
+      if (areLevels && this->HasBoxes)
       {
         ReadVtkInts<6>(child, "amr_box", -LargestVtkInt);
       }

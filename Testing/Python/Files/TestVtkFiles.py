@@ -154,7 +154,7 @@ def test_damaged_grids(at):
     """Extents, numbers of cells, and places and lengths of arrays are checked."""
     labels = two_boxes()
     for old, new, text in (
-            (b'WholeExtent="0 14', b'WholeExtent="0 99999999999', "6 integers in the allowed"),
+            (b'WholeExtent="0 14', b'WholeExtent="0 99999999999', "six integers in the allowed"),
             (b'WholeExtent="0 14 0 12 0 10"',
              b'WholeExtent="%s"' % b" ".join([b"0 2000000000"] * 3), "has too many points"),
             (b'WholeExtent="0 14', b'WholeExtent="0 20', "fewer cells than its WholeExtent"),
