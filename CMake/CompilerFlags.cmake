@@ -11,6 +11,13 @@ if (VFM_WERROR)
   target_compile_options(vfm_flags INTERFACE -Werror)
 endif ()
 
+# Programs are position-independent, and addresses of functions are read-only after the start.
+include(CheckPIESupported)
+check_pie_supported()
+if (UNIX AND NOT APPLE)
+  add_link_options(LINKER:-z,relro LINKER:-z,now)
+endif ()
+
 # All code of a program must be instrumented. The first report ends the program.
 if (VFM_SANITIZE)
   add_compile_options("-fsanitize=${VFM_SANITIZE}" -fno-sanitize-recover=all -fno-omit-frame-pointer

@@ -120,7 +120,7 @@ TEST(WriteStl, TwoCubes)
     EXPECT_EQ(CountOpenEdges(solid), 0);
     EXPECT_DOUBLE_EQ(VolumeOf(solid), 1.0);
   }
-  EXPECT_EQ(ReadBytes(folder / "cubes.stl").substr(0, 115),
+  EXPECT_EQ(ReadBytes(folder / "cubes.stl").substr(0, 116),
     "solid a _b_\nfacet normal -1 0 0\nouter loop\nvertex 0 0 0\nvertex 0 0 1\nvertex 0 0.5 0.5\n"
     "endloop\nendfacet\nfacet normal ");
 }

@@ -1,9 +1,13 @@
-"""Checks where programs and libraries of a folder search for their libraries (RPATH, RUNPATH).
+"""Checks the programs and libraries of a folder for what protects them.
 
 usage: check_built_files.py FOLDER
 
-Each entry must be an absolute path or begin with $ORIGIN, the folder of the file: an empty or relative
-entry is searched in the working folder. Nobody except its owner may be able to put a file there.
+- RPATH and RUNPATH, the folders in which they search for their libraries: each entry must be an
+  absolute path or begin with $ORIGIN, the folder of the file, because an empty or relative entry is
+  searched in the working folder. Nobody except its owner may be able to put a file there.
+- Addresses of functions are bound at the start (BIND_NOW) and then read-only (GNU_RELRO).
+- Programs are position-independent (PIE).
+
 Checked are all files in the format ELF that the loader loads, except virtual environments of Python.
 """
 
@@ -13,7 +17,7 @@ import stat
 import subprocess
 import sys
 
-LOADED = (2, 3)  # ELF types: program, shared object
+PROGRAM, SHARED = 2, 3  # ELF types; programs that are position-independent are shared objects
 
 
 def elf_type(path):
@@ -29,13 +33,26 @@ def loaded_files(folder):
     for at, folders, names in os.walk(folder):
         folders[:] = [] if "pyvenv.cfg" in names else [f for f in folders if f != "CMakeFiles"]
         for path in (os.path.join(at, name) for name in names):
-            if not os.path.islink(path) and os.path.isfile(path) and elf_type(path) in LOADED:
+            if not os.path.islink(path) and os.path.isfile(path) and elf_type(path) in (PROGRAM, SHARED):
                 yield path
 
 
-def dynamic_section(path):
-    return subprocess.run(["readelf", "--dynamic", "--wide", path], check=True, text=True,
-                          stdout=subprocess.PIPE, env={**os.environ, "LC_ALL": "C"}).stdout
+def read_headers(path):
+    """Returns the dynamic section and the program headers as text."""
+    return subprocess.run(["readelf", "--dynamic", "--program-headers", "--wide", path], check=True,
+                          text=True, stdout=subprocess.PIPE,
+                          env={**os.environ, "LC_ALL": "C"}).stdout
+
+
+def hardening_errors(path, headers):
+    found = []
+    if not re.search(r"\(BIND_NOW\)|\(FLAGS\).*BIND_NOW|\(FLAGS_1\).*\bNOW\b", headers):
+        found.append("%s: addresses of functions are not bound at the start (BIND_NOW)" % path)
+    if "GNU_RELRO" not in headers:
+        found.append("%s: addresses of functions stay writable (GNU_RELRO)" % path)
+    if elf_type(path) == PROGRAM:
+        found.append("%s: the program is not position-independent (PIE)" % path)
+    return found
 
 
 def is_open_to_others(folder):
@@ -45,10 +62,10 @@ def is_open_to_others(folder):
     return bool(os.stat(folder).st_mode & stat.S_IWOTH)
 
 
-def run_path_errors(path, section):
+def run_path_errors(path, headers):
     """Returns what is wrong with the RPATH and RUNPATH of a file."""
     found = []
-    for value in re.findall(r"\((?:RPATH|RUNPATH)\).*\[(.*)\]", section):
+    for value in re.findall(r"\((?:RPATH|RUNPATH)\).*\[(.*)\]", headers):
         for entry in value.split(":"):
             place = re.sub(r"\$(ORIGIN\b|{ORIGIN})", lambda _: os.path.dirname(path), entry)
             if not os.path.isabs(place):
@@ -65,7 +82,8 @@ def main():
     errors, count = [], 0
     for path in loaded_files(folder):
         count += 1
-        errors += run_path_errors(path, dynamic_section(path))
+        headers = read_headers(path)
+        errors += run_path_errors(path, headers) + hardening_errors(path, headers)
     print("%d programs and libraries in %s" % (count, folder))
     assert count > 2, "too few programs and libraries were found"
     assert not errors, "\n" + "\n".join(errors)

@@ -47,7 +47,8 @@ HEADER = ("mesher", "cells", "kind", "CPU s", "wall s", "peak MB", "volume error
           "inverted", "distance", "open faces")
 PASSES = 3  # of smoothing of labels by this project
 NOT_HAD = {"iso2mesh": "PyPI has its functions, but not the programs that they run",
-           "Cleaver": "neither Debian nor PyPI has it", "Sculpt": "part of Cubit, under a licence"}
+           "Cleaver": "PyPI has it as itk-cleaver, which is not run yet",
+           "Sculpt": "part of Cubit, under a licence"}
 
 
 def parse_arguments():

@@ -148,4 +148,33 @@ def test_all_too_small():
     assert any("empty" in warning for warning in result.warnings)
 
 
+def distances_to_plane(normal, **properties):
+    """Returns the largest distances, in cells, of interface points on sides and inside."""
+    count, normal = 24, np.array(normal) / np.linalg.norm(normal)
+    z, y, x = np.indices((count, count, count)) + 0.5
+
+    def distance(x, y, z):
+        return np.stack([x, y, z], -1) @ normal - count / 2 * normal.sum() - 0.1
+
+    grid = image({"id": np.where(distance(x, y, z) < 0, 1, 2).astype(np.int32)})
+    grid.SetOrigin(0, 0, 0)
+    grid.SetSpacing(1, 1, 1)
+    result = mesh_of(grid, MaterialIdArray="id", **properties)
+    sides = vtk_to_numpy(result.surfaces.GetCellData().GetArray("DomainSide"))
+    points = vtk_to_numpy(result.surfaces.GetPoints().GetData())
+    points = points[np.unique(facets(result)[sides < 0])]
+    is_on_side = ((np.abs(points) < 1e-6) | (np.abs(points - count) < 1e-6)).any(axis=1)
+    far = np.abs(distance(*points.T))
+    return far[is_on_side].max(), far[~is_on_side].max()
+
+
+def test_interfaces_at_sides():
+    """Points of interfaces on the sides of the domain are off by more than inside (limits.md)."""
+    for properties, most in (({}, (1.35, 0.65)), ({"LabelSmoothing": 3}, (0.85, 0.35))):
+        found = [distances_to_plane(normal, **properties)
+                 for normal in ((1, 0.3, 0.2), (1, 0.1, 0.05), (1, 1, 0.3))]
+        print(properties, "on sides and inside:", ", ".join("%.3f %.3f" % pair for pair in found))
+        assert (np.max(found, axis=0) < most).all(), found
+
+
 main(globals())
