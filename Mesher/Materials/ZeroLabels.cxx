@@ -33,6 +33,11 @@ struct LabelCounts
 
 constexpr int AllCells = 3; // place after the three axes
 
+// Share at the sides over share in the domain, from which labels reach sides as materials do.
+// Measured: at least 0.86 for 15 of 16 tessellations of 3 to 30 grains; at most 0.8 for a ball and
+// a plate in empty space.
+constexpr double LeastRatio = 0.85;
+
 void CountRow(const IndexBox& global, const Index3& first, const std::vector<Index>& row,
   const InputBlock& block, LabelCounts& counts)
 {
@@ -87,7 +92,7 @@ bool ReachesSidesLikeLabels(const LabelCounts& counts, const IndexBox& global)
   for (int a = 0; a < 3; ++a)
   {
     const bool hasSides = global.Size(a) > 1 && counts.Cells(a) > 0;
-    if (hasSides && counts.Share(a) < 0.5 * counts.Share(AllCells))
+    if (hasSides && counts.Share(a) < LeastRatio * counts.Share(AllCells))
     {
       return false;
     }

@@ -12,7 +12,7 @@ namespace vfm
 
 /// Returns a note if cells with label 0 lie among the labels like a material, otherwise "".
 /// Compared are, across each axis with more than one cell, the shares of cells with other labels:
-/// at the sides of the domain at least half of the share in the domain. The background of a
+/// at the sides of the domain nearly the share in the domain. The background of a
 /// segmentation covers sides.
 /// @param blocks blocks of the coarsest level, whose cells fill the domain
 /// @param name array of labels, already checked

@@ -47,6 +47,7 @@ def run(proxy, fails=False):
     outputs = [algorithm.GetOutputDataObject(port) for port in (0, last)]
     if fails:
         return outputs, errors
+    warnings = [text for text in warnings if "is read as void" not in text]  # a note on label 0
     assert not errors and not warnings, (errors, warnings)
     return outputs
 

@@ -79,7 +79,7 @@ def test_volumes_of_noise():
     noise = np.random.default_rng(2).choice([0, 2, 3, 9], (7, 8, 9)).astype(np.int32)
     steps, smooth = (mesh_labels(noise, StairStep=1, LabelSmoothing=passes) for passes in (0, 4))
     assert np.allclose(steps.field("TargetVolume"), smooth.field("TargetVolume"), rtol=1e-6)
-    assert not smooth.warnings
+    assert all("is read as void" in text for text in smooth.warnings), smooth.warnings
 
 
 def test_refinement_of_smooth_labels():

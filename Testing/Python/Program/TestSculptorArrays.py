@@ -5,7 +5,7 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 
 from compare_meshes import difference, merge, read_pieces
 from sculptor_program import mesh_file, refused, rows, sculptor
-from vfmtest import add_array, in_folder, main, write
+from vfmtest import add_array, in_folder, labels, main, write
 
 
 def two_boxes(first, second, dtype):
@@ -148,8 +148,9 @@ def test_label_zero(at):
     hole[3:5, 3:5, 3:5] = 0
     result = sculptor(write(unit_image({"id": hole}), at("in.vti")), at("out.vtu"))
     assert "8 of 512 cells, 1.56 %. Other labels enclose it." in result.stderr, result
-    for quiet in (ball(np.int32), two_boxes(1, 2, np.int32), 1 + hole):
-        mesh_file(write(unit_image({"id": quiet}), at("in.vti")), at("out.vtu"))
+    for quiet in (ball(np.int32), two_boxes(1, 2, np.int32), 1 + hole, labels(16).astype(np.int32)):
+        result = sculptor(write(unit_image({"id": quiet}), at("in.vti")), at("out.vtu"))
+        assert result.returncode == 0 and result.stderr == "", result
 
 
 @in_folder
