@@ -307,7 +307,9 @@ TEST(Arguments, RejectedValues)
     { { "in.npy a.vtu --dimensions 1,2,3", "--dimensions is for .spn files." },
       { "in.vti a.vtu --origin 0,0,0", "--origin and --axis-order are for .spn and .npy files." },
       { "in.nii a.vtu --axis-order xyz", "--origin and --axis-order are for .spn and .npy files." },
-      { "in.vti a.vtu --spacing 1,1,1", "--spacing is for .nii, .nii.gz, .nrrd" } });
+      { "in.vti a.vtu --spacing 1,1,1", "--spacing is for .nii, .nii.gz, .mgz" },
+      { "in.vti a.vtu --volume 1", "--volume is for .nii, .nii.gz, .mgz" },
+      { "in.nii a.vtu --volume -1", "--volume takes an integer from 0, not '-1'." } });
 }
 
 TEST(Arguments, RejectedOptionsOfTheMesher)

@@ -14,10 +14,11 @@ import numpy as np
 
 from compare_meshes import difference
 from gold_meshes import CONTROLLER, RANK, RANKS, whole_mesh
-from image_files import save, write_dream3d, write_meta, write_nifti, write_nrrd, write_tiff
+from image_files import (
+    CARET, save, write_dream3d, write_meta, write_nifti, write_nrrd, write_pages, write_tiff)
 from vfmtest import (
-    ORIGIN, SPACING, LabelImageReader, VolumeFractionToHex, collect, image, held_class, main,
-    reduced, write, simple)
+    ORIGIN, SPACING, LabelImageReader, LabelSlicesReader, VolumeFractionToHex, collect, image,
+    held_class, main, reduced, write, simple)
 from voxels import grains, turned
 
 FOLDER = os.path.join(sys.argv[1], "images")
@@ -38,6 +39,9 @@ def write_files():
     write_meta(at("a.mha"), LABELS, MIDDLE)
     write_dream3d(at("a.dream3d"), LABELS, ORIGIN, SPACING)
     write_tiff(at("a.tif"), LABELS)
+    write_nifti(at("names.nii.gz"), LABELS, MIDDLE, extension=CARET)
+    for number, page in enumerate(LABELS):
+        write_pages(at("slice_%d.tif" % number), page[None])
     with open(write_nrrd(at("cut.nrrd"), LABELS, MIDDLE), "r+b") as file:
         file.truncate(400)
     save(at("text.nii"), b"hello\n" * 99)
@@ -72,8 +76,25 @@ def test_same_mesh():
                       "FeatureIds" if name.endswith("dream3d") else "Labels")
         problem = difference(merged, gold) if RANK == 0 else ""
         assert not problem, "%s: %s" % (name, problem)
-    assert reduced(int(mesh(LabelImageReader(FileName=[at("a.tif")], Spacing=SPACING)) is None),
-                   vtkCommunicator.SUM_OP) == RANKS - 1
+    gold = mesh(LabelImageReader(FileName=[at("a.tif")], Spacing=SPACING))
+    assert reduced(int(gold is None), vtkCommunicator.SUM_OP) == RANKS - 1
+    slices = [at("slice_%d.tif" % number) for number in range(len(LABELS))]
+    for files in (slices, [at("slice_*.tif")]):
+        merged = mesh(LabelSlicesReader(FileNames=files, Spacing=SPACING))
+        problem = difference(merged, gold) if RANK == 0 else ""
+        assert not problem, "%s: %s" % (files[0], problem)
+
+
+def test_names():
+    """All ranks name the materials as the file does."""
+    mesher = mesher_of(simple.OpenDataFile(at("names.nii.gz")))
+    mesher.UpdatePipeline()
+    names = mesher.GetClientSideObject().GetOutputDataObject(0).GetFieldData().GetAbstractArray(
+        "MaterialNames")
+    found = [names.GetValue(i) for i in range(names.GetNumberOfValues())]
+    same = reduced(int(found == ["liver", "left kidney", "liver (3)", "Material 4"]),
+                   vtkCommunicator.MIN_OP)
+    assert same == 1, found
 
 
 def is_same_everywhere(texts):
