@@ -1,9 +1,9 @@
 #include "MakeMesh.h"
 
-#include "Base/PrintableText.h"
 #include "Base/ThreadRuntime.h"
 #include "CollectBlocks.h"
 #include "Labels/ReadLabelNames.h"
+#include "Ranks/PrintableText.h"
 #include "Ranks/WorkTogether.h"
 
 #include <algorithm>
