@@ -1,7 +1,7 @@
 #include "FailedOutput.h"
 
-#include "Base/PrintableText.h"
 #include "EmptyOutput.h"
+#include "Ranks/PrintableText.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataObject.h"

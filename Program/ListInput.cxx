@@ -1,8 +1,8 @@
 #include "ListInput.h"
 
 #include "Base/ParseText.h"
-#include "Base/PrintableText.h"
 #include "ChooseArrays.h"
+#include "Ranks/PrintableText.h"
 #include "Ranks/WorkTogether.h"
 #include "ReadInput.h"
 

@@ -1,10 +1,10 @@
 #include "MakeMesh.h"
 
 #include "Base/ParseText.h"
-#include "Base/PrintableText.h"
 #include "Base/ThreadRuntime.h"
 #include "CollectBlocks.h"
 #include "Labels/ReadLabelNames.h"
+#include "Ranks/PrintableText.h"
 #include "Ranks/WorkTogether.h"
 
 #include <algorithm>

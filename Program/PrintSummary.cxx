@@ -1,6 +1,6 @@
 #include "PrintSummary.h"
 
-#include "Base/PrintableText.h"
+#include "Ranks/PrintableText.h"
 
 #include <algorithm>
 #include <cmath>

@@ -238,10 +238,10 @@ BoxValues Plotfile::FindValues(PlotfileText& file, const Block& block) const
   const std::int64_t arrays = static_cast<std::int64_t>(this->ArrayNames.size());
   file.Int(arrays, arrays, std::to_string(arrays) + " arrays" + place);
   const std::int64_t begin = file.Position() + 1;
-  if (begin < 0 || box.NumberOfCells() > (size - begin) / (arrays * bytes))
+  const std::int64_t end = begin + CountCells({ { box.NumberOfCells(), arrays, bytes } });
+  if (begin < 1 || end > size)
   {
-    file.Fail(std::to_string(arrays) + " arrays of " + std::to_string(box.NumberOfCells()) +
-      " values" + place + ", it has " + std::to_string(size) + " bytes");
+    file.Fail("bytes up to " + std::to_string(end) + ", it has " + std::to_string(size));
   }
   return { begin, static_cast<int>(bytes), (first > 1) != IsLittleEndian() };
 }

@@ -32,8 +32,13 @@ SpyPlotStream::SpyPlotStream(const std::string& path) : Path(path)
   PrefixErrors(path + " cannot be read: ",
     [&]
     {
-      this->Stream = OpenFile(path);
       this->Size = GetFileLength(path);
+      errno = 0;
+      this->Stream.open(path, std::ios::binary);
+      if (!this->Stream)
+      {
+        throw InputError(std::string(std::strerror(errno)) + ".");
+      }
     });
 }
 

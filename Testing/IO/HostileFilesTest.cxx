@@ -1,12 +1,12 @@
 /// Files that contradict themselves or name other files: an error with a message, never a wrong
 /// image. Sizes, numbers, lines, special files, and text for terminals.
-#include "Base/PrintableText.h"
 #include "Blocks/BlockFile.h"
 #include "CellCount.h"
 #include "FileCases.h"
 #include "Images/ImageFile.h"
 #include "InputTrust.h"
 #include "Labels/ReadLabelNames.h"
+#include "Ranks/PrintableText.h"
 #include "ReadLine.h"
 
 #include <hdf5.h>

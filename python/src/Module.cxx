@@ -1,7 +1,6 @@
 /**
  * Module: the Python module _core; _core.pyi describes its functions.
  */
-#include "Base/PrintableText.h"
 #include "BindChoice.h"
 #include "FileBlocks.h"
 #include "FindFaces.h"
@@ -11,6 +10,7 @@
 #include "MesherCall.h"
 #include "ModifyNumpyMesh.h"
 #include "PythonRuntime.h"
+#include "Ranks/PrintableText.h"
 #include "RunOptions.h"
 #include "ShapeFractions.h"
 #include "Shapes/ClosedSurface.h"

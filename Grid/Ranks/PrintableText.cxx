@@ -1,4 +1,4 @@
-#include "Base/PrintableText.h"
+#include "Ranks/PrintableText.h"
 
 #include <cstdint>
 
