@@ -63,6 +63,7 @@ FOLDERS = (
     ("InSitu/Catalyst/Legacy", "Legacy Catalyst."),
     ("InSitu/Catalyst/Catalyst2", "Catalyst 2."),
     ("Program", "The command-line tool `sculptor`."),
+    ("Program/VtkFiles", "Checks of files before VTK's readers open them."),
     ("Plugin", "The ParaView plugin."),
     ("Plugin/Domains", "Domains of the plugin's properties."),
     ("python/src", "The compiled module of the Python package."),
