@@ -2,8 +2,8 @@
 
 usage: TestUserTarget.py BUILD
 
-Reads the installed files from the scripts cmake_install.cmake, and the files that `user` builds from
-Ninja. Files that Ninja does not build must exist since CMake has run.
+Reads the installed files from the scripts cmake_install.cmake, and the files that `user` builds
+from Ninja. Files that Ninja does not build must exist since CMake has run.
 """
 
 import os

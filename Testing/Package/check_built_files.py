@@ -8,9 +8,11 @@ usage: check_built_files.py FOLDER
 - Addresses of functions are bound at the start (BIND_NOW) and then read-only (GNU_RELRO).
 - Programs are position-independent (PIE).
 
-Checked are all files in the format ELF that the loader loads, except virtual environments of Python.
+Checked are all files in the format ELF that the loader loads, in the folders bin and lib of a build
+folder or an installed tree.
 """
 
+import itertools
 import os
 import re
 import stat
@@ -29,11 +31,12 @@ def elf_type(path):
 
 
 def loaded_files(folder):
-    """Yields the paths of programs and shared libraries below a folder, without links."""
-    for at, folders, names in os.walk(folder):
-        folders[:] = [] if "pyvenv.cfg" in names else [f for f in folders if f != "CMakeFiles"]
+    """Yields the paths of programs and shared libraries in bin and lib, without links."""
+    walks = (os.walk(os.path.join(folder, part)) for part in ("bin", "lib"))
+    for at, _, names in itertools.chain(*walks):
         for path in (os.path.join(at, name) for name in names):
-            if not os.path.islink(path) and os.path.isfile(path) and elf_type(path) in (PROGRAM, SHARED):
+            is_file = os.path.isfile(path) and not os.path.islink(path)
+            if is_file and elf_type(path) in (PROGRAM, SHARED):
                 yield path
 
 

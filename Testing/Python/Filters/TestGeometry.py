@@ -1,4 +1,4 @@
-"""sculptor --geometry: surfaces, curves and vertices in one file.
+"""sculptor --geometry: surfaces, curves and vertices in one file; --surfaces: STL of materials.
 
 Any number of ranks writes identical bytes.
 """
@@ -11,7 +11,7 @@ from vtkmodules.vtkIOXML import vtkXMLMultiBlockDataReader
 from compare_meshes import difference, merge, read_pieces
 from sculptor_program import mesh_file, refused
 from vfmtest import (
-    VolumeFractionToTet, fraction_image, image, in_folder, main, mesh_of, write, simple)
+    VolumeFractionToTet, fraction_image, image, in_folder, main, mesh_of, producer, write, simple)
 
 BLOCKS = ["Surfaces", "Curves", "Vertices"]
 
@@ -102,6 +102,29 @@ def test_opens_in_paraview(at):
     curves = simple.ExtractBlock(Input=reader, Selectors=["/Root/Curves"])
     curves.UpdatePipeline()
     assert curves.CellData["CurveId"].GetRange()[0] == 1
+
+
+def read_bytes(path):
+    with open(path, "rb") as file:
+        return file.read()
+
+
+@in_folder
+def test_surfaces_of_materials(at):
+    """sculptor on any number of ranks and Save Data write the same surfaces."""
+    data = fraction_image()
+    path = write(data, at("in.vti"))
+    simple.SaveData(at("saved.stl"),
+                    proxy=producer(mesh_of(data, VolumeFractionArrays=["ball", "plate"]).mesh))
+    saved = read_bytes(at("saved.stl"))
+    names = [line.split(b" ", 1)[1].decode() for line in saved.splitlines()
+             if line.startswith(b"solid ")]
+    print("solids:", names)
+    assert names
+    for ranks in (1, 3):
+        mesh_file(path, at("parts.stl"), "--surfaces", at("part_{}.stl"), ranks=ranks)
+        assert read_bytes(at("parts.stl")) == saved
+        assert b"".join(read_bytes(at("part_%s.stl" % name)) for name in names) == saved
 
 
 @in_folder
