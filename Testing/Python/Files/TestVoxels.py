@@ -318,7 +318,7 @@ def test_refused_text(at):
     text("1 " * 26, "Set Dimensions", size=(-2, 3, 4))
     text(good, "holds 24 values, but", size=(2 ** 18, 2 ** 19, 2 ** 19))
     text(good, "is too large; at most 2^56 values", size=(2 ** 20, 2 ** 20, 2 ** 20))
-    text(good, "are too many", size=(2 ** 31 - 2,) * 3)
+    text(good, "is too large", size=(2 ** 31 - 2,) * 3)
     for wrong in (0.0, -1.0, np.nan, np.inf):
         text(good, "Spacing must be above 0", change=lambda it,
              wrong=wrong: it.SetSpacing(1, wrong, 1))
