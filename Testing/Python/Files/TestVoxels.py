@@ -317,8 +317,9 @@ def test_refused_text(at):
     text("1 " * 27, "Set Dimensions", "holds 27 values, which fit 3 x 3 x 3 cells.", size=(0, 0, 0))
     text("1 " * 26, "Set Dimensions", "holds 26 values.", size=(5, 0, 5))
     text("1 " * 26, "Set Dimensions", size=(-2, 3, 4))
-    text(good, "holds 24 values, but", size=(2 ** 20, 2 ** 20, 2 ** 20))
-    text(good, "are too many", size=(2 ** 31 - 2,) * 3)
+    text(good, "holds 24 values, but", size=(2 ** 18, 2 ** 19, 2 ** 19))
+    text(good, "is too large; at most 2^56 values", size=(2 ** 20, 2 ** 20, 2 ** 20))
+    text(good, "is too large", size=(2 ** 31 - 2,) * 3)
     for wrong in (0.0, -1.0, np.nan, np.inf):
         text(good, "Spacing must be above 0", change=lambda it,
              wrong=wrong: it.SetSpacing(1, wrong, 1))
