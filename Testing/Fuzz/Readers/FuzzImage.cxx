@@ -20,8 +20,10 @@ constexpr double Overflow = 9e18; // a number of values that no reader may accep
 
 void ReadBytes(const std::string& bytes)
 {
+  ImageRequest request;
+  request.Array = "FeatureIds";
   const ImageFile file =
-    OpenImageFile(WriteInput(std::string("a") + VFM_FUZZ_SUFFIX, bytes), "FeatureIds");
+    OpenImageFile(WriteInput(std::string("a") + VFM_FUZZ_SUFFIX, bytes), request);
   const Index3& size = file.Place.Size;
   double count = 1.0;
   for (Index length : size)
