@@ -2,6 +2,7 @@
 
 #include "Ranks/Errors.h"
 
+#include <algorithm>
 #include <cstring>
 
 namespace vfm
@@ -58,9 +59,25 @@ void ColourLabels::Add(const char* pixels, Index count)
   }
 }
 
+bool ColourLabels::AreGrey() const
+{
+  constexpr std::uint64_t ofGrey = (std::uint64_t(1) << 2 * SampleBits) + (1 << SampleBits) + 1;
+  return std::all_of(this->Labels.begin(), this->Labels.end(),
+    [](const auto& entry)
+    { return entry.first % ofGrey == 0 && entry.first / ofGrey <= MaximumColours; });
+}
+
 LabelNames ColourLabels::Number()
 {
   LabelNames names;
+  if (this->AreGrey())
+  {
+    for (auto& [colour, number] : this->Labels)
+    {
+      number = static_cast<unsigned char>(colour >> 2 * SampleBits);
+    }
+    return names;
+  }
   int label = 0;
   for (auto& [colour, number] : this->Labels)
   {

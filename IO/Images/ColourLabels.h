@@ -20,12 +20,14 @@ public:
   /// Adds the colours of pixels.
   /// @throws InputError  if there are more than 255 colours except black
   void Add(const char* pixels, Index count);
-  /// Numbers the colours. Returns their names, for instance "rgb 255 0 0".
+  /// Numbers the colours and returns their names, for instance "rgb 255 0 0". If all are grey, up
+  /// to 255, the numbers are their values, without names.
   LabelNames Number();
   /// Sets the label of each pixel.
   void Convert(const char* pixels, Index count, unsigned char* labels) const;
 
 private:
+  bool AreGrey() const;
   std::uint64_t TakeColour(const char* pixel) const;
 
   PixelForm Form;

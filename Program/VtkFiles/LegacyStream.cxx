@@ -8,7 +8,6 @@
 #include <cctype>
 #include <charconv>
 #include <cstdlib>
-#include <filesystem>
 #include <iomanip>
 #include <limits>
 #include <map>
@@ -49,7 +48,7 @@ std::string QuoteWord(std::string word)
 }
 
 LegacyStream::LegacyStream(const std::string& path) :
-  Stream(OpenFile(path)), Size(static_cast<std::int64_t>(std::filesystem::file_size(path)))
+  Stream(OpenFile(path)), Size(GetFileLength(path))
 {
 }
 

@@ -2,6 +2,7 @@
 
 #include "Base/ParseText.h"
 #include "FileSuffix.h"
+#include "NamedFile.h"
 #include "Ranks/Errors.h"
 #include "VtkFiles/LegacyCheck.h"
 #include "VtkFiles/VtkArrays.h"
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <functional>
 #include <limits>
 #include <sstream>
@@ -298,28 +298,23 @@ void FileCheck::CheckBlocks(const XmlElement& parent)
   }
 }
 
-/// Checks a file that this file names, relative to its folder. An empty name means no data.
+/// Checks a file that this file names (FindNamedFile). An empty name means no data.
 void FileCheck::CheckNamedFile(const std::string& name)
 {
   if (name.empty() || this->Files++ % this->Parts != this->Part)
   {
     return;
   }
-  const std::filesystem::path path =
-    std::filesystem::path(this->Path).parent_path() / name; // or name, if it is absolute
-  PrefixErrors("it names the file " + path.string() + ": ",
+  const std::string path = FindNamedFile(this->Path, name);
+  PrefixErrors("it names the file " + path + ": ",
     [&]
     {
-      const Format* format = FindFormat(path.string());
+      const Format* format = FindFormat(path);
       if (!format || (format->Holds != Contents::Grid && format->Holds != Contents::Other))
       {
         throw InputError("only .vti, .vtr, .vts, .vtu, .vtp and .vtt files can be parts.");
       }
-      if (std::filesystem::exists(path) && !std::filesystem::is_regular_file(path))
-      {
-        throw InputError("it is not a regular file.");
-      }
-      FileCheck(path.string(), *format, 0, 1, this->Kind.Holds == Contents::Pieces).Run();
+      FileCheck(path, *format, 0, 1, this->Kind.Holds == Contents::Pieces).Run();
     });
 }
 

@@ -3,7 +3,6 @@
 #include "OpenFile.h"
 
 #include <expat.h>
-#include <filesystem>
 #include <memory>
 
 namespace vfm
@@ -177,7 +176,7 @@ XmlOutline ReadXmlOutline(const std::string& path)
   XML_SetStartDoctypeDeclHandler(parser.get(), RejectDoctype);
   ParseElements(stream, parse);
   XmlOutline outline;
-  outline.FileSize = static_cast<std::int64_t>(std::filesystem::file_size(path));
+  outline.FileSize = GetFileLength(path);
   if (parse.Appended >= 0)
   {
     FindAppended(stream, parse, outline);

@@ -1,5 +1,6 @@
 """The pages agree with the tree: links, indexes, names of files, commands and tests, options,
 messages, and the files of the code structure."""
+import ast
 import fnmatch
 import glob
 import os
@@ -126,6 +127,9 @@ class Documents(unittest.TestCase):
         strings = " ".join(message for top in ("Grid", "Mesher", "Filters", "IO", "Program")
                            for text in texts((".cxx", ".h"), top)
                            for message in read_messages(text))
+        strings += " ".join(node.value for text in texts(".py", "python/volume_fraction_mesh")
+                            for node in ast.walk(ast.parse(text))
+                            if isinstance(node, ast.Constant) and isinstance(node.value, str))
         rows = [line.split("|")[1] for line in read(MESSAGES).splitlines()
                 if line.startswith("| *")]
         self.assertGreater(len(rows), 20)

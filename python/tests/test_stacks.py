@@ -185,7 +185,7 @@ def test_pictures(tmp_path):
     """A picture is one layer of cells; its colours or values are labels."""
     image = pytest.importorskip("PIL.Image")
     labels = ["Material 1", "Material 2"]
-    colours = ["#0000ff", "#ff0000"]
+    colours = ["rgb 0 0 255", "rgb 255 0 0"]
     alpha = np.where(PICTURE > 0, 255, 0).astype(np.uint8)[..., None]
     palette = image.fromarray(PICTURE, "P")
     palette.putpalette([255, 255, 255, 255, 0, 0, 0, 0, 255] + [0] * 759)
@@ -217,7 +217,7 @@ def test_mask_of_one_bit(tmp_path):
 
 def test_too_many_colours(tmp_path):
     image = pytest.importorskip("PIL.Image")
-    values = np.random.default_rng(1).integers(0, 256, (16, 16, 3), dtype=np.uint8)
+    values = np.random.default_rng(1).integers(0, 256, (17, 16, 3), dtype=np.uint8)
     image.fromarray(values).save(tmp_path / "a.png")
-    with pytest.raises(ValueError, match="a.png: it has 256 colours; at most 64 become labels"):
+    with pytest.raises(ValueError, match="a.png: it has 272 colours; at most 255 become labels"):
         vfm.read(tmp_path / "a.png")

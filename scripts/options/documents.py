@@ -26,7 +26,8 @@ INPUTS = {"Materials": ["VolumeFractionArrays", "MaterialIdArray"], "State": ["S
 PYTHON = {"VolumeFractionArrays": "fractions", "MaterialIdArray": "labels", "StateArrays": "state",
           "LabelNames": "names", "DensityArrays": "density", "VelocityArray": "velocity",
           "EnergyArray": "energy", "StateKinds": "state_kinds", "RotatedArrays": "rotated_arrays",
-          "RefinementArray": "refinement_array", "Threshold": "threshold", "RefinementBoxes": "refinement_boxes"}
+          "RefinementArray": "refinement_array", "Threshold": "threshold",
+          "RefinementBoxes": "refinement_boxes"}
 ARGUMENTS = {"VolumeFractionArrays": "--fractions A,B,..", "MaterialIdArray": "--labels ARRAY",
              "StateArrays": "--state A,B,..", "RefinementArray": "--refine-cells ARRAY",
              "RefinementBoxes": "--refine-box BOX", "Method": "--tetmesh [METHOD]"}

@@ -32,6 +32,7 @@ FOLDERS = (
     ("Grid", "The pipelines, which call the stages of all modules."),
     ("Mesher/Options", "The options of a run."),
     ("Mesher/Input", "Blocks of cells, and their distribution over ranks."),
+    ("Mesher/Materials", "What arrays hold, and which of them are materials."),
     ("Mesher/Levels", "The levels of a refined grid."),
     ("Mesher/Summary", "Reports, faces and parts of a finished mesh."),
     ("Mesher/Sets", "Named surfaces, and pairs of periodic points."),

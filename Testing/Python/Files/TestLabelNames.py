@@ -99,7 +99,8 @@ def test_refused(at):
         0], result.errors
 
 
-LATIN = ((b"3 M\xfcller\n7 Stra\xdfe \x80\n", ["Müller", "Straße €", "Material 12"], "line 1", "Müller"),
+LATIN = ((b"3 M\xfcller\n7 Stra\xdfe \x80\n", ["Müller", "Straße €", "Material 12"], "line 1",
+          "Müller"),
          ("3 Größe\n".encode() + b"7 rechts \xe4\n", ["Größe", "rechts ä", "Material 12"], "line 2",
           "rechts ä"),
          (b"\xef\xbb\xbf3 A\n7 B\n", ["A", "B", "Material 12"], None, None),

@@ -1,4 +1,4 @@
-"""Outputs of `sculptor` when a signal or a full disk interrupts it: the earlier ones or the new ones.
+"""Outputs of `sculptor` when a signal or a full disk interrupts it: the earlier or the new ones.
 
 VFM_MOMENTS: moments per format, fault and number of ranks; 10 before a release. By default, two of
 the most important cases. A table of the outcomes is printed.
@@ -33,8 +33,8 @@ def make_case(at, output, outputs, ranks, *options):
     """options: further arguments; {} is replaced by the folder of the outputs."""
     def command(path):
         return lambda folder: [
-            SCULPTOR, path, os.path.join(folder, output), "--dimensions", "%d,%d,%d" % (3 * (SIZE,)),
-            "--quiet", *(option.replace("{}", folder) for option in options)]
+            SCULPTOR, path, os.path.join(folder, output), "--dimensions",
+            "%d,%d,%d" % (3 * (SIZE,)), "--quiet", *(option.replace("{}", folder) for option in options)]
 
     old, new = write_labels(at)
     return Case(at, command(old), command(new), outputs, ranks, LINE)
@@ -78,7 +78,7 @@ def test_further_files(at):
 
 @in_folder
 def test_one_of_several_programs_wins(at):
-    """Six programs that write one name at once leave one of their meshes, of one or several files."""
+    """Six programs that write one name at once leave one of their meshes."""
     inputs = write_labels(at)
     size = ("--dimensions", "%d,%d,%d" % (3 * (SIZE,)), "--quiet")
     for suffix in (".e", ".pvtu", ".xdmf", ".foam"):
