@@ -2,6 +2,7 @@
 # MPI. Of Grid and Mesher, only the modules that the readers use are compiled (scripts/fuzz).
 find_package(EXPAT REQUIRED)
 find_package(HDF5 REQUIRED COMPONENTS C)
+find_package(PNG REQUIRED)
 find_package(TIFF REQUIRED)
 find_package(ZLIB REQUIRED)
 file(GLOB vfm_grid_sources CONFIGURE_DEPENDS
@@ -9,7 +10,8 @@ file(GLOB vfm_grid_sources CONFIGURE_DEPENDS
 add_library(vfm_grid STATIC ${vfm_grid_sources})
 target_include_directories(vfm_grid PUBLIC "${CMAKE_CURRENT_SOURCE_DIR}/Grid")
 target_link_libraries(vfm_grid PUBLIC Eigen3::Eigen PRIVATE vfm_flags)
-file(GLOB vfm_mesher_sources CONFIGURE_DEPENDS Mesher/Options/[A-Z]*.cxx Mesher/Input/*.cxx)
+file(GLOB vfm_mesher_sources CONFIGURE_DEPENDS Mesher/Options/[A-Z]*.cxx Mesher/Input/*.cxx
+  Mesher/Summary/Utf8.cxx)
 add_library(vfm_mesher STATIC ${vfm_mesher_sources})
 target_include_directories(vfm_mesher PUBLIC "${CMAKE_CURRENT_SOURCE_DIR}/Mesher")
 target_link_libraries(vfm_mesher PUBLIC vfm_grid PRIVATE vfm_flags)

@@ -2,7 +2,7 @@
 
 #include "FileSuffix.h"
 #include "Images/ImageSource.h"
-#include "Images/SliceFiles.h"
+#include "Images/Pictures/SliceFiles.h"
 #include "Input/NodeCoordinates.h"
 #include "Input/PlainArrays.h"
 #include "Ranks/WorkTogether.h"

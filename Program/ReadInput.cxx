@@ -8,7 +8,7 @@
 #include "FileSuffix.h"
 #include "ImageInput.h"
 #include "Images/ImageFile.h"
-#include "Images/SliceFiles.h"
+#include "Images/Pictures/SliceFiles.h"
 #include "Ranks/WorkTogether.h"
 #include "VtkFiles/VtkFileCheck.h"
 #include "VtkInput.h"

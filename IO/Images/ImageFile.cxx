@@ -2,8 +2,8 @@
 
 #include "Base/ParseText.h"
 #include "FileSuffix.h"
-#include "Images/PixelStack.h"
-#include "Images/SliceFiles.h"
+#include "Images/Pictures/PixelStack.h"
+#include "Images/Pictures/SliceFiles.h"
 #include "Ranks/Errors.h"
 
 #include <algorithm>

@@ -23,7 +23,7 @@ struct StoredArray
   std::int64_t Length;             // bytes that follow in the file, with the head
 };
 
-[[noreturn]] void Reject(const XmlElement& array, const std::string& what)
+[[noreturn]] void Reject(const OutlineElement& array, const std::string& what)
 {
   throw InputError(
     "the file is truncated or damaged: its array '" + array.Get("Name") + "' " + what + ".");
@@ -81,7 +81,7 @@ std::string ReadText(const VtkStorage& storage, std::int64_t place, std::size_t 
   return text;
 }
 
-StoredArray OpenArray(const XmlElement& array, const VtkStorage& storage)
+StoredArray OpenArray(const OutlineElement& array, const VtkStorage& storage)
 {
   constexpr std::size_t headLength = 64;
   if (array.Attributes.count("offset") == 0)
@@ -105,7 +105,7 @@ StoredArray OpenArray(const XmlElement& array, const VtkStorage& storage)
 
 /// Returns a number of the header of an array.
 std::int64_t ReadNumber(
-  const XmlElement& array, const StoredArray& stored, int number, const VtkStorage& storage)
+  const OutlineElement& array, const StoredArray& stored, int number, const VtkStorage& storage)
 {
   const std::size_t size = storage.HeaderSize, first = number * size;
   if (stored.Head.size() < first + size)
@@ -127,7 +127,7 @@ std::int64_t ReadNumber(
 /// Returns the bytes of the values of compressed arrays: a number of blocks, their size, the size
 /// of the last one if it is smaller, and the compressed size of each.
 std::int64_t FindUnpackedSize(
-  const XmlElement& array, const StoredArray& stored, const VtkStorage& storage)
+  const OutlineElement& array, const StoredArray& stored, const VtkStorage& storage)
 {
   const std::int64_t blocks = ReadNumber(array, stored, 0, storage);
   if (blocks == 0)
@@ -150,8 +150,8 @@ std::int64_t FindUnpackedSize(
 }
 
 /// Checks the number of values that an array holds.
-void CheckCount(
-  const XmlElement& array, std::optional<std::int64_t> values, int bits, const VtkStorage& storage)
+void CheckCount(const OutlineElement& array, std::optional<std::int64_t> values, int bits,
+  const VtkStorage& storage)
 {
   const auto tooFew = [&](std::int64_t found, const char* unit, std::int64_t required)
   {
@@ -186,7 +186,7 @@ void CheckCount(
 } // namespace
 
 void CheckVtkArray(
-  const XmlElement& array, std::optional<std::int64_t> tuples, const VtkStorage& storage)
+  const OutlineElement& array, std::optional<std::int64_t> tuples, const VtkStorage& storage)
 {
   const auto bits = FindBits(array.Get("type"));
   if (!bits)

@@ -30,6 +30,6 @@ struct VtkStorage
 /// @throws InputError  if the type, number of components or place is invalid, or if there are fewer
 ///   values than the grid requires; the message does not contain the path
 void CheckVtkArray(
-  const XmlElement& array, std::optional<std::int64_t> tuples, const VtkStorage& storage);
+  const OutlineElement& array, std::optional<std::int64_t> tuples, const VtkStorage& storage);
 
 } // namespace vfm

@@ -14,14 +14,14 @@ namespace
 
 constexpr double MostPoints = 1125899906842624.0; // 2^50
 
-[[noreturn]] void RejectInts(const XmlElement& element, const std::string& name, const char* as)
+[[noreturn]] void RejectInts(const OutlineElement& element, const std::string& name, const char* as)
 {
   RejectVtkFile("its " + element.Name + " has " + name + "=\"" + element.Get(name) +
     "\", which is not " + as + " in the allowed range");
 }
 
 /// Checks an attribute of some numbers, if the element has it.
-void CheckNumbers(const XmlElement& element, const std::string& name, int count)
+void CheckNumbers(const OutlineElement& element, const std::string& name, int count)
 {
   constexpr double largest = std::numeric_limits<double>::max();
   std::istringstream words(element.Get(name));
@@ -59,7 +59,7 @@ void RejectVtkFile(const std::string& problem)
 
 template <std::size_t Count>
 std::array<std::int64_t, Count> ReadVtkInts(
-  const XmlElement& element, const std::string& name, int least)
+  const OutlineElement& element, const std::string& name, int least)
 {
   std::istringstream words(element.Get(name));
   std::array<std::int64_t, Count> numbers{};
@@ -77,10 +77,10 @@ std::array<std::int64_t, Count> ReadVtkInts(
   return numbers;
 }
 
-template std::array<std::int64_t, 1> ReadVtkInts<1>(const XmlElement&, const std::string&, int);
-template std::array<std::int64_t, 6> ReadVtkInts<6>(const XmlElement&, const std::string&, int);
+template std::array<std::int64_t, 1> ReadVtkInts<1>(const OutlineElement&, const std::string&, int);
+template std::array<std::int64_t, 6> ReadVtkInts<6>(const OutlineElement&, const std::string&, int);
 
-VtkExtent ReadVtkExtent(const XmlElement& element, const std::string& name)
+VtkExtent ReadVtkExtent(const OutlineElement& element, const std::string& name)
 {
   const VtkExtent extent = ReadVtkInts<6>(element, name, -LargestVtkInt);
   double points = 1.0;
@@ -110,12 +110,12 @@ VtkPieceSize SizeOfVtkExtent(const VtkExtent& extent)
   return size;
 }
 
-void CheckVtkExtents(const XmlElement& grid, bool isPart)
+void CheckVtkExtents(const OutlineElement& grid, bool isPart)
 {
   const VtkExtent whole = ReadVtkExtent(grid, "WholeExtent");
   const std::int64_t required = *SizeOfVtkExtent(whole).Cells;
   double found = 0.0;
-  for (const XmlElement& piece : grid.Children)
+  for (const OutlineElement& piece : grid.Children)
   {
     if (piece.Name != "Piece")
     {

@@ -24,7 +24,7 @@ constexpr int LargestVtkInt = std::numeric_limits<int>::max() - 1;
 /// @throws InputError  if it does not
 template <std::size_t Count>
 std::array<std::int64_t, Count> ReadVtkInts(
-  const XmlElement& element, const std::string& name, int least);
+  const OutlineElement& element, const std::string& name, int least);
 
 /// Numbers of points and cells of a piece; nothing if unknown.
 struct VtkPieceSize
@@ -37,13 +37,13 @@ struct VtkPieceSize
 using VtkExtent = std::array<std::int64_t, 6>;
 
 /// Reads an extent, which must not have more than 2^50 points.
-VtkExtent ReadVtkExtent(const XmlElement& element, const std::string& name);
+VtkExtent ReadVtkExtent(const OutlineElement& element, const std::string& name);
 VtkPieceSize SizeOfVtkExtent(const VtkExtent& extent);
 
 /// Checks the extents of a grid and of its pieces, which lie in the grid and fill it, and the place
 /// of an image. VTK's readers return memory that is not set where pieces are missing.
 /// @param isPart  the pieces need not fill the grid
 /// @throws InputError  if they are invalid
-void CheckVtkExtents(const XmlElement& grid, bool isPart);
+void CheckVtkExtents(const OutlineElement& grid, bool isPart);
 
 } // namespace vfm

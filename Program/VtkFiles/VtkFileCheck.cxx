@@ -82,7 +82,7 @@ public:
     this->CheckHead(outline);
     for (const std::string& type : this->Kind.Types)
     {
-      if (const XmlElement* grid = outline.Root.Find(type))
+      if (const OutlineElement* grid = outline.Root.Find(type))
       {
         this->CheckContents(*grid);
         return;
@@ -93,13 +93,13 @@ public:
 
 private:
   void CheckHead(const XmlOutline& outline);
-  void CheckVersion(const XmlElement& root) const;
-  void CheckContents(const XmlElement& grid);
-  void CheckPiece(const XmlElement& piece, const std::string& type) const;
-  void CheckArrays(const XmlElement& list, std::optional<std::int64_t> tuples) const;
-  void CheckCells(const XmlElement& piece, const VtkPieceSize& size) const;
-  void CheckBlocks(const XmlElement& parent);
-  void CheckFieldData(const XmlElement& parent) const;
+  void CheckVersion(const OutlineElement& root) const;
+  void CheckContents(const OutlineElement& grid);
+  void CheckPiece(const OutlineElement& piece, const std::string& type) const;
+  void CheckArrays(const OutlineElement& list, std::optional<std::int64_t> tuples) const;
+  void CheckCells(const OutlineElement& piece, const VtkPieceSize& size) const;
+  void CheckBlocks(const OutlineElement& parent);
+  void CheckFieldData(const OutlineElement& parent) const;
   void CheckNamedFile(const std::string& name);
 
   const std::string& Path;
@@ -111,7 +111,7 @@ private:
 
 void FileCheck::CheckHead(const XmlOutline& outline)
 {
-  const XmlElement& root = outline.Root;
+  const OutlineElement& root = outline.Root;
   const std::string type = root.Get("type");
   const auto& types = this->Kind.Types;
   if (root.Name != "VTKFile" || std::find(types.begin(), types.end(), type) == types.end())
@@ -137,7 +137,7 @@ void FileCheck::CheckHead(const XmlOutline& outline)
 }
 
 /// Checks the version. Files of refined grids before 1.1 end the program in VTK's reader.
-void FileCheck::CheckVersion(const XmlElement& root) const
+void FileCheck::CheckVersion(const OutlineElement& root) const
 {
   std::string text = root.Get("version");
   std::istringstream stream(text);
@@ -155,7 +155,7 @@ void FileCheck::CheckVersion(const XmlElement& root) const
   }
 }
 
-void FileCheck::CheckContents(const XmlElement& grid)
+void FileCheck::CheckContents(const OutlineElement& grid)
 {
   this->CheckFieldData(grid);
   if (this->Kind.Holds == Contents::Other)
@@ -172,7 +172,7 @@ void FileCheck::CheckContents(const XmlElement& grid)
   {
     CheckVtkExtents(grid, this->IsPart);
   }
-  for (const XmlElement& piece : grid.Children)
+  for (const OutlineElement& piece : grid.Children)
   {
     if (piece.Name != "Piece")
     {
@@ -189,7 +189,7 @@ void FileCheck::CheckContents(const XmlElement& grid)
   }
 }
 
-void FileCheck::CheckPiece(const XmlElement& piece, const std::string& type) const
+void FileCheck::CheckPiece(const OutlineElement& piece, const std::string& type) const
 {
   VtkPieceSize size;
   if (type == "UnstructuredGrid")
@@ -205,7 +205,7 @@ void FileCheck::CheckPiece(const XmlElement& piece, const std::string& type) con
   {
     size = SizeOfVtkExtent(ReadVtkExtent(piece, "Extent"));
   }
-  for (const XmlElement& child : piece.Children)
+  for (const OutlineElement& child : piece.Children)
   {
     const bool isOfPoints = child.Name == "PointData" || child.Name == "Points";
     if (isOfPoints || child.Name == "CellData")
@@ -216,9 +216,9 @@ void FileCheck::CheckPiece(const XmlElement& piece, const std::string& type) con
   this->CheckCells(piece, size);
 }
 
-void FileCheck::CheckArrays(const XmlElement& list, std::optional<std::int64_t> tuples) const
+void FileCheck::CheckArrays(const OutlineElement& list, std::optional<std::int64_t> tuples) const
 {
-  for (const XmlElement& array : list.Children)
+  for (const OutlineElement& array : list.Children)
   {
     if (array.Name == "DataArray" && array.Get("type") != "String")
     {
@@ -228,12 +228,12 @@ void FileCheck::CheckArrays(const XmlElement& list, std::optional<std::int64_t> 
 }
 
 /// Checks the arrays of the field data, which have their own numbers of tuples.
-void FileCheck::CheckFieldData(const XmlElement& parent) const
+void FileCheck::CheckFieldData(const OutlineElement& parent) const
 {
-  const XmlElement* fields = parent.Find("FieldData");
+  const OutlineElement* fields = parent.Find("FieldData");
   for (std::size_t c = 0; fields && c < fields->Children.size(); ++c)
   {
-    const XmlElement& array = fields->Children[c];
+    const OutlineElement& array = fields->Children[c];
     if (array.Name == "DataArray" && array.Get("type") != "String")
     {
       CheckVtkArray(array, ReadVtkInts<1>(array, "NumberOfTuples", 0)[0], this->Storage);
@@ -242,9 +242,9 @@ void FileCheck::CheckFieldData(const XmlElement& parent) const
 }
 
 /// Checks the coordinates along axes, and the cells of an unstructured grid.
-void FileCheck::CheckCells(const XmlElement& piece, const VtkPieceSize& size) const
+void FileCheck::CheckCells(const OutlineElement& piece, const VtkPieceSize& size) const
 {
-  if (const XmlElement* list = piece.Find("Coordinates"))
+  if (const OutlineElement* list = piece.Find("Coordinates"))
   {
     if (list->Children.size() < 3)
     {
@@ -255,21 +255,21 @@ void FileCheck::CheckCells(const XmlElement& piece, const VtkPieceSize& size) co
       CheckVtkArray(list->Children[a], size.Nodes[a], this->Storage);
     }
   }
-  const XmlElement* cells = piece.Find("Cells");
+  const OutlineElement* cells = piece.Find("Cells");
   for (std::size_t c = 0; cells && c < cells->Children.size(); ++c)
   {
-    const XmlElement& array = cells->Children[c];
+    const OutlineElement& array = cells->Children[c];
     const std::string name = array.Get("Name");
     const bool isPerCell = name == "types" || name == "offsets";
     CheckVtkArray(array, isPerCell ? size.Cells : std::nullopt, this->Storage);
   }
 }
 
-void FileCheck::CheckBlocks(const XmlElement& parent)
+void FileCheck::CheckBlocks(const OutlineElement& parent)
 {
   const bool areLevels = this->Kind.Holds == Contents::Levels;
   const int files = static_cast<int>(std::min<std::size_t>(parent.Children.size(), MostBlocks));
-  for (const XmlElement& child : parent.Children)
+  for (const OutlineElement& child : parent.Children)
   {
     if (child.Name != "Block" && child.Name != "Piece" && child.Name != "DataSet")
     {

@@ -24,8 +24,8 @@ bool IsSpace(char c)
 struct Parse
 {
   XML_Parser Parser;
-  XmlElement Top; ///< parent of the root
-  std::vector<XmlElement*> Open;
+  OutlineElement Top; ///< parent of the root
+  std::vector<OutlineElement*> Open;
   bool IsInWord = false;
   std::string Problem;        ///< reason why the parser stopped
   std::int64_t Appended = -1; ///< place of the element of the appended data
@@ -40,9 +40,9 @@ void Stop(Parse& parse, const std::string& problem)
 void Start(void* user, const XML_Char* name, const XML_Char** attributes)
 {
   Parse& parse = *static_cast<Parse*>(user);
-  XmlElement& parent = *parse.Open.back();
+  OutlineElement& parent = *parse.Open.back();
   parent.Children.emplace_back();
-  XmlElement& element = parent.Children.back();
+  OutlineElement& element = parent.Children.back();
   element.Name = name;
   for (; *attributes; attributes += 2)
   {
@@ -71,7 +71,7 @@ void End(void* user, const XML_Char*)
 void AddText(void* user, const XML_Char* text, int length)
 {
   Parse& parse = *static_cast<Parse*>(user);
-  XmlElement& element = *parse.Open.back();
+  OutlineElement& element = *parse.Open.back();
   for (const XML_Char* c = text; c != text + length; ++c)
   {
     if (IsSpace(*c))
@@ -121,7 +121,7 @@ void ParseElements(std::istream& stream, Parse& parse)
 /// Finds the appended data, which begin after an underscore.
 void FindAppended(std::istream& stream, const Parse& parse, XmlOutline& outline)
 {
-  const XmlElement& element = *parse.Open.back();
+  const OutlineElement& element = *parse.Open.back();
   outline.Encoding = element.Get("encoding");
   stream.clear();
   stream.seekg(parse.Appended);
@@ -145,15 +145,15 @@ void FindAppended(std::istream& stream, const Parse& parse, XmlOutline& outline)
 
 } // namespace
 
-std::string XmlElement::Get(const std::string& name) const
+std::string OutlineElement::Get(const std::string& name) const
 {
   const auto found = this->Attributes.find(name);
   return found == this->Attributes.end() ? "" : found->second;
 }
 
-const XmlElement* XmlElement::Find(const std::string& name) const
+const OutlineElement* OutlineElement::Find(const std::string& name) const
 {
-  for (const XmlElement& child : this->Children)
+  for (const OutlineElement& child : this->Children)
   {
     if (child.Name == name)
     {

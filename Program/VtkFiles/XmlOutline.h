@@ -12,11 +12,11 @@ namespace vfm
 {
 
 /// Element of an XML file.
-struct XmlElement
+struct OutlineElement
 {
   std::string Name;
   std::map<std::string, std::string> Attributes;
-  std::vector<XmlElement> Children;
+  std::vector<OutlineElement> Children;
   std::string Head;         ///< first characters of the text, without white space
   std::int64_t Letters = 0; ///< number of characters of the text, without white space
   std::int64_t Words = 0;   ///< number of words of the text
@@ -24,13 +24,13 @@ struct XmlElement
   /// Returns an attribute; an empty text if the element has none of this name.
   std::string Get(const std::string& name) const;
   /// Returns the first child of a name, or null.
-  const XmlElement* Find(const std::string& name) const;
+  const OutlineElement* Find(const std::string& name) const;
 };
 
 /// Elements of a file, and the place of the values that are stored behind them.
 struct XmlOutline
 {
-  XmlElement Root;
+  OutlineElement Root;
   std::string Encoding;      ///< encoding of the appended data: "raw" or "base64"; or empty
   std::int64_t Appended = 0; ///< place of the appended data, after the underscore; bytes
   std::int64_t FileSize = 0; ///< length of the file, bytes

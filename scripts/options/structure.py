@@ -45,6 +45,7 @@ FOLDERS = (
     ("IO", "Voxel files."),
     ("IO/Labels", "Tables of label names."),
     ("IO/Images", "Images of labels and fractions."),
+    ("IO/Images/Pictures", "Pictures, TIFF stacks and slices."),
     ("IO/Blocks", "SpyPlot files and AMReX plotfiles."),
     ("IO/Meshes/Files", "Parts of all writers of meshes."),
     ("IO/Meshes/Vtk", "VTK's XML files."),

@@ -106,6 +106,13 @@ def nrrd_seeds():
     yield "gzip", nrrd(gzip.compress(SHORTS), "short", "gzip")
     yield "skip", nrrd(bytes(7) + VALUES, "uchar", extra="byte skip: 7\n")
     yield "keys", nrrd(VALUES, "uchar", extra="Segment0_Name:=liver\nSegment0_LabelValue:=1\n")
+    yield "segments", (
+        b"NRRD0004\ntype: uchar\ndimension: 4\nsizes: 2 4 3 2\n"
+        b"space directions: none (1,0,0) (0,1,0) (0,0,2)\nkinds: list domain domain domain\n"
+        b"encoding: raw\nspace: left-posterior-superior\nspace origin: (0,0,0)\n"
+        b"Segment0_Name:=liver\nSegment0_LabelValue:=1\nSegment0_Layer:=0\n"
+        b"Segment1_Name:=kidney\nSegment1_LabelValue:=1\nSegment1_Layer:=1\n\n"
+        + bytes(i % 2 if i % 4 < 2 else 0 for i in range(48)))
     yield "spacings", (b"NRRD0001\ntype: float\ndimension: 3\nsizes: 4 3 2\nspacings: 1 2 3\n"
                        b"encoding: raw\nendian: big\n\n" + struct.pack(">24f", *VALUES))
 
@@ -141,7 +148,43 @@ def nifti_seeds():
     yield "bytes", nifti(1, 2, 8, VALUES)
     yield "big", nifti(1, 4, 16, struct.pack(">24h", *VALUES), ">")
     yield "second", nifti(2, 8, 32, struct.pack("<24i", *VALUES))
+    caret = (b"<CaretExtension><VolumeInformation Index='0'><LabelTable><Label Key='1'>liver"
+             b"</Label></LabelTable></VolumeInformation></CaretExtension>")
+    caret += bytes(-(len(caret) + 8) % 16)
+    named = bytearray(nifti(1, 2, 8, b""))
+    struct.pack_into("<f", named, 108, 360 + len(caret))
+    yield "names", bytes(named[:348]) + b"\1\0\0\0" + struct.pack(
+        "<2i", len(caret) + 8, 30) + caret + VALUES
     yield "reals", nifti(2, 64, 64, struct.pack("<24d", *VALUES))
+
+
+def mgh_seeds():
+    for name, kind, form in (("bytes", 0, ">24B"), ("shorts", 4, ">24h"), ("reals", 3, ">24f")):
+        axes = (1, 0, 0, 0, 1, 0, 0, 0, 1)
+        head = struct.pack(">7ih15f", 1, *SIZE, 1, kind, 0, 1, 1, 1, 2, *axes, 2, 1.5, 2)
+        yield name, head.ljust(284, b"\0") + struct.pack(form, *VALUES)
+
+
+def png(colour, depth, rows, before=b""):
+    chunk = lambda kind, data: (struct.pack(">I", len(data)) + kind + data
+                                + struct.pack(">I", zlib.crc32(kind + data)))
+    samples = {0: 1, 2: 3, 3: 1, 6: 4}[colour]
+    head = struct.pack(">2I5B", 8 * len(rows[0]) // (samples * depth), len(rows), depth, colour,
+                       0, 0, 0)
+    data = zlib.compress(b"".join(b"\0" + row for row in rows))
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) + before + chunk(b"IDAT", data)
+            + chunk(b"IEND", b""))
+
+
+def png_seeds():
+    rows = [VALUES[4 * j:4 * j + 4] for j in range(6)]
+    yield "grey", png(0, 8, rows)
+    yield "deep", png(0, 16, rows)
+    yield "colours", png(2, 8, [row * 3 for row in rows])
+    yield "transparent", png(6, 8, [row * 4 for row in rows])
+    palette = b"\0\0\0" + bytes(range(12))
+    yield "palette", png(3, 8, rows, struct.pack(">I", len(palette)) + b"PLTE" + palette
+                         + struct.pack(">I", zlib.crc32(b"PLTE" + palette)))
 
 
 def tiff(bits, pack=1, order="<", pages=2):
@@ -342,7 +385,8 @@ def write_all(folder):
     for harness, seeds in (
             ("NumPy", numpy_seeds), ("LabelText", text_seeds), ("LabelNames", label_name_seeds),
             ("MetaImage", meta_seeds), ("Nrrd", nrrd_seeds), ("Nifti", nifti_seeds),
-            ("Tiff", tiff_seeds), ("SpyPlot", spyplot_seeds), ("Options", option_seeds),
+            ("Tiff", tiff_seeds), ("Png", png_seeds), ("Mgh", mgh_seeds),
+            ("SpyPlot", spyplot_seeds), ("Options", option_seeds),
             ("Shapes", shape_seeds), ("VtkLegacy", legacy_seeds), ("VtkXml", xml_seeds),
             ("VtkBlocks", block_seeds), ("Arguments", argument_seeds)):
         for name, data in seeds():

@@ -34,7 +34,8 @@ def make_case(at, output, outputs, ranks, *options):
     def command(path):
         return lambda folder: [
             SCULPTOR, path, os.path.join(folder, output), "--dimensions",
-            "%d,%d,%d" % (3 * (SIZE,)), "--quiet", *(option.replace("{}", folder) for option in options)]
+            "%d,%d,%d" % (3 * (SIZE,)), "--quiet",
+            *(option.replace("{}", folder) for option in options)]
 
     old, new = write_labels(at)
     return Case(at, command(old), command(new), outputs, ranks, LINE)

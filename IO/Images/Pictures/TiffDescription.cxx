@@ -1,4 +1,4 @@
-#include "Images/TiffDescription.h"
+#include "Images/Pictures/TiffDescription.h"
 
 #include "Base/ParseText.h"
 #include "Images/XmlElements.h"

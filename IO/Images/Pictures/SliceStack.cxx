@@ -1,5 +1,5 @@
 #include "FileSuffix.h"
-#include "Images/PixelStack.h"
+#include "Images/Pictures/PixelStack.h"
 #include "Ranks/Errors.h"
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-#include "Images/ColourLabels.h"
+#include "Images/Pictures/ColourLabels.h"
 
 #include "Ranks/Errors.h"
 

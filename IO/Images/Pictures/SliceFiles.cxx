@@ -1,4 +1,4 @@
-#include "Images/SliceFiles.h"
+#include "Images/Pictures/SliceFiles.h"
 
 #include "Base/ParseText.h"
 #include "FileSuffix.h"

@@ -1,4 +1,4 @@
-#include "Images/TiffPage.h"
+#include "Images/Pictures/TiffPage.h"
 
 #include "OpenFile.h"
 

@@ -1,7 +1,7 @@
-#include "Images/PixelStack.h"
+#include "Images/Pictures/PixelStack.h"
 
 #include "Base/ParseText.h"
-#include "Images/ColourLabels.h"
+#include "Images/Pictures/ColourLabels.h"
 
 #include <cstring>
 #include <memory>

@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "Images/PixelStack.h"
+#include "Images/Pictures/PixelStack.h"
 
 #include <cstdint>
 #include <memory>

@@ -1,7 +1,7 @@
 #include "CellCount.h"
+#include "Images/Pictures/TiffDescription.h"
+#include "Images/Pictures/TiffPage.h"
 #include "Images/StoredValues.h"
-#include "Images/TiffDescription.h"
-#include "Images/TiffPage.h"
 #include "Ranks/Errors.h"
 
 #include <algorithm>

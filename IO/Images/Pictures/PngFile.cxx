@@ -1,5 +1,5 @@
 #include "CellCount.h"
-#include "Images/PixelStack.h"
+#include "Images/Pictures/PixelStack.h"
 #include "OpenFile.h"
 #include "SwapBytes.h"
 
