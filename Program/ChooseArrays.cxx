@@ -398,6 +398,12 @@ void KeepMaterials(std::vector<InputBlock>& blocks, const ChosenArrays& arrays,
     return;
   }
   CheckUse(arguments, arrays.Labels);
+  if (arguments.Mesher.Zero == ZeroLabel::Material)
+  {
+    throw InputError(ErrorCode::WrongArguments,
+      "--material cannot be combined with --zero-label Material, because materials that are not "
+      "listed become label 0. Use --threshold, or assign label 0 another number.");
+  }
   const std::set<int> kept = ParseLabels(arguments.Materials);
   CheckLabels(kept, FindLabels(ListsOf(blocks), arrays.Labels, ranks), arrays.Labels);
   WorkInStage(ranks, ErrorCode::InternalError,

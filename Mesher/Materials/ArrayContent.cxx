@@ -74,7 +74,8 @@ ContentOfArray FindContentOfIntegers(const ArrayInfo& array)
   if (std::round(array.Least) < 0.0)
   {
     return { ArrayContent::Other,
-      "integers from " + Range(array) + ": labels are 0 (void) or positive" };
+      "integers from " + Range(array) +
+        ": labels are 0 (void) or positive; replace negative ids by unused ones" };
   }
   if (array.Most > LargestLabel)
   {

@@ -228,12 +228,16 @@ def test_files_of_files(at):
     labels = two_boxes()
     make = lambda: write_blocks(at("a.vtm"), image({NAME: labels}))
     for new, text in ((b"a.vtm", "can be parts"), (b"none.vti", "none.vti: No such file"),
-                      (b"", "meshed"), (b"/dev/zero", "can be parts"),
+                      (b"", "meshed"), (b"/dev/zero", "outside of its folder"),
+                      (b"a/../../b.vti", "outside of its folder"),
                       (b"folder.vti", "not a regular file")):
         os.makedirs(at("folder.vti"), exist_ok=True)
         make()
         change(at("a.vtm"), b'file="a/a_0.vti"', b'file="%s"' % new)
         check_refused(at("a.vtm"), text if new else "cell")
+    make()
+    change(at("a.vtm"), b'file="a/a_0.vti"', b'file="/dev/zero"')
+    check_refused(at("a.vtm"), "can be parts", "--trust-input")
     make()
     change(at("a.vtm"), b'index="0"', b'index="2000000000"')
     check_refused(at("a.vtm"), "has the index 2000000000")

@@ -138,6 +138,8 @@ def test_label_zero(at):
             path, "--zero-label", "Material", at=at).items()}
         assert volumes == {"1 Material 1": 1024, "2 Material 2": 1024,
                            "3 Material 0": 2048}, volumes
+    refused(1, "--material cannot be combined with --zero-label Material", path, at("out.vtu"),
+            "--material", "1", "--zero-label", "Material")
     with open(at("names.txt"), "w") as names:
         names.write("0 matrix\n1 fibre\n2 pore\n")
     found = contents(path, "--zero-label", "material", "--label-names", at("names.txt"), at=at)

@@ -191,7 +191,8 @@ def test_contents(at):
         "mask": "mask: integers 0 and 1: 1 is full",
         "grain": "labels: integers from 0 to 2",
         "level": "other: named as a processor, level or number of a cell",
-        "signed": "other: integers from -1 to 1: labels are 0 (void) or positive"}
+        "signed": "other: integers from -1 to 1: labels are 0 (void) or positive; replace "
+                  "negative ids by unused ones"}
     assert materials_of(lines) == ("materials from vf (named as volume fractions)", [["1", "vf"]])
 
 
