@@ -86,7 +86,8 @@ std::string WarnOfNearFractions(const std::vector<ArrayInfo>& arrays, const Choi
 [[noreturn]] void RejectArrays(
   const Input& input, const Arguments& arguments, const ChosenArrays& chosen, Ranks& ranks)
 {
-  std::string text = "No array can be meshed without a choice. " + chosen.Problem + " " +
+  std::string text = "Cannot mesh " + arguments.Input +
+    ": no array can be meshed without a choice. " + chosen.Problem + " " +
     DescribeArrays(input, ranks);
   if (!ListOtherArrays(arguments, {}).empty())
   {

@@ -7,6 +7,7 @@
 #include "Input/InputArrays.h"
 #include "Ranks/Agreement.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -79,6 +80,18 @@ Index FindLargest(const InputBlock& block, const std::shared_ptr<const BlockArra
     " If they are fractions, convert them to numbers of type float in [0, 1].");
 }
 
+/// Rejects masks next to fractions of 255: a cell is full at different values.
+[[noreturn]] void RejectMasks(
+  const std::vector<std::string>& names, const std::vector<Index>& largest)
+{
+  const auto mask = std::find(largest.begin(), largest.end(), 1) - largest.begin();
+  const auto full = std::max_element(largest.begin(), largest.end()) - largest.begin();
+  throw InputError("Volume fraction arrays of type unsigned char: '" + names[mask] +
+    "' holds values up to 1, and '" + names[full] + "' holds values up to " +
+    std::to_string(largest[full]) + " or more, so 1 is full in one of them and 255 in the other. " +
+    "Convert both to numbers of type float in [0, 1].");
+}
+
 /// Rounds up to two digits.
 double RoundUp(double number)
 {
@@ -126,6 +139,11 @@ bool AreMasks(
   if (most > 1 && most <= LargestEmptyByte && !haveNames)
   {
     RejectBytes(names, largest, names.size() == 1);
+  }
+  if (most > LargestEmptyByte && !haveNames &&
+    std::find(largest.begin(), largest.end(), 1) != largest.end())
+  {
+    RejectMasks(names, largest);
   }
   return most <= 1;
 }

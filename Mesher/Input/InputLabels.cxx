@@ -7,6 +7,8 @@
 #include "Input/RangeLabels.h"
 #include "Ranks/Agreement.h"
 
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <unordered_set>
@@ -25,12 +27,20 @@ std::string Print(Index value)
 {
   return std::to_string(value);
 }
+/// Values of single precision have up to 9 digits.
 std::string Print(double value)
 {
-  return std::isfinite(value) ? FormatNumber(value)
-    : std::isnan(value)       ? "nan"
-    : value > 0.0             ? "inf"
-                              : "-inf";
+  if (!std::isfinite(value))
+  {
+    return std::isnan(value) ? "nan" : value < 0.0 ? "-inf" : "inf";
+  }
+  const bool isSingle = std::abs(value) <= std::numeric_limits<float>::max() &&
+    static_cast<double>(static_cast<float>(value)) == value;
+  std::array<char, 32> text{};
+  const std::to_chars_result made = isSingle
+    ? std::to_chars(text.data(), text.data() + text.size(), static_cast<float>(value))
+    : std::to_chars(text.data(), text.data() + text.size(), value);
+  return { text.data(), made.ptr };
 }
 
 /// Returns a value as a label. Value: Index, or double for arrays of reals.
@@ -50,7 +60,8 @@ int CheckedLabel(Value value, const std::string& name, const Index3& first, Inde
       TextOf({ { first[0] + offset, first[1], first[2] } }) +
       ": material ids are integers in [0, " + std::to_string(LargestLabel) +
       "], 0 is void. If the values are a level set, grey values or another quantity, Threshold "
-      "(--threshold LOW:HIGH) makes materials of ranges of them." + way);
+      "(--threshold LOW:HIGH) makes materials of ranges of them." +
+      way);
   }
   return static_cast<int>(nearest);
 }

@@ -76,32 +76,57 @@ std::vector<std::string> FindSpyPlotFractions(const Candidates& arrays)
   return names;
 }
 
-/// Selects fractions by their names, or all fractions. Returns whether there are any.
+/// Returns the arrays whose names say volume fraction, if any of them is one. The others belong to
+/// them: the mesher reports their values outside of [0, 1].
+std::vector<std::string> FindNamedFractions(const Candidates& arrays)
+{
+  const Candidates named = Select(arrays,
+    [](const Candidate& array)
+    {
+      return IsFractionName(array.Array.Name) && array.Found.Content != ArrayContent::Other &&
+        (IsFraction(array) || IsRealType(array.Array.Type));
+    });
+  return std::any_of(named.begin(), named.end(), IsFraction) ? NamesOf(named)
+                                                             : std::vector<std::string>();
+}
+
+/// Selects fractions by their names. Returns whether there are any.
 /// @param known  all arrays; names as in SpyPlot files are materials even if they are also state
-bool ChooseFractions(const Candidates& known, const Candidates& arrays, const ChoiceRules& rules,
-  MaterialChoice& choice)
+bool ChooseNamedFractions(const Candidates& known, const Candidates& arrays, MaterialChoice& choice)
 {
   choice.Fractions = FindSpyPlotFractions(known);
   choice.How = "named Material volume fraction - N";
-  choice.IsClear = choice.AreNamed = true;
-  const Candidates all = Select(arrays, IsFraction);
   if (choice.Fractions.empty())
   {
-    choice.Fractions =
-      NamesOf(Select(all, [](const Candidate& array) { return IsFractionName(array.Array.Name); }));
+    choice.Fractions = FindNamedFractions(arrays);
     choice.How = "named as volume fractions";
   }
-  if (choice.Fractions.empty())
+  choice.IsClear = choice.AreNamed = !choice.Fractions.empty();
+  return choice.AreNamed;
+}
+
+/// Selects all fractions, unless an array of integers has a usual name of labels. (MaterialId,
+/// which our meshes contain next to fractions, does not count.)
+/// @param fractions  arrays with this content; at least one
+void ChooseAllFractions(const Candidates& fractions, const Candidates& integers,
+  const ChoiceRules& rules, MaterialChoice& choice)
+{
+  const Candidates labels = Select(integers,
+    [](const Candidate& array)
+    {
+      return FindLabelsRank(array.Array.Name) > 0 && array.Array.Name != LabelsName &&
+        array.Array.Most > LabelTolerance;
+    });
+  if (!labels.empty())
   {
-    choice.AreNamed = false;
-    choice.Fractions = NamesOf(all);
-    choice.How =
-      std::string("all ") + (rules.ArePoints ? "point" : "cell") + " arrays with values in [0, 1]";
-    const bool hasLabels = std::any_of(arrays.begin(), arrays.end(),
-      [](const Candidate& array) { return AreLabels(array) && IsWhole(array.Array); });
-    choice.IsClear = all.size() == 1 && !hasLabels;
+    choice.Problem = "Labels " + Describe(labels) + " or volume fractions " + Describe(fractions) +
+      " can hold the materials.";
+    return;
   }
-  return !choice.Fractions.empty();
+  choice.Fractions = NamesOf(fractions);
+  choice.How =
+    std::string("all ") + (rules.ArePoints ? "point" : "cell") + " arrays with values in [0, 1]";
+  choice.IsClear = fractions.size() == 1 && integers.empty();
 }
 
 /// Selects the labels or the masks among arrays of one kind.
@@ -172,17 +197,21 @@ MaterialChoice ChooseMaterials(const std::vector<ArrayInfo>& arrays, const Choic
     ChooseForThreshold(candidates, choice);
     return choice;
   }
-  if (ChooseFractions(known, candidates, rules, choice))
+  if (ChooseNamedFractions(known, candidates, choice))
   {
     return choice;
   }
+  choice.How.clear();
+  const Candidates fractions = Select(candidates, IsFraction);
   const Candidates integers = Select(
     candidates, [](const Candidate& array) { return AreLabels(array) && IsWhole(array.Array); });
   const Candidates reals = Select(
     candidates, [](const Candidate& array) { return AreLabels(array) && !IsWhole(array.Array); });
-  choice.How.clear();
-  choice.IsClear = false;
-  if (!integers.empty() || !reals.empty())
+  if (!fractions.empty())
+  {
+    ChooseAllFractions(fractions, integers, rules, choice);
+  }
+  else if (!integers.empty() || !reals.empty())
   {
     integers.empty() ? ChooseLabels(reals, "real numbers that are integers", choice)
                      : ChooseLabels(integers, "integers", choice);

@@ -103,6 +103,31 @@ TEST(ChooseMaterials, PrefersNamesThatSayVolumeFraction)
   ExpectProblem(Choose({ empty, mass }), { "named void", "named as a mass" });
 }
 
+TEST(ChooseMaterials, KeepsNamedFractionsWithValuesOutOfRange)
+{
+  const ArrayInfo tin = Make("vf_tin", Real, 0.0, 1.0);
+  for (const ArrayInfo& other : { Make("vf_a", Real, 0.0, 1.00001), Make("vf_a", Real, 0.0, 1.5),
+         Make("vf_a", Real, -0.5, 1.0), Make("vf_a", Real, 0.0, 2.0, true) })
+  {
+    ExpectFractions(Choose({ other, tin, Ball }), { "vf_a", "vf_tin" }, true); // mesher: --clip
+  }
+  ExpectProblem(Choose({ Make("vf_a", Real, 0.0, 1.05) }), { "--clip" });
+}
+
+TEST(ChooseMaterials, DoesNotGuessBetweenFractionsAndNamedLabels)
+{
+  const ArrayInfo confidence = Make("Confidence Index", ValueType::Float, 0.0, 1.0);
+  const ArrayInfo contrast = Make("BandContrast", Byte, 0.0, 255.0);
+  for (const char* name : { "FeatureIds", "GrainIds", "labels" })
+  {
+    const ArrayInfo labels = Make(name, Int, 0.0, 40.0);
+    ExpectProblem(Choose({ confidence, labels }), { name, "'Confidence Index'" });
+    ExpectProblem(Choose({ labels, contrast }), { name, "'BandContrast'" });
+    ExpectFractions(Choose({ labels, Make("vf_tin", Real, 0.0, 1.0) }), { "vf_tin" }, true);
+  }
+  ExpectFractions(Choose({ Make("FeatureIds", Int, 0.0, 0.0), Ball }), { "ball" }, false);
+}
+
 TEST(ChooseMaterials, BytesBelow128AreLabelsOrMasks)
 {
   ExpectLabels(Choose({ Make("mask", Byte, 0.0, 1.0) }), "mask", true);

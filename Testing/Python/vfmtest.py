@@ -61,7 +61,8 @@ def list_defaults(of_tets):
         if of_tets or not row["tets"]:
             words = re.sub("(?<=[a-z])(?=[A-Z])", " ", row["default"])
             lists = dict.fromkeys(("arrays", "kinds", "boxes"), [])
-            defaults[row["name"]] = {**lists, "array": "None", "pairs": "None", "file": "",
+            defaults[row["name"]] = {**lists, "array": "None", "pairs": "None", "ranges": "None",
+                                     "file": "",
                                      "choice": words}.get(row["kind"], row["number"])
     # The GUI shows these defaults as text.
     return {**defaults, "StateOrder": "2", "MaximumLevel": "Automatic"}

@@ -76,6 +76,18 @@ double FindUnit(TIFF* file, const TiffDescription& description)
   return number == RESUNIT_INCH ? inch : number == RESUNIT_CENTIMETER ? centimetre : 0.0;
 }
 
+/// Returns whether the resolution is per centimetre but the description names micrometres, as
+/// ImageJ writes and reads it.
+bool IsScaledToMicrometres(TIFF* file, const TiffDescription& description)
+{
+  const std::string names[] = { "um", "micron", "microns", "micrometer", "micrometre", "\\u00B5m",
+    "\xC2\xB5m", "\xCE\xBCm", "\xB5m" };
+  std::uint16_t number = 0;
+  TIFFGetFieldDefaulted(file, TIFFTAG_RESOLUTIONUNIT, &number);
+  return number == RESUNIT_CENTIMETER &&
+    std::find(std::begin(names), std::end(names), description.Unit) != std::end(names);
+}
+
 /// Sets the spacing from the description or the resolution; what is missing is 1 for pixels, and
 /// the width of pixels for the distance of slices.
 void SetSpacing(TIFF* file, const TiffDescription& description, PixelStack& stack)
@@ -93,7 +105,8 @@ void SetSpacing(TIFF* file, const TiffDescription& description, PixelStack& stac
   }
   else if (hasResolution && unit > 0.0)
   {
-    spacing = { { unit / x, unit / y, 0.0 } };
+    const double micrometres = IsScaledToMicrometres(file, description) ? 1e4 : 1.0;
+    spacing = { { micrometres * unit / x, micrometres * unit / y, 0.0 } };
     stack.HasWidths = true;
   }
   stack.HasDistance = description.Distance > 0.0;

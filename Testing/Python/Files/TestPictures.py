@@ -105,6 +105,8 @@ def test_size_of_voxels(at):
     spacing = (0.5, 0.5, 3.0)
     for name, options in (
             ("imagej", {"description": IMAGEJ, "resolution": 2}),
+            ("micrometres per centimetre", {"description": IMAGEJ, "resolution": 20000,
+                                            "unit": 3}),
             ("ome", {"description": OME % ("XYZCT", 13, 1, 1, SIZES % ("3", "\u03bcm"))}),
             ("ome_nm", {"description": OME % ("XYCTZ", 13, 1, 1, SIZES % ("3000", "nm"))})):
         path = write_pages(at(name + ".tif"), LABELS, **options)

@@ -54,6 +54,9 @@ def test_masks_of_bytes(at):
         path = write(unit_image({"mask": ball()}, of_points), at("mask.vti"))
         assert contents(path, at=at) == {"1 Material 1": (1584, 912)}
         assert contents(path, "--fractions", "mask", at=at) == {"1 mask": (1584, 912)}
+    mixed = {"a": two_boxes(255, 0, np.uint8), "b": two_boxes(0, 1, np.uint8)}
+    refused(3, "1 is full in one of them and 255 in the other",
+            write(unit_image(mixed), at("mixed.vti")), at("out.vtu"))
     path = write(unit_image({"tissue": two_boxes(3, 29, np.uint8)}), at("tissues.vti"))
     assert contents(path, at=at) == {"3 Material 3": (476, 240), "29 Material 29": (476, 240)}
     masks = {"liver": two_boxes(1, 0, np.uint8), "spleen": two_boxes(0, 1, np.uint8)}

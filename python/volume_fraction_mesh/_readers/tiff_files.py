@@ -104,14 +104,17 @@ def _find_widths(file: Any, page: Any) -> Widths:
         if widths[0] is not None:
             return widths
     x, y = (_read_ratio(page, tag) for tag in (282, 283))
+    unit = page.tags.get(296)
+    number = int(unit.value) if unit is not None else 2
     if file.is_imagej:
         meta: Dict[str, Any] = file.imagej_metadata or {}
         scale, z = _find_unit(meta.get("unit")), meta.get("spacing")
         if scale is not None and x and y:
             depth = abs(float(z)) * scale if isinstance(z, (int, float)) and z else None
+            # A resolution per centimetre next to micrometres, as ImageJ reads it.
+            scale *= 1e4 if number == 3 and METRES[_clean_unit(meta["unit"])] == 1e-6 else 1.0
             return scale / x, scale / y, depth
-    unit = page.tags.get(296)
-    length = MILLIMETRES.get(int(unit.value) if unit is not None else 2)
+    length = MILLIMETRES.get(number)
     if length is None or not x or not y:
         return None, None, None
     return length / x, length / y, None
