@@ -135,8 +135,9 @@ def test_missing_distance(at):
         assert len(warnings) == 1 and text in warnings[0], warnings
         for ranks in (1, 3):
             result = sculptor(path, at("out.vtu"), ranks=ranks)
-            assert result.returncode == 0 and result.stderr.count("\n") == 1, result
-            assert "sculptor: warning: %s: " % path in result.stderr and text in result.stderr
+            printed = [line for line in result.stderr.splitlines() if "Label 0" not in line]
+            assert result.returncode == 0 and len(printed) == 1, result
+            assert "sculptor: warning: %s: " % path in printed[0] and text in printed[0], printed
         assert not read([path], (1, 1, 2))[1]
     path = write_pages(at("page.tif"), LABELS[:1], resolution=20000, unit=3)
     data, warnings = read([path])
