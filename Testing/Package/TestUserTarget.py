@@ -16,13 +16,14 @@ SKIPPED = 77
 
 def installed_files(build):
     """Returns the paths in the build folder that are installed, without repetition."""
-    found = set()
-    for folder, _, names in os.walk(build):
-        if "cmake_install.cmake" in names:
-            with open(os.path.join(folder, "cmake_install.cmake"), encoding="utf-8") as file:
-                commands = re.findall(r"file\(INSTALL ([^)]*)\)", file.read())
-            paths = (path for command in commands for path in re.findall('"([^"]*)"', command))
-            found.update(path for path in paths if path.startswith(build + os.sep))
+    found, scripts = set(), [os.path.join(build, "cmake_install.cmake")]
+    for script in scripts:  # each appends those that it includes
+        with open(script, encoding="utf-8") as file:
+            text = file.read()
+        scripts += re.findall(r'include\("([^"]*cmake_install\.cmake)"\)', text)
+        commands = re.findall(r"file\(INSTALL ([^)]*)\)", text)
+        paths = (path for command in commands for path in re.findall('"([^"]*)"', command))
+        found.update(path for path in paths if path.startswith(build + os.sep))
     return found
 
 

@@ -21,7 +21,7 @@ MESHES = {
     "grains": vfm.hexes(labels=GRAINS, names={1: "first grain", 2: "\u00e9t\u00e9 \"2\""}),
     "edges": vfm.hexes(vfm.shapes("box size=1.1,1,0.9", 12, bounds=[-1, 1] * 3),
                        sharp_edges="on"),
-    "large": vfm.tets(FRACTIONS, spacing=1e-7, origin=(-1e5, 0.1, 1e-7)),
+    "large": vfm.tets(FRACTIONS, spacing=1e-7, origin=(-900, 0.1, 1e-7)),
 }
 READERS = {".k": read_keyword_file, ".rad": read_radioss, ".bdf": read_nastran,
            ".inp": read_abaqus}
