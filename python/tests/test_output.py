@@ -17,7 +17,7 @@ from volume_fraction_mesh._output import whole_file
 SIGNALS = (signal.SIGTERM, signal.SIGINT, signal.SIGHUP)
 # Places in which the signal arrives: a function, and whether the output is new afterwards.
 PLACES = {
-    "volume_fraction_mesh.__main__.read_source": False,
+    "volume_fraction_mesh.__main__.read": False,
     "volume_fraction_mesh._npz.np.savez": False,
     "volume_fraction_mesh._output.os.fsync": False,
     "volume_fraction_mesh._output.os.replace": True,
