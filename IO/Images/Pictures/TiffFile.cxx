@@ -31,6 +31,11 @@ Index CountPages(TIFF* file, const TiffPage& first)
         " differs from the first in storage, size or type, or is damaged.");
     }
   }
+  if (!TIFFLastDirectory(file))
+  {
+    throw InputError(
+      "its list of pages is damaged or truncated after page " + std::to_string(pages) + ".");
+  }
   TIFFSetDirectory(file, 0);
   return pages;
 }
@@ -45,7 +50,7 @@ StoredValues FindImagesWithoutPages(
   TIFFGetFieldDefaulted(file, TIFFTAG_COMPRESSION, &compression);
   TIFFGetFieldDefaulted(file, TIFFTAG_BITSPERSAMPLE, &bits);
   const bool isContiguous = compression == COMPRESSION_NONE && bits >= 8 && form.Samples == 1 &&
-    TIFFIsTiled(file) == 0 && TIFFNumberOfStrips(file) == 1;
+    TIFFIsTiled(file) == 0 && TIFFNumberOfStrips(file) == 1 && TIFFNumberOfDirectories(file) == 1;
   if (description.Program != "ImageJ" || !isContiguous)
   {
     throw InputError(description.Program + " describes " +

@@ -269,6 +269,12 @@ def test_colours(at):
             at("out.vtu"), ranks=3)
     save(at("cut.png"), open(at("a.png"), "rb").read()[:-25])
     refused(2, "truncated or damaged", at("cut.png"), at("out.vtu"))
+    whole = open(write_pages(at("whole.tif"), LABELS), "rb").read()
+    for share in (0.5, 0.75):
+        refused(2, "list of pages is damaged or truncated",
+                save(at("cut.tif"), whole[:int(share * len(whole))]), at("out.vtu"))
+    few = write_pages(at("few.tif"), LABELS[:5], description=IMAGEJ)
+    refused(2, "ImageJ describes 13 images, but it has 5 pages", few, at("out.vtu"))
     refused(2, "it is not a PNG file", save(at("text.png"), b"hello"), at("out.vtu"))
     refused(2, "it has 2 values of 8 bits per point",
             write_pages(at("two.tif"), colours[None, ..., :2], colours=2), at("out.vtu"))
