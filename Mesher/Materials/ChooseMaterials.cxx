@@ -113,10 +113,7 @@ void ChooseAllFractions(const Candidates& fractions, const Candidates& integers,
 {
   const Candidates labels = Select(integers,
     [](const Candidate& array)
-    {
-      return FindLabelsRank(array.Array.Name) > 0 && array.Array.Name != LabelsName &&
-        array.Array.Most > LabelTolerance;
-    });
+    { return FindLabelsRank(array.Array.Name) > 0 && array.Array.Most > LabelTolerance; });
   if (!labels.empty())
   {
     choice.Problem = "Labels " + Describe(labels) + " or volume fractions " + Describe(fractions) +
