@@ -18,6 +18,13 @@ if (UNIX AND NOT APPLE)
   add_link_options(LINKER:-z,relro LINKER:-z,now)
 endif ()
 
+# The program ends when a buffer on the stack overflows, or a copy goes beyond the end of an object.
+# Sanitizers find both by themselves; without optimisation the second check only warns.
+add_compile_options(-fstack-protector-strong)
+if (NOT VFM_SANITIZE)
+  add_compile_options("$<$<NOT:$<CONFIG:Debug>>:-U_FORTIFY_SOURCE;-D_FORTIFY_SOURCE=2>")
+endif ()
+
 # All code of a program must be instrumented. The first report ends the program.
 if (VFM_SANITIZE)
   add_compile_options("-fsanitize=${VFM_SANITIZE}" -fno-sanitize-recover=all -fno-omit-frame-pointer
