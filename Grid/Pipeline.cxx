@@ -1,13 +1,13 @@
 #include "Pipeline.h"
 
-#include "Curved/EdgePulls.h"
-#include "Curved/RefineTargets.h"
 #include "Hex/MakeLevels.h"
 #include "Mesh/MeasureMaterials.h"
 #include "Mesh/Quality.h"
 #include "Octree/LevelIds.h"
 #include "Ranks/Agreement.h"
 #include "Smoothing/AttachFeatures.h"
+#include "Smoothing/EdgePulls.h"
+#include "Smoothing/RefineTargets.h"
 #include "Tet/TetTopology.h"
 
 namespace vfm

@@ -9,14 +9,14 @@
 #include "Smoothing/Attach.h"
 #include "Tet/ActiveTets.h"
 #include "Tet/CellTets.h"
-#include "Tet/CoarseTets.h"
 #include "Tet/DiagonalFlips.h"
 #include "Tet/LatticeTopology.h"
+#include "Tet/MakeCoarseTets.h"
 #include "Tet/TetAttach.h"
-#include "Tet/TetFragments.h"
 #include "Tet/TetImprove.h"
 #include "Volumes/CellLocator.h"
 #include "Volumes/Improve.h"
+#include "Volumes/TetFragments.h"
 #ifdef VFM_HAS_TETGEN
 #include "TetGen/RefillTets.h"
 #endif
@@ -81,10 +81,10 @@ std::unique_ptr<const CoarseTets> MakeCoarse(MeshJob& job, const LabelArray& lab
   {
     MakeLevels(job.Grid, labels, interfaces, { job.Options.MeshVoid, true, true }, plan, job.Run,
       job.Report, levels);
-    auto tets = std::make_unique<const CoarseTets>(*levels.Coarse, energy, job.Run);
-    if (!AddFamilies(tets->BadFamilies(), plan, job.Run.Group()))
+    SmoothedTets made = MakeCoarseTets(*levels.Coarse, energy, job.Run);
+    if (!AddFamilies(made.BadFamilies, plan, job.Run.Group()))
     {
-      return tets;
+      return std::move(made.Tets);
     }
   }
 }

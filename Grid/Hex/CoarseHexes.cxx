@@ -1,7 +1,6 @@
 #include "Hex/CoarseHexes.h"
 
 #include "Hex/HexTopology.h"
-#include "Hex/TransitionSmoothing.h"
 #include "Octree/LevelIds.h"
 
 #include <limits>
@@ -9,29 +8,27 @@
 namespace vfm
 {
 
-CoarseHexes::CoarseHexes(
-  const RefinedGrid& grid, const LabelArray& labels, const Options& options, Runtime& runtime) :
+CoarseHexes::CoarseHexes(const RefinedGrid& grid, const LabelArray& labels, const Options& options,
+  RefinedMesh refined, const std::vector<OctreeKeys::LevelIndex>& badCells) :
   Grid(grid),
   Labels(labels),
   MeshVoid(options.MeshVoid),
   Narrow(options.Narrow),
-  HasBuffers(options.HasBuffers)
+  HasBuffers(options.HasBuffers),
+  TheRefined(std::move(refined))
 {
   if (grid.IsUniform())
   {
     return;
   }
-  this->Region = grid.Base().Extended(grid.HasFineInterfaces() ? 1 : 2);
-  this->TheRefined = MakeRefinedMesh(grid.Families(), this->Region, false);
+  this->Region = RegionOf(grid);
   this->NodeNumber = Buffer<int>(grid.Base().NumberOfEntries(), Unused);
-  const TransitionReport report =
-    SmoothTransitions(grid.Lattice(), this->TheRefined, runtime, true, options.AsCubes);
   if (!grid.HasFineInterfaces())
   {
     this->TheSplits = FindSplitNodes(grid, this->TheRefined, this->Region, labels,
       [this](const OctreeKeys::LevelIndex& cell) { return this->HasHexes(cell); });
   }
-  this->FindBadFamilies(report.BadCells);
+  this->FindBadFamilies(badCells);
   for (Index key : this->TheRefined.HexKeys)
   {
     this->Requested.push_back(this->IsRequested(grid.Lattice().HexOfKey(key)));

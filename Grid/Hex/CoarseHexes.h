@@ -27,7 +27,7 @@ public:
   struct Options
   {
     bool MeshVoid = false; ///< makes hexes of label 0
-    /// Smooths transitions as if all cells were cubes (SmoothTransitions).
+    /// Smooths transitions as if all cells were cubes (MakeCoarseHexes).
     bool AsCubes = false;
     /// Splits hexes on interfaces; otherwise interfaces run between unsplit hexes.
     bool HasBuffers = true;
@@ -35,13 +35,18 @@ public:
     const NarrowVoid* Narrow = nullptr;
   };
 
-  /// Makes and smooths the transitions. A grid without refinements has no coarse hexes. If
-  /// BadFamilies is not empty on any rank, no valid mesh can start before these families are
-  /// refined. Stores references to grid and labels.
-  /// @throws InputError  see SmoothTransitions
-  /// @pre Collective.
-  CoarseHexes(
-    const RefinedGrid& grid, const LabelArray& labels, const Options& options, Runtime& runtime);
+  /// Numbers points and hexes. A grid without refinements has no coarse hexes. If BadFamilies is
+  /// not empty on any rank, no valid mesh can start before these families are refined. Stores
+  /// references to grid and labels.
+  /// @param refined  hexes of the base cells of RegionOf(grid), without the finest ones
+  /// @param badCells  cells whose hexes are not positive
+  CoarseHexes(const RefinedGrid& grid, const LabelArray& labels, const Options& options,
+    RefinedMesh refined = {}, const std::vector<OctreeKeys::LevelIndex>& badCells = {});
+  /// Returns the base cells whose hexes are made.
+  static IndexBox RegionOf(const RefinedGrid& grid)
+  {
+    return grid.Base().Extended(grid.HasFineInterfaces() ? 1 : 2);
+  }
 
   const RefinedGrid& Levels() const { return this->Grid; }
   /// Returns the families per refinement, in any order, whose refinement owned cells request

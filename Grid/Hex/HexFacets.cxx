@@ -2,8 +2,8 @@
 
 #include "Base/Groups.h"
 #include "Labels/InterfaceFaces.h"
+#include "Mesh/GridCoordinates.h"
 #include "Octree/LevelIds.h"
-#include "Smoothing/ActiveMesh.h"
 
 namespace vfm
 {

@@ -1,5 +1,6 @@
 #include "Hex/MakeLevels.h"
 
+#include "Hex/TransitionSmoothing.h"
 #include "Labels/LeafLabels.h"
 
 namespace vfm
@@ -18,6 +19,19 @@ void ReportFlips(const ResolveReport& resolved, MeshReport& report)
   report.LostCells = resolved.LostCells;
   report.GainedCells = resolved.GainedCells;
   report.ResolveRounds = resolved.Rounds;
+}
+
+std::unique_ptr<CoarseHexes> MakeCoarseHexes(const RefinedGrid& grid, const LabelArray& labels,
+  const CoarseHexes::Options& options, Runtime& runtime)
+{
+  if (grid.IsUniform())
+  {
+    return std::make_unique<CoarseHexes>(grid, labels, options);
+  }
+  RefinedMesh refined = MakeRefinedMesh(grid.Families(), CoarseHexes::RegionOf(grid), false);
+  const TransitionReport report =
+    SmoothTransitions(grid.Lattice(), refined, runtime, true, options.AsCubes);
+  return std::make_unique<CoarseHexes>(grid, labels, options, std::move(refined), report.BadCells);
 }
 
 bool AddFamilies(const std::vector<std::vector<Index>>& families, LevelPlan& plan, Ranks& ranks)
@@ -57,7 +71,7 @@ void MakeLevels(const CartesianGrid& grid, const LabelArray& labels,
   for (;; ++report.LevelRounds)
   {
     MakeGrid(grid, plan, interfaces, runtime.Group(), levels);
-    levels.Coarse = std::make_unique<CoarseHexes>(*levels.Grid, labels, hexes, runtime);
+    levels.Coarse = MakeCoarseHexes(*levels.Grid, labels, hexes, runtime);
     if (levels.Grid->IsUniform())
     {
       return;
@@ -114,8 +128,8 @@ void LabelLeaves(const CartesianGrid& grid, const FractionField& fractions,
     }
     result.Mixed = FindMixedNodes(grid, result.Labels);
     result.Narrow = FindBarrier(options, *result.Levels.Grid, result.Labels, result.Mixed, runtime);
-    result.Levels.Coarse = std::make_unique<CoarseHexes>(*result.Levels.Grid, result.Labels,
-      CoarseHexes::Options{ options.MeshVoid, false, !options.StairStep, &result.Narrow }, runtime);
+    result.Levels.Coarse = MakeCoarseHexes(*result.Levels.Grid, result.Labels,
+      { options.MeshVoid, false, !options.StairStep, &result.Narrow }, runtime);
     if (!AddFamilies(result.Levels.Coarse->BadFamilies(), plan, runtime.Group()))
     {
       break;

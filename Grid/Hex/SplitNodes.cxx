@@ -3,10 +3,10 @@
 #include "Base/DisjointSets.h"
 #include "Base/Sorted.h"
 #include "Base/Vector3.h"
+#include "Hex/HexCoefficients.h"
 #include "Hex/HexTopology.h"
 #include "Hex/VisibleDirection.h"
 #include "Labels/LabelCondition.h"
-#include "Smoothing/HexCoefficients.h"
 
 namespace vfm
 {

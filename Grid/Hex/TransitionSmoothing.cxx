@@ -1,12 +1,12 @@
 #include "Hex/TransitionSmoothing.h"
 
 #include "Base/Vector3.h"
+#include "Hex/HexCoefficients.h"
 #include "Hex/HexTopology.h"
 #include "Mesh/PeriodicIds.h"
 #include "Mesh/Quality.h"
 #include "Ranks/Agreement.h"
 #include "Smoothing/ActiveMeshBuilder.h"
-#include "Smoothing/HexCoefficients.h"
 #include "Smoothing/HexEnergy.h"
 #include "Smoothing/Smoother.h"
 #include "Smoothing/UntangleEnergy.h"

@@ -13,6 +13,7 @@
 
 #include "Interface/Interface.h"
 #include "Mesh/Facet.h"
+#include "Mesh/GridCoordinates.h"
 #include "Mesh/Mesh.h"
 #include "Mesh/PointExchange.h"
 #include "Smoothing/HexRings.h"
@@ -250,14 +251,8 @@ private:
   Vector3 ReachOf(int point) const;
 };
 
-/// Returns the sides of the domain on which a point lies: bit f is set for side f.
-/// @param point  length units of the grid
-int FindDomainSides(const CartesianGrid& grid, const double* point);
 /// Returns ActiveMesh::Fixed of a point on these sides of the domain.
 unsigned char FixedOnSides(int sides);
-
-/// Converts a point from length units of the grid to grid coordinates.
-Vector3 ToGrid(const CartesianGrid& grid, const double* point);
 
 /// Returns ActiveMesh::Widths of elements that were made in finest cells.
 /// @param elements  indices in the mesh

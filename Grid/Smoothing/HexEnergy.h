@@ -20,7 +20,7 @@
 #pragma once
 
 #include "Smoothing/ElementEnergy.h"
-#include "Smoothing/HexCoefficients.h"
+#include "Smoothing/PositiveHexes.h"
 
 namespace vfm
 {

@@ -3,11 +3,9 @@
 #include "Base/HexNumbering.h"
 #include "Base/Sorted.h"
 #include "Base/Vector3.h"
-#include "Hex/TransitionSmoothing.h"
+#include "Mesh/GridCoordinates.h"
 #include "Mesh/PeriodicIds.h"
 #include "Octree/LevelIds.h"
-#include "Tet/CoarseTetsImprove.h"
-#include "Tet/TetImprove.h"
 
 namespace vfm
 {
@@ -18,8 +16,7 @@ constexpr double SmallestGain = 1e-6; // relative gain required to change the wa
 
 } // namespace
 
-CoarseTets::CoarseTets(CoarseHexes& hexes, const TetEnergy& energy, Runtime& runtime) :
-  Grid(hexes.Levels()), Energy(energy)
+CoarseTets::CoarseTets(CoarseHexes& hexes, Ranks& ranks) : Grid(hexes.Levels())
 {
   if (this->Grid.IsUniform())
   {
@@ -29,19 +26,10 @@ CoarseTets::CoarseTets(CoarseHexes& hexes, const TetEnergy& energy, Runtime& run
   constexpr Index hexKeys = OctreeKeys::HexSlots * 8 / 7;
   CheckIds(this->Grid.Finest(), TetIds.ElementSlots + TetsOfHex * hexKeys);
   this->TakeHexes(hexes);
-  CheckNumberOfPoints(this->NumberOfPoints(), runtime.Group());
+  CheckNumberOfPoints(this->NumberOfPoints(), ranks);
   this->AddFinePoints();
   this->AddCentres();
   this->FindFaces();
-  this->ChooseWays(runtime);
-  this->FindBadFamilies();
-  if (runtime.Group().Any(std::any_of(this->Bad.begin(), this->Bad.end(),
-        [](const std::vector<Index>& families) { return !families.empty(); })))
-  {
-    return;
-  }
-  this->Improve(runtime);
-  this->ChooseWays(runtime);
 }
 
 /// Stores the hexes near the owned cells. A corner that is a vertex of a fine cell is stored as
@@ -405,11 +393,11 @@ Vector3 CoarseTets::WidthsOf(const Face& face) const
     this->Grid.Lattice().CellWidths(cell.Level, cell.At);
 }
 
-double CoarseTets::EnergyOf(const Face& face, int way) const
+double CoarseTets::EnergyOf(const Face& face, int way, const WayEnergy& energy) const
 {
   Tet tets[4];
   const int count = this->TetsOnBothSides(face, way, tets);
-  Vector3 corners[4][4];
+  FourTets corners;
   for (int t = 0; t < 4; ++t)
   {
     for (int c = 0; c < 4; ++c)
@@ -417,24 +405,21 @@ double CoarseTets::EnergyOf(const Face& face, int way) const
       corners[t][c] = this->PointAt(tets[t % count][c]); // repeats the tets if there are two
     }
   }
-  const std::array<double, 4> e =
-    this->Energy.OfTets(corners, this->WidthsOf(face), TetRamp().back());
-  return std::max({ e[0], e[1], e[2], e[3] }) >= InvalidEnergy ? InvalidEnergy
-                                                               : (e[0] + e[1]) + (e[2] + e[3]);
+  return energy(corners, this->WidthsOf(face));
 }
 
 /// Returns the best way to divide a face, which is the present way unless another is better.
-int CoarseTets::BestWay(const Face& face) const
+int CoarseTets::BestWay(const Face& face, const WayEnergy& energyOf) const
 {
   if (face.IsPlain)
   {
     return face.Way;
   }
   int best = face.Way;
-  double lowest = this->EnergyOf(face, best);
+  double lowest = this->EnergyOf(face, best, energyOf);
   for (int way = face.Centre < 0; way < 3; ++way)
   {
-    const double energy = way == face.Way ? lowest : this->EnergyOf(face, way);
+    const double energy = way == face.Way ? lowest : this->EnergyOf(face, way, energyOf);
     if (energy < lowest - SmallestGain * std::fabs(lowest))
     {
       lowest = energy;
@@ -450,14 +435,14 @@ bool CoarseTets::Decides(const Face& face) const
   return face.Partner < 0 || face.Hex < this->Faces[face.Partner].Hex;
 }
 
-void CoarseTets::ChooseWays(Runtime& runtime)
+void CoarseTets::ChooseWays(const WayEnergy& energy, Runtime& runtime)
 {
   ForEach(runtime, this->Faces.size(),
-    [this](Index f)
+    [&](Index f)
     {
       if (this->Decides(this->Faces[f]))
       {
-        this->Faces[f].Way = this->BestWay(this->Faces[f]);
+        this->Faces[f].Way = this->BestWay(this->Faces[f], energy);
       }
     });
   if (this->Grid.Finest().IsPeriodic())
@@ -507,23 +492,22 @@ void CoarseTets::TakeWays(Ranks& ranks)
   }
 }
 
-/// Finds the families of transition hexes that have tets of invalid energy. The owner of the tets
-/// checks a face.
-void CoarseTets::FindBadFamilies()
+/// The owner of the tets checks a face.
+std::vector<std::vector<Index>> CoarseTets::FindBadFamilies(const WayEnergy& energy) const
 {
-  this->Bad.resize(this->Grid.NumberOfRefinements());
-  const auto add = [this](const Hex& hex)
+  std::vector<std::vector<Index>> bad(this->Grid.NumberOfRefinements());
+  const auto add = [&](const Hex& hex)
   {
     if (!hex.IsWhole)
     {
-      this->Bad[hex.Cell.Level].push_back(this->Grid.Lattice().FamilyKeyOf(hex.Cell));
+      bad[hex.Cell.Level].push_back(this->Grid.Lattice().FamilyKeyOf(hex.Cell));
     }
   };
   for (const Face& face : this->Faces)
   {
     const Hex& hex = this->Hexes[face.Hex];
     if (!this->Grid.Base().Owned().Contains(BaseCellOf(hex.Cell)) ||
-      this->EnergyOf(face, face.Way) < InvalidEnergy)
+      this->EnergyOf(face, face.Way, energy) < InvalidWay)
     {
       continue;
     }
@@ -533,6 +517,7 @@ void CoarseTets::FindBadFamilies()
       add(this->Hexes[face.Centre - this->HexPoints]);
     }
   }
+  return bad;
 }
 
 Index CoarseTets::NumberOfTets() const
@@ -579,25 +564,16 @@ void CoarseTets::Fill(
   }
 }
 
-/// Returns the points of a level that may move. A copy of a lattice node moves with this node, the
-/// centre of a transition hex with the upper node of its cell. So points of one colour share a tet
-/// only if they move with one node, and the owner of a cell has all tets at its points.
-std::vector<Mover> CoarseTets::FindMovers(int level) const
+void CoarseTets::ForFreePoints(
+  int level, const std::function<void(int point, const OctreeKeys::LevelIndex& node)>& visit) const
 {
-  const OctreeKeys& lattice = this->Grid.Lattice();
-  std::vector<Mover> movers;
-  const auto add = [&](int point, const OctreeKeys::LevelIndex& node)
-  {
-    movers.push_back({ point, this->Local.PointIds[point], lattice.NodeKey(level, node.At, 0),
-      OwnerNode(node), CartesianGrid::Parities(node.At) });
-  };
   for (int p = 0; p < this->HexPoints; ++p)
   {
-    const OctreeKeys::LevelIndex node =
-      lattice.NodeOfKey(KeyOfPoint(this->Grid, this->Local.PointIds[p], TetIds.PointSlots));
+    const OctreeKeys::LevelIndex node = this->Grid.Lattice().NodeOfKey(
+      KeyOfPoint(this->Grid, this->Local.PointIds[p], TetIds.PointSlots));
     if (node.Level == level && node.Slot > 0)
     {
-      add(p, node);
+      visit(p, node);
     }
   }
   for (std::size_t h = 0; h < this->Hexes.size(); ++h)
@@ -606,30 +582,19 @@ std::vector<Mover> CoarseTets::FindMovers(int level) const
     if (cell.Level == level && !this->Hexes[h].IsWhole)
     {
       cell.At = { { cell.At[0] + 1, cell.At[1] + 1, cell.At[2] + 1 } };
-      add(this->HexPoints + static_cast<int>(h), cell);
+      visit(this->HexPoints + static_cast<int>(h), cell);
     }
   }
-  return movers;
 }
 
-/// Moves points of poor tets, one level after another because points of one colour but different
-/// levels might share a tet. Collective.
-void CoarseTets::Improve(Runtime& runtime)
+void CoarseTets::ForFreeTets(
+  const std::function<void(const Tet& tet, const Vector3& widths)>& visit) const
 {
-  const TetList tets = [this](const auto& visit)
+  for (const Face& face : this->Faces)
   {
-    for (const Face& face : this->Faces)
-    {
-      Tet of[4];
-      const int count = face.IsPlain ? 0 : this->TetsOf(face, face.Way, of);
-      std::for_each(of, of + count, [&](const Tet& tet) { visit(tet, this->WidthsOf(face)); });
-    }
-  };
-  const Partition partition(this->Grid.Base(), runtime.Group());
-  for (int level = 0; level < this->Grid.NumberOfRefinements(); ++level)
-  {
-    ImproveCoarseTets(this->FindMovers(level), tets, this->Grid.Finest(), partition, this->Energy,
-      runtime, this->Local);
+    Tet tets[4];
+    const int count = face.IsPlain ? 0 : this->TetsOf(face, face.Way, tets);
+    std::for_each(tets, tets + count, [&](const Tet& tet) { visit(tet, this->WidthsOf(face)); });
   }
 }
 

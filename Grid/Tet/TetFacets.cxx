@@ -1,7 +1,7 @@
 #include "Tet/TetFacets.h"
 
+#include "Mesh/GridCoordinates.h"
 #include "Mesh/TetQuality.h"
-#include "Smoothing/ActiveMesh.h"
 
 namespace vfm
 {

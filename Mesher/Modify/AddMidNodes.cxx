@@ -1,10 +1,10 @@
 #include "Modify/AddMidNodes.h"
 
-#include "Curved/EdgePulls.h"
 #include "Modify/GreatestId.h"
 #include "Modify/StraightenEdges.h"
 #include "Ranks/MergeByKey.h"
 #include "Ranks/NumberInOrder.h"
+#include "Smoothing/EdgePulls.h"
 #include "State/StateArrays.h"
 #include "Summary/MatchFaces.h"
 

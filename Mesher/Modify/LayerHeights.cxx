@@ -1,8 +1,8 @@
 #include "Modify/LayerHeights.h"
 
 #include "Base/HexNumbering.h"
+#include "Hex/HexCoefficients.h"
 #include "Ranks/MergeByKey.h"
-#include "Smoothing/HexCoefficients.h"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 #include "Modify/LayerPulls.h"
 
 #include "Base/Sorted.h"
-#include "Curved/EdgePulls.h"
+#include "Smoothing/EdgePulls.h"
 
 namespace vfm
 {

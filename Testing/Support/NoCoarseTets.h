@@ -4,7 +4,6 @@
 #pragma once
 
 #include "Tet/CoarseTets.h"
-#include "Tet/TetImprove.h"
 
 namespace vfm
 {
@@ -15,16 +14,14 @@ struct NoCoarseTets
 {
   NoCoarseTets(const CartesianGrid& grid, Runtime& runtime) :
     Levels(std::make_shared<const RefinedGrid>(grid, runtime.Group())),
-    Hexes(*this->Levels, this->Labels, CoarseHexes::Options(), runtime),
-    Energy(FloorsOf(MeshOptions())),
-    Tets(this->Hexes, this->Energy, runtime)
+    Hexes(*this->Levels, this->Labels, CoarseHexes::Options()),
+    Tets(this->Hexes, runtime.Group())
   {
   }
 
   std::shared_ptr<const RefinedGrid> Levels;
   LabelArray Labels;
   CoarseHexes Hexes;
-  TetEnergy Energy;
   CoarseTets Tets;
 };
 

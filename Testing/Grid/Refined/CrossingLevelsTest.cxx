@@ -4,8 +4,8 @@
 #include "Sweep.h"
 
 #include "Base/Vector3.h"
+#include "Hex/HexCoefficients.h"
 #include "Octree/OctreeKeys.h"
-#include "Smoothing/HexCoefficients.h"
 
 #include <gtest/gtest.h>
 

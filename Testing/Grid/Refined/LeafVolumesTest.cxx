@@ -5,8 +5,8 @@
 #include "Sweep.h"
 #include "Volumes/CellLocator.h"
 
-#include "Hex/CoarseHexes.h"
 #include "Hex/HexTopology.h"
+#include "Hex/MakeLevels.h"
 #include "Mesh/MeasureFragments.h"
 
 #include <gtest/gtest.h>
@@ -258,9 +258,10 @@ struct Stairs
   {
     const NarrowVoid narrow;
     PointNumbering numbering(grid, this->Labels, true, true, narrow);
-    CoarseHexes coarse(*this->Levels, this->Labels, { true }, runtime);
+    const std::unique_ptr<CoarseHexes> coarse =
+      MakeCoarseHexes(*this->Levels, this->Labels, { true }, runtime);
     this->Hexes = BuildHexes(
-      grid, this->Labels, FindMixedNodes(grid, this->Labels), true, numbering, runtime, coarse);
+      grid, this->Labels, FindMixedNodes(grid, this->Labels), true, numbering, runtime, *coarse);
     this->Hexes.Levels = this->Levels;
     this->Hexes.Fragment = Buffer<int>(this->Hexes.ElementIds.size());
     for (std::size_t h = 0; h < this->Hexes.ElementIds.size(); ++h)

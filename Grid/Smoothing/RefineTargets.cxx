@@ -1,4 +1,4 @@
-#include "Curved/RefineTargets.h"
+#include "Smoothing/RefineTargets.h"
 
 #include "Base/Sorted.h"
 #include "SharpFeatures/FeatureData.h"

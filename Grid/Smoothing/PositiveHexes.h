@@ -1,7 +1,6 @@
 /**
- * HexCoefficients: the 27 Bernstein coefficients of the Jacobian of a trilinear hex, a polynomial
- * of degree two along each axis. If all are positive, the Jacobian is positive in the whole hex,
- * not only at its corners.
+ * PositiveHexes: the condition that moving points keep: all coefficients of the Jacobian of a hex
+ * (HexCoefficients.h) are positive.
  */
 #pragma once
 
@@ -9,10 +8,6 @@
 
 namespace vfm
 {
-
-/// Returns the smallest coefficient of a hex, a lower bound of the Jacobian in it.
-/// @param corners  numbered by bits
-double SmallestCoefficient(const std::array<Vector3, 8>& corners);
 
 /// Marks the points of the hexes on this rank that have a coefficient of at most 1e-6 cell volumes,
 /// or .01 where only some active points went back. Between positions of different stages, such a

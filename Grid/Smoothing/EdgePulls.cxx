@@ -1,4 +1,4 @@
-#include "Curved/EdgePulls.h"
+#include "Smoothing/EdgePulls.h"
 
 #include "Base/ExactSum.h"
 #include "Curved/GaussRule.h"

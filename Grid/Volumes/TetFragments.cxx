@@ -1,4 +1,4 @@
-#include "Tet/TetFragments.h"
+#include "Volumes/TetFragments.h"
 
 #include "Base/DisjointSets.h"
 #include "Base/ExactSum.h"
