@@ -225,9 +225,9 @@ TEST(HostileFiles, SegmentsOfSlicer)
   save(names, apart);
   EXPECT_EQ(ReadValues(path), (std::vector<int>{ 1, 2, 0, 0, 0, 0, 0, 0 }));
   EXPECT_EQ(OpenImageFile(path).Names, (LabelNames{ { 1, "liver" }, { 2, "left kidney" } }));
-  EXPECT_EQ(ReadValues(path, { "", 1 }), (std::vector<int>{ 0, 1, 0, 0, 0, 0, 0, 0 }));
+  EXPECT_EQ(ReadValues(path, { "", 1, {} }), (std::vector<int>{ 0, 1, 0, 0, 0, 0, 0, 0 }));
   ExpectProblem(save(names, overlap), "its segments 'liver' and 'left kidney' overlap");
-  EXPECT_EQ(ReadValues(path, { "", 1 }), (std::vector<int>{ 1, 0, 0, 0, 0, 0, 0, 0 }));
+  EXPECT_EQ(ReadValues(path, { "", 1, {} }), (std::vector<int>{ 1, 0, 0, 0, 0, 0, 0, 0 }));
   ExpectProblem(save("", apart), "it holds 2 images (layers)");
 }
 

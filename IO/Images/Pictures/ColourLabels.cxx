@@ -61,7 +61,8 @@ void ColourLabels::Add(const char* pixels, Index count)
 
 bool ColourLabels::AreGrey() const
 {
-  constexpr std::uint64_t ofGrey = (std::uint64_t(1) << 2 * SampleBits) + (1 << SampleBits) + 1;
+  static constexpr std::uint64_t ofGrey =
+    (std::uint64_t(1) << 2 * SampleBits) + (1 << SampleBits) + 1;
   return std::all_of(this->Labels.begin(), this->Labels.end(),
     [](const auto& entry)
     { return entry.first % ofGrey == 0 && entry.first / ofGrey <= MaximumColours; });
