@@ -41,3 +41,26 @@ function (vfm_precompile_headers target)
       <utility> <vector>)
   endif ()
 endfunction ()
+
+# Compiles sources with vectors of four doubles (Base/Lanes.h). Functions with them are always
+# inlined, so their ABI does not matter. Clang rejects precompiled headers of other options.
+function (vfm_use_lanes)
+  set_source_files_properties(${ARGN} PROPERTIES
+    COMPILE_OPTIONS "-Wno-psabi;-fno-math-errno" SKIP_PRECOMPILE_HEADERS ON)
+endfunction ()
+
+# Installs a library of the component Mesher as VolumeFractionMesh::NAME, with the headers of a
+# folder. It does not link vfm_flags, which is not installed. Inline functions of the headers must
+# produce bitwise identical results in other projects too.
+function (vfm_install_library target name headers)
+  target_compile_features("${target}" PUBLIC cxx_std_17)
+  target_compile_options("${target}"
+    PRIVATE "$<TARGET_PROPERTY:vfm_flags,INTERFACE_COMPILE_OPTIONS>"
+    INTERFACE "$<INSTALL_INTERFACE:$<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off>>")
+  set_target_properties("${target}" PROPERTIES EXPORT_NAME "${name}")
+  install(TARGETS "${target}" EXPORT Mesher
+    ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}"
+    INCLUDES DESTINATION "${vfm_headers_folder}")
+  install(DIRECTORY "${headers}" DESTINATION "${vfm_headers_folder}"
+    FILES_MATCHING PATTERN "*.h")
+endfunction ()

@@ -1,5 +1,5 @@
 # Builds the mesher without VTK and MPI, with its tests: for compilers and processors that lack them.
-foreach (folder Grid Mesher Shapes)
+foreach (folder Parallel/Ranks Grid Mesher Shapes)
   add_subdirectory(${folder})
 endforeach ()
 if (VFM_BUILD_TESTING)

@@ -2,7 +2,7 @@
 # component has its own export, so a project that uses one component does not need the libraries of
 # the others. vtk_module_build exports Filters and IO.
 include(CMakePackageConfigHelpers)
-set(vfm_exports sculptor Grid)
+set(vfm_exports sculptor Mesher)
 if (TARGET vfm_catalyst)
   list(APPEND vfm_exports Catalyst)
 endif ()

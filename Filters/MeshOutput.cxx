@@ -3,8 +3,8 @@
 #include "AdoptBuffer.h"
 #include "EmptyOutput.h"
 #include "FieldValues.h"
-#include "Summary/MeshArrays.h"
-#include "Summary/MeshFields.h"
+#include "Report/MeshArrays.h"
+#include "Report/MeshFields.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

@@ -4,8 +4,8 @@
  */
 #pragma once
 
-#include "Mesh/Mesh.h"
-#include "Sets/SplitFaces.h"
+#include "Elements/Mesh.h"
+#include "Report/Sets/SplitFaces.h"
 
 class vtkPolyData;
 class vtkTable;

@@ -6,8 +6,8 @@
 #include "FieldValues.h"
 #include "MeshDataOfGrid.h"
 #include "Ranks/WorkTogether.h"
+#include "Report/FragmentTable.h"
 #include "RequestPiece.h"
-#include "Summary/FragmentTable.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"

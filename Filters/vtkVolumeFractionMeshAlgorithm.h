@@ -36,7 +36,7 @@
  *
  * **Errors.** Input that cannot be meshed, on any rank, gives one error message and empty outputs
  * on all ranks, with the message in the field data MeshError. Input that failed does the same. The
- * update itself does not fail (Parallel/FailedOutput.h has the reason).
+ * update itself does not fail (Parallel/Vtk/FailedOutput.h has the reason).
  */
 #ifndef vtkVolumeFractionMeshAlgorithm_h
 #define vtkVolumeFractionMeshAlgorithm_h

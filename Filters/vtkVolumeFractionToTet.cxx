@@ -1,7 +1,7 @@
 #include "vtkVolumeFractionToTet.h"
 
 #include "Mesher.h"
-#include "TetPipeline.h"
+#include "Phases/TetPipeline.h"
 
 #include "vtkObjectFactory.h"
 

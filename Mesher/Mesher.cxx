@@ -1,7 +1,9 @@
 #include "Mesher.h"
 
+#include "Elements/SelectPoints.h"
 #include "Fractions/GhostFractions.h"
-#include "HexPipeline.h"
+#include "Geometry/JoinCopies.h"
+#include "Geometry/LeaveCovering.h"
 #include "Input/InputFractions.h"
 #include "Input/InputLabels.h"
 #include "Labels/SmallRegions.h"
@@ -10,19 +12,17 @@
 #include "Levels/PeriodicFields.h"
 #include "Materials/UseLabels.h"
 #include "Materials/ZeroLabels.h"
-#include "Mesh/SelectPoints.h"
 #include "Modify/AddLayers.h"
 #include "Modify/AddMidNodes.h"
 #include "Modify/CurvedVolumes.h"
 #include "Modify/SplitInterfaces.h"
 #include "Options/SetOptions.h"
 #include "Options/ValueRanges.h"
-#include "Periodic/JoinCopies.h"
-#include "Periodic/LeaveCovering.h"
+#include "Phases/HexPipeline.h"
+#include "Phases/TetPipeline.h"
 #include "Ranks/Agreement.h"
+#include "Report/SeamFacets.h"
 #include "State/ViewMesh.h"
-#include "Summary/SeamFacets.h"
-#include "TetPipeline.h"
 
 #include <algorithm>
 #include <optional>

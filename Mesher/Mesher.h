@@ -6,9 +6,9 @@
 
 #include "Input/LabelNames.h"
 #include "Options/MesherOptions.h"
-#include "Sets/SplitFaces.h"
+#include "Report/MeshFields.h"
+#include "Report/Sets/SplitFaces.h"
 #include "State/MeshState.h"
-#include "Summary/MeshFields.h"
 
 #include <functional>
 #include <string>

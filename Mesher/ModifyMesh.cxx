@@ -8,9 +8,9 @@
 #include "Options/SetOptions.h"
 #include "Ranks/MergeByKey.h"
 #include "Ranks/WorkTogether.h"
+#include "Report/GatherMesh.h"
+#include "Report/MeshMaterials.h"
 #include "State/ViewMesh.h"
-#include "Summary/GatherMesh.h"
-#include "Summary/MeshMaterials.h"
 
 namespace vfm
 {

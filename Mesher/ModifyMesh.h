@@ -10,7 +10,7 @@
 #pragma once
 
 #include "Mesher.h"
-#include "Summary/MeshData.h"
+#include "Report/MeshData.h"
 
 namespace vfm
 {

@@ -8,8 +8,8 @@
 #include "Meshes/WriteMesh.h"
 #include "PrintSummary.h"
 #include "Ranks/WorkTogether.h"
+#include "Report/GatherMesh.h"
 #include "State/ViewMesh.h"
-#include "Summary/GatherMesh.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "CheckSurface.h"
 
 #include "Base/DisjointSets.h"
-#include "Summary/MeshFacets.h"
+#include "Report/MeshFacets.h"
 
 #include <algorithm>
 #include <map>

@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "Summary/MeshSummary.h"
+#include "Report/MeshSummary.h"
 
 #include <iosfwd>
 

@@ -18,11 +18,11 @@
 #include "Ranks/PrintableText.h"
 #include "Ranks/WorkTogether.h"
 #include "ReadInput.h"
+#include "Report/FragmentTable.h"
+#include "Report/MeshMaterials.h"
 #include "Report/WriteReport.h"
 #include "State/ArrayStems.h"
 #include "State/ViewMesh.h"
-#include "Summary/FragmentTable.h"
-#include "Summary/MeshMaterials.h"
 
 #include <algorithm>
 #include <chrono>

@@ -2,7 +2,7 @@
 
 #include "Base/ParseText.h"
 #include "Ranks/Errors.h"
-#include "Summary/UniqueNames.h"
+#include "Report/UniqueNames.h"
 
 #include <algorithm>
 #include <cctype>

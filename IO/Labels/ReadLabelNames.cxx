@@ -4,7 +4,7 @@
 #include "InputTrust.h"
 #include "OpenFile.h"
 #include "Ranks/WorkTogether.h"
-#include "Summary/UniqueNames.h"
+#include "Report/UniqueNames.h"
 
 #include <fstream>
 #include <iterator>

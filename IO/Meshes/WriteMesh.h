@@ -5,7 +5,7 @@
 
 #include "Meshes/Gmsh/WriteGmsh.h"
 #include "Ranks/Ranks.h"
-#include "Summary/MeshData.h"
+#include "Report/MeshData.h"
 
 #include <string>
 #include <vector>

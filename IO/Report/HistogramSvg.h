@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "Summary/QualityDistribution.h"
+#include "Report/QualityDistribution.h"
 
 #include <string>
 

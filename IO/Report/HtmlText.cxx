@@ -1,7 +1,7 @@
 #include "Report/HtmlText.h"
 
 #include "Meshes/Vtk/VtuText.h"
-#include "Summary/UniqueNames.h"
+#include "Report/UniqueNames.h"
 
 #include <charconv>
 

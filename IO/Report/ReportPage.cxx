@@ -2,9 +2,9 @@
 
 #include "Report/HistogramSvg.h"
 #include "Report/HtmlText.h"
+#include "Report/MeshData.h"
+#include "Report/MeshMaterials.h"
 #include "Report/ReportStyle.h"
-#include "Summary/MeshData.h"
-#include "Summary/MeshMaterials.h"
 
 #include <algorithm>
 #include <numeric>

@@ -3,8 +3,8 @@
  */
 #pragma once
 
-#include "Summary/MeshFields.h"
-#include "Summary/QualityDistribution.h"
+#include "Report/MeshFields.h"
+#include "Report/QualityDistribution.h"
 
 #include <optional>
 #include <string>

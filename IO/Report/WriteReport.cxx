@@ -4,8 +4,8 @@
 #include "Meshes/Files/OutputFile.h"
 #include "Options/SetOptions.h"
 #include "Ranks/WorkTogether.h"
-#include "Sets/MeshSets.h"
-#include "Summary/PointCounts.h"
+#include "Report/PointCounts.h"
+#include "Report/Sets/MeshSets.h"
 
 namespace vfm
 {

@@ -10,7 +10,7 @@
 #pragma once
 
 #include "Base/Vector3.h"
-#include "Mesh/Mesh.h"
+#include "Elements/Mesh.h"
 #include "Ranks/Ranks.h"
 
 #include <array>

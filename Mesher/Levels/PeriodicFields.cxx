@@ -1,10 +1,10 @@
 #include "Levels/PeriodicFields.h"
 
+#include "Elements/PeriodicIds.h"
 #include "Fractions/CoarsenFields.h"
 #include "Fractions/GhostFractions.h"
 #include "Input/NodeCoordinates.h"
 #include "Labels/Labels.h"
-#include "Mesh/PeriodicIds.h"
 
 namespace vfm
 {

@@ -3,8 +3,8 @@
  */
 #pragma once
 
+#include "Elements/Mesh.h"
 #include "Input/InputFields.h"
-#include "Mesh/Mesh.h"
 
 namespace vfm
 {

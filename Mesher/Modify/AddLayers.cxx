@@ -1,8 +1,8 @@
 #include "Modify/AddLayers.h"
 
-#include "Mesh/MeasureMaterials.h"
-#include "Mesh/Quality.h"
-#include "Sets/MaterialsBehind.h"
+#include "Geometry/MeasureMaterials.h"
+#include "Geometry/Quality.h"
+#include "Report/Sets/MaterialsBehind.h"
 #include "State/ViewMesh.h"
 
 namespace vfm

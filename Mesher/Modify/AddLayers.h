@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "Mesh/MeshReport.h"
+#include "Elements/MeshReport.h"
 #include "Modify/CutLayers.h"
 #include "Modify/MaterialPairs.h"
 #include "Options/MesherOptions.h"

@@ -4,9 +4,9 @@
 #include "Modify/StraightenEdges.h"
 #include "Ranks/MergeByKey.h"
 #include "Ranks/NumberInOrder.h"
+#include "Report/MatchFaces.h"
 #include "Smoothing/EdgePulls.h"
 #include "State/StateArrays.h"
-#include "Summary/MatchFaces.h"
 
 namespace vfm
 {

@@ -16,8 +16,8 @@
  */
 #pragma once
 
+#include "Report/MeshFields.h"
 #include "State/MeshState.h"
-#include "Summary/MeshFields.h"
 
 namespace vfm
 {

@@ -1,10 +1,10 @@
 #include "Modify/CurvedVolumes.h"
 
 #include "Base/ExactSum.h"
-#include "Curved/CurvedElement.h"
+#include "Modify/CurvedElement.h"
 #include "Octree/RefinedGrid.h"
+#include "Report/ElementMoments.h"
 #include "State/ViewMesh.h"
-#include "Summary/ElementMoments.h"
 
 #include <cmath>
 #include <map>

@@ -1,7 +1,7 @@
 #include "Modify/CutLayers.h"
 
-#include "Mesh/MeasureFragments.h"
-#include "Mesh/SelectPoints.h"
+#include "Elements/MeasureFragments.h"
+#include "Elements/SelectPoints.h"
 #include "Modify/GreatestId.h"
 #include "Modify/LayerFacets.h"
 #include "Modify/LayerPulls.h"

@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "Mesh/Mesh.h"
+#include "Elements/Mesh.h"
 
 namespace vfm
 {

@@ -1,7 +1,7 @@
 #include "Modify/LayerHeights.h"
 
 #include "Base/HexNumbering.h"
-#include "Hex/HexCoefficients.h"
+#include "Elements/Hex/HexCoefficients.h"
 #include "Ranks/MergeByKey.h"
 
 #include <cmath>

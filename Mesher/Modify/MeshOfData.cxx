@@ -1,10 +1,10 @@
 #include "Modify/MeshOfData.h"
 
 #include "Ranks/Agreement.h"
-#include "Sets/MeshSets.h"
-#include "Summary/DomainSides.h"
-#include "Summary/MatchFaces.h"
-#include "Summary/MeshFacets.h"
+#include "Report/DomainSides.h"
+#include "Report/MatchFaces.h"
+#include "Report/MeshFacets.h"
+#include "Report/Sets/MeshSets.h"
 
 #include <map>
 

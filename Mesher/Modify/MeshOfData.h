@@ -4,8 +4,8 @@
 #pragma once
 
 #include "Base/Runtime.h"
+#include "Report/MeshData.h"
 #include "State/MeshState.h"
-#include "Summary/MeshData.h"
 
 namespace vfm
 {

@@ -2,12 +2,12 @@
 
 #include "Base/DisjointSets.h"
 #include "Base/Sorted.h"
-#include "Mesh/ElementFaces.h"
+#include "Elements/ElementFaces.h"
 #include "Modify/GreatestId.h"
 #include "Ranks/MeetingRank.h"
 #include "Ranks/MergeByKey.h"
 #include "Ranks/NumberInOrder.h"
-#include "Summary/MatchFaces.h"
+#include "Report/MatchFaces.h"
 
 #include <limits>
 #include <tuple>

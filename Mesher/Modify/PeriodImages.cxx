@@ -1,6 +1,6 @@
 #include "Modify/PeriodImages.h"
 
-#include "Summary/DomainSides.h"
+#include "Report/DomainSides.h"
 
 #include <cmath>
 

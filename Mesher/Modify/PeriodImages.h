@@ -4,7 +4,7 @@
 #pragma once
 
 #include "Input/ImageFrame.h"
-#include "Summary/MeshFields.h"
+#include "Report/MeshFields.h"
 
 namespace vfm
 {

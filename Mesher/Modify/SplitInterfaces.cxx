@@ -1,10 +1,10 @@
 #include "Modify/SplitInterfaces.h"
 
 #include "Base/Sorted.h"
-#include "Mesh/SelectPoints.h"
+#include "Elements/SelectPoints.h"
 #include "Modify/GreatestId.h"
 #include "Modify/NodeCopies.h"
-#include "Sets/MaterialsBehind.h"
+#include "Report/Sets/MaterialsBehind.h"
 #include "State/ViewMesh.h"
 
 namespace vfm

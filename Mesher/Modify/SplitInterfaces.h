@@ -15,7 +15,7 @@
 
 #include "Base/Runtime.h"
 #include "Modify/MaterialPairs.h"
-#include "Sets/SplitFaces.h"
+#include "Report/Sets/SplitFaces.h"
 #include "State/MeshState.h"
 
 namespace vfm

@@ -1,6 +1,6 @@
 #include "Modify/StraightenEdges.h"
 
-#include "Curved/CurvedElement.h"
+#include "Modify/CurvedElement.h"
 #include "Ranks/Agreement.h"
 #include "Ranks/AskByKey.h"
 

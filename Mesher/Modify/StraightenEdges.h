@@ -9,7 +9,7 @@
 #pragma once
 
 #include "Base/Runtime.h"
-#include "Mesh/Mesh.h"
+#include "Elements/Mesh.h"
 #include "Modify/PeriodImages.h"
 
 #include <vector>

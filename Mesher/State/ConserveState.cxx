@@ -1,8 +1,8 @@
 #include "State/ConserveState.h"
 
 #include "State/RepeatedCells.h"
-#include "Transfer/NodalVelocity.h"
-#include "Transfer/Overlaps.h"
+#include "State/Transfer/NodalVelocity.h"
+#include "State/Transfer/Overlaps.h"
 
 namespace vfm
 {

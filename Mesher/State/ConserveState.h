@@ -1,6 +1,6 @@
 /**
- * ConserveState: makes the conserved state arrays of the elements (Transfer/TransferState.h), and
- * the balance of contents.
+ * ConserveState: makes the conserved state arrays of the elements (State/Transfer/TransferState.h),
+ * and the balance of contents.
  */
 #pragma once
 

@@ -11,7 +11,7 @@
 #include "Base/PagedArray.h"
 #include "Levels/LevelFields.h"
 #include "State/FineContents.h"
-#include "Transfer/TransferState.h"
+#include "State/Transfer/TransferState.h"
 
 namespace vfm
 {

@@ -3,7 +3,7 @@
 #include "Base/Partition.h"
 #include "Ranks/Agreement.h"
 #include "State/StateValues.h"
-#include "Transfer/StateCells.h"
+#include "State/Transfer/StateCells.h"
 
 #include <cstring>
 

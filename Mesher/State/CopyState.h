@@ -1,13 +1,13 @@
 /**
- * CopyState: copies the values of one cell to each element (Transfer/StateCells.h), also from cells
- * that other ranks read.
+ * CopyState: copies the values of one cell to each element (State/Transfer/StateCells.h), also from
+ * cells that other ranks read.
  */
 #pragma once
 
 #include "Base/Runtime.h"
+#include "Elements/Mesh.h"
 #include "Fractions/CellDivision.h"
 #include "Fractions/FractionField.h"
-#include "Mesh/Mesh.h"
 #include "State/StateArrays.h"
 #include "State/TransferredArray.h"
 

@@ -5,9 +5,9 @@
 #pragma once
 
 #include "Base/IndexBox.h"
+#include "Elements/Mesh.h"
 #include "Input/FieldArray.h"
 #include "Input/InputFields.h"
-#include "Mesh/Mesh.h"
 
 #include <functional>
 #include <string>

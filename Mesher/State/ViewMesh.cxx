@@ -1,7 +1,7 @@
 #include "State/ViewMesh.h"
 
+#include "Report/MeshArrays.h"
 #include "State/StateArrays.h"
-#include "Summary/MeshArrays.h"
 
 namespace vfm
 {

@@ -3,8 +3,8 @@
  */
 #pragma once
 
+#include "Report/MeshData.h"
 #include "State/MeshState.h"
-#include "Summary/MeshData.h"
 
 namespace vfm
 {

@@ -6,13 +6,13 @@
  * tetrahedra by every method, and their dihedral angles.
  */
 #include "Base/Vector3.h"
+#include "Elements/Tet/LatticeTopology.h"
 #include "Fractions/RefineCells.h"
 #include "Labels/ResolveLabels.h"
 #include "MeasureAlone.h"
 #include "MeshCases.h"
 #include "NoCoarseTets.h"
 #include "RankFields.h"
-#include "Tet/LatticeTopology.h"
 
 #include <benchmark/benchmark.h>
 

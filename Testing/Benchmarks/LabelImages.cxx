@@ -10,13 +10,13 @@
  */
 #include "Atlas.h"
 #include "Base/ParseText.h"
-#include "HexPipeline.h"
 #include "Labels/Fragments.h"
 #include "MeshChecks.h"
 #include "OverlapChecks.h"
+#include "Phases/HexPipeline.h"
+#include "Phases/TetPipeline.h"
 #include "ReadLabelImage.h"
 #include "RealCases.h"
-#include "TetPipeline.h"
 
 #include <cmath>
 #include <cstdio>

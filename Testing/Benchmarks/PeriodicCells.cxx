@@ -8,8 +8,8 @@
  */
 #include "Base/Vector3.h"
 #include "GluedChecks.h"
-#include "HexPipeline.h"
-#include "TetPipeline.h"
+#include "Phases/HexPipeline.h"
+#include "Phases/TetPipeline.h"
 
 #include <cmath>
 #include <cstdio>

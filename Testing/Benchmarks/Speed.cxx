@@ -14,9 +14,9 @@
  * Debian's package mricron-data.
  */
 #include "Atlas.h"
+#include "Elements/MeasureFragments.h"
 #include "Input/MakePartition.h"
 #include "MeasureAlone.h"
-#include "Mesh/MeasureFragments.h"
 #include "RankMeshes.h"
 #include "RealCases.h"
 #include "SerialTimes.h"

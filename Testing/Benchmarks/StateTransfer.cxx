@@ -13,9 +13,9 @@
 #include "MeshCases.h"
 #include "SerialTimes.h"
 #include "SmoothState.h"
-#include "Transfer/NodalVelocity.h"
-#include "Transfer/Overlaps.h"
-#include "Transfer/StateCells.h"
+#include "State/Transfer/NodalVelocity.h"
+#include "State/Transfer/Overlaps.h"
+#include "State/Transfer/StateCells.h"
 
 #include <cmath>
 #include <cstdio>

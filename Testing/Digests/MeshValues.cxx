@@ -3,9 +3,9 @@
 #include "Input/NodeCoordinates.h"
 #include "Input/PlainArrays.h"
 #include "LabelInput.h"
+#include "Report/MeshArrays.h"
 #include "Shapes/ShapesFractions.h"
 #include "Shapes/ShapesText.h"
-#include "Summary/MeshArrays.h"
 
 #include <cstdio>
 #include <fstream>

@@ -223,8 +223,8 @@ class Searches(unittest.TestCase):
 
     def test_named_file(self):
         self.assertEqual(
-            NAMED.findall("see `Grid/Ranks/Ranks.h`, `build/Data/x` and Examples/impact."),
-            ["Grid/Ranks/Ranks.h", "Examples/impact"])
+            NAMED.findall("see `Parallel/Ranks/Ranks.h`, `build/Data/x` and Examples/impact."),
+            ["Parallel/Ranks/Ranks.h", "Examples/impact"])
 
     def test_path_of_a_plugin(self):
         self.assertTrue(PLUGIN_FROM_HERE.search('LoadPlugin("build/lib/VolumeFractionMesh.so"'))

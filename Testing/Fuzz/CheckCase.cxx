@@ -7,7 +7,7 @@
 #include "Modify/AddMidNodes.h"
 #include "Modify/SplitInterfaces.h"
 #include "OverlapChecks.h"
-#include "TetPipeline.h"
+#include "Phases/TetPipeline.h"
 
 #include <cmath>
 #include <cstdio>

@@ -1,11 +1,11 @@
 #include "CheckPeriods.h"
 
 #include "Base/Vector3.h"
+#include "Elements/TetQuality.h"
+#include "Geometry/JoinCopies.h"
+#include "Geometry/LeaveCovering.h"
 #include "GluedChecks.h"
-#include "Mesh/TetQuality.h"
-#include "Periodic/JoinCopies.h"
-#include "Periodic/LeaveCovering.h"
-#include "TetPipeline.h"
+#include "Phases/TetPipeline.h"
 
 #include <cmath>
 #include <set>

@@ -2,13 +2,13 @@
 #include "RankMeshes.h"
 
 #include "Base/Vector3.h"
-#include "Hex/ActiveHexes.h"
-#include "Hex/HexFacets.h"
-#include "Hex/MakeLevels.h"
+#include "Elements/Hex/HexFacets.h"
 #include "Labels/ResolveLabels.h"
+#include "Phases/MakeLevels.h"
 #include "SharpFeatures/FeaturePlaces.h"
 #include "Smoothing/AttachFeatures.h"
-#include "Smoothing/HexEnergy.h"
+#include "Smoothing/Hex/ActiveHexes.h"
+#include "Smoothing/Hex/HexEnergy.h"
 #include "Smoothing/Smoother.h"
 
 #include <gtest/gtest.h>

@@ -9,7 +9,7 @@
 #include "Labels/SmallRegions.h"
 #include "Labels/SmoothLabels.h"
 #include "Ranks/WorkTogether.h"
-#include "Transfer/TransferState.h"
+#include "State/Transfer/TransferState.h"
 
 #include <gtest/gtest.h>
 

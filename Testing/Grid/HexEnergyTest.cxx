@@ -1,4 +1,4 @@
-#include "Smoothing/HexEnergy.h"
+#include "Smoothing/Hex/HexEnergy.h"
 #include "Base/Vector3.h"
 
 #include <gtest/gtest.h>

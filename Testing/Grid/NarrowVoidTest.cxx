@@ -5,9 +5,9 @@
 #include "Labels/SmoothLabels.h"
 #include "MeshChecks.h"
 #include "OverlapChecks.h"
+#include "Phases/TetPipeline.h"
 #include "RankMeshes.h"
 #include "Sweep.h"
-#include "TetPipeline.h"
 #include "ThreadRanks.h"
 
 #include <gtest/gtest.h>

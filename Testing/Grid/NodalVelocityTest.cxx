@@ -1,11 +1,11 @@
 /// Velocities at mesh points: momentum and kinetic energy are conserved,
 /// losses included, on any ranks.
-#include "Transfer/NodalVelocity.h"
+#include "State/Transfer/NodalVelocity.h"
 
 #include "Base/Vector3.h"
 #include "RankMeshes.h"
 #include "SmoothState.h"
-#include "Transfer/Overlaps.h"
+#include "State/Transfer/Overlaps.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 /// Options, grids, and guarantees that hold for all of them.
-#include "Mesh/Quality.h"
+#include "Geometry/Quality.h"
 #include "MeshCases.h"
+#include "Phases/TetPipeline.h"
 #include "RankFields.h"
-#include "TetPipeline.h"
 
 #include <gtest/gtest.h>
 

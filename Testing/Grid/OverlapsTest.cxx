@@ -1,7 +1,7 @@
 /// Overlaps of elements with cells, compared with bodies cut plane by plane; whole meshes are
 /// compared with the cells that they fill.
-#include "Transfer/Overlaps.h"
-#include "Transfer/RegularTets.h"
+#include "State/Transfer/Overlaps.h"
+#include "State/Transfer/RegularTets.h"
 
 #include "Base/ConvexClip.h"
 #include "Base/HexNumbering.h"

@@ -3,10 +3,10 @@
 #include "Base/RunCoding.h"
 #include "Base/ThreadRuntime.h"
 #include "Fractions/FractionField.h"
-#include "Hex/ActiveCorners.h"
-#include "Hex/PackedLists.h"
 #include "Labels/Labels.h"
 #include "MeshChecks.h"
+#include "Smoothing/Hex/ActiveCorners.h"
+#include "Smoothing/Hex/PackedLists.h"
 
 #include <gtest/gtest.h>
 

@@ -5,10 +5,10 @@
 #include "Labels/ResolveLabels.h"
 #include "Labels/SmoothLabels.h"
 #include "MeshCases.h"
+#include "Phases/TetPipeline.h"
 #include "RandomDraw.h"
 #include "RankMeshes.h"
 #include "Sweep.h"
-#include "TetPipeline.h"
 
 #include <gtest/gtest.h>
 

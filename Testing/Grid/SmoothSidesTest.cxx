@@ -1,11 +1,11 @@
 /// Sides of interfaces with edges and the resulting geometry, on faces of cells. A function
 /// defines which points carry edges.
-#include "Mesh/SmoothSides.h"
+#include "Geometry/SmoothSides.h"
 #include "Base/ThreadRuntime.h"
 #include "Base/Vector3.h"
+#include "Geometry/Geometry.h"
 #include "Labels/Fragments.h"
 #include "Labels/InterfaceFaces.h"
-#include "Mesh/Geometry.h"
 #include "MeshChecks.h"
 #include "Octree/RefinedGrid.h"
 #include "RankFields.h"

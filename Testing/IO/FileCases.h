@@ -4,8 +4,8 @@
 #pragma once
 
 #include "RankMeshes.h"
+#include "Report/MeshFields.h"
 #include "State/ViewMesh.h"
-#include "Summary/MeshFields.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include "Meshes/Decks/DeckCards.h"
 #include "Meshes/Decks/DeckModel.h"
 #include "Meshes/WriteMesh.h"
-#include "Summary/UniqueNames.h"
+#include "Report/UniqueNames.h"
 
 #include <algorithm>
 #include <cmath>

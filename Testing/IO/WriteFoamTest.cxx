@@ -4,7 +4,7 @@
 #include "FoamReader.h"
 #include "Meshes/OpenFoam/FoamMesh.h"
 #include "Meshes/OpenFoam/FoamSurfaces.h"
-#include "Sets/NamedSurfaces.h"
+#include "Report/Sets/NamedSurfaces.h"
 
 #include <numeric>
 

@@ -1,8 +1,8 @@
 /// Files of Gmsh: text of two cubes, the same content in both versions as text and binary, the same
 /// bytes from any number of ranks.
 #include "Meshes/Gmsh/WriteGmsh.h"
+#include "Elements/ElementFaces.h"
 #include "FileCases.h"
-#include "Mesh/ElementFaces.h"
 #include "Meshes/WriteMesh.h"
 
 #include <fstream>

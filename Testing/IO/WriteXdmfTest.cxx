@@ -1,7 +1,7 @@
 /// Files of XDMF: text of two cubes, tags of all facets, the same bytes from any number of ranks.
 #include "FileCases.h"
 #include "Meshes/WriteMesh.h"
-#include "Sets/NamedSurfaces.h"
+#include "Report/Sets/NamedSurfaces.h"
 
 #include <sstream>
 

@@ -3,8 +3,8 @@
  */
 #pragma once
 
-#include "Curved/CurvedElement.h"
-#include "Mesh/Mesh.h"
+#include "Elements/Mesh.h"
+#include "Modify/CurvedElement.h"
 
 namespace vfm
 {

@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "Mesh/Quality.h"
+#include "Geometry/Quality.h"
 #include "Modify/CutLayers.h"
 
 namespace vfm

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "Mesher.h"
-#include "Sets/MeshSets.h"
+#include "Report/Sets/MeshSets.h"
 #include "State/ViewMesh.h"
 
 #include <gtest/gtest.h>

@@ -3,8 +3,8 @@
 #include "LabelInput.h"
 #include "NodesById.h"
 #include "RankFields.h"
-#include "Sets/MeshSets.h"
-#include "Sets/PeriodicPairs.h"
+#include "Report/Sets/MeshSets.h"
+#include "Report/Sets/PeriodicPairs.h"
 #include "ThreadRanks.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 /// Layers of hexahedra along surfaces of a finished mesh.
+#include "Elements/ElementFaces.h"
+#include "Elements/MeasureFragments.h"
 #include "InterfaceLayers.h"
-#include "Mesh/ElementFaces.h"
-#include "Mesh/MeasureFragments.h"
 #include "RankMeshes.h"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 /// The report of a mesh is the same from any number of ranks, even if one has no element.
-#include "Summary/GatherMesh.h"
+#include "Report/GatherMesh.h"
 #include "RankMeshes.h"
-#include "Sets/MeshSets.h"
+#include "Report/FragmentTable.h"
+#include "Report/Sets/MeshSets.h"
 #include "State/ViewMesh.h"
-#include "Summary/FragmentTable.h"
 
 #include <gtest/gtest.h>
 

@@ -3,10 +3,10 @@
 #include "Input/PlainArrays.h"
 #include "LabelInput.h"
 #include "MeshChecks.h"
+#include "Phases/TetPipeline.h"
+#include "Report/FragmentTable.h"
+#include "Report/QualityDistribution.h"
 #include "State/ViewMesh.h"
-#include "Summary/FragmentTable.h"
-#include "Summary/QualityDistribution.h"
-#include "TetPipeline.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 /// Data behind faces, and the points shared by ranks, for any distribution.
-#include "Summary/MatchFaces.h"
-#include "Summary/SharedPoints.h"
+#include "Report/MatchFaces.h"
+#include "Report/SharedPoints.h"
 #include "ThreadRanks.h"
 
 #include <gtest/gtest.h>

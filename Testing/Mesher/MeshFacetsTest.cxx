@@ -1,9 +1,9 @@
 /// The mesher's facets equal the facets found by a search and give the same sets, on any ranks.
-#include "Summary/MeshFacets.h"
+#include "Report/MeshFacets.h"
 #include "RankMeshes.h"
+#include "Report/MeshFields.h"
 #include "SharpCases.h"
 #include "State/ViewMesh.h"
-#include "Summary/MeshFields.h"
 
 #include <gtest/gtest.h>
 

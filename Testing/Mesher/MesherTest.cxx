@@ -1,9 +1,9 @@
 /// Meshes made from blocks of cells without VTK data sets.
 #include "Mesher.h"
 #include "Input/NodeCoordinates.h"
+#include "Report/MeshData.h"
+#include "Report/MeshFields.h"
 #include "Shapes/ShapesFractions.h"
-#include "Summary/MeshData.h"
-#include "Summary/MeshFields.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 /// Named surfaces contain each face once, skins are closed and point outward, and the entities of a
 /// mesh equal the geometry of the mesher; on any ranks.
-#include "Sets/NamedSurfaces.h"
+#include "Report/Sets/NamedSurfaces.h"
 #include "RankMeshes.h"
-#include "Sets/MeshEntities.h"
+#include "Report/MeshFields.h"
+#include "Report/Sets/MeshEntities.h"
 #include "SharpCases.h"
 #include "State/ViewMesh.h"
-#include "Summary/MeshFields.h"
 
 #include <gtest/gtest.h>
 

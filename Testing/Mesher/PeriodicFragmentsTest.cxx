@@ -1,8 +1,8 @@
 /// Fragments of periodic meshes: position, bounds and neighbours of bodies that sides cut.
 #include "LabelInput.h"
 #include "RankFields.h"
+#include "Report/FragmentTable.h"
 #include "State/ViewMesh.h"
-#include "Summary/FragmentTable.h"
 #include "ThreadRanks.h"
 
 #include <gtest/gtest.h>

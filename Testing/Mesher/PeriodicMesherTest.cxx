@@ -1,13 +1,13 @@
 /// Meshes of periodic domains: ids, partners and sides of the output.
+#include "Elements/ElementFaces.h"
 #include "Input/PlainArrays.h"
 #include "LabelInput.h"
-#include "Mesh/ElementFaces.h"
 #include "RankFields.h"
-#include "Sets/MeshSets.h"
-#include "Sets/PeriodicPairs.h"
+#include "Report/ElementMoments.h"
+#include "Report/MeshFacets.h"
+#include "Report/Sets/MeshSets.h"
+#include "Report/Sets/PeriodicPairs.h"
 #include "State/ViewMesh.h"
-#include "Summary/ElementMoments.h"
-#include "Summary/MeshFacets.h"
 #include "ThreadRanks.h"
 
 #include <gtest/gtest.h>

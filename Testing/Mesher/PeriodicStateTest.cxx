@@ -3,8 +3,8 @@
 #include "Input/PlainArrays.h"
 #include "LabelInput.h"
 #include "RankFields.h"
+#include "Report/ElementMoments.h"
 #include "State/ViewMesh.h"
-#include "Summary/ElementMoments.h"
 #include "ThreadRanks.h"
 
 #include <gtest/gtest.h>

@@ -2,8 +2,8 @@
 #include "CurvedNodes.h"
 #include "MeshCases.h"
 #include "Modify/AddMidNodes.h"
+#include "Phases/TetPipeline.h"
 #include "Shapes/ShapesFractions.h"
-#include "TetPipeline.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 /// Nodes of split interfaces, counted by another algorithm, and their cohesive elements.
+#include "Elements/ElementFaces.h"
 #include "LabelInput.h"
-#include "Mesh/ElementFaces.h"
 #include "Modify/MaterialPairs.h"
 #include "RankFields.h"
-#include "Sets/SplitFaces.h"
+#include "Report/ElementMoments.h"
+#include "Report/Sets/SplitFaces.h"
 #include "State/ViewMesh.h"
-#include "Summary/ElementMoments.h"
 #include "ThreadRanks.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 """The rule of state arrays in numpy: the cell from which each element takes its values.
 
-It is independent of the implementation in Grid/Transfer/StateCells.h.
+It is independent of the implementation in Mesher/State/Transfer/StateCells.h.
 """
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy

@@ -11,7 +11,7 @@ ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 class ThisTree(unittest.TestCase):
     def test_keeps_the_rules(self):
         tree = read_tree(ROOT)
-        self.assertLessEqual({"Grid", "Grid/Base", "Grid/Tet", "Shapes", "Mesher", "Filters",
+        self.assertLessEqual({"Grid/Base", "Mesher", "Mesher/Elements/Tet", "Shapes", "Filters",
                               "InSitu", "python"}, set(map(place_of, tree)))
         problems = find_problems(tree)
         self.assertFalse(problems, "\n" + "\n".join(problems))
@@ -24,19 +24,19 @@ class WrongTrees(unittest.TestCase):
         self.tree = {
             "Grid/Base/Ranks.h": ["#include <vector>\n"],
             "Grid/Base/Ranks.cxx": ['#include "Base/Ranks.h"\n'],
-            "Grid/Mesh/Mesh.h": ['#include "Base/Ranks.h"\n'],
-            "Grid/Tet/Fill.h": ['#include "Mesh/Mesh.h"\n', "#include <tetgen.h>\n"],
-            "Grid/Pipeline.h": ['#include "Tet/Fill.h"\n'],
-            "Grid/Pipeline.cxx": ['#include "Pipeline.h"\n'],
+            "Mesher/Elements/Mesh.h": ['#include "Base/Ranks.h"\n'],
+            "Mesher/TetGen/Fill.h": ['#include "Elements/Mesh.h"\n', "#include <tetgen.h>\n"],
+            "Mesher/Mesher.h": ['#include "TetGen/Fill.h"\n'],
+            "Mesher/Mesher.cxx": ['#include "Mesher.h"\n'],
             "Shapes/Shapes.h": ['#include "Base/Ranks.h"\n'],
-            "Parallel/Controller.h": ['#include "Base/Ranks.h"\n', "#include <vtkObject.h>\n"],
+            "Parallel/Vtk/Controller.h": ['#include "Base/Ranks.h"\n', "#include <vtkObject.h>\n"],
             "IO/Meshes/Writer.h": ['#include "Base/Ranks.h"\n'],
-            "Filters/vtkFilter.h": ['#include "Pipeline.h"\n', '#include "Shapes/Shapes.h"\n',
+            "Filters/vtkFilter.h": ['#include "Mesher.h"\n', '#include "Shapes/Shapes.h"\n',
                                     '#include "vtkFilterModule.h"\n'],
             "InSitu/Sculptor.h": ['#include "Base/Ranks.h"\n', "#include <mpi.h>\n"],
             "Examples/impact/Options.h": [],
             "Examples/impact/main.cxx": ['#include "Options.h"\n', '#include "Sculptor.h"\n'],
-            "Testing/Support/Cases.h": ['#include "Pipeline.h"\n'],
+            "Testing/Support/Cases.h": ['#include "Mesher.h"\n'],
             "Testing/Grid/CasesTest.cxx": ['#include "Cases.h"\n'],
         }
 
@@ -51,32 +51,32 @@ class WrongTrees(unittest.TestCase):
         self.assertEqual(find_problems(self.tree), [])
 
     def test_include_upwards(self):
-        self.expect("Grid/Base must not include Mesh/Mesh.h of Grid/Mesh", "Grid/Base/Other.h",
-                    '#include "Mesh/Mesh.h"')
+        self.expect("Grid/Base must not include Elements/Mesh.h of Mesher/Elements", "Grid/Base/Other.h",
+                    '#include "Elements/Mesh.h"')
 
     def test_include_of_the_root(self):
-        self.expect("Grid/Tet must not include Pipeline.h of Grid", "Grid/Tet/Other.h",
-                    '#include "Pipeline.h"')
+        self.expect("Mesher/TetGen must not include Mesher.h of Mesher", "Mesher/TetGen/Other.h",
+                    '#include "Mesher.h"')
 
     def test_position_and_spaces(self):
         self.expect("Grid/Base/Other.h:2: ", "Grid/Base/Other.h", "#include <map>",
-                    '  #  include "Tet/Fill.h"')
+                    '  #  include "TetGen/Fill.h"')
 
     def test_room_not_named(self):
         self.expect("Ranks.h does not name its module", "Grid/Base/Other.h", '#include "Ranks.h"')
 
     def test_room_not_named_elsewhere(self):
-        self.expect("../Mesh/Mesh.h does not name its module", "Grid/Tet/Other.h",
-                    '#include "../Mesh/Mesh.h"')
+        self.expect("../Elements/Mesh.h does not name its module", "Mesher/TetGen/Other.h",
+                    '#include "../Elements/Mesh.h"')
 
     def test_no_such_file(self):
-        self.expect("there is no Base/Gone.h", "Grid/Tet/Other.h", '#include "Base/Gone.h"')
+        self.expect("there is no Base/Gone.h", "Mesher/TetGen/Other.h", '#include "Base/Gone.h"')
 
     def test_grid_with_vtk(self):
-        self.expect("does not know VTK: vtkObject.h", "Grid/Mesh/Other.h", "#include <vtkObject.h>")
+        self.expect("does not know VTK: vtkObject.h", "Grid/Labels/Other.h", "#include <vtkObject.h>")
 
     def test_grid_with_mpi(self):
-        self.expect("does not know MPI: mpi.h", "Grid/Other.h", '#include "mpi.h"')
+        self.expect("does not know MPI: mpi.h", "Mesher/Other.h", '#include "mpi.h"')
 
     def test_shapes_with_vtk(self):
         self.expect("does not know VTK: vtkObject.h", "Shapes/Shapes.h", "#include <vtkObject.h>")
@@ -92,13 +92,13 @@ class WrongTrees(unittest.TestCase):
 
     def test_wrong_folders(self):
         wrong = {
-            "Grid/Hex/Other.h": "Shapes/Shapes.h",
-            "Shapes/Other.h": "Mesh/Mesh.h",
-            "Parallel/Other.h": "Writer.h",
+            "Mesher/Elements/Hex/Other.h": "Shapes/Shapes.h",
+            "Shapes/Other.h": "Elements/Mesh.h",
+            "Parallel/Vtk/Other.h": "Writer.h",
             "IO/Other.h": "Controller.h",
             "Filters/Other.h": "Writer.h",
             "InSitu/Other.h": "Shapes/Shapes.h",
-            "Program/Other.h": "Tet/Fill.h",
+            "Program/Other.h": "CasesTest.cxx",
             "Plugin/Other.h": "Base/Ranks.h",
             "Examples/Other.h": "Controller.h",
             "Filters/Test.h": "Cases.h",
@@ -150,8 +150,8 @@ class WrongTrees(unittest.TestCase):
 
     def test_root_fills_up(self):
         for number in range(MOST_AT_ROOT - 2):
-            self.tree["Grid/File%d.h" % number] = []
-        self.expect("Grid's root has %d files" % (MOST_AT_ROOT + 1), "Grid/README", "")
+            self.tree["Mesher/File%d.h" % number] = []
+        self.expect("Mesher's root has %d files" % (MOST_AT_ROOT + 1), "Mesher/README", "")
 
     def test_long_file(self):
         self.expect("IO/Long.py has %d lines" % (LONGEST + 1), "IO/Long.py",

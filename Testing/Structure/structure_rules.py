@@ -5,61 +5,63 @@ import os
 import re
 
 # Modules of Grid and Mesher, from bottom to top. A module may include only modules before it; the
-# root of each is above all its modules.
-MODULES = {
-    "Grid": ("Ranks", "Base", "Fractions", "Octree", "Labels", "Interface", "Mesh", "Periodic",
-             "Transfer", "SharpFeatures", "Smoothing", "Volumes", "Curved", "Hex", "Tet", "TetGen"),
-    "Mesher": ("Options", "Input", "Materials", "Levels", "Summary", "Sets", "State", "Modify"),
-}
-GRID, MESHER = (tuple(top + "/" + module for module in MODULES[top]) + (top,)
-                for top in ("Grid", "Mesher"))
-IN_MODULES = frozenset(GRID[:-1] + MESHER[:-1])
-BASE = ("Grid/Ranks", "Grid/Base")
+# root of Mesher is above all its modules.
+RANKS = ("Parallel/Ranks",)
+GRID = RANKS + tuple("Grid/" + module for module in ("Base", "Fractions", "Octree", "Labels"))
+MODULES = tuple("Mesher/" + module for module in (
+    "Elements", "Elements/Hex", "Elements/Tet", "Interface", "SharpFeatures", "Geometry",
+    "Smoothing", "Smoothing/Hex", "Smoothing/Tet", "Volumes", "Options", "TetGen", "Input",
+    "Materials", "Levels", "Report", "Report/Sets", "State/Transfer", "State", "Modify", "Phases"))
+MESHER = MODULES + ("Mesher",)
+IN_MODULES = frozenset(GRID + MODULES)
+BASE = RANKS + ("Grid/Base",)
+MESHES = GRID + MESHER
+WITH_MODULES = ("Grid", "Mesher", "Parallel", "Testing")
 
 # Other folders that a folder may include.
-ALLOWED = {place: GRID[:level] for level, place in enumerate(GRID)}
-ALLOWED.update({place: GRID + MESHER[:level] for level, place in enumerate(MESHER)})
+ALLOWED = {place: MESHES[:level] for level, place in enumerate(MESHES)}
 ALLOWED.update({
     "Shapes": BASE + ("Grid/Fractions",),
     "Parallel/Mpi": BASE,
-    "Parallel": BASE + ("Parallel/Mpi",),
-    "Filters/Data": GRID + MESHER[:5] + ("Parallel",),
+    "Parallel/Vtk": BASE + ("Parallel/Mpi",),
+    "Filters/Data": MESHES + ("Parallel/Vtk",),
     "IO": BASE + MESHER,
     "IO/Images": BASE + MESHER + ("IO",),
     "IO/Blocks": BASE + MESHER + ("IO",),
-    "IO/Labels": BASE + ("Mesher/Input", "Mesher/Summary", "IO"),
+    "IO/Labels": BASE + ("Mesher/Input", "Mesher/Report", "IO"),
     "IO/Meshes": BASE + MESHER + ("IO",),
     "IO/Report": BASE + MESHER + ("IO", "IO/Meshes"),
-    "Filters": GRID + MESHER + ("Shapes", "Parallel", "IO/Labels", "Filters/Data"),
-    "Filters/Files": BASE + MESHER + ("Parallel", "IO", "IO/Images", "IO/Meshes", "Filters/Data"),
-    "InSitu": BASE + ("Grid/Mesh",) + MESHER + ("Parallel/Mpi", "IO/Labels", "IO/Meshes"),
+    "Filters": MESHES + ("Shapes", "Parallel/Vtk", "IO/Labels", "Filters/Data"),
+    "Filters/Files": BASE + MESHER + (
+        "Parallel/Vtk", "IO", "IO/Images", "IO/Meshes", "Filters/Data"),
+    "InSitu": BASE + MESHER + ("Parallel/Mpi", "IO/Labels", "IO/Meshes"),
     "InSitu/Catalyst": BASE + ("Parallel/Mpi", "InSitu"),
-    "Program": BASE + ("Grid/Mesh",) + MESHER + (
-        "Parallel", "Parallel/Mpi", "IO", "IO/Blocks", "IO/Images", "IO/Labels", "IO/Meshes",
+    "Program": BASE + MESHER + (
+        "Parallel/Vtk", "Parallel/Mpi", "IO", "IO/Blocks", "IO/Images", "IO/Labels", "IO/Meshes",
         "IO/Report", "Filters", "Filters/Data"),
     "Plugin": ("Filters", "Mesher/Input", "Mesher/Materials"),
-    "python": GRID + MESHER + ("Shapes", "IO/Blocks", "IO/Labels", "IO/Meshes", "IO/Report"),
+    "python": MESHES + ("Shapes", "IO/Blocks", "IO/Labels", "IO/Meshes", "IO/Report"),
     "Examples": ("InSitu", "InSitu/Catalyst"),
-    "Testing/Support": GRID + ("Shapes",),
-    "Testing/Inputs": GRID + MESHER,
-    "Testing/Grid": GRID + ("Shapes", "Testing/Support"),
-    "Testing/Fuzz": GRID + MESHER + (
+    "Testing/Support": MESHES + ("Shapes",),
+    "Testing/Inputs": MESHES,
+    "Testing/Grid": MESHES + ("Shapes", "Testing/Support"),
+    "Testing/Fuzz": MESHES + (
         "Shapes", "IO", "IO/Blocks", "IO/Images", "IO/Labels", "Filters", "InSitu", "Program",
         "Testing/Inputs", "Testing/Support"),
-    "Testing/Benchmarks": GRID + (
-        "Mesher/Input", "IO", "IO/Images", "Shapes", "Filters", "Testing/Support"),
-    "Testing/IO": GRID + MESHER + (
+    "Testing/Benchmarks": MESHES + ("IO", "IO/Images", "Shapes", "Filters", "Testing/Support"),
+    "Testing/IO": MESHES + (
         "Shapes", "IO", "IO/Blocks", "IO/Images", "IO/Labels", "IO/Meshes", "IO/Report",
         "Testing/Inputs", "Testing/Support"),
-    "Testing/Mesher": GRID + MESHER + ("Shapes", "Testing/Inputs", "Testing/Support"),
-    "Testing/Parallel": BASE + ("Parallel", "Testing/Support"),
-    "Testing/Digests": GRID + MESHER + ("Shapes", "Testing/Inputs"),
-    "Testing/InSitu": BASE + ("Parallel", "Filters", "Filters/Data", "InSitu", "InSitu/Catalyst"),
+    "Testing/Mesher": MESHES + ("Shapes", "Testing/Inputs", "Testing/Support"),
+    "Testing/Parallel": BASE + ("Parallel/Vtk", "Testing/Support"),
+    "Testing/Digests": MESHES + ("Shapes", "Testing/Inputs"),
+    "Testing/InSitu": BASE + ("Parallel/Vtk", "Filters", "Filters/Data", "InSitu",
+                              "InSitu/Catalyst"),
     "Testing/Program": MESHER + ("InSitu", "Program"),
 })
 
 # PLAIN: folders without VTK. WITHOUT_MPI: folders without VTK and MPI.
-WITHOUT_MPI = GRID + MESHER + (
+WITHOUT_MPI = MESHES + (
     "Shapes", "IO", "IO/Blocks", "IO/Images", "IO/Labels", "IO/Meshes", "IO/Report", "python",
     "Testing/IO", "Testing/Inputs", "Testing/Support", "Testing/Grid", "Testing/Mesher")
 PLAIN = WITHOUT_MPI + ("Parallel/Mpi", "InSitu")
@@ -70,16 +72,16 @@ INCLUDE = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)')
 CODE = (".h", ".hpp", ".cxx", ".cpp", ".c")
 SOURCES = CODE + (".f90", ".py", ".xml", ".txt", ".cmake")
 LONGEST = 650 # lines
-MOST_AT_ROOT = 8  # files in Grid outside its modules
+MOST_AT_ROOT = 5  # files of Mesher outside its modules
 MOST_IN_FOLDER = 40 # files
 # folders in which each source has a header of its name
-HAVE_HEADERS = GRID + MESHER + ("Shapes", "Parallel", "IO", "IO/Labels", "IO/Meshes",
+HAVE_HEADERS = MESHES + ("Shapes", "Parallel/Vtk", "IO", "IO/Labels", "IO/Meshes",
                                 "IO/Report", "Filters/Data", "Filters/Files")
 PACKAGE = "python/volume_fraction_mesh"
 
 
 def read_tree(root):
-    """Returns {path: lines} of all sources; other files in Grid have no lines."""
+    """Returns {path: lines} of all sources; other files in Mesher have no lines."""
     tree = {}
     for folder, folders, files in os.walk(root):
         folders[:] = [f for f in folders if not f.startswith((".", "build"))
@@ -91,7 +93,7 @@ def read_tree(root):
             if name.endswith(SOURCES):
                 with open(os.path.join(root, path), encoding="utf-8") as file:
                     tree[path] = file.readlines()
-            elif path.startswith("Grid/"):
+            elif path.startswith("Mesher/"):
                 tree[path] = []
     return tree
 
@@ -99,10 +101,10 @@ def read_tree(root):
 def place_of(path):
     """Returns the module or folder of a file."""
     folders = path.split("/")[:-1]
-    two = "/".join(folders[:2])
-    return (two if two in ALLOWED
-            or folders and (folders[0] in MODULES or folders[0] == "Testing")
-            else "/".join(folders[:1]))
+    for depth in (3, 2):
+        if "/".join(folders[:depth]) in ALLOWED:
+            return "/".join(folders[:depth])
+    return "/".join(folders[:2 if folders and folders[0] in WITH_MODULES else 1])
 
 
 def find_file(tree, folders, path, name):
@@ -122,7 +124,8 @@ def list_includes(tree):
 
     Modules are not searched as folders.
     """
-    folders = {os.path.dirname(path) for path in tree} - IN_MODULES | {""}
+    folders = {os.path.dirname(path) for path in tree} - IN_MODULES
+    folders |= {"", *(place.split("/")[0] for place in IN_MODULES)}
     for path in sorted(tree):
         for number, line in enumerate(tree[path] if path.endswith(CODE) else (), 1):
             match = INCLUDE.match(line)
@@ -263,9 +266,9 @@ def find_problems(tree):
                 if len(lines) > LONGEST]
     places = {place_of(path) for path in tree if path.endswith(CODE)}
     problems += ["%s is not in the table" % place for place in sorted(places - set(ALLOWED))]
-    at_root = [path for path in tree if place_of(path) == "Grid"]
+    at_root = [path for path in tree if place_of(path) == "Mesher"]
     if len(at_root) > MOST_AT_ROOT:
-        problems.append("Grid's root has %d files" % len(at_root))
+        problems.append("Mesher's root has %d files" % len(at_root))
     for path, at, bracket, name, file in list_includes(tree):
         problem = find_include_problem(path, bracket, name, file)
         if problem:

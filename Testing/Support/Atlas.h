@@ -4,8 +4,8 @@
  */
 #pragma once
 
+#include "Elements/MeshReport.h"
 #include "Fractions/FractionField.h"
-#include "Mesh/MeshReport.h"
 
 namespace vfm
 {

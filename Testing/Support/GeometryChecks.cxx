@@ -1,7 +1,7 @@
 #include "GeometryChecks.h"
 
 #include "Base/HexNumbering.h"
-#include "Mesh/TetQuality.h"
+#include "Elements/TetQuality.h"
 
 #include <set>
 

@@ -5,8 +5,8 @@
 #pragma once
 
 #include "MeshChecks.h"
+#include "Phases/TetPipeline.h"
 #include "Shapes/ShapesFractions.h"
-#include "TetPipeline.h"
 
 namespace vfm
 {

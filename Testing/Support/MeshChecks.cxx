@@ -1,7 +1,7 @@
 #include "MeshChecks.h"
 
 #include "Base/Vector3.h"
-#include "Hex/HexTopology.h"
+#include "Elements/Hex/HexTopology.h"
 
 #include <algorithm>
 #include <cstring>

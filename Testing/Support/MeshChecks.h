@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "HexPipeline.h"
+#include "Phases/HexPipeline.h"
 
 #include <functional>
 #include <map>

@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "Tet/CoarseTets.h"
+#include "Elements/Tet/CoarseTets.h"
 
 namespace vfm
 {

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "Base/Partition.h"
-#include "HexPipeline.h"
 #include "Labels/Labels.h"
+#include "Phases/HexPipeline.h"
 #include "ThreadRanks.h"
 
 namespace vfm

@@ -1,8 +1,8 @@
 #include "RefinedChecks.h"
 
 #include "Base/Vector3.h"
-#include "Hex/HexTopology.h"
-#include "Mesh/Quality.h"
+#include "Elements/Hex/HexTopology.h"
+#include "Geometry/Quality.h"
 #include "MeshChecks.h"
 
 #include <map>

@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "Hex/TransitionSmoothing.h"
+#include "Smoothing/Hex/TransitionSmoothing.h"
 
 #include <functional>
 #include <memory>

@@ -7,8 +7,8 @@
  */
 #pragma once
 
+#include "Phases/TetPipeline.h"
 #include "Shapes/ShapesFractions.h"
-#include "TetPipeline.h"
 
 #include <string>
 

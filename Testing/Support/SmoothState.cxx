@@ -1,9 +1,9 @@
 #include "SmoothState.h"
 
 #include "Base/Vector3.h"
-#include "HexPipeline.h"
-#include "TetPipeline.h"
-#include "Transfer/Overlaps.h"
+#include "Phases/HexPipeline.h"
+#include "Phases/TetPipeline.h"
+#include "State/Transfer/Overlaps.h"
 
 #include <cmath>
 #include <numeric>

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "Fractions/FractionField.h"
-#include "Transfer/TransferState.h"
+#include "State/Transfer/TransferState.h"
 
 #include <functional>
 

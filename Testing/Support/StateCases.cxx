@@ -1,6 +1,6 @@
 #include "StateCases.h"
 
-#include "Transfer/Overlaps.h"
+#include "State/Transfer/Overlaps.h"
 
 #include "Base/Vector3.h"
 

@@ -5,7 +5,7 @@
 
 #include "MeshCases.h"
 #include "RankFields.h"
-#include "Transfer/TransferState.h"
+#include "State/Transfer/TransferState.h"
 
 #include <map>
 

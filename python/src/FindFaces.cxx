@@ -1,11 +1,11 @@
 #include "FindFaces.h"
 
-#include "Mesh/ElementFaces.h"
+#include "Elements/ElementFaces.h"
 #include "NumpyFields.h"
 #include "NumpyMesh.h"
-#include "Sets/NamedSurfaces.h"
-#include "Sets/SplitFaces.h"
-#include "Summary/MatchFaces.h"
+#include "Report/MatchFaces.h"
+#include "Report/Sets/NamedSurfaces.h"
+#include "Report/Sets/SplitFaces.h"
 
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/pair.h>

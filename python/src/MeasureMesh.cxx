@@ -2,8 +2,8 @@
 
 #include "NumpyFields.h"
 #include "NumpyMesh.h"
-#include "Summary/ElementMoments.h"
-#include "Summary/FragmentTable.h"
+#include "Report/ElementMoments.h"
+#include "Report/FragmentTable.h"
 
 #include <nanobind/stl/optional.h>
 

@@ -9,13 +9,13 @@
 #include "MeshResult.h"
 #include "MesherCall.h"
 #include "ModifyNumpyMesh.h"
+#include "Phases/TetPipeline.h"
 #include "PythonRuntime.h"
 #include "Ranks/PrintableText.h"
 #include "RunOptions.h"
 #include "ShapeFractions.h"
 #include "Shapes/ClosedSurface.h"
 #include "Shapes/ShapesText.h"
-#include "TetPipeline.h"
 #include "WriteFile.h"
 
 #include <nanobind/stl/array.h>

@@ -5,8 +5,8 @@
 #pragma once
 
 #include "Base/Buffer.h"
+#include "Report/MeshFields.h"
 #include "State/TransferredArray.h"
-#include "Summary/MeshFields.h"
 
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "NumpyArrays.h"
-#include "Summary/MeshData.h"
-#include "Summary/MeshFields.h"
+#include "Report/MeshData.h"
+#include "Report/MeshFields.h"
 
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>

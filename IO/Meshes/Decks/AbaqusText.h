@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "Summary/UniqueNames.h"
+#include "Report/UniqueNames.h"
 
 #include <string>
 

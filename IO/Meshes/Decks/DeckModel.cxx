@@ -2,7 +2,7 @@
 
 #include "Meshes/Files/WriteWhole.h"
 #include "Ranks/Errors.h"
-#include "Summary/MeshMaterials.h"
+#include "Report/MeshMaterials.h"
 
 #include <algorithm>
 #include <cctype>

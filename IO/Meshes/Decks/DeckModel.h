@@ -7,8 +7,8 @@
 #pragma once
 
 #include "Ranks/Ranks.h"
-#include "Sets/SplitFaces.h"
-#include "Summary/MeshData.h"
+#include "Report/MeshData.h"
+#include "Report/Sets/SplitFaces.h"
 
 #include <functional>
 #include <string>

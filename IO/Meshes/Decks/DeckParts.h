@@ -4,7 +4,7 @@
 #pragma once
 
 #include "Meshes/Decks/DeckCards.h"
-#include "Sets/MeshSets.h"
+#include "Report/Sets/MeshSets.h"
 
 namespace vfm
 {

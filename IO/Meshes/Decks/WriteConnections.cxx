@@ -2,7 +2,7 @@
 
 #include "Base/DisjointSets.h"
 #include "Base/Sorted.h"
-#include "Summary/MeshMaterials.h"
+#include "Report/MeshMaterials.h"
 
 #include <algorithm>
 #include <tuple>

@@ -1,8 +1,8 @@
 #include "Meshes/Decks/WriteEquations.h"
 
 #include "Meshes/Decks/DeckCards.h"
-#include "Sets/PeriodicPairs.h"
-#include "Summary/DomainSides.h"
+#include "Report/DomainSides.h"
+#include "Report/Sets/PeriodicPairs.h"
 
 namespace vfm
 {

@@ -9,7 +9,7 @@
 #pragma once
 
 #include "Meshes/Files/OutputSet.h"
-#include "Summary/MeshData.h"
+#include "Report/MeshData.h"
 
 #include <string>
 

@@ -4,8 +4,8 @@
 #include "Meshes/Decks/DeckModel.h"
 #include "Meshes/Decks/DeckParts.h"
 #include "Meshes/Files/ElementNodes.h"
-#include "Sets/NamedSurfaces.h"
-#include "Summary/UniqueNames.h"
+#include "Report/Sets/NamedSurfaces.h"
+#include "Report/UniqueNames.h"
 
 #include <algorithm>
 #include <iterator>

@@ -3,7 +3,7 @@
 #include "Meshes/Decks/DeckCards.h"
 #include "Meshes/Decks/DeckModel.h"
 #include "Meshes/Files/ElementNodes.h"
-#include "Sets/NamedSurfaces.h"
+#include "Report/Sets/NamedSurfaces.h"
 
 #include <algorithm>
 

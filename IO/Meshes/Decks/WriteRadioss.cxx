@@ -5,8 +5,8 @@
 #include "Meshes/Decks/DeckParts.h"
 #include "Meshes/Files/ElementNodes.h"
 #include "Ranks/Errors.h"
-#include "Sets/NamedSurfaces.h"
-#include "Summary/UniqueNames.h"
+#include "Report/Sets/NamedSurfaces.h"
+#include "Report/UniqueNames.h"
 
 namespace vfm
 {

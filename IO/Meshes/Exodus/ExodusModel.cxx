@@ -1,8 +1,8 @@
 #include "Meshes/Exodus/ExodusModel.h"
 
 #include "Ranks/Agreement.h"
-#include "Summary/GatherMesh.h"
-#include "Summary/MeshMaterials.h"
+#include "Report/GatherMesh.h"
+#include "Report/MeshMaterials.h"
 
 #include <algorithm>
 #include <cctype>

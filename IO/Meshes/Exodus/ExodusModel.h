@@ -5,8 +5,8 @@
 #pragma once
 
 #include "Meshes/Exodus/ExodusVariables.h"
-#include "Sets/SplitFaces.h"
-#include "Summary/SharedPoints.h"
+#include "Report/Sets/SplitFaces.h"
+#include "Report/SharedPoints.h"
 
 #include <numeric>
 

@@ -1,6 +1,6 @@
 #include "Meshes/Exodus/ExodusVariables.h"
 
-#include "Summary/UniqueNames.h"
+#include "Report/UniqueNames.h"
 
 #include <algorithm>
 #include <iterator>

@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "Summary/MeshData.h"
+#include "Report/MeshData.h"
 
 namespace vfm
 {

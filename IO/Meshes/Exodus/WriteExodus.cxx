@@ -4,7 +4,7 @@
 #include "Meshes/Exodus/WriteNetcdf.h"
 #include "Meshes/Files/OutputSet.h"
 #include "Ranks/WorkTogether.h"
-#include "Summary/GatherMesh.h"
+#include "Report/GatherMesh.h"
 
 namespace vfm
 {

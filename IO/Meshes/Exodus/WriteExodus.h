@@ -15,7 +15,7 @@
 #pragma once
 
 #include "Ranks/Ranks.h"
-#include "Summary/MeshData.h"
+#include "Report/MeshData.h"
 
 #include <string>
 

@@ -1,7 +1,7 @@
 #include "Meshes/Files/ElementNodes.h"
 
 #include "Ranks/Errors.h"
-#include "Sets/MeshSets.h"
+#include "Report/Sets/MeshSets.h"
 
 #include <algorithm>
 #include <numeric>

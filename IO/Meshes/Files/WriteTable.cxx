@@ -1,7 +1,7 @@
 #include "Meshes/Files/WriteTable.h"
 
 #include "Meshes/Files/OutputFile.h"
-#include "Summary/UniqueNames.h"
+#include "Report/UniqueNames.h"
 
 #include <charconv>
 

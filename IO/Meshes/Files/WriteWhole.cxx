@@ -1,7 +1,7 @@
 #include "Meshes/Files/WriteWhole.h"
 
 #include "Ranks/WorkTogether.h"
-#include "Summary/GatherMesh.h"
+#include "Report/GatherMesh.h"
 
 namespace vfm
 {

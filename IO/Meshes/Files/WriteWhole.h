@@ -4,7 +4,7 @@
 #pragma once
 
 #include "Ranks/Ranks.h"
-#include "Summary/MeshData.h"
+#include "Report/MeshData.h"
 
 #include <functional>
 

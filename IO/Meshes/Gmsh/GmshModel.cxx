@@ -1,9 +1,9 @@
 #include "Meshes/Gmsh/GmshModel.h"
 
 #include "Ranks/Errors.h"
-#include "Sets/NamedSurfaces.h"
-#include "Summary/MeshMaterials.h"
-#include "Summary/UniqueNames.h"
+#include "Report/MeshMaterials.h"
+#include "Report/Sets/NamedSurfaces.h"
+#include "Report/UniqueNames.h"
 
 namespace vfm
 {

@@ -3,8 +3,8 @@
  */
 #pragma once
 
-#include "Sets/MeshEntities.h"
-#include "Sets/SplitFaces.h"
+#include "Report/Sets/MeshEntities.h"
+#include "Report/Sets/SplitFaces.h"
 
 #include <map>
 #include <numeric>

@@ -1,8 +1,8 @@
 #include "Meshes/Gmsh/GmshPeriodic.h"
 
 #include "Meshes/Files/ElementNodes.h"
-#include "Sets/PeriodicPairs.h"
-#include "Summary/DomainSides.h"
+#include "Report/DomainSides.h"
+#include "Report/Sets/PeriodicPairs.h"
 
 #include <map>
 #include <set>

@@ -5,7 +5,7 @@
 #include "Meshes/Gmsh/GmshFile.h"
 #include "Meshes/Gmsh/GmshModel.h"
 #include "Meshes/Gmsh/GmshPeriodic.h"
-#include "Summary/MeshFacets.h"
+#include "Report/MeshFacets.h"
 
 #include <iterator>
 #include <limits>

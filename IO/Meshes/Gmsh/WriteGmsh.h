@@ -20,7 +20,7 @@
 #pragma once
 
 #include "Ranks/Ranks.h"
-#include "Summary/MeshData.h"
+#include "Report/MeshData.h"
 
 #include <optional>
 #include <string>

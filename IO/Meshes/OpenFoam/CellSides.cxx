@@ -1,7 +1,7 @@
 #include "Meshes/OpenFoam/CellSides.h"
 
 #include "Ranks/WorkTogether.h"
-#include "Summary/MatchFaces.h"
+#include "Report/MatchFaces.h"
 
 #include <numeric>
 

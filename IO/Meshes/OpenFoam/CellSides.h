@@ -6,7 +6,7 @@
 #pragma once
 
 #include "Ranks/Ranks.h"
-#include "Sets/MeshSets.h"
+#include "Report/Sets/MeshSets.h"
 
 namespace vfm
 {

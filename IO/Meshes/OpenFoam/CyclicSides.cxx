@@ -2,9 +2,9 @@
 
 #include "Meshes/OpenFoam/CellSides.h"
 #include "Ranks/Agreement.h"
-#include "Sets/PeriodicPairs.h"
-#include "Summary/DomainSides.h"
-#include "Summary/MatchFaces.h"
+#include "Report/DomainSides.h"
+#include "Report/MatchFaces.h"
+#include "Report/Sets/PeriodicPairs.h"
 
 #include <algorithm>
 #include <map>

@@ -3,8 +3,8 @@
 #include "Meshes/OpenFoam/CyclicSides.h"
 #include "Meshes/OpenFoam/FoamSurfaces.h"
 #include "Ranks/Agreement.h"
-#include "Summary/MeshMaterials.h"
-#include "Summary/UniqueNames.h"
+#include "Report/MeshMaterials.h"
+#include "Report/UniqueNames.h"
 
 #include <limits>
 #include <map>

@@ -1,7 +1,7 @@
 #include "Meshes/OpenFoam/FoamSurfaces.h"
 
-#include "Summary/MeshFacets.h"
-#include "Summary/UniqueNames.h"
+#include "Report/MeshFacets.h"
+#include "Report/UniqueNames.h"
 
 #include <map>
 

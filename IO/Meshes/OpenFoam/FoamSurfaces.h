@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "Sets/NamedSurfaces.h"
+#include "Report/Sets/NamedSurfaces.h"
 
 namespace vfm
 {

@@ -4,7 +4,7 @@
 #include "Meshes/Files/WriteWhole.h"
 #include "Meshes/OpenFoam/FoamFolder.h"
 #include "Ranks/WorkTogether.h"
-#include "Summary/GatherMesh.h"
+#include "Report/GatherMesh.h"
 
 #include <algorithm>
 #include <optional>

@@ -4,10 +4,10 @@
 #include "Meshes/Files/OutputFile.h"
 #include "Meshes/Files/WriteWhole.h"
 #include "Ranks/WorkTogether.h"
-#include "Sets/MeshSets.h"
-#include "Summary/MeshFacets.h"
-#include "Summary/MeshMaterials.h"
-#include "Summary/UniqueNames.h"
+#include "Report/MeshFacets.h"
+#include "Report/MeshMaterials.h"
+#include "Report/Sets/MeshSets.h"
+#include "Report/UniqueNames.h"
 
 #include <algorithm>
 #include <cmath>

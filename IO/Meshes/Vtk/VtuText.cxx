@@ -1,7 +1,7 @@
 #include "Meshes/Vtk/VtuText.h"
 
 #include "Meshes/Files/OutputFile.h"
-#include "Summary/UniqueNames.h"
+#include "Report/UniqueNames.h"
 
 #ifdef VFM_HAS_ZLIB
 #include <zlib.h>

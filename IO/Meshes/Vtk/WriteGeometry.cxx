@@ -4,7 +4,7 @@
 #include "Meshes/Files/OutputFile.h"
 #include "Meshes/Vtk/VtuText.h"
 #include "Ranks/WorkTogether.h"
-#include "Summary/GatherGeometry.h"
+#include "Report/GatherGeometry.h"
 
 #include <filesystem>
 

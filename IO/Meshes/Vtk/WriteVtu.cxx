@@ -3,7 +3,7 @@
 #include "Meshes/Files/OutputFile.h"
 #include "Meshes/Vtk/VtuText.h"
 #include "Ranks/Agreement.h"
-#include "Summary/GatherMesh.h"
+#include "Report/GatherMesh.h"
 
 #include <filesystem>
 

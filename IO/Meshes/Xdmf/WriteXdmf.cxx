@@ -4,9 +4,9 @@
 #include "Meshes/Files/OutputFile.h"
 #include "Meshes/Files/WriteWhole.h"
 #include "Meshes/Vtk/VtuText.h"
-#include "Sets/NamedSurfaces.h"
-#include "Summary/MeshMaterials.h"
-#include "Summary/UniqueNames.h"
+#include "Report/MeshMaterials.h"
+#include "Report/Sets/NamedSurfaces.h"
+#include "Report/UniqueNames.h"
 
 #include <filesystem>
 

@@ -17,7 +17,7 @@
 #pragma once
 
 #include "Ranks/Ranks.h"
-#include "Summary/MeshData.h"
+#include "Report/MeshData.h"
 
 #include <string>
 

@@ -7,7 +7,7 @@
 #include "RankMeshes.h"
 #include "Sweep.h"
 
-#include "TetPipeline.h"
+#include "Phases/TetPipeline.h"
 
 #include <gtest/gtest.h>
 

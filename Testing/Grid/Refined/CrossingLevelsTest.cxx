@@ -4,7 +4,7 @@
 #include "Sweep.h"
 
 #include "Base/Vector3.h"
-#include "Hex/HexCoefficients.h"
+#include "Elements/Hex/HexCoefficients.h"
 #include "Octree/OctreeKeys.h"
 
 #include <gtest/gtest.h>

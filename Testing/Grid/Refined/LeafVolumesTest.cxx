@@ -5,9 +5,9 @@
 #include "Sweep.h"
 #include "Volumes/CellLocator.h"
 
-#include "Hex/HexTopology.h"
-#include "Hex/MakeLevels.h"
-#include "Mesh/MeasureFragments.h"
+#include "Elements/Hex/HexTopology.h"
+#include "Elements/MeasureFragments.h"
+#include "Phases/MakeLevels.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 /// Sets of lattice nodes near a cell, compared with all nodes and lattice tets one by one.
-#include "Tet/LatticeNear.h"
+#include "Elements/Tet/LatticeNear.h"
 #include "RandomDraw.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 /// Tetrahedra of the lattice are valid and conforming before smoothing, for any
 /// fractions, and the same on any ranks.
-#include "Tet/LatticeTopology.h"
+#include "Elements/Tet/LatticeTopology.h"
 #include "Base/Vector3.h"
-#include "Mesh/TetQuality.h"
+#include "Elements/TetQuality.h"
 #include "MeshChecks.h"
 #include "NoCoarseTets.h"
 #include "RankFields.h"

@@ -1,4 +1,4 @@
-#include "Smoothing/TetEnergy.h"
+#include "Smoothing/Tet/TetEnergy.h"
 #include "Base/Vector3.h"
 #include "RandomDraw.h"
 

@@ -1,4 +1,4 @@
-#include "Mesh/TetQuality.h"
+#include "Elements/TetQuality.h"
 #include "Base/Vector3.h"
 
 #include <gtest/gtest.h>

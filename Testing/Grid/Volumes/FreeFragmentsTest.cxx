@@ -1,9 +1,9 @@
 /// Fragments that touch no other one get the volumes of their fractions, however small they are.
-#include "Mesh/MeasureFragments.h"
+#include "Elements/MeasureFragments.h"
+#include "Phases/TetPipeline.h"
 #include "RandomDraw.h"
 #include "RankMeshes.h"
 #include "Sweep.h"
-#include "TetPipeline.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,310 @@
+#include "Elements/Hex/HexFacets.h"
+
+#include "Base/Groups.h"
+#include "Elements/GridCoordinates.h"
+#include "Labels/InterfaceFaces.h"
+#include "Octree/LevelIds.h"
+
+namespace vfm
+{
+namespace
+{
+
+constexpr Index RowsOfBlock = 64, NodesOfBlock = 1024; // per task
+
+/// Calls visit(hex, cell) for the coarse hexes with a cell in HexBox. The cell is the finest cell
+/// in the hex that is nearest to the owned ones.
+template <class Visitor>
+void ForCoarseHexes(const Mesh& mesh, const Visitor& visit)
+{
+  const RefinedGrid& levels = *mesh.Levels;
+  for (Index h = mesh.RowOffset.back(); h < static_cast<Index>(mesh.ElementIds.size()); ++h)
+  {
+    const OctreeKeys::LevelIndex leaf =
+      CellOfCoarseElement(levels, mesh.ElementIds[h], mesh.Ids.ElementSlots);
+    const Index3 cell = levels.NearestCell(leaf.Level, leaf.At);
+    if (levels.Finest().HexBox().Contains(cell)) // the others are needed only for smoothing
+    {
+      visit(h, cell);
+    }
+  }
+}
+
+/// Fills a row whose hexes are its meshed cells. Each point inside a fragment is the lowest corner
+/// of one hex.
+void FillRowOfCells(const CartesianGrid& grid, const PointNumbering& numbering,
+  const Fragments& fragments, Index j, Index k, Index firstHex, Mesh& mesh)
+{
+  Index hex = firstHex;
+  fragments.ForRuns(j, k,
+    [&](Index begin, Index end, int fragment)
+    {
+      if (fragment > 0)
+      {
+        const Index point = numbering.FirstPoint(grid.Linear({ { begin, j, k } }));
+        std::fill_n(mesh.Fragment.data() + hex, end - begin, fragment);
+        std::fill_n(mesh.GeometryId.data() + point, end - begin, fragment);
+        hex += end - begin;
+      }
+    });
+}
+
+void FillRow(const CartesianGrid& grid, const Fragments& fragments, Index j, Index k, Index first,
+  Index last, Mesh& mesh)
+{
+  const Index key = grid.CellKey({ { 0, j, k } });
+  Index runEnd = -1;
+  int fragment = 0;
+  for (Index h = first; h < last; ++h)
+  {
+    const Index place = mesh.ElementIds[h] - 1;
+    const Index i = place / HexIds.ElementSlots - key;
+    if (i >= runEnd)
+    {
+      fragment = fragments.FragmentOfCell({ { i, j, k } }, runEnd);
+    }
+    mesh.Fragment[h] = fragment;
+    if (place % HexIds.ElementSlots == 0) // only core hexes have a lowest corner of their own
+    {
+      mesh.GeometryId[mesh.Elements[8 * h]] = fragment; // sets every point G inside a fragment
+    }
+  }
+}
+
+/// Sets the fragments of the points I.
+void FillInnerPoints(const LabelledGrid& labelled, const PointNumbering& numbering,
+  const Fragments& fragments, Runtime& runtime, Mesh& mesh)
+{
+  const CartesianGrid& grid = mesh.Levels->Finest();
+  const IndexBox box = grid.HexBox();
+  ForEach(runtime, labelled.Mixed.size(),
+    [&](Index n)
+    {
+      const Index node = labelled.Mixed[n];
+      const Index3 p = grid.Position(node);
+      // Nodes without a cell in the box have no numbers.
+      const bool isSplit = box.Touches(p) && numbering.IsSplit(node);
+      const std::array<int, 8> star = StarOfNode(grid, labelled.Labels, node);
+      for (int c = 0; isSplit && c < 8; ++c)
+      {
+        const Index3 cell = CellOfStar(p, c);
+        if (numbering.IsMeshed(star[c]) && box.Contains(cell))
+        {
+          mesh.GeometryId[numbering.InnerPoint(node, star[c])] = fragments.FragmentOfCell(cell);
+        }
+      }
+    });
+}
+
+struct Work
+{
+  const LabelledGrid& Labelled;
+  const PointNumbering& Numbering;
+  const Fragments& Pieces;
+  const Partition& Parts;
+  const Mesh& Input;
+  const RefinedGrid& Levels = *Labelled.Levels.Grid;
+  const CartesianGrid& Grid = Levels.Finest();
+  const IndexBox Box = Grid.HexBox();
+};
+
+void AddDomainFacet(
+  const Work& work, Index hex, int face, int side, const Index3& cell, std::vector<Facet>& found)
+{
+  if (work.Input.IsBarrier(hex))
+  {
+    return;
+  }
+  Facet facet{ {}, { { work.Input.Material[hex], 0 } }, { { work.Input.Fragment[hex], 0 } }, side,
+    work.Parts.OwnsCell(cell) };
+  for (int c = 0; c < 4; ++c)
+  {
+    facet.Points[c] = work.Input.Elements[8 * hex + VtkCorner[FaceCorners[face][c]]];
+  }
+  found.push_back(facet);
+}
+
+/// Adds the facets of a hex on sides of the domain. Faces of a buffer hex along its own axis are
+/// not on a side.
+/// @param slot  0: core hex; 1 + face: buffer hex
+void AddDomainFacets(
+  const Work& work, Index hex, int slot, const Index3& cell, std::vector<Facet>& found)
+{
+  for (int a = 0; a < 3; ++a)
+  {
+    if (slot > 0 && (slot - 1) / 2 == a)
+    {
+      continue;
+    }
+    if (cell[a] == 0)
+    {
+      AddDomainFacet(work, hex, 2 * a, 2 * a, cell, found);
+    }
+    if (cell[a] == work.Grid.Global().Upper[a] - 1)
+    {
+      AddDomainFacet(work, hex, 2 * a + 1, 2 * a + 1, cell, found);
+    }
+  }
+}
+
+/// Adds the facets on sides of the domain of a row of finest cells.
+void AddDomainFacets(
+  const Work& work, Index j, Index k, Index first, Index last, std::vector<Facet>& found)
+{
+  const Index* ids = work.Input.ElementIds.data();
+  const Index start = HexIds.ElementSlots * work.Grid.CellKey({ { 0, j, k } }) + 1;
+  const Index3& n = work.Grid.Global().Upper;
+  Index begin = last, end = last; // hexes between the first and the last cell
+  if (j > 0 && k > 0 && j < n[1] - 1 && k < n[2] - 1)
+  {
+    begin = std::lower_bound(ids + first, ids + last, start + HexIds.ElementSlots) - ids;
+    end = std::lower_bound(ids + begin, ids + last, start + HexIds.ElementSlots * (n[0] - 1)) - ids;
+  }
+  for (Index h = first; h < last; ++h)
+  {
+    if (h == begin)
+    {
+      h = end;
+    }
+    if (h < last)
+    {
+      const Index place = ids[h] - start;
+      AddDomainFacets(work, h, static_cast<int>(place % HexIds.ElementSlots),
+        { { place / HexIds.ElementSlots, j, k } }, found);
+    }
+  }
+}
+
+/// Adds the facets on sides of the domain of a coarse hex, which may have any orientation in
+/// its cell.
+void AddDomainFacets(const Work& work, Index hex, const Index3& cell, std::vector<Facet>& found)
+{
+  std::array<int, 8> sides;
+  for (int c = 0; c < 8; ++c)
+  {
+    const Index point = work.Input.Elements[8 * hex + VtkCorner[c]];
+    sides[c] = FindDomainSides(work.Grid, work.Input.Points.data() + 3 * point);
+  }
+  for (int f = 0; f < 6; ++f)
+  {
+    const std::array<int, 4>& face = FaceCorners[f];
+    const int common = sides[face[0]] & sides[face[1]] & sides[face[2]] & sides[face[3]];
+    for (int side = 0; common != 0 && side < 6; ++side)
+    {
+      if (common >> side & 1)
+      {
+        AddDomainFacet(work, hex, f, side, cell, found);
+      }
+    }
+  }
+}
+
+/// Adds the facet of a face if a finest cell is on a side of it.
+void AddFineFacet(const Work& work, const InterfaceFace& face, const Index3& lower,
+  const Index3& upper, std::vector<Facet>& found)
+{
+  if (!work.Levels.IsFine(lower) && !work.Levels.IsFine(upper))
+  {
+    return;
+  }
+  Facet facet{ {}, { { face.LowerLabel, face.UpperLabel } },
+    { { work.Pieces.FragmentOfCell(lower), work.Pieces.FragmentOfCell(upper) } }, -1,
+    work.Parts.OwnsCell(work.Numbering.IsMeshed(face.LowerLabel) ? lower : upper) };
+  const std::array<Index, 4> nodes = NodesOfFace(work.Grid, face);
+  std::transform(nodes.begin(), nodes.end(), facet.Points.begin(),
+    [&](Index node) { return work.Numbering.FirstPoint(node); });
+  found.push_back(facet);
+}
+
+/// Adds the facet of a face between two coarse hexes.
+void AddCoarseFacet(const Work& work, const SplitNodes::Face& face, std::vector<Facet>& found)
+{
+  Facet facet{ {}, {}, {}, -1, false };
+  for (int c = 0; c < 4; ++c)
+  {
+    facet.Points[c] = work.Labelled.Levels.Coarse->SplitPoints()[face.Nodes[c]];
+    if (facet.Points[c] < 0)
+    {
+      return;
+    }
+  }
+  for (int side = 0; side < 2; ++side)
+  {
+    const OctreeKeys::LevelIndex& leaf = face.Sides[side].Cell;
+    const Index3 cell = work.Levels.NearestCell(leaf.Level, leaf.At);
+    if (leaf.Level == work.Levels.NumberOfRefinements() || !work.Box.Contains(cell))
+    {
+      return;
+    }
+    facet.Materials[side] = face.Sides[side].Label;
+    facet.Fragments[side] = work.Pieces.FragmentOfCell(cell);
+  }
+  const int writer = work.Numbering.IsMeshed(facet.Materials[0]) ? 0 : 1;
+  const OctreeKeys::LevelIndex& leaf = face.Sides[writer].Cell;
+  facet.IsOwned = work.Parts.OwnsCell(work.Levels.FinestNode(leaf.Level, leaf.At));
+  found.push_back(facet);
+}
+
+} // namespace
+
+void FillFragments(const LabelledGrid& labelled, const PointNumbering& numbering,
+  const Fragments& fragments, Runtime& runtime, Mesh& mesh)
+{
+  const CartesianGrid& grid = mesh.Levels->Finest();
+  const bool areCells =
+    mesh.Levels->IsUniform() && mesh.WholeCells == static_cast<Index>(mesh.ElementIds.size());
+  mesh.Fragment = Buffer<int>(mesh.ElementIds.size());
+  std::fill(mesh.Fragment.begin() + mesh.RowOffset.back(), mesh.Fragment.end(), 0);
+  mesh.GeometryId = Buffer<int>(mesh.PointIds.size());
+  ForRows(runtime, grid.HexBox(),
+    [&](Index j, Index k, Index row)
+    {
+      const Index first = mesh.RowOffset[row], last = mesh.RowOffset[row + 1];
+      if (areCells)
+      {
+        FillRowOfCells(grid, numbering, fragments, j, k, first, mesh);
+        return;
+      }
+      FillRow(grid, fragments, j, k, first, last, mesh);
+    });
+  ForCoarseHexes(mesh,
+    [&](Index hex, const Index3& cell)
+    {
+      mesh.Fragment[hex] = fragments.FragmentOfCell(cell);
+      std::for_each(mesh.Elements.data() + 8 * hex, mesh.Elements.data() + 8 * hex + 8,
+        [&](Index point) { mesh.GeometryId[point] = mesh.Fragment[hex]; });
+    });
+  FillInnerPoints(labelled, numbering, fragments, runtime, mesh);
+}
+
+std::vector<Facet> FindHexFacets(const LabelledGrid& labelled, const PointNumbering& numbering,
+  const Fragments& fragments, const Partition& partition, Runtime& runtime, const Mesh& mesh)
+{
+  const Work work{ labelled, numbering, fragments, partition, mesh };
+  using Facets = std::vector<Facet>;
+  std::vector<Facets> parts(4); // in their order
+  const Index rowsPerLayer = work.Box.Size(1);
+  parts[0] = CollectItems<Facet>(runtime, mesh.RowOffset.size() - 1, RowsOfBlock,
+    [&](Index row, Facets& found)
+    {
+      AddDomainFacets(work, work.Box.Lower[1] + row % rowsPerLayer,
+        work.Box.Lower[2] + row / rowsPerLayer, mesh.RowOffset[row], mesh.RowOffset[row + 1],
+        found);
+    });
+  ForCoarseHexes(
+    mesh, [&](Index hex, const Index3& cell) { AddDomainFacets(work, hex, cell, parts[1]); });
+  parts[2] = CollectItems<Facet>(runtime, labelled.Mixed.size(), NodesOfBlock,
+    [&](Index n, Facets& found)
+    {
+      ForFacesOfNode(work.Grid, labelled.Labels, labelled.Mixed[n], work.Box,
+        [&](const InterfaceFace& face, const Index3& lower, const Index3& upper)
+        { AddFineFacet(work, face, lower, upper, found); });
+    });
+  for (const SplitNodes::Face& face : labelled.Levels.Coarse->Splits().Faces)
+  {
+    AddCoarseFacet(work, face, parts[3]);
+  }
+  return Joined(parts);
+}
+
+} // namespace vfm

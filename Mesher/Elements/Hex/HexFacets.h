@@ -1,0 +1,25 @@
+/**
+ * HexFacets: finds the fragments and facets of a hexahedral mesh.
+ */
+#pragma once
+
+#include "Elements/Facet.h"
+#include "Elements/Hex/HexTopology.h"
+#include "Elements/Hex/LabelledGrid.h"
+#include "Labels/Fragments.h"
+
+namespace vfm
+{
+
+/// Fills mesh.Fragment, and mesh.GeometryId of the points inside fragments.
+void FillFragments(const LabelledGrid& labelled, const PointNumbering& numbering,
+  const Fragments& fragments, Runtime& runtime, Mesh& mesh);
+
+/// Returns the facets of the hexes in HexBox whose cells on both sides are in it.
+/// @param mesh  mesh after FillFragments
+/// @return facets on sides of the domain, by hex; then facets of finest cells, by node and axis,
+/// with normals along the axis; then facets between coarse hexes
+std::vector<Facet> FindHexFacets(const LabelledGrid& labelled, const PointNumbering& numbering,
+  const Fragments& fragments, const Partition& partition, Runtime& runtime, const Mesh& mesh);
+
+} // namespace vfm

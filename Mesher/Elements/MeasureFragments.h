@@ -1,0 +1,24 @@
+/**
+ * Volumes of the elements and fragments of a mesh.
+ */
+#pragma once
+
+#include "Base/Runtime.h"
+#include "Elements/Mesh.h"
+
+namespace vfm
+{
+
+/// Returns the volume of an element; for a hex the volume of the trilinear map.
+/// @param unit  unit of length of the result, in length units of the mesh
+double VolumeOfElement(const Mesh& mesh, Index element, double unit = 1.0);
+
+/// Returns the volume of each fragment over all ranks, in units of the mean cell volume. [0] is not
+/// used. The sums do not depend on ranks and threads.
+/// @param mesh  mesh of which only the elements in owned cells are counted
+/// @param fragments  number of fragments over all ranks
+/// @pre Collective.
+std::vector<double> MeasureFragments(
+  const Mesh& mesh, const CartesianGrid& grid, int fragments, Runtime& runtime);
+
+} // namespace vfm

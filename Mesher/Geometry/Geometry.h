@@ -1,0 +1,38 @@
+/**
+ * Geometry that the mesh resolves: volumes, surfaces, curves and vertices.
+ */
+#pragma once
+
+#include "Base/Partition.h"
+#include "Elements/Facet.h"
+#include "Elements/FeatureKind.h"
+#include "Elements/Mesh.h"
+#include "Elements/MeshReport.h"
+
+namespace vfm
+{
+
+/// Classifies the points of the mesh on volumes, surfaces, curves and vertices.
+///
+/// - Volume: a fragment.
+/// - Surface: the facets between two volumes, between a volume and unmeshed space, or on one side
+///   of the domain. An interface with edges consists of several surfaces, its smooth sides.
+/// - Curve: the facet edges where the same surfaces meet.
+/// - Vertex: a point where curves meet or end, or where surfaces touch.
+///
+/// A curve or surface may consist of several components. Every rank stores the tables of all
+/// surfaces, curves and vertices, with equal numbers. Each point of an owned element belongs to the
+/// lowest-dimensional entity on which it lies.
+///
+/// Fills mesh.Surfaces, Curves, Vertices, Tables, GeometryDimension, the GeometryId of points on
+/// facets, and the counts of the report.
+/// @param facets  facets of the mesh
+/// @param kinds  kind of every mesh point (FindSmoothSides)
+/// @param partition  partition of the finest grid
+/// @param[in,out] mesh  mesh with final point positions; GeometryId of points inside volumes is set
+/// @param[out] report  NumberOfSurfaces, NumberOfCurves and NumberOfVertices are set
+/// @pre Collective.
+void ClassifyGeometry(const std::vector<Facet>& facets, const std::vector<FeatureKind>& kinds,
+  const Partition& partition, Runtime& runtime, Mesh& mesh, MeshReport& report);
+
+} // namespace vfm

@@ -1,0 +1,74 @@
+#include "Geometry/KeepOwned.h"
+
+#include "Base/Groups.h"
+#include "Elements/FacetSides.h"
+#include "Elements/SelectPoints.h"
+
+namespace vfm
+{
+namespace
+{
+
+constexpr Index ItemsOfBlock = 4096; // per task
+
+/// Returns the numbers i < count for which isKept(i) is true.
+template <class IsKept>
+std::vector<Index> ListKept(Runtime& runtime, std::size_t count, const IsKept& isKept)
+{
+  return CollectItems<Index>(runtime, count, ItemsOfBlock,
+    [&](Index i, std::vector<Index>& kept)
+    {
+      if (isKept(i))
+      {
+        kept.push_back(i);
+      }
+    });
+}
+
+/// Removes the points without elements.
+void SelectPointsOfElements(Runtime& runtime, Mesh& mesh)
+{
+  std::vector<Index> numbers(mesh.PointIds.size(), -1);
+  ForEach(runtime, mesh.Elements.size(),
+    [&](Index i) { __atomic_store_n(&numbers[mesh.Elements[i]], 0, __ATOMIC_RELAXED); });
+  const std::vector<Index> points =
+    ListKept(runtime, numbers.size(), [&](Index point) { return numbers[point] == 0; });
+  ForEach(runtime, points.size(), [&](Index p) { numbers[points[p]] = p; });
+  SelectPoints(points, numbers, runtime, mesh);
+}
+
+} // namespace
+
+void KeepOwned(Mesh& mesh, const CartesianGrid& grid, Runtime& runtime)
+{
+  if (grid.HexBox() == grid.Owned() && !mesh.HasBarrier)
+  {
+    mesh.Facets = FindElements(ListFacetSides(mesh, runtime), mesh, runtime);
+    return;
+  }
+  const std::vector<Index> elements = ListKept(runtime, mesh.ElementIds.size(),
+    [&](Index e)
+    {
+      return !mesh.IsBarrier(e) &&
+        grid.Owned().Contains(CellOfElement(grid, mesh, mesh.ElementIds[e]));
+    });
+  mesh.WholeCells =
+    std::lower_bound(elements.begin(), elements.end(), mesh.WholeCells) - elements.begin();
+  mesh.Elements = Select(mesh.Elements, elements, runtime, mesh.Corners);
+  mesh.ElementIds = Select(mesh.ElementIds, elements, runtime);
+  mesh.Material = Select(mesh.Material, elements, runtime);
+  mesh.Fragment = Select(mesh.Fragment, elements, runtime);
+  mesh.HasBarrier = false;
+  SelectPointsOfElements(runtime, mesh);
+
+  SurfaceFacets& surfaces = mesh.Surfaces;
+  mesh.Facets = FindElements(ListFacetSides(mesh, runtime), mesh, runtime);
+  const std::vector<Index> facets =
+    ListKept(runtime, surfaces.IsOwned.size(), [&](Index q) { return surfaces.IsOwned[q] != 0; });
+  surfaces.Points = Select(surfaces.Points, facets, runtime, mesh.CornersOfFacet());
+  surfaces.SurfaceId = Select(surfaces.SurfaceId, facets, runtime);
+  surfaces.MaterialPair = Select(surfaces.MaterialPair, facets, runtime, 2);
+  surfaces.DomainSide = Select(surfaces.DomainSide, facets, runtime);
+}
+
+} // namespace vfm

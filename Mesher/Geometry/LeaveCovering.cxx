@@ -1,0 +1,227 @@
+#include "Geometry/LeaveCovering.h"
+
+#include "Elements/PeriodicIds.h"
+#include "Octree/LevelIds.h"
+#include "Ranks/Agreement.h"
+
+#include <limits>
+
+namespace vfm
+{
+namespace
+{
+
+using LevelIndex = OctreeKeys::LevelIndex;
+
+/// The refined grid of the domain, and ids on it.
+class DomainIds
+{
+public:
+  /// Collective.
+  DomainIds(const Mesh& mesh, Ranks& ranks) :
+    Covering(*mesh.Levels), Lower(Covering.Finest().Domain().Lower), Ids(mesh.Ids)
+  {
+    const bool isFirst = ranks.Rank() == 0; // the families of all ranks are joined
+    LevelPlan plan;
+    plan.FineInterfaces = this->Covering.HasFineInterfaces();
+    plan.Refinements = this->Covering.NumberOfRefinements();
+    const CartesianGrid finest = this->Covering.Finest().OfDomain(GhostLayers);
+    const CartesianGrid base = this->Covering.Base().OfDomain();
+    plan.Families = isFirst ? this->ListFamilies(OctreeKeys(base, plan.Refinements))
+                            : std::vector<std::vector<Index>>();
+    this->Domain = std::make_shared<const RefinedGrid>(finest, plan, std::vector<Index>(), ranks);
+  }
+
+  const std::shared_ptr<const RefinedGrid>& Levels() const { return this->Domain; }
+
+  /// Returns whether a point was added by TetGen.
+  bool IsAdded(Index id) const { return id >= EndOfPointIds(this->Covering, this->Ids.PointSlots); }
+
+  Index OfPoint(Index id) const
+  {
+    const Index slots = this->Ids.PointSlots;
+    if (this->IsAdded(id))
+    {
+      return id - EndOfPointIds(this->Covering, slots) + EndOfPointIds(*this->Domain, slots);
+    }
+    if (!IsCoarsePoint(this->Covering, id, slots))
+    {
+      const Index3 node = this->Covering.Finest().NodeOfKey((id - 1) / slots);
+      return this->Domain->Finest().NodeKey(Minus(node, this->Lower)) * slots + (id - 1) % slots +
+        1;
+    }
+    if (IsCoarseCentre(this->Covering, id, slots))
+    {
+      return CentreId(
+        *this->Domain, this->HexKey(CellOfCoarseCentre(this->Covering, id, slots)), slots);
+    }
+    const LevelIndex node =
+      this->Shifted(this->Covering.Lattice().NodeOfKey(KeyOfPoint(this->Covering, id, slots)));
+    return CoarsePointId(*this->Domain,
+      this->Domain->Lattice().NodeKey(node.Level, node.At, node.Slot), slots,
+      static_cast<int>((id - 1) % slots));
+  }
+
+  Index OfHex(Index id) const
+  {
+    const Index slots = this->Ids.ElementSlots;
+    const int slot = static_cast<int>((id - 1) % slots);
+    if (IsCoarseElement(this->Covering, id, slots))
+    {
+      return ElementId(
+        *this->Domain, this->HexKey(CellOfCoarseElement(this->Covering, id, slots)), slots, slot);
+    }
+    const Index3 cell = this->Covering.Finest().CellOfKey((id - 1) / slots);
+    return this->Domain->Finest().CellKey(Minus(cell, this->Lower)) * slots + slot + 1;
+  }
+
+  Index OfTet(Index id) const
+  {
+    const Index slots = this->Ids.ElementSlots;
+    if (slots == 0)
+    {
+      return id; // TetGen's
+    }
+    if (IsCoarseTet(this->Covering, id, slots))
+    {
+      const Index number = (id - TetId(this->Covering, 0, 0, slots)) % TetsOfHex;
+      return TetId(
+        *this->Domain, this->HexKey(CellOfCoarseTet(this->Covering, id, slots)), number, slots);
+    }
+    const Index3 block = this->Covering.Finest().NodeOfKey((id - 1) / slots);
+    return this->Domain->Finest().NodeKey(Minus(block, this->Lower)) * slots + (id - 1) % slots + 1;
+  }
+
+private:
+  static Index3 Minus(const Index3& p, const Index3& q)
+  {
+    return { { p[0] - q[0], p[1] - q[1], p[2] - q[2] } };
+  }
+  /// Returns a cell or node of a level of the covering grid, counted in the domain.
+  LevelIndex Shifted(const LevelIndex& at) const
+  {
+    return Below(at, this->Lower, this->Covering.NumberOfRefinements());
+  }
+  Index HexKey(const LevelIndex& covering) const
+  {
+    const LevelIndex cell = this->Shifted(covering);
+    return this->Domain->Lattice().HexKey(cell.Level, cell.At, cell.Slot);
+  }
+  std::vector<std::vector<Index>> ListFamilies(const OctreeKeys& domain) const
+  {
+    std::vector<std::vector<Index>> families(this->Covering.NumberOfRefinements());
+    for (int level = 0; level < this->Covering.NumberOfRefinements(); ++level)
+    {
+      for (Index key : this->Covering.Families().Keys(level))
+      {
+        const Index3 first =
+          ChangeLevel(BoxOfCell(this->Covering.Lattice().FamilyOfKey(level, key)), 1).Lower;
+        const Index3 family = ParentOfCell(this->Shifted({ level, first, 0 }).At);
+        if (domain.HasFamily(level, family))
+        {
+          families[level].push_back(domain.FamilyKey(level, family));
+        }
+      }
+    }
+    return families;
+  }
+
+  const RefinedGrid& Covering;
+  const Index3 Lower; // first finest cell of the domain
+  const IdScheme Ids;
+  std::shared_ptr<const RefinedGrid> Domain;
+};
+
+/// Id of the owner of a point, and the id of the point on the grid of the domain.
+using Copy = std::array<Index, 2>;
+
+/// Returns the points that may have copies.
+std::vector<Index> ListCopies(const Mesh& mesh, const DomainIds& domain)
+{
+  const CartesianGrid& grid = mesh.Levels->Finest();
+  std::vector<Index> points;
+  for (std::size_t p = 0; p < mesh.PointIds.size(); ++p)
+  {
+    const Index id = mesh.PointIds[p];
+    if (!domain.IsAdded(id) && HasCopies(grid, NodeOfPoint(grid, mesh, id)))
+    {
+      points.push_back(static_cast<Index>(p));
+    }
+  }
+  return points;
+}
+
+/// Finds the partners of points.
+class PartnerIds
+{
+public:
+  /// Collective.
+  /// @param points  those that may have copies
+  /// @param ids  ids of the points of the mesh on the grid of the domain
+  PartnerIds(const Mesh& mesh, const DomainIds& domain, const std::vector<Index>& points,
+    const Buffer<Index>& ids, Partner partner, Ranks& ranks) :
+    Domain(domain)
+  {
+    std::vector<Copy> copies;
+    for (Index point : points)
+    {
+      copies.push_back({ { IdOfOwner(mesh, mesh.PointIds[point]), ids[point] } });
+    }
+    if (partner == Partner::Lowest)
+    {
+      this->Copies = UnionOverRanks(ranks, std::move(copies));
+    }
+  }
+
+  /// Returns the partner from the id of the owner.
+  Index Of(Index owner) const
+  {
+    const auto found = std::lower_bound(this->Copies.begin(), this->Copies.end(),
+      Copy{ { owner, std::numeric_limits<Index>::min() } });
+    return found != this->Copies.end() && (*found)[0] == owner ? (*found)[1]
+                                                               : this->Domain.OfPoint(owner);
+  }
+
+private:
+  const DomainIds& Domain;
+  std::vector<Copy> Copies; // of all ranks, ascending; empty if partners are owners
+};
+
+/// Names the edges of pulls by the partners of their ends.
+void RenamePulls(const PartnerIds& partners, std::vector<EdgePull>& pulls)
+{
+  for (EdgePull& pull : pulls)
+  {
+    pull.End = partners.Of(pull.End);
+    pull.Edge = MakeEdgeIds(partners.Of(pull.Edge[0]), partners.Of(pull.Edge[1]));
+    pull.Group = pull.Edge;
+  }
+}
+
+} // namespace
+
+void LeaveCovering(const Partition& covering, Partner partner, Mesh& mesh)
+{
+  Ranks& ranks = covering.Group();
+  const DomainIds domain(mesh, ranks);
+  Buffer<Index> ids(mesh.PointIds.size());
+  std::transform(mesh.PointIds.begin(), mesh.PointIds.end(), ids.begin(),
+    [&domain](Index id) { return domain.OfPoint(id); });
+  const std::vector<Index> points = ListCopies(mesh, domain);
+  const PartnerIds partners(mesh, domain, points, ids, partner, ranks);
+  mesh.PeriodicPartner = Buffer<Index>(ids.size());
+  std::copy(ids.begin(), ids.end(), mesh.PeriodicPartner.begin());
+  for (Index point : points)
+  {
+    mesh.PeriodicPartner[point] = partners.Of(IdOfOwner(mesh, mesh.PointIds[point]));
+  }
+  RenamePulls(partners, mesh.Pulls);
+  mesh.PointIds = std::move(ids);
+  for (Index& id : mesh.ElementIds)
+  {
+    id = mesh.Corners == 8 ? domain.OfHex(id) : domain.OfTet(id);
+  }
+  mesh.Levels = domain.Levels();
+}
+
+} // namespace vfm

@@ -1,0 +1,20 @@
+/**
+ * Number and quality of the elements of each material.
+ */
+#pragma once
+
+#include "Elements/Mesh.h"
+#include "Elements/MeshReport.h"
+#include "Ranks/Ranks.h"
+
+namespace vfm
+{
+
+/// Sets Elements in report.Materials over all ranks, and the scaled Jacobians if
+/// mesh.ScaledJacobian is computed.
+/// @param mesh  mesh with owned elements only
+/// @param[in,out] report  ReportVolumes must have made report.Materials
+/// @pre Collective.
+void MeasureMaterials(const Mesh& mesh, Ranks& ranks, MeshReport& report);
+
+} // namespace vfm

@@ -1,0 +1,25 @@
+/**
+ * Quality of elements with the definitions of the Verdict library.
+ */
+#pragma once
+
+#include "Base/Runtime.h"
+#include "Elements/Mesh.h"
+#include "Elements/MeshReport.h"
+
+namespace vfm
+{
+
+/// Returns the scaled Jacobian of a hex, -1 to 1: the minimum, over its 8 corners and its centre,
+/// of the determinant of three edge vectors over the product of their lengths. Verdict's
+/// hex_scaled_jacobian; Knupp, Int. J. Numer. Methods Engrg. 48 (2000) 1165-1185.
+/// @param points  coordinates of all mesh points, (points, 3)
+/// @param hex  the eight corners in VTK's order
+double HexScaledJacobian(const double* points, const Index* hex);
+
+/// Fills mesh.ScaledJacobian and the minimum and mean over all ranks in the report. Also fills the
+/// dihedral angles of the report if the mesh consists of tets.
+/// @pre Collective.
+void ComputeQuality(Mesh& mesh, Runtime& runtime, MeshReport& report);
+
+} // namespace vfm

@@ -1,0 +1,28 @@
+/**
+ * HexPipeline: makes a hexahedral mesh from volume fractions.
+ */
+#pragma once
+
+#include "Base/Options.h"
+#include "Base/Runtime.h"
+#include "Elements/Mesh.h"
+#include "Elements/MeshReport.h"
+#include "Fractions/FractionField.h"
+
+namespace vfm
+{
+
+/// Makes the hexahedral mesh of the owned cells. The mesh is valid for any labels: every corner of
+/// every hex has a positive Jacobian.
+/// @param grid  grid with the ghost layers that LayersFor(options.Levels) returns
+/// @param fractions  fractions of the local cells
+/// @param[out] report  measurements over all ranks
+/// @return elements of the owned cells; each element is on one rank
+/// @throws InputError  if an option is out of range or ids exceed 63 bits
+/// @throws std::logic_error  if the grid has too few ghost layers
+/// @throws Aborted  if the user stops the run
+/// @pre Collective over runtime.Group().
+Mesh MakeHexMesh(const CartesianGrid& grid, const FractionField& fractions,
+  const MeshOptions& options, Runtime& runtime, MeshReport& report);
+
+} // namespace vfm

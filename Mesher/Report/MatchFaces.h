@@ -1,0 +1,29 @@
+/**
+ * MatchFaces: finds the elements on the other side of faces, also on other ranks.
+ */
+#pragma once
+
+#include "Elements/ElementFaces.h"
+#include "Elements/MeshFacet.h"
+#include "Ranks/Ranks.h"
+
+#include <vector>
+
+namespace vfm
+{
+
+/// Returns ids of the points of a face, sorted.
+/// @param ids id of each point, such as its global id; the -1 of a triangle stays
+FaceIds SortedIds(const FaceIds& points, const Index* ids);
+
+/// Finds the value of the element behind each face.
+/// @param ids sorted global ids of the points of each face
+/// @param values value >= 0 of the element of each face, such as its material or number
+/// @return value of the element on the other side of each face, on any rank, or NothingBehind
+/// @throws InputError if a face belongs to more than two elements of one rank, or to elements of
+/// three ranks; on all ranks
+/// @pre Collective
+std::vector<Index> MatchFaces(
+  const std::vector<FaceIds>& ids, const std::vector<Index>& values, Ranks& ranks);
+
+} // namespace vfm

@@ -1,0 +1,160 @@
+#include "Report/MeshData.h"
+
+#include "Elements/MidNodes.h"
+
+#include <algorithm>
+#include <iterator>
+#include <type_traits>
+
+namespace vfm
+{
+namespace
+{
+
+template <class Arrays>
+auto FindByName(Arrays& arrays, const std::string& name)
+{
+  const auto found = std::find_if(
+    arrays.begin(), arrays.end(), [&name](const auto& array) { return array.Name == name; });
+  return found == arrays.end() ? nullptr : &*found;
+}
+
+/// Sets a pointer to the values of an array of one component as T, or to null.
+template <class T>
+void SetPointer(StoredMesh& mesh, const std::vector<MeshArray>& arrays, const char* name,
+  Index count, const T*& pointer)
+{
+  pointer = nullptr;
+  const MeshArray* array = FindArray(arrays, name);
+  if (!array || array->Components != 1 || !array->Values)
+  {
+    return;
+  }
+  VisitType(array->Type,
+    [&](auto tag)
+    {
+      using Value = typename decltype(tag)::Type;
+      const auto* values = static_cast<const Value*>(array->Values);
+      if constexpr (std::is_integral_v<Value> && sizeof(Value) == sizeof(T))
+      {
+        pointer = reinterpret_cast<const T*>(values);
+      }
+      else
+      {
+        std::vector<T> converted(count);
+        std::transform(values, values + count, converted.begin(),
+          [](Value value) { return static_cast<T>(value); });
+        pointer = mesh.Store(std::move(converted));
+      }
+    });
+}
+
+} // namespace
+
+std::vector<Index> MidsOfFace(const MeshData& mesh, Index element, int face)
+{
+  std::vector<Index> points;
+  const MidNodes nodes(mesh.Corners, mesh.MidsPerElement);
+  const Index* mids = mesh.MidPoints + mesh.MidsPerElement * element;
+  for (int e = 0; mesh.MidsPerElement > 0 && e < ElementFaces(mesh.Corners).Corners; ++e)
+  {
+    points.push_back(mids[nodes.EdgeOfFace(face, e)]);
+  }
+  if (nodes.HasFaces())
+  {
+    points.push_back(mids[nodes.Edges + face]);
+  }
+  return points;
+}
+
+void FindKnownArrays(StoredMesh& mesh)
+{
+  MeshData& data = mesh.Data;
+  const Index points = data.NumberOfPoints, elements = data.NumberOfElements;
+  SetPointer(mesh, data.PointArrays, "GlobalPointIds", points, data.PointIds);
+  SetPointer(mesh, data.PointArrays, "PeriodicPartner", points, data.PeriodicPartner);
+  SetPointer(mesh, data.PointArrays, "OriginalPointIds", points, data.OriginalPointIds);
+  SetPointer(mesh, data.PointArrays, "GeometryDimension", points, data.GeometryDimension);
+  SetPointer(mesh, data.PointArrays, "GeometryId", points, data.GeometryId);
+  SetPointer(mesh, data.ElementArrays, "GlobalCellIds", elements, data.ElementIds);
+  SetPointer(mesh, data.ElementArrays, "MaterialId", elements, data.Material);
+  SetPointer(mesh, data.ElementArrays, "FragmentId", elements, data.Fragment);
+}
+
+bool IsKnownArray(const MeshArray& array)
+{
+  constexpr const char* names[] = { "GlobalPointIds", "PeriodicPartner", "OriginalPointIds",
+    "GeometryDimension", "GeometryId", "GlobalCellIds", "MaterialId", "FragmentId" };
+  return std::find(std::begin(names), std::end(names), array.Name) != std::end(names);
+}
+
+MeshData TakeKnownArrays(MeshData mesh, const std::function<bool(const MeshArray&)>& isTaken)
+{
+  for (std::vector<MeshArray>* arrays : { &mesh.PointArrays, &mesh.ElementArrays })
+  {
+    arrays->erase(std::remove_if(arrays->begin(), arrays->end(),
+                    [&](const MeshArray& array)
+                    { return !IsKnownArray(array) && !(isTaken && isTaken(array)); }),
+      arrays->end());
+  }
+  return mesh;
+}
+
+const MeshArray* FindArray(const std::vector<MeshArray>& arrays, const std::string& name)
+{
+  return FindByName(arrays, name);
+}
+
+void RejectMissing(const std::string& name)
+{
+  throw InputError(
+    "The mesh has no array " + name + ". A mesh of Volume Fraction To Hex or To Tet is needed.");
+}
+
+const MeshArray& GetArray(const std::vector<MeshArray>& arrays, const std::string& name)
+{
+  const MeshArray* array = FindArray(arrays, name);
+  if (!array)
+  {
+    RejectMissing(name);
+  }
+  return *array;
+}
+
+double ValueAt(const MeshArray& array, Index tuple, int component)
+{
+  return VisitType(array.Type,
+    [&](auto tag)
+    {
+      using Value = typename decltype(tag)::Type;
+      return static_cast<double>(
+        static_cast<const Value*>(array.Values)[array.Components * tuple + component]);
+    });
+}
+
+const FieldArray* FindField(const std::vector<FieldArray>& fields, const std::string& name)
+{
+  return FindByName(fields, name);
+}
+
+std::vector<double> NumbersOfField(const std::vector<FieldArray>& fields, const std::string& name)
+{
+  const FieldArray* field = FindField(fields, name);
+  if (!field)
+  {
+    return {};
+  }
+  return std::visit(
+    [](const auto& values) -> std::vector<double>
+    {
+      using Value = typename std::decay_t<decltype(values)>::value_type;
+      if constexpr (std::is_arithmetic_v<Value>)
+      {
+        return std::vector<double>(values.begin(), values.end());
+      }
+      return {};
+    },
+    field->Values);
+}
+
+} // namespace vfm

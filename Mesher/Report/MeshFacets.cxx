@@ -1,0 +1,167 @@
+#include "Report/MeshFacets.h"
+
+#include "Ranks/Agreement.h"
+#include "Report/DomainSides.h"
+#include "Report/MatchFaces.h"
+#include "Report/SeamFacets.h"
+
+#include <map>
+
+namespace vfm
+{
+namespace
+{
+
+/// Returns the faces that can be on a surface. Points on periodic sides count as inside a volume.
+std::vector<FacetSide> CollectFaces(const MeshData& mesh)
+{
+  const ElementFaces table(mesh.Corners);
+  const int* dimensions = mesh.PeriodicPartner ? nullptr : mesh.GeometryDimension;
+  const auto isInside = [dimensions](Index point)
+  { return point >= 0 && dimensions && dimensions[point] >= DimensionOfVolumes; };
+  std::vector<FacetSide> faces;
+  for (Index element = 0; element < mesh.NumberOfElements; ++element)
+  {
+    for (int side = 0; side < table.Count; ++side)
+    {
+      const std::array<Index, 4> points = table.PointsOf(mesh.Element(element), side);
+      if (std::none_of(points.begin(), points.end(), isInside))
+      {
+        faces.push_back({ points, { element, side, NothingBehind, 0, NoSide } });
+      }
+    }
+  }
+  return faces;
+}
+
+/// Finds the smooth side of an interface that contains a face: the surface of its points inside a
+/// surface, or the entry of the face in EdgeFacets.
+class FaceSurfaces
+{
+public:
+  explicit FaceSurfaces(const MeshData& mesh) :
+    TheMesh(mesh), Parts(NumbersOfField(mesh.Fields, "SurfaceParts"))
+  {
+    constexpr std::size_t width = 5; // four points and the surface
+    const FieldArray* field = FindField(mesh.Fields, "EdgeFacets");
+    if (!field || field->Components != static_cast<int>(width))
+    {
+      return;
+    }
+    if (const auto* numbers = std::get_if<std::vector<Index>>(&field->Values))
+    {
+      for (std::size_t at = 0; at + width <= numbers->size(); at += width)
+      {
+        const Index* row = numbers->data() + at;
+        this->EdgeFacets[{ { row[0], row[1], row[2], row[3] } }] = static_cast<int>(row[4]);
+      }
+    }
+  }
+
+  int Find(const FacetSide& face) const
+  {
+    const MeshData& mesh = this->TheMesh;
+    if (this->Parts.empty() || !mesh.GeometryDimension || !mesh.GeometryId)
+    {
+      return 0;
+    }
+    int surface = 0;
+    for (Index point : face.Points)
+    {
+      if (point >= 0 && mesh.GeometryDimension[point] == DimensionOfSurfaces)
+      {
+        surface = std::max(surface, mesh.GeometryId[point]);
+      }
+    }
+    const auto listed = this->EdgeFacets.find(SortedIds(face.Points, mesh.UnsplitPointIds()));
+    surface = listed == this->EdgeFacets.end() ? surface : listed->second;
+    const bool isSide = surface >= 1 && surface <= static_cast<int>(this->Parts.size()) &&
+      this->Parts[surface - 1] >= 1;
+    return isSide ? surface : 0;
+  }
+
+private:
+  const MeshData& TheMesh;
+  const std::vector<double> Parts;
+  std::map<FaceIds, int> EdgeFacets;
+};
+
+/// Collective. Sets the sides of the domain on which faces lie.
+void FindSides(const MeshData& mesh, Ranks& ranks, std::vector<FacetSide>& faces)
+{
+  const DomainSides domain(mesh);
+  std::vector<FacetSide*> open;
+  std::vector<FacetSide> copies;
+  for (FacetSide& face : faces)
+  {
+    face.Facet.DomainSide = NoSide;
+    if (face.Facet.Behind == NothingBehind)
+    {
+      face.Facet.DomainSide = domain.SideOfFace(face.Points);
+      open.push_back(&face);
+      copies.push_back(face);
+    }
+  }
+  if (!ranks.Any(mesh.PeriodicPartner != nullptr))
+  {
+    return;
+  }
+  const std::vector<int> seams = FindSeamSides(mesh, copies, ranks);
+  for (std::size_t f = 0; f < open.size(); ++f)
+  {
+    int& side = open[f]->Facet.DomainSide;
+    side = seams[f] != NoSide || domain.IsPeriodic(side) ? seams[f] : side;
+  }
+}
+
+} // namespace
+
+std::vector<FacetSide> FindMeshFaces(const MeshData& mesh, const int* values, Ranks& ranks)
+{
+  std::vector<FacetSide> faces;
+  std::vector<Index> valuesOfFaces;
+  std::vector<FaceIds> ids;
+  WorkTogether(ranks,
+    [&]
+    {
+      Require(mesh.PointIds, "GlobalPointIds", mesh);
+      faces = CollectFaces(mesh);
+      for (const FacetSide& face : faces)
+      {
+        valuesOfFaces.push_back(values[face.Facet.Element]);
+        ids.push_back(SortedIds(face.Points, mesh.UnsplitPointIds()));
+      }
+    });
+  const std::vector<Index> behind = MatchFaces(ids, valuesOfFaces, ranks);
+  std::vector<FacetSide> found;
+  for (std::size_t f = 0; f < faces.size(); ++f)
+  {
+    if (behind[f] != valuesOfFaces[f])
+    {
+      found.push_back(faces[f]);
+      found.back().Facet.Behind = static_cast<int>(behind[f]);
+    }
+  }
+  return found;
+}
+
+std::vector<MeshFacet> FindMeshFacets(const MeshData& mesh, Ranks& ranks)
+{
+  if (!ranks.Any(mesh.NumberOfElements > 0 && !mesh.Facets))
+  {
+    return mesh.Facets ? *mesh.Facets : std::vector<MeshFacet>();
+  }
+  WorkTogether(ranks, [&mesh] { Require(mesh.Material, "MaterialId", mesh); });
+  std::vector<FacetSide> faces = FindMeshFaces(mesh, mesh.Material, ranks);
+  FindSides(mesh, ranks, faces);
+  const FaceSurfaces surfaces(mesh);
+  std::vector<MeshFacet> facets;
+  for (const FacetSide& face : faces)
+  {
+    facets.push_back(face.Facet);
+    facets.back().Surface = facets.back().DomainSide == NoSide ? surfaces.Find(face) : 0;
+  }
+  return facets;
+}
+
+} // namespace vfm

@@ -1,0 +1,322 @@
+#include "Report/MeshFields.h"
+
+#include "Base/ParseText.h"
+#include "Report/MeshData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+namespace vfm
+{
+namespace
+{
+
+bool IsTetMesh(const Mesh& mesh)
+{
+  return mesh.Corners == 4;
+}
+
+/// Returns the values of the materials that are meshed.
+template <class Value>
+std::vector<Value> TakeMeshed(const std::vector<Value>& values, bool meshVoid)
+{
+  const std::size_t first = meshVoid ? 0 : 1;
+  return { values.begin() + std::min(first, values.size()), values.end() };
+}
+
+void AddCount(FieldArrays& fields, const char* name, Index count)
+{
+  fields.push_back({ name, std::vector<Index>{ count } });
+}
+
+void AddNumber(FieldArrays& fields, const char* name, double value)
+{
+  fields.push_back({ name, std::vector<double>{ value } });
+}
+
+void AddQuality(FieldArrays& fields, const Mesh& mesh, const MeshReport& report)
+{
+  AddNumber(fields, "MinimumScaledJacobian", report.MinimumScaledJacobian);
+  AddNumber(fields, "MeanScaledJacobian", report.MeanScaledJacobian);
+  if (IsTetMesh(mesh))
+  {
+    AddNumber(fields, "MinimumDihedralAngle", report.MinimumDihedralAngle);
+    AddNumber(fields, "MaximumDihedralAngle", report.MaximumDihedralAngle);
+    fields.push_back({ "DihedralAngles",
+      std::vector<Index>(report.DihedralAngles.begin(), report.DihedralAngles.end()) });
+  }
+}
+
+/// Adds a column; get: returns the value of an item.
+template <class Item, class Get>
+void AddColumn(
+  FieldArrays& fields, const char* name, const std::vector<Item>& items, const Get& get)
+{
+  std::vector<decltype(get(items[0]))> values;
+  for (const Item& item : items)
+  {
+    values.push_back(get(item));
+  }
+  fields.push_back({ name, std::move(values) });
+}
+
+/// Adds the counts of a mesh of several levels.
+void AddLevels(FieldArrays& fields, const MeshReport& report)
+{
+  using Level = MeshReport::Level;
+  if (report.Levels.empty())
+  {
+    return;
+  }
+  const std::vector<Level>& levels = report.Levels;
+  AddColumn(fields, "RefinedCells", levels, [](const Level& l) { return l.Families; });
+  AddColumn(
+    fields, "CellsAddedForBalance", levels, [](const Level& l) { return l.AddedForBalance; });
+  AddColumn(
+    fields, "CellsAddedForValidity", levels, [](const Level& l) { return l.AddedForValidity; });
+  AddColumn(fields, "LevelCells", levels, [](const Level& l) { return l.Cells; });
+  AddCount(fields, "TransitionCells", report.TransitionCells);
+}
+
+std::vector<double> FindVolumeErrors(const MeshReport& report)
+{
+  std::vector<double> errors;
+  for (std::size_t m = 0; m < report.TargetVolume.size(); ++m)
+  {
+    const double target = report.TargetVolume[m];
+    errors.push_back(target > 0.0 ? report.MeshVolume[m] / target - 1.0 : 0.0);
+  }
+  return errors;
+}
+
+/// Adds one value per material; names: names of the arrays of names and ids.
+void AddMaterials(FieldArrays& fields, const MeshReport& report, const Materials& table,
+  bool meshVoid, std::array<const char*, 2> names)
+{
+  fields.push_back({ names[0], TakeMeshed(table.Names, meshVoid) });
+  fields.push_back({ names[1], TakeMeshed(table.Labels, meshVoid) });
+  fields.push_back({ "TargetVolume", TakeMeshed(report.TargetVolume, meshVoid) });
+  fields.push_back({ "MeshVolume", TakeMeshed(report.MeshVolume, meshVoid) });
+  fields.push_back({ "VolumeError", TakeMeshed(FindVolumeErrors(report), meshVoid) });
+  fields.push_back({ "LostCells", TakeMeshed(report.LostCells, meshVoid) });
+  fields.push_back({ "GainedCells", TakeMeshed(report.GainedCells, meshVoid) });
+}
+
+} // namespace
+
+FieldArrays ListReport(const Mesh& mesh, const MeshReport& report, const Materials& table,
+  const MeshOptions& options, const CorrectedCells& corrected)
+{
+  FieldArrays fields;
+  AddMaterials(fields, report, table, options.MeshVoid, { { "MaterialNames", "MaterialIds" } });
+  fields.push_back({ "FragmentTargetVolume", TakeMeshed(report.FragmentTargetVolume, false) });
+  AddCount(fields, "NormalisedCells", corrected.Normalised);
+  AddCount(fields, "ClippedCells", corrected.Clipped);
+  AddCount(fields, "RemovedRegions", report.RemovedRegions);
+  AddCount(fields, "RemovedCells", report.RemovedCells);
+  AddCount(fields, "ChosenCells", report.ChosenCells);
+  AddCount(fields, "FlippedCells", report.FlippedCells);
+  AddCount(fields, "ResolveRounds", report.ResolveRounds);
+  AddCount(fields, "NarrowVoidCells", report.NarrowVoidCells);
+  AddCount(fields, "NumberOfFragments", report.NumberOfFragments);
+  AddCount(fields, "NumberOfSurfaces", report.NumberOfSurfaces);
+  AddCount(fields, "NumberOfCurves", report.NumberOfCurves);
+  AddCount(fields, "NumberOfVertices", report.NumberOfVertices);
+  if (options.Edges != SharpEdges::Off)
+  {
+    AddCount(fields, "EdgePoints", report.EdgePoints);
+    AddCount(fields, "CornerPoints", report.CornerPoints);
+  }
+  if (IsTetMesh(mesh))
+  {
+    AddCount(fields, "RefusedParts", report.RefusedParts);
+  }
+  AddLevels(fields, report);
+  if (options.ComputeQuality)
+  {
+    AddQuality(fields, mesh, report);
+  }
+  return fields;
+}
+
+FieldArrays ListMaterials(
+  const MeshReport& report, const Materials& table, const MeshOptions& options)
+{
+  using Material = MeshReport::Material;
+  FieldArrays columns;
+  AddMaterials(columns, report, table, options.MeshVoid, { { "Name", "MaterialId" } });
+  const std::vector<Material> parts = TakeMeshed(report.Materials, options.MeshVoid);
+  AddColumn(columns, "Elements", parts, [](const Material& m) { return m.Elements; });
+  AddColumn(columns, "Fragments", parts, [](const Material& m) { return m.Fragments; });
+  if (options.ComputeQuality)
+  {
+    AddColumn(columns, "MinimumScaledJacobian", parts,
+      [](const Material& m) { return m.MinimumScaledJacobian; });
+    AddColumn(
+      columns, "MeanScaledJacobian", parts, [](const Material& m) { return m.MeanScaledJacobian; });
+  }
+  return columns;
+}
+
+FieldArrays ListSides(const GeometryTables& tables)
+{
+  const std::vector<int>& parts = tables.SurfaceParts;
+  if (std::all_of(parts.begin(), parts.end(), [](int part) { return part <= 0; }))
+  {
+    return {};
+  }
+  return { { "SurfaceParts", parts }, FieldOfRows("EdgeFacets", tables.EdgeFacets) };
+}
+
+void ReplaceFields(const FieldArrays& newer, FieldArrays& fields)
+{
+  for (FieldArray& field : fields)
+  {
+    if (const FieldArray* found = FindField(newer, field.Name))
+    {
+      field = *found;
+    }
+  }
+}
+
+FieldArrays ListSurfaces(const GeometryTables& tables)
+{
+  return { FieldOfRows("SurfaceVolumes", tables.SurfaceVolumes),
+    FieldOfRows("SurfaceMaterials", tables.SurfaceMaterials),
+    { "SurfaceSides", tables.SurfaceSides }, { "SurfaceParts", tables.SurfaceParts },
+    { "SurfaceAreas", tables.SurfaceAreas },
+    FieldOfRows("SurfaceCentroids", tables.SurfaceCentroids),
+    FieldOfRows("SurfaceNormals", tables.SurfaceNormals),
+    FieldOfRows("VolumeSurfaces", tables.VolumeSurfaces) };
+}
+
+FieldArrays ListCurves(const GeometryTables& tables)
+{
+  return { { "CurveEnds", tables.CurveEnds }, FieldOfRows("SurfaceCurves", tables.SurfaceCurves) };
+}
+
+FieldArrays ListVertices(const GeometryTables& tables)
+{
+  return { FieldOfRows("CurveVertices", tables.CurveVertices) };
+}
+
+FieldArrays ListDomain(
+  const CartesianGrid& grid, const ImageFrame& frame, const std::array<bool, 3>& isPeriodic)
+{
+  std::vector<double> bounds, lengths;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double least = grid.Coordinates(axis).front(), most = grid.Coordinates(axis).back();
+    bounds.insert(bounds.end(), { least, most });
+    lengths.push_back(isPeriodic[axis] ? most - least : 0.0);
+  }
+  FieldArrays fields{ { "DomainBounds", std::move(bounds) } };
+  if (isPeriodic != std::array<bool, 3>())
+  {
+    fields.push_back({ "PeriodLengths", std::move(lengths) });
+  }
+  if (!frame.IsIdentity())
+  {
+    std::vector<double> numbers(frame.Axes.begin(), frame.Axes.end());
+    numbers.insert(numbers.end(), frame.Origin.begin(), frame.Origin.end());
+    fields.push_back({ "DomainFrame", std::move(numbers) });
+  }
+  return fields;
+}
+
+namespace
+{
+
+constexpr double LargestQuietError = 0.01; // relative error of a volume without a warning
+
+/// Returns a material for a message: its name and id.
+std::string NameMaterial(const Materials& table, std::size_t material)
+{
+  return "'" + table.Names[material] + "' (id " + std::to_string(table.Labels[material]) + ")";
+}
+
+/// Returns the first items in a sequence, and how many more there are.
+std::string Enumerate(const std::vector<std::string>& items)
+{
+  constexpr std::size_t MaximumNames = 20;
+  if (items.size() <= MaximumNames)
+  {
+    return JoinTexts(items);
+  }
+  return JoinTexts({ items.begin(), items.begin() + MaximumNames }) + " and " +
+    std::to_string(items.size() - MaximumNames) + " more";
+}
+
+std::string CountMaterials(std::size_t count, const char* one, const char* several)
+{
+  return std::to_string(count) + (count == 1 ? " material " : " materials ") +
+    (count == 1 ? one : several);
+}
+
+/// Returns the materials with elements whose volumes are inexact, by missing volume, descending.
+std::vector<std::size_t> FindInexact(const MeshReport& report)
+{
+  const auto missing = [&report](std::size_t m)
+  { return std::fabs(report.MeshVolume[m] - report.TargetVolume[m]); };
+  std::vector<std::size_t> found;
+  for (std::size_t m = 1; m < report.TargetVolume.size(); ++m)
+  {
+    if (report.MeshVolume[m] > 0.0 && missing(m) > LargestQuietError * report.TargetVolume[m])
+    {
+      found.push_back(m);
+    }
+  }
+  std::stable_sort(found.begin(), found.end(),
+    [&missing](std::size_t a, std::size_t b) { return missing(a) > missing(b); });
+  return found;
+}
+
+/// Returns a material with its volume error, number of fragments and flips.
+std::string DescribeError(const MeshReport& report, const Materials& table, std::size_t m)
+{
+  const double error = report.MeshVolume[m] / report.TargetVolume[m] - 1.0;
+  std::ostringstream text;
+  text << NameMaterial(table, m) << " by " << std::showpos << std::setprecision(2) << 100.0 * error
+       << std::noshowpos << " % (fragments: " << report.Materials[m].Fragments
+       << ", cells lost: " << report.LostCells[m] << ", gained: " << report.GainedCells[m] << ")";
+  return text.str();
+}
+
+} // namespace
+
+std::string DescribeLostMaterials(const MeshReport& report, const Materials& table)
+{
+  std::vector<std::string> lost;
+  for (std::size_t m = 1; m < report.TargetVolume.size(); ++m)
+  {
+    if (report.TargetVolume[m] > 0.0 && report.MeshVolume[m] == 0.0)
+    {
+      lost.push_back(NameMaterial(table, m));
+    }
+  }
+  return lost.empty() ? ""
+                      : CountMaterials(lost.size(), "has", "have") +
+      " no element, since no cell is left to them: " + Enumerate(lost) +
+      ". In finer cells they may be kept (Refinement).";
+}
+
+std::string DescribeInexactMaterials(
+  const MeshReport& report, const Materials& table, bool areLabels)
+{
+  std::vector<std::string> errors;
+  for (std::size_t m : FindInexact(report))
+  {
+    errors.push_back(DescribeError(report, table, m));
+  }
+  return errors.empty() ? ""
+                        : CountMaterials(errors.size(), "misses its", "miss their") +
+      (errors.size() == 1 ? " volume" : " volumes") + " by more than 1 %: " + Enumerate(errors) +
+      ". Lost and gained cells changed their material so that interfaces are manifold. " +
+      (areLabels ? "LabelSmoothing, a" : "A") +
+      " larger MinimumRegionCells, or finer cells there (Refinement with RefineFlippedCells) may "
+      "help.";
+}
+
+} // namespace vfm

@@ -1,0 +1,213 @@
+#include "Report/MeshSummary.h"
+
+#include "Base/ExactSum.h"
+#include "Ranks/Agreement.h"
+#include "Ranks/MaxOfEach.h"
+#include "Report/ElementMoments.h"
+#include "Report/MeshMaterials.h"
+#include "Report/PointCounts.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace vfm
+{
+namespace
+{
+
+std::vector<double> GetField(const MeshData& mesh, const std::string& name)
+{
+  return NumbersOfField(mesh.Fields, name);
+}
+
+/// Sums a field of numbers per material, or one component of it.
+double SumOfMaterials(const MeshData& mesh, const std::string& name, int component = 0)
+{
+  const FieldArray* field = FindField(mesh.Fields, name);
+  const std::vector<double> values = GetField(mesh, name);
+  double sum = 0.0;
+  for (std::size_t at = component; at < values.size(); at += field->Components)
+  {
+    sum += values[at];
+  }
+  return sum;
+}
+
+/// Returns the conserved quantities of a mesh, from its fields.
+std::vector<StateTotal> FindStateTotals(const MeshData& mesh)
+{
+  struct Quantity
+  {
+    const char *Name, *Field;
+    int Component = 0;
+  };
+  constexpr Quantity quantities[] = { { "mass", "Mass" }, { "momentum x", "Momentum" },
+    { "momentum y", "Momentum", 1 }, { "momentum z", "Momentum", 2 },
+    { "kinetic energy", "KineticEnergy" }, { "internal energy", "InternalEnergy" } };
+  std::vector<StateTotal> totals;
+  for (const Quantity& q : quantities)
+  {
+    const std::string field = q.Field;
+    if (FindField(mesh.Fields, "Input" + field))
+    {
+      totals.push_back({ q.Name, SumOfMaterials(mesh, "Input" + field, q.Component),
+        SumOfMaterials(mesh, "Mesh" + field, q.Component),
+        SumOfMaterials(mesh, "Unmeshed" + field, q.Component) });
+    }
+  }
+  return totals;
+}
+
+double GetNumber(const MeshData& mesh, const char* name)
+{
+  const std::vector<double> values = GetField(mesh, name);
+  return values.empty() ? 0.0 : values[0];
+}
+
+/// Sums over the elements of a part of the mesh on this rank.
+struct PartSums
+{
+  Index Elements = 0;
+  double Minimum = std::numeric_limits<double>::infinity();
+  int Material = -1;
+  ExactSum Quality, Volume; ///< volumes in units of the mean element of the mesh
+};
+
+/// Sums over the parts of this rank's elements.
+/// @param partOf part of each element, from 0
+/// @param unit unit of volumes
+std::vector<PartSums> SumParts(const MeshData& mesh, const std::vector<ElementMoments>& moments,
+  const std::vector<int>& partOf, std::size_t numberOfParts, double unit)
+{
+  std::vector<PartSums> parts(numberOfParts);
+  const MeshArray* quality = FindArray(mesh.ElementArrays, "ScaledJacobian");
+  for (std::size_t e = 0; e < partOf.size(); ++e)
+  {
+    PartSums& part = parts[partOf[e]];
+    const auto element = static_cast<Index>(e);
+    ++part.Elements;
+    part.Material = mesh.Material[e];
+    part.Volume.Add(moments[e].Volume / unit);
+    if (quality)
+    {
+      part.Minimum = std::min(part.Minimum, ValueAt(*quality, element));
+      part.Quality.Add(ValueAt(*quality, element));
+    }
+  }
+  return parts;
+}
+
+/// Merges the parts of all ranks; points: number of points of each part.
+std::vector<PartSummary> MergeParts(
+  const std::vector<PartSums>& parts, const std::vector<Index>& points, double unit, Ranks& ranks)
+{
+  std::vector<std::int64_t> elements;
+  std::vector<ExactSum> quality, volume;
+  std::vector<double> extremes;
+  for (const PartSums& part : parts)
+  {
+    elements.push_back(part.Elements);
+    quality.push_back(part.Quality);
+    volume.push_back(part.Volume);
+    extremes.push_back(-part.Minimum);
+    extremes.push_back(part.Material);
+  }
+  ranks.Sum(elements);
+  const std::vector<double> qualities = SumOverRanks(quality, ranks);
+  const std::vector<double> volumes = SumOverRanks(volume, ranks);
+  MaxOfEach(extremes, ranks);
+  std::vector<PartSummary> united(parts.size());
+  for (std::size_t p = 0; p < parts.size(); ++p)
+  {
+    united[p].Material = static_cast<int>(extremes[2 * p + 1]);
+    united[p].Elements = elements[p];
+    united[p].Points = points[p];
+    united[p].MinimumQuality = elements[p] > 0 ? -extremes[2 * p] : 0.0;
+    united[p].MeanQuality = elements[p] > 0 ? qualities[p] / static_cast<double>(elements[p]) : 0.0;
+    united[p].Volume = volumes[p] * unit;
+  }
+  return united;
+}
+
+/// Summarises the parts of a mesh; partOf: part of each element, from 0.
+std::vector<PartSummary> SummariseParts(const MeshData& mesh,
+  const std::vector<ElementMoments>& moments, const std::vector<int>& partOf,
+  std::size_t numberOfParts, double unit, Ranks& ranks)
+{
+  return MergeParts(SumParts(mesh, moments, partOf, numberOfParts, unit),
+    CountPoints(mesh, partOf, numberOfParts, ranks), unit, ranks);
+}
+
+/// Returns the part of each element; place: returns the part of a value.
+template <class Place>
+std::vector<int> FindParts(const MeshData& mesh, const int* values, const Place& place)
+{
+  std::vector<int> parts(mesh.NumberOfElements);
+  std::transform(values, values + mesh.NumberOfElements, parts.begin(), place);
+  return parts;
+}
+
+/// Returns the mean volume of an element, a unit that makes sums independent of the scale
+/// of lengths.
+double FindUnit(const std::vector<double>& volumes, Index elements, Ranks& ranks)
+{
+  const std::int64_t count = SumOverRanks(elements, ranks);
+  double total = 0.0;
+  for (double volume : volumes)
+  {
+    total += volume;
+  }
+  return count > 0 && total > 0.0 ? total / static_cast<double>(count) : 1.0;
+}
+
+void NameMaterials(
+  const MeshData& mesh, const std::vector<double>& ids, std::vector<PartSummary>& materials)
+{
+  const std::vector<double> targets = GetField(mesh, "TargetVolume");
+  const std::map<int, std::string> names = NamesOfMaterials(mesh);
+  for (std::size_t m = 0; m < ids.size(); ++m)
+  {
+    materials[m].Material = static_cast<int>(ids[m]);
+    materials[m].Name = NameOfMaterial(names, materials[m].Material);
+    materials[m].TargetVolume = targets[m];
+  }
+}
+
+} // namespace
+
+MeshSummary Summarise(const MeshData& mesh, Ranks& ranks)
+{
+  const std::vector<double> ids = GetField(mesh, "MaterialIds");
+  const double unit = FindUnit(GetField(mesh, "MeshVolume"), mesh.NumberOfElements, ranks);
+  const auto fragments = static_cast<std::size_t>(GetNumber(mesh, "NumberOfFragments"));
+  const std::vector<ElementMoments> moments = FindElementMoments(mesh);
+  MeshSummary summary;
+  summary.IsTets = FindField(mesh.Fields, "RefusedParts") != nullptr;
+  summary.HasQuality = FindField(mesh.Fields, "MinimumScaledJacobian") != nullptr;
+  summary.Materials = SummariseParts(mesh, moments,
+    FindParts(mesh, mesh.Material,
+      [&ids](int id)
+      { return static_cast<int>(std::find(ids.begin(), ids.end(), id) - ids.begin()); }),
+    ids.size(), unit, ranks);
+  NameMaterials(mesh, ids, summary.Materials);
+  summary.Fragments = SummariseParts(mesh, moments,
+    FindParts(mesh, mesh.Fragment, [](int id) { return id - 1; }), fragments, unit, ranks);
+  summary.Total =
+    SummariseParts(mesh, moments, std::vector<int>(mesh.NumberOfElements, 0), 1, unit, ranks)[0];
+  for (const PartSummary& material : summary.Materials)
+  {
+    summary.Total.TargetVolume += material.TargetVolume;
+  }
+  summary.State = FindStateTotals(mesh);
+  summary.LostToElements = SumOfMaterials(mesh, "LostKineticEnergy");
+  summary.LostToNodes = SumOfMaterials(mesh, "LostNodalKineticEnergy");
+  summary.MinimumAngle = GetNumber(mesh, "MinimumDihedralAngle");
+  summary.MaximumAngle = GetNumber(mesh, "MaximumDihedralAngle");
+  for (double count : GetField(mesh, "DihedralAngles"))
+  {
+    summary.Angles.push_back(static_cast<Index>(count));
+  }
+  return summary;
+}
+
+} // namespace vfm

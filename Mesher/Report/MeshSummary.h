@@ -1,0 +1,47 @@
+/**
+ * MeshSummary: size, quality, volume and conserved sums of a mesh over all ranks.
+ */
+#pragma once
+
+#include "Ranks/Ranks.h"
+#include "Report/MeshData.h"
+
+namespace vfm
+{
+
+/// Sums over a material, a fragment, or the whole mesh.
+struct PartSummary
+{
+  std::string Name;
+  int Material = 0;
+  /// Points between parts count in each part, points between ranks count once.
+  Index Elements = 0, Points = 0;
+  double MinimumQuality = 1.0; ///< minimum scaled Jacobian
+  double MeanQuality = 0.0;
+  double Volume = 0.0, TargetVolume = 0.0; ///< length units cubed; fragments have no target
+};
+
+/// A conserved quantity, summed over all materials.
+struct StateTotal
+{
+  std::string Name;
+  double Input = 0.0, Mesh = 0.0, Unmeshed = 0.0;
+};
+
+struct MeshSummary
+{
+  bool IsTets = false, HasQuality = false;
+  std::vector<PartSummary> Materials, Fragments; ///< Fragments[f] has FragmentId f + 1
+  PartSummary Total;
+  double MinimumAngle = 0.0, MaximumAngle = 0.0;  ///< dihedral angles of tets, degrees
+  std::vector<Index> Angles;                      ///< tets: histogram in steps of ten degrees
+  std::vector<StateTotal> State;                  ///< empty unless state was conserved
+  double LostToElements = 0.0, LostToNodes = 0.0; ///< lost kinetic energy
+};
+
+/// Summarises a mesh. The result is equal on all ranks and for any number of ranks.
+/// @param mesh part of this rank, with the fields of RunMesher
+/// @pre Collective
+MeshSummary Summarise(const MeshData& mesh, Ranks& ranks);
+
+} // namespace vfm

@@ -1,0 +1,248 @@
+#include "Report/PeriodicPieces.h"
+
+#include "Base/DisjointSets.h"
+#include "Ranks/Agreement.h"
+#include "Report/DomainSides.h"
+#include "Report/ElementCorners.h"
+#include "Report/MatchFaces.h"
+
+#include <map>
+
+namespace vfm
+{
+namespace
+{
+
+/// A face between two elements of a fragment.
+struct InnerFace
+{
+  Index Element;
+  FaceIds Ids; ///< sorted ids of its points; copies have the same
+  Index Place; ///< where the element has it (FacePlaces)
+};
+
+/// Lists the faces of elements.
+class FaceLister
+{
+public:
+  explicit FaceLister(const MeshData& mesh) : TheMesh(mesh), Corners(mesh), Places(mesh) {}
+
+  /// Appends the faces of an element.
+  void Append(Index element, std::vector<InnerFace>& faces) const
+  {
+    const MeshData& mesh = this->TheMesh;
+    const Index* ids = mesh.PeriodicPartner ? mesh.PeriodicPartner : mesh.PointIds;
+    const std::array<Vector3, 8> corners = this->Corners.Find(element);
+    const Index numbers[] = { 0, 1, 2, 3, 4, 5, 6, 7 };
+    const ElementFaces table(mesh.Corners);
+    for (int side = 0; side < table.Count; ++side)
+    {
+      std::vector<Vector3> positions;
+      for (Index corner : table.PointsOf(numbers, side))
+      {
+        if (corner >= 0)
+        {
+          positions.push_back(corners[corner]);
+        }
+      }
+      const FaceIds points = table.PointsOf(mesh.Element(element), side);
+      faces.push_back({ element, SortedIds(points, ids), this->Places.Of(positions) });
+    }
+  }
+
+private:
+  const MeshData& TheMesh;
+  const ElementCorners Corners;
+  const FacePlaces Places;
+};
+
+/// Collective. Returns the value of the element behind each face.
+std::vector<Index> ValuesBehind(
+  const std::vector<InnerFace>& faces, const std::vector<Index>& valueOfElement, Ranks& ranks)
+{
+  std::vector<FaceIds> ids;
+  std::vector<Index> values;
+  for (const InnerFace& face : faces)
+  {
+    ids.push_back(face.Ids);
+    values.push_back(valueOfElement[face.Element] * FacePlaces::End + face.Place);
+  }
+  return MatchFaces(ids, values, ranks);
+}
+
+/// Collective. Returns the faces between two elements of one fragment.
+std::vector<InnerFace> FindInnerFaces(const MeshData& mesh, Ranks& ranks)
+{
+  const FaceLister lister(mesh);
+  std::vector<InnerFace> faces;
+  for (Index element = 0; element < mesh.NumberOfElements; ++element)
+  {
+    lister.Append(element, faces);
+  }
+  const std::vector<Index> fragments(mesh.Fragment, mesh.Fragment + mesh.NumberOfElements);
+  const std::vector<Index> behind = ValuesBehind(faces, fragments, ranks);
+  std::vector<InnerFace> inner;
+  for (std::size_t f = 0; f < faces.size(); ++f)
+  {
+    if (behind[f] != NothingBehind && behind[f] / FacePlaces::End == fragments[faces[f].Element])
+    {
+      inner.push_back(faces[f]);
+    }
+  }
+  return inner;
+}
+
+/// Collective. Joins the elements of this rank that are connected at the same copy of a face.
+/// Returns the lowest element id of the piece of each element.
+/// @param faces removes the faces between joined elements
+std::vector<Index> FindPieces(const MeshData& mesh, std::vector<InnerFace>& faces, Ranks& ranks)
+{
+  std::vector<Index> numbers(mesh.NumberOfElements); // of elements on all ranks
+  for (Index element = 0; element < mesh.NumberOfElements; ++element)
+  {
+    numbers[element] = element * ranks.Count() + ranks.Rank();
+  }
+  const std::vector<Index> behind = ValuesBehind(faces, numbers, ranks);
+  std::vector<Index> sets = MakeSets(numbers.size());
+  std::vector<InnerFace> open;
+  for (std::size_t f = 0; f < faces.size(); ++f)
+  {
+    const Index other = behind[f] / FacePlaces::End;
+    if (other % ranks.Count() == ranks.Rank() && behind[f] % FacePlaces::End == faces[f].Place)
+    {
+      Join(sets, faces[f].Element, other / ranks.Count());
+    }
+    else
+    {
+      open.push_back(faces[f]);
+    }
+  }
+  faces = std::move(open);
+  std::vector<Index> pieces(mesh.ElementIds, mesh.ElementIds + mesh.NumberOfElements);
+  for (Index element = 0; element < mesh.NumberOfElements; ++element)
+  {
+    Index& lowest = pieces[FindRoot(sets, element)];
+    lowest = std::min(lowest, mesh.ElementIds[element]);
+  }
+  for (Index element = 0; element < mesh.NumberOfElements; ++element)
+  {
+    pieces[element] = pieces[FindRoot(sets, element)];
+  }
+  return pieces;
+}
+
+using Link = std::array<Index, 5>; // two pieces, and the periods by which the second is moved
+
+/// Collective. Returns the links between the pieces of all ranks.
+std::vector<Link> FindLinks(
+  const std::vector<InnerFace>& faces, const std::vector<Index>& pieces, Ranks& ranks)
+{
+  const std::vector<Index> behind = ValuesBehind(faces, pieces, ranks);
+  std::vector<Link> links;
+  for (std::size_t f = 0; f < faces.size(); ++f)
+  {
+    const Index3 periods = FacePlaces::PeriodsBetween(behind[f] % FacePlaces::End, faces[f].Place);
+    links.push_back({ { pieces[faces[f].Element], behind[f] / FacePlaces::End, periods[0],
+      periods[1], periods[2] } });
+  }
+  return UnionOverRanks(ranks, std::move(links));
+}
+
+/// Moves pieces so that they fit together.
+class PieceMoves
+{
+public:
+  explicit PieceMoves(const std::vector<Link>& links)
+  {
+    for (const Link& link : links) // ascending, so each fragment begins with its lowest piece
+    {
+      this->LinksOf[link[0]].push_back(link);
+    }
+    for (const auto& entry : this->LinksOf)
+    {
+      if (this->Periods.count(entry.first) == 0)
+      {
+        this->MoveFragment(entry.first);
+      }
+    }
+  }
+
+  /// Returns the periods by which a piece is moved.
+  Index3 Of(Index piece) const
+  {
+    const auto found = this->Periods.find(piece);
+    return found == this->Periods.end() ? Index3{ { 0, 0, 0 } } : found->second;
+  }
+
+private:
+  void MoveFragment(Index first)
+  {
+    std::vector<Index> pieces{ first };
+    this->Periods[first] = { { 0, 0, 0 } };
+    bool fits = true;
+    for (std::size_t p = 0; p < pieces.size(); ++p)
+    {
+      for (const Link& link : this->LinksOf.at(pieces[p]))
+      {
+        Index3 periods = this->Periods[pieces[p]];
+        for (int a = 0; a < 3; ++a)
+        {
+          periods[a] += link[2 + a];
+        }
+        const auto [place, isNew] = this->Periods.emplace(link[1], periods);
+        fits = fits && place->second == periods;
+        if (isNew)
+        {
+          pieces.push_back(link[1]);
+        }
+      }
+    }
+    for (std::size_t p = 0; !fits && p < pieces.size(); ++p)
+    {
+      this->Periods[pieces[p]] = { { 0, 0, 0 } };
+    }
+  }
+
+  std::map<Index, std::vector<Link>> LinksOf;
+  std::map<Index, Index3> Periods;
+};
+
+Vector3 TranslationBy(
+  const Index3& periods, const std::vector<double>& lengths, const ImageFrame& frame)
+{
+  Vector3 own = frame.Origin;
+  for (int a = 0; a < 3; ++a)
+  {
+    own[a] += static_cast<double>(periods[a]) * lengths[a];
+  }
+  return frame.ToSpace(own) - frame.Origin;
+}
+
+} // namespace
+
+std::vector<Vector3> FindTranslations(const MeshData& mesh, Ranks& ranks)
+{
+  const std::vector<double> lengths = NumbersOfField(mesh.Fields, "PeriodLengths");
+  if (!ranks.Any(lengths.size() == 3))
+  {
+    return {};
+  }
+  WorkTogether(ranks,
+    [&mesh]
+    {
+      Require(mesh.PointIds, "GlobalPointIds", mesh);
+      Require(mesh.ElementIds, "GlobalCellIds", mesh);
+    });
+  std::vector<InnerFace> faces = FindInnerFaces(mesh, ranks);
+  const std::vector<Index> pieces = FindPieces(mesh, faces, ranks);
+  const PieceMoves moves(FindLinks(faces, pieces, ranks));
+  const ImageFrame frame = FrameOfDomain(mesh);
+  std::vector<Vector3> translations;
+  for (Index piece : pieces)
+  {
+    translations.push_back(TranslationBy(moves.Of(piece), lengths, frame));
+  }
+  return translations;
+}
+
+} // namespace vfm

@@ -1,0 +1,287 @@
+#include "Report/Sets/MeshSets.h"
+
+#include "Ranks/Agreement.h"
+#include "Report/MeshFacets.h"
+#include "Report/MeshMaterials.h"
+#include "Report/Sets/SidePoints.h"
+#include "Report/UniqueNames.h"
+
+#include <limits>
+#include <map>
+#include <set>
+
+namespace vfm
+{
+namespace
+{
+
+constexpr int FirstFreeId = 7; // ids 1 to 6 are the sides of the domain
+constexpr const char* SideNames[6] = { "x_min", "x_max", "y_min", "y_max", "z_min", "z_max" };
+
+using Facets = std::vector<MeshFacet>;
+using Pair = std::array<int, 2>;     // adjacent materials; faces belong to the first
+using PairSide = std::array<int, 3>; // a pair and a surface between its materials
+
+/// Returns the ids of pairs of materials; voidId: number of the void as first material.
+std::vector<int> NumberPairs(const std::vector<Pair>& pairs, int voidId)
+{
+  const auto first = [voidId](const Pair& pair) { return pair[0] == 0 ? voidId : pair[0]; };
+  Index factor = 1000, largest = 0;
+  for (const Pair& pair : pairs)
+  {
+    largest = std::max<Index>(largest, first(pair));
+    while (factor <= std::max(first(pair), pair[1]))
+    {
+      factor *= 10;
+    }
+  }
+  std::vector<int> ids;
+  const bool fits = largest < std::numeric_limits<int>::max() / factor;
+  for (const Pair& pair : pairs)
+  {
+    ids.push_back(fits ? static_cast<int>(first(pair) * factor) + pair[1]
+                       : FirstFreeId + static_cast<int>(ids.size()));
+  }
+  return ids;
+}
+
+/// Returns the ids of smooth sides; pairIds: ids of their pairs; greatest: largest id of all pairs.
+std::vector<int> NumberSides(
+  const std::vector<PairSide>& sides, const std::vector<int>& pairIds, int greatest)
+{
+  Index factor = 1000;
+  for (const PairSide& side : sides)
+  {
+    while (factor <= side[2])
+    {
+      factor *= 10;
+    }
+  }
+  const bool fits = greatest < std::numeric_limits<int>::max() / factor;
+  std::vector<int> ids;
+  for (std::size_t s = 0; s < sides.size(); ++s)
+  {
+    ids.push_back(fits ? static_cast<int>(pairIds[s] * factor) + sides[s][2]
+                       : greatest + 1 + static_cast<int>(s));
+  }
+  return ids;
+}
+
+/// Collective. Returns the keys of a map on all ranks.
+template <class Map>
+auto UnionOfKeys(Ranks& ranks, const Map& map)
+{
+  std::vector<std::decay_t<decltype(map.begin()->first)>> list;
+  for (const auto& entry : map)
+  {
+    list.push_back(entry.first);
+  }
+  return UnionOverRanks(ranks, std::move(list));
+}
+
+/// Collective. Makes the side sets of sides of the domain, pairs and smooth sides.
+std::vector<SideSet> MakeSideSets(const MeshData& mesh, const Facets& facets, Ranks& ranks)
+{
+  std::map<int, std::vector<MeshSide>> ofDomain;
+  std::map<Pair, std::vector<MeshSide>> ofPairs;
+  std::map<PairSide, std::vector<MeshSide>> ofSides;
+  for (const MeshFacet& facet : facets)
+  {
+    const MeshSide here{ facet.Element, facet.Side };
+    if (facet.DomainSide != NoSide)
+    {
+      ofDomain[facet.DomainSide].push_back(here);
+      continue;
+    }
+    const Pair pair{ { mesh.Material[facet.Element], std::max(facet.Behind, 0) } };
+    ofPairs[pair].push_back(here);
+    if (facet.Surface > 0)
+    {
+      ofSides[{ { pair[0], pair[1], facet.Surface } }].push_back(here);
+    }
+  }
+  std::vector<SideSet> sets;
+  for (int side : UnionOfKeys(ranks, ofDomain))
+  {
+    sets.push_back({ SurfaceKind::DomainSide, side + 1, SideNames[side], side, { { 0, 0 } }, 0,
+      std::move(ofDomain[side]) });
+  }
+  const std::map<int, std::string> names = NamesOfMaterials(mesh);
+  const auto nameOf = [&names](int first, int second)
+  { return NameOfMaterial(names, first) + "_to_" + NameOfMaterial(names, second); };
+  const std::vector<Pair> pairs = UnionOfKeys(ranks, ofPairs);
+  const bool hasVoid = !pairs.empty() && pairs.front()[0] == 0;
+  const std::vector<int> ids = NumberPairs(pairs, hasVoid ? FindVoidId(mesh, ranks) : 0);
+  for (std::size_t p = 0; p < pairs.size(); ++p)
+  {
+    sets.push_back({ SurfaceKind::Interface, ids[p], nameOf(pairs[p][0], pairs[p][1]), NoSide,
+      pairs[p], 0, std::move(ofPairs[pairs[p]]) });
+  }
+  const std::vector<PairSide> sides = UnionOfKeys(ranks, ofSides);
+  std::vector<int> pairIds;
+  for (const PairSide& side : sides)
+  {
+    const Pair pair{ { side[0], side[1] } };
+    pairIds.push_back(ids[std::lower_bound(pairs.begin(), pairs.end(), pair) - pairs.begin()]);
+  }
+  const int greatest = ids.empty() ? 0 : *std::max_element(ids.begin(), ids.end());
+  const std::vector<int> sideIds = NumberSides(sides, pairIds, greatest);
+  for (std::size_t s = 0; s < sides.size(); ++s)
+  {
+    sets.push_back({ SurfaceKind::SmoothSide, sideIds[s],
+      nameOf(sides[s][0], sides[s][1]) + "_" + std::to_string(sides[s][2]), NoSide,
+      { { sides[s][0], sides[s][1] } }, sides[s][2], std::move(ofSides[sides[s]]) });
+  }
+  return sets;
+}
+
+/// Collective. Makes "interfaces" and the skins, without ids.
+std::vector<SideSet> MakeUnions(const MeshData& mesh, const Facets& facets, Ranks& ranks)
+{
+  SideSet all{ SurfaceKind::AllInterfaces, 0, "interfaces", NoSide, { { 0, 0 } }, 0, {} };
+  std::map<int, std::vector<MeshSide>> skins;
+  for (const MeshFacet& facet : facets)
+  {
+    const int material = mesh.Material[facet.Element];
+    skins[material].push_back({ facet.Element, facet.Side });
+    if (facet.Behind != NothingBehind && OwnsFace(material, facet.Behind))
+    {
+      all.Sides.push_back({ facet.Element, facet.Side });
+    }
+  }
+  std::vector<SideSet> sets;
+  if (ranks.Any(!all.Sides.empty()))
+  {
+    sets.push_back(std::move(all));
+  }
+  const std::map<int, std::string> names = NamesOfMaterials(mesh);
+  for (int material : UnionOfKeys(ranks, skins))
+  {
+    sets.push_back({ SurfaceKind::Skin, 0, NameOfMaterial(names, material) + "_skin", NoSide,
+      { { material, material } }, 0, std::move(skins[material]) });
+  }
+  return sets;
+}
+
+/// Appends sets without ids, with the lowest free ones.
+void AppendNumbered(std::vector<SideSet>& sets, std::vector<SideSet> added)
+{
+  std::set<int> used;
+  for (const SideSet& set : sets)
+  {
+    used.insert(set.Id);
+  }
+  int next = FirstFreeId;
+  for (SideSet& set : added)
+  {
+    while (!used.insert(next).second)
+    {
+      ++next;
+    }
+    set.Id = next;
+    sets.push_back(std::move(set));
+  }
+}
+
+void SeparateNames(std::vector<SideSet>& sets)
+{
+  UniqueNames used;
+  for (SideSet& set : sets)
+  {
+    set.Name = used.Add(set.Name);
+  }
+}
+
+using SurfacePoint = std::array<Index, 2>; // surface and global id of a point
+
+/// Collective. Returns the points on the edges of smooth sides (not inside a surface), ascending.
+std::vector<SurfacePoint> FindRims(const MeshData& mesh, const Facets& facets, Ranks& ranks)
+{
+  const Index* ids = mesh.UnsplitPointIds();
+  std::vector<SurfacePoint> rims;
+  for (const MeshFacet& facet : facets)
+  {
+    if (facet.Surface == 0)
+    {
+      continue;
+    }
+    const auto add = [&](Index point)
+    {
+      if (point >= 0 && mesh.GeometryDimension[point] != DimensionOfSurfaces)
+      {
+        rims.push_back({ { facet.Surface, ids[point] } });
+      }
+    };
+    const FaceIds corners = PointsOfSide(mesh, { facet.Element, facet.Side });
+    std::for_each(corners.begin(), corners.end(), add);
+    const std::vector<Index> mids = MidsOfFace(mesh, facet.Element, facet.Side);
+    std::for_each(mids.begin(), mids.end(), add);
+  }
+  return UnionOverRanks(ranks, std::move(rims));
+}
+
+/// Returns the points on a smooth side.
+std::vector<Index> FindSurfacePoints(
+  const MeshData& mesh, int surface, const std::vector<SurfacePoint>& rims)
+{
+  const Index* ids = mesh.UnsplitPointIds();
+  std::vector<Index> points;
+  for (Index point = 0; point < mesh.NumberOfPoints; ++point)
+  {
+    const bool isOnSurface = mesh.GeometryDimension[point] == DimensionOfSurfaces
+      ? mesh.GeometryId[point] == surface
+      : std::binary_search(rims.begin(), rims.end(), SurfacePoint{ { surface, ids[point] } });
+    if (isOnSurface)
+    {
+      points.push_back(point);
+    }
+  }
+  return points;
+}
+
+/// Collective. Makes the node sets of sides of the domain and smooth sides.
+std::vector<NodeSet> MakeNodeSets(
+  const MeshData& mesh, const Facets& facets, const std::vector<SideSet>& sideSets, Ranks& ranks)
+{
+  std::vector<NodeSet> sets;
+  const auto add = [&](int id, const std::string& name, std::vector<Index> points)
+  {
+    if (ranks.Any(!points.empty()))
+    {
+      sets.push_back({ id, name, std::move(points) });
+    }
+  };
+  std::array<std::vector<Index>, 6> sidePoints = FindSidePoints(mesh, facets);
+  for (int side = 0; side < 6; ++side)
+  {
+    add(side + 1, SideNames[side], std::move(sidePoints[side]));
+  }
+  const std::vector<SurfacePoint> rims = FindRims(mesh, facets, ranks);
+  for (const SideSet& sides : sideSets)
+  {
+    if (sides.Surface > 0)
+    {
+      add(sides.Id, sides.Name, FindSurfacePoints(mesh, sides.Surface, rims));
+    }
+  }
+  return sets;
+}
+
+} // namespace
+
+FaceIds PointsOfSide(const MeshData& mesh, const MeshSide& side)
+{
+  return ElementFaces(mesh.Corners).PointsOf(mesh.Element(side.Element), side.Side);
+}
+
+MeshSets FindMeshSets(const MeshData& mesh, Ranks& ranks)
+{
+  const Facets facets = FindMeshFacets(mesh, ranks);
+  std::vector<SideSet> sides = MakeSideSets(mesh, facets, ranks);
+  AppendNumbered(sides, MakeUnions(mesh, facets, ranks));
+  SeparateNames(sides);
+  std::vector<NodeSet> nodes = MakeNodeSets(mesh, facets, sides, ranks);
+  return { std::move(sides), std::move(nodes) };
+}
+
+} // namespace vfm

@@ -1,0 +1,100 @@
+#include "Smoothing/AttachFeatures.h"
+
+#include "Elements/PeriodicIds.h"
+
+namespace vfm
+{
+namespace
+{
+
+constexpr float SmallestDemand =
+  0.86f; // target of hexes at acute edges, which they cannot fill well
+
+SurfacePairs ListPairs(
+  const InterfaceFeatures& features, const Mesh& mesh, const ActiveMesh& active)
+{
+  SurfacePairs pairs{ active.Corners == 8, active.X, active.AttachmentOffset, active.PointOf,
+    active.Exchange, {}, std::vector<unsigned char>(active.X.size(), 0), {}, {} };
+  active.ForOwned([&](int point) { pairs.IsOwned[point] = 1; });
+  for (Index meshPoint : active.MeshPoint)
+  {
+    pairs.Ids.push_back(IdOfOwner(mesh, mesh.PointIds[meshPoint]));
+  }
+  for (const Attachment& attachment : active.Attachments)
+  {
+    const Index point = std::max<Index>(attachment.Target - features.FirstTarget, -1);
+    pairs.SurfacePoint.push_back(point);
+    pairs.Labels.push_back({ { -1, -1 } });
+    if (point >= 0)
+    {
+      const SurfacePoint& surface = features.Source.Points()[point];
+      pairs.Labels.back() = { { surface.First, surface.Second } };
+    }
+  }
+  return pairs;
+}
+
+/// Replaces the attachments of the pairs that are attracted to sharp features.
+void Rewrite(const std::vector<FeaturePull>& pulls, ActiveMesh& active)
+{
+  std::vector<Attachment> attachments;
+  std::vector<CornerPosition> offsets(1, 0);
+  for (std::size_t p = 0; p < active.X.size(); ++p)
+  {
+    for (CornerPosition i = active.AttachmentOffset[p]; i < active.AttachmentOffset[p + 1]; ++i)
+    {
+      const FeaturePull& pull = pulls[i];
+      Attachment own = active.Attachments[i];
+      own.Weight = pull.Count > 0 ? pull.Weight : own.Weight;
+      for (int n = 0; n < std::max(pull.Count, 1); ++n)
+      {
+        own.Target = pull.Count > 0 ? static_cast<int>(pull.Targets[n]) : own.Target;
+        attachments.push_back(own);
+      }
+    }
+    offsets.push_back(static_cast<CornerPosition>(attachments.size()));
+  }
+  active.Attachments.swap(attachments);
+  active.AttachmentOffset.swap(offsets);
+}
+
+/// Lowers the target quality of the hexes at acute edges.
+/// @param bluntness  value of each point
+void SetDemands(std::vector<float> bluntness, ActiveMesh& active)
+{
+  active.Exchange.SendAll([&](int mover) { return bluntness[mover]; },
+    [&](int mover, float demand) { bluntness[mover] = demand; });
+  std::vector<float> demands = active.Demands; // of the barrier
+  demands.resize(active.Elements.size() / active.Corners, 1.0f);
+  for (std::size_t at = 0; at < active.Elements.size(); ++at)
+  {
+    float& demand = demands[at / active.Corners];
+    demand = std::min(demand, std::max(bluntness[active.Elements[at]], SmallestDemand));
+  }
+  if (std::any_of(demands.begin(), demands.end(), [](float demand) { return demand < 1.0f; }))
+  {
+    active.Demands.swap(demands);
+  }
+}
+
+} // namespace
+
+std::vector<FeatureKind> AttachFeatures(const InterfaceFeatures& features,
+  const std::vector<Facet>& facets, const Mesh& mesh, SurfaceTargets& targets, ActiveMesh& active,
+  Runtime& runtime)
+{
+  if (!runtime.Group().Any(!features.Models.IsEmpty()))
+  {
+    return std::vector<FeatureKind>(active.X.size(), FeatureKind::None);
+  }
+  FeaturePulls pulls =
+    PullToFeatures(features, ListPairs(features, mesh, active), facets, targets, runtime);
+  Rewrite(pulls.OfPairs, active);
+  if (active.Corners == 8) // tets fill acute edges well enough
+  {
+    SetDemands(std::move(pulls.Bluntness), active);
+  }
+  return std::move(pulls.Kinds);
+}
+
+} // namespace vfm

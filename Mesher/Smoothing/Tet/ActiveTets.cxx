@@ -1,0 +1,120 @@
+#include "Smoothing/Tet/ActiveTets.h"
+
+#include "Base/Sorted.h"
+#include "Elements/PeriodicIds.h"
+#include "Smoothing/ActiveMeshBuilder.h"
+
+namespace vfm
+{
+namespace
+{
+
+/// Returns whether a tet has a flagged point.
+bool HasPoint(const Mesh& mesh, Index tet, const std::vector<unsigned char>& flags)
+{
+  const Index* points = mesh.Elements.data() + 4 * tet;
+  return flags[points[0]] | flags[points[1]] | flags[points[2]] | flags[points[3]];
+}
+
+/// Returns flags of the points of all tets that have a flagged point.
+std::vector<unsigned char> Spread(const Mesh& mesh, const std::vector<unsigned char>& flags)
+{
+  std::vector<unsigned char> near(flags.size(), 0);
+  for (std::size_t t = 0; t < mesh.ElementIds.size(); ++t)
+  {
+    if (HasPoint(mesh, static_cast<Index>(t), flags))
+    {
+      std::for_each(mesh.Elements.data() + 4 * t, mesh.Elements.data() + 4 * t + 4,
+        [&](Index p) { near[p] = 1; });
+    }
+  }
+  return near;
+}
+
+bool IsOwned(
+  const CartesianGrid& grid, const Mesh& mesh, const Partition& partition, std::size_t point)
+{
+  return partition.OwnsNode(NodeOfPoint(grid, mesh, mesh.PointIds[point]));
+}
+
+/// Receives from the owners which ghost points move, among those within two tets of owned moving
+/// points. At the rim, this rank lacks some tets of a point and
+/// cannot decide. Collective among peers.
+void ReceiveMoving(const CartesianGrid& grid, const Mesh& mesh, const Partition& partition,
+  std::vector<unsigned char>& moving)
+{
+  if (partition.Peers().empty())
+  {
+    return;
+  }
+  std::vector<unsigned char> near = moving;
+  for (std::size_t p = 0; p < near.size(); ++p)
+  {
+    near[p] = near[p] && IsOwned(grid, mesh, partition, p);
+  }
+  near = Spread(mesh, Spread(mesh, near));
+  std::vector<std::vector<Index>> requested(partition.Peers().size()), ids(requested.size());
+  for (std::size_t p = 0; p < near.size(); ++p)
+  {
+    if (near[p] && !moving[p] && !IsOwned(grid, mesh, partition, p))
+    {
+      const int peer = partition.PeerOfNode(NodeOfPoint(grid, mesh, mesh.PointIds[p]));
+      requested[peer].push_back(static_cast<Index>(p));
+      ids[peer].push_back(IdAtPeer(mesh, partition, peer, mesh.PointIds[p]));
+    }
+  }
+  const auto answers =
+    partition.Query(ids, [&](Index id) { return moving[FindSorted(mesh.PointIds, id)]; });
+  for (std::size_t peer = 0; peer < requested.size(); ++peer)
+  {
+    for (std::size_t i = 0; i < requested[peer].size(); ++i)
+    {
+      moving[requested[peer][i]] = answers[peer][i];
+    }
+  }
+}
+
+/// Returns the points that may lie on interfaces, and all points of the tets around them. Points of
+/// one block may share tets, so they move one after another.
+std::vector<Mover> FindMovers(
+  const TetTopology& topology, const CartesianGrid& grid, const Partition& partition)
+{
+  const Mesh& mesh = topology.Tets;
+  std::vector<unsigned char> moving(mesh.PointIds.size());
+  for (std::size_t p = 0; p < moving.size(); ++p)
+  {
+    moving[p] = topology.Positions[p] == PointPosition::OnInterface;
+  }
+  moving = Spread(mesh, moving);
+  ReceiveMoving(grid, mesh, partition, moving);
+  std::vector<Mover> movers;
+  for (std::size_t p = 0; p < moving.size(); ++p)
+  {
+    if (moving[p])
+    {
+      const Index id = mesh.PointIds[p];
+      const Index3 node = NodeOfPoint(grid, mesh, id);
+      movers.push_back(
+        { static_cast<Index>(p), id, (id - 1) / mesh.Ids.PointSlots, node, grid.Colour(node) });
+    }
+  }
+  return movers;
+}
+
+} // namespace
+
+ActiveTets MakeActiveTets(const TetTopology& topology, const CartesianGrid& grid,
+  const Partition& partition, Runtime& runtime)
+{
+  const Mesh& mesh = topology.Tets;
+  ActiveMeshBuilder builder(4, mesh.PointIds.size(), FindMovers(topology, grid, partition));
+  std::vector<Index> tets = builder.AddAround(mesh, runtime);
+  ActiveTets active{ builder.Finish(partition, CopiesOfMovers(mesh), grid.NumberOfColours()),
+    std::move(tets) };
+  active.Widths = WidthsOfCells(grid, mesh, active.MeshElement);
+  active.SetBarrier(mesh, active.MeshElement);
+  active.PlacePoints(grid, mesh);
+  return active;
+}
+
+} // namespace vfm

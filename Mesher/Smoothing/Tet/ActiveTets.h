@@ -1,0 +1,25 @@
+/**
+ * ActiveTets: the part of a tetrahedral mesh that smoothing moves. These are the points that may
+ * lie on interfaces, and all points of the tets around them.
+ */
+#pragma once
+
+#include "Base/Partition.h"
+#include "Elements/Tet/TetTopology.h"
+#include "Smoothing/ActiveMesh.h"
+
+namespace vfm
+{
+
+struct ActiveTets : ActiveMesh
+{
+  std::vector<Index> MeshElement; ///< index of each tet in the mesh
+};
+
+/// Returns the active part of a mesh of method Cells or Lattice, without attachments.
+/// @param topology  tets in CartesianGrid::HexBox of the grid
+/// @pre Collective among peers.
+ActiveTets MakeActiveTets(const TetTopology& topology, const CartesianGrid& grid,
+  const Partition& partition, Runtime& runtime);
+
+} // namespace vfm

@@ -1,0 +1,63 @@
+#include "Smoothing/Tet/TetAttach.h"
+
+#include "Base/Sorted.h"
+#include "Base/Vector3.h"
+#include "Smoothing/Attach.h"
+
+#include <limits>
+
+namespace vfm
+{
+namespace
+{
+
+/// Returns the surface point of a pair of labels that is nearest to x, or -1 if there is none.
+/// Candidates are the nodes from one below a block to two above, along each axis.
+Index FindNearestTarget(const Interface& interface, const Index3& block, const Vector3& x,
+  const std::array<int, 2>& labels)
+{
+  const CartesianGrid& grid = interface.Grid();
+  const std::vector<Index>& nodes = interface.Nodes();
+  // The cells whose nodes are the candidates.
+  const IndexBox cells =
+    Intersect({ CellOfStar(block, 0), CornerOfCell(CornerOfCell(block, 7), 7) }, grid.Local());
+  Index best = -1;
+  double nearest = std::numeric_limits<double>::max();
+  ForRows(NodesOf(cells),
+    [&](Index j, Index k)
+    {
+      const Index last = grid.Linear({ { cells.Upper[0], j, k } });
+      auto node =
+        std::lower_bound(nodes.begin(), nodes.end(), grid.Linear({ { cells.Lower[0], j, k } }));
+      for (; node != nodes.end() && *node <= last; ++node)
+      {
+        const SurfacePoint* point = interface.FindPoint(node - nodes.begin(), labels[0], labels[1]);
+        const double distance = point ? Dot(point->Point - x, point->Point - x) : nearest;
+        if (distance < nearest)
+        {
+          nearest = distance;
+          best = point - interface.Points().data();
+        }
+      }
+    });
+  return best;
+}
+
+} // namespace
+
+void AttachTets(const Interface& interface, const Mesh& mesh, const std::vector<Facet>& facets,
+  TetMethod method, Runtime& runtime, ActiveMesh& active)
+{
+  const CartesianGrid& grid = interface.Grid();
+  const auto findTarget = [&](int point, const std::array<int, 2>& labels)
+  {
+    const Index3 block = NodeOfPoint(grid, mesh, mesh.PointIds[active.MeshPoint[point]]);
+    const Index node = method == TetMethod::Lattice ? -1 : interface.Find(grid.Linear(block));
+    const SurfacePoint* own = node < 0 ? nullptr : interface.FindPoint(node, labels[0], labels[1]);
+    return own ? own - interface.Points().data()
+               : FindNearestTarget(interface, block, active.X[point], labels);
+  };
+  AttachToFacets(facets, findTarget, runtime, active);
+}
+
+} // namespace vfm
