@@ -148,7 +148,7 @@ class Documents(unittest.TestCase):
         sections = page[page.index("files: generated"):].split("\n### ")[1:]
         named = {folder.split("\n", 1)[0]: set(re.findall(r"^\| `([^`]+)`", folder, re.MULTILINE))
                  for folder in sections}
-        self.assertIn("Grid/Tet", named)
+        self.assertIn("Mesher/Elements/Tet", named)
         self.check(["%s/%s is in no table" % (folder, name) for folder, name in headers()
                     if not {name, name[:-2]} & named.get(folder, set())])
 

@@ -51,7 +51,8 @@ class WrongTrees(unittest.TestCase):
         self.assertEqual(find_problems(self.tree), [])
 
     def test_include_upwards(self):
-        self.expect("Grid/Base must not include Elements/Mesh.h of Mesher/Elements", "Grid/Base/Other.h",
+        self.expect("Grid/Base must not include Elements/Mesh.h of Mesher/Elements",
+                    "Grid/Base/Other.h",
                     '#include "Elements/Mesh.h"')
 
     def test_include_of_the_root(self):
@@ -73,7 +74,8 @@ class WrongTrees(unittest.TestCase):
         self.expect("there is no Base/Gone.h", "Mesher/TetGen/Other.h", '#include "Base/Gone.h"')
 
     def test_grid_with_vtk(self):
-        self.expect("does not know VTK: vtkObject.h", "Grid/Labels/Other.h", "#include <vtkObject.h>")
+        self.expect("does not know VTK: vtkObject.h", "Grid/Labels/Other.h",
+                    "#include <vtkObject.h>")
 
     def test_grid_with_mpi(self):
         self.expect("does not know MPI: mpi.h", "Mesher/Other.h", '#include "mpi.h"')
