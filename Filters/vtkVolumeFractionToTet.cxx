@@ -1,7 +1,7 @@
 #include "vtkVolumeFractionToTet.h"
 
 #include "Mesher.h"
-#include "Phases/TetPipeline.h"
+#include "Phases/MeshOfCells.h"
 
 #include "vtkObjectFactory.h"
 

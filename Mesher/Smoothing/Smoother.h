@@ -87,6 +87,11 @@ public:
   /// @pre Collective.
   bool EndIntersections(const SmoothingStage& stage, bool moves);
 
+  /// Return the arguments of the constructor.
+  ActiveMesh& TheMesh() const { return this->Mesh; }
+  const SurfaceTargets& TheTargets() const { return *this->Targets; }
+  const ElementEnergy& TheEnergy() const { return this->Energy; }
+  Runtime& TheRuntime() const { return this->Run; }
   /// Points returns the number of points of this rank, Sweeps the number of sweeps so far, Visits
   /// the number of visits to these points in them.
   Index Points() const { return this->NumberOfPoints; }

@@ -13,8 +13,7 @@
 #include "Labels/Fragments.h"
 #include "MeshChecks.h"
 #include "OverlapChecks.h"
-#include "Phases/HexPipeline.h"
-#include "Phases/TetPipeline.h"
+#include "Phases/MeshOfCells.h"
 #include "ReadLabelImage.h"
 #include "RealCases.h"
 

@@ -8,8 +8,7 @@
  */
 #include "Base/Vector3.h"
 #include "GluedChecks.h"
-#include "Phases/HexPipeline.h"
-#include "Phases/TetPipeline.h"
+#include "Phases/MeshOfCells.h"
 
 #include <cmath>
 #include <cstdio>

@@ -7,7 +7,7 @@
 #include "Modify/AddMidNodes.h"
 #include "Modify/SplitInterfaces.h"
 #include "OverlapChecks.h"
-#include "Phases/TetPipeline.h"
+#include "Phases/MeshOfCells.h"
 
 #include <cmath>
 #include <cstdio>

@@ -5,7 +5,7 @@
 #include "Geometry/JoinCopies.h"
 #include "Geometry/LeaveCovering.h"
 #include "GluedChecks.h"
-#include "Phases/TetPipeline.h"
+#include "Phases/MeshOfCells.h"
 
 #include <cmath>
 #include <set>

@@ -5,7 +5,7 @@
 #include "FuzzGrids.h"
 #include "FuzzPeriods.h"
 #include "Labels/RefinementCriteria.h"
-#include "Phases/TetPipeline.h"
+#include "Phases/MeshOfCells.h"
 
 #include <cstdio>
 

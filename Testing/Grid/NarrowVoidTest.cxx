@@ -5,7 +5,7 @@
 #include "Labels/SmoothLabels.h"
 #include "MeshChecks.h"
 #include "OverlapChecks.h"
-#include "Phases/TetPipeline.h"
+#include "Phases/MeshOfCells.h"
 #include "RankMeshes.h"
 #include "Sweep.h"
 #include "ThreadRanks.h"

@@ -1,7 +1,7 @@
 /// Options, grids, and guarantees that hold for all of them.
 #include "Geometry/Quality.h"
 #include "MeshCases.h"
-#include "Phases/TetPipeline.h"
+#include "Phases/MeshOfCells.h"
 #include "RankFields.h"
 
 #include <gtest/gtest.h>

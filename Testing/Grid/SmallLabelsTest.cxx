@@ -5,7 +5,7 @@
 #include "Labels/ResolveLabels.h"
 #include "Labels/SmoothLabels.h"
 #include "MeshCases.h"
-#include "Phases/TetPipeline.h"
+#include "Phases/MeshOfCells.h"
 #include "RandomDraw.h"
 #include "RankMeshes.h"
 #include "Sweep.h"

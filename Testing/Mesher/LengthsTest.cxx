@@ -3,7 +3,7 @@
 #include "Input/PlainArrays.h"
 #include "LabelInput.h"
 #include "MeshChecks.h"
-#include "Phases/TetPipeline.h"
+#include "Phases/MeshOfCells.h"
 #include "Report/FragmentTable.h"
 #include "Report/QualityDistribution.h"
 #include "State/ViewMesh.h"

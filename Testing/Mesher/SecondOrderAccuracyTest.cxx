@@ -2,7 +2,7 @@
 #include "CurvedNodes.h"
 #include "MeshCases.h"
 #include "Modify/AddMidNodes.h"
-#include "Phases/TetPipeline.h"
+#include "Phases/MeshOfCells.h"
 #include "Shapes/ShapesFractions.h"
 
 #include <gtest/gtest.h>

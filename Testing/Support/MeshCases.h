@@ -5,7 +5,7 @@
 #pragma once
 
 #include "MeshChecks.h"
-#include "Phases/TetPipeline.h"
+#include "Phases/MeshOfCells.h"
 #include "Shapes/ShapesFractions.h"
 
 namespace vfm

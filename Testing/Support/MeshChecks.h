@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "Phases/HexPipeline.h"
+#include "Phases/MeshOfCells.h"
 
 #include <functional>
 #include <map>

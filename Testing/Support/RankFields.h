@@ -5,7 +5,7 @@
 
 #include "Base/Partition.h"
 #include "Labels/Labels.h"
-#include "Phases/HexPipeline.h"
+#include "Phases/MeshOfCells.h"
 #include "ThreadRanks.h"
 
 namespace vfm

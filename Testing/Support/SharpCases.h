@@ -7,7 +7,7 @@
  */
 #pragma once
 
-#include "Phases/TetPipeline.h"
+#include "Phases/MeshOfCells.h"
 #include "Shapes/ShapesFractions.h"
 
 #include <string>

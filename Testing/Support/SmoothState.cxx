@@ -1,8 +1,7 @@
 #include "SmoothState.h"
 
 #include "Base/Vector3.h"
-#include "Phases/HexPipeline.h"
-#include "Phases/TetPipeline.h"
+#include "Phases/MeshOfCells.h"
 #include "State/Transfer/Overlaps.h"
 
 #include <cmath>

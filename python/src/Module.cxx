@@ -9,7 +9,7 @@
 #include "MeshResult.h"
 #include "MesherCall.h"
 #include "ModifyNumpyMesh.h"
-#include "Phases/TetPipeline.h"
+#include "Phases/MeshOfCells.h"
 #include "PythonRuntime.h"
 #include "Ranks/PrintableText.h"
 #include "RunOptions.h"

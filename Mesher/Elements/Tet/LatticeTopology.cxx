@@ -476,7 +476,7 @@ LatticeTets BuildLatticeTets(const CartesianGrid& grid, LatticeNodes& nodes, boo
   {
     SettleCentres(nodes, grid, partition, runtime);
     tets.Topology = BuildTets(grid, nodes, meshVoid, narrow, runtime, coarse);
-    tets.Faces = FindTetFaces(tets.Topology, grid);
+    tets.Faces = FindTetFaces(tets.Topology.Tets, tets.Topology.Positions, grid);
     isFaulty =
       nodes.Settle(FindLatticeFaults(tets.Topology, tets.Faces, nodes, grid, partition), partition);
   }

@@ -31,9 +31,9 @@ HalfFace MakeHalfFace(const Mesh& mesh, Index t, int corner)
 
 /// Lists the faces without points inside a material, except those of the barrier. Only these can be
 /// on interfaces or the domain boundary.
-std::vector<HalfFace> ListHalfFaces(const TetTopology& topology)
+std::vector<HalfFace> ListHalfFaces(
+  const Mesh& mesh, const std::vector<PointPosition>& positions)
 {
-  const Mesh& mesh = topology.Tets;
   std::vector<HalfFace> faces;
   const Index count = static_cast<Index>(mesh.ElementIds.size());
   for (Index t = 0; t < count; ++t)
@@ -46,11 +46,11 @@ std::vector<HalfFace> ListHalfFaces(const TetTopology& topology)
     int inside = 0;
     for (int c = 0; c < 4; ++c)
     {
-      inside += topology.Positions[tet[c]] == PointPosition::Inside;
+      inside += positions[tet[c]] == PointPosition::Inside;
     }
     for (int c = 0; inside <= 1 && c < 4; ++c)
     {
-      if (inside == 1 && topology.Positions[tet[c]] != PointPosition::Inside)
+      if (inside == 1 && positions[tet[c]] != PointPosition::Inside)
       {
         continue;
       }
@@ -62,12 +62,12 @@ std::vector<HalfFace> ListHalfFaces(const TetTopology& topology)
 }
 
 /// Returns the side of the domain on which all points of a face are, or -1.
-int DomainSideOf(const TetTopology& topology, const CartesianGrid& grid, const HalfFace& face)
+int DomainSideOf(const Mesh& mesh, const CartesianGrid& grid, const HalfFace& face)
 {
   int sides = 63;
   for (Index p : face.Key)
   {
-    sides &= FindDomainSides(grid, topology.Tets.Points.data() + 3 * p);
+    sides &= FindDomainSides(grid, mesh.Points.data() + 3 * p);
   }
   for (int side = 0; side < 6; ++side)
   {
@@ -81,10 +81,10 @@ int DomainSideOf(const TetTopology& topology, const CartesianGrid& grid, const H
 
 } // namespace
 
-TetFaces FindTetFaces(const TetTopology& topology, const CartesianGrid& grid)
+TetFaces FindTetFaces(
+  const Mesh& mesh, const std::vector<PointPosition>& positions, const CartesianGrid& grid)
 {
-  const Mesh& mesh = topology.Tets;
-  const std::vector<HalfFace> halves = ListHalfFaces(topology);
+  const std::vector<HalfFace> halves = ListHalfFaces(mesh, positions);
   TetFaces faces;
   for (std::size_t h = 0; h < halves.size(); ++h)
   {
@@ -106,7 +106,7 @@ TetFaces FindTetFaces(const TetTopology& topology, const CartesianGrid& grid)
     const Index* tet = mesh.Elements.data() + 4 * inner->Tet;
     const int* corners = FaceOfTet[inner->Corner];
     faces.Faces.push_back({ { { tet[corners[0]], tet[corners[1]], tet[corners[2]] } }, inner->Tet,
-      outer ? outer->Tet : -1, outer ? -1 : DomainSideOf(topology, grid, *inner) });
+      outer ? outer->Tet : -1, outer ? -1 : DomainSideOf(mesh, grid, *inner) });
   }
   return faces;
 }

@@ -27,8 +27,10 @@ struct TetFaces
 };
 
 /// Finds the faces of all tets of this rank.
+/// @param positions  TetTopology::Positions
 /// @return faces ordered by their points
-TetFaces FindTetFaces(const TetTopology& topology, const CartesianGrid& grid);
+TetFaces FindTetFaces(
+  const Mesh& mesh, const std::vector<PointPosition>& positions, const CartesianGrid& grid);
 
 /// Converts faces to facets.
 /// @param mesh  mesh of the faces, with fragments

@@ -76,14 +76,13 @@ void ReceiveMoving(const CartesianGrid& grid, const Mesh& mesh, const Partition&
 
 /// Returns the points that may lie on interfaces, and all points of the tets around them. Points of
 /// one block may share tets, so they move one after another.
-std::vector<Mover> FindMovers(
-  const TetTopology& topology, const CartesianGrid& grid, const Partition& partition)
+std::vector<Mover> FindMovers(const Mesh& mesh, const std::vector<PointPosition>& positions,
+  const CartesianGrid& grid, const Partition& partition)
 {
-  const Mesh& mesh = topology.Tets;
   std::vector<unsigned char> moving(mesh.PointIds.size());
   for (std::size_t p = 0; p < moving.size(); ++p)
   {
-    moving[p] = topology.Positions[p] == PointPosition::OnInterface;
+    moving[p] = positions[p] == PointPosition::OnInterface;
   }
   moving = Spread(mesh, moving);
   ReceiveMoving(grid, mesh, partition, moving);
@@ -103,11 +102,10 @@ std::vector<Mover> FindMovers(
 
 } // namespace
 
-ActiveTets MakeActiveTets(const TetTopology& topology, const CartesianGrid& grid,
-  const Partition& partition, Runtime& runtime)
+ActiveTets MakeActiveTets(const Mesh& mesh, const std::vector<PointPosition>& positions,
+  const CartesianGrid& grid, const Partition& partition, Runtime& runtime)
 {
-  const Mesh& mesh = topology.Tets;
-  ActiveMeshBuilder builder(4, mesh.PointIds.size(), FindMovers(topology, grid, partition));
+  ActiveMeshBuilder builder(4, mesh.PointIds.size(), FindMovers(mesh, positions, grid, partition));
   std::vector<Index> tets = builder.AddAround(mesh, runtime);
   ActiveTets active{ builder.Finish(partition, CopiesOfMovers(mesh), grid.NumberOfColours()),
     std::move(tets) };

@@ -17,9 +17,10 @@ struct ActiveTets : ActiveMesh
 };
 
 /// Returns the active part of a mesh of method Cells or Lattice, without attachments.
-/// @param topology  tets in CartesianGrid::HexBox of the grid
+/// @param mesh  tets in CartesianGrid::HexBox of the grid
+/// @param positions  TetTopology::Positions
 /// @pre Collective among peers.
-ActiveTets MakeActiveTets(const TetTopology& topology, const CartesianGrid& grid,
-  const Partition& partition, Runtime& runtime);
+ActiveTets MakeActiveTets(const Mesh& mesh, const std::vector<PointPosition>& positions,
+  const CartesianGrid& grid, const Partition& partition, Runtime& runtime);
 
 } // namespace vfm

@@ -7,7 +7,7 @@
 #include "RankMeshes.h"
 #include "Sweep.h"
 
-#include "Phases/TetPipeline.h"
+#include "Phases/MeshOfCells.h"
 
 #include <gtest/gtest.h>
 

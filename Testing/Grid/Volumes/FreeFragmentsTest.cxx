@@ -1,6 +1,6 @@
 /// Fragments that touch no other one get the volumes of their fractions, however small they are.
 #include "Elements/MeasureFragments.h"
-#include "Phases/TetPipeline.h"
+#include "Phases/MeshOfCells.h"
 #include "RandomDraw.h"
 #include "RankMeshes.h"
 #include "Sweep.h"

@@ -1,7 +1,6 @@
 /// Meshes a ball by the pipelines of Mesher, as hexahedra and by each tetrahedral
 /// method, and prints the volumes.
-#include <Phases/HexPipeline.h>
-#include <Phases/TetPipeline.h>
+#include <Phases/MeshOfCells.h>
 
 #include <algorithm>
 #include <cmath>

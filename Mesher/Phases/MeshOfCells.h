@@ -1,5 +1,5 @@
 /**
- * HexPipeline: makes a hexahedral mesh from volume fractions.
+ * MeshOfCells: makes a mesh of hexahedra or tetrahedra from the volume fractions of a grid.
  */
 #pragma once
 
@@ -24,5 +24,17 @@ namespace vfm
 /// @pre Collective over runtime.Group().
 Mesh MakeHexMesh(const CartesianGrid& grid, const FractionField& fractions,
   const MeshOptions& options, Runtime& runtime, MeshReport& report);
+
+/// Makes the tetrahedral mesh of the owned cells. The mesh is valid for any labels: every tet
+/// has a positive volume. Arguments and results are those of MakeHexMesh.
+/// @param grid  grid with GhostLayers ghost layers
+/// @param options  options; FineInterfaces is always on for tets
+/// @throws InputError  if the build has no TetGen, too
+/// @pre Collective over runtime.Group().
+Mesh MakeTetMesh(const CartesianGrid& grid, const FractionField& fractions,
+  const MeshOptions& options, Runtime& runtime, MeshReport& report);
+
+/// Returns whether this build includes TetGen.
+bool HasTetGen();
 
 } // namespace vfm

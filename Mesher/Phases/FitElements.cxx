@@ -1,0 +1,210 @@
+#include "Phases/FitElements.h"
+
+#include "Interface/SurfaceTargets.h"
+#include "Smoothing/Attach.h"
+#include "Smoothing/AttachFeatures.h"
+#include "Smoothing/EdgePulls.h"
+#include "Smoothing/RefineTargets.h"
+#include "Volumes/VolumeCorrection.h"
+
+namespace vfm
+{
+namespace
+{
+
+// Rounds of EndIntersections after which volumes are corrected, and points move again. Further
+// rounds only put points back.
+constexpr int CorrectedRounds = 4, MovingRounds = 30;
+
+/// Reports the numbers of points on edges and corners.
+void CountCarriers(const std::vector<FeatureKind>& kinds, const ActiveMesh& active, MeshRun& run)
+{
+  std::vector<std::int64_t> counts(2, 0);
+  active.ForOwned(
+    [&](int point)
+    {
+      counts[0] += kinds[point] == FeatureKind::Edge;
+      counts[1] += kinds[point] == FeatureKind::Corner;
+    });
+  run.Group().Sum(counts);
+  run.Report.EdgePoints = counts[0];
+  run.Report.CornerPoints = counts[1];
+}
+
+/// Finds the edges of interfaces, if the options request it, and attracts the attached points to
+/// them. Refines the targets of curved elements.
+/// @param interface  interface of the finest grid
+/// @param facets  facets whose edges may be sharp
+/// @param[in,out] targets,active  targets and attached points; points near edges get new targets
+/// @return kind of every point of the active mesh
+std::vector<FeatureKind> AttachToFeatures(const MeshCells& cells, const Interface& interface,
+  const std::vector<Facet>& facets, const Mesh& mesh, MeshRun& run, SurfaceTargets& targets,
+  ActiveMesh& active)
+{
+  const MeshOptions& options = cells.Options;
+  const bool hasQuadrics = options.IsoValue == 0.5 && options.Method == Smoothing::QuadricSurface;
+  const Index firstTarget = targets.Count() - static_cast<Index>(interface.Points().size());
+  std::vector<FeatureKind> kinds(active.X.size(), FeatureKind::None);
+  if (options.Edges != SharpEdges::Off && hasQuadrics)
+  {
+    run.Clock.Start("Finding sharp features", 0.22);
+    const SharpFeatures features(
+      interface, cells.Fractions, targets, firstTarget, options.Edges, run.Parts, run.TheRuntime);
+    kinds = AttachFeatures(
+      { features, interface, firstTarget }, facets, mesh, targets, active, run.TheRuntime);
+    CountCarriers(kinds, active, run);
+  }
+  if (HasCurvedEdges(options) && hasQuadrics)
+  {
+    RefineTargets(interface, cells.Fractions, firstTarget, active, run.TheRuntime, targets);
+  }
+  return kinds;
+}
+
+/// Attaches the active points to the interfaces.
+/// @param[out] kinds  of the active points
+/// @param[out] interfaces  must live as long as the targets
+SurfaceTargets FindTargets(const MeshCells& cells, const Draft& draft, ElementMethod& method,
+  MeshRun& run, ActiveMesh& active, std::vector<FeatureKind>& kinds,
+  std::unique_ptr<LevelInterfaces>& interfaces)
+{
+  interfaces = method.FindInterfaces(cells, draft, run);
+  run.Clock.Start("Fitting surfaces", 0.2);
+  // Before the targets, which would add to the peak of memory.
+  method.Attach(*interfaces, draft, run);
+  run.Clock.Update(0.205);
+  const SurfaceTargets::Kind kind = KindOfTargets(cells.Options);
+  SurfaceTargets targets(interfaces->All(), kind, run.TheRuntime);
+  const std::vector<Facet> features = method.FeatureFacets(cells, draft);
+  kinds = AttachToFeatures(cells, *interfaces->All().back(),
+    features.empty() ? draft.Facets : features, draft.Elements, run, targets, active);
+  if (kind == SurfaceTargets::Kind::Quadrics)
+  {
+    interfaces.reset(); // only facets need them
+  }
+  SetFacets(draft.Facets, run.TheRuntime, active);
+  return targets;
+}
+
+/// Runs the ramp of smoothing, and shifts the targets in its last stage if elements do not change.
+void RunRamp(const SmoothingRamp& ramp, bool shifts, ElementMethod& method, StageClock& clock,
+  Smoother& smoother, VolumeCorrection& correction)
+{
+  double done = 0.25;
+  for (const SmoothingStage& stage : ramp)
+  {
+    const double share = 0.01 * stage.Sweeps;
+    int sweep = 0;
+    smoother.RunStage(stage,
+      [&](double fraction)
+      {
+        clock.Update(done + share * fraction);
+        method.AfterSweep(stage, sweep, smoother);
+        ++sweep;
+        if (shifts && &stage == &ramp.back())
+        {
+          correction.ShiftAfterSweep(sweep);
+        }
+      });
+    done += share;
+  }
+}
+
+/// Corrects the volumes and ends intersections, in turns.
+void CorrectMesh(bool conserves, const SmoothingStage& last, StageClock& clock, Smoother& smoother,
+  VolumeCorrection& correction)
+{
+  const auto correct = [&]
+  {
+    if (conserves)
+    {
+      clock.Start("Correcting volumes", 0.8);
+      correction.Run();
+    }
+  };
+  correct();
+  for (int round = 0; smoother.EndIntersections(last, round < MovingRounds); ++round)
+  {
+    correction.MeasureAll();
+    if (round < CorrectedRounds)
+    {
+      correct();
+    }
+  }
+  correction.MeasureBulges();
+}
+
+void ReportMoves(const Smoother& smoother, MeshRun& run)
+{
+  std::vector<std::int64_t> sums{ smoother.Points(), smoother.Visits() };
+  run.Group().Sum(sums);
+  run.Report.SmoothedPoints = sums[0];
+  run.Report.Sweeps = smoother.Sweeps();
+  run.Report.Visits = sums[1];
+}
+
+/// Smooths the active mesh. If the options request it, moves the interfaces until the relative
+/// errors of the volumes are at most 1e-7 or the rounds are used up.
+void MovePoints(const MeshCells& cells, const SurfaceTargets& targets, ElementMethod& method,
+  MeshRun& run, Draft& draft, ActiveMesh& active)
+{
+  const SmoothingRamp ramp = method.Ramp(cells);
+  const bool conserves = ConservesVolume(cells.Options);
+  VolumeCorrection::MeasureBulgesFunction bulgesOf;
+  if (HasCurvedEdges(cells.Options))
+  {
+    bulgesOf = [&]
+    {
+      return MeasureBulges(
+        FindEdgePulls(draft.Facets, draft.Elements, targets, active, run.TheRuntime),
+        draft.Elements, active, run.Report.NumberOfFragments + 1, run.TheRuntime);
+    };
+  }
+  run.Clock.Start("Smoothing", 0.25);
+  Smoother smoother(active, &targets, method.Energy(), run.TheRuntime);
+  VolumeCorrection correction(draft.Volumes, smoother, run.Clock, ramp.back(), bulgesOf);
+  RunRamp(ramp, conserves && !method.ChangesElements(), method, run.Clock, smoother, correction);
+  if (method.ChangesElements())
+  {
+    method.AfterRamp(cells, run, draft);
+    correction.MeasureAll();
+  }
+  else
+  {
+    correction.Measure();
+  }
+  CorrectMesh(conserves, ramp.back(), run.Clock, smoother, correction);
+  ReportMoves(smoother, run);
+}
+
+} // namespace
+
+bool HasCurvedEdges(const MeshSettings& options)
+{
+  return options.Order != ElementOrder::Linear && MovesPoints(options) &&
+    KindOfTargets(options) == SurfaceTargets::Kind::Quadrics;
+}
+
+void FitElements(const MeshCells& cells, ElementMethod& method, MeshRun& run, Draft& draft)
+{
+  // Before the interfaces, which would add to the peak of memory.
+  ActiveMesh& active = method.MakeActive(cells, run, draft);
+  std::vector<FeatureKind> kinds;
+  std::unique_ptr<LevelInterfaces> interfaces;
+  const SurfaceTargets targets = FindTargets(cells, draft, method, run, active, kinds, interfaces);
+  method.StartMoves(cells, kinds, run, draft);
+  MovePoints(cells, targets, method, run, draft, active);
+  method.RestoreDraft(cells, run, draft);
+  Mesh& mesh = draft.Elements;
+  if (HasCurvedEdges(cells.Options))
+  {
+    mesh.Pulls = FindEdgePulls(draft.Facets, mesh, targets, active, run.TheRuntime);
+  }
+  active.CopyTo(mesh, cells.Grid);
+  draft.Kinds = active.OfMesh(kinds, mesh);
+  const std::vector<unsigned char> moved = active.ListMoved(mesh);
+  method.EndMoves(run, draft);
+  method.Complete(moved, run, draft);
+}
+
+} // namespace vfm

@@ -1,0 +1,170 @@
+#include "Phases/HexMethod.h"
+
+#include "Elements/Hex/HexFacets.h"
+#include "Elements/MeasureFragments.h"
+#include "Phases/FitElements.h"
+#include "Phases/MakeLevels.h"
+#include "Phases/ResolveCells.h"
+#include "Ranks/Agreement.h"
+#include "Smoothing/Hex/ActiveHexes.h"
+#include "Smoothing/Hex/CoarseSmoothing.h"
+#include "Volumes/CellLocator.h"
+
+namespace vfm
+{
+namespace
+{
+
+const SmoothingPace Early{ 1.8, 4.0, 0.0, 2e-4, 5e-3 }, Late{ 1.7, 4.0, 0.0, 2e-4, 4e-3 };
+const SmoothingRamp HexRamp{ { 2, 10.0, 0.05, 8, 0.0, Early, 2 },
+  { 8, 60.0, 0.01, 30, 2e-3, Late } };
+
+double TargetJacobian(const MeshCells& cells)
+{
+  const bool several = cells.Fractions.NumberOfMaterials() > 1 || cells.Options.MeshVoid;
+  return cells.Options.TargetScaledJacobian > 0.0 ? cells.Options.TargetScaledJacobian
+                                                  : (several ? 0.5 : 0.55);
+}
+
+/// Finds the labels and the levels.
+void LabelCells(const MeshCells& cells, MeshRun& run, LabelledGrid& labelled)
+{
+  const MeshOptions& options = cells.Options;
+  if (InterfacesCrossLevels(options))
+  {
+    run.Clock.Start("Assigning materials", 0.0);
+    LabelLeaves(
+      cells.Grid, cells.Fractions, options, run.Parts, run.TheRuntime, run.Report, labelled);
+    return;
+  }
+  labelled.Labels = ResolveCells(cells, true, run);
+  run.Clock.Start("Making hexahedra", 0.1);
+  labelled.Mixed = FindMixedNodes(cells.Grid, labelled.Labels);
+  LevelPlan plan = options.Levels;
+  MakeLevels(cells.Grid, labelled.Labels, labelled.Mixed, { options.MeshVoid, false, true }, plan,
+    run.TheRuntime, run.Report, labelled.Levels);
+  labelled.Narrow =
+    FindBarrier(options, *labelled.Levels.Grid, labelled.Labels, labelled.Mixed, run.TheRuntime);
+}
+
+FragmentVolumes FindVolumes(const MeshCells& cells, const LabelArray& labels,
+  const Fragments& fragments, const Mesh& mesh, Runtime& runtime)
+{
+  const CellLocator locator(*mesh.Levels, labels, fragments);
+  FragmentVolumes volumes(
+    cells.Grid, cells.Fractions, fragments.MaterialsOfFragments(), locator, runtime);
+  if (!mesh.Levels->HasFineInterfaces())
+  {
+    volumes.SetStart(MeasureFragments(mesh, cells.Grid, fragments.NumberOfFragments(), runtime));
+  }
+  return volumes;
+}
+
+} // namespace
+
+HexMethod::HexMethod(const MeshCells& cells) : TheEnergy(TargetJacobian(cells)) {}
+
+/// The numbers of points and the fragments of cells are freed at the end.
+Draft HexMethod::Make(const MeshCells& cells, MeshRun& run)
+{
+  LabelledGrid& labelled = this->Labelled;
+  LabelCells(cells, run, labelled);
+  CoarseHexes& coarse = *labelled.Levels.Coarse;
+  run.Report.NarrowVoidCells = SumOverRanks(labelled.Narrow.CountOwned(), run.Group());
+  PointNumbering numbering(cells.Grid, labelled.Labels, cells.Options.MeshVoid,
+    !coarse.Levels().IsUniform(), labelled.Narrow);
+  Mesh mesh = BuildHexes(cells.Grid, labelled.Labels, labelled.Mixed, cells.Options.StairStep,
+    numbering, run.TheRuntime, coarse);
+  mesh.Levels = labelled.Levels.Grid;
+  mesh.HasBarrier = !labelled.Narrow.IsEmpty();
+  run.Clock.Start("Finding fragments", 0.12);
+  const Fragments fragments(cells.Grid, labelled.Labels, cells.Options.MeshVoid, run.Parts);
+  run.Report.NumberOfFragments = fragments.NumberOfFragments();
+  FillFragments(labelled, numbering, fragments, run.TheRuntime, mesh);
+  run.Clock.Update(0.135);
+  std::vector<Facet> facets =
+    FindHexFacets(labelled, numbering, fragments, run.Parts, run.TheRuntime, mesh);
+  run.Clock.Start("Finding volumes", 0.15);
+  FragmentVolumes volumes = FindVolumes(cells, labelled.Labels, fragments, mesh, run.TheRuntime);
+  return { std::move(mesh), std::move(facets), std::move(volumes),
+    std::move(labelled.Levels.RequestedFamilies) };
+}
+
+ActiveMesh& HexMethod::MakeActive(const MeshCells&, MeshRun& run, Draft& draft)
+{
+  this->Active = MakeActiveHexes(this->Labelled, run.Parts, draft.Elements, run.TheRuntime);
+  this->Corners.emplace(this->Active, draft.Elements);
+  run.Clock.Update(0.16);
+  return this->Active;
+}
+
+/// Frees the labels, unless coarse hexes refer to them.
+std::unique_ptr<LevelInterfaces> HexMethod::FindInterfaces(
+  const MeshCells& cells, const Draft&, MeshRun& run)
+{
+  LabelledGrid& labelled = this->Labelled;
+  auto interfaces = std::make_unique<LevelInterfaces>(*labelled.Levels.Grid, cells.Fractions,
+    labelled.Labels, std::move(labelled.Mixed), cells.Options.IsoValue, run.TheRuntime);
+  if (labelled.Levels.Grid->IsUniform())
+  {
+    labelled.Labels = LabelArray();
+    labelled.Narrow = NarrowVoid();
+  }
+  return interfaces;
+}
+
+void HexMethod::Attach(const LevelInterfaces& interfaces, const Draft& draft, MeshRun& run)
+{
+  AttachHexes(interfaces, *this->Labelled.Levels.Coarse, draft.Elements, draft.Facets,
+    run.TheRuntime, this->Active);
+}
+
+SmoothingRamp HexMethod::Ramp(const MeshCells&) const
+{
+  return HexRamp;
+}
+
+void HexMethod::StartMoves(
+  const MeshCells& cells, const std::vector<FeatureKind>&, MeshRun&, Draft& draft)
+{
+  std::vector<int>().swap(this->Active.PointOf);
+  if (!HasCurvedEdges(cells.Options)) // bulges are measured by facets and ids
+  {
+    this->Packed.emplace(PackedDraft{ PackedIds(draft.Elements.PointIds),
+      PackedIds(draft.Elements.ElementIds), PackedFacets(draft.Facets) });
+  }
+}
+
+void HexMethod::RestoreDraft(const MeshCells&, MeshRun&, Draft& draft)
+{
+  if (this->Packed)
+  {
+    this->Active.Rings = HexRings(); // before the lists, which would add to the peak of memory
+    draft.Elements.PointIds = this->Packed->PointIds.Unpack();
+    draft.Elements.ElementIds = this->Packed->ElementIds.Unpack();
+    draft.Facets = this->Packed->Facets.Unpack();
+    this->Packed.reset();
+  }
+}
+
+void HexMethod::EndMoves(MeshRun& run, Draft& draft)
+{
+  const std::vector<int> elements = std::move(this->Active.Elements);
+  const std::vector<Index> meshPoints = std::move(this->Active.MeshPoint);
+  this->Active = ActiveMesh();
+  this->Corners->Restore(elements, meshPoints, run.TheRuntime, draft.Elements);
+  this->Corners.reset();
+}
+
+/// Smooths the transitions between levels.
+void HexMethod::Complete(const std::vector<unsigned char>& moved, MeshRun& run, Draft& draft)
+{
+  if (!draft.Elements.Levels->IsUniform())
+  {
+    run.Clock.Start("Smoothing transitions", 0.9);
+    ReleaseFreeMemory();
+    SmoothCoarse(*this->Labelled.Levels.Coarse, moved, draft.Elements, run.TheRuntime);
+  }
+}
+
+} // namespace vfm

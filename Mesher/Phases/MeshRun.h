@@ -1,0 +1,37 @@
+/**
+ * MeshRun: what all stages between cells and mesh read and report to.
+ */
+#pragma once
+
+#include "Base/Options.h"
+#include "Base/Partition.h"
+#include "Elements/StageClock.h"
+#include "Fractions/FractionField.h"
+
+namespace vfm
+{
+
+/// Cells to mesh. The referenced objects must outlive it.
+struct MeshCells
+{
+  const CartesianGrid& Grid; ///< finest cells
+  const FractionField& Fractions;
+  const MeshOptions& Options;
+};
+
+/// Threads, ranks and report of a run. The referenced objects must outlive it.
+struct MeshRun
+{
+  MeshRun(const CartesianGrid& grid, Runtime& runtime, MeshReport& report) :
+    TheRuntime(runtime), Report(report), Clock(runtime, report), Parts(grid, runtime.Group())
+  {
+  }
+  Ranks& Group() { return this->TheRuntime.Group(); }
+
+  Runtime& TheRuntime;
+  MeshReport& Report;
+  StageClock Clock;
+  const Partition Parts;
+};
+
+} // namespace vfm

@@ -1,0 +1,271 @@
+#include "Phases/TetMethods.h"
+
+#include "Elements/MeasureFragments.h"
+#include "Elements/Tet/CellTets.h"
+#include "Elements/Tet/LatticeTopology.h"
+#include "Phases/FitElements.h"
+#include "Phases/MakeLevels.h"
+#include "Phases/ResolveCells.h"
+#include "Ranks/Agreement.h"
+#include "Smoothing/Attach.h"
+#include "Smoothing/Tet/MakeCoarseTets.h"
+#include "Smoothing/Tet/TetAttach.h"
+#include "Smoothing/Tet/TetImprove.h"
+#include "Volumes/CellLocator.h"
+#include "Volumes/TetFragments.h"
+#ifdef VFM_HAS_TETGEN
+#include "TetGen/RefillTets.h"
+#endif
+
+namespace vfm
+{
+namespace
+{
+
+constexpr double ShareBeforeTetGen = 0.15; // share of the run time, and of the progress
+constexpr int LateFlips = 5;               // sweeps between two rounds of flips in the last stage
+// Factor of the weight of distances for curved elements: their surface is as close as their
+// corners.
+constexpr double CurvedWeight = 30.0;
+
+/// Sets the GeometryId of points inside fragments.
+void FillInside(Mesh& mesh)
+{
+  mesh.GeometryId = Buffer<int>(mesh.PointIds.size());
+  for (std::size_t at = 0; at < mesh.Elements.size(); ++at)
+  {
+    mesh.GeometryId[mesh.Elements[at]] = mesh.Fragment[at / 4];
+  }
+}
+
+/// Sets the fragment of each tet of the method Cells to the fragment of its cell. A tet between two
+/// cells of one label gets the fragment of the lower cell.
+void FillFragments(const CartesianGrid& grid, const Fragments& fragments, Mesh& mesh)
+{
+  mesh.Fragment = Buffer<int>(mesh.ElementIds.size());
+  for (std::size_t t = 0; t < mesh.ElementIds.size(); ++t)
+  {
+    Index centre = mesh.Elements[4 * t + 3];
+    if (IsCentre(mesh, mesh.PointIds[mesh.Elements[4 * t]]))
+    {
+      centre = mesh.Elements[4 * t];
+    }
+    mesh.Fragment[t] = fragments.FragmentOfCell(CellOfCentre(grid, mesh, mesh.PointIds[centre]));
+  }
+}
+
+} // namespace
+
+TetMethodBase::TetMethodBase(const MeshCells& cells) :
+  Kind(cells.Options.Tets), TheEnergy(FloorsOf(cells.Options))
+{
+}
+
+/// Makes the tets of coarse cells. Refines more families until all tets start with positive
+/// volumes.
+std::unique_ptr<const CoarseTets> TetMethodBase::MakeCoarse(
+  const MeshCells& cells, const std::vector<Index>& crossed, MeshRun& run, LevelHexes& levels)
+{
+  LevelPlan plan = cells.Options.Levels;
+  for (;; ++run.Report.LevelRounds)
+  {
+    MakeLevels(cells.Grid, this->Labels, crossed, { cells.Options.MeshVoid, true, true }, plan,
+      run.TheRuntime, run.Report, levels);
+    SmoothedTets made = MakeCoarseTets(*levels.Coarse, this->TheEnergy, run.TheRuntime);
+    if (!AddFamilies(made.BadFamilies, plan, run.Group()))
+    {
+      return std::move(made.Tets);
+    }
+  }
+}
+
+Draft TetMethodBase::Make(const MeshCells& cells, MeshRun& run)
+{
+  run.Clock.SetShare(this->Kind == TetMethod::TetGen ? ShareBeforeTetGen : 1.0);
+  this->Labels = ResolveCells(cells, false, run);
+  run.Clock.Start("Making tetrahedra", 0.1);
+  this->Mixed = FindMixedNodes(cells.Grid, this->Labels);
+  const std::vector<Index> crossed = this->FindCrossedNodes(cells, run);
+  LevelHexes levels;
+  const std::unique_ptr<const CoarseTets> coarse = this->MakeCoarse(
+    cells, cells.Options.Levels.Refinements > 0 ? crossed : std::vector<Index>(), run, levels);
+  const NarrowVoid narrow =
+    FindBarrier(cells.Options, *levels.Grid, this->Labels, this->Mixed, run.TheRuntime);
+  run.Report.NarrowVoidCells = SumOverRanks(narrow.CountOwned(), run.Group());
+  TetTopology topology = this->BuildTets(cells, narrow, *coarse, run);
+  run.Clock.Start("Finding fragments", 0.15);
+  FragmentVolumes volumes = this->FindFragments(cells, run, topology);
+  this->Positions = std::move(topology.Positions);
+  Mesh& mesh = topology.Tets;
+  FillInside(mesh);
+  std::vector<Facet> facets = ListFacets(this->Faces, cells.Grid, run.Parts, mesh);
+  return { std::move(mesh), std::move(facets), std::move(volumes),
+    std::move(levels.RequestedFamilies) };
+}
+
+ActiveMesh& TetMethodBase::MakeActive(const MeshCells& cells, MeshRun& run, Draft& draft)
+{
+  this->Active =
+    MakeActiveTets(draft.Elements, this->Positions, cells.Grid, run.Parts, run.TheRuntime);
+  return this->Active;
+}
+
+std::unique_ptr<LevelInterfaces> TetMethodBase::FindInterfaces(
+  const MeshCells& cells, const Draft& draft, MeshRun& run)
+{
+  return std::make_unique<LevelInterfaces>(*draft.Elements.Levels, cells.Fractions, this->Labels,
+    std::move(this->Mixed), cells.Options.IsoValue, run.TheRuntime);
+}
+
+void TetMethodBase::Attach(const LevelInterfaces& interfaces, const Draft& draft, MeshRun& run)
+{
+  AttachTets(*interfaces.All().back(), draft.Elements, draft.Facets, this->Kind, run.TheRuntime,
+    this->Active);
+}
+
+SmoothingRamp TetMethodBase::Ramp(const MeshCells& cells) const
+{
+  SmoothingRamp ramp = TetRamp(this->Kind);
+  ramp.back().Lambda *= HasCurvedEdges(cells.Options) ? CurvedWeight : 1.0;
+  return ramp;
+}
+
+/// Frees the facets, unless bulges are measured by them.
+void TetMethodBase::StartMoves(
+  const MeshCells& cells, const std::vector<FeatureKind>&, MeshRun&, Draft& draft)
+{
+  if (!HasCurvedEdges(cells.Options))
+  {
+    std::vector<Facet>().swap(draft.Facets);
+  }
+}
+
+void TetMethodBase::RestoreDraft(const MeshCells& cells, MeshRun& run, Draft& draft)
+{
+  if (draft.Facets.empty())
+  {
+    draft.Facets = ListFacets(this->Faces, cells.Grid, run.Parts, draft.Elements);
+  }
+}
+
+void TetMethodBase::EndMoves(MeshRun&, Draft&)
+{
+  this->Active = ActiveTets();
+}
+
+std::vector<Index> LatticeMethod::FindCrossedNodes(const MeshCells& cells, MeshRun& run)
+{
+  this->Nodes.emplace(
+    cells.Grid, cells.Fractions, this->Labels, cells.Options.IsoValue, run.Parts, run.TheRuntime);
+  return FindLatticeInterfaces(cells.Grid, *this->Nodes);
+}
+
+TetTopology LatticeMethod::BuildTets(
+  const MeshCells& cells, const NarrowVoid& narrow, const CoarseTets& coarse, MeshRun& run)
+{
+  LatticeTets tets = BuildLatticeTets(
+    cells.Grid, *this->Nodes, cells.Options.MeshVoid, narrow, run.Parts, run.TheRuntime, coarse);
+  this->Nodes.reset();
+  this->Faces = std::move(tets.Faces);
+  return std::move(tets.Topology);
+}
+
+FragmentVolumes LatticeMethod::FindFragments(
+  const MeshCells& cells, MeshRun& run, TetTopology& topology)
+{
+  const TetFragments fragments(topology, this->Faces, cells.Grid, run.Parts);
+  run.Report.NumberOfFragments = static_cast<Index>(fragments.Materials().size()) - 1;
+  FragmentVolumes volumes(
+    cells.Grid, cells.Fractions, fragments.Materials(), fragments, run.TheRuntime);
+  volumes.SetStart(MeasureFragments(
+    topology.Tets, cells.Grid, static_cast<int>(run.Report.NumberOfFragments), run.TheRuntime));
+  return volumes;
+}
+
+std::vector<Index> CellsMethod::FindCrossedNodes(const MeshCells&, MeshRun&)
+{
+  return this->Mixed;
+}
+
+TetTopology CellsMethod::BuildTets(
+  const MeshCells& cells, const NarrowVoid& narrow, const CoarseTets& coarse, MeshRun& run)
+{
+  TetTopology topology =
+    BuildCellTets(cells.Grid, this->Labels, cells.Options.MeshVoid, narrow, run.TheRuntime, coarse);
+  run.Clock.Start("Finding faces", 0.12);
+  this->Faces = FindTetFaces(topology.Tets, topology.Positions, cells.Grid);
+  return topology;
+}
+
+FragmentVolumes CellsMethod::FindFragments(
+  const MeshCells& cells, MeshRun& run, TetTopology& topology)
+{
+  const Fragments fragments(cells.Grid, this->Labels, cells.Options.MeshVoid, run.Parts);
+  run.Report.NumberOfFragments = fragments.NumberOfFragments();
+  const CellLocator locator(*topology.Tets.Levels, this->Labels, fragments);
+  FragmentVolumes volumes(
+    cells.Grid, cells.Fractions, fragments.MaterialsOfFragments(), locator, run.TheRuntime);
+  FillFragments(cells.Grid, fragments, topology.Tets);
+  return volumes;
+}
+
+/// Returns the quads of the grid: no edge runs along their diagonals.
+std::vector<Facet> CellsMethod::FeatureFacets(const MeshCells& cells, const Draft& draft) const
+{
+  return cells.Options.Edges == SharpEdges::Off
+    ? std::vector<Facet>()
+    : JoinTriangles(draft.Facets, this->Faces, draft.Elements);
+}
+
+void CellsMethod::StartMoves(
+  const MeshCells& cells, const std::vector<FeatureKind>& kinds, MeshRun& run, Draft& draft)
+{
+  TetMethodBase::StartMoves(cells, kinds, run, draft);
+  this->Flips.emplace(draft.Elements, run.Parts, this->Active, this->TheEnergy, kinds);
+}
+
+void CellsMethod::AfterSweep(const SmoothingStage& stage, int sweep, Smoother& smoother)
+{
+  if (stage.HalfPower < TetRamp().back().HalfPower || sweep % LateFlips == LateFlips - 1)
+  {
+    this->Flips->Run(stage, [&](int point) { smoother.MarkForUpdate(point); });
+  }
+}
+
+void CellsMethod::AfterRamp(const MeshCells& cells, MeshRun& run, Draft& draft)
+{
+  this->Flips->CopyTo(draft.Elements);
+  this->Faces = FindTetFaces(draft.Elements, this->Positions, cells.Grid);
+  std::vector<Facet> flipped = ListFacets(this->Faces, cells.Grid, run.Parts, draft.Elements);
+  SetFacets(flipped, run.TheRuntime, this->Active);
+  if (HasCurvedEdges(cells.Options))
+  {
+    draft.Facets.swap(flipped);
+  }
+}
+
+void CellsMethod::EndMoves(MeshRun& run, Draft& draft)
+{
+  this->Flips.reset();
+  TetMethodBase::EndMoves(run, draft);
+}
+
+void CellsMethod::Refill(const MeshCells& cells, MeshRun& run, Mesh& mesh)
+{
+#ifdef VFM_HAS_TETGEN
+  if (this->Kind == TetMethod::TetGen)
+  {
+    run.Clock.SetShare(1.0);
+    run.Clock.Start("Filling with TetGen", ShareBeforeTetGen);
+    RefillTets(
+      mesh, cells.Grid, this->Labels, cells.Options,
+      [&run](double done)
+      { run.Clock.Update(ShareBeforeTetGen + (0.95 - ShareBeforeTetGen) * done); },
+      run.TheRuntime, run.Report);
+  }
+#else
+  (void)cells, (void)run, (void)mesh;
+#endif
+}
+
+} // namespace vfm

@@ -1,0 +1,186 @@
+#include "Volumes/VolumeCorrection.h"
+
+#include "Volumes/ScaleFragments.h"
+
+#include <limits>
+
+namespace vfm
+{
+namespace
+{
+
+// In the last stage of the ramp, targets are shifted after its first sweep and then every 5 sweeps,
+// until 4 sweeps are left. More often, the volumes would oscillate.
+constexpr int ShiftPeriod = 5;
+constexpr int SweepsAfterShift = 4;
+constexpr int SweepsPerRound = 4;
+constexpr double VolumeTolerance = 2e-4;   // relative error
+constexpr double FragmentTolerance = 5e-3; // of any fragment
+// Errors above which fragments resist, one after the other, and the rounds after each. The first
+// selects few, so that their neighbours, which they pull off their targets, are not selected too.
+constexpr double ResistingErrors[] = { 5e-2, FragmentTolerance };
+constexpr int ResistingRounds = 8;
+constexpr double FinalTolerance = 1e-7; // relative error
+// Fragments are corrected until their errors are within half the tolerances, so that they stay
+// within these while their neighbours move. Larger factors in the ramp would make volumes
+// oscillate.
+constexpr VolumeRules InRamp{ { 0.5 * VolumeTolerance, 1.0 }, { 0.5 * FragmentTolerance, 2.0 },
+  true };
+constexpr VolumeRules InRounds{ { 0.5 * VolumeTolerance, 3.0 }, { 0.5 * FragmentTolerance, 3.0 },
+  true };
+// A fragment that cannot move would pull its neighbours off their targets.
+constexpr VolumeRules InMoves{ { 0.5 * FinalTolerance, 3.0 }, { 0.5 * FinalTolerance, 3.0 },
+  false };
+constexpr int Moves = 20;
+constexpr int FewestMoves = 4; // if small fragments are off
+// Moves end once the error was not within this part of the least one this many times in turn.
+constexpr double PartThatCounts = 0.9;
+constexpr int IdleMoves = 3;
+constexpr int BulgeRounds = 4; // of corrections, after each of which bulges are measured again
+
+} // namespace
+
+VolumeCorrection::VolumeCorrection(FragmentVolumes& volumes, Smoother& smoother, StageClock& clock,
+  const SmoothingStage& last, MeasureBulgesFunction bulgesOf) :
+  Volumes(volumes),
+  TheSmoother(smoother),
+  Clock(clock),
+  Last(last),
+  Round(last),
+  BulgesOf(std::move(bulgesOf))
+{
+  this->Round.Sweeps = SweepsPerRound;
+}
+
+void VolumeCorrection::Measure()
+{
+  if (this->IsMeasured)
+  {
+    this->Volumes.Measure(this->Active(), this->TheSmoother.MovedPoints());
+    this->TheSmoother.ForgetMoved();
+  }
+  else
+  {
+    this->MeasureAll();
+  }
+}
+
+void VolumeCorrection::MeasureAll()
+{
+  this->Volumes.Measure(this->Active());
+  this->TheSmoother.ForgetMoved();
+  this->IsMeasured = true;
+}
+
+void VolumeCorrection::ShiftAfterSweep(int sweep)
+{
+  if (sweep % ShiftPeriod == 1 && sweep + SweepsAfterShift <= this->Last.Sweeps)
+  {
+    this->Measure();
+    this->MeasureBulges();
+    this->TheSmoother.ShiftTargets(
+      this->Volumes.FindShifts(this->Active(), InRamp),
+      [this](const Attachment& a) { return this->IsLong(a); }, this->Last);
+  }
+}
+
+/// Gives free fragments that are off their targets.
+void VolumeCorrection::ScaleFree()
+{
+  const std::vector<double> scales = this->Volumes.FindScales(FragmentTolerance);
+  if (std::any_of(scales.begin(), scales.end(), [](double scale) { return scale != 1.0; }))
+  {
+    this->TheSmoother.NoteMoved(
+      ScaleFragments(this->TheSmoother.TheTargets(), this->TheSmoother.TheEnergy(), this->Round,
+        scales, this->TheSmoother.TheRuntime(), this->Active()));
+    this->Measure();
+  }
+}
+
+/// Runs one round. Returns false if all shifts were too small to matter.
+bool VolumeCorrection::Follow()
+{
+  if (!this->TheSmoother.Follow(
+        this->Volumes.FindShifts(this->Active(), InRounds),
+        [this](const Attachment& a) { return this->IsLong(a); }, this->Round))
+  {
+    return false;
+  }
+  this->Measure();
+  return true;
+}
+
+/// Runs rounds until no fragment is off its aim or pushed.
+void VolumeCorrection::FollowFragments()
+{
+  const FragmentVolumes& volumes = this->Volumes;
+  const auto isDue = [&]
+  { return volumes.WorstFragmentError() > FragmentTolerance || volumes.HasPushed(); };
+  for (int round = 0; round < ResistingRounds && isDue() && this->Follow(); ++round)
+  {
+    this->Clock.Update(0.82 + 0.01 * round);
+  }
+}
+
+void VolumeCorrection::CorrectStraight()
+{
+  if (this->Volumes.WorstError() > VolumeTolerance)
+  {
+    this->Follow();
+  }
+  for (double error : ResistingErrors)
+  {
+    this->ScaleFree();
+    this->Volumes.MarkResisting(error);
+    this->FollowFragments();
+  }
+  this->Clock.Update(0.92);
+  this->MoveSurfaces();
+}
+
+/// Moves surface points along their normals until volumes are right or errors do not fall.
+void VolumeCorrection::MoveSurfaces()
+{
+  FragmentVolumes& volumes = this->Volumes;
+  volumes.ForgetRequests(); // sweeps tell nothing about moves along normals
+  double least = std::numeric_limits<double>::infinity();
+  for (int move = 0, idle = 0; move < Moves && idle < IdleMoves; ++move)
+  {
+    const double error = volumes.WorstError();
+    const bool isOff = error > FinalTolerance ||
+      (move < FewestMoves && volumes.WorstFragmentError() > FinalTolerance);
+    if (!isOff)
+    {
+      break;
+    }
+    idle = error <= PartThatCounts * least ? 0 : idle + 1;
+    least = std::min(least, error);
+    this->TheSmoother.MoveAlongNormals(volumes.FindShifts(this->Active(), InMoves), this->Round);
+    this->Measure();
+  }
+}
+
+void VolumeCorrection::Run()
+{
+  this->MeasureBulges();
+  this->CorrectStraight();
+  for (int round = 1; round < BulgeRounds && this->BulgesOf; ++round)
+  {
+    this->MeasureBulges();
+    if (!(this->Volumes.WorstError() > FinalTolerance))
+    {
+      break;
+    }
+    this->CorrectStraight();
+  }
+}
+
+void VolumeCorrection::MeasureBulges()
+{
+  if (this->BulgesOf)
+  {
+    this->Volumes.SetBulges(this->BulgesOf());
+  }
+}
+
+} // namespace vfm

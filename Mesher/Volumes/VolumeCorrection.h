@@ -1,0 +1,67 @@
+/**
+ * VolumeCorrection: moves the interfaces of a mesh until the volumes of its fragments match the
+ * fractions: in the last stage of the ramp of smoothing, and after it.
+ */
+#pragma once
+
+#include "Elements/StageClock.h"
+#include "Smoothing/Smoother.h"
+#include "Volumes/FragmentVolumes.h"
+
+namespace vfm
+{
+
+/// Corrects the volumes of fragments to a relative error of 1e-7, or until the rounds are used up.
+/// All functions are collective.
+class VolumeCorrection
+{
+public:
+  /// Measures FragmentVolumes::SetBulges at the present positions. Collective; empty: elements stay
+  /// straight.
+  using MeasureBulgesFunction = std::function<std::vector<double>()>;
+
+  /// All objects must outlive this one.
+  /// @param last  last stage of the ramp
+  VolumeCorrection(FragmentVolumes& volumes, Smoother& smoother, StageClock& clock,
+    const SmoothingStage& last, MeasureBulgesFunction bulgesOf);
+
+  /// Measures the volumes of the fragments. MeasureAll looks at all facets, also at new ones and at
+  /// points that were not moved in sweeps.
+  void Measure();
+  void MeasureAll();
+  /// Measures the volumes between straight and curved elements, if there are curved ones.
+  void MeasureBulges();
+
+  /// Shifts the targets after a sweep of the last stage, if one is due, so that the surfaces come
+  /// to rest where the volumes are right.
+  /// @param sweep  number of the sweep in its stage, from 1
+  void ShiftAfterSweep(int sweep);
+
+  /// Shifts the targets and smooths, then moves the surface points to correct the remaining errors.
+  /// Small fragments, whose surfaces are uncertain in the fractions and hard to move, get more
+  /// rounds and longer shifts. The volumes of curved elements change as their points move: they are
+  /// measured again, and corrected.
+  void Run();
+
+private:
+  ActiveMesh& Active() const { return this->TheSmoother.TheMesh(); }
+  /// Returns whether an attachment may have a long offset.
+  bool IsLong(const Attachment& a) const
+  {
+    return this->Volumes.IsSmall(a.Fragments[0]) || this->Volumes.IsSmall(a.Fragments[1]);
+  }
+  void CorrectStraight();
+  void ScaleFree();
+  bool Follow();
+  void FollowFragments();
+  void MoveSurfaces();
+
+  FragmentVolumes& Volumes;
+  Smoother& TheSmoother;
+  StageClock& Clock;
+  SmoothingStage Last, Round; // stages of the ramp's end, and of a round
+  MeasureBulgesFunction BulgesOf;
+  bool IsMeasured = false;
+};
+
+} // namespace vfm
