@@ -4,53 +4,11 @@
  */
 #pragma once
 
-#include "Input/LabelNames.h"
-#include "Options/MesherOptions.h"
-#include "Report/MeshFields.h"
-#include "Report/Sets/SplitFaces.h"
-#include "State/MeshState.h"
-
-#include <functional>
-#include <string>
-#include <vector>
+#include "Phases/MesherInput.h"
+#include "Phases/MesherResult.h"
 
 namespace vfm
 {
-
-/// Names of the arrays that a run reads from the blocks.
-struct MesherArrays
-{
-  std::vector<std::string> Fractions; ///< one array per material; empty: Labels is set
-  std::string Labels;                 ///< array of labels; empty: Fractions are set
-  LabelNames Names;                   ///< names of labels
-  StateChoice State;                  ///< state arrays to transfer to the mesh
-  bool AreGuessed = false;            ///< true: the user did not select Fractions or Labels
-  bool IsZeroVoid = false;            ///< label 0 is known to be void
-};
-
-/// Input of a run.
-struct MesherInput
-{
-  InputLevels Levels;
-  MesherArrays Arrays;
-  /// true: each rank has one block and meshes its cells; required for input of FindNeighbourLevels,
-  /// which knows only the blocks nearby. false: cells may be redistributed over the ranks.
-  bool StaysInPlace = false;
-  std::function<void(const std::string&)> Warn; ///< called only on rank 0; may be empty
-};
-
-/// Result of a run.
-struct MesherResult
-{
-  Mesh TheMesh; ///< elements of this rank, in world coordinates; materials have the ids of the user
-  MeshReport Report;
-  OutputState State;
-  std::vector<CohesiveBlock> Cohesive; ///< cohesive elements of this rank
-  /// Field data of the whole mesh: ListSides, ListReport, ListDomain (MeshFields.h), ListBalance.
-  FieldArrays Fields;
-  /// Table with one row per material: ListMaterials (MeshFields.h), ListBalance (StateBalance.h).
-  FieldArrays MaterialFields;
-};
 
 /// Makes a mesh from the input.
 /// @param input blocks of this rank, with positions in the grid

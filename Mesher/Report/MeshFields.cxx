@@ -170,6 +170,11 @@ FieldArrays ListSides(const GeometryTables& tables)
   return { { "SurfaceParts", parts }, FieldOfRows("EdgeFacets", tables.EdgeFacets) };
 }
 
+void AppendFields(FieldArrays more, FieldArrays& to)
+{
+  std::move(more.begin(), more.end(), std::back_inserter(to));
+}
+
 void ReplaceFields(const FieldArrays& newer, FieldArrays& fields)
 {
   for (FieldArray& field : fields)

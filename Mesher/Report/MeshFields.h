@@ -60,6 +60,9 @@ FieldArrays ListVertices(const GeometryTables& tables);
 FieldArrays ListDomain(
   const CartesianGrid& grid, const ImageFrame& frame, const std::array<bool, 3>& isPeriodic = {});
 
+/// Moves fields to the end of others.
+void AppendFields(FieldArrays more, FieldArrays& to);
+
 /// Replaces fields by newer ones of the same names.
 void ReplaceFields(const FieldArrays& newer, FieldArrays& fields);
 

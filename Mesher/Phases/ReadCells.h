@@ -1,0 +1,34 @@
+/**
+ * ReadCells: the first phase of a run: from blocks to the fractions of a grid.
+ */
+#pragma once
+
+#include "Levels/LevelFields.h"
+#include "Modify/MaterialPairs.h"
+#include "Phases/MesherInput.h"
+#include "State/MeshState.h"
+
+#include <memory>
+#include <optional>
+
+namespace vfm
+{
+
+/// Cells that are meshed, and what the input says of them. It stays in place: State refers to it.
+struct Cells
+{
+  LevelCells Source; ///< materials of the blocks
+  LevelSetup Setup;
+  InputRequests Requests;                              ///< of the cells that this rank meshes
+  std::vector<BlockPlace> Owners;                      ///< cells of level 0 that each rank meshes
+  LevelFields Fields;                                  ///< changed by PrepareCells
+  std::optional<MaterialPairs> SplitPairs, LayerPairs; ///< interfaces to split, to get layers
+  StoredState State;                                   ///< contents of the cells as read
+};
+
+/// Reads the arrays of the blocks.
+/// @throws InputError  if the input is not valid, on all ranks
+/// @pre Collective.
+std::unique_ptr<Cells> ReadCells(const MesherJob& job);
+
+} // namespace vfm

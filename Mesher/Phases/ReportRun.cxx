@@ -1,0 +1,67 @@
+#include "Phases/ReportRun.h"
+
+#include "Materials/UseLabels.h"
+
+#include <algorithm>
+
+namespace vfm
+{
+namespace
+{
+
+/// Warns of corrected input, an empty mesh, and materials without elements or with wrong volumes.
+void WarnOfMesh(const MesherJob& job, const MeshReport& report, const InputField& field)
+{
+  const CorrectedCells& corrected = field.Corrected;
+  if (corrected.Clipped > 0)
+  {
+    Warn(job,
+      "Volume fractions of " + std::to_string(corrected.Clipped) +
+        " cells lay outside [0, 1] and were clipped.");
+  }
+  if (corrected.Normalised > 0)
+  {
+    Warn(job,
+      "The volume fractions of " + std::to_string(corrected.Normalised) +
+        " cells sum to slightly more than 1 and were scaled back.");
+  }
+  const bool isEmpty = std::all_of(report.Materials.begin(), report.Materials.end(),
+    [](const MeshReport::Material& material) { return material.Elements == 0; });
+  Warn(job,
+    isEmpty ? "The mesh is empty: no cell is filled by its materials to the iso value."
+            : DescribeLostMaterials(report, field.Table));
+  if (MovesPoints(job.Options) && ConservesVolume(job.Options))
+  {
+    Warn(job, DescribeInexactMaterials(report, field.Table, AreLabels(job)));
+  }
+}
+
+} // namespace
+
+void ListResult(
+  const MesherJob& job, const Cells& cells, const MeshOptions& options, MesherResult& result)
+{
+  const LevelFields& fields = cells.Fields;
+  const Materials& table = fields.Field.Table;
+  const ImageFrame frame = job.Options.ImageAxes ? ImageFrame() : job.Input.Levels.Reading.Frame;
+  TurnMesh(frame, result.TheMesh);
+  UseLabels(table, result.TheMesh);
+  AppendFields(ListSides(result.TheMesh.Tables), result.Fields);
+  AppendFields(ListReport(result.TheMesh, result.Report, table, options, fields.Field.Corrected),
+    result.Fields);
+  AppendFields(ListDomain(fields.Grid, frame, RepeatingAxes(job.Options)), result.Fields);
+  AppendFields(ListMaterials(result.Report, table, options), result.MaterialFields);
+  if (result.State.IsConserved)
+  {
+    AppendFields(ListBalance(result.State.Balance, options.MeshVoid), result.Fields);
+    AppendFields(ListBalance(result.State.Balance, options.MeshVoid), result.MaterialFields);
+  }
+}
+
+void WarnOfResult(const MesherJob& job, const Cells& cells, const MesherResult& result)
+{
+  WarnOfMesh(job, result.Report, cells.Fields.Field);
+  Warn(job, DescribeUnmeshed(result.State.Balance, cells.Fields.Field.Table));
+}
+
+} // namespace vfm

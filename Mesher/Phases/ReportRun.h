@@ -1,0 +1,23 @@
+/**
+ * ReportRun: the phase that puts a mesh into world coordinates and lists its fields, and the
+ * warnings of a run.
+ */
+#pragma once
+
+#include "Base/Options.h"
+#include "Phases/MesherResult.h"
+#include "Phases/ReadCells.h"
+
+namespace vfm
+{
+
+/// Transforms the mesh to world coordinates, gives its materials the ids of the user, and lists its
+/// fields.
+void ListResult(
+  const MesherJob& job, const Cells& cells, const MeshOptions& options, MesherResult& result);
+
+/// Warns of corrected input, an empty mesh, and materials without elements, with wrong volumes or
+/// with contents that no element has.
+void WarnOfResult(const MesherJob& job, const Cells& cells, const MesherResult& result);
+
+} // namespace vfm
