@@ -4,6 +4,7 @@
 #include "FileSuffix.h"
 #include "Images/Pictures/PixelStack.h"
 #include "Images/Pictures/SliceFiles.h"
+#include "Images/Pictures/SliceGaps.h"
 #include "Ranks/Errors.h"
 
 #include <algorithm>
@@ -57,6 +58,7 @@ ImageFile OpenImageFile(const std::string& path, const ImageRequest& request)
     slices = ListSlices(path);
   }
   ImageFile file = slices.empty() ? OpenBySuffix(path, request) : MakeImage(OpenSlices(slices));
+  file.Warning += WarnOfGaps(slices);
   SelectVolume(request, file.Volumes);
   return file;
 }

@@ -38,7 +38,7 @@ struct ImageFile
   bool ReadsParts = true;
   Index Volumes = 1;          ///< number of images in the file
   LabelNames Names;           ///< names of labels that the file contains
-  std::string Warning;        ///< about the names; empty: none
+  std::string Warning;        ///< about the names or missing slices; empty: none
   std::string SpacingWarning; ///< about a spacing that the file does not contain; empty: none
   /// Returns the values in a box of the image, x fastest, without a name. Throws InputError; the
   /// message does not contain the path.

@@ -30,7 +30,7 @@ class Image(NamedTuple):
     materials; None: the core chooses them. order: order of the axes of arrays that are given in
     addition to the image. names: of labels, from the file. has_labels: bytes are labels, as in
     files of images, not fractions of 255. hint: what to do if the arrays cannot be used together.
-    note: text of a warning.
+    note: text of a warning if no spacing is given; warning: text of one that does not depend on it.
     """
 
     grid: Grid
@@ -41,6 +41,7 @@ class Image(NamedTuple):
     has_labels: bool = False
     hint: str = ""
     note: str = ""
+    warning: str = ""
 
 
 class Fractions(Dict[str, np.ndarray]):

@@ -19,7 +19,7 @@ from ._readers import dream3d_files, itk_files, nifti_files, numpy_files, pictur
 from ._readers import vtk_files
 from ._readers.colours import label_colours
 from ._readers.report import one_line, one_message
-from ._readers.slices import Slice, join_slices, list_slices, natural_key
+from ._readers.slices import Slice, describe_gaps, join_slices, list_slices, natural_key
 from ._types import Order, Triple
 from ._warning import VolumeFractionMeshWarning
 
@@ -91,7 +91,8 @@ def read(path: Union[PathLike, Sequence[PathLike]], *, step: int = 0,
     Warns
     -----
     VolumeFractionMeshWarning
-        If a stack of TIFF lacks the width of its voxels.
+        If a stack of TIFF lacks the width of its voxels, or numbers are missing among the names of
+        slices.
 
     See Also
     --------
@@ -208,8 +209,9 @@ def _finish(image: Image, path: str, names: Optional[List[str]], choice: Choice)
                                chosen=chosen or None)
     if choice.spacing is not None:
         image = image._replace(grid=_with_widths(image.grid, check_spacing(choice.spacing)))
-    elif image.note:
-        warnings.warn(one_line(image.note), VolumeFractionMeshWarning, stacklevel=CALLER)
+    for text in (image.warning, image.note if choice.spacing is None else ""):
+        if text:
+            warnings.warn(one_line(text), VolumeFractionMeshWarning, stacklevel=CALLER)
     return Arrays(image, path)
 
 
@@ -268,7 +270,7 @@ def _read_slice(path: str) -> Slice:
         raise FileNotFoundError("There is no file %s." % path)
     low = path.lower()
     if low.endswith(tiff_files.ENDINGS):
-        stack = tiff_files.read(path, 0)
+        stack = tiff_files.read(path, 0, is_slice=True)
         values = stack.volumes[0]
         if len(stack.volumes) > 1 or len(values) > 1:
             raise ValueError("it has %d pages: each file of several is one slice."
@@ -284,8 +286,10 @@ def _read_slices(files: Sequence[str], choice: Choice) -> Image:
         raise ValueError("Cannot read %s: there is no volume %d: slices form one volume."
                          % (files[0], choice.volume))
     volume = join_slices(files, _read_slice)
+    gaps = describe_gaps(sort_slices(files))
     with one_message(files[0]):
-        return _stack_image(volume, files[0])
+        image = _stack_image(volume, files[0])
+    return image._replace(warning="%s: %s" % (files[0], gaps) if gaps else "")
 
 
 def _stack_image(stack: Slice, path: str) -> Image:

@@ -156,7 +156,7 @@ void VisitStored(const StoredValues& stored, const Index3& size, const TiffDescr
 
 } // namespace
 
-PixelStack OpenTiffStack(const std::string& path, const ImageRequest& request)
+PixelStack OpenTiffStack(const std::string& path, const ImageRequest& request, bool isSlice)
 {
   const TiffHandle file = OpenTiffHandle(path);
   const TiffPage page(file.get());
@@ -164,7 +164,10 @@ PixelStack OpenTiffStack(const std::string& path, const ImageRequest& request)
   stack.Form = page.FindForm();
   TiffDescription description = DescribeStack(file.get(), page);
   const Index pages = CountPages(file.get(), page);
-  if (pages > description.CountImages())
+  const Index length = CountCells({ page.Width, page.Height, description.CountImages() }) *
+    (stack.Form.Samples * page.Bits) / 8;
+  const bool isPart = isSlice && pages < description.CountImages() && GetFileLength(path) < length;
+  if (pages > description.CountImages() || isPart)
   {
     description.Slices = pages;
     description.Channels = description.Times = description.SliceStep = 1;

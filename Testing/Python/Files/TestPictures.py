@@ -229,6 +229,37 @@ def test_refused_slices(at):
 
 
 @in_folder
+def test_gaps_of_slices(at):
+    """A number without a file is a warning; the usual step is the smallest one."""
+    text = "slices may be missing: 2 numbers lack a file, the first between s_3.tif and s_5.tif."
+    page = lambda path, values: write_pages(path, values[None])
+    whole = write_slices(at("whole"), LABELS, page, "s_%d.tif")
+    assert not read([whole], (1, 1, 1))[1]
+    for number in (4, 9):
+        os.remove(os.path.join(whole, "s_%d.tif" % number))
+    kept = np.delete(LABELS, (4, 9), 0)
+    for given in ([whole], [os.path.join(whole, name) for name in os.listdir(whole)]):
+        data, warnings = read(given, (1, 1, 1))
+        assert len(warnings) == 1 and text in warnings[0], warnings
+        assert (vtk_to_numpy(data.GetPointData().GetArray("Labels")) == kept.ravel()).all()
+    for ranks in (1, 3):
+        assert text in sculptor(whole, at("out.vtu"), *UNIT, ranks=ranks).stderr
+    os.makedirs(at("tens"))
+    for number, values in enumerate(LABELS[:4]):
+        page(at("tens/z%02d_t%d.tif" % (10 * (number // 2), number % 2)), values)
+    assert not read([at("tens")], (1, 1, 1))[1]
+
+
+@in_folder
+def test_slices_that_describe_the_stack(at):
+    """ImageJ keeps the description of the stack in each of its slices."""
+    for name, options in (("raw", {}), ("tiles", {"tile": 16})):
+        folder = write_slices(at(name), LABELS, lambda path, values: write_pages(
+            path, values[None], description=IMAGEJ, resolution=2, **options), "s_%d.tif")
+        check_readers(folder, LABELS, [], (0.5, 0.5, 3.0))
+
+
+@in_folder
 def test_pictures(at):
     """Grey values and palette indices are labels of one layer; 50 cells and 80 elements each."""
     page = np.zeros((16, 16), "u1")

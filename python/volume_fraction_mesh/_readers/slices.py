@@ -55,6 +55,27 @@ def natural_key(path: str) -> Any:
     return [int(word) if word.isdigit() else word for word in words], path
 
 
+def describe_gaps(files: Sequence[str]) -> str:
+    """Returns a text if numbers are missing among the names of slices in natural order, or "". The
+    usual step of a number is its smallest: 0, 10, 20 lack nothing."""
+    names = [os.path.basename(path) for path in files]
+    steps = []  # (place of the first number that differs, difference, index of the file)
+    for number, (one, other) in enumerate(zip(names, names[1:])):
+        first, second = (re.split(r"([0-9]+)", name) for name in (one, other))
+        if first[::2] == second[::2]:
+            pairs = enumerate(zip(map(int, first[1::2]), map(int, second[1::2])))
+            steps += [(place, b - a, number) for place, (a, b) in pairs if a != b][:1]
+    usual = {place: min(step for p, step, _ in steps if p == place) for place, _, _ in steps}
+    gaps = [(step, usual[place], number) for place, step, number in steps
+            if step > usual[place] > 0]
+    if not gaps:
+        return ""
+    missing, first_gap = sum(max((step - 1) // own, 1) for step, own, _ in gaps), gaps[0][2]
+    return ("slices may be missing: %d number%s a file, the first between %s and %s. The volume has "
+            "no gaps: the slices on both sides become neighbours."
+            % (missing, " lacks" if missing == 1 else "s lack", *names[first_gap:first_gap + 2]))
+
+
 def join_slices(files: Sequence[str], read: Callable[[str], Slice]) -> Slice:
     """Returns the volume, shape (slices, rows, columns[, channels]), and the widths of the first
     file. Raises ValueError that names a file whose size or type differs from the first."""

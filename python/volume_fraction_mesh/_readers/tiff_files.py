@@ -32,14 +32,29 @@ class Stack(NamedTuple):
     widths: Widths
 
 
-def read(path: str, step: int) -> Stack:
+def read(path: str, step: int, is_slice: bool = False) -> Stack:
+    """Reads a file. is_slice: it is one slice of several; ImageJ then describes the whole stack in
+    it."""
     tifffile = load_library("tifffile", path)
     with keep_log("tifffile") as log, tifffile.TiffFile(path) as file:
-        stack = _read_file(file, step)
+        stack = _read_page(file) if is_slice and _is_part(file) else _read_file(file, step)
         lost = [text for text in log if "TiffPages" in text or "Missing data" in text]
         if lost:
             raise ValueError("a page is damaged or missing: %s." % re.sub(r"<.*?> ?", "", lost[0]))
     return stack
+
+
+def _is_part(file: Any) -> bool:
+    """Returns whether the file has one page, and not the other images that it describes."""
+    return len(file.pages) == 1 and any(
+        series.size > file.pages[0].size and series.nbytes > file.filehandle.size
+        for series in file.series)
+
+
+def _read_page(file: Any) -> Stack:
+    page = file.pages[0]
+    volumes = _split(_turn(page.asarray(), page.axes, page), page.axes, 0)
+    return Stack(volumes, _find_widths(file, page))
 
 
 def _read_file(file: Any, step: int) -> Stack:
