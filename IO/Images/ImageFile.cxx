@@ -8,6 +8,7 @@
 #include "Ranks/Errors.h"
 
 #include <algorithm>
+#include <filesystem>
 
 namespace vfm
 {
@@ -51,9 +52,10 @@ ImageFile OpenBySuffix(const std::string& path, const ImageRequest& request)
 
 ImageFile OpenImageFile(const std::string& path, const ImageRequest& request)
 {
+  std::error_code error;
   std::vector<std::string> slices = request.Slices;
   SortNaturally(slices);
-  if (slices.empty() && AreSlices(path))
+  if (slices.empty() && (AreSlices(path) || std::filesystem::is_directory(path, error)))
   {
     slices = ListSlices(path);
   }
@@ -68,7 +70,7 @@ Index SelectVolume(const ImageRequest& request, Index volumes, const std::string
   const std::string found = "it holds " + std::to_string(volumes) +
     (volumes == 1 ? " image" : " images") + (kinds.empty() ? "" : " (" + kinds + ")");
   const std::string range = ", from 0 to " + std::to_string(volumes - 1) + ".";
-  if (!request.Volume && volumes > 1)
+  if (!request.Volume && !request.TakesFirst && volumes > 1)
   {
     throw InputError(found + ". Select one of them by its number, --volume or Volume" + range);
   }

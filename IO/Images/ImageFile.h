@@ -23,6 +23,7 @@ struct ImageRequest
   std::string Array = "FeatureIds";
   /// Number of an image, from 0, in a file that holds several.
   std::optional<int> Volume;
+  bool TakesFirst = false; ///< of several images the first is read, if none is requested
   /// Files of one slice each, which are read in natural order instead of the path; mostly empty.
   std::vector<std::string> Slices;
 };

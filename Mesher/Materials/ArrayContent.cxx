@@ -124,7 +124,10 @@ ContentOfArray FindContentOfReals(const ArrayInfo& array, double tolerance)
     return { ArrayContent::LevelSet, "values of both signs, " + Range(array) + ": " + what };
   }
   return { ArrayContent::Grey,
-    "real numbers from " + Range(array) + ": neither in [0, 1] nor integers" };
+    "real numbers from " + Range(array) + ": neither in [0, 1] nor integers" +
+      (array.NotWholeAt < 0 ? ""
+                            : ", the first is " + Print(array.NotWhole) + " at number " +
+            std::to_string(array.NotWholeAt) + " from 0") };
 }
 
 /// Returns the largest value of the arrays of bytes that may be fractions of 255.

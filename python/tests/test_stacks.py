@@ -51,8 +51,8 @@ def check_stack(path, expected, note=None):
     (dict(unit="um", spacing=-3.0), (2, 2), (0.5, 0.5, 3), None),
     (dict(unit="nm"), (0.1, 0.1), (10, 10, 10), "along z: 10 is used"),
     (dict(unit="mm", spacing=0.4), (5, 5), (0.2, 0.2, 0.4), None),
-    (dict(unit="cm", spacing=0.4), (5, 5), (2, 2, 4), None),
-    (dict(unit="inch", spacing=0.2), (10, 10), (2.54, 2.54, 5.08), None),
+    (dict(unit="cm", spacing=0.4), (5, 5), (0.2, 0.2, 0.4), None),
+    (dict(unit="inch", spacing=0.2), (10, 10), (0.1, 0.1, 0.2), None),
     (dict(unit="pixel"), None, (1, 1, 1), "has no size of voxels"),
 ])
 def test_imagej(tmp_path, meta, resolution, expected, note):
@@ -66,7 +66,7 @@ def test_imagej(tmp_path, meta, resolution, expected, note):
     (dict(X=0.5, XUnit="um", Y=0.5, YUnit="um", Z=3, ZUnit="um"), (0.5, 0.5, 3), None),
     (dict(X=0.5, Y=0.25, Z=3), (0.5, 0.25, 3), None),  # micrometres are the default of OME
     (dict(X=0.5, XUnit="um", Y=0.5, YUnit="um", Z=3000, ZUnit="nm"), (0.5, 0.5, 3), None),
-    (dict(X=0.5, XUnit="cm", Y=0.5, YUnit="cm", Z=7, ZUnit="mm"), (5, 5, 7), None),
+    (dict(X=0.5, XUnit="cm", Y=0.5, YUnit="cm", Z=7, ZUnit="mm"), (0.5, 0.5, 0.7), None),
     (dict(X=0.5, Y=0.5), (0.5, 0.5, 0.5), "along z: 0.5 is used, as along x"),
     (dict(X=0.5, XUnit="pixel", Y=0.5, YUnit="pixel", Z=3), (1, 1, 1), "no size of voxels"),
 ])

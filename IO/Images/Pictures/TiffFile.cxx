@@ -64,17 +64,14 @@ StoredValues FindImagesWithoutPages(
   return stored;
 }
 
-/// Returns the length of the unit of the resolution in millimetres, or 1 for other units of ImageJ;
-/// 0 if the file has no unit.
+/// Returns 1 if ImageJ names the unit of lengths, otherwise the length of the unit of the
+/// resolution in millimetres; 0 if the file has no unit.
 double FindUnit(TIFF* file, const TiffDescription& description)
 {
   constexpr double inch = 25.4, centimetre = 10.0;
-  const std::string& unit = description.Unit;
-  if (!unit.empty())
+  if (!description.Unit.empty())
   {
-    const bool isInch = unit == "inch" || unit == "inches" || unit == "in";
-    const bool isCentimetre = unit == "cm" || unit == "centimeter" || unit == "centimetre";
-    return isInch ? inch : isCentimetre ? centimetre : 1.0;
+    return 1.0;
   }
   std::uint16_t number = 0;
   TIFFGetFieldDefaulted(file, TIFFTAG_RESOLUTIONUNIT, &number);

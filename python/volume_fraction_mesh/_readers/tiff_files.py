@@ -19,7 +19,6 @@ METRES = {"m": 1.0, "dm": 0.1, "cm": 1e-2, "mm": 1e-3, "um": 1e-6, "micron": 1e-
           "nanometer": 1e-9, "nanometre": 1e-9, "pm": 1e-12, "angstrom": 1e-10, "a": 1e-10,
           "millimeter": 1e-3, "millimetre": 1e-3, "centimeter": 1e-2, "centimetre": 1e-2,
           "meter": 1.0, "metre": 1.0, "inch": 0.0254, "in": 0.0254}
-IN_MILLIMETRES = ("cm", "centimeter", "centimetre", "inch", "in")  # converted, like resolutions
 
 Widths = Tuple[Optional[float], Optional[float], Optional[float]]
 
@@ -119,15 +118,15 @@ def _find_widths(file: Any, page: Any) -> Widths:
         if widths[0] is not None:
             return widths
     x, y = (_read_ratio(page, tag) for tag in (282, 283))
-    unit = page.tags.get(296)
-    number = int(unit.value) if unit is not None else 2
+    tag = page.tags.get(296)
+    number = int(tag.value) if tag is not None else 2
     if file.is_imagej:
         meta: Dict[str, Any] = file.imagej_metadata or {}
-        scale, z = _find_unit(meta.get("unit")), meta.get("spacing")
-        if scale is not None and x and y:
-            depth = abs(float(z)) * scale if isinstance(z, (int, float)) and z else None
+        unit, z = _clean_unit(meta.get("unit")), meta.get("spacing")
+        if unit in METRES and x and y:
+            depth = abs(float(z)) if isinstance(z, (int, float)) and z else None
             # A resolution per centimetre next to micrometres, as ImageJ reads it.
-            scale *= 1e4 if number == 3 and METRES[_clean_unit(meta["unit"])] == 1e-6 else 1.0
+            scale = 1e4 if number == 3 and METRES[unit] == 1e-6 else 1.0
             return scale / x, scale / y, depth
     length = MILLIMETRES.get(number)
     if length is None or not x or not y:
@@ -150,18 +149,8 @@ def _clean_unit(unit: Any) -> str:
     return text.replace("\u00e5", "angstrom")
 
 
-def _find_unit(unit: Any) -> Optional[float]:
-    """Returns the factor from a unit of ImageJ to the unit of the widths, None without a unit of
-    length."""
-    name = _clean_unit(unit)
-    if name not in METRES:
-        return None
-    return 1e3 * METRES[name] if name in IN_MILLIMETRES else 1.0
-
-
 def _find_ome_widths(text: str) -> Widths:
-    """Returns the PhysicalSize of the first image of OME, in the unit of x; centimetres and inches
-    become millimetres."""
+    """Returns the PhysicalSize of the first image of OME, in the unit of x."""
     if "<!ENTITY" in text:
         return None, None, None
     try:
@@ -172,7 +161,7 @@ def _find_ome_widths(text: str) -> Widths:
     if pixels is None:
         return None, None, None
     units = [_clean_unit(pixels.get("PhysicalSize%sUnit" % axis, "um")) for axis in "XYZ"]
-    common = METRES.get("mm" if units[0] in IN_MILLIMETRES else units[0])
+    common = METRES.get(units[0])
     widths: List[Optional[float]] = []
     for axis, unit in zip("XYZ", units):
         try:
@@ -180,7 +169,7 @@ def _find_ome_widths(text: str) -> Widths:
         except ValueError:
             size = 0.0
         known = common is not None and unit in METRES and 0 < size < float("inf")
-        same = unit == units[0] and unit not in IN_MILLIMETRES
-        widths.append(size * (1.0 if same else METRES[unit] / common) if known else None)
+        scale = 1.0 if not known or unit == units[0] else METRES[unit] / common
+        widths.append(size * scale if known else None)
     x, y, z = widths
     return (None, None, None) if x is None or y is None else (x, y, z)
