@@ -77,11 +77,7 @@ std::optional<int> ParseChoice(const std::string& text, const std::vector<std::s
   return ParseCount(text, 0, static_cast<int>(words.size()) - 1);
 }
 
-namespace
-{
-
-template <class Real>
-std::string Format(Real number)
+std::string FormatNumber(double number)
 {
   std::array<char, 32> text{};
   const std::to_chars_result made = std::to_chars(text.data(), text.data() + text.size(), number);
@@ -94,18 +90,6 @@ std::string Format(Real number)
       result.substr(digits);
   }
   return result;
-}
-
-} // namespace
-
-std::string FormatNumber(double number)
-{
-  return Format(number);
-}
-
-std::string FormatNumber(float number)
-{
-  return Format(number);
 }
 
 std::string SnakeCase(const std::string& name)

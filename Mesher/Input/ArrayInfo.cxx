@@ -22,11 +22,7 @@ void AddArray(std::vector<ArrayInfo>& list, const ArrayInfo& info)
   found->HasOneType = found->HasOneType && info.HasOneType && found->Type == info.Type;
   found->HoldsIds = found->HoldsIds || info.HoldsIds;
   found->AreWhole = found->AreWhole && info.AreWhole;
-  if (found->NotWholeAt < 0)
-  {
-    found->NotWhole = info.NotWhole;
-    found->NotWholeAt = info.NotWholeAt;
-  }
+  found->NotWhole = found->NotWhole == 0.0 ? info.NotWhole : found->NotWhole;
 }
 
 namespace
@@ -37,7 +33,7 @@ struct Packed
 {
   int Type, Components, HasOneType, HoldsIds, AreWhole;
   double Least, Most, NotWhole;
-  Index NotWholeAt, Count;
+  Index Count;
   std::size_t NameLength;
 };
 
@@ -46,9 +42,9 @@ Bytes Pack(const std::vector<ArrayInfo>& list)
   Bytes bytes;
   for (const ArrayInfo& info : list)
   {
-    const Bytes numbers = ToBytes(std::vector<Packed>{
-      { info.Type, info.Components, info.HasOneType, info.HoldsIds, info.AreWhole, info.Least,
-        info.Most, info.NotWhole, info.NotWholeAt, info.Count, info.Name.size() } });
+    const Bytes numbers =
+      ToBytes(std::vector<Packed>{ { info.Type, info.Components, info.HasOneType, info.HoldsIds,
+        info.AreWhole, info.Least, info.Most, info.NotWhole, info.Count, info.Name.size() } });
     bytes.insert(bytes.end(), numbers.begin(), numbers.end());
     bytes.insert(bytes.end(), info.Name.begin(), info.Name.end());
   }
@@ -64,7 +60,7 @@ void Unpack(const Bytes& bytes, std::vector<ArrayInfo>& list)
     AddArray(list,
       { std::string(at, at + numbers.NameLength), numbers.Type, numbers.Components, numbers.Least,
         numbers.Most, numbers.Count, numbers.HasOneType != 0, numbers.HoldsIds != 0,
-        numbers.AreWhole != 0, numbers.NotWhole, numbers.NotWholeAt });
+        numbers.AreWhole != 0, numbers.NotWhole });
     at += numbers.NameLength;
   }
 }
@@ -103,7 +99,6 @@ void FindRange(const BlockArray& array, ArrayInfo& info)
       const double value = valueOf(tuple);
       info.AreWhole = std::abs(value - std::round(value)) <= LabelTolerance; // false for NaN
       info.NotWhole = info.AreWhole ? 0.0 : value;
-      info.NotWholeAt = info.AreWhole ? -1 : tuple;
     }
   };
   if (!array.Memory)

@@ -125,9 +125,7 @@ ContentOfArray FindContentOfReals(const ArrayInfo& array, double tolerance)
   }
   return { ArrayContent::Grey,
     "real numbers from " + Range(array) + ": neither in [0, 1] nor integers" +
-      (array.NotWholeAt < 0 ? ""
-                            : ", the first is " + Print(array.NotWhole) + " at number " +
-            std::to_string(array.NotWholeAt) + " from 0") };
+      (array.NotWhole == 0.0 ? "" : ", such as " + Print(array.NotWhole)) };
 }
 
 /// Returns the largest value of the arrays of bytes that may be fractions of 255.

@@ -107,6 +107,7 @@ TEST(HostileFiles, NrrdHeaders)
   expect("sizes: 2 2 2 junk\n", "where 3 integers are required");
   expect("sizes: 2 2 3000000000\n", "its size is 2 x 2 x 3000000000");
   expect(std::string(Sizes) + "byte skip: -2\n", "its byte skip is -2");
+  expect(std::string(Sizes) + "byte skip: 999\n", "its values are truncated: they begin at byte");
   expect(std::string(Sizes) + "byte skip:4\n", "neither 'field: value' nor 'key:=value'");
   expect(std::string(Sizes) + "lineskip: 1\n", "line skip, which is not supported");
   expect(std::string(Sizes) + "space directions: (nan,0,0) (0,1,0) (0,0,1)\n",

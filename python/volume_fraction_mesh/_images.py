@@ -203,7 +203,8 @@ def read_vtk(data: Any, names: Optional[Sequence[str]], is_file: bool = False) -
     if are_points and not is_image:
         raise ValueError(
             "The input is a %s, and point data are chosen. Only in images are points the centres "
-            "of cells; other grids need cell data." % type(data).__name__
+            "of cells; other grids need cell data: save an image (.vti, STRUCTURED_POINTS in "
+            ".vtk), or data of cells." % type(data).__name__
         )
     arrays = _vtk_arrays(points if are_points else cells)
     if GHOSTS in arrays and arrays[GHOSTS].any():
@@ -256,7 +257,8 @@ def _image_grid(image: Any, are_points: bool) -> Grid:
         start = origin[a] - 0.5 * spacing[a] if are_points else origin[a]
         nodes.append(even_nodes(start, spacing[a], extent[2 * a], extent[2 * a + 1] + are_points))
         if len(nodes[a]) < 2:
-            raise ValueError("The image is flat: it has no cells along %s." % AXES[a])
+            raise ValueError("The image is flat: it has no cells along %s. read() reads pictures "
+                             "and slices as layers of cells." % AXES[a])
     matrix = image.GetDirectionMatrix()
     direction = np.array([[matrix.GetElement(r, c) for c in range(3)] for r in range(3)])
     return Grid(tuple(nodes), direction, tuple(origin), are_points)

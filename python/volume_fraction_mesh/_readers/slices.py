@@ -5,6 +5,7 @@ from __future__ import annotations
 import glob
 import os
 import re
+from collections import Counter
 from typing import Any, Callable, List, NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
@@ -32,21 +33,34 @@ def list_slices(path: str, endings: Sequence[str]) -> Optional[List[str]]:
         files = [os.path.join(path, name) for name in names if name.lower().endswith(endings)]
         place = "The folder"
     elif PATTERN.search(path) and not os.path.exists(path):
-        files, place = [name for name in glob.glob(path) if os.path.isfile(name)], "The pattern"
+        names = [name for name in glob.glob(path) if os.path.isfile(name)]
+        files = [name for name in names if name.lower().endswith(tuple(endings))]
+        place = "The pattern"
     else:
         return None
     if not files:
         raise ValueError(
-            "%s %s %s no slices: files %s.%s"
+            "%s %s %s no slices: files %s.%s%s"
             % (place, path, "contains" if place == "The folder" else "matches",
                ", ".join(endings), " It is not a plotfile of AMReX either: it has no Header."
-               if place == "The folder" else ""))
+               if place == "The folder" else "", _describe_others(names)))
     kinds = sorted({os.path.splitext(name)[1].lower().replace(".tiff", ".tif") for name in files})
     if len(kinds) > 1:
         raise ValueError("%s %s has files of several formats, %s: select one format by a pattern, "
                          "such as %r." % (place, path, ", ".join(kinds),
                                           os.path.join(path, "*" + kinds[0])))
     return sorted(files, key=natural_key)
+
+
+def _describe_others(names: Sequence[str]) -> str:
+    """Returns which files there are instead of slices, and what to do with them."""
+    counts = Counter(os.path.splitext(name)[1].lower() or "without ending" for name in names)
+    if not counts:
+        return " It is empty."
+    advice = (" Convert DICOM files to one .nii or .nrrd, for instance by 3D Slicer or dcm2niix."
+              if {".dcm", ".ima"} & set(counts) else "")
+    return " Its files: %s.%s" % (
+        ", ".join("%d %s" % (counts[kind], kind) for kind in sorted(counts)), advice)
 
 
 def natural_key(path: str) -> Any:
