@@ -2,6 +2,7 @@
 #include "Images/Pictures/TiffDescription.h"
 #include "Images/Pictures/TiffPage.h"
 #include "Images/StoredValues.h"
+#include "OpenFile.h"
 #include "Ranks/Errors.h"
 
 #include <algorithm>
