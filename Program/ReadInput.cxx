@@ -209,7 +209,8 @@ void CheckInputSuffix(const std::string& path)
     std::error_code error;
     if (IsPattern(path) || std::filesystem::is_directory(path, error))
     {
-      PrefixErrors("Cannot read " + path + ": ", [&path] { ListSlices(path); });
+      ClassifyErrors(ErrorCode::UnreadableInput,
+        [&path] { PrefixErrors("Cannot read " + path + ": ", [&path] { ListSlices(path); }); });
     }
     const bool isPicture = HasSuffix(path, { ".jpg", ".jpeg", ".bmp", ".gif", ".webp" });
     throw InputError(ErrorCode::WrongArguments,

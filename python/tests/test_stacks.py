@@ -175,8 +175,8 @@ def test_slices_that_do_not_fit(tmp_path):
 
 @pytest.mark.parametrize("names, told", [
     (["slice_001.tif", "slice_002.tif", "slice_004.tif"],
-     "1 number lacks a file, the first between slice_002.tif and slice_004.tif"),
-    (["s0.tif", "s10.tif", "s40.tif", "s60.tif"], "3 numbers lack a file, the first between s10.tif"),
+     "numbers without a file: 1, the first between slice_002.tif and slice_004.tif"),
+    (["s0.tif", "s10.tif", "s40.tif", "s60.tif"], "without a file: 3, the first between s10.tif"),
     (["s0.tif", "s10.tif", "s20.tif"], None),
     (["z1_t0.tif", "z1_t1.tif", "z2_t0.tif", "z2_t1.tif"], None),
     (["a.tif", "b.tif", "b7.tif"], None),

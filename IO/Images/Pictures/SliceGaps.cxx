@@ -97,9 +97,8 @@ std::string WarnOfGaps(const std::vector<std::string>& files)
   {
     return "";
   }
-  return "slices may be missing: " + std::to_string(missing) +
-    (missing == 1 ? " number lacks" : " numbers lack") + " a file, the first between " +
-    names[first->First].File + " and " + names[first->First + 1].File +
+  return "slices may be missing: numbers without a file: " + std::to_string(missing) +
+    ", the first between " + names[first->First].File + " and " + names[first->First + 1].File +
     ". The volume has no gaps: the slices on both sides become neighbours.";
 }
 

@@ -17,7 +17,8 @@ READERS = {".nrrd": "NrrdImageIO", ".nhdr": "NrrdImageIO", ".mha": "MetaImageIO"
 
 
 def read(path: str, is_trusted: bool) -> Any:
-    """Returns an image of SimpleITK. is_trusted: the header may name files outside of its folder."""
+    """Returns an image of SimpleITK. is_trusted: the header may name files outside of its
+    folder."""
     sitk = load_library("SimpleITK", path)
     ending = next(end for end in READERS if path.lower().endswith(end))
     if ending == ".mhd":

@@ -81,13 +81,13 @@ def describe_gaps(files: Sequence[str]) -> str:
             steps += [(place, b - a, number) for place, (a, b) in pairs if a != b][:1]
     usual = {place: min(step for p, step, _ in steps if p == place) for place, _, _ in steps}
     gaps = [(step, usual[place], number) for place, step, number in steps
-            if step > usual[place] > 0]
+            if step > usual[place]]
     if not gaps:
         return ""
     missing, first_gap = sum(max((step - 1) // own, 1) for step, own, _ in gaps), gaps[0][2]
-    return ("slices may be missing: %d number%s a file, the first between %s and %s. The volume has "
-            "no gaps: the slices on both sides become neighbours."
-            % (missing, " lacks" if missing == 1 else "s lack", *names[first_gap:first_gap + 2]))
+    return ("slices may be missing: numbers without a file: %d, the first between %s and %s. The "
+            "volume has no gaps: the slices on both sides become neighbours."
+            % (missing, *names[first_gap:first_gap + 2]))
 
 
 def join_slices(files: Sequence[str], read: Callable[[str], Slice]) -> Slice:
