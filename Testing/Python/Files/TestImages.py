@@ -6,6 +6,7 @@ same labels as cells. Rotated images lie where their files say. Damaged files gi
 import os
 import sys
 
+import h5py
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -180,6 +181,21 @@ def test_mgh_directions(at):
     data = read(save(at("b.mgh"), bytes(raw)))
     assert np.array_equal(steps_of(data), [[-1, 0, 0], [0, 0, -1], [0, 1, 0]])
     assert data.GetOrigin() == (4.5, -6.5, 5.5), data.GetOrigin()
+
+
+@in_folder
+def test_trusted_dream3d(at):
+    """A link to another file is read if the input is trusted."""
+    os.makedirs(at("in"))
+    path = write_dream3d(at("in/a.dream3d"), LABELS.astype("i4"), ORIGIN, SPACING)
+    os.rename(path, at("b.dream3d"))
+    with h5py.File(path, "w") as file:
+        file["DataContainers"] = h5py.ExternalLink(at("b.dream3d"), "/DataContainers")
+    refused(2, "leads to another file. If you trust the file", path, at("out.vtu"))
+    source = simple.OpenDataFile(path, TrustInput=1)
+    check_same(labels_mesh(source, "FeatureIds"), GOLD, path)
+    mesh_file(path, at("out.vtu"), "--trust-input", ranks=3)
+    check_same(merge(read_pieces(at("out.vtu"))), GOLD, path)
 
 
 @in_folder
