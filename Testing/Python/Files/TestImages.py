@@ -193,6 +193,7 @@ def test_trusted_dream3d(at):
         file["DataContainers"] = h5py.ExternalLink(at("b.dream3d"), "/DataContainers")
     refused(2, "leads to another file. If you trust the file", path, at("out.vtu"))
     source = simple.OpenDataFile(path, TrustInput=1)
+    source.UpdatePipeline()
     check_same(labels_mesh(source, "FeatureIds"), GOLD, path)
     mesh_file(path, at("out.vtu"), "--trust-input", ranks=3)
     check_same(merge(read_pieces(at("out.vtu"))), GOLD, path)
