@@ -38,7 +38,7 @@ ALLOWED.update({
         "Parallel", "Parallel/Mpi", "IO", "IO/Blocks", "IO/Images", "IO/Labels", "IO/Meshes",
         "IO/Report", "Filters", "Filters/Data"),
     "Plugin": ("Filters", "Mesher/Input", "Mesher/Materials"),
-    "python": GRID + MESHER + ("Shapes", "IO/Blocks", "IO/Labels", "IO/Meshes", "IO/Report"),
+    "python": GRID + MESHER + ("Shapes", "IO", "IO/Blocks", "IO/Labels", "IO/Meshes", "IO/Report"),
     "Examples": ("InSitu", "InSitu/Catalyst"),
     "Testing/Support": GRID + ("Shapes",),
     "Testing/Inputs": GRID + MESHER,
