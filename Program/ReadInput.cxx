@@ -31,6 +31,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <fcntl.h>
+#include <filesystem>
 #include <functional>
 #include <iostream>
 #include <unistd.h>
@@ -205,6 +206,12 @@ void CheckInputSuffix(const std::string& path)
   if (!FindFormat(path) && !IsVoxelFile(path) && !IsImageFile(path) && !IsExodusFile(path) &&
     !IsBlockFile(path))
   {
+    std::error_code error;
+    if (IsPattern(path) || std::filesystem::is_directory(path, error))
+    {
+      ClassifyErrors(ErrorCode::UnreadableInput,
+        [&path] { PrefixErrors("Cannot read " + path + ": ", [&path] { ListSlices(path); }); });
+    }
     const bool isPicture = HasSuffix(path, { ".jpg", ".jpeg", ".bmp", ".gif", ".webp" });
     throw InputError(ErrorCode::WrongArguments,
       "The input " + path + " is of an unknown format. " +

@@ -40,7 +40,7 @@ ALLOWED.update({
         "Parallel/Vtk", "Parallel/Mpi", "IO", "IO/Blocks", "IO/Images", "IO/Labels", "IO/Meshes",
         "IO/Report", "Filters", "Filters/Data"),
     "Plugin": ("Filters", "Mesher/Input", "Mesher/Materials"),
-    "python": MESHES + ("Shapes", "IO/Blocks", "IO/Labels", "IO/Meshes", "IO/Report"),
+    "python": MESHES + ("Shapes", "IO", "IO/Blocks", "IO/Labels", "IO/Meshes", "IO/Report"),
     "Examples": ("InSitu", "InSitu/Catalyst"),
     "Testing/Support": MESHES + ("Shapes",),
     "Testing/Inputs": MESHES,

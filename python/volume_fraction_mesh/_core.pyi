@@ -275,7 +275,8 @@ def shape_fractions(
 ) -> List[NDArray[np.float64]]:
     """Returns the exact volume fractions of shapes: one array of shape (cells,) per material."""
 
-def read_blocks(path: str, step: int, names: Optional[Sequence[str]]) -> Blocks:
+def read_blocks(path: str, step: int, names: Optional[Sequence[str]],
+                trust_input: bool) -> Blocks:
     """Reads the blocks of a SpyPlot file or an AMReX plotfile. names: arrays to read, None for all.
 
     Raises ValueError if the file is damaged, or lacks the step or an array.

@@ -9,6 +9,7 @@ import sys
 import tempfile
 from typing import Any
 
+from .named_files import check_inside, list_vtk_files, read_header
 from .report import load_library, quiet
 
 READERS = {".vti": "XMLImageData", ".vtr": "XMLRectilinearGrid", ".vts": "XMLStructuredGrid",
@@ -21,10 +22,12 @@ HEADER = re.compile(
 LARGEST_RATIO = 1100  # of zlib
 
 
-def read(path: str) -> Any:
-    """Returns a data set of VTK."""
+def read(path: str, is_trusted: bool) -> Any:
+    """Returns a data set of VTK. is_trusted: the file may name files outside of its folder."""
     load_library("vtkmodules.vtkCommonCore", path)
     ending = os.path.splitext(path)[1].lower()
+    if ending.startswith(".p") and not is_trusted:
+        check_inside(path, list_vtk_files(read_header(path)))
     _check_lengths(path, ending)
     if ending in READERS:
         return _read_xml(path, ending)
