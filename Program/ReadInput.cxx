@@ -10,6 +10,7 @@
 #include "Images/ImageFile.h"
 #include "Images/Pictures/SliceFiles.h"
 #include "Ranks/WorkTogether.h"
+#include "VtkFiles/UnpackByVtk.h"
 #include "VtkFiles/VtkFileCheck.h"
 #include "VtkInput.h"
 #include "VtkMessages.h"
@@ -150,12 +151,10 @@ vtkSmartPointer<vtkDataObject> ReadPart(
   const Arguments& arguments, VtkMessages& messages, const Ranks& ranks, Input& times)
 {
   const Format& format = *FindFormat(arguments.Input);
-  CheckInputFile(arguments.Input);
   if (format.IsLegacy && ranks.Rank() > 0)
   {
     return nullptr;
   }
-  CheckVtkFile(arguments.Input, ranks.Rank(), ranks.Count());
   const auto reader = format.MakeReader(arguments);
   messages.Watch(reader);
   reader->UpdateInformation();
@@ -171,6 +170,12 @@ vtkSmartPointer<vtkDataObject> ReadPart(
 Input ReadByVtk(const Arguments& arguments, VtkMessages& messages, Ranks& ranks)
 {
   Input input;
+  WorkInStage(ranks, ErrorCode::UnreadableInput,
+    [&]
+    {
+      CheckInputFile(arguments.Input);
+      CheckVtkFile(arguments.Input, { ranks.Rank(), ranks.Count() }, UnpackByVtk());
+    });
   WorkInStage(ranks, ErrorCode::UnreadableInput,
     [&]
     {

@@ -2,11 +2,13 @@
 
 #include "Base/ParseText.h"
 #include "Ranks/Errors.h"
+#include "VtkFiles/PackedBlocks.h"
 
 #include <algorithm>
+#include <cctype>
+#include <charconv>
 #include <fstream>
 #include <map>
-#include <vector>
 
 namespace vfm
 {
@@ -15,197 +17,255 @@ namespace
 
 constexpr std::int64_t MostValues = std::int64_t(1) << 50; // in an array
 constexpr int MostComponents = 1 << 20;
+constexpr std::size_t LongestWord = 1024;
+constexpr std::size_t BufferSize = 1 << 16;
 
-/// Bytes of an array as they are stored: a part of the file, or a text in base64.
-struct StoredArray
+/// Array to check.
+struct Job
 {
-  std::vector<unsigned char> Head; // first bytes
-  std::int64_t Length;             // bytes that follow in the file, with the head
+  const OutlineElement& Array;
+  const VtkStorage& Storage;
+  VtkType Type;
+  std::optional<std::int64_t> Values; ///< required number
+  VisitVtkValue Visit;
 };
 
-[[noreturn]] void Reject(const OutlineElement& array, const std::string& what)
+std::optional<VtkType> FindType(const std::string& name)
 {
-  throw InputError(
-    "the file is truncated or damaged: its array '" + array.Get("Name") + "' " + what + ".");
+  static const std::map<std::string, VtkType> types{ { "Bit", { VtkType::Bit, 1 } },
+    { "Int8", { VtkType::Signed, 1 } }, { "UInt8", { VtkType::Unsigned, 1 } },
+    { "Int16", { VtkType::Signed, 2 } }, { "UInt16", { VtkType::Unsigned, 2 } },
+    { "Int32", { VtkType::Signed, 4 } }, { "UInt32", { VtkType::Unsigned, 4 } },
+    { "Int64", { VtkType::Signed, 8 } }, { "UInt64", { VtkType::Unsigned, 8 } },
+    { "Float32", { VtkType::Real, 4 } }, { "Float64", { VtkType::Real, 8 } },
+    { "String", { VtkType::Signed, 1 } } };
+  const auto found = types.find(name);
+  return found == types.end() ? std::nullopt : std::optional<VtkType>(found->second);
 }
 
-/// Returns the bits of a value; nothing for unknown types.
-std::optional<int> FindBits(const std::string& type)
+void CheckCount(std::int64_t found, std::int64_t required, const char* unit)
 {
-  static const std::map<std::string, int> bits{ { "Bit", 1 }, { "Int8", 8 }, { "UInt8", 8 },
-    { "Int16", 16 }, { "UInt16", 16 }, { "Int32", 32 }, { "UInt32", 32 }, { "Int64", 64 },
-    { "UInt64", 64 }, { "Float32", 32 }, { "Float64", 64 } };
-  const auto found = bits.find(type);
-  return found == bits.end() ? std::nullopt : std::optional<int>(found->second);
-}
-
-int DigitOf(char c)
-{
-  static const std::string digits =
-    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  const std::size_t digit = digits.find(c);
-  return digit == std::string::npos ? -1 : static_cast<int>(digit);
-}
-
-/// Decodes base64 up to its end or the first invalid sign.
-std::vector<unsigned char> Decode(const std::string& text)
-{
-  std::vector<unsigned char> bytes;
-  unsigned int bits = 0;
-  int count = 0;
-  for (char c : text)
+  if (found != required)
   {
-    const int digit = DigitOf(c);
-    if (digit < 0)
+    throw InputError("holds " + std::to_string(found) + " " + unit + ", " +
+      std::to_string(required) + " are required.");
+  }
+}
+
+/// Returns the place of the text of an element: after the first '>', as VTK finds it.
+std::int64_t FindText(const Job& job)
+{
+  std::ifstream stream(job.Storage.Path, std::ios::binary);
+  stream.seekg(job.Array.Place);
+  std::int64_t place = job.Array.Place;
+  for (int c = 0; c != '>' && c != std::ifstream::traits_type::eof(); ++place)
+  {
+    c = stream.get();
+  }
+  return place;
+}
+
+/// Reads the next word of a text that ends with '<'.
+std::string ReadWord(std::streambuf& text)
+{
+  constexpr int end = std::streambuf::traits_type::eof();
+  std::string word;
+  int c = text.sgetc();
+  while (std::isspace(c))
+  {
+    c = text.snextc();
+  }
+  for (; c != end && c != '<' && !std::isspace(c) && word.size() < LongestWord; c = text.snextc())
+  {
+    word += static_cast<char>(c);
+  }
+  return word;
+}
+
+void CheckText(const Job& job)
+{
+  std::ifstream stream(job.Storage.Path, std::ios::binary);
+  stream.seekg(FindText(job));
+  std::int64_t found = 0;
+  for (std::string word = ReadWord(*stream.rdbuf()); !word.empty();
+       word = ReadWord(*stream.rdbuf()))
+  {
+    const auto value = ParseVtkNumber(word, job.Type);
+    ++found;
+    if (!value || word.size() == LongestWord)
     {
-      break;
+      RejectVtkNumber(found, word, job.Type);
     }
-    bits = (bits << 6 | static_cast<unsigned int>(digit)) & 0xffffffu;
-    count += 6;
-    if (count >= 8)
+    if (job.Visit)
     {
-      count -= 8;
-      bytes.push_back(static_cast<unsigned char>(bits >> count));
+      job.Visit(*value);
     }
   }
-  return bytes;
+  CheckCount(found, job.Values.value_or(found), "values");
 }
 
-std::string ReadText(const VtkStorage& storage, std::int64_t place, std::size_t length)
+/// Returns the place of an array in the appended data.
+std::int64_t FindAppended(const Job& job)
 {
-  std::string text(length, '\0');
-  std::ifstream stream(storage.Path, std::ios::binary);
-  stream.seekg(place);
-  stream.read(&text[0], static_cast<std::streamsize>(length));
-  text.resize(static_cast<std::size_t>(stream.gcount()));
-  return text;
+  const std::string offset = job.Array.Get("offset");
+  const std::int64_t most = job.Storage.FileSize - job.Storage.Begin;
+  std::int64_t place = -1;
+  const char* end = offset.data() + offset.size();
+  const auto parsed = std::from_chars(offset.data(), end, place);
+  if (parsed.ec != std::errc() || parsed.ptr != end || place < 0 || place > most ||
+    job.Storage.Encoding.empty())
+  {
+    throw InputError("begins at offset " + offset + " of the appended data, outside.");
+  }
+  return job.Storage.Begin + place;
 }
 
-StoredArray OpenArray(const OutlineElement& array, const VtkStorage& storage)
+/// Converts bytes to values.
+class ValueDecoder
 {
-  constexpr std::size_t headLength = 64;
-  if (array.Attributes.count("offset") == 0)
-  {
-    return { Decode(array.Head), array.Letters / 4 * 3 };
-  }
-  const auto offset =
-    ParseNumber(array.Get("offset"), 0.0, static_cast<double>(storage.FileSize - storage.Begin));
-  if (!offset || storage.Encoding.empty())
-  {
-    Reject(array, "begins at offset " + array.Get("offset") + " of the appended data, outside");
-  }
-  const std::int64_t place = storage.Begin + static_cast<std::int64_t>(*offset);
-  const std::string text = ReadText(storage, place, headLength);
-  if (storage.Encoding == "base64")
-  {
-    return { Decode(text), (storage.FileSize - place) / 4 * 3 };
-  }
-  return { { text.begin(), text.end() }, storage.FileSize - place };
-}
+public:
+  explicit ValueDecoder(const Job& job) : ToDo(job) {}
 
-/// Returns a number of the header of an array.
-std::int64_t ReadNumber(
-  const OutlineElement& array, const StoredArray& stored, int number, const VtkStorage& storage)
-{
-  const std::size_t size = storage.HeaderSize, first = number * size;
-  if (stored.Head.size() < first + size)
+  void operator()(const unsigned char* bytes, std::size_t count)
   {
-    Reject(array, "has no length");
-  }
-  std::uint64_t value = 0;
-  for (std::size_t b = 0; b < size; ++b)
-  {
-    value = value << 8 | stored.Head[first + (storage.IsBigEndian ? b : size - 1 - b)];
-  }
-  if (value > static_cast<std::uint64_t>(MostValues))
-  {
-    Reject(array, "has a length of " + std::to_string(value) + " bytes");
-  }
-  return static_cast<std::int64_t>(value);
-}
-
-/// Returns the bytes of the values of compressed arrays: a number of blocks, their size, the size
-/// of the last one if it is smaller, and the compressed size of each.
-std::int64_t FindUnpackedSize(
-  const OutlineElement& array, const StoredArray& stored, const VtkStorage& storage)
-{
-  const std::int64_t blocks = ReadNumber(array, stored, 0, storage);
-  if (blocks == 0)
-  {
-    return 0;
-  }
-  const std::int64_t size = ReadNumber(array, stored, 1, storage),
-                     last = ReadNumber(array, stored, 2, storage);
-  if (blocks > stored.Length / storage.HeaderSize || last > size)
-  {
-    Reject(array, "has a header that contradicts itself");
-  }
-  const double bytes = static_cast<double>(blocks - 1) * static_cast<double>(size) +
-    static_cast<double>(last > 0 ? last : size);
-  if (bytes > storage.LargestRatio * static_cast<double>(stored.Length))
-  {
-    Reject(array, "has more values than its compressed data can contain");
-  }
-  return static_cast<std::int64_t>(bytes);
-}
-
-/// Checks the number of values that an array holds.
-void CheckCount(const OutlineElement& array, std::optional<std::int64_t> values, int bits,
-  const VtkStorage& storage)
-{
-  const auto tooFew = [&](std::int64_t found, const char* unit, std::int64_t required)
-  {
-    if (found < required)
+    for (std::size_t b = 0; this->ToDo.Visit && b < count; ++b)
     {
-      Reject(array,
-        "holds " + std::to_string(found) + " " + unit + ", " + std::to_string(required) +
-          " are required");
+      this->Value[this->Held++] = bytes[b];
+      if (this->Held == this->ToDo.Type.Bytes)
+      {
+        const bool isBigEndian = this->ToDo.Storage.IsBigEndian;
+        this->ToDo.Visit(DecodeVtkNumber(this->Value, this->ToDo.Type, isBigEndian));
+        this->Held = 0;
+      }
     }
+  }
+
+private:
+  const Job& ToDo;
+  unsigned char Value[8] = {};
+  int Held = 0;
+};
+
+/// Reads values that are not compressed.
+void ReadPlain(const Job& job, StoredBytes& stored, std::int64_t bytes, const TakeBytes& take)
+{
+  const std::int64_t left = stored.CountLeft();
+  const auto reject = [bytes]
+  {
+    throw InputError(
+      "has fewer bytes than its header says, " + std::to_string(bytes) + ": the data end.");
   };
-  const std::int64_t required = (values.value_or(0) * bits + 7) / 8;
-  const bool isText = array.Attributes.count("offset") == 0 && array.Get("format") != "binary";
-  if (isText)
+  if (bytes > left)
   {
-    tooFew(array.Words, "values", bits == 1 ? required : values.value_or(0));
+    reject();
+  }
+  if (!job.Visit)
+  {
+    if (!stored.Skip(bytes))
+    {
+      reject();
+    }
     return;
   }
-  const StoredArray stored = OpenArray(array, storage);
-  if (required == 0 && stored.Length == 0)
+  std::vector<unsigned char> buffer(BufferSize);
+  while (bytes > 0)
   {
+    const auto part = std::min<std::size_t>(BufferSize, static_cast<std::size_t>(bytes));
+    if (stored.Read(buffer.data(), part) < part)
+    {
+      reject();
+    }
+    take(buffer.data(), part);
+    bytes -= static_cast<std::int64_t>(part);
+  }
+}
+
+void CheckBytes(const Job& job, bool isInline)
+{
+  StoredBytes stored(job.Storage.Path, isInline ? FindText(job) : FindAppended(job),
+    isInline || job.Storage.Encoding == "base64");
+  ValueDecoder decoder(job);
+  const TakeBytes take = std::ref(decoder);
+  const auto checkSize = [&job](std::int64_t bytes)
+  {
+    const std::int64_t width = job.Type.Bytes, bits = job.Type.Kind == VtkType::Bit ? 8 : 1;
+    const std::int64_t required =
+      job.Values ? (*job.Values + bits - 1) / bits * width : bytes / width * width;
+    CheckCount(bytes, required, "bytes");
+  };
+  if (job.Storage.Compressor.empty())
+  {
+    const std::int64_t bytes = ReadVtkLength(stored, job.Storage);
+    checkSize(bytes);
+    ReadPlain(job, stored, bytes, take);
+  }
+  else
+  {
+    PackedBlocks blocks(stored, job.Storage);
+    checkSize(blocks.CountBytes());
+    blocks.Unpack(take);
+  }
+  if (isInline)
+  {
+    stored.CheckEnd();
+  }
+}
+
+void CheckValues(const Job& job)
+{
+  const bool isAppended = job.Array.Attributes.count("offset") > 0;
+  if (isAppended || job.Array.Get("format") == "binary")
+  {
+    if (job.Values.value_or(1) > 0) // VTK does not read empty arrays
+    {
+      CheckBytes(job, !isAppended);
+    }
     return;
   }
-  const std::int64_t bytes = storage.IsPacked ? FindUnpackedSize(array, stored, storage)
-                                              : ReadNumber(array, stored, 0, storage);
-  tooFew(bytes, "bytes", required);
-  if (!storage.IsPacked)
+  CheckText(job);
+}
+
+/// Checks texts, each of which ends with 0.
+void CheckTexts(Job job, std::int64_t texts)
+{
+  std::int64_t ends = 0;
+  job.Values.reset();
+  job.Visit = [&ends](double letter) { ends += letter == 0.0; };
+  if (texts > 0)
   {
-    tooFew(stored.Length - storage.HeaderSize, "bytes", bytes);
+    CheckValues(job);
+    CheckCount(ends, texts, "texts");
   }
 }
 
 } // namespace
 
-void CheckVtkArray(
-  const OutlineElement& array, std::optional<std::int64_t> tuples, const VtkStorage& storage)
+void CheckVtkArray(const OutlineElement& array, std::optional<std::int64_t> tuples,
+  const VtkStorage& storage, const VisitVtkValue& visit)
 {
-  const auto bits = FindBits(array.Get("type"));
-  if (!bits)
-  {
-    Reject(array, "has the unknown type '" + array.Get("type") + "'");
-  }
-  const std::string count = array.Get("NumberOfComponents");
-  const auto components = count.empty() ? 1 : ParseCount(count, 0, MostComponents);
-  if (!components)
-  {
-    Reject(array, "has " + count + " components");
-  }
-  if (tuples && *tuples > MostValues / std::max(*components, 1))
-  {
-    Reject(array, "has too many values");
-  }
-  const auto values =
-    tuples ? std::optional<std::int64_t>(*tuples * std::max(*components, 1)) : std::nullopt;
-  CheckCount(array, values, *bits, storage);
+  PrefixErrors("the file is truncated or damaged: its array '" + array.Get("Name") + "' ",
+    [&]
+    {
+      const std::string name = array.Get("type"), count = array.Get("NumberOfComponents");
+      const auto type = FindType(name);
+      if (!type)
+      {
+        throw InputError("has the unknown type '" + name + "'.");
+      }
+      const auto components = count.empty() ? 1 : ParseCount(count, 0, MostComponents);
+      if (!components)
+      {
+        throw InputError("has " + count + " components.");
+      }
+      const std::int64_t width = std::max(*components, 1);
+      if (tuples && *tuples > MostValues / width)
+      {
+        throw InputError("has too many values.");
+      }
+      const auto values = tuples ? std::optional<std::int64_t>(*tuples * width) : std::nullopt;
+      const Job job{ array, storage, *type, values, visit };
+      name == "String" ? CheckTexts(job, values.value_or(0)) : CheckValues(job);
+    });
 }
 
 } // namespace vfm

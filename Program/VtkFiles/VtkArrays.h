@@ -1,35 +1,24 @@
 /**
- * VtkArrays: checks that an array of an XML file of VTK is as long as its grid requires.
+ * VtkArrays: checks that an array of an XML file of VTK is intact, as VTK's readers read it.
  */
 #pragma once
 
+#include "VtkFiles/VtkNumbers.h"
+#include "VtkFiles/VtkStorage.h"
 #include "VtkFiles/XmlOutline.h"
-
-#include <optional>
-#include <string>
 
 namespace vfm
 {
 
-/// How a file stores its arrays.
-struct VtkStorage
-{
-  std::string Path;
-  std::string Encoding;      ///< of appended data: "raw" or "base64"
-  std::int64_t Begin = 0;    ///< place of the appended data, bytes
-  std::int64_t FileSize = 0; ///< bytes
-  bool IsBigEndian = false;
-  int HeaderSize = 4;        ///< bytes of each number in front of the values: 4 or 8
-  bool IsPacked = false;     ///< arrays are compressed
-  double LargestRatio = 0.0; ///< largest ratio of compression
-};
-
-/// Checks the values of an array.
-/// @param array  element DataArray
+/// Reads the values of an array: text, base64 or raw bytes, compressed or not. The memory does not
+/// depend on their number.
+/// @param array  element DataArray, or Array with texts
 /// @param tuples  number of tuples that the grid requires; nothing if it does not say
-/// @throws InputError  if the type, number of components or place is invalid, or if there are fewer
-///   values than the grid requires; the message does not contain the path
-void CheckVtkArray(
-  const OutlineElement& array, std::optional<std::int64_t> tuples, const VtkStorage& storage);
+/// @param visit  receives each value, if not empty
+/// @throws InputError  if the type, number of components or place is invalid, if a value is not of
+///   the type or out of its range, if compressed or base64 data are damaged, or if there are fewer
+///   or more values than the grid requires; the message does not contain the path
+void CheckVtkArray(const OutlineElement& array, std::optional<std::int64_t> tuples,
+  const VtkStorage& storage, const VisitVtkValue& visit = nullptr);
 
 } // namespace vfm

@@ -4,6 +4,7 @@
 #include "FileSuffix.h"
 #include "NamedFile.h"
 #include "Ranks/Errors.h"
+#include "VtkFiles/CellLists.h"
 #include "VtkFiles/LegacyCheck.h"
 #include "VtkFiles/VtkArrays.h"
 #include "VtkFiles/VtkExtents.h"
@@ -66,14 +67,23 @@ bool IsStructured(const Format& format)
     format.Types[0].find("PolyData") == std::string::npos;
 }
 
+/// Returns whether an element is an array of numbers or texts.
+bool IsArray(const OutlineElement& element)
+{
+  return element.Name == "DataArray" ||
+    (element.Name == "Array" && element.Get("type") == "String");
+}
+
 /// Checks a file and the files that it names.
 class FileCheck
 {
 public:
   /// @param isPart  whether a file of pieces names this file, which then need not be complete
-  FileCheck(const std::string& path, const Format& format, int part, int parts, bool isPart) :
-    Path(path), Kind(format), Part(part), Parts(parts), IsPart(isPart)
+  FileCheck(const std::string& path, const Format& format, const VtkCheckShare& share,
+    const UnpackVtkBlock& unpack, bool isPart) :
+    Path(path), Kind(format), Share(share), IsPart(isPart)
   {
+    this->Storage.Unpack = unpack;
   }
 
   void Run()
@@ -95,16 +105,20 @@ private:
   void CheckHead(const XmlOutline& outline);
   void CheckVersion(const OutlineElement& root) const;
   void CheckContents(const OutlineElement& grid);
-  void CheckPiece(const OutlineElement& piece, const std::string& type) const;
-  void CheckArrays(const OutlineElement& list, std::optional<std::int64_t> tuples) const;
-  void CheckCells(const OutlineElement& piece, const VtkPieceSize& size) const;
+  void CheckPieces(const OutlineElement& grid);
+  void CheckPiece(const OutlineElement& piece, const std::string& type);
+  void CheckArray(const OutlineElement& array, std::optional<std::int64_t> tuples);
+  void CheckArrays(const OutlineElement& list, std::optional<std::int64_t> tuples);
+  void CheckCoordinates(const OutlineElement& list, const VtkPieceSize& size);
+  void CheckCells(const OutlineElement& piece, const VtkPieceSize& size);
   void CheckBlocks(const OutlineElement& parent);
-  void CheckFieldData(const OutlineElement& parent) const;
+  void CheckFieldData(const OutlineElement& parent);
   void CheckNamedFile(const std::string& name);
 
   const std::string& Path;
   const Format& Kind;
-  int Part, Parts, Files = 0;
+  VtkCheckShare Share;
+  int Files = 0, Arrays = 0;    // found
   bool IsPart, HasBoxes = true; // whether blocks of levels have boxes of indices
   VtkStorage Storage;
 };
@@ -133,7 +147,8 @@ void FileCheck::CheckHead(const XmlOutline& outline)
       "\" or compressor \"" + packed + "\" is unknown");
   }
   this->Storage = { this->Path, outline.Encoding, outline.Appended, outline.FileSize,
-    order == "BigEndian", header == "UInt64" ? 8 : 4, !packed.empty(), ratio->second };
+    order == "BigEndian", header == "UInt64" ? 8 : 4, packed, ratio->second,
+    std::move(this->Storage.Unpack) };
 }
 
 /// Checks the version. Files of refined grids before 1.1 end the program in VTK's reader.
@@ -172,12 +187,19 @@ void FileCheck::CheckContents(const OutlineElement& grid)
   {
     CheckVtkExtents(grid, this->IsPart);
   }
+  this->CheckPieces(grid);
+}
+
+void FileCheck::CheckPieces(const OutlineElement& grid)
+{
+  bool hasPieces = false;
   for (const OutlineElement& piece : grid.Children)
   {
     if (piece.Name != "Piece")
     {
       continue;
     }
+    hasPieces = true;
     if (this->Kind.Holds == Contents::Pieces)
     {
       this->CheckNamedFile(piece.Get("Source"));
@@ -187,9 +209,13 @@ void FileCheck::CheckContents(const OutlineElement& grid)
       this->CheckPiece(piece, grid.Name);
     }
   }
+  if (!hasPieces && this->Kind.Holds == Contents::Grid && !IsStructured(this->Kind))
+  {
+    this->CheckPiece(grid, grid.Name); // VTK takes the grid itself as its piece
+  }
 }
 
-void FileCheck::CheckPiece(const OutlineElement& piece, const std::string& type) const
+void FileCheck::CheckPiece(const OutlineElement& piece, const std::string& type)
 {
   VtkPieceSize size;
   if (type == "UnstructuredGrid")
@@ -212,56 +238,74 @@ void FileCheck::CheckPiece(const OutlineElement& piece, const std::string& type)
     {
       this->CheckArrays(child, isOfPoints ? size.Points : size.Cells);
     }
+    else if (child.Name == "Coordinates")
+    {
+      this->CheckCoordinates(child, size);
+    }
   }
   this->CheckCells(piece, size);
 }
 
-void FileCheck::CheckArrays(const OutlineElement& list, std::optional<std::int64_t> tuples) const
+/// Checks an array of the share of this rank.
+void FileCheck::CheckArray(const OutlineElement& array, std::optional<std::int64_t> tuples)
+{
+  if (IsArray(array) && this->Share.Has(this->Arrays++))
+  {
+    CheckVtkArray(array, tuples, this->Storage);
+  }
+}
+
+void FileCheck::CheckArrays(const OutlineElement& list, std::optional<std::int64_t> tuples)
 {
   for (const OutlineElement& array : list.Children)
   {
-    if (array.Name == "DataArray" && array.Get("type") != "String")
+    if (list.Name == "Points" && tuples.value_or(0) > 0 && array.Get("NumberOfComponents") != "3")
     {
-      CheckVtkArray(array, tuples, this->Storage);
+      RejectVtkFile("its points have NumberOfComponents=\"" + array.Get("NumberOfComponents") +
+        "\", 3 are required");
     }
+    this->CheckArray(array, tuples);
   }
 }
 
 /// Checks the arrays of the field data, which have their own numbers of tuples.
-void FileCheck::CheckFieldData(const OutlineElement& parent) const
+void FileCheck::CheckFieldData(const OutlineElement& parent)
 {
   const OutlineElement* fields = parent.Find("FieldData");
   for (std::size_t c = 0; fields && c < fields->Children.size(); ++c)
   {
     const OutlineElement& array = fields->Children[c];
-    if (array.Name == "DataArray" && array.Get("type") != "String")
+    if (IsArray(array))
     {
-      CheckVtkArray(array, ReadVtkInts<1>(array, "NumberOfTuples", 0)[0], this->Storage);
+      this->CheckArray(array, ReadVtkInts<1>(array, "NumberOfTuples", 0)[0]);
     }
   }
 }
 
-/// Checks the coordinates along axes, and the cells of an unstructured grid.
-void FileCheck::CheckCells(const OutlineElement& piece, const VtkPieceSize& size) const
+/// Checks the coordinates along axes.
+void FileCheck::CheckCoordinates(const OutlineElement& list, const VtkPieceSize& size)
 {
-  if (const OutlineElement* list = piece.Find("Coordinates"))
+  if (list.Children.size() < 3)
   {
-    if (list->Children.size() < 3)
-    {
-      RejectVtkFile("it has no coordinates along three axes");
-    }
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      CheckVtkArray(list->Children[a], size.Nodes[a], this->Storage);
-    }
+    RejectVtkFile("it has no coordinates along three axes");
   }
-  const OutlineElement* cells = piece.Find("Cells");
-  for (std::size_t c = 0; cells && c < cells->Children.size(); ++c)
+  for (std::size_t a = 0; a < 3; ++a)
   {
-    const OutlineElement& array = cells->Children[c];
-    const std::string name = array.Get("Name");
-    const bool isPerCell = name == "types" || name == "offsets";
-    CheckVtkArray(array, isPerCell ? size.Cells : std::nullopt, this->Storage);
+    this->CheckArray(list.Children[a], size.Nodes[a]);
+  }
+}
+
+/// Checks the cells of an unstructured grid or of polygons.
+void FileCheck::CheckCells(const OutlineElement& piece, const VtkPieceSize& size)
+{
+  for (const OutlineElement& child : piece.Children)
+  {
+    const std::string number = child.Name == "Cells" ? "NumberOfCells" : "NumberOf" + child.Name;
+    if (piece.Attributes.count(number) > 0 && this->Share.Has(this->Arrays++))
+    {
+      const std::int64_t cells = ReadVtkInts<1>(piece, number, 0)[0];
+      CheckCellLists(child, cells, size.Points.value_or(0), this->Storage);
+    }
   }
 }
 
@@ -301,7 +345,7 @@ void FileCheck::CheckBlocks(const OutlineElement& parent)
 /// Checks a file that this file names (FindNamedFile). An empty name means no data.
 void FileCheck::CheckNamedFile(const std::string& name)
 {
-  if (name.empty() || this->Files++ % this->Parts != this->Part)
+  if (name.empty() || !this->Share.Has(this->Files++))
   {
     return;
   }
@@ -314,24 +358,28 @@ void FileCheck::CheckNamedFile(const std::string& name)
       {
         throw InputError("only .vti, .vtr, .vts, .vtu, .vtp and .vtt files can be parts.");
       }
-      FileCheck(path, *format, 0, 1, this->Kind.Holds == Contents::Pieces).Run();
+      FileCheck(path, *format, {}, this->Storage.Unpack, this->Kind.Holds == Contents::Pieces)
+        .Run();
     });
 }
 
 } // namespace
 
-void CheckVtkFile(const std::string& path, int part, int parts)
+void CheckVtkFile(const std::string& path, const VtkCheckShare& share, const UnpackVtkBlock& unpack)
 {
   PrefixErrors("Cannot read the input " + path + ": ",
     [&]
     {
       if (HasSuffix(path, ".vtk"))
       {
-        CheckLegacyFile(path);
+        if (share.Has(0))
+        {
+          CheckLegacyFile(path);
+        }
       }
       else if (const Format* format = FindFormat(path))
       {
-        FileCheck(path, *format, part, parts, false).Run();
+        FileCheck(path, *format, share, unpack, false).Run();
       }
     });
 }

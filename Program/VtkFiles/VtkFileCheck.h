@@ -1,22 +1,32 @@
 /**
  * VtkFileCheck: checks a file of VTK, legacy or XML, before a reader of VTK opens it.
  *
- * The readers end the program, or need memory without bound, if a file contradicts itself. Checked
- * are the type of the file, version and byte order, the extents and numbers of points and cells,
- * the place and length of each array, and the files that a file names.
+ * The readers end the program, need memory without bound, or return other values, if a file
+ * contradicts itself. Checked are the type of the file, version and byte order, the extents and
+ * numbers of points and cells, each value of each array, and the files that a file names.
  */
 #pragma once
 
-#include <string>
+#include "VtkFiles/VtkStorage.h"
 
 namespace vfm
 {
 
-/// Checks a file by its suffix; files of other suffixes are not checked.
-/// @param part,parts  of the files that this file names, only those with number `part` modulo
-///   `parts` are checked
+/// Part of the arrays and named files of a file that a rank checks.
+struct VtkCheckShare
+{
+  int Rank = 0, Ranks = 1;
+
+  bool Has(int number) const { return number % this->Ranks == this->Rank; }
+};
+
+/// Checks a file by its suffix; files of other suffixes are not checked. All ranks together check
+/// all of it, so none may open it before all are done.
+/// @param unpack  unpacks blocks of other compressors than zlib; if empty, only their sizes are
+///   checked
 /// @throws InputError  if the file or one that it names cannot be read, is damaged, or is of
 ///   another type; the message contains the path
-void CheckVtkFile(const std::string& path, int part, int parts);
+void CheckVtkFile(
+  const std::string& path, const VtkCheckShare& share = {}, const UnpackVtkBlock& unpack = nullptr);
 
 } // namespace vfm

@@ -11,8 +11,7 @@ namespace
 {
 
 constexpr std::size_t DeepestElement = 64;
-constexpr std::size_t LongestHead = 64; // characters, enough for the header of an array
-constexpr int ChunkSize = 1 << 16;      // bytes
+constexpr int ChunkSize = 1 << 16; // bytes
 constexpr const char* AppendedName = "AppendedData";
 
 bool IsSpace(char c)
@@ -26,7 +25,6 @@ struct Parse
   XML_Parser Parser;
   OutlineElement Top; ///< parent of the root
   std::vector<OutlineElement*> Open;
-  bool IsInWord = false;
   std::string Problem;        ///< reason why the parser stopped
   std::int64_t Appended = -1; ///< place of the element of the appended data
 };
@@ -44,19 +42,19 @@ void Start(void* user, const XML_Char* name, const XML_Char** attributes)
   parent.Children.emplace_back();
   OutlineElement& element = parent.Children.back();
   element.Name = name;
+  element.Place = XML_GetCurrentByteIndex(parse.Parser);
   for (; *attributes; attributes += 2)
   {
     element.Attributes[attributes[0]] = attributes[1];
   }
   parse.Open.push_back(&element);
-  parse.IsInWord = false;
   if (parse.Open.size() > DeepestElement)
   {
     Stop(parse, "its elements are nested too deeply.");
   }
   else if (element.Name == AppendedName)
   {
-    parse.Appended = XML_GetCurrentByteIndex(parse.Parser);
+    parse.Appended = element.Place;
     Stop(parse, "");
   }
 }
@@ -65,27 +63,6 @@ void End(void* user, const XML_Char*)
 {
   Parse& parse = *static_cast<Parse*>(user);
   parse.Open.pop_back();
-  parse.IsInWord = false;
-}
-
-void AddText(void* user, const XML_Char* text, int length)
-{
-  Parse& parse = *static_cast<Parse*>(user);
-  OutlineElement& element = *parse.Open.back();
-  for (const XML_Char* c = text; c != text + length; ++c)
-  {
-    if (IsSpace(*c))
-    {
-      parse.IsInWord = false;
-      continue;
-    }
-    element.Words += !parse.IsInWord;
-    parse.IsInWord = true;
-    if (++element.Letters <= static_cast<std::int64_t>(LongestHead))
-    {
-      element.Head += *c;
-    }
-  }
 }
 
 void RejectDoctype(void* user, const XML_Char*, const XML_Char*, const XML_Char*, int)
@@ -168,11 +145,10 @@ XmlOutline ReadXmlOutline(const std::string& path)
   std::ifstream stream = OpenFile(path);
   const std::unique_ptr<XML_ParserStruct, void (*)(XML_Parser)> parser(
     XML_ParserCreate(nullptr), XML_ParserFree);
-  Parse parse{ parser.get(), {}, {}, false, "", -1 };
+  Parse parse{ parser.get(), {}, {}, "", -1 };
   parse.Open.push_back(&parse.Top);
   XML_SetUserData(parser.get(), &parse);
   XML_SetElementHandler(parser.get(), Start, End);
-  XML_SetCharacterDataHandler(parser.get(), AddText);
   XML_SetStartDoctypeDeclHandler(parser.get(), RejectDoctype);
   ParseElements(stream, parse);
   XmlOutline outline;

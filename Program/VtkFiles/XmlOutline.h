@@ -17,9 +17,7 @@ struct OutlineElement
   std::string Name;
   std::map<std::string, std::string> Attributes;
   std::vector<OutlineElement> Children;
-  std::string Head;         ///< first characters of the text, without white space
-  std::int64_t Letters = 0; ///< number of characters of the text, without white space
-  std::int64_t Words = 0;   ///< number of words of the text
+  std::int64_t Place = 0; ///< of its start tag in the file, bytes
 
   /// Returns an attribute; an empty text if the element has none of this name.
   std::string Get(const std::string& name) const;

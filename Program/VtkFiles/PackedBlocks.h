@@ -1,0 +1,43 @@
+/**
+ * PackedBlocks: unpacks the compressed values of an array of VTK's XML files.
+ */
+#pragma once
+
+#include "VtkFiles/StoredBytes.h"
+#include "VtkFiles/VtkStorage.h"
+
+namespace vfm
+{
+
+/// Receives bytes of values in their order.
+using TakeBytes = std::function<void(const unsigned char* bytes, std::size_t count)>;
+
+/// Reads a number of the header of an array.
+/// @throws InputError  if it is missing or too large
+std::int64_t ReadVtkLength(StoredBytes& stored, const VtkStorage& storage);
+
+/// Compressed blocks of an array. Their sizes are in front of them.
+class PackedBlocks
+{
+public:
+  /// Reads the sizes.
+  /// @throws InputError  if they contradict each other, the file, or the largest ratio
+  PackedBlocks(StoredBytes& stored, const VtkStorage& storage);
+
+  /// Returns the size of the values, bytes.
+  std::int64_t CountBytes() const { return this->Unpacked; }
+  /// Unpacks the blocks; only a part is in memory if the compressor is vtkZLibDataCompressor.
+  /// @throws InputError  if a block is damaged or cut off
+  void Unpack(const TakeBytes& take);
+
+private:
+  void ReadSizes();
+  bool UnpackWhole(std::int64_t packed, std::int64_t size, const TakeBytes& take);
+
+  StoredBytes& Stored;
+  const VtkStorage& Storage;
+  std::vector<std::int64_t> Sizes; // compressed
+  std::int64_t Size = 0, Last = 0, Unpacked = 0;
+};
+
+} // namespace vfm

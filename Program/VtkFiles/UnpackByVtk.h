@@ -1,0 +1,15 @@
+/**
+ * UnpackByVtk: unpacks blocks of VTK's XML files by the compressors of VTK.
+ */
+#pragma once
+
+#include "VtkFiles/VtkStorage.h"
+
+namespace vfm
+{
+
+/// Function that unpacks blocks of vtkLZ4DataCompressor and vtkLZMADataCompressor. VTK reports
+/// damaged ones as errors, which the caller silences.
+UnpackVtkBlock UnpackByVtk();
+
+} // namespace vfm
