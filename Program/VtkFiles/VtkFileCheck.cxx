@@ -298,13 +298,14 @@ void FileCheck::CheckCoordinates(const OutlineElement& list, const VtkPieceSize&
 /// Checks the cells of an unstructured grid or of polygons.
 void FileCheck::CheckCells(const OutlineElement& piece, const VtkPieceSize& size)
 {
-  for (const OutlineElement& child : piece.Children)
+  for (const char* name : { "Cells", "Verts", "Lines", "Strips", "Polys" })
   {
-    const std::string number = child.Name == "Cells" ? "NumberOfCells" : "NumberOf" + child.Name;
-    if (piece.Attributes.count(number) > 0 && this->Share.Has(this->Arrays++))
+    const OutlineElement* lists = piece.Find(name);
+    const std::string number = std::string("NumberOf") + name;
+    if (lists && piece.Attributes.count(number) > 0 && this->Share.Has(this->Arrays++))
     {
       const std::int64_t cells = ReadVtkInts<1>(piece, number, 0)[0];
-      CheckCellLists(child, cells, size.Points.value_or(0), this->Storage);
+      CheckCellLists(*lists, cells, size.Points.value_or(0), this->Storage);
     }
   }
 }

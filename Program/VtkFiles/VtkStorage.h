@@ -28,6 +28,12 @@ struct VtkStorage
   std::string Compressor;    ///< empty without compression
   double LargestRatio = 0.0; ///< largest ratio of compression
   UnpackVtkBlock Unpack;     ///< if empty, only the sizes of such blocks are checked
+
+  /// Returns whether values can be read.
+  bool CanUnpack() const
+  {
+    return this->Compressor.empty() || this->Compressor == "vtkZLibDataCompressor" || this->Unpack;
+  }
 };
 
 } // namespace vfm
