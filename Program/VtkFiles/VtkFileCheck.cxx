@@ -6,6 +6,7 @@
 #include "Ranks/Errors.h"
 #include "VtkFiles/CellLists.h"
 #include "VtkFiles/LegacyCheck.h"
+#include "VtkFiles/PieceArrays.h"
 #include "VtkFiles/VtkArrays.h"
 #include "VtkFiles/VtkExtents.h"
 
@@ -74,14 +75,20 @@ bool IsArray(const OutlineElement& element)
     (element.Name == "Array" && element.Get("type") == "String");
 }
 
+/// Elements of a file of pieces that name a file.
+struct PartOf
+{
+  const OutlineElement *Grid = nullptr, *Piece = nullptr;
+};
+
 /// Checks a file and the files that it names.
 class FileCheck
 {
 public:
-  /// @param isPart  whether a file of pieces names this file, which then need not be complete
+  /// @param part  elements of the file of pieces that names this file, which need not be complete
   FileCheck(const std::string& path, const Format& format, const VtkCheckShare& share,
-    const UnpackVtkBlock& unpack, bool isPart) :
-    Path(path), Kind(format), Share(share), IsPart(isPart)
+    const UnpackVtkBlock& unpack, const PartOf& part = {}) :
+    Path(path), Kind(format), Share(share), Part(part)
   {
     this->Storage.Unpack = unpack;
   }
@@ -106,20 +113,22 @@ private:
   void CheckVersion(const OutlineElement& root) const;
   void CheckContents(const OutlineElement& grid);
   void CheckPieces(const OutlineElement& grid);
-  void CheckPiece(const OutlineElement& piece, const std::string& type);
+  void CheckPiece(
+    const OutlineElement& piece, const std::string& type, const OutlineElement& first);
   void CheckArray(const OutlineElement& array, std::optional<std::int64_t> tuples);
   void CheckArrays(const OutlineElement& list, std::optional<std::int64_t> tuples);
   void CheckCoordinates(const OutlineElement& list, const VtkPieceSize& size);
   void CheckCells(const OutlineElement& piece, const VtkPieceSize& size);
   void CheckBlocks(const OutlineElement& parent);
   void CheckFieldData(const OutlineElement& parent);
-  void CheckNamedFile(const std::string& name);
+  void CheckNamedFile(const std::string& name, const PartOf& part = {});
 
   const std::string& Path;
   const Format& Kind;
   VtkCheckShare Share;
-  int Files = 0, Arrays = 0;    // found
-  bool IsPart, HasBoxes = true; // whether blocks of levels have boxes of indices
+  int Files = 0, Arrays = 0; // found
+  PartOf Part;
+  bool HasBoxes = true; // whether blocks of levels have boxes of indices
   VtkStorage Storage;
 };
 
@@ -185,37 +194,39 @@ void FileCheck::CheckContents(const OutlineElement& grid)
   }
   if (IsStructured(this->Kind))
   {
-    CheckVtkExtents(grid, this->IsPart);
+    CheckVtkExtents(grid, this->Part.Piece);
   }
   this->CheckPieces(grid);
 }
 
 void FileCheck::CheckPieces(const OutlineElement& grid)
 {
-  bool hasPieces = false;
+  const OutlineElement* first = nullptr;
   for (const OutlineElement& piece : grid.Children)
   {
     if (piece.Name != "Piece")
     {
       continue;
     }
-    hasPieces = true;
     if (this->Kind.Holds == Contents::Pieces)
     {
-      this->CheckNamedFile(piece.Get("Source"));
+      this->CheckNamedFile(piece.Get("Source"), { &grid, &piece });
     }
     else
     {
-      this->CheckPiece(piece, grid.Name);
+      first = first ? first : &piece;
+      this->CheckPiece(piece, grid.Name, *first);
     }
   }
-  if (!hasPieces && this->Kind.Holds == Contents::Grid && !IsStructured(this->Kind))
+  if (!first && this->Kind.Holds == Contents::Grid && !IsStructured(this->Kind))
   {
-    this->CheckPiece(grid, grid.Name); // VTK takes the grid itself as its piece
+    this->CheckPiece(grid, grid.Name, grid); // VTK takes the grid itself as its piece
   }
 }
 
-void FileCheck::CheckPiece(const OutlineElement& piece, const std::string& type)
+/// Checks a piece, which must have the arrays of the first one.
+void FileCheck::CheckPiece(
+  const OutlineElement& piece, const std::string& type, const OutlineElement& first)
 {
   VtkPieceSize size;
   if (type == "UnstructuredGrid")
@@ -244,6 +255,14 @@ void FileCheck::CheckPiece(const OutlineElement& piece, const std::string& type)
     }
   }
   this->CheckCells(piece, size);
+  if (size.Points.value_or(0) > 0)
+  {
+    CheckPieceArrays(piece, first, "");
+  }
+  if (size.Points.value_or(0) > 0 && this->Part.Grid)
+  {
+    CheckPieceArrays(piece, *this->Part.Grid, "P");
+  }
 }
 
 /// Checks an array of the share of this rank.
@@ -344,7 +363,7 @@ void FileCheck::CheckBlocks(const OutlineElement& parent)
 }
 
 /// Checks a file that this file names (FindNamedFile). An empty name means no data.
-void FileCheck::CheckNamedFile(const std::string& name)
+void FileCheck::CheckNamedFile(const std::string& name, const PartOf& part)
 {
   if (name.empty() || !this->Share.Has(this->Files++))
   {
@@ -359,8 +378,7 @@ void FileCheck::CheckNamedFile(const std::string& name)
       {
         throw InputError("only .vti, .vtr, .vts, .vtu, .vtp and .vtt files can be parts.");
       }
-      FileCheck(path, *format, {}, this->Storage.Unpack, this->Kind.Holds == Contents::Pieces)
-        .Run();
+      FileCheck(path, *format, {}, this->Storage.Unpack, part).Run();
     });
 }
 
@@ -380,7 +398,7 @@ void CheckVtkFile(const std::string& path, const VtkCheckShare& share, const Unp
       }
       else if (const Format* format = FindFormat(path))
       {
-        FileCheck(path, *format, share, unpack, false).Run();
+        FileCheck(path, *format, share, unpack).Run();
       }
     });
 }
