@@ -175,10 +175,7 @@ Input ReadByVtk(const Arguments& arguments, VtkMessages& messages, Ranks& ranks)
     {
       CheckInputFile(arguments.Input);
       CheckVtkFile(arguments.Input, { ranks.Rank(), ranks.Count() }, UnpackByVtk());
-    });
-  WorkInStage(ranks, ErrorCode::UnreadableInput,
-    [&]
-    {
+      ranks.Any(false); // no rank reads before all have checked their share
       Input times;
       const auto data = ReadPart(arguments, messages, ranks, times);
       input = MakeInput(data, ranks);

@@ -81,7 +81,7 @@ std::int64_t ReadVtkLength(StoredBytes& stored, const VtkStorage& storage)
   const std::size_t size = storage.HeaderSize;
   if (stored.Read(bytes, size) < size)
   {
-    throw InputError("has no length.");
+    throw InputError("ends inside its header.");
   }
   std::uint64_t value = 0;
   for (std::size_t b = 0; b < size; ++b)

@@ -9,10 +9,17 @@ namespace vfm
 namespace
 {
 
-std::string DescribeArray(const OutlineElement& array)
+/// Checks that an attribute of two arrays is the same.
+void CheckSame(const OutlineElement& array, const OutlineElement& wanted, const std::string& name,
+  const std::string& preset)
 {
-  const std::string components = array.Get("NumberOfComponents");
-  return array.Get("type") + " with " + (components.empty() ? "1" : components) + " components";
+  const auto get = [&](const OutlineElement& element)
+  { return element.Attributes.count(name) > 0 ? element.Get(name) : preset; };
+  if (get(array) != get(wanted))
+  {
+    RejectVtkFile("the array '" + array.Get("Name") + "' of one of its pieces has the " + name +
+      " " + get(array) + ", " + get(wanted) + " is required");
+  }
 }
 
 /// Returns the array of a name, or of the same number if order counts; null if there is none.
@@ -40,11 +47,8 @@ void CheckList(const OutlineElement* list, const OutlineElement& like, bool isNa
       RejectVtkFile(
         "one of its pieces has no array '" + wanted.Get("Name") + "' in its place, as others have");
     }
-    if (DescribeArray(*array) != DescribeArray(wanted))
-    {
-      RejectVtkFile("the array '" + array->Get("Name") + "' of one of its pieces is " +
-        DescribeArray(*array) + ", " + DescribeArray(wanted) + " is required");
-    }
+    CheckSame(*array, wanted, "type", "");
+    CheckSame(*array, wanted, "NumberOfComponents", "1");
   }
 }
 
