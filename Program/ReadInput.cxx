@@ -10,7 +10,8 @@
 #include "Images/ImageFile.h"
 #include "Images/Pictures/SliceFiles.h"
 #include "Ranks/WorkTogether.h"
-#include "VtkFiles/UnpackByVtk.h"
+#include "UnpackByVtk.h"
+#include "VtkFiles/ParseOutline.h"
 #include "VtkFiles/VtkFileCheck.h"
 #include "VtkInput.h"
 #include "VtkMessages.h"
@@ -174,7 +175,12 @@ Input ReadByVtk(const Arguments& arguments, VtkMessages& messages, Ranks& ranks)
     [&]
     {
       CheckInputFile(arguments.Input);
-      CheckVtkFile(arguments.Input, { ranks.Rank(), ranks.Count() }, UnpackByVtk());
+      CheckInput(arguments.Input,
+        [&]
+        {
+          CheckVtkFile(
+            arguments.Input, { ParseVtkOutline, UnpackByVtk() }, { ranks.Rank(), ranks.Count() });
+        });
       ranks.Any(false); // no rank reads before all have checked their share
       Input times;
       const auto data = ReadPart(arguments, messages, ranks, times);

@@ -323,8 +323,6 @@ def xml_seeds():
     inline = 'format="binary">%s</DataArray>'
     yield "zlib64", vtu(b"", inline % (b64encode(head) + b64encode(packed)).decode(),
                         'compressor="vtkZLibDataCompressor" ')
-    yield "lz4", vtu(appended(b"raw", struct.pack("<4I", 1, 2, 2, 3) + b"\x20\7\0"), at,
-                     'compressor="vtkLZ4DataCompressor" ')
     texts = ('format="ascii">7</DataArray><Array type="String" Name="t" format="ascii">97 0'
              '</Array><DataArray type="Bit" Name="b" format="ascii">1</DataArray>')
     yield "texts", vtu(b"", texts)

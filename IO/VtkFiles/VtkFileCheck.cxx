@@ -86,16 +86,15 @@ class FileCheck
 {
 public:
   /// @param part  elements of the file of pieces that names this file, which need not be complete
-  FileCheck(const std::string& path, const Format& format, const VtkCheckShare& share,
-    const UnpackVtkBlock& unpack, const PartOf& part = {}) :
-    Path(path), Kind(format), Share(share), Part(part)
+  FileCheck(const std::string& path, const Format& format, const VtkFileTools& tools,
+    const VtkCheckShare& share, const PartOf& part = {}) :
+    Path(path), Kind(format), Tools(tools), Share(share), Part(part)
   {
-    this->Storage.Unpack = unpack;
   }
 
   void Run()
   {
-    XmlOutline outline = ReadXmlOutline(this->Path);
+    const XmlOutline outline = this->Tools.ReadOutline(this->Path);
     this->CheckHead(outline);
     for (const std::string& type : this->Kind.Types)
     {
@@ -125,6 +124,7 @@ private:
 
   const std::string& Path;
   const Format& Kind;
+  const VtkFileTools& Tools;
   VtkCheckShare Share;
   int Files = 0, Arrays = 0; // found
   PartOf Part;
@@ -156,8 +156,7 @@ void FileCheck::CheckHead(const XmlOutline& outline)
       "\" or compressor \"" + packed + "\" is unknown");
   }
   this->Storage = { this->Path, outline.Encoding, outline.Appended, outline.FileSize,
-    order == "BigEndian", header == "UInt64" ? 8 : 4, packed, ratio->second,
-    std::move(this->Storage.Unpack) };
+    order == "BigEndian", header == "UInt64" ? 8 : 4, packed, ratio->second, this->Tools.Unpack };
 }
 
 /// Checks the version. Files of refined grids before 1.1 end the program in VTK's reader.
@@ -378,29 +377,25 @@ void FileCheck::CheckNamedFile(const std::string& name, const PartOf& part)
       {
         throw InputError("only .vti, .vtr, .vts, .vtu, .vtp and .vtt files can be parts.");
       }
-      FileCheck(path, *format, {}, this->Storage.Unpack, part).Run();
+      FileCheck(path, *format, this->Tools, {}, part).Run();
     });
 }
 
 } // namespace
 
-void CheckVtkFile(const std::string& path, const VtkCheckShare& share, const UnpackVtkBlock& unpack)
+void CheckVtkFile(const std::string& path, const VtkFileTools& tools, const VtkCheckShare& share)
 {
-  PrefixErrors("Cannot read the input " + path + ": ",
-    [&]
+  if (HasSuffix(path, ".vtk"))
+  {
+    if (share.Has(0))
     {
-      if (HasSuffix(path, ".vtk"))
-      {
-        if (share.Has(0))
-        {
-          CheckLegacyFile(path);
-        }
-      }
-      else if (const Format* format = FindFormat(path))
-      {
-        FileCheck(path, *format, share, unpack).Run();
-      }
-    });
+      CheckLegacyFile(path);
+    }
+  }
+  else if (const Format* format = FindFormat(path))
+  {
+    FileCheck(path, *format, tools, share).Run();
+  }
 }
 
 } // namespace vfm

@@ -1,8 +1,9 @@
-#include "VtkFiles/UnpackByVtk.h"
+#include "UnpackByVtk.h"
 
 #include "vtkLZ4DataCompressor.h"
 #include "vtkLZMADataCompressor.h"
 #include "vtkNew.h"
+#include "vtkZLibDataCompressor.h"
 
 namespace vfm
 {
@@ -25,8 +26,9 @@ UnpackVtkBlock UnpackByVtk()
   return [](const std::string& compressor, const std::vector<unsigned char>& packed,
            std::vector<unsigned char>& unpacked)
   {
-    return compressor == "vtkLZ4DataCompressor" ? Unpack<vtkLZ4DataCompressor>(packed, unpacked)
-                                                : Unpack<vtkLZMADataCompressor>(packed, unpacked);
+    return compressor == "vtkZLibDataCompressor" ? Unpack<vtkZLibDataCompressor>(packed, unpacked)
+      : compressor == "vtkLZ4DataCompressor"     ? Unpack<vtkLZ4DataCompressor>(packed, unpacked)
+                                                 : Unpack<vtkLZMADataCompressor>(packed, unpacked);
   };
 }
 

@@ -26,13 +26,12 @@ public:
 
   /// Returns the size of the values, bytes.
   std::int64_t CountBytes() const { return this->Unpacked; }
-  /// Unpacks the blocks; only a part is in memory if the compressor is vtkZLibDataCompressor.
+  /// Unpacks the blocks, one after another.
   /// @throws InputError  if a block is damaged or cut off
   void Unpack(const TakeBytes& take);
 
 private:
   void ReadSizes();
-  bool UnpackWhole(std::int64_t packed, std::int64_t size, const TakeBytes& take);
 
   StoredBytes& Stored;
   const VtkStorage& Storage;

@@ -82,7 +82,7 @@ void CheckCellLists(
   const double end = CheckEnds(FindList(lists, "offsets"), cells, storage);
   const OutlineElement& corners = FindList(lists, "connectivity");
   const auto count = CheckRange(corners, std::nullopt, static_cast<double>(points) - 1.0, storage);
-  if (end > static_cast<double>(count) && storage.CanUnpack())
+  if (end > static_cast<double>(count))
   {
     RejectVtkFile("its cells have " + Text(end) + " points, its array 'connectivity' holds " +
       std::to_string(count));

@@ -1,4 +1,4 @@
-#include "VtkFiles/XmlOutline.h"
+#include "VtkFiles/ParseOutline.h"
 
 #include "OpenFile.h"
 
@@ -10,14 +10,7 @@ namespace vfm
 namespace
 {
 
-constexpr std::size_t DeepestElement = 64;
 constexpr int ChunkSize = 1 << 16; // bytes
-constexpr const char* AppendedName = "AppendedData";
-
-bool IsSpace(char c)
-{
-  return c == ' ' || c == '\n' || c == '\t' || c == '\r';
-}
 
 /// State of the parser.
 struct Parse
@@ -48,11 +41,11 @@ void Start(void* user, const XML_Char* name, const XML_Char** attributes)
     element.Attributes[attributes[0]] = attributes[1];
   }
   parse.Open.push_back(&element);
-  if (parse.Open.size() > DeepestElement)
+  if (parse.Open.size() > DeepestVtkElement)
   {
     Stop(parse, "its elements are nested too deeply.");
   }
-  else if (element.Name == AppendedName)
+  else if (element.Name == AppendedDataName)
   {
     parse.Appended = element.Place;
     Stop(parse, "");
@@ -95,52 +88,9 @@ void ParseElements(std::istream& stream, Parse& parse)
   }
 }
 
-/// Finds the appended data, which begin after an underscore.
-void FindAppended(std::istream& stream, const Parse& parse, XmlOutline& outline)
-{
-  const OutlineElement& element = *parse.Open.back();
-  outline.Encoding = element.Get("encoding");
-  stream.clear();
-  stream.seekg(parse.Appended);
-  int c = 0;
-  const auto skip = [&](auto isSkipped)
-  {
-    do
-    {
-      c = stream.get();
-      ++outline.Appended;
-    } while (c != std::istream::traits_type::eof() && isSkipped(c));
-  };
-  outline.Appended = parse.Appended;
-  skip([](int byte) { return byte != '>'; });
-  skip([](int byte) { return IsSpace(static_cast<char>(byte)); });
-  if (c != '_' || (outline.Encoding != "raw" && outline.Encoding != "base64"))
-  {
-    throw InputError("it is truncated or damaged: its appended data have no encoding or no begin.");
-  }
-}
-
 } // namespace
 
-std::string OutlineElement::Get(const std::string& name) const
-{
-  const auto found = this->Attributes.find(name);
-  return found == this->Attributes.end() ? "" : found->second;
-}
-
-const OutlineElement* OutlineElement::Find(const std::string& name) const
-{
-  for (const OutlineElement& child : this->Children)
-  {
-    if (child.Name == name)
-    {
-      return &child;
-    }
-  }
-  return nullptr;
-}
-
-XmlOutline ReadXmlOutline(const std::string& path)
+XmlOutline ParseVtkOutline(const std::string& path)
 {
   std::ifstream stream = OpenFile(path);
   const std::unique_ptr<XML_ParserStruct, void (*)(XML_Parser)> parser(
@@ -152,11 +102,9 @@ XmlOutline ReadXmlOutline(const std::string& path)
   XML_SetStartDoctypeDeclHandler(parser.get(), RejectDoctype);
   ParseElements(stream, parse);
   XmlOutline outline;
-  outline.FileSize = GetFileLength(path);
-  if (parse.Appended >= 0)
-  {
-    FindAppended(stream, parse, outline);
-  }
+  const bool isAppended = parse.Appended >= 0;
+  FindAppendedData(path, isAppended ? std::optional<std::int64_t>(parse.Appended) : std::nullopt,
+    isAppended ? parse.Open.back()->Get("encoding") : "", outline);
   outline.Root = std::move(parse.Top.Children.at(0));
   return outline;
 }

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "VtkFiles/VtkStorage.h"
+#include "VtkFiles/XmlOutline.h"
 
 namespace vfm
 {
@@ -20,13 +21,18 @@ struct VtkCheckShare
   bool Has(int number) const { return number % this->Ranks == this->Rank; }
 };
 
+/// Functions of libraries that not every program has.
+struct VtkFileTools
+{
+  ReadVtkOutline ReadOutline;
+  UnpackVtkBlock Unpack;
+};
+
 /// Checks a file by its suffix; files of other suffixes are not checked. All ranks together check
 /// all of it, so none may open it before all are done.
-/// @param unpack  unpacks blocks of other compressors than zlib; if empty, only their sizes are
-///   checked
 /// @throws InputError  if the file or one that it names cannot be read, is damaged, or is of
-///   another type; the message contains the path
+///   another type; the message does not contain the path
 void CheckVtkFile(
-  const std::string& path, const VtkCheckShare& share = {}, const UnpackVtkBlock& unpack = nullptr);
+  const std::string& path, const VtkFileTools& tools, const VtkCheckShare& share = {});
 
 } // namespace vfm

@@ -8,8 +8,7 @@
 namespace vfm
 {
 
-/// Function that unpacks blocks of vtkLZ4DataCompressor and vtkLZMADataCompressor. VTK reports
-/// damaged ones as errors, which the caller silences.
+/// Function that unpacks blocks. VTK reports damaged ones as errors, which the caller silences.
 UnpackVtkBlock UnpackByVtk();
 
 } // namespace vfm

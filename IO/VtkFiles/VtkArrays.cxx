@@ -234,7 +234,7 @@ void CheckTexts(Job job, std::int64_t texts)
   if (texts > 0)
   {
     CheckValues(job);
-    CheckCount(job.Storage.CanUnpack() ? ends : texts, texts, "texts");
+    CheckCount(ends, texts, "texts");
   }
 }
 

@@ -11,8 +11,8 @@
 namespace vfm
 {
 
-/// Unpacks a block by a compressor of VTK other than vtkZLibDataCompressor, to the size of the
-/// result. Returns whether the block is intact.
+/// Unpacks a block by a compressor of VTK. Returns whether the block is intact and has the size of
+/// the result.
 using UnpackVtkBlock = std::function<bool(const std::string& compressor,
   const std::vector<unsigned char>& packed, std::vector<unsigned char>& unpacked)>;
 
@@ -27,13 +27,7 @@ struct VtkStorage
   int HeaderSize = 4;        ///< bytes of each number in front of the values: 4 or 8
   std::string Compressor;    ///< empty without compression
   double LargestRatio = 0.0; ///< largest ratio of compression
-  UnpackVtkBlock Unpack;     ///< if empty, only the sizes of such blocks are checked
-
-  /// Returns whether values can be read.
-  bool CanUnpack() const
-  {
-    return this->Compressor.empty() || this->Compressor == "vtkZLibDataCompressor" || this->Unpack;
-  }
+  UnpackVtkBlock Unpack;
 };
 
 } // namespace vfm
