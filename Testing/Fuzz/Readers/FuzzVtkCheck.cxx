@@ -3,8 +3,8 @@
  */
 #include "Harness.h"
 
-#include "VtkFiles/ParseOutline.h"
-#include "VtkFiles/VtkFileCheck.h"
+#include "GridFiles/ParseOutline.h"
+#include "GridFiles/VtkFileCheck.h"
 
 #include <zlib.h>
 

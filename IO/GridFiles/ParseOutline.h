@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "VtkFiles/XmlOutline.h"
+#include "GridFiles/XmlOutline.h"
 
 namespace vfm
 {

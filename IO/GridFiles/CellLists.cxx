@@ -1,9 +1,9 @@
-#include "VtkFiles/CellLists.h"
+#include "GridFiles/CellLists.h"
 
 #include "Base/ParseText.h"
+#include "GridFiles/VtkArrays.h"
+#include "GridFiles/VtkExtents.h"
 #include "Ranks/Errors.h"
-#include "VtkFiles/VtkArrays.h"
-#include "VtkFiles/VtkExtents.h"
 
 #include <cmath>
 

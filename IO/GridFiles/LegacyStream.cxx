@@ -1,4 +1,4 @@
-#include "VtkFiles/LegacyStream.h"
+#include "GridFiles/LegacyStream.h"
 
 #include "Base/ParseText.h"
 #include "OpenFile.h"

@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "VtkFiles/VtkStorage.h"
+#include "GridFiles/VtkStorage.h"
 
 namespace vfm
 {

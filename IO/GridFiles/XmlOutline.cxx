@@ -1,4 +1,4 @@
-#include "VtkFiles/XmlOutline.h"
+#include "GridFiles/XmlOutline.h"
 
 #include "OpenFile.h"
 

@@ -1,7 +1,7 @@
-#include "VtkFiles/StoredBytes.h"
+#include "GridFiles/StoredBytes.h"
 
+#include "GridFiles/VtkNumbers.h"
 #include "OpenFile.h"
-#include "VtkFiles/VtkNumbers.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "VtkFiles/PackedBlocks.h"
+#include "GridFiles/PackedBlocks.h"
 
 #include "InputTrust.h"
 #include "Ranks/Errors.h"

@@ -1,4 +1,4 @@
-#include "VtkFiles/ParseOutline.h"
+#include "GridFiles/ParseOutline.h"
 
 #include "OpenFile.h"
 

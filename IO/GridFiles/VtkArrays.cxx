@@ -1,8 +1,8 @@
-#include "VtkFiles/VtkArrays.h"
+#include "GridFiles/VtkArrays.h"
 
 #include "Base/ParseText.h"
+#include "GridFiles/PackedBlocks.h"
 #include "Ranks/Errors.h"
-#include "VtkFiles/PackedBlocks.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,14 +1,14 @@
-#include "VtkFiles/VtkFileCheck.h"
+#include "GridFiles/VtkFileCheck.h"
 
 #include "Base/ParseText.h"
 #include "FileSuffix.h"
+#include "GridFiles/CellLists.h"
+#include "GridFiles/LegacyCheck.h"
+#include "GridFiles/PieceArrays.h"
+#include "GridFiles/VtkArrays.h"
+#include "GridFiles/VtkExtents.h"
 #include "NamedFile.h"
 #include "Ranks/Errors.h"
-#include "VtkFiles/CellLists.h"
-#include "VtkFiles/LegacyCheck.h"
-#include "VtkFiles/PieceArrays.h"
-#include "VtkFiles/VtkArrays.h"
-#include "VtkFiles/VtkExtents.h"
 
 #include <algorithm>
 #include <array>

@@ -3,8 +3,8 @@
  */
 #pragma once
 
-#include "VtkFiles/VtkStorage.h"
-#include "VtkFiles/XmlOutline.h"
+#include "GridFiles/VtkStorage.h"
+#include "GridFiles/XmlOutline.h"
 
 namespace vfm
 {

@@ -1,8 +1,8 @@
-#include "VtkFiles/LegacyCheck.h"
+#include "GridFiles/LegacyCheck.h"
 
 #include "Base/ParseText.h"
+#include "GridFiles/LegacyStream.h"
 #include "Ranks/Errors.h"
-#include "VtkFiles/LegacyStream.h"
 
 #include <algorithm>
 #include <array>

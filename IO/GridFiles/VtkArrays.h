@@ -3,9 +3,9 @@
  */
 #pragma once
 
-#include "VtkFiles/VtkNumbers.h"
-#include "VtkFiles/VtkStorage.h"
-#include "VtkFiles/XmlOutline.h"
+#include "GridFiles/VtkNumbers.h"
+#include "GridFiles/VtkStorage.h"
+#include "GridFiles/XmlOutline.h"
 
 namespace vfm
 {

@@ -1,6 +1,6 @@
-#include "VtkFiles/PieceArrays.h"
+#include "GridFiles/PieceArrays.h"
 
-#include "VtkFiles/VtkExtents.h"
+#include "GridFiles/VtkExtents.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "UnpackByVtk.h"
+#include "VtkFiles/UnpackByVtk.h"
 
 #include "vtkLZ4DataCompressor.h"
 #include "vtkLZMADataCompressor.h"

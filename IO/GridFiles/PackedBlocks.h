@@ -3,8 +3,8 @@
  */
 #pragma once
 
-#include "VtkFiles/StoredBytes.h"
-#include "VtkFiles/VtkStorage.h"
+#include "GridFiles/StoredBytes.h"
+#include "GridFiles/VtkStorage.h"
 
 namespace vfm
 {

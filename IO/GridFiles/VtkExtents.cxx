@@ -1,4 +1,4 @@
-#include "VtkFiles/VtkExtents.h"
+#include "GridFiles/VtkExtents.h"
 
 #include "Base/ParseText.h"
 #include "Ranks/Errors.h"

@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "VtkFiles/VtkNumbers.h"
+#include "GridFiles/VtkNumbers.h"
 
 #include <cstdint>
 #include <fstream>

@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include "VtkFiles/XmlOutline.h"
+#include "GridFiles/XmlOutline.h"
 
 #include <array>
 #include <limits>

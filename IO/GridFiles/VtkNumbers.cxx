@@ -1,4 +1,4 @@
-#include "VtkFiles/VtkNumbers.h"
+#include "GridFiles/VtkNumbers.h"
 
 #include "Base/ParseText.h"
 #include "Ranks/Errors.h"

@@ -7,8 +7,8 @@
  */
 #pragma once
 
-#include "VtkFiles/VtkStorage.h"
-#include "VtkFiles/XmlOutline.h"
+#include "GridFiles/VtkStorage.h"
+#include "GridFiles/XmlOutline.h"
 
 namespace vfm
 {
