@@ -8,6 +8,7 @@
 #include "GridFiles/VtkArrays.h"
 #include "GridFiles/VtkExtents.h"
 #include "NamedFile.h"
+#include "OpenFile.h"
 #include "Ranks/Errors.h"
 
 #include <algorithm>
@@ -94,6 +95,7 @@ public:
 
   void Run()
   {
+    OpenFile(this->Path); // throws if it cannot be read
     const XmlOutline outline = this->Tools.ReadOutline(this->Path);
     this->CheckHead(outline);
     for (const std::string& type : this->Kind.Types)

@@ -1,7 +1,6 @@
 #include "CheckGridFile.h"
 
 #include "GridFiles/VtkFileCheck.h"
-#include "OpenFile.h"
 
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/optional.h>
@@ -35,7 +34,6 @@ OutlineElement ToElement(const nb::handle& from)
 /// Calls a callable; its ValueError becomes an InputError, to which the path is added.
 nb::tuple CallReader(const nb::callable& read, const std::string& path)
 {
-  OpenFile(path); // throws InputError instead of OSError
   try
   {
     return nb::cast<nb::tuple>(read(path));

@@ -254,7 +254,8 @@ def test_lists_of_cells(at):
     """Points and ends of the cells of unstructured grids, as text and as bytes."""
     data = cells_of(two_boxes())
     for name, number, word, text in (
-            ("connectivity", 18, "13440", "has 13440 as value 18, where an integer from 0 to 13439"),
+            ("connectivity", 18, "13440",
+             "has 13440 as value 18, where an integer from 0 to 13439"),
             ("connectivity", 18, "-1", "has -1 as value 18"),
             ("offsets", 3, "7", "has 7 as value 3 after 16; values must not decrease"),
             ("offsets", 1680, "13448", "its cells have 13448 points"),
