@@ -1,6 +1,7 @@
 #include "CheckGridFile.h"
 
 #include "GridFiles/VtkFileCheck.h"
+#include "Ranks/Errors.h"
 
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/optional.h>
