@@ -6,11 +6,13 @@
 #include "BlocksInput.h"
 #include "ExodusInput.h"
 #include "FileSuffix.h"
+#include "GridFiles/ParseOutline.h"
+#include "GridFiles/VtkFileCheck.h"
 #include "ImageInput.h"
 #include "Images/ImageFile.h"
 #include "Images/Pictures/SliceFiles.h"
 #include "Ranks/WorkTogether.h"
-#include "VtkFiles/VtkFileCheck.h"
+#include "VtkFiles/UnpackByVtk.h"
 #include "VtkInput.h"
 #include "VtkMessages.h"
 
@@ -151,12 +153,10 @@ vtkSmartPointer<vtkDataObject> ReadPart(
   const Arguments& arguments, VtkMessages& messages, const Ranks& ranks, Input& times)
 {
   const Format& format = *FindFormat(arguments.Input);
-  CheckInputFile(arguments.Input);
   if (format.IsLegacy && ranks.Rank() > 0)
   {
     return nullptr;
   }
-  CheckVtkFile(arguments.Input, ranks.Rank(), ranks.Count());
   const auto reader = format.MakeReader(arguments);
   messages.Watch(reader);
   reader->UpdateInformation();
@@ -175,6 +175,14 @@ Input ReadByVtk(const Arguments& arguments, VtkMessages& messages, Ranks& ranks)
   WorkInStage(ranks, ErrorCode::UnreadableInput,
     [&]
     {
+      CheckInputFile(arguments.Input);
+      CheckInput(arguments.Input,
+        [&]
+        {
+          CheckVtkFile(
+            arguments.Input, { ParseVtkOutline, UnpackByVtk() }, { ranks.Rank(), ranks.Count() });
+        });
+      ranks.Any(false); // no rank reads before all have checked their share
       Input times;
       const auto data = ReadPart(arguments, messages, ranks, times);
       input = MakeInput(data, ranks);

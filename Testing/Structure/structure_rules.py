@@ -26,6 +26,7 @@ ALLOWED.update({
     "Parallel/Vtk": BASE + ("Parallel/Mpi",),
     "Filters/Data": MESHES + ("Parallel/Vtk",),
     "IO": BASE + MESHER,
+    "IO/GridFiles": BASE + ("IO",),
     "IO/Images": BASE + MESHER + ("IO",),
     "IO/Blocks": BASE + MESHER + ("IO",),
     "IO/Labels": BASE + ("Mesher/Input", "Mesher/Report", "IO"),
@@ -37,16 +38,18 @@ ALLOWED.update({
     "InSitu": BASE + MESHER + ("Parallel/Mpi", "IO/Labels", "IO/Meshes"),
     "InSitu/Catalyst": BASE + ("Parallel/Mpi", "InSitu"),
     "Program": BASE + MESHER + (
-        "Parallel/Vtk", "Parallel/Mpi", "IO", "IO/Blocks", "IO/Images", "IO/Labels", "IO/Meshes",
-        "IO/Report", "Filters", "Filters/Data"),
+        "Parallel/Vtk", "Parallel/Mpi", "IO", "IO/Blocks", "IO/GridFiles", "IO/Images",
+        "IO/Labels", "IO/Meshes", "IO/Report", "Filters", "Filters/Data"),
     "Plugin": ("Filters", "Mesher/Input", "Mesher/Materials"),
-    "python": MESHES + ("Shapes", "IO", "IO/Blocks", "IO/Labels", "IO/Meshes", "IO/Report"),
+    "python": MESHES + (
+        "Shapes", "IO", "IO/Blocks", "IO/GridFiles", "IO/Labels", "IO/Meshes", "IO/Report"),
     "Examples": ("InSitu", "InSitu/Catalyst"),
     "Testing/Support": MESHES + ("Shapes",),
     "Testing/Inputs": MESHES,
     "Testing/Grid": MESHES + ("Shapes", "Testing/Support"),
     "Testing/Fuzz": MESHES + (
-        "Shapes", "IO", "IO/Blocks", "IO/Images", "IO/Labels", "Filters", "InSitu", "Program",
+        "Shapes", "IO", "IO/Blocks", "IO/GridFiles", "IO/Images", "IO/Labels", "Filters", "InSitu",
+        "Program",
         "Testing/Inputs", "Testing/Support"),
     "Testing/Benchmarks": MESHES + ("IO", "IO/Images", "Shapes", "Filters", "Testing/Support"),
     "Testing/IO": MESHES + (
@@ -62,7 +65,8 @@ ALLOWED.update({
 
 # PLAIN: folders without VTK. WITHOUT_MPI: folders without VTK and MPI.
 WITHOUT_MPI = MESHES + (
-    "Shapes", "IO", "IO/Blocks", "IO/Images", "IO/Labels", "IO/Meshes", "IO/Report", "python",
+    "Shapes", "IO", "IO/Blocks", "IO/GridFiles", "IO/Images", "IO/Labels", "IO/Meshes", "IO/Report",
+    "python",
     "Testing/IO", "Testing/Inputs", "Testing/Support", "Testing/Grid", "Testing/Mesher")
 PLAIN = WITHOUT_MPI + ("Parallel/Mpi", "InSitu")
 VTK = re.compile(r"(vtk|paraview|pv|pq)", re.IGNORECASE)
@@ -75,8 +79,8 @@ LONGEST = 650 # lines
 MOST_AT_ROOT = 5  # files of Mesher outside its modules
 MOST_IN_FOLDER = 40 # files
 # folders in which each source has a header of its name
-HAVE_HEADERS = MESHES + ("Shapes", "Parallel/Vtk", "IO", "IO/Labels", "IO/Meshes",
-                                "IO/Report", "Filters/Data", "Filters/Files")
+HAVE_HEADERS = MESHES + ("Shapes", "Parallel/Vtk", "IO", "IO/GridFiles", "IO/Labels",
+                         "IO/Meshes", "IO/Report", "Filters/Data", "Filters/Files")
 PACKAGE = "python/volume_fraction_mesh"
 
 

@@ -2,6 +2,7 @@
  * Module: the Python module _core; _core.pyi describes its functions.
  */
 #include "BindChoice.h"
+#include "CheckGridFile.h"
 #include "FileBlocks.h"
 #include "FindFaces.h"
 #include "Labels/ReadLabelNames.h"
@@ -181,6 +182,7 @@ NB_MODULE(_core, module)
   module.attr("has_tetgen") = vfm::HasTetGen();
   vfm::BindOptions(module);
   BindBlocks(module);
+  vfm::BindChecks(module);
   vfm::BindChoice(module);
   vfm::BindFaces(module);
   vfm::BindMeasures(module);

@@ -36,8 +36,3 @@ def list_nrrd_files(text: str) -> List[str]:
         return [line.strip() for line in found.group(2).splitlines() if line.strip()]
     words = found.group(1).split()
     return [words[0]] if words and "%" in words[0] else [found.group(1)]
-
-
-def list_vtk_files(text: str) -> List[str]:
-    """Returns the pieces that a parallel file of VTK names."""
-    return re.findall(r'\bSource\s*=\s*"([^"]*)"', text)
