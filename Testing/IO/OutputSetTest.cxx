@@ -68,6 +68,17 @@ std::vector<std::string> ReplaceParts(
   return messages;
 }
 
+/// Takes all unnamed files of this process, so that further files have names from the start.
+std::vector<std::unique_ptr<UnnamedFile>> TakeUnnamedFiles(const Folder& folder)
+{
+  std::vector<std::unique_ptr<UnnamedFile>> taken;
+  while (auto file = UnnamedFile::Create(folder / "", 0666))
+  {
+    taken.push_back(std::move(file));
+  }
+  return taken;
+}
+
 void ExpectContent(const Folder& folder, const std::string& text)
 {
   EXPECT_EQ(ReadBytes(folder / "list"), text);
@@ -85,6 +96,34 @@ TEST(OutputSet, FilesOfAllRanksAreReplaced)
   const Folder folder;
   EXPECT_EQ(ReplaceParts(folder, [](int, const std::string&) {}), std::vector<std::string>(Count));
   ExpectContent(folder, "new");
+}
+
+TEST(OutputSet, FilesWithNamesAreReplaced)
+{
+  const Folder folder;
+  const auto taken = TakeUnnamedFiles(folder);
+  EXPECT_EQ(ReplaceParts(folder, [](int, const std::string&) {}), std::vector<std::string>(Count));
+  ExpectContent(folder, "new");
+}
+
+TEST(OutputSet, AnUnfinishedFileHasNoName)
+{
+  const Folder folder;
+  auto taken = TakeUnnamedFiles(folder);
+  if (taken.empty())
+  {
+    GTEST_SKIP() << "the file system has only files with names";
+  }
+  EXPECT_EQ(taken.size(), std::size_t(UnnamedFile::LargestCount));
+  OutputFile named(folder / "named");
+  EXPECT_EQ(folder.CountFiles(), 1u);
+  taken.pop_back();
+  OutputFile unnamed(folder / "unnamed");
+  EXPECT_EQ(folder.CountFiles(), 1u);
+  unnamed.Add("text");
+  unnamed.Close();
+  EXPECT_EQ(ReadBytes(folder / "unnamed"), "text");
+  EXPECT_EQ(folder.CountFiles(), 2u);
 }
 
 TEST(OutputSet, AFailedRankLeavesTheEarlierFiles)
@@ -106,6 +145,7 @@ TEST(OutputSet, ARankThatRemovedItsFileLeavesTheEarlierFiles)
   for (int removed = 1; removed < Count; ++removed)
   {
     const Folder folder;
+    const auto taken = TakeUnnamedFiles(folder);
     const auto remove = [removed](int rank, const std::string& begun)
     {
       if (rank == removed) // as when a signal ends it after its last message
@@ -154,6 +194,7 @@ TEST(UnfinishedPathDeathTest, NothingIsLeftWhenAProgramEnds)
   WriteText(folder / "old", "old");
   EXPECT_EXIT(
     {
+      const auto taken = TakeUnnamedFiles(folder);
       OutputSet files(folder / "old");
       files.MakeFolder(folder / "new");
       WriteText(files.Create(folder / "new/part"), "new");
