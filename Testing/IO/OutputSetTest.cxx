@@ -30,8 +30,9 @@ std::string NameOfPart(int rank)
 /// Writes a file per rank and, on rank 0, a list, over earlier ones.
 /// @param change  called on each rank before the files are renamed
 /// @return messages of the ranks
-std::vector<std::string> ReplaceParts(
-  const Folder& folder, const std::function<void(int rank, const std::string& begun)>& change)
+std::vector<std::string> ReplaceParts(const Folder& folder,
+  const std::function<void(int rank, const std::string& begun)>& change,
+  Naming naming = Naming::Late)
 {
   WriteText(folder / "list", "old");
   for (int rank = 0; rank < Count; ++rank)
@@ -42,7 +43,7 @@ std::vector<std::string> ReplaceParts(
   const auto write = [&](Ranks& ranks)
   {
     OutputSet files(folder / "list");
-    const std::string begun = files.Create(folder / NameOfPart(ranks.Rank()));
+    const std::string begun = files.Create(folder / NameOfPart(ranks.Rank()), naming);
     WriteText(begun, "new");
     if (ranks.Rank() == 0)
     {
@@ -68,17 +69,6 @@ std::vector<std::string> ReplaceParts(
   return messages;
 }
 
-/// Takes all unnamed files of this process, so that further files have names from the start.
-std::vector<std::unique_ptr<UnnamedFile>> TakeUnnamedFiles(const Folder& folder)
-{
-  std::vector<std::unique_ptr<UnnamedFile>> taken;
-  while (auto file = UnnamedFile::Create(folder / "", 0666))
-  {
-    taken.push_back(std::move(file));
-  }
-  return taken;
-}
-
 void ExpectContent(const Folder& folder, const std::string& text)
 {
   EXPECT_EQ(ReadBytes(folder / "list"), text);
@@ -101,15 +91,20 @@ TEST(OutputSet, FilesOfAllRanksAreReplaced)
 TEST(OutputSet, FilesWithNamesAreReplaced)
 {
   const Folder folder;
-  const auto taken = TakeUnnamedFiles(folder);
-  EXPECT_EQ(ReplaceParts(folder, [](int, const std::string&) {}), std::vector<std::string>(Count));
+  EXPECT_EQ(ReplaceParts(
+              folder, [](int, const std::string&) {}, Naming::AtOnce),
+    std::vector<std::string>(Count));
   ExpectContent(folder, "new");
 }
 
 TEST(OutputSet, AnUnfinishedFileHasNoName)
 {
   const Folder folder;
-  auto taken = TakeUnnamedFiles(folder);
+  std::vector<std::unique_ptr<UnnamedFile>> taken;
+  while (auto file = UnnamedFile::Create(folder / "", 0666))
+  {
+    taken.push_back(std::move(file));
+  }
   if (taken.empty())
   {
     GTEST_SKIP() << "the file system has only files with names";
@@ -145,7 +140,6 @@ TEST(OutputSet, ARankThatRemovedItsFileLeavesTheEarlierFiles)
   for (int removed = 1; removed < Count; ++removed)
   {
     const Folder folder;
-    const auto taken = TakeUnnamedFiles(folder);
     const auto remove = [removed](int rank, const std::string& begun)
     {
       if (rank == removed) // as when a signal ends it after its last message
@@ -153,7 +147,7 @@ TEST(OutputSet, ARankThatRemovedItsFileLeavesTheEarlierFiles)
         fs::remove(begun);
       }
     };
-    const std::vector<std::string> messages = ReplaceParts(folder, remove);
+    const std::vector<std::string> messages = ReplaceParts(folder, remove, Naming::AtOnce);
     EXPECT_NE(messages[0].find("of rank " + std::to_string(removed)), std::string::npos)
       << messages[0];
     EXPECT_EQ(messages, std::vector<std::string>(Count, messages[0]));
@@ -194,11 +188,10 @@ TEST(UnfinishedPathDeathTest, NothingIsLeftWhenAProgramEnds)
   WriteText(folder / "old", "old");
   EXPECT_EXIT(
     {
-      const auto taken = TakeUnnamedFiles(folder);
       OutputSet files(folder / "old");
       files.MakeFolder(folder / "new");
-      WriteText(files.Create(folder / "new/part"), "new");
-      WriteText(files.Create(folder / "old"), "new");
+      WriteText(files.Create(folder / "new/part", Naming::AtOnce), "new");
+      WriteText(files.Create(folder / "old", Naming::AtOnce), "new");
       RemoveUnfinishedPaths();
       _exit(3);
     },

@@ -99,7 +99,7 @@ void OutputPlace::Name()
   this->Unnamed.reset();
 }
 
-OutputPlace CreateOutput(const std::string& path)
+OutputPlace CreateOutput(const std::string& path, Naming naming)
 {
   const fs::path followed = FollowLinks(fs::absolute(path));
   OutputPlace place{ followed.string(), nullptr, nullptr };
@@ -118,7 +118,10 @@ OutputPlace CreateOutput(const std::string& path)
   {
     ThrowReason(errno);
   }
-  place.Unnamed = UnnamedFile::Create(followed.parent_path().string(), usual);
+  if (naming == Naming::Late)
+  {
+    place.Unnamed = UnnamedFile::Create(followed.parent_path().string(), usual);
+  }
   if (place.Unnamed)
   {
     if (isOld)

@@ -12,6 +12,14 @@
 namespace vfm
 {
 
+/// When a file that is written gets its name beside the one that it replaces.
+enum class Naming
+{
+  Late,  ///< when it is whole, if the file system has files without names: a killed process leaves
+         ///< none
+  AtOnce ///< for libraries such as HDF5, which resolve links in paths
+};
+
 /// A file that is written, and the path that it replaces. Without both files, Final is a device, a
 /// pipe or an open file (/dev/stdout), which is written in place.
 struct OutputPlace
@@ -32,7 +40,7 @@ struct OutputPlace
 /// @param path  a symbolic link stays, and its target is replaced
 /// @throws InputError  if no file can be created, or if the existing file is a folder or must not
 ///   be written; contains the reason
-OutputPlace CreateOutput(const std::string& path);
+OutputPlace CreateOutput(const std::string& path, Naming naming);
 
 /// Returns the name of this host.
 std::string NameOfHost();

@@ -140,9 +140,9 @@ void OutputSet::MakeFolder(const std::string& path)
   }
 }
 
-std::string OutputSet::Create(const std::string& path)
+std::string OutputSet::Create(const std::string& path, Naming naming)
 {
-  OutputPlace place = CreateOutput(path);
+  OutputPlace place = CreateOutput(path, naming);
   if (!place.Begun && !place.Unnamed)
   {
     return path;
