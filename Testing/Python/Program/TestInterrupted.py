@@ -182,7 +182,8 @@ def test_first_process(at):
     for fault in SIGNALS:
         case.restore(True)
         result = case.run(0, fault=int(fault), fault_at=4)
-        assert result.returncode == 128 + fault and result.stderr == LINE % fault.name + "\n", result
+        assert result.returncode == 128 + fault, result
+        assert result.stderr == LINE % fault.name + "\n", result
         assert read_tree(case.folder) == case.trees[0]
 
 
@@ -195,8 +196,8 @@ def test_closed_streams(at):
     contents = []
     for closed in ("", "<&-", ">&-", "2>&-", "<&- >&-", "<&- 2>&-", "<&- >&- 2>&-"):
         os.mkdir(at("out"))
-        command = [SCULPTOR, path, at("out/mesh.vtu"), "--dimensions", "%d,%d,%d" % (3 * (SIZE,)), "--fragments",
-                   at("out/f.csv"), "--report", at("out/r.html")]
+        command = [SCULPTOR, path, at("out/mesh.vtu"), "--dimensions", "%d,%d,%d" % (3 * (SIZE,)),
+                   "--fragments", at("out/f.csv"), "--report", at("out/r.html")]
         result = mpi_run(1, ["sh", "-c", 'exec "$@" ' + closed, "sh", *command])
         assert result.returncode == 0, (closed, result)
         contents.append(read_tree(at("out")))
