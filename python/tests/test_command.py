@@ -170,14 +170,3 @@ def test_module():
         check=True
     )
     assert run.stdout.strip() == vfm.__version__
-
-
-@pytest.mark.parametrize("closed", ("<&-", ">&-", "2>&-", "<&- >&- 2>&-"))
-def test_closed_streams(tmp_path, closed):
-    """Without standard streams, nothing is printed into files."""
-    np.save(tmp_path / "labels.npy", LABELS)
-    command = [sys.executable, "-m", "volume_fraction_mesh", "labels.npy"]
-    for output, redirected in (("usual.vtu", ""), ("closed.vtu", closed)):
-        subprocess.run(["sh", "-c", 'exec "$@" ' + redirected, "sh", *command, output],
-                       cwd=tmp_path, check=True)
-    assert (tmp_path / "closed.vtu").read_bytes() == (tmp_path / "usual.vtu").read_bytes()

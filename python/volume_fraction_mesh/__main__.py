@@ -10,7 +10,7 @@ from typing import Any, Dict, List, Optional
 
 from . import VolumeFractionMeshWarning, __version__, fragments, hexes, tets
 from ._core import Option, list_options, read_label_names
-from ._output import ended_by_signals, open_streams, whole_file
+from ._output import ended_by_signals, whole_file
 from ._read import is_surface, read, sort_slices
 from ._readers.report import one_line
 from ._shapes import surface
@@ -194,7 +194,6 @@ def _write(mesh: Mesh, words: argparse.Namespace) -> None:
 def main(arguments: Optional[List[str]] = None) -> int:
     """Runs the command. Returns the exit status: 0, or 1 after one line with the reason. SIGTERM,
     SIGINT and SIGHUP end the process."""
-    open_streams()
     with ended_by_signals("vfmesh"):
         return _run(arguments)
     return 1

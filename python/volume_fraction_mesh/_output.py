@@ -95,18 +95,6 @@ def _postponed_signals() -> Iterator[None]:
         handlers[number](number, None)
 
 
-def open_streams() -> None:
-    """Opens the null device in place of standard streams that the process was started without. A
-    file would otherwise take the number of such a stream, and libraries would print into it."""
-    for number in range(3):
-        try:
-            os.fstat(number)
-        except OSError:
-            os.open(os.devnull, os.O_RDWR)  # takes the lowest number, which is this one
-    sys.stdout = sys.stdout or open(1, "w", encoding="utf-8", closefd=False)
-    sys.stderr = sys.stderr or open(2, "w", encoding="utf-8", closefd=False)
-
-
 class Ended(BaseException):
     """Raised in the main thread by a signal that ends the program."""
 
