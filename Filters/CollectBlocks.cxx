@@ -68,6 +68,21 @@ bool IsFlat(const InputBlock& block)
     [](const std::vector<double>& x) { return x.size() < 2; });
 }
 
+// ParaView's readers of pictures make images whose cells are flat.
+constexpr const char* FlatAdvice =
+  "In ParaView, Label Slices Reader reads pictures and slices (.tif, .png) as layers of cells.";
+
+[[noreturn]] void RejectFlat(const InputBlock& block)
+{
+  int axis = 0;
+  while (block.Coordinates[axis].size() >= 2)
+  {
+    ++axis;
+  }
+  throw InputError(block.Name + " is flat: it has no cells along " + AxisNames[axis] +
+    ". Volume fractions on a 3D grid of cells are needed. " + FlatAdvice);
+}
+
 static_assert(CellMark::Ghost == vtkDataSetAttributes::DUPLICATECELL &&
     CellMark::Hidden == vtkDataSetAttributes::HIDDENCELL &&
     CellMark::Ghost == vtkDataSetAttributes::DUPLICATEPOINT,
@@ -181,6 +196,10 @@ void AddBlocks(const InputPart& part, const InputReading& reading, std::vector<I
   {
     return;
   }
+  if (image && IsFlat(block))
+  {
+    RejectFlat(block);
+  }
   CheckCoordinates(block);
   vtkDataSet* data = vtkDataSet::SafeDownCast(part.Data);
   block.Arrays = ArraysOf(data, reading.ArePoints ? vtkDataObject::POINT : vtkDataObject::CELL);
@@ -264,7 +283,8 @@ CollectedBlocks CollectAllBlocks(vtkDataObject* data, const ArraysToRead& arrays
     });
   if (!ranks.Any(!collected.Blocks.empty()))
   {
-    throw InputError("The input has no cells. Volume fractions on a 3D grid of cells are needed.");
+    throw InputError("The input has no cells. Volume fractions on a 3D grid of cells are needed. " +
+      std::string(FlatAdvice));
   }
   return collected;
 }

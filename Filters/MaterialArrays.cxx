@@ -10,6 +10,7 @@
 #include "vtkImageData.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 
 namespace vfm
@@ -17,14 +18,20 @@ namespace vfm
 namespace
 {
 
-using ArraysOfPlaces = std::map<int, std::vector<ArrayInfo>>; // by association
+/// The arrays of cells or of points.
+struct FoundArrays
+{
+  std::vector<ArrayInfo> Everywhere; // in all parts of the input
+  std::vector<ArrayInfo> InSomeParts;
+};
 
-/// Collective. Returns the arrays by association; point arrays only of images. Arrays that some
-/// parts lack are left out.
+using ArraysOfPlaces = std::map<int, FoundArrays>; // by association
+
+/// Collective. Returns the arrays by association; point arrays only of images.
 ArraysOfPlaces FindArrays(vtkDataObject* input, Ranks& ranks)
 {
   std::map<int, ArrayLists> lists{ { vtkDataObject::CELL, {} }, { vtkDataObject::POINT, {} } };
-  ArraysOfPlaces arrays;
+  std::map<int, std::vector<ArrayInfo>> arrays;
   std::vector<Index> parts{ 0 };
   WorkTogether(ranks,
     [&]
@@ -46,14 +53,16 @@ ArraysOfPlaces FindArrays(vtkDataObject* input, Ranks& ranks)
       }
     });
   ranks.Sum(parts);
-  for (auto& [association, own] : arrays)
+  ArraysOfPlaces found;
+  for (const auto& [association, own] : arrays)
   {
-    own = UnionOfArrays(own, ranks);
-    own.erase(std::remove_if(own.begin(), own.end(),
-                [&parts](const ArrayInfo& array) { return array.Count != parts[0]; }),
-      own.end());
+    const std::vector<ArrayInfo> all = UnionOfArrays(own, ranks);
+    FoundArrays& place = found[association];
+    std::partition_copy(all.begin(), all.end(), std::back_inserter(place.Everywhere),
+      std::back_inserter(place.InSomeParts),
+      [&parts](const ArrayInfo& array) { return array.Count == parts[0]; });
   }
-  return arrays;
+  return found;
 }
 
 /// Returns the choice of one association.
@@ -65,6 +74,22 @@ MaterialChoice Choose(int association, const std::vector<ArrayInfo>& arrays, boo
   return ChooseMaterials(arrays, rules);
 }
 
+/// Returns a sentence for each array that some parts lack and that can hold a material, which a
+/// choice of other arrays would lose.
+std::string DescribeLost(const std::vector<ArrayInfo>& arrays)
+{
+  std::string text;
+  const std::vector<ContentOfArray> contents = FindContents(arrays, {});
+  for (std::size_t a = 0; a < arrays.size(); ++a)
+  {
+    const ArrayContent content = contents[a].Content;
+    const bool isMaterial = content == ArrayContent::Fraction || content == ArrayContent::Mask ||
+      content == ArrayContent::Labels;
+    text += isMaterial ? " '" + arrays[a].Name + "' is missing in some blocks." : "";
+  }
+  return text;
+}
+
 /// Collective. Returns the arrays of materials if the choice is clear.
 /// @param hasThreshold  materials are ranges of the values of one array
 MaterialArrays FindClearArrays(vtkDataObject* input, bool hasThreshold, Ranks& ranks)
@@ -72,13 +97,17 @@ MaterialArrays FindClearArrays(vtkDataObject* input, bool hasThreshold, Ranks& r
   MaterialArrays found;
   found.AreGuessed = true;
   int choices = 0;
+  bool isClear = true;
   std::string problem;
   for (const auto& [association, arrays] : FindArrays(input, ranks))
   {
-    const MaterialChoice choice = Choose(association, arrays, hasThreshold);
+    const MaterialChoice choice = Choose(association, arrays.Everywhere, hasThreshold);
+    const std::string lost = DescribeLost(arrays.InSomeParts);
     const bool isFound = !choice.Fractions.empty() || !choice.Labels.empty();
-    choices += isFound ? 1 + !choice.IsClear : 0;
-    problem += choice.Problem.empty() || arrays.empty() ? "" : " " + choice.Problem;
+    isClear = isClear && lost.empty() && (!isFound || choice.IsClear);
+    choices += isFound;
+    problem += choice.Problem.empty() || arrays.Everywhere.empty() ? "" : " " + choice.Problem;
+    problem += lost;
     for (const std::string& name : choice.Fractions)
     {
       found.Fractions.push_back({ name, association });
@@ -88,7 +117,7 @@ MaterialArrays FindClearArrays(vtkDataObject* input, bool hasThreshold, Ranks& r
       found.Labels = { choice.Labels, association };
     }
   }
-  if (choices != 1)
+  if (choices != 1 || !isClear)
   {
     throw InputError("No array is chosen. Tick Volume Fraction Arrays, one per material, or choose "
                      "a Material Id Array (labels)." +
@@ -103,8 +132,9 @@ MaterialArrays KeepOneRole(vtkDataObject* input, MaterialArrays chosen, Ranks& r
 {
   const std::string& name = chosen.Labels.Name;
   bool areFractions = false;
-  for (const auto& [association, arrays] : FindArrays(input, ranks))
+  for (const auto& [association, found] : FindArrays(input, ranks))
   {
+    const std::vector<ArrayInfo>& arrays = found.Everywhere;
     const std::vector<ContentOfArray> contents = FindContents(arrays, {});
     for (std::size_t a = 0; a < arrays.size(); ++a)
     {

@@ -19,8 +19,9 @@ public:
 
   static bool IsGiven() { return Current(); }
   /// Advice for messages about a limit.
-  static constexpr const char* Advice = "If you trust the file, use --trust-input (sculptor) or "
-                                        "TrustInput (ParaView).";
+  static constexpr const char* Advice =
+    "If you trust the file, use --trust-input (sculptor, vfmesh), TrustInput (ParaView) or "
+    "trust_input=True (Python).";
 
 private:
   static bool& Current()

@@ -59,7 +59,9 @@ void CheckShape(const NumPyHeader& header)
   else if (header.Shape.size() != 3)
   {
     throw InputError(shape + ". A 3-D array with one value per cell is required" +
-      (header.Kind == 'f' ? ", or a 4-D array whose first index is the material." : "."));
+      ", or a 4-D array of real numbers whose first index is the material" +
+      (header.Shape.size() == 4 ? ": save a.astype('float32') of masks, or one 3-D array a[0]."
+                                : "."));
   }
   for (Index size : header.Shape)
   {

@@ -21,6 +21,7 @@ ImageSource OpenSource(const Arguments& arguments)
     ImageRequest request;
     request.Array = arguments.Labels.empty() ? request.Array : arguments.Labels;
     request.Volume = arguments.Volume;
+    request.TakesFirst = arguments.Task == Command::List;
     return OpenImage(arguments.Input, spacing, request);
   }
   const std::array<int, 3> cells = arguments.Dimensions.value_or(std::array<int, 3>{});
@@ -74,6 +75,7 @@ Input ReadImage(const Arguments& arguments, Ranks& ranks)
   CollectedBlocks blocks;
   LabelNames names;
   std::string warning;
+  Index volumes = 1;
   const auto read = [&]
   {
     const ImageSource source = OpenSource(arguments);
@@ -81,6 +83,7 @@ Input ReadImage(const Arguments& arguments, Ranks& ranks)
     std::vector<TypedValues> values = source.Read(slab, ranks);
     names = source.Names;
     warning = source.Warning;
+    volumes = source.Volumes;
     blocks.Reading = { !source.IsOfCells, FrameOf(source.Place) };
     if (slab.NumberOfCells() > 0)
     {
@@ -100,6 +103,7 @@ Input ReadImage(const Arguments& arguments, Ranks& ranks)
     });
   Input input = MakeInput(std::move(blocks), true);
   input.Names = std::move(names);
+  input.Volumes = volumes;
   input.Warning = warning.empty() ? "" : arguments.Input + ": " + warning;
   return input;
 }

@@ -111,7 +111,10 @@ std::string DescribeArrays(const Input& input, Ranks& ranks)
 {
   const std::string points = DescribeAll(FindArrays(input, ArrayPlace::Points, ranks));
   const std::string cells = DescribeAll(FindArrays(input, ArrayPlace::Cells, ranks));
-  const char* which = AreImages(input, ranks) ? "" : ", which cannot be meshed";
+  const char* which = AreImages(input, ranks)
+    ? ""
+    : ", which cannot be meshed, because points are the centres of cells only in images (.vti; "
+      "STRUCTURED_POINTS in .vtk)";
   return "Its cell arrays: " + (cells.empty() ? "none" : cells) + "." +
     (points.empty() ? "" : std::string(" Its point arrays") + which + ": " + points + ".");
 }

@@ -51,6 +51,7 @@ struct Input
   std::function<CollectedBlocks(const ArraysToRead& arrays, Ranks& ranks)> Collect;
   std::optional<double> Time; ///< time of the step that was read, if the file has times
   std::vector<double> Times;  ///< times of all steps
+  Index Volumes = 1;          ///< number of images in the file
   std::string Warning;        ///< warning about data that were not read or assumed, or empty
   LabelNames Names;           ///< names of labels that the file contains, equal on all ranks
 };

@@ -218,6 +218,11 @@ void ListInput(const Arguments& arguments, Ranks& ranks, std::ostream& to)
   }
   to << MakePrintable(arguments.Input) << "\n";
   PrintTimes(input, to);
+  if (input.Volumes > 1)
+  {
+    to << input.Volumes << " volumes, selected by --volume, from 0; the values below are of volume "
+       << arguments.Volume.value_or(0) << "\n";
+  }
   PrintGrid(pieces, input.IsOne, isOfPoints, to);
   if (!cells.empty() || points.empty())
   {

@@ -6,11 +6,13 @@
 #include "BlocksInput.h"
 #include "ExodusInput.h"
 #include "FileSuffix.h"
+#include "GridFiles/ParseOutline.h"
+#include "GridFiles/VtkFileCheck.h"
 #include "ImageInput.h"
 #include "Images/ImageFile.h"
 #include "Images/Pictures/SliceFiles.h"
 #include "Ranks/WorkTogether.h"
-#include "VtkFiles/VtkFileCheck.h"
+#include "VtkFiles/UnpackByVtk.h"
 #include "VtkInput.h"
 #include "VtkMessages.h"
 
@@ -31,6 +33,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <fcntl.h>
+#include <filesystem>
 #include <functional>
 #include <iostream>
 #include <unistd.h>
@@ -150,12 +153,10 @@ vtkSmartPointer<vtkDataObject> ReadPart(
   const Arguments& arguments, VtkMessages& messages, const Ranks& ranks, Input& times)
 {
   const Format& format = *FindFormat(arguments.Input);
-  CheckInputFile(arguments.Input);
   if (format.IsLegacy && ranks.Rank() > 0)
   {
     return nullptr;
   }
-  CheckVtkFile(arguments.Input, ranks.Rank(), ranks.Count());
   const auto reader = format.MakeReader(arguments);
   messages.Watch(reader);
   reader->UpdateInformation();
@@ -174,6 +175,14 @@ Input ReadByVtk(const Arguments& arguments, VtkMessages& messages, Ranks& ranks)
   WorkInStage(ranks, ErrorCode::UnreadableInput,
     [&]
     {
+      CheckInputFile(arguments.Input);
+      CheckInput(arguments.Input,
+        [&]
+        {
+          CheckVtkFile(
+            arguments.Input, { ParseVtkOutline, UnpackByVtk() }, { ranks.Rank(), ranks.Count() });
+        });
+      ranks.Any(false); // no rank reads before all have checked their share
       Input times;
       const auto data = ReadPart(arguments, messages, ranks, times);
       input = MakeInput(data, ranks);
@@ -205,6 +214,12 @@ void CheckInputSuffix(const std::string& path)
   if (!FindFormat(path) && !IsVoxelFile(path) && !IsImageFile(path) && !IsExodusFile(path) &&
     !IsBlockFile(path))
   {
+    std::error_code error;
+    if (IsPattern(path) || std::filesystem::is_directory(path, error))
+    {
+      ClassifyErrors(ErrorCode::UnreadableInput,
+        [&path] { PrefixErrors("Cannot read " + path + ": ", [&path] { ListSlices(path); }); });
+    }
     const bool isPicture = HasSuffix(path, { ".jpg", ".jpeg", ".bmp", ".gif", ".webp" });
     throw InputError(ErrorCode::WrongArguments,
       "The input " + path + " is of an unknown format. " +

@@ -192,7 +192,9 @@ void MeshFile(const Arguments& arguments, Ranks& ranks)
   }
   times.Add("read");
   std::vector<std::string> warnings;
-  const MesherResult result = MakeMesh(arguments, input, arrays, ranks, &warnings);
+  MesherResult result;
+  PrefixErrors("Cannot mesh " + arguments.Input + ": ",
+    [&] { result = MakeMesh(arguments, input, arrays, ranks, &warnings); });
   times.Add("mesh");
   MeshData mesh = ViewMesh(result.TheMesh, result.State, result.Fields);
   mesh.Time = input.Time;

@@ -77,7 +77,11 @@ std::optional<int> ParseChoice(const std::string& text, const std::vector<std::s
   return ParseCount(text, 0, static_cast<int>(words.size()) - 1);
 }
 
-std::string FormatNumber(double number)
+namespace
+{
+
+template <class Real>
+std::string Format(Real number)
 {
   std::array<char, 32> text{};
   const std::to_chars_result made = std::to_chars(text.data(), text.data() + text.size(), number);
@@ -90,6 +94,18 @@ std::string FormatNumber(double number)
       result.substr(digits);
   }
   return result;
+}
+
+} // namespace
+
+std::string FormatNumber(double number)
+{
+  return Format(number);
+}
+
+std::string FormatNumber(float number)
+{
+  return Format(number);
 }
 
 std::string SnakeCase(const std::string& name)

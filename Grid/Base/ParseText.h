@@ -28,6 +28,7 @@ std::optional<int> ParseChoice(const std::string& text, const std::vector<std::s
 
 /// Returns the shortest text from which ParseNumber reads the same number: 0.5, 1e-6.
 std::string FormatNumber(double number);
+std::string FormatNumber(float number);
 
 /// Returns a name in snake case: iso_value for IsoValue.
 std::string SnakeCase(const std::string& name);

@@ -10,9 +10,8 @@ namespace vfm
 namespace
 {
 
-constexpr double SumTolerance = 1e-3; // excess over 1 that is always accepted
-constexpr double Negligible = 1e-9;   // smaller fractions count as 0
-constexpr Index RowLength = 4096;     // cells read at a time
+constexpr double Negligible = 1e-9; // smaller fractions count as 0
+constexpr Index RowLength = 4096;   // cells read at a time
 
 bool IsOutside(double value, double tolerance)
 {

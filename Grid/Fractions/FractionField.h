@@ -19,6 +19,9 @@ constexpr double FractionTolerance = 1e-6;
 /// Largest tolerance that a user may set.
 constexpr double LargestFractionTolerance = 0.1;
 
+/// Excess of a sum of fractions over 1 that is always accepted; the sum is scaled to 1.
+constexpr double SumTolerance = 1e-3;
+
 /// Fractions of the cells of a grid, owned and ghost, by linear index. Owns its data. Several
 /// threads may read it; none may write at the same time.
 class FractionField

@@ -340,7 +340,10 @@ CellArray Choose(const std::vector<CellArray>& arrays, const std::string& name)
   {
     throw InputError("it holds no cell array '" + name +
       "' with one value per cell. Other arrays: " + (others.empty() ? "none" : JoinTexts(others)) +
-      (misfits.empty() ? "." : ". Arrays of other sizes: " + JoinTexts(misfits) + "."));
+      (misfits.empty() ? "." : ". Arrays of other sizes: " + JoinTexts(misfits) + ".") +
+      (others.empty() ? ""
+                      : " Choose one of them: --labels " + QuoteName(others[0]) +
+            " (sculptor) or Cell Array (ParaView)."));
   }
   return chosen;
 }

@@ -4,9 +4,11 @@
 #include "FileSuffix.h"
 #include "Images/Pictures/PixelStack.h"
 #include "Images/Pictures/SliceFiles.h"
+#include "Images/Pictures/SliceGaps.h"
 #include "Ranks/Errors.h"
 
 #include <algorithm>
+#include <filesystem>
 
 namespace vfm
 {
@@ -50,13 +52,15 @@ ImageFile OpenBySuffix(const std::string& path, const ImageRequest& request)
 
 ImageFile OpenImageFile(const std::string& path, const ImageRequest& request)
 {
+  std::error_code error;
   std::vector<std::string> slices = request.Slices;
   SortNaturally(slices);
-  if (slices.empty() && AreSlices(path))
+  if (slices.empty() && (AreSlices(path) || std::filesystem::is_directory(path, error)))
   {
     slices = ListSlices(path);
   }
   ImageFile file = slices.empty() ? OpenBySuffix(path, request) : MakeImage(OpenSlices(slices));
+  file.Warning += WarnOfGaps(slices);
   SelectVolume(request, file.Volumes);
   return file;
 }
@@ -66,7 +70,7 @@ Index SelectVolume(const ImageRequest& request, Index volumes, const std::string
   const std::string found = "it holds " + std::to_string(volumes) +
     (volumes == 1 ? " image" : " images") + (kinds.empty() ? "" : " (" + kinds + ")");
   const std::string range = ", from 0 to " + std::to_string(volumes - 1) + ".";
-  if (!request.Volume && volumes > 1)
+  if (!request.Volume && !request.TakesFirst && volumes > 1)
   {
     throw InputError(found + ". Select one of them by its number, --volume or Volume" + range);
   }

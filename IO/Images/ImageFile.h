@@ -23,6 +23,7 @@ struct ImageRequest
   std::string Array = "FeatureIds";
   /// Number of an image, from 0, in a file that holds several.
   std::optional<int> Volume;
+  bool TakesFirst = false; ///< of several images the first is read, if none is requested
   /// Files of one slice each, which are read in natural order instead of the path; mostly empty.
   std::vector<std::string> Slices;
 };
@@ -38,7 +39,7 @@ struct ImageFile
   bool ReadsParts = true;
   Index Volumes = 1;          ///< number of images in the file
   LabelNames Names;           ///< names of labels that the file contains
-  std::string Warning;        ///< about the names; empty: none
+  std::string Warning;        ///< about the names or missing slices; empty: none
   std::string SpacingWarning; ///< about a spacing that the file does not contain; empty: none
   /// Returns the values in a box of the image, x fastest, without a name. Throws InputError; the
   /// message does not contain the path.

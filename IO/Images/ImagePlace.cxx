@@ -93,7 +93,12 @@ void CheckPlace(const ImagePlace& place)
 
 void CheckLength(const std::string& path, Index offset, Index bytes, bool areCompressed)
 {
-  const Index there = GetFileLength(path) - offset;
+  const Index length = GetFileLength(path), there = length - offset;
+  if (there < 0)
+  {
+    throw InputError("its values are truncated: they begin at byte " + std::to_string(offset) +
+      ", and the file has " + std::to_string(length) + " bytes.");
+  }
   const bool isUnlimited = areCompressed && InputTrust::IsGiven() && there > 0;
   if (!isUnlimited && (there <= 0 || bytes / (areCompressed ? LargestRatio : 1) > there))
   {

@@ -23,7 +23,7 @@ ImageSource OpenImage(const std::string& path, const Vector3& spacing, const Ima
   {
     file.Warning += (file.Warning.empty() ? "" : " ") + file.SpacingWarning;
   }
-  return { file.Place, file.IsOfCells, file.Names, file.Warning,
+  return { file.Place, file.IsOfCells, file.Names, file.Warning, file.Volumes,
     [file, array = request.Array](const IndexBox& box, Ranks& ranks)
     {
       std::vector<TypedValues> arrays;
@@ -50,7 +50,7 @@ ImageSource OpenVoxels(const std::string& path, const Index3& cells, const Vecto
   place.Size = isSized ? file.Cells : Index3{};
   place.Origin = origin;
   place.Spacing = spacing;
-  return { place, true, {}, "",
+  return { place, true, {}, "", 1,
     [file](const IndexBox& box, Ranks&) { return ReadVoxels(file, box); } };
 }
 

@@ -25,6 +25,7 @@ struct ImageSource
   bool IsOfCells = false;
   LabelNames Names;    ///< names of labels that the file contains
   std::string Warning; ///< about the place or the values; empty: none
+  Index Volumes = 1;   ///< number of images in the file
   /// Returns the arrays in the box of each rank, which may be empty; x fastest. Collective. Throws
   /// InputError, possibly only on some ranks; the message does not contain the path.
   std::function<std::vector<TypedValues>(const IndexBox& box, Ranks& ranks)> Read;

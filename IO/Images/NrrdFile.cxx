@@ -58,10 +58,29 @@ LabelNames NameSegments(const std::vector<NrrdSegment>& segments, std::optional<
   return names;
 }
 
+/// Reads a box of all images, which are stored one after the other. The values of a point follow
+/// one another in the result.
+TypedValues ReadAll(const StoredValues& stored, const NrrdHeader& header, IndexBox box)
+{
+  TypedValues all = MakeValues("", stored.Type, header.Layers * box.NumberOfCells());
+  for (Index layer = 0; layer < header.Layers; ++layer)
+  {
+    PutLayer(ReadStored(stored, header.StoredSize(), box), header.Layers, layer, all);
+    box.Lower[2] += header.Size[2];
+    box.Upper[2] += header.Size[2];
+  }
+  return all;
+}
+
 /// Reads a box of one image, or of the merged layers if there are segments and no selected image.
 TypedValues ReadImage(const StoredValues& stored, const NrrdHeader& header,
   const std::vector<NrrdSegment>& segments, std::optional<int> volume, IndexBox box)
 {
+  const bool areMerged = header.Layers > 1 && !volume;
+  if (areMerged && !header.HasLayersFirst)
+  {
+    return MergeLayers(ReadAll(stored, header, box), header.Layers, segments);
+  }
   if (!header.HasLayersFirst)
   {
     box.Lower[2] += volume.value_or(0) * header.Size[2];
@@ -77,8 +96,8 @@ TypedValues ReadImage(const StoredValues& stored, const NrrdHeader& header,
   {
     return values;
   }
-  return volume ? TakeLayer(values, header.Layers, *volume)
-                : MergeLayers(values, header.Layers, segments);
+  return areMerged ? MergeLayers(values, header.Layers, segments)
+                   : TakeLayer(values, header.Layers, *volume);
 }
 
 } // namespace
@@ -87,7 +106,7 @@ ImageFile OpenNrrd(const std::string& path, const ImageRequest& request)
 {
   const NrrdHeader header = ReadNrrdHeader(path);
   const std::vector<NrrdSegment> segments = ListSegments(header.Fields);
-  const bool areMerged = header.HasLayersFirst && !segments.empty() && !request.Volume;
+  const bool areMerged = !segments.empty() && !request.Volume;
   ImageFile image;
   image.Place = FindPlace(header);
   image.Volumes = areMerged ? 1 : header.Layers;

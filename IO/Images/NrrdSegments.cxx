@@ -125,6 +125,17 @@ TypedValues TakeLayer(const TypedValues& stored, Index layers, Index layer)
   return values;
 }
 
+void PutLayer(const TypedValues& values, Index layers, Index layer, TypedValues& all)
+{
+  const Index width = WidthOfType(values.Type);
+  const Index count = static_cast<Index>(values.Bytes.size()) / width;
+  for (Index i = 0; i < count; ++i)
+  {
+    std::memcpy(all.Bytes.data() + (i * layers + layer) * width, values.Bytes.data() + i * width,
+      static_cast<std::size_t>(width));
+  }
+}
+
 TypedValues MergeLayers(
   const TypedValues& stored, Index layers, const std::vector<NrrdSegment>& segments)
 {

@@ -31,6 +31,9 @@ std::vector<NrrdSegment> ListSegments(const NrrdFields& fields);
 /// @param stored  values of all layers, which follow one another for each point
 TypedValues TakeLayer(const TypedValues& stored, Index layers, Index layer);
 
+/// Stores one layer among the values of all layers, which follow one another for each point.
+void PutLayer(const TypedValues& values, Index layers, Index layer, TypedValues& all);
+
 /// Returns the labels of the segments in all layers; 0 where there is none.
 /// @param stored  values of all layers, which follow one another for each point
 /// @throws InputError  if two segments have a common point, or if a value belongs to no segment

@@ -22,6 +22,7 @@ void AddArray(std::vector<ArrayInfo>& list, const ArrayInfo& info)
   found->HasOneType = found->HasOneType && info.HasOneType && found->Type == info.Type;
   found->HoldsIds = found->HoldsIds || info.HoldsIds;
   found->AreWhole = found->AreWhole && info.AreWhole;
+  found->NotWhole = found->NotWhole == 0.0 ? info.NotWhole : found->NotWhole;
 }
 
 namespace
@@ -31,7 +32,7 @@ namespace
 struct Packed
 {
   int Type, Components, HasOneType, HoldsIds, AreWhole;
-  double Least, Most;
+  double Least, Most, NotWhole;
   Index Count;
   std::size_t NameLength;
 };
@@ -43,7 +44,7 @@ Bytes Pack(const std::vector<ArrayInfo>& list)
   {
     const Bytes numbers =
       ToBytes(std::vector<Packed>{ { info.Type, info.Components, info.HasOneType, info.HoldsIds,
-        info.AreWhole, info.Least, info.Most, info.Count, info.Name.size() } });
+        info.AreWhole, info.Least, info.Most, info.NotWhole, info.Count, info.Name.size() } });
     bytes.insert(bytes.end(), numbers.begin(), numbers.end());
     bytes.insert(bytes.end(), info.Name.begin(), info.Name.end());
   }
@@ -59,7 +60,7 @@ void Unpack(const Bytes& bytes, std::vector<ArrayInfo>& list)
     AddArray(list,
       { std::string(at, at + numbers.NameLength), numbers.Type, numbers.Components, numbers.Least,
         numbers.Most, numbers.Count, numbers.HasOneType != 0, numbers.HoldsIds != 0,
-        numbers.AreWhole != 0 });
+        numbers.AreWhole != 0, numbers.NotWhole });
     at += numbers.NameLength;
   }
 }
@@ -97,6 +98,7 @@ void FindRange(const BlockArray& array, ArrayInfo& info)
     {
       const double value = valueOf(tuple);
       info.AreWhole = std::abs(value - std::round(value)) <= LabelTolerance; // false for NaN
+      info.NotWhole = info.AreWhole ? 0.0 : value;
     }
   };
   if (!array.Memory)
@@ -135,7 +137,7 @@ std::vector<ArrayInfo> ListArrays(const ArrayLists& lists)
       if (array && array->Tuples > 0)
       {
         ArrayInfo info{ name, array->Type, array->Components, 0.0, 0.0, 1, true,
-          arrays->HoldsIds(name), false };
+          arrays->HoldsIds(name) };
         FindRange(*array, info);
         AddArray(list, info);
       }

@@ -26,6 +26,7 @@ struct ArrayInfo
   bool HasOneType = true;
   bool HoldsIds = false; ///< true if any array is a global or pedigree id
   bool AreWhole = false; ///< all values are integers within LabelTolerance
+  double NotWhole = 0.0; ///< the first value that is not; 0: there is none
 };
 
 /// Adds an array to a list, or merges it with the entry of the same name.

@@ -110,12 +110,21 @@ bool IsFractionName(const std::string& name)
   { return compact.find(part) != std::string::npos; };
   // VOLM is the variable of CTH, VOLFRC of ALEGRA, alpha.water of OpenFOAM.
   return name.compare(0, 6, "alpha.") == 0 || contains("volumefrac") || contains("volfrac") ||
-    contains("volfrc") || HasWord(name, { "vf", "vof", "vfrac", "volm" });
+    contains("volfrc") || contains("fracvol") || contains("fractionvol") ||
+    HasWord(name, { "vf", "vof", "vfrac", "vfrc", "volm", "matvf", "vofm", "fvol" });
 }
 
 bool IsVoidName(const std::string& name)
 {
-  return HasBegin(name, "void");
+  return HasBegin(name, "void") || HasWord(name, { "vacuum" });
+}
+
+bool IsStateName(const std::string& name)
+{
+  return HasWord(name,
+    { "damage", "porosity", "distension", "pressure", "temperature", "energy", "enthalpy",
+      "entropy", "velocity", "speed", "momentum", "acceleration", "displacement", "stress",
+      "strain", "eqps", "viscosity", "vorticity", "mach" });
 }
 
 bool IsMassName(const std::string& name)

@@ -26,11 +26,14 @@ bool IsSpyPlotFraction(const std::string& name);
 /// Returns whether a name says volume fraction: "vf_steel", "VOLFRAC-2", "Volume Fraction".
 bool IsFractionName(const std::string& name);
 
-/// Returns whether a name says void, such as "Void volume fraction".
+/// Returns whether a name says void, such as "Void volume fraction" or "vf_vacuum".
 bool IsVoidName(const std::string& name);
 
 /// Returns whether a name says mass or density, such as "mass fraction" or "rho".
 bool IsMassName(const std::string& name);
+
+/// Returns whether a name says state of the material, such as "damage" or "plastic_strain".
+bool IsStateName(const std::string& name);
 
 /// Returns whether a name says level set or distance, such as "phi" or "signed_distance".
 bool IsDistanceName(const std::string& name);

@@ -14,7 +14,6 @@ namespace
 
 constexpr double ByteRounding = 0.50001 / 255; // rounding of fractions stored as unsigned char
 constexpr double NotAccepted = -std::numeric_limits<double>::infinity();
-constexpr double SumTolerance = 1e-3; // excess over 1 that FractionField accepts
 
 class FractionCells : public InputCells
 {

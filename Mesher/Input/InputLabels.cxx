@@ -7,8 +7,6 @@
 #include "Input/RangeLabels.h"
 #include "Ranks/Agreement.h"
 
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <unordered_set>
@@ -36,11 +34,7 @@ std::string Print(double value)
   }
   const bool isSingle = std::abs(value) <= std::numeric_limits<float>::max() &&
     static_cast<double>(static_cast<float>(value)) == value;
-  std::array<char, 32> text{};
-  const std::to_chars_result made = isSingle
-    ? std::to_chars(text.data(), text.data() + text.size(), static_cast<float>(value))
-    : std::to_chars(text.data(), text.data() + text.size(), value);
-  return { text.data(), made.ptr };
+  return isSingle ? FormatNumber(static_cast<float>(value)) : FormatNumber(value);
 }
 
 /// Returns a value as a label. Value: Index, or double for arrays of reals.

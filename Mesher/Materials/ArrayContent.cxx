@@ -15,6 +15,7 @@ namespace
 {
 
 constexpr double LargestLabel = std::numeric_limits<int>::max();
+constexpr double FullByte = 255.0;
 
 bool AreBytes(const ArrayInfo& array)
 {
@@ -61,6 +62,10 @@ ContentOfArray FindContentByName(const ArrayInfo& array)
   if (IsMassName(name) && !IsSpyPlotFraction(name))
   {
     return { ArrayContent::Other, "named as a mass or density" };
+  }
+  if (IsStateName(name) && IsRealType(array.Type) && !IsFractionName(name))
+  {
+    return { ArrayContent::Other, "named as a state of the material" };
   }
   if (IsBookkeepingName(name))
   {
@@ -119,18 +124,36 @@ ContentOfArray FindContentOfReals(const ArrayInfo& array, double tolerance)
     return { ArrayContent::LevelSet, "values of both signs, " + Range(array) + ": " + what };
   }
   return { ArrayContent::Grey,
-    "real numbers from " + Range(array) + ": neither in [0, 1] nor integers" };
+    "real numbers from " + Range(array) + ": neither in [0, 1] nor integers" +
+      (array.NotWhole == 0.0 ? "" : ", such as " + Print(array.NotWhole)) };
 }
 
-/// Returns whether any array of bytes can fill a cell, as a fraction of 255.
-bool HasFullBytes(const std::vector<ArrayInfo>& arrays)
+/// Returns the largest value of the arrays of bytes that may be fractions of 255.
+double FindLargestByte(const std::vector<ArrayInfo>& arrays)
 {
-  return std::any_of(arrays.begin(), arrays.end(),
-    [](const ArrayInfo& array)
-    {
-      return AreBytes(array) && array.Most > LargestEmptyByte && !IsLabelsName(array.Name) &&
-        FindContentByName(array).Content == ArrayContent::Labels;
-    });
+  double most = 0.0;
+  for (const ArrayInfo& array : arrays)
+  {
+    const bool isIncluded = AreBytes(array) && !IsLabelsName(array.Name) &&
+      FindContentByName(array).Content == ArrayContent::Labels;
+    most = isIncluded ? std::max(most, array.Most) : most;
+  }
+  return most;
+}
+
+/// Returns the content of an array of bytes, except labels by name.
+/// @param most  largest value of all such arrays, above LargestEmptyByte unless this array has the
+///   name of a fraction
+ContentOfArray FindContentOfBytes(const ArrayInfo& array, double most)
+{
+  if (most >= FullByte || IsFractionName(array.Name))
+  {
+    return { ArrayContent::Fraction, "unsigned char up to " + Print(array.Most) + ": 255 is full" };
+  }
+  return { ArrayContent::Unclear,
+    "unsigned char up to " + Print(array.Most) +
+      (most > array.Most ? ", next to " + Print(most) : "") +
+      ", never 255: labels, or fractions of 255 that fill no cell" };
 }
 
 } // namespace
@@ -143,16 +166,16 @@ bool IsWhole(const ArrayInfo& array)
 std::vector<ContentOfArray> FindContents(
   const std::vector<ArrayInfo>& arrays, const ContentRules& rules)
 {
-  const bool areFull = !rules.IsImage && HasFullBytes(arrays);
+  const double most = rules.IsImage ? 0.0 : FindLargestByte(arrays);
   std::vector<ContentOfArray> contents;
   for (const ArrayInfo& array : arrays)
   {
     ContentOfArray found = FindContentByName(array);
     if (found.Content == ArrayContent::Labels)
     {
-      const bool areOf255 = AreBytes(array) && areFull && !IsLabelsName(array.Name);
-      found = areOf255           ? ContentOfArray{ ArrayContent::Fraction,
-        "unsigned char up to " + Print(array.Most) + ": 255 is full" }
+      const bool areOf255 = AreBytes(array) && !rules.IsImage && !IsLabelsName(array.Name) &&
+        (most > LargestEmptyByte || (array.Most > 1.0 && IsFractionName(array.Name)));
+      found = areOf255           ? FindContentOfBytes(array, most)
         : IsRealType(array.Type) ? FindContentOfReals(array, rules.Tolerance)
                                  : FindContentOfIntegers(array);
     }
@@ -163,7 +186,8 @@ std::vector<ContentOfArray> FindContents(
 
 const char* NameOfContent(ArrayContent content)
 {
-  const char* const names[] = { "fraction", "mask", "labels", "grey values", "level set", "other" };
+  const char* const names[] = { "fraction", "mask", "labels", "grey values", "level set", "unclear",
+    "other" };
   return names[static_cast<int>(content)];
 }
 

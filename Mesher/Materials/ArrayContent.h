@@ -20,6 +20,7 @@ enum class ArrayContent
   Labels,   ///< integers from 0: the material of each cell
   Grey,     ///< other numbers from 0: grey values or another quantity
   LevelSet, ///< reals of both signs: level set, signed distance, component of a vector
+  Unclear,  ///< labels or volume fractions: the user has to tell
   Other     ///< ids, marks, masses, vectors, void
 };
 
@@ -39,8 +40,8 @@ struct ContentRules
 /// Returns whether an array has one integer per cell.
 bool IsWhole(const ArrayInfo& array);
 
-/// Returns the content of each array. Bytes are fractions of 255 if any array of bytes, except
-/// labels by name, exceeds LargestEmptyByte.
+/// Returns the content of each array. Bytes, except labels by name, are fractions of 255 if any of
+/// their arrays reaches 255, and Unclear if their largest value is above LargestEmptyByte.
 std::vector<ContentOfArray> FindContents(
   const std::vector<ArrayInfo>& arrays, const ContentRules& rules);
 

@@ -58,6 +58,11 @@ bool IsMask(const Candidate& array)
   return array.Found.Content == ArrayContent::Mask;
 }
 
+bool IsUnclear(const Candidate& array)
+{
+  return array.Found.Content == ArrayContent::Unclear;
+}
+
 bool AreLabels(const Candidate& array)
 {
   return array.Found.Content == ArrayContent::Labels || IsMask(array);
@@ -105,15 +110,21 @@ bool ChooseNamedFractions(const Candidates& known, const Candidates& arrays, Mat
   return choice.AreNamed;
 }
 
-/// Selects all fractions, unless an array of integers has a usual name of labels. (MaterialId,
-/// which our meshes contain next to fractions, does not count.)
+/// Selects all fractions, unless an array of integers has a usual name of labels, or holds labels
+/// next to masks only. (MaterialId, which our meshes contain next to fractions, does not count.)
 /// @param fractions  arrays with this content; at least one
 void ChooseAllFractions(const Candidates& fractions, const Candidates& integers,
   const ChoiceRules& rules, MaterialChoice& choice)
 {
+  const bool areMasks = std::all_of(fractions.begin(), fractions.end(),
+    [](const Candidate& array) { return array.Array.AreWhole; });
   const Candidates labels = Select(integers,
-    [](const Candidate& array)
-    { return FindLabelsRank(array.Array.Name) > 0 && array.Array.Most > LabelTolerance; });
+    [areMasks](const Candidate& array)
+    {
+      const int rank = FindLabelsRank(array.Array.Name);
+      return array.Array.Most > LabelTolerance &&
+        (rank > 0 || (rank < 0 && areMasks && !IsMask(array)));
+    });
   if (!labels.empty())
   {
     choice.Problem = "Labels " + Describe(labels) + " or volume fractions " + Describe(fractions) +
@@ -200,11 +211,16 @@ MaterialChoice ChooseMaterials(const std::vector<ArrayInfo>& arrays, const Choic
   }
   choice.How.clear();
   const Candidates fractions = Select(candidates, IsFraction);
+  const Candidates unclear = Select(candidates, IsUnclear);
   const Candidates integers = Select(
     candidates, [](const Candidate& array) { return AreLabels(array) && IsWhole(array.Array); });
   const Candidates reals = Select(
     candidates, [](const Candidate& array) { return AreLabels(array) && !IsWhole(array.Array); });
-  if (!fractions.empty())
+  if (!unclear.empty())
+  {
+    choice.Problem = "Labels or volume fractions: " + Describe(unclear) + ".";
+  }
+  else if (!fractions.empty())
   {
     ChooseAllFractions(fractions, integers, rules, choice);
   }

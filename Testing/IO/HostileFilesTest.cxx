@@ -107,6 +107,7 @@ TEST(HostileFiles, NrrdHeaders)
   expect("sizes: 2 2 2 junk\n", "where 3 integers are required");
   expect("sizes: 2 2 3000000000\n", "its size is 2 x 2 x 3000000000");
   expect(std::string(Sizes) + "byte skip: -2\n", "its byte skip is -2");
+  expect(std::string(Sizes) + "byte skip: 999\n", "its values are truncated: they begin at byte");
   expect(std::string(Sizes) + "byte skip:4\n", "neither 'field: value' nor 'key:=value'");
   expect(std::string(Sizes) + "lineskip: 1\n", "line skip, which is not supported");
   expect(std::string(Sizes) + "space directions: (nan,0,0) (0,1,0) (0,0,1)\n",
@@ -213,22 +214,33 @@ TEST(HostileFiles, SegmentsOfSlicer)
   const std::string names = "Segment0_Name:=liver\nSegment0_LabelValue:=1\nSegment0_Layer:=0\n"
                             "Segment1_Name:=left kidney\nSegment1_LabelValue:=1\n"
                             "Segment1_Layer:=1\n";
-  const auto save = [&](const std::string& lines, const std::string& bytes)
+  const auto save = [&](const std::string& lines, const std::string& bytes, bool isFirst = true)
   {
+    const std::string kinds = "domain domain domain", axes = "(1,0,0) (0,1,0) (0,0,1)";
     return Save(path,
-      "NRRD0004\ntype: uchar\ndimension: 4\nsizes: 2 2 2 2\nencoding: raw\nkinds: list domain "
-      "domain domain\nspace directions: none (1,0,0) (0,1,0) (0,0,1)\n" +
-        lines + "\n" + bytes);
+      "NRRD0004\ntype: uchar\ndimension: 4\nsizes: 2 2 2 2\nencoding: raw\n" +
+        (isFirst ? "kinds: list " + kinds + "\nspace directions: none " + axes
+                 : "kinds: " + kinds + " list\nspace directions: " + axes + " none") +
+        "\n" + lines + "\n" + bytes);
   };
   std::string apart(16, '\0'), overlap(16, '\0');
   apart[0] = apart[3] = overlap[0] = overlap[1] = 1; // first layer of voxel 0, second of voxel 1
   save(names, apart);
   EXPECT_EQ(ReadValues(path), (std::vector<int>{ 1, 2, 0, 0, 0, 0, 0, 0 }));
   EXPECT_EQ(OpenImageFile(path).Names, (LabelNames{ { 1, "liver" }, { 2, "left kidney" } }));
-  EXPECT_EQ(ReadValues(path, { "", 1 }), (std::vector<int>{ 0, 1, 0, 0, 0, 0, 0, 0 }));
+  EXPECT_EQ(ReadValues(path, { "", 1, {} }), (std::vector<int>{ 0, 1, 0, 0, 0, 0, 0, 0 }));
   ExpectProblem(save(names, overlap), "its segments 'liver' and 'left kidney' overlap");
-  EXPECT_EQ(ReadValues(path, { "", 1 }), (std::vector<int>{ 1, 0, 0, 0, 0, 0, 0, 0 }));
+  EXPECT_EQ(ReadValues(path, { "", 1, {} }), (std::vector<int>{ 1, 0, 0, 0, 0, 0, 0, 0 }));
   ExpectProblem(save("", apart), "it holds 2 images (layers)");
+  apart[3] = 0;
+  apart[9] = 1; // the second layer follows the first
+  save(names, apart, false);
+  EXPECT_EQ(ReadValues(path), (std::vector<int>{ 1, 2, 0, 0, 0, 0, 0, 0 }));
+  const TypedValues row = OpenImageFile(path).Read({ { { 1, 0, 0 } }, { { 2, 2, 1 } } });
+  EXPECT_EQ(row.Bytes.size(), 2 * sizeof(int));
+  EXPECT_EQ(row.Bytes[0], 2);
+  EXPECT_EQ(OpenImageFile(path).Names, (LabelNames{ { 1, "liver" }, { 2, "left kidney" } }));
+  EXPECT_EQ(ReadValues(path, { "", 1 }), (std::vector<int>{ 0, 1, 0, 0, 0, 0, 0, 0 }));
 }
 
 TEST(HostileFiles, LinksOfContainers)

@@ -65,7 +65,7 @@ const ArrayInfo Heat = Make("heat", ValueType::Float, 0.0, 300.5);
 
 TEST(ChooseMaterials, TakesRealsInUnitRangeAndBytes)
 {
-  const ArrayInfo bytes = Make("bytes", Byte, 0.0, 200.0), few = Make("few", Byte, 0.0, 20.0);
+  const ArrayInfo bytes = Make("bytes", Byte, 0.0, 255.0), few = Make("few", Byte, 0.0, 20.0);
   const ArrayInfo whole = Make("whole", Int, 0.0, 1.0);
   ArrayInfo vector = Make("vector", Real, 0.0, 1.0);
   vector.Components = 3;
@@ -94,13 +94,27 @@ TEST(ChooseMaterials, PrefersNamesThatSayVolumeFraction)
   const ArrayInfo tin = Make("vf_tin", Real, 0.0, 1.0), empty = Make("void_vf", Real, 0.0, 1.0);
   const ArrayInfo mass = Make("mass, tin", Real, 0.0, 1e-3);
   ExpectFractions(Choose({ Ball, tin, empty, mass }), { "vf_tin" }, true);
-  for (const char* own : { "VOLM+1", "VolumeFraction_tin", "volfrac-3", "vf2", "alpha.water" })
+  for (const char* own : { "VOLM+1", "VolumeFraction_tin", "volfrac-3", "vf2", "alpha.water",
+         "matvf_01", "vofm_1", "FVOL_1", "frac_vol_1", "VFRC1", "fraction volumique" })
   {
     ExpectFractions(Choose({ Ball, Make(own, Real, 0.0, 1.0) }), { own }, true);
   }
   // Void and masses are no materials, even if nothing else is there.
   ExpectFractions(Choose({ Ball, Make("Void", Real, 0.0, 1.0), mass }), { "ball" }, true);
   ExpectProblem(Choose({ empty, mass }), { "named void", "named as a mass" });
+  ExpectFractions(Choose({ tin, Make("vf_vacuum", Real, 0.0, 1.0) }), { "vf_tin" }, true);
+}
+
+TEST(ChooseMaterials, StatesAreNoMaterials)
+{
+  for (const char* name : { "damage", "Plastic_Strain", "damage - 1", "eqps", "PorositySand" })
+  {
+    const ArrayInfo state = Make(name, Real, 0.0, 1.0);
+    ExpectFractions(Choose({ Ball, state }), { "ball" }, true);
+    ExpectProblem(Choose({ state }), { "named as a state of the material" });
+  }
+  ExpectLabels(Choose({ Make("damage", Int, 0.0, 3.0) }), "damage", true);
+  ExpectFractions(Choose({ Make("strain_vf", Real, 0.0, 1.0) }), { "strain_vf" }, true);
 }
 
 TEST(ChooseMaterials, KeepsNamedFractionsWithValuesOutOfRange)
@@ -126,6 +140,10 @@ TEST(ChooseMaterials, DoesNotGuessBetweenFractionsAndNamedLabels)
     ExpectFractions(Choose({ labels, Make("vf_tin", Real, 0.0, 1.0) }), { "vf_tin" }, true);
   }
   ExpectFractions(Choose({ Make("FeatureIds", Int, 0.0, 0.0), Ball }), { "ball" }, false);
+  const ArrayInfo mask = Make("mask", Real, 0.0, 1.0, true), zone = Make("zone", Int, 0.0, 5.0);
+  ExpectProblem(Choose({ mask, zone }), { "Labels 'zone'", "'mask'" });
+  ExpectFractions(Choose({ mask, Ball, zone }), { "mask", "ball" }, false);
+  ExpectFractions(Choose({ mask, Make(LabelsName, Int, 0.0, 5.0) }), { "mask" }, false);
 }
 
 TEST(ChooseMaterials, BytesBelow128AreLabelsOrMasks)
@@ -133,12 +151,20 @@ TEST(ChooseMaterials, BytesBelow128AreLabelsOrMasks)
   ExpectLabels(Choose({ Make("mask", Byte, 0.0, 1.0) }), "mask", true);
   ExpectLabels(Choose({ Make("tissue", Byte, 0.0, 29.0) }), "tissue", true);
   ExpectLabels(Choose({ Make("tissue", Byte, 0.0, LargestEmptyByte) }), "tissue", true);
-  ExpectFractions(Choose({ Make("a", Byte, 0.0, LargestEmptyByte + 1.0) }), { "a" }, true);
+  ExpectFractions(Choose({ Make("a", Byte, 0.0, 255.0) }), { "a" }, true);
   const List masks{ Make("liver", Byte, 0.0, 1.0), Make("none", Byte, 0.0, 0.0),
     Make("spleen", Byte, 0.0, 1.0) };
   ExpectFractions(Choose(masks), { "liver", "none", "spleen" }, true);
   ExpectProblem(Choose({ Make("a", Byte, 0.0, 3.0), Make("b", Byte, 0.0, 29.0) }),
     { "'a' (integers from 0 to 3)", "'b' (integers from 0 to 29)" });
+  // Bytes above 127 of which none is full may be both, unless their name tells.
+  const ArrayInfo most = Make("a", Byte, 0.0, 200.0), mask = Make("b", Byte, 0.0, 1.0);
+  ExpectProblem(Choose({ most }), { "Labels or volume fractions: 'a' (unsigned char up to 200" });
+  ExpectProblem(Choose({ most, mask }), { "'b' (unsigned char up to 1, next to 200" });
+  ExpectProblem(Choose({ most, Ball }), { "Labels or volume fractions" });
+  ExpectLabels(Choose({ Make("labels", Byte, 0.0, 200.0) }), "labels", true);
+  ExpectFractions(Choose({ Make("vf", Byte, 0.0, 200.0) }), { "vf" }, true);
+  ExpectFractions(Choose({ Make("vf", Byte, 0.0, 100.0) }), { "vf" }, true); // mesher: no elements
   // Image files store labels as bytes.
   ChoiceRules image;
   image.IsImage = true;

@@ -202,6 +202,8 @@ TEST(ParseText, NumbersAreFormattedAsShortAsTheyCanBe)
   {
     EXPECT_EQ(FormatNumber(*ParseNumber(text, -1e308, 1e308)), text);
   }
+  EXPECT_EQ(FormatNumber(0.1F), "0.1"); // the digits of single precision
+  EXPECT_EQ(FormatNumber(1e-6F), "1e-6");
   EXPECT_EQ(SnakeCase("RefineFlippedCells"), "refine_flipped_cells");
   EXPECT_EQ(TrimText("\t a b \r\n"), "a b");
 }

@@ -25,6 +25,7 @@ ALLOWED.update({
     "Parallel": BASE + ("Parallel/Mpi",),
     "Filters/Data": GRID + MESHER[:5] + ("Parallel",),
     "IO": BASE + MESHER,
+    "IO/GridFiles": BASE + ("IO",),
     "IO/Images": BASE + MESHER + ("IO",),
     "IO/Blocks": BASE + MESHER + ("IO",),
     "IO/Labels": BASE + ("Mesher/Input", "Mesher/Summary", "IO"),
@@ -35,16 +36,18 @@ ALLOWED.update({
     "InSitu": BASE + ("Grid/Mesh",) + MESHER + ("Parallel/Mpi", "IO/Labels", "IO/Meshes"),
     "InSitu/Catalyst": BASE + ("Parallel/Mpi", "InSitu"),
     "Program": BASE + ("Grid/Mesh",) + MESHER + (
-        "Parallel", "Parallel/Mpi", "IO", "IO/Blocks", "IO/Images", "IO/Labels", "IO/Meshes",
-        "IO/Report", "Filters", "Filters/Data"),
+        "Parallel", "Parallel/Mpi", "IO", "IO/Blocks", "IO/GridFiles", "IO/Images", "IO/Labels",
+        "IO/Meshes", "IO/Report", "Filters", "Filters/Data"),
     "Plugin": ("Filters", "Mesher/Input", "Mesher/Materials"),
-    "python": GRID + MESHER + ("Shapes", "IO/Blocks", "IO/Labels", "IO/Meshes", "IO/Report"),
+    "python": GRID + MESHER + (
+        "Shapes", "IO", "IO/Blocks", "IO/GridFiles", "IO/Labels", "IO/Meshes", "IO/Report"),
     "Examples": ("InSitu", "InSitu/Catalyst"),
     "Testing/Support": GRID + ("Shapes",),
     "Testing/Inputs": GRID + MESHER,
     "Testing/Grid": GRID + ("Shapes", "Testing/Support"),
     "Testing/Fuzz": GRID + MESHER + (
-        "Shapes", "IO", "IO/Blocks", "IO/Images", "IO/Labels", "Filters", "InSitu", "Program",
+        "Shapes", "IO", "IO/Blocks", "IO/GridFiles", "IO/Images", "IO/Labels", "Filters", "InSitu",
+        "Program",
         "Testing/Inputs", "Testing/Support"),
     "Testing/Benchmarks": GRID + (
         "Mesher/Input", "IO", "IO/Images", "Shapes", "Filters", "Testing/Support"),
@@ -60,7 +63,8 @@ ALLOWED.update({
 
 # PLAIN: folders without VTK. WITHOUT_MPI: folders without VTK and MPI.
 WITHOUT_MPI = GRID + MESHER + (
-    "Shapes", "IO", "IO/Blocks", "IO/Images", "IO/Labels", "IO/Meshes", "IO/Report", "python",
+    "Shapes", "IO", "IO/Blocks", "IO/GridFiles", "IO/Images", "IO/Labels", "IO/Meshes", "IO/Report",
+    "python",
     "Testing/IO", "Testing/Inputs", "Testing/Support", "Testing/Grid", "Testing/Mesher")
 PLAIN = WITHOUT_MPI + ("Parallel/Mpi", "InSitu")
 VTK = re.compile(r"(vtk|paraview|pv|pq)", re.IGNORECASE)
@@ -73,8 +77,8 @@ LONGEST = 650 # lines
 MOST_AT_ROOT = 8  # files in Grid outside its modules
 MOST_IN_FOLDER = 40 # files
 # folders in which each source has a header of its name
-HAVE_HEADERS = GRID + MESHER + ("Shapes", "Parallel", "IO", "IO/Labels", "IO/Meshes",
-                                "IO/Report", "Filters/Data", "Filters/Files")
+HAVE_HEADERS = GRID + MESHER + ("Shapes", "Parallel", "IO", "IO/GridFiles", "IO/Labels",
+                                "IO/Meshes", "IO/Report", "Filters/Data", "Filters/Files")
 PACKAGE = "python/volume_fraction_mesh"
 
 

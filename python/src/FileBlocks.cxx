@@ -2,6 +2,7 @@
 
 #include "Base/ParseText.h"
 #include "Blocks/BlockFile.h"
+#include "InputTrust.h"
 #include "Materials/ChooseMaterials.h"
 
 #include <algorithm>
@@ -25,9 +26,10 @@ void CheckNames(const std::vector<std::string>& there, const std::vector<std::st
 
 } // namespace
 
-FileBlocks ReadFileBlocks(
-  const std::string& path, int step, const std::optional<std::vector<std::string>>& names)
+FileBlocks ReadFileBlocks(const std::string& path, int step,
+  const std::optional<std::vector<std::string>>& names, bool isTrusted)
 {
+  const InputTrust trust(isTrusted);
   Ranks alone;
   const std::unique_ptr<BlockFile> file = OpenBlockFile(path, alone);
   const int steps = static_cast<int>(file->Times().size());

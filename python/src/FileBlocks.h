@@ -26,8 +26,9 @@ struct FileBlocks
 /// Reads a SpyPlot case or an AMReX plotfile.
 /// @param step number of the step, from 0; negative numbers count from the end
 /// @param names arrays to read; without value: all
+/// @param isTrusted the limits that protect from harmful files do not apply (InputTrust)
 /// @throws InputError if the file lacks the step or an array
-FileBlocks ReadFileBlocks(
-  const std::string& path, int step, const std::optional<std::vector<std::string>>& names);
+FileBlocks ReadFileBlocks(const std::string& path, int step,
+  const std::optional<std::vector<std::string>>& names, bool isTrusted);
 
 } // namespace vfm

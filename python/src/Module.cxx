@@ -2,6 +2,7 @@
  * Module: the Python module _core; _core.pyi describes its functions.
  */
 #include "BindChoice.h"
+#include "CheckGridFile.h"
 #include "FileBlocks.h"
 #include "FindFaces.h"
 #include "Labels/ReadLabelNames.h"
@@ -114,13 +115,13 @@ nb::object FillTriangles(const Places& points, const Corners& triangles,
   return fractions[0];
 }
 
-vfm::FileBlocks ReadBlocks(
-  const std::string& path, int step, const std::optional<std::vector<std::string>>& names)
+vfm::FileBlocks ReadBlocks(const std::string& path, int step,
+  const std::optional<std::vector<std::string>>& names, bool isTrusted)
 {
   const nb::gil_scoped_release others;
   vfm::FileBlocks blocks;
-  vfm::PrefixErrors(
-    "Cannot read " + path + ": ", [&] { blocks = vfm::ReadFileBlocks(path, step, names); });
+  vfm::PrefixErrors("Cannot read " + path + ": ",
+    [&] { blocks = vfm::ReadFileBlocks(path, step, names, isTrusted); });
   return blocks;
 }
 
@@ -138,7 +139,7 @@ void BindBlocks(nb::module_& module)
     .def_ro("labels", &vfm::FileBlocks::Labels,
       "str: Name of the array that holds labels; empty without labels.")
     .def("__len__", [](const vfm::FileBlocks& self) { return self.Blocks.size(); });
-  module.def("read_blocks", ReadBlocks, "path"_a, "step"_a, "names"_a.none());
+  module.def("read_blocks", ReadBlocks, "path"_a, "step"_a, "names"_a.none(), "trust_input"_a);
 }
 
 /// Converts an InputError to a Python exception.
@@ -181,6 +182,7 @@ NB_MODULE(_core, module)
   module.attr("has_tetgen") = vfm::HasTetGen();
   vfm::BindOptions(module);
   BindBlocks(module);
+  vfm::BindChecks(module);
   vfm::BindChoice(module);
   vfm::BindFaces(module);
   vfm::BindMeasures(module);

@@ -75,6 +75,17 @@ def test_bytes_up_to_255_are_fractions():
     assert np.isclose(mesh.materials["MeshVolume"][0], (scaled / 255.0).sum(), rtol=1e-6)
 
 
+def test_bytes_that_may_be_both(tmp_path):
+    """Bytes above 127 of which none is 255 are labels or fractions: the user has to tell."""
+    labels = two_boxes(100, 200)
+    np.savez(tmp_path / "a.npz", tissue=labels)
+    for given in (labels, {"tissue": labels}, vfm.read(tmp_path / "a.npz")):
+        with pytest.raises(ValueError, match="Labels or volume fractions: .*up to 200.*labels="):
+            vfm.hexes(given)
+    check_boxes(vfm.hexes(labels=labels), (100, 200))
+    assert len(vfm.hexes(labels / 255.0)) > 0
+
+
 @pytest.mark.parametrize("given, text", [
     ([LIVER * 100, SPLEEN], "(integers from 0 to 100)"),
     ([two_boxes(1, 2), SPLEEN], "(integers from 0 to 2)"),

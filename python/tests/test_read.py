@@ -192,14 +192,17 @@ def test_names_in_nifti(tmp_path, run):
         "one", "left kidney"]
 
 
-def write_segments(path, layers, segments):
-    """Writes layers a[x, y, z] as a .seg.nrrd of 3D Slicer."""
+def write_segments(path, layers, segments, is_last=False):
+    """Writes layers a[x, y, z] as a .seg.nrrd of 3D Slicer. is_last: the axis of layers is last."""
     several = len(layers) > 1
-    values = np.stack(layers) if several else layers[0]
+    values = np.stack(layers, -1 if is_last else 0) if several else layers[0]
+    before, after = several and not is_last, several and is_last
     lines = ["NRRD0004", "type: unsigned char", "dimension: %d" % values.ndim,
              "space: left-posterior-superior", "sizes: " + " ".join(map(str, values.shape)),
-             "space directions: %s(1,0,0) (0,1,0) (0,0,1)" % ("none " if several else ""),
-             "kinds: %sdomain domain domain" % ("list " if several else ""),
+             "space directions: %s(1,0,0) (0,1,0) (0,0,1)%s" % (
+                 "none " if before else "", " none" if after else ""),
+             "kinds: %sdomain domain domain%s" % (
+                 "list " if before else "", " list" if after else ""),
              "encoding: raw", "space origin: (0,0,0)"]
     for number, (name, value, layer) in enumerate(segments):
         lines += ["Segment%d_%s:=%s" % (number, key, text) for key, text in (
@@ -220,11 +223,12 @@ def test_segments_of_slicer(tmp_path, run):
     path.write_bytes(data.replace(b"left lobe", b"P\xf4le"))  # Latin-1
     assert run("a.seg.nrrd").materials["Name"] == ["P\xf4le", "right lobe"]
     segments = [("a", 1, 0), ("b", 1, 1)]
-    write_segments(path, [first, second], segments)
-    mesh = run("a.seg.nrrd")
-    check_boxes(mesh)
-    assert mesh.materials["Name"] == ["a", "b"]
-    assert run("a.seg.nrrd", "--volume", "1").materials["Name"] == ["b"]
+    for is_last in (False, True):
+        write_segments(path, [first, second], segments, is_last)
+        mesh = run("a.seg.nrrd")
+        check_boxes(mesh)
+        assert mesh.materials["Name"] == ["a", "b"]
+        assert run("a.seg.nrrd", "--volume", "1").materials["Name"] == ["b"]
     write_segments(path, [first, two_boxes(1, 1)], segments)
     assert "segments 'a' and 'b' share 240 voxels" in run("a.seg.nrrd")
 

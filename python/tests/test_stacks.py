@@ -51,8 +51,8 @@ def check_stack(path, expected, note=None):
     (dict(unit="um", spacing=-3.0), (2, 2), (0.5, 0.5, 3), None),
     (dict(unit="nm"), (0.1, 0.1), (10, 10, 10), "along z: 10 is used"),
     (dict(unit="mm", spacing=0.4), (5, 5), (0.2, 0.2, 0.4), None),
-    (dict(unit="cm", spacing=0.4), (5, 5), (2, 2, 4), None),
-    (dict(unit="inch", spacing=0.2), (10, 10), (2.54, 2.54, 5.08), None),
+    (dict(unit="cm", spacing=0.4), (5, 5), (0.2, 0.2, 0.4), None),
+    (dict(unit="inch", spacing=0.2), (10, 10), (0.1, 0.1, 0.2), None),
     (dict(unit="pixel"), None, (1, 1, 1), "has no size of voxels"),
 ])
 def test_imagej(tmp_path, meta, resolution, expected, note):
@@ -66,7 +66,7 @@ def test_imagej(tmp_path, meta, resolution, expected, note):
     (dict(X=0.5, XUnit="um", Y=0.5, YUnit="um", Z=3, ZUnit="um"), (0.5, 0.5, 3), None),
     (dict(X=0.5, Y=0.25, Z=3), (0.5, 0.25, 3), None),  # micrometres are the default of OME
     (dict(X=0.5, XUnit="um", Y=0.5, YUnit="um", Z=3000, ZUnit="nm"), (0.5, 0.5, 3), None),
-    (dict(X=0.5, XUnit="cm", Y=0.5, YUnit="cm", Z=7, ZUnit="mm"), (5, 5, 7), None),
+    (dict(X=0.5, XUnit="cm", Y=0.5, YUnit="cm", Z=7, ZUnit="mm"), (0.5, 0.5, 0.7), None),
     (dict(X=0.5, Y=0.5), (0.5, 0.5, 0.5), "along z: 0.5 is used, as along x"),
     (dict(X=0.5, XUnit="pixel", Y=0.5, YUnit="pixel", Z=3), (1, 1, 1), "no size of voxels"),
 ])
@@ -171,6 +171,50 @@ def test_slices_that_do_not_fit(tmp_path):
     write_slices(tmp_path / "c", ["1.tif", "2.tif"], [ball[:2], ball[:2]])
     with pytest.raises(ValueError, match="1.tif: it has 2 pages"):
         vfm.read(tmp_path / "c")
+
+
+@pytest.mark.parametrize("names, told", [
+    (["slice_001.tif", "slice_002.tif", "slice_004.tif"],
+     "numbers without a file: 1, the first between slice_002.tif and slice_004.tif"),
+    (["s0.tif", "s10.tif", "s40.tif", "s60.tif"], "without a file: 3, the first between s10.tif"),
+    (["s0.tif", "s10.tif", "s20.tif"], None),
+    (["z1_t0.tif", "z1_t1.tif", "z2_t0.tif", "z2_t1.tif"], None),
+    (["a.tif", "b.tif", "b7.tif"], None),
+])
+def test_gaps_of_slices(tmp_path, names, told):
+    """A number without a file is a warning, also if the spacing is given."""
+    write_slices(tmp_path / "a", names, STACK)
+    for given in (tmp_path / "a", [tmp_path / "a" / name for name in names]):
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            arrays = vfm.read(given, spacing=1)
+        assert np.array_equal(arrays["Material 1"], STACK[:len(names)])
+        texts = [str(each.message) for each in caught]
+        assert len(texts) == (told is not None) and all(told in text for text in texts), texts
+
+
+@pytest.mark.parametrize("given", [{}, dict(compression="zlib"), dict(tile=(16, 16))])
+def test_slices_that_describe_the_stack(tmp_path, given):
+    """ImageJ keeps the description of the stack in each of its slices."""
+    described = "ImageJ=1.53t\nimages=6\nslices=6\nunit=micron\nspacing=3.0\nloop=false\n"
+    for number, page in enumerate(STACK):
+        tifffile.imwrite(tmp_path / ("s%d.tif" % number), page, description=described,
+                         metadata=None, resolution=(2, 2), **given)
+    arrays = vfm.read(tmp_path)
+    assert np.array_equal(arrays["Material 1"], STACK)
+    assert np.allclose(widths(arrays), (0.5, 0.5, 3))
+
+
+def test_folders_of_other_files(tmp_path):
+    with pytest.raises(ValueError, match="contains no slices: .* It is empty."):
+        vfm.read(tmp_path)
+    for name in ("1.dcm", "2.dcm"):
+        (tmp_path / name).write_bytes(b"other")
+    with pytest.raises(ValueError, match="Its files: 2 .dcm. Convert DICOM files to one .nii"):
+        vfm.read(tmp_path)
+    write_slices(tmp_path / "a", ["1.tif", "2.tif"], STACK)
+    (tmp_path / "a" / "notes.txt").write_text("")
+    assert len(vfm.read(str(tmp_path / "a" / "*"))["Material 1"]) == 2
 
 
 def check_picture(path, names):

@@ -73,6 +73,8 @@ def make_parser() -> argparse.ArgumentParser:
     )
     parser.add_argument("--order", choices=("xyz", "zyx"), default="xyz",
                         help="order of the axes of arrays in .npy and .npz")
+    parser.add_argument("--trust-input", action="store_true",
+                        help="the header may name files outside of its folder")
     parser.add_argument("--cells", type=int, default=64,
                         help="number of cells along the longest side of a surface (64)")
     parser.add_argument("--step", type=int, default=0,
@@ -122,6 +124,7 @@ def _read_input(words: argparse.Namespace) -> Any:
                              "sets the grid." % path)
         return surface(path, words.cells)
     return read(path, step=words.step, volume=words.volume, origin=words.origin, order=words.order,
+                trust_input=words.trust_input,
                 spacing=spacing[0] if spacing and len(spacing) == 1 else spacing)
 
 
@@ -199,13 +202,21 @@ def main(arguments: Optional[List[str]] = None) -> int:
     return 1
 
 
+def _make_mesh(given: Dict[str, Any], words: argparse.Namespace) -> Mesh:
+    """Makes the mesh. Messages of errors begin with the name of the input."""
+    make = tets if words.tets else hexes
+    try:
+        return make(**given, progress=not words.quiet)
+    except (ValueError, TypeError) as error:
+        raise ValueError("Cannot mesh %s: %s" % (" ".join(words.input), error)) from None
+
+
 def _run(arguments: Optional[List[str]]) -> int:
     words = make_parser().parse_args(arguments)
     warnings.showwarning = _show_warning
     warnings.simplefilter("always", VolumeFractionMeshWarning)
     try:
-        make = tets if words.tets else hexes
-        mesh = make(**_arguments(words), progress=not words.quiet)
+        mesh = _make_mesh(_arguments(words), words)
         _write(mesh, words)
     except (ValueError, TypeError, ImportError, OSError, RuntimeError, MemoryError) as error:
         print("vfmesh: %s" % (one_line(error) or "There is not enough memory."), file=sys.stderr)

@@ -11,7 +11,7 @@ from . import _core
 LABELS_HINT = (
     "Labels are one array of integers from 0, labels=.. (--labels): renumber negative ids. Ranges "
     "of other numbers become materials by threshold=(LOW, HIGH) (--threshold LOW:HIGH). Fractions "
-    "are real numbers in [0, 1], bytes up to 255, or masks of 0 and 1.")
+    "are real numbers in [0, 1], bytes that reach 255, or masks of 0 and 1.")
 CHOOSE_HINT = "arrays=[..] (--array NAME) selects the arrays that hold the materials."
 
 NamedArrays = Sequence[Tuple[str, np.ndarray]]

@@ -275,10 +275,23 @@ def shape_fractions(
 ) -> List[NDArray[np.float64]]:
     """Returns the exact volume fractions of shapes: one array of shape (cells,) per material."""
 
-def read_blocks(path: str, step: int, names: Optional[Sequence[str]]) -> Blocks:
+def read_blocks(path: str, step: int, names: Optional[Sequence[str]],
+                trust_input: bool) -> Blocks:
     """Reads the blocks of a SpyPlot file or an AMReX plotfile. names: arrays to read, None for all.
 
     Raises ValueError if the file is damaged, or lacks the step or an array.
+    """
+
+def check_vtk_file(
+    path: str,
+    read_outline: Callable[[str], Tuple[Any, Optional[int], str]],
+    unpack: Callable[[str, bytes, int], bytes],
+    trust_input: bool,
+) -> None:
+    """Checks every value of a file of VTK, and of the files that it names.
+
+    read_outline and unpack as in _readers/check_vtk.py. Raises ValueError, without the path, that
+    names the array, the place and the value.
     """
 
 def write_mesh(

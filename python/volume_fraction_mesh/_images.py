@@ -30,7 +30,7 @@ class Image(NamedTuple):
     materials; None: the core chooses them. order: order of the axes of arrays that are given in
     addition to the image. names: of labels, from the file. has_labels: bytes are labels, as in
     files of images, not fractions of 255. hint: what to do if the arrays cannot be used together.
-    note: text of a warning.
+    note: text of a warning if no spacing is given; warning: text of one that does not depend on it.
     """
 
     grid: Grid
@@ -41,6 +41,7 @@ class Image(NamedTuple):
     has_labels: bool = False
     hint: str = ""
     note: str = ""
+    warning: str = ""
 
 
 class Fractions(Dict[str, np.ndarray]):
@@ -202,7 +203,8 @@ def read_vtk(data: Any, names: Optional[Sequence[str]], is_file: bool = False) -
     if are_points and not is_image:
         raise ValueError(
             "The input is a %s, and point data are chosen. Only in images are points the centres "
-            "of cells; other grids need cell data." % type(data).__name__
+            "of cells; other grids need cell data: save an image (.vti, STRUCTURED_POINTS in "
+            ".vtk), or data of cells." % type(data).__name__
         )
     arrays = _vtk_arrays(points if are_points else cells)
     if GHOSTS in arrays and arrays[GHOSTS].any():
@@ -255,7 +257,8 @@ def _image_grid(image: Any, are_points: bool) -> Grid:
         start = origin[a] - 0.5 * spacing[a] if are_points else origin[a]
         nodes.append(even_nodes(start, spacing[a], extent[2 * a], extent[2 * a + 1] + are_points))
         if len(nodes[a]) < 2:
-            raise ValueError("The image is flat: it has no cells along %s." % AXES[a])
+            raise ValueError("The image is flat: it has no cells along %s. read() reads pictures "
+                             "and slices as layers of cells." % AXES[a])
     matrix = image.GetDirectionMatrix()
     direction = np.array([[matrix.GetElement(r, c) for c in range(3)] for r in range(3)])
     return Grid(tuple(nodes), direction, tuple(origin), are_points)

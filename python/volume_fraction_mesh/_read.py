@@ -19,7 +19,7 @@ from ._readers import dream3d_files, itk_files, nifti_files, numpy_files, pictur
 from ._readers import vtk_files
 from ._readers.colours import label_colours
 from ._readers.report import one_line, one_message
-from ._readers.slices import Slice, join_slices, list_slices, natural_key
+from ._readers.slices import Slice, describe_gaps, join_slices, list_slices, natural_key
 from ._types import Order, Triple
 from ._warning import VolumeFractionMeshWarning
 
@@ -38,12 +38,13 @@ class Choice(NamedTuple):
     spacing: Any
     origin: Any
     order: str
+    trust_input: bool
 
 
 def read(path: Union[PathLike, Sequence[PathLike]], *, step: int = 0,
          arrays: Optional[Sequence[str]] = None, volume: Optional[int] = None,
          spacing: Optional[Triple] = None, origin: Sequence[float] = NOWHERE,
-         order: Order = "xyz") -> Union[Arrays, Blocks]:
+         order: Order = "xyz", trust_input: bool = False) -> Union[Arrays, Blocks]:
     """Read arrays, an image, slices or blocks of cells as input of `hexes` and `tets`.
 
     Parameters
@@ -69,6 +70,9 @@ def read(path: Union[PathLike, Sequence[PathLike]], *, step: int = 0,
         Corner of the first cell, for ``.npy`` and ``.npz``.
     order : {"xyz", "zyx"}, default "xyz"
         Order of the axes of arrays in ``.npy`` and ``.npz``.
+    trust_input : bool, default False
+        Whether a header may name files outside of its folder: ``.mhd``, ``.nhdr``, ``.pvti`` and
+        the like, ``.dream3d``, ``.spcth``, plotfiles.
 
     Returns
     -------
@@ -91,7 +95,8 @@ def read(path: Union[PathLike, Sequence[PathLike]], *, step: int = 0,
     Warns
     -----
     VolumeFractionMeshWarning
-        If a stack of TIFF lacks the width of its voxels.
+        If a stack of TIFF lacks the width of its voxels, or numbers are missing among the names of
+        slices.
 
     See Also
     --------
@@ -111,7 +116,7 @@ def read(path: Union[PathLike, Sequence[PathLike]], *, step: int = 0,
     ['X velocity']
     """
     names = None if arrays is None else check_names(arrays)
-    choice = Choice(step, volume, spacing, origin, check_order(order))
+    choice = Choice(step, volume, spacing, origin, check_order(order), bool(trust_input))
     if isinstance(path, (list, tuple)):
         files = [os.fspath(each) for each in path]
         if not files:
@@ -141,7 +146,7 @@ def _read_blocks(path: str, names: Optional[List[str]], choice: Choice) -> Block
         raise FileNotFoundError("There is no file %s." % path)
     if choice.volume is not None or choice.spacing is not None:
         raise TypeError("volume and spacing do not apply to %s: it contains its grid." % path)
-    return _core.read_blocks(path, choice.step, names)
+    return _core.read_blocks(path, choice.step, names, choice.trust_input)
 
 
 Reader = Callable[[str, Optional[List[str]], Choice], Image]
@@ -153,7 +158,8 @@ def _list_readers() -> List[Tuple[Tuple[str, ...], Reader]]:
         ((".npy", ".npz"), _read_numpy),
         (nifti_files.ENDINGS, lambda path, names, choice: read_nibabel(
             nifti_files.read(path), choice.volume)._replace(has_labels=True)),
-        (VTK, lambda path, names, choice: read_vtk(vtk_files.read(path), names, is_file=True)),
+        (VTK, lambda path, names, choice: read_vtk(
+            vtk_files.read(path, choice.trust_input), names, is_file=True)),
         (tuple(itk_files.READERS), _read_itk),
         (tiff_files.ENDINGS, _read_tiff),
         (pictures.ENDINGS, lambda path, names, choice: _read_slices([path], choice)),
@@ -208,8 +214,9 @@ def _finish(image: Image, path: str, names: Optional[List[str]], choice: Choice)
                                chosen=chosen or None)
     if choice.spacing is not None:
         image = image._replace(grid=_with_widths(image.grid, check_spacing(choice.spacing)))
-    elif image.note:
-        warnings.warn(one_line(image.note), VolumeFractionMeshWarning, stacklevel=CALLER)
+    for text in (image.warning, image.note if choice.spacing is None else ""):
+        if text:
+            warnings.warn(one_line(text), VolumeFractionMeshWarning, stacklevel=CALLER)
     return Arrays(image, path)
 
 
@@ -239,14 +246,14 @@ def _read_numpy(path: str, names: Optional[List[str]], choice: Choice) -> Image:
 
 
 def _read_itk(path: str, names: Optional[List[str]], choice: Choice) -> Image:
-    image = itk_files.read(path)  # owns the values until they are copied
+    image = itk_files.read(path, choice.trust_input)  # owns the values until they are copied
     found = read_sitk(image, choice.volume)
     copies = {name: array.copy() for name, array in found.arrays.items()}
     return found._replace(arrays=copies, has_labels=True)
 
 
 def _read_dream3d(path: str, names: Optional[List[str]], choice: Choice) -> Image:
-    grid, arrays = dream3d_files.read(path, names)
+    grid, arrays = dream3d_files.read(path, names, choice.trust_input)
     chosen = [dream3d_files.DEFAULT] if dream3d_files.DEFAULT in arrays else None
     return Image(grid, arrays, chosen, "zyx", {}, True)
 
@@ -268,7 +275,7 @@ def _read_slice(path: str) -> Slice:
         raise FileNotFoundError("There is no file %s." % path)
     low = path.lower()
     if low.endswith(tiff_files.ENDINGS):
-        stack = tiff_files.read(path, 0)
+        stack = tiff_files.read(path, 0, is_slice=True)
         values = stack.volumes[0]
         if len(stack.volumes) > 1 or len(values) > 1:
             raise ValueError("it has %d pages: each file of several is one slice."
@@ -284,8 +291,10 @@ def _read_slices(files: Sequence[str], choice: Choice) -> Image:
         raise ValueError("Cannot read %s: there is no volume %d: slices form one volume."
                          % (files[0], choice.volume))
     volume = join_slices(files, _read_slice)
+    gaps = describe_gaps(sort_slices(files))
     with one_message(files[0]):
-        return _stack_image(volume, files[0])
+        image = _stack_image(volume, files[0])
+    return image._replace(warning="%s: %s" % (files[0], gaps) if gaps else "")
 
 
 def _stack_image(stack: Slice, path: str) -> Image:

@@ -12,6 +12,8 @@ namespace
 
 constexpr std::size_t MaximumColours = 255;
 constexpr int SampleBits = 16;
+// A grey colour has three equal samples: it is the sample times this number.
+constexpr std::uint64_t OfGrey = (std::uint64_t(1) << 2 * SampleBits) + (1 << SampleBits) + 1;
 
 } // namespace
 
@@ -61,10 +63,9 @@ void ColourLabels::Add(const char* pixels, Index count)
 
 bool ColourLabels::AreGrey() const
 {
-  constexpr std::uint64_t ofGrey = (std::uint64_t(1) << 2 * SampleBits) + (1 << SampleBits) + 1;
   return std::all_of(this->Labels.begin(), this->Labels.end(),
     [](const auto& entry)
-    { return entry.first % ofGrey == 0 && entry.first / ofGrey <= MaximumColours; });
+    { return entry.first % OfGrey == 0 && entry.first / OfGrey <= MaximumColours; });
 }
 
 LabelNames ColourLabels::Number()

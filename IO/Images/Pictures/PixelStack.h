@@ -41,7 +41,9 @@ struct PixelStack
 };
 
 /// Opens a TIFF file, see OpenTiff.
-PixelStack OpenTiffStack(const std::string& path, const ImageRequest& request);
+/// @param isSlice  the file is one slice of several; ImageJ then describes the whole stack in it
+PixelStack OpenTiffStack(
+  const std::string& path, const ImageRequest& request, bool isSlice = false);
 /// Opens a PNG file, see OpenPng.
 PixelStack OpenPngStack(const std::string& path);
 /// Opens files with one layer each, in natural order of their names.

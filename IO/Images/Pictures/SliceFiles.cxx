@@ -5,8 +5,11 @@
 #include "Ranks/Errors.h"
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <glob.h>
+#include <iterator>
+#include <map>
 #include <regex>
 
 namespace vfm
@@ -107,12 +110,88 @@ std::vector<std::string> ListFolder(const std::string& path)
   return paths;
 }
 
+std::string SuffixOf(const std::string& path)
+{
+  std::string suffix = fs::path(path).extension().string();
+  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return suffix == ".tiff" ? ".tif" : suffix;
+}
+
+/// Returns the suffixes of visible files with their numbers: ".dcm" 12.
+std::map<std::string, int> CountSuffixes(const std::vector<std::string>& paths)
+{
+  std::map<std::string, int> counts;
+  std::error_code error;
+  for (const std::string& path : paths)
+  {
+    const bool isVisible = fs::path(path).filename().string().compare(0, 1, ".") != 0;
+    counts[SuffixOf(path)] += isVisible && fs::is_regular_file(path, error);
+  }
+  return counts;
+}
+
+/// Returns what a user can do with files that are no slices, or "".
+std::string Advise(const std::map<std::string, int>& counts)
+{
+  const auto has = [&counts](const char* suffix)
+  { return counts.count(suffix) > 0 && counts.at(suffix) > 0; };
+  const bool arePictures = has(".jpg") || has(".jpeg") || has(".bmp") || has(".gif");
+  return has(".dcm") || has(".ima")
+    ? " Convert DICOM files to one .nii or .nrrd, for instance by 3D Slicer or dcm2niix."
+    : arePictures ? " Save pictures as .png or .tif, from the original images, because .jpg "
+                    "changes values."
+                  : "";
+}
+
+[[noreturn]] void RejectFiles(bool isFolder, const std::vector<std::string>& paths)
+{
+  const std::map<std::string, int> counts = CountSuffixes(paths);
+  std::vector<std::string> found;
+  for (const auto& [suffix, count] : counts)
+  {
+    if (count > 0)
+    {
+      found.push_back(std::to_string(count) + " " + (suffix.empty() ? "without suffix" : suffix));
+    }
+  }
+  throw InputError(std::string(isFolder ? "the folder contains" : "the pattern matches") +
+    " no file of a slice (" + JoinTexts(GetSliceSuffixes()) + ")" +
+    (isFolder ? " and is no plotfile of AMReX, which has a file Header" : "") +
+    ". Its files: " + (found.empty() ? "none" : JoinTexts(found)) + "." + Advise(counts));
+}
+
+/// Rejects files of several formats.
+void CheckOneFormat(const std::string& path, bool isFolder, const std::vector<std::string>& files)
+{
+  const std::map<std::string, int> counts = CountSuffixes(files);
+  if (counts.size() < 2)
+  {
+    return;
+  }
+  std::vector<std::string> found;
+  for (const auto& one : counts)
+  {
+    found.push_back(one.first);
+  }
+  const std::string example =
+    (isFolder ? fs::path(path) : fs::path(path).parent_path()) / ("*" + found.back());
+  throw InputError("its slices have several formats, " + JoinTexts(found) +
+    ". Select one format by a pattern in quotes, such as \"" + example + "\".");
+}
+
 } // namespace
 
 const std::vector<std::string>& GetSliceSuffixes()
 {
   static const std::vector<std::string> suffixes{ ".tif", ".tiff", ".png" };
   return suffixes;
+}
+
+bool IsPattern(const std::string& path)
+{
+  std::error_code error;
+  return !fs::exists(path, error) && MakePattern(path).find_first_of("*?[") != std::string::npos;
 }
 
 bool AreSlices(const std::string& path)
@@ -123,23 +202,26 @@ bool AreSlices(const std::string& path)
     const std::vector<std::string> paths = ListFolder(path);
     return std::any_of(paths.begin(), paths.end(), IsSlice);
   }
-  return !fs::exists(path, error) && HasSuffix(path, GetSliceSuffixes()) &&
-    MakePattern(path).find_first_of("*?[") != std::string::npos;
+  if (!IsPattern(path) || HasSuffix(path, GetSliceSuffixes()))
+  {
+    return IsPattern(path);
+  }
+  const std::vector<std::string> matches = ListMatches(path);
+  return std::any_of(matches.begin(), matches.end(), IsSlice);
 }
 
 std::vector<std::string> ListSlices(const std::string& path)
 {
   std::error_code error;
   const bool isFolder = fs::is_directory(path, error);
-  std::vector<std::string> paths = isFolder ? ListFolder(path) : ListMatches(path);
-  paths.erase(std::remove_if(
-                paths.begin(), paths.end(), [](const std::string& one) { return !IsSlice(one); }),
-    paths.end());
+  const std::vector<std::string> all = isFolder ? ListFolder(path) : ListMatches(path);
+  std::vector<std::string> paths;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(paths), IsSlice);
   if (paths.empty())
   {
-    throw InputError(std::string(isFolder ? "the folder contains" : "the pattern matches") +
-      " no file of a slice (" + JoinTexts(GetSliceSuffixes()) + ").");
+    RejectFiles(isFolder, all);
   }
+  CheckOneFormat(path, isFolder, paths);
   SortNaturally(paths);
   return paths;
 }

@@ -20,7 +20,8 @@ PixelStack OpenSlice(const std::string& path)
   PrefixErrors("slice " + NameOf(path) + ": ",
     [&]
     {
-      slice = HasSuffix(path, ".png") ? OpenPngStack(path) : OpenTiffStack(path, ImageRequest());
+      slice =
+        HasSuffix(path, ".png") ? OpenPngStack(path) : OpenTiffStack(path, ImageRequest(), true);
       if (slice.Place.Size[2] != 1)
       {
         throw InputError("it has " + std::to_string(slice.Place.Size[2]) +

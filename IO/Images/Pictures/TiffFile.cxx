@@ -2,6 +2,7 @@
 #include "Images/Pictures/TiffDescription.h"
 #include "Images/Pictures/TiffPage.h"
 #include "Images/StoredValues.h"
+#include "OpenFile.h"
 #include "Ranks/Errors.h"
 
 #include <algorithm>
@@ -64,17 +65,14 @@ StoredValues FindImagesWithoutPages(
   return stored;
 }
 
-/// Returns the length of the unit of the resolution in millimetres, or 1 for other units of ImageJ;
-/// 0 if the file has no unit.
+/// Returns 1 if ImageJ names the unit of lengths, otherwise the length of the unit of the
+/// resolution in millimetres; 0 if the file has no unit.
 double FindUnit(TIFF* file, const TiffDescription& description)
 {
   constexpr double inch = 25.4, centimetre = 10.0;
-  const std::string& unit = description.Unit;
-  if (!unit.empty())
+  if (!description.Unit.empty())
   {
-    const bool isInch = unit == "inch" || unit == "inches" || unit == "in";
-    const bool isCentimetre = unit == "cm" || unit == "centimeter" || unit == "centimetre";
-    return isInch ? inch : isCentimetre ? centimetre : 1.0;
+    return 1.0;
   }
   std::uint16_t number = 0;
   TIFFGetFieldDefaulted(file, TIFFTAG_RESOLUTIONUNIT, &number);
@@ -156,7 +154,7 @@ void VisitStored(const StoredValues& stored, const Index3& size, const TiffDescr
 
 } // namespace
 
-PixelStack OpenTiffStack(const std::string& path, const ImageRequest& request)
+PixelStack OpenTiffStack(const std::string& path, const ImageRequest& request, bool isSlice)
 {
   const TiffHandle file = OpenTiffHandle(path);
   const TiffPage page(file.get());
@@ -164,7 +162,10 @@ PixelStack OpenTiffStack(const std::string& path, const ImageRequest& request)
   stack.Form = page.FindForm();
   TiffDescription description = DescribeStack(file.get(), page);
   const Index pages = CountPages(file.get(), page);
-  if (pages > description.CountImages())
+  const Index length = CountCells({ page.Width, page.Height, description.CountImages() }) *
+    (stack.Form.Samples * page.Bits) / 8;
+  const bool isPart = isSlice && pages < description.CountImages() && GetFileLength(path) < length;
+  if (pages > description.CountImages() || isPart)
   {
     description.Slices = pages;
     description.Channels = description.Times = description.SliceStep = 1;

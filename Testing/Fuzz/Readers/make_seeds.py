@@ -318,9 +318,43 @@ def xml_seeds():
     yield "inline", vtu(b"", 'format="binary">%s</DataArray>' % b64encode(value).decode())
     yield "raw", vtu(appended(b"raw", value), at)
     yield "base64", vtu(appended(b"base64", b64encode(value)), at)
-    packed = zlib.compress(value[4:])
-    packed = struct.pack("<4I", 1, 2, 2, len(packed)) + packed
-    yield "zlib", vtu(appended(b"raw", packed), at, 'compressor="vtkZLibDataCompressor" ')
+    head, packed = pack(value[4:], 2)
+    yield "zlib", vtu(appended(b"raw", head + packed), at, 'compressor="vtkZLibDataCompressor" ')
+    inline = 'format="binary">%s</DataArray>'
+    yield "zlib64", vtu(b"", inline % (b64encode(head) + b64encode(packed)).decode(),
+                        'compressor="vtkZLibDataCompressor" ')
+    texts = ('format="ascii">7</DataArray><Array type="String" Name="t" format="ascii">97 0'
+             '</Array><DataArray type="Bit" Name="b" format="ascii">1</DataArray>')
+    yield "texts", vtu(b"", texts)
+
+
+def pack(values, size):
+    """Returns the header and the blocks of compressed values."""
+    blocks = [zlib.compress(values[at:at + size]) for at in range(0, len(values), size)]
+    last = len(values) % size
+    return struct.pack("<%dI" % (3 + len(blocks)), len(blocks), size, last,
+                       *map(len, blocks)), b"".join(blocks)
+
+
+def vti(*pieces, more=""):
+    """Returns a file of 4 x 3 x 2 cells in two pieces, with their arrays."""
+    return ('<VTKFile type="ImageData" version="1.0" byte_order="LittleEndian" '
+            'header_type="UInt32" %s><ImageData WholeExtent="0 4 0 3 0 2" Origin="0 0 0" '
+            'Spacing="1 1 1">%s</ImageData></VTKFile>' % (more, "".join(
+                '<Piece Extent="%d %d 0 3 0 2"><CellData><DataArray type="Float32" Name="a" %s'
+                "</CellData></Piece>" % (2 * number, 2 * number + 2, piece)
+                for number, piece in enumerate(pieces)))).encode()
+
+
+def vti_seeds():
+    values = struct.pack("<12f", *range(12))
+    head, packed = pack(values, 20)
+    text = 'format="ascii">%s</DataArray>' % " ".join("%g" % (0.5 * x) for x in range(12))
+    inline = 'format="binary">%s</DataArray>'
+    yield "ascii", vti(text, text)
+    yield "mixed", vti(text, inline % b64encode(struct.pack("<I", 48) + values).decode())
+    block = inline % (b64encode(head) + b64encode(packed)).decode()
+    yield "zlib", vti(block, block, more='compressor="vtkZLibDataCompressor"')
 
 
 def block_seeds():
@@ -388,6 +422,7 @@ def write_all(folder):
             ("Tiff", tiff_seeds), ("Png", png_seeds), ("Mgh", mgh_seeds),
             ("SpyPlot", spyplot_seeds), ("Options", option_seeds),
             ("Shapes", shape_seeds), ("VtkLegacy", legacy_seeds), ("VtkXml", xml_seeds),
+            ("VtkImage", vti_seeds),
             ("VtkBlocks", block_seeds), ("Arguments", argument_seeds)):
         for name, data in seeds():
             write(folder, harness, name, data)

@@ -6,6 +6,7 @@ same labels as cells. Rotated images lie where their files say. Damaged files gi
 import os
 import sys
 
+import h5py
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -183,6 +184,22 @@ def test_mgh_directions(at):
 
 
 @in_folder
+def test_trusted_dream3d(at):
+    """A link to another file is read if the input is trusted."""
+    os.makedirs(at("in"))
+    path = write_dream3d(at("in/a.dream3d"), LABELS.astype("i4"), ORIGIN, SPACING)
+    os.rename(path, at("b.dream3d"))
+    with h5py.File(path, "w") as file:
+        file["DataContainers"] = h5py.ExternalLink(at("b.dream3d"), "/DataContainers")
+    refused(2, "leads to another file. If you trust the file", path, at("out.vtu"))
+    source = simple.OpenDataFile(path, TrustInput=1)
+    source.UpdatePipeline()
+    check_same(labels_mesh(source, "FeatureIds"), GOLD, path)
+    mesh_file(path, at("out.vtu"), "--trust-input", ranks=3)
+    check_same(merge(read_pieces(at("out.vtu"))), GOLD, path)
+
+
+@in_folder
 def test_old_dream3d(at):
     """A file of DREAM.3D 4 with flat arrays."""
     path = write_old_dream3d(at("a.dream3d"), LABELS.astype("i4"), ORIGIN, SPACING)
@@ -317,6 +334,13 @@ def test_list(at):
         assert listed[9].split(None, 1) == ["Labels", "labels: integers from 0 to 4"], listed
         assert listed[11] == "materials from Labels (labels, the only array of integers)" and [
             int(l) for l in listed[12:]] == [1, 2, 3, 4]
+    several = write_nifti(at("several.nii"), np.stack([0 * LABELS, LABELS]), MIDDLE,
+                          dim=(4, 9, 11, 13, 2, 1, 1, 1))
+    for words, volume, least in (([], 0, 0), (["--volume", "1"], 1, 4)):
+        listed = sculptor("--list", several, *words).stdout.splitlines()
+        assert listed[2] == ("2 volumes, selected by --volume, from 0; the values below are of "
+                             "volume %d" % volume), listed
+        assert listed[7].split()[-1] == str(least), listed
     listed = sculptor("--list",
                       write_dream3d(at("a.dream3d"), LABELS, ORIGIN, SPACING)).stdout.splitlines()
     assert listed[2] == "1287 cells, 9 x 11 x 13" and listed[
@@ -393,7 +417,8 @@ def test_refused(at):
              "it is not an HDF5 file, or it is damaged"),
             (write_dream3d(at("name.dream3d"), LABELS, ORIGIN, SPACING, name="GrainIds"),
              "it holds no cell array 'FeatureIds' with one value per cell. Other arrays: "
-             "GrainIds. Arrays of other sizes: EulerAngles (13 x 11 x 9 x 3), Volumes (4 x 1)."),
+             "GrainIds. Arrays of other sizes: EulerAngles (13 x 11 x 9 x 3), Volumes (4 x 1). "
+             "Choose one of them: --labels GrainIds (sculptor) or Cell Array (ParaView)."),
             (write_dream3d(at("two.dream3d"), LABELS, ORIGIN, SPACING, more=["Other"]),
              "it holds two cell arrays FeatureIds")):
         it = vtkVolumeFractionImageReader()

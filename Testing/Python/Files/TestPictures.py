@@ -114,9 +114,10 @@ def test_size_of_voxels(at):
         assert not read([path])[1]
     path = write_pages(at("a.tif"), LABELS, description=IMAGEJ, resolution=2)
     check_readers(path, LABELS)  # --spacing has priority
-    path = write_pages(at("inch.tif"), LABELS, description=IMAGEJ.replace("micron", "inch"),
-                       resolution=2, unit=2)
-    assert np.allclose(read([path])[0].GetSpacing(), (12.7, 12.7, 76.2), 1e-12, 0)
+    for unit, number in (("inch", 2), ("cm", 3), ("mm", 1)):  # in the unit of the file
+        path = write_pages(at("unit.tif"), LABELS, description=IMAGEJ.replace("micron", unit),
+                           resolution=2, unit=number)
+        assert read([path])[0].GetSpacing() == (0.5, 0.5, 3.0)
 
 
 @in_folder
@@ -225,7 +226,64 @@ def test_refused_slices(at):
         assert len(errors) == 1 and text in errors[0] and "s_7.tif" in errors[0], errors
     refused(2, "the pattern matches no file", at("none*.tif"), at("out.vtu"))
     os.makedirs(at("empty"))
-    refused(1, "folders or patterns of slices (.tif, .tiff, .png)", at("empty"), at("out.vtu"))
+    refused(2, "the folder contains no file of a slice (.tif, .tiff, .png) and is no plotfile of "
+            "AMReX, which has a file Header. Its files: none.", at("empty"), at("out.vtu"))
+
+
+@in_folder
+def test_folders_of_other_files(at):
+    """A message names the files and the way on, in sculptor and the readers."""
+    for name, files, texts in (
+            ("jpg", ["a.jpg", "b.JPG"], ["Its files: 2 .jpg.", "Save pictures as .png or .tif"]),
+            ("dcm", ["1.dcm", "2.dcm", ".x"], ["Its files: 2 .dcm.", "Convert DICOM files to one"]),
+            ("mixed", ["a.tif", "b.tiff", "preview.png"],
+             ["several formats, .png, .tif", 'such as "%s/*.tif"' % at("mixed")])):
+        os.makedirs(at(name))
+        for file in files:
+            save(os.path.join(at(name), file), b"other")
+        for text in texts:
+            refused(2, text, at(name), at("out.vtu"))
+            it = vtkVolumeFractionImageReader()
+            it.AddSlice(at(name))
+            errors, _ = collect(it)
+            it.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
+            it.Update()
+            assert len(errors) == 1 and text in errors[0] and at(name) in errors[0], errors
+    refused(2, "Its files: 2 .jpg", at("jpg/*"), at("out.vtu"))
+    write_slices(at("good"), LABELS, lambda path, page: write_pages(path, page[None]), "s_%d.tif")
+    mesh_file(at("good/s_*"), at("out.vtu"), *UNIT)
+    check_same(merge(read_pieces(at("out.vtu"))), gold_of(LABELS), "pattern without suffix")
+
+
+@in_folder
+def test_gaps_of_slices(at):
+    """A number without a file is a warning; the usual step is the smallest one."""
+    text = "slices may be missing: numbers without a file: 2, the first between s_3.tif and s_5.tif"
+    page = lambda path, values: write_pages(path, values[None])
+    whole = write_slices(at("whole"), LABELS, page, "s_%d.tif")
+    assert not read([whole], (1, 1, 1))[1]
+    for number in (4, 9):
+        os.remove(os.path.join(whole, "s_%d.tif" % number))
+    kept = np.delete(LABELS, (4, 9), 0)
+    for given in ([whole], [os.path.join(whole, name) for name in os.listdir(whole)]):
+        data, warnings = read(given, (1, 1, 1))
+        assert len(warnings) == 1 and text in warnings[0], warnings
+        assert (vtk_to_numpy(data.GetPointData().GetArray("Labels")) == kept.ravel()).all()
+    for ranks in (1, 3):
+        assert text in sculptor(whole, at("out.vtu"), *UNIT, ranks=ranks).stderr
+    os.makedirs(at("tens"))
+    for number, values in enumerate(LABELS[:4]):
+        page(at("tens/z%02d_t%d.tif" % (10 * (number // 2), number % 2)), values)
+    assert not read([at("tens")], (1, 1, 1))[1]
+
+
+@in_folder
+def test_slices_that_describe_the_stack(at):
+    """ImageJ keeps the description of the stack in each of its slices."""
+    for name, options in (("raw", {}), ("tiles", {"tile": 16})):
+        folder = write_slices(at(name), LABELS, lambda path, values: write_pages(
+            path, values[None], description=IMAGEJ, resolution=2, **options), "s_%d.tif")
+        check_readers(folder, LABELS, [], (0.5, 0.5, 3.0))
 
 
 @in_folder

@@ -373,7 +373,7 @@ def test_refused_arrays(at):
     array(cells.ravel(), "shape (24,)", "3-D")
     array(cells[0], "shape (3, 4)")
     array(np.array(3), "shape ()")
-    array(cells[None], "shape (1, 2, 3, 4)")
+    array(cells[None], "shape (1, 2, 3, 4)", "save a.astype('float32') of masks, or one 3-D array")
     array(np.zeros((1, 1, 2, 3, 4)), "shape (1, 1, 2, 3, 4)", "or a 4-D")
     array(np.asfortranarray(np.zeros((2, 3, 4, 5))), "Fortran order", "ascontiguousarray")
     array(np.zeros((2, 0, 4)), "no cells")

@@ -190,7 +190,8 @@ def test_flat_and_empty_grids():
     flat = vtkImageData()
     flat.SetDimensions(5, 5, 1)
     add_array(flat.GetCellData(), "ball", np.zeros((1, 4, 4)))
-    check_error(flat, "flat", "no cells along z", VolumeFractionArrays=["ball"])
+    check_error(flat, "flat", "no cells along z", "Label Slices Reader reads pictures and slices",
+                VolumeFractionArrays=["ball"])
     check_error(blocks(half(0), flat), "Block 1 is flat")
     check_error(vtkImageData(), "no cells")
     check_error(vtkMultiBlockDataSet(), "no cells")

@@ -304,7 +304,8 @@ def test_point_data_is_told(at):
     add_array(data.GetPointData(), "phi", np.full((5, 5, 5), 0.25))
     files = ["--input", write(data, at("in.vtr"), vtkXMLRectilinearGridWriter), "--output",
              at("no.vtu")]
-    points = "Its point arrays, which cannot be meshed: phi (double, 0.25 to 0.25)."
+    points = ("Its point arrays, which cannot be meshed, because points are the centres of cells "
+              "only in images (.vti; STRUCTURED_POINTS in .vtk): phi (double, 0.25 to 0.25).")
     for ranks in (1, 2):
         refused(2, "Its cell arrays: count (double, 1.5 to 1.5). " + points, *files, ranks=ranks)
         for option in ("--fractions", "--labels", "--state"):

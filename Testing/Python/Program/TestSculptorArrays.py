@@ -1,7 +1,8 @@
 """Arrays that sculptor finds and reads: masks, labels, ranges of values, names with commas."""
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkRectilinearGrid
+from vtkmodules.vtkIOXML import vtkXMLRectilinearGridWriter
 
 from compare_meshes import difference, merge, read_pieces
 from sculptor_program import mesh_file, refused, rows, sculptor
@@ -81,15 +82,56 @@ def test_bytes_between(at):
                 "--fractions", "a,b", ranks=ranks)
         refused(3, "choose the array as labels (--labels b)", path, at("o.vtu"), "--fractions", "b",
                 ranks=ranks)
-    # One array that can fill cells makes all of them fractions of 255.
+    # Values above 127 of which none is 255 may be labels or fractions.
+    one = write(unit_image({"tissue": two_boxes(100, 200, np.uint8)}), at("one.vti"))
+    for ranks in (1, 3):
+        refused(2, "Labels or volume fractions: 'tissue' (unsigned char up to 200, never 255: ",
+                one, at("o.vtu"), ranks=ranks)
+    refused(2, "(--fractions A,B,..), an array of labels (--labels ARRAY)", one, at("o.vtu"))
+    assert contents(one, "--labels", "tissue", at=at) == {"100 Material 100": (476, 240),
+                                                          "200 Material 200": (476, 240)}
+    assert list(contents(one, "--fractions", "tissue", at=at)) == ["1 tissue"]
     values["c"] = np.full((10, 12, 14), 200, np.uint8)
+    refused(2, "'a' (unsigned char up to 3, next to 200, never 255",
+            write(unit_image(values), at("in.vti")), at("out.vtu"))
+    # One array that fills cells makes all of them fractions of 255.
+    values["c"] = 255 - values["a"] - values["b"]
     path = write(unit_image(values), at("in.vti"))
     result = sculptor(path, at("out.vtu"))
     assert "materials from a, b, c (all cell arrays" in result.stdout, result
     table = rows(result.stdout)
-    assert [table[name][5] for name in ("1 a", "2 b", "3 c")] == [2.82353, 27.2941, 1317.65]
+    assert [table[name][5] for name in ("1 a", "2 b", "3 c")] == [2.82353, 27.2941, 1649.88]
     path = write(unit_image({"vf": two_boxes(100, 0, np.uint8)}), at("vf.vti"))
     refused(3, "The mesh has no elements", path, at("o.vtu"), "--fractions", "vf")
+
+
+@in_folder
+def test_states_and_masks_of_reals(at):
+    """A damage is no material; masks of reals next to labels are not guessed."""
+    steel = two_boxes(1, 0, float)
+    path = write(unit_image({"steel": steel, "damage": 0.03 * steel}), at("in.vti"))
+    assert contents(path, at=at) == {"1 steel": (476, 240)}
+    path = write(unit_image({"damage": steel}), at("in.vti"))
+    refused(2, "'damage' (named as a state of the material)", path, at("out.vtu"))
+    assert contents(path, "--fractions", "damage", at=at) == {"1 damage": (476, 240)}
+    for name in ("labels", "zones"):
+        path = write(unit_image({"mask": steel, name: two_boxes(1, 2, np.int32)}), at("in.vti"))
+        refused(2, "Labels '%s' (integers from 0 to 2) or volume fractions 'mask'" % name, path,
+                at("out.vtu"))
+
+
+@in_folder
+def test_coordinates_that_decrease(at):
+    """The message names the file."""
+    data = vtkRectilinearGrid()
+    data.SetDimensions(3, 2, 2)
+    for to, x in ((data.SetXCoordinates, [0.0, 2, 1]), (data.SetYCoordinates, [0.0, 1]),
+                  (data.SetZCoordinates, [0.0, 1])):
+        to(numpy_to_vtk(np.array(x), deep=True))
+    add_array(data.GetCellData(), "id", np.array([1, 2]), np.int32)
+    path = write(data, at("in.vtr"), vtkXMLRectilinearGridWriter)
+    refused(3, "Cannot mesh %s: The input: the x coordinates do not increase" % path, path,
+            at("out.vtu"))
 
 
 @in_folder
@@ -116,6 +158,10 @@ def test_labels_near_integers(at):
         assert contents(path, "--material", "53", at=at) == {"53 Material 53": (476, 240)}
     path = write(unit_image({"seg": two_boxes(17, 53, float) + 2 * noise}), at("in.vti"))
     refused(3, "'seg' holds", path, at("out.vtu"), "--labels", "seg", ranks=2)
+    for value, text in ((1.0012, "such as 1.0012"), (np.nan, "such as nan")):
+        path = write(unit_image({"seg": two_boxes(value, 2, np.float32)}), at("in.vti"))
+        for ranks in (1, 3):
+            refused(2, text, path, at("out.vtu"), ranks=ranks)
     path = write(unit_image({"seg": two_boxes(1, 0.998, float)}), at("in.vti"))
     refused(3, "'seg' holds 0.998 in cell (7, 2, 2): material ids are integers", path,
             at("out.vtu"), "--labels", "seg", ranks=2)
@@ -185,8 +231,8 @@ def test_grey_values(at):
     values = grey(n=16)
     path = write(unit_image({"scan": values.astype(np.int16)}), at("in.vti"))
     for ranks in (1, 3):
-        refused(3, "The array 'scan' looks like grey values, not labels: ", path, at("out.vtu"),
-                ranks=ranks)
+        refused(3, "Cannot mesh %s: The array 'scan' looks like grey values, not labels: " % path,
+                path, at("out.vtu"), ranks=ranks)
     result = sculptor(path, at("out.vtu"), "--labels", "scan", "--stairstep", ranks=2)
     assert result.returncode == 0 and "looks like grey values" in result.stderr, result
     # Grains are no grey values.

@@ -162,7 +162,7 @@ def test_what_holds_no_materials(at):
         "materials: none found; name their arrays (--fractions A,B,.., --labels ARRAY, or "
         "--threshold)", [])
     assert lines[-1] == ("No array holds volume fractions or labels: 'heat' (real numbers from 9 "
-                         "to 10: neither in [0, 1] nor integers).")
+                         "to 10: neither in [0, 1] nor integers, such as 9.0625).")
 
 
 @in_folder
@@ -185,7 +185,8 @@ def test_contents(at):
         "void": "other: named void, which is no material",
         "mass": "other: named as a mass or density",
         "phi": "level set: values of both signs, -0.5 to 0.5: a level set or signed distance",
-        "heat": "grey values: real numbers from 300.5 to 301.5: neither in [0, 1] nor integers",
+        "heat": "grey values: real numbers from 300.5 to 301.5: neither in [0, 1] nor integers, "
+                "such as 300.5",
         "whole": "labels: real numbers that are integers from 0 to 10",
         "velocity": "other: 3 components",
         "mask": "mask: integers 0 and 1: 1 is full",

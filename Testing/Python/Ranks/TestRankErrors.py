@@ -166,7 +166,8 @@ def test_single_array_on_some_ranks():
     assert reduced(int(not result.errors and result.mesh.GetNumberOfCells() > 0),
                    vtkCommunicator.MAX_OP) == 1, result.errors
     more = slab(lambda arrays: [arrays.pop(name) for name in ("plate", "id") if RANK != 1])
-    check_error(blocks(more), "No array is chosen", VolumeFractionArrays=[])
+    check_error(blocks(more), "No array is chosen", "'plate' is missing in some blocks",
+                VolumeFractionArrays=[])
 
 
 def test_levels_that_are_not_loaded():

@@ -8,6 +8,7 @@ import numpy as np
 
 from .._arrays import as_numbers
 from .._grid import Grid, even_nodes
+from .named_files import TRUST
 from .report import load_library
 
 ENDING = ".dream3d"
@@ -25,12 +26,13 @@ class CellData(NamedTuple):
     arrays: Dict[str, np.ndarray]
 
 
-def read(path: str, names: Optional[Sequence[str]]) -> CellData:
-    """Reads the arrays of the image geometry that has the selected arrays, or FeatureIds."""
+def read(path: str, names: Optional[Sequence[str]], is_trusted: bool) -> CellData:
+    """Reads the arrays of the image geometry that has the selected arrays, or FeatureIds.
+    is_trusted: values may be in other files."""
     h5py = load_library("h5py", path)
     wanted = list(names or [DEFAULT])
     with h5py.File(path, "r") as file:
-        found = [(group, grid, dict(_list_arrays(group, grid)))
+        found = [(group, grid, dict(_list_arrays(h5py, group, grid, is_trusted)))
                  for group, grid in _find_geometries(h5py, file, DEEPEST)]
         if not found:
             raise ValueError("it has no image geometry.")
@@ -75,17 +77,29 @@ def _read_grid(group: Any) -> Optional[Grid]:
     return None
 
 
-def _list_arrays(group: Any, grid: Grid) -> Iterator[Tuple[str, Any]]:
+def _list_arrays(h5py: Any, group: Any, grid: Grid,
+                 is_trusted: bool) -> Iterator[Tuple[str, Any]]:
     """Yields names and data sets of numbers with one tuple per cell. DREAM.3D 6 also stores them
     flat, as (cells, components)."""
     shape, count = grid.cells[::-1], int(np.prod(grid.cells))
     for matrix in group:
-        inner = group[matrix]
+        inner = _open(h5py, group, matrix, is_trusted)
         for name in inner if hasattr(inner, "keys") else []:
-            data = inner[name]
+            data = _open(h5py, inner, name, is_trusted)
             if getattr(data, "shape", None) and data.dtype.kind in "biuf" and (
                     data.shape[:3] == shape or data.shape[0] == count and data.ndim <= 2):
                 yield name, data
+
+
+def _open(h5py: Any, group: Any, name: str, is_trusted: bool) -> Any:
+    """Returns a member of a group. Raises ValueError if it is in another file."""
+    if not is_trusted and isinstance(group.get(name, getlink=True), h5py.ExternalLink):
+        raise ValueError("its link %r leads to another file. %s" % (name, TRUST))
+    member = group[name]
+    if not is_trusted and isinstance(member, h5py.Dataset) and (
+            member.is_virtual or member.external):
+        raise ValueError("%s has its values in other files. %s" % (member.name, TRUST))
+    return member
 
 
 def _flatten(data: Any, cells: List[int]) -> np.ndarray:

@@ -6,6 +6,7 @@ import os
 import re
 from typing import Any
 
+from .named_files import check_inside, list_nrrd_files, read_header
 from .report import load_library, quiet
 
 # The reader of each format is selected, because SimpleITK otherwise tries all of them, and some
@@ -15,12 +16,15 @@ READERS = {".nrrd": "NrrdImageIO", ".nhdr": "NrrdImageIO", ".mha": "MetaImageIO"
            ".mrc": "MRCImageIO", ".dcm": "GDCMImageIO"}
 
 
-def read(path: str) -> Any:
-    """Returns an image of SimpleITK."""
+def read(path: str, is_trusted: bool) -> Any:
+    """Returns an image of SimpleITK. is_trusted: the header may name files outside of its
+    folder."""
     sitk = load_library("SimpleITK", path)
     ending = next(end for end in READERS if path.lower().endswith(end))
     if ending == ".mhd":
-        _check_data_files(path)
+        _check_data_files(path, is_trusted)
+    if ending in (".nrrd", ".nhdr") and not is_trusted:
+        check_inside(path, list_nrrd_files(read_header(path)))
     reader = sitk.ImageFileReader()
     reader.SetFileName(path)
     reader.SetImageIO(READERS[ending])
@@ -28,10 +32,10 @@ def read(path: str) -> Any:
         return reader.Execute()
 
 
-def _check_data_files(path: str) -> None:
-    """Raises ValueError that names a missing file, if a header of MetaImage lists its files."""
-    with open(path, "rb") as file:
-        text = file.read(1 << 20).decode("utf-8", "replace")
+def _check_data_files(path: str, is_trusted: bool) -> None:
+    """Raises ValueError that names a file that is missing or outside of the folder of a header of
+    MetaImage."""
+    text = read_header(path)
     found = re.search(r"^\s*ElementDataFile\s*=\s*(.*?)\s*$", text, re.MULTILINE | re.IGNORECASE)
     if not found:
         raise ValueError("its header has no ElementDataFile.")
@@ -45,6 +49,8 @@ def _check_data_files(path: str) -> None:
         names = [words[0] % k for k in range(first, last + 1, max(step, 1))]
     else:
         names = [found.group(1)]
+    if not is_trusted:
+        check_inside(path, names)
     for name in names:
         place = os.path.join(os.path.dirname(path), name)
         if not os.path.isfile(place):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import glob
 import os
 import re
+from collections import Counter
 from typing import Any, Callable, List, NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
@@ -32,15 +33,17 @@ def list_slices(path: str, endings: Sequence[str]) -> Optional[List[str]]:
         files = [os.path.join(path, name) for name in names if name.lower().endswith(endings)]
         place = "The folder"
     elif PATTERN.search(path) and not os.path.exists(path):
-        files, place = [name for name in glob.glob(path) if os.path.isfile(name)], "The pattern"
+        names = [name for name in glob.glob(path) if os.path.isfile(name)]
+        files = [name for name in names if name.lower().endswith(tuple(endings))]
+        place = "The pattern"
     else:
         return None
     if not files:
         raise ValueError(
-            "%s %s %s no slices: files %s.%s"
+            "%s %s %s no slices: files %s.%s%s"
             % (place, path, "contains" if place == "The folder" else "matches",
                ", ".join(endings), " It is not a plotfile of AMReX either: it has no Header."
-               if place == "The folder" else ""))
+               if place == "The folder" else "", _describe_others(names)))
     kinds = sorted({os.path.splitext(name)[1].lower().replace(".tiff", ".tif") for name in files})
     if len(kinds) > 1:
         raise ValueError("%s %s has files of several formats, %s: select one format by a pattern, "
@@ -49,10 +52,42 @@ def list_slices(path: str, endings: Sequence[str]) -> Optional[List[str]]:
     return sorted(files, key=natural_key)
 
 
+def _describe_others(names: Sequence[str]) -> str:
+    """Returns which files there are instead of slices, and what to do with them."""
+    counts = Counter(os.path.splitext(name)[1].lower() or "without ending" for name in names)
+    if not counts:
+        return " It is empty."
+    advice = (" Convert DICOM files to one .nii or .nrrd, for instance by 3D Slicer or dcm2niix."
+              if {".dcm", ".ima"} & set(counts) else "")
+    return " Its files: %s.%s" % (
+        ", ".join("%d %s" % (counts[kind], kind) for kind in sorted(counts)), advice)
+
+
 def natural_key(path: str) -> Any:
     """Returns a key that sorts numbers in names by their value: slice_2 before slice_10."""
     words = re.split(r"([0-9]+)", os.path.basename(path))
     return [int(word) if word.isdigit() else word for word in words], path
+
+
+def describe_gaps(files: Sequence[str]) -> str:
+    """Returns a text if numbers are missing among the names of slices in natural order, or "". The
+    usual step of a number is its smallest: 0, 10, 20 lack nothing."""
+    names = [os.path.basename(path) for path in files]
+    steps = []  # (place of the first number that differs, difference, index of the file)
+    for number, (one, other) in enumerate(zip(names, names[1:])):
+        first, second = (re.split(r"([0-9]+)", name) for name in (one, other))
+        if first[::2] == second[::2]:
+            pairs = enumerate(zip(map(int, first[1::2]), map(int, second[1::2])))
+            steps += [(place, b - a, number) for place, (a, b) in pairs if a != b][:1]
+    usual = {place: min(step for p, step, _ in steps if p == place) for place, _, _ in steps}
+    gaps = [(step, usual[place], number) for place, step, number in steps
+            if step > usual[place]]
+    if not gaps:
+        return ""
+    missing, first_gap = sum(max((step - 1) // own, 1) for step, own, _ in gaps), gaps[0][2]
+    return ("slices may be missing: numbers without a file: %d, the first between %s and %s. The "
+            "volume has no gaps: the slices on both sides become neighbours."
+            % (missing, *names[first_gap:first_gap + 2]))
 
 
 def join_slices(files: Sequence[str], read: Callable[[str], Slice]) -> Slice:

@@ -19,7 +19,6 @@ METRES = {"m": 1.0, "dm": 0.1, "cm": 1e-2, "mm": 1e-3, "um": 1e-6, "micron": 1e-
           "nanometer": 1e-9, "nanometre": 1e-9, "pm": 1e-12, "angstrom": 1e-10, "a": 1e-10,
           "millimeter": 1e-3, "millimetre": 1e-3, "centimeter": 1e-2, "centimetre": 1e-2,
           "meter": 1.0, "metre": 1.0, "inch": 0.0254, "in": 0.0254}
-IN_MILLIMETRES = ("cm", "centimeter", "centimetre", "inch", "in")  # converted, like resolutions
 
 Widths = Tuple[Optional[float], Optional[float], Optional[float]]
 
@@ -32,14 +31,29 @@ class Stack(NamedTuple):
     widths: Widths
 
 
-def read(path: str, step: int) -> Stack:
+def read(path: str, step: int, is_slice: bool = False) -> Stack:
+    """Reads a file. is_slice: it is one slice of several; ImageJ then describes the whole stack in
+    it."""
     tifffile = load_library("tifffile", path)
     with keep_log("tifffile") as log, tifffile.TiffFile(path) as file:
-        stack = _read_file(file, step)
+        stack = _read_page(file) if is_slice and _is_part(file) else _read_file(file, step)
         lost = [text for text in log if "TiffPages" in text or "Missing data" in text]
         if lost:
             raise ValueError("a page is damaged or missing: %s." % re.sub(r"<.*?> ?", "", lost[0]))
     return stack
+
+
+def _is_part(file: Any) -> bool:
+    """Returns whether the file has one page, and not the other images that it describes."""
+    return len(file.pages) == 1 and any(
+        series.size > file.pages[0].size and series.nbytes > file.filehandle.size
+        for series in file.series)
+
+
+def _read_page(file: Any) -> Stack:
+    page = file.pages[0]
+    volumes = _split(_turn(page.asarray(), page.axes, page), page.axes, 0)
+    return Stack(volumes, _find_widths(file, page))
 
 
 def _read_file(file: Any, step: int) -> Stack:
@@ -104,15 +118,15 @@ def _find_widths(file: Any, page: Any) -> Widths:
         if widths[0] is not None:
             return widths
     x, y = (_read_ratio(page, tag) for tag in (282, 283))
-    unit = page.tags.get(296)
-    number = int(unit.value) if unit is not None else 2
+    tag = page.tags.get(296)
+    number = int(tag.value) if tag is not None else 2
     if file.is_imagej:
         meta: Dict[str, Any] = file.imagej_metadata or {}
-        scale, z = _find_unit(meta.get("unit")), meta.get("spacing")
-        if scale is not None and x and y:
-            depth = abs(float(z)) * scale if isinstance(z, (int, float)) and z else None
+        unit, z = _clean_unit(meta.get("unit")), meta.get("spacing")
+        if unit in METRES and x and y:
+            depth = abs(float(z)) if isinstance(z, (int, float)) and z else None
             # A resolution per centimetre next to micrometres, as ImageJ reads it.
-            scale *= 1e4 if number == 3 and METRES[_clean_unit(meta["unit"])] == 1e-6 else 1.0
+            scale = 1e4 if number == 3 and METRES[unit] == 1e-6 else 1.0
             return scale / x, scale / y, depth
     length = MILLIMETRES.get(number)
     if length is None or not x or not y:
@@ -135,18 +149,8 @@ def _clean_unit(unit: Any) -> str:
     return text.replace("\u00e5", "angstrom")
 
 
-def _find_unit(unit: Any) -> Optional[float]:
-    """Returns the factor from a unit of ImageJ to the unit of the widths, None without a unit of
-    length."""
-    name = _clean_unit(unit)
-    if name not in METRES:
-        return None
-    return 1e3 * METRES[name] if name in IN_MILLIMETRES else 1.0
-
-
 def _find_ome_widths(text: str) -> Widths:
-    """Returns the PhysicalSize of the first image of OME, in the unit of x; centimetres and inches
-    become millimetres."""
+    """Returns the PhysicalSize of the first image of OME, in the unit of x."""
     if "<!ENTITY" in text:
         return None, None, None
     try:
@@ -157,7 +161,7 @@ def _find_ome_widths(text: str) -> Widths:
     if pixels is None:
         return None, None, None
     units = [_clean_unit(pixels.get("PhysicalSize%sUnit" % axis, "um")) for axis in "XYZ"]
-    common = METRES.get("mm" if units[0] in IN_MILLIMETRES else units[0])
+    common = METRES.get(units[0])
     widths: List[Optional[float]] = []
     for axis, unit in zip("XYZ", units):
         try:
@@ -165,7 +169,7 @@ def _find_ome_widths(text: str) -> Widths:
         except ValueError:
             size = 0.0
         known = common is not None and unit in METRES and 0 < size < float("inf")
-        same = unit == units[0] and unit not in IN_MILLIMETRES
-        widths.append(size * (1.0 if same else METRES[unit] / common) if known else None)
+        scale = 1.0 if not known or unit == units[0] else METRES[unit] / common
+        widths.append(size * scale if known else None)
     x, y, z = widths
     return (None, None, None) if x is None or y is None else (x, y, z)

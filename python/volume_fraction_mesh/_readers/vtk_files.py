@@ -9,23 +9,20 @@ import sys
 import tempfile
 from typing import Any
 
+from .check_vtk import check
 from .report import load_library, quiet
 
 READERS = {".vti": "XMLImageData", ".vtr": "XMLRectilinearGrid", ".vts": "XMLStructuredGrid",
            ".vtu": "XMLUnstructuredGrid", ".pvti": "XMLPImageData",
            ".pvtr": "XMLPRectilinearGrid", ".pvts": "XMLPStructuredGrid",
            ".pvtu": "XMLPUnstructuredGrid"}
-HEADER = re.compile(
-    rb"^(DIMENSIONS|POINTS|CELLS|CELL_TYPES|CELL_DATA|POINT_DATA|[XYZ]_COORDINATES)([ \t0-9-]+)",
-    re.MULTILINE)
-LARGEST_RATIO = 1100  # of zlib
 
 
-def read(path: str) -> Any:
-    """Returns a data set of VTK."""
+def read(path: str, is_trusted: bool) -> Any:
+    """Returns a data set of VTK. is_trusted: the file may name files outside of its folder."""
     load_library("vtkmodules.vtkCommonCore", path)
     ending = os.path.splitext(path)[1].lower()
-    _check_lengths(path, ending)
+    check(path, is_trusted)
     if ending in READERS:
         return _read_xml(path, ending)
     with tempfile.TemporaryDirectory() as folder:
@@ -73,55 +70,3 @@ def _read_xml(path: str, ending: str) -> Any:
     if data is None:
         raise ValueError("it holds no data set of VTK.")
     return data
-
-
-def _check_lengths(path: str, ending: str) -> None:
-    """Raises ValueError if the header announces more values than the file can hold, because VTK
-    ends the program if it cannot allocate them."""
-    length = os.path.getsize(path)
-    with open(path, "rb") as file:
-        if ending in READERS:
-            _check_extents(file.read(1 << 16), length, ending)
-            return
-        text = file.read(1 << 27)
-    _check_title(text)
-    for match in HEADER.finditer(text):
-        numbers = [int(word) for word in match.group(2).split() if word.lstrip(b"-").isdigit()]
-        if match.group(1) != b"DIMENSIONS":
-            counts = numbers[:1]
-        else:
-            counts = [max(numbers[0] - 1, 1) * max(numbers[1] - 1, 1) * max(numbers[2] - 1, 1)
-                      ] if len(numbers) == 3 else [-1]
-        if any(count < 0 or count > length for count in counts):
-            raise ValueError("its line '%s' announces more values than its %d bytes hold."
-                             % (match.group(0).decode("ascii").strip(), length))
-
-
-def _check_title(text: bytes) -> None:
-    """Checks the lines before the data."""
-    title = re.match(rb"# vtk DataFile Version ([1-9])\.[0-9]+[ \t\r]*\n[^\n]*\n(ASCII|BINARY)\s+"
-                     rb"DATASET[ \t]+(\w+)", text, re.IGNORECASE)
-    if title is None:
-        raise ValueError("it does not begin with '# vtk DataFile Version N.N', a title, ASCII or "
-                         "BINARY, and DATASET.")
-
-
-def _check_extents(text: bytes, length: int, ending: str) -> None:
-    if b"<VTKFile" not in text:
-        raise ValueError("it has no element VTKFile: it is not a file of VTK in XML.")
-    if ending.startswith(".p"):  # lists other files
-        return
-    for extent in re.findall(rb'Extent="([-0-9 ]+)"', text):
-        numbers = [int(word) for word in extent.split() if word.lstrip(b"-").isdigit()]
-        if len(numbers) != 6:
-            raise ValueError("its extent '%s' is not six integers." % extent.decode("ascii"))
-        count = 1
-        for a in range(3):
-            count *= max(numbers[2 * a + 1] - numbers[2 * a], 1)
-        if count > LARGEST_RATIO * length:
-            raise ValueError("its extent '%s' has more cells than its %d bytes hold."
-                             % (extent.decode("ascii"), length))
-    for number in re.findall(rb'NumberOf(?:Points|Cells)="([0-9]+)"', text):
-        if int(number) > LARGEST_RATIO * length:
-            raise ValueError("it announces %s points or cells, more than its %d bytes hold."
-                             % (number.decode("ascii"), length))

@@ -1,4 +1,4 @@
-#include "VtkFiles/LegacyStream.h"
+#include "GridFiles/LegacyStream.h"
 
 #include "Base/ParseText.h"
 #include "OpenFile.h"
@@ -9,7 +9,6 @@
 #include <charconv>
 #include <cstdlib>
 #include <iomanip>
-#include <limits>
 #include <map>
 #include <optional>
 
@@ -21,15 +20,20 @@ namespace
 constexpr int LongestWord = 1024;
 constexpr std::size_t LongestLine = 1 << 20;
 
-/// Returns the bytes of a binary value, 0 for bits; nothing for unknown types.
-std::optional<int> FindWidth(const std::string& type)
+std::optional<VtkType> FindType(const std::string& name)
 {
-  static const std::map<std::string, int> widths{ { "bit", 0 }, { "char", 1 }, { "signed_char", 1 },
-    { "unsigned_char", 1 }, { "short", 2 }, { "unsigned_short", 2 }, { "int", 4 },
-    { "unsigned_int", 4 }, { "vtkidtype", 4 }, { "long", 8 }, { "unsigned_long", 8 },
-    { "vtktypeint64", 8 }, { "vtktypeuint64", 8 }, { "float", 4 }, { "double", 8 } };
-  const auto found = widths.find(type);
-  return found == widths.end() ? std::nullopt : std::optional<int>(found->second);
+  static const VtkType byte{ VtkType::Unsigned, 1 }, letter{ VtkType::Signed, 1 },
+    small{ VtkType::Signed, 2 }, integer{ VtkType::Signed, 4 }, large{ VtkType::Signed, 8 };
+  static const std::map<std::string, VtkType> types{ { "bit", { VtkType::Bit, 1 } },
+    { "char", letter }, { "signed_char", letter }, { "unsigned_char", byte }, { "short", small },
+    { "unsigned_short", { VtkType::Unsigned, 2 } }, { "int", integer },
+    { "unsigned_int", { VtkType::Unsigned, 4 } }, { "vtkidtype", integer }, { "long", large },
+    { "unsigned_long", { VtkType::Unsigned, 8 } }, { "long_long", large },
+    { "vtktypeint64", large }, { "unsigned_long_long", { VtkType::Unsigned, 8 } },
+    { "vtktypeuint64", { VtkType::Unsigned, 8 } }, { "float", { VtkType::Real, 4, true } },
+    { "double", { VtkType::Real, 8, true } } };
+  const auto found = types.find(name);
+  return found == types.end() ? std::nullopt : std::optional<VtkType>(found->second);
 }
 
 } // namespace
@@ -37,14 +41,6 @@ std::optional<int> FindWidth(const std::string& type)
 void RejectLegacyFile(const std::string& problem)
 {
   throw InputError("the file is truncated or damaged: " + problem + ".");
-}
-
-std::string QuoteWord(std::string word)
-{
-  word = word.substr(0, 40);
-  std::replace_if(
-    word.begin(), word.end(), [](unsigned char c) { return c < 32 || c > 126; }, '?');
-  return "'" + word + "'";
 }
 
 LegacyStream::LegacyStream(const std::string& path) :
@@ -94,16 +90,60 @@ std::int64_t LegacyStream::Int(std::int64_t least, std::int64_t most, const std:
   return number;
 }
 
-void LegacyStream::SkipBytes(std::int64_t count, const std::string& name)
+void LegacyStream::Numbers(const std::string& what)
+{
+  const VtkType type{ VtkType::Real, 8, true };
+  for (int a = 0; a < 3; ++a)
+  {
+    const std::string word = this->Word();
+    if (!ParseVtkNumber(word, type))
+    {
+      RejectLegacyFile("its " + what + " is " + QuoteWord(word) + ", three numbers are required");
+    }
+  }
+}
+
+void LegacyStream::ReadBytes(
+  const VtkType& type, std::int64_t count, const std::string& name, const VisitVtkValue& visit)
 {
   this->Line(); // the end of the line with the type
   const std::int64_t place = this->Stream.tellg();
-  if (!this->Stream || count > this->Size - place)
+  const std::int64_t bytes = type.Kind == VtkType::Bit ? (count + 7) / 8 : count * type.Bytes;
+  if (!this->Stream || bytes > this->Size - place)
   {
     RejectLegacyFile(
-      "its " + name + " needs " + std::to_string(count) + " bytes, but the file ends");
+      "its " + name + " needs " + std::to_string(bytes) + " bytes, but the file ends");
   }
-  this->Stream.seekg(count, std::ios::cur);
+  std::array<char, 8> value{};
+  for (std::int64_t v = 0; visit && v < count && this->Stream.read(value.data(), type.Bytes); ++v)
+  {
+    visit(DecodeVtkNumber(reinterpret_cast<unsigned char*>(value.data()), type, true));
+  }
+  this->Stream.seekg(place + bytes);
+}
+
+void LegacyStream::ReadWords(
+  const VtkType& type, std::int64_t count, const std::string& name, const VisitVtkValue& visit)
+{
+  for (std::int64_t v = 0; v < count; ++v)
+  {
+    const std::string word = this->Word();
+    if (word.empty())
+    {
+      RejectLegacyFile("its " + name + " holds " + std::to_string(v) + " of " +
+        std::to_string(count) + " values, then the file ends");
+    }
+    const auto value = ParseVtkNumber(word, type);
+    if (!value)
+    {
+      PrefixErrors("the file is truncated or damaged: its " + name + " ",
+        [&] { RejectVtkNumber(v + 1, word, type); });
+    }
+    if (visit)
+    {
+      visit(*value);
+    }
+  }
 }
 
 /// Skips texts. A binary text has its length in front, in 1, 2, 4 or 8 bytes.
@@ -138,8 +178,10 @@ void LegacyStream::SkipStrings(std::int64_t count, const std::string& name)
   }
 }
 
-void LegacyStream::SkipValues(const std::string& type, std::int64_t count, const std::string& name)
+void LegacyStream::ReadValues(
+  const std::string& type, std::int64_t count, const std::string& name, const VisitVtkValue& visit)
 {
+  this->Last = name;
   if (count > MostLegacyValues)
   {
     RejectLegacyFile("its " + name + " has too many values");
@@ -149,57 +191,13 @@ void LegacyStream::SkipValues(const std::string& type, std::int64_t count, const
     this->SkipStrings(count, name);
     return;
   }
-  const auto width = FindWidth(type);
-  if (!width)
+  const auto found = FindType(type);
+  if (!found)
   {
     RejectLegacyFile("its " + name + " has the unknown type " + QuoteWord(type));
   }
-  if (this->IsBinary)
-  {
-    this->SkipBytes(*width == 0 ? (count + 7) / 8 : count * *width, name);
-    return;
-  }
-  for (std::int64_t v = 0; v < count; ++v)
-  {
-    const std::string word = this->Word();
-    char* end = nullptr;
-    std::strtod(word.c_str(), &end);
-    if (word.empty() || end != word.c_str() + word.size())
-    {
-      RejectLegacyFile("its " + name + " holds " + std::to_string(v) + " of " +
-        std::to_string(count) + " numbers, then " + QuoteWord(word));
-    }
-  }
-}
-
-void LegacyStream::ReadInts(
-  std::int64_t count, const std::string& name, const std::function<void(std::int64_t)>& visit)
-{
-  if (!this->IsBinary)
-  {
-    for (std::int64_t v = 0; v < count; ++v)
-    {
-      visit(this->Int(
-        std::numeric_limits<std::int32_t>::min(), std::numeric_limits<std::int32_t>::max(), name));
-    }
-    return;
-  }
-  const std::int64_t begin = this->Stream.tellg();
-  this->SkipBytes(4 * count, name);
-  const std::int64_t end = this->Stream.tellg();
-  this->Stream.seekg(begin);
-  this->Line();
-  std::array<char, 4> bytes{};
-  for (std::int64_t v = 0; v < count && this->Stream.read(bytes.data(), 4); ++v)
-  {
-    std::uint32_t bits = 0;
-    for (char byte : bytes)
-    {
-      bits = bits << 8 | static_cast<unsigned char>(byte);
-    }
-    visit(static_cast<std::int32_t>(bits));
-  }
-  this->Stream.seekg(end);
+  this->IsBinary ? this->ReadBytes(*found, count, name, visit)
+                 : this->ReadWords(*found, count, name, visit);
 }
 
 void LegacyStream::SkipDescription()

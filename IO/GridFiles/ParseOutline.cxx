@@ -1,4 +1,4 @@
-#include "VtkFiles/XmlOutline.h"
+#include "GridFiles/ParseOutline.h"
 
 #include "OpenFile.h"
 
@@ -10,15 +10,7 @@ namespace vfm
 namespace
 {
 
-constexpr std::size_t DeepestElement = 64;
-constexpr std::size_t LongestHead = 64; // characters, enough for the header of an array
-constexpr int ChunkSize = 1 << 16;      // bytes
-constexpr const char* AppendedName = "AppendedData";
-
-bool IsSpace(char c)
-{
-  return c == ' ' || c == '\n' || c == '\t' || c == '\r';
-}
+constexpr int ChunkSize = 1 << 16; // bytes
 
 /// State of the parser.
 struct Parse
@@ -26,7 +18,6 @@ struct Parse
   XML_Parser Parser;
   OutlineElement Top; ///< parent of the root
   std::vector<OutlineElement*> Open;
-  bool IsInWord = false;
   std::string Problem;        ///< reason why the parser stopped
   std::int64_t Appended = -1; ///< place of the element of the appended data
 };
@@ -44,19 +35,19 @@ void Start(void* user, const XML_Char* name, const XML_Char** attributes)
   parent.Children.emplace_back();
   OutlineElement& element = parent.Children.back();
   element.Name = name;
+  element.Place = XML_GetCurrentByteIndex(parse.Parser);
   for (; *attributes; attributes += 2)
   {
     element.Attributes[attributes[0]] = attributes[1];
   }
   parse.Open.push_back(&element);
-  parse.IsInWord = false;
-  if (parse.Open.size() > DeepestElement)
+  if (parse.Open.size() > DeepestVtkElement)
   {
     Stop(parse, "its elements are nested too deeply.");
   }
-  else if (element.Name == AppendedName)
+  else if (element.Name == AppendedDataName)
   {
-    parse.Appended = XML_GetCurrentByteIndex(parse.Parser);
+    parse.Appended = element.Place;
     Stop(parse, "");
   }
 }
@@ -65,27 +56,6 @@ void End(void* user, const XML_Char*)
 {
   Parse& parse = *static_cast<Parse*>(user);
   parse.Open.pop_back();
-  parse.IsInWord = false;
-}
-
-void AddText(void* user, const XML_Char* text, int length)
-{
-  Parse& parse = *static_cast<Parse*>(user);
-  OutlineElement& element = *parse.Open.back();
-  for (const XML_Char* c = text; c != text + length; ++c)
-  {
-    if (IsSpace(*c))
-    {
-      parse.IsInWord = false;
-      continue;
-    }
-    element.Words += !parse.IsInWord;
-    parse.IsInWord = true;
-    if (++element.Letters <= static_cast<std::int64_t>(LongestHead))
-    {
-      element.Head += *c;
-    }
-  }
 }
 
 void RejectDoctype(void* user, const XML_Char*, const XML_Char*, const XML_Char*, int)
@@ -118,69 +88,23 @@ void ParseElements(std::istream& stream, Parse& parse)
   }
 }
 
-/// Finds the appended data, which begin after an underscore.
-void FindAppended(std::istream& stream, const Parse& parse, XmlOutline& outline)
-{
-  const OutlineElement& element = *parse.Open.back();
-  outline.Encoding = element.Get("encoding");
-  stream.clear();
-  stream.seekg(parse.Appended);
-  int c = 0;
-  const auto skip = [&](auto isSkipped)
-  {
-    do
-    {
-      c = stream.get();
-      ++outline.Appended;
-    } while (c != std::istream::traits_type::eof() && isSkipped(c));
-  };
-  outline.Appended = parse.Appended;
-  skip([](int byte) { return byte != '>'; });
-  skip([](int byte) { return IsSpace(static_cast<char>(byte)); });
-  if (c != '_' || (outline.Encoding != "raw" && outline.Encoding != "base64"))
-  {
-    throw InputError("it is truncated or damaged: its appended data have no encoding or no begin.");
-  }
-}
-
 } // namespace
 
-std::string OutlineElement::Get(const std::string& name) const
-{
-  const auto found = this->Attributes.find(name);
-  return found == this->Attributes.end() ? "" : found->second;
-}
-
-const OutlineElement* OutlineElement::Find(const std::string& name) const
-{
-  for (const OutlineElement& child : this->Children)
-  {
-    if (child.Name == name)
-    {
-      return &child;
-    }
-  }
-  return nullptr;
-}
-
-XmlOutline ReadXmlOutline(const std::string& path)
+XmlOutline ParseVtkOutline(const std::string& path)
 {
   std::ifstream stream = OpenFile(path);
   const std::unique_ptr<XML_ParserStruct, void (*)(XML_Parser)> parser(
     XML_ParserCreate(nullptr), XML_ParserFree);
-  Parse parse{ parser.get(), {}, {}, false, "", -1 };
+  Parse parse{ parser.get(), {}, {}, "", -1 };
   parse.Open.push_back(&parse.Top);
   XML_SetUserData(parser.get(), &parse);
   XML_SetElementHandler(parser.get(), Start, End);
-  XML_SetCharacterDataHandler(parser.get(), AddText);
   XML_SetStartDoctypeDeclHandler(parser.get(), RejectDoctype);
   ParseElements(stream, parse);
   XmlOutline outline;
-  outline.FileSize = GetFileLength(path);
-  if (parse.Appended >= 0)
-  {
-    FindAppended(stream, parse, outline);
-  }
+  const bool isAppended = parse.Appended >= 0;
+  FindAppendedData(path, isAppended ? std::optional<std::int64_t>(parse.Appended) : std::nullopt,
+    isAppended ? parse.Open.back()->Get("encoding") : "", outline);
   outline.Root = std::move(parse.Top.Children.at(0));
   return outline;
 }

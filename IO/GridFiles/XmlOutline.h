@@ -1,10 +1,12 @@
 /**
- * XmlOutline: reads the elements of an XML file of VTK, without the values of its arrays.
+ * XmlOutline: the elements of an XML file of VTK, without the values of its arrays.
  */
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,9 +19,7 @@ struct OutlineElement
   std::string Name;
   std::map<std::string, std::string> Attributes;
   std::vector<OutlineElement> Children;
-  std::string Head;         ///< first characters of the text, without white space
-  std::int64_t Letters = 0; ///< number of characters of the text, without white space
-  std::int64_t Words = 0;   ///< number of words of the text
+  std::int64_t Place = 0; ///< of its start tag in the file, bytes
 
   /// Returns an attribute; an empty text if the element has none of this name.
   std::string Get(const std::string& name) const;
@@ -39,6 +39,16 @@ struct XmlOutline
 /// Reads a file up to its appended data.
 /// @throws InputError  if the file cannot be read, is not XML, has a document type definition, or
 ///   nests elements too deeply; the message does not contain the path
-XmlOutline ReadXmlOutline(const std::string& path);
+using ReadVtkOutline = std::function<XmlOutline(const std::string& path)>;
+
+constexpr int DeepestVtkElement = 64;                    ///< levels of elements
+constexpr const char* AppendedDataName = "AppendedData"; ///< element behind which no others follow
+
+/// Completes an outline by the length of the file and by the place of the appended data, which
+/// begin after an underscore.
+/// @param place  of the element of the appended data, bytes; nothing if there is none
+/// @throws InputError  if there is no underscore, or if the encoding is unknown
+void FindAppendedData(const std::string& path, std::optional<std::int64_t> place,
+  const std::string& encoding, XmlOutline& outline);
 
 } // namespace vfm

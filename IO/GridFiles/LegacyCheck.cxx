@@ -1,8 +1,8 @@
-#include "VtkFiles/LegacyCheck.h"
+#include "GridFiles/LegacyCheck.h"
 
 #include "Base/ParseText.h"
+#include "GridFiles/LegacyStream.h"
 #include "Ranks/Errors.h"
-#include "VtkFiles/LegacyStream.h"
 
 #include <algorithm>
 #include <array>
@@ -30,6 +30,8 @@ private:
   bool ReadSpecial(const std::string& key);
   void ReadExtent(bool hasLower);
   void ReadList();
+  void ReadOffsets();
+  void ReadCellList(const std::string& name, std::int64_t count, const VisitVtkValue& visit);
   void ReadField();
   void ReadData(bool isOfPoints);
   void Array(std::int64_t components, const std::string& name);
@@ -74,7 +76,7 @@ void LegacyCheck::Run()
     if (!this->ReadGeometry(key) && !this->ReadCells(key) && !this->ReadAttribute(key) &&
       !this->ReadSpecial(key))
     {
-      RejectLegacyFile("it has the unknown keyword " + QuoteWord(key));
+      RejectLegacyFile("it has the unknown keyword " + QuoteWord(key) + this->File.AfterArray());
     }
     this->File.SkipMetadata();
   }
@@ -92,7 +94,7 @@ void LegacyCheck::Array(std::int64_t components, const std::string& name)
   {
     RejectLegacyFile("its " + name + " is neither of points nor of cells");
   }
-  this->File.SkipValues(this->File.Keyword(), *this->Tuples * components, name);
+  this->File.ReadValues(this->File.Keyword(), *this->Tuples * components, name);
 }
 
 void LegacyCheck::ReadExtent(bool hasLower)
@@ -135,15 +137,12 @@ bool LegacyCheck::ReadGeometry(const std::string& key)
   }
   else if (key == "spacing" || key == "aspect_ratio" || key == "origin")
   {
-    for (int a = 0; a < 3; ++a)
-    {
-      this->File.Word();
-    }
+    this->File.Numbers(key);
   }
   else if (key == "points")
   {
     this->Points = this->File.Int(0, MostLegacyValues, "number of points");
-    this->File.SkipValues(this->File.Keyword(), 3 * *this->Points, "points");
+    this->File.ReadValues(this->File.Keyword(), 3 * *this->Points, "points");
   }
   else if (axis != axes.end())
   {
@@ -152,7 +151,7 @@ bool LegacyCheck::ReadGeometry(const std::string& key)
     {
       RejectLegacyFile("its number of coordinates is not its dimension");
     }
-    this->File.SkipValues(this->File.Keyword(), count, "coordinates");
+    this->File.ReadValues(this->File.Keyword(), count, "coordinates");
   }
   else
   {
@@ -166,9 +165,10 @@ void LegacyCheck::ReadList()
 {
   const std::int64_t size = this->File.Int(0, MostLegacyValues, "size of cells");
   std::int64_t cells = 0, left = 0;
-  this->File.ReadInts(size, "list of cells",
-    [&](std::int64_t value)
+  this->File.ReadValues("int", size, "list of cells",
+    [&](double number)
     {
+      const auto value = static_cast<std::int64_t>(number);
       if (left > 0)
       {
         --left;
@@ -200,12 +200,12 @@ bool LegacyCheck::ReadCells(const std::string& key)
     {
       RejectLegacyFile("its number of types is not its number of cells");
     }
-    this->File.ReadInts(count, "list of types",
-      [](std::int64_t type)
+    this->File.ReadValues("int", count, "list of types",
+      [](double type)
       {
-        if (type < 0 || type > 255)
+        if (type < 0.0 || type > 255.0)
         {
-          RejectLegacyFile("a cell is of the type " + std::to_string(type));
+          RejectLegacyFile("a cell is of the type " + FormatNumber(type));
         }
       });
     return true;
@@ -220,22 +220,49 @@ bool LegacyCheck::ReadCells(const std::string& key)
     this->ReadList();
     return true;
   }
+  this->ReadOffsets();
+  return true;
+}
+
+/// Reads the ends of the lists of points, and the points (from version 5.0).
+void LegacyCheck::ReadOffsets()
+{
   const std::int64_t offsets = *this->Cells;
   const std::int64_t size = this->File.Int(0, MostLegacyValues, "size of cells");
   this->Cells = std::max<std::int64_t>(offsets - 1, 0);
-  for (const auto& list :
-    { std::make_pair("offsets", offsets), std::make_pair("connectivity", size) })
+  if (offsets == 0)
   {
-    if (offsets > 0 && this->File.Keyword() != list.first)
-    {
-      RejectLegacyFile(std::string("its cells have no ") + list.first);
-    }
-    if (offsets > 0)
-    {
-      this->File.SkipValues(this->File.Keyword(), list.second, list.first);
-    }
+    return;
   }
-  return true;
+  double end = 0.0;
+  this->ReadCellList("offsets", offsets,
+    [&](double value)
+    {
+      if (!(value >= end && value <= static_cast<double>(size)))
+      {
+        RejectLegacyFile("a cell ends at point " + FormatNumber(value) + " after " +
+          FormatNumber(end) + " of " + std::to_string(size));
+      }
+      end = value;
+    });
+  this->ReadCellList("connectivity", size,
+    [&](double point)
+    {
+      if (!(point >= 0.0 && (!this->Points || point < static_cast<double>(*this->Points))))
+      {
+        RejectLegacyFile("a cell has the point " + FormatNumber(point));
+      }
+    });
+}
+
+void LegacyCheck::ReadCellList(
+  const std::string& name, std::int64_t count, const VisitVtkValue& visit)
+{
+  if (this->File.Keyword() != name)
+  {
+    RejectLegacyFile("its cells have no " + name);
+  }
+  this->File.ReadValues(this->File.Keyword(), count, name, visit);
 }
 
 /// Reads the begin of the arrays of points or of cells.
@@ -291,7 +318,7 @@ bool LegacyCheck::ReadAttribute(const std::string& key)
       RejectLegacyFile("its " + name + " has no number of components or no LOOKUP_TABLE");
     }
     this->File.Word(); // name of the table
-    this->File.SkipValues(type, *this->Tuples * *parsed, name);
+    this->File.ReadValues(type, *this->Tuples * *parsed, name);
   }
   else
   {
@@ -317,12 +344,20 @@ bool LegacyCheck::ReadSpecial(const std::string& key)
     const bool isTable = key == "lookup_table";
     const std::string name = "array " + QuoteWord(this->File.Word());
     const std::int64_t count = this->File.Int(0, 1 << 20, "number of colours");
-    this->File.SkipValues(ofColours, isTable ? 4 * count : this->Tuples.value_or(0) * count, name);
+    this->File.ReadValues(ofColours, isTable ? 4 * count : this->Tuples.value_or(0) * count, name,
+      [&](double value)
+      {
+        if (!(value >= 0.0 && value <= (this->File.IsBinary ? 255.0 : 1.0)))
+        {
+          RejectLegacyFile("its " + name + " has the colour " + FormatNumber(value) +
+            ", from 0 to 1 are required");
+        }
+      });
   }
   else if (key == "blanking")
   {
     const std::int64_t count = this->File.Int(0, MostLegacyValues, "number of blanked points");
-    this->File.SkipValues(this->File.Keyword(), count, "blanking");
+    this->File.ReadValues(this->File.Keyword(), count, "blanking");
   }
   else
   {
@@ -338,12 +373,13 @@ void LegacyCheck::ReadField()
   for (std::int64_t a = 0; a < arrays; ++a)
   {
     const std::string word = this->File.Word(), name = "array " + QuoteWord(word);
+    const std::string of = " of its " + name + this->File.AfterArray();
     if (word == "NULL_ARRAY")
     {
       continue;
     }
-    const std::int64_t components = this->File.Int(0, 1 << 20, "number of components");
-    const std::int64_t tuples = this->File.Int(0, MostLegacyValues, "number of values");
+    const std::int64_t components = this->File.Int(0, 1 << 20, "number of components" + of);
+    const std::int64_t tuples = this->File.Int(0, MostLegacyValues, "number of values" + of);
     if (components > 0 && tuples > MostLegacyValues / components)
     {
       RejectLegacyFile("its " + name + " has too many values");
@@ -353,7 +389,7 @@ void LegacyCheck::ReadField()
       RejectLegacyFile("its " + name + " has " + std::to_string(tuples) + " values, " +
         std::to_string(*this->Tuples) + " are required");
     }
-    this->File.SkipValues(this->File.Keyword(), components * tuples, name);
+    this->File.ReadValues(this->File.Keyword(), components * tuples, name);
     this->File.SkipMetadata();
   }
 }

@@ -1,4 +1,4 @@
-#include "VtkFiles/VtkExtents.h"
+#include "GridFiles/VtkExtents.h"
 
 #include "Base/ParseText.h"
 #include "Ranks/Errors.h"
@@ -110,10 +110,15 @@ VtkPieceSize SizeOfVtkExtent(const VtkExtent& extent)
   return size;
 }
 
-void CheckVtkExtents(const OutlineElement& grid, bool isPart)
+void CheckVtkExtents(const OutlineElement& grid, const OutlineElement* part)
 {
   const VtkExtent whole = ReadVtkExtent(grid, "WholeExtent");
   const std::int64_t required = *SizeOfVtkExtent(whole).Cells;
+  if (part && !IsInside(ReadVtkExtent(*part, "Extent"), whole))
+  {
+    RejectVtkFile(
+      "its extent is " + grid.Get("WholeExtent") + ", without its part " + part->Get("Extent"));
+  }
   double found = 0.0;
   for (const OutlineElement& piece : grid.Children)
   {
@@ -123,14 +128,14 @@ void CheckVtkExtents(const OutlineElement& grid, bool isPart)
     }
     const VtkExtent extent = ReadVtkExtent(piece, "Extent");
     const std::int64_t cells = *SizeOfVtkExtent(extent).Cells;
-    if (cells > 0 && !IsInside(extent, whole) && !isPart)
+    if (cells > 0 && !IsInside(extent, whole) && !part)
     {
       RejectVtkFile("its piece with the extent " + piece.Get("Extent") + " is not inside " +
         grid.Get("WholeExtent"));
     }
     found += static_cast<double>(cells);
   }
-  if (found < static_cast<double>(required) && !isPart)
+  if (found < static_cast<double>(required) && !part)
   {
     RejectVtkFile("its pieces hold fewer cells than its WholeExtent, " + std::to_string(required));
   }

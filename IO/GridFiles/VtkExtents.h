@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include "VtkFiles/XmlOutline.h"
+#include "GridFiles/XmlOutline.h"
 
 #include <array>
 #include <limits>
@@ -42,8 +42,9 @@ VtkPieceSize SizeOfVtkExtent(const VtkExtent& extent);
 
 /// Checks the extents of a grid and of its pieces, which lie in the grid and fill it, and the place
 /// of an image. VTK's readers return memory that is not set where pieces are missing.
-/// @param isPart  the pieces need not fill the grid
+/// @param part  element of the file of pieces that names this grid, whose pieces then need not fill
+///   it; null for other files
 /// @throws InputError  if they are invalid
-void CheckVtkExtents(const OutlineElement& grid, bool isPart);
+void CheckVtkExtents(const OutlineElement& grid, const OutlineElement* part);
 
 } // namespace vfm

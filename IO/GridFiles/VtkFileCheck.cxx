@@ -1,12 +1,15 @@
-#include "VtkFiles/VtkFileCheck.h"
+#include "GridFiles/VtkFileCheck.h"
 
 #include "Base/ParseText.h"
 #include "FileSuffix.h"
+#include "GridFiles/CellLists.h"
+#include "GridFiles/LegacyCheck.h"
+#include "GridFiles/PieceArrays.h"
+#include "GridFiles/VtkArrays.h"
+#include "GridFiles/VtkExtents.h"
 #include "NamedFile.h"
+#include "OpenFile.h"
 #include "Ranks/Errors.h"
-#include "VtkFiles/LegacyCheck.h"
-#include "VtkFiles/VtkArrays.h"
-#include "VtkFiles/VtkExtents.h"
 
 #include <algorithm>
 #include <array>
@@ -66,19 +69,34 @@ bool IsStructured(const Format& format)
     format.Types[0].find("PolyData") == std::string::npos;
 }
 
+/// Returns whether an element is an array of numbers or texts.
+bool IsArray(const OutlineElement& element)
+{
+  return element.Name == "DataArray" ||
+    (element.Name == "Array" && element.Get("type") == "String");
+}
+
+/// Elements of a file of pieces that name a file.
+struct PartOf
+{
+  const OutlineElement *Grid = nullptr, *Piece = nullptr;
+};
+
 /// Checks a file and the files that it names.
 class FileCheck
 {
 public:
-  /// @param isPart  whether a file of pieces names this file, which then need not be complete
-  FileCheck(const std::string& path, const Format& format, int part, int parts, bool isPart) :
-    Path(path), Kind(format), Part(part), Parts(parts), IsPart(isPart)
+  /// @param part  elements of the file of pieces that names this file, which need not be complete
+  FileCheck(const std::string& path, const Format& format, const VtkFileTools& tools,
+    const VtkCheckShare& share, const PartOf& part = {}) :
+    Path(path), Kind(format), Tools(tools), Share(share), Part(part)
   {
   }
 
   void Run()
   {
-    XmlOutline outline = ReadXmlOutline(this->Path);
+    OpenFile(this->Path); // throws if it cannot be read
+    const XmlOutline outline = this->Tools.ReadOutline(this->Path);
     this->CheckHead(outline);
     for (const std::string& type : this->Kind.Types)
     {
@@ -95,17 +113,24 @@ private:
   void CheckHead(const XmlOutline& outline);
   void CheckVersion(const OutlineElement& root) const;
   void CheckContents(const OutlineElement& grid);
-  void CheckPiece(const OutlineElement& piece, const std::string& type) const;
-  void CheckArrays(const OutlineElement& list, std::optional<std::int64_t> tuples) const;
-  void CheckCells(const OutlineElement& piece, const VtkPieceSize& size) const;
+  void CheckPieces(const OutlineElement& grid);
+  void CheckPiece(
+    const OutlineElement& piece, const std::string& type, const OutlineElement& first);
+  void CheckArray(const OutlineElement& array, std::optional<std::int64_t> tuples);
+  void CheckArrays(const OutlineElement& list, std::optional<std::int64_t> tuples);
+  void CheckCoordinates(const OutlineElement& list, const VtkPieceSize& size);
+  void CheckCells(const OutlineElement& piece, const VtkPieceSize& size);
   void CheckBlocks(const OutlineElement& parent);
-  void CheckFieldData(const OutlineElement& parent) const;
-  void CheckNamedFile(const std::string& name);
+  void CheckFieldData(const OutlineElement& parent);
+  void CheckNamedFile(const std::string& name, const PartOf& part = {});
 
   const std::string& Path;
   const Format& Kind;
-  int Part, Parts, Files = 0;
-  bool IsPart, HasBoxes = true; // whether blocks of levels have boxes of indices
+  const VtkFileTools& Tools;
+  VtkCheckShare Share;
+  int Files = 0, Arrays = 0; // found
+  PartOf Part;
+  bool HasBoxes = true; // whether blocks of levels have boxes of indices
   VtkStorage Storage;
 };
 
@@ -133,7 +158,7 @@ void FileCheck::CheckHead(const XmlOutline& outline)
       "\" or compressor \"" + packed + "\" is unknown");
   }
   this->Storage = { this->Path, outline.Encoding, outline.Appended, outline.FileSize,
-    order == "BigEndian", header == "UInt64" ? 8 : 4, !packed.empty(), ratio->second };
+    order == "BigEndian", header == "UInt64" ? 8 : 4, packed, ratio->second, this->Tools.Unpack };
 }
 
 /// Checks the version. Files of refined grids before 1.1 end the program in VTK's reader.
@@ -170,8 +195,14 @@ void FileCheck::CheckContents(const OutlineElement& grid)
   }
   if (IsStructured(this->Kind))
   {
-    CheckVtkExtents(grid, this->IsPart);
+    CheckVtkExtents(grid, this->Part.Piece);
   }
+  this->CheckPieces(grid);
+}
+
+void FileCheck::CheckPieces(const OutlineElement& grid)
+{
+  const OutlineElement* first = nullptr;
   for (const OutlineElement& piece : grid.Children)
   {
     if (piece.Name != "Piece")
@@ -180,16 +211,23 @@ void FileCheck::CheckContents(const OutlineElement& grid)
     }
     if (this->Kind.Holds == Contents::Pieces)
     {
-      this->CheckNamedFile(piece.Get("Source"));
+      this->CheckNamedFile(piece.Get("Source"), { &grid, &piece });
     }
     else
     {
-      this->CheckPiece(piece, grid.Name);
+      first = first ? first : &piece;
+      this->CheckPiece(piece, grid.Name, *first);
     }
+  }
+  if (!first && this->Kind.Holds == Contents::Grid && !IsStructured(this->Kind))
+  {
+    this->CheckPiece(grid, grid.Name, grid); // VTK takes the grid itself as its piece
   }
 }
 
-void FileCheck::CheckPiece(const OutlineElement& piece, const std::string& type) const
+/// Checks a piece, which must have the arrays of the first one.
+void FileCheck::CheckPiece(
+  const OutlineElement& piece, const std::string& type, const OutlineElement& first)
 {
   VtkPieceSize size;
   if (type == "UnstructuredGrid")
@@ -212,56 +250,83 @@ void FileCheck::CheckPiece(const OutlineElement& piece, const std::string& type)
     {
       this->CheckArrays(child, isOfPoints ? size.Points : size.Cells);
     }
+    else if (child.Name == "Coordinates")
+    {
+      this->CheckCoordinates(child, size);
+    }
   }
   this->CheckCells(piece, size);
+  if (size.Points.value_or(0) > 0)
+  {
+    CheckPieceArrays(piece, first, "");
+  }
+  if (size.Points.value_or(0) > 0 && this->Part.Grid)
+  {
+    CheckPieceArrays(piece, *this->Part.Grid, "P");
+  }
 }
 
-void FileCheck::CheckArrays(const OutlineElement& list, std::optional<std::int64_t> tuples) const
+/// Checks an array of the share of this rank.
+void FileCheck::CheckArray(const OutlineElement& array, std::optional<std::int64_t> tuples)
+{
+  if (IsArray(array) && this->Share.Has(this->Arrays++))
+  {
+    CheckVtkArray(array, tuples, this->Storage);
+  }
+}
+
+void FileCheck::CheckArrays(const OutlineElement& list, std::optional<std::int64_t> tuples)
 {
   for (const OutlineElement& array : list.Children)
   {
-    if (array.Name == "DataArray" && array.Get("type") != "String")
+    if (list.Name == "Points" && tuples.value_or(0) > 0 && array.Get("NumberOfComponents") != "3")
     {
-      CheckVtkArray(array, tuples, this->Storage);
+      RejectVtkFile("its points have NumberOfComponents=\"" + array.Get("NumberOfComponents") +
+        "\", 3 are required");
     }
+    this->CheckArray(array, tuples);
   }
 }
 
 /// Checks the arrays of the field data, which have their own numbers of tuples.
-void FileCheck::CheckFieldData(const OutlineElement& parent) const
+void FileCheck::CheckFieldData(const OutlineElement& parent)
 {
   const OutlineElement* fields = parent.Find("FieldData");
   for (std::size_t c = 0; fields && c < fields->Children.size(); ++c)
   {
     const OutlineElement& array = fields->Children[c];
-    if (array.Name == "DataArray" && array.Get("type") != "String")
+    if (IsArray(array))
     {
-      CheckVtkArray(array, ReadVtkInts<1>(array, "NumberOfTuples", 0)[0], this->Storage);
+      this->CheckArray(array, ReadVtkInts<1>(array, "NumberOfTuples", 0)[0]);
     }
   }
 }
 
-/// Checks the coordinates along axes, and the cells of an unstructured grid.
-void FileCheck::CheckCells(const OutlineElement& piece, const VtkPieceSize& size) const
+/// Checks the coordinates along axes.
+void FileCheck::CheckCoordinates(const OutlineElement& list, const VtkPieceSize& size)
 {
-  if (const OutlineElement* list = piece.Find("Coordinates"))
+  if (list.Children.size() < 3)
   {
-    if (list->Children.size() < 3)
-    {
-      RejectVtkFile("it has no coordinates along three axes");
-    }
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      CheckVtkArray(list->Children[a], size.Nodes[a], this->Storage);
-    }
+    RejectVtkFile("it has no coordinates along three axes");
   }
-  const OutlineElement* cells = piece.Find("Cells");
-  for (std::size_t c = 0; cells && c < cells->Children.size(); ++c)
+  for (std::size_t a = 0; a < 3; ++a)
   {
-    const OutlineElement& array = cells->Children[c];
-    const std::string name = array.Get("Name");
-    const bool isPerCell = name == "types" || name == "offsets";
-    CheckVtkArray(array, isPerCell ? size.Cells : std::nullopt, this->Storage);
+    this->CheckArray(list.Children[a], size.Nodes[a]);
+  }
+}
+
+/// Checks the cells of an unstructured grid or of polygons.
+void FileCheck::CheckCells(const OutlineElement& piece, const VtkPieceSize& size)
+{
+  for (const char* name : { "Cells", "Verts", "Lines", "Strips", "Polys" })
+  {
+    const OutlineElement* lists = piece.Find(name);
+    const std::string number = std::string("NumberOf") + name;
+    if (lists && piece.Attributes.count(number) > 0 && this->Share.Has(this->Arrays++))
+    {
+      const std::int64_t cells = ReadVtkInts<1>(piece, number, 0)[0];
+      CheckCellLists(*lists, cells, size.Points.value_or(0), this->Storage);
+    }
   }
 }
 
@@ -299,9 +364,9 @@ void FileCheck::CheckBlocks(const OutlineElement& parent)
 }
 
 /// Checks a file that this file names (FindNamedFile). An empty name means no data.
-void FileCheck::CheckNamedFile(const std::string& name)
+void FileCheck::CheckNamedFile(const std::string& name, const PartOf& part)
 {
-  if (name.empty() || this->Files++ % this->Parts != this->Part)
+  if (name.empty() || !this->Share.Has(this->Files++))
   {
     return;
   }
@@ -314,26 +379,25 @@ void FileCheck::CheckNamedFile(const std::string& name)
       {
         throw InputError("only .vti, .vtr, .vts, .vtu, .vtp and .vtt files can be parts.");
       }
-      FileCheck(path, *format, 0, 1, this->Kind.Holds == Contents::Pieces).Run();
+      FileCheck(path, *format, this->Tools, {}, part).Run();
     });
 }
 
 } // namespace
 
-void CheckVtkFile(const std::string& path, int part, int parts)
+void CheckVtkFile(const std::string& path, const VtkFileTools& tools, const VtkCheckShare& share)
 {
-  PrefixErrors("Cannot read the input " + path + ": ",
-    [&]
+  if (HasSuffix(path, ".vtk"))
+  {
+    if (share.Has(0))
     {
-      if (HasSuffix(path, ".vtk"))
-      {
-        CheckLegacyFile(path);
-      }
-      else if (const Format* format = FindFormat(path))
-      {
-        FileCheck(path, *format, part, parts, false).Run();
-      }
-    });
+      CheckLegacyFile(path);
+    }
+  }
+  else if (const Format* format = FindFormat(path))
+  {
+    FileCheck(path, *format, tools, share).Run();
+  }
 }
 
 } // namespace vfm
