@@ -6,7 +6,6 @@
 #include "Base/ParseText.h"
 #include "BuiltInTest.h"
 #include "ChooseArrays.h"
-#include "EndBySignal.h"
 #include "InputTrust.h"
 #include "ListInput.h"
 #include "MakeMesh.h"
@@ -15,6 +14,8 @@
 #include "Meshes/WriteMesh.h"
 #include "MpiTransport.h"
 #include "PrintSummary.h"
+#include "Process/EndBySignal.h"
+#include "Process/StandardStreams.h"
 #include "Ranks/PrintableText.h"
 #include "Ranks/WorkTogether.h"
 #include "ReadInput.h"
@@ -277,6 +278,7 @@ int Run(const std::vector<std::string>& words, Ranks& ranks)
 
 int main(int argc, char* argv[])
 {
+  vfm::OpenStandardStreams();
   vfm::HandleSignals();
   MPI_Init(&argc, &argv);
   vfm::MpiRanks ranks(MPI_COMM_WORLD);

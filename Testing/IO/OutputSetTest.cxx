@@ -30,8 +30,9 @@ std::string NameOfPart(int rank)
 /// Writes a file per rank and, on rank 0, a list, over earlier ones.
 /// @param change  called on each rank before the files are renamed
 /// @return messages of the ranks
-std::vector<std::string> ReplaceParts(
-  const Folder& folder, const std::function<void(int rank, const std::string& begun)>& change)
+std::vector<std::string> ReplaceParts(const Folder& folder,
+  const std::function<void(int rank, const std::string& begun)>& change,
+  Naming naming = Naming::Late)
 {
   WriteText(folder / "list", "old");
   for (int rank = 0; rank < Count; ++rank)
@@ -42,7 +43,7 @@ std::vector<std::string> ReplaceParts(
   const auto write = [&](Ranks& ranks)
   {
     OutputSet files(folder / "list");
-    const std::string begun = files.Create(folder / NameOfPart(ranks.Rank()));
+    const std::string begun = files.Create(folder / NameOfPart(ranks.Rank()), naming);
     WriteText(begun, "new");
     if (ranks.Rank() == 0)
     {
@@ -87,6 +88,39 @@ TEST(OutputSet, FilesOfAllRanksAreReplaced)
   ExpectContent(folder, "new");
 }
 
+TEST(OutputSet, FilesWithNamesAreReplaced)
+{
+  const Folder folder;
+  EXPECT_EQ(ReplaceParts(
+              folder, [](int, const std::string&) {}, Naming::AtOnce),
+    std::vector<std::string>(Count));
+  ExpectContent(folder, "new");
+}
+
+TEST(OutputSet, AnUnfinishedFileHasNoName)
+{
+  const Folder folder;
+  std::vector<std::unique_ptr<UnnamedFile>> taken;
+  while (auto file = UnnamedFile::Create(folder / "", 0666))
+  {
+    taken.push_back(std::move(file));
+  }
+  if (taken.empty())
+  {
+    GTEST_SKIP() << "the file system has only files with names";
+  }
+  EXPECT_EQ(taken.size(), std::size_t(UnnamedFile::LargestCount));
+  OutputFile named(folder / "named");
+  EXPECT_EQ(folder.CountFiles(), 1u);
+  taken.pop_back();
+  OutputFile unnamed(folder / "unnamed");
+  EXPECT_EQ(folder.CountFiles(), 1u);
+  unnamed.Add("text");
+  unnamed.Close();
+  EXPECT_EQ(ReadBytes(folder / "unnamed"), "text");
+  EXPECT_EQ(folder.CountFiles(), 2u);
+}
+
 TEST(OutputSet, AFailedRankLeavesTheEarlierFiles)
 {
   const Folder folder;
@@ -113,7 +147,7 @@ TEST(OutputSet, ARankThatRemovedItsFileLeavesTheEarlierFiles)
         fs::remove(begun);
       }
     };
-    const std::vector<std::string> messages = ReplaceParts(folder, remove);
+    const std::vector<std::string> messages = ReplaceParts(folder, remove, Naming::AtOnce);
     EXPECT_NE(messages[0].find("of rank " + std::to_string(removed)), std::string::npos)
       << messages[0];
     EXPECT_EQ(messages, std::vector<std::string>(Count, messages[0]));
@@ -156,8 +190,8 @@ TEST(UnfinishedPathDeathTest, NothingIsLeftWhenAProgramEnds)
     {
       OutputSet files(folder / "old");
       files.MakeFolder(folder / "new");
-      WriteText(files.Create(folder / "new/part"), "new");
-      WriteText(files.Create(folder / "old"), "new");
+      WriteText(files.Create(folder / "new/part", Naming::AtOnce), "new");
+      WriteText(files.Create(folder / "old", Naming::AtOnce), "new");
       RemoveUnfinishedPaths();
       _exit(3);
     },

@@ -1,17 +1,23 @@
 """Checks the programs and libraries of a folder for what protects them.
 
-usage: check_built_files.py FOLDER
+usage: check_built_files.py [--debug] PATH ..
+
+PATH: a build folder or an installed tree, of which all files in the format ELF that the loader
+loads are checked, in its folders bin and lib; or one such file.
+--debug: not the checks of copies, which builds for debugging and with sanitizers do not have
 
 - RPATH and RUNPATH, the folders in which they search for their libraries: each entry must be an
   absolute path or begin with $ORIGIN, the folder of the file, because an empty or relative entry is
   searched in the working folder. Nobody except its owner may be able to put a file there.
 - Addresses of functions are bound at the start (BIND_NOW) and then read-only (GNU_RELRO).
 - Programs are position-independent (PIE).
-
-Checked are all files in the format ELF that the loader loads, in the folders bin and lib of a build
-folder or an installed tree.
+- Buffers on the stack are guarded (-fstack-protector-strong): all but small files call
+  __stack_chk_fail, which ends the program.
+- Copies and texts are checked (-D_FORTIFY_SOURCE=2): no file calls functions that then always have
+  a checked version, such as __printf_chk, and large files call some checked version.
 """
 
+import argparse
 import itertools
 import os
 import re
@@ -19,6 +25,8 @@ import stat
 import subprocess
 import sys
 
+SMALL, LARGE = 50_000, 1_000_000  # bytes of a file
+ALWAYS_CHECKED = {"printf", "fprintf", "sprintf", "longjmp"}
 PROGRAM, SHARED = 2, 3  # ELF types; programs that are position-independent are shared objects
 
 
@@ -30,9 +38,12 @@ def elf_type(path):
     return int.from_bytes(header[16:18], order) if header[:4] == b"\x7fELF" else 0
 
 
-def loaded_files(folder):
-    """Yields the paths of programs and shared libraries in bin and lib, without links."""
-    walks = (os.walk(os.path.join(folder, part)) for part in ("bin", "lib"))
+def loaded_files(place):
+    """Yields the paths of programs and shared libraries in bin and lib, without links, or of the
+    file itself."""
+    if os.path.isfile(place):
+        yield place
+    walks = (os.walk(os.path.join(place, part)) for part in ("bin", "lib"))
     for at, _, names in itertools.chain(*walks):
         for path in (os.path.join(at, name) for name in names):
             is_file = os.path.isfile(path) and not os.path.islink(path)
@@ -45,6 +56,28 @@ def read_headers(path):
     return subprocess.run(["readelf", "--dynamic", "--program-headers", "--wide", path], check=True,
                           text=True, stdout=subprocess.PIPE,
                           env={**os.environ, "LC_ALL": "C"}).stdout
+
+
+def called_functions(path):
+    """Returns the names of the functions that a file takes from other libraries."""
+    text = subprocess.run(["readelf", "--dyn-syms", "--wide", path], check=True, text=True,
+                          stdout=subprocess.PIPE, env={**os.environ, "LC_ALL": "C"}).stdout
+    return set(re.findall(r"\bUND ([^@\s]+)", text))
+
+
+def guard_errors(path, is_debug):
+    """Returns which guards of the stack and of copies a file lacks."""
+    found, called, size = [], called_functions(path), os.path.getsize(path)
+    if size > SMALL and "__stack_chk_fail" not in called:
+        found.append("%s: buffers on the stack are not guarded (__stack_chk_fail)" % path)
+    if is_debug:
+        return found
+    if called & ALWAYS_CHECKED:
+        found.append("%s: not the checked version is called of %s" %
+                     (path, ", ".join(sorted(called & ALWAYS_CHECKED))))
+    if size > LARGE and not any(re.fullmatch(r"__\w+_chk", name) for name in called):
+        found.append("%s: copies are not checked (__..._chk)" % path)
+    return found
 
 
 def hardening_errors(path, headers):
@@ -81,14 +114,18 @@ def run_path_errors(path, headers):
 
 
 def main():
-    folder = os.path.realpath(sys.argv[1])
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--debug", action="store_true")
+    parser.add_argument("paths", nargs="+", type=os.path.realpath)
+    words = parser.parse_args()
     errors, count = [], 0
-    for path in loaded_files(folder):
+    for path in itertools.chain.from_iterable(map(loaded_files, words.paths)):
         count += 1
         headers = read_headers(path)
         errors += run_path_errors(path, headers) + hardening_errors(path, headers)
-    print("%d programs and libraries in %s" % (count, folder))
-    assert count > 2, "too few programs and libraries were found"
+        errors += guard_errors(path, words.debug)
+    print("%d programs and libraries in %s" % (count, ", ".join(words.paths)))
+    assert count > 2 or all(map(os.path.isfile, words.paths)), "too few files were found"
     assert not errors, "\n" + "\n".join(errors)
 
 

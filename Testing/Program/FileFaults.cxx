@@ -7,6 +7,7 @@
 /// - VFM_FAULT_RANK: rank of Open MPI that counts; no value: every process
 /// - VFM_FAULT_PARENT: if 1, the parent process, such as mpiexec, gets the signal
 /// - VFM_FAULT_LOG: file to which each call appends a line
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdarg>
@@ -47,14 +48,20 @@ bool IsInFolder(const char* path)
   return IsCounting() && std::strncmp(path, folder, std::strlen(folder)) == 0;
 }
 
-/// Returns the path of an open file.
-std::string PathOf(int file)
+struct Path
 {
-  char path[4096];
-  const ssize_t length = IsCounting()
-    ? readlink(("/proc/self/fd/" + std::to_string(file)).c_str(), path, sizeof(path))
-    : 0;
-  return { path, static_cast<std::size_t>(length > 0 ? length : 0) };
+  char Text[4096] = "";
+};
+
+/// Returns the path of an open file. It allocates nothing, because handlers of signals write too.
+Path PathOf(int file)
+{
+  Path path;
+  char link[32];
+  std::snprintf(link, sizeof(link), "/proc/self/fd/%d", file);
+  const ssize_t length = IsCounting() ? readlink(link, path.Text, sizeof(path.Text) - 1) : 0;
+  path.Text[std::max<ssize_t>(length, 0)] = '\0';
+  return path;
 }
 
 template <class Function>
@@ -106,7 +113,7 @@ int Count(const char* call, const char* path)
   return number == at ? 1 : 0;
 }
 
-/// Counts a call that creates, closes or renames a file.
+/// Counts a call that creates, names, closes or renames a file.
 void CountSimple(const char* call, const char* path)
 {
   if (Count(call, path) == 1)
@@ -118,7 +125,7 @@ void CountSimple(const char* call, const char* path)
 template <class Write>
 ssize_t CountWrite(const char* call, int file, std::size_t size, const Write& write)
 {
-  const int fault = Count(call, PathOf(file).c_str());
+  const int fault = Count(call, PathOf(file).Text);
   if (fault == 2)
   {
     errno = ENOSPC;
@@ -135,7 +142,8 @@ ssize_t CountWrite(const char* call, int file, std::size_t size, const Write& wr
 
 void CountOpen(const char* path, int flags)
 {
-  if (flags & (O_CREAT | O_TRUNC))
+  const bool isUnnamed = (flags & O_TMPFILE) == O_TMPFILE;
+  if ((flags & (O_CREAT | O_TRUNC)) || isUnnamed)
   {
     CountSimple("open", path);
   }
@@ -165,9 +173,9 @@ extern "C"
   }
   ssize_t write(int file, const void* bytes, size_t size)
   {
-    return CountWrite("write", file, size,
-      [&](std::size_t part)
-      { return Next<ssize_t(int, const void*, size_t)>("write")(file, bytes, part); });
+    static auto* const next = Next<ssize_t(int, const void*, size_t)>("write");
+    return CountWrite(
+      "write", file, size, [&](std::size_t part) { return next(file, bytes, part); });
   }
   ssize_t pwrite64(int file, const void* bytes, size_t size, off64_t at)
   {
@@ -192,6 +200,12 @@ extern "C"
     CountSimple("rename", to);
     return Next<int(const char*, const char*)>("rename")(from, to);
   }
+  int linkat(int fromFolder, const char* from, int folder, const char* to, int flags) noexcept
+  {
+    CountSimple("linkat", to);
+    return Next<int(int, const char*, int, const char*, int)>("linkat")(
+      fromFolder, from, folder, to, flags);
+  }
   int unlink(const char* path) noexcept
   {
     CountSimple("unlink", path);
@@ -204,7 +218,7 @@ extern "C"
   }
   int close(int file)
   {
-    CountSimple("close", PathOf(file).c_str());
+    CountSimple("close", PathOf(file).Text);
     return Next<int(int)>("close")(file);
   }
 }

@@ -69,6 +69,7 @@ FOLDERS = (
     ("InSitu/Catalyst/Legacy", "Legacy Catalyst."),
     ("InSitu/Catalyst/Catalyst2", "Catalyst 2."),
     ("Program", "The command-line tool `sculptor`."),
+    ("Program/Process", "The process of the program: signals and standard streams."),
     ("Program/VtkFiles", "Compressed values of VTK's files."),
     ("Plugin", "The ParaView plugin."),
     ("Plugin/Domains", "Domains of the plugin's properties."),

@@ -133,7 +133,7 @@ void PutValues(int file, int id, const NetcdfLayout& layout, const NetcdfVariabl
 
 bool TryWriteNetcdf4(const NetcdfLayout& layout, const std::string& path, OutputSet& files)
 {
-  const std::string begun = files.Create(path);
+  const std::string begun = files.Create(path, Naming::AtOnce);
   OpenNetcdf file(begun);
   std::vector<int> variables;
   Define(file.Id, layout, variables);

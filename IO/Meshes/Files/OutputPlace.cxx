@@ -49,10 +49,11 @@ fs::path FollowLinks(fs::path path)
   return path;
 }
 
-/// Creates an empty file, which no other process has, in the folder of a file.
-/// @param mode  permissions; reduced by the mask of the process
-/// @return descriptor and path of the file
-std::pair<int, std::string> CreateBeside(const fs::path& path, mode_t mode)
+/// Calls create(name) with names in the folder of a file, until it returns true.
+/// @return the name of that call
+/// @throws InputError  if it returns false for another reason than a file of that name
+template <class Create>
+std::string NameBeside(const fs::path& path, const Create& create)
 {
   static std::atomic<int> next{ 0 };
   const std::string start = "." + path.filename().string().substr(0, LongestPartOfName) + "." +
@@ -60,15 +61,23 @@ std::pair<int, std::string> CreateBeside(const fs::path& path, mode_t mode)
   for (;;)
   {
     const fs::path beside = path.parent_path() / (start + std::to_string(next++) + ".part");
-    const int file = open(beside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
-    if (file >= 0)
+    if (create(beside.string()))
     {
-      return { file, beside.string() };
+      return beside.string();
     }
     if (errno != EEXIST) // of a process with the same number that was killed
     {
       ThrowReason(errno);
     }
+  }
+}
+
+/// Gives a file the owner and the permissions of the one that it replaces.
+void CopyRights(const FileStatus& old, int file)
+{
+  if (old.st_uid == geteuid() || fchown(file, old.st_uid, old.st_gid) == 0)
+  {
+    fchmod(file, old.st_mode & 0777);
   }
 }
 
@@ -81,10 +90,19 @@ std::string NameOfHost()
   return name;
 }
 
-OutputPlace CreateOutput(const std::string& path)
+void OutputPlace::Name()
+{
+  const auto held = HoldUnfinishedPaths();
+  const auto link = [this](const std::string& name) { return this->Unnamed->Link(name); };
+  this->Begun =
+    std::make_unique<UnfinishedPath>(NameBeside(this->Final, link), UnfinishedPath::Kind::File);
+  this->Unnamed.reset();
+}
+
+OutputPlace CreateOutput(const std::string& path, Naming naming)
 {
   const fs::path followed = FollowLinks(fs::absolute(path));
-  OutputPlace place{ followed.string(), nullptr };
+  OutputPlace place{ followed.string(), nullptr, nullptr };
   constexpr mode_t usual = 0666;
   FileStatus old{};
   const bool isOld = stat(followed.c_str(), &old) == 0;
@@ -100,12 +118,30 @@ OutputPlace CreateOutput(const std::string& path)
   {
     ThrowReason(errno);
   }
-  const auto held = HoldUnfinishedPaths();
-  const auto [file, begun] = CreateBeside(followed, usual);
-  place.Begun = std::make_unique<UnfinishedPath>(begun, UnfinishedPath::Kind::File);
-  if (isOld && (old.st_uid == geteuid() || fchown(file, old.st_uid, old.st_gid) == 0))
+  if (naming == Naming::Late)
   {
-    fchmod(file, old.st_mode & 0777);
+    place.Unnamed = UnnamedFile::Create(followed.parent_path().string(), usual);
+  }
+  if (place.Unnamed)
+  {
+    if (isOld)
+    {
+      CopyRights(old, place.Unnamed->Descriptor());
+    }
+    return place;
+  }
+  int file = -1;
+  const auto create = [&file](const std::string& name)
+  {
+    file = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, usual);
+    return file >= 0;
+  };
+  const auto held = HoldUnfinishedPaths();
+  place.Begun =
+    std::make_unique<UnfinishedPath>(NameBeside(followed, create), UnfinishedPath::Kind::File);
+  if (isOld)
+  {
+    CopyRights(old, file);
   }
   close(file);
   return place;

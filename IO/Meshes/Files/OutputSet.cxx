@@ -140,15 +140,16 @@ void OutputSet::MakeFolder(const std::string& path)
   }
 }
 
-std::string OutputSet::Create(const std::string& path)
+std::string OutputSet::Create(const std::string& path, Naming naming)
 {
-  OutputPlace place = CreateOutput(path);
-  if (!place.Begun)
+  OutputPlace place = CreateOutput(path, naming);
+  if (!place.Begun && !place.Unnamed)
   {
     return path;
   }
   place.IsLast = path == this->Last;
-  return this->Files.emplace_back(std::move(place)).Begun->Path();
+  const OutputPlace& added = this->Files.emplace_back(std::move(place));
+  return added.Begun ? added.Begun->Path() : added.Unnamed->Path();
 }
 
 void OutputSet::Rename()
@@ -161,8 +162,12 @@ void OutputSet::Rename(Ranks& ranks)
 {
   const int rank = ranks.Rank();
   std::vector<WholeFile> files;
-  for (const OutputPlace& place : this->Files)
+  for (OutputPlace& place : this->Files)
   {
+    if (place.Unnamed)
+    {
+      place.Name();
+    }
     files.push_back({ rank, place.IsLast, NameOfHost(), place.Begun->Path(), place.Final });
   }
   const std::vector<Bytes> ofAll = ranks.Gather(Pack(files));

@@ -27,7 +27,7 @@ public:
   void MakeFolder(const std::string& path);
   /// Creates the file that will replace a file.
   /// @return path of the empty file to be written; devices and pipes: the path itself
-  std::string Create(const std::string& path);
+  std::string Create(const std::string& path, Naming naming = Naming::Late);
 
   /// Replaces the files of the names.
   /// @pre All files are complete, and are stored by SyncFile or OutputFile.

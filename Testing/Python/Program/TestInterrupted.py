@@ -5,9 +5,12 @@ the most important cases. A table of the outcomes is printed.
 """
 import os
 import resource
+import shutil
 import subprocess
+import unittest
 
-from file_faults import FULL, SIGNALS, Case, interrupt_all, read_tree
+from file_faults import FULL, KILL, SIGNALS, Case, interrupt_all, read_tree
+from mpi_run import mpi_run
 from sculptor_program import SCULPTOR, refused, sculptor
 from vfmtest import in_folder, main
 
@@ -64,6 +67,16 @@ def test_ranks(at):
     for suffix in SUFFIXES if MOMENTS else (".pvtu", ".e", ".foam"):
         faults = (*SIGNALS, FULL) if MOMENTS else (SIGNALS[0], FULL)
         interrupt(at, "mesh" + suffix, (".*",), 3, faults=faults, moments=2)
+
+
+@in_folder
+def test_killed(at):
+    """A program that is killed before its files have names leaves none."""
+    if "linkat" not in make_case(at, "mesh.vtu", (".*",), 1).list_calls(0, True):
+        raise unittest.SkipTest("the file system has no files without names")
+    for suffix in SUFFIXES if MOMENTS else (".vtu", ".pvtu", ".e", ".foam"):
+        for ranks in (1, 3) if MOMENTS else (1,):
+            interrupt(at, "mesh" + suffix, (".*",), ranks, faults=(KILL,))
 
 
 @in_folder
@@ -153,6 +166,43 @@ def test_ignored_hangup(at):
     case.restore(True)
     result = case.run(0, fault=int(SIGNALS[2]), fault_at=4)
     assert result.returncode == 0 and read_tree(case.folder) == case.trees[1], result
+
+
+@in_folder
+def test_first_process(at):
+    """The first process of a container, which no signal ends by default, ends as well."""
+    contain = ["unshare", "--pid", "--fork", "--kill-child"]
+    if subprocess.run([*contain, "true"], check=False, stderr=subprocess.DEVNULL).returncode != 0:
+        contain[1:1] = ["--user", "--map-root-user"]
+        if subprocess.run([*contain, "true"], check=False).returncode != 0:
+            raise unittest.SkipTest("this user cannot make containers")
+    case = make_case(at, "mesh.vtu", (".*",), 1)
+    command = case.new
+    case.new = lambda folder: [*contain, *command(folder)]
+    for fault in SIGNALS:
+        case.restore(True)
+        result = case.run(0, fault=int(fault), fault_at=4)
+        assert result.returncode == 128 + fault, result
+        assert result.stderr == LINE % fault.name + "\n", result
+        assert read_tree(case.folder) == case.trees[0]
+
+
+@in_folder
+def test_closed_streams(at):
+    """Without standard streams, warnings and the summary are printed nowhere."""
+    path = at("void.spn")
+    with open(path, "w", encoding="ascii") as file:
+        file.write(" ".join(str(cell // SIZE ** 2 % 4) for cell in range(SIZE ** 3)))
+    contents = []
+    for closed in ("", "<&-", ">&-", "2>&-", "<&- >&-", "<&- 2>&-", "<&- >&- 2>&-"):
+        os.mkdir(at("out"))
+        command = [SCULPTOR, path, at("out/mesh.vtu"), "--dimensions", "%d,%d,%d" % (3 * (SIZE,)),
+                   "--fragments", at("out/f.csv"), "--report", at("out/r.html")]
+        result = mpi_run(1, ["sh", "-c", 'exec "$@" ' + closed, "sh", *command])
+        assert result.returncode == 0, (closed, result)
+        contents.append(read_tree(at("out")))
+        assert len(contents[-1]) == 3 and contents[-1] == contents[0], closed
+        shutil.rmtree(at("out"))
 
 
 main(globals())

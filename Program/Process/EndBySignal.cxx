@@ -1,11 +1,13 @@
-#include "EndBySignal.h"
+#include "Process/EndBySignal.h"
 
 #include "Meshes/Files/UnfinishedPath.h"
 
 #include <atomic>
 #include <cerrno>
 #include <csignal>
+#include <fcntl.h>
 #include <string>
+#include <system_error>
 #include <thread>
 #include <unistd.h>
 
@@ -22,6 +24,8 @@ struct Ending
   const char* Name;
 };
 constexpr Ending Endings[] = { { SIGTERM, "SIGTERM" }, { SIGINT, "SIGINT" }, { SIGHUP, "SIGHUP" } };
+
+constexpr int FirstStatus = 128; ///< as in shells: the exit status of signal 0
 
 std::atomic<bool> IsSilent{ false };
 int Ends[2] = { -1, -1 }; ///< of the pipe from the handler to the thread that ends the program
@@ -59,6 +63,21 @@ void WaitForSignal()
   }
   std::signal(byte, SIG_DFL);
   kill(getpid(), byte);
+  _exit(FirstStatus + byte); // the first process of a container, which the signal does not end
+}
+
+/// Returns whether the thread that waits for signals runs.
+bool StartThread()
+{
+  try
+  {
+    std::thread(WaitForSignal).detach();
+    return true;
+  }
+  catch (const std::system_error&) // the user has too many threads
+  {
+    return false;
+  }
 }
 
 } // namespace
@@ -66,11 +85,10 @@ void WaitForSignal()
 void HandleSignals()
 {
   std::signal(SIGXFSZ, SIG_IGN);
-  if (pipe(Ends) != 0)
+  if (pipe2(Ends, O_CLOEXEC) != 0 || !StartThread())
   {
     return; // signals then end the program at once
   }
-  std::thread(WaitForSignal).detach();
   for (const Ending& ending : Endings)
   {
     Action old{}, handled{};
