@@ -46,9 +46,8 @@ ALLOWED.update({
     "Testing/Inputs": GRID + MESHER,
     "Testing/Grid": GRID + ("Shapes", "Testing/Support"),
     "Testing/Fuzz": GRID + MESHER + (
-        "Shapes", "IO", "IO/Blocks", "IO/GridFiles", "IO/Images", "IO/Labels", "Filters", "InSitu",
-        "Program",
-        "Testing/Inputs", "Testing/Support"),
+        "Shapes", "IO", "IO/Blocks", "IO/GridFiles", "IO/Images", "IO/Labels", "IO/Meshes",
+        "IO/Report", "Filters", "InSitu", "Program", "Testing/Inputs", "Testing/Support"),
     "Testing/Benchmarks": GRID + (
         "Mesher/Input", "IO", "IO/Images", "Shapes", "Filters", "Testing/Support"),
     "Testing/IO": GRID + MESHER + (
