@@ -11,7 +11,7 @@ add_library(vfm_grid STATIC ${vfm_grid_sources})
 target_include_directories(vfm_grid PUBLIC "${CMAKE_CURRENT_SOURCE_DIR}/Grid")
 target_link_libraries(vfm_grid PUBLIC vfm_ranks Eigen3::Eigen PRIVATE vfm_flags)
 file(GLOB vfm_mesher_sources CONFIGURE_DEPENDS Mesher/Options/[A-Z]*.cxx Mesher/Input/*.cxx
-  Mesher/Report/UniqueNames.cxx)
+  Mesher/State/ArrayStems.cxx Mesher/State/StateChoice.cxx Mesher/Report/UniqueNames.cxx)
 add_library(vfm_mesher STATIC ${vfm_mesher_sources})
 target_include_directories(vfm_mesher PUBLIC "${CMAKE_CURRENT_SOURCE_DIR}/Mesher")
 target_link_libraries(vfm_mesher PUBLIC vfm_grid PRIVATE vfm_flags)

@@ -15,7 +15,7 @@ namespace vfm
 namespace
 {
 
-constexpr std::size_t BufferSize = 1 << 20;
+constexpr Index LargestBuffer = 1 << 20;     // bytes
 constexpr std::ptrdiff_t LongestNumber = 64; // characters
 constexpr std::ptrdiff_t ShownLetters = 24;  // characters of an invalid value in a message
 
@@ -24,15 +24,21 @@ bool IsSpace(char c)
   return c == ' ' || (c >= '\t' && c <= '\r');
 }
 
+/// Returns a buffer for parts of a file; it is not larger than the file.
+std::vector<char> MakeBuffer(const std::string& path)
+{
+  return std::vector<char>(std::clamp<Index>(GetFileLength(path), 1, LargestBuffer));
+}
+
 /// Calls work(begin, end) on consecutive parts of a file, from its beginning up to byte `last`.
 template <class Work>
 void ForParts(const std::string& path, Index last, const Work& work)
 {
   std::ifstream stream = OpenFile(path);
-  std::vector<char> part(BufferSize);
+  std::vector<char> part = MakeBuffer(path);
   for (Index left = last; left > 0 && stream; left -= stream.gcount())
   {
-    stream.read(part.data(), std::min<Index>(left, BufferSize));
+    stream.read(part.data(), std::min<Index>(left, part.size()));
     work(part.data(), part.data() + stream.gcount());
   }
 }
@@ -60,7 +66,11 @@ class LabelStream
 {
 public:
   explicit LabelStream(const std::string& path) :
-    Path(path), Stream(OpenFile(path)), Buffer(BufferSize), Next(Buffer.data()), End(Buffer.data())
+    Path(path),
+    Stream(OpenFile(path)),
+    Buffer(MakeBuffer(path)),
+    Next(Buffer.data()),
+    End(Buffer.data())
   {
   }
 
@@ -102,7 +112,8 @@ private:
     std::copy(this->Next, this->End, this->Buffer.data());
     this->Offset += this->Next - this->Buffer.data();
     this->Next = this->Buffer.data();
-    this->Stream.read(this->Buffer.data() + left, static_cast<std::streamsize>(BufferSize) - left);
+    const auto room = static_cast<std::streamsize>(this->Buffer.size()) - left;
+    this->Stream.read(this->Buffer.data() + left, room);
     this->End = this->Next + left + this->Stream.gcount();
     return this->Stream.gcount() > 0;
   }

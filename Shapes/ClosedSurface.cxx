@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numeric>
 #include <string>
 #include <utility>
 
@@ -15,6 +14,9 @@ namespace
 {
 
 using Triangles = std::vector<PointTriangle>;
+
+// Largest coordinate of a grid (CartesianGrid); volumes and areas stay in the range of double.
+constexpr double LargestCoordinate = 1e60;
 
 void CheckPoints(const std::vector<Vector3>& points, const Triangles& triangles)
 {
@@ -33,15 +35,33 @@ void CheckPoints(const std::vector<Vector3>& points, const Triangles& triangles)
       {
         throw InputError("The point " + std::to_string(p) + " of the surface is not finite.");
       }
+      if (std::max({ std::abs(x[0]), std::abs(x[1]), std::abs(x[2]) }) > LargestCoordinate)
+      {
+        throw InputError("The point " + std::to_string(p) +
+          " of the surface has a coordinate beyond 1e60. Scale the coordinates: use another unit "
+          "of "
+          "length.");
+      }
     }
   }
 }
 
-/// Replaces points at one place by the first of them.
+/// Replaces points at one place by the first of them. Only points of triangles are compared,
+/// because others need not be finite.
 void MergePoints(const std::vector<Vector3>& points, Triangles& triangles)
 {
-  std::vector<Index> order(points.size()), first(points.size());
-  std::iota(order.begin(), order.end(), 0);
+  std::vector<Index> order, first(points.size(), -1);
+  for (const PointTriangle& triangle : triangles)
+  {
+    for (Index p : triangle)
+    {
+      if (first[p] < 0)
+      {
+        first[p] = p;
+        order.push_back(p);
+      }
+    }
+  }
   std::sort(order.begin(), order.end(),
     [&points](Index a, Index b) { return points[a] != points[b] ? points[a] < points[b] : a < b; });
   for (std::size_t i = 0; i < order.size(); ++i)

@@ -29,8 +29,8 @@ struct ClosedSurface
 /// opposite to the outer wall in the input.
 /// @param points  coordinates
 /// @param triangles  points of each triangle, from 0
-/// @throws InputError  if a triangle refers to a point that does not exist, a coordinate is not
-///   finite, or the surface is empty, open or not manifold
+/// @throws InputError  if a triangle refers to a point that does not exist, the magnitude of a
+///   coordinate is not finite or above 1e60, or the surface is empty, open or not manifold
 ClosedSurface CloseSurface(std::vector<Vector3> points, std::vector<PointTriangle> triangles);
 
 /// Returns the solid inside a closed surface as a shape.

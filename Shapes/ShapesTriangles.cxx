@@ -11,11 +11,12 @@ constexpr int MaximumBins = 1024;       // maximum number of bins along an axis
 constexpr double SamePlane = 1e-10;     // deviation from a plane over the diagonal of the box
 constexpr double LeastMeanNormal = 0.5; // minimum length of the mean normal for a plane
 
-/// Convex polygon. A triangle clipped by the six planes of a box has at most nine corners.
+/// Triangle clipped by up to six planes, which has at most nine corners, or more if rounding moves
+/// corners across a plane: then each plane adds up to half the number, 3, 4, 6, 9, 13, 19, 28.
 struct Polygon
 {
   int Size = 0;
-  std::array<Vector3, 9> Corners;
+  std::array<Vector3, 28> Corners;
 };
 
 /// Returns the part of a polygon below a value along an axis for sign 1, above it for sign -1.
@@ -167,7 +168,8 @@ std::array<int, 2> TriangleSolid::FindBins(int axis, double low, double high) co
 {
   const double start = this->All.Lower[axis + 1];
   const double width = this->All.Upper[axis + 1] - start;
-  const double scale = width > 0.0 ? this->Bins / width : 0.0;
+  const double perLength = this->Bins / width; // infinite if the width is 0 or nearly
+  const double scale = std::isfinite(perLength) ? perLength : 0.0;
   const auto find = [&](double x)
   {
     const double bin = std::floor((x - start) * scale);

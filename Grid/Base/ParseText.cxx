@@ -11,18 +11,9 @@ namespace
 
 constexpr const char* Spaces = " \t\r\n\v\f";
 
-/// Returns the text in lower case without spaces.
-std::string Plain(const std::string& text)
+char ToLower(char c)
 {
-  std::string plain;
-  for (char c : text)
-  {
-    if (c != ' ')
-    {
-      plain += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    }
-  }
-  return plain;
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
 template <class Value>
@@ -39,7 +30,13 @@ std::optional<Value> Parse(const std::string& text, Value least, Value most)
 
 bool IsSameWord(const std::string& one, const std::string& other)
 {
-  return Plain(one) == Plain(other);
+  std::size_t i = one.find_first_not_of(' '), j = other.find_first_not_of(' ');
+  while (i != std::string::npos && j != std::string::npos && ToLower(one[i]) == ToLower(other[j]))
+  {
+    i = one.find_first_not_of(' ', i + 1);
+    j = other.find_first_not_of(' ', j + 1);
+  }
+  return i == std::string::npos && j == std::string::npos;
 }
 
 std::optional<double> ParseNumber(const std::string& text, double least, double most)

@@ -1,6 +1,7 @@
 #include "Base/ParseText.h"
 #include "CellCount.h"
 #include "Images/Hdf5.h"
+#include "Images/Hdf5Check.h"
 #include "Images/ImageFile.h"
 #include "InputTrust.h"
 #include "OpenFile.h"
@@ -68,7 +69,8 @@ std::string Identify(hid_t file, const std::string& path)
   const auto& identity = info.token;
 #else
   H5O_info_t info;
-  const bool isFound = H5Oget_info_by_name(file, path.c_str(), &info, H5P_DEFAULT) >= 0;
+  const bool isFound =
+    H5Oget_info_by_name2(file, path.c_str(), &info, H5O_INFO_BASIC, H5P_DEFAULT) >= 0;
   const haddr_t& identity = info.addr;
 #endif
   return isFound ? std::string(reinterpret_cast<const char*>(&identity), sizeof(identity)) : path;
@@ -83,6 +85,28 @@ void CheckStorage(hid_t data, const std::string& path)
   if (isElsewhere && !InputTrust::IsGiven())
   {
     throw InputError(path + " has its values in other files. " + InputTrust::Advice);
+  }
+}
+
+/// Checks that values are numbers of a usual type. The library writes beyond its buffers if a
+/// damaged type has, for instance, more bits than bytes.
+void CheckType(hid_t type, const std::string& path)
+{
+  const H5T_class_t kind = H5Tget_class(type);
+  if (kind != H5T_INTEGER && kind != H5T_FLOAT)
+  {
+    throw InputError(path + " holds no numbers.");
+  }
+  const hid_t usual[] = { H5T_STD_I8LE, H5T_STD_I8BE, H5T_STD_U8LE, H5T_STD_U8BE, H5T_STD_I16LE,
+    H5T_STD_I16BE, H5T_STD_U16LE, H5T_STD_U16BE, H5T_STD_I32LE, H5T_STD_I32BE, H5T_STD_U32LE,
+    H5T_STD_U32BE, H5T_STD_I64LE, H5T_STD_I64BE, H5T_STD_U64LE, H5T_STD_U64BE, H5T_IEEE_F32LE,
+    H5T_IEEE_F32BE, H5T_IEEE_F64LE, H5T_IEEE_F64BE };
+  if (std::none_of(std::begin(usual), std::end(usual),
+        [type](hid_t known) { return H5Tequal(type, known) > 0; }))
+  {
+    throw InputError(path +
+      " holds numbers of an unusual type. Supported: integers of 8 to 64 "
+      "bits, and IEEE 754 numbers of 32 and 64 bits.");
   }
 }
 
@@ -103,6 +127,9 @@ bool ReadThree(hid_t file, const std::string& group, const std::string& name, Ve
   {
     CheckStorage(item, path);
   }
+  const Hdf5Handle type(
+    isAttribute ? H5Aget_type(item) : H5Dget_type(item), H5Tclose, CannotRead(path));
+  CheckType(type, path);
   const Hdf5Handle space(
     isAttribute ? H5Aget_space(item) : H5Dget_space(item), H5Sclose, CannotRead(path));
   const bool isRead = H5Sget_simple_extent_npoints(space) == 3 &&
@@ -259,21 +286,16 @@ struct MemoryType
 /// long, so that a value out of range does not become another label.
 MemoryType ChooseType(hid_t stored, const std::string& path)
 {
+  CheckType(stored, path);
   const std::size_t size = H5Tget_size(stored);
-  switch (H5Tget_class(stored))
+  if (H5Tget_class(stored) == H5T_FLOAT)
   {
-    case H5T_INTEGER:
-    {
-      const bool isLong = size > 4 || (size == 4 && H5Tget_sign(stored) == H5T_SGN_NONE);
-      return isLong ? MemoryType{ ValueType::LongLong, H5T_NATIVE_LLONG }
-                    : MemoryType{ ValueType::Int, H5T_NATIVE_INT };
-    }
-    case H5T_FLOAT:
-      return size > 4 ? MemoryType{ ValueType::Double, H5T_NATIVE_DOUBLE }
-                      : MemoryType{ ValueType::Float, H5T_NATIVE_FLOAT };
-    default:
-      throw InputError(path + " holds no numbers.");
+    return size > 4 ? MemoryType{ ValueType::Double, H5T_NATIVE_DOUBLE }
+                    : MemoryType{ ValueType::Float, H5T_NATIVE_FLOAT };
   }
+  const bool isLong = size > 4 || (size == 4 && H5Tget_sign(stored) == H5T_SGN_NONE);
+  return isLong ? MemoryType{ ValueType::LongLong, H5T_NATIVE_LLONG }
+                : MemoryType{ ValueType::Int, H5T_NATIVE_INT };
 }
 
 /// Tests whether a path ends with `end`, which may not begin inside a name of the path.
@@ -306,7 +328,7 @@ void CheckLinks(hid_t file)
 
 hid_t Open(const std::string& path)
 {
-  OpenFile(path);
+  CheckHdf5(path);
   return H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
 }
 

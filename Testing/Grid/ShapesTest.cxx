@@ -3,6 +3,7 @@
  */
 #include "Base/Vector3.h"
 #include "Fractions/Plic.h"
+#include "Shapes/ClosedSurface.h"
 #include "Shapes/ShapesFractions.h"
 #include "Shapes/ShapesScenes.h"
 #include "Shapes/ShapesTriangles.h"
@@ -464,6 +465,55 @@ TEST(Shapes, SolidsOfTrianglesAreExactAlsoOnCellFaces)
   EXPECT_EQ(plane.Offset, INFINITY);
   EXPECT_EQ(cube.FitPlane({ { 0.2, 0.2, 1.2 } }, { { 0.8, 0.8, 1.8 } }, plane), 0.0);
   EXPECT_EQ(plane.Offset, -INFINITY);
+}
+
+/// Rounding moves corners of clipped triangles across planes if the triangle is much larger than
+/// the box, so that a triangle has more corners than a convex polygon.
+TEST(Shapes, LargeTrianglesInSmallBoxes)
+{
+  const std::vector<Triangle> triangle{ { { { { 3, 1, 0 } },
+    { { 432345564227567620.0, 180143985094819840.0, 324259173170675710.0 } },
+    { { 6, 7, 11 } } } } };
+  const TriangleSolid large(triangle);
+  const Vector3 lower{ { 5, 4, 7 } }, upper{ { 12, 11, 10 } };
+  HalfSpace plane;
+  EXPECT_TRUE(std::isfinite(large.MeasureVolume(lower, upper)));
+  EXPECT_GE(large.FitPlane(lower, upper, plane), 0.0);
+}
+
+TEST(Shapes, PointsWithoutTrianglesNeedNotBeFinite)
+{
+  std::vector<Vector3> points{ { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } } };
+  std::vector<PointTriangle> triangles;
+  for (Index i = 0; i < 200; ++i) // copies of the corners, and points that are not used
+  {
+    const Index first = static_cast<Index>(points.size());
+    points.push_back({ { NAN, static_cast<double>(i % 7), NAN } });
+    points.push_back(points[i % 4]);
+    triangles.push_back({ { i % 4, first + 1, i % 4 } });
+  }
+  for (const PointTriangle& triangle : { PointTriangle{ { 0, 2, 1 } }, PointTriangle{ { 0, 1, 3 } },
+         PointTriangle{ { 1, 2, 3 } }, PointTriangle{ { 0, 3, 2 } } })
+  {
+    triangles.push_back(triangle);
+  }
+  EXPECT_EQ(CloseSurface(points, triangles).Triangles.size(), 4u);
+}
+
+TEST(Shapes, SurfacesInTheRangeOfGrids)
+{
+  const auto solid = [](double length)
+  {
+    const std::vector<Vector3> points{ { { 0, 0, 0 } }, { { length, 0, 0 } }, { { 0, length, 0 } },
+      { { 0, 0, length } } };
+    return MakeSolid(1,
+      CloseSurface(points, { { { 0, 2, 1 } }, { { 0, 1, 3 } }, { { 1, 2, 3 } }, { { 0, 3, 2 } } }),
+      [](const Vector3&) { return 0.0; });
+  };
+  EXPECT_NEAR(
+    solid(1e60).Boxes.Volume({ { 0, 0, 0 } }, { { 1e60, 1e60, 1e60 } }), 1e180 / 6.0, 1e166);
+  EXPECT_EQ(solid(1e-310).Boxes.Volume({ { 0, 0, 0 } }, { { 1, 1, 1 } }), 0.0);
+  EXPECT_THROW(solid(1e61), InputError);
 }
 
 TEST(Shapes, RefusesWhatIsNoShape)

@@ -48,9 +48,8 @@ ALLOWED.update({
     "Testing/Inputs": MESHES,
     "Testing/Grid": MESHES + ("Shapes", "Testing/Support"),
     "Testing/Fuzz": MESHES + (
-        "Shapes", "IO", "IO/Blocks", "IO/GridFiles", "IO/Images", "IO/Labels", "Filters", "InSitu",
-        "Program",
-        "Testing/Inputs", "Testing/Support"),
+        "Shapes", "IO", "IO/Blocks", "IO/GridFiles", "IO/Images", "IO/Labels", "IO/Meshes",
+        "IO/Report", "Filters", "InSitu", "Program", "Testing/Inputs", "Testing/Support"),
     "Testing/Benchmarks": MESHES + ("IO", "IO/Images", "Shapes", "Filters", "Testing/Support"),
     "Testing/IO": MESHES + (
         "Shapes", "IO", "IO/Blocks", "IO/Images", "IO/Labels", "IO/Meshes", "IO/Report",

@@ -15,7 +15,7 @@ void ReadBytes(const std::string& bytes)
   std::vector<std::string> words;
   for (std::string left = bytes; !left.empty();)
   {
-    words.push_back(TakeUntil(left, "\n"));
+    words.emplace_back(TakeUntil(left, "\n").c_str()); // words of a program end at a zero
   }
   ParseArguments(words);
 }

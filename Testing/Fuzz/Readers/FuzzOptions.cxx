@@ -17,10 +17,16 @@ void ReadBytes(const std::string& bytes)
   {
     MesherOptions options;
     options.Elements = elements;
+    bool isUnknown = false; // a name that is no option; the message lists all of them, slowly
     for (std::string left = bytes; !left.empty();)
     {
       std::string value = TakeUntil(left, "\n");
       const std::string name = TakeUntil(value, "=");
+      if (isUnknown && !FindOption(name))
+      {
+        continue;
+      }
+      isUnknown = isUnknown || !FindOption(name);
       try
       {
         SetOption(options, name, value);

@@ -391,6 +391,24 @@ def shape_seeds():
     yield "fields", "gyroid period=1 level=0.1\npolycrystal grains=3 seed=1 material=4\n"
 
 
+def surface(points, triangles):
+    """Returns points and triangles in the form of FuzzSurface.cxx."""
+    numbers = [x for point in points for x in point]
+    return (bytes([len(points)]) + struct.pack("<%dd" % len(numbers), *numbers)
+            + bytes(corner for triangle in triangles for corner in triangle))
+
+
+def surface_seeds():
+    tet = [(0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2)]
+    yield "tet", surface([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)], tet)
+    yield "flat", surface([(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 1e-300)], tet)
+    sides = [(0, 4, 6, 2), (1, 3, 7, 5), (0, 1, 5, 4), (2, 6, 7, 3), (0, 2, 3, 1), (4, 5, 7, 6)]
+    cube = [(a, b, c) for p, q, r, s in sides for a, b, c in ((p, q, r), (p, r, s))]
+    yield "cube", surface(CORNERS, cube)
+    inner = [[0.25 + 0.5 * x for x in corner] for corner in CORNERS]
+    yield "cavity", surface(CORNERS + inner, cube + [(8 + a, 8 + c, 8 + b) for a, b, c in cube])
+
+
 def dream3d_seeds(folder):
     """Writes files of DREAM.3D 6 and DREAM3D-NX."""
     import h5py
@@ -421,9 +439,9 @@ def write_all(folder):
             ("MetaImage", meta_seeds), ("Nrrd", nrrd_seeds), ("Nifti", nifti_seeds),
             ("Tiff", tiff_seeds), ("Png", png_seeds), ("Mgh", mgh_seeds),
             ("SpyPlot", spyplot_seeds), ("Options", option_seeds),
-            ("Shapes", shape_seeds), ("VtkLegacy", legacy_seeds), ("VtkXml", xml_seeds),
-            ("VtkImage", vti_seeds),
-            ("VtkBlocks", block_seeds), ("Arguments", argument_seeds)):
+            ("Shapes", shape_seeds), ("Surface", surface_seeds), ("VtkLegacy", legacy_seeds),
+            ("VtkXml", xml_seeds), ("VtkImage", vti_seeds), ("VtkBlocks", block_seeds),
+            ("Arguments", argument_seeds)):
         for name, data in seeds():
             write(folder, harness, name, data)
             if harness == "Nifti":

@@ -1,0 +1,74 @@
+/**
+ * What the command line asks about names of files, without the readers of VTK and the writers of
+ * meshes, which the build of libFuzzer does not contain (FuzzArguments).
+ */
+#include "FileSuffix.h"
+#include "ImageInput.h"
+#include "Meshes/Surfaces/WriteStl.h"
+#include "Meshes/Vtk/WriteGeometry.h"
+#include "Meshes/WriteMesh.h"
+#include "Ranks/Errors.h"
+#include "ReadInput.h"
+#include "Report/WriteReport.h"
+
+namespace vfm
+{
+namespace
+{
+
+std::string FindProblem(const std::string& path, const std::vector<std::string>& suffixes)
+{
+  return HasSuffix(path, suffixes) ? "" : path + " is of an unknown format.";
+}
+
+} // namespace
+
+std::vector<std::string> GetInputSuffixes()
+{
+  return { ".vti", ".nrrd", ".spn", ".npy", ".e" };
+}
+
+std::vector<std::string> GetOutputSuffixes()
+{
+  return { ".vtu", ".pvtu", ".e", ".msh", ".inp", ".stl" };
+}
+
+void CheckInputSuffix(const std::string& path)
+{
+  if (!HasSuffix(path, GetInputSuffixes()))
+  {
+    throw InputError(ErrorCode::WrongArguments, path + " is of an unknown format.");
+  }
+}
+
+bool IsVoxelFile(const std::string& path)
+{
+  return HasSuffix(path, std::vector<std::string>{ ".spn", ".npy" });
+}
+
+std::string FindOutputProblem(const std::string& path, const OutputForm&)
+{
+  return FindProblem(path, GetOutputSuffixes());
+}
+
+std::string FindStlProblem(const std::string& path)
+{
+  return FindProblem(path, { ".stl" });
+}
+
+std::string FindGeometryProblem(const std::string& path)
+{
+  return FindProblem(path, { ".vtm" });
+}
+
+std::string FindReportProblem(const std::string& path)
+{
+  return FindProblem(path, { ".html" });
+}
+
+std::optional<GmshVersion> ParseGmshVersion(const std::string& name)
+{
+  return name == "2.2" ? std::optional<GmshVersion>(GmshVersion::V2_2) : std::nullopt;
+}
+
+} // namespace vfm
