@@ -240,7 +240,7 @@ TEST(HostileFiles, SegmentsOfSlicer)
   EXPECT_EQ(row.Bytes.size(), 2 * sizeof(int));
   EXPECT_EQ(row.Bytes[0], 2);
   EXPECT_EQ(OpenImageFile(path).Names, (LabelNames{ { 1, "liver" }, { 2, "left kidney" } }));
-  EXPECT_EQ(ReadValues(path, { "", 1 }), (std::vector<int>{ 0, 1, 0, 0, 0, 0, 0, 0 }));
+  EXPECT_EQ(ReadValues(path, { "", 1, {} }), (std::vector<int>{ 0, 1, 0, 0, 0, 0, 0, 0 }));
 }
 
 TEST(HostileFiles, LinksOfContainers)

@@ -31,8 +31,7 @@ HalfFace MakeHalfFace(const Mesh& mesh, Index t, int corner)
 
 /// Lists the faces without points inside a material, except those of the barrier. Only these can be
 /// on interfaces or the domain boundary.
-std::vector<HalfFace> ListHalfFaces(
-  const Mesh& mesh, const std::vector<PointPosition>& positions)
+std::vector<HalfFace> ListHalfFaces(const Mesh& mesh, const std::vector<PointPosition>& positions)
 {
   std::vector<HalfFace> faces;
   const Index count = static_cast<Index>(mesh.ElementIds.size());
