@@ -38,8 +38,11 @@ std::uint64_t CheckType(const Hdf5Bytes& type)
 {
   // Bytes behind the first eight, of integers, reals, times, .., arrays; base types have eight.
   constexpr std::uint64_t least[] = { 4, 12, 2, 0, 4, 0, 8, 0, 8, 8, 8 };
+  constexpr std::uint64_t longest = 64; // bytes of an integer or a real number
   const std::uint64_t kind = type.Number(0, 1) & 0xF, size = type.Number(4, 4);
-  Require(kind < std::size(least) && size > 0, "a type is unknown");
+  const bool isNumber = kind < 2;
+  Require(
+    kind < std::size(least) && size > 0 && !(isNumber && size > longest), "a type is unknown");
   type.Part(Word, least[kind]);
   return size;
 }

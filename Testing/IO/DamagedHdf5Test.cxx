@@ -111,7 +111,7 @@ TEST(DamagedHdf5, StructureIsCheckedBeforeTheLibraryReadsIt)
   const std::string integers("\x10\x08\0\0\4\0\0\0\0\0\x20\0", 12);
   const Damage damages[] = {
     { integers, 10, std::string("\x90\0", 2), "an unusual type" },
-    { integers, 4, std::string("\0\0\0\xff", 4), "" },
+    { integers, 4, std::string("\0\0\0\xff", 4), "a type is unknown" },
     { integers, 0, "\x1f", "a type is unknown" },
     { "\3\2\4", 12, std::string("\0\3", 2), "chunks that are larger than its shape" },
     { std::string("_DIMENSIONS\0", 12), 40, Word(1 << 20),
