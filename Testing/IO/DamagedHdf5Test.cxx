@@ -46,6 +46,7 @@ std::string WriteImage(const std::string& path, H5F_libver_t version = H5F_LIBVE
   const hid_t data =
     H5Dcreate2(grid, "Cells/FeatureIds", H5T_STD_I32LE, space, parents, storage, H5P_DEFAULT);
   H5Dwrite(data, H5T_NATIVE_INT, H5S_ALL, H5S_ALL, H5P_DEFAULT, labels.data());
+  H5Lcreate_hard(file, "/", file, "Cycle", H5P_DEFAULT, H5P_DEFAULT);
   H5Lcreate_soft("/DataStructure/Grid", file, "soft", H5P_DEFAULT, H5P_DEFAULT);
   H5Gclose(H5Gcreate2(file, "Empty", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
   H5Gclose(H5Gcreate2(file, "Removed", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
@@ -126,6 +127,7 @@ TEST(DamagedHdf5, StructureIsCheckedBeforeTheLibraryReadsIt)
     { root, 13, "\4", "its version is unknown" },
     { root, 96 + 8, "\xff\xff\xff\x7f", "an address is behind its end" },
     { root, 96, "\7", "an object is unknown" },
+    { root, 96 + 4, "\1", "an object has more links than it counts" },
   };
   for (const Damage& damage : damages)
   {
