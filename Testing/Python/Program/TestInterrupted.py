@@ -7,6 +7,7 @@ import os
 import resource
 import shutil
 import subprocess
+import tempfile
 import unittest
 
 from file_faults import FULL, KILL, SIGNALS, Case, interrupt_all, read_tree
@@ -103,8 +104,13 @@ def test_one_of_several_programs_wins(at):
             assert sculptor(path, os.path.join(folder, "same" + suffix), *size).returncode == 0
             trees.append(read_tree(folder))
         os.mkdir(at(suffix))
-        programs = [subprocess.Popen([SCULPTOR, path, at(suffix + "/same" + suffix), *size])
-                    for path in 3 * inputs]
+        programs = []
+        for path in 3 * inputs:
+            # Programs that end remove the folder of Open MPI while others create it.
+            own = tempfile.mkdtemp(dir=os.path.dirname(path))
+            programs.append(subprocess.Popen(
+                [SCULPTOR, path, at(suffix + "/same" + suffix), *size],
+                env={**os.environ, "TMPDIR": own, "OMPI_MCA_orte_tmpdir_base": own}))
         assert [program.wait() for program in programs] == 6 * [0]
         assert trees[0] != trees[1] and read_tree(at(suffix)) in trees, suffix
 
