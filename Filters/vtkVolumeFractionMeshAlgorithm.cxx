@@ -80,19 +80,6 @@ vtkVolumeFractionMeshAlgorithm::~vtkVolumeFractionMeshAlgorithm()
   this->SetController(nullptr);
 }
 
-void vtkVolumeFractionMeshAlgorithm::SetFaceNeighbours(const int ranks[6])
-{
-  std::copy_n(ranks, 6, this->FaceNeighbours.begin());
-  this->HasFaceNeighbours = true;
-  this->Modified();
-}
-
-void vtkVolumeFractionMeshAlgorithm::ClearFaceNeighbours()
-{
-  this->HasFaceNeighbours = false;
-  this->Modified();
-}
-
 vtkExecutive* vtkVolumeFractionMeshAlgorithm::CreateDefaultExecutive()
 {
   return vfm::CollectivePipeline::Make([this] { return this->Controller; });
@@ -153,14 +140,6 @@ void vtkVolumeFractionMeshAlgorithm::Warn(const std::string& text, const vfm::Ra
   }
 }
 
-/// Collective. Finds the blocks of the input and their positions in the grid.
-vfm::InputLevels vtkVolumeFractionMeshAlgorithm::FindLevels(
-  vtkDataObject* input, const vfm::ArraysToRead& arrays, vfm::Ranks& ranks) const
-{
-  return vfm::FindLevels(vfm::CollectAllBlocks(input, arrays, ranks),
-    this->HasFaceNeighbours ? std::make_optional(this->FaceNeighbours) : std::nullopt, ranks);
-}
-
 void vtkVolumeFractionMeshAlgorithm::Run(
   vtkDataObject* data, vfm::MessageRanks& ranks, const vfm::MeshOutputs& outputs)
 {
@@ -178,9 +157,9 @@ void vtkVolumeFractionMeshAlgorithm::Run(
     ? ChooseLabelNames(this->Options->LabelNames, data, ranks, input.Warn)
     : vfm::LabelNames();
   input.Arrays.State = this->ChooseState(data, ranks);
-  input.Levels = this->FindLevels(
-    data, vfm::ListArrays(materials.List(), input.Arrays.State, *this->Options), ranks);
-  input.StaysInPlace = this->HasFaceNeighbours;
+  const vfm::ArraysToRead arrays =
+    vfm::ListArrays(materials.List(), input.Arrays.State, *this->Options);
+  input.Levels = vfm::FindInputLevels(vfm::CollectAllBlocks(data, arrays, ranks), ranks);
   vfm::MesherResult result = vfm::RunMesher(input, *this->Options, runtime);
   LogStages(result.Report);
   vfm::WorkTogether(ranks,
@@ -201,11 +180,5 @@ void vtkVolumeFractionMeshAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   this->PrintArrays(os, indent);
-  os << indent << "FaceNeighbours:";
-  for (std::size_t f = 0; this->HasFaceNeighbours && f < this->FaceNeighbours.size(); ++f)
-  {
-    os << " " << this->FaceNeighbours[f];
-  }
-  os << "\n";
   os << indent << "Controller: " << this->Controller << "\n";
 }

@@ -26,8 +26,7 @@
  * empty. Cells are redistributed, one box per rank, unless they already are distributed so. All
  * ranks must update together. The mesh, its ids and its field data do not depend on the number of
  * ranks. Each rank gets the elements of its cells; points between ranks are on each with equal
- * GlobalPointIds. A run on several ranks cannot be aborted. A host code that knows the ranks across
- * the faces of its boxes can set FaceNeighbours; each rank then meshes its own cells.
+ * GlobalPointIds. A run on several ranks cannot be aborted.
  *
  * **Outputs.** Port 0: the mesh, vtkUnstructuredGrid. Ports 1, 2 and 3, vtkPolyData: its surfaces,
  * the curves where surfaces meet, and the vertices where curves meet or end. Each facet, edge and
@@ -45,7 +44,6 @@
 #include "vtkUnstructuredGridAlgorithm.h"
 #include "vtkVolumeFractionMeshFiltersModule.h" // for export macro
 
-#include <array>  // for member
 #include <memory> // for member
 #include <string> // for member
 #include <vector> // for member
@@ -90,7 +88,6 @@ namespace vfm
 {
 class MessageRanks;
 class Ranks;
-struct InputLevels;
 struct MaterialArrays;
 struct MeshOutputs;
 struct MesherOptions;
@@ -504,17 +501,6 @@ public:
   vtkGetObjectMacro(Controller, vtkMultiProcessController);
   ///@}
 
-  ///@{
-  /**
-   * Ranks across -x +x -y +y -z +z of the block of this rank, or -1 on the sides of the whole
-   * grid. Each rank then has one block and meshes its cells; ghost cells come from nearby ranks,
-   * which are found from these six. All ranks must set them, or no rank. Default: not set; the
-   * cells are redistributed.
-   */
-  void SetFaceNeighbours(const int ranks[6]);
-  void ClearFaceNeighbours();
-  ///@}
-
 protected:
   explicit vtkVolumeFractionMeshAlgorithm(vfm::ElementKind elements);
   ~vtkVolumeFractionMeshAlgorithm() override = 0; // an abstract class
@@ -538,8 +524,6 @@ protected:
   vfm::ChosenArray MaterialIdArray;
   std::vector<std::string> StateArrays;
   std::unique_ptr<vfm::MesherOptions> Options;
-  bool HasFaceNeighbours = false;
-  std::array<int, 6> FaceNeighbours{ { -1, -1, -1, -1, -1, -1 } };
 
 private:
   vtkVolumeFractionMeshAlgorithm(const vtkVolumeFractionMeshAlgorithm&) = delete;
@@ -549,8 +533,6 @@ private:
   void PrintArrays(ostream& os, vtkIndent indent) const;
   vfm::StateChoice ChooseState(vtkDataObject* input, vfm::Ranks& ranks) const; // collective
   void Warn(const std::string& text, const vfm::Ranks& ranks) const;
-  vfm::InputLevels FindLevels(
-    vtkDataObject* input, const vfm::ArraysToRead& arrays, vfm::Ranks& ranks) const; // collective
   void Run(vtkDataObject* input, vfm::MessageRanks& ranks, const vfm::MeshOutputs& outputs);
 };
 

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <locale>
 #include <string>
 
 namespace vfm
@@ -33,14 +34,17 @@ inline void CheckRegularFile(const std::string& path)
   }
 }
 
-/// Opens a regular file for reading, in binary mode.
+/// Opens a regular file for reading, in binary mode. Numbers in it have a decimal point, whatever
+/// the locale of the host program.
 /// @throws InputError  if it cannot be read, is empty or is not a regular file; the message holds
 ///   the reason, not the path
 inline std::ifstream OpenFile(const std::string& path)
 {
   CheckRegularFile(path);
   errno = 0;
-  std::ifstream stream(path, std::ios::binary);
+  std::ifstream stream;
+  stream.imbue(std::locale::classic());
+  stream.open(path, std::ios::binary);
   if (stream.peek() == std::ifstream::traits_type::eof())
   {
     throw InputError((errno ? std::strerror(errno) : std::string("the file is empty")) + ".");

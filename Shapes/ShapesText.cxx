@@ -4,7 +4,6 @@
 #include "Base/Runtime.h"
 #include "Shapes/ShapesScenes.h"
 
-#include <limits>
 #include <map>
 #include <optional>
 #include <sstream>
@@ -94,9 +93,7 @@ private:
     std::istringstream items(word.substr(equals + 1) + ",");
     for (std::string item; std::getline(items, item, ',');)
     {
-      constexpr double most = std::numeric_limits<double>::max();
-      const bool hasPlus = item.size() > 1 && item[0] == '+' && item[1] != '-';
-      const std::optional<double> value = ParseNumber(hasPlus ? item.substr(1) : item, -most, most);
+      const std::optional<double> value = ParseReal(item);
       if (!value)
       {
         this->Fail("'" + word.substr(0, 80) + "': '" + item.substr(0, 80) + "' is not a number.");

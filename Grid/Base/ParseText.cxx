@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
+#include <locale>
+#include <sstream>
 
 namespace vfm
 {
@@ -47,6 +50,22 @@ std::optional<double> ParseNumber(const std::string& text, double least, double 
 std::optional<int> ParseCount(const std::string& text, int least, int most)
 {
   return Parse(text, least, most);
+}
+
+std::optional<double> ParseReal(const std::string& text)
+{
+  const bool hasPlus = text.size() > 1 && text[0] == '+' && text[1] != '-';
+  const char *begin = text.data() + hasPlus, *end = text.data() + text.size();
+  double value = 0.0;
+  const auto [stop, error] = std::from_chars(begin, end, value);
+  if (stop == end && error == std::errc::result_out_of_range)
+  {
+    std::istringstream stream(text); // distinguishes numbers that are too small
+    stream.imbue(std::locale::classic());
+    return stream >> value ? std::optional<double>(value) : std::nullopt;
+  }
+  const bool isGood = stop == end && error == std::errc() && std::isfinite(value);
+  return isGood ? std::optional<double>(value) : std::nullopt;
 }
 
 std::optional<bool> ParseSwitch(const std::string& text)

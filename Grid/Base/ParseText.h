@@ -19,6 +19,10 @@ bool IsSameWord(const std::string& one, const std::string& other);
 std::optional<double> ParseNumber(const std::string& text, double least, double most);
 std::optional<int> ParseCount(const std::string& text, int least, int most);
 
+/// Returns the finite number, which may have a plus sign. Numbers that are too small are 0 or
+/// denormal.
+std::optional<double> ParseReal(const std::string& text);
+
 /// Returns true for on, true, yes and 1, and false for off, false, no and 0.
 std::optional<bool> ParseSwitch(const std::string& text);
 

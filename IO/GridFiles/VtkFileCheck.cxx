@@ -166,6 +166,7 @@ void FileCheck::CheckVersion(const OutlineElement& root) const
 {
   std::string text = root.Get("version");
   std::istringstream stream(text);
+  stream.imbue(std::locale::classic());
   int major = -1, minor = -1;
   char point = 0;
   if (!text.empty() && !(stream >> major >> point >> minor && point == '.' && major >= 0))

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <limits>
 
@@ -50,19 +49,17 @@ bool IsSpecial(const std::string& word)
   return IsSameWord(name, "nan") || IsSameWord(name, "inf");
 }
 
-std::optional<double> ParseReal(const std::string& word, const VtkType& type)
+std::optional<double> ParseVtkReal(const std::string& word, const VtkType& type)
 {
   if (word.find_first_not_of("0123456789+-.eE") != std::string::npos)
   {
     const bool isAllowed = !type.IsFinite && IsSpecial(word);
     return isAllowed ? std::optional<double>(std::nan("")) : std::nullopt;
   }
-  char* end = nullptr;
-  const double value = std::strtod(word.c_str(), &end);
+  const std::optional<double> value = ParseReal(word);
   const double most = type.Bytes == 4 ? double(std::numeric_limits<float>::max())
                                       : std::numeric_limits<double>::max();
-  const bool isGood = end == word.c_str() + word.size() && std::abs(value) <= most;
-  return isGood ? std::optional<double>(value) : std::nullopt;
+  return value && std::abs(*value) <= most ? value : std::nullopt;
 }
 
 std::string DescribeRange(const VtkType& type)
@@ -95,7 +92,7 @@ std::optional<double> ParseVtkNumber(const std::string& word, const VtkType& typ
   }
   if (type.Kind == VtkType::Real)
   {
-    return ParseReal(word, type);
+    return ParseVtkReal(word, type);
   }
   const bool hasPlus = word[0] == '+' && word.compare(1, 1, "-") != 0;
   const char *begin = word.data() + hasPlus, *end = word.data() + word.size();

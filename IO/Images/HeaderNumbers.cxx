@@ -4,7 +4,6 @@
 #include "Ranks/Errors.h"
 
 #include <cmath>
-#include <limits>
 
 namespace vfm
 {
@@ -46,13 +45,6 @@ std::vector<std::string> SplitWords(const std::string& text)
     begin = text.find_first_not_of(blanks, end);
   }
   return words;
-}
-
-std::optional<double> ParseReal(const std::string& word)
-{
-  const bool hasPlus = word.size() > 1 && word[0] == '+' && word[1] != '-';
-  constexpr double most = std::numeric_limits<double>::max();
-  return ParseNumber(hasPlus ? word.substr(1) : word, -most, most);
 }
 
 std::optional<Index> ParseInteger(const std::string& word)

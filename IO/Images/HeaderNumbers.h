@@ -16,8 +16,6 @@ namespace vfm
 /// Returns the words of a text, separated by white space.
 std::vector<std::string> SplitWords(const std::string& text);
 
-/// Returns a finite number; nothing for any other text.
-std::optional<double> ParseReal(const std::string& word);
 /// Returns an integer, which may be written as a real number such as 2.0; nothing for any other
 /// text and for numbers of 2^53 and more.
 std::optional<Index> ParseInteger(const std::string& word);

@@ -1,5 +1,6 @@
 #include "Images/ReadNumbers.h"
 
+#include "Base/ParseText.h"
 #include "Images/HeaderNumbers.h"
 #include "OpenFile.h"
 

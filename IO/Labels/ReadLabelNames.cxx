@@ -119,10 +119,10 @@ LabelNames UniteLabelNames(const LabelNames& names, Ranks& ranks)
   for (const Bytes& ofRank : ranks.Gather(text))
   {
     std::istringstream stream(std::string(ofRank.begin(), ofRank.end()));
-    int label = 0;
-    for (std::string name; stream >> label && std::getline(stream, name);)
+    std::string label, name;
+    while (std::getline(stream, label, ' ') && std::getline(stream, name))
     {
-      united.emplace(label, name.substr(1));
+      united.emplace(std::stoi(label), name);
     }
   }
   return united;

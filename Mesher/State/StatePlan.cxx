@@ -80,30 +80,33 @@ struct StateGroup
   bool IsVector = false;
 };
 
-struct Work
+/// Entries of arrays, by their names.
+using KindWords = std::map<std::string, StateKindWord>;
+
+/// Selected state arrays with their roles and kinds.
+struct SelectedStates
 {
   const StateChoice& Choice;
   const std::vector<StateArray>& States;
   const Materials& Table;
-  const MaterialStems Stems{ Table.Names, Table.Labels };
-  std::map<std::string, StateKindWord> Words{};
-  std::vector<std::string> Weights{}; // name of the weight of each conserved array
-  StatePlan Plan{};
+  const MaterialStems Stems;
+  const KindWords Words;
 };
 
-const StateKindWord* FindWord(const Work& work, const std::string& name)
+const StateKindWord* FindWord(const KindWords& words, const std::string& name)
 {
-  const auto found = work.Words.find(TrimText(name));
-  return found == work.Words.end() ? nullptr : &found->second;
+  const auto found = words.find(TrimText(name));
+  return found == words.end() ? nullptr : &found->second;
 }
 
 /// Returns the entry of a group, by its name or the name of one of its arrays.
-const StateKindWord* FindWord(const Work& work, const StateGroup& group)
+const StateKindWord* FindWord(
+  const KindWords& words, const std::vector<StateArray>& states, const StateGroup& group)
 {
-  const StateKindWord* word = FindWord(work, group.Name);
+  const StateKindWord* word = FindWord(words, group.Name);
   for (std::size_t s : group.States)
   {
-    const StateKindWord* own = FindWord(work, work.States[s].Name);
+    const StateKindWord* own = FindWord(words, states[s].Name);
     if (word && own && !word->IsSameKind(*own))
     {
       throw InputError("The state kinds of " + Quote(word->Name) + " and " + Quote(own->Name) +
@@ -114,100 +117,105 @@ const StateKindWord* FindWord(const Work& work, const StateGroup& group)
   return word;
 }
 
-bool IsDensity(const Work& work, const std::string& name)
+bool IsDensity(const StateChoice& choice, const std::string& name)
 {
-  const std::vector<std::string>& densities = work.Choice.Densities;
+  const std::vector<std::string>& densities = choice.Densities;
   return std::find(densities.begin(), densities.end(), name) != densities.end();
 }
 
-bool IsDensity(const Work& work, const StateGroup& group)
+bool IsDensity(
+  const StateChoice& choice, const std::vector<StateArray>& states, const StateGroup& group)
 {
   return std::any_of(group.States.begin(), group.States.end(),
-    [&](std::size_t s) { return IsDensity(work, work.States[s].Name); });
+    [&](std::size_t s) { return IsDensity(choice, states[s].Name); });
 }
 
 /// Returns whether a group is the velocity or the energy, by its name or the name of an array.
-bool IsPerMass(const Work& work, const StateGroup& group)
+bool IsPerMass(
+  const StateChoice& choice, const std::vector<StateArray>& states, const StateGroup& group)
 {
   const auto isChosen = [&](const std::string& name)
-  { return name == work.Choice.Velocity || name == work.Choice.Energy; };
+  { return name == choice.Velocity || name == choice.Energy; };
   return isChosen(group.Name) ||
     std::any_of(group.States.begin(), group.States.end(),
-      [&](std::size_t s) { return isChosen(work.States[s].Name); });
+      [&](std::size_t s) { return isChosen(states[s].Name); });
 }
 
 /// Returns whether a group is copied; integers are, unless they are density, velocity or energy.
-bool IsCopied(const Work& work, const StateGroup& group)
+bool IsCopied(const SelectedStates& selected, const StateGroup& group)
 {
-  const StateKindWord* word = FindWord(work, group);
+  const std::vector<StateArray>& states = selected.States;
+  const StateKindWord* word = FindWord(selected.Words, states, group);
   return word ? word->IsCopy
-              : !IsRealType(work.States[group.States[0]].Type) && !IsDensity(work, group) &&
-      !IsPerMass(work, group);
+              : !IsRealType(states[group.States[0]].Type) &&
+      !IsDensity(selected.Choice, states, group) && !IsPerMass(selected.Choice, states, group);
 }
 
 /// Returns the index of a state, or -1.
-int FindState(const Work& work, const std::string& name)
+int FindState(const std::vector<StateArray>& states, const std::string& name)
 {
-  const auto found = std::find_if(work.States.begin(), work.States.end(),
-    [&name](const StateArray& state) { return state.Name == name; });
-  return found == work.States.end() ? -1 : static_cast<int>(found - work.States.begin());
+  const auto found = std::find_if(
+    states.begin(), states.end(), [&name](const StateArray& state) { return state.Name == name; });
+  return found == states.end() ? -1 : static_cast<int>(found - states.begin());
 }
 
 /// Returns the arrays of the components of the velocity, if its x component is an array.
-StateGroup FindVelocity(const Work& work)
+StateGroup FindVelocity(const SelectedStates& selected)
 {
   StateGroup group;
-  const int x = FindState(work, work.Choice.Velocity);
-  const std::optional<ArrayStem> vector = FindVector(work.Choice.Velocity);
-  if (vector && x >= 0 && work.States[x].Components == 1)
+  const std::string& name = selected.Choice.Velocity;
+  const int x = FindState(selected.States, name);
+  const std::optional<ArrayStem> vector = FindVector(name);
+  if (vector && x >= 0 && selected.States[x].Components == 1)
   {
-    if (!work.Stems.FindStems(work.Choice.Velocity).empty() &&
-      !FindWord(work, work.Choice.Velocity))
+    if (!selected.Stems.FindStems(name).empty() && !FindWord(selected.Words, name))
     {
-      throw InputError("The velocity array " + Quote(work.Choice.Velocity) +
+      throw InputError("The velocity array " + Quote(name) +
         " is a component of one material's velocity, by its name. Make one vector array per "
         "material, or set its kind for all materials (state kind " +
-        work.Choice.Velocity + "=mass).");
+        name + "=mass).");
     }
     group = { vector->Name, {}, true };
     for (const std::string& member : vector->Members)
     {
-      group.States.push_back(FindState(work, member)); // CompleteChoice added all of them
+      group.States.push_back(
+        FindState(selected.States, member)); // CompleteChoice added all of them
     }
   }
   return group;
 }
 
-[[noreturn]] void RejectPartial(const Work& work, const std::string& name, const ArrayStem& stem)
+[[noreturn]] void RejectPartial(
+  const SelectedStates& selected, const std::string& name, const ArrayStem& stem)
 {
   std::size_t missing = 0;
-  while (FindState(work, stem.Members[missing]) >= 0)
+  while (FindState(selected.States, stem.Members[missing]) >= 0)
   {
     ++missing;
   }
   throw InputError("The state array " + Quote(name) +
     " belongs to one material, by its name, and of the material " +
-    Quote(work.Table.Names[missing + 1]) +
+    Quote(selected.Table.Names[missing + 1]) +
     " no array is selected: " + Quote(stem.Members[missing]) +
     ". Select the arrays of all materials, or set its kind for all materials (state kind " + name +
-    (IsDensity(work, name) ? "=volume" : "=mass") + ", or another).");
+    (IsDensity(selected.Choice, name) ? "=volume" : "=mass") + ", or another).");
 }
 
-StateGroup FindGroup(const Work& work, std::size_t state)
+StateGroup FindGroup(const SelectedStates& selected, std::size_t state)
 {
-  const StateGroup alone{ work.States[state].Name, { state } };
-  const StateGroup velocity = FindVelocity(work);
+  const StateGroup alone{ selected.States[state].Name, { state } };
+  const StateGroup velocity = FindVelocity(selected);
   if (std::find(velocity.States.begin(), velocity.States.end(), state) != velocity.States.end())
   {
     return velocity;
   }
-  const std::vector<ArrayStem> stems = work.Stems.FindStems(alone.Name);
+  const std::vector<ArrayStem> stems = selected.Stems.FindStems(alone.Name);
   for (const ArrayStem& stem : stems)
   {
     StateGroup group{ stem.Name, {} };
     for (const std::string& member : stem.Members)
     {
-      const int place = FindState(work, member);
+      const int place = FindState(selected.States, member);
       if (place >= 0)
       {
         group.States.push_back(place);
@@ -218,24 +226,24 @@ StateGroup FindGroup(const Work& work, std::size_t state)
       return group;
     }
   }
-  if (!stems.empty() && !IsCopied(work, alone) && !FindWord(work, alone.Name))
+  if (!stems.empty() && !IsCopied(selected, alone) && !FindWord(selected.Words, alone.Name))
   {
-    RejectPartial(work, alone.Name, stems[0]);
+    RejectPartial(selected, alone.Name, stems[0]);
   }
   return alone;
 }
 
 /// Returns the groups of arrays per material and of components, and single arrays, in the order of
 /// the states.
-std::vector<StateGroup> FindGroups(const Work& work)
+std::vector<StateGroup> FindGroups(const SelectedStates& selected)
 {
   std::vector<StateGroup> groups;
-  std::vector<bool> isTaken(work.States.size(), false);
-  for (std::size_t s = 0; s < work.States.size(); ++s)
+  std::vector<bool> isTaken(selected.States.size(), false);
+  for (std::size_t s = 0; s < selected.States.size(); ++s)
   {
     if (!isTaken[s])
     {
-      groups.push_back(FindGroup(work, s));
+      groups.push_back(FindGroup(selected, s));
       for (std::size_t member : groups.back().States)
       {
         isTaken[member] = true;
@@ -245,45 +253,40 @@ std::vector<StateGroup> FindGroups(const Work& work)
   return groups;
 }
 
-void Place(Work& work, const StateGroup& group)
+/// Returns the conserved array of a group, without its weight.
+ConservedArray MakeConserved(const SelectedStates& selected, const StateGroup& group)
 {
-  if (IsCopied(work, group))
-  {
-    work.Plan.Copied.insert(work.Plan.Copied.end(), group.States.begin(), group.States.end());
-    return;
-  }
+  const std::vector<StateArray>& states = selected.States;
   ConservedArray array;
   array.Name = group.Name;
   array.States = group.States;
   array.IsVector = group.IsVector;
-  const int components = work.States[group.States[0]].Components;
+  const int components = states[group.States[0]].Components;
   array.Components = group.IsVector ? 3 : components;
-  const StateKindWord* word = FindWord(work, group);
-  array.Meaning = word       ? word->Meaning
-    : IsDensity(work, group) ? StateMeaning::PerVolume
-                             : StateMeaning::PerMass;
-  work.Weights.push_back(word ? word->Weight : "");
+  const StateKindWord* word = FindWord(selected.Words, states, group);
+  array.Meaning = word                          ? word->Meaning
+    : IsDensity(selected.Choice, states, group) ? StateMeaning::PerVolume
+                                                : StateMeaning::PerMass;
   for (std::size_t s : group.States)
   {
-    if (work.States[s].Components != components)
+    if (states[s].Components != components)
     {
       throw InputError("The arrays of " + Quote(group.Name) + " have " +
-        std::to_string(components) + " and " + std::to_string(work.States[s].Components) +
+        std::to_string(components) + " and " + std::to_string(states[s].Components) +
         " components: they become one array of the mesh.");
     }
   }
-  work.Plan.Conserved.push_back(std::move(array));
+  return array;
 }
 
 /// Returns the index of the conserved array with a name, its own or that of one of its states,
 /// without spaces at the ends; -1: none.
-int FindConserved(const Work& work, const std::string& name)
+int FindConserved(const std::vector<ConservedArray>& arrays, const std::vector<StateArray>& states,
+  const std::string& name)
 {
-  const std::vector<ConservedArray>& arrays = work.Plan.Conserved;
   for (std::size_t c = 0; c < arrays.size(); ++c)
   {
-    const auto isNamed = [&](std::size_t s)
-    { return TrimText(work.States[s].Name) == TrimText(name); };
+    const auto isNamed = [&](std::size_t s) { return TrimText(states[s].Name) == TrimText(name); };
     if (TrimText(arrays[c].Name) == TrimText(name) ||
       std::any_of(arrays[c].States.begin(), arrays[c].States.end(), isNamed))
     {
@@ -293,13 +296,15 @@ int FindConserved(const Work& work, const std::string& name)
   return -1;
 }
 
-void CheckWords(const Work& work)
+/// Checks that all entries name arrays.
+void CheckWords(const KindWords& words, const std::vector<StateArray>& states,
+  const std::vector<ConservedArray>& arrays)
 {
-  for (const auto& word : work.Words)
+  for (const auto& word : words)
   {
-    const bool isOfState = std::any_of(work.States.begin(), work.States.end(),
+    const bool isOfState = std::any_of(states.begin(), states.end(),
       [&word](const StateArray& state) { return TrimText(state.Name) == word.first; });
-    if (!isOfState && FindConserved(work, word.first) < 0)
+    if (!isOfState && FindConserved(arrays, states, word.first) < 0)
     {
       throw InputError(
         "The state kinds name " + Quote(word.first) + ", which is not a selected state array.");
@@ -308,43 +313,43 @@ void CheckWords(const Work& work)
 }
 
 /// Checks the names of arrays that are made from several state arrays.
-void CheckNames(const Work& work)
+void CheckNames(const std::vector<ConservedArray>& arrays, const std::vector<StateArray>& states)
 {
-  for (const ConservedArray& array : work.Plan.Conserved)
+  for (const ConservedArray& array : arrays)
   {
     if (array.States.size() > 1)
     {
       CheckNameOfState(array.Name);
-      const auto count = std::count_if(work.Plan.Conserved.begin(), work.Plan.Conserved.end(),
+      const auto count = std::count_if(arrays.begin(), arrays.end(),
         [&](const ConservedArray& other) { return other.Name == array.Name; });
-      if (count > 1 || FindState(work, array.Name) >= 0)
+      if (count > 1 || FindState(states, array.Name) >= 0)
       {
-        throw InputError("The arrays " + Quote(work.States[array.States[0]].Name) + ", " +
-          Quote(work.States[array.States[1]].Name) + ", .. become the array " + Quote(array.Name) +
+        throw InputError("The arrays " + Quote(states[array.States[0]].Name) + ", " +
+          Quote(states[array.States[1]].Name) + ", .. become the array " + Quote(array.Name) +
           " of the mesh, but there is another of that name. Rename or leave out one of them.");
       }
     }
   }
 }
 
-void SetWeights(Work& work)
+/// Sets the indices of weights.
+/// @param weights  name of the weight of each conserved array; empty: none
+void SetWeights(const std::vector<std::string>& weights, const std::vector<StateArray>& states,
+  std::vector<ConservedArray>& arrays)
 {
-  for (std::size_t c = 0; c < work.Weights.size(); ++c)
+  for (std::size_t c = 0; c < weights.size(); ++c)
   {
-    const std::string& name = work.Weights[c];
+    const std::string& name = weights[c];
     if (name.empty())
     {
       continue;
     }
-    ConservedArray& array = work.Plan.Conserved[c];
-    array.Weight = FindConserved(work, name);
-    const bool isFit = array.Weight >= 0 && array.Weight != static_cast<int>(c) &&
-      work.Weights[array.Weight].empty() &&
-      work.Plan.Conserved[array.Weight].Meaning == StateMeaning::PerMass &&
-      work.Plan.Conserved[array.Weight].Components == 1;
+    const int weight = arrays[c].Weight = FindConserved(arrays, states, name);
+    const bool isFit = weight >= 0 && weight != static_cast<int>(c) && weights[weight].empty() &&
+      arrays[weight].Meaning == StateMeaning::PerMass && arrays[weight].Components == 1;
     if (!isFit)
     {
-      throw InputError("The state array " + Quote(array.Name) + " cannot be weighted with " +
+      throw InputError("The state array " + Quote(arrays[c].Name) + " cannot be weighted with " +
         Quote(name) + ": select another state array, of one component and the kind mass.");
     }
   }
@@ -366,50 +371,54 @@ void CheckDensity(const ConservedArray& density)
   }
 }
 
-void SetDensity(Work& work)
+/// Returns the index of the density, or -1.
+/// @param densities  names of selected density arrays
+int FindDensity(const std::vector<std::string>& densities, const std::vector<StateArray>& states,
+  const std::vector<ConservedArray>& arrays)
 {
-  for (const std::string& name : work.Choice.Densities)
+  int density = -1;
+  for (const std::string& name : densities)
   {
-    const int found = FindConserved(work, name);
+    const int found = FindConserved(arrays, states, name);
     if (found < 0)
     {
       throw InputError("The density array " + Quote(name) + " cannot be copied.");
     }
-    if (work.Plan.Density >= 0 && found != work.Plan.Density)
+    if (density >= 0 && found != density)
     {
-      throw InputError("The density arrays " + Quote(work.Choice.Densities[0]) + " and " +
-        Quote(name) +
+      throw InputError("The density arrays " + Quote(densities[0]) + " and " + Quote(name) +
         " are not arrays of different materials. Select one array for all materials, or one per "
         "material with names that differ only in the material.");
     }
-    work.Plan.Density = found;
+    density = found;
   }
-  if (work.Plan.Density >= 0)
+  if (density >= 0)
   {
-    CheckDensity(work.Plan.Conserved[work.Plan.Density]);
+    CheckDensity(arrays[density]);
   }
+  return density;
 }
 
 /// Returns the index of the velocity or energy, or -1; what: its name in messages.
-int FindPerMass(const Work& work, const std::string& name, const std::string& what, int components)
+int FindPerMass(const std::vector<ConservedArray>& arrays, const std::vector<StateArray>& states,
+  const std::string& name, const std::string& what, int components)
 {
   if (name.empty())
   {
     return -1;
   }
-  const int found = FindConserved(work, name);
+  const int found = FindConserved(arrays, states, name);
   const std::string array = "The " + what + " array " + Quote(name);
-  if (found < 0 && FindState(work, name) < 0)
+  if (found < 0 && FindState(states, name) < 0)
   {
     throw InputError(
       array + " is neither an array of the input nor the common part of names of state arrays.");
   }
-  if (found < 0 || work.Plan.Conserved[found].Meaning != StateMeaning::PerMass ||
-    work.Plan.Conserved[found].Weight >= 0)
+  if (found < 0 || arrays[found].Meaning != StateMeaning::PerMass || arrays[found].Weight >= 0)
   {
     throw InputError(array + " must be of the kind mass: " + what + " is per mass.");
   }
-  const int has = work.Plan.Conserved[found].Components;
+  const int has = arrays[found].Components;
   if (has != components)
   {
     throw InputError(array + " has " + std::to_string(has) + " component" + (has == 1 ? "" : "s") +
@@ -418,12 +427,19 @@ int FindPerMass(const Work& work, const std::string& name, const std::string& wh
   return found;
 }
 
-void AddWord(Work& work, const StateKindWord& word)
+/// Returns the entries name=kind.
+KindWords ReadWords(const std::vector<std::string>& texts)
 {
-  if (!work.Words.emplace(word.Name, word).second)
+  KindWords words;
+  for (const std::string& text : texts)
   {
-    throw InputError("The state kinds name " + Quote(word.Name) + " twice.");
+    const StateKindWord word = ReadWord(text);
+    if (!words.emplace(word.Name, word).second)
+    {
+      throw InputError("The state kinds name " + Quote(word.Name) + " twice.");
+    }
   }
+  return words;
 }
 
 } // namespace
@@ -431,22 +447,29 @@ void AddWord(Work& work, const StateKindWord& word)
 StatePlan PlanState(
   const StateChoice& choice, const std::vector<StateArray>& states, const Materials& materials)
 {
-  Work work{ choice, states, materials };
-  for (const std::string& text : choice.Kinds)
+  const SelectedStates selected{ choice, states, materials, { materials.Names, materials.Labels },
+    ReadWords(choice.Kinds) };
+  StatePlan plan;
+  std::vector<std::string> weights; // name of the weight of each conserved array; empty: none
+  for (const StateGroup& group : FindGroups(selected))
   {
-    AddWord(work, ReadWord(text));
+    if (IsCopied(selected, group))
+    {
+      plan.Copied.insert(plan.Copied.end(), group.States.begin(), group.States.end());
+      continue;
+    }
+    const StateKindWord* word = FindWord(selected.Words, states, group);
+    weights.push_back(word ? word->Weight : "");
+    plan.Conserved.push_back(MakeConserved(selected, group));
   }
-  for (const StateGroup& group : FindGroups(work))
-  {
-    Place(work, group);
-  }
-  CheckWords(work);
-  CheckNames(work);
-  SetWeights(work);
-  SetDensity(work);
-  work.Plan.Velocity = FindPerMass(work, work.Choice.Velocity, "velocity", 3);
-  work.Plan.Energy = FindPerMass(work, work.Choice.Energy, "energy", 1);
-  return std::move(work.Plan);
+  const std::vector<ConservedArray>& conserved = plan.Conserved;
+  CheckWords(selected.Words, states, conserved);
+  CheckNames(conserved, states);
+  SetWeights(weights, states, plan.Conserved);
+  plan.Density = FindDensity(choice.Densities, states, conserved);
+  plan.Velocity = FindPerMass(conserved, states, choice.Velocity, "velocity", 3);
+  plan.Energy = FindPerMass(conserved, states, choice.Energy, "energy", 1);
+  return plan;
 }
 
 } // namespace vfm

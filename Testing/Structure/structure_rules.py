@@ -52,8 +52,8 @@ ALLOWED.update({
         "IO/Report", "Filters", "InSitu", "Program", "Testing/Inputs", "Testing/Support"),
     "Testing/Benchmarks": MESHES + ("IO", "IO/Images", "Shapes", "Filters", "Testing/Support"),
     "Testing/IO": MESHES + (
-        "Shapes", "IO", "IO/Blocks", "IO/Images", "IO/Labels", "IO/Meshes", "IO/Report",
-        "Testing/Inputs", "Testing/Support"),
+        "Shapes", "IO", "IO/Blocks", "IO/GridFiles", "IO/Images", "IO/Labels", "IO/Meshes",
+        "IO/Report", "Testing/Inputs", "Testing/Support"),
     "Testing/Mesher": MESHES + ("Shapes", "Testing/Inputs", "Testing/Support"),
     "Testing/Parallel": BASE + ("Parallel/Vtk", "Testing/Support"),
     "Testing/Digests": MESHES + ("Shapes", "Testing/Inputs"),

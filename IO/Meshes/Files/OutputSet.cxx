@@ -37,8 +37,8 @@ Bytes Pack(const std::vector<WholeFile>& files)
   std::string text;
   for (const WholeFile& file : files)
   {
-    const std::string numbers = std::to_string(file.Rank) + " " + (file.IsLast ? "1" : "0");
-    for (const std::string& part : { numbers, file.Host, file.Begun, file.Final })
+    const std::string rank = std::to_string(file.Rank), isLast = file.IsLast ? "1" : "0";
+    for (const std::string& part : { rank, isLast, file.Host, file.Begun, file.Final })
     {
       text.append(part).append(1, '\0');
     }
@@ -49,11 +49,11 @@ Bytes Pack(const std::vector<WholeFile>& files)
 void Unpack(const Bytes& bytes, std::vector<WholeFile>& files)
 {
   std::istringstream stream(std::string(bytes.begin(), bytes.end()));
-  for (std::string numbers; std::getline(stream, numbers, '\0');)
+  for (std::string rank, isLast; std::getline(stream, rank, '\0');)
   {
     WholeFile& file = files.emplace_back();
-    std::istringstream(numbers) >> file.Rank >> file.IsLast;
-    for (std::string* part : { &file.Host, &file.Begun, &file.Final })
+    file.Rank = std::stoi(rank);
+    for (std::string* part : { &isLast, &file.Host, &file.Begun, &file.Final })
     {
       std::getline(stream, *part, '\0');
     }

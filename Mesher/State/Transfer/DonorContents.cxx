@@ -2,6 +2,7 @@
 
 #include <limits>
 #include <numeric>
+#include <optional>
 
 namespace vfm
 {
@@ -46,37 +47,13 @@ std::vector<StateTotals> MaterialSums::Finish(Ranks& ranks)
 namespace
 {
 
-/// Contents that a cell without a donor gives to a donor nearby.
-struct Gift
-{
-  Index From, To; // keys of the two cells
-  int Fragment;
-  double Volume;
-};
-
-struct Work
-{
-  const StateSource& Source;
-  const WholeElements& Whole;
-  const Partition& Parts;
-  DonorTable& Donors;
-  MaterialSums &Input, &Unmeshed;
-  const CartesianGrid& Grid = Source.Request.Grid;
-  DonorValues Values{ Donors.Count(), Source.Columns };
-  // Values of the cell whose contents are distributed.
-  std::vector<double> Own = std::vector<double>(Source.Columns.Count());
-  // Gifts per peer, and their values; the last lists are for donors of this rank.
-  std::vector<std::vector<Gift>> Gifts{ Parts.Peers().size() + 1 };
-  std::vector<std::vector<double>> GiftValues{ Parts.Peers().size() + 1 };
-};
-
 /// Returns four times the squared distance between the centres of two cells.
-double SquaredDistance(const Work& work, const Index3& p, const Index3& q)
+double SquaredDistance(const CartesianGrid& grid, const Index3& p, const Index3& q)
 {
   double sum = 0.0;
   for (int a = 0; a < 3; ++a)
   {
-    const std::vector<double>& x = work.Grid.Coordinates(a);
+    const std::vector<double>& x = grid.Coordinates(a);
     const double d = (x[p[a]] + x[p[a] + 1]) - (x[q[a]] + x[q[a] + 1]);
     sum += d * d;
   }
@@ -85,25 +62,26 @@ double SquaredDistance(const Work& work, const Index3& p, const Index3& q)
 
 /// Returns the donor of a material whose cell is nearest, and the largest in this cell; -1 if there
 /// is none.
-int FindNearest(const Work& work, const Index3& p, int material, int layers)
+int FindNearest(
+  const CartesianGrid& grid, const DonorTable& donors, const Index3& p, int material, int layers)
 {
   int nearest = -1;
   double least = std::numeric_limits<double>::max();
-  ForCells(Grow(BoxOfCell(p), layers, work.Grid.Local()),
+  ForCells(Grow(BoxOfCell(p), layers, grid.Local()),
     [&](const Index3& q)
     {
-      work.Donors.ForCell(work.Grid.Linear(q),
+      donors.ForCell(grid.Linear(q),
         [&](int s)
         {
-          const Donor& donor = work.Donors[s];
+          const Donor& donor = donors[s];
           if (donor.Material != material || !(donor.Overlap > 0.0))
           {
             return;
           }
-          const double distance = SquaredDistance(work, p, q);
+          const double distance = SquaredDistance(grid, p, q);
           if (distance < least ||
-            (distance == least && work.Donors[nearest].Cell == donor.Cell &&
-              donor.Overlap > work.Donors[nearest].Overlap))
+            (distance == least && donors[nearest].Cell == donor.Cell &&
+              donor.Overlap > donors[nearest].Overlap))
           {
             nearest = s;
             least = distance;
@@ -113,79 +91,134 @@ int FindNearest(const Work& work, const Index3& p, int material, int layers)
   return nearest;
 }
 
-/// Gives the contents of a cell without a donor to the nearest donor. Returns whether there is one.
-bool Give(Work& work, const Index3& p, int material, double volume)
+/// Returns the donor that gets a material of a cell without a donor; -1 if there is none.
+int FindReceiver(const StateSource& source, const DonorTable& donors, const Index3& p, int material)
 {
-  if (!work.Source.IsMeshed[material])
+  if (!source.IsMeshed[material])
+  {
+    return -1;
+  }
+  const CartesianGrid& grid = source.Request.Grid;
+  const int nearest = FindNearest(grid, donors, p, material, RimReach);
+  return nearest < 0 && source.Request.GiveUnmeshed
+    ? FindNearest(grid, donors, p, material, GivingReach)
+    : nearest;
+}
+
+/// Contents that a cell without a donor gives to a donor nearby.
+struct Gift
+{
+  Index From, To; // keys of the two cells
+  int Fragment;
+  double Volume;
+};
+
+/// Gifts of the cells of this rank.
+class GiftList
+{
+public:
+  GiftList(const CartesianGrid& grid, const Partition& partition) :
+    Grid(grid),
+    Parts(partition),
+    Gifts(partition.Peers().size() + 1),
+    Values(partition.Peers().size() + 1)
+  {
+  }
+
+  /// Adds the gift of a cell.
+  /// @param values  values of all columns in the cell
+  void Add(const Index3& from, const Donor& donor, double volume, const std::vector<double>& values)
+  {
+    const Index3 to = this->Grid.Position(donor.Cell);
+    const std::size_t peer = donor.IsOwned ? this->Gifts.size() - 1 : this->Parts.PeerOfCell(to);
+    const Index key = donor.IsOwned ? this->Grid.CellKey(to) : this->Parts.CellKeyAtPeer(peer, to);
+    this->Gifts[peer].push_back({ this->Grid.CellKey(from), key, donor.Fragment, volume });
+    this->Values[peer].insert(this->Values[peer].end(), values.begin(), values.end());
+  }
+
+  /// Sends gifts to the owners of the donors. Adds the gifts to owned donors in the order of the
+  /// cells that they come from. Collective among peers.
+  void Give(const StateColumns& columns, DonorTable& donors, DonorValues& values)
+  {
+    const std::vector<Gift> gifts = this->Receive(this->Gifts);
+    const std::vector<double> given = this->Receive(this->Values);
+    std::vector<Index> order(gifts.size());
+    std::iota(order.begin(), order.end(), Index(0));
+    std::stable_sort(order.begin(), order.end(),
+      [&gifts](Index a, Index b) { return gifts[a].From < gifts[b].From; });
+    for (Index g : order)
+    {
+      const int s =
+        donors.Find(this->Grid.Linear(this->Grid.CellOfKey(gifts[g].To)), gifts[g].Fragment);
+      columns.Mix(
+        donors[s].Volume, values.Of(s), gifts[g].Volume, given.data() + g * columns.Count());
+    }
+  }
+
+private:
+  /// Returns the items for this rank, the last list of sent, followed by the items received
+  /// from peers.
+  template <class T>
+  std::vector<T> Receive(std::vector<std::vector<T>>& sent) const
+  {
+    std::vector<T> items = std::move(sent.back());
+    sent.pop_back();
+    const std::vector<T> received = Joined(this->Parts.Exchange(sent));
+    items.insert(items.end(), received.begin(), received.end());
+    return items;
+  }
+
+  const CartesianGrid& Grid;
+  const Partition& Parts;
+  // Gifts per peer, and their values; the last lists are for donors of this rank.
+  std::vector<std::vector<Gift>> Gifts;
+  std::vector<std::vector<double>> Values;
+};
+
+/// Distributes a volume of a material in a cell to the donors of the material there, by their
+/// overlaps.
+/// @param own  values of all columns of the material in the cell
+/// @return whether there are donors
+bool FillCell(Index cell, int material, double volume, const std::vector<double>& own,
+  DonorTable& donors, DonorValues& values)
+{
+  double overlap = 0.0;
+  donors.ForCell(
+    cell, [&](int s) { overlap += donors[s].Material == material ? donors[s].Overlap : 0.0; });
+  if (!(overlap > 0.0))
   {
     return false;
   }
-  int nearest = FindNearest(work, p, material, RimReach);
-  if (nearest < 0 && work.Source.Request.GiveUnmeshed)
-  {
-    nearest = FindNearest(work, p, material, GivingReach);
-  }
-  if (nearest < 0)
-  {
-    return false;
-  }
-  const Donor& donor = work.Donors[nearest];
-  const Index3 to = work.Grid.Position(donor.Cell);
-  const std::size_t peer = donor.IsOwned ? work.Gifts.size() - 1 : work.Parts.PeerOfCell(to);
-  const Index key = donor.IsOwned ? work.Grid.CellKey(to) : work.Parts.CellKeyAtPeer(peer, to);
-  work.Gifts[peer].push_back({ work.Grid.CellKey(p), key, donor.Fragment, volume });
-  work.GiftValues[peer].insert(work.GiftValues[peer].end(), work.Own.begin(), work.Own.end());
+  donors.ForCell(cell,
+    [&](int s)
+    {
+      if (donors[s].Material == material)
+      {
+        donors[s].Volume = volume * (donors[s].Overlap / overlap);
+        std::copy(own.begin(), own.end(), values.Of(s));
+      }
+    });
   return true;
 }
 
-/// Distributes the content of a material in a cell.
-void Distribute(Work& work, const Index3& p, Index cell, int material, double fraction)
+/// Returns the nearest cell that contains the material of a donor, if there is one.
+std::optional<Index3> FindMaterial(const TransferRequest& request, const Donor& donor, int layers)
 {
-  const double volume = fraction * work.Grid.CellVolume(p);
-  if (!work.Source.Counts(material) || !(volume > 0.0))
-  {
-    return;
-  }
-  work.Source.Read(p, material, work.Own.data());
-  work.Input.Add(material, volume, work.Own.data());
-  double overlap = 0.0;
-  work.Donors.ForCell(cell,
-    [&](int s) { overlap += work.Donors[s].Material == material ? work.Donors[s].Overlap : 0.0; });
-  if (overlap > 0.0)
-  {
-    work.Donors.ForCell(cell,
-      [&](int s)
-      {
-        if (work.Donors[s].Material == material)
-        {
-          work.Donors[s].Volume = volume * (work.Donors[s].Overlap / overlap);
-          std::copy(work.Own.begin(), work.Own.end(), work.Values.Of(s));
-        }
-      });
-  }
-  else if (!work.Whole.Covers(cell) && !Give(work, p, material, volume))
-  {
-    work.Unmeshed.Add(material, volume, work.Own.data());
-  }
-}
-
-/// Finds the nearest cell that contains the material of a donor. Returns whether there is one.
-bool FindMaterial(const Work& work, const Donor& donor, int layers, Index3& cell)
-{
-  const Index3 p = work.Grid.Position(donor.Cell);
+  const CartesianGrid& grid = request.Grid;
+  const Index3 p = grid.Position(donor.Cell);
+  std::optional<Index3> cell;
   double least = std::numeric_limits<double>::max();
-  ForCells(Grow(BoxOfCell(p), layers, work.Grid.Local()),
+  ForCells(Grow(BoxOfCell(p), layers, grid.Local()),
     [&](const Index3& q)
     {
-      const double distance = SquaredDistance(work, p, q);
-      if (distance < least &&
-        work.Source.Request.Fractions.Fraction(work.Grid.Linear(q), donor.Material) > 0.0)
+      const double distance = SquaredDistance(grid, p, q);
+      if (distance < least && request.Fractions.Fraction(grid.Linear(q), donor.Material) > 0.0)
       {
         cell = q;
         least = distance;
       }
     });
-  return least < std::numeric_limits<double>::max();
+  return cell;
 }
 
 /// A material in a cell of another rank.
@@ -197,87 +230,62 @@ struct CellMaterial
 
 /// Returns the values of the requested materials on each peer, one after another. Collective among
 /// peers.
-std::vector<std::vector<double>> ReadAtPeers(
-  const Work& work, const std::vector<std::vector<CellMaterial>>& requested)
+std::vector<std::vector<double>> ReadAtPeers(const StateSource& source, const Partition& partition,
+  const std::vector<std::vector<CellMaterial>>& requested)
 {
-  const std::size_t width = work.Own.size();
+  const std::size_t width = source.Columns.Count();
   std::vector<std::vector<double>> answers;
-  for (const std::vector<CellMaterial>& cells : work.Parts.Exchange(requested))
+  for (const std::vector<CellMaterial>& cells : partition.Exchange(requested))
   {
     std::vector<double>& values = answers.emplace_back(cells.size() * width);
     for (std::size_t i = 0; i < cells.size(); ++i)
     {
-      work.Source.Read(
-        work.Grid.CellOfKey(cells[i].Key), cells[i].Material, values.data() + i * width);
+      source.Read(
+        source.Request.Grid.CellOfKey(cells[i].Key), cells[i].Material, values.data() + i * width);
     }
   }
-  return work.Parts.Exchange(answers);
+  return partition.Exchange(answers);
 }
 
 /// Sets the values of donors in cells without their material, whose volume is 0, to the values of
 /// the nearest cell that contains it. They are used if the donor receives nothing. Collective among
 /// peers.
-void FillEmpty(Work& work)
+void FillEmpty(const StateSource& source, const Partition& partition, const DonorTable& donors,
+  DonorValues& values)
 {
-  std::vector<std::vector<CellMaterial>> requested(work.Parts.Peers().size());
-  std::vector<std::vector<int>> donors(requested.size());
-  for (int s = 0; s < work.Donors.Count(); ++s)
+  std::vector<std::vector<CellMaterial>> requested(partition.Peers().size());
+  std::vector<std::vector<int>> receivers(requested.size());
+  for (int s = 0; s < donors.Count(); ++s)
   {
-    const Donor& donor = work.Donors[s];
-    Index3 cell;
-    if (!donor.IsOwned || donor.Volume > 0.0 ||
-      !(FindMaterial(work, donor, RimReach, cell) || FindMaterial(work, donor, GivingReach, cell)))
+    const Donor& donor = donors[s];
+    if (!donor.IsOwned || donor.Volume > 0.0)
     {
       continue;
     }
-    if (work.Parts.OwnsCell(cell))
+    const std::optional<Index3> near = FindMaterial(source.Request, donor, RimReach);
+    const std::optional<Index3> cell =
+      near ? near : FindMaterial(source.Request, donor, GivingReach);
+    if (!cell)
     {
-      work.Source.Read(cell, donor.Material, work.Values.Of(s));
       continue;
     }
-    const int peer = work.Parts.PeerOfCell(cell);
-    requested[peer].push_back({ work.Parts.CellKeyAtPeer(peer, cell), donor.Material });
-    donors[peer].push_back(s);
-  }
-  const std::vector<std::vector<double>> values = ReadAtPeers(work, requested);
-  for (std::size_t peer = 0; peer < values.size(); ++peer)
-  {
-    for (std::size_t i = 0; i < donors[peer].size(); ++i)
+    if (partition.OwnsCell(*cell))
     {
-      std::copy_n(values[peer].data() + i * work.Own.size(), work.Own.size(),
-        work.Values.Of(donors[peer][i]));
+      source.Read(*cell, donor.Material, values.Of(s));
+      continue;
     }
+    const int peer = partition.PeerOfCell(*cell);
+    requested[peer].push_back({ partition.CellKeyAtPeer(peer, *cell), donor.Material });
+    receivers[peer].push_back(s);
   }
-}
-
-/// Returns the items for this rank, the last list of sent, followed by the items received
-/// from peers.
-template <class T>
-std::vector<T> Receive(const Work& work, std::vector<std::vector<T>>& sent)
-{
-  std::vector<T> items = std::move(sent.back());
-  sent.pop_back();
-  const std::vector<T> received = Joined(work.Parts.Exchange(sent));
-  items.insert(items.end(), received.begin(), received.end());
-  return items;
-}
-
-/// Sends gifts to the owners of the donors. Adds the gifts to owned donors in the order of the
-/// cells that they come from.
-void ExchangeGifts(Work& work)
-{
-  const std::vector<Gift> gifts = Receive(work, work.Gifts);
-  const std::vector<double> values = Receive(work, work.GiftValues);
-  std::vector<Index> order(gifts.size());
-  std::iota(order.begin(), order.end(), Index(0));
-  std::stable_sort(order.begin(), order.end(),
-    [&gifts](Index a, Index b) { return gifts[a].From < gifts[b].From; });
-  for (Index g : order)
+  const std::vector<std::vector<double>> read = ReadAtPeers(source, partition, requested);
+  const std::size_t width = source.Columns.Count();
+  for (std::size_t peer = 0; peer < read.size(); ++peer)
   {
-    const int s =
-      work.Donors.Find(work.Grid.Linear(work.Grid.CellOfKey(gifts[g].To)), gifts[g].Fragment);
-    work.Source.Columns.Mix(work.Donors[s].Volume, work.Values.Of(s), gifts[g].Volume,
-      values.data() + g * static_cast<Index>(work.Own.size()));
+    for (std::size_t i = 0; i < receivers[peer].size(); ++i)
+    {
+      std::copy_n(read[peer].data() + i * width, width, values.Of(receivers[peer][i]));
+    }
   }
 }
 
@@ -286,18 +294,43 @@ void ExchangeGifts(Work& work)
 DonorValues FillDonors(const StateSource& source, const WholeElements& whole,
   const Partition& partition, DonorTable& donors, MaterialSums& input, MaterialSums& unmeshed)
 {
-  Work work{ source, whole, partition, donors, input, unmeshed };
-  const FractionField& fractions = work.Source.Request.Fractions;
-  ForCells(work.Grid.Owned(),
+  const CartesianGrid& grid = source.Request.Grid;
+  DonorValues values(donors.Count(), source.Columns);
+  GiftList gifts(grid, partition);
+  std::vector<double> own(source.Columns.Count()); // values of a material in a cell
+  const auto distribute = [&](const Index3& p, Index cell, int material, double fraction)
+  {
+    const double volume = fraction * grid.CellVolume(p);
+    if (!source.Counts(material) || !(volume > 0.0))
+    {
+      return;
+    }
+    source.Read(p, material, own.data());
+    input.Add(material, volume, own.data());
+    if (FillCell(cell, material, volume, own, donors, values) || whole.Covers(cell))
+    {
+      return;
+    }
+    const int receiver = FindReceiver(source, donors, p, material);
+    if (receiver >= 0)
+    {
+      gifts.Add(p, donors[receiver], volume, own);
+    }
+    else
+    {
+      unmeshed.Add(material, volume, own.data());
+    }
+  };
+  ForCells(grid.Owned(),
     [&](const Index3& p)
     {
-      const Index cell = work.Grid.Linear(p);
-      fractions.ForParts(cell,
-        [&](int material, double fraction) { Distribute(work, p, cell, material, fraction); });
+      const Index cell = grid.Linear(p);
+      source.Request.Fractions.ForParts(
+        cell, [&](int material, double fraction) { distribute(p, cell, material, fraction); });
     });
-  FillEmpty(work);
-  ExchangeGifts(work);
-  return std::move(work.Values);
+  FillEmpty(source, partition, donors, values);
+  gifts.Give(source.Columns, donors, values);
+  return values;
 }
 
 } // namespace vfm

@@ -130,52 +130,61 @@ private:
   std::array<Entry, Count> Recent;
 };
 
-/// What FindDonorParts works on.
-struct Work
+/// Finds and makes the donors of parts, and collects the kinds of their regular parts.
+class DonorSearch
 {
+public:
+  DonorSearch(const Mesh& mesh, const CartesianGrid& grid, DonorTable& donors) :
+    TheMesh(mesh), Grid(grid), Donors(donors), Kinds(donors.Count(), 0)
+  {
+  }
+
+  /// Returns the donor of a fragment in a cell.
+  int Get(Index cell, int fragment, int material)
+  {
+    return this->Recent.Find(cell, fragment,
+      [&]
+      {
+        const int donor = this->Donors.Get(cell, fragment, material);
+        this->Kinds.resize(this->Donors.Count());
+        return donor;
+      });
+  }
+  /// Returns the donor of an element in a cell.
+  int GetOfElement(Index cell, Index element)
+  {
+    return this->Get(cell, this->TheMesh.Fragment[element], this->TheMesh.Material[element]);
+  }
+  /// Returns the donor of an element in a cell of the local box (IndexInBox).
+  int GetInBox(Index cell, Index element)
+  {
+    return this->RecentInBox.Find(cell, this->TheMesh.Fragment[element],
+      [&]
+      {
+        const Index3 place = CellInBox(this->Grid.Local(), cell);
+        return this->GetOfElement(this->Grid.Linear(place), element);
+      });
+  }
+  /// Adds kinds to the regular parts of a donor, one bit per kind.
+  void AddKinds(int donor, std::uint64_t kinds) { this->Kinds[donor] |= kinds; }
+  std::uint64_t KindsOf(int donor) const { return this->Kinds[donor]; }
+
+private:
   const Mesh& TheMesh;
   const CartesianGrid& Grid;
-  const RegularTets& Regular;
-  const Partition& Parts;
-  Runtime& Run;
   DonorTable& Donors;
-  std::vector<DonorShape>& Shapes;
-  OverlapFinder Finder{ TheMesh, Grid, Run };
-  // Kinds of the parts of regular tets, one bit per kind, per donor.
-  std::vector<std::uint64_t> Kinds = std::vector<std::uint64_t>(Donors.Count(), 0);
-  RecentDonors Recent{};      // by linear index of the cell
-  RecentDonors RecentInBox{}; // by index of the cell in the local box
+  std::vector<std::uint64_t> Kinds; // per donor
+  RecentDonors Recent{};            // by linear index of the cell
+  RecentDonors RecentInBox{};       // by index of the cell in the local box
 };
 
-int GetDonor(Work& work, Index cell, int fragment, int material)
-{
-  return work.Recent.Find(cell, fragment,
-    [&]
-    {
-      const int donor = work.Donors.Get(cell, fragment, material);
-      work.Kinds.resize(work.Donors.Count());
-      return donor;
-    });
-}
-
-int GetDonor(Work& work, Index cell, Index element)
-{
-  return GetDonor(work, cell, work.TheMesh.Fragment[element], work.TheMesh.Material[element]);
-}
-
-/// Returns the donor of an element in a cell of the local box (IndexInBox).
-int GetDonorInBox(Work& work, Index cell, Index element)
-{
-  return work.RecentInBox.Find(cell, work.TheMesh.Fragment[element],
-    [&] { return GetDonor(work, work.Grid.Linear(CellInBox(work.Grid.Local(), cell)), element); });
-}
-
 /// Finds the parts of regular tets and their donors. Returns the positions of the other elements.
-std::vector<Index> FindRegular(Work& work, DonorParts& some)
+std::vector<Index> FindRegular(
+  const RegularTets& regular, Runtime& runtime, DonorSearch& search, DonorParts& some)
 {
   const std::size_t count = some.Elements.size();
-  std::vector<std::array<RegularPart, 2>> found(work.Regular.IsUsed() ? count : 0);
-  ForEach(work.Run, found.size(), [&](Index i) { work.Regular.Find(some.ElementAt(i), found[i]); });
+  std::vector<std::array<RegularPart, 2>> found(regular.IsUsed() ? count : 0);
+  ForEach(runtime, found.size(), [&](Index i) { regular.Find(some.ElementAt(i), found[i]); });
   some.Regular.resize(found.size());
   std::vector<Index> others;
   for (std::size_t i = 0; i < count; ++i)
@@ -188,28 +197,26 @@ std::vector<Index> FindRegular(Work& work, DonorParts& some)
     for (int p = 0; p < 2 && found[i][p].Cell >= 0; ++p)
     {
       const RegularPart& part = found[i][p];
-      const int donor = GetDonor(work, part.Cell, some.ElementAt(i));
+      const int donor = search.GetOfElement(part.Cell, some.ElementAt(i));
       some.Regular[i].Donor[p] = donor;
       some.Regular[i].Kind[p] = static_cast<std::uint8_t>(part.Kind);
-      work.Kinds[donor] |= std::uint64_t(1) << part.Kind;
+      search.AddKinds(donor, std::uint64_t(1) << part.Kind);
     }
   }
   return others;
 }
 
-/// Cuts some elements and makes the donors of their parts.
-DonorParts CutElements(Work& work, Index first, std::vector<int> elements)
+/// Cuts elements that are not regular, and makes the donors of their parts.
+/// @param others  their positions in the list
+void CutElements(
+  const std::vector<Index>& others, OverlapFinder& finder, DonorSearch& search, DonorParts& some)
 {
-  DonorParts some;
-  some.First = first;
-  some.Elements = std::move(elements);
-  const std::vector<Index> others = FindRegular(work, some);
   std::vector<Index> cut;
   for (Index i : others)
   {
     cut.push_back(some.ElementAt(i));
   }
-  const Overlaps& overlaps = work.Finder.Find(cut);
+  const Overlaps& overlaps = finder.Find(cut);
   some.Offsets.assign(some.Elements.size() + 1, 0);
   some.Parts.reserve(overlaps.Parts.size());
   for (std::size_t i = 0, n = 0; i < some.Elements.size(); ++i)
@@ -219,117 +226,151 @@ DonorParts CutElements(Work& work, Index first, std::vector<int> elements)
       for (Index p = overlaps.Offsets[n]; p < overlaps.Offsets[n + 1]; ++p)
       {
         const OverlapPart& overlap = overlaps.Parts[p];
-        some.Parts.push_back({ overlap.Volume, overlap.Centroid,
-          GetDonorInBox(work, overlap.Cell, some.ElementAt(i)) });
+        some.Parts.push_back(
+          { overlap.Volume, overlap.Centroid, search.GetInBox(overlap.Cell, some.ElementAt(i)) });
       }
       ++n;
     }
     some.Offsets[i + 1] = static_cast<int>(some.Parts.size());
   }
-  return some;
 }
 
-/// Sends parts in ghost cells to the owners of the cells. Returns the parts received for owned
-/// cells, in the order of element ids. Collective among peers.
-std::vector<SentPart> ExchangeParts(Work& work, const std::vector<DonorParts>& pieces)
+/// Lists the elements for which isNeeded(element) is true, some at a time.
+std::vector<DonorParts> ListElements(
+  Index count, const std::function<bool(Index element)>& isNeeded)
 {
-  std::vector<std::vector<SentPart>> sent(work.Parts.Peers().size());
+  std::vector<DonorParts> pieces;
+  for (Index first = 0; first < count; first += ElementsAtOnce)
+  {
+    DonorParts some;
+    some.First = first;
+    for (Index e = first; e < std::min(count, first + ElementsAtOnce); ++e)
+    {
+      if (isNeeded(e))
+      {
+        some.Elements.push_back(static_cast<int>(e - first));
+      }
+    }
+    if (!some.Elements.empty())
+    {
+      some.Elements.shrink_to_fit();
+      pieces.push_back(std::move(some));
+    }
+  }
+  return pieces;
+}
+
+/// Calls body(id, part) for the parts of elements that are not regular.
+/// @param ids  ids of all elements of the mesh
+template <class Body>
+void ForCutParts(const std::vector<DonorParts>& pieces, const Buffer<Index>& ids, const Body& body)
+{
   for (const DonorParts& some : pieces)
   {
     for (std::size_t i = 0; i < some.Elements.size(); ++i)
     {
+      const Index id = ids[some.ElementAt(i)];
       for (int p = some.Offsets[i]; p < some.Offsets[i + 1]; ++p)
       {
-        const DonorPart& part = some.Parts[p];
-        Donor& donor = work.Donors[part.Donor];
-        if (!donor.IsOwned)
-        {
-          donor.HasParts = true;
-          const Index3 cell = work.Grid.Position(donor.Cell);
-          const int peer = work.Parts.PeerOfCell(cell);
-          sent[peer].push_back({ work.TheMesh.ElementIds[some.ElementAt(i)],
-            work.Parts.CellKeyAtPeer(peer, cell), donor.Fragment, donor.Material, part.Volume,
-            part.Centroid - work.Parts.TranslationOf(peer) });
-        }
+        body(id, some.Parts[p]);
       }
     }
   }
-  std::vector<SentPart> received = Joined(work.Parts.Exchange(sent));
+}
+
+/// Sends parts in ghost cells to the owners of the cells. Returns the parts received for owned
+/// cells, in the order of element ids. Collective among peers.
+/// @param ids  ids of all elements of the mesh
+std::vector<SentPart> ExchangeParts(const std::vector<DonorParts>& pieces, const Buffer<Index>& ids,
+  const CartesianGrid& grid, const Partition& partition, DonorTable& donors)
+{
+  std::vector<std::vector<SentPart>> sent(partition.Peers().size());
+  ForCutParts(pieces, ids,
+    [&](Index id, const DonorPart& part)
+    {
+      Donor& donor = donors[part.Donor];
+      if (!donor.IsOwned)
+      {
+        donor.HasParts = true;
+        const Index3 cell = grid.Position(donor.Cell);
+        const int peer = partition.PeerOfCell(cell);
+        sent[peer].push_back({ id, partition.CellKeyAtPeer(peer, cell), donor.Fragment,
+          donor.Material, part.Volume, part.Centroid - partition.TranslationOf(peer) });
+      }
+    });
+  std::vector<SentPart> received = Joined(partition.Exchange(sent));
   std::stable_sort(received.begin(), received.end(),
     [](const SentPart& a, const SentPart& b) { return a.Id < b.Id; });
   return received;
 }
 
 /// Sends the kinds of parts in ghost cells to the owners of the cells. Collective among peers.
-void ExchangeKinds(Work& work)
+void ExchangeKinds(
+  const CartesianGrid& grid, const Partition& partition, DonorTable& donors, DonorSearch& search)
 {
-  std::vector<std::vector<SentKinds>> sent(work.Parts.Peers().size());
-  for (int s = 0; s < work.Donors.Count(); ++s)
+  std::vector<std::vector<SentKinds>> sent(partition.Peers().size());
+  for (int s = 0; s < donors.Count(); ++s)
   {
-    Donor& donor = work.Donors[s];
-    if (!donor.IsOwned && work.Kinds[s] != 0)
+    Donor& donor = donors[s];
+    const std::uint64_t kinds = search.KindsOf(s);
+    if (!donor.IsOwned && kinds != 0)
     {
       donor.HasParts = true;
-      const Index3 cell = work.Grid.Position(donor.Cell);
-      const int peer = work.Parts.PeerOfCell(cell);
+      const Index3 cell = grid.Position(donor.Cell);
+      const int peer = partition.PeerOfCell(cell);
       sent[peer].push_back(
-        { work.Parts.CellKeyAtPeer(peer, cell), donor.Fragment, donor.Material, work.Kinds[s] });
+        { partition.CellKeyAtPeer(peer, cell), donor.Fragment, donor.Material, kinds });
     }
   }
-  for (const SentKinds& other : Joined(work.Parts.Exchange(sent)))
+  for (const SentKinds& other : Joined(partition.Exchange(sent)))
   {
-    const Index cell = work.Grid.Linear(work.Grid.CellOfKey(other.Key));
-    const int donor = GetDonor(work, cell, other.Fragment, other.Material);
-    work.Kinds[donor] |= other.Kinds;
+    const Index cell = grid.Linear(grid.CellOfKey(other.Key));
+    search.AddKinds(search.Get(cell, other.Fragment, other.Material), other.Kinds);
   }
 }
 
-/// Adds parts to owned donors: regular tets first, then other elements in the order of their ids.
-/// @param others  parts of other ranks
-void AddParts(
-  Work& work, const std::vector<SentPart>& others, const std::vector<DonorParts>& pieces)
+/// Adds the parts of regular tets to owned donors.
+void AddRegularParts(const DonorSearch& search, const CartesianGrid& grid, DonorTable& donors,
+  std::vector<DonorShape>& shapes)
 {
-  std::vector<int> donorOf;
-  for (const SentPart& other : others)
-  {
-    donorOf.push_back(GetDonor(
-      work, work.Grid.Linear(work.Grid.CellOfKey(other.Key)), other.Fragment, other.Material));
-  }
-  work.Shapes.resize(work.Donors.Count());
   RegularSums sums(0);
-  for (int s = 0; s < work.Donors.Count(); ++s)
+  for (int s = 0; s < donors.Count(); ++s)
   {
-    if (work.Donors[s].IsOwned && work.Kinds[s] != 0)
+    const std::uint64_t kinds = search.KindsOf(s);
+    if (donors[s].IsOwned && kinds != 0)
     {
-      sums = sums.Kinds == work.Kinds[s] ? sums : RegularSums(work.Kinds[s]);
-      AddRegular(
-        sums, work.Grid, work.Grid.Position(work.Donors[s].Cell), work.Donors[s], work.Shapes[s]);
+      sums = sums.Kinds == kinds ? sums : RegularSums(kinds);
+      AddRegular(sums, grid, grid.Position(donors[s].Cell), donors[s], shapes[s]);
     }
   }
+}
+
+/// Adds other parts to owned donors in the order of the ids of elements.
+/// @param ids  ids of all elements of the mesh
+/// @param others,donorOf  parts of other ranks and their donors
+void AddCutParts(const std::vector<DonorParts>& pieces, const Buffer<Index>& ids,
+  const std::vector<SentPart>& others, const std::vector<int>& donorOf, DonorTable& donors,
+  std::vector<DonorShape>& shapes)
+{
+  const auto add = [&](int s, double volume, const Vector3& centroid)
+  { AddPart(volume, centroid, donors[s], shapes[s]); };
   std::size_t next = 0;
   const auto addBefore = [&](Index id)
   {
     for (; next < others.size() && others[next].Id < id; ++next)
     {
-      const int s = donorOf[next];
-      AddPart(others[next].Volume, others[next].Centroid, work.Donors[s], work.Shapes[s]);
+      add(donorOf[next], others[next].Volume, others[next].Centroid);
     }
   };
-  for (const DonorParts& some : pieces)
-  {
-    for (std::size_t i = 0; i < some.Elements.size(); ++i)
+  ForCutParts(pieces, ids,
+    [&](Index id, const DonorPart& part)
     {
-      addBefore(work.TheMesh.ElementIds[some.ElementAt(i)]);
-      for (int p = some.Offsets[i]; p < some.Offsets[i + 1]; ++p)
+      addBefore(id);
+      if (donors[part.Donor].IsOwned)
       {
-        const DonorPart& part = some.Parts[p];
-        if (work.Donors[part.Donor].IsOwned)
-        {
-          AddPart(part.Volume, part.Centroid, work.Donors[part.Donor], work.Shapes[part.Donor]);
-        }
+        add(part.Donor, part.Volume, part.Centroid);
       }
-    }
-  }
+    });
   addBefore(std::numeric_limits<Index>::max());
 }
 
@@ -340,32 +381,28 @@ std::vector<DonorParts> FindDonorParts(const Mesh& mesh,
   const RegularTets& regular, const Partition& partition, Runtime& runtime, DonorTable& donors,
   std::vector<DonorShape>& shapes)
 {
-  Work work{ mesh, grid, regular, partition, runtime, donors, shapes };
-  std::vector<DonorParts> pieces;
-  const Index count = static_cast<Index>(mesh.Material.size());
-  for (Index first = 0; first < count; first += ElementsAtOnce)
+  DonorSearch search(mesh, grid, donors);
+  OverlapFinder finder(mesh, grid, runtime);
+  std::vector<DonorParts> pieces = ListElements(static_cast<Index>(mesh.Material.size()), isNeeded);
+  for (DonorParts& some : pieces)
   {
-    std::vector<int> elements;
-    for (Index e = first; e < std::min(count, first + ElementsAtOnce); ++e)
-    {
-      if (isNeeded(e))
-      {
-        elements.push_back(static_cast<int>(e - first));
-      }
-    }
-    if (!elements.empty())
-    {
-      elements.shrink_to_fit();
-      pieces.push_back(CutElements(work, first, std::move(elements)));
-    }
+    CutElements(FindRegular(regular, runtime, search, some), finder, search, some);
   }
   std::vector<SentPart> others;
   if (!partition.Peers().empty())
   {
-    ExchangeKinds(work);
-    others = ExchangeParts(work, pieces);
+    ExchangeKinds(grid, partition, donors, search);
+    others = ExchangeParts(pieces, mesh.ElementIds, grid, partition, donors);
   }
-  AddParts(work, others, pieces);
+  std::vector<int> donorOf; // of the parts of other ranks
+  for (const SentPart& other : others)
+  {
+    const Index cell = grid.Linear(grid.CellOfKey(other.Key));
+    donorOf.push_back(search.Get(cell, other.Fragment, other.Material));
+  }
+  shapes.resize(donors.Count());
+  AddRegularParts(search, grid, donors, shapes);
+  AddCutParts(pieces, mesh.ElementIds, others, donorOf, donors, shapes);
   return pieces;
 }
 

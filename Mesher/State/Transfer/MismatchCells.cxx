@@ -7,62 +7,49 @@ namespace
 
 constexpr double Rounding = 1e-12; // fraction of a cell's volume that counts as rounding
 
-/// State of the search for the mismatch cells that this rank owns.
-struct Work
+/// Returns whether donors of a cell overlap it like its only material, and no other material does.
+/// @param label  material of the cell
+/// @param required  volume of the cell, or 0 if its material has no elements
+/// @param allowed  largest difference of volumes
+bool IsFilled(const DonorTable& donors, Index cell, int label, double required, double allowed)
 {
-  const CartesianGrid& Grid;
-  const FractionField& Fractions;
-  const WholeElements& Whole;
-  const DonorTable& Donors;
-  const std::vector<unsigned char>& IsMeshed;
-  std::vector<Index> Cells{};
-};
-
-/// Returns whether a cell is not a mismatch cell.
-bool Fits(const Work& work, Index cell, double volume)
-{
-  if (work.Whole.Covers(cell))
-  {
-    return true;
-  }
-  if (work.Fractions.IsMixed(cell))
-  {
-    return false;
-  }
-  const int label = work.Fractions.Label(cell);
-  double own = work.IsMeshed[label] ? volume : 0.0, others = 0.0;
-  work.Donors.ForCell(cell,
+  double own = required, others = 0.0;
+  donors.ForCell(cell,
     [&](int s)
     {
-      const Donor& donor = work.Donors[s];
+      const Donor& donor = donors[s];
       (donor.Material == label ? own : others) -= donor.Overlap;
     });
-  return std::fabs(own) <= Rounding * volume && -others <= Rounding * volume;
+  return std::fabs(own) <= allowed && -others <= allowed;
 }
 
-std::vector<Index> Find(Work& work)
+/// Returns the owned cells for which fits(cell, volume) is false.
+template <class Fits>
+std::vector<Index> FindMismatches(
+  const CartesianGrid& grid, const FractionField& fractions, const Fits& fits)
 {
-  const IndexBox& box = work.Grid.Owned();
+  std::vector<Index> cells;
+  const IndexBox& box = grid.Owned();
   ForRows(box,
     [&](Index j, Index k)
     {
-      const Index first = work.Grid.Linear({ { box.Lower[0], j, k } });
-      const double section = work.Grid.Width(1, j) * work.Grid.Width(2, k);
+      const Index first = grid.Linear({ { box.Lower[0], j, k } });
+      const double section = grid.Width(1, j) * grid.Width(2, k);
       const auto look = [&](Index begin, Index end)
       {
         for (Index cell = begin; cell < end; ++cell)
         {
-          const double width = work.Grid.Width(0, box.Lower[0] + cell - first);
-          if (!Fits(work, cell, width * section))
+          const double width = grid.Width(0, box.Lower[0] + cell - first);
+          if (!fits(cell, width * section))
           {
-            work.Cells.push_back(cell);
+            cells.push_back(cell);
           }
         }
       };
-      work.Fractions.Visit(
+      fractions.Visit(
         first, first + box.Size(0), [&](Index begin, Index end, int) { look(begin, end); }, look);
     });
-  return std::move(work.Cells);
+  return cells;
 }
 
 } // namespace
@@ -72,8 +59,13 @@ MismatchCells::MismatchCells(const CartesianGrid& grid, const FractionField& fra
   const Partition& partition) :
   Grid(grid), Nearness(grid, 0)
 {
-  Work work{ grid, fractions, whole, donors, isMeshed };
-  std::vector<Index> mismatches = Find(work);
+  const auto fits = [&](Index cell, double volume)
+  {
+    const auto isFilled = [&](int label)
+    { return IsFilled(donors, cell, label, isMeshed[label] ? volume : 0.0, Rounding * volume); };
+    return whole.Covers(cell) || (!fractions.IsMixed(cell) && isFilled(fractions.Label(cell)));
+  };
+  std::vector<Index> mismatches = FindMismatches(grid, fractions, fits);
   for (Index cell : mismatches)
   {
     this->Nearness.Set(cell, DonorLayers + 1);

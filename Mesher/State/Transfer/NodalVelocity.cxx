@@ -42,55 +42,51 @@ Vector3 VectorAt(const Buffer<double>& vectors, Index i)
   return { { vectors[3 * i], vectors[3 * i + 1], vectors[3 * i + 2] } };
 }
 
-/// Sums of the shares of all elements of all ranks at each point, in the order of element ids.
-struct Work
+/// Shares that the elements of this rank give to their corners.
+struct ElementShares
 {
   const Mesh& TheMesh;
-  const CartesianGrid& Grid;
   const Buffer<double>&Mass, &Velocity;
-  std::vector<Momentum> Sums = std::vector<Momentum>(TheMesh.PointIds.size()); // one per point
+
+  Momentum Of(Index element) const
+  {
+    const double mass = this->Mass[element] / this->TheMesh.Corners;
+    return { mass, mass * VectorAt(this->Velocity, element) };
+  }
+  /// @param id  id of the point that gets the share
+  Share Make(Index id, Index element) const
+  {
+    return { id, this->TheMesh.ElementIds[element], this->Of(element) };
+  }
 };
 
 /// Calls body(point, element) for all corners of all elements.
 template <class Body>
-void ForShares(const Work& work, const Body& body)
+void ForShares(const Mesh& mesh, const Body& body)
 {
-  const Index corners = work.TheMesh.Corners;
-  for (std::size_t i = 0; i < work.TheMesh.Elements.size(); ++i)
+  const Index corners = mesh.Corners;
+  for (std::size_t i = 0; i < mesh.Elements.size(); ++i)
   {
-    body(work.TheMesh.Elements[i], static_cast<Index>(i) / corners);
+    body(mesh.Elements[i], static_cast<Index>(i) / corners);
   }
 }
 
-Momentum GivenBy(const Work& work, Index element)
-{
-  const double mass = work.Mass[element] / work.TheMesh.Corners;
-  return { mass, mass * VectorAt(work.Velocity, element) };
-}
-
-/// @param id  id of the point that gets the share
-Share MakeShare(const Work& work, Index id, Index element)
-{
-  return { id, work.TheMesh.ElementIds[element], GivenBy(work, element) };
-}
-
 /// Returns whether no other rank has a point, because TetGen made it.
-bool IsAlone(const Work& work, Index id)
+bool IsAlone(const Mesh& mesh, Index id)
 {
-  return work.TheMesh.Ids.ElementSlots == 0 &&
-    id >= EndOfPointIds(*work.TheMesh.Levels, work.TheMesh.Ids.PointSlots);
+  return mesh.Ids.ElementSlots == 0 && id >= EndOfPointIds(*mesh.Levels, mesh.Ids.PointSlots);
 }
 
 /// Returns the position in Peers() of the owner of each point; -1 for this rank.
-std::vector<int> FindOwners(const Work& work, const Partition& partition)
+std::vector<int> FindOwners(const Mesh& mesh, const CartesianGrid& grid, const Partition& partition)
 {
-  std::vector<int> owners(work.TheMesh.PointIds.size(), -1);
+  std::vector<int> owners(mesh.PointIds.size(), -1);
   for (std::size_t p = 0; p < owners.size(); ++p)
   {
-    const Index id = work.TheMesh.PointIds[p];
-    if (!IsAlone(work, id))
+    const Index id = mesh.PointIds[p];
+    if (!IsAlone(mesh, id))
     {
-      const Index3 node = NodeOfPoint(work.Grid, work.TheMesh, id);
+      const Index3 node = NodeOfPoint(grid, mesh, id);
       owners[p] = partition.OwnsNode(node) ? -1 : partition.PeerOfNode(node);
     }
   }
@@ -98,54 +94,47 @@ std::vector<int> FindOwners(const Work& work, const Partition& partition)
 }
 
 /// Returns the index of a point, or -1 if this rank does not have it.
-Index FindPoint(const Work& work, Index id)
+/// @param ids  ids of the points of this rank, ascending
+Index FindPoint(const Buffer<Index>& ids, Index id)
 {
-  const Buffer<Index>& ids = work.TheMesh.PointIds;
   const Index* at = std::lower_bound(ids.begin(), ids.end(), id);
   return at != ids.end() && *at == id ? at - ids.begin() : -1;
 }
 
 /// Adds the shares of this rank at all points that have shares in the list.
-void AddOwnShares(const Work& work, std::vector<Share>& shares)
+void AddOwnShares(const ElementShares& own, std::vector<Share>& shares)
 {
-  std::vector<char> isRequested(work.TheMesh.PointIds.size(), 0);
+  const Buffer<Index>& ids = own.TheMesh.PointIds;
+  std::vector<char> isRequested(ids.size(), 0);
   for (const Share& share : shares)
   {
-    const Index point = FindPoint(work, share.Point);
+    const Index point = FindPoint(ids, share.Point);
     if (point >= 0)
     {
       isRequested[point] = 1;
     }
   }
-  ForShares(work,
+  ForShares(own.TheMesh,
     [&](Index point, Index element)
     {
       if (isRequested[point])
       {
-        shares.push_back(MakeShare(work, work.TheMesh.PointIds[point], element));
+        shares.push_back(own.Make(ids[point], element));
       }
     });
 }
 
-void WriteOwn(Work& work, const Share& sum)
-{
-  const Index point = FindPoint(work, sum.Point);
-  if (point >= 0)
-  {
-    work.Sums[point] = sum.Given;
-  }
-}
-
 /// Returns the sums over all ranks at the points of each peer, in the order of its shares.
-std::vector<std::vector<Momentum>> Answer(
-  Work& work, const std::vector<std::vector<Share>>& requested)
+/// @param[out] momenta  sums at the points of this rank that peers request
+std::vector<std::vector<Momentum>> Answer(const std::vector<std::vector<Share>>& requested,
+  const ElementShares& own, std::vector<Momentum>& momenta)
 {
   std::vector<Share> all;
   for (const std::vector<Share>& shares : requested)
   {
     all.insert(all.end(), shares.begin(), shares.end());
   }
-  AddOwnShares(work, all);
+  AddOwnShares(own, all);
   std::sort(all.begin(), all.end());
   std::vector<Share> sums; // one per point
   for (const Share& share : all)
@@ -168,36 +157,43 @@ std::vector<std::vector<Momentum>> Answer(
   }
   for (const Share& sum : sums)
   {
-    WriteOwn(work, sum);
+    const Index point = FindPoint(own.TheMesh.PointIds, sum.Point);
+    if (point >= 0)
+    {
+      momenta[point] = sum.Given;
+    }
   }
   return answers;
 }
 
 /// Adds the shares of other ranks and at copies. The owner of a point receives all shares and
 /// returns their sum, even if it has no element at the point.
-void AddOfPeers(Work& work, const Partition& partition)
+/// @param momenta  sum at each point of this rank
+void AddOfPeers(const ElementShares& own, const CartesianGrid& grid, const Partition& partition,
+  std::vector<Momentum>& momenta)
 {
-  const std::vector<int> owners = FindOwners(work, partition);
+  const Mesh& mesh = own.TheMesh;
+  const std::vector<int> owners = FindOwners(mesh, grid, partition);
   std::vector<std::vector<Share>> mine(partition.Peers().size());
   std::vector<std::vector<Index>> points(mine.size()); // of the shares
-  ForShares(work,
+  ForShares(mesh,
     [&](Index point, Index element)
     {
       const int peer = owners[point];
       if (peer >= 0)
       {
-        const Index id = IdAtPeer(work.TheMesh, partition, peer, work.TheMesh.PointIds[point]);
-        mine[peer].push_back(MakeShare(work, id, element));
+        const Index id = IdAtPeer(mesh, partition, peer, mesh.PointIds[point]);
+        mine[peer].push_back(own.Make(id, element));
         points[peer].push_back(point);
       }
     });
   const std::vector<std::vector<Momentum>> sums =
-    partition.Exchange(Answer(work, partition.Exchange(mine)));
+    partition.Exchange(Answer(partition.Exchange(mine), own, momenta));
   for (std::size_t peer = 0; peer < sums.size(); ++peer)
   {
     for (std::size_t i = 0; i < sums[peer].size(); ++i)
     {
-      work.Sums[points[peer][i]] = sums[peer][i];
+      momenta[points[peer][i]] = sums[peer][i];
     }
   }
 }
@@ -207,15 +203,15 @@ void AddOfPeers(Work& work, const Partition& partition)
 NodalVelocity FindNodalVelocity(const Mesh& mesh, const CartesianGrid& grid,
   const Buffer<double>& mass, const Buffer<double>& velocity, Runtime& runtime)
 {
-  Work work{ mesh, grid, mass, velocity };
-  ForShares(
-    work, [&](Index point, Index element) { work.Sums[point].Add(GivenBy(work, element)); });
+  const ElementShares own{ mesh, mass, velocity };
+  // Sums over the elements of all ranks at each point, in the order of element ids.
+  std::vector<Momentum> sums(mesh.PointIds.size());
+  ForShares(mesh, [&](Index point, Index element) { sums[point].Add(own.Of(element)); });
   const Partition partition(grid, runtime.Group());
   if (!partition.Peers().empty())
   {
-    AddOfPeers(work, partition);
+    AddOfPeers(own, grid, partition, sums);
   }
-  const std::vector<Momentum>& sums = work.Sums;
   NodalVelocity nodal{ Buffer<double>(3 * sums.size()), Buffer<double>(sums.size()),
     Buffer<double>(mass.size()) };
   ForEach(runtime, sums.size(),

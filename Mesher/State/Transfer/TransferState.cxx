@@ -25,84 +25,38 @@ std::vector<unsigned char> FindMeshed(const Mesh& mesh, int materials, Ranks& ra
   return isMeshed;
 }
 
-/// Data of all steps.
-struct Work
-{
-  const Mesh& TheMesh;
-  const TransferRequest& Request;
-  Runtime& Run;
-  const CartesianGrid& Grid = Request.Grid;
-  const Partition Parts{ Grid, Run.Group() };
-  const StateColumns Columns{ Request.Quantities, Request.Density };
-  // One flag per material.
-  const std::vector<unsigned char> IsMeshed =
-    FindMeshed(TheMesh, Request.Fractions.NumberOfMaterials(), Run.Group());
-  const StateSource Source{ Request, Columns, IsMeshed };
-  const WholeElements Whole{ TheMesh, Grid, Request.Fractions, Run };
-  const RegularTets Regular{ TheMesh, Grid, Run };
-  DonorTable Donors{ Grid };
-};
-
-/// Cuts the elements for which isNeeded(element) is true, and makes their donors. Collective.
-std::vector<DonorParts> FindParts(
-  Work& work, const std::function<bool(Index element)>& isNeeded, std::vector<DonorShape>& shapes)
-{
-  return FindDonorParts(
-    work.TheMesh, isNeeded, work.Grid, work.Regular, work.Parts, work.Run, work.Donors, shapes);
-}
-
-/// Does so for whole elements.
-std::vector<DonorParts> FindWholeParts(
-  Work& work, const std::function<bool(Index element)>& isNeeded, std::vector<DonorShape>& shapes)
-{
-  if (!work.Whole.CanExist())
-  {
-    shapes.resize(work.Donors.Count());
-    return {};
-  }
-  return FindParts(
-    work, [&](Index e) { return work.Whole.IsWhole(e) && isNeeded(e); }, shapes);
-}
-
 /// Returns whether a whole element has donors because mismatch cells are near.
-bool IsNear(const Work& work, const MismatchCells& mismatches, Index element)
+bool IsNear(const WholeElements& whole, const CartesianGrid& grid, const MismatchCells& mismatches,
+  Index element)
 {
   bool isNear = false;
-  ForCells(work.Whole.CellsOf(element),
-    [&](const Index3& p)
-    { isNear = isNear || mismatches.IsNear(work.Grid.Linear(p), DonorLayers); });
+  ForCells(whole.CellsOf(element),
+    [&](const Index3& p) { isNear = isNear || mismatches.IsNear(grid.Linear(p), DonorLayers); });
   return isNear;
 }
 
-/// Returns the region of donors between which contents move. The donors of elements that are not
-/// whole cells, and of whole elements near mismatch cells, exist already. Collective.
-FlowRegion FindRegion(Work& work, const MismatchCells& mismatches)
-{
-  const DonorLinks links(work.Grid, work.Parts, work.Donors);
-  return { mismatches, FindDivided(work.Grid, mismatches, links, work.Donors, work.Run.Group()) };
-}
-
 /// Updates the volumes and values of copies from their owners.
-void UpdateCopies(Work& work, const DonorLinks& links, DonorValues& values)
+void UpdateCopies(const DonorLinks& links, int columns, DonorTable& donors, DonorValues& values)
 {
   links.Exchange(
-    1 + work.Columns.Count(),
+    1 + columns,
     [&](int s, double* numbers)
     {
-      numbers[0] = work.Donors[s].Volume;
-      std::copy_n(values.Of(s), work.Columns.Count(), numbers + 1);
+      numbers[0] = donors[s].Volume;
+      std::copy_n(values.Of(s), columns, numbers + 1);
     },
     [&](int s, const double* numbers)
     {
-      work.Donors[s].Volume = numbers[0];
-      std::copy_n(numbers + 1, work.Columns.Count(), values.Of(s));
+      donors[s].Volume = numbers[0];
+      std::copy_n(numbers + 1, columns, values.Of(s));
     });
 }
 
-void Allocate(const Work& work, TransferredState& state)
+/// Allocates the values and masses of elements.
+void Allocate(
+  const std::vector<StateQuantity>& quantities, std::size_t elements, TransferredState& state)
 {
-  const std::size_t elements = work.TheMesh.Material.size();
-  for (const StateQuantity& quantity : work.Request.Quantities)
+  for (const StateQuantity& quantity : quantities)
   {
     state.Values.emplace_back(elements * quantity.Components);
   }
@@ -113,13 +67,12 @@ void Allocate(const Work& work, TransferredState& state)
 class StateWriter
 {
 public:
-  StateWriter(
-    const StateColumns& columns, const TransferRequest& request, TransferredState& state) :
-    Mass(state.Mass.data()), State(columns)
+  StateWriter(const StateSource& source, TransferredState& state) :
+    Mass(state.Mass.data()), State(source.Columns)
   {
     for (std::size_t q = 0; q < state.Values.size(); ++q)
     {
-      const int components = request.Quantities[q].Components;
+      const int components = source.Request.Quantities[q].Components;
       for (int i = 0; i < components; ++i)
       {
         this->Targets.push_back({ state.Values[q].data() + i, components });
@@ -200,14 +153,14 @@ private:
   double Volume24;        // 24th of the volume of the cell
 };
 
-std::vector<DonorSource> ListSources(
-  const Work& work, const Slopes& slopes, const DonorValues& values)
+std::vector<DonorSource> ListSources(const CartesianGrid& grid, const DonorTable& donors,
+  const DonorValues& values, const Slopes& slopes)
 {
   std::vector<DonorSource> sources;
-  sources.reserve(work.Donors.Count());
-  for (int s = 0; s < work.Donors.Count(); ++s)
+  sources.reserve(donors.Count());
+  for (int s = 0; s < donors.Count(); ++s)
   {
-    sources.emplace_back(work.Grid, work.Donors[s], values.Of(s), slopes.LineOf(s));
+    sources.emplace_back(grid, donors[s], values.Of(s), slopes.LineOf(s));
   }
   return sources;
 }
@@ -227,17 +180,17 @@ void AddParts(
 }
 
 /// Fills elements, and frees their parts, so that parts and state need not fit in memory together.
-void FillFromDonors(Work& work, std::vector<DonorParts> pieces,
-  const std::vector<DonorSource>& sources, TransferredState& state)
+void FillFromDonors(std::vector<DonorParts> pieces, const std::vector<DonorSource>& sources,
+  const StateSource& source, Runtime& runtime, TransferredState& state)
 {
   constexpr int ListsPerRelease = 16;
   int filled = 0;
   for (DonorParts& some : pieces)
   {
-    work.Run.For(0, static_cast<Index>(some.Elements.size()),
+    runtime.For(0, static_cast<Index>(some.Elements.size()),
       [&](Index begin, Index end)
       {
-        StateWriter writer(work.Columns, work.Request, state);
+        StateWriter writer(source, state);
         for (Index i = begin; i < end; ++i)
         {
           AddParts(some, i, sources, writer.Next());
@@ -252,33 +205,35 @@ void FillFromDonors(Work& work, std::vector<DonorParts> pieces,
   }
 }
 
-/// Copies the state of cells to whole elements without donors.
-void FillFromCells(Work& work, const FlowRegion& region, TransferredState& state)
+/// Copies the state of cells to the whole elements for which hasDonors(element) is false.
+template <class HasDonors>
+void FillFromCells(const Mesh& mesh, const WholeElements& whole, const HasDonors& hasDonors,
+  const StateSource& source, Runtime& runtime, TransferredState& state)
 {
-  work.Run.For(0, static_cast<Index>(work.TheMesh.Material.size()),
+  const int width = source.Columns.Width();
+  runtime.For(0, static_cast<Index>(mesh.Material.size()),
     [&](Index begin, Index end)
     {
-      StateWriter writer(work.Columns, work.Request, state);
-      const Slopes slopes(work.Columns);
-      std::vector<double> own(work.Columns.Width());
+      StateWriter writer(source, state);
+      const Slopes slopes(source.Columns);
+      std::vector<double> own(width);
       for (Index e = begin; e < end; ++e)
       {
-        if (!work.Whole.IsWhole(e) || IsNear(work, region.Mismatches, e) ||
-          region.HoldsAll(work.TheMesh.Fragment[e]))
+        if (!whole.IsWhole(e) || hasDonors(e))
         {
           continue;
         }
         ElementState& element = writer.Next();
-        const IndexBox cells = work.Whole.CellsOf(e);
-        own.resize(cells.NumberOfCells() * work.Columns.Width());
+        const IndexBox cells = whole.CellsOf(e);
+        own.resize(cells.NumberOfCells() * width);
         double* next = own.data();
         ForCells(cells,
           [&](const Index3& p)
           {
-            work.Source.Read(p, work.TheMesh.Material[e], next);
-            const double volume = work.Grid.CellVolume(p);
+            source.Read(p, mesh.Material[e], next);
+            const double volume = source.Request.Grid.CellVolume(p);
             element.Add({ next, slopes.LineOf(0), {}, volume, volume });
-            next += work.Columns.Width();
+            next += width;
           });
         writer.Write(e);
       }
@@ -289,42 +244,59 @@ void FillFromCells(Work& work, const FlowRegion& region, TransferredState& state
 
 TransferredState TransferState(const Mesh& mesh, const TransferRequest& request, Runtime& runtime)
 {
-  Work work{ mesh, request, runtime };
-  const int materials = static_cast<int>(work.IsMeshed.size());
+  const CartesianGrid& grid = request.Grid;
+  const Partition partition(grid, runtime.Group());
+  const StateColumns columns(request.Quantities, request.Density);
+  const std::vector<unsigned char> isMeshed =
+    FindMeshed(mesh, request.Fractions.NumberOfMaterials(), runtime.Group());
+  const StateSource source(request, columns, isMeshed);
+  const WholeElements whole(mesh, grid, request.Fractions, runtime);
+  const RegularTets regular(mesh, grid, runtime);
+
+  DonorTable donors(grid);
   std::vector<DonorShape> shapes;
-  std::vector<DonorParts> moved = FindParts(
-    work, [&](Index e) { return !work.Whole.IsWhole(e); }, shapes);
-  const MismatchCells mismatches(
-    work.Grid, work.Request.Fractions, work.Whole, work.Donors, work.IsMeshed, work.Parts);
-  std::vector<DonorParts> near = FindWholeParts(
-    work, [&](Index e) { return IsNear(work, mismatches, e); }, shapes);
-  const FlowRegion region = FindRegion(work, mismatches);
-  std::vector<DonorParts> inside = FindWholeParts(
-    work,
-    [&](Index e)
-    { return !IsNear(work, mismatches, e) && region.HoldsAll(work.TheMesh.Fragment[e]); },
-    shapes);
-  CentreShapes(work.Donors, shapes);
-  const DonorLinks links(work.Grid, work.Parts, work.Donors);
-  MaterialSums input(materials, work.Columns), unmeshed(materials, work.Columns);
-  DonorValues values =
-    FillDonors(work.Source, work.Whole, work.Parts, work.Donors, input, unmeshed);
+  const auto findParts = [&](const std::function<bool(Index element)>& isNeeded)
+  { return FindDonorParts(mesh, isNeeded, grid, regular, partition, runtime, donors, shapes); };
+  const auto findWholeParts = [&](const std::function<bool(Index element)>& isNeeded)
+  {
+    shapes.resize(donors.Count());
+    return whole.CanExist() ? findParts([&](Index e) { return whole.IsWhole(e) && isNeeded(e); })
+                            : std::vector<DonorParts>();
+  };
+  std::vector<DonorParts> moved = findParts([&](Index e) { return !whole.IsWhole(e); });
+  const MismatchCells mismatches(grid, request.Fractions, whole, donors, isMeshed, partition);
+  const auto isNear = [&](Index e) { return IsNear(whole, grid, mismatches, e); };
+  std::vector<DonorParts> near = findWholeParts(isNear);
+  const FlowRegion region{ mismatches,
+    FindDivided(grid, mismatches, DonorLinks(grid, partition, donors), donors, runtime.Group()) };
+  const auto isInside = [&](Index e) { return region.HoldsAll(mesh.Fragment[e]); };
+  std::vector<DonorParts> inside =
+    findWholeParts([&](Index e) { return !isNear(e) && isInside(e); });
+  CentreShapes(donors, shapes);
+
+  const DonorLinks links(grid, partition, donors);
+  const int materials = static_cast<int>(isMeshed.size());
+  MaterialSums input(materials, columns), unmeshed(materials, columns);
+  DonorValues values = FillDonors(source, whole, partition, donors, input, unmeshed);
   TransferredState state;
-  state.Factors = MoveContents(work.Source, region, links, work.Run, work.Donors, values);
-  UpdateCopies(work, links, values);
-  const Slopes slopes = work.Request.Order == 1
-    ? Slopes(work.Columns)
-    : Slopes(work.Columns, work.Grid, work.Donors, values, shapes,
-        links.Narrow([&work](int s) { return work.Donors[s].HasParts; }), work.Run);
+  state.Factors = MoveContents(source, region, links, runtime, donors, values);
+  UpdateCopies(links, columns.Count(), donors, values);
+  const Slopes slopes = request.Order == 1
+    ? Slopes(columns)
+    : Slopes(columns, grid, donors, values, shapes,
+        links.Narrow([&](int s) { return donors[s].HasParts; }), runtime);
   std::vector<DonorShape>().swap(shapes); // keeps the peak of memory low
-  Allocate(work, state);
-  const std::vector<DonorSource> sources = ListSources(work, slopes, values);
-  FillFromDonors(work, std::move(moved), sources, state);
-  FillFromDonors(work, std::move(near), sources, state);
-  FillFromDonors(work, std::move(inside), sources, state);
-  FillFromCells(work, region, state);
-  state.Input = input.Finish(work.Run.Group());
-  state.Unmeshed = unmeshed.Finish(work.Run.Group());
+
+  Allocate(request.Quantities, mesh.Material.size(), state);
+  const std::vector<DonorSource> sources = ListSources(grid, donors, values, slopes);
+  for (std::vector<DonorParts>* pieces : { &moved, &near, &inside })
+  {
+    FillFromDonors(std::move(*pieces), sources, source, runtime, state);
+  }
+  FillFromCells(
+    mesh, whole, [&](Index e) { return isNear(e) || isInside(e); }, source, runtime, state);
+  state.Input = input.Finish(runtime.Group());
+  state.Unmeshed = unmeshed.Finish(runtime.Group());
   return state;
 }
 
