@@ -189,7 +189,8 @@ std::vector<int> ListAdjacent(const SidedFacets& sided, std::size_t f, const Gro
 bool ShareEdge(const SidedFacets& sided, std::size_t f, std::size_t g)
 {
   const int corners = sided.Input.CornersOfFacet();
-  const std::array<Index, 4>&points = sided.Facets[f].Points, &others = sided.Facets[g].Points;
+  const std::array<Index, 4>& points = sided.Facets[f].Points;
+  const std::array<Index, 4>& others = sided.Facets[g].Points;
   const auto end = others.begin() + corners;
   return std::count_if(points.begin(), points.begin() + corners,
            [&](Index p) { return std::find(others.begin(), end, p) != end; }) > 1;
