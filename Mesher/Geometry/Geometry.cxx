@@ -102,33 +102,22 @@ Numbering<SurfaceSet> GatherSets(Ranks& ranks, const std::vector<SurfaceSet>& se
   return Numbering<SurfaceSet>(std::move(all));
 }
 
-struct Work
-{
-  const std::vector<Facet>& Facets;
-  const std::vector<int> Sides; // side of each facet
-  Runtime& Run;
-  Mesh& Result;
-  Ranks& Group = Run.Group();
-  const int Corners = Result.CornersOfFacet();
-};
-
 /// Stores a facet with the smaller material first; the normal points to it.
-void SetFacet(Work& work, std::size_t q, const Facet& facet)
+void SetFacet(std::size_t q, const Facet& facet, int corners, SurfaceFacets& surfaces)
 {
-  Index* points = work.Result.Surfaces.Points.data() + work.Corners * q;
-  std::copy_n(facet.Points.begin(), work.Corners, points);
-  int* pair = work.Result.Surfaces.MaterialPair.data() + 2 * q;
+  Index* points = surfaces.Points.data() + corners * q;
+  std::copy_n(facet.Points.begin(), corners, points);
+  int* pair = surfaces.MaterialPair.data() + 2 * q;
   std::reverse_copy(facet.Materials.begin(), facet.Materials.end(), pair);
   if (pair[0] > pair[1])
   {
     std::swap(pair[0], pair[1]);
-    std::swap(points[1], points[work.Corners - 1]);
+    std::swap(points[1], points[corners - 1]);
   }
 }
 
-void FillSurfaceTables(Work& work, const std::vector<SurfaceKey>& surfaces)
+void FillSurfaceTables(const std::vector<SurfaceKey>& surfaces, GeometryTables& tables)
 {
-  GeometryTables& tables = work.Result.Tables;
   for (std::size_t s = 0; s < surfaces.size(); ++s)
   {
     const SurfaceKey& key = surfaces[s];
@@ -155,19 +144,20 @@ void FillSurfaceTables(Work& work, const std::vector<SurfaceKey>& surfaces)
 }
 
 /// Returns the keys of the surfaces of owned facets; some occur repeatedly.
-std::vector<SurfaceKey> ListKeys(const Work& work)
+std::vector<SurfaceKey> ListKeys(
+  const std::vector<Facet>& facets, const std::vector<int>& sides, Runtime& runtime)
 {
   std::vector<SurfaceKey> keys;
   std::mutex lock;
-  work.Run.For(0, static_cast<Index>(work.Facets.size()),
+  runtime.For(0, static_cast<Index>(facets.size()),
     [&](Index first, Index last)
     {
       RecentSurfaces known;
       for (Index q = first; q < last; ++q)
       {
-        if (work.Facets[q].IsOwned) // the sides of other facets may be unknown
+        if (facets[q].IsOwned) // the sides of other facets may be unknown
         {
-          known.Find(KeyOf(work.Facets[q], work.Sides[q]),
+          known.Find(KeyOf(facets[q], sides[q]),
             [&](const SurfaceKey& key)
             {
               const std::lock_guard<std::mutex> guard(lock);
@@ -180,42 +170,46 @@ std::vector<SurfaceKey> ListKeys(const Work& work)
   return keys;
 }
 
-Index FillSurfaces(Work& work)
+/// Fills the surfaces; returns their number.
+/// @param sides  smooth side of each facet
+Index FillSurfaces(
+  const std::vector<Facet>& facets, const std::vector<int>& sides, Runtime& runtime, Mesh& mesh)
 {
-  const Numbering<SurfaceKey> numbers = Gather(work.Group, ListKeys(work));
-  SurfaceFacets& surfaces = work.Result.Surfaces;
-  const std::size_t count = work.Facets.size();
-  surfaces.Points = Buffer<Index>(work.Corners * count);
+  const Numbering<SurfaceKey> numbers = Gather(runtime.Group(), ListKeys(facets, sides, runtime));
+  SurfaceFacets& surfaces = mesh.Surfaces;
+  const int corners = mesh.CornersOfFacet();
+  const std::size_t count = facets.size();
+  surfaces.Points = Buffer<Index>(corners * count);
   surfaces.SurfaceId = Buffer<int>(count);
   surfaces.MaterialPair = Buffer<int>(2 * count);
   surfaces.DomainSide = Buffer<int>(count);
   surfaces.IsOwned.resize(count);
-  work.Run.For(0, static_cast<Index>(count),
+  runtime.For(0, static_cast<Index>(count),
     [&](Index first, Index last)
     {
       RecentSurfaces numbered;
       for (Index q = first; q < last; ++q)
       {
-        const Facet& facet = work.Facets[q];
-        SetFacet(work, q, facet);
-        surfaces.SurfaceId[q] = numbered.Find(KeyOf(facet, work.Sides[q]),
-          [&numbers](const SurfaceKey& key) { return numbers.Find(key); });
+        const Facet& facet = facets[q];
+        SetFacet(q, facet, corners, surfaces);
+        surfaces.SurfaceId[q] = numbered.Find(
+          KeyOf(facet, sides[q]), [&numbers](const SurfaceKey& key) { return numbers.Find(key); });
         surfaces.DomainSide[q] = facet.DomainSide;
         surfaces.IsOwned[q] = facet.IsOwned;
       }
     });
-  FillSurfaceTables(work, numbers.All());
+  FillSurfaceTables(numbers.All(), mesh.Tables);
   return numbers.Count();
 }
 
-void ClassifySurfacePoints(Work& work)
+void ClassifySurfacePoints(Mesh& mesh)
 {
-  Mesh& mesh = work.Result;
+  const int corners = mesh.CornersOfFacet();
   mesh.GeometryDimension = Buffer<int>(mesh.PointIds.size(), 3);
   const Index* point = mesh.Surfaces.Points.data();
   for (int surface : mesh.Surfaces.SurfaceId)
   {
-    for (const Index* end = point + work.Corners; point < end; ++point)
+    for (const Index* end = point + corners; point < end; ++point)
     {
       mesh.GeometryDimension[*point] = 2;
       mesh.GeometryId[*point] = surface;
@@ -223,25 +217,25 @@ void ClassifySurfacePoints(Work& work)
   }
 }
 
-bool IsOwned(const Work& work, const Junction& junction)
+bool IsOwned(const Mesh& mesh, const Junction& junction)
 {
-  return work.Result.Surfaces.IsOwned[junction.First] != 0;
+  return mesh.Surfaces.IsOwned[junction.First] != 0;
 }
 
-Index FillVertices(Work& work, const Junctions& junctions)
+/// Fills the vertices; returns their number.
+Index FillVertices(const Junctions& junctions, Ranks& ranks, Mesh& mesh)
 {
-  Mesh& mesh = work.Result;
   std::vector<Index> points, ids;
   for (std::size_t p = 0; p < junctions.Points().size(); ++p)
   {
     const Index point = junctions.Points()[p].Points[0];
-    if (junctions.IsVertex(p) && IsOwned(work, junctions.Points()[p]))
+    if (junctions.IsVertex(p) && IsOwned(mesh, junctions.Points()[p]))
     {
       points.push_back(point);
       ids.push_back(IdOfOwner(mesh, mesh.PointIds[point]));
     }
   }
-  const Numbering<Index> numbers = Gather(work.Group, ids);
+  const Numbering<Index> numbers = Gather(ranks, ids);
   for (std::size_t p = 0; p < junctions.Points().size(); ++p)
   {
     const Index point = junctions.Points()[p].Points[0];
@@ -259,9 +253,8 @@ Index FillVertices(Work& work, const Junctions& junctions)
   return numbers.Count();
 }
 
-void FillCurveTables(Work& work, const std::vector<SurfaceSet>& curves)
+void FillCurveTables(const std::vector<SurfaceSet>& curves, Ranks& ranks, Mesh& mesh)
 {
-  Mesh& mesh = work.Result;
   GeometryTables& tables = mesh.Tables;
   for (std::size_t c = 0; c < curves.size(); ++c)
   {
@@ -283,26 +276,25 @@ void FillCurveTables(Work& work, const std::vector<SurfaceSet>& curves)
       pairs.push_back({ { curve, mesh.GeometryId[point] } });
     }
   }
-  work.Group.Sum(ends);
+  ranks.Sum(ends);
   tables.CurveEnds.assign(ends.begin(), ends.end());
-  tables.CurveVertices = Gather(work.Group, pairs).All();
+  tables.CurveVertices = Gather(ranks, pairs).All();
 }
 
-/// Fills the curves. The vertices must be classified already.
-Index FillCurves(Work& work, const Junctions& junctions)
+/// Fills the curves; returns their number. The vertices must be classified already.
+Index FillCurves(const Junctions& junctions, Ranks& ranks, Mesh& mesh)
 {
   std::vector<const Junction*> owned;
   std::vector<SurfaceSet> sets;
   for (const Junction& edge : junctions.Edges())
   {
-    if (IsOwned(work, edge))
+    if (IsOwned(mesh, edge))
     {
       owned.push_back(&edge);
       sets.push_back(edge.Surfaces);
     }
   }
-  const Numbering<SurfaceSet> numbers = GatherSets(work.Group, sets);
-  Mesh& mesh = work.Result;
+  const Numbering<SurfaceSet> numbers = GatherSets(ranks, sets);
   for (std::size_t p = 0; p < junctions.Points().size(); ++p)
   {
     const Junction& point = junctions.Points()[p];
@@ -321,16 +313,17 @@ Index FillCurves(Work& work, const Junctions& junctions)
     std::copy_n(owned[e]->Points.begin(), 2, mesh.Curves.Points.data() + 2 * e);
     mesh.Curves.CurveId[e] = numbers.Find(owned[e]->Surfaces);
   }
-  FillCurveTables(work, numbers.All());
+  FillCurveTables(numbers.All(), ranks, mesh);
   return numbers.Count();
 }
 
-bool IsKnownFromPoints(const Work& work, std::size_t q)
+/// Returns whether the surface of a facet is that of its points inside surfaces.
+bool IsKnownFromPoints(const Mesh& mesh, std::size_t q)
 {
-  const Mesh& mesh = work.Result;
-  const Index* points = mesh.Surfaces.Points.data() + work.Corners * q;
+  const int corners = mesh.CornersOfFacet();
+  const Index* points = mesh.Surfaces.Points.data() + corners * q;
   int inside = 0, others = 0;
-  for (int c = 0; c < work.Corners; ++c)
+  for (int c = 0; c < corners; ++c)
   {
     if (mesh.GeometryDimension[points[c]] == 2)
     {
@@ -342,23 +335,24 @@ bool IsKnownFromPoints(const Work& work, std::size_t q)
 }
 
 /// Fills EdgeFacets. The points must be classified already.
-void ListEdgeFacets(Work& work)
+void ListEdgeFacets(
+  const std::vector<Facet>& facets, const std::vector<int>& sides, Ranks& ranks, Mesh& mesh)
 {
-  const Mesh& mesh = work.Result;
+  const int corners = mesh.CornersOfFacet();
   std::vector<EdgeFacet> mine;
-  for (std::size_t q = 0; q < work.Facets.size(); ++q)
+  for (std::size_t q = 0; q < facets.size(); ++q)
   {
-    if (work.Sides[q] > 0 && work.Facets[q].IsOwned && !IsKnownFromPoints(work, q))
+    if (sides[q] > 0 && facets[q].IsOwned && !IsKnownFromPoints(mesh, q))
     {
       EdgeFacet facet{ { -1, -1, -1, -1, mesh.Surfaces.SurfaceId[q] } };
-      const Index* points = mesh.Surfaces.Points.data() + work.Corners * q;
-      std::transform(points, points + work.Corners, facet.begin() + (4 - work.Corners),
+      const Index* points = mesh.Surfaces.Points.data() + corners * q;
+      std::transform(points, points + corners, facet.begin() + (4 - corners),
         [&mesh](Index point) { return IdOfOwner(mesh, mesh.PointIds[point]); });
       std::sort(facet.begin(), facet.begin() + 4);
       mine.push_back(facet);
     }
   }
-  work.Result.Tables.EdgeFacets = Gather(work.Group, mine).All();
+  mesh.Tables.EdgeFacets = Gather(ranks, mine).All();
 }
 
 } // namespace
@@ -366,14 +360,15 @@ void ListEdgeFacets(Work& work)
 void ClassifyGeometry(const std::vector<Facet>& facets, const std::vector<FeatureKind>& kinds,
   const Partition& partition, Runtime& runtime, Mesh& mesh, MeshReport& report)
 {
-  Work work{ facets, FindSmoothSides(facets, kinds, mesh, partition), runtime, mesh };
-  report.NumberOfSurfaces = FillSurfaces(work);
-  ClassifySurfacePoints(work);
-  const Junctions junctions(work.Result);
-  report.NumberOfVertices = FillVertices(work, junctions);
-  report.NumberOfCurves = FillCurves(work, junctions);
-  ListEdgeFacets(work);
-  MeasureSurfaces(work.Result, runtime);
+  Ranks& ranks = runtime.Group();
+  const std::vector<int> sides = FindSmoothSides(facets, kinds, mesh, partition);
+  report.NumberOfSurfaces = FillSurfaces(facets, sides, runtime, mesh);
+  ClassifySurfacePoints(mesh);
+  const Junctions junctions(mesh);
+  report.NumberOfVertices = FillVertices(junctions, ranks, mesh);
+  report.NumberOfCurves = FillCurves(junctions, ranks, mesh);
+  ListEdgeFacets(facets, sides, ranks, mesh);
+  MeasureSurfaces(mesh, runtime);
 }
 
 } // namespace vfm

@@ -44,29 +44,26 @@ std::vector<Index> ListPoints(const std::vector<Facet>& facets, int corners)
   return points;
 }
 
-struct Work
-{
-  const std::vector<Facet>& Facets;
-  const Mesh& Input;
-  const Partition& Parts;
-  const int Corners = Input.CornersOfFacet();
-  const PointValues Shared{ ListPoints(Facets, Corners), Input, Parts };
-  std::vector<Place> PlaceOf{};  // place of every point
-  std::vector<Pair> Cuts{};      // interfaces with edges, ascending
-  std::vector<int> CutOfFacet{}; // position in Cuts, or -1
-  std::vector<int> SideOfPoint{}, CutOfSide{};
-};
+using Places = std::vector<Place>; // of every point
 
-void FindPlaces(Work& work, const std::vector<FeatureKind>& kinds)
+/// Sets the places of the points that this rank shares to those on their owners.
+void Share(const PointValues& shared, Places& places)
 {
-  work.PlaceOf.assign(work.Input.PointIds.size(), Place::None);
-  std::vector<Pair> first(work.PlaceOf.size());
-  for (const Facet& facet : work.Facets)
+  shared.Fetch(places, [&](Index point, Place place) { places[point] = place; });
+}
+
+Places FindPlaces(const std::vector<Facet>& facets, const std::vector<FeatureKind>& kinds,
+  const Mesh& mesh, const PointValues& shared)
+{
+  const int corners = mesh.CornersOfFacet();
+  Places places(mesh.PointIds.size(), Place::None);
+  std::vector<Pair> first(places.size());
+  for (const Facet& facet : facets)
   {
-    for (int c = 0; c < work.Corners; ++c)
+    for (int c = 0; c < corners; ++c)
     {
       const Index p = facet.Points[c];
-      Place& place = work.PlaceOf[p];
+      Place& place = places[p];
       if (place == Place::None)
       {
         first[p] = SurfaceOf(facet);
@@ -75,87 +72,110 @@ void FindPlaces(Work& work, const std::vector<FeatureKind>& kinds)
       place = first[p] == SurfaceOf(facet) ? place : Place::Between;
     }
   }
-  work.Shared.Fetch(work.PlaceOf, [&](Index point, Place place) { work.PlaceOf[point] = place; });
+  Share(shared, places);
+  return places;
 }
 
-bool IsNextToEdge(const Work& work, const int* first, const int* last)
+/// Returns whether a facet of a list has a point on an edge.
+bool IsNextToEdge(
+  const std::vector<Facet>& facets, const Places& places, const int* first, const int* last)
 {
   return std::any_of(first, last,
     [&](int f)
     {
-      const std::array<Index, 4>& points = work.Facets[f].Points;
+      const std::array<Index, 4>& points = facets[f].Points;
       return std::any_of(
-        points.begin(), points.end(), [&](Index q) { return work.PlaceOf[q] == Place::OnEdge; });
+        points.begin(), points.end(), [&](Index q) { return places[q] == Place::OnEdge; });
     });
 }
 
-bool IsSharp(const Work& work, const int* first, const int* last)
+/// Returns whether the normals of a list of facets differ much.
+bool IsSharp(const std::vector<Facet>& facets, const Mesh& mesh, const int* first, const int* last)
 {
   return std::any_of(first, last,
     [&](int f)
     {
-      const Vector3 normal = NormalOf(work.Input, work.Facets[f]);
-      return std::any_of(first, last,
-        [&](int g) { return Dot(normal, NormalOf(work.Input, work.Facets[g])) < SharpCosine; });
+      const Vector3 normal = NormalOf(mesh, facets[f]);
+      return std::any_of(
+        first, last, [&](int g) { return Dot(normal, NormalOf(mesh, facets[g])) < SharpCosine; });
     });
 }
 
 /// Extends edges over a few points that are not carriers but around which the facets turn.
-void CloseGaps(Work& work)
+void CloseGaps(
+  const std::vector<Facet>& facets, const Mesh& mesh, const PointValues& shared, Places& places)
 {
   const Groups<int> around =
-    ListFacetsAt(work.Facets, work.Input, [&](int f) { return IsInterface(work.Facets[f]); });
+    ListFacetsAt(facets, mesh, [&](int f) { return IsInterface(facets[f]); });
   for (int step = 0; step < LongestGap; ++step)
   {
-    std::vector<Place> places(work.PlaceOf);
-    for (std::size_t p = 0; p < places.size(); ++p)
+    Places closed(places);
+    for (std::size_t p = 0; p < closed.size(); ++p)
     {
       const int* first = around.Items.data() + around.Begin[p];
       const int* last = around.Items.data() + around.Begin[p + 1];
-      if (places[p] == Place::Inside && IsNextToEdge(work, first, last) &&
-        IsSharp(work, first, last))
+      if (closed[p] == Place::Inside && IsNextToEdge(facets, places, first, last) &&
+        IsSharp(facets, mesh, first, last))
       {
-        places[p] = Place::OnEdge;
+        closed[p] = Place::OnEdge;
       }
     }
-    work.PlaceOf.swap(places);
-    work.Shared.Fetch(work.PlaceOf, [&](Index point, Place place) { work.PlaceOf[point] = place; });
+    places.swap(closed);
+    Share(shared, places);
   }
 }
 
-/// Finds the interfaces with edges on all ranks.
-void FindCuts(Work& work)
+/// Returns the interfaces with edges on all ranks, ascending.
+std::vector<Pair> FindCuts(const std::vector<Facet>& facets, const Places& places, Ranks& ranks)
 {
   std::vector<Pair> cut;
-  for (const Facet& facet : work.Facets)
+  for (const Facet& facet : facets)
   {
     if (IsInterface(facet) && facet.IsOwned &&
       std::any_of(facet.Points.begin(), facet.Points.end(),
-        [&](Index p) { return work.PlaceOf[p] == Place::OnEdge; }))
+        [&](Index p) { return places[p] == Place::OnEdge; }))
     {
       cut.push_back(SurfaceOf(facet));
     }
   }
   SortUnique(cut);
-  work.Cuts = GatherItems(work.Parts.Group(), cut);
-  SortUnique(work.Cuts);
-  for (const Facet& facet : work.Facets)
-  {
-    work.CutOfFacet.push_back(static_cast<int>(FindSorted(work.Cuts, SurfaceOf(facet))));
-  }
+  std::vector<Pair> cuts = GatherItems(ranks, cut);
+  SortUnique(cuts);
+  return cuts;
 }
 
-void NumberPieces(Work& work, const std::vector<Piece>& pieces, const std::vector<Index>& pieceOf)
+/// Returns the position of the interface of each facet in `cuts`, or -1.
+std::vector<int> FindCutOfFacets(const std::vector<Facet>& facets, const std::vector<Pair>& cuts)
 {
-  Ranks& ranks = work.Parts.Group();
-  const Index offset = OffsetOfPieces(ranks, static_cast<Index>(pieces.size()));
-  std::vector<Index> numbers(pieceOf);
+  std::vector<int> cutOf;
+  for (const Facet& facet : facets)
+  {
+    cutOf.push_back(static_cast<int>(FindSorted(cuts, SurfaceOf(facet))));
+  }
+  return cutOf;
+}
+
+/// Pieces of sides on this rank.
+struct LocalPieces
+{
+  std::vector<Piece> List;
+  std::vector<Index> Of; ///< piece of each point, or -1
+};
+
+/// Joins the pieces of all ranks to sides.
+/// @param[out] cutOfSide  interface of each side
+/// @return side of each point; 0: none
+std::vector<int> NumberSides(
+  const LocalPieces& pieces, const PointValues& shared, Ranks& ranks, std::vector<int>& cutOfSide)
+{
+  const Index offset = OffsetOfPieces(ranks, static_cast<Index>(pieces.List.size()));
+  std::vector<Index> numbers(pieces.Of);
   for (Index& number : numbers)
   {
     number += number < 0 ? 0 : offset;
   }
   PiecePairs same;
-  work.Shared.Fetch(numbers,
+  shared.Fetch(numbers,
     [&](Index point, Index piece)
     {
       if (piece >= 0 && numbers[point] >= 0)
@@ -164,45 +184,48 @@ void NumberPieces(Work& work, const std::vector<Piece>& pieces, const std::vecto
       }
     });
   SortUnique(same);
-  const std::vector<int> sides = NumberFragments(pieces, same, offset, ranks, work.CutOfSide);
-  for (Index piece : pieceOf)
+  const std::vector<int> sides = NumberFragments(pieces.List, same, offset, ranks, cutOfSide);
+  std::vector<int> sideOf;
+  for (Index piece : pieces.Of)
   {
-    work.SideOfPoint.push_back(piece < 0 ? 0 : sides[piece]);
+    sideOf.push_back(piece < 0 ? 0 : sides[piece]);
   }
+  return sideOf;
 }
 
-/// Fills SideOfPoint: the side of points inside sides, 0 for other points.
-void NumberPoints(Work& work)
+/// Joins the points inside interfaces with edges over the edges of facets.
+LocalPieces FindPieces(const std::vector<Facet>& facets, const std::vector<int>& cutOfFacet,
+  const Places& places, const Mesh& mesh)
 {
-  const std::size_t count = work.PlaceOf.size();
+  const int corners = mesh.CornersOfFacet();
+  const std::size_t count = places.size();
   std::vector<Index> parent = MakeSets(count);
   std::vector<int> cutOf(count, -1);
-  for (std::size_t f = 0; f < work.Facets.size(); ++f)
+  for (std::size_t f = 0; f < facets.size(); ++f)
   {
-    const std::array<Index, 4>& points = work.Facets[f].Points;
-    for (int c = 0; work.CutOfFacet[f] >= 0 && c < work.Corners; ++c)
+    const std::array<Index, 4>& points = facets[f].Points;
+    for (int c = 0; cutOfFacet[f] >= 0 && c < corners; ++c)
     {
-      const Index a = points[c], b = points[(c + 1) % work.Corners];
-      cutOf[a] = work.PlaceOf[a] == Place::Inside ? work.CutOfFacet[f] : -1;
-      if (cutOf[a] >= 0 && work.PlaceOf[b] == Place::Inside)
+      const Index a = points[c], b = points[(c + 1) % corners];
+      cutOf[a] = places[a] == Place::Inside ? cutOfFacet[f] : -1;
+      if (cutOf[a] >= 0 && places[b] == Place::Inside)
       {
         Join(parent, a, b);
       }
     }
   }
-  std::vector<Piece> pieces;
-  std::vector<Index> pieceOf(count, -1);
+  LocalPieces pieces{ {}, std::vector<Index>(count, -1) };
   for (Index p = 0; p < static_cast<Index>(count); ++p)
   {
     const Index root = cutOf[p] >= 0 ? FindRoot(parent, p) : -1;
     if (root == p)
     {
-      pieceOf[p] = static_cast<Index>(pieces.size());
-      pieces.push_back({ work.Input.PointIds[p], cutOf[p] });
+      pieces.Of[p] = static_cast<Index>(pieces.List.size());
+      pieces.List.push_back({ mesh.PointIds[p], cutOf[p] });
     }
-    pieceOf[p] = root < 0 ? -1 : pieceOf[root];
+    pieces.Of[p] = root < 0 ? -1 : pieces.Of[root];
   }
-  NumberPieces(work, pieces, pieceOf);
+  return pieces;
 }
 
 } // namespace
@@ -217,13 +240,17 @@ Vector3 NormalOf(const Mesh& mesh, const Facet& facet)
 SidePoints FindSidePoints(const std::vector<Facet>& facets, const std::vector<FeatureKind>& kinds,
   const Mesh& mesh, const Partition& partition)
 {
-  Work work{ facets, mesh, partition };
-  FindPlaces(work, kinds);
-  CloseGaps(work);
-  FindCuts(work);
-  NumberPoints(work);
-  return { std::move(work.CutOfFacet), static_cast<int>(work.Cuts.size()),
-    std::move(work.SideOfPoint), std::move(work.CutOfSide) };
+  Ranks& ranks = partition.Group();
+  const PointValues shared(ListPoints(facets, mesh.CornersOfFacet()), mesh, partition);
+  Places places = FindPlaces(facets, kinds, mesh, shared);
+  CloseGaps(facets, mesh, shared, places);
+  const std::vector<Pair> cuts = FindCuts(facets, places, ranks);
+  SidePoints sides;
+  sides.CutOf = FindCutOfFacets(facets, cuts);
+  sides.NumberOfCuts = static_cast<int>(cuts.size());
+  sides.SideOf =
+    NumberSides(FindPieces(facets, sides.CutOf, places, mesh), shared, ranks, sides.CutsOfSides);
+  return sides;
 }
 
 } // namespace vfm

@@ -117,27 +117,13 @@ struct Decision
   bool operator<(const Decision& other) const { return this->Facet < other.Facet; }
 };
 
-struct Work
-{
-  const std::vector<Facet>& Facets;
-  const Mesh& Input;
-  const Partition& Parts;
-  const SidePoints Points;
-  const int Corners = Input.CornersOfFacet();
-  /// Number of the first remainder side: each cut interface has one for facets
-  /// without an adjacent side.
-  const int PiecesEnd = static_cast<int>(Points.CutsOfSides.size());
-  /// Cut interface of each side; [0] is not used. Sides of points come first, then the remainders.
-  std::vector<int> CutOfSide = Points.CutsOfSides;
-  std::vector<int> SideOf{}; // side of every facet
-};
-
-int SideOfPoints(const Work& work, const Facet& facet)
+/// Returns the side of the points of a facet, or Undecided.
+int SideOfPoints(const SidePoints& points, const Facet& facet)
 {
   int side = 0;
   for (Index p : facet.Points)
   {
-    const int other = work.Points.SideOf[p];
+    const int other = points.SideOf[p];
     if (side > 0 && other > 0 && other != side)
     {
       return Undecided;
@@ -147,34 +133,67 @@ int SideOfPoints(const Work& work, const Facet& facet)
   return side > 0 ? side : Undecided;
 }
 
-std::array<Index, 4> KeyOf(const Work& work, std::size_t f)
+/// Facets and their sides as far as decided. Sides of points come first; the others are the
+/// remainders, one of each cut interface, for facets without an adjacent side.
+struct SidedFacets
 {
-  std::array<Index, 4> key;
-  std::transform(work.Facets[f].Points.begin(), work.Facets[f].Points.end(), key.begin(),
-    [&](Index p) { return IdOfOwner(work.Input, work.Input.PointIds[p]); });
-  std::sort(key.begin(), key.end());
-  return key;
-}
+  const std::vector<Facet>& Facets;
+  const Mesh& Input;
+  const SidePoints& Points;
+  std::vector<int> SideOf; ///< side of every facet
+
+  SidedFacets(const std::vector<Facet>& facets, const Mesh& mesh, const SidePoints& points) :
+    Facets(facets), Input(mesh), Points(points)
+  {
+    for (std::size_t f = 0; f < facets.size(); ++f)
+    {
+      this->SideOf.push_back(points.CutOf[f] < 0 ? 0 : SideOfPoints(points, facets[f]));
+    }
+  }
+
+  int Remainder(std::size_t f) const
+  {
+    return static_cast<int>(this->Points.CutsOfSides.size()) + this->Points.CutOf[f];
+  }
+  Vector3 Normal(std::size_t f) const { return NormalOf(this->Input, this->Facets[f]); }
+  /// Returns the ids of the points of a facet, ascending.
+  std::array<Index, 4> KeyOf(std::size_t f) const
+  {
+    std::array<Index, 4> key;
+    std::transform(this->Facets[f].Points.begin(), this->Facets[f].Points.end(), key.begin(),
+      [this](Index p) { return IdOfOwner(this->Input, this->Input.PointIds[p]); });
+    std::sort(key.begin(), key.end());
+    return key;
+  }
+  /// Returns, for each point of the mesh, the adjacent facets that have a side.
+  Groups<int> ListDecided() const
+  {
+    return ListFacetsAt(this->Facets, this->Input, [this](int f) { return this->SideOf[f] > 0; });
+  }
+};
 
 /// Returns the facets of the same interface at the points of a facet.
-std::vector<int> ListAdjacent(const Work& work, std::size_t f, const Groups<int>& around)
+std::vector<int> ListAdjacent(const SidedFacets& sided, std::size_t f, const Groups<int>& around)
 {
   std::vector<int> beside;
-  for (Index p : work.Facets[f].Points)
+  for (Index p : sided.Facets[f].Points)
   {
     std::copy_if(around.Items.data() + around.Begin[p], around.Items.data() + around.Begin[p + 1],
       std::back_inserter(beside),
-      [&](int other) { return work.Points.CutOf[other] == work.Points.CutOf[f]; });
+      [&](int other) { return sided.Points.CutOf[other] == sided.Points.CutOf[f]; });
   }
   SortUnique(beside);
   return beside;
 }
 
-bool ShareEdge(const Work& work, std::size_t f, std::size_t g)
+bool ShareEdge(const SidedFacets& sided, std::size_t f, std::size_t g)
 {
-  const auto begin = work.Facets[g].Points.begin(), end = begin + work.Corners;
-  return std::count_if(work.Facets[f].Points.begin(), work.Facets[f].Points.begin() + work.Corners,
-           [&](Index p) { return std::find(begin, end, p) != end; }) > 1;
+  const int corners = sided.Input.CornersOfFacet();
+  const std::array<Index, 4>& points = sided.Facets[f].Points;
+  const std::array<Index, 4>& others = sided.Facets[g].Points;
+  const auto end = others.begin() + corners;
+  return std::count_if(points.begin(), points.begin() + corners,
+           [&](Index p) { return std::find(others.begin(), end, p) != end; }) > 1;
 }
 
 /// A side adjacent to a facet.
@@ -197,21 +216,21 @@ struct AdjacentSide
 /// such a side returns its own side, or the remainder of the interface.
 /// @param prefersSmooth  false: the number of common edges decides, whether or not a side is smooth
 AdjacentSide NearestSide(
-  const Work& work, std::size_t f, const Groups<int>& around, bool prefersSmooth)
+  const SidedFacets& sided, std::size_t f, const Groups<int>& around, bool prefersSmooth)
 {
   std::map<int, AdjacentSide> sides;
-  const Vector3 normal = NormalOf(work.Input, work.Facets[f]);
-  for (int other : ListAdjacent(work, f, around))
+  const Vector3 normal = sided.Normal(f);
+  for (int other : ListAdjacent(sided, f, around))
   {
-    AdjacentSide& side = sides[work.SideOf[other]];
-    side.Side = work.SideOf[other];
-    side.Edges = std::max(side.Edges, 0) + ShareEdge(work, f, other);
-    side.Cosine = std::max(side.Cosine, Dot(normal, NormalOf(work.Input, work.Facets[other])));
+    AdjacentSide& side = sides[sided.SideOf[other]];
+    side.Side = sided.SideOf[other];
+    side.Edges = std::max(side.Edges, 0) + ShareEdge(sided, f, other);
+    side.Cosine = std::max(side.Cosine, Dot(normal, sided.Normal(other)));
     side.IsSmooth = prefersSmooth && side.Cosine > SmoothCosine;
   }
-  const int own = work.SideOf[f];
+  const int own = sided.SideOf[f];
   AdjacentSide nearest;
-  nearest.Side = own > 0 ? own : work.PiecesEnd + work.Points.CutOf[f];
+  nearest.Side = own > 0 ? own : sided.Remainder(f);
   for (const auto& [side, its] : sides)
   {
     nearest = side != own ? std::max(nearest, its) : nearest;
@@ -219,62 +238,59 @@ AdjacentSide NearestSide(
   return nearest;
 }
 
-void TakeDecisions(Work& work, const std::vector<int>& loose, const std::vector<Decision>& mine)
+void TakeDecisions(const Partition& partition, const std::vector<int>& loose,
+  const std::vector<Decision>& mine, SidedFacets& sided)
 {
-  const std::vector<std::vector<Decision>> lists(work.Parts.Peers().size(), mine);
-  std::vector<Decision> told = Joined(work.Parts.Exchange(lists));
+  const std::vector<std::vector<Decision>> lists(partition.Peers().size(), mine);
+  std::vector<Decision> told = Joined(partition.Exchange(lists));
   std::sort(told.begin(), told.end());
   for (int f : loose)
   {
-    const Decision key{ KeyOf(work, f), 0 };
+    const Decision key{ sided.KeyOf(f), 0 };
     const auto at = std::lower_bound(told.begin(), told.end(), key);
     if (at != told.end() && at->Facet == key.Facet)
     {
-      work.SideOf[f] = static_cast<int>(at->Side);
+      sided.SideOf[f] = static_cast<int>(at->Side);
     }
   }
 }
 
 /// Decides the sides of facets on their owners, which have all adjacent facets, and exchanges them.
-/// @param around  facets with a side, at each point
-/// @param isTaken  whether the nearest side (AdjacentSide) of a facet is taken
-template <class Condition>
-void Decide(Work& work, const std::vector<int>& loose, const Groups<int>& around,
-  const Condition& isTaken, bool prefersSmooth = true)
+/// @param choose  choose(f) returns the side of a facet, or Undecided to leave it as it is
+template <class Choose>
+void Decide(const Partition& partition, const std::vector<int>& loose, const Choose& choose,
+  SidedFacets& sided)
 {
-  std::vector<int> decided(work.SideOf);
+  std::vector<int> decided(sided.SideOf);
   std::vector<Decision> mine;
   for (int f : loose)
   {
-    if (work.Facets[f].IsOwned)
+    const int side = sided.Facets[f].IsOwned ? choose(f) : Undecided;
+    if (side != Undecided)
     {
-      const AdjacentSide nearest = NearestSide(work, f, around, prefersSmooth);
-      if (isTaken(f, nearest))
-      {
-        decided[f] = nearest.Side;
-        mine.push_back({ KeyOf(work, f), nearest.Side });
-      }
+      decided[f] = side;
+      mine.push_back({ sided.KeyOf(f), side });
     }
   }
-  work.SideOf = std::move(decided);
-  TakeDecisions(work, loose, mine);
+  sided.SideOf = std::move(decided);
+  TakeDecisions(partition, loose, mine, sided);
 }
 
 /// Returns whether other facets of its side touch a facet only at a point, not
 /// over common edges there.
-bool IsPinched(const Work& work, int f, const Groups<int>& around)
+bool IsPinched(const SidedFacets& sided, int f, const Groups<int>& around)
 {
-  return std::any_of(work.Facets[f].Points.begin(), work.Facets[f].Points.end(),
+  return std::any_of(sided.Facets[f].Points.begin(), sided.Facets[f].Points.end(),
     [&](Index p)
     {
       std::vector<int> joined{ f }, apart;
       std::copy_if(around.Items.data() + around.Begin[p], around.Items.data() + around.Begin[p + 1],
         std::back_inserter(apart),
-        [&](int g) { return g != f && work.SideOf[g] == work.SideOf[f]; });
+        [&](int g) { return g != f && sided.SideOf[g] == sided.SideOf[f]; });
       for (std::size_t next = 0; next < joined.size(); ++next)
       {
         const auto rest = std::partition(
-          apart.begin(), apart.end(), [&](int g) { return !ShareEdge(work, joined[next], g); });
+          apart.begin(), apart.end(), [&](int g) { return !ShareEdge(sided, joined[next], g); });
         std::copy(rest, apart.end(), std::back_inserter(joined));
         apart.erase(rest, apart.end());
       }
@@ -285,48 +301,55 @@ bool IsPinched(const Work& work, int f, const Groups<int>& around)
 /// Decides facets whose points do not determine the side: first those that continue a side
 /// smoothly, then the others. Then decides again those of them through which two parts of their
 /// side would touch at a point.
-void DecideOthers(Work& work)
+void DecideOthers(const Partition& partition, SidedFacets& sided)
 {
   std::vector<int> loose;
-  for (std::size_t f = 0; f < work.Facets.size(); ++f)
+  for (std::size_t f = 0; f < sided.Facets.size(); ++f)
   {
-    if (work.SideOf[f] == Undecided)
+    if (sided.SideOf[f] == Undecided)
     {
       loose.push_back(static_cast<int>(f));
     }
   }
-  const auto listDecided = [&work]
-  { return ListFacetsAt(work.Facets, work.Input, [&](int f) { return work.SideOf[f] > 0; }); };
-  Decide(work, loose, listDecided(), [](int, const AdjacentSide& side) { return side.IsSmooth; });
-  Decide(work, loose, listDecided(),
-    [&work](int f, const AdjacentSide&) { return work.SideOf[f] == Undecided; });
+  Groups<int> around = sided.ListDecided();
+  const auto continueSmoothly = [&](int f)
+  {
+    const AdjacentSide nearest = NearestSide(sided, f, around, true);
+    return nearest.IsSmooth ? nearest.Side : Undecided;
+  };
+  const auto takeNearest = [&](int f)
+  { return sided.SideOf[f] == Undecided ? NearestSide(sided, f, around, true).Side : Undecided; };
+  const auto unpinch = [&](int f)
+  { return IsPinched(sided, f, around) ? NearestSide(sided, f, around, false).Side : Undecided; };
+  Decide(partition, loose, continueSmoothly, sided);
+  around = sided.ListDecided();
+  Decide(partition, loose, takeNearest, sided);
   for (int f : loose)
   {
-    if (work.SideOf[f] == Undecided) // far from owned elements no rank may have decided
+    if (sided.SideOf[f] == Undecided) // far from owned elements no rank may have decided
     {
-      work.SideOf[f] = work.PiecesEnd + work.Points.CutOf[f];
+      sided.SideOf[f] = sided.Remainder(f);
     }
   }
-  const Groups<int> around = listDecided();
-  Decide(
-    work, loose, around, [&](int f, const AdjacentSide&) { return IsPinched(work, f, around); },
-    false);
+  around = sided.ListDecided();
+  Decide(partition, loose, unpinch, sided);
 }
 
 /// Returns the unit mean normal of the facets of the side of f at the points that f and
 /// g have in common.
-Vector3 MeanNormal(const Work& work, std::size_t f, std::size_t g, const Groups<int>& around)
+Vector3 MeanNormal(
+  const SidedFacets& sided, std::size_t f, std::size_t g, const Groups<int>& around)
 {
   std::vector<std::pair<std::array<Index, 4>, int>> beside; // ordered by ids
-  for (Index p : work.Facets[f].Points)
+  for (Index p : sided.Facets[f].Points)
   {
-    const std::array<Index, 4>& others = work.Facets[g].Points;
+    const std::array<Index, 4>& others = sided.Facets[g].Points;
     const bool isShared = std::find(others.begin(), others.end(), p) != others.end();
     for (Index at = around.Begin[p]; isShared && at < around.Begin[p + 1]; ++at)
     {
-      if (work.SideOf[around.Items[at]] == work.SideOf[f])
+      if (sided.SideOf[around.Items[at]] == sided.SideOf[f])
       {
-        beside.emplace_back(KeyOf(work, around.Items[at]), around.Items[at]);
+        beside.emplace_back(sided.KeyOf(around.Items[at]), around.Items[at]);
       }
     }
   }
@@ -334,44 +357,43 @@ Vector3 MeanNormal(const Work& work, std::size_t f, std::size_t g, const Groups<
   Vector3 sum{ { 0.0, 0.0, 0.0 } };
   for (const auto& facet : beside)
   {
-    sum = sum + NormalOf(work.Input, work.Facets[facet.second]);
+    sum = sum + sided.Normal(facet.second);
   }
   return Unit(sum);
 }
 
 /// Adds the common edge of two facets. The owner of the facet with the lower points counts it.
-void AddEdge(
-  const Work& work, std::size_t f, std::size_t g, const Groups<int>& around, Borders& borders)
+void AddEdge(const SidedFacets& sided, std::size_t f, std::size_t g, const Groups<int>& around,
+  Borders& borders)
 {
-  const Pair sides{ { std::min(work.SideOf[f], work.SideOf[g]),
-    std::max(work.SideOf[f], work.SideOf[g]) } };
-  if (sides[0] != sides[1] && work.Points.CutOf[f] == work.Points.CutOf[g] &&
-    work.Facets[KeyOf(work, f) < KeyOf(work, g) ? f : g].IsOwned)
+  const Pair sides{ { std::min(sided.SideOf[f], sided.SideOf[g]),
+    std::max(sided.SideOf[f], sided.SideOf[g]) } };
+  if (sides[0] != sides[1] && sided.Points.CutOf[f] == sided.Points.CutOf[g] &&
+    sided.Facets[sided.KeyOf(f) < sided.KeyOf(g) ? f : g].IsOwned)
   {
-    const double cosine =
-      Dot(NormalOf(work.Input, work.Facets[f]), NormalOf(work.Input, work.Facets[g]));
+    const double cosine = Dot(sided.Normal(f), sided.Normal(g));
     const bool isSmooth =
-      Dot(MeanNormal(work, f, g, around), MeanNormal(work, g, f, around)) > SmoothCosine;
+      Dot(MeanNormal(sided, f, g, around), MeanNormal(sided, g, f, around)) > SmoothCosine;
     AddBorder({ sides, 1, isSmooth, cosine }, borders);
   }
 }
 
 /// Returns the borders from the facet edges that this rank counts.
-Borders FindBorders(const Work& work)
+Borders FindBorders(const SidedFacets& sided)
 {
+  const int corners = sided.Input.CornersOfFacet();
   std::vector<std::pair<std::array<Index, 2>, std::size_t>> places; // edge, facet
-  for (std::size_t f = 0; f < work.Facets.size(); ++f)
+  for (std::size_t f = 0; f < sided.Facets.size(); ++f)
   {
-    const std::array<Index, 4>& points = work.Facets[f].Points;
-    for (int c = 0; work.Points.CutOf[f] >= 0 && c < work.Corners; ++c)
+    const std::array<Index, 4>& points = sided.Facets[f].Points;
+    for (int c = 0; sided.Points.CutOf[f] >= 0 && c < corners; ++c)
     {
-      const Index a = points[c], b = points[(c + 1) % work.Corners];
+      const Index a = points[c], b = points[(c + 1) % corners];
       places.push_back({ { { std::min(a, b), std::max(a, b) } }, f });
     }
   }
   std::sort(places.begin(), places.end());
-  const Groups<int> around =
-    ListFacetsAt(work.Facets, work.Input, [&](int f) { return work.SideOf[f] > 0; });
+  const Groups<int> around = sided.ListDecided();
   Borders borders;
   ForRuns(
     places.begin(), places.end(), [](const auto& a, const auto& b) { return a.first == b.first; },
@@ -379,24 +401,31 @@ Borders FindBorders(const Work& work)
     {
       for (auto a = first; a != last; ++a)
       {
-        std::for_each(
-          a + 1, last, [&](const auto& b) { AddEdge(work, a->second, b.second, around, borders); });
+        std::for_each(a + 1, last,
+          [&](const auto& b) { AddEdge(sided, a->second, b.second, around, borders); });
       }
     });
   return borders;
 }
 
-void JoinSides(Work& work)
+/// Returns the number of triangles of each side over all ranks.
+std::vector<std::int64_t> CountTriangles(const SidedFacets& sided, Ranks& ranks)
 {
-  Ranks& ranks = work.Parts.Group();
-  std::vector<std::int64_t> triangles(work.CutOfSide.size(), 0);
-  for (std::size_t f = 0; f < work.Facets.size(); ++f)
+  const SidePoints& points = sided.Points;
+  std::vector<std::int64_t> triangles(points.CutsOfSides.size() + points.NumberOfCuts, 0);
+  for (std::size_t f = 0; f < sided.Facets.size(); ++f)
   {
-    triangles[work.SideOf[f]] += work.Facets[f].IsOwned ? work.Corners - 2 : 0;
+    triangles[sided.SideOf[f]] += sided.Facets[f].IsOwned ? sided.Input.CornersOfFacet() - 2 : 0;
   }
   ranks.Sum(triangles);
+  return triangles;
+}
+
+/// Returns the borders of all ranks.
+Borders GatherBorders(const SidedFacets& sided, Ranks& ranks)
+{
   std::vector<Border> mine;
-  for (const auto& border : FindBorders(work))
+  for (const auto& border : FindBorders(sided))
   {
     mine.push_back(border.second);
   }
@@ -405,19 +434,36 @@ void JoinSides(Work& work)
   {
     AddBorder(border, borders);
   }
-  SideSets sets(triangles);
-  JoinSmooth(borders, sets);
-  JoinSlivers(borders, sets);
-  std::vector<int> parts(work.Points.NumberOfCuts, 0); // number of sides of each interface
-  for (std::size_t side = 1; side < triangles.size(); ++side)
+  return borders;
+}
+
+/// Returns the number of sides of each cut interface.
+std::vector<int> CountSides(const SidePoints& points, SideSets& sets)
+{
+  const std::size_t remainders = points.CutsOfSides.size();
+  std::vector<int> count(points.NumberOfCuts, 0);
+  for (std::size_t side = 1; side < sets.Triangles.size(); ++side)
   {
     const Index root = sets.Root(side);
-    parts[work.CutOfSide[side]] += sets.Triangles[root] > 0 && root == static_cast<Index>(side);
+    const std::size_t cut = side < remainders ? points.CutsOfSides[side] : side - remainders;
+    count[cut] += sets.Triangles[root] > 0 && root == static_cast<Index>(side);
   }
-  for (std::size_t f = 0; f < work.Facets.size(); ++f)
+  return count;
+}
+
+/// Joins sides. Facets of interfaces with one side get side 0.
+void JoinSides(Ranks& ranks, SidedFacets& sided)
+{
+  const std::vector<int>& cutOf = sided.Points.CutOf;
+  SideSets sets(CountTriangles(sided, ranks));
+  const Borders borders = GatherBorders(sided, ranks);
+  JoinSmooth(borders, sets);
+  JoinSlivers(borders, sets);
+  const std::vector<int> count = CountSides(sided.Points, sets);
+  for (std::size_t f = 0; f < cutOf.size(); ++f)
   {
-    const bool isCut = work.Points.CutOf[f] >= 0 && parts[work.Points.CutOf[f]] > 1;
-    work.SideOf[f] = isCut ? static_cast<int>(sets.Root(work.SideOf[f])) : 0;
+    const bool isCut = cutOf[f] >= 0 && count[cutOf[f]] > 1;
+    sided.SideOf[f] = isCut ? static_cast<int>(sets.Root(sided.SideOf[f])) : 0;
   }
 }
 
@@ -430,18 +476,11 @@ std::vector<int> FindSmoothSides(const std::vector<Facet>& facets,
   {
     return std::vector<int>(facets.size(), 0);
   }
-  Work work{ facets, mesh, partition, FindSidePoints(facets, kinds, mesh, partition) };
-  for (int cut = 0; cut < work.Points.NumberOfCuts; ++cut)
-  {
-    work.CutOfSide.push_back(cut);
-  }
-  for (std::size_t f = 0; f < work.Facets.size(); ++f)
-  {
-    work.SideOf.push_back(work.Points.CutOf[f] < 0 ? 0 : SideOfPoints(work, work.Facets[f]));
-  }
-  DecideOthers(work);
-  JoinSides(work);
-  return std::move(work.SideOf);
+  const SidePoints points = FindSidePoints(facets, kinds, mesh, partition);
+  SidedFacets sided(facets, mesh, points);
+  DecideOthers(partition, sided);
+  JoinSides(partition.Group(), sided);
+  return std::move(sided.SideOf);
 }
 
 } // namespace vfm

@@ -81,15 +81,10 @@ struct RuleFacet
   int Count;
 };
 
-struct Work
-{
-  const SurfacePairs& Pairs;
-  std::vector<FeaturePoint>& Points;                          // one per pair
-  std::vector<Index> Ids = std::vector<Index>(Points.size()); // id of the point of each pair
-  /// Whether a pair is one of the MaximumPairs of its point that ranks exchange.
-  std::vector<unsigned char> IsKnown = std::vector<unsigned char>(Points.size());
-  std::vector<RuleFacet> Facets{};
-};
+// Values below are one per pair, such as `points` and `ids`, the ids of their points.
+using Facets = std::vector<RuleFacet>;
+using Points = std::vector<FeaturePoint>;
+using Ids = std::vector<Index>;
 
 /// Translates the positions in a value.
 template <class Value>
@@ -107,7 +102,7 @@ void Translate(Bid& bid, const Vector3& by)
 
 /// Sets the values of pairs at points of other ranks to the values there for the same labels.
 template <class Value>
-void Exchange(const Work& work, std::vector<Value>& values)
+void Exchange(const SurfacePairs& pairs, std::vector<Value>& values)
 {
   struct Slot
   {
@@ -115,14 +110,14 @@ void Exchange(const Work& work, std::vector<Value>& values)
     Value Of;
   };
   using Slots = std::array<Slot, MaximumPairs>;
-  const std::vector<std::uint32_t>& offset = work.Pairs.Offset;
+  const std::vector<std::uint32_t>& offset = pairs.Offset;
   const auto pack = [&](int mover)
   {
     Slots slots{};
     int used = 0;
     for (Index i = offset[mover]; i < offset[mover + 1] && used < MaximumPairs; ++i)
     {
-      slots[used++] = { work.Pairs.Labels[i], values[i] };
+      slots[used++] = { pairs.Labels[i], values[i] };
     }
     return slots;
   };
@@ -130,25 +125,26 @@ void Exchange(const Work& work, std::vector<Value>& values)
   {
     for (Index i = offset[mover]; i < offset[mover + 1]; ++i)
     {
-      const std::array<int, 2>& labels = work.Pairs.Labels[i];
+      const std::array<int, 2>& labels = pairs.Labels[i];
       const auto slot =
         std::find_if(slots.begin(), slots.end(), [&](const Slot& s) { return s.Labels == labels; });
       values[i] = slot != slots.end() ? slot->Of : Value{};
       Translate(values[i], translation);
     }
   };
-  work.Pairs.Exchange.SendPositions(pack, unpack);
+  pairs.Exchange.SendPositions(pack, unpack);
 }
 
 /// Merges, in each round, into the value of each pair the previous values at the other
 /// corners of its facets.
 template <class Value, class Merge>
-void Spread(const Work& work, std::vector<Value>& values, int rounds, const Merge& merge)
+void Spread(const SurfacePairs& pairs, const Facets& facets, int rounds, const Merge& merge,
+  std::vector<Value>& values)
 {
   for (int round = 0; round < rounds; ++round)
   {
     const std::vector<Value> before = values;
-    for (const RuleFacet& facet : work.Facets)
+    for (const RuleFacet& facet : facets)
     {
       for (int a = 0; a < facet.Count; ++a)
       {
@@ -161,44 +157,44 @@ void Spread(const Work& work, std::vector<Value>& values, int rounds, const Merg
         }
       }
     }
-    Exchange(work, values);
+    Exchange(pairs, values);
   }
 }
 
-void PickCorners(Work& work)
+void PickCorners(const SurfacePairs& pairs, const Facets& facets, const Ids& ids, Points& points)
 {
-  std::vector<Bid> bids(work.Points.size(), Bid{ {}, CornerReach, NoId });
+  std::vector<Bid> bids(points.size(), Bid{ {}, CornerReach, NoId });
   for (std::size_t i = 0; i < bids.size(); ++i)
   {
-    if (work.Points[i].CornerDistance < CornerReach)
+    if (points[i].CornerDistance < CornerReach)
     {
-      bids[i] = { work.Points[i].Corner, work.Points[i].CornerDistance, work.Ids[i] };
+      bids[i] = { points[i].Corner, points[i].CornerDistance, ids[i] };
     }
   }
   const auto merge = [&](int i, Bid& mine, const Bid& other)
   {
-    const bool isOwn = work.Points[i].CornerDistance >= CornerReach ||
-      Norm(other.Corner - work.Points[i].Corner) < SameCorner;
+    const bool isOwn =
+      points[i].CornerDistance >= CornerReach || Norm(other.Corner - points[i].Corner) < SameCorner;
     if (isOwn && other < mine)
     {
       mine = other;
     }
   };
-  Spread(work, bids, CornerRings, merge);
+  Spread(pairs, facets, CornerRings, merge, bids);
   for (std::size_t i = 0; i < bids.size(); ++i)
   {
-    if (bids[i].Id == work.Ids[i])
+    if (bids[i].Id == ids[i])
     {
-      work.Points[i].Kind = FeatureKind::Corner;
+      points[i].Kind = FeatureKind::Corner;
     }
   }
 }
 
 /// Calls visit(a, b) with the pairs at both ends of each edge of each facet.
 template <class Visitor>
-void ForEdges(const Work& work, const Visitor& visit)
+void ForEdges(const Facets& facets, const Visitor& visit)
 {
-  for (const RuleFacet& facet : work.Facets)
+  for (const RuleFacet& facet : facets)
   {
     for (int c = 0; c < facet.Count; ++c)
     {
@@ -211,40 +207,39 @@ void ForEdges(const Work& work, const Visitor& visit)
   }
 }
 
-void ExchangeKinds(Work& work)
+void ExchangeKinds(const SurfacePairs& pairs, Points& points)
 {
-  std::vector<FeatureKind> kinds(work.Points.size());
+  std::vector<FeatureKind> kinds(points.size());
   for (std::size_t i = 0; i < kinds.size(); ++i)
   {
-    kinds[i] = work.Points[i].Kind;
+    kinds[i] = points[i].Kind;
   }
-  Exchange(work, kinds);
+  Exchange(pairs, kinds);
   for (std::size_t i = 0; i < kinds.size(); ++i)
   {
-    work.Points[i].Kind = kinds[i];
+    points[i].Kind = kinds[i];
   }
 }
 
-void MakeCarriers(Work& work, const std::vector<int>& chosen)
+void MakeCarriers(const SurfacePairs& pairs, const std::vector<int>& chosen, Points& points)
 {
   for (int i : chosen)
   {
-    work.Points[i].Kind = FeatureKind::Edge;
+    points[i].Kind = FeatureKind::Edge;
   }
-  ExchangeKinds(work);
+  ExchangeKinds(pairs, points);
 }
 
 /// Returns whether a is nearer to its edge than b is to its own; the lower id decides a tie.
-bool IsNearer(const Work& work, int a, int b)
+bool IsNearer(const Points& points, const Ids& ids, int a, int b)
 {
-  const double da = work.Points[a].EdgeDistance, db = work.Points[b].EdgeDistance;
-  return da != db ? da < db : work.Ids[a] < work.Ids[b];
+  const double da = points[a].EdgeDistance, db = points[b].EdgeDistance;
+  return da != db ? da < db : ids[a] < ids[b];
 }
 
 /// Returns whether both ends of a mesh edge lie on one common surface.
-bool ShareSide(const Work& work, int a, int b)
+bool ShareSide(const FeaturePoint& first, const FeaturePoint& second)
 {
-  const FeaturePoint &first = work.Points[a], &second = work.Points[b];
   const auto isOn = [](const FeaturePoint& point, const Vector3& normal)
   {
     return point.Kind == FeatureKind::Side ? Dot(point.Normal, normal) > LargestCosine
@@ -256,47 +251,48 @@ bool ShareSide(const Work& work, int a, int b)
     : isOn(second, first.EdgeNormals[0]) || isOn(second, first.EdgeNormals[1]);
 }
 
-void Cover(Work& work)
+void Cover(const SurfacePairs& pairs, const Facets& facets, const Ids& ids, Points& points)
 {
   std::vector<int> chosen;
-  const auto isSide = [&](int i) { return work.Points[i].Kind == FeatureKind::Side; };
-  const auto isEdge = [&](int i) { return work.Points[i].Kind == FeatureKind::Edge; };
-  ForEdges(work,
+  const auto isSide = [&](int i) { return points[i].Kind == FeatureKind::Side; };
+  const auto isEdge = [&](int i) { return points[i].Kind == FeatureKind::Edge; };
+  ForEdges(facets,
     [&](int a, int b)
     {
       const bool mayCross = (isSide(a) && (isSide(b) || isEdge(b))) || (isEdge(a) && isSide(b));
-      if (mayCross && !ShareSide(work, a, b))
+      if (mayCross && !ShareSide(points[a], points[b]))
       {
-        const int requested = isSide(b) && (isEdge(a) || !IsNearer(work, a, b)) ? b : a;
-        if (work.Points[requested].EdgeDistance < CoverReach)
+        const int requested = isSide(b) && (isEdge(a) || !IsNearer(points, ids, a, b)) ? b : a;
+        if (points[requested].EdgeDistance < CoverReach)
         {
           chosen.push_back(requested);
         }
       }
     });
-  MakeCarriers(work, chosen);
+  MakeCarriers(pairs, chosen, points);
 }
 
-bool IsCarrierAt(const Work& work, int pair)
+bool IsCarrierAt(const Points& points, int pair)
 {
-  return pair >= 0 && IsCarrier(work.Points[pair].Kind);
+  return pair >= 0 && IsCarrier(points[pair].Kind);
 }
 
 /// Marks the sides that may become carriers: none of their quads has three.
-std::vector<unsigned char> FindWilling(const Work& work)
+std::vector<unsigned char> FindWilling(
+  const SurfacePairs& pairs, const Facets& facets, const Points& points)
 {
-  std::vector<unsigned char> willing(work.Points.size());
+  std::vector<unsigned char> willing(points.size());
   for (std::size_t i = 0; i < willing.size(); ++i)
   {
-    const FeaturePoint& point = work.Points[i];
+    const FeaturePoint& point = points[i];
     willing[i] = point.Kind == FeatureKind::Side && point.EdgeDistance < ZigzagReach;
   }
-  for (const RuleFacet& facet : work.Facets)
+  for (const RuleFacet& facet : facets)
   {
     int carriers = 0;
     for (int c = 0; c < facet.Count; ++c)
     {
-      carriers += IsCarrierAt(work, facet.At[c]);
+      carriers += IsCarrierAt(points, facet.At[c]);
     }
     for (int c = 0; c < facet.Count && carriers + 1 == facet.Count; ++c)
     {
@@ -306,90 +302,97 @@ std::vector<unsigned char> FindWilling(const Work& work)
       }
     }
   }
-  Exchange(work, willing);
+  Exchange(pairs, willing);
   return willing;
 }
 
-void StraightenZigzags(Work& work)
+void StraightenZigzags(
+  const SurfacePairs& pairs, const Facets& facets, const Ids& ids, Points& points)
 {
-  const std::vector<unsigned char> willing = FindWilling(work);
+  const std::vector<unsigned char> willing = FindWilling(pairs, facets, points);
   std::vector<int> chosen;
-  for (const RuleFacet& facet : work.Facets)
+  for (const RuleFacet& facet : facets)
   {
     for (int d = 0; d < 2 && facet.Count == 4; ++d)
     {
       const int a = facet.At[1 - d], b = facet.At[3 - d];
-      if (IsCarrierAt(work, facet.At[d]) && IsCarrierAt(work, facet.At[d + 2]) &&
-        !IsCarrierAt(work, a) && !IsCarrierAt(work, b))
+      if (IsCarrierAt(points, facet.At[d]) && IsCarrierAt(points, facet.At[d + 2]) &&
+        !IsCarrierAt(points, a) && !IsCarrierAt(points, b))
       {
         const bool mayA = a >= 0 && willing[a], mayB = b >= 0 && willing[b];
         if (mayA || mayB)
         {
-          chosen.push_back(!mayB || (mayA && IsNearer(work, a, b)) ? a : b);
+          chosen.push_back(!mayB || (mayA && IsNearer(points, ids, a, b)) ? a : b);
         }
       }
     }
   }
-  MakeCarriers(work, chosen);
+  MakeCarriers(pairs, chosen, points);
 }
 
-void DropShortChains(Work& work)
+void DropShortChains(
+  const SurfacePairs& pairs, const Facets& facets, const Ids& ids, Points& points)
 {
-  std::vector<Chain> chains(work.Points.size());
+  std::vector<Chain> chains(points.size());
   for (std::size_t i = 0; i < chains.size(); ++i)
   {
-    const FeaturePoint& point = work.Points[i];
+    const FeaturePoint& point = points[i];
     if (IsCarrier(point.Kind))
     {
-      chains[i].Ids[0] = work.Ids[i];
+      chains[i].Ids[0] = ids[i];
       chains[i].Chord = point.Kind == FeatureKind::Corner
         ? AnyChord
         : Norm(point.EdgeNormals[0] - point.EdgeNormals[1]);
     }
   }
-  Spread(work, chains, ChainRings,
+  Spread(
+    pairs, facets, ChainRings,
     [](int, Chain& mine, const Chain& other)
     {
       if (GoesOn(mine, other))
       {
         std::for_each(other.Ids.begin(), other.Ids.end(), [&](Index id) { Add(mine, id); });
       }
-    });
+    },
+    chains);
   for (std::size_t i = 0; i < chains.size(); ++i)
   {
-    if (IsCarrierAt(work, static_cast<int>(i)) && chains[i].Ids.back() == NoId)
+    if (IsCarrierAt(points, static_cast<int>(i)) && chains[i].Ids.back() == NoId)
     {
-      work.Points[i].Kind = FeatureKind::None;
+      points[i].Kind = FeatureKind::None;
     }
   }
 }
 
-void DropFarSides(Work& work)
+void DropFarSides(const SurfacePairs& pairs, const Facets& facets, Points& points)
 {
-  std::vector<unsigned char> near(work.Points.size());
+  std::vector<unsigned char> near(points.size());
   for (std::size_t i = 0; i < near.size(); ++i)
   {
-    near[i] = IsCarrierAt(work, static_cast<int>(i)) || work.Points[i].IsSheet;
+    near[i] = IsCarrierAt(points, static_cast<int>(i)) || points[i].IsSheet;
   }
   Spread(
-    work, near, SideRings, [](int, unsigned char& mine, unsigned char other) { mine |= other; });
+    pairs, facets, SideRings, [](int, unsigned char& mine, unsigned char other) { mine |= other; },
+    near);
   for (std::size_t i = 0; i < near.size(); ++i)
   {
     if (!near[i])
     {
-      work.Points[i].Kind = FeatureKind::None;
+      points[i].Kind = FeatureKind::None;
     }
   }
 }
 
-int FindPair(const Work& work, Index meshPoint, const std::array<int, 2>& labels)
+/// Returns the pair of a mesh point that has these labels and is known, or -1.
+int FindPair(const SurfacePairs& pairs, const std::vector<unsigned char>& isKnown, Index meshPoint,
+  const std::array<int, 2>& labels)
 {
-  const int point = work.Pairs.PointOf[meshPoint];
+  const int point = pairs.PointOf[meshPoint];
   if (point >= 0)
   {
-    for (Index i = work.Pairs.Offset[point]; i < work.Pairs.Offset[point + 1]; ++i)
+    for (Index i = pairs.Offset[point]; i < pairs.Offset[point + 1]; ++i)
     {
-      if (work.IsKnown[i] && work.Pairs.Labels[i] == labels)
+      if (isKnown[i] && pairs.Labels[i] == labels)
       {
         return static_cast<int>(i);
       }
@@ -399,21 +402,23 @@ int FindPair(const Work& work, Index meshPoint, const std::array<int, 2>& labels
 }
 
 /// Lists the facets with at least one point that has a model.
-void ListFacets(Work& work, const std::vector<Facet>& facets)
+Facets ListFacets(const SurfacePairs& pairs, const std::vector<unsigned char>& isKnown,
+  const std::vector<Facet>& facets, const Points& points)
 {
-  std::vector<unsigned char> hasModel(work.Pairs.Ids.size(), 0);
+  std::vector<unsigned char> hasModel(pairs.Ids.size(), 0);
   for (std::size_t p = 0; p < hasModel.size(); ++p)
   {
-    for (Index i = work.Pairs.Offset[p]; i < work.Pairs.Offset[p + 1]; ++i)
+    for (Index i = pairs.Offset[p]; i < pairs.Offset[p + 1]; ++i)
     {
-      hasModel[p] |= work.Points[i].Kind != FeatureKind::None;
+      hasModel[p] |= points[i].Kind != FeatureKind::None;
     }
   }
   const auto isNear = [&](Index meshPoint)
   {
-    const int point = work.Pairs.PointOf[meshPoint];
+    const int point = pairs.PointOf[meshPoint];
     return point >= 0 && hasModel[point];
   };
+  Facets found;
   for (const Facet& facet : facets)
   {
     if (facet.DomainSide >= 0 || !std::any_of(facet.Points.begin(), facet.Points.end(), isNear))
@@ -424,9 +429,41 @@ void ListFacets(Work& work, const std::vector<Facet>& facets)
       std::max(facet.Materials[0], facet.Materials[1]) } };
     RuleFacet own{ {}, facet.Points[2] == facet.Points[3] ? 3 : 4 };
     std::transform(facet.Points.begin(), facet.Points.end(), own.At.begin(),
-      [&](Index p) { return FindPair(work, p, labels); });
-    work.Facets.push_back(own);
+      [&](Index p) { return FindPair(pairs, isKnown, p, labels); });
+    found.push_back(own);
   }
+  return found;
+}
+
+/// Marks the pairs that ranks exchange, MaximumPairs of each point, and sets all values to those of
+/// the ranks that own them.
+std::vector<unsigned char> ShareKnown(const SurfacePairs& pairs, Points& points)
+{
+  std::vector<unsigned char> isKnown(points.size(), 0);
+  for (std::size_t p = 0; p < pairs.Ids.size(); ++p)
+  {
+    const Index first = pairs.Offset[p], last = pairs.Offset[p + 1];
+    std::fill(
+      isKnown.begin() + first, isKnown.begin() + std::min<Index>(last, first + MaximumPairs), 1);
+  }
+  Exchange(pairs, isKnown);
+  Exchange(pairs, points);
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    points[i] = isKnown[i] ? points[i] : FeaturePoint();
+  }
+  return isKnown;
+}
+
+/// Returns the id of the point of each pair.
+Ids ListIds(const SurfacePairs& pairs, std::size_t count)
+{
+  Ids ids(count);
+  for (std::size_t p = 0; p < pairs.Ids.size(); ++p)
+  {
+    std::fill(ids.begin() + pairs.Offset[p], ids.begin() + pairs.Offset[p + 1], pairs.Ids[p]);
+  }
+  return ids;
 }
 
 } // namespace
@@ -434,33 +471,21 @@ void ListFacets(Work& work, const std::vector<Facet>& facets)
 void ApplyFeatureRules(
   const SurfacePairs& pairs, const std::vector<Facet>& facets, std::vector<FeaturePoint>& points)
 {
-  Work work{ pairs, points };
-  for (std::size_t p = 0; p < pairs.Ids.size(); ++p)
-  {
-    const Index first = pairs.Offset[p], last = pairs.Offset[p + 1];
-    std::fill(work.Ids.begin() + first, work.Ids.begin() + last, pairs.Ids[p]);
-    std::fill(work.IsKnown.begin() + first,
-      work.IsKnown.begin() + std::min<Index>(last, first + MaximumPairs), 1);
-  }
-  Exchange(work, work.IsKnown);
-  Exchange(work, points);
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    points[i] = work.IsKnown[i] ? points[i] : FeaturePoint();
-  }
-  ListFacets(work, facets);
-  PickCorners(work);
-  const bool isHexes = work.Pairs.IsOfHexes;
+  const Ids ids = ListIds(pairs, points.size());
+  const std::vector<unsigned char> isKnown = ShareKnown(pairs, points);
+  const Facets near = ListFacets(pairs, isKnown, facets, points);
+  PickCorners(pairs, near, ids, points);
+  const bool isHexes = pairs.IsOfHexes;
   for (int round = 0; round < (isHexes ? HexCoverRounds : TetCoverRounds); ++round)
   {
-    Cover(work);
+    Cover(pairs, near, ids, points);
   }
   if (isHexes) // tets have diagonals between carriers (DiagonalFlips.h)
   {
-    StraightenZigzags(work);
+    StraightenZigzags(pairs, near, ids, points);
   }
-  DropShortChains(work);
-  DropFarSides(work);
+  DropShortChains(pairs, near, ids, points);
+  DropFarSides(pairs, near, points);
 }
 
 } // namespace vfm

@@ -39,119 +39,112 @@ SiteList SitesOf(const Candidates& candidates)
 
 using Result = std::optional<FittedFeature>;
 
-/// Finds models in three phases; each reads the results of the phases before it.
-struct Work
+/// What the search at a site reads.
+struct SiteSearch
 {
   const FeatureInput& Input;
-  const Partition& Parts;
+  const FeatureSites& Sites;
+  const SharpPairs& Pairs;
   Runtime& Run;
-  const Interface& Source = Input.Source;
-  const FeatureSites Sites{ Source, Parts };
-  SharpPairs Pairs{ Sites };
-  SiteList Strong{};
-  FoundFeatures Found = FoundFeatures(Source.Points().size());
+
+  FeatureSearch At(const FeatureSite& site) const
+  {
+    return FeatureSearch(this->Input, site.Node, site.Point, this->Pairs.Contains(site));
+  }
 };
 
-FeatureSearch SearchOf(const Work& work, const FeatureSite& site)
+/// Returns the owned and nearby points where one surface does not explain the fractions.
+SiteList FindStrong(const SiteSearch& search)
 {
-  return FeatureSearch(work.Input, site.Node, site.Point, work.Pairs.Contains(site));
-}
-
-void FindStrong(Work& work)
-{
-  const SiteList& sites = work.Sites.Near();
+  const SiteList& sites = search.Sites.Near();
   std::vector<unsigned char> isStrong(sites.size(), 0);
-  ForEach(work.Run, sites.size(),
-    [&](Index i) { isStrong[i] = SearchOf(work, sites[i]).NearResidual() >= StrongResidual; });
+  ForEach(search.Run, sites.size(),
+    [&](Index i) { isStrong[i] = search.At(sites[i]).NearResidual() >= StrongResidual; });
+  SiteList strong;
   for (std::size_t i = 0; i < sites.size(); ++i)
   {
     if (isStrong[i])
     {
-      work.Strong.push_back(sites[i]);
+      strong.push_back(sites[i]);
     }
   }
+  return strong;
 }
 
-/// Calls search(site, walk) at each site. Results replace earlier models only after all
+/// Calls searchAt(site, walk) at each site. Results replace earlier models only after all
 /// sites have been searched.
-template <class Search>
-void SearchAll(Work& work, const SiteList& sites, const Search& search)
+template <class SearchAt>
+void SearchAll(
+  const SiteSearch& search, const SiteList& sites, const SearchAt& searchAt, FoundFeatures& found)
 {
   std::vector<Result> results(sites.size());
-  work.Run.For(0, static_cast<Index>(sites.size()),
+  search.Run.For(0, static_cast<Index>(sites.size()),
     [&](Index begin, Index end)
     {
-      FaceWalk walk(work.Source);
+      FaceWalk walk(search.Input.Source);
       for (Index i = begin; i < end; ++i)
       {
-        results[i] = search(sites[i], walk);
+        results[i] = searchAt(sites[i], walk);
       }
     });
   for (std::size_t i = 0; i < sites.size(); ++i)
   {
     if (results[i])
     {
-      work.Found[sites[i].Point] = std::make_unique<const FittedFeature>(*results[i]);
+      found[sites[i].Point] = std::make_unique<const FittedFeature>(*results[i]);
     }
   }
 }
 
-void SearchCrossingsAt(Work& work, const SiteList& sites)
+void SearchCrossingsAt(const SiteSearch& search, const SiteList& sites, FoundFeatures& found)
 {
-  SearchAll(work, sites,
-    [&](const FeatureSite& site, FaceWalk& walk)
-    {
-      FeatureSearch search = SearchOf(work, site);
-      return search.Gather() ? search.FromCrossings(walk) : Result();
-    });
+  const auto searchAt = [&](const FeatureSite& site, FaceWalk& walk)
+  {
+    FeatureSearch local = search.At(site);
+    return local.Gather() ? local.FromCrossings(walk) : Result();
+  };
+  SearchAll(search, sites, searchAt, found);
 }
 
-void FindSharpPairs(Work& work)
+/// Keeps only the strong points, and their models, of pairs with edges.
+void DropSmoothPairs(const SharpPairs& pairs, SiteList& strong, FoundFeatures& found)
 {
-  work.Pairs.Sample(work.Strong);
-  SearchCrossingsAt(work, work.Pairs.Chosen());
-  work.Pairs.Classify(work.Found);
-}
-
-void DropSmoothPairs(Work& work)
-{
-  const auto dropped = std::stable_partition(work.Strong.begin(), work.Strong.end(),
-    [&](const FeatureSite& site) { return work.Pairs.Contains(site); });
-  std::for_each(
-    dropped, work.Strong.end(), [&](const FeatureSite& site) { work.Found[site.Point].reset(); });
-  work.Strong.erase(dropped, work.Strong.end());
+  const auto dropped = std::stable_partition(
+    strong.begin(), strong.end(), [&](const FeatureSite& site) { return pairs.Contains(site); });
+  std::for_each(dropped, strong.end(), [&](const FeatureSite& site) { found[site.Point].reset(); });
+  strong.erase(dropped, strong.end());
 }
 
 /// First phase: searches some of the strong points, including points near the owned ones.
-void SearchCrossings(Work& work)
+void SearchCrossings(const SiteSearch& search, const SiteList& strong, FoundFeatures& found)
 {
   SiteList sites;
-  std::copy_if(work.Strong.begin(), work.Strong.end(), std::back_inserter(sites),
-    [&](const FeatureSite& site) { return work.Sites.IsFirst(site) && !work.Found[site.Point]; });
-  SearchCrossingsAt(work, sites);
+  std::copy_if(strong.begin(), strong.end(), std::back_inserter(sites),
+    [&](const FeatureSite& site) { return search.Sites.IsFirst(site) && !found[site.Point]; });
+  SearchCrossingsAt(search, sites, found);
 }
 
 /// Calls visit(site, feature) for each owned or nearby point that has a model, ascending.
 template <class Visitor>
-void ForFound(const Work& work, const Visitor& visit)
+void ForFound(const FeatureSites& sites, const FoundFeatures& found, const Visitor& visit)
 {
-  for (const FeatureSite& site : work.Sites.Near())
+  for (const FeatureSite& site : sites.Near())
   {
-    if (work.Found[site.Point])
+    if (found[site.Point])
     {
-      visit(site, *work.Found[site.Point]);
+      visit(site, *found[site.Point]);
     }
   }
 }
 
 /// Lists the points at which the models found so far may be tried.
-Candidates FindCandidates(const Work& work)
+Candidates FindCandidates(const FeatureSites& sites, const FoundFeatures& found)
 {
   Candidates candidates;
-  ForFound(work,
+  ForFound(sites, found,
     [&](const FeatureSite& from, const FittedFeature&)
     {
-      for (const FeatureSite& at : work.Sites.ListAround(from))
+      for (const FeatureSite& at : sites.ListAround(from))
       {
         candidates.push_back({ at, from });
       }
@@ -160,24 +153,24 @@ Candidates FindCandidates(const Work& work)
   return candidates;
 }
 
-bool IsStrong(const Work& work, const FeatureSite& site)
+bool IsStrong(const SiteList& strong, const FeatureSite& site)
 {
-  return std::binary_search(work.Strong.begin(), work.Strong.end(), site);
+  return std::binary_search(strong.begin(), strong.end(), site);
 }
 
 /// Lists the models to try at a point, the nearest first.
-std::vector<NearFeature> ListModels(
-  const Work& work, const FeatureSite& site, const Candidates& candidates)
+std::vector<NearFeature> ListModels(const Interface& interface, const FoundFeatures& found,
+  const Candidates& candidates, const FeatureSite& site)
 {
-  const NodeFrame frame = FrameOf(work.Source, site.Node);
+  const NodeFrame frame = FrameOf(interface, site.Node);
   const auto range = std::equal_range(candidates.begin(), candidates.end(), Candidate{ site, {} },
     [](const Candidate& a, const Candidate& b) { return a.At < b.At; });
   std::vector<NearFeature> models;
   for (auto candidate = range.first; candidate != range.second; ++candidate)
   {
-    const Vector3 origin = FrameOf(work.Source, candidate->From.Node).Origin;
+    const Vector3 origin = FrameOf(interface, candidate->From.Node).Origin;
     models.push_back(
-      { work.Found[candidate->From.Point].get(), Divided(origin - frame.Origin, frame.Widths) });
+      { found[candidate->From.Point].get(), Divided(origin - frame.Origin, frame.Widths) });
   }
   std::stable_sort(models.begin(), models.end(),
     [](const NearFeature& a, const NearFeature& b)
@@ -185,89 +178,103 @@ std::vector<NearFeature> ListModels(
   return models;
 }
 
-Result SearchAt(
-  const Work& work, const FeatureSite& site, const Candidates& candidates, FaceWalk& walk)
+/// Returns whether models are tried at a point.
+/// @param own  its model, or nullptr
+bool NeedsModel(FeatureSearch& local, const FittedFeature* own)
 {
-  const FittedFeature* own = work.Found[site.Point].get();
-  FeatureSearch search = SearchOf(work, site);
-  if ((own && own->Residual < ExcellentResidual) || !search.Gather() ||
-    search.QuadricResidual() < WeakResidual)
-  {
-    return {};
-  }
-  const std::vector<NearFeature> models = ListModels(work, site, candidates);
-  Result found = search.FromModels(models);
+  const bool isExcellent = own && own->Residual < ExcellentResidual;
+  return !isExcellent && local.Gather() && !(local.QuadricResidual() < WeakResidual);
+}
+
+/// Returns a model from those nearby.
+/// @param own  model that it must be better than, or nullptr
+Result SearchNearby(
+  FeatureSearch& local, const std::vector<NearFeature>& models, const FittedFeature* own)
+{
+  const Result found = local.FromModels(models);
   if (own)
   {
     return found && found->Residual < own->Residual ? found : Result();
   }
-  if (!found && !models.empty())
-  {
-    found = search.FromSurfaces(models);
-  }
-  if (!found && !work.Sites.IsFirst(site) && IsStrong(work, site))
-  {
-    found = search.FromCrossings(walk);
-  }
-  return found;
+  return found || models.empty() ? found : local.FromSurfaces(models);
 }
 
 /// Second phase: searches the owned points, starting from the models of the first phase.
-void SearchModels(Work& work)
+void SearchModels(const SiteSearch& search, const SiteList& strong, FoundFeatures& found)
 {
-  const Candidates candidates = FindCandidates(work);
+  const Candidates candidates = FindCandidates(search.Sites, found);
   SiteList sites = SitesOf(candidates);
-  const SiteList strong = work.Sites.ListOwned(work.Strong);
-  sites.insert(sites.end(), strong.begin(), strong.end());
+  const SiteList owned = search.Sites.ListOwned(strong);
+  sites.insert(sites.end(), owned.begin(), owned.end());
   SortUnique(sites);
-  SearchAll(work, sites,
-    [&](const FeatureSite& site, FaceWalk& walk)
-    { return SearchAt(work, site, candidates, walk); });
+  const auto searchAt = [&](const FeatureSite& site, FaceWalk& walk)
+  {
+    const FittedFeature* own = found[site.Point].get();
+    FeatureSearch local = search.At(site);
+    if (!NeedsModel(local, own))
+    {
+      return Result();
+    }
+    const Result nearby =
+      SearchNearby(local, ListModels(search.Input.Source, found, candidates, site), own);
+    const bool isLast = own || nearby || search.Sites.IsFirst(site) || !IsStrong(strong, site);
+    return isLast ? nearby : local.FromCrossings(walk);
+  };
+  SearchAll(search, sites, searchAt, found);
 }
 
 /// Third phase: tries the models found so far at strong points that still lack one, for example
 /// near corners and in gaps of edges. Only pairs that have edges are searched.
-void SearchLeft(Work& work)
+void SearchLeft(const SiteSearch& search, const SiteList& strong, FoundFeatures& found)
 {
   const auto isDone = [&](const Candidate& candidate)
   {
     const FeatureSite& at = candidate.At;
-    return work.Found[at.Point] || !IsStrong(work, at) || !work.Pairs.Contains(at);
+    return found[at.Point] || !IsStrong(strong, at) || !search.Pairs.Contains(at);
   };
-  Candidates candidates = FindCandidates(work);
+  Candidates candidates = FindCandidates(search.Sites, found);
   candidates.erase(std::remove_if(candidates.begin(), candidates.end(), isDone), candidates.end());
-  SearchAll(work, SitesOf(candidates),
-    [&](const FeatureSite& site, FaceWalk&)
+  const auto searchAt = [&](const FeatureSite& site, FaceWalk&)
+  {
+    FeatureSearch local = search.At(site);
+    local.AcceptInGap();
+    if (!local.Gather())
     {
-      FeatureSearch search = SearchOf(work, site);
-      search.AcceptInGap();
-      if (!search.Gather())
-      {
-        return Result();
-      }
-      const std::vector<NearFeature> models = ListModels(work, site, candidates);
-      const Result found = search.FromModels(models);
-      return found ? found : search.FromSurfaces(models);
-    });
+      return Result();
+    }
+    const std::vector<NearFeature> models =
+      ListModels(search.Input.Source, found, candidates, site);
+    const Result nearby = local.FromModels(models);
+    return nearby ? nearby : local.FromSurfaces(models);
+  };
+  SearchAll(search, SitesOf(candidates), searchAt, found);
 }
 
-void FindAll(Work& work, SharpEdges mode)
+/// Finds models in three phases; each reads the results of the phases before it.
+FoundFeatures FindModels(
+  const FeatureInput& input, const FeatureSites& sites, SharpEdges mode, Runtime& runtime)
 {
-  FindStrong(work);
-  FindSharpPairs(work);
+  FoundFeatures found(input.Source.Points().size());
+  SharpPairs pairs(sites);
+  const SiteSearch search{ input, sites, pairs, runtime };
+  SiteList strong = FindStrong(search);
+  pairs.Sample(strong);
+  SearchCrossingsAt(search, pairs.Chosen(), found);
+  pairs.Classify(found);
   if (mode == SharpEdges::Automatic)
   {
-    DropSmoothPairs(work);
+    DropSmoothPairs(pairs, strong, found);
   }
-  if (!work.Sites.Group().Any(!work.Strong.empty()))
+  if (!sites.Group().Any(!strong.empty()))
   {
-    return;
+    return found;
   }
-  SearchCrossings(work);
-  SearchModels(work);
-  work.Sites.Share(work.Found);
-  SearchLeft(work);
-  work.Sites.Share(work.Found);
+  SearchCrossings(search, strong, found);
+  SearchModels(search, strong, found);
+  sites.Share(found);
+  SearchLeft(search, strong, found);
+  sites.Share(found);
+  return found;
 }
 
 } // namespace
@@ -281,9 +288,8 @@ SharpFeatures::SharpFeatures(const Interface& interface, const FractionField& fr
     return;
   }
   const FeatureInput input{ interface, fractions, targets, firstTarget };
-  Work work{ input, partition, runtime };
-  FindAll(work, mode);
-  ForFound(work,
+  const FeatureSites sites(interface, partition);
+  ForFound(sites, FindModels(input, sites, mode, runtime),
     [&](const FeatureSite& site, const FittedFeature& feature)
     {
       const NodeFrame frame = FrameOf(interface, site.Node);

@@ -96,39 +96,50 @@ void FillInnerPoints(const LabelledGrid& labelled, const PointNumbering& numberi
     });
 }
 
-struct Work
+using Facets = std::vector<Facet>;
+
+/// Finds the facets on sides of the domain.
+class DomainFacets
 {
-  const LabelledGrid& Labelled;
-  const PointNumbering& Numbering;
-  const Fragments& Pieces;
+public:
+  DomainFacets(const Mesh& mesh, const Partition& partition) :
+    Grid(mesh.Levels->Finest()), Parts(partition), Input(mesh)
+  {
+  }
+
+  /// Adds the facets of hexes `first` to `last` of a row of finest cells.
+  void AddRow(Index j, Index k, Index first, Index last, Facets& found) const;
+  /// Adds the facets of a coarse hex, which may have any orientation in its cell.
+  void AddCoarse(Index hex, const Index3& cell, Facets& found) const;
+
+private:
+  void Add(Index hex, int face, int side, const Index3& cell, Facets& found) const;
+  void AddFine(Index hex, int slot, const Index3& cell, Facets& found) const;
+
+  const CartesianGrid& Grid;
   const Partition& Parts;
   const Mesh& Input;
-  const RefinedGrid& Levels = *Labelled.Levels.Grid;
-  const CartesianGrid& Grid = Levels.Finest();
-  const IndexBox Box = Grid.HexBox();
 };
 
-void AddDomainFacet(
-  const Work& work, Index hex, int face, int side, const Index3& cell, std::vector<Facet>& found)
+void DomainFacets::Add(Index hex, int face, int side, const Index3& cell, Facets& found) const
 {
-  if (work.Input.IsBarrier(hex))
+  if (this->Input.IsBarrier(hex))
   {
     return;
   }
-  Facet facet{ {}, { { work.Input.Material[hex], 0 } }, { { work.Input.Fragment[hex], 0 } }, side,
-    work.Parts.OwnsCell(cell) };
+  Facet facet{ {}, { { this->Input.Material[hex], 0 } }, { { this->Input.Fragment[hex], 0 } }, side,
+    this->Parts.OwnsCell(cell) };
   for (int c = 0; c < 4; ++c)
   {
-    facet.Points[c] = work.Input.Elements[8 * hex + VtkCorner[FaceCorners[face][c]]];
+    facet.Points[c] = this->Input.Elements[8 * hex + VtkCorner[FaceCorners[face][c]]];
   }
   found.push_back(facet);
 }
 
-/// Adds the facets of a hex on sides of the domain. Faces of a buffer hex along its own axis are
-/// not on a side.
+/// Adds the facets of a hex of a finest cell. Faces of a buffer hex along its own axis are not on a
+/// side.
 /// @param slot  0: core hex; 1 + face: buffer hex
-void AddDomainFacets(
-  const Work& work, Index hex, int slot, const Index3& cell, std::vector<Facet>& found)
+void DomainFacets::AddFine(Index hex, int slot, const Index3& cell, Facets& found) const
 {
   for (int a = 0; a < 3; ++a)
   {
@@ -138,22 +149,20 @@ void AddDomainFacets(
     }
     if (cell[a] == 0)
     {
-      AddDomainFacet(work, hex, 2 * a, 2 * a, cell, found);
+      this->Add(hex, 2 * a, 2 * a, cell, found);
     }
-    if (cell[a] == work.Grid.Global().Upper[a] - 1)
+    if (cell[a] == this->Grid.Global().Upper[a] - 1)
     {
-      AddDomainFacet(work, hex, 2 * a + 1, 2 * a + 1, cell, found);
+      this->Add(hex, 2 * a + 1, 2 * a + 1, cell, found);
     }
   }
 }
 
-/// Adds the facets on sides of the domain of a row of finest cells.
-void AddDomainFacets(
-  const Work& work, Index j, Index k, Index first, Index last, std::vector<Facet>& found)
+void DomainFacets::AddRow(Index j, Index k, Index first, Index last, Facets& found) const
 {
-  const Index* ids = work.Input.ElementIds.data();
-  const Index start = HexIds.ElementSlots * work.Grid.CellKey({ { 0, j, k } }) + 1;
-  const Index3& n = work.Grid.Global().Upper;
+  const Index* ids = this->Input.ElementIds.data();
+  const Index start = HexIds.ElementSlots * this->Grid.CellKey({ { 0, j, k } }) + 1;
+  const Index3& n = this->Grid.Global().Upper;
   Index begin = last, end = last; // hexes between the first and the last cell
   if (j > 0 && k > 0 && j < n[1] - 1 && k < n[2] - 1)
   {
@@ -169,21 +178,19 @@ void AddDomainFacets(
     if (h < last)
     {
       const Index place = ids[h] - start;
-      AddDomainFacets(work, h, static_cast<int>(place % HexIds.ElementSlots),
+      this->AddFine(h, static_cast<int>(place % HexIds.ElementSlots),
         { { place / HexIds.ElementSlots, j, k } }, found);
     }
   }
 }
 
-/// Adds the facets on sides of the domain of a coarse hex, which may have any orientation in
-/// its cell.
-void AddDomainFacets(const Work& work, Index hex, const Index3& cell, std::vector<Facet>& found)
+void DomainFacets::AddCoarse(Index hex, const Index3& cell, Facets& found) const
 {
   std::array<int, 8> sides;
   for (int c = 0; c < 8; ++c)
   {
-    const Index point = work.Input.Elements[8 * hex + VtkCorner[c]];
-    sides[c] = FindDomainSides(work.Grid, work.Input.Points.data() + 3 * point);
+    const Index point = this->Input.Elements[8 * hex + VtkCorner[c]];
+    sides[c] = FindDomainSides(this->Grid, this->Input.Points.data() + 3 * point);
   }
   for (int f = 0; f < 6; ++f)
   {
@@ -193,36 +200,61 @@ void AddDomainFacets(const Work& work, Index hex, const Index3& cell, std::vecto
     {
       if (common >> side & 1)
       {
-        AddDomainFacet(work, hex, f, side, cell, found);
+        this->Add(hex, f, side, cell, found);
       }
     }
   }
 }
 
-/// Adds the facet of a face if a finest cell is on a side of it.
-void AddFineFacet(const Work& work, const InterfaceFace& face, const Index3& lower,
-  const Index3& upper, std::vector<Facet>& found)
+/// Finds the facets of interfaces.
+class InterfaceFacets
 {
-  if (!work.Levels.IsFine(lower) && !work.Levels.IsFine(upper))
+public:
+  InterfaceFacets(const RefinedGrid& levels, const PointNumbering& numbering,
+    const Fragments& fragments, const Partition& partition) :
+    Levels(levels), Numbering(numbering), Pieces(fragments), Parts(partition)
+  {
+  }
+
+  /// Adds the facet of a face if a finest cell is on a side of it.
+  void AddFine(
+    const InterfaceFace& face, const Index3& lower, const Index3& upper, Facets& found) const;
+  /// Adds the facet of a face between two coarse hexes.
+  /// @param points  point of each split node, or -1
+  void AddCoarse(
+    const SplitNodes::Face& face, const std::vector<Index>& points, Facets& found) const;
+
+private:
+  const RefinedGrid& Levels;
+  const PointNumbering& Numbering;
+  const Fragments& Pieces;
+  const Partition& Parts;
+};
+
+void InterfaceFacets::AddFine(
+  const InterfaceFace& face, const Index3& lower, const Index3& upper, Facets& found) const
+{
+  if (!this->Levels.IsFine(lower) && !this->Levels.IsFine(upper))
   {
     return;
   }
   Facet facet{ {}, { { face.LowerLabel, face.UpperLabel } },
-    { { work.Pieces.FragmentOfCell(lower), work.Pieces.FragmentOfCell(upper) } }, -1,
-    work.Parts.OwnsCell(work.Numbering.IsMeshed(face.LowerLabel) ? lower : upper) };
-  const std::array<Index, 4> nodes = NodesOfFace(work.Grid, face);
+    { { this->Pieces.FragmentOfCell(lower), this->Pieces.FragmentOfCell(upper) } }, -1,
+    this->Parts.OwnsCell(this->Numbering.IsMeshed(face.LowerLabel) ? lower : upper) };
+  const std::array<Index, 4> nodes = NodesOfFace(this->Levels.Finest(), face);
   std::transform(nodes.begin(), nodes.end(), facet.Points.begin(),
-    [&](Index node) { return work.Numbering.FirstPoint(node); });
+    [this](Index node) { return this->Numbering.FirstPoint(node); });
   found.push_back(facet);
 }
 
-/// Adds the facet of a face between two coarse hexes.
-void AddCoarseFacet(const Work& work, const SplitNodes::Face& face, std::vector<Facet>& found)
+void InterfaceFacets::AddCoarse(
+  const SplitNodes::Face& face, const std::vector<Index>& points, Facets& found) const
 {
+  const IndexBox box = this->Levels.Finest().HexBox();
   Facet facet{ {}, {}, {}, -1, false };
   for (int c = 0; c < 4; ++c)
   {
-    facet.Points[c] = work.Labelled.Levels.Coarse->SplitPoints()[face.Nodes[c]];
+    facet.Points[c] = points[face.Nodes[c]];
     if (facet.Points[c] < 0)
     {
       return;
@@ -231,17 +263,17 @@ void AddCoarseFacet(const Work& work, const SplitNodes::Face& face, std::vector<
   for (int side = 0; side < 2; ++side)
   {
     const OctreeKeys::LevelIndex& leaf = face.Sides[side].Cell;
-    const Index3 cell = work.Levels.NearestCell(leaf.Level, leaf.At);
-    if (leaf.Level == work.Levels.NumberOfRefinements() || !work.Box.Contains(cell))
+    const Index3 cell = this->Levels.NearestCell(leaf.Level, leaf.At);
+    if (leaf.Level == this->Levels.NumberOfRefinements() || !box.Contains(cell))
     {
       return;
     }
     facet.Materials[side] = face.Sides[side].Label;
-    facet.Fragments[side] = work.Pieces.FragmentOfCell(cell);
+    facet.Fragments[side] = this->Pieces.FragmentOfCell(cell);
   }
-  const int writer = work.Numbering.IsMeshed(facet.Materials[0]) ? 0 : 1;
+  const int writer = this->Numbering.IsMeshed(facet.Materials[0]) ? 0 : 1;
   const OctreeKeys::LevelIndex& leaf = face.Sides[writer].Cell;
-  facet.IsOwned = work.Parts.OwnsCell(work.Levels.FinestNode(leaf.Level, leaf.At));
+  facet.IsOwned = this->Parts.OwnsCell(this->Levels.FinestNode(leaf.Level, leaf.At));
   found.push_back(facet);
 }
 
@@ -280,29 +312,31 @@ void FillFragments(const LabelledGrid& labelled, const PointNumbering& numbering
 std::vector<Facet> FindHexFacets(const LabelledGrid& labelled, const PointNumbering& numbering,
   const Fragments& fragments, const Partition& partition, Runtime& runtime, const Mesh& mesh)
 {
-  const Work work{ labelled, numbering, fragments, partition, mesh };
-  using Facets = std::vector<Facet>;
+  const RefinedGrid& levels = *labelled.Levels.Grid;
+  const CoarseHexes& coarse = *labelled.Levels.Coarse;
+  const IndexBox box = levels.Finest().HexBox();
+  const DomainFacets onDomain(mesh, partition);
+  const InterfaceFacets onInterfaces(levels, numbering, fragments, partition);
   std::vector<Facets> parts(4); // in their order
-  const Index rowsPerLayer = work.Box.Size(1);
+  const Index rowsPerLayer = box.Size(1);
   parts[0] = CollectItems<Facet>(runtime, mesh.RowOffset.size() - 1, RowsOfBlock,
     [&](Index row, Facets& found)
     {
-      AddDomainFacets(work, work.Box.Lower[1] + row % rowsPerLayer,
-        work.Box.Lower[2] + row / rowsPerLayer, mesh.RowOffset[row], mesh.RowOffset[row + 1],
-        found);
+      onDomain.AddRow(box.Lower[1] + row % rowsPerLayer, box.Lower[2] + row / rowsPerLayer,
+        mesh.RowOffset[row], mesh.RowOffset[row + 1], found);
     });
   ForCoarseHexes(
-    mesh, [&](Index hex, const Index3& cell) { AddDomainFacets(work, hex, cell, parts[1]); });
+    mesh, [&](Index hex, const Index3& cell) { onDomain.AddCoarse(hex, cell, parts[1]); });
   parts[2] = CollectItems<Facet>(runtime, labelled.Mixed.size(), NodesOfBlock,
     [&](Index n, Facets& found)
     {
-      ForFacesOfNode(work.Grid, labelled.Labels, labelled.Mixed[n], work.Box,
+      ForFacesOfNode(levels.Finest(), labelled.Labels, labelled.Mixed[n], box,
         [&](const InterfaceFace& face, const Index3& lower, const Index3& upper)
-        { AddFineFacet(work, face, lower, upper, found); });
+        { onInterfaces.AddFine(face, lower, upper, found); });
     });
-  for (const SplitNodes::Face& face : labelled.Levels.Coarse->Splits().Faces)
+  for (const SplitNodes::Face& face : coarse.Splits().Faces)
   {
-    AddCoarseFacet(work, face, parts[3]);
+    onInterfaces.AddCoarse(face, coarse.SplitPoints(), parts[3]);
   }
   return Joined(parts);
 }

@@ -91,37 +91,40 @@ struct CellRun
   }
 };
 
-struct Work
+/// Finest cells, which get hexes of their own, and their nodes.
+struct FineCells
 {
-  const CartesianGrid& Grid;
+  const RefinedGrid& Levels;
   const LabelArray& Labels;
-  const std::vector<Index>& Mixed; // ascending
+  const std::vector<Index>& Mixed; ///< mixed nodes, ascending
+  const PointNumbering& Numbering;
   bool StairStep;
-  PointNumbering& Numbering;
-  Runtime& Run;
-  CoarseHexes& Coarse;
-  const IndexBox Box = Grid.HexBox();
-  std::vector<Index> PointOffset{};
-  Mesh Result{};
+
+  const CartesianGrid& Grid() const { return this->Levels.Finest(); }
+  std::array<int, 8> StarOf(Index node) const
+  {
+    return StarOfNode(this->Grid(), this->Labels, node);
+  }
 };
 
 /// Visits the nodes of finest cells in row (j, k). Calls mixed(p, node) for each mixed node, and
 /// plain(p, node, count, hasPoint) for runs of nodes with one label between mixed ones.
 template <class Plain, class MixedOne>
-void ForNodes(const Work& work, Index j, Index k, const Plain& plain, const MixedOne& mixed)
+void ForNodes(const FineCells& cells, Index j, Index k, const Plain& plain, const MixedOne& mixed)
 {
+  const IndexBox box = cells.Grid().HexBox();
   const auto visitRun = [&](Index first, Index last)
   {
     Index3 p{ { first, j, k } };
-    Index node = work.Grid.Linear(p);
+    Index node = cells.Grid().Linear(p);
     const Index end = node + last - first;
-    auto next = std::lower_bound(work.Mixed.begin(), work.Mixed.end(), node);
+    auto next = std::lower_bound(cells.Mixed.begin(), cells.Mixed.end(), node);
     while (node < end)
     {
-      const Index stop = next == work.Mixed.end() ? end : std::min(*next, end);
+      const Index stop = next == cells.Mixed.end() ? end : std::min(*next, end);
       if (node < stop)
       {
-        work.Numbering.ForNodes(node, stop, work.Labels[node],
+        cells.Numbering.ForNodes(node, stop, cells.Labels[node],
           [&](Index begin, Index end, bool hasPoint)
           {
             plain(p, begin, end - begin, hasPoint);
@@ -136,17 +139,17 @@ void ForNodes(const Work& work, Index j, Index k, const Plain& plain, const Mixe
       ++p[0];
     }
   };
-  work.Coarse.Levels().ForFineNodes(j, k, work.Box.Lower[0], work.Box.Upper[0] + 1, visitRun);
+  cells.Levels.ForFineNodes(j, k, box.Lower[0], box.Upper[0] + 1, visitRun);
 }
 
-int PointsOfMixed(const Work& work, Index node)
+int PointsOfMixed(const FineCells& cells, Index node)
 {
-  if (work.StairStep)
+  if (cells.StairStep)
   {
     return 1;
   }
-  const StarLabels star(StarOfNode(work.Grid, work.Labels, node));
-  return 1 + star.Count - (work.Numbering.HasPoint(node, star.Label[0]) ? 0 : 1);
+  const StarLabels star(cells.StarOf(node));
+  return 1 + star.Count - (cells.Numbering.HasPoint(node, star.Label[0]) ? 0 : 1);
 }
 
 Index MakeOffsets(std::vector<Index>& counts)
@@ -161,40 +164,44 @@ Index MakeOffsets(std::vector<Index>& counts)
   return total;
 }
 
-Index CountPoints(Work& work)
+/// Returns the number of points.
+/// @param[out] firsts  first point of each row of nodes
+Index CountPoints(const FineCells& cells, Runtime& runtime, std::vector<Index>& firsts)
 {
-  work.PointOffset.resize((work.Box.Size(1) + 1) * (work.Box.Size(2) + 1));
-  ForRows(work.Run, NodesOf(work.Box),
+  const IndexBox nodes = NodesOf(cells.Grid().HexBox());
+  firsts.resize(nodes.Size(1) * nodes.Size(2));
+  ForRows(runtime, nodes,
     [&](Index j, Index k, Index row)
     {
       Index count = 0;
       ForNodes(
-        work, j, k,
-        [&](const Index3&, Index, Index nodes, bool hasPoint) { count += hasPoint ? nodes : 0; },
-        [&](const Index3&, Index node) { count += PointsOfMixed(work, node); });
-      work.PointOffset[row] = count;
+        cells, j, k,
+        [&](const Index3&, Index, Index run, bool hasPoint) { count += hasPoint ? run : 0; },
+        [&](const Index3&, Index node) { count += PointsOfMixed(cells, node); });
+      firsts[row] = count;
     });
-  return MakeOffsets(work.PointOffset);
+  return MakeOffsets(firsts);
 }
 
 /// Calls visit(run, length) for the runs of finest cells with hexes in row (j, k).
 template <class Visitor>
-void ForCells(const Work& work, Index j, Index k, const Visitor& visit)
+void ForCells(const FineCells& cells, Index j, Index k, const Visitor& visit)
 {
+  const IndexBox box = cells.Grid().HexBox();
   std::array<std::vector<int>, 4> copies;
   const auto visitRun = [&](Index first, Index last)
   {
     const Index3 p{ { first, j, k } };
-    const Index row = work.Grid.Linear(p);
+    const Index row = cells.Grid().Linear(p);
     std::array<const int*, 4> codes;
     for (int r = 0; r < 4; ++r)
     {
       codes[r] =
-        work.Numbering.CodesOf(work.Grid.NodeOfCell(row, 2 * r), last - first + 1, copies[r]);
+        cells.Numbering.CodesOf(cells.Grid().NodeOfCell(row, 2 * r), last - first + 1, copies[r]);
     }
     const auto visitLabel = [&](Index begin, Index end, int label)
     {
-      work.Numbering.ForCells(begin, end, label,
+      cells.Numbering.ForCells(begin, end, label,
         [&](Index start, Index stop)
         {
           CellRun run{ { { first + start - row, j, k } }, start, label, codes };
@@ -205,7 +212,7 @@ void ForCells(const Work& work, Index j, Index k, const Visitor& visit)
           visit(run, stop - start);
         });
     };
-    work.Labels.Visit(row, row + last - first, visitLabel,
+    cells.Labels.Visit(row, row + last - first, visitLabel,
       [&](Index begin, Index end, const int* labels)
       {
         for (Index next; begin < end; begin = next)
@@ -218,35 +225,36 @@ void ForCells(const Work& work, Index j, Index k, const Visitor& visit)
         }
       });
   };
-  work.Coarse.Levels().ForFineCells(j, k, work.Box.Lower[0], work.Box.Upper[0], visitRun);
+  cells.Levels.ForFineCells(j, k, box.Lower[0], box.Upper[0], visitRun);
 }
 
-int CountBufferHexes(const Work& work, Index cell, int label)
+int CountBufferHexes(const FineCells& cells, Index cell, int label)
 {
   int count = 0;
   for (int face = 0; face < 6; ++face)
   {
-    count += work.Labels[work.Grid.Neighbour(cell, face)] != label;
+    count += cells.Labels[cells.Grid().Neighbour(cell, face)] != label;
   }
   return count;
 }
 
-/// Counts the hexes. The points must have codes.
-Index CountHexes(Work& work)
+/// Returns the number of hexes. The points must have codes.
+/// @param[out] offset  first hex of each row of cells, and the number of hexes
+Index CountHexes(const FineCells& cells, Runtime& runtime, std::vector<Index>& offset)
 {
-  std::vector<Index>& offset = work.Result.RowOffset;
-  offset.resize(work.Box.Size(1) * work.Box.Size(2));
-  ForRows(work.Run, work.Box,
+  const IndexBox box = cells.Grid().HexBox();
+  offset.resize(box.Size(1) * box.Size(2));
+  ForRows(runtime, box,
     [&](Index j, Index k, Index row)
     {
       Index count = 0;
-      ForCells(work, j, k,
+      ForCells(cells, j, k,
         [&](const CellRun& run, Index length)
         {
           count += length;
-          for (Index i = 0; !work.StairStep && i < length; ++i)
+          for (Index i = 0; !cells.StairStep && i < length; ++i)
           {
-            count += run.IsSplit(i) ? CountBufferHexes(work, run.Cell + i, run.Label) : 0;
+            count += run.IsSplit(i) ? CountBufferHexes(cells, run.Cell + i, run.Label) : 0;
           }
         });
       offset[row] = count;
@@ -257,13 +265,14 @@ Index CountHexes(Work& work)
 }
 
 /// Writes one point at each of `count` nodes of a row.
-void FillPlainPoints(Work& work, const Index3& first, Index count, Index point)
+void FillPlainPoints(
+  const CartesianGrid& grid, const Index3& first, Index count, Index point, Mesh& mesh)
 {
-  const double* x = work.Grid.Coordinates(0).data() + first[0];
-  const double y = work.Grid.Coordinates(1)[first[1]], z = work.Grid.Coordinates(2)[first[2]];
-  const Index id = HexIds.PointSlots * work.Grid.NodeKey(first) + 1;
-  double* points = work.Result.Points.data() + 3 * point;
-  Index* ids = work.Result.PointIds.data() + point;
+  const double* x = grid.Coordinates(0).data() + first[0];
+  const double y = grid.Coordinates(1)[first[1]], z = grid.Coordinates(2)[first[2]];
+  const Index id = HexIds.PointSlots * grid.NodeKey(first) + 1;
+  double* points = mesh.Points.data() + 3 * point;
+  Index* ids = mesh.PointIds.data() + point;
   for (Index i = 0; i < count; ++i)
   {
     points[3 * i] = x[i];
@@ -273,60 +282,61 @@ void FillPlainPoints(Work& work, const Index3& first, Index count, Index point)
   }
 }
 
-void FillInnerPoints(Work& work, const Index3& p, Index node, Index point)
+void FillInnerPoints(const FineCells& cells, const Index3& p, Index node, Index point, Mesh& mesh)
 {
-  const StarLabels labels(StarOfNode(work.Grid, work.Labels, node));
+  const StarLabels labels(cells.StarOf(node));
   for (int rank = 0; rank < labels.Count; ++rank)
   {
-    if (!work.Numbering.HasPoint(node, labels.Label[rank]))
+    if (!cells.Numbering.HasPoint(node, labels.Label[rank]))
     {
       continue;
     }
-    const Vector3 x = StartOfInnerPoint(work.Grid, work.Labels, p, labels.Label[rank]);
-    work.Result.SetPoint(point++, x, HexIds.PointSlots * work.Grid.NodeKey(p) + 2 + rank);
+    const Vector3 x = StartOfInnerPoint(cells.Grid(), cells.Labels, p, labels.Label[rank]);
+    mesh.SetPoint(point++, x, HexIds.PointSlots * cells.Grid().NodeKey(p) + 2 + rank);
   }
 }
 
-void FillPoints(Work& work, Index j, Index k, Index row)
+/// Writes the points of a row of nodes from index `point` on and sets their codes.
+void FillPoints(
+  const FineCells& cells, Index j, Index k, Index point, PointNumbering& numbering, Mesh& mesh)
 {
-  Index point = work.PointOffset[row];
   ForNodes(
-    work, j, k,
+    cells, j, k,
     [&](const Index3& p, Index node, Index count, bool hasPoint)
     {
-      work.Numbering.SetCodes(node, count, point, hasPoint ? 1 : 0);
+      numbering.SetCodes(node, count, point, hasPoint ? 1 : 0);
       if (hasPoint)
       {
-        FillPlainPoints(work, p, count, point);
+        FillPlainPoints(cells.Grid(), p, count, point, mesh);
         point += count;
       }
     },
     [&](const Index3& p, Index node)
     {
-      work.Numbering.SetCode(node, static_cast<int>(work.StairStep ? point : ~point));
-      work.Result.SetPoint(
-        point, work.Grid.NodePoint(p), HexIds.PointSlots * work.Grid.NodeKey(p) + 1);
-      if (!work.StairStep)
+      numbering.SetCode(node, static_cast<int>(cells.StairStep ? point : ~point));
+      mesh.SetPoint(
+        point, cells.Grid().NodePoint(p), HexIds.PointSlots * cells.Grid().NodeKey(p) + 1);
+      if (!cells.StairStep)
       {
-        FillInnerPoints(work, p, node, point + 1);
+        FillInnerPoints(cells, p, node, point + 1, mesh);
       }
-      point += PointsOfMixed(work, node);
+      point += PointsOfMixed(cells, node);
     });
 }
 
-Index IdOfCell(const Work& work, const CellRun& run, Index i)
+Index IdOfCell(const CartesianGrid& grid, const CellRun& run, Index i)
 {
-  return HexIds.ElementSlots * (work.Grid.CellKey(run.First) + i) + 1;
+  return HexIds.ElementSlots * (grid.CellKey(run.First) + i) + 1;
 }
 
 /// Writes the hexes of cells without split nodes, from cell i of a run on.
-void FillPlainHexes(Work& work, const CellRun& run, Index i, Index count, Index hex)
+/// @param id  id of the first hex
+void FillPlainHexes(const CellRun& run, Index i, Index count, Index id, Index hex, Mesh& mesh)
 {
   const int *a = run.Codes[0] + i, *b = run.Codes[1] + i, *c = run.Codes[2] + i,
             *d = run.Codes[3] + i;
-  const Index id = IdOfCell(work, run, i);
-  Index* points = work.Result.Elements.data() + 8 * hex;
-  Index* ids = work.Result.ElementIds.data() + hex;
+  Index* points = mesh.Elements.data() + 8 * hex;
+  Index* ids = mesh.ElementIds.data() + hex;
   for (Index n = 0; n < count; ++n, points += 8)
   {
     points[0] = a[n];
@@ -339,47 +349,46 @@ void FillPlainHexes(Work& work, const CellRun& run, Index i, Index count, Index 
     points[7] = d[n];
     ids[n] = id + HexIds.ElementSlots * n;
   }
-  std::fill_n(work.Result.Material.data() + hex, count, run.Label);
+  std::fill_n(mesh.Material.data() + hex, count, run.Label);
 }
 
 /// Writes the hexes of cell i of a run from index `hex` on; returns the next index.
-Index FillSplitCell(Work& work, const CellRun& run, Index i, Index hex)
+Index FillSplitCell(const FineCells& cells, const CellRun& run, Index i, Index hex, Mesh& mesh)
 {
-  const Index cell = run.Cell + i, id = IdOfCell(work, run, i);
+  const Index cell = run.Cell + i, id = IdOfCell(cells.Grid(), run, i);
   std::array<Index, 8> inner, surface;
   for (int c = 0; c < 8; ++c)
   {
-    surface[c] = work.Numbering.FirstPoint(work.Grid.NodeOfCell(cell, c));
-    inner[c] = work.Numbering.InnerPoint(work.Grid.NodeOfCell(cell, c), run.Label);
+    surface[c] = cells.Numbering.FirstPoint(cells.Grid().NodeOfCell(cell, c));
+    inner[c] = cells.Numbering.InnerPoint(cells.Grid().NodeOfCell(cell, c), run.Label);
   }
-  work.Result.SetElement(hex++, InVtkOrder(inner), id, run.Label);
+  mesh.SetElement(hex++, InVtkOrder(inner), id, run.Label);
   for (int face = 0; face < 6; ++face)
   {
-    if (work.Labels[work.Grid.Neighbour(cell, face)] != run.Label)
+    if (cells.Labels[cells.Grid().Neighbour(cell, face)] != run.Label)
     {
-      work.Result.SetElement(
-        hex++, InVtkOrder(BufferHex(surface, inner, face)), id + 1 + face, run.Label);
+      mesh.SetElement(hex++, InVtkOrder(BufferHex(surface, inner, face)), id + 1 + face, run.Label);
     }
   }
   return hex;
 }
 
-void FillHexes(Work& work, Index j, Index k, Index row)
+/// Writes the hexes of a row of cells from index `hex` on.
+void FillHexes(const FineCells& cells, Index j, Index k, Index hex, Mesh& mesh)
 {
-  Index hex = work.Result.RowOffset[row];
-  ForCells(work, j, k,
+  ForCells(cells, j, k,
     [&](const CellRun& run, Index length)
     {
       for (Index i = 0, next; i < length; i = next)
       {
-        for (next = i; next < length && (work.StairStep || !run.IsSplit(next)); ++next)
+        for (next = i; next < length && (cells.StairStep || !run.IsSplit(next)); ++next)
         {
         }
-        FillPlainHexes(work, run, i, next - i, hex);
+        FillPlainHexes(run, i, next - i, IdOfCell(cells.Grid(), run, i), hex, mesh);
         hex += next - i;
         if (next < length)
         {
-          hex = FillSplitCell(work, run, next++, hex);
+          hex = FillSplitCell(cells, run, next++, hex, mesh);
         }
       }
     });
@@ -389,24 +398,27 @@ Mesh BuildHexes(const CartesianGrid& grid, const LabelArray& labels,
   const std::vector<Index>& mixed, bool stairStep, PointNumbering& numbering, Runtime& runtime,
   CoarseHexes& coarse)
 {
-  Work work{ grid, labels, mixed, stairStep, numbering, runtime, coarse };
-  CheckIds(work.Grid, work.Result.Ids.PointSlots);
-  const Index finePoints = CountPoints(work);
-  const Index points = finePoints + work.Coarse.NumberOfPoints();
-  CheckNumberOfPoints(points, work.Run.Group());
-  Mesh& mesh = work.Result;
+  const FineCells cells{ coarse.Levels(), labels, mixed, numbering, stairStep };
+  const IndexBox box = grid.HexBox();
+  Mesh mesh;
+  CheckIds(grid, mesh.Ids.PointSlots);
+  std::vector<Index> firstPoint;
+  const Index finePoints = CountPoints(cells, runtime, firstPoint);
+  const Index points = finePoints + coarse.NumberOfPoints();
+  CheckNumberOfPoints(points, runtime.Group());
   mesh.ResizePoints(points);
-  ForRows(
-    work.Run, NodesOf(work.Box), [&](Index j, Index k, Index row) { FillPoints(work, j, k, row); });
-  const Index fineHexes = CountHexes(work);
-  const Index hexes = fineHexes + work.Coarse.NumberOfHexes();
-  mesh.ResizeElements(hexes);
-  mesh.WholeCells = work.StairStep ? fineHexes : 0;
-  ForRows(work.Run, work.Box, [&](Index j, Index k, Index row) { FillHexes(work, j, k, row); });
-  work.Coarse.Fill(mesh, finePoints, fineHexes,
-    { [&](Index node) { return work.Numbering.FirstPoint(node); },
-      [&](Index node, int label) { return work.Numbering.InnerPoint(node, label); } });
-  return std::move(mesh);
+  ForRows(runtime, NodesOf(box),
+    [&](Index j, Index k, Index row)
+    { FillPoints(cells, j, k, firstPoint[row], numbering, mesh); });
+  const Index fineHexes = CountHexes(cells, runtime, mesh.RowOffset);
+  mesh.ResizeElements(fineHexes + coarse.NumberOfHexes());
+  mesh.WholeCells = stairStep ? fineHexes : 0;
+  ForRows(runtime, box,
+    [&](Index j, Index k, Index row) { FillHexes(cells, j, k, mesh.RowOffset[row], mesh); });
+  coarse.Fill(mesh, finePoints, fineHexes,
+    { [&](Index node) { return numbering.FirstPoint(node); },
+      [&](Index node, int label) { return numbering.InnerPoint(node, label); } });
+  return mesh;
 }
 
 } // namespace vfm

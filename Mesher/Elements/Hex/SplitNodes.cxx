@@ -60,23 +60,24 @@ struct FaceAt
   int Axis;
 };
 
-struct Work
+using CellCondition = std::function<bool(const OctreeKeys::LevelIndex&)>;
+
+/// Grid and labels around split nodes.
+struct SplitRegion
 {
   const RefinedGrid& Grid;
-  const OctreeKeys& Lattice;
   const HexStars& Stars;
-  const LabelArray& Labels;
-  const std::function<bool(const OctreeKeys::LevelIndex&)>& HasHexes;
-  SplitNodes& Result;
+  const LabelArray& Labels; ///< labels of the finest grid
+  const CellCondition& HasHexes;
 };
 
-const Hex& HexOf(const Work& work, const Corner& at)
+const Hex& HexOf(const HexStars& stars, const Corner& at)
 {
-  return work.Stars.Hexes()[at.Hex];
+  return stars.Hexes()[at.Hex];
 }
 
 /// Lists the faces at a node by key. A face that two hexes share is listed twice in sequence.
-std::vector<FaceAt> ListFaces(const Work& work, const Star& star)
+std::vector<FaceAt> ListFaces(const HexStars& stars, const Star& star)
 {
   std::vector<FaceAt> faces;
   for (const Corner& at : star)
@@ -84,11 +85,11 @@ std::vector<FaceAt> ListFaces(const Work& work, const Star& star)
     for (int axis = 0; axis < 3; ++axis)
     {
       const int b = 1 << (axis + 1) % 3, c = 1 << (axis + 2) % 3;
-      const Hex& hex = HexOf(work, at);
+      const Hex& hex = HexOf(stars, at);
       const auto ends =
-        std::minmax({ work.Stars.KeyAt(hex, at.Bits ^ b), work.Stars.KeyAt(hex, at.Bits ^ c) });
+        std::minmax({ stars.KeyAt(hex, at.Bits ^ b), stars.KeyAt(hex, at.Bits ^ c) });
       faces.push_back(
-        { { { ends.first, ends.second, work.Stars.KeyAt(hex, at.Bits ^ b ^ c) } }, &at, axis });
+        { { { ends.first, ends.second, stars.KeyAt(hex, at.Bits ^ b ^ c) } }, &at, axis });
     }
   }
   std::stable_sort(
@@ -97,25 +98,25 @@ std::vector<FaceAt> ListFaces(const Work& work, const Star& star)
 }
 
 /// Adds a face when it is visited at its node with the smallest key.
-void AddFace(Work& work, const FaceAt& a, const FaceAt& b)
+void AddFace(const HexStars& stars, const FaceAt& a, const FaceAt& b, SplitNodes& result)
 {
-  const Hex& hexA = HexOf(work, *a.From);
-  const Hex& hexB = HexOf(work, *b.From);
+  const Hex& hexA = HexOf(stars, *a.From);
+  const Hex& hexB = HexOf(stars, *b.From);
   const int corner = a.From->Bits;
-  std::array<Index, 4> keys{ { work.Stars.KeyAt(hexA, corner),
-    work.Stars.KeyAt(hexA, corner ^ (1 << (a.Axis + 1) % 3)), a.Keys[2],
-    work.Stars.KeyAt(hexA, corner ^ (1 << (a.Axis + 2) % 3)) } };
+  std::array<Index, 4> keys{ { stars.KeyAt(hexA, corner),
+    stars.KeyAt(hexA, corner ^ (1 << (a.Axis + 1) % 3)), a.Keys[2],
+    stars.KeyAt(hexA, corner ^ (1 << (a.Axis + 2) % 3)) } };
   if (*std::min_element(keys.begin(), keys.end()) != keys[0])
   {
     return;
   }
   for (const FaceAt* face : { &a, &b })
   {
-    const Hex& hex = HexOf(work, *face->From);
+    const Hex& hex = HexOf(stars, *face->From);
     const int bit = 1 << (2 * face->Axis + (face->From->Bits >> face->Axis & 1));
     if (hex.What != Kind::Fine)
     {
-      work.Result.HexFaces.emplace_back(hex.Side.HexKey, bit);
+      result.HexFaces.emplace_back(hex.Side.HexKey, bit);
     }
   }
   if (hexA.What == Kind::Fine && hexB.What == Kind::Fine)
@@ -131,23 +132,23 @@ void AddFace(Work& work, const FaceAt& a, const FaceAt& b)
   SplitNodes::Face face;
   for (int c = 0; c < 4; ++c)
   {
-    face.Nodes[c] = work.Result.Find(keys[c]);
+    face.Nodes[c] = result.Find(keys[c]);
     if (face.Nodes[c] < 0)
     {
       return; // at the rim of the region
     }
   }
   face.Sides = { { isFirst ? hexA.Side : hexB.Side, isFirst ? hexB.Side : hexA.Side } };
-  work.Result.Faces.push_back(face);
+  result.Faces.push_back(face);
 }
 
 /// Returns the labels at a node, ascending.
-std::vector<int> ListLabels(const Work& work, const Star& star)
+std::vector<int> ListLabels(const HexStars& stars, const Star& star)
 {
   std::vector<int> labels;
   for (const Corner& at : star)
   {
-    labels.push_back(HexOf(work, at).Side.Label);
+    labels.push_back(HexOf(stars, at).Side.Label);
   }
   SortUnique(labels);
   return labels;
@@ -174,64 +175,68 @@ VisibleDirection FindOutward(int label, int sides, const std::vector<LabelNormal
 
 /// Returns whether a node of finest cells has these labels in the lattice, by which finest cells
 /// number the inner points. True for all other nodes.
-bool HasLatticeLabels(const Work& work, Index n, const std::vector<int>& labels)
+/// @param cells  labels of the finest grid
+bool HasLatticeLabels(
+  const RefinedGrid& grid, const LabelArray& cells, Index key, const std::vector<int>& labels)
 {
-  const CartesianGrid& finest = work.Grid.Finest();
-  const OctreeKeys::LevelIndex node = work.Lattice.NodeOfKey(work.Result.Keys[n]);
-  const Index3 p = work.Grid.FinestNode(node.Level, node.At);
-  if (node.Slot != 0 || !finest.Local().Touches(p) || !work.Grid.TouchesFine(p))
+  const CartesianGrid& finest = grid.Finest();
+  const OctreeKeys::LevelIndex node = grid.Lattice().NodeOfKey(key);
+  const Index3 p = grid.FinestNode(node.Level, node.At);
+  if (node.Slot != 0 || !finest.Local().Touches(p) || !grid.TouchesFine(p))
   {
     return true;
   }
-  const StarLabels lattice(StarOfNode(finest, work.Labels, finest.Linear(p)));
+  const StarLabels lattice(StarOfNode(finest, cells, finest.Linear(p)));
   return std::equal(labels.begin(), labels.end(), lattice.begin(), lattice.end());
 }
 
 /// Requests refinement of the coarser cells of a star.
-void RequestFiner(Work& work, const Star& star)
+void RequestFiner(const RefinedGrid& grid, const HexStars& stars, const Star& star,
+  std::vector<std::vector<Index>>& families)
 {
   for (const Corner& at : star)
   {
-    const OctreeKeys::LevelIndex& cell = HexOf(work, at).Side.Cell;
-    if (cell.Level < work.Grid.NumberOfRefinements())
+    const OctreeKeys::LevelIndex& cell = HexOf(stars, at).Side.Cell;
+    if (cell.Level < grid.NumberOfRefinements())
     {
-      work.Result.BadFamilies[cell.Level].push_back(work.Lattice.FamilyKeyOf(cell));
+      families[cell.Level].push_back(grid.Lattice().FamilyKeyOf(cell));
     }
   }
 }
 
 /// Returns whether a hex is owned. All hexes around an owned hex are in the region.
-bool IsOwned(const Work& work, const Hex& hex)
+bool IsOwned(const RefinedGrid& grid, const Hex& hex)
 {
-  return work.Grid.Finest().Owned().Contains(
-    work.Grid.FinestNode(hex.Side.Cell.Level, hex.Side.Cell.At));
+  return grid.Finest().Owned().Contains(grid.FinestNode(hex.Side.Cell.Level, hex.Side.Cell.At));
 }
 
 /// Returns whether a cell of a label at a node has hexes.
-bool HasPoint(const Work& work, const Star& star, int label)
+bool HasPoint(const HexStars& stars, const CellCondition& hasHexes, const Star& star, int label)
 {
   return std::any_of(star.begin(), star.end(),
     [&](const Corner& at)
     {
-      const HexStars::Side& side = HexOf(work, at).Side;
-      return side.Label == label && work.HasHexes(side.Cell);
+      const HexStars::Side& side = HexOf(stars, at).Side;
+      return side.Label == label && hasHexes(side.Cell);
     });
 }
 
-/// Returns the sides to which the point of a label is tangential: those of the domain, and both
-/// sides of a flat seam if the label is on both.
-int FindSides(const Work& work, Index n, const Star& star, const Vector3& x, int label)
+/// Returns both sides of the flat seams at a node that have a label on both sides. The point of the
+/// label is tangential to them.
+/// @param x  position of the node
+int FindSeamSides(
+  const RefinedGrid& grid, const HexStars& stars, const Star& star, const Vector3& x, int label)
 {
-  const CartesianGrid& finest = work.Grid.Finest();
-  int sides = work.Stars.DomainSides(n);
+  const CartesianGrid& finest = grid.Finest();
+  int sides = 0;
   const int seams = finest.IsPeriodic() ? finest.FlatSeams(x) : 0;
   for (int a = 0; a < 3; ++a)
   {
     bool isBelow = false, isAbove = false;
     for (const Corner& at : star)
     {
-      const HexStars::Side& side = HexOf(work, at).Side;
-      const Index first = work.Grid.FinestNode(side.Cell.Level, side.Cell.At)[a];
+      const HexStars::Side& side = HexOf(stars, at).Side;
+      const Index first = grid.FinestNode(side.Cell.Level, side.Cell.At)[a];
       const bool above = finest.Coordinates(a)[first] >= x[a];
       isAbove = isAbove || (side.Label == label && above);
       isBelow = isBelow || (side.Label == label && !above);
@@ -241,34 +246,37 @@ int FindSides(const Work& work, Index n, const Star& star, const Vector3& x, int
   return sides;
 }
 
-void PlaceInnerPoints(
-  Work& work, Index n, const Star& star, const std::vector<LabelNormal>& normals, bool isBad)
+/// Adds the labels at a node and their inner points.
+/// @param labels  labels at the node, ascending
+/// @param normals  normals of the faces between two labels
+/// @return whether the points can be placed so that hexes are positive
+bool PlaceInnerPoints(const SplitRegion& region, Index n, const std::vector<int>& labels,
+  const std::vector<LabelNormal>& normals, SplitNodes& result)
 {
-  const std::vector<int> labels = ListLabels(work, star);
-  const Vector3 widths = work.Stars.WidthsAt(star);
-  const Vector3 x =
-    star.empty() ? Vector3{} : work.Stars.PointAt(HexOf(work, star[0]), star[0].Bits);
+  const HexStars& stars = region.Stars;
+  const Star star = stars.StarOf(n);
+  const Vector3 widths = stars.WidthsAt(star);
+  const Vector3 x = star.empty() ? Vector3{} : stars.PointAt(HexOf(stars, star[0]), star[0].Bits);
+  bool isVisible = true;
   for (int label : labels)
   {
-    const VisibleDirection out = FindOutward(label, FindSides(work, n, star, x, label), normals);
-    const bool hasPoint = HasPoint(work, star, label);
-    isBad = isBad || (hasPoint && out.Margin < SmallestMargin);
+    const int sides = stars.DomainSides(n) | FindSeamSides(region.Grid, stars, star, x, label);
+    const VisibleDirection out = FindOutward(label, sides, normals);
+    const bool hasPoint = HasPoint(stars, region.HasHexes, star, label);
+    isVisible = isVisible && !(hasPoint && out.Margin < SmallestMargin);
     const double length = BufferThickness / std::max(out.Margin, ThinnestMargin);
-    work.Result.Labels.push_back(label);
-    work.Result.HasPoint.push_back(hasPoint);
-    work.Result.Inner.push_back(x - Scaled(widths, length * out.Direction));
+    result.Labels.push_back(label);
+    result.HasPoint.push_back(hasPoint);
+    result.Inner.push_back(x - Scaled(widths, length * out.Direction));
   }
-  work.Result.LabelOffset.push_back(static_cast<Index>(work.Result.Labels.size()));
-  const auto isOwned = [&](const Corner& at) { return IsOwned(work, HexOf(work, at)); };
-  if ((isBad || !HasLatticeLabels(work, n, labels)) &&
-    std::any_of(star.begin(), star.end(), isOwned))
-  {
-    RequestFiner(work, star);
-  }
+  result.LabelOffset.push_back(static_cast<Index>(result.Labels.size()));
+  return isVisible;
 }
 
 /// Returns whether the hexes of any label are connected only by edges or by the node.
-bool IsTorn(const Work& work, const Star& star, const std::vector<std::pair<Index, Index>>& joined)
+/// @param joined  hexes of one label with a common face, as positions in the star
+bool IsTorn(
+  const HexStars& stars, const Star& star, const std::vector<std::pair<Index, Index>>& joined)
 {
   std::vector<Index> parent = MakeSets(star.size());
   for (const auto& pair : joined)
@@ -279,7 +287,7 @@ bool IsTorn(const Work& work, const Star& star, const std::vector<std::pair<Inde
   {
     for (std::size_t j = 0; j < i; ++j)
     {
-      if (HexOf(work, star[i]).Side.Label == HexOf(work, star[j]).Side.Label &&
+      if (HexOf(stars, star[i]).Side.Label == HexOf(stars, star[j]).Side.Label &&
         FindRoot(parent, static_cast<Index>(i)) != FindRoot(parent, static_cast<Index>(j)))
       {
         return true;
@@ -289,10 +297,30 @@ bool IsTorn(const Work& work, const Star& star, const std::vector<std::pair<Inde
   return false;
 }
 
-void SplitNode(Work& work, Index n, const Star& star)
+/// Adds the normals of a face between two labels at its node.
+/// @param widths  widths of the cells there
+void AddNormals(const HexStars& stars, const FaceAt& a, const FaceAt& b, const Vector3& widths,
+  std::vector<LabelNormal>& normals)
 {
-  const std::vector<FaceAt> faces = ListFaces(work, star);
-  const Vector3 widths = work.Stars.WidthsAt(star);
+  const Hex& hex = HexOf(stars, *a.From);
+  const int corner = a.From->Bits;
+  const Vector3 x = stars.PointAt(hex, corner);
+  const auto edge = [&](int axis)
+  { return Divided(stars.PointAt(hex, corner ^ (1 << axis % 3)) - x, widths); };
+  Vector3 normal = Cross(edge(a.Axis + 1), edge(a.Axis + 2));
+  normal = Dot(normal, edge(a.Axis)) > 0.0 ? -1.0 * normal : normal;
+  normals.emplace_back(hex.Side.Label, normal);
+  normals.emplace_back(HexOf(stars, *b.From).Side.Label, -1.0 * normal);
+}
+
+/// Adds the labels, inner points and faces of a node, and requests refinement if no valid mesh
+/// starts there.
+void SplitNode(const SplitRegion& region, Index n, SplitNodes& result)
+{
+  const HexStars& stars = region.Stars;
+  const Star star = stars.StarOf(n);
+  const std::vector<FaceAt> faces = ListFaces(stars, star);
+  const Vector3 widths = stars.WidthsAt(star);
   std::vector<LabelNormal> normals;
   std::vector<std::pair<Index, Index>> joined; // pairs of neighbours with one label
   for (std::size_t f = 0; f + 1 < faces.size(); ++f)
@@ -302,76 +330,71 @@ void SplitNode(Work& work, Index n, const Star& star)
     {
       continue;
     }
-    const Hex &hexA = HexOf(work, *a.From), &hexB = HexOf(work, *b.From);
-    if (hexA.Side.Label == hexB.Side.Label)
+    if (HexOf(stars, *a.From).Side.Label == HexOf(stars, *b.From).Side.Label)
     {
       joined.emplace_back(a.From - star.data(), b.From - star.data());
       continue;
     }
-    const int corner = a.From->Bits;
-    const Vector3 x = work.Stars.PointAt(hexA, corner);
-    const auto edge = [&](int axis)
-    { return Divided(work.Stars.PointAt(hexA, corner ^ (1 << axis % 3)) - x, widths); };
-    Vector3 normal = Cross(edge(a.Axis + 1), edge(a.Axis + 2));
-    normal = Dot(normal, edge(a.Axis)) > 0.0 ? -1.0 * normal : normal;
-    normals.emplace_back(hexA.Side.Label, normal);
-    normals.emplace_back(hexB.Side.Label, -1.0 * normal);
-    AddFace(work, a, b);
+    AddNormals(stars, a, b, widths, normals);
+    AddFace(stars, a, b, result);
   }
-  PlaceInnerPoints(work, n, star, normals, IsTorn(work, star, joined));
-}
-
-void SplitAll(Work& work)
-{
-  for (Index n = 0; n < work.Result.Count(); ++n)
+  const std::vector<int> labels = ListLabels(stars, star);
+  const bool isGood = PlaceInnerPoints(region, n, labels, normals, result) &&
+    !IsTorn(stars, star, joined) &&
+    HasLatticeLabels(region.Grid, region.Labels, result.Keys[n], labels);
+  const auto isOwned = [&](const Corner& at) { return IsOwned(region.Grid, HexOf(stars, at)); };
+  if (!isGood && std::any_of(star.begin(), star.end(), isOwned))
   {
-    SplitNode(work, n, work.Stars.StarOf(n));
+    RequestFiner(region.Grid, stars, star, result.BadFamilies);
   }
 }
 
-int FacesAt(const Work& work, const Hex& hex)
+/// Returns the faces of a hex on interfaces, one bit per face.
+int FacesAt(
+  const RefinedGrid& grid, const LabelArray& labels, const SplitNodes& splits, const Hex& hex)
 {
   if (hex.What != Kind::Fine)
   {
-    return work.Result.FacesOfHex(hex.Side.HexKey);
+    return splits.FacesOfHex(hex.Side.HexKey);
   }
-  const CartesianGrid& finest = work.Grid.Finest();
+  const CartesianGrid& finest = grid.Finest();
   const Index cell = finest.Linear(hex.Side.Cell.At);
   int faces = 0;
   for (int face = 0; face < 6; ++face)
   {
-    faces |= (work.Labels[finest.Neighbour(cell, face)] != hex.Side.Label) << face;
+    faces |= (labels[finest.Neighbour(cell, face)] != hex.Side.Label) << face;
   }
   return faces;
 }
 
 /// Returns the initial position of a point of a core hex.
-Vector3 InnerAt(const Work& work, const Hex& hex, int corner)
+Vector3 InnerAt(const SplitRegion& region, const SplitNodes& splits, const Hex& hex, int corner)
 {
-  const Index n = work.Result.Find(work.Stars.KeyAt(hex, corner));
+  const Index n = splits.Find(region.Stars.KeyAt(hex, corner));
   if (n >= 0)
   {
-    return work.Result.InnerPoint(n, work.Result.RankOf(n, hex.Side.Label));
+    return splits.InnerPoint(n, splits.RankOf(n, hex.Side.Label));
   }
-  return hex.What == Kind::Fine ? StartOfInnerPoint(work.Grid.Finest(), work.Labels,
+  return hex.What == Kind::Fine ? StartOfInnerPoint(region.Grid.Finest(), region.Labels,
                                     CornerOfCell(hex.Side.Cell.At, corner), hex.Side.Label)
-                                : work.Stars.PointAt(hex, corner);
+                                : region.Stars.PointAt(hex, corner);
 }
 
-bool IsPositive(const Work& work, const Hex& hex)
+bool IsPositive(const SplitRegion& region, const SplitNodes& splits, const Hex& hex)
 {
   std::array<Vector3, 8> inner, outer;
   for (int c = 0; c < 8; ++c)
   {
-    inner[c] = InnerAt(work, hex, c);
-    outer[c] = work.Stars.PointAt(hex, c);
+    inner[c] = InnerAt(region, splits, hex, c);
+    outer[c] = region.Stars.PointAt(hex, c);
   }
-  const Vector3 widths = work.Lattice.CellWidths(hex.Side.Cell.Level, hex.Side.Cell.At);
+  const OctreeKeys::LevelIndex& cell = hex.Side.Cell;
+  const Vector3 widths = region.Grid.Lattice().CellWidths(cell.Level, cell.At);
   const double least = SmallestDeterminant * widths[0] * widths[1] * widths[2];
   const auto isPositive = [&](const std::array<Vector3, 8>& x)
   { return SmallestCoefficient(x) > least; };
   bool isGood = isPositive(inner);
-  const int faces = FacesAt(work, hex);
+  const int faces = FacesAt(region.Grid, region.Labels, splits, hex);
   for (int face = 0; isGood && face < 6; ++face)
   {
     if (faces >> face & 1)
@@ -382,30 +405,30 @@ bool IsPositive(const Work& work, const Hex& hex)
   return isGood;
 }
 
-/// Checks the initial shape of all owned hexes.
-void CheckHexes(Work& work)
+/// Requests refinement at owned hexes whose initial shape is not positive.
+void CheckHexes(const SplitRegion& region, SplitNodes& splits)
 {
-  for (const Hex& hex : work.Stars.Hexes())
+  for (const Hex& hex : region.Stars.Hexes())
   {
-    if (!IsOwned(work, hex) || !work.HasHexes(hex.Side.Cell) || IsPositive(work, hex))
+    if (!IsOwned(region.Grid, hex) || !region.HasHexes(hex.Side.Cell) ||
+      IsPositive(region, splits, hex))
     {
       continue;
     }
     for (int c = 0; c < 8; ++c)
     {
-      const Index n = work.Result.Find(work.Stars.KeyAt(hex, c));
+      const Index n = splits.Find(region.Stars.KeyAt(hex, c));
       if (n >= 0)
       {
-        RequestFiner(work, work.Stars.StarOf(n));
+        RequestFiner(region.Grid, region.Stars, region.Stars.StarOf(n), splits.BadFamilies);
       }
     }
   }
 }
 
 /// Combines the faces of each hex into one entry.
-void SortFaces(Work& work)
+void SortFaces(std::vector<std::pair<Index, int>>& faces)
 {
-  std::vector<std::pair<Index, int>>& faces = work.Result.HexFaces;
   std::sort(faces.begin(), faces.end());
   std::size_t count = 0;
   for (const auto& face : faces)
@@ -420,14 +443,6 @@ void SortFaces(Work& work)
   faces.resize(count);
 }
 
-void SortFamilies(Work& work)
-{
-  for (std::vector<Index>& families : work.Result.BadFamilies)
-  {
-    SortUnique(families);
-  }
-}
-
 } // namespace
 
 SplitNodes FindSplitNodes(const RefinedGrid& grid, const RefinedMesh& refined,
@@ -438,11 +453,15 @@ SplitNodes FindSplitNodes(const RefinedGrid& grid, const RefinedMesh& refined,
   SplitNodes result;
   result.Keys = stars.Nodes();
   result.BadFamilies.resize(grid.NumberOfRefinements());
-  Work work{ grid, grid.Lattice(), stars, labels, hasHexes, result };
-  SplitAll(work);
-  SortFaces(work);
-  CheckHexes(work);
-  SortFamilies(work);
+  const SplitRegion around{ grid, stars, labels, hasHexes };
+  for (Index n = 0; n < result.Count(); ++n)
+  {
+    SplitNode(around, n, result);
+  }
+  SortFaces(result.HexFaces);
+  CheckHexes(around, result);
+  std::for_each(result.BadFamilies.begin(), result.BadFamilies.end(),
+    [](std::vector<Index>& families) { SortUnique(families); });
   return result;
 }
 

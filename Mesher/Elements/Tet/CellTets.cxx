@@ -16,204 +16,201 @@ struct Face : InterfaceFace
   Index3 Block;
 };
 
-struct Work
+/// Cells that have tets.
+struct TetCells
 {
-  const CartesianGrid& Grid;
   const LabelArray& Labels;
-  bool MeshVoid;
   const NarrowVoid& Narrow;
-  Runtime& Run;
-  const CoarseTets& Coarse;
-  const IndexBox Box = Grid.HexBox(), Nodes = NodesOf(Box);
-  // First point of each block, and first tet of each row.
-  Buffer<int> FirstPoint{ static_cast<std::size_t>(Grid.NumberOfEntries()), -1 };
-  std::vector<Index> FirstTet{};
-  TetTopology Result{};
+  bool MeshVoid;
+
+  bool Has(Index cell, int label) const
+  {
+    return IsMeshed(label, this->MeshVoid) || (label == 0 && this->Narrow.Has(cell));
+  }
+  bool Has(Index cell) const { return this->Has(cell, this->Labels[cell]); }
 };
 
-/// Returns whether a cell has tets.
-bool HasTets(const Work& work, Index cell, int label)
-{
-  return IsMeshed(label, work.MeshVoid) || (label == 0 && work.Narrow.Has(cell));
-}
-bool HasTets(const Work& work, Index cell)
-{
-  return HasTets(work, cell, work.Labels[cell]);
-}
-
-bool IsFine(const Work& work, const Index3& cell)
-{
-  return work.Coarse.Levels().IsFine(cell);
-}
-
 /// Returns the slots in use of a block, one bit per slot.
-int SlotsOf(const Work& work, const Index3& p, Index node)
+/// @param box  CartesianGrid::HexBox
+int SlotsOf(const RefinedGrid& levels, const TetCells& cells, const IndexBox& box, const Index3& p,
+  Index node)
 {
-  const bool isCentre = work.Box.Contains(p) && HasTets(work, node) && IsFine(work, p);
+  const bool isCentre = box.Contains(p) && cells.Has(node) && levels.IsFine(p);
   int slots = isCentre << CentreSlot;
-  const bool isVertex = work.Coarse.Levels().TouchesFine(p);
+  const bool isVertex = levels.TouchesFine(p);
   for (int c = 0; isVertex && c < 8; ++c)
   {
-    const Index3 cell = CellOfStar(p, c);
-    const bool hasTets = work.Box.Contains(cell) && HasTets(work, work.Grid.CellOfNode(node, c));
+    const bool hasTets =
+      box.Contains(CellOfStar(p, c)) && cells.Has(levels.Finest().CellOfNode(node, c));
     slots |= hasTets << VertexSlot;
   }
   return slots;
 }
 
-template <class Body>
-void OverBlocks(const Work& work, Index j, Index k, const Body& body)
+PointPosition PositionOf(
+  const CartesianGrid& grid, const LabelArray& labels, const Index3& p, Index node)
 {
-  Index3 p{ { work.Box.Lower[0], j, k } };
-  Index node = work.Grid.Linear(p);
-  for (; p[0] <= work.Box.Upper[0]; ++p[0], ++node)
-  {
-    body(p, node);
-  }
-}
-
-PointPosition PositionOf(const Work& work, const Index3& p, Index node)
-{
-  const std::array<int, 8> star = StarOfNode(work.Grid, work.Labels, node);
+  const std::array<int, 8> star = StarOfNode(grid, labels, node);
   const bool mixed =
     std::any_of(star.begin(), star.end(), [&](int label) { return label != star[0]; });
   return mixed ? PointPosition::OnInterface
-               : (work.Grid.DomainSides(p) != 0 ? PointPosition::OnDomain : PointPosition::Inside);
+               : (grid.DomainSides(p) != 0 ? PointPosition::OnDomain : PointPosition::Inside);
 }
 
 /// Calls body(face) for the faces of a row of blocks whose cells are all fine and in the box, in
 /// the order of ids.
 template <class Body>
-void OverFaces(const Work& work, Index j, Index k, const Body& body)
+void OverFaces(
+  const RefinedGrid& levels, const LabelArray& labels, Index j, Index k, const Body& body)
 {
-  OverBlocks(work, j, k,
-    [&](const Index3& p, Index node)
+  const CartesianGrid& grid = levels.Finest();
+  const IndexBox box = grid.HexBox();
+  const auto isIn = [&](const Index3& cell) { return box.Contains(cell) && levels.IsFine(cell); };
+  Index3 p{ { box.Lower[0], j, k } };
+  Index node = grid.Linear(p);
+  for (; p[0] <= box.Upper[0]; ++p[0], ++node)
+  {
+    for (int axis = 0; axis < 3; ++axis)
     {
-      for (int axis = 0; axis < 3; ++axis)
+      const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+      Index3 below = p;
+      --below[axis];
+      const bool inLower = below[axis] >= 0;
+      const bool inUpper = p[axis] < grid.Global().Upper[axis];
+      if (p[u] < box.Upper[u] && p[v] < box.Upper[v] && (!inLower || isIn(below)) &&
+        (!inUpper || isIn(p)))
       {
-        const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-        Index3 below = p;
-        --below[axis];
-        const bool inLower = below[axis] >= 0;
-        const bool inUpper = p[axis] < work.Grid.Global().Upper[axis];
-        if (p[u] < work.Box.Upper[u] && p[v] < work.Box.Upper[v] &&
-          (!inLower || (work.Box.Contains(below) && IsFine(work, below))) &&
-          (!inUpper || (work.Box.Contains(p) && IsFine(work, p))))
-        {
-          body(Face{ { node, axis, inLower ? work.Labels[node - work.Grid.Stride(axis)] : -1,
-                       inUpper ? work.Labels[node] : -1 },
-            p });
-        }
+        body(Face{ { node, axis, inLower ? labels[node - grid.Stride(axis)] : -1,
+                     inUpper ? labels[node] : -1 },
+          p });
       }
-    });
+    }
+  }
 }
 
-Index LowerCell(const Work& work, const Face& face)
+Index LowerCell(const CartesianGrid& grid, const Face& face)
 {
-  return face.Node - work.Grid.Stride(face.Axis);
+  return face.Node - grid.Stride(face.Axis);
 }
 
 /// Returns whether the tets of a face surround the edge between the centres of its cells.
-bool IsInner(const Work& work, const Face& face)
+bool IsInner(const CartesianGrid& grid, const Face& face)
 {
-  return face.LowerLabel == face.UpperLabel && !work.Grid.IsOnFlatSeam(face.Block, face.Axis);
+  return face.LowerLabel == face.UpperLabel && !grid.IsOnFlatSeam(face.Block, face.Axis);
 }
 
-Index CountTets(Work& work)
+/// Returns the first tet of each row of blocks, and the number of tets.
+std::vector<Index> FindFirstTets(const RefinedGrid& levels, const TetCells& cells, Runtime& runtime)
 {
-  work.FirstTet.assign(work.Nodes.Size(1) * work.Nodes.Size(2) + 1, 0);
-  ForRows(work.Run, work.Nodes,
+  const CartesianGrid& grid = levels.Finest();
+  const IndexBox nodes = NodesOf(grid.HexBox());
+  std::vector<Index> firsts(nodes.Size(1) * nodes.Size(2) + 1, 0);
+  ForRows(runtime, nodes,
     [&](Index j, Index k, Index row)
     {
-      OverFaces(work, j, k,
+      OverFaces(levels, cells.Labels, j, k,
         [&](const Face& face)
         {
-          const bool lower = HasTets(work, LowerCell(work, face), face.LowerLabel);
-          const bool upper = HasTets(work, face.Node, face.UpperLabel);
-          const bool isInner = IsInner(work, face);
-          work.FirstTet[row + 1] += isInner ? 4 * (lower && upper) : 2 * (lower + upper);
+          const bool lower = cells.Has(LowerCell(grid, face), face.LowerLabel);
+          const bool upper = cells.Has(face.Node, face.UpperLabel);
+          firsts[row + 1] += IsInner(grid, face) ? 4 * (lower && upper) : 2 * (lower + upper);
         });
     });
-  std::partial_sum(work.FirstTet.begin(), work.FirstTet.end(), work.FirstTet.begin());
-  return work.FirstTet.back();
+  std::partial_sum(firsts.begin(), firsts.end(), firsts.begin());
+  return firsts;
 }
 
-Index Centre(const Work& work, Index cell)
+/// Writes the tets of faces.
+class FaceTetWriter
 {
-  const Index first = work.FirstPoint[cell];
-  return first + (SlotOfPoint(work.Result.Tets.PointIds[first]) == VertexSlot);
-}
+public:
+  /// @param firstPoint  first point of each block
+  /// @param tets  its points are made and its elements have space
+  FaceTetWriter(
+    const CartesianGrid& grid, const TetCells& cells, const Buffer<int>& firstPoint, Mesh& tets) :
+    Grid(grid), Cells(cells), FirstPoint(firstPoint), Tets(tets)
+  {
+  }
 
-/// Returns the corners of a face, counterclockwise as seen from above.
-std::array<Index, 4> CornersOf(const Work& work, const Face& face)
-{
-  std::array<Index, 4> corners = NodesOfFace(work.Grid, face);
-  std::for_each(
-    corners.begin(), corners.end(), [&](Index& corner) { corner = work.FirstPoint[corner]; });
-  return corners;
-}
+  /// Returns the point in the centre of a cell.
+  Index Centre(Index cell) const
+  {
+    const Index first = this->FirstPoint[cell];
+    return first + (SlotOfPoint(this->Tets.PointIds[first]) == VertexSlot);
+  }
+  /// Writes the tets of a face from index `tet` on and advances it.
+  void Write(const Face& face, Index& tet)
+  {
+    if (IsInner(this->Grid, face))
+    {
+      this->WriteInner(face, tet);
+      return;
+    }
+    this->WriteHalves(face, false, 0, tet);
+    this->WriteHalves(face, true, face.LowerLabel < 0 ? 0 : 2, tet);
+  }
 
-void SetTet(
-  Work& work, Index tet, const std::array<Index, 4>& points, const Face& face, int t, int label)
-{
-  work.Result.Tets.SetElement(tet, points,
-    TetIds.ElementSlots * work.Grid.NodeKey(face.Block) + (4 * face.Axis + t) * PiecesPerTet + 1,
-    label);
-}
+private:
+  /// Returns the corners of a face, counterclockwise as seen from above.
+  std::array<Index, 4> CornersOf(const Face& face) const
+  {
+    std::array<Index, 4> corners = NodesOfFace(this->Grid, face);
+    std::for_each(
+      corners.begin(), corners.end(), [&](Index& corner) { corner = this->FirstPoint[corner]; });
+    return corners;
+  }
+  void SetTet(Index tet, const std::array<Index, 4>& points, const Face& face, int t, int label)
+  {
+    this->Tets.SetElement(tet, points,
+      TetIds.ElementSlots * this->Grid.NodeKey(face.Block) + (4 * face.Axis + t) * PiecesPerTet + 1,
+      label);
+  }
+  void WriteInner(const Face& face, Index& tet);
+  void WriteHalves(const Face& face, bool isUpper, int firstPiece, Index& tet);
+
+  const CartesianGrid& Grid;
+  const TetCells& Cells;
+  const Buffer<int>& FirstPoint;
+  Mesh& Tets;
+};
 
 /// Makes the four tets around the edge between the centres.
-void FillInnerFace(Work& work, const Face& face, Index& tet)
+void FaceTetWriter::WriteInner(const Face& face, Index& tet)
 {
-  if (!HasTets(work, LowerCell(work, face)) || !HasTets(work, face.Node))
+  const Index lower = LowerCell(this->Grid, face);
+  if (!this->Cells.Has(lower) || !this->Cells.Has(face.Node))
   {
     return;
   }
-  const std::array<Index, 4> q = CornersOf(work, face);
-  const Index below = Centre(work, LowerCell(work, face));
-  const Index above = Centre(work, face.Node);
+  const std::array<Index, 4> q = this->CornersOf(face);
+  const Index below = this->Centre(lower), above = this->Centre(face.Node);
   for (int t = 0; t < 4; ++t)
   {
-    SetTet(work, tet++, { { below, above, q[t], q[(t + 1) % 4] } }, face, t, face.LowerLabel);
+    this->SetTet(tet++, { { below, above, q[t], q[(t + 1) % 4] } }, face, t, face.LowerLabel);
   }
 }
 
 /// Makes the two tets between the halves of a quad and the centre on one side. DiagonalFlips relies
 /// on their order: they are consecutive, with the halves (q0 q1 q2) and (q0 q2 q3),
 /// counterclockwise as seen from the centre.
-void FillHalves(Work& work, const Face& face, bool isUpper, int firstPiece, Index& tet)
+void FaceTetWriter::WriteHalves(const Face& face, bool isUpper, int firstPiece, Index& tet)
 {
   const int label = isUpper ? face.UpperLabel : face.LowerLabel;
-  const Index cell = isUpper ? face.Node : LowerCell(work, face);
-  if (!HasTets(work, cell, label))
+  const Index cell = isUpper ? face.Node : LowerCell(this->Grid, face);
+  if (!this->Cells.Has(cell, label))
   {
     return;
   }
-  std::array<Index, 4> q = CornersOf(work, face);
+  std::array<Index, 4> q = this->CornersOf(face);
   std::rotate(
-    q.begin(), q.begin() + LatticeTables::Diagonal(work.Grid.Canonical(face.Block)), q.end());
+    q.begin(), q.begin() + LatticeTables::Diagonal(this->Grid.Canonical(face.Block)), q.end());
   if (!isUpper)
   {
     std::swap(q[1], q[3]);
   }
-  const Index centre = Centre(work, cell);
-  SetTet(work, tet++, { { q[0], q[1], q[2], centre } }, face, firstPiece, label);
-  SetTet(work, tet++, { { q[0], q[2], q[3], centre } }, face, firstPiece + 1, label);
-}
-
-void FillTets(Work& work, Index j, Index k, Index row)
-{
-  Index tet = work.FirstTet[row];
-  OverFaces(work, j, k,
-    [&](const Face& face)
-    {
-      if (IsInner(work, face))
-      {
-        FillInnerFace(work, face, tet);
-        return;
-      }
-      FillHalves(work, face, false, 0, tet);
-      FillHalves(work, face, true, face.LowerLabel < 0 ? 0 : 2, tet);
-    });
+  const Index centre = this->Centre(cell);
+  this->SetTet(tet++, { { q[0], q[1], q[2], centre } }, face, firstPiece, label);
+  this->SetTet(tet++, { { q[0], q[2], q[3], centre } }, face, firstPiece + 1, label);
 }
 
 } // namespace
@@ -221,21 +218,33 @@ void FillTets(Work& work, Index j, Index k, Index row)
 TetTopology BuildCellTets(const CartesianGrid& grid, const LabelArray& labels, bool meshVoid,
   const NarrowVoid& narrow, Runtime& runtime, const CoarseTets& coarse)
 {
-  Work work{ grid, labels, meshVoid, narrow, runtime, coarse };
+  const RefinedGrid& levels = coarse.Levels();
+  const TetCells cells{ labels, narrow, meshVoid };
+  const IndexBox box = grid.HexBox();
   CheckIds(grid, TetIds.ElementSlots);
+  Buffer<int> firstPoint(static_cast<std::size_t>(grid.NumberOfEntries()), -1);
+  TetTopology result;
   const Index finePoints = MakeBlockPoints(
-    grid, coarse, runtime, [&](const Index3& p, Index node) { return SlotsOf(work, p, node); },
+    grid, coarse, runtime,
+    [&](const Index3& p, Index node) { return SlotsOf(levels, cells, box, p, node); },
     [&](const Index3& p, Index node, Index slot)
-    { return slot == VertexSlot ? PositionOf(work, p, node) : PointPosition::Inside; },
-    work.FirstPoint, work.Result);
-  const Index fineTets = CountTets(work);
-  work.Result.Tets.ResizeElements(fineTets + coarse.NumberOfTets());
-  ForRows(work.Run, work.Nodes, [&](Index j, Index k, Index row) { FillTets(work, j, k, row); });
-  work.Coarse.Fill(work.Result, finePoints, fineTets,
+    { return slot == VertexSlot ? PositionOf(grid, labels, p, node) : PointPosition::Inside; },
+    firstPoint, result);
+  const std::vector<Index> firstTet = FindFirstTets(levels, cells, runtime);
+  const Index fineTets = firstTet.back();
+  result.Tets.ResizeElements(fineTets + coarse.NumberOfTets());
+  FaceTetWriter writer(grid, cells, firstPoint, result.Tets);
+  ForRows(runtime, NodesOf(box),
+    [&](Index j, Index k, Index row)
+    {
+      Index tet = firstTet[row];
+      OverFaces(levels, labels, j, k, [&](const Face& face) { writer.Write(face, tet); });
+    });
+  coarse.Fill(result, finePoints, fineTets,
     [&](Index at, Index slot)
-    { return slot == CentreSlot ? Centre(work, at) : Index(work.FirstPoint[at]); });
-  work.Result.Tets.HasBarrier = !narrow.IsEmpty();
-  return std::move(work.Result);
+    { return slot == CentreSlot ? writer.Centre(at) : Index(firstPoint[at]); });
+  result.Tets.HasBarrier = !narrow.IsEmpty();
+  return result;
 }
 
 } // namespace vfm

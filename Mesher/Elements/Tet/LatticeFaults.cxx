@@ -9,14 +9,7 @@ namespace vfm
 namespace
 {
 
-struct Work
-{
-  const Mesh& Tets;
-  const LatticeNodes& Nodes;
-  const CartesianGrid& Grid;
-  const Partition& Parts;
-  std::vector<Index> ToSettle{};
-};
+using Ids = std::vector<Index>; // of lattice nodes (LatticeNodes::IdOf)
 
 /// Lattice tet of the finest grid: number `Tet` at the face of the grid across `Axis` whose lowest
 /// corner is `Block`.
@@ -26,44 +19,44 @@ struct Place
   int Axis, Tet;
 };
 
-Place PlaceOf(const Work& work, Index tet)
+Place PlaceOf(const CartesianGrid& grid, const Mesh& tets, Index tet)
 {
-  const Index id = work.Tets.ElementIds[tet] - 1;
+  const Index id = tets.ElementIds[tet] - 1;
   const int slot = static_cast<int>(id % TetIds.ElementSlots / PiecesPerTet);
-  return { work.Grid.NodeOfKey(id / TetIds.ElementSlots), slot / 4, slot % 4 };
+  return { grid.NodeOfKey(id / TetIds.ElementSlots), slot / 4, slot % 4 };
 }
 
-bool IsOwned(const Work& work, Index tet)
+bool IsOwned(const CartesianGrid& grid, const Partition& partition, const Mesh& tets, Index tet)
 {
-  const Index id = work.Tets.ElementIds[tet];
-  return work.Parts.OwnsCell(CellOfElement(work.Grid, work.Tets, id)) &&
-    !IsCoarseTet(*work.Tets.Levels, id, TetIds.ElementSlots);
+  const Index id = tets.ElementIds[tet];
+  return partition.OwnsCell(CellOfElement(grid, tets, id)) &&
+    !IsCoarseTet(*tets.Levels, id, TetIds.ElementSlots);
 }
 
 /// Returns whether the face of a tet is on the domain boundary or a flat seam: the tet belongs to
 /// one cell.
-bool IsHalf(const Work& work, const Place& place)
+bool IsHalf(const CartesianGrid& grid, const Place& place)
 {
   const Index at = place.Block[place.Axis];
-  return at == 0 || at == work.Grid.Global().Upper[place.Axis] ||
-    work.Grid.IsOnFlatSeam(place.Block, place.Axis);
+  return at == 0 || at == grid.Global().Upper[place.Axis] ||
+    grid.IsOnFlatSeam(place.Block, place.Axis);
 }
 
 /// Returns the cells around the corners of the face of a tet.
-IndexBox CellsAroundFace(const Work& work, const Place& place)
+IndexBox CellsAroundFace(const CartesianGrid& grid, const Place& place)
 {
   const Index3& b = place.Block;
   IndexBox cells{ { { b[0] - 1, b[1] - 1, b[2] - 1 } }, { { b[0] + 2, b[1] + 2, b[2] + 2 } } };
   --cells.Upper[place.Axis];
-  return Intersect(cells, work.Grid.Global());
+  return Intersect(cells, grid.Global());
 }
 
 /// Returns the cells around the ends of the edge of a tet that lies on the grid. A half has the
 /// whole face instead.
-IndexBox CellsAroundEdge(const Work& work, const Place& place)
+IndexBox CellsAroundEdge(const CartesianGrid& grid, const Place& place)
 {
-  IndexBox cells = CellsAroundFace(work, place);
-  if (IsHalf(work, place))
+  IndexBox cells = CellsAroundFace(grid, place);
+  if (IsHalf(grid, place))
   {
     return cells;
   }
@@ -77,34 +70,33 @@ IndexBox CellsAroundEdge(const Work& work, const Place& place)
 }
 
 /// Returns whether cells of two labels share a face in a box.
-bool Meet(const Work& work, const IndexBox& box, int a, int b)
+bool Meet(const CartesianGrid& grid, const LabelArray& cells, const IndexBox& box, int a, int b)
 {
-  const LabelArray& cells = work.Nodes.Cells();
   bool found = false;
   ForCells(box,
     [&](const Index3& p)
     {
-      const Index n = work.Grid.Linear(p);
+      const Index n = grid.Linear(p);
       const int label = cells[n];
       for (int axis = 0; !found && (label == a || label == b) && axis < 3; ++axis)
       {
-        found = p[axis] + 1 < box.Upper[axis] &&
-          cells[n + work.Grid.Stride(axis)] == (label == a ? b : a);
+        found =
+          p[axis] + 1 < box.Upper[axis] && cells[n + grid.Stride(axis)] == (label == a ? b : a);
       }
     });
   return found;
 }
 
 /// Returns whether the cells of a label in a box are connected by faces.
-bool AreConnected(const Work& work, const IndexBox& box, int label)
+bool AreConnected(
+  const CartesianGrid& grid, const LabelArray& cells, const IndexBox& box, int label)
 {
-  const LabelArray& cells = work.Nodes.Cells();
   std::vector<Index> parent = MakeSets(box.NumberOfCells());
   std::vector<Index> own; // indices in the box
   ForCells(box,
     [&](const Index3& p)
     {
-      if (cells[work.Grid.Linear(p)] != label)
+      if (cells[grid.Linear(p)] != label)
       {
         return;
       }
@@ -113,7 +105,7 @@ bool AreConnected(const Work& work, const IndexBox& box, int label)
       {
         Index3 before = p;
         --before[axis];
-        if (box.Contains(before) && cells[work.Grid.Linear(before)] == label)
+        if (box.Contains(before) && cells[grid.Linear(before)] == label)
         {
           Join(parent, own.back(), IndexInBox(box, before));
         }
@@ -123,34 +115,37 @@ bool AreConnected(const Work& work, const IndexBox& box, int label)
     [&](Index cell) { return FindRoot(parent, cell) == FindRoot(parent, own[0]); });
 }
 
-void Settle(Work& work, LatticeNodes::Kind kind, const Index3& position)
+void AddNode(const LatticeNodes& nodes, LatticeNodes::Kind kind, const Index3& position, Ids& ids)
 {
-  work.ToSettle.push_back(work.Nodes.IdOf({ kind, position }));
+  ids.push_back(nodes.IdOf({ kind, position }));
 }
 
-/// Settles the snapped centres of a box. Returns whether there are any.
-bool SettleCentres(Work& work, const IndexBox& box)
+/// Lists the snapped centres of a box. Returns whether there are any.
+bool ListCentres(
+  const CartesianGrid& grid, const LatticeNodes& nodes, const IndexBox& box, Ids& ids)
 {
   bool found = false;
   ForCells(box,
     [&](const Index3& cell)
     {
-      if (work.Nodes.Labels(LatticeNodes::Centre)[work.Grid.Linear(cell)] == LatticeNodes::Snapped)
+      if (nodes.Labels(LatticeNodes::Centre)[grid.Linear(cell)] == LatticeNodes::Snapped)
       {
-        Settle(work, LatticeNodes::Centre, cell);
+        AddNode(nodes, LatticeNodes::Centre, cell, ids);
         found = true;
       }
     });
   return found;
 }
 
-void CheckFacet(Work& work, const TetFace& facet)
+/// Lists the nodes to settle at a facet whose labels do not meet in the cells around it.
+void CheckFacet(const CartesianGrid& grid, const LatticeNodes& nodes, const Mesh& tets,
+  const TetFace& facet, Ids& ids)
 {
-  const int label = work.Tets.Material[facet.Inner];
-  const int other = facet.Outer < 0 ? 0 : work.Tets.Material[facet.Outer];
-  const Place place = PlaceOf(work, facet.Inner);
-  const IndexBox around = CellsAroundEdge(work, place);
-  if (Meet(work, around, label, other) || SettleCentres(work, around))
+  const int label = tets.Material[facet.Inner];
+  const int other = facet.Outer < 0 ? 0 : tets.Material[facet.Outer];
+  const Place place = PlaceOf(grid, tets, facet.Inner);
+  const IndexBox around = CellsAroundEdge(grid, place);
+  if (Meet(grid, nodes.Cells(), around, label, other) || ListCentres(grid, nodes, around, ids))
   {
     return;
   }
@@ -159,42 +154,47 @@ void CheckFacet(Work& work, const TetFace& facet)
     Index3 p = place.Block;
     p[(place.Axis + 1) % 3] += c & 1;
     p[(place.Axis + 2) % 3] += c >> 1;
-    Settle(work, LatticeNodes::Vertex, p);
+    AddNode(nodes, LatticeNodes::Vertex, p, ids);
   }
 }
 
-void CheckJoint(Work& work, const std::array<Index, 2>& tets)
+/// Lists the snapped centres beside a face over which two tets of one label are joined, if its
+/// cells have other labels and the cells of the label around it are not connected.
+void CheckJoint(const CartesianGrid& grid, const LatticeNodes& nodes, const Mesh& tets,
+  const std::array<Index, 2>& pair, Ids& ids)
 {
-  const Place place = PlaceOf(work, tets[0]), other = PlaceOf(work, tets[1]);
-  if (place.Block != other.Block || place.Axis != other.Axis || IsHalf(work, place))
+  const Place place = PlaceOf(grid, tets, pair[0]), other = PlaceOf(grid, tets, pair[1]);
+  if (place.Block != other.Block || place.Axis != other.Axis || IsHalf(grid, place))
   {
     return;
   }
-  const LabelArray& cells = work.Nodes.Cells();
-  const int label = work.Tets.Material[tets[0]];
-  const Index above = work.Grid.Linear(place.Block);
-  IndexBox pair = BoxOfCell(place.Block);
-  --pair.Lower[place.Axis];
-  if (cells[above] != label && cells[above - work.Grid.Stride(place.Axis)] != label &&
-    !AreConnected(work, CellsAroundFace(work, place), label))
+  const LabelArray& cells = nodes.Cells();
+  const int label = tets.Material[pair[0]];
+  const Index above = grid.Linear(place.Block);
+  IndexBox both = BoxOfCell(place.Block);
+  --both.Lower[place.Axis];
+  if (cells[above] != label && cells[above - grid.Stride(place.Axis)] != label &&
+    !AreConnected(grid, cells, CellsAroundFace(grid, place), label))
   {
-    SettleCentres(work, pair);
+    ListCentres(grid, nodes, both, ids);
   }
 }
 
-/// Settles a non-manifold node. At a mixed vertex, this ends nothing: all nodes around are settled.
-void SettleNonManifold(Work& work, Index id)
+/// Lists a non-manifold node. At a mixed vertex, settling it ends nothing: all nodes around are
+/// listed.
+void CheckNonManifold(
+  const CartesianGrid& grid, const LatticeNodes& nodes, const Mesh& tets, Index id, Ids& ids)
 {
-  work.ToSettle.push_back(id);
-  const Index3 p = NodeOfPoint(work.Grid, work.Tets, id);
-  const Index n = work.Grid.Linear(p);
-  if (SlotOfPoint(id) == CentreSlot || !IsMixedStar(StarOfNode(work.Grid, work.Nodes.Cells(), n)))
+  ids.push_back(id);
+  const Index3 p = NodeOfPoint(grid, tets, id);
+  const Index n = grid.Linear(p);
+  if (SlotOfPoint(id) == CentreSlot || !IsMixedStar(StarOfNode(grid, nodes.Cells(), n)))
   {
     return;
   }
-  const IndexBox cells = Intersect({ CellOfStar(p, 0), CornerOfCell(p, 7) }, work.Grid.Global());
-  ForCells(cells, [&](const Index3& cell) { Settle(work, LatticeNodes::Centre, cell); });
-  ForCells(NodesOf(cells), [&](const Index3& v) { Settle(work, LatticeNodes::Vertex, v); });
+  const IndexBox cells = Intersect({ CellOfStar(p, 0), CornerOfCell(p, 7) }, grid.Global());
+  ForCells(cells, [&](const Index3& cell) { AddNode(nodes, LatticeNodes::Centre, cell, ids); });
+  ForCells(NodesOf(cells), [&](const Index3& v) { AddNode(nodes, LatticeNodes::Vertex, v, ids); });
 }
 
 } // namespace
@@ -202,26 +202,27 @@ void SettleNonManifold(Work& work, Index id)
 std::vector<Index> FindLatticeFaults(const TetTopology& topology, const TetFaces& faces,
   const LatticeNodes& nodes, const CartesianGrid& grid, const Partition& partition)
 {
-  Work work{ topology.Tets, nodes, grid, partition };
+  Ids ids;
   for (const TetFace& face : faces.Faces)
   {
-    if (face.DomainSide < 0 && IsOwned(work, face.Inner))
+    if (face.DomainSide < 0 && IsOwned(grid, partition, topology.Tets, face.Inner))
     {
-      CheckFacet(work, face);
+      CheckFacet(grid, nodes, topology.Tets, face, ids);
     }
   }
   for (const std::array<Index, 2>& pair : faces.Joined)
   {
-    if (IsOwned(work, pair[0]) && IsOwned(work, pair[1]))
+    if (IsOwned(grid, partition, topology.Tets, pair[0]) &&
+      IsOwned(grid, partition, topology.Tets, pair[1]))
     {
-      CheckJoint(work, pair);
+      CheckJoint(grid, nodes, topology.Tets, pair, ids);
     }
   }
   for (Index id : FindNonManifoldNodes(topology, faces, grid, partition))
   {
-    SettleNonManifold(work, id);
+    CheckNonManifold(grid, nodes, topology.Tets, id, ids);
   }
-  return std::move(work.ToSettle);
+  return ids;
 }
 
 } // namespace vfm

@@ -11,35 +11,29 @@ namespace
 
 constexpr int Snapped = LatticeNodes::Snapped;
 
-struct Work
+/// Returns whether a cell around a vertex has a label.
+bool HasLabel(const CartesianGrid& grid, const LabelArray& cells, Index vertex, int label)
 {
-  const CartesianGrid& Grid;
-  const LabelArray& Cells;
-  const LatticeNodes& Nodes;
-  const int* Vertices = Nodes.Labels(LatticeNodes::Vertex);
-  const int* Centres = Nodes.Labels(LatticeNodes::Centre);
-};
-
-bool HasLabel(const Work& work, Index vertex, int label)
-{
-  const std::array<int, 8> star = StarOfNode(work.Grid, work.Cells, vertex);
+  const std::array<int, 8> star = StarOfNode(grid, cells, vertex);
   return std::find(star.begin(), star.end(), label) != star.end();
 }
 
 /// Returns whether the edge between a vertex and the next one across a face number is a bridge.
-bool IsBridge(const Work& work, Index vertex, int face)
+bool IsBridge(const CartesianGrid& grid, const LatticeNodes& nodes, Index vertex, int face)
 {
-  const Index other = work.Grid.Neighbour(vertex, face);
-  const int label = work.Vertices[vertex], otherLabel = work.Vertices[other];
+  const Index other = grid.Neighbour(vertex, face);
+  const int* vertices = nodes.Labels(LatticeNodes::Vertex);
+  const int label = vertices[vertex], otherLabel = vertices[other];
   if (label == Snapped || otherLabel == Snapped)
   {
     return false;
   }
   if (label != otherLabel)
   {
-    return !HasLabel(work, vertex, otherLabel) && !HasLabel(work, other, label);
+    return !HasLabel(grid, nodes.Cells(), vertex, otherLabel) &&
+      !HasLabel(grid, nodes.Cells(), other, label);
   }
-  const std::array<int, 8> star = StarOfNode(work.Grid, work.Cells, vertex);
+  const std::array<int, 8> star = StarOfNode(grid, nodes.Cells(), vertex);
   bool found = false;
   for (int c = 0; c < 8; ++c)
   {
@@ -48,19 +42,14 @@ bool IsBridge(const Work& work, Index vertex, int face)
   return !found;
 }
 
-bool IsAtBridge(const Work& work, Index vertex)
+bool IsAtBridge(const CartesianGrid& grid, const LatticeNodes& nodes, Index vertex)
 {
   bool found = false;
-  for (int face = 0; work.Vertices[vertex] != Snapped && face < 6; ++face)
+  for (int face = 0; !found && face < 6; ++face)
   {
-    found = found || IsBridge(work, vertex, face);
+    found = IsBridge(grid, nodes, vertex, face);
   }
   return found;
-}
-
-NearNodes Near(const Work& work, Index cell, int label)
-{
-  return FindNear(work.Nodes, work.Grid, cell, label);
 }
 
 /// Returns the nodes that stand for a cell: its centre, or if that is snapped, the nodes around it
@@ -80,16 +69,17 @@ NearNodes AnyOf(const NearNodes& set)
 
 /// Returns whether the nodes that stand for a cell are connected, also to those of its neighbours
 /// with its label.
-bool IsWhole(const Work& work, Index cell)
+bool IsWhole(const CartesianGrid& grid, const LatticeNodes& nodes, Index cell)
 {
-  const int label = work.Cells[cell];
-  const NearNodes own = Near(work, cell, label);
-  const NearNodes nodes = NodesOfCell(MiddleCentre(), own);
-  const NearNodes connected = ConnectedTo(AnyOf(nodes), own);
-  bool isWhole = !IsEmpty(nodes) && IsSubset(nodes, connected);
+  const LabelArray& cells = nodes.Cells();
+  const int label = cells[cell];
+  const NearNodes own = FindNear(nodes, grid, cell, label);
+  const NearNodes middle = NodesOfCell(MiddleCentre(), own);
+  const NearNodes connected = ConnectedTo(AnyOf(middle), own);
+  bool isWhole = !IsEmpty(middle) && IsSubset(middle, connected);
   for (int face = 0; isWhole && face < 6; ++face)
   {
-    isWhole = work.Cells[work.Grid.Neighbour(cell, face)] != label ||
+    isWhole = cells[grid.Neighbour(cell, face)] != label ||
       !IsEmpty(NodesOfCell(CentreAcross(face), own) & connected);
   }
   return isWhole;
@@ -98,9 +88,10 @@ bool IsWhole(const Work& work, Index cell)
 /// A cell and what is near it.
 struct Middle
 {
-  Middle(const Work& work, Index cell) : Cell(cell), Snapped(Near(work, cell, vfm::Snapped))
+  Middle(const CartesianGrid& grid, const LatticeNodes& nodes, Index cell) :
+    Cell(cell), Snapped(FindNear(nodes, grid, cell, vfm::Snapped))
   {
-    const NearNodes own = Near(work, cell, work.Cells[cell]);
+    const NearNodes own = FindNear(nodes, grid, cell, nodes.Cells()[cell]);
     this->Nodes = ConnectedTo(NodesOfCell(MiddleCentre(), own), own);
   }
 
@@ -111,56 +102,61 @@ struct Middle
 
 /// Returns whether tets near a cell join the connected nodes of the cell to those of the cell
 /// across a face.
-bool HasContact(const Work& work, const Middle& middle, int face)
+bool HasContact(
+  const CartesianGrid& grid, const LatticeNodes& nodes, const Middle& middle, int face)
 {
-  const Index across = work.Grid.Neighbour(middle.Cell, face);
-  const NearNodes other = Near(work, middle.Cell, work.Cells[across]);
+  const Index across = grid.Neighbour(middle.Cell, face);
+  const NearNodes other = FindNear(nodes, grid, middle.Cell, nodes.Cells()[across]);
   const NearNodes there = ConnectedTo(NodesOfCell(CentreAcross(face), other), other);
   return !IsEmpty(NeighboursOf(middle.Nodes) & there) ||
     MeetAtTriangle(middle.Nodes, there, middle.Snapped);
 }
 
-bool LosesContact(const Work& work, Index cell)
+bool LosesContact(const CartesianGrid& grid, const LatticeNodes& nodes, Index cell)
 {
-  const Middle middle(work, cell);
+  const LabelArray& cells = nodes.Cells();
+  const int* centres = nodes.Labels(LatticeNodes::Centre);
+  const Middle middle(grid, nodes, cell);
   bool loses = false;
   for (int face = 0; !loses && face < 6; ++face)
   {
-    const Index other = work.Grid.Neighbour(cell, face);
-    loses = work.Cells[other] != work.Cells[cell] && !HasContact(work, middle, face) &&
-      !(work.Centres[other] == Snapped && HasContact(work, { work, other }, face ^ 1));
+    const Index other = grid.Neighbour(cell, face);
+    loses = cells[other] != cells[cell] && !HasContact(grid, nodes, middle, face) &&
+      !(centres[other] == Snapped && HasContact(grid, nodes, { grid, nodes, other }, face ^ 1));
   }
   return loses;
 }
 
-bool IsBroken(const Work& work, Index cell)
+bool IsBroken(const CartesianGrid& grid, const LatticeNodes& nodes, Index cell)
 {
-  return !IsWhole(work, cell) || LosesContact(work, cell);
+  return !IsWhole(grid, nodes, cell) || LosesContact(grid, nodes, cell);
 }
 
 /// Returns whether the edges of a face of the grid include one between snapped vertices.
+/// @param vertices  labels of the vertices
 /// @param block  linear index of the lowest corner of the face
-bool HasSnappedEdge(const Work& work, Index block, int axis)
+bool HasSnappedEdge(const CartesianGrid& grid, const int* vertices, Index block, int axis)
 {
   const int u = 1 << (axis + 1) % 3, v = 1 << (axis + 2) % 3;
   const auto isSnapped = [&](int corner)
-  { return work.Vertices[work.Grid.NodeOfCell(block, corner)] == Snapped; };
+  { return vertices[grid.NodeOfCell(block, corner)] == Snapped; };
   return (isSnapped(0) || isSnapped(u | v)) && (isSnapped(u) || isSnapped(v));
 }
 
 /// Returns whether lattice tets at a face of a cell with a snapped centre have four snapped nodes.
-bool IsSnappedFace(const Work& work, Index cell, int face)
+bool IsSnappedFace(const CartesianGrid& grid, const LatticeNodes& nodes, Index cell, int face)
 {
-  const Index other = work.Grid.Neighbour(cell, face);
-  return work.Centres[other] == Snapped && HasSnappedEdge(work, face & 1 ? other : cell, face / 2);
+  const Index other = grid.Neighbour(cell, face);
+  return nodes.Labels(LatticeNodes::Centre)[other] == Snapped &&
+    HasSnappedEdge(grid, nodes.Labels(LatticeNodes::Vertex), face & 1 ? other : cell, face / 2);
 }
 
-int CountSnappedFaces(const Work& work, Index cell)
+int CountSnappedFaces(const CartesianGrid& grid, const LatticeNodes& nodes, Index cell)
 {
   int count = 0;
   for (int face = 0; face < 6; ++face)
   {
-    count += IsSnappedFace(work, cell, face);
+    count += IsSnappedFace(grid, nodes, cell, face);
   }
   return count;
 }
@@ -168,21 +164,21 @@ int CountSnappedFaces(const Work& work, Index cell)
 /// Returns whether a centre is to be settled because of snapped tets: it is before all other
 /// centres of these tets. First are those at the most faces with snapped tets, so that few centres
 /// are settled, then those with the largest fraction of their own label.
-bool GivesWay(const Work& work, Index cell)
+bool GivesWay(const CartesianGrid& grid, const LatticeNodes& nodes, Index cell)
 {
-  const int count = CountSnappedFaces(work, cell);
+  const int count = CountSnappedFaces(grid, nodes, cell);
   bool gives = count > 0;
   for (int face = 0; gives && face < 6; ++face)
   {
-    if (IsSnappedFace(work, cell, face))
+    if (IsSnappedFace(grid, nodes, cell, face))
     {
-      const Index other = work.Grid.Neighbour(cell, face);
+      const Index other = grid.Neighbour(cell, face);
       const auto rank = [&](Index n, int faces)
       {
-        const Index tie = work.Grid.CellKey(work.Grid.Canonical(work.Grid.Position(n)));
-        return std::make_tuple(faces, work.Nodes.OwnFraction(n), tie);
+        const Index tie = grid.CellKey(grid.Canonical(grid.Position(n)));
+        return std::make_tuple(faces, nodes.OwnFraction(n), tie);
       };
-      gives = rank(cell, count) > rank(other, CountSnappedFaces(work, other));
+      gives = rank(cell, count) > rank(other, CountSnappedFaces(grid, nodes, other));
     }
   }
   return gives;
@@ -195,7 +191,7 @@ bool SettleCentresWhere(LatticeNodes& nodes, const CartesianGrid& grid, const Pa
   Runtime& runtime, const Condition& condition)
 {
   const IndexBox& box = grid.Owned();
-  const Work work{ grid, nodes.Cells(), nodes };
+  const int* centres = nodes.Labels(LatticeNodes::Centre);
   std::vector<std::vector<Index>> rows(box.NumberOfCells() > 0 ? box.Size(1) * box.Size(2) : 0);
   ForRows(runtime, box,
     [&](Index j, Index k, Index row)
@@ -204,7 +200,7 @@ bool SettleCentresWhere(LatticeNodes& nodes, const CartesianGrid& grid, const Pa
       Index n = grid.Linear(cell);
       for (; cell[0] < box.Upper[0]; ++cell[0], ++n)
       {
-        if (work.Centres[n] == Snapped && condition(work, n))
+        if (centres[n] == Snapped && condition(grid, nodes, n))
         {
           rows[row].push_back(nodes.IdOf({ LatticeNodes::Centre, cell }));
         }
@@ -218,14 +214,13 @@ bool SettleCentresWhere(LatticeNodes& nodes, const CartesianGrid& grid, const Pa
 void SettleBridges(
   LatticeNodes& nodes, const CartesianGrid& grid, const Partition& partition, Runtime& runtime)
 {
-  const Work work{ grid, nodes.Cells(), nodes };
   const std::vector<Index>& mixed = nodes.MixedVertices();
   std::vector<Index> ids(mixed.size(), 0);
   ForEach(runtime, mixed.size(),
     [&](Index m)
     {
       const Index3 p = grid.Position(mixed[m]);
-      if (partition.OwnsNode(p) && IsAtBridge(work, mixed[m]))
+      if (partition.OwnsNode(p) && IsAtBridge(grid, nodes, mixed[m]))
       {
         ids[m] = nodes.IdOf({ LatticeNodes::Vertex, p });
       }

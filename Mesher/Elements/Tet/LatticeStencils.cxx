@@ -129,29 +129,25 @@ int Orientation(const std::array<std::uint8_t, 4>& sets)
 
 using Polygon = std::vector<int>; // sets of its corners, in order
 
-/// Division of one lattice tet. Every region is convex before points move, so
-/// the fans below are positive.
-struct Work
-{
-  const LatticeTet& Tet;
-  std::array<int, 5> Members{}; // set of nodes of each class
-  LatticeStencil Result{};
-};
+/// Set of nodes of each class of a lattice tet; [0]: the snapped ones.
+using Classes = std::array<int, 5>;
+
+// Every region is convex before points move, so the fans below are positive.
 
 /// Starts the region of a set of nodes.
-void Open(Work& work, int members)
+void Open(int members, LatticeStencil& stencil)
 {
   int node = -1;
   for (int i = 3; i >= 0; --i)
   {
     node = members >> i & 1 ? i : node;
   }
-  const int first = work.Result.Count > 0 ? work.Result.List[work.Result.Count - 1].Last : 0;
-  work.Result.List[work.Result.Count++] = { node, first, first, 0 };
+  const int first = stencil.Count > 0 ? stencil.List[stencil.Count - 1].Last : 0;
+  stencil.List[stencil.Count++] = { node, first, first, 0 };
 }
 
 /// Adds a tet to the last region.
-void Add(Work& work, int a, int b, int c, int d)
+void Add(LatticeStencil& stencil, int a, int b, int c, int d)
 {
   std::array<std::uint8_t, 4> sets{ { static_cast<std::uint8_t>(a), static_cast<std::uint8_t>(b),
     static_cast<std::uint8_t>(c), static_cast<std::uint8_t>(d) } };
@@ -159,46 +155,46 @@ void Add(Work& work, int a, int b, int c, int d)
   {
     std::swap(sets[2], sets[3]);
   }
-  LatticeStencil::Region& region = work.Result.List[work.Result.Count - 1];
-  work.Result.Tets[region.Last++] = sets;
+  LatticeStencil::Region& region = stencil.List[stencil.Count - 1];
+  stencil.Tets[region.Last++] = sets;
   region.Points |= 1u << a | 1u << b | 1u << c | 1u << d;
 }
 
 /// Returns the one of two sets whose point is first: centres that are not snapped, vertices that
 /// are not, then all others by id on any grid.
-int Earlier(const Work& work, int a, int b)
+int Earlier(const LatticeTet& tet, int snapped, int a, int b)
 {
   const auto rank = [&](int set)
   {
-    const bool isAnchor = CountNodes(set) == 1 && (set & work.Members[0]) == 0;
-    const int group = !isAnchor ? 2 : work.Tet.Slot[set] == 1 ? 0 : 1;
-    const HalfPoint& block = work.Tet.Block[set];
-    return std::make_tuple(group, block[2], block[1], block[0], work.Tet.Slot[set]);
+    const bool isAnchor = CountNodes(set) == 1 && (set & snapped) == 0;
+    const int group = !isAnchor ? 2 : tet.Slot[set] == 1 ? 0 : 1;
+    const HalfPoint& block = tet.Block[set];
+    return std::make_tuple(group, block[2], block[1], block[0], tet.Slot[set]);
   };
   return rank(b) < rank(a) ? b : a;
 }
 
-int First(const Work& work, const Polygon& polygon)
+/// Returns the corner of a polygon whose point is first (Earlier).
+int First(const LatticeTet& tet, int snapped, const Polygon& polygon)
 {
   int first = polygon[0];
   for (int set : polygon)
   {
-    first = Earlier(work, first, set);
+    first = Earlier(tet, snapped, first, set);
   }
   return first;
 }
 
-/// Divides a polygon into a fan of triangles from its first point, and adds the tets between these
-/// triangles and another point.
-void AddFan(Work& work, int apex, const Polygon& polygon)
+/// Divides a polygon into a fan of triangles from one of its corners, and adds the tets between
+/// these triangles and another point.
+void AddFan(int apex, int from, const Polygon& polygon, LatticeStencil& stencil)
 {
-  const int from = polygon.empty() ? 0 : First(work, polygon);
   for (std::size_t i = 0; i < polygon.size(); ++i)
   {
     const int a = polygon[i], b = polygon[(i + 1) % polygon.size()];
     if (a != from && b != from)
     {
-      Add(work, apex, from, a, b);
+      Add(stencil, apex, from, a, b);
     }
   }
 }
@@ -219,14 +215,14 @@ std::array<int, 4> Split(int set)
 }
 
 /// Returns whether all nodes of a set are of one class.
-bool AreEqual(const Work& work, int set)
+bool AreEqual(const Classes& classes, int set)
 {
   return std::any_of(
-    work.Members.begin(), work.Members.end(), [&](int members) { return (set & ~members) == 0; });
+    classes.begin(), classes.end(), [&](int members) { return (set & ~members) == 0; });
 }
 
 /// Returns the part of a triangle that belongs to a region.
-Polygon OnFace(const Work& work, int triangle, int members)
+Polygon OnFace(const Classes& classes, int triangle, int members)
 {
   const int inside = triangle & members, outside = triangle & ~members;
   const std::array<int, 4> in = Split(inside), out = Split(outside);
@@ -235,7 +231,7 @@ Polygon OnFace(const Work& work, int triangle, int members)
     case 0:
       return {};
     case 1:
-      return AreEqual(work, outside)
+      return AreEqual(classes, outside)
         ? Polygon{ inside, inside | out[0], inside | out[1] }
         : Polygon{ inside, inside | out[0], triangle, inside | out[1] };
     case 2:
@@ -246,15 +242,15 @@ Polygon OnFace(const Work& work, int triangle, int members)
 }
 
 /// Returns the interface between two regions of a tet without snapped nodes.
-Polygon Between(const Work& work, int a, int b)
+Polygon Between(const Classes& classes, int a, int b)
 {
   const int rest = 15 & ~(a | b), both = CountNodes(a) + CountNodes(b);
   const std::array<int, 4> p = Split(CountNodes(a) > CountNodes(b) ? a : b), r = Split(rest);
   const int q = CountNodes(a) > CountNodes(b) ? b : a;
   if (both == 2)
   {
-    return AreEqual(work, rest) ? Polygon{ a | b, a | b | r[0], a | b | r[1] }
-                                : Polygon{ a | b, a | b | r[0], 15, a | b | r[1] };
+    return AreEqual(classes, rest) ? Polygon{ a | b, a | b | r[0], a | b | r[1] }
+                                   : Polygon{ a | b, a | b | r[0], 15, a | b | r[1] };
   }
   if (both == 3)
   {
@@ -268,69 +264,78 @@ Polygon Between(const Work& work, int a, int b)
   return { p[0] | s[0], p[0] | s[1], p[1] | s[1], p[1] | s[0] };
 }
 
-/// Divides the region of a set of nodes into tets, which form fans from the boundary of the region.
-void AddRegion(Work& work, int members)
+/// Returns the sides of the region of a set of nodes in a tet without snapped nodes.
+std::vector<Polygon> SidesOf(const Classes& classes, int members)
 {
-  const int snapped = work.Members[0], free = 15 & ~snapped;
+  std::vector<Polygon> sides;
+  for (int i = 0; i < 4; ++i)
+  {
+    sides.push_back(OnFace(classes, 15 & ~(1 << i), members));
+  }
+  for (int c = 1; c < 5; ++c)
+  {
+    if (classes[c] != 0 && classes[c] != members)
+    {
+      sides.push_back(Between(classes, members, classes[c]));
+    }
+  }
+  sides.erase(std::remove(sides.begin(), sides.end(), Polygon()), sides.end());
+  return sides;
+}
+
+/// Divides the region of a set of nodes into tets, which form fans from the boundary of the region.
+void AddRegion(const LatticeTet& tet, const Classes& classes, int members, LatticeStencil& stencil)
+{
+  const int snapped = classes[0], free = 15 & ~snapped;
   const std::array<int, 4> w = Split(snapped);
   if (CountNodes(free) == 2)
   {
-    Add(work, w[0], w[1], members, free);
+    Add(stencil, w[0], w[1], members, free);
     return;
   }
   if (CountNodes(free) == 3)
   {
-    AddFan(work, snapped, OnFace(work, free, members));
+    const Polygon face = OnFace(classes, free, members);
+    AddFan(snapped, First(tet, snapped, face), face, stencil);
     return;
   }
-  std::vector<Polygon> sides;
-  for (int i = 0; i < 4; ++i)
-  {
-    sides.push_back(OnFace(work, 15 & ~(1 << i), members));
-  }
-  for (int c = 1; c < 5; ++c)
-  {
-    if (work.Members[c] != 0 && work.Members[c] != members)
-    {
-      sides.push_back(Between(work, members, work.Members[c]));
-    }
-  }
+  const std::vector<Polygon> sides = SidesOf(classes, members);
   int apex = members;
   for (const Polygon& side : sides)
   {
-    apex = side.empty() ? apex : Earlier(work, apex, First(work, side));
+    apex = Earlier(tet, snapped, apex, First(tet, snapped, side));
   }
   for (const Polygon& side : sides)
   {
     if (std::find(side.begin(), side.end(), apex) == side.end())
     {
-      AddFan(work, apex, side);
+      AddFan(apex, First(tet, snapped, side), side, stencil);
     }
   }
 }
 
 /// Returns the stencil of a lattice tet.
-/// @param classes  class of each node: 0 if snapped; nodes with one label are in one class
-LatticeStencil MakeStencil(const LatticeTet& tet, const std::array<int, 4>& classes)
+/// @param classOf  class of each node: 0 if snapped; nodes with one label are in one class
+LatticeStencil MakeStencil(const LatticeTet& tet, const std::array<int, 4>& classOf)
 {
-  Work work{ tet };
+  Classes classes{};
   for (int i = 0; i < 4; ++i)
   {
-    work.Members[classes[i]] |= 1 << i;
+    classes[classOf[i]] |= 1 << i;
   }
-  const int labels = (work.Members[1] != 0) + (work.Members[2] != 0) + (work.Members[3] != 0) +
-    (work.Members[4] != 0);
+  const int labels = (classes[1] != 0) + (classes[2] != 0) + (classes[3] != 0) + (classes[4] != 0);
+  LatticeStencil stencil;
   if (labels < 2)
   {
-    Open(work, work.Members[1]);
-    Add(work, 1, 2, 4, 8);
+    Open(classes[1], stencil);
+    Add(stencil, 1, 2, 4, 8);
   }
   for (int c = 1; c <= labels && labels > 1; ++c)
   {
-    Open(work, work.Members[c]);
-    AddRegion(work, work.Members[c]);
+    Open(classes[c], stencil);
+    AddRegion(tet, classes, classes[c], stencil);
   }
-  return work.Result;
+  return stencil;
 }
 
 /// Returns the axis of the face on which the nodes of a point depend: they differ if this face is

@@ -30,96 +30,107 @@ struct PlacedShape
   std::array<int, 16> Slot;
 };
 
-struct Work
+/// Lattice of a grid, from which the tets of blocks are found.
+struct PlacedLattice
 {
   const CartesianGrid& Grid;
   const LatticeNodes& Nodes;
-  bool MeshVoid;
   const NarrowVoid& Narrow;
-  Runtime& Run;
-  const CoarseTets& Coarse;
-  const IndexBox Box = Grid.HexBox();
-  const RefinedGrid& Levels = Coarse.Levels();
-  const LatticeTables& Tables = LatticeTables::Get();
-  std::array<PlacedShape, LatticeTables::Shapes> Shapes{};
-  std::vector<Row> Rows{};
-  // Slots in use and first point of each block.
-  std::vector<std::atomic<std::uint64_t>, LargeAllocator<std::atomic<std::uint64_t>>> Slots =
-    decltype(Slots)(Grid.NumberOfEntries());
-  std::vector<int, LargeAllocator<int>> FirstPoint = decltype(FirstPoint)(Grid.NumberOfEntries());
-  Index FinePoints = 0;
-  TetTopology Result{};
+  const RefinedGrid& Levels;
+  bool MeshVoid;
+  IndexBox Box; ///< CartesianGrid::HexBox
+  std::array<PlacedShape, LatticeTables::Shapes> Shapes;
+};
+
+/// Slots in use of each block.
+using BlockSlots =
+  std::vector<std::atomic<std::uint64_t>, LargeAllocator<std::atomic<std::uint64_t>>>;
+
+/// Points of blocks: one for each slot in use, in the order of slots.
+struct BlockPoints
+{
+  const BlockSlots& Slots;
+  std::vector<int, LargeAllocator<int>> First; ///< first point of each block
+
+  explicit BlockPoints(const BlockSlots& slots) : Slots(slots), First(slots.size()) {}
+  /// Returns the point in a slot of a block.
+  Index At(Index block, int slot) const
+  {
+    const std::uint64_t below =
+      this->Slots[block].load(std::memory_order_relaxed) & ((std::uint64_t(1) << slot) - 1);
+    return this->First[block] + CountBits(below);
+  }
 };
 
 template <class Body>
-void OverRows(Work& work, const Body& body)
+void OverRows(Runtime& runtime, std::vector<Row>& rows, const Body& body)
 {
-  ForEach(work.Run, work.Rows.size(), [&](Index row) { body(work.Rows[row]); });
+  ForEach(runtime, rows.size(), [&](Index row) { body(rows[row]); });
 }
 
 /// Returns whether both cells at a face are fine. Beyond the domain, it is the cell inside.
-bool IsFineFace(const Work& work, const Index3& block, int axis)
+bool IsFineFace(const RefinedGrid& levels, const Index3& block, int axis)
 {
   Index3 below = block;
   --below[axis];
-  return work.Levels.IsFine(block) && work.Levels.IsFine(below);
+  return levels.IsFine(block) && levels.IsFine(below);
 }
 
-bool HasFineFaces(const Work& work, const Index3& block)
+bool HasFineFaces(const RefinedGrid& levels, const Index3& block)
 {
-  return work.Levels.IsUniform() ||
-    (IsFineFace(work, block, 0) && IsFineFace(work, block, 1) && IsFineFace(work, block, 2));
+  return levels.IsUniform() ||
+    (IsFineFace(levels, block, 0) && IsFineFace(levels, block, 1) && IsFineFace(levels, block, 2));
 }
 
 /// Returns whether all lattice tets at a block's three faces exist and have one label.
-bool IsUniform(const Work& work, Index n, const Index3& block)
+bool IsUniform(const PlacedLattice& lattice, Index n, const Index3& block)
 {
-  const int* vertices = work.Nodes.Labels(LatticeNodes::Vertex) + n;
-  const int* centres = work.Nodes.Labels(LatticeNodes::Centre) + n;
+  const int* vertices = lattice.Nodes.Labels(LatticeNodes::Vertex) + n;
+  const int* centres = lattice.Nodes.Labels(LatticeNodes::Centre) + n;
   const int label = *centres;
   int differs = label < 0;
   for (int c = 0; c < 8; ++c)
   {
-    differs |= vertices[work.Grid.CornerOffset(c)] ^ label;
+    differs |= vertices[lattice.Grid.CornerOffset(c)] ^ label;
   }
   for (int a = 0; a < 3; ++a)
   {
-    differs |= (centres[-work.Grid.Stride(a)] ^ label) | (block[a] == work.Box.Lower[a]) |
-      (block[a] == work.Box.Upper[a]);
+    differs |= (centres[-lattice.Grid.Stride(a)] ^ label) | (block[a] == lattice.Box.Lower[a]) |
+      (block[a] == lattice.Box.Upper[a]);
   }
-  differs |= work.Grid.FlatSeams(block);
-  return !differs && HasFineFaces(work, block);
+  differs |= lattice.Grid.FlatSeams(block);
+  return !differs && HasFineFaces(lattice.Levels, block);
 }
 
 /// Marks slots of a block as used. Threads that process other rows may do so at the same time.
-void Mark(Work& work, Index block, std::uint64_t slots)
+void Mark(BlockSlots& used, Index block, std::uint64_t slots)
 {
-  if (slots & ~work.Slots[block].load(std::memory_order_relaxed))
+  if (slots & ~used[block].load(std::memory_order_relaxed))
   {
-    work.Slots[block].fetch_or(slots, std::memory_order_relaxed);
+    used[block].fetch_or(slots, std::memory_order_relaxed);
   }
 }
 
 /// Marks the points that coarse tets share with fine cells. At the rim, they may have no other tets
 /// on this rank.
-void MarkNextToCoarse(Work& work, const Row& row)
+void MarkNextToCoarse(const PlacedLattice& lattice, const Row& row, BlockSlots& used)
 {
-  Index3 p{ { work.Box.Lower[0], row.J, row.K } };
-  Index n = work.Grid.Linear(p);
-  for (; p[0] <= work.Box.Upper[0]; ++p[0], ++n)
+  Index3 p{ { lattice.Box.Lower[0], row.J, row.K } };
+  Index n = lattice.Grid.Linear(p);
+  for (; p[0] <= lattice.Box.Upper[0]; ++p[0], ++n)
   {
-    if (work.Levels.IsFineAround(p) || !work.Levels.TouchesFine(p) ||
-      !IsMeshed(work.Nodes.Labels(LatticeNodes::Vertex)[n], work.MeshVoid))
+    if (lattice.Levels.IsFineAround(p) || !lattice.Levels.TouchesFine(p) ||
+      !IsMeshed(lattice.Nodes.Labels(LatticeNodes::Vertex)[n], lattice.MeshVoid))
     {
       continue;
     }
-    Mark(work, n, 1);
+    Mark(used, n, 1);
     for (int c = 0; c < 8; ++c)
     {
       const Index3 cell = CellOfStar(p, c);
-      if (work.Box.Contains(cell) && work.Levels.IsFine(cell))
+      if (lattice.Box.Contains(cell) && lattice.Levels.IsFine(cell))
       {
-        Mark(work, work.Grid.Linear(cell), 2);
+        Mark(used, lattice.Grid.Linear(cell), 2);
       }
     }
   }
@@ -130,10 +141,10 @@ void MarkNextToCoarse(Work& work, const Row& row)
 /// label around the corner, -2 if there are three of four.
 /// @param cell  cell of the face
 /// @param corner  corner of the face, as a corner of the cell
-int OpeningOf(const Work& work, const Index3& cell, int axis, int corner)
+int OpeningOf(
+  const CartesianGrid& grid, const LabelArray& cells, const Index3& cell, int axis, int corner)
 {
-  const LabelArray& cells = work.Nodes.Cells();
-  const int label = cells[work.Grid.Linear(cell)];
+  const int label = cells[grid.Linear(cell)];
   int around = 0, equal = 0;
   for (int c = 0; c < 4; ++c)
   {
@@ -143,9 +154,9 @@ int OpeningOf(const Work& work, const Index3& cell, int axis, int corner)
       const int a = (axis + 1 + side) % 3;
       other[a] += c >> side & 1 ? (corner >> a & 1 ? 1 : -1) : 0;
     }
-    const bool isInside = work.Grid.InDomain(other);
+    const bool isInside = grid.InDomain(other);
     around += isInside;
-    equal += isInside && cells[work.Grid.Linear(other)] == label;
+    equal += isInside && cells[grid.Linear(other)] == label;
   }
   return equal == around ? 0 : 4 - 2 * equal - (4 - around) / 2;
 }
@@ -154,27 +165,27 @@ int OpeningOf(const Work& work, const Index3& cell, int axis, int corner)
 /// are snapped, it begins at the fourth, so that no triangle has all its corners on a curve. Else
 /// it divides the angles that open, so that they can become straight. Such faces have no cuts,
 /// because only pure vertices have labels there.
-int DiagonalOf(const Work& work, const Index3& block, int axis)
+int DiagonalOf(const CartesianGrid& grid, const LatticeNodes& nodes, const Index3& block, int axis)
 {
   const int u = 1 << (axis + 1) % 3, v = 1 << (axis + 2) % 3;
   const int around[4] = { 0, u, u | v, v };
-  const int* vertices = work.Nodes.Labels(LatticeNodes::Vertex) + work.Grid.Linear(block);
+  const int* vertices = nodes.Labels(LatticeNodes::Vertex) + grid.Linear(block);
   Index3 below = block;
   --below[axis];
   int free = 0, last = 0, openings[2] = { 0, 0 };
   for (int q = 0; q < 4; ++q)
   {
-    const bool isFree = vertices[work.Grid.CornerOffset(around[q])] != LatticeNodes::Snapped;
+    const bool isFree = vertices[grid.CornerOffset(around[q])] != LatticeNodes::Snapped;
     free += isFree;
     last = isFree ? q : last;
     for (const Index3& cell : { below, block })
     {
-      const bool counts = !isFree && work.Grid.InDomain(cell);
-      openings[q & 1] += counts ? OpeningOf(work, cell, axis, around[q]) : 0;
+      const bool counts = !isFree && grid.InDomain(cell);
+      openings[q & 1] += counts ? OpeningOf(grid, nodes.Cells(), cell, axis, around[q]) : 0;
     }
   }
   return free == 1               ? last & 1
-    : openings[0] == openings[1] ? LatticeTables::Diagonal(work.Grid.Canonical(block))
+    : openings[0] == openings[1] ? LatticeTables::Diagonal(grid.Canonical(block))
                                  : openings[1] > openings[0];
 }
 
@@ -188,22 +199,23 @@ struct FaceTets
   int ShapeOf(int tet) const { return this->First[tet / 2] + tet % 2; }
 };
 
-FaceTets TetsOfFace(const Work& work, const Index3& block, int axis)
+FaceTets TetsOfFace(const PlacedLattice& lattice, const Index3& block, int axis)
 {
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-  const bool isFace =
-    block[u] < work.Box.Upper[u] && block[v] < work.Box.Upper[v] && IsFineFace(work, block, axis);
-  const bool atLower = block[axis] == 0, atUpper = block[axis] == work.Grid.Global().Upper[axis];
+  const bool isFace = block[u] < lattice.Box.Upper[u] && block[v] < lattice.Box.Upper[v] &&
+    IsFineFace(lattice.Levels, block, axis);
+  const bool atLower = block[axis] == 0, atUpper = block[axis] == lattice.Grid.Global().Upper[axis];
   if (atLower || atUpper)
   {
-    const int diagonal = isFace ? DiagonalOf(work, block, axis) : 0;
+    const int diagonal = isFace ? DiagonalOf(lattice.Grid, lattice.Nodes, block, axis) : 0;
     return { isFace ? 2 : 0, { { LatticeTables::DomainShape(axis, atUpper, diagonal), 0 } } };
   }
-  const bool isInside = block[axis] > work.Box.Lower[axis] && block[axis] < work.Box.Upper[axis];
+  const bool isInside =
+    block[axis] > lattice.Box.Lower[axis] && block[axis] < lattice.Box.Upper[axis];
   const int count = isFace && isInside ? 4 : 0;
-  if (count > 0 && work.Grid.IsOnFlatSeam(block, axis))
+  if (count > 0 && lattice.Grid.IsOnFlatSeam(block, axis))
   {
-    const int diagonal = DiagonalOf(work, block, axis);
+    const int diagonal = DiagonalOf(lattice.Grid, lattice.Nodes, block, axis);
     return { count,
       { { LatticeTables::DomainShape(axis, 1, diagonal),
         LatticeTables::DomainShape(axis, 0, diagonal) } } };
@@ -213,44 +225,44 @@ FaceTets TetsOfFace(const Work& work, const Index3& block, int axis)
 }
 
 /// Returns whether a face has a corner at a narrow void cell.
-bool TouchesNarrow(const Work& work, Index n, int axis)
+bool TouchesNarrow(const CartesianGrid& grid, const NarrowVoid& narrow, Index n, int axis)
 {
   const int u = 1 << (axis + 1) % 3, v = 1 << (axis + 2) % 3;
-  return work.Narrow.Touches(n) || work.Narrow.Touches(n + work.Grid.CornerOffset(u)) ||
-    work.Narrow.Touches(n + work.Grid.CornerOffset(v)) ||
-    work.Narrow.Touches(n + work.Grid.CornerOffset(u | v));
+  return narrow.Touches(n) || narrow.Touches(n + grid.CornerOffset(u)) ||
+    narrow.Touches(n + grid.CornerOffset(v)) || narrow.Touches(n + grid.CornerOffset(u | v));
 }
 
 /// Returns whether pieces of void in the lattice tets of a face are made.
-bool HasVoid(const Work& work, Index n, int axis)
+bool HasVoid(const PlacedLattice& lattice, Index n, int axis)
 {
-  return work.MeshVoid || (!work.Narrow.IsEmpty() && TouchesNarrow(work, n, axis));
+  return lattice.MeshVoid ||
+    (!lattice.Narrow.IsEmpty() && TouchesNarrow(lattice.Grid, lattice.Narrow, n, axis));
 }
 
 /// Calls whole(block, n) for a block if all its tets have one label, which is meshed. Else calls
 /// cut(block, n, shape, t, labels, hasVoid) for every lattice tet of the block that may have
 /// pieces; hasVoid says whether pieces of void are made.
 template <class Whole, class Cut>
-void OverTets(const Work& work, const Row& row, const Whole& whole, const Cut& cut)
+void OverTets(const PlacedLattice& lattice, const Row& row, const Whole& whole, const Cut& cut)
 {
-  const int* centres = work.Nodes.Labels(LatticeNodes::Centre);
-  Index3 block{ { work.Box.Lower[0], row.J, row.K } };
-  Index n = work.Grid.Linear(block);
-  for (; block[0] <= work.Box.Upper[0]; ++block[0], ++n)
+  const int* centres = lattice.Nodes.Labels(LatticeNodes::Centre);
+  Index3 block{ { lattice.Box.Lower[0], row.J, row.K } };
+  Index n = lattice.Grid.Linear(block);
+  for (; block[0] <= lattice.Box.Upper[0]; ++block[0], ++n)
   {
-    const bool isUniform = IsUniform(work, n, block);
-    if (isUniform && IsMeshed(centres[n], work.MeshVoid))
+    const bool isUniform = IsUniform(lattice, n, block);
+    if (isUniform && IsMeshed(centres[n], lattice.MeshVoid))
     {
       whole(block, n);
       continue;
     }
     for (int axis = 0; axis < 3; ++axis)
     {
-      const FaceTets face = TetsOfFace(work, block, axis);
-      const bool hasVoid = face.Count > 0 && HasVoid(work, n, axis);
+      const FaceTets face = TetsOfFace(lattice, block, axis);
+      const bool hasVoid = face.Count > 0 && HasVoid(lattice, n, axis);
       for (int t = 0; t < face.Count && (hasVoid || !isUniform); ++t)
       {
-        const PlacedShape& shape = work.Shapes[face.ShapeOf(t)];
+        const PlacedShape& shape = lattice.Shapes[face.ShapeOf(t)];
         cut(block, n, face.ShapeOf(t), 4 * axis + t,
           std::array<int, 4>{
             { shape.Labels[0][n], shape.Labels[1][n], shape.Labels[2][n], shape.Labels[3][n] } },
@@ -260,101 +272,100 @@ void OverTets(const Work& work, const Row& row, const Whole& whole, const Cut& c
   }
 }
 
-void MarkSets(Work& work, const PlacedShape& shape, Index n, std::uint32_t sets)
+void MarkSets(const PlacedShape& shape, Index n, std::uint32_t sets, BlockSlots& used)
 {
   for (int set = 1; set < 16; ++set)
   {
     if (sets >> set & 1)
     {
-      Mark(work, n + shape.Block[set], std::uint64_t(1) << shape.Slot[set]);
+      Mark(used, n + shape.Block[set], std::uint64_t(1) << shape.Slot[set]);
     }
   }
 }
 
-void CountTet(
-  Work& work, Row& row, Index n, int shape, const std::array<int, 4>& labels, bool hasVoid)
+/// Returns the number of tets in a lattice tet, and marks their points.
+/// @param labels  label of each node
+Index CountTet(const LatticeStencil& stencil, const PlacedShape& shape, Index n,
+  const std::array<int, 4>& labels, bool hasVoid, BlockSlots& used)
 {
-  const LatticeStencil& stencil = work.Tables.Stencil(shape, labels);
+  Index count = 0;
   for (int r = 0; r < stencil.Count; ++r)
   {
     const LatticeStencil::Region& region = stencil.List[r];
     if (IsMeshed(labels[region.Node], hasVoid))
     {
-      row.Tets += region.Last - region.First;
-      MarkSets(work, work.Shapes[shape], n, region.Points);
+      count += region.Last - region.First;
+      MarkSets(shape, n, region.Points, used);
     }
   }
+  return count;
 }
 
-void Count(Work& work, Row& row)
+/// Counts the tets of a row and marks their points.
+void Count(const PlacedLattice& lattice, Row& row, BlockSlots& used)
 {
+  const LatticeTables& tables = LatticeTables::Get();
   OverTets(
-    work, row,
+    lattice, row,
     [&](const Index3&, Index n)
     {
       row.Tets += 12;
       for (int c = 0; c < 8; ++c)
       {
-        Mark(work, n + work.Grid.CornerOffset(c), 1);
+        Mark(used, n + lattice.Grid.CornerOffset(c), 1);
       }
-      Mark(work, n, 2);
+      Mark(used, n, 2);
       for (int a = 0; a < 3; ++a)
       {
-        Mark(work, n - work.Grid.Stride(a), 2);
+        Mark(used, n - lattice.Grid.Stride(a), 2);
       }
     },
     [&](const Index3&, Index n, int shape, int, const std::array<int, 4>& labels, bool hasVoid)
-    { CountTet(work, row, n, shape, labels, hasVoid); });
+    {
+      row.Tets +=
+        CountTet(tables.Stencil(shape, labels), lattice.Shapes[shape], n, labels, hasVoid, used);
+    });
 }
 
-PointPosition PositionOf(const Work& work, const Index3& block, Index n, int slot)
+PointPosition PositionOf(
+  const CartesianGrid& grid, const LatticeNodes& nodes, const Index3& block, Index n, int slot)
 {
-  if (slot > 1 || work.Nodes.Labels(LatticeNodes::Kind(slot))[n] == LatticeNodes::Snapped)
+  if (slot > 1 || nodes.Labels(LatticeNodes::Kind(slot))[n] == LatticeNodes::Snapped)
   {
     return PointPosition::OnInterface;
   }
-  return slot == LatticeNodes::Vertex && work.Grid.DomainSides(block) != 0 ? PointPosition::OnDomain
-                                                                           : PointPosition::Inside;
-}
-
-/// Returns the point in a slot of a block.
-Index PointAt(const Work& work, Index block, int slot)
-{
-  const std::uint64_t below =
-    work.Slots[block].load(std::memory_order_relaxed) & ((std::uint64_t(1) << slot) - 1);
-  return work.FirstPoint[block] + CountBits(below);
+  return slot == LatticeNodes::Vertex && grid.DomainSides(block) != 0 ? PointPosition::OnDomain
+                                                                      : PointPosition::Inside;
 }
 
 /// Makes the 12 tets of a block with one label.
-void FillUniform(Work& work, Index tet, Index n, Index id, int label)
+/// @param tet,id  index and id of the first
+void FillUniform(const CartesianGrid& grid, const BlockPoints& points, Index n, Index tet, Index id,
+  int label, Mesh& mesh)
 {
   Index vertices[8];
   for (int c = 0; c < 8; ++c)
   {
-    vertices[c] = work.FirstPoint[n + work.Grid.CornerOffset(c)];
+    vertices[c] = points.First[n + grid.CornerOffset(c)];
   }
-  const Index centre = PointAt(work, n, 1);
+  const Index centre = points.At(n, 1);
   for (int axis = 0; axis < 3; ++axis)
   {
     const int u = 1 << (axis + 1) % 3, v = 1 << (axis + 2) % 3;
-    const Index below = PointAt(work, n - work.Grid.Stride(axis), 1);
+    const Index below = points.At(n - grid.Stride(axis), 1);
     const Index corners[5] = { vertices[0], vertices[u], vertices[u | v], vertices[v],
       vertices[0] };
     for (int t = 0; t < 4; ++t)
     {
-      work.Result.Tets.SetElement(tet++,
-        std::array<Index, 4>{ { below, corners[t], corners[t + 1], centre } },
+      mesh.SetElement(tet++, std::array<Index, 4>{ { below, corners[t], corners[t + 1], centre } },
         id + (4 * axis + t) * PiecesPerTet, label);
     }
   }
 }
 
-/// Makes the pieces of a lattice tet, with regions in the order of labels.
-void FillCut(Work& work, Index& tet, Index n, int shape, Index id, const std::array<int, 4>& labels,
-  bool hasVoid)
+/// Returns the regions of a stencil in the order of their labels.
+std::array<int, 4> OrderRegions(const LatticeStencil& stencil, const std::array<int, 4>& labels)
 {
-  const LatticeStencil& stencil = work.Tables.Stencil(shape, labels);
-  const PlacedShape& placed = work.Shapes[shape];
   const auto labelOf = [&](int r) { return labels[stencil.List[r].Node]; };
   std::array<int, 4> order{ { 0, 1, 2, 3 } };
   for (int r = 1; r < stencil.Count; ++r)
@@ -364,101 +375,131 @@ void FillCut(Work& work, Index& tet, Index n, int shape, Index id, const std::ar
       std::swap(order[q], order[q - 1]);
     }
   }
+  return order;
+}
+
+/// Lattice tet that is cut into pieces.
+struct CutTet
+{
+  const LatticeStencil& Stencil;
+  const PlacedShape& Shape;
+  const std::array<int, 4>& Labels; ///< label of each node
+  bool HasVoid;                     ///< whether pieces of void are made
+};
+
+/// Makes the pieces of a lattice tet, with regions in the order of labels.
+/// @param n  block of the tet
+/// @param id  id of its first piece
+/// @param[in,out] tet  index of the next piece
+void FillCut(
+  const CutTet& cut, const BlockPoints& blockPoints, Index n, Index id, Index& tet, Mesh& mesh)
+{
+  const LatticeStencil& stencil = cut.Stencil;
+  const std::array<int, 4> order = OrderRegions(stencil, cut.Labels);
   for (int r = 0; r < stencil.Count; ++r)
   {
     const LatticeStencil::Region& region = stencil.List[order[r]];
-    const int label = labelOf(order[r]);
+    const int label = cut.Labels[region.Node];
     for (int piece = region.First; piece < region.Last; ++piece, ++id)
     {
-      if (IsMeshed(label, hasVoid))
+      if (IsMeshed(label, cut.HasVoid))
       {
         std::array<Index, 4> points;
         for (int i = 0; i < 4; ++i)
         {
           const int set = stencil.Tets[piece][i];
-          points[i] = PointAt(work, n + placed.Block[set], placed.Slot[set]);
+          points[i] = blockPoints.At(n + cut.Shape.Block[set], cut.Shape.Slot[set]);
         }
-        work.Result.Tets.SetElement(tet++, points, id, label);
+        mesh.SetElement(tet++, points, id, label);
       }
     }
   }
 }
 
-void FillTets(Work& work, const Row& row)
+void FillTets(const PlacedLattice& lattice, const BlockPoints& points, const Row& row, Mesh& mesh)
 {
-  const int* centres = work.Nodes.Labels(LatticeNodes::Centre);
+  const LatticeTables& tables = LatticeTables::Get();
+  const int* centres = lattice.Nodes.Labels(LatticeNodes::Centre);
+  const auto idOf = [&](const Index3& block, int slot)
+  { return lattice.Grid.NodeKey(block) * TetIds.ElementSlots + slot * PiecesPerTet + 1; };
   Index tet = row.Tets;
   OverTets(
-    work, row,
+    lattice, row,
     [&](const Index3& block, Index n)
     {
-      FillUniform(work, tet, n, work.Grid.NodeKey(block) * TetIds.ElementSlots + 1, centres[n]);
+      FillUniform(lattice.Grid, points, n, tet, idOf(block, 0), centres[n], mesh);
       tet += 12;
     },
     [&](const Index3& block, Index n, int shape, int slot, const std::array<int, 4>& labels,
       bool hasVoid)
     {
-      const Index id = work.Grid.NodeKey(block) * TetIds.ElementSlots + slot * PiecesPerTet + 1;
-      FillCut(work, tet, n, shape, id, labels, hasVoid);
+      const CutTet cut{ tables.Stencil(shape, labels), lattice.Shapes[shape], labels, hasVoid };
+      FillCut(cut, points, n, idOf(block, slot), tet, mesh);
     });
 }
 
-void MakeTets(Work& work)
+/// Replaces the number of tets of each row by the index of its first; returns the sum.
+Index MakeOffsets(std::vector<Row>& rows)
 {
   Index total = 0;
-  for (Row& row : work.Rows)
+  for (Row& row : rows)
   {
     row.Tets = std::exchange(total, total + row.Tets);
   }
-  const Index fineTets = total;
-  total += work.Coarse.NumberOfTets();
-  work.Result.Tets.ResizeElements(total);
-  OverRows(work, [&](Row& row) { FillTets(work, row); });
-  work.Coarse.Fill(work.Result, work.FinePoints, fineTets,
-    [&](Index block, Index slot) { return PointAt(work, block, static_cast<int>(slot)); });
+  return total;
 }
 
-void PlaceShapes(Work& work)
+std::array<PlacedShape, LatticeTables::Shapes> PlaceShapes(
+  const CartesianGrid& grid, const LatticeNodes& nodes)
 {
-  const Index3& n = work.Grid.Global().Upper;
+  const Index3& n = grid.Global().Upper;
+  std::array<PlacedShape, LatticeTables::Shapes> shapes{};
   for (int s = 0; s < LatticeTables::Shapes; ++s)
   {
-    const LatticeTet& tet = work.Tables.Shape(s);
-    PlacedShape& shape = work.Shapes[s];
+    const LatticeTet& tet = LatticeTables::Get().Shape(s);
+    PlacedShape& shape = shapes[s];
     shape.Slot = tet.Slot;
     for (int set = 1; set < 16; ++set)
     {
       const HalfPoint& b = tet.Block[set];
-      shape.Block[set] = b[0] + b[1] * work.Grid.Stride(1) + b[2] * work.Grid.Stride(2);
+      shape.Block[set] = b[0] + b[1] * grid.Stride(1) + b[2] * grid.Stride(2);
       shape.Key[set] = b[0] + (n[0] + 1) * (b[1] + (n[1] + 1) * b[2]);
     }
     for (int i = 0; i < 4; ++i)
     {
-      shape.Labels[i] =
-        work.Nodes.Labels(LatticeNodes::Kind(tet.Slot[1 << i])) + shape.Block[1 << i];
+      shape.Labels[i] = nodes.Labels(LatticeNodes::Kind(tet.Slot[1 << i])) + shape.Block[1 << i];
     }
   }
+  return shapes;
 }
 
 TetTopology BuildTets(const CartesianGrid& grid, const LatticeNodes& nodes, bool meshVoid,
   const NarrowVoid& narrow, Runtime& runtime, const CoarseTets& coarse)
 {
-  Work work{ grid, nodes, meshVoid, narrow, runtime, coarse };
-  PlaceShapes(work);
-  ForRows(NodesOf(work.Box), [&](Index j, Index k) { work.Rows.emplace_back(j, k); });
-  if (!work.Levels.IsUniform())
+  const PlacedLattice lattice{ grid, nodes, narrow, coarse.Levels(), meshVoid, grid.HexBox(),
+    PlaceShapes(grid, nodes) };
+  std::vector<Row> rows;
+  ForRows(NodesOf(lattice.Box), [&](Index j, Index k) { rows.emplace_back(j, k); });
+  BlockSlots used(grid.NumberOfEntries());
+  if (!lattice.Levels.IsUniform())
   {
-    OverRows(work, [&](Row& row) { MarkNextToCoarse(work, row); });
+    OverRows(runtime, rows, [&](Row& row) { MarkNextToCoarse(lattice, row, used); });
   }
-  OverRows(work, [&](Row& row) { Count(work, row); });
-  work.FinePoints = MakeBlockPoints(
+  OverRows(runtime, rows, [&](Row& row) { Count(lattice, row, used); });
+  BlockPoints points(used);
+  TetTopology result;
+  const Index finePoints = MakeBlockPoints(
     grid, coarse, runtime,
-    [&](const Index3&, Index n) { return work.Slots[n].load(std::memory_order_relaxed); },
-    [&](const Index3& block, Index n, int slot) { return PositionOf(work, block, n, slot); },
-    work.FirstPoint, work.Result);
-  MakeTets(work);
-  work.Result.Tets.HasBarrier = !narrow.IsEmpty();
-  return std::move(work.Result);
+    [&](const Index3&, Index n) { return used[n].load(std::memory_order_relaxed); },
+    [&](const Index3& block, Index n, int slot) { return PositionOf(grid, nodes, block, n, slot); },
+    points.First, result);
+  const Index fineTets = MakeOffsets(rows);
+  result.Tets.ResizeElements(fineTets + coarse.NumberOfTets());
+  OverRows(runtime, rows, [&](Row& row) { FillTets(lattice, points, row, result.Tets); });
+  coarse.Fill(result, finePoints, fineTets,
+    [&](Index block, Index slot) { return points.At(block, static_cast<int>(slot)); });
+  result.Tets.HasBarrier = !narrow.IsEmpty();
+  return result;
 }
 
 } // namespace

@@ -16,57 +16,63 @@ namespace
 constexpr Index Rings = 2;            // points within this number of cells around interfaces move
 constexpr Index PointsOfBlock = 4096; // points per task
 
-/// Data that determine which points move, and with which nodes.
-struct Work
+/// Nodes near interfaces, on all levels that have interfaces.
+struct NearInterfaces
 {
-  const LabelledGrid& Labelled;
-  const Mesh& Input;
-  const CoarseHexes& Coarse = *Labelled.Levels.Coarse;
-  const RefinedGrid& Levels = *Labelled.Levels.Grid;
-  /// Number of levels from the coarsest one with interfaces to the finest.
-  const int Halvings = Levels.HasFineInterfaces() ? 0 : Levels.NumberOfRefinements();
-  /// Nodes near interfaces by halvings. The last entry, for the coarsest level, includes all points
-  /// that move.
-  std::vector<NodesNear> Near{};
+  int Halvings; ///< number of levels from the coarsest one with interfaces to the finest
+  /// Nodes by halvings. The last entry, for the coarsest level, includes all points that move.
+  std::vector<NodesNear> Nodes;
+
+  NearInterfaces(const RefinedGrid& levels, const std::vector<Index>& mixed) :
+    Halvings(levels.HasFineInterfaces() ? 0 : levels.NumberOfRefinements())
+  {
+    for (int halvings = 0; halvings <= this->Halvings; ++halvings)
+    {
+      this->Nodes.emplace_back(levels.Finest(), mixed, halvings, Rings);
+    }
+    if (this->Halvings > 0)
+    {
+      this->Nodes.emplace_back(levels.Finest(), mixed, this->Halvings, Rings + 1);
+    }
+  }
+
+  /// Returns whether points of a node of the finest grid may move.
+  bool MayMove(const Index3& node) const
+  {
+    const int shift = this->Halvings;
+    return this->Nodes.back().Has({ { node[0] >> shift, node[1] >> shift, node[2] >> shift } });
+  }
+  /// Returns whether a node of a level is near interfaces.
+  bool Has(int halvings, const Index3& node) const
+  {
+    return halvings <= this->Halvings && this->Nodes[halvings].Has(node);
+  }
 };
 
-bool MayMove(const Work& work, Index id)
+void AddMover(const CoarseHexes& coarse, const NearInterfaces& near, const Mesh& mesh, Index point,
+  std::vector<Mover>& movers)
 {
-  const Index3 node = NodeOfPoint(work.Levels.Finest(), work.Input, id);
-  const int shift = work.Halvings;
-  return work.Near.back().Has({ { node[0] >> shift, node[1] >> shift, node[2] >> shift } });
-}
-
-void AddMover(const Work& work, Index point, std::vector<Mover>& movers)
-{
-  const Index id = work.Input.PointIds[point];
-  if (!MayMove(work, id))
+  const RefinedGrid& levels = coarse.Levels();
+  const Index id = mesh.PointIds[point];
+  if (!near.MayMove(NodeOfPoint(levels.Finest(), mesh, id)))
   {
     return;
   }
-  const OctreeKeys::LevelIndex node = work.Coarse.AnchorOf(work.Input, id);
-  const int halvings = work.Levels.NumberOfRefinements() - node.Level;
-  if (halvings <= work.Halvings && work.Near[halvings].Has(node.At))
+  const OctreeKeys::LevelIndex node = coarse.AnchorOf(mesh, id);
+  if (near.Has(levels.NumberOfRefinements() - node.Level, node.At))
   {
-    movers.push_back({ point, id, work.Levels.Lattice().NodeKey(node.Level, node.At, 0),
-      work.Levels.FinestNode(node.Level, node.At),
-      work.Levels.IsUniform() ? work.Levels.Finest().Colour(node.At) : ColourOfNode(node) });
+    movers.push_back({ point, id, levels.Lattice().NodeKey(node.Level, node.At, 0),
+      levels.FinestNode(node.Level, node.At),
+      levels.IsUniform() ? levels.Finest().Colour(node.At) : ColourOfNode(node) });
   }
 }
 
 std::vector<Mover> FindMovers(const LabelledGrid& labelled, const Mesh& mesh, Runtime& runtime)
 {
-  Work work{ labelled, mesh };
-  for (int halvings = 0; halvings <= work.Halvings; ++halvings)
-  {
-    work.Near.emplace_back(work.Levels.Finest(), labelled.Mixed, halvings, Rings);
-  }
-  if (work.Halvings > 0)
-  {
-    work.Near.emplace_back(work.Levels.Finest(), labelled.Mixed, work.Halvings, Rings + 1);
-  }
+  const NearInterfaces near(*labelled.Levels.Grid, labelled.Mixed);
   return CollectItems<Mover>(runtime, mesh.PointIds.size(), PointsOfBlock,
-    [&](Index point, std::vector<Mover>& movers) { AddMover(work, point, movers); });
+    [&](Index point, std::vector<Mover>& movers)
+    { AddMover(*labelled.Levels.Coarse, near, mesh, point, movers); });
 }
 
 } // namespace

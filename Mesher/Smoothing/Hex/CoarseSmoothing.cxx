@@ -40,29 +40,19 @@ std::vector<bool> FindNodesFarFromRefined(const CoarseHexes& coarse)
   return isFar;
 }
 
-/// Points that move, and the hexes at them.
-struct Work
-{
-  const RefinedGrid& Levels;
-  const RefinedMesh& Refined;
-  Mesh& Result;
-  ActiveMesh Active{};
-};
-
 /// Returns whether each point moves and has a poor hex. All hexes of owned points are known, so
 /// ranks agree.
-std::vector<unsigned char> ListPointsOfPoorHexes(const Work& work)
+std::vector<unsigned char> ListPointsOfPoorHexes(const ActiveMesh& active)
 {
-  std::vector<unsigned char> isListed(work.Active.X.size(), 0);
-  for (auto points = work.Active.Elements.begin(); points != work.Active.Elements.end();
-       points += 8)
+  std::vector<unsigned char> isListed(active.X.size(), 0);
+  for (auto points = active.Elements.begin(); points != active.Elements.end(); points += 8)
   {
     std::array<Index, 8> hex;
     std::copy_n(points, 8, hex.begin());
-    if (HexScaledJacobian(work.Active.X[0].data(), InVtkOrder(hex).data()) < GoodScaledJacobian)
+    if (HexScaledJacobian(active.X[0].data(), InVtkOrder(hex).data()) < GoodScaledJacobian)
     {
       std::for_each(
-        points, points + 8, [&](int point) { isListed[point] = work.Active.IsActive[point]; });
+        points, points + 8, [&](int point) { isListed[point] = active.IsActive[point]; });
     }
   }
   return isListed;
@@ -71,13 +61,13 @@ std::vector<unsigned char> ListPointsOfPoorHexes(const Work& work)
 /// Returns whether a cell of level `next` at a lattice node is refined. The hexes in it are two
 /// levels below the node with which the point moves, so the owner may not know all of them, and the
 /// point is fixed.
-bool TouchesFinerLevels(const Work& work, Index key, int next)
+bool TouchesFinerLevels(const RefinedGrid& levels, Index key, int next)
 {
-  if (next >= work.Levels.NumberOfRefinements())
+  if (next >= levels.NumberOfRefinements())
   {
     return false;
   }
-  const OctreeKeys& lattice = work.Levels.Lattice();
+  const OctreeKeys& lattice = levels.Lattice();
   const OctreeKeys::LevelIndex node = lattice.NodeOfKey(key);
   const int shift = next - node.Level;
   for (int c = 0; node.Slot == 0 && c < 8; ++c)
@@ -87,7 +77,7 @@ bool TouchesFinerLevels(const Work& work, Index key, int next)
     {
       cell[a] = (node.At[a] << shift) - 1 + (c >> a & 1);
     }
-    if (lattice.HasCell(next, cell) && work.Levels.Families().IsRefined(next, cell))
+    if (lattice.HasCell(next, cell) && levels.Families().IsRefined(next, cell))
     {
       return true;
     }
@@ -96,30 +86,32 @@ bool TouchesFinerLevels(const Work& work, Index key, int next)
 }
 
 /// Lists movers, including fixed ones, because other ranks may request them.
-std::vector<Mover> FindMovers(const Work& work, const std::vector<bool>& isFar)
+std::vector<Mover> FindMovers(const CoarseHexes& coarse, const Mesh& mesh)
 {
+  const RefinedGrid& levels = coarse.Levels();
+  const std::vector<bool> isFar = FindNodesFarFromRefined(coarse);
   std::vector<Mover> movers;
-  const OctreeKeys& lattice = work.Levels.Lattice();
-  for (std::size_t p = 0; p < work.Result.PointIds.size(); ++p)
+  const OctreeKeys& lattice = levels.Lattice();
+  for (std::size_t p = 0; p < mesh.PointIds.size(); ++p)
   {
-    const Index id = work.Result.PointIds[p];
-    if (!IsLatticePoint(work.Levels, id, work.Result.Ids.PointSlots))
+    const Index id = mesh.PointIds[p];
+    if (!IsLatticePoint(levels, id, mesh.Ids.PointSlots))
     {
       continue;
     }
-    const Index key = KeyOfPoint(work.Levels, id, work.Result.Ids.PointSlots);
+    const Index key = KeyOfPoint(levels, id, mesh.Ids.PointSlots);
     const OctreeKeys::LevelIndex node = lattice.NodeOfKey(key);
-    if (node.Level == 0 && node.Slot == 0 && isFar[work.Levels.Base().Linear(node.At)])
+    if (node.Level == 0 && node.Slot == 0 && isFar[levels.Base().Linear(node.At)])
     {
       continue;
     }
-    const Index anchor = AnchorOfPoint(work.Levels.Families(), work.Refined, key);
+    const Index anchor = AnchorOfPoint(levels.Families(), coarse.Refined(), key);
     if (anchor < 0)
     {
       continue;
     }
     const OctreeKeys::LevelIndex at = lattice.NodeOfKey(anchor);
-    if (!TouchesFinerLevels(work, key, at.Level + 1))
+    if (!TouchesFinerLevels(levels, key, at.Level + 1))
     {
       movers.push_back({ static_cast<Index>(p), anchor, anchor / OctreeKeys::NodeSlots,
         OwnerNode(at), ColourOfNode(at) });
@@ -134,28 +126,27 @@ void SmoothCoarse(const CoarseHexes& coarse, const std::vector<unsigned char>& i
   Runtime& runtime)
 {
   const Partition partition(coarse.Levels().Base(), runtime.Group());
-  Work work{ coarse.Levels(), coarse.Refined(), mesh };
-  ActiveMeshBuilder builder(
-    8, mesh.PointIds.size(), FindMovers(work, FindNodesFarFromRefined(coarse)));
+  const RefinedGrid& levels = coarse.Levels();
+  ActiveMeshBuilder builder(8, mesh.PointIds.size(), FindMovers(coarse, mesh));
   const std::vector<Index> hexes = builder.AddAround(mesh, runtime);
-  const double width = work.Levels.Finest().MeanWidth();
-  work.Active =
-    builder.Finish(partition, CopiesOfAnchors(work.Levels.Lattice(), { { width, width, width } }),
-      8 * work.Levels.NumberOfRefinements());
-  work.Active.Widths = WidthsOfHexes(work.Levels, mesh, hexes);
-  work.Active.PlacePoints(work.Levels.Finest(), mesh);
-  for (std::size_t p = 0; p < work.Active.MeshPoint.size(); ++p)
+  const double width = levels.Finest().MeanWidth();
+  ActiveMesh active =
+    builder.Finish(partition, CopiesOfAnchors(levels.Lattice(), { { width, width, width } }),
+      8 * levels.NumberOfRefinements());
+  active.Widths = WidthsOfHexes(levels, mesh, hexes);
+  active.PlacePoints(levels.Finest(), mesh);
+  for (std::size_t p = 0; p < active.MeshPoint.size(); ++p)
   {
-    work.Active.IsActive[p] &= !isFrozen[work.Active.MeshPoint[p]];
+    active.IsActive[p] &= !isFrozen[active.MeshPoint[p]];
   }
   const HexEnergy energy(TargetScaledJacobian);
-  Smoother smoother(work.Active, nullptr, energy, runtime);
+  Smoother smoother(active, nullptr, energy, runtime);
   smoother.RunStage(AllHexes, [](double) {});
-  std::vector<unsigned char> isActive = ListPointsOfPoorHexes(work);
-  work.Active.IsActive.swap(isActive);
+  std::vector<unsigned char> isActive = ListPointsOfPoorHexes(active);
+  active.IsActive.swap(isActive);
   smoother.RunStage(PoorHexes, [](double) {});
-  work.Active.IsActive.swap(isActive);
-  work.Active.CopyTo(work.Result, work.Levels.Finest());
+  active.IsActive.swap(isActive);
+  active.CopyTo(mesh, levels.Finest());
 }
 
 } // namespace vfm

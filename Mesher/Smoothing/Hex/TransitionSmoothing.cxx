@@ -41,48 +41,92 @@ std::vector<Mover> ListMovers(const OctreeKeys& lattice, const RefinedMesh& mesh
   return movers;
 }
 
-/// Transition hexes and the points that move, in lattice coordinates or in lengths over the
-/// mean width.
-struct Work
+/// Positions in which hexes are smoothed: lattice coordinates, in which cells are cubes, or lengths
+/// over the mean width of the grid.
+class SmoothingSpace
 {
+public:
+  SmoothingSpace(const OctreeKeys& lattice, bool inLattice) :
+    Lattice(lattice), InLattice(inLattice), Scale(lattice.Base().MeanWidth())
+  {
+  }
+
+  /// Returns the position of a point of the mesh.
+  Vector3 From(const double* p) const
+  {
+    return this->InLattice ? this->Lattice.FromPoint({ { p[0], p[1], p[2] } })
+                           : ToGrid(this->Lattice.Base(), p);
+  }
+  /// Returns the point of the mesh at a position.
+  Vector3 ToPoint(const Vector3& x) const
+  {
+    if (this->InLattice)
+    {
+      return this->Lattice.ToPoint(x);
+    }
+    const CartesianGrid& grid = this->Lattice.Base();
+    const Vector3 offset = this->Scale * x;
+    return { { grid.Coordinates(0)[0] + offset[0], grid.Coordinates(1)[0] + offset[1],
+      grid.Coordinates(2)[0] + offset[2] } };
+  }
+  /// Returns the widths of a cell.
+  Vector3 CellWidths(const OctreeKeys::LevelIndex& cell) const
+  {
+    const double width = std::ldexp(1.0, -cell.Level);
+    return this->InLattice ? Vector3{ { width, width, width } }
+                           : (1.0 / this->Scale) * this->Lattice.CellWidths(cell.Level, cell.At);
+  }
+  /// Returns the unit along each axis, in length units.
+  Vector3 Unit() const
+  {
+    const CartesianGrid& base = this->Lattice.Base();
+    Vector3 unit{ { this->Scale, this->Scale, this->Scale } };
+    for (int a = 0; a < 3; ++a)
+    {
+      const bool isCells = this->InLattice && base.Period(a) > 0;
+      unit[a] = isCells ? base.PeriodLength(a) / static_cast<double>(base.Period(a)) : unit[a];
+    }
+    return unit;
+  }
+
+private:
   const OctreeKeys& Lattice;
-  RefinedMesh& Refined;
-  const Partition& Parts;
   const bool InLattice;
-  const double Scale = Lattice.Base().MeanWidth();
-  ActiveMesh Active{}; // free points first, in the order of RefinedMesh::FreePoints
-  std::vector<unsigned char> IsFree{};
-  // Whether this rank counts each hex.
-  std::vector<unsigned char> IsOwned{};
+  const double Scale;
+};
+
+/// Transition hexes and the points that move.
+struct ActiveTransitions
+{
+  ActiveMesh Active; ///< free points first, in the order of RefinedMesh::FreePoints
+  std::vector<unsigned char> IsFree;
+  std::vector<unsigned char> IsOwned; ///< whether this rank counts each hex
 };
 
 /// Returns the smallest corner determinant of a hex, in cell volumes.
-double SmallestCorner(const Work& work, std::size_t hex)
+double SmallestCorner(const ActiveMesh& active, std::size_t hex)
 {
-  const Vector3& widths = work.Active.WidthsAt(static_cast<Index>(8 * hex));
-  const int* points = work.Active.Elements.data() + 8 * hex;
+  const Vector3& widths = active.WidthsAt(static_cast<Index>(8 * hex));
+  const int* points = active.Elements.data() + 8 * hex;
   double smallest = 1e300;
   for (int c = 0; c < 8; ++c)
   {
     const auto edge = [&](int a)
-    {
-      return Divided(
-        work.Active.X[points[c | 1 << a]] - work.Active.X[points[c & ~(1 << a)]], widths);
-    };
+    { return Divided(active.X[points[c | 1 << a]] - active.X[points[c & ~(1 << a)]], widths); };
     smallest = std::min(smallest, Dot(edge(0), Cross(edge(1), edge(2))));
   }
   return smallest;
 }
 
 /// Activates only the free points of flat and inverted hexes; counts these hexes.
-void ActivateFlat(Work& work, Index& flat, Index& inverted)
+void ActivateFlat(ActiveTransitions& hexes, Index& flat, Index& inverted)
 {
   flat = inverted = 0;
-  std::fill(work.Active.IsActive.begin(), work.Active.IsActive.end(), 0);
-  for (std::size_t h = 0; 8 * h < work.Active.Elements.size(); ++h)
+  std::fill(hexes.Active.IsActive.begin(), hexes.Active.IsActive.end(), 0);
+  for (std::size_t h = 0; 8 * h < hexes.Active.Elements.size(); ++h)
   {
-    const double smallest = SmallestCorner(work, h);
-    inverted += work.IsOwned[h] && smallest <= SmallestDeterminant;
+    const double smallest = SmallestCorner(hexes.Active, h);
+    inverted += hexes.IsOwned[h] && smallest <= SmallestDeterminant;
     if (smallest > FlatDeterminant)
     {
       continue;
@@ -90,21 +134,21 @@ void ActivateFlat(Work& work, Index& flat, Index& inverted)
     ++flat;
     for (int c = 0; c < 8; ++c)
     {
-      const int point = work.Active.Elements[8 * h + c];
-      work.Active.IsActive[point] = work.IsFree[point];
+      const int point = hexes.Active.Elements[8 * h + c];
+      hexes.Active.IsActive[point] = hexes.IsFree[point];
     }
   }
 }
 
-void Untangle(Work& work, Runtime& runtime, TransitionReport& report)
+void Untangle(ActiveTransitions& hexes, Runtime& runtime, TransitionReport& report)
 {
   UntangleEnergy energy;
-  Smoother smoother(work.Active, nullptr, energy, runtime);
+  Smoother smoother(hexes.Active, nullptr, energy, runtime);
   double eps = LargestEps;
   for (int sweep = 0; sweep <= UntangleSweeps; ++sweep)
   {
     Index flat, inverted;
-    ActivateFlat(work, flat, inverted);
+    ActivateFlat(hexes, flat, inverted);
     if (sweep == 0)
     {
       report.InvertedHexes += inverted;
@@ -118,85 +162,64 @@ void Untangle(Work& work, Runtime& runtime, TransitionReport& report)
     smoother.RunStage({ 1, 0.0, ShapeWeight, 1, 0.0 }, [](double) {});
     ++report.UntangleSweeps;
   }
-  work.Active.IsActive = work.IsFree;
+  hexes.Active.IsActive = hexes.IsFree;
 }
 
-void Smooth(Work& work, Runtime& runtime)
+void Smooth(ActiveMesh& active, Runtime& runtime)
 {
   const HexEnergy energy(TargetScaledJacobian);
-  Smoother(work.Active, nullptr, energy, runtime).RunRamp(Ramp);
+  Smoother(active, nullptr, energy, runtime).RunRamp(Ramp);
 }
 
-void CopyBack(const Work& work)
+void CopyBack(const ActiveMesh& active, const SmoothingSpace& space, RefinedMesh& mesh)
 {
-  const CartesianGrid& grid = work.Lattice.Base();
-  for (std::size_t n = 0; n < work.Refined.FreePoints.size(); ++n)
+  for (std::size_t n = 0; n < mesh.FreePoints.size(); ++n)
   {
-    const Vector3 x =
-      work.InLattice ? work.Lattice.ToPoint(work.Active.X[n]) : work.Scale * work.Active.X[n];
+    const Vector3 x = space.ToPoint(active.X[n]);
     for (int a = 0; a < 3; ++a)
     {
-      if (!(work.Active.Fixed[n] >> a & 1))
+      if (!(active.Fixed[n] >> a & 1))
       {
-        work.Refined.Points[3 * work.Active.MeshPoint[n] + a] =
-          work.InLattice ? x[a] : grid.Coordinates(a)[0] + x[a];
+        mesh.Points[3 * active.MeshPoint[n] + a] = x[a];
       }
     }
   }
 }
 
-/// Adds a hex that the owner of its cell counts; returns its widths.
-Vector3 AddCell(Work& work, const OctreeKeys::LevelIndex& cell)
+void PlacePoints(const RefinedMesh& mesh, const CartesianGrid& base, const SmoothingSpace& space,
+  ActiveMesh& active)
 {
-  work.IsOwned.push_back(work.Parts.OwnsCell(BaseCellOf(cell)));
-  const double width = std::ldexp(1.0, -cell.Level);
-  return work.InLattice ? Vector3{ { width, width, width } }
-                        : (1.0 / work.Scale) * work.Lattice.CellWidths(cell.Level, cell.At);
-}
-
-void PlacePoints(Work& work)
-{
-  for (std::size_t n = 0; n < work.Active.MeshPoint.size(); ++n)
+  for (std::size_t n = 0; n < active.MeshPoint.size(); ++n)
   {
-    const Index point = work.Active.MeshPoint[n];
-    const double* p = work.Refined.Points.data() + 3 * point;
-    work.Active.X[n] = work.InLattice ? work.Lattice.FromPoint({ { p[0], p[1], p[2] } })
-                                      : ToGrid(work.Lattice.Base(), p);
-    work.Active.Fixed[n] = FixedOnSides(work.Refined.DomainSides[point]) |
-      work.Lattice.Base().FlatSeams(Vector3{ { p[0], p[1], p[2] } });
+    const Index point = active.MeshPoint[n];
+    const double* p = mesh.Points.data() + 3 * point;
+    active.X[n] = space.From(p);
+    active.Fixed[n] =
+      FixedOnSides(mesh.DomainSides[point]) | base.FlatSeams(Vector3{ { p[0], p[1], p[2] } });
   }
 }
 
-/// Returns the unit of positions along each axis, in length units.
-Vector3 UnitOf(const Work& work)
+ActiveTransitions Activate(const OctreeKeys& lattice, const RefinedMesh& mesh,
+  const Partition& partition, const SmoothingSpace& space)
 {
-  const CartesianGrid& base = work.Lattice.Base();
-  Vector3 unit{ { work.Scale, work.Scale, work.Scale } };
-  for (int a = 0; a < 3; ++a)
-  {
-    const bool isCells = work.InLattice && base.Period(a) > 0;
-    unit[a] = isCells ? base.PeriodLength(a) / static_cast<double>(base.Period(a)) : unit[a];
-  }
-  return unit;
-}
-
-void Activate(Work& work)
-{
-  const RefinedMesh& mesh = work.Refined;
-  ActiveMeshBuilder builder(8, mesh.NumberOfPoints(), ListMovers(work.Lattice, mesh));
+  ActiveMeshBuilder builder(8, mesh.NumberOfPoints(), ListMovers(lattice, mesh));
   std::vector<Vector3> widths;
+  std::vector<unsigned char> isOwned;
   for (Index h = 0; h < mesh.NumberOfHexes(); ++h)
   {
     if (mesh.IsTransition[h])
     {
+      const OctreeKeys::LevelIndex cell = lattice.HexOfKey(mesh.HexKeys[h]);
       builder.Add(mesh.Hexes.data() + 8 * h);
-      widths.push_back(AddCell(work, work.Lattice.HexOfKey(mesh.HexKeys[h])));
+      isOwned.push_back(partition.OwnsCell(BaseCellOf(cell)));
+      widths.push_back(space.CellWidths(cell));
     }
   }
-  work.Active = builder.Finish(work.Parts, CopiesOfAnchors(work.Lattice, UnitOf(work)), 8);
-  work.Active.Widths = std::move(widths);
-  PlacePoints(work);
-  work.IsFree = work.Active.IsActive;
+  ActiveMesh active = builder.Finish(partition, CopiesOfAnchors(lattice, space.Unit()), 8);
+  active.Widths = std::move(widths);
+  PlacePoints(mesh, lattice.Base(), space, active);
+  std::vector<unsigned char> isFree = active.IsActive;
+  return { std::move(active), std::move(isFree), std::move(isOwned) };
 }
 
 /// Quality of the owned transition hexes.
@@ -253,14 +276,14 @@ private:
 void MovePoints(const OctreeKeys& lattice, RefinedMesh& mesh, const Partition& partition,
   bool inLattice, bool smooth, Runtime& runtime, TransitionReport& report)
 {
-  Work work{ lattice, mesh, partition, inLattice };
-  Activate(work);
-  Untangle(work, runtime, report);
+  const SmoothingSpace space(lattice, inLattice);
+  ActiveTransitions hexes = Activate(lattice, mesh, partition, space);
+  Untangle(hexes, runtime, report);
   if (smooth)
   {
-    Smooth(work, runtime);
+    Smooth(hexes.Active, runtime);
   }
-  CopyBack(work);
+  CopyBack(hexes.Active, space, mesh);
 }
 
 /// Smooths by the widths of the cells, starting from the result for cubes. Restores that result if
