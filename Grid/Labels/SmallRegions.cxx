@@ -328,9 +328,9 @@ RemovedRegions RemoveSmallRegions(const CartesianGrid& grid, Index minimumCells,
   const Fragments regions(grid, AssignMaterials(grid, fractions, isoValue), true, partition);
   const std::vector<int>& materials = regions.MaterialsOfFragments();
   const std::vector<Index> cells = CountCells(grid, regions, ranks);
-  const std::vector<int> newMaterials = RegionGraph(
-    materials, cells, minimumCells, FindFaces(grid, regions, cells, minimumCells, ranks))
-                                          .Merge();
+  RegionGraph graph(
+    materials, cells, minimumCells, FindFaces(grid, regions, cells, minimumCells, ranks));
+  const std::vector<int> newMaterials = graph.Merge();
   const RemovedRegions removed = CountRemoved(materials, newMaterials, cells);
   if (removed.Regions > 0)
   {
