@@ -131,6 +131,7 @@ struct Around
   Index Cell;
   Vector3 Centre, Size;
 };
+using Neighbourhood = std::vector<Around>; // the divided cell first
 
 /// Part that a plane may cut off.
 struct Choice
@@ -141,82 +142,80 @@ struct Choice
   double Score = 0.0; // lower is better
 };
 
-struct Work
-{
-  const CartesianGrid& Grid;
-  const FractionField& Fractions;
-  const Index3 Cell;
-  const Children TheChildren;
-  const FractionField::Range Parts = Fractions.Parts(Grid.Linear(Cell));
-  std::vector<Around> Cells{}; // the divided cell first
-};
-
 /// Samples a part among some parts, itself included, in the cells that hold any of them.
-std::vector<FractionSample> Sample(const Work& work, int material, const std::vector<int>& among)
+std::vector<FractionSample> Sample(const FractionField& fractions, const Neighbourhood& cells,
+  int material, const std::vector<int>& among)
 {
   std::vector<FractionSample> samples;
-  for (const Around& around : work.Cells)
+  for (const Around& around : cells)
   {
     double sum = 0.0;
     for (int part : among)
     {
-      sum += work.Fractions.Fraction(around.Cell, part);
+      sum += fractions.Fraction(around.Cell, part);
     }
     if (sum > 0.0)
     {
       samples.push_back({ around.Centre, around.Size,
-        std::min(work.Fractions.Fraction(around.Cell, material) / sum, 1.0), sum });
+        std::min(fractions.Fraction(around.Cell, material) / sum, 1.0), sum });
     }
   }
   return samples;
 }
 
 /// Samples a part against everything else.
-std::vector<FractionSample> Sample(const Work& work, int material)
+std::vector<FractionSample> Sample(
+  const FractionField& fractions, const Neighbourhood& cells, int material)
 {
   std::vector<FractionSample> samples;
-  for (const Around& around : work.Cells)
+  for (const Around& around : cells)
   {
     samples.push_back(
-      { around.Centre, around.Size, work.Fractions.Fraction(around.Cell, material), 1.0 });
+      { around.Centre, around.Size, fractions.Fraction(around.Cell, material), 1.0 });
   }
   return samples;
 }
 
-bool HasOthersAround(const Work& work)
+/// Returns whether there are other materials than those of the divided cell.
+bool HasOthersAround(const FractionField& fractions, const Neighbourhood& cells)
 {
-  return std::any_of(work.Cells.begin(), work.Cells.end(),
+  const FractionField::Range parts = fractions.Parts(cells[0].Cell);
+  return std::any_of(cells.begin(), cells.end(),
     [&](const Around& around)
     {
       double sum = 0.0;
-      for (const FractionField::Part& part : work.Parts)
+      for (const FractionField::Part& part : parts)
       {
-        sum += work.Fractions.Fraction(around.Cell, part.Material);
+        sum += fractions.Fraction(around.Cell, part.Material);
       }
       return sum < 1.0 - 1e-9;
     });
 }
 
 /// Returns the error of cells without data; each counts with the error of a good fit.
-double Doubt(const Work& work, const std::vector<FractionSample>& samples)
+double Doubt(const std::vector<FractionSample>& samples, std::size_t cells)
 {
   double known = 0.0;
   for (const FractionSample& sample : samples)
   {
     known += sample.Weight;
   }
-  return GoodFit * (1.0 - known / static_cast<double>(work.Cells.size()));
+  return GoodFit * (1.0 - known / static_cast<double>(cells));
 }
 
-/// Returns the part that a plane separates best from the other parts left (positions in Parts), or,
-/// first, from everything else.
-Choice Choose(const Work& work, const std::vector<std::size_t>& left, bool isFirst)
+/// Returns the part that a plane separates best from the other parts left, or, first, from
+/// everything else.
+/// @param left  positions among the parts of the divided cell
+Choice Choose(const FractionField& fractions, const Neighbourhood& cells,
+  const std::vector<std::size_t>& left, bool isFirst)
 {
-  const bool isPair = left.size() == 2, knowsOthers = isFirst && HasOthersAround(work);
+  const FractionField::Range parts = fractions.Parts(cells[0].Cell);
+  const bool isPair = left.size() == 2;
+  const bool knowsOthers = isFirst && HasOthersAround(fractions, cells);
   std::vector<int> materials;
   for (std::size_t position : left)
   {
-    materials.push_back(work.Parts.First[position].Material);
+    materials.push_back(parts.First[position].Material);
   }
   std::vector<Choice> choices;
   for (std::size_t place = 0; place < left.size(); ++place)
@@ -224,40 +223,44 @@ Choice Choose(const Work& work, const std::vector<std::size_t>& left, bool isFir
     const bool isNew = place == 0 || !isPair; // both parts of a pair give the same plane
     if (isFirst && (isNew || knowsOthers))
     {
-      choices.push_back({ place, Sample(work, materials[place]), {} });
+      choices.push_back({ place, Sample(fractions, cells, materials[place]), {} });
     }
     if (isNew && (!isFirst || (isPair && knowsOthers)))
     {
-      choices.push_back({ place, Sample(work, materials[place], materials), {} });
+      choices.push_back({ place, Sample(fractions, cells, materials[place], materials), {} });
     }
   }
   for (Choice& choice : choices)
   {
     choice.Fit = FitHalfSpace(choice.Samples);
-    choice.Score = choice.Fit.IsFound ? choice.Fit.Error + Doubt(work, choice.Samples) : 2.0;
+    choice.Score =
+      choice.Fit.IsFound ? choice.Fit.Error + Doubt(choice.Samples, cells.size()) : 2.0;
   }
   return *std::min_element(choices.begin(), choices.end(),
     [](const Choice& a, const Choice& b) { return a.Score < b.Score; });
 }
 
-ChildFractions FindChildren(const Work& work, const Layer& layer)
+ChildFractions FillChildren(const Children& children, const Layer& layer)
 {
-  ChildFractions children(work.TheChildren.Count());
-  for (std::size_t c = 0; c < children.size(); ++c)
+  ChildFractions values(children.Count());
+  for (std::size_t c = 0; c < values.size(); ++c)
   {
-    children[c] = FractionInLayer(layer, work.TheChildren.Centre(c), work.TheChildren.Size());
+    values[c] = FractionInLayer(layer, children.Centre(c), children.Size());
   }
-  return children;
+  return values;
 }
 
 /// Divides edges, corners, rods and balls, which no plane fits.
-ChildFractions ShareSmoothly(const Work& work, std::size_t part)
+/// @param cut  part whose fractions are returned, 0 or 1
+ChildFractions ShareSmoothly(const CartesianGrid& grid, const FractionField& fractions,
+  const Index3& cell, const Index3& counts, std::size_t cut)
 {
-  const FractionField::Part& first = work.Parts.First[part];
-  const std::vector<double> weights(work.Fractions.NumberOfMaterials() + 1, 1.0);
-  const std::vector<MaterialPatch> patches = MakePatches(work.Grid, work.Fractions, work.Cell,
-    { first.Material, work.Parts.First[1 - part].Material }, weights);
-  return ShareChildren(patches[0], patches[1], work.TheChildren.Counts, first.Fraction);
+  const FractionField::Range parts = fractions.Parts(grid.Linear(cell));
+  const FractionField::Part& first = parts.First[cut];
+  const std::vector<double> weights(fractions.NumberOfMaterials() + 1, 1.0);
+  const std::vector<MaterialPatch> patches =
+    MakePatches(grid, fractions, cell, { first.Material, parts.First[1 - cut].Material }, weights);
+  return ShareChildren(patches[0], patches[1], counts, first.Fraction);
 }
 
 /// Replaces the fit by the film of either part that fits much better.
@@ -280,20 +283,22 @@ void TryFilms(std::vector<FractionSample> samples, LayerFit& fit, std::size_t& c
   }
 }
 
-std::vector<ChildFractions> SplitInTwo(const Work& work)
+/// Divides a cell with two parts.
+std::vector<ChildFractions> SplitInTwo(const CartesianGrid& grid, const FractionField& fractions,
+  const Neighbourhood& cells, const Children& places)
 {
-  Choice choice = Choose(work, { 0, 1 }, true);
+  Choice choice = Choose(fractions, cells, { 0, 1 }, true);
   std::size_t cut = choice.Place; // the part inside the layer
   if (!choice.Fit.IsFound || choice.Fit.Error > GoodFit)
   {
     TryFilms(choice.Samples, choice.Fit, cut);
   }
-  const double fraction = work.Parts.First[cut].Fraction;
+  const Index cell = cells[0].Cell;
   std::vector<ChildFractions> children(2);
   children[cut] = choice.Fit.IsFound && choice.Fit.Error <= GoodFit
-    ? FindChildren(work, choice.Fit.Region)
-    : ShareSmoothly(work, cut);
-  Correct(children[cut], work.TheChildren.Full(), fraction);
+    ? FillChildren(places, choice.Fit.Region)
+    : ShareSmoothly(grid, fractions, grid.Position(cell), places.Counts, cut);
+  Correct(children[cut], places.Full(), fractions.Parts(cell).First[cut].Fraction);
   for (double& value : children[cut])
   {
     value = std::fabs(value - 0.5) < Tie ? 0.5 : value;
@@ -303,40 +308,44 @@ std::vector<ChildFractions> SplitInTwo(const Work& work)
 }
 
 /// Fills the space that planes have left evenly with the remaining parts.
-void Share(const Work& work, const std::vector<std::size_t>& left, const ChildFractions& room,
-  std::vector<ChildFractions>& children)
+/// @param left  positions of the remaining parts
+void Share(FractionField::Range parts, const std::vector<std::size_t>& left,
+  const ChildFractions& room, std::vector<ChildFractions>& children)
 {
   double sum = 0.0;
   for (std::size_t position : left)
   {
-    sum += work.Parts.First[position].Fraction;
+    sum += parts.First[position].Fraction;
   }
   for (std::size_t position : left)
   {
     for (double value : room)
     {
-      children[position].push_back(value * (work.Parts.First[position].Fraction / sum));
+      children[position].push_back(value * (parts.First[position].Fraction / sum));
     }
   }
 }
 
-std::vector<ChildFractions> CutOneByOne(const Work& work)
+/// Divides a cell with three parts or more.
+std::vector<ChildFractions> CutOneByOne(
+  const FractionField& fractions, const Neighbourhood& cells, const Children& places)
 {
-  const std::size_t count = work.Parts.Last - work.Parts.First;
+  const FractionField::Range parts = fractions.Parts(cells[0].Cell);
+  const std::size_t count = parts.Last - parts.First;
   std::vector<ChildFractions> children(count);
-  std::vector<std::size_t> left(count); // positions in Parts
+  std::vector<std::size_t> left(count); // positions of parts
   std::iota(left.begin(), left.end(), std::size_t(0));
-  ChildFractions room = work.TheChildren.Full();
-  Remainder remainder(work.TheChildren);
+  ChildFractions room = places.Full();
+  Remainder remainder(places);
   while (left.size() > 1)
   {
-    const Choice choice = Choose(work, left, left.size() == count);
+    const Choice choice = Choose(fractions, cells, left, left.size() == count);
     if (!choice.Fit.IsFound)
     {
       break;
     }
     const std::size_t position = left[choice.Place];
-    const double fraction = work.Parts.First[position].Fraction;
+    const double fraction = parts.First[position].Fraction;
     children[position] = remainder.CutOff(choice.Fit.Region.Normal, fraction);
     Correct(children[position], room, fraction);
     for (std::size_t c = 0; c < room.size(); ++c)
@@ -345,22 +354,34 @@ std::vector<ChildFractions> CutOneByOne(const Work& work)
     }
     left.erase(left.begin() + static_cast<std::ptrdiff_t>(choice.Place));
   }
-  Share(work, left, room, children);
+  Share(parts, left, room, children);
   return children;
 }
 
-void AddAround(
-  Work& work, const CartesianGrid& grid, const Index3& middle, Index cell, const Index3& d)
+/// Places the neighbour at a step in the frame of a cell.
+Around Place(const CartesianGrid& grid, const Index3& middle, const Index3& step)
 {
-  Around around{ cell, {}, {} };
+  const Index3 at{ { middle[0] + step[0], middle[1] + step[1], middle[2] + step[2] } };
+  Around around{ grid.Linear(at), {}, {} };
   for (int a = 0; a < 3; ++a)
   {
-    const double width = grid.Width(a, middle[a]);
-    const double own = grid.Width(a, middle[a] + d[a]);
-    around.Size[a] = own / width;
-    around.Centre[a] = 0.5 * static_cast<double>(d[a]) * (1.0 + around.Size[a]);
+    around.Size[a] = grid.Width(a, at[a]) / grid.Width(a, middle[a]);
+    around.Centre[a] = 0.5 * static_cast<double>(step[a]) * (1.0 + around.Size[a]);
   }
-  work.Cells.push_back(around);
+  return around;
+}
+
+Neighbourhood FindNeighbourhood(const CartesianGrid& grid, const Index3& cell)
+{
+  Neighbourhood cells{ Place(grid, cell, { { 0, 0, 0 } }) };
+  for (int c = 0; c < 27; ++c)
+  {
+    if (c != 13 && grid.InDomain(CellAround(cell, c)))
+    {
+      cells.push_back(Place(grid, cell, StepAround(c)));
+    }
+  }
+  return cells;
 }
 
 } // namespace
@@ -368,19 +389,11 @@ void AddAround(
 std::vector<ChildFractions> SplitCell(const CartesianGrid& grid, const FractionField& fractions,
   const Index3& cell, const Index3& counts)
 {
-  Work work{ grid, fractions, cell, Children(counts) };
-  AddAround(work, grid, cell, grid.Linear(cell), { { 0, 0, 0 } });
-  for (int c = 0; c < 27; ++c)
-  {
-    const Index3 d = StepAround(c);
-    const Index3 q = CellAround(cell, c);
-    if (c != 13 && grid.InDomain(q))
-    {
-      AddAround(work, grid, cell, grid.Linear(q), d);
-    }
-  }
-  const auto count = work.Parts.Last - work.Parts.First;
-  return count == 2 ? SplitInTwo(work) : CutOneByOne(work);
+  const Children places(counts);
+  const Neighbourhood cells = FindNeighbourhood(grid, cell);
+  const FractionField::Range parts = fractions.Parts(cells[0].Cell);
+  return parts.Last - parts.First == 2 ? SplitInTwo(grid, fractions, cells, places)
+                                       : CutOneByOne(fractions, cells, places);
 }
 
 } // namespace vfm

@@ -56,15 +56,6 @@ struct CoarseRow
   std::vector<FractionSum> Mixed;
 };
 
-struct Work
-{
-  const CartesianGrid& Grid;
-  const FractionField& Fractions;
-  const CartesianGrid& Coarse;
-  const int Halvings;
-  const Index Factor = Index(1) << Halvings;
-};
-
 void AddMixed(Index end, Runs& pieces)
 {
   if ((pieces.empty() ? 0 : pieces.back().End) < end)
@@ -73,17 +64,15 @@ void AddMixed(Index end, Runs& pieces)
   }
 }
 
-/// Merges the runs of all rows of fine cells in a row of coarse cells.
-Runs MergeRows(const Work& work, Index j, Index k)
+/// Merges the runs of all rows of a box of fine cells.
+Runs MergeRows(const CartesianGrid& grid, const FractionField& fractions, const IndexBox& box)
 {
-  const IndexBox& box = work.Coarse.Local();
   Runs all, row, merged;
-  const IndexBox rows{ { { box.Lower[0], j, k } }, { { box.Upper[0], j + 1, k + 1 } } };
-  ForRows(ChangeLevel(rows, work.Halvings),
-    [&](Index y, Index z)
+  ForRows(box,
+    [&](Index j, Index k)
     {
-      const Index first = work.Grid.Linear({ { box.Lower[0] * work.Factor, y, z } });
-      FindRuns(work.Fractions, first, first + box.Size(0) * work.Factor, row);
+      const Index first = grid.Linear({ { box.Lower[0], j, k } });
+      FindRuns(fractions, first, first + box.Size(0), row);
       if (all.empty())
       {
         all.swap(row);
@@ -95,48 +84,66 @@ Runs MergeRows(const Work& work, Index j, Index k)
   return all;
 }
 
-FractionSum Average(const Work& work, const Index3& cell)
+/// Returns the runs of a row of coarse cells; a cell with several labels is mixed.
+/// @param fine  runs of its fine cells, factor for each coarse cell
+Runs CoarsenRuns(const Runs& fine, Index factor)
+{
+  Runs pieces;
+  Index begin = 0;
+  for (const Run& run : fine)
+  {
+    // Coarse cells inside the run; a cell shared with the previous run is mixed.
+    const Index first = (begin + factor - 1) / factor, last = run.End / factor;
+    if (run.Label != Mixed && first < last)
+    {
+      AddMixed(first, pieces);
+      AddRun(last, run.Label, pieces);
+    }
+    begin = run.End;
+  }
+  AddMixed(begin / factor, pieces);
+  return pieces;
+}
+
+/// Averages the fractions of the fine cells in a coarse cell.
+/// @param widths  widths of the coarse cell
+FractionSum Average(const CartesianGrid& grid, const FractionField& fractions,
+  const IndexBox& cells, const Vector3& widths)
 {
   FractionSum sum;
-  ForCells(ChangeLevel(BoxOfCell(cell), work.Halvings),
+  ForCells(cells,
     [&](const Index3& p)
     {
       double share = 1.0;
       for (int a = 0; a < 3; ++a)
       {
-        share *= work.Grid.Width(a, p[a]) / work.Coarse.Width(a, cell[a]);
+        share *= grid.Width(a, p[a]) / widths[a];
       }
-      sum.Add(work.Fractions, work.Grid.Linear(p), share);
+      sum.Add(fractions, grid.Linear(p), share);
     });
   return sum;
 }
 
-void MakeRow(const Work& work, Index j, Index k, CoarseRow& row)
+/// Averages the fractions in a row of cells of a coarse grid, 2^halvings times as wide.
+CoarseRow MakeRow(const CartesianGrid& grid, const FractionField& fractions, int halvings,
+  const CartesianGrid& coarse, const IndexBox& cells)
 {
-  row = CoarseRow();
-  const IndexBox& box = work.Coarse.Local();
+  CoarseRow row;
+  row.Pieces =
+    CoarsenRuns(MergeRows(grid, fractions, ChangeLevel(cells, halvings)), Index(1) << halvings);
   Index begin = 0;
-  for (const Run& run : MergeRows(work, j, k))
-  {
-    // Coarse cells inside the run; a cell shared with the previous run is mixed.
-    const Index first = (begin + work.Factor - 1) / work.Factor, last = run.End / work.Factor;
-    if (run.Label != Mixed && first < last)
-    {
-      AddMixed(first, row.Pieces);
-      AddRun(last, run.Label, row.Pieces);
-    }
-    begin = run.End;
-  }
-  AddMixed(box.Size(0), row.Pieces);
-  begin = 0;
   for (const Run& run : row.Pieces)
   {
     for (Index i = begin; run.Label == Mixed && i < run.End; ++i)
     {
-      row.Mixed.push_back(Average(work, { { box.Lower[0] + i, j, k } }));
+      const Index3 cell{ { cells.Lower[0] + i, cells.Lower[1], cells.Lower[2] } };
+      const Vector3 widths{ { coarse.Width(0, cell[0]), coarse.Width(1, cell[1]),
+        coarse.Width(2, cell[2]) } };
+      row.Mixed.push_back(Average(grid, fractions, ChangeLevel(BoxOfCell(cell), halvings), widths));
     }
     begin = run.End;
   }
+  return row;
 }
 
 void StoreRow(const CoarseRow& row, FractionField::RowWriter& writer)
@@ -204,7 +211,6 @@ FractionField CoarsenFractions(const CartesianGrid& grid, const FractionField& f
   int halvings, const CartesianGrid& coarse, Runtime& runtime)
 {
   FractionField field(coarse, fractions.NumberOfMaterials());
-  const Work work{ grid, fractions, coarse, halvings };
   const IndexBox& box = coarse.Local();
   if (box.NumberOfCells() == 0)
   {
@@ -214,8 +220,13 @@ FractionField CoarsenFractions(const CartesianGrid& grid, const FractionField& f
   FractionField::RowWriter writer(field);
   for (Index k = box.Lower[2]; k < box.Upper[2]; ++k)
   {
-    ForEach(
-      runtime, box.Size(1), [&](Index row) { MakeRow(work, box.Lower[1] + row, k, rows[row]); });
+    ForEach(runtime, box.Size(1),
+      [&](Index row)
+      {
+        const Index j = box.Lower[1] + row;
+        const IndexBox cells{ { { box.Lower[0], j, k } }, { { box.Upper[0], j + 1, k + 1 } } };
+        rows[row] = MakeRow(grid, fractions, halvings, coarse, cells);
+      });
     for (Index row = 0; row < box.Size(1); ++row)
     {
       writer.Start(coarse.Linear({ { box.Lower[0], box.Lower[1] + row, k } }));

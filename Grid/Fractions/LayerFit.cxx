@@ -46,22 +46,25 @@ struct Trial
   double SquaredError = 0.0;  // weighted sum
 };
 
-/// Gauss-Newton method over two angles of the normal and, for films, the position of the middle.
-struct Work
+using Samples = std::vector<FractionSample>;
+
+/// Unknowns of a layer: two angles of the normal and, for films, the position of the middle.
+struct Unknowns
 {
-  const std::vector<FractionSample>& Samples;
-  const bool IsFilm;
-  const int Unknowns = IsFilm ? 3 : 2;
-  std::array<bool, 3> IsKnown{ { false, false, false } }; // axes along which there are other cells
+  bool IsFilm;
+  // Axes along which the normal may change: there are other cells along them.
+  std::array<bool, 3> Turns{ { false, false, false } };
+
+  int Count() const { return this->IsFilm ? 3 : 2; }
 };
 
 /// Returns the layer that keeps the volume in the cell.
-Trial Try(const Work& work, const Vector3& normal, double middle)
+Trial Try(const Samples& samples, bool isFilm, const Vector3& normal, double middle)
 {
   Trial trial;
   trial.Middle = middle;
-  const double inside = work.Samples[0].Value;
-  if (work.IsFilm)
+  const double inside = samples[0].Value;
+  if (isFilm)
   {
     const double half = ThicknessOfVolume(normal, middle, inside);
     trial.Region = { normal, middle - half, middle + half };
@@ -71,8 +74,8 @@ Trial Try(const Work& work, const Vector3& normal, double middle)
     trial.Region = { normal, -std::numeric_limits<double>::infinity(),
       PlaneOfVolume(normal, inside) };
   }
-  trial.Errors.reserve(work.Samples.size());
-  for (const FractionSample& sample : work.Samples)
+  trial.Errors.reserve(samples.size());
+  for (const FractionSample& sample : samples)
   {
     const double error = FractionInLayer(trial.Region, sample.Centre, sample.Size) - sample.Value;
     trial.Errors.push_back(error);
@@ -82,7 +85,8 @@ Trial Try(const Work& work, const Vector3& normal, double middle)
 }
 
 /// Returns a trial whose unknowns differ from another by a step: two rotations and a shift.
-Trial TryAdjacent(const Work& work, const Trial& from, const Vector3& step)
+Trial TryAdjacent(
+  const Samples& samples, const Unknowns& unknowns, const Trial& from, const Vector3& step)
 {
   const Vector3& n = from.Region.Normal;
   Vector3 u, v;
@@ -90,31 +94,32 @@ Trial TryAdjacent(const Work& work, const Trial& from, const Vector3& step)
   Vector3 turned = n + step[0] * u + step[1] * v;
   for (int a = 0; a < 3; ++a)
   {
-    turned[a] = work.IsKnown[a] ? turned[a] : n[a];
+    turned[a] = unknowns.Turns[a] ? turned[a] : n[a];
   }
-  return Try(work, Unit(turned), from.Middle + step[2]);
+  return Try(samples, unknowns.IsFilm, Unit(turned), from.Middle + step[2]);
 }
 
-Vector3 FindStep(const Work& work, const Trial& from)
+/// Returns a step of the Gauss-Newton method.
+Vector3 FindStep(const Samples& samples, const Unknowns& unknowns, const Trial& from)
 {
   std::array<Trial, 3> beside;
-  for (int a = 0; a < work.Unknowns; ++a)
+  for (int a = 0; a < unknowns.Count(); ++a)
   {
     Vector3 step{ { 0.0, 0.0, 0.0 } };
     step[a] = Difference;
-    beside[a] = TryAdjacent(work, from, step);
+    beside[a] = TryAdjacent(samples, unknowns, from, step);
   }
   Eigen::Matrix3d A = Eigen::Matrix3d::Zero();
   Eigen::Vector3d b = Eigen::Vector3d::Zero();
-  for (std::size_t i = 0; i < work.Samples.size(); ++i)
+  for (std::size_t i = 0; i < samples.size(); ++i)
   {
     Eigen::Vector3d slope = Eigen::Vector3d::Zero();
-    for (int a = 0; a < work.Unknowns; ++a)
+    for (int a = 0; a < unknowns.Count(); ++a)
     {
       slope[a] = (beside[a].Errors[i] - from.Errors[i]) / Difference;
     }
-    A += work.Samples[i].Weight * slope * slope.transpose();
-    b -= work.Samples[i].Weight * from.Errors[i] * slope;
+    A += samples[i].Weight * slope * slope.transpose();
+    b -= samples[i].Weight * from.Errors[i] * slope;
   }
   const double damping = Damping * A.trace() + std::numeric_limits<double>::min();
   for (int a = 0; a < 3; ++a)
@@ -128,12 +133,12 @@ Vector3 FindStep(const Work& work, const Trial& from)
 }
 
 /// Makes one step; returns whether another may help.
-bool Improve(const Work& work, Trial& best)
+bool Improve(const Samples& samples, const Unknowns& unknowns, Trial& best)
 {
-  Vector3 step = FindStep(work, best);
+  Vector3 step = FindStep(samples, unknowns, best);
   for (int halving = 0; halving < 4; ++halving, step = 0.3 * step)
   {
-    Trial trial = TryAdjacent(work, best, step);
+    Trial trial = TryAdjacent(samples, unknowns, best, step);
     if (trial.SquaredError < best.SquaredError)
     {
       const bool helped = trial.SquaredError < (1.0 - SmallestGain) * best.SquaredError;
@@ -144,29 +149,31 @@ bool Improve(const Work& work, Trial& best)
   return false;
 }
 
-Work MakeWork(const std::vector<FractionSample>& samples, bool isFilm)
+Unknowns FindUnknowns(const Samples& samples, bool isFilm)
 {
-  Work work{ samples, isFilm };
+  Unknowns unknowns{ isFilm };
   for (const FractionSample& sample : samples)
   {
     for (int a = 0; a < 3; ++a)
     {
-      work.IsKnown[a] = work.IsKnown[a] || sample.Centre[a] != 0.0;
+      unknowns.Turns[a] = unknowns.Turns[a] || sample.Centre[a] != 0.0;
     }
   }
-  return work;
+  return unknowns;
 }
 
-LayerFit Fit(const Work& work, const Vector3& normal, double middle)
+/// Finds the layer nearest to the samples, from a normal and middle to begin with.
+LayerFit Fit(const Samples& samples, bool isFilm, const Vector3& normal, double middle)
 {
-  Trial best = Try(work, normal, middle);
-  for (int step = 0; step < LargestSteps && Improve(work, best); ++step)
+  const Unknowns unknowns = FindUnknowns(samples, isFilm);
+  Trial best = Try(samples, isFilm, normal, middle);
+  for (int step = 0; step < LargestSteps && Improve(samples, unknowns, best); ++step)
   {
   }
   double weights = 0.0;
-  for (std::size_t i = 1; i < work.Samples.size(); ++i)
+  for (std::size_t i = 1; i < samples.size(); ++i)
   {
-    weights += work.Samples[i].Weight;
+    weights += samples[i].Weight;
   }
   LayerFit fit;
   fit.IsFound = true;
@@ -177,7 +184,7 @@ LayerFit Fit(const Work& work, const Vector3& normal, double middle)
 
 /// Finds the centre of the filled volume and the direction of its least extent, relative to the
 /// extent of the cells.
-void FindFilm(const std::vector<FractionSample>& samples, Vector3& normal, double& middle)
+void FindFilm(const Samples& samples, Vector3& normal, double& middle)
 {
   double mass = 0.0, weights = 0.0;
   Vector3 centre{ { 0.0, 0.0, 0.0 } }, centreOfCells{ { 0.0, 0.0, 0.0 } };
@@ -236,7 +243,7 @@ LayerFit FitHalfSpace(const std::vector<FractionSample>& samples)
   {
     return LayerFit();
   }
-  return Fit(MakeWork(samples, false), Unit(-1.0 * slope), 0.0);
+  return Fit(samples, false, Unit(-1.0 * slope), 0.0);
 }
 
 LayerFit FitFilm(const std::vector<FractionSample>& samples)
@@ -244,14 +251,13 @@ LayerFit FitFilm(const std::vector<FractionSample>& samples)
   Vector3 normal;
   double middle = 0.0;
   FindFilm(samples, normal, middle);
-  const Work work = MakeWork(samples, true);
-  LayerFit best = Fit(work, normal, middle);
+  LayerFit best = Fit(samples, true, normal, middle);
   // A film inside this cell only looks the same anywhere in it, so steps stop.
   for (double shift : { -OtherPlace, OtherPlace })
   {
     if (best.Error > CloseFit)
     {
-      const LayerFit other = Fit(work, normal, middle + shift);
+      const LayerFit other = Fit(samples, true, normal, middle + shift);
       best = other.Error < best.Error ? other : best;
     }
   }

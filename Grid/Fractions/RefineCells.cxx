@@ -10,19 +10,25 @@ namespace
 
 constexpr int ReadLayers = GhostLayers / 2; // ghost layers whose cells are divided
 
+/// Field that is divided.
+struct ParentField
+{
+  const CartesianGrid& Grid;
+  const FractionField& Fractions;
+  const CellDivision& Division;
+};
+
 /// Writes the rows of children of a row of cells.
 class ChildRows
 {
 public:
-  ChildRows(const CartesianGrid& grid, const FractionField& fractions, const CellDivision& division,
-    RefinedCells& refined) :
-    Grid(grid), Fractions(fractions), Division(division), Refined(refined)
+  ChildRows(const ParentField& parents, RefinedCells& refined) : Parents(parents), Refined(refined)
   {
   }
 
   void Start(const Index3& cell)
   {
-    const IndexBox first = this->Division.Divide(BoxOfCell(cell));
+    const IndexBox first = this->Parents.Division.Divide(BoxOfCell(cell));
     this->Rows.clear();
     ForRows(first,
       [&](Index j, Index k)
@@ -33,9 +39,9 @@ public:
   }
   void AddLabel(int label, Index begin, Index end)
   {
-    const Index3 first = this->Grid.Position(begin);
+    const Index3 first = this->Parents.Grid.Position(begin);
     const Index3 last = { { first[0] + end - begin, first[1] + 1, first[2] + 1 } };
-    const Index count = this->Division.Divide(IndexBox{ first, last }).Size(0);
+    const Index count = this->Parents.Division.Divide(IndexBox{ first, last }).Size(0);
     for (Writer& row : this->Rows)
     {
       row.AddLabel(label, count);
@@ -43,7 +49,7 @@ public:
   }
   void AddMixed(Index cell, const std::vector<ChildFractions>& children)
   {
-    const FractionField::Range parts = this->Fractions.Parts(cell);
+    const FractionField::Range parts = this->Parents.Fractions.Parts(cell);
     const std::size_t along = children[0].size() / this->Rows.size();
     for (std::size_t c = 0; c < children[0].size(); ++c)
     {
@@ -75,9 +81,7 @@ private:
     row.CopyParts(own);
   }
 
-  const CartesianGrid& Grid;
-  const FractionField& Fractions;
-  const CellDivision& Division;
+  const ParentField& Parents;
   RefinedCells& Refined;
   std::vector<Writer> Rows; // y fastest
 };
@@ -114,26 +118,34 @@ void SkipCells(const CartesianGrid& grid, const std::function<bool(const Index3&
   runs = std::move(cut);
 }
 
-/// Divides the cells of a box, layer by layer along z.
-struct Work
+/// Lists the runs of the cells of a box, row by row.
+std::vector<CellRun> ListRuns(
+  const CartesianGrid& grid, const FractionField& fractions, const IndexBox& box)
 {
-  const CartesianGrid& Grid;
-  const FractionField& Fractions;
-  const CellDivision& Division;
-  const ChildRule Rule;
-  Runtime& Run;
-};
+  std::vector<CellRun> runs;
+  ForRows(box,
+    [&](Index j, Index k)
+    {
+      const Index first = grid.Linear({ { box.Lower[0], j, k } });
+      fractions.VisitRuns(first, first + box.Size(0),
+        [&runs](Index begin, Index end, int label) {
+          runs.push_back({ begin, end, label });
+        });
+    });
+  return runs;
+}
 
 /// Returns the fractions of the parts of a mixed cell in its children.
-std::vector<ChildFractions> Distribute(const Work& work, const Index3& cell)
+std::vector<ChildFractions> Distribute(
+  const ParentField& parents, ChildRule rule, const Index3& cell)
 {
-  const Index3 counts = work.Division.Parts(cell);
-  if (work.Rule == ChildRule::Planes && counts != Index3{ { 1, 1, 1 } })
+  const Index3 counts = parents.Division.Parts(cell);
+  if (rule == ChildRule::Planes && counts != Index3{ { 1, 1, 1 } })
   {
-    return SplitCell(work.Grid, work.Fractions, cell, counts);
+    return SplitCell(parents.Grid, parents.Fractions, cell, counts);
   }
   std::vector<ChildFractions> children;
-  for (const FractionField::Part& part : work.Fractions.Parts(work.Grid.Linear(cell)))
+  for (const FractionField::Part& part : parents.Fractions.Parts(parents.Grid.Linear(cell)))
   {
     children.emplace_back(counts[0] * counts[1] * counts[2], part.Fraction);
   }
@@ -142,7 +154,7 @@ std::vector<ChildFractions> Distribute(const Work& work, const Index3& cell)
 
 /// Returns the fractions in the children of the mixed cells among the runs.
 std::vector<std::vector<ChildFractions>> Distribute(
-  const Work& work, const std::vector<CellRun>& runs)
+  const ParentField& parents, ChildRule rule, const std::vector<CellRun>& runs, Runtime& runtime)
 {
   std::vector<Index> mixed;
   for (const CellRun& run : runs)
@@ -153,54 +165,53 @@ std::vector<std::vector<ChildFractions>> Distribute(
     }
   }
   std::vector<std::vector<ChildFractions>> children(mixed.size());
-  ForEach(work.Run, mixed.size(),
-    [&](Index m) { children[m] = Distribute(work, work.Grid.Position(mixed[m])); });
+  ForEach(runtime, mixed.size(),
+    [&](Index m) { children[m] = Distribute(parents, rule, parents.Grid.Position(mixed[m])); });
   return children;
 }
 
-void CutLayer(const Work& work, const IndexBox& box, Index k,
-  const std::function<bool(const Index3&)>& skips, RefinedCells& refined)
+/// Writes the children of the cells of a layer.
+/// @param runs  cells of the layer
+/// @param mixed  fractions in the children of its mixed cells
+void WriteLayer(const ParentField& parents, const IndexBox& layer, const std::vector<CellRun>& runs,
+  const std::vector<std::vector<ChildFractions>>& mixed, RefinedCells& refined)
 {
-  std::vector<CellRun> runs;
-  for (Index j = box.Lower[1]; j < box.Upper[1]; ++j)
-  {
-    const Index first = work.Grid.Linear({ { box.Lower[0], j, k } });
-    work.Fractions.VisitRuns(first, first + box.Size(0),
-      [&runs](Index begin, Index end, int label) {
-        runs.push_back({ begin, end, label });
-      });
-  }
-  if (skips)
-  {
-    SkipCells(work.Grid, skips, runs);
-  }
-  const std::vector<std::vector<ChildFractions>> mixed = Distribute(work, runs);
-  ChildRows children(work.Grid, work.Fractions, work.Division, refined);
+  ChildRows children(parents, refined);
   auto run = runs.begin();
   auto split = mixed.begin();
-  for (Index j = box.Lower[1]; j < box.Upper[1]; ++j)
-  {
-    const Index end = work.Grid.Linear({ { box.Upper[0], j, k } });
-    children.Start({ { box.Lower[0], j, k } });
-    for (; run != runs.end() && run->End <= end; ++run)
+  ForRows(layer,
+    [&](Index j, Index k)
     {
-      if (run->Label >= 0)
+      const Index end = parents.Grid.Linear({ { layer.Upper[0], j, k } });
+      children.Start({ { layer.Lower[0], j, k } });
+      for (; run != runs.end() && run->End <= end; ++run)
       {
-        children.AddLabel(run->Label, run->Begin, run->End);
-        continue;
+        if (run->Label >= 0)
+        {
+          children.AddLabel(run->Label, run->Begin, run->End);
+          continue;
+        }
+        children.AddMixed(run->Begin, *split++);
       }
-      children.AddMixed(run->Begin, *split++);
-    }
-    children.Finish();
-  }
+      children.Finish();
+    });
 }
 
-void Cut(const Work& work, const IndexBox& box, const std::function<bool(const Index3&)>& skips,
-  RefinedCells& refined)
+/// Divides the cells of a box, layer by layer along z.
+void Cut(const ParentField& parents, ChildRule rule, const IndexBox& box,
+  const std::function<bool(const Index3&)>& skips, Runtime& runtime, RefinedCells& refined)
 {
   for (Index k = box.Lower[2]; k < box.Upper[2]; ++k)
   {
-    CutLayer(work, box, k, skips, refined);
+    IndexBox layer = box;
+    layer.Lower[2] = k;
+    layer.Upper[2] = k + 1;
+    std::vector<CellRun> runs = ListRuns(parents.Grid, parents.Fractions, layer);
+    if (skips)
+    {
+      SkipCells(parents.Grid, skips, runs);
+    }
+    WriteLayer(parents, layer, runs, Distribute(parents, rule, runs, runtime), refined);
   }
 }
 
@@ -250,7 +261,7 @@ RefinedCells RefineCells(const CartesianGrid& grid, const FractionField& fractio
 {
   const CellDivision halves(grid.Global().Upper, 2);
   RefinedCells refined = MakeVoidCells(ChangeLevel(grid, 1, GhostLayers), fractions);
-  Cut({ grid, fractions, halves, rule, runtime }, grid.Extended(ReadLayers), skips, refined);
+  Cut({ grid, fractions, halves }, rule, grid.Extended(ReadLayers), skips, runtime, refined);
   return refined;
 }
 
@@ -260,7 +271,7 @@ RefinedCells DivideCells(const CartesianGrid& grid, const FractionField& fractio
   RefinedCells refined = MakeVoidCells(
     CartesianGrid(division.Divide(grid.Coordinates()), division.Divide(grid.Owned()), GhostLayers),
     fractions);
-  Cut({ grid, fractions, division, rule, runtime }, grid.Owned(), {}, refined);
+  Cut({ grid, fractions, division }, rule, grid.Owned(), {}, runtime, refined);
   return refined;
 }
 

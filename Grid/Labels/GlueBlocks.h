@@ -20,6 +20,6 @@ namespace vfm
 /// unless cells glued across a seam are units.
 /// @return number of rounds
 /// @pre Collective.
-int GlueBlocks(LabelFlips& work);
+int GlueBlocks(LabelFlips& flips, Runtime& runtime);
 
 } // namespace vfm

@@ -32,9 +32,9 @@ void ForSurfaceNodes(const IndexBox& cells, const Body& body)
 
 /// Returns whether a node touches a unit whose change competes with changes of owned units. Owned
 /// boxes consist of complete base cells, so these units are in Reach.
-bool IsNear(const LabelFlips& work, Index node)
+bool IsNear(const LabelFlips& flips, Index node)
 {
-  return work.Reach.Touches(work.Grid.Position(node));
+  return flips.Reach.Touches(flips.Grid.Position(node));
 }
 
 /// Returns the violations of a star: of the label condition, and on a flat seam of the condition
@@ -44,38 +44,38 @@ int Violations(const std::array<int, 8>& star, int flatSeams)
   return CountViolations(star) + (flatSeams != 0 ? CountSeamViolations(star, flatSeams) : 0);
 }
 
-int Violations(const LabelFlips& work, Index node)
+int Violations(const LabelFlips& flips, Index node)
 {
-  return Violations(StarOfNode(work.Grid, work.Labels, node),
-    work.KeepsSeam ? work.Grid.FlatSeams(work.Grid.Position(node)) : 0);
+  return Violations(StarOfNode(flips.Grid, flips.Labels, node),
+    flips.KeepsSeam ? flips.Grid.FlatSeams(flips.Grid.Position(node)) : 0);
 }
 
 } // namespace
 
-void KeepViolated(LabelFlips& work)
+void KeepViolated(LabelFlips& flips, Runtime& runtime)
 {
-  std::vector<Index>& nodes = work.Violated;
+  std::vector<Index>& nodes = flips.Violated;
   SortUnique(nodes);
-  ForEach(work.Run, nodes.size(),
+  ForEach(runtime, nodes.size(),
     [&](Index n)
     {
-      const bool isKept = IsNear(work, nodes[n]) && Violations(work, nodes[n]) > 0;
+      const bool isKept = IsNear(flips, nodes[n]) && Violations(flips, nodes[n]) > 0;
       nodes[n] = isKept ? nodes[n] : -1;
     });
   nodes.erase(std::remove(nodes.begin(), nodes.end(), -1), nodes.end());
 }
 
 std::vector<int> FindGains(
-  const LabelFlips& work, const IndexBox& cells, const std::vector<int>& labels)
+  const LabelFlips& flips, const IndexBox& cells, const std::vector<int>& labels)
 {
   std::vector<int> gains(labels.size(), 0);
   ForSurfaceNodes(cells,
     [&](const Index3& node)
     {
-      std::array<int, 8> star = StarOfNode(work.Grid, work.Labels, work.Grid.Linear(node));
-      const int seams = work.KeepsSeam ? work.Grid.FlatSeams(node) : 0;
+      std::array<int, 8> star = StarOfNode(flips.Grid, flips.Labels, flips.Grid.Linear(node));
+      const int seams = flips.KeepsSeam ? flips.Grid.FlatSeams(node) : 0;
       const int before = Violations(star, seams);
-      const int region = work.Units.RegionAt(node, cells);
+      const int region = flips.Units.RegionAt(node, cells);
       for (std::size_t n = 0; n < labels.size(); ++n)
       {
         for (int s = 0; s < 8; ++s)
@@ -88,60 +88,60 @@ std::vector<int> FindGains(
   return gains;
 }
 
-double Cost(const LabelFlips& work, const IndexBox& cells, int current, int label)
+double Cost(const LabelFlips& flips, const IndexBox& cells, int current, int label)
 {
-  const FractionSum mean = MeanOfCells(work.Grid, work.Fractions, cells);
-  return static_cast<double>(work.Leaves ? cells.Size(0) : cells.NumberOfCells()) *
+  const FractionSum mean = MeanOfCells(flips.Grid, flips.Fractions, cells);
+  return static_cast<double>(flips.Leaves ? cells.Size(0) : cells.NumberOfCells()) *
     std::max(0.0, mean.Fraction(current) - mean.Fraction(label));
 }
 
-double Price(const LabelFlips& work, const IndexBox& cells, int current, int label)
+double Price(const LabelFlips& flips, const IndexBox& cells, int current, int label)
 {
-  return work.Sizes->Factor(cells.NumberOfCells(), current, label) *
-    (CostOffset + Cost(work, cells, current, label));
+  return flips.Sizes->Factor(cells.NumberOfCells(), current, label) *
+    (CostOffset + Cost(flips, cells, current, label));
 }
 
 void ApplyChanges(
-  LabelFlips& work, const std::vector<LabelChange>& changes, const std::vector<IndexBox>& others)
+  LabelFlips& flips, const std::vector<LabelChange>& changes, const std::vector<IndexBox>& others)
 {
   std::vector<std::pair<Index, int>> before; // labels of `others`
   for (const IndexBox& cells : others)
   {
-    ForParts(work, cells, [&](Index n, Index) { before.emplace_back(n, work.Labels[n]); });
+    ForParts(flips, cells, [&](Index n, Index) { before.emplace_back(n, flips.Labels[n]); });
   }
   for (const LabelChange& change : changes)
   {
-    ForParts(work, change.Cells,
+    ForParts(flips, change.Cells,
       [&](Index n, Index size)
       {
-        const int label = work.Labels[n];
+        const int label = flips.Labels[n];
         if (label != change.Label)
         {
-          work.Original.emplace(n, label);
-          work.Sizes->Add(
-            work.Parts.OwnsCell(work.Grid.Position(n)) ? size : 0, label, change.Label);
+          flips.Original.emplace(n, label);
+          flips.Sizes->Add(
+            flips.Parts.OwnsCell(flips.Grid.Position(n)) ? size : 0, label, change.Label);
         }
       });
-    FillLabels(work.Grid, change.Cells, change.Label, work.Labels);
+    FillLabels(flips.Grid, change.Cells, change.Label, flips.Labels);
     ForSurfaceNodes(
-      change.Cells, [&](const Index3& node) { work.Violated.push_back(work.Grid.Linear(node)); });
+      change.Cells, [&](const Index3& node) { flips.Violated.push_back(flips.Grid.Linear(node)); });
   }
-  work.Sizes->Share();
-  work.Parts.ExchangeCells(work.Labels,
+  flips.Sizes->Share();
+  flips.Parts.ExchangeCells(flips.Labels,
     [&](Index cell)
     {
-      const int label = work.Labels[cell];
-      work.Grid.ForMirrors(cell, [&](Index mirror) { work.Labels.Set(mirror, label); });
+      const int label = flips.Labels[cell];
+      flips.Grid.ForMirrors(cell, [&](Index mirror) { flips.Labels.Set(mirror, label); });
       for (int c = 0; c < 8; ++c)
       {
-        work.Violated.push_back(work.Grid.NodeOfCell(cell, c));
+        flips.Violated.push_back(flips.Grid.NodeOfCell(cell, c));
       }
     });
   for (const auto& other : before)
   {
-    if (work.Labels[other.first] != other.second)
+    if (flips.Labels[other.first] != other.second)
     {
-      work.Original.insert(other);
+      flips.Original.insert(other);
     }
   }
 }

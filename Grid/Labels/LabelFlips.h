@@ -21,7 +21,6 @@ struct LabelFlips
   const FractionField& Fractions;
   LabelArray& Labels;
   const Partition& Parts;
-  Runtime& Run;
   const RefinedGrid* Leaves; ///< nullptr if units are cells
   const bool KeepsSeam;      ///< whether the condition of flat seams holds too
   /// Whether cells glued across a flat seam (SeamBlocks.h) are one unit.
@@ -46,38 +45,38 @@ struct LabelChange
 };
 
 /// Returns whether this rank owns a cell of a box.
-inline bool OwnsSome(const LabelFlips& work, const IndexBox& cells)
+inline bool OwnsSome(const LabelFlips& flips, const IndexBox& cells)
 {
-  return Intersect(cells, work.Grid.Owned()).NumberOfCells() > 0;
+  return Intersect(cells, flips.Grid.Owned()).NumberOfCells() > 0;
 }
 
 /// Calls body(n, size) for the linear index n and the number of cells of each cell or leaf of a
 /// unit or block.
 template <class Body>
-void ForParts(const LabelFlips& work, const IndexBox& cells, const Body& body)
+void ForParts(const LabelFlips& flips, const IndexBox& cells, const Body& body)
 {
-  if (work.Leaves)
+  if (flips.Leaves)
   {
-    body(work.Grid.Linear(cells.Lower), cells.NumberOfCells());
+    body(flips.Grid.Linear(cells.Lower), cells.NumberOfCells());
     return;
   }
-  ForCells(cells, [&](const Index3& cell) { body(work.Grid.Linear(cell), 1); });
+  ForCells(cells, [&](const Index3& cell) { body(flips.Grid.Linear(cell), 1); });
 }
 
 /// Keeps the nodes in Violated that are in Reach and violated.
-void KeepViolated(LabelFlips& work);
+void KeepViolated(LabelFlips& flips, Runtime& runtime);
 
 /// Returns the violations removed at the nodes of some cells by each of some labels.
 /// @param cells  a unit, or cells without levels
 std::vector<int> FindGains(
-  const LabelFlips& work, const IndexBox& cells, const std::vector<int>& labels);
+  const LabelFlips& flips, const IndexBox& cells, const std::vector<int>& labels);
 
 /// Returns the fraction that a unit loses times its width: how far the interface moves, in
 /// cells of the grid; for glued cells the sum of these distances.
-double Cost(const LabelFlips& work, const IndexBox& cells, int current, int label);
+double Cost(const LabelFlips& flips, const IndexBox& cells, int current, int label);
 
 /// Returns the price of a flip of a unit: its cost, higher for small labels.
-double Price(const LabelFlips& work, const IndexBox& cells, int current, int label);
+double Price(const LabelFlips& flips, const IndexBox& cells, int current, int label);
 
 /// Applies changes on all ranks. Each rank also stores the initial labels of cells that change
 /// around its own.
@@ -85,6 +84,6 @@ double Price(const LabelFlips& work, const IndexBox& cells, int current, int lab
 /// @param others  boxes without owned cells that may change
 /// @pre Collective.
 void ApplyChanges(
-  LabelFlips& work, const std::vector<LabelChange>& changes, const std::vector<IndexBox>& others);
+  LabelFlips& flips, const std::vector<LabelChange>& changes, const std::vector<IndexBox>& others);
 
 } // namespace vfm

@@ -14,32 +14,22 @@ Index SquareOf(const Index3& step)
   return step[0] * step[0] + step[1] * step[1] + step[2] * step[2];
 }
 
-struct Work
+bool IsVoid(const CartesianGrid& grid, const LabelArray& labels, const Index3& cell)
 {
-  const RefinedGrid& Levels;
-  const LabelArray& Labels;
-  const CartesianGrid& Grid = Levels.Finest();
-  const bool HasCubes = vfm::HasCubes(Grid);
-  const LabelUnits Units{ Grid, Levels.HasFineInterfaces() ? nullptr : &Levels };
-};
-
-bool IsVoid(const Work& work, const Index3& cell)
-{
-  return work.Grid.Local().Contains(cell) && work.Labels[work.Grid.Linear(cell)] == 0;
+  return grid.Local().Contains(cell) && labels[grid.Linear(cell)] == 0;
 }
 
 /// Returns the material of the first cell of a box that has one, else 0.
-int MaterialIn(const Work& work, const IndexBox& cells)
+int MaterialIn(const CartesianGrid& grid, const LabelArray& labels, const IndexBox& cells)
 {
   if (cells.NumberOfCells() == 1)
   {
     const Index3& cell = cells.Lower;
-    return work.Grid.Local().Contains(cell) ? work.Labels[work.Grid.Linear(cell)] : 0;
+    return grid.Local().Contains(cell) ? labels[grid.Linear(cell)] : 0;
   }
   int material = 0;
-  ForCells(Intersect(cells, work.Grid.Local()),
-    [&](const Index3& cell)
-    { material = material > 0 ? material : work.Labels[work.Grid.Linear(cell)]; });
+  ForCells(Intersect(cells, grid.Local()),
+    [&](const Index3& cell) { material = material > 0 ? material : labels[grid.Linear(cell)]; });
   return material;
 }
 
@@ -65,18 +55,18 @@ std::uint32_t BesideUnits(std::uint32_t units)
 class Around
 {
 public:
-  Around(const Work& work, const IndexBox& cells) : Cells(cells)
+  Around(const CartesianGrid& grid, const LabelArray& labels, const IndexBox& cells) : Cells(cells)
   {
-    const IndexBox& box = work.Grid.Local();
+    const IndexBox& box = grid.Local();
     if (cells.NumberOfCells() == 1 && Grow(cells, 1, box).NumberOfCells() == 27)
     {
-      this->ReadCells(work.Labels, work.Grid);
+      this->ReadCells(labels, grid);
     }
     else
     {
       for (int n = 0; n < 27; ++n)
       {
-        this->Material[n] = MaterialIn(work, Shifted(cells, StepAround(n), cells.Size(0)));
+        this->Material[n] = MaterialIn(grid, labels, Shifted(cells, StepAround(n), cells.Size(0)));
       }
     }
     this->IsBeside = std::any_of(
@@ -141,14 +131,17 @@ private:
 
 /// Returns whether materials are within two units on both sides. Not where one part, as at a
 /// concave edge, is beside the unit along a diagonal.
-bool IsBetween(const Work& work, const Around& around)
+/// @param hasCubes  whether all cells are cubes (HasCubes)
+bool IsBetween(
+  const CartesianGrid& grid, const LabelArray& labels, bool hasCubes, const Around& around)
 {
   const auto reaches = [&](int n)
   {
-    const bool looksFar = !work.HasCubes || SquareOf(StepAround(n)) == 1;
+    const bool looksFar = !hasCubes || SquareOf(StepAround(n)) == 1;
     return around.HasMaterial(n) ||
       (looksFar &&
-        MaterialIn(work, Shifted(around.Cells, StepAround(n), 2 * around.Cells.Size(0))) > 0);
+        MaterialIn(grid, labels, Shifted(around.Cells, StepAround(n), 2 * around.Cells.Size(0))) >
+          0);
   };
   bool found = false;
   for (int n = 0; n < 13 && !found; ++n) // one of each pair of opposite steps
@@ -194,9 +187,8 @@ bool IsBesideSeveral(const Around& around)
 }
 
 /// Returns whether a unit lies between a side of the domain and a material, beside more of it.
-bool IsPocket(const Work& work, const Around& around)
+bool IsPocket(const IndexBox& domain, const Around& around)
 {
-  const IndexBox& domain = work.Grid.Global();
   bool found = false;
   for (int axis = 0, step = 1; axis < 3; ++axis, step *= 3)
   {
@@ -213,12 +205,13 @@ bool IsPocket(const Work& work, const Around& around)
   return found;
 }
 
-bool IsNarrow(const Work& work, const IndexBox& cells)
+bool IsNarrow(
+  const CartesianGrid& grid, const LabelArray& labels, bool hasCubes, const IndexBox& cells)
 {
-  const Around around(work, cells);
-  return IsBetween(work, around) ||
+  const Around around(grid, labels, cells);
+  return IsBetween(grid, labels, hasCubes, around) ||
     (around.IsBeside &&
-      (IsBesideSeveral(around) || IsPocket(work, around) || IsBetweenParts(around)));
+      (IsBesideSeveral(around) || IsPocket(grid.Global(), around) || IsBetweenParts(around)));
 }
 
 /// Void cell with a mixed node, in a row along x.
@@ -231,24 +224,24 @@ struct BesideCell
 class BesideCells
 {
 public:
-  BesideCells(const Work& work, const std::vector<Index>& mixed, Runtime& runtime) :
-    Box(work.Grid.Local()), Rows(Box.Size(1) * Box.Size(2))
+  /// @param mixed  mixed nodes, ascending
+  BesideCells(const CartesianGrid& grid, const LabelArray& labels, const LabelUnits& units,
+    const std::vector<Index>& mixed, Runtime& runtime) :
+    Box(grid.Local()), Rows(Box.Size(1) * Box.Size(2))
   {
     ForRows(runtime, this->Box,
-      [&](Index j, Index k, Index row) { this->FillRow(work, mixed, j, k, this->Rows[row]); });
-    std::vector<unsigned char> occurs(work.Units.LargestWidth() + 1, 0);
-    for (const std::vector<BesideCell>& row : this->Rows)
-    {
-      std::for_each(
-        row.begin(), row.end(), [&](const BesideCell& cell) { occurs[cell.Width] = 1; });
-    }
-    for (std::size_t width = 0; width < occurs.size(); ++width)
-    {
-      if (occurs[width])
+      [&](Index j, Index k, Index row)
       {
-        this->TheWidths.push_back(static_cast<Index>(width));
-      }
-    }
+        for (Index x : this->FindBeside(grid, mixed, j, k))
+        {
+          const Index3 cell{ { x, j, k } };
+          if (IsVoid(grid, labels, cell))
+          {
+            this->Rows[row].push_back({ x, units.CellsOf(units.UnitOf(cell)).Size(0) });
+          }
+        }
+      });
+    this->FindWidths(units.LargestWidth());
   }
 
   /// Returns the widths of the cells, each once.
@@ -266,13 +259,14 @@ public:
   }
 
 private:
-  void FillRow(const Work& work, const std::vector<Index>& mixed, Index j, Index k,
-    std::vector<BesideCell>& cells) const
+  /// Returns the indices along x of the cells of a row with mixed nodes, ascending.
+  std::vector<Index> FindBeside(
+    const CartesianGrid& grid, const std::vector<Index>& mixed, Index j, Index k) const
   {
-    std::vector<Index> at; // indices along x
+    std::vector<Index> at;
     for (int n = 0; n < 4; ++n)
     {
-      const Index first = work.Grid.Linear({ { this->Box.Lower[0], j + (n & 1), k + (n >> 1) } });
+      const Index first = grid.Linear({ { this->Box.Lower[0], j + (n & 1), k + (n >> 1) } });
       const auto begin = std::lower_bound(mixed.begin(), mixed.end(), first);
       for (auto node = begin; node != mixed.end() && *node <= first + this->Box.Size(0); ++node)
       {
@@ -282,12 +276,21 @@ private:
       }
     }
     SortUnique(at);
-    for (Index x : at)
+    return at;
+  }
+  void FindWidths(Index largest)
+  {
+    std::vector<unsigned char> occurs(largest + 1, 0);
+    for (const std::vector<BesideCell>& row : this->Rows)
     {
-      const Index3 cell{ { x, j, k } };
-      if (IsVoid(work, cell))
+      std::for_each(
+        row.begin(), row.end(), [&](const BesideCell& cell) { occurs[cell.Width] = 1; });
+    }
+    for (std::size_t width = 0; width < occurs.size(); ++width)
+    {
+      if (occurs[width])
       {
-        cells.push_back({ x, work.Units.CellsOf(work.Units.UnitOf(cell)).Size(0) });
+        this->TheWidths.push_back(static_cast<Index>(width));
       }
     }
   }
@@ -297,11 +300,12 @@ private:
   std::vector<Index> TheWidths;
 };
 
-/// Returns the units of the void cells of a row that can be narrow: the cells with mixed nodes, and
-/// a cell of each unit around these. Units can occur repeatedly.
-std::vector<Index> FindCandidates(const Work& work, const BesideCells& beside, Index j, Index k)
+/// Marks the cells of a row that can be narrow: the cells with mixed nodes, and a cell of each unit
+/// around these.
+/// @param box  local box
+std::vector<unsigned char> MarkCandidates(
+  const IndexBox& box, const BesideCells& beside, Index j, Index k)
 {
-  const IndexBox& box = work.Grid.Local();
   std::vector<unsigned char> isNear(box.Size(0), 0);
   const auto mark = [&](Index x)
   {
@@ -324,34 +328,47 @@ std::vector<Index> FindCandidates(const Work& work, const BesideCells& beside, I
       }
     }
   }
-  std::vector<Index> units;
-  for (Index x = box.Lower[0]; x < box.Upper[0]; ++x)
+  return isNear;
+}
+
+/// Returns the units of the void cells of a row among some cells, ascending.
+/// @param first  first cell of the row in the local box
+/// @param isNear  whether each cell of the row is one of them
+std::vector<Index> FindVoidUnits(const RefinedGrid& levels, const LabelArray& labels,
+  const LabelUnits& units, const Index3& first, const std::vector<unsigned char>& isNear)
+{
+  std::vector<Index> found;
+  for (std::size_t n = 0; n < isNear.size(); ++n)
   {
-    const Index3 cell{ { x, j, k } };
-    if (isNear[x - box.Lower[0]] && IsVoid(work, cell) &&
-      !(work.Levels.HasFineInterfaces() && !work.Levels.IsFine(cell)))
+    const Index3 cell{ { first[0] + static_cast<Index>(n), first[1], first[2] } };
+    if (isNear[n] && IsVoid(levels.Finest(), labels, cell) &&
+      !(levels.HasFineInterfaces() && !levels.IsFine(cell)))
     {
-      units.push_back(work.Units.UnitOf(cell));
+      found.push_back(units.UnitOf(cell));
     }
   }
-  return units;
+  SortUnique(found);
+  return found;
 }
 
 /// Returns the narrow units, ascending.
-std::vector<Index> FindNarrow(const Work& work, const std::vector<Index>& mixed, Runtime& runtime)
+std::vector<Index> FindNarrow(const RefinedGrid& levels, const LabelArray& labels,
+  const LabelUnits& units, const std::vector<Index>& mixed, Runtime& runtime)
 {
-  const IndexBox& box = work.Grid.Local();
-  const BesideCells beside(work, mixed, runtime);
+  const CartesianGrid& grid = levels.Finest();
+  const IndexBox& box = grid.Local();
+  const bool hasCubes = HasCubes(grid);
+  const BesideCells beside(grid, labels, units, mixed, runtime);
   std::vector<std::vector<Index>> found(box.Size(1) * box.Size(2));
   ForRows(runtime, box,
     [&](Index j, Index k, Index row)
     {
-      std::vector<Index>& units = found[row];
-      units = FindCandidates(work, beside, j, k);
-      SortUnique(units);
-      units.erase(std::remove_if(units.begin(), units.end(),
-                    [&](Index unit) { return !IsNarrow(work, work.Units.CellsOf(unit)); }),
-        units.end());
+      found[row] = FindVoidUnits(
+        levels, labels, units, { { box.Lower[0], j, k } }, MarkCandidates(box, beside, j, k));
+      const auto isWide = [&](Index unit)
+      { return !IsNarrow(grid, labels, hasCubes, units.CellsOf(unit)); };
+      found[row].erase(
+        std::remove_if(found[row].begin(), found[row].end(), isWide), found[row].end());
     });
   std::vector<Index> narrow = Joined(found);
   SortUnique(narrow);
@@ -364,10 +381,11 @@ NarrowVoid::NarrowVoid(const RefinedGrid& levels, const LabelArray& labels,
   const std::vector<Index>& mixed, Runtime& runtime) :
   Cells(levels.Finest(), 0), Nodes(levels.Finest(), 0)
 {
-  const Work work{ levels, labels };
-  for (Index unit : FindNarrow(work, mixed, runtime))
+  const CartesianGrid& grid = levels.Finest();
+  const LabelUnits units(grid, levels.HasFineInterfaces() ? nullptr : &levels);
+  for (Index unit : FindNarrow(levels, labels, units, mixed, runtime))
   {
-    this->Add(work.Grid, work.Units.CellsOf(unit));
+    this->Add(grid, units.CellsOf(unit));
   }
 }
 

@@ -45,37 +45,10 @@ void CheckCriteria(const RefinementCriteria& criteria)
   }
 }
 
-/// Evaluates one criterion after another.
-struct Work
-{
-  const CartesianGrid& Grid;
-  const FractionField& Fractions;
-  const RefinementCriteria& Criteria;
-  const double IsoValue;
-  const Partition& ThePartition;
-  Runtime& Run;
-  RefinementRequests Result{};
-};
-
-void SumCounts(Work& work)
-{
-  RefinementRequests& result = work.Result;
-  Index* const all[] = { &result.ThinCells, &result.CurvedCells, &result.FlippedCells,
-    &result.NearCells, &result.ChosenCells, &result.AllCells };
-  std::vector<Index> counts;
-  for (const Index* count : all)
-  {
-    counts.push_back(*count);
-  }
-  work.ThePartition.Group().Sum(counts);
-  for (std::size_t c = 0; c < counts.size(); ++c)
-  {
-    *all[c] = counts[c];
-  }
-}
+using Requests = std::vector<RefinementRequest>;
 
 /// Sorts requests by key and keeps the most halvings of each cell.
-void Tidy(std::vector<RefinementRequest>& cells)
+void Tidy(Requests& cells)
 {
   std::sort(cells.begin(), cells.end(),
     [](const RefinementRequest& a, const RefinementRequest& b)
@@ -86,26 +59,49 @@ void Tidy(std::vector<RefinementRequest>& cells)
     cells.end());
 }
 
-void AddRequest(Work& work, const Index3& cell, int halvings, Index& count)
+/// Sums the counts of all ranks.
+void SumCounts(RefinementRequests& result, Ranks& ranks)
+{
+  Index* const all[] = { &result.ThinCells, &result.CurvedCells, &result.FlippedCells,
+    &result.NearCells, &result.ChosenCells, &result.AllCells };
+  std::vector<Index> counts;
+  for (const Index* count : all)
+  {
+    counts.push_back(*count);
+  }
+  ranks.Sum(counts);
+  for (std::size_t c = 0; c < counts.size(); ++c)
+  {
+    *all[c] = counts[c];
+  }
+}
+
+/// Adds the requests of one criterion; returns their number.
+Index Add(const Requests& more, Requests& requests)
+{
+  requests.insert(requests.end(), more.begin(), more.end());
+  return static_cast<Index>(more.size());
+}
+
+void AddRequest(const CartesianGrid& grid, const Index3& cell, int halvings, Requests& requests)
 {
   if (halvings > 0)
   {
-    work.Result.Cells.push_back({ work.Grid.CellKey(cell), halvings });
-    ++count;
+    requests.push_back({ grid.CellKey(cell), halvings });
   }
 }
 
 /// Returns whether a pure cell has a mixed neighbour or one of another label.
-bool IsNextToOthers(const Work& work, const Index3& p, Index cell)
+bool IsNextToOthers(const CartesianGrid& grid, const FractionField& fractions, const Index3& p)
 {
+  const int label = fractions.Label(grid.Linear(p));
   for (int c = 0; c < 27; ++c)
   {
     const Index3 q = CellAround(p, c);
-    if (work.Grid.InDomain(q))
+    if (grid.InDomain(q))
     {
-      const Index other = work.Grid.Linear(q);
-      if (work.Fractions.IsMixed(other) ||
-        work.Fractions.Label(other) != work.Fractions.Label(cell))
+      const Index other = grid.Linear(q);
+      if (fractions.IsMixed(other) || fractions.Label(other) != label)
       {
         return true;
       }
@@ -115,139 +111,156 @@ bool IsNextToOthers(const Work& work, const Index3& p, Index cell)
 }
 
 /// Returns the most halvings that a part of the cell requests.
-int HalvingsForThickness(const Work& work, const Index3& p, Index cell)
+int HalvingsForThickness(const CartesianGrid& grid, const FractionField& fractions,
+  const RefinementCriteria& criteria, const Index3& p)
 {
-  const double enough = work.Criteria.ThinCells;
+  const double enough = criteria.ThinCells;
   const auto halvings = [&](int material)
   {
-    const double thickness = FindThickness(work.Grid, work.Fractions, p, material, enough);
-    return thickness < Speck ? 0 : HalvingsFor(enough / thickness, work.Criteria.MaximumLevel);
+    const double thickness = FindThickness(grid, fractions, p, material, enough);
+    return thickness < Speck ? 0 : HalvingsFor(enough / thickness, criteria.MaximumLevel);
   };
   int most = 0;
-  work.Fractions.ForParts(
-    cell, [&](int material, double) { most = std::max(most, halvings(material)); });
+  fractions.ForParts(
+    grid.Linear(p), [&](int material, double) { most = std::max(most, halvings(material)); });
   return most;
 }
 
-void RequestByThickness(Work& work)
+Requests RequestByThickness(const CartesianGrid& grid, const FractionField& fractions,
+  const RefinementCriteria& criteria, Runtime& runtime)
 {
-  if (!(work.Criteria.ThinCells > 0.0))
+  Requests requests;
+  if (!(criteria.ThinCells > 0.0))
   {
-    return;
+    return requests;
   }
   std::vector<Index3> cells;
-  ForCells(work.Grid.Owned(),
+  ForCells(grid.Owned(),
     [&](const Index3& p)
     {
-      const Index cell = work.Grid.Linear(p);
-      if (work.Fractions.IsMixed(cell) || IsNextToOthers(work, p, cell))
+      if (fractions.IsMixed(grid.Linear(p)) || IsNextToOthers(grid, fractions, p))
       {
         cells.push_back(p);
       }
     });
   std::vector<int> halvings(cells.size());
-  ForEach(work.Run, cells.size(),
-    [&](Index n)
-    { halvings[n] = HalvingsForThickness(work, cells[n], work.Grid.Linear(cells[n])); });
+  ForEach(runtime, cells.size(),
+    [&](Index n) { halvings[n] = HalvingsForThickness(grid, fractions, criteria, cells[n]); });
   for (std::size_t n = 0; n < cells.size(); ++n)
   {
-    AddRequest(work, cells[n], halvings[n], work.Result.ThinCells);
+    AddRequest(grid, cells[n], halvings[n], requests);
   }
+  return requests;
 }
 
-void RequestByCurvature(Work& work)
+Requests RequestByCurvature(const CartesianGrid& grid, const FractionField& fractions,
+  const RefinementCriteria& criteria, Runtime& runtime)
 {
-  if (!(work.Criteria.CurvaturePerCell > 0.0))
+  Requests requests;
+  if (!(criteria.CurvaturePerCell > 0.0))
   {
-    return;
+    return requests;
   }
-  for (const CellCurvature& c : FindCurvatures(work.Grid, work.Fractions, work.Run))
+  for (const CellCurvature& c : FindCurvatures(grid, fractions, runtime))
   {
-    const double factor = c.Curvature / work.Criteria.CurvaturePerCell;
-    AddRequest(work, work.Grid.Position(c.Cell), HalvingsFor(factor, work.Criteria.MaximumLevel),
-      work.Result.CurvedCells);
+    const double factor = c.Curvature / criteria.CurvaturePerCell;
+    AddRequest(grid, grid.Position(c.Cell), HalvingsFor(factor, criteria.MaximumLevel), requests);
   }
+  return requests;
 }
 
-void MarkAround(const Work& work, Index node, PagedArray<int>& marks)
+void MarkAround(const CartesianGrid& grid, Index node, PagedArray<int>& marks)
 {
   for (int c = 0; c < 8; ++c)
   {
-    marks.Set(work.Grid.CellOfNode(node, c), 1);
+    marks.Set(grid.CellOfNode(node, c), 1);
   }
 }
 
-/// Marks the owned cells within the layers: first the cells at mixed nodes, then the cells that
+/// Marks the owned cells within some layers: first the cells at mixed nodes, then the cells that
 /// share a node with marked ones.
-PagedArray<int> FindNear(const Work& work, const LabelArray& labels)
+PagedArray<int> FindNear(
+  const CartesianGrid& grid, const LabelArray& labels, int layers, const Partition& partition)
 {
-  PagedArray<int> isNear(work.Grid, 0);
-  for (Index node : FindMixedNodes(work.Grid, labels))
+  PagedArray<int> isNear(grid, 0);
+  for (Index node : FindMixedNodes(grid, labels))
   {
-    MarkAround(work, node, isNear);
+    MarkAround(grid, node, isNear);
   }
-  work.ThePartition.ExchangeCells(isNear, [](Index) {});
-  for (int layer = 1; layer < work.Criteria.InterfaceLayers; ++layer)
+  partition.ExchangeCells(isNear, [](Index) {});
+  for (int layer = 1; layer < layers; ++layer)
   {
     const PagedArray<int> before = isNear;
-    work.ThePartition.ForCells(work.Grid.Local(),
+    partition.ForCells(grid.Local(),
       [&](Index cell)
       {
         for (int c = 0; before[cell] && c < 8; ++c)
         {
-          MarkAround(work, work.Grid.NodeOfCell(cell, c), isNear);
+          MarkAround(grid, grid.NodeOfCell(cell, c), isNear);
         }
       });
-    work.ThePartition.ExchangeCells(isNear, [](Index) {});
+    partition.ExchangeCells(isNear, [](Index) {});
   }
   return isNear;
 }
 
-void RequestByLabels(Work& work)
+/// Requests one halving of cells whose label changes.
+Requests RequestFlipped(
+  const CartesianGrid& grid, const LabelArray& before, const LabelArray& after)
 {
-  if (!work.Criteria.FlippedCells && work.Criteria.InterfaceLayers <= 0)
+  Requests requests;
+  ForCells(grid.Owned(),
+    [&](const Index3& p)
+    {
+      const Index cell = grid.Linear(p);
+      AddRequest(grid, p, after[cell] != before[cell], requests);
+    });
+  return requests;
+}
+
+/// Requests some halvings of marked cells.
+Requests RequestMarked(const CartesianGrid& grid, const PagedArray<int>& marks, int halvings)
+{
+  Requests requests;
+  ForCells(grid.Owned(),
+    [&](const Index3& p) { AddRequest(grid, p, marks[grid.Linear(p)] ? halvings : 0, requests); });
+  return requests;
+}
+
+/// Adds requests and their counts by the labels that the mesh will have.
+void RequestByLabels(const CartesianGrid& grid, const FractionField& fractions,
+  const RefinementCriteria& criteria, double isoValue, const Partition& partition, Runtime& runtime,
+  RefinementRequests& result)
+{
+  if (!criteria.FlippedCells && criteria.InterfaceLayers <= 0)
   {
     return;
   }
-  const LabelArray before = AssignMaterials(work.Grid, work.Fractions, work.IsoValue);
+  const LabelArray before = AssignMaterials(grid, fractions, isoValue);
   LabelArray labels = before;
-  ResolveLabels(work.Grid, work.Fractions, labels, work.ThePartition, work.Run);
-  ForCells(work.Grid.Owned(),
-    [&](const Index3& p)
-    {
-      const Index cell = work.Grid.Linear(p);
-      AddRequest(work, p, work.Criteria.FlippedCells && labels[cell] != before[cell],
-        work.Result.FlippedCells);
-    });
-  if (work.Criteria.InterfaceLayers > 0)
+  ResolveLabels(grid, fractions, labels, partition, runtime);
+  if (criteria.FlippedCells)
   {
-    const PagedArray<int> isNear = FindNear(work, labels);
-    ForCells(work.Grid.Owned(),
-      [&](const Index3& p)
-      {
-        const int halvings = isNear[work.Grid.Linear(p)] ? work.Criteria.MaximumLevel : 0;
-        AddRequest(work, p, halvings, work.Result.NearCells);
-      });
+    result.FlippedCells = Add(RequestFlipped(grid, before, labels), result.Cells);
+  }
+  if (criteria.InterfaceLayers > 0)
+  {
+    const PagedArray<int> isNear = FindNear(grid, labels, criteria.InterfaceLayers, partition);
+    result.NearCells = Add(RequestMarked(grid, isNear, criteria.MaximumLevel), result.Cells);
   }
 }
 
-void RequestChosen(Work& work)
+Requests RequestChosen(const CartesianGrid& grid, const RefinementCriteria& criteria)
 {
-  std::vector<RefinementRequest> chosen; // boxes may share cells
-  for (const ChosenBox& box : work.Criteria.Chosen)
+  Requests chosen; // boxes may share cells
+  for (const ChosenBox& box : criteria.Chosen)
   {
-    const int halvings = std::min(static_cast<int>(box.Halvings), work.Criteria.MaximumLevel);
-    if (halvings > 0)
-    {
-      ForCells(Intersect(box.Cells, work.Grid.Owned()),
-        [&](const Index3& p) {
-          chosen.push_back({ work.Grid.CellKey(p), halvings });
-        });
-    }
+    const int halvings = std::min(static_cast<int>(box.Halvings), criteria.MaximumLevel);
+    ForCells(Intersect(box.Cells, grid.Owned()),
+      [&](const Index3& p) { AddRequest(grid, p, halvings, chosen); });
   }
   Tidy(chosen);
-  work.Result.ChosenCells = static_cast<Index>(chosen.size());
-  work.Result.Cells.insert(work.Result.Cells.end(), chosen.begin(), chosen.end());
+  return chosen;
 }
 
 } // namespace
@@ -256,25 +269,24 @@ RefinementRequests FindRefinement(const CartesianGrid& grid, const FractionField
   const RefinementCriteria& criteria, double isoValue, const Partition& partition, Runtime& runtime)
 {
   CheckCriteria(criteria);
-  Work work{ grid, fractions, criteria, isoValue, partition, runtime };
-  if (work.Criteria.MaximumLevel > 0)
+  RefinementRequests result;
+  if (criteria.MaximumLevel > 0)
   {
-    RequestByThickness(work);
-    RequestByCurvature(work);
-    RequestByLabels(work);
-    RequestChosen(work);
+    result.ThinCells = Add(RequestByThickness(grid, fractions, criteria, runtime), result.Cells);
+    result.CurvedCells = Add(RequestByCurvature(grid, fractions, criteria, runtime), result.Cells);
+    RequestByLabels(grid, fractions, criteria, isoValue, partition, runtime, result);
+    result.ChosenCells = Add(RequestChosen(grid, criteria), result.Cells);
   }
-  RefinementRequests& result = work.Result;
   Tidy(result.Cells);
   result.AllCells = static_cast<Index>(result.Cells.size());
-  SumCounts(work);
+  SumCounts(result, partition.Group());
   int most = 0;
   for (const RefinementRequest& request : result.Cells)
   {
     most = std::max(most, request.Halvings);
   }
-  result.Refinements = static_cast<int>(work.ThePartition.Group().Max(most));
-  return std::move(result);
+  result.Refinements = static_cast<int>(partition.Group().Max(most));
+  return result;
 }
 
 void AddRequestedFamilies(const OctreeKeys& lattice, int level, const ChosenBox& requested,

@@ -30,42 +30,49 @@ struct Candidate
   }
 };
 
-/// Labels and candidates for the next flips.
-struct Work : LabelFlips
+using Candidates = std::unordered_map<Index, Candidate>; // by unit
+
+/// Which labels units may take in a round.
+struct FlipRules
 {
-  int Turn = 0;
+  int Turn = 0;          // label that is first in the order of labels
   bool InOrder = false;  // whether units may only take smaller labels, in the last order
   bool KeepsLast = true; // whether no label may lose its last unit
-  std::unordered_map<Index, Candidate> Candidates{}; // by unit
 };
 
 /// Returns the position of a label in the current order, which begins at label Turn and wraps
 /// around. In the last order, small labels come first.
-Index Order(const Work& work, int label)
+Index Order(const LabelFlips& flips, const FlipRules& rules, int label)
 {
-  const Index count = work.Fractions.NumberOfMaterials() + 1;
-  const Index size = work.InOrder ? work.Sizes->CappedSize(label) : 0;
-  return size * count + (label + count - work.Turn % count) % count;
+  const Index count = flips.Fractions.NumberOfMaterials() + 1;
+  const Index size = rules.InOrder ? flips.Sizes->CappedSize(label) : 0;
+  return size * count + (label + count - rules.Turn % count) % count;
 }
 
-bool MayTake(const Work& work, int current, int label, bool decreasing)
+/// Returns whether a unit may take a label.
+/// @param decreasing  whether it must come before the current label in the order
+bool MayTake(
+  const LabelFlips& flips, const FlipRules& rules, bool decreasing, Index unit, int label)
 {
-  return label != current && !(decreasing && Order(work, label) > Order(work, current));
+  const int current = flips.Labels[unit];
+  return label != current &&
+    !(decreasing && Order(flips, rules, label) > Order(flips, rules, current));
 }
 
 /// Returns the key that decides between equal scores, equal for all copies of a unit.
-Index TieKey(const Work& work, const IndexBox& cells)
+Index TieKey(const CartesianGrid& grid, const IndexBox& cells)
 {
-  return work.Grid.CellKey(work.Grid.Canonical(cells.Lower));
+  return grid.CellKey(grid.Canonical(cells.Lower));
 }
 
 /// Returns the best of some labels, ascending, that a unit may take; its label is -1
 /// if there is none.
-Candidate Consider(const Work& work, Index unit, const std::vector<int>& labels, bool decreasing)
+Candidate Consider(
+  const LabelFlips& flips, Index unit, const std::vector<int>& labels, bool decreasing)
 {
-  const IndexBox cells = work.Units.CellsOf(unit);
-  const std::vector<int> gains = FindGains(work, cells, labels);
-  Candidate best{ 0.0, -1, TieKey(work, cells), cells };
+  const IndexBox cells = flips.Units.CellsOf(unit);
+  const std::vector<int> gains = FindGains(flips, cells, labels);
+  Candidate best{ 0.0, -1, TieKey(flips.Grid, cells), cells };
   for (std::size_t n = 0; n < labels.size(); ++n)
   {
     const int gain = gains[n];
@@ -73,7 +80,7 @@ Candidate Consider(const Work& work, Index unit, const std::vector<int>& labels,
     {
       continue;
     }
-    const double price = Price(work, cells, work.Labels[unit], labels[n]);
+    const double price = Price(flips, cells, flips.Labels[unit], labels[n]);
     const double score = gain > 0 ? gain / price : (gain - 1) * price;
     if (best.Label < 0 || score > best.Score)
     {
@@ -84,193 +91,207 @@ Candidate Consider(const Work& work, Index unit, const std::vector<int>& labels,
   return best;
 }
 
-void FindCandidates(Work& work, bool decreasing)
+/// Returns the labels around violated nodes that each unit there could take, as pairs, ascending.
+std::vector<std::pair<Index, int>> ListChoices(const LabelFlips& flips)
 {
-  work.Candidates.clear();
-  std::vector<std::pair<Index, int>> changes;
-  for (Index node : work.Violated)
+  std::vector<std::pair<Index, int>> choices;
+  for (Index node : flips.Violated)
   {
-    const StarLabels labels(StarOfNode(work.Grid, work.Labels, node));
-    const Index3 position = work.Grid.Position(node);
+    const StarLabels labels(StarOfNode(flips.Grid, flips.Labels, node));
+    const Index3 position = flips.Grid.Position(node);
     for (int s = 0; s < 8; ++s)
     {
-      const Index unit = work.Units.UnitOf(CellOfStar(position, s));
+      const Index unit = flips.Units.UnitOf(CellOfStar(position, s));
       for (int label : labels)
       {
-        changes.emplace_back(unit, label);
+        choices.emplace_back(unit, label);
       }
     }
   }
-  SortUnique(changes);
-  std::vector<std::size_t> begins; // first change of each unit, and the end
-  for (std::size_t n = 0; n < changes.size(); ++n)
+  SortUnique(choices);
+  return choices;
+}
+
+/// Returns the best changes of units at violated nodes.
+/// @param decreasing  whether units only take labels before their own in the order
+Candidates FindCandidates(
+  const LabelFlips& flips, const FlipRules& rules, bool decreasing, Runtime& runtime)
+{
+  const std::vector<std::pair<Index, int>> choices = ListChoices(flips);
+  std::vector<std::size_t> begins; // first choice of each unit, and the end
+  for (std::size_t n = 0; n < choices.size(); ++n)
   {
-    if (n == 0 || changes[n].first != changes[n - 1].first)
+    if (n == 0 || choices[n].first != choices[n - 1].first)
     {
       begins.push_back(n);
     }
   }
-  begins.push_back(changes.size());
+  begins.push_back(choices.size());
   std::vector<Candidate> found(begins.size() - 1);
-  ForEach(work.Run, found.size(),
+  ForEach(runtime, found.size(),
     [&](Index n)
     {
-      const Index unit = changes[begins[n]].first;
-      const bool isKept = work.KeepsLast &&
-        work.Sizes->IsLast(work.Units.CellsOf(unit).NumberOfCells(), work.Labels[unit]);
+      const Index unit = choices[begins[n]].first;
+      const bool isKept = rules.KeepsLast &&
+        flips.Sizes->IsLast(flips.Units.CellsOf(unit).NumberOfCells(), flips.Labels[unit]);
       std::vector<int> allowed;
       for (std::size_t c = begins[n]; !isKept && c < begins[n + 1]; ++c)
       {
-        if (MayTake(work, work.Labels[unit], changes[c].second, decreasing))
+        if (MayTake(flips, rules, decreasing, unit, choices[c].second))
         {
-          allowed.push_back(changes[c].second);
+          allowed.push_back(choices[c].second);
         }
       }
       found[n] =
-        allowed.empty() ? Candidate{ 0.0, -1, 0, {} } : Consider(work, unit, allowed, decreasing);
+        allowed.empty() ? Candidate{ 0.0, -1, 0, {} } : Consider(flips, unit, allowed, decreasing);
     });
+  Candidates candidates;
   for (std::size_t n = 0; n < found.size(); ++n)
   {
     if (found[n].Label >= 0)
     {
-      work.Candidates.emplace(changes[begins[n]].first, found[n]);
+      candidates.emplace(choices[begins[n]].first, found[n]);
     }
   }
+  return candidates;
 }
 
 /// Returns whether no candidate around that shares a node with this one beats it.
-bool IsBestAround(const Work& work, const IndexBox& cells, const Candidate& mine)
+bool IsBestAround(const Candidates& candidates, const LabelUnits& units, const Candidate& mine)
 {
+  const IndexBox& cells = mine.Cells;
   bool isBest = true;
   ForCells({ CellOfStar(cells.Lower, 0), CornerOfCell(cells.Upper, 7) },
     [&](const Index3& cell)
     {
       if (isBest && !cells.Contains(cell))
       {
-        const auto other = work.Candidates.find(work.Units.UnitOf(cell));
-        isBest = other == work.Candidates.end() || !other->second.Beats(mine);
+        const auto other = candidates.find(units.UnitOf(cell));
+        isBest = other == candidates.end() || !other->second.Beats(mine);
       }
     });
   return isBest;
 }
 
 /// Flips the best candidates.
-void Flip(Work& work)
+void Flip(const Candidates& candidates, LabelFlips& flips)
 {
-  std::vector<LabelChange> flips;
+  std::vector<LabelChange> changes;
   std::vector<IndexBox> others;
-  for (const auto& candidate : work.Candidates)
+  for (const auto& candidate : candidates)
   {
     const Candidate& change = candidate.second;
-    if (!OwnsSome(work, change.Cells))
+    if (!OwnsSome(flips, change.Cells))
     {
       others.push_back(change.Cells);
     }
-    else if (IsBestAround(work, change.Cells, change))
+    else if (IsBestAround(candidates, flips.Units, change))
     {
-      flips.push_back({ change.Cells, change.Label });
+      changes.push_back({ change.Cells, change.Label });
     }
   }
-  ApplyChanges(work, flips, others);
+  ApplyChanges(flips, changes, others);
 }
 
 /// Returns the change to the initial label of a cell or leaf, or of its unit if that was its label
 /// everywhere; the label is -1 if that would add a violation.
-Candidate FindRestoration(const Work& work, Index part, int first)
+Candidate FindRestoration(const LabelFlips& flips, Index part, int first)
 {
-  const Index unit = work.Units.UnitOf(work.Grid.Position(part));
-  IndexBox cells = work.Units.CellsOf(unit);
-  const int label = work.Labels[part];
+  const Index unit = flips.Units.UnitOf(flips.Grid.Position(part));
+  IndexBox cells = flips.Units.CellsOf(unit);
+  const int label = flips.Labels[part];
   bool isWhole = true;
-  ForParts(work, cells,
+  ForParts(flips, cells,
     [&](Index n, Index)
     {
-      const auto at = work.Original.find(n);
-      isWhole = isWhole && at != work.Original.end() && at->second == first;
+      const auto at = flips.Original.find(n);
+      isWhole = isWhole && at != flips.Original.end() && at->second == first;
     });
-  cells = isWhole ? cells : BoxOfCell(work.Grid.Position(part));
+  cells = isWhole ? cells : BoxOfCell(flips.Grid.Position(part));
   // A label that lost its initial cells can have others that it got as blocks were glued.
-  const bool isKept = work.HasBlocks && work.Sizes->IsLast(cells.NumberOfCells(), label);
-  const bool may = label != first && !isKept && Intersect(cells, work.Near) == cells &&
-    FindGains(work, cells, { first })[0] == 0;
-  return may ? Candidate{ Price(work, cells, first, label), first, TieKey(work, cells), cells }
-             : Candidate{ 0.0, -1, 0, {} };
+  const bool isKept = flips.HasBlocks && flips.Sizes->IsLast(cells.NumberOfCells(), label);
+  const bool may = label != first && !isKept && Intersect(cells, flips.Near) == cells &&
+    FindGains(flips, cells, { first })[0] == 0;
+  return may
+    ? Candidate{ Price(flips, cells, first, label), first, TieKey(flips.Grid, cells), cells }
+    : Candidate{ 0.0, -1, 0, {} };
 }
 
-/// Makes initial labels candidates where they leave the number of violations unchanged.
-void FindRestorable(Work& work)
+/// Returns the changes to initial labels that leave the number of violations unchanged.
+Candidates FindRestorable(const LabelFlips& flips, Runtime& runtime)
 {
-  work.Candidates.clear();
-  const std::vector<std::pair<Index, int>> parts(work.Original.begin(), work.Original.end());
+  const std::vector<std::pair<Index, int>> parts(flips.Original.begin(), flips.Original.end());
   std::vector<Candidate> found(parts.size());
-  ForEach(work.Run, parts.size(),
-    [&](Index n) { found[n] = FindRestoration(work, parts[n].first, parts[n].second); });
+  ForEach(runtime, parts.size(),
+    [&](Index n) { found[n] = FindRestoration(flips, parts[n].first, parts[n].second); });
+  Candidates candidates;
   for (std::size_t n = 0; n < parts.size(); ++n)
   {
     if (found[n].Label >= 0)
     {
-      const Index unit = work.Units.UnitOf(work.Grid.Position(parts[n].first));
-      const auto at = work.Candidates.emplace(unit, found[n]);
+      const Index unit = flips.Units.UnitOf(flips.Grid.Position(parts[n].first));
+      const auto at = candidates.emplace(unit, found[n]);
       if (found[n].Beats(at.first->second))
       {
         at.first->second = found[n];
       }
     }
   }
+  return candidates;
 }
 
 /// Restores the initial labels of units where that adds no violation, until no unit is left:
 /// reverts useless perturbations. It ends because each round reduces the number of changed units.
 /// Not all flips of units beyond Near are known. Returns the number of rounds.
-int Restore(Work& work)
+int Restore(LabelFlips& flips, Runtime& runtime)
 {
   for (int rounds = 0;; ++rounds)
   {
-    FindRestorable(work);
-    if (!work.Parts.Group().Any(!work.Candidates.empty()))
+    const Candidates candidates = FindRestorable(flips, runtime);
+    if (!flips.Parts.Group().Any(!candidates.empty()))
     {
       return rounds;
     }
-    Flip(work);
-    work.Violated.clear();
+    Flip(candidates, flips);
+    flips.Violated.clear();
   }
 }
 
 /// Lists units of several cells whose flip moves the interface by more than CostlyFlip.
-std::vector<Index3> FindCostlyFlips(const Work& work)
+std::vector<Index3> FindCostlyFlips(const LabelFlips& flips)
 {
-  std::vector<Index3> flips;
-  if (!work.Leaves)
+  std::vector<Index3> costly;
+  if (!flips.Leaves)
   {
-    return flips;
+    return costly;
   }
-  for (const auto& unit : work.Original)
+  for (const auto& unit : flips.Original)
   {
-    const IndexBox cells = work.Units.CellsOf(unit.first);
-    if (cells.Size(0) > 1 && work.Parts.OwnsCell(cells.Lower) &&
-      Cost(work, cells, unit.second, work.Labels[unit.first]) > CostlyFlip)
+    const IndexBox cells = flips.Units.CellsOf(unit.first);
+    if (cells.Size(0) > 1 && flips.Parts.OwnsCell(cells.Lower) &&
+      Cost(flips, cells, unit.second, flips.Labels[unit.first]) > CostlyFlip)
     {
-      flips.push_back(cells.Lower);
+      costly.push_back(cells.Lower);
     }
   }
-  return flips;
+  return costly;
 }
 
 /// Counts the flipped units of all ranks, by their initial and by their present label.
-void CountChanges(const Work& work, ResolveReport& report)
+void CountChanges(const LabelFlips& flips, ResolveReport& report)
 {
   const std::size_t labels = report.LostCells.size();
   std::vector<std::int64_t> counts(2 * labels, 0);
-  for (const auto& [unit, first] : work.Original)
+  for (const auto& [unit, first] : flips.Original)
   {
-    const int label = work.Labels[unit];
-    if (label != first && work.Parts.OwnsCell(work.Grid.Position(unit)))
+    const int label = flips.Labels[unit];
+    if (label != first && flips.Parts.OwnsCell(flips.Grid.Position(unit)))
     {
       ++counts[first];
       ++counts[labels + label];
     }
   }
-  work.Parts.Group().Sum(counts);
+  flips.Parts.Group().Sum(counts);
   report.LostCells.assign(counts.begin(), counts.begin() + labels);
   report.GainedCells.assign(counts.begin() + labels, counts.end());
   report.FlippedCells =
@@ -290,47 +311,48 @@ ResolveReport ResolveLabels(const CartesianGrid& grid, const FractionField& frac
   LabelArray& labels, const Partition& partition, Runtime& runtime, const RefinedGrid* leaves,
   bool keepsSeam)
 {
-  Work work{ { grid, fractions, labels, partition, runtime, leaves,
-    keepsSeam && grid.FlatSeams(grid.Domain().Lower) != 0 } };
-  work.Violated = FindMixedNodes(work.Grid, work.Labels);
-  KeepViolated(work);
-  Ranks& ranks = work.Parts.Group();
+  LabelFlips flips{ grid, fractions, labels, partition, leaves,
+    keepsSeam && grid.FlatSeams(grid.Domain().Lower) != 0 };
+  flips.Violated = FindMixedNodes(flips.Grid, flips.Labels);
+  KeepViolated(flips, runtime);
+  Ranks& ranks = flips.Parts.Group();
   ResolveReport report;
   report.LostCells.assign(fractions.NumberOfMaterials() + 1, 0);
   report.GainedCells = report.LostCells;
-  if (!ranks.Any(!work.Violated.empty()))
+  if (!ranks.Any(!flips.Violated.empty()))
   {
     return report;
   }
-  work.Sizes = std::make_unique<LabelSizes>(
-    work.Grid, work.Labels, work.Fractions.NumberOfMaterials() + 1, work.Parts);
-  report.Rounds += GlueBlocks(work);
+  flips.Sizes = std::make_unique<LabelSizes>(
+    flips.Grid, flips.Labels, flips.Fractions.NumberOfMaterials() + 1, flips.Parts);
+  report.Rounds += GlueBlocks(flips, runtime);
+  FlipRules rules;
   int perturbations = 0;
-  while (ranks.Any(!work.Violated.empty()))
+  while (ranks.Any(!flips.Violated.empty()))
   {
-    work.InOrder = perturbations > Perturbations || report.Rounds >= GreedyRounds;
-    work.KeepsLast = true;
-    FindCandidates(work, work.InOrder);
-    if (!ranks.Any(!work.Candidates.empty()))
+    rules.InOrder = perturbations > Perturbations || report.Rounds >= GreedyRounds;
+    rules.KeepsLast = true;
+    Candidates candidates = FindCandidates(flips, rules, rules.InOrder, runtime);
+    if (!ranks.Any(!candidates.empty()))
     {
-      const int glued = GlueBlocks(work);
+      const int glued = GlueBlocks(flips, runtime);
       report.Rounds += glued;
       if (glued > 0)
       {
         continue;
       }
-      work.InOrder = work.InOrder || ++perturbations > Perturbations;
-      work.Turn = work.InOrder ? 0 : perturbations;
-      work.KeepsLast = !work.InOrder;
-      FindCandidates(work, true);
+      rules.InOrder = rules.InOrder || ++perturbations > Perturbations;
+      rules.Turn = rules.InOrder ? 0 : perturbations;
+      rules.KeepsLast = !rules.InOrder;
+      candidates = FindCandidates(flips, rules, true, runtime);
     }
-    Flip(work);
-    KeepViolated(work);
+    Flip(candidates, flips);
+    KeepViolated(flips, runtime);
     ++report.Rounds;
   }
-  report.Rounds += Restore(work);
-  CountChanges(work, report);
-  report.CostlyFlips = FindCostlyFlips(work);
+  report.Rounds += Restore(flips, runtime);
+  CountChanges(flips, report);
+  report.CostlyFlips = FindCostlyFlips(flips);
   return report;
 }
 

@@ -151,60 +151,49 @@ struct Change
   int From, To;
 };
 
-/// Changes the fractions of the owned cells.
-struct Work
-{
-  const CartesianGrid& Grid;
-  const FractionField& Fractions;
-  double IsoValue;
-  const Partition& Parts;
-  const LabelArray Labels = AssignMaterials(Grid, Fractions, IsoValue);
-  const vfm::Fragments Regions{ Grid, Labels, true, Parts };
-  std::vector<int> NewMaterials{}; // one per region
-};
-
 /// Calls body(position, cell, region) for the owned cells.
 template <class Body>
-void ForOwnedCells(const Work& work, const Body& body)
+void ForOwnedCells(const CartesianGrid& grid, const Fragments& regions, const Body& body)
 {
-  const IndexBox& box = work.Grid.Owned();
+  const IndexBox& box = grid.Owned();
   ForRows(box,
     [&](Index j, Index k)
     {
-      work.Regions.ForRuns(j, k,
+      regions.ForRuns(j, k,
         [&](Index first, Index last, int region)
         {
           const Index end = std::min(last, box.Upper[0]);
           for (Index i = std::max(first, box.Lower[0]); i < end; ++i)
           {
-            body(Index3{ { i, j, k } }, work.Grid.Linear({ { i, j, k } }), region);
+            body(Index3{ { i, j, k } }, grid.Linear({ { i, j, k } }), region);
           }
         });
     });
 }
 
 /// Returns the number of cells of each region, over all ranks.
-std::vector<Index> CountCells(const Work& work)
+std::vector<Index> CountCells(const CartesianGrid& grid, const Fragments& regions, Ranks& ranks)
 {
-  std::vector<Index> cells(work.Regions.NumberOfFragments() + 1, 0);
-  ForOwnedCells(work, [&](const Index3&, Index, int region) { ++cells[region]; });
-  work.Parts.Group().Sum(cells);
+  std::vector<Index> cells(regions.NumberOfFragments() + 1, 0);
+  ForOwnedCells(grid, regions, [&](const Index3&, Index, int region) { ++cells[region]; });
+  ranks.Sum(cells);
   return cells;
 }
 
 /// Counts the faces of small regions, seen from their owned cells. Returns the counts of all ranks.
-std::vector<SharedFaces> FindFaces(
-  const Work& work, const std::vector<Index>& cells, Index minimumCells)
+/// @param cells  number of cells of each region
+std::vector<SharedFaces> FindFaces(const CartesianGrid& grid, const Fragments& regions,
+  const std::vector<Index>& cells, Index minimumCells, Ranks& ranks)
 {
   std::map<std::pair<Index, Index>, Index> counts;
-  ForOwnedCells(work,
+  ForOwnedCells(grid, regions,
     [&](const Index3& p, Index, int region)
     {
       for (int face = 0; cells[region] < minimumCells && face < 6; ++face)
       {
         Index3 q = p;
         q[face / 2] += (face & 1) ? 1 : -1;
-        const int other = work.Grid.InDomain(q) ? work.Regions.FragmentOfCell(q) : region;
+        const int other = grid.InDomain(q) ? regions.FragmentOfCell(q) : region;
         if (other != region)
         {
           ++counts[{ region, other }];
@@ -216,19 +205,17 @@ std::vector<SharedFaces> FindFaces(
   {
     mine.push_back({ count.first.first, count.first.second, count.second });
   }
-  return GatherItems(work.Parts.Group(), mine);
+  return GatherItems(ranks, mine);
 }
 
-RemovedRegions Decide(Work& work, Index minimumCells)
+/// Counts the regions that get another material, and their cells.
+RemovedRegions CountRemoved(const std::vector<int>& oldMaterials,
+  const std::vector<int>& newMaterials, const std::vector<Index>& cells)
 {
-  const std::vector<Index> cells = CountCells(work);
-  const std::vector<int>& materials = work.Regions.MaterialsOfFragments();
-  work.NewMaterials =
-    RegionGraph(materials, cells, minimumCells, FindFaces(work, cells, minimumCells)).Merge();
   RemovedRegions removed;
-  for (std::size_t r = 1; r < materials.size(); ++r)
+  for (std::size_t r = 1; r < oldMaterials.size(); ++r)
   {
-    if (work.NewMaterials[r] != materials[r])
+    if (newMaterials[r] != oldMaterials[r])
     {
       ++removed.Regions;
       removed.Cells += cells[r];
@@ -238,18 +225,19 @@ RemovedRegions Decide(Work& work, Index minimumCells)
 }
 
 /// Returns the changes by the removed regions around a cell, its own first, then by number. No
-/// change takes from the label of the cell.
-std::vector<Change> FindChanges(const Work& work, const Index3& cell, int label)
+/// change takes from the new label of the cell.
+std::vector<Change> FindChanges(const CartesianGrid& grid, const Fragments& regions,
+  const std::vector<int>& newMaterials, const Index3& cell)
 {
-  const int own = work.Regions.FragmentOfCell(cell);
-  const std::vector<int>& materials = work.Regions.MaterialsOfFragments();
+  const int own = regions.FragmentOfCell(cell), label = newMaterials[own];
+  const std::vector<int>& materials = regions.MaterialsOfFragments();
   std::set<int> around;
   for (int v = 0; v < 27; ++v)
   {
     const Index3 q = CellAround(cell, v);
-    if (v != 13 && work.Grid.InDomain(q))
+    if (v != 13 && grid.InDomain(q))
     {
-      around.insert(work.Regions.FragmentOfCell(q));
+      around.insert(regions.FragmentOfCell(q));
     }
   }
   std::vector<int> order{ own };
@@ -257,7 +245,7 @@ std::vector<Change> FindChanges(const Work& work, const Index3& cell, int label)
   std::vector<Change> changes;
   for (int region : order)
   {
-    const int from = materials[region], to = work.NewMaterials[region];
+    const int from = materials[region], to = newMaterials[region];
     const auto isKnown = [from](const Change& change) { return change.From == from; };
     if (from != to && from != label && std::none_of(changes.begin(), changes.end(), isKnown))
     {
@@ -283,30 +271,34 @@ std::vector<Part> Moved(std::vector<Part> parts, int from, int to)
 }
 
 /// Returns the final parts of a mixed cell.
-std::vector<Part> ChangeParts(const Work& work, const Index3& p, int oldLabel, int label)
+/// @param own  change of its label, which may remain
+std::vector<Part> ChangeParts(
+  FractionField::Range old, const std::vector<Change>& changes, const Change& own, double isoValue)
 {
-  const FractionField::Range old = work.Fractions.Parts(work.Grid.Linear(p));
+  const int label = own.To;
   std::vector<Part> parts(old.begin(), old.end());
-  for (const Change& change : FindChanges(work, p, label))
+  for (const Change& change : changes)
   {
     std::vector<Part> moved = Moved(parts, change.From, change.To);
-    const bool isOwn = oldLabel != label && change.From == oldLabel;
-    const bool isKept = isOwn || MaterialOfParts(moved, work.IsoValue) == label;
+    const bool isOwn = own.From != label && change.From == own.From;
+    const bool isKept = isOwn || MaterialOfParts(moved, isoValue) == label;
     parts = isKept ? moved : Moved(parts, change.From, label);
   }
-  if (MaterialOfParts(parts, work.IsoValue) != label)
+  if (MaterialOfParts(parts, isoValue) != label)
   {
     parts = { { label, 1.0 } }; // three materials, each below one half
   }
   return parts;
 }
 
-FractionField Apply(const Work& work)
+/// Returns the fractions of the owned cells after the regions got their new materials.
+FractionField Apply(const CartesianGrid& grid, const FractionField& fractions, double isoValue,
+  const Fragments& regions, const std::vector<int>& newMaterials)
 {
-  FractionField result(work.Grid, work.Fractions.NumberOfMaterials());
+  FractionField result(grid, fractions.NumberOfMaterials());
   FractionField::RowWriter row(result);
-  const IndexBox& box = work.Grid.Owned();
-  ForOwnedCells(work,
+  const IndexBox& box = grid.Owned();
+  ForOwnedCells(grid, regions,
     [&](const Index3& p, Index cell, int region)
     {
       if (p[0] == box.Lower[0])
@@ -314,13 +306,14 @@ FractionField Apply(const Work& work)
         row.Finish();
         row.Start(cell);
       }
-      const int label = work.NewMaterials[region];
-      if (!work.Fractions.IsMixed(cell))
+      const Change own{ regions.MaterialsOfFragments()[region], newMaterials[region] };
+      if (!fractions.IsMixed(cell))
       {
-        row.AddLabel(label);
+        row.AddLabel(own.To);
         return;
       }
-      row.CopyParts(ChangeParts(work, p, work.Labels[cell], label));
+      row.CopyParts(ChangeParts(
+        fractions.Parts(cell), FindChanges(grid, regions, newMaterials, p), own, isoValue));
     });
   row.Finish();
   return result;
@@ -331,11 +324,17 @@ FractionField Apply(const Work& work)
 RemovedRegions RemoveSmallRegions(const CartesianGrid& grid, Index minimumCells, double isoValue,
   const Partition& partition, FractionField& fractions)
 {
-  Work work{ grid, fractions, isoValue, partition };
-  const RemovedRegions removed = Decide(work, minimumCells);
+  Ranks& ranks = partition.Group();
+  const Fragments regions(grid, AssignMaterials(grid, fractions, isoValue), true, partition);
+  const std::vector<int>& materials = regions.MaterialsOfFragments();
+  const std::vector<Index> cells = CountCells(grid, regions, ranks);
+  RegionGraph graph(
+    materials, cells, minimumCells, FindFaces(grid, regions, cells, minimumCells, ranks));
+  const std::vector<int> newMaterials = graph.Merge();
+  const RemovedRegions removed = CountRemoved(materials, newMaterials, cells);
   if (removed.Regions > 0)
   {
-    fractions = Apply(work);
+    fractions = Apply(grid, fractions, isoValue, regions, newMaterials);
     FillGhosts(partition, fractions);
   }
   return removed;

@@ -100,106 +100,122 @@ double FindFloor(const ActiveCell& cell, const std::vector<MaterialPatch>& patch
   return std::max(LeastFloor, other / (own + other));
 }
 
-struct Work
+/// Cells of this rank that may become mixed, and the volumes of all labels.
+struct ActiveCells
 {
-  const CartesianGrid& Grid;
-  const Partition& Parts;
+  Ranks& Group;
   Runtime& Run;
-  const LabelArray Labels;
-  std::vector<double> Lack; // volume that is missing in the cells, by material
-  std::vector<double> Weights = std::vector<double>(Lack.size(), 1.0); // factors of the fields
-  Tally Last{ Lack.size() };
   std::vector<ActiveCell> Cells{};
-  std::vector<double> Totals{}; // volumes of the labels, in mean cells
+  std::vector<double> Totals{}; // volumes of the labels over all ranks, in mean cells
 };
 
-/// Finds the cells of this rank at interfaces, and the volumes of all labels.
-void FindCells(Work& work)
+/// Result of a round that changes the cells.
+struct Balance
 {
-  const CartesianGrid& grid = work.Grid;
-  const double scale = 1.0 / Cube(grid.MeanWidth());
+  std::vector<double> Lack; // volume that is missing in the cells of all ranks, by material
+  PairSumMap Rates;         // rates at which materials gain volume, of this rank
+};
+
+/// Marks the cells at interfaces.
+PagedArray<unsigned char> MarkActive(const CartesianGrid& grid, const LabelArray& labels)
+{
   PagedArray<unsigned char> isActive(grid, 0);
-  for (Index node : FindMixedNodes(grid, work.Labels))
+  for (Index node : FindMixedNodes(grid, labels))
   {
     for (int c = 0; c < 8; ++c)
     {
       isActive.Set(grid.CellOfNode(node, c), 1);
     }
   }
-  std::vector<ExactSum> totals(work.Lack.size());
-  work.Parts.ForCells(grid.Owned(),
+  return isActive;
+}
+
+/// Finds the cells at interfaces.
+/// @param materials  number of labels
+ActiveCells FindCells(const CartesianGrid& grid, const LabelArray& labels, std::size_t materials,
+  const Partition& partition, Runtime& runtime)
+{
+  const double scale = 1.0 / Cube(grid.MeanWidth());
+  const PagedArray<unsigned char> isActive = MarkActive(grid, labels);
+  ActiveCells active{ partition.Group(), runtime };
+  std::vector<ExactSum> totals(materials);
+  partition.ForCells(grid.Owned(),
     [&](Index cell)
     {
       const Index3 p = grid.Position(cell);
       const double volume = grid.CellVolume(p) * scale;
-      const int label = work.Labels[cell];
+      const int label = labels[cell];
       totals[label].Add(volume);
       if (isActive[cell])
       {
-        work.Cells.push_back({ p, label, volume, LeastFloor, { { label, 1.0 } } });
+        active.Cells.push_back({ p, label, volume, LeastFloor, { { label, 1.0 } } });
       }
     });
-  work.Totals = SumOverRanks(totals, work.Parts.Group());
+  active.Totals = SumOverRanks(totals, active.Group);
+  return active;
 }
 
 /// Returns the largest relative error of a volume.
-double Error(const Work& work)
+double FindError(const std::vector<double>& lack, const std::vector<double>& totals)
 {
   double worst = 0.0;
-  for (std::size_t m = 0; m < work.Lack.size(); ++m)
+  for (std::size_t m = 0; m < lack.size(); ++m)
   {
-    if (work.Totals[m] > 0.0)
+    if (totals[m] > 0.0)
     {
-      worst = std::max(worst, std::fabs(work.Lack[m]) / work.Totals[m]);
+      worst = std::max(worst, std::fabs(lack[m]) / totals[m]);
     }
   }
   return worst;
 }
 
-/// Calls body(cell, tally) for the active cells on several threads; sets Last and Lack.
+/// Calls body(cell, tally) for the active cells on several threads, which may change the fractions
+/// and add rates.
 template <class Body>
-void Visit(Work& work, const Body& body)
+Balance Visit(ActiveCells& active, const Body& body)
 {
-  Tally sum(work.Lack.size());
+  std::vector<ActiveCell>& cells = active.Cells;
+  Tally sum(active.Totals.size());
   std::mutex mutex;
-  work.Run.For(0, static_cast<Index>(work.Cells.size()),
+  active.Run.For(0, static_cast<Index>(cells.size()),
     [&](Index begin, Index end)
     {
-      Tally mine(work.Lack.size());
+      Tally mine(active.Totals.size());
       for (Index c = begin; c < end; ++c)
       {
-        mine.Volumes[work.Cells[c].Label].Add(-work.Cells[c].Volume);
-        body(work.Cells[c], mine);
-        mine.AddVolumes(work.Cells[c]);
+        mine.Volumes[cells[c].Label].Add(-cells[c].Volume);
+        body(cells[c], mine);
+        mine.AddVolumes(cells[c]);
       }
       const std::lock_guard<std::mutex> lock(mutex);
       sum.Add(mine);
     });
-  work.Last = std::move(sum);
-  work.Lack = SumOverRanks(work.Last.Volumes, work.Parts.Group());
-  for (double& lack : work.Lack)
+  Balance balance{ SumOverRanks(sum.Volumes, active.Group), std::move(sum.Rates) };
+  for (double& lack : balance.Lack)
   {
     lack = -lack;
   }
+  return balance;
 }
 
 /// Returns the labels of a cell and of the 26 around it, ascending.
-std::vector<int> LabelsAround(const Work& work, const Index3& cell)
+std::vector<int> LabelsAround(
+  const CartesianGrid& grid, const LabelArray& labels, const Index3& cell)
 {
   std::vector<int> found;
   for (int v = 0; v < 27; ++v)
   {
-    found.push_back(work.Labels[work.Grid.Linear(CellAround(cell, v))]);
+    found.push_back(labels[grid.Linear(CellAround(cell, v))]);
   }
   SortUnique(found);
   return found;
 }
 
-void PartCell(const Work& work, const FractionField& smooth, ActiveCell& cell, Tally& tally)
+/// Sets the fractions and the floor of a cell.
+/// @param patches  fields of the labels around it
+void PartCell(const std::vector<MaterialPatch>& patches, ActiveCell& cell, Tally& tally)
 {
   std::vector<PairRate> rates;
-  const std::vector<MaterialPatch> patches =
-    MakePatches(work.Grid, smooth, cell.Position, LabelsAround(work, cell.Position), work.Weights);
   cell.Parts = FindSharpFractions(patches, &rates);
   cell.Floor = FindFloor(cell, patches);
   if (OwnFraction(cell) < cell.Floor)
@@ -213,10 +229,10 @@ void PartCell(const Work& work, const FractionField& smooth, ActiveCell& cell, T
   }
 }
 
-std::vector<double> FindSteps(Work& work, double largest)
+/// Returns a factor for each label that reduces its lack of volume.
+std::vector<double> FindSteps(const Balance& balance, double largest, Ranks& ranks)
 {
-  std::vector<double> steps =
-    SolveForLack(GatherPairSums(work.Last.Rates, work.Parts.Group()), work.Lack);
+  std::vector<double> steps = SolveForLack(GatherPairSums(balance.Rates, ranks), balance.Lack);
   for (double& step : steps)
   {
     step = Exp(std::min(std::max(step, -largest), largest));
@@ -225,19 +241,26 @@ std::vector<double> FindSteps(Work& work, double largest)
 }
 
 /// Moves the interfaces until the volumes are nearly right.
-void PartCells(Work& work, const FractionField& smooth)
+Balance PartCells(const CartesianGrid& grid, const LabelArray& labels, const FractionField& smooth,
+  ActiveCells& active)
 {
-  for (int round = 0; round < WeightRounds; ++round)
+  std::vector<double> weights(active.Totals.size(), 1.0); // factors of the fields
+  for (int round = 1;; ++round)
   {
-    Visit(work, [&](ActiveCell& cell, Tally& tally) { PartCell(work, smooth, cell, tally); });
-    if (Error(work) < WeightsAreGood || round + 1 == WeightRounds)
+    Balance balance = Visit(active,
+      [&](ActiveCell& cell, Tally& tally)
+      {
+        const std::vector<int> around = LabelsAround(grid, labels, cell.Position);
+        PartCell(MakePatches(grid, smooth, cell.Position, around, weights), cell, tally);
+      });
+    if (FindError(balance.Lack, active.Totals) < WeightsAreGood || round == WeightRounds)
     {
-      break;
+      return balance;
     }
-    const std::vector<double> steps = FindSteps(work, LargestWeightStep);
+    const std::vector<double> steps = FindSteps(balance, LargestWeightStep, active.Group);
     for (std::size_t m = 0; m < steps.size(); ++m)
     {
-      work.Weights[m] *= steps[m];
+      weights[m] *= steps[m];
     }
   }
 }
@@ -262,9 +285,9 @@ void ScaleCell(ActiveCell& cell, const std::vector<double>& factors)
 
 /// Adds the rates at which the materials of a cell gain from each other when they are scaled. A
 /// label at its floor loses nothing.
-void AddRates(const Work& work, const ActiveCell& cell, Tally& tally)
+void AddRates(const std::vector<double>& lack, const ActiveCell& cell, Tally& tally)
 {
-  const bool isHeld = OwnFraction(cell) <= cell.Floor && work.Lack[cell.Label] <= 0.0;
+  const bool isHeld = OwnFraction(cell) <= cell.Floor && lack[cell.Label] <= 0.0;
   for (auto a = cell.Parts.begin(); a != cell.Parts.end(); ++a)
   {
     for (auto b = a + 1; b != cell.Parts.end(); ++b)
@@ -277,29 +300,32 @@ void AddRates(const Work& work, const ActiveCell& cell, Tally& tally)
   }
 }
 
-/// Scales fractions until the volumes are right.
-void ScaleFractions(Work& work)
+/// Scales fractions until the volumes are right; returns the largest relative error.
+/// @param lack  volumes that are missing before
+double ScaleFractions(std::vector<double> lack, ActiveCells& active)
 {
-  std::vector<double> factors(work.Lack.size(), 1.0);
-  for (int round = 0; round < ScaleRounds; ++round)
+  std::vector<double> factors(lack.size(), 1.0);
+  for (int round = 1;; ++round)
   {
-    Visit(work,
+    Balance balance = Visit(active,
       [&](ActiveCell& cell, Tally& tally)
       {
         ScaleCell(cell, factors);
-        AddRates(work, cell, tally);
+        AddRates(lack, cell, tally);
       });
-    if (Error(work) < VolumesAreGood)
+    const double error = FindError(balance.Lack, active.Totals);
+    if (error < VolumesAreGood || round == ScaleRounds)
     {
-      break;
+      return error;
     }
-    factors = FindSteps(work, LargestScaleStep);
+    factors = FindSteps(balance, LargestScaleStep, active.Group);
+    lack = std::move(balance.Lack);
   }
 }
 
-void Store(const Work& work, FractionField& labels)
+void Store(const CartesianGrid& grid, const std::vector<ActiveCell>& cells, FractionField& labels)
 {
-  for (const ActiveCell& cell : work.Cells)
+  for (const ActiveCell& cell : cells)
   {
     std::vector<Part> parts;
     for (const Part& part : cell.Parts)
@@ -309,7 +335,7 @@ void Store(const Work& work, FractionField& labels)
         parts.push_back(part);
       }
     }
-    labels.CopyParts(work.Grid.Linear(cell.Position), parts);
+    labels.CopyParts(grid.Linear(cell.Position), parts);
   }
 }
 
@@ -318,14 +344,14 @@ void Store(const Work& work, FractionField& labels)
 double SmoothLabels(const CartesianGrid& grid, int passes, const Partition& partition,
   Runtime& runtime, FractionField& labels)
 {
-  Work work{ grid, partition, runtime, AssignMaterials(grid, labels, 0.5),
-    std::vector<double>(labels.NumberOfMaterials() + 1, 0.0) };
-  FindCells(work);
-  PartCells(work, AverageFractions(grid, labels, passes, partition, runtime));
-  ScaleFractions(work);
-  Store(work, labels);
+  const LabelArray own = AssignMaterials(grid, labels, 0.5);
+  ActiveCells active = FindCells(grid, own, labels.NumberOfMaterials() + 1, partition, runtime);
+  Balance balance =
+    PartCells(grid, own, AverageFractions(grid, labels, passes, partition, runtime), active);
+  const double error = ScaleFractions(std::move(balance.Lack), active);
+  Store(grid, active.Cells, labels);
   FillGhosts(partition, labels);
-  return Error(work);
+  return error;
 }
 
 } // namespace vfm

@@ -23,23 +23,22 @@ struct Spoke
 };
 
 /// Pillows around the slabs of one axis.
-struct Work
+struct Pillows
 {
-  const OctantFamilies& Sets;
-  int Level, Axis;
-  PillowedLevel& Mesh;
+  int Axis;
   // Whether each hex belongs to the set of the slab.
-  std::vector<unsigned char> Inside;
+  std::vector<unsigned char> Inside{};
   // Pillow faces of each hex, one bit per local face.
-  std::vector<unsigned char> PillowFaces;
-  // Copies of each node, by digit - 1.
-  std::vector<std::array<int, 2>> Copies;
-  int NodesBefore;
+  std::vector<unsigned char> Faces{};
+  // Copies of each node of before, by digit - 1.
+  std::vector<std::array<int, 2>> Copies{};
+
+  bool HasFace(std::size_t hex, int face) const { return this->Faces[hex] >> face & 1; }
 };
 
-Index SlabOf(const Work& work, std::size_t hex)
+Index SlabOf(const PillowedLevel& mesh, int axis, std::size_t hex)
 {
-  return work.Mesh.Cells[work.Mesh.Hexes[hex].Cell][work.Axis] >> 1;
+  return mesh.Cells[mesh.Hexes[hex].Cell][axis] >> 1;
 }
 
 int FaceAt(int corner, int axis)
@@ -48,23 +47,24 @@ int FaceAt(int corner, int axis)
 }
 
 /// Returns whether a face may be pillowed: on the domain boundary only at the end of a slab.
-bool MayPillow(const Work& work, std::size_t hex, int face)
+/// @param ends  sides of the domain at which slabs end, one bit each
+bool MayPillow(const PillowedLevel& mesh, int ends, std::size_t hex, int face)
 {
   int sides = 63;
   for (int c = 0; c < 8; ++c)
   {
     if (FaceAt(c, face / 2) == face)
     {
-      sides &= work.Mesh.Nodes[work.Mesh.Hexes[hex].Nodes[c]].Sides;
+      sides &= mesh.Nodes[mesh.Hexes[hex].Nodes[c]].Sides;
     }
   }
-  const bool upperEnd = work.Sets.Lattice().Cells(work.Level, work.Axis) % 2 == 0;
-  const int ends = (upperEnd ? 3 : 1) << (2 * work.Axis);
   return sides == 0 || (sides & ends);
 }
 
-/// Finds the outer faces of the hexes of each slab.
-void FindPillowFaces(Work& work)
+/// Finds the outer faces of the hexes of each slab, one bit per local face.
+/// @param inside  whether each hex belongs to the set of the slab
+std::vector<unsigned char> FindPillowFaces(
+  const PillowedLevel& mesh, int axis, int ends, const std::vector<unsigned char>& inside)
 {
   struct Side
   {
@@ -78,17 +78,17 @@ void FindPillowFaces(Work& work)
     }
   };
   std::vector<Side> sides;
-  for (std::size_t h = 0; h < work.Mesh.Hexes.size(); ++h)
+  for (std::size_t h = 0; h < mesh.Hexes.size(); ++h)
   {
-    for (int f = 0; work.Inside[h] && f < 6; ++f)
+    for (int f = 0; inside[h] && f < 6; ++f)
     {
-      Side side{ {}, SlabOf(work, h), h, f };
+      Side side{ {}, SlabOf(mesh, axis, h), h, f };
       int n = 0;
       for (int c = 0; c < 8; ++c)
       {
         if (FaceAt(c, f / 2) == f)
         {
-          side.Nodes[n++] = work.Mesh.Hexes[h].Nodes[c];
+          side.Nodes[n++] = mesh.Hexes[h].Nodes[c];
         }
       }
       std::sort(side.Nodes.begin(), side.Nodes.end());
@@ -96,80 +96,84 @@ void FindPillowFaces(Work& work)
     }
   }
   std::sort(sides.begin(), sides.end());
+  std::vector<unsigned char> faces(mesh.Hexes.size(), 0);
   for (std::size_t s = 0; s < sides.size(); ++s)
   {
     const bool shared =
       (s > 0 && !(sides[s - 1] < sides[s])) || (s + 1 < sides.size() && !(sides[s] < sides[s + 1]));
-    if (!shared && MayPillow(work, sides[s].Hex, sides[s].Face))
+    if (!shared && MayPillow(mesh, ends, sides[s].Hex, sides[s].Face))
     {
-      work.PillowFaces[sides[s].Hex] |= 1 << sides[s].Face;
+      faces[sides[s].Hex] |= 1 << sides[s].Face;
     }
   }
-}
-
-bool IsPillowed(const Work& work, std::size_t hex, int face)
-{
-  return work.PillowFaces[hex] >> face & 1;
+  return faces;
 }
 
 /// Returns the digit of the copies of a node in a slab, 1 or 2.
-int DigitIn(const Work& work, int node, Index slab)
+int DigitIn(const PillowedLevel::Node& node, int axis, Index slab)
 {
-  return work.Mesh.Nodes[node].Base[work.Axis] == 2 * slab ? 2 : 1;
+  return node.Base[axis] == 2 * slab ? 2 : 1;
 }
 
-int CopyIn(const Work& work, int node, Index slab)
+/// Returns the copy of a node for the slab of a hex, -1 if there is none.
+int CopyFor(const PillowedLevel& mesh, const Pillows& pillows, std::size_t hex, int node)
 {
-  return work.Copies[node][DigitIn(work, node, slab) - 1];
+  const Index slab = SlabOf(mesh, pillows.Axis, hex);
+  return pillows.Copies[node][DigitIn(mesh.Nodes[node], pillows.Axis, slab) - 1];
 }
 
-void CopyNodes(Work& work)
+PillowedLevel::Node MakeCopy(const PillowedLevel::Node& node, int axis, int digit)
 {
-  for (std::size_t h = 0; h < work.Inside.size(); ++h)
+  PillowedLevel::Node copy = node;
+  copy.Slot += digit * PowersOf3[axis];
+  if (copy.Base[axis] % 2 == 0)
   {
-    const Index slab = SlabOf(work, h);
-    for (int at = 0; work.PillowFaces[h] && at < 24; ++at)
+    copy.Sides &= ~(3 << (2 * axis));
+    copy.Seams &= ~(1 << axis);
+  }
+  return copy;
+}
+
+/// Adds a copy of each node of pillow faces, at the position of the node.
+void CopyNodes(PillowedLevel& mesh, Pillows& pillows)
+{
+  pillows.Copies.assign(mesh.Nodes.size(), { { -1, -1 } });
+  for (std::size_t h = 0; h < mesh.Hexes.size(); ++h)
+  {
+    for (int at = 0; pillows.Faces[h] && at < 24; ++at)
     {
       const int c = at / 3;
-      const int node = work.Mesh.Hexes[h].Nodes[c];
-      if (!IsPillowed(work, h, FaceAt(c, at % 3)) || CopyIn(work, node, slab) >= 0)
+      const int node = mesh.Hexes[h].Nodes[c];
+      if (pillows.HasFace(h, FaceAt(c, at % 3)) && CopyFor(mesh, pillows, h, node) < 0)
       {
-        continue;
+        const Index slab = SlabOf(mesh, pillows.Axis, h);
+        const int digit = DigitIn(mesh.Nodes[node], pillows.Axis, slab);
+        pillows.Copies[node][digit - 1] = static_cast<int>(mesh.Nodes.size());
+        mesh.Nodes.push_back(MakeCopy(mesh.Nodes[node], pillows.Axis, digit));
       }
-      const int digit = DigitIn(work, node, slab);
-      work.Copies[node][digit - 1] = static_cast<int>(work.Mesh.Nodes.size());
-      PillowedLevel::Node copy = work.Mesh.Nodes[node];
-      copy.Slot += digit * PowersOf3[work.Axis];
-      if (copy.Base[work.Axis] % 2 == 0)
-      {
-        copy.Sides &= ~(3 << (2 * work.Axis));
-        copy.Seams &= ~(1 << work.Axis);
-      }
-      work.Mesh.Nodes.push_back(copy);
     }
   }
 }
 
 /// Orders nodes independently of what else the mesh contains.
-bool ComesBefore(const Work& work, int a, int b)
+bool ComesBefore(const PillowedLevel::Node& n, const PillowedLevel::Node& m)
 {
-  const PillowedLevel::Node &n = work.Mesh.Nodes[a], &m = work.Mesh.Nodes[b];
   return std::tie(n.Base, n.Slot) < std::tie(m.Base, m.Slot);
 }
 
 /// Lists the spokes once each, by copy, direction and end.
-std::vector<Spoke> ListSpokes(const Work& work)
+std::vector<Spoke> ListSpokes(const PillowedLevel& mesh, const Pillows& pillows)
 {
   std::vector<Spoke> spokes;
-  for (std::size_t h = 0; h < work.Inside.size(); ++h)
+  for (std::size_t h = 0; h < mesh.Hexes.size(); ++h)
   {
-    const std::array<int, 8>& nodes = work.Mesh.Hexes[h].Nodes;
-    for (int at = 0; work.PillowFaces[h] && at < 24; ++at)
+    const std::array<int, 8>& nodes = mesh.Hexes[h].Nodes;
+    for (int at = 0; pillows.Faces[h] && at < 24; ++at)
     {
       const int c = at / 3, face = FaceAt(c, at % 3);
-      if (IsPillowed(work, h, face))
+      if (pillows.HasFace(h, face))
       {
-        spokes.push_back({ CopyIn(work, nodes[c], SlabOf(work, h)), face, nodes[c ^ 1 << at % 3] });
+        spokes.push_back({ CopyFor(mesh, pillows, h, nodes[c]), face, nodes[c ^ 1 << at % 3] });
       }
     }
   }
@@ -178,7 +182,7 @@ std::vector<Spoke> ListSpokes(const Work& work)
     {
       return std::tie(a.Copy, a.Direction) != std::tie(b.Copy, b.Direction)
         ? std::tie(a.Copy, a.Direction) < std::tie(b.Copy, b.Direction)
-        : ComesBefore(work, a.End, b.End);
+        : ComesBefore(mesh.Nodes[a.End], mesh.Nodes[b.End]);
     });
   spokes.erase(std::unique(spokes.begin(), spokes.end(),
                  [](const Spoke& a, const Spoke& b)
@@ -189,83 +193,99 @@ std::vector<Spoke> ListSpokes(const Work& work)
 
 /// Returns bits of each copy: bit 6 f + g is set if a hex corner there has pillow faces in local
 /// directions f and g.
-std::vector<std::uint64_t> FindConvexPairs(const Work& work)
+std::vector<std::uint64_t> FindConvexPairs(const PillowedLevel& mesh, const Pillows& pillows)
 {
-  std::vector<std::uint64_t> pairs(work.Mesh.Nodes.size() - work.NodesBefore, 0);
-  for (std::size_t h = 0; h < work.Inside.size(); ++h)
+  const std::size_t nodesBefore = pillows.Copies.size();
+  std::vector<std::uint64_t> pairs(mesh.Nodes.size() - nodesBefore, 0);
+  for (std::size_t h = 0; h < mesh.Hexes.size(); ++h)
   {
-    for (int at = 0; work.PillowFaces[h] && at < 72; ++at)
+    for (int at = 0; pillows.Faces[h] && at < 72; ++at)
     {
       const int c = at / 9, f = FaceAt(c, at / 3 % 3), g = FaceAt(c, at % 3);
-      if (IsPillowed(work, h, f) && IsPillowed(work, h, g))
+      if (pillows.HasFace(h, f) && pillows.HasFace(h, g))
       {
-        const int copy = CopyIn(work, work.Mesh.Hexes[h].Nodes[c], SlabOf(work, h));
-        pairs[copy - work.NodesBefore] |= std::uint64_t(1) << (6 * f + g);
+        const int copy = CopyFor(mesh, pillows, h, mesh.Hexes[h].Nodes[c]);
+        pairs[copy - nodesBefore] |= std::uint64_t(1) << (6 * f + g);
       }
     }
   }
   return pairs;
 }
 
-void PlaceCopies(Work& work)
+/// Mean ends of the spokes of a copy, by direction.
+struct SpokeEnds
 {
-  const std::vector<Spoke> spokes = ListSpokes(work);
-  const std::vector<std::uint64_t> convex = FindConvexPairs(work);
-  for (std::size_t first = 0; first < spokes.size();)
+  std::array<Vector3, 6> Sum{};
+  std::array<int, 6> Count{};
+
+  void Add(int direction, const Vector3& end)
   {
-    const int copy = spokes[first].Copy;
-    const std::uint64_t pairs = convex[copy - work.NodesBefore];
-    Vector3 ends[6]{};
-    int count[6]{};
-    for (; first < spokes.size() && spokes[first].Copy == copy; ++first)
+    this->Sum[direction] = this->Sum[direction] + end;
+    ++this->Count[direction];
+  }
+};
+
+/// Moves a copy from its original along the mean spokes.
+/// @param pairs  pairs of directions that are convex (FindConvexPairs)
+void PlaceCopy(const SpokeEnds& ends, std::uint64_t pairs, PillowedLevel::Node& node)
+{
+  const Vector3 start = node.X; // position of the original
+  for (int f = 0; f < 6; ++f)
+  {
+    double step = ends.Count[f] ? Step : 0.0;
+    for (int g = 0; g < 6; ++g)
     {
-      const Spoke& spoke = spokes[first];
-      ends[spoke.Direction] = ends[spoke.Direction] + work.Mesh.Nodes[spoke.End].X;
-      ++count[spoke.Direction];
+      step = ends.Count[f] && ends.Count[g] && !(pairs >> (6 * f + g) & 1) ? ConcaveStep : step;
     }
-    PillowedLevel::Node& node = work.Mesh.Nodes[copy];
-    const Vector3 start = node.X; // position of the original
-    for (int f = 0; f < 6; ++f)
+    const Vector3 mean = (1.0 / std::max(ends.Count[f], 1)) * ends.Sum[f];
+    for (int a = 0; a < 3; ++a)
     {
-      double step = count[f] ? Step : 0.0;
-      for (int g = 0; g < 6; ++g)
-      {
-        step = count[f] && count[g] && !(pairs >> (6 * f + g) & 1) ? ConcaveStep : step;
-      }
-      const Vector3 mean = (1.0 / std::max(count[f], 1)) * ends[f];
-      for (int a = 0; a < 3; ++a)
-      {
-        const bool stays = (node.Sides >> (2 * a) & 3) || (node.Seams >> a & 1);
-        node.X[a] += stays || !count[f] ? 0.0 : step * (mean[a] - start[a]);
-      }
+      const bool stays = (node.Sides >> (2 * a) & 3) || (node.Seams >> a & 1);
+      node.X[a] += stays || !ends.Count[f] ? 0.0 : step * (mean[a] - start[a]);
     }
   }
 }
 
-void InsertHexes(Work& work)
+void PlaceCopies(const Pillows& pillows, PillowedLevel& mesh)
 {
-  for (std::size_t h = 0; h < work.Inside.size(); ++h)
+  const std::vector<Spoke> spokes = ListSpokes(mesh, pillows);
+  const std::vector<std::uint64_t> convex = FindConvexPairs(mesh, pillows);
+  for (std::size_t first = 0; first < spokes.size();)
   {
-    if (!work.Inside[h])
+    const int copy = spokes[first].Copy;
+    SpokeEnds ends;
+    for (; first < spokes.size() && spokes[first].Copy == copy; ++first)
+    {
+      ends.Add(spokes[first].Direction, mesh.Nodes[spokes[first].End].X);
+    }
+    PlaceCopy(ends, convex[copy - pillows.Copies.size()], mesh.Nodes[copy]);
+  }
+}
+
+/// Makes a hex at each pillow face, and the hexes inside end at the copies.
+void InsertHexes(const Pillows& pillows, PillowedLevel& mesh)
+{
+  for (std::size_t h = 0; h < pillows.Inside.size(); ++h)
+  {
+    if (!pillows.Inside[h])
     {
       continue;
     }
-    const Index slab = SlabOf(work, h);
-    const PillowedLevel::Hex old = work.Mesh.Hexes[h];
+    const PillowedLevel::Hex old = mesh.Hexes[h];
     std::array<int, 8> inner = old.Nodes;
     for (int& node : inner)
     {
-      const int copy = CopyIn(work, node, slab);
+      const int copy = CopyFor(mesh, pillows, h, node);
       node = copy >= 0 ? copy : node;
     }
     for (int f = 0; f < 6; ++f)
     {
-      if (!IsPillowed(work, h, f))
+      if (!pillows.HasFace(h, f))
       {
         continue;
       }
       PillowedLevel::Hex made = old;
-      made.Slot += (1 + f) * PowersOf7[work.Axis];
+      made.Slot += (1 + f) * PowersOf7[pillows.Axis];
       for (int c = 0; c < 8; ++c)
       {
         if (FaceAt(c, f / 2) != f)
@@ -273,26 +293,27 @@ void InsertHexes(Work& work)
           made.Nodes[c] = inner[c ^ 1 << f / 2];
         }
       }
-      work.Mesh.Hexes.push_back(made);
+      mesh.Hexes.push_back(made);
     }
-    work.Mesh.Hexes[h].Nodes = inner;
+    mesh.Hexes[h].Nodes = inner;
   }
 }
 
-void Pillow(const OctantFamilies& sets, int level, int axis, const std::vector<int>& slabs,
-  PillowedLevel& mesh)
+/// Inserts pillows around the slabs of an axis.
+/// @param slabs  axes of the slabs of each cell, one bit each
+/// @param upperEnd  whether a slab may end at the upper side of the domain
+void Pillow(int axis, const std::vector<int>& slabs, bool upperEnd, PillowedLevel& mesh)
 {
-  Work work{ sets, level, axis, mesh, {}, std::vector<unsigned char>(mesh.Hexes.size(), 0),
-    std::vector<std::array<int, 2>>(mesh.Nodes.size(), { { -1, -1 } }),
-    static_cast<int>(mesh.Nodes.size()) };
+  Pillows pillows{ axis };
   for (const PillowedLevel::Hex& hex : mesh.Hexes)
   {
-    work.Inside.push_back(slabs[hex.Cell] >> axis & 1);
+    pillows.Inside.push_back(slabs[hex.Cell] >> axis & 1);
   }
-  FindPillowFaces(work);
-  CopyNodes(work);
-  PlaceCopies(work);
-  InsertHexes(work);
+  const int ends = (upperEnd ? 3 : 1) << (2 * axis);
+  pillows.Faces = FindPillowFaces(mesh, axis, ends, pillows.Inside);
+  CopyNodes(mesh, pillows);
+  PlaceCopies(pillows, mesh);
+  InsertHexes(pillows, mesh);
 }
 
 /// Returns the touched cells of a box, ascending by key of their hexes.
@@ -395,7 +416,7 @@ PillowedLevel PillowSlabs(const OctantFamilies& sets, int level, const IndexBox&
   }
   for (int axis = 0; axis < 3; ++axis)
   {
-    Pillow(sets, level, axis, slabs, mesh);
+    Pillow(axis, slabs, sets.Lattice().Cells(level, axis) % 2 == 0, mesh);
   }
   return mesh;
 }

@@ -48,36 +48,36 @@ struct Hex
   bool IsTransition;
 };
 
+/// Keys of nodes of the next level, and their anchors.
+using ChildAnchors = std::vector<std::pair<Index, Index>>;
+
 /// Points and hexes of all levels, before they are numbered by key.
-struct Work
+struct UnsortedMesh
 {
-  const OctantFamilies& Sets;
-  const IndexBox Box;
-  const bool WithFinest;
-  const OctreeKeys& Lattice = Sets.Lattice();
-  std::vector<Point> Points{};
-  std::vector<Hex> Hexes{};
-  std::vector<Index> TouchedCells{};
-  // Key of a node of the next level, and its anchor.
-  std::vector<std::pair<Index, Index>> AnchorsOfChildren{};
+  std::vector<Point> Points;
+  std::vector<Hex> Hexes;
+  std::vector<Index> TouchedCells;
+  ChildAnchors AnchorsOfChildren;
 };
 
-/// Returns the points of a level's nodes. Points of refined cells are nodes of the next
-/// level's lattice.
-std::vector<Point> NamePoints(Work& work, int level, const PillowedLevel& mesh)
+/// Returns the points of a level's nodes, and adds the anchors of nodes of the next level. Points
+/// of refined cells are nodes of the next level's lattice.
+std::vector<Point> NamePoints(
+  const OctantFamilies& sets, int level, const PillowedLevel& mesh, ChildAnchors& anchors)
 {
+  const OctreeKeys& lattice = sets.Lattice();
   std::vector<Point> points;
   for (const PillowedLevel::Node& node : mesh.Nodes)
   {
-    const Index anchor = work.Lattice.NodeKey(level, node.Base, node.Slot);
-    const bool isFree = node.Slot > 0 || LookAround(work.Sets, level, node.Base).AreTransitions;
-    points.push_back({ node.Slot > 0 ? anchor : work.Lattice.LatticeKey(level, node.Base),
-      isFree ? anchor : -1, node.Sides, work.Lattice.ToPoint(node.X), false });
+    const Index anchor = lattice.NodeKey(level, node.Base, node.Slot);
+    const bool isFree = node.Slot > 0 || LookAround(sets, level, node.Base).AreTransitions;
+    points.push_back({ node.Slot > 0 ? anchor : lattice.LatticeKey(level, node.Base),
+      isFree ? anchor : -1, node.Sides, lattice.ToPoint(node.X), false });
   }
   for (const PillowedLevel::Hex& hex : mesh.Hexes)
   {
     const Index3& cell = mesh.Cells[hex.Cell];
-    if (!work.Sets.IsRefined(level, cell))
+    if (!sets.IsRefined(level, cell))
     {
       continue;
     }
@@ -88,49 +88,66 @@ std::vector<Point> NamePoints(Work& work, int level, const PillowedLevel& mesh)
       const PillowedLevel::Node& from = mesh.Nodes[hex.Nodes[c]];
       Point& point = points[hex.Nodes[c]];
       if (from.Slot > 0 && point.FreeAnchor >= 0 &&
-        LookAround(work.Sets, level, from.Base).HaveTransition)
+        LookAround(sets, level, from.Base).HaveTransition)
       {
-        work.AnchorsOfChildren.emplace_back(
-          work.Lattice.LatticeKey(level + 1, node), point.FreeAnchor);
+        anchors.emplace_back(lattice.LatticeKey(level + 1, node), point.FreeAnchor);
         point.HasAnchor = true;
       }
-      point.Key = work.Lattice.LatticeKey(level + 1, node);
+      point.Key = lattice.LatticeKey(level + 1, node);
       point.FreeAnchor = -1;
-      point.X = work.Lattice.NodePoint(level + 1, node); // exact, without accumulated rounding
+      point.X = lattice.NodePoint(level + 1, node); // exact, without accumulated rounding
     }
   }
   return points;
 }
 
-void AddPoint(
-  Work& work, int point, const std::vector<Point>& points, std::vector<unsigned char>& isUsed)
+/// Points of a level, and which of them have been added.
+struct LevelPoints
 {
-  if (!isUsed[point])
-  {
-    isUsed[point] = 1;
-    work.Points.push_back(points[point]);
-  }
-}
+  std::vector<Point> Points;
+  std::vector<unsigned char> IsUsed = std::vector<unsigned char>(Points.size(), 0);
 
-void AddHex(Work& work, Index key, bool isTransition, const PillowedLevel::Hex& hex,
-  const std::vector<Point>& points, std::vector<unsigned char>& isUsed)
+  void AddTo(std::vector<Point>& points, int point)
+  {
+    if (!this->IsUsed[point])
+    {
+      this->IsUsed[point] = 1;
+      points.push_back(this->Points[point]);
+    }
+  }
+};
+
+void AddHex(Hex added, const std::array<int, 8>& nodes, LevelPoints& level, UnsortedMesh& made)
 {
-  Hex added{ key, {}, isTransition };
   for (int c = 0; c < 8; ++c)
   {
-    added.PointKeys[VtkCorner[c]] = points[hex.Nodes[c]].Key;
-    AddPoint(work, hex.Nodes[c], points, isUsed);
+    added.PointKeys[VtkCorner[c]] = level.Points[nodes[c]].Key;
+    level.AddTo(made.Points, nodes[c]);
   }
-  work.Hexes.push_back(added);
+  made.Hexes.push_back(added);
 }
 
-void AddLevel(Work& work, int level)
+/// Adds the points of a hex that have an anchor.
+void AddAnchored(const std::array<int, 8>& nodes, LevelPoints& level, std::vector<Point>& points)
 {
-  const IndexBox box = ChangeLevel(work.Box, level);
-  const PillowedLevel mesh = PillowSlabs(work.Sets, level, box);
-  const std::vector<Point> points = NamePoints(work, level, mesh);
-  std::vector<unsigned char> isUsed(points.size(), 0);
-  const bool withChildren = work.WithFinest || level + 1 < work.Sets.NumberOfRefinements();
+  for (int node : nodes)
+  {
+    if (level.Points[node].HasAnchor)
+    {
+      level.AddTo(points, node);
+    }
+  }
+}
+
+/// Adds the points and hexes of a level.
+/// @param box  cells of the level whose hexes are added
+/// @param withChildren  whether hexes of the next level are added too
+void AddLevel(
+  const OctantFamilies& sets, int level, const IndexBox& box, bool withChildren, UnsortedMesh& made)
+{
+  const OctreeKeys& lattice = sets.Lattice();
+  const PillowedLevel mesh = PillowSlabs(sets, level, box);
+  LevelPoints points{ NamePoints(sets, level, mesh, made.AnchorsOfChildren) };
   for (const PillowedLevel::Hex& hex : mesh.Hexes)
   {
     const Index3& cell = mesh.Cells[hex.Cell];
@@ -138,78 +155,82 @@ void AddLevel(Work& work, int level)
     {
       continue;
     }
-    if (!work.Sets.IsRefined(level, cell))
+    if (!sets.IsRefined(level, cell))
     {
-      AddHex(work, work.Lattice.HexKey(level, cell, hex.Slot), true, hex, points, isUsed);
+      AddHex({ lattice.HexKey(level, cell, hex.Slot), {}, true }, hex.Nodes, points, made);
       continue;
     }
-    for (int c = 0; !withChildren && c < 8; ++c)
+    if (!withChildren)
     {
-      if (points[hex.Nodes[c]].HasAnchor)
-      {
-        AddPoint(work, hex.Nodes[c], points, isUsed);
-      }
+      AddAnchored(hex.Nodes, points, made.Points);
+      continue;
     }
     const Index3 child = ChildOfCell(cell, ChildOfHex(cell, hex.Slot));
-    if (withChildren && !work.Sets.IsTouched(level + 1, child))
+    if (!sets.IsTouched(level + 1, child))
     {
-      AddHex(work, work.Lattice.HexKey(level + 1, child, 0), false, hex, points, isUsed);
+      AddHex({ lattice.HexKey(level + 1, child, 0), {}, false }, hex.Nodes, points, made);
     }
   }
   for (std::size_t c = 0; level == 0 && c < mesh.Cells.size(); ++c)
   {
     if (box.Contains(mesh.Cells[c]))
     {
-      work.TouchedCells.push_back(work.Lattice.Base().CellKey(mesh.Cells[c]));
+      made.TouchedCells.push_back(lattice.Base().CellKey(mesh.Cells[c]));
     }
   }
 }
 
-Index FindAnchor(const Work& work, const Point& point)
+/// @param children  ascending
+Index FindAnchor(const OctantFamilies& sets, const ChildAnchors& children, const Point& point)
 {
-  if (work.Lattice.NodeOfKey(point.Key).Slot > 0)
+  if (sets.Lattice().NodeOfKey(point.Key).Slot > 0)
   {
     return point.Key;
   }
-  const auto at = std::lower_bound(work.AnchorsOfChildren.begin(), work.AnchorsOfChildren.end(),
-    std::make_pair(point.Key, Index(0)));
-  return at != work.AnchorsOfChildren.end() && at->first == point.Key
-    ? at->second
-    : AnchorOfNode(work.Sets, point.Key);
+  const auto at =
+    std::lower_bound(children.begin(), children.end(), std::make_pair(point.Key, Index(0)));
+  return at != children.end() && at->first == point.Key ? at->second
+                                                        : AnchorOfNode(sets, point.Key);
 }
 
-RefinedMesh Finish(Work& work)
+/// Sorts points, each once, hexes and anchors by key.
+void Sort(UnsortedMesh& made)
 {
   const auto byKey = [](const auto& a, const auto& b) { return a.Key < b.Key; };
-  std::sort(work.Points.begin(), work.Points.end(), byKey);
-  std::sort(work.AnchorsOfChildren.begin(), work.AnchorsOfChildren.end());
-  work.Points.erase(std::unique(work.Points.begin(), work.Points.end(),
+  std::sort(made.Points.begin(), made.Points.end(), byKey);
+  std::sort(made.AnchorsOfChildren.begin(), made.AnchorsOfChildren.end());
+  made.Points.erase(std::unique(made.Points.begin(), made.Points.end(),
                       [](const Point& a, const Point& b) { return a.Key == b.Key; }),
-    work.Points.end());
-  std::sort(work.Hexes.begin(), work.Hexes.end(), byKey);
+    made.Points.end());
+  std::sort(made.Hexes.begin(), made.Hexes.end(), byKey);
+}
+
+RefinedMesh Finish(const OctantFamilies& sets, UnsortedMesh made)
+{
+  Sort(made);
   RefinedMesh mesh;
-  mesh.TouchedCells = std::move(work.TouchedCells);
-  mesh.Points.reserve(3 * work.Points.size());
-  mesh.PointKeys.reserve(work.Points.size());
-  mesh.Anchors.reserve(work.Points.size());
-  mesh.DomainSides.reserve(work.Points.size());
-  mesh.Hexes.reserve(8 * work.Hexes.size());
-  mesh.HexKeys.reserve(work.Hexes.size());
-  mesh.IsTransition.reserve(work.Hexes.size());
-  for (const Point& point : work.Points)
+  mesh.TouchedCells = std::move(made.TouchedCells);
+  mesh.Points.reserve(3 * made.Points.size());
+  mesh.PointKeys.reserve(made.Points.size());
+  mesh.Anchors.reserve(made.Points.size());
+  mesh.DomainSides.reserve(made.Points.size());
+  mesh.Hexes.reserve(8 * made.Hexes.size());
+  mesh.HexKeys.reserve(made.Hexes.size());
+  mesh.IsTransition.reserve(made.Hexes.size());
+  for (const Point& point : made.Points)
   {
     if (point.FreeAnchor >= 0)
     {
       mesh.FreePoints.push_back({ static_cast<int>(mesh.PointKeys.size()), point.FreeAnchor });
     }
-    mesh.Anchors.push_back(FindAnchor(work, point));
+    mesh.Anchors.push_back(FindAnchor(sets, made.AnchorsOfChildren, point));
     mesh.PointKeys.push_back(point.Key);
     mesh.DomainSides.push_back(static_cast<unsigned char>(point.Sides));
     mesh.Points.insert(mesh.Points.end(), point.X.begin(), point.X.end());
   }
   std::sort(mesh.FreePoints.begin(), mesh.FreePoints.end(),
     [](const auto& a, const auto& b) { return a.Anchor < b.Anchor; });
-  for (const Hex& hex : work.Hexes)
+  for (const Hex& hex : made.Hexes)
   {
     mesh.HexKeys.push_back(hex.Key);
     mesh.IsTransition.push_back(hex.IsTransition);
@@ -246,12 +267,13 @@ Index AnchorOfPoint(const OctantFamilies& sets, const RefinedMesh& mesh, Index k
 
 RefinedMesh MakeRefinedMesh(const OctantFamilies& sets, const IndexBox& box, bool withFinest)
 {
-  Work work{ sets, box, withFinest };
+  UnsortedMesh made;
   for (int level = 0; level < sets.NumberOfRefinements(); ++level)
   {
-    AddLevel(work, level);
+    const bool withChildren = withFinest || level + 1 < sets.NumberOfRefinements();
+    AddLevel(sets, level, ChangeLevel(box, level), withChildren, made);
   }
-  return Finish(work);
+  return Finish(sets, std::move(made));
 }
 
 } // namespace vfm

@@ -190,16 +190,13 @@ InputLevels MakeLevels(const std::vector<InputBlock>& blocks, const std::vector<
   return input;
 }
 
-struct Work
-{
-  InputLevels& Input;
-  std::map<const BlockArrays*, std::shared_ptr<std::vector<unsigned char>>> Copies{};
-};
+/// Marks that can be changed, by the arrays of their blocks.
+using MarkCopies = std::map<const BlockArrays*, std::shared_ptr<std::vector<unsigned char>>>;
 
 /// Returns marks of a block that can be changed; blocks of one set of arrays share them.
-std::shared_ptr<std::vector<unsigned char>> FindCopy(Work& work, const InputBlock& block)
+std::shared_ptr<std::vector<unsigned char>> FindCopy(const InputBlock& block, MarkCopies& copies)
 {
-  auto& copy = work.Copies[block.Arrays.get()];
+  auto& copy = copies[block.Arrays.get()];
   if (!copy)
   {
     copy = block.Marks
@@ -209,9 +206,9 @@ std::shared_ptr<std::vector<unsigned char>> FindCopy(Work& work, const InputBloc
   return copy;
 }
 
-void Hide(Work& work, InputBlock& block, const IndexBox& box)
+void Hide(const IndexBox& box, InputBlock& block, MarkCopies& copies)
 {
-  const auto marks = FindCopy(work, block);
+  const auto marks = FindCopy(block, copies);
   block.Marks = marks;
   ForRows(box,
     [&](Index j, Index k)
@@ -221,16 +218,17 @@ void Hide(Work& work, InputBlock& block, const IndexBox& box)
     });
 }
 
-void MarkBlock(Work& work, InputBlock& block, int level)
+/// Marks the cells of a block that the blocks of finer levels cover as hidden.
+void MarkBlock(const InputLevels& input, int level, InputBlock& block, MarkCopies& copies)
 {
-  for (int finer = level + 1; finer <= work.Input.Finest(); ++finer)
+  for (int finer = level + 1; finer <= input.Finest(); ++finer)
   {
-    for (const BlockPlace& place : work.Input.Levels[finer].Places)
+    for (const BlockPlace& place : input.Levels[finer].Places)
     {
       const IndexBox box = Intersect(ChangeLevel(place.Box, level - finer), block.Box);
       if (box.NumberOfCells() > 0)
       {
-        Hide(work, block, box);
+        Hide(box, block, copies);
       }
     }
   }
@@ -239,12 +237,12 @@ void MarkBlock(Work& work, InputBlock& block, int level)
 /// Marks the cells of this rank's blocks that finer blocks cover as hidden.
 void MarkCovered(InputLevels& input)
 {
-  Work work{ input };
-  for (int level = 0; level < work.Input.Finest(); ++level)
+  MarkCopies copies;
+  for (int level = 0; level < input.Finest(); ++level)
   {
-    for (InputBlock& block : work.Input.Levels[level].Blocks)
+    for (InputBlock& block : input.Levels[level].Blocks)
     {
-      MarkBlock(work, block, level);
+      MarkBlock(input, level, block, copies);
     }
   }
 }

@@ -37,73 +37,87 @@ struct Side
   bool HasPlane;   // whether a plane was fitted
 };
 
-struct Work
+/// Cells in grid coordinates.
+class ScaledCells
 {
+public:
+  explicit ScaledCells(const CartesianGrid& grid) : Grid(grid), Scale(1.0 / grid.MeanWidth()) {}
+
+  Vector3 Centre(const Index3& p) const
+  {
+    Vector3 c;
+    for (int a = 0; a < 3; ++a)
+    {
+      const std::vector<double>& x = this->Grid.Coordinates(a);
+      c[a] = (0.5 * (x[p[a]] + x[p[a] + 1]) - x[0]) * this->Scale;
+    }
+    return c;
+  }
+  Vector3 Widths(const Index3& p) const
+  {
+    return { { this->Grid.Width(0, p[0]) * this->Scale, this->Grid.Width(1, p[1]) * this->Scale,
+      this->Grid.Width(2, p[2]) * this->Scale } };
+  }
+
   const CartesianGrid& Grid;
-  const FractionField& Fractions;
-  const InterfaceFace& Face;
-  double IsoValue;
-  int First = Face.First(), Second = Face.Second();
-  double Scale = 1.0 / Grid.MeanWidth();
+
+private:
+  double Scale;
 };
 
-Vector3 CellCentre(const Work& work, const Index3& p)
+/// Fractions of the two labels of a face.
+class PairFractions
 {
-  Vector3 c;
-  for (int a = 0; a < 3; ++a)
+public:
+  PairFractions(const FractionField& fractions, const InterfaceFace& face, double isoValue) :
+    Fractions(fractions), First(face.First()), Second(face.Second()), IsoValue(isoValue)
   {
-    const std::vector<double>& x = work.Grid.Coordinates(a);
-    c[a] = (0.5 * (x[p[a]] + x[p[a] + 1]) - x[0]) * work.Scale;
   }
-  return c;
-}
 
-Vector3 CellWidths(const Work& work, const Index3& p)
-{
-  return { { work.Grid.Width(0, p[0]) * work.Scale, work.Grid.Width(1, p[1]) * work.Scale,
-    work.Grid.Width(2, p[2]) * work.Scale } };
-}
+  bool HasVoid() const { return this->First == 0; }
+  double OfFirst(Index cell) const { return this->Fractions.Fraction(cell, this->First); }
+  double OfSecond(Index cell) const { return this->Fractions.Fraction(cell, this->Second); }
+  double OfBoth(Index cell) const { return this->OfFirst(cell) + this->OfSecond(cell); }
+  /// Returns the difference field, 0 at the interface.
+  double Difference(Index cell) const
+  {
+    return this->HasVoid() ? 2.0 * (1.0 - this->IsoValue - this->OfFirst(cell))
+                           : this->OfSecond(cell) - this->OfFirst(cell);
+  }
 
-double Difference(const Work& work, Index cell)
-{
-  return work.First == 0
-    ? 2.0 * (1.0 - work.IsoValue - work.Fractions.Fraction(cell, 0))
-    : work.Fractions.Fraction(cell, work.Second) - work.Fractions.Fraction(cell, work.First);
-}
+private:
+  const FractionField& Fractions;
+  int First, Second;
+  double IsoValue;
+};
 
 /// Returns the gradient over the 3^3 cells in the domain.
-Vector3 Gradient(const Work& work, const Side& side, const Index3& p)
+Vector3 Gradient(
+  const ScaledCells& cells, const PairFractions& pair, const Side& side, const Index3& p)
 {
   GradientFit fit;
   for (int c = 0; c < 27; ++c)
   {
     const Index3 q = CellAround(p, c);
-    if (c != 13 && work.Grid.InDomain(q))
+    if (c != 13 && cells.Grid.InDomain(q))
     {
-      fit.Add(Divided(CellCentre(work, q) - side.Centre, side.Widths),
-        Difference(work, work.Grid.Linear(q)) - side.D);
+      fit.Add(Divided(cells.Centre(q) - side.Centre, side.Widths),
+        pair.Difference(cells.Grid.Linear(q)) - side.D);
     }
   }
   return fit.Solve();
 }
 
-/// Returns the fraction of a cell that both labels fill.
-double PairFills(const Work& work, Index cell)
-{
-  return work.Fractions.Fraction(cell, work.First) + work.Fractions.Fraction(cell, work.Second);
-}
-
 /// Adds the share of the first label in the pair, unless the pair fills little of the cell.
-void AddSample(
-  const Work& work, const Side& side, const Index3& p, std::vector<FractionSample>& samples)
+void AddSample(const ScaledCells& cells, const PairFractions& pair, const Side& side,
+  const Index3& p, std::vector<FractionSample>& samples)
 {
-  const Index cell = work.Grid.Linear(p);
-  const double filled = PairFills(work, cell);
+  const Index cell = cells.Grid.Linear(p);
+  const double filled = pair.OfBoth(cell);
   if (filled >= SampleShare)
   {
-    samples.push_back({ Divided(CellCentre(work, p) - side.Centre, side.Widths),
-      Divided(CellWidths(work, p), side.Widths),
-      std::min(work.Fractions.Fraction(cell, work.First) / filled, 1.0), 1.0 });
+    samples.push_back({ Divided(cells.Centre(p) - side.Centre, side.Widths),
+      Divided(cells.Widths(p), side.Widths), std::min(pair.OfFirst(cell) / filled, 1.0), 1.0 });
   }
 }
 
@@ -114,11 +128,11 @@ bool IsMixed(double fraction)
 
 /// Turns the gradient to the normal of the plane that fits the fractions over 3^3 cells; returns
 /// false if no plane fits.
-bool TurnToPlane(const Work& work, const Index3& p, Side& side)
+bool TurnToPlane(const ScaledCells& cells, const PairFractions& pair, const Index3& p, Side& side)
 {
   std::vector<FractionSample> samples;
   samples.reserve(27);
-  AddSample(work, side, p, samples);
+  AddSample(cells, pair, side, p, samples);
   if (samples.empty() || !IsMixed(samples[0].Value))
   {
     return false;
@@ -126,9 +140,9 @@ bool TurnToPlane(const Work& work, const Index3& p, Side& side)
   for (int c = 0; c < 27; ++c)
   {
     const Index3 q = CellAround(p, c);
-    if (c != 13 && work.Grid.InDomain(q))
+    if (c != 13 && cells.Grid.InDomain(q))
     {
-      AddSample(work, side, q, samples);
+      AddSample(cells, pair, side, q, samples);
     }
   }
   const LayerFit fit = FitHalfSpace(samples);
@@ -140,25 +154,32 @@ bool TurnToPlane(const Work& work, const Index3& p, Side& side)
   return true;
 }
 
-Side MakeSide(const Work& work, Index cell)
+Side MakeSide(const ScaledCells& cells, const PairFractions& pair, Index cell)
 {
   Side side;
-  const Index3 p = work.Grid.Position(cell);
+  const CartesianGrid& grid = cells.Grid;
+  const Index3 p = grid.Position(cell);
   side.Cell = cell;
-  side.Centre = CellCentre(work, p);
-  side.Widths = CellWidths(work, p);
-  side.D = Difference(work, cell);
-  side.Gradient = Gradient(work, side, p);
-  side.IsOneSided = !work.Grid.InDomain({ { p[0] - 1, p[1] - 1, p[2] - 1 } }) ||
-    !work.Grid.InDomain({ { p[0] + 1, p[1] + 1, p[2] + 1 } });
-  side.HasPlane = side.IsOneSided && TurnToPlane(work, p, side);
+  side.Centre = cells.Centre(p);
+  side.Widths = cells.Widths(p);
+  side.D = pair.Difference(cell);
+  side.Gradient = Gradient(cells, pair, side, p);
+  side.IsOneSided = !grid.InDomain({ { p[0] - 1, p[1] - 1, p[2] - 1 } }) ||
+    !grid.InDomain({ { p[0] + 1, p[1] + 1, p[2] + 1 } });
+  side.HasPlane = side.IsOneSided && TurnToPlane(cells, pair, p, side);
   return side;
 }
 
-/// Returns where D changes sign along the dual edge: 0 at the lower cell, 1 at the upper.
-double LinearParameter(const Work& work, const Side& lower, const Side& upper)
+/// Returns 1 if the difference field grows along the axis of a face, otherwise -1.
+double SignOf(const InterfaceFace& face)
 {
-  const double sign = work.Face.LowerLabel == work.First ? 1.0 : -1.0;
+  return face.LowerLabel == face.First() ? 1.0 : -1.0;
+}
+
+/// Returns where D changes sign along the dual edge: 0 at the lower cell, 1 at the upper.
+double LinearParameter(const InterfaceFace& face, const Side& lower, const Side& upper)
+{
+  const double sign = SignOf(face);
   const double a = sign * lower.D, b = sign * upper.D; // a < 0 < b unless a cell was flipped
   if (a <= 0.0 && b >= 0.0 && a < b)
   {
@@ -168,51 +189,44 @@ double LinearParameter(const Work& work, const Side& lower, const Side& upper)
 }
 
 /// Sets the share of the first label in the pair; returns false if the cell has no plane.
-bool PlaneFraction(const Work& work, const Side& side, double& fraction)
+bool PlaneFraction(const PairFractions& pair, const Side& side, double& fraction)
 {
-  if (work.First == 0)
+  const double both = pair.HasVoid() ? 1.0 : pair.OfBoth(side.Cell);
+  if (both < PairShare)
   {
-    fraction = work.Fractions.Fraction(side.Cell, 0);
+    return false;
   }
-  else
-  {
-    const double a = work.Fractions.Fraction(side.Cell, work.First);
-    const double b = work.Fractions.Fraction(side.Cell, work.Second);
-    if (a + b < PairShare)
-    {
-      return false;
-    }
-    fraction = a / (a + b);
-  }
+  fraction = pair.OfFirst(side.Cell) / both;
   return IsMixed(fraction) && Norm(side.Gradient) > 1e-12;
 }
 
 /// Returns the cut of the plane of a cell with the dual edge.
-Vector3 CutOfPlane(const Work& work, const Side& side, double fraction)
+Vector3 CutOfPlane(const InterfaceFace& face, const Side& side, double fraction)
 {
   const Vector3 n = Unit(side.Gradient);
   const double d = PlaneOfVolume(n, fraction);
-  const double slope = work.Face.LowerLabel == work.First ? n[work.Face.Axis] : -n[work.Face.Axis];
   Vector3 foot = d * n;
-  if (slope >= SteepPlane)
+  if (SignOf(face) * n[face.Axis] >= SteepPlane)
   {
     foot = { { 0.0, 0.0, 0.0 } };
-    foot[work.Face.Axis] = d / n[work.Face.Axis];
+    foot[face.Axis] = d / n[face.Axis];
   }
   return side.Centre + Scaled(side.Widths, foot);
 }
 
-void MoveToPlanes(const Work& work, const Side& lower, const Side& upper, Vector3& point)
+/// Moves a point to the mean cut of the planes of both cells, as far as they have one.
+void MoveToPlanes(const InterfaceFace& face, const PairFractions& pair,
+  const std::array<Side, 2>& sides, Vector3& point)
 {
   Vector3 sum{ { 0.0, 0.0, 0.0 } };
   double weights = 0.0;
-  for (const Side* side : { &lower, &upper })
+  for (const Side& side : sides)
   {
     double f = 0.0;
-    if (PlaneFraction(work, *side, f))
+    if (PlaneFraction(pair, side, f))
     {
       const double w = f * (1.0 - f) + 0.01;
-      sum = sum + w * CutOfPlane(work, *side, f);
+      sum = sum + w * CutOfPlane(face, side, f);
       weights += w;
     }
   }
@@ -222,7 +236,7 @@ void MoveToPlanes(const Work& work, const Side& lower, const Side& upper, Vector
   }
 }
 
-Vector3 BlendNormals(const Work& work, const Side& lower, const Side& upper, double t)
+Vector3 BlendNormals(const InterfaceFace& face, const Side& lower, const Side& upper, double t)
 {
   if (lower.IsOneSided && upper.IsOneSided && lower.HasPlane != upper.HasPlane)
   {
@@ -231,14 +245,14 @@ Vector3 BlendNormals(const Work& work, const Side& lower, const Side& upper, dou
   const Vector3 widths = 0.5 * (lower.Widths + upper.Widths);
   Vector3 n = Unit((1.0 - t) * Scaled(widths, Divided(lower.Gradient, lower.Widths)) +
     t * Scaled(widths, Divided(upper.Gradient, upper.Widths)));
-  const double sign = work.Face.LowerLabel == work.First ? 1.0 : -1.0;
-  if (sign * n[work.Face.Axis] < SmallestSlope)
+  const double sign = SignOf(face);
+  if (sign * n[face.Axis] < SmallestSlope)
   {
-    n[work.Face.Axis] += sign * AddedSlope;
-    if (sign * n[work.Face.Axis] <= 0.0) // the gradients contradict the labels
+    n[face.Axis] += sign * AddedSlope;
+    if (sign * n[face.Axis] <= 0.0) // the gradients contradict the labels
     {
       n = { { 0.0, 0.0, 0.0 } };
-      n[work.Face.Axis] = sign;
+      n[face.Axis] = sign;
     }
   }
   return Unit(Divided(n, widths));
@@ -288,18 +302,20 @@ std::vector<FaceStep> MakeSteps(int axis)
 Crossing FindCrossing(const CartesianGrid& grid, const FractionField& fractions,
   const InterfaceFace& face, double isoValue)
 {
-  const Work work{ grid, fractions, face, isoValue };
-  const Side lower = MakeSide(work, work.Face.Node - work.Grid.Stride(work.Face.Axis));
-  const Side upper = MakeSide(work, work.Face.Node);
-  const double t = LinearParameter(work, lower, upper);
+  const ScaledCells cells(grid);
+  const PairFractions pair(fractions, face, isoValue);
+  const std::array<Side, 2> sides{ { MakeSide(cells, pair, face.Node - grid.Stride(face.Axis)),
+    MakeSide(cells, pair, face.Node) } };
+  const Side &lower = sides[0], &upper = sides[1];
+  const double t = LinearParameter(face, lower, upper);
   Crossing crossing;
   crossing.Point = (1.0 - t) * lower.Centre + t * upper.Centre;
-  if (work.IsoValue == 0.5)
+  if (isoValue == 0.5)
   {
-    MoveToPlanes(work, lower, upper, crossing.Point);
+    MoveToPlanes(face, pair, sides, crossing.Point);
   }
-  crossing.Normal = BlendNormals(work, lower, upper, t);
-  const double filled = PairFills(work, lower.Cell) * PairFills(work, upper.Cell);
+  crossing.Normal = BlendNormals(face, lower, upper, t);
+  const double filled = pair.OfBoth(lower.Cell) * pair.OfBoth(upper.Cell);
   crossing.Weight = std::max(filled * filled, LeastWeight);
   return crossing;
 }

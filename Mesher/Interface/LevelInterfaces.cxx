@@ -90,50 +90,50 @@ private:
   std::unordered_map<Index, bool> Near, Touching;
 };
 
-/// Sets the labels of leaves in the cells of a level that need them. The finest grid is 2^Halvings
-/// times as fine.
-struct Work
+/// Sets the label of a cell and its mirrors if it needs the label of a leaf; returns whether the
+/// cell lies in a coarser leaf.
+bool SetLeafLabel(
+  LevelCells& cells, const CartesianGrid& grid, Index cell, int label, LabelArray& labels)
 {
-  const CartesianGrid& Finest;
-  const LabelArray& FinestLabels;
-  int Halvings;
-  const CartesianGrid& Grid;
-  LevelCells& Cells;
-  LabelArray& Labels;
-  std::vector<Index> Steps{};
-};
-
-void Set(Work& work, Index cell, int label)
-{
-  if (work.Cells.HasLeafLabel(work.Grid.Position(cell)))
+  const Index3 position = grid.Position(cell);
+  if (!cells.HasLeafLabel(position))
   {
-    work.Labels.Set(cell, label);
-    work.Grid.ForMirrors(cell, [&](Index mirror) { work.Labels.Set(mirror, label); });
-    if (!work.Cells.IsLeaf(work.Grid.Position(cell)))
-    {
-      work.Steps.push_back(cell);
-    }
+    return false;
   }
+  labels.Set(cell, label);
+  grid.ForMirrors(cell, [&](Index mirror) { labels.Set(mirror, label); });
+  return !cells.IsLeaf(position);
 }
 
-/// Sets the labels in a row of cells. Cells with the same label as their lowest finest cell are
-/// skipped in runs.
-void ApplyToRow(Work& work, const Index3& start)
+/// Row of labels of the finest grid, 2^Halvings times as fine as a row of a level.
+struct FinestRow
 {
-  const Index row = work.Grid.Linear(start), size = work.Grid.Local().Size(0);
-  const Index finestRow = work.Finest.Linear(
-    { { start[0] << work.Halvings, start[1] << work.Halvings, start[2] << work.Halvings } });
-  const Index round = (Index(1) << work.Halvings) - 1;
-  const auto cellFrom = [&](Index finest)
-  { return row + ((finest - finestRow + round) >> work.Halvings); };
-  std::vector<std::array<Index, 2>> others; // cells, and the labels of their leaves
+  const LabelArray& Labels;
+  Index First; // first cell of the row
+  int Halvings;
+
+  /// Returns the number of the first cell of the level that begins at or after a finest cell.
+  Index CellFrom(Index finest) const
+  {
+    const Index round = (Index(1) << this->Halvings) - 1;
+    return (finest - this->First + round) >> this->Halvings;
+  }
+};
+
+/// Lists the cells of a row of a level whose label differs from their lowest finest cell, with the
+/// label of the latter. Cells with equal labels are skipped in runs.
+/// @param row,size  first cell and number of cells of the row
+std::vector<std::array<Index, 2>> ListOthers(
+  const FinestRow& finest, const LabelArray& labels, Index row, Index size)
+{
+  std::vector<std::array<Index, 2>> others;
   std::vector<Index> found;
-  work.FinestLabels.Visit(
-    finestRow, finestRow + (size << work.Halvings),
+  finest.Labels.Visit(
+    finest.First, finest.First + (size << finest.Halvings),
     [&](Index begin, Index end, int label)
     {
       found.clear();
-      FindOthers(work.Labels, cellFrom(begin), cellFrom(end), label, found);
+      FindOthers(labels, row + finest.CellFrom(begin), row + finest.CellFrom(end), label, found);
       for (Index cell : found)
       {
         others.push_back({ { cell, label } });
@@ -141,27 +141,42 @@ void ApplyToRow(Work& work, const Index3& start)
     },
     [&](Index begin, Index end, const int* values)
     {
-      for (Index cell = cellFrom(begin); cell < cellFrom(end); ++cell)
+      for (Index n = finest.CellFrom(begin); n < finest.CellFrom(end); ++n)
       {
-        const int label = values[finestRow + ((cell - row) << work.Halvings) - begin];
-        if (work.Labels[cell] != label)
+        const int label = values[finest.First + (n << finest.Halvings) - begin];
+        if (labels[row + n] != label)
         {
-          others.push_back({ { cell, label } });
+          others.push_back({ { row + n, label } });
         }
       }
     });
-  for (const std::array<Index, 2>& other : others)
-  {
-    Set(work, other[0], static_cast<int>(other[1]));
-  }
+  return others;
 }
 
-/// Sets the labels; returns the cells in coarser leaves that got another label, ascending.
-std::vector<Index> Apply(Work& work)
+/// Sets the labels of leaves in the cells of a level that need them; returns the cells in coarser
+/// leaves that got another label, ascending.
+/// @param finest,finestLabels  the finest grid, 2^halvings times as fine
+std::vector<Index> SetLeafLabels(const CartesianGrid& finest, const LabelArray& finestLabels,
+  int halvings, const CartesianGrid& grid, LevelCells& cells, LabelArray& labels)
 {
-  const IndexBox& box = work.Grid.Local();
-  ForRows(box, [&](Index j, Index k) { ApplyToRow(work, { { box.Lower[0], j, k } }); });
-  return std::move(work.Steps);
+  std::vector<Index> steps;
+  const IndexBox& box = grid.Local();
+  ForRows(box,
+    [&](Index j, Index k)
+    {
+      const Index first =
+        finest.Linear({ { box.Lower[0] << halvings, j << halvings, k << halvings } });
+      const Index row = grid.Linear({ { box.Lower[0], j, k } });
+      for (const std::array<Index, 2>& other :
+        ListOthers({ finestLabels, first, halvings }, labels, row, box.Size(0)))
+      {
+        if (SetLeafLabel(cells, grid, other[0], static_cast<int>(other[1]), labels))
+        {
+          steps.push_back(other[0]);
+        }
+      }
+    });
+  return steps;
 }
 
 /// Lists the steps from a node to nodes at most SearchRadius away along each
@@ -211,8 +226,8 @@ void LevelInterfaces::AddLevel(int level, const CartesianGrid& grid, const Fract
   LevelCells cells(this->Levels, level);
   LabelArray own = AssignMaterials(grid, fractions, isoValue);
   const int halvings = this->Levels.NumberOfRefinements() - level;
-  Work work{ this->Levels.Finest(), labels, halvings, grid, cells, own };
-  const std::vector<Index> steps = Apply(work);
+  const std::vector<Index> steps =
+    SetLeafLabels(this->Levels.Finest(), labels, halvings, grid, cells, own);
   std::vector<Index> nodes = FindMixedNodes(grid, own);
   nodes.erase(std::remove_if(nodes.begin(), nodes.end(),
                 [&](Index node) { return !cells.IsNear(grid.Position(node)); }),

@@ -90,96 +90,120 @@ IndexBox CellsIn(const std::array<std::vector<double>, 3>& coordinates, const Re
   return cells;
 }
 
-/// State while requests are read, block by block.
-struct Work
+/// Refinement array in a block.
+struct RequestArray
 {
-  const InputLevels& Input;
-  const std::string& Array;
-  const std::vector<RefinementBox> Boxes;
-  std::vector<Index> CellsOfBoxes = std::vector<Index>(Boxes.size()); // selected on this rank
-  std::vector<std::vector<ChosenBox>> Rows{};                         // selected, by level
-  std::vector<ChosenBox> Places{};                                    // Boxes on the current level
-  std::vector<Index> Row{};
+  std::string Name;
+  std::string Level; // level of the block, for messages
+  std::shared_ptr<const BlockArray> Values{};
 };
 
-void CheckValue(const Work& work, double value, const Index3& cell, int level)
+void CheckValue(const RequestArray& array, double value, const Index3& cell)
 {
   if (!IsNumberOfHalvings(value))
   {
     std::ostringstream text;
-    text << "The refinement array '" << work.Array << "' holds " << value << " in " << TextOf(cell);
-    text << (work.Input.Finest() > 0 ? " of level " + std::to_string(level) : "")
+    text << "The refinement array '" << array.Name << "' holds " << value << " in " << TextOf(cell)
+         << array.Level
          << ": it must hold the number of halvings of each cell, an integer from 0 to "
          << MaximumHalvings << ".";
     throw InputError(text.str());
   }
 }
 
-/// Adds the cells of a row; consecutive cells with equal requests are one box.
-void AddRow(Work& work, const Index3& first)
+/// Adds the requests of a row; consecutive cells with equal requests are one box.
+/// @param row  halvings of each cell
+void AddRow(const std::vector<Index>& row, const Index3& first, std::vector<ChosenBox>& chosen)
 {
-  const Index count = static_cast<Index>(work.Row.size());
+  const Index count = static_cast<Index>(row.size());
   for (Index i = 0, end = 0; i < count; i = end)
   {
-    while (end < count && work.Row[end] == work.Row[i])
+    while (end < count && row[end] == row[i])
     {
       ++end;
     }
-    if (work.Row[i] > 0)
+    if (row[i] > 0)
     {
-      work.Rows.back().push_back({ { { { first[0] + i, first[1], first[2] } },
-                                     { { first[0] + end, first[1] + 1, first[2] + 1 } } },
-        work.Row[i] });
+      chosen.push_back({ { { { first[0] + i, first[1], first[2] } },
+                           { { first[0] + end, first[1] + 1, first[2] + 1 } } },
+        row[i] });
     }
   }
 }
 
-void ReadRow(
-  Work& work, const InputBlock& block, const BlockArray* array, int level, Index j, Index k)
+/// Returns the most halvings that boxes request in each of a row of cells.
+std::vector<Index> ReadBoxes(const std::vector<ChosenBox>& boxes, const IndexBox& row)
 {
-  const Index begin = block.Box.Lower[0], count = block.Box.Size(0);
-  work.Row.assign(count, 0);
-  for (const ChosenBox& place : work.Places)
+  std::vector<Index> halvings(row.Size(0), 0);
+  for (const ChosenBox& box : boxes)
   {
-    const IndexBox cells =
-      Intersect(place.Cells, { { { begin, j, k } }, { { begin + count, j + 1, k + 1 } } });
+    const IndexBox cells = Intersect(box.Cells, row);
     for (Index i = cells.Lower[0]; cells.NumberOfCells() > 0 && i < cells.Upper[0]; ++i)
     {
-      work.Row[i - begin] = std::max(work.Row[i - begin], place.Halvings);
+      Index& most = halvings[i - row.Lower[0]];
+      most = std::max(most, box.Halvings);
     }
   }
-  const Index id = block.CellId({ { begin, j, k } });
-  ClearHidden(block, id, count, work.Row.data());
-  for (Index i = 0; array && i < count; ++i)
+  return halvings;
+}
+
+/// Raises the halvings of a row of cells to what an array requests.
+void ReadArray(const RequestArray& array, const InputBlock& block, const Index3& first,
+  std::vector<Index>& halvings)
+{
+  const Index id = block.CellId(first), count = static_cast<Index>(halvings.size());
+  for (Index i = 0; i < count; ++i)
   {
     if (!IsHidden(block, id + i))
     {
-      const double value = array->Get(id + i, 0);
-      CheckValue(work, value, { { begin + i, j, k } }, level);
-      work.Row[i] = std::max(work.Row[i], static_cast<Index>(value));
+      const double value = array.Values->Get(id + i, 0);
+      CheckValue(array, value, { { first[0] + i, first[1], first[2] } });
+      halvings[i] = std::max(halvings[i], static_cast<Index>(value));
     }
   }
-  AddRow(work, { { begin, j, k } });
 }
 
-void ReadLevel(Work& work, int level)
+/// Adds the requests of a block.
+/// @param places  refinement boxes on its level
+void ReadBlock(const InputBlock& block, const std::vector<ChosenBox>& places,
+  const RequestArray& array, std::vector<ChosenBox>& chosen)
 {
-  work.Rows.emplace_back();
-  const InputBlocks& blocks = work.Input.Levels[level];
-  work.Places.clear();
-  for (const RefinementBox& box : work.Boxes)
+  ForRows(block.Box,
+    [&](Index j, Index k)
+    {
+      const Index3 first{ { block.Box.Lower[0], j, k } };
+      std::vector<Index> halvings =
+        ReadBoxes(places, { first, { { block.Box.Upper[0], j + 1, k + 1 } } });
+      ClearHidden(block, block.CellId(first), static_cast<Index>(halvings.size()), halvings.data());
+      if (array.Values)
+      {
+        ReadArray(array, block, first, halvings);
+      }
+      AddRow(halvings, first, chosen);
+    });
+}
+
+/// Returns the requests on a level.
+/// @param array  without values
+/// @param[in,out] cellsOfBoxes  adds the number of cells of this rank that each box selects
+std::vector<ChosenBox> ReadLevel(const InputBlocks& blocks, const std::vector<RefinementBox>& boxes,
+  RequestArray array, std::vector<Index>& cellsOfBoxes)
+{
+  std::vector<ChosenBox> places, chosen;
+  for (const RefinementBox& box : boxes)
   {
-    work.Places.push_back({ CellsIn(blocks.Coordinates, box), static_cast<Index>(box.Halvings) });
+    places.push_back({ CellsIn(blocks.Coordinates, box), static_cast<Index>(box.Halvings) });
   }
   for (const InputBlock& block : blocks.Blocks)
   {
-    const auto array = work.Array.empty() ? nullptr : FindArray(block, work.Array);
-    ForRows(block.Box, [&](Index j, Index k) { ReadRow(work, block, array.get(), level, j, k); });
-    for (std::size_t b = 0; b < work.Boxes.size(); ++b)
+    array.Values = array.Name.empty() ? nullptr : FindArray(block, array.Name);
+    ReadBlock(block, places, array, chosen);
+    for (std::size_t b = 0; b < boxes.size(); ++b)
     {
-      work.CellsOfBoxes[b] += Intersect(work.Places[b].Cells, block.Box).NumberOfCells();
+      cellsOfBoxes[b] += Intersect(places[b].Cells, block.Box).NumberOfCells();
     }
   }
+  return chosen;
 }
 
 std::string WarnOfEmptyBoxes(const std::vector<Index>& cells)
@@ -207,16 +231,17 @@ InputRequests FindInputRequests(const InputLevels& input, const std::string& arr
     return requests;
   }
   CheckBoxes(boxes);
-  Work work{ input, array, TurnBoxes(boxes, input.Reading.Frame) };
+  const std::vector<RefinementBox> turned = TurnBoxes(boxes, input.Reading.Frame);
+  std::vector<Index> counts(turned.size(), 0); // selected on this rank
   WorkTogether(ranks,
     [&]
     {
       for (int level = 0; level <= input.Finest(); ++level)
       {
-        ReadLevel(work, level);
+        const std::string text = input.Finest() > 0 ? " of level " + std::to_string(level) : "";
+        requests.Levels[level] = ReadLevel(input.Levels[level], turned, { array, text }, counts);
       }
     });
-  requests.Levels = std::move(work.Rows);
   Index cells = 0, finest = 0;
   for (int level = 0; level <= input.Finest(); ++level)
   {
@@ -226,7 +251,6 @@ InputRequests FindInputRequests(const InputLevels& input, const std::string& arr
       finest = std::max(finest, level + row.Halvings);
     }
   }
-  std::vector<Index> counts = std::move(work.CellsOfBoxes);
   counts.push_back(cells);
   ranks.Sum(counts);
   requests.Cells = counts.back();
