@@ -17,7 +17,7 @@
 #pragma once
 
 #include "Report/MeshFields.h"
-#include "State/MeshState.h"
+#include "State/OutputState.h"
 
 namespace vfm
 {

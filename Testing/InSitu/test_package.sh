@@ -51,11 +51,13 @@ test_components() {
   done
   finds_no_vtk hosts
 
-  build_host grid "$packages/grid" "${where[@]}"
-  grid/host > grid.out
-  expect "^[1-9][0-9]* hexes, volume 271.37" grid.out
-  [[ $(grep -c "tets, volume 271.37" grid.out) -ge 2 ]] || { cat grid.out; exit 1; }
-  finds_no_vtk grid
+  build_host mesher "$packages/mesher" "${where[@]}"
+  mesher/host > mesher.out
+  expect "^[1-9][0-9]* hexes, volume 271.37" mesher.out
+  [[ $(grep -c "tets, volume 271.37" mesher.out) -ge 2 ]] || { cat mesher.out; exit 1; }
+  mesher/mesh_in_cxx > mesh_in_cxx.out
+  expect "^[1-9][0-9]* hexes, volume 271.3" mesh_in_cxx.out
+  finds_no_vtk mesher
 
   build_host filters "$packages/filters" "${where[@]}"
   filters/host filters/ball.e > filters.out
@@ -92,8 +94,8 @@ expect "no component Rainbow" missing/log
 has_catalyst=
 [[ ! -e moved/prefix/lib/libvfm_catalyst.so ]] || has_catalyst=1
 for tree in "$build" "$scratch/moved/prefix"; do
-  rm -rf hosts grid filters catalyst
+  rm -rf hosts mesher filters catalyst
   test_components "$tree"
   test_pkg_config "$tree"
 done
-cat grid.out filters.out half_sphere_c.2.out
+cat mesher.out mesh_in_cxx.out filters.out half_sphere_c.2.out
