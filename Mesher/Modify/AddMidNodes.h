@@ -16,6 +16,7 @@
  */
 #pragma once
 
+#include "Base/Runtime.h"
 #include "Report/MeshFields.h"
 #include "State/OutputState.h"
 
