@@ -6,6 +6,7 @@
 #include "Base/Buffer.h"
 #include "Base/CartesianGrid.h"
 #include "Base/GlobalIds.h"
+#include "Elements/ElementShape.h"
 #include "Elements/GeometryTables.h"
 #include "Elements/MeshFacet.h"
 #include "Elements/MidNodes.h"
@@ -104,7 +105,9 @@ struct Mesh
       : this->PeriodicPartner.empty()     ? this->PointIds
                                           : this->PeriodicPartner;
   }
-  int CornersOfFacet() const { return this->Corners == 8 ? 4 : 3; }
+  const ElementShape& Shape() const { return ShapeOf(this->Corners, this->MidsPerElement); }
+  bool HasHexes() const { return AreHexes(this->Corners); }
+  int CornersOfFacet() const { return this->Shape().CornersOfFace; }
 
   /// ResizePoints allocates points and their ids; ResizeElements elements, their ids and materials.
   void ResizePoints(Index count)
