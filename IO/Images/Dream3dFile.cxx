@@ -76,6 +76,22 @@ std::string Identify(hid_t file, const std::string& path)
   return isFound ? std::string(reinterpret_cast<const char*>(&identity), sizeof(identity)) : path;
 }
 
+/// Checks that no chunk is larger than the largest size of its data set: the library reads such
+/// chunks beyond their values.
+void CheckChunks(hid_t data, hid_t storage, const std::string& path)
+{
+  const Hdf5Handle space(H5Dget_space(data), H5Sclose, CannotRead(path));
+  const int rank = std::max(H5Sget_simple_extent_ndims(space), 0);
+  std::vector<hsize_t> most(rank), chunk(rank);
+  H5Sget_simple_extent_dims(space, nullptr, most.data());
+  const bool isGood = H5Pget_chunk(storage, rank, chunk.data()) == rank &&
+    std::equal(chunk.begin(), chunk.end(), most.begin(), std::less_equal<hsize_t>());
+  if (!isGood)
+  {
+    throw InputError(path + " has chunks that are larger than its shape.");
+  }
+}
+
 /// Checks that the values of a data set are in its file, unless the file is trusted.
 void CheckStorage(hid_t data, const std::string& path)
 {
@@ -85,6 +101,10 @@ void CheckStorage(hid_t data, const std::string& path)
   if (isElsewhere && !InputTrust::IsGiven())
   {
     throw InputError(path + " has its values in other files. " + InputTrust::Advice);
+  }
+  if (H5Pget_layout(storage) == H5D_CHUNKED)
+  {
+    CheckChunks(data, storage, path);
   }
 }
 

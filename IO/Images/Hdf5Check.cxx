@@ -20,7 +20,8 @@ enum Message
   Link = 0x6,
   Attribute = 0xC,
   Continuation = 0x10,
-  SymbolTable = 0x11
+  SymbolTable = 0x11,
+  LinkCount = 0x16
 };
 
 constexpr int Word = 8; // width of addresses and lengths, bytes
@@ -38,8 +39,11 @@ std::uint64_t CheckType(const Hdf5Bytes& type)
 {
   // Bytes behind the first eight, of integers, reals, times, .., arrays; base types have eight.
   constexpr std::uint64_t least[] = { 4, 12, 2, 0, 4, 0, 8, 0, 8, 8, 8 };
+  constexpr std::uint64_t longest = 64; // bytes of an integer or a real number
   const std::uint64_t kind = type.Number(0, 1) & 0xF, size = type.Number(4, 4);
-  Require(kind < std::size(least) && size > 0, "a type is unknown");
+  const bool isNumber = kind < 2;
+  Require(
+    kind < std::size(least) && size > 0 && !(isNumber && size > longest), "a type is unknown");
   type.Part(Word, least[kind]);
   return size;
 }
@@ -95,8 +99,12 @@ public:
     {
       const std::uint64_t address = this->ToDo.back();
       this->ToDo.pop_back();
+      // The library counts on the number of links to find cycles.
+      Require(this->Single.count(address) == 0, "an object has more links than it counts");
       if (this->IsNew(address))
       {
+        this->Current = address;
+        this->Single.insert(address);
         this->CheckObject(address);
       }
     }
@@ -138,8 +146,9 @@ private:
     }
     Require(head.Number(0, 1) == 1, "an object is unknown");
     constexpr int prefix = 16;
-    this->CheckChunks(
-      { address + prefix, this->Stream.Read(address, prefix).Number(8, 4) }, OldPrefix);
+    const Hdf5Bytes old = this->Stream.Read(address, prefix);
+    this->CountLinks(old.Number(4, 4));
+    this->CheckChunks({ address + prefix, old.Number(8, 4) }, OldPrefix);
   }
 
   /// Checks the messages of an object.
@@ -202,11 +211,22 @@ private:
       case Link:
         this->AddLink(message);
         break;
+      case LinkCount:
+        this->CountLinks(message.Number(1, 4));
+        break;
       case SymbolTable:
         this->CheckGroup(message.Number(0, Word), message.Number(Word, Word));
         break;
       default:
         break;
+    }
+  }
+
+  void CountLinks(std::uint64_t count)
+  {
+    if (count > 1)
+    {
+      this->Single.erase(this->Current);
     }
   }
 
@@ -286,6 +306,8 @@ private:
   Hdf5Stream Stream;
   std::uint64_t MostSymbols = 8; // entries in a node; 8 unless the head of the file says more
   std::vector<std::uint64_t> ToDo;
+  std::uint64_t Current = 0;       // address of the object that is checked
+  std::set<std::uint64_t> Single;  // addresses of objects that have one link
   std::set<std::uint64_t> Visited; // addresses of objects, chunks and nodes
   std::set<std::pair<std::uint64_t, std::uint64_t>> Groups; // addresses of tree and heap
 };

@@ -39,16 +39,21 @@ std::string WriteImage(const std::string& path, H5F_libver_t version = H5F_LIBVE
   WriteThree(grid, "_ORIGIN", H5T_IEEE_F32LE, 0.0);
   const std::array<hsize_t, 3> size{ { 2, 2, 2 } };
   const std::array<int, 8> labels{ { 0, 1, 2, 3, 4, 5, 6, 7 } };
+  const hid_t storage = H5Pcreate(H5P_DATASET_CREATE);
+  H5Pset_chunk(storage, 3, size.data());
+  H5Pset_deflate(storage, 6);
   const hid_t space = H5Screate_simple(3, size.data(), nullptr);
   const hid_t data =
-    H5Dcreate2(grid, "Cells/FeatureIds", H5T_STD_I32LE, space, parents, H5P_DEFAULT, H5P_DEFAULT);
+    H5Dcreate2(grid, "Cells/FeatureIds", H5T_STD_I32LE, space, parents, storage, H5P_DEFAULT);
   H5Dwrite(data, H5T_NATIVE_INT, H5S_ALL, H5S_ALL, H5P_DEFAULT, labels.data());
+  H5Lcreate_hard(file, "/", file, "Cycle", H5P_DEFAULT, H5P_DEFAULT);
   H5Lcreate_soft("/DataStructure/Grid", file, "soft", H5P_DEFAULT, H5P_DEFAULT);
   H5Gclose(H5Gcreate2(file, "Empty", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
   H5Gclose(H5Gcreate2(file, "Removed", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
   H5Ldelete(file, "Removed", H5P_DEFAULT);
   H5Dclose(data);
   H5Sclose(space);
+  H5Pclose(storage);
   H5Gclose(grid);
   H5Fclose(file);
   H5Pclose(parents);
@@ -107,8 +112,9 @@ TEST(DamagedHdf5, StructureIsCheckedBeforeTheLibraryReadsIt)
   const std::string integers("\x10\x08\0\0\4\0\0\0\0\0\x20\0", 12);
   const Damage damages[] = {
     { integers, 10, std::string("\x90\0", 2), "an unusual type" },
-    { integers, 4, std::string("\0\0\0\xff", 4), "" },
+    { integers, 4, std::string("\0\0\0\xff", 4), "a type is unknown" },
     { integers, 0, "\x1f", "a type is unknown" },
+    { "\3\2\4", 12, std::string("\0\3", 2), "chunks that are larger than its shape" },
     { std::string("_DIMENSIONS\0", 12), 40, Word(1 << 20),
       "an attribute is shorter than its values" },
     { std::string("_DIMENSIONS\0", 12), 11, "....", "" },
@@ -121,6 +127,7 @@ TEST(DamagedHdf5, StructureIsCheckedBeforeTheLibraryReadsIt)
     { root, 13, "\4", "its version is unknown" },
     { root, 96 + 8, "\xff\xff\xff\x7f", "an address is behind its end" },
     { root, 96, "\7", "an object is unknown" },
+    { root, 96 + 4, "\1", "an object has more links than it counts" },
   };
   for (const Damage& damage : damages)
   {
