@@ -48,6 +48,25 @@ struct VertexPoints
 
 /// Mesh of one rank. It owns its arrays and can be moved, not copied. While it is made, it holds
 /// the elements of CartesianGrid::HexBox; KeepOwned leaves the elements of owned cells.
+///
+/// Corners of elements in VTK's order. The order of the corners of sides is in ElementFaces.h, that
+/// of mid nodes in MidNodes.h. HexNumbering.h converts from corners of cells, numbered by bits.
+///
+///        3               7------6
+///       /|\             /|     /|
+///      / | \           4------5 |        z  y
+///     0..|..2          | 3----|-2        | /
+///      \ | /           |/     |/         |/
+///       \|/            0------1          +--x
+///        1
+///
+///     side  corners of tets  corners of hexes
+///     0     0 1 3            0 4 7 3  (-x)
+///     1     1 2 3            1 2 6 5  (+x)
+///     2     2 0 3            0 1 5 4  (-y)
+///     3     0 2 1            3 7 6 2  (+y)
+///     4                      0 3 2 1  (-z)
+///     5                      4 5 6 7  (+z)
 struct Mesh
 {
   int Corners = 8;        ///< corners per element: 8 for hexes, 4 for tets
