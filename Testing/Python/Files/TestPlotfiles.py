@@ -41,7 +41,7 @@ def test_refused(at):
             "ball (double, 0 to 1), rest (double",
             "--input", folder, "--fractions", "x", "--output", at("no.vtu"), ranks=2)
     os.mkdir(at("empty"))
-    refused(1, "is of an unknown format", "--input", at("empty"), "--output", at("no.vtu"))
+    refused(2, "contains no file of a slice", "--input", at("empty"), "--output", at("no.vtu"))
     open(at("empty/Header"), "w").close()
     refused(2, "the file is empty", "--input", at("empty"), "--output", at("no.vtu"), ranks=2)
 
