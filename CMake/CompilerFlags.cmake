@@ -37,10 +37,12 @@ function (vfm_use_lanes)
     COMPILE_OPTIONS "-Wno-psabi;-fno-math-errno" SKIP_PRECOMPILE_HEADERS ON)
 endfunction ()
 
-# Installs a library of the component Mesher as VolumeFractionMesh::NAME, with the headers of a
-# folder. It does not link vfm_flags, which is not installed. Inline functions of the headers must
-# produce bitwise identical results in other projects too.
-function (vfm_install_library target name headers)
+# Installs a library of the component Mesher as VolumeFractionMesh::NAME, with headers by their names
+# in its include folder `folder`: those that users include and what these include, which
+# Testing/Structure checks. It does not link vfm_flags, which is not installed. Inline functions of
+# the headers must produce bitwise identical results in other projects too.
+# usage: vfm_install_library(TARGET NAME FOLDER HEADER ..)
+function (vfm_install_library target name folder)
   target_compile_features("${target}" PUBLIC cxx_std_17)
   target_compile_options("${target}"
     PRIVATE "$<TARGET_PROPERTY:vfm_flags,INTERFACE_COMPILE_OPTIONS>"
@@ -49,6 +51,8 @@ function (vfm_install_library target name headers)
   install(TARGETS "${target}" EXPORT Mesher
     ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}"
     INCLUDES DESTINATION "${vfm_headers_folder}")
-  install(DIRECTORY "${headers}" DESTINATION "${vfm_headers_folder}"
-    FILES_MATCHING PATTERN "*.h")
+  foreach (header IN LISTS ARGN)
+    get_filename_component(module "${header}" DIRECTORY)
+    install(FILES "${folder}/${header}" DESTINATION "${vfm_headers_folder}/${module}")
+  endforeach ()
 endfunction ()

@@ -38,18 +38,6 @@ vtkSmartPointer<vtkCellArray> AdoptCells(Buffer<Index>& buffer, int cellSize)
   return cells;
 }
 
-/// Returns the type of the cells of a mesh.
-int TypeOfCells(const Mesh& mesh)
-{
-  if (mesh.Corners == 4)
-  {
-    return mesh.MidsPerElement > 0 ? VTK_QUADRATIC_TETRA : VTK_TETRA;
-  }
-  return mesh.MidsPerElement == 0 ? VTK_HEXAHEDRON
-    : mesh.MidsPerElement == 12   ? VTK_QUADRATIC_HEXAHEDRON
-                                  : VTK_TRIQUADRATIC_HEXAHEDRON;
-}
-
 /// Adopts the elements, with their mid nodes.
 vtkSmartPointer<vtkCellArray> AdoptElements(Mesh& mesh)
 {
@@ -173,7 +161,7 @@ void SetCohesiveOutput(
   {
     return;
   }
-  const int corners = mesh.Corners == 8 ? 8 : 6;
+  const int corners = 2 * mesh.CornersOfFacet();
   Buffer<Index> points = CopyOf(elements.Points), ids = CopyOf(elements.Ids);
   Buffer<int> materials = CopyOf(elements.Materials);
   SetUsedPoints(points, mesh, mesh.PointIds, output);
@@ -194,7 +182,7 @@ void SetElementOutput(Mesh& mesh, vtkUnstructuredGrid* output)
   }
   else
   {
-    output->SetCells(TypeOfCells(mesh), AdoptElements(mesh));
+    output->SetCells(mesh.Shape().VtkType, AdoptElements(mesh));
   }
   vtkCellData* cells = output->GetCellData();
   VisitElementArrays(mesh, AdoptInto(cells));

@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "State/MeshState.h"
+#include "State/OutputState.h"
 
 class vtkUnstructuredGrid;
 

@@ -227,7 +227,7 @@ ModifiedMesh ModifyMesh(ModifyInput input, const MesherOptions& given, Runtime& 
   const StoredMesh ordered = OrderMesh(input.Data, ranks);
   const MeshData& data = ordered.Data;
   MesherOptions options = given;
-  options.Elements = data.Corners == 8 ? ElementKind::Hexes : ElementKind::Tets;
+  options.Elements = data.HasHexes() ? ElementKind::Hexes : ElementKind::Tets;
   ModifiedMesh result;
   result.Fields = data.Fields;
   result.State = CheckInput(data, options, input.Extensive, ranks);

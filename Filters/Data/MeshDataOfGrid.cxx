@@ -111,23 +111,13 @@ std::vector<FieldArray> ListFields(vtkFieldData* data)
   return fields;
 }
 
-/// Corners and mid nodes of the cells of a type.
-struct CellNodes
-{
-  int Type, Corners, Mids;
-};
-
-constexpr CellNodes KnownCells[] = { { VTK_HEXAHEDRON, 8, 0 }, { VTK_TETRA, 4, 0 },
-  { VTK_QUADRATIC_HEXAHEDRON, 8, 12 }, { VTK_TRIQUADRATIC_HEXAHEDRON, 8, 19 },
-  { VTK_QUADRATIC_TETRA, 4, 6 } };
-
-/// Returns the nodes of all cells.
-CellNodes FindNodes(vtkUnstructuredGrid* mesh)
+/// Returns the kind of all cells.
+const ElementShape& FindShape(vtkUnstructuredGrid* mesh)
 {
   const int type = mesh->GetCellType(0);
-  const auto* known = std::find_if(std::begin(KnownCells), std::end(KnownCells),
-    [type](const CellNodes& cell) { return cell.Type == type; });
-  bool isOneKind = known != std::end(KnownCells);
+  const auto* known = std::find_if(std::begin(ElementShapes), std::end(ElementShapes),
+    [type](const ElementShape& shape) { return shape.VtkType == type; });
+  bool isOneKind = known != std::end(ElementShapes);
   for (vtkIdType cell = 0; isOneKind && cell < mesh->GetNumberOfCells(); ++cell)
   {
     isOneKind = mesh->GetCellType(cell) == type;
@@ -191,9 +181,9 @@ StoredMesh MeshDataOf(vtkUnstructuredGrid* mesh)
   }
   if (data.NumberOfElements > 0)
   {
-    const CellNodes nodes = FindNodes(mesh);
-    data.Corners = nodes.Corners;
-    data.MidsPerElement = nodes.Mids;
+    const ElementShape& shape = FindShape(mesh);
+    data.Corners = shape.Corners;
+    data.MidsPerElement = shape.Mids;
     SetElements(mesh->GetCells(), stored);
   }
   data.PointArrays = ListArrays(mesh->GetPointData(), stored);

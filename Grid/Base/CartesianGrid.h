@@ -39,6 +39,24 @@ enum class Seam
 /// n is node n + CornerOffset(c). The star of node n is the eight cells around it; cell c of the
 /// star is n - CornerOffset(7) + CornerOffset(c). Faces -x +x -y +y -z +z have the numbers 0 to 5.
 ///
+/// A row along x of a rank with one ghost layer (g), two owned cells (o) and the outermost layer
+/// (e); the bars are nodes:
+///
+///     n     n+1   n+2   n+3   n+4   n+5            linear index of cells and of nodes
+///     |  e  |  g  |  o  |  o  |  g  |  e  |        n + Stride(1): the next row
+///           :     [  Owned()  )     :
+///           [       Local()         )
+///
+/// Corners of a cell and cells of a star, left, and faces of a cell, right. Cell 7 of the star of
+/// node n is cell n.
+///
+///       6------7
+///      /|     /|                   5 3
+///     4------5 |       z  y        |/
+///     | 2----|-3       | /      0--+--1
+///     |/     |/        |/         /|
+///     0------1         +--x      2 4
+///
 /// Keys. NodeKey and CellKey are global numbers that do not depend on the number of ranks.
 ///
 /// Periodic axes. Along an axis on which the domain repeats, Global() covers more than one period:

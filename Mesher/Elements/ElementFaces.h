@@ -5,6 +5,7 @@
 #pragma once
 
 #include "Base/IndexBox.h"
+#include "Elements/ElementShape.h"
 
 #include <algorithm>
 
@@ -19,7 +20,9 @@ struct ElementFaces
 {
   /// @param corners  corners per element, 8 or 4
   explicit ElementFaces(int corners) :
-    Count(corners == 8 ? 6 : 4), Corners(corners == 8 ? 4 : 3), Table(corners == 8 ? OfHex : OfTet)
+    Count(ShapeOf(corners).Faces),
+    Corners(ShapeOf(corners).CornersOfFace),
+    Table(AreHexes(corners) ? OfHex : OfTet)
   {
   }
 

@@ -12,8 +12,8 @@ namespace
 
 bool IsCoarse(const Mesh& mesh, Index element)
 {
-  return mesh.Corners == 8 ? IsCoarseElement(*mesh.Levels, element, mesh.Ids.ElementSlots)
-                           : IsCoarseTet(*mesh.Levels, element, mesh.Ids.ElementSlots);
+  return mesh.HasHexes() ? IsCoarseElement(*mesh.Levels, element, mesh.Ids.ElementSlots)
+                         : IsCoarseTet(*mesh.Levels, element, mesh.Ids.ElementSlots);
 }
 
 /// On a flat seam, tets 0 and 1 of a face belong to the cell below it.
@@ -41,13 +41,13 @@ IndexBox CellsOfElement(const CartesianGrid& grid, const Mesh& mesh, Index id)
 {
   if (IsCoarse(mesh, id))
   {
-    const OctreeKeys::LevelIndex cell = mesh.Corners == 8
+    const OctreeKeys::LevelIndex cell = mesh.HasHexes()
       ? CellOfCoarseElement(*mesh.Levels, id, mesh.Ids.ElementSlots)
       : CellOfCoarseTet(*mesh.Levels, id, mesh.Ids.ElementSlots);
     return mesh.Levels->FinestCells(cell.Level, cell.At);
   }
   const Index key = (id - 1) / mesh.Ids.ElementSlots;
-  return BoxOfCell(mesh.Corners == 8 ? grid.CellOfKey(key) : CellOfTet(grid, id));
+  return BoxOfCell(mesh.HasHexes() ? grid.CellOfKey(key) : CellOfTet(grid, id));
 }
 
 Index3 CellOfElement(const CartesianGrid& grid, const Mesh& mesh, Index id)

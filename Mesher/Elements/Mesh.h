@@ -6,6 +6,7 @@
 #include "Base/Buffer.h"
 #include "Base/CartesianGrid.h"
 #include "Base/GlobalIds.h"
+#include "Elements/ElementShape.h"
 #include "Elements/GeometryTables.h"
 #include "Elements/MeshFacet.h"
 #include "Elements/MidNodes.h"
@@ -47,6 +48,25 @@ struct VertexPoints
 
 /// Mesh of one rank. It owns its arrays and can be moved, not copied. While it is made, it holds
 /// the elements of CartesianGrid::HexBox; KeepOwned leaves the elements of owned cells.
+///
+/// Corners of elements in VTK's order. The order of the corners of sides is in ElementFaces.h, that
+/// of mid nodes in MidNodes.h. HexNumbering.h converts from corners of cells, numbered by bits.
+///
+///        3               7------6
+///       /|\             /|     /|
+///      / | \           4------5 |        z  y
+///     0..|..2          | 3----|-2        | /
+///      \ | /           |/     |/         |/
+///       \|/            0------1          +--x
+///        1
+///
+///     side  corners of tets  corners of hexes
+///     0     0 1 3            0 4 7 3  (-x)
+///     1     1 2 3            1 2 6 5  (+x)
+///     2     2 0 3            0 1 5 4  (-y)
+///     3     0 2 1            3 7 6 2  (+y)
+///     4                      0 3 2 1  (-z)
+///     5                      4 5 6 7  (+z)
 struct Mesh
 {
   int Corners = 8;        ///< corners per element: 8 for hexes, 4 for tets
@@ -104,7 +124,9 @@ struct Mesh
       : this->PeriodicPartner.empty()     ? this->PointIds
                                           : this->PeriodicPartner;
   }
-  int CornersOfFacet() const { return this->Corners == 8 ? 4 : 3; }
+  const ElementShape& Shape() const { return ShapeOf(this->Corners, this->MidsPerElement); }
+  bool HasHexes() const { return AreHexes(this->Corners); }
+  int CornersOfFacet() const { return this->Shape().CornersOfFace; }
 
   /// ResizePoints allocates points and their ids; ResizeElements elements, their ids and materials.
   void ResizePoints(Index count)

@@ -27,7 +27,7 @@ struct MidNodes
   /// @param corners  corners per element, 8 or 4
   /// @param count  mid nodes per element: 0, 12, 19 or 6
   MidNodes(int corners, int count) :
-    Edges(corners == 8 ? 12 : 6), Count(count), EdgeCorners(corners == 8 ? OfHex : OfTet)
+    Edges(ShapeOf(corners).Edges), Count(count), EdgeCorners(AreHexes(corners) ? OfHex : OfTet)
   {
   }
 

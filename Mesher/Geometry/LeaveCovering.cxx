@@ -219,7 +219,7 @@ void LeaveCovering(const Partition& covering, Partner partner, Mesh& mesh)
   mesh.PointIds = std::move(ids);
   for (Index& id : mesh.ElementIds)
   {
-    id = mesh.Corners == 8 ? domain.OfHex(id) : domain.OfTet(id);
+    id = mesh.HasHexes() ? domain.OfHex(id) : domain.OfTet(id);
   }
   mesh.Levels = domain.Levels();
 }

@@ -111,7 +111,7 @@ void ComputeQuality(Mesh& mesh, Runtime& runtime, MeshReport& report)
 {
   mesh.ScaledJacobian = Buffer<float>(static_cast<Index>(mesh.ElementIds.size()));
   Index cells = 0;
-  if (mesh.Corners == 8)
+  if (mesh.HasHexes())
   {
     cells = MeasureHexes(mesh, runtime);
   }

@@ -82,7 +82,7 @@ void SwapCorners(Buffer<Index>& elements, int corners, const Swap& swap)
 /// Exchanges the two sides of elements that change places when corners are swapped.
 void ReverseSides(Mesh& mesh)
 {
-  const int lower = mesh.Corners == 8 ? 4 : 0, upper = mesh.Corners == 8 ? 5 : 3;
+  const int lower = mesh.HasHexes() ? 4 : 0, upper = mesh.HasHexes() ? 5 : 3;
   for (MeshFacet& facet : mesh.Facets)
   {
     facet.Side = facet.Side == lower ? upper : facet.Side == upper ? lower : facet.Side;
@@ -95,7 +95,7 @@ void ReverseSides(Mesh& mesh)
 /// Reverses the orientation of elements and facets.
 void ReverseCorners(Mesh& mesh)
 {
-  if (mesh.Corners == 8)
+  if (mesh.HasHexes())
   {
     SwapCorners(mesh.Elements, 8,
       [](Index* corners) { std::swap_ranges(corners, corners + 4, corners + 4); });

@@ -16,8 +16,9 @@
  */
 #pragma once
 
+#include "Base/Runtime.h"
 #include "Report/MeshFields.h"
-#include "State/MeshState.h"
+#include "State/OutputState.h"
 
 namespace vfm
 {

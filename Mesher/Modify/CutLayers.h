@@ -10,7 +10,7 @@
 #pragma once
 
 #include "Modify/LayerHeights.h"
-#include "State/MeshState.h"
+#include "State/OutputState.h"
 
 namespace vfm
 {

@@ -5,7 +5,7 @@
 
 #include "Base/Runtime.h"
 #include "Report/MeshData.h"
-#include "State/MeshState.h"
+#include "State/OutputState.h"
 
 namespace vfm
 {

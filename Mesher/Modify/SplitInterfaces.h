@@ -16,7 +16,7 @@
 #include "Base/Runtime.h"
 #include "Modify/MaterialPairs.h"
 #include "Report/Sets/SplitFaces.h"
-#include "State/MeshState.h"
+#include "State/OutputState.h"
 
 namespace vfm
 {

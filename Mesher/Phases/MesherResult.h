@@ -7,7 +7,7 @@
 #include "Elements/MeshReport.h"
 #include "Report/MeshFields.h"
 #include "Report/Sets/SplitFaces.h"
-#include "State/MeshState.h"
+#include "State/OutputState.h"
 
 #include <vector>
 

@@ -20,7 +20,7 @@ std::vector<std::int64_t> CountHexes(const Mesh& mesh)
     const bool isWhole = !levels.Families().IsTouched(cell.Level, cell.At);
     ++hexes[isWhole ? cell.Level : refinements + 1];
   };
-  if (mesh.Corners == 8)
+  if (mesh.HasHexes())
   {
     for (Index id : mesh.ElementIds)
     {

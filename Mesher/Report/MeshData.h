@@ -6,6 +6,7 @@
 #pragma once
 
 #include "Base/Vector3.h"
+#include "Elements/ElementShape.h"
 #include "Elements/MeshFacet.h"
 #include "Input/FieldArray.h"
 #include "Input/ValueType.h"
@@ -64,6 +65,8 @@ struct MeshData
     const Index* mids = this->MidPoints + this->MidsPerElement * element;
     visit(mids, mids + this->MidsPerElement);
   }
+  const ElementShape& Shape() const { return ShapeOf(this->Corners, this->MidsPerElement); }
+  bool HasHexes() const { return AreHexes(this->Corners); }
   int NodesPerElement() const { return this->Corners + this->MidsPerElement; }
   const double* Point(Index point) const { return this->Points + 3 * point; }
   /// Returns the global ids of points before interfaces were split.

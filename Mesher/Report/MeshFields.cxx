@@ -15,7 +15,7 @@ namespace
 
 bool IsTetMesh(const Mesh& mesh)
 {
-  return mesh.Corners == 4;
+  return !mesh.HasHexes();
 }
 
 /// Returns the values of the materials that are meshed.

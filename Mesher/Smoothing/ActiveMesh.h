@@ -132,12 +132,13 @@ struct ActiveMesh
       this->Attachments.begin() + this->AttachmentOffset[point + 1],
       [](const Attachment& a) { return a.Weight > 1.0f; });
   }
+  bool HasHexes() const { return AreHexes(this->Corners); }
   /// Calls visit(other) for the points of the elements at an active point. Some are visited more
   /// than once; the point itself may be left out.
   template <class Visitor>
   void ForAround(int point, const Visitor& visit) const
   {
-    if (this->Corners == 8)
+    if (this->HasHexes())
     {
       const HexRings::Ring ring = this->Rings.PointsAt(point);
       for (int n = 0; n < ring.Count; ++n)
@@ -163,7 +164,7 @@ struct ActiveMesh
   template <class Visitor>
   void ForNear(int point, const Visitor& visit) const
   {
-    if (this->Corners != 8)
+    if (!this->HasHexes())
     {
       this->ForAround(point, visit);
       return;
@@ -178,7 +179,7 @@ struct ActiveMesh
   /// energies.
   CornerPosition ElementAt(CornerPosition position) const
   {
-    return this->Corners == 8 ? position / 8 : position / 4;
+    return this->HasHexes() ? position / 8 : position / 4;
   }
   /// position: in Elements.
   const Vector3& WidthsAt(CornerPosition position) const

@@ -120,7 +120,7 @@ ActiveMesh ActiveMeshBuilder::Finish(
   this->Result.Exchange = PointExchange(this->Movers, partition, colours, copies);
   const std::vector<MoveOrder::Node> nodes = this->TakeNodes(&partition);
   if (this->Result.Exchange.HasPeers() &&
-    this->Result.Corners == 8) // tets may get other points (DiagonalFlips)
+    this->Result.HasHexes()) // tets may get other points (DiagonalFlips)
   {
     this->RequestFlags(nodes);
   }

@@ -74,7 +74,7 @@ void ActiveMeshBuilder::Add(const Point* element)
 {
   for (int c = 0; c < this->Result.Corners; ++c)
   {
-    const Point p = element[this->Result.Corners == 8 ? VtkCorner[c] : c];
+    const Point p = element[this->Result.HasHexes() ? VtkCorner[c] : c];
     const int known = this->Result.PointOf[p];
     this->Result.Elements.push_back(known >= 0 ? known : this->AddPoint(p));
   }

@@ -13,7 +13,7 @@ constexpr float SmallestDemand =
 SurfacePairs ListPairs(
   const InterfaceFeatures& features, const Mesh& mesh, const ActiveMesh& active)
 {
-  SurfacePairs pairs{ active.Corners == 8, active.X, active.AttachmentOffset, active.PointOf,
+  SurfacePairs pairs{ active.HasHexes(), active.X, active.AttachmentOffset, active.PointOf,
     active.Exchange, {}, std::vector<unsigned char>(active.X.size(), 0), {}, {} };
   active.ForOwned([&](int point) { pairs.IsOwned[point] = 1; });
   for (Index meshPoint : active.MeshPoint)
@@ -90,7 +90,7 @@ std::vector<FeatureKind> AttachFeatures(const InterfaceFeatures& features,
   FeaturePulls pulls =
     PullToFeatures(features, ListPairs(features, mesh, active), facets, targets, runtime);
   Rewrite(pulls.OfPairs, active);
-  if (active.Corners == 8) // tets fill acute edges well enough
+  if (active.HasHexes()) // tets fill acute edges well enough
   {
     SetDemands(std::move(pulls.Bluntness), active);
   }

@@ -70,7 +70,7 @@ Smoother::Smoother(
   {
     mesh.ListCorners();
   }
-  if (mesh.Corners == 8 && mesh.Rings.IsEmpty())
+  if (mesh.HasHexes() && mesh.Rings.IsEmpty())
   {
     mesh.Rings = HexRings(mesh, runtime);
   }
@@ -411,7 +411,7 @@ void Smoother::MoveAlongNormal(
   }
   const Vector3 x = this->Moved(point, (length > MoveRadius ? MoveRadius / length : 1.0) * step);
   // TheGuard checks all hexes after the moves.
-  const bool isCheap = this->Mesh.Corners == 8 && length < CheapMove;
+  const bool isCheap = this->Mesh.HasHexes() && length < CheapMove;
   if ((isCheap ||
         this->Energy.Evaluate(this->Mesh, point, x, stage) <=
           MovePrice * this->Energy.Evaluate(this->Mesh, point, this->Mesh.X[point], stage)) &&

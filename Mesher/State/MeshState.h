@@ -7,6 +7,7 @@
 
 #include "State/ConserveState.h"
 #include "State/CopyState.h"
+#include "State/OutputState.h"
 
 namespace vfm
 {
@@ -17,15 +18,6 @@ struct StoredState
   std::vector<StateArray> Copied;
   std::vector<std::size_t> Places;                 ///< index of each copied array in the choice
   std::unique_ptr<const ConservedCells> Conserved; ///< null: nothing is conserved
-};
-
-/// State of a mesh.
-struct OutputState
-{
-  std::vector<TransferredArray> Arrays;          ///< element arrays, in the order of the choice
-  std::optional<TransferredArray> NodalVelocity; ///< point array
-  bool IsConserved = false;                      ///< true if any array is conserved; sets Balance
-  StateBalance Balance;
 };
 
 /// Plans the transfer, and stores the contents of cells if anything is conserved.

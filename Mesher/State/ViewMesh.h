@@ -4,7 +4,7 @@
 #pragma once
 
 #include "Report/MeshData.h"
-#include "State/MeshState.h"
+#include "State/OutputState.h"
 
 namespace vfm
 {

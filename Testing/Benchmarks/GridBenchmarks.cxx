@@ -55,7 +55,7 @@ void Report(benchmark::State& state, const CartesianGrid& grid, const Mesh& mesh
 {
   const double cells = static_cast<double>(grid.Owned().NumberOfCells());
   state.counters["cells/s"] = cells / seconds;
-  const std::string elements = mesh.Corners == 8 ? "hexes" : "tets";
+  const std::string elements = mesh.HasHexes() ? "hexes" : "tets";
   state.counters[elements] = static_cast<double>(mesh.ElementIds.size());
   state.counters[elements + "/s"] = static_cast<double>(mesh.ElementIds.size()) / seconds;
   state.counters["bytes/cell"] = static_cast<double>(BytesOf(mesh)) / cells;

@@ -55,6 +55,8 @@ test_components() {
   mesher/host > mesher.out
   expect "^[1-9][0-9]* hexes, volume 271.37" mesher.out
   [[ $(grep -c "tets, volume 271.37" mesher.out) -ge 2 ]] || { cat mesher.out; exit 1; }
+  mesher/mesh_in_cxx > mesh_in_cxx.out
+  expect "^[1-9][0-9]* hexes, volume 271.3" mesh_in_cxx.out
   finds_no_vtk mesher
 
   build_host filters "$packages/filters" "${where[@]}"
@@ -85,7 +87,7 @@ test_pkg_config() {
 }
 
 mkdir missing
-echo 'find_package(VolumeFractionMesh REQUIRED COMPONENTS Mesher Rainbow)' > missing/CMakeLists.txt
+echo 'find_package(VolumeFractionMesh REQUIRED COMPONENTS Grid Rainbow)' > missing/CMakeLists.txt
 ! cmake -S missing -B missing/build "-DCMAKE_PREFIX_PATH=$build" > missing/log 2>&1 || { echo "Rainbow was found"; exit 1; }
 expect "no component Rainbow" missing/log
 
@@ -96,4 +98,4 @@ for tree in "$build" "$scratch/moved/prefix"; do
   test_components "$tree"
   test_pkg_config "$tree"
 done
-cat mesher.out filters.out half_sphere_c.2.out
+cat mesher.out mesh_in_cxx.out filters.out half_sphere_c.2.out

@@ -110,7 +110,7 @@ struct WholeMesh
     }
     for (const CohesiveBlock& block : blocks)
     {
-      const std::size_t corners = mesh.Corners == 8 ? 8 : 6;
+      const std::size_t corners = CohesiveCorners(mesh);
       EXPECT_EQ(block.Points.size(), corners * block.Ids.size());
       for (std::size_t e = 0; e < block.Ids.size(); ++e)
       {
@@ -356,7 +356,7 @@ TEST_P(SplitGrains, CohesiveElementsFillTheFaces)
   }
   EXPECT_EQ(mesh.CohesiveElements.size(), inner);
   Index next = mesh.Elements.rbegin()->first;
-  const int corners = mesh.Corners == 8 ? 4 : 3;
+  const int corners = ShapeOf(mesh.Corners).CornersOfFace;
   for (const auto& [id, element] : mesh.CohesiveElements)
   {
     ASSERT_EQ(id, ++next);
@@ -384,7 +384,7 @@ TEST_P(SplitGrains, CohesiveElementsFillTheFaces)
 TEST_P(SplitGrains, CohesiveElementsPointToTheHigherGrain)
 {
   const WholeMesh& mesh = this->AllSplit();
-  const int corners = mesh.Corners == 8 ? 4 : 3;
+  const int corners = ShapeOf(mesh.Corners).CornersOfFace;
   std::map<std::vector<Index>, Index> elementOfFace; // outward faces, from their lowest point
   const auto rotated = [](std::vector<Index> ids)
   {

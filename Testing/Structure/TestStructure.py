@@ -3,7 +3,7 @@ import os
 import unittest
 
 from structure_rules import (
-    LONGEST, MOST_AT_ROOT, MOST_IN_FOLDER, find_problems, place_of, read_tree)
+    LONGEST, MOST_AT_ROOT, MOST_IN_FOLDER, PUBLIC, find_problems, place_of, read_tree)
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 
@@ -13,6 +13,7 @@ class ThisTree(unittest.TestCase):
         tree = read_tree(ROOT)
         self.assertLessEqual({"Grid/Base", "Mesher", "Mesher/Elements/Tet", "Shapes", "Filters",
                               "InSitu", "python"}, set(map(place_of, tree)))
+        self.assertLessEqual(set(PUBLIC), set(tree))
         problems = find_problems(tree)
         self.assertFalse(problems, "\n" + "\n".join(problems))
 
@@ -22,6 +23,9 @@ class WrongTrees(unittest.TestCase):
 
     def setUp(self):
         self.tree = {
+            "Grid/CMakeLists.txt": ["vfm_install_library(vfm_grid Cells .\n", "  Base/Ranks.h)\n"],
+            "Mesher/CMakeLists.txt": ["vfm_install_library(vfm_mesher Mesher .\n",
+                                      "  Mesher.h TetGen/Fill.h Elements/Mesh.h)\n"],
             "Grid/Base/Ranks.h": ["#include <vector>\n"],
             "Grid/Base/Ranks.cxx": ['#include "Base/Ranks.h"\n'],
             "Mesher/Elements/Mesh.h": ['#include "Base/Ranks.h"\n'],
@@ -151,9 +155,18 @@ class WrongTrees(unittest.TestCase):
         self.expect("Grid/Attic is not in the table", "Grid/Attic/Other.h", "// nothing")
 
     def test_root_fills_up(self):
-        for number in range(MOST_AT_ROOT - 2):
+        for number in range(MOST_AT_ROOT - 3):
             self.tree["Mesher/File%d.h" % number] = []
         self.expect("Mesher's root has %d files" % (MOST_AT_ROOT + 1), "Mesher/README", "")
+
+    def test_header_not_installed(self):
+        self.tree["Mesher/Elements/Mesh.h"].append('#include "Base/Other.h"\n')
+        self.expect("Grid/Base/Other.h is not installed", "Grid/Base/Other.h", "")
+
+    def test_header_installed_in_vain(self):
+        self.tree["Grid/CMakeLists.txt"] = ["vfm_install_library(vfm_grid Cells .\n",
+                                            "  Base/Ranks.h Labels/Gone.h)\n"]
+        self.expect("Grid/Labels/Gone.h is installed, but no public", "Grid/Labels/Gone.h", "")
 
     def test_long_file(self):
         self.expect("IO/Long.py has %d lines" % (LONGEST + 1), "IO/Long.py",

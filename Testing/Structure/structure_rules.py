@@ -1,4 +1,5 @@
-"""Rules of the structure: allowed includes, dependencies of Grid, lengths of files."""
+"""Rules of the structure: allowed includes, dependencies of Grid, installed headers, lengths of
+files."""
 import ast
 import collections
 import os
@@ -81,6 +82,10 @@ MOST_IN_FOLDER = 40 # files
 HAVE_HEADERS = MESHES + ("Shapes", "Parallel/Vtk", "IO", "IO/GridFiles", "IO/Labels",
                          "IO/Meshes", "IO/Report", "Filters/Data", "Filters/Files")
 PACKAGE = "python/volume_fraction_mesh"
+# Headers that users of the installed package include, and the list of the installed headers.
+PUBLIC = ("Mesher/Mesher.h", "Mesher/Input/InputLevels.h", "Mesher/Input/PlainArrays.h",
+          "Mesher/Phases/MeshOfCells.h", "Grid/Base/ThreadRuntime.h", "InSitu/HostGrid.h")
+INSTALLED = re.compile(r"vfm_install_library\(\w+ \w+ (\.+)((?:\s+[\w/]+\.h)*)\)")
 
 
 def read_tree(root):
@@ -263,6 +268,28 @@ def find_crowds(tree):
             if count > MOST_IN_FOLDER]
 
 
+def find_install_problems(tree):
+    """Returns messages for headers that are installed but not needed, or needed but not installed.
+
+    Headers beside HostGrid.h are installed elsewhere.
+    """
+    needed, left, after = set(), [path for path in PUBLIC if path in tree], map_includes(tree)
+    while left:
+        path = left.pop()
+        if path not in needed:
+            needed.add(path)
+            left += after.get(path, ())
+    needed = {path for path in needed if place_of(path) in MESHES}
+    installed = {os.path.normpath(os.path.join(os.path.dirname(path), folder, name))
+                 for path in tree if path.endswith("CMakeLists.txt")
+                 for folder, names in INSTALLED.findall("".join(tree[path]))
+                 for name in names.split()}
+    return (["%s is not installed (vfm_install_library)" % path
+             for path in sorted(needed - installed)] +
+            ["%s is installed, but no public header includes it" % path
+             for path in sorted(installed - needed)])
+
+
 def find_problems(tree):
     """Returns all violations of the rules."""
     problems = ["%s has %d lines" % (path, len(lines)) for path, lines in sorted(tree.items())
@@ -277,4 +304,5 @@ def find_problems(tree):
         if problem:
             problems.append("%s: %s" % (at, problem))
     problems += find_twice(tree) + find_bare_sources(tree) + find_crowds(tree)
+    problems += find_install_problems(tree)
     return problems + find_circles(map_includes(tree)) + find_circles(map_imports(tree))

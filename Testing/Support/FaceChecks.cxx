@@ -23,12 +23,12 @@ constexpr int TetFaces[4][4] = { { 1, 2, 3, -1 }, { 0, 3, 2, -1 }, { 0, 1, 3, -1
 
 int CountFaces(const Mesh& mesh)
 {
-  return mesh.Corners == 8 ? 6 : 4;
+  return mesh.Shape().Faces;
 }
 
 Face FaceOf(const Mesh& mesh, Index element, int side)
 {
-  const int* corners = mesh.Corners == 8 ? HexFaces[side] : TetFaces[side];
+  const int* corners = mesh.HasHexes() ? HexFaces[side] : TetFaces[side];
   Face face;
   for (int c = 0; c < 4; ++c)
   {

@@ -21,16 +21,18 @@ using FragmentOfMaterial = std::map<int, int>;
 /// the sorted points of the face.
 std::map<std::set<Index>, FragmentOfMaterial> FindSides(const MergedMesh& mesh)
 {
+  const ElementShape& shape = ShapeOf(mesh.Corners);
   std::map<std::set<Index>, FragmentOfMaterial> sides;
   for (const auto& element : mesh.Elements)
   {
     const auto corner = [&](int c) { return static_cast<Index>(element.second[c]); };
-    for (int f = 0; f < (mesh.Corners == 8 ? 6 : 4); ++f)
+    for (int f = 0; f < shape.Faces; ++f)
     {
       std::set<Index> face;
-      for (int c = 0; c < (mesh.Corners == 8 ? 4 : 3); ++c)
+      for (int c = 0; c < shape.CornersOfFace; ++c)
       {
-        face.insert(corner(mesh.Corners == 8 ? VtkCorner[FaceCorners[f][c]] : FaceOfTet[f][c]));
+        face.insert(
+          corner(AreHexes(shape.Corners) ? VtkCorner[FaceCorners[f][c]] : FaceOfTet[f][c]));
       }
       sides[face].emplace(static_cast<int>(element.second[8]), static_cast<int>(element.second[9]));
     }
@@ -73,7 +75,7 @@ private:
     {
       const int surface = facet.second[0];
       seen.insert(surface);
-      const int corners = this->Input.Corners == 8 ? 4 : 3;
+      const int corners = ShapeOf(this->Input.Corners).CornersOfFace;
       for (int c = 0; c < corners; ++c)
       {
         const Index a = facet.first[c], b = facet.first[(c + 1) % corners];

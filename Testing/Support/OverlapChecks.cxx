@@ -213,7 +213,7 @@ Solid MakeSolid(const Mesh& mesh, Index element)
   std::vector<Vector3> corners;
   for (int c = 0; c < mesh.Corners; ++c)
   {
-    const int at = mesh.Corners == 8 ? VtkCorner[c] : c;
+    const int at = mesh.HasHexes() ? VtkCorner[c] : c;
     const double* x = mesh.Points.data() + 3 * mesh.Elements[mesh.Corners * element + at];
     corners.push_back({ { x[0], x[1], x[2] } });
   }

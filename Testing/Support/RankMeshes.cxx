@@ -63,7 +63,7 @@ std::map<Index, std::array<double, 5>> PointsOfFacets(const MergedMesh& mesh)
   std::map<Index, std::array<double, 5>> points;
   for (const auto& facet : mesh.Facets)
   {
-    for (int c = 0; c < (mesh.Corners == 8 ? 4 : 3); ++c)
+    for (int c = 0; c < ShapeOf(mesh.Corners).CornersOfFace; ++c)
     {
       points[facet.first[c]] = mesh.Points.at(facet.first[c]);
     }

@@ -117,8 +117,7 @@ std::string DescribeDeck(const DeckModel& model)
 {
   return "Mesh by VolumeFractionMesh " VFM_VERSION ": " +
     std::to_string(model.Mesh.NumberOfPoints) + " nodes, " +
-    std::to_string(model.Mesh.NumberOfElements) +
-    (model.Mesh.Corners == 8 ? " hexahedra" : " tetrahedra");
+    std::to_string(model.Mesh.NumberOfElements) + " " + model.Mesh.Shape().Plural;
 }
 
 void RequireNumbers(const DeckModel& model, Index largest, const char* format, const char* others)

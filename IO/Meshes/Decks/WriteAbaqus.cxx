@@ -238,7 +238,7 @@ void WriteFile(const DeckModel& model, const std::string& path, bool isReduced)
   }
   for (const DeckSurface& surface : surfaces)
   {
-    WriteSurface(file, surface, mesh.Corners == 8);
+    WriteSurface(file, surface, mesh.HasHexes());
   }
   WriteConnections(model, ties, surfaces, names, file);
   if (model.State.Velocity)

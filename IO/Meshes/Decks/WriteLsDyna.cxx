@@ -26,7 +26,7 @@ constexpr int NodesInLine = 10; // of an element with mid nodes
 int FormOf(const MeshData& mesh)
 {
   const bool isLinear = mesh.MidsPerElement == 0;
-  return mesh.Corners == 8 ? (isLinear ? HexForm : Hex20Form) : (isLinear ? TetForm : Tet10Form);
+  return mesh.HasHexes() ? (isLinear ? HexForm : Hex20Form) : (isLinear ? TetForm : Tet10Form);
 }
 
 void WriteNodes(DeckCards& cards, const MeshData& mesh)

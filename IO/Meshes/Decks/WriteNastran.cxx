@@ -41,7 +41,7 @@ void WriteElements(DeckCards& cards, const MeshData& mesh, const DeckSection& se
   constexpr int inFirstLine = 6;
   for (Index element : section.Elements)
   {
-    cards.Text(mesh.Corners == 8 ? "CHEXA   " : "CTETRA  ");
+    cards.Text(mesh.HasHexes() ? "CHEXA   " : "CTETRA  ");
     cards.Integer(element + 1, Narrow).Integer(section.Id, Narrow);
     for (int c = 0; c < mesh.Corners; ++c)
     {
@@ -90,7 +90,7 @@ void WriteSurface(DeckCards& cards, const MeshData& mesh, const NamedSurface& su
   {
     const FaceIds points = PointsOfSide(mesh, side);
     const Index other =
-      mesh.Corners == 8 ? points[2] : mesh.Element(side.Element)[OppositeCorners[side.Side]];
+      mesh.HasHexes() ? points[2] : mesh.Element(side.Element)[OppositeCorners[side.Side]];
     cards.Text("PLOAD4  ").Integer(id, Narrow).Integer(side.Element + 1, Narrow).Text("      1.");
     cards.Blank(3 * Narrow).Integer(points[0] + 1, Narrow).Integer(other + 1, Narrow).End();
   }

@@ -68,7 +68,7 @@ void WritePart(
   WriteTitle(cards, "/PART/", section.Id, names.Add(PlainTitle(section.Name, LongestTitle)));
   cards.Line("#  prop_ID    mat_ID subset_ID");
   cards.Integer(1, Normal).Integer(section.Id, Normal).Integer(0, Normal).End();
-  cards.Line((mesh.Corners == 8 ? "/BRICK/" : "/TETRA4/") + std::to_string(section.Id));
+  cards.Line((mesh.HasHexes() ? "/BRICK/" : "/TETRA4/") + std::to_string(section.Id));
   for (Index element : section.Elements)
   {
     cards.Integer(element + 1, Normal);

@@ -39,8 +39,7 @@ bool HasWideNumbers(const ExodusModel& model)
 
 std::string Describe(const ExodusModel& model)
 {
-  return std::to_string(model.TotalElements) +
-    (model.Mesh.Data.Corners == 4 ? " tetrahedra" : " hexahedra") + " and " +
+  return std::to_string(model.TotalElements) + " " + model.Mesh.Data.Shape().Plural + " and " +
     std::to_string(model.TotalNodes) + " nodes, materials: " + std::to_string(model.Blocks.size());
 }
 

@@ -12,17 +12,6 @@ namespace vfm
 namespace
 {
 
-/// Returns the type of the cells in VTK.
-char TypeOfCells(const MeshData& mesh)
-{
-  const bool isCurved = mesh.MidsPerElement > 0;
-  if (mesh.Corners == 4)
-  {
-    return isCurved ? 24 : 10; // VTK_QUADRATIC_TETRA, VTK_TETRA
-  }
-  return !isCurved ? 12 : mesh.MidsPerElement == 12 ? 25 : 29; // VTK_HEXAHEDRON and its quadratics
-}
-
 void WritePiece(const MeshData& mesh, const std::string& path, OutputSet& files)
 {
   OutputFile file(path, files);
@@ -33,7 +22,7 @@ void WritePiece(const MeshData& mesh, const std::string& path, OutputSet& files)
   AddVtuMesh(file, mesh);
   file.Add("<Cells>\n");
   AddVtuElements(file, mesh);
-  const std::string types(mesh.NumberOfElements, TypeOfCells(mesh));
+  const std::string types(mesh.NumberOfElements, static_cast<char>(mesh.Shape().VtkType));
   AddVtuArray(file, "type=\"UInt8\" Name=\"types\"", types);
   file.Add("</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
   file.Close();

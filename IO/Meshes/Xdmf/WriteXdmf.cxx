@@ -125,7 +125,7 @@ void WriteElements(const MeshData& mesh, const std::string& path, OutputSet& fil
   OutputFile file(path, files);
   BeginGrid(file, "mesh");
   AddNames(file, "MaterialNames", numbers, 3);
-  AddTopology(file, mesh.Corners == 8 ? "Hexahedron" : "Tetrahedron", mesh.NumberOfElements,
+  AddTopology(file, mesh.HasHexes() ? "Hexahedron" : "Tetrahedron", mesh.NumberOfElements,
     mesh.Corners, [&mesh](Index element) { return mesh.Element(element); });
   AddPoints(file, mesh);
   AddTags(file, "MaterialId", mesh.Material, mesh.NumberOfElements);
@@ -147,7 +147,7 @@ void WriteFacets(const MeshData& mesh, const std::string& path, OutputSet& files
   OutputFile file(path, files);
   BeginGrid(file, "facets");
   AddNames(file, "SurfaceNames", numbers, 2);
-  AddTopology(file, mesh.Corners == 8 ? "Quadrilateral" : "Triangle", count,
+  AddTopology(file, mesh.HasHexes() ? "Quadrilateral" : "Triangle", count,
     ElementFaces(mesh.Corners).Corners,
     [&](Index facet)
     {

@@ -10,6 +10,18 @@
  *
  *   hexes = meshed cells + one per interface face and meshed side.
  *
+ * Two cells of labels A < B, seen along z; the nodes between them are mixed:
+ *
+ *     G-----------I----S----I-----------G
+ *     |           |    |    |           |
+ *     |   core    | b. | b. |   core    |       b.: buffer hexes, on face +x of the cell A
+ *     |   hex A   | A  | B  |   hex B   |           and on face -x of the cell B
+ *     |           |    |    |           |
+ *     G-----------I----S----I-----------G
+ *
+ * Slots of ids (GlobalIds.h). Points of a node: 0 for G or S, 1 + position of the label among the
+ * labels of the star for I. Hexes of a cell: 0 for the core hex, 1 + face for a buffer hex.
+ *
  * Narrow void cells get points and hexes like meshed ones, as a barrier (NarrowVoid.h).
  *
  * In a stair-step mesh, mixed nodes are one point like the others and there is no buffer

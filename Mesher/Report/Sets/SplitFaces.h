@@ -56,7 +56,7 @@ struct CohesiveBlock
 /// Returns the number of corners of a cohesive element.
 inline int CohesiveCorners(const MeshData& mesh)
 {
-  return mesh.Corners == 8 ? 8 : 6;
+  return 2 * mesh.Shape().CornersOfFace;
 }
 
 /// Returns the cohesive elements of a mesh whose connection is Cohesive, else none.

@@ -155,7 +155,7 @@ public:
     {
       this->FindSpan(a, reach.Lower[a], reach.Upper[a]);
     }
-    if (this->TheMesh.Corners == 8 && this->IsBox())
+    if (this->TheMesh.HasHexes() && this->IsBox())
     {
       this->CutBox(parts);
       return;
@@ -172,7 +172,7 @@ private:
     const int corners = this->TheMesh.Corners;
     for (int c = 0; c < corners; ++c)
     {
-      this->Corners[corners == 8 ? VtkCorner[c] : c] =
+      this->Corners[AreHexes(corners) ? VtkCorner[c] : c] =
         this->TheMesh.PointAt(this->TheMesh.Elements[corners * element + c]);
     }
     this->Lower = this->Upper = this->Corners[0];

@@ -10,7 +10,7 @@ WholeElements::WholeElements(
   TheMesh(mesh),
   Grid(grid),
   Fractions(fractions),
-  Lowest(mesh.Corners == 8 ? mesh.Material.size() : 0, -1),
+  Lowest(mesh.HasHexes() ? mesh.Material.size() : 0, -1),
   Covered(grid, 0)
 {
   ForEach(runtime, this->Lowest.size(),

@@ -23,7 +23,7 @@ public:
     const Mesh& mesh, const CartesianGrid& grid, const FractionField& fractions, Runtime& runtime);
 
   /// Returns whether elements of the mesh can be whole, on any rank.
-  bool CanExist() const { return this->TheMesh.Corners == 8; }
+  bool CanExist() const { return this->TheMesh.HasHexes(); }
   bool IsWhole(Index element) const { return !this->Lowest.empty() && this->Lowest[element] >= 0; }
   /// Returns the cells of a whole element.
   IndexBox CellsOf(Index element) const;
