@@ -1,6 +1,7 @@
 #include "Geometry/Junctions.h"
 
 #include "Base/Sorted.h"
+#include "Elements/ElementFaces.h"
 
 namespace vfm
 {
@@ -35,12 +36,12 @@ std::vector<bool> FindShared(const Mesh& mesh)
   return isShared;
 }
 
-std::array<Index, 4> KeyOfFacet(const Mesh& mesh, Index facet)
+FaceIds KeyOfFacet(const Mesh& mesh, Index facet)
 {
   const int corners = mesh.CornersOfFacet();
-  std::array<Index, 4> key{};
+  FaceIds key{ { -1, -1, -1, -1 } };
   std::copy_n(mesh.Surfaces.Points.data() + corners * facet, corners, key.begin());
-  std::sort(key.begin(), key.begin() + corners);
+  std::sort(key.begin(), key.end());
   return key;
 }
 
