@@ -5,6 +5,7 @@
 #include "Arguments.h"
 #include "Base/ParseText.h"
 #include "BuiltInTest.h"
+#include "CheckFiles.h"
 #include "ChooseArrays.h"
 #include "InputTrust.h"
 #include "ListInput.h"
@@ -174,6 +175,7 @@ void MeshFile(const Arguments& arguments, Ranks& ranks)
   WorkInStage(ranks, ErrorCode::UnwritableOutput,
     [&]
     {
+      CheckFiles(arguments);
       for (const std::string& path : { arguments.Output, arguments.Fragments, arguments.Geometry,
              arguments.Surfaces, arguments.Report })
       {

@@ -1,6 +1,7 @@
 """Tests the command vfmesh."""
 
 import csv
+import re
 import subprocess
 import sys
 
@@ -155,6 +156,52 @@ def test_errors(run):
     ):
         told = run(*words, status=1)
         assert told.splitlines()[-1].startswith("vfmesh: ") and text in told, told
+
+
+def test_outputs_need_their_own_names(run):
+    np.save(run.folder / "labels.npy", LABELS)
+    (run.folder / "names.txt").write_text("1 one\n")
+    (run.folder / "link.vtu").symlink_to("out.vtu")
+    (run.folder / "slices").mkdir()
+    (run.folder / "slices" / "1.png").write_bytes(b"slice")
+    before = {path: path.read_bytes() for path in run.folder.rglob("*.*") if path.is_file()}
+    for words, one, other in (
+        (["@out.vtu", "--fragments", "@out.vtu"], "--fragments", "output"),
+        (["@out.vtu", "--fragments", "@link.vtu"], "--fragments", "output"),
+        (["@out.vtu", "--fragments", "@slices/../labels.npy"], "--fragments", "input"),
+        (["@out.vtu", "--names", "@names.txt", "--fragments", "@names.txt"], "--fragments",
+         "--names"),
+        (["@out.stl", "--surfaces", "@out.stl"], "--surfaces", "output"),
+        (["@out.vtu", "--report", "@out.html", "--fragments", "@out.html"], "--report",
+         "--fragments"),
+    ):
+        told = run("@labels.npy", *words, status=1)
+        assert told.startswith("vfmesh: The %s " % one), told
+        assert "is the same file as the %s " % other in told and told.count("\n") == 1, told
+    assert "the same file as the input" in run(
+        "@slices", "@out.vtu", "--fragments", "@slices/1.png", status=1)
+    assert before == {path: path.read_bytes() for path in run.folder.rglob("*.*")
+                      if path.is_file()}
+    run("@labels.npy", "@out.vtu", "--fragments", "/dev/null", "--quiet")
+
+
+def test_advice_is_taken(run):
+    """Options that messages name, in the form in which they name them, are those of vfmesh."""
+    np.save(run.folder / "zero.npy", LABELS)
+    for word in ("Material", "MATERIAL", "material"):
+        assert "hexahedra" in run("@zero.npy", "@out.vtu", "--zero-label", word)
+    assert "'void', 'material'" in run("@zero.npy", "@out.vtu", "--zero-label", "Grain", status=1)
+    half = np.full((4, 4, 4), 0.5)
+    np.savez(run.folder / "sums.npz", a=half + 0.001, b=half + 0.0009)
+    told = run("@sums.npz", "@out.vtu", "--array", "a", "--array", "b", status=1)
+    advice = re.search(r"\((--clip \S+)\)", told)[1]
+    run("@sums.npz", "@out.vtu", "--array", "a", "--array", "b", *advice.split(), "--quiet")
+    grains = np.random.default_rng(1).integers(2, 100, (8, 8, 8)).astype(np.uint8)
+    np.savez(run.folder / "bytes.npz", grain=grains)
+    told = run("@bytes.npz", "@out.vtu", "--array", "grain", status=1)
+    advice = re.search(r"\((--labels [^)]*)\)", told)[1]
+    assert advice == "--labels --array grain"
+    run("@bytes.npz", "@out.vtu", *advice.split(), "--quiet")
 
 
 def test_every_option():

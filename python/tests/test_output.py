@@ -66,6 +66,66 @@ def test_signals(tmp_path, number):
             assert len(vfm.load(tmp_path / "mesh.npz").cells) > 0
 
 
+# Runs vfmesh; the signal arrives in a function that VTK's library calls while it is loaded.
+LOADING = textwrap.dedent("""
+    import os, signal, sys
+    from volume_fraction_mesh.__main__ import main
+    loads = []
+    def watch(frame, event, function):
+        if event == "c_call" and function.__name__ == "exec_dynamic":
+            loads.append("vtkCommonCore" in str(frame.f_locals.get("args")))
+        elif event == "c_return" and function.__name__ == "exec_dynamic":
+            loads.pop()
+        elif event == "call" and loads and loads[-1]:
+            sys.setprofile(None)
+            os.kill(os.getpid(), signal.SIGTERM)
+    sys.setprofile(watch)
+    sys.exit(main(sys.argv[1:]))
+""")
+
+
+def test_a_signal_while_vtk_is_loaded(tmp_path):
+    pyvista = pytest.importorskip("pyvista")
+    image = pyvista.ImageData(dimensions=(13, 13, 13))
+    image.cell_data["labels"] = LABELS.ravel("F")
+    image.save(tmp_path / "in.vti")
+    run = subprocess.run(
+        [sys.executable, "-c", LOADING, str(tmp_path / "in.vti"), str(tmp_path / "mesh.vtu")],
+        capture_output=True, text=True, check=False)
+    assert run.returncode == -signal.SIGTERM, run
+    assert run.stderr == "vfmesh: ended by SIGTERM; unfinished files are removed.\n", run
+    assert set(contents(tmp_path)) == {"in.vti"}
+
+
+# Runs vfmesh on a legacy file, whose reading by another process does not end.
+CONVERTING = textwrap.dedent("""
+    import os, signal, subprocess, sys, threading, time
+    from volume_fraction_mesh.__main__ import main
+    start = subprocess.Popen
+    def wait(words, **options):
+        process = start([sys.executable, "-c", "import time; time.sleep(600)"], **options)
+        print(process.pid, flush=True)
+        threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGTERM)).start()
+        return process
+    subprocess.Popen = wait
+    sys.exit(main(sys.argv[1:]))
+""")
+
+
+def test_a_signal_while_another_process_reads(tmp_path):
+    pyvista = pytest.importorskip("pyvista")
+    pyvista.ImageData(dimensions=(3, 3, 3)).save(tmp_path / "in.vtk")
+    (tmp_path / "temporary").mkdir()
+    run = subprocess.run(
+        [sys.executable, "-c", CONVERTING, str(tmp_path / "in.vtk"), str(tmp_path / "mesh.vtu")],
+        capture_output=True, text=True, check=False,
+        env={**os.environ, "TMPDIR": str(tmp_path / "temporary")})
+    assert run.returncode == -signal.SIGTERM and run.stderr.startswith("vfmesh: ended by"), run
+    assert not os.listdir(tmp_path / "temporary")
+    with pytest.raises(ProcessLookupError):
+        os.kill(int(run.stdout), 0)
+
+
 def test_an_ignored_signal(tmp_path):
     np.save(tmp_path / "labels.npy", LABELS)
     run = subprocess.run(

@@ -4,20 +4,31 @@ from __future__ import annotations
 
 import argparse
 import csv
+import re
 import sys
 import warnings
 from typing import Any, Dict, List, Optional
 
 from . import VolumeFractionMeshWarning, __version__, fragments, hexes, tets
 from ._core import Option, list_options, read_label_names
-from ._output import ended_by_signals, whole_file
-from ._read import is_surface, read, sort_slices
+from ._output import ended_by_signals, find_conflict, whole_file
+from ._read import find_files, is_surface, read, sort_slices
 from ._readers.report import one_line
 from ._shapes import surface
 from .mesh import Mesh
 
 OPTIONS = list_options()
 EMPTY = "The mesh is empty"  # begins the warning of the core
+OTHER_NAMES = {"fraction_tolerance": ("--clip",)}  # as in sculptor, which messages name
+
+
+def _find_word(option: Option, text: str) -> str:
+    """Returns the word of an option in any case, with or without separators; the text if there is
+    none."""
+    def plain(word: str) -> str:
+        return word.lower().replace("_", "").replace("-", "")
+
+    return next((word for word in option.words if plain(word) == plain(text)), text)
 
 
 def _add_option(group: Any, option: Option) -> None:
@@ -27,9 +38,10 @@ def _add_option(group: Any, option: Option) -> None:
                            help=told)
     else:
         told += " (%s; %s)" % (option.allowed, option.default)
-        kind = {"word": str, "text": str, "whole": int, "real": float}[option.kind]
-        group.add_argument(word, type=kind, default=option.default, metavar=option.kind.upper(),
-                           help=told)
+        kind = {"word": lambda text: _find_word(option, text), "text": str, "whole": int,
+                "real": float}[option.kind]
+        group.add_argument(word, *OTHER_NAMES.get(option.name, ()), type=kind,
+                           default=option.default, metavar=option.kind.upper(), help=told)
 
 
 def make_parser() -> argparse.ArgumentParser:
@@ -112,6 +124,18 @@ def make_parser() -> argparse.ArgumentParser:
             if option.group == title:
                 _add_option(group, option)
     return parser
+
+
+def _check_files(words: argparse.Namespace) -> None:
+    """Raises ValueError if an output would replace an input or another output."""
+    outputs = {"output": words.output, "--surfaces": words.surfaces, "--fragments": words.table,
+               "--report": words.report}
+    inputs = [("input", path) for word in words.input for path in find_files(word)]
+    if words.names:
+        inputs.append(("--names", words.names))
+    problem = find_conflict({name: path for name, path in outputs.items() if path}, inputs)
+    if problem:
+        raise ValueError(problem)
 
 
 def _read_input(words: argparse.Namespace) -> Any:
@@ -199,7 +223,6 @@ def main(arguments: Optional[List[str]] = None) -> int:
     SIGINT and SIGHUP end the process."""
     with ended_by_signals("vfmesh"):
         return _run(arguments)
-    return 1
 
 
 def _make_mesh(given: Dict[str, Any], words: argparse.Namespace) -> Mesh:
@@ -208,7 +231,9 @@ def _make_mesh(given: Dict[str, Any], words: argparse.Namespace) -> Mesh:
     try:
         return make(**given, progress=not words.quiet)
     except (ValueError, TypeError) as error:
-        raise ValueError("Cannot mesh %s: %s" % (" ".join(words.input), error)) from None
+        # The core names the options of sculptor, of which --labels takes an array.
+        text = re.sub(r"\(--labels (?=[^)])", "(--labels --array ", str(error))
+        raise ValueError("Cannot mesh %s: %s" % (" ".join(words.input), text)) from None
 
 
 def _run(arguments: Optional[List[str]]) -> int:
@@ -216,6 +241,7 @@ def _run(arguments: Optional[List[str]]) -> int:
     warnings.showwarning = _show_warning
     warnings.simplefilter("always", VolumeFractionMeshWarning)
     try:
+        _check_files(words)
         mesh = _make_mesh(_arguments(words), words)
         _write(mesh, words)
     except (ValueError, TypeError, ImportError, OSError, RuntimeError, MemoryError) as error:

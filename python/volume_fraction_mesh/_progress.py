@@ -6,6 +6,7 @@ import sys
 from contextlib import contextmanager
 from typing import Any, Callable, Iterator, Optional
 
+from ._output import at_ending
 from ._types import Progress
 
 
@@ -54,6 +55,7 @@ def shown(progress: Progress) -> Iterator[Optional[Callable[[float, str], Any]]]
         return
     bar = _Bar(tqdm)
     try:
-        yield bar
+        with at_ending(bar.bar.close):
+            yield bar
     finally:
         bar.bar.close()

@@ -136,6 +136,13 @@ def is_block_file(path: str) -> bool:
     return path.lower().endswith(".spcth") or os.path.isfile(os.path.join(path, "Header"))
 
 
+def find_files(path: str) -> List[str]:
+    """Returns a path, or the files of slices in a folder or pattern."""
+    if is_block_file(path):
+        return [path]
+    return list_slices(path, SLICES) or [path]
+
+
 def is_surface(path: str) -> bool:
     """Returns whether a path is a file of a closed surface, by its ending."""
     return path.lower().endswith(SURFACES)

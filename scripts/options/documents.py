@@ -46,7 +46,7 @@ Each option of the mesher has one name in ParaView and in C, one in Python, and 
 | ParaView, script | `IsoValue=0.4` | 0 and 1 for off and on; words as in the panel |
 | VTK in C++ and Python | `SetIsoValue(0.4)` | 0 and 1 for off and on; words as numbers, from 0 |
 | Python package | `iso_value=0.4` | `True` and `False`; words as `"quadric_surface"` |
-| command `vfmesh` | `--iso-value 0.4` | `--mesh-void`, `--no-mesh-void`; words as in Python |
+| command `vfmesh` | `--iso-value 0.4` | `--mesh-void`, `--no-mesh-void`; Python words, any case |
 | `sculptor` | `--iso 0.4`, `--set IsoValue=0.4` | `on`, `off`; words without spaces, or numbers |
 | C, C++ and Fortran | `sculptor_set_option(s, "IsoValue", "0.4")` | as for `sculptor` |
 

@@ -99,9 +99,14 @@ void OutputPlace::Name()
   this->Unnamed.reset();
 }
 
+std::string FindFinalPath(const std::string& path)
+{
+  return FollowLinks(fs::absolute(path)).string();
+}
+
 OutputPlace CreateOutput(const std::string& path, Naming naming)
 {
-  const fs::path followed = FollowLinks(fs::absolute(path));
+  const fs::path followed = FindFinalPath(path);
   OutputPlace place{ followed.string(), nullptr, nullptr };
   constexpr mode_t usual = 0666;
   FileStatus old{};

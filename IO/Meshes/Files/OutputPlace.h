@@ -34,6 +34,10 @@ struct OutputPlace
   void Name();
 };
 
+/// Returns the absolute path of the file that an output replaces: that at the end of symbolic
+/// links.
+std::string FindFinalPath(const std::string& path);
+
 /// Creates the empty file of a place. A name beside Final is .NAME.HOST-PROCESS-NUMBER.part, so no
 /// other process writes to it. The file has the owner and the permissions of the file that it
 /// replaces.

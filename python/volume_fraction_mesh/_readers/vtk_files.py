@@ -6,9 +6,9 @@ import os
 import re
 import subprocess
 import sys
-import tempfile
 from typing import Any
 
+from .._output import at_ending, temporary_folder
 from .check_vtk import check
 from .report import load_library, quiet
 
@@ -25,7 +25,7 @@ def read(path: str, is_trusted: bool) -> Any:
     check(path, is_trusted)
     if ending in READERS:
         return _read_xml(path, ending)
-    with tempfile.TemporaryDirectory() as folder:
+    with temporary_folder() as folder:
         name = _convert(path, folder)
         return _read_xml(os.path.join(folder, name), os.path.splitext(name)[1])
 
@@ -33,14 +33,25 @@ def read(path: str, is_trusted: bool) -> Any:
 def _convert(path: str, folder: str) -> str:
     """Converts a legacy file to a file in XML, in another process. Returns its name."""
     program = os.path.join(os.path.dirname(__file__), "convert_legacy_vtk.py")
-    run = subprocess.run(
-        [sys.executable, program, os.path.abspath(path), folder], stdin=subprocess.DEVNULL,
-        stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, errors="replace", check=False,
-        env={**os.environ, "PYTHONPATH": os.pathsep.join(each for each in sys.path if each)})
-    _raise_problem(run.stdout)
-    if run.returncode != 0:
-        raise ValueError("it is damaged: VTK's reader ended with status %d." % run.returncode)
-    return run.stdout.split()[-1]
+    with subprocess.Popen(
+            [sys.executable, program, os.path.abspath(path), folder], stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, errors="replace",
+            env={**os.environ, "PYTHONPATH": os.pathsep.join(each for each in sys.path if each)}
+    ) as process, at_ending(lambda: _stop(process)):
+        try:
+            told = process.communicate()[0]
+        except BaseException:  # Ctrl-C
+            _stop(process)
+            raise
+    _raise_problem(told)
+    if process.returncode != 0:
+        raise ValueError("it is damaged: VTK's reader ended with status %d." % process.returncode)
+    return told.split()[-1]
+
+
+def _stop(process: Any) -> None:
+    process.kill()
+    process.wait()
 
 
 def _raise_problem(text: str) -> None:

@@ -1,0 +1,93 @@
+#include "CheckFiles.h"
+
+#include "Blocks/BlockFile.h"
+#include "Images/Pictures/SliceFiles.h"
+#include "Meshes/Files/OutputPlace.h"
+#include "Ranks/Errors.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace vfm
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+
+/// File of the command line, with the words that name it.
+struct NamedFile
+{
+  std::string Name, Path;
+};
+
+bool IsSameFile(const std::string& one, const std::string& other)
+{
+  std::error_code error;
+  if (fs::equivalent(one, other, error))
+  {
+    return true;
+  }
+  const auto resolve = [](const std::string& path)
+  {
+    std::error_code isUnresolved;
+    const fs::path end = FindFinalPath(path);
+    const fs::path resolved = fs::weakly_canonical(end, isUnresolved);
+    return isUnresolved ? end.lexically_normal() : resolved;
+  };
+  return resolve(one) == resolve(other);
+}
+
+/// Returns whether a path is a device or a pipe.
+bool IsWrittenInPlace(const std::string& path)
+{
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+std::vector<NamedFile> ListInputs(const Arguments& arguments)
+{
+  std::vector<NamedFile> inputs{ { "input", arguments.Input } };
+  if (!IsBlockFile(arguments.Input) && AreSlices(arguments.Input))
+  {
+    ClassifyErrors(ErrorCode::UnreadableInput,
+      [&]
+      {
+        for (const std::string& slice : ListSlices(arguments.Input))
+        {
+          inputs.push_back({ "input", slice });
+        }
+      });
+  }
+  inputs.push_back({ "--label-names", arguments.Mesher.LabelNames });
+  return inputs;
+}
+
+} // namespace
+
+void CheckFiles(const Arguments& arguments)
+{
+  std::vector<NamedFile> earlier = ListInputs(arguments);
+  for (const NamedFile& output : { NamedFile{ "output", arguments.Output },
+         { "--fragments", arguments.Fragments }, { "--geometry", arguments.Geometry },
+         { "--surfaces", arguments.Surfaces }, { "--report", arguments.Report } })
+  {
+    if (output.Path.empty() || IsWrittenInPlace(output.Path))
+    {
+      continue;
+    }
+    const auto same = std::find_if(earlier.begin(), earlier.end(),
+      [&output](const NamedFile& file)
+      { return !file.Path.empty() && IsSameFile(file.Path, output.Path); });
+    if (same != earlier.end())
+    {
+      throw InputError(ErrorCode::WrongArguments,
+        "The " + output.Name + " " + output.Path + " is the same file as the " + same->Name + " " +
+          same->Path + ": every output needs its own name.");
+    }
+    earlier.push_back(output);
+  }
+}
+
+} // namespace vfm
