@@ -71,6 +71,27 @@ def test_masks_of_bytes(at):
 
 
 @in_folder
+def test_masks_of_several_types(at):
+    """Masks of any types are materials together, also next to fractions."""
+    for liver, spleen in ((two_boxes(1, 0, np.uint8), two_boxes(0, 1, np.float32)),
+                          (two_boxes(1, 0, np.uint8), two_boxes(0, 1, np.float64)),
+                          (two_boxes(255, 0, np.uint8), two_boxes(0, 1, np.int32)),
+                          (two_boxes(255, 0, np.uint8), two_boxes(0, 1, np.float32)),
+                          (two_boxes(1, 0, np.float64), two_boxes(0, 1, np.int16))):
+        path = write(unit_image({"liver": liver, "spleen": spleen}), at("in.vti"))
+        assert contents(path, at=at) == {"1 liver": (476, 240), "2 spleen": (476, 240)}
+    steel = two_boxes(0.7, 0, float)
+    path = write(unit_image({"steel": steel, "tin": two_boxes(0, 1, np.int32)}), at("in.vti"))
+    assert list(contents(path, at=at)) == ["1 steel", "2 tin"]
+    path = write(unit_image({"steel": steel, "zone": two_boxes(1, 2, np.int32)}), at("in.vti"))
+    result = sculptor(path, at("out.vtu"))
+    assert result.returncode == 0 and result.stderr == (
+        "sculptor: warning: Not used: 'zone' (integers from 0 to 2). --fractions or --labels "
+        "selects arrays.\n"), result
+    assert sculptor(path, at("out.vtu"), "--fractions", "steel").stderr == ""
+
+
+@in_folder
 def test_bytes_between(at):
     """Bytes up to 127 that are no masks are rejected as fractions."""
     values = {"a": two_boxes(3, 0, np.uint8), "b": two_boxes(0, 29, np.uint8)}
