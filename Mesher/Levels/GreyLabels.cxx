@@ -18,6 +18,7 @@ constexpr Index LeastLabels = 32;  // labels of an image that is examined
 constexpr double ThinLabel = 0.8;  // share of busy cells
 constexpr double ThinLabels = 0.9; // share of thin labels
 constexpr double BusyCells = 0.1;  // share of busy cells of all labels
+constexpr Index LeastBytes = 4;    // values of an image of bytes that is examined
 constexpr double GreyCells = 0.5;  // share of cells of grey values that are neither 0 nor 255
 
 /// Counts the cells of each material above 0, then its busy cells.
@@ -103,7 +104,7 @@ std::string DescribeGreyFractions(const LevelFields& fields, Ranks& ranks)
   const Index values = Values - std::count(cells.begin(), cells.end(), 0);
   const double share =
     static_cast<double>(std::accumulate(cells.begin(), cells.end(), Index(0))) / all;
-  if (values < LeastLabels || !(share > GreyCells))
+  if (values < LeastBytes || !(share > GreyCells))
   {
     return "";
   }

@@ -19,8 +19,9 @@ namespace vfm
 /// @pre Collective
 std::string DescribeGreyLabels(const LevelFields& fields, Ranks& ranks);
 
-/// Returns a description of one material of bytes that looks like grey values, because it has
-/// many values and most cells are neither empty nor full, otherwise "". The result does not depend on the number of ranks.
+/// Returns a description of one material of bytes that looks like grey values or labels, because it
+/// has several values and most cells are neither empty nor full, otherwise "". The result does not
+/// depend on the number of ranks.
 /// @pre Collective
 std::string DescribeGreyFractions(const LevelFields& fields, Ranks& ranks);
 

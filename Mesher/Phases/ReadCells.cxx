@@ -99,7 +99,7 @@ void CheckGreyFractions(const MesherJob& job, const LevelFields& fields)
   }
   const std::string& name = job.Input.Arrays.Fractions[0];
   const std::string text = "The array '" + name +
-    "' looks like grey values, not volume fractions of 255: " + found +
+    "' looks like grey values or labels, not volume fractions of 255: " + found +
     ". Threshold (--threshold LOW:HIGH) makes materials of ranges of values.";
   if (job.Input.Arrays.AreGuessed)
   {

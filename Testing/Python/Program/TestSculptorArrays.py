@@ -271,10 +271,15 @@ def test_grey_bytes(at):
     values[0, 0, 0] = 255
     path = write(unit_image({"scan": values}), at("in.vti"))
     for ranks in (1, 3):
-        refused(3, "Cannot mesh %s: The array 'scan' looks like grey values, not volume fractions "
-                "of 255: " % path, path, at("out.vtu"), ranks=ranks)
+        refused(3, "Cannot mesh %s: The array 'scan' looks like grey values or labels, not volume "
+                "fractions of 255: " % path, path, at("out.vtu"), ranks=ranks)
         result = sculptor(path, at("out.vtu"), "--fractions", "scan", "--stairstep", ranks=ranks)
         assert result.returncode == 0 and "looks like grey values" in result.stderr, result
+    regions = np.kron(np.array([10, 40, 80, 120, 160, 200, 230, 255]).reshape(2, 2, 2),
+                      np.ones((5, 5, 5))).astype(np.uint8)
+    path = write(unit_image({"tissue": regions}), at("in.vti"))
+    refused(3, "7 different values, and 87.5 % of the cells are neither 0 nor 255", path,
+            at("out.vtu"))
     path = write(unit_image({"vf_scan": values}), at("in.vti"))
     assert sculptor(path, at("out.vtu"), "--stairstep").stderr == ""
 
