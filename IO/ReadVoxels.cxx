@@ -22,13 +22,16 @@ constexpr bool CanBeWrong()
     (std::is_signed<Stored>::value || sizeof(Stored) >= sizeof(int));
 }
 
+/// Returns whether a value is no label, or no int if any numbers are accepted.
 template <class Stored>
-bool IsWrong(Stored value)
+bool IsWrong(Stored value, bool areAnyNumbers)
 {
   if constexpr (CanBeWrong<Stored>())
   {
     constexpr auto most = static_cast<std::uint64_t>(std::numeric_limits<int>::max());
-    return value < Stored(0) || static_cast<std::uint64_t>(value) > most;
+    return value < Stored(0)
+      ? !areAnyNumbers || static_cast<std::int64_t>(value) < std::numeric_limits<int>::min()
+      : static_cast<std::uint64_t>(value) > most;
   }
   return false;
 }
@@ -43,7 +46,8 @@ template <class Stored>
 
 /// Reads an array of a NumPy file, which begins at the position of the stream.
 template <class Stored, class Kept>
-void ReadArray(std::istream& stream, bool swap, const VoxelRows& rows, void* cells)
+void ReadArray(
+  std::istream& stream, bool swap, bool areAnyNumbers, const VoxelRows& rows, void* cells)
 {
   Kept* kept = static_cast<Kept*>(cells);
   std::vector<Stored> values(rows.Length());
@@ -66,7 +70,8 @@ void ReadArray(std::istream& stream, bool swap, const VoxelRows& rows, void* cel
       {
         std::transform(values.begin(), values.end(), values.begin(), SwapBytes<Stored>);
       }
-      const auto wrong = std::find_if(values.begin(), values.end(), IsWrong<Stored>);
+      const auto wrong = std::find_if(values.begin(), values.end(),
+        [areAnyNumbers](Stored value) { return IsWrong(value, areAnyNumbers); });
       if (wrong != values.end())
       {
         RejectLabel(rows.Cell(plane, row, wrong - values.begin()), *wrong);
@@ -87,7 +92,8 @@ struct StoredType
   char Kind;
   int Size;
   int Type; ///< type in memory, one of ValueType
-  void (*Read)(std::istream& stream, bool swap, const VoxelRows& rows, void* cells);
+  void (*Read)(
+    std::istream& stream, bool swap, bool areAnyNumbers, const VoxelRows& rows, void* cells);
 };
 
 constexpr StoredType StoredTypes[] = {
@@ -120,7 +126,7 @@ std::vector<TypedValues> ReadNumPy(const VoxelFile& file, const IndexBox& box)
     stream.seekg(header.Offset + i * size);
     result.push_back(
       MakeValues(name + (arrays ? std::to_string(i + 1) : ""), type.Type, box.NumberOfCells()));
-    type.Read(stream, header.SwapBytes, rows, result.back().Bytes.data());
+    type.Read(stream, header.SwapBytes, file.AreAnyNumbers, rows, result.back().Bytes.data());
   }
   return result;
 }

@@ -81,6 +81,34 @@ std::string WarnOfNearFractions(const std::vector<ArrayInfo>& arrays, const Choi
   return text.str();
 }
 
+bool CanBeMaterial(const ArrayInfo& array, ArrayContent content)
+{
+  return array.Most > LabelTolerance &&
+    (content == ArrayContent::Fraction || content == ArrayContent::Mask ||
+      content == ArrayContent::Labels);
+}
+
+/// Returns a warning that lists arrays that can hold materials beside those that are chosen by
+/// default, or "".
+std::string WarnOfUnused(
+  const std::vector<ArrayInfo>& arrays, const MaterialChoice& choice, const ChoiceRules& rules)
+{
+  std::vector<std::string> texts;
+  for (std::size_t a = 0; a < arrays.size(); ++a)
+  {
+    const std::string& name = arrays[a].Name;
+    if (CanBeMaterial(arrays[a], choice.Contents[a].Content) && name != choice.Labels &&
+      !Lists(choice.Fractions, name) && !Lists(rules.Others, name))
+    {
+      texts.push_back("'" + name + "' (" + choice.Contents[a].Reason + ")");
+    }
+  }
+  const bool isFound = !choice.Fractions.empty() || !choice.Labels.empty();
+  return choice.IsClear || !isFound || texts.empty()
+    ? ""
+    : "Not used: " + JoinTexts(texts) + ". --fractions or --labels selects arrays.";
+}
+
 /// Reports that the input has no materials, and lists its arrays.
 /// @pre Collective
 [[noreturn]] void RejectArrays(
@@ -308,8 +336,15 @@ ChosenArrays FindMaterials(const std::vector<ArrayInfo>& arrays, ArrayPlace plac
   const ChoiceRules rules = MakeRules(arrays, place, arguments, tolerance);
   MaterialChoice choice = ChooseMaterials(arrays, rules);
   const bool isComplete = choice.AreNamed || (rules.IsImage && !choice.Labels.empty());
+  std::string warning;
+  if (!isComplete)
+  {
+    const std::string near = WarnOfNearFractions(arrays, rules);
+    const std::string unused = WarnOfUnused(arrays, choice, rules);
+    warning = near + (near.empty() || unused.empty() ? "" : " ") + unused;
+  }
   return { std::move(choice.Fractions), std::move(choice.Labels), std::move(choice.How),
-    isComplete ? "" : WarnOfNearFractions(arrays, rules), place, std::move(choice.Problem), true };
+    std::move(warning), place, std::move(choice.Problem), true };
 }
 
 bool HasMaterials(const ChosenArrays& arrays)

@@ -27,7 +27,8 @@ ImageSource OpenSource(const Arguments& arguments)
   const std::array<int, 3> cells = arguments.Dimensions.value_or(std::array<int, 3>{});
   return OpenVoxels(arguments.Input, { { cells[0], cells[1], cells[2] } },
     arguments.Origin.value_or(Vector3{}), arguments.Spacing.value_or(Vector3{ { 1.0, 1.0, 1.0 } }),
-    static_cast<AxisOrder>(arguments.AxisOrder.value_or(0)));
+    static_cast<AxisOrder>(arguments.AxisOrder.value_or(0)),
+    !arguments.Mesher.Threshold.empty() || arguments.Task == Command::List);
 }
 
 ImageFrame FrameOf(const ImagePlace& image)

@@ -27,10 +27,7 @@ double CheckedFraction(
     text << "Volume fraction array '" << reader.Name(material) << "' holds " << value << " in "
          << TextOf(cell) << ": "
          << (std::isfinite(value) ? "volume fractions lie in [0, 1]."
-                                  : "volume fractions must be finite numbers.")
-         << (IsOutside(value, LargestFractionTolerance)
-                ? ""
-                : " Increase FractionTolerance to clip values slightly outside.");
+                                  : "volume fractions must be finite numbers.");
     throw InputError(text.str());
   }
   return std::min(std::max(value, 0.0), 1.0);

@@ -35,7 +35,7 @@ ImageSource OpenImage(const std::string& path, const Vector3& spacing, const Ima
 }
 
 ImageSource OpenVoxels(const std::string& path, const Index3& cells, const Vector3& origin,
-  const Vector3& spacing, AxisOrder order)
+  const Vector3& spacing, AxisOrder order, bool areAnyNumbers)
 {
   for (int a = 0; a < 3; ++a)
   {
@@ -44,7 +44,8 @@ ImageSource OpenVoxels(const std::string& path, const Index3& cells, const Vecto
       throw InputError("Spacing must be above 0, and Origin finite.");
     }
   }
-  const VoxelFile file = InspectVoxels(path, cells, order);
+  VoxelFile file = InspectVoxels(path, cells, order);
+  file.AreAnyNumbers = areAnyNumbers;
   const bool isSized = *std::min_element(file.Cells.begin(), file.Cells.end()) > 0;
   ImagePlace place;
   place.Size = isSized ? file.Cells : Index3{};

@@ -41,9 +41,10 @@ ImageSource OpenImage(
 /// Opens a voxel file, see InspectVoxels.
 /// @param cells  number of cells along x, y and z of a text, 0 if unknown
 /// @param order  order of the axes in the file
+/// @param areAnyNumbers  negative integers of a NumPy file are accepted
 /// @throws InputError  if the file cannot be read or is not supported, or if origin or spacing are
 ///   invalid; the message does not contain the path
 ImageSource OpenVoxels(const std::string& path, const Index3& cells, const Vector3& origin,
-  const Vector3& spacing, AxisOrder order);
+  const Vector3& spacing, AxisOrder order, bool areAnyNumbers = false);
 
 } // namespace vfm

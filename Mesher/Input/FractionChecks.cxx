@@ -92,13 +92,6 @@ Index FindLargest(const InputBlock& block, const std::shared_ptr<const BlockArra
     "Convert both to numbers of type float in [0, 1].");
 }
 
-/// Rounds up to two digits.
-double RoundUp(double number)
-{
-  const double unit = std::pow(10.0, std::floor(std::log10(number)) - 1.0);
-  return std::ceil(number / unit) * unit;
-}
-
 std::array<Index, 3> Order(const Index3& cell)
 {
   return { { cell[2], cell[1], cell[0] } };
@@ -154,6 +147,44 @@ std::shared_ptr<const BlockArray> ViewMask(std::shared_ptr<const BlockArray> arr
                                                 : array;
 }
 
+double SufficientTolerance(double distance)
+{
+  const double enough = 1.001 * distance;
+  const double unit = std::pow(10.0, std::floor(std::log10(enough)) - 1.0);
+  return std::min(std::ceil(enough / unit) * unit, LargestFractionTolerance);
+}
+
+void OutsideFractions::Add(const OutsideFractions& other)
+{
+  if (other.Largest > 0.0 && (this->Largest == 0.0 || Order(other.First) < Order(this->First)))
+  {
+    this->First = other.First;
+    this->Value = other.Value;
+    this->Material = other.Material;
+  }
+  this->Largest = std::max(this->Largest, other.Largest);
+}
+
+void CheckOutside(const OutsideFractions& mine, const std::vector<std::string>& names, Ranks& ranks)
+{
+  const double largest = ranks.Max(mine.Largest);
+  if (largest == 0.0 || largest > LargestFractionTolerance)
+  {
+    return;
+  }
+  OutsideFractions all;
+  for (const OutsideFractions& one : GatherItems(ranks, std::vector<OutsideFractions>{ mine }))
+  {
+    all.Add(one);
+  }
+  const double enough = SufficientTolerance(largest);
+  std::ostringstream text;
+  text << "Volume fraction array '" << names[all.Material - 1] << "' holds " << all.Value << " in "
+       << TextOf(all.First) << ": volume fractions lie in [0, 1]. FractionTolerance " << enough
+       << " (--clip " << enough << ") clips all values that are slightly outside.";
+  throw InputError(text.str());
+}
+
 void OverfullCells::Add(const OverfullCells& other)
 {
   if (other.Count > 0 && (this->Count == 0 || Order(other.First) < Order(this->First)))
@@ -185,7 +216,7 @@ void CheckSums(const OverfullCells& mine, Index cells, Ranks& ranks)
        << " cells are too large, the largest is " << all.LargestSum << ".";
   if (excess <= LargestFractionTolerance)
   {
-    const double enough = std::min(RoundUp(1.001 * excess), LargestFractionTolerance);
+    const double enough = SufficientTolerance(excess);
     text << " If the arrays hold separate materials, FractionTolerance " << enough << " (--clip "
          << enough << ") scales these sums back to 1. Otherwise choose arrays of separate "
          << "materials.";

@@ -27,6 +27,30 @@ bool AreMasks(
 /// Returns an array in which 1 is full: an array of type unsigned char with another type.
 std::shared_ptr<const BlockArray> ViewMask(std::shared_ptr<const BlockArray> array);
 
+/// Returns a tolerance of two digits, at most LargestFractionTolerance, that accepts a distance.
+/// @param distance  from [0, 1], above 0
+double SufficientTolerance(double distance);
+
+/// Fractions outside [0, 1] by more than is accepted; NaN does not count.
+struct OutsideFractions
+{
+  double Largest = 0.0; ///< distance from [0, 1]
+  double Value = 0.0;
+  int Material = 0; ///< of Value
+  Index3 First{};   ///< cell of Value, with the lowest indices, z before y before x
+
+  void Add(const OutsideFractions& other);
+};
+
+/// Checks the fractions of all ranks.
+/// @param mine  fractions of this rank
+/// @param names  array of each material
+/// @throws InputError  on all ranks, with the tolerance that suffices. Larger distances than
+///   LargestFractionTolerance are left to FractionField, which rejects them.
+/// @pre Collective
+void CheckOutside(
+  const OutsideFractions& mine, const std::vector<std::string>& names, Ranks& ranks);
+
 /// Sums of fractions that exceed 1 by more than is accepted.
 struct OverfullCells
 {

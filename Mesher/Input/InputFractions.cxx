@@ -45,7 +45,8 @@ public:
   double Tolerance() const { return this->OutsideTolerance; }
 
   /// Finds the cells of this rank whose fractions, if each is accepted, sum to more than accepted.
-  OverfullCells FindOverfull() const;
+  /// @param[out] outside  fractions that are not accepted
+  OverfullCells FindOverfull(OutsideFractions& outside) const;
   Index NumberOfCells() const;
 
   SparseCells Extract(const InputBlock& block, const IndexBox& box) const override;
@@ -166,7 +167,7 @@ void FractionCells::ReadMaterials(
   }
 }
 
-OverfullCells FractionCells::FindOverfull() const
+OverfullCells FractionCells::FindOverfull(OutsideFractions& outside) const
 {
   double most = this->OutsideTolerance;
   for (int m = 1; m <= this->NumberOfMaterials(); ++m)
@@ -176,7 +177,7 @@ OverfullCells FractionCells::FindOverfull() const
   most = 1.0 + std::max(SumTolerance, most);
   OverfullCells found;
   std::vector<double> values, sums;
-  for (std::size_t b = 0; this->NumberOfMaterials() > 1 && b < this->Blocks().size(); ++b)
+  for (std::size_t b = 0; b < this->Blocks().size(); ++b)
   {
     const IndexBox& box = this->Blocks()[b].Box;
     values.resize(box.Size(0));
@@ -190,13 +191,16 @@ OverfullCells FractionCells::FindOverfull() const
           this->ReadFractions(b, m, first, box.Size(0), values.data());
           for (Index c = 0; c < box.Size(0); ++c)
           {
-            // FractionField reports values that are not accepted.
-            const bool isAccepted =
-              values[c] >= -this->OutsideTolerance && values[c] <= 1.0 + this->OutsideTolerance;
+            const double distance = std::max(-values[c], values[c] - 1.0); // or NaN
+            const bool isAccepted = distance <= this->OutsideTolerance;
             sums[c] += isAccepted ? std::clamp(values[c], 0.0, 1.0) : NotAccepted;
+            if (distance > this->OutsideTolerance)
+            {
+              outside.Add({ distance, values[c], m, { { first[0] + c, j, k } } });
+            }
           }
         }
-        for (Index c = 0; c < box.Size(0); ++c)
+        for (Index c = 0; this->NumberOfMaterials() > 1 && c < box.Size(0); ++c)
         {
           if (sums[c] > most)
           {
@@ -297,16 +301,18 @@ LevelCells OpenFractions(const std::vector<InputBlocks>& levels,
     own->SetBytes(bytes);
   }
   OverfullCells overfull;
+  OutsideFractions outside;
   Index count = 0;
   WorkTogether(ranks,
     [&]
     {
       for (const FractionCells* own : opened)
       {
-        overfull.Add(own->FindOverfull());
+        overfull.Add(own->FindOverfull(outside));
         count += own->NumberOfCells();
       }
     });
+  CheckOutside(outside, names, ranks);
   CheckSums(overfull, count, ranks);
   return cells;
 }

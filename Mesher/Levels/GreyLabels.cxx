@@ -2,7 +2,10 @@
 
 #include "Ranks/Agreement.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <numeric>
 
 namespace vfm
 {
@@ -15,6 +18,8 @@ constexpr Index LeastLabels = 32;  // labels of an image that is examined
 constexpr double ThinLabel = 0.8;  // share of busy cells
 constexpr double ThinLabels = 0.9; // share of thin labels
 constexpr double BusyCells = 0.1;  // share of busy cells of all labels
+constexpr Index LeastBytes = 4;    // values of an image of bytes that is examined
+constexpr double GreyCells = 0.5;  // share of cells of grey values that are neither 0 nor 255
 
 /// Counts the cells of each material above 0, then its busy cells.
 std::vector<Index> CountCells(const CartesianGrid& grid, const FractionField& field)
@@ -76,6 +81,37 @@ std::string DescribeGreyLabels(const LevelFields& fields, Ranks& ranks)
     share, sizeof(share), "%.3g", 100.0 * static_cast<double>(busy) / static_cast<double>(all));
   return std::to_string(labels) + " different values, and " + share +
     " % of the cells have another value beside them";
+}
+
+std::string DescribeGreyFractions(const LevelFields& fields, Ranks& ranks)
+{
+  constexpr Index Values = 256;
+  const FractionField& field = fields.Field.Fractions;
+  std::vector<Index> cells(Values + 1, 0); // of each value in mixed cells; then all
+  ForCells(fields.Grid.Owned(),
+    [&](const Index3& cell)
+    {
+      const Index here = fields.Grid.Linear(cell);
+      ++cells[Values];
+      if (field.IsMixed(here))
+      {
+        ++cells[std::lround((Values - 1) * field.Fraction(here, 1))];
+      }
+    });
+  ranks.Sum(cells);
+  const auto all = static_cast<double>(cells[Values]);
+  cells.pop_back();
+  const Index values = Values - std::count(cells.begin(), cells.end(), 0);
+  const double share =
+    static_cast<double>(std::accumulate(cells.begin(), cells.end(), Index(0))) / all;
+  if (values < LeastBytes || !(share > GreyCells))
+  {
+    return "";
+  }
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.3g", 100.0 * share);
+  return std::to_string(values) + " different values, and " + text +
+    " % of the cells are neither 0 nor 255";
 }
 
 } // namespace vfm

@@ -114,7 +114,9 @@ ContentOfArray FindContentOfReals(const ArrayInfo& array, double tolerance)
   {
     return { ArrayContent::Grey,
       "real numbers up to " + Print(outside) +
-        " outside [0, 1]: volume fractions if FractionTolerance (--clip) is as large" };
+        " outside [0, 1]: volume fractions with FractionTolerance " +
+        Print(SufficientTolerance(outside)) + " (--clip " + Print(SufficientTolerance(outside)) +
+        ")" };
   }
   if (array.Least < 0.0 && array.Most > 0.0)
   {

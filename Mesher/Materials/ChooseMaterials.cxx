@@ -110,31 +110,58 @@ bool ChooseNamedFractions(const Candidates& known, const Candidates& arrays, Mat
   return choice.AreNamed;
 }
 
-/// Selects all fractions, unless an array of integers has a usual name of labels, or holds labels
-/// next to masks only. (MaterialId, which our meshes contain next to fractions, does not count.)
-/// @param fractions  arrays with this content; at least one
-void ChooseAllFractions(const Candidates& fractions, const Candidates& integers,
-  const ChoiceRules& rules, MaterialChoice& choice)
+/// Returns the masks of integers that are materials next to fractions: not those with a name of
+/// labels, and not those of 0 only next to fractions that are no masks.
+Candidates FindOwnMasks(const Candidates& integers, bool areMasks)
 {
-  const bool areMasks = std::all_of(fractions.begin(), fractions.end(),
-    [](const Candidate& array) { return array.Array.AreWhole; });
-  const Candidates labels = Select(integers,
+  return Select(integers,
+    [areMasks](const Candidate& array)
+    {
+      return IsMask(array) && FindLabelsRank(array.Array.Name) < 0 &&
+        (areMasks || array.Array.Most > LabelTolerance);
+    });
+}
+
+/// Returns the arrays of integers that contradict fractions: a usual name of labels (MaterialId,
+/// which our meshes contain next to fractions, does not count), a mask with the name of a state, or
+/// labels next to masks only.
+Candidates FindRivals(const Candidates& integers, bool areMasks)
+{
+  return Select(integers,
     [areMasks](const Candidate& array)
     {
       const int rank = FindLabelsRank(array.Array.Name);
-      return array.Array.Most > LabelTolerance &&
-        (rank > 0 || (rank < 0 && areMasks && !IsMask(array)));
+      const bool isOther = IsMask(array) ? IsStateName(array.Array.Name) : areMasks;
+      return array.Array.Most > LabelTolerance && (rank > 0 || (rank < 0 && isOther));
     });
-  if (!labels.empty())
+}
+
+/// Selects all fractions, and masks of integers next to them, unless other arrays contradict them.
+/// @param fractions  arrays with this content; at least one
+void ChooseAllFractions(const Candidates& candidates, const Candidates& fractions,
+  const Candidates& integers, const ChoiceRules& rules, MaterialChoice& choice)
+{
+  const bool areMasks = std::all_of(fractions.begin(), fractions.end(),
+    [](const Candidate& array) { return array.Array.AreWhole; });
+  const Candidates rivals = FindRivals(integers, areMasks);
+  if (!rivals.empty())
   {
-    choice.Problem = "Labels " + Describe(labels) + " or volume fractions " + Describe(fractions) +
+    choice.Problem = "Labels " + Describe(rivals) + " or volume fractions " + Describe(fractions) +
       " can hold the materials.";
     return;
   }
-  choice.Fractions = NamesOf(fractions);
+  const Candidates masks = FindOwnMasks(integers, areMasks);
+  const std::vector<std::string> ofMasks = NamesOf(masks);
+  choice.Fractions = NamesOf(Select(candidates,
+    [&ofMasks](const Candidate& array)
+    {
+      return IsFraction(array) ||
+        std::find(ofMasks.begin(), ofMasks.end(), array.Array.Name) != ofMasks.end();
+    }));
   choice.How =
     std::string("all ") + (rules.ArePoints ? "point" : "cell") + " arrays with values in [0, 1]";
-  choice.IsClear = fractions.size() == 1 && integers.empty();
+  choice.IsClear = masks.size() == integers.size() &&
+    (choice.Fractions.size() == 1 || (areMasks && !masks.empty()));
 }
 
 /// Selects the labels or the masks among arrays of one kind.
@@ -222,7 +249,7 @@ MaterialChoice ChooseMaterials(const std::vector<ArrayInfo>& arrays, const Choic
   }
   else if (!fractions.empty())
   {
-    ChooseAllFractions(fractions, integers, rules, choice);
+    ChooseAllFractions(candidates, fractions, integers, rules, choice);
   }
   else if (!integers.empty() || !reals.empty())
   {

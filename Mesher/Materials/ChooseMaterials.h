@@ -33,8 +33,8 @@ struct MaterialChoice
 /// Selects the arrays of materials:
 /// 1. arrays with names as in SpyPlot files, ordered by their numbers
 /// 2. reals with names that say volume fraction, if any of them is in [0, 1]
-/// 3. all other fractions; not next to labels with a usual name except MaterialId, and not if all
-///    are masks next to labels
+/// 3. all other fractions, and masks of integers; not next to labels with a usual name except
+///    MaterialId, not next to masks named as state, and not if all are masks next to labels
 /// 4. the array of integers with the most usual name of labels
 /// 5. the only array of integers; or several masks, as one material each
 /// 6. the same for real numbers that are integers

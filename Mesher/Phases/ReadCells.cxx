@@ -1,5 +1,7 @@
 #include "Phases/ReadCells.h"
 
+#include "Input/ArrayNames.h"
+#include "Input/InputArrays.h"
 #include "Input/InputFractions.h"
 #include "Input/InputLabels.h"
 #include "Levels/GreyLabels.h"
@@ -63,6 +65,46 @@ void CheckGreyLabels(const MesherJob& job, const LevelFields& fields)
   {
     throw InputError(
       text + " If each value is a material, choose the array as labels (--labels " + name + ").");
+  }
+  Warn(job, text);
+}
+
+/// Returns whether the materials are one array of bytes whose name does not say volume fraction.
+/// @pre Collective
+bool IsPlainByte(const MesherJob& job)
+{
+  const std::vector<std::string>& names = job.Input.Arrays.Fractions;
+  if (names.size() != 1 || IsFractionName(names[0]))
+  {
+    return false;
+  }
+  bool areBytes = true;
+  for (const InputBlocks& level : job.Input.Levels.Levels)
+  {
+    for (const InputBlock& block : level.Blocks)
+    {
+      areBytes = areBytes && FindMaterialArray(block, names[0])->Type == ValueType::UnsignedChar;
+    }
+  }
+  return !job.Run.Group().Any(!areBytes);
+}
+
+/// Checks whether fractions of 255 look like grey values, as CheckGreyLabels.
+void CheckGreyFractions(const MesherJob& job, const LevelFields& fields)
+{
+  const std::string found = IsPlainByte(job) ? DescribeGreyFractions(fields, job.Run.Group()) : "";
+  if (found.empty())
+  {
+    return;
+  }
+  const std::string& name = job.Input.Arrays.Fractions[0];
+  const std::string text = "The array '" + name +
+    "' looks like grey values or labels, not volume fractions of 255: " + found +
+    ". Threshold (--threshold LOW:HIGH) makes materials of ranges of values.";
+  if (job.Input.Arrays.AreGuessed)
+  {
+    throw InputError(text + " If each value is a material, choose the array as labels (--labels " +
+      name + "); if they are volume fractions, choose it as fractions (--fractions " + name + ").");
   }
   Warn(job, text);
 }
@@ -136,6 +178,7 @@ std::unique_ptr<Cells> ReadCells(const MesherJob& job)
   std::unique_ptr<Cells> cells(new Cells{ std::move(source), setup, std::move(requests),
     std::move(owners), std::move(fields), {}, {}, {} });
   CheckGreyLabels(job, cells->Fields);
+  CheckGreyFractions(job, cells->Fields);
   Materials& table = cells->Fields.Field.Table;
   NameLabels(arrays.Names, table);
   cells->SplitPairs = ReadPairs("SplitInterfaces", options.SplitInterfaces, table);

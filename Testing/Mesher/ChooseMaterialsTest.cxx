@@ -69,7 +69,8 @@ TEST(ChooseMaterials, TakesRealsInUnitRangeAndBytes)
   const ArrayInfo whole = Make("whole", Int, 0.0, 1.0);
   ArrayInfo vector = Make("vector", Real, 0.0, 1.0);
   vector.Components = 3;
-  ExpectFractions(Choose({ Ball, Heat, bytes, whole, vector }), { "ball", "bytes" }, false);
+  ExpectFractions(
+    Choose({ Ball, Heat, bytes, whole, vector }), { "ball", "bytes", "whole" }, false);
   ExpectFractions(Choose({ bytes, few }), { "bytes", "few" }, false); // one scale for all bytes
   ExpectFractions(Choose({ Ball, bytes }, { "ball" }), { "bytes" }, true);
   ExpectProblem(Choose({ Heat }), { "'heat' (real numbers from 0 to 300.5" });
@@ -169,6 +170,20 @@ TEST(ChooseMaterials, BytesBelow128AreLabelsOrMasks)
   ChoiceRules image;
   image.IsImage = true;
   EXPECT_EQ(ChooseMaterials({ Make("scan", Byte, 0.0, 255.0) }, image).Labels, "scan");
+}
+
+TEST(ChooseMaterials, MasksOfAllTypesAreMaterialsTogether)
+{
+  const ArrayInfo byte = Make("liver", Byte, 0.0, 1.0), whole = Make("spleen", Int, 0.0, 1.0);
+  const ArrayInfo full = Make("lung", Byte, 0.0, 255.0), none = Make("none", Int, 0.0, 0.0);
+  const ArrayInfo real = Make("skin", Real, 0.0, 1.0, true);
+  ExpectFractions(Choose({ byte, real }), { "liver", "skin" }, true);
+  ExpectFractions(Choose({ real, none, whole }), { "skin", "none", "spleen" }, true);
+  ExpectFractions(Choose({ full, whole }), { "lung", "spleen" }, true);
+  ExpectFractions(Choose({ whole, Ball, none }), { "spleen", "ball" }, false);
+  ExpectFractions(Choose({ Make(LabelsName, Int, 0.0, 1.0), Ball }), { "ball" }, false);
+  ExpectProblem(Choose({ Make("damage", Int, 0.0, 1.0), Ball }), { "Labels 'damage'", "'ball'" });
+  ExpectProblem(Choose({ Make("phase", Int, 0.0, 1.0), Ball }), { "Labels 'phase'", "'ball'" });
 }
 
 TEST(ChooseMaterials, TakesIntegersAsLabels)

@@ -86,6 +86,37 @@ def test_bytes_that_may_be_both(tmp_path):
     assert len(vfm.hexes(labels / 255.0)) > 0
 
 
+def test_bytes_of_a_numpy_file(tmp_path):
+    """A .npy is an image of voxels: its bytes are labels; several masks of 255 are materials."""
+    np.save(tmp_path / "a.npy", two_boxes(100, 200))
+    check_boxes(vfm.hexes(vfm.read(tmp_path / "a.npy")), (100, 200))
+    np.save(tmp_path / "a.npy", two_boxes(3, 255))
+    check_boxes(vfm.hexes(vfm.read(tmp_path / "a.npy")), (3, 255))
+    np.save(tmp_path / "a.npy", 255 * LIVER)
+    np.save(tmp_path / "b.npy", 255 * SPLEEN)
+    assert volumes(vfm.hexes(vfm.read(tmp_path / "a.npy"))).keys() == {255}
+    check_boxes(vfm.hexes({"liver": vfm.read(tmp_path / "a.npy"),
+                           "spleen": vfm.read(tmp_path / "b.npy")}))
+    np.save(tmp_path / "a.npy", 255 * np.stack([LIVER, SPLEEN]))
+    check_boxes(vfm.hexes(vfm.read(tmp_path / "a.npy")))
+
+
+def test_grey_bytes_in_a_file_of_vtk(tmp_path):
+    """Bytes of which most are neither 0 nor 255 are grey values, not fractions of 255."""
+    pyvista = pytest.importorskip("pyvista")
+    grey = grey_ball()
+    grey[0, 0, 0] = 255
+    grid = pyvista.ImageData(dimensions=[n + 1 for n in grey.shape])
+    grid.cell_data["scan"] = grey.ravel(order="F")
+    grid.save(tmp_path / "a.vti")
+    arrays = vfm.read(tmp_path / "a.vti")
+    with pytest.raises(ValueError, match="'scan' looks like grey values.*hreshold"):
+        vfm.hexes(arrays)
+    with pytest.warns(vfm.VolumeFractionMeshWarning, match="'scan' looks like grey values"):
+        vfm.hexes(arrays, arrays=["scan"])
+    assert len(vfm.hexes(arrays, threshold=128)) > 0
+
+
 @pytest.mark.parametrize("given, text", [
     ([LIVER * 100, SPLEEN], "(integers from 0 to 100)"),
     ([two_boxes(1, 2), SPLEEN], "(integers from 0 to 2)"),

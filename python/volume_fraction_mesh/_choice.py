@@ -45,6 +45,11 @@ def has_materials(arrays: Dict[str, np.ndarray]) -> bool:
     return not _ask(list(arrays.items()), Contents((), 1e-6, False, False)).problem
 
 
+def _is_mask_of_255(array: np.ndarray) -> bool:
+    """Returns whether an array holds bytes 0 and 255 only."""
+    return array.dtype == np.uint8 and bool(np.all((array == 0) | (array == 255)))
+
+
 def list_contents(arrays: NamedArrays, known: Contents) -> Found:
     """Returns the content of arrays that are given as fractions."""
     are_real = all(array.dtype.kind == "f" for _, array in arrays)
@@ -60,7 +65,8 @@ def list_contents(arrays: NamedArrays, known: Contents) -> Found:
             return Found(choice.labels, "")
         return Found("", "" if are_real or contents == ["fraction"] else choice.problem)
     wrong = [(name, reason) for (name, array), (content, reason) in zip(arrays, choice.contents)
-             if array.dtype.kind != "f" and content not in ("fraction", "mask")]
+             if array.dtype.kind != "f" and content not in ("fraction", "mask")
+             and not _is_mask_of_255(array)]
     return Found("", "" if not wrong else "Arrays of integers are neither fractions nor masks: %s."
                  % ", ".join("%r (%s)" % pair for pair in wrong))
 

@@ -236,12 +236,14 @@ def _image_arrays(image: Image) -> CellArrays:
 def _image_field(image: Image, given: Source, labels: bool) -> Field:
     _check_no_grid(given)
     arrays = _image_arrays(image)
-    note = ""
+    note, is_guessed = "", False
     if image.chosen is None:
         chosen, note = choose(arrays.items(), given.contents(image.has_labels), labels)
         image = image._replace(chosen=chosen)
+        is_guessed = not given.threshold
     if not labels:
-        return _make_field(arrays, image, False, given)._replace(note=note)
+        field = _make_field(arrays, image, False, given)
+        return field._replace(note=note, guessed=field.guessed or is_guessed)
     chosen = image.chosen or []
     if len(chosen) != 1:
         raise ValueError("labels are %d arrays, %r: one is required. %s"

@@ -239,7 +239,9 @@ def _with_widths(grid: Grid, widths: np.ndarray) -> Grid:
 
 def _read_numpy(path: str, names: Optional[List[str]], choice: Choice) -> Image:
     found = numpy_files.read(path)
-    if path.lower().endswith(".npy"):
+    is_one = path.lower().endswith(".npy")
+    is_image = is_one and len(found) == 1
+    if is_one:
         if names is not None:
             raise ValueError("it holds one array without a name: omit arrays (--array).")
         found = choose_volume(list(found.values()), choice.volume)
@@ -247,9 +249,8 @@ def _read_numpy(path: str, names: Optional[List[str]], choice: Choice) -> Image:
     for name, array in numpy_files.select(found, names).items():
         arrays.add(name, as_numbers(array, name))
     grid = make_grid(arrays.cells or (), UNIT, choice.origin, None, None)
-    is_one = path.lower().endswith(".npy")
     return Image(grid, arrays.flat, list(arrays.flat) if is_one else None, choice.order,
-                 hint=volume_hint(arrays.flat) if is_one else "")
+                 has_labels=is_image, hint=volume_hint(arrays.flat) if is_one else "")
 
 
 def _read_itk(path: str, names: Optional[List[str]], choice: Choice) -> Image:

@@ -132,7 +132,8 @@ def test_values_that_are_almost_fractions():
 
 def test_values_that_are_clipped():
     data = changed("ball", (7, 7, 7), -0.01)
-    check_error(data, "'ball' holds -0.01 in cell (7, 7, 7)", "Increase FractionTolerance to clip")
+    check_error(data, "'ball' holds -0.01 in cell (7, 7, 7)",
+                "FractionTolerance 0.011 (--clip 0.011)")
     result = run(data, FractionTolerance=0.02)
     assert not result.errors and result.field("ClippedCells") == [1], result.errors
     assert (len(result.warnings) == 1 and "fractions of 1 cells lay outside [0, 1] and were clipped"

@@ -71,6 +71,27 @@ def test_masks_of_bytes(at):
 
 
 @in_folder
+def test_masks_of_several_types(at):
+    """Masks of any types are materials together, also next to fractions."""
+    for liver, spleen in ((two_boxes(1, 0, np.uint8), two_boxes(0, 1, np.float32)),
+                          (two_boxes(1, 0, np.uint8), two_boxes(0, 1, np.float64)),
+                          (two_boxes(255, 0, np.uint8), two_boxes(0, 1, np.int32)),
+                          (two_boxes(255, 0, np.uint8), two_boxes(0, 1, np.float32)),
+                          (two_boxes(1, 0, np.float64), two_boxes(0, 1, np.int16))):
+        path = write(unit_image({"liver": liver, "spleen": spleen}), at("in.vti"))
+        assert contents(path, at=at) == {"1 liver": (476, 240), "2 spleen": (476, 240)}
+    steel = two_boxes(0.7, 0, float)
+    path = write(unit_image({"steel": steel, "tin": two_boxes(0, 1, np.int32)}), at("in.vti"))
+    assert list(contents(path, at=at)) == ["1 steel", "2 tin"]
+    path = write(unit_image({"steel": steel, "zone": two_boxes(1, 2, np.int32)}), at("in.vti"))
+    result = sculptor(path, at("out.vtu"))
+    assert result.returncode == 0 and result.stderr == (
+        "sculptor: warning: Not used: 'zone' (integers from 0 to 2). --fractions or --labels "
+        "selects arrays.\n"), result
+    assert sculptor(path, at("out.vtu"), "--fractions", "steel").stderr == ""
+
+
+@in_folder
 def test_bytes_between(at):
     """Bytes up to 127 that are no masks are rejected as fractions."""
     values = {"a": two_boxes(3, 0, np.uint8), "b": two_boxes(0, 29, np.uint8)}
@@ -244,6 +265,26 @@ def test_grey_values(at):
 
 
 @in_folder
+def test_grey_bytes(at):
+    """Bytes up to 255 of which most are neither 0 nor 255 are no fractions of 255."""
+    values = grey(n=16)
+    values[0, 0, 0] = 255
+    path = write(unit_image({"scan": values}), at("in.vti"))
+    for ranks in (1, 3):
+        refused(3, "Cannot mesh %s: The array 'scan' looks like grey values or labels, not volume "
+                "fractions of 255: " % path, path, at("out.vtu"), ranks=ranks)
+        result = sculptor(path, at("out.vtu"), "--fractions", "scan", "--stairstep", ranks=ranks)
+        assert result.returncode == 0 and "looks like grey values" in result.stderr, result
+    regions = np.kron(np.array([10, 40, 80, 120, 160, 200, 230, 255]).reshape(2, 2, 2),
+                      np.ones((5, 5, 5))).astype(np.uint8)
+    path = write(unit_image({"tissue": regions}), at("in.vti"))
+    refused(3, "7 different values, and 87.5 % of the cells are neither 0 nor 255", path,
+            at("out.vtu"))
+    path = write(unit_image({"vf_scan": values}), at("in.vti"))
+    assert sculptor(path, at("out.vtu"), "--stairstep").stderr == ""
+
+
+@in_folder
 def test_threshold(at):
     values = grey()
     for of_points in (False, True):
@@ -272,6 +313,20 @@ def test_threshold(at):
     refused(2, "Threshold takes one array, and there are several: 'a'", path, at("o.vtu"),
             "--threshold", "128")
     assert contents(path, "--threshold", "128", "--labels", "b", at=at)
+
+
+@in_folder
+def test_threshold_of_negative_integers(at):
+    """Integers of NumPy below 0 are values of an image, as real numbers are."""
+    values = np.where(ball() > 0, 300, -196)
+    for dtype in ("<i2", ">i4", "<i8", "<f4"):
+        np.save(at("in.npy"), values.astype(dtype))
+        found = contents(at("in.npy"), "--threshold", "100", at=at)
+        assert found == {"1 Material 1": (1584, 912)}, found
+        found = contents(at("in.npy"), "--threshold", ":-10", at=at, ranks=[1])
+        assert found["1 Material 1"][1] == 4096 - 912, found
+    np.save(at("in.npy"), values.astype(np.int16))
+    refused(2, "the label of cell (0, 0, 0) is -196", at("in.npy"), at("o.vtu"))
 
 
 @in_folder
@@ -309,6 +364,23 @@ def test_sums_above_one(at):
     assert result.returncode == 0 and "3 cells sum to slightly more than 1" in result.stderr, result
     path = write(unit_image({"a": first, "b": first}), at("in.vti"))
     refused(3, "Choose arrays of separate materials.", path, at("o.vtu"), ranks=2)
+
+
+@in_folder
+def test_values_slightly_outside(at):
+    """The message names the tolerance that accepts all values."""
+    whole = np.zeros((16, 16, 16))
+    whole[:8], whole[8] = 1, 0.5
+    whole[1, 2, 3], whole[9, 3, 2] = 1.0009, -0.0018
+    path = write(unit_image({"vf_a": whole, "vf_b": 1 - np.clip(whole, 0, 1)}), at("in.vti"))
+    for ranks in (1, 3):
+        for words in ([], ["--fractions", "vf_a"]):
+            refused(3, "'vf_a' holds 1.0009 in cell (3, 2, 1): volume fractions lie in [0, 1]. "
+                    "FractionTolerance 0.0019 (--clip 0.0019) clips all values", path, at("o.vtu"),
+                    *words, ranks=ranks)
+    assert sculptor(path, at("o.vtu"), "--clip", "0.0019").returncode == 0
+    path = write(unit_image({"a": whole}), at("in.vti"))
+    refused(2, "FractionTolerance 0.0019 (--clip 0.0019)", path, at("o.vtu"))
 
 
 @in_folder
