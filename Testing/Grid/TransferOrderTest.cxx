@@ -64,7 +64,7 @@ struct Errors
 };
 using ComponentErrors = std::array<Errors, SmoothComponents>;
 
-ComponentErrors CompareWithField(const Mesh& mesh, const ElementShapes& shapes,
+ComponentErrors CompareWithField(const Mesh& mesh, const MeasuredShapes& shapes,
   const TransferredState& state, const StateFunction& function, double farFromInterface)
 {
   ComponentErrors errors;

@@ -168,13 +168,13 @@ Mesh MakeMesh(const CartesianGrid& grid, const FractionField& fractions, Element
     grid, fractions, options, runtime, report);
 }
 
-ElementShapes MeasureElements(const Mesh& mesh, const CartesianGrid& grid)
+MeasuredShapes MeasureElements(const Mesh& mesh, const CartesianGrid& grid)
 {
   std::vector<Index> elements(mesh.Material.size());
   std::iota(elements.begin(), elements.end(), 0);
   Runtime runtime;
   const Overlaps overlaps = FindOverlaps(mesh, elements, grid, runtime);
-  ElementShapes shapes;
+  MeasuredShapes shapes;
   for (Index e : elements)
   {
     double volume = 0.0;

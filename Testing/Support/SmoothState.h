@@ -56,12 +56,12 @@ enum class Elements
 Mesh MakeMesh(const CartesianGrid& grid, const FractionField& fractions, Elements elements);
 
 /// Volumes and centroids of elements, computed from overlaps with the cells.
-struct ElementShapes
+struct MeasuredShapes
 {
   std::vector<double> Volumes;
   std::vector<Vector3> Centroids;
 };
-ElementShapes MeasureElements(const Mesh& mesh, const CartesianGrid& grid);
+MeasuredShapes MeasureElements(const Mesh& mesh, const CartesianGrid& grid);
 
 } // namespace testing
 } // namespace vfm
