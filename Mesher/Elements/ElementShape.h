@@ -15,7 +15,7 @@ struct ElementShape
   const char* Plural; ///< name in messages
 };
 
-constexpr ElementShape KindsOfElements[] = {
+constexpr ElementShape ElementShapes[] = {
   { 4, 0, 4, 6, 3, 10, "tetrahedra" },  // VTK_TETRA
   { 4, 6, 4, 6, 3, 24, "tetrahedra" },  // VTK_QUADRATIC_TETRA
   { 8, 0, 6, 12, 4, 12, "hexahedra" },  // VTK_HEXAHEDRON
@@ -26,7 +26,7 @@ constexpr ElementShape KindsOfElements[] = {
 /// Returns the kind of elements with these numbers of corners, 8 or 4, and mid nodes.
 constexpr const ElementShape& ShapeOf(int corners, int mids = 0)
 {
-  return KindsOfElements[corners == 4 ? (mids == 0 ? 0 : 1) : mids == 0 ? 2 : mids == 12 ? 3 : 4];
+  return ElementShapes[corners == 4 ? (mids == 0 ? 0 : 1) : mids == 0 ? 2 : mids == 12 ? 3 : 4];
 }
 
 /// Returns whether elements with this number of corners, 8 or 4, are hexahedra.
