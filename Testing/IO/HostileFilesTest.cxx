@@ -42,6 +42,14 @@ std::string FindMessage(const Work& work)
   }
 }
 
+/// Returns a request for an image of a file that holds several.
+ImageRequest VolumeOf(int number)
+{
+  ImageRequest request;
+  request.Volume = number;
+  return request;
+}
+
 /// Returns the values of an image of 2 x 2 x 2 voxels.
 std::vector<int> ReadValues(const std::string& path, const ImageRequest& request = {})
 {
@@ -228,9 +236,9 @@ TEST(HostileFiles, SegmentsOfSlicer)
   save(names, apart);
   EXPECT_EQ(ReadValues(path), (std::vector<int>{ 1, 2, 0, 0, 0, 0, 0, 0 }));
   EXPECT_EQ(OpenImageFile(path).Names, (LabelNames{ { 1, "liver" }, { 2, "left kidney" } }));
-  EXPECT_EQ(ReadValues(path, { "", 1, {} }), (std::vector<int>{ 0, 1, 0, 0, 0, 0, 0, 0 }));
+  EXPECT_EQ(ReadValues(path, VolumeOf(1)), (std::vector<int>{ 0, 1, 0, 0, 0, 0, 0, 0 }));
   ExpectProblem(save(names, overlap), "its segments 'liver' and 'left kidney' overlap");
-  EXPECT_EQ(ReadValues(path, { "", 1, {} }), (std::vector<int>{ 1, 0, 0, 0, 0, 0, 0, 0 }));
+  EXPECT_EQ(ReadValues(path, VolumeOf(1)), (std::vector<int>{ 1, 0, 0, 0, 0, 0, 0, 0 }));
   ExpectProblem(save("", apart), "it holds 2 images (layers)");
   apart[3] = 0;
   apart[9] = 1; // the second layer follows the first
@@ -240,7 +248,7 @@ TEST(HostileFiles, SegmentsOfSlicer)
   EXPECT_EQ(row.Bytes.size(), 2 * sizeof(int));
   EXPECT_EQ(row.Bytes[0], 2);
   EXPECT_EQ(OpenImageFile(path).Names, (LabelNames{ { 1, "liver" }, { 2, "left kidney" } }));
-  EXPECT_EQ(ReadValues(path, { "", 1, {} }), (std::vector<int>{ 0, 1, 0, 0, 0, 0, 0, 0 }));
+  EXPECT_EQ(ReadValues(path, VolumeOf(1)), (std::vector<int>{ 0, 1, 0, 0, 0, 0, 0, 0 }));
 }
 
 TEST(HostileFiles, LinksOfContainers)
