@@ -111,14 +111,15 @@ bool ChooseNamedFractions(const Candidates& known, const Candidates& arrays, Mat
 }
 
 /// Returns the masks of integers that are materials next to fractions: not those with a name of
-/// labels, and not those of 0 only next to fractions that are no masks.
+/// labels, not those of 1 only, which would fill every cell twice, and not those of 0 only next to
+/// fractions that are no masks.
 Candidates FindOwnMasks(const Candidates& integers, bool areMasks)
 {
   return Select(integers,
     [areMasks](const Candidate& array)
     {
       return IsMask(array) && FindLabelsRank(array.Array.Name) < 0 &&
-        (areMasks || array.Array.Most > LabelTolerance);
+        array.Array.Least < LabelTolerance && (areMasks || array.Array.Most > LabelTolerance);
     });
 }
 

@@ -181,6 +181,7 @@ TEST(ChooseMaterials, MasksOfAllTypesAreMaterialsTogether)
   ExpectFractions(Choose({ real, none, whole }), { "skin", "none", "spleen" }, true);
   ExpectFractions(Choose({ full, whole }), { "lung", "spleen" }, true);
   ExpectFractions(Choose({ whole, Ball, none }), { "spleen", "ball" }, false);
+  ExpectFractions(Choose({ Make("count", Int, 1.0, 1.0), Ball }), { "ball" }, false);
   ExpectFractions(Choose({ Make(LabelsName, Int, 0.0, 1.0), Ball }), { "ball" }, false);
   ExpectProblem(Choose({ Make("damage", Int, 0.0, 1.0), Ball }), { "Labels 'damage'", "'ball'" });
   ExpectProblem(Choose({ Make("phase", Int, 0.0, 1.0), Ball }), { "Labels 'phase'", "'ball'" });
