@@ -81,9 +81,10 @@ std::string WarnOfNearFractions(const std::vector<ArrayInfo>& arrays, const Choi
   return text.str();
 }
 
+/// Returns whether an array can hold a material; an array of one value is of no interest.
 bool CanBeMaterial(const ArrayInfo& array, ArrayContent content)
 {
-  return array.Most > LabelTolerance &&
+  return array.Most > LabelTolerance && array.Least < array.Most &&
     (content == ArrayContent::Fraction || content == ArrayContent::Mask ||
       content == ArrayContent::Labels);
 }
