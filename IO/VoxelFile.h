@@ -39,7 +39,7 @@ struct VoxelFile
   Index3 Cells{}; ///< number of cells along x, y and z; 0 if unknown
   /// Axes (0 x, 1 y, 2 z) of the values in the file, from the slowest to the fastest.
   std::array<int, 3> Axes{ { 0, 1, 2 } };
-  bool AreAnyNumbers = false; ///< negative integers are accepted: values, not labels
+  bool AreAnyNumbers = false;       ///< negative integers are accepted: values, not labels
   std::optional<NumPyHeader> NumPy; ///< header of a .npy file; empty for text
   /// Returns whether the values are volume fractions; otherwise they are labels.
   bool IsFractions() const { return this->NumPy && this->NumPy->Kind == 'f'; }

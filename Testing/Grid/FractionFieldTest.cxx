@@ -112,7 +112,7 @@ TEST(FractionField, ClipsWithinTheTolerance)
   reader.Values[{ 1, { { 1, 0, 0 } } }] = 0.6;
   reader.Values[{ 2, { { 1, 0, 0 } } }] = 0.41;
   reader.Values[{ 1, { { 2, 0, 0 } } }] = 1.0 + 1e-7; // rounding error
-  EXPECT_NE(ErrorOf(reader).find("FractionTolerance"), std::string::npos);
+  EXPECT_NE(ErrorOf(reader).find("lie in [0, 1]"), std::string::npos);
   reader.Allowed = 0.0100001;
   const CartesianGrid grid = UnitGrid(3);
   const FractionField field = FractionField::FromReader(grid, 2, reader);

@@ -87,7 +87,7 @@ test_pkg_config() {
 }
 
 mkdir missing
-echo 'find_package(VolumeFractionMesh REQUIRED COMPONENTS Grid Rainbow)' > missing/CMakeLists.txt
+echo 'find_package(VolumeFractionMesh REQUIRED COMPONENTS Mesher Rainbow)' > missing/CMakeLists.txt
 ! cmake -S missing -B missing/build "-DCMAKE_PREFIX_PATH=$build" > missing/log 2>&1 || { echo "Rainbow was found"; exit 1; }
 expect "no component Rainbow" missing/log
 
