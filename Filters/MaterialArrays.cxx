@@ -82,10 +82,9 @@ std::string DescribeLost(const std::vector<ArrayInfo>& arrays)
   const std::vector<ContentOfArray> contents = FindContents(arrays, {});
   for (std::size_t a = 0; a < arrays.size(); ++a)
   {
-    const ArrayContent content = contents[a].Content;
-    const bool isMaterial = content == ArrayContent::Fraction || content == ArrayContent::Mask ||
-      content == ArrayContent::Labels;
-    text += isMaterial ? " '" + arrays[a].Name + "' is missing in some blocks." : "";
+    text += CanBeMaterial(contents[a].Content)
+      ? " '" + arrays[a].Name + "' is missing in some blocks."
+      : "";
   }
   return text;
 }

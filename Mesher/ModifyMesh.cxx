@@ -89,21 +89,16 @@ void CheckElementIds(const MeshData& mesh, Ranks& ranks)
     });
 }
 
-/// Returns the pairs of materials in an option, or nothing if it is empty.
-std::optional<MaterialPairs> ReadPairs(const std::string& option, const std::string& text,
-  const std::vector<int>& labels, const MeshData& mesh)
+/// Returns the names of materials by label.
+std::map<int, std::string> NamesOf(const std::vector<int>& labels, const MeshData& mesh)
 {
-  if (text.empty())
-  {
-    return std::nullopt;
-  }
   const std::map<int, std::string> known = NamesOfMaterials(mesh);
   std::map<int, std::string> names = known;
   for (int label : labels)
   {
     names[label] = NameOfMaterial(known, label);
   }
-  return MaterialPairs(option, text, names);
+  return names;
 }
 
 /// Replaces the fields that layers change, and lists such columns of the table of materials.
@@ -236,8 +231,9 @@ ModifiedMesh ModifyMesh(ModifyInput input, const MesherOptions& given, Runtime& 
   WorkTogether(ranks,
     [&]
     {
-      split = ReadPairs("SplitInterfaces", options.SplitInterfaces, labels, data);
-      layers = ReadPairs("LayerInterfaces", options.LayerInterfaces, labels, data);
+      const std::map<int, std::string> names = NamesOf(labels, data);
+      split = ReadPairs("SplitInterfaces", options.SplitInterfaces, names);
+      layers = ReadPairs("LayerInterfaces", options.LayerInterfaces, names);
     });
   result.TheMesh = MakeMeshOf(data, labels, ranks);
   SetGeometry(labels, std::move(input.Surfaces), std::move(input.Curves), result.TheMesh);

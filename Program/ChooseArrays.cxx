@@ -81,12 +81,11 @@ std::string WarnOfNearFractions(const std::vector<ArrayInfo>& arrays, const Choi
   return text.str();
 }
 
-/// Returns whether an array can hold a material; an array of one value is of no interest.
-bool CanBeMaterial(const ArrayInfo& array, ArrayContent content)
+/// Returns whether a user may miss an array among the materials; one of a single value is of no
+/// interest.
+bool IsOfInterest(const ArrayInfo& array, ArrayContent content)
 {
-  return array.Most > LabelTolerance && array.Least < array.Most &&
-    (content == ArrayContent::Fraction || content == ArrayContent::Mask ||
-      content == ArrayContent::Labels);
+  return array.Most > LabelTolerance && array.Least < array.Most && CanBeMaterial(content);
 }
 
 /// Returns a warning that lists arrays that can hold materials beside those that are chosen by
@@ -98,7 +97,7 @@ std::string WarnOfUnused(
   for (std::size_t a = 0; a < arrays.size(); ++a)
   {
     const std::string& name = arrays[a].Name;
-    if (CanBeMaterial(arrays[a], choice.Contents[a].Content) && name != choice.Labels &&
+    if (IsOfInterest(arrays[a], choice.Contents[a].Content) && name != choice.Labels &&
       !Lists(choice.Fractions, name) && !Lists(rules.Others, name))
     {
       texts.push_back("'" + name + "' (" + choice.Contents[a].Reason + ")");

@@ -39,8 +39,7 @@ void CheckPoints(const std::vector<Vector3>& points, const Triangles& triangles)
       {
         throw InputError("The point " + std::to_string(p) +
           " of the surface has a coordinate beyond 1e60. Scale the coordinates: use another unit "
-          "of "
-          "length.");
+          "of length.");
       }
     }
   }

@@ -52,17 +52,16 @@ void CheckCount(std::int64_t found, std::int64_t required, const char* unit)
   }
 }
 
-/// Returns the place of the text of an element: after the first '>', as VTK finds it.
-std::int64_t FindText(const Job& job)
+/// Opens the text of an element: it begins after the first '>', as VTK finds it.
+std::ifstream OpenText(const Job& job)
 {
   std::ifstream stream(job.Storage.Path, std::ios::binary);
   stream.seekg(job.Array.Place);
-  std::int64_t place = job.Array.Place;
-  for (int c = 0; c != '>' && c != std::ifstream::traits_type::eof(); ++place)
+  for (int c = 0; c != '>' && c != std::ifstream::traits_type::eof();)
   {
     c = stream.get();
   }
-  return place;
+  return stream;
 }
 
 /// Reads the next word of a text that ends with '<'.
@@ -84,8 +83,7 @@ std::string ReadWord(std::streambuf& text)
 
 void CheckText(const Job& job)
 {
-  std::ifstream stream(job.Storage.Path, std::ios::binary);
-  stream.seekg(FindText(job));
+  const std::ifstream stream = OpenText(job);
   std::int64_t found = 0;
   for (std::string word = ReadWord(*stream.rdbuf()); !word.empty();
        word = ReadWord(*stream.rdbuf()))
@@ -182,7 +180,8 @@ void ReadPlain(const Job& job, StoredBytes& stored, std::int64_t bytes, const Ta
 
 void CheckBytes(const Job& job, bool isInline)
 {
-  StoredBytes stored(job.Storage.Path, isInline ? FindText(job) : FindAppended(job),
+  StoredBytes stored(job.Storage.Path,
+    isInline ? std::int64_t(OpenText(job).tellg()) : FindAppended(job),
     isInline || job.Storage.Encoding == "base64");
   ValueDecoder decoder(job);
   const TakeBytes take = std::ref(decoder);

@@ -51,6 +51,15 @@ std::vector<Index> CountCells(const CartesianGrid& grid, const FractionField& fi
   return cells;
 }
 
+/// Returns the begin of a sentence on some of all cells.
+std::string Describe(Index values, Index some, Index all)
+{
+  char share[32];
+  std::snprintf(
+    share, sizeof(share), "%.3g", 100.0 * static_cast<double>(some) / static_cast<double>(all));
+  return std::to_string(values) + " different values, and " + share + " % of the cells ";
+}
+
 } // namespace
 
 std::string DescribeGreyLabels(const LevelFields& fields, Ranks& ranks)
@@ -76,11 +85,7 @@ std::string DescribeGreyLabels(const LevelFields& fields, Ranks& ranks)
   {
     return "";
   }
-  char share[32];
-  std::snprintf(
-    share, sizeof(share), "%.3g", 100.0 * static_cast<double>(busy) / static_cast<double>(all));
-  return std::to_string(labels) + " different values, and " + share +
-    " % of the cells have another value beside them";
+  return Describe(labels, busy, all) + "have another value beside them";
 }
 
 std::string DescribeGreyFractions(const LevelFields& fields, Ranks& ranks)
@@ -99,19 +104,15 @@ std::string DescribeGreyFractions(const LevelFields& fields, Ranks& ranks)
       }
     });
   ranks.Sum(cells);
-  const auto all = static_cast<double>(cells[Values]);
+  const Index all = cells[Values];
   cells.pop_back();
   const Index values = Values - std::count(cells.begin(), cells.end(), 0);
-  const double share =
-    static_cast<double>(std::accumulate(cells.begin(), cells.end(), Index(0))) / all;
-  if (values < LeastBytes || !(share > GreyCells))
+  const Index grey = std::accumulate(cells.begin(), cells.end(), Index(0));
+  if (values < LeastBytes || !(static_cast<double>(grey) > GreyCells * static_cast<double>(all)))
   {
     return "";
   }
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.3g", 100.0 * share);
-  return std::to_string(values) + " different values, and " + text +
-    " % of the cells are neither 0 nor 255";
+  return Describe(values, grey, all) + "are neither 0 nor 255";
 }
 
 } // namespace vfm

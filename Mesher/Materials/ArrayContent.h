@@ -37,6 +37,13 @@ struct ContentRules
   bool IsImage = false;    ///< bytes are labels, as in image files, not fractions of 255
 };
 
+/// Returns whether an array of a content can hold materials.
+constexpr bool CanBeMaterial(ArrayContent content)
+{
+  return content == ArrayContent::Fraction || content == ArrayContent::Mask ||
+    content == ArrayContent::Labels;
+}
+
 /// Returns whether an array has one integer per cell.
 bool IsWhole(const ArrayInfo& array);
 

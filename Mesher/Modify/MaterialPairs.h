@@ -5,6 +5,7 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,5 +34,13 @@ private:
 
   std::vector<Pair> Pairs;
 };
+
+/// Returns the pairs of materials in an option, or nothing if its text is empty.
+inline std::optional<MaterialPairs> ReadPairs(
+  const std::string& option, const std::string& text, const std::map<int, std::string>& names)
+{
+  return text.empty() ? std::nullopt
+                      : std::optional<MaterialPairs>(MaterialPairs(option, text, names));
+}
 
 } // namespace vfm

@@ -50,12 +50,10 @@ public:
   virtual void AfterRamp(const MeshCells&, MeshRun&, Draft&) {}
   /// Undoes StartMoves; the active mesh stays.
   virtual void RestoreDraft(const MeshCells& cells, MeshRun& run, Draft& draft) = 0;
-  /// Frees the active mesh.
+  /// Frees the active mesh. Then moves points that are far from interfaces, if the method needs
+  /// that.
   virtual void EndMoves(MeshRun& run, Draft& draft) = 0;
 
-  /// Moves points that are far from interfaces, if the method needs that.
-  /// @param moved  whether each point may have been moved
-  virtual void Complete(const std::vector<unsigned char>& moved, MeshRun&, Draft&) { (void)moved; }
   /// Replaces the elements of a mesh with geometry, within its surfaces.
   /// @param mesh  has only the elements that this rank owns
   virtual void Refill(const MeshCells&, MeshRun&, Mesh& mesh) { (void)mesh; }

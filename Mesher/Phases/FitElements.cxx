@@ -202,9 +202,7 @@ void FitElements(const MeshCells& cells, ElementMethod& method, MeshRun& run, Dr
   }
   active.CopyTo(mesh, cells.Grid);
   draft.Kinds = active.OfMesh(kinds, mesh);
-  const std::vector<unsigned char> moved = active.ListMoved(mesh);
   method.EndMoves(run, draft);
-  method.Complete(moved, run, draft);
 }
 
 } // namespace vfm

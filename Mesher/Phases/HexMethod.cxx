@@ -147,19 +147,18 @@ void HexMethod::RestoreDraft(const MeshCells&, MeshRun&, Draft& draft)
   }
 }
 
+/// Smooths the transitions between levels, where no interface has moved points.
 void HexMethod::EndMoves(MeshRun& run, Draft& draft)
 {
+  const bool hasLevels = !draft.Elements.Levels->IsUniform();
+  const std::vector<unsigned char> moved =
+    hasLevels ? this->Active.ListMoved(draft.Elements) : std::vector<unsigned char>();
   const std::vector<int> elements = std::move(this->Active.Elements);
   const std::vector<Index> meshPoints = std::move(this->Active.MeshPoint);
   this->Active = ActiveMesh();
   this->Corners->Restore(elements, meshPoints, run.TheRuntime, draft.Elements);
   this->Corners.reset();
-}
-
-/// Smooths the transitions between levels.
-void HexMethod::Complete(const std::vector<unsigned char>& moved, MeshRun& run, Draft& draft)
-{
-  if (!draft.Elements.Levels->IsUniform())
+  if (hasLevels)
   {
     run.Clock.Start("Smoothing transitions", 0.9);
     ReleaseFreeMemory();

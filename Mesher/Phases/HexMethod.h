@@ -30,7 +30,6 @@ public:
     Draft& draft) override;
   void RestoreDraft(const MeshCells& cells, MeshRun& run, Draft& draft) override;
   void EndMoves(MeshRun& run, Draft& draft) override;
-  void Complete(const std::vector<unsigned char>& moved, MeshRun& run, Draft& draft) override;
 
 private:
   /// Lists of the draft that nothing reads while points move.

@@ -141,20 +141,15 @@ std::vector<BlockPlace> FindOwners(
                                 : DistributeCells(levels, cells, setup, job.Run.Group());
 }
 
-/// Returns the pairs of materials in an option, or nothing if it is empty.
-std::optional<MaterialPairs> ReadPairs(
-  const std::string& option, const std::string& text, const Materials& table)
+/// Returns the names of materials by id.
+std::map<int, std::string> NamesOf(const Materials& table)
 {
-  if (text.empty())
-  {
-    return std::nullopt;
-  }
   std::map<int, std::string> names;
   for (std::size_t m = 0; m < table.Names.size(); ++m)
   {
     names[table.Labels[m]] = table.Names[m];
   }
-  return MaterialPairs(option, text, names);
+  return names;
 }
 
 } // namespace
@@ -181,8 +176,9 @@ std::unique_ptr<Cells> ReadCells(const MesherJob& job)
   CheckGreyFractions(job, cells->Fields);
   Materials& table = cells->Fields.Field.Table;
   NameLabels(arrays.Names, table);
-  cells->SplitPairs = ReadPairs("SplitInterfaces", options.SplitInterfaces, table);
-  cells->LayerPairs = ReadPairs("LayerInterfaces", options.LayerInterfaces, table);
+  const std::map<int, std::string> names = NamesOf(table);
+  cells->SplitPairs = ReadPairs("SplitInterfaces", options.SplitInterfaces, names);
+  cells->LayerPairs = ReadPairs("LayerInterfaces", options.LayerInterfaces, names);
   cells->State = StoreState(levels, cells->Source, arrays.State, states, cells->Fields,
     cells->Setup, options, cells->Owners, job.Run);
   return cells;

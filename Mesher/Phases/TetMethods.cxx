@@ -64,9 +64,11 @@ TetMethodBase::TetMethodBase(const MeshCells& cells) :
 /// Makes the tets of coarse cells. Refines more families until all tets start with positive
 /// volumes.
 std::unique_ptr<const CoarseTets> TetMethodBase::MakeCoarse(
-  const MeshCells& cells, const std::vector<Index>& crossed, MeshRun& run, LevelHexes& levels)
+  const MeshCells& cells, MeshRun& run, LevelHexes& levels)
 {
   LevelPlan plan = cells.Options.Levels;
+  const std::vector<Index> crossed =
+    plan.Refinements > 0 ? this->FindCrossedNodes(cells) : std::vector<Index>();
   for (;; ++run.Report.LevelRounds)
   {
     MakeLevels(cells.Grid, this->Labels, crossed, { cells.Options.MeshVoid, true, true }, plan,
@@ -85,10 +87,9 @@ Draft TetMethodBase::Make(const MeshCells& cells, MeshRun& run)
   this->Labels = ResolveCells(cells, false, run);
   run.Clock.Start("Making tetrahedra", 0.1);
   this->Mixed = FindMixedNodes(cells.Grid, this->Labels);
-  const std::vector<Index> crossed = this->FindCrossedNodes(cells, run);
+  this->StartTets(cells, run);
   LevelHexes levels;
-  const std::unique_ptr<const CoarseTets> coarse = this->MakeCoarse(
-    cells, cells.Options.Levels.Refinements > 0 ? crossed : std::vector<Index>(), run, levels);
+  const std::unique_ptr<const CoarseTets> coarse = this->MakeCoarse(cells, run, levels);
   const NarrowVoid narrow =
     FindBarrier(cells.Options, *levels.Grid, this->Labels, this->Mixed, run.TheRuntime);
   run.Report.NarrowVoidCells = SumOverRanks(narrow.CountOwned(), run.Group());
@@ -153,10 +154,14 @@ void TetMethodBase::EndMoves(MeshRun&, Draft&)
   this->Active = ActiveTets();
 }
 
-std::vector<Index> LatticeMethod::FindCrossedNodes(const MeshCells& cells, MeshRun& run)
+void LatticeMethod::StartTets(const MeshCells& cells, MeshRun& run)
 {
   this->Nodes.emplace(
     cells.Grid, cells.Fractions, this->Labels, cells.Options.IsoValue, run.Parts, run.TheRuntime);
+}
+
+std::vector<Index> LatticeMethod::FindCrossedNodes(const MeshCells& cells) const
+{
   return FindLatticeInterfaces(cells.Grid, *this->Nodes);
 }
 
@@ -182,7 +187,7 @@ FragmentVolumes LatticeMethod::FindFragments(
   return volumes;
 }
 
-std::vector<Index> CellsMethod::FindCrossedNodes(const MeshCells&, MeshRun&)
+std::vector<Index> CellsMethod::FindCrossedNodes(const MeshCells&) const
 {
   return this->Mixed;
 }

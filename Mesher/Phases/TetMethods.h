@@ -37,8 +37,10 @@ public:
   void EndMoves(MeshRun& run, Draft& draft) override;
 
 protected:
+  /// Makes what the functions below need besides the labels.
+  virtual void StartTets(const MeshCells&, MeshRun&) {}
   /// Returns the nodes around which all cells must be finest ones, ascending.
-  virtual std::vector<Index> FindCrossedNodes(const MeshCells& cells, MeshRun& run) = 0;
+  virtual std::vector<Index> FindCrossedNodes(const MeshCells& cells) const = 0;
   /// Makes the tets, and sets Faces.
   /// @param narrow  void cells that get tets as a barrier
   virtual TetTopology BuildTets(
@@ -57,7 +59,7 @@ protected:
 
 private:
   std::unique_ptr<const CoarseTets> MakeCoarse(
-    const MeshCells& cells, const std::vector<Index>& crossed, MeshRun& run, LevelHexes& levels);
+    const MeshCells& cells, MeshRun& run, LevelHexes& levels);
 };
 
 /// Tets of the method Lattice, cut where the labels of lattice nodes differ.
@@ -67,7 +69,8 @@ public:
   using TetMethodBase::TetMethodBase;
 
 private:
-  std::vector<Index> FindCrossedNodes(const MeshCells& cells, MeshRun& run) override;
+  void StartTets(const MeshCells& cells, MeshRun& run) override;
+  std::vector<Index> FindCrossedNodes(const MeshCells& cells) const override;
   TetTopology BuildTets(const MeshCells& cells, const NarrowVoid& narrow, const CoarseTets& coarse,
     MeshRun& run) override;
   FragmentVolumes FindFragments(
@@ -93,7 +96,7 @@ public:
   void Refill(const MeshCells& cells, MeshRun& run, Mesh& mesh) override;
 
 private:
-  std::vector<Index> FindCrossedNodes(const MeshCells& cells, MeshRun& run) override;
+  std::vector<Index> FindCrossedNodes(const MeshCells& cells) const override;
   TetTopology BuildTets(const MeshCells& cells, const NarrowVoid& narrow, const CoarseTets& coarse,
     MeshRun& run) override;
   FragmentVolumes FindFragments(
