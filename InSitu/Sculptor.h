@@ -382,11 +382,7 @@ extern "C"
    * @{ */
 
   /**
-   * Writes the mesh of all ranks. The suffix selects the format: .vtu, .pvtu, Exodus (.e, .exo,
-   * .ex2), Abaqus and CalculiX (.inp), LS-DYNA (.k, .key), OpenRadioss (.rad), Nastran (.bdf,
-   * .nas), Gmsh (.msh, version 2.2 as text), XDMF (.xdmf), OpenFOAM (.foam, its folder is the
-   * case; several ranks write a decomposed case), STL (.stl, only the closed surfaces of the
-   * materials: one solid each, or with {} in the name of the file one file each).
+   * Writes the mesh of all ranks, files of Gmsh as text. The suffix selects the format:
    * @param path  path of the file, equal on all ranks
    * @return SCULPTOR_ERROR_NO_MESH without a mesh, SCULPTOR_ERROR_ARGUMENT if the path is null or
    *   the suffix unknown, SCULPTOR_ERROR_FILE if the file cannot be written

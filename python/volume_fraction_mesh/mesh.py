@@ -560,17 +560,11 @@ class Mesh:
 
         The package itself writes
 
-        - ``.vtu`` (ParaView), ``.e``, ``.ex2``, ``.exo`` (Exodus with named blocks, side sets, node
-          sets, ids and variables), ``.inp`` (Abaqus, CalculiX), ``.k`` and ``.key`` (LS-DYNA),
-          ``.rad`` (OpenRadioss), ``.bdf`` and ``.nas`` (Nastran), ``.msh`` (Gmsh, with physical
-          groups of materials, domain sides and interfaces) and ``.foam`` (OpenFOAM: the folder of
-          the file is the case, with ``constant/polyMesh``), byte for byte like the ParaView
-          plugin;
-        - ``.xdmf`` (dolfinx), with a second file ``NAME_facets.xdmf`` for the tags of facets;
-        - ``.stl``, closed surfaces of materials as solids; with ``{}`` in the name one file each;
-        - ``.npz``, the whole mesh for `load`;
-        - ``.vtk``, legacy format 4.2, with the array ``material`` first: the void has the number
+        - ``.npz``: the whole mesh for `load`;
+        - ``.vtk``: legacy format 4.2, with the array ``material`` first: the void has the number
           after the greatest.
+
+        Files are equal byte for byte to those of the ParaView plugin and of ``sculptor``.
 
         PyVista writes ``.vtp`` with the surfaces. meshio writes other formats that hold the mesh,
         such as ``.med``. A file appears when it is complete.
