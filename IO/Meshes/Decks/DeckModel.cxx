@@ -1,10 +1,10 @@
 #include "Meshes/Decks/DeckModel.h"
 
+#include "Base/ParseText.h"
 #include "Meshes/Files/WriteWhole.h"
 #include "Ranks/Errors.h"
 
 #include <algorithm>
-#include <cctype>
 
 namespace vfm
 {
@@ -14,10 +14,7 @@ namespace
 /// Returns whether the name of an array contains a word, in any case.
 bool HasWord(const MeshArray& array, const char* word)
 {
-  std::string name = array.Name;
-  std::transform(
-    name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
-  return name.find(word) != std::string::npos;
+  return ToLower(array.Name).find(word) != std::string::npos;
 }
 
 bool IsDensity(const MeshArray& array)

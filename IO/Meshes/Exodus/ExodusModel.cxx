@@ -1,10 +1,10 @@
 #include "Meshes/Exodus/ExodusModel.h"
 
+#include "Base/ParseText.h"
 #include "Ranks/Agreement.h"
 #include "Report/GatherMesh.h"
 
 #include <algorithm>
-#include <cctype>
 #include <functional>
 #include <limits>
 #include <set>
@@ -17,13 +17,6 @@ namespace
 constexpr std::size_t MaximumLetters = 255;   // limit of the Exodus library for names
 constexpr double LargestArray = 4294967292.0; // bytes; limit of netCDF with 64-bit offsets
 constexpr Index LargestPlainId = std::numeric_limits<std::int32_t>::max();
-
-std::string ToLower(std::string text)
-{
-  std::transform(text.begin(), text.end(), text.begin(),
-    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return text;
-}
 
 /// Appends the id to names that are too long or exist already. Readers (IOSS) ignore case.
 template <class Items>
