@@ -32,7 +32,7 @@ struct DeckModel : MeshModel
 {
   const MeshData& Mesh; ///< whole mesh; must outlive this object
   DeckState State;
-  SplitConnection Connection;        ///< of both sides of split interfaces
+  ConnectionKind Connection;         ///< of both sides of split interfaces
   std::vector<SplitFace> SplitFaces; ///< faces at which interfaces were split
 };
 
