@@ -560,6 +560,21 @@ class Mesh:
 
         The package itself writes
 
+        - ``.vtu`` (VTK): all arrays and field data;
+        - ``.e``, ``.ex2``, ``.exo`` (Exodus): named blocks, side sets, node sets, ids and
+          variables;
+        - ``.inp`` (Abaqus and CalculiX): sets of elements and nodes, surfaces; velocities of nodes
+          as initial conditions;
+        - ``.k``, ``.key`` (LS-DYNA): parts, sets of nodes and segments, velocities, stresses;
+        - ``.rad`` (OpenRadioss): parts, groups of nodes, surfaces, velocities, state of elements;
+        - ``.bdf``, ``.nas`` (Nastran): properties, sets of nodes, a unit pressure on each surface;
+        - ``.msh`` (Gmsh): version 2.2 or 4.1, text or binary: named volumes, domain sides and
+          interfaces;
+        - ``.xdmf`` (XDMF): for dolfinx: materials, and a second file of tagged facets,
+          FILE_facets.xdmf;
+        - ``.foam`` (OpenFOAM): the folder of the file is a case with patches and zones;
+        - ``.stl`` (STL): only the closed surface of each material; with {} in the name one file per
+          material, as in bones_{}.stl;
         - ``.npz``: the whole mesh for `load`;
         - ``.vtk``: legacy format 4.2, with the array ``material`` first: the void has the number
           after the greatest.
