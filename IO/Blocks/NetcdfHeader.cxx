@@ -202,13 +202,6 @@ Index WidthOf(NetcdfType type)
   return widths[static_cast<int>(type)];
 }
 
-const NetcdfVariable* NetcdfHeader::Find(const std::string& name) const
-{
-  const auto found = std::find_if(this->Variables.begin(), this->Variables.end(),
-    [&name](const NetcdfVariable& variable) { return variable.Name == name; });
-  return found == this->Variables.end() ? nullptr : &*found;
-}
-
 std::optional<NetcdfHeader> ReadNetcdfHeader(const std::string& path)
 {
   HeaderReader reader(path);

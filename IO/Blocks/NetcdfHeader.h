@@ -64,9 +64,6 @@ struct NetcdfHeader
   Index RecordSize = 0; ///< distance of records, bytes
   std::vector<Dimension> Dimensions;
   std::vector<NetcdfVariable> Variables;
-
-  /// Returns the variable with a name, or null.
-  const NetcdfVariable* Find(const std::string& name) const;
 };
 
 /// Reads the header of a file.
