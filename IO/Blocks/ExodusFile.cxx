@@ -20,9 +20,9 @@ constexpr std::size_t CornersOfHex = 8;
 }
 
 /// Returns the variable with a name.
-const NetcdfVariable& Require(const NetcdfFile& file, const std::string& name)
+const StoredVariable& Require(const NetcdfFile& file, const std::string& name)
 {
-  const NetcdfVariable* variable = file.Find(name);
+  const StoredVariable* variable = file.Find(name);
   if (!variable)
   {
     RejectDamaged("it has no variable " + name);
@@ -48,7 +48,7 @@ std::vector<double> ReadTimes(NetcdfFile& file)
   std::vector<double> times;
   for (Index record = 0; record < file.Header().Records; ++record)
   {
-    const NetcdfVariable& variable = Require(file, "time_whole");
+    const StoredVariable& variable = Require(file, "time_whole");
     if (!variable.HasRecords || variable.Count != 1)
     {
       RejectDamaged("time_whole is not one number for each time");
@@ -65,7 +65,7 @@ std::vector<double> ReadTimes(NetcdfFile& file)
 /// Returns the names of the element variables, in the order of the file.
 std::vector<std::string> ReadNames(NetcdfFile& file)
 {
-  const NetcdfVariable* variable = file.Find("name_elem_var");
+  const StoredVariable* variable = file.Find("name_elem_var");
   if (!variable)
   {
     return {};
@@ -91,7 +91,7 @@ std::vector<std::string> ReadNames(NetcdfFile& file)
 std::array<std::vector<double>, 3> ReadCoordinates(NetcdfFile& file)
 {
   std::array<std::vector<double>, 3> coordinates;
-  if (const NetcdfVariable* table = file.Find("coord")) // as in files of the first versions
+  if (const StoredVariable* table = file.Find("coord")) // as in files of the first versions
   {
     const std::vector<double> all = file.ReadReals(*table);
     const std::size_t axes = table->Shape.size() == 2 ? table->Shape[0] : 0;
@@ -104,7 +104,7 @@ std::array<std::vector<double>, 3> ReadCoordinates(NetcdfFile& file)
   }
   for (int a = 0; a < 3; ++a)
   {
-    const NetcdfVariable* axis = file.Find(std::string("coord") + "xyz"[a]);
+    const StoredVariable* axis = file.Find(std::string("coord") + "xyz"[a]);
     coordinates[a] = axis ? file.ReadReals(*axis) : std::vector<double>();
   }
   return coordinates;
@@ -149,7 +149,7 @@ bool IsFlatType(const std::string& type)
 /// Reads the elements of a block; Corners stays empty if the block does not exist or is empty.
 void ReadElements(NetcdfFile& file, const std::string& number, ElementBlock& block)
 {
-  const NetcdfVariable* connect = file.Find("connect" + number);
+  const StoredVariable* connect = file.Find("connect" + number);
   if (!connect || connect->Count == 0 || IsFlatType(connect->ElemType))
   {
     return;
@@ -176,7 +176,7 @@ std::shared_ptr<PlainArrays> ReadArrays(NetcdfFile& file, const std::string& num
   for (const std::string& name : names)
   {
     const auto place = std::find(known.begin(), known.end(), name) - known.begin();
-    const NetcdfVariable* variable =
+    const StoredVariable* variable =
       file.Find("vals_elem_var" + std::to_string(place + 1) + "eb" + number);
     if (place == static_cast<std::ptrdiff_t>(known.size()))
     {
@@ -202,7 +202,7 @@ std::shared_ptr<PlainArrays> ReadArrays(NetcdfFile& file, const std::string& num
 /// Returns the ids of the blocks.
 std::vector<Index> ReadIds(NetcdfFile& file)
 {
-  const NetcdfVariable* ids = file.Find("eb_prop1");
+  const StoredVariable* ids = file.Find("eb_prop1");
   if (ids && !ids->HasRecords)
   {
     return file.ReadIntegers(*ids);

@@ -3,7 +3,7 @@
 
 #ifdef VFM_HAS_NETCDF
 
-#include "Images/Hdf5Check.h"
+#include "Hdf5Check.h"
 #include "InputTrust.h"
 #include "OpenFile.h"
 
@@ -69,13 +69,13 @@ std::string ReadElemType(int file, int variable)
 /// Reads the description of a variable.
 /// @param records  number of the dimension of records, or -1
 /// @param most  largest number of bytes of a variable
-NetcdfVariable ReadVariable(int file, int number, int records, Index most)
+StoredVariable ReadVariable(int file, int number, int records, Index most)
 {
   char name[NC_MAX_NAME + 1];
   nc_type type;
   int rank, dimensions[NC_MAX_VAR_DIMS];
   Check(nc_inq_var(file, number, name, &type, &rank, dimensions, nullptr));
-  NetcdfVariable variable;
+  StoredVariable variable;
   variable.Name = name;
   variable.Type =
     type >= NC_BYTE && type <= NC_UINT64 ? static_cast<NetcdfType>(type) : NetcdfType::None;
@@ -131,16 +131,16 @@ public:
   }
 
 protected:
-  void Read(const NetcdfVariable& variable, Index record, std::span<double> values) override
+  void Read(const StoredVariable& variable, Index record, std::span<double> values) override
   {
     this->Get(nc_get_vara_double, variable, record, values.data());
   }
-  void Read(const NetcdfVariable& variable, Index record, std::span<Index> values) override
+  void Read(const StoredVariable& variable, Index record, std::span<Index> values) override
   {
     static_assert(sizeof(Index) == sizeof(long));
     this->Get(nc_get_vara_long, variable, record, values.data());
   }
-  void Read(const NetcdfVariable& variable, Index record, std::span<char> text) override
+  void Read(const StoredVariable& variable, Index record, std::span<char> text) override
   {
     this->Get(nc_get_vara_text, variable, record, text.data());
   }
@@ -148,7 +148,7 @@ protected:
 private:
   /// Reads a variable, or one of its records, by a function of the library.
   template <class Function, class Value>
-  void Get(Function get, const NetcdfVariable& variable, Index record, Value* values)
+  void Get(Function get, const StoredVariable& variable, Index record, Value* values)
   {
     int number;
     Check(nc_inq_varid(this->File.Get(), variable.Name.c_str(), &number));

@@ -55,15 +55,15 @@ public:
   }
 
 protected:
-  void Read(const NetcdfVariable& variable, Index record, std::span<double> values) override
+  void Read(const StoredVariable& variable, Index record, std::span<double> values) override
   {
     this->ReadNumbers(variable, record, values);
   }
-  void Read(const NetcdfVariable& variable, Index record, std::span<Index> values) override
+  void Read(const StoredVariable& variable, Index record, std::span<Index> values) override
   {
     this->ReadNumbers(variable, record, values);
   }
-  void Read(const NetcdfVariable& variable, Index record, std::span<char> text) override
+  void Read(const StoredVariable& variable, Index record, std::span<char> text) override
   {
     this->Seek(variable, record);
     this->ReadBytes(text.data(), text.size());
@@ -71,7 +71,7 @@ protected:
 
 private:
   template <class To>
-  void ReadNumbers(const NetcdfVariable& variable, Index record, std::span<To> values)
+  void ReadNumbers(const StoredVariable& variable, Index record, std::span<To> values)
   {
     this->Seek(variable, record);
     VisitNumber(variable.Type, [&](auto number) { this->ReadStored<decltype(number)>(values); });
@@ -94,7 +94,7 @@ private:
     }
   }
 
-  void Seek(const NetcdfVariable& variable, Index record)
+  void Seek(const StoredVariable& variable, Index record)
   {
     this->Stream.seekg(variable.Begin + record * this->Header().RecordSize);
   }
@@ -113,19 +113,19 @@ private:
 
 NetcdfFile::NetcdfFile(NetcdfHeader header) : Head(std::move(header))
 {
-  for (const NetcdfVariable& variable : this->Head.Variables)
+  for (const StoredVariable& variable : this->Head.Variables)
   {
     this->Numbers.emplace(variable.Name, this->Numbers.size());
   }
 }
 
-const NetcdfVariable* NetcdfFile::Find(const std::string& name) const
+const StoredVariable* NetcdfFile::Find(const std::string& name) const
 {
   const auto found = this->Numbers.find(name);
   return found == this->Numbers.end() ? nullptr : &this->Head.Variables[found->second];
 }
 
-void NetcdfFile::CheckRecord(const NetcdfVariable& variable, Index record) const
+void NetcdfFile::CheckRecord(const StoredVariable& variable, Index record) const
 {
   if (variable.HasRecords && record >= this->Head.Records)
   {
@@ -133,7 +133,7 @@ void NetcdfFile::CheckRecord(const NetcdfVariable& variable, Index record) const
   }
 }
 
-std::vector<double> NetcdfFile::ReadReals(const NetcdfVariable& variable, Index record)
+std::vector<double> NetcdfFile::ReadReals(const StoredVariable& variable, Index record)
 {
   this->CheckRecord(variable, record);
   std::vector<double> values(variable.Count);
@@ -141,7 +141,7 @@ std::vector<double> NetcdfFile::ReadReals(const NetcdfVariable& variable, Index 
   return values;
 }
 
-std::vector<Index> NetcdfFile::ReadIntegers(const NetcdfVariable& variable)
+std::vector<Index> NetcdfFile::ReadIntegers(const StoredVariable& variable)
 {
   if (variable.Type == NetcdfType::Float || variable.Type == NetcdfType::Double)
   {
@@ -154,7 +154,7 @@ std::vector<Index> NetcdfFile::ReadIntegers(const NetcdfVariable& variable)
   return values;
 }
 
-std::string NetcdfFile::ReadText(const NetcdfVariable& variable)
+std::string NetcdfFile::ReadText(const StoredVariable& variable)
 {
   if (variable.Type != NetcdfType::Char)
   {

@@ -23,24 +23,24 @@ public:
 
   const NetcdfHeader& Header() const { return this->Head; }
   /// Returns the variable with a name, or null.
-  const NetcdfVariable* Find(const std::string& name) const;
+  const StoredVariable* Find(const std::string& name) const;
 
   /// Reads the values of a variable, or of one of its records.
-  std::vector<double> ReadReals(const NetcdfVariable& variable, Index record = 0);
-  std::vector<Index> ReadIntegers(const NetcdfVariable& variable);
-  std::string ReadText(const NetcdfVariable& variable);
+  std::vector<double> ReadReals(const StoredVariable& variable, Index record = 0);
+  std::vector<Index> ReadIntegers(const StoredVariable& variable);
+  std::string ReadText(const StoredVariable& variable);
 
 protected:
   explicit NetcdfFile(NetcdfHeader header);
 
   /// Reads variable.Count values.
-  virtual void Read(const NetcdfVariable& variable, Index record, std::span<double> values) = 0;
-  virtual void Read(const NetcdfVariable& variable, Index record, std::span<Index> values) = 0;
-  virtual void Read(const NetcdfVariable& variable, Index record, std::span<char> text) = 0;
+  virtual void Read(const StoredVariable& variable, Index record, std::span<double> values) = 0;
+  virtual void Read(const StoredVariable& variable, Index record, std::span<Index> values) = 0;
+  virtual void Read(const StoredVariable& variable, Index record, std::span<char> text) = 0;
 
 private:
   /// Checks that a record exists; the length of a file does not limit one that does not.
-  void CheckRecord(const NetcdfVariable& variable, Index record) const;
+  void CheckRecord(const StoredVariable& variable, Index record) const;
 
   NetcdfHeader Head;
   std::unordered_map<std::string, std::size_t> Numbers; // of the variables

@@ -59,7 +59,7 @@ private:
   {
     Index size = 0, recordsEnd = 0, lastSize = 0;
     int recordVariables = 0;
-    for (const NetcdfVariable& variable : header.Variables)
+    for (const StoredVariable& variable : header.Variables)
     {
       const Index bytes = variable.Count * WidthOf(variable.Type), end = variable.Begin + bytes;
       if (variable.HasRecords)
@@ -165,9 +165,9 @@ private:
     this->Check(number < this->Dimensions.size());
     return this->Stream ? this->Dimensions[number] : NetcdfHeader::Dimension{ "", 1 };
   }
-  NetcdfVariable ReadVariable()
+  StoredVariable ReadVariable()
   {
-    NetcdfVariable variable;
+    StoredVariable variable;
     variable.Name = this->ReadName();
     const Index rank = this->ReadCount();
     for (Index d = 0; d < rank && this->Stream; ++d)

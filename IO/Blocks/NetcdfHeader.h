@@ -37,7 +37,7 @@ enum class NetcdfType
 Index WidthOf(NetcdfType type);
 
 /// Variable of a netCDF file.
-struct NetcdfVariable
+struct StoredVariable
 {
   std::string Name;
   NetcdfType Type = NetcdfType::None;
@@ -63,7 +63,7 @@ struct NetcdfHeader
   Index Records = 0;    ///< number of records, in Exodus files of times; 0 if unknown
   Index RecordSize = 0; ///< distance of records, bytes
   std::vector<Dimension> Dimensions;
-  std::vector<NetcdfVariable> Variables;
+  std::vector<StoredVariable> Variables;
 };
 
 /// Reads the header of a file.

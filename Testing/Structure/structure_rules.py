@@ -33,7 +33,7 @@ ALLOWED.update({
     "IO/Labels": BASE + ("Mesher/Input", "Mesher/Report", "IO"),
     "IO/Meshes": BASE + MESHER + ("IO",),
     "IO/Report": BASE + MESHER + ("IO", "IO/Meshes"),
-    "Filters": MESHES + ("Shapes", "Parallel/Vtk", "IO/Labels", "Filters/Data"),
+    "Filters": MESHES + ("Shapes", "Parallel/Vtk", "IO/Blocks", "IO/Labels", "Filters/Data"),
     "Filters/Files": BASE + MESHER + (
         "Parallel/Vtk", "IO", "IO/Images", "IO/Meshes", "Filters/Data"),
     "InSitu": BASE + MESHER + ("Parallel/Mpi", "IO/Labels", "IO/Meshes"),
