@@ -9,14 +9,15 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
+from ._call import Run
 from ._input import Source, read_field
 from ._progress import shown
 from ._report import describe
-from ._result import make_mesh
+from ._result import data_of
 from ._state import StateGiven, add_refinement, list_boxes, list_names, read_state
 from ._types import Progress
 from ._warning import VolumeFractionMeshWarning
-from .mesh import Mesh, Run
+from .mesh import Mesh
 
 if TYPE_CHECKING:
     from ._core import StateChoice
@@ -62,7 +63,7 @@ def run_mesher(
         for text in told:
             warnings.warn(text, VolumeFractionMeshWarning, stacklevel=CALLER)
     run = Run(describe(field), options.changed(), told)
-    return make_mesh(result, _find_roles(state, result["state"]), run)
+    return Mesh(**data_of(result, _find_roles(state, result["state"]), run))
 
 
 def _find_roles(state: Optional[StateChoice], carried: Mapping[str, ArrayLike]) -> Dict[str, str]:
