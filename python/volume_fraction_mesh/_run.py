@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import warnings
+from contextvars import ContextVar
 from typing import TYPE_CHECKING, Any, Dict, Mapping, Optional, Sequence
 
 import numpy as np
@@ -23,6 +24,8 @@ if TYPE_CHECKING:
     from ._core import StateChoice
 
 CALLER = 3  # stack level of the caller of hexes(), for warnings
+# Words with which messages select an array as labels; sculptor's, unless a front end has others.
+LABELS_OPTION = ContextVar("LABELS_OPTION", default="--labels")
 
 
 def run_mesher(
@@ -58,6 +61,7 @@ def run_mesher(
                 progress=progress,
                 warn=told.append,
                 guessed=field.guessed,
+                labels_option=LABELS_OPTION.get(),
             )
     finally:
         for text in told:
