@@ -52,8 +52,8 @@ def make_parser() -> argparse.ArgumentParser:
     parser.add_argument("input", nargs="+",
                         help=".npy, .npz, .vti and other files of VTK, NIfTI, NRRD, MetaImage, "
                         "TIFF, PNG and other pictures, .dream3d, .spcth, Exodus, the folder of an "
-                        "AMReX plotfile, .stl; or slices: a folder, a pattern such as 'slices/*.tif', or "
-                        "files")
+                        "AMReX plotfile, .stl; or slices: a folder, a pattern such as "
+                        "'slices/*.tif', or files")
     parser.add_argument("output", help=".vtu, .e, .inp, .msh, .xdmf, .foam or another format of "
                         "Mesh.save")
     parser.add_argument("--version", action="version", version=__version__)
