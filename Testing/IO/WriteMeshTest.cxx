@@ -39,7 +39,7 @@ TEST(WriteMesh, FilesAreTheSameFromAnyNumberOfRanks)
       {
         WithMesh(count, make,
           [&](const FileCase& part, Ranks& ranks) {
-            WriteMesh(part.Mesh, path, ranks, { OutputFiles::Single, {} });
+            WriteMesh(part.Mesh, path, ranks, { .IsSingle = true });
           });
         files.push_back(ReadWithoutDate(path));
       }
