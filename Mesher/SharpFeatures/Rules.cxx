@@ -427,7 +427,7 @@ Facets ListFacets(const SurfacePairs& pairs, const std::vector<unsigned char>& i
     }
     const std::array<int, 2> labels{ { std::min(facet.Materials[0], facet.Materials[1]),
       std::max(facet.Materials[0], facet.Materials[1]) } };
-    RuleFacet own{ {}, facet.Points[2] == facet.Points[3] ? 3 : 4 };
+    RuleFacet own{ {}, CornersOf(facet.Points) };
     std::transform(facet.Points.begin(), facet.Points.end(), own.At.begin(),
       [&](Index p) { return FindPair(pairs, isKnown, p, labels); });
     found.push_back(own);

@@ -58,7 +58,7 @@ nb::object FindNeighbours(const NumpyPoints& points, const NumpyCells& cells)
 }
 
 /// Returns the elements of faces and their sides.
-std::pair<nb::object, nb::object> ToPython(const std::vector<MeshSide>& faces)
+std::pair<nb::object, nb::object> ToPython(const std::vector<ElementSide>& faces)
 {
   Buffer<Index> elements(faces.size());
   Buffer<int> sides(faces.size());

@@ -29,8 +29,7 @@ std::map<int, std::vector<FaceIds>> FindSkins(const MeshData& whole)
   std::map<int, std::vector<FaceIds>> skins;
   for (const MeshFacet& facet : FindMeshFacets(whole, alone))
   {
-    skins[whole.Material[facet.Element]].push_back(
-      PointsOfSide(whole, { facet.Element, facet.Side }));
+    skins[whole.Material[facet.Element]].push_back(PointsOfSide(whole, facet));
   }
   return skins;
 }
