@@ -43,7 +43,7 @@ endfunction ()
 # the headers must produce bitwise identical results in other projects too.
 # usage: vfm_install_library(TARGET NAME FOLDER HEADER ..)
 function (vfm_install_library target name folder)
-  target_compile_features("${target}" PUBLIC cxx_std_17)
+  target_compile_features("${target}" PUBLIC cxx_std_20)
   target_compile_options("${target}"
     PRIVATE "$<TARGET_PROPERTY:vfm_flags,INTERFACE_COMPILE_OPTIONS>"
     INTERFACE "$<INSTALL_INTERFACE:$<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off>>")
