@@ -34,6 +34,7 @@ struct MeshFacet
   int DomainSide; ///< -1, or 0..5 for -x +x -y +y -z +z
 
   operator ElementSide() const { return { this->Element, this->Side }; }
+  bool operator<(const MeshFacet& other) const { return ElementSide(*this) < ElementSide(other); }
 };
 
 } // namespace vfm

@@ -142,13 +142,11 @@ public:
 
 private:
   /// Returns whether a face connects elements, or may connect elements of different ranks or sides.
-  bool Connects(Index element, int side) const
+  bool Connects(const ElementSide& side) const
   {
     const std::vector<MeshFacet>& facets = *this->TheMesh.Facets;
-    const auto found = std::lower_bound(facets.begin(), facets.end(), std::tie(element, side),
-      [](const MeshFacet& facet, const auto& key)
-      { return std::tie(facet.Element, facet.Side) < key; });
-    if (found == facets.end() || found->Element != element || found->Side != side)
+    const auto found = std::lower_bound(facets.begin(), facets.end(), side);
+    if (found == facets.end() || ElementSide(*found) != side)
     {
       return true;
     }
@@ -167,7 +165,7 @@ private:
       {
         const FaceIds points = table.PointsOf(this->TheMesh.Element(corner.Element), side);
         const bool isAtNode = std::find(points.begin(), points.end(), corner.Node) != points.end();
-        if (isAtNode && this->Connects(corner.Element, side))
+        if (isAtNode && this->Connects({ corner.Element, side }))
         {
           sides.push_back({ corner.Element, side });
         }

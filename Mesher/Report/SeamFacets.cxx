@@ -6,8 +6,6 @@
 #include "Report/ElementCorners.h"
 #include "Report/MatchFaces.h"
 
-#include <tuple>
-
 namespace vfm
 {
 namespace
@@ -41,16 +39,11 @@ std::vector<unsigned char> FindNodesOnSides(const Mesh& mesh)
   return areOnSides;
 }
 
-bool IsBefore(const MeshFacet& a, const MeshFacet& b)
-{
-  return std::tie(a.Element, a.Side) < std::tie(b.Element, b.Side);
-}
-
 /// Returns the facet of the same face, or null.
 MeshFacet* FindFacet(std::vector<MeshFacet>& facets, const MeshFacet& face)
 {
-  const auto found = std::lower_bound(facets.begin(), facets.end(), face, IsBefore);
-  return found == facets.end() || IsBefore(face, *found) ? nullptr : &*found;
+  const auto found = std::lower_bound(facets.begin(), facets.end(), face);
+  return found == facets.end() || face < *found ? nullptr : &*found;
 }
 
 /// Returns the faces of elements that have only nodes on sides of the domain, without those known
@@ -150,8 +143,7 @@ void AddSeamFacets(const std::vector<FieldArray>& fields, Ranks& ranks, Mesh& me
   }
   const auto before = static_cast<std::ptrdiff_t>(mesh.Facets.size());
   mesh.Facets.insert(mesh.Facets.end(), added.begin(), added.end());
-  std::inplace_merge(
-    mesh.Facets.begin(), mesh.Facets.begin() + before, mesh.Facets.end(), IsBefore);
+  std::inplace_merge(mesh.Facets.begin(), mesh.Facets.begin() + before, mesh.Facets.end());
 }
 
 } // namespace vfm
