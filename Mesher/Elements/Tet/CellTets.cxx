@@ -216,10 +216,11 @@ void FaceTetWriter::WriteHalves(const BlockFace& face, bool isUpper, int firstPi
 
 } // namespace
 
-TetTopology BuildCellTets(const CartesianGrid& grid, const LabelArray& labels, bool meshVoid,
-  const NarrowVoid& narrow, Runtime& runtime, const CoarseTets& coarse)
+TetTopology BuildCellTets(const LabelArray& labels, bool meshVoid, const NarrowVoid& narrow,
+  Runtime& runtime, const CoarseTets& coarse)
 {
   const RefinedGrid& levels = coarse.Levels();
+  const CartesianGrid& grid = levels.Finest();
   const TetCells cells{ labels, narrow, meshVoid };
   const IndexBox box = grid.HexBox();
   CheckIds(grid, TetIds.ElementSlots);
