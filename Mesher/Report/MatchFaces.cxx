@@ -34,7 +34,31 @@ std::vector<Index> MatchList(const std::vector<NumberedFace>& faces)
   return behind;
 }
 
+[[noreturn]] void RejectFace(const MeshData& mesh, const FaceIds& points)
+{
+  std::string ids;
+  for (Index point : points)
+  {
+    const Index id = point < 0 || !mesh.PointIds ? point : mesh.PointIds[point];
+    ids += point < 0 ? "" : (ids.empty() ? "" : ", ") + std::to_string(id);
+  }
+  throw InputError("The mesh is not conforming: the face of the points " + ids +
+    " belongs to more than two elements.");
+}
+
 } // namespace
+
+FaceIds PointsOfSide(const MeshData& mesh, const ElementSide& side)
+{
+  return ElementFaces(mesh.Corners).PointsOf(mesh.Element(side.Element), side.Side);
+}
+
+FaceIds SortedPointsOfSide(const MeshData& mesh, const ElementSide& side)
+{
+  FaceIds points = PointsOfSide(mesh, side);
+  std::sort(points.begin(), points.end());
+  return points;
+}
 
 FaceIds SortedIds(const FaceIds& points, const Index* ids)
 {
@@ -43,6 +67,30 @@ FaceIds SortedIds(const FaceIds& points, const Index* ids)
     [ids](Index point) { return point < 0 ? point : ids[point]; });
   std::sort(found.begin(), found.end());
   return found;
+}
+
+std::vector<Index> MatchSides(const MeshData& mesh)
+{
+  const int sides = ElementFaces(mesh.Corners).Count;
+  std::vector<Index> behind(sides * mesh.NumberOfElements, NothingBehind);
+  ForEqualFaces(
+    behind.size(),
+    [&](Index number) {
+      return SortedPointsOfSide(mesh, { number / sides, static_cast<int>(number % sides) });
+    },
+    [&](std::span<const NumberedFace> same)
+    {
+      if (same.size() > 2)
+      {
+        RejectFace(mesh, same[0].Points);
+      }
+      if (same.size() == 2)
+      {
+        behind[same[0].Number] = same[1].Number / sides;
+        behind[same[1].Number] = same[0].Number / sides;
+      }
+    });
+  return behind;
 }
 
 std::vector<Index> MatchFaces(

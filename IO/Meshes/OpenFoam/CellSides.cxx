@@ -1,6 +1,5 @@
 #include "Meshes/OpenFoam/CellSides.h"
 
-#include "Elements/EqualFaces.h"
 #include "Ranks/WorkTogether.h"
 #include "Report/MatchFaces.h"
 
@@ -8,39 +7,6 @@ namespace vfm
 {
 namespace
 {
-
-[[noreturn]] void RejectFace(const MeshData& mesh, const FaceIds& points)
-{
-  std::string ids;
-  for (Index point : points)
-  {
-    ids += point < 0 ? "" : (ids.empty() ? "" : ", ") + std::to_string(mesh.PointIds[point]);
-  }
-  throw InputError("The mesh is not conforming: the face of the points " + ids +
-    " belongs to more than two elements.");
-}
-
-/// Returns the cells of this rank behind its sides.
-std::vector<Index> MatchHere(const MeshData& mesh)
-{
-  const Index sides = ElementFaces(mesh.Corners).Count;
-  std::vector<Index> behind(sides * mesh.NumberOfElements, NothingBehind);
-  ForEqualFaces(
-    behind.size(), [&mesh](Index side) { return SortedPointsOfSide(mesh, side); },
-    [&](std::span<const NumberedFace> same)
-    {
-      if (same.size() > 2)
-      {
-        RejectFace(mesh, same[0].Points);
-      }
-      if (same.size() == 2)
-      {
-        behind[same[0].Number] = same[1].Number / sides;
-        behind[same[1].Number] = same[0].Number / sides;
-      }
-    });
-  return behind;
-}
 
 /// Finds the cells of other ranks behind the open sides.
 /// @pre Collective
@@ -102,7 +68,7 @@ CellSides FindCellSides(const MeshData& mesh, const std::vector<Index>& position
   WorkTogether(ranks,
     [&]
     {
-      cells.Behind = MatchHere(mesh);
+      cells.Behind = MatchSides(mesh);
       if (ranks.Count() > 1)
       {
         MatchRemote(mesh, positions, cells, ranks);

@@ -268,18 +268,6 @@ std::vector<NodeSet> MakeNodeSets(
 
 } // namespace
 
-FaceIds PointsOfSide(const MeshData& mesh, const ElementSide& side)
-{
-  return ElementFaces(mesh.Corners).PointsOf(mesh.Element(side.Element), side.Side);
-}
-
-FaceIds SortedPointsOfSide(const MeshData& mesh, const ElementSide& side)
-{
-  FaceIds points = PointsOfSide(mesh, side);
-  std::sort(points.begin(), points.end());
-  return points;
-}
-
 MeshSets FindMeshSets(const MeshData& mesh, Ranks& ranks)
 {
   const Facets facets = FindMeshFacets(mesh, ranks);

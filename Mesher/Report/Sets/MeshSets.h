@@ -18,19 +18,11 @@
  */
 #pragma once
 
-#include "Elements/ElementFaces.h"
-#include "Ranks/Ranks.h"
 #include "Report/DomainSides.h"
-#include "Report/MeshData.h"
+#include "Report/MatchFaces.h"
 
 namespace vfm
 {
-
-/// Returns the points of a side, counterclockwise seen from outside of the element. The last point
-/// of a triangle is -1.
-FaceIds PointsOfSide(const MeshData& mesh, const ElementSide& side);
-/// Returns the points of a side in ascending order. The first point of a triangle is -1.
-FaceIds SortedPointsOfSide(const MeshData& mesh, const ElementSide& side);
 
 enum class SurfaceKind
 {
