@@ -35,7 +35,7 @@ std::vector<Item> FindSplitters(std::vector<Item> items, Ranks& ranks)
 /// Returns the number of each item: its position in the list of all different items.
 /// @pre Collective over `ranks`. The items of a rank are above those of lower ranks.
 template <class Item>
-std::vector<std::int64_t> NumberRange(const std::vector<Item>& items, Ranks& ranks)
+std::vector<std::int64_t> NumberOwnItems(const std::vector<Item>& items, Ranks& ranks)
 {
   std::vector<Item> different(items);
   std::sort(different.begin(), different.end());
@@ -70,7 +70,7 @@ std::vector<std::int64_t> NumberInOrder(const std::vector<Item>& items, Ranks& r
       return static_cast<int>(
         std::upper_bound(splitters.begin(), splitters.end(), item) - splitters.begin());
     },
-    [&ranks](const std::vector<Item>& received) { return NumberRange(received, ranks); }, ranks);
+    [&ranks](const std::vector<Item>& received) { return NumberOwnItems(received, ranks); }, ranks);
 }
 
 } // namespace vfm
