@@ -14,6 +14,7 @@ from ._output import ended_by_signals, find_conflict, whole_file
 from ._read import find_files, is_surface, read, sort_slices
 from ._readers.report import one_line
 from ._run import LABELS_OPTION
+from ._save import BY_CORE
 from ._shapes import surface
 from .mesh import Mesh
 
@@ -54,8 +55,7 @@ def make_parser() -> argparse.ArgumentParser:
                         "TIFF, PNG and other pictures, .dream3d, .spcth, Exodus, the folder of an "
                         "AMReX plotfile, .stl; or slices: a folder, a pattern such as "
                         "'slices/*.tif', or files")
-    parser.add_argument("output", help=".vtu, .e, .inp, .msh, .xdmf, .foam or another format of "
-                        "Mesh.save")
+    parser.add_argument("output", help="%s or another format of Mesh.save" % ", ".join(BY_CORE))
     parser.add_argument("--version", action="version", version=__version__)
     parser.add_argument("--tets", action="store_true", help="make tetrahedra instead of hexahedra")
     kind = parser.add_mutually_exclusive_group()

@@ -313,16 +313,19 @@ def write_mesh(
     interfaces: bool = True,
     reduced: bool = False,
 ) -> None:
-    """Writes a mesh as .vtu, .e, .ex2, .exo, .inp, .msh, .xdmf or .foam.
+    """Writes a mesh in a format of list_formats().
 
-    version, "2.2" or "4.1", and interfaces are for .msh only, binary for .msh and .foam, reduced
-    for .inp. cells has shape (m, 8) or (m, 4), or (m, 20), (m, 27) or (m, 10) with mid nodes.
+    version, "2.2" or "4.1", binary, interfaces and reduced are options of some formats. cells has
+    shape (m, 8) or (m, 4), or (m, 20), (m, 27) or (m, 10) with mid nodes.
 
     point_arrays contains GlobalPointIds, int64. cell_arrays contains GlobalCellIds, int64, and
     MaterialId, int32. All arrays are C-contiguous, of shape (items,) or (items, components). fields
     holds int32, int64 or float64 arrays, or lists of str. Raises OSError, with the path and the
     reason, if the file cannot be written; an incomplete file is removed.
     """
+
+def list_formats() -> List[Tuple[str, List[str]]]:
+    """Returns the suffixes of write_mesh, and the options of each."""
 
 def write_report(
     path: str,

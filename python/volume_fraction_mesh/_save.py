@@ -11,10 +11,7 @@ from ._data import MeshData
 from ._output import whole_file
 from ._tables import core_arrays, core_fields
 
-BY_CORE = (".vtu", ".e", ".ex2", ".exo", ".inp", ".k", ".key", ".rad", ".bdf", ".nas", ".msh",
-           ".xdmf", ".foam", ".stl")
-OPTIONS = {".vtu": ("time", "texts"), ".msh": ("version", "binary", "interfaces"), ".xdmf": (),
-           ".inp": ("time", "reduced"), ".foam": ("binary",), ".stl": ()}  # else: time
+BY_CORE = dict(_core.list_formats())  # options by ending
 BY_PACKAGE = {".npz": _npz.write, ".vtk": _vtk.write}
 # Formats in which meshio 5.3.5 writes hexahedra and tetrahedra with their materials.
 BY_MESHIO = (".avs", ".f3grid", ".hmf", ".med", ".mesh", ".meshb", ".vol", ".xmf")
@@ -54,7 +51,7 @@ def _check_suffix(path: str, suffix: str) -> None:
 
 
 def _save_by_core(mesh: MeshData, path: str, suffix: str, **options: Any) -> None:
-    unknown = set(options) - set(OPTIONS.get(suffix, ("time",)))
+    unknown = set(options) - set(BY_CORE[suffix])
     if unknown:
         raise TypeError("%s is not an option of %s." % (", ".join(sorted(unknown)), suffix))
     _write(mesh, path, **options)

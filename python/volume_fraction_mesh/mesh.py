@@ -492,17 +492,26 @@ class Mesh(MeshData):
 
         The package itself writes
 
-        - ``.vtu`` (ParaView), ``.e``, ``.ex2``, ``.exo`` (Exodus with named blocks, side sets, node
-          sets, ids and variables), ``.inp`` (Abaqus, CalculiX), ``.k`` and ``.key`` (LS-DYNA),
-          ``.rad`` (OpenRadioss), ``.bdf`` and ``.nas`` (Nastran), ``.msh`` (Gmsh, with physical
-          groups of materials, domain sides and interfaces) and ``.foam`` (OpenFOAM: the folder of
-          the file is the case, with ``constant/polyMesh``), byte for byte like the ParaView
-          plugin;
-        - ``.xdmf`` (dolfinx), with a second file ``NAME_facets.xdmf`` for the tags of facets;
-        - ``.stl``, closed surfaces of materials as solids; with ``{}`` in the name one file each;
-        - ``.npz``, the whole mesh for `load`;
-        - ``.vtk``, legacy format 4.2, with the array ``material`` first: the void has the number
+        - ``.vtu`` (VTK): all arrays and field data;
+        - ``.e``, ``.ex2``, ``.exo`` (Exodus): named blocks, side sets, node sets, ids and
+          variables;
+        - ``.inp`` (Abaqus and CalculiX): sets of elements and nodes, surfaces; velocities of nodes
+          as initial conditions;
+        - ``.k``, ``.key`` (LS-DYNA): parts, sets of nodes and segments, velocities, stresses;
+        - ``.rad`` (OpenRadioss): parts, groups of nodes, surfaces, velocities, state of elements;
+        - ``.bdf``, ``.nas`` (Nastran): properties, sets of nodes, a unit pressure on each surface;
+        - ``.msh`` (Gmsh): version 2.2 or 4.1, text or binary: named volumes, domain sides and
+          interfaces;
+        - ``.xdmf`` (XDMF): for dolfinx: materials, and a second file of tagged facets,
+          FILE_facets.xdmf;
+        - ``.foam`` (OpenFOAM): the folder of the file is a case with patches and zones;
+        - ``.stl`` (STL): only the closed surface of each material; with {} in the name one file per
+          material, as in bones_{}.stl;
+        - ``.npz``: the whole mesh for `load`;
+        - ``.vtk``: legacy format 4.2, with the array ``material`` first: the void has the number
           after the greatest.
+
+        Files are equal byte for byte to those of the ParaView plugin and of ``sculptor``.
 
         PyVista writes ``.vtp`` with the surfaces. meshio writes other formats that hold the mesh,
         such as ``.med``. A file appears when it is complete.
