@@ -359,7 +359,7 @@ void AddMaps(NetcdfLayout& layout, const ExodusModel& model, const Sizes& sizes)
       {
         ids[model.Numbers[element] - 1] = mesh.ElementIds[element];
       }
-      for (const CohesiveBlock& block : model.CohesiveBlocks)
+      for (const CohesiveBlock& block : model.Cohesive)
       {
         ids.insert(ids.end(), block.Ids.begin(), block.Ids.end());
       }
