@@ -1,6 +1,7 @@
 #include "CheckSurface.h"
 
 #include "Base/DisjointSets.h"
+#include "Report/MatchFaces.h"
 #include "Report/MeshFacets.h"
 
 #include <algorithm>
