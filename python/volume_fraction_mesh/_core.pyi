@@ -114,8 +114,8 @@ class Blocks:
     path: str
     times: List[float]
     """Times of all steps of the file."""
-    time: float
-    """Time of the blocks."""
+    time: Optional[float]
+    """Time of the blocks; None if the file has no times."""
     names: List[str]
     """Names of the arrays."""
     fractions: List[str]
@@ -234,6 +234,7 @@ def mesh(
     progress: Progress,
     warn: Callable[[str], object],
     guessed: bool = False,
+    labels_option: str = "--labels",
 ) -> MeshDict:
     """Makes a mesh.
 
@@ -263,6 +264,8 @@ def mesh(
     guessed : bool
         True if the user did not select fractions or labels. Labels that look like grey values are
         then an error, otherwise a warning.
+    labels_option : str
+        Words in front of the name of an array that select it as labels, for messages.
 
     Returns
     -------
@@ -277,10 +280,13 @@ def shape_fractions(
 
 def read_blocks(path: str, step: int, names: Optional[Sequence[str]],
                 trust_input: bool) -> Blocks:
-    """Reads the blocks of a SpyPlot file or an AMReX plotfile. names: arrays to read, None for all.
+    """Reads the blocks of a SpyPlot file, an AMReX plotfile or an Exodus file. names: arrays to read, None for all.
 
     Raises ValueError if the file is damaged, or lacks the step or an array.
     """
+
+def is_block_file(path: str) -> bool:
+    """Returns whether read_blocks() reads a path, by its name, and for a folder by its files."""
 
 def check_vtk_file(
     path: str,

@@ -179,7 +179,7 @@ void WriteVelocity(OutputFile& file, const MeshData& mesh, const MeshArray& velo
 void WriteSurface(OutputFile& file, const DeckSurface& surface, bool ofHexes)
 {
   file.Add("*SURFACE, NAME=" + surface.Name + ", TYPE=ELEMENT\n");
-  for (const MeshSide& side : surface.Set->Sides)
+  for (const ElementSide& side : surface.Set->Sides)
   {
     file.Add(side.Element + 1);
     file.Add(",S");

@@ -99,7 +99,7 @@ void WriteSurface(
   cards.Line("*SET_SEGMENT_TITLE");
   cards.Line(names.Add(PlainTitle(surface.Name, LongestTitle)));
   cards.Integer(surface.Id, Normal).End();
-  for (const MeshSide& side : surface.Sides)
+  for (const ElementSide& side : surface.Sides)
   {
     WriteFace(cards, mesh, side, Normal);
   }

@@ -86,7 +86,7 @@ void WriteNodeSet(DeckCards& cards, const NodeSet& set, int id)
 void WriteSurface(DeckCards& cards, const MeshData& mesh, const NamedSurface& surface, int id)
 {
   WriteComment(cards, "Surface " + std::to_string(id) + ": " + surface.Name);
-  for (const MeshSide& side : surface.Sides)
+  for (const ElementSide& side : surface.Sides)
   {
     const FaceIds points = PointsOfSide(mesh, side);
     const Index other =

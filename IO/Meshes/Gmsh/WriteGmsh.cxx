@@ -92,7 +92,7 @@ public:
   template <class Visit>
   void ForFaces(const SurfaceEntity& surface, const Visit& visit)
   {
-    for (const MeshSide& side : surface.Sides)
+    for (const ElementSide& side : surface.Sides)
     {
       const std::vector<Index> points = NodesOfSide(this->TheMesh, side.Element, side.Side);
       visit(this->Next++, points.data(), static_cast<int>(points.size()));

@@ -183,7 +183,7 @@ void FoamMeshMaker::AddPatches(Ranks& ranks)
   std::vector<std::vector<Index>> sides(patches.size());
   for (Index side : this->Open)
   {
-    const SurfaceSide* entry = this->Surfaces.Find(side);
+    const SideSurface* entry = this->Surfaces.Find(SideOfNumber(this->Foam.Mesh, side));
     (entry ? sides[entry->Surface] : sides.back()).push_back(side);
   }
   std::vector<Index> totals;
@@ -257,7 +257,8 @@ void FoamMeshMaker::AddFaceZones(Ranks& ranks)
   std::vector<FoamZone> zones(this->Surfaces.Surfaces.size());
   const auto add = [&](Index face)
   {
-    if (const SurfaceSide* side = this->Surfaces.Find(foam.Sides[face]))
+    const ElementSide number = SideOfNumber(foam.Mesh, foam.Sides[face]);
+    if (const SideSurface* side = this->Surfaces.Find(number))
     {
       FoamZone& zone = zones[this->Surfaces.Surfaces[side->Surface].Interface];
       zone.Members.push_back(face);

@@ -34,8 +34,7 @@ std::vector<Solid> FindSolids(
   std::map<int, std::vector<FaceIds>> skins;
   for (const MeshFacet& facet : FindMeshFacets(whole, alone))
   {
-    skins[whole.Material[facet.Element]].push_back(
-      PointsOfSide(whole, { facet.Element, facet.Side }));
+    skins[whole.Material[facet.Element]].push_back(PointsOfSide(whole, facet));
   }
   std::vector<int> materials;
   std::transform(skins.begin(), skins.end(), std::back_inserter(materials),
