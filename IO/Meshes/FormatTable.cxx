@@ -99,7 +99,7 @@ const std::vector<FormatRow>& GetFormatTable()
   return table;
 }
 
-const FormatRow* FindFormat(const std::string& path)
+const FormatRow* FindMeshFormat(const std::string& path)
 {
   const std::vector<FormatRow>& table = GetFormatTable();
   const auto found = std::find_if(table.begin(), table.end(),
@@ -119,7 +119,7 @@ std::vector<std::string> GetOutputSuffixes()
 
 std::string FindOutputProblem(const std::string& path, const OutputForm& form)
 {
-  const FormatRow* format = FindFormat(path);
+  const FormatRow* format = FindMeshFormat(path);
   if (!format)
   {
     return "The output " + path +

@@ -65,7 +65,7 @@ struct FormatRow
 std::span<const FormatOption> GetFormatOptions();
 const std::vector<FormatRow>& GetFormatTable();
 /// Returns the format of a path, by its suffix, or null.
-const FormatRow* FindFormat(const std::string& path);
+const FormatRow* FindMeshFormat(const std::string& path);
 
 /// Returns all supported suffixes, for instance ".vtu".
 std::vector<std::string> GetOutputSuffixes();

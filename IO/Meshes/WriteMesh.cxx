@@ -76,7 +76,7 @@ void WriteMesh(const MeshData& mesh, const std::string& path, Ranks& ranks, cons
         }
       }
       PrefixErrors("Cannot write the output " + path + ": ",
-        [&] { Write(FindFormat(path)->Format, mesh, path, ranks, form); });
+        [&] { Write(FindMeshFormat(path)->Format, mesh, path, ranks, form); });
     });
 }
 

@@ -2,9 +2,11 @@
 #include "FileCases.h"
 #include "Meshes/Files/OutputFile.h"
 #include "Meshes/Files/OutputLock.h"
+#include "Meshes/Files/OutputPlace.h"
 #include "Ranks/WorkTogether.h"
 #include "ThreadRanks.h"
 
+#include <cstdio>
 #include <thread>
 
 using namespace vfm;
@@ -198,6 +200,18 @@ TEST(UnfinishedPathDeathTest, NothingIsLeftWhenAProgramEnds)
     ::testing::ExitedWithCode(3), "");
   EXPECT_EQ(ReadBytes(folder / "old"), "old");
   EXPECT_EQ(folder.CountFiles(), 1u);
+}
+
+TEST(OutputPlace, OpenFilesAreWrittenInPlace)
+{
+  const Folder folder;
+  WriteText(folder / "old", "");
+  EXPECT_FALSE(IsWrittenInPlace(folder / "old"));
+  EXPECT_FALSE(IsWrittenInPlace(folder / "new"));
+  EXPECT_TRUE(IsWrittenInPlace("/dev/null"));
+  std::FILE* open = std::fopen((folder / "old").c_str(), "r");
+  EXPECT_TRUE(IsWrittenInPlace("/dev/fd/" + std::to_string(fileno(open))));
+  std::fclose(open);
 }
 
 TEST(OutputLock, TheSecondProcessWaits)
