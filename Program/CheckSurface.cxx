@@ -1,6 +1,7 @@
 #include "CheckSurface.h"
 
 #include "Base/DisjointSets.h"
+#include "Elements/ElementFaces.h"
 #include "Report/MatchFaces.h"
 #include "Report/MeshFacets.h"
 
