@@ -25,7 +25,8 @@ struct NumberedFace
 };
 
 /// Calls visit(same) for the faces with the same points, ascending by number, in the order of the
-/// points. Faces are ordered in groups of those with about the same lowest point.
+/// points if all are triangles or all are quadrilaterals. Faces are ordered in groups of those with
+/// about the same lowest point.
 /// @param pointsOf  pointsOf(number) returns the points, ascending, of a face from 0 to count - 1
 /// @param visit  takes std::span<const NumberedFace>
 template <class PointsOf, class Visit>

@@ -34,12 +34,13 @@ TEST(EqualFaces, AreVisitedInTheOrderOfPointsAndNumbers)
   std::mt19937 random(5);
   for (const Index range : { 5, 40, 100000 }) // one to many faces per lowest point, gaps in ids
   {
+    const int corners = range == 40 ? 3 : 4;
     std::vector<FaceIds> faces;
     std::map<FaceIds, std::vector<Index>> expected;
     for (Index f = 0; f < 500; ++f)
     {
-      FaceIds points{ { 0, 0, 0, f % 3 == 0 ? -1 : 0 } };
-      for (int c = 0; c < (f % 3 == 0 ? 3 : 4); ++c)
+      FaceIds points{ { -1, -1, -1, -1 } };
+      for (int c = 0; c < corners; ++c)
       {
         points[c] = 1000 + static_cast<Index>(random() % range);
       }
