@@ -99,18 +99,9 @@ struct Mesh
   std::vector<MeshFacet> Facets;
   CurveEdges Curves;
   VertexPoints Vertices;
-  GeometryTables Tables; ///< tables of all ranks
-  /// Only for hexes of cells of the finest grid: the first hex of each row of CartesianGrid::HexBox
-  /// (y fastest), then the end.
-  std::vector<Index> RowOffset;
-  /// Whether elements of void are only a barrier between bodies while points move (NarrowVoid.h).
-  /// They have no fragment, and KeepOwned removes them.
-  bool HasBarrier = false;
-  Index WholeCells = 0; ///< number of elements, from the first one, that are unchanged cells
+  GeometryTables Tables;                     ///< tables of all ranks
   std::shared_ptr<const RefinedGrid> Levels; ///< refined grid of the elements; never null
 
-  /// Returns whether an element is only a barrier.
-  bool IsBarrier(Index element) const { return this->HasBarrier && this->Material[element] == 0; }
   /// Returns the global ids of points before interfaces were split.
   const Buffer<Index>& UnsplitPointIds() const
   {

@@ -243,7 +243,7 @@ TetTopology BuildCellTets(const CartesianGrid& grid, const LabelArray& labels, b
   coarse.Fill(result, finePoints, fineTets,
     [&](Index at, Index slot)
     { return slot == CentreSlot ? writer.Centre(at) : Index(firstPoint[at]); });
-  result.Tets.HasBarrier = !narrow.IsEmpty();
+  result.Barrier = { !narrow.IsEmpty() };
   return result;
 }
 

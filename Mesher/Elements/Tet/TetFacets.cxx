@@ -31,13 +31,14 @@ HalfFace MakeHalfFace(const Mesh& mesh, Index t, int corner)
 
 /// Lists the faces without points inside a material, except those of the barrier. Only these can be
 /// on interfaces or the domain boundary.
-std::vector<HalfFace> ListHalfFaces(const Mesh& mesh, const std::vector<PointPosition>& positions)
+std::vector<HalfFace> ListHalfFaces(
+  const Mesh& mesh, const std::vector<PointPosition>& positions, const BarrierElements& barrier)
 {
   std::vector<HalfFace> faces;
   const Index count = static_cast<Index>(mesh.ElementIds.size());
   for (Index t = 0; t < count; ++t)
   {
-    if (mesh.IsBarrier(t))
+    if (barrier.Contain(mesh, t))
     {
       continue;
     }
@@ -80,10 +81,10 @@ int DomainSideOf(const Mesh& mesh, const CartesianGrid& grid, const HalfFace& fa
 
 } // namespace
 
-TetFaces FindTetFaces(
-  const Mesh& mesh, const std::vector<PointPosition>& positions, const CartesianGrid& grid)
+TetFaces FindTetFaces(const Mesh& mesh, const std::vector<PointPosition>& positions,
+  const BarrierElements& barrier, const CartesianGrid& grid)
 {
-  const std::vector<HalfFace> halves = ListHalfFaces(mesh, positions);
+  const std::vector<HalfFace> halves = ListHalfFaces(mesh, positions, barrier);
   TetFaces faces;
   for (std::size_t h = 0; h < halves.size(); ++h)
   {
