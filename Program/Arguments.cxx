@@ -303,7 +303,7 @@ void CheckMesh(const Arguments& from)
 /// Rejects a velocity or energy array if the state is copied, because the mesh would lack it.
 void CheckConserved(const MesherOptions& options)
 {
-  const bool isConserved = ConservesState(options.Transfer, options.DensityArrays);
+  const bool isConserved = ConservesState(options.StateTransfer, options.DensityArrays);
   if (!isConserved && !(options.VelocityArray + options.EnergyArray).empty())
   {
     RejectArguments("--velocity and --energy require conserved state: add --density ARRAY or "

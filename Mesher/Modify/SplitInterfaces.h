@@ -29,7 +29,7 @@ namespace vfm
 /// @param mesh elements of this rank; PointIds stay ascending
 /// @param state state of the mesh; nodal arrays follow the points
 /// @pre Collective
-void SplitInterfaces(const MaterialPairs& pairs, SplitConnection connection, Runtime& runtime,
+void SplitInterfaces(const MaterialPairs& pairs, ConnectionKind connection, Runtime& runtime,
   std::vector<FieldArray>& fields, Mesh& mesh, OutputState& state);
 
 /// Splits interfaces with the connection of the options.

@@ -50,8 +50,8 @@ void AddOrder(
 {
   const Materials& table = fields.Field.Table;
   Mesh& mesh = result.TheMesh;
-  AppendFields(
-    AddMidNodes(job.Options.Order, result.Fields, job.Run, mesh, result.State), result.Fields);
+  AppendFields(AddMidNodes(job.Options.ElementOrder, result.Fields, job.Run, mesh, result.State),
+    result.Fields);
   result.Report.MeshVolume = MeasureCurvedVolumes(mesh, table.Labels, result.Fields, job.Run);
   ReplaceFields(
     ListReport(mesh, result.Report, table, options, fields.Field.Corrected), result.Fields);
@@ -80,7 +80,7 @@ void SplitAndCurve(
   {
     Split(job, *cells.SplitPairs, result);
   }
-  if (job.Options.Order != ElementOrder::Linear)
+  if (job.Options.ElementOrder != InterpolationOrder::Linear)
   {
     job.Run.Progress(0.99, "Adding mid nodes");
     AddOrder(job, cells.Fields, options, result);

@@ -42,14 +42,15 @@ std::vector<FeatureKind> AttachToFeatures(const MeshCells& cells, const Interfac
   ActiveMesh& active)
 {
   const MeshOptions& options = cells.Options;
-  const bool hasQuadrics = options.IsoValue == 0.5 && options.Method == Smoothing::QuadricSurface;
+  const bool hasQuadrics =
+    options.IsoValue == 0.5 && options.Smoothing == SmoothingMethod::QuadricSurface;
   const Index firstTarget = targets.Count() - static_cast<Index>(interface.Points().size());
   std::vector<FeatureKind> kinds(active.X.size(), FeatureKind::None);
-  if (options.Edges != SharpEdges::Off && hasQuadrics)
+  if (options.SharpEdges != SharpEdgeMode::Off && hasQuadrics)
   {
     run.Clock.Start("Finding sharp features", 0.22);
-    const SharpFeatures features(
-      interface, cells.Fractions, targets, firstTarget, options.Edges, run.Parts, run.TheRuntime);
+    const SharpFeatures features(interface, cells.Fractions, targets, firstTarget,
+      options.SharpEdges, run.Parts, run.TheRuntime);
     kinds = AttachFeatures(
       { features, interface, firstTarget }, facets, mesh, targets, active, run.TheRuntime);
     CountCarriers(kinds, active, run);
@@ -181,7 +182,7 @@ void MovePoints(const MeshCells& cells, const SurfaceTargets& targets, ElementMe
 
 bool HasCurvedEdges(const MeshSettings& options)
 {
-  return options.Order != ElementOrder::Linear && MovesPoints(options) &&
+  return options.ElementOrder != InterpolationOrder::Linear && MovesPoints(options) &&
     KindOfTargets(options) == SurfaceTargets::Kind::Quadrics;
 }
 

@@ -31,7 +31,7 @@ LevelCells OpenCells(const MesherJob& job)
   return AreLabels(job)
     ? OpenLabels(levels,
         { arrays.Labels, *ParseRanges(job.Options.Threshold),
-          job.Options.Zero == ZeroLabel::Material },
+          job.Options.ZeroLabel == ZeroLabelMeaning::Material },
         ranks)
     : OpenFractions(levels, arrays.Fractions, job.Options.FractionTolerance, ranks);
 }
@@ -40,8 +40,8 @@ LevelCells OpenCells(const MesherJob& job)
 void NoteZeroLabel(const MesherJob& job)
 {
   const MesherArrays& arrays = job.Input.Arrays;
-  if (AreLabels(job) && job.Options.Threshold.empty() && job.Options.Zero == ZeroLabel::Void &&
-    !arrays.IsZeroVoid)
+  if (AreLabels(job) && job.Options.Threshold.empty() &&
+    job.Options.ZeroLabel == ZeroLabelMeaning::Void && !arrays.IsZeroVoid)
   {
     Warn(job, DescribeZeroLabel(job.Input.Levels.Levels[0], arrays.Labels, job.Run.Group()));
   }
@@ -112,7 +112,7 @@ void CheckGreyFractions(const MesherJob& job, const LevelFields& fields)
 /// Returns the user-selected cells that are to be refined.
 InputRequests FindRequests(const MesherJob& job)
 {
-  const bool isAutomatic = job.Options.Where == Refinement::Automatic;
+  const bool isAutomatic = job.Options.Refinement == RefinementMode::Automatic;
   InputRequests requests = FindInputRequests(job.Input.Levels, FindRefinementArray(job.Options),
     isAutomatic ? job.Options.RefinementBoxes : std::vector<RefinementBox>(), job.Run.Group());
   Warn(job, requests.Warning);
@@ -126,8 +126,8 @@ LevelSetup SetUpLevels(const MesherJob& job, const InputRequests& requests)
   const int alignment =
     job.Input.StaysInPlace ? CountAlignedLevels(coarsest.Boxes(), job.Run.Group()) : AnyLevel;
   const int periodic = CountPeriodicLevels(job.Options, coarsest.Coordinates);
-  LevelSetup setup = DecideLevels(job.Options.Where, job.Options.MaximumLevel, coarsest.Coordinates,
-    levels.Finest(), std::min(alignment, periodic), requests.Finest);
+  LevelSetup setup = DecideLevels(job.Options.Refinement, job.Options.MaximumLevel,
+    coarsest.Coordinates, levels.Finest(), std::min(alignment, periodic), requests.Finest);
   Warn(job, setup.Warning);
   return setup;
 }
@@ -169,7 +169,7 @@ std::unique_ptr<Cells> ReadCells(const MesherJob& job)
   std::vector<BlockPlace> owners = FindOwners(job, source, setup);
   requests = DistributeRequests(requests, levels, owners, ranks);
   LevelFields fields = MakeLevelFields(
-    levels, source, setup, options.Children, RepeatingAxes(options), owners, job.Run);
+    levels, source, setup, options.ChildFractions, RepeatingAxes(options), owners, job.Run);
   std::unique_ptr<Cells> cells(new Cells{ std::move(source), setup, std::move(requests),
     std::move(owners), std::move(fields), {}, {}, {} });
   CheckGreyLabels(job, cells->Fields);

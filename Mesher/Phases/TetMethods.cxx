@@ -57,7 +57,7 @@ void FillFragments(const CartesianGrid& grid, const Fragments& fragments, Mesh& 
 } // namespace
 
 TetMethodBase::TetMethodBase(const MeshCells& cells) :
-  Kind(cells.Options.Tets), TheEnergy(FloorsOf(cells.Options))
+  Kind(cells.Options.Method), TheEnergy(FloorsOf(cells.Options))
 {
 }
 
@@ -220,7 +220,7 @@ FragmentVolumes CellsMethod::FindFragments(
 /// Returns the quads of the grid: no edge runs along their diagonals.
 std::vector<Facet> CellsMethod::FeatureFacets(const MeshCells& cells, const Draft& draft) const
 {
-  return cells.Options.Edges == SharpEdges::Off
+  return cells.Options.SharpEdges == SharpEdgeMode::Off
     ? std::vector<Facet>()
     : JoinTriangles(draft.Facets, this->Faces, draft.Elements);
 }

@@ -197,7 +197,7 @@ TEST(MeshEntities, AreTheGeometryOfTheMesher)
   const SharpCase sharp = MakeSharpCase("cube A in matrix", 12);
   const MeshCase grains = MakePolycrystalCase(5, 8);
   MeshOptions options;
-  options.Edges = SharpEdges::On;
+  options.SharpEdges = SharpEdgeMode::On;
   for (const MeshMaker make : { MakeHexMesh, MakeTetMesh })
   {
     const auto compare = [](const Mesh& mesh, const MeshData& data, Ranks&)

@@ -42,7 +42,7 @@ InputBlock MakeBlock(const MesherCall& call, const Ranks& ranks)
 
 } // namespace
 
-StateChoice ReadStateChoice(nb::handle state, StateTransfer transfer)
+StateChoice ReadStateChoice(nb::handle state, TransferMode transfer)
 {
   StateChoice choice;
   if (!state.is_none())

@@ -30,7 +30,7 @@ struct MesherCall
 };
 
 /// Reads a dict, or None.
-StateChoice ReadStateChoice(nanobind::handle state, StateTransfer transfer);
+StateChoice ReadStateChoice(nanobind::handle state, TransferMode transfer);
 
 /// Makes the input of a run.
 /// @param call must outlive the result

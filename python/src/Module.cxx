@@ -69,7 +69,7 @@ nb::dict MakeMesh(const vfm::FileBlocks* blocks,
 {
   const vfm::MesherCall call{ blocks ? blocks->Blocks : std::vector<vfm::InputBlock>(), arrays,
     Copy(coordinates), axes, origin, arePoints, fractions, labels, names,
-    vfm::ReadStateChoice(state, options.Transfer), areGuessed };
+    vfm::ReadStateChoice(state, options.StateTransfer), areGuessed };
   const vfm::MesherOptions kept = options; // other threads may change options during the run
   vfm::PythonRuntime runtime(kept.NumberOfThreads, progress);
   vfm::MesherResult result;

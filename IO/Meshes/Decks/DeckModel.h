@@ -42,7 +42,7 @@ struct DeckModel
   std::vector<NodeSet> NodeSets;
   std::vector<SideSet> SideSets; ///< all side sets; SelectNamedSurfaces has one per face
   DeckState State;
-  SplitConnection Connection;        ///< of both sides of split interfaces
+  ConnectionKind Connection;         ///< of both sides of split interfaces
   std::vector<SplitFace> SplitFaces; ///< faces at which interfaces were split
   std::vector<CohesiveBlock> Blocks; ///< cohesive elements, numbered after all elements
 };

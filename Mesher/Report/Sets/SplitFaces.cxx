@@ -198,12 +198,12 @@ void FillBlocks(
 
 } // namespace
 
-SplitConnection ConnectionOf(const MeshData& mesh)
+ConnectionKind ConnectionOf(const MeshData& mesh)
 {
   const std::vector<double> values = NumbersOfField(mesh.Fields, SplitConnectionField);
-  const double largest = static_cast<double>(SplitConnection::Tied);
+  const double largest = static_cast<double>(ConnectionKind::Tied);
   const bool isKnown = values.size() == 1 && values[0] >= 0.0 && values[0] <= largest;
-  return isKnown ? static_cast<SplitConnection>(values[0]) : SplitConnection::None;
+  return isKnown ? static_cast<ConnectionKind>(values[0]) : ConnectionKind::None;
 }
 
 std::vector<SplitFace> FindSplitFaces(const MeshData& mesh, Ranks& ranks)
@@ -234,7 +234,7 @@ std::vector<SplitFace> FindSplitFaces(const MeshData& mesh, Ranks& ranks)
 
 std::vector<CohesiveBlock> FindCohesiveBlocks(const MeshData& mesh, Ranks& ranks)
 {
-  if (!ranks.Any(ConnectionOf(mesh) == SplitConnection::Cohesive))
+  if (!ranks.Any(ConnectionOf(mesh) == ConnectionKind::Cohesive))
   {
     return {};
   }

@@ -18,7 +18,7 @@ namespace vfm
 constexpr const char* SplitConnectionField = "SplitConnection";
 
 /// Returns the connection of a mesh; None if the mesh is not split.
-SplitConnection ConnectionOf(const MeshData& mesh);
+ConnectionKind ConnectionOf(const MeshData& mesh);
 
 /// Values of the nodes of a face: of four corners, of the mid nodes of its edges, of its centre; -1
 /// for nodes that a face does not have.
