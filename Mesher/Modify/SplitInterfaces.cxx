@@ -175,14 +175,18 @@ void SplitInterfaces(const MaterialPairs& pairs, ConnectionKind connection, Runt
   }
 }
 
-std::string SplitMesh(const MaterialPairs& pairs, const MesherOptions& options, Runtime& runtime,
+std::vector<CohesiveBlock> SplitMesh(const MaterialPairs& pairs, const MesherOptions& options,
+  const std::function<void(const std::string&)>& warn, Runtime& runtime,
   std::vector<FieldArray>& fields, Mesh& mesh, OutputState& state)
 {
   SplitInterfaces(pairs, options.SplitConnection, runtime, fields, mesh, state);
   const bool isSplit = !std::get<std::vector<int>>(FindField(fields, "SplitPairs")->Values).empty();
-  return isSplit ? ""
-                 : "SplitInterfaces is " + options.SplitInterfaces +
-      ", but no such materials have a common face.";
+  if (!isSplit && warn && runtime.Group().Rank() == 0)
+  {
+    warn("SplitInterfaces is " + options.SplitInterfaces +
+      ", but no such materials have a common face.");
+  }
+  return FindCohesiveBlocks(ViewMesh(mesh, state, fields), runtime.Group());
 }
 
 } // namespace vfm

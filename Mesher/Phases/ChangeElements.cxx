@@ -6,7 +6,6 @@
 #include "Modify/AddMidNodes.h"
 #include "Modify/CurvedVolumes.h"
 #include "Modify/SplitInterfaces.h"
-#include "State/ViewMesh.h"
 
 namespace vfm
 {
@@ -34,14 +33,6 @@ Vector3 FindPeriods(const MesherOptions& options, const CartesianGrid& grid)
     periods[a] = RepeatingAxes(options)[a] ? x.back() - x.front() : 0.0;
   }
   return periods;
-}
-
-/// Splits the interfaces between the pairs of materials.
-void Split(const MesherJob& job, const MaterialPairs& pairs, MesherResult& result)
-{
-  Warn(job, SplitMesh(pairs, job.Options, job.Run, result.Fields, result.TheMesh, result.State));
-  result.Cohesive =
-    FindCohesiveBlocks(ViewMesh(result.TheMesh, result.State, result.Fields), job.Run.Group());
 }
 
 /// Adds mid nodes, and reports the volumes of the curved elements.
@@ -78,7 +69,8 @@ void SplitAndCurve(
 {
   if (cells.SplitPairs)
   {
-    Split(job, *cells.SplitPairs, result);
+    result.Cohesive = SplitMesh(*cells.SplitPairs, job.Options, job.Input.Warn, job.Run,
+      result.Fields, result.TheMesh, result.State);
   }
   if (job.Options.ElementOrder != InterpolationOrder::Linear)
   {

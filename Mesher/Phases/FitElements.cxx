@@ -178,18 +178,10 @@ void MovePoints(const MeshCells& cells, const SurfaceTargets& targets, ElementMe
   ReportMoves(smoother, run);
 }
 
-} // namespace
-
-bool HasCurvedEdges(const MeshSettings& options)
+/// Moves the active points to the interfaces. The targets and the interfaces are freed at the end.
+void MoveToTargets(
+  const MeshCells& cells, ElementMethod& method, MeshRun& run, Draft& draft, ActiveMesh& active)
 {
-  return options.ElementOrder != InterpolationOrder::Linear && MovesPoints(options) &&
-    KindOfTargets(options) == SurfaceTargets::Kind::Quadrics;
-}
-
-void FitElements(const MeshCells& cells, ElementMethod& method, MeshRun& run, Draft& draft)
-{
-  // Before the interfaces, which would add to the peak of memory.
-  ActiveMesh& active = method.MakeActive(cells, run, draft);
   std::vector<FeatureKind> kinds;
   std::unique_ptr<LevelInterfaces> interfaces;
   const SurfaceTargets targets = FindTargets(cells, draft, method, run, active, kinds, interfaces);
@@ -203,6 +195,21 @@ void FitElements(const MeshCells& cells, ElementMethod& method, MeshRun& run, Dr
   }
   active.CopyTo(mesh, cells.Grid);
   draft.Kinds = active.OfMesh(kinds, mesh);
+}
+
+} // namespace
+
+bool HasCurvedEdges(const MeshSettings& options)
+{
+  return options.ElementOrder != InterpolationOrder::Linear && MovesPoints(options) &&
+    KindOfTargets(options) == SurfaceTargets::Kind::Quadrics;
+}
+
+void FitElements(const MeshCells& cells, ElementMethod& method, MeshRun& run, Draft& draft)
+{
+  // Before the interfaces, which would add to the peak of memory.
+  ActiveMesh& active = method.MakeActive(cells, run, draft);
+  MoveToTargets(cells, method, run, draft, active);
   method.EndMoves(run, draft);
 }
 

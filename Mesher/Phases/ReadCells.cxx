@@ -23,17 +23,18 @@ LevelCells OpenCells(const MesherJob& job)
   {
     throw InputError(
       "Threshold makes materials of ranges of the values of one array, which must be "
-      "chosen as labels (--labels ARRAY), not as volume fractions.");
+      "chosen as labels (" +
+      job.Input.Arrays.LabelsOption + " ARRAY), not as volume fractions.");
   }
   const std::vector<InputBlocks>& levels = job.Input.Levels.Levels;
   const MesherArrays& arrays = job.Input.Arrays;
   Ranks& ranks = job.Run.Group();
-  return AreLabels(job)
-    ? OpenLabels(levels,
-        { arrays.Labels, *ParseRanges(job.Options.Threshold),
-          job.Options.ZeroLabel == ZeroLabelMeaning::Material },
-        ranks)
-    : OpenFractions(levels, arrays.Fractions, job.Options.FractionTolerance, ranks);
+  return AreLabels(job) ? OpenLabels(levels,
+                            { arrays.Labels, *ParseRanges(job.Options.Threshold),
+                              job.Options.ZeroLabel == ZeroLabelMeaning::Material },
+                            ranks)
+                        : OpenFractions(levels, arrays.Fractions, job.Options.FractionTolerance,
+                            arrays.LabelsOption, ranks);
 }
 
 /// Warns if label 0 may be a material.
@@ -63,8 +64,8 @@ void CheckGreyLabels(const MesherJob& job, const LevelFields& fields)
     ". Threshold (--threshold LOW:HIGH) makes materials of ranges of values.";
   if (job.Input.Arrays.AreGuessed)
   {
-    throw InputError(
-      text + " If each value is a material, choose the array as labels (--labels " + name + ").");
+    throw InputError(text + " If each value is a material, choose the array as labels (" +
+      job.Input.Arrays.LabelsOption + " " + name + ").");
   }
   Warn(job, text);
 }
@@ -103,8 +104,9 @@ void CheckGreyFractions(const MesherJob& job, const LevelFields& fields)
     ". Threshold (--threshold LOW:HIGH) makes materials of ranges of values.";
   if (job.Input.Arrays.AreGuessed)
   {
-    throw InputError(text + " If each value is a material, choose the array as labels (--labels " +
-      name + "); if they are volume fractions, choose it as fractions (--fractions " + name + ").");
+    throw InputError(text + " If each value is a material, choose the array as labels (" +
+      job.Input.Arrays.LabelsOption + " " + name +
+      "); if they are volume fractions, choose it as fractions (--fractions " + name + ").");
   }
   Warn(job, text);
 }

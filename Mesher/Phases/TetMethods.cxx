@@ -199,7 +199,7 @@ TetTopology CellsMethod::BuildTets(
   const MeshCells& cells, const NarrowVoid& narrow, const CoarseTets& coarse, MeshRun& run)
 {
   TetTopology topology =
-    BuildCellTets(cells.Grid, this->Labels, cells.Options.MeshVoid, narrow, run.TheRuntime, coarse);
+    BuildCellTets(this->Labels, cells.Options.MeshVoid, narrow, run.TheRuntime, coarse);
   run.Clock.Start("Finding faces", 0.12);
   this->Faces = FindTetFaces(topology.Tets, topology.Positions, topology.Barrier, cells.Grid);
   return topology;

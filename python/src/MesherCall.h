@@ -27,6 +27,7 @@ struct MesherCall
   LabelNames Names;
   StateChoice State;
   bool AreGuessed;
+  std::string LabelsOption;
 };
 
 /// Reads a dict, or None.
