@@ -1,6 +1,8 @@
 #include "CheckSurface.h"
 
 #include "Base/DisjointSets.h"
+#include "Elements/ElementFaces.h"
+#include "Report/MatchFaces.h"
 #include "Report/MeshFacets.h"
 
 #include <algorithm>

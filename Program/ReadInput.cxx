@@ -104,7 +104,7 @@ const std::vector<Format>& Formats()
   return formats;
 }
 
-const Format* FindFormat(const std::string& path)
+const Format* FindInputFormat(const std::string& path)
 {
   const auto& formats = Formats();
   const auto found = std::find_if(formats.begin(), formats.end(),
@@ -152,7 +152,7 @@ private:
 vtkSmartPointer<vtkDataObject> ReadPart(
   const Arguments& arguments, VtkMessages& messages, const Ranks& ranks, Input& times)
 {
-  const Format& format = *FindFormat(arguments.Input);
+  const Format& format = *FindInputFormat(arguments.Input);
   if (format.IsLegacy && ranks.Rank() > 0)
   {
     return nullptr;
@@ -211,7 +211,7 @@ std::vector<std::string> GetInputSuffixes()
 
 void CheckInputSuffix(const std::string& path)
 {
-  if (!FindFormat(path) && !IsVoxelFile(path) && !IsImageFile(path) && !IsBlockFile(path))
+  if (!FindInputFormat(path) && !IsVoxelFile(path) && !IsImageFile(path) && !IsBlockFile(path))
   {
     std::error_code error;
     if (IsPattern(path) || std::filesystem::is_directory(path, error))

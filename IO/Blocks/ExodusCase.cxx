@@ -2,6 +2,7 @@
 
 #include "FileSuffix.h"
 #include "Input/ArrayInfo.h"
+#include "OpenFile.h"
 #include "Ranks/WorkTogether.h"
 
 #include <algorithm>
@@ -67,10 +68,20 @@ std::vector<std::string> DistributeFiles(const std::vector<std::string>& paths, 
 
 /// Calls a step of reading a file. Messages name the file if it is not the input itself.
 template <class Step>
-void NameFile(const std::string& input, const std::string& file, std::size_t count, Step step)
+void NameFile(const std::string& input, const std::string& file, Step step)
+{
+  PrefixErrors(file == input ? "" : file + ": ", step);
+}
+
+/// Reads the structure of a file.
+/// @param count  number of files of the input
+ExodusContents ReadContents(const std::string& input, const std::string& file, std::size_t count)
 {
   const std::string role = count > 1 ? " (one of " + std::to_string(count) + " files)" : "";
-  PrefixErrors(file == input ? "" : file + role + ": ", step);
+  PrefixErrors(file == input ? "" : file + role + ": ", [&] { OpenFile(file); });
+  ExodusContents contents;
+  NameFile(input, file, [&] { contents = ReadExodusContents(file); });
+  return contents;
 }
 
 } // namespace
@@ -91,12 +102,11 @@ ExodusCase::ExodusCase(const std::string& path, Ranks& ranks) : Path(path)
 {
   const std::vector<std::string> all = FindFiles(path);
   this->Files = DistributeFiles(all, ranks);
-  NameFile(path, all[0], all.size(), [&] { this->StepTimes = ReadExodusContents(all[0]).Times; });
+  this->StepTimes = ReadContents(path, all[0], all.size()).Times;
   std::vector<ArrayInfo> variables;
   for (const std::string& file : this->Files)
   {
-    ExodusContents contents;
-    NameFile(path, file, all.size(), [&] { contents = ReadExodusContents(file); });
+    const ExodusContents contents = ReadContents(path, file, all.size());
     if (contents.Times.size() != this->StepTimes.size())
     {
       throw InputError((file == path ? "" : file + ": ") + "it holds " +
@@ -126,7 +136,7 @@ std::vector<ElementBlock> ExodusCase::ReadElements(
   std::vector<ElementBlock> elements;
   for (const std::string& file : this->Files)
   {
-    NameFile(this->Path, file, 1,
+    NameFile(this->Path, file,
       [&]
       {
         const bool hasTimes = !this->StepTimes.empty();

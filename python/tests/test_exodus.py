@@ -12,30 +12,31 @@ from volume_fraction_mesh.__main__ import main
 SPACING, ORIGIN = 0.25, (-1.0, 0.5, 2.0)
 GRID = dict(spacing=SPACING, origin=ORIGIN)
 FRACTIONS = {"ball": BALL, "plate": np.minimum(PLATE, 1 - BALL)}
+STATE = {"f_" + name: values for name, values in FRACTIONS.items()}  # in the file
 
 
 @pytest.fixture
 def path(tmp_path):
     """Writes the cells of the grid as hexahedra, one element block per material."""
-    cells = vfm.hexes(FRACTIONS, stair_step=True, mesh_void=True, state=FRACTIONS, **GRID)
+    cells = vfm.hexes(FRACTIONS, stair_step=True, mesh_void=True, state=STATE, **GRID)
     assert len(cells) == BALL.size
     cells.save(tmp_path / "cells.e", time=2.5)
     return str(tmp_path / "cells.e")
 
 
 def test_same_as_arrays(path):
-    blocks = vfm.read(path, arrays=list(FRACTIONS))
+    blocks = vfm.read(path, arrays=list(STATE))
     assert len(blocks) > 3 and blocks.times == [2.5] and blocks.time == 2.5
-    assert blocks.names == blocks.fractions == list(FRACTIONS)
+    assert blocks.names == blocks.fractions == list(STATE)
     assert same(vfm.hexes(blocks), vfm.hexes(FRACTIONS, **GRID))
-    assert set(FRACTIONS) < set(vfm.read(path, step=-1).names)
+    assert set(STATE) < set(vfm.read(path, step=-1).names)
 
 
 def test_parts(path):
     """FILE.1.0 is part 0 of 1; a part that is missing is reported."""
     part = os.path.join(os.path.dirname(path), "any.1.0")
     os.rename(path, part)
-    assert same(vfm.hexes(vfm.read(part), arrays=list(FRACTIONS)), vfm.hexes(FRACTIONS, **GRID))
+    assert same(vfm.hexes(vfm.read(part), arrays=list(STATE)), vfm.hexes(FRACTIONS, **GRID))
     other = part.replace(".1.0", ".2.0")
     os.rename(part, other)
     with pytest.raises(ValueError, match=r"any\.2\.1 \(one of 2 files\): No such file"):
@@ -82,5 +83,5 @@ def test_other_cells(path):
 
 def test_command(path, capsys):
     output = path.replace("cells.e", "out.vtu")
-    assert main([path, output, "--array", "ball", "--array", "plate", "--quiet"]) == 0
+    assert main([path, output, "--array", "f_ball", "--array", "f_plate", "--quiet"]) == 0
     assert os.path.getsize(output) > 0 and capsys.readouterr().err == ""
