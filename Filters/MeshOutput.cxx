@@ -45,7 +45,7 @@ vtkSmartPointer<vtkCellArray> AdoptElements(Mesh& mesh)
   {
     return AdoptCells(mesh.Elements, mesh.Corners);
   }
-  const int nodes = mesh.Corners + mesh.MidsPerElement;
+  const int nodes = mesh.NodesPerElement();
   Buffer<Index> all(nodes * mesh.ElementIds.size());
   for (std::size_t e = 0; e < mesh.ElementIds.size(); ++e)
   {
@@ -113,7 +113,13 @@ void SetUsedPoints(
 /// Returns a visitor that adds arrays, for VisitElementArrays and VisitPointArrays.
 auto AdoptInto(vtkDataSetAttributes* arrays)
 {
-  return [arrays](const char* name, auto& values) { arrays->AddArray(AdoptBuffer(values, name)); };
+  return [arrays](const KnownArray& array, auto& values)
+  {
+    if (array.IsOutput(values))
+    {
+      arrays->AddArray(AdoptBuffer(values, array.Name));
+    }
+  };
 }
 
 void SetSurfaces(Mesh& mesh, vtkPolyData* surfaces)
@@ -185,11 +191,11 @@ void SetElementOutput(Mesh& mesh, vtkUnstructuredGrid* output)
     output->SetCells(mesh.Shape().VtkType, AdoptElements(mesh));
   }
   vtkCellData* cells = output->GetCellData();
-  VisitElementArrays(mesh, AdoptInto(cells));
+  VisitElementArrays(AdoptInto(cells), mesh);
   cells->SetActiveScalars("MaterialId");
   cells->SetActiveGlobalIds("GlobalCellIds");
   vtkPointData* nodes = output->GetPointData();
-  VisitPointArrays(mesh, AdoptInto(nodes));
+  VisitPointArrays(AdoptInto(nodes), mesh);
   nodes->SetActiveGlobalIds("GlobalPointIds");
 }
 

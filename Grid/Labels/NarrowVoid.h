@@ -1,7 +1,7 @@
 /**
  * NarrowVoid: the void cells between bodies that are close to each other. Where void is not meshed,
  * these cells get elements nevertheless while points move. The elements stay positive, so bodies
- * cannot overlap across them. They are no part of the finished mesh (Mesh::HasBarrier).
+ * cannot overlap across them. They are no part of the finished mesh (BarrierElements.h).
  *
  * A void cell is narrow if any of these holds:
  * - Along an axis it has cells of materials within two cells on both sides.

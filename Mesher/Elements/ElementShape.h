@@ -35,4 +35,16 @@ constexpr bool AreHexes(int corners)
   return corners == 8;
 }
 
+/// Numbers of nodes of every element of a mesh.
+struct NodeCounts
+{
+  int Corners = 8;        ///< 8 for hexes, 4 for tets
+  int MidsPerElement = 0; ///< mid nodes (MidNodes.h): 12 or 19, 6 for tets; 0: linear
+
+  const ElementShape& Shape() const { return ShapeOf(this->Corners, this->MidsPerElement); }
+  bool HasHexes() const { return AreHexes(this->Corners); }
+  int CornersOfFacet() const { return this->Shape().CornersOfFace; }
+  int NodesPerElement() const { return this->Corners + this->MidsPerElement; }
+};
+
 } // namespace vfm

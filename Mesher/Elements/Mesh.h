@@ -67,9 +67,8 @@ struct VertexPoints
 ///     3     0 2 1            3 7 6 2  (+y)
 ///     4                      0 3 2 1  (-z)
 ///     5                      4 5 6 7  (+z)
-struct Mesh
+struct Mesh : NodeCounts
 {
-  int Corners = 8;        ///< corners per element: 8 for hexes, 4 for tets
   IdScheme Ids = HexIds;  ///< scheme of PointIds and ElementIds
   Buffer<double> Points;  ///< coordinates, (points, 3), length units of the grid
   Buffer<Index> PointIds; ///< global ids, from 1, ascending
@@ -84,9 +83,8 @@ struct Mesh
   Buffer<int> GeometryDimension; ///< dimension per point: 3 volume, .., 0 vertex
   Buffer<int> GeometryId;        ///< number per point in its dimension, from 1; 3: fragment
   Buffer<Index> Elements;        ///< points, (elements, Corners), VTK order
-  int MidsPerElement = 0;        ///< mid nodes per element (MidNodes.h); 0: linear
   Buffer<Index> MidPoints;       ///< points, (elements, MidsPerElement); they follow the corners
-  std::vector<EdgePull> Pulls;   ///< of interface edges, before there are mid nodes
+  std::vector<EdgePull> Pulls;   ///< of interface edges, from FitElements until AddMidNodes
   Buffer<Index> ElementIds;      ///< global ids, from 1, ascending
   Buffer<int> Material;          ///< material per element; 0 is void
   Buffer<int> Fragment;          ///< fragment per element, from 1 over all ranks
@@ -99,18 +97,9 @@ struct Mesh
   std::vector<MeshFacet> Facets;
   CurveEdges Curves;
   VertexPoints Vertices;
-  GeometryTables Tables; ///< tables of all ranks
-  /// Only for hexes of cells of the finest grid: the first hex of each row of CartesianGrid::HexBox
-  /// (y fastest), then the end.
-  std::vector<Index> RowOffset;
-  /// Whether elements of void are only a barrier between bodies while points move (NarrowVoid.h).
-  /// They have no fragment, and KeepOwned removes them.
-  bool HasBarrier = false;
-  Index WholeCells = 0; ///< number of elements, from the first one, that are unchanged cells
+  GeometryTables Tables;                     ///< tables of all ranks
   std::shared_ptr<const RefinedGrid> Levels; ///< refined grid of the elements; never null
 
-  /// Returns whether an element is only a barrier.
-  bool IsBarrier(Index element) const { return this->HasBarrier && this->Material[element] == 0; }
   /// Returns the global ids of points before interfaces were split.
   const Buffer<Index>& UnsplitPointIds() const
   {
@@ -124,9 +113,6 @@ struct Mesh
       : this->PeriodicPartner.empty()     ? this->PointIds
                                           : this->PeriodicPartner;
   }
-  const ElementShape& Shape() const { return ShapeOf(this->Corners, this->MidsPerElement); }
-  bool HasHexes() const { return AreHexes(this->Corners); }
-  int CornersOfFacet() const { return this->Shape().CornersOfFace; }
 
   /// ResizePoints allocates points and their ids; ResizeElements elements, their ids and materials.
   void ResizePoints(Index count)

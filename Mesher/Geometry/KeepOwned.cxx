@@ -39,9 +39,10 @@ void SelectPointsOfElements(Runtime& runtime, Mesh& mesh)
 
 } // namespace
 
-void KeepOwned(Mesh& mesh, const CartesianGrid& grid, Runtime& runtime)
+void KeepOwned(const CartesianGrid& grid, const BarrierElements& barrier, Runtime& runtime,
+  Index& wholeCells, Mesh& mesh)
 {
-  if (grid.HexBox() == grid.Owned() && !mesh.HasBarrier)
+  if (grid.HexBox() == grid.Owned() && !barrier.Exist)
   {
     mesh.Facets = FindElements(ListFacetSides(mesh, runtime), mesh, runtime);
     return;
@@ -49,16 +50,14 @@ void KeepOwned(Mesh& mesh, const CartesianGrid& grid, Runtime& runtime)
   const std::vector<Index> elements = ListKept(runtime, mesh.ElementIds.size(),
     [&](Index e)
     {
-      return !mesh.IsBarrier(e) &&
+      return !barrier.Contain(mesh, e) &&
         grid.Owned().Contains(CellOfElement(grid, mesh, mesh.ElementIds[e]));
     });
-  mesh.WholeCells =
-    std::lower_bound(elements.begin(), elements.end(), mesh.WholeCells) - elements.begin();
+  wholeCells = std::lower_bound(elements.begin(), elements.end(), wholeCells) - elements.begin();
   mesh.Elements = Select(mesh.Elements, elements, runtime, mesh.Corners);
   mesh.ElementIds = Select(mesh.ElementIds, elements, runtime);
   mesh.Material = Select(mesh.Material, elements, runtime);
   mesh.Fragment = Select(mesh.Fragment, elements, runtime);
-  mesh.HasBarrier = false;
   SelectPointsOfElements(runtime, mesh);
 
   SurfaceFacets& surfaces = mesh.Surfaces;

@@ -68,11 +68,10 @@ bool AreCellsPerfect(const CartesianGrid& grid)
 
 /// Fills mesh.ScaledJacobian. Returns the number of hexes, from the first one, that have the value
 /// 1 because they are unchanged cells.
-Index MeasureHexes(Mesh& mesh, Runtime& runtime)
+Index MeasureHexes(Index wholeCells, Runtime& runtime, Mesh& mesh)
 {
   float* const values = mesh.ScaledJacobian.data();
-  const Index cells =
-    mesh.WholeCells > 0 && AreCellsPerfect(mesh.Levels->Finest()) ? mesh.WholeCells : 0;
+  const Index cells = wholeCells > 0 && AreCellsPerfect(mesh.Levels->Finest()) ? wholeCells : 0;
   runtime.For(
     0, cells, [values](Index begin, Index end) { std::fill(values + begin, values + end, 1.0f); });
   ForEach(runtime, static_cast<Index>(mesh.ScaledJacobian.size()) - cells,
@@ -107,13 +106,13 @@ void MeasureAllTets(Mesh& mesh, Runtime& runtime, MeshReport& report)
 
 } // namespace
 
-void ComputeQuality(Mesh& mesh, Runtime& runtime, MeshReport& report)
+void ComputeQuality(Mesh& mesh, Runtime& runtime, MeshReport& report, Index wholeCells)
 {
   mesh.ScaledJacobian = Buffer<float>(static_cast<Index>(mesh.ElementIds.size()));
   Index cells = 0;
   if (mesh.HasHexes())
   {
-    cells = MeasureHexes(mesh, runtime);
+    cells = MeasureHexes(wholeCells, runtime, mesh);
   }
   else
   {

@@ -19,7 +19,8 @@ double HexScaledJacobian(const double* points, const Index* hex);
 
 /// Fills mesh.ScaledJacobian and the minimum and mean over all ranks in the report. Also fills the
 /// dihedral angles of the report if the mesh consists of tets.
+/// @param wholeCells  number of hexes, from the first one, that are unchanged cells
 /// @pre Collective.
-void ComputeQuality(Mesh& mesh, Runtime& runtime, MeshReport& report);
+void ComputeQuality(Mesh& mesh, Runtime& runtime, MeshReport& report, Index wholeCells = 0);
 
 } // namespace vfm

@@ -3,7 +3,6 @@
 #include "Geometry/MeasureMaterials.h"
 #include "Geometry/Quality.h"
 #include "Report/Sets/MaterialsBehind.h"
-#include "State/ViewMesh.h"
 
 namespace vfm
 {
@@ -24,7 +23,7 @@ bool IsSelected(const LayerInput& input, LayerSide side, int own, int behind)
 std::vector<ColumnBase> ListInterfaces(
   const MesherOptions& options, const LayerInput& input, const Mesh& mesh, Ranks& ranks)
 {
-  const std::vector<Index> materials = FindMaterialsBehind(ViewMesh(mesh, {}, {}), ranks);
+  const std::vector<Index> materials = FindMaterialsBehind(ViewMesh(mesh), ranks);
   std::vector<ColumnBase> bases;
   for (std::size_t f = 0; f < materials.size(); ++f)
   {

@@ -187,8 +187,6 @@ void AddElements(
     }
   }
   mesh.Layer = std::move(layers);
-  mesh.WholeCells = 0;
-  mesh.RowOffset.clear();
 }
 
 /// Returns the volume of each element relative to the column that it was part of.

@@ -3,6 +3,7 @@
 #include "Ranks/Agreement.h"
 #include "Report/DomainSides.h"
 #include "Report/MatchFaces.h"
+#include "Report/MeshArrays.h"
 #include "Report/MeshFacets.h"
 #include "Report/Sets/MeshSets.h"
 
@@ -30,23 +31,6 @@ template <class T>
 Buffer<T> CopyOf(const std::vector<T>& values)
 {
   return CopyOf(values.data(), static_cast<Index>(values.size()));
-}
-
-/// Returns the values of an element array converted to T; empty if the mesh has no such array.
-template <class T>
-Buffer<T> CopyArray(const MeshData& mesh, const std::string& name)
-{
-  const MeshArray* array = FindArray(mesh.ElementArrays, name);
-  if (!array || array->Components != 1)
-  {
-    return {};
-  }
-  Buffer<T> copy(mesh.NumberOfElements);
-  for (std::size_t e = 0; e < copy.size(); ++e)
-  {
-    copy[e] = static_cast<T>(ValueAt(*array, static_cast<Index>(e)));
-  }
-  return copy;
 }
 
 int NumberOf(const std::vector<int>& labels, int material)
@@ -151,16 +135,14 @@ Mesh MakeMeshOf(const MeshData& data, const std::vector<int>& labels, Ranks& ran
   const Index points = data.NumberOfPoints, elements = data.NumberOfElements;
   mesh.Corners = data.Corners;
   mesh.Points = CopyOf(data.Points, 3 * points);
-  mesh.PointIds = CopyOf(data.PointIds, points);
-  mesh.PeriodicPartner = CopyOf(data.PeriodicPartner, points);
-  mesh.GeometryDimension = CopyOf(data.GeometryDimension, points);
-  mesh.GeometryId = CopyOf(data.GeometryId, points);
   mesh.Elements = CopyOf(data.Elements, data.Corners * elements);
-  mesh.ElementIds = CopyOf(data.ElementIds, elements);
-  mesh.Material = CopyOf(data.Material, elements);
-  mesh.Fragment = CopyOf(data.Fragment, elements);
-  mesh.ScaledJacobian = CopyArray<float>(data, "ScaledJacobian");
-  mesh.Layer = CopyArray<int>(data, "Layer");
+  const auto copy = [](Index count)
+  {
+    return [count](const KnownArray&, const auto* values, auto& buffer)
+    { buffer = CopyOf(values, count); };
+  };
+  VisitPointArrays(copy(points), data, mesh);
+  VisitElementArrays(copy(elements), data, mesh);
   mesh.Facets = FindMeshFacets(data, ranks);
   for (int& material : mesh.Material)
   {
@@ -201,7 +183,7 @@ OutputState MakeStateOf(const MeshData& mesh, const std::vector<std::string>& ex
   OutputState state;
   for (const MeshArray& array : mesh.ElementArrays)
   {
-    if (IsKnownArray(array) || array.Name == "ScaledJacobian" || array.Name == "Layer")
+    if (FindKnownArray(array.Name))
     {
       continue;
     }
@@ -231,7 +213,7 @@ std::vector<MeshArray> ListOtherPointArrays(const MeshData& mesh)
 {
   std::vector<MeshArray> others;
   std::copy_if(mesh.PointArrays.begin(), mesh.PointArrays.end(), std::back_inserter(others),
-    [](const MeshArray& array) { return !IsKnownArray(array); });
+    [](const MeshArray& array) { return !FindKnownArray(array.Name); });
   return others;
 }
 

@@ -3,30 +3,34 @@
  */
 #pragma once
 
+#include "Elements/BarrierElements.h"
 #include "Elements/Facet.h"
 #include "Elements/FeatureKind.h"
-#include "Elements/Mesh.h"
 #include "Volumes/FragmentVolumes.h"
 
 namespace vfm
 {
 
-/// A mesh of the elements in CartesianGrid::HexBox with what stages pass on.
+/// A mesh of the elements in CartesianGrid::HexBox with what stages pass on. What only one stage
+/// needs, such as HexTopology::RowOffset, stays in the stage.
 ///
 /// | part | made by | freed by |
 /// |---|---|---|
-/// | Elements | ElementMethod::Make | FinishMesh returns it |
-/// | Facets | ElementMethod::Make; EndMoves again | ElementMethod::StartMoves; FinishMesh |
-/// | Volumes | ElementMethod::Make | FinishMesh |
+/// | Elements | ElementMethod::Make | FinishMesh returns it, with the owned elements |
+/// | ids of Elements | ElementMethod::Make | packed by HexMethod::StartMoves until RestoreDraft |
+/// | Elements.Pulls | FitElements | AddMidNodes |
+/// | Facets | ElementMethod::Make; RestoreDraft again | ElementMethod::StartMoves; FinishMesh |
+/// | Volumes, RequestedFamilies, WholeCells | ElementMethod::Make | FinishMesh |
+/// | Barrier | ElementMethod::Make | KeepOwned removes its elements |
 /// | Kinds | FitElements | FinishMesh |
-/// | RequestedFamilies | ElementMethod::Make | FinishMesh |
 struct Draft
 {
   Mesh Elements;
   std::vector<Facet> Facets; ///< all facets of the mesh
   FragmentVolumes Volumes;
-  /// LevelHexes::RequestedFamilies.
-  std::vector<Index> RequestedFamilies;
+  std::vector<Index> RequestedFamilies{}; ///< LevelHexes::RequestedFamilies
+  BarrierElements Barrier{};
+  Index WholeCells = 0; ///< number of elements, from the first one, that are unchanged cells
   std::vector<FeatureKind> Kinds{}; ///< of each point; empty: there are no carriers
 };
 

@@ -45,13 +45,13 @@ Mesh FinishMesh(const MeshCells& cells, ElementMethod& method, MeshRun& run, Dra
   run.Clock.Start("Finding geometry", 0.93);
   ClassifyGeometry(draft.Facets, draft.Kinds, run.Parts, run.TheRuntime, mesh, run.Report);
   CloseSeam(run.Parts, mesh);
-  KeepOwned(mesh, cells.Grid, run.TheRuntime);
+  KeepOwned(cells.Grid, draft.Barrier, run.TheRuntime, draft.WholeCells, mesh);
   ReportLevels(mesh, draft.RequestedFamilies, run.Group(), run.Report);
   method.Refill(cells, run, mesh);
   if (cells.Options.ComputeQuality)
   {
     run.Clock.Start("Measuring quality", 0.95);
-    ComputeQuality(mesh, run.TheRuntime, run.Report);
+    ComputeQuality(mesh, run.TheRuntime, run.Report, draft.WholeCells);
   }
   MeasureMaterials(mesh, run.Group(), run.Report);
   return std::move(mesh);

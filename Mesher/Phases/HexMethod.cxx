@@ -73,21 +73,25 @@ Draft HexMethod::Make(const MeshCells& cells, MeshRun& run)
   run.Report.NarrowVoidCells = SumOverRanks(labelled.Narrow.CountOwned(), run.Group());
   PointNumbering numbering(cells.Grid, labelled.Labels, cells.Options.MeshVoid,
     !coarse.Levels().IsUniform(), labelled.Narrow);
-  Mesh mesh = BuildHexes(cells.Grid, labelled.Labels, labelled.Mixed, cells.Options.StairStep,
-    numbering, run.TheRuntime, coarse);
+  HexTopology topology = BuildHexes(cells.Grid, labelled.Labels, labelled.Mixed,
+    cells.Options.StairStep, numbering, run.TheRuntime, coarse);
+  Mesh& mesh = topology.Hexes;
   mesh.Levels = labelled.Levels.Grid;
-  mesh.HasBarrier = !labelled.Narrow.IsEmpty();
   run.Clock.Start("Finding fragments", 0.12);
   const Fragments fragments(cells.Grid, labelled.Labels, cells.Options.MeshVoid, run.Parts);
   run.Report.NumberOfFragments = fragments.NumberOfFragments();
-  FillFragments(labelled, numbering, fragments, run.TheRuntime, mesh);
+  FillFragments(labelled, numbering, fragments, run.TheRuntime, topology);
   run.Clock.Update(0.135);
   std::vector<Facet> facets =
-    FindHexFacets(labelled, numbering, fragments, run.Parts, run.TheRuntime, mesh);
+    FindHexFacets(labelled, numbering, fragments, run.Parts, run.TheRuntime, topology);
   run.Clock.Start("Finding volumes", 0.15);
   FragmentVolumes volumes = FindVolumes(cells, labelled.Labels, fragments, mesh, run.TheRuntime);
-  return { std::move(mesh), std::move(facets), std::move(volumes),
-    std::move(labelled.Levels.RequestedFamilies) };
+  return { .Elements = std::move(mesh),
+    .Facets = std::move(facets),
+    .Volumes = std::move(volumes),
+    .RequestedFamilies = std::move(labelled.Levels.RequestedFamilies),
+    .Barrier = { !labelled.Narrow.IsEmpty() },
+    .WholeCells = topology.WholeCells };
 }
 
 ActiveMesh& HexMethod::MakeActive(const MeshCells&, MeshRun& run, Draft& draft)

@@ -100,14 +100,17 @@ Draft TetMethodBase::Make(const MeshCells& cells, MeshRun& run)
   Mesh& mesh = topology.Tets;
   FillInside(mesh);
   std::vector<Facet> facets = ListFacets(this->Faces, cells.Grid, run.Parts, mesh);
-  return { std::move(mesh), std::move(facets), std::move(volumes),
-    std::move(levels.RequestedFamilies) };
+  return { .Elements = std::move(mesh),
+    .Facets = std::move(facets),
+    .Volumes = std::move(volumes),
+    .RequestedFamilies = std::move(levels.RequestedFamilies),
+    .Barrier = topology.Barrier };
 }
 
 ActiveMesh& TetMethodBase::MakeActive(const MeshCells& cells, MeshRun& run, Draft& draft)
 {
-  this->Active =
-    MakeActiveTets(draft.Elements, this->Positions, cells.Grid, run.Parts, run.TheRuntime);
+  this->Active = MakeActiveTets(
+    draft.Elements, this->Positions, draft.Barrier, cells.Grid, run.Parts, run.TheRuntime);
   return this->Active;
 }
 
@@ -198,7 +201,7 @@ TetTopology CellsMethod::BuildTets(
   TetTopology topology =
     BuildCellTets(this->Labels, cells.Options.MeshVoid, narrow, run.TheRuntime, coarse);
   run.Clock.Start("Finding faces", 0.12);
-  this->Faces = FindTetFaces(topology.Tets, topology.Positions, cells.Grid);
+  this->Faces = FindTetFaces(topology.Tets, topology.Positions, topology.Barrier, cells.Grid);
   return topology;
 }
 
@@ -226,7 +229,8 @@ void CellsMethod::StartMoves(
   const MeshCells& cells, const std::vector<FeatureKind>& kinds, MeshRun& run, Draft& draft)
 {
   TetMethodBase::StartMoves(cells, kinds, run, draft);
-  this->Flips.emplace(draft.Elements, run.Parts, this->Active, this->TheEnergy, kinds);
+  this->Flips.emplace(
+    draft.Elements, draft.Barrier, run.Parts, this->Active, this->TheEnergy, kinds);
 }
 
 void CellsMethod::AfterSweep(const SmoothingStage& stage, int sweep, Smoother& smoother)
@@ -240,7 +244,7 @@ void CellsMethod::AfterSweep(const SmoothingStage& stage, int sweep, Smoother& s
 void CellsMethod::AfterRamp(const MeshCells& cells, MeshRun& run, Draft& draft)
 {
   this->Flips->CopyTo(draft.Elements);
-  this->Faces = FindTetFaces(draft.Elements, this->Positions, cells.Grid);
+  this->Faces = FindTetFaces(draft.Elements, this->Positions, draft.Barrier, cells.Grid);
   std::vector<Facet> flipped = ListFacets(this->Faces, cells.Grid, run.Parts, draft.Elements);
   SetFacets(flipped, run.TheRuntime, this->Active);
   if (HasCurvedEdges(cells.Options))

@@ -147,12 +147,11 @@ StoredMesh MergePieces(const Pieces& pieces)
     SortItems(pieces, &MeshData::ElementIds, &MeshData::NumberOfElements);
   StoredMesh merged;
   MeshData& data = merged.Data;
-  data.Corners = pieces[0]->Corners;
+  static_cast<NodeCounts&>(data) = *pieces[0];
   data.NumberOfPoints = static_cast<Index>(points.size());
   data.NumberOfElements = static_cast<Index>(elements.size());
   data.Points = merged.Store(
     MergeValues<double>(pieces, points, 3, [](const MeshData& piece) { return piece.Points; }));
-  data.MidsPerElement = pieces[0]->MidsPerElement;
   data.Elements =
     merged.Store(MergeNodes(pieces, points, elements, &MeshData::Elements, &MeshData::Corners));
   data.MidPoints = merged.Store(

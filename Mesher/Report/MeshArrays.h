@@ -1,45 +1,69 @@
 /**
- * MeshArrays: names of the arrays of a mesh in outputs and files.
+ * MeshArrays: the arrays of a mesh, with their names and types in outputs and files.
  */
 #pragma once
 
-#include "Elements/Mesh.h"
+#include "Input/ValueType.h"
+
+#include <optional>
+#include <string>
 
 namespace vfm
 {
 
-///@{ Calls visit(name, buffer) for each array, in the order of files. TheMesh: Mesh or const Mesh.
-template <class TheMesh, class Visit>
-void VisitElementArrays(TheMesh& mesh, const Visit& visit)
+/// An array with one value per point or element.
+struct KnownArray
 {
-  visit("MaterialId", mesh.Material);
-  visit("FragmentId", mesh.Fragment);
-  visit("GlobalCellIds", mesh.ElementIds);
-  if (!mesh.ScaledJacobian.empty())
+  const char* Name;
+  int Type;                ///< ValueType of the values in Mesh and MeshData
+  bool IsOptional = false; ///< outputs have the array only if it has values
+  bool IsShown = false;    ///< only people and ModifyMesh read the array
+
+  /// Returns whether outputs have the array.
+  template <class Values>
+  bool IsOutput(const Values& values) const
   {
-    visit("ScaledJacobian", mesh.ScaledJacobian);
+    return !this->IsOptional || !values.empty();
   }
-  if (!mesh.Layer.empty())
-  {
-    visit("Layer", mesh.Layer);
-  }
+};
+
+///@{ Calls visit(KnownArray, values of each of the meshes) for each array, in the order of files.
+/// The meshes are of type Mesh or MeshData, which have the same names.
+template <class Visit, class... Meshes>
+void VisitPointArrays(const Visit& visit, Meshes&... meshes)
+{
+  visit(KnownArray{ "GlobalPointIds", ValueType::Id }, meshes.PointIds...);
+  visit(KnownArray{ "GeometryDimension", ValueType::Int }, meshes.GeometryDimension...);
+  visit(KnownArray{ "GeometryId", ValueType::Int }, meshes.GeometryId...);
+  visit(KnownArray{ "PeriodicPartner", ValueType::Id, true }, meshes.PeriodicPartner...);
+  visit(KnownArray{ "OriginalPointIds", ValueType::Id, true }, meshes.OriginalPointIds...);
 }
 
-template <class TheMesh, class Visit>
-void VisitPointArrays(TheMesh& mesh, const Visit& visit)
+template <class Visit, class... Meshes>
+void VisitElementArrays(const Visit& visit, Meshes&... meshes)
 {
-  visit("GlobalPointIds", mesh.PointIds);
-  visit("GeometryDimension", mesh.GeometryDimension);
-  visit("GeometryId", mesh.GeometryId);
-  if (!mesh.PeriodicPartner.empty())
-  {
-    visit("PeriodicPartner", mesh.PeriodicPartner);
-  }
-  if (!mesh.OriginalPointIds.empty())
-  {
-    visit("OriginalPointIds", mesh.OriginalPointIds);
-  }
+  visit(KnownArray{ "MaterialId", ValueType::Int }, meshes.Material...);
+  visit(KnownArray{ "FragmentId", ValueType::Int }, meshes.Fragment...);
+  visit(KnownArray{ "GlobalCellIds", ValueType::Id }, meshes.ElementIds...);
+  visit(KnownArray{ "ScaledJacobian", ValueType::Float, true, true }, meshes.ScaledJacobian...);
+  visit(KnownArray{ "Layer", ValueType::Int, true, true }, meshes.Layer...);
 }
 ///@}
+
+/// Returns the array of points or elements with a name.
+inline std::optional<KnownArray> FindKnownArray(const std::string& name)
+{
+  std::optional<KnownArray> found;
+  const auto check = [&](const KnownArray& array)
+  {
+    if (name == array.Name)
+    {
+      found = array;
+    }
+  };
+  VisitPointArrays(check);
+  VisitElementArrays(check);
+  return found;
+}
 
 } // namespace vfm

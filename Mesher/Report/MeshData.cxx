@@ -1,9 +1,8 @@
 #include "Report/MeshData.h"
 
-#include "Elements/MidNodes.h"
+#include "Report/MeshArrays.h"
 
 #include <algorithm>
-#include <iterator>
 #include <type_traits>
 
 namespace vfm
@@ -67,25 +66,42 @@ std::vector<Index> MidsOfFace(const MeshData& mesh, Index element, int face)
   return points;
 }
 
-void FindKnownArrays(StoredMesh& mesh)
+MeshData ViewMesh(const Mesh& mesh)
 {
-  MeshData& data = mesh.Data;
-  const Index points = data.NumberOfPoints, elements = data.NumberOfElements;
-  SetPointer(mesh, data.PointArrays, "GlobalPointIds", points, data.PointIds);
-  SetPointer(mesh, data.PointArrays, "PeriodicPartner", points, data.PeriodicPartner);
-  SetPointer(mesh, data.PointArrays, "OriginalPointIds", points, data.OriginalPointIds);
-  SetPointer(mesh, data.PointArrays, "GeometryDimension", points, data.GeometryDimension);
-  SetPointer(mesh, data.PointArrays, "GeometryId", points, data.GeometryId);
-  SetPointer(mesh, data.ElementArrays, "GlobalCellIds", elements, data.ElementIds);
-  SetPointer(mesh, data.ElementArrays, "MaterialId", elements, data.Material);
-  SetPointer(mesh, data.ElementArrays, "FragmentId", elements, data.Fragment);
+  MeshData data;
+  static_cast<NodeCounts&>(data) = mesh;
+  data.NumberOfPoints = static_cast<Index>(mesh.PointIds.size());
+  data.NumberOfElements = static_cast<Index>(mesh.ElementIds.size());
+  data.Points = mesh.Points.data();
+  data.Elements = mesh.Elements.data();
+  data.MidPoints = mesh.MidPoints.data();
+  data.Facets = &mesh.Facets;
+  const auto viewIn = [](std::vector<MeshArray>& arrays)
+  {
+    return [&arrays](const KnownArray& array, const auto& values, auto& view)
+    {
+      view = values.data();
+      if (array.IsOutput(values))
+      {
+        arrays.push_back({ array.Name, array.Type, 1, {}, view });
+      }
+    };
+  };
+  VisitElementArrays(viewIn(data.ElementArrays), mesh, data);
+  VisitPointArrays(viewIn(data.PointArrays), mesh, data);
+  return data;
 }
 
-bool IsKnownArray(const MeshArray& array)
+void FindKnownArrays(StoredMesh& mesh)
 {
-  constexpr const char* names[] = { "GlobalPointIds", "PeriodicPartner", "OriginalPointIds",
-    "GeometryDimension", "GeometryId", "GlobalCellIds", "MaterialId", "FragmentId" };
-  return std::find(std::begin(names), std::end(names), array.Name) != std::end(names);
+  const auto setFrom = [&mesh](const std::vector<MeshArray>& arrays, Index count)
+  {
+    return [&mesh, &arrays, count](const KnownArray& array, auto& values)
+    { SetPointer(mesh, arrays, array.Name, count, values); };
+  };
+  MeshData& data = mesh.Data;
+  VisitPointArrays(setFrom(data.PointArrays, data.NumberOfPoints), data);
+  VisitElementArrays(setFrom(data.ElementArrays, data.NumberOfElements), data);
 }
 
 MeshData TakeKnownArrays(MeshData mesh, const std::function<bool(const MeshArray&)>& isTaken)
@@ -94,7 +110,10 @@ MeshData TakeKnownArrays(MeshData mesh, const std::function<bool(const MeshArray
   {
     arrays->erase(std::remove_if(arrays->begin(), arrays->end(),
                     [&](const MeshArray& array)
-                    { return !IsKnownArray(array) && !(isTaken && isTaken(array)); }),
+                    {
+                      const std::optional<KnownArray> known = FindKnownArray(array.Name);
+                      return (!known || known->IsShown) && !(isTaken && isTaken(array));
+                    }),
       arrays->end());
   }
   return mesh;

@@ -1,13 +1,14 @@
 /**
  * MeshData: one rank's mesh with its named arrays, as input of reports and file writers.
  *
- * All pointers are views; the creator of a MeshData owns the memory. StoredMesh owns its memory.
+ * It is a view of a mesh: of a Mesh (ViewMesh), of VTK or NumPy arrays, or of arrays of a file.
+ * Members that Mesh has, too, have its names, types and order of values; MeshArrays.h lists those
+ * per point and element once for both. The creator of a MeshData owns the memory; StoredMesh owns
+ * its memory. Only ModifyMesh, which changes the mesh, copies a MeshData to a Mesh (MakeMeshOf).
  */
 #pragma once
 
-#include "Base/Vector3.h"
-#include "Elements/ElementShape.h"
-#include "Elements/MeshFacet.h"
+#include "Elements/Mesh.h"
 #include "Input/FieldArray.h"
 #include "Input/ValueType.h"
 
@@ -30,25 +31,22 @@ struct MeshArray
   const void* Values = nullptr;
 };
 
-/// A view of a mesh. Pointers to missing arrays, and to arrays without values, are null.
-struct MeshData
+/// A view of a mesh. Members that Mesh has are described there; materials have the ids of the user.
+/// Pointers to missing arrays, and to arrays without values, are null.
+struct MeshData : NodeCounts
 {
-  int Corners = 8; ///< corners of an element: 8 hexahedra, 4 tetrahedra
   Index NumberOfPoints = 0, NumberOfElements = 0;
-  const double* Points = nullptr;   ///< (points, 3)
-  const Index* Elements = nullptr;  ///< (elements, Corners), points from 0, VTK's order
-  int MidsPerElement = 0;           ///< mid nodes of an element (MidNodes.h): 0, 12, 19 or 6
-  const Index* MidPoints = nullptr; ///< (elements, MidsPerElement), points from 0, VTK's order
-  const Index* PointIds = nullptr;  ///< global ids of points, from 1
-  /// Lowest global id among the copies of each point on opposite sides of a periodic mesh.
-  const Index* PeriodicPartner = nullptr;
-  /// Global ids of points before interfaces were split (Modify/SplitInterfaces.h).
-  const Index* OriginalPointIds = nullptr;
-  const Index* ElementIds = nullptr;      ///< global ids of elements, from 1
-  const int* Material = nullptr;          ///< material id of each element; 0 void
-  const int* Fragment = nullptr;          ///< fragment of each element, from 1
-  const int* GeometryDimension = nullptr; ///< each point: 3 volume, 2 surface, 1 curve, 0 vertex
-  const int* GeometryId = nullptr;        ///< id of each point, from 1 within its dimension
+  const double* Points = nullptr;
+  const Index *Elements = nullptr, *MidPoints = nullptr;
+  ///@{ Values of points
+  const Index *PointIds = nullptr, *PeriodicPartner = nullptr, *OriginalPointIds = nullptr;
+  const int *GeometryDimension = nullptr, *GeometryId = nullptr;
+  ///@}
+  ///@{ Values of elements
+  const Index* ElementIds = nullptr;
+  const int *Material = nullptr, *Fragment = nullptr, *Layer = nullptr;
+  const float* ScaledJacobian = nullptr;
+  ///@}
   std::vector<MeshArray> PointArrays, ElementArrays; ///< all arrays of files, also the ones above
   std::vector<FieldArray> Fields; ///< arrays of the whole mesh, equal on all ranks
   std::optional<double> Time;
@@ -65,9 +63,6 @@ struct MeshData
     const Index* mids = this->MidPoints + this->MidsPerElement * element;
     visit(mids, mids + this->MidsPerElement);
   }
-  const ElementShape& Shape() const { return ShapeOf(this->Corners, this->MidsPerElement); }
-  bool HasHexes() const { return AreHexes(this->Corners); }
-  int NodesPerElement() const { return this->Corners + this->MidsPerElement; }
   const double* Point(Index point) const { return this->Points + 3 * point; }
   /// Returns the global ids of points before interfaces were split.
   const Index* UnsplitPointIds() const
@@ -85,6 +80,10 @@ struct MeshData
 /// (ElementFaces), then its centre; none for linear elements.
 std::vector<Index> MidsOfFace(const MeshData& mesh, Index element, int face);
 
+/// Returns a view of a mesh with its arrays, without fields.
+/// @param mesh  must outlive the result
+MeshData ViewMesh(const Mesh& mesh);
+
 /// A mesh that shares ownership of the memory of its pointers.
 struct StoredMesh
 {
@@ -101,12 +100,11 @@ struct StoredMesh
   }
 };
 
-/// Sets the pointers of Data to its named arrays: views, or converted copies if types differ.
-/// Arrays with several components or without values count as missing.
+/// Sets the pointers of Data to the arrays of MeshArrays.h: views, or converted copies if types
+/// differ. Arrays with several components or without values count as missing.
 void FindKnownArrays(StoredMesh& mesh);
-/// Returns whether an array is one of the arrays that FindKnownArrays looks for.
-bool IsKnownArray(const MeshArray& array);
-/// Returns the mesh with only its known arrays and the arrays for which isTaken(array) is true.
+/// Returns the mesh with only its known arrays, unless they are only shown, and the arrays for
+/// which isTaken(array) is true.
 MeshData TakeKnownArrays(MeshData mesh, const std::function<bool(const MeshArray&)>& isTaken = {});
 
 /// Returns the array with a name, or null.

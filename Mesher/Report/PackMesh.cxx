@@ -106,12 +106,9 @@ Bytes PackMesh(const MeshData& mesh)
 
 Bytes PackHead(const MeshData& mesh)
 {
-  MeshData head;
-  head.Corners = mesh.Corners;
-  head.MidsPerElement = mesh.MidsPerElement;
-  head.PointArrays = mesh.PointArrays;
-  head.ElementArrays = mesh.ElementArrays;
-  head.Fields = mesh.Fields;
+  MeshData head = mesh;
+  head.NumberOfPoints = head.NumberOfElements = 0;
+  head.Facets = nullptr;
   return PackMesh(head);
 }
 

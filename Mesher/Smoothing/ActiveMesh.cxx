@@ -70,7 +70,8 @@ unsigned char FixedOnSides(int sides)
     ((sides & 3) != 0) | ((sides >> 2 & 3) != 0) << 1 | ((sides >> 4 & 3) != 0) << 2);
 }
 
-void ActiveMesh::SetBarrier(const Mesh& mesh, const std::vector<Index>& elements)
+void ActiveMesh::SetBarrier(
+  const Mesh& mesh, const BarrierElements& barrier, const std::vector<Index>& elements)
 {
   std::vector<unsigned char> isNear(this->X.size(), 0);
   const auto forPoints = [this](std::size_t element, const auto& visit)
@@ -78,9 +79,9 @@ void ActiveMesh::SetBarrier(const Mesh& mesh, const std::vector<Index>& elements
     const auto points = this->Elements.begin() + this->Corners * element;
     std::for_each(points, points + this->Corners, visit);
   };
-  for (std::size_t e = 0; mesh.HasBarrier && e < elements.size(); ++e)
+  for (std::size_t e = 0; barrier.Exist && e < elements.size(); ++e)
   {
-    if (mesh.IsBarrier(elements[e]))
+    if (barrier.Contain(mesh, elements[e]))
     {
       this->Demands.resize(elements.size(), 1.0f);
       this->Demands[e] = BarrierDemand;

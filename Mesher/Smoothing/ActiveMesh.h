@@ -11,9 +11,9 @@
  */
 #pragma once
 
+#include "Elements/BarrierElements.h"
 #include "Elements/Facet.h"
 #include "Elements/GridCoordinates.h"
-#include "Elements/Mesh.h"
 #include "Elements/PointExchange.h"
 #include "Interface/Interface.h"
 #include "Smoothing/HexRings.h"
@@ -41,7 +41,7 @@ struct ActiveFacet
   std::array<int, 2> Fragments; ///< fragment behind and before; 0: not meshed
 };
 
-/// Factor of the target quality of elements that are only a barrier (Mesh::HasBarrier). Their
+/// Factor of the target quality of elements that are only a barrier (BarrierElements.h). Their
 /// energy grows without bound as they degenerate, but hardly pulls points before.
 constexpr float BarrierDemand = 0.3f;
 
@@ -206,7 +206,8 @@ struct ActiveMesh
   /// points of the elements at these.
   /// @param elements  index in the mesh of each element
   /// @pre Collective among the ranks that share points.
-  void SetBarrier(const Mesh& mesh, const std::vector<Index>& elements);
+  void SetBarrier(
+    const Mesh& mesh, const BarrierElements& barrier, const std::vector<Index>& elements);
   /// Fills X, Fixed and bounds from the positions in the mesh. Points on sides of the domain and
   /// flat seams stay there; all others stay 0.01 cells inside. Keeps a pointer to the points of the
   /// mesh.

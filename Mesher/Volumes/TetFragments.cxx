@@ -88,7 +88,7 @@ std::vector<Piece> TetFragments::FindPieces(const TetTopology& topology, const T
   std::vector<Index> bare; // tets without an anchor
   for (Index t = 0; t < tets; ++t)
   {
-    if (AnchorOf(topology, t) < 0 && !mesh.IsBarrier(t))
+    if (AnchorOf(topology, t) < 0 && !topology.Barrier.Contain(mesh, t))
     {
       bare.push_back(t);
     }
@@ -101,7 +101,7 @@ std::vector<Piece> TetFragments::FindPieces(const TetTopology& topology, const T
   std::vector<Index> parent = MakeSets(points + bare.size());
   for (Index t = 0; t < tets; ++t)
   {
-    if (mesh.IsBarrier(t))
+    if (topology.Barrier.Contain(mesh, t))
     {
       continue;
     }
@@ -124,7 +124,7 @@ std::vector<Piece> TetFragments::FindPieces(const TetTopology& topology, const T
   this->PieceOf.reserve(tets);
   for (Index t = 0; t < tets; ++t)
   {
-    if (mesh.IsBarrier(t))
+    if (topology.Barrier.Contain(mesh, t))
     {
       this->PieceOf.push_back(-1);
       continue;

@@ -13,6 +13,7 @@
 #include "MeshCases.h"
 #include "NoCoarseTets.h"
 #include "RankFields.h"
+#include "Report/MeshArrays.h"
 
 #include <benchmark/benchmark.h>
 
@@ -33,9 +34,11 @@ std::size_t BytesOf(const Buffer<T>& buffer)
 
 std::size_t BytesOf(const Mesh& m)
 {
-  return BytesOf(m.Points) + BytesOf(m.PointIds) + BytesOf(m.GeometryDimension) +
-    BytesOf(m.GeometryId) + BytesOf(m.Elements) + BytesOf(m.ElementIds) + BytesOf(m.Material) +
-    BytesOf(m.Fragment) + BytesOf(m.ScaledJacobian);
+  std::size_t bytes = BytesOf(m.Points) + BytesOf(m.Elements);
+  const auto add = [&bytes](const KnownArray&, const auto& values) { bytes += BytesOf(values); };
+  VisitPointArrays(add, m);
+  VisitElementArrays(add, m);
+  return bytes;
 }
 
 /// Returns the seconds to copy as many bytes as the mesh has into new memory.

@@ -44,8 +44,15 @@ public:
     const auto add = [this](const char* name, const auto& numbers) { this->Add(name, numbers); };
     add("Points", mesh.Points);
     add("Elements", mesh.Elements);
-    VisitPointArrays(mesh, add);
-    VisitElementArrays(mesh, add);
+    const auto addKnown = [&add](const KnownArray& array, const auto& values)
+    {
+      if (array.IsOutput(values))
+      {
+        add(array.Name, values);
+      }
+    };
+    VisitPointArrays(addKnown, mesh);
+    VisitElementArrays(addKnown, mesh);
     add("Facets", mesh.Surfaces.Points);
     add("SurfaceId", mesh.Surfaces.SurfaceId);
     add("MaterialPair", mesh.Surfaces.MaterialPair);

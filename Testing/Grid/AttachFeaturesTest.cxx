@@ -70,13 +70,14 @@ struct CubeHexes
       report, this->Labelled.Levels);
     CoarseHexes& coarse = *this->Labelled.Levels.Coarse;
     PointNumbering numbering(grid, this->Labelled.Labels, false, false, this->Labelled.Narrow);
-    this->Hexes =
+    HexTopology topology =
       BuildHexes(grid, this->Labelled.Labels, this->Labelled.Mixed, false, numbering, Run, coarse);
-    this->Hexes.Levels = this->Labelled.Levels.Grid;
+    topology.Hexes.Levels = this->Labelled.Levels.Grid;
     const Fragments fragments(grid, this->Labelled.Labels, false, this->Parts);
-    FillFragments(this->Labelled, numbering, fragments, runtime, this->Hexes);
+    FillFragments(this->Labelled, numbering, fragments, runtime, topology);
     this->Facets =
-      FindHexFacets(this->Labelled, numbering, fragments, this->Parts, runtime, this->Hexes);
+      FindHexFacets(this->Labelled, numbering, fragments, this->Parts, runtime, topology);
+    this->Hexes = std::move(topology.Hexes);
     const LevelInterfaces interfaces(
       *this->Hexes.Levels, fractions, this->Labelled.Labels, this->Labelled.Mixed, 0.5, Run);
     this->Targets =

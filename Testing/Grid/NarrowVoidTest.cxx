@@ -210,7 +210,6 @@ TEST(NarrowVoid, KeepsPlatesApart)
     const Made made = MakeMesh(grid, plates, method);
     EXPECT_EQ(FindElementOverlaps(made.Elements).Depth, 0.0) << method.Name;
     EXPECT_TRUE(HasOnlyMaterials(made.Elements)) << method.Name;
-    EXPECT_FALSE(made.Elements.HasBarrier) << method.Name;
     EXPECT_EQ(made.Report.NumberOfFragments, 2) << method.Name;
     EXPECT_EQ(made.Report.NarrowVoidCells, 256) << method.Name;
     for (int m = 1; m <= 2; ++m)

@@ -2,6 +2,7 @@
 
 #include "Base/Vector3.h"
 #include "Elements/Hex/HexTopology.h"
+#include "Report/MeshArrays.h"
 
 #include <algorithm>
 #include <cstring>
@@ -275,12 +276,13 @@ Distances MeasureDistances(const Mesh& mesh, const std::function<double(const Ve
 
 bool AreEqual(const Mesh& a, const Mesh& b)
 {
-  return a.Corners == b.Corners && SameContent(a.Points, b.Points) &&
-    SameContent(a.PointIds, b.PointIds) && SameContent(a.Elements, b.Elements) &&
-    SameContent(a.ElementIds, b.ElementIds) && SameContent(a.Material, b.Material) &&
-    SameContent(a.Fragment, b.Fragment) && SameContent(a.GeometryDimension, b.GeometryDimension) &&
-    SameContent(a.GeometryId, b.GeometryId) && SameContent(a.ScaledJacobian, b.ScaledJacobian) &&
-    SameContent(a.Surfaces.Points, b.Surfaces.Points) &&
+  bool areEqual = true;
+  const auto compare = [&areEqual](const KnownArray&, const auto& first, const auto& second)
+  { areEqual = areEqual && SameContent(first, second); };
+  VisitPointArrays(compare, a, b);
+  VisitElementArrays(compare, a, b);
+  return areEqual && a.Corners == b.Corners && SameContent(a.Points, b.Points) &&
+    SameContent(a.Elements, b.Elements) && SameContent(a.Surfaces.Points, b.Surfaces.Points) &&
     SameContent(a.Surfaces.SurfaceId, b.Surfaces.SurfaceId) &&
     SameContent(a.Surfaces.MaterialPair, b.Surfaces.MaterialPair) &&
     SameContent(a.Surfaces.DomainSide, b.Surfaces.DomainSide) &&

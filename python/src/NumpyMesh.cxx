@@ -1,5 +1,7 @@
 #include "NumpyMesh.h"
 
+#include "Report/MeshArrays.h"
+
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
@@ -22,8 +24,8 @@ std::vector<MeshArray> ListArrays(const NamedArrays& arrays, Index rows)
     {
       throw InputError("The array '" + name + "' has another length than the mesh.");
     }
-    const bool isId = name == "GlobalPointIds" || name == "GlobalCellIds" ||
-      name == "PeriodicPartner" || name == "OriginalPointIds";
+    const std::optional<KnownArray> known = FindKnownArray(name);
+    const bool isId = known && known->Type == ValueType::Id;
     list.push_back({ name, isId ? ValueType::Id : view.Type, view.Components, {}, view.Values });
   }
   return list;

@@ -1,6 +1,7 @@
 #include "Elements/Hex/HexFacets.h"
 
 #include "Base/Groups.h"
+#include "Elements/BarrierElements.h"
 #include "Elements/GridCoordinates.h"
 #include "Labels/InterfaceFaces.h"
 #include "Octree/LevelIds.h"
@@ -15,10 +16,11 @@ constexpr Index RowsOfBlock = 64, NodesOfBlock = 1024; // per task
 /// Calls visit(hex, cell) for the coarse hexes with a cell in HexBox. The cell is the finest cell
 /// in the hex that is nearest to the owned ones.
 template <class Visitor>
-void ForCoarseHexes(const Mesh& mesh, const Visitor& visit)
+void ForCoarseHexes(const HexTopology& topology, const Visitor& visit)
 {
+  const Mesh& mesh = topology.Hexes;
   const RefinedGrid& levels = *mesh.Levels;
-  for (Index h = mesh.RowOffset.back(); h < static_cast<Index>(mesh.ElementIds.size()); ++h)
+  for (Index h = topology.RowOffset.back(); h < static_cast<Index>(mesh.ElementIds.size()); ++h)
   {
     const OctreeKeys::LevelIndex leaf =
       CellOfCoarseElement(levels, mesh.ElementIds[h], mesh.Ids.ElementSlots);
@@ -102,8 +104,8 @@ using Facets = std::vector<Facet>;
 class DomainFacets
 {
 public:
-  DomainFacets(const Mesh& mesh, const Partition& partition) :
-    Grid(mesh.Levels->Finest()), Parts(partition), Input(mesh)
+  DomainFacets(const Mesh& mesh, const BarrierElements& barrier, const Partition& partition) :
+    Grid(mesh.Levels->Finest()), Parts(partition), Input(mesh), Barrier(barrier)
   {
   }
 
@@ -119,11 +121,12 @@ private:
   const CartesianGrid& Grid;
   const Partition& Parts;
   const Mesh& Input;
+  const BarrierElements Barrier;
 };
 
 void DomainFacets::Add(Index hex, int face, int side, const Index3& cell, Facets& found) const
 {
-  if (this->Input.IsBarrier(hex))
+  if (this->Barrier.Contain(this->Input, hex))
   {
     return;
   }
@@ -280,18 +283,20 @@ void InterfaceFacets::AddCoarse(
 } // namespace
 
 void FillFragments(const LabelledGrid& labelled, const PointNumbering& numbering,
-  const Fragments& fragments, Runtime& runtime, Mesh& mesh)
+  const Fragments& fragments, Runtime& runtime, HexTopology& topology)
 {
+  Mesh& mesh = topology.Hexes;
+  const std::vector<Index>& rowOffset = topology.RowOffset;
   const CartesianGrid& grid = mesh.Levels->Finest();
   const bool areCells =
-    mesh.Levels->IsUniform() && mesh.WholeCells == static_cast<Index>(mesh.ElementIds.size());
+    mesh.Levels->IsUniform() && topology.WholeCells == static_cast<Index>(mesh.ElementIds.size());
   mesh.Fragment = Buffer<int>(mesh.ElementIds.size());
-  std::fill(mesh.Fragment.begin() + mesh.RowOffset.back(), mesh.Fragment.end(), 0);
+  std::fill(mesh.Fragment.begin() + rowOffset.back(), mesh.Fragment.end(), 0);
   mesh.GeometryId = Buffer<int>(mesh.PointIds.size());
   ForRows(runtime, grid.HexBox(),
     [&](Index j, Index k, Index row)
     {
-      const Index first = mesh.RowOffset[row], last = mesh.RowOffset[row + 1];
+      const Index first = rowOffset[row], last = rowOffset[row + 1];
       if (areCells)
       {
         FillRowOfCells(grid, numbering, fragments, j, k, first, mesh);
@@ -299,7 +304,7 @@ void FillFragments(const LabelledGrid& labelled, const PointNumbering& numbering
       }
       FillRow(grid, fragments, j, k, first, last, mesh);
     });
-  ForCoarseHexes(mesh,
+  ForCoarseHexes(topology,
     [&](Index hex, const Index3& cell)
     {
       mesh.Fragment[hex] = fragments.FragmentOfCell(cell);
@@ -310,23 +315,26 @@ void FillFragments(const LabelledGrid& labelled, const PointNumbering& numbering
 }
 
 std::vector<Facet> FindHexFacets(const LabelledGrid& labelled, const PointNumbering& numbering,
-  const Fragments& fragments, const Partition& partition, Runtime& runtime, const Mesh& mesh)
+  const Fragments& fragments, const Partition& partition, Runtime& runtime,
+  const HexTopology& topology)
 {
+  const Mesh& mesh = topology.Hexes;
+  const std::vector<Index>& rowOffset = topology.RowOffset;
   const RefinedGrid& levels = *labelled.Levels.Grid;
   const CoarseHexes& coarse = *labelled.Levels.Coarse;
   const IndexBox box = levels.Finest().HexBox();
-  const DomainFacets onDomain(mesh, partition);
+  const DomainFacets onDomain(mesh, { !labelled.Narrow.IsEmpty() }, partition);
   const InterfaceFacets onInterfaces(levels, numbering, fragments, partition);
   std::vector<Facets> parts(4); // in their order
   const Index rowsPerLayer = box.Size(1);
-  parts[0] = CollectItems<Facet>(runtime, mesh.RowOffset.size() - 1, RowsOfBlock,
+  parts[0] = CollectItems<Facet>(runtime, rowOffset.size() - 1, RowsOfBlock,
     [&](Index row, Facets& found)
     {
       onDomain.AddRow(box.Lower[1] + row % rowsPerLayer, box.Lower[2] + row / rowsPerLayer,
-        mesh.RowOffset[row], mesh.RowOffset[row + 1], found);
+        rowOffset[row], rowOffset[row + 1], found);
     });
   ForCoarseHexes(
-    mesh, [&](Index hex, const Index3& cell) { onDomain.AddCoarse(hex, cell, parts[1]); });
+    topology, [&](Index hex, const Index3& cell) { onDomain.AddCoarse(hex, cell, parts[1]); });
   parts[2] = CollectItems<Facet>(runtime, labelled.Mixed.size(), NodesOfBlock,
     [&](Index n, Facets& found)
     {

@@ -11,15 +11,16 @@
 namespace vfm
 {
 
-/// Fills mesh.Fragment, and mesh.GeometryId of the points inside fragments.
+/// Fills Mesh::Fragment, and Mesh::GeometryId of the points inside fragments.
 void FillFragments(const LabelledGrid& labelled, const PointNumbering& numbering,
-  const Fragments& fragments, Runtime& runtime, Mesh& mesh);
+  const Fragments& fragments, Runtime& runtime, HexTopology& topology);
 
 /// Returns the facets of the hexes in HexBox whose cells on both sides are in it.
-/// @param mesh  mesh after FillFragments
+/// @param topology  after FillFragments
 /// @return facets on sides of the domain, by hex; then facets of finest cells, by node and axis,
 /// with normals along the axis; then facets between coarse hexes
 std::vector<Facet> FindHexFacets(const LabelledGrid& labelled, const PointNumbering& numbering,
-  const Fragments& fragments, const Partition& partition, Runtime& runtime, const Mesh& mesh);
+  const Fragments& fragments, const Partition& partition, Runtime& runtime,
+  const HexTopology& topology);
 
 } // namespace vfm

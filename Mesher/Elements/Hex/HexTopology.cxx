@@ -394,13 +394,14 @@ void FillHexes(const FineCells& cells, Index j, Index k, Index hex, Mesh& mesh)
     });
 }
 
-Mesh BuildHexes(const CartesianGrid& grid, const LabelArray& labels,
+HexTopology BuildHexes(const CartesianGrid& grid, const LabelArray& labels,
   const std::vector<Index>& mixed, bool stairStep, PointNumbering& numbering, Runtime& runtime,
   CoarseHexes& coarse)
 {
   const FineCells cells{ coarse.Levels(), labels, mixed, numbering, stairStep };
   const IndexBox box = grid.HexBox();
-  Mesh mesh;
+  HexTopology result;
+  Mesh& mesh = result.Hexes;
   CheckIds(grid, mesh.Ids.PointSlots);
   std::vector<Index> firstPoint;
   const Index finePoints = CountPoints(cells, runtime, firstPoint);
@@ -410,15 +411,15 @@ Mesh BuildHexes(const CartesianGrid& grid, const LabelArray& labels,
   ForRows(runtime, NodesOf(box),
     [&](Index j, Index k, Index row)
     { FillPoints(cells, j, k, firstPoint[row], numbering, mesh); });
-  const Index fineHexes = CountHexes(cells, runtime, mesh.RowOffset);
+  const Index fineHexes = CountHexes(cells, runtime, result.RowOffset);
   mesh.ResizeElements(fineHexes + coarse.NumberOfHexes());
-  mesh.WholeCells = stairStep ? fineHexes : 0;
+  result.WholeCells = stairStep ? fineHexes : 0;
   ForRows(runtime, box,
-    [&](Index j, Index k, Index row) { FillHexes(cells, j, k, mesh.RowOffset[row], mesh); });
+    [&](Index j, Index k, Index row) { FillHexes(cells, j, k, result.RowOffset[row], mesh); });
   coarse.Fill(mesh, finePoints, fineHexes,
     { [&](Index node) { return numbering.FirstPoint(node); },
       [&](Index node, int label) { return numbering.InnerPoint(node, label); } });
-  return mesh;
+  return result;
 }
 
 } // namespace vfm

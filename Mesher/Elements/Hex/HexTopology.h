@@ -188,6 +188,15 @@ void PointNumbering::ForNodes(Index first, Index last, int label, const Visitor&
 
 class CoarseHexes;
 
+/// Hexes of HexBox before points move.
+struct HexTopology
+{
+  Mesh Hexes;
+  /// The first hex of each row of HexBox (y fastest), then the end of the hexes of finest cells.
+  std::vector<Index> RowOffset;
+  Index WholeCells = 0; ///< number of hexes, from the first one, that are unchanged cells
+};
+
 /// Makes points, ids, hexes and materials. Points are at grid nodes; points I are moved inwards
 /// by BufferThickness. Each corner of each hex has a positive Jacobian if all stars pass the
 /// label condition.
@@ -196,7 +205,7 @@ class CoarseHexes;
 /// @param coarse  hexes other than finest cells; they are written into the mesh
 /// @throws InputError  if an id or the number of points is too large
 /// @pre Collective.
-Mesh BuildHexes(const CartesianGrid& grid, const LabelArray& labels,
+HexTopology BuildHexes(const CartesianGrid& grid, const LabelArray& labels,
   const std::vector<Index>& mixed, bool stairStep, PointNumbering& numbering, Runtime& runtime,
   CoarseHexes& coarse);
 

@@ -245,7 +245,7 @@ TetTopology BuildCellTets(const LabelArray& labels, bool meshVoid, const NarrowV
   coarse.Fill(result, finePoints, fineTets,
     [&](Index at, Index slot)
     { return slot == CentreSlot ? writer.Centre(at) : Index(firstPoint[at]); });
-  result.Tets.HasBarrier = !narrow.IsEmpty();
+  result.Barrier = { !narrow.IsEmpty() };
   return result;
 }
 

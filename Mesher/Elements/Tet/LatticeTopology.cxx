@@ -498,7 +498,7 @@ TetTopology BuildTets(const CartesianGrid& grid, const LatticeNodes& nodes, bool
   OverRows(runtime, rows, [&](Row& row) { FillTets(lattice, points, row, result.Tets); });
   coarse.Fill(result, finePoints, fineTets,
     [&](Index block, Index slot) { return points.At(block, static_cast<int>(slot)); });
-  result.Tets.HasBarrier = !narrow.IsEmpty();
+  result.Barrier = { !narrow.IsEmpty() };
   return result;
 }
 
@@ -517,7 +517,8 @@ LatticeTets BuildLatticeTets(const CartesianGrid& grid, LatticeNodes& nodes, boo
   {
     SettleCentres(nodes, grid, partition, runtime);
     tets.Topology = BuildTets(grid, nodes, meshVoid, narrow, runtime, coarse);
-    tets.Faces = FindTetFaces(tets.Topology.Tets, tets.Topology.Positions, grid);
+    tets.Faces =
+      FindTetFaces(tets.Topology.Tets, tets.Topology.Positions, tets.Topology.Barrier, grid);
     isFaulty =
       nodes.Settle(FindLatticeFaults(tets.Topology, tets.Faces, nodes, grid, partition), partition);
   }

@@ -36,13 +36,14 @@ void ForEqualTetFaces(const Mesh& mesh, const std::vector<Index>& faces, const V
 /// Lists the faces without points inside a material, except those of the barrier. Only these can be
 /// on interfaces or the domain boundary.
 /// @return 4 * tet + opposite corner, ascending
-std::vector<Index> ListFaces(const Mesh& mesh, const std::vector<PointPosition>& positions)
+std::vector<Index> ListFaces(
+  const Mesh& mesh, const std::vector<PointPosition>& positions, const BarrierElements& barrier)
 {
   std::vector<Index> faces;
   const Index count = static_cast<Index>(mesh.ElementIds.size());
   for (Index t = 0; t < count; ++t)
   {
-    if (mesh.IsBarrier(t))
+    if (barrier.Contain(mesh, t))
     {
       continue;
     }
@@ -84,10 +85,10 @@ int DomainSideOf(const Mesh& mesh, const CartesianGrid& grid, const std::array<I
 
 } // namespace
 
-TetFaces FindTetFaces(
-  const Mesh& mesh, const std::vector<PointPosition>& positions, const CartesianGrid& grid)
+TetFaces FindTetFaces(const Mesh& mesh, const std::vector<PointPosition>& positions,
+  const BarrierElements& barrier, const CartesianGrid& grid)
 {
-  const std::vector<Index> listed = ListFaces(mesh, positions);
+  const std::vector<Index> listed = ListFaces(mesh, positions, barrier);
   TetFaces faces;
   ForEqualTetFaces(mesh, listed,
     [&](std::span<const NumberedFace> same)

@@ -29,8 +29,8 @@ struct TetFaces
 /// Finds the faces of all tets of this rank.
 /// @param positions  TetTopology::Positions
 /// @return faces ordered by their points
-TetFaces FindTetFaces(
-  const Mesh& mesh, const std::vector<PointPosition>& positions, const CartesianGrid& grid);
+TetFaces FindTetFaces(const Mesh& mesh, const std::vector<PointPosition>& positions,
+  const BarrierElements& barrier, const CartesianGrid& grid);
 
 /// Converts faces to facets.
 /// @param mesh  mesh of the faces, with fragments

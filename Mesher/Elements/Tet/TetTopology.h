@@ -24,7 +24,7 @@
  */
 #pragma once
 
-#include "Elements/Mesh.h"
+#include "Elements/BarrierElements.h"
 
 namespace vfm
 {
@@ -49,6 +49,7 @@ struct TetTopology
 {
   Mesh Tets;                            ///< points and elements with ids and materials
   std::vector<PointPosition> Positions; ///< one per point
+  BarrierElements Barrier;
 };
 
 /// Returns whether a point is the centre of a cell of the grid or of a coarse hex.

@@ -90,7 +90,7 @@ ActiveMesh MakeActiveHexes(
       hasPlanes ? ActiveMeshBuilder::Nodes::OfGrid : ActiveMeshBuilder::Nodes::Any);
   active.Widths = levels.HasFineInterfaces() ? WidthsOfCells(levels.Finest(), mesh, hexes)
                                              : WidthsOfHexes(levels, mesh, hexes);
-  active.SetBarrier(mesh, hexes);
+  active.SetBarrier(mesh, { !labelled.Narrow.IsEmpty() }, hexes);
   active.PlacePoints(levels.Finest(), mesh);
   return active;
 }

@@ -103,14 +103,15 @@ std::vector<Mover> FindMovers(const Mesh& mesh, const std::vector<PointPosition>
 } // namespace
 
 ActiveTets MakeActiveTets(const Mesh& mesh, const std::vector<PointPosition>& positions,
-  const CartesianGrid& grid, const Partition& partition, Runtime& runtime)
+  const BarrierElements& barrier, const CartesianGrid& grid, const Partition& partition,
+  Runtime& runtime)
 {
   ActiveMeshBuilder builder(4, mesh.PointIds.size(), FindMovers(mesh, positions, grid, partition));
   std::vector<Index> tets = builder.AddAround(mesh, runtime);
   ActiveTets active{ builder.Finish(partition, CopiesOfMovers(mesh), grid.NumberOfColours()),
     std::move(tets) };
   active.Widths = WidthsOfCells(grid, mesh, active.MeshElement);
-  active.SetBarrier(mesh, active.MeshElement);
+  active.SetBarrier(mesh, barrier, active.MeshElement);
   active.PlacePoints(grid, mesh);
   return active;
 }

@@ -21,6 +21,7 @@ struct ActiveTets : ActiveMesh
 /// @param positions  TetTopology::Positions
 /// @pre Collective among peers.
 ActiveTets MakeActiveTets(const Mesh& mesh, const std::vector<PointPosition>& positions,
-  const CartesianGrid& grid, const Partition& partition, Runtime& runtime);
+  const BarrierElements& barrier, const CartesianGrid& grid, const Partition& partition,
+  Runtime& runtime);
 
 } // namespace vfm

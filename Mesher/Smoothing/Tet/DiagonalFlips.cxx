@@ -21,8 +21,9 @@ Index FaceOfId(Index id)
 } // namespace
 
 /// The tets at a quad are consecutive, the two tets on its lower side first (CellTets.cxx).
-DiagonalFlips::DiagonalFlips(const Mesh& mesh, const Partition& partition, ActiveTets& active,
-  const TetEnergy& energy, const std::vector<FeatureKind>& kinds) :
+DiagonalFlips::DiagonalFlips(const Mesh& mesh, const BarrierElements& barrier,
+  const Partition& partition, ActiveTets& active, const TetEnergy& energy,
+  const std::vector<FeatureKind>& kinds) :
   Parts(partition), Active(active), Energy(energy), Kinds(kinds)
 {
   const auto faceOf = [&](std::size_t tet)
@@ -38,8 +39,8 @@ DiagonalFlips::DiagonalFlips(const Mesh& mesh, const Partition& partition, Activ
     if (isHalf && (last - first) % 2 == 0)
     {
       this->Quads.push_back({ static_cast<Index>(first), static_cast<int>(last - first) / 2,
-        { mesh.IsBarrier(active.MeshElement[first]),
-          mesh.IsBarrier(active.MeshElement[last - 1]) } });
+        { barrier.Contain(mesh, active.MeshElement[first]),
+          barrier.Contain(mesh, active.MeshElement[last - 1]) } });
     }
   }
   if (mesh.Levels->Finest().IsPeriodic())

@@ -24,8 +24,8 @@ public:
   /// @param partition,active,energy  must outlive this object
   /// @param kinds  one kind per point of the active mesh; must outlive this object
   /// @pre Collective among peers.
-  DiagonalFlips(const Mesh& mesh, const Partition& partition, ActiveTets& active,
-    const TetEnergy& energy, const std::vector<FeatureKind>& kinds);
+  DiagonalFlips(const Mesh& mesh, const BarrierElements& barrier, const Partition& partition,
+    ActiveTets& active, const TetEnergy& energy, const std::vector<FeatureKind>& kinds);
 
   /// Flips each quad once if this reduces its energy at a stage.
   /// @param changed  changed(point) is called for every corner of a flipped quad

@@ -260,8 +260,9 @@ struct Stairs
     PointNumbering numbering(grid, this->Labels, true, true, narrow);
     const std::unique_ptr<CoarseHexes> coarse =
       MakeCoarseHexes(*this->Levels, this->Labels, { true }, runtime);
-    this->Hexes = BuildHexes(
+    HexTopology topology = BuildHexes(
       grid, this->Labels, FindMixedNodes(grid, this->Labels), true, numbering, runtime, *coarse);
+    this->Hexes = std::move(topology.Hexes);
     this->Hexes.Levels = this->Levels;
     this->Hexes.Fragment = Buffer<int>(this->Hexes.ElementIds.size());
     for (std::size_t h = 0; h < this->Hexes.ElementIds.size(); ++h)
