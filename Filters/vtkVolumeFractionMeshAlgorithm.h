@@ -94,6 +94,7 @@ public:
    * SetInputArrayToProcess): the first three are ignored, and the association is a number or empty.
    * State files of older versions have only the name.
    */
+  const char* GetMaterialIdArray() const { return this->MaterialIdArray.Name.c_str(); }
   void SetMaterialIdArray(const char* name);
   void SetMaterialIdArray(int association, const char* name);
   void SetMaterialIdArray(
