@@ -48,6 +48,7 @@ ALLOWED.update({
     "Testing/Support": MESHES + ("Shapes",),
     "Testing/Inputs": MESHES,
     "Testing/Grid": MESHES + ("Shapes", "Testing/Support"),
+    "Testing/Shapes": BASE + ("Grid/Fractions", "Shapes"),
     "Testing/Fuzz": MESHES + (
         "Shapes", "IO", "IO/Blocks", "IO/GridFiles", "IO/Images", "IO/Labels", "IO/Meshes",
         "IO/Report", "Filters", "InSitu", "Program", "Testing/Inputs", "Testing/Support"),
@@ -67,7 +68,8 @@ ALLOWED.update({
 WITHOUT_MPI = MESHES + (
     "Shapes", "IO", "IO/Blocks", "IO/GridFiles", "IO/Images", "IO/Labels", "IO/Meshes", "IO/Report",
     "python",
-    "Testing/IO", "Testing/Inputs", "Testing/Support", "Testing/Grid", "Testing/Mesher")
+    "Testing/IO", "Testing/Inputs", "Testing/Support", "Testing/Grid", "Testing/Mesher",
+    "Testing/Shapes")
 PLAIN = WITHOUT_MPI + ("Parallel/Mpi", "InSitu")
 VTK = re.compile(r"(vtk|paraview|pv|pq)", re.IGNORECASE)
 MPI = re.compile(r"mpi", re.IGNORECASE)
