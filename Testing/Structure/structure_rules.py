@@ -88,7 +88,7 @@ UNTESTED = "Testing/Structure/untested_sources.txt"
 # Tests that include modules above their own; no test may be added.
 HIGH_TESTS = frozenset("Testing/%sTest.cxx" % name for name in (
     "Grid/Base/PagedArray", "Grid/Fractions/CellDivision", "Grid/Labels/NarrowVoid",
-    "Grid/Labels/SmallLabels", "Grid/Octree/OctantFamilies", "Mesher/Modify/SecondOrderAccuracy",
+    "Grid/Labels/SmallLabels", "Mesher/Modify/SecondOrderAccuracy",
     "Mesher/Report/GatherMesh", "Mesher/Report/MeshFacets", "Mesher/Report/PeriodicFragments",
     "Mesher/Report/Sets/NamedSurfaces", "Mesher/Smoothing/AttachFeatures",
     "Mesher/Volumes/FreeFragments", "Mesher/Volumes/LeafVolumes"))
