@@ -3,7 +3,7 @@ import os
 import unittest
 
 from structure_rules import (
-    LONGEST, MOST_AT_ROOT, MOST_IN_FOLDER, PUBLIC, find_problems, place_of, read_tree)
+    LONGEST, MOST_AT_ROOT, MOST_IN_FOLDER, PUBLIC, UNTESTED, find_problems, place_of, read_tree)
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 
@@ -42,6 +42,7 @@ class WrongTrees(unittest.TestCase):
             "Examples/impact/main.cxx": ['#include "Options.h"\n', '#include "Sculptor.h"\n'],
             "Testing/Support/Cases.h": ['#include "Mesher.h"\n'],
             "Testing/Grid/CasesTest.cxx": ['#include "Cases.h"\n'],
+            "Testing/Grid/Base/RanksTest.cxx": ['#include "Base/Ranks.h"\n'],
         }
 
     def expect(self, problem, path, *lines):
@@ -170,6 +171,18 @@ class WrongTrees(unittest.TestCase):
         self.tree["Grid/CMakeLists.txt"] = ["vfm_install_library(vfm_grid Cells .\n",
                                             "  Base/Ranks.h Labels/Gone.h)\n"]
         self.expect("Grid/Labels/Gone.h is installed, but no public", "Grid/Labels/Gone.h", "")
+
+    def test_source_without_test(self):
+        self.tree["Grid/Octree/Keys.h"] = []
+        self.expect("no test includes the header of Grid/Octree/Keys.cxx", "Grid/Octree/Keys.cxx",
+                    "")
+
+    def test_listed_in_vain(self):
+        self.expect("lists Grid/Base/Ranks.cxx in vain", UNTESTED, "Grid/Base/Ranks.cxx")
+
+    def test_of_a_module_includes_upwards(self):
+        self.expect("a test of Grid/Base must not include Elements/Mesh.h",
+                    "Testing/Grid/Base/RanksTest.cxx", '#include "Elements/Mesh.h"')
 
     def test_long_file(self):
         self.expect("IO/Long.py has %d lines" % (LONGEST + 1), "IO/Long.py",

@@ -48,6 +48,7 @@ ALLOWED.update({
     "Testing/Support": MESHES + ("Shapes",),
     "Testing/Inputs": MESHES,
     "Testing/Grid": MESHES + ("Shapes", "Testing/Support"),
+    "Testing/Shapes": BASE + ("Grid/Fractions", "Shapes"),
     "Testing/Fuzz": MESHES + (
         "Shapes", "IO", "IO/Blocks", "IO/GridFiles", "IO/Images", "IO/Labels", "IO/Meshes",
         "IO/Report", "Filters", "InSitu", "Program", "Testing/Inputs", "Testing/Support"),
@@ -67,7 +68,8 @@ ALLOWED.update({
 WITHOUT_MPI = MESHES + (
     "Shapes", "IO", "IO/Blocks", "IO/GridFiles", "IO/Images", "IO/Labels", "IO/Meshes", "IO/Report",
     "python",
-    "Testing/IO", "Testing/Inputs", "Testing/Support", "Testing/Grid", "Testing/Mesher")
+    "Testing/IO", "Testing/Inputs", "Testing/Support", "Testing/Grid", "Testing/Mesher",
+    "Testing/Shapes")
 PLAIN = WITHOUT_MPI + ("Parallel/Mpi", "InSitu")
 VTK = re.compile(r"(vtk|paraview|pv|pq)", re.IGNORECASE)
 MPI = re.compile(r"mpi", re.IGNORECASE)
@@ -81,6 +83,15 @@ MOST_IN_FOLDER = 40 # files
 # folders in which each source has a header of its name
 HAVE_HEADERS = MESHES + ("Shapes", "Parallel/Vtk", "IO", "IO/GridFiles", "IO/Labels",
                          "IO/Meshes", "IO/Report", "Filters/Data", "Filters/Files")
+# Sources without a test of their header; the list may only become shorter.
+UNTESTED = "Testing/Structure/untested_sources.txt"
+# Tests that include modules above their own; no test may be added.
+HIGH_TESTS = frozenset("Testing/%sTest.cxx" % name for name in (
+    "Grid/Base/PagedArray", "Grid/Fractions/CellDivision", "Grid/Labels/NarrowVoid",
+    "Grid/Labels/SmallLabels", "Mesher/Modify/SecondOrderAccuracy",
+    "Mesher/Report/GatherMesh", "Mesher/Report/MeshFacets", "Mesher/Report/PeriodicFragments",
+    "Mesher/Report/Sets/NamedSurfaces", "Mesher/Smoothing/AttachFeatures",
+    "Mesher/Volumes/FreeFragments", "Mesher/Volumes/LeafVolumes"))
 PACKAGE = "python/volume_fraction_mesh"
 # Headers that users of the installed package include, and the list of the installed headers.
 PUBLIC = ("Mesher/Mesher.h", "Mesher/Input/InputLevels.h", "Mesher/Input/PlainArrays.h",
@@ -260,6 +271,30 @@ def find_bare_sources(tree):
             and not any(line.startswith("int main(") for line in tree[path])]
 
 
+def find_untested(tree):
+    """Returns messages for sources of Grid, Mesher and Parallel/Ranks whose header no test
+    includes, and which UNTESTED does not list, or the reverse."""
+    tested = {file for path, files in map_includes(tree).items()
+              if path.startswith("Testing/") and path.endswith("Test.cxx") for file in files}
+    found = {path for path in tree if place_of(path) in IN_MODULES and path.endswith(".cxx")
+             and path[:-4] + ".h" in tree and path[:-4] + ".h" not in tested}
+    listed = {line.strip() for line in tree.get(UNTESTED, ())}
+    return (["no test includes the header of %s" % path for path in sorted(found - listed)] +
+            ["%s lists %s in vain" % (UNTESTED, path) for path in sorted(listed - found)])
+
+
+def find_high_tests(tree):
+    """Returns a message for each test of a module that includes a module above it."""
+    problems = []
+    for path, at, _, name, file in list_includes(tree):
+        place = place_of(path.removeprefix("Testing/"))
+        if (path.startswith("Testing/") and path.endswith("Test.cxx") and place in IN_MODULES
+                and file and place_of(file) in MESHES and path not in HIGH_TESTS
+                and MESHES.index(place_of(file)) > MESHES.index(place)):
+            problems.append("%s: a test of %s must not include %s" % (at, place, name))
+    return problems
+
+
 def find_crowds(tree):
     """Returns a message for each folder with too many files."""
     counts = collections.Counter(os.path.dirname(path) for path in tree)
@@ -303,5 +338,6 @@ def find_problems(tree):
         if problem:
             problems.append("%s: %s" % (at, problem))
     problems += find_twice(tree) + find_bare_sources(tree) + find_crowds(tree)
+    problems += find_untested(tree) + find_high_tests(tree)
     problems += find_install_problems(tree)
     return problems + find_circles(map_includes(tree)) + find_circles(map_imports(tree))
