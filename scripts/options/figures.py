@@ -4,9 +4,11 @@ A page marks a table by "<!-- table: PAGE/NAME -->" and "<!-- end of table -->".
 row per case, whose last three columns are the version, the date and the machine of the measurement.
 """
 import csv
+import datetime
 import glob
 import io
 import os
+import platform
 import re
 
 from options.table import ROOT, read
@@ -36,7 +38,7 @@ def read_table_of(text):
     return [[cell.strip().replace("\\|", "|") for cell in row] for row in rows]
 
 
-def replace_rows(name, text, origin):
+def replace_rows(name, text):
     """Replaces the rows of the cases in a printed table of the same columns; returns how many."""
     header, *rows = read_rows(name)
     count = len(header) - len(ORIGIN)
@@ -48,9 +50,25 @@ def replace_rows(name, text, origin):
     for row in printed:
         if len(row) != count or set("".join(row)) <= set("-: "):
             continue
-        new[key_of(row)] = row + list(origin)
+        new[key_of(row)] = row + find_origin()
     write_rows(name, [header] + [new.get(key_of(row[:count]), row) for row in rows])
     return sum(key_of(row[:count]) in new for row in rows)
+
+
+def find_origin():
+    """Returns the version, the date and the machine of a measurement made now."""
+    version = re.search(r"VERSION (\d+\.\d+)", read("CMakeLists.txt").split("project(")[1])[1]
+    model = None
+    if os.path.exists("/proc/cpuinfo"):
+        with open("/proc/cpuinfo", encoding="utf-8") as file:
+            model = re.search(r"^model name\s*: (.*)", file.read(), re.MULTILINE)
+    return [version, datetime.date.today().isoformat(),
+            "%s, %d cores" % (model[1] if model else platform.machine(), os.cpu_count())]
+
+
+def replace_all(name, rows):
+    """Replaces all rows of a table by rows measured now."""
+    write_rows(name, read_rows(name)[:1] + [row + find_origin() for row in rows])
 
 
 def key_of(row):
