@@ -7,6 +7,10 @@ set(VFM_SANITIZE "" CACHE STRING "Sanitizers of GCC and Clang: address,undefined
 add_library(vfm_flags INTERFACE)
 target_compile_options(vfm_flags INTERFACE
   -Wall -Wextra -ffp-contract=off -DEIGEN_DONT_VECTORIZE)
+# GCC 12 takes the inlined strings of C++20 for overlapping ones: gcc.gnu.org/PR105651.
+if (CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+  target_compile_options(vfm_flags INTERFACE -Wno-restrict)
+endif ()
 if (VFM_WERROR)
   target_compile_options(vfm_flags INTERFACE -Werror)
 endif ()
@@ -43,7 +47,7 @@ endfunction ()
 # the headers must produce bitwise identical results in other projects too.
 # usage: vfm_install_library(TARGET NAME FOLDER HEADER ..)
 function (vfm_install_library target name folder)
-  target_compile_features("${target}" PUBLIC cxx_std_17)
+  target_compile_features("${target}" PUBLIC cxx_std_20)
   target_compile_options("${target}"
     PRIVATE "$<TARGET_PROPERTY:vfm_flags,INTERFACE_COMPILE_OPTIONS>"
     INTERFACE "$<INSTALL_INTERFACE:$<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off>>")

@@ -24,7 +24,7 @@ vtk_module_scan(
 set(vfm_components ${vfm_required})
 list(TRANSFORM vfm_components REPLACE "^VTK::" "" REGEX "^VTK::")
 
-set(vfm_program_components CommonCore IOCore IOIOSS IOLegacy IOXML ParallelMPI)
+set(vfm_program_components CommonCore IOCore IOLegacy IOXML ParallelMPI)
 if (VFM_PLUGIN OR VFM_WRAP_PYTHON) # Catalyst also runs Python
   list(APPEND vfm_program_components Python WrappingPythonCore)
 endif ()

@@ -3,6 +3,8 @@
  */
 #pragma once
 
+#include "Base/IndexBox.h"
+
 #include "vtkDataArray.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
@@ -19,7 +21,7 @@ class CellOrder
 {
 public:
   /// cells: ids of cells of the data set in the new order, each at most once.
-  explicit CellOrder(const std::vector<vtkIdType>& cells)
+  explicit CellOrder(const std::vector<Index>& cells)
   {
     this->Cells->SetNumberOfIds(static_cast<vtkIdType>(cells.size()));
     std::copy(cells.begin(), cells.end(), this->Cells->GetPointer(0));

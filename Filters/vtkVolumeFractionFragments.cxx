@@ -1,32 +1,21 @@
 #include "vtkVolumeFractionFragments.h"
 
-#include "CollectivePipeline.h"
-#include "ControllerRanks.h"
-#include "FailedOutput.h"
 #include "FieldValues.h"
+#include "FilterRuntime.h"
 #include "MeshDataOfGrid.h"
-#include "Ranks/WorkTogether.h"
 #include "Report/FragmentTable.h"
-#include "RequestPiece.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
 
 vtkStandardNewMacro(vtkVolumeFractionFragments);
-vtkCxxSetObjectMacro(vtkVolumeFractionFragments, Controller, vtkMultiProcessController);
 
-vtkVolumeFractionFragments::vtkVolumeFractionFragments()
+vtkTable* vtkVolumeFractionFragments::GetOutput()
 {
-  this->SetController(vtkMultiProcessController::GetGlobalController());
-}
-
-vtkVolumeFractionFragments::~vtkVolumeFractionFragments()
-{
-  this->SetController(nullptr);
+  return vtkTable::SafeDownCast(this->GetOutputDataObject(0));
 }
 
 void vtkVolumeFractionFragments::AddDensityArray(const char* name)
@@ -44,44 +33,24 @@ void vtkVolumeFractionFragments::ClearDensityArrays()
   this->Modified();
 }
 
-vtkExecutive* vtkVolumeFractionFragments::CreateDefaultExecutive()
+int vtkVolumeFractionFragments::FillOutputPortInformation(int, vtkInformation* info)
 {
-  return vfm::CollectivePipeline::Make([this] { return this->Controller; });
-}
-
-int vtkVolumeFractionFragments::FillInputPortInformation(int, vtkInformation* info)
-{
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
-  return 1;
-}
-
-int vtkVolumeFractionFragments::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
-{
-  vfm::RequestPiece(this->Controller, inputVector);
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkTable");
   return 1;
 }
 
 int vtkVolumeFractionFragments::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  try
-  {
-    vfm::ControllerRanks ranks(this->Controller);
-    vfm::WorkTogether(ranks,
-      [&]
-      {
-        vfm::StoredMesh mesh;
-        vfm::WorkTogether(
-          ranks, [&] { mesh = vfm::MeshDataOf(vtkUnstructuredGrid::GetData(inputVector[0])); });
-        vfm::AddColumns(vfm::MakeFragmentTable(mesh.Data, this->DensityArrays, ranks),
-          vtkTable::GetData(outputVector));
-      });
-  }
-  catch (const vfm::InputError& error)
-  {
-    vfm::Fail(this, outputVector, error.what());
-  }
+  vfm::FilterRuntime::Execute(this, this->Controller, outputVector,
+    [&](vfm::Ranks& ranks)
+    {
+      vfm::StoredMesh mesh;
+      vfm::WorkTogether(
+        ranks, [&] { mesh = vfm::MeshDataOf(vtkUnstructuredGrid::GetData(inputVector[0])); });
+      vfm::AddColumns(vfm::MakeFragmentTable(mesh.Data, this->DensityArrays, ranks),
+        vtkTable::GetData(outputVector));
+    });
   return 1;
 }
 
@@ -94,5 +63,4 @@ void vtkVolumeFractionFragments::PrintSelf(ostream& os, vtkIndent indent)
     os << " '" << name << "'";
   }
   os << "\n";
-  os << indent << "Controller: " << this->Controller << "\n";
 }

@@ -18,20 +18,22 @@
 #ifndef vtkVolumeFractionFragments_h
 #define vtkVolumeFractionFragments_h
 
-#include "vtkTableAlgorithm.h"
-#include "vtkVolumeFractionMeshFiltersModule.h" // for export macro
+#include "vtkVolumeFractionFilter.h"
 
 #include <string> // for member
 #include <vector> // for member
 
-class vtkMultiProcessController;
+class vtkTable;
 
-class VTKVOLUMEFRACTIONMESHFILTERS_EXPORT vtkVolumeFractionFragments : public vtkTableAlgorithm
+class VTKVOLUMEFRACTIONMESHFILTERS_EXPORT vtkVolumeFractionFragments :
+  public vtkVolumeFractionFilter
 {
 public:
   static vtkVolumeFractionFragments* New();
-  vtkTypeMacro(vtkVolumeFractionFragments, vtkTableAlgorithm);
+  vtkTypeMacro(vtkVolumeFractionFragments, vtkVolumeFractionFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  vtkTable* GetOutput();
 
   ///@{
   /**
@@ -42,26 +44,14 @@ public:
   void ClearDensityArrays();
   ///@}
 
-  ///@{
-  /**
-   * Ranks that have pieces of the mesh. Default: the global controller.
-   */
-  virtual void SetController(vtkMultiProcessController* controller);
-  vtkGetObjectMacro(Controller, vtkMultiProcessController);
-  ///@}
-
 protected:
-  vtkVolumeFractionFragments();
-  ~vtkVolumeFractionFragments() override;
+  vtkVolumeFractionFragments() = default;
+  ~vtkVolumeFractionFragments() override = default;
 
-  vtkExecutive* CreateDefaultExecutive() override;
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
-  vtkMultiProcessController* Controller = nullptr;
   std::vector<std::string> DensityArrays;
 
 private:

@@ -1,6 +1,5 @@
 #include "vtkVolumeFractionInterfaces.h"
 
-#include "CollectivePipeline.h"
 #include "ControllerRanks.h"
 #include "FieldValues.h"
 #include "FilterRuntime.h"
@@ -8,32 +7,22 @@
 #include "MeshOutput.h"
 #include "ModifyMesh.h"
 #include "Options/SetOptions.h"
-#include "RequestPiece.h"
 #include "StateOutput.h"
 
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 
 vtkStandardNewMacro(vtkVolumeFractionInterfaces);
-vtkCxxSetObjectMacro(vtkVolumeFractionInterfaces, Controller, vtkMultiProcessController);
 
-vtkVolumeFractionInterfaces::vtkVolumeFractionInterfaces() :
-  Options(std::make_unique<vfm::MesherOptions>())
+vtkVolumeFractionInterfaces::vtkVolumeFractionInterfaces()
 {
   this->Options->FirstLayerUnit = vfm::ThicknessUnit::Length;
   this->SetNumberOfOutputPorts(2);
-  this->SetController(vtkMultiProcessController::GetGlobalController());
-}
-
-vtkVolumeFractionInterfaces::~vtkVolumeFractionInterfaces()
-{
-  this->SetController(nullptr);
 }
 
 void vtkVolumeFractionInterfaces::AddExtensiveArray(const char* name)
@@ -49,51 +38,6 @@ void vtkVolumeFractionInterfaces::ClearExtensiveArrays()
 {
   this->ExtensiveArrays.clear();
   this->Modified();
-}
-
-void vtkVolumeFractionInterfaces::SetNumber(const char* option, double value)
-{
-  if (vfm::SetClamped(*this->Options, option, value))
-  {
-    this->Modified();
-  }
-}
-
-double vtkVolumeFractionInterfaces::GetNumber(const char* option) const
-{
-  return vfm::FindOption(option)->GetNumber(*this->Options);
-}
-
-void vtkVolumeFractionInterfaces::SetText(const char* option, const char* value)
-{
-  if (vfm::SetText(*this->Options, option, value ? value : ""))
-  {
-    this->Modified();
-  }
-}
-
-const char* vtkVolumeFractionInterfaces::GetText(const char* option) const
-{
-  return ((*this->Options).*vfm::FindOption(option)->Text).c_str();
-}
-
-vtkExecutive* vtkVolumeFractionInterfaces::CreateDefaultExecutive()
-{
-  return vfm::CollectivePipeline::Make([this] { return this->Controller; });
-}
-
-int vtkVolumeFractionInterfaces::FillInputPortInformation(int, vtkInformation* info)
-{
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
-  return 1;
-}
-
-int vtkVolumeFractionInterfaces::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  vfm::ClaimGhostLayers(outputVector);
-  vfm::RequestPiece(this->Controller, inputVector);
-  return 1;
 }
 
 int vtkVolumeFractionInterfaces::RequestData(
@@ -151,5 +95,5 @@ void vtkVolumeFractionInterfaces::PrintSelf(ostream& os, vtkIndent indent)
   {
     os << " '" << name << "'";
   }
-  os << "\n" << indent << "Controller: " << this->Controller << "\n";
+  os << "\n";
 }

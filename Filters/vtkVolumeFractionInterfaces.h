@@ -21,23 +21,24 @@
 #ifndef vtkVolumeFractionInterfaces_h
 #define vtkVolumeFractionInterfaces_h
 
-#include "vtkUnstructuredGridAlgorithm.h"
-#include "vtkVolumeFractionMeshAlgorithm.h"     // for macros of options
-#include "vtkVolumeFractionMeshFiltersModule.h" // for export macro
+#include "vtkVolumeFractionFilter.h"
 
-#include <memory> // for member
 #include <string> // for member
 #include <vector> // for member
 
-class vtkMultiProcessController;
 class vtkUnstructuredGrid;
 
+namespace vfm
+{
+class MessageRanks;
+} // namespace vfm
+
 class VTKVOLUMEFRACTIONMESHFILTERS_EXPORT vtkVolumeFractionInterfaces :
-  public vtkUnstructuredGridAlgorithm
+  public vtkVolumeFractionFilter
 {
 public:
   static vtkVolumeFractionInterfaces* New();
-  vtkTypeMacro(vtkVolumeFractionInterfaces, vtkUnstructuredGridAlgorithm);
+  vtkTypeMacro(vtkVolumeFractionInterfaces, vtkVolumeFractionFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   // options: generated
@@ -89,33 +90,14 @@ public:
   void ClearExtensiveArrays();
   ///@}
 
-  ///@{
-  /**
-   * Ranks that have pieces of the mesh. Default: the global controller.
-   */
-  virtual void SetController(vtkMultiProcessController* controller);
-  vtkGetObjectMacro(Controller, vtkMultiProcessController);
-  ///@}
-
 protected:
   vtkVolumeFractionInterfaces();
-  ~vtkVolumeFractionInterfaces() override;
+  ~vtkVolumeFractionInterfaces() override = default;
 
-  vtkExecutive* CreateDefaultExecutive() override;
-  int RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
-  void SetNumber(const char* option, double value);
-  double GetNumber(const char* option) const;
-  void SetText(const char* option, const char* value);
-  const char* GetText(const char* option) const;
-
-  vtkMultiProcessController* Controller = nullptr;
   std::vector<std::string> ExtensiveArrays;
-  std::unique_ptr<vfm::MesherOptions> Options;
 
 private:
   vtkVolumeFractionInterfaces(const vtkVolumeFractionInterfaces&) = delete;

@@ -1,7 +1,6 @@
 #include "vtkVolumeFractionMeshAlgorithm.h"
 
 #include "CollectBlocks.h"
-#include "CollectivePipeline.h"
 #include "ControllerRanks.h"
 #include "FieldValues.h"
 #include "FilterRuntime.h"
@@ -12,7 +11,6 @@
 #include "Mesher.h"
 #include "MissingLevels.h"
 #include "Ranks/WorkTogether.h"
-#include "RequestPiece.h"
 #include "StateOutput.h"
 
 #include "vtkCompositeDataSet.h"
@@ -65,25 +63,13 @@ void LogTraffic(const vfm::MessageRanks& ranks)
 
 } // namespace
 
-vtkCxxSetObjectMacro(vtkVolumeFractionMeshAlgorithm, Controller, vtkMultiProcessController);
-
-vtkVolumeFractionMeshAlgorithm::vtkVolumeFractionMeshAlgorithm(vfm::ElementKind elements) :
-  Options(std::make_unique<vfm::MesherOptions>())
+vtkVolumeFractionMeshAlgorithm::vtkVolumeFractionMeshAlgorithm(vfm::ElementKind elements)
 {
   this->Options->Elements = elements;
   this->SetNumberOfOutputPorts(6);
-  this->SetController(vtkMultiProcessController::GetGlobalController());
 }
 
-vtkVolumeFractionMeshAlgorithm::~vtkVolumeFractionMeshAlgorithm()
-{
-  this->SetController(nullptr);
-}
-
-vtkExecutive* vtkVolumeFractionMeshAlgorithm::CreateDefaultExecutive()
-{
-  return vfm::CollectivePipeline::Make([this] { return this->Controller; });
-}
+vtkVolumeFractionMeshAlgorithm::~vtkVolumeFractionMeshAlgorithm() = default;
 
 int vtkVolumeFractionMeshAlgorithm::FillInputPortInformation(int, vtkInformation* info)
 {
@@ -102,14 +88,6 @@ int vtkVolumeFractionMeshAlgorithm::FillOutputPortInformation(int port, vtkInfor
     : port == 4                                   ? "vtkTable"
                                                   : "vtkPolyData";
   info->Set(vtkDataObject::DATA_TYPE_NAME(), kind);
-  return 1;
-}
-
-int vtkVolumeFractionMeshAlgorithm::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  vfm::ClaimGhostLayers(outputVector);
-  vfm::RequestPiece(this->Controller, inputVector);
   return 1;
 }
 
@@ -180,5 +158,4 @@ void vtkVolumeFractionMeshAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   this->PrintArrays(os, indent);
-  os << indent << "Controller: " << this->Controller << "\n";
 }

@@ -41,48 +41,10 @@
 #define vtkVolumeFractionMeshAlgorithm_h
 
 #include "ChosenArray.h" // for member
-#include "vtkUnstructuredGridAlgorithm.h"
-#include "vtkVolumeFractionMeshFiltersModule.h" // for export macro
+#include "vtkVolumeFractionFilter.h"
 
-#include <memory> // for member
 #include <string> // for member
 #include <vector> // for member
-
-/**
- * Sets and returns an option of the mesher by name (Mesher/Options/OptionTable.cxx). Choices, and
- * integers except options for tetrahedra, are clamped to their range. Other numbers out of range
- * are errors of the update.
- */
-#define vfmNumberOption(name, type)                                                                \
-  void Set##name(type value)                                                                       \
-  {                                                                                                \
-    this->SetNumber(#name, static_cast<double>(value));                                            \
-  }                                                                                                \
-  type Get##name()                                                                                 \
-  {                                                                                                \
-    return static_cast<type>(this->GetNumber(#name));                                              \
-  }
-#define vfmSwitchOption(name)                                                                      \
-  vfmNumberOption(name, bool);                                                                     \
-  void name##On()                                                                                  \
-  {                                                                                                \
-    this->Set##name(true);                                                                         \
-  }                                                                                                \
-  void name##Off()                                                                                 \
-  {                                                                                                \
-    this->Set##name(false);                                                                        \
-  }
-#define vfmTextOption(name)                                                                        \
-  void Set##name(const char* text)                                                                 \
-  {                                                                                                \
-    this->SetText(#name, text);                                                                    \
-  }                                                                                                \
-  const char* Get##name()                                                                          \
-  {                                                                                                \
-    return this->GetText(#name);                                                                   \
-  }
-
-class vtkMultiProcessController;
 
 namespace vfm
 {
@@ -90,16 +52,15 @@ class MessageRanks;
 class Ranks;
 struct MaterialArrays;
 struct MeshOutputs;
-struct MesherOptions;
 struct StateChoice;
 enum class ElementKind;
 } // namespace vfm
 
 class VTKVOLUMEFRACTIONMESHFILTERS_EXPORT vtkVolumeFractionMeshAlgorithm :
-  public vtkUnstructuredGridAlgorithm
+  public vtkVolumeFractionFilter
 {
 public:
-  vtkTypeMacro(vtkVolumeFractionMeshAlgorithm, vtkUnstructuredGridAlgorithm);
+  vtkTypeMacro(vtkVolumeFractionMeshAlgorithm, vtkVolumeFractionFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -137,7 +98,6 @@ public:
   void SetMaterialIdArray(int association, const char* name);
   void SetMaterialIdArray(
     const char*, const char*, const char*, const char* association, const char* name);
-  const char* GetMaterialIdArray() const { return this->MaterialIdArray.Name.c_str(); }
   ///@}
 
   ///@{
@@ -169,8 +129,6 @@ public:
    */
   void AddDensityArray(const char* name);
   void ClearDensityArrays();
-  int GetNumberOfDensityArrays();
-  const char* GetDensityArray(int index);
   ///@}
 
   ///@{
@@ -199,8 +157,6 @@ public:
    */
   void AddStateKind(const char* word);
   void ClearStateKinds();
-  int GetNumberOfStateKinds();
-  const char* GetStateKind(int index);
   ///@}
 
   ///@{
@@ -212,8 +168,6 @@ public:
    */
   void AddRotatedArray(const char* name);
   void ClearRotatedArrays();
-  int GetNumberOfRotatedArrays();
-  const char* GetRotatedArray(int index);
   ///@}
 
   ///@{
@@ -224,7 +178,6 @@ public:
    * line: a label is not an integer, or a label or name is repeated. Default: none.
    */
   void SetLabelNamesFile(const char* path);
-  const char* GetLabelNamesFile();
   ///@}
 
   ///@{
@@ -238,7 +191,6 @@ public:
   void AddRefinementBox(
     double x0, double y0, double z0, double x1, double y1, double z1, double halvings = 1.0);
   void ClearRefinementBoxes();
-  int GetNumberOfRefinementBoxes();
   ///@}
 
   // Numbers of the options.
@@ -493,37 +445,19 @@ public:
   vfmNumberOption(NumberOfThreads, int);
   // end of options
 
-  ///@{
-  /**
-   * Ranks over which the input is distributed. Default: the global controller.
-   */
-  virtual void SetController(vtkMultiProcessController* controller);
-  vtkGetObjectMacro(Controller, vtkMultiProcessController);
-  ///@}
-
 protected:
   explicit vtkVolumeFractionMeshAlgorithm(vfm::ElementKind elements);
   ~vtkVolumeFractionMeshAlgorithm() override = 0; // an abstract class
 
-  vtkExecutive* CreateDefaultExecutive() override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
-  int RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation*, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
-  void SetNumber(const char* option, double value);
-  double GetNumber(const char* option) const;
-  void SetText(const char* option, const char* value);
-  const char* GetText(const char* option) const;
-
-  vtkMultiProcessController* Controller = nullptr;
   std::vector<vfm::ChosenArray> VolumeFractionArrays;
   int WordAssociation = vfm::AnyAssociation; // association of the following words
   vfm::ChosenArray MaterialIdArray;
   std::vector<std::string> StateArrays;
-  std::unique_ptr<vfm::MesherOptions> Options;
 
 private:
   vtkVolumeFractionMeshAlgorithm(const vtkVolumeFractionMeshAlgorithm&) = delete;

@@ -178,16 +178,6 @@ void vtkVolumeFractionMeshAlgorithm::ClearDensityArrays()
   ClearItems(this->Options->DensityArrays, this);
 }
 
-int vtkVolumeFractionMeshAlgorithm::GetNumberOfDensityArrays()
-{
-  return static_cast<int>(this->Options->DensityArrays.size());
-}
-
-const char* vtkVolumeFractionMeshAlgorithm::GetDensityArray(int index)
-{
-  return TextAt(this->Options->DensityArrays, index);
-}
-
 void vtkVolumeFractionMeshAlgorithm::AddStateKind(const char* word)
 {
   if (word && *word)
@@ -199,16 +189,6 @@ void vtkVolumeFractionMeshAlgorithm::AddStateKind(const char* word)
 void vtkVolumeFractionMeshAlgorithm::ClearStateKinds()
 {
   ClearItems(this->Options->StateKinds, this);
-}
-
-int vtkVolumeFractionMeshAlgorithm::GetNumberOfStateKinds()
-{
-  return static_cast<int>(this->Options->StateKinds.size());
-}
-
-const char* vtkVolumeFractionMeshAlgorithm::GetStateKind(int index)
-{
-  return TextAt(this->Options->StateKinds, index);
 }
 
 void vtkVolumeFractionMeshAlgorithm::AddRotatedArray(const char* name)
@@ -224,24 +204,9 @@ void vtkVolumeFractionMeshAlgorithm::ClearRotatedArrays()
   ClearItems(this->Options->RotatedArrays, this);
 }
 
-int vtkVolumeFractionMeshAlgorithm::GetNumberOfRotatedArrays()
-{
-  return static_cast<int>(this->Options->RotatedArrays.size());
-}
-
-const char* vtkVolumeFractionMeshAlgorithm::GetRotatedArray(int index)
-{
-  return TextAt(this->Options->RotatedArrays, index);
-}
-
 void vtkVolumeFractionMeshAlgorithm::SetLabelNamesFile(const char* path)
 {
   this->SetText("LabelNames", path);
-}
-
-const char* vtkVolumeFractionMeshAlgorithm::GetLabelNamesFile()
-{
-  return this->GetText("LabelNames");
 }
 
 void vtkVolumeFractionMeshAlgorithm::AddRefinementBox(
@@ -254,37 +219,6 @@ void vtkVolumeFractionMeshAlgorithm::AddRefinementBox(
 void vtkVolumeFractionMeshAlgorithm::ClearRefinementBoxes()
 {
   ClearItems(this->Options->RefinementBoxes, this);
-}
-
-int vtkVolumeFractionMeshAlgorithm::GetNumberOfRefinementBoxes()
-{
-  return static_cast<int>(this->Options->RefinementBoxes.size());
-}
-
-void vtkVolumeFractionMeshAlgorithm::SetNumber(const char* name, double value)
-{
-  if (vfm::SetClamped(*this->Options, name, value))
-  {
-    this->Modified();
-  }
-}
-
-double vtkVolumeFractionMeshAlgorithm::GetNumber(const char* name) const
-{
-  return vfm::FindOption(name)->GetNumber(*this->Options);
-}
-
-void vtkVolumeFractionMeshAlgorithm::SetText(const char* name, const char* value)
-{
-  if (vfm::SetText(*this->Options, name, value ? value : ""))
-  {
-    this->Modified();
-  }
-}
-
-const char* vtkVolumeFractionMeshAlgorithm::GetText(const char* name) const
-{
-  return ((*this->Options).*vfm::FindOption(name)->Text).c_str();
 }
 
 vfm::MaterialArrays vtkVolumeFractionMeshAlgorithm::FindMaterials(

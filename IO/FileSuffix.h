@@ -3,6 +3,8 @@
  */
 #pragma once
 
+#include "Base/ParseText.h"
+
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -14,11 +16,9 @@ namespace vfm
 /// @param suffix  suffix with its dot, in lower case
 inline bool HasSuffix(const std::string& path, const std::string& suffix)
 {
-  const auto lower = [](char c)
-  { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
   return path.size() > suffix.size() &&
     std::equal(suffix.rbegin(), suffix.rend(), path.rbegin(),
-      [&lower](char requested, char given) { return requested == lower(given); });
+      [](char requested, char given) { return requested == ToLower(given); });
 }
 
 /// Tests whether a path ends with any of the suffixes.

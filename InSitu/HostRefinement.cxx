@@ -36,9 +36,10 @@ bool HostRefinement::AddTo(HostGrid& grid, Ranks& ranks)
 void RefineNamedCells(MesherOptions& options)
 {
   options.RefinementArray = ArrayName;
-  if (options.Where != Refinement::Automatic || options.MaximumLevel == 0) // no other refinement
+  if (options.Refinement != RefinementMode::Automatic ||
+    options.MaximumLevel == 0) // no other refinement
   {
-    options.Where = Refinement::Automatic;
+    options.Refinement = RefinementMode::Automatic;
     options.MaximumLevel = options.MaximumLevel == 0 ? -1 : options.MaximumLevel;
     options.ThinCells = 0.0;
     options.CurvaturePerCell = 0.0;

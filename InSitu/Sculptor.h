@@ -382,11 +382,22 @@ extern "C"
    * @{ */
 
   /**
-   * Writes the mesh of all ranks. The suffix selects the format: .vtu, .pvtu, Exodus (.e, .exo,
-   * .ex2), Abaqus and CalculiX (.inp), LS-DYNA (.k, .key), OpenRadioss (.rad), Nastran (.bdf,
-   * .nas), Gmsh (.msh, version 2.2 as text), XDMF (.xdmf), OpenFOAM (.foam, its folder is the
-   * case; several ranks write a decomposed case), STL (.stl, only the closed surfaces of the
-   * materials: one solid each, or with {} in the name of the file one file each).
+   * Writes the mesh of all ranks, files of Gmsh as text. The suffix selects the format:
+   * - .vtu (VTK): all arrays and field data
+   * - .pvtu (VTK): the same, with one piece per rank in a folder next to it
+   * - .e, .ex2, .exo (Exodus): named blocks, side sets, node sets, ids and variables; N ranks write
+   *   one file each, FILE.N.RANK
+   * - .inp (Abaqus and CalculiX): sets of elements and nodes, surfaces; velocities of nodes as
+   *   initial conditions
+   * - .k, .key (LS-DYNA): parts, sets of nodes and segments, velocities, stresses
+   * - .rad (OpenRadioss): parts, groups of nodes, surfaces, velocities, state of elements
+   * - .bdf, .nas (Nastran): properties, sets of nodes, a unit pressure on each surface
+   * - .msh (Gmsh): version 2.2 or 4.1, text or binary: named volumes, domain sides and interfaces
+   * - .xdmf (XDMF): for dolfinx: materials, and a second file of tagged facets, FILE_facets.xdmf
+   * - .foam (OpenFOAM): the folder of the file is a case with patches and zones; N ranks write a
+   *   folder processorRANK each
+   * - .stl (STL): only the closed surface of each material; with {} in the name one file per
+   *   material, as in bones_{}.stl
    * @param path  path of the file, equal on all ranks
    * @return SCULPTOR_ERROR_NO_MESH without a mesh, SCULPTOR_ERROR_ARGUMENT if the path is null or
    *   the suffix unknown, SCULPTOR_ERROR_FILE if the file cannot be written

@@ -10,7 +10,6 @@
 #include "Ranks/WorkTogether.h"
 #include "Report/GatherMesh.h"
 #include "Report/MeshMaterials.h"
-#include "State/ViewMesh.h"
 
 namespace vfm
 {
@@ -199,21 +198,6 @@ std::vector<int> ListLabels(const MeshData& data, Ranks& ranks)
   return labels;
 }
 
-/// Splits interfaces and finds cohesive elements.
-/// @pre Collective
-void Split(const ModifyInput& input, const MesherOptions& options, const MaterialPairs& pairs,
-  Runtime& runtime, ModifiedMesh& result)
-{
-  const std::string warning =
-    SplitMesh(pairs, options, runtime, result.Fields, result.TheMesh, result.State);
-  result.Cohesive =
-    FindCohesiveBlocks(ViewMesh(result.TheMesh, result.State, result.Fields), runtime.Group());
-  if (runtime.Group().Rank() == 0 && !warning.empty() && input.Warn)
-  {
-    input.Warn(warning);
-  }
-}
-
 } // namespace
 
 ModifiedMesh ModifyMesh(ModifyInput input, const MesherOptions& given, Runtime& runtime)
@@ -244,7 +228,8 @@ ModifiedMesh ModifyMesh(ModifyInput input, const MesherOptions& given, Runtime& 
   UseLabels({ {}, labels }, result.TheMesh);
   if (split)
   {
-    Split(input, options, *split, runtime, result);
+    result.Cohesive =
+      SplitMesh(*split, options, input.Warn, runtime, result.Fields, result.TheMesh, result.State);
   }
   result.PointArrays = CopyPointArrays(data, result.TheMesh);
   return result;

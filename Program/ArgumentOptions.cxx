@@ -1,7 +1,7 @@
 #include "ArgumentOptions.h"
 
 #include "Base/ParseText.h"
-#include "Meshes/WriteMesh.h"
+#include "Meshes/FormatTable.h"
 #include "Options/SetOptions.h"
 #include "ReadInput.h"
 
@@ -49,13 +49,6 @@ const std::vector<ArgumentOption> OwnOptions{
   { "--list", "", "print times, grid, cell arrays and materials of the input; no mesh is made" },
   { "--step", "N", "use time number N of the input, from 0" },
   { "--time", "T", "use the time of the input nearest to T" },
-  { "--single-file", "",
-    "write one Exodus file or OpenFOAM mesh from several ranks; rank 0 gathers the mesh" },
-  { "--msh-version", "2.2|4.1",
-    "version of a .msh file; default 2.2, or 4.1 if an id exceeds 2147483647" },
-  { "--binary", "", "write a .msh file or an OpenFOAM case in binary form instead of text" },
-  { "--reduced", "", "write C3D20R instead of C3D20 in an .inp file" },
-  { "--no-interfaces", "", "leave the faces between elements out of a .msh file, for deal.II" },
   { "--trust-input", "",
     "the input may name files outside of its folder; no limit of lines and compression ratio" },
   { "--quiet", "", "print neither progress nor table" },
@@ -110,9 +103,23 @@ Examples
   sculptor --input scan.vti --labels tissue --label-smoothing 3 --aspect 1.5 --output scan.e
 )";
 
-std::vector<ArgumentOption> ListOptions()
+/// Returns the options of sculptor itself, with those of the formats.
+std::vector<ArgumentOption> ListOwnOptions()
 {
   std::vector<ArgumentOption> options = OwnOptions;
+  for (const FormatOption& option : GetFormatOptions())
+  {
+    if (*option.Argument)
+    {
+      options.push_back({ option.Argument, option.Value, option.Help });
+    }
+  }
+  return options;
+}
+
+std::vector<ArgumentOption> ListOptions()
+{
+  std::vector<ArgumentOption> options = ListOwnOptions();
   for (const Option& option : GetOptionTable())
   {
     const std::string& argument = option.Argument;
@@ -144,23 +151,20 @@ const std::vector<ArgumentOption>& GetArgumentOptions()
 std::string GetHelp()
 {
   std::string text = Usage;
-  for (const ArgumentOption& option : OwnOptions)
+  for (const ArgumentOption& option : ListOwnOptions())
   {
     text += "  " + Padded(option.Name + " " + option.Value, 26) + option.Help + "\n";
   }
   text += "\nInput: " + JoinTexts(GetInputSuffixes()) +
     "\n  Exodus: hexahedra that form a Cartesian grid, with element variables; any one of the\n"
     "    files FILE.N.RANK selects all of them\n  AMReX: folder of a plotfile\n"
-    "Output: " +
-    JoinTexts(GetOutputSuffixes()) +
-    "\n  .vtu, .inp (Abaqus, CalculiX), .k and .key (LS-DYNA), .rad (OpenRadioss), .bdf and .nas\n"
-    "    (Nastran) and .msh (Gmsh) are one file, also from several ranks;\n"
-    "    .xdmf (dolfinx) is two, FILE.xdmf and FILE_facets.xdmf;\n"
-    "    Exodus from N ranks is one file per rank, FILE.N.RANK\n"
-    "  .foam: its folder is a case of OpenFOAM; N ranks write a folder processorRANK each\n"
-    "  .stl: only the surfaces of the materials; with {} in the name one file per material, as in\n"
-    "    bones_{}.stl\n\n" +
-    MaterialRules;
+    "Output:\n";
+  for (const FormatRow& format : GetFormatTable())
+  {
+    text +=
+      "  " + Padded(JoinTexts(format.Suffixes), 16) + format.Name + ": " + format.Content + "\n";
+  }
+  text += std::string("\n") + MaterialRules;
   for (const std::string& line : DescribeOptions(ElementKind::Tets))
   {
     text += "  " + line + "\n";

@@ -8,7 +8,6 @@
 #include "Images/ImageFile.h"
 #include "Meshes/Surfaces/WriteStl.h"
 #include "Meshes/Vtk/WriteGeometry.h"
-#include "Meshes/WriteMesh.h"
 #include "Options/SetOptions.h"
 #include "ReadInput.h"
 #include "Report/WriteReport.h"
@@ -188,7 +187,7 @@ MesherOptions ReadOptions(const GivenArguments& given)
 OutputForm ReadForm(const GivenArguments& given)
 {
   OutputForm form;
-  form.Files = given.count("--single-file") > 0 ? OutputFiles::Single : OutputFiles::AsUsual;
+  form.IsSingle = given.count("--single-file") > 0;
   form.Version = ReadValue(given, "--msh-version", "2.2 or 4.1", ParseGmshVersion)
                    .value_or(GmshVersion::Automatic);
   form.IsBinary = given.count("--binary") > 0;
@@ -303,7 +302,7 @@ void CheckMesh(const Arguments& from)
 /// Rejects a velocity or energy array if the state is copied, because the mesh would lack it.
 void CheckConserved(const MesherOptions& options)
 {
-  const bool isConserved = ConservesState(options.Transfer, options.DensityArrays);
+  const bool isConserved = ConservesState(options.StateTransfer, options.DensityArrays);
   if (!isConserved && !(options.VelocityArray + options.EnergyArray).empty())
   {
     RejectArguments("--velocity and --energy require conserved state: add --density ARRAY or "

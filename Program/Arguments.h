@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "Meshes/WriteMesh.h"
+#include "Meshes/FormatTable.h"
 #include "Options/MesherOptions.h"
 
 #include <array>

@@ -236,7 +236,7 @@ std::array<Run, 2> PlanRuns(const Arguments& given)
   Run plain{ "As it is", given }, refined{ "Refined 1", given };
   const MesherOptions defaults;
   MesherOptions& options = plain.How.Mesher;
-  options.Where = defaults.Where;
+  options.Refinement = defaults.Refinement;
   options.MaximumLevel = defaults.MaximumLevel;
   options.ThinCells = defaults.ThinCells;
   options.FineInterfaces = defaults.FineInterfaces;
@@ -246,13 +246,13 @@ std::array<Run, 2> PlanRuns(const Arguments& given)
     refined.Title = "Chosen cells refined";
     refined.How.Mesher.RefinementArray = ChosenName;
   }
-  else if (given.Mesher.Where == Refinement::Uniform)
+  else if (given.Mesher.Refinement == RefinementMode::Uniform)
   {
     refined.Title = "Refined " + std::to_string(given.Mesher.MaximumLevel);
   }
   else
   {
-    refined.How.Mesher.Where = Refinement::Uniform;
+    refined.How.Mesher.Refinement = RefinementMode::Uniform;
     refined.How.Mesher.MaximumLevel = 1;
   }
   return { plain, refined };
@@ -265,7 +265,7 @@ void CheckMesh(const MeshData& mesh, const MeshSummary& summary, const MeshSumma
   const Arguments& how, Index parts, Ranks& ranks, Checks& checks)
 {
   const MesherOptions& options = how.Mesher;
-  const bool moves = !options.StairStep && options.Method != Smoothing::Off;
+  const bool moves = !options.StairStep && options.Smoothing != SmoothingMethod::Off;
   CheckParts(summary,
     how.RefinesCells && !summary.IsTets && !moves ? UnmovedVolumeError : VolumeError, checks);
   CheckElements(mesh, ranks, checks);

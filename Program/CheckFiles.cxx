@@ -38,14 +38,6 @@ bool IsSameFile(const std::string& one, const std::string& other)
   return resolve(one) == resolve(other);
 }
 
-/// Returns whether a path is a device or a pipe.
-bool IsWrittenInPlace(const std::string& path)
-{
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
-}
-
 std::vector<NamedFile> ListInputs(const Arguments& arguments)
 {
   std::vector<NamedFile> inputs{ { "input", arguments.Input } };

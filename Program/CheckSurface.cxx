@@ -1,6 +1,8 @@
 #include "CheckSurface.h"
 
 #include "Base/DisjointSets.h"
+#include "Elements/ElementFaces.h"
+#include "Report/MatchFaces.h"
 #include "Report/MeshFacets.h"
 
 #include <algorithm>
@@ -23,10 +25,10 @@ std::vector<Points> FindSurface(MeshData mesh)
   const std::vector<int> oneValue(mesh.NumberOfElements, 0);
   Ranks alone;
   std::vector<Points> surface;
-  for (const FacetSide& face : FindMeshFaces(mesh, oneValue.data(), alone))
+  for (const MeshFacet& face : FindMeshFaces(mesh, oneValue.data(), alone))
   {
-    const auto end = std::find(face.Points.begin(), face.Points.end(), -1);
-    surface.emplace_back(face.Points.begin(), end);
+    const FaceIds points = PointsOfSide(mesh, face);
+    surface.emplace_back(points.begin(), std::find(points.begin(), points.end(), -1));
   }
   return surface;
 }

@@ -434,7 +434,7 @@ void KeepMaterials(std::vector<InputBlock>& blocks, const ChosenArrays& arrays,
     return;
   }
   CheckUse(arguments, arrays.Labels);
-  if (arguments.Mesher.Zero == ZeroLabel::Material)
+  if (arguments.Mesher.ZeroLabel == ZeroLabelMeaning::Material)
   {
     throw InputError(ErrorCode::WrongArguments,
       "--material cannot be combined with --zero-label Material, because materials that are not "

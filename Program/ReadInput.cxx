@@ -104,7 +104,7 @@ const std::vector<Format>& Formats()
   return formats;
 }
 
-const Format* FindFormat(const std::string& path)
+const Format* FindInputFormat(const std::string& path)
 {
   const auto& formats = Formats();
   const auto found = std::find_if(formats.begin(), formats.end(),
@@ -112,8 +112,8 @@ const Format* FindFormat(const std::string& path)
   return found == formats.end() ? nullptr : &*found;
 }
 
-/// Discards everything that is written to a standard stream during the lifetime of the object. The
-/// Exodus library prints many lines for an error that the reader reports in one message.
+/// Discards everything that is written to a standard stream during the lifetime of the object.
+/// Libraries print lines for an error that the reader reports in one message.
 class QuietStream
 {
 public:
@@ -152,7 +152,7 @@ private:
 vtkSmartPointer<vtkDataObject> ReadPart(
   const Arguments& arguments, VtkMessages& messages, const Ranks& ranks, Input& times)
 {
-  const Format& format = *FindFormat(arguments.Input);
+  const Format& format = *FindInputFormat(arguments.Input);
   if (format.IsLegacy && ranks.Rank() > 0)
   {
     return nullptr;
@@ -211,8 +211,7 @@ std::vector<std::string> GetInputSuffixes()
 
 void CheckInputSuffix(const std::string& path)
 {
-  if (!FindFormat(path) && !IsVoxelFile(path) && !IsImageFile(path) && !IsExodusFile(path) &&
-    !IsBlockFile(path))
+  if (!FindInputFormat(path) && !IsVoxelFile(path) && !IsImageFile(path) && !IsBlockFile(path))
   {
     std::error_code error;
     if (IsPattern(path) || std::filesystem::is_directory(path, error))
@@ -234,6 +233,10 @@ void CheckInputSuffix(const std::string& path)
 
 Input ReadInput(const Arguments& arguments, Ranks& ranks)
 {
+  if (IsExodusFile(arguments.Input))
+  {
+    return ReadExodus(arguments, ranks);
+  }
   if (IsBlockFile(arguments.Input))
   {
     return ReadBlocks(arguments, ranks);
@@ -245,10 +248,6 @@ Input ReadInput(const Arguments& arguments, Ranks& ranks)
   VtkMessages messages;
   const VtkSilence silence(messages);
   const QuietStream errors(STDERR_FILENO, stderr), output(STDOUT_FILENO, stdout);
-  if (IsExodusFile(arguments.Input))
-  {
-    return ReadExodus(arguments, messages, ranks);
-  }
   return ReadByVtk(arguments, messages, ranks);
 }
 

@@ -85,19 +85,22 @@ void DropCollapsed(Triangles& triangles)
     triangles.end());
 }
 
-/// Side of a triangle. Sorting brings equal sides together.
-struct Side
+/// Edge of a triangle. Sorting brings equal edges together.
+struct TriangleEdge
 {
   Index Low, High; // points
   Index Triangle;
   bool IsForward; // from Low to High
 
-  bool Meets(const Side& other) const { return this->Low == other.Low && this->High == other.High; }
+  bool Meets(const TriangleEdge& other) const
+  {
+    return this->Low == other.Low && this->High == other.High;
+  }
 };
 
-std::vector<Side> SortSides(const Triangles& triangles)
+std::vector<TriangleEdge> SortSides(const Triangles& triangles)
 {
-  std::vector<Side> sides;
+  std::vector<TriangleEdge> sides;
   for (std::size_t t = 0; t < triangles.size(); ++t)
   {
     for (int i = 0; i < 3; ++i)
@@ -107,7 +110,7 @@ std::vector<Side> SortSides(const Triangles& triangles)
     }
   }
   std::sort(sides.begin(), sides.end(),
-    [](const Side& a, const Side& b)
+    [](const TriangleEdge& a, const TriangleEdge& b)
     {
       return std::array<Index, 3>{ { a.Low, a.High, a.Triangle } } <
         std::array<Index, 3>{ { b.Low, b.High, b.Triangle } };
@@ -116,7 +119,7 @@ std::vector<Side> SortSides(const Triangles& triangles)
 }
 
 /// Checks that each edge has exactly two sides, which follow each other in the sorted list.
-void CheckClosed(const std::vector<Side>& sides)
+void CheckClosed(const std::vector<TriangleEdge>& sides)
 {
   if (sides.empty())
   {
@@ -152,11 +155,11 @@ struct Neighbour
 };
 
 /// Returns three neighbours per triangle.
-std::vector<Neighbour> FindNeighbours(const std::vector<Side>& sides)
+std::vector<Neighbour> FindNeighbours(const std::vector<TriangleEdge>& sides)
 {
   std::vector<Neighbour> neighbours(sides.size());
   std::vector<int> count(sides.size() / 3, 0);
-  const auto add = [&](const Side& side, const Side& other)
+  const auto add = [&](const TriangleEdge& side, const TriangleEdge& other)
   {
     neighbours[3 * side.Triangle + count[side.Triangle]++] = { other.Triangle,
       side.IsForward != other.IsForward };
@@ -223,7 +226,7 @@ ClosedSurface CloseSurface(std::vector<Vector3> points, Triangles triangles)
   CheckPoints(points, triangles);
   MergePoints(points, triangles);
   DropCollapsed(triangles);
-  const std::vector<Side> sides = SortSides(triangles);
+  const std::vector<TriangleEdge> sides = SortSides(triangles);
   CheckClosed(sides);
   OrientConsistently(FindNeighbours(sides), triangles);
   ClosedSurface surface{ std::move(points), std::move(triangles) };

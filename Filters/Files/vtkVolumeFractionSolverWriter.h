@@ -2,9 +2,8 @@
  * @class   vtkVolumeFractionSolverWriter
  * @brief   writes a mesh as an input file of a solver, in the format of the suffix
  *
- * Writes one file, also from several ranks. Suffixes: .k, .key (LS-DYNA), .rad (OpenRadioss), .bdf,
- * .nas (Nastran), and all others of Meshes/WriteMesh.h. The files contain the mesh with parts of
- * the materials, sets of nodes and faces, and state. Materials and loads belong in other files.
+ * Writes any format of Meshes/FormatTable.h, without its options. Materials and loads belong in
+ * other files.
  */
 #ifndef vtkVolumeFractionSolverWriter_h
 #define vtkVolumeFractionSolverWriter_h

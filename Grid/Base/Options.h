@@ -11,7 +11,7 @@ namespace vfm
 {
 
 /// Placement of surface nodes.
-enum class Smoothing
+enum class SmoothingMethod
 {
   Off,            ///< valid start positions: the stair-step interface with a thin buffer layer
   QuadricSurface, ///< barrier energy, surface nodes attracted to local quadrics of the interface
@@ -19,7 +19,7 @@ enum class Smoothing
 };
 
 /// Detection of sharp features, the edges and corners of interfaces, which the mesh then preserves.
-enum class SharpEdges
+enum class SharpEdgeMode
 {
   Off,
   On,
@@ -35,7 +35,7 @@ enum class TetMethod
 };
 
 /// Order of the elements.
-enum class ElementOrder
+enum class InterpolationOrder
 {
   Linear,
   Quadratic,  ///< hexahedra of 20 nodes, tetrahedra of 10
@@ -87,15 +87,16 @@ struct MeshSettings : TetGenOptions
   double IsoValue = 0.5;  ///< limit of void, in (0,1): a cell is void if its materials fill less
   bool MeshVoid = false;  ///< true: void is meshed as material 0
   bool StairStep = false; ///< true: cells become hexes; nothing is inserted or moved
-  Smoothing Method = Smoothing::QuadricSurface;
+  SmoothingMethod Smoothing = SmoothingMethod::QuadricSurface;
   /// Weight of quality against distance, in [0,1). 0 selects 0.55 for one
   /// material, 0.5 for several.
   double TargetScaledJacobian = 0.0;
-  SharpEdges Edges = SharpEdges::Off;  ///< only with IsoValue 0.5 and Smoothing::QuadricSurface
-  bool ConserveVolume = true;          ///< match the fractions' volumes; only with IsoValue 0.5
-  bool ComputeQuality = true;          ///< fill Mesh::ScaledJacobian
-  TetMethod Tets = TetMethod::Lattice; ///< method of tetrahedral meshes
-  ElementOrder Order = ElementOrder::Linear;
+  SharpEdgeMode SharpEdges =
+    SharpEdgeMode::Off;       ///< only with IsoValue 0.5 and SmoothingMethod::QuadricSurface
+  bool ConserveVolume = true; ///< match the fractions' volumes; only with IsoValue 0.5
+  bool ComputeQuality = true; ///< fill Mesh::ScaledJacobian
+  TetMethod Method = TetMethod::Lattice; ///< method of tetrahedral meshes
+  InterpolationOrder ElementOrder = InterpolationOrder::Linear;
 };
 
 /// All options of a pipeline.
@@ -117,7 +118,7 @@ inline bool InterfacesCrossLevels(const MeshOptions& options)
 /// Returns whether points move from where the cells place them.
 inline bool MovesPoints(const MeshSettings& options)
 {
-  return !options.StairStep && options.Method != Smoothing::Off;
+  return !options.StairStep && options.Smoothing != SmoothingMethod::Off;
 }
 
 /// Returns whether a mesh whose points move gets the volumes of the fractions.

@@ -14,11 +14,6 @@ namespace
 
 constexpr const char* Spaces = " \t\r\n\v\f";
 
-char ToLower(char c)
-{
-  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
-
 template <class Value>
 std::optional<Value> Parse(const std::string& text, Value least, Value most)
 {
@@ -30,6 +25,15 @@ std::optional<Value> Parse(const std::string& text, Value least, Value most)
 }
 
 } // namespace
+
+std::string ToLower(std::string text)
+{
+  for (char& c : text)
+  {
+    c = ToLower(c);
+  }
+  return text;
+}
 
 bool IsSameWord(const std::string& one, const std::string& other)
 {
@@ -131,7 +135,7 @@ std::string SnakeCase(const std::string& name)
   {
     const bool isCapital = c >= 'A' && c <= 'Z';
     snake += isCapital && !snake.empty() ? "_" : "";
-    snake += isCapital ? static_cast<char>(c - 'A' + 'a') : c;
+    snake += ToLower(c);
   }
   return snake;
 }

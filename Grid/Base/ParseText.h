@@ -11,6 +11,13 @@
 namespace vfm
 {
 
+/// Returns a letter of ASCII in lower case, and any other character as it is.
+constexpr char ToLower(char c)
+{
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+std::string ToLower(std::string text);
+
 /// Returns whether two texts are equal except for case and spaces, such as "Quadric
 /// Surface" and "quadricsurface".
 bool IsSameWord(const std::string& one, const std::string& other);

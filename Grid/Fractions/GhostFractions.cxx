@@ -38,9 +38,10 @@ Bytes PackBox(const FractionField& fractions, const Partition& partition, const 
         });
     });
   const Bytes coded = ToBytes(entries.Coded());
-  Bytes bytes = ToBytes(std::vector<Index>{ static_cast<Index>(coded.size()) });
-  bytes.insert(bytes.end(), coded.begin(), coded.end());
   const Bytes rest = ToBytes(parts);
+  Bytes bytes = ToBytes(std::vector<Index>{ static_cast<Index>(coded.size()) });
+  bytes.reserve(bytes.size() + coded.size() + rest.size());
+  bytes.insert(bytes.end(), coded.begin(), coded.end());
   bytes.insert(bytes.end(), rest.begin(), rest.end());
   return bytes;
 }

@@ -66,23 +66,23 @@ bool MayPillow(const PillowedLevel& mesh, int ends, std::size_t hex, int face)
 std::vector<unsigned char> FindPillowFaces(
   const PillowedLevel& mesh, int axis, int ends, const std::vector<unsigned char>& inside)
 {
-  struct Side
+  struct HexFace
   {
     std::array<int, 4> Nodes; // ascending
     Index Slab;
     std::size_t Hex;
     int Face;
-    bool operator<(const Side& o) const
+    bool operator<(const HexFace& o) const
     {
       return std::tie(this->Nodes, this->Slab) < std::tie(o.Nodes, o.Slab);
     }
   };
-  std::vector<Side> sides;
+  std::vector<HexFace> sides;
   for (std::size_t h = 0; h < mesh.Hexes.size(); ++h)
   {
     for (int f = 0; inside[h] && f < 6; ++f)
     {
-      Side side{ {}, SlabOf(mesh, axis, h), h, f };
+      HexFace side{ {}, SlabOf(mesh, axis, h), h, f };
       int n = 0;
       for (int c = 0; c < 8; ++c)
       {

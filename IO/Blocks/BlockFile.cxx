@@ -1,5 +1,6 @@
 #include "Blocks/BlockFile.h"
 
+#include "Blocks/ExodusCase.h"
 #include "FileSuffix.h"
 
 #include <filesystem>
@@ -15,11 +16,15 @@ bool IsPlotfile(const std::string& path)
 
 bool IsBlockFile(const std::string& path)
 {
-  return IsPlotfile(path) || HasSuffix(path, SpyPlotSuffix);
+  return IsPlotfile(path) || HasSuffix(path, SpyPlotSuffix) || IsExodusFile(path);
 }
 
-std::unique_ptr<BlockFile> OpenBlockFile(const std::string& path, const Ranks& ranks)
+std::unique_ptr<BlockFile> OpenBlockFile(const std::string& path, Ranks& ranks)
 {
+  if (IsExodusFile(path))
+  {
+    return std::make_unique<ExodusCase>(path, ranks);
+  }
   return IsPlotfile(path) ? OpenPlotfile(path) : OpenSpyPlot(path, ranks);
 }
 

@@ -1,11 +1,12 @@
 /**
  * BlockFile: reads files of blocks of cells on any number of levels, at one or more times: SpyPlot
- * files of CTH and AMReX plotfiles.
+ * files of CTH, AMReX plotfiles and Exodus files of hexahedra.
  */
 #pragma once
 
 #include "Input/InputBlocks.h"
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -20,13 +21,19 @@ class BlockFile
 public:
   virtual ~BlockFile() = default;
 
-  /// Returns the times of all steps, ascending.
+  /// Returns the times of all steps, ascending; empty if the file has one step without a time.
   const std::vector<double>& Times() const { return this->StepTimes; }
-  /// Returns the names of the cell arrays, in the order of the file.
+  /// Returns the names of the cell arrays, in the order of the file; equal on all ranks.
   const std::vector<std::string>& Names() const { return this->ArrayNames; }
+  /// Returns whether an array can be read; arrays that few users need are not among Names().
+  virtual bool Has(const std::string& name) const
+  {
+    return std::find(this->ArrayNames.begin(), this->ArrayNames.end(), name) !=
+      this->ArrayNames.end();
+  }
 
   /// Reads the blocks that this rank takes, without ghost cells.
-  /// @param step  index into Times()
+  /// @param step  index into Times(); 0 without times
   /// @param names  arrays to read
   /// @return blocks of this rank; their order and number depend on the number of ranks
   /// @throws InputError  if a file cannot be read; the message contains the file and the place
@@ -41,12 +48,14 @@ protected:
 
 constexpr const char* SpyPlotSuffix = ".spcth";
 
-/// Tests whether a path is a SpyPlot file (suffix .spcth) or the folder of an AMReX plotfile.
+/// Tests whether a path is a SpyPlot file (suffix .spcth), the folder of an AMReX plotfile or an
+/// Exodus file.
 bool IsBlockFile(const std::string& path);
 
 /// Opens a file or folder. Each rank checks the structure of the files that it will read.
 /// @throws InputError  if a file cannot be read, is damaged or has another format
-std::unique_ptr<BlockFile> OpenBlockFile(const std::string& path, const Ranks& ranks);
+/// @pre Collective
+std::unique_ptr<BlockFile> OpenBlockFile(const std::string& path, Ranks& ranks);
 
 /// Opens a case of the shock code CTH: one binary file (SpyPlotFile), or a text that lists several.
 /// @throws InputError  same conditions as OpenBlockFile
@@ -63,5 +72,11 @@ std::unique_ptr<BlockFile> OpenPlotfile(const std::string& folder);
 
 /// Tests whether a path is a folder that contains a file Header.
 bool IsPlotfile(const std::string& path);
+
+/// Returns the suffixes of Exodus files, for instance ".e".
+std::vector<std::string> GetExodusSuffixes();
+/// Tests whether a path has one of these suffixes, or is FILE.N.RANK with any FILE, a part of a
+/// decomposed file (N may be 1), and is no folder.
+bool IsExodusFile(const std::string& path);
 
 } // namespace vfm

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <charconv>
 #include <cstdlib>
 #include <iomanip>
@@ -71,10 +70,7 @@ std::string LegacyStream::Word()
 
 std::string LegacyStream::Keyword()
 {
-  std::string word = this->Word();
-  std::transform(word.begin(), word.end(), word.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return word;
+  return ToLower(this->Word());
 }
 
 std::int64_t LegacyStream::Int(std::int64_t least, std::int64_t most, const std::string& what)

@@ -5,7 +5,6 @@
 #include "Report/UniqueNames.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -25,12 +24,10 @@ bool IsNumber(const std::string& text)
 }
 
 /// Tests whether a line that begins with this word is a title of columns.
-bool IsTitle(std::string word)
+bool IsTitle(const std::string& word)
 {
-  std::transform(word.begin(), word.end(), word.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   const auto words = { "id", "index", "label", "number", "value" };
-  return std::find(words.begin(), words.end(), word) != words.end();
+  return std::find(words.begin(), words.end(), ToLower(word)) != words.end();
 }
 
 /// Returns the name in the text after a label.

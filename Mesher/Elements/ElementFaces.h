@@ -12,7 +12,7 @@
 namespace vfm
 {
 
-/// Points of a face in ascending order. The first point of a triangle is -1.
+/// Points of a face. The last point of a triangle is -1; the first one if the order is ascending.
 using FaceIds = std::array<Index, 4>;
 
 /// Faces of hexahedra or tetrahedra.
@@ -29,9 +29,9 @@ struct ElementFaces
   /// Returns the points of a face, counterclockwise seen from outside. The last point of
   /// a triangle is -1.
   /// @param element  points of the element in VTK's order
-  std::array<Index, 4> PointsOf(const Index* element, int face) const
+  FaceIds PointsOf(const Index* element, int face) const
   {
-    std::array<Index, 4> points{ { -1, -1, -1, -1 } };
+    FaceIds points{ { -1, -1, -1, -1 } };
     std::transform(this->Table[face], this->Table[face] + this->Corners, points.begin(),
       [element](int corner) { return element[corner]; });
     return points;

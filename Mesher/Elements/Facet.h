@@ -21,6 +21,13 @@ struct Facet
   bool IsOwned;                 ///< true on the one rank that writes and measures the facet
 };
 
+/// Returns the number of corners of a facet. Triangles repeat the last point.
+template <class Point>
+int CornersOf(const std::array<Point, 4>& points)
+{
+  return points[2] == points[3] ? 3 : 4;
+}
+
 /// Returns the two sides of a facet, the smaller first: a fragment, 0 if not meshed, or
 /// -1 - DomainSide outside the domain.
 inline std::array<int, 2> SurfaceOf(const Facet& facet)

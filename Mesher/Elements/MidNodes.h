@@ -32,12 +32,12 @@ struct MidNodes
   }
 
   /// Returns the number of mid nodes per element.
-  static int CountOf(ElementOrder order, int corners)
+  static int CountOf(InterpolationOrder order, int corners)
   {
-    return order == ElementOrder::Linear ? 0
-      : corners == 4                     ? 6
-      : order == ElementOrder::Quadratic ? 12
-                                         : 19;
+    return order == InterpolationOrder::Linear ? 0
+      : corners == 4                           ? 6
+      : order == InterpolationOrder::Quadratic ? 12
+                                               : 19;
   }
   bool HasFaces() const { return this->Count > this->Edges; }
 

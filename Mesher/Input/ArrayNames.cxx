@@ -1,5 +1,7 @@
 #include "Input/ArrayNames.h"
 
+#include "Base/ParseText.h"
+
 #include <algorithm>
 #include <cctype>
 #include <iterator>
@@ -43,7 +45,7 @@ std::vector<std::string> SplitName(const std::string& name)
     }
     if (kind != Kind::None)
     {
-      words.back().push_back(static_cast<char>(std::tolower(code)));
+      words.back().push_back(ToLower(letter));
     }
     last = kind;
   }

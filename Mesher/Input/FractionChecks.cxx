@@ -61,8 +61,8 @@ Index FindLargest(const InputBlock& block, const std::shared_ptr<const BlockArra
   return largest;
 }
 
-[[noreturn]] void RejectBytes(
-  const std::vector<std::string>& names, const std::vector<Index>& largest, bool hasOne)
+[[noreturn]] void RejectBytes(const std::vector<std::string>& names,
+  const std::vector<Index>& largest, const std::string& labelsOption)
 {
   std::vector<std::string> texts;
   for (std::size_t m = 0; m < names.size(); ++m)
@@ -74,9 +74,9 @@ Index FindLargest(const InputBlock& block, const std::shared_ptr<const BlockArra
   }
   throw InputError("Volume fraction arrays of type unsigned char: " + JoinTexts(texts) +
     ". 255 is a full cell, or 1 if no value exceeds 1, so these arrays fill no cell by half. " +
-    (hasOne
-        ? "If the values are material ids, choose the array as labels (--labels " + names[0] + ")."
-        : "If the values are material ids, choose one array as labels (--labels).") +
+    "If the values are material ids, choose " +
+    (names.size() == 1 ? "the array as labels (" + labelsOption + " " + names[0] + ")."
+                       : "one array as labels (--labels).") +
     " If they are fractions, convert them to numbers of type float in [0, 1].");
 }
 
@@ -99,8 +99,8 @@ std::array<Index, 3> Order(const Index3& cell)
 
 } // namespace
 
-bool AreMasks(
-  const std::vector<InputBlocks>& levels, const std::vector<std::string>& names, Ranks& ranks)
+bool AreMasks(const std::vector<InputBlocks>& levels, const std::vector<std::string>& names,
+  const std::string& labelsOption, Ranks& ranks)
 {
   std::vector<Index> largest(names.size(), 0);
   bool haveNames = true;
@@ -131,7 +131,7 @@ bool AreMasks(
   const Index most = largest.empty() ? 0 : *std::max_element(largest.begin(), largest.end());
   if (most > 1 && most <= LargestEmptyByte && !haveNames)
   {
-    RejectBytes(names, largest, names.size() == 1);
+    RejectBytes(names, largest, labelsOption);
   }
   if (most > LargestEmptyByte && !haveNames &&
     std::find(largest.begin(), largest.end(), 1) != largest.end())

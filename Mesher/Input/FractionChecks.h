@@ -18,11 +18,12 @@ constexpr int LargestEmptyByte = 127;
 /// value above 1. Otherwise 255 is full.
 /// @param levels blocks of each level
 /// @param names arrays of fractions; arrays of other types are ignored
+/// @param labelsOption words of the front end that make a name the array of labels, for messages
 /// @throws InputError on all ranks, if the largest value is from 2 to LargestEmptyByte and the
 /// names do not say volume fraction; it lists the arrays
 /// @pre Collective
-bool AreMasks(
-  const std::vector<InputBlocks>& levels, const std::vector<std::string>& names, Ranks& ranks);
+bool AreMasks(const std::vector<InputBlocks>& levels, const std::vector<std::string>& names,
+  const std::string& labelsOption, Ranks& ranks);
 
 /// Returns an array in which 1 is full: an array of type unsigned char with another type.
 std::shared_ptr<const BlockArray> ViewMask(std::shared_ptr<const BlockArray> array);

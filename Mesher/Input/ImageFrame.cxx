@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
-#include <tuple>
 
 namespace vfm
 {
@@ -87,9 +86,7 @@ void ReverseSides(Mesh& mesh)
   {
     facet.Side = facet.Side == lower ? upper : facet.Side == upper ? lower : facet.Side;
   }
-  std::sort(mesh.Facets.begin(), mesh.Facets.end(),
-    [](const MeshFacet& a, const MeshFacet& b)
-    { return std::tie(a.Element, a.Side) < std::tie(b.Element, b.Side); });
+  std::sort(mesh.Facets.begin(), mesh.Facets.end());
 }
 
 /// Reverses the orientation of elements and facets.

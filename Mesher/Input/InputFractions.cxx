@@ -277,12 +277,13 @@ InputField FractionCells::MakeField(
 } // namespace
 
 LevelCells OpenFractions(const std::vector<InputBlocks>& levels,
-  const std::vector<std::string>& names, double tolerance, Ranks& ranks)
+  const std::vector<std::string>& names, double tolerance, const std::string& labelsOption,
+  Ranks& ranks)
 {
   LevelCells cells;
   std::vector<FractionCells*> opened;
   std::vector<Index> bytes(names.size(), 0);
-  const bool areMasks = AreMasks(levels, names, ranks);
+  const bool areMasks = AreMasks(levels, names, labelsOption, ranks);
   WorkTogether(ranks,
     [&]
     {

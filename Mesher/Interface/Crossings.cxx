@@ -24,7 +24,7 @@ constexpr double AddedSlope = 0.3;
 constexpr Index SearchRadius = 2; // distance of faces for FindCrossingNear, in cells
 
 /// One of the two cells of the dual edge.
-struct Side
+struct EndCell
 {
   Index Cell;
   Vector3 Centre; // grid coordinates
@@ -93,7 +93,7 @@ private:
 
 /// Returns the gradient over the 3^3 cells in the domain.
 Vector3 Gradient(
-  const ScaledCells& cells, const PairFractions& pair, const Side& side, const Index3& p)
+  const ScaledCells& cells, const PairFractions& pair, const EndCell& side, const Index3& p)
 {
   GradientFit fit;
   for (int c = 0; c < 27; ++c)
@@ -109,7 +109,7 @@ Vector3 Gradient(
 }
 
 /// Adds the share of the first label in the pair, unless the pair fills little of the cell.
-void AddSample(const ScaledCells& cells, const PairFractions& pair, const Side& side,
+void AddSample(const ScaledCells& cells, const PairFractions& pair, const EndCell& side,
   const Index3& p, std::vector<FractionSample>& samples)
 {
   const Index cell = cells.Grid.Linear(p);
@@ -128,7 +128,8 @@ bool IsMixed(double fraction)
 
 /// Turns the gradient to the normal of the plane that fits the fractions over 3^3 cells; returns
 /// false if no plane fits.
-bool TurnToPlane(const ScaledCells& cells, const PairFractions& pair, const Index3& p, Side& side)
+bool TurnToPlane(
+  const ScaledCells& cells, const PairFractions& pair, const Index3& p, EndCell& side)
 {
   std::vector<FractionSample> samples;
   samples.reserve(27);
@@ -154,9 +155,9 @@ bool TurnToPlane(const ScaledCells& cells, const PairFractions& pair, const Inde
   return true;
 }
 
-Side MakeSide(const ScaledCells& cells, const PairFractions& pair, Index cell)
+EndCell MakeSide(const ScaledCells& cells, const PairFractions& pair, Index cell)
 {
-  Side side;
+  EndCell side;
   const CartesianGrid& grid = cells.Grid;
   const Index3 p = grid.Position(cell);
   side.Cell = cell;
@@ -177,7 +178,7 @@ double SignOf(const InterfaceFace& face)
 }
 
 /// Returns where D changes sign along the dual edge: 0 at the lower cell, 1 at the upper.
-double LinearParameter(const InterfaceFace& face, const Side& lower, const Side& upper)
+double LinearParameter(const InterfaceFace& face, const EndCell& lower, const EndCell& upper)
 {
   const double sign = SignOf(face);
   const double a = sign * lower.D, b = sign * upper.D; // a < 0 < b unless a cell was flipped
@@ -189,7 +190,7 @@ double LinearParameter(const InterfaceFace& face, const Side& lower, const Side&
 }
 
 /// Sets the share of the first label in the pair; returns false if the cell has no plane.
-bool PlaneFraction(const PairFractions& pair, const Side& side, double& fraction)
+bool PlaneFraction(const PairFractions& pair, const EndCell& side, double& fraction)
 {
   const double both = pair.HasVoid() ? 1.0 : pair.OfBoth(side.Cell);
   if (both < PairShare)
@@ -201,7 +202,7 @@ bool PlaneFraction(const PairFractions& pair, const Side& side, double& fraction
 }
 
 /// Returns the cut of the plane of a cell with the dual edge.
-Vector3 CutOfPlane(const InterfaceFace& face, const Side& side, double fraction)
+Vector3 CutOfPlane(const InterfaceFace& face, const EndCell& side, double fraction)
 {
   const Vector3 n = Unit(side.Gradient);
   const double d = PlaneOfVolume(n, fraction);
@@ -216,11 +217,11 @@ Vector3 CutOfPlane(const InterfaceFace& face, const Side& side, double fraction)
 
 /// Moves a point to the mean cut of the planes of both cells, as far as they have one.
 void MoveToPlanes(const InterfaceFace& face, const PairFractions& pair,
-  const std::array<Side, 2>& sides, Vector3& point)
+  const std::array<EndCell, 2>& sides, Vector3& point)
 {
   Vector3 sum{ { 0.0, 0.0, 0.0 } };
   double weights = 0.0;
-  for (const Side& side : sides)
+  for (const EndCell& side : sides)
   {
     double f = 0.0;
     if (PlaneFraction(pair, side, f))
@@ -236,7 +237,8 @@ void MoveToPlanes(const InterfaceFace& face, const PairFractions& pair,
   }
 }
 
-Vector3 BlendNormals(const InterfaceFace& face, const Side& lower, const Side& upper, double t)
+Vector3 BlendNormals(
+  const InterfaceFace& face, const EndCell& lower, const EndCell& upper, double t)
 {
   if (lower.IsOneSided && upper.IsOneSided && lower.HasPlane != upper.HasPlane)
   {
@@ -304,9 +306,9 @@ Crossing FindCrossing(const CartesianGrid& grid, const FractionField& fractions,
 {
   const ScaledCells cells(grid);
   const PairFractions pair(fractions, face, isoValue);
-  const std::array<Side, 2> sides{ { MakeSide(cells, pair, face.Node - grid.Stride(face.Axis)),
+  const std::array<EndCell, 2> sides{ { MakeSide(cells, pair, face.Node - grid.Stride(face.Axis)),
     MakeSide(cells, pair, face.Node) } };
-  const Side &lower = sides[0], &upper = sides[1];
+  const EndCell &lower = sides[0], &upper = sides[1];
   const double t = LinearParameter(face, lower, upper);
   Crossing crossing;
   crossing.Point = (1.0 - t) * lower.Centre + t * upper.Centre;

@@ -49,9 +49,9 @@ Index Interface::Find(Index node) const
 
 void Interface::FindFaces(const LabelArray& labels, Runtime& runtime)
 {
-  const std::vector<NodedFace> faces =
-    CollectItems<NodedFace>(runtime, this->MixedNodes.size(), NodesOfBlock,
-      [&](Index n, std::vector<NodedFace>& found)
+  const std::vector<FaceAndNodes> faces =
+    CollectItems<FaceAndNodes>(runtime, this->MixedNodes.size(), NodesOfBlock,
+      [&](Index n, std::vector<FaceAndNodes>& found)
       {
         ForFacesOfNode(this->TheGrid, labels, this->MixedNodes[n], this->TheGrid.Local(),
           [&](const InterfaceFace& face, const Index3&, const Index3&)
@@ -62,8 +62,8 @@ void Interface::FindFaces(const LabelArray& labels, Runtime& runtime)
   ForEach(runtime, faces.size(),
     [&](Index f)
     {
-      this->TheFaces[f] = faces[f].Face;
-      this->FaceNodes[f] = faces[f].Nodes;
+      this->TheFaces[f] = faces[f].first;
+      this->FaceNodes[f] = faces[f].second;
     });
   this->FacesOfNodes = MakeGroups<int>(this->MixedNodes.size(),
     [this](const auto& visit)
@@ -79,7 +79,7 @@ void Interface::FindFaces(const LabelArray& labels, Runtime& runtime)
 }
 
 /// Adds a face and its nodes, unless one of them is not listed.
-void Interface::AddFace(const InterfaceFace& face, std::vector<NodedFace>& faces) const
+void Interface::AddFace(const InterfaceFace& face, std::vector<FaceAndNodes>& faces) const
 {
   std::array<int, 4> corners;
   const std::array<Index, 4> nodes = NodesOfFace(this->TheGrid, face);

@@ -84,14 +84,9 @@ public:
   double Scale() const { return this->MeanWidth; }
 
 private:
-  /// Face and the numbers of its nodes.
-  struct NodedFace
-  {
-    InterfaceFace Face;
-    std::array<int, 4> Nodes;
-  };
+  using FaceAndNodes = std::pair<InterfaceFace, std::array<int, 4>>; // numbers of nodes
   void FindFaces(const LabelArray& labels, Runtime& runtime);
-  void AddFace(const InterfaceFace& face, std::vector<NodedFace>& faces) const;
+  void AddFace(const InterfaceFace& face, std::vector<FaceAndNodes>& faces) const;
   void FindSurfacePoints(Runtime& runtime);
   void SlideIntoDomain(Index node, const Vector3& x, SurfacePoint& point) const;
   void AddSurfacePoints(Index n, std::vector<SurfacePoint>& points) const;

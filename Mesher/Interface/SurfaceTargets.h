@@ -112,8 +112,8 @@ private:
 /// Returns the kind of targets that a smoothing method uses.
 inline SurfaceTargets::Kind KindOfTargets(const MeshSettings& options)
 {
-  return options.Method == Smoothing::GeometryBased ? SurfaceTargets::Kind::Facets
-                                                    : SurfaceTargets::Kind::Quadrics;
+  return options.Smoothing == SmoothingMethod::GeometryBased ? SurfaceTargets::Kind::Facets
+                                                             : SurfaceTargets::Kind::Quadrics;
 }
 
 } // namespace vfm

@@ -81,29 +81,29 @@ int CountAlignedLevels(const std::vector<IndexBox>& boxes, Ranks& ranks)
   return static_cast<int>(-ranks.Max(-levels));
 }
 
-LevelSetup DecideLevels(Refinement how, int maximumLevel,
+LevelSetup DecideLevels(RefinementMode how, int maximumLevel,
   const std::array<std::vector<double>, 3>& coordinates, int inputFinest, int alignment,
   int requestedFinest)
 {
   LevelSetup setup;
   switch (how)
   {
-    case Refinement::Off:
+    case RefinementMode::Off:
       break;
-    case Refinement::InputLevels:
+    case RefinementMode::InputLevels:
       setup.Finest = maximumLevel < 0 ? inputFinest : std::min(maximumLevel, inputFinest);
       setup.TakesInputLevels = true;
       break;
-    case Refinement::Automatic:
+    case RefinementMode::Automatic:
       setup.Finest =
         maximumLevel < 0 ? std::max({ inputFinest, requestedFinest, 1 }) : maximumLevel;
       setup.TakesInputLevels = true;
       break;
-    case Refinement::Uniform:
+    case RefinementMode::Uniform:
       setup.Finest = maximumLevel < 0 ? std::max(inputFinest, 1) : maximumLevel;
       setup.IsUniform = true;
       break;
-    case Refinement::Coarsen:
+    case RefinementMode::Coarsen:
       setup.Finest = inputFinest;
       Coarsen(coordinates,
         maximumLevel < 0 ? std::max(LevelsOfCoarsening, inputFinest) : maximumLevel, alignment,

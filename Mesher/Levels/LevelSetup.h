@@ -43,7 +43,7 @@ int CountAlignedLevels(const std::vector<IndexBox>& boxes, Ranks& ranks);
 /// @param alignment levels by which the boxes of the ranks and the periods can be coarsened, or
 /// AnyLevel
 /// @param requestedFinest finest level that selected cells request; 0 without cells
-LevelSetup DecideLevels(Refinement how, int maximumLevel,
+LevelSetup DecideLevels(RefinementMode how, int maximumLevel,
   const std::array<std::vector<double>, 3>& coordinates, int inputFinest, int alignment,
   int requestedFinest);
 

@@ -82,7 +82,8 @@ Vector3 LowestOf(const Vector3& a, const Vector3& b)
 class MidNodeBuilder
 {
 public:
-  MidNodeBuilder(ElementOrder order, const FieldArrays& fields, Runtime& runtime, Mesh& mesh) :
+  MidNodeBuilder(
+    InterpolationOrder order, const FieldArrays& fields, Runtime& runtime, Mesh& mesh) :
     TheMesh(mesh),
     Run(runtime),
     HasCopies(runtime.Group().Any(!mesh.PeriodicPartner.empty())),
@@ -571,8 +572,8 @@ void AppendMeans(const MidNodeBuilder& builder, const Mesh& mesh, TransferredArr
 
 } // namespace
 
-FieldArrays AddMidNodes(
-  ElementOrder order, const FieldArrays& fields, Runtime& runtime, Mesh& mesh, OutputState& state)
+FieldArrays AddMidNodes(InterpolationOrder order, const FieldArrays& fields, Runtime& runtime,
+  Mesh& mesh, OutputState& state)
 {
   MidNodeBuilder builder(order, fields, runtime, mesh);
   const CurvedReport report = builder.Build();

@@ -31,7 +31,7 @@ namespace vfm
 ///   their edge; StraightenedMidNodes, how many of them were moved back; CurvedJacobian, the
 ///   smallest Bezier coefficient of an element over that of the straight element, at most 1
 /// @pre Collective over runtime.Group().
-FieldArrays AddMidNodes(
-  ElementOrder order, const FieldArrays& fields, Runtime& runtime, Mesh& mesh, OutputState& state);
+FieldArrays AddMidNodes(InterpolationOrder order, const FieldArrays& fields, Runtime& runtime,
+  Mesh& mesh, OutputState& state);
 
 } // namespace vfm

@@ -204,7 +204,7 @@ CurvedElement::CurvedElement(int corners)
 {
   const TetLattice lattice;
   const int points = corners == 8 ? HexPoints * HexPoints * HexPoints : lattice.Count();
-  const int nodes = corners + MidNodes::CountOf(ElementOrder::Quadratic, corners);
+  const int nodes = corners + MidNodes::CountOf(InterpolationOrder::Quadratic, corners);
   for (Matrix& along : this->Along)
   {
     along = Matrix::Zero(points, nodes);

@@ -48,9 +48,7 @@ void CutElementFacets(const LayerParts& parts, Mesh& mesh)
       facets.back().Element = parts.ElementAt(column, layer);
     }
   }
-  std::sort(facets.begin(), facets.end(),
-    [](const MeshFacet& a, const MeshFacet& b)
-    { return a.Element != b.Element ? a.Element < b.Element : a.Side < b.Side; });
+  std::sort(facets.begin(), facets.end());
   mesh.Facets = std::move(facets);
 }
 

@@ -77,8 +77,8 @@ std::vector<Index> FindFragmentsBehind(
       continue;
     }
     (isAcross ? across : inner).push_back(f);
-    ids[isAcross].push_back(SortedIds(PointsOfSide(data, { facets[f].Element, facets[f].Side }),
-      isAcross ? data.PeriodicPartner : data.PointIds));
+    ids[isAcross].push_back(
+      SortedIds(PointsOfSide(data, facets[f]), isAcross ? data.PeriodicPartner : data.PointIds));
     fragments[isAcross].push_back(data.Fragment[facets[f].Element]);
   }
   std::vector<Index> behind(facets.size(), NothingBehind);

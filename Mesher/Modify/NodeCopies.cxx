@@ -2,12 +2,13 @@
 
 #include "Base/DisjointSets.h"
 #include "Base/Sorted.h"
-#include "Elements/ElementFaces.h"
+#include "Elements/EqualFaces.h"
 #include "Modify/GreatestId.h"
 #include "Ranks/MeetingRank.h"
 #include "Ranks/MergeByKey.h"
 #include "Ranks/NumberInOrder.h"
 #include "Report/MatchFaces.h"
+#include "Report/Sets/MeshSets.h"
 
 #include <limits>
 #include <tuple>
@@ -24,19 +25,20 @@ struct Corner
   Index Place;         // index in MeshData::Elements
 };
 
-/// Elements of this rank at a node that are connected by faces of this rank.
+/// Elements of a rank at a node that are connected by faces of this rank.
 struct Part
 {
   Index Class;   // PeriodicPartner of the node, or its id
   Index Node;    // global id
   Index Element; // lowest global id
+  auto operator<=>(const Part&) const = default;
 };
 
-/// A face of a part behind which an element of another rank or of the opposite side may be.
-struct OpenFace
+/// A part with a face behind which an element of another rank or of the opposite side may be.
+struct PartLink
 {
-  Index Part;
-  FaceIds Ids; // sorted classes of its nodes
+  Part Of;
+  FaceIds Face; // sorted classes of its nodes
 };
 
 /// The copy of the node of a part.
@@ -48,12 +50,6 @@ struct PartCopy
 const Index* ClassesOf(const MeshData& mesh)
 {
   return mesh.PeriodicPartner ? mesh.PeriodicPartner : mesh.PointIds;
-}
-
-/// Returns the rank that numbers the copies of a node.
-int RankOf(Index nodeClass, Ranks& ranks)
-{
-  return MeetingRank(std::array<Index, 1>{ { nodeClass } }, ranks.Count());
 }
 
 std::vector<char> MarkOwnNodes(const MeshData& mesh, const std::vector<char>& isCut)
@@ -125,33 +121,32 @@ public:
     const MeshData& mesh, const std::vector<char>& isCut, const std::vector<Corner>& corners) :
     TheMesh(mesh), IsCut(isCut), Corners(corners), Sets(MakeSets(corners.size()))
   {
-    ForRuns(
-      corners.begin(), corners.end(),
-      [](const Corner& a, const Corner& b) { return a.Node == b.Node; },
-      [&](auto begin, auto end)
-      { this->ConnectAtNode(begin - corners.begin(), end - corners.begin()); });
+    const std::vector<ElementSide> sides = this->ListSides();
+    ForEqualFaces(
+      sides.size(), [&](Index s) { return SortedPointsOfSide(mesh, sides[s]); },
+      [&](std::span<const NumberedFace> same)
+      {
+        for (std::size_t f = 0; f < same.size(); f += 2)
+        {
+          this->Connect(same[f].Points, sides[same[f].Number].Element,
+            f + 1 < same.size() ? sides[same[f + 1].Number].Element : -1);
+        }
+      });
   }
 
   /// Returns the lowest corner of the group of a corner.
   Index RootOf(Index corner) { return FindRoot(this->Sets, corner); }
 
-  struct Face
-  {
-    FaceIds Points; // sorted points of the mesh
-    Index Corner;
-    bool operator<(const Face& other) const { return this->Points < other.Points; }
-  };
-  std::vector<Face> OpenFaces; ///< faces with an element of this rank on one side only
+  /// Faces with an element of this rank on one side only: sorted points, number of a corner.
+  std::vector<NumberedFace> OpenFaces;
 
 private:
   /// Returns whether a face connects elements, or may connect elements of different ranks or sides.
-  bool Connects(Index element, int side) const
+  bool Connects(const ElementSide& side) const
   {
     const std::vector<MeshFacet>& facets = *this->TheMesh.Facets;
-    const auto found = std::lower_bound(facets.begin(), facets.end(), std::tie(element, side),
-      [](const MeshFacet& facet, const auto& key)
-      { return std::tie(facet.Element, facet.Side) < key; });
-    if (found == facets.end() || found->Element != element || found->Side != side)
+    const auto found = std::lower_bound(facets.begin(), facets.end(), side);
+    if (found == facets.end() || ElementSide(*found) != side)
     {
       return true;
     }
@@ -159,35 +154,53 @@ private:
       (found->Behind != NothingBehind || this->TheMesh.PeriodicPartner);
   }
 
-  void ConnectAtNode(Index begin, Index end)
+  /// Returns the sides at the corners that connect elements.
+  std::vector<ElementSide> ListSides() const
   {
     const ElementFaces table(this->TheMesh.Corners);
-    std::vector<Face> faces;
-    for (Index c = begin; c < end; ++c)
+    std::vector<ElementSide> sides;
+    for (const Corner& corner : this->Corners)
     {
-      const Corner& corner = this->Corners[c];
       for (int side = 0; side < table.Count; ++side)
       {
-        FaceIds points = table.PointsOf(this->TheMesh.Element(corner.Element), side);
+        const FaceIds points = table.PointsOf(this->TheMesh.Element(corner.Element), side);
         const bool isAtNode = std::find(points.begin(), points.end(), corner.Node) != points.end();
-        if (isAtNode && this->Connects(corner.Element, side))
+        if (isAtNode && this->Connects({ corner.Element, side }))
         {
-          std::sort(points.begin(), points.end());
-          faces.push_back({ points, c });
+          sides.push_back({ corner.Element, side });
         }
       }
     }
-    std::sort(faces.begin(), faces.end());
-    for (std::size_t f = 0; f < faces.size(); ++f)
+    SortUnique(sides);
+    return sides;
+  }
+
+  /// Returns the corner of an element at a point, or -1.
+  Index FindCorner(Index element, Index point) const
+  {
+    const auto found =
+      std::lower_bound(this->Corners.begin(), this->Corners.end(), std::tie(point, element),
+        [](const Corner& corner, const auto& key)
+        { return std::tie(corner.Node, corner.Element) < key; });
+    const bool isFound =
+      found != this->Corners.end() && found->Node == point && found->Element == element;
+    return isFound ? found - this->Corners.begin() : -1;
+  }
+
+  /// Connects the corners of two elements at their common face.
+  /// @param second  second element, or -1: the face is open
+  void Connect(const FaceIds& points, Index first, Index second)
+  {
+    for (Index point : points)
     {
-      if (f + 1 < faces.size() && faces[f].Points == faces[f + 1].Points)
+      const Index corner = point < 0 ? -1 : this->FindCorner(first, point);
+      if (corner >= 0 && second >= 0)
       {
-        Join(this->Sets, faces[f].Corner, faces[f + 1].Corner);
-        ++f;
+        Join(this->Sets, corner, this->FindCorner(second, point));
       }
-      else
+      else if (corner >= 0)
       {
-        this->OpenFaces.push_back(faces[f]);
+        this->OpenFaces.push_back({ points, corner });
       }
     }
   }
@@ -199,18 +212,18 @@ private:
 };
 
 /// Returns the group of each part: the lowest one of the parts that open faces connect.
-std::vector<Index> ConnectParts(const std::vector<Part>& parts, std::vector<OpenFace> faces)
+/// @param parts  ascending
+std::vector<Index> ConnectParts(const std::vector<Part>& parts, std::vector<PartLink> links)
 {
+  const auto keyOf = [](const PartLink& link) { return std::tie(link.Of.Class, link.Face); };
+  std::sort(links.begin(), links.end(),
+    [&](const PartLink& a, const PartLink& b) { return keyOf(a) < keyOf(b); });
   std::vector<Index> sets = MakeSets(parts.size());
-  const auto keyOf = [&parts](const OpenFace& face)
-  { return std::make_tuple(parts[face.Part].Class, face.Ids); };
-  std::sort(faces.begin(), faces.end(),
-    [&](const OpenFace& a, const OpenFace& b) { return keyOf(a) < keyOf(b); });
-  for (std::size_t f = 1; f < faces.size(); ++f)
+  for (std::size_t l = 1; l < links.size(); ++l)
   {
-    if (keyOf(faces[f - 1]) == keyOf(faces[f]))
+    if (keyOf(links[l - 1]) == keyOf(links[l]))
     {
-      Join(sets, faces[f - 1].Part, faces[f].Part);
+      Join(sets, FindSorted(parts, links[l - 1].Of), FindSorted(parts, links[l].Of));
     }
   }
   for (std::size_t p = 0; p < sets.size(); ++p)
@@ -250,11 +263,12 @@ std::vector<Index> NumberGroups(const std::vector<GroupKey>& keys, Index first, 
 }
 
 /// Returns the copies for parts with all parts of their nodes.
+/// @param parts  ascending
 /// @pre Collective
 std::vector<PartCopy> NumberParts(
-  const std::vector<Part>& parts, const std::vector<OpenFace>& faces, Index first, Ranks& ranks)
+  const std::vector<Part>& parts, const std::vector<PartLink>& links, Index first, Ranks& ranks)
 {
-  const std::vector<Index> groups = ConnectParts(parts, faces);
+  const std::vector<Index> groups = ConnectParts(parts, links);
   std::vector<Index> lowest(parts.size(), std::numeric_limits<Index>::max());
   for (std::size_t p = 0; p < parts.size(); ++p)
   {
@@ -282,43 +296,28 @@ std::vector<PartCopy> NumberParts(
   return copies;
 }
 
-/// Parts and open faces for the ranks that number them.
-struct Questions
-{
-  std::vector<std::vector<Part>> Parts;
-  std::vector<std::vector<OpenFace>> Faces; // OpenFace::Part: index in Parts
-};
-
-/// Returns the copies of the parts in the questions of all ranks to this rank.
+/// Returns the copies of parts, from the ranks that number them.
 /// @pre Collective
-std::vector<std::vector<PartCopy>> AnswerParts(
-  const Questions& questions, Index first, Ranks& ranks)
+std::vector<PartCopy> AskForCopies(
+  const std::vector<Part>& parts, const std::vector<PartLink>& links, Index first, Ranks& ranks)
 {
-  const std::vector<Bytes> parts = ExchangeAll(PackLists(questions.Parts), ranks);
-  const std::vector<Bytes> faces = ExchangeAll(PackLists(questions.Faces), ranks);
-  std::vector<OpenFace> allFaces;
-  std::vector<Index> ends{ 0 };
-  for (std::size_t rank = 0; rank < parts.size(); ++rank)
+  const auto rankOf = [&ranks](const Part& part)
+  { return MeetingRank(std::array<Index, 1>{ { part.Class } }, ranks.Count()); };
+  const auto received = JoinItems<PartLink>(SendItems(
+    links, [&rankOf](const PartLink& link) { return rankOf(link.Of); }, ranks));
+  const auto answer = [&](const std::vector<Part>& asked)
   {
-    for (OpenFace face : FromBytes<OpenFace>(faces[rank]))
+    std::vector<Part> sorted = asked;
+    SortUnique(sorted);
+    const std::vector<PartCopy> copies = NumberParts(sorted, received, first, ranks);
+    std::vector<PartCopy> answers;
+    for (const Part& part : asked)
     {
-      face.Part += ends.back();
-      allFaces.push_back(face);
+      answers.push_back(copies[FindSorted(sorted, part)]);
     }
-    ends.push_back(ends.back() + static_cast<Index>(parts[rank].size() / sizeof(Part)));
-  }
-  const std::vector<PartCopy> copies = NumberParts(JoinItems<Part>(parts), allFaces, first, ranks);
-  std::vector<std::vector<PartCopy>> lists;
-  for (std::size_t rank = 0; rank < parts.size(); ++rank)
-  {
-    lists.emplace_back(copies.begin() + ends[rank], copies.begin() + ends[rank + 1]);
-  }
-  std::vector<std::vector<PartCopy>> answers;
-  for (const Bytes& message : ExchangeAll(PackLists(lists), ranks))
-  {
-    answers.push_back(FromBytes<PartCopy>(message));
-  }
-  return answers;
+    return answers;
+  };
+  return AskRanks(parts, rankOf, answer, ranks);
 }
 
 } // namespace
@@ -328,36 +327,32 @@ std::vector<CornerCopy> FindNodeCopies(
 {
   const std::vector<Corner> corners = ListCorners(mesh, MarkNodes(mesh, isCut, ranks));
   CornerGroups groups(mesh, isCut, corners);
-  Questions questions{ std::vector<std::vector<Part>>(ranks.Count()),
-    std::vector<std::vector<OpenFace>>(ranks.Count()) };
-  std::vector<Index> partOf(corners.size()); // index of the part of a corner in its question
+  std::vector<Part> parts;
+  std::vector<Index> partOf(corners.size());
   for (std::size_t c = 0; c < corners.size(); ++c)
   {
     const Corner& corner = corners[c];
     const Index root = groups.RootOf(static_cast<Index>(c));
-    const Index nodeClass = ClassesOf(mesh)[corner.Node];
-    std::vector<Part>& parts = questions.Parts[RankOf(nodeClass, ranks)];
     partOf[c] = partOf[root];
     if (root == static_cast<Index>(c))
     {
       partOf[c] = static_cast<Index>(parts.size());
-      parts.push_back({ nodeClass, mesh.PointIds[corner.Node], mesh.ElementIds[corner.Element] });
+      parts.push_back({ ClassesOf(mesh)[corner.Node], mesh.PointIds[corner.Node],
+        mesh.ElementIds[corner.Element] });
     }
   }
-  for (const CornerGroups::Face& face : groups.OpenFaces)
+  std::vector<PartLink> links;
+  for (const NumberedFace& face : groups.OpenFaces)
   {
-    const Index nodeClass = ClassesOf(mesh)[corners[face.Corner].Node];
-    questions.Faces[RankOf(nodeClass, ranks)].push_back(
-      { partOf[face.Corner], SortedIds(face.Points, ClassesOf(mesh)) });
+    links.push_back({ parts[partOf[face.Number]], SortedIds(face.Points, ClassesOf(mesh)) });
   }
   const Index* ids = mesh.PointIds;
   const Index first = FindGreatestId(ids, ids + mesh.NumberOfPoints, ranks) + 1;
-  const std::vector<std::vector<PartCopy>> answers = AnswerParts(questions, first, ranks);
+  const std::vector<PartCopy> answers = AskForCopies(parts, links, first, ranks);
   std::vector<CornerCopy> copies;
   for (std::size_t c = 0; c < corners.size(); ++c)
   {
-    const int rank = RankOf(ClassesOf(mesh)[corners[c].Node], ranks);
-    const PartCopy& copy = answers[rank][partOf[c]];
+    const PartCopy& copy = answers[partOf[c]];
     copies.push_back({ corners[c].Place, copy.Id, copy.Partner });
   }
   return copies;

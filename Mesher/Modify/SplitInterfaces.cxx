@@ -157,7 +157,7 @@ void AddSecondSides(
 
 } // namespace
 
-void SplitInterfaces(const MaterialPairs& pairs, SplitConnection connection, Runtime& runtime,
+void SplitInterfaces(const MaterialPairs& pairs, ConnectionKind connection, Runtime& runtime,
   std::vector<FieldArray>& fields, Mesh& mesh, OutputState& state)
 {
   Ranks& ranks = runtime.Group();
@@ -169,20 +169,24 @@ void SplitInterfaces(const MaterialPairs& pairs, SplitConnection connection, Run
   fields.push_back(FieldOfRows("SplitPairs", cut.Pairs));
   fields.push_back(
     { "AddedNodes", std::vector<Index>{ FindGreatestId(mesh.PointIds, ranks) - largest } });
-  if (connection == SplitConnection::Cohesive)
+  if (connection == ConnectionKind::Cohesive)
   {
     AddSecondSides(fields, runtime, mesh, state);
   }
 }
 
-std::string SplitMesh(const MaterialPairs& pairs, const MesherOptions& options, Runtime& runtime,
+std::vector<CohesiveBlock> SplitMesh(const MaterialPairs& pairs, const MesherOptions& options,
+  const std::function<void(const std::string&)>& warn, Runtime& runtime,
   std::vector<FieldArray>& fields, Mesh& mesh, OutputState& state)
 {
-  SplitInterfaces(pairs, options.Connection, runtime, fields, mesh, state);
+  SplitInterfaces(pairs, options.SplitConnection, runtime, fields, mesh, state);
   const bool isSplit = !std::get<std::vector<int>>(FindField(fields, "SplitPairs")->Values).empty();
-  return isSplit ? ""
-                 : "SplitInterfaces is " + options.SplitInterfaces +
-      ", but no such materials have a common face.";
+  if (!isSplit && warn && runtime.Group().Rank() == 0)
+  {
+    warn("SplitInterfaces is " + options.SplitInterfaces +
+      ", but no such materials have a common face.");
+  }
+  return FindCohesiveBlocks(ViewMesh(mesh, state, fields), runtime.Group());
 }
 
 } // namespace vfm

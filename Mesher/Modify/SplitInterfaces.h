@@ -18,6 +18,8 @@
 #include "Report/Sets/SplitFaces.h"
 #include "State/OutputState.h"
 
+#include <functional>
+
 namespace vfm
 {
 
@@ -29,13 +31,15 @@ namespace vfm
 /// @param mesh elements of this rank; PointIds stay ascending
 /// @param state state of the mesh; nodal arrays follow the points
 /// @pre Collective
-void SplitInterfaces(const MaterialPairs& pairs, SplitConnection connection, Runtime& runtime,
+void SplitInterfaces(const MaterialPairs& pairs, ConnectionKind connection, Runtime& runtime,
   std::vector<FieldArray>& fields, Mesh& mesh, OutputState& state);
 
 /// Splits interfaces with the connection of the options.
-/// @return a warning if no selected materials have a common face, else ""
+/// @param warn called on rank 0 if no selected materials have a common face; may be empty
+/// @return the cohesive elements
 /// @pre Collective
-std::string SplitMesh(const MaterialPairs& pairs, const MesherOptions& options, Runtime& runtime,
+std::vector<CohesiveBlock> SplitMesh(const MaterialPairs& pairs, const MesherOptions& options,
+  const std::function<void(const std::string&)>& warn, Runtime& runtime,
   std::vector<FieldArray>& fields, Mesh& mesh, OutputState& state);
 
 } // namespace vfm

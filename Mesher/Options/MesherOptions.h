@@ -19,7 +19,7 @@ enum class ElementKind
 };
 
 /// Option Refinement: where the mesh is refined. Each level of refinement halves the cells.
-enum class Refinement
+enum class RefinementMode
 {
   Off,         ///< nowhere; all cells are of the coarsest level of the input
   InputLevels, ///< where the input has finer levels
@@ -29,7 +29,7 @@ enum class Refinement
 };
 
 /// How elements get the values of state arrays.
-enum class StateTransfer
+enum class TransferMode
 {
   Automatic, ///< Conserve if DensityArrays is not empty, else Copy
   Copy,      ///< an element takes the values of one cell
@@ -59,14 +59,14 @@ enum class Sides
 };
 
 /// Option ZeroLabel: what cells of label 0 are.
-enum class ZeroLabel
+enum class ZeroLabelMeaning
 {
   Void,
   Material
 };
 
 /// What connects both sides of split interfaces, in files.
-enum class SplitConnection
+enum class ConnectionKind
 {
   None,     ///< nothing
   Cohesive, ///< elements of zero thickness
@@ -127,35 +127,35 @@ struct ConserveOptions
 /// All user options. An empty name means no array or no file.
 struct MesherOptions : MeshSettings, LevelSettings, ConserveOptions, LayerOptions
 {
-  /// Sets Edges to Automatic, the default for users; the default of MeshSettings is Off.
-  MesherOptions() { this->Edges = SharpEdges::Automatic; }
+  /// Sets SharpEdges to Automatic, the default for users; the default of MeshSettings is Off.
+  MesherOptions() { this->SharpEdges = SharpEdgeMode::Automatic; }
 
   ElementKind Elements = ElementKind::Hexes;
   int Periodic = 0; ///< bit a is set if the domain repeats along axis a
   Sides PeriodicSides = Sides::Flat;
   std::string SplitInterfaces; ///< pairs of materials (Modify/MaterialPairs.h)
-  SplitConnection Connection = SplitConnection::None; ///< option SplitConnection
+  ConnectionKind SplitConnection = ConnectionKind::None;
   double FractionTolerance = 1e-6;
   int LabelSmoothing = 0;
-  std::string LabelNames;           ///< path of a file
-  ZeroLabel Zero = ZeroLabel::Void; ///< option ZeroLabel
+  std::string LabelNames; ///< path of a file
+  ZeroLabelMeaning ZeroLabel = ZeroLabelMeaning::Void;
   std::string Threshold;  ///< ranges of values that are materials (ValueRanges.h); empty: labels
   bool ImageAxes = false; ///< true: the mesh is not rotated to world coordinates
   int MinimumRegionCells = 0;
-  StateTransfer Transfer = StateTransfer::Automatic;
+  TransferMode StateTransfer = TransferMode::Automatic;
   std::vector<std::string> DensityArrays;
   std::vector<std::string> StateKinds; ///< entries name=kind
   std::string VelocityArray, EnergyArray;
   std::vector<std::string> RotatedArrays;
-  Refinement Where = Refinement::InputLevels; ///< option Refinement
-  int MaximumLevel = -1;                      ///< -1: automatic
+  RefinementMode Refinement = RefinementMode::InputLevels;
+  int MaximumLevel = -1; ///< -1: automatic
   double ThinCells = 2.0, CurvaturePerCell = 0.0;
   bool RefineFlippedCells = false;
   int InterfaceLayers = 0;
   std::string RefinementArray;
   std::vector<RefinementBox> RefinementBoxes;
   double MaximumAspectRatio = 0.0;
-  ChildRule Children = ChildRule::Planes;
+  ChildRule ChildFractions = ChildRule::Planes;
   int NumberOfThreads = 0; ///< used by the code that creates the Runtime
 };
 
@@ -169,7 +169,7 @@ inline std::array<bool, 3> RepeatingAxes(const MesherOptions& options)
 /// Returns the name of the refinement array, or "" unless Refinement is Automatic.
 inline std::string FindRefinementArray(const MesherOptions& options)
 {
-  return options.Where == Refinement::Automatic ? options.RefinementArray : "";
+  return options.Refinement == RefinementMode::Automatic ? options.RefinementArray : "";
 }
 
 } // namespace vfm

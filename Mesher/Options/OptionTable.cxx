@@ -135,7 +135,7 @@ OptionTable MaterialsOptions()
       .ShownIf("MaterialIdArray")
       .Advanced()
       .Sculptor("--label-names FILE"),
-    Row("ZeroLabel", Choice<&M::Zero>({ "Void", "Material" }),
+    Row("ZeroLabel", Choice<&M::ZeroLabel>({ "Void", "Material" }),
       "What cells with material id 0 are. Void: empty space, as in segmentations with a "
       "background. Material: a material, as in codes that number grains from 0. Its id in the mesh "
       "is the largest id plus 1, and its name that of id 0 in the file of names, otherwise "
@@ -201,7 +201,7 @@ OptionTable MaterialsOptions()
 OptionTable StateOptions()
 {
   return {
-    Row("StateTransfer", Choice<&M::Transfer>({ "Automatic", "Copy", "Conserve" }),
+    Row("StateTransfer", Choice<&M::StateTransfer>({ "Automatic", "Copy", "Conserve" }),
       "How elements get the values of state arrays. Copy: each element takes the values of the "
       "cell that contains its centroid. If its material fills less than half of that cell, the "
       "neighbour cell with most of the material is used. Nothing is averaged, so sums are not "
@@ -294,7 +294,7 @@ OptionTable SurfaceOptions()
       .Sculptor("--stairstep")
       .OfTets("Turn the cells of a material into tetrahedra and move no nodes: a quick preview of "
               "the materials."),
-    Row("Smoothing", Choice<&M::Method>({ "Off", "Quadric Surface", "Geometry Based" }),
+    Row("Smoothing", Choice<&M::Smoothing>({ "Off", "Quadric Surface", "Geometry Based" }),
       "How the nodes are placed. Quadric Surface: surface nodes follow smooth local quadrics of "
       "the surface, which gives the best mesh. Geometry Based: surface nodes stay on the facets of "
       "the initial surface. Off: the surface keeps the steps of the grid, with a thin layer of "
@@ -305,7 +305,7 @@ OptionTable SurfaceOptions()
               "quadrics of the surface, which gives the best mesh. Geometry Based: surface nodes "
               "stay on the facets of the initial surface. Off: the nodes stay at their initial "
               "positions; valid, but not smooth."),
-    Row("SharpEdges", Choice<&M::Edges>({ "Off", "On", "Automatic" }),
+    Row("SharpEdges", Choice<&M::SharpEdges>({ "Off", "On", "Automatic" }),
       "Detect edges and corners in the volume fractions and preserve them, as in machined parts, "
       "shapes and closed surfaces. Off: they are rounded by about a third of a cell. On: all "
       "points of interfaces are tested. Automatic: only between materials where samples of the "
@@ -319,7 +319,7 @@ OptionTable SurfaceOptions()
       "images; more round off edges. Volume fractions are not smoothed.")
       .ShownIf("MaterialIdArray")
       .Sculptor("--label-smoothing N"),
-    Row("ElementOrder", Choice<&M::Order>({ "Linear", "Quadratic", "Quadratic27" }),
+    Row("ElementOrder", Choice<&M::ElementOrder>({ "Linear", "Quadratic", "Quadratic27" }),
       "Nodes of the elements. Linear: corners only. Quadratic: also mid nodes of edges, hexahedra "
       "of "
       "20 nodes and tetrahedra of 10. Quadratic27: hexahedra also have mid nodes of faces and a "
@@ -339,7 +339,7 @@ OptionTable RefinementOptions()
 {
   return {
     Row("Refinement",
-      Choice<&M::Where>({ "Off", "Input Levels", "Automatic", "Coarsen", "Uniform" }),
+      Choice<&M::Refinement>({ "Off", "Input Levels", "Automatic", "Coarsen", "Uniform" }),
       "Where the mesh is refined; each level halves the cells. Input Levels: where the input has "
       "finer levels (AMR). Off: nowhere, all cells are of the coarsest level. Automatic: where the "
       "shape of the materials requires it. Coarsen: the cells of the input stay near interfaces "
@@ -406,7 +406,7 @@ OptionTable RefinementOptions()
       "off.")
       .Special(0, "off")
       .Sculptor("--aspect R"),
-    Row("ChildFractions", Choice<&M::Children>({ "Planes", "Parent" }),
+    Row("ChildFractions", Choice<&M::ChildFractions>({ "Planes", "Parent" }),
       "Volume fractions in the halves, or parts, of a mixed cell where there are no finer data. "
       "Planes: the cell is cut by planes that preserve the volume of each material. Parent: the "
       "parts get the fractions of the cell. Material ids keep their steps with either choice, "
@@ -426,7 +426,7 @@ OptionTable SplitOptions()
       "OriginalPointIds has the ids of the nodes before.")
       .InPython("split_interfaces")
       .Sculptor("--split PAIRS"),
-    Row("SplitConnection", Choice<&M::Connection>({ "None", "Cohesive", "Contact", "Tied" }),
+    Row("SplitConnection", Choice<&M::SplitConnection>({ "None", "Cohesive", "Contact", "Tied" }),
       "Connection of both sides of split interfaces in files. Cohesive: elements of zero thickness "
       "in blocks of their own, in .inp, Exodus and .msh files. Contact, Tied: contact pairs or "
       "ties in .inp files. None: the sides are free.")
@@ -530,7 +530,7 @@ OptionTable PerformanceOptions()
 OptionTable TetrahedraOptions()
 {
   return {
-    Row("Method", Choice<&M::Tets>({ "TetGen", "Cells", "Lattice" }),
+    Row("Method", Choice<&M::Method>({ "TetGen", "Cells", "Lattice" }),
       "How the tetrahedra are made. Lattice: a lattice of cell centres and grid nodes is cut along "
       "the surfaces, which gives the best angles and the closest fit. Cells: each cell is cut into "
       "tetrahedra around its centre, so that the surfaces have the faces and labels of Volume "

@@ -224,11 +224,11 @@ void CheckLayers(const MesherOptions& options)
 
 void CheckOrder(const MesherOptions& options)
 {
-  if (options.Order == ElementOrder::Linear)
+  if (options.ElementOrder == InterpolationOrder::Linear)
   {
     return;
   }
-  if (!options.SplitInterfaces.empty() && options.Connection == SplitConnection::Cohesive)
+  if (!options.SplitInterfaces.empty() && options.SplitConnection == ConnectionKind::Cohesive)
   {
     throw InputError("SplitConnection Cohesive is for meshes of ElementOrder Linear: the formats "
                      "have no cohesive elements of second order. None, Contact and Tied are "

@@ -6,7 +6,6 @@
 #include "Modify/AddMidNodes.h"
 #include "Modify/CurvedVolumes.h"
 #include "Modify/SplitInterfaces.h"
-#include "State/ViewMesh.h"
 
 namespace vfm
 {
@@ -36,22 +35,14 @@ Vector3 FindPeriods(const MesherOptions& options, const CartesianGrid& grid)
   return periods;
 }
 
-/// Splits the interfaces between the pairs of materials.
-void Split(const MesherJob& job, const MaterialPairs& pairs, MesherResult& result)
-{
-  Warn(job, SplitMesh(pairs, job.Options, job.Run, result.Fields, result.TheMesh, result.State));
-  result.Cohesive =
-    FindCohesiveBlocks(ViewMesh(result.TheMesh, result.State, result.Fields), job.Run.Group());
-}
-
 /// Adds mid nodes, and reports the volumes of the curved elements.
 void AddOrder(
   const MesherJob& job, const LevelFields& fields, const MeshOptions& options, MesherResult& result)
 {
   const Materials& table = fields.Field.Table;
   Mesh& mesh = result.TheMesh;
-  AppendFields(
-    AddMidNodes(job.Options.Order, result.Fields, job.Run, mesh, result.State), result.Fields);
+  AppendFields(AddMidNodes(job.Options.ElementOrder, result.Fields, job.Run, mesh, result.State),
+    result.Fields);
   result.Report.MeshVolume = MeasureCurvedVolumes(mesh, table.Labels, result.Fields, job.Run);
   ReplaceFields(
     ListReport(mesh, result.Report, table, options, fields.Field.Corrected), result.Fields);
@@ -78,9 +69,10 @@ void SplitAndCurve(
 {
   if (cells.SplitPairs)
   {
-    Split(job, *cells.SplitPairs, result);
+    result.Cohesive = SplitMesh(*cells.SplitPairs, job.Options, job.Input.Warn, job.Run,
+      result.Fields, result.TheMesh, result.State);
   }
-  if (job.Options.Order != ElementOrder::Linear)
+  if (job.Options.ElementOrder != InterpolationOrder::Linear)
   {
     job.Run.Progress(0.99, "Adding mid nodes");
     AddOrder(job, cells.Fields, options, result);

@@ -42,14 +42,15 @@ std::vector<FeatureKind> AttachToFeatures(const MeshCells& cells, const Interfac
   ActiveMesh& active)
 {
   const MeshOptions& options = cells.Options;
-  const bool hasQuadrics = options.IsoValue == 0.5 && options.Method == Smoothing::QuadricSurface;
+  const bool hasQuadrics =
+    options.IsoValue == 0.5 && options.Smoothing == SmoothingMethod::QuadricSurface;
   const Index firstTarget = targets.Count() - static_cast<Index>(interface.Points().size());
   std::vector<FeatureKind> kinds(active.X.size(), FeatureKind::None);
-  if (options.Edges != SharpEdges::Off && hasQuadrics)
+  if (options.SharpEdges != SharpEdgeMode::Off && hasQuadrics)
   {
     run.Clock.Start("Finding sharp features", 0.22);
-    const SharpFeatures features(
-      interface, cells.Fractions, targets, firstTarget, options.Edges, run.Parts, run.TheRuntime);
+    const SharpFeatures features(interface, cells.Fractions, targets, firstTarget,
+      options.SharpEdges, run.Parts, run.TheRuntime);
     kinds = AttachFeatures(
       { features, interface, firstTarget }, facets, mesh, targets, active, run.TheRuntime);
     CountCarriers(kinds, active, run);
@@ -177,18 +178,10 @@ void MovePoints(const MeshCells& cells, const SurfaceTargets& targets, ElementMe
   ReportMoves(smoother, run);
 }
 
-} // namespace
-
-bool HasCurvedEdges(const MeshSettings& options)
+/// Moves the active points to the interfaces. The targets and the interfaces are freed at the end.
+void MoveToTargets(
+  const MeshCells& cells, ElementMethod& method, MeshRun& run, Draft& draft, ActiveMesh& active)
 {
-  return options.Order != ElementOrder::Linear && MovesPoints(options) &&
-    KindOfTargets(options) == SurfaceTargets::Kind::Quadrics;
-}
-
-void FitElements(const MeshCells& cells, ElementMethod& method, MeshRun& run, Draft& draft)
-{
-  // Before the interfaces, which would add to the peak of memory.
-  ActiveMesh& active = method.MakeActive(cells, run, draft);
   std::vector<FeatureKind> kinds;
   std::unique_ptr<LevelInterfaces> interfaces;
   const SurfaceTargets targets = FindTargets(cells, draft, method, run, active, kinds, interfaces);
@@ -202,6 +195,21 @@ void FitElements(const MeshCells& cells, ElementMethod& method, MeshRun& run, Dr
   }
   active.CopyTo(mesh, cells.Grid);
   draft.Kinds = active.OfMesh(kinds, mesh);
+}
+
+} // namespace
+
+bool HasCurvedEdges(const MeshSettings& options)
+{
+  return options.ElementOrder != InterpolationOrder::Linear && MovesPoints(options) &&
+    KindOfTargets(options) == SurfaceTargets::Kind::Quadrics;
+}
+
+void FitElements(const MeshCells& cells, ElementMethod& method, MeshRun& run, Draft& draft)
+{
+  // Before the interfaces, which would add to the peak of memory.
+  ActiveMesh& active = method.MakeActive(cells, run, draft);
+  MoveToTargets(cells, method, run, draft, active);
   method.EndMoves(run, draft);
 }
 

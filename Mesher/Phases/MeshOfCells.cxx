@@ -47,7 +47,7 @@ void CheckRange(const char* name, double value, const NumberRange& range)
 
 void CheckTetGenOptions(const MeshOptions& options)
 {
-  if (options.Tets == TetMethod::TetGen && !HasTetGen())
+  if (options.Method == TetMethod::TetGen && !HasTetGen())
   {
     throw InputError(
       "This build has no TetGen (VFM_ENABLE_TETGEN): choose the method Cells or Lattice.");
@@ -70,7 +70,7 @@ bool HasLayers(const CartesianGrid& grid, const GridLayers& layers)
 
 std::unique_ptr<ElementMethod> MakeTetMethod(const MeshCells& cells)
 {
-  if (cells.Options.Tets == TetMethod::Lattice)
+  if (cells.Options.Method == TetMethod::Lattice)
   {
     return std::make_unique<LatticeMethod>(cells);
   }

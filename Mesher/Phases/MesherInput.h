@@ -18,12 +18,13 @@ namespace vfm
 /// Names of the arrays that a run reads from the blocks.
 struct MesherArrays
 {
-  std::vector<std::string> Fractions; ///< one array per material; empty: Labels is set
-  std::string Labels;                 ///< array of labels; empty: Fractions are set
-  LabelNames Names;                   ///< names of labels
-  StateChoice State;                  ///< state arrays to transfer to the mesh
-  bool AreGuessed = false;            ///< true: the user did not select Fractions or Labels
-  bool IsZeroVoid = false;            ///< label 0 is known to be void
+  std::vector<std::string> Fractions;    ///< one array per material; empty: Labels is set
+  std::string Labels;                    ///< array of labels; empty: Fractions are set
+  LabelNames Names;                      ///< names of labels
+  StateChoice State;                     ///< state arrays to transfer to the mesh
+  bool AreGuessed = false;               ///< true: the user did not select Fractions or Labels
+  bool IsZeroVoid = false;               ///< label 0 is known to be void
+  std::string LabelsOption = "--labels"; ///< words in front of the array of labels, in messages
 };
 
 /// Input of a run.

@@ -52,7 +52,7 @@ void Divide(const MesherJob& job, const LevelSetup& setup, LevelFields& fields)
   if (job.Options.MaximumAspectRatio > 0.0)
   {
     RemoveCopies(job.Run.Group(), fields);
-    DivideFields(fields, job.Options.MaximumAspectRatio, job.Options.Children, job.Run);
+    DivideFields(fields, job.Options.MaximumAspectRatio, job.Options.ChildFractions, job.Run);
     AddCopies(job.Options, setup, job.Run.Group(), fields);
   }
 }
@@ -78,11 +78,11 @@ LevelPlan Refine(
 {
   const int top = std::min(setup.Finest, job.Input.Levels.Finest());
   int finer = setup.Finest - top;
-  if (job.Options.Where == Refinement::Automatic)
+  if (job.Options.Refinement == RefinementMode::Automatic)
   {
     finer = FindRefinements(job, setup, requests, finer, fields);
   }
-  RefineFields(fields, finer, job.Options.Children, job.Run);
+  RefineFields(fields, finer, job.Options.ChildFractions, job.Run);
   LevelPlan plan{ job.Options, 0, {} };
   if (!setup.IsUniform)
   {

@@ -23,25 +23,26 @@ LevelCells OpenCells(const MesherJob& job)
   {
     throw InputError(
       "Threshold makes materials of ranges of the values of one array, which must be "
-      "chosen as labels (--labels ARRAY), not as volume fractions.");
+      "chosen as labels (" +
+      job.Input.Arrays.LabelsOption + " ARRAY), not as volume fractions.");
   }
   const std::vector<InputBlocks>& levels = job.Input.Levels.Levels;
   const MesherArrays& arrays = job.Input.Arrays;
   Ranks& ranks = job.Run.Group();
-  return AreLabels(job)
-    ? OpenLabels(levels,
-        { arrays.Labels, *ParseRanges(job.Options.Threshold),
-          job.Options.Zero == ZeroLabel::Material },
-        ranks)
-    : OpenFractions(levels, arrays.Fractions, job.Options.FractionTolerance, ranks);
+  return AreLabels(job) ? OpenLabels(levels,
+                            { arrays.Labels, *ParseRanges(job.Options.Threshold),
+                              job.Options.ZeroLabel == ZeroLabelMeaning::Material },
+                            ranks)
+                        : OpenFractions(levels, arrays.Fractions, job.Options.FractionTolerance,
+                            arrays.LabelsOption, ranks);
 }
 
 /// Warns if label 0 may be a material.
 void NoteZeroLabel(const MesherJob& job)
 {
   const MesherArrays& arrays = job.Input.Arrays;
-  if (AreLabels(job) && job.Options.Threshold.empty() && job.Options.Zero == ZeroLabel::Void &&
-    !arrays.IsZeroVoid)
+  if (AreLabels(job) && job.Options.Threshold.empty() &&
+    job.Options.ZeroLabel == ZeroLabelMeaning::Void && !arrays.IsZeroVoid)
   {
     Warn(job, DescribeZeroLabel(job.Input.Levels.Levels[0], arrays.Labels, job.Run.Group()));
   }
@@ -63,8 +64,8 @@ void CheckGreyLabels(const MesherJob& job, const LevelFields& fields)
     ". Threshold (--threshold LOW:HIGH) makes materials of ranges of values.";
   if (job.Input.Arrays.AreGuessed)
   {
-    throw InputError(
-      text + " If each value is a material, choose the array as labels (--labels " + name + ").");
+    throw InputError(text + " If each value is a material, choose the array as labels (" +
+      job.Input.Arrays.LabelsOption + " " + name + ").");
   }
   Warn(job, text);
 }
@@ -103,8 +104,9 @@ void CheckGreyFractions(const MesherJob& job, const LevelFields& fields)
     ". Threshold (--threshold LOW:HIGH) makes materials of ranges of values.";
   if (job.Input.Arrays.AreGuessed)
   {
-    throw InputError(text + " If each value is a material, choose the array as labels (--labels " +
-      name + "); if they are volume fractions, choose it as fractions (--fractions " + name + ").");
+    throw InputError(text + " If each value is a material, choose the array as labels (" +
+      job.Input.Arrays.LabelsOption + " " + name +
+      "); if they are volume fractions, choose it as fractions (--fractions " + name + ").");
   }
   Warn(job, text);
 }
@@ -112,7 +114,7 @@ void CheckGreyFractions(const MesherJob& job, const LevelFields& fields)
 /// Returns the user-selected cells that are to be refined.
 InputRequests FindRequests(const MesherJob& job)
 {
-  const bool isAutomatic = job.Options.Where == Refinement::Automatic;
+  const bool isAutomatic = job.Options.Refinement == RefinementMode::Automatic;
   InputRequests requests = FindInputRequests(job.Input.Levels, FindRefinementArray(job.Options),
     isAutomatic ? job.Options.RefinementBoxes : std::vector<RefinementBox>(), job.Run.Group());
   Warn(job, requests.Warning);
@@ -126,8 +128,8 @@ LevelSetup SetUpLevels(const MesherJob& job, const InputRequests& requests)
   const int alignment =
     job.Input.StaysInPlace ? CountAlignedLevels(coarsest.Boxes(), job.Run.Group()) : AnyLevel;
   const int periodic = CountPeriodicLevels(job.Options, coarsest.Coordinates);
-  LevelSetup setup = DecideLevels(job.Options.Where, job.Options.MaximumLevel, coarsest.Coordinates,
-    levels.Finest(), std::min(alignment, periodic), requests.Finest);
+  LevelSetup setup = DecideLevels(job.Options.Refinement, job.Options.MaximumLevel,
+    coarsest.Coordinates, levels.Finest(), std::min(alignment, periodic), requests.Finest);
   Warn(job, setup.Warning);
   return setup;
 }
@@ -169,7 +171,7 @@ std::unique_ptr<Cells> ReadCells(const MesherJob& job)
   std::vector<BlockPlace> owners = FindOwners(job, source, setup);
   requests = DistributeRequests(requests, levels, owners, ranks);
   LevelFields fields = MakeLevelFields(
-    levels, source, setup, options.Children, RepeatingAxes(options), owners, job.Run);
+    levels, source, setup, options.ChildFractions, RepeatingAxes(options), owners, job.Run);
   std::unique_ptr<Cells> cells(new Cells{ std::move(source), setup, std::move(requests),
     std::move(owners), std::move(fields), {}, {}, {} });
   CheckGreyLabels(job, cells->Fields);

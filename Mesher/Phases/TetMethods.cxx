@@ -57,7 +57,7 @@ void FillFragments(const CartesianGrid& grid, const Fragments& fragments, Mesh& 
 } // namespace
 
 TetMethodBase::TetMethodBase(const MeshCells& cells) :
-  Kind(cells.Options.Tets), TheEnergy(FloorsOf(cells.Options))
+  Kind(cells.Options.Method), TheEnergy(FloorsOf(cells.Options))
 {
 }
 
@@ -196,7 +196,7 @@ TetTopology CellsMethod::BuildTets(
   const MeshCells& cells, const NarrowVoid& narrow, const CoarseTets& coarse, MeshRun& run)
 {
   TetTopology topology =
-    BuildCellTets(cells.Grid, this->Labels, cells.Options.MeshVoid, narrow, run.TheRuntime, coarse);
+    BuildCellTets(this->Labels, cells.Options.MeshVoid, narrow, run.TheRuntime, coarse);
   run.Clock.Start("Finding faces", 0.12);
   this->Faces = FindTetFaces(topology.Tets, topology.Positions, cells.Grid);
   return topology;
@@ -217,7 +217,7 @@ FragmentVolumes CellsMethod::FindFragments(
 /// Returns the quads of the grid: no edge runs along their diagonals.
 std::vector<Facet> CellsMethod::FeatureFacets(const MeshCells& cells, const Draft& draft) const
 {
-  return cells.Options.Edges == SharpEdges::Off
+  return cells.Options.SharpEdges == SharpEdgeMode::Off
     ? std::vector<Facet>()
     : JoinTriangles(draft.Facets, this->Faces, draft.Elements);
 }

@@ -233,11 +233,11 @@ void FindNeighbours(MeshData mesh, Ranks& ranks, std::vector<FragmentSummary>& f
   using Pair = std::array<int, 2>;
   std::vector<Pair> pairs;
   mesh.PointIds = mesh.PeriodicPartner ? mesh.PeriodicPartner : mesh.PointIds;
-  for (const FacetSide& face : FindMeshFaces(mesh, mesh.Fragment, ranks))
+  for (const MeshFacet& face : FindMeshFaces(mesh, mesh.Fragment, ranks))
   {
-    if (face.Facet.Behind != NothingBehind)
+    if (face.Behind != NothingBehind)
     {
-      pairs.push_back({ { mesh.Fragment[face.Facet.Element], face.Facet.Behind } });
+      pairs.push_back({ { mesh.Fragment[face.Element], face.Behind } });
     }
   }
   for (const Pair& pair : UnionOverRanks(ranks, std::move(pairs)))

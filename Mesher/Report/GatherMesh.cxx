@@ -133,9 +133,7 @@ void MergeFacets(const Pieces& pieces, const std::vector<Item>& elements, Stored
       facets->push_back(facet);
     }
   }
-  std::sort(facets->begin(), facets->end(),
-    [](const MeshFacet& a, const MeshFacet& b)
-    { return a.Element != b.Element ? a.Element < b.Element : a.Side < b.Side; });
+  std::sort(facets->begin(), facets->end());
   merged.Data.Facets = facets.get();
   merged.Memory.push_back(std::move(facets));
 }

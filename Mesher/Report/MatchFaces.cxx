@@ -1,73 +1,64 @@
 #include "Report/MatchFaces.h"
 
-#include "Ranks/Agreement.h"
-#include "Ranks/ExchangeAll.h"
+#include "Elements/EqualFaces.h"
+#include "Ranks/AskRanks.h"
 #include "Ranks/MeetingRank.h"
-
-#include <algorithm>
-#include <numeric>
+#include "Ranks/WorkTogether.h"
 
 namespace vfm
 {
 namespace
 {
 
-struct Face
+/// Returns the number of the partner of each face in the list, or NothingBehind.
+std::vector<Index> MatchList(const std::vector<NumberedFace>& faces)
 {
-  FaceIds Ids;
-  Index Value;
-};
-
-/// Returns the value of the partner of each face in the list.
-std::vector<Index> MatchHere(const std::vector<Face>& faces)
-{
-  std::vector<Index> order(faces.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(
-    order.begin(), order.end(), [&faces](Index a, Index b) { return faces[a].Ids < faces[b].Ids; });
   std::vector<Index> behind(faces.size(), NothingBehind);
-  for (std::size_t i = 0; i + 1 < order.size(); ++i)
-  {
-    const Face &face = faces[order[i]], &next = faces[order[i + 1]];
-    if (face.Ids != next.Ids)
+  ForEqualFaces(
+    faces.size(), [&faces](Index f) { return faces[f].Points; },
+    [&](std::span<const NumberedFace> same)
     {
-      continue;
-    }
-    if (behind[order[i]] != NothingBehind)
-    {
-      throw InputError("The mesh is not conforming: the face of the points " +
-        std::to_string(face.Ids[1]) + ", " + std::to_string(face.Ids[2]) + ", " +
-        std::to_string(face.Ids[3]) + " belongs to more than two elements.");
-    }
-    behind[order[i]] = next.Value;
-    behind[order[i + 1]] = face.Value;
-  }
+      if (same.size() > 2)
+      {
+        const FaceIds& ids = same[0].Points;
+        throw InputError("The mesh is not conforming: the face of the points " +
+          std::to_string(ids[1]) + ", " + std::to_string(ids[2]) + ", " + std::to_string(ids[3]) +
+          " belongs to more than two elements.");
+      }
+      if (same.size() == 2)
+      {
+        behind[same[0].Number] = faces[same[1].Number].Number;
+        behind[same[1].Number] = faces[same[0].Number].Number;
+      }
+    });
   return behind;
 }
 
-/// Returns the values behind the faces that each rank sent.
-std::vector<Bytes> Answer(const std::vector<Bytes>& questions)
+[[noreturn]] void RejectFace(const MeshData& mesh, const FaceIds& points)
 {
-  std::vector<Face> faces;
-  std::vector<std::size_t> ends;
-  for (const Bytes& question : questions)
+  std::string ids;
+  for (Index point : points)
   {
-    const std::vector<Face> some = FromBytes<Face>(question);
-    faces.insert(faces.end(), some.begin(), some.end());
-    ends.push_back(faces.size());
+    const Index id = point < 0 || !mesh.PointIds ? point : mesh.PointIds[point];
+    ids += point < 0 ? "" : (ids.empty() ? "" : ", ") + std::to_string(id);
   }
-  const std::vector<Index> behind = MatchHere(faces);
-  std::vector<Bytes> answers;
-  std::size_t begin = 0;
-  for (std::size_t end : ends)
-  {
-    answers.push_back(ToBytes(std::vector<Index>(behind.begin() + begin, behind.begin() + end)));
-    begin = end;
-  }
-  return answers;
+  throw InputError("The mesh is not conforming: the face of the points " + ids +
+    " belongs to more than two elements.");
 }
 
 } // namespace
+
+FaceIds PointsOfSide(const MeshData& mesh, const ElementSide& side)
+{
+  return ElementFaces(mesh.Corners).PointsOf(mesh.Element(side.Element), side.Side);
+}
+
+FaceIds SortedPointsOfSide(const MeshData& mesh, const ElementSide& side)
+{
+  FaceIds points = PointsOfSide(mesh, side);
+  std::sort(points.begin(), points.end());
+  return points;
+}
 
 FaceIds SortedIds(const FaceIds& points, const Index* ids)
 {
@@ -78,41 +69,66 @@ FaceIds SortedIds(const FaceIds& points, const Index* ids)
   return found;
 }
 
+std::vector<Index> MatchSides(const MeshData& mesh)
+{
+  const int sides = ElementFaces(mesh.Corners).Count;
+  std::vector<Index> behind(sides * mesh.NumberOfElements, NothingBehind);
+  ForEqualFaces(
+    behind.size(),
+    [&](Index number) {
+      return SortedPointsOfSide(mesh, { number / sides, static_cast<int>(number % sides) });
+    },
+    [&](std::span<const NumberedFace> same)
+    {
+      if (same.size() > 2)
+      {
+        RejectFace(mesh, same[0].Points);
+      }
+      if (same.size() == 2)
+      {
+        behind[same[0].Number] = same[1].Number / sides;
+        behind[same[1].Number] = same[0].Number / sides;
+      }
+    });
+  return behind;
+}
+
 std::vector<Index> MatchFaces(
   const std::vector<FaceIds>& ids, const std::vector<Index>& values, Ranks& ranks)
 {
-  std::vector<Face> faces;
+  std::vector<NumberedFace> faces;
   for (std::size_t f = 0; f < ids.size(); ++f)
   {
     faces.push_back({ ids[f], values[f] });
   }
   std::vector<Index> behind;
-  WorkTogether(ranks, [&] { behind = MatchHere(faces); });
+  WorkTogether(ranks, [&] { behind = MatchList(faces); });
   if (ranks.Count() == 1)
   {
     return behind;
   }
-  std::vector<std::vector<Face>> open(ranks.Count()); // unmatched faces of each matching rank
-  std::vector<std::vector<std::size_t>> places(ranks.Count());
+  std::vector<std::size_t> open;
+  std::vector<NumberedFace> questions;
   for (std::size_t f = 0; f < faces.size(); ++f)
   {
     if (behind[f] == NothingBehind)
     {
-      const int rank = MeetingRank(faces[f].Ids, ranks.Count());
-      open[rank].push_back(faces[f]);
-      places[rank].push_back(f);
+      open.push_back(f);
+      questions.push_back(faces[f]);
     }
   }
-  std::vector<Bytes> messages = ExchangeAll(PackLists(open), ranks);
-  WorkTogether(ranks, [&messages] { messages = Answer(messages); });
-  messages = ExchangeAll(std::move(messages), ranks);
-  for (int rank = 0; rank < ranks.Count(); ++rank)
+  const auto rankOf = [&ranks](const NumberedFace& face)
+  { return MeetingRank(face.Points, ranks.Count()); };
+  const auto answer = [&ranks](const std::vector<NumberedFace>& received)
   {
-    const std::vector<Index> answers = FromBytes<Index>(messages[rank]);
-    for (std::size_t i = 0; i < answers.size(); ++i)
-    {
-      behind[places[rank][i]] = answers[i];
-    }
+    std::vector<Index> answers;
+    WorkTogether(ranks, [&] { answers = MatchList(received); });
+    return answers;
+  };
+  const std::vector<Index> answers = AskRanks(questions, rankOf, answer, ranks);
+  for (std::size_t q = 0; q < open.size(); ++q)
+  {
+    behind[open[q]] = answers[q];
   }
   return behind;
 }

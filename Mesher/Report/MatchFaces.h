@@ -4,17 +4,26 @@
 #pragma once
 
 #include "Elements/ElementFaces.h"
-#include "Elements/MeshFacet.h"
 #include "Ranks/Ranks.h"
-
-#include <vector>
+#include "Report/MeshData.h"
 
 namespace vfm
 {
 
+/// Returns the points of a side, counterclockwise seen from outside of the element. The last point
+/// of a triangle is -1.
+FaceIds PointsOfSide(const MeshData& mesh, const ElementSide& side);
+/// Returns the points of a side in ascending order. The first point of a triangle is -1.
+FaceIds SortedPointsOfSide(const MeshData& mesh, const ElementSide& side);
+
 /// Returns ids of the points of a face, sorted.
 /// @param ids id of each point, such as its global id; the -1 of a triangle stays
 FaceIds SortedIds(const FaceIds& points, const Index* ids);
+
+/// Returns the element of this rank behind each side of the elements of a mesh, element by element,
+/// or NothingBehind.
+/// @throws InputError if a face belongs to more than two elements
+std::vector<Index> MatchSides(const MeshData& mesh);
 
 /// Finds the value of the element behind each face.
 /// @param ids sorted global ids of the points of each face

@@ -13,13 +13,13 @@ namespace
 {
 
 /// Returns the faces that can be on a surface. Points on periodic sides count as inside a volume.
-std::vector<FacetSide> CollectFaces(const MeshData& mesh)
+std::vector<MeshFacet> CollectFaces(const MeshData& mesh)
 {
   const ElementFaces table(mesh.Corners);
   const int* dimensions = mesh.PeriodicPartner ? nullptr : mesh.GeometryDimension;
   const auto isInside = [dimensions](Index point)
   { return point >= 0 && dimensions && dimensions[point] >= DimensionOfVolumes; };
-  std::vector<FacetSide> faces;
+  std::vector<MeshFacet> faces;
   for (Index element = 0; element < mesh.NumberOfElements; ++element)
   {
     for (int side = 0; side < table.Count; ++side)
@@ -27,7 +27,7 @@ std::vector<FacetSide> CollectFaces(const MeshData& mesh)
       const std::array<Index, 4> points = table.PointsOf(mesh.Element(element), side);
       if (std::none_of(points.begin(), points.end(), isInside))
       {
-        faces.push_back({ points, { element, side, NothingBehind, 0, NoSide } });
+        faces.push_back({ element, side, NothingBehind, 0, NoSide });
       }
     }
   }
@@ -58,22 +58,23 @@ public:
     }
   }
 
-  int Find(const FacetSide& face) const
+  int Find(const MeshFacet& facet) const
   {
     const MeshData& mesh = this->TheMesh;
     if (this->Parts.empty() || !mesh.GeometryDimension || !mesh.GeometryId)
     {
       return 0;
     }
+    const FaceIds points = PointsOfSide(mesh, facet);
     int surface = 0;
-    for (Index point : face.Points)
+    for (Index point : points)
     {
       if (point >= 0 && mesh.GeometryDimension[point] == DimensionOfSurfaces)
       {
         surface = std::max(surface, mesh.GeometryId[point]);
       }
     }
-    const auto listed = this->EdgeFacets.find(SortedIds(face.Points, mesh.UnsplitPointIds()));
+    const auto listed = this->EdgeFacets.find(SortedIds(points, mesh.UnsplitPointIds()));
     surface = listed == this->EdgeFacets.end() ? surface : listed->second;
     const bool isSide = surface >= 1 && surface <= static_cast<int>(this->Parts.size()) &&
       this->Parts[surface - 1] >= 1;
@@ -87,38 +88,37 @@ private:
 };
 
 /// Collective. Sets the sides of the domain on which faces lie.
-void FindSides(const MeshData& mesh, Ranks& ranks, std::vector<FacetSide>& faces)
+void FindSides(const MeshData& mesh, Ranks& ranks, std::vector<MeshFacet>& facets)
 {
   const DomainSides domain(mesh);
-  std::vector<FacetSide*> open;
-  std::vector<FacetSide> copies;
-  for (FacetSide& face : faces)
+  std::vector<ElementSide> open;
+  std::vector<int*> sides;
+  for (MeshFacet& facet : facets)
   {
-    face.Facet.DomainSide = NoSide;
-    if (face.Facet.Behind == NothingBehind)
+    if (facet.Behind == NothingBehind)
     {
-      face.Facet.DomainSide = domain.SideOfFace(face.Points);
-      open.push_back(&face);
-      copies.push_back(face);
+      facet.DomainSide = domain.SideOfFace(PointsOfSide(mesh, facet));
+      open.push_back(facet);
+      sides.push_back(&facet.DomainSide);
     }
   }
   if (!ranks.Any(mesh.PeriodicPartner != nullptr))
   {
     return;
   }
-  const std::vector<int> seams = FindSeamSides(mesh, copies, ranks);
+  const std::vector<int> seams = FindSeamSides(mesh, open, ranks);
   for (std::size_t f = 0; f < open.size(); ++f)
   {
-    int& side = open[f]->Facet.DomainSide;
+    int& side = *sides[f];
     side = seams[f] != NoSide || domain.IsPeriodic(side) ? seams[f] : side;
   }
 }
 
 } // namespace
 
-std::vector<FacetSide> FindMeshFaces(const MeshData& mesh, const int* values, Ranks& ranks)
+std::vector<MeshFacet> FindMeshFaces(const MeshData& mesh, const int* values, Ranks& ranks)
 {
-  std::vector<FacetSide> faces;
+  std::vector<MeshFacet> faces;
   std::vector<Index> valuesOfFaces;
   std::vector<FaceIds> ids;
   WorkTogether(ranks,
@@ -126,20 +126,20 @@ std::vector<FacetSide> FindMeshFaces(const MeshData& mesh, const int* values, Ra
     {
       Require(mesh.PointIds, "GlobalPointIds", mesh);
       faces = CollectFaces(mesh);
-      for (const FacetSide& face : faces)
+      for (const MeshFacet& face : faces)
       {
-        valuesOfFaces.push_back(values[face.Facet.Element]);
-        ids.push_back(SortedIds(face.Points, mesh.UnsplitPointIds()));
+        valuesOfFaces.push_back(values[face.Element]);
+        ids.push_back(SortedIds(PointsOfSide(mesh, face), mesh.UnsplitPointIds()));
       }
     });
   const std::vector<Index> behind = MatchFaces(ids, valuesOfFaces, ranks);
-  std::vector<FacetSide> found;
+  std::vector<MeshFacet> found;
   for (std::size_t f = 0; f < faces.size(); ++f)
   {
     if (behind[f] != valuesOfFaces[f])
     {
       found.push_back(faces[f]);
-      found.back().Facet.Behind = static_cast<int>(behind[f]);
+      found.back().Behind = static_cast<int>(behind[f]);
     }
   }
   return found;
@@ -152,14 +152,12 @@ std::vector<MeshFacet> FindMeshFacets(const MeshData& mesh, Ranks& ranks)
     return mesh.Facets ? *mesh.Facets : std::vector<MeshFacet>();
   }
   WorkTogether(ranks, [&mesh] { Require(mesh.Material, "MaterialId", mesh); });
-  std::vector<FacetSide> faces = FindMeshFaces(mesh, mesh.Material, ranks);
-  FindSides(mesh, ranks, faces);
+  std::vector<MeshFacet> facets = FindMeshFaces(mesh, mesh.Material, ranks);
+  FindSides(mesh, ranks, facets);
   const FaceSurfaces surfaces(mesh);
-  std::vector<MeshFacet> facets;
-  for (const FacetSide& face : faces)
+  for (MeshFacet& facet : facets)
   {
-    facets.push_back(face.Facet);
-    facets.back().Surface = facets.back().DomainSide == NoSide ? surfaces.Find(face) : 0;
+    facet.Surface = facet.DomainSide == NoSide ? surfaces.Find(facet) : 0;
   }
   return facets;
 }

@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "Elements/FacetSides.h"
+#include "Elements/MeshFacet.h"
 #include "Ranks/Ranks.h"
 #include "Report/MeshData.h"
 
@@ -13,10 +13,10 @@ namespace vfm
 /// Finds the faces of this rank's elements where values change or the mesh ends.
 /// @param mesh mesh with PointIds; faces with a point of GeometryDimension 3 are excluded if known
 /// @param values value >= 0 of each element
-/// @return faces ordered by element and side; the points of each go around it
+/// @return faces ordered by element and side, without their surfaces and sides of the domain
 /// @throws InputError if an array is missing, or if MatchFaces does; on all ranks
 /// @pre Collective
-std::vector<FacetSide> FindMeshFaces(const MeshData& mesh, const int* values, Ranks& ranks);
+std::vector<MeshFacet> FindMeshFaces(const MeshData& mesh, const int* values, Ranks& ranks);
 
 /// Returns the facets of this rank's elements: mesh.Facets, or the result of a search.
 /// The search needs the field DomainBounds to find sides of the domain, and SurfaceParts and

@@ -124,7 +124,7 @@ FieldArrays ListReport(const Mesh& mesh, const MeshReport& report, const Materia
   AddCount(fields, "NumberOfSurfaces", report.NumberOfSurfaces);
   AddCount(fields, "NumberOfCurves", report.NumberOfCurves);
   AddCount(fields, "NumberOfVertices", report.NumberOfVertices);
-  if (options.Edges != SharpEdges::Off)
+  if (options.SharpEdges != SharpEdgeMode::Off)
   {
     AddCount(fields, "EdgePoints", report.EdgePoints);
     AddCount(fields, "CornerPoints", report.CornerPoints);

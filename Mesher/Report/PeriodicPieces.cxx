@@ -1,6 +1,7 @@
 #include "Report/PeriodicPieces.h"
 
 #include "Base/DisjointSets.h"
+#include "Elements/EqualFaces.h"
 #include "Ranks/Agreement.h"
 #include "Report/DomainSides.h"
 #include "Report/ElementCorners.h"
@@ -13,13 +14,18 @@ namespace vfm
 namespace
 {
 
-/// A face between two elements of a fragment.
-struct InnerFace
+// The number of a face here is FacePlaces::End * element + where the element has it. The ids of its
+// points are those of the lowest copies, so copies of a face have the same.
+
+Index ElementOf(const NumberedFace& face)
 {
-  Index Element;
-  FaceIds Ids; ///< sorted ids of its points; copies have the same
-  Index Place; ///< where the element has it (FacePlaces)
-};
+  return face.Number / FacePlaces::End;
+}
+
+Index PlaceOf(const NumberedFace& face)
+{
+  return face.Number % FacePlaces::End;
+}
 
 /// Lists the faces of elements.
 class FaceLister
@@ -28,7 +34,7 @@ public:
   explicit FaceLister(const MeshData& mesh) : TheMesh(mesh), Corners(mesh), Places(mesh) {}
 
   /// Appends the faces of an element.
-  void Append(Index element, std::vector<InnerFace>& faces) const
+  void Append(Index element, std::vector<NumberedFace>& faces) const
   {
     const MeshData& mesh = this->TheMesh;
     const Index* ids = mesh.PeriodicPartner ? mesh.PeriodicPartner : mesh.PointIds;
@@ -46,7 +52,8 @@ public:
         }
       }
       const FaceIds points = table.PointsOf(mesh.Element(element), side);
-      faces.push_back({ element, SortedIds(points, ids), this->Places.Of(positions) });
+      faces.push_back(
+        { SortedIds(points, ids), FacePlaces::End * element + this->Places.Of(positions) });
     }
   }
 
@@ -58,33 +65,33 @@ private:
 
 /// Collective. Returns the value of the element behind each face.
 std::vector<Index> ValuesBehind(
-  const std::vector<InnerFace>& faces, const std::vector<Index>& valueOfElement, Ranks& ranks)
+  const std::vector<NumberedFace>& faces, const std::vector<Index>& valueOfElement, Ranks& ranks)
 {
   std::vector<FaceIds> ids;
   std::vector<Index> values;
-  for (const InnerFace& face : faces)
+  for (const NumberedFace& face : faces)
   {
-    ids.push_back(face.Ids);
-    values.push_back(valueOfElement[face.Element] * FacePlaces::End + face.Place);
+    ids.push_back(face.Points);
+    values.push_back(valueOfElement[ElementOf(face)] * FacePlaces::End + PlaceOf(face));
   }
   return MatchFaces(ids, values, ranks);
 }
 
 /// Collective. Returns the faces between two elements of one fragment.
-std::vector<InnerFace> FindInnerFaces(const MeshData& mesh, Ranks& ranks)
+std::vector<NumberedFace> FindInnerFaces(const MeshData& mesh, Ranks& ranks)
 {
   const FaceLister lister(mesh);
-  std::vector<InnerFace> faces;
+  std::vector<NumberedFace> faces;
   for (Index element = 0; element < mesh.NumberOfElements; ++element)
   {
     lister.Append(element, faces);
   }
   const std::vector<Index> fragments(mesh.Fragment, mesh.Fragment + mesh.NumberOfElements);
   const std::vector<Index> behind = ValuesBehind(faces, fragments, ranks);
-  std::vector<InnerFace> inner;
+  std::vector<NumberedFace> inner;
   for (std::size_t f = 0; f < faces.size(); ++f)
   {
-    if (behind[f] != NothingBehind && behind[f] / FacePlaces::End == fragments[faces[f].Element])
+    if (behind[f] != NothingBehind && behind[f] / FacePlaces::End == fragments[ElementOf(faces[f])])
     {
       inner.push_back(faces[f]);
     }
@@ -95,7 +102,7 @@ std::vector<InnerFace> FindInnerFaces(const MeshData& mesh, Ranks& ranks)
 /// Collective. Joins the elements of this rank that are connected at the same copy of a face.
 /// Returns the lowest element id of the piece of each element.
 /// @param faces removes the faces between joined elements
-std::vector<Index> FindPieces(const MeshData& mesh, std::vector<InnerFace>& faces, Ranks& ranks)
+std::vector<Index> FindPieces(const MeshData& mesh, std::vector<NumberedFace>& faces, Ranks& ranks)
 {
   std::vector<Index> numbers(mesh.NumberOfElements); // of elements on all ranks
   for (Index element = 0; element < mesh.NumberOfElements; ++element)
@@ -104,13 +111,13 @@ std::vector<Index> FindPieces(const MeshData& mesh, std::vector<InnerFace>& face
   }
   const std::vector<Index> behind = ValuesBehind(faces, numbers, ranks);
   std::vector<Index> sets = MakeSets(numbers.size());
-  std::vector<InnerFace> open;
+  std::vector<NumberedFace> open;
   for (std::size_t f = 0; f < faces.size(); ++f)
   {
     const Index other = behind[f] / FacePlaces::End;
-    if (other % ranks.Count() == ranks.Rank() && behind[f] % FacePlaces::End == faces[f].Place)
+    if (other % ranks.Count() == ranks.Rank() && behind[f] % FacePlaces::End == PlaceOf(faces[f]))
     {
-      Join(sets, faces[f].Element, other / ranks.Count());
+      Join(sets, ElementOf(faces[f]), other / ranks.Count());
     }
     else
     {
@@ -135,14 +142,15 @@ using Link = std::array<Index, 5>; // two pieces, and the periods by which the s
 
 /// Collective. Returns the links between the pieces of all ranks.
 std::vector<Link> FindLinks(
-  const std::vector<InnerFace>& faces, const std::vector<Index>& pieces, Ranks& ranks)
+  const std::vector<NumberedFace>& faces, const std::vector<Index>& pieces, Ranks& ranks)
 {
   const std::vector<Index> behind = ValuesBehind(faces, pieces, ranks);
   std::vector<Link> links;
   for (std::size_t f = 0; f < faces.size(); ++f)
   {
-    const Index3 periods = FacePlaces::PeriodsBetween(behind[f] % FacePlaces::End, faces[f].Place);
-    links.push_back({ { pieces[faces[f].Element], behind[f] / FacePlaces::End, periods[0],
+    const Index3 periods =
+      FacePlaces::PeriodsBetween(behind[f] % FacePlaces::End, PlaceOf(faces[f]));
+    links.push_back({ { pieces[ElementOf(faces[f])], behind[f] / FacePlaces::End, periods[0],
       periods[1], periods[2] } });
   }
   return UnionOverRanks(ranks, std::move(links));
@@ -233,7 +241,7 @@ std::vector<Vector3> FindTranslations(const MeshData& mesh, Ranks& ranks)
       Require(mesh.PointIds, "GlobalPointIds", mesh);
       Require(mesh.ElementIds, "GlobalCellIds", mesh);
     });
-  std::vector<InnerFace> faces = FindInnerFaces(mesh, ranks);
+  std::vector<NumberedFace> faces = FindInnerFaces(mesh, ranks);
   const std::vector<Index> pieces = FindPieces(mesh, faces, ranks);
   const PieceMoves moves(FindLinks(faces, pieces, ranks));
   const ImageFrame frame = FrameOfDomain(mesh);

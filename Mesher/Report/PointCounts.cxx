@@ -1,7 +1,7 @@
 #include "Report/PointCounts.h"
 
 #include "Base/Sorted.h"
-#include "Ranks/ExchangeAll.h"
+#include "Ranks/AskRanks.h"
 
 #include <algorithm>
 
@@ -30,12 +30,8 @@ std::vector<PartPoint> FindOwnPoints(const MeshData& mesh, const std::vector<int
 /// Returns the points whose ids this rank counts.
 std::vector<PartPoint> DistributePoints(const std::vector<PartPoint>& own, Ranks& ranks)
 {
-  std::vector<std::vector<PartPoint>> shares(ranks.Count());
-  for (const PartPoint& point : own)
-  {
-    shares[point[1] % ranks.Count()].push_back(point);
-  }
-  auto mine = JoinItems<PartPoint>(ExchangeAll(PackLists(shares), ranks));
+  const auto rankOf = [&ranks](const PartPoint& point) { return point[1] % ranks.Count(); };
+  auto mine = JoinItems<PartPoint>(SendItems(own, rankOf, ranks));
   SortUnique(mine);
   return mine;
 }

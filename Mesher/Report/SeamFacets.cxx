@@ -6,8 +6,6 @@
 #include "Report/ElementCorners.h"
 #include "Report/MatchFaces.h"
 
-#include <tuple>
-
 namespace vfm
 {
 namespace
@@ -41,37 +39,31 @@ std::vector<unsigned char> FindNodesOnSides(const Mesh& mesh)
   return areOnSides;
 }
 
-bool IsBefore(const MeshFacet& a, const MeshFacet& b)
-{
-  return std::tie(a.Element, a.Side) < std::tie(b.Element, b.Side);
-}
-
 /// Returns the facet of the same face, or null.
-MeshFacet* FindFacet(std::vector<MeshFacet>& facets, const MeshFacet& face)
+MeshFacet* FindFacet(std::vector<MeshFacet>& facets, const ElementSide& face)
 {
-  const auto found = std::lower_bound(facets.begin(), facets.end(), face, IsBefore);
-  return found == facets.end() || IsBefore(face, *found) ? nullptr : &*found;
+  const auto found = std::lower_bound(facets.begin(), facets.end(), face);
+  return found == facets.end() || face < *found ? nullptr : &*found;
 }
 
 /// Returns the faces of elements that have only nodes on sides of the domain, without those known
 /// to be on the boundary.
-std::vector<FacetSide> ListCandidates(Mesh& mesh)
+std::vector<ElementSide> ListCandidates(Mesh& mesh)
 {
   const std::vector<unsigned char> areOnSides = FindNodesOnSides(mesh);
   const ElementFaces faces(mesh.Corners);
-  std::vector<FacetSide> found;
+  std::vector<ElementSide> found;
   for (Index element = 0; element < static_cast<Index>(mesh.ElementIds.size()); ++element)
   {
     for (int side = 0; side < faces.Count; ++side)
     {
       const FaceIds points = faces.PointsOf(mesh.Elements.data() + mesh.Corners * element, side);
-      const MeshFacet facet{ element, side, NothingBehind, 0, NoSide };
       const bool isOnSide = std::all_of(points.begin(), points.end(),
         [&areOnSides](Index point) { return point < 0 || areOnSides[point] != 0; });
-      const MeshFacet* listed = isOnSide ? FindFacet(mesh.Facets, facet) : nullptr;
+      const MeshFacet* listed = isOnSide ? FindFacet(mesh.Facets, { element, side }) : nullptr;
       if (isOnSide && (!listed || listed->Behind != NothingBehind))
       {
-        found.push_back({ points, facet });
+        found.push_back({ element, side });
       }
     }
   }
@@ -81,15 +73,16 @@ std::vector<FacetSide> ListCandidates(Mesh& mesh)
 } // namespace
 
 std::vector<int> FindSeamSides(
-  const MeshData& mesh, const std::vector<FacetSide>& faces, Ranks& ranks)
+  const MeshData& mesh, const std::vector<ElementSide>& faces, Ranks& ranks)
 {
   const FacePlaces copies(mesh);
   std::vector<FaceIds> ids;
   std::vector<Index> places;
-  for (const FacetSide& face : faces)
+  for (const ElementSide& face : faces)
   {
-    ids.push_back(SortedIds(face.Points, mesh.PeriodicPartner));
-    places.push_back(copies.Of(CornersOf(mesh, face.Points)));
+    const FaceIds points = PointsOfSide(mesh, face);
+    ids.push_back(SortedIds(points, mesh.PeriodicPartner));
+    places.push_back(copies.Of(CornersOf(mesh, points)));
   }
   const std::vector<Index> others = MatchFaces(ids, places, ranks);
   std::vector<int> sides(faces.size(), NoSide);
@@ -108,19 +101,25 @@ std::vector<int> FindSeamSides(
 
 void AddSeamFacets(const std::vector<FieldArray>& fields, Ranks& ranks, Mesh& mesh)
 {
-  std::vector<FacetSide> faces;
+  MeshData view;
+  view.Corners = mesh.Corners;
+  view.Points = mesh.Points.data();
+  view.Elements = mesh.Elements.data();
+  view.PeriodicPartner = mesh.PeriodicPartner.data();
+  view.Fields = fields;
+  std::vector<ElementSide> faces;
   std::vector<FaceIds> ids;
   WorkTogether(ranks,
     [&]
     {
       faces = ListCandidates(mesh);
-      for (const FacetSide& face : faces)
+      for (const ElementSide& face : faces)
       {
-        ids.push_back(SortedIds(face.Points, mesh.PointIds.data()));
+        ids.push_back(SortedIds(PointsOfSide(view, face), mesh.PointIds.data()));
       }
     });
   const std::vector<Index> behind = MatchFaces(ids, std::vector<Index>(ids.size(), 0), ranks);
-  std::vector<FacetSide> open;
+  std::vector<ElementSide> open;
   for (std::size_t f = 0; f < faces.size(); ++f)
   {
     if (behind[f] == NothingBehind)
@@ -128,16 +127,11 @@ void AddSeamFacets(const std::vector<FieldArray>& fields, Ranks& ranks, Mesh& me
       open.push_back(faces[f]);
     }
   }
-  MeshData view;
-  view.Points = mesh.Points.data();
-  view.PeriodicPartner = mesh.PeriodicPartner.data();
-  view.Fields = fields;
   const std::vector<int> sides = FindSeamSides(view, open, ranks);
   std::vector<MeshFacet> added;
   for (std::size_t f = 0; f < open.size(); ++f)
   {
-    MeshFacet facet = open[f].Facet;
-    facet.DomainSide = sides[f];
+    const MeshFacet facet{ open[f].Element, open[f].Side, NothingBehind, 0, sides[f] };
     MeshFacet* listed = FindFacet(mesh.Facets, facet);
     if (facet.DomainSide != NoSide && listed)
     {
@@ -150,8 +144,7 @@ void AddSeamFacets(const std::vector<FieldArray>& fields, Ranks& ranks, Mesh& me
   }
   const auto before = static_cast<std::ptrdiff_t>(mesh.Facets.size());
   mesh.Facets.insert(mesh.Facets.end(), added.begin(), added.end());
-  std::inplace_merge(
-    mesh.Facets.begin(), mesh.Facets.begin() + before, mesh.Facets.end(), IsBefore);
+  std::inplace_merge(mesh.Facets.begin(), mesh.Facets.begin() + before, mesh.Facets.end());
 }
 
 } // namespace vfm

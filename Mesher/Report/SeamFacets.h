@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "Elements/FacetSides.h"
+#include "Elements/Mesh.h"
 #include "Report/MeshData.h"
 
 namespace vfm
@@ -15,7 +15,7 @@ namespace vfm
 /// @return per face its side of the domain, 0..5 for -x +x -y +y -z +z, or NoSide
 /// @pre Collective
 std::vector<int> FindSeamSides(
-  const MeshData& mesh, const std::vector<FacetSide>& faces, Ranks& ranks);
+  const MeshData& mesh, const std::vector<ElementSide>& faces, Ranks& ranks);
 
 /// Adds these faces to Mesh::Facets of a mesh made by LeaveCovering. Interfaces between elements on
 /// opposite sides become faces of the sides.

@@ -1,7 +1,7 @@
 #include "Report/SharedPoints.h"
 
 #include "Base/Sorted.h"
-#include "Ranks/ExchangeAll.h"
+#include "Ranks/AskRanks.h"
 
 #include <algorithm>
 
@@ -58,16 +58,15 @@ SharedPoints FindSharedPoints(const std::vector<Index>& ids, Ranks& ranks)
   {
     return shared;
   }
-  std::vector<std::vector<Index>> questions(ranks.Count());
   std::vector<Meeting> places; // ascending ids; Rank: index in ids
   for (std::size_t p = 0; p < ids.size(); ++p)
   {
-    questions[ids[p] % ranks.Count()].push_back(ids[p]);
     places.push_back({ ids[p], static_cast<Index>(p) });
   }
   std::sort(places.begin(), places.end());
+  const auto rankOf = [&ranks](Index id) { return id % ranks.Count(); };
   auto meetings =
-    JoinItems<Meeting>(ExchangeAll(FindMeetings(ExchangeAll(PackLists(questions), ranks)), ranks));
+    JoinItems<Meeting>(ExchangeAll(FindMeetings(SendItems(ids, rankOf, ranks)), ranks));
   std::sort(meetings.begin(), meetings.end());
   auto place = places.begin();
   for (const Meeting& meeting : meetings)

@@ -75,14 +75,14 @@ struct Bid
 };
 
 /// Pair at each corner of a facet, or -1.
-struct RuleFacet
+struct FacetPairs
 {
   std::array<int, 4> At;
   int Count;
 };
 
 // Values below are one per pair, such as `points` and `ids`, the ids of their points.
-using Facets = std::vector<RuleFacet>;
+using Facets = std::vector<FacetPairs>;
 using Points = std::vector<FeaturePoint>;
 using Ids = std::vector<Index>;
 
@@ -144,7 +144,7 @@ void Spread(const SurfacePairs& pairs, const Facets& facets, int rounds, const M
   for (int round = 0; round < rounds; ++round)
   {
     const std::vector<Value> before = values;
-    for (const RuleFacet& facet : facets)
+    for (const FacetPairs& facet : facets)
     {
       for (int a = 0; a < facet.Count; ++a)
       {
@@ -194,7 +194,7 @@ void PickCorners(const SurfacePairs& pairs, const Facets& facets, const Ids& ids
 template <class Visitor>
 void ForEdges(const Facets& facets, const Visitor& visit)
 {
-  for (const RuleFacet& facet : facets)
+  for (const FacetPairs& facet : facets)
   {
     for (int c = 0; c < facet.Count; ++c)
     {
@@ -287,7 +287,7 @@ std::vector<unsigned char> FindWilling(
     const FeaturePoint& point = points[i];
     willing[i] = point.Kind == FeatureKind::Side && point.EdgeDistance < ZigzagReach;
   }
-  for (const RuleFacet& facet : facets)
+  for (const FacetPairs& facet : facets)
   {
     int carriers = 0;
     for (int c = 0; c < facet.Count; ++c)
@@ -311,7 +311,7 @@ void StraightenZigzags(
 {
   const std::vector<unsigned char> willing = FindWilling(pairs, facets, points);
   std::vector<int> chosen;
-  for (const RuleFacet& facet : facets)
+  for (const FacetPairs& facet : facets)
   {
     for (int d = 0; d < 2 && facet.Count == 4; ++d)
     {
@@ -427,7 +427,7 @@ Facets ListFacets(const SurfacePairs& pairs, const std::vector<unsigned char>& i
     }
     const std::array<int, 2> labels{ { std::min(facet.Materials[0], facet.Materials[1]),
       std::max(facet.Materials[0], facet.Materials[1]) } };
-    RuleFacet own{ {}, facet.Points[2] == facet.Points[3] ? 3 : 4 };
+    FacetPairs own{ {}, CornersOf(facet.Points) };
     std::transform(facet.Points.begin(), facet.Points.end(), own.At.begin(),
       [&](Index p) { return FindPair(pairs, isKnown, p, labels); });
     found.push_back(own);

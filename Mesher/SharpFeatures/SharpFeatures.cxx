@@ -252,7 +252,7 @@ void SearchLeft(const SiteSearch& search, const SiteList& strong, FoundFeatures&
 
 /// Finds models in three phases; each reads the results of the phases before it.
 FoundFeatures FindModels(
-  const FeatureInput& input, const FeatureSites& sites, SharpEdges mode, Runtime& runtime)
+  const FeatureInput& input, const FeatureSites& sites, SharpEdgeMode mode, Runtime& runtime)
 {
   FoundFeatures found(input.Source.Points().size());
   SharpPairs pairs(sites);
@@ -261,7 +261,7 @@ FoundFeatures FindModels(
   pairs.Sample(strong);
   SearchCrossingsAt(search, pairs.Chosen(), found);
   pairs.Classify(found);
-  if (mode == SharpEdges::Automatic)
+  if (mode == SharpEdgeMode::Automatic)
   {
     DropSmoothPairs(pairs, strong, found);
   }
@@ -280,10 +280,10 @@ FoundFeatures FindModels(
 } // namespace
 
 SharpFeatures::SharpFeatures(const Interface& interface, const FractionField& fractions,
-  const SurfaceTargets& targets, Index firstTarget, SharpEdges mode, const Partition& partition,
+  const SurfaceTargets& targets, Index firstTarget, SharpEdgeMode mode, const Partition& partition,
   Runtime& runtime)
 {
-  if (mode == SharpEdges::Off)
+  if (mode == SharpEdgeMode::Off)
   {
     return;
   }

@@ -39,8 +39,8 @@ public:
   ///   pairs whose samples show edges (SharpPairs.h)
   /// @pre Collective; mode is equal on all ranks.
   SharpFeatures(const Interface& interface, const FractionField& fractions,
-    const SurfaceTargets& targets, Index firstTarget, SharpEdges mode, const Partition& partition,
-    Runtime& runtime);
+    const SurfaceTargets& targets, Index firstTarget, SharpEdgeMode mode,
+    const Partition& partition, Runtime& runtime);
 
   /// Returns the model at a surface point (position in Interface::Points()), or nullptr.
   const NodeFeature* Find(Index point) const

@@ -37,8 +37,8 @@ Pair PairOf(const Facet& facet)
 template <class Visitor>
 void ForMoving(const Facet& facet, const ActiveMesh& active, const Visitor& visit)
 {
-  const std::size_t corners = facet.Points[2] == facet.Points[3] ? 3 : 4;
-  for (std::size_t c = 0; facet.DomainSide < 0 && c < corners; ++c)
+  const int corners = CornersOf(facet.Points);
+  for (int c = 0; facet.DomainSide < 0 && c < corners; ++c)
   {
     const int point = active.PointOf[facet.Points[c]];
     if (point >= 0 && active.IsActive[point])

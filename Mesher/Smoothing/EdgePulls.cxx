@@ -44,13 +44,6 @@ bool IsInterface(const Facet& facet)
   return facet.DomainSide < 0;
 }
 
-/// Returns the number of corners of a Facet or an ActiveFacet.
-template <class Face>
-Index CountCorners(const Face& facet)
-{
-  return facet.Points[2] == facet.Points[3] ? 3 : 4;
-}
-
 Labels Ascending(int a, int b)
 {
   return { { std::min(a, b), std::max(a, b) } };
@@ -70,7 +63,7 @@ std::vector<EdgeUse> ListUses(
   std::vector<EdgeUse> uses;
   for (const Facet& facet : facets)
   {
-    const Index corners = IsInterface(facet) ? CountCorners(facet) : 0;
+    const Index corners = IsInterface(facet) ? CornersOf(facet.Points) : 0;
     for (Index c = 0; c < corners; ++c)
     {
       const Index points[2] = { facet.Points[c], facet.Points[(c + 1) % corners] };
@@ -369,7 +362,7 @@ std::vector<double> MeasureBulges(const std::vector<EdgePull>& pulls, const Mesh
   std::vector<EdgeIds> edges;
   for (const ActiveFacet& facet : active.Facets)
   {
-    const Index corners = CountCorners(facet);
+    const Index corners = CornersOf(facet.Points);
     for (Index c = 0; c < corners; ++c)
     {
       edges.push_back(MakeEdgeIds(idOf(facet.Points[c]), idOf(facet.Points[(c + 1) % corners])));
@@ -380,7 +373,7 @@ std::vector<double> MeasureBulges(const std::vector<EdgePull>& pulls, const Mesh
   std::size_t at = 0;
   for (const ActiveFacet& facet : active.Facets)
   {
-    const Index corners = CountCorners(facet);
+    const Index corners = CornersOf(facet.Points);
     Vector3 x[4]{}, ofEdges[4]{};
     for (Index c = 0; c < corners; ++c)
     {

@@ -21,7 +21,7 @@ struct Shape
   /// Points of the mesh; negative: points of other ranks without a facet here.
   std::array<Index, 4> Points;
 
-  int Corners() const { return this->Points[2] == this->Points[3] ? 3 : 4; }
+  int Corners() const { return CornersOf(this->Points); }
 };
 
 /// A facet as it is sent to other ranks. Start positions identify points on all ranks.

@@ -51,14 +51,14 @@ bool IsStem(const std::vector<std::string>& listed, const std::string& name)
 
 } // namespace
 
-bool ConservesState(StateTransfer how, const std::vector<std::string>& densities)
+bool ConservesState(TransferMode how, const std::vector<std::string>& densities)
 {
-  return how == StateTransfer::Conserve || (how == StateTransfer::Automatic && !densities.empty());
+  return how == TransferMode::Conserve || (how == TransferMode::Automatic && !densities.empty());
 }
 
 StateChoice ChooseState(const MesherOptions& options, std::vector<std::string> arrays)
 {
-  if (!ConservesState(options.Transfer, options.DensityArrays))
+  if (!ConservesState(options.StateTransfer, options.DensityArrays))
   {
     return { false, std::move(arrays), {}, {}, {}, {}, options.RotatedArrays };
   }

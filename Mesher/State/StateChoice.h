@@ -22,7 +22,7 @@ struct StateChoice
 
 /// Returns whether state is conserved.
 /// @param densities selected density arrays
-bool ConservesState(StateTransfer how, const std::vector<std::string>& densities);
+bool ConservesState(TransferMode how, const std::vector<std::string>& densities);
 
 /// Returns the selection of the options; arrays: state arrays that are transferred in any case.
 StateChoice ChooseState(const MesherOptions& options, std::vector<std::string> arrays);

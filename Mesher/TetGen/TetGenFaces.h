@@ -27,13 +27,14 @@ inline double Determinant(const Vector3& a, const Vector3& b, const Vector3& c, 
 }
 
 /// Face of a tet, or triangle of the surface.
-struct Face
+struct SortedTriangle
 {
   Triangle Corners; ///< corners, ascending
   int Owner;        ///< tet, or -1 for a triangle of the surface
   bool IsOdd;       ///< whether sorting the outward order was an odd permutation
 
-  Face(int a, int b, int c, int owner) : Corners{ { a, b, c } }, Owner(owner), IsOdd(false)
+  SortedTriangle(int a, int b, int c, int owner) :
+    Corners{ { a, b, c } }, Owner(owner), IsOdd(false)
   {
     for (const int k : { 0, 1, 0 })
     {
@@ -44,7 +45,7 @@ struct Face
       }
     }
   }
-  bool operator<(const Face& other) const
+  bool operator<(const SortedTriangle& other) const
   {
     return this->Corners != other.Corners ? this->Corners < other.Corners
                                           : this->Owner < other.Owner;
@@ -53,9 +54,9 @@ struct Face
 
 /// Returns the triangles of a surface and all faces of tets, sorted by corners. Triangles precede
 /// equal faces.
-inline std::vector<Face> SortedFaces(const TetGenPart& part, const std::vector<Tet>& tets)
+inline std::vector<SortedTriangle> SortedFaces(const TetGenPart& part, const std::vector<Tet>& tets)
 {
-  std::vector<Face> faces;
+  std::vector<SortedTriangle> faces;
   faces.reserve(4 * tets.size() + part.Triangles.size());
   for (const Triangle& t : part.Triangles)
   {
@@ -74,11 +75,11 @@ inline std::vector<Face> SortedFaces(const TetGenPart& part, const std::vector<T
 
 /// Calls body(first, last) for each group of faces with the same corners.
 template <typename Body>
-void ForGroups(const std::vector<Face>& faces, const Body& body)
+void ForGroups(const std::vector<SortedTriangle>& faces, const Body& body)
 {
   ForRuns(
     faces.data(), faces.data() + faces.size(),
-    [](const Face& a, const Face& b) { return a.Corners == b.Corners; }, body);
+    [](const SortedTriangle& a, const SortedTriangle& b) { return a.Corners == b.Corners; }, body);
 }
 
 /// Disjoint sets of the numbers 0 to n - 1.

@@ -226,11 +226,11 @@ std::string TakeOutput(
 
 /// Connects tets across faces that are not on the surface. Returns false if a face has more than
 /// two tets, or both on one side, or is on the surface and has no tet.
-bool Connect(const std::vector<Face>& faces, Sets& sets)
+bool Connect(const std::vector<SortedTriangle>& faces, Sets& sets)
 {
   bool isGood = true;
   ForGroups(faces,
-    [&](const Face* first, const Face* last)
+    [&](const SortedTriangle* first, const SortedTriangle* last)
     {
       const bool isSurface = first->Owner < 0;
       const long tetCount = (last - first) - isSurface;
@@ -247,7 +247,7 @@ bool Connect(const std::vector<Face>& faces, Sets& sets)
 /// is exactly the surface, and that they are on its inner side. Returns an error, or an empty text.
 std::string KeepInside(const TetGenPart& part, std::vector<Tet>& tets)
 {
-  const std::vector<Face> faces = SortedFaces(part, tets);
+  const std::vector<SortedTriangle> faces = SortedFaces(part, tets);
   Sets sets(tets.size());
   if (!Connect(faces, sets))
   {
@@ -262,10 +262,10 @@ std::string KeepInside(const TetGenPart& part, std::vector<Tet>& tets)
   std::vector<unsigned char> side(tets.size(), 0);
   std::size_t innerSides = 0;
   ForGroups(faces,
-    [&](const Face* first, const Face* last)
+    [&](const SortedTriangle* first, const SortedTriangle* last)
     {
       const bool isSurface = first->Owner < 0;
-      for (const Face* face = first + isSurface; face < last; ++face)
+      for (const SortedTriangle* face = first + isSurface; face < last; ++face)
       {
         const bool isInside = isSurface && face->IsOdd == first->IsOdd;
         const bool isOpen = !isSurface && last - first == 1;

@@ -44,7 +44,7 @@ double WorstCosine(const Vector3& a, const Vector3& b, const Vector3& c, const V
 /// meet; this flip opens them.
 /// @param[out] three  the new tets
 /// @return whether the flip increases the smallest angle
-bool FlipFace(const Face& face, const Tet& upper, const Tet& lower,
+bool FlipFace(const SortedTriangle& face, const Tet& upper, const Tet& lower,
   const std::vector<Vector3>& points, Tet (&three)[3])
 {
   const auto apex = [&](const Tet& tet)
@@ -83,7 +83,7 @@ bool FlipFaces(const TetGenPart& part, const LocalPart& local, TetGenFill& fill)
     isPoor.push_back(WorstCosine(t, points) > PoorCosine);
   }
   ForGroups(SortedFaces(part, fill.Tets),
-    [&](const Face* first, const Face* last)
+    [&](const SortedTriangle* first, const SortedTriangle* last)
     {
       const int i = first->Owner, j = last[-1].Owner;
       Tet three[3];

@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "Ranks/ExchangeAll.h"
+#include "Ranks/AskRanks.h"
 #include "Ranks/MeetingRank.h"
 
 #include <algorithm>
@@ -20,46 +20,25 @@ template <class Entry, class Key, class Combine>
 auto AskByKey(const std::vector<Entry>& entries, const std::vector<Key>& questions,
   const Combine& combine, Ranks& ranks)
 {
-  using Answer = decltype(combine(entries.begin(), entries.end()));
-  std::vector<std::vector<Entry>> toEntries(ranks.Count());
-  for (const Entry& entry : entries)
-  {
-    toEntries[MeetingRank(entry.Key(), ranks.Count())].push_back(entry);
-  }
-  std::vector<std::vector<Key>> toQuestions(ranks.Count());
-  std::vector<std::vector<std::size_t>> places(ranks.Count());
-  for (std::size_t q = 0; q < questions.size(); ++q)
-  {
-    const int home = MeetingRank(questions[q], ranks.Count());
-    toQuestions[home].push_back(questions[q]);
-    places[home].push_back(q);
-  }
-  std::vector<Entry> known = JoinItems<Entry>(ExchangeAll(PackLists(toEntries), ranks));
+  const int count = ranks.Count();
+  const auto homeOf = [count](const Key& key) { return MeetingRank(key, count); };
+  auto known = JoinItems<Entry>(SendItems(
+    entries, [&homeOf](const Entry& entry) { return homeOf(entry.Key()); }, ranks));
   std::sort(known.begin(), known.end());
-  std::vector<std::vector<Answer>> toAnswers;
-  for (const Bytes& message : ExchangeAll(PackLists(toQuestions), ranks))
+  const auto answer = [&known, &combine](const std::vector<Key>& keys)
   {
-    toAnswers.emplace_back();
-    for (const Key& key : FromBytes<Key>(message))
+    std::vector<decltype(combine(known.cbegin(), known.cend()))> answers;
+    for (const Key& key : keys)
     {
       const auto first = std::lower_bound(known.cbegin(), known.cend(), key,
         [](const Entry& entry, const Key& other) { return entry.Key() < other; });
       const auto last = std::upper_bound(first, known.cend(), key,
         [](const Key& other, const Entry& entry) { return other < entry.Key(); });
-      toAnswers.back().push_back(combine(first, last));
+      answers.push_back(combine(first, last));
     }
-  }
-  const std::vector<Bytes> messages = ExchangeAll(PackLists(toAnswers), ranks);
-  std::vector<Answer> answers(questions.size());
-  for (std::size_t home = 0; home < messages.size(); ++home)
-  {
-    const std::vector<Answer> own = FromBytes<Answer>(messages[home]);
-    for (std::size_t i = 0; i < own.size(); ++i)
-    {
-      answers[places[home][i]] = own[i];
-    }
-  }
-  return answers;
+    return answers;
+  };
+  return AskRanks(questions, homeOf, answer, ranks);
 }
 
 } // namespace vfm

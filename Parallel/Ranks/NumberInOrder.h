@@ -4,7 +4,7 @@
 #pragma once
 
 #include "Ranks/Agreement.h"
-#include "Ranks/ExchangeAll.h"
+#include "Ranks/AskRanks.h"
 
 #include <numeric>
 
@@ -32,14 +32,11 @@ std::vector<Item> FindSplitters(std::vector<Item> items, Ranks& ranks)
   return splitters;
 }
 
-/// Returns the numbers of the items in each message: their positions in the list of all different
-/// items.
+/// Returns the number of each item: its position in the list of all different items.
 /// @pre Collective over `ranks`. The items of a rank are above those of lower ranks.
 template <class Item>
-std::vector<std::vector<std::int64_t>> NumberMessages(
-  const std::vector<Bytes>& messages, Ranks& ranks)
+std::vector<std::int64_t> NumberOwnItems(const std::vector<Item>& items, Ranks& ranks)
 {
-  const std::vector<Item> items = JoinItems<Item>(messages);
   std::vector<Item> different(items);
   std::sort(different.begin(), different.end());
   different.erase(std::unique(different.begin(), different.end()), different.end());
@@ -47,15 +44,11 @@ std::vector<std::vector<std::int64_t>> NumberMessages(
     GatherItems(ranks, std::vector<std::int64_t>{ static_cast<std::int64_t>(different.size()) });
   const std::int64_t first =
     std::accumulate(counts.begin(), counts.begin() + ranks.Rank(), std::int64_t(0));
-  std::vector<std::vector<std::int64_t>> numbers;
-  for (const Bytes& message : messages)
+  std::vector<std::int64_t> numbers;
+  for (const Item& item : items)
   {
-    numbers.emplace_back();
-    for (const Item& item : FromBytes<Item>(message))
-    {
-      const auto place = std::lower_bound(different.begin(), different.end(), item);
-      numbers.back().push_back(first + (place - different.begin()));
-    }
+    const auto place = std::lower_bound(different.begin(), different.end(), item);
+    numbers.push_back(first + (place - different.begin()));
   }
   return numbers;
 }
@@ -70,27 +63,14 @@ template <class Item>
 std::vector<std::int64_t> NumberInOrder(const std::vector<Item>& items, Ranks& ranks)
 {
   const std::vector<Item> splitters = FindSplitters(items, ranks);
-  std::vector<std::vector<Item>> questions(ranks.Count());
-  std::vector<std::vector<std::size_t>> places(ranks.Count());
-  for (std::size_t i = 0; i < items.size(); ++i)
-  {
-    const auto above = std::upper_bound(splitters.begin(), splitters.end(), items[i]);
-    const auto target = static_cast<std::size_t>(above - splitters.begin());
-    questions[target].push_back(items[i]);
-    places[target].push_back(i);
-  }
-  const std::vector<Bytes> answers = ExchangeAll(
-    PackLists(NumberMessages<Item>(ExchangeAll(PackLists(questions), ranks), ranks)), ranks);
-  std::vector<std::int64_t> positions(items.size());
-  for (std::size_t target = 0; target < answers.size(); ++target)
-  {
-    const std::vector<std::int64_t> numbers = FromBytes<std::int64_t>(answers[target]);
-    for (std::size_t i = 0; i < numbers.size(); ++i)
+  return AskRanks(
+    items,
+    [&splitters](const Item& item)
     {
-      positions[places[target][i]] = numbers[i];
-    }
-  }
-  return positions;
+      return static_cast<int>(
+        std::upper_bound(splitters.begin(), splitters.end(), item) - splitters.begin());
+    },
+    [&ranks](const std::vector<Item>& received) { return NumberOwnItems(received, ranks); }, ranks);
 }
 
 } // namespace vfm

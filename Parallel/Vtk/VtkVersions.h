@@ -51,21 +51,6 @@ inline vtkDataSet* GetBox(RefinedGrids* grids, unsigned int level, unsigned int 
   return grids->GetPartition(level, box);
 }
 
-/// Makes a vtkIOSSReader check all of its files, because each may have its own blocks and
-/// variables. Call it before the reader checks the files.
-template <class Reader>
-void LookAtAllFiles(Reader* reader)
-{
-  reader->ReadAllFilesToDetermineStructureOn();
-}
-
-/// Makes a vtkIOSSReader that has checked its files skip the fields of the whole mesh.
-template <class Reader>
-void ReadNoGlobalFields(Reader* reader)
-{
-  reader->GetGlobalFieldSelection()->DisableAllArrays();
-}
-
 /// Defined if VTK has arrays that compute their values: vtkConstantArray, vtkAffineArray.
 #define VFM_HAS_COMPUTED_ARRAYS
 #else
@@ -86,17 +71,6 @@ inline unsigned int NumberOfBoxes(RefinedGrids* grids, unsigned int level)
 inline vtkDataSet* GetBox(RefinedGrids* grids, unsigned int level, unsigned int box)
 {
   return grids->GetDataSet(level, box);
-}
-
-template <class Reader>
-void LookAtAllFiles(Reader*)
-{
-}
-
-template <class Reader>
-void ReadNoGlobalFields(Reader* reader)
-{
-  reader->ReadGlobalFieldsOff();
 }
 #endif
 

@@ -135,7 +135,7 @@ BENCHMARK(Polycrystal)
 MeshOptions OptionsOf(TetMethod method)
 {
   MeshOptions options;
-  options.Tets = method;
+  options.Method = method;
   return options;
 }
 

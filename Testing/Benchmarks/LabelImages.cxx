@@ -50,7 +50,7 @@ double AreaToVoid(const Mesh& mesh)
 MeshOptions OptionsOf(const std::string& method)
 {
   MeshOptions options;
-  options.Tets = method == "Cells" ? TetMethod::Cells : TetMethod::Lattice;
+  options.Method = method == "Cells" ? TetMethod::Cells : TetMethod::Lattice;
   return options;
 }
 

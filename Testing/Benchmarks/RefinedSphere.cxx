@@ -85,7 +85,7 @@ int main(int argc, char** argv)
   {
     MeshOptions options;
     options.MeshVoid = meshVoid;
-    options.Method = counts ? Smoothing::Off : options.Method;
+    options.Smoothing = counts ? SmoothingMethod::Off : options.Smoothing;
     const std::string name = meshVoid ? "all" : "ball";
     std::size_t uniform = 0;
     if (!levelsOnly)

@@ -50,14 +50,14 @@ int CellsOf(const std::string& name)
 }
 
 constexpr std::array<const char*, 3> ModeNames{ { "Off", "On", "Automatic" } };
-const char* NameOf(SharpEdges mode)
+const char* NameOf(SharpEdgeMode mode)
 {
   return ModeNames[static_cast<int>(mode)];
 }
 /// Returns the modes given by names separated by commas.
-std::vector<SharpEdges> ListModes(const std::string& text)
+std::vector<SharpEdgeMode> ListModes(const std::string& text)
 {
-  std::vector<SharpEdges> modes;
+  std::vector<SharpEdgeMode> modes;
   std::istringstream words(text);
   for (std::string word; std::getline(words, word, ',');)
   {
@@ -66,7 +66,7 @@ std::vector<SharpEdges> ListModes(const std::string& text)
     {
       throw InputError("There is no option '" + word + "'.");
     }
-    modes.push_back(static_cast<SharpEdges>(at - ModeNames.begin()));
+    modes.push_back(static_cast<SharpEdgeMode>(at - ModeNames.begin()));
   }
   return modes;
 }
@@ -94,7 +94,7 @@ Method MethodOf(const std::string& text)
     return method;
   }
   method.Make = MakeTetMesh;
-  method.Options.Tets = name == "Cells" ? TetMethod::Cells : TetMethod::Lattice;
+  method.Options.Method = name == "Cells" ? TetMethod::Cells : TetMethod::Lattice;
   return method;
 }
 
@@ -105,9 +105,9 @@ struct TimedMesh
   double Seconds = 0.0;
 };
 TimedMesh MakeTimed(
-  const CartesianGrid& grid, const FractionField& fractions, Method method, SharpEdges mode)
+  const CartesianGrid& grid, const FractionField& fractions, Method method, SharpEdgeMode mode)
 {
-  method.Options.Edges = mode;
+  method.Options.SharpEdges = mode;
   Runtime runtime;
   TimedMesh timed;
   const double begin = Now();
@@ -146,7 +146,7 @@ std::string FormatCarriers(const MeshReport& report)
   return std::to_string(report.EdgePoints) + "+" + std::to_string(report.CornerPoints);
 }
 
-void PrintTable(const Method& method, const std::vector<SharpEdges>& modes, const Names& cases)
+void PrintTable(const Method& method, const std::vector<SharpEdgeMode>& modes, const Names& cases)
 {
   std::printf("| case | | %s | nodes | surface | edges to surface | edges to node | corners | "
               "volume | points on edges+corners | surfaces+curves+vertices | s (creases) |\n"
@@ -155,7 +155,7 @@ void PrintTable(const Method& method, const std::vector<SharpEdges>& modes, cons
   for (const std::string& name : cases)
   {
     const SharpCase c = MakeSharpCase(name.substr(0, name.rfind(' ')), CellsOf(name));
-    for (SharpEdges mode : modes)
+    for (SharpEdgeMode mode : modes)
     {
       const TimedMesh timed = MakeTimed(c.Grid, c.Fractions, method, mode);
       const SharpFigures f = MeasureSharp(c, timed.Result, timed.Report);
@@ -245,7 +245,8 @@ MovedPoints CountMoved(const Mesh& a, const Mesh& b)
   return moved;
 }
 
-void PrintControls(const Method& method, const std::vector<SharpEdges>& modes, const Names& cases)
+void PrintControls(
+  const Method& method, const std::vector<SharpEdgeMode>& modes, const Names& cases)
 {
   std::printf("| case | | %s | points on edges+corners | points | moved | moved > .02 | s "
               "(creases) | s / s of Off |\n"
@@ -259,7 +260,7 @@ void PrintControls(const Method& method, const std::vector<SharpEdges>& modes, c
     std::vector<TimedMesh> meshes(modes.size());
     for (int round = 0; round == 0 || (round < Rounds && off.Seconds < LongRun); ++round)
     {
-      off = MakeTimed(c.Grid, c.Fractions, method, SharpEdges::Off);
+      off = MakeTimed(c.Grid, c.Fractions, method, SharpEdgeMode::Off);
       seconds.back() = std::min(seconds.back(), off.Seconds);
       for (std::size_t m = 0; m < modes.size(); ++m)
       {
@@ -293,7 +294,7 @@ int main(int argc, char** argv)
       throw InputError("The first argument is table or controls.");
     }
     const Method method = MethodOf(argc > 2 ? argv[2] : "hexes");
-    const std::vector<SharpEdges> modes = ListModes(argc > 3 ? argv[3] : "Off,On,Automatic");
+    const std::vector<SharpEdgeMode> modes = ListModes(argc > 3 ? argv[3] : "Off,On,Automatic");
     const Names cases = argc > 4 ? Names(argv + 4, argv + argc) : (isTable ? TableCases : Controls);
     (isTable ? PrintTable : PrintControls)(method, modes, cases);
   }

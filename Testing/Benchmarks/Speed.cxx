@@ -68,7 +68,7 @@ std::vector<SpeedCase> ListCases()
   MeshOptions stairs;
   stairs.StairStep = true;
   MeshOptions cells;
-  cells.Tets = TetMethod::Cells;
+  cells.Method = TetMethod::Cells;
   return { { "sphere", [] { return MakeSphereCase(64); }, {} },
     { "gyroid", [] { return MakeGyroidCase(64); }, {} },
     { "polycrystal", [] { return MakePolycrystalCase(300, 48); }, {} },

@@ -141,7 +141,7 @@ bool WriteTets(const std::string& path)
   const Cells cells{ 32, -1.4, 0.0875 };
   MesherOptions options;
   options.Elements = ElementKind::Tets;
-  options.Tets = TetMethod::Lattice;
+  options.Method = TetMethod::Lattice;
   return WriteMesh(
     InputOf({ BlockOf(cells, FractionsOf(BallWithFin, cells)) }, { "1" }), options, path);
 }
@@ -179,7 +179,7 @@ bool WriteLabels(const std::string& path)
   arrays->Store("grain", ValueType::Int, std::move(labels));
   MesherOptions options;
   options.Elements = ElementKind::Tets;
-  options.Tets = TetMethod::Cells;
+  options.Method = TetMethod::Cells;
   options.LabelSmoothing = 3;
   return WriteMesh(InputOf({ BlockOf(cells, arrays) }, {}, "grain"), options, path);
 }
@@ -201,7 +201,7 @@ bool WriteState(const std::string& path)
   arrays->Add("density", ValueType::Double, tuples, 1, density.data());
   arrays->Add("velocity", ValueType::Double, tuples, 3, velocity.data());
   MesherOptions options;
-  options.Transfer = StateTransfer::Conserve;
+  options.StateTransfer = TransferMode::Conserve;
   options.DensityArrays = { "density" };
   options.VelocityArray = "velocity";
   options.NodalVelocity = true;

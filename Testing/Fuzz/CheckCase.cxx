@@ -41,7 +41,7 @@ double VolumeOf(const CartesianGrid& grid, const IndexBox& box)
 
 bool KnowsCells(const FuzzCase& c)
 {
-  return c.Make == MakeHexMesh || c.Options.Tets != TetMethod::TetGen;
+  return c.Make == MakeHexMesh || c.Options.Method != TetMethod::TetGen;
 }
 
 /// Checks Jacobians, in volumes of the cells from which the elements were made; for TetGen in
@@ -96,7 +96,7 @@ std::string FindPlaceProblem(const CartesianGrid& grid, const Mesh& mesh)
 /// domain if all of it is meshed.
 std::string FindVolumeProblem(const FuzzCase& c, const Mesh& mesh, const MeshReport& report)
 {
-  if (c.Options.Order != ElementOrder::Linear)
+  if (c.Options.ElementOrder != InterpolationOrder::Linear)
   {
     return ""; // the report has the volumes of curved elements
   }
@@ -129,7 +129,7 @@ std::string FindTruthProblem(const FuzzCase& c, const Mesh& mesh)
   options.Levels.FineInterfaces = options.Levels.FineInterfaces || c.Make == MakeTetMesh;
   const std::string problem =
     FindCellProblem(c.Grid, mesh, MakeCells(c.Grid, c.Fractions, options));
-  const bool mayLock = c.Make == MakeHexMesh || c.Options.Tets == TetMethod::TetGen;
+  const bool mayLock = c.Make == MakeHexMesh || c.Options.Method == TetMethod::TetGen;
   const Index locked = mayLock ? 0 : CountLocked(mesh);
   return problem.empty() && locked > 0 ? std::to_string(locked) + " locked elements" : problem;
 }
@@ -168,7 +168,7 @@ std::string FindMeshProblem(
 
 bool IsModified(const FuzzCase& c)
 {
-  return c.Layers > 1 || !c.Split.empty() || c.Options.Order != ElementOrder::Linear;
+  return c.Layers > 1 || !c.Split.empty() || c.Options.ElementOrder != InterpolationOrder::Linear;
 }
 
 /// Cuts layers, splits interfaces and adds mid nodes. Returns the counts of mid nodes. Collective.
@@ -191,12 +191,12 @@ FieldArrays Modify(const FuzzCase& c, Runtime& runtime, Mesh& mesh, MeshReport& 
       names[label] = std::to_string(label);
     }
     std::vector<FieldArray> fields;
-    SplitInterfaces(MaterialPairs("SplitInterfaces", c.Split, names), SplitConnection::Cohesive,
+    SplitInterfaces(MaterialPairs("SplitInterfaces", c.Split, names), ConnectionKind::Cohesive,
       runtime, fields, mesh, none);
   }
-  return c.Options.Order == ElementOrder::Linear
+  return c.Options.ElementOrder == InterpolationOrder::Linear
     ? FieldArrays()
-    : AddMidNodes(c.Options.Order, {}, runtime, mesh, none);
+    : AddMidNodes(c.Options.ElementOrder, {}, runtime, mesh, none);
 }
 
 /// Adds mid nodes to a mesh of one rank. Checks that all elements are positive, and the volumes of
@@ -298,7 +298,7 @@ FuzzResult CheckCase(const FuzzCase& c)
   const bool isClosed = !c.Grid.IsPeriodic() || c.PeriodicSides == Sides::Joined;
   result.Problem =
     FirstOf({ result.Problem, isClosed ? FindGeometryProblem(alone.Merged) : std::string() });
-  if (c.Options.Order != ElementOrder::Linear)
+  if (c.Options.ElementOrder != InterpolationOrder::Linear)
   {
     const std::string problem = FindCurvedProblem(c, mesh, alone.Reports[0]);
     result.Problem += problem.empty() ? "" : " curved: " + problem;

@@ -146,7 +146,7 @@ Mesh MakeTorus(const CartesianGrid& grid, const FractionField& fractions,
 
 std::string FindTorusProblem(const FuzzCase& c, const Mesh& mesh, const MeshReport& report)
 {
-  if (c.Make == MakeHexMesh || c.Options.Tets != TetMethod::TetGen)
+  if (c.Make == MakeHexMesh || c.Options.Method != TetMethod::TetGen)
   {
     return FindGluedProblem(c.Grid, mesh, c.Options.MeshVoid, report.NumberOfFragments);
   }

@@ -73,14 +73,15 @@ void DrawOptions(MeshOptions& options, RandomDraw& draw, std::string& words)
   }
   options.MeshVoid = draw.Chance(0.4);
   options.StairStep = draw.Chance(0.04);
-  options.Method = draw.Chance(0.75) ? Smoothing::QuadricSurface
-                                     : draw.Pick({ Smoothing::GeometryBased, Smoothing::Off });
+  options.Smoothing = draw.Chance(0.75)
+    ? SmoothingMethod::QuadricSurface
+    : draw.Pick({ SmoothingMethod::GeometryBased, SmoothingMethod::Off });
   options.TargetScaledJacobian = draw.Chance(0.8) ? 0.0 : draw.Between(0.0, 0.99);
   options.ConserveVolume = draw.Chance(0.8);
   words += options.MeshVoid ? ", void meshed" : "";
   words += options.StairStep ? ", stair step" : "";
-  words += options.Method == Smoothing::Off ? ", smoothing off" : "";
-  words += options.Method == Smoothing::GeometryBased ? ", geometry based" : "";
+  words += options.Smoothing == SmoothingMethod::Off ? ", smoothing off" : "";
+  words += options.Smoothing == SmoothingMethod::GeometryBased ? ", geometry based" : "";
   words += options.ConserveVolume ? "" : ", volumes free";
   words += options.IsoValue == 0.5 ? "" : ", iso value " + ToText(options.IsoValue);
   words +=
@@ -110,9 +111,10 @@ MeshMaker DrawMethod(MeshOptions& options, RandomDraw& draw, std::string& words)
     return MakeHexMesh;
   }
   const bool isTetGen = HasTetGen() && draw.Chance(0.1);
-  options.Tets = isTetGen ? TetMethod::TetGen : draw.Pick({ TetMethod::Lattice, TetMethod::Cells });
+  options.Method =
+    isTetGen ? TetMethod::TetGen : draw.Pick({ TetMethod::Lattice, TetMethod::Cells });
   static_cast<TetGenOptions&>(options) = DrawTetGen(draw);
-  words += NameOf(options.Tets);
+  words += NameOf(options.Method);
   return MakeTetMesh;
 }
 
@@ -211,20 +213,22 @@ void DrawBoxes(const Extent& extent, RandomDraw& draw, FuzzCase& c)
 /// Draws the option last, so that seeds give the same cases as before the option existed.
 void DrawEdges(RandomDraw& draw, FuzzCase& c)
 {
-  c.Options.Edges =
-    draw.Pick({ SharpEdges::Off, SharpEdges::On, SharpEdges::On, SharpEdges::Automatic });
-  c.Words += c.Options.Edges == SharpEdges::Off
+  c.Options.SharpEdges = draw.Pick(
+    { SharpEdgeMode::Off, SharpEdgeMode::On, SharpEdgeMode::On, SharpEdgeMode::Automatic });
+  c.Words += c.Options.SharpEdges == SharpEdgeMode::Off
     ? ""
-    : (c.Options.Edges == SharpEdges::On ? ", sharp edges" : ", sharp edges automatically");
+    : (c.Options.SharpEdges == SharpEdgeMode::On ? ", sharp edges" : ", sharp edges automatically");
 }
 
 /// Draws the order of the elements, after all other options. TetGen fills the parts of ranks apart.
 void DrawOrder(RandomDraw& draw, FuzzCase& c)
 {
-  if (draw.Chance(0.3) && (c.Make == MakeHexMesh || c.Options.Tets != TetMethod::TetGen))
+  if (draw.Chance(0.3) && (c.Make == MakeHexMesh || c.Options.Method != TetMethod::TetGen))
   {
-    c.Options.Order = draw.Pick({ ElementOrder::Quadratic, ElementOrder::Quadratic27 });
-    c.Words += c.Options.Order == ElementOrder::Quadratic ? ", quadratic" : ", quadratic 27";
+    c.Options.ElementOrder =
+      draw.Pick({ InterpolationOrder::Quadratic, InterpolationOrder::Quadratic27 });
+    c.Words +=
+      c.Options.ElementOrder == InterpolationOrder::Quadratic ? ", quadratic" : ", quadratic 27";
     if (c.Make == MakeHexMesh && !c.Options.StairStep && draw.Chance(0.5))
     {
       c.Layers = 3;
@@ -239,7 +243,7 @@ void DrawModified(RandomDraw& draw, FuzzCase& c)
 {
   const bool hasLayers = draw.Chance(0.3), isSplit = draw.Chance(0.3);
   const bool isHexes = c.Make == MakeHexMesh;
-  if (c.Options.Order != ElementOrder::Linear)
+  if (c.Options.ElementOrder != InterpolationOrder::Linear)
   {
     return;
   }
@@ -249,7 +253,7 @@ void DrawModified(RandomDraw& draw, FuzzCase& c)
     c.FirstLayer = draw.Chance(0.5) ? 0.0 : draw.Between(0.02, 0.3) * c.Grid.MeanWidth();
     c.Words += ", " + std::to_string(c.Layers) + " layers";
   }
-  if (isSplit && (isHexes || c.Options.Tets != TetMethod::TetGen))
+  if (isSplit && (isHexes || c.Options.Method != TetMethod::TetGen))
   {
     c.Split = draw.Chance(0.5) ? "all" : "1/*";
     c.Words += ", split " + c.Split;

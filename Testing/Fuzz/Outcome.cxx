@@ -20,7 +20,7 @@ void CopyText(const std::string& from, char (&to)[Size])
 
 std::string MethodOf(const FuzzCase& c)
 {
-  return c.Make == MakeTetMesh ? NameOf(c.Options.Tets)
+  return c.Make == MakeTetMesh ? NameOf(c.Options.Method)
                                : (InterfacesCrossLevels(c.Options) ? "hexes crossing" : "hexes");
 }
 
@@ -29,8 +29,8 @@ Outcome DescribeCase(unsigned seed, const FuzzCase& c)
   Outcome outcome;
   outcome.Seed = seed;
   outcome.HasCubes = c.HasCubes;
-  outcome.IsUsual = !c.Options.StairStep && c.Options.Method == Smoothing::QuadricSurface &&
-    c.Options.TargetScaledJacobian == 0.0;
+  outcome.IsUsual = !c.Options.StairStep &&
+    c.Options.Smoothing == SmoothingMethod::QuadricSurface && c.Options.TargetScaledJacobian == 0.0;
   outcome.IsRefined = c.Options.Levels.Refinements > 0;
   outcome.Ranks = static_cast<int>(std::max<std::size_t>(c.Boxes.size(), 1));
   CopyText(MethodOf(c), outcome.Method);

@@ -184,7 +184,7 @@ void PrintTo(const FaultCase& c, std::ostream* out)
 MeshOptions OptionsFor(TetMethod method, int refinements, bool fineInterfaces)
 {
   MeshOptions options;
-  options.Tets = method;
+  options.Method = method;
   options.Levels.Refinements = refinements;
   options.Levels.FineInterfaces = fineInterfaces;
   return options;

@@ -27,7 +27,7 @@ class GeometryOf : public ::testing::TestWithParam<Elements>
 protected:
   MergedMesh Make(const CartesianGrid& grid, const FractionField& field, MeshOptions options = {})
   {
-    options.Tets = this->GetParam().Method;
+    options.Method = this->GetParam().Method;
     const RankMesh made = MakeAlone(grid, field, options, this->GetParam().Make);
     this->Report = made.Reports[0];
     EXPECT_EQ(FindGeometryProblem(made.Merged), "");
@@ -188,7 +188,7 @@ TEST_P(GeometryOf, SidesOfSolidsWithEdges)
   {
     const SharpCase c = MakeSharpCase(solid.Name, solid.Cells);
     MeshOptions options;
-    options.Edges = SharpEdges::On;
+    options.SharpEdges = SharpEdgeMode::On;
     const GeometryTables tables = this->Make(c.Grid, c.Fractions, options).Tables;
     this->ExpectCounts(1, solid.Surfaces, solid.Curves, solid.Vertices);
     EXPECT_EQ(tables.CurveEnds, std::vector<int>(solid.Curves, solid.Vertices > 0 ? 2 : 0));

@@ -53,7 +53,7 @@ TEST(SidesOfTheDomain, NodesAreNear)
     {
       Runtime runtime;
       MeshOptions options;
-      options.Tets = method;
+      options.Method = method;
       const Distances d = MeasureCase(c, options, runtime, make).OnSides;
       std::printf("%s, %s: on sides rms %.4f, largest %.4f cells\n", b.Name, kind, d.RootMeanSquare,
         d.Largest);

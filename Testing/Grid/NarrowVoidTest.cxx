@@ -81,7 +81,7 @@ struct Made
 Made MakeMesh(const CartesianGrid& grid, const FractionField& fractions, const Method& method,
   MeshOptions options = {})
 {
-  options.Tets = method.Tets;
+  options.Method = method.Tets;
   Runtime runtime;
   Made made;
   made.Elements = method.Make(grid, fractions, options, runtime, made.Report);
@@ -237,7 +237,7 @@ TEST(NarrowVoid, HasNoElementsWhereNothingMoves)
   const FractionField plates = MakePlates(grid, 0);
   MeshOptions meshed, stairs, unsmoothed;
   meshed.MeshVoid = stairs.StairStep = true;
-  unsmoothed.Method = Smoothing::Off;
+  unsmoothed.Smoothing = SmoothingMethod::Off;
   for (const Method& method : ListMethods())
   {
     for (const MeshOptions& options : { meshed, stairs, unsmoothed })
@@ -256,7 +256,7 @@ TEST(NarrowVoid, KeepsRandomLabelsApart)
       const Index n = 4 + seed % 4;
       const CartesianGrid grid = MakeUnitGrid(n, n + 1, n);
       MeshOptions options;
-      options.Edges = seed % 2 == 0 ? SharpEdges::On : SharpEdges::Off;
+      options.SharpEdges = seed % 2 == 0 ? SharpEdgeMode::On : SharpEdgeMode::Off;
       const Made made = MakeMesh(grid, MakeRandomLabels(grid, 2, 0, seed), method, options);
       EXPECT_EQ(FindElementOverlaps(made.Elements).Depth, 0.0) << method.Name << ", seed " << seed;
       EXPECT_TRUE(HasOnlyMaterials(made.Elements)) << method.Name << ", seed " << seed;
@@ -289,7 +289,7 @@ TEST(NarrowVoid, KeepsBodiesApartOnRanks)
   for (const Method& method : ListMethods())
   {
     MeshOptions options;
-    options.Tets = method.Tets;
+    options.Method = method.Tets;
     if (method.Tets != TetMethod::TetGen) // its elements depend on the ranks
     {
       CompareWithSerial(grid, plates, { CutBox(grid.Owned(), 3, 2), CutBox(grid.Owned(), 8) },

@@ -247,7 +247,7 @@ TEST(NodalVelocity, KeepsMomentumOfNoise)
   const MeshCase c{ "noise", std::move(grid), std::move(labels), {}, 0, 0, 0, 0, 0 };
   MeshOptions options;
   CompareRanks(c, options, MakeHexMesh);
-  options.Tets = TetMethod::Cells;
+  options.Method = TetMethod::Cells;
   CompareRanks(c, options, MakeTetMesh);
 }
 
@@ -268,7 +268,7 @@ TEST(NodalVelocity, KeepsMomentumOfTetGensTets)
     GTEST_SKIP() << "built without TetGen";
   }
   MeshOptions options;
-  options.Tets = TetMethod::TetGen; // tetrahedra of TetGen depend on the number of ranks
+  options.Method = TetMethod::TetGen; // tetrahedra of TetGen depend on the number of ranks
   const MeshCase c = MakeMeshCase("sphere 16");
   for (int count : { 1, 2, 4 })
   {

@@ -82,7 +82,7 @@ TEST(Options, SmoothingOffKeepsTheStairsAndItsVolume)
 {
   const MeshCase c = MakeMeshCase("sphere 16");
   MeshOptions options;
-  options.Method = Smoothing::Off;
+  options.Smoothing = SmoothingMethod::Off;
   MeshReport report;
   const Mesh mesh = Make(c.Grid, c.Fractions, options, report);
   EXPECT_EQ(FindTopologyProblem(mesh), "");
@@ -116,7 +116,7 @@ TEST(Options, GeometryBasedStaysOnTheFacets)
   {
     const MeshCase c = MakeMeshCase(name);
     MeshOptions options;
-    options.Method = Smoothing::GeometryBased;
+    options.Smoothing = SmoothingMethod::GeometryBased;
     Runtime runtime;
     const MeshFigures figures = MeasureCase(c, options, runtime);
     std::printf("geometry based %s", FormatFigures(name, figures).c_str());
@@ -235,7 +235,7 @@ TEST(Promises, ThreadsDoNotChangeTheMesh)
     for (TetMethod method : { TetMethod::Cells, TetMethod::Lattice })
     {
       MeshOptions options;
-      options.Tets = method;
+      options.Method = method;
       const Mesh p = MakeTetMesh(c.Grid, c.Fractions, options, serial, report);
       const Mesh q = MakeTetMesh(c.Grid, c.Fractions, options, threaded, report);
       EXPECT_TRUE(AreEqual(p, q)) << name << " as tets";

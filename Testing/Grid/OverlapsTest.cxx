@@ -549,7 +549,7 @@ TEST(OverlapsOfMeshes, FillCells)
   expect(MakeHexMesh(c.Grid, c.Fractions, options, runtime, report));
   for (TetMethod method : { TetMethod::Lattice, TetMethod::Cells })
   {
-    options.Tets = method;
+    options.Method = method;
     expect(MakeTetMesh(c.Grid, c.Fractions, options, runtime, report));
   }
 }

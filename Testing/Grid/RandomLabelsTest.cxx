@@ -117,7 +117,7 @@ TEST(RandomLabels, StartIsValidForEveryAcceptedStar)
         return 1 + (region >> c & 1);
       });
     MeshOptions options;
-    options.Method = Smoothing::Off;
+    options.Smoothing = SmoothingMethod::Off;
     Runtime runtime;
     MeshReport report;
     const Mesh mesh = MakeHexMesh(grid, field, options, runtime, report);

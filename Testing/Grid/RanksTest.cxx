@@ -25,7 +25,7 @@ MeshMaker MakerOf(Kind kind)
 MeshOptions OptionsOf(Kind kind)
 {
   MeshOptions options;
-  options.Tets = kind == Kind::Cells ? TetMethod::Cells : TetMethod::Lattice;
+  options.Method = kind == Kind::Cells ? TetMethod::Cells : TetMethod::Lattice;
   return options;
 }
 
@@ -109,7 +109,7 @@ INSTANTIATE_TEST_SUITE_P(Cases, RanksTest,
   {
     const Kind kind = std::get<0>(info.param);
     const RankCase& c = std::get<1>(info.param);
-    std::string name = (kind == Kind::Hexes ? "Hexes" : NameOf(OptionsOf(kind).Tets)) + "_" +
+    std::string name = (kind == Kind::Hexes ? "Hexes" : NameOf(OptionsOf(kind).Method)) + "_" +
       c.Mesh + (c.MeshVoid ? "_and_void" : "");
     std::replace(name.begin(), name.end(), ' ', '_');
     return name;
@@ -125,7 +125,7 @@ TEST(Ranks, StairStepAndSmoothingOff)
     options.StairStep = true;
     CompareWithSerial(c.Grid, c.Fractions, cuts, options, MakerOf(kind));
     options.StairStep = false;
-    options.Method = Smoothing::Off;
+    options.Smoothing = SmoothingMethod::Off;
     CompareWithSerial(c.Grid, c.Fractions, cuts, options, MakerOf(kind));
   }
 }
@@ -145,7 +145,7 @@ TEST(Ranks, PartsOfTetGenMatch)
     const CartesianGrid& grid = noise ? cube : shape.Grid;
     const FractionField field = noise ? MakeRandomLabels(cube, 3, 0, 5) : shape.Fractions;
     MeshOptions options;
-    options.Tets = TetMethod::TetGen;
+    options.Method = TetMethod::TetGen;
     const RankMesh alone = MakeAlone(grid, field, options, MakeTetMesh);
     const Mesh serial = alone.Merged.Join();
     for (int ranks : { 1, 2, 4 })

@@ -14,11 +14,11 @@ using namespace vfm::testing;
 namespace
 {
 
-MeshOptions OptionsOf(SharpEdges mode, TetMethod method = TetMethod::Lattice)
+MeshOptions OptionsOf(SharpEdgeMode mode, TetMethod method = TetMethod::Lattice)
 {
   MeshOptions options;
-  options.Edges = mode;
-  options.Tets = method;
+  options.SharpEdges = mode;
+  options.Method = method;
   return options;
 }
 
@@ -152,7 +152,7 @@ TEST_P(SharpSolids, EdgesAndCornersAreHeld)
   const SharpCase c = MakeSharpCase(name, 32);
   Runtime runtime;
   MeshReport report;
-  const Mesh mesh = MakeHexMesh(c.Grid, c.Fractions, OptionsOf(SharpEdges::On), runtime, report);
+  const Mesh mesh = MakeHexMesh(c.Grid, c.Fractions, OptionsOf(SharpEdgeMode::On), runtime, report);
   const SharpFigures figures = MeasureSharp(c, mesh, report);
   std::printf("%s: edges %.3f rms, corners %.3f cells, scaled Jacobian %.3f\n", c.Name.c_str(),
     figures.EdgesToMesh.RootMeanSquare, figures.CornersToNodes.Largest,
@@ -181,7 +181,7 @@ TEST(SharpEdges, EdgesInGapsAreFound)
   const SharpCase c = MakeSharpCase("L", 16);
   Runtime runtime;
   MeshReport report;
-  const Mesh mesh = MakeHexMesh(c.Grid, c.Fractions, OptionsOf(SharpEdges::On), runtime, report);
+  const Mesh mesh = MakeHexMesh(c.Grid, c.Fractions, OptionsOf(SharpEdgeMode::On), runtime, report);
   EXPECT_LE(MeasureSharp(c, mesh, report).EdgesToMesh.RootMeanSquare, 0.072);
 }
 
@@ -193,7 +193,7 @@ TEST(SharpEdges, WhatIsSmoothStays)
     Runtime runtime;
     MeshReport report;
     const Mesh off = MakeHexMesh(c.Grid, c.Fractions, MeshOptions(), runtime, report);
-    for (SharpEdges mode : { SharpEdges::On, SharpEdges::Automatic })
+    for (SharpEdgeMode mode : { SharpEdgeMode::On, SharpEdgeMode::Automatic })
     {
       EXPECT_TRUE(AreEqual(MakeHexMesh(c.Grid, c.Fractions, OptionsOf(mode), runtime, report), off))
         << name;
@@ -208,7 +208,7 @@ TEST(SharpEdges, HasNoEffectWithOtherSurfaces)
   const auto isSame = [&](const MeshOptions& off)
   {
     MeshOptions on = off;
-    on.Edges = SharpEdges::On;
+    on.SharpEdges = SharpEdgeMode::On;
     Runtime runtime;
     MeshReport report;
     return AreEqual(MakeHexMesh(c.Grid, c.Fractions, off, runtime, report),
@@ -216,8 +216,8 @@ TEST(SharpEdges, HasNoEffectWithOtherSurfaces)
   };
   MeshOptions iso, facets, still, stairs;
   iso.IsoValue = 0.4;
-  facets.Method = Smoothing::GeometryBased;
-  still.Method = Smoothing::Off;
+  facets.Smoothing = SmoothingMethod::GeometryBased;
+  still.Smoothing = SmoothingMethod::Off;
   stairs.StairStep = true;
   EXPECT_FALSE(isSame(MeshOptions()));
   EXPECT_TRUE(isSame(iso));
@@ -239,7 +239,7 @@ TEST(SharpEdges, RandomSolidsAreValid)
       Runtime runtime;
       MeshReport report;
       const Mesh mesh =
-        maker.Make(grid, field, OptionsOf(SharpEdges::On, maker.Method), runtime, report);
+        maker.Make(grid, field, OptionsOf(SharpEdgeMode::On, maker.Method), runtime, report);
       EXPECT_EQ(FindProblem(mesh, report, 1e-6), "") << maker.Name << ", seed " << seed;
     }
   }
@@ -253,7 +253,7 @@ TEST(SharpEdges, RandomLabelsAreValid)
     const FractionField field = MakeRandomLabels(grid, 1 + seed % 4, seed % 2, seed);
     for (const Maker& maker : Makers)
     {
-      MeshOptions options = OptionsOf(SharpEdges::On, maker.Method);
+      MeshOptions options = OptionsOf(SharpEdgeMode::On, maker.Method);
       options.MeshVoid = seed % 3 == 0;
       Runtime runtime;
       MeshReport report;
@@ -273,7 +273,7 @@ TEST(SharpEdges, RanksMakeTheSameMesh)
     {
       SCOPED_TRACE(std::string(name) + ", " + maker.Name);
       CompareWithSerial(c.Grid, c.Fractions, { CutBox(box, 2), CutBox(box, 3, 0), CutBox(box, 8) },
-        OptionsOf(SharpEdges::On, maker.Method), maker.Make);
+        OptionsOf(SharpEdgeMode::On, maker.Method), maker.Make);
     }
   }
 }
@@ -283,5 +283,5 @@ TEST(SharpEdges, RanksChooseTheSamePairs)
   const SharpCase c = MakeSharpCase("L", 16);
   CompareWithSerial(c.Grid, c.Fractions,
     { CutBox(c.Grid.Global(), 3, 1), CutBox(c.Grid.Global(), 8) },
-    OptionsOf(SharpEdges::Automatic));
+    OptionsOf(SharpEdgeMode::Automatic));
 }

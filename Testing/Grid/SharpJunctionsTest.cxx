@@ -63,7 +63,7 @@ SharpFigures MeasureHexes(const SharpCase& c, const MeshOptions& options, MeshRe
 void ExpectSharp(const SharpCase& c, Index surfaces, Index curves, Index vertices)
 {
   MeshOptions options;
-  options.Edges = SharpEdges::Automatic;
+  options.SharpEdges = SharpEdgeMode::Automatic;
   MeshReport report;
   const SharpFigures figures = MeasureHexes(c, options, report);
   EXPECT_LT(figures.EdgesToMesh.RootMeanSquare, 0.045);
@@ -95,7 +95,7 @@ TEST(SharpJunctions, FinestCellsHaveEdges)
 {
   const SharpCase c = MakeBoxCase({}, Bottom, Bottom, Top);
   MeshOptions options;
-  options.Edges = SharpEdges::On;
+  options.SharpEdges = SharpEdgeMode::On;
   options.MeshVoid = true;
   MeshReport uniform, refined;
   const SharpFigures expected = MeasureHexes(c, options, uniform);

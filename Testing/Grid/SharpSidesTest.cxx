@@ -166,7 +166,7 @@ TEST(SharpSides, FacetsOfANutLieOnTheirOwnSideOfEachEdge)
     {
       SCOPED_TRACE(std::to_string(cells) + (make == MakeHexMesh ? " hexes" : " Lattice"));
       MeshOptions options;
-      options.Edges = SharpEdges::On;
+      options.SharpEdges = SharpEdgeMode::On;
       Runtime runtime;
       MeshReport report;
       const Mesh mesh = make(nut.Grid, nut.Fractions, options, runtime, report);

@@ -193,7 +193,7 @@ TEST(SmallLabels, ScatteredLabelsGetTheirVolumes)
     for (TetMethod method : { TetMethod::Lattice, TetMethod::Cells })
     {
       MeshOptions options;
-      options.Tets = method;
+      options.Method = method;
       EXPECT_TRUE(IsPositiveEverywhere(MakeTetMesh(grid, labels, options, runtime, report)));
       ExpectVolumes(report, method == TetMethod::Cells ? 0.025 : 0.01);
     }

@@ -95,10 +95,11 @@ StateCase MakeCase(RandomState& state)
   c.Quantities = MakeCodeQuantities();
   c.Density = 0;
   c.Make = state.Random.Chance(0.5) ? MakeHexMesh : MakeTetMesh;
-  c.Options.Tets = state.Random.Chance(0.5) ? TetMethod::Cells : TetMethod::Lattice;
+  c.Options.Method = state.Random.Chance(0.5) ? TetMethod::Cells : TetMethod::Lattice;
   c.Options.MeshVoid = state.Random.Chance(0.3);
   c.Options.StairStep = state.Random.Chance(0.1);
-  c.Options.Method = state.Random.Chance(0.3) ? Smoothing::Off : Smoothing::QuadricSurface;
+  c.Options.Smoothing =
+    state.Random.Chance(0.3) ? SmoothingMethod::Off : SmoothingMethod::QuadricSurface;
   c.Order = state.Random.Chance(0.2) ? 1 : 2;
   c.GiveUnmeshed = state.Random.Chance(0.5);
   // Conserving volumes takes most of the time.

@@ -117,7 +117,7 @@ TEST(TransferState, TotalsStayInTetsOfTetGen)
   c.Quantities = MakeCodeQuantities();
   c.Density = 0;
   c.Make = MakeTetMesh;
-  c.Options.Tets = TetMethod::TetGen;
+  c.Options.Method = TetMethod::TetGen;
   for (int ranks : { 1, 2, 3 })
   {
     EXPECT_EQ(FindTotalsProblem(c, TransferOnRanks(c, CutBox(shape.Grid.Global(), ranks))), "")

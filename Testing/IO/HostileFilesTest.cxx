@@ -182,7 +182,8 @@ TEST(HostileFiles, FilesOutsideOfTheFolder)
   }
   ExpectProblem(Save(folder / "in/a.mhd", Meta("BinaryData = True\n", "../a.raw")), "outside");
   const std::string spy = Save(folder / "in/a.spcth", "spycase\n../b.spcth\n");
-  EXPECT_NE(FindMessage([&] { OpenBlockFile(spy, Ranks()); }).find("outside"), std::string::npos);
+  Ranks alone;
+  EXPECT_NE(FindMessage([&] { OpenBlockFile(spy, alone); }).find("outside"), std::string::npos);
 }
 
 TEST(HostileFiles, SpecialFiles)
@@ -279,10 +280,11 @@ TEST(HostileFiles, LinksOfContainers)
 TEST(HostileFiles, Checkpoints)
 {
   const Folder folder;
+  Ranks alone;
   for (const char* first : { "CheckPointVersion_1.0", "Checkpoint file for AmrCoreAdv" })
   {
     Save(folder / "Header", std::string(first) + "\n3\n");
-    const std::string message = FindMessage([&] { OpenBlockFile(folder / ".", Ranks()); });
+    const std::string message = FindMessage([&] { OpenBlockFile(folder / ".", alone); });
     EXPECT_NE(message.find("a checkpoint of AMReX, not a plotfile"), std::string::npos) << message;
   }
 }

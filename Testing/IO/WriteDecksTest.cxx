@@ -169,9 +169,9 @@ TEST(DeckModel, NumbersThatDoNotFit)
   MeshData mesh;
   mesh.NumberOfPoints = 99999999;
   mesh.NumberOfElements = 99999999;
-  DeckModel model{ mesh, {}, {}, {}, {}, SplitConnection::Cohesive, {}, {} };
+  DeckModel model{ {}, mesh, {}, ConnectionKind::Cohesive, {} };
   EXPECT_NO_THROW(RequireNumbers(model, 99999999, "this", ".e"));
-  model.Blocks = { { 9, "1_to_2_cohesive", { 1, 2 }, {}, {}, { 100000000 } } };
+  model.Cohesive = { { 9, "1_to_2_cohesive", { 1, 2 }, {}, {}, { 100000000 } } };
   EXPECT_NO_THROW(RequireNumbers(model, 100000000, "this", ".e"));
   try
   {

@@ -391,7 +391,7 @@ TEST(WriteGmsh, AllFormsHaveTheSameContent)
           [&](const FileCase& part, Ranks& ranks)
           {
             WriteMesh(part.Mesh, folder / "mesh.msh", ranks,
-              { OutputFiles::AsUsual, form.Version, form.IsBinary });
+              { .Version = form.Version, .IsBinary = form.IsBinary });
           });
         files.push_back(ReadAll(folder / "mesh.msh"));
       }
@@ -491,11 +491,9 @@ TEST(WriteGmsh, FragmentsOfSeveralMaterialsAreRejected)
 
 TEST(WriteGmsh, OtherFormatsHaveOneForm)
 {
-  const OutputForm binary{ OutputFiles::AsUsual, GmshVersion::Automatic, true };
-  const OutputForm old{ OutputFiles::AsUsual, GmshVersion::V2_2, false };
+  const OutputForm binary{ .IsBinary = true }, old{ .Version = GmshVersion::V2_2 };
   EXPECT_EQ(FindOutputProblem("a.msh", binary), "");
-  OutputForm boundary;
-  boundary.HasInterfaces = false;
+  const OutputForm boundary{ .HasInterfaces = false };
   EXPECT_EQ(FindOutputProblem("a.msh", boundary), "");
   EXPECT_EQ(FindOutputProblem("a.e", boundary),
     "The output a.e has no faces of interfaces to leave out. Formats that have them: .msh.");
@@ -503,4 +501,9 @@ TEST(WriteGmsh, OtherFormatsHaveOneForm)
     "The output a.inp has no binary form. Formats that have it: .msh, .foam.");
   EXPECT_EQ(FindOutputProblem("a.inp", old),
     "The output a.inp has no choice of version. Formats that have it: .msh.");
+  EXPECT_EQ(FindOutputProblem("a.msh", { .IsReduced = true }),
+    "The output a.msh has no elements of reduced integration. Only .inp has them.");
+  EXPECT_EQ(FindOutputProblem("a.k", { .IsSingle = true }), "");
+  EXPECT_EQ(FindOutputProblem("a.pvtu", { .IsSingle = true }),
+    "The output a.pvtu always consists of several files.");
 }

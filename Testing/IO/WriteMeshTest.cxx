@@ -38,9 +38,8 @@ TEST(WriteMesh, FilesAreTheSameFromAnyNumberOfRanks)
       for (int count : { 1, 2, 3 })
       {
         WithMesh(count, make,
-          [&](const FileCase& part, Ranks& ranks) {
-            WriteMesh(part.Mesh, path, ranks, { OutputFiles::Single, {} });
-          });
+          [&](const FileCase& part, Ranks& ranks)
+          { WriteMesh(part.Mesh, path, ranks, { .IsSingle = true }); });
         files.push_back(ReadWithoutDate(path));
       }
       EXPECT_GT(files[0].size(), 10000u);

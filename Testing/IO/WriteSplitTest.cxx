@@ -12,7 +12,7 @@ using namespace vfm::testing;
 namespace
 {
 
-MeshChange SplitAll(SplitConnection connection)
+MeshChange SplitAll(ConnectionKind connection)
 {
   return [connection](Mesh& mesh, FieldArrays& fields, Ranks& ranks)
   {
@@ -30,8 +30,8 @@ TEST(WriteSplit, SameBytesOnRanks)
   const Folder folder;
   for (MeshMaker make : Makers)
   {
-    for (SplitConnection connection : { SplitConnection::None, SplitConnection::Cohesive,
-           SplitConnection::Contact, SplitConnection::Tied })
+    for (ConnectionKind connection : { ConnectionKind::None, ConnectionKind::Cohesive,
+           ConnectionKind::Contact, ConnectionKind::Tied })
     {
       for (const char* suffix : { ".inp", ".k", ".msh", ".vtu" })
       {
@@ -89,7 +89,7 @@ TEST(WriteSplit, ExodusPartsHaveAllCohesiveElements)
             EXPECT_TRUE(ranks.Count() > 1 || block.Total == block.Count());
           }
         },
-        {}, SplitAll(SplitConnection::Cohesive));
+        {}, SplitAll(ConnectionKind::Cohesive));
     }
     EXPECT_EQ(all[1].size(), 3u);
     EXPECT_TRUE(all[1] == all[3]);
@@ -117,7 +117,7 @@ TEST(WriteSplit, FacetsAreFoundAgain)
           EXPECT_TRUE(found[b].Ids == expected[b].Ids);
         }
       },
-      {}, SplitAll(SplitConnection::Cohesive));
+      {}, SplitAll(ConnectionKind::Cohesive));
   }
 }
 

@@ -148,7 +148,7 @@ TEST(WriteXdmf, RanksWriteTheSameFiles)
 
 TEST(WriteXdmf, SmoothSidesReplaceTheirInterface)
 {
-  const std::vector<MeshSide> both{ { 0, 1 }, { 1, 2 } };
+  const std::vector<ElementSide> both{ { 0, 1 }, { 1, 2 } };
   const std::vector<NamedSurface> surfaces{ { SurfaceKind::DomainSide, 1, "x_min", 0, {}, 0,
                                               { { 1, 0 } } },
     { SurfaceKind::Interface, 1000, "a_to_Void", NoSide, { { 1, 0 } }, 0, both },

@@ -81,7 +81,7 @@ test_pkg_config() {
   cmp half_sphere_c.2.out hosts/half_sphere_c.2.out
   if [[ $has_catalyst ]]; then
     read -ra link <<< "$(pkg-config --cflags --libs vfm_catalyst)"
-    mpicxx -std=c++17 "$source/Testing/InSitu/CatalystHost.cxx" "${link[@]}" -o catalyst_host
+    mpicxx -std=c++20 "$source/Testing/InSitu/CatalystHost.cxx" "${link[@]}" -o catalyst_host
     run_catalyst ./catalyst_host
   fi
 }

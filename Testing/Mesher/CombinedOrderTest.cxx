@@ -28,7 +28,7 @@ struct Combination
 {
   const char* Name;
   ElementKind Elements = ElementKind::Hexes;
-  ElementOrder Order = ElementOrder::Quadratic;
+  InterpolationOrder Order = InterpolationOrder::Quadratic;
   int Periodic = 0;
   Sides Kind = Sides::Flat;
   int Layers = 0;
@@ -40,8 +40,8 @@ struct Combination
 
 constexpr auto Hexes = ElementKind::Hexes;
 constexpr auto Tets = ElementKind::Tets;
-constexpr auto Quadratic = ElementOrder::Quadratic;
-constexpr auto Quadratic27 = ElementOrder::Quadratic27;
+constexpr auto Quadratic = InterpolationOrder::Quadratic;
+constexpr auto Quadratic27 = InterpolationOrder::Quadratic27;
 
 constexpr Combination Combinations[] = { { "SplitHexes", Hexes, Quadratic, 0, Sides::Flat, 0, 0,
                                            "all" },
@@ -95,8 +95,8 @@ MesherResult MakeMesh(const Combination& c, Runtime& runtime)
 {
   MesherOptions options;
   options.Elements = c.Elements;
-  options.Tets = c.Tets;
-  options.Order = c.Order;
+  options.Method = c.Tets;
+  options.ElementOrder = c.Order;
   options.Periodic = c.Periodic;
   options.PeriodicSides = c.Kind;
   options.Layers = c.Layers;

@@ -122,7 +122,7 @@ MesherOptions OptionsOf(const Method& method)
 {
   MesherOptions options;
   options.Elements = method.Elements;
-  options.Tets = method.Tets;
+  options.Method = method.Tets;
   options.ComputeQuality = true;
   return options;
 }
@@ -321,11 +321,11 @@ struct Variant
 
 const Variant Variants[] = { { "state", [](double, MesherOptions& o) { o.NodalVelocity = true; },
                                true },
-  { "quadratic", [](double, MesherOptions& o) { o.Order = ElementOrder::Quadratic; } },
+  { "quadratic", [](double, MesherOptions& o) { o.ElementOrder = InterpolationOrder::Quadratic; } },
   { "refined",
     [](double unit, MesherOptions& o)
     {
-      o.Where = Refinement::Automatic;
+      o.Refinement = RefinementMode::Automatic;
       o.MaximumLevel = 1;
       o.CurvaturePerCell = 0.3;
       const double low = 0.5 * unit, high = 2.5 * unit;
@@ -345,7 +345,7 @@ const Variant Variants[] = { { "state", [](double, MesherOptions& o) { o.NodalVe
       o.Layers = 3;
       o.FirstLayer = 0.1 * unit;
       o.FirstLayerUnit = ThicknessUnit::Length;
-      o.Edges = SharpEdges::On;
+      o.SharpEdges = SharpEdgeMode::On;
     },
     false, true } };
 
@@ -526,7 +526,7 @@ TEST(Lengths, RefinedWidthsAreReported)
     for (int level : { 1, 2 })
     {
       MesherOptions options = OptionsOf(method);
-      options.Where = Refinement::Uniform;
+      options.Refinement = RefinementMode::Uniform;
       options.MaximumLevel = level;
       const MesherInput input = MakeCubes(Field::Ball, 2e-50);
       if (level == 1)

@@ -68,7 +68,7 @@ Counts CompareOnRanks(const CartesianGrid& whole, const FractionField& field,
   const MeshOptions& options, MeshMaker make)
 {
   Counts alone;
-  const bool isTetGen = make == MakeTetMesh && options.Tets == TetMethod::TetGen;
+  const bool isTetGen = make == MakeTetMesh && options.Method == TetMethod::TetGen;
   for (int count : { 1, 3 })
   {
     const std::vector<IndexBox> boxes = CutBaseBox(whole, options.Levels.Refinements, count);
@@ -123,7 +123,7 @@ TEST(MeshFacets, OfTheMesherAreTheOnesThatASearchFinds)
       SCOPED_TRACE(std::string(kind.Name) + (meshVoid ? ", with void" : ""));
       const MeshCase c = MakePolycrystalCase(3, 6);
       MeshOptions options;
-      options.Tets = kind.Tets;
+      options.Method = kind.Tets;
       options.MeshVoid = meshVoid;
       const Counts all = CompareOnRanks(c.Grid, c.Fractions, options, kind.Make);
       EXPECT_GT(all.OnDomain, 200);
@@ -139,8 +139,8 @@ TEST(MeshFacets, OfSmoothSides)
     SCOPED_TRACE(kind.Name);
     const SharpCase c = MakeSharpCase("cube A in matrix", 12);
     MeshOptions options;
-    options.Tets = kind.Tets;
-    options.Edges = SharpEdges::On;
+    options.Method = kind.Tets;
+    options.SharpEdges = SharpEdgeMode::On;
     EXPECT_GT(CompareOnRanks(c.Grid, c.Fractions, options, kind.Make).OnSmoothSides, 100);
   }
 }
@@ -155,7 +155,7 @@ TEST(MeshFacets, OfRefinedGrids)
     {
       SCOPED_TRACE(std::string(kind.Name) + (fine ? "" : ", interfaces across levels"));
       MeshOptions options;
-      options.Tets = kind.Tets;
+      options.Method = kind.Tets;
       options.Levels.Refinements = 2;
       options.Levels.FineInterfaces = fine;
       options.Levels.Families = MakeRandomFamilies(grid, 2, 0.05, 5);
@@ -172,7 +172,7 @@ TEST(MeshFacets, OfMirroredImages)
     SCOPED_TRACE(kind.Name);
     const MeshCase c = MakePolycrystalCase(3, 6);
     MeshOptions options;
-    options.Tets = kind.Tets;
+    options.Method = kind.Tets;
     Runtime serial;
     MeshReport report;
     Mesh mesh = kind.Make(c.Grid, c.Fractions, options, serial, report);

@@ -57,10 +57,10 @@ std::vector<Row> ListRows(const MeshData& data, Ranks& ranks)
 }
 
 /// Returns six times the volume inside faces, quads as two pairs of triangles.
-double MeasureInside(const MeshData& data, const std::vector<MeshSide>& sides)
+double MeasureInside(const MeshData& data, const std::vector<ElementSide>& sides)
 {
   double volume = 0.0;
-  for (const MeshSide& side : sides)
+  for (const ElementSide& side : sides)
   {
     const FaceIds points = PointsOfSide(data, side);
     const auto add = [&](int a, int b, int c, double share)
@@ -154,7 +154,7 @@ TEST(NamedSurfaces, ContainEachFaceOnce)
             EXPECT_GT(inside, 0.0) << surface.Name;
             volume += inside;
           }
-          for (const MeshSide& side : surface.Sides)
+          for (const ElementSide& side : surface.Sides)
           {
             const int material = data.Material[side.Element];
             const bool isOfMaterial = surface.Materials[0] == material;
@@ -197,7 +197,7 @@ TEST(MeshEntities, AreTheGeometryOfTheMesher)
   const SharpCase sharp = MakeSharpCase("cube A in matrix", 12);
   const MeshCase grains = MakePolycrystalCase(5, 8);
   MeshOptions options;
-  options.Edges = SharpEdges::On;
+  options.SharpEdges = SharpEdgeMode::On;
   for (const MeshMaker make : { MakeHexMesh, MakeTetMesh })
   {
     const auto compare = [](const Mesh& mesh, const MeshData& data, Ranks&)

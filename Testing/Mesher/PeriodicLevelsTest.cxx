@@ -63,7 +63,8 @@ LevelFields MakeFields(Index shift, bool repeats, Runtime& runtime)
   LevelSetup setup;
   setup.Finest = 1;
   setup.TakesInputLevels = true;
-  const LevelCells cells = OpenFractions(input.Levels.Levels, { "ball" }, 1e-6, runtime.Group());
+  const LevelCells cells =
+    OpenFractions(input.Levels.Levels, { "ball" }, 1e-6, "--labels", runtime.Group());
   return MakeLevelFields(input.Levels, cells, setup, ChildRule::Planes,
     { { repeats, repeats, repeats } }, input.Levels.Levels[0].Places, runtime);
 }

@@ -135,7 +135,7 @@ MesherOptions OptionsOf(const Method& method)
 {
   MesherOptions options;
   options.Elements = method.Elements;
-  options.Tets = method.Tets;
+  options.Method = method.Tets;
   options.Periodic = 7;
   options.PeriodicSides = method.Kind;
   options.MeshVoid = method.HasLevels;
@@ -320,7 +320,7 @@ TEST(PeriodicState, MovedFieldGivesTheSameState)
       { Index3{ { 0, 0, 0 } }, Index3{ { 5, 4, 6 } }, Index3{ { 3, 7, 1 } } })
     {
       MesherOptions options = OptionsOf({ "", ElementKind::Hexes, Sides::Free });
-      options.Method = Smoothing::Off;
+      options.Smoothing = SmoothingMethod::Off;
       const MesherResult result =
         RunMesher(MakeBall(shift, isConserved, serial.Group()), options, serial);
       StateById state;

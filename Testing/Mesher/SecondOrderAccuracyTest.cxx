@@ -132,11 +132,12 @@ TEST(SecondOrderAccuracy, FacesAreNearTheSphere)
       for (int order = 0; order < 2; ++order)
       {
         MeshOptions options;
-        options.Order = order == 1 ? ElementOrder::Quadratic : ElementOrder::Linear;
+        options.ElementOrder =
+          order == 1 ? InterpolationOrder::Quadratic : InterpolationOrder::Linear;
         MeshReport report;
         Mesh mesh = kind.Make(grid, fractions, options, runtime, report);
         OutputState none;
-        AddMidNodes(ElementOrder::Quadratic, {}, runtime, mesh, none);
+        AddMidNodes(InterpolationOrder::Quadratic, {}, runtime, mesh, none);
         distances[order] = Measure(mesh, ball);
         EXPECT_NEAR(report.MeshVolume[1] / report.TargetVolume[1], 1.0, 2e-7);
       }

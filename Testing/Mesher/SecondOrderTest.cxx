@@ -25,22 +25,22 @@ struct Kind
   const char* Name;
   ElementKind Elements;
   TetMethod Tets;
-  ElementOrder Order;
+  InterpolationOrder Order;
   int Mids; // per element
 };
 
 constexpr Kind Kinds[] = { { "Hex20", ElementKind::Hexes, TetMethod::Lattice,
-                             ElementOrder::Quadratic, 12 },
-  { "Hex27", ElementKind::Hexes, TetMethod::Lattice, ElementOrder::Quadratic27, 19 },
-  { "Lattice", ElementKind::Tets, TetMethod::Lattice, ElementOrder::Quadratic, 6 },
-  { "Cells", ElementKind::Tets, TetMethod::Cells, ElementOrder::Quadratic27, 6 } };
+                             InterpolationOrder::Quadratic, 12 },
+  { "Hex27", ElementKind::Hexes, TetMethod::Lattice, InterpolationOrder::Quadratic27, 19 },
+  { "Lattice", ElementKind::Tets, TetMethod::Lattice, InterpolationOrder::Quadratic, 6 },
+  { "Cells", ElementKind::Tets, TetMethod::Cells, InterpolationOrder::Quadratic27, 6 } };
 
 MesherOptions OptionsOf(const Kind& kind)
 {
   MesherOptions options;
   options.Elements = kind.Elements;
-  options.Tets = kind.Tets;
-  options.Order = kind.Order;
+  options.Method = kind.Tets;
+  options.ElementOrder = kind.Order;
   return options;
 }
 
@@ -227,7 +227,8 @@ TEST(SecondOrder200, AllCoefficientsArePositiveOnRandomGrids)
     MesherOptions options = OptionsOf(Kinds[seed % 4]);
     options.MeshVoid = draw.Chance(0.4);
     options.LabelSmoothing = draw.Whole(0, 3);
-    options.Edges = draw.Pick({ SharpEdges::Off, SharpEdges::On, SharpEdges::Automatic });
+    options.SharpEdges =
+      draw.Pick({ SharpEdgeMode::Off, SharpEdgeMode::On, SharpEdgeMode::Automatic });
     const MesherResult result = RunMesher(
       MakeLabelInput({ cells, 0.1, Width }, RandomLabels(cells, draw.Seed()), serial.Group()),
       options, serial);
@@ -272,9 +273,9 @@ TEST(SecondOrderOptions, RefusesCohesiveElements)
 {
   Runtime serial;
   MesherOptions options;
-  options.Order = ElementOrder::Quadratic;
+  options.ElementOrder = InterpolationOrder::Quadratic;
   options.SplitInterfaces = "*";
-  options.Connection = SplitConnection::Cohesive;
+  options.SplitConnection = ConnectionKind::Cohesive;
   const MesherInput input =
     MakeLabelInput({ { { 4, 4, 4 } }, 0.0, 1.0 }, std::vector<int>(64, 1), serial.Group());
   EXPECT_THROW(RunMesher(input, options, serial), InputError);
@@ -353,7 +354,7 @@ CurvedElement::Nodes DrawElement(int corners, double size, RandomDraw& draw)
   constexpr int cube[8][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
     { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 } };
   constexpr int simplex[4][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
-  const MidNodes mids(corners, MidNodes::CountOf(ElementOrder::Quadratic, corners));
+  const MidNodes mids(corners, MidNodes::CountOf(InterpolationOrder::Quadratic, corners));
   CurvedElement::Nodes nodes{};
   for (int c = 0; c < corners; ++c)
   {

@@ -42,8 +42,8 @@ TEST(SetOptions, NamesAndWordsInAnyCaseWithOrWithoutSpaces)
   SetOption(options, "StateKinds", "p=volume, t=mass*c,p=volume");
   SetOption(options, "RefinementBoxes", "0,0,0,1,2,3;-1,-1,-1,1,1,1e-3,2");
   EXPECT_EQ(options.IsoValue, 0.25);
-  EXPECT_EQ(options.Method, Smoothing::GeometryBased);
-  EXPECT_EQ(options.Edges, SharpEdges::Off);
+  EXPECT_EQ(options.Smoothing, SmoothingMethod::GeometryBased);
+  EXPECT_EQ(options.SharpEdges, SharpEdgeMode::Off);
   EXPECT_TRUE(options.MeshVoid);
   EXPECT_EQ(options.StateKinds, (std::vector<std::string>{ "p=volume", "t=mass*c" }));
   ASSERT_EQ(options.RefinementBoxes.size(), 2u);
@@ -99,7 +99,7 @@ TEST(SetOptions, OptionsOfTetrahedraAreRejectedByHexahedra)
   EXPECT_EQ(refusal.find("RelativeSize"), std::string::npos);
   options.Elements = ElementKind::Tets;
   EXPECT_EQ(Refusal(options, "Method", "Cells"), "");
-  EXPECT_EQ(options.Tets, TetMethod::Cells);
+  EXPECT_EQ(options.Method, TetMethod::Cells);
 }
 
 TEST(SetOptions, EveryValueIsSetByItsOwnText)

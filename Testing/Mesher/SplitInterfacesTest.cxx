@@ -278,7 +278,7 @@ protected:
     MesherOptions options;
     options.Elements = this->GetParam();
     options.SplitInterfaces = pairs;
-    options.Connection = SplitConnection::Cohesive;
+    options.SplitConnection = ConnectionKind::Cohesive;
     return options;
   }
 
@@ -481,7 +481,7 @@ TEST(SplitPeriodic, CopiesAreExactTranslates)
     MesherOptions options;
     options.Elements = elements;
     options.SplitInterfaces = "all";
-    options.Connection = SplitConnection::Cohesive;
+    options.SplitConnection = ConnectionKind::Cohesive;
     options.Periodic = 5; // x and z
     const WholeMesh alone = MakeWhole(GrainCells, labels, options);
     std::size_t pairs = 0;

@@ -92,7 +92,7 @@ TEST(Arguments, ValuesOfTheProgram)
 {
   const Arguments none = ParseMesh("");
   EXPECT_FALSE(none.Dimensions || none.Origin || none.Spacing || none.AxisOrder || none.Step ||
-    none.Time || none.Form.Files == OutputFiles::Single || none.Quiet || none.RefinesCells);
+    none.Time || none.Form.IsSingle || none.Quiet || none.RefinesCells);
   EXPECT_TRUE(none.Fractions.empty() && none.Labels.empty() && none.Materials.empty());
   const Arguments voxels = Parse("in.spn out.e --dimensions 2,3,4 --origin -.5,0,1e3 "
                                  "--spacing=.1,.2,3 --axis-order ZYX --single-file --quiet");
@@ -100,7 +100,7 @@ TEST(Arguments, ValuesOfTheProgram)
   EXPECT_EQ(voxels.Origin, (std::array<double, 3>{ -0.5, 0.0, 1e3 }));
   EXPECT_EQ(voxels.Spacing, (std::array<double, 3>{ 0.1, 0.2, 3.0 }));
   EXPECT_EQ(voxels.AxisOrder, 5);
-  EXPECT_TRUE(voxels.Form.Files == OutputFiles::Single && voxels.Quiet);
+  EXPECT_TRUE(voxels.Form.IsSingle && voxels.Quiet);
   const Arguments gmsh = Parse("in.vti out.msh --msh-version 4.1 --binary");
   EXPECT_TRUE(gmsh.Form.Version == GmshVersion::V4_1 && gmsh.Form.IsBinary);
   EXPECT_TRUE(none.Form.Version == GmshVersion::Automatic && !none.Form.IsBinary);

@@ -55,7 +55,7 @@ def list_defaults(of_tets):
     """
     built = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "build", "bin",
                          "describe_options")
-    rows = json.loads(subprocess.check_output([os.environ.get("VFM_OPTIONS", built)]))
+    rows = json.loads(subprocess.check_output([os.environ.get("VFM_OPTIONS", built)]))["options"]
     defaults = {"VolumeFractionArrays": [], "MaterialIdArray": [None, "None"], "StateArrays": []}
     for row in rows:
         if of_tets or not row["tets"]:

@@ -33,7 +33,7 @@ ALLOWED.update({
     "IO/Labels": BASE + ("Mesher/Input", "Mesher/Report", "IO"),
     "IO/Meshes": BASE + MESHER + ("IO",),
     "IO/Report": BASE + MESHER + ("IO", "IO/Meshes"),
-    "Filters": MESHES + ("Shapes", "Parallel/Vtk", "IO/Labels", "Filters/Data"),
+    "Filters": MESHES + ("Shapes", "Parallel/Vtk", "IO/Blocks", "IO/Labels", "Filters/Data"),
     "Filters/Files": BASE + MESHER + (
         "Parallel/Vtk", "IO", "IO/Images", "IO/Meshes", "Filters/Data"),
     "InSitu": BASE + MESHER + ("Parallel/Mpi", "IO/Labels", "IO/Meshes"),
@@ -187,17 +187,16 @@ def map_includes(tree):
 
 
 def map_imports(tree):
-    """Returns the modules of the Python package that each module imports at load time.
-
-    Imports in functions are not counted.
-    """
+    """Returns the modules of the Python package that each module imports: at load time, in
+    functions, and for types only."""
     after = {}
     for path in tree:
-        if os.path.dirname(path) == PACKAGE and path.endswith(".py"):
-            for node in ast.parse("".join(tree[path])).body:
-                if isinstance(node, ast.ImportFrom) and node.level == 1:
+        if path.startswith(PACKAGE + "/") and path.endswith(".py"):
+            for node in ast.walk(ast.parse("".join(tree[path]))):
+                if isinstance(node, ast.ImportFrom) and node.level:
+                    folder = "/".join(path.split("/")[:-node.level])
                     names = [node.module] if node.module else [alias.name for alias in node.names]
-                    files = ("%s/%s.py" % (PACKAGE, name) for name in names)
+                    files = ("%s/%s.py" % (folder, name.replace(".", "/")) for name in names)
                     after.setdefault(path, []).extend(file for file in files if file in tree)
     return after
 

@@ -224,7 +224,7 @@ std::string FindDifference(const RankMesh& made, const RankMesh& alone)
 void CompareWithSerial(const CartesianGrid& whole, const FractionField& field,
   const std::vector<std::vector<IndexBox>>& cuts, const MeshOptions& options, MeshMaker make)
 {
-  SCOPED_TRACE(make == MakeHexMesh ? "hexes" : NameOf(options.Tets));
+  SCOPED_TRACE(make == MakeHexMesh ? "hexes" : NameOf(options.Method));
   const RankMesh alone = MakeAlone(whole, field, options, make);
   EXPECT_GT(alone.Merged.Elements.size(), 0u);
   EXPECT_EQ(FindGeometryProblem(alone.Merged), "");

@@ -161,7 +161,7 @@ CartesianGrid MakeUnitCube(int n)
 Mesh MakeMesh(const CartesianGrid& grid, const FractionField& fractions, Elements elements)
 {
   MeshOptions options;
-  options.Tets = elements == Elements::Cells ? TetMethod::Cells : TetMethod::Lattice;
+  options.Method = elements == Elements::Cells ? TetMethod::Cells : TetMethod::Lattice;
   Runtime runtime;
   MeshReport report;
   return (elements == Elements::Hexes ? MakeHexMesh : MakeTetMesh)(

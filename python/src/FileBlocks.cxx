@@ -12,14 +12,14 @@ namespace vfm
 namespace
 {
 
-void CheckNames(const std::vector<std::string>& there, const std::vector<std::string>& names)
+void CheckNames(const BlockFile& file, const std::vector<std::string>& names)
 {
   for (const std::string& name : names)
   {
-    if (std::find(there.begin(), there.end(), name) == there.end())
+    if (!file.Has(name))
     {
       throw InputError(
-        "it has no array '" + name + "'. Its arrays: '" + JoinTexts(there, "', '") + "'.");
+        "it has no array '" + name + "'. Its arrays: '" + JoinTexts(file.Names(), "', '") + "'.");
     }
   }
 }
@@ -32,16 +32,17 @@ FileBlocks ReadFileBlocks(const std::string& path, int step,
   const InputTrust trust(isTrusted);
   Ranks alone;
   const std::unique_ptr<BlockFile> file = OpenBlockFile(path, alone);
-  const int steps = static_cast<int>(file->Times().size());
+  const std::vector<double>& times = file->Times();
+  const int steps = std::max(static_cast<int>(times.size()), 1);
   const int index = step < 0 ? steps + step : step;
   if (index < 0 || index >= steps)
   {
     throw InputError("there is no step " + std::to_string(step) + ": it has " +
       std::to_string(steps) + ", counted from 0.");
   }
-  FileBlocks read{ path, file->Times(), file->Times()[index], names.value_or(file->Names()), {}, "",
-    {} };
-  CheckNames(file->Names(), read.Names);
+  FileBlocks read{ path, times, times.empty() ? std::nullopt : std::optional(times[index]),
+    names.value_or(file->Names()), {}, "", {} };
+  CheckNames(*file, read.Names);
   read.Blocks = file->Read(index, read.Names, alone);
   MaterialChoice choice = ChooseMaterials(ListArrays(ListsOf(read.Blocks)), {});
   read.Fractions = std::move(choice.Fractions);

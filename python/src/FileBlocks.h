@@ -15,15 +15,15 @@ namespace vfm
 struct FileBlocks
 {
   std::string Path;
-  std::vector<double> Times; ///< times of all steps
-  double Time = 0.0;         ///< time of the step that was read
+  std::vector<double> Times;  ///< times of all steps
+  std::optional<double> Time; ///< time of the step that was read, if the file has times
   std::vector<std::string> Names,
     Fractions;        ///< arrays that were read, and the ones that hold materials
   std::string Labels; ///< array of labels; empty: none
   std::vector<InputBlock> Blocks;
 };
 
-/// Reads a SpyPlot case or an AMReX plotfile.
+/// Reads a SpyPlot case, an AMReX plotfile or an Exodus file.
 /// @param step number of the step, from 0; negative numbers count from the end
 /// @param names arrays to read; without value: all
 /// @param isTrusted the limits that protect from harmful files do not apply (InputTrust)

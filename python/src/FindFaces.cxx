@@ -23,34 +23,13 @@ using namespace nb::literals;
 template <class T>
 using Column = nb::ndarray<const T, nb::c_contig, nb::device::cpu, nb::ndim<1>>;
 
-/// Returns the element behind each face, element by element, or NothingBehind.
-std::vector<Index> MatchElements(const MeshData& mesh)
-{
-  const ElementFaces table(mesh.Corners);
-  std::vector<FaceIds> ids;
-  std::vector<Index> elements;
-  ids.reserve(mesh.NumberOfElements * table.Count);
-  elements.reserve(ids.capacity());
-  for (Index element = 0; element < mesh.NumberOfElements; ++element)
-  {
-    for (int face = 0; face < table.Count; ++face)
-    {
-      ids.push_back(table.PointsOf(mesh.Element(element), face));
-      std::sort(ids.back().begin(), ids.back().end());
-      elements.push_back(element);
-    }
-  }
-  Ranks alone;
-  return MatchFaces(ids, elements, alone);
-}
-
 nb::object FindNeighbours(const NumpyPoints& points, const NumpyCells& cells)
 {
   const MeshData mesh = ViewMesh(points, cells);
   Buffer<Index> neighbours;
   {
     const nb::gil_scoped_release others;
-    const std::vector<Index> behind = MatchElements(mesh);
+    const std::vector<Index> behind = MatchSides(mesh);
     neighbours = Buffer<Index>(behind.size());
     std::copy(behind.begin(), behind.end(), neighbours.begin());
   }
@@ -58,7 +37,7 @@ nb::object FindNeighbours(const NumpyPoints& points, const NumpyCells& cells)
 }
 
 /// Returns the elements of faces and their sides.
-std::pair<nb::object, nb::object> ToPython(const std::vector<MeshSide>& faces)
+std::pair<nb::object, nb::object> ToPython(const std::vector<ElementSide>& faces)
 {
   Buffer<Index> elements(faces.size());
   Buffer<int> sides(faces.size());

@@ -42,7 +42,7 @@ InputBlock MakeBlock(const MesherCall& call, const Ranks& ranks)
 
 } // namespace
 
-StateChoice ReadStateChoice(nb::handle state, StateTransfer transfer)
+StateChoice ReadStateChoice(nb::handle state, TransferMode transfer)
 {
   StateChoice choice;
   if (!state.is_none())
@@ -69,7 +69,7 @@ MesherInput MakeInput(const MesherCall& call, Runtime& runtime)
   MesherInput input;
   input.Arrays = { call.Fractions, call.Labels, call.Names,
     CompleteChoice(call.State, ArrayLists{ collected.Blocks[0].Arrays }, runtime.Group()),
-    call.AreGuessed };
+    call.AreGuessed, false, call.LabelsOption };
   input.Levels = FindInputLevels(std::move(collected), runtime.Group());
   return input;
 }

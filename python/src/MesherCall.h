@@ -27,10 +27,11 @@ struct MesherCall
   LabelNames Names;
   StateChoice State;
   bool AreGuessed;
+  std::string LabelsOption;
 };
 
 /// Reads a dict, or None.
-StateChoice ReadStateChoice(nanobind::handle state, StateTransfer transfer);
+StateChoice ReadStateChoice(nanobind::handle state, TransferMode transfer);
 
 /// Makes the input of a run.
 /// @param call must outlive the result

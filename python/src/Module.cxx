@@ -2,6 +2,7 @@
  * Module: the Python module _core; _core.pyi describes its functions.
  */
 #include "BindChoice.h"
+#include "Blocks/BlockFile.h"
 #include "CheckGridFile.h"
 #include "FileBlocks.h"
 #include "FindFaces.h"
@@ -65,11 +66,11 @@ nb::dict MakeMesh(const vfm::FileBlocks* blocks,
   const std::array<double, 9>& axes, const std::array<double, 3>& origin, bool arePoints,
   const std::vector<std::string>& fractions, const std::string& labels,
   const vfm::LabelNames& names, nb::handle state, const vfm::MesherOptions& options,
-  nb::handle progress, nb::handle warn, bool areGuessed)
+  nb::handle progress, nb::handle warn, bool areGuessed, const std::string& labelsOption)
 {
   const vfm::MesherCall call{ blocks ? blocks->Blocks : std::vector<vfm::InputBlock>(), arrays,
     Copy(coordinates), axes, origin, arePoints, fractions, labels, names,
-    vfm::ReadStateChoice(state, options.Transfer), areGuessed };
+    vfm::ReadStateChoice(state, options.StateTransfer), areGuessed, labelsOption };
   const vfm::MesherOptions kept = options; // other threads may change options during the run
   vfm::PythonRuntime runtime(kept.NumberOfThreads, progress);
   vfm::MesherResult result;
@@ -132,7 +133,7 @@ void BindBlocks(nb::module_& module)
     "blocks.")
     .def_ro("path", &vfm::FileBlocks::Path, "str: Path of the file.")
     .def_ro("times", &vfm::FileBlocks::Times, "list of float: Times of all steps of the file.")
-    .def_ro("time", &vfm::FileBlocks::Time, "float: Time of the blocks.")
+    .def_ro("time", &vfm::FileBlocks::Time, "float or None: Time of the blocks.")
     .def_ro("names", &vfm::FileBlocks::Names, "list of str: Names of the arrays.")
     .def_ro("fractions", &vfm::FileBlocks::Fractions,
       "list of str: Names of the arrays that hold volume fractions.")
@@ -140,6 +141,7 @@ void BindBlocks(nb::module_& module)
       "str: Name of the array that holds labels; empty without labels.")
     .def("__len__", [](const vfm::FileBlocks& self) { return self.Blocks.size(); });
   module.def("read_blocks", ReadBlocks, "path"_a, "step"_a, "names"_a.none(), "trust_input"_a);
+  module.def("is_block_file", vfm::IsBlockFile, "path"_a);
 }
 
 /// Converts an InputError to a Python exception.
@@ -190,7 +192,7 @@ NB_MODULE(_core, module)
   vfm::BindWriters(module);
   module.def("mesh", MakeMesh, "blocks"_a.none(), "arrays"_a, "coordinates"_a, "axes"_a, "origin"_a,
     "are_points"_a, "fractions"_a, "labels"_a, "label_names"_a, "state"_a.none(), "options"_a,
-    "progress"_a.none(), "warn"_a, "guessed"_a = false);
+    "progress"_a.none(), "warn"_a, "guessed"_a = false, "labels_option"_a = "--labels");
   module.def("read_label_names", ReadNames, "path"_a);
   module.def("shape_fractions", FillShapes, "text"_a, "coordinates"_a, "tolerance"_a, "threads"_a,
     "progress"_a.none());

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 namespace vfm
 {
@@ -25,7 +24,7 @@ std::string SnakeWord(std::string word)
 {
   for (char& c : word)
   {
-    c = c == ' ' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    c = c == ' ' ? '_' : ToLower(c);
   }
   return word;
 }

@@ -19,14 +19,14 @@ namespace nb = nanobind;
 using namespace nb::literals;
 
 /// @param version  name of a version of Gmsh's format; empty: automatic
-OutputForm ReadForm(const std::string& version, bool isBinary)
+GmshVersion ReadVersion(const std::string& version)
 {
   const std::optional<GmshVersion> known = ParseGmshVersion(version);
   if (!known && !version.empty())
   {
     throw InputError("The version of a .msh file is '" + version + "': it must be 2.2 or 4.1.");
   }
-  return { OutputFiles::AsUsual, known.value_or(GmshVersion::Automatic), isBinary };
+  return known.value_or(GmshVersion::Automatic);
 }
 
 void WriteFile(const std::string& path, const NumpyPoints& points, const NumpyCells& cells,
@@ -36,12 +36,30 @@ void WriteFile(const std::string& path, const NumpyPoints& points, const NumpyCe
 {
   StoredMesh mesh = ViewMesh(points, cells, pointArrays, cellArrays, fields);
   mesh.Data.Time = time;
-  OutputForm form = ReadForm(version, binary);
-  form.HasInterfaces = interfaces;
-  form.IsReduced = reduced;
+  const OutputForm form{ .Version = ReadVersion(version),
+    .IsBinary = binary,
+    .HasInterfaces = interfaces,
+    .IsReduced = reduced };
   const nb::gil_scoped_release others;
   Ranks alone;
   WorkInStage(alone, ErrorCode::UnwritableOutput, [&] { WriteMesh(mesh.Data, path, alone, form); });
+}
+
+/// Returns the options of each suffix of which one process writes files.
+std::vector<std::pair<std::string, std::vector<std::string>>> ListFormats()
+{
+  std::vector<std::pair<std::string, std::vector<std::string>>> formats;
+  for (const FormatRow& format : GetFormatTable())
+  {
+    for (const std::string& suffix : format.Suffixes)
+    {
+      if (!format.IsPerRank)
+      {
+        formats.emplace_back(suffix, format.Options);
+      }
+    }
+  }
+  return formats;
 }
 
 void WriteReportFile(const std::string& path, const NumpyPoints& points, const NumpyCells& cells,
@@ -66,6 +84,7 @@ void BindWriters(nb::module_& module)
   module.def("write_mesh", WriteFile, "path"_a, "points"_a, "cells"_a, "point_arrays"_a,
     "cell_arrays"_a, "fields"_a, "time"_a.none(), "version"_a = "", "binary"_a = false,
     "interfaces"_a = true, "reduced"_a = false);
+  module.def("list_formats", ListFormats);
   module.def("write_report", WriteReportFile, "path"_a, "points"_a, "cells"_a, "point_arrays"_a,
     "cell_arrays"_a, "fields"_a, "materials"_a, "title"_a, "facts"_a, "options"_a, "warnings"_a);
 }

@@ -8,6 +8,7 @@ Cartesian and AMR grids.
 `has_tetgen` is True if TetGen is in the build: then `tets` supports ``method="tetgen"``.
 """
 
+from ._call import Run
 from ._core import Blocks, has_tetgen
 from ._core import version as __version__
 from ._dolfinx import DolfinxMesh
@@ -15,13 +16,13 @@ from ._facets import Facets, Separated
 from ._fragments import fragments
 from ._geometry import Curves, Geometry, Surfaces, Vertices
 from ._images import Arrays, Fractions
+from ._load import load
 from ._mesher import hexes, tets
-from ._npz import load
 from ._read import read
 from ._shapes import shapes, surface
 from ._split import Cohesive
 from ._warning import VolumeFractionMeshWarning
-from .mesh import Mesh, Run
+from .mesh import Mesh
 
 __all__ = [
     "Arrays",

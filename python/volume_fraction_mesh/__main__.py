@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 import csv
-import re
 import sys
 import warnings
 from typing import Any, Dict, List, Optional
@@ -14,6 +13,8 @@ from ._core import Option, list_options, read_label_names
 from ._output import ended_by_signals, find_conflict, whole_file
 from ._read import find_files, is_surface, read, sort_slices
 from ._readers.report import one_line
+from ._run import LABELS_OPTION
+from ._save import BY_CORE
 from ._shapes import surface
 from .mesh import Mesh
 
@@ -51,11 +52,10 @@ def make_parser() -> argparse.ArgumentParser:
     )
     parser.add_argument("input", nargs="+",
                         help=".npy, .npz, .vti and other files of VTK, NIfTI, NRRD, MetaImage, "
-                        "TIFF, PNG and other pictures, .dream3d, .spcth, the folder of an AMReX "
-                        "plotfile, .stl; or slices: a folder, a pattern such as 'slices/*.tif', or "
-                        "files")
-    parser.add_argument("output", help=".vtu, .e, .inp, .msh, .xdmf, .foam or another format of "
-                        "Mesh.save")
+                        "TIFF, PNG and other pictures, .dream3d, .spcth, Exodus, the folder of an "
+                        "AMReX plotfile, .stl; or slices: a folder, a pattern such as "
+                        "'slices/*.tif', or files")
+    parser.add_argument("output", help="%s or another format of Mesh.save" % ", ".join(BY_CORE))
     parser.add_argument("--version", action="version", version=__version__)
     parser.add_argument("--tets", action="store_true", help="make tetrahedra instead of hexahedra")
     kind = parser.add_mutually_exclusive_group()
@@ -90,7 +90,7 @@ def make_parser() -> argparse.ArgumentParser:
     parser.add_argument("--cells", type=int, default=64,
                         help="number of cells along the longest side of a surface (64)")
     parser.add_argument("--step", type=int, default=0,
-                        help="index of the time step in .spcth and TIFF, from 0")
+                        help="index of the time step in .spcth, Exodus and TIFF, from 0")
     for name, told in (
         ("state", "array to transfer to the elements; repeat for more"),
         ("density", "array of mass per volume, which switches conservation on; "
@@ -228,12 +228,13 @@ def main(arguments: Optional[List[str]] = None) -> int:
 def _make_mesh(given: Dict[str, Any], words: argparse.Namespace) -> Mesh:
     """Makes the mesh. Messages of errors begin with the name of the input."""
     make = tets if words.tets else hexes
+    before = LABELS_OPTION.set("--labels --array")
     try:
         return make(**given, progress=not words.quiet)
     except (ValueError, TypeError) as error:
-        # The core names the options of sculptor, of which --labels takes an array.
-        text = re.sub(r"\(--labels (?=[^)])", "(--labels --array ", str(error))
-        raise ValueError("Cannot mesh %s: %s" % (" ".join(words.input), text)) from None
+        raise ValueError("Cannot mesh %s: %s" % (" ".join(words.input), error)) from None
+    finally:
+        LABELS_OPTION.reset(before)
 
 
 def _run(arguments: Optional[List[str]]) -> int:

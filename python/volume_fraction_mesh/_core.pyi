@@ -114,8 +114,8 @@ class Blocks:
     path: str
     times: List[float]
     """Times of all steps of the file."""
-    time: float
-    """Time of the blocks."""
+    time: Optional[float]
+    """Time of the blocks; None if the file has no times."""
     names: List[str]
     """Names of the arrays."""
     fractions: List[str]
@@ -234,6 +234,7 @@ def mesh(
     progress: Progress,
     warn: Callable[[str], object],
     guessed: bool = False,
+    labels_option: str = "--labels",
 ) -> MeshDict:
     """Makes a mesh.
 
@@ -263,6 +264,8 @@ def mesh(
     guessed : bool
         True if the user did not select fractions or labels. Labels that look like grey values are
         then an error, otherwise a warning.
+    labels_option : str
+        Words in front of the name of an array that select it as labels, for messages.
 
     Returns
     -------
@@ -277,10 +280,13 @@ def shape_fractions(
 
 def read_blocks(path: str, step: int, names: Optional[Sequence[str]],
                 trust_input: bool) -> Blocks:
-    """Reads the blocks of a SpyPlot file or an AMReX plotfile. names: arrays to read, None for all.
+    """Reads the blocks of a SpyPlot file, an AMReX plotfile or an Exodus file. names: arrays to read, None for all.
 
     Raises ValueError if the file is damaged, or lacks the step or an array.
     """
+
+def is_block_file(path: str) -> bool:
+    """Returns whether read_blocks() reads a path, by its name, and for a folder by its files."""
 
 def check_vtk_file(
     path: str,
@@ -307,16 +313,19 @@ def write_mesh(
     interfaces: bool = True,
     reduced: bool = False,
 ) -> None:
-    """Writes a mesh as .vtu, .e, .ex2, .exo, .inp, .msh, .xdmf or .foam.
+    """Writes a mesh in a format of list_formats().
 
-    version, "2.2" or "4.1", and interfaces are for .msh only, binary for .msh and .foam, reduced
-    for .inp. cells has shape (m, 8) or (m, 4), or (m, 20), (m, 27) or (m, 10) with mid nodes.
+    version, "2.2" or "4.1", binary, interfaces and reduced are options of some formats. cells has
+    shape (m, 8) or (m, 4), or (m, 20), (m, 27) or (m, 10) with mid nodes.
 
     point_arrays contains GlobalPointIds, int64. cell_arrays contains GlobalCellIds, int64, and
     MaterialId, int32. All arrays are C-contiguous, of shape (items,) or (items, components). fields
     holds int32, int64 or float64 arrays, or lists of str. Raises OSError, with the path and the
     reason, if the file cannot be written; an incomplete file is removed.
     """
+
+def list_formats() -> List[Tuple[str, List[str]]]:
+    """Returns the suffixes of write_mesh, and the options of each."""
 
 def write_report(
     path: str,

@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 from inspect import signature
-from typing import TYPE_CHECKING, Any, Dict, NamedTuple, Optional, Tuple
+from typing import Any, Dict, NamedTuple, Optional, Tuple
 
 import numpy as np
 
 from . import _core
+from ._data import MeshData
 from ._facets import neighbours
 from ._tables import LINEAR, core_arrays, core_fields, material_names
-
-if TYPE_CHECKING:
-    from .mesh import Mesh
 
 # By number of corners of an element, in the numbering of dolfinx: the corner of VTK, and for each
 # facet the side of VTK.
@@ -51,7 +49,7 @@ class DolfinxMesh(NamedTuple):
     surfaces: Dict[str, int]
 
 
-def convert(mesh: Optional[Mesh], comm: Any) -> DolfinxMesh:
+def convert(mesh: Optional[MeshData], comm: Any) -> DolfinxMesh:
     """Implements Mesh.to_dolfinx."""
     from dolfinx.mesh import meshtags
 
@@ -70,7 +68,7 @@ def convert(mesh: Optional[Mesh], comm: Any) -> DolfinxMesh:
     return DolfinxMesh(made, cell_tags, meshtags(made, 2, facets, values), *names)
 
 
-def _list_tags(mesh: Optional[Mesh]) -> Any:
+def _list_tags(mesh: Optional[MeshData]) -> Any:
     """Returns the number of corners, the material of each element, the tag of each of its sides or
     NO_TAG, and the numbers of the names; or an exception, which all ranks raise."""
     if mesh is None or not len(mesh):

@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Dict, Union
+from typing import Any, Dict, Union
 
 import numpy as np
 
 from . import _core
+from ._data import MeshData
 from ._tables import core_arrays, core_fields, core_mesh, material_names
-
-if TYPE_CHECKING:
-    from .mesh import Mesh
 
 
 @dataclass(eq=False)
@@ -101,18 +99,18 @@ class Separated:
         return _core.face_points(self.cells, facets.elements, facets.sides)
 
 
-def neighbours(mesh: Mesh) -> np.ndarray:
+def neighbours(mesh: MeshData) -> np.ndarray:
     """Implements Mesh.neighbours."""
     return _core.neighbours(*core_mesh(mesh))
 
 
-def facet_sets(mesh: Mesh) -> Dict[str, Facets]:
+def facet_sets(mesh: MeshData) -> Dict[str, Facets]:
     """Implements Mesh.facet_sets."""
     sets = _core.side_sets(*core_arrays(mesh), core_fields(mesh.fields))
     return {name: _facets(mesh, elements, sides) for _, name, elements, sides in sets}
 
 
-def facets(mesh: Mesh, name: str) -> Facets:
+def facets(mesh: MeshData, name: str) -> Facets:
     """Implements Mesh.facets."""
     sets = facet_sets(mesh)
     if name not in sets:
@@ -121,7 +119,7 @@ def facets(mesh: Mesh, name: str) -> Facets:
     return sets[name]
 
 
-def skin(mesh: Mesh, material: Union[int, str]) -> Facets:
+def skin(mesh: MeshData, material: Union[int, str]) -> Facets:
     """Implements Mesh.skin."""
     label = _material_id(mesh, material)
     behind = neighbours(mesh)
@@ -130,7 +128,7 @@ def skin(mesh: Mesh, material: Union[int, str]) -> Facets:
     return _facets(mesh, elements, sides)
 
 
-def separate(mesh: Mesh) -> Separated:
+def separate(mesh: MeshData) -> Separated:
     """Implements Mesh.separate."""
     ids, place = np.unique(mesh.material, return_inverse=True)
     keys = place.reshape(-1, 1) * len(mesh.points) + mesh.cells
@@ -140,12 +138,12 @@ def separate(mesh: Mesh) -> Separated:
     return Separated(mesh.points[original], cells, original, ids[materials])
 
 
-def _facets(mesh: Mesh, elements: Any, sides: Any) -> Facets:
+def _facets(mesh: MeshData, elements: Any, sides: Any) -> Facets:
     elements, sides = elements.astype(np.int64), sides.astype(np.int32)
     return Facets(_core.face_points(core_mesh(mesh)[1], elements, sides), elements, sides)
 
 
-def _material_id(mesh: Mesh, material: Union[int, str]) -> int:
+def _material_id(mesh: MeshData, material: Union[int, str]) -> int:
     names = material_names(mesh)
     found = [i for i, name in names.items() if material == (name if isinstance(material, str)
                                                              else i)]

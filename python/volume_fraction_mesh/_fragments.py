@@ -7,11 +7,11 @@ from typing import Any, Dict, Optional
 import numpy as np
 
 from . import _core
+from ._data import MeshData
 from ._tables import material_names
-from .mesh import Mesh
 
 
-def fragments(mesh: Mesh, density: Optional[str] = None,
+def fragments(mesh: MeshData, density: Optional[str] = None,
               velocity: Optional[str] = None) -> Dict[str, Any]:
     """Tabulate the fragments of a mesh: the face-connected pieces of each material.
 
@@ -87,7 +87,7 @@ def _numbers(values: Any, kind: Any) -> np.ndarray:
     return np.ascontiguousarray(values, dtype=kind)
 
 
-def _state(mesh: Mesh, name: str) -> np.ndarray:
+def _state(mesh: MeshData, name: str) -> np.ndarray:
     if name not in mesh.state:
         raise KeyError("The mesh has no array %r. Its state: %s."
                        % (name, ", ".join(map(repr, mesh.state)) or "none"))

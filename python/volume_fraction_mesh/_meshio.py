@@ -6,16 +6,15 @@ from typing import TYPE_CHECKING, Any, Dict, List
 
 import numpy as np
 
+from ._data import MeshData
 from ._pyvista import all_nodes, cell_arrays, point_arrays
 from ._tables import material_names
 
 if TYPE_CHECKING:
     import meshio
 
-    from .mesh import Mesh
 
-
-def convert(mesh: Mesh, blocks: bool) -> meshio.Mesh:
+def convert(mesh: MeshData, blocks: bool) -> meshio.Mesh:
     """Implements Mesh.to_meshio."""
     import meshio
 
@@ -34,7 +33,7 @@ def convert(mesh: Mesh, blocks: bool) -> meshio.Mesh:
     )
 
 
-def _sets(mesh: Mesh, parts: List[np.ndarray]) -> Dict[str, Any]:
+def _sets(mesh: MeshData, parts: List[np.ndarray]) -> Dict[str, Any]:
     """Returns the cells of each material, in each block."""
     return {
         name: [np.flatnonzero(mesh.material[part] == i) for part in parts]

@@ -4,22 +4,21 @@ from __future__ import annotations
 
 import warnings
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any, Dict, List, Mapping, Sequence
+from typing import Any, Dict, List, Mapping, Sequence, TypeVar
 
 import numpy as np
 
 from . import _core
-from ._result import make_mesh
-from ._run import VolumeFractionMeshWarning
+from ._data import MeshData
+from ._result import data_of
 from ._tables import core_arrays, core_fields
+from ._warning import VolumeFractionMeshWarning
 
-if TYPE_CHECKING:
-    from .mesh import Mesh
-
+MeshType = TypeVar("MeshType", bound=MeshData)
 CALLER = 3  # stack level of the caller of Mesh.split(), for warnings
 
 
-def modify(mesh: Mesh, extensive: Sequence[str] = (), **options: Any) -> Mesh:
+def modify(mesh: MeshType, extensive: Sequence[str] = (), **options: Any) -> MeshType:
     """Implements Mesh.split and Mesh.cut_layers. options: names and values of hexes()."""
     chosen = _core.Options(False, **options)
     told: List[str] = []
@@ -36,7 +35,8 @@ def modify(mesh: Mesh, extensive: Sequence[str] = (), **options: Any) -> Mesh:
                   materials=_update(mesh.materials, result["materials"]))
     run = replace(mesh.run, options={**mesh.run.options, **chosen.changed()},
                   warnings=mesh.run.warnings + told)
-    return replace(make_mesh(result, mesh.roles, run), point_state=point_state)
+    data = data_of(result, mesh.roles, run)
+    return replace(mesh, **{**data, "point_state": point_state})
 
 
 def _arrays_of(geometry: Any) -> Dict[str, np.ndarray]:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import json
-from typing import IO, TYPE_CHECKING, Any, Dict
+from typing import IO, Any, Dict
 
 import numpy as np
 
-if TYPE_CHECKING:
-    from .mesh import Mesh
+from ._call import Run
+from ._data import MeshData
+from ._geometry import Curves, Geometry, Surfaces, Vertices
 
 FORMAT = "volume_fraction_mesh 1"  # value of the key "format"
 ARRAYS = ("points", "cells", "material", "fragment", "point_ids", "cell_ids")
@@ -22,7 +23,7 @@ PARTS = {
 TABLES = ("state", "point_state", "materials", "fields", "roles")
 
 
-def write(mesh: Mesh, file: IO[bytes], compress: bool = False) -> None:
+def write(mesh: MeshData, file: IO[bytes], compress: bool = False) -> None:
     """Writes all arrays of a mesh by key: an attribute, or attribute/name."""
     arrays: Dict[str, Any] = {"format": FORMAT}
     arrays.update((name, getattr(mesh, name)) for name in ARRAYS)
@@ -45,63 +46,31 @@ def _add(arrays: Dict[str, Any], key: str, values: Any) -> None:
         arrays[key] = np.array(values, dtype=str) if isinstance(values, list) else values
 
 
-def load(path: Any) -> Mesh:
-    """Read a mesh that `Mesh.save` wrote as ``.npz``.
-
-    Parameters
-    ----------
-    path : str or path-like
-        File to read.
-
-    Returns
-    -------
-    Mesh
-        Mesh with all arrays, tables and state of the mesh that was saved.
-
-    Raises
-    ------
-    ValueError
-        If the file is not an archive of a mesh, or lacks an array.
-    OSError
-        If the file cannot be read.
-
-    See Also
-    --------
-    Mesh.save : Writes the file.
-
-    Examples
-    --------
-    >>> mesh = vfm.hexes(vfm.shapes("sphere radius=4 center=6,6,6", 12))
-    >>> mesh.save("ball.npz")
-    >>> again = vfm.load("ball.npz")
-    >>> np.array_equal(again.cells, mesh.cells), again.materials["Name"]
-    (True, ['Material1'])
-    """
+def read(path: Any) -> Dict[str, Any]:
+    """Implements load(): returns the arguments of MeshData, by name."""
     try:
         with np.load(path, allow_pickle=False) as archive:
             arrays = {name: archive[name] for name in archive.files}
         if str(arrays.pop("format")) != FORMAT:
             raise KeyError("format")
-        return _make_mesh(arrays)
+        return _data_of(arrays)
     except (KeyError, AttributeError, ValueError, EOFError) as problem:
         raise ValueError("%s is not a mesh that Mesh.save wrote as .npz (%s)."
                          % (path, problem)) from None
 
 
-def _make_mesh(arrays: Dict[str, Any]) -> Mesh:
-    from . import mesh as types
-
+def _data_of(arrays: Dict[str, Any]) -> Dict[str, Any]:
     parts = {name: {own: _take(arrays, "%s/%s/" % (name, own)) if own == "fields"
                     else arrays["%s/%s" % (name, own)] for own in names}
              for name, names in PARTS.items()}
-    return types.Mesh(
+    return dict(
         **{name: arrays[name] for name in ARRAYS},
         **{name: arrays.get(name) for name in OPTIONAL},
-        geometry=types.Geometry(**parts["geometry"]),
-        surfaces=types.Surfaces(**parts["surfaces"]),
-        curves=types.Curves(**parts["curves"]),
-        vertices=types.Vertices(**parts["vertices"]),
-        run=types.Run(**json.loads(str(arrays["run"]))),
+        geometry=Geometry(**parts["geometry"]),
+        surfaces=Surfaces(**parts["surfaces"]),
+        curves=Curves(**parts["curves"]),
+        vertices=Vertices(**parts["vertices"]),
+        run=Run(**json.loads(str(arrays["run"]))),
         **{name: _take(arrays, name + "/") for name in TABLES},
     )
 

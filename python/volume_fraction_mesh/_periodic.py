@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Tuple
+from typing import Tuple
 
 import numpy as np
 
-if TYPE_CHECKING:
-    from .mesh import Mesh
+from ._data import MeshData
 
 
-def pairs(mesh: Mesh) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
+def pairs(mesh: MeshData) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Implements Mesh.periodic_pairs."""
     if mesh.partner is None:
         raise ValueError("The mesh has no copies of points: make it with periodic, and with "

@@ -3,19 +3,18 @@
 from __future__ import annotations
 
 import os
-from typing import TYPE_CHECKING, Any, Optional
+from typing import Any, Optional
 
+from ._data import MeshData
+from ._pyvista import convert
 from ._tables import material_names
 
-if TYPE_CHECKING:
-    from .mesh import Mesh
 
-
-def plot(mesh: Mesh, array: str, clip: Optional[str], path: Any, **options: Any) -> None:
+def plot(mesh: MeshData, array: str, clip: Optional[str], path: Any, **options: Any) -> None:
     """Implements Mesh.plot."""
     import pyvista
 
-    grid = mesh.to_pyvista()
+    grid = convert(mesh, "mesh")
     names = [*grid.cell_data.keys(), *grid.point_data.keys()]
     if array not in names:
         raise ValueError("The mesh has no array %r. Its arrays: %s." % (array, ", ".join(names)))

@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Dict, Mapping
+from typing import Any, Dict, Mapping
 
 import numpy as np
 
-if TYPE_CHECKING:
-    from .mesh import Mesh
+from ._data import MeshData
 
 PARTS = ("mesh", "surfaces", "curves", "vertices")
 # Numbers of the cell types of VTK, by their names in meshio.
 TYPES = {"hexahedron": 12, "tetra": 10, "hexahedron20": 25, "hexahedron27": 29, "tetra10": 24}
 
 
-def convert(mesh: Mesh, part: str) -> Any:
+def convert(mesh: MeshData, part: str) -> Any:
     """Implements Mesh.to_pyvista."""
     import pyvista
 
@@ -36,12 +35,12 @@ def convert(mesh: Mesh, part: str) -> Any:
     )
 
 
-def all_nodes(mesh: Mesh) -> np.ndarray:
+def all_nodes(mesh: MeshData) -> np.ndarray:
     """Returns the corners and mid nodes of the elements, in the order of VTK."""
     return mesh.cells if mesh.mids is None else np.hstack([mesh.cells, mesh.mids])
 
 
-def cell_arrays(mesh: Mesh) -> Dict[str, np.ndarray]:
+def cell_arrays(mesh: MeshData) -> Dict[str, np.ndarray]:
     """Returns the arrays of the elements, by their names in the ParaView filters."""
     arrays = {"MaterialId": mesh.material, "FragmentId": mesh.fragment,
               "GlobalCellIds": mesh.cell_ids}
@@ -52,7 +51,7 @@ def cell_arrays(mesh: Mesh) -> Dict[str, np.ndarray]:
     return {**arrays, **mesh.state}
 
 
-def point_arrays(mesh: Mesh) -> Dict[str, np.ndarray]:
+def point_arrays(mesh: MeshData) -> Dict[str, np.ndarray]:
     """Returns the arrays of the points, by their names in the ParaView filters."""
     arrays = {"GlobalPointIds": mesh.point_ids, "GeometryDimension": mesh.geometry.dimension,
               "GeometryId": mesh.geometry.id}
@@ -63,7 +62,7 @@ def point_arrays(mesh: Mesh) -> Dict[str, np.ndarray]:
     return {**arrays, **mesh.point_state}
 
 
-def _volume(mesh: Mesh, pyvista: Any) -> Any:
+def _volume(mesh: MeshData, pyvista: Any) -> Any:
     grid = pyvista.UnstructuredGrid({TYPES[mesh.kind]: all_nodes(mesh)}, mesh.points)
     for name, array in point_arrays(mesh).items():
         grid.point_data.set_array(array, name)
@@ -76,7 +75,7 @@ def _volume(mesh: Mesh, pyvista: Any) -> Any:
     return grid
 
 
-def _flat(mesh: Mesh, cells: np.ndarray, kind: str, arrays: Mapping[str, np.ndarray],
+def _flat(mesh: MeshData, cells: np.ndarray, kind: str, arrays: Mapping[str, np.ndarray],
           fields: Mapping[str, Any]) -> Any:
     """Returns facets, edges or vertices as PolyData with only the points that they use."""
     import pyvista

@@ -57,11 +57,15 @@ def read(path: Union[PathLike, Sequence[PathLike]], *, step: int = 0,
         ``.tiff``. Pillow: ``.png``, ``.bmp``, ``.jpg``, ``.gif``, ``.pgm`` and others, one layer of
         cells. h5py: ``.dream3d``. Slices: a folder, a pattern such as ``slices/*.tif``, or a list
         of files. Blocks: a case file ``.spcth`` of CTH or one of its binary files, versions 101 to
-        105; the folder of an AMReX plotfile.
+        105; the folder of an AMReX plotfile; Exodus files of hexahedra that form a Cartesian grid,
+        ``.e``, ``.ex2``, ``.exo``, ``.exii``, ``.g``, or any of the parts ``FILE.N.0`` to
+        ``FILE.N.N-1``. Exodus files in the form netCDF-4 are read only if the package was built
+        with the netCDF library.
     step : int, default 0
         Index of the time step; negative values count from the end.
     arrays : list of str, optional
-        Names of the arrays to read. Default: all.
+        Names of the arrays to read. Default: all. Of Exodus files also "object_id", the ids of the
+        element blocks.
     volume : int, optional
         Index of the volume, from 0, of a file with several volumes. Default: all, as materials.
     spacing : float or sequence of 3 floats, optional
@@ -77,10 +81,11 @@ def read(path: Union[PathLike, Sequence[PathLike]], *, step: int = 0,
     Returns
     -------
     Arrays or Blocks
-        Arrays: a dict of arrays by name with their grid. Blocks, from ``.spcth`` and plotfiles:
-        blocks of cells on all levels, without ghost cells; ``len(blocks)`` is their number.
-        Attributes: ``path``, ``times`` (of all steps), ``time``, ``names`` (of the arrays) and
-        ``fractions`` (arrays that hold materials, the default of `arrays` in `hexes`).
+        Arrays: a dict of arrays by name with their grid. Blocks, from ``.spcth``, plotfiles and
+        Exodus files: blocks of cells on all levels, without ghost cells; ``len(blocks)`` is their
+        number. Attributes: ``path``, ``times`` (of all steps), ``time`` (None without times),
+        ``names`` (of the arrays) and ``fractions`` (arrays that hold materials, the default of
+        `arrays` in `hexes`).
 
     Raises
     ------
@@ -123,7 +128,7 @@ def read(path: Union[PathLike, Sequence[PathLike]], *, step: int = 0,
             raise ValueError("path is an empty list: the files of slices are required.")
         return _finish(_read_slices(files, choice), files[0], names, choice)
     path = os.fspath(path)
-    if is_block_file(path):
+    if _core.is_block_file(path):
         return _read_blocks(path, names, choice)
     slices = list_slices(path, SLICES)
     if slices is not None:
@@ -131,14 +136,9 @@ def read(path: Union[PathLike, Sequence[PathLike]], *, step: int = 0,
     return _finish(_read_file(path, names, choice), path, names, choice)
 
 
-def is_block_file(path: str) -> bool:
-    """Returns whether a path is a SpyPlot file or the folder of a plotfile."""
-    return path.lower().endswith(".spcth") or os.path.isfile(os.path.join(path, "Header"))
-
-
 def find_files(path: str) -> List[str]:
     """Returns a path, or the files of slices in a folder or pattern."""
-    if is_block_file(path):
+    if _core.is_block_file(path):
         return [path]
     return list_slices(path, SLICES) or [path]
 
@@ -190,8 +190,8 @@ def _read_file(path: str, names: Optional[List[str]], choice: Choice) -> Image:
         raise ValueError("%s is a closed surface: vfm.surface(path, cells) computes its volume "
                          "fractions." % one_line(path))
     raise ValueError(
-        "%s is of an unknown format. Supported: %s, .spcth, folders of AMReX plotfiles, and "
-        "folders of slices." % (
+        "%s is of an unknown format. Supported: %s, .spcth, Exodus (.e, .ex2, .exo, .exii, .g), "
+        "folders of AMReX plotfiles, and folders of slices." % (
             one_line(path), ", ".join(end for endings, _ in readers for end in endings)))
 
 

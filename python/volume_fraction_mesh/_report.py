@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 import os
-from typing import TYPE_CHECKING, Any, Dict
+from typing import Any, Dict
 
 from . import _core
+from ._data import MeshData
 from ._input import Field
 from ._tables import core_arrays, core_fields
-
-if TYPE_CHECKING:
-    from .mesh import Mesh
 
 ENDINGS = (".html", ".htm")
 
 
-def report(mesh: Mesh, path: Any, title: str) -> None:
+def report(mesh: MeshData, path: Any, title: str) -> None:
     """Implements Mesh.report."""
     path = os.fspath(path)
     if os.path.splitext(path)[1].lower() not in ENDINGS:

@@ -1,20 +1,20 @@
-"""Makes a Mesh from the result of the core."""
+"""Makes the data of a mesh from the result of the core."""
 
 from __future__ import annotations
 
 from typing import Any, Dict, Mapping
 
+from ._call import Run
 from ._geometry import Curves, Geometry, Surfaces, Vertices
-from .mesh import Mesh, Run
 
 
-def make_mesh(result: Mapping[str, Any], roles: Dict[str, str], run: Run) -> Mesh:
-    """Makes a Mesh from the result of the core."""
+def data_of(result: Mapping[str, Any], roles: Dict[str, str], run: Run) -> Dict[str, Any]:
+    """Returns the arguments of MeshData, by name."""
     result = dict(result)
     surfaces, curves, vertices = result.pop("surfaces"), result.pop("curves"), result.pop(
         "vertices")
     nodal = result.pop("nodal_velocity")
-    return Mesh(
+    return dict(
         points=result["points"],
         cells=result["cells"],
         material=result["material"],

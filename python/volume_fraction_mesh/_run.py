@@ -3,25 +3,29 @@
 from __future__ import annotations
 
 import warnings
+from contextvars import ContextVar
 from typing import TYPE_CHECKING, Any, Dict, Mapping, Optional, Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
+from ._call import Run
 from ._input import Source, read_field
 from ._progress import shown
 from ._report import describe
-from ._result import make_mesh
+from ._result import data_of
 from ._state import StateGiven, add_refinement, list_boxes, list_names, read_state
 from ._types import Progress
 from ._warning import VolumeFractionMeshWarning
-from .mesh import Mesh, Run
+from .mesh import Mesh
 
 if TYPE_CHECKING:
     from ._core import StateChoice
 
 CALLER = 3  # stack level of the caller of hexes(), for warnings
+# Words with which messages select an array as labels; sculptor's, unless a front end has others.
+LABELS_OPTION = ContextVar("LABELS_OPTION", default="--labels")
 
 
 def run_mesher(
@@ -57,12 +61,13 @@ def run_mesher(
                 progress=progress,
                 warn=told.append,
                 guessed=field.guessed,
+                labels_option=LABELS_OPTION.get(),
             )
     finally:
         for text in told:
             warnings.warn(text, VolumeFractionMeshWarning, stacklevel=CALLER)
     run = Run(describe(field), options.changed(), told)
-    return make_mesh(result, _find_roles(state, result["state"]), run)
+    return Mesh(**data_of(result, _find_roles(state, result["state"]), run))
 
 
 def _find_roles(state: Optional[StateChoice], carried: Mapping[str, ArrayLike]) -> Dict[str, str]:

@@ -4,25 +4,20 @@ from __future__ import annotations
 
 import os
 from importlib.util import find_spec
-from typing import TYPE_CHECKING, Any, Optional
+from typing import Any, Optional
 
-from . import _core, _npz, _vtk
+from . import _core, _meshio, _npz, _pyvista, _vtk
+from ._data import MeshData
 from ._output import whole_file
 from ._tables import core_arrays, core_fields
 
-if TYPE_CHECKING:
-    from .mesh import Mesh
-
-BY_CORE = (".vtu", ".e", ".ex2", ".exo", ".inp", ".k", ".key", ".rad", ".bdf", ".nas", ".msh",
-           ".xdmf", ".foam", ".stl")
-OPTIONS = {".vtu": ("time", "texts"), ".msh": ("version", "binary", "interfaces"), ".xdmf": (),
-           ".inp": ("time", "reduced"), ".foam": ("binary",), ".stl": ()}  # else: time
+BY_CORE = dict(_core.list_formats())  # options by ending
 BY_PACKAGE = {".npz": _npz.write, ".vtk": _vtk.write}
 # Formats in which meshio 5.3.5 writes hexahedra and tetrahedra with their materials.
 BY_MESHIO = (".avs", ".f3grid", ".hmf", ".med", ".mesh", ".meshb", ".vol", ".xmf")
 
 
-def save(mesh: Mesh, path: Any, **options: Any) -> None:
+def save(mesh: MeshData, path: Any, **options: Any) -> None:
     """Implements Mesh.save."""
     path = os.fspath(path)
     suffix = os.path.splitext(path)[1].lower()
@@ -35,7 +30,7 @@ def save(mesh: Mesh, path: Any, **options: Any) -> None:
             with open(unfinished, "wb") as file:
                 BY_PACKAGE[suffix](mesh, file, **options)
         elif suffix == ".vtp":
-            mesh.to_pyvista("surfaces").save(unfinished, **options)
+            _pyvista.convert(mesh, "surfaces").save(unfinished, **options)
         else:
             _save_by_meshio(mesh, unfinished, suffix, **options)
 
@@ -55,14 +50,14 @@ def _check_suffix(path: str, suffix: str) -> None:
         raise ImportError("Writing %s requires meshio: pip install meshio" % path)
 
 
-def _save_by_core(mesh: Mesh, path: str, suffix: str, **options: Any) -> None:
-    unknown = set(options) - set(OPTIONS.get(suffix, ("time",)))
+def _save_by_core(mesh: MeshData, path: str, suffix: str, **options: Any) -> None:
+    unknown = set(options) - set(BY_CORE[suffix])
     if unknown:
         raise TypeError("%s is not an option of %s." % (", ".join(sorted(unknown)), suffix))
     _write(mesh, path, **options)
 
 
-def _write(mesh: Mesh, path: str, time: Optional[float] = None, texts: bool = True,
+def _write(mesh: MeshData, path: str, time: Optional[float] = None, texts: bool = True,
            version: Optional[str] = None, binary: bool = False,
            interfaces: bool = True, reduced: bool = False) -> None:
     fields = core_fields(mesh.fields)
@@ -78,7 +73,7 @@ def _write(mesh: Mesh, path: str, time: Optional[float] = None, texts: bool = Tr
     )
 
 
-def _save_by_meshio(mesh: Mesh, path: str, suffix: str, **options: Any) -> None:
+def _save_by_meshio(mesh: MeshData, path: str, suffix: str, **options: Any) -> None:
     import meshio
 
-    meshio.write(path, mesh.to_meshio(), **options)
+    meshio.write(path, _meshio.convert(mesh, False), **options)

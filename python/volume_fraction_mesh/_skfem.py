@@ -2,22 +2,20 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
+from ._data import MeshData
 from ._facets import Facets, facet_sets
 from ._tables import material_names, require_linear
-
-if TYPE_CHECKING:
-    from .mesh import Mesh
 
 # Corners of VTK in the order of scikit-fem's MeshHex, whose last corner is the origin and whose
 # corners 4, 5, 6 are next to it along x, y, z.
 HEX_ORDER = [6, 2, 5, 7, 1, 3, 4, 0]
 
 
-def convert(mesh: Mesh) -> Any:
+def convert(mesh: MeshData) -> Any:
     """Implements Mesh.to_skfem."""
     import skfem
 

@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Dict, Tuple
+from typing import Dict, Tuple
 
 import numpy as np
 
 from . import _core
+from ._data import MeshData
 from ._tables import core_arrays, core_fields
-
-if TYPE_CHECKING:
-    from .mesh import Mesh
 
 
 @dataclass(eq=False)
@@ -51,7 +49,7 @@ class Cohesive:
         return len(self.ids)
 
 
-def cohesive(mesh: Mesh) -> Dict[str, Cohesive]:
+def cohesive(mesh: MeshData) -> Dict[str, Cohesive]:
     """Implements Mesh.cohesive."""
     blocks = _core.cohesive_blocks(*core_arrays(mesh), core_fields(mesh.fields))
     return {name: Cohesive(cells, ids, materials, block)

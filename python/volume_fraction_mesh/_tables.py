@@ -2,19 +2,17 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Dict, List, Mapping, Tuple
+from typing import Any, Dict, List, Mapping, Tuple
 
 import numpy as np
 
+from ._data import MeshData
 from ._pyvista import all_nodes, cell_arrays, point_arrays
-
-if TYPE_CHECKING:
-    from .mesh import Mesh
 
 LINEAR = "A mesh with mid nodes is not converted to %s: element_order must be 'linear'."
 
 
-def core_mesh(mesh: Mesh) -> Tuple[np.ndarray, np.ndarray]:
+def core_mesh(mesh: MeshData) -> Tuple[np.ndarray, np.ndarray]:
     """Returns the points and cells in the form of the core."""
     return (np.ascontiguousarray(mesh.points, np.float64),
             np.ascontiguousarray(mesh.cells, np.int64))
@@ -25,13 +23,13 @@ def list_arrays(arrays: Mapping[str, Any]) -> List[Tuple[str, np.ndarray]]:
     return [(name, np.ascontiguousarray(values)) for name, values in arrays.items()]
 
 
-def core_arrays(mesh: Mesh) -> Tuple[Any, ...]:
+def core_arrays(mesh: MeshData) -> Tuple[Any, ...]:
     """Returns points, cells and arrays as arguments of the core."""
     return (core_mesh(mesh)[0], np.ascontiguousarray(all_nodes(mesh), np.int64),
             list_arrays(point_arrays(mesh)), list_arrays(cell_arrays(mesh)))
 
 
-def require_linear(mesh: Mesh, target: str) -> None:
+def require_linear(mesh: MeshData, target: str) -> None:
     """Raises ValueError for a mesh of second order."""
     if mesh.mids is not None:
         raise ValueError(LINEAR % target)
@@ -52,12 +50,12 @@ def core_fields(fields: Mapping[str, Any]) -> Dict[str, Any]:
     return {name: field_for_core(values) for name, values in fields.items()}
 
 
-def material_names(mesh: Mesh) -> Dict[int, str]:
+def material_names(mesh: MeshData) -> Dict[int, str]:
     """Returns the names of the materials by id."""
     return dict(zip((int(i) for i in mesh.materials["MaterialId"]), mesh.materials["Name"]))
 
 
-def material_tags(mesh: Mesh) -> Dict[int, int]:
+def material_tags(mesh: MeshData) -> Dict[int, int]:
     """Returns the numbers of materials by id in formats that count from 1: the void, 0, gets the
     number after the greatest."""
     ids = list(material_names(mesh))

@@ -2,23 +2,21 @@
 
 from __future__ import annotations
 
-from typing import IO, TYPE_CHECKING, Any, Mapping
+from typing import IO, Any, Mapping
 from urllib.parse import quote
 
 import numpy as np
 
+from ._data import MeshData
 from ._pyvista import TYPES as CELL_TYPES, all_nodes, cell_arrays, point_arrays
 from ._tables import material_tags
-
-if TYPE_CHECKING:
-    from .mesh import Mesh
 
 TYPES = {"f4": "float", "f8": "double", "i1": "char", "u1": "unsigned_char", "i2": "short",
          "u2": "unsigned_short", "i4": "int", "u4": "unsigned_int", "i8": "long",
          "u8": "unsigned_long"}
 
 
-def write(mesh: Mesh, file: IO[bytes], binary: bool = False) -> None:
+def write(mesh: MeshData, file: IO[bytes], binary: bool = False) -> None:
     """Writes a mesh without the fields of the whole mesh. The first array is `material`."""
 
     def head(text: str, *values: Any) -> None:

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-from typing import Any, Dict, List, Literal, Optional, Sequence, TYPE_CHECKING, Tuple, Union
+from dataclasses import dataclass
+from typing import Any, Dict, Literal, Optional, Sequence, TYPE_CHECKING, Tuple, Union
 
 import numpy as np
 
-from . import _core
-from ._call import Run
-from ._geometry import Curves, Geometry, Surfaces, Vertices
+from . import (_core, _dolfinx, _facets, _meshio, _modify, _periodic, _plot, _pyvista, _report,
+               _save, _skfem, _split)
+from ._data import MeshData
+from ._dolfinx import DolfinxMesh
+from ._facets import Facets, Separated
+from ._split import Cohesive
 from ._tables import core_fields, core_mesh
 
 if TYPE_CHECKING:
@@ -17,13 +20,9 @@ if TYPE_CHECKING:
     import pyvista
     import skfem
 
-    from ._dolfinx import DolfinxMesh
-    from ._facets import Facets, Separated
-    from ._split import Cohesive
-
 
 @dataclass(eq=False, repr=False)
-class Mesh:
+class Mesh(MeshData):
     """Conforming mesh of all materials, made by `hexes` or `tets`.
 
     The mesh owns its arrays; the package keeps no reference to them. It has n points and m
@@ -89,42 +88,6 @@ class Mesh:
     True
     """
 
-    points: np.ndarray
-    cells: np.ndarray
-    material: np.ndarray
-    fragment: np.ndarray
-    point_ids: np.ndarray
-    cell_ids: np.ndarray
-    partner: Optional[np.ndarray]
-    quality: Optional[np.ndarray]
-    geometry: Geometry
-    surfaces: Surfaces
-    curves: Curves
-    vertices: Vertices
-    state: Dict[str, np.ndarray]
-    point_state: Dict[str, np.ndarray]
-    materials: Dict[str, Any]
-    fields: Dict[str, Any]
-    roles: Dict[str, str] = field(default_factory=dict)
-    run: Run = field(default_factory=Run)
-    original_ids: Optional[np.ndarray] = None
-    mids: Optional[np.ndarray] = None
-    layer: Optional[np.ndarray] = None
-
-    @property
-    def kind(self) -> str:
-        """Type of the elements in meshio: "hexahedron" or "tetra", and with mid nodes
-        "hexahedron20", "hexahedron27" or "tetra10".
-
-        Examples
-        --------
-        >>> vfm.tets(vfm.shapes("sphere radius=4 center=6,6,6", 12)).kind
-        'tetra'
-        """
-        corners = self.cells.shape[1]
-        name = "tetra" if corners == 4 else "hexahedron"
-        return name if self.mids is None else "%s%d" % (name, corners + self.mids.shape[1])
-
     def __repr__(self) -> str:
         names = {"tetra": "tetrahedra", "hexahedron": "hexahedra"}
         text = "%d %s, %d points, %d materials, %d fragments" % (
@@ -137,9 +100,6 @@ class Mesh:
         if self.quality is not None and len(self.quality):
             text += ", scaled Jacobian %.3f to %.3f" % (self.quality.min(), self.quality.max())
         return "Mesh(%s)" % text
-
-    def __len__(self) -> int:
-        return len(self.cells)
 
     def volumes(self) -> np.ndarray:
         """Compute the exact volume of each element.
@@ -179,9 +139,7 @@ class Mesh:
         >>> mesh.neighbours().tolist()
         [[-1, 1, -1, -1, -1, -1], [0, -1, -1, -1, -1, -1]]
         """
-        from ._facets import neighbours
-
-        return neighbours(self)
+        return _facets.neighbours(self)
 
     def periodic_pairs(self) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Find the points that are copies of another point on an opposite side.
@@ -208,9 +166,7 @@ class Mesh:
         >>> np.array_equal(mesh.points[copies], mesh.points[partners] + [4, 0, 0])
         True
         """
-        from ._periodic import pairs
-
-        return pairs(self)
+        return _periodic.pairs(self)
 
     def facet_sets(self) -> Dict[str, Facets]:
         """Find the named sides of the mesh: the side sets of its Exodus and Abaqus files.
@@ -239,9 +195,7 @@ class Mesh:
         >>> list(mesh.facet_sets())
         ['x_min', 'y_min', 'z_min', 'ball_to_Void', 'ball_skin']
         """
-        from ._facets import facet_sets
-
-        return facet_sets(self)
+        return _facets.facet_sets(self)
 
     def facets(self, name: str) -> Facets:
         """Return a named side of the mesh, such as "x_min" or "ball_to_plate".
@@ -270,9 +224,7 @@ class Mesh:
         >>> mesh.points[facets.points][..., 0].min()
         np.float64(2.0)
         """
-        from ._facets import facets
-
-        return facets(self, name)
+        return _facets.facets(self, name)
 
     def skin(self, material: Union[int, str]) -> Facets:
         """Return all faces of a material to other materials, the void and the boundary.
@@ -298,9 +250,7 @@ class Mesh:
         >>> len(mesh.skin("steel")) == len(mesh.skin(1)) == 6 * 9
         True
         """
-        from ._facets import skin
-
-        return skin(self, material)
+        return _facets.skin(self, material)
 
     def cohesive(self) -> Dict[str, Cohesive]:
         """Return the cohesive elements of split interfaces.
@@ -318,9 +268,7 @@ class Mesh:
         >>> mesh.cohesive()["Material 1_to_Material 2_cohesive"].cells.shape
         (4, 8)
         """
-        from ._split import cohesive
-
-        return cohesive(self)
+        return _split.cohesive(self)
 
     def split(self, pairs: str = "all",
               connection: Literal["none", "cohesive", "contact", "tied"] = "none") -> Mesh:
@@ -343,9 +291,7 @@ class Mesh:
         >>> len(mesh.split().points) - len(mesh.points)
         9
         """
-        from ._modify import modify
-
-        return modify(self, split_interfaces=pairs, split_connection=connection)
+        return _modify.modify(self, split_interfaces=pairs, split_connection=connection)
 
     def cut_layers(self, layers: int, extensive: Sequence[str] = (), **options: Any) -> Mesh:
         """Return the mesh with layers along interfaces, as `layers` of `hexes` makes them.
@@ -369,9 +315,7 @@ class Mesh:
         >>> int(vfm.hexes(vfm.shapes("sphere radius=4 center=6,6,6", 12)).cut_layers(3).layer.max())
         3
         """
-        from ._modify import modify
-
-        return modify(self, extensive, layers=layers, first_layer_unit="length", **options)
+        return _modify.modify(self, extensive, layers=layers, first_layer_unit="length", **options)
 
     def separate(self) -> Separated:
         """Give each material its own points, so that materials can slide and part in contact.
@@ -387,9 +331,7 @@ class Mesh:
         >>> len(mesh.separate().points) - len(mesh.points)
         9
         """
-        from ._facets import separate
-
-        return separate(self)
+        return _facets.separate(self)
 
     def to_skfem(self) -> skfem.Mesh:
         """Convert the mesh to scikit-fem.
@@ -413,9 +355,7 @@ class Mesh:
         >>> mesh.p.shape, mesh.t.shape
         ((3, 27), (8, 8))
         """
-        from ._skfem import convert
-
-        return convert(self)
+        return _skfem.convert(self)
 
     def to_dolfinx(self, comm: Any) -> DolfinxMesh:
         """Convert the mesh to dolfinx, with tags of materials and named surfaces.
@@ -452,9 +392,7 @@ class Mesh:
         >>> facets.find(surfaces["x_min"]).size  # doctest: +SKIP
         4
         """
-        from ._dolfinx import convert
-
-        return convert(self, comm)
+        return _dolfinx.convert(self, comm)
 
     def plot(self, array: str = "MaterialId", clip: Optional[str] = None, path: Any = None,
              **options: Any) -> None:
@@ -488,9 +426,7 @@ class Mesh:
         >>> mesh = vfm.hexes(vfm.shapes("sphere radius=4 center=6,6,6", 12))
         >>> mesh.plot("ScaledJacobian", clip="x", path="ball.png")
         """
-        from ._plot import plot
-
-        plot(self, array, clip, path, **options)
+        _plot.plot(self, array, clip, path, **options)
 
     def to_pyvista(self, part: str = "mesh") -> pyvista.DataSet:
         """Convert the mesh, or a part of its geometry, to PyVista.
@@ -522,9 +458,7 @@ class Mesh:
         >>> mesh.to_pyvista("surfaces").cell_data.keys()
         ['SurfaceId', 'MaterialPair', 'DomainSide']
         """
-        from ._pyvista import convert
-
-        return convert(self, part)
+        return _pyvista.convert(self, part)
 
     def to_meshio(self, blocks: bool = False) -> meshio.Mesh:
         """Convert the mesh with its arrays to meshio.
@@ -551,26 +485,33 @@ class Mesh:
         >>> list(mesh.to_meshio().cell_sets)
         ['ball']
         """
-        from ._meshio import convert
-
-        return convert(self, blocks)
+        return _meshio.convert(self, blocks)
 
     def save(self, path: Any, **options: Any) -> None:
         """Write the mesh to a file. The ending of its name selects the format.
 
         The package itself writes
 
-        - ``.vtu`` (ParaView), ``.e``, ``.ex2``, ``.exo`` (Exodus with named blocks, side sets, node
-          sets, ids and variables), ``.inp`` (Abaqus, CalculiX), ``.k`` and ``.key`` (LS-DYNA),
-          ``.rad`` (OpenRadioss), ``.bdf`` and ``.nas`` (Nastran), ``.msh`` (Gmsh, with physical
-          groups of materials, domain sides and interfaces) and ``.foam`` (OpenFOAM: the folder of
-          the file is the case, with ``constant/polyMesh``), byte for byte like the ParaView
-          plugin;
-        - ``.xdmf`` (dolfinx), with a second file ``NAME_facets.xdmf`` for the tags of facets;
-        - ``.stl``, closed surfaces of materials as solids; with ``{}`` in the name one file each;
-        - ``.npz``, the whole mesh for `load`;
-        - ``.vtk``, legacy format 4.2, with the array ``material`` first: the void has the number
+        - ``.vtu`` (VTK): all arrays and field data;
+        - ``.e``, ``.ex2``, ``.exo`` (Exodus): named blocks, side sets, node sets, ids and
+          variables;
+        - ``.inp`` (Abaqus and CalculiX): sets of elements and nodes, surfaces; velocities of nodes
+          as initial conditions;
+        - ``.k``, ``.key`` (LS-DYNA): parts, sets of nodes and segments, velocities, stresses;
+        - ``.rad`` (OpenRadioss): parts, groups of nodes, surfaces, velocities, state of elements;
+        - ``.bdf``, ``.nas`` (Nastran): properties, sets of nodes, a unit pressure on each surface;
+        - ``.msh`` (Gmsh): version 2.2 or 4.1, text or binary: named volumes, domain sides and
+          interfaces;
+        - ``.xdmf`` (XDMF): for dolfinx: materials, and a second file of tagged facets,
+          FILE_facets.xdmf;
+        - ``.foam`` (OpenFOAM): the folder of the file is a case with patches and zones;
+        - ``.stl`` (STL): only the closed surface of each material; with {} in the name one file per
+          material, as in bones_{}.stl;
+        - ``.npz``: the whole mesh for `load`;
+        - ``.vtk``: legacy format 4.2, with the array ``material`` first: the void has the number
           after the greatest.
+
+        Files are equal byte for byte to those of the ParaView plugin and of ``sculptor``.
 
         PyVista writes ``.vtp`` with the surfaces. meshio writes other formats that hold the mesh,
         such as ``.med``. A file appears when it is complete.
@@ -607,9 +548,7 @@ class Mesh:
         >>> mesh.save("ball.inp")
         >>> mesh.save("ball.msh", version="4.1", binary=True)
         """
-        from ._save import save
-
-        save(self, path, **options)
+        _save.save(self, path, **options)
 
     def report(self, path: Any, title: str = "Mesh quality") -> None:
         """Write a quality report as one HTML page, which needs no network and no other file.
@@ -645,6 +584,4 @@ class Mesh:
         >>> "<title>Ball</title>" in page, "ball_to_Void" in page
         (True, True)
         """
-        from ._report import report
-
-        report(self, path, title)
+        _report.report(self, path, title)

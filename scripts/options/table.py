@@ -1,4 +1,5 @@
-"""Reads the table of options, as printed by describe_options, and converts names for front ends."""
+"""Reads the tables of options and formats, as printed by describe_options, and converts names for
+front ends."""
 import json
 import os
 import re
@@ -8,8 +9,9 @@ import textwrap
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 
 
-def read_table(program):
-    """Returns the rows of the table. program: describe_options, or a file with its output."""
+def read_tables(program):
+    """Returns the rows of the tables "options" and "formats". program: describe_options, or a file
+    with its output."""
     if program.endswith(".json"):
         with open(program, encoding="utf-8") as file:
             return json.load(file)

@@ -5,7 +5,6 @@
 #include "Ranks/Errors.h"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <glob.h>
 #include <iterator>
@@ -112,9 +111,7 @@ std::vector<std::string> ListFolder(const std::string& path)
 
 std::string SuffixOf(const std::string& path)
 {
-  std::string suffix = fs::path(path).extension().string();
-  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string suffix = ToLower(fs::path(path).extension().string());
   return suffix == ".tiff" ? ".tif" : suffix;
 }
 

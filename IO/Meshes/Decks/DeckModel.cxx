@@ -1,12 +1,10 @@
 #include "Meshes/Decks/DeckModel.h"
 
+#include "Base/ParseText.h"
 #include "Meshes/Files/WriteWhole.h"
 #include "Ranks/Errors.h"
-#include "Report/MeshMaterials.h"
 
 #include <algorithm>
-#include <cctype>
-#include <map>
 
 namespace vfm
 {
@@ -16,10 +14,7 @@ namespace
 /// Returns whether the name of an array contains a word, in any case.
 bool HasWord(const MeshArray& array, const char* word)
 {
-  std::string name = array.Name;
-  std::transform(
-    name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
-  return name.find(word) != std::string::npos;
+  return ToLower(array.Name).find(word) != std::string::npos;
 }
 
 bool IsDensity(const MeshArray& array)
@@ -48,34 +43,15 @@ const MeshArray* FindFirst(const std::vector<MeshArray>& arrays, bool (*fits)(co
   return found == arrays.end() ? nullptr : &*found;
 }
 
-std::vector<DeckSection> MakeSections(const MeshData& mesh)
-{
-  std::map<int, std::vector<Index>> elements;
-  for (Index element = 0; element < mesh.NumberOfElements; ++element)
-  {
-    elements[mesh.Material[element]].push_back(element);
-  }
-  Ranks alone;
-  const std::map<int, std::string> names = NamesOfMaterials(mesh);
-  std::vector<DeckSection> sections;
-  for (auto& [material, list] : elements)
-  {
-    const int id = material == 0 ? FindVoidId(mesh, alone) : material;
-    sections.push_back({ id, NameOfMaterial(names, material), std::move(list) });
-  }
-  return sections;
-}
-
 DeckModel MakeModel(const MeshData& mesh)
 {
   Ranks alone;
-  MeshSets sets = FindMeshSets(mesh, alone);
   const std::vector<MeshArray>& arrays = mesh.ElementArrays;
-  return { mesh, MakeSections(mesh), std::move(sets.NodeSets), std::move(sets.SideSets),
+  return { MakeMeshModel(mesh, alone), mesh,
     { FindFirst(mesh.PointArrays, IsVelocity), FindFirst(arrays, IsDensity),
       FindFirst(arrays, IsEnergy), FindFirst(arrays, IsStress),
       FindFirst(arrays, IsPlasticStrain) },
-    ConnectionOf(mesh), FindSplitFaces(mesh, alone), FindCohesiveBlocks(mesh, alone) };
+    ConnectionOf(mesh), FindSplitFaces(mesh, alone) };
 }
 
 } // namespace
@@ -122,11 +98,7 @@ std::string DescribeDeck(const DeckModel& model)
 
 void RequireNumbers(const DeckModel& model, Index largest, const char* format, const char* others)
 {
-  Index elements = model.Mesh.NumberOfElements;
-  for (const CohesiveBlock& block : model.Blocks)
-  {
-    elements += static_cast<Index>(block.Ids.size());
-  }
+  const Index elements = model.Mesh.NumberOfElements + CountElements(model.Cohesive);
   if (std::max(model.Mesh.NumberOfPoints, elements) > largest)
   {
     throw InputError("The mesh has more than " + std::to_string(largest) +
@@ -136,7 +108,7 @@ void RequireNumbers(const DeckModel& model, Index largest, const char* format, c
 
 void RequireIds(const DeckModel& model, int largest, const char* format, const char* others)
 {
-  for (const DeckSection& section : model.Sections)
+  for (const MaterialPart& section : model.Materials)
   {
     if (section.Id > largest)
     {

@@ -6,9 +6,9 @@
  */
 #pragma once
 
+#include "Meshes/Files/MeshModel.h"
 #include "Ranks/Ranks.h"
 #include "Report/MeshData.h"
-#include "Report/Sets/SplitFaces.h"
 
 #include <functional>
 #include <string>
@@ -16,14 +16,6 @@
 
 namespace vfm
 {
-
-/// Elements of a material.
-struct DeckSection
-{
-  int Id;                      ///< id of the material; FindVoidId() of a meshed void
-  std::string Name;            ///< name of the material
-  std::vector<Index> Elements; ///< ascending
-};
 
 /// Arrays with the state of nodes and elements; null if the mesh has none.
 struct DeckState
@@ -35,16 +27,13 @@ struct DeckState
   const MeshArray* PlasticStrain = nullptr; ///< equivalent plastic strain
 };
 
-struct DeckModel
+/// Cohesive elements are numbered after all elements.
+struct DeckModel : MeshModel
 {
-  const MeshData& Mesh;              ///< whole mesh; must outlive this object
-  std::vector<DeckSection> Sections; ///< by material, the void first
-  std::vector<NodeSet> NodeSets;
-  std::vector<SideSet> SideSets; ///< all side sets; SelectNamedSurfaces has one per face
+  const MeshData& Mesh; ///< whole mesh; must outlive this object
   DeckState State;
-  SplitConnection Connection;        ///< of both sides of split interfaces
+  ConnectionKind Connection;         ///< of both sides of split interfaces
   std::vector<SplitFace> SplitFaces; ///< faces at which interfaces were split
-  std::vector<CohesiveBlock> Blocks; ///< cohesive elements, numbered after all elements
 };
 
 /// Returns whether an array has the velocity of nodes: three components, and "velocity" in its

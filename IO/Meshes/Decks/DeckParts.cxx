@@ -30,7 +30,7 @@ void WriteNumbers(
   }
 }
 
-void WriteFace(DeckCards& cards, const MeshData& mesh, const MeshSide& side, std::size_t width)
+void WriteFace(DeckCards& cards, const MeshData& mesh, const ElementSide& side, std::size_t width)
 {
   const FaceIds points = PointsOfSide(mesh, side);
   for (std::size_t p = 0; p < points.size(); ++p)

@@ -19,6 +19,6 @@ void WriteNumbers(
 
 /// Writes the four nodes of a face; its normal points out of the element. A triangle repeats its
 /// last node.
-void WriteFace(DeckCards& cards, const MeshData& mesh, const MeshSide& side, std::size_t width);
+void WriteFace(DeckCards& cards, const MeshData& mesh, const ElementSide& side, std::size_t width);
 
 } // namespace vfm

@@ -32,7 +32,7 @@ struct SectionNames
   std::string Set;   ///< name of the material
 };
 
-std::string BlockName(const DeckSection& section)
+std::string BlockName(const MaterialPart& section)
 {
   return "EB" + std::to_string(section.Id);
 }
@@ -58,7 +58,7 @@ void WriteHeading(OutputFile& file, const DeckModel& model, const std::vector<Se
   file.Add("*HEADING\n" + DescribeDeck(model) + "\n");
   for (std::size_t s = 0; s < names.size(); ++s)
   {
-    const DeckSection& section = model.Sections[s];
+    const MaterialPart& section = model.Materials[s];
     file.Add("** " + names[s].Set + ": material " + std::to_string(section.Id) + ", " +
       PlainTitle(section.Name, longest) + "\n");
   }
@@ -86,7 +86,7 @@ std::string TypeOfElements(const MeshData& mesh, bool isReduced)
 }
 
 /// Writes the elements of a section. Nodes have the same order as in VTK.
-void WriteElements(OutputFile& file, const MeshData& mesh, const DeckSection& section,
+void WriteElements(OutputFile& file, const MeshData& mesh, const MaterialPart& section,
   const std::string& type, const std::string& set)
 {
   file.Add("*ELEMENT, TYPE=" + type + ", ELSET=" + set + "\n");
@@ -109,7 +109,7 @@ void WriteCohesive(OutputFile& file, const DeckModel& model, AbaqusNames& names)
 {
   const auto corners = static_cast<std::size_t>(CohesiveCorners(model.Mesh));
   Index number = model.Mesh.NumberOfElements;
-  for (const CohesiveBlock& block : model.Blocks)
+  for (const CohesiveBlock& block : model.Cohesive)
   {
     file.Add("*ELEMENT, TYPE=");
     file.Add(corners == 8 ? "COH3D8" : "COH3D6");
@@ -145,7 +145,7 @@ void WriteElementSets(
   for (std::size_t s = 0; s < names.size(); ++s)
   {
     file.Add("*ELSET, ELSET=" + names[s].Set + "\n");
-    WriteNumbers(file, model.Sections[s].Elements);
+    WriteNumbers(file, model.Materials[s].Elements);
   }
   file.Add("*ELSET, ELSET=EALL, GENERATE\n1,");
   file.Add(model.Mesh.NumberOfElements);
@@ -179,7 +179,7 @@ void WriteVelocity(OutputFile& file, const MeshData& mesh, const MeshArray& velo
 void WriteSurface(OutputFile& file, const DeckSurface& surface, bool ofHexes)
 {
   file.Add("*SURFACE, NAME=" + surface.Name + ", TYPE=ELEMENT\n");
-  for (const MeshSide& side : surface.Set->Sides)
+  for (const ElementSide& side : surface.Set->Sides)
   {
     file.Add(side.Element + 1);
     file.Add(",S");
@@ -192,7 +192,7 @@ void WriteSurface(OutputFile& file, const DeckSurface& surface, bool ofHexes)
 std::vector<SectionNames> NameSections(const DeckModel& model, AbaqusNames& names)
 {
   std::vector<SectionNames> sections;
-  for (const DeckSection& section : model.Sections)
+  for (const MaterialPart& section : model.Materials)
   {
     sections.push_back({ BlockName(section), names.Add(section.Name) });
   }
@@ -209,13 +209,13 @@ void WriteFile(const DeckModel& model, const std::string& path, bool isReduced)
   AbaqusNames names, nodeNames;
   names.Add("EALL");
   nodeNames.Add("NALL");
-  for (const DeckSection& section : model.Sections)
+  for (const MaterialPart& section : model.Materials)
   {
     names.Add(BlockName(section));
   }
-  std::vector<DeckSurface> surfaces = MakeSurfaces(model.SideSets, names, true);
+  std::vector<DeckSurface> surfaces = MakeSurfaces(model.Sets.SideSets, names, true);
   const std::vector<SectionNames> sections = NameSections(model, names);
-  for (DeckSurface& surface : MakeSurfaces(model.SideSets, names, false))
+  for (DeckSurface& surface : MakeSurfaces(model.Sets.SideSets, names, false))
   {
     surfaces.push_back(std::move(surface));
   }
@@ -227,12 +227,12 @@ void WriteFile(const DeckModel& model, const std::string& path, bool isReduced)
   for (std::size_t s = 0; s < sections.size(); ++s)
   {
     WriteElements(
-      file, mesh, model.Sections[s], TypeOfElements(mesh, isReduced), sections[s].Block);
+      file, mesh, model.Materials[s], TypeOfElements(mesh, isReduced), sections[s].Block);
   }
   WriteElementSets(file, model, sections);
   WriteCohesive(file, model, names);
   const NodeTies ties = FindNodeTies(model);
-  for (const NodeSet& set : model.NodeSets)
+  for (const NodeSet& set : model.Sets.NodeSets)
   {
     WriteNodeSet(file, nodeNames.Add(set.Name), RemoveTiedNodes(set, ties).Points);
   }

@@ -140,7 +140,7 @@ void WriteTies(const DeckModel& model, const NodeTies& ties,
 NodeTies FindNodeTies(const DeckModel& model)
 {
   NodeTies ties;
-  if (model.Connection != SplitConnection::Tied)
+  if (model.Connection != ConnectionKind::Tied)
   {
     return ties;
   }
@@ -199,7 +199,7 @@ NodeSet RemoveTiedNodes(NodeSet set, const NodeTies& ties)
 void WriteConnections(const DeckModel& model, const NodeTies& ties,
   const std::vector<DeckSurface>& surfaces, AbaqusNames& names, OutputFile& file)
 {
-  if (model.Connection == SplitConnection::Contact)
+  if (model.Connection == ConnectionKind::Contact)
   {
     WriteContact(model, surfaces, names, file);
   }

@@ -43,7 +43,7 @@ void WriteParts(DeckCards& cards, const DeckModel& model)
   cards.Line("$    SECID    ELFORM");
   cards.Integer(1, Normal).Integer(FormOf(model.Mesh), Normal).End();
   UniqueNames names(LongestTitle);
-  for (const DeckSection& section : model.Sections)
+  for (const MaterialPart& section : model.Materials)
   {
     cards.Line("*PART");
     cards.Line(names.Add(PlainTitle(section.Name, LongestTitle)));
@@ -52,7 +52,7 @@ void WriteParts(DeckCards& cards, const DeckModel& model)
   }
 }
 
-void WriteElements(DeckCards& cards, const MeshData& mesh, const DeckSection& section)
+void WriteElements(DeckCards& cards, const MeshData& mesh, const MaterialPart& section)
 {
   constexpr int nodes = 8;
   for (Index element : section.Elements)
@@ -67,7 +67,7 @@ void WriteElements(DeckCards& cards, const MeshData& mesh, const DeckSection& se
 }
 
 /// Writes elements of 20 or 10 nodes, in VTK's order, each on lines of its own.
-void WriteCurvedElements(DeckCards& cards, const MeshData& mesh, const DeckSection& section)
+void WriteCurvedElements(DeckCards& cards, const MeshData& mesh, const MaterialPart& section)
 {
   ElementNodes nodes(mesh, {});
   for (Index element : section.Elements)
@@ -99,7 +99,7 @@ void WriteSurface(
   cards.Line("*SET_SEGMENT_TITLE");
   cards.Line(names.Add(PlainTitle(surface.Name, LongestTitle)));
   cards.Integer(surface.Id, Normal).End();
-  for (const MeshSide& side : surface.Sides)
+  for (const ElementSide& side : surface.Sides)
   {
     WriteFace(cards, mesh, side, Normal);
   }
@@ -155,8 +155,9 @@ std::vector<NamedSurface> SelectSurfaces(const DeckModel& model)
       std::any_of(model.SplitFaces.begin(), model.SplitFaces.end(),
         [&pair](const SplitFace& face) { return face.Materials == pair; });
   };
-  std::vector<NamedSurface> surfaces = SelectNamedSurfaces(model.SideSets);
-  std::copy_if(model.SideSets.begin(), model.SideSets.end(), std::back_inserter(surfaces), isSplit);
+  std::vector<NamedSurface> surfaces = SelectNamedSurfaces(model.Sets.SideSets);
+  std::copy_if(
+    model.Sets.SideSets.begin(), model.Sets.SideSets.end(), std::back_inserter(surfaces), isSplit);
   return surfaces;
 }
 
@@ -176,12 +177,12 @@ void WriteFile(const DeckModel& model, const std::string& path)
   cards.Line(isLinear
       ? "$    EID     PID      N1      N2      N3      N4      N5      N6      N7      N8"
       : "$    EID     PID");
-  for (const DeckSection& section : model.Sections)
+  for (const MaterialPart& section : model.Materials)
   {
     (isLinear ? WriteElements : WriteCurvedElements)(cards, mesh, section);
   }
   UniqueNames nodeNames(LongestTitle), names(LongestTitle);
-  for (const NodeSet& set : model.NodeSets)
+  for (const NodeSet& set : model.Sets.NodeSets)
   {
     WriteNodeSet(cards, set, nodeNames);
   }

@@ -36,7 +36,7 @@ void WriteNodes(DeckCards& cards, const MeshData& mesh)
   }
 }
 
-void WriteElements(DeckCards& cards, const MeshData& mesh, const DeckSection& section)
+void WriteElements(DeckCards& cards, const MeshData& mesh, const MaterialPart& section)
 {
   constexpr int inFirstLine = 6;
   for (Index element : section.Elements)
@@ -56,7 +56,7 @@ void WriteElements(DeckCards& cards, const MeshData& mesh, const DeckSection& se
   }
 }
 
-void WriteSection(DeckCards& cards, const MeshData& mesh, const DeckSection& section)
+void WriteSection(DeckCards& cards, const MeshData& mesh, const MaterialPart& section)
 {
   WriteComment(cards, "Material " + std::to_string(section.Id) + ": " + section.Name);
   cards.Text("PSOLID  ").Integer(section.Id, Narrow).Integer(section.Id, Narrow).End();
@@ -86,7 +86,7 @@ void WriteNodeSet(DeckCards& cards, const NodeSet& set, int id)
 void WriteSurface(DeckCards& cards, const MeshData& mesh, const NamedSurface& surface, int id)
 {
   WriteComment(cards, "Surface " + std::to_string(id) + ": " + surface.Name);
-  for (const MeshSide& side : surface.Sides)
+  for (const ElementSide& side : surface.Sides)
   {
     const FaceIds points = PointsOfSide(mesh, side);
     const Index other =
@@ -114,14 +114,14 @@ void WriteFile(const DeckModel& model, const std::string& path)
   cards.Line("$pyNastran: punch=True"); // tells this reader that there is no case control
   WriteComment(cards, DescribeDeck(model));
   WriteNodes(cards, mesh);
-  for (const DeckSection& section : model.Sections)
+  for (const MaterialPart& section : model.Materials)
   {
     WriteSection(cards, mesh, section);
   }
-  const std::vector<NamedSurface> surfaces = SelectNamedSurfaces(model.SideSets);
-  const bool keepsIds = HaveShortIds(surfaces) && HaveShortIds(model.NodeSets);
+  const std::vector<NamedSurface> surfaces = SelectNamedSurfaces(model.Sets.SideSets);
+  const bool keepsIds = HaveShortIds(surfaces) && HaveShortIds(model.Sets.NodeSets);
   int next = 0;
-  for (const NodeSet& set : model.NodeSets)
+  for (const NodeSet& set : model.Sets.NodeSets)
   {
     WriteNodeSet(cards, set, keepsIds ? set.Id : ++next);
   }

@@ -63,7 +63,7 @@ void WriteProperty(DeckCards& cards)
 
 /// Writes a part, which refers to a material of its number, and its elements.
 void WritePart(
-  DeckCards& cards, const MeshData& mesh, const DeckSection& section, UniqueNames& names)
+  DeckCards& cards, const MeshData& mesh, const MaterialPart& section, UniqueNames& names)
 {
   WriteTitle(cards, "/PART/", section.Id, names.Add(PlainTitle(section.Name, LongestTitle)));
   cards.Line("#  prop_ID    mat_ID subset_ID");
@@ -165,15 +165,15 @@ void WriteFile(const DeckModel& model, const std::string& path)
   WriteNodes(cards, mesh);
   WriteProperty(cards);
   UniqueNames parts(LongestTitle), nodeNames(LongestTitle), names(LongestTitle);
-  for (const DeckSection& section : model.Sections)
+  for (const MaterialPart& section : model.Materials)
   {
     WritePart(cards, mesh, section, parts);
   }
-  for (const NodeSet& set : model.NodeSets)
+  for (const NodeSet& set : model.Sets.NodeSets)
   {
     WriteNodeSet(cards, set, nodeNames);
   }
-  for (const NamedSurface& surface : SelectNamedSurfaces(model.SideSets))
+  for (const NamedSurface& surface : SelectNamedSurfaces(model.Sets.SideSets))
   {
     WriteSurface(cards, mesh, surface, names);
   }

@@ -257,14 +257,16 @@ void AddSets(NetcdfLayout& layout, const ExodusModel& model)
     const std::string number = std::to_string(++count);
     const std::size_t sides = AddDimension(layout, "num_side_ss" + number, Size(set.Sides.size()));
     AddVariable(layout, "elem_ss" + number, kind, { sides },
-      [&set, &model] {
+      [&set, &model]
+      {
         return Collect(
-          set.Sides, [&](const MeshSide& side) { return model.Numbers[side.Element]; });
+          set.Sides, [&](const ElementSide& side) { return model.Numbers[side.Element]; });
       });
     const Index* sideNumbers = model.Mesh.Data.Corners == 4 ? TetSides : HexSides;
     AddVariable(layout, "side_ss" + number, kind, { sides },
-      [&set, sideNumbers]
-      { return Collect(set.Sides, [&](const MeshSide& side) { return sideNumbers[side.Side]; }); });
+      [&set, sideNumbers] {
+        return Collect(set.Sides, [&](const ElementSide& side) { return sideNumbers[side.Side]; });
+      });
   }
 }
 
@@ -357,7 +359,7 @@ void AddMaps(NetcdfLayout& layout, const ExodusModel& model, const Sizes& sizes)
       {
         ids[model.Numbers[element] - 1] = mesh.ElementIds[element];
       }
-      for (const CohesiveBlock& block : model.CohesiveBlocks)
+      for (const CohesiveBlock& block : model.Cohesive)
       {
         ids.insert(ids.end(), block.Ids.begin(), block.Ids.end());
       }

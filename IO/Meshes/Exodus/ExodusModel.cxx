@@ -1,14 +1,12 @@
 #include "Meshes/Exodus/ExodusModel.h"
 
+#include "Base/ParseText.h"
 #include "Ranks/Agreement.h"
 #include "Report/GatherMesh.h"
-#include "Report/MeshMaterials.h"
 
 #include <algorithm>
-#include <cctype>
 #include <functional>
 #include <limits>
-#include <map>
 #include <set>
 
 namespace vfm
@@ -19,13 +17,6 @@ namespace
 constexpr std::size_t MaximumLetters = 255;   // limit of the Exodus library for names
 constexpr double LargestArray = 4294967292.0; // bytes; limit of netCDF with 64-bit offsets
 constexpr Index LargestPlainId = std::numeric_limits<std::int32_t>::max();
-
-std::string ToLower(std::string text)
-{
-  std::transform(text.begin(), text.end(), text.begin(),
-    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return text;
-}
 
 /// Appends the id to names that are too long or exist already. Readers (IOSS) ignore case.
 template <class Items>
@@ -44,30 +35,19 @@ void NameItems(Items& items, std::size_t& longest)
   }
 }
 
-void MakeBlocks(ExodusModel& model, Ranks& ranks)
+void MakeBlocks(ExodusModel& model)
 {
-  const MeshData& mesh = model.Mesh.Data;
-  const std::vector<int> materials = FindMaterials(mesh, ranks);
-  const int voidId = materials.front() == 0 ? FindVoidId(mesh, ranks) : 0;
-  const std::map<int, std::string> names = NamesOfMaterials(mesh);
-  std::map<int, std::size_t> places;
-  for (int material : materials)
+  for (MaterialPart& part : model.Materials)
   {
-    places[material] = model.Blocks.size();
-    model.Blocks.push_back(
-      { material == 0 ? voidId : material, NameOfMaterial(names, material), {}, nullptr });
-  }
-  for (Index element = 0; element < mesh.NumberOfElements; ++element)
-  {
-    model.Blocks[places[mesh.Material[element]]].Elements.push_back(element);
+    model.Blocks.push_back({ part.Id, part.Name, std::move(part.Elements), nullptr });
   }
   std::sort(model.Blocks.begin(), model.Blocks.end(),
     [](const ExodusBlock& a, const ExodusBlock& b) { return a.Id < b.Id; });
-  for (const CohesiveBlock& block : model.CohesiveBlocks) // their ids are above all others
+  for (const CohesiveBlock& block : model.Cohesive) // their ids are above all others
   {
     model.Blocks.push_back({ block.Id, block.Name, {}, &block });
   }
-  model.Numbers.resize(mesh.NumberOfElements);
+  model.Numbers.resize(model.Mesh.Data.NumberOfElements);
   Index next = 0;
   for (const ExodusBlock& block : model.Blocks)
   {
@@ -146,7 +126,7 @@ void FindSizes(ExodusModel& model, Ranks& ranks)
   { return count > 0 && *std::max_element(ids, ids + count) > LargestPlainId; };
   bool hasWideIds =
     isWide(mesh.PointIds, mesh.NumberOfPoints) || isWide(mesh.ElementIds, mesh.NumberOfElements);
-  for (const CohesiveBlock& block : model.CohesiveBlocks)
+  for (const CohesiveBlock& block : model.Cohesive)
   {
     hasWideIds |= isWide(block.Ids.data(), static_cast<Index>(block.Ids.size()));
   }
@@ -163,9 +143,8 @@ ExodusModel MakeExodusModel(const MeshData& mesh, Ranks& ranks)
 {
   ExodusModel model;
   model.Mesh = OrderMesh(mesh, ranks);
-  model.Sets = FindMeshSets(model.Mesh.Data, ranks);
-  model.CohesiveBlocks = FindCohesiveBlocks(model.Mesh.Data, ranks);
-  MakeBlocks(model, ranks);
+  static_cast<MeshModel&>(model) = MakeMeshModel(model.Mesh.Data, ranks);
+  MakeBlocks(model);
   NameItems(model.Blocks, model.LongestName);
   NameItems(model.Sets.SideSets, model.LongestName);
   NameItems(model.Sets.NodeSets, model.LongestName);

@@ -5,10 +5,8 @@
 #pragma once
 
 #include "Meshes/Exodus/ExodusVariables.h"
-#include "Report/Sets/SplitFaces.h"
+#include "Meshes/Files/MeshModel.h"
 #include "Report/SharedPoints.h"
-
-#include <numeric>
 
 namespace vfm
 {
@@ -29,15 +27,14 @@ struct ExodusBlock
   }
 };
 
-/// Contents of the Exodus file of one rank.
-struct ExodusModel
+/// Contents of the Exodus file of one rank. Materials have lost their elements to Blocks; sets have
+/// unique names.
+struct ExodusModel : MeshModel
 {
   StoredMesh Mesh; ///< part of this rank; points and elements in the order of their ids
-  std::vector<CohesiveBlock> CohesiveBlocks;
   std::vector<ExodusBlock> Blocks; ///< list of blocks by id, equal on all ranks
   std::vector<Index> Numbers;      ///< number of each element in the file, from 1; then come the
                                    ///< cohesive elements
-  MeshSets Sets;                   ///< list of sets, equal on all ranks, with unique names
   std::vector<Index> SideTotals;   ///< number of sides of each side set on all ranks
   std::vector<Index> NodeTotals;   ///< number of different nodes of each node set on all ranks
   Index TotalNodes = 0, TotalElements = 0;
@@ -52,8 +49,7 @@ struct ExodusModel
   /// Returns the number of elements on this rank, with cohesive elements.
   Index NumberOfElements() const
   {
-    return std::accumulate(this->Blocks.begin(), this->Blocks.end(), Index(0),
-      [](Index sum, const ExodusBlock& block) { return sum + block.Count(); });
+    return this->Mesh.Data.NumberOfElements + CountElements(this->Cohesive);
   }
 };
 

@@ -57,7 +57,7 @@ std::vector<char> FindBorderElements(const ExodusModel& model, const std::vector
     border[model.Numbers[e] - 1] =
       std::any_of(points, points + mesh.Corners, [&](Index point) { return isBorder[point] != 0; });
   }
-  for (const CohesiveBlock& block : model.CohesiveBlocks)
+  for (const CohesiveBlock& block : model.Cohesive)
   {
     const std::ptrdiff_t corners = CohesiveCorners(mesh);
     for (auto at = block.Points.begin(); at != block.Points.end(); at += corners)

@@ -104,6 +104,15 @@ std::string FindFinalPath(const std::string& path)
   return FollowLinks(fs::absolute(path)).string();
 }
 
+bool IsWrittenInPlace(const std::string& path)
+{
+  const std::string final = FindFinalPath(path);
+  std::error_code error;
+  const fs::file_status status = fs::status(final, error);
+  return IsOpenFile(final) ||
+    (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status));
+}
+
 OutputPlace CreateOutput(const std::string& path, Naming naming)
 {
   const fs::path followed = FindFinalPath(path);
@@ -115,7 +124,7 @@ OutputPlace CreateOutput(const std::string& path, Naming naming)
   {
     ThrowReason(EISDIR);
   }
-  if (IsOpenFile(followed.string()) || (isOld && !S_ISREG(old.st_mode)))
+  if (IsWrittenInPlace(path))
   {
     return place;
   }

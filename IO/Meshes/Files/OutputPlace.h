@@ -38,6 +38,9 @@ struct OutputPlace
 /// links.
 std::string FindFinalPath(const std::string& path);
 
+/// Returns whether an output is written in place: a device, a pipe, or an open file of the process.
+bool IsWrittenInPlace(const std::string& path);
+
 /// Creates the empty file of a place. A name beside Final is .NAME.HOST-PROCESS-NUMBER.part, so no
 /// other process writes to it. The file has the owner and the permissions of the file that it
 /// replaces.

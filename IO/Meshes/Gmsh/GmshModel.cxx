@@ -1,9 +1,9 @@
 #include "Meshes/Gmsh/GmshModel.h"
 
 #include "Ranks/Errors.h"
-#include "Report/MeshMaterials.h"
 #include "Report/Sets/NamedSurfaces.h"
-#include "Report/UniqueNames.h"
+
+#include <utility>
 
 namespace vfm
 {
@@ -12,41 +12,35 @@ namespace
 
 constexpr std::size_t LongestName = 127;
 
-/// Returns the tag of a material.
-int TagOf(int material, int voidId)
+/// Fills the volumes, which take the elements of the materials.
+void AddVolumes(GmshModel& model, std::vector<MaterialPart>& parts)
 {
-  return material == 0 ? voidId : material;
-}
-
-/// Fills the volumes and the groups of materials.
-void AddVolumes(GmshModel& model, int voidId)
-{
-  const MeshData& mesh = model.Mesh;
-  for (Index element = 0; element < mesh.NumberOfElements; ++element)
+  for (MaterialPart& part : parts)
   {
-    const int volume = model.Entities.Volumes[element];
-    const int tag = TagOf(mesh.Material[element], voidId);
-    GmshVolume& entry = model.Volumes.emplace(volume, GmshVolume{ tag, {} }).first->second;
-    if (volume < 1 || entry.Group != tag)
+    for (Index element : std::exchange(part.Elements, {}))
     {
-      throw InputError("FragmentId " + std::to_string(volume) +
-        (volume < 1 ? " is below 1" : " has elements of several materials") +
-        ". Write the mesh as the filter made it, or without the array FragmentId.");
+      const int volume = model.Entities.Volumes[element];
+      GmshVolume& entry = model.Volumes.emplace(volume, GmshVolume{ part.Id, {} }).first->second;
+      if (volume < 1 || entry.Group != part.Id)
+      {
+        throw InputError("FragmentId " + std::to_string(volume) +
+          (volume < 1 ? " is below 1" : " has elements of several materials") +
+          ". Write the mesh as the filter made it, or without the array FragmentId.");
+      }
+      entry.Elements.push_back(element);
     }
-    entry.Elements.push_back(element);
   }
 }
 
-void AddMaterialGroups(GmshModel& model, const std::vector<int>& materials, int voidId)
+/// Adds the groups of materials and of cohesive elements.
+void AddVolumeGroups(GmshModel& model, const std::vector<MaterialPart>& parts)
 {
-  const std::map<int, std::string> names = NamesOfMaterials(model.Mesh);
   UniqueNames used(LongestName);
-  for (int material : materials)
+  for (const MaterialPart& part : parts)
   {
-    model.Groups.push_back(
-      { 3, TagOf(material, voidId), used.Add(PlainName(NameOfMaterial(names, material))) });
+    model.Groups.push_back({ 3, part.Id, used.Add(PlainName(part.Name)) });
   }
-  for (const CohesiveBlock& block : model.Blocks)
+  for (const CohesiveBlock& block : model.Cohesive)
   {
     model.Groups.push_back({ 3, block.Id, used.Add(PlainName(block.Name)) });
   }
@@ -87,10 +81,8 @@ std::vector<int> ListTags(
   return tags;
 }
 
-void AddSurfaceGroups(GmshModel& model, bool hasInterfaces)
+void AddSurfaceGroups(GmshModel& model, const std::vector<NamedSurface>& named, bool hasInterfaces)
 {
-  Ranks alone;
-  const std::vector<NamedSurface> named = FindNamedSurfaces(model.Mesh, alone);
   UniqueNames used(LongestName);
   for (const NamedSurface& group : named)
   {
@@ -114,12 +106,12 @@ void AddSurfaceGroups(GmshModel& model, bool hasInterfaces)
 GmshModel MakeGmshModel(const MeshData& mesh, bool hasInterfaces)
 {
   Ranks alone;
-  GmshModel model{ mesh, FindMeshEntities(mesh), {}, {}, {}, 0, FindCohesiveBlocks(mesh, alone) };
-  const std::vector<int> materials = FindMaterials(mesh, alone);
-  const int voidId = materials.front() == 0 ? FindVoidId(mesh, alone) : 0;
-  AddVolumes(model, voidId);
-  AddSurfaceGroups(model, hasInterfaces);
-  AddMaterialGroups(model, materials, voidId);
+  GmshModel model{ mesh, FindMeshEntities(mesh), {}, {}, {}, 0, {} };
+  MeshModel contents = MakeMeshModel(mesh, alone);
+  model.Cohesive = std::move(contents.Cohesive);
+  AddVolumes(model, contents.Materials);
+  AddSurfaceGroups(model, SelectNamedSurfaces(std::move(contents.Sets.SideSets)), hasInterfaces);
+  AddVolumeGroups(model, contents.Materials);
   std::sort(model.Groups.begin(), model.Groups.end(),
     [](const GmshGroup& a, const GmshGroup& b)
     { return a.Dimension != b.Dimension ? a.Dimension < b.Dimension : a.Tag < b.Tag; });

@@ -3,11 +3,10 @@
  */
 #pragma once
 
+#include "Meshes/Files/MeshModel.h"
 #include "Report/Sets/MeshEntities.h"
-#include "Report/Sets/SplitFaces.h"
 
 #include <map>
-#include <numeric>
 
 namespace vfm
 {
@@ -38,14 +37,8 @@ struct GmshModel
   Index NumberOfFaces = 0; ///< faces of the surfaces with groups
   /// Cohesive elements. Each block is a group of volumes with the id of the block, and a volume
   /// with the number after the one before, or after all others.
-  std::vector<CohesiveBlock> Blocks;
+  std::vector<CohesiveBlock> Cohesive;
 
-  Index NumberOfCohesive() const
-  {
-    return std::accumulate(this->Blocks.begin(), this->Blocks.end(), Index(0),
-      [](Index sum, const CohesiveBlock& block)
-      { return sum + static_cast<Index>(block.Ids.size()); });
-  }
   /// Returns the number of the volume of the first block.
   int FirstCohesiveVolume() const { return this->Volumes.rbegin()->first + 1; }
 

@@ -70,7 +70,7 @@ std::map<FaceIds, int> FindLowerFaces(const GmshModel& model)
     {
       continue;
     }
-    for (const MeshSide& side : entities[s].Sides)
+    for (const ElementSide& side : entities[s].Sides)
     {
       const FaceIds points = PointsOfSide(model.Mesh, side);
       surfaces[SortedPoints(points, [](Index point) { return point; })] = static_cast<int>(s) + 1;
@@ -116,7 +116,7 @@ std::vector<GmshLink> FindGmshLinks(const GmshModel& model)
     }
     const int axis = entities[s].DomainSide / 2;
     std::map<int, std::set<std::array<Index, 2>>> nodes; // by master
-    for (const MeshSide& side : entities[s].Sides)
+    for (const ElementSide& side : entities[s].Sides)
     {
       const FaceIds points = PointsOfSide(model.Mesh, side);
       const auto lower = lowerFaces.find(

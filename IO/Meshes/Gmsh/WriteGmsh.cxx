@@ -60,7 +60,7 @@ Index LargestId(const Index* ids, Index count)
 Index LargestElementId(const GmshModel& model)
 {
   const MeshData& mesh = model.Mesh;
-  return LargestId(mesh.ElementIds, mesh.NumberOfElements) + model.NumberOfCohesive();
+  return LargestId(mesh.ElementIds, mesh.NumberOfElements) + CountElements(model.Cohesive);
 }
 
 /// Calls visit(id, points, volume, block) for each cohesive element.
@@ -69,7 +69,7 @@ void ForCohesive(const GmshModel& model, const Visit& visit)
 {
   const int corners = CohesiveCorners(model.Mesh);
   int volume = model.FirstCohesiveVolume();
-  for (const CohesiveBlock& block : model.Blocks)
+  for (const CohesiveBlock& block : model.Cohesive)
   {
     for (std::size_t e = 0; e < block.Ids.size(); ++e)
     {
@@ -92,7 +92,7 @@ public:
   template <class Visit>
   void ForFaces(const SurfaceEntity& surface, const Visit& visit)
   {
-    for (const MeshSide& side : surface.Sides)
+    for (const ElementSide& side : surface.Sides)
     {
       const std::vector<Index> points = NodesOfSide(this->TheMesh, side.Element, side.Side);
       visit(this->Next++, points.data(), static_cast<int>(points.size()));
@@ -222,7 +222,8 @@ void WriteElements2(GmshFile& file, const GmshModel& model, bool isBinary)
 {
   const MeshData& mesh = model.Mesh;
   file.Begin("Elements");
-  file.Line(std::to_string(model.NumberOfFaces + mesh.NumberOfElements + model.NumberOfCohesive()));
+  file.Line(
+    std::to_string(model.NumberOfFaces + mesh.NumberOfElements + CountElements(model.Cohesive)));
   ElementWriter2 faces(file, mesh, FaceType(mesh), model.NumberOfFaces, isBinary);
   FaceIdCounter ids(model);
   ForSurfaces(model,
@@ -242,7 +243,7 @@ void WriteElements2(GmshFile& file, const GmshModel& model, bool isBinary)
       nodes.Of(element), nodes.Count());
   }
   ElementWriter2 cohesive(
-    file, mesh, CohesiveType(mesh.Corners), model.NumberOfCohesive(), isBinary);
+    file, mesh, CohesiveType(mesh.Corners), CountElements(model.Cohesive), isBinary);
   ForCohesive(model,
     [&](Index id, const Index* points, int volume, const CohesiveBlock& block)
     { cohesive.Write(id, block.Id, volume, points, CohesiveCorners(mesh)); });
@@ -372,7 +373,7 @@ void WriteVolumes(GmshFile& file, const GmshModel& model)
     WriteEntity(file, tag, box, { volume.Group }, surfaces[tag]);
   }
   int tag = model.FirstCohesiveVolume();
-  for (const CohesiveBlock& block : model.Blocks)
+  for (const CohesiveBlock& block : model.Cohesive)
   {
     BoundingBox box(model.Mesh);
     box.Add(block.Points.data(), static_cast<int>(block.Points.size()));
@@ -387,7 +388,7 @@ void WriteEntities(GmshFile& file, const GmshModel& model)
   file.Size(static_cast<Index>(entities.Vertices.size()));
   file.Size(static_cast<Index>(entities.Curves.size()));
   file.Size(static_cast<Index>(entities.Surfaces.size()));
-  file.Size(static_cast<Index>(model.Volumes.size() + model.Blocks.size()));
+  file.Size(static_cast<Index>(model.Volumes.size() + model.Cohesive.size()));
   file.EndLine();
   WriteVertices(file, model);
   WriteCurves(file, model);
@@ -458,10 +459,11 @@ void WriteElements4(GmshFile& file, const GmshModel& model)
 {
   const MeshData& mesh = model.Mesh;
   file.Begin("Elements");
-  std::size_t blocks = model.Volumes.size() + model.Blocks.size();
+  std::size_t blocks = model.Volumes.size() + model.Cohesive.size();
   ForSurfaces(model, [&blocks](std::size_t) { ++blocks; });
-  WriteTotals(file, blocks, model.NumberOfFaces + mesh.NumberOfElements + model.NumberOfCohesive(),
-    mesh.ElementIds[0], LargestElementId(model) + model.NumberOfFaces);
+  WriteTotals(file, blocks,
+    model.NumberOfFaces + mesh.NumberOfElements + CountElements(model.Cohesive), mesh.ElementIds[0],
+    LargestElementId(model) + model.NumberOfFaces);
   FaceIdCounter ids(model);
   ForSurfaces(model,
     [&](std::size_t s)

@@ -29,12 +29,15 @@ struct CellSides
   std::vector<RemoteSide> Remote; ///< ascending by Side
 };
 
+/// Returns the side with a number.
+ElementSide SideOfNumber(const MeshData& mesh, Index number);
+
 /// Returns the points of a side, counterclockwise seen from outside of its cell, from the lowest
 /// one; in a periodic mesh from the one with the lowest partner. The last point of a triangle is
 /// -1.
-FaceIds PointsOfSide(const MeshData& mesh, Index side);
+FaceIds PointsOfSide(const MeshData& mesh, Index number);
 /// Returns the points of a side in ascending order. The first point of a triangle is -1.
-FaceIds SortedPointsOfSide(const MeshData& mesh, Index side);
+FaceIds SortedPointsOfSide(const MeshData& mesh, Index number);
 
 /// Finds the cells behind all sides.
 /// @param mesh  part of this rank, with PointIds

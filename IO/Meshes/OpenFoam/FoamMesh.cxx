@@ -1,10 +1,9 @@
 #include "Meshes/OpenFoam/FoamMesh.h"
 
+#include "Meshes/Files/MeshModel.h"
 #include "Meshes/OpenFoam/CyclicSides.h"
 #include "Meshes/OpenFoam/FoamSurfaces.h"
 #include "Ranks/Agreement.h"
-#include "Report/MeshMaterials.h"
-#include "Report/UniqueNames.h"
 
 #include <limits>
 #include <map>
@@ -184,7 +183,7 @@ void FoamMeshMaker::AddPatches(Ranks& ranks)
   std::vector<std::vector<Index>> sides(patches.size());
   for (Index side : this->Open)
   {
-    const SurfaceSide* entry = this->Surfaces.Find(side);
+    const SideSurface* entry = this->Surfaces.Find(SideOfNumber(this->Foam.Mesh, side));
     (entry ? sides[entry->Surface] : sides.back()).push_back(side);
   }
   std::vector<Index> totals;
@@ -245,18 +244,10 @@ void FoamMeshMaker::AddRemoteFaces()
 
 void FoamMeshMaker::AddCellZones(Ranks& ranks)
 {
-  const MeshData& mesh = this->Foam.Mesh;
-  const std::map<int, std::string> names = NamesOfMaterials(mesh);
-  std::map<int, std::size_t> zones;
   UniqueNames used;
-  for (int material : FindMaterials(mesh, ranks))
+  for (MaterialPart& part : FindMaterialParts(this->Foam.Mesh, ranks))
   {
-    zones.emplace(material, this->Foam.CellZones.size());
-    this->Foam.CellZones.push_back({ used.Add(FoamWord(NameOfMaterial(names, material))), {}, {} });
-  }
-  for (Index cell = 0; cell < mesh.NumberOfElements; ++cell)
-  {
-    this->Foam.CellZones[zones[mesh.Material[cell]]].Members.push_back(cell);
+    this->Foam.CellZones.push_back({ used.Add(FoamWord(part.Name)), std::move(part.Elements), {} });
   }
 }
 
@@ -266,7 +257,8 @@ void FoamMeshMaker::AddFaceZones(Ranks& ranks)
   std::vector<FoamZone> zones(this->Surfaces.Surfaces.size());
   const auto add = [&](Index face)
   {
-    if (const SurfaceSide* side = this->Surfaces.Find(foam.Sides[face]))
+    const ElementSide number = SideOfNumber(foam.Mesh, foam.Sides[face]);
+    if (const SideSurface* side = this->Surfaces.Find(number))
     {
       FoamZone& zone = zones[this->Surfaces.Surfaces[side->Surface].Interface];
       zone.Members.push_back(face);

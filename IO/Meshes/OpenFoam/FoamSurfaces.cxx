@@ -1,9 +1,6 @@
 #include "Meshes/OpenFoam/FoamSurfaces.h"
 
-#include "Report/MeshFacets.h"
 #include "Report/UniqueNames.h"
-
-#include <map>
 
 namespace vfm
 {
@@ -20,25 +17,15 @@ bool IsWordCharacter(char c)
   return IsLetter(c) || (c >= '0' && c <= '9') || c == '-' || c == '.';
 }
 
-/// Domain side, materials and smooth side of a surface.
+/// Side of the domain, materials from the one whose elements own the faces, and smooth side.
 using SurfaceKey = std::array<int, 4>;
 
-SurfaceKey KeyOf(const NamedSurface& surface)
+/// @param surface  smooth side, or 0
+SurfaceKey KeyOf(const SideSet& set, int surface)
 {
-  return { { surface.DomainSide, surface.Materials[0], surface.Materials[1], surface.Surface } };
-}
-
-/// Returns the key of the finest surface of a facet of an element.
-SurfaceKey KeyOf(const MeshFacet& facet, int material)
-{
-  if (facet.DomainSide != NoSide)
-  {
-    return { { facet.DomainSide, 0, 0, 0 } };
-  }
-  const int behind = std::max(facet.Behind, 0);
-  return OwnsFace(material, facet.Behind)
-    ? SurfaceKey{ { NoSide, material, behind, facet.Surface } }
-    : SurfaceKey{ { NoSide, behind, material, facet.Surface } };
+  const auto [first, second] = set.Materials;
+  return OwnsFace(first, second) ? SurfaceKey{ { set.DomainSide, first, second, surface } }
+                                 : SurfaceKey{ { set.DomainSide, second, first, surface } };
 }
 
 bool IsFinest(const NamedSurface& surface)
@@ -47,35 +34,12 @@ bool IsFinest(const NamedSurface& surface)
     surface.Kind == SurfaceKind::SmoothSide;
 }
 
-/// Names the surfaces and returns the index of each key.
-std::map<SurfaceKey, int> AddSurfaces(
-  const std::vector<NamedSurface>& named, std::vector<FoamSurface>& surfaces)
-{
-  std::map<SurfaceKey, int> indices;
-  UniqueNames used;
-  for (const NamedSurface& surface : named)
-  {
-    if (!IsFinest(surface))
-    {
-      continue;
-    }
-    const int index = static_cast<int>(surfaces.size());
-    indices[KeyOf(surface)] = index;
-    const auto interface =
-      indices.find({ { NoSide, surface.Materials[0], surface.Materials[1], 0 } });
-    surfaces.push_back({ used.Add(FoamWord(surface.Name)), surface.Kind == SurfaceKind::DomainSide,
-      surface.Kind == SurfaceKind::SmoothSide ? interface->second : index });
-  }
-  return indices;
-}
-
 } // namespace
 
-const SurfaceSide* FoamSurfaces::Find(Index side) const
+const SideSurface* FoamSurfaces::Find(const ElementSide& side) const
 {
-  const auto found = std::lower_bound(this->Sides.begin(), this->Sides.end(), side,
-    [](const SurfaceSide& entry, Index number) { return entry.Side < number; });
-  return found == this->Sides.end() || found->Side != side ? nullptr : &*found;
+  const auto found = this->OfSideSet.find(this->Sides.TagOf(side));
+  return found == this->OfSideSet.end() ? nullptr : &found->second;
 }
 
 std::string FoamWord(const std::string& name)
@@ -94,18 +58,28 @@ std::string FoamWord(const std::string& name)
 
 FoamSurfaces FindFoamSurfaces(const MeshData& mesh, Ranks& ranks)
 {
-  const std::vector<MeshFacet> facets = FindMeshFacets(mesh, ranks);
-  MeshData listed = mesh;
-  listed.Facets = &facets;
-  FoamSurfaces found;
-  const std::map<SurfaceKey, int> indices =
-    AddSurfaces(FindNamedSurfaces(listed, ranks), found.Surfaces);
-  const int sides = ElementFaces(mesh.Corners).Count;
-  for (const MeshFacet& facet : facets)
+  const std::vector<SideSet> sets = FindMeshSets(mesh, ranks).SideSets;
+  FoamSurfaces found{ {}, TagFaces(sets), {} };
+  std::map<SurfaceKey, int> indices;
+  UniqueNames used;
+  for (const NamedSurface& surface : SelectNamedSurfaces(sets))
   {
-    const int material = mesh.Material[facet.Element];
-    found.Sides.push_back({ sides * facet.Element + facet.Side, indices.at(KeyOf(facet, material)),
-      !OwnsFace(material, facet.Behind) });
+    if (IsFinest(surface))
+    {
+      const int index = static_cast<int>(found.Surfaces.size());
+      indices[KeyOf(surface, surface.Surface)] = index;
+      found.Surfaces.push_back(
+        { used.Add(FoamWord(surface.Name)), surface.Kind == SurfaceKind::DomainSide,
+          surface.Kind == SurfaceKind::SmoothSide ? indices.at(KeyOf(surface, 0)) : index });
+    }
+  }
+  for (const SideSet& set : sets)
+  {
+    if (IsFinest(set))
+    {
+      found.OfSideSet[set.Id] = { indices.at(KeyOf(set, set.Surface)),
+        !OwnsFace(set.Materials[0], set.Materials[1]) };
+    }
   }
   return found;
 }

@@ -15,10 +15,9 @@ struct FoamSurface
   int Interface;     ///< index of the interface of a smooth side; else of the surface itself
 };
 
-/// A side of an element on a surface.
-struct SurfaceSide
+/// Surface of a side of an element.
+struct SideSurface
 {
-  Index Side;  ///< number of the side (CellSides.h)
   int Surface; ///< index of its domain side, interface, or smooth side if it has one
   /// Whether the normal of the interface, from the first to the second material, points into the
   /// element.
@@ -27,11 +26,12 @@ struct SurfaceSide
 
 struct FoamSurfaces
 {
-  std::vector<FoamSurface> Surfaces; ///< equal on all ranks
-  std::vector<SurfaceSide> Sides;    ///< sides of this rank's elements, ascending
+  std::vector<FoamSurface> Surfaces;    ///< equal on all ranks
+  TaggedFaces Sides;                    ///< sides of this rank's elements, tagged by side set
+  std::map<int, SideSurface> OfSideSet; ///< by id
 
-  /// Returns the entry of a side, or null.
-  const SurfaceSide* Find(Index side) const;
+  /// Returns the surface of a side, or null.
+  const SideSurface* Find(const ElementSide& side) const;
 };
 
 /// Returns a name as a word of OpenFOAM: letters, digits and _ - . after a letter or _. Other
@@ -39,7 +39,7 @@ struct FoamSurfaces
 std::string FoamWord(const std::string& name);
 
 /// Finds the surfaces of a mesh. A side between two elements is in the list once for each.
-/// @throws InputError  if FindNamedSurfaces does
+/// @throws InputError  if FindMeshSets does
 /// @pre Collective
 FoamSurfaces FindFoamSurfaces(const MeshData& mesh, Ranks& ranks);
 

@@ -1,13 +1,11 @@
 #include "Meshes/Surfaces/WriteStl.h"
 
 #include "FileSuffix.h"
+#include "Meshes/Files/MeshModel.h"
 #include "Meshes/Files/OutputFile.h"
 #include "Meshes/Files/WriteWhole.h"
 #include "Ranks/WorkTogether.h"
 #include "Report/MeshFacets.h"
-#include "Report/MeshMaterials.h"
-#include "Report/Sets/MeshSets.h"
-#include "Report/UniqueNames.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,17 +20,31 @@ constexpr std::size_t LongestFileName = 200; // bytes of the name of a material 
 
 using Triangle = std::array<Vector3, 3>;
 
-/// Faces by the material that they belong to, counterclockwise seen from outside of it.
-std::map<int, std::vector<FaceIds>> FindSkins(const MeshData& whole)
+struct Solid
+{
+  std::string Name;
+  std::vector<FaceIds> Faces; ///< counterclockwise seen from outside
+};
+
+/// Returns the surface of each material, with unique names.
+std::vector<Solid> FindSolids(
+  const MeshData& whole, std::string (*form)(const std::string&), UniqueNames used)
 {
   Ranks alone;
   std::map<int, std::vector<FaceIds>> skins;
   for (const MeshFacet& facet : FindMeshFacets(whole, alone))
   {
-    skins[whole.Material[facet.Element]].push_back(
-      PointsOfSide(whole, { facet.Element, facet.Side }));
+    skins[whole.Material[facet.Element]].push_back(PointsOfSide(whole, facet));
   }
-  return skins;
+  std::vector<int> materials;
+  std::transform(skins.begin(), skins.end(), std::back_inserter(materials),
+    [](const auto& skin) { return skin.first; });
+  std::vector<Solid> solids;
+  for (auto& [material, name] : NameMaterials(whole, materials, form, used))
+  {
+    solids.push_back({ name, std::move(skins[material]) });
+  }
+  return solids;
 }
 
 /// Calls add for each triangle of a face. The result does not depend on the corner that is first.
@@ -82,11 +94,10 @@ void AddVector(OutputFile& file, const char* before, const Vector3& vector)
   file.Add("\n");
 }
 
-void AddSolid(OutputFile& file, const MeshData& whole, const std::vector<FaceIds>& faces,
-  const std::string& name)
+void AddSolid(OutputFile& file, const MeshData& whole, const Solid& solid)
 {
-  file.Add("solid " + name + "\n");
-  for (const FaceIds& face : faces)
+  file.Add("solid " + solid.Name + "\n");
+  for (const FaceIds& face : solid.Faces)
   {
     CutFace(whole, face,
       [&file](const Triangle& triangle)
@@ -100,44 +111,39 @@ void AddSolid(OutputFile& file, const MeshData& whole, const std::vector<FaceIds
         file.Add("endloop\nendfacet\n");
       });
   }
-  file.Add("endsolid " + name + "\n");
+  file.Add("endsolid " + solid.Name + "\n");
 }
 
 /// Writes all surfaces into one file.
 void WriteSolids(const MeshData& whole, const std::string& path)
 {
-  const std::map<int, std::string> names = NamesOfMaterials(whole);
-  UniqueNames used;
   OutputFile file(path);
-  for (const auto& [material, faces] : FindSkins(whole))
+  for (const Solid& solid : FindSolids(whole, PlainName, UniqueNames()))
   {
-    AddSolid(file, whole, faces, used.Add(PlainName(NameOfMaterial(names, material))));
+    AddSolid(file, whole, solid);
   }
   file.Close();
 }
 
 /// Returns a name without the separator of folders.
-std::string NameInFile(std::string name)
+std::string NameInFile(const std::string& name)
 {
-  name = PlainName(std::move(name));
-  std::replace(name.begin(), name.end(), '/', '_');
-  return name;
+  std::string plain = PlainName(name);
+  std::replace(plain.begin(), plain.end(), '/', '_');
+  return plain;
 }
 
 /// Writes each surface into a file of its own.
 void WriteEachSolid(const MeshData& whole, const std::string& path, std::size_t place)
 {
-  const std::map<int, std::string> names = NamesOfMaterials(whole);
-  UniqueNames used(LongestFileName);
-  for (const auto& [material, faces] : FindSkins(whole))
+  for (const Solid& solid : FindSolids(whole, NameInFile, UniqueNames(LongestFileName)))
   {
-    const std::string name = used.Add(NameInFile(NameOfMaterial(names, material)));
-    const std::string filled = std::string(path).replace(place, 2, name);
+    const std::string filled = std::string(path).replace(place, 2, solid.Name);
     PrefixErrors(filled + ": ",
-      [&, &of = faces]
+      [&]
       {
         OutputFile file(filled);
-        AddSolid(file, whole, of, name);
+        AddSolid(file, whole, solid);
         file.Close();
       });
   }

@@ -1,12 +1,12 @@
 #include "Meshes/Xdmf/WriteXdmf.h"
 
 #include "Meshes/Files/ElementNodes.h"
+#include "Meshes/Files/MeshModel.h"
 #include "Meshes/Files/OutputFile.h"
 #include "Meshes/Files/WriteWhole.h"
 #include "Meshes/Vtk/VtuText.h"
 #include "Report/MeshMaterials.h"
 #include "Report/Sets/NamedSurfaces.h"
-#include "Report/UniqueNames.h"
 
 #include <filesystem>
 
@@ -115,12 +115,12 @@ void AddTags(OutputFile& file, const char* name, const int* tags, Index count)
 void WriteElements(const MeshData& mesh, const std::string& path, OutputSet& files)
 {
   Ranks alone;
-  const std::map<int, std::string> names = NamesOfMaterials(mesh);
   UniqueNames used;
   Numbers numbers;
-  for (int material : FindMaterials(mesh, alone))
+  for (const auto& [material, name] :
+    NameMaterials(mesh, FindMaterials(mesh, alone), PlainName, used))
   {
-    numbers.emplace_back(used.Add(PlainName(NameOfMaterial(names, material))), material);
+    numbers.emplace_back(name, material);
   }
   OutputFile file(path, files);
   BeginGrid(file, "mesh");

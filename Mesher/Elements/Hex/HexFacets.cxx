@@ -222,7 +222,7 @@ public:
   /// Adds the facet of a face between two coarse hexes.
   /// @param points  point of each split node, or -1
   void AddCoarse(
-    const SplitNodes::Face& face, const std::vector<Index>& points, Facets& found) const;
+    const SplitNodes::InterfaceQuad& face, const std::vector<Index>& points, Facets& found) const;
 
 private:
   const RefinedGrid& Levels;
@@ -248,7 +248,7 @@ void InterfaceFacets::AddFine(
 }
 
 void InterfaceFacets::AddCoarse(
-  const SplitNodes::Face& face, const std::vector<Index>& points, Facets& found) const
+  const SplitNodes::InterfaceQuad& face, const std::vector<Index>& points, Facets& found) const
 {
   const IndexBox box = this->Levels.Finest().HexBox();
   Facet facet{ {}, {}, {}, -1, false };
@@ -334,7 +334,7 @@ std::vector<Facet> FindHexFacets(const LabelledGrid& labelled, const PointNumber
         [&](const InterfaceFace& face, const Index3& lower, const Index3& upper)
         { onInterfaces.AddFine(face, lower, upper, found); });
     });
-  for (const SplitNodes::Face& face : coarse.Splits().Faces)
+  for (const SplitNodes::InterfaceQuad& face : coarse.Splits().Faces)
   {
     onInterfaces.AddCoarse(face, coarse.SplitPoints(), parts[3]);
   }

@@ -215,7 +215,7 @@ Index HexStars::KeyAt(const Hex& hex, int corner) const
 {
   return hex.What == Kind::Refined
     ? this->Refined.PointKeys[this->Refined.Hexes[8 * hex.Id + VtkCorner[corner]]]
-    : this->Lattice.LatticeKey(hex.Side.Cell.Level, CornerOfCell(hex.Side.Cell.At, corner));
+    : this->Lattice.LatticeKey(hex.Place.Cell.Level, CornerOfCell(hex.Place.Cell.At, corner));
 }
 
 Vector3 HexStars::PointAt(const Hex& hex, int corner) const
@@ -226,7 +226,7 @@ Vector3 HexStars::PointAt(const Hex& hex, int corner) const
       this->Refined.Points.data() + 3 * this->Refined.Hexes[8 * hex.Id + VtkCorner[corner]];
     return { { x[0], x[1], x[2] } };
   }
-  return this->Lattice.NodePoint(hex.Side.Cell.Level, CornerOfCell(hex.Side.Cell.At, corner));
+  return this->Lattice.NodePoint(hex.Place.Cell.Level, CornerOfCell(hex.Place.Cell.At, corner));
 }
 
 /// Returns the smallest widths of the hexes at a node; transition hexes are about half as wide as
@@ -237,7 +237,7 @@ Vector3 HexStars::WidthsAt(const Star& star) const
   for (const Corner& at : star)
   {
     const Hex& hex = this->TheHexes[at.Hex];
-    const Vector3 widths = this->Lattice.CellWidths(hex.Side.Cell.Level, hex.Side.Cell.At);
+    const Vector3 widths = this->Lattice.CellWidths(hex.Place.Cell.Level, hex.Place.Cell.At);
     const bool isTransition = hex.What == Kind::Refined && this->Refined.IsTransition[hex.Id];
     for (int a = 0; a < 3; ++a)
     {

@@ -35,8 +35,8 @@ public:
     Base,    ///< untouched base cell
     Fine     ///< finest cell
   };
-  /// Hex on one side of a face.
-  struct Side
+  /// Where a hex is, and its label.
+  struct HexPlace
   {
     OctreeKeys::LevelIndex Cell; ///< cell that the hex is or lies in
     Index HexKey;                ///< OctreeKeys::HexKey, or -1 for a finest cell
@@ -46,7 +46,7 @@ public:
   {
     Kind What;
     Index Id; ///< index of the hex, or key of the cell
-    HexStars::Side Side;
+    HexPlace Place;
   };
   struct Corner
   {

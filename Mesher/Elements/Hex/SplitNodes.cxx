@@ -53,7 +53,7 @@ using LabelNormal = std::pair<int, Vector3>; // label, normal out of it
 
 /// Face of a hex at a node: keys of the far ends of its two edges there and of the opposite corner,
 /// and the hex.
-struct FaceAt
+struct FaceAtNode
 {
   std::array<Index, 3> Keys;
   const Corner* From;
@@ -77,9 +77,9 @@ const Hex& HexOf(const HexStars& stars, const Corner& at)
 }
 
 /// Lists the faces at a node by key. A face that two hexes share is listed twice in sequence.
-std::vector<FaceAt> ListFaces(const HexStars& stars, const Star& star)
+std::vector<FaceAtNode> ListFaces(const HexStars& stars, const Star& star)
 {
-  std::vector<FaceAt> faces;
+  std::vector<FaceAtNode> faces;
   for (const Corner& at : star)
   {
     for (int axis = 0; axis < 3; ++axis)
@@ -92,13 +92,13 @@ std::vector<FaceAt> ListFaces(const HexStars& stars, const Star& star)
         { { { ends.first, ends.second, stars.KeyAt(hex, at.Bits ^ b ^ c) } }, &at, axis });
     }
   }
-  std::stable_sort(
-    faces.begin(), faces.end(), [](const FaceAt& a, const FaceAt& b) { return a.Keys < b.Keys; });
+  std::stable_sort(faces.begin(), faces.end(),
+    [](const FaceAtNode& a, const FaceAtNode& b) { return a.Keys < b.Keys; });
   return faces;
 }
 
 /// Adds a face when it is visited at its node with the smallest key.
-void AddFace(const HexStars& stars, const FaceAt& a, const FaceAt& b, SplitNodes& result)
+void AddFace(const HexStars& stars, const FaceAtNode& a, const FaceAtNode& b, SplitNodes& result)
 {
   const Hex& hexA = HexOf(stars, *a.From);
   const Hex& hexB = HexOf(stars, *b.From);
@@ -110,26 +110,26 @@ void AddFace(const HexStars& stars, const FaceAt& a, const FaceAt& b, SplitNodes
   {
     return;
   }
-  for (const FaceAt* face : { &a, &b })
+  for (const FaceAtNode* face : { &a, &b })
   {
     const Hex& hex = HexOf(stars, *face->From);
     const int bit = 1 << (2 * face->Axis + (face->From->Bits >> face->Axis & 1));
     if (hex.What != Kind::Fine)
     {
-      result.HexFaces.emplace_back(hex.Side.HexKey, bit);
+      result.HexFaces.emplace_back(hex.Place.HexKey, bit);
     }
   }
   if (hexA.What == Kind::Fine && hexB.What == Kind::Fine)
   {
     return;
   }
-  const bool isFirst = hexA.Side.Label < hexB.Side.Label;
+  const bool isFirst = hexA.Place.Label < hexB.Place.Label;
   // at a corner with an even number of bits, the normal by this order points into A
   if (((0x69 >> corner & 1) != 0) == isFirst)
   {
     std::swap(keys[1], keys[3]);
   }
-  SplitNodes::Face face;
+  SplitNodes::InterfaceQuad face;
   for (int c = 0; c < 4; ++c)
   {
     face.Nodes[c] = result.Find(keys[c]);
@@ -138,7 +138,7 @@ void AddFace(const HexStars& stars, const FaceAt& a, const FaceAt& b, SplitNodes
       return; // at the rim of the region
     }
   }
-  face.Sides = { { isFirst ? hexA.Side : hexB.Side, isFirst ? hexB.Side : hexA.Side } };
+  face.Sides = { { isFirst ? hexA.Place : hexB.Place, isFirst ? hexB.Place : hexA.Place } };
   result.Faces.push_back(face);
 }
 
@@ -148,7 +148,7 @@ std::vector<int> ListLabels(const HexStars& stars, const Star& star)
   std::vector<int> labels;
   for (const Corner& at : star)
   {
-    labels.push_back(HexOf(stars, at).Side.Label);
+    labels.push_back(HexOf(stars, at).Place.Label);
   }
   SortUnique(labels);
   return labels;
@@ -196,7 +196,7 @@ void RequestFiner(const RefinedGrid& grid, const HexStars& stars, const Star& st
 {
   for (const Corner& at : star)
   {
-    const OctreeKeys::LevelIndex& cell = HexOf(stars, at).Side.Cell;
+    const OctreeKeys::LevelIndex& cell = HexOf(stars, at).Place.Cell;
     if (cell.Level < grid.NumberOfRefinements())
     {
       families[cell.Level].push_back(grid.Lattice().FamilyKeyOf(cell));
@@ -207,7 +207,7 @@ void RequestFiner(const RefinedGrid& grid, const HexStars& stars, const Star& st
 /// Returns whether a hex is owned. All hexes around an owned hex are in the region.
 bool IsOwned(const RefinedGrid& grid, const Hex& hex)
 {
-  return grid.Finest().Owned().Contains(grid.FinestNode(hex.Side.Cell.Level, hex.Side.Cell.At));
+  return grid.Finest().Owned().Contains(grid.FinestNode(hex.Place.Cell.Level, hex.Place.Cell.At));
 }
 
 /// Returns whether a cell of a label at a node has hexes.
@@ -216,7 +216,7 @@ bool HasPoint(const HexStars& stars, const CellCondition& hasHexes, const Star& 
   return std::any_of(star.begin(), star.end(),
     [&](const Corner& at)
     {
-      const HexStars::Side& side = HexOf(stars, at).Side;
+      const HexStars::HexPlace& side = HexOf(stars, at).Place;
       return side.Label == label && hasHexes(side.Cell);
     });
 }
@@ -235,7 +235,7 @@ int FindSeamSides(
     bool isBelow = false, isAbove = false;
     for (const Corner& at : star)
     {
-      const HexStars::Side& side = HexOf(stars, at).Side;
+      const HexStars::HexPlace& side = HexOf(stars, at).Place;
       const Index first = grid.FinestNode(side.Cell.Level, side.Cell.At)[a];
       const bool above = finest.Coordinates(a)[first] >= x[a];
       isAbove = isAbove || (side.Label == label && above);
@@ -287,7 +287,7 @@ bool IsTorn(
   {
     for (std::size_t j = 0; j < i; ++j)
     {
-      if (HexOf(stars, star[i]).Side.Label == HexOf(stars, star[j]).Side.Label &&
+      if (HexOf(stars, star[i]).Place.Label == HexOf(stars, star[j]).Place.Label &&
         FindRoot(parent, static_cast<Index>(i)) != FindRoot(parent, static_cast<Index>(j)))
       {
         return true;
@@ -299,8 +299,8 @@ bool IsTorn(
 
 /// Adds the normals of a face between two labels at its node.
 /// @param widths  widths of the cells there
-void AddNormals(const HexStars& stars, const FaceAt& a, const FaceAt& b, const Vector3& widths,
-  std::vector<LabelNormal>& normals)
+void AddNormals(const HexStars& stars, const FaceAtNode& a, const FaceAtNode& b,
+  const Vector3& widths, std::vector<LabelNormal>& normals)
 {
   const Hex& hex = HexOf(stars, *a.From);
   const int corner = a.From->Bits;
@@ -309,8 +309,8 @@ void AddNormals(const HexStars& stars, const FaceAt& a, const FaceAt& b, const V
   { return Divided(stars.PointAt(hex, corner ^ (1 << axis % 3)) - x, widths); };
   Vector3 normal = Cross(edge(a.Axis + 1), edge(a.Axis + 2));
   normal = Dot(normal, edge(a.Axis)) > 0.0 ? -1.0 * normal : normal;
-  normals.emplace_back(hex.Side.Label, normal);
-  normals.emplace_back(HexOf(stars, *b.From).Side.Label, -1.0 * normal);
+  normals.emplace_back(hex.Place.Label, normal);
+  normals.emplace_back(HexOf(stars, *b.From).Place.Label, -1.0 * normal);
 }
 
 /// Adds the labels, inner points and faces of a node, and requests refinement if no valid mesh
@@ -319,18 +319,18 @@ void SplitNode(const SplitRegion& region, Index n, SplitNodes& result)
 {
   const HexStars& stars = region.Stars;
   const Star star = stars.StarOf(n);
-  const std::vector<FaceAt> faces = ListFaces(stars, star);
+  const std::vector<FaceAtNode> faces = ListFaces(stars, star);
   const Vector3 widths = stars.WidthsAt(star);
   std::vector<LabelNormal> normals;
   std::vector<std::pair<Index, Index>> joined; // pairs of neighbours with one label
   for (std::size_t f = 0; f + 1 < faces.size(); ++f)
   {
-    const FaceAt &a = faces[f], &b = faces[f + 1];
+    const FaceAtNode &a = faces[f], &b = faces[f + 1];
     if (a.Keys != b.Keys)
     {
       continue;
     }
-    if (HexOf(stars, *a.From).Side.Label == HexOf(stars, *b.From).Side.Label)
+    if (HexOf(stars, *a.From).Place.Label == HexOf(stars, *b.From).Place.Label)
     {
       joined.emplace_back(a.From - star.data(), b.From - star.data());
       continue;
@@ -355,14 +355,14 @@ int FacesAt(
 {
   if (hex.What != Kind::Fine)
   {
-    return splits.FacesOfHex(hex.Side.HexKey);
+    return splits.FacesOfHex(hex.Place.HexKey);
   }
   const CartesianGrid& finest = grid.Finest();
-  const Index cell = finest.Linear(hex.Side.Cell.At);
+  const Index cell = finest.Linear(hex.Place.Cell.At);
   int faces = 0;
   for (int face = 0; face < 6; ++face)
   {
-    faces |= (labels[finest.Neighbour(cell, face)] != hex.Side.Label) << face;
+    faces |= (labels[finest.Neighbour(cell, face)] != hex.Place.Label) << face;
   }
   return faces;
 }
@@ -373,10 +373,10 @@ Vector3 InnerAt(const SplitRegion& region, const SplitNodes& splits, const Hex& 
   const Index n = splits.Find(region.Stars.KeyAt(hex, corner));
   if (n >= 0)
   {
-    return splits.InnerPoint(n, splits.RankOf(n, hex.Side.Label));
+    return splits.InnerPoint(n, splits.RankOf(n, hex.Place.Label));
   }
   return hex.What == Kind::Fine ? StartOfInnerPoint(region.Grid.Finest(), region.Labels,
-                                    CornerOfCell(hex.Side.Cell.At, corner), hex.Side.Label)
+                                    CornerOfCell(hex.Place.Cell.At, corner), hex.Place.Label)
                                 : region.Stars.PointAt(hex, corner);
 }
 
@@ -388,7 +388,7 @@ bool IsPositive(const SplitRegion& region, const SplitNodes& splits, const Hex& 
     inner[c] = InnerAt(region, splits, hex, c);
     outer[c] = region.Stars.PointAt(hex, c);
   }
-  const OctreeKeys::LevelIndex& cell = hex.Side.Cell;
+  const OctreeKeys::LevelIndex& cell = hex.Place.Cell;
   const Vector3 widths = region.Grid.Lattice().CellWidths(cell.Level, cell.At);
   const double least = SmallestDeterminant * widths[0] * widths[1] * widths[2];
   const auto isPositive = [&](const std::array<Vector3, 8>& x)
@@ -410,7 +410,7 @@ void CheckHexes(const SplitRegion& region, SplitNodes& splits)
 {
   for (const Hex& hex : region.Stars.Hexes())
   {
-    if (!IsOwned(region.Grid, hex) || !region.HasHexes(hex.Side.Cell) ||
+    if (!IsOwned(region.Grid, hex) || !region.HasHexes(hex.Place.Cell) ||
       IsPositive(region, splits, hex))
     {
       continue;

@@ -26,14 +26,13 @@ namespace vfm
 /// Split nodes, their labels, inner points and faces.
 struct SplitNodes
 {
-  using Side = HexStars::Side;
   /// Face between two labels; at most one side is a finest cell.
-  struct Face
+  struct InterfaceQuad
   {
     /// Numbers of split nodes in circular order; the normal points out of the first side.
     std::array<Index, 4> Nodes;
     /// The first side has the smaller label.
-    std::array<Side, 2> Sides;
+    std::array<HexStars::HexPlace, 2> Sides;
   };
 
   std::vector<Index> Keys; ///< keys of the nodes (OctreeKeys::NodeOfKey), ascending
@@ -44,7 +43,7 @@ struct SplitNodes
   std::vector<unsigned char> HasPoint;
   /// Initial position of point I of each label, length units of the grid.
   std::vector<Vector3> Inner;
-  std::vector<Face> Faces;
+  std::vector<InterfaceQuad> Faces;
   /// Keys, ascending, and faces of hexes of the refined mesh and of untouched base cells: bit f is
   /// set if face f (-x +x -y +y -z +z) is on an interface.
   std::vector<std::pair<Index, int>> HexFaces;

@@ -11,7 +11,7 @@ namespace
 {
 
 /// Face of the grid. The label outside the domain is -1.
-struct Face : InterfaceFace
+struct BlockFace : InterfaceFace
 {
   Index3 Block;
 };
@@ -80,21 +80,21 @@ void OverFaces(
       if (p[u] < box.Upper[u] && p[v] < box.Upper[v] && (!inLower || isIn(below)) &&
         (!inUpper || isIn(p)))
       {
-        body(Face{ { node, axis, inLower ? labels[node - grid.Stride(axis)] : -1,
-                     inUpper ? labels[node] : -1 },
+        body(BlockFace{ { node, axis, inLower ? labels[node - grid.Stride(axis)] : -1,
+                          inUpper ? labels[node] : -1 },
           p });
       }
     }
   }
 }
 
-Index LowerCell(const CartesianGrid& grid, const Face& face)
+Index LowerCell(const CartesianGrid& grid, const BlockFace& face)
 {
   return face.Node - grid.Stride(face.Axis);
 }
 
 /// Returns whether the tets of a face surround the edge between the centres of its cells.
-bool IsInner(const CartesianGrid& grid, const Face& face)
+bool IsInner(const CartesianGrid& grid, const BlockFace& face)
 {
   return face.LowerLabel == face.UpperLabel && !grid.IsOnFlatSeam(face.Block, face.Axis);
 }
@@ -109,7 +109,7 @@ std::vector<Index> FindFirstTets(const RefinedGrid& levels, const TetCells& cell
     [&](Index j, Index k, Index row)
     {
       OverFaces(levels, cells.Labels, j, k,
-        [&](const Face& face)
+        [&](const BlockFace& face)
         {
           const bool lower = cells.Has(LowerCell(grid, face), face.LowerLabel);
           const bool upper = cells.Has(face.Node, face.UpperLabel);
@@ -139,7 +139,7 @@ public:
     return first + (SlotOfPoint(this->Tets.PointIds[first]) == VertexSlot);
   }
   /// Writes the tets of a face from index `tet` on and advances it.
-  void Write(const Face& face, Index& tet)
+  void Write(const BlockFace& face, Index& tet)
   {
     if (IsInner(this->Grid, face))
     {
@@ -152,21 +152,22 @@ public:
 
 private:
   /// Returns the corners of a face, counterclockwise as seen from above.
-  std::array<Index, 4> CornersOf(const Face& face) const
+  std::array<Index, 4> CornersOf(const BlockFace& face) const
   {
     std::array<Index, 4> corners = NodesOfFace(this->Grid, face);
     std::for_each(
       corners.begin(), corners.end(), [&](Index& corner) { corner = this->FirstPoint[corner]; });
     return corners;
   }
-  void SetTet(Index tet, const std::array<Index, 4>& points, const Face& face, int t, int label)
+  void SetTet(
+    Index tet, const std::array<Index, 4>& points, const BlockFace& face, int t, int label)
   {
     this->Tets.SetElement(tet, points,
       TetIds.ElementSlots * this->Grid.NodeKey(face.Block) + (4 * face.Axis + t) * PiecesPerTet + 1,
       label);
   }
-  void WriteInner(const Face& face, Index& tet);
-  void WriteHalves(const Face& face, bool isUpper, int firstPiece, Index& tet);
+  void WriteInner(const BlockFace& face, Index& tet);
+  void WriteHalves(const BlockFace& face, bool isUpper, int firstPiece, Index& tet);
 
   const CartesianGrid& Grid;
   const TetCells& Cells;
@@ -175,7 +176,7 @@ private:
 };
 
 /// Makes the four tets around the edge between the centres.
-void FaceTetWriter::WriteInner(const Face& face, Index& tet)
+void FaceTetWriter::WriteInner(const BlockFace& face, Index& tet)
 {
   const Index lower = LowerCell(this->Grid, face);
   if (!this->Cells.Has(lower) || !this->Cells.Has(face.Node))
@@ -193,7 +194,7 @@ void FaceTetWriter::WriteInner(const Face& face, Index& tet)
 /// Makes the two tets between the halves of a quad and the centre on one side. DiagonalFlips relies
 /// on their order: they are consecutive, with the halves (q0 q1 q2) and (q0 q2 q3),
 /// counterclockwise as seen from the centre.
-void FaceTetWriter::WriteHalves(const Face& face, bool isUpper, int firstPiece, Index& tet)
+void FaceTetWriter::WriteHalves(const BlockFace& face, bool isUpper, int firstPiece, Index& tet)
 {
   const int label = isUpper ? face.UpperLabel : face.LowerLabel;
   const Index cell = isUpper ? face.Node : LowerCell(this->Grid, face);
@@ -215,10 +216,11 @@ void FaceTetWriter::WriteHalves(const Face& face, bool isUpper, int firstPiece, 
 
 } // namespace
 
-TetTopology BuildCellTets(const CartesianGrid& grid, const LabelArray& labels, bool meshVoid,
-  const NarrowVoid& narrow, Runtime& runtime, const CoarseTets& coarse)
+TetTopology BuildCellTets(const LabelArray& labels, bool meshVoid, const NarrowVoid& narrow,
+  Runtime& runtime, const CoarseTets& coarse)
 {
   const RefinedGrid& levels = coarse.Levels();
+  const CartesianGrid& grid = levels.Finest();
   const TetCells cells{ labels, narrow, meshVoid };
   const IndexBox box = grid.HexBox();
   CheckIds(grid, TetIds.ElementSlots);
@@ -238,7 +240,7 @@ TetTopology BuildCellTets(const CartesianGrid& grid, const LabelArray& labels, b
     [&](Index j, Index k, Index row)
     {
       Index tet = firstTet[row];
-      OverFaces(levels, labels, j, k, [&](const Face& face) { writer.Write(face, tet); });
+      OverFaces(levels, labels, j, k, [&](const BlockFace& face) { writer.Write(face, tet); });
     });
   coarse.Fill(result, finePoints, fineTets,
     [&](Index at, Index slot)

@@ -21,7 +21,7 @@ class CoarseTets;
 /// @return points and tets in CartesianGrid::HexBox, ordered by id
 /// @throws InputError  if ids or numbers of points are too large
 /// @pre Collective.
-TetTopology BuildCellTets(const CartesianGrid& grid, const LabelArray& labels, bool meshVoid,
-  const NarrowVoid& narrow, Runtime& runtime, const CoarseTets& coarse);
+TetTopology BuildCellTets(const LabelArray& labels, bool meshVoid, const NarrowVoid& narrow,
+  Runtime& runtime, const CoarseTets& coarse);
 
 } // namespace vfm

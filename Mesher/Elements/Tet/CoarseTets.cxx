@@ -3,6 +3,7 @@
 #include "Base/HexNumbering.h"
 #include "Base/Sorted.h"
 #include "Base/Vector3.h"
+#include "Elements/EqualFaces.h"
 #include "Elements/GridCoordinates.h"
 #include "Elements/PeriodicIds.h"
 #include "Octree/LevelIds.h"
@@ -139,15 +140,15 @@ void CoarseTets::AddCentres()
   }
 }
 
-std::vector<CoarseTets::Face> CoarseTets::ListFaces() const
+std::vector<CoarseTets::CoarseFace> CoarseTets::ListFaces() const
 {
-  std::vector<Face> faces;
+  std::vector<CoarseFace> faces;
   faces.reserve(6 * this->Hexes.size());
   for (std::size_t h = 0; h < this->Hexes.size(); ++h)
   {
     for (int side = 0; side < 6; ++side)
     {
-      Face face{ static_cast<int>(h), side, -1, {}, this->Hexes[h].IsWhole, 0 };
+      CoarseFace face{ static_cast<int>(h), side, -1, {}, this->Hexes[h].IsWhole, 0 };
       for (int c = 0; c < 4; ++c)
       {
         face.Corners[c] = static_cast<int>(this->Hexes[h].Corners[FaceCorners[side][c]]);
@@ -161,42 +162,34 @@ std::vector<CoarseTets::Face> CoarseTets::ListFaces() const
 /// Pairs the faces of hexes. Omits faces at the rim whose other side is unknown.
 void CoarseTets::FindFaces()
 {
-  struct Half
-  {
-    std::array<int, 4> Key; // the corners, ascending
-    int Face;
-    bool operator<(const Half& other) const
-    {
-      return this->Key != other.Key ? this->Key < other.Key : this->Face < other.Face;
-    }
-  };
-  std::vector<Face> faces = this->ListFaces();
-  std::vector<Half> halves;
-  halves.reserve(faces.size());
-  for (std::size_t f = 0; f < faces.size(); ++f)
-  {
-    halves.push_back({ faces[f].Corners, static_cast<int>(f) });
-    std::sort(halves.back().Key.begin(), halves.back().Key.end());
-  }
-  std::sort(halves.begin(), halves.end());
+  std::vector<CoarseFace> faces = this->ListFaces();
   std::vector<unsigned char> isSecond(faces.size(), 0);
-  for (std::size_t h = 1; h < halves.size(); ++h)
+  const auto pointsOf = [&faces](Index f)
   {
-    if (halves[h].Key == halves[h - 1].Key)
+    FaceIds points;
+    std::copy(faces[f].Corners.begin(), faces[f].Corners.end(), points.begin());
+    std::sort(points.begin(), points.end());
+    return points;
+  };
+  ForEqualFaces(faces.size(), pointsOf,
+    [&](std::span<const NumberedFace> same)
     {
-      Face& face = faces[halves[h - 1].Face];
-      Face& other = faces[halves[h].Face];
+      if (same.size() < 2)
+      {
+        return;
+      }
+      const int first = static_cast<int>(same[0].Number), second = static_cast<int>(same[1].Number);
+      CoarseFace &face = faces[first], &other = faces[second];
       face.IsPlain = other.IsPlain = face.IsPlain && other.IsPlain;
       if (this->SeamOf(face) >= 0)
       {
-        face.Partner = halves[h].Face;
-        other.Partner = halves[h - 1].Face;
-        continue;
+        face.Partner = second;
+        other.Partner = first;
+        return;
       }
       face.Centre = this->Hexes[other.Hex].Centre;
-      isSecond[halves[h].Face] = 1;
-    }
-  }
+      isSecond[second] = 1;
+    });
   std::vector<int> positions(faces.size(), -1);
   std::vector<FineHalf> fineHalves;
   for (std::size_t f = 0; f < faces.size(); ++f)
@@ -206,7 +199,7 @@ void CoarseTets::FindFaces()
       positions[f] = static_cast<int>(this->Faces.size()) - 1;
     }
   }
-  for (Face& face : this->Faces)
+  for (CoarseFace& face : this->Faces)
   {
     face.Partner = face.Partner < 0 ? -1 : positions[face.Partner];
   }
@@ -214,7 +207,7 @@ void CoarseTets::FindFaces()
 }
 
 /// Returns the axis across which a face lies on a flat seam, or -1.
-int CoarseTets::SeamOf(const Face& face) const
+int CoarseTets::SeamOf(const CoarseFace& face) const
 {
   int axes = this->Grid.Finest().IsPeriodic() ? 7 : 0;
   for (int p : face.Corners)
@@ -251,7 +244,7 @@ void CoarseTets::AddFineHalves(const std::vector<FineHalf>& fineHalves)
   for (const Half& half : halves)
   {
     const int face = half.Of->Face;
-    Face own = this->Faces[face];
+    CoarseFace own = this->Faces[face];
     std::reverse(own.Corners.begin(), own.Corners.end());
     this->Faces[face].Partner = static_cast<int>(this->Faces.size());
     this->Hexes.push_back({ half.Key, this->Grid.Lattice().HexOfKey(half.Key),
@@ -264,7 +257,7 @@ void CoarseTets::AddFineHalves(const std::vector<FineHalf>& fineHalves)
 }
 
 /// Adds a face, unless its other side is unknown. Returns whether it is added.
-bool CoarseTets::AddFace(Face face, std::vector<FineHalf>& fineHalves)
+bool CoarseTets::AddFace(CoarseFace face, std::vector<FineHalf>& fineHalves)
 {
   const Index3& at = this->Hexes[face.Hex].Cell.At;
   const int diagonal = 1 + static_cast<int>((at[0] + at[1] + at[2]) & 1);
@@ -307,7 +300,7 @@ bool CoarseTets::AddFace(Face face, std::vector<FineHalf>& fineHalves)
 
 /// Returns the centre of the fine cell on the other side of a face of a coarse hex, or -1 if there
 /// is none.
-int CoarseTets::FineCentreBeyond(const Face& face) const
+int CoarseTets::FineCentreBeyond(const CoarseFace& face) const
 {
   const CartesianGrid& grid = this->Grid.Finest();
   IndexBox quad;
@@ -346,7 +339,7 @@ int CoarseTets::FineCentreBeyond(const Face& face) const
 
 /// Writes the tets of a face that is divided in one way. Returns their number: 4, or 2 on the
 /// domain boundary and flat seams.
-int CoarseTets::TetsOf(const Face& face, int way, Tet tets[4]) const
+int CoarseTets::TetsOf(const CoarseFace& face, int way, Tet tets[4]) const
 {
   std::array<int, 4> q = face.Corners;
   const int centre = this->Hexes[face.Hex].Centre;
@@ -371,7 +364,7 @@ int CoarseTets::TetsOf(const Face& face, int way, Tet tets[4]) const
 }
 
 /// Writes the tets of a face, on a flat seam those on both sides. Returns their number.
-int CoarseTets::TetsOnBothSides(const Face& face, int way, Tet tets[4]) const
+int CoarseTets::TetsOnBothSides(const CoarseFace& face, int way, Tet tets[4]) const
 {
   const int count = this->TetsOf(face, way, tets);
   return face.Partner < 0
@@ -380,20 +373,20 @@ int CoarseTets::TetsOnBothSides(const Face& face, int way, Tet tets[4]) const
 }
 
 /// Returns the way in which the partner of a face has the same diagonal.
-int CoarseTets::WayOfPartner(const Face& face, int way) const
+int CoarseTets::WayOfPartner(const CoarseFace& face, int way) const
 {
   const std::array<int, 4>& corners = this->Faces[face.Partner].Corners;
   return 1 + (corners[0] == face.Corners[way - 1] || corners[2] == face.Corners[way - 1] ? 0 : 1);
 }
 
-Vector3 CoarseTets::WidthsOf(const Face& face) const
+Vector3 CoarseTets::WidthsOf(const CoarseFace& face) const
 {
   const OctreeKeys::LevelIndex& cell = this->Hexes[face.Hex].Cell;
   return (1.0 / this->Grid.Finest().MeanWidth()) *
     this->Grid.Lattice().CellWidths(cell.Level, cell.At);
 }
 
-double CoarseTets::EnergyOf(const Face& face, int way, const WayEnergy& energy) const
+double CoarseTets::EnergyOf(const CoarseFace& face, int way, const WayEnergy& energy) const
 {
   Tet tets[4];
   const int count = this->TetsOnBothSides(face, way, tets);
@@ -409,7 +402,7 @@ double CoarseTets::EnergyOf(const Face& face, int way, const WayEnergy& energy) 
 }
 
 /// Returns the best way to divide a face, which is the present way unless another is better.
-int CoarseTets::BestWay(const Face& face, const WayEnergy& energyOf) const
+int CoarseTets::BestWay(const CoarseFace& face, const WayEnergy& energyOf) const
 {
   if (face.IsPlain)
   {
@@ -430,7 +423,7 @@ int CoarseTets::BestWay(const Face& face, const WayEnergy& energyOf) const
 }
 
 /// Returns whether the way of a face is chosen for it, not for its partner.
-bool CoarseTets::Decides(const Face& face) const
+bool CoarseTets::Decides(const CoarseFace& face) const
 {
   return face.Partner < 0 || face.Hex < this->Faces[face.Partner].Hex;
 }
@@ -449,7 +442,7 @@ void CoarseTets::ChooseWays(const WayEnergy& energy, Runtime& runtime)
   {
     this->TakeWays(runtime.Group());
   }
-  for (const Face& face : this->Faces)
+  for (const CoarseFace& face : this->Faces)
   {
     if (face.Partner >= 0 && this->Decides(face))
     {
@@ -468,7 +461,7 @@ void CoarseTets::TakeWays(Ranks& ranks)
   std::vector<Index> own;
   for (std::size_t f = 0; f < this->Faces.size(); ++f)
   {
-    const Face& face = this->Faces[f];
+    const CoarseFace& face = this->Faces[f];
     const Hex& hex = this->Hexes[face.Hex];
     const Index3 cell = BaseCellOf(hex.Cell);
     own.push_back(codeOf(hex.Key, face.Side));
@@ -503,7 +496,7 @@ std::vector<std::vector<Index>> CoarseTets::FindBadFamilies(const WayEnergy& ene
       bad[hex.Cell.Level].push_back(this->Grid.Lattice().FamilyKeyOf(hex.Cell));
     }
   };
-  for (const Face& face : this->Faces)
+  for (const CoarseFace& face : this->Faces)
   {
     const Hex& hex = this->Hexes[face.Hex];
     if (!this->Grid.Base().Owned().Contains(BaseCellOf(hex.Cell)) ||
@@ -523,7 +516,7 @@ std::vector<std::vector<Index>> CoarseTets::FindBadFamilies(const WayEnergy& ene
 Index CoarseTets::NumberOfTets() const
 {
   Index count = 0;
-  for (const Face& face : this->Faces)
+  for (const CoarseFace& face : this->Faces)
   {
     count += face.Centre < 0 ? 2 : 4;
   }
@@ -544,7 +537,7 @@ void CoarseTets::Fill(
     topology.Positions[firstPoint + p] = onDomain ? PointPosition::OnDomain : PointPosition::Inside;
   }
   Index at = firstTet;
-  for (const Face& face : this->Faces)
+  for (const CoarseFace& face : this->Faces)
   {
     Tet tets[4];
     const int count = this->TetsOf(face, face.Way, tets);
@@ -590,7 +583,7 @@ void CoarseTets::ForFreePoints(
 void CoarseTets::ForFreeTets(
   const std::function<void(const Tet& tet, const Vector3& widths)>& visit) const
 {
-  for (const Face& face : this->Faces)
+  for (const CoarseFace& face : this->Faces)
   {
     Tet tets[4];
     const int count = face.IsPlain ? 0 : this->TetsOf(face, face.Way, tets);

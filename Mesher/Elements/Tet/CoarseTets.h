@@ -86,7 +86,7 @@ private:
     std::array<Index, 8> Corners; // points of Local, numbered by bits
     int Centre = -1;              // point of Local
   };
-  struct Face
+  struct CoarseFace
   {
     int Hex, Side;
     int Centre; // centre of the hex beyond the face; -1 on the domain boundary and flat seams
@@ -101,31 +101,31 @@ private:
     int Centre;     // centre of the finest cell beyond
   };
   Vector3 PointAt(int point) const;
-  Vector3 WidthsOf(const Face& face) const;
+  Vector3 WidthsOf(const CoarseFace& face) const;
   void TakeHexes(CoarseHexes& hexes);
   void AddFinePoints();
   void FindFaces();
-  std::vector<Face> ListFaces() const;
-  bool AddFace(Face face, std::vector<FineHalf>& fineHalves);
-  int SeamOf(const Face& face) const;
+  std::vector<CoarseFace> ListFaces() const;
+  bool AddFace(CoarseFace face, std::vector<FineHalf>& fineHalves);
+  int SeamOf(const CoarseFace& face) const;
   void AddFineHalves(const std::vector<FineHalf>& fineHalves);
-  int FineCentreBeyond(const Face& face) const;
+  int FineCentreBeyond(const CoarseFace& face) const;
   void AddCentres();
-  int TetsOf(const Face& face, int way, Tet tets[4]) const;
-  int TetsOnBothSides(const Face& face, int way, Tet tets[4]) const;
-  double EnergyOf(const Face& face, int way, const WayEnergy& energy) const;
-  int BestWay(const Face& face, const WayEnergy& energy) const;
-  bool Decides(const Face& face) const;
-  int WayOfPartner(const Face& face, int way) const;
+  int TetsOf(const CoarseFace& face, int way, Tet tets[4]) const;
+  int TetsOnBothSides(const CoarseFace& face, int way, Tet tets[4]) const;
+  double EnergyOf(const CoarseFace& face, int way, const WayEnergy& energy) const;
+  int BestWay(const CoarseFace& face, const WayEnergy& energy) const;
+  bool Decides(const CoarseFace& face) const;
+  int WayOfPartner(const CoarseFace& face, int way) const;
   void TakeWays(Ranks& ranks);
   int FindFine(Index code) const;
 
   const RefinedGrid& Grid;
   Mesh Local;        // points of coarse hexes, centres, and fine points, which have no ids
   int HexPoints = 0; // number of points before the centres
-  std::vector<Index> FineCodes; // 2 linear + slot of each fine point, ascending
-  std::vector<Hex> Hexes;       // ordered by key, then the finest cells with tets on flat seams
-  std::vector<Face> Faces;      // ordered by hex and side
+  std::vector<Index> FineCodes;  // 2 linear + slot of each fine point, ascending
+  std::vector<Hex> Hexes;        // ordered by key, then the finest cells with tets on flat seams
+  std::vector<CoarseFace> Faces; // ordered by hex and side
 };
 
 } // namespace vfm

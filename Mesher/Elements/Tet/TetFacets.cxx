@@ -1,5 +1,6 @@
 #include "Elements/Tet/TetFacets.h"
 
+#include "Elements/EqualFaces.h"
 #include "Elements/GridCoordinates.h"
 #include "Elements/TetQuality.h"
 
@@ -8,32 +9,36 @@ namespace vfm
 namespace
 {
 
-/// Face of one tet.
-struct HalfFace
+/// Returns the points of a face of a tet, with the normal out of it.
+/// @param face  4 * tet + opposite corner
+std::array<Index, 3> PointsOf(const Mesh& mesh, Index face)
 {
-  std::array<Index, 3> Key; // points, ascending
-  Index Tet;
-  int Corner; // opposite corner of the tet
-  bool operator<(const HalfFace& other) const
-  {
-    return this->Key != other.Key ? this->Key < other.Key : this->Tet < other.Tet;
-  }
-};
+  const Index* tet = mesh.Elements.data() + face / 4 * 4;
+  const int* corners = FaceOfTet[face % 4];
+  return { { tet[corners[0]], tet[corners[1]], tet[corners[2]] } };
+}
 
-HalfFace MakeHalfFace(const Mesh& mesh, Index t, int corner)
+/// Calls visit(same) for the faces with the same points (ForEqualFaces); NumberedFace::Number is
+/// the position in a list.
+template <class Visit>
+void ForEqualTetFaces(const Mesh& mesh, const std::vector<Index>& faces, const Visit& visit)
 {
-  const Index* tet = mesh.Elements.data() + 4 * t;
-  const int* face = FaceOfTet[corner];
-  HalfFace half{ { { tet[face[0]], tet[face[1]], tet[face[2]] } }, t, corner };
-  std::sort(half.Key.begin(), half.Key.end());
-  return half;
+  const auto pointsOf = [&](Index f)
+  {
+    const std::array<Index, 3> points = PointsOf(mesh, faces[f]);
+    FaceIds sorted{ { -1, points[0], points[1], points[2] } };
+    std::sort(sorted.begin(), sorted.end());
+    return sorted;
+  };
+  ForEqualFaces(faces.size(), pointsOf, visit);
 }
 
 /// Lists the faces without points inside a material, except those of the barrier. Only these can be
 /// on interfaces or the domain boundary.
-std::vector<HalfFace> ListHalfFaces(const Mesh& mesh, const std::vector<PointPosition>& positions)
+/// @return 4 * tet + opposite corner, ascending
+std::vector<Index> ListFaces(const Mesh& mesh, const std::vector<PointPosition>& positions)
 {
-  std::vector<HalfFace> faces;
+  std::vector<Index> faces;
   const Index count = static_cast<Index>(mesh.ElementIds.size());
   for (Index t = 0; t < count; ++t)
   {
@@ -53,18 +58,17 @@ std::vector<HalfFace> ListHalfFaces(const Mesh& mesh, const std::vector<PointPos
       {
         continue;
       }
-      faces.push_back(MakeHalfFace(mesh, t, c));
+      faces.push_back(4 * t + c);
     }
   }
-  std::sort(faces.begin(), faces.end());
   return faces;
 }
 
 /// Returns the side of the domain on which all points of a face are, or -1.
-int DomainSideOf(const Mesh& mesh, const CartesianGrid& grid, const HalfFace& face)
+int DomainSideOf(const Mesh& mesh, const CartesianGrid& grid, const std::array<Index, 3>& points)
 {
   int sides = 63;
-  for (Index p : face.Key)
+  for (Index p : points)
   {
     sides &= FindDomainSides(grid, mesh.Points.data() + 3 * p);
   }
@@ -83,30 +87,27 @@ int DomainSideOf(const Mesh& mesh, const CartesianGrid& grid, const HalfFace& fa
 TetFaces FindTetFaces(
   const Mesh& mesh, const std::vector<PointPosition>& positions, const CartesianGrid& grid)
 {
-  const std::vector<HalfFace> halves = ListHalfFaces(mesh, positions);
+  const std::vector<Index> listed = ListFaces(mesh, positions);
   TetFaces faces;
-  for (std::size_t h = 0; h < halves.size(); ++h)
-  {
-    const HalfFace* inner = &halves[h];
-    const HalfFace* outer = nullptr;
-    if (h + 1 < halves.size() && halves[h + 1].Key == inner->Key)
+  ForEqualTetFaces(mesh, listed,
+    [&](std::span<const NumberedFace> same)
     {
-      outer = &halves[++h];
-      if (mesh.Material[inner->Tet] == mesh.Material[outer->Tet])
+      const bool isAlone = same.size() == 1;
+      Index inner = listed[same.front().Number], outer = listed[same.back().Number];
+      const int materials[] = { mesh.Material[inner / 4], mesh.Material[outer / 4] };
+      if (!isAlone && materials[0] == materials[1])
       {
-        faces.Joined.push_back({ { inner->Tet, outer->Tet } });
-        continue;
+        faces.Joined.push_back({ { inner / 4, outer / 4 } });
+        return;
       }
-      if (mesh.Material[inner->Tet] < mesh.Material[outer->Tet])
+      if (materials[0] < materials[1])
       {
         std::swap(inner, outer);
       }
-    }
-    const Index* tet = mesh.Elements.data() + 4 * inner->Tet;
-    const int* corners = FaceOfTet[inner->Corner];
-    faces.Faces.push_back({ { { tet[corners[0]], tet[corners[1]], tet[corners[2]] } }, inner->Tet,
-      outer ? outer->Tet : -1, outer ? -1 : DomainSideOf(mesh, grid, *inner) });
-  }
+      const std::array<Index, 3> points = PointsOf(mesh, inner);
+      faces.Faces.push_back({ points, inner / 4, isAlone ? -1 : outer / 4,
+        isAlone ? DomainSideOf(mesh, grid, points) : -1 });
+    });
   return faces;
 }
 
@@ -159,27 +160,23 @@ std::vector<Facet> JoinTriangles(
 
 std::vector<std::array<Index, 3>> FindBoundary(const Mesh& mesh, const std::vector<Index>& tets)
 {
-  std::vector<HalfFace> halves;
+  std::vector<Index> listed;
   for (Index t : tets)
   {
     for (int c = 0; c < 4; ++c)
     {
-      halves.push_back(MakeHalfFace(mesh, t, c));
+      listed.push_back(4 * t + c);
     }
   }
-  std::sort(halves.begin(), halves.end());
   std::vector<std::array<Index, 3>> faces;
-  for (std::size_t h = 0; h < halves.size(); ++h)
-  {
-    if (h + 1 < halves.size() && halves[h + 1].Key == halves[h].Key)
+  ForEqualTetFaces(mesh, listed,
+    [&](std::span<const NumberedFace> same)
     {
-      ++h;
-      continue;
-    }
-    const Index* tet = mesh.Elements.data() + 4 * halves[h].Tet;
-    const int* face = FaceOfTet[halves[h].Corner];
-    faces.push_back({ { tet[face[0]], tet[face[1]], tet[face[2]] } });
-  }
+      if (same.size() == 1)
+      {
+        faces.push_back(PointsOf(mesh, listed[same[0].Number]));
+      }
+    });
   return faces;
 }
 

@@ -18,8 +18,7 @@ std::vector<Index> FindMaterialsBehind(const MeshData& mesh, Ranks& ranks)
     {
       open.push_back(behind.size());
       materials.push_back(mesh.Material[facet.Element]);
-      ids.push_back(
-        SortedIds(PointsOfSide(mesh, { facet.Element, facet.Side }), mesh.PeriodicPartner));
+      ids.push_back(SortedIds(PointsOfSide(mesh, facet), mesh.PeriodicPartner));
     }
     behind.push_back(facet.Behind);
   }

@@ -1,6 +1,7 @@
 #include "Report/Sets/MeshEntities.h"
 
 #include "Base/Sorted.h"
+#include "Elements/EqualFaces.h"
 #include "Elements/MidNodes.h"
 #include "Geometry/Junctions.h"
 #include "Report/MatchFaces.h"
@@ -19,14 +20,6 @@ namespace
 /// 0 for nothing, -1 - side outside the domain), and the smooth side.
 using SurfaceKey = std::array<int, 3>;
 
-/// A face of an element, by its sorted points.
-struct Face
-{
-  FaceIds Points;
-  int Volume;
-  bool operator<(const Face& other) const { return this->Points < other.Points; }
-};
-
 /// Returns, for each point, the lowest of its copies at split interfaces, or itself.
 std::vector<Index> FindFirstCopies(const MeshData& mesh)
 {
@@ -39,12 +32,6 @@ std::vector<Index> FindFirstCopies(const MeshData& mesh)
       : point;
   }
   return first;
-}
-
-FaceIds SortedPoints(
-  const MeshData& mesh, const MeshFacet& facet, const std::vector<Index>& firstCopies)
-{
-  return SortedIds(PointsOfSide(mesh, { facet.Element, facet.Side }), firstCopies.data());
 }
 
 std::vector<int> NumberVolumes(const MeshData& mesh)
@@ -65,46 +52,41 @@ bool OwnsFacet(const MeshData& mesh, const MeshFacet& facet)
   return facet.DomainSide != NoSide || OwnsFace(mesh.Material[facet.Element], facet.Behind);
 }
 
-/// Returns the faces behind which the element that owns the face is, sorted.
-std::vector<Face> ListFacesBehind(
+/// Returns the volume behind each facet of the element that owns the face, or 0.
+std::vector<int> FindVolumesBehind(
   const MeshData& mesh, const std::vector<int>& volumes, const std::vector<Index>& firstCopies)
 {
-  std::vector<Face> faces;
-  for (const MeshFacet& facet : *mesh.Facets)
-  {
-    if (!OwnsFacet(mesh, facet))
+  const std::vector<MeshFacet>& facets = *mesh.Facets;
+  std::vector<int> behind(facets.size(), 0);
+  ForEqualFaces(
+    facets.size(),
+    [&](Index f) { return SortedIds(PointsOfSide(mesh, facets[f]), firstCopies.data()); },
+    [&](std::span<const NumberedFace> same)
     {
-      faces.push_back({ SortedPoints(mesh, facet, firstCopies), volumes[facet.Element] });
-    }
-  }
-  std::sort(faces.begin(), faces.end());
-  return faces;
-}
-
-int VolumeBehind(const MeshData& mesh, const MeshFacet& facet, const std::vector<Face>& faces,
-  const std::vector<Index>& firstCopies)
-{
-  if (facet.Behind == NothingBehind)
-  {
-    return 0;
-  }
-  const Face key{ SortedPoints(mesh, facet, firstCopies), 0 };
-  const auto found = std::lower_bound(faces.begin(), faces.end(), key);
-  return found != faces.end() && found->Points == key.Points ? found->Volume : 0;
+      const auto other = std::find_if(same.begin(), same.end(),
+        [&](const NumberedFace& face) { return !OwnsFacet(mesh, facets[face.Number]); });
+      for (const NumberedFace& face : same)
+      {
+        const bool hasVolume = facets[face.Number].Behind != NothingBehind && other != same.end();
+        behind[face.Number] = hasVolume ? volumes[facets[other->Number].Element] : 0;
+      }
+    });
+  return behind;
 }
 
 std::vector<SurfaceEntity> FindSurfaces(
   const MeshData& mesh, const std::vector<int>& volumes, const std::vector<Index>& firstCopies)
 {
-  const std::vector<Face> faces = ListFacesBehind(mesh, volumes, firstCopies);
+  const std::vector<int> volumesBehind = FindVolumesBehind(mesh, volumes, firstCopies);
   std::map<SurfaceKey, SurfaceEntity> found;
-  for (const MeshFacet& facet : *mesh.Facets)
+  for (std::size_t f = 0; f < volumesBehind.size(); ++f)
   {
+    const MeshFacet& facet = (*mesh.Facets)[f];
     if (!OwnsFacet(mesh, facet))
     {
       continue;
     }
-    const int own = volumes[facet.Element], behind = VolumeBehind(mesh, facet, faces, firstCopies);
+    const int own = volumes[facet.Element], behind = volumesBehind[f];
     const int other = facet.DomainSide != NoSide ? -1 - facet.DomainSide : behind;
     const SurfaceKey key{ { std::min(own, other), std::max(own, other), facet.Surface } };
     const std::array<int, 2> materials{ { mesh.Material[facet.Element],
@@ -114,7 +96,7 @@ std::vector<SurfaceEntity> FindSurfaces(
                                  SurfaceEntity{ { { own, behind } }, materials, facet.DomainSide,
                                    facet.Surface, facet.Behind != NothingBehind, {} })
                                .first->second;
-    surface.Sides.push_back({ facet.Element, facet.Side });
+    surface.Sides.push_back(facet);
   }
   std::vector<SurfaceEntity> surfaces;
   for (auto& entry : found)
@@ -142,7 +124,7 @@ void ClassifyPoints(
   const int count = ElementFaces(mesh.Corners).Corners;
   for (std::size_t s = 0; s < entities.Surfaces.size(); ++s)
   {
-    for (const MeshSide& side : entities.Surfaces[s].Sides)
+    for (const ElementSide& side : entities.Surfaces[s].Sides)
     {
       const FaceIds corners = PointsOfSide(mesh, side);
       std::vector<Index> points = MidsOfFace(mesh, side.Element, side.Side);
@@ -176,7 +158,7 @@ Mesh MakeFacets(
   const int count = ElementFaces(mesh.Corners).Corners;
   for (std::size_t s = 0; s < entities.Surfaces.size(); ++s)
   {
-    for (const MeshSide& side : entities.Surfaces[s].Sides)
+    for (const ElementSide& side : entities.Surfaces[s].Sides)
     {
       const FaceIds corners = PointsOfSide(mesh, side);
       std::transform(corners.begin(), corners.begin() + count, std::back_inserter(points),
@@ -264,7 +246,7 @@ void ClassifyMids(
   const int count = ElementFaces(mesh.Corners).Corners;
   for (const SurfaceEntity& surface : entities.Surfaces)
   {
-    for (const MeshSide& side : surface.Sides)
+    for (const ElementSide& side : surface.Sides)
     {
       const FaceIds corners = PointsOfSide(mesh, side);
       const std::vector<Index> mids = MidsOfFace(mesh, side.Element, side.Side);

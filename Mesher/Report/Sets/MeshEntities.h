@@ -16,12 +16,12 @@ namespace vfm
 /// Faces between two volumes, or between a volume and a side of the domain or nothing.
 struct SurfaceEntity
 {
-  std::array<int, 2> Volumes;   ///< volume of the elements in Sides, and behind; 0: nothing
-  std::array<int, 2> Materials; ///< their materials; 0: void or nothing
-  int DomainSide;               ///< 0..5 for -x +x -y +y -z +z, or NoSide
-  int SmoothSide;               ///< MeshFacet::Surface
-  bool IsInterface;             ///< whether elements are on both sides
-  std::vector<MeshSide> Sides;  ///< each face once, ascending
+  std::array<int, 2> Volumes;     ///< volume of the elements in Sides, and behind; 0: nothing
+  std::array<int, 2> Materials;   ///< their materials; 0: void or nothing
+  int DomainSide;                 ///< 0..5 for -x +x -y +y -z +z, or NoSide
+  int SmoothSide;                 ///< MeshFacet::Surface
+  bool IsInterface;               ///< whether elements are on both sides
+  std::vector<ElementSide> Sides; ///< each face once, ascending
 };
 
 /// Edges of faces where the same surfaces meet.

@@ -82,22 +82,21 @@ auto UnionOfKeys(Ranks& ranks, const Map& map)
 /// Collective. Makes the side sets of sides of the domain, pairs and smooth sides.
 std::vector<SideSet> MakeSideSets(const MeshData& mesh, const Facets& facets, Ranks& ranks)
 {
-  std::map<int, std::vector<MeshSide>> ofDomain;
-  std::map<Pair, std::vector<MeshSide>> ofPairs;
-  std::map<PairSide, std::vector<MeshSide>> ofSides;
+  std::map<int, std::vector<ElementSide>> ofDomain;
+  std::map<Pair, std::vector<ElementSide>> ofPairs;
+  std::map<PairSide, std::vector<ElementSide>> ofSides;
   for (const MeshFacet& facet : facets)
   {
-    const MeshSide here{ facet.Element, facet.Side };
     if (facet.DomainSide != NoSide)
     {
-      ofDomain[facet.DomainSide].push_back(here);
+      ofDomain[facet.DomainSide].push_back(facet);
       continue;
     }
     const Pair pair{ { mesh.Material[facet.Element], std::max(facet.Behind, 0) } };
-    ofPairs[pair].push_back(here);
+    ofPairs[pair].push_back(facet);
     if (facet.Surface > 0)
     {
-      ofSides[{ { pair[0], pair[1], facet.Surface } }].push_back(here);
+      ofSides[{ { pair[0], pair[1], facet.Surface } }].push_back(facet);
     }
   }
   std::vector<SideSet> sets;
@@ -139,14 +138,14 @@ std::vector<SideSet> MakeSideSets(const MeshData& mesh, const Facets& facets, Ra
 std::vector<SideSet> MakeUnions(const MeshData& mesh, const Facets& facets, Ranks& ranks)
 {
   SideSet all{ SurfaceKind::AllInterfaces, 0, "interfaces", NoSide, { { 0, 0 } }, 0, {} };
-  std::map<int, std::vector<MeshSide>> skins;
+  std::map<int, std::vector<ElementSide>> skins;
   for (const MeshFacet& facet : facets)
   {
     const int material = mesh.Material[facet.Element];
-    skins[material].push_back({ facet.Element, facet.Side });
+    skins[material].push_back(facet);
     if (facet.Behind != NothingBehind && OwnsFace(material, facet.Behind))
     {
-      all.Sides.push_back({ facet.Element, facet.Side });
+      all.Sides.push_back(facet);
     }
   }
   std::vector<SideSet> sets;
@@ -212,7 +211,7 @@ std::vector<SurfacePoint> FindRims(const MeshData& mesh, const Facets& facets, R
         rims.push_back({ { facet.Surface, ids[point] } });
       }
     };
-    const FaceIds corners = PointsOfSide(mesh, { facet.Element, facet.Side });
+    const FaceIds corners = PointsOfSide(mesh, facet);
     std::for_each(corners.begin(), corners.end(), add);
     const std::vector<Index> mids = MidsOfFace(mesh, facet.Element, facet.Side);
     std::for_each(mids.begin(), mids.end(), add);
@@ -268,11 +267,6 @@ std::vector<NodeSet> MakeNodeSets(
 }
 
 } // namespace
-
-FaceIds PointsOfSide(const MeshData& mesh, const MeshSide& side)
-{
-  return ElementFaces(mesh.Corners).PointsOf(mesh.Element(side.Element), side.Side);
-}
 
 MeshSets FindMeshSets(const MeshData& mesh, Ranks& ranks)
 {

@@ -18,24 +18,11 @@
  */
 #pragma once
 
-#include "Elements/ElementFaces.h"
-#include "Ranks/Ranks.h"
 #include "Report/DomainSides.h"
-#include "Report/MeshData.h"
+#include "Report/MatchFaces.h"
 
 namespace vfm
 {
-
-/// A side of an element.
-struct MeshSide
-{
-  Index Element; ///< element of this rank
-  int Side;      ///< side of the element, as MeshFacet::Side
-};
-
-/// Returns the points of a side, counterclockwise seen from outside of the element. The last point
-/// of a triangle is -1.
-FaceIds PointsOfSide(const MeshData& mesh, const MeshSide& side);
 
 enum class SurfaceKind
 {
@@ -55,8 +42,8 @@ struct SideSet
   int DomainSide; ///< 0..5 for -x +x -y +y -z +z; NoSide for other kinds
   /// Interface, SmoothSide: materials of the elements and behind. Skin: its material, twice.
   std::array<int, 2> Materials;
-  int Surface;                 ///< surface of a smooth side; 0 otherwise
-  std::vector<MeshSide> Sides; ///< sides on this rank, ascending
+  int Surface;                    ///< surface of a smooth side; 0 otherwise
+  std::vector<ElementSide> Sides; ///< sides on this rank, ascending
 };
 
 /// Returns whether a face belongs to this element, not to the element behind it.

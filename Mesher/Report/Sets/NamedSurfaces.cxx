@@ -1,6 +1,6 @@
 #include "Report/Sets/NamedSurfaces.h"
 
-#include <algorithm>
+#include "Base/Sorted.h"
 
 namespace vfm
 {
@@ -15,14 +15,9 @@ bool OwnsFaces(const SideSet& set)
 
 struct Candidate
 {
-  MeshSide Face;
+  ElementSide Face;
   const NamedSurface* Surface;
 };
-
-bool IsBefore(const MeshSide& a, const MeshSide& b)
-{
-  return a.Element != b.Element ? a.Element < b.Element : a.Side < b.Side;
-}
 
 /// Lists the faces of all sides of the domain, interfaces and smooth sides, finest surface first.
 std::vector<Candidate> ListCandidates(const std::vector<NamedSurface>& surfaces)
@@ -35,7 +30,7 @@ std::vector<Candidate> ListCandidates(const std::vector<NamedSurface>& surfaces)
     {
       if (surface.Kind == kind)
       {
-        for (const MeshSide& face : surface.Sides)
+        for (const ElementSide& face : surface.Sides)
         {
           candidates.push_back({ face, &surface });
         }
@@ -60,21 +55,21 @@ std::vector<NamedSurface> FindNamedSurfaces(const MeshData& mesh, Ranks& ranks)
   return SelectNamedSurfaces(FindMeshSets(mesh, ranks).SideSets);
 }
 
-int TaggedFaces::TagOf(const MeshSide& face) const
+int TaggedFaces::TagOf(const ElementSide& face) const
 {
-  const auto found = std::lower_bound(this->Faces.begin(), this->Faces.end(), face, IsBefore);
-  return this->Tags[found - this->Faces.begin()];
+  const auto found = FindSorted(this->Faces, face);
+  return found < 0 ? 0 : this->Tags[found];
 }
 
 TaggedFaces TagFaces(const std::vector<NamedSurface>& surfaces)
 {
   std::vector<Candidate> candidates = ListCandidates(surfaces);
   std::stable_sort(candidates.begin(), candidates.end(),
-    [](const Candidate& a, const Candidate& b) { return IsBefore(a.Face, b.Face); });
+    [](const Candidate& a, const Candidate& b) { return a.Face < b.Face; });
   TaggedFaces tagged;
   for (const Candidate& candidate : candidates)
   {
-    if (tagged.Faces.empty() || IsBefore(tagged.Faces.back(), candidate.Face))
+    if (tagged.Faces.empty() || tagged.Faces.back() < candidate.Face)
     {
       tagged.Faces.push_back(candidate.Face);
       tagged.Tags.push_back(candidate.Surface->Id);

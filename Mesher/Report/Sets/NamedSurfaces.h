@@ -32,12 +32,12 @@ std::vector<NamedSurface> FindNamedSurfaces(const MeshData& mesh, Ranks& ranks);
 /// the side of the domain, the smooth side, or the interface.
 struct TaggedFaces
 {
-  std::vector<MeshSide> Faces;      ///< ascending
+  std::vector<ElementSide> Faces;   ///< ascending
   std::vector<int> Tags;            ///< of each face
   std::map<int, std::string> Names; ///< of the tags that occur
 
-  /// Returns the tag of one of the faces.
-  int TagOf(const MeshSide& face) const;
+  /// Returns the tag of a face, or 0 if it is not listed.
+  int TagOf(const ElementSide& face) const;
 };
 
 TaggedFaces TagFaces(const std::vector<NamedSurface>& surfaces);

@@ -16,7 +16,7 @@ namespace
 using Pair = std::array<int, 2>;
 
 /// Returns the points of a face.
-FaceNodes NodesOf(const MeshData& mesh, const MeshSide& side)
+FaceNodes NodesOf(const MeshData& mesh, const ElementSide& side)
 {
   FaceNodes nodes;
   nodes.fill(-1);
@@ -53,11 +53,10 @@ InnerFaces ListInnerFaces(const MeshData& mesh, const std::vector<MeshFacet>& fa
   {
     if (facet.Behind != NothingBehind && facet.DomainSide == NoSide)
     {
-      const MeshSide side{ facet.Element, facet.Side };
-      const FaceNodes points = NodesOf(mesh, side);
+      const FaceNodes points = NodesOf(mesh, facet);
       faces.Facets.push_back(facet);
       faces.Points.push_back(points);
-      faces.Keys.push_back(SortedIds(PointsOfSide(mesh, side), mesh.UnsplitPointIds()));
+      faces.Keys.push_back(SortedIds(PointsOfSide(mesh, facet), mesh.UnsplitPointIds()));
       faces.Orders.push_back(OrderOf(points, mesh.UnsplitPointIds()));
     }
   }
@@ -129,7 +128,7 @@ void NumberElements(const MeshData& mesh, Ranks& ranks, std::vector<CohesiveBloc
   std::vector<std::array<Index, 3>> keys;
   for (std::size_t b = 0; b < blocks.size(); ++b)
   {
-    for (const MeshSide& side : blocks[b].Sides)
+    for (const ElementSide& side : blocks[b].Sides)
     {
       keys.push_back({ { static_cast<Index>(b), mesh.ElementIds[side.Element], side.Side } });
     }
@@ -198,12 +197,12 @@ void FillBlocks(
 
 } // namespace
 
-SplitConnection ConnectionOf(const MeshData& mesh)
+ConnectionKind ConnectionOf(const MeshData& mesh)
 {
   const std::vector<double> values = NumbersOfField(mesh.Fields, SplitConnectionField);
-  const double largest = static_cast<double>(SplitConnection::Tied);
+  const double largest = static_cast<double>(ConnectionKind::Tied);
   const bool isKnown = values.size() == 1 && values[0] >= 0.0 && values[0] <= largest;
-  return isKnown ? static_cast<SplitConnection>(values[0]) : SplitConnection::None;
+  return isKnown ? static_cast<ConnectionKind>(values[0]) : ConnectionKind::None;
 }
 
 std::vector<SplitFace> FindSplitFaces(const MeshData& mesh, Ranks& ranks)
@@ -225,8 +224,8 @@ std::vector<SplitFace> FindSplitFaces(const MeshData& mesh, Ranks& ranks)
     const int material = mesh.Material[facet.Element];
     if (OwnsFace(material, facet.Behind) && first[f] != second[f])
     {
-      split.push_back({ { facet.Element, facet.Side }, { { material, facet.Behind } },
-        { { first[f], second[f] } }, partners[f] });
+      split.push_back(
+        { facet, { { material, facet.Behind } }, { { first[f], second[f] } }, partners[f] });
     }
   }
   return split;
@@ -234,7 +233,7 @@ std::vector<SplitFace> FindSplitFaces(const MeshData& mesh, Ranks& ranks)
 
 std::vector<CohesiveBlock> FindCohesiveBlocks(const MeshData& mesh, Ranks& ranks)
 {
-  if (!ranks.Any(ConnectionOf(mesh) == SplitConnection::Cohesive))
+  if (!ranks.Any(ConnectionOf(mesh) == ConnectionKind::Cohesive))
   {
     return {};
   }

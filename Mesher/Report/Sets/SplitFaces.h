@@ -18,7 +18,7 @@ namespace vfm
 constexpr const char* SplitConnectionField = "SplitConnection";
 
 /// Returns the connection of a mesh; None if the mesh is not split.
-SplitConnection ConnectionOf(const MeshData& mesh);
+ConnectionKind ConnectionOf(const MeshData& mesh);
 
 /// Values of the nodes of a face: of four corners, of the mid nodes of its edges, of its centre; -1
 /// for nodes that a face does not have.
@@ -27,7 +27,7 @@ using FaceNodes = std::array<Index, 9>;
 /// A face whose sides are split, stored on the rank of its first element.
 struct SplitFace
 {
-  MeshSide First;                  ///< side of the first element
+  ElementSide First;               ///< side of the first element
   std::array<int, 2> Materials;    ///< materials of both elements
   std::array<FaceNodes, 2> Points; ///< global ids of the nodes of both sides, in the order of the
                                    ///< first side
@@ -45,12 +45,12 @@ std::vector<SplitFace> FindSplitFaces(const MeshData& mesh, Ranks& ranks);
 /// the second side.
 struct CohesiveBlock
 {
-  int Id;                       ///< above the ids of materials, also of a meshed void
-  std::string Name;             ///< "steel_to_copper_cohesive"
-  std::array<int, 2> Materials; ///< of the first and of the second side
-  std::vector<MeshSide> Sides;  ///< sides of the first elements on this rank, ascending
-  std::vector<Index> Points;    ///< points of the mesh, (elements, 2 * corners of a face)
-  std::vector<Index> Ids;       ///< global ids, above the ids of all elements of the mesh
+  int Id;                         ///< above the ids of materials, also of a meshed void
+  std::string Name;               ///< "steel_to_copper_cohesive"
+  std::array<int, 2> Materials;   ///< of the first and of the second side
+  std::vector<ElementSide> Sides; ///< sides of the first elements on this rank, ascending
+  std::vector<Index> Points;      ///< points of the mesh, (elements, 2 * corners of a face)
+  std::vector<Index> Ids;         ///< global ids, above the ids of all elements of the mesh
 };
 
 /// Returns the number of corners of a cohesive element.

@@ -4,9 +4,9 @@
  */
 #include "FileSuffix.h"
 #include "ImageInput.h"
+#include "Meshes/Gmsh/WriteGmsh.h"
 #include "Meshes/Surfaces/WriteStl.h"
 #include "Meshes/Vtk/WriteGeometry.h"
-#include "Meshes/WriteMesh.h"
 #include "Ranks/Errors.h"
 #include "ReadInput.h"
 #include "Report/WriteReport.h"
@@ -28,11 +28,6 @@ std::vector<std::string> GetInputSuffixes()
   return { ".vti", ".nrrd", ".spn", ".npy", ".e" };
 }
 
-std::vector<std::string> GetOutputSuffixes()
-{
-  return { ".vtu", ".pvtu", ".e", ".msh", ".inp", ".stl" };
-}
-
 void CheckInputSuffix(const std::string& path)
 {
   if (!HasSuffix(path, GetInputSuffixes()))
@@ -44,11 +39,6 @@ void CheckInputSuffix(const std::string& path)
 bool IsVoxelFile(const std::string& path)
 {
   return HasSuffix(path, std::vector<std::string>{ ".spn", ".npy" });
-}
-
-std::string FindOutputProblem(const std::string& path, const OutputForm&)
-{
-  return FindProblem(path, GetOutputSuffixes());
 }
 
 std::string FindStlProblem(const std::string& path)

@@ -1,6 +1,6 @@
 /**
- * Reads files of blocks: a SpyPlot file (VFM_FUZZ_SPYPLOT), or the files of an AMReX plotfile,
- * which follow each other in the input.
+ * Reads files of blocks: one file (VFM_FUZZ_SUFFIX), or the files of an AMReX plotfile, which
+ * follow each other in the input.
  */
 #include "Harness.h"
 
@@ -21,8 +21,8 @@ constexpr std::size_t Steps = 3; // times that a run reads
 
 std::string WriteFiles(std::string bytes)
 {
-#ifdef VFM_FUZZ_SPYPLOT
-  return WriteInput("a.spcth", bytes);
+#ifdef VFM_FUZZ_SUFFIX
+  return WriteInput("a" VFM_FUZZ_SUFFIX, bytes);
 #else
   std::string folder;
   for (const char* name : { "Header", "Level_0/Cell_H", "Level_0/Cell_D_00000", "Level_1/Cell_H",
@@ -41,7 +41,8 @@ void ReadBytes(const std::string& bytes)
 {
   Ranks alone;
   const auto file = OpenBlockFile(WriteFiles(bytes), alone);
-  for (std::size_t step = 0; step < std::min(file->Times().size(), Steps); ++step)
+  const std::size_t steps = std::max<std::size_t>(file->Times().size(), 1);
+  for (std::size_t step = 0; step < std::min(steps, Steps); ++step)
   {
     file->Read(step, file->Names(), alone);
   }

@@ -2,12 +2,16 @@
 
 usage: make_seeds.py FOLDER
 
-Needs only the standard library; seeds of Dream3d also need h5py, and are left out without it.
+Needs only the standard library; seeds of Dream3d also need h5py, one of Exodus
+needs the program nccopy; they are left out without them.
 """
 import gzip
 import os
+import shutil
 import struct
+import subprocess
 import sys
+import tempfile
 import zlib
 from base64 import b64encode
 
@@ -52,29 +56,58 @@ def label_name_seeds():
                     '<label index="3">Gyrus</label></data></atlas>\n')
 
 
-def netcdf_file(version):
-    """Returns a file of two dimensions, one of records, and three variables."""
+def exodus_file(version):
+    """Returns an Exodus file of two hexahedra with one variable at two times."""
     wide = version == 5
     count = lambda n: struct.pack(">q" if wide else ">i", n)
     place = lambda n: struct.pack(">i" if version == 1 else ">q", n)
     name = lambda text: count(len(text)) + text.encode() + b"\0" * (-len(text) % 4)
     tag = lambda kind, n: struct.pack(">i", kind) + count(n)
-    none = tag(0, 0)
-    title = tag(12, 1) + name("title") + struct.pack(">i", 2) + count(5) + b"seeds\0\0\0"
-    head = b"CDF" + bytes([version]) + count(2)
-    head += tag(10, 3) + name("time") + count(0) + name("num_dim") + count(3) + name("n") + count(4)
-    head += title
+    text = lambda key, value: (tag(12, 1) + name(key) + struct.pack(">i", 2) + name(value))
+    lengths = {"time_step": 0, "num_dim": 3, "num_nodes": 12, "num_el_in_blk1": 2,
+               "num_nod_per_el1": 8, "num_el_blk": 1, "num_elem_var": 1, "len_name": 4}
+    head = b"CDF" + bytes([version]) + count(2) + tag(10, len(lengths))
+    head += b"".join(name(key) + count(length) for key, length in lengths.items())
+    head += text("title", "seeds")
+    points = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1, 2)]
+    corners = [first + step for first in (1, 2) for step in (0, 1, 4, 3, 6, 7, 10, 9)]
+    items = [("coord" + "xyz"[a], [2], 6, struct.pack(">12d", *(p[a] for p in points)))
+             for a in range(3)]
+    items += [("connect1", [3, 4], 4, struct.pack(">16i", *corners)),
+              ("eb_prop1", [5], 4, struct.pack(">i", 7)), ("name_elem_var", [6, 7], 2, b"VOL\0")]
+    records = [("time_whole", [0], (0.5, 1.5)), ("vals_elem_var1eb1", [0, 3], (1, 0, .25, .5))]
 
     def variables(at):
-        item = lambda text, dims, kind, size, begin: (
-            name(text) + count(len(dims)) + b"".join(map(count, dims)) + none
-            + struct.pack(">i", kind) + count(size) + place(begin))
-        return tag(11, 3) + (item("elem_var_tab", [2], 4, 16, at)
-                             + item("coord", [1, 2], 6, 96, at + 16)
-                             + item("time_whole", [0], 6, 8, at + 112))
+        result = tag(11, len(items) + len(records))
+        def item(key, dims, kind, size):
+            more = text("elem_type", "HEX8") if key == "connect1" else tag(0, 0)
+            return (name(key) + count(len(dims)) + b"".join(map(count, dims)) + more
+                    + struct.pack(">i", kind) + count(size) + place(at))
+        for key, dims, kind, data in items:
+            result += item(key, dims, kind, len(data))
+            at += len(data)
+        for key, dims, numbers in records:
+            result += item(key, dims, 6, 4 * len(numbers))
+            at += 4 * len(numbers)
+        return result
 
     at = len(head + variables(0))
-    return head + variables(at) + struct.pack(">4i12d2d", 1, 0, 1, 1, *range(14))
+    values = b"".join(struct.pack(">d%dd" % (len(records[1][2]) // 2), records[0][2][i],
+                                  *records[1][2][2 * i:2 * i + 2]) for i in (0, 1))
+    return head + variables(at) + b"".join(data for *_, data in items) + values
+
+
+def netcdf4_file(data):
+    """Returns an Exodus file in the format netCDF-4; nothing without the program nccopy."""
+    if not shutil.which("nccopy"):
+        return None
+    with tempfile.TemporaryDirectory() as folder:
+        paths = [os.path.join(folder, name) for name in ("a.e", "b.e")]
+        with open(paths[0], "wb") as file:
+            file.write(data)
+        subprocess.run(["nccopy", "-k", "nc4", *paths], check=True)
+        with open(paths[1], "rb") as file:
+            return file.read()
 
 
 def meta_image(values, kind, extra=""):
@@ -447,7 +480,12 @@ def write_all(folder):
             if harness == "Nifti":
                 write(folder, "NiftiGzip", name, gzip.compress(data, mtime=0))
     for version in (1, 2, 5):
-        write(folder, "Netcdf", "cdf%d" % version, netcdf_file(version))
+        write(folder, "Exodus", "cdf%d" % version, exodus_file(version))
+    wide = netcdf4_file(exodus_file(5))
+    if wide:
+        write(folder, "Exodus", "netcdf4", wide)
+    else:
+        print("no seed of netCDF-4: there is no nccopy")
     write(folder, "Plotfile", "level", plotfile())
     try:
         dream3d_seeds(os.path.join(folder, "Dream3d"))

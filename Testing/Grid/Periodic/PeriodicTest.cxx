@@ -69,7 +69,7 @@ TEST_P(Periodic, RandomLabelsGiveValidTorus)
     const CartesianGrid grid =
       MakePeriodicGrid(n, { { (axes & 1) != 0, (axes & 2) != 0, (axes & 4) != 0 } }, method.Sides);
     MeshOptions options;
-    options.Tets = method.Tets;
+    options.Method = method.Tets;
     options.MeshVoid = seed % 2 == 0;
     const FractionField field = MakeRandomPeriodic(grid, 2, seed % 3 == 0 ? 1 : 0, seed);
     Runtime alone;
@@ -110,7 +110,7 @@ TEST_P(Periodic, PlaceOfSidesDoesNotMatter)
         return squares < 4.2 * 4.2 ? 1 : 0;
       });
     MeshOptions options;
-    options.Tets = method.Tets;
+    options.Method = method.Tets;
     Runtime alone;
     elements[place] = method.Make(grid, field, options, alone, reports[place]).ElementIds.size();
   }
@@ -171,7 +171,7 @@ TEST_P(PeriodicLevels, GiveValidTorus)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
     MeshOptions options;
-    options.Tets = method.Tets;
+    options.Method = method.Tets;
     options.MeshVoid = seed % 4 < 2;
     options.Levels.Refinements = 1 + static_cast<int>(seed % 2);
     const CartesianGrid grid = MakeRefinedGrid(seed, options.Levels.Refinements, method.Sides);
@@ -253,7 +253,7 @@ TEST_P(PeriodicLevels, RanksGiveTheSameMesh)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
     MeshOptions options;
-    options.Tets = method.Tets;
+    options.Method = method.Tets;
     options.MeshVoid = true;
     options.Levels.Refinements = 1 + static_cast<int>(seed % 2);
     const CartesianGrid grid = MakeRefinedGrid(seed + 4, options.Levels.Refinements, method.Sides);
@@ -281,7 +281,7 @@ TEST_P(Periodic, RanksGiveTheSameMesh)
       MakePeriodicGrid({ { 8, 7, 6 } }, { { seed % 3 != 1, true, seed % 3 != 2 } }, method.Sides);
     const FractionField field = MakeRandomPeriodic(grid, 3, 0, seed);
     MeshOptions options;
-    options.Tets = method.Tets;
+    options.Method = method.Tets;
     const RankMesh alone = MakeAlone(grid, field, options, method.Make);
     for (int ranks : { 2, 3, 8 })
     {

@@ -190,7 +190,7 @@ TEST(StretchedFamilies, MeshIsValid)
       MeshOptions options = Coarsened(refinements);
       options.MeshVoid = true;
       options.Levels.FineInterfaces = name != "crossing";
-      options.Tets = name == "Lattice" ? TetMethod::Lattice : TetMethod::Cells;
+      options.Method = name == "Lattice" ? TetMethod::Lattice : TetMethod::Cells;
       options.Levels.Families = MakeRandomFamilies(grid, refinements, .02 * (1 + seed % 4), seed);
       Runtime runtime;
       MeshReport report;

@@ -21,7 +21,7 @@ constexpr double SmallestAngle = 15.0; // degrees, transitions without interface
 MeshOptions OptionsOf(TetMethod method, int refinements)
 {
   MeshOptions options;
-  options.Tets = method;
+  options.Method = method;
   options.Levels.Refinements = refinements;
   return options;
 }

@@ -169,7 +169,7 @@ TEST(FollowsCells, PlatesWithGaps)
       MeshOptions options;
       ExpectCells(grid, field, options, MakeHexMesh);
       ExpectCells(grid, field, options, MakeTetMesh);
-      options.Tets = TetMethod::Cells;
+      options.Method = TetMethod::Cells;
       ExpectCells(grid, field, options, MakeTetMesh);
     }
   }

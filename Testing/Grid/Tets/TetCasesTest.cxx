@@ -72,7 +72,7 @@ TEST_P(TetCases, ReachesItsFigures)
   const MeshCase c =
     bounds.Name == "12 grains" ? MakePolycrystalCase(12, 14) : MakeMeshCase(bounds.Name);
   MeshOptions options;
-  options.Tets = bounds.Method;
+  options.Method = bounds.Method;
   Runtime runtime;
   const MeshFigures figures = MeasureCase(c, options, runtime, MakeTetMesh);
   std::printf("%s", FormatTetFigures(bounds.Method, bounds.Name, figures).c_str());

@@ -66,7 +66,7 @@ TEST_P(TetRandomLabels, MeshIsValid)
     const CartesianGrid grid = MakeUnitGrid(n, n + seed % 3, n + seed / 2 % 2);
     const FractionField field = MakeRandomLabels(grid, c.Materials, hasVoid ? 0 : 1, seed);
     MeshOptions options;
-    options.Tets = c.Method;
+    options.Method = c.Method;
     options.MeshVoid = seed / 2 % 2 == 1;
     Runtime runtime;
     MeshReport report;

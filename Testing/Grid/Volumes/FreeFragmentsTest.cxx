@@ -82,7 +82,7 @@ TEST(FreeFragments, BlurredDropsGetTheirVolumesAsTets)
   for (TetMethod method : { TetMethod::Lattice, TetMethod::Cells })
   {
     MeshOptions options;
-    options.Tets = method;
+    options.Method = method;
     const Mesh mesh = MakeTetMesh(grid, MakeBlurredDrops(grid, 1), options, runtime, report);
     const double worst = WorstFragment(mesh, report);
     std::printf("%s: %lld drops, off by at most %.1e, dihedral angles from %.1f degrees\n",

@@ -188,7 +188,7 @@ def test_first_process(at):
     for fault in SIGNALS:
         case.restore(True)
         result = case.run(0, fault=int(fault), fault_at=4)
-        # The kernel lets the signal end the process while the handler of its main thread still runs.
+        # The kernel lets it end the process while the handler of its main thread still runs.
         assert result.returncode in (128 + fault, -fault), result
         assert result.stderr == LINE % fault.name + "\n", result
         assert read_tree(case.folder) == case.trees[0]

@@ -54,7 +54,7 @@ int main()
 #endif
          vfm::TetMethod::Cells })
   {
-    options.Tets = method;
+    options.Method = method;
     vfm::MeshReport tetReport;
     const vfm::Mesh tets = vfm::MakeTetMesh(grid, fractions, options, runtime, tetReport);
     std::printf("%zu tets, volume %.4f of %.4f\n", tets.Material.size(), tetReport.MeshVolume.at(1),

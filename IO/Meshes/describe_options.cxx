@@ -1,7 +1,8 @@
 /**
- * describe_options: prints the table of options as JSON, for scripts/generate.
+ * describe_options: prints the tables of options and formats as JSON, for scripts/generate.
  */
 #include "Base/ParseText.h"
+#include "Meshes/FormatTable.h"
 #include "Options/SetOptions.h"
 
 #include <iostream>
@@ -69,19 +70,36 @@ void Print(const Option& option, std::ostream& to)
      << ",\n   \"text_of_tets\": " << Quote(option.MeaningOfTets) << "}";
 }
 
+void Print(const FormatRow& format, std::ostream& to)
+{
+  to << "  {\"suffixes\": " << List(format.Suffixes) << ", \"name\": " << Quote(format.Name)
+     << ", \"content\": " << Quote(format.Content) << ", \"options\": " << List(format.Options)
+     << ", \"per_rank\": " << Truth(format.IsPerRank) << "}";
+}
+
+template <class Table>
+void PrintTable(const char* name, const Table& table, std::ostream& to)
+{
+  to << Quote(name) << ": [\n";
+  const char* separator = "";
+  for (const auto& row : table)
+  {
+    to << separator;
+    Print(row, to);
+    separator = ",\n";
+  }
+  to << "\n]";
+}
+
 } // namespace
 } // namespace vfm
 
 int main()
 {
-  std::cout << "[\n";
-  const char* separator = "";
-  for (const vfm::Option& option : vfm::GetOptionTable())
-  {
-    std::cout << separator;
-    vfm::Print(option, std::cout);
-    separator = ",\n";
-  }
-  std::cout << "\n]\n";
+  std::cout << "{";
+  vfm::PrintTable("options", vfm::GetOptionTable(), std::cout);
+  std::cout << ",\n";
+  vfm::PrintTable("formats", vfm::GetFormatTable(), std::cout);
+  std::cout << "}\n";
   return 0;
 }

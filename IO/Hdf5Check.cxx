@@ -1,6 +1,6 @@
-#include "Images/Hdf5Check.h"
+#include "Hdf5Check.h"
 
-#include "Images/Hdf5Bytes.h"
+#include "Hdf5Bytes.h"
 
 #include <iterator>
 #include <set>

@@ -1,0 +1,139 @@
+#include "Meshes/FormatTable.h"
+
+#include "Base/ParseText.h"
+#include "FileSuffix.h"
+#include "Meshes/Surfaces/WriteStl.h"
+
+#include <algorithm>
+
+namespace vfm
+{
+namespace
+{
+
+constexpr FormatOption FormatOptions[] = {
+  { "single_file", "--single-file", "",
+    "write one Exodus file or OpenFOAM mesh from several ranks; rank 0 gathers the mesh",
+    [](const OutputForm& form) { return form.IsSingle; }, "always consists of several files.",
+    false },
+  { "version", "--msh-version", "2.2|4.1",
+    "version of a .msh file; default 2.2, or 4.1 if an id exceeds 2147483647",
+    [](const OutputForm& form) { return form.Version != GmshVersion::Automatic; },
+    "has no choice of version. Formats that have it: " },
+  { "binary", "--binary", "",
+    "write a .msh file or an OpenFOAM case in binary form instead of text",
+    [](const OutputForm& form) { return form.IsBinary; },
+    "has no binary form. Formats that have it: " },
+  { "reduced", "--reduced", "", "write C3D20R instead of C3D20 in an .inp file",
+    [](const OutputForm& form) { return form.IsReduced; },
+    "has no elements of reduced integration. Only .inp has them.", false },
+  { "interfaces", "--no-interfaces", "",
+    "leave the faces between elements out of a .msh file, for deal.II",
+    [](const OutputForm& form) { return !form.HasInterfaces; },
+    "has no faces of interfaces to leave out. Formats that have them: " },
+  { "time", "", "", "", nullptr, "" },
+  { "texts", "", "", "", nullptr, "" },
+};
+
+/// Returns the suffixes of the formats that have an option.
+std::string ListSuffixes(const FormatOption& option)
+{
+  std::vector<std::string> suffixes;
+  for (const FormatRow& format : GetFormatTable())
+  {
+    if (format.Has(option))
+    {
+      suffixes.insert(suffixes.end(), format.Suffixes.begin(), format.Suffixes.end());
+    }
+  }
+  return JoinTexts(suffixes);
+}
+
+} // namespace
+
+bool FormatRow::Has(const FormatOption& option) const
+{
+  const bool isAlways = option.Name == std::string("single_file") && !this->IsPerRank;
+  return isAlways ||
+    std::find(this->Options.begin(), this->Options.end(), option.Name) != this->Options.end();
+}
+
+std::span<const FormatOption> GetFormatOptions()
+{
+  return FormatOptions;
+}
+
+const std::vector<FormatRow>& GetFormatTable()
+{
+  static const std::vector<FormatRow> table{
+    { MeshFormat::Vtu, { ".vtu" }, "VTK", "all arrays and field data", { "time", "texts" } },
+    { MeshFormat::Pvtu, { ".pvtu" }, "VTK",
+      "the same, with one piece per rank in a folder next to it", { "time" }, true },
+    { MeshFormat::Exodus, { ".e", ".ex2", ".exo" }, "Exodus",
+      "named blocks, side sets, node sets, ids and variables; N ranks write one file each, "
+      "FILE.N.RANK",
+      { "time" } },
+    { MeshFormat::Abaqus, { ".inp" }, "Abaqus and CalculiX",
+      "sets of elements and nodes, surfaces; velocities of nodes as initial conditions",
+      { "time", "reduced" } },
+    { MeshFormat::LsDyna, { ".k", ".key" }, "LS-DYNA",
+      "parts, sets of nodes and segments, velocities, stresses", { "time" } },
+    { MeshFormat::Radioss, { ".rad" }, "OpenRadioss",
+      "parts, groups of nodes, surfaces, velocities, state of elements", { "time" } },
+    { MeshFormat::Nastran, { ".bdf", ".nas" }, "Nastran",
+      "properties, sets of nodes, a unit pressure on each surface", { "time" } },
+    { MeshFormat::Gmsh, { ".msh" }, "Gmsh",
+      "version 2.2 or 4.1, text or binary: named volumes, domain sides and interfaces",
+      { "version", "binary", "interfaces" } },
+    { MeshFormat::Xdmf, { ".xdmf" }, "XDMF",
+      "for dolfinx: materials, and a second file of tagged facets, FILE_facets.xdmf", {} },
+    { MeshFormat::Foam, { ".foam" }, "OpenFOAM",
+      "the folder of the file is a case with patches and zones; N ranks write a folder "
+      "processorRANK each",
+      { "binary" } },
+    { MeshFormat::Stl, { ".stl" }, "STL",
+      "only the closed surface of each material; with {} in the name one file per material, as in "
+      "bones_{}.stl",
+      {} },
+  };
+  return table;
+}
+
+const FormatRow* FindFormat(const std::string& path)
+{
+  const std::vector<FormatRow>& table = GetFormatTable();
+  const auto found = std::find_if(table.begin(), table.end(),
+    [&path](const FormatRow& format) { return HasSuffix(path, format.Suffixes); });
+  return found == table.end() ? nullptr : &*found;
+}
+
+std::vector<std::string> GetOutputSuffixes()
+{
+  std::vector<std::string> suffixes;
+  for (const FormatRow& format : GetFormatTable())
+  {
+    suffixes.insert(suffixes.end(), format.Suffixes.begin(), format.Suffixes.end());
+  }
+  return suffixes;
+}
+
+std::string FindOutputProblem(const std::string& path, const OutputForm& form)
+{
+  const FormatRow* format = FindFormat(path);
+  if (!format)
+  {
+    return "The output " + path +
+      " is of an unknown format. Supported formats: " + JoinTexts(GetOutputSuffixes()) + ".";
+  }
+  for (const FormatOption& option : FormatOptions)
+  {
+    if (option.IsGiven && option.IsGiven(form) && !format->Has(option))
+    {
+      return "The output " + path + " " + option.Lack +
+        (option.ListsFormats ? ListSuffixes(option) + "." : "");
+    }
+  }
+  return format->Format == MeshFormat::Stl ? FindStlProblem(path) : "";
+}
+
+} // namespace vfm

@@ -1,0 +1,76 @@
+/**
+ * FormatTable: the formats of mesh files and their options, for all front ends and documents.
+ *
+ * describe_options prints the table for scripts/generate.
+ */
+#pragma once
+
+#include "Meshes/Gmsh/WriteGmsh.h"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace vfm
+{
+
+/// Choices among the forms of a format. Each one is an option of some formats.
+struct OutputForm
+{
+  bool IsSingle = false; ///< one file with the whole mesh, which rank 0 gathers
+  GmshVersion Version = GmshVersion::Automatic;
+  bool IsBinary = false;     ///< binary instead of text
+  bool HasInterfaces = true; ///< whether the file has faces between elements
+  bool IsReduced = false;    ///< C3D20R instead of C3D20
+};
+
+enum class MeshFormat
+{
+  Vtu,
+  Pvtu,
+  Exodus,
+  Abaqus,
+  LsDyna,
+  Radioss,
+  Nastran,
+  Gmsh,
+  Xdmf,
+  Foam,
+  Stl
+};
+
+struct FormatOption
+{
+  const char* Name;                   ///< in the Python package
+  const char* Argument;               ///< of sculptor; empty: none
+  const char* Value;                  ///< of the argument
+  const char* Help;                   ///< for the argument
+  bool (*IsGiven)(const OutputForm&); ///< null: not a part of OutputForm
+  const char* Lack;                   ///< why a format without the option refuses it
+  bool ListsFormats = true;           ///< whether formats that have it follow in the message
+};
+
+struct FormatRow
+{
+  MeshFormat Format;
+  std::vector<std::string> Suffixes; ///< with dot, in lower case
+  std::string Name;
+  std::string Content;              ///< phrase for the help and the documents
+  std::vector<std::string> Options; ///< names
+  bool IsPerRank = false;           ///< whether ranks always write files of their own
+
+  bool Has(const FormatOption& option) const;
+};
+
+std::span<const FormatOption> GetFormatOptions();
+const std::vector<FormatRow>& GetFormatTable();
+/// Returns the format of a path, by its suffix, or null.
+const FormatRow* FindFormat(const std::string& path);
+
+/// Returns all supported suffixes, for instance ".vtu".
+std::vector<std::string> GetOutputSuffixes();
+/// Returns the reason why a mesh cannot be written in this form to a file of this name; "" if it
+/// can. Checks only the suffix and the form.
+std::string FindOutputProblem(const std::string& path, const OutputForm& form = {});
+
+} // namespace vfm
