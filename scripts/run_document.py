@@ -1,6 +1,6 @@
 #!/usr/bin/env pvpython
 """Runs the Python blocks of a document in order, as one script, in a folder. An indented text after
-a block that prints must match the output.
+a block that prints must match the output, numbers to 2 % (scripts/printed.py).
 
 usage: pvpython run_document.py DOCUMENT FOLDER [LIB]
 
@@ -16,6 +16,8 @@ import sys
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..")
 sys.path.insert(0, os.path.join(ROOT, "Examples"))
+sys.path.insert(0, os.path.join(ROOT, "scripts"))
+import printed
 from need_files import need_files
 
 LIB = "build/lib"
@@ -33,17 +35,25 @@ def read_blocks(document):
                shown if "print(" in block[1] else "")
 
 
-def run_block(code, shown, names):
-    printed = io.StringIO()
-    with contextlib.redirect_stdout(printed):
+def indent(text):
+    return re.sub("^", "    ", text, flags=re.MULTILINE).rstrip(" ")
+
+
+def run_block(code, shown, names, document):
+    stream = io.StringIO()
+    with contextlib.redirect_stdout(stream):
         exec(code, names)
-    print(printed.getvalue(), end="")
-    if shown and printed.getvalue() != shown:
-        sys.exit("the output differs from the document, which shows:\n" + shown)
+    output = stream.getvalue()
+    print(output, end="")
+    if shown and not printed.is_equal(shown, output):
+        if not printed.accepts():
+            sys.exit("the output differs from the document, which shows:\n" + shown)
+        printed.replace_in(document, indent(shown), indent(output))
 
 
 def main(document, folder, lib=os.path.join(ROOT, LIB)):
     need_files(document, lib)
+    document = os.path.abspath(document)
     blocks = list(read_blocks(document))
     if not blocks:
         sys.exit(document + " has no Python block")
@@ -58,7 +68,7 @@ def main(document, folder, lib=os.path.join(ROOT, LIB)):
             os.symlink(target, name)
     names = {"__name__": "__main__"}
     for code, shown in blocks:
-        run_block(compile(code, document, "exec"), shown, names)
+        run_block(compile(code, document, "exec"), shown, names, document)
 
 
 if __name__ == "__main__":

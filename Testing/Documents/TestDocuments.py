@@ -11,6 +11,8 @@ import unittest
 from prose import read_messages
 
 ROOT = os.path.abspath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
+sys.path.insert(0, os.path.join(ROOT, "scripts"))
+from options import figures
 
 PAGES = sorted(os.path.relpath(path, ROOT)
                for pattern in ("*.md", "Data/*.md", "python/*.md", "Documentation/**/*.md")
@@ -28,6 +30,8 @@ ENDINGS = ("", ".h", ".cxx", ".py")
 LONGEST_README = 150  # lines
 INDEX, EXAMPLES = "Documentation/README.md", "Documentation/user/examples.md"
 OPTIONS, MESSAGES = "Documentation/reference/options.md", "Documentation/reference/messages.md"
+# Sections of validation whose tables hold no figures.
+WITHOUT_FIGURES = ("The calls", "The commands")
 # A row of an option: its names in ParaView, Python, sculptor and C, values and default.
 OPTION = re.compile(r"^\| (\w+)(?: \*advanced\*)? \| `(\w+)` \| `(--[^`]+)` \| `([^`]+)` \|",
                     re.MULTILINE)
@@ -207,6 +211,24 @@ class Documents(unittest.TestCase):
         self.assertEqual(len(rows), 6)
         self.check(["%s is in no page of validation" % number for row in rows
                     for number in NUMBER.findall(row) if number not in known])
+
+    def test_tables_of_figures_are_generated(self):
+        """scripts/generate fills them from the files of results; no other table has numbers."""
+        problems, used = [], set()
+        for page, fill in figures.files().items():
+            text = read(page)
+            used.update(name for _, name, _ in figures.MARKED.findall(text))
+            if fill(text) != text:
+                problems.append("%s is not current, run scripts/generate" % page)
+            for section in re.split(r"^#+ ", figures.MARKED.sub("", text), flags=re.MULTILINE):
+                if section.split("\n", 1)[0] not in WITHOUT_FIGURES:
+                    problems += ["%s: not from a file of results: %s" % (page, row) for row
+                                 in re.findall(r"^\|.*\d.*", section, re.MULTILINE)]
+        self.assertGreater(len(used), 50)
+        results = os.path.join(ROOT, figures.RESULTS)
+        stored = {os.path.relpath(path, results)[:-len(".csv")]
+                  for path in glob.glob(os.path.join(results, "*", "*.csv"))}
+        self.check(problems + ["no page shows " + name for name in sorted(stored ^ used)])
 
     def test_readme_is_short(self):
         self.assertLessEqual(read("README.md").count("\n"), LONGEST_README)

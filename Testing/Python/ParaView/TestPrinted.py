@@ -1,11 +1,15 @@
-"""Documentation/user/command-line.md shows the tables that sculptor prints, except for seconds."""
+"""Documentation/user/command-line.md shows the tables that sculptor prints, except for seconds:
+numbers agree to 2 % of their range."""
 import os
 import re
+import sys
 
 from sculptor_program import sculptor
 from vfmtest import in_folder, main
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..")
+sys.path.insert(0, os.path.join(ROOT, "scripts"))
+import printed
 COMMANDS = [  # ranks and arguments of the blocks of the page, in order
     (4, "--input Data/splash_3500us.vti --output splash.pvtu"),
     (1, "--input Data/ball_and_plate.vti --tetmesh Lattice --output tets.vtu"),
@@ -29,7 +33,15 @@ def test_page(at):
     for block, (ranks, words) in zip(blocks, COMMANDS):
         result = sculptor(*words.split(), ranks=ranks, folder=at(""))
         assert result.returncode == 0, result
-        assert without_seconds(block) in without_seconds(result.stdout), result.stdout
+        lines = result.stdout.splitlines(keepends=True)
+        count = block.count("\n")
+        found = ["".join(lines[i:i + count]) for i in range(len(lines) - count + 1)]
+        shown = without_seconds(block)
+        if any(printed.is_equal(shown, without_seconds(text)) for text in found):
+            continue
+        same = [text for text in found if text.split(None, 1)[0:1] == block.split(None, 1)[0:1]]
+        assert printed.accepts() and same, result.stdout
+        printed.replace_in(path, block, same[0])
 
 
 main(globals())
