@@ -1,4 +1,5 @@
 """Runs of the command-line tool `sculptor` (VFM_SCULPTOR) on some ranks, for tests."""
+import itertools
 import os
 import re
 import unittest
@@ -7,6 +8,7 @@ from compare_meshes import difference, merge, read_pieces
 from mpi_run import mpi_run
 
 SCULPTOR = os.environ["VFM_SCULPTOR"]
+RANKS = itertools.cycle((3, 1))  # in turn, for what does not depend on them
 
 
 def sculptor(*arguments, ranks=1, folder=None):

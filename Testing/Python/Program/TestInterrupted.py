@@ -9,6 +9,7 @@ import shutil
 import subprocess
 import tempfile
 import unittest
+from concurrent.futures import ThreadPoolExecutor
 
 from file_faults import FULL, KILL, SIGNALS, Case, interrupt_all, read_tree
 from mpi_run import mpi_run
@@ -65,9 +66,15 @@ def test_full_disk(at):
 
 @in_folder
 def test_ranks(at):
-    for suffix in SUFFIXES if MOMENTS else (".pvtu", ".e", ".foam"):
+    """Formats at once: mpiexec sleeps before it kills the ranks."""
+    def interrupt_one(suffix):
+        os.mkdir(at(suffix))
         faults = (*SIGNALS, FULL) if MOMENTS else (SIGNALS[0], FULL)
-        interrupt(at, "mesh" + suffix, (".*",), 3, faults=faults, moments=2)
+        interrupt(lambda name: at(os.path.join(suffix, name)), "mesh" + suffix, (".*",), 3,
+                  faults=faults, moments=2)
+
+    with ThreadPoolExecutor(3) as pool:
+        list(pool.map(interrupt_one, SUFFIXES if MOMENTS else (".pvtu", ".e", ".foam")))
 
 
 @in_folder
