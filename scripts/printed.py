@@ -1,5 +1,8 @@
-"""Compares printed text with text that a page shows: words and shape are equal, numbers agree to 2 %
-of their range. With VFM_ACCEPT=1 (scripts/test --accept) the page takes the printed text instead."""
+"""Compares printed text with text that a page shows: equal words and shape, numbers within 2 %.
+
+The 2 % are of the range of the numbers. With VFM_ACCEPT=1 (scripts/test --accept), the page takes
+the printed text instead.
+"""
 import os
 import re
 
