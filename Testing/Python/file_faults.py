@@ -69,8 +69,6 @@ class Case:
             settings["VFM_FAULT_RANK"] = str(rank)
         return mpi_run(self.ranks, self.new(self.folder), LD_PRELOAD=preload,
                        OMPI_MCA_odls_base_sigkill_timeout="3",
-                       # Ranks that fail end themselves.
-                       OMPI_MCA_orte_abort_on_non_zero_status="0",
                        VFM_FAULT_FOLDER=self.folder, **settings)
 
     def list_calls(self, rank, has_old):

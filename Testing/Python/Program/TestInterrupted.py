@@ -9,7 +9,6 @@ import shutil
 import subprocess
 import tempfile
 import unittest
-from concurrent.futures import ThreadPoolExecutor
 
 from file_faults import FULL, KILL, SIGNALS, Case, interrupt_all, read_tree
 from mpi_run import mpi_run
@@ -66,15 +65,9 @@ def test_full_disk(at):
 
 @in_folder
 def test_ranks(at):
-    """Formats at once: mpiexec sleeps before it kills the ranks."""
-    def interrupt_one(suffix):
-        os.mkdir(at(suffix))
+    for suffix in SUFFIXES if MOMENTS else (".pvtu", ".e", ".foam"):
         faults = (*SIGNALS, FULL) if MOMENTS else (SIGNALS[0], FULL)
-        interrupt(lambda name: at(os.path.join(suffix, name)), "mesh" + suffix, (".*",), 3,
-                  faults=faults, moments=2)
-
-    with ThreadPoolExecutor(3) as pool:
-        list(pool.map(interrupt_one, SUFFIXES if MOMENTS else (".pvtu", ".e", ".foam")))
+        interrupt(at, "mesh" + suffix, (".*",), 3, faults=faults, moments=2)
 
 
 @in_folder
