@@ -34,14 +34,15 @@ class Generated(unittest.TestCase):
         self.assertEqual(made.stderr, "")
 
     def test_an_added_row_is_everywhere(self):
-        rows = json.loads(subprocess.run([TABLE], stdout=subprocess.PIPE, check=True).stdout)
+        tables = json.loads(subprocess.run([TABLE], stdout=subprocess.PIPE, check=True).stdout)
+        rows = tables["options"]
         row = next(row for row in rows if row["name"] == "IsoValue")
         rows.append({**row, "name": "NewOption", "python": "new_option", "argument": "--new V",
                      "text": "What is new.", "group": "Surface"})
         with tempfile.TemporaryDirectory() as folder:
             table = os.path.join(folder, "table.json")
             with open(table, "w", encoding="utf-8") as file:
-                json.dump(rows, file)
+                json.dump(tables, file)
             subprocess.run([*GENERATE, table, "--into", folder], check=True)
             for path, text in PLACES.items():
                 with open(os.path.join(folder, path), encoding="utf-8") as file:
