@@ -332,7 +332,7 @@ def test_sculptor_part_of_one(at):
     for name in ("cube_mesh.exo.1.0", "cube.1.0", "cube.E.1.0", "cube.1.00"):
         path = shutil.move(path, at(name))  # There is no file named FILE.
         result = sculptor(path, at("out.vtu"), "--fractions", "MAT_10,MAT_20", "--state",
-                          "number", "--time", "2", ranks=next(RANKS))
+                          "number", "--time", "2", ranks=next(sculptor_program.RANKS))
         assert (result.returncode == 0 and result.stderr == ""
                 and "time 2\n" in result.stdout), result
         check_file(at("out.vtu"), expected, name)

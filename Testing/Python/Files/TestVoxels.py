@@ -14,6 +14,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 
 from compare_meshes import difference, merge, read_pieces
 from mpi_run import mpi_run
+from sculptor_program import RANKS, SCULPTOR
 from vfmtest import (
     ORIGIN, SPACING, VolumeFractionToHex, VolumeFractionToTet, ball_and_plate, collect, failure_of,
     image, in_folder, main, mesh_of, simple)
@@ -29,7 +30,6 @@ PLACED = ["--origin", ",".join(map(str, ORIGIN)), "--spacing", ",".join(map(str,
 SIZED = ["--dimensions", ",".join(map(str, SIZE))]
 # {NumPy type: VTK type that it is read as}
 DTYPES = {"?": 3, "u1": 3, "i1": 15, "u2": 5, "i2": 4, "u4": 6, "i4": 6, "u8": 6, "i8": 6}
-SCULPTOR = os.environ["VFM_SCULPTOR"]
 
 
 def grain_image():
