@@ -3,10 +3,12 @@
 VFM_FILE_FAULTS is the library of Testing/Program/FileFaults.cxx. Afterwards each output, which may
 consist of several files, must be the earlier one or the new one, and there must be no other file.
 """
+import glob
 import os
 import re
 import shutil
 import signal
+import time
 
 from mpi_run import mpi_run
 
@@ -88,10 +90,25 @@ class Case:
         with open(self.log, encoding="utf-8") as file:
             return [line.split()[0] for line in file]
 
+    def wait_for_ranks(self):
+        """Waits until all ranks have ended: some outlive mpiexec, and remove their files."""
+        def runs(path):
+            try:
+                with open(path, "rb") as file:
+                    return os.fsencode(self.folder) in file.read()
+            except OSError:  # ended meanwhile
+                return False
+
+        end = time.monotonic() + 60
+        while any(runs(path) for path in glob.glob("/proc/[0-9]*/cmdline")):
+            assert time.monotonic() < end, "ranks do not end"
+            time.sleep(0.02)
+
     def interrupt(self, fault, rank, call, has_old, parent=False):
         """Interrupts the command at a call. Returns "old" or "new"; mixed for several outputs."""
         self.restore(has_old)
         result = self.run(rank, fault=int(fault), fault_at=call, fault_parent=int(parent))
+        self.wait_for_ranks()
         found = read_tree(self.folder)
         states = []
         for pattern in self.outputs:
