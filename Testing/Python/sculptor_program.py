@@ -1,5 +1,4 @@
 """Runs of the command-line tool `sculptor` (VFM_SCULPTOR) on some ranks, for tests."""
-import itertools
 import os
 import re
 import unittest
@@ -8,7 +7,6 @@ from compare_meshes import difference, merge, read_pieces
 from mpi_run import mpi_run
 
 SCULPTOR = os.environ["VFM_SCULPTOR"]
-RANKS = itertools.cycle((3, 1))  # in turn, for what does not depend on them
 
 
 def sculptor(*arguments, ranks=1, folder=None):

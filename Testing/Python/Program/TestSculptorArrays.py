@@ -4,8 +4,8 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkRectilinearGrid
 from vtkmodules.vtkIOXML import vtkXMLRectilinearGridWriter
 
-from compare_meshes import read_pieces
-from sculptor_program import RANKS, mesh_file, refused, rows, sculptor
+from compare_meshes import difference, merge, read_pieces
+from sculptor_program import mesh_file, refused, rows, sculptor
 from vfmtest import add_array, in_folder, labels, main, write
 
 
@@ -34,12 +34,18 @@ def unit_image(arrays, of_points=False):
     return data
 
 
-def contents(path, *words, at):
-    """Meshes a file on 3 ranks and 1 rank in turn. Returns {material: (elements, volume)}."""
-    result = sculptor(path, at("out.vtu"), *words, ranks=next(RANKS))
-    assert result.returncode == 0, result
-    return {name: (row[0], round(row[4], 3)) for name, row in rows(result.stdout).items()
-            if name != "all" and " of material" not in name}
+def contents(path, *words, ranks=(1, 3), at=None):
+    """Meshes a file on these numbers of ranks. Returns {material: (elements, volume)}."""
+    meshes, found = [], None
+    for count in ranks:
+        result = sculptor(path, at("out.vtu"), *words, ranks=count)
+        assert result.returncode == 0, result
+        meshes.append(merge(read_pieces(at("out.vtu"))))
+        found = {name: (row[0], round(row[4], 3)) for name, row in rows(result.stdout).items()
+                 if name != "all" and " of material" not in name}
+        assert not difference(meshes[0], meshes[-1])
+    print(words, found)
+    return found
 
 
 @in_folder
@@ -61,7 +67,7 @@ def test_masks_of_bytes(at):
     assert contents(path, "--fractions", "spleen", at=at) == {"1 spleen": (476, 240)}
     for dtype in (np.int8, np.int64):
         path = write(unit_image({name: a.astype(dtype) for name, a in masks.items()}), at("i.vti"))
-        assert contents(path, at=at) == {"1 liver": (476, 240), "2 spleen": (476, 240)}
+        assert contents(path, at=at, ranks=[1]) == {"1 liver": (476, 240), "2 spleen": (476, 240)}
 
 
 @in_folder
@@ -90,16 +96,18 @@ def test_bytes_between(at):
     """Bytes up to 127 that are no masks are rejected as fractions."""
     values = {"a": two_boxes(3, 0, np.uint8), "b": two_boxes(0, 29, np.uint8)}
     path = write(unit_image(values), at("in.vti"))
-    refused(2, "'a' (integers from 0 to 3), 'b' (integers from 0 to 29)", path, at("o.vtu"),
-            ranks=next(RANKS))
-    refused(3, "'a' holds values up to 3, 'b' holds values up to 29", path, at("o.vtu"),
-            "--fractions", "a,b", ranks=next(RANKS))
-    refused(3, "choose the array as labels (--labels b)", path, at("o.vtu"), "--fractions", "b",
-            ranks=next(RANKS))
+    for ranks in (1, 3):
+        refused(2, "'a' (integers from 0 to 3), 'b' (integers from 0 to 29)", path, at("o.vtu"),
+                ranks=ranks)
+        refused(3, "'a' holds values up to 3, 'b' holds values up to 29", path, at("o.vtu"),
+                "--fractions", "a,b", ranks=ranks)
+        refused(3, "choose the array as labels (--labels b)", path, at("o.vtu"), "--fractions", "b",
+                ranks=ranks)
     # Values above 127 of which none is 255 may be labels or fractions.
     one = write(unit_image({"tissue": two_boxes(100, 200, np.uint8)}), at("one.vti"))
-    refused(2, "Labels or volume fractions: 'tissue' (unsigned char up to 200, never 255: ",
-            one, at("o.vtu"), ranks=next(RANKS))
+    for ranks in (1, 3):
+        refused(2, "Labels or volume fractions: 'tissue' (unsigned char up to 200, never 255: ",
+                one, at("o.vtu"), ranks=ranks)
     refused(2, "(--fractions A,B,..), an array of labels (--labels ARRAY)", one, at("o.vtu"))
     assert contents(one, "--labels", "tissue", at=at) == {"100 Material 100": (476, 240),
                                                           "200 Material 200": (476, 240)}
@@ -173,7 +181,8 @@ def test_labels_near_integers(at):
     refused(3, "'seg' holds", path, at("out.vtu"), "--labels", "seg", ranks=2)
     for value, text in ((1.0012, "such as 1.0012"), (np.nan, "such as nan")):
         path = write(unit_image({"seg": two_boxes(value, 2, np.float32)}), at("in.vti"))
-        refused(2, text, path, at("out.vtu"), ranks=next(RANKS))
+        for ranks in (1, 3):
+            refused(2, text, path, at("out.vtu"), ranks=ranks)
     path = write(unit_image({"seg": two_boxes(1, 0.998, float)}), at("in.vti"))
     refused(3, "'seg' holds 0.998 in cell (7, 2, 2): material ids are integers", path,
             at("out.vtu"), "--labels", "seg", ranks=2)
@@ -189,11 +198,12 @@ def test_label_zero(at):
     """Label 0 that lies among the labels has a note; ZeroLabel makes it a material."""
     for dtype in (np.int64, float):
         path = write(unit_image({"material": zero_based().astype(dtype)}), at("in.vti"))
-        result = sculptor(path, at("out.vtu"), ranks=3)
-        assert result.returncode == 0 and result.stderr == (
-            "sculptor: warning: Label 0 of the array 'material' is read as void: 2048 of 4096 "
-            "cells, 50 %. Other labels reach the sides of the domain as it does. If label 0 is "
-            "a material, set ZeroLabel to Material (--zero-label Material).\n"), result
+        for ranks in (1, 3):
+            result = sculptor(path, at("out.vtu"), ranks=ranks)
+            assert result.returncode == 0 and result.stderr == (
+                "sculptor: warning: Label 0 of the array 'material' is read as void: 2048 of 4096 "
+                "cells, 50 %. Other labels reach the sides of the domain as it does. If label 0 is "
+                "a material, set ZeroLabel to Material (--zero-label Material).\n"), result
         volumes = {name: volume for name, (_, volume) in contents(
             path, "--zero-label", "Material", at=at).items()}
         assert volumes == {"1 Material 1": 1024, "2 Material 2": 1024,
@@ -223,10 +233,10 @@ def test_label_zero_with_refinement_and_state(at):
     words = ["--labels", "material", "--zero-label", "Material", "--state", "number"]
     for more in ([], ["--refine-box", "6,6,6,10,10,10"]):
         contents(path, *words, *more, at=at)
-        cells = read_pieces(at("out.vtu"))[0].GetCellData()
-        material, number = (vtk_to_numpy(cells.GetArray(name)).tolist()
-                            for name in ("MaterialId", "number"))
-        assert set(zip(material, number)) == {(1, 1), (2, 2), (3, 0)}
+        mesh = merge(read_pieces(at("out.vtu")))
+        material = vtk_to_numpy(read_pieces(at("out.vtu"))[0].GetCellData().GetArray("MaterialId"))
+        number = vtk_to_numpy(read_pieces(at("out.vtu"))[0].GetCellData().GetArray("number"))
+        assert mesh and set(zip(material.tolist(), number.tolist())) == {(1, 1), (2, 2), (3, 0)}
 
 
 def grey(seed=1, n=24):
@@ -241,8 +251,9 @@ def grey(seed=1, n=24):
 def test_grey_values(at):
     values = grey(n=16)
     path = write(unit_image({"scan": values.astype(np.int16)}), at("in.vti"))
-    refused(3, "Cannot mesh %s: The array 'scan' looks like grey values, not labels: " % path,
-            path, at("out.vtu"), ranks=next(RANKS))
+    for ranks in (1, 3):
+        refused(3, "Cannot mesh %s: The array 'scan' looks like grey values, not labels: " % path,
+                path, at("out.vtu"), ranks=ranks)
     result = sculptor(path, at("out.vtu"), "--labels", "scan", "--stairstep", ranks=2)
     assert result.returncode == 0 and "looks like grey values" in result.stderr, result
     # Grains are no grey values.
@@ -259,10 +270,11 @@ def test_grey_bytes(at):
     values = grey(n=16)
     values[0, 0, 0] = 255
     path = write(unit_image({"scan": values}), at("in.vti"))
-    refused(3, "Cannot mesh %s: The array 'scan' looks like grey values or labels, not volume "
-            "fractions of 255: " % path, path, at("out.vtu"), ranks=next(RANKS))
-    result = sculptor(path, at("out.vtu"), "--fractions", "scan", "--stairstep", ranks=next(RANKS))
-    assert result.returncode == 0 and "looks like grey values" in result.stderr, result
+    for ranks in (1, 3):
+        refused(3, "Cannot mesh %s: The array 'scan' looks like grey values or labels, not volume "
+                "fractions of 255: " % path, path, at("out.vtu"), ranks=ranks)
+        result = sculptor(path, at("out.vtu"), "--fractions", "scan", "--stairstep", ranks=ranks)
+        assert result.returncode == 0 and "looks like grey values" in result.stderr, result
     regions = np.kron(np.array([10, 40, 80, 120, 160, 200, 230, 255]).reshape(2, 2, 2),
                       np.ones((5, 5, 5))).astype(np.uint8)
     path = write(unit_image({"tissue": regions}), at("in.vti"))
@@ -274,7 +286,7 @@ def test_grey_bytes(at):
 
 @in_folder
 def test_threshold(at):
-    values = grey(n=12)
+    values = grey()
     for of_points in (False, True):
         for dtype in (np.uint8, np.float32):
             data = unit_image({"scan": values.astype(dtype)}, of_points)
@@ -311,7 +323,7 @@ def test_threshold_of_negative_integers(at):
         np.save(at("in.npy"), values.astype(dtype))
         found = contents(at("in.npy"), "--threshold", "100", at=at)
         assert found == {"1 Material 1": (1584, 912)}, found
-        found = contents(at("in.npy"), "--threshold", ":-10", at=at)
+        found = contents(at("in.npy"), "--threshold", ":-10", at=at, ranks=[1])
         assert found["1 Material 1"][1] == 4096 - 912, found
     np.save(at("in.npy"), values.astype(np.int16))
     refused(2, "the label of cell (0, 0, 0) is -196", at("in.npy"), at("o.vtu"))
@@ -343,10 +355,11 @@ def test_sums_above_one(at):
     second = 1 - first
     second[8, 3:6, 3] += 0.0018
     path = write(unit_image({"a": first, "b": second}), at("in.vti"))
-    refused(3, "The volume fractions of cell (3, 3, 8) sum to 1.0018: more than 1. The sums of "
-            "3 of 4096 cells are too large, the largest is 1.0018. If the arrays hold separate "
-            "materials, FractionTolerance 0.0019 (--clip 0.0019) scales", path, at("o.vtu"),
-            ranks=next(RANKS))
+    for ranks in (1, 3):
+        refused(3, "The volume fractions of cell (3, 3, 8) sum to 1.0018: more than 1. The sums of "
+                "3 of 4096 cells are too large, the largest is 1.0018. If the arrays hold separate "
+                "materials, FractionTolerance 0.0019 (--clip 0.0019) scales", path, at("o.vtu"),
+                ranks=ranks)
     result = sculptor(path, at("o.vtu"), "--clip", "0.0019")
     assert result.returncode == 0 and "3 cells sum to slightly more than 1" in result.stderr, result
     path = write(unit_image({"a": first, "b": first}), at("in.vti"))
@@ -360,10 +373,11 @@ def test_values_slightly_outside(at):
     whole[:8], whole[8] = 1, 0.5
     whole[1, 2, 3], whole[9, 3, 2] = 1.0009, -0.0018
     path = write(unit_image({"vf_a": whole, "vf_b": 1 - np.clip(whole, 0, 1)}), at("in.vti"))
-    for words in ([], ["--fractions", "vf_a"]):
-        refused(3, "'vf_a' holds 1.0009 in cell (3, 2, 1): volume fractions lie in [0, 1]. "
-                "FractionTolerance 0.0019 (--clip 0.0019) clips all values", path, at("o.vtu"),
-                *words, ranks=next(RANKS))
+    for ranks in (1, 3):
+        for words in ([], ["--fractions", "vf_a"]):
+            refused(3, "'vf_a' holds 1.0009 in cell (3, 2, 1): volume fractions lie in [0, 1]. "
+                    "FractionTolerance 0.0019 (--clip 0.0019) clips all values", path, at("o.vtu"),
+                    *words, ranks=ranks)
     assert sculptor(path, at("o.vtu"), "--clip", "0.0019").returncode == 0
     path = write(unit_image({"a": whole}), at("in.vti"))
     refused(2, "FractionTolerance 0.0019 (--clip 0.0019)", path, at("o.vtu"))
@@ -373,10 +387,11 @@ def test_values_slightly_outside(at):
 def test_level_sets(at):
     i = np.indices((12, 12, 12)) - 5.5
     path = write(unit_image({"phi": np.sqrt((i ** 2).sum(axis=0)) - 4}), at("in.vti"))
-    refused(2, "'phi' (values of both signs, -3.13397 to 5.52628: a level set or signed "
-            "distance)", path, at("o.vtu"), ranks=next(RANKS))
-    refused(3, "Threshold (--threshold LOW:HIGH)", path, at("o.vtu"), "--labels", "phi",
-            ranks=next(RANKS))
+    for ranks in (1, 2):
+        refused(2, "'phi' (values of both signs, -3.13397 to 5.52628: a level set or signed "
+                "distance)", path, at("o.vtu"), ranks=ranks)
+        refused(3, "Threshold (--threshold LOW:HIGH)", path, at("o.vtu"), "--labels", "phi",
+                ranks=ranks)
     found = contents(path, "--threshold", ":0", at=at)
     assert found["1 Material 1"][1] == (np.sqrt((i ** 2).sum(axis=0)) <= 4).sum(), found
 
