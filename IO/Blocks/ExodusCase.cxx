@@ -102,11 +102,12 @@ ExodusCase::ExodusCase(const std::string& path, Ranks& ranks) : Path(path)
 {
   const std::vector<std::string> all = FindFiles(path);
   this->Files = DistributeFiles(all, ranks);
-  this->StepTimes = ReadContents(path, all[0], all.size()).Times;
+  const ExodusContents first = ReadContents(path, all[0], all.size());
+  this->StepTimes = first.Times;
   std::vector<ArrayInfo> variables;
   for (const std::string& file : this->Files)
   {
-    const ExodusContents contents = ReadContents(path, file, all.size());
+    const ExodusContents contents = file == all[0] ? first : ReadContents(path, file, all.size());
     if (contents.Times.size() != this->StepTimes.size())
     {
       throw InputError((file == path ? "" : file + ": ") + "it holds " +

@@ -1,5 +1,6 @@
 #include "Blocks/ExodusFile.h"
 
+#include "Base/ParseText.h"
 #include "Blocks/NetcdfFile.h"
 
 #include <algorithm>
@@ -129,21 +130,21 @@ std::vector<Vector3> ReadPoints(NetcdfFile& file)
   return points;
 }
 
-/// Tests whether the name of a type of elements begins with one of some words, in any case.
-bool BeginsWith(std::string type, std::initializer_list<std::string> words)
+/// Tests whether the name of a type of elements, in any case, begins with one of some words.
+/// @param words  in lower case
+bool BeginsWith(const std::string& type, std::initializer_list<std::string> words)
 {
-  std::transform(type.begin(), type.end(), type.begin(),
-    [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  const std::string lower = ToLower(type);
   return std::any_of(words.begin(), words.end(),
-    [&type](const std::string& word) { return type.compare(0, word.size(), word) == 0; });
+    [&lower](const std::string& word) { return lower.compare(0, word.size(), word) == 0; });
 }
 
 /// Returns whether elements of a type have less than three dimensions.
 bool IsFlatType(const std::string& type)
 {
   return BeginsWith(type,
-    { "SPHERE", "CIRCLE", "POINT", "TRUSS", "BEAM", "BAR", "EDGE", "LINE", "ROD", "SPRING", "TRI",
-      "QUAD", "SHELL", "NSIDED", "NULL" });
+    { "sphere", "circle", "point", "truss", "beam", "bar", "edge", "line", "rod", "spring", "tri",
+      "quad", "shell", "nsided", "null" });
 }
 
 /// Reads the elements of a block; Corners stays empty if the block does not exist or is empty.
@@ -283,7 +284,7 @@ std::vector<ElementBlock> ReadElementBlocks(
 
 std::vector<InputBlock> FindBoxes(const ElementBlock& block, int number, const std::string& name)
 {
-  if (!BeginsWith(block.Type, { "HEX" }) || block.GetPoints(0).size() != CornersOfHex)
+  if (!BeginsWith(block.Type, { "hex" }) || block.GetPoints(0).size() != CornersOfHex)
   {
     RejectCell(name, 0,
       "is of the type '" + block.Type +

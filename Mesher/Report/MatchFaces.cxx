@@ -10,6 +10,24 @@ namespace vfm
 namespace
 {
 
+/// @param ids  ids of the points, separated by commas
+[[noreturn]] void RejectFace(const std::string& ids)
+{
+  throw InputError("The mesh is not conforming: the face of the points " + ids +
+    " belongs to more than two elements.");
+}
+
+std::string ListIds(const MeshData& mesh, const FaceIds& points)
+{
+  std::string ids;
+  for (Index point : points)
+  {
+    const Index id = point < 0 || !mesh.PointIds ? point : mesh.PointIds[point];
+    ids += point < 0 ? "" : (ids.empty() ? "" : ", ") + std::to_string(id);
+  }
+  return ids;
+}
+
 /// Returns the number of the partner of each face in the list, or NothingBehind.
 std::vector<Index> MatchList(const std::vector<NumberedFace>& faces)
 {
@@ -21,9 +39,8 @@ std::vector<Index> MatchList(const std::vector<NumberedFace>& faces)
       if (same.size() > 2)
       {
         const FaceIds& ids = same[0].Points;
-        throw InputError("The mesh is not conforming: the face of the points " +
-          std::to_string(ids[1]) + ", " + std::to_string(ids[2]) + ", " + std::to_string(ids[3]) +
-          " belongs to more than two elements.");
+        RejectFace(
+          std::to_string(ids[1]) + ", " + std::to_string(ids[2]) + ", " + std::to_string(ids[3]));
       }
       if (same.size() == 2)
       {
@@ -32,18 +49,6 @@ std::vector<Index> MatchList(const std::vector<NumberedFace>& faces)
       }
     });
   return behind;
-}
-
-[[noreturn]] void RejectFace(const MeshData& mesh, const FaceIds& points)
-{
-  std::string ids;
-  for (Index point : points)
-  {
-    const Index id = point < 0 || !mesh.PointIds ? point : mesh.PointIds[point];
-    ids += point < 0 ? "" : (ids.empty() ? "" : ", ") + std::to_string(id);
-  }
-  throw InputError("The mesh is not conforming: the face of the points " + ids +
-    " belongs to more than two elements.");
 }
 
 } // namespace
@@ -82,7 +87,7 @@ std::vector<Index> MatchSides(const MeshData& mesh)
     {
       if (same.size() > 2)
       {
-        RejectFace(mesh, same[0].Points);
+        RejectFace(ListIds(mesh, same[0].Points));
       }
       if (same.size() == 2)
       {

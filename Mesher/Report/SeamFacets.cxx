@@ -101,11 +101,7 @@ std::vector<int> FindSeamSides(
 
 void AddSeamFacets(const std::vector<FieldArray>& fields, Ranks& ranks, Mesh& mesh)
 {
-  MeshData view;
-  view.Corners = mesh.Corners;
-  view.Points = mesh.Points.data();
-  view.Elements = mesh.Elements.data();
-  view.PeriodicPartner = mesh.PeriodicPartner.data();
+  MeshData view = ViewMesh(mesh);
   view.Fields = fields;
   std::vector<ElementSide> faces;
   std::vector<FaceIds> ids;
