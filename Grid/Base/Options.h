@@ -48,7 +48,7 @@ struct NumberRange
   double Least, Most;
 };
 
-constexpr NumberRange RelativeSizes{ 0.1, 1e6 }, Growths{ 0.0, 1e6 },
+constexpr NumberRange LeastThicknesses{ 0.0, 1.0 }, RelativeSizes{ 0.1, 1e6 }, Growths{ 0.0, 1e6 },
   RadiusEdgeRatios{ 1.0, 100.0 }, MinimumDihedralAngles{ 0.0, 60.0 }, OptimizationLevels{ 0, 10 };
 
 /// Options of TetGen.
@@ -84,9 +84,12 @@ struct LevelPlan : LevelSettings
 /// User options of the pipelines.
 struct MeshSettings : TetGenOptions
 {
-  double IsoValue = 0.5;  ///< limit of void, in (0,1): a cell is void if its materials fill less
-  bool MeshVoid = false;  ///< true: void is meshed as material 0
-  bool StairStep = false; ///< true: cells become hexes; nothing is inserted or moved
+  double IsoValue = 0.5; ///< limit of void, in (0,1): a cell is void if its materials fill less
+  bool MeshVoid = false; ///< true: void is meshed as material 0
+  bool ThinParts =
+    false; ///< films, threads and drops get cells (ThinParts.h); only at IsoValue 0.5
+  double LeastThickness = 0.25; ///< of thin parts, in cells
+  bool StairStep = false;       ///< true: cells become hexes; nothing is inserted or moved
   SmoothingMethod Smoothing = SmoothingMethod::QuadricSurface;
   /// Weight of quality against distance, in [0,1). 0 selects 0.55 for one
   /// material, 0.5 for several.
@@ -113,6 +116,12 @@ inline bool InterfacesCrossLevels(const LevelPlan& levels)
 inline bool InterfacesCrossLevels(const MeshOptions& options)
 {
   return InterfacesCrossLevels(options.Levels);
+}
+
+/// Returns whether thin parts get cells.
+inline bool KeepsThinParts(const MeshSettings& options)
+{
+  return options.ThinParts && options.IsoValue == 0.5;
 }
 
 /// Returns whether points move from where the cells place them.

@@ -28,8 +28,9 @@ struct MeshReport
   std::vector<Material> Materials; ///< materials from 0
   /// Small regions that became part of their neighbours.
   Index RemovedRegions = 0, RemovedCells = 0;
-  Index ChosenCells = 0;  ///< user-selected cells of the input to refine
-  Index FlippedCells = 0; ///< cells or leaves whose label was changed to make interfaces manifold
+  Index ChosenCells = 0;   ///< user-selected cells of the input to refine
+  Index ThinPartCells = 0; ///< cells that got the label of a thin part (ThinParts.h)
+  Index FlippedCells = 0;  ///< cells or leaves whose label was changed to make interfaces manifold
   std::vector<Index> LostCells;   ///< of these, those that materials 0, 1, .. lost
   std::vector<Index> GainedCells; ///< of these, those that materials 0, 1, .. gained
   int ResolveRounds = 0;

@@ -176,6 +176,19 @@ OptionTable MaterialsOptions()
       .EnabledIf("Periodic!=Off")
       .Advanced()
       .Sculptor("--periodic-sides KIND"),
+    Row("ThinParts", Switch<&M::ThinParts>(),
+      "Keep films, threads and drops that are thinner than a cell, and so fill no cell by more "
+      "than "
+      "half: they get the cells in which they have most of their material. Off: they are torn or "
+      "lost. Only for volume fractions with an IsoValue of 0.5; material ids stay as they are.")
+      .EnabledIf("!MaterialIdArray & IsoValue=0.5"),
+    Row("LeastThickness", Number<&M::LeastThickness>(LeastThicknesses),
+      "Thickness, in cells, below which Thin Parts gives no cells to a film, thread or drop. Its "
+      "material belongs to elements within one cell of it, or else to none (Unmeshed Material). "
+      "Below 0.2, elements that are oblique to the cells cannot be thin enough, and make the part "
+      "larger than it is.")
+      .EnabledIf("ThinParts & !MaterialIdArray")
+      .Advanced(),
     Row("MinimumRegionCells", Number<&M::MinimumRegionCells>(0),
       "Remove small fragments and cavities. A face-connected region of one material, or of void, "
       "with fewer cells than this becomes part of the material or void with which it shares the "

@@ -1,6 +1,7 @@
 #include "Phases/MakeLevels.h"
 
 #include "Labels/LeafLabels.h"
+#include "Ranks/Agreement.h"
 #include "Smoothing/Hex/TransitionSmoothing.h"
 
 namespace vfm
@@ -19,6 +20,14 @@ void ReportFlips(const ResolveReport& resolved, MeshReport& report)
   report.LostCells = resolved.LostCells;
   report.GainedCells = resolved.GainedCells;
   report.ResolveRounds = resolved.Rounds;
+}
+
+void ReportThinCells(
+  const CartesianGrid& grid, const std::vector<ThinCell>& thin, Ranks& ranks, MeshReport& report)
+{
+  const auto owned = std::count_if(thin.begin(), thin.end(),
+    [&](const ThinCell& cell) { return grid.Owned().Contains(grid.Position(cell.Cell)); });
+  report.ThinPartCells = SumOverRanks(static_cast<Index>(owned), ranks);
 }
 
 std::unique_ptr<CoarseHexes> MakeCoarseHexes(const RefinedGrid& grid, const LabelArray& labels,
@@ -105,6 +114,33 @@ bool AddFlippedFamilies(
   return ranks.Any(found);
 }
 
+/// Cells of thin parts with the labels and the fractions that decide there.
+struct ThinLeaves
+{
+  LabelArray Labels;           // of all cells
+  std::vector<ThinCell> Cells; // ascending
+};
+
+/// Gives leaves of the finest level the labels of thin parts; larger leaves are filled by one
+/// material for the most part or keep their label. Returns these leaves.
+std::vector<ThinCell> LabelThinLeaves(
+  const RefinedGrid& levels, const ThinLeaves& thin, LabelArray& labels)
+{
+  const CartesianGrid& grid = levels.Finest();
+  const LabelUnits units(grid, &levels);
+  std::vector<ThinCell> leaves;
+  for (const ThinCell& cell : thin.Cells)
+  {
+    const IndexBox cells = units.CellsOf(units.UnitOf(grid.Position(cell.Cell)));
+    if (cells.NumberOfCells() == 1)
+    {
+      FillLabels(grid, cells, thin.Labels[cell.Cell], labels);
+      leaves.push_back(cell);
+    }
+  }
+  return leaves;
+}
+
 } // namespace
 
 void LabelLeaves(const CartesianGrid& grid, const FractionField& fractions,
@@ -114,12 +150,22 @@ void LabelLeaves(const CartesianGrid& grid, const FractionField& fractions,
   LevelPlan plan = options.Levels;
   plan.Families.resize(plan.Refinements);
   const LabelArray ofCells = AssignMaterials(grid, fractions, options.IsoValue);
+  ThinLeaves thin;
+  if (KeepsThinParts(options))
+  {
+    thin.Labels = ofCells;
+    thin.Cells =
+      LabelThinParts(grid, fractions, options.LeastThickness, partition, runtime, thin.Labels);
+  }
   for (;; ++report.LevelRounds)
   {
     MakeGrid(grid, plan, {}, runtime.Group(), result.Levels);
     result.Labels = AssignLeafMaterials(*result.Levels.Grid, fractions, ofCells, options.IsoValue);
-    const ResolveReport resolved = ResolveLabels(
-      grid, fractions, result.Labels, partition, runtime, result.Levels.Grid.get(), true);
+    const std::vector<ThinCell> leaves = LabelThinLeaves(*result.Levels.Grid, thin, result.Labels);
+    ReportThinCells(grid, leaves, runtime.Group(), report);
+    const ResolveReport resolved =
+      ResolveLabels(grid, WithClaims(fractions, thin.Labels, leaves).Field(), result.Labels,
+        partition, runtime, result.Levels.Grid.get(), true);
     ReportFlips(resolved, report);
     if (report.LevelRounds < FlipRounds &&
       AddFlippedFamilies(*result.Levels.Grid, resolved.CostlyFlips, plan, runtime.Group()))

@@ -7,12 +7,18 @@
 #include "Elements/Hex/LabelledGrid.h"
 #include "Elements/MeshReport.h"
 #include "Labels/ResolveLabels.h"
+#include "Labels/ThinParts.h"
 
 namespace vfm
 {
 
 /// Copies the counts of flipped cells into the report of a mesh.
 void ReportFlips(const ResolveReport& resolved, MeshReport& report);
+
+/// Counts the owned cells of thin parts of all ranks.
+/// @pre Collective.
+void ReportThinCells(
+  const CartesianGrid& grid, const std::vector<ThinCell>& thin, Ranks& ranks, MeshReport& report);
 
 /// Makes and smooths the transitions of a refined grid, and its coarse hexes; without refinements
 /// there are none.

@@ -14,6 +14,17 @@ namespace vfm
 namespace
 {
 
+void CheckRange(const char* name, double value, const NumberRange& range)
+{
+  if (!(value >= range.Least && value <= range.Most))
+  {
+    std::ostringstream text;
+    text << name << " is " << value << ": it must lie in [" << range.Least << ", " << range.Most
+         << "].";
+    throw InputError(text.str());
+  }
+}
+
 void CheckOptions(const MeshOptions& options)
 {
   if (!(options.IsoValue > 0.0 && options.IsoValue < 1.0))
@@ -26,22 +37,12 @@ void CheckOptions(const MeshOptions& options)
     throw InputError("TargetScaledJacobian is " + std::to_string(options.TargetScaledJacobian) +
       ": it must lie in [0, 1); 0 selects it automatically.");
   }
+  CheckRange("LeastThickness", options.LeastThickness, LeastThicknesses);
   if (options.Levels.Refinements < 0 || options.Levels.FineLayers < 2)
   {
     throw InputError("FineLayers is " + std::to_string(options.Levels.FineLayers) +
       " and there are " + std::to_string(options.Levels.Refinements) +
       " refinements: at least 2 layers and 0 refinements are needed.");
-  }
-}
-
-void CheckRange(const char* name, double value, const NumberRange& range)
-{
-  if (!(value >= range.Least && value <= range.Most))
-  {
-    std::ostringstream text;
-    text << name << " is " << value << ": it must lie in [" << range.Least << ", " << range.Most
-         << "].";
-    throw InputError(text.str());
   }
 }
 

@@ -136,7 +136,8 @@ PreparedCells PrepareCells(const MesherJob& job, Cells& cells)
   const RemovedRegions removed = RemoveRegions(job, fields);
   SmoothFields(job, fields);
   Divide(job, cells.Setup, fields);
-  const MeshOptions options{ job.Options, Refine(job, cells.Setup, cells.Requests, fields) };
+  MeshOptions options{ job.Options, Refine(job, cells.Setup, cells.Requests, fields) };
+  options.ThinParts = options.ThinParts && !AreLabels(job);
   WarnOfWidths(job, fields.Grid);
   return { options, removed };
 }

@@ -119,6 +119,7 @@ FieldArrays ListReport(const Mesh& mesh, const MeshReport& report, const Materia
   AddCount(fields, "ChosenCells", report.ChosenCells);
   AddCount(fields, "FlippedCells", report.FlippedCells);
   AddCount(fields, "ResolveRounds", report.ResolveRounds);
+  AddCount(fields, "ThinPartCells", report.ThinPartCells);
   AddCount(fields, "NarrowVoidCells", report.NarrowVoidCells);
   AddCount(fields, "NumberOfFragments", report.NumberOfFragments);
   AddCount(fields, "NumberOfSurfaces", report.NumberOfSurfaces);
