@@ -12,7 +12,8 @@
  * - Candidates inside a thick cloud of small fractions never get a turn. They leave at the end.
  * At a well-resolved interface all candidates are simple, so labels there do not change.
  *
- * Then candidates with less material than the least thickness leave, whatever they separate.
+ * Then candidates leave where a part is thinner than the least thickness, whatever they separate,
+ * and those that only join corners of thick bodies (ThinSizes.h).
  *
  * In each round the candidates act whose keys are the smallest among all around them that have a
  * turn. They are not adjacent, and their turn depends only on the cells around them. So the result
@@ -34,16 +35,13 @@ namespace vfm
 /// A cell that got the label of a thin part.
 struct ThinCell
 {
-  Index Cell; ///< linear index
-  /// Material that elements of the cell hold, as a fraction of the cell: that in the cell, and
-  /// shares of that in the cells around that have another label.
-  double Load;
+  Index Cell;  ///< linear index
+  double Load; ///< material that its elements hold, as a fraction of the cell (FindLoad)
 };
 
 /// Gives cells to the thin parts of all materials. If several materials want a cell, the one with
 /// the largest fraction gets it, the smaller number on a tie.
-/// @param leastThickness  in cells: cells with smaller loads, in places with a smaller mean load,
-///   keep their label
+/// @param leastThickness  in cells: where a part is thinner, cells keep their labels
 /// @param[in,out] labels  AssignMaterials of the same cells
 /// @return the cells of the local box whose label changed, ascending
 /// @pre Collective over the ranks of the partition. The grid has at least GhostLayers.

@@ -260,6 +260,17 @@ void DrawModified(RandomDraw& draw, FuzzCase& c)
   }
 }
 
+/// Draws the option last, so that seeds give the same cases as before the option existed.
+void DrawThinParts(RandomDraw& draw, FuzzCase& c)
+{
+  c.Options.ThinParts = draw.Chance(0.4);
+  c.Options.LeastThickness = draw.Pick({ 0.0, 0.25, 0.25, 0.5, 1.0 });
+  if (KeepsThinParts(c.Options))
+  {
+    c.Words += ", thin parts above " + ToText(c.Options.LeastThickness);
+  }
+}
+
 void PrintList(const char* name, const std::vector<double>& values)
 {
   std::printf("%s", name);
@@ -311,6 +322,7 @@ FuzzCase MakeFuzzCase(unsigned seed, bool isPeriodic)
     DrawOrder(draw, c);
     DrawModified(draw, c);
   }
+  DrawThinParts(draw, c);
   return c;
 }
 
