@@ -276,6 +276,16 @@ public:
   /// seem to extend across the whole domain. Surfaces are those of Free. Tetrahedra are Flat or
   /// Joined. Allowed: Flat, Free, Joined (or 0 to 2); default Flat.
   vfmNumberOption(PeriodicSides, int);
+  /// Keep films, threads and drops that are thinner than a cell, and so fill no cell by more than
+  /// half: they get the cells in which they have most of their material. Off: they are torn or
+  /// lost. Only for volume fractions with an IsoValue of 0.5; material ids stay as they are.
+  /// Allowed: on or off; default on.
+  vfmSwitchOption(ThinParts);
+  /// Thickness, in cells, below which Thin Parts gives no cells to a film, thread or drop. Its
+  /// material belongs to elements within one cell of it, or else to none (Unmeshed Material). Below
+  /// 0.2, elements that are oblique to the cells cannot be thin enough, and make the part larger
+  /// than it is. Allowed: a number from 0 to 1; default 0.25.
+  vfmNumberOption(LeastThickness, double);
   /// Remove small fragments and cavities. A face-connected region of one material, or of void, with
   /// fewer cells than this becomes part of the material or void with which it shares the most
   /// faces. 0: all regions stay. Allowed: an integer, 0 or more; default 0.

@@ -33,6 +33,8 @@ class Options:
     mesh_void: bool
     periodic: Literal["off", "x", "y", "xy", "z", "xz", "yz", "xyz"]
     periodic_sides: Literal["flat", "free", "joined"]
+    thin_parts: bool
+    least_thickness: float
     minimum_region_cells: int
     fraction_tolerance: float
     iso_value: float
