@@ -18,6 +18,9 @@ struct MeshReport
 {
   std::vector<double> TargetVolume; ///< volume of the fractions of materials 0, 1, ...
   std::vector<double> MeshVolume;   ///< volume of the elements of materials 0, 1, ...
+  /// Share of the volume of materials 0, 1, ... that is in other blocks of 4^3 cells than in the
+  /// fractions, or in no element (DisplacedVolume.h).
+  std::vector<double> DisplacedVolume;
   /// Volume of the fractions of each fragment; [0] unused.
   std::vector<double> FragmentTargetVolume;
   struct Material

@@ -2,6 +2,7 @@
 
 #include "Base/PortableMath.h"
 #include "Geometry/CloseSeam.h"
+#include "Geometry/DisplacedVolume.h"
 #include "Geometry/Geometry.h"
 #include "Geometry/KeepOwned.h"
 #include "Geometry/MeasureMaterials.h"
@@ -54,6 +55,7 @@ Mesh FinishMesh(const MeshCells& cells, ElementMethod& method, MeshRun& run, Dra
     ComputeQuality(mesh, run.TheRuntime, run.Report, draft.WholeCells);
   }
   MeasureMaterials(mesh, run.Group(), run.Report);
+  run.Report.DisplacedVolume = FindDisplacedVolumes(cells.Grid, cells.Fractions, mesh, run.Group());
   return std::move(mesh);
 }
 

@@ -1,5 +1,6 @@
 /// Thinning neither joins nor divides, and leaves nothing that could leave.
 #include "Labels/Thinning.h"
+#include "Labels/ThinCandidates.h"
 
 #include "CellParts.h"
 #include "MeshChecks.h"
