@@ -179,8 +179,12 @@ OptionTable MaterialsOptions()
     Row("ThinParts", Switch<&M::ThinParts>(),
       "Keep films, threads and drops that are thinner than a cell, and so fill no cell by more "
       "than "
-      "half: they get the cells in which they have most of their material. Off: they are torn or "
-      "lost. Only for volume fractions with an IsoValue of 0.5; material ids stay as they are.")
+      "half: they get the cells in which they have most of their material. Debris then keeps its "
+      "volume. A film or thread that is oblique to the cells, and is no part of a thicker body, "
+      "can "
+      "become thicker than it is; the table of materials tells by how much. Off: thin parts are "
+      "torn "
+      "or lost. Only for volume fractions with an IsoValue of 0.5; material ids stay as they are.")
       .EnabledIf("!MaterialIdArray & IsoValue=0.5"),
     Row("LeastThickness", Number<&M::LeastThickness>(LeastThicknesses),
       "Thickness, in cells, below which Thin Parts gives no cells to a film, thread or drop. Its "

@@ -310,6 +310,10 @@ TEST(Mesher, WarnsOfInexactVolumes)
   input.Warn = [&warnings](const std::string& text) { warnings.push_back(text); };
   Runtime serial;
   MesherOptions options;
+  options.ThinParts = true;
+  RunMesher(input, options, serial);
+  EXPECT_TRUE(warnings.empty()); // the dust is a thin part
+  options.ThinParts = false;
   RunMesher(input, options, serial);
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_NE(warnings[0].find("1 material misses its volume by more than 1 %: 'dust' (id 1) by -"),

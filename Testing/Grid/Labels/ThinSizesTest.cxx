@@ -2,7 +2,7 @@
 #include "Labels/ThinSizes.h"
 
 #include "Labels/Thinning.h"
-#include "MeshChecks.h"
+#include "MeshCases.h"
 #include "RandomDraw.h"
 #include "ThinShapes.h"
 
