@@ -15,7 +15,7 @@ constexpr FormatOption FormatOptions[] = {
   { "single_file", "--single-file", "",
     "write one Exodus file or OpenFOAM mesh from several ranks; rank 0 gathers the mesh",
     [](const OutputForm& form) { return form.IsSingle; }, "always consists of several files.",
-    false },
+    false, true },
   { "version", "--msh-version", "2.2|4.1",
     "version of a .msh file; default 2.2, or 4.1 if an id exceeds 2147483647",
     [](const OutputForm& form) { return form.Version != GmshVersion::Automatic; },
@@ -35,27 +35,13 @@ constexpr FormatOption FormatOptions[] = {
   { "texts", "", "", "", nullptr, "" },
 };
 
-/// Returns the suffixes of the formats that have an option.
-std::string ListSuffixes(const FormatOption& option)
-{
-  std::vector<std::string> suffixes;
-  for (const FormatRow& format : GetFormatTable())
-  {
-    if (format.Has(option))
-    {
-      suffixes.insert(suffixes.end(), format.Suffixes.begin(), format.Suffixes.end());
-    }
-  }
-  return JoinTexts(suffixes);
-}
-
 } // namespace
 
 bool FormatRow::Has(const FormatOption& option) const
 {
-  const bool isAlways = option.Name == std::string("single_file") && !this->IsPerRank;
-  return isAlways ||
-    std::find(this->Options.begin(), this->Options.end(), option.Name) != this->Options.end();
+  return option.IsOfWholeFiles
+    ? !this->IsPerRank
+    : std::find(this->Options.begin(), this->Options.end(), option.Name) != this->Options.end();
 }
 
 std::span<const FormatOption> GetFormatOptions()
@@ -107,12 +93,15 @@ const FormatRow* FindMeshFormat(const std::string& path)
   return found == table.end() ? nullptr : &*found;
 }
 
-std::vector<std::string> GetOutputSuffixes()
+std::vector<std::string> GetOutputSuffixes(const FormatOption* option)
 {
   std::vector<std::string> suffixes;
   for (const FormatRow& format : GetFormatTable())
   {
-    suffixes.insert(suffixes.end(), format.Suffixes.begin(), format.Suffixes.end());
+    if (!option || format.Has(*option))
+    {
+      suffixes.insert(suffixes.end(), format.Suffixes.begin(), format.Suffixes.end());
+    }
   }
   return suffixes;
 }
@@ -130,7 +119,7 @@ std::string FindOutputProblem(const std::string& path, const OutputForm& form)
     if (option.IsGiven && option.IsGiven(form) && !format->Has(option))
     {
       return "The output " + path + " " + option.Lack +
-        (option.ListsFormats ? ListSuffixes(option) + "." : "");
+        (option.ListsFormats ? JoinTexts(GetOutputSuffixes(&option)) + "." : "");
     }
   }
   return format->Format == MeshFormat::Stl ? FindStlProblem(path) : "";

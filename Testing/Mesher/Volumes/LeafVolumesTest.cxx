@@ -7,7 +7,7 @@
 
 #include "Elements/Hex/HexTopology.h"
 #include "Elements/MeasureFragments.h"
-#include "Phases/MakeLevels.h"
+#include "Smoothing/Hex/MakeLevels.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
-#include "Phases/MakeLevels.h"
+#include "Smoothing/Hex/MakeLevels.h"
 
+#include "Elements/ResolveCells.h"
 #include "Labels/LeafLabels.h"
 #include "Smoothing/Hex/TransitionSmoothing.h"
 
@@ -12,14 +13,6 @@ namespace
 constexpr int FlipRounds = 4;
 
 } // namespace
-
-void ReportFlips(const ResolveReport& resolved, MeshReport& report)
-{
-  report.FlippedCells = resolved.FlippedCells;
-  report.LostCells = resolved.LostCells;
-  report.GainedCells = resolved.GainedCells;
-  report.ResolveRounds = resolved.Rounds;
-}
 
 std::unique_ptr<CoarseHexes> MakeCoarseHexes(const RefinedGrid& grid, const LabelArray& labels,
   const CoarseHexes::Options& options, Runtime& runtime)
@@ -105,37 +98,59 @@ bool AddFlippedFamilies(
   return ranks.Any(found);
 }
 
-} // namespace
-
-void LabelLeaves(const CartesianGrid& grid, const FractionField& fractions,
-  const MeshOptions& options, const Partition& partition, Runtime& runtime, MeshReport& report,
-  LabelledGrid& result)
+/// Makes levels and labels of leaves where interfaces may cross levels. Refines leaves until a
+/// valid mesh starts everywhere.
+void LabelLeaves(const MeshCells& cells, MeshRun& run, LabelledGrid& result)
 {
+  const CartesianGrid& grid = cells.Grid;
+  const MeshOptions& options = cells.Options;
   LevelPlan plan = options.Levels;
   plan.Families.resize(plan.Refinements);
-  const LabelArray ofCells = AssignMaterials(grid, fractions, options.IsoValue);
-  for (;; ++report.LevelRounds)
+  const LabelArray ofCells = AssignMaterials(grid, cells.Fractions, options.IsoValue);
+  for (;; ++run.Report.LevelRounds)
   {
-    MakeGrid(grid, plan, {}, runtime.Group(), result.Levels);
-    result.Labels = AssignLeafMaterials(*result.Levels.Grid, fractions, ofCells, options.IsoValue);
-    const ResolveReport resolved = ResolveLabels(
-      grid, fractions, result.Labels, partition, runtime, result.Levels.Grid.get(), true);
-    ReportFlips(resolved, report);
-    if (report.LevelRounds < FlipRounds &&
-      AddFlippedFamilies(*result.Levels.Grid, resolved.CostlyFlips, plan, runtime.Group()))
+    MakeGrid(grid, plan, {}, run.Group(), result.Levels);
+    const RefinedGrid& levels = *result.Levels.Grid;
+    result.Labels = AssignLeafMaterials(levels, cells.Fractions, ofCells, options.IsoValue);
+    const ResolveReport resolved =
+      ResolveLabels(grid, cells.Fractions, result.Labels, run.Parts, run.TheRuntime, &levels, true);
+    ReportFlips(resolved, run.Report);
+    if (run.Report.LevelRounds < FlipRounds &&
+      AddFlippedFamilies(levels, resolved.CostlyFlips, plan, run.Group()))
     {
       continue;
     }
     result.Mixed = FindMixedNodes(grid, result.Labels);
-    result.Narrow = FindBarrier(options, *result.Levels.Grid, result.Labels, result.Mixed, runtime);
-    result.Levels.Coarse = MakeCoarseHexes(*result.Levels.Grid, result.Labels,
-      { options.MeshVoid, false, !options.StairStep, &result.Narrow }, runtime);
-    if (!AddFamilies(result.Levels.Coarse->BadFamilies(), plan, runtime.Group()))
+    result.Narrow = FindBarrier(options, levels, result.Labels, result.Mixed, run.TheRuntime);
+    result.Levels.Coarse = MakeCoarseHexes(levels, result.Labels,
+      { options.MeshVoid, false, !options.StairStep, &result.Narrow }, run.TheRuntime);
+    if (!AddFamilies(result.Levels.Coarse->BadFamilies(), plan, run.Group()))
     {
       break;
     }
   }
   ReleaseFreeMemory();
+}
+
+} // namespace
+
+void LabelCells(const MeshCells& cells, MeshRun& run, LabelledGrid& result)
+{
+  const MeshOptions& options = cells.Options;
+  if (InterfacesCrossLevels(options))
+  {
+    run.Clock.Start("Assigning materials", 0.0);
+    LabelLeaves(cells, run, result);
+    return;
+  }
+  result.Labels = ResolveCells(cells, true, run);
+  run.Clock.Start("Making hexahedra", 0.1);
+  result.Mixed = FindMixedNodes(cells.Grid, result.Labels);
+  LevelPlan plan = options.Levels;
+  MakeLevels(cells.Grid, result.Labels, result.Mixed, { options.MeshVoid, false, true }, plan,
+    run.TheRuntime, run.Report, result.Levels);
+  result.Narrow =
+    FindBarrier(options, *result.Levels.Grid, result.Labels, result.Mixed, run.TheRuntime);
 }
 
 } // namespace vfm

@@ -1,9 +1,15 @@
-#include "Phases/ResolveCells.h"
-
-#include "Phases/MakeLevels.h"
+#include "Elements/ResolveCells.h"
 
 namespace vfm
 {
+
+void ReportFlips(const ResolveReport& resolved, MeshReport& report)
+{
+  report.FlippedCells = resolved.FlippedCells;
+  report.LostCells = resolved.LostCells;
+  report.GainedCells = resolved.GainedCells;
+  report.ResolveRounds = resolved.Rounds;
+}
 
 LabelArray ResolveCells(const MeshCells& cells, bool keepsSeam, MeshRun& run)
 {

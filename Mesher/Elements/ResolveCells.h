@@ -3,11 +3,14 @@
  */
 #pragma once
 
-#include "Labels/Labels.h"
-#include "Phases/MeshRun.h"
+#include "Elements/MeshRun.h"
+#include "Labels/ResolveLabels.h"
 
 namespace vfm
 {
+
+/// Copies the counts of flipped cells into the report of a mesh.
+void ReportFlips(const ResolveReport& resolved, MeshReport& report);
 
 /// Assigns labels to cells and changes them until a valid mesh can be made from them
 /// (ResolveLabels.h).
