@@ -35,6 +35,20 @@ constexpr FormatOption FormatOptions[] = {
   { "texts", "", "", "", nullptr, "" },
 };
 
+/// Returns the suffixes of all formats, or of those that have an option.
+std::string ListSuffixes(const FormatOption* option = nullptr)
+{
+  std::vector<std::string> suffixes;
+  for (const FormatRow& format : GetFormatTable())
+  {
+    if (!option || format.Has(*option))
+    {
+      suffixes.insert(suffixes.end(), format.Suffixes.begin(), format.Suffixes.end());
+    }
+  }
+  return JoinTexts(suffixes);
+}
+
 } // namespace
 
 bool FormatRow::Has(const FormatOption& option) const
@@ -93,33 +107,20 @@ const FormatRow* FindMeshFormat(const std::string& path)
   return found == table.end() ? nullptr : &*found;
 }
 
-std::vector<std::string> GetOutputSuffixes(const FormatOption* option)
-{
-  std::vector<std::string> suffixes;
-  for (const FormatRow& format : GetFormatTable())
-  {
-    if (!option || format.Has(*option))
-    {
-      suffixes.insert(suffixes.end(), format.Suffixes.begin(), format.Suffixes.end());
-    }
-  }
-  return suffixes;
-}
-
 std::string FindOutputProblem(const std::string& path, const OutputForm& form)
 {
   const FormatRow* format = FindMeshFormat(path);
   if (!format)
   {
-    return "The output " + path +
-      " is of an unknown format. Supported formats: " + JoinTexts(GetOutputSuffixes()) + ".";
+    return "The output " + path + " is of an unknown format. Supported formats: " + ListSuffixes() +
+      ".";
   }
   for (const FormatOption& option : FormatOptions)
   {
     if (option.IsGiven && option.IsGiven(form) && !format->Has(option))
     {
       return "The output " + path + " " + option.Lack +
-        (option.ListsFormats ? JoinTexts(GetOutputSuffixes(&option)) + "." : "");
+        (option.ListsFormats ? ListSuffixes(&option) + "." : "");
     }
   }
   return format->Format == MeshFormat::Stl ? FindStlProblem(path) : "";

@@ -68,9 +68,6 @@ const std::vector<FormatRow>& GetFormatTable();
 /// Returns the format of a path, by its suffix, or null.
 const FormatRow* FindMeshFormat(const std::string& path);
 
-/// Returns all supported suffixes, for instance ".vtu", or those of the formats that have an
-/// option.
-std::vector<std::string> GetOutputSuffixes(const FormatOption* option = nullptr);
 /// Returns the reason why a mesh cannot be written in this form to a file of this name; "" if it
 /// can. Checks only the suffix and the form.
 std::string FindOutputProblem(const std::string& path, const OutputForm& form = {});
