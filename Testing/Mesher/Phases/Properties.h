@@ -41,7 +41,8 @@ struct Bounds
   double Jacobian = -1.0, Angle = 0.0; ///< least; degrees
   bool NoFlips = false, NoLocked = false;
   Index Transitions = -1; ///< more of them
-  bool HasLevels = false, AddsFamilies = false;
+  bool HasLevels = false, HasTransitions = false,
+       AddsFamilies = false; ///< the first two: each case
 };
 
 struct Group

@@ -391,6 +391,8 @@ TEST_P(Properties, Hold)
       added += level.AddedForValidity;
     }
     EXPECT_TRUE(families > 0 || !group.Limits.HasLevels);
+    EXPECT_TRUE(!group.Limits.HasTransitions ||
+      (result.Report.TransitionCells > 0 && result.Report.Levels[0].Cells > 0));
     if (result.Elements > 0)
     {
       jacobian = std::min(jacobian, result.ScaledJacobian);

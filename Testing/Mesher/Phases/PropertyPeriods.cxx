@@ -149,8 +149,7 @@ Input MakeTorusCrossing(const Torus& torus, unsigned seed)
 void AddPeriods(std::vector<Group>& groups)
 {
   Bounds levels, transitions;
-  levels.HasLevels = transitions.HasLevels = true;
-  transitions.Transitions = 0;
+  levels.HasLevels = transitions.HasTransitions = true;
   for (const Torus& torus :
     { Torus{ "FlatHexes", Hexes, Sides::Flat }, { "FlatLattice", Lattice, Sides::Flat },
       { "FlatCells", Cells, Sides::Flat }, { "FreeHexes", Hexes, Sides::Free },
