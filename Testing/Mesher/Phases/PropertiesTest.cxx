@@ -191,7 +191,7 @@ void AddRanks(std::vector<Group>& groups)
           1,
           [=](unsigned) -> Input
           {
-            Input input = CaseOfShape(kind, ShapeOf(ranks.Shape, { { 12, 11, 13 } }, 4));
+            Input input = CaseOfShape(kind, ShapeOf(ranks.Shape, { { 9, 8, 10 } }, 4));
             input.Case.Options.MeshVoid = ranks.MeshVoid;
             input.Ranks = ranks.Cut(input.Case.Grid.Global());
             return input;

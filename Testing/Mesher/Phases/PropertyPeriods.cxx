@@ -50,7 +50,7 @@ Input MakeTorusLabels(const Torus& torus, unsigned seed)
 Input MakeTorusRanks(const Torus& torus, unsigned seed)
 {
   const CartesianGrid grid =
-    MakePeriodicGrid({ { 8, 7, 6 } }, { { seed % 3 != 1, true, seed % 3 != 2 } }, torus.SeamOf());
+    MakePeriodicGrid({ { 6, 5, 4 } }, { { seed % 3 != 1, true, seed % 3 != 2 } }, torus.SeamOf());
   Input input{ CaseOf(torus, grid, MakeRandomPeriodic(grid, 3, 0, seed), 0) };
   for (int ranks : { 2, 3, 8 })
   {
