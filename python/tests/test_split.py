@@ -242,8 +242,8 @@ def all_nodes(mesh):
 @NEEDS_CCX
 @MAKERS
 @pytest.mark.parametrize("labels, order, layers", [
-    (FEW, "linear", 0), (make_grains(60, 10), "linear", 0), (make_grains(8, 7), "quadratic", 0),
-    (make_grains(12, 6), "quadratic", 2)], ids=["12 grains", "60 grains", "curved", "layers"])
+    (FEW, "linear", 0), (make_grains(60, 10), "linear", 0), (make_grains(6, 5), "quadratic", 0),
+    (make_grains(8, 5), "quadratic", 2)], ids=["12 grains", "60 grains", "curved", "layers"])
 def test_tied_grains_move_as_whole_ones(make, labels, order, layers, tmp_path):
     if layers and make is vfm.tets:
         pytest.skip("tetrahedra have no layers")
