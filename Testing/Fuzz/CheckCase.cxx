@@ -282,8 +282,10 @@ std::string FindModifiedProblem(const FuzzCase& c, Mesh& mesh, MeshReport& repor
       return Describe("smallest coefficient of a layer", smallest, mesh.ElementIds[e]);
     }
   }
+  const bool isWhole = c.Split.empty() && !c.Grid.IsPeriodic();
   return FirstOf(
-    { c.Split.empty() ? FindTopologyProblem(mesh) : "", FindVolumeProblem(c, mesh, report) });
+    { c.Split.empty() ? FindTopologyProblem(mesh) : "", isWhole ? FindFragmentProblem(mesh) : "",
+      isWhole ? FindFacetProblem(mesh) : "", FindVolumeProblem(c, mesh, report) });
 }
 
 /// Checks the tets of TetGen on several ranks, which fills the part of each rank separately.

@@ -124,6 +124,28 @@ void AddStars(std::vector<Group>& groups)
     limits, false });
 }
 
+/// Three layers along the interfaces of random labels, even and thin; the last seed on ranks.
+void AddLayers(std::vector<Group>& groups)
+{
+  groups.push_back({ "Layers", 7,
+    [](unsigned seed) -> Input
+    {
+      const CartesianGrid grid = MakeUnitGrid(8);
+      Input input{ CaseOf(Hexes, grid, MakeRandomLabels(grid, 3, 0, seed)) };
+      input.Case.Layers = 3;
+      input.Case.FirstLayer = seed % 2 == 0 ? 0.1 : 0.0;
+      for (int ranks : { 2, 3, 8 })
+      {
+        if (seed == 6)
+        {
+          input.Ranks.push_back(CutBox(grid.Global(), ranks));
+        }
+      }
+      return input;
+    },
+    {}, false });
+}
+
 // Ranks
 
 Cuts CutInSlabs(const IndexBox& box)
@@ -349,6 +371,7 @@ std::vector<Group> ListGroups()
   std::vector<Group> groups;
   AddRandomLabels(groups);
   AddStars(groups);
+  AddLayers(groups);
   AddRanks(groups);
   AddLevels(groups);
   AddLevelRanks(groups);
