@@ -25,6 +25,10 @@ TOPS = ("Data", "Documentation", "Examples", "Filters", "Grid", "IO", "InSitu", 
 NAMED = re.compile(r"(?<![\w./-])(?:%s)/[\w./*-]*\w" % "|".join(TOPS))
 PLUGIN_FROM_HERE = re.compile(r"LoadPlugins?\([\"'](?!/)")
 NUMBER = re.compile(r"\d[\d,]*(?:\.\d+)?(?:e-\d+)?")
+BOUND = re.compile(r"\bbelow (%s)" % NUMBER.pattern)
+# A number with a point, not a version like 2025.1, and an exponent or a percent sign.
+DECIMAL = re.compile(r"(?<![\w.])(?!20\d\d\.)(\d+\.\d+)(e-?\d+| %)?(?!\w|\.\d)")
+GIVEN = {"0.216": "a solid fraction"}  # decimals of user pages that are not measured
 BARE_FRACTION = re.compile(r"(?<![\w.\])*])\.\d")
 ENDINGS = ("", ".h", ".cxx", ".py")
 LONGEST_README = 150  # lines
@@ -54,6 +58,37 @@ def anchor(heading):
 
 def anchors(path):
     return {anchor(heading) for heading in re.findall(r"^#+ (.*)$", read(path), re.MULTILINE)}
+
+
+def is_too_exact(number, unit):
+    """Returns whether a decimal has more than two significant digits; three are allowed if the
+    first is 1, and for numbers above one without a unit, such as versions."""
+    digits = number.replace(".", "").lstrip("0")
+    return len(digits) > (3 if digits[:1] == "1" or (not unit and float(number) >= 1) else 2)
+
+
+def list_exact_decimals(text):
+    """Returns the decimals in prose and tables that have too many digits for a measured figure."""
+    text = LINK.sub("]", QUOTED.sub("", CODE.sub("", text)))
+    return [number + unit for number, unit in DECIMAL.findall(text)
+            if number not in GIVEN and is_too_exact(number, unit)]
+
+
+def is_rounded(number, figures):
+    """Returns whether one of these figures, rounded to the digits of the number, gives it."""
+    plain = number.replace(",", "")
+    if "." in plain or "e" in plain:
+        digits, _, exponent = plain.partition("e")
+        step = 10.0 ** (int(exponent or 0) - len(digits.partition(".")[2]))
+    else:
+        step = 10.0 ** (len(plain) - len(plain.rstrip("0")))
+    return any(abs(float(plain) - figure) < 0.501 * step for figure in figures)
+
+
+def list_sections(pages):
+    """Returns the sections of these pages."""
+    return [section for page in pages
+            for section in re.split(r"^## ", read(page), flags=re.MULTILINE)]
 
 
 def headers():
@@ -205,14 +240,31 @@ class Documents(unittest.TestCase):
                       if name.endswith("()") and name[:-2] not in calls])
 
     def test_figures_of_the_readme_are_measured(self):
+        """They are rounded figures of a section of validation that has the command of the row.
+        Bounds are in any section."""
         page = read("README.md")
         table = page[page.index("## Figures"):page.index("## Gallery")]
-        rows = [line.split("|")[2] for line in table.splitlines() if line.startswith("| ")][1:]
-        measured = " ".join(read(path) for path in PAGES if "/validation/" in path)
-        known = set(NUMBER.findall(measured))
+        rows = [line.split("|")[2:4] for line in table.splitlines() if line.startswith("| ")][1:]
         self.assertEqual(len(rows), 6)
-        self.check(["%s is in no page of validation" % number for row in rows
-                    for number in NUMBER.findall(row) if number not in known])
+        sections = list_sections(path for path in PAGES if "/validation/" in path)
+        known, problems = set(NUMBER.findall(" ".join(sections))), []
+        for text, command in rows:
+            measured = " ".join(section for section in sections if command.strip(" `") in section)
+            values = {float(number.replace(",", "")) for number in NUMBER.findall(measured)}
+            problems += ["%s is in no page of validation" % number
+                         for number in BOUND.findall(text) if number not in known]
+            problems += ["%s is in no section with %s" % (number, command)
+                         for number in NUMBER.findall(BOUND.sub("", text))
+                         if not is_rounded(number, values)]
+        self.check(problems)
+
+    def test_user_pages_have_rounded_figures(self):
+        """Two digits, so that a change of meshes does not change these pages."""
+        pages = [page for page in PAGES
+                 if page.startswith(("README.md", "python/", "Documentation/user/"))]
+        self.assertGreater(len(pages), 10)
+        self.check(["%s: round %s, or move it to Documentation/validation" % (page, number)
+                    for page in pages for number in list_exact_decimals(read(page))])
 
     def test_tables_of_figures_are_generated(self):
         """scripts/generate fills them from the files of results; no other table has numbers."""
@@ -249,6 +301,22 @@ class Searches(unittest.TestCase):
         self.assertEqual(
             NAMED.findall("see `Parallel/Ranks/Ranks.h`, `build/Data/x` and Examples/impact."),
             ["Parallel/Ranks/Ranks.h", "Examples/impact"])
+
+    def test_exact_decimal(self):
+        for text in ("SJ 0.523", "| 0.750 |", "-2.650 %", "1.0512", "2.35e-2", "137.067 GPa"):
+            self.assertEqual(len(list_exact_decimals(text)), 1, text)
+        for text in ("SJ 0.52", "0.00148", "1.05e-2", "2.7 %", "ParaView 5.11.0", "5.11", "2025.1",
+                     "0.216", "`0.523`", "[0.5](page.md#0.523)", "    print 0.523",
+                     "```\n0.523\n```"):
+            self.assertEqual(list_exact_decimals(text), [], text)
+
+    def test_rounded(self):
+        for number, figure in (("0.75", 0.748), ("0.40", 0.4), ("140", 138.8), ("1e-7", 1.2e-7),
+                               ("280,000", 275000), ("64", 64)):
+            self.assertTrue(is_rounded(number, [figure]), number)
+        for number, figure in (("0.75", 0.756), ("0.40", 0.41), ("140", 146), ("1e-7", 1e-6),
+                               ("280,000", 286000), ("64", 65)):
+            self.assertFalse(is_rounded(number, [figure]), number)
 
     def test_path_of_a_plugin(self):
         self.assertTrue(PLUGIN_FROM_HERE.search('LoadPlugin("build/lib/VolumeFractionMesh.so"'))
