@@ -4,6 +4,7 @@
 #include "RankMeshes.h"
 #include "Sweep.h"
 #include "Volumes/CellLocator.h"
+#include "Volumes/FragmentVolumes.h"
 
 #include "Elements/Hex/HexTopology.h"
 #include "Elements/MeasureFragments.h"
