@@ -1,12 +1,10 @@
 #include "ModifyMesh.h"
 
-#include "Base/Sorted.h"
 #include "Materials/UseLabels.h"
 #include "Modify/AddLayers.h"
 #include "Modify/MeshOfData.h"
 #include "Modify/SplitInterfaces.h"
 #include "Options/SetOptions.h"
-#include "Ranks/MergeByKey.h"
 #include "Ranks/WorkTogether.h"
 #include "Report/GatherMesh.h"
 #include "Report/MeshMaterials.h"
@@ -15,78 +13,6 @@ namespace vfm
 {
 namespace
 {
-
-/// Throws InputError if a mesh lacks what all modifications need.
-void CheckMesh(const MeshData& mesh)
-{
-  Require(mesh.Material, "MaterialId", mesh);
-  Require(mesh.Fragment, "FragmentId", mesh);
-  Require(mesh.GeometryDimension, "GeometryDimension", mesh);
-  Require(mesh.GeometryId, "GeometryId", mesh);
-  if (mesh.MidsPerElement > 0)
-  {
-    throw InputError("The mesh has elements of second order. Layers are cut and interfaces are "
-                     "split before mid nodes are added: set Element Order where it is meshed.");
-  }
-  if (mesh.OriginalPointIds)
-  {
-    throw InputError("The interfaces of the mesh are split already (OriginalPointIds).");
-  }
-}
-
-/// Throws InputError if a mesh cannot get layers.
-void CheckForLayers(const MeshData& mesh, const MesherOptions& options)
-{
-  if (FindArray(mesh.ElementArrays, "Layer"))
-  {
-    throw InputError("The mesh has layers already (array Layer).");
-  }
-  if (options.FirstLayer > 0.0 && options.FirstLayerUnit == ThicknessUnit::Cells)
-  {
-    throw InputError("FirstLayerUnit must be Length: a mesh does not know the width of its cells.");
-  }
-  if (FindField(mesh.Fields, "PeriodLengths"))
-  {
-    if (!mesh.PeriodicPartner && mesh.NumberOfPoints > 0)
-    {
-      throw InputError("Opposite sides of the mesh are joined: layers must be cut before, by the "
-                       "filter that makes the mesh.");
-    }
-    if (FindField(mesh.Fields, "DomainFrame"))
-    {
-      throw InputError("The mesh is periodic along the axes of a rotated image: layers must be "
-                       "cut by the filter that makes the mesh.");
-    }
-  }
-  for (const MeshArray& array : ListOtherPointArrays(mesh))
-  {
-    throw InputError("The mesh has the point array " + array.Name +
-      ", of which layers would have no values. Remove it first.");
-  }
-}
-
-/// Throws InputError if an element occurs on several ranks.
-/// @pre Collective
-void CheckElementIds(const MeshData& mesh, Ranks& ranks)
-{
-  std::vector<std::array<Index, 1>> keys;
-  for (Index e = 0; e < mesh.NumberOfElements; ++e)
-  {
-    keys.push_back({ { mesh.ElementIds[e] } });
-  }
-  const std::vector<int> counts =
-    MergeByKey(keys, std::vector<int>(keys.size(), 1), std::plus<int>(), ranks);
-  WorkTogether(ranks,
-    [&]
-    {
-      const auto repeated = std::find_if(counts.begin(), counts.end(), [](int n) { return n > 1; });
-      if (repeated != counts.end())
-      {
-        throw InputError("The element " + std::to_string(keys[repeated - counts.begin()][0]) +
-          " (GlobalCellIds) is on several ranks.");
-      }
-    });
-}
 
 /// Returns the names of materials by label.
 std::map<int, std::string> NamesOf(const std::vector<int>& labels, const MeshData& mesh)
@@ -139,32 +65,6 @@ void CutLayersOf(const MeshData& data, const MesherOptions& given, const std::ve
   UpdateFields(labels, result);
 }
 
-/// Returns the values of point arrays at the points of the split mesh.
-std::vector<TransferredArray> CopyPointArrays(const MeshData& before, const Mesh& mesh)
-{
-  std::vector<Index> sources;
-  for (Index id : mesh.UnsplitPointIds())
-  {
-    sources.push_back(
-      std::lower_bound(before.PointIds, before.PointIds + before.NumberOfPoints, id) -
-      before.PointIds);
-  }
-  std::vector<TransferredArray> copies;
-  for (const MeshArray& array : ListOtherPointArrays(before))
-  {
-    const Index width = array.Components * WidthOfType(array.Type);
-    Buffer<char> values(sources.size() * width);
-    for (std::size_t p = 0; p < sources.size(); ++p)
-    {
-      const char* from = static_cast<const char*>(array.Values) + width * sources[p];
-      std::copy_n(from, width, values.data() + width * p);
-    }
-    copies.push_back(
-      { array.Name, array.Type, array.Components, array.ComponentNames, false, std::move(values) });
-  }
-  return copies;
-}
-
 /// Checks options and mesh, and returns the state.
 /// @pre Collective
 OutputState CheckInput(const MeshData& data, const MesherOptions& options,
@@ -175,11 +75,7 @@ OutputState CheckInput(const MeshData& data, const MesherOptions& options,
     [&]
     {
       CheckOptions(options);
-      CheckMesh(data);
-      if (options.Layers > 1)
-      {
-        CheckForLayers(data, options);
-      }
+      CheckMesh(data, options);
       state = MakeStateOf(data, extensive);
     });
   CheckElementIds(data, ranks);

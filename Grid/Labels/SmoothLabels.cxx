@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <mutex>
+#include <sstream>
 
 namespace vfm
 {
@@ -21,8 +22,9 @@ using Part = FractionField::Part;
 
 constexpr double LeastFloor = 0.501; // least fraction of the own label of a cell
 constexpr int MiddleOfPatch = 13;
-constexpr int WeightRounds = 5;         // rounds that move the interfaces
-constexpr double WeightsAreGood = 1e-4; // relative error of volumes at which they end
+constexpr double VolumeTolerance = 1e-6; // relative error of volumes without a warning
+constexpr int WeightRounds = 5;          // rounds that move the interfaces
+constexpr double WeightsAreGood = 1e-4;  // relative error of volumes at which they end
 constexpr double LargestWeightStep = 0.3;
 constexpr int ScaleRounds = 60; // rounds that scale the fractions
 constexpr double VolumesAreGood = 1e-9;
@@ -352,6 +354,17 @@ double SmoothLabels(const CartesianGrid& grid, int passes, const Partition& part
   Store(grid, active.Cells, labels);
   FillGhosts(partition, labels);
   return error;
+}
+
+std::string DescribeVolumeError(double error)
+{
+  std::ostringstream text;
+  if (error > VolumeTolerance)
+  {
+    text << "Smoothing could not keep the volumes of all labels: the largest error is "
+         << 100.0 * error << " %. Fewer passes, or MinimumRegionCells, may help.";
+  }
+  return text.str();
 }
 
 } // namespace vfm

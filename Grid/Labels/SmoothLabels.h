@@ -27,4 +27,7 @@ namespace vfm
 double SmoothLabels(const CartesianGrid& grid, int passes, const Partition& partition,
   Runtime& runtime, FractionField& labels);
 
+/// Returns a sentence on an error of SmoothLabels, or "" if it is small.
+std::string DescribeVolumeError(double error);
+
 } // namespace vfm

@@ -15,7 +15,7 @@ constexpr FormatOption FormatOptions[] = {
   { "single_file", "--single-file", "",
     "write one Exodus file or OpenFOAM mesh from several ranks; rank 0 gathers the mesh",
     [](const OutputForm& form) { return form.IsSingle; }, "always consists of several files.",
-    false },
+    false, true },
   { "version", "--msh-version", "2.2|4.1",
     "version of a .msh file; default 2.2, or 4.1 if an id exceeds 2147483647",
     [](const OutputForm& form) { return form.Version != GmshVersion::Automatic; },
@@ -35,13 +35,13 @@ constexpr FormatOption FormatOptions[] = {
   { "texts", "", "", "", nullptr, "" },
 };
 
-/// Returns the suffixes of the formats that have an option.
-std::string ListSuffixes(const FormatOption& option)
+/// Returns the suffixes of all formats, or of those that have an option.
+std::string ListSuffixes(const FormatOption* option = nullptr)
 {
   std::vector<std::string> suffixes;
   for (const FormatRow& format : GetFormatTable())
   {
-    if (format.Has(option))
+    if (!option || format.Has(*option))
     {
       suffixes.insert(suffixes.end(), format.Suffixes.begin(), format.Suffixes.end());
     }
@@ -53,9 +53,9 @@ std::string ListSuffixes(const FormatOption& option)
 
 bool FormatRow::Has(const FormatOption& option) const
 {
-  const bool isAlways = option.Name == std::string("single_file") && !this->IsPerRank;
-  return isAlways ||
-    std::find(this->Options.begin(), this->Options.end(), option.Name) != this->Options.end();
+  return option.IsOfWholeFiles
+    ? !this->IsPerRank
+    : std::find(this->Options.begin(), this->Options.end(), option.Name) != this->Options.end();
 }
 
 std::span<const FormatOption> GetFormatOptions()
@@ -107,30 +107,20 @@ const FormatRow* FindMeshFormat(const std::string& path)
   return found == table.end() ? nullptr : &*found;
 }
 
-std::vector<std::string> GetOutputSuffixes()
-{
-  std::vector<std::string> suffixes;
-  for (const FormatRow& format : GetFormatTable())
-  {
-    suffixes.insert(suffixes.end(), format.Suffixes.begin(), format.Suffixes.end());
-  }
-  return suffixes;
-}
-
 std::string FindOutputProblem(const std::string& path, const OutputForm& form)
 {
   const FormatRow* format = FindMeshFormat(path);
   if (!format)
   {
-    return "The output " + path +
-      " is of an unknown format. Supported formats: " + JoinTexts(GetOutputSuffixes()) + ".";
+    return "The output " + path + " is of an unknown format. Supported formats: " + ListSuffixes() +
+      ".";
   }
   for (const FormatOption& option : FormatOptions)
   {
     if (option.IsGiven && option.IsGiven(form) && !format->Has(option))
     {
       return "The output " + path + " " + option.Lack +
-        (option.ListsFormats ? ListSuffixes(option) + "." : "");
+        (option.ListsFormats ? ListSuffixes(&option) + "." : "");
     }
   }
   return format->Format == MeshFormat::Stl ? FindStlProblem(path) : "";

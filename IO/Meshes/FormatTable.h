@@ -48,6 +48,7 @@ struct FormatOption
   bool (*IsGiven)(const OutputForm&); ///< null: not a part of OutputForm
   const char* Lack;                   ///< why a format without the option refuses it
   bool ListsFormats = true;           ///< whether formats that have it follow in the message
+  bool IsOfWholeFiles = false;        ///< of all formats except IsPerRank, which do not list it
 };
 
 struct FormatRow
@@ -67,8 +68,6 @@ const std::vector<FormatRow>& GetFormatTable();
 /// Returns the format of a path, by its suffix, or null.
 const FormatRow* FindMeshFormat(const std::string& path);
 
-/// Returns all supported suffixes, for instance ".vtu".
-std::vector<std::string> GetOutputSuffixes();
 /// Returns the reason why a mesh cannot be written in this form to a file of this name; "" if it
 /// can. Checks only the suffix and the form.
 std::string FindOutputProblem(const std::string& path, const OutputForm& form = {});

@@ -116,4 +116,11 @@ inline SurfaceTargets::Kind KindOfTargets(const MeshSettings& options)
                                                              : SurfaceTargets::Kind::Quadrics;
 }
 
+/// Returns whether mid nodes of interfaces leave the middles of edges.
+inline bool HasCurvedEdges(const MeshSettings& options)
+{
+  return options.ElementOrder != InterpolationOrder::Linear && MovesPoints(options) &&
+    KindOfTargets(options) == SurfaceTargets::Kind::Quadrics;
+}
+
 } // namespace vfm

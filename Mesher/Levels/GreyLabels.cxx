@@ -1,5 +1,7 @@
 #include "Levels/GreyLabels.h"
 
+#include "Input/ArrayNames.h"
+#include "Input/InputArrays.h"
 #include "Ranks/Agreement.h"
 
 #include <algorithm>
@@ -60,8 +62,8 @@ std::string Describe(Index values, Index some, Index all)
   return std::to_string(values) + " different values, and " + share + " % of the cells ";
 }
 
-} // namespace
-
+/// Returns a description of labels that look like grey values, otherwise "".
+/// Collective.
 std::string DescribeGreyLabels(const LevelFields& fields, Ranks& ranks)
 {
   const int labels = fields.Field.Fractions.NumberOfMaterials();
@@ -88,6 +90,8 @@ std::string DescribeGreyLabels(const LevelFields& fields, Ranks& ranks)
   return Describe(labels, busy, all) + "have another value beside them";
 }
 
+/// Returns a description of a material that looks like grey values or labels, otherwise "".
+/// Collective.
 std::string DescribeGreyFractions(const LevelFields& fields, Ranks& ranks)
 {
   constexpr Index Values = 256;
@@ -113,6 +117,57 @@ std::string DescribeGreyFractions(const LevelFields& fields, Ranks& ranks)
     return "";
   }
   return Describe(values, grey, all) + "are neither 0 nor 255";
+}
+
+/// Returns whether the array is of bytes on all ranks.
+/// Collective.
+bool AreBytes(const std::string& name, const InputLevels& input, Ranks& ranks)
+{
+  bool areBytes = true;
+  for (const InputBlocks& level : input.Levels)
+  {
+    for (const InputBlock& block : level.Blocks)
+    {
+      areBytes = areBytes && FindMaterialArray(block, name)->Type == ValueType::UnsignedChar;
+    }
+  }
+  return !ranks.Any(!areBytes);
+}
+
+/// Returns a warning of an array; throws InputError if the user did not select it.
+/// what: what it looks like; more: another possibility
+std::string WarnOfGrey(const ArrayChoice& choice, const std::string& what, const std::string& found,
+  const std::string& more)
+{
+  if (found.empty())
+  {
+    return "";
+  }
+  const std::string text = "The array '" + choice.Name + "' " + what + ": " + found +
+    ". Threshold (--threshold LOW:HIGH) makes materials of ranges of values.";
+  if (choice.IsGuessed)
+  {
+    throw InputError(text + " If each value is a material, choose the array as labels (" +
+      choice.LabelsOption + " " + choice.Name + ")" + more + ".");
+  }
+  return text;
+}
+
+} // namespace
+
+std::string CheckGreyLabels(const LevelFields& fields, const ArrayChoice& choice, Ranks& ranks)
+{
+  return WarnOfGrey(
+    choice, "looks like grey values, not labels", DescribeGreyLabels(fields, ranks), "");
+}
+
+std::string CheckGreyFractions(
+  const LevelFields& fields, const ArrayChoice& choice, const InputLevels& input, Ranks& ranks)
+{
+  const bool mayBeGrey = !IsFractionName(choice.Name) && AreBytes(choice.Name, input, ranks);
+  return WarnOfGrey(choice, "looks like grey values or labels, not volume fractions of 255",
+    mayBeGrey ? DescribeGreyFractions(fields, ranks) : "",
+    "; if they are volume fractions, choose it as fractions (--fractions " + choice.Name + ")");
 }
 
 } // namespace vfm

@@ -13,16 +13,25 @@
 namespace vfm
 {
 
-/// Returns a description of labels that look like grey values, otherwise "". The result does not
-/// depend on the number of ranks.
-/// @param field materials of labels, before copies of cells are added
-/// @pre Collective
-std::string DescribeGreyLabels(const LevelFields& fields, Ranks& ranks);
+/// The array of the materials.
+struct ArrayChoice
+{
+  const std::string& Name;
+  const std::string& LabelsOption; ///< words in front of the array of labels, in messages
+  bool IsGuessed;                  ///< the user did not select it
+};
 
-/// Returns a description of one material of bytes that looks like grey values or labels, because it
-/// has several values and most cells are neither empty nor full, otherwise "". The result does not
-/// depend on the number of ranks.
+/// Checks whether labels look like grey values. The result does not depend on the number of ranks.
+/// @param fields  materials of labels, before copies of cells are added
+/// @return a warning, or ""
+/// @throws InputError  in place of a warning, if the user did not select the array; on all ranks
 /// @pre Collective
-std::string DescribeGreyFractions(const LevelFields& fields, Ranks& ranks);
+std::string CheckGreyLabels(const LevelFields& fields, const ArrayChoice& choice, Ranks& ranks);
+
+/// Checks in the same way whether one material of bytes, whose name does not say volume fraction,
+/// looks like grey values or labels: it has several values, and most cells are neither empty nor
+/// full.
+std::string CheckGreyFractions(
+  const LevelFields& fields, const ArrayChoice& choice, const InputLevels& input, Ranks& ranks);
 
 } // namespace vfm

@@ -221,9 +221,13 @@ std::string WarnOfEmptyBoxes(const std::vector<Index>& cells)
 
 } // namespace
 
-InputRequests FindInputRequests(const InputLevels& input, const std::string& array,
-  const std::vector<RefinementBox>& boxes, Ranks& ranks)
+InputRequests FindInputRequests(
+  const InputLevels& input, const MesherOptions& options, Ranks& ranks)
 {
+  const std::string array = FindRefinementArray(options);
+  const std::vector<RefinementBox> boxes = options.Refinement == RefinementMode::Automatic
+    ? options.RefinementBoxes
+    : std::vector<RefinementBox>();
   InputRequests requests;
   requests.Levels.resize(input.Levels.size());
   if (array.empty() && boxes.empty())

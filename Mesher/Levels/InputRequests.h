@@ -29,13 +29,13 @@ struct InputRequests
 };
 
 /// Finds the requests of the cells that this rank reads.
-/// @param array name of the array, of any numeric type and one component, in all blocks;
-/// empty: none
+/// @param options RefinementArray, of any numeric type and one component, in all blocks, and
+/// RefinementBoxes; they count if Refinement is Automatic
 /// @throws InputError if the array is missing, if numbers of halvings are not integers from 0 to
 /// MaximumHalvings, or if a box ends before it begins; on all ranks
 /// @pre Collective
-InputRequests FindInputRequests(const InputLevels& input, const std::string& array,
-  const std::vector<RefinementBox>& boxes, Ranks& ranks);
+InputRequests FindInputRequests(
+  const InputLevels& input, const MesherOptions& options, Ranks& ranks);
 
 /// Returns the requests of the cells that this rank meshes.
 /// @param owners cells of level 0 that each rank meshes, of all ranks or of nearby ranks

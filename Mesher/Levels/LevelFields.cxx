@@ -16,6 +16,7 @@ namespace vfm
 namespace
 {
 
+constexpr double LargestSafeRatio = 1000.0; // of widths; no overlaps were seen below
 constexpr int ChunkLevels =
   3; // cells are averaged in chunks of 2^ChunkLevels cells along each axis
 
@@ -339,6 +340,11 @@ void DivideFields(LevelFields& fields, double maximumAspectRatio, ChildRule rule
   FillGhosts(Partition(fields.Grid, runtime.Group()), fields.Field.Fractions);
 }
 
+namespace
+{
+
+/// Adds the families between Base and Grid that user-selected cells request, and those of `layers`
+/// layers around them. Returns the requests for halvings beyond Grid, in cells of Grid.
 std::vector<ChosenBox> TakeRequests(
   const InputRequests& requests, const LevelSetup& setup, int layers, LevelFields& fields)
 {
@@ -369,6 +375,8 @@ std::vector<ChosenBox> TakeRequests(
   return beyond;
 }
 
+/// Finds how many levels finer than Grid the criteria request, and adds the requested families.
+/// Collective.
 int FindFinerLevels(LevelFields& fields, const RefinementCriteria& criteria, double isoValue,
   int layers, Runtime& runtime)
 {
@@ -383,7 +391,9 @@ int FindFinerLevels(LevelFields& fields, const RefinementCriteria& criteria, dou
   return requests.Refinements;
 }
 
-void RefineFields(LevelFields& fields, int steps, ChildRule rule, Runtime& runtime)
+/// Halves all cells of Grid.
+/// Collective.
+void HalveCells(int steps, ChildRule rule, Runtime& runtime, LevelFields& fields)
 {
   for (int step = 0; step < steps; ++step)
   {
@@ -396,6 +406,74 @@ void RefineFields(LevelFields& fields, int steps, ChildRule rule, Runtime& runti
         fields.Field.Fractions = std::move(refined.Fractions);
       });
   }
+}
+
+/// Returns the number of levels finer than the grid that criteria and selected cells request; adds
+/// their families.
+/// Collective.
+int FindRefinements(const MesherOptions& options, const LevelSetup& setup,
+  const InputRequests& requests, int finer, Runtime& runtime, LevelFields& fields)
+{
+  runtime.Progress(0.0, "Looking for places to refine");
+  const int layers = options.FineInterfaces ? 0 : options.FineLayers;
+  RefinementCriteria criteria{ options.ThinCells, options.CurvaturePerCell,
+    options.RefineFlippedCells, options.InterfaceLayers, {}, finer };
+  WorkTogether(
+    runtime.Group(), [&] { criteria.Chosen = TakeRequests(requests, setup, layers, fields); });
+  return finer > 0 ? FindFinerLevels(fields, criteria, options.IsoValue, layers, runtime) : finer;
+}
+
+} // namespace
+
+LevelPlan RefineFields(const MesherOptions& options, const LevelSetup& setup,
+  const InputRequests& requests, int inputFinest, Runtime& runtime, LevelFields& fields)
+{
+  const int top = std::min(setup.Finest, inputFinest);
+  int finer = setup.Finest - top;
+  if (options.Refinement == RefinementMode::Automatic)
+  {
+    finer = FindRefinements(options, setup, requests, finer, runtime, fields);
+  }
+  HalveCells(finer, options.ChildFractions, runtime, fields);
+  LevelPlan plan{ options, 0, {} };
+  if (!setup.IsUniform)
+  {
+    plan.Refinements = top - setup.Base + finer;
+    plan.Families = std::move(fields.Families);
+  }
+  if (InterfacesCrossLevels(plan))
+  {
+    WidenGrid(LayersFor(plan), runtime.Group(), fields.Grid, fields.Field.Fractions);
+  }
+  return plan;
+}
+
+std::string DescribeWidths(const CartesianGrid& grid)
+{
+  double ratio = 1.0;
+  std::array<std::array<double, 2>, 3> range; // smallest and largest width along each axis
+  for (int a = 0; a < 3; ++a)
+  {
+    range[a] = { { grid.Width(a, 0), grid.Width(a, 0) } };
+    for (Index i = 1; i < grid.Global().Upper[a]; ++i)
+    {
+      range[a][0] = std::min(range[a][0], grid.Width(a, i));
+      range[a][1] = std::max(range[a][1], grid.Width(a, i));
+    }
+  }
+  for (int a = 0; a < 3; ++a)
+  {
+    const int b = (a + 1) % 3;
+    ratio = std::max({ ratio, range[a][1] / range[b][0], range[b][1] / range[a][0] });
+  }
+  std::ostringstream text;
+  if (ratio > LargestSafeRatio)
+  {
+    text << "The widths of a cell differ by a factor of " << ratio << ". Above " << LargestSafeRatio
+         << ", elements have a poor quality, and bodies that are close may overlap. "
+            "MaximumAspectRatio divides such cells.";
+  }
+  return text.str();
 }
 
 } // namespace vfm

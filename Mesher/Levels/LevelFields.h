@@ -57,22 +57,16 @@ LevelFields MakeLevelFields(const InputLevels& input, const LevelCells& cells,
 /// @pre Collective
 void DivideFields(LevelFields& fields, double maximumAspectRatio, ChildRule rule, Runtime& runtime);
 
-/// Adds the families between Base and Grid that user-selected cells request.
+/// Refines the grid to the finest cells of the mesh, where the options, requests and criteria say,
+/// and adds the ghost layers that meshing needs.
 /// @param requests requests of the cells that this rank meshes
-/// @param layers number of layers around selected cells whose families are added too
-/// @return requests for halvings beyond Grid, in cells of Grid
-std::vector<ChosenBox> TakeRequests(
-  const InputRequests& requests, const LevelSetup& setup, int layers, LevelFields& fields);
-
-/// Finds how many levels finer than Grid the criteria request, and adds the requested families.
-/// @param layers number of layers of cells around (FindRequestedFamilies)
-/// @return number of levels
+/// @param inputFinest finest level of the input
+/// @return plan of the levels of the mesh
 /// @pre Collective
-int FindFinerLevels(LevelFields& fields, const RefinementCriteria& criteria, double isoValue,
-  int layers, Runtime& runtime);
+LevelPlan RefineFields(const MesherOptions& options, const LevelSetup& setup,
+  const InputRequests& requests, int inputFinest, Runtime& runtime, LevelFields& fields);
 
-/// Halves all cells of Grid; steps: number of times.
-/// @pre Collective
-void RefineFields(LevelFields& fields, int steps, ChildRule rule, Runtime& runtime);
+/// Returns a sentence if the widths of cells differ so much that close bodies may overlap, or "".
+std::string DescribeWidths(const CartesianGrid& grid);
 
 } // namespace vfm

@@ -1,6 +1,7 @@
 #include "Modify/MeshOfData.h"
 
 #include "Ranks/Agreement.h"
+#include "Ranks/MergeByKey.h"
 #include "Report/DomainSides.h"
 #include "Report/MatchFaces.h"
 #include "Report/MeshArrays.h"
@@ -127,6 +128,46 @@ std::map<SurfaceSides, int> NumberSurfaces(
   return first;
 }
 
+/// Returns the point arrays that are not part of Mesh.
+std::vector<MeshArray> ListOtherPointArrays(const MeshData& mesh)
+{
+  std::vector<MeshArray> others;
+  std::copy_if(mesh.PointArrays.begin(), mesh.PointArrays.end(), std::back_inserter(others),
+    [](const MeshArray& array) { return !FindKnownArray(array.Name); });
+  return others;
+}
+
+/// Throws InputError if a mesh cannot get layers.
+void CheckForLayers(const MeshData& mesh, const MesherOptions& options)
+{
+  if (FindArray(mesh.ElementArrays, "Layer"))
+  {
+    throw InputError("The mesh has layers already (array Layer).");
+  }
+  if (options.FirstLayer > 0.0 && options.FirstLayerUnit == ThicknessUnit::Cells)
+  {
+    throw InputError("FirstLayerUnit must be Length: a mesh does not know the width of its cells.");
+  }
+  if (FindField(mesh.Fields, "PeriodLengths"))
+  {
+    if (!mesh.PeriodicPartner && mesh.NumberOfPoints > 0)
+    {
+      throw InputError("Opposite sides of the mesh are joined: layers must be cut before, by the "
+                       "filter that makes the mesh.");
+    }
+    if (FindField(mesh.Fields, "DomainFrame"))
+    {
+      throw InputError("The mesh is periodic along the axes of a rotated image: layers must be "
+                       "cut by the filter that makes the mesh.");
+    }
+  }
+  for (const MeshArray& array : ListOtherPointArrays(mesh))
+  {
+    throw InputError("The mesh has the point array " + array.Name +
+      ", of which layers would have no values. Remove it first.");
+  }
+}
+
 } // namespace
 
 Mesh MakeMeshOf(const MeshData& data, const std::vector<int>& labels, Ranks& ranks)
@@ -209,14 +250,6 @@ OutputState MakeStateOf(const MeshData& mesh, const std::vector<std::string>& ex
   return state;
 }
 
-std::vector<MeshArray> ListOtherPointArrays(const MeshData& mesh)
-{
-  std::vector<MeshArray> others;
-  std::copy_if(mesh.PointArrays.begin(), mesh.PointArrays.end(), std::back_inserter(others),
-    [](const MeshArray& array) { return !FindKnownArray(array.Name); });
-  return others;
-}
-
 void AddSurfaces(const MeshData& data, Ranks& ranks, Mesh& mesh)
 {
   const std::vector<SurfaceSides> sides = FindSurfaceSides(data, mesh.Facets, ranks);
@@ -242,6 +275,73 @@ void AddSurfaces(const MeshData& data, Ranks& ranks, Mesh& mesh)
   }
   mesh.Surfaces = { CopyOf(points), CopyOf(ids), CopyOf(materials),
     std::vector<unsigned char>(ids.size(), 1), CopyOf(domainSides) };
+}
+
+void CheckMesh(const MeshData& mesh, const MesherOptions& options)
+{
+  Require(mesh.Material, "MaterialId", mesh);
+  Require(mesh.Fragment, "FragmentId", mesh);
+  Require(mesh.GeometryDimension, "GeometryDimension", mesh);
+  Require(mesh.GeometryId, "GeometryId", mesh);
+  if (mesh.MidsPerElement > 0)
+  {
+    throw InputError("The mesh has elements of second order. Layers are cut and interfaces are "
+                     "split before mid nodes are added: set Element Order where it is meshed.");
+  }
+  if (mesh.OriginalPointIds)
+  {
+    throw InputError("The interfaces of the mesh are split already (OriginalPointIds).");
+  }
+  if (options.Layers > 1)
+  {
+    CheckForLayers(mesh, options);
+  }
+}
+
+void CheckElementIds(const MeshData& mesh, Ranks& ranks)
+{
+  std::vector<std::array<Index, 1>> keys;
+  for (Index e = 0; e < mesh.NumberOfElements; ++e)
+  {
+    keys.push_back({ { mesh.ElementIds[e] } });
+  }
+  const std::vector<int> counts =
+    MergeByKey(keys, std::vector<int>(keys.size(), 1), std::plus<int>(), ranks);
+  WorkTogether(ranks,
+    [&]
+    {
+      const auto repeated = std::find_if(counts.begin(), counts.end(), [](int n) { return n > 1; });
+      if (repeated != counts.end())
+      {
+        throw InputError("The element " + std::to_string(keys[repeated - counts.begin()][0]) +
+          " (GlobalCellIds) is on several ranks.");
+      }
+    });
+}
+
+std::vector<TransferredArray> CopyPointArrays(const MeshData& before, const Mesh& mesh)
+{
+  std::vector<Index> sources;
+  for (Index id : mesh.UnsplitPointIds())
+  {
+    sources.push_back(
+      std::lower_bound(before.PointIds, before.PointIds + before.NumberOfPoints, id) -
+      before.PointIds);
+  }
+  std::vector<TransferredArray> copies;
+  for (const MeshArray& array : ListOtherPointArrays(before))
+  {
+    const Index width = array.Components * WidthOfType(array.Type);
+    Buffer<char> values(sources.size() * width);
+    for (std::size_t p = 0; p < sources.size(); ++p)
+    {
+      const char* from = static_cast<const char*>(array.Values) + width * sources[p];
+      std::copy_n(from, width, values.data() + width * p);
+    }
+    copies.push_back(
+      { array.Name, array.Type, array.Components, array.ComponentNames, false, std::move(values) });
+  }
+  return copies;
 }
 
 } // namespace vfm

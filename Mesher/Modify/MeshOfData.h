@@ -4,11 +4,19 @@
 #pragma once
 
 #include "Base/Runtime.h"
+#include "Options/MesherOptions.h"
 #include "Report/MeshData.h"
 #include "State/OutputState.h"
 
 namespace vfm
 {
+
+/// Throws InputError if a mesh lacks what modifications need, or cannot get the layers of the
+/// options.
+void CheckMesh(const MeshData& mesh, const MesherOptions& options);
+/// Throws InputError if an element occurs on several ranks.
+/// @pre Collective
+void CheckElementIds(const MeshData& mesh, Ranks& ranks);
 
 /// Copies a mesh of the mesher, with its facets; its surfaces, curves and vertices are empty.
 /// @param mesh  linear elements with MaterialId, FragmentId, ids and geometry
@@ -28,8 +36,10 @@ void SetGeometry(
 /// @throws InputError if an extensive array is missing or not of type double
 OutputState MakeStateOf(const MeshData& mesh, const std::vector<std::string>& extensive);
 
-/// Returns the point arrays that are not part of Mesh.
-std::vector<MeshArray> ListOtherPointArrays(const MeshData& mesh);
+/// Copies the point arrays that are not part of Mesh.
+/// @param before  the mesh as MakeMeshOf got it
+/// @param mesh  the same mesh, which may be split since
+std::vector<TransferredArray> CopyPointArrays(const MeshData& before, const Mesh& mesh);
 
 /// Adds the facets to Mesh::Surfaces, with the numbers that the mesher gave their surfaces: those
 /// of their pairs of fragments, or of a fragment and a side of the domain, in ascending order.

@@ -5,9 +5,9 @@
  */
 #pragma once
 
+#include "Elements/MeshRun.h"
 #include "Interface/LevelInterfaces.h"
 #include "Phases/Draft.h"
-#include "Phases/MeshRun.h"
 #include "Smoothing/Smoother.h"
 
 #include <memory>

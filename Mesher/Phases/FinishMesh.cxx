@@ -1,44 +1,15 @@
 #include "Phases/FinishMesh.h"
 
-#include "Base/PortableMath.h"
 #include "Geometry/CloseSeam.h"
 #include "Geometry/DisplacedVolume.h"
 #include "Geometry/Geometry.h"
 #include "Geometry/KeepOwned.h"
 #include "Geometry/MeasureMaterials.h"
 #include "Geometry/Quality.h"
-#include "Phases/ReportLevels.h"
+#include "Geometry/ReportLevels.h"
 
 namespace vfm
 {
-namespace
-{
-
-std::vector<double> Multiplied(std::vector<double> values, double factor)
-{
-  for (double& value : values)
-  {
-    value *= factor;
-  }
-  return values;
-}
-
-/// Writes the volumes of materials and fragments into the report, in length units cubed, and the
-/// number of fragments per material.
-void ReportVolumes(const CartesianGrid& grid, const FragmentVolumes& volumes, MeshReport& report)
-{
-  const double cellVolume = Cube(grid.MeanWidth());
-  report.TargetVolume = Multiplied(volumes.MaterialTargets(), cellVolume);
-  report.MeshVolume = Multiplied(volumes.MaterialVolumes(), cellVolume);
-  report.FragmentTargetVolume = Multiplied(volumes.FragmentTargets(), cellVolume);
-  for (Index fragments : volumes.MaterialFragments())
-  {
-    report.Materials.push_back({ 0, fragments });
-  }
-}
-
-} // namespace
-
 Mesh FinishMesh(const MeshCells& cells, ElementMethod& method, MeshRun& run, Draft draft)
 {
   Mesh& mesh = draft.Elements;

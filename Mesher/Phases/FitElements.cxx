@@ -4,7 +4,6 @@
 #include "Smoothing/Attach.h"
 #include "Smoothing/AttachFeatures.h"
 #include "Smoothing/EdgePulls.h"
-#include "Smoothing/RefineTargets.h"
 #include "Volumes/VolumeCorrection.h"
 
 namespace vfm
@@ -15,52 +14,6 @@ namespace
 // Rounds of EndIntersections after which volumes are corrected, and points move again. Further
 // rounds only put points back.
 constexpr int CorrectedRounds = 4, MovingRounds = 30;
-
-/// Reports the numbers of points on edges and corners.
-void CountCarriers(const std::vector<FeatureKind>& kinds, const ActiveMesh& active, MeshRun& run)
-{
-  std::vector<std::int64_t> counts(2, 0);
-  active.ForOwned(
-    [&](int point)
-    {
-      counts[0] += kinds[point] == FeatureKind::Edge;
-      counts[1] += kinds[point] == FeatureKind::Corner;
-    });
-  run.Group().Sum(counts);
-  run.Report.EdgePoints = counts[0];
-  run.Report.CornerPoints = counts[1];
-}
-
-/// Finds the edges of interfaces, if the options request it, and attracts the attached points to
-/// them. Refines the targets of curved elements.
-/// @param interface  interface of the finest grid
-/// @param facets  facets whose edges may be sharp
-/// @param[in,out] targets,active  targets and attached points; points near edges get new targets
-/// @return kind of every point of the active mesh
-std::vector<FeatureKind> AttachToFeatures(const MeshCells& cells, const Interface& interface,
-  const std::vector<Facet>& facets, const Mesh& mesh, MeshRun& run, SurfaceTargets& targets,
-  ActiveMesh& active)
-{
-  const MeshOptions& options = cells.Options;
-  const bool hasQuadrics =
-    options.IsoValue == 0.5 && options.Smoothing == SmoothingMethod::QuadricSurface;
-  const Index firstTarget = targets.Count() - static_cast<Index>(interface.Points().size());
-  std::vector<FeatureKind> kinds(active.X.size(), FeatureKind::None);
-  if (options.SharpEdges != SharpEdgeMode::Off && hasQuadrics)
-  {
-    run.Clock.Start("Finding sharp features", 0.22);
-    const SharpFeatures features(interface, cells.Fractions, targets, firstTarget,
-      options.SharpEdges, run.Parts, run.TheRuntime);
-    kinds = AttachFeatures(
-      { features, interface, firstTarget }, facets, mesh, targets, active, run.TheRuntime);
-    CountCarriers(kinds, active, run);
-  }
-  if (HasCurvedEdges(options) && hasQuadrics)
-  {
-    RefineTargets(interface, cells.Fractions, firstTarget, active, run.TheRuntime, targets);
-  }
-  return kinds;
-}
 
 /// Attaches the active points to the interfaces.
 /// @param[out] kinds  of the active points
@@ -135,15 +88,6 @@ void CorrectMesh(bool conserves, const SmoothingStage& last, StageClock& clock, 
   correction.MeasureBulges();
 }
 
-void ReportMoves(const Smoother& smoother, MeshRun& run)
-{
-  std::vector<std::int64_t> sums{ smoother.Points(), smoother.Visits() };
-  run.Group().Sum(sums);
-  run.Report.SmoothedPoints = sums[0];
-  run.Report.Sweeps = smoother.Sweeps();
-  run.Report.Visits = sums[1];
-}
-
 /// Smooths the active mesh. If the options request it, moves the interfaces until the relative
 /// errors of the volumes are at most 1e-7 or the rounds are used up.
 void MovePoints(const MeshCells& cells, const SurfaceTargets& targets, ElementMethod& method,
@@ -175,7 +119,7 @@ void MovePoints(const MeshCells& cells, const SurfaceTargets& targets, ElementMe
     correction.Measure();
   }
   CorrectMesh(conserves, ramp.back(), run.Clock, smoother, correction);
-  ReportMoves(smoother, run);
+  smoother.ReportMoves(run.Report);
 }
 
 /// Moves the active points to the interfaces. The targets and the interfaces are freed at the end.
@@ -198,12 +142,6 @@ void MoveToTargets(
 }
 
 } // namespace
-
-bool HasCurvedEdges(const MeshSettings& options)
-{
-  return options.ElementOrder != InterpolationOrder::Linear && MovesPoints(options) &&
-    KindOfTargets(options) == SurfaceTargets::Kind::Quadrics;
-}
 
 void FitElements(const MeshCells& cells, ElementMethod& method, MeshRun& run, Draft& draft)
 {

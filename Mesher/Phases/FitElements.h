@@ -9,9 +9,6 @@
 namespace vfm
 {
 
-/// Returns whether mid nodes of interfaces leave the middles of edges.
-bool HasCurvedEdges(const MeshSettings& options);
-
 /// Moves the points of the draft, and fills Kinds and Mesh::Pulls.
 /// @pre Collective.
 void FitElements(const MeshCells& cells, ElementMethod& method, MeshRun& run, Draft& draft);

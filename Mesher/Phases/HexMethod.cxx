@@ -2,67 +2,18 @@
 
 #include "Elements/Hex/HexFacets.h"
 #include "Elements/MeasureFragments.h"
-#include "Phases/FitElements.h"
-#include "Phases/MakeLevels.h"
-#include "Phases/ResolveCells.h"
 #include "Ranks/Agreement.h"
 #include "Smoothing/Hex/ActiveHexes.h"
 #include "Smoothing/Hex/CoarseSmoothing.h"
+#include "Smoothing/Hex/MakeLevels.h"
 #include "Volumes/CellLocator.h"
 
 namespace vfm
 {
-namespace
+HexMethod::HexMethod(const MeshCells& cells) :
+  TheEnergy(TargetJacobian(cells.Options, cells.Fractions.NumberOfMaterials()))
 {
-
-const SmoothingPace Early{ 1.8, 4.0, 0.0, 2e-4, 5e-3 }, Late{ 1.7, 4.0, 0.0, 2e-4, 4e-3 };
-const SmoothingRamp HexRamp{ { 2, 10.0, 0.05, 8, 0.0, Early, 2 },
-  { 8, 60.0, 0.01, 30, 2e-3, Late } };
-
-double TargetJacobian(const MeshCells& cells)
-{
-  const bool several = cells.Fractions.NumberOfMaterials() > 1 || cells.Options.MeshVoid;
-  return cells.Options.TargetScaledJacobian > 0.0 ? cells.Options.TargetScaledJacobian
-                                                  : (several ? 0.5 : 0.55);
 }
-
-/// Finds the labels and the levels.
-void LabelCells(const MeshCells& cells, MeshRun& run, LabelledGrid& labelled)
-{
-  const MeshOptions& options = cells.Options;
-  if (InterfacesCrossLevels(options))
-  {
-    run.Clock.Start("Assigning materials", 0.0);
-    LabelLeaves(
-      cells.Grid, cells.Fractions, options, run.Parts, run.TheRuntime, run.Report, labelled);
-    return;
-  }
-  labelled.Labels = ResolveCells(cells, true, run);
-  run.Clock.Start("Making hexahedra", 0.1);
-  labelled.Mixed = FindMixedNodes(cells.Grid, labelled.Labels);
-  LevelPlan plan = options.Levels;
-  MakeLevels(cells.Grid, labelled.Labels, labelled.Mixed, { options.MeshVoid, false, true }, plan,
-    run.TheRuntime, run.Report, labelled.Levels);
-  labelled.Narrow =
-    FindBarrier(options, *labelled.Levels.Grid, labelled.Labels, labelled.Mixed, run.TheRuntime);
-}
-
-FragmentVolumes FindVolumes(const MeshCells& cells, const LabelArray& labels,
-  const Fragments& fragments, const Mesh& mesh, Runtime& runtime)
-{
-  const CellLocator locator(*mesh.Levels, labels, fragments);
-  FragmentVolumes volumes(
-    cells.Grid, cells.Fractions, fragments.MaterialsOfFragments(), locator, runtime);
-  if (!mesh.Levels->HasFineInterfaces())
-  {
-    volumes.SetStart(MeasureFragments(mesh, cells.Grid, fragments.NumberOfFragments(), runtime));
-  }
-  return volumes;
-}
-
-} // namespace
-
-HexMethod::HexMethod(const MeshCells& cells) : TheEnergy(TargetJacobian(cells)) {}
 
 /// The numbers of points and the fragments of cells are freed at the end.
 Draft HexMethod::Make(const MeshCells& cells, MeshRun& run)
@@ -85,12 +36,18 @@ Draft HexMethod::Make(const MeshCells& cells, MeshRun& run)
   std::vector<Facet> facets =
     FindHexFacets(labelled, numbering, fragments, run.Parts, run.TheRuntime, topology);
   run.Clock.Start("Finding volumes", 0.15);
-  FragmentVolumes volumes = FindVolumes(cells, labelled.Labels, fragments, mesh, run.TheRuntime);
+  FragmentVolumes volumes = VolumesOfCells(
+    cells.Grid, cells.Fractions, *mesh.Levels, labelled.Labels, fragments, run.TheRuntime);
+  if (!mesh.Levels->HasFineInterfaces())
+  {
+    volumes.SetStart(
+      MeasureFragments(mesh, cells.Grid, fragments.NumberOfFragments(), run.TheRuntime));
+  }
   return { .Elements = std::move(mesh),
     .Facets = std::move(facets),
     .Volumes = std::move(volumes),
     .RequestedFamilies = std::move(labelled.Levels.RequestedFamilies),
-    .Barrier = { !labelled.Narrow.IsEmpty() },
+    .Barrier = labelled.Barrier(),
     .WholeCells = topology.WholeCells };
 }
 
@@ -125,7 +82,7 @@ void HexMethod::Attach(const LevelInterfaces& interfaces, const Draft& draft, Me
 
 SmoothingRamp HexMethod::Ramp(const MeshCells&) const
 {
-  return HexRamp;
+  return HexRamp();
 }
 
 void HexMethod::StartMoves(
@@ -134,8 +91,7 @@ void HexMethod::StartMoves(
   std::vector<int>().swap(this->Active.PointOf);
   if (!HasCurvedEdges(cells.Options)) // bulges are measured by facets and ids
   {
-    this->Packed.emplace(PackedDraft{ PackedIds(draft.Elements.PointIds),
-      PackedIds(draft.Elements.ElementIds), PackedFacets(draft.Facets) });
+    this->Packed.emplace(draft.Elements, draft.Facets);
   }
 }
 
@@ -144,9 +100,7 @@ void HexMethod::RestoreDraft(const MeshCells&, MeshRun&, Draft& draft)
   if (this->Packed)
   {
     this->Active.Rings = HexRings(); // before the lists, which would add to the peak of memory
-    draft.Elements.PointIds = this->Packed->PointIds.Unpack();
-    draft.Elements.ElementIds = this->Packed->ElementIds.Unpack();
-    draft.Facets = this->Packed->Facets.Unpack();
+    this->Packed->Unpack(draft.Elements, draft.Facets);
     this->Packed.reset();
   }
 }

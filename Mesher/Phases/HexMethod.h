@@ -32,18 +32,11 @@ public:
   void EndMoves(MeshRun& run, Draft& draft) override;
 
 private:
-  /// Lists of the draft that nothing reads while points move.
-  struct PackedDraft
-  {
-    PackedIds PointIds, ElementIds;
-    PackedFacets Facets;
-  };
-
   HexEnergy TheEnergy;
   LabelledGrid Labelled;
   ActiveMesh Active;
   std::optional<ActiveCorners> Corners; // of the draft while points move
-  std::optional<PackedDraft> Packed;
+  std::optional<PackedLists> Packed;    // of the draft while points move
 };
 
 } // namespace vfm

@@ -1,12 +1,11 @@
 #include "Phases/MeshOfCells.h"
 
+#include "Options/SetOptions.h"
 #include "Phases/FinishMesh.h"
 #include "Phases/FitElements.h"
 #include "Phases/HexMethod.h"
 #include "Phases/TetMethods.h"
-#include "Ranks/Errors.h"
 
-#include <sstream>
 #include <stdexcept>
 
 namespace vfm
@@ -14,50 +13,13 @@ namespace vfm
 namespace
 {
 
-void CheckRange(const char* name, double value, const NumberRange& range)
+void CheckOptions(const MeshOptions& options, ElementKind elements)
 {
-  if (!(value >= range.Least && value <= range.Most))
-  {
-    std::ostringstream text;
-    text << name << " is " << value << ": it must lie in [" << range.Least << ", " << range.Most
-         << "].";
-    throw InputError(text.str());
-  }
-}
-
-void CheckOptions(const MeshOptions& options)
-{
-  if (!(options.IsoValue > 0.0 && options.IsoValue < 1.0))
-  {
-    throw InputError("IsoValue is " + std::to_string(options.IsoValue) +
-      ": it must lie between 0 and 1, both excluded.");
-  }
-  if (!(options.TargetScaledJacobian >= 0.0 && options.TargetScaledJacobian < 1.0))
-  {
-    throw InputError("TargetScaledJacobian is " + std::to_string(options.TargetScaledJacobian) +
-      ": it must lie in [0, 1); 0 selects it automatically.");
-  }
-  CheckRange("LeastThickness", options.LeastThickness, LeastThicknesses);
-  if (options.Levels.Refinements < 0 || options.Levels.FineLayers < 2)
-  {
-    throw InputError("FineLayers is " + std::to_string(options.Levels.FineLayers) +
-      " and there are " + std::to_string(options.Levels.Refinements) +
-      " refinements: at least 2 layers and 0 refinements are needed.");
-  }
-}
-
-void CheckTetGenOptions(const MeshOptions& options)
-{
-  if (options.Method == TetMethod::TetGen && !HasTetGen())
-  {
-    throw InputError(
-      "This build has no TetGen (VFM_ENABLE_TETGEN): choose the method Cells or Lattice.");
-  }
-  CheckRange("RelativeSize", options.RelativeSize, RelativeSizes);
-  CheckRange("Growth", options.Growth, Growths);
-  CheckRange("RadiusEdgeRatio", options.RadiusEdgeRatio, RadiusEdgeRatios);
-  CheckRange("MinimumDihedralAngle", options.MinimumDihedralAngle, MinimumDihedralAngles);
-  CheckRange("OptimizationLevel", options.OptimizationLevel, OptimizationLevels);
+  MesherOptions all;
+  static_cast<MeshSettings&>(all) = options;
+  static_cast<LevelSettings&>(all) = options.Levels;
+  all.Elements = elements;
+  CheckOptions(all);
 }
 
 /// Returns whether the grid has at least the required ghost layers and exactly
@@ -94,7 +56,7 @@ Mesh MakeMesh(const MeshCells& cells, ElementMethod& method, MeshRun& run)
 Mesh MakeHexMesh(const CartesianGrid& grid, const FractionField& fractions,
   const MeshOptions& options, Runtime& runtime, MeshReport& report)
 {
-  CheckOptions(options);
+  CheckOptions(options, ElementKind::Hexes);
   report = MeshReport();
   if (!HasLayers(grid, LayersFor(options.Levels)))
   {
@@ -109,8 +71,12 @@ Mesh MakeHexMesh(const CartesianGrid& grid, const FractionField& fractions,
 Mesh MakeTetMesh(const CartesianGrid& grid, const FractionField& fractions,
   const MeshOptions& options, Runtime& runtime, MeshReport& report)
 {
-  CheckOptions(options);
-  CheckTetGenOptions(options);
+  CheckOptions(options, ElementKind::Tets);
+  if (options.Method == TetMethod::TetGen && !HasTetGen())
+  {
+    throw InputError(
+      "This build has no TetGen (VFM_ENABLE_TETGEN): choose the method Cells or Lattice.");
+  }
   report = MeshReport();
   MeshOptions own = options;
   own.Levels.FineInterfaces = true; // tets support no other setting

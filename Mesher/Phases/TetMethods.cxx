@@ -1,11 +1,9 @@
 #include "Phases/TetMethods.h"
 
 #include "Elements/MeasureFragments.h"
+#include "Elements/ResolveCells.h"
 #include "Elements/Tet/CellTets.h"
 #include "Elements/Tet/LatticeTopology.h"
-#include "Phases/FitElements.h"
-#include "Phases/MakeLevels.h"
-#include "Phases/ResolveCells.h"
 #include "Ranks/Agreement.h"
 #include "Smoothing/Attach.h"
 #include "Smoothing/Tet/MakeCoarseTets.h"
@@ -28,57 +26,11 @@ constexpr int LateFlips = 5;               // sweeps between two rounds of flips
 // corners.
 constexpr double CurvedWeight = 30.0;
 
-/// Sets the GeometryId of points inside fragments.
-void FillInside(Mesh& mesh)
-{
-  mesh.GeometryId = Buffer<int>(mesh.PointIds.size());
-  for (std::size_t at = 0; at < mesh.Elements.size(); ++at)
-  {
-    mesh.GeometryId[mesh.Elements[at]] = mesh.Fragment[at / 4];
-  }
-}
-
-/// Sets the fragment of each tet of the method Cells to the fragment of its cell. A tet between two
-/// cells of one label gets the fragment of the lower cell.
-void FillFragments(const CartesianGrid& grid, const Fragments& fragments, Mesh& mesh)
-{
-  mesh.Fragment = Buffer<int>(mesh.ElementIds.size());
-  for (std::size_t t = 0; t < mesh.ElementIds.size(); ++t)
-  {
-    Index centre = mesh.Elements[4 * t + 3];
-    if (IsCentre(mesh, mesh.PointIds[mesh.Elements[4 * t]]))
-    {
-      centre = mesh.Elements[4 * t];
-    }
-    mesh.Fragment[t] = fragments.FragmentOfCell(CellOfCentre(grid, mesh, mesh.PointIds[centre]));
-  }
-}
-
 } // namespace
 
 TetMethodBase::TetMethodBase(const MeshCells& cells) :
   Kind(cells.Options.Method), TheEnergy(FloorsOf(cells.Options))
 {
-}
-
-/// Makes the tets of coarse cells. Refines more families until all tets start with positive
-/// volumes.
-std::unique_ptr<const CoarseTets> TetMethodBase::MakeCoarse(
-  const MeshCells& cells, MeshRun& run, LevelHexes& levels)
-{
-  LevelPlan plan = cells.Options.Levels;
-  const std::vector<Index> crossed =
-    plan.Refinements > 0 ? this->FindCrossedNodes(cells) : std::vector<Index>();
-  for (;; ++run.Report.LevelRounds)
-  {
-    MakeLevels(cells.Grid, this->Labels, crossed, { cells.Options.MeshVoid, true, true }, plan,
-      run.TheRuntime, run.Report, levels);
-    SmoothedTets made = MakeCoarseTets(*levels.Coarse, this->TheEnergy, run.TheRuntime);
-    if (!AddFamilies(made.BadFamilies, plan, run.Group()))
-    {
-      return std::move(made.Tets);
-    }
-  }
 }
 
 Draft TetMethodBase::Make(const MeshCells& cells, MeshRun& run)
@@ -89,7 +41,9 @@ Draft TetMethodBase::Make(const MeshCells& cells, MeshRun& run)
   this->Mixed = FindMixedNodes(cells.Grid, this->Labels);
   this->StartTets(cells, run);
   LevelHexes levels;
-  const std::unique_ptr<const CoarseTets> coarse = this->MakeCoarse(cells, run, levels);
+  const std::unique_ptr<const CoarseTets> coarse = MakeCoarseTets(cells, this->Labels,
+    cells.Options.Levels.Refinements > 0 ? this->FindCrossedNodes(cells) : std::vector<Index>(),
+    this->TheEnergy, run, levels);
   const NarrowVoid narrow =
     FindBarrier(cells.Options, *levels.Grid, this->Labels, this->Mixed, run.TheRuntime);
   run.Report.NarrowVoidCells = SumOverRanks(narrow.CountOwned(), run.Group());
@@ -210,9 +164,8 @@ FragmentVolumes CellsMethod::FindFragments(
 {
   const Fragments fragments(cells.Grid, this->Labels, cells.Options.MeshVoid, run.Parts);
   run.Report.NumberOfFragments = fragments.NumberOfFragments();
-  const CellLocator locator(*topology.Tets.Levels, this->Labels, fragments);
-  FragmentVolumes volumes(
-    cells.Grid, cells.Fractions, fragments.MaterialsOfFragments(), locator, run.TheRuntime);
+  FragmentVolumes volumes = VolumesOfCells(
+    cells.Grid, cells.Fractions, *topology.Tets.Levels, this->Labels, fragments, run.TheRuntime);
   FillFragments(cells.Grid, fragments, topology.Tets);
   return volumes;
 }

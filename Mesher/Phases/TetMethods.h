@@ -56,10 +56,6 @@ protected:
   std::vector<PointPosition> Positions;
   TetFaces Faces;
   ActiveTets Active;
-
-private:
-  std::unique_ptr<const CoarseTets> MakeCoarse(
-    const MeshCells& cells, MeshRun& run, LevelHexes& levels);
 };
 
 /// Tets of the method Lattice, cut where the labels of lattice nodes differ.

@@ -1,6 +1,7 @@
 #include "Smoothing/AttachFeatures.h"
 
 #include "Elements/PeriodicIds.h"
+#include "Smoothing/RefineTargets.h"
 
 namespace vfm
 {
@@ -77,6 +78,21 @@ void SetDemands(std::vector<float> bluntness, ActiveMesh& active)
   }
 }
 
+/// Reports the numbers of points on edges and corners.
+void CountCarriers(const std::vector<FeatureKind>& kinds, const ActiveMesh& active, MeshRun& run)
+{
+  std::vector<std::int64_t> counts(2, 0);
+  active.ForOwned(
+    [&](int point)
+    {
+      counts[0] += kinds[point] == FeatureKind::Edge;
+      counts[1] += kinds[point] == FeatureKind::Corner;
+    });
+  run.Group().Sum(counts);
+  run.Report.EdgePoints = counts[0];
+  run.Report.CornerPoints = counts[1];
+}
+
 } // namespace
 
 std::vector<FeatureKind> AttachFeatures(const InterfaceFeatures& features,
@@ -95,6 +111,31 @@ std::vector<FeatureKind> AttachFeatures(const InterfaceFeatures& features,
     SetDemands(std::move(pulls.Bluntness), active);
   }
   return std::move(pulls.Kinds);
+}
+
+std::vector<FeatureKind> AttachToFeatures(const MeshCells& cells, const Interface& interface,
+  const std::vector<Facet>& facets, const Mesh& mesh, MeshRun& run, SurfaceTargets& targets,
+  ActiveMesh& active)
+{
+  const MeshOptions& options = cells.Options;
+  const bool hasQuadrics =
+    options.IsoValue == 0.5 && options.Smoothing == SmoothingMethod::QuadricSurface;
+  const Index firstTarget = targets.Count() - static_cast<Index>(interface.Points().size());
+  std::vector<FeatureKind> kinds(active.X.size(), FeatureKind::None);
+  if (options.SharpEdges != SharpEdgeMode::Off && hasQuadrics)
+  {
+    run.Clock.Start("Finding sharp features", 0.22);
+    const SharpFeatures features(interface, cells.Fractions, targets, firstTarget,
+      options.SharpEdges, run.Parts, run.TheRuntime);
+    kinds = AttachFeatures(
+      { features, interface, firstTarget }, facets, mesh, targets, active, run.TheRuntime);
+    CountCarriers(kinds, active, run);
+  }
+  if (HasCurvedEdges(options) && hasQuadrics)
+  {
+    RefineTargets(interface, cells.Fractions, firstTarget, active, run.TheRuntime, targets);
+  }
+  return kinds;
 }
 
 } // namespace vfm

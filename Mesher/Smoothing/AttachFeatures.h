@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "Elements/Mesh.h"
+#include "Elements/MeshRun.h"
 #include "SharpFeatures/Attach.h"
 #include "Smoothing/ActiveMesh.h"
 
@@ -19,5 +19,16 @@ namespace vfm
 std::vector<FeatureKind> AttachFeatures(const InterfaceFeatures& features,
   const std::vector<Facet>& facets, const Mesh& mesh, SurfaceTargets& targets, ActiveMesh& active,
   Runtime& runtime);
+
+/// Finds the edges of interfaces, if the options request it, and attracts the attached points to
+/// them. Refines the targets of curved elements.
+/// @param interface  interface of the finest grid
+/// @param facets  facets whose edges may be sharp
+/// @param[in,out] targets,active  targets and attached points; points near edges get new targets
+/// @return kind of every point of the active mesh
+/// @pre Collective.
+std::vector<FeatureKind> AttachToFeatures(const MeshCells& cells, const Interface& interface,
+  const std::vector<Facet>& facets, const Mesh& mesh, MeshRun& run, SurfaceTargets& targets,
+  ActiveMesh& active);
 
 } // namespace vfm

@@ -628,4 +628,13 @@ void Smoother::MarkNeighbours(int point)
   this->Mesh.ForNear(point, [this](int other) { this->Mark(other); });
 }
 
+void Smoother::ReportMoves(MeshReport& report) const
+{
+  std::vector<std::int64_t> sums{ this->NumberOfPoints, this->NumberOfVisits };
+  this->Run.Group().Sum(sums);
+  report.SmoothedPoints = sums[0];
+  report.Sweeps = this->NumberOfSweeps;
+  report.Visits = sums[1];
+}
+
 } // namespace vfm

@@ -20,6 +20,7 @@
  */
 #pragma once
 
+#include "Elements/MeshReport.h"
 #include "Interface/SurfaceTargets.h"
 #include "Smoothing/Guard.h"
 
@@ -92,11 +93,11 @@ public:
   const SurfaceTargets& TheTargets() const { return *this->Targets; }
   const ElementEnergy& TheEnergy() const { return this->Energy; }
   Runtime& TheRuntime() const { return this->Run; }
-  /// Points returns the number of points of this rank, Sweeps the number of sweeps so far, Visits
-  /// the number of visits to these points in them.
-  Index Points() const { return this->NumberOfPoints; }
+  /// Returns the number of sweeps so far.
   int Sweeps() const { return this->NumberOfSweeps; }
-  Index Visits() const { return this->NumberOfVisits; }
+  /// Reports the points, the sweeps and the visits to points in them.
+  /// @pre Collective.
+  void ReportMoves(MeshReport& report) const;
 
   /// Returns whether each point may have moved since ForgetMoved; at first all.
   const std::vector<unsigned char>& MovedPoints() const { return this->HasMoved; }

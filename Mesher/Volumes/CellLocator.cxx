@@ -107,4 +107,11 @@ int CellLocator::FindNear(const Index3& cell, int material) const
     });
 }
 
+FragmentVolumes VolumesOfCells(const CartesianGrid& grid, const FractionField& fractions,
+  const RefinedGrid& levels, const LabelArray& labels, const Fragments& fragments, Runtime& runtime)
+{
+  const CellLocator locator(levels, labels, fragments);
+  return FragmentVolumes(grid, fractions, fragments.MaterialsOfFragments(), locator, runtime);
+}
+
 } // namespace vfm

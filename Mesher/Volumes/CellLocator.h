@@ -38,4 +38,10 @@ private:
   const Fragments& Pieces;
 };
 
+/// Returns the volumes of fragments that consist of cells or leaves.
+/// @pre Collective.
+FragmentVolumes VolumesOfCells(const CartesianGrid& grid, const FractionField& fractions,
+  const RefinedGrid& levels, const LabelArray& labels, const Fragments& fragments,
+  Runtime& runtime);
+
 } // namespace vfm

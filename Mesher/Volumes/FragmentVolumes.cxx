@@ -15,6 +15,15 @@ constexpr double LargestTakeover = 0.1;
 // Relative error above which a push is in vain and only makes elements worse.
 constexpr double LargestPushedError = 0.5;
 
+std::vector<double> Multiplied(std::vector<double> values, double factor)
+{
+  for (double& value : values)
+  {
+    value *= factor;
+  }
+  return values;
+}
+
 } // namespace
 
 int FindNearestCell(const CartesianGrid& grid, const Index3& cell,
@@ -420,6 +429,18 @@ std::vector<Index> FragmentVolumes::MaterialFragments() const
     ++fragments[this->Materials[f]];
   }
   return fragments;
+}
+
+void ReportVolumes(const CartesianGrid& grid, const FragmentVolumes& volumes, MeshReport& report)
+{
+  const double cellVolume = Cube(grid.MeanWidth());
+  report.TargetVolume = Multiplied(volumes.MaterialTargets(), cellVolume);
+  report.MeshVolume = Multiplied(volumes.MaterialVolumes(), cellVolume);
+  report.FragmentTargetVolume = Multiplied(volumes.FragmentTargets(), cellVolume);
+  for (Index fragments : volumes.MaterialFragments())
+  {
+    report.Materials.push_back({ 0, fragments });
+  }
 }
 
 } // namespace vfm

@@ -14,6 +14,7 @@
  */
 #pragma once
 
+#include "Elements/MeshReport.h"
 #include "Labels/Fragments.h"
 #include "Volumes/FacetSums.h"
 
@@ -172,5 +173,9 @@ private:
   std::vector<PairSum> Areas;          // interface areas of pairs of fragments
   std::vector<double> TotalOfMaterial; // total volume of each material in the fractions
 };
+
+/// Writes the volumes of materials and fragments into the report, in length units cubed, and the
+/// number of fragments per material.
+void ReportVolumes(const CartesianGrid& grid, const FragmentVolumes& volumes, MeshReport& report);
 
 } // namespace vfm

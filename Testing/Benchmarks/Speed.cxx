@@ -17,6 +17,7 @@
 #include "Elements/MeasureFragments.h"
 #include "Input/MakePartition.h"
 #include "MeasureAlone.h"
+#include "Options/OptionTable.h"
 #include "RankMeshes.h"
 #include "RealCases.h"
 #include "SerialTimes.h"
@@ -310,6 +311,7 @@ void Print(const std::string& name, int threads, int ranks, const Outcome& o)
 
 int main(int argc, char** argv)
 {
+  GetOptionTable(); // front ends have it before the fields, too: later it would split free memory
   const std::string requested = argc > 1 ? argv[1] : "all";
   const auto argument = [&](int a, int otherwise)
   { return argc > a ? std::max(1, std::atoi(argv[a])) : otherwise; };

@@ -200,7 +200,9 @@ class Documents(unittest.TestCase):
                          for name in re.findall(r"build/bin/(\w+)", text)
                          if not re.search(r"\b%s\b" % name, targets)]
             for pattern in re.findall(r"--gtest_filter='([^']+)'", text):
-                # The part before a slash is an instance, which a star also matches.
+                # The part before a slash is an instance, which a star also matches; a part after
+                # the name of a test is a parameter.
+                pattern = re.sub(r"(\.\w+)/[^/]*$", r"\1", pattern)
                 if not any(fnmatch.fnmatchcase(prefix + name, pattern) for name in tests
                            for prefix in ("", "All/")):
                     problems.append("%s: no test %s" % (page, pattern))

@@ -3,6 +3,8 @@
 #include "CheckPeriods.h"
 #include "CurvedNodes.h"
 #include "GeometryChecks.h"
+#include "Labels/LabelCondition.h"
+#include "Labels/ResolveLabels.h"
 #include "Modify/AddLayers.h"
 #include "Modify/AddMidNodes.h"
 #include "Modify/SplitInterfaces.h"
@@ -20,13 +22,22 @@ namespace testing
 namespace
 {
 
-constexpr double VolumeTolerance = 1e-9; // relative to the volume of the domain
+// Relative to the volume of the domain; of a material on ranks and on one.
+constexpr double VolumeTolerance = 1e-9, RankTolerance = 1e-13;
 
 std::string Describe(const char* what, double value, Index id)
 {
   char text[120];
   std::snprintf(text, sizeof text, "%s %.3g, id %lld", what, value, static_cast<long long>(id));
   return text;
+}
+
+/// Returns the first problem, or an empty string.
+std::string FirstOf(std::initializer_list<std::string> problems)
+{
+  const auto at = std::find_if(
+    problems.begin(), problems.end(), [](const std::string& text) { return !text.empty(); });
+  return at == problems.end() ? "" : *at;
 }
 
 double VolumeOf(const CartesianGrid& grid, const IndexBox& box)
@@ -116,10 +127,43 @@ std::string FindVolumeProblem(const FuzzCase& c, const Mesh& mesh, const MeshRep
     : "";
 }
 
+/// Checks that the labels of the cells meet the condition at all nodes, and that the mesh has one
+/// hex for each meshed cell and for each of its faces to another label.
+std::string FindLabelProblem(const FuzzCase& c, const Mesh& mesh)
+{
+  Runtime runtime;
+  LabelArray labels = AssignMaterials(c.Grid, c.Fractions, c.Options.IsoValue);
+  ResolveLabels(c.Grid, c.Fractions, labels, Partition(c.Grid, runtime.Group()), runtime);
+  for (Index node : FindMixedNodes(c.Grid, labels))
+  {
+    if (CountViolations(StarOfNode(c.Grid, labels, node)) > 0)
+    {
+      return "the labels violate the condition at node " + std::to_string(node);
+    }
+  }
+  std::size_t count = 0;
+  ForCells(c.Grid.Owned(),
+    [&](const Index3& p)
+    {
+      const int label = labels[c.Grid.Linear(p)];
+      const bool isMeshed = label != 0 || c.Options.MeshVoid;
+      count += isMeshed;
+      for (int face = 0; isMeshed && face < 6; ++face)
+      {
+        Index3 q = p;
+        q[face / 2] += face & 1 ? 1 : -1;
+        count += c.Grid.InDomain(q) && labels[c.Grid.Linear(q)] != label;
+      }
+    });
+  return count == mesh.ElementIds.size()
+    ? ""
+    : std::to_string(mesh.ElementIds.size()) + " hexes instead of " + std::to_string(count);
+}
+
 /// Checks that the mesh has the fragments of its cells, that the same pairs of them touch, and that
 /// no tet of the lattice has all points on interfaces or sides. Not if interfaces cross levels:
 /// then poor hexes refine cells further, so the cells are not known.
-std::string FindTruthProblem(const FuzzCase& c, const Mesh& mesh)
+std::string FindTruthProblem(const FuzzCase& c, const Mesh& mesh, Index locked)
 {
   if (c.Make == MakeHexMesh && InterfacesCrossLevels(c.Options))
   {
@@ -130,8 +174,10 @@ std::string FindTruthProblem(const FuzzCase& c, const Mesh& mesh)
   const std::string problem =
     FindCellProblem(c.Grid, mesh, MakeCells(c.Grid, c.Fractions, options));
   const bool mayLock = c.Make == MakeHexMesh || c.Options.Method == TetMethod::TetGen;
-  const Index locked = mayLock ? 0 : CountLocked(mesh);
-  return problem.empty() && locked > 0 ? std::to_string(locked) + " locked elements" : problem;
+  const bool hasLaw =
+    c.Make == MakeHexMesh && c.Options.Levels.Refinements == 0 && !c.Options.StairStep;
+  return FirstOf({ problem, hasLaw ? FindLabelProblem(c, mesh) : "",
+    mayLock || locked == 0 ? "" : std::to_string(locked) + " locked elements" });
 }
 
 /// Checks that no elements overlap and no points coincide.
@@ -145,21 +191,14 @@ std::string FindSpaceProblem(const Mesh& mesh, FuzzResult& result)
                             : "";
 }
 
-/// Returns the first problem, or an empty string.
-std::string FirstOf(std::initializer_list<std::string> problems)
-{
-  const auto at = std::find_if(
-    problems.begin(), problems.end(), [](const std::string& text) { return !text.empty(); });
-  return at == problems.end() ? "" : *at;
-}
-
 std::string FindMeshProblem(
   const FuzzCase& c, const Mesh& mesh, const MeshReport& report, FuzzResult& result)
 {
+  result.Locked = CountLocked(mesh);
   const auto findInBox = [&]
   {
     return FirstOf({ FindTopologyProblem(mesh), FindFragmentProblem(mesh), FindFacetProblem(mesh),
-      FindTruthProblem(c, mesh) });
+      FindTruthProblem(c, mesh, result.Locked) });
   };
   return FirstOf({ FindJacobianProblem(c, mesh, result),
     c.Grid.IsPeriodic() ? FindSideProblem(c, mesh) : findInBox(), FindPlaceProblem(c.Grid, mesh),
@@ -243,11 +282,42 @@ std::string FindModifiedProblem(const FuzzCase& c, Mesh& mesh, MeshReport& repor
       return Describe("smallest coefficient of a layer", smallest, mesh.ElementIds[e]);
     }
   }
+  const bool isWhole = c.Split.empty() && !c.Grid.IsPeriodic();
   return FirstOf(
-    { c.Split.empty() ? FindTopologyProblem(mesh) : "", FindVolumeProblem(c, mesh, report) });
+    { c.Split.empty() ? FindTopologyProblem(mesh) : "", isWhole ? FindFragmentProblem(mesh) : "",
+      isWhole ? FindFacetProblem(mesh) : "", FindVolumeProblem(c, mesh, report) });
 }
 
-std::string FindRanksProblem(const FuzzCase& c, const RankMesh& alone)
+/// Checks the tets of TetGen on several ranks, which fills the part of each rank separately.
+std::string FindPartsProblem(const FuzzCase& c, const RankMesh& made, const RankMesh& alone)
+{
+  const Mesh merged = made.Merged.Join();
+  const std::string geometry = FindGeometryDifference(made.Merged, alone.Merged);
+  FuzzResult unused;
+  if (c.Grid.IsPeriodic()) // the elements of joined sides have no volume
+  {
+    const bool isJoined = c.PeriodicSides == Sides::Joined;
+    return FirstOf({ geometry, isJoined ? std::string() : FindJacobianProblem(c, merged, unused),
+      FindTorusProblem(c, merged, made.Reports[0]) });
+  }
+  for (const MeshReport& report : made.Reports)
+  {
+    for (std::size_t m = 0; m < report.MeshVolume.size(); ++m)
+    {
+      const double volume = alone.Reports[0].MeshVolume[m];
+      if (!(std::fabs(report.MeshVolume[m] - volume) <= RankTolerance * volume))
+      {
+        return Describe("volume differs by", report.MeshVolume[m] / volume - 1.0, Index(m));
+      }
+    }
+  }
+  return FirstOf({ geometry, FindJacobianProblem(c, merged, unused), FindTopologyProblem(merged),
+    FindFragmentProblem(merged), FindGeometryProblem(made.Merged),
+    FindVolumeProblem(c, merged, made.Reports[0]) });
+}
+
+std::string FindRanksProblem(
+  const FuzzCase& c, const std::vector<IndexBox>& boxes, const RankMesh& alone)
 {
   const MeshMaker make = c.Grid.IsPeriodic() ? MakerOfTorus(c) : c.Make;
   const RankMeshChange modify = [&c](Runtime& runtime, Mesh& mesh, MeshReport& report)
@@ -257,28 +327,18 @@ std::string FindRanksProblem(const FuzzCase& c, const RankMesh& alone)
       Modify(c, runtime, mesh, report);
     }
   };
-  const RankMesh made = MakeOnRanks(c.Grid, c.Fractions, c.Boxes, c.Options, make, modify);
-  if (KnowsCells(c))
-  {
-    return FindDifference(made, alone);
-  }
-  const Mesh merged = made.Merged.Join(); // TetGen fills the part of each rank separately
-  FuzzResult unused;
-  if (c.Grid.IsPeriodic()) // the elements of joined sides have no volume
-  {
-    const bool isJoined = c.PeriodicSides == Sides::Joined;
-    return FirstOf({ FindGeometryDifference(made.Merged, alone.Merged),
-      isJoined ? std::string() : FindJacobianProblem(c, merged, unused),
-      FindTorusProblem(c, merged, made.Reports[0]) });
-  }
-  return FirstOf({ FindGeometryDifference(made.Merged, alone.Merged),
-    FindJacobianProblem(c, merged, unused), FindTopologyProblem(merged),
-    FindFragmentProblem(merged), FindVolumeProblem(c, merged, made.Reports[0]) });
+  const RankMesh made = MakeOnRanks(c.Grid, c.Fractions, boxes, c.Options, make, modify);
+  return KnowsCells(c) ? FindDifference(made, alone) : FindPartsProblem(c, made, alone);
 }
 
 } // namespace
 
 FuzzResult CheckCase(const FuzzCase& c)
+{
+  return CheckCase(c, c.Boxes.empty() ? Cuts() : Cuts{ c.Boxes });
+}
+
+FuzzResult CheckCase(const FuzzCase& c, const Cuts& cuts)
 {
   FuzzResult result;
   Runtime runtime;
@@ -316,11 +376,13 @@ FuzzResult CheckCase(const FuzzCase& c)
   {
     result.ScaledJacobian = alone.Reports[0].MinimumScaledJacobian;
   }
-  if (!c.Boxes.empty())
+  for (const std::vector<IndexBox>& boxes : cuts)
   {
-    const std::string problem = FindRanksProblem(c, alone);
-    result.Problem += problem.empty() ? "" : " ranks: " + problem;
+    const std::string problem = FindRanksProblem(c, boxes, alone);
+    result.Problem +=
+      problem.empty() ? "" : " " + std::to_string(boxes.size()) + " ranks: " + problem;
   }
+  result.Report = std::move(alone.Reports[0]);
   return result;
 }
 

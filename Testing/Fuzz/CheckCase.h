@@ -1,5 +1,5 @@
 /**
- * Checks of all guarantees for the mesh of a random case.
+ * Checks of all guarantees for the mesh of a case.
  */
 #pragma once
 
@@ -18,10 +18,15 @@ struct FuzzResult
   double Coefficient = 1e300;
   double ScaledJacobian = 1e300; ///< smallest of all elements
   double Overlap = 0.0;          ///< ElementOverlaps::Depth
+  Index Locked = 0;              ///< CountLocked
+  MeshReport Report;             ///< of the mesh on one rank
 };
 
-/// Makes the mesh of a case on one rank and on the ranks of the case.
+using Cuts = std::vector<std::vector<IndexBox>>; ///< boxes of the ranks of each run
+
+/// Makes the mesh of a case on one rank, and on the ranks of the case or of each cut.
 FuzzResult CheckCase(const FuzzCase& c);
+FuzzResult CheckCase(const FuzzCase& c, const Cuts& cuts);
 
 } // namespace testing
 } // namespace vfm

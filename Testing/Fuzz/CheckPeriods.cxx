@@ -18,7 +18,7 @@ namespace
 {
 
 // Tolerance of flat sides, relative to the period, or to coordinates far from the origin.
-constexpr double PlaneTolerance = 1e-12, Rounding = 1e-15;
+constexpr double PlaneTolerance = 2e-14, Rounding = 1e-15;
 
 /// Checks that no point is beyond flat sides.
 std::string FindPlaneProblem(const CartesianGrid& grid, const Mesh& mesh)

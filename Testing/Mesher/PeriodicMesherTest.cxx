@@ -137,6 +137,23 @@ struct MeshById
   }
 };
 
+/// A mesh from a file has no facets: a search finds those of the mesher.
+void ExpectFacetsAreFoundAgain(const MesherResult& result, Ranks& ranks)
+{
+  MeshData mesh = ViewMesh(result.TheMesh, result.State, result.Fields);
+  mesh.Facets = nullptr;
+  const std::vector<MeshFacet> found = FindMeshFacets(mesh, ranks);
+  const std::vector<MeshFacet>& expected = result.TheMesh.Facets;
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t f = 0; f < found.size(); ++f)
+  {
+    EXPECT_EQ(found[f].Element, expected[f].Element);
+    EXPECT_EQ(found[f].Side, expected[f].Side);
+    EXPECT_EQ(found[f].Behind, expected[f].Behind);
+    EXPECT_EQ(found[f].DomainSide, expected[f].DomainSide);
+  }
+}
+
 } // namespace
 
 TEST_P(PeriodicMesher, PairsAreExactTranslates)
@@ -223,14 +240,10 @@ TEST_P(PeriodicMesher, NodeSetsOfOppositeSidesBeginInTheSameOrder)
   }
 }
 
-TEST_P(PeriodicMesher, RanksGiveTheSameMesh)
+TEST_P(PeriodicMesher, RanksGiveTheSameMeshAndFindItsFacets)
 {
-  Runtime serial;
   MeshById alone;
-  alone.Add(
-    RunMesher(MakeInput(this->GetParam(), serial.Group()), OptionsOf(this->GetParam()), serial)
-      .TheMesh);
-  for (int count : { 2, 3, 8 })
+  for (int count : { 1, 2, 3, 8 })
   {
     MeshById joined;
     std::mutex mutex;
@@ -240,39 +253,14 @@ TEST_P(PeriodicMesher, RanksGiveTheSameMesh)
         RankRuntime runtime(ranks);
         const MesherResult result =
           RunMesher(MakeInput(this->GetParam(), ranks), OptionsOf(this->GetParam()), runtime);
+        ExpectFacetsAreFoundAgain(result, ranks);
         const std::lock_guard<std::mutex> lock(mutex);
         joined.Add(result.TheMesh);
       });
+    alone = count == 1 ? joined : alone;
     EXPECT_TRUE(joined.Points == alone.Points);
     EXPECT_TRUE(joined.Elements == alone.Elements);
     EXPECT_TRUE(joined.Sides == alone.Sides);
-  }
-}
-
-/// A mesh from a file has no facets.
-TEST_P(PeriodicMesher, FacetsAreFoundAgain)
-{
-  for (int count : { 1, 3 })
-  {
-    RunOnRanks(count,
-      [&](ThreadRanks& ranks)
-      {
-        RankRuntime runtime(ranks);
-        const MesherResult result =
-          RunMesher(MakeInput(this->GetParam(), ranks), OptionsOf(this->GetParam()), runtime);
-        MeshData mesh = ViewMesh(result.TheMesh, result.State, result.Fields);
-        mesh.Facets = nullptr;
-        const std::vector<MeshFacet> found = FindMeshFacets(mesh, ranks);
-        const std::vector<MeshFacet>& expected = result.TheMesh.Facets;
-        ASSERT_EQ(found.size(), expected.size());
-        for (std::size_t f = 0; f < found.size(); ++f)
-        {
-          EXPECT_EQ(found[f].Element, expected[f].Element);
-          EXPECT_EQ(found[f].Side, expected[f].Side);
-          EXPECT_EQ(found[f].Behind, expected[f].Behind);
-          EXPECT_EQ(found[f].DomainSide, expected[f].DomainSide);
-        }
-      });
   }
 }
 

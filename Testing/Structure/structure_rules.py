@@ -56,7 +56,7 @@ ALLOWED.update({
     "Testing/IO": MESHES + (
         "Shapes", "IO", "IO/Blocks", "IO/GridFiles", "IO/Images", "IO/Labels", "IO/Meshes",
         "IO/Report", "Testing/Inputs", "Testing/Support"),
-    "Testing/Mesher": MESHES + ("Shapes", "Testing/Inputs", "Testing/Support"),
+    "Testing/Mesher": MESHES + ("Shapes", "Testing/Fuzz", "Testing/Inputs", "Testing/Support"),
     "Testing/Parallel": BASE + ("Parallel/Vtk", "Testing/Support"),
     "Testing/Digests": MESHES + ("Shapes", "Testing/Inputs"),
     "Testing/InSitu": BASE + ("Parallel/Vtk", "Filters", "Filters/Data", "InSitu",

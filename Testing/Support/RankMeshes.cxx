@@ -1,6 +1,7 @@
 #include "RankMeshes.h"
 
 #include "GeometryChecks.h"
+#include "Octree/OctreeKeys.h"
 
 #include <gtest/gtest.h>
 
@@ -306,6 +307,33 @@ std::vector<std::vector<Index>> MakeRandomFamilies(
         families[level].push_back(key);
       }
     }
+  }
+  return families;
+}
+
+std::vector<std::vector<Index>> RefineBelow(
+  const CartesianGrid& grid, int refinements, double share)
+{
+  std::array<std::vector<double>, 3> coordinates;
+  for (int a = 0; a < 3; ++a)
+  {
+    for (Index i = 0; i <= grid.Global().Upper[a]; i += Index(1) << refinements)
+    {
+      coordinates[a].push_back(grid.Coordinates(a)[i]);
+    }
+  }
+  const CartesianGrid base(coordinates);
+  const OctreeKeys lattice(base, refinements);
+  std::vector<std::vector<Index>> families(refinements);
+  for (int level = 0; level < refinements; ++level)
+  {
+    IndexBox box;
+    for (int a = 0; a < 3; ++a)
+    {
+      box.Upper[a] = lattice.Families(level, a);
+    }
+    box.Upper[0] = static_cast<Index>(share * static_cast<double>(box.Upper[0])) - level;
+    ForCells(box, [&](const Index3& q) { families[level].push_back(lattice.FamilyKey(level, q)); });
   }
   return families;
 }

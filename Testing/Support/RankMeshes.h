@@ -93,6 +93,11 @@ FractionField MakeNearTies(const CartesianGrid& grid, double share, unsigned see
 std::vector<std::vector<Index>> MakeRandomFamilies(
   const CartesianGrid& grid, int refinements, double chance, unsigned seed);
 
+/// Returns families of every level in the lower part of the domain along x; the box of each level
+/// is shorter than the one before.
+std::vector<std::vector<Index>> RefineBelow(
+  const CartesianGrid& grid, int refinements, double share);
+
 /// Cuts a box between base cells as CutBox does.
 std::vector<IndexBox> CutBaseBox(
   const CartesianGrid& grid, int refinements, int ranks, int axis = -1);

@@ -20,16 +20,7 @@ struct Link
   Pair Materials;
   Index First, Second; // points of the mesh
 
-  bool operator<(const Link& other) const
-  {
-    return std::tie(this->Materials, this->First, this->Second) <
-      std::tie(other.Materials, other.First, other.Second);
-  }
-  bool operator==(const Link& other) const
-  {
-    return std::tie(this->Materials, this->First, this->Second) ==
-      std::tie(other.Materials, other.First, other.Second);
-  }
+  auto operator<=>(const Link&) const = default;
 };
 
 Index PointOf(const MeshData& mesh, Index id)

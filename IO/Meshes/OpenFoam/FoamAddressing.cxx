@@ -16,11 +16,7 @@ struct OwnedFace
   int Group;              ///< 0 inner faces of the whole mesh, from 1 patches
   Index Owner, Neighbour; ///< positions of cells in the whole mesh
   Index Face;
-  bool operator<(const OwnedFace& other) const
-  {
-    return std::tie(this->Group, this->Owner, this->Neighbour, this->Face) <
-      std::tie(other.Group, other.Owner, other.Neighbour, other.Face);
-  }
+  auto operator<=>(const OwnedFace&) const = default;
 };
 
 bool IsCyclic(const FoamPatch& patch)

@@ -1,7 +1,6 @@
 #include "Elements/Hex/HexFacets.h"
 
 #include "Base/Groups.h"
-#include "Elements/BarrierElements.h"
 #include "Elements/GridCoordinates.h"
 #include "Labels/InterfaceFaces.h"
 #include "Octree/LevelIds.h"
@@ -323,7 +322,7 @@ std::vector<Facet> FindHexFacets(const LabelledGrid& labelled, const PointNumber
   const RefinedGrid& levels = *labelled.Levels.Grid;
   const CoarseHexes& coarse = *labelled.Levels.Coarse;
   const IndexBox box = levels.Finest().HexBox();
-  const DomainFacets onDomain(mesh, { !labelled.Narrow.IsEmpty() }, partition);
+  const DomainFacets onDomain(mesh, labelled.Barrier(), partition);
   const InterfaceFacets onInterfaces(levels, numbering, fragments, partition);
   std::vector<Facets> parts(4); // in their order
   const Index rowsPerLayer = box.Size(1);

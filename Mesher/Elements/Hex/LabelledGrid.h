@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include "Elements/BarrierElements.h"
 #include "Elements/Hex/CoarseHexes.h"
 #include "Labels/Labels.h"
 
@@ -34,6 +35,8 @@ struct LabelledGrid
   std::vector<Index> Mixed; ///< nodes of the grid with several labels around them
   NarrowVoid Narrow;        ///< void cells that get hexes as a barrier
   LevelHexes Levels;
+
+  BarrierElements Barrier() const { return { !this->Narrow.IsEmpty() }; }
 };
 
 } // namespace vfm

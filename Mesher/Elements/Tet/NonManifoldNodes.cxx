@@ -16,11 +16,7 @@ struct Corner
   int Material;
   Index Point;
   std::array<Index, 2> Others; // the other two points
-  bool operator<(const Corner& other) const
-  {
-    return std::tie(this->Material, this->Point, this->Others) <
-      std::tie(other.Material, other.Point, other.Others);
-  }
+  auto operator<=>(const Corner&) const = default;
 };
 
 std::vector<Corner> ListCorners(const TetTopology& topology, const TetFaces& faces)

@@ -23,4 +23,27 @@ Index3 CellOfCentre(const CartesianGrid& grid, const Mesh& mesh, Index pointId)
   return mesh.Levels->NearestCell(leaf.Level, leaf.At);
 }
 
+void FillFragments(const CartesianGrid& grid, const Fragments& fragments, Mesh& mesh)
+{
+  mesh.Fragment = Buffer<int>(mesh.ElementIds.size());
+  for (std::size_t t = 0; t < mesh.ElementIds.size(); ++t)
+  {
+    Index centre = mesh.Elements[4 * t + 3];
+    if (IsCentre(mesh, mesh.PointIds[mesh.Elements[4 * t]]))
+    {
+      centre = mesh.Elements[4 * t];
+    }
+    mesh.Fragment[t] = fragments.FragmentOfCell(CellOfCentre(grid, mesh, mesh.PointIds[centre]));
+  }
+}
+
+void FillInside(Mesh& mesh)
+{
+  mesh.GeometryId = Buffer<int>(mesh.PointIds.size());
+  for (std::size_t at = 0; at < mesh.Elements.size(); ++at)
+  {
+    mesh.GeometryId[mesh.Elements[at]] = mesh.Fragment[at / 4];
+  }
+}
+
 } // namespace vfm

@@ -25,6 +25,7 @@
 #pragma once
 
 #include "Elements/BarrierElements.h"
+#include "Labels/Fragments.h"
 
 namespace vfm
 {
@@ -57,5 +58,11 @@ bool IsCentre(const Mesh& mesh, Index pointId);
 /// Returns the finest cell of a centre. In a coarse hex, it is the finest cell inside it that is
 /// nearest to the owned cells.
 Index3 CellOfCentre(const CartesianGrid& grid, const Mesh& mesh, Index pointId);
+
+/// Sets the fragment of each tet of the method Cells to the fragment of its cell. A tet between two
+/// cells of one label gets the fragment of the lower cell.
+void FillFragments(const CartesianGrid& grid, const Fragments& fragments, Mesh& mesh);
+/// Sets the GeometryId of points inside fragments.
+void FillInside(Mesh& mesh);
 
 } // namespace vfm

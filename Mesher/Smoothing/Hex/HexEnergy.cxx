@@ -285,6 +285,20 @@ Derivatives DifferentiateBarrier(const ActiveMesh& mesh, int point, const Barrie
 
 } // namespace
 
+double TargetJacobian(const MeshSettings& options, int materials)
+{
+  const bool several = materials > 1 || options.MeshVoid;
+  return options.TargetScaledJacobian > 0.0 ? options.TargetScaledJacobian : (several ? 0.5 : 0.55);
+}
+
+const SmoothingRamp& HexRamp()
+{
+  static const SmoothingPace early{ 1.8, 4.0, 0.0, 2e-4, 5e-3 }, late{ 1.7, 4.0, 0.0, 2e-4, 4e-3 };
+  static const SmoothingRamp ramp{ { 2, 10.0, 0.05, 8, 0.0, early, 2 },
+    { 8, 60.0, 0.01, 30, 2e-3, late } };
+  return ramp;
+}
+
 double HexEnergy::Evaluate(
   const ActiveMesh& mesh, int point, const Vector3& x, const SmoothingStage& stage) const
 {

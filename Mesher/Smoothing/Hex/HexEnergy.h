@@ -19,11 +19,18 @@
  */
 #pragma once
 
+#include "Base/Options.h"
 #include "Smoothing/ElementEnergy.h"
 #include "Smoothing/Hex/PositiveHexes.h"
 
 namespace vfm
 {
+
+/// Returns the target of HexEnergy that matches the options.
+/// @param materials  number of materials in the grid
+double TargetJacobian(const MeshSettings& options, int materials);
+/// Returns the stages of smoothing of hexes.
+const SmoothingRamp& HexRamp();
 
 /// Barrier energy of valid hexes. The file comment gives the formula. Thread safe.
 class HexEnergy : public ElementEnergy

@@ -3,8 +3,8 @@
  */
 #pragma once
 
-#include "Base/Buffer.h"
 #include "Elements/Facet.h"
+#include "Elements/Mesh.h"
 
 #include <vector>
 
@@ -45,6 +45,28 @@ private:
   };
   std::vector<Packed> Facets;
   std::vector<int> Materials; // material of each fragment
+};
+
+/// The ids of a mesh and its facets.
+class PackedLists
+{
+public:
+  /// Takes the lists.
+  PackedLists(Mesh& mesh, std::vector<Facet>& facets) :
+    PointIds(mesh.PointIds), ElementIds(mesh.ElementIds), Facets(facets)
+  {
+  }
+  /// Gives them back.
+  void Unpack(Mesh& mesh, std::vector<Facet>& facets) const
+  {
+    mesh.PointIds = this->PointIds.Unpack();
+    mesh.ElementIds = this->ElementIds.Unpack();
+    facets = this->Facets.Unpack();
+  }
+
+private:
+  PackedIds PointIds, ElementIds;
+  PackedFacets Facets;
 };
 
 } // namespace vfm

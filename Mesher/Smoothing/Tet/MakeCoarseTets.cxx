@@ -4,6 +4,7 @@
 #include "Elements/TetQuality.h"
 #include "Octree/RefinedGrid.h"
 #include "Smoothing/ActiveMeshBuilder.h"
+#include "Smoothing/Hex/MakeLevels.h"
 #include "Smoothing/Hex/TransitionSmoothing.h"
 #include "Smoothing/Smoother.h"
 #include "Smoothing/Tet/TetImprove.h"
@@ -97,9 +98,19 @@ void SmoothLevel(int level, const TetEnergy& energy, const Partition& partition,
   }
 }
 
-} // namespace
+struct SmoothedTets
+{
+  std::unique_ptr<CoarseTets> Tets;
+  /// Families to refine because tets in owned base cells are not positive, one list per refinement.
+  /// If there are any on a rank, levels and tets must be made again.
+  std::vector<std::vector<Index>> BadFamilies;
+};
 
-SmoothedTets MakeCoarseTets(CoarseHexes& hexes, const TetEnergy& energy, Runtime& runtime)
+/// Makes the tets, or none if the grid has no refinements.
+/// @param hexes  coarse hexes that are not split; they are consumed (CoarseHexes::Visit)
+/// @throws InputError  if ids or numbers of points are too large
+/// Collective.
+SmoothedTets SmoothTets(CoarseHexes& hexes, const TetEnergy& energy, Runtime& runtime)
 {
   static_assert(CoarseTets::InvalidWay == InvalidEnergy, "Tets are valid in both or none.");
   SmoothedTets made{ std::make_unique<CoarseTets>(hexes, runtime.Group()), {} };
@@ -128,6 +139,24 @@ SmoothedTets MakeCoarseTets(CoarseHexes& hexes, const TetEnergy& energy, Runtime
   }
   tets.ChooseWays(energyOf, runtime);
   return made;
+}
+
+} // namespace
+
+std::unique_ptr<const CoarseTets> MakeCoarseTets(const MeshCells& cells, const LabelArray& labels,
+  const std::vector<Index>& crossed, const TetEnergy& energy, MeshRun& run, LevelHexes& levels)
+{
+  LevelPlan plan = cells.Options.Levels;
+  for (;; ++run.Report.LevelRounds)
+  {
+    MakeLevels(cells.Grid, labels, crossed, { cells.Options.MeshVoid, true, true }, plan,
+      run.TheRuntime, run.Report, levels);
+    SmoothedTets made = SmoothTets(*levels.Coarse, energy, run.TheRuntime);
+    if (!AddFamilies(made.BadFamilies, plan, run.Group()))
+    {
+      return std::move(made.Tets);
+    }
+  }
 }
 
 } // namespace vfm

@@ -7,6 +7,8 @@
  */
 #pragma once
 
+#include "Elements/Hex/LabelledGrid.h"
+#include "Elements/MeshRun.h"
 #include "Elements/Tet/CoarseTets.h"
 #include "Smoothing/Tet/TetEnergy.h"
 
@@ -15,18 +17,13 @@
 namespace vfm
 {
 
-struct SmoothedTets
-{
-  std::unique_ptr<CoarseTets> Tets;
-  /// Families to refine because tets in owned base cells are not positive, one list per refinement.
-  /// If there are any on a rank, levels and tets must be made again.
-  std::vector<std::vector<Index>> BadFamilies;
-};
-
-/// Makes the tets, or none if the grid has no refinements.
-/// @param hexes  coarse hexes that are not split; they are consumed (CoarseHexes::Visit)
-/// @throws InputError  if ids or numbers of points are too large
+/// Makes levels and the tets of coarse cells. Refines more families until all tets start with
+/// positive volumes.
+/// @param crossed  nodes around which all cells must be finest ones, ascending
+/// @param[out] levels  without refinements there are no coarse tets
+/// @throws InputError  see MakeLevels; if ids or numbers of points are too large
 /// @pre Collective.
-SmoothedTets MakeCoarseTets(CoarseHexes& hexes, const TetEnergy& energy, Runtime& runtime);
+std::unique_ptr<const CoarseTets> MakeCoarseTets(const MeshCells& cells, const LabelArray& labels,
+  const std::vector<Index>& crossed, const TetEnergy& energy, MeshRun& run, LevelHexes& levels);
 
 } // namespace vfm

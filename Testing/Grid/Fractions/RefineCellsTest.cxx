@@ -100,56 +100,6 @@ const std::vector<Vector3> Normals{ { { 1, 0, 0 } }, { { 0, -1, 0 } }, { { 0, 0,
   { { 1, 1, 0 } }, { { 1, 2, 3 } }, { { -3, 1, 0.2 } }, { { 0.01, 0.02, -1 } }, { { 1, 1, 1 } },
   { { -5, 0, 2 } } };
 
-/// A mesh by ids: coordinates of points, points of elements.
-struct MeshById
-{
-  std::map<Index, std::array<double, 3>> Points;
-  std::map<Index, std::vector<Index>> Elements;
-
-  void Add(const Mesh& mesh)
-  {
-    for (std::size_t p = 0; p < mesh.PointIds.size(); ++p)
-    {
-      const double* x = mesh.Points.data() + 3 * p;
-      this->Points[mesh.PointIds[p]] = { { x[0], x[1], x[2] } };
-    }
-    for (std::size_t e = 0; e < mesh.ElementIds.size(); ++e)
-    {
-      std::vector<Index>& ids = this->Elements[mesh.ElementIds[e]];
-      for (int c = 0; c < mesh.Corners; ++c)
-      {
-        ids.push_back(mesh.PointIds[mesh.Elements[mesh.Corners * e + c]]);
-      }
-    }
-  }
-};
-
-/// Refines and meshes on one rank per box.
-MeshById MeshOnRanks(const CartesianGrid& whole, const FractionField& field,
-  const std::vector<IndexBox>& boxes, int times, MeshMaker make)
-{
-  std::vector<Mesh> meshes(boxes.size());
-  RunOnRanks(static_cast<int>(boxes.size()),
-    [&](Ranks& ranks)
-    {
-      const CartesianGrid grid = MakeRankGrid(whole, boxes[ranks.Rank()]);
-      RankRuntime runtime(ranks);
-      RefinedCells cells{ grid, CopyToLocal(whole, field, grid) };
-      for (int i = 0; i < times; ++i)
-      {
-        cells = RefineCells(cells.Grid, cells.Fractions, runtime);
-      }
-      MeshReport report;
-      meshes[ranks.Rank()] = make(cells.Grid, cells.Fractions, MeshOptions(), runtime, report);
-    });
-  MeshById merged;
-  for (const Mesh& mesh : meshes)
-  {
-    merged.Add(mesh);
-  }
-  return merged;
-}
-
 } // namespace
 
 TEST(RefineCells, HalvesTheWidths)
@@ -336,30 +286,6 @@ TEST(RefineCells, RanksHoldWhatTheWholeGridHolds)
       EXPECT_EQ(differences, 0) << ranks << " ranks";
     }
   }
-}
-
-TEST(RefineCells, MeshesDoNotDependOnTheRanks)
-{
-  const MeshCase sphere = MakeSphereCase(4), grains = MakePolycrystalCase(5, 7);
-  const CartesianGrid noiseGrid = MakeUnitGrid(5, 4, 6);
-  const FractionField noise = MakePatchyFractions(noiseGrid, 3, 4);
-  const auto compare =
-    [](const CartesianGrid& grid, const FractionField& field, int times, MeshMaker make)
-  {
-    const MeshById alone = MeshOnRanks(grid, field, { grid.Global() }, times, make);
-    EXPECT_FALSE(alone.Elements.empty());
-    for (int ranks : { 2, 3, 4 })
-    {
-      std::vector<IndexBox> boxes = CutBox(grid.Global(), ranks, ranks == 3 ? 0 : -1);
-      const MeshById merged = MeshOnRanks(grid, field, boxes, times, make);
-      EXPECT_TRUE(merged.Points == alone.Points) << ranks << " ranks";
-      EXPECT_TRUE(merged.Elements == alone.Elements) << ranks << " ranks";
-    }
-  };
-  compare(sphere.Grid, sphere.Fractions, 2, MakeHexMesh);
-  compare(grains.Grid, grains.Fractions, 1, MakeHexMesh);
-  compare(noiseGrid, noise, 1, MakeHexMesh);
-  compare(noiseGrid, noise, 1, MakeTetMesh);
 }
 
 TEST(RefineCells, MeshesComeNearerToTheSurface)

@@ -1,12 +1,12 @@
 /// Thin parts get cells: films, threads and drops stay whole, other labels stay.
 #include "Labels/ThinParts.h"
 
-#include "CellParts.h"
+#include "Cells/CellParts.h"
+#include "Cells/ThinShapes.h"
 #include "MeshCases.h"
 #include "RandomDraw.h"
 #include "RankFields.h"
 #include "Sweep.h"
-#include "ThinShapes.h"
 
 #include <gtest/gtest.h>
 

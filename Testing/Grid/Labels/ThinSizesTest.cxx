@@ -1,10 +1,10 @@
 /// Loads of cells and thickness of parts.
 #include "Labels/ThinSizes.h"
 
+#include "Cells/ThinShapes.h"
 #include "Labels/Thinning.h"
 #include "MeshCases.h"
 #include "RandomDraw.h"
-#include "ThinShapes.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include "Labels/Thinning.h"
 #include "Labels/ThinCandidates.h"
 
-#include "CellParts.h"
+#include "Cells/CellParts.h"
 #include "MeshChecks.h"
 #include "RandomDraw.h"
 #include "RankFields.h"

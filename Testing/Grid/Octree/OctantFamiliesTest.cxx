@@ -1,6 +1,7 @@
 /// Sets of families: closure under the rules, keys that map back.
 #include "Base/Vector3.h"
 #include "MeshChecks.h"
+#include "Octree/OctreeKeys.h"
 #include "RefinedChecks.h"
 #include "Sweep.h"
 

@@ -1,5 +1,6 @@
 /// Meshes across levels are conforming, exact where refined, positive, of good
 /// shape, and the same in every part.
+#include "Octree/TwoRefinement.h"
 #include "Fractions/RefineCells.h"
 #include "MeshChecks.h"
 #include "RankFields.h"

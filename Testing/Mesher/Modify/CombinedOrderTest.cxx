@@ -134,42 +134,10 @@ CurvedElement::Nodes JoinedNodesOf(const MesherResult& result, Index element)
   return nodes;
 }
 
-class CombinedOrder : public ::testing::TestWithParam<Combination>
-{
-};
-
-} // namespace
-
-TEST_P(CombinedOrder, RanksGiveTheSameMesh)
-{
-  NodesById alone;
-  for (int count : { 1, 2, 3, 8 })
-  {
-    NodesById joined;
-    std::mutex mutex;
-    RunOnRanks(count,
-      [&](ThreadRanks& ranks)
-      {
-        RankRuntime runtime(ranks);
-        const MesherResult result = MakeMesh(this->GetParam(), runtime);
-        const Buffer<Index>& ids = result.TheMesh.PointIds;
-        EXPECT_TRUE(std::is_sorted(ids.begin(), ids.end()));
-        joined.Add(result, ranks, mutex);
-      });
-    alone = count == 1 ? joined : alone;
-    EXPECT_TRUE(joined.Points == alone.Points);
-    EXPECT_TRUE(joined.Nodes == alone.Nodes);
-    EXPECT_TRUE(joined.InNodeSets == alone.InNodeSets);
-    EXPECT_GT(joined.Nodes.size(), 100u);
-  }
-}
-
 /// All Bezier coefficients are at least a tenth of the smallest one of the straight element, and
 /// elements fill the domain. The reported volumes are those of curved elements.
-TEST_P(CombinedOrder, ElementsArePositive)
+void ExpectPositive(const Combination& c, const MesherResult& result)
 {
-  Runtime serial;
-  const MesherResult result = MakeMesh(this->GetParam(), serial);
   const Mesh& mesh = result.TheMesh;
   const CurvedElement& shape = GetCurvedElement(mesh.Corners);
   const MidNodes mids(mesh.Corners, mesh.MidsPerElement);
@@ -192,10 +160,9 @@ TEST_P(CombinedOrder, ElementsArePositive)
   EXPECT_GT(least, 0.0999);
   EXPECT_NEAR(least, NumberOf(result, "CurvedJacobian"), 1e-9);
   EXPECT_GT(NumberOf(result, "CurvedMidNodes"), 200.0);
-  std::printf("%s: %.0f curved mid nodes, %.0f moved back, smallest ratio %.3f\n",
-    this->GetParam().Name, NumberOf(result, "CurvedMidNodes"),
-    NumberOf(result, "StraightenedMidNodes"), least);
-  if (this->GetParam().Periodic == 0 || this->GetParam().Kind != Sides::Free)
+  std::printf("%s: %.0f curved mid nodes, %.0f moved back, smallest ratio %.3f\n", c.Name,
+    NumberOf(result, "CurvedMidNodes"), NumberOf(result, "StraightenedMidNodes"), least);
+  if (c.Periodic == 0 || c.Kind != Sides::Free)
   {
     const std::vector<double> box = NumbersOfField(result.Fields, "DomainBounds");
     const double all = (box[1] - box[0]) * (box[3] - box[2]) * (box[5] - box[4]);
@@ -205,10 +172,8 @@ TEST_P(CombinedOrder, ElementsArePositive)
 
 /// The elements on both sides of a face have the same nodes there, also on opposite sides and where
 /// interfaces are split.
-TEST_P(CombinedOrder, ElementsShareNodesOfFaces)
+void ExpectSharedNodesOfFaces(const Combination& c, const MesherResult& result)
 {
-  Runtime serial;
-  const MesherResult result = MakeMesh(this->GetParam(), serial);
   const MeshData mesh = ViewOf(result);
   const Index* ids = result.TheMesh.CommonIds().data();
   const bool isSplit = mesh.OriginalPointIds != nullptr;
@@ -246,16 +211,14 @@ TEST_P(CombinedOrder, ElementsShareNodesOfFaces)
     }
   }
   EXPECT_GT(shared, 1000);
-  if (this->GetParam().Periodic == 7 && (!isSplit || this->GetParam().Kind == Sides::Joined))
+  if (c.Periodic == 7 && (!isSplit || c.Kind == Sides::Joined))
   {
     EXPECT_EQ(shared, static_cast<Index>(faces.size()));
   }
 }
 
-TEST_P(CombinedOrder, CopiesAreAtTheSamePlace)
+void ExpectCopiesAtTheSamePlace(const Combination& c, const MesherResult& result)
 {
-  Runtime serial;
-  const MesherResult result = MakeMesh(this->GetParam(), serial);
   const MeshData mesh = ViewOf(result);
   const Index firstMid =
     *std::max_element(mesh.Elements, mesh.Elements + mesh.Corners * mesh.NumberOfElements) + 1;
@@ -282,7 +245,46 @@ TEST_P(CombinedOrder, CopiesAreAtTheSamePlace)
     EXPECT_EQ(added.first->second, mesh.PointAt(p));
     copies += !added.second && p >= firstMid;
   }
-  EXPECT_EQ(copies > 100, *this->GetParam().Split != '\0');
+  EXPECT_EQ(copies > 100, *c.Split != '\0');
+}
+
+class CombinedOrder : public ::testing::TestWithParam<Combination>
+{
+};
+
+} // namespace
+
+TEST_P(CombinedOrder, RanksGiveTheSameMesh)
+{
+  NodesById alone;
+  for (int count : { 1, 2, 3, 8 })
+  {
+    NodesById joined;
+    std::mutex mutex;
+    RunOnRanks(count,
+      [&](ThreadRanks& ranks)
+      {
+        RankRuntime runtime(ranks);
+        const MesherResult result = MakeMesh(this->GetParam(), runtime);
+        const Buffer<Index>& ids = result.TheMesh.PointIds;
+        EXPECT_TRUE(std::is_sorted(ids.begin(), ids.end()));
+        joined.Add(result, ranks, mutex);
+      });
+    alone = count == 1 ? joined : alone;
+    EXPECT_TRUE(joined.Points == alone.Points);
+    EXPECT_TRUE(joined.Nodes == alone.Nodes);
+    EXPECT_TRUE(joined.InNodeSets == alone.InNodeSets);
+    EXPECT_GT(joined.Nodes.size(), 100u);
+  }
+}
+
+TEST_P(CombinedOrder, ElementsArePositiveAndShareTheirNodes)
+{
+  Runtime serial;
+  const MesherResult result = MakeMesh(this->GetParam(), serial);
+  ExpectPositive(this->GetParam(), result);
+  ExpectSharedNodesOfFaces(this->GetParam(), result);
+  ExpectCopiesAtTheSamePlace(this->GetParam(), result);
 }
 
 /// Mid nodes lie where they are without the split; those of faces and copies up to rounding.

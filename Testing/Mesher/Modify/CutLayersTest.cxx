@@ -125,33 +125,6 @@ TEST(CutLayers, HaveTheGivenThickness)
   EXPECT_GE(static_cast<double>(within), 0.95 * static_cast<double>(facets));
 }
 
-TEST(CutLayers, OfRandomLabelsAreValid)
-{
-  Runtime runtime;
-  const CartesianGrid grid = MakeUnitGrid(8);
-  for (unsigned seed = 0; seed < 6; ++seed)
-  {
-    const FractionField labels = MakeRandomLabels(grid, 3, 0, seed);
-    MeshReport report;
-    for (const MeshMaker make : { MakeEvenLayers, MakeThinLayers })
-    {
-      const Mesh mesh = make(grid, labels, MeshOptions(), runtime, report);
-      EXPECT_EQ(FindConformityProblem(mesh), "");
-      EXPECT_EQ(FindFacetProblem(mesh), "");
-      EXPECT_TRUE(IsPositiveEverywhere(mesh));
-    }
-  }
-}
-
-TEST(CutLayers, AreTheSameOnRanks)
-{
-  const CartesianGrid grid = MakeUnitGrid(8);
-  const FractionField labels = MakeRandomLabels(grid, 3, 0, 7);
-  const IndexBox box = grid.Global();
-  CompareWithSerial(grid, labels, { CutBox(box, 2), CutBox(box, 3), CutBox(box, 8) }, MeshOptions(),
-    MakeThinLayers);
-}
-
 TEST(CutLayers, EndsFollowGrowthAndThickness)
 {
   const auto expect = [](const LayerSpacing& spacing, double height, std::vector<double> ends)

@@ -1,11 +1,8 @@
 /// Meshes whose interfaces pass through cells of several levels (LevelPlan::FineInterfaces false).
 #include "RankMeshes.h"
-#include "RefinedChecks.h"
-#include "Sweep.h"
 
 #include "Base/Vector3.h"
 #include "Elements/Hex/HexCoefficients.h"
-#include "Octree/OctreeKeys.h"
 
 #include <gtest/gtest.h>
 
@@ -23,35 +20,6 @@ MeshOptions CrossingOptions(int refinements)
   options.Levels.Refinements = refinements;
   options.Levels.FineInterfaces = false;
   return options;
-}
-
-/// Returns families of every level in the lower part of the domain along x; the box of each level
-/// is shorter than the one before.
-std::vector<std::vector<Index>> RefineBelow(
-  const CartesianGrid& grid, int refinements, double share)
-{
-  std::array<std::vector<double>, 3> coordinates;
-  for (int a = 0; a < 3; ++a)
-  {
-    for (Index i = 0; i <= grid.Global().Upper[a]; i += Index(1) << refinements)
-    {
-      coordinates[a].push_back(grid.Coordinates(a)[i]);
-    }
-  }
-  const CartesianGrid base(coordinates);
-  const OctreeKeys lattice(base, refinements);
-  std::vector<std::vector<Index>> families(refinements);
-  for (int level = 0; level < refinements; ++level)
-  {
-    IndexBox box;
-    for (int a = 0; a < 3; ++a)
-    {
-      box.Upper[a] = lattice.Families(level, a);
-    }
-    box.Upper[0] = static_cast<Index>(share * static_cast<double>(box.Upper[0])) - level;
-    ForCells(box, [&](const Index3& q) { families[level].push_back(lattice.FamilyKey(level, q)); });
-  }
-  return families;
 }
 
 struct CrossingCase
@@ -134,124 +102,6 @@ INSTANTIATE_TEST_SUITE_P(Cases, CrossingShapes,
     CrossingCase{ "ball of 3 sectors", 2, 0.6, false, .48, .2 },
     CrossingCase{ "half sphere", 1, 0.5, true, .6, .2 },
     CrossingCase{ "torus", 1, 0.5, true, .57, .2 }));
-
-namespace
-{
-
-/// Returns random labels, or fractions in which labels can change at almost no cost.
-FractionField MakeNoise(const CartesianGrid& grid, bool isTies, unsigned seed)
-{
-  return isTies ? MakeNearTies(grid, seed % 2 == 0 ? 0.3 : 1.0, seed)
-                : MakeRandomLabels(grid, 2, 0, seed);
-}
-
-/// Five parts of one sweep.
-class CrossingFamilies : public ::testing::TestWithParam<unsigned>
-{
-};
-
-} // namespace
-
-TEST_P(CrossingFamilies, MeshIsValid)
-{
-  double worst = 1.0;
-  int rounds = 0;
-  Index transitions = 0;
-  for (unsigned seed : ListSeeds(50, this->GetParam(), 5))
-  {
-    SCOPED_TRACE(seed);
-    const int refinements = 1 + static_cast<int>(seed % 3 == 0);
-    const Index n = 8 + 2 * (seed % 2);
-    const CartesianGrid grid =
-      refinements == 1 ? MakeUnitGrid(n, 8 + 2 * (seed % 3), 10) : MakeUnitGrid(8, 12, 12);
-    MeshOptions options = CrossingOptions(refinements);
-    options.MeshVoid = seed % 5 == 0;
-    options.Levels.Families = MakeRandomFamilies(grid, refinements, .05 * (1 + seed % 4), seed);
-    Runtime runtime;
-    MeshReport report;
-    const Mesh mesh =
-      MakeHexMesh(grid, MakeNoise(grid, seed / 2 % 2 == 1, seed), options, runtime, report);
-    EXPECT_EQ(FindTopologyProblem(mesh), "");
-    EXPECT_EQ(FindFragmentProblem(mesh), "");
-    EXPECT_TRUE(IsPositiveEverywhere(mesh));
-    worst = std::min(worst, report.MinimumScaledJacobian);
-    rounds = std::max(rounds, report.LevelRounds);
-    transitions += report.TransitionCells;
-  }
-  std::printf(
-    "smallest scaled Jacobian of random meshes: %.3f, at most %d rounds, %lld transitions\n", worst,
-    rounds, static_cast<long long>(transitions));
-  EXPECT_GT(worst, 0.39);
-  if (IsWholeSweep())
-  {
-    EXPECT_GT(transitions, 1000);
-  }
-}
-
-INSTANTIATE_TEST_SUITE_P(Seeds, CrossingFamilies, ::testing::Range(0u, 5u));
-
-namespace
-{
-
-struct CrossingRanksCase
-{
-  const char* Mesh; ///< name of a case, or "labels" or "ties": noise
-  int Refinements;
-  Index3 Base; ///< number of base cells of noise
-  int Ranks, Axis;
-  unsigned Seed;
-};
-
-void PrintTo(const CrossingRanksCase& c, std::ostream* out)
-{
-  *out << c.Mesh << " " << c.Seed << ", " << c.Refinements << " refinements, " << c.Ranks
-       << " ranks";
-}
-
-class CrossingRanks : public ::testing::TestWithParam<CrossingRanksCase>
-{
-};
-
-} // namespace
-
-/// Along one axis with three or more ranks, each rank has one or two base cells. The case of
-/// three ranks adds one without cells.
-TEST_P(CrossingRanks, SameMesh)
-{
-  const CrossingRanksCase& c = this->GetParam();
-  const std::string name = c.Mesh;
-  const bool isTies = name == "ties", isNoise = isTies || name == "labels";
-  const MeshCase shape = MakeMeshCase(isNoise ? "sphere 8" : name);
-  const CartesianGrid box = MakeUnitGrid(
-    c.Base[0] << c.Refinements, c.Base[1] << c.Refinements, c.Base[2] << c.Refinements);
-  const CartesianGrid& grid = isNoise ? box : shape.Grid;
-  const FractionField field = isNoise ? MakeNoise(grid, isTies, c.Seed) : shape.Fractions;
-  MeshOptions options = CrossingOptions(c.Refinements);
-  options.MeshVoid = true;
-  options.Levels.Families = isNoise
-    ? MakeRandomFamilies(grid, c.Refinements, c.Refinements == 3 ? .05 : .1, c.Seed + 4)
-    : RefineBelow(grid, c.Refinements, .5);
-  std::vector<IndexBox> boxes = CutBaseBox(grid, c.Refinements, c.Ranks, c.Axis);
-  if (c.Ranks == 3)
-  {
-    boxes.insert(boxes.begin() + 1, IndexBox());
-  }
-  CompareWithSerial(grid, field, { boxes }, options);
-}
-
-INSTANTIATE_TEST_SUITE_P(Cases, CrossingRanks,
-  ::testing::Values(CrossingRanksCase{ "ball and plate", 1, { { 1, 1, 1 } }, 2, -1, 0 },
-    CrossingRanksCase{ "ball and plate", 2, { { 1, 1, 1 } }, 8, -1, 0 },
-    CrossingRanksCase{ "half sphere", 1, { { 1, 1, 1 } }, 3, 0, 0 },
-    CrossingRanksCase{ "labels", 1, { { 4, 4, 5 } }, 8, -1, 3 },
-    CrossingRanksCase{ "labels", 1, { { 3, 4, 5 } }, 5, 2, 7 },
-    CrossingRanksCase{ "labels", 2, { { 3, 2, 4 } }, 4, 2, 3 },
-    CrossingRanksCase{ "ties", 1, { { 5, 4, 4 } }, 3, 0, 5 },
-    CrossingRanksCase{ "ties", 2, { { 3, 3, 4 } }, 2, -1, 5 },
-    CrossingRanksCase{ "ties", 2, { { 3, 2, 4 } }, 4, 2, 9 },
-    CrossingRanksCase{ "ties", 2, { { 3, 3, 2 } }, 8, -1, 11 },
-    CrossingRanksCase{ "ties", 3, { { 3, 2, 3 } }, 3, 2, 3 },
-    CrossingRanksCase{ "ties", 3, { { 2, 2, 3 } }, 2, 2, 4 }));
 
 namespace
 {

@@ -3,7 +3,7 @@
 #include "MeshCases.h"
 #include "RandomDraw.h"
 #include "RankMeshes.h"
-#include "ThinShapes.h"
+#include "Cells/ThinShapes.h"
 
 #include <gtest/gtest.h>
 

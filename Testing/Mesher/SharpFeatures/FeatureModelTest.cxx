@@ -1,4 +1,5 @@
 /// Fractions of models of intersecting surfaces, and the fit of such models.
+#include "SharpFeatures/FeatureModel.h"
 #include "Base/ConvexClip.h"
 #include "RandomDraw.h"
 #include "SharpFeatures/BoxCut.h"

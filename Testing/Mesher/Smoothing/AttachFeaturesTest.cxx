@@ -4,11 +4,11 @@
 #include "Base/Vector3.h"
 #include "Elements/Hex/HexFacets.h"
 #include "Labels/ResolveLabels.h"
-#include "Phases/MakeLevels.h"
 #include "SharpFeatures/FeaturePlaces.h"
 #include "Smoothing/AttachFeatures.h"
 #include "Smoothing/Hex/ActiveHexes.h"
 #include "Smoothing/Hex/HexEnergy.h"
+#include "Smoothing/Hex/MakeLevels.h"
 #include "Smoothing/Smoother.h"
 
 #include <gtest/gtest.h>

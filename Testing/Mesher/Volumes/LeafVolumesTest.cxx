@@ -4,10 +4,11 @@
 #include "RankMeshes.h"
 #include "Sweep.h"
 #include "Volumes/CellLocator.h"
+#include "Volumes/FragmentVolumes.h"
 
 #include "Elements/Hex/HexTopology.h"
 #include "Elements/MeasureFragments.h"
-#include "Phases/MakeLevels.h"
+#include "Smoothing/Hex/MakeLevels.h"
 
 #include <gtest/gtest.h>
 

@@ -88,7 +88,8 @@ def test_grey_values():
     for values in (scan, grey(), grey().astype(np.uint8)):
         for properties in ({"MaterialIdArray": "scan"}, {"VolumeFractionArrays": []},
                            {"VolumeFractionArrays": ["scan"]}):
-            result = mesh_of(image({"scan": values}), Threshold="50:128;128", **properties)
+            result = mesh_of(image({"scan": values}), Threshold="50:128;128", StairStep=1,
+                             **properties)
             low, high = ((values > 50) & (values <= 128)).sum(), (values > 128).sum()
             assert volumes(result) == {"Material 1": low, "Material 2": high}
     check_error(image({"scan": scan}), "Threshold cannot be '5:3'", MaterialIdArray="scan",

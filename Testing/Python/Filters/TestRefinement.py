@@ -2,14 +2,13 @@
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from amr_cases import means
-from amr_files import ORIGIN, make_amr, vtk_amr
+from amr_files import make_amr, vtk_amr
 import exodus_dump
 from compare_meshes import difference, merge, read_pieces
 from mesh_sets import find_sets
 from sculptor_program import check_same, mesh_file
 from vfmtest import (
-    VolumeFractionShapes, VolumeFractionToHex, add_array, check_hexes, collect, digest, elements,
+    VolumeFractionShapes, VolumeFractionToHex, check_hexes, digest, elements,
     exodus_parts, facets, hex_volumes,
     image, in_folder, main, mesh_of, points_of, producer, rectilinear, run, save_data, simple)
 
@@ -37,12 +36,6 @@ def cubes(arrays, widths=1.0):
     data.SetOrigin(0, 0, 0)
     data.SetSpacing([widths] * 3)
     return data
-
-
-def surface_points(result):
-    """Returns the points of the surfaces between materials or next to void."""
-    inner = vtk_to_numpy(result.surfaces.GetCellData().GetArray("DomainSide")) < 0
-    return vtk_to_numpy(result.surfaces.GetPoints().GetData())[np.unique(facets(result)[inner])]
 
 
 def interfaces(result):
@@ -97,37 +90,14 @@ def refined_mesh(data, levels, **properties):
 
 # ---- levels of the input
 
-def test_sphere_of_three_levels():
-    n, radius = 64, 0.72
-    amr = make_amr(3, 2, (4, 4, 4), fractions("sphere radius=%g" % radius, n), np.array([4.0] * 3))
-    inputs = {"VolumeFractionArrays": ["ball"]}
-    whole, levels = mesh_of(vtk_amr(amr), Refinement="Uniform",
-                            **inputs), refined_mesh(vtk_amr(amr), 2, **inputs)
-
-    def errors(result):
-        distance = np.abs(np.linalg.norm(surface_points(result) - ORIGIN - n / 2,
-                                         axis=1) - radius * n / 2)
-        volume = 4 / 3 * np.pi * (radius * n / 2) ** 3
-        return distance.max(), np.sqrt((distance ** 2).mean()), abs(
-            result.field("MeshVolume")[0] - volume) / volume
-
-    print("sphere, uniform: %d hexes, distance max %.4f rms %.5f cells, volume %.1e"
-          % (number_of_hexes(whole), *errors(whole)))
-    print("sphere, 3 levels: %d hexes, distance max %.4f rms %.5f cells, volume %.1e, min SJ %.3f"
-          % (
-        number_of_hexes(levels), *errors(levels), least(levels)))
-    assert number_of_hexes(levels) < number_of_hexes(whole)
-    assert (np.array(errors(levels)) <= 1.2 * np.array(errors(whole)) + 1e-9).all()
-    check_same_interfaces(levels, whole)
-    assert least(levels) > 0.5
-
-
 def test_levels_of_the_input():
     """MaximumLevel omits the finest levels; 0 is Off."""
     data = lambda: vtk_amr(make_amr(3, 2, (2, 2, 2)))
     inputs = {"VolumeFractionArrays": ["ball", "rest"]}
     finest = mesh_of(data(), Refinement="Uniform", **inputs)
-    check_same_interfaces(refined_mesh(data(), 2, **inputs), finest)
+    levels = refined_mesh(data(), 2, **inputs)
+    check_same_interfaces(levels, finest)
+    assert number_of_hexes(levels) < number_of_hexes(finest)
     check_same_interfaces(refined_mesh(data(), 1, MaximumLevel=1, **inputs),
                           mesh_of(data(), Refinement="Uniform", MaximumLevel=1, **inputs))
     assert digest(mesh_of(data(), MaximumLevel=0,
@@ -158,7 +128,7 @@ def two_materials(n, shapes="Ball and Plate"):
 
 def test_coarsening_keeps_interfaces():
     """Coarsening leaves the interfaces unchanged."""
-    data = two_materials(32, THICK)
+    data = two_materials(24, THICK)
     for void in (0, 1):
         off = mesh_of(data, MeshVoid=void)
         results = [refined_mesh(data, levels, **COARSEN, MaximumLevel=maximum, MeshVoid=void)
@@ -169,23 +139,10 @@ def test_coarsening_keeps_interfaces():
             check_same_interfaces(result, off)
             assert least(result) > 0.5 or least(result) == least(off), (least(result), least(off))
         counts = list(map(number_of_hexes, results))
-        print("ball on a block, 32^3, void %d: %d hexes; with 1, 2, 3 levels and with 5 fine "
+        print("ball on a block, 24^3, void %d: %d hexes; with 1, 2, 3 levels and with 5 fine "
               "layers %s" % (void, number_of_hexes(off), counts))
         assert number_of_hexes(off) > counts[0] >= counts[1] >= counts[2] < counts[3]
         assert digest(mesh_of(data, **COARSEN, MeshVoid=void)) == digest(results[2])
-
-
-def test_coarsening_a_sphere():
-    """Coarsening a larger grid gives far fewer elements."""
-    data = cubes(fractions("sphere radius=0.72", 48))
-    off, coarse = (mesh_of(data, VolumeFractionArrays=["ball"], MeshVoid=1, Refinement=mode)
-                   for mode in ("Off", "Coarsen"))
-    check_hexes(coarse)
-    check_same_interfaces(coarse, off)
-    ratio = number_of_hexes(off) / number_of_hexes(coarse)
-    print("sphere and void in 48^3: %d hexes, coarsened %d, %.2f times fewer, min SJ %.3f" % (
-        number_of_hexes(off), number_of_hexes(coarse), ratio, least(coarse)))
-    assert ratio > 1.2
 
 
 def test_fine_layers():
@@ -242,56 +199,6 @@ def test_rectilinear_grid():
 
 
 # ---- criteria
-
-def plate_case(normal, n=16):
-    """Returns an image of a plate one cell thick, and a function of points.
-
-    The function returns the distances to the planes of the plate, in cells.
-    """
-    normal = np.array(normal) / np.linalg.norm(normal)
-    point = 0.03  # unit: half the box; avoids symmetry
-    text = ";".join("halfspace point=%r,%r,%r normal=%r,%r,%r material=%d"
-                    % (*(normal * (point - s / n)).tolist(), *normal.tolist(), m)
-                    for s, m in ((1, 2), (-1, 1)))
-    arrays = fractions(text, n, ("plate", "below"))
-    middle = n / 2 * (1 + normal * point)
-
-    def distances(points):
-        height = (points - middle) @ normal
-        return np.abs(np.abs(height) - 0.5)
-
-    return cubes({"plate": arrays["plate"]}), distances
-
-
-def check_plate(normal):
-    data, distances = plate_case(normal)
-    inputs = {"VolumeFractionArrays": ["plate"]}
-    result = refined_mesh(data, 1, **AUTOMATIC, **inputs)
-    with_void = refined_mesh(data, 1, MeshVoid=1, **AUTOMATIC, **inputs)
-    materials, fragments = with_void.cells("MaterialId"), with_void.cells("FragmentId")
-    pieces = [len(np.unique(fragments[materials == m])) for m in (0, 1)]
-    distance = distances(surface_points(result))
-    off, uniform = mesh_of(data, Refinement="Off",
-                           **inputs), mesh_of(data, Refinement="Uniform", **inputs)
-    print("plate %s: %d hexes (%d at one level, %d all fine; with void %d), min SJ %.3f, "
-          "distance max %.3f rms %.4f h" % (
-              normal, number_of_hexes(result), number_of_hexes(off), number_of_hexes(uniform),
-              number_of_hexes(with_void), least(result), distance.max(),
-              np.sqrt((distance ** 2).mean())))
-    assert result.field("NumberOfFragments") == [1] and pieces == [2, 1], pieces
-    assert least(result) >= 0.4 and least(with_void) >= 0.4
-    assert distance.max() <= 0.3
-    assert distance.max() < distances(surface_points(off)).max()
-    assert np.isclose(result.field("MeshVolume")[0], result.field("TargetVolume")[0], rtol=1e-6)
-
-
-def test_plate_of_one_cell():
-    check_plate((1, 2, 3))
-
-
-def test_other_plate_of_one_cell():
-    check_plate((0.2, 1, 0.1))
-
 
 def test_thick_ball_asks_for_nothing():
     """A thick body is not refined by the default criteria."""

@@ -53,20 +53,6 @@ def test_numbering_of_vtk():
                 assert off[inside[:, i]].max() < 1e-12, (kind, i)
 
 
-def test_curved_cells_of_vtk_are_positive():
-    """The determinant of VTK's own map is positive at its nodes."""
-    for kind, _, count in KINDS[:3]:
-        grid = curved(kind).mesh
-        nodes = nodes_of(grid)
-        cell = grid.GetCell(0)
-        for i in range(count):
-            place = [cell.GetParametricCoords()[3 * i + a] for a in range(3)]
-            slopes = [0.0] * (3 * count)
-            cell.InterpolateDerivs(place, slopes)
-            jacobian = np.einsum("ai,cib->cab", np.reshape(slopes, (3, count)), nodes)
-            assert np.linalg.det(jacobian).min() > 0, (kind, i)
-
-
 @in_folder
 def test_exodus_is_read_by_vtk(at):
     for kind, cell_type, _ in KINDS:

@@ -167,13 +167,6 @@ def test_conserve_volume():
         assert errors[0] < 1e-3 < errors[1] < 0.1, errors
 
 
-def test_number_of_threads_does_not_change_the_mesh():
-    for method in TET_METHODS:
-        for threads in (1, 3):
-            assert digest(tets_of(DATA, Method=method,
-                                  NumberOfThreads=threads)) == digest(MESHES[method])
-
-
 def test_properties_of_tetgen():
     if not HAS_TETGEN:
         return

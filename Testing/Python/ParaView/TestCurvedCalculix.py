@@ -18,7 +18,7 @@ import calculix
 
 RADII, PRESSURE = (0.45, 0.8), 9.5  # the shell does not touch the sides of the domain
 MATERIALS = {"MATERIAL1": (20000.0, 0.3), "MATERIAL2": (2000.0, 0.2)}  # ball, shell
-CELLS = (8, 16)
+CELLS = (6, 12)
 
 
 def exact_displacement(points):

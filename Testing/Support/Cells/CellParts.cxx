@@ -1,4 +1,4 @@
-#include "CellParts.h"
+#include "Cells/CellParts.h"
 
 #include <cstdlib>
 

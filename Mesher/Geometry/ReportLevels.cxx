@@ -1,4 +1,4 @@
-#include "Phases/ReportLevels.h"
+#include "Geometry/ReportLevels.h"
 
 #include "Elements/Tet/TetTopology.h"
 #include "Octree/LevelIds.h"

@@ -1,24 +1,14 @@
 /**
- * MakeLevels: makes the levels of a grid and refines them until a valid mesh starts everywhere.
+ * MakeLevels: makes the labels and levels of a grid, and refines until a valid mesh starts
+ * everywhere.
  */
 #pragma once
 
-#include "Base/Options.h"
 #include "Elements/Hex/LabelledGrid.h"
-#include "Elements/MeshReport.h"
-#include "Labels/ResolveLabels.h"
-#include "Labels/ThinParts.h"
+#include "Elements/MeshRun.h"
 
 namespace vfm
 {
-
-/// Copies the counts of flipped cells into the report of a mesh.
-void ReportFlips(const ResolveReport& resolved, MeshReport& report);
-
-/// Counts the owned cells of thin parts of all ranks.
-/// @pre Collective.
-void ReportThinCells(
-  const CartesianGrid& grid, const std::vector<ThinCell>& thin, Ranks& ranks, MeshReport& report);
 
 /// Makes and smooths the transitions of a refined grid, and its coarse hexes; without refinements
 /// there are none.
@@ -27,13 +17,11 @@ void ReportThinCells(
 std::unique_ptr<CoarseHexes> MakeCoarseHexes(const RefinedGrid& grid, const LabelArray& labels,
   const CoarseHexes::Options& options, Runtime& runtime);
 
-/// Makes levels and labels of leaves where interfaces may cross levels. Refines leaves until a
-/// valid mesh starts everywhere.
+/// Makes the labels of cells, or of leaves where interfaces may cross levels, and the levels.
+/// Refines until a valid mesh starts everywhere.
 /// @throws InputError  see RefinedGrid and MakeCoarseHexes
 /// @pre Collective.
-void LabelLeaves(const CartesianGrid& grid, const FractionField& fractions,
-  const MeshOptions& options, const Partition& partition, Runtime& runtime, MeshReport& report,
-  LabelledGrid& result);
+void LabelCells(const MeshCells& cells, MeshRun& run, LabelledGrid& result);
 
 /// Makes the levels that a plan requests. Adds families to the plan until a valid mesh starts.
 /// @param interfaces  mixed nodes, as in RefinedGrid

@@ -1,7 +1,7 @@
-#include "Phases/MakeLevels.h"
+#include "Smoothing/Hex/MakeLevels.h"
 
+#include "Elements/ResolveCells.h"
 #include "Labels/LeafLabels.h"
-#include "Ranks/Agreement.h"
 #include "Smoothing/Hex/TransitionSmoothing.h"
 
 namespace vfm
@@ -13,22 +13,6 @@ namespace
 constexpr int FlipRounds = 4;
 
 } // namespace
-
-void ReportFlips(const ResolveReport& resolved, MeshReport& report)
-{
-  report.FlippedCells = resolved.FlippedCells;
-  report.LostCells = resolved.LostCells;
-  report.GainedCells = resolved.GainedCells;
-  report.ResolveRounds = resolved.Rounds;
-}
-
-void ReportThinCells(
-  const CartesianGrid& grid, const std::vector<ThinCell>& thin, Ranks& ranks, MeshReport& report)
-{
-  const auto owned = std::count_if(thin.begin(), thin.end(),
-    [&](const ThinCell& cell) { return grid.Owned().Contains(grid.Position(cell.Cell)); });
-  report.ThinPartCells = SumOverRanks(static_cast<Index>(owned), ranks);
-}
 
 std::unique_ptr<CoarseHexes> MakeCoarseHexes(const RefinedGrid& grid, const LabelArray& labels,
   const CoarseHexes::Options& options, Runtime& runtime)
@@ -114,74 +98,85 @@ bool AddFlippedFamilies(
   return ranks.Any(found);
 }
 
-/// Cells of thin parts with the labels and the fractions that decide there.
-struct ThinLeaves
-{
-  LabelArray Labels;           // of all cells
-  std::vector<ThinCell> Cells; // ascending
-};
-
-/// Gives leaves of the finest level the labels of thin parts; larger leaves are filled by one
-/// material for the most part or keep their label. Returns these leaves.
-std::vector<ThinCell> LabelThinLeaves(
-  const RefinedGrid& levels, const ThinLeaves& thin, LabelArray& labels)
+/// Gives leaves of the finest level the labels of thin parts; larger leaves keep their labels.
+/// Returns these leaves.
+/// @param thin  cells of thin parts; thinLabels: their labels
+std::vector<ThinCell> LabelThinLeaves(const RefinedGrid& levels, const std::vector<ThinCell>& thin,
+  const LabelArray& thinLabels, LabelArray& labels)
 {
   const CartesianGrid& grid = levels.Finest();
   const LabelUnits units(grid, &levels);
   std::vector<ThinCell> leaves;
-  for (const ThinCell& cell : thin.Cells)
+  for (const ThinCell& cell : thin)
   {
     const IndexBox cells = units.CellsOf(units.UnitOf(grid.Position(cell.Cell)));
     if (cells.NumberOfCells() == 1)
     {
-      FillLabels(grid, cells, thin.Labels[cell.Cell], labels);
+      FillLabels(grid, cells, thinLabels[cell.Cell], labels);
       leaves.push_back(cell);
     }
   }
   return leaves;
 }
 
-} // namespace
-
-void LabelLeaves(const CartesianGrid& grid, const FractionField& fractions,
-  const MeshOptions& options, const Partition& partition, Runtime& runtime, MeshReport& report,
-  LabelledGrid& result)
+/// Makes levels and labels of leaves where interfaces may cross levels. Refines leaves until a
+/// valid mesh starts everywhere.
+void LabelLeaves(const MeshCells& cells, MeshRun& run, LabelledGrid& result)
 {
+  const CartesianGrid& grid = cells.Grid;
+  const MeshOptions& options = cells.Options;
   LevelPlan plan = options.Levels;
   plan.Families.resize(plan.Refinements);
-  const LabelArray ofCells = AssignMaterials(grid, fractions, options.IsoValue);
-  ThinLeaves thin;
-  if (KeepsThinParts(options))
+  const LabelArray ofCells = AssignMaterials(grid, cells.Fractions, options.IsoValue);
+  LabelArray thinLabels = ofCells;
+  const std::vector<ThinCell> thin = LabelThinCells(cells, run, thinLabels);
+  for (;; ++run.Report.LevelRounds)
   {
-    thin.Labels = ofCells;
-    thin.Cells =
-      LabelThinParts(grid, fractions, options.LeastThickness, partition, runtime, thin.Labels);
-  }
-  for (;; ++report.LevelRounds)
-  {
-    MakeGrid(grid, plan, {}, runtime.Group(), result.Levels);
-    result.Labels = AssignLeafMaterials(*result.Levels.Grid, fractions, ofCells, options.IsoValue);
-    const std::vector<ThinCell> leaves = LabelThinLeaves(*result.Levels.Grid, thin, result.Labels);
-    ReportThinCells(grid, leaves, runtime.Group(), report);
+    MakeGrid(grid, plan, {}, run.Group(), result.Levels);
+    const RefinedGrid& levels = *result.Levels.Grid;
+    result.Labels = AssignLeafMaterials(levels, cells.Fractions, ofCells, options.IsoValue);
+    const std::vector<ThinCell> leaves = LabelThinLeaves(levels, thin, thinLabels, result.Labels);
+    ReportThinCells(grid, leaves, run.Group(), run.Report);
     const ResolveReport resolved =
-      ResolveLabels(grid, WithClaims(fractions, thin.Labels, leaves).Field(), result.Labels,
-        partition, runtime, result.Levels.Grid.get(), true);
-    ReportFlips(resolved, report);
-    if (report.LevelRounds < FlipRounds &&
-      AddFlippedFamilies(*result.Levels.Grid, resolved.CostlyFlips, plan, runtime.Group()))
+      ResolveLabels(grid, WithClaims(cells.Fractions, thinLabels, leaves).Field(), result.Labels,
+        run.Parts, run.TheRuntime, &levels, true);
+    ReportFlips(resolved, run.Report);
+    if (run.Report.LevelRounds < FlipRounds &&
+      AddFlippedFamilies(levels, resolved.CostlyFlips, plan, run.Group()))
     {
       continue;
     }
     result.Mixed = FindMixedNodes(grid, result.Labels);
-    result.Narrow = FindBarrier(options, *result.Levels.Grid, result.Labels, result.Mixed, runtime);
-    result.Levels.Coarse = MakeCoarseHexes(*result.Levels.Grid, result.Labels,
-      { options.MeshVoid, false, !options.StairStep, &result.Narrow }, runtime);
-    if (!AddFamilies(result.Levels.Coarse->BadFamilies(), plan, runtime.Group()))
+    result.Narrow = FindBarrier(options, levels, result.Labels, result.Mixed, run.TheRuntime);
+    result.Levels.Coarse = MakeCoarseHexes(levels, result.Labels,
+      { options.MeshVoid, false, !options.StairStep, &result.Narrow }, run.TheRuntime);
+    if (!AddFamilies(result.Levels.Coarse->BadFamilies(), plan, run.Group()))
     {
       break;
     }
   }
   ReleaseFreeMemory();
+}
+
+} // namespace
+
+void LabelCells(const MeshCells& cells, MeshRun& run, LabelledGrid& result)
+{
+  const MeshOptions& options = cells.Options;
+  if (InterfacesCrossLevels(options))
+  {
+    run.Clock.Start("Assigning materials", 0.0);
+    LabelLeaves(cells, run, result);
+    return;
+  }
+  result.Labels = ResolveCells(cells, true, run);
+  run.Clock.Start("Making hexahedra", 0.1);
+  result.Mixed = FindMixedNodes(cells.Grid, result.Labels);
+  LevelPlan plan = options.Levels;
+  MakeLevels(cells.Grid, result.Labels, result.Mixed, { options.MeshVoid, false, true }, plan,
+    run.TheRuntime, run.Report, result.Levels);
+  result.Narrow =
+    FindBarrier(options, *result.Levels.Grid, result.Labels, result.Mixed, run.TheRuntime);
 }
 
 } // namespace vfm

@@ -1,4 +1,4 @@
-#include "ThinShapes.h"
+#include "Cells/ThinShapes.h"
 
 #include "Base/Vector3.h"
 #include "RandomDraw.h"

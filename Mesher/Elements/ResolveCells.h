@@ -1,0 +1,33 @@
+/**
+ * ResolveCells: the label of each cell, such that a valid mesh can start.
+ */
+#pragma once
+
+#include "Elements/MeshRun.h"
+#include "Labels/ResolveLabels.h"
+#include "Labels/ThinParts.h"
+
+namespace vfm
+{
+
+/// Copies the counts of flipped cells into the report of a mesh.
+void ReportFlips(const ResolveReport& resolved, MeshReport& report);
+
+/// Gives cells to thin parts if the options request it (ThinParts.h).
+/// @param[in,out] labels  AssignMaterials
+/// @return LabelThinParts
+/// @pre Collective.
+std::vector<ThinCell> LabelThinCells(const MeshCells& cells, MeshRun& run, LabelArray& labels);
+
+/// Counts the owned cells of thin parts of all ranks.
+/// @pre Collective.
+void ReportThinCells(
+  const CartesianGrid& grid, const std::vector<ThinCell>& thin, Ranks& ranks, MeshReport& report);
+
+/// Assigns labels to cells and changes them until a valid mesh can be made from them
+/// (ResolveLabels.h).
+/// @param keepsSeam  ResolveLabels
+/// @pre Collective.
+LabelArray ResolveCells(const MeshCells& cells, bool keepsSeam, MeshRun& run);
+
+} // namespace vfm

@@ -1,0 +1,78 @@
+/// Messages and reductions on ranks that are threads.
+#include "Ranks/MessageRanks.h"
+#include "Ranks/ExchangeAll.h"
+#include "ThreadRanks.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+using namespace vfm;
+using namespace vfm::testing;
+
+TEST(MessageRanks, ReductionsAreEqualOnAllRanks)
+{
+  for (int count : { 1, 2, 3, 5, 8 })
+  {
+    RunOnRanks(count,
+      [count](Ranks& ranks)
+      {
+        std::vector<std::int64_t> values{ ranks.Rank(), 1, std::int64_t(1) << 50 };
+        ranks.Sum(values);
+        EXPECT_EQ(values[0], count * (count - 1) / 2);
+        EXPECT_EQ(values[1], count);
+        EXPECT_EQ(values[2], count * (std::int64_t(1) << 50));
+        EXPECT_EQ(ranks.Max(-10.0 - ranks.Rank()), -10.0);
+        const std::vector<Bytes> all = ranks.Gather(Bytes(ranks.Rank() * 100, 'a'));
+        ASSERT_EQ(static_cast<int>(all.size()), count);
+        for (int r = 0; r < count; ++r)
+        {
+          EXPECT_EQ(all[r], Bytes(r * 100, 'a'));
+        }
+      });
+  }
+}
+
+TEST(MessageRanks, LargeMessagesArriveWhole)
+{
+  RunOnRanks(2,
+    [](ThreadRanks& ranks)
+    {
+      Bytes mine(2 * Transport::LongestPiece + 7);
+      for (std::size_t i = 0; i < mine.size(); ++i)
+      {
+        mine[i] = static_cast<char>(i % 251 + ranks.Rank());
+      }
+      const std::vector<Bytes> got = ranks.Exchange({ 1 - ranks.Rank() }, { mine });
+      ASSERT_EQ(got.size(), 1u);
+      ASSERT_EQ(got[0].size(), mine.size());
+      for (std::size_t i = 0; i < mine.size(); ++i)
+      {
+        ASSERT_EQ(got[0][i], static_cast<char>(i % 251 + 1 - ranks.Rank()));
+      }
+      EXPECT_EQ(ranks.Sent().Messages, 1);
+      EXPECT_EQ(ranks.Sent().MessageBytes, static_cast<std::int64_t>(mine.size()));
+    });
+}
+
+TEST(ExchangeAll, EachRankGetsItsMessages)
+{
+  for (int count : { 1, 2, 5 })
+  {
+    RunOnRanks(count,
+      [count](Ranks& ranks)
+      {
+        std::vector<Bytes> messages;
+        for (int to = 0; to < count; ++to)
+        {
+          messages.emplace_back(to + 1, static_cast<char>('a' + ranks.Rank()));
+        }
+        const std::vector<Bytes> got = ExchangeAll(messages, ranks);
+        ASSERT_EQ(static_cast<int>(got.size()), count);
+        for (int from = 0; from < count; ++from)
+        {
+          EXPECT_EQ(got[from], Bytes(ranks.Rank() + 1, static_cast<char>('a' + from)));
+        }
+      });
+  }
+}
