@@ -154,14 +154,14 @@ private:
   void AddElement(const Mesh& mesh, Index e)
   {
     std::array<Vector3, 8> x;
-    Vector3 lower, upper;
+    Vector3 lower = mesh.PointAt(mesh.Elements[mesh.Corners * e]), upper = lower;
     for (int c = 0; c < mesh.Corners; ++c)
     {
       x[c] = mesh.PointAt(mesh.Elements[mesh.Corners * e + c]);
       for (int a = 0; a < 3; ++a)
       {
-        lower[a] = c == 0 ? x[c][a] : std::min(lower[a], x[c][a]);
-        upper[a] = c == 0 ? x[c][a] : std::max(upper[a], x[c][a]);
+        lower[a] = std::min(lower[a], x[c][a]);
+        upper[a] = std::max(upper[a], x[c][a]);
       }
     }
     const int material = mesh.Material[e];
