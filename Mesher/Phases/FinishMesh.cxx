@@ -26,7 +26,11 @@ Mesh FinishMesh(const MeshCells& cells, ElementMethod& method, MeshRun& run, Dra
     ComputeQuality(mesh, run.TheRuntime, run.Report, draft.WholeCells);
   }
   MeasureMaterials(mesh, run.Group(), run.Report);
-  run.Report.DisplacedVolume = FindDisplacedVolumes(cells.Grid, cells.Fractions, mesh, run.Group());
+  if (KeepsThinParts(cells.Options))
+  {
+    run.Report.DisplacedVolume =
+      FindDisplacedVolumes(cells.Grid, cells.Fractions, mesh, run.Group());
+  }
   return std::move(mesh);
 }
 

@@ -20,6 +20,11 @@ void CheckOptions(const MeshOptions& options, ElementKind elements)
   static_cast<LevelSettings&>(all) = options.Levels;
   all.Elements = elements;
   CheckOptions(all);
+  if (options.Levels.Refinements < 0)
+  {
+    throw InputError(
+      "Refinements is " + std::to_string(options.Levels.Refinements) + ": it must be at least 0.");
+  }
 }
 
 /// Returns whether the grid has at least the required ghost layers and exactly

@@ -100,7 +100,10 @@ void AddMaterials(FieldArrays& fields, const MeshReport& report, const Materials
   fields.push_back({ "TargetVolume", TakeMeshed(report.TargetVolume, meshVoid) });
   fields.push_back({ "MeshVolume", TakeMeshed(report.MeshVolume, meshVoid) });
   fields.push_back({ "VolumeError", TakeMeshed(FindVolumeErrors(report), meshVoid) });
-  fields.push_back({ "DisplacedVolume", TakeMeshed(report.DisplacedVolume, meshVoid) });
+  if (!report.DisplacedVolume.empty())
+  {
+    fields.push_back({ "DisplacedVolume", TakeMeshed(report.DisplacedVolume, meshVoid) });
+  }
   fields.push_back({ "LostCells", TakeMeshed(report.LostCells, meshVoid) });
   fields.push_back({ "GainedCells", TakeMeshed(report.GainedCells, meshVoid) });
 }

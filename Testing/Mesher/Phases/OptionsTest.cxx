@@ -167,6 +167,11 @@ TEST(Options, OutOfRangeIsRejected)
   MeshReport report;
   EXPECT_THROW(Make(c.Grid, c.Fractions, iso, report), InputError);
   EXPECT_THROW(Make(c.Grid, c.Fractions, target, report), InputError);
+  MeshOptions levels;
+  levels.Levels.Refinements = -1;
+  Runtime runtime;
+  EXPECT_THROW(MakeHexMesh(c.Grid, c.Fractions, levels, runtime, report), InputError);
+  EXPECT_THROW(MakeTetMesh(c.Grid, c.Fractions, levels, runtime, report), InputError);
 }
 
 TEST(Grids, RectilinearAndAnisotropic)
