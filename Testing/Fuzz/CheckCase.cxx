@@ -2,9 +2,9 @@
 
 #include "CheckPeriods.h"
 #include "CurvedNodes.h"
+#include "Elements/ResolveCells.h"
 #include "GeometryChecks.h"
 #include "Labels/LabelCondition.h"
-#include "Labels/ResolveLabels.h"
 #include "Modify/AddLayers.h"
 #include "Modify/AddMidNodes.h"
 #include "Modify/SplitInterfaces.h"
@@ -132,8 +132,9 @@ std::string FindVolumeProblem(const FuzzCase& c, const Mesh& mesh, const MeshRep
 std::string FindLabelProblem(const FuzzCase& c, const Mesh& mesh)
 {
   Runtime runtime;
-  LabelArray labels = AssignMaterials(c.Grid, c.Fractions, c.Options.IsoValue);
-  ResolveLabels(c.Grid, c.Fractions, labels, Partition(c.Grid, runtime.Group()), runtime);
+  MeshReport report;
+  MeshRun run(c.Grid, runtime, report);
+  const LabelArray labels = ResolveCells({ c.Grid, c.Fractions, c.Options }, false, run);
   for (Index node : FindMixedNodes(c.Grid, labels))
   {
     if (CountViolations(StarOfNode(c.Grid, labels, node)) > 0)

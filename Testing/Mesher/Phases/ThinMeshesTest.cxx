@@ -1,9 +1,9 @@
 /// Meshes of films, threads and drops that are thinner than a cell.
+#include "Cells/ThinShapes.h"
 #include "Geometry/DisplacedVolume.h"
 #include "MeshCases.h"
 #include "RandomDraw.h"
 #include "RankMeshes.h"
-#include "Cells/ThinShapes.h"
 
 #include <gtest/gtest.h>
 
