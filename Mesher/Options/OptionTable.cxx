@@ -179,8 +179,10 @@ OptionTable MaterialsOptions()
     Row("ThinParts", Switch<&M::ThinParts>(),
       "Keep films, threads and drops that are thinner than a cell, and so fill no cell by more "
       "than "
-      "half: they get the cells in which they have most of their material. Debris then keeps its "
-      "volume. A film or thread that is oblique to the cells, and is no part of a thicker body, "
+      "half: they get the cells in which they have most of their material. Debris of hexahedra "
+      "then "
+      "keeps its volume; tetrahedra may need a Least Thickness of 0.3. A film or thread that is "
+      "oblique to the cells, and is no part of a thicker body, "
       "can "
       "become thicker than it is; the table of materials tells by how much. Off: thin parts are "
       "torn "

@@ -184,11 +184,11 @@ def hexes(
         are "flat" or "joined".
     thin_parts : bool, default False
         Keep films, threads and drops that are thinner than a cell, and so fill no cell by more than
-        half: they get the cells in which they have most of their material. Debris then keeps its
-        volume. A film or thread that is oblique to the cells, and is no part of a thicker body, can
-        become thicker than it is; the table of materials tells by how much. False: thin parts are
-        torn or lost. Only for volume fractions with an `iso_value` of 0.5; material ids stay as
-        they are.
+        half: they get the cells in which they have most of their material. Debris of hexahedra then
+        keeps its volume; tetrahedra may need a `least_thickness` of 0.3. A film or thread that is
+        oblique to the cells, and is no part of a thicker body, can become thicker than it is; the
+        table of materials tells by how much. False: thin parts are torn or lost. Only for volume
+        fractions with an `iso_value` of 0.5; material ids stay as they are.
     least_thickness : float, default 0.25
         A number from 0 to 1. Thickness, in cells, below which `thin_parts` gives no cells to a
         film, thread or drop. Its material belongs to elements within one cell of it, or else to
