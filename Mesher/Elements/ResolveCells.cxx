@@ -24,12 +24,14 @@ std::vector<ThinCell> LabelThinCells(const MeshCells& cells, MeshRun& run, Label
     cells.Grid, cells.Fractions, cells.Options.LeastThickness, run.Parts, run.TheRuntime, labels);
 }
 
-void ReportThinCells(
-  const CartesianGrid& grid, const std::vector<ThinCell>& thin, Ranks& ranks, MeshReport& report)
+void ReportThinCells(const MeshCells& cells, const std::vector<ThinCell>& thin, MeshRun& run)
 {
-  const auto owned = std::count_if(thin.begin(), thin.end(),
-    [&](const ThinCell& cell) { return grid.Owned().Contains(grid.Position(cell.Cell)); });
-  report.ThinPartCells = SumOverRanks(static_cast<Index>(owned), ranks);
+  if (KeepsThinParts(cells.Options))
+  {
+    const auto owned = std::count_if(thin.begin(), thin.end(),
+      [&](const ThinCell& cell) { return run.Parts.OwnsCell(cells.Grid.Position(cell.Cell)); });
+    run.Report.ThinPartCells = SumOverRanks(static_cast<Index>(owned), run.Group());
+  }
 }
 
 LabelArray ResolveCells(const MeshCells& cells, bool keepsSeam, MeshRun& run)
@@ -37,7 +39,7 @@ LabelArray ResolveCells(const MeshCells& cells, bool keepsSeam, MeshRun& run)
   run.Clock.Start("Assigning materials", 0.0);
   LabelArray labels = AssignMaterials(cells.Grid, cells.Fractions, cells.Options.IsoValue);
   const std::vector<ThinCell> thin = LabelThinCells(cells, run, labels);
-  ReportThinCells(cells.Grid, thin, run.Group(), run.Report);
+  ReportThinCells(cells, thin, run);
   run.Clock.Start("Resolving labels", 0.05);
   ReportFlips(ResolveLabels(cells.Grid, WithClaims(cells.Fractions, labels, thin).Field(), labels,
                 run.Parts, run.TheRuntime, nullptr, keepsSeam),

@@ -21,8 +21,7 @@ std::vector<ThinCell> LabelThinCells(const MeshCells& cells, MeshRun& run, Label
 
 /// Counts the owned cells of thin parts of all ranks.
 /// @pre Collective.
-void ReportThinCells(
-  const CartesianGrid& grid, const std::vector<ThinCell>& thin, Ranks& ranks, MeshReport& report);
+void ReportThinCells(const MeshCells& cells, const std::vector<ThinCell>& thin, MeshRun& run);
 
 /// Assigns labels to cells and changes them until a valid mesh can be made from them
 /// (ResolveLabels.h).

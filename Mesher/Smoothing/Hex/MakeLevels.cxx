@@ -128,7 +128,7 @@ void LabelLeaves(const MeshCells& cells, MeshRun& run, LabelledGrid& result)
   LevelPlan plan = options.Levels;
   plan.Families.resize(plan.Refinements);
   const LabelArray ofCells = AssignMaterials(grid, cells.Fractions, options.IsoValue);
-  LabelArray thinLabels = ofCells;
+  LabelArray thinLabels = KeepsThinParts(options) ? ofCells : LabelArray();
   const std::vector<ThinCell> thin = LabelThinCells(cells, run, thinLabels);
   for (;; ++run.Report.LevelRounds)
   {
@@ -136,7 +136,7 @@ void LabelLeaves(const MeshCells& cells, MeshRun& run, LabelledGrid& result)
     const RefinedGrid& levels = *result.Levels.Grid;
     result.Labels = AssignLeafMaterials(levels, cells.Fractions, ofCells, options.IsoValue);
     const std::vector<ThinCell> leaves = LabelThinLeaves(levels, thin, thinLabels, result.Labels);
-    ReportThinCells(grid, leaves, run.Group(), run.Report);
+    ReportThinCells(cells, leaves, run);
     const ResolveReport resolved =
       ResolveLabels(grid, WithClaims(cells.Fractions, thinLabels, leaves).Field(), result.Labels,
         run.Parts, run.TheRuntime, &levels, true);
