@@ -46,6 +46,17 @@ FractionField MakeConcentricLabels(const CartesianGrid& grid, Index n);
 using MeshMaker = Mesh (*)(
   const CartesianGrid&, const FractionField&, const MeshOptions&, Runtime&, MeshReport&);
 
+/// A function that makes elements, with the method of tetrahedra.
+struct ElementMaker
+{
+  const char* Name;
+  MeshMaker Make;
+  TetMethod Tets; ///< of no effect on hexes
+};
+/// Makers of hexes, and of tetrahedra without TetGen.
+constexpr ElementMaker ElementMakers[] = { { "hexes", MakeHexMesh, TetMethod::Lattice },
+  { "Lattice", MakeTetMesh, TetMethod::Lattice }, { "Cells", MakeTetMesh, TetMethod::Cells } };
+
 /// Measures distances of the interface points between two materials, without junctions. onSides: of
 /// interface points on sides of the domain.
 void MeasureInterfaces(

@@ -3,6 +3,7 @@
 
 #include "Base/ThreadRuntime.h"
 #include "Labels/SmoothLabels.h"
+#include "MeshCases.h"
 #include "MeshChecks.h"
 #include "OverlapChecks.h"
 #include "Phases/MeshOfCells.h"
@@ -54,17 +55,9 @@ FractionField MakePlates(const CartesianGrid& grid, int passes)
   return fractions;
 }
 
-struct Method
+std::vector<ElementMaker> ListMethods()
 {
-  const char* Name;
-  MeshMaker Make;
-  TetMethod Tets;
-};
-
-std::vector<Method> ListMethods()
-{
-  std::vector<Method> methods{ { "hexes", MakeHexMesh, TetMethod::Lattice },
-    { "Lattice", MakeTetMesh, TetMethod::Lattice }, { "Cells", MakeTetMesh, TetMethod::Cells } };
+  std::vector<ElementMaker> methods(std::begin(ElementMakers), std::end(ElementMakers));
   if (HasTetGen())
   {
     methods.push_back({ "TetGen", MakeTetMesh, TetMethod::TetGen });
@@ -78,7 +71,7 @@ struct Made
   MeshReport Report;
 };
 
-Made MakeMesh(const CartesianGrid& grid, const FractionField& fractions, const Method& method,
+Made MakeMesh(const CartesianGrid& grid, const FractionField& fractions, const ElementMaker& method,
   MeshOptions options = {})
 {
   options.Method = method.Tets;
@@ -205,7 +198,7 @@ TEST(NarrowVoid, KeepsPlatesApart)
 {
   const CartesianGrid grid = MakeUnitGrid(24);
   const FractionField plates = MakePlates(grid, 3);
-  for (const Method& method : ListMethods())
+  for (const ElementMaker& method : ListMethods())
   {
     const Made made = MakeMesh(grid, plates, method);
     EXPECT_EQ(FindElementOverlaps(made.Elements).Depth, 0.0) << method.Name;
@@ -237,7 +230,7 @@ TEST(NarrowVoid, HasNoElementsWhereNothingMoves)
   MeshOptions meshed, stairs, unsmoothed;
   meshed.MeshVoid = stairs.StairStep = true;
   unsmoothed.Smoothing = SmoothingMethod::Off;
-  for (const Method& method : ListMethods())
+  for (const ElementMaker& method : ListMethods())
   {
     for (const MeshOptions& options : { meshed, stairs, unsmoothed })
     {
@@ -248,7 +241,7 @@ TEST(NarrowVoid, HasNoElementsWhereNothingMoves)
 
 TEST(NarrowVoid, KeepsRandomLabelsApart)
 {
-  for (const Method& method : ListMethods())
+  for (const ElementMaker& method : ListMethods())
   {
     for (unsigned seed : ListSeeds(6))
     {
@@ -285,7 +278,7 @@ TEST(NarrowVoid, KeepsBodiesApartOnRanks)
 {
   const CartesianGrid grid = MakeUnitGrid(24);
   const FractionField plates = MakePlates(grid, 3);
-  for (const Method& method : ListMethods())
+  for (const ElementMaker& method : ListMethods())
   {
     MeshOptions options;
     options.Method = method.Tets;

@@ -14,14 +14,7 @@ using namespace vfm::testing;
 namespace
 {
 
-struct Method
-{
-  const char* Name;
-  MeshMaker Make;
-  TetMethod Tets;
-};
-
-class Periodic : public ::testing::TestWithParam<Method>
+class Periodic : public ::testing::TestWithParam<ElementMaker>
 {
 };
 
@@ -45,7 +38,7 @@ double FindExcess(const CartesianGrid& grid, const Mesh& mesh)
 /// A body across the corner of the cell gets the same mesh as one in its middle.
 TEST_P(Periodic, PlaceOfSidesDoesNotMatter)
 {
-  const Method& method = this->GetParam();
+  const ElementMaker& method = this->GetParam();
   const CartesianGrid grid =
     MakePeriodicGrid({ { 12, 12, 12 } }, { { true, true, true } }, Seam::Free);
   MeshReport reports[2];
@@ -88,9 +81,9 @@ TEST_P(Periodic, SidesFollowInterfaces)
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, Periodic,
-  ::testing::Values(Method{ "FreeHexes", MakeHexMesh, TetMethod::Lattice },
-    Method{ "FreeLattice", MakeTetMesh, TetMethod::Lattice },
-    Method{ "FreeCells", MakeTetMesh, TetMethod::Cells }),
+  ::testing::Values(ElementMaker{ "FreeHexes", MakeHexMesh, TetMethod::Lattice },
+    ElementMaker{ "FreeLattice", MakeTetMesh, TetMethod::Lattice },
+    ElementMaker{ "FreeCells", MakeTetMesh, TetMethod::Cells }),
   [](const auto& info) { return std::string(info.param.Name); });
 
 /// Sums that decide between equal fractions of copies must not depend on rounded coordinates.

@@ -12,17 +12,7 @@ using namespace vfm::testing;
 namespace
 {
 
-struct Method
-{
-  const char* Name;
-  MeshMaker Make;
-  TetMethod Tets;
-};
-
-const Method Methods[] = { { "hexes", MakeHexMesh, TetMethod::Lattice },
-  { "Lattice", MakeTetMesh, TetMethod::Lattice }, { "Cells", MakeTetMesh, TetMethod::Cells } };
-
-MeshOptions OptionsOf(const Method& method)
+MeshOptions OptionsOf(const ElementMaker& method)
 {
   MeshOptions options;
   options.ThinParts = true;
@@ -39,7 +29,7 @@ struct ThinMesh
 };
 
 ThinMesh MakeThin(const CartesianGrid& grid, const std::vector<Shape>& shapes,
-  const Method& method = Methods[0], bool thinParts = true)
+  const ElementMaker& method = ElementMakers[0], bool thinParts = true)
 {
   Runtime runtime;
   const FractionField fractions = FractionsOfShapes(grid, shapes);
@@ -83,7 +73,7 @@ TEST(ThinMeshes, FilmsAreOneFragment)
 
 TEST(ThinMeshes, DropsAndThreads)
 {
-  for (const Method& method : Methods)
+  for (const ElementMaker& method : ElementMakers)
   {
     for (double volume : { 0.5, 1.0, 3.0 })
     {
@@ -113,7 +103,7 @@ TEST(ThinMeshes, ShellIsClosed)
 {
   const CartesianGrid grid = MakeUnitGrid(20);
   const std::vector<Shape> shell{ MakeShell({ { 10.2, 9.9, 10.4 } }, 7.3, 0.4) };
-  for (const Method& method : Methods)
+  for (const ElementMaker& method : ElementMakers)
   {
     const ThinMesh made = MakeThin(grid, shell, method),
                    torn = MakeThin(grid, shell, method, false);
@@ -130,7 +120,7 @@ TEST(ThinMeshes, ResolvedShapesKeepTheirMesh)
   for (const char* name : { "gyroid", "sphere 16", "polycrystal", "plate 2 thick" })
   {
     const MeshCase c = MakeMeshCase(name);
-    for (const Method& method : Methods)
+    for (const ElementMaker& method : ElementMakers)
     {
       Runtime runtime;
       MeshReport with, without;
@@ -150,7 +140,7 @@ TEST(ThinMeshes, SameOnAnyRanks)
   std::vector<Shape> shapes = MakeDrops(0.7, 5);
   shapes.push_back(MakeFilm({ { 10, 8, 9 } }, { { 3, 2, 1 } }, 0.5));
   const FractionField fractions = FractionsOfShapes(grid, shapes);
-  for (const Method& method : Methods)
+  for (const ElementMaker& method : ElementMakers)
   {
     CompareWithSerial(grid, fractions,
       { CutBox(grid.Global(), 2), CutBox(grid.Global(), 3, 0), CutBox(grid.Global(), 5),

@@ -22,16 +22,6 @@ MeshOptions OptionsOf(SharpEdgeMode mode, TetMethod method = TetMethod::Lattice)
   return options;
 }
 
-/// Mesher and method of a mesh.
-struct Maker
-{
-  const char* Name;
-  MeshMaker Make;
-  TetMethod Method;
-};
-const Maker Makers[] = { { "hexes", MakeHexMesh, TetMethod::Lattice },
-  { "Lattice", MakeTetMesh, TetMethod::Lattice }, { "Cells", MakeTetMesh, TetMethod::Cells } };
-
 /// Returns an empty string or the problem of a mesh; tolerance: of volumes.
 std::string FindProblem(const Mesh& mesh, const MeshReport& report, double tolerance)
 {
@@ -234,12 +224,12 @@ TEST(SharpEdges, RandomSolidsAreValid)
     const int n = 16;
     const CartesianGrid grid = MakeUnitGrid(n);
     const FractionField field = FractionsOfShapes(grid, DrawSolids(draw, n), 3);
-    for (const Maker& maker : Makers)
+    for (const ElementMaker& maker : ElementMakers)
     {
       Runtime runtime;
       MeshReport report;
       const Mesh mesh =
-        maker.Make(grid, field, OptionsOf(SharpEdgeMode::On, maker.Method), runtime, report);
+        maker.Make(grid, field, OptionsOf(SharpEdgeMode::On, maker.Tets), runtime, report);
       EXPECT_EQ(FindProblem(mesh, report, 1e-6), "") << maker.Name << ", seed " << seed;
     }
   }
@@ -251,9 +241,9 @@ TEST(SharpEdges, RandomLabelsAreValid)
   {
     const CartesianGrid grid = MakeUnitGrid(4 + seed % 6);
     const FractionField field = MakeRandomLabels(grid, 1 + seed % 4, seed % 2, seed);
-    for (const Maker& maker : Makers)
+    for (const ElementMaker& maker : ElementMakers)
     {
-      MeshOptions options = OptionsOf(SharpEdgeMode::On, maker.Method);
+      MeshOptions options = OptionsOf(SharpEdgeMode::On, maker.Tets);
       options.MeshVoid = seed % 3 == 0;
       Runtime runtime;
       MeshReport report;
@@ -269,11 +259,11 @@ TEST(SharpEdges, RanksMakeTheSameMesh)
   {
     const SharpCase c = MakeSharpCase(name, 12);
     const IndexBox& box = c.Grid.Global();
-    for (const Maker& maker : Makers)
+    for (const ElementMaker& maker : ElementMakers)
     {
       SCOPED_TRACE(std::string(name) + ", " + maker.Name);
       CompareWithSerial(c.Grid, c.Fractions, { CutBox(box, 2), CutBox(box, 3, 0), CutBox(box, 8) },
-        OptionsOf(SharpEdgeMode::On, maker.Method), maker.Make);
+        OptionsOf(SharpEdgeMode::On, maker.Tets), maker.Make);
     }
   }
 }
