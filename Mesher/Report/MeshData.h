@@ -31,6 +31,8 @@ struct MeshArray
   const void* Values = nullptr;
 };
 
+struct ParticleData;
+
 /// A view of a mesh. Members that Mesh has are described there; materials have the ids of the user.
 /// Pointers to missing arrays, and to arrays without values, are null.
 struct MeshData : NodeCounts
@@ -53,6 +55,7 @@ struct MeshData : NodeCounts
   /// Facets ascending by element and side, if the mesher made the mesh; null: MeshFacets.h
   /// finds them.
   const std::vector<MeshFacet>* Facets = nullptr;
+  const ParticleData* Particles = nullptr; ///< null: the mesh was made without particles
 
   const Index* Element(Index element) const { return this->Elements + this->Corners * element; }
   /// Calls visit(first, last) for the corners, then for the mid nodes of an element.
