@@ -22,6 +22,9 @@ constexpr double SmallestSlope = 1e-12; // smaller gradients count as 0
 constexpr double Damping = 1e-9;
 constexpr double CloseFit = 0.01;   // error above which films at other places are tried too
 constexpr double OtherPlace = 0.25; // shift of the middle to these places
+// Moments of inertia of a thread have a smaller ratio; the extent of the cells is 1 along each
+// axis.
+constexpr double LineRatio = 1.0 / 3.0;
 
 /// Returns the half thickness of the layer around the plane n.x = middle that fills a
 /// fraction of the cell.
@@ -182,9 +185,15 @@ LayerFit Fit(const Samples& samples, bool isFilm, const Vector3& normal, double 
   return fit;
 }
 
-/// Finds the centre of the filled volume and the direction of its least extent, relative to the
-/// extent of the cells.
-void FindFilm(const Samples& samples, Vector3& normal, double& middle)
+/// Moments of the filled volume of samples.
+struct Moments
+{
+  Vector3 Centre;         // of the filled volume
+  Eigen::Vector3d Scale;  // inverse extent of the cells along each axis
+  Eigen::Matrix3d Spread; // inertia of the filled volume, relative to the extent of the cells
+};
+
+Moments FindMoments(const Samples& samples)
 {
   double mass = 0.0, weights = 0.0;
   Vector3 centre{ { 0.0, 0.0, 0.0 } }, centreOfCells{ { 0.0, 0.0, 0.0 } };
@@ -214,11 +223,18 @@ void FindFilm(const Samples& samples, Vector3& normal, double& middle)
     }
   }
   const Eigen::Vector3d scale = spread.cwiseSqrt().cwiseInverse();
-  const Eigen::Matrix3d relative = scale.asDiagonal() * inertia * scale.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(relative);
-  const Eigen::Vector3d n = scale.asDiagonal() * solver.eigenvectors().col(0);
+  return { centre, scale, scale.asDiagonal() * inertia * scale.asDiagonal() };
+}
+
+/// Finds the centre of the filled volume and the direction of its least extent, relative to the
+/// extent of the cells.
+void FindFilm(const Samples& samples, Vector3& normal, double& middle)
+{
+  const Moments moments = FindMoments(samples);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(moments.Spread);
+  const Eigen::Vector3d n = moments.Scale.asDiagonal() * solver.eigenvectors().col(0);
   normal = Unit({ { n[0], n[1], n[2] } });
-  middle = Dot(normal, centre);
+  middle = Dot(normal, moments.Centre);
 }
 
 } // namespace
@@ -262,6 +278,13 @@ LayerFit FitFilm(const std::vector<FractionSample>& samples)
     }
   }
   return best;
+}
+
+bool IsAlongLine(const std::vector<FractionSample>& samples)
+{
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(
+    FindMoments(samples).Spread, Eigen::EigenvaluesOnly);
+  return solver.eigenvalues()[1] < LineRatio * solver.eigenvalues()[2];
 }
 
 } // namespace vfm

@@ -48,4 +48,7 @@ LayerFit FitHalfSpace(const std::vector<FractionSample>& samples);
 /// Fits a film thinner than about 1.5 cells, from the same samples.
 LayerFit FitFilm(const std::vector<FractionSample>& samples);
 
+/// Returns whether the filled volume extends along a line only, as a thread does.
+bool IsAlongLine(const std::vector<FractionSample>& samples);
+
 } // namespace vfm

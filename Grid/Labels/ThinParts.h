@@ -39,6 +39,15 @@ struct ThinCell
   double Load; ///< material that its elements hold, as a fraction of the cell (FindLoad)
 };
 
+/// Returns the indices of thin cells, in their order.
+inline std::vector<Index> CellsOf(const std::vector<ThinCell>& thin)
+{
+  std::vector<Index> cells(thin.size());
+  std::transform(
+    thin.begin(), thin.end(), cells.begin(), [](const ThinCell& cell) { return cell.Cell; });
+  return cells;
+}
+
 /// Gives cells to the thin parts of all materials. If several materials want a cell, the one with
 /// the largest fraction gets it, the smaller number on a tie.
 /// @param leastThickness  in cells: where a part is thinner, cells keep their labels

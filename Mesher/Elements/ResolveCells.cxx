@@ -34,7 +34,7 @@ void ReportThinCells(const MeshCells& cells, const std::vector<ThinCell>& thin, 
   }
 }
 
-LabelArray ResolveCells(const MeshCells& cells, bool keepsSeam, MeshRun& run)
+ResolvedCells ResolveCells(const MeshCells& cells, bool keepsSeam, MeshRun& run)
 {
   run.Clock.Start("Assigning materials", 0.0);
   LabelArray labels = AssignMaterials(cells.Grid, cells.Fractions, cells.Options.IsoValue);
@@ -44,7 +44,7 @@ LabelArray ResolveCells(const MeshCells& cells, bool keepsSeam, MeshRun& run)
   ReportFlips(ResolveLabels(cells.Grid, WithClaims(cells.Fractions, labels, thin).Field(), labels,
                 run.Parts, run.TheRuntime, nullptr, keepsSeam),
     run.Report);
-  return labels;
+  return { std::move(labels), CellsOf(thin) };
 }
 
 } // namespace vfm

@@ -23,10 +23,17 @@ std::vector<ThinCell> LabelThinCells(const MeshCells& cells, MeshRun& run, Label
 /// @pre Collective.
 void ReportThinCells(const MeshCells& cells, const std::vector<ThinCell>& thin, MeshRun& run);
 
+/// Labels, and the cells that got theirs as a thin part.
+struct ResolvedCells
+{
+  LabelArray Labels;
+  std::vector<Index> Thin; ///< ascending
+};
+
 /// Assigns labels to cells and changes them until a valid mesh can be made from them
 /// (ResolveLabels.h).
 /// @param keepsSeam  ResolveLabels
 /// @pre Collective.
-LabelArray ResolveCells(const MeshCells& cells, bool keepsSeam, MeshRun& run);
+ResolvedCells ResolveCells(const MeshCells& cells, bool keepsSeam, MeshRun& run);
 
 } // namespace vfm

@@ -4,6 +4,7 @@
 #include "Fractions/GradientFit.h"
 #include "Fractions/LayerFit.h"
 #include "Fractions/Plic.h"
+#include "Interface/ScaledCells.h"
 
 namespace vfm
 {
@@ -35,34 +36,6 @@ struct EndCell
   Vector3 Gradient;
   bool IsOneSided; // whether the cell is at a side of the domain
   bool HasPlane;   // whether a plane was fitted
-};
-
-/// Cells in grid coordinates.
-class ScaledCells
-{
-public:
-  explicit ScaledCells(const CartesianGrid& grid) : Grid(grid), Scale(1.0 / grid.MeanWidth()) {}
-
-  Vector3 Centre(const Index3& p) const
-  {
-    Vector3 c;
-    for (int a = 0; a < 3; ++a)
-    {
-      const std::vector<double>& x = this->Grid.Coordinates(a);
-      c[a] = (0.5 * (x[p[a]] + x[p[a] + 1]) - x[0]) * this->Scale;
-    }
-    return c;
-  }
-  Vector3 Widths(const Index3& p) const
-  {
-    return { { this->Grid.Width(0, p[0]) * this->Scale, this->Grid.Width(1, p[1]) * this->Scale,
-      this->Grid.Width(2, p[2]) * this->Scale } };
-  }
-
-  const CartesianGrid& Grid;
-
-private:
-  double Scale;
 };
 
 /// Fractions of the two labels of a face.

@@ -2,6 +2,7 @@
 
 #include "Base/Vector3.h"
 #include "Interface/Crossings.h"
+#include "Interface/FilmCrossings.h"
 
 #include <numeric>
 
@@ -20,11 +21,12 @@ constexpr Index NodesOfBlock = 1024; // nodes per task
 
 Interface::Interface(const CartesianGrid& grid, const FractionField& fractions,
   const LabelArray& labels, std::vector<Index> mixed, double isoValue, Runtime& runtime,
-  const std::vector<Index>& steps) :
+  const std::vector<Index>& steps, const std::vector<Index>& thin) :
   TheGrid(grid), MeanWidth(grid.MeanWidth()), MixedNodes(std::move(mixed))
 {
   this->FindFaces(labels, runtime);
   this->TheCrossings.resize(this->TheFaces.size());
+  const FilmCrossings films(grid, fractions, labels, thin, runtime);
   const auto isStep = [&](Index cell)
   { return std::binary_search(steps.begin(), steps.end(), cell); };
   runtime.For(0, static_cast<Index>(this->TheFaces.size()),
@@ -33,6 +35,11 @@ Interface::Interface(const CartesianGrid& grid, const FractionField& fractions,
       for (Index f = first; f < last; ++f)
       {
         const InterfaceFace& face = this->TheFaces[f];
+        if (const std::optional<Crossing> film = films.Find(face))
+        {
+          this->TheCrossings[f] = *film;
+          continue;
+        }
         this->TheCrossings[f] = isStep(face.Node) || isStep(face.Node - grid.Stride(face.Axis))
           ? FindCrossingNear(grid, fractions, face, isoValue)
           : FindCrossing(grid, fractions, face, isoValue);

@@ -48,9 +48,10 @@ public:
   ///   out if one of its nodes is not in this list
   /// @param steps  cells, ascending, that got their label as a part of a coarser cell, against
   ///   their own fractions. Their faces get the crossing of a face nearby (FindCrossingNear)
+  /// @param thin  cells, ascending, that got their label as a thin part (FilmCrossings.h)
   Interface(const CartesianGrid& grid, const FractionField& fractions, const LabelArray& labels,
     std::vector<Index> mixed, double isoValue, Runtime& runtime,
-    const std::vector<Index>& steps = {});
+    const std::vector<Index>& steps = {}, const std::vector<Index>& thin = {});
 
   const CartesianGrid& Grid() const { return this->TheGrid; }
   /// Returns the mixed nodes, ascending.

@@ -197,14 +197,15 @@ std::vector<Index3> MakeSteps()
 } // namespace
 
 LevelInterfaces::LevelInterfaces(const RefinedGrid& levels, const FractionField& fractions,
-  const LabelArray& labels, std::vector<Index> mixed, double isoValue, Runtime& runtime) :
+  const LabelArray& labels, std::vector<Index> mixed, double isoValue, Runtime& runtime,
+  const std::vector<Index>& thin) :
   Levels(levels), FirstPoint(1, 0)
 {
   const CartesianGrid& finest = levels.Finest();
   if (levels.HasFineInterfaces())
   {
-    this->Interfaces.push_back(
-      std::make_unique<Interface>(finest, fractions, labels, std::move(mixed), isoValue, runtime));
+    this->Interfaces.push_back(std::make_unique<Interface>(
+      finest, fractions, labels, std::move(mixed), isoValue, runtime, std::vector<Index>(), thin));
     return;
   }
   for (int level = 0; level < levels.NumberOfRefinements(); ++level)
@@ -214,14 +215,14 @@ LevelInterfaces::LevelInterfaces(const RefinedGrid& levels, const FractionField&
       CoarsenGrid(finest, halvings, CountCoarseGhosts(finest, halvings, LevelGhosts)));
     const CartesianGrid& grid = this->Grids.back();
     this->AddLevel(level, grid, CoarsenFractions(finest, fractions, halvings, grid, runtime),
-      labels, isoValue, runtime);
+      labels, {}, isoValue, runtime);
   }
-  this->AddLevel(levels.NumberOfRefinements(), finest, fractions, labels, isoValue, runtime);
+  this->AddLevel(levels.NumberOfRefinements(), finest, fractions, labels, thin, isoValue, runtime);
 }
 
 /// Adds the interface of a level; labels are on the finest grid.
 void LevelInterfaces::AddLevel(int level, const CartesianGrid& grid, const FractionField& fractions,
-  const LabelArray& labels, double isoValue, Runtime& runtime)
+  const LabelArray& labels, const std::vector<Index>& thin, double isoValue, Runtime& runtime)
 {
   LevelCells cells(this->Levels, level);
   LabelArray own = AssignMaterials(grid, fractions, isoValue);
@@ -232,8 +233,8 @@ void LevelInterfaces::AddLevel(int level, const CartesianGrid& grid, const Fract
   nodes.erase(std::remove_if(nodes.begin(), nodes.end(),
                 [&](Index node) { return !cells.IsNear(grid.Position(node)); }),
     nodes.end());
-  this->Interfaces.push_back(
-    std::make_unique<Interface>(grid, fractions, own, std::move(nodes), isoValue, runtime, steps));
+  this->Interfaces.push_back(std::make_unique<Interface>(
+    grid, fractions, own, std::move(nodes), isoValue, runtime, steps, thin));
   this->FirstPoint.push_back(
     this->FirstPoint.back() + static_cast<Index>(this->Interfaces.back()->Points().size()));
 }

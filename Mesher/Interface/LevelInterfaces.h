@@ -28,10 +28,12 @@ public:
   /// @param fractions  fractions of the finest grid, in all its ghost layers
   /// @param labels  resolved labels of the same cells, equal in all cells of a leaf
   /// @param mixed  FindMixedNodes of the labels
+  /// @param thin  cells, ascending, that got their label as a thin part
   /// @note Reproducible on any number of ranks. If interfaces cross levels, the finest grid needs
   ///   GhostLayers base cells around the owned ones for this.
   LevelInterfaces(const RefinedGrid& levels, const FractionField& fractions,
-    const LabelArray& labels, std::vector<Index> mixed, double isoValue, Runtime& runtime);
+    const LabelArray& labels, std::vector<Index> mixed, double isoValue, Runtime& runtime,
+    const std::vector<Index>& thin = {});
   LevelInterfaces(const LevelInterfaces&) = delete;
   LevelInterfaces& operator=(const LevelInterfaces&) = delete;
 
@@ -49,7 +51,7 @@ public:
 
 private:
   void AddLevel(int level, const CartesianGrid& grid, const FractionField& fractions,
-    const LabelArray& labels, double isoValue, Runtime& runtime);
+    const LabelArray& labels, const std::vector<Index>& thin, double isoValue, Runtime& runtime);
   std::size_t PositionOf(int level) const
   {
     return this->Interfaces.size() - 1 - (this->Levels.NumberOfRefinements() - level);

@@ -107,7 +107,8 @@ void MovePoints(const MeshCells& cells, const SurfaceTargets& targets, ElementMe
   }
   run.Clock.Start("Smoothing", 0.25);
   Smoother smoother(active, &targets, method.Energy(), run.TheRuntime);
-  VolumeCorrection correction(draft.Volumes, smoother, run.Clock, ramp.back(), bulgesOf);
+  VolumeCorrection correction(
+    draft.Volumes, smoother, run.Clock, ramp.back(), draft.IsThin, bulgesOf);
   RunRamp(ramp, conserves && !method.ChangesElements(), method, run.Clock, smoother, correction);
   if (method.ChangesElements())
   {

@@ -7,6 +7,7 @@
 #include "Smoothing/Hex/CoarseSmoothing.h"
 #include "Smoothing/Hex/MakeLevels.h"
 #include "Volumes/CellLocator.h"
+#include "Volumes/ThinFragments.h"
 
 namespace vfm
 {
@@ -43,17 +44,21 @@ Draft HexMethod::Make(const MeshCells& cells, MeshRun& run)
     volumes.SetStart(
       MeasureFragments(mesh, cells.Grid, fragments.NumberOfFragments(), run.TheRuntime));
   }
+  std::vector<unsigned char> isThin =
+    FindThinFragments(cells.Grid, mesh, labelled.Thin, run.Report.NumberOfFragments, run.Group());
   return { .Elements = std::move(mesh),
     .Facets = std::move(facets),
     .Volumes = std::move(volumes),
     .RequestedFamilies = std::move(labelled.Levels.RequestedFamilies),
     .Barrier = labelled.Barrier(),
+    .IsThin = std::move(isThin),
     .WholeCells = topology.WholeCells };
 }
 
 ActiveMesh& HexMethod::MakeActive(const MeshCells&, MeshRun& run, Draft& draft)
 {
-  this->Active = MakeActiveHexes(this->Labelled, run.Parts, draft.Elements, run.TheRuntime);
+  this->Active =
+    MakeActiveHexes(this->Labelled, run.Parts, draft.Elements, draft.IsThin, run.TheRuntime);
   this->Corners.emplace(this->Active, draft.Elements);
   run.Clock.Update(0.16);
   return this->Active;
@@ -64,8 +69,9 @@ std::unique_ptr<LevelInterfaces> HexMethod::FindInterfaces(
   const MeshCells& cells, const Draft&, MeshRun& run)
 {
   LabelledGrid& labelled = this->Labelled;
-  auto interfaces = std::make_unique<LevelInterfaces>(*labelled.Levels.Grid, cells.Fractions,
-    labelled.Labels, std::move(labelled.Mixed), cells.Options.IsoValue, run.TheRuntime);
+  auto interfaces =
+    std::make_unique<LevelInterfaces>(*labelled.Levels.Grid, cells.Fractions, labelled.Labels,
+      std::move(labelled.Mixed), cells.Options.IsoValue, run.TheRuntime, labelled.Thin);
   if (labelled.Levels.Grid->IsUniform())
   {
     labelled.Labels = LabelArray();

@@ -11,6 +11,7 @@
 #include "Smoothing/Tet/TetImprove.h"
 #include "Volumes/CellLocator.h"
 #include "Volumes/TetFragments.h"
+#include "Volumes/ThinFragments.h"
 #ifdef VFM_HAS_TETGEN
 #include "TetGen/RefillTets.h"
 #endif
@@ -36,7 +37,9 @@ TetMethodBase::TetMethodBase(const MeshCells& cells) :
 Draft TetMethodBase::Make(const MeshCells& cells, MeshRun& run)
 {
   run.Clock.SetShare(this->Kind == TetMethod::TetGen ? ShareBeforeTetGen : 1.0);
-  this->Labels = ResolveCells(cells, false, run);
+  ResolvedCells resolved = ResolveCells(cells, false, run);
+  this->Labels = std::move(resolved.Labels);
+  this->Thin = std::move(resolved.Thin);
   run.Clock.Start("Making tetrahedra", 0.1);
   this->Mixed = FindMixedNodes(cells.Grid, this->Labels);
   this->StartTets(cells, run);
@@ -54,17 +57,20 @@ Draft TetMethodBase::Make(const MeshCells& cells, MeshRun& run)
   Mesh& mesh = topology.Tets;
   FillInside(mesh);
   std::vector<Facet> facets = ListFacets(this->Faces, cells.Grid, run.Parts, mesh);
+  std::vector<unsigned char> isThin =
+    FindThinFragments(cells.Grid, mesh, this->Thin, run.Report.NumberOfFragments, run.Group());
   return { .Elements = std::move(mesh),
     .Facets = std::move(facets),
     .Volumes = std::move(volumes),
     .RequestedFamilies = std::move(levels.RequestedFamilies),
-    .Barrier = topology.Barrier };
+    .Barrier = topology.Barrier,
+    .IsThin = std::move(isThin) };
 }
 
 ActiveMesh& TetMethodBase::MakeActive(const MeshCells& cells, MeshRun& run, Draft& draft)
 {
-  this->Active = MakeActiveTets(
-    draft.Elements, this->Positions, draft.Barrier, cells.Grid, run.Parts, run.TheRuntime);
+  this->Active = MakeActiveTets(draft.Elements, this->Positions, draft.Barrier, draft.IsThin,
+    cells.Grid, run.Parts, run.TheRuntime);
   return this->Active;
 }
 
@@ -72,7 +78,7 @@ std::unique_ptr<LevelInterfaces> TetMethodBase::FindInterfaces(
   const MeshCells& cells, const Draft& draft, MeshRun& run)
 {
   return std::make_unique<LevelInterfaces>(*draft.Elements.Levels, cells.Fractions, this->Labels,
-    std::move(this->Mixed), cells.Options.IsoValue, run.TheRuntime);
+    std::move(this->Mixed), cells.Options.IsoValue, run.TheRuntime, this->Thin);
 }
 
 void TetMethodBase::Attach(const LevelInterfaces& interfaces, const Draft& draft, MeshRun& run)

@@ -52,6 +52,7 @@ protected:
   const TetMethod Kind;
   TetEnergy TheEnergy;
   LabelArray Labels;
+  std::vector<Index> Thin;  // ResolvedCells::Thin
   std::vector<Index> Mixed; // FindMixedNodes
   std::vector<PointPosition> Positions;
   TetFaces Faces;

@@ -104,6 +104,38 @@ void ActiveMesh::SetBarrier(
   }
 }
 
+void ActiveMesh::SetYielding(
+  const Mesh& mesh, const std::vector<unsigned char>& isThin, const std::vector<Index>& elements)
+{
+  if (isThin.empty())
+  {
+    return;
+  }
+  this->YieldingFragments.reserve(elements.size());
+  for (Index element : elements)
+  {
+    const int fragment = mesh.Fragment[element];
+    this->YieldingFragments.push_back(isThin[fragment] ? fragment : 0);
+  }
+}
+
+void ActiveMesh::LowerDemands(const std::vector<unsigned char>& fragments, float demand)
+{
+  this->Demands.resize(this->YieldingFragments.size(), 1.0f);
+  for (std::size_t e = 0; e < this->YieldingFragments.size(); ++e)
+  {
+    const int fragment = this->YieldingFragments[e];
+    if (fragment > 0 && fragments[fragment])
+    {
+      this->Demands[e] = std::min(this->Demands[e], demand);
+    }
+  }
+  if (this->HasHexes())
+  {
+    this->Rings.UpdateDemands(*this);
+  }
+}
+
 void ActiveMesh::BoundBySeams(const CartesianGrid& grid, const Mesh& mesh)
 {
   if (grid.FlatSeams(grid.Domain().Lower) == 0)

@@ -77,6 +77,8 @@ struct ActiveMesh
   std::vector<Vector3> Widths;
   /// Factor of each element's target quality, up to 1; empty if all are 1.
   std::vector<float> Demands;
+  /// Fragment of each element that may get a lower demand (LowerDemands); 0: none. Empty: none may.
+  std::vector<int> YieldingFragments;
   /// Corners at point p: CornerList[CornerOffset[p]] to before CornerList[CornerOffset[p + 1]].
   std::vector<CornerPosition> CornerOffset;
   /// Positions in Elements, ascending; points that are not active have no entries.
@@ -208,6 +210,13 @@ struct ActiveMesh
   /// @pre Collective among the ranks that share points.
   void SetBarrier(
     const Mesh& mesh, const BarrierElements& barrier, const std::vector<Index>& elements);
+  /// Sets YieldingFragments: the elements of flagged fragments.
+  /// @param elements  index in the mesh of each element
+  /// @param isThin  FindThinFragments
+  void SetYielding(
+    const Mesh& mesh, const std::vector<unsigned char>& isThin, const std::vector<Index>& elements);
+  /// Lowers the demands of the yielding elements of flagged fragments to at most `demand`.
+  void LowerDemands(const std::vector<unsigned char>& fragments, float demand);
   /// Fills X, Fixed and bounds from the positions in the mesh. Points on sides of the domain and
   /// flat seams stay there; all others stay 0.01 cells inside. Keeps a pointer to the points of the
   /// mesh.

@@ -103,6 +103,14 @@ struct Range
   Index Size() const { return std::max<Index>(Index(this->Highest) - this->Lowest + 1, 0); }
 };
 
+/// Returns whether a hex at an active point has a demand other than 1.
+bool AnyDemand(const ActiveMesh& mesh, int point)
+{
+  const auto begin = mesh.CornerList.begin();
+  return std::any_of(begin + mesh.CornerOffset[point], begin + mesh.CornerOffset[point + 1],
+    [&](CornerPosition at) { return mesh.DemandAt(at) != 1.0; });
+}
+
 } // namespace
 
 /// Stores the points of all rings.
@@ -146,7 +154,7 @@ public:
       const std::uint32_t begin = static_cast<std::uint32_t>(points.size());
       this->FindRing(p);
       this->Result.Places.push_back(
-        { begin, this->Numbers.Of(this->List), this->Near, this->HasDemands(p) });
+        { begin, this->Numbers.Of(this->List), this->Near, AnyDemand(this->Mesh, p) });
       points.insert(points.end(), this->Ring.Points.begin(), this->Ring.Points.end());
     }
     this->Result.Places.push_back({ static_cast<std::uint32_t>(points.size()), 0, 0, false });
@@ -181,14 +189,6 @@ private:
       });
     this->Near = static_cast<std::uint16_t>(this->Ring.Points.size());
     forHexes([&](const int* points, int corner) { this->Ring.Of(points[corner ^ 7]); });
-  }
-
-  bool HasDemands(int point) const
-  {
-    const auto begin = this->Mesh.CornerList.begin();
-    return std::any_of(begin + this->Mesh.CornerOffset[point],
-      begin + this->Mesh.CornerOffset[point + 1],
-      [this](CornerPosition at) { return this->Mesh.DemandAt(at) != 1.0; });
   }
 
   const ActiveMesh& Mesh;
@@ -235,6 +235,18 @@ HexRings::HexRings(const ActiveMesh& mesh, Runtime& runtime)
     {
       Place& place = this->Blocks[b].Places[p];
       place.Hexes = beginOf[place.Hexes];
+    }
+  }
+}
+
+void HexRings::UpdateDemands(const ActiveMesh& mesh)
+{
+  int point = 0;
+  for (Block& block : this->Blocks)
+  {
+    for (std::size_t p = 0; p + 1 < block.Places.size(); ++p, ++point)
+    {
+      block.Places[p].HasDemands = AnyDemand(mesh, point);
     }
   }
 }

@@ -84,6 +84,8 @@ public:
   {
     return this->Blocks[point / PointsOfBlock].Places[point % PointsOfBlock].HasDemands;
   }
+  /// Finds HasDemands again after demands have changed.
+  void UpdateDemands(const ActiveMesh& mesh);
   /// Returns the hexes at an active point, in number and order of ActiveMesh::CornerList.
   const Hex* HexesAt(int point) const
   {

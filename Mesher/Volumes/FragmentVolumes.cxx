@@ -352,6 +352,35 @@ bool FragmentVolumes::HasPushed() const
   return false;
 }
 
+std::vector<unsigned char> FragmentVolumes::FindOff(double error) const
+{
+  std::vector<unsigned char> isOff(this->Targets.size(), 0);
+  for (std::size_t f = 1; f < isOff.size(); ++f)
+  {
+    isOff[f] = std::fabs(this->VolumeOf(f) - this->Targets[f]) > error * this->Targets[f];
+  }
+  return isOff;
+}
+
+double FragmentVolumes::SumErrors(const std::vector<unsigned char>& fragments) const
+{
+  double sum = 0.0;
+  for (std::size_t f = 1; f < fragments.size(); ++f)
+  {
+    sum += fragments[f] ? std::fabs(this->VolumeOf(f) - this->Targets[f]) : 0.0;
+  }
+  return sum;
+}
+
+void FragmentVolumes::ForgetResisting(const std::vector<unsigned char>& fragments)
+{
+  for (std::size_t f = 1; f < fragments.size(); ++f)
+  {
+    this->Resists[f] &= !fragments[f];
+  }
+  this->SetAims();
+}
+
 void FragmentVolumes::MarkResisting(double error)
 {
   for (int f = 1; f < static_cast<int>(this->Targets.size()); ++f)

@@ -116,6 +116,13 @@ public:
   /// Returns whether FindShifts may push any fragment that resists.
   bool HasPushed() const;
 
+  /// Returns whether the volume of each fragment is off its target by more than a relative error.
+  std::vector<unsigned char> FindOff(double error) const;
+  /// Returns the sum of |volume - target| of flagged fragments.
+  double SumErrors(const std::vector<unsigned char>& fragments) const;
+  /// Ends the marks of flagged fragments as resisting.
+  void ForgetResisting(const std::vector<unsigned char>& fragments);
+
   /// Marks the fragments with a relative error above `error` as resisting. The other fragments of
   /// their material take over the missing volume in proportion to their targets, each at most 10 %.
   /// The marks of fragments that reach their targets within this error end.

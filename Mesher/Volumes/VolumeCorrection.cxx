@@ -2,6 +2,7 @@
 
 #include "Volumes/ScaleFragments.h"
 
+#include <functional>
 #include <limits>
 
 namespace vfm
@@ -36,17 +37,24 @@ constexpr int FewestMoves = 4; // if small fragments are off
 // Moves end once the error was not within this part of the least one this many times in turn.
 constexpr double PartThatCounts = 0.9;
 constexpr int IdleMoves = 3;
+// Thin fragments with a larger relative error get lower demands, one after the other, each for a
+// number of rounds, or until their errors did not fall this many times in turn.
+constexpr double YieldingError = 2e-2;
+constexpr float LowerDemands[] = { 0.6f, 0.4f };
+constexpr int YieldingRounds = 16, IdleRounds = 4;
 constexpr int BulgeRounds = 4; // of corrections, after each of which bulges are measured again
 
 } // namespace
 
 VolumeCorrection::VolumeCorrection(FragmentVolumes& volumes, Smoother& smoother, StageClock& clock,
-  const SmoothingStage& last, MeasureBulgesFunction bulgesOf) :
+  const SmoothingStage& last, const std::vector<unsigned char>& isThin,
+  MeasureBulgesFunction bulgesOf) :
   Volumes(volumes),
   TheSmoother(smoother),
   Clock(clock),
   Last(last),
   Round(last),
+  IsThin(isThin),
   BulgesOf(std::move(bulgesOf))
 {
   this->Round.Sweeps = SweepsPerRound;
@@ -97,12 +105,17 @@ void VolumeCorrection::ScaleFree()
   }
 }
 
-/// Runs one round. Returns false if all shifts were too small to matter.
-bool VolumeCorrection::Follow()
+/// Returns the shifts of a round.
+std::vector<double> VolumeCorrection::FindShifts()
+{
+  return this->Volumes.FindShifts(this->Active(), InRounds);
+}
+
+/// Runs one round with shifts of attachments. Returns false if all were too small to matter.
+bool VolumeCorrection::Follow(const std::vector<double>& shifts)
 {
   if (!this->TheSmoother.Follow(
-        this->Volumes.FindShifts(this->Active(), InRounds),
-        [this](const Attachment& a) { return this->IsLong(a); }, this->Round))
+        shifts, [this](const Attachment& a) { return this->IsLong(a); }, this->Round))
   {
     return false;
   }
@@ -116,7 +129,8 @@ void VolumeCorrection::FollowFragments()
   const FragmentVolumes& volumes = this->Volumes;
   const auto isDue = [&]
   { return volumes.WorstFragmentError() > FragmentTolerance || volumes.HasPushed(); };
-  for (int round = 0; round < ResistingRounds && isDue() && this->Follow(); ++round)
+  for (int round = 0; round < ResistingRounds && isDue() && this->Follow(this->FindShifts());
+       ++round)
   {
     this->Clock.Update(0.82 + 0.01 * round);
   }
@@ -126,7 +140,7 @@ void VolumeCorrection::CorrectStraight()
 {
   if (this->Volumes.WorstError() > VolumeTolerance)
   {
-    this->Follow();
+    this->Follow(this->FindShifts());
   }
   for (double error : ResistingErrors)
   {
@@ -160,10 +174,66 @@ void VolumeCorrection::MoveSurfaces()
   }
 }
 
+/// Lowers the demands of flagged fragments, and follows their errors to where they are smallest.
+/// Lower demands leave thin elements less stable, so the errors may grow again.
+void VolumeCorrection::Yield(const std::vector<unsigned char>& fragments, float demand)
+{
+  this->Active().LowerDemands(fragments, demand);
+  this->Volumes.ForgetResisting(fragments);
+  this->Volumes.ForgetRequests();
+  std::vector<Vector3> best = this->Active().X;
+  double least = this->Volumes.SumErrors(fragments);
+  for (int round = 0, idle = 0; round < YieldingRounds && idle < IdleRounds; ++round)
+  {
+    std::vector<double> shifts = this->FindShifts();
+    ForEach(this->TheSmoother.TheRuntime(), shifts.size(),
+      [&](Index i)
+      {
+        const auto& [first, second] = this->Active().Attachments[i].Fragments;
+        shifts[i] = fragments[first] || fragments[second] ? shifts[i] : 0.0;
+      });
+    if (!this->Follow(shifts))
+    {
+      break;
+    }
+    const double error = this->Volumes.SumErrors(fragments);
+    idle = error < least ? 0 : idle + 1;
+    if (idle == 0)
+    {
+      least = error;
+      best = this->Active().X;
+    }
+  }
+  this->Active().X.swap(best);
+  this->MeasureAll();
+  this->Volumes.MarkResisting(ResistingErrors[0]);
+  this->MoveSurfaces();
+}
+
+/// Lowers the demands of thin fragments that cannot reach their targets.
+void VolumeCorrection::CorrectThin()
+{
+  for (float demand : LowerDemands)
+  {
+    const std::vector<unsigned char> isOff = this->Volumes.FindOff(YieldingError);
+    std::vector<unsigned char> fragments(isOff.size());
+    std::transform(
+      isOff.begin(), isOff.end(), this->IsThin.begin(), fragments.begin(), std::logical_and<>());
+    if (std::find(fragments.begin(), fragments.end(), 1) != fragments.end())
+    {
+      this->Yield(fragments, demand);
+    }
+  }
+}
+
 void VolumeCorrection::Run()
 {
   this->MeasureBulges();
   this->CorrectStraight();
+  if (!this->IsThin.empty())
+  {
+    this->CorrectThin();
+  }
   for (int round = 1; round < BulgeRounds && this->BulgesOf; ++round)
   {
     this->MeasureBulges();

@@ -22,8 +22,10 @@ public:
 
   /// All objects must outlive this one.
   /// @param last  last stage of the ramp
+  /// @param isThin  FindThinFragments
   VolumeCorrection(FragmentVolumes& volumes, Smoother& smoother, StageClock& clock,
-    const SmoothingStage& last, MeasureBulgesFunction bulgesOf);
+    const SmoothingStage& last, const std::vector<unsigned char>& isThin,
+    MeasureBulgesFunction bulgesOf);
 
   /// Measures the volumes of the fragments. MeasureAll looks at all facets, also at new ones and at
   /// points that were not moved in sweeps.
@@ -39,8 +41,9 @@ public:
 
   /// Shifts the targets and smooths, then moves the surface points to correct the remaining errors.
   /// Small fragments, whose surfaces are uncertain in the fractions and hard to move, get more
-  /// rounds and longer shifts. The volumes of curved elements change as their points move: they are
-  /// measured again, and corrected.
+  /// rounds and longer shifts. Fragments with thin parts that still miss their targets get elements
+  /// of less quality (ActiveMesh::LowerDemands), as few as needed. The volumes of curved elements
+  /// change as their points move: they are measured again, and corrected.
   void Run();
 
 private:
@@ -52,14 +55,18 @@ private:
   }
   void CorrectStraight();
   void ScaleFree();
-  bool Follow();
+  std::vector<double> FindShifts();
+  bool Follow(const std::vector<double>& shifts);
   void FollowFragments();
+  void Yield(const std::vector<unsigned char>& fragments, float demand);
+  void CorrectThin();
   void MoveSurfaces();
 
   FragmentVolumes& Volumes;
   Smoother& TheSmoother;
   StageClock& Clock;
   SmoothingStage Last, Round; // stages of the ramp's end, and of a round
+  const std::vector<unsigned char>& IsThin;
   MeasureBulgesFunction BulgesOf;
   bool IsMeasured = false;
 };

@@ -134,7 +134,7 @@ std::string FindLabelProblem(const FuzzCase& c, const Mesh& mesh)
   Runtime runtime;
   MeshReport report;
   MeshRun run(c.Grid, runtime, report);
-  const LabelArray labels = ResolveCells({ c.Grid, c.Fractions, c.Options }, false, run);
+  const LabelArray labels = ResolveCells({ c.Grid, c.Fractions, c.Options }, false, run).Labels;
   for (Index node : FindMixedNodes(c.Grid, labels))
   {
     if (CountViolations(StarOfNode(c.Grid, labels, node)) > 0)

@@ -32,6 +32,7 @@ struct LabelledGrid
   LabelledGrid& operator=(const LabelledGrid&) = delete;
 
   LabelArray Labels;
+  std::vector<Index> Thin;  ///< cells that got their label as a thin part (ThinParts.h), ascending
   std::vector<Index> Mixed; ///< nodes of the grid with several labels around them
   NarrowVoid Narrow;        ///< void cells that get hexes as a barrier
   LevelHexes Levels;

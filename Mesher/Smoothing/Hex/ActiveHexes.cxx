@@ -77,8 +77,8 @@ std::vector<Mover> FindMovers(const LabelledGrid& labelled, const Mesh& mesh, Ru
 
 } // namespace
 
-ActiveMesh MakeActiveHexes(
-  const LabelledGrid& labelled, const Partition& partition, const Mesh& mesh, Runtime& runtime)
+ActiveMesh MakeActiveHexes(const LabelledGrid& labelled, const Partition& partition,
+  const Mesh& mesh, const std::vector<unsigned char>& isThin, Runtime& runtime)
 {
   const RefinedGrid& levels = *labelled.Levels.Grid;
   ActiveMeshBuilder builder(8, mesh.PointIds.size(), FindMovers(labelled, mesh, runtime));
@@ -91,6 +91,7 @@ ActiveMesh MakeActiveHexes(
   active.Widths = levels.HasFineInterfaces() ? WidthsOfCells(levels.Finest(), mesh, hexes)
                                              : WidthsOfHexes(levels, mesh, hexes);
   active.SetBarrier(mesh, { !labelled.Narrow.IsEmpty() }, hexes);
+  active.SetYielding(mesh, isThin, hexes);
   active.PlacePoints(levels.Finest(), mesh);
   return active;
 }

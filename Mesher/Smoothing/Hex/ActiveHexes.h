@@ -18,9 +18,10 @@ namespace vfm
 
 /// Returns the active part of a mesh.
 /// @param mesh  result of BuildHexes, in its initial position
+/// @param isThin  FindThinFragments
 /// @pre Collective among the ranks that share movers.
-ActiveMesh MakeActiveHexes(
-  const LabelledGrid& labelled, const Partition& partition, const Mesh& mesh, Runtime& runtime);
+ActiveMesh MakeActiveHexes(const LabelledGrid& labelled, const Partition& partition,
+  const Mesh& mesh, const std::vector<unsigned char>& isThin, Runtime& runtime);
 
 /// Attaches the points on interfaces to the targets of their level.
 /// @param[in,out] active  receives the attachments

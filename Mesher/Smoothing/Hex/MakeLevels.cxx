@@ -137,6 +137,7 @@ void LabelLeaves(const MeshCells& cells, MeshRun& run, LabelledGrid& result)
     result.Labels = AssignLeafMaterials(levels, cells.Fractions, ofCells, options.IsoValue);
     const std::vector<ThinCell> leaves = LabelThinLeaves(levels, thin, thinLabels, result.Labels);
     ReportThinCells(cells, leaves, run);
+    result.Thin = CellsOf(leaves);
     const ResolveReport resolved =
       ResolveLabels(grid, WithClaims(cells.Fractions, thinLabels, leaves).Field(), result.Labels,
         run.Parts, run.TheRuntime, &levels, true);
@@ -169,7 +170,9 @@ void LabelCells(const MeshCells& cells, MeshRun& run, LabelledGrid& result)
     LabelLeaves(cells, run, result);
     return;
   }
-  result.Labels = ResolveCells(cells, true, run);
+  ResolvedCells resolved = ResolveCells(cells, true, run);
+  result.Labels = std::move(resolved.Labels);
+  result.Thin = std::move(resolved.Thin);
   run.Clock.Start("Making hexahedra", 0.1);
   result.Mixed = FindMixedNodes(cells.Grid, result.Labels);
   LevelPlan plan = options.Levels;

@@ -103,8 +103,8 @@ std::vector<Mover> FindMovers(const Mesh& mesh, const std::vector<PointPosition>
 } // namespace
 
 ActiveTets MakeActiveTets(const Mesh& mesh, const std::vector<PointPosition>& positions,
-  const BarrierElements& barrier, const CartesianGrid& grid, const Partition& partition,
-  Runtime& runtime)
+  const BarrierElements& barrier, const std::vector<unsigned char>& isThin,
+  const CartesianGrid& grid, const Partition& partition, Runtime& runtime)
 {
   ActiveMeshBuilder builder(4, mesh.PointIds.size(), FindMovers(mesh, positions, grid, partition));
   std::vector<Index> tets = builder.AddAround(mesh, runtime);
@@ -112,6 +112,7 @@ ActiveTets MakeActiveTets(const Mesh& mesh, const std::vector<PointPosition>& po
     std::move(tets) };
   active.Widths = WidthsOfCells(grid, mesh, active.MeshElement);
   active.SetBarrier(mesh, barrier, active.MeshElement);
+  active.SetYielding(mesh, isThin, active.MeshElement);
   active.PlacePoints(grid, mesh);
   return active;
 }

@@ -19,9 +19,10 @@ struct ActiveTets : ActiveMesh
 /// Returns the active part of a mesh of method Cells or Lattice, without attachments.
 /// @param mesh  tets in CartesianGrid::HexBox of the grid
 /// @param positions  TetTopology::Positions
+/// @param isThin  FindThinFragments
 /// @pre Collective among peers.
 ActiveTets MakeActiveTets(const Mesh& mesh, const std::vector<PointPosition>& positions,
-  const BarrierElements& barrier, const CartesianGrid& grid, const Partition& partition,
-  Runtime& runtime);
+  const BarrierElements& barrier, const std::vector<unsigned char>& isThin,
+  const CartesianGrid& grid, const Partition& partition, Runtime& runtime);
 
 } // namespace vfm

@@ -82,7 +82,7 @@ struct CubeHexes
       *this->Hexes.Levels, fractions, this->Labelled.Labels, this->Labelled.Mixed, 0.5, Run);
     this->Targets =
       std::make_unique<SurfaceTargets>(interfaces.All(), SurfaceTargets::Kind::Quadrics, Run);
-    this->Active = MakeActiveHexes(this->Labelled, this->Parts, this->Hexes, runtime);
+    this->Active = MakeActiveHexes(this->Labelled, this->Parts, this->Hexes, {}, runtime);
     AttachHexes(interfaces, coarse, this->Hexes, this->Facets, runtime, this->Active);
     const Interface& interface = *interfaces.All().back();
     this->Kinds = AttachFeatures({ MakeFeatures(interface), interface, 0 }, this->Facets,
