@@ -1,8 +1,8 @@
 #include "Volumes/VolumeCorrection.h"
 
+#include "Smoothing/Intersections.h"
 #include "Volumes/ScaleFragments.h"
 
-#include <functional>
 #include <limits>
 
 namespace vfm
@@ -210,19 +210,66 @@ void VolumeCorrection::Yield(const std::vector<unsigned char>& fragments, float 
   this->MoveSurfaces();
 }
 
+/// Returns which fragments have facets that intersect others.
+std::vector<unsigned char> VolumeCorrection::FindCrumpled() const
+{
+  ActiveMesh& active = this->Active();
+  Runtime& runtime = this->TheSmoother.TheRuntime();
+  std::vector<unsigned char> intersects = FindIntersections(active, runtime);
+  active.Exchange.SendAll([&](int mover) { return intersects[mover]; },
+    [&](int mover, unsigned char flag) { intersects[mover] = flag; });
+  std::vector<std::int64_t> counts(this->IsThin.size(), 0);
+  for (const ActiveFacet& facet : active.Facets)
+  {
+    const bool isCrumpled = std::any_of(
+      facet.Points.begin(), facet.Points.end(), [&](int point) { return intersects[point]; });
+    counts[facet.Fragments[0]] += isCrumpled;
+    counts[facet.Fragments[1]] += isCrumpled;
+  }
+  runtime.Group().Sum(counts);
+  std::vector<unsigned char> isCrumpled(counts.size());
+  std::transform(
+    counts.begin(), counts.end(), isCrumpled.begin(), [](auto count) { return count > 0; });
+  return isCrumpled;
+}
+
+/// Lowers the demands of flagged fragments, except those that would crumple: their points would go
+/// back to their start for good (Smoother::EndIntersections).
+/// @param[in,out] fragments  those that would crumple are removed
+void VolumeCorrection::YieldWithoutCrumpling(std::vector<unsigned char>& fragments, float demand)
+{
+  while (std::find(fragments.begin(), fragments.end(), 1) != fragments.end())
+  {
+    std::vector<Vector3> positions = this->Active().X;
+    std::vector<float> demands = this->Active().Demands;
+    this->Yield(fragments, demand);
+    const std::vector<unsigned char> isCrumpled = this->FindCrumpled();
+    bool hasRemoved = false;
+    for (std::size_t f = 1; f < fragments.size(); ++f)
+    {
+      hasRemoved = hasRemoved || (fragments[f] && isCrumpled[f]);
+      fragments[f] &= !isCrumpled[f];
+    }
+    if (!hasRemoved)
+    {
+      return;
+    }
+    this->Active().X.swap(positions);
+    this->Active().Demands.swap(demands);
+    this->MeasureAll();
+  }
+}
+
 /// Lowers the demands of thin fragments that cannot reach their targets.
 void VolumeCorrection::CorrectThin()
 {
+  std::vector<unsigned char> fragments = this->IsThin;
   for (float demand : LowerDemands)
   {
     const std::vector<unsigned char> isOff = this->Volumes.FindOff(YieldingError);
-    std::vector<unsigned char> fragments(isOff.size());
-    std::transform(
-      isOff.begin(), isOff.end(), this->IsThin.begin(), fragments.begin(), std::logical_and<>());
-    if (std::find(fragments.begin(), fragments.end(), 1) != fragments.end())
-    {
-      this->Yield(fragments, demand);
-    }
+    std::transform(isOff.begin(), isOff.end(), fragments.begin(), fragments.begin(),
+      [](unsigned char off, unsigned char yields) { return off && yields; });
+    this->YieldWithoutCrumpling(fragments, demand);
   }
 }
 

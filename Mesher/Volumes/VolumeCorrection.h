@@ -59,6 +59,8 @@ private:
   bool Follow(const std::vector<double>& shifts);
   void FollowFragments();
   void Yield(const std::vector<unsigned char>& fragments, float demand);
+  std::vector<unsigned char> FindCrumpled() const;
+  void YieldWithoutCrumpling(std::vector<unsigned char>& fragments, float demand);
   void CorrectThin();
   void MoveSurfaces();
 
