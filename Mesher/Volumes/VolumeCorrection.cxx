@@ -44,6 +44,25 @@ constexpr float LowerDemands[] = { 0.6f, 0.4f };
 constexpr int YieldingRounds = 16, IdleRounds = 4;
 constexpr int BulgeRounds = 4; // of corrections, after each of which bulges are measured again
 
+/// What rounds and lower demands change in an active mesh.
+struct RoundState
+{
+  explicit RoundState(const ActiveMesh& mesh) :
+    X(mesh.X), Attachments(mesh.Attachments), Demands(mesh.Demands)
+  {
+  }
+  void Restore(ActiveMesh& mesh)
+  {
+    mesh.X.swap(this->X);
+    mesh.Attachments.swap(this->Attachments);
+    mesh.Demands.swap(this->Demands);
+  }
+
+  std::vector<Vector3> X;
+  std::vector<Attachment> Attachments;
+  std::vector<float> Demands;
+};
+
 } // namespace
 
 VolumeCorrection::VolumeCorrection(FragmentVolumes& volumes, Smoother& smoother, StageClock& clock,
@@ -181,7 +200,7 @@ void VolumeCorrection::Yield(const std::vector<unsigned char>& fragments, float 
   this->Active().LowerDemands(fragments, demand);
   this->Volumes.ForgetResisting(fragments);
   this->Volumes.ForgetRequests();
-  std::vector<Vector3> best = this->Active().X;
+  RoundState best(this->Active());
   double least = this->Volumes.SumErrors(fragments);
   for (int round = 0, idle = 0; round < YieldingRounds && idle < IdleRounds; ++round)
   {
@@ -201,10 +220,10 @@ void VolumeCorrection::Yield(const std::vector<unsigned char>& fragments, float 
     if (idle == 0)
     {
       least = error;
-      best = this->Active().X;
+      best = RoundState(this->Active());
     }
   }
-  this->Active().X.swap(best);
+  best.Restore(this->Active());
   this->MeasureAll();
   this->Volumes.MarkResisting(ResistingErrors[0]);
   this->MoveSurfaces();
@@ -240,8 +259,7 @@ void VolumeCorrection::YieldWithoutCrumpling(std::vector<unsigned char>& fragmen
 {
   while (std::find(fragments.begin(), fragments.end(), 1) != fragments.end())
   {
-    std::vector<Vector3> positions = this->Active().X;
-    std::vector<float> demands = this->Active().Demands;
+    RoundState before(this->Active());
     this->Yield(fragments, demand);
     const std::vector<unsigned char> isCrumpled = this->FindCrumpled();
     bool hasRemoved = false;
@@ -254,8 +272,7 @@ void VolumeCorrection::YieldWithoutCrumpling(std::vector<unsigned char>& fragmen
     {
       return;
     }
-    this->Active().X.swap(positions);
-    this->Active().Demands.swap(demands);
+    before.Restore(this->Active());
     this->MeasureAll();
   }
 }
