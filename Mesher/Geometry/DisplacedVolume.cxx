@@ -1,11 +1,13 @@
 #include "Geometry/DisplacedVolume.h"
 
-#include "Base/ExactSum.h"
 #include "Base/PortableMath.h"
 #include "Base/Vector3.h"
 #include "Elements/MeasureFragments.h"
 #include "Ranks/AskRanks.h"
 
+#include <cmath>
+#include <functional>
+#include <mutex>
 #include <unordered_map>
 
 namespace vfm
@@ -13,11 +15,16 @@ namespace vfm
 namespace
 {
 
-/// The lack of a material in a block, as ExactSum::Parts, for another rank.
-struct SentLack
+// Volumes are summed as integers, so sums do not depend on the order. Their unit, in mean cells.
+constexpr double Quantum = 0x1p-40;
+// Elements that leave a block by less, in cells, count as inside.
+constexpr double Slack = 0.05;
+
+/// The lack of a material in a block, for another rank.
+struct BlockLack
 {
   Index Key;
-  ExactSum::PartArray Parts;
+  std::int64_t Volume; // in Quantum
 };
 
 /// Part of an element.
@@ -27,37 +34,28 @@ struct ElementPart
   double Volume;
 };
 
-/// Calls body for the 27 parts of a hexahedron with equal intervals of its coordinates. Their
-/// volumes are those of their middles, scaled to the volume of the element.
+/// Calls body for the 8 parts of a hexahedron between halves of its coordinates. Their volumes are
+/// those of their middles, scaled to the volume of the element.
 template <class Body>
 void ForPartsOfHex(const std::array<Vector3, 8>& x, double volume, const Body& body)
 {
-  std::array<ElementPart, 27> parts;
+  std::array<ElementPart, 8> parts;
   double sum = 0.0;
-  for (int n = 0; n < 27; ++n)
+  for (int n = 0; n < 8; ++n)
   {
-    const Index3 step = StepAround(n);
-    Vector3 t, centre{};
+    // Weights of the lower and upper sides along each axis. VTK's order of corners: 2 and 3, 6 and
+    // 7 are exchanged.
+    const auto weight = [n](int a, int c) { return (c ^ (c >> 1 & 1) ^ n) >> a & 1 ? 0.25 : 0.75; };
+    const auto sign = [](int a, int c) { return (c ^ (c >> 1 & 1)) >> a & 1 ? 1.0 : -1.0; };
+    Vector3 centre{};
     std::array<Vector3, 3> derivatives{};
-    for (int a = 0; a < 3; ++a)
-    {
-      t[a] = 0.5 + static_cast<double>(step[a]) / 3.0;
-    }
     for (int c = 0; c < 8; ++c)
     {
-      // VTK's order: corners 2 and 3, 6 and 7 are exchanged.
-      const int bits = c ^ (c >> 1 & 1);
-      std::array<double, 3> weight, sign;
+      const std::array<double, 3> w{ { weight(0, c), weight(1, c), weight(2, c) } };
+      centre = centre + w[0] * w[1] * w[2] * x[c];
       for (int a = 0; a < 3; ++a)
       {
-        sign[a] = bits >> a & 1 ? 1.0 : -1.0;
-        weight[a] = bits >> a & 1 ? t[a] : 1.0 - t[a];
-      }
-      centre = centre + weight[0] * weight[1] * weight[2] * x[c];
-      for (int a = 0; a < 3; ++a)
-      {
-        derivatives[a] =
-          derivatives[a] + sign[a] * weight[(a + 1) % 3] * weight[(a + 2) % 3] * x[c];
+        derivatives[a] = derivatives[a] + sign(a, c) * w[(a + 1) % 3] * w[(a + 2) % 3] * x[c];
       }
     }
     parts[n] = { centre, Dot(derivatives[0], Cross(derivatives[1], derivatives[2])) };
@@ -82,73 +80,49 @@ void ForPartsOfTet(const std::array<Vector3, 8>& x, double volume, const Body& b
   }
 }
 
-/// Volumes in the fractions minus those in elements, by block and material, in mean cells.
+/// Volumes in the fractions minus those in elements, by block and material.
 class BlockVolumes
 {
 public:
-  BlockVolumes(const CartesianGrid& grid, const FractionField& fractions) :
+  BlockVolumes(const CartesianGrid& grid, int materials) :
     Grid(grid),
-    Materials(fractions.NumberOfMaterials() + 1),
-    Totals(this->Materials),
+    Materials(materials + 1),
+    Totals(this->Materials, 0),
     Unit(1.0 / Cube(grid.MeanWidth()))
   {
     for (int a = 0; a < 3; ++a)
     {
       this->Blocks[a] = (grid.Domain().Size(a) + CellsOfBlock - 1) / CellsOfBlock;
     }
-    ForCells(grid.Owned(),
-      [&](const Index3& cell)
+  }
+
+  /// Adds row (j, k) of the owned cells.
+  void AddRow(const FractionField& fractions, Index j, Index k)
+  {
+    const IndexBox& box = this->Grid.Owned();
+    const Index row = this->Grid.Linear({ { 0, j, k } });
+    fractions.Visit(
+      row + box.Lower[0], row + box.Upper[0],
+      [&](Index begin, Index end, int label)
       {
-        fractions.ForParts(grid.Linear(cell),
-          [&](int material, double fraction)
-          {
-            const double volume = this->Unit * grid.CellVolume(cell) * fraction;
-            this->Totals[material].Add(volume);
-            this->Lack[this->KeyOf(cell, material)].Add(volume);
-          });
+        for (Index i = begin - row; i < end - row;)
+        {
+          const Index next = std::min(this->EndOfBlock(0, i), end - row);
+          this->AddCells({ { i, j, k } }, next, label);
+          i = next;
+        }
+      },
+      [&](Index begin, Index end)
+      {
+        for (Index cell = begin; cell < end; ++cell)
+        {
+          const Index3 p{ { cell - row, j, k } };
+          this->Select(p);
+          fractions.ForParts(cell,
+            [&](int material, double fraction)
+            { this->AddFraction(material, this->Rounded(this->Grid.CellVolume(p) * fraction)); });
+        }
       });
-  }
-
-  void AddElements(const Mesh& mesh)
-  {
-    for (Index e = 0; e < static_cast<Index>(mesh.Material.size()); ++e)
-    {
-      this->AddElement(mesh, e);
-    }
-  }
-
-  /// Collective.
-  std::vector<double> Finish(Ranks& ranks);
-
-private:
-  /// Returns the key of the block of a cell, or of its copy in the domain, and a material.
-  Index KeyOf(const Index3& cell, int material) const
-  {
-    const Index3 inside = this->Grid.Canonical(this->Grid.Global().Nearest(cell));
-    Index3 block;
-    for (int a = 0; a < 3; ++a)
-    {
-      block[a] = (inside[a] - this->Grid.Domain().Lower[a]) / CellsOfBlock;
-    }
-    return ((block[2] * this->Blocks[1] + block[1]) * this->Blocks[0] + block[0]) *
-      this->Materials +
-      material;
-  }
-
-  /// Returns whether a box from a cell up to a point lies in one block.
-  bool IsInOneBlock(const Index3& cell, const Vector3& upper) const
-  {
-    for (int a = 0; a < 3; ++a)
-    {
-      const Index first = this->Grid.Domain().Lower[a];
-      const Index end = std::min(
-        cell[a] - (cell[a] - first) % CellsOfBlock + CellsOfBlock, this->Grid.Domain().Upper[a]);
-      if (cell[a] < first || cell[a] >= end || upper[a] > this->Grid.Coordinates(a)[end])
-      {
-        return false;
-      }
-    }
-    return true;
   }
 
   void AddElement(const Mesh& mesh, Index e)
@@ -165,61 +139,150 @@ private:
       }
     }
     const int material = mesh.Material[e];
-    const double volume = this->Unit * VolumeOfElement(mesh, e);
-    const auto subtract = [&](const Vector3& point, double part)
+    const double volume = VolumeOfElement(mesh, e);
+    if (this->SelectAt(lower, upper))
     {
-      ExactSum sum;
-      sum.Add(part);
-      this->Lack[this->KeyOf(this->Grid.CellAt(point), material)].Subtract(sum);
-    };
-    if (this->IsInOneBlock(this->Grid.CellAt(lower), upper))
-    {
-      subtract(lower, volume);
+      this->AddLack(material, -this->Rounded(volume));
       return;
     }
+    const auto subtract = [&](const Vector3& point, double part)
+    {
+      this->SelectAt(point, point);
+      this->AddLack(material, -this->Rounded(part));
+    };
     mesh.HasHexes() ? ForPartsOfHex(x, volume, subtract) : ForPartsOfTet(x, volume, subtract);
   }
 
+  void Add(const BlockVolumes& other)
+  {
+    for (const auto& [key, volume] : other.Lack)
+    {
+      this->Lack[key] += volume;
+    }
+    std::transform(this->Totals.begin(), this->Totals.end(), other.Totals.begin(),
+      this->Totals.begin(), std::plus<>());
+  }
+
+  /// Collective.
+  std::vector<double> Finish(Ranks& ranks);
+
+private:
+  std::int64_t Rounded(double volume) const { return std::llround(volume * this->Unit / Quantum); }
+  /// Returns the first cell along an axis after the block of a cell.
+  Index EndOfBlock(int axis, Index i) const
+  {
+    const Index lower = this->Grid.Domain().Lower[axis], upper = this->Grid.Domain().Upper[axis];
+    return i < lower ? lower : std::min(i - (i - lower) % CellsOfBlock + CellsOfBlock, upper);
+  }
+
+  /// Selects the block of a cell, or of its copy in the domain.
+  void Select(const Index3& cell)
+  {
+    const Index3 inside = this->Grid.Canonical(this->Grid.Global().Nearest(cell));
+    Index3 block;
+    for (int a = 0; a < 3; ++a)
+    {
+      const std::vector<double>& x = this->Grid.Coordinates(a);
+      const Index first = this->Grid.Domain().Lower[a];
+      block[a] = (inside[a] - first) / CellsOfBlock;
+      const double slack = Slack * this->Grid.Width(a, cell[a]);
+      this->Lower[a] =
+        x[cell[a] < first ? cell[a] : cell[a] - (cell[a] - first) % CellsOfBlock] - slack;
+      this->Upper[a] = x[std::max(this->EndOfBlock(a, cell[a]), cell[a] + 1)] + slack;
+    }
+    this->Block = (block[2] * this->Blocks[1] + block[1]) * this->Blocks[0] + block[0];
+  }
+
+  /// Selects the block of the lower corner of a box. Returns whether the whole box is in it.
+  bool SelectAt(const Vector3& lower, const Vector3& upper)
+  {
+    const auto contains = [&](const Vector3& x)
+    {
+      bool isInside = true;
+      for (int a = 0; a < 3; ++a)
+      {
+        isInside = isInside & (x[a] >= this->Lower[a]) & (x[a] <= this->Upper[a]);
+      }
+      return isInside;
+    };
+    if (!contains(lower) || (lower != upper && !contains(upper)))
+    {
+      this->Select(this->Grid.CellAt(lower));
+    }
+    return contains(upper);
+  }
+
+  /// Adds pure cells along x, which lie in one block.
+  void AddCells(Index3 cell, Index end, int label)
+  {
+    this->Select(cell);
+    std::int64_t volume = 0;
+    for (; cell[0] < end; ++cell[0])
+    {
+      volume += this->Rounded(this->Grid.CellVolume(cell));
+    }
+    this->AddFraction(label, volume);
+  }
+  void AddFraction(int material, std::int64_t volume)
+  {
+    this->Totals[material] += volume;
+    this->AddLack(material, volume);
+  }
+  /// Adds to the lack of the selected block.
+  void AddLack(int material, std::int64_t volume)
+  {
+    const Index key = this->Block * this->Materials + material;
+    if (key != this->LastKey)
+    {
+      this->LastKey = key;
+      this->LastLack = &this->Lack[key];
+    }
+    *this->LastLack += volume;
+  }
+
   const CartesianGrid& Grid;
-  const int Materials; // with void
-  std::vector<ExactSum> Totals;
-  const double Unit;
-  Index3 Blocks; // number along each axis
-  std::unordered_map<Index, ExactSum> Lack;
+  const int Materials;              // with void
+  std::vector<std::int64_t> Totals; // in the fractions, of each material
+  const double Unit;                // inverse volume of a mean cell
+  Index3 Blocks;                    // number along each axis
+  Index Block = 0;                  // selected
+  Vector3 Lower{}, Upper{};         // corners of the selected block
+  std::unordered_map<Index, std::int64_t> Lack;
+  Index LastKey = -1; // the last item of Lack that was used
+  std::int64_t* LastLack = nullptr;
 };
 
 std::vector<double> BlockVolumes::Finish(Ranks& ranks)
 {
-  std::vector<SentLack> sent;
-  for (const auto& [key, lack] : this->Lack)
+  std::vector<BlockLack> sent;
+  for (const auto& [key, volume] : this->Lack)
   {
-    sent.push_back({ key, lack.Parts() });
+    sent.push_back({ key, volume });
   }
-  this->Lack.clear();
-  const auto rankOf = [&](const SentLack& lack)
+  std::unordered_map<Index, std::int64_t> whole;
+  const auto rankOf = [&](const BlockLack& lack)
   { return static_cast<int>(lack.Key / this->Materials % ranks.Count()); };
   for (const Bytes& message : SendItems(sent, rankOf, ranks))
   {
-    for (const SentLack& item : FromBytes<SentLack>(message))
+    for (const BlockLack& item : FromBytes<BlockLack>(message))
     {
-      ExactSum lack;
-      lack.Set(item.Parts.data());
-      this->Lack[item.Key].Add(lack);
+      whole[item.Key] += item.Volume;
     }
   }
-  std::vector<ExactSum> lacking(this->Materials), exceeding(this->Materials);
-  for (const auto& [key, lack] : this->Lack)
+  // Sums of what blocks lack, of what they have too much, and of the fractions.
+  std::vector<std::int64_t> sums(3 * this->Materials, 0);
+  for (const auto& [key, volume] : whole)
   {
-    const double value = lack.Value();
-    (value > 0.0 ? lacking : exceeding)[key % this->Materials].Add(std::abs(value));
+    sums[(volume > 0 ? 0 : this->Materials) + key % this->Materials] += std::abs(volume);
   }
-  const std::vector<double> lacks = SumOverRanks(lacking, ranks),
-                            excesses = SumOverRanks(exceeding, ranks),
-                            totals = SumOverRanks(this->Totals, ranks);
+  std::copy(this->Totals.begin(), this->Totals.end(), sums.begin() + 2 * this->Materials);
+  ranks.Sum(sums);
   std::vector<double> shares;
   for (int m = 0; m < this->Materials; ++m)
   {
-    shares.push_back(totals[m] > 0.0 ? std::max(lacks[m], excesses[m]) / totals[m] : 0.0);
+    const auto total = static_cast<double>(sums[2 * this->Materials + m]);
+    const std::int64_t displaced = std::max(sums[m], sums[this->Materials + m]);
+    shares.push_back(total > 0.0 ? static_cast<double>(displaced) / total : 0.0);
   }
   return shares;
 }
@@ -227,11 +290,35 @@ std::vector<double> BlockVolumes::Finish(Ranks& ranks)
 } // namespace
 
 std::vector<double> FindDisplacedVolumes(
-  const CartesianGrid& grid, const FractionField& fractions, const Mesh& mesh, Ranks& ranks)
+  const CartesianGrid& grid, const FractionField& fractions, const Mesh& mesh, Runtime& runtime)
 {
-  BlockVolumes volumes(grid, fractions);
-  volumes.AddElements(mesh);
-  return volumes.Finish(ranks);
+  const IndexBox& owned = grid.Owned();
+  const Index rows = owned.NumberOfCells() > 0 ? owned.Size(1) * owned.Size(2) : 0;
+  BlockVolumes all(grid, fractions.NumberOfMaterials());
+  std::mutex lock;
+  const auto add = [&](Index count, const auto& addItem)
+  {
+    runtime.For(0, count,
+      [&](Index first, Index last)
+      {
+        BlockVolumes own(grid, fractions.NumberOfMaterials());
+        for (Index i = first; i < last; ++i)
+        {
+          addItem(own, i);
+        }
+        const std::lock_guard<std::mutex> guard(lock);
+        all.Add(own);
+      });
+  };
+  add(rows,
+    [&](BlockVolumes& own, Index row)
+    {
+      own.AddRow(
+        fractions, owned.Lower[1] + row % owned.Size(1), owned.Lower[2] + row / owned.Size(1));
+    });
+  add(static_cast<Index>(mesh.Material.size()),
+    [&](BlockVolumes& own, Index e) { own.AddElement(mesh, e); });
+  return all.Finish(runtime.Group());
 }
 
 } // namespace vfm

@@ -19,11 +19,11 @@ constexpr Index CellsOfBlock = 4;
 /// blocks have more, whichever is larger. 0: all of it is where it was, or it is in no cell. 1: all
 /// of it is elsewhere, or in no element.
 ///
-/// Elements that lie in several blocks are divided into 27 parts (tetrahedra: 8).
+/// Elements that lie in several blocks are divided into 8 parts.
 /// @param mesh  owned elements, linear, in the length unit of the grid
 /// @pre Collective.
-/// @note Bitwise reproducible on any number of ranks.
+/// @note Bitwise reproducible on any number of ranks and threads.
 std::vector<double> FindDisplacedVolumes(
-  const CartesianGrid& grid, const FractionField& fractions, const Mesh& mesh, Ranks& ranks);
+  const CartesianGrid& grid, const FractionField& fractions, const Mesh& mesh, Runtime& runtime);
 
 } // namespace vfm

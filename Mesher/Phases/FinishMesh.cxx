@@ -26,10 +26,10 @@ Mesh FinishMesh(const MeshCells& cells, ElementMethod& method, MeshRun& run, Dra
     ComputeQuality(mesh, run.TheRuntime, run.Report, draft.WholeCells);
   }
   MeasureMaterials(mesh, run.Group(), run.Report);
-  if (KeepsThinParts(cells.Options))
+  if (run.Report.ThinPartCells > 0)
   {
     run.Report.DisplacedVolume =
-      FindDisplacedVolumes(cells.Grid, cells.Fractions, mesh, run.Group());
+      FindDisplacedVolumes(cells.Grid, cells.Fractions, mesh, run.TheRuntime);
   }
   return std::move(mesh);
 }

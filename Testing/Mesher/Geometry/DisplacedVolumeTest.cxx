@@ -26,7 +26,7 @@ TEST(DisplacedVolume, OfSlabs)
   const Mesh mesh = MakeCells(grid, MakeSlab(grid, 4), options);
   Runtime runtime;
   const auto displaced = [&](const FractionField& fractions)
-  { return FindDisplacedVolumes(grid, fractions, mesh, runtime.Group()); };
+  { return FindDisplacedVolumes(grid, fractions, mesh, runtime); };
   EXPECT_EQ(displaced(MakeSlab(grid, 4))[1], 0.0);
   EXPECT_DOUBLE_EQ(displaced(MakeSlab(grid, 6))[1], 0.5); // half of it is a block further
   EXPECT_DOUBLE_EQ(displaced(MakeSlab(grid, 8))[1], 1.0);
