@@ -39,7 +39,7 @@ constexpr double PartThatCounts = 0.9;
 constexpr int IdleMoves = 3;
 // Thin fragments with a larger relative error get lower demands, one after the other, each for a
 // number of rounds, or until their errors did not fall this many times in turn.
-constexpr double YieldingError = 2e-2;
+constexpr double YieldingError = FragmentTolerance;
 constexpr float LowerDemands[] = { 0.8f, 0.6f, 0.4f };
 constexpr int YieldingRounds = 16, IdleRounds = 4;
 constexpr int BulgeRounds = 4; // of corrections, after each of which bulges are measured again

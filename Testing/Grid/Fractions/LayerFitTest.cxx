@@ -70,3 +70,22 @@ TEST(LayerFit, FilmsAreFound)
     ASSERT_NEAR(fit.Region.Upper - fit.Region.Lower, 0.3, 1e-5);
   }
 }
+
+TEST(LayerFit, ThreadsAreNoFilms)
+{
+  RandomDraw random(7);
+  for (int i = 0; i < 50; ++i)
+  {
+    const double middle = random.Between(-0.2, 0.2);
+    const Layer film{ Unit(random.Vector(0.1, 1.0)), middle - 0.2, middle + 0.2 };
+    std::vector<FractionSample> samples = SampleLayer(film);
+    EXPECT_FALSE(IsAlongLine(samples));
+    const Vector3 direction = Unit(random.Vector(0.1, 1.0));
+    for (FractionSample& sample : samples)
+    {
+      const Vector3 r = sample.Centre - Dot(sample.Centre, direction) * direction;
+      sample.Value = std::exp(-4.0 * Dot(r, r)); // a thread with a smeared surface
+    }
+    EXPECT_TRUE(IsAlongLine(samples));
+  }
+}
