@@ -277,12 +277,11 @@ public:
   /// Joined. Allowed: Flat, Free, Joined (or 0 to 2); default Flat.
   vfmNumberOption(PeriodicSides, int);
   /// Keep films, threads and drops that are thinner than a cell, and so fill no cell by more than
-  /// half: they get the cells in which they have most of their material. Debris of hexahedra then
-  /// keeps its volume; tetrahedra may need a Least Thickness of 0.3. A film or thread that is
-  /// oblique to the cells, and is no part of a thicker body, can become thicker than it is; the
-  /// table of materials tells by how much. Off: thin parts are torn or lost. Only for volume
-  /// fractions with an IsoValue of 0.5; material ids stay as they are. Allowed: on or off; default
-  /// off.
+  /// half: they get the cells in which they have most of their material. Elements of films and
+  /// threads that miss their volume may have less quality than others. Oblique threads of less than
+  /// a cell can still become thicker than they are; the table of materials tells by how much. Off:
+  /// thin parts are torn or lost. Only for volume fractions with an IsoValue of 0.5; material ids
+  /// stay as they are. Allowed: on or off; default on.
   vfmSwitchOption(ThinParts);
   /// Thickness, in cells, below which Thin Parts gives no cells to a film, thread or drop. Its
   /// material belongs to elements within one cell of it, or else to none (Unmeshed Material). Below

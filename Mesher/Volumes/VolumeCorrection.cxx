@@ -37,10 +37,15 @@ constexpr int FewestMoves = 4; // if small fragments are off
 // Moves end once the error was not within this part of the least one this many times in turn.
 constexpr double PartThatCounts = 0.9;
 constexpr int IdleMoves = 3;
-// Thin fragments with a larger relative error get lower demands, one after the other, each for a
-// number of rounds, or until their errors did not fall this many times in turn.
-constexpr double YieldingError = FragmentTolerance;
-constexpr float LowerDemands[] = { 0.8f, 0.6f, 0.4f };
+// Demands of thin fragments, and the relative error above which they get them: the lower a demand,
+// the more of its volume must a fragment miss.
+constexpr struct
+{
+  float Demand;
+  double Error;
+} Yields[] = { { 0.8f, FragmentTolerance }, { 0.6f, FragmentTolerance }, { 0.4f, 2e-2 } };
+// A fragment has this number of rounds with a demand, or until its error did not fall this many
+// times in turn.
 constexpr int YieldingRounds = 16, IdleRounds = 4;
 constexpr int BulgeRounds = 4; // of corrections, after each of which bulges are measured again
 
@@ -281,9 +286,9 @@ void VolumeCorrection::YieldWithoutCrumpling(std::vector<unsigned char>& fragmen
 void VolumeCorrection::CorrectThin()
 {
   std::vector<unsigned char> fragments = this->IsThin;
-  for (float demand : LowerDemands)
+  for (const auto& [demand, error] : Yields)
   {
-    const std::vector<unsigned char> isOff = this->Volumes.FindOff(YieldingError);
+    const std::vector<unsigned char> isOff = this->Volumes.FindOff(error);
     std::transform(isOff.begin(), isOff.end(), fragments.begin(), fragments.begin(),
       [](unsigned char off, unsigned char yields) { return off && yields; });
     this->YieldWithoutCrumpling(fragments, demand);

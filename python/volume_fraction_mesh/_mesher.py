@@ -43,7 +43,7 @@ def hexes(
     mesh_void: bool = False,
     periodic: Literal["off", "x", "y", "xy", "z", "xz", "yz", "xyz"] = "off",
     periodic_sides: Literal["flat", "free", "joined"] = "flat",
-    thin_parts: bool = False,
+    thin_parts: bool = True,
     least_thickness: float = 0.25,
     minimum_region_cells: int = 0,
     fraction_tolerance: float = 1e-06,
@@ -182,13 +182,13 @@ def hexes(
         meet surfaces. "joined": there are no sides; elements at opposite sides share nodes, so some
         elements seem to extend across the whole domain. Surfaces are those of "free". Tetrahedra
         are "flat" or "joined".
-    thin_parts : bool, default False
+    thin_parts : bool, default True
         Keep films, threads and drops that are thinner than a cell, and so fill no cell by more than
-        half: they get the cells in which they have most of their material. Debris of hexahedra then
-        keeps its volume; tetrahedra may need a `least_thickness` of 0.3. A film or thread that is
-        oblique to the cells, and is no part of a thicker body, can become thicker than it is; the
-        table of materials tells by how much. False: thin parts are torn or lost. Only for volume
-        fractions with an `iso_value` of 0.5; material ids stay as they are.
+        half: they get the cells in which they have most of their material. Elements of films and
+        threads that miss their volume may have less quality than others. Oblique threads of less
+        than a cell can still become thicker than they are; the table of materials tells by how
+        much. False: thin parts are torn or lost. Only for volume fractions with an `iso_value` of
+        0.5; material ids stay as they are.
     least_thickness : float, default 0.25
         A number from 0 to 1. Thickness, in cells, below which `thin_parts` gives no cells to a
         film, thread or drop. Its material belongs to elements within one cell of it, or else to
@@ -460,7 +460,7 @@ def tets(
     mesh_void: bool = False,
     periodic: Literal["off", "x", "y", "xy", "z", "xz", "yz", "xyz"] = "off",
     periodic_sides: Literal["flat", "free", "joined"] = "flat",
-    thin_parts: bool = False,
+    thin_parts: bool = True,
     least_thickness: float = 0.25,
     minimum_region_cells: int = 0,
     fraction_tolerance: float = 1e-06,
