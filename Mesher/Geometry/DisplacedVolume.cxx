@@ -3,6 +3,7 @@
 #include "Base/PortableMath.h"
 #include "Base/Vector3.h"
 #include "Elements/MeasureFragments.h"
+#include "Geometry/ElementParts.h"
 #include "Ranks/AskRanks.h"
 
 #include <cmath>
@@ -26,59 +27,6 @@ struct BlockLack
   Index Key;
   std::int64_t Volume; // in Quantum
 };
-
-/// Part of an element.
-struct ElementPart
-{
-  Vector3 Centre;
-  double Volume;
-};
-
-/// Calls body for the 8 parts of a hexahedron between halves of its coordinates. Their volumes are
-/// those of their middles, scaled to the volume of the element.
-template <class Body>
-void ForPartsOfHex(const std::array<Vector3, 8>& x, double volume, const Body& body)
-{
-  std::array<ElementPart, 8> parts;
-  double sum = 0.0;
-  for (int n = 0; n < 8; ++n)
-  {
-    // Weights of the lower and upper sides along each axis. VTK's order of corners: 2 and 3, 6 and
-    // 7 are exchanged.
-    const auto weight = [n](int a, int c) { return (c ^ (c >> 1 & 1) ^ n) >> a & 1 ? 0.25 : 0.75; };
-    const auto sign = [](int a, int c) { return (c ^ (c >> 1 & 1)) >> a & 1 ? 1.0 : -1.0; };
-    Vector3 centre{};
-    std::array<Vector3, 3> derivatives{};
-    for (int c = 0; c < 8; ++c)
-    {
-      const std::array<double, 3> w{ { weight(0, c), weight(1, c), weight(2, c) } };
-      centre = centre + w[0] * w[1] * w[2] * x[c];
-      for (int a = 0; a < 3; ++a)
-      {
-        derivatives[a] = derivatives[a] + sign(a, c) * w[(a + 1) % 3] * w[(a + 2) % 3] * x[c];
-      }
-    }
-    parts[n] = { centre, Dot(derivatives[0], Cross(derivatives[1], derivatives[2])) };
-    sum += parts[n].Volume;
-  }
-  for (const ElementPart& part : parts)
-  {
-    body(part.Centre, part.Volume / sum * volume);
-  }
-}
-
-/// Calls body for the 8 parts of equal volume of a tetrahedron: 4 at corners, 4 of the octahedron
-/// between them.
-template <class Body>
-void ForPartsOfTet(const std::array<Vector3, 8>& x, double volume, const Body& body)
-{
-  for (int c = 0; c < 4; ++c)
-  {
-    const Vector3 others = x[(c + 1) % 4] + x[(c + 2) % 4] + x[(c + 3) % 4];
-    body(0.625 * x[c] + 0.125 * others, volume / 8.0);
-    body(0.125 * x[c] + (0.875 / 3.0) * others, volume / 8.0);
-  }
-}
 
 /// Volumes in the fractions minus those in elements, by block and material.
 class BlockVolumes

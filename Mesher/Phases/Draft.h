@@ -20,7 +20,7 @@ namespace vfm
 /// | ids of Elements | ElementMethod::Make | packed by HexMethod::StartMoves until RestoreDraft |
 /// | Elements.Pulls | FitElements | AddMidNodes |
 /// | Facets | ElementMethod::Make; RestoreDraft again | ElementMethod::StartMoves; FinishMesh |
-/// | Volumes, IsThin, RequestedFamilies, WholeCells | ElementMethod::Make | FinishMesh |
+/// | Volumes, Thin, IsThin, RequestedFamilies, WholeCells | ElementMethod::Make | FinishMesh |
 /// | Barrier | ElementMethod::Make | KeepOwned removes its elements |
 /// | Kinds | FitElements | FinishMesh |
 struct Draft
@@ -30,6 +30,7 @@ struct Draft
   FragmentVolumes Volumes;
   std::vector<Index> RequestedFamilies{}; ///< LevelHexes::RequestedFamilies
   BarrierElements Barrier{};
+  std::vector<Index> Thin{};           ///< cells of thin parts, ascending
   std::vector<unsigned char> IsThin{}; ///< FindThinFragments
   Index WholeCells = 0; ///< number of elements, from the first one, that are unchanged cells
   std::vector<FeatureKind> Kinds{}; ///< of each point; empty: there are no carriers

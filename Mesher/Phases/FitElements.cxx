@@ -6,6 +6,8 @@
 #include "Smoothing/EdgePulls.h"
 #include "Volumes/VolumeCorrection.h"
 
+#include <optional>
+
 namespace vfm
 {
 namespace
@@ -90,8 +92,9 @@ void CorrectMesh(bool conserves, const SmoothingStage& last, StageClock& clock, 
 
 /// Smooths the active mesh. If the options request it, moves the interfaces until the relative
 /// errors of the volumes are at most 1e-7 or the rounds are used up.
-void MovePoints(const MeshCells& cells, const SurfaceTargets& targets, ElementMethod& method,
-  MeshRun& run, Draft& draft, ActiveMesh& active)
+/// @param local  null: there are no thin cells
+void MovePoints(const MeshCells& cells, const SurfaceTargets& targets, const LocalVolumes* local,
+  ElementMethod& method, MeshRun& run, Draft& draft, ActiveMesh& active)
 {
   const SmoothingRamp ramp = method.Ramp(cells);
   const bool conserves = ConservesVolume(cells.Options);
@@ -108,7 +111,7 @@ void MovePoints(const MeshCells& cells, const SurfaceTargets& targets, ElementMe
   run.Clock.Start("Smoothing", 0.25);
   Smoother smoother(active, &targets, method.Energy(), run.TheRuntime);
   VolumeCorrection correction(
-    draft.Volumes, smoother, run.Clock, ramp.back(), draft.IsThin, bulgesOf);
+    draft.Volumes, smoother, run.Clock, ramp.back(), draft.IsThin, local, bulgesOf);
   RunRamp(ramp, conserves && !method.ChangesElements(), method, run.Clock, smoother, correction);
   if (method.ChangesElements())
   {
@@ -130,8 +133,13 @@ void MoveToTargets(
   std::vector<FeatureKind> kinds;
   std::unique_ptr<LevelInterfaces> interfaces;
   const SurfaceTargets targets = FindTargets(cells, draft, method, run, active, kinds, interfaces);
+  std::optional<LocalVolumes> local;
+  if (!draft.IsThin.empty())
+  {
+    local.emplace(cells, draft.Thin, draft.Elements, active, run);
+  }
   method.StartMoves(cells, kinds, run, draft);
-  MovePoints(cells, targets, method, run, draft, active);
+  MovePoints(cells, targets, local ? &*local : nullptr, method, run, draft, active);
   method.RestoreDraft(cells, run, draft);
   Mesh& mesh = draft.Elements;
   if (HasCurvedEdges(cells.Options))

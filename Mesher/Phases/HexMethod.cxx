@@ -51,6 +51,7 @@ Draft HexMethod::Make(const MeshCells& cells, MeshRun& run)
     .Volumes = std::move(volumes),
     .RequestedFamilies = std::move(labelled.Levels.RequestedFamilies),
     .Barrier = labelled.Barrier(),
+    .Thin = labelled.Thin,
     .IsThin = std::move(isThin),
     .WholeCells = topology.WholeCells };
 }

@@ -64,6 +64,7 @@ Draft TetMethodBase::Make(const MeshCells& cells, MeshRun& run)
     .Volumes = std::move(volumes),
     .RequestedFamilies = std::move(levels.RequestedFamilies),
     .Barrier = topology.Barrier,
+    .Thin = this->Thin,
     .IsThin = std::move(isThin) };
 }
 
@@ -114,7 +115,7 @@ void TetMethodBase::RestoreDraft(const MeshCells& cells, MeshRun& run, Draft& dr
 
 void TetMethodBase::EndMoves(MeshRun&, Draft&)
 {
-  this->Active = ActiveTets();
+  this->Active = ActiveMesh();
 }
 
 void LatticeMethod::StartTets(const MeshCells& cells, MeshRun& run)

@@ -56,7 +56,7 @@ protected:
   std::vector<Index> Mixed; // FindMixedNodes
   std::vector<PointPosition> Positions;
   TetFaces Faces;
-  ActiveTets Active;
+  ActiveMesh Active;
 };
 
 /// Tets of the method Lattice, cut where the labels of lattice nodes differ.

@@ -77,6 +77,8 @@ struct ActiveMesh
   std::vector<Vector3> Widths;
   /// Factor of each element's target quality, up to 1; empty if all are 1.
   std::vector<float> Demands;
+  /// Index in the mesh of each element; of hexes only if there are thin fragments.
+  std::vector<Index> MeshElement;
   /// Fragment of each element that may get a lower demand (LowerDemands); 0: none. Empty: none may.
   std::vector<int> YieldingFragments;
   /// Corners at point p: CornerList[CornerOffset[p]] to before CornerList[CornerOffset[p + 1]].

@@ -71,7 +71,7 @@ struct RoundState
 } // namespace
 
 VolumeCorrection::VolumeCorrection(FragmentVolumes& volumes, Smoother& smoother, StageClock& clock,
-  const SmoothingStage& last, const std::vector<unsigned char>& isThin,
+  const SmoothingStage& last, const std::vector<unsigned char>& isThin, const LocalVolumes* local,
   MeasureBulgesFunction bulgesOf) :
   Volumes(volumes),
   TheSmoother(smoother),
@@ -79,6 +79,7 @@ VolumeCorrection::VolumeCorrection(FragmentVolumes& volumes, Smoother& smoother,
   Last(last),
   Round(last),
   IsThin(isThin),
+  Local(local),
   BulgesOf(std::move(bulgesOf))
 {
   this->Round.Sweeps = SweepsPerRound;
@@ -110,9 +111,18 @@ void VolumeCorrection::ShiftAfterSweep(int sweep)
   {
     this->Measure();
     this->MeasureBulges();
+    std::vector<double> shifts = this->Volumes.FindShifts(this->Active(), InRamp);
+    if (this->Local)
+    {
+      this->Local->ReplaceShifts(this->Active(), shifts);
+    }
+    const auto isThin = [this](int fragment)
+    { return !this->IsThin.empty() && this->IsThin[fragment]; };
     this->TheSmoother.ShiftTargets(
-      this->Volumes.FindShifts(this->Active(), InRamp),
-      [this](const Attachment& a) { return this->IsLong(a); }, this->Last);
+      shifts,
+      [&](const Attachment& a)
+      { return this->IsLong(a) || isThin(a.Fragments[0]) || isThin(a.Fragments[1]); },
+      this->Last);
   }
 }
 

@@ -7,6 +7,7 @@
 #include "Elements/StageClock.h"
 #include "Smoothing/Smoother.h"
 #include "Volumes/FragmentVolumes.h"
+#include "Volumes/LocalVolumes.h"
 
 namespace vfm
 {
@@ -23,8 +24,9 @@ public:
   /// All objects must outlive this one.
   /// @param last  last stage of the ramp
   /// @param isThin  FindThinFragments
+  /// @param local  shifts near thin cells in the ramp; null: there are none
   VolumeCorrection(FragmentVolumes& volumes, Smoother& smoother, StageClock& clock,
-    const SmoothingStage& last, const std::vector<unsigned char>& isThin,
+    const SmoothingStage& last, const std::vector<unsigned char>& isThin, const LocalVolumes* local,
     MeasureBulgesFunction bulgesOf);
 
   /// Measures the volumes of the fragments. MeasureAll looks at all facets, also at new ones and at
@@ -69,6 +71,7 @@ private:
   StageClock& Clock;
   SmoothingStage Last, Round; // stages of the ramp's end, and of a round
   const std::vector<unsigned char>& IsThin;
+  const LocalVolumes* Local;
   MeasureBulgesFunction BulgesOf;
   bool IsMeasured = false;
 };

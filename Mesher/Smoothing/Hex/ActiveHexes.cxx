@@ -93,6 +93,10 @@ ActiveMesh MakeActiveHexes(const LabelledGrid& labelled, const Partition& partit
   active.SetBarrier(mesh, { !labelled.Narrow.IsEmpty() }, hexes);
   active.SetYielding(mesh, isThin, hexes);
   active.PlacePoints(levels.Finest(), mesh);
+  if (!isThin.empty())
+  {
+    active.MeshElement = hexes;
+  }
   return active;
 }
 

@@ -102,14 +102,14 @@ std::vector<Mover> FindMovers(const Mesh& mesh, const std::vector<PointPosition>
 
 } // namespace
 
-ActiveTets MakeActiveTets(const Mesh& mesh, const std::vector<PointPosition>& positions,
+ActiveMesh MakeActiveTets(const Mesh& mesh, const std::vector<PointPosition>& positions,
   const BarrierElements& barrier, const std::vector<unsigned char>& isThin,
   const CartesianGrid& grid, const Partition& partition, Runtime& runtime)
 {
   ActiveMeshBuilder builder(4, mesh.PointIds.size(), FindMovers(mesh, positions, grid, partition));
   std::vector<Index> tets = builder.AddAround(mesh, runtime);
-  ActiveTets active{ builder.Finish(partition, CopiesOfMovers(mesh), grid.NumberOfColours()),
-    std::move(tets) };
+  ActiveMesh active = builder.Finish(partition, CopiesOfMovers(mesh), grid.NumberOfColours());
+  active.MeshElement = std::move(tets);
   active.Widths = WidthsOfCells(grid, mesh, active.MeshElement);
   active.SetBarrier(mesh, barrier, active.MeshElement);
   active.SetYielding(mesh, isThin, active.MeshElement);

@@ -11,17 +11,12 @@
 namespace vfm
 {
 
-struct ActiveTets : ActiveMesh
-{
-  std::vector<Index> MeshElement; ///< index of each tet in the mesh
-};
-
 /// Returns the active part of a mesh of method Cells or Lattice, without attachments.
 /// @param mesh  tets in CartesianGrid::HexBox of the grid
 /// @param positions  TetTopology::Positions
 /// @param isThin  FindThinFragments
 /// @pre Collective among peers.
-ActiveTets MakeActiveTets(const Mesh& mesh, const std::vector<PointPosition>& positions,
+ActiveMesh MakeActiveTets(const Mesh& mesh, const std::vector<PointPosition>& positions,
   const BarrierElements& barrier, const std::vector<unsigned char>& isThin,
   const CartesianGrid& grid, const Partition& partition, Runtime& runtime);
 

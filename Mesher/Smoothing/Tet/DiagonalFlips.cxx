@@ -22,7 +22,7 @@ Index FaceOfId(Index id)
 
 /// The tets at a quad are consecutive, the two tets on its lower side first (CellTets.cxx).
 DiagonalFlips::DiagonalFlips(const Mesh& mesh, const BarrierElements& barrier,
-  const Partition& partition, ActiveTets& active, const TetEnergy& energy,
+  const Partition& partition, ActiveMesh& active, const TetEnergy& energy,
   const std::vector<FeatureKind>& kinds) :
   Parts(partition), Active(active), Energy(energy), Kinds(kinds)
 {

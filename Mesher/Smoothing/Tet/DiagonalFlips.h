@@ -25,7 +25,7 @@ public:
   /// @param kinds  one kind per point of the active mesh; must outlive this object
   /// @pre Collective among peers.
   DiagonalFlips(const Mesh& mesh, const BarrierElements& barrier, const Partition& partition,
-    ActiveTets& active, const TetEnergy& energy, const std::vector<FeatureKind>& kinds);
+    ActiveMesh& active, const TetEnergy& energy, const std::vector<FeatureKind>& kinds);
 
   /// Flips each quad once if this reduces its energy at a stage.
   /// @param changed  changed(point) is called for every corner of a flipped quad
@@ -53,7 +53,7 @@ private:
   double EnergyOf(const Quad& quad, const Tets& tets, const SmoothingStage& stage) const;
 
   const Partition& Parts;
-  ActiveTets& Active;
+  ActiveMesh& Active;
   const TetEnergy& Energy;
   const std::vector<FeatureKind>& Kinds;
   std::vector<Quad> Quads;

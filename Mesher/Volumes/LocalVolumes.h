@@ -1,0 +1,75 @@
+/**
+ * LocalVolumes: shifts of interfaces near thin cells by what is missing around them.
+ *
+ * FragmentVolumes shifts all interfaces of a fragment by the same length. If a fragment has films
+ * and a thick body, that takes material from one place and adds it in another. Here, the volume of
+ * the elements in each cell is compared with the fractions, and an interface shifts by what the
+ * cells around it lack, over its area in them.
+ *
+ * Volumes are sums of integers, so they depend on neither their order nor ranks.
+ */
+#pragma once
+
+#include "Elements/MeshRun.h"
+#include "Smoothing/ActiveMesh.h"
+
+#include <unordered_map>
+
+namespace vfm
+{
+
+/// What cells near thin cells lack. Keeps references to grid and partition.
+class LocalVolumes
+{
+public:
+  /// @param thin  thin cells of the local box, ascending
+  /// @param mesh  all elements of this rank, at their start
+  /// @param active  its active part, with MeshElement
+  LocalVolumes(const MeshCells& cells, const std::vector<Index>& thin, const Mesh& mesh,
+    const ActiveMesh& active, const MeshRun& run);
+
+  /// Replaces the shifts of points with a thin cell in the 4^3 cells around their node.
+  /// @param mesh  the active part, at its present positions
+  /// @param[in,out] shifts  shift of each attachment, grid coordinates
+  /// @pre Collective among peers.
+  void ReplaceShifts(const ActiveMesh& mesh, std::vector<double>& shifts) const;
+
+private:
+  /// Volume that a cell lacks of a material, and area of its interfaces, in Quantum mean cells.
+  struct Amounts
+  {
+    std::int64_t Lack = 0, Area = 0;
+  };
+  using Sums = std::unordered_map<Index, Amounts>; // by cell and material, KeyOf
+  struct Item;                                     // an entry of Sums for another rank
+  struct Element
+  {
+    int Active; // its number in the active mesh
+    int Material;
+  };
+
+  Index KeyOf(Index cell, int material) const { return cell * this->Materials + material; }
+  void MarkRegion(const std::vector<Index>& thin);
+  void AddInactive(const Mesh& mesh, const ActiveMesh& active);
+  void AddFractions(const FractionField& fractions, const Mesh& mesh);
+  void ListPoints(const Mesh& mesh, const ActiveMesh& active);
+  void AddParts(
+    const std::array<Vector3, 8>& corners, int numberOfCorners, int material, Sums& sums) const;
+  void AddElements(const ActiveMesh& mesh, Sums& sums) const;
+  void AddFacets(const ActiveMesh& mesh, Sums& sums) const;
+  void Complete(Sums& sums) const;
+  void SendToOwners(Sums& sums) const;
+  void SendToGhosts(Sums& sums) const;
+  double ShiftOf(const Sums& sums, Index node, int material) const;
+
+  const CartesianGrid& Grid;
+  const Partition& Parts;
+  const int Materials;               // with void
+  std::vector<unsigned char> Region; // whether each cell of the local box counts
+  Sums Start;                        // fractions minus elements that do not move
+  std::vector<Element> Elements;     // owned active elements in or beside the region
+  std::vector<int> MaterialOf;       // material of each fragment; 0 if it is not here
+  std::vector<Index> NodeOf;         // node of each active point near thin cells; -1 for others
+};
+
+} // namespace vfm
