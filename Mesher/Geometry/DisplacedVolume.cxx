@@ -109,8 +109,15 @@ public:
       });
   }
 
-  void AddElements(const Mesh& mesh)
+  /// Adds elements, and far material in its cells.
+  void AddMesh(const Mesh& mesh)
   {
+    for (const FarMatter& far : mesh.Far)
+    {
+      ExactSum sum;
+      sum.Add(this->Unit * far.Volume);
+      this->Lack[this->KeyOf(this->Grid.CellOfKey(far.Cell), far.Material)].Subtract(sum);
+    }
     for (Index e = 0; e < static_cast<Index>(mesh.Material.size()); ++e)
     {
       this->AddElement(mesh, e);
@@ -230,7 +237,7 @@ std::vector<double> FindDisplacedVolumes(
   const CartesianGrid& grid, const FractionField& fractions, const Mesh& mesh, Ranks& ranks)
 {
   BlockVolumes volumes(grid, fractions);
-  volumes.AddElements(mesh);
+  volumes.AddMesh(mesh);
   return volumes.Finish(ranks);
 }
 

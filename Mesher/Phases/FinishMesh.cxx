@@ -26,6 +26,7 @@ Mesh FinishMesh(const MeshCells& cells, ElementMethod& method, MeshRun& run, Dra
     ComputeQuality(mesh, run.TheRuntime, run.Report, draft.WholeCells);
   }
   MeasureMaterials(mesh, run.Group(), run.Report);
+  mesh.Far = draft.Volumes.TakeFar();
   if (KeepsThinParts(cells.Options))
   {
     run.Report.DisplacedVolume =

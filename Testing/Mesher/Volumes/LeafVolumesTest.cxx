@@ -203,7 +203,7 @@ TEST(CellLocator, GiveACoarseLeafToTheAdjacentPiece)
             far = pieces.FragmentOfCell({ { 20, 0, 0 } });
   const auto targets = [&](const FragmentLocator& locator)
   {
-    return FragmentVolumes(grid, field, pieces.MaterialsOfFragments(), locator, runtime)
+    return FragmentVolumes(grid, field, pieces.MaterialsOfFragments(), locator, false, runtime)
       .FragmentTargets();
   };
   const std::vector<double> leaves = targets(CellLocator(levels, labels, pieces));
@@ -226,7 +226,7 @@ TEST(CellLocator, RanksAgree)
       const RandomLeaves leaves(grid, refinements, 0.05, 6, ranks);
       RankRuntime runtime(ranks);
       return FragmentVolumes(grid, CopyToLocal(whole, field, grid),
-        leaves.Pieces.MaterialsOfFragments(), leaves.Locator, runtime)
+        leaves.Pieces.MaterialsOfFragments(), leaves.Locator, false, runtime)
         .FragmentTargets();
     };
     Ranks alone;
