@@ -106,6 +106,9 @@ struct MeshSettings : TetGenOptions
 struct MeshOptions : MeshSettings
 {
   LevelPlan Levels;
+  /// true: the volumes of fragments do not count material that has no cell of its label around;
+  /// Mesh::Far lists it.
+  bool LeavesFar = false;
 };
 
 /// Returns whether interfaces may run through cells of several levels.

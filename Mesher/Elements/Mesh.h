@@ -7,6 +7,7 @@
 #include "Base/CartesianGrid.h"
 #include "Base/GlobalIds.h"
 #include "Elements/ElementShape.h"
+#include "Elements/FarMatter.h"
 #include "Elements/GeometryTables.h"
 #include "Elements/MeshFacet.h"
 #include "Elements/MidNodes.h"
@@ -97,6 +98,9 @@ struct Mesh : NodeCounts
   std::vector<MeshFacet> Facets;
   CurveEdges Curves;
   VertexPoints Vertices;
+  /// Material that no fragment has, ascending by cell and material; with MeshOptions::LeavesFar,
+  /// until the state is transferred.
+  std::vector<FarMatter> Far;
   GeometryTables Tables;                     ///< tables of all ranks
   std::shared_ptr<const RefinedGrid> Levels; ///< refined grid of the elements; never null
 

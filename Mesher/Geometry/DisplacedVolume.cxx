@@ -73,6 +73,13 @@ public:
       });
   }
 
+  /// Subtracts far material from its cell.
+  void AddFar(const FarMatter& far)
+  {
+    this->Select(this->Grid.CellOfKey(far.Cell));
+    this->AddLack(far.Material, -this->Rounded(far.Volume));
+  }
+
   void AddElement(const Mesh& mesh, Index e)
   {
     std::array<Vector3, 8> x;
@@ -266,6 +273,10 @@ std::vector<double> FindDisplacedVolumes(
     });
   add(static_cast<Index>(mesh.Material.size()),
     [&](BlockVolumes& own, Index e) { own.AddElement(mesh, e); });
+  for (const FarMatter& far : mesh.Far)
+  {
+    all.AddFar(far);
+  }
   return all.Finish(runtime.Group());
 }
 

@@ -17,7 +17,7 @@ constexpr Index CellsOfBlock = 4;
 /// Returns the displaced volume of each material from 0, as a fraction of its volume in the
 /// fractions: what blocks of 4 x 4 x 4 cells have less in elements than in the fractions, or what
 /// blocks have more, whichever is larger. 0: all of it is where it was, or it is in no cell. 1: all
-/// of it is elsewhere, or in no element.
+/// of it is elsewhere, or in no element. Far material (Mesh::Far) is where it was.
 ///
 /// Elements that lie in several blocks are divided into 8 parts.
 /// @param mesh  owned elements, linear, in the length unit of the grid

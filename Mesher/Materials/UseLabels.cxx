@@ -47,4 +47,9 @@ void UseLabels(const Materials& table, Mesh& mesh)
   }
 }
 
+void UseLabels(const Materials& table, std::vector<int>& materials)
+{
+  SetLabels(table.Labels, materials);
+}
+
 } // namespace vfm

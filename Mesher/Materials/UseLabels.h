@@ -12,4 +12,7 @@ namespace vfm
 /// Replaces material numbers in elements, facets and tables of surfaces.
 void UseLabels(const Materials& table, Mesh& mesh);
 
+/// Replaces material numbers in a list.
+void UseLabels(const Materials& table, std::vector<int>& materials);
+
 } // namespace vfm

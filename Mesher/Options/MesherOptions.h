@@ -46,8 +46,9 @@ enum class LostEnergy
 /// Treatment of contents that are more than one cell away from all elements of their material.
 enum class Unmeshed
 {
-  Give, ///< added to the nearest fragment of the material, if it is within three cells
-  Drop  ///< left out of the mesh, and reported
+  Give,     ///< added to the nearest fragment of the material, if it is within three cells
+  Drop,     ///< left out of the mesh, and reported
+  Particles ///< particles (Particles.h); the volumes of fragments do not count it
 };
 
 /// Sides of a periodic mesh.
@@ -122,6 +123,8 @@ struct ConserveOptions
   bool NodalVelocity = false;
   LostEnergy LostKineticEnergy = LostEnergy::Report;
   Unmeshed UnmeshedMaterial = Unmeshed::Give;
+  bool ParticleClusters = false; ///< particles of neighbour cells become one
+  double LeastParticle = 0.001;  ///< in cells; smaller particles join one in a neighbour cell
 };
 
 /// All user options. An empty name means no array or no file.

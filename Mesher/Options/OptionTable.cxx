@@ -123,6 +123,7 @@ const std::string Conserves = "(StateTransfer=Conserve | StateTransfer=Automatic
 const std::string Moves = Conserves + " & VelocityArray";
 const char* const Seeks = "Refinement=Automatic";
 const char* const Fills = "Method=TetGen";
+const char* const Particles = "UnmeshedMaterial=Particles";
 
 OptionTable MaterialsOptions()
 {
@@ -274,13 +275,26 @@ OptionTable StateOptions()
       .EnabledIf("!ImageAxes")
       .Advanced()
       .Sculptor("--rotated A,.."),
-    Row("UnmeshedMaterial", Choice<&M::UnmeshedMaterial>({ "Give", "Drop" }),
+    Row("UnmeshedMaterial", Choice<&M::UnmeshedMaterial>({ "Give", "Drop", "Particles" }),
       "Treatment of material that is not attached to any element of its kind, such as small drops "
       "and removed regions. Give: Conserve adds it to the nearest fragment of its material within "
-      "a few cells. Drop: it is left out. The table of materials lists how much is left out.")
-      .EnabledIf(Conserves)
+      "a few cells. Drop: it is left out. Particles: it becomes one particle per cell and "
+      "material, with volume, mass and state, and the volumes of the elements do not count it. "
+      "The table of materials lists how much is left out, or in particles.")
       .Advanced()
       .Sculptor("--unmeshed WHAT"),
+    Row("ParticleClusters", Switch<&M::ParticleClusters>(),
+      "Join the particles of neighbour cells: one particle takes what the 27 cells around it hold. "
+      "There are fewer particles then, and their material moves by up to a cell. They keep its "
+      "momentum; the table of materials lists the kinetic energy that they lose, and Lost Kinetic "
+      "Energy may add it to their internal energy.")
+      .EnabledIf(Particles)
+      .Advanced(),
+    Row("LeastParticle", Number<&M::LeastParticle>(0, 1),
+      "Volume, in cells, below which a particle joins one of its material in a neighbour cell, if "
+      "there is any.")
+      .EnabledIf(Particles)
+      .Advanced(),
   };
 }
 

@@ -26,6 +26,7 @@ Mesh FinishMesh(const MeshCells& cells, ElementMethod& method, MeshRun& run, Dra
     ComputeQuality(mesh, run.TheRuntime, run.Report, draft.WholeCells);
   }
   MeasureMaterials(mesh, run.Group(), run.Report);
+  mesh.Far = draft.Volumes.TakeFar();
   if (run.Report.ThinPartCells > 0)
   {
     run.Report.DisplacedVolume =

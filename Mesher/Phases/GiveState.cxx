@@ -39,6 +39,7 @@ void GiveState(const MesherJob& job, const MeshOptions& options, Cells& cells, M
 {
   result.State = MakeOutputState(cells.State, job.Input.Levels, result.TheMesh,
     DescribeGrid(cells.Fields, cells.Setup, options.Levels), job.Options, cells.Owners, job.Run);
+  std::vector<FarMatter>().swap(result.TheMesh.Far);
   LeaveCopies(job, cells.Fields, result.TheMesh); // after the state, which takes cells across sides
 }
 

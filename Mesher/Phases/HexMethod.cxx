@@ -37,8 +37,8 @@ Draft HexMethod::Make(const MeshCells& cells, MeshRun& run)
   std::vector<Facet> facets =
     FindHexFacets(labelled, numbering, fragments, run.Parts, run.TheRuntime, topology);
   run.Clock.Start("Finding volumes", 0.15);
-  FragmentVolumes volumes = VolumesOfCells(
-    cells.Grid, cells.Fractions, *mesh.Levels, labelled.Labels, fragments, run.TheRuntime);
+  FragmentVolumes volumes = VolumesOfCells(cells.Grid, cells.Fractions, *mesh.Levels,
+    labelled.Labels, fragments, cells.Options.LeavesFar, run.TheRuntime);
   if (!mesh.Levels->HasFineInterfaces())
   {
     volumes.SetStart(

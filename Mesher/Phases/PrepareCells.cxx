@@ -56,7 +56,8 @@ PreparedCells PrepareCells(const MesherJob& job, Cells& cells)
   Divide(job, cells.Setup, fields);
   MeshOptions options{ job.Options,
     RefineFields(
-      job.Options, cells.Setup, cells.Requests, job.Input.Levels.Finest(), job.Run, fields) };
+      job.Options, cells.Setup, cells.Requests, job.Input.Levels.Finest(), job.Run, fields),
+    job.Options.UnmeshedMaterial == Unmeshed::Particles };
   Warn(job, DescribeWidths(fields.Grid));
   options.ThinParts = options.ThinParts && !AreLabels(job);
   return { options, removed };

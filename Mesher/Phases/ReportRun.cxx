@@ -46,6 +46,11 @@ void ListResult(
   const ImageFrame frame = job.Options.ImageAxes ? ImageFrame() : job.Input.Levels.Reading.Frame;
   TurnMesh(frame, result.TheMesh);
   UseLabels(table, result.TheMesh);
+  if (result.State.TheParticles)
+  {
+    TurnParticles(frame, *result.State.TheParticles);
+    UseLabels(table, result.State.TheParticles->Material);
+  }
   AppendFields(ListSides(result.TheMesh.Tables), result.Fields);
   AppendFields(ListReport(result.TheMesh, result.Report, table, options, fields.Field.Corrected),
     result.Fields);

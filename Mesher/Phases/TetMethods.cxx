@@ -144,8 +144,8 @@ FragmentVolumes LatticeMethod::FindFragments(
 {
   const TetFragments fragments(topology, this->Faces, cells.Grid, run.Parts);
   run.Report.NumberOfFragments = static_cast<Index>(fragments.Materials().size()) - 1;
-  FragmentVolumes volumes(
-    cells.Grid, cells.Fractions, fragments.Materials(), fragments, run.TheRuntime);
+  FragmentVolumes volumes(cells.Grid, cells.Fractions, fragments.Materials(), fragments,
+    cells.Options.LeavesFar, run.TheRuntime);
   volumes.SetStart(MeasureFragments(
     topology.Tets, cells.Grid, static_cast<int>(run.Report.NumberOfFragments), run.TheRuntime));
   return volumes;
@@ -171,8 +171,8 @@ FragmentVolumes CellsMethod::FindFragments(
 {
   const Fragments fragments(cells.Grid, this->Labels, cells.Options.MeshVoid, run.Parts);
   run.Report.NumberOfFragments = fragments.NumberOfFragments();
-  FragmentVolumes volumes = VolumesOfCells(
-    cells.Grid, cells.Fractions, *topology.Tets.Levels, this->Labels, fragments, run.TheRuntime);
+  FragmentVolumes volumes = VolumesOfCells(cells.Grid, cells.Fractions, *topology.Tets.Levels,
+    this->Labels, fragments, cells.Options.LeavesFar, run.TheRuntime);
   FillFragments(cells.Grid, fragments, topology.Tets);
   return volumes;
 }

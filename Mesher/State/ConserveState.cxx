@@ -4,6 +4,8 @@
 #include "State/Transfer/NodalVelocity.h"
 #include "State/Transfer/Overlaps.h"
 
+#include <tuple>
+
 namespace vfm
 {
 namespace
@@ -25,14 +27,6 @@ std::vector<StateQuantity> ListQuantities(const StatePlan& plan)
   return quantities;
 }
 
-/// Returns the names of the components of an output array.
-std::vector<std::string> NamesFor(
-  const ConservedArray& array, const std::vector<StateArray>& states)
-{
-  return array.IsVector ? std::vector<std::string>{ "X", "Y", "Z" }
-                        : states[array.States[0]].ComponentNames;
-}
-
 /// State of the elements, and lost kinetic energy.
 struct GivenState
 {
@@ -40,6 +34,7 @@ struct GivenState
   Buffer<double> LostToElements; ///< lost kinetic energy of each element, if there is a velocity
   NodalVelocity Nodes;
   bool HasNodes; ///< true if the points of the mesh get a velocity
+  std::optional<ConservedParticles> TheParticles;
 };
 
 /// Adds the lost kinetic energy to the internal energy.
@@ -55,17 +50,63 @@ void AddLostEnergy(const StatePlan& plan, Runtime& runtime, GivenState& given)
     });
 }
 
+/// Returns the volumes of far material in the cells of a grid of a level of the input, which are
+/// cells of the mesh or larger.
+std::vector<FarVolume> FindFarVolumes(
+  const std::vector<FarMatter>& far, const MeshedGrid& meshed, int level, const CartesianGrid& grid)
+{
+  std::vector<FarVolume> volumes;
+  for (const FarMatter& part : far)
+  {
+    Index3 cell = meshed.Grid.CellOfKey(part.Cell);
+    for (int a = 0; a < 3; ++a)
+    {
+      cell[a] -= meshed.Grid.Domain().Lower[a];
+    }
+    cell = ChangeLevel(BoxOfCell(meshed.Division.ParentOf(cell)), level - meshed.Level).Lower;
+    for (int a = 0; a < 3; ++a)
+    {
+      cell[a] += grid.Domain().Lower[a];
+    }
+    volumes.push_back({ grid.Linear(cell), part.Material, part.Volume });
+  }
+  const auto isSame = [](const FarVolume& a, const FarVolume& b)
+  { return a.Cell == b.Cell && a.Material == b.Material; };
+  std::stable_sort(volumes.begin(), volumes.end(),
+    [](const FarVolume& a, const FarVolume& b)
+    { return std::tie(a.Cell, a.Material) < std::tie(b.Cell, b.Material); });
+  std::vector<FarVolume> sums;
+  for (const FarVolume& volume : volumes)
+  {
+    if (sums.empty() || !isSame(sums.back(), volume))
+    {
+      sums.push_back(volume);
+      continue;
+    }
+    sums.back().Volume += volume.Volume;
+  }
+  return sums;
+}
+
 /// Collective. Transfers the state and finds the lost kinetic energy.
-GivenState Transfer(const Mesh& mesh, const CartesianGrid& grid, const ConservedCells& cells,
+GivenState Transfer(const Mesh& mesh, const MeshedGrid& meshed, const ConservedCells& cells,
   const ConserveOptions& options, Runtime& runtime)
 {
   const StatePlan& plan = cells.GetContents().GetPlan();
-  const RepeatedCells repeated(cells, grid, runtime.Group());
-  const TransferRequest request{ repeated.GetGrid(), repeated.GetFractions(), repeated,
-    ListQuantities(plan), plan.Density, options.StateOrder,
-    options.UnmeshedMaterial == Unmeshed::Give };
+  const RepeatedCells repeated(cells, meshed.Grid, runtime.Group());
+  const CartesianGrid& grid = repeated.GetGrid();
+  const bool hasParticles = options.UnmeshedMaterial == Unmeshed::Particles;
+  const ParticleRequest particles{ FindFarVolumes(mesh.Far, meshed, cells.GetLevel(), grid),
+    options.ParticleClusters, options.LeastParticle };
+  const TransferRequest request{ grid, repeated.GetFractions(), repeated, ListQuantities(plan),
+    plan.Density, plan.Conserved.empty() ? 1 : options.StateOrder,
+    options.UnmeshedMaterial != Unmeshed::Drop, hasParticles ? &particles : nullptr };
   GivenState given{ TransferState(mesh, request, runtime), {}, {},
-    plan.Velocity >= 0 && options.NodalVelocity };
+    plan.Velocity >= 0 && options.NodalVelocity, {} };
+  if (hasParticles)
+  {
+    given.TheParticles = MakeParticles(given.Taken.Particles, grid, cells, options, runtime);
+  }
   if (plan.Velocity < 0)
   {
     return given;
@@ -75,7 +116,7 @@ GivenState Transfer(const Mesh& mesh, const CartesianGrid& grid, const Conserved
   given.LostToElements = FindLostKineticEnergy(taken.Mass, velocity, taken.Values.back(), runtime);
   if (given.HasNodes)
   {
-    given.Nodes = FindNodalVelocity(mesh, grid, taken.Mass, velocity, runtime);
+    given.Nodes = FindNodalVelocity(mesh, meshed.Grid, taken.Mass, velocity, runtime);
   }
   if (options.LostKineticEnergy == LostEnergy::InternalEnergy && plan.Energy >= 0)
   {
@@ -139,9 +180,14 @@ StateBalance FindBalance(
     balance.Input.push_back(SumsOfTotals(contents, given.Taken.Input[m]));
     balance.Unmeshed.push_back(SumsOfTotals(contents, given.Taken.Unmeshed[m]));
   }
-  balance.Mesh = SumElements(
-    mesh, static_cast<int>(given.Taken.Input.size()),
+  balance.Mesh = SumByMaterial(
+    mesh.Material.data(), mesh.Material.size(), static_cast<int>(given.Taken.Input.size()),
     [&](Index e) { return SumsOfElement(plan, given, e); }, ranks);
+  if (given.TheParticles)
+  {
+    balance.Particles = given.TheParticles->Sums;
+    balance.ParticleCounts = given.TheParticles->Counts;
+  }
   return balance;
 }
 
@@ -158,24 +204,17 @@ void MultiplyByVolume(const Mesh& mesh, int components, Buffer<double>& values, 
     });
 }
 
-TransferredArray MakeArray(
-  const ConservedArray& array, const std::vector<StateArray>& states, Buffer<double>& values)
-{
-  return { array.Name, ValueType::Double, array.Components, NamesFor(array, states),
-    array.Meaning == StateMeaning::Extensive, TakeBytes(values) };
-}
-
 } // namespace
 
-ConservedState ConserveState(const Mesh& mesh, const CartesianGrid& grid,
+ConservedState ConserveState(const Mesh& mesh, const MeshedGrid& meshed,
   const ConservedCells& cells, const ConserveOptions& options, Runtime& runtime)
 {
   const InputContents& contents = cells.GetContents();
   const StatePlan& plan = contents.GetPlan();
-  const std::vector<StateArray>& states = contents.GetStates();
-  GivenState given = Transfer(mesh, grid, cells, options, runtime);
+  GivenState given = Transfer(mesh, meshed, cells, options, runtime);
   ConservedState result;
   result.Balance = FindBalance(mesh, contents, given, runtime.Group());
+  result.TheParticles = std::move(given.TheParticles);
   for (std::size_t a = 0; a < plan.Conserved.size(); ++a)
   {
     const ConservedArray& array = plan.Conserved[a];
@@ -185,11 +224,11 @@ ConservedState ConserveState(const Mesh& mesh, const CartesianGrid& grid,
       MultiplyByVolume(mesh, array.Components, values, runtime);
     }
     result.States.push_back(array.States[0]);
-    result.Arrays.push_back(MakeArray(array, states, values));
+    result.Arrays.push_back(contents.MakeArray(a, values));
   }
   if (given.HasNodes)
   {
-    result.NodalVelocity = MakeArray(plan.Conserved[plan.Velocity], states, given.Nodes.Velocity);
+    result.NodalVelocity = contents.MakeArray(plan.Velocity, given.Nodes.Velocity);
   }
   return result;
 }

@@ -5,9 +5,8 @@
 #pragma once
 
 #include "Options/MesherOptions.h"
-#include "State/ConservedCells.h"
-#include "State/StateBalance.h"
-#include "State/TransferredArray.h"
+#include "State/CopyState.h"
+#include "State/MakeParticles.h"
 
 #include <optional>
 
@@ -17,18 +16,18 @@ namespace vfm
 /// Conserved arrays of a mesh.
 struct ConservedState
 {
-  std::vector<TransferredArray> Arrays;          ///< element arrays of type double
-  std::vector<std::size_t> States;               ///< first state array of the input of each array
-  std::optional<TransferredArray> NodalVelocity; ///< point array
+  std::vector<TransferredArray> Arrays;           ///< element arrays of type double
+  std::vector<std::size_t> States;                ///< first state array of the input of each array
+  std::optional<TransferredArray> NodalVelocity;  ///< point array
+  std::optional<ConservedParticles> TheParticles; ///< if unmeshed material becomes particles
   StateBalance Balance;
 };
 
 /// Transfers the contents of cells to elements. Lost kinetic energy is only reported if no array is
 /// the energy.
 /// @param mesh elements owned by this rank, in image axes
-/// @param grid grid that the mesh was made on
 /// @pre Collective
-ConservedState ConserveState(const Mesh& mesh, const CartesianGrid& grid,
+ConservedState ConserveState(const Mesh& mesh, const MeshedGrid& meshed,
   const ConservedCells& cells, const ConserveOptions& options, Runtime& runtime);
 
 } // namespace vfm

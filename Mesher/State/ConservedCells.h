@@ -35,6 +35,7 @@ public:
   ConservedCells& operator=(const ConservedCells&) = delete;
 
   const CartesianGrid& GetGrid() const { return this->Grid; }
+  int GetLevel() const { return this->Level; }
   const FractionField& GetFractions() const { return this->Fractions; }
   const InputContents& GetContents() const { return this->Contents; }
 

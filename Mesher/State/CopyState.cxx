@@ -191,4 +191,30 @@ std::vector<TransferredArray> CopyState(const InputLevels& input,
   return arrays;
 }
 
+std::vector<TransferredArray> CopyCells(const InputLevels& input,
+  const std::vector<StateArray>& states, const std::vector<Index3>& cells, int level,
+  const std::vector<BlockPlace>& owners, Ranks& ranks)
+{
+  std::vector<TransferredArray> arrays;
+  if (states.empty())
+  {
+    return arrays;
+  }
+  const StateValues values = ExchangeState(input, states, level, owners, ranks);
+  WorkTogether(ranks,
+    [&]
+    {
+      std::vector<StatePlace> places;
+      for (const Index3& cell : cells)
+      {
+        places.push_back(FindInLevels(cell, level, values));
+      }
+      for (std::size_t a = 0; a < states.size(); ++a)
+      {
+        arrays.push_back(MakeOutput(states[a], a, places, input.Reading.Frame));
+      }
+    });
+  return arrays;
+}
+
 } // namespace vfm

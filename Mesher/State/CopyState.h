@@ -35,4 +35,12 @@ std::vector<TransferredArray> CopyState(const InputLevels& input,
   const std::vector<StateArray>& states, const Mesh& mesh, const MeshedGrid& meshed,
   const std::vector<BlockPlace>& owners, Runtime& runtime);
 
+/// Copies state arrays of cells: each tuple is that of the finest cell of the input at the centre
+/// of a cell.
+/// @param cells  cells of a level that this rank meshes, from the lowest of the domain
+/// @pre Collective
+std::vector<TransferredArray> CopyCells(const InputLevels& input,
+  const std::vector<StateArray>& states, const std::vector<Index3>& cells, int level,
+  const std::vector<BlockPlace>& owners, Ranks& ranks);
+
 } // namespace vfm

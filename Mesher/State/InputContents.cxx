@@ -62,6 +62,16 @@ InputContents::InputContents(
   this->Columns += this->Plan.Velocity >= 0;
 }
 
+TransferredArray InputContents::MakeArray(std::size_t array, Buffer<double>& values) const
+{
+  const ConservedArray& made = this->Plan.Conserved[array];
+  const std::vector<std::string> names = made.IsVector
+    ? std::vector<std::string>{ "X", "Y", "Z" }
+    : this->States[made.States[0]].ComponentNames;
+  return { made.Name, ValueType::Double, made.Components, names,
+    made.Meaning == StateMeaning::Extensive, TakeBytes(values) };
+}
+
 void InputContents::Read(const InputCell& cell, int material, double* values) const
 {
   const Index place = cell.Source->Place(cell.Cell);

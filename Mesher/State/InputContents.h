@@ -7,6 +7,7 @@
 #include "Fractions/FractionField.h"
 #include "State/StatePlan.h"
 #include "State/StateValues.h"
+#include "State/TransferredArray.h"
 
 namespace vfm
 {
@@ -34,6 +35,8 @@ public:
   int FirstColumn(std::size_t array) const { return this->First[array]; }
   const std::vector<StateArray>& GetStates() const { return this->States; }
   const StatePlan& GetPlan() const { return this->Plan; }
+  /// Returns a conserved array of the plan as an array of the output, and takes its values.
+  TransferredArray MakeArray(std::size_t array, Buffer<double>& values) const;
 
   /// Reads the values of a material in a cell. Void (0) has 0 in arrays per material, and in values
   /// that materials share unless the cell contains nothing else.

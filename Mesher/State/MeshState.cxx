@@ -37,8 +37,13 @@ StoredState StoreState(const InputLevels& input, const LevelCells& cells, const 
   {
     kept.Copied.push_back(states[s]);
   }
-  if (!plan.Conserved.empty())
+  const bool hasParticles = options.UnmeshedMaterial == Unmeshed::Particles;
+  if (!plan.Conserved.empty() || hasParticles)
   {
+    if (plan.Conserved.empty())
+    {
+      states.clear();
+    }
     kept.Conserved = std::make_unique<ConservedCells>(input, cells,
       InputContents(states, std::move(plan), input.Reading.Frame), fields,
       std::min(setup.Finest, input.Finest()), options.MeshVoid, owners, runtime);
@@ -46,32 +51,70 @@ StoredState StoreState(const InputLevels& input, const LevelCells& cells, const 
   return kept;
 }
 
+namespace
+{
+
+/// Arrays by the first state that they are made of.
+using ArraysByState = std::map<std::size_t, TransferredArray>;
+
+/// Places arrays; moves them.
+void Place(const std::vector<std::size_t>& states, std::vector<TransferredArray>& arrays,
+  ArraysByState& placed)
+{
+  for (std::size_t a = 0; a < arrays.size(); ++a)
+  {
+    placed[states[a]] = std::move(arrays[a]);
+  }
+}
+
+std::vector<TransferredArray> InOrder(ArraysByState& placed)
+{
+  std::vector<TransferredArray> arrays;
+  for (auto& array : placed)
+  {
+    arrays.push_back(std::move(array.second));
+  }
+  return arrays;
+}
+
+/// Adds the copied arrays to particles. Collective.
+Particles CompleteParticles(const StoredState& kept, const std::vector<std::size_t>& conserved,
+  ConservedParticles made, const InputLevels& input, const std::vector<BlockPlace>& owners,
+  Ranks& ranks)
+{
+  std::vector<TransferredArray> copies =
+    CopyCells(input, kept.Copied, made.Cells, kept.Conserved->GetLevel(), owners, ranks);
+  ArraysByState arrays;
+  Place(conserved, made.Items.Arrays, arrays);
+  Place(kept.Places, copies, arrays);
+  made.Items.Arrays = InOrder(arrays);
+  return std::move(made.Items);
+}
+
+} // namespace
+
 OutputState MakeOutputState(const StoredState& kept, const InputLevels& input, const Mesh& mesh,
   const MeshedGrid& meshed, const ConserveOptions& options, const std::vector<BlockPlace>& owners,
   Runtime& runtime)
 {
   OutputState transferred;
-  std::map<std::size_t, TransferredArray> arrays; // key: first state of an array
+  ArraysByState arrays;
   auto copies = CopyState(input, kept.Copied, mesh, meshed, owners, runtime);
-  for (std::size_t c = 0; c < copies.size(); ++c)
-  {
-    arrays[kept.Places[c]] = std::move(copies[c]);
-  }
+  Place(kept.Places, copies, arrays);
   if (kept.Conserved)
   {
-    ConservedState conserved = ConserveState(mesh, meshed.Grid, *kept.Conserved, options, runtime);
-    for (std::size_t a = 0; a < conserved.Arrays.size(); ++a)
+    ConservedState conserved = ConserveState(mesh, meshed, *kept.Conserved, options, runtime);
+    Place(conserved.States, conserved.Arrays, arrays);
+    if (conserved.TheParticles)
     {
-      arrays[conserved.States[a]] = std::move(conserved.Arrays[a]);
+      transferred.TheParticles = CompleteParticles(
+        kept, conserved.States, std::move(*conserved.TheParticles), input, owners, runtime.Group());
     }
     transferred.NodalVelocity = std::move(conserved.NodalVelocity);
     transferred.Balance = std::move(conserved.Balance);
     transferred.IsConserved = true;
   }
-  for (auto& array : arrays)
-  {
-    transferred.Arrays.push_back(std::move(array.second));
-  }
+  transferred.Arrays = InOrder(arrays);
   return transferred;
 }
 

@@ -3,6 +3,7 @@
  */
 #pragma once
 
+#include "State/Particles.h"
 #include "State/StateBalance.h"
 #include "State/TransferredArray.h"
 
@@ -17,7 +18,9 @@ struct OutputState
 {
   std::vector<TransferredArray> Arrays;          ///< element arrays, in the order of the choice
   std::optional<TransferredArray> NodalVelocity; ///< point array
-  bool IsConserved = false;                      ///< true if any array is conserved; sets Balance
+  /// Material without elements; empty unless the option UnmeshedMaterial is Particles.
+  std::optional<Particles> TheParticles;
+  bool IsConserved = false; ///< true if contents were transferred; sets Balance
   StateBalance Balance;
 };
 

@@ -9,21 +9,21 @@ namespace vfm
 namespace
 {
 
-constexpr int NumberOfSums = 8;
+constexpr int NumberOfSums = 9;
 constexpr double SmallPart = 1e-12; // fraction of a material; less is rounding
 
 using SumTerms = std::array<double, NumberOfSums>;
 
 SumTerms TermsOf(const StateSums& sums)
 {
-  return { { sums.Mass, sums.Momentum[0], sums.Momentum[1], sums.Momentum[2], sums.Kinetic,
-    sums.Internal, sums.LostToElements, sums.LostToNodes } };
+  return { { sums.Volume, sums.Mass, sums.Momentum[0], sums.Momentum[1], sums.Momentum[2],
+    sums.Kinetic, sums.Internal, sums.LostToElements, sums.LostToNodes } };
 }
 
 StateSums FromTerms(const SumTerms& terms)
 {
-  return { 0.0, terms[0], { { terms[1], terms[2], terms[3] } }, terms[4], terms[5], terms[6],
-    terms[7] };
+  return { terms[0], terms[1], { { terms[2], terms[3], terms[4] } }, terms[5], terms[6], terms[7],
+    terms[8] };
 }
 
 /// Collects arrays with values of each material.
@@ -66,16 +66,16 @@ private:
 
 } // namespace
 
-std::vector<StateSums> SumElements(
-  const Mesh& mesh, int materials, const std::function<StateSums(Index)>& find, Ranks& ranks)
+std::vector<StateSums> SumByMaterial(const int* material, std::size_t count, int materials,
+  const std::function<StateSums(Index)>& find, Ranks& ranks)
 {
   std::vector<WideSum> sums(NumberOfSums * materials);
-  for (std::size_t e = 0; e < mesh.Material.size(); ++e)
+  for (std::size_t i = 0; i < count; ++i)
   {
-    const SumTerms terms = TermsOf(find(static_cast<Index>(e)));
+    const SumTerms terms = TermsOf(find(static_cast<Index>(i)));
     for (int t = 0; t < NumberOfSums; ++t)
     {
-      sums[NumberOfSums * mesh.Material[e] + t].Add(terms[t]);
+      sums[NumberOfSums * material[i] + t].Add(terms[t]);
     }
   }
   WideSum::SumOverRanks(sums, ranks);
@@ -89,6 +89,34 @@ std::vector<StateSums> SumElements(
   }
   return result;
 }
+
+namespace
+{
+
+void AddParticles(const StateBalance& balance, std::size_t first, ColumnMaker& maker)
+{
+  const std::vector<StateSums>& of = balance.Particles;
+  maker.Columns.push_back({ "Particles",
+    std::vector<Index>(balance.ParticleCounts.begin() + first, balance.ParticleCounts.end()) });
+  maker.Add("ParticleVolume", of, [](const StateSums& s) { return s.Volume; });
+  if (balance.HasDensity)
+  {
+    maker.Add("ParticleMass", of, [](const StateSums& s) { return s.Mass; });
+  }
+  if (balance.HasVelocity)
+  {
+    maker.AddTuples(
+      "ParticleMomentum", of, [](const StateSums& s) -> const Vector3& { return s.Momentum; });
+    maker.Add("ParticleKineticEnergy", of, [](const StateSums& s) { return s.Kinetic; });
+    maker.Add("ParticleLostKineticEnergy", of, [](const StateSums& s) { return s.LostToElements; });
+  }
+  if (balance.HasEnergy)
+  {
+    maker.Add("ParticleInternalEnergy", of, [](const StateSums& s) { return s.Internal; });
+  }
+}
+
+} // namespace
 
 std::vector<FieldArray> ListBalance(const StateBalance& balance, bool meshVoid)
 {
@@ -132,6 +160,10 @@ std::vector<FieldArray> ListBalance(const StateBalance& balance, bool meshVoid)
     maker.Add("InputInternalEnergy", balance.Input, internal);
     maker.Add("MeshInternalEnergy", balance.Mesh, internal);
     maker.Add("UnmeshedInternalEnergy", balance.Unmeshed, internal);
+  }
+  if (!balance.Particles.empty())
+  {
+    AddParticles(balance, meshVoid ? 0 : 1, maker);
   }
   return std::move(maker.Columns);
 }

@@ -108,10 +108,12 @@ int CellLocator::FindNear(const Index3& cell, int material) const
 }
 
 FragmentVolumes VolumesOfCells(const CartesianGrid& grid, const FractionField& fractions,
-  const RefinedGrid& levels, const LabelArray& labels, const Fragments& fragments, Runtime& runtime)
+  const RefinedGrid& levels, const LabelArray& labels, const Fragments& fragments, bool leavesFar,
+  Runtime& runtime)
 {
   const CellLocator locator(levels, labels, fragments);
-  return FragmentVolumes(grid, fractions, fragments.MaterialsOfFragments(), locator, runtime);
+  return FragmentVolumes(
+    grid, fractions, fragments.MaterialsOfFragments(), locator, leavesFar, runtime);
 }
 
 } // namespace vfm

@@ -39,9 +39,10 @@ private:
 };
 
 /// Returns the volumes of fragments that consist of cells or leaves.
+/// @param leavesFar  as of FragmentVolumes
 /// @pre Collective.
 FragmentVolumes VolumesOfCells(const CartesianGrid& grid, const FractionField& fractions,
-  const RefinedGrid& levels, const LabelArray& labels, const Fragments& fragments,
+  const RefinedGrid& levels, const LabelArray& labels, const Fragments& fragments, bool leavesFar,
   Runtime& runtime);
 
 } // namespace vfm

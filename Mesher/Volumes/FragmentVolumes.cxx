@@ -4,6 +4,7 @@
 #include "Fractions/RowVolumes.h"
 
 #include <mutex>
+#include <tuple>
 
 namespace vfm
 {
@@ -54,7 +55,7 @@ class TargetSums
 {
 public:
   TargetSums(const CartesianGrid& grid, const FractionField& fractions,
-    const std::vector<int>& materials, const FragmentLocator& locator) :
+    const std::vector<int>& materials, const FragmentLocator& locator, bool leavesFar) :
     Targets(materials.size()),
     Cells(materials.size()),
     Totals(fractions.NumberOfMaterials() + 1),
@@ -63,6 +64,7 @@ public:
     Materials(materials),
     Locator(locator),
     Volumes(grid),
+    LeavesFar(leavesFar),
     VoidIsMeshed(std::find(materials.begin() + 1, materials.end(), 0) != materials.end())
   {
   }
@@ -77,9 +79,11 @@ public:
   std::vector<ExactSum> Targets; // target of each fragment, [0] unused
   std::vector<ExactSum> Cells;   // volume of the cells of each fragment
   std::vector<ExactSum> Totals;  // total of each material
+  std::vector<FarMatter> Far;
 
   void Add(const TargetSums& other)
   {
+    this->Far.insert(this->Far.end(), other.Far.begin(), other.Far.end());
     AddAll(other.Targets, this->Targets);
     AddAll(other.Cells, this->Cells);
     AddAll(other.Totals, this->Totals);
@@ -110,10 +114,15 @@ private:
     }
   }
 
-  void AddPart(const Index3& p, int fragment, int material, double volume)
+  void AddPart(const Index3& p, int fragment, int material, double fraction, double volume)
   {
-    this->Add(this->IsOwn(fragment, material) ? fragment : this->Locator.FindNear(p, material),
-      material, volume);
+    const int own =
+      this->IsOwn(fragment, material) ? fragment : this->Locator.FindNear(p, material);
+    this->Add(own, material, volume);
+    if (this->LeavesFar && own == 0 && material > 0 && fraction > 0.0)
+    {
+      this->Far.push_back({ this->Grid.CellKey(p), material, fraction * this->Grid.CellVolume(p) });
+    }
   }
 
   void AddCell(const Index3& p, int fragment)
@@ -122,7 +131,7 @@ private:
     const double volume = this->Volumes.OfCell(p);
     this->Fractions.ForParts(cell,
       [&](int material, double fraction)
-      { this->AddPart(p, fragment, material, fraction * volume); });
+      { this->AddPart(p, fragment, material, fraction, fraction * volume); });
   }
 
   void AddRun(Index first, Index last, Index j, Index k, int fragment)
@@ -161,23 +170,23 @@ private:
   const std::vector<int>& Materials;
   const FragmentLocator& Locator;
   RowVolumes Volumes;
-  bool VoidIsMeshed;
+  bool LeavesFar, VoidIsMeshed;
 };
 
 } // namespace
 
 FragmentVolumes::FragmentVolumes(const CartesianGrid& grid, const FractionField& fractions,
-  std::vector<int> materials, const FragmentLocator& locator, Runtime& runtime) :
+  std::vector<int> materials, const FragmentLocator& locator, bool leavesFar, Runtime& runtime) :
   Materials(std::move(materials)), Run(runtime), Swept(this->Materials.size(), 0.0)
 {
   const IndexBox& owned = grid.Owned();
   const Index rows = owned.NumberOfCells() > 0 ? owned.Size(1) * owned.Size(2) : 0;
-  TargetSums sums(grid, fractions, this->Materials, locator);
+  TargetSums sums(grid, fractions, this->Materials, locator, leavesFar);
   std::mutex lock;
   runtime.For(0, rows,
     [&](Index first, Index last)
     {
-      TargetSums own(grid, fractions, this->Materials, locator);
+      TargetSums own(grid, fractions, this->Materials, locator, leavesFar);
       for (Index row = first; row < last; ++row)
       {
         own.AddRow(owned.Lower[1] + row % owned.Size(1), owned.Lower[2] + row / owned.Size(1));
@@ -189,7 +198,11 @@ FragmentVolumes::FragmentVolumes(const CartesianGrid& grid, const FractionField&
   this->Targets = SumOverRanks(sums.Targets, ranks);
   this->StartVolumes = SumOverRanks(sums.Cells, ranks);
   this->TotalOfMaterial = SumOverRanks(sums.Totals, ranks);
-  this->DistributeOrphans();
+  this->Far = std::move(sums.Far);
+  std::sort(this->Far.begin(), this->Far.end(),
+    [](const FarMatter& a, const FarMatter& b)
+    { return std::tie(a.Cell, a.Material) < std::tie(b.Cell, b.Material); });
+  this->DistributeOrphans(leavesFar);
   this->Aims = this->Targets;
   this->Resists.assign(this->Targets.size(), 0);
 }
@@ -207,11 +220,15 @@ std::vector<double> FragmentVolumes::SumByMaterial(const ValueOf& valueOf) const
 }
 
 /// Distributes fractions without a cell of their material nearby to all fragments of the material,
-/// in proportion to their targets.
-void FragmentVolumes::DistributeOrphans()
+/// in proportion to their targets, or takes them from the totals.
+void FragmentVolumes::DistributeOrphans(bool leavesFar)
 {
   const std::vector<double> found =
     this->SumByMaterial([this](int fragment) { return this->Targets[fragment]; });
+  if (leavesFar)
+  {
+    std::copy(found.begin() + 1, found.end(), this->TotalOfMaterial.begin() + 1);
+  }
   for (std::size_t f = 1; f < this->Targets.size(); ++f)
   {
     const int m = this->Materials[f];

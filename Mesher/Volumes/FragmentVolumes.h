@@ -14,6 +14,7 @@
  */
 #pragma once
 
+#include "Elements/FarMatter.h"
 #include "Elements/MeshReport.h"
 #include "Labels/Fragments.h"
 #include "Volumes/FacetSums.h"
@@ -68,9 +69,15 @@ public:
   /// Finds the target volumes of all fragments.
   /// @param materials  material of each fragment, [0] unused
   /// @param locator  is used only here
+  /// @param leavesFar  whether the targets do not count far material (FarMatter.h); else all
+  ///   fragments of the material share it. Void is always shared.
   /// @pre Collective.
   FragmentVolumes(const CartesianGrid& grid, const FractionField& fractions,
-    std::vector<int> materials, const FragmentLocator& locator, Runtime& runtime);
+    std::vector<int> materials, const FragmentLocator& locator, bool leavesFar, Runtime& runtime);
+
+  /// Returns the far material of the owned cells, ascending by cell and material; none without
+  /// leavesFar. May be called once.
+  std::vector<FarMatter> TakeFar() { return std::move(this->Far); }
 
   /// Sets the initial volumes of the mesh, by fragment over all ranks. Without this call they are
   /// the volumes of the cells.
@@ -134,7 +141,7 @@ public:
   std::vector<double> FindScales(double error) const;
 
   /// Return the volume per material from 0, in mean cells. Targets include cells without an element
-  /// of the material nearby.
+  /// of the material nearby, unless these are left.
   std::vector<double> MaterialTargets() const { return this->TotalOfMaterial; }
   std::vector<double> MaterialVolumes() const;
   /// Returns the number of fragments per material.
@@ -152,7 +159,7 @@ private:
 
   template <class ValueOf>
   std::vector<double> SumByMaterial(const ValueOf& valueOf) const;
-  void DistributeOrphans();
+  void DistributeOrphans(bool leavesFar);
   void SumFacets();
   void SetAims();
   std::vector<double> FindRequests(const VolumeRules& rules) const;
@@ -179,6 +186,7 @@ private:
   std::vector<Request> Requests;       // of each fragment
   std::vector<PairSum> Areas;          // interface areas of pairs of fragments
   std::vector<double> TotalOfMaterial; // total volume of each material in the fractions
+  std::vector<FarMatter> Far;          // TakeFar
 };
 
 /// Writes the volumes of materials and fragments into the report, in length units cubed, and the

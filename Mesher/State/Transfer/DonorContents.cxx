@@ -100,7 +100,8 @@ int FindReceiver(const StateSource& source, const DonorTable& donors, const Inde
   }
   const CartesianGrid& grid = source.Request.Grid;
   const int nearest = FindNearest(grid, donors, p, material, RimReach);
-  return nearest < 0 && source.Request.GiveUnmeshed
+  const bool gives = material == 0 || !source.Request.Particles;
+  return nearest < 0 && source.Request.GiveUnmeshed && gives
     ? FindNearest(grid, donors, p, material, GivingReach)
     : nearest;
 }
@@ -292,7 +293,8 @@ void FillEmpty(const StateSource& source, const Partition& partition, const Dono
 } // namespace
 
 DonorValues FillDonors(const StateSource& source, const WholeElements& whole,
-  const Partition& partition, DonorTable& donors, MaterialSums& input, MaterialSums& unmeshed)
+  const Partition& partition, DonorTable& donors, MaterialSums& input, MaterialSums& unmeshed,
+  FarContents& far)
 {
   const CartesianGrid& grid = source.Request.Grid;
   DonorValues values(donors.Count(), source.Columns);
@@ -300,14 +302,16 @@ DonorValues FillDonors(const StateSource& source, const WholeElements& whole,
   std::vector<double> own(source.Columns.Count()); // values of a material in a cell
   const auto distribute = [&](const Index3& p, Index cell, int material, double fraction)
   {
-    const double volume = fraction * grid.CellVolume(p);
-    if (!source.Counts(material) || !(volume > 0.0))
+    const double all = fraction * grid.CellVolume(p);
+    if (!source.Counts(material) || !(all > 0.0))
     {
       return;
     }
     source.Read(p, material, own.data());
-    input.Add(material, volume, own.data());
-    if (FillCell(cell, material, volume, own, donors, values) || whole.Covers(cell))
+    input.Add(material, all, own.data());
+    const double volume = far.Take(cell, material, all, own.data());
+    if (!(volume > 0.0) || FillCell(cell, material, volume, own, donors, values) ||
+      whole.Covers(cell))
     {
       return;
     }
@@ -316,7 +320,7 @@ DonorValues FillDonors(const StateSource& source, const WholeElements& whole,
     {
       gifts.Add(p, donors[receiver], volume, own);
     }
-    else
+    else if (!far.TakeRest(cell, material, volume, own.data()))
     {
       unmeshed.Add(material, volume, own.data());
     }

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "Base/WideSum.h"
+#include "State/Transfer/FarContents.h"
 #include "State/Transfer/MismatchCells.h"
 #include "State/Transfer/StateColumns.h"
 
@@ -80,9 +81,11 @@ private:
 /// @param donors  all donors that exist, copies too, with overlaps
 /// @param input  gets the contents of all owned cells
 /// @param unmeshed  gets the contents of owned cells that no donor or whole element takes
+/// @param far  gets those that become particles instead
 /// @return values of all donors; only owned ones are set
 /// @pre Collective.
 DonorValues FillDonors(const StateSource& source, const WholeElements& whole,
-  const Partition& partition, DonorTable& donors, MaterialSums& input, MaterialSums& unmeshed);
+  const Partition& partition, DonorTable& donors, MaterialSums& input, MaterialSums& unmeshed,
+  FarContents& far);
 
 } // namespace vfm

@@ -2,6 +2,7 @@
 
 #include "Base/Memory.h"
 #include "State/Transfer/ElementState.h"
+#include "State/Transfer/JoinRows.h"
 #include "State/Transfer/Slopes.h"
 #include "State/Transfer/VolumeFluxes.h"
 
@@ -277,7 +278,8 @@ TransferredState TransferState(const Mesh& mesh, const TransferRequest& request,
   const DonorLinks links(grid, partition, donors);
   const int materials = static_cast<int>(isMeshed.size());
   MaterialSums input(materials, columns), unmeshed(materials, columns);
-  DonorValues values = FillDonors(source, whole, partition, donors, input, unmeshed);
+  FarContents far(grid, columns, request.Particles);
+  DonorValues values = FillDonors(source, whole, partition, donors, input, unmeshed, far);
   TransferredState state;
   state.Factors = MoveContents(source, region, links, runtime, donors, values);
   UpdateCopies(links, columns.Count(), donors, values);
@@ -297,6 +299,11 @@ TransferredState TransferState(const Mesh& mesh, const TransferRequest& request,
     mesh, whole, [&](Index e) { return isNear(e) || isInside(e); }, source, runtime, state);
   state.Input = input.Finish(runtime.Group());
   state.Unmeshed = unmeshed.Finish(runtime.Group());
+  if (request.Particles)
+  {
+    state.Particles = JoinRows(std::move(far.Rows),
+      { request.Particles->Clusters, request.Particles->Least }, columns, partition, grid);
+  }
   return state;
 }
 

@@ -63,6 +63,23 @@ public:
   virtual void Read(const Index3& cell, int material, double* values) const = 0;
 };
 
+/// A volume of a material in an owned cell that no element receives.
+struct FarVolume
+{
+  Index Cell; ///< linear index
+  int Material;
+  double Volume; ///< up to the volume of the material in the cell; cubed length units
+};
+
+/// Contents that become particles: those of Far, and those of a cell without an element of their
+/// material at most one cell away.
+struct ParticleRequest
+{
+  std::vector<FarVolume> Far; ///< ascending by cell and material, distinct
+  bool Clusters = false;      ///< particles of neighbour cells are joined
+  double Least = 0.0;         ///< in cells; smaller particles join one in a neighbour cell
+};
+
 struct TransferRequest
 {
   /// Grid of the cells, with at least GhostLayers layers of ghost cells.
@@ -79,6 +96,31 @@ struct TransferRequest
   /// Contents of a cell without an element of their material always go to the nearest fragment of
   /// the material at most one cell away. If this is true, the distance may be up to 3 cells.
   bool GiveUnmeshed = true;
+  /// Not null: contents without an element become particles, except void; GiveUnmeshed then holds
+  /// for void only.
+  const ParticleRequest* Particles = nullptr;
+};
+
+/// Contents of a material in an owned cell, or joined from cells around it.
+struct UnmeshedRow
+{
+  Index Cell; ///< linear index
+  int Material;
+  double Volume;
+  Vector3 Position; ///< centroid of the cells, weighted by volume; length units of the grid
+};
+
+/// Contents that no element receives, with the values of all columns (StateColumns).
+struct UnmeshedRows
+{
+  std::vector<UnmeshedRow> Rows;
+  std::vector<double> Values; ///< shape (rows, columns)
+
+  void Add(const UnmeshedRow& row, const double* values, int columns)
+  {
+    this->Rows.push_back(row);
+    this->Values.insert(this->Values.end(), values, values + columns);
+  }
 };
 
 /// Totals of a material over all ranks: volume, mass, then the content of each component of all
@@ -90,14 +132,16 @@ struct TransferredState
   std::vector<Buffer<double>> Values; ///< values of each quantity, (elements, Components)
   Buffer<double> Mass;            ///< mass of each element; without a density, the volume received
   std::vector<StateTotals> Input; ///< totals of all cells, per material from 0
-  std::vector<StateTotals> Unmeshed; ///< totals that no element receives, per material from 0
+  /// Totals that neither elements nor particles receive, per material from 0.
+  std::vector<StateTotals> Unmeshed;
+  UnmeshedRows Particles; ///< of this rank, ascending by cell and material
   /// Smallest and largest factor of values PerVolume of each material, from 0. A factor is the
   /// volume in connected cells of a fragment over the volume of the elements there.
   std::vector<std::array<double, 2>> Factors;
 };
 
 /// Transfers the state of cells to elements. All contents of a material without elements count as
-/// unmeshed. Void counts only if it is meshed.
+/// unmeshed, or are particles. Void counts only if it is meshed.
 /// @param mesh  elements owned by this rank, points in their final position
 /// @return values of the elements and totals over all ranks
 /// @pre Collective.

@@ -203,7 +203,7 @@ TEST(CellLocator, GiveACoarseLeafToTheAdjacentPiece)
             far = pieces.FragmentOfCell({ { 20, 0, 0 } });
   const auto targets = [&](const FragmentLocator& locator)
   {
-    return FragmentVolumes(grid, field, pieces.MaterialsOfFragments(), locator, runtime)
+    return FragmentVolumes(grid, field, pieces.MaterialsOfFragments(), locator, false, runtime)
       .FragmentTargets();
   };
   const std::vector<double> leaves = targets(CellLocator(levels, labels, pieces));
@@ -212,6 +212,22 @@ TEST(CellLocator, GiveACoarseLeafToTheAdjacentPiece)
   const std::vector<double> cells =
     targets(CellLocator(RefinedGrid(grid, runtime.Group()), labels, pieces));
   EXPECT_GT(cells[far], 68.0); // Most of the fifth is near no cell of a body: both receive a share.
+  // Left, it is in no target: a layer of the fifth of the block is near.
+  const RefinedGrid finest(grid, runtime.Group());
+  const CellLocator near(finest, labels, pieces);
+  FragmentVolumes left(grid, field, pieces.MaterialsOfFragments(), near, true, runtime);
+  EXPECT_NEAR(left.FragmentTargets()[far], 64.0, 1e-9);
+  EXPECT_NEAR(left.FragmentTargets()[beside], 64.0 + 0.2 * 16, 1e-9);
+  EXPECT_NEAR(left.MaterialTargets()[2], 128.0 + 0.2 * 16, 1e-9);
+  const std::vector<FarMatter> matter = left.TakeFar();
+  ASSERT_EQ(matter.size(), 48u);
+  for (const FarMatter& part : matter)
+  {
+    EXPECT_EQ(part.Material, 2);
+    EXPECT_EQ(part.Volume, 0.2);
+    EXPECT_GT(grid.CellOfKey(part.Cell)[0], 4);
+    EXPECT_LT(grid.CellOfKey(part.Cell)[0], 8);
+  }
 }
 
 TEST(CellLocator, RanksAgree)
@@ -226,7 +242,7 @@ TEST(CellLocator, RanksAgree)
       const RandomLeaves leaves(grid, refinements, 0.05, 6, ranks);
       RankRuntime runtime(ranks);
       return FragmentVolumes(grid, CopyToLocal(whole, field, grid),
-        leaves.Pieces.MaterialsOfFragments(), leaves.Locator, runtime)
+        leaves.Pieces.MaterialsOfFragments(), leaves.Locator, false, runtime)
         .FragmentTargets();
     };
     Ranks alone;

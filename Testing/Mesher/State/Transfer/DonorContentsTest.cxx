@@ -60,6 +60,7 @@ struct Bar
   const Mesh None;
   const WholeElements Whole;
   DonorTable Donors;
+  FarContents Far{ Grid, Columns, nullptr };
 };
 
 /// Runs body on ranks that own parts of a bar of unit cells of material 1, with other parts of
@@ -125,7 +126,7 @@ TEST(DonorContents, CellsWithoutDonorGive)
       bar.AddDonor(5, 2, 0.4);
       const DonorLinks links(bar.Grid, bar.Parts, bar.Donors);
       const DonorValues values =
-        FillDonors(bar.Source, bar.Whole, bar.Parts, bar.Donors, input, unmeshed);
+        FillDonors(bar.Source, bar.Whole, bar.Parts, bar.Donors, input, unmeshed, bar.Far);
       ForCells(bar.Grid.Owned(),
         [&](const Index3& p)
         {
@@ -162,7 +163,7 @@ TEST(DonorContents, DonorsShareTheirCell)
   bar.AddDonor(1, 2, 0.1);
   MaterialSums input(3, Columns), unmeshed(3, Columns);
   const DonorValues values =
-    FillDonors(bar.Source, bar.Whole, bar.Parts, bar.Donors, input, unmeshed);
+    FillDonors(bar.Source, bar.Whole, bar.Parts, bar.Donors, input, unmeshed, bar.Far);
   EXPECT_DOUBLE_EQ(bar.Donors[a].Volume, 0.25);
   // Cell 1 has material 1 but no donor for it: it gives to the larger donor of cell 0.
   EXPECT_DOUBLE_EQ(bar.Donors[b].Volume, 0.75 + 1.0);
@@ -192,7 +193,7 @@ TEST(VolumeFluxes, FillTheOverlaps)
         bar.Grid, bar.Fractions, bar.Whole, bar.Donors, bar.IsMeshed, bar.Parts);
       const DonorLinks links(bar.Grid, bar.Parts, bar.Donors);
       DonorValues values =
-        FillDonors(bar.Source, bar.Whole, bar.Parts, bar.Donors, input, unmeshed);
+        FillDonors(bar.Source, bar.Whole, bar.Parts, bar.Donors, input, unmeshed, bar.Far);
       const VolumeFactors factors =
         MoveContents(bar.Source, { mismatches, {} }, links, bar.Run, bar.Donors, values);
       EXPECT_NEAR(factors[1][0], 1.0, 1e-14);
