@@ -32,13 +32,12 @@ void WriteCloud(const ParticleData& particles, const std::string& folder, Output
   write(
     "positions", "Cloud", 3,
     [&](Index particle, int axis) { return particles.Positions[3 * particle + axis]; }, " -1");
-  write("d", "scalarField", 1,
-    [&](Index particle, int) { return 2 * particles.Radius[particle]; });
+  write("d", "scalarField", 1, [&](Index particle, int) { return 2 * particles.Radius[particle]; });
   write("nParticle", "scalarField", 1, [](Index, int) { return 1.0; });
   if (particles.Mass)
   {
-    write("rho", "scalarField", 1,
-      [&](Index particle, int) { return DensityOf(particles, particle); });
+    write(
+      "rho", "scalarField", 1, [&](Index particle, int) { return DensityOf(particles, particle); });
   }
   if (const MeshArray* velocity = FindVelocity(particles.Arrays))
   {
