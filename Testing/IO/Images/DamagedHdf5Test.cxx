@@ -124,6 +124,7 @@ TEST(DamagedHdf5, StructureIsCheckedBeforeTheLibraryReadsIt)
     { reals, 15, "\xff", outside },
     { integers, 4, std::string("\0\0\0\xff", 4), "a type is unknown" },
     { integers, 0, "\x1f", "a type is unknown" },
+    { std::string("\3\0\x10\0\1\0\0\0", 8) + integers, 0, "\x83", "FeatureIds cannot be read" },
     { "\3\2\4", 12, std::string("\0\3", 2), "chunks that are larger than its shape" },
     { std::string("_DIMENSIONS\0", 12), 40, Word(1 << 20),
       "an attribute is shorter than its values" },
