@@ -34,6 +34,20 @@ void Require(bool isGood, const char* what)
   }
 }
 
+/// Checks that the bits of an integer or a real number are inside its bytes. The library writes
+/// beyond its buffers, or since 1.14 does not open the object.
+void CheckBits(const Hdf5Bytes& type, std::uint64_t size, bool isReal)
+{
+  const std::uint64_t first = type.Number(8, 2), count = type.Number(10, 2);
+  const auto isInside = [count](std::uint64_t begin, std::uint64_t bits)
+  { return bits > 0 && begin + bits <= count; };
+  const bool isGood = count > 0 && first + count <= 8 * size &&
+    (!isReal || // sign, exponent and mantissa
+      (isInside(type.Number(2, 1), 1) && isInside(type.Number(12, 1), type.Number(13, 1)) &&
+        isInside(type.Number(14, 1), type.Number(15, 1))));
+  Require(isGood, "a number has bits outside of its bytes");
+}
+
 /// Checks that a type is as long as its class requires, and returns the size of a value.
 std::uint64_t CheckType(const Hdf5Bytes& type)
 {
@@ -41,10 +55,14 @@ std::uint64_t CheckType(const Hdf5Bytes& type)
   constexpr std::uint64_t least[] = { 4, 12, 2, 0, 4, 0, 8, 0, 8, 8, 8 };
   constexpr std::uint64_t longest = 64; // bytes of an integer or a real number
   const std::uint64_t kind = type.Number(0, 1) & 0xF, size = type.Number(4, 4);
-  const bool isNumber = kind < 2;
+  const bool isReal = kind == 1, isNumber = kind == 0 || isReal;
   Require(
     kind < std::size(least) && size > 0 && !(isNumber && size > longest), "a type is unknown");
   type.Part(Word, least[kind]);
+  if (isNumber)
+  {
+    CheckBits(type, size, isReal);
+  }
   return size;
 }
 

@@ -3,20 +3,21 @@
 #include "ArgumentOptions.h"
 
 #include <algorithm>
+#include <string_view>
 
 namespace vfm
 {
 namespace
 {
 
-const ArgumentOption& FindArgument(const std::string& name)
+const ArgumentOption& FindArgument(std::string_view name)
 {
   const std::vector<ArgumentOption>& options = GetArgumentOptions();
   const auto found = std::find_if(options.begin(), options.end(),
     [&](const ArgumentOption& option) { return option.Name == (name == "-h" ? "--help" : name); });
   if (found == options.end())
   {
-    RejectArguments("'" + name + "' is not an option.");
+    RejectArguments("'" + std::string(name) + "' is not an option.");
   }
   return *found;
 }

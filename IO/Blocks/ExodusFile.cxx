@@ -20,17 +20,6 @@ constexpr std::size_t CornersOfHex = 8;
   throw InputError("the file is damaged or not an Exodus file: " + what + ".");
 }
 
-/// Returns the variable with a name.
-const StoredVariable& Require(const NetcdfFile& file, const std::string& name)
-{
-  const StoredVariable* variable = file.Find(name);
-  if (!variable)
-  {
-    RejectDamaged("it has no variable " + name);
-  }
-  return *variable;
-}
-
 std::unique_ptr<NetcdfFile> OpenExodus(const std::string& path)
 {
   auto file = OpenNetcdf(path);
@@ -47,14 +36,18 @@ std::unique_ptr<NetcdfFile> OpenExodus(const std::string& path)
 std::vector<double> ReadTimes(NetcdfFile& file)
 {
   std::vector<double> times;
+  const StoredVariable* variable = file.Find("time_whole");
   for (Index record = 0; record < file.Header().Records; ++record)
   {
-    const StoredVariable& variable = Require(file, "time_whole");
-    if (!variable.HasRecords || variable.Count != 1)
+    if (!variable)
+    {
+      RejectDamaged("it has no variable time_whole");
+    }
+    if (!variable->HasRecords || variable->Count != 1)
     {
       RejectDamaged("time_whole is not one number for each time");
     }
-    times.push_back(file.ReadReals(variable, record)[0]);
+    times.push_back(file.ReadReals(*variable, record)[0]);
     if (!std::isfinite(times.back()))
     {
       RejectDamaged("its time " + std::to_string(record) + " is not finite");

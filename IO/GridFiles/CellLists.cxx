@@ -6,6 +6,7 @@
 #include "Ranks/Errors.h"
 
 #include <cmath>
+#include <string_view>
 
 namespace vfm
 {
@@ -19,7 +20,7 @@ std::string Text(double value)
                                  : FormatNumber(value);
 }
 
-const OutlineElement& FindList(const OutlineElement& lists, const std::string& name)
+const OutlineElement& FindList(const OutlineElement& lists, std::string_view name)
 {
   for (const OutlineElement& list : lists.Children)
   {
@@ -28,7 +29,7 @@ const OutlineElement& FindList(const OutlineElement& lists, const std::string& n
       return list;
     }
   }
-  RejectVtkFile("its " + lists.Name + " have no array '" + name + "'");
+  RejectVtkFile("its " + lists.Name + " have no array '" + std::string(name) + "'");
 }
 
 /// Checks a list whose values must be in a range.

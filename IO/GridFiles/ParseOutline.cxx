@@ -1,9 +1,7 @@
 #include "GridFiles/ParseOutline.h"
 
 #include "OpenFile.h"
-
-#include <expat.h>
-#include <memory>
+#include "XmlParser.h"
 
 namespace vfm
 {
@@ -15,7 +13,7 @@ constexpr int ChunkSize = 1 << 16; // bytes
 /// State of the parser.
 struct Parse
 {
-  XML_Parser Parser;
+  XML_Parser Parser = nullptr;
   OutlineElement Top; ///< parent of the root
   std::vector<OutlineElement*> Open;
   std::string Problem;        ///< reason why the parser stopped
@@ -35,7 +33,7 @@ void Start(void* user, const XML_Char* name, const XML_Char** attributes)
   parent.Children.emplace_back();
   OutlineElement& element = parent.Children.back();
   element.Name = name;
-  element.Place = XML_GetCurrentByteIndex(parse.Parser);
+  element.Place = PlaceOf(parse.Parser).Byte;
   for (; *attributes; attributes += 2)
   {
     element.Attributes[attributes[0]] = attributes[1];
@@ -82,7 +80,7 @@ void ParseElements(std::istream& stream, Parse& parse)
       throw InputError(!parse.Problem.empty()
           ? parse.Problem
           : "it is truncated or damaged: it is not XML in line " +
-            std::to_string(XML_GetCurrentLineNumber(parse.Parser)) + " (" +
+            std::to_string(PlaceOf(parse.Parser).Line) + " (" +
             XML_ErrorString(XML_GetErrorCode(parse.Parser)) + ").");
     }
   }
@@ -93,12 +91,10 @@ void ParseElements(std::istream& stream, Parse& parse)
 XmlOutline ParseVtkOutline(const std::string& path)
 {
   std::ifstream stream = OpenFile(path);
-  const std::unique_ptr<XML_ParserStruct, void (*)(XML_Parser)> parser(
-    XML_ParserCreate(nullptr), XML_ParserFree);
-  Parse parse{ parser.get(), {}, {}, "", -1 };
+  Parse parse;
+  const XmlParser parser = MakeXmlParser(&parse, Start, End);
+  parse.Parser = parser.get();
   parse.Open.push_back(&parse.Top);
-  XML_SetUserData(parser.get(), &parse);
-  XML_SetElementHandler(parser.get(), Start, End);
   XML_SetStartDoctypeDeclHandler(parser.get(), RejectDoctype);
   ParseElements(stream, parse);
   XmlOutline outline;

@@ -30,33 +30,39 @@ std::string CannotRead(const std::string& path)
   return path + " cannot be read.";
 }
 
-/// Returns the names of the links of a group.
+/// Tests whether a path leads to an object of a kind, H5I_GROUP or H5I_DATASET.
+/// @throws InputError  if the object cannot be opened
+bool IsKind(hid_t file, const std::string& path, H5I_type_t kind)
+{
+  const bool isThere = H5Lexists(file, path.c_str(), H5P_DEFAULT) > 0 &&
+    H5Oexists_by_name(file, path.c_str(), H5P_DEFAULT) > 0; // no: a soft link to nothing
+  if (!isThere)
+  {
+    return false;
+  }
+  const Hdf5Handle item(H5Oopen(file, path.c_str(), H5P_DEFAULT), H5Oclose, CannotRead(path));
+  return H5Iget_type(item) == kind;
+}
+
+/// Returns the names of the links of a group; of none if there is no such group.
 std::vector<std::string> ListNames(hid_t file, const std::string& group)
 {
   std::vector<std::string> names;
+  if (!IsKind(file, group, H5I_GROUP))
+  {
+    return names;
+  }
   const auto take = [](hid_t, const char* name, const H5L_info_t*, void* list)
   {
     static_cast<std::vector<std::string>*>(list)->emplace_back(name);
     return herr_t(0);
   };
-  H5Literate_by_name(
-    file, group.c_str(), H5_INDEX_NAME, H5_ITER_INC, nullptr, take, &names, H5P_DEFAULT);
-  return names;
-}
-
-/// Tests whether a path exists and is of a kind, H5I_GROUP or H5I_DATASET.
-bool IsKind(hid_t file, const std::string& path, H5I_type_t kind)
-{
-  const hid_t item = H5Lexists(file, path.c_str(), H5P_DEFAULT) > 0
-    ? H5Oopen(file, path.c_str(), H5P_DEFAULT)
-    : H5I_INVALID_HID;
-  if (item < 0)
+  if (H5Literate_by_name(
+        file, group.c_str(), H5_INDEX_NAME, H5_ITER_INC, nullptr, take, &names, H5P_DEFAULT) < 0)
   {
-    return false;
+    throw InputError(CannotRead(group));
   }
-  const bool isKind = H5Iget_type(item) == kind;
-  H5Oclose(item);
-  return isKind;
+  return names;
 }
 
 /// Returns the identity of an object, which is equal for all links to it.
@@ -134,7 +140,12 @@ void CheckType(hid_t type, const std::string& path)
 bool ReadThree(hid_t file, const std::string& group, const std::string& name, Vector3& numbers)
 {
   const std::string path = Join(group, name);
-  const bool isAttribute = H5Aexists_by_name(file, group.c_str(), name.c_str(), H5P_DEFAULT) > 0;
+  const htri_t found = H5Aexists_by_name(file, group.c_str(), name.c_str(), H5P_DEFAULT);
+  if (found < 0)
+  {
+    throw InputError(CannotRead(path));
+  }
+  const bool isAttribute = found > 0;
   if (!isAttribute && !IsKind(file, path, H5I_DATASET))
   {
     return false;
@@ -340,7 +351,13 @@ void CheckLinks(hid_t file)
   };
   std::string found;
   // Each group is visited once, also if links form cycles.
-  if (!InputTrust::IsGiven() && H5Lvisit(file, H5_INDEX_NAME, H5_ITER_NATIVE, check, &found) > 0)
+  const herr_t end =
+    InputTrust::IsGiven() ? 0 : H5Lvisit(file, H5_INDEX_NAME, H5_ITER_NATIVE, check, &found);
+  if (end < 0)
+  {
+    throw InputError(NoHdf5);
+  }
+  if (end > 0)
   {
     throw InputError("its link '" + found + "' leads to another file. " + InputTrust::Advice);
   }

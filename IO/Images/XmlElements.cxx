@@ -1,8 +1,8 @@
 #include "Images/XmlElements.h"
 
-#include <expat.h>
+#include "XmlParser.h"
+
 #include <limits>
-#include <memory>
 
 namespace vfm
 {
@@ -50,10 +50,7 @@ std::optional<std::vector<XmlElement>> ListElements(const std::string& text)
     return std::nullopt;
   }
   Document document;
-  const std::unique_ptr<XML_ParserStruct, void (*)(XML_Parser)> parser(
-    XML_ParserCreate(nullptr), XML_ParserFree);
-  XML_SetUserData(parser.get(), &document);
-  XML_SetElementHandler(parser.get(), Start, End);
+  const XmlParser parser = MakeXmlParser(&document, Start, End);
   XML_SetCharacterDataHandler(parser.get(), AddText);
   if (!XML_Parse(parser.get(), text.data(), static_cast<int>(text.size()), 1))
   {

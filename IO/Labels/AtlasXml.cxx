@@ -1,10 +1,9 @@
 #include "AtlasXml.h"
 
 #ifdef VFM_HAS_EXPAT
-#include <expat.h>
+#include "XmlParser.h"
 
 #include <limits>
-#include <memory>
 #include <sstream>
 
 namespace vfm
@@ -88,10 +87,7 @@ std::string JoinWords(const std::string& text)
 void ReadAtlasXml(const std::string& text, LabelTable& table)
 {
   Atlas atlas;
-  const std::unique_ptr<XML_ParserStruct, void (*)(XML_Parser)> parser(
-    XML_ParserCreate(nullptr), XML_ParserFree);
-  XML_SetUserData(parser.get(), &atlas);
-  XML_SetElementHandler(parser.get(), Start, End);
+  const XmlParser parser = MakeXmlParser(&atlas, Start, End);
   XML_SetCharacterDataHandler(parser.get(), AddText);
   const bool isXml = XML_Parse(parser.get(), text.data(), static_cast<int>(text.size()), 1);
   if (!isXml || atlas.Type.empty() || !atlas.HasData)
@@ -100,8 +96,7 @@ void ReadAtlasXml(const std::string& text, LabelTable& table)
     table.Reject(0,
       "it is not the XML file of an atlas (header with a type, data)" +
         (isXml ? "."
-               : "; line " + std::to_string(XML_GetCurrentLineNumber(parser.get())) + ": " +
-              problem + "."));
+               : "; line " + std::to_string(PlaceOf(parser.get()).Line) + ": " + problem + "."));
   }
   const bool isOfProbabilities = JoinWords(atlas.Type) == "Probabilistic";
   for (std::size_t i = 0; i < atlas.Labels.size(); ++i)

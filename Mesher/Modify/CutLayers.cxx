@@ -192,11 +192,11 @@ void AddElements(
 /// Returns the volume of each element relative to the column that it was part of.
 std::vector<double> FindShares(const Mesh& mesh, const std::vector<Index>& parents)
 {
-  std::vector<double> shares, sums(parents.size(), 0.0);
+  std::vector<double> shares(parents.size()), sums(parents.size());
   for (std::size_t e = 0; e < parents.size(); ++e)
   {
-    shares.push_back(VolumeOfElement(mesh, static_cast<Index>(e)));
-    sums[parents[e]] += shares.back();
+    shares[e] = VolumeOfElement(mesh, static_cast<Index>(e));
+    sums[parents[e]] += shares[e];
   }
   for (std::size_t e = 0; e < parents.size(); ++e)
   {

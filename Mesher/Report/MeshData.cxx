@@ -11,10 +11,10 @@ namespace
 {
 
 template <class Arrays>
-auto FindByName(Arrays& arrays, const std::string& name)
+auto FindByName(Arrays& arrays, std::string_view name)
 {
   const auto found = std::find_if(
-    arrays.begin(), arrays.end(), [&name](const auto& array) { return array.Name == name; });
+    arrays.begin(), arrays.end(), [name](const auto& array) { return array.Name == name; });
   return found == arrays.end() ? nullptr : &*found;
 }
 
@@ -119,7 +119,7 @@ MeshData TakeKnownArrays(MeshData mesh, const std::function<bool(const MeshArray
   return mesh;
 }
 
-const MeshArray* FindArray(const std::vector<MeshArray>& arrays, const std::string& name)
+const MeshArray* FindArray(const std::vector<MeshArray>& arrays, std::string_view name)
 {
   return FindByName(arrays, name);
 }
@@ -130,12 +130,12 @@ void RejectMissing(const std::string& name)
     "The mesh has no array " + name + ". A mesh of Volume Fraction To Hex or To Tet is needed.");
 }
 
-const MeshArray& GetArray(const std::vector<MeshArray>& arrays, const std::string& name)
+const MeshArray& GetArray(const std::vector<MeshArray>& arrays, std::string_view name)
 {
   const MeshArray* array = FindArray(arrays, name);
   if (!array)
   {
-    RejectMissing(name);
+    RejectMissing(std::string(name));
   }
   return *array;
 }

@@ -16,6 +16,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace vfm
@@ -111,9 +112,9 @@ void FindKnownArrays(StoredMesh& mesh);
 MeshData TakeKnownArrays(MeshData mesh, const std::function<bool(const MeshArray&)>& isTaken = {});
 
 /// Returns the array with a name, or null.
-const MeshArray* FindArray(const std::vector<MeshArray>& arrays, const std::string& name);
+const MeshArray* FindArray(const std::vector<MeshArray>& arrays, std::string_view name);
 /// Returns the array with a name. Throws InputError if it is missing.
-const MeshArray& GetArray(const std::vector<MeshArray>& arrays, const std::string& name);
+const MeshArray& GetArray(const std::vector<MeshArray>& arrays, std::string_view name);
 /// Throws InputError for a missing array.
 [[noreturn]] void RejectMissing(const std::string& name);
 /// Returns a pointer of MeshData. Throws InputError if it is null and the mesh has elements.

@@ -30,9 +30,13 @@ class Locale : public ::testing::Test
 protected:
   Locale()
   {
-    const char* names[]{ "de_DE.UTF-8", "de_DE.utf8", "fr_FR.UTF-8", "fr_FR.utf8" };
-    std::any_of(std::begin(names), std::end(names),
-      [](const char* name) { return std::setlocale(LC_NUMERIC, name) != nullptr; });
+    for (const char* name : { "de_DE.UTF-8", "de_DE.utf8", "fr_FR.UTF-8", "fr_FR.utf8" })
+    {
+      if (std::setlocale(LC_NUMERIC, name))
+      {
+        break;
+      }
+    }
   }
   ~Locale() override
   {

@@ -110,10 +110,21 @@ TEST(DamagedHdf5, StructureIsCheckedBeforeTheLibraryReadsIt)
   const std::string root = "\x89HDF";
   const std::uint64_t tree = intact.find("TREE");
   const std::string integers("\x10\x08\0\0\4\0\0\0\0\0\x20\0", 12);
+  const std::string reals("\x11\x20\x1f\0\4\0\0\0\0\0\x20\0\x17\x08\0\x17", 16);
+  const std::string outside = "a number has bits outside of its bytes";
   const Damage damages[] = {
-    { integers, 10, std::string("\x90\0", 2), "an unusual type" },
+    { integers, 10, "\x18", "FeatureIds holds numbers of an unusual type" },
+    { integers, 10, "\x90", outside },
+    { integers, 10, std::string("\0", 1), outside },
+    { integers, 8, "\1", outside },
+    { reals, 10, "\x90", outside },
+    { reals, 2, "\x20", outside },
+    { reals, 12, "\x19", outside },
+    { reals, 13, std::string("\0", 1), outside },
+    { reals, 15, "\xff", outside },
     { integers, 4, std::string("\0\0\0\xff", 4), "a type is unknown" },
     { integers, 0, "\x1f", "a type is unknown" },
+    { std::string("\3\0\x10\0\1\0\0\0", 8) + integers, 0, "\x83", "FeatureIds cannot be read" },
     { "\3\2\4", 12, std::string("\0\3", 2), "chunks that are larger than its shape" },
     { std::string("_DIMENSIONS\0", 12), 40, Word(1 << 20),
       "an attribute is shorter than its values" },
