@@ -95,6 +95,10 @@ const std::vector<FormatRow>& GetFormatTable()
       "only the closed surface of each material; with {} in the name one file per material, as in "
       "bones_{}.stl",
       {} },
+    { MeshFormat::Vtp, { ".vtp" }, "VTK particles", "only the particles, with all arrays",
+      { "time" }, false, false }, // .vtp of the package: surfaces
+    { MeshFormat::Lammps, { ".data" }, "LAMMPS",
+      "only the particles, as spheres with diameter, density and velocity", {} },
   };
   return table;
 }

@@ -36,7 +36,9 @@ enum class MeshFormat
   Gmsh,
   Xdmf,
   Foam,
-  Stl
+  Stl,
+  Vtp,
+  Lammps
 };
 
 struct FormatOption
@@ -59,6 +61,7 @@ struct FormatRow
   std::string Content;              ///< phrase for the help and the documents
   std::vector<std::string> Options; ///< names
   bool IsPerRank = false;           ///< whether ranks always write files of their own
+  bool IsInPackage = true; ///< whether the Python package writes the format by its suffixes
 
   bool Has(const FormatOption& option) const;
 };

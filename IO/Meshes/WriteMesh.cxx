@@ -6,6 +6,7 @@
 #include "Meshes/Decks/WriteRadioss.h"
 #include "Meshes/Exodus/WriteExodus.h"
 #include "Meshes/OpenFoam/WriteFoam.h"
+#include "Meshes/Particles/WriteParticles.h"
 #include "Meshes/Surfaces/WriteStl.h"
 #include "Meshes/Vtk/WriteVtu.h"
 #include "Meshes/Xdmf/WriteXdmf.h"
@@ -49,6 +50,10 @@ void Write(MeshFormat format, const MeshData& mesh, const std::string& path, Ran
       return WriteFoam(mesh, path, ranks, { form.IsSingle, form.IsBinary });
     case MeshFormat::Stl:
       return WriteStl(mesh, path, ranks);
+    case MeshFormat::Vtp:
+      return WriteVtpParticles(mesh, path, ranks);
+    case MeshFormat::Lammps:
+      return WriteLammps(mesh, path, ranks);
   }
 }
 

@@ -74,7 +74,8 @@ void Print(const FormatRow& format, std::ostream& to)
 {
   to << "  {\"suffixes\": " << List(format.Suffixes) << ", \"name\": " << Quote(format.Name)
      << ", \"content\": " << Quote(format.Content) << ", \"options\": " << List(format.Options)
-     << ", \"per_rank\": " << Truth(format.IsPerRank) << "}";
+     << ", \"per_rank\": " << Truth(format.IsPerRank)
+     << ", \"in_package\": " << Truth(format.IsInPackage) << "}";
 }
 
 template <class Table>

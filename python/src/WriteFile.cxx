@@ -53,7 +53,7 @@ std::vector<std::pair<std::string, std::vector<std::string>>> ListFormats()
   {
     for (const std::string& suffix : format.Suffixes)
     {
-      if (!format.IsPerRank)
+      if (!format.IsPerRank && format.IsInPackage)
       {
         formats.emplace_back(suffix, format.Options);
       }

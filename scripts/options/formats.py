@@ -40,7 +40,7 @@ def write_docstring(text, table):
     """Writes the list of formats in the documentation of Mesh.save."""
     lines = [""]
     for row in table:
-        if not row["per_rank"]:
+        if not row["per_rank"] and row["in_package"]:
             content = row["content"].split("; N ranks")[0]
             lines += bullet({**row, "content": content + ";"}, "        ", "``")
     return put(text, "The package itself writes", "- ``.npz``: ", lines)

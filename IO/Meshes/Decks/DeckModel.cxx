@@ -1,21 +1,16 @@
 #include "Meshes/Decks/DeckModel.h"
 
-#include "Base/ParseText.h"
 #include "Meshes/Files/WriteWhole.h"
+#include "Meshes/Particles/GatherParticles.h"
 #include "Ranks/Errors.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace vfm
 {
 namespace
 {
-
-/// Returns whether the name of an array contains a word, in any case.
-bool HasWord(const MeshArray& array, const char* word)
-{
-  return ToLower(array.Name).find(word) != std::string::npos;
-}
 
 bool IsDensity(const MeshArray& array)
 {
@@ -43,22 +38,51 @@ const MeshArray* FindFirst(const std::vector<MeshArray>& arrays, bool (*fits)(co
   return found == arrays.end() ? nullptr : &*found;
 }
 
-DeckModel MakeModel(const MeshData& mesh)
+/// Returns the mesh with nodes at the particles. If only particles have velocities, it gets an
+/// array of them.
+StoredMesh AddNodes(MeshData mesh)
+{
+  const Index count = mesh.Particles ? mesh.Particles->NumberOfParticles : 0;
+  if (count == 0)
+  {
+    return { mesh, {} };
+  }
+  const MeshArray* velocity = FindVelocity(mesh.Particles->Arrays);
+  const std::vector<double> none(3 * static_cast<std::size_t>(mesh.NumberOfPoints), 0.0);
+  if (velocity && !FindFirst(mesh.PointArrays, IsVelocity))
+  {
+    mesh.PointArrays.push_back({ velocity->Name, ValueType::Double, 3, {}, none.data() });
+  }
+  std::vector<Index> ids(static_cast<std::size_t>(count));
+  const Index* ofMesh = mesh.PointIds;
+  std::iota(ids.begin(), ids.end(), *std::max_element(ofMesh, ofMesh + mesh.NumberOfPoints) + 1);
+  return AddParticleNodes(mesh, ids);
+}
+
+/// @param mesh  whole mesh, from which sets and connections are made: particles are in none
+/// @param extended  the same with nodes of particles
+DeckModel MakeModel(const MeshData& mesh, const MeshData& extended)
 {
   Ranks alone;
   const std::vector<MeshArray>& arrays = mesh.ElementArrays;
-  return { MakeMeshModel(mesh, alone), mesh,
-    { FindFirst(mesh.PointArrays, IsVelocity), FindFirst(arrays, IsDensity),
-      FindFirst(arrays, IsEnergy), FindFirst(arrays, IsStress),
+  MeshModel parts = MakeMeshModel(mesh, alone);
+  std::vector<ParticlePart> particles = FindParticleParts(mesh, parts.Cohesive, alone);
+  const bool hasVelocity = FindFirst(mesh.PointArrays, IsVelocity) != nullptr;
+  return { std::move(parts), extended,
+    { FindFirst(extended.PointArrays, IsVelocity), hasVelocity ? 0 : mesh.NumberOfPoints,
+      FindFirst(arrays, IsDensity), FindFirst(arrays, IsEnergy), FindFirst(arrays, IsStress),
       FindFirst(arrays, IsPlasticStrain) },
-    ConnectionOf(mesh), FindSplitFaces(mesh, alone) };
+    ConnectionOf(mesh), FindSplitFaces(mesh, alone), std::move(particles) };
 }
 
 } // namespace
 
-bool IsVelocity(const MeshArray& array)
+std::vector<Index> DeckModel::PointsOf(const ParticlePart& part) const
 {
-  return HasWord(array, "velocity") && array.Components == 3;
+  std::vector<Index> points;
+  std::transform(part.Particles.begin(), part.Particles.end(), std::back_inserter(points),
+    [this](Index particle) { return this->NodeOf(particle) - 1; });
+  return points;
 }
 
 bool IsState(const MeshArray& array)
@@ -93,12 +117,16 @@ std::string DescribeDeck(const DeckModel& model)
 {
   return "Mesh by VolumeFractionMesh " VFM_VERSION ": " +
     std::to_string(model.Mesh.NumberOfPoints) + " nodes, " +
-    std::to_string(model.Mesh.NumberOfElements) + " " + model.Mesh.Shape().Plural;
+    std::to_string(model.Mesh.NumberOfElements) + " " + model.Mesh.Shape().Plural +
+    (model.Particles.empty()
+        ? ""
+        : ", " + std::to_string(model.Mesh.Particles->NumberOfParticles) + " particles");
 }
 
 void RequireNumbers(const DeckModel& model, Index largest, const char* format, const char* others)
 {
-  const Index elements = model.Mesh.NumberOfElements + CountElements(model.Cohesive);
+  const Index elements = model.Mesh.NumberOfElements + CountElements(model.Cohesive) +
+    (model.Particles.empty() ? 0 : model.Mesh.Particles->NumberOfParticles);
   if (std::max(model.Mesh.NumberOfPoints, elements) > largest)
   {
     throw InputError("The mesh has more than " + std::to_string(largest) +
@@ -108,11 +136,20 @@ void RequireNumbers(const DeckModel& model, Index largest, const char* format, c
 
 void RequireIds(const DeckModel& model, int largest, const char* format, const char* others)
 {
+  std::vector<int> ids;
   for (const MaterialPart& section : model.Materials)
   {
-    if (section.Id > largest)
+    ids.push_back(section.Id);
+  }
+  for (const ParticlePart& part : model.Particles)
+  {
+    ids.push_back(part.Id);
+  }
+  for (int id : ids)
+  {
+    if (id > largest)
     {
-      throw InputError("The material id " + std::to_string(section.Id) + " is greater than " +
+      throw InputError("The material id " + std::to_string(id) + " is greater than " +
         std::to_string(largest) + ", the limit of " + format +
         ". Formats that can hold it: " + others + ".");
     }
@@ -123,7 +160,8 @@ void WriteDeck(const MeshData& mesh, Ranks& ranks, bool (*isTaken)(const MeshArr
   const std::function<void(const DeckModel&)>& write)
 {
   WriteWhole(
-    mesh, ranks, [&](const MeshData& whole) { write(MakeModel(whole)); }, isTaken);
+    mesh, ranks, [&](const MeshData& whole) { write(MakeModel(whole, AddNodes(whole).Data)); },
+    isTaken);
 }
 
 } // namespace vfm

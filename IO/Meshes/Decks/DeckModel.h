@@ -7,6 +7,7 @@
 #pragma once
 
 #include "Meshes/Files/MeshModel.h"
+#include "Meshes/Particles/ParticleParts.h"
 #include "Ranks/Ranks.h"
 #include "Report/MeshData.h"
 
@@ -21,24 +22,33 @@ namespace vfm
 struct DeckState
 {
   const MeshArray* Velocity = nullptr;      ///< of nodes, three components
+  Index FirstVelocity = 0;                  ///< first node with a velocity
   const MeshArray* Density = nullptr;       ///< of elements, as the following ones
   const MeshArray* Energy = nullptr;        ///< internal energy per mass
   const MeshArray* Stress = nullptr;        ///< six components xx yy zz xy yz xz, or nine by row
   const MeshArray* PlasticStrain = nullptr; ///< equivalent plastic strain
 };
 
-/// Cohesive elements are numbered after all elements.
+/// Cohesive elements are numbered after all elements, elements at particles after those.
 struct DeckModel : MeshModel
 {
-  const MeshData& Mesh; ///< whole mesh; must outlive this object
+  const MeshData& Mesh; ///< whole mesh, then a node per particle; must outlive this object
   DeckState State;
-  ConnectionKind Connection;         ///< of both sides of split interfaces
-  std::vector<SplitFace> SplitFaces; ///< faces at which interfaces were split
+  ConnectionKind Connection;                ///< of both sides of split interfaces
+  std::vector<SplitFace> SplitFaces;        ///< faces at which interfaces were split
+  std::vector<ParticlePart> Particles = {}; ///< empty: no particles
+
+  /// Returns whether particles have a mass.
+  bool HasMasses() const { return this->Mesh.Particles->Mass != nullptr; }
+  /// Returns the number of the node of a particle, from 1.
+  Index NodeOf(Index particle) const
+  {
+    return this->Mesh.NumberOfPoints - this->Mesh.Particles->NumberOfParticles + particle + 1;
+  }
+  /// Returns the points of the nodes of a part, from 0.
+  std::vector<Index> PointsOf(const ParticlePart& part) const;
 };
 
-/// Returns whether an array has the velocity of nodes: three components, and "velocity" in its
-/// name, in any case.
-bool IsVelocity(const MeshArray& array);
 /// Returns whether an array has a part of DeckState. Names contain "density", "energy", "stress" or
 /// "plastic", in any case.
 bool IsState(const MeshArray& array);
@@ -58,7 +68,8 @@ void RequireNumbers(const DeckModel& model, Index largest, const char* format, c
 /// Throws InputError if the id of a material has too many digits for a format.
 void RequireIds(const DeckModel& model, int largest, const char* format, const char* others);
 
-/// Gathers the mesh, and calls write with its model on rank 0.
+/// Gathers the mesh, and calls write with its model on rank 0. The nodes of particles have the
+/// velocities of particles.
 /// @param mesh  part of this rank
 /// @param isTaken  IsVelocity or IsState: arrays that the format contains
 /// @throws InputError  if WriteWhole or write does; on all ranks

@@ -158,11 +158,45 @@ void WriteNodeSet(OutputFile& file, const std::string& name, const std::vector<I
   WriteNumbers(file, points);
 }
 
+/// Writes the nodes of the particles of each material as a set, and a point mass at each, numbered
+/// after all elements. Abaqus and CalculiX both read these; each mass needs an element set of its
+/// own. Particles of Abaqus/Explicit have one volume (PC3D) per section, so they would lose mass,
+/// or are rigid and of a density that only distributions give (PD3D); CalculiX refuses both.
+void WriteParticles(
+  OutputFile& file, const DeckModel& model, AbaqusNames& names, AbaqusNames& nodeNames)
+{
+  const Index elements = model.Mesh.NumberOfElements + CountElements(model.Cohesive);
+  for (const ParticlePart& part : model.Particles)
+  {
+    WriteNodeSet(file, nodeNames.Add(part.Name), model.PointsOf(part));
+    if (!model.HasMasses())
+    {
+      continue;
+    }
+    std::vector<Index> numbers; // from 0
+    for (Index particle : part.Particles)
+    {
+      numbers.push_back(elements + particle);
+      const std::string set = names.Add("PARTICLE_" + std::to_string(particle + 1));
+      file.Add("*ELEMENT, TYPE=MASS, ELSET=" + set + "\n");
+      file.Add(numbers.back() + 1);
+      file.Add(",");
+      file.Add(model.NodeOf(particle));
+      file.Add("\n*MASS, ELSET=" + set + "\n");
+      file.Add(
+        DeckReal(model.Mesh.Particles->Mass[particle], NumberLength, RealForm::Plain).Text());
+      file.Add("\n");
+    }
+    file.Add("*ELSET, ELSET=" + names.Add(part.Name) + "\n");
+    WriteNumbers(file, numbers);
+  }
+}
+
 /// Writes lines with a node, a direction from 1, and the component of the velocity.
-void WriteVelocity(OutputFile& file, const MeshData& mesh, const MeshArray& velocity)
+void WriteVelocity(OutputFile& file, const MeshData& mesh, const MeshArray& velocity, Index first)
 {
   file.Add("*INITIAL CONDITIONS, TYPE=VELOCITY\n");
-  for (Index point = 0; point < mesh.NumberOfPoints; ++point)
+  for (Index point = first; point < mesh.NumberOfPoints; ++point)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -241,9 +275,10 @@ void WriteFile(const DeckModel& model, const std::string& path, bool isReduced)
     WriteSurface(file, surface, mesh.HasHexes());
   }
   WriteConnections(model, ties, surfaces, names, file);
+  WriteParticles(file, model, names, nodeNames);
   if (model.State.Velocity)
   {
-    WriteVelocity(file, mesh, *model.State.Velocity);
+    WriteVelocity(file, mesh, *model.State.Velocity, model.State.FirstVelocity);
   }
   std::filesystem::path equations(path);
   equations.replace_filename(

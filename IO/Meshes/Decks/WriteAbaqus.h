@@ -6,6 +6,8 @@
  * - *ELEMENT of type C3D8, C3D20, C3D20R, C3D4 or C3D10, one element set per material, EB and its
  * id, whose ids deal.II reads
  * - *ELSET with the name of each material; EALL contains all elements
+ * - *ELEMENT of type MASS and *MASS at each particle; *NSET and *ELSET of the particles of each
+ *   material, only *NSET if there is no density
  * - *NSET of each node set and *SURFACE of each side set (MeshSets.h)
  * - *INITIAL CONDITIONS, if a point array with three components has "velocity" in its name
  *

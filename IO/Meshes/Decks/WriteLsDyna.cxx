@@ -36,7 +36,16 @@ void WriteNodes(DeckCards& cards, const MeshData& mesh)
   WriteNodeLines(cards, mesh, Narrow, Wide);
 }
 
-/// Writes the parts; each refers to a material of its number.
+void WritePart(DeckCards& cards, const std::string& name, int id, int section, int material)
+{
+  cards.Line("*PART");
+  cards.Line(name);
+  cards.Line("$      PID     SECID       MID");
+  cards.Integer(id, Normal).Integer(section, Normal).Integer(material, Normal).End();
+}
+
+/// Writes the parts; each refers to a material of its number. Parts of particles come last, and
+/// refer to the materials of the particles.
 void WriteParts(DeckCards& cards, const DeckModel& model)
 {
   cards.Line("*SECTION_SOLID");
@@ -45,10 +54,39 @@ void WriteParts(DeckCards& cards, const DeckModel& model)
   UniqueNames names(LongestTitle);
   for (const MaterialPart& section : model.Materials)
   {
-    cards.Line("*PART");
-    cards.Line(names.Add(PlainTitle(section.Name, LongestTitle)));
-    cards.Line("$      PID     SECID       MID");
-    cards.Integer(section.Id, Normal).Integer(1, Normal).Integer(section.Id, Normal).End();
+    WritePart(cards, names.Add(PlainTitle(section.Name, LongestTitle)), section.Id, 1, section.Id);
+  }
+  if (model.Particles.empty())
+  {
+    return;
+  }
+  cards.Line("*SECTION_SPH");
+  cards.Line("$    SECID");
+  cards.Integer(2, Normal).End();
+  for (const ParticlePart& part : model.Particles)
+  {
+    WritePart(cards, names.Add(PlainTitle(part.Name, LongestTitle)), part.Id, 2, part.Material);
+  }
+}
+
+/// Writes the particles with their masses, or with volumes, which are negative.
+void WriteParticles(DeckCards& cards, const DeckModel& model)
+{
+  if (model.Particles.empty())
+  {
+    return;
+  }
+  const ParticleData& particles = *model.Mesh.Particles;
+  cards.Line("*ELEMENT_SPH");
+  cards.Line("$    NID     PID            MASS");
+  for (const ParticlePart& part : model.Particles)
+  {
+    for (Index particle : part.Particles)
+    {
+      cards.Integer(model.NodeOf(particle), Narrow).Integer(part.Id, Narrow);
+      cards.Real(model.HasMasses() ? particles.Mass[particle] : -particles.Volume[particle], Wide);
+      cards.End();
+    }
   }
 }
 
@@ -105,11 +143,11 @@ void WriteSurface(
   }
 }
 
-void WriteVelocities(DeckCards& cards, const MeshData& mesh, const MeshArray& velocity)
+void WriteVelocities(DeckCards& cards, const MeshData& mesh, const MeshArray& velocity, Index first)
 {
   cards.Line("*INITIAL_VELOCITY_NODE");
   cards.Line("$      NID        VX        VY        VZ");
-  for (Index point = 0; point < mesh.NumberOfPoints; ++point)
+  for (Index point = first; point < mesh.NumberOfPoints; ++point)
   {
     cards.Integer(point + 1, Normal);
     for (int axis = 0; axis < 3; ++axis)
@@ -181,6 +219,7 @@ void WriteFile(const DeckModel& model, const std::string& path)
   {
     (isLinear ? WriteElements : WriteCurvedElements)(cards, mesh, section);
   }
+  WriteParticles(cards, model);
   UniqueNames nodeNames(LongestTitle), names(LongestTitle);
   for (const NodeSet& set : model.Sets.NodeSets)
   {
@@ -192,7 +231,7 @@ void WriteFile(const DeckModel& model, const std::string& path)
   }
   if (model.State.Velocity)
   {
-    WriteVelocities(cards, mesh, *model.State.Velocity);
+    WriteVelocities(cards, mesh, *model.State.Velocity, model.State.FirstVelocity);
   }
   if (model.State.Stress || model.State.PlasticStrain)
   {

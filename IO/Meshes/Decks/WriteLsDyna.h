@@ -5,6 +5,8 @@
  * - *NODE, *ELEMENT_SOLID; tetrahedra repeat their fourth node
  * - *PART of each material, with its name and id; its material has the same number, and must be
  *   defined in another file. *SECTION_SOLID 1
+ * - *ELEMENT_SPH at each particle with its mass, or its volume if there is no density; *PART of the
+ *   particles of each material, with the number of the material; *SECTION_SPH 2 with defaults
  * - *SET_NODE_LIST_TITLE of each node set, *SET_SEGMENT_TITLE of each named surface
  *   (NamedSurfaces.h), with their names and ids
  * - *INITIAL_VELOCITY_NODE, *INITIAL_STRESS_SOLID, if the mesh has arrays of them (DeckModel.h)

@@ -6,6 +6,7 @@
 #include "Report/Sets/NamedSurfaces.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace vfm
 {
@@ -63,6 +64,21 @@ void WriteSection(DeckCards& cards, const MeshData& mesh, const MaterialPart& se
   WriteElements(cards, mesh, section);
 }
 
+/// Writes a point mass at each particle that has a mass, numbered after all elements.
+void WriteMasses(DeckCards& cards, const DeckModel& model, const ParticlePart& part)
+{
+  WriteComment(cards, "Particles " + std::to_string(part.Id) + ": " + part.Name);
+  const Index elements = model.Mesh.NumberOfElements + CountElements(model.Cohesive);
+  for (std::size_t p = 0; model.HasMasses() && p < part.Particles.size(); ++p)
+  {
+    const Index particle = part.Particles[p];
+    cards.Text("CONM2*  ").Integer(elements + particle + 1, Wide);
+    cards.Integer(model.NodeOf(particle), Wide).Integer(0, Wide);
+    cards.Real(model.Mesh.Particles->Mass[particle], Wide).End();
+    cards.Line("*       ");
+  }
+}
+
 /// Writes a list of nodes. The number of the set is the first field.
 void WriteNodeSet(DeckCards& cards, const NodeSet& set, int id)
 {
@@ -104,6 +120,13 @@ bool HaveShortIds(const std::vector<Set>& sets)
     sets.begin(), sets.end(), [](const Set& set) { return set.Id <= LargestNumber; });
 }
 
+template <class Set>
+int LargestId(const std::vector<Set>& sets, int least)
+{
+  return std::accumulate(sets.begin(), sets.end(), least,
+    [](int largest, const Set& set) { return std::max(largest, set.Id); });
+}
+
 void WriteFile(const DeckModel& model, const std::string& path)
 {
   const MeshData& mesh = model.Mesh;
@@ -118,6 +141,10 @@ void WriteFile(const DeckModel& model, const std::string& path)
   {
     WriteSection(cards, mesh, section);
   }
+  for (const ParticlePart& part : model.Particles)
+  {
+    WriteMasses(cards, model, part);
+  }
   const std::vector<NamedSurface> surfaces = SelectNamedSurfaces(model.Sets.SideSets);
   const bool keepsIds = HaveShortIds(surfaces) && HaveShortIds(model.Sets.NodeSets);
   int next = 0;
@@ -128,6 +155,11 @@ void WriteFile(const DeckModel& model, const std::string& path)
   for (const NamedSurface& surface : surfaces)
   {
     WriteSurface(cards, mesh, surface, keepsIds ? surface.Id : ++next);
+  }
+  next = keepsIds ? LargestId(surfaces, LargestId(model.Sets.NodeSets, 0)) : next;
+  for (const ParticlePart& part : model.Particles)
+  {
+    WriteNodeSet(cards, { 0, part.Name, model.PointsOf(part) }, ++next);
   }
   cards.Close();
 }

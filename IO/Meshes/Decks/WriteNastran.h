@@ -5,7 +5,8 @@
  * - GRID*, in fields of 16 characters; CHEXA or CTETRA
  * - PSOLID of each material, with its id, and its name in a comment; its material has the same
  *   number, and must be defined in another file
- * - SET1 of each node set
+ * - CONM2* at each particle with its mass, and a node without one if there is no density
+ * - SET1 of each node set, and of the nodes of the particles of each material
  * - PLOAD4 of each named surface (NamedSurfaces.h): a unit pressure, which a LOAD entry scales
  *
  * Names of sets are comments. Ids are those of MeshSets.h, or consecutive numbers if one exceeds

@@ -16,7 +16,9 @@ namespace
 constexpr Index LargestNumber = 2147483647;
 constexpr std::size_t LongestTitle = 100, NumbersInLine = 10;
 constexpr std::size_t Normal = 10, Wide = 20; // widths of fields
+constexpr std::size_t LongestPropertyTitle = 80;
 constexpr int FormatVersion = 2019;
+constexpr int TypeOfMass = 1, TypeOfVolume = 2; // of /SPHCEL
 
 /// Writes the head. Equal units of the input and of the work leave all numbers as they are.
 void WriteHead(DeckCards& cards, const DeckModel& model)
@@ -80,6 +82,39 @@ void WritePart(
   }
 }
 
+/// Writes a part of particles with a property of the same number. The masses of particles replace
+/// the mass of the property, which must be positive: here their mean.
+void WriteParticles(
+  DeckCards& cards, const DeckModel& model, const ParticlePart& part, UniqueNames& names)
+{
+  const ParticleData& particles = *model.Mesh.Particles;
+  double mean = 0.0;
+  for (Index particle : part.Particles)
+  {
+    mean += model.HasMasses() ? particles.Mass[particle] : 0.0;
+  }
+  mean /= static_cast<double>(part.Particles.size());
+  const std::string name = names.Add(PlainTitle(part.Name, LongestTitle));
+  WriteTitle(cards, "/PROP/TYPE34/", part.Id, name.substr(0, LongestPropertyTitle));
+  cards.Line("#                 Mp                  qa                  qb            Alpha_cs"
+             "   skew_ID      h_1D");
+  cards.Real(mean, Wide);
+  cards.Line("                   0                   0                   0         0         0");
+  cards.Line("#    Order                   h             Xi_Stab");
+  cards.Line("         0                   0                   0");
+  WriteTitle(cards, "/PART/", part.Id, name);
+  cards.Line("#  prop_ID    mat_ID subset_ID");
+  cards.Integer(part.Id, Normal).Integer(part.Material, Normal).Integer(0, Normal).End();
+  cards.Line("/SPHCEL/" + std::to_string(part.Id));
+  cards.Line("#  node_ID      Type                Mass");
+  for (Index particle : part.Particles)
+  {
+    cards.Integer(model.NodeOf(particle), Normal);
+    cards.Integer(model.HasMasses() ? TypeOfMass : TypeOfVolume, Normal);
+    cards.Real((model.HasMasses() ? particles.Mass : particles.Volume)[particle], Wide).End();
+  }
+}
+
 void WriteNodeSet(DeckCards& cards, const NodeSet& set, UniqueNames& names)
 {
   WriteTitle(cards, "/GRNOD/NODE/", set.Id, names.Add(PlainTitle(set.Name, LongestTitle)));
@@ -98,11 +133,11 @@ void WriteSurface(
 }
 
 /// Writes velocities, with rotations of 0.
-void WriteVelocities(DeckCards& cards, const MeshData& mesh, const MeshArray& velocity)
+void WriteVelocities(DeckCards& cards, const MeshData& mesh, const MeshArray& velocity, Index first)
 {
   WriteTitle(cards, "/INIVEL/NODE/", 1, PlainTitle(velocity.Name, LongestTitle));
   cards.Line("#  Node_ID   Skew_ID                 Vxt                 Vyt                 Vzt");
-  for (Index point = 0; point < mesh.NumberOfPoints; ++point)
+  for (Index point = first; point < mesh.NumberOfPoints; ++point)
   {
     cards.Integer(point + 1, Normal).Integer(0, Normal);
     for (int axis = 0; axis < 3; ++axis)
@@ -169,6 +204,10 @@ void WriteFile(const DeckModel& model, const std::string& path)
   {
     WritePart(cards, mesh, section, parts);
   }
+  for (const ParticlePart& part : model.Particles)
+  {
+    WriteParticles(cards, model, part, parts);
+  }
   for (const NodeSet& set : model.Sets.NodeSets)
   {
     WriteNodeSet(cards, set, nodeNames);
@@ -179,7 +218,7 @@ void WriteFile(const DeckModel& model, const std::string& path)
   }
   if (state.Velocity)
   {
-    WriteVelocities(cards, mesh, *state.Velocity);
+    WriteVelocities(cards, mesh, *state.Velocity, state.FirstVelocity);
   }
   if (state.Density || state.Stress || state.PlasticStrain)
   {

@@ -5,6 +5,8 @@
  * - /NODE, /BRICK or /TETRA4 of each part
  * - /PART of each material, with its name and id; its material has the same number, and must be
  *   added. /PROP/SOLID/1 with default values
+ * - /SPHCEL of the particles of each material with their masses, or volumes if there is no density;
+ *   /PART and /PROP/TYPE34 of the same number, with the number of the material
  * - /GRNOD/NODE of each node set, /SURF/SEG of each named surface (NamedSurfaces.h), with their
  *   names and ids
  * - /INIVEL/NODE, if the mesh has velocities of nodes; /INIBRI/STRS_FGLO, if it has other arrays of

@@ -39,8 +39,15 @@ bool HasWideNumbers(const ExodusModel& model)
 
 std::string Describe(const ExodusModel& model)
 {
-  return std::to_string(model.TotalElements) + " " + model.Mesh.Data.Shape().Plural + " and " +
-    std::to_string(model.TotalNodes) + " nodes, materials: " + std::to_string(model.Blocks.size());
+  Index particles = 0, blocks = 0;
+  for (const ExodusBlock& block : model.Blocks)
+  {
+    particles += block.HasParticles ? block.Total : 0;
+    blocks += block.HasParticles ? 0 : 1;
+  }
+  return std::to_string(model.TotalElements - particles) + " " + model.Mesh.Data.Shape().Plural +
+    " and " + std::to_string(model.TotalNodes) + " nodes, materials: " + std::to_string(blocks) +
+    (particles > 0 ? ", particles: " + std::to_string(particles) : "");
 }
 
 std::string Now(const char* format)
@@ -196,6 +203,11 @@ std::vector<Index> NodesOf(const MeshData& mesh, const ExodusBlock& block)
   {
     return Collect(block.Cohesive->Points, [](Index point) { return point + 1; });
   }
+  if (block.HasParticles)
+  {
+    const Index first = mesh.NumberOfPoints - mesh.Particles->NumberOfParticles + 1;
+    return Collect(block.Elements, [first](Index particle) { return first + particle; });
+  }
   // Edges along z before the upper ones; the centre before the faces.
   const MidOrders orders{ { 0, 1, 2, 3, 8, 9, 10, 11, 4, 5, 6, 7 },
     { 0, 1, 2, 3, 8, 9, 10, 11, 4, 5, 6, 7, 18, 16, 17, 12, 13, 14, 15 }, {} };
@@ -219,7 +231,37 @@ std::pair<const char*, int> TypeOf(const MeshData& mesh, const ExodusBlock& bloc
     const int corners = CohesiveCorners(mesh);
     return { corners == 8 ? "HEX8" : "WEDGE", corners };
   }
+  if (block.HasParticles)
+  {
+    return { "SPHERE", 1 };
+  }
   return { TypeOfElements(mesh), mesh.NodesPerElement() };
+}
+
+/// Adds the attributes of a block of particles: radius, then volume, the order of SEACAS (sphgen3d,
+/// IOSS).
+/// @param number  of the block, from 1
+void AddAttributes(NetcdfLayout& layout, const ExodusModel& model, const ExodusBlock& block,
+  const std::string& number, std::size_t elements)
+{
+  const std::size_t name =
+    static_cast<std::size_t>(std::find_if(layout.Dimensions.begin(), layout.Dimensions.end(),
+                               [](const NetcdfDimension& one) { return one.Name == "len_name"; }) -
+      layout.Dimensions.begin());
+  const std::size_t count =
+    AddDimension(layout, "num_att_in_blk" + number, block.Count() == 0 ? 0 : 2);
+  AddVariable(layout, "attrib" + number, NetcdfKind::Real, { elements, count },
+    [&model, &block]
+    {
+      std::vector<double> values;
+      for (Index particle : block.Elements)
+      {
+        values.push_back(model.Particles->Radius[particle]);
+        values.push_back(model.Particles->Volume[particle]);
+      }
+      return values;
+    });
+  AddNames(layout, "attrib_name" + number, count, name, { "radius", "volume" });
 }
 
 /// Adds the element blocks and returns the dimension of each.
@@ -236,6 +278,10 @@ std::vector<std::size_t> AddBlocks(NetcdfLayout& layout, const ExodusModel& mode
       AddDimension(layout, "num_nod_per_el" + number, block.Count() == 0 ? 0 : count);
     AddVariable(layout, "connect" + number, KindOfNumbers(model), { dimensions.back(), nodes },
       [&mesh, &block] { return NodesOf(mesh, block); }, { { "elem_type", type } });
+    if (block.HasParticles)
+    {
+      AddAttributes(layout, model, block, number, dimensions.back());
+    }
   }
   return dimensions;
 }
@@ -306,30 +352,30 @@ void AddPointVariables(NetcdfLayout& layout, const ExodusModel& model, const Siz
   }
 }
 
-/// Adds the variables of elements; each block of a material has all of them.
+/// Adds the variables of elements: each block of a material has those of elements, each block of
+/// particles those of particles.
 void AddElementVariables(NetcdfLayout& layout, const ExodusModel& model, const Sizes& sizes,
   const std::vector<std::size_t>& blocks)
 {
-  const std::size_t count =
-    AddDimension(layout, "num_elem_var", Size(model.ElementVariables.size()));
-  AddNames(layout, "name_elem_var", count, sizes.Name, NamesOf(model.ElementVariables));
+  const std::size_t count = AddDimension(layout, "num_elem_var", Size(model.ElementNames.size()));
+  AddNames(layout, "name_elem_var", count, sizes.Name, model.ElementNames);
   for (std::size_t b = 0; b < blocks.size(); ++b)
   {
     const ExodusBlock& block = model.Blocks[b];
-    if (block.Cohesive)
+    for (std::size_t name = 0; name < model.ElementNames.size(); ++name)
     {
-      continue;
-    }
-    int number = 0;
-    for (const ExodusVariable& variable : model.ElementVariables)
-    {
-      AddVariable(layout, "vals_elem_var" + std::to_string(++number) + "eb" + std::to_string(b + 1),
+      const ExodusVariable* variable = model.VariableOf(block, name);
+      if (!variable)
+      {
+        continue;
+      }
+      AddVariable(layout, "vals_elem_var" + std::to_string(name + 1) + "eb" + std::to_string(b + 1),
         NetcdfKind::Real, { sizes.Time, blocks[b] },
-        [&block, &variable]
+        [&block, variable]
         {
           return Collect(block.Elements,
-            [&variable](Index element)
-            { return ValueAt(*variable.Array, element, variable.Component); });
+            [variable](Index element)
+            { return ValueAt(*variable->Array, element, variable->Component); });
         });
     }
   }
@@ -339,7 +385,10 @@ void AddElementVariables(NetcdfLayout& layout, const ExodusModel& model, const S
       std::vector<Index> table; // whether a block has a variable
       for (const ExodusBlock& block : model.Blocks)
       {
-        table.insert(table.end(), model.ElementVariables.size(), block.Cohesive ? 0 : 1);
+        for (std::size_t name = 0; name < model.ElementNames.size(); ++name)
+        {
+          table.push_back(model.VariableOf(block, name) ? 1 : 0);
+        }
       }
       return table;
     });
@@ -362,6 +411,13 @@ void AddMaps(NetcdfLayout& layout, const ExodusModel& model, const Sizes& sizes)
       for (const CohesiveBlock& block : model.Cohesive)
       {
         ids.insert(ids.end(), block.Ids.begin(), block.Ids.end());
+      }
+      for (const ExodusBlock& block : model.Blocks)
+      {
+        for (std::size_t e = 0; block.HasParticles && e < block.Elements.size(); ++e)
+        {
+          ids.push_back(model.ParticleIds[block.Elements[e]]);
+        }
       }
       return ids;
     });

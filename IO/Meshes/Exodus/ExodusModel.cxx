@@ -1,6 +1,7 @@
 #include "Meshes/Exodus/ExodusModel.h"
 
 #include "Base/ParseText.h"
+#include "Meshes/Particles/GatherParticles.h"
 #include "Ranks/Agreement.h"
 #include "Report/GatherMesh.h"
 
@@ -17,6 +18,14 @@ namespace
 constexpr std::size_t MaximumLetters = 255;   // limit of the Exodus library for names
 constexpr double LargestArray = 4294967292.0; // bytes; limit of netCDF with 64-bit offsets
 constexpr Index LargestPlainId = std::numeric_limits<std::int32_t>::max();
+
+const ExodusVariable* FindByName(
+  const std::vector<ExodusVariable>& variables, const std::string& name)
+{
+  const auto found = std::find_if(variables.begin(), variables.end(),
+    [&name](const ExodusVariable& variable) { return variable.Name == name; });
+  return found == variables.end() ? nullptr : &*found;
+}
 
 /// Appends the id to names that are too long or exist already. Readers (IOSS) ignore case.
 template <class Items>
@@ -35,7 +44,7 @@ void NameItems(Items& items, std::size_t& longest)
   }
 }
 
-void MakeBlocks(ExodusModel& model)
+void MakeBlocks(std::vector<ParticlePart> particles, ExodusModel& model)
 {
   for (MaterialPart& part : model.Materials)
   {
@@ -47,15 +56,55 @@ void MakeBlocks(ExodusModel& model)
   {
     model.Blocks.push_back({ block.Id, block.Name, {}, &block });
   }
+  for (ParticlePart& part : particles) // their ids are above those
+  {
+    model.Blocks.push_back({ part.Id, part.Name, std::move(part.Particles), nullptr, true });
+  }
   model.Numbers.resize(model.Mesh.Data.NumberOfElements);
   Index next = 0;
   for (const ExodusBlock& block : model.Blocks)
   {
-    for (Index element : block.Elements)
+    for (std::size_t e = 0; !block.HasParticles && e < block.Elements.size(); ++e)
     {
-      model.Numbers[element] = ++next;
+      model.Numbers[block.Elements[e]] = ++next;
     }
   }
+}
+
+/// Adds the particles of this rank, their ids and nodes. Other parts of the model that depend on
+/// points are made before, because particles on the boundary of the domain are in no set.
+/// @pre Collective
+std::vector<ParticlePart> AddParticles(
+  const ParticleData* particles, ExodusModel& model, Ranks& ranks)
+{
+  model.Particles = OrderParticles(particles, ranks);
+  if (!model.Particles)
+  {
+    model.Particles = std::make_shared<const ParticleData>();
+    return {};
+  }
+  MeshData& mesh = model.Mesh.Data;
+  mesh.Particles = model.Particles.get();
+  const auto largest = [&ranks](const Index* ids, Index count)
+  { return MaximumOverRanks(count > 0 ? *std::max_element(ids, ids + count) : 0, ranks); };
+  Index lastElement = largest(mesh.ElementIds, mesh.NumberOfElements);
+  for (const CohesiveBlock& block : model.Cohesive)
+  {
+    lastElement =
+      std::max(lastElement, largest(block.Ids.data(), static_cast<Index>(block.Ids.size())));
+  }
+  std::vector<Index> nodeIds = NumberParticles(*model.Particles, ranks);
+  const Index lastPoint = largest(mesh.PointIds, mesh.NumberOfPoints);
+  for (Index& id : nodeIds)
+  {
+    model.ParticleIds.push_back(lastElement + 1 + id);
+    id += lastPoint + 1;
+  }
+  StoredMesh extended = AddParticleNodes(mesh, nodeIds);
+  std::vector<ParticlePart> parts = FindParticleParts(mesh, model.Cohesive, ranks);
+  mesh = extended.Data;
+  std::move(extended.Memory.begin(), extended.Memory.end(), std::back_inserter(model.Mesh.Memory));
+  return parts;
 }
 
 /// Finds the totals over all ranks and the points that ranks share.
@@ -98,6 +147,7 @@ void ListArrays(ExodusModel& model, Ranks& ranks)
   const MeshData& mesh = model.Mesh.Data;
   model.PointVariables = ListVariables(mesh.PointArrays, mesh.PointIds);
   model.ElementVariables = ListVariables(mesh.ElementArrays, mesh.ElementIds);
+  model.ParticleVariables = ListVariables(model.Particles->Arrays, nullptr);
   model.GlobalVariables = ListNumbers(mesh.Fields);
   std::string all;
   const auto take = [&](auto& variables)
@@ -112,11 +162,21 @@ void ListArrays(ExodusModel& model, Ranks& ranks)
   };
   take(model.PointVariables);
   take(model.ElementVariables);
+  take(model.ParticleVariables);
   take(model.GlobalVariables);
   if (UnionOverRanks(ranks, std::vector<std::size_t>{ std::hash<std::string>()(all) }).size() > 1)
   {
     throw InputError("The parts of the mesh have different arrays.");
   }
+  const auto name = [](const ExodusVariable& variable) { return variable.Name; };
+  std::vector<std::string>& names = model.ElementNames;
+  std::transform(
+    model.ElementVariables.begin(), model.ElementVariables.end(), std::back_inserter(names), name);
+  std::transform(model.ParticleVariables.begin(), model.ParticleVariables.end(),
+    std::back_inserter(names), name);
+  names.erase(std::remove_if(names.begin() + model.ElementVariables.size(), names.end(),
+                [&](const std::string& one) { return FindByName(model.ElementVariables, one); }),
+    names.end());
 }
 
 void FindSizes(ExodusModel& model, Ranks& ranks)
@@ -130,6 +190,7 @@ void FindSizes(ExodusModel& model, Ranks& ranks)
   {
     hasWideIds |= isWide(block.Ids.data(), static_cast<Index>(block.Ids.size()));
   }
+  hasWideIds |= isWide(model.ParticleIds.data(), static_cast<Index>(model.ParticleIds.size()));
   model.HasWideIds = ranks.Any(hasWideIds);
   const double largest =
     std::max(4.0 * mesh.NodesPerElement() * static_cast<double>(mesh.NumberOfElements),
@@ -139,12 +200,22 @@ void FindSizes(ExodusModel& model, Ranks& ranks)
 
 } // namespace
 
+const ExodusVariable* ExodusModel::VariableOf(const ExodusBlock& block, std::size_t name) const
+{
+  if (block.HasParticles)
+  {
+    return FindByName(this->ParticleVariables, this->ElementNames[name]);
+  }
+  return block.Cohesive || name >= this->ElementVariables.size() ? nullptr
+                                                                 : &this->ElementVariables[name];
+}
+
 ExodusModel MakeExodusModel(const MeshData& mesh, Ranks& ranks)
 {
   ExodusModel model;
   model.Mesh = OrderMesh(mesh, ranks);
   static_cast<MeshModel&>(model) = MakeMeshModel(model.Mesh.Data, ranks);
-  MakeBlocks(model);
+  MakeBlocks(AddParticles(mesh.Particles, model, ranks), model);
   NameItems(model.Blocks, model.LongestName);
   NameItems(model.Sets.SideSets, model.LongestName);
   NameItems(model.Sets.NodeSets, model.LongestName);

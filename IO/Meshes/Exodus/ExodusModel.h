@@ -6,18 +6,22 @@
 
 #include "Meshes/Exodus/ExodusVariables.h"
 #include "Meshes/Files/MeshModel.h"
+#include "Meshes/Particles/ParticleParts.h"
 #include "Report/SharedPoints.h"
 
 namespace vfm
 {
 
-/// Element block, which holds the elements of one material, or cohesive elements.
+/// Element block, which holds the elements of one material, cohesive elements, or the particles of
+/// one material.
 struct ExodusBlock
 {
-  int Id; ///< material id; for the void, material 0, FindVoidId(); CohesiveBlock::Id
+  int Id; ///< material id; for the void, material 0, FindVoidId(); CohesiveBlock::Id,
+          ///< ParticlePart::Id
   std::string Name;
   std::vector<Index> Elements;             ///< elements of this rank, ascending
   const CohesiveBlock* Cohesive = nullptr; ///< set for cohesive elements; Elements is then empty
+  bool HasParticles = false;               ///< whether Elements are particles of this rank
   Index Total = 0;                         ///< number of elements on all ranks
 
   /// Returns the number of elements on this rank.
@@ -31,26 +35,34 @@ struct ExodusBlock
 /// unique names.
 struct ExodusModel : MeshModel
 {
-  StoredMesh Mesh; ///< part of this rank; points and elements in the order of their ids
+  /// Part of this rank; points and elements in the order of their ids, then nodes of particles.
+  StoredMesh Mesh;
+  std::shared_ptr<const ParticleData> Particles; ///< of this rank; never null
+  std::vector<Index> ParticleIds;  ///< element ids, above those of all elements, also cohesive ones
   std::vector<ExodusBlock> Blocks; ///< list of blocks by id, equal on all ranks
   std::vector<Index> Numbers;      ///< number of each element in the file, from 1; then come the
-                                   ///< cohesive elements
+                                   ///< cohesive elements, then the particles
   std::vector<Index> SideTotals;   ///< number of sides of each side set on all ranks
   std::vector<Index> NodeTotals;   ///< number of different nodes of each node set on all ranks
   Index TotalNodes = 0, TotalElements = 0;
   SharedPoints Sharing;
-  std::vector<ExodusVariable> PointVariables, ElementVariables;
+  std::vector<ExodusVariable> PointVariables, ElementVariables, ParticleVariables;
+  /// Names of ElementVariables, then of ParticleVariables with other names.
+  std::vector<std::string> ElementNames;
   std::vector<ExodusNumber> GlobalVariables;
   std::size_t LongestName = 0;
   bool HasWideIds = false; ///< an id is greater than 2^31 - 1
   /// An array exceeds the limit of the classic file format, 4 GiB.
   bool HasLargeArrays = false;
 
-  /// Returns the number of elements on this rank, with cohesive elements.
+  /// Returns the number of elements on this rank, with cohesive elements and particles.
   Index NumberOfElements() const
   {
-    return this->Mesh.Data.NumberOfElements + CountElements(this->Cohesive);
+    return this->Mesh.Data.NumberOfElements + CountElements(this->Cohesive) +
+      this->Particles->NumberOfParticles;
   }
+  /// Returns the variable of a name in ElementNames that a block has, or null.
+  const ExodusVariable* VariableOf(const ExodusBlock& block, std::size_t name) const;
 };
 
 /// Makes the contents of the file of this rank.

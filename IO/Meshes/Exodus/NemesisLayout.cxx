@@ -66,6 +66,7 @@ std::vector<char> FindBorderElements(const ExodusModel& model, const std::vector
         std::any_of(at, at + corners, [&](Index point) { return isBorder[point] != 0; }));
     }
   }
+  border.resize(static_cast<std::size_t>(model.NumberOfElements()), 0); // particles
   return border;
 }
 

@@ -3,6 +3,7 @@
 #include "Meshes/Exodus/ExodusLayout.h"
 #include "Meshes/Exodus/WriteNetcdf.h"
 #include "Meshes/Files/OutputSet.h"
+#include "Meshes/Particles/GatherParticles.h"
 #include "Ranks/WorkTogether.h"
 #include "Report/GatherMesh.h"
 
@@ -56,7 +57,9 @@ void WriteExodus(const MeshData& mesh, const std::string& path, Ranks& ranks, Ex
     return;
   }
   const StoredMesh ordered = OrderMesh(mesh, ranks);
-  const StoredMesh whole = GatherMesh(ordered.Data, ranks);
+  StoredMesh whole = GatherMesh(ordered.Data, ranks);
+  const std::shared_ptr<const ParticleData> particles = GatherParticles(mesh.Particles, ranks);
+  whole.Data.Particles = particles.get();
   WorkTogether(ranks,
     [&]
     {

@@ -3,6 +3,9 @@
  *
  * Contents of a file:
  * - one element block per material, with its id and name, of type HEX8 or TETRA
+ * - one block of type SPHERE per material with particles, with the id of ParticlePart and the name
+ *   steel_particles; attributes radius and volume; a node at each particle. Ids in the maps follow
+ *   the greatest of the mesh on all ranks
  * - side sets and node sets (MeshSets) with ids and names
  * - GlobalCellIds and GlobalPointIds as element map and node map
  * - arrays of elements and points as variables, numbers of the fields as global variables, at the

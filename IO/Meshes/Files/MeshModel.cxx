@@ -1,5 +1,6 @@
 #include "Meshes/Files/MeshModel.h"
 
+#include "Base/ParseText.h"
 #include "Report/MeshMaterials.h"
 
 #include <algorithm>
@@ -7,6 +8,16 @@
 
 namespace vfm
 {
+
+bool HasWord(const MeshArray& array, const char* word)
+{
+  return ToLower(array.Name).find(word) != std::string::npos;
+}
+
+bool IsVelocity(const MeshArray& array)
+{
+  return HasWord(array, "velocity") && array.Components == 3;
+}
 
 Index CountElements(const std::vector<CohesiveBlock>& blocks)
 {

@@ -28,6 +28,12 @@ struct MeshModel
   std::vector<MaterialPart> Materials; ///< ascending by material
 };
 
+/// Returns whether the name of an array contains a word of small letters, in any case.
+bool HasWord(const MeshArray& array, const char* word);
+/// Returns whether an array has the velocity of nodes: three components, and "velocity" in its
+/// name, in any case.
+bool IsVelocity(const MeshArray& array);
+
 /// Returns the number of cohesive elements on this rank.
 Index CountElements(const std::vector<CohesiveBlock>& blocks);
 

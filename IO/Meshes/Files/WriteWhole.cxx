@@ -1,5 +1,6 @@
 #include "Meshes/Files/WriteWhole.h"
 
+#include "Meshes/Particles/GatherParticles.h"
 #include "Ranks/WorkTogether.h"
 #include "Report/GatherMesh.h"
 
@@ -12,7 +13,9 @@ void WriteWhole(const MeshData& mesh, Ranks& ranks,
 {
   WorkTogether(ranks, [&] { Require(mesh.Material, "MaterialId", mesh); });
   const StoredMesh ordered = OrderMesh(TakeKnownArrays(mesh, isTaken), ranks);
-  const StoredMesh whole = GatherMesh(ordered.Data, ranks);
+  StoredMesh whole = GatherMesh(ordered.Data, ranks);
+  const std::shared_ptr<const ParticleData> particles = GatherParticles(mesh.Particles, ranks);
+  whole.Data.Particles = particles.get();
   WorkTogether(ranks,
     [&]
     {

@@ -13,7 +13,7 @@ namespace vfm
 
 /// Calls write(whole) on rank 0. The whole mesh does not depend on the number of ranks: points and
 /// elements are ordered by global id, each once. It has its known arrays and those for which
-/// isTaken(array) is true.
+/// isTaken(array) is true, and the particles of all ranks, ordered by id.
 /// @param mesh  part of this rank, made by the mesher or read from a file
 /// @throws InputError  if the mesh is empty or lacks a required array, or if write does; on all
 ///   ranks

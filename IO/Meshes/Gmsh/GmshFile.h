@@ -14,7 +14,10 @@ namespace vfm
 class GmshFile
 {
 public:
-  GmshFile(const std::string& path, bool isBinary) : File(path), IsBinary(isBinary) {}
+  GmshFile(const std::string& path, bool isBinary, OutputSet& files) :
+    File(path, files), IsBinary(isBinary)
+  {
+  }
 
   void Begin(const std::string& section);
   void End(const std::string& section);

@@ -5,6 +5,7 @@
 #include "Meshes/Gmsh/GmshFile.h"
 #include "Meshes/Gmsh/GmshModel.h"
 #include "Meshes/Gmsh/GmshPeriodic.h"
+#include "Meshes/Particles/WriteParticles.h"
 #include "Report/MeshFacets.h"
 
 #include <iterator>
@@ -517,7 +518,8 @@ void WriteFile(MeshData mesh, const std::string& path, const GmshForm& form)
   mesh.Facets = &facets;
   const GmshModel model = MakeGmshModel(mesh, form.HasInterfaces);
   const GmshVersion version = ChooseVersion(model, form.Version);
-  GmshFile file(path, form.IsBinary);
+  OutputSet files(path);
+  GmshFile file(path, form.IsBinary, files);
   WriteHeader(file, version == GmshVersion::V2_2 ? "2.2" : "4.1", form.IsBinary);
   WriteGroups(file, ListGroups(model, version));
   if (version == GmshVersion::V2_2)
@@ -533,6 +535,8 @@ void WriteFile(MeshData mesh, const std::string& path, const GmshForm& form)
     WriteLinks(file, mesh, FindGmshLinks(model));
   }
   file.Close();
+  WriteParticlesBeside(mesh, path, files);
+  files.Rename();
 }
 
 } // namespace

@@ -12,7 +12,8 @@
  *
  * In version 2.2 an element is in one group, so a face is in the finest: the side of the domain,
  * the smooth side, or the interface. Version 4.1 has all groups and the entities with their bounds.
- * Groups without elements are left out.
+ * Groups without elements are left out. Particles are in NAME_particles.vtp: points as elements
+ * would be boundaries of dimension 0 for readers.
  *
  * C. Geuzaine and J.-F. Remacle, Int. J. Numer. Methods Eng. 79 (2009) 1309-1331; format: Gmsh
  * reference manual 4.13, sections "MSH file format" and "MSH file format version 2 (Legacy)".

@@ -56,6 +56,24 @@ public:
     }
     this->End(count);
   }
+  /// Writes the list of value(i, component), each followed by a text. @pre a text file
+  template <class Value>
+  void Reals(Index count, int components, const Value& value, const char* after)
+  {
+    this->Begin(count);
+    for (Index i = 0; i < count; ++i)
+    {
+      for (int c = 0; c < components; ++c)
+      {
+        this->Text(c > 0 ? " " : components > 1 ? "(" : "");
+        this->File.AddReal(value(i, c));
+      }
+      this->Text(components > 1 ? ")" : "");
+      this->Text(after);
+      this->EndLine();
+    }
+    this->End(count);
+  }
   /// Writes a list of points, three coordinates each.
   void Points(const double* points, Index count);
   /// Writes the list of faces points(i), of which the first `corners` count.

@@ -2,7 +2,9 @@
 
 #include "Meshes/Files/ElementNodes.h"
 #include "Meshes/Files/WriteWhole.h"
+#include "Meshes/OpenFoam/FoamCloud.h"
 #include "Meshes/OpenFoam/FoamFolder.h"
+#include "Meshes/Particles/GatherParticles.h"
 #include "Ranks/WorkTogether.h"
 #include "Report/GatherMesh.h"
 
@@ -50,6 +52,10 @@ void WriteCase(const MeshData& mesh, const std::string& path, Ranks& ranks, bool
     [&]
     {
       WritePolyMesh(foam, addressing ? &*addressing : nullptr, part, isBinary, files);
+      if (mesh.Particles)
+      {
+        WriteCloud(*mesh.Particles, part, files);
+      }
       if (ranks.Rank() == 0)
       {
         WriteCaseFiles(folder, path, ranks.Count(), files);
@@ -72,7 +78,9 @@ void WriteFoam(const MeshData& mesh, const std::string& path, Ranks& ranks, cons
       });
     return;
   }
-  const StoredMesh part = OrderMesh(TakeKnownArrays(mesh), ranks);
+  StoredMesh part = OrderMesh(TakeKnownArrays(mesh), ranks);
+  const std::shared_ptr<const ParticleData> particles = OrderParticles(mesh.Particles, ranks);
+  part.Data.Particles = particles.get();
   WriteCase(part.Data, path, ranks, form.IsBinary);
 }
 

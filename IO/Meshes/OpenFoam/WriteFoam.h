@@ -7,6 +7,8 @@
  * files controlDict, fvSchemes and fvSolution in case/system, without which no program of OpenFOAM
  * starts, are written only where they do not exist.
  *
+ * Particles are a cloud (FoamCloud.h), in a decomposed case on the rank that has them.
+ *
  * N > 1 ranks write a decomposed case, as decomposePar does: each rank writes
  * case/processorRANK/constant/polyMesh with patches procBoundaryXtoY to other ranks and the files
  * pointProcAddressing, faceProcAddressing, cellProcAddressing and boundaryProcAddressing, which

@@ -4,6 +4,7 @@
 #include "Meshes/Files/MeshModel.h"
 #include "Meshes/Files/OutputFile.h"
 #include "Meshes/Files/WriteWhole.h"
+#include "Meshes/Particles/WriteParticles.h"
 #include "Ranks/WorkTogether.h"
 #include "Report/MeshFacets.h"
 
@@ -117,12 +118,15 @@ void AddSolid(OutputFile& file, const MeshData& whole, const Solid& solid)
 /// Writes all surfaces into one file.
 void WriteSolids(const MeshData& whole, const std::string& path)
 {
-  OutputFile file(path);
+  OutputSet files(path);
+  OutputFile file(path, files);
   for (const Solid& solid : FindSolids(whole, PlainName, UniqueNames()))
   {
     AddSolid(file, whole, solid);
   }
   file.Close();
+  WriteParticlesBeside(whole, path, files);
+  files.Rename();
 }
 
 /// Returns a name without the separator of folders.
@@ -147,6 +151,13 @@ void WriteEachSolid(const MeshData& whole, const std::string& path, std::size_t 
         file.Close();
       });
   }
+  PrefixErrors(PathOfParticles(path) + ": ",
+    [&]
+    {
+      OutputSet files(path);
+      WriteParticlesBeside(whole, path, files);
+      files.Rename();
+    });
 }
 
 } // namespace

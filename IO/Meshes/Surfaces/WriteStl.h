@@ -29,6 +29,7 @@ std::string FindStlProblem(const std::string& path);
 /// Writes the surface of each material, also of a meshed void.
 /// - NAME.stl: one file with one solid per material, with its name, in ascending order of ids
 /// - a path with {}, such as bones_{}.stl: one file per material, {} replaced by its name
+/// Particles are in a file of their own, NAME_particles.vtp or bones_particles.vtp.
 /// The files do not depend on the number of ranks.
 /// @param mesh  part of this rank
 /// @throws InputError  if the mesh is empty, if opposite sides of a periodic mesh are joined, or if

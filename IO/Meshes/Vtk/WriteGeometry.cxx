@@ -3,6 +3,7 @@
 #include "FileSuffix.h"
 #include "Meshes/Files/OutputFile.h"
 #include "Meshes/Vtk/VtuText.h"
+#include "Meshes/Vtk/WriteVtp.h"
 #include "Ranks/WorkTogether.h"
 #include "Report/GatherGeometry.h"
 
@@ -14,21 +15,6 @@ namespace
 {
 
 namespace fs = std::filesystem;
-
-void WritePart(const MeshData& cells, const std::string& path, OutputSet& files)
-{
-  OutputFile file(path, files);
-  const std::string kind = cells.Corners == 1 ? "Verts" : cells.Corners == 2 ? "Lines" : "Polys";
-  file.Add(VtuHead("PolyData") + "<PolyData>\n");
-  AddVtuFields(file, cells);
-  file.Add("<Piece NumberOfPoints=\"" + std::to_string(cells.NumberOfPoints) + "\" NumberOf" +
-    kind + "=\"" + std::to_string(cells.NumberOfElements) + "\">\n");
-  AddVtuMesh(file, cells);
-  file.Add("<" + kind + ">\n");
-  AddVtuElements(file, cells);
-  file.Add("</" + kind + ">\n</Piece>\n</PolyData>\n</VTKFile>\n");
-  file.Close();
-}
 
 void WriteParts(
   std::vector<GeometryPart> parts, const std::optional<double>& time, const std::string& path)
@@ -45,7 +31,7 @@ void WriteParts(
     const std::string number = std::to_string(p);
     const std::string piece = name + "_" + number + ".vtp";
     part.Cells.Data.Time = time;
-    WritePart(part.Cells.Data, (folder / piece).string(), files);
+    WriteVtp(part.Cells.Data, (folder / piece).string(), files);
     file.Add("<DataSet index=\"" + number + "\" name=\"" + part.Name + "\" file=\"" +
       XmlText(name + "/" + piece) + "\"/>\n");
   }

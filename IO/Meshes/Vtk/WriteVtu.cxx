@@ -1,6 +1,8 @@
 #include "Meshes/Vtk/WriteVtu.h"
 
 #include "Meshes/Files/OutputFile.h"
+#include "Meshes/Particles/GatherParticles.h"
+#include "Meshes/Particles/WriteParticles.h"
 #include "Meshes/Vtk/VtuText.h"
 #include "Ranks/Agreement.h"
 #include "Report/GatherMesh.h"
@@ -60,7 +62,9 @@ void WriteSummary(const MeshData& mesh, const std::string& path,
 
 void WriteVtu(const MeshData& mesh, const std::string& path, Ranks& ranks)
 {
-  const StoredMesh whole = GatherMesh(mesh, ranks);
+  StoredMesh whole = GatherMesh(mesh, ranks);
+  const std::shared_ptr<const ParticleData> particles = GatherParticles(mesh.Particles, ranks);
+  whole.Data.Particles = particles.get();
   WorkTogether(ranks,
     [&]
     {
@@ -68,6 +72,7 @@ void WriteVtu(const MeshData& mesh, const std::string& path, Ranks& ranks)
       {
         OutputSet files(path);
         WritePiece(whole.Data, path, files);
+        WriteParticlesBeside(whole.Data, path, files);
         files.Rename();
       }
     });
@@ -76,7 +81,9 @@ void WriteVtu(const MeshData& mesh, const std::string& path, Ranks& ranks)
 void WritePvtu(const MeshData& mesh, const std::string& path, Ranks& ranks)
 {
   const bool isEmpty = !ranks.Any(mesh.NumberOfElements > 0);
-  const MeshData part = isEmpty ? mesh : ShareHead(mesh, ranks);
+  MeshData part = isEmpty ? mesh : ShareHead(mesh, ranks);
+  const std::shared_ptr<const ParticleData> particles = GatherParticles(mesh.Particles, ranks);
+  part.Particles = particles.get();
   const std::vector<char> isFilled =
     GatherItems(ranks, std::vector<char>{ static_cast<char>(part.NumberOfElements > 0) });
   const std::filesystem::path folder = std::filesystem::path(path).replace_extension();
@@ -98,6 +105,7 @@ void WritePvtu(const MeshData& mesh, const std::string& path, Ranks& ranks)
       if (ranks.Rank() == 0)
       {
         WriteSummary(part, path, pieces, isFilled, files);
+        WriteParticlesBeside(part, path, files);
       }
       files.Rename(ranks);
     });

@@ -3,7 +3,8 @@
  *
  * Files contain all arrays of points and elements and all fields. GlobalPointIds and GlobalCellIds
  * are marked as global ids, MaterialId as scalars. The field TimeValue holds the time. Values are
- * inline and binary, compressed if the build has zlib.
+ * inline and binary, compressed if the build has zlib. Particles are in NAME_particles.vtp, also
+ * those of .pvtu in one file.
  */
 #pragma once
 

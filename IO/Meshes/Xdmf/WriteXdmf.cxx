@@ -4,6 +4,7 @@
 #include "Meshes/Files/MeshModel.h"
 #include "Meshes/Files/OutputFile.h"
 #include "Meshes/Files/WriteWhole.h"
+#include "Meshes/Particles/WriteParticles.h"
 #include "Meshes/Vtk/VtuText.h"
 #include "Report/MeshMaterials.h"
 #include "Report/Sets/NamedSurfaces.h"
@@ -172,6 +173,7 @@ void WriteXdmf(const MeshData& mesh, const std::string& path, Ranks& ranks)
       OutputSet files(path);
       WriteElements(whole, path, files);
       WriteFacets(whole, facets.string(), files);
+      WriteParticlesBeside(whole, path, files);
       files.Rename();
     });
 }

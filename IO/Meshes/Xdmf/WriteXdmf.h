@@ -5,6 +5,8 @@
  * - NAME_facets.xdmf, grid "facets": the faces on sides of the domain and interfaces, each once,
  *   with the array SurfaceId, the id of the finest named surface (TagFaces)
  *
+ * Particles are in NAME_particles.vtp: dolfinx has no use for a grid of points.
+ *
  * dolfinx reads the first array of a grid as tags, so there is no other array. Both files have all
  * points, because corners of facets are numbers of the points of the mesh. Points and elements are
  * in the order of their global ids. Normals of facets point away from the element that owns them.
