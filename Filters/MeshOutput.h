@@ -21,9 +21,10 @@ struct MeshOutputs
   vtkPolyData *Surfaces, *Curves, *Vertices;
   vtkTable* Materials;
   vtkUnstructuredGrid* Cohesive;
+  vtkPolyData* Particles;
 };
 
-/// Fills all outputs except Materials.
+/// Fills all outputs except Materials and Particles.
 /// - Mesh: cell data MaterialId, FragmentId, GlobalCellIds, ScaledJacobian (if computed); point
 ///   data GlobalPointIds, GeometryDimension, GeometryId
 /// - Surfaces: quads or triangles with cell data SurfaceId, MaterialPair, DomainSide

@@ -5,6 +5,7 @@
 
 #include "State/OutputState.h"
 
+class vtkPolyData;
 class vtkUnstructuredGrid;
 
 namespace vfm
@@ -15,5 +16,11 @@ void SetStateOutput(OutputState& state, vtkUnstructuredGrid* mesh);
 
 /// Adds point arrays in the same way.
 void AddPointArrays(std::vector<TransferredArray>& arrays, vtkUnstructuredGrid* mesh);
+
+/// Fills an output with particles: a vertex each, with the point arrays of ViewParticles. The state
+/// is adopted, not copied.
+/// @param fields  field data of the mesh, of which the output gets the names and ids of materials
+void SetParticleOutput(
+  Particles& particles, const std::vector<FieldArray>& fields, vtkPolyData* output);
 
 } // namespace vfm

@@ -66,7 +66,7 @@ void LogTraffic(const vfm::MessageRanks& ranks)
 vtkVolumeFractionMeshAlgorithm::vtkVolumeFractionMeshAlgorithm(vfm::ElementKind elements)
 {
   this->Options->Elements = elements;
-  this->SetNumberOfOutputPorts(6);
+  this->SetNumberOfOutputPorts(7);
 }
 
 vtkVolumeFractionMeshAlgorithm::~vtkVolumeFractionMeshAlgorithm() = default;
@@ -98,7 +98,7 @@ int vtkVolumeFractionMeshAlgorithm::RequestData(
   const vfm::MeshOutputs outputs{ vtkUnstructuredGrid::GetData(outputVector, 0),
     vtkPolyData::GetData(outputVector, 1), vtkPolyData::GetData(outputVector, 2),
     vtkPolyData::GetData(outputVector, 3), vtkTable::GetData(outputVector, 4),
-    vtkUnstructuredGrid::GetData(outputVector, 5) };
+    vtkUnstructuredGrid::GetData(outputVector, 5), vtkPolyData::GetData(outputVector, 6) };
   if ((!this->Controller || this->Controller->GetNumberOfProcesses() == 1) &&
     outputVector->GetInformationObject(0)->Get(Pipeline::UPDATE_PIECE_NUMBER()) > 0)
   {
@@ -146,6 +146,10 @@ void vtkVolumeFractionMeshAlgorithm::Run(
       vfm::SetMeshOutput(result.TheMesh, vfm::JoinBlocks(result.Cohesive), outputs);
       vfm::AddFields(result.Fields, outputs.Mesh->GetFieldData());
       vfm::SetStateOutput(result.State, outputs.Mesh);
+      if (result.State.TheParticles)
+      {
+        vfm::SetParticleOutput(*result.State.TheParticles, result.Fields, outputs.Particles);
+      }
       if (ranks.Rank() == 0) // views append the rows of all ranks
       {
         vfm::AddColumns(result.MaterialFields, outputs.Materials);

@@ -211,7 +211,8 @@ public:
   enum UnmeshedMaterialType
   {
     UNMESHED_GIVE = 0,
-    UNMESHED_DROP = 1
+    UNMESHED_DROP = 1,
+    UNMESHED_PARTICLES = 2
   };
 
   enum RefinementType
@@ -331,9 +332,19 @@ public:
   vfmNumberOption(LostKineticEnergy, int);
   /// Treatment of material that is not attached to any element of its kind, such as small drops and
   /// removed regions. Give: Conserve adds it to the nearest fragment of its material within a few
-  /// cells. Drop: it is left out. The table of materials lists how much is left out. Allowed: Give,
-  /// Drop (or 0 to 1); default Give.
+  /// cells. Drop: it is left out. Particles: it becomes one particle per cell and material, with
+  /// volume, mass and state, and the volumes of the elements do not count it. The table of
+  /// materials lists how much is left out, or in particles. Allowed: Give, Drop, Particles (or 0 to
+  /// 2); default Give.
   vfmNumberOption(UnmeshedMaterial, int);
+  /// Join the particles of neighbour cells: one particle takes what the 27 cells around it hold.
+  /// There are fewer particles then, and their material moves by up to a cell. They keep its
+  /// momentum; the table of materials lists the kinetic energy that they lose, and Lost Kinetic
+  /// Energy may add it to their internal energy. Allowed: on or off; default off.
+  vfmSwitchOption(ParticleClusters);
+  /// Volume, in cells, below which a particle joins one of its material in a neighbour cell, if
+  /// there is any. Allowed: a number from 0 to 1; default 0.001.
+  vfmNumberOption(LeastParticle, double);
   /// Turn each cell of a material into one hexahedron and move no nodes: a quick preview of the
   /// materials. Allowed: on or off; default off.
   vfmSwitchOption(StairStep);

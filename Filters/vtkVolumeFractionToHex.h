@@ -44,6 +44,9 @@
  * Port 5, vtkUnstructuredGrid: hexahedra of zero thickness between the sides of split interfaces,
  * if SplitConnection is Cohesive; cell arrays MaterialPair, GlobalCellIds, point array
  * GlobalPointIds of the mesh.
+ *
+ * Port 6, vtkPolyData: material without elements as particles, a vertex each, if UnmeshedMaterial
+ * is Particles; point arrays Id, Material, Radius, Volume, Mass (with a density) and state arrays.
  */
 #ifndef vtkVolumeFractionToHex_h
 #define vtkVolumeFractionToHex_h

@@ -28,7 +28,8 @@
  * of ten degrees).
  *
  * Port 1 has the triangles of all surfaces, port 2 the edges of all curves, port 3 all vertices,
- * and port 4 the materials, with the arrays of vtkVolumeFractionToHex.
+ * port 4 the materials, port 5 the cohesive elements and port 6 the particles, with the arrays of
+ * vtkVolumeFractionToHex.
  */
 #ifndef vtkVolumeFractionToTet_h
 #define vtkVolumeFractionToTet_h

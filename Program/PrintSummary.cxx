@@ -97,11 +97,13 @@ void PrintMaterials(const MeshSummary& summary, std::ostream& to)
 void PrintState(const MeshSummary& summary, std::ostream& to)
 {
   to << Padded("state", LeastWidth)
-     << Print("%16s%16s%14s", "of the cells", "of the mesh", "not meshed") << "\n";
+     << Print("%16s%16s%14s", "of the cells", "of the mesh", "not meshed")
+     << (summary.Particles ? Print("%14s", "in particles") : "") << "\n";
   for (const StateTotal& total : summary.State)
   {
     to << Padded(MakePrintable(total.Name), LeastWidth)
-       << Print("%16.9g%16.9g%14.6g", total.Input, total.Mesh, total.Unmeshed) << "\n";
+       << Print("%16.9g%16.9g%14.6g", total.Input, total.Mesh, total.Unmeshed)
+       << (summary.Particles ? Print("%14.6g", total.Particles) : "") << "\n";
   }
   if (summary.LostToElements != 0.0 || summary.LostToNodes != 0.0)
   {
@@ -109,6 +111,21 @@ void PrintState(const MeshSummary& summary, std::ostream& to)
       summary.LostToElements, summary.LostToNodes);
   }
   to << "\n";
+}
+
+void PrintParticles(const ParticleSummary& particles, std::ostream& to)
+{
+  to << Print(
+    "particles: %lld, volume %.6g", static_cast<long long>(particles.Count), particles.Volume);
+  if (particles.Mass)
+  {
+    to << Print(", mass %.6g", *particles.Mass);
+  }
+  if (particles.LostEnergy != 0.0)
+  {
+    to << Print(", kinetic energy lost by joining %.6g", particles.LostEnergy);
+  }
+  to << "\n\n";
 }
 
 /// Prints the largest fragments by volume.
@@ -160,6 +177,10 @@ void PrintSummary(const MeshSummary& summary, const std::vector<StageTime>& time
   if (!summary.State.empty())
   {
     PrintState(summary, to);
+  }
+  if (summary.Particles)
+  {
+    PrintParticles(*summary.Particles, to);
   }
   PrintFragments(summary, to);
   to << "\n";

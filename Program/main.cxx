@@ -200,6 +200,12 @@ void MeshFile(const Arguments& arguments, Ranks& ranks)
   times.Add("mesh");
   MeshData mesh = ViewMesh(result.TheMesh, result.State, result.Fields);
   mesh.Time = input.Time;
+  ParticleData particles;
+  if (result.State.TheParticles)
+  {
+    particles = ViewParticles(*result.State.TheParticles);
+    mesh.Particles = &particles;
+  }
   WriteFiles(result, mesh, DescribeRun(arguments, arrays, warnings), arguments, ranks);
   times.Add("write");
   if (!arguments.Quiet)

@@ -52,10 +52,29 @@ std::vector<StateTotal> FindStateTotals(const MeshData& mesh)
     {
       totals.push_back({ q.Name, SumOfMaterials(mesh, "Input" + field, q.Component),
         SumOfMaterials(mesh, "Mesh" + field, q.Component),
-        SumOfMaterials(mesh, "Unmeshed" + field, q.Component) });
+        SumOfMaterials(mesh, "Unmeshed" + field, q.Component),
+        SumOfMaterials(mesh, "Particle" + field, q.Component) });
     }
   }
   return totals;
+}
+
+/// Returns the sums of particles, from the fields of a mesh.
+std::optional<ParticleSummary> FindParticles(const MeshData& mesh)
+{
+  if (!FindField(mesh.Fields, "Particles"))
+  {
+    return std::nullopt;
+  }
+  ParticleSummary particles;
+  particles.Count = static_cast<Index>(SumOfMaterials(mesh, "Particles"));
+  particles.Volume = SumOfMaterials(mesh, "ParticleVolume");
+  if (FindField(mesh.Fields, "ParticleMass"))
+  {
+    particles.Mass = SumOfMaterials(mesh, "ParticleMass");
+  }
+  particles.LostEnergy = SumOfMaterials(mesh, "ParticleLostKineticEnergy");
+  return particles;
 }
 
 double GetNumber(const MeshData& mesh, const char* name)
@@ -201,6 +220,7 @@ MeshSummary Summarise(const MeshData& mesh, Ranks& ranks)
   summary.State = FindStateTotals(mesh);
   summary.LostToElements = SumOfMaterials(mesh, "LostKineticEnergy");
   summary.LostToNodes = SumOfMaterials(mesh, "LostNodalKineticEnergy");
+  summary.Particles = FindParticles(mesh);
   summary.MinimumAngle = GetNumber(mesh, "MinimumDihedralAngle");
   summary.MaximumAngle = GetNumber(mesh, "MaximumDihedralAngle");
   for (double count : GetField(mesh, "DihedralAngles"))

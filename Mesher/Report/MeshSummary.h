@@ -25,7 +25,16 @@ struct PartSummary
 struct StateTotal
 {
   std::string Name;
-  double Input = 0.0, Mesh = 0.0, Unmeshed = 0.0;
+  double Input = 0.0, Mesh = 0.0, Unmeshed = 0.0, Particles = 0.0;
+};
+
+/// Material without elements.
+struct ParticleSummary
+{
+  Index Count = 0;
+  double Volume = 0.0;        ///< length units cubed
+  std::optional<double> Mass; ///< empty without a density
+  double LostEnergy = 0.0;    ///< kinetic energy that joined particles lack
 };
 
 struct MeshSummary
@@ -37,6 +46,7 @@ struct MeshSummary
   std::vector<Index> Angles;                      ///< tets: histogram in steps of ten degrees
   std::vector<StateTotal> State;                  ///< empty unless state was conserved
   double LostToElements = 0.0, LostToNodes = 0.0; ///< lost kinetic energy
+  std::optional<ParticleSummary> Particles;       ///< empty if it does not become particles
 };
 
 /// Summarises a mesh. The result is equal on all ranks and for any number of ranks.

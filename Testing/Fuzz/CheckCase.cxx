@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstdio>
 #include <numeric>
+#include <set>
 
 namespace vfm
 {
@@ -127,6 +128,38 @@ std::string FindVolumeProblem(const FuzzCase& c, const Mesh& mesh, const MeshRep
     : "";
 }
 
+/// Checks that the targets of elements and far material together have the volumes of the fractions.
+std::string FindFarProblem(const FuzzCase& c, const Mesh& mesh, const MeshReport& report)
+{
+  std::vector<double> lacks(c.Fractions.NumberOfMaterials() + 1, 0.0);
+  ForCells(c.Grid.Owned(),
+    [&](const Index3& p)
+    {
+      c.Fractions.ForParts(c.Grid.Linear(p),
+        [&](int material, double fraction) { lacks[material] += fraction * c.Grid.CellVolume(p); });
+    });
+  std::set<std::pair<Index, int>> far;
+  for (const FarMatter& part : mesh.Far)
+  {
+    lacks[part.Material] -= part.Volume;
+    if (!c.Options.LeavesFar || part.Material == 0 ||
+      !far.insert({ part.Cell, part.Material }).second)
+    {
+      return Describe("far material", part.Material, part.Cell);
+    }
+  }
+  const double domain = VolumeOf(c.Grid, c.Grid.Domain());
+  for (std::size_t m = 1; m < lacks.size(); ++m)
+  {
+    const double lack = lacks[m] - report.TargetVolume[m];
+    if (!(std::fabs(lack) <= VolumeTolerance * domain))
+    {
+      return Describe("elements and far material lack", lack / domain, static_cast<Index>(m));
+    }
+  }
+  return "";
+}
+
 /// Checks that the labels of the cells meet the condition at all nodes, and that the mesh has one
 /// hex for each meshed cell and for each of its faces to another label.
 std::string FindLabelProblem(const FuzzCase& c, const Mesh& mesh)
@@ -203,7 +236,8 @@ std::string FindMeshProblem(
   };
   return FirstOf({ FindJacobianProblem(c, mesh, result),
     c.Grid.IsPeriodic() ? FindSideProblem(c, mesh) : findInBox(), FindPlaceProblem(c.Grid, mesh),
-    FindVolumeProblem(c, mesh, report), FindSpaceProblem(mesh, result) });
+    FindVolumeProblem(c, mesh, report), FindFarProblem(c, mesh, report),
+    FindSpaceProblem(mesh, result) });
 }
 
 bool IsModified(const FuzzCase& c)

@@ -271,6 +271,13 @@ void DrawThinParts(RandomDraw& draw, FuzzCase& c)
   }
 }
 
+/// Draws the option after all others, as DrawThinParts.
+void DrawFar(RandomDraw& draw, FuzzCase& c)
+{
+  c.Options.LeavesFar = draw.Chance(0.4);
+  c.Words += c.Options.LeavesFar ? ", leaves far matter" : "";
+}
+
 void PrintList(const char* name, const std::vector<double>& values)
 {
   std::printf("%s", name);
@@ -323,6 +330,7 @@ FuzzCase MakeFuzzCase(unsigned seed, bool isPeriodic)
     DrawModified(draw, c);
   }
   DrawThinParts(draw, c);
+  DrawFar(draw, c);
   return c;
 }
 

@@ -170,7 +170,7 @@ class Result:
     def __init__(self, algorithm, errors, warnings):
         self.mesh, self.surfaces, self.curves, self.vertices, self.materials = map(
             algorithm.GetOutputDataObject, range(5))
-        self.cohesive = algorithm.GetOutputDataObject(5)
+        self.cohesive, self.particles = map(algorithm.GetOutputDataObject, (5, 6))
         self.errors, self.warnings = errors, warnings
 
     def cells(self, name):

@@ -42,7 +42,9 @@ class Options:
     state_order: int
     nodal_velocity: bool
     lost_kinetic_energy: Literal["report", "internal_energy"]
-    unmeshed_material: Literal["give", "drop"]
+    unmeshed_material: Literal["give", "drop", "particles"]
+    particle_clusters: bool
+    least_particle: float
     stair_step: bool
     smoothing: Literal["off", "quadric_surface", "geometry_based"]
     sharp_edges: Literal["off", "on", "automatic"]

@@ -52,7 +52,9 @@ def hexes(
     state_order: int = 2,
     nodal_velocity: bool = False,
     lost_kinetic_energy: Literal["report", "internal_energy"] = "report",
-    unmeshed_material: Literal["give", "drop"] = "give",
+    unmeshed_material: Literal["give", "drop", "particles"] = "give",
+    particle_clusters: bool = False,
+    least_particle: float = 0.001,
     stair_step: bool = False,
     smoothing: Literal["off", "quadric_surface", "geometry_based"] = "quadric_surface",
     sharp_edges: Literal["off", "on", "automatic"] = "automatic",
@@ -225,11 +227,20 @@ def hexes(
         "internal_energy": it is added to `energy`, so that the sum of both energies matches the
         input. With `state_order` 2 it may be negative: elements can have slightly more kinetic
         energy than their cells.
-    unmeshed_material : {"give", "drop"}, default "give"
+    unmeshed_material : {"give", "drop", "particles"}, default "give"
         Treatment of material that is not attached to any element of its kind, such as small drops
         and removed regions. "give": "conserve" adds it to the nearest fragment of its material
-        within a few cells. "drop": it is left out. The table of materials lists how much is left
-        out.
+        within a few cells. "drop": it is left out. "particles": it becomes one particle per cell
+        and material, with volume, mass and state, and the volumes of the elements do not count it.
+        The table of materials lists how much is left out, or in particles.
+    particle_clusters : bool, default False
+        Join the particles of neighbour cells: one particle takes what the 27 cells around it hold.
+        There are fewer particles then, and their material moves by up to a cell. They keep its
+        momentum; the table of materials lists the kinetic energy that they lose, and
+        `lost_kinetic_energy` may add it to their internal energy.
+    least_particle : float, default 0.001
+        A number from 0 to 1. Volume, in cells, below which a particle joins one of its material in
+        a neighbour cell, if there is any.
     stair_step : bool, default False
         Turn each cell of a material into one hexahedron and move no nodes: a quick preview of the
         materials.
@@ -413,7 +424,8 @@ def hexes(
         minimum_region_cells=minimum_region_cells, fraction_tolerance=fraction_tolerance,
         iso_value=iso_value, state_transfer=state_transfer, state_order=state_order,
         nodal_velocity=nodal_velocity, lost_kinetic_energy=lost_kinetic_energy,
-        unmeshed_material=unmeshed_material, stair_step=stair_step, smoothing=smoothing,
+        unmeshed_material=unmeshed_material, particle_clusters=particle_clusters,
+        least_particle=least_particle, stair_step=stair_step, smoothing=smoothing,
         sharp_edges=sharp_edges, label_smoothing=label_smoothing, element_order=element_order,
         conserve_volume=conserve_volume, refinement=refinement, maximum_level=maximum_level,
         fine_interfaces=fine_interfaces, fine_layers=fine_layers, thin_cells=thin_cells,
@@ -469,7 +481,9 @@ def tets(
     state_order: int = 2,
     nodal_velocity: bool = False,
     lost_kinetic_energy: Literal["report", "internal_energy"] = "report",
-    unmeshed_material: Literal["give", "drop"] = "give",
+    unmeshed_material: Literal["give", "drop", "particles"] = "give",
+    particle_clusters: bool = False,
+    least_particle: float = 0.001,
     stair_step: bool = False,
     smoothing: Literal["off", "quadric_surface", "geometry_based"] = "quadric_surface",
     sharp_edges: Literal["off", "on", "automatic"] = "automatic",
@@ -568,15 +582,15 @@ def tets(
         Option of `hexes`, with the same default.
     state_transfer, state_order, nodal_velocity, lost_kinetic_energy, unmeshed_material : see hexes
         Option of `hexes`, with the same default.
-    sharp_edges, label_smoothing, element_order, conserve_volume, refinement : see hexes
+    particle_clusters, least_particle, sharp_edges, label_smoothing, element_order : see hexes
         Option of `hexes`, with the same default.
-    maximum_level, fine_layers, thin_cells, curvature_per_cell, refine_flipped_cells : see hexes
+    conserve_volume, refinement, maximum_level, fine_layers, thin_cells : see hexes
         Option of `hexes`, with the same default.
-    interface_layers, maximum_aspect_ratio, child_fractions, split_interfaces : see hexes
+    curvature_per_cell, refine_flipped_cells, interface_layers, maximum_aspect_ratio : see hexes
         Option of `hexes`, with the same default.
-    split_connection, layers, layer_growth, first_layer, first_layer_unit : see hexes
+    child_fractions, split_interfaces, split_connection, layers, layer_growth : see hexes
         Option of `hexes`, with the same default.
-    layer_interfaces, layers_on, layer_sides, threads : see hexes
+    first_layer, first_layer_unit, layer_interfaces, layers_on, layer_sides, threads : see hexes
         Option of `hexes`, with the same default.
 
     Returns
@@ -623,7 +637,8 @@ def tets(
         minimum_region_cells=minimum_region_cells, fraction_tolerance=fraction_tolerance,
         iso_value=iso_value, state_transfer=state_transfer, state_order=state_order,
         nodal_velocity=nodal_velocity, lost_kinetic_energy=lost_kinetic_energy,
-        unmeshed_material=unmeshed_material, stair_step=stair_step, smoothing=smoothing,
+        unmeshed_material=unmeshed_material, particle_clusters=particle_clusters,
+        least_particle=least_particle, stair_step=stair_step, smoothing=smoothing,
         sharp_edges=sharp_edges, label_smoothing=label_smoothing, element_order=element_order,
         conserve_volume=conserve_volume, refinement=refinement, maximum_level=maximum_level,
         fine_interfaces=fine_interfaces, fine_layers=fine_layers, thin_cells=thin_cells,

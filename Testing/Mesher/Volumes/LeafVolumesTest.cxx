@@ -212,6 +212,22 @@ TEST(CellLocator, GiveACoarseLeafToTheAdjacentPiece)
   const std::vector<double> cells =
     targets(CellLocator(RefinedGrid(grid, runtime.Group()), labels, pieces));
   EXPECT_GT(cells[far], 68.0); // Most of the fifth is near no cell of a body: both receive a share.
+  // Left, it is in no target: a layer of the fifth of the block is near.
+  const RefinedGrid finest(grid, runtime.Group());
+  const CellLocator near(finest, labels, pieces);
+  FragmentVolumes left(grid, field, pieces.MaterialsOfFragments(), near, true, runtime);
+  EXPECT_NEAR(left.FragmentTargets()[far], 64.0, 1e-9);
+  EXPECT_NEAR(left.FragmentTargets()[beside], 64.0 + 0.2 * 16, 1e-9);
+  EXPECT_NEAR(left.MaterialTargets()[2], 128.0 + 0.2 * 16, 1e-9);
+  const std::vector<FarMatter> matter = left.TakeFar();
+  ASSERT_EQ(matter.size(), 48u);
+  for (const FarMatter& part : matter)
+  {
+    EXPECT_EQ(part.Material, 2);
+    EXPECT_EQ(part.Volume, 0.2);
+    EXPECT_GT(grid.CellOfKey(part.Cell)[0], 4);
+    EXPECT_LT(grid.CellOfKey(part.Cell)[0], 8);
+  }
 }
 
 TEST(CellLocator, RanksAgree)

@@ -101,4 +101,29 @@ def test_state_is_copied_where_asked(at):
         refused(code, text, path, at("no.vtu"), "--fractions", "ball,plate", *more, ranks=2)
 
 
+@in_folder
+def test_particles(at):
+    """The program prints the number and mass of particles, and their sums beside those of elements."""
+    arrays = arrays_of_impact()
+    arrays["ball"][11, 11, 11], arrays["plate"][11, 11, 11] = 0.3, 0.0
+    path = write(image(arrays), at("in.vti"))
+    words = ["--fractions", "ball,plate", "--unmeshed", "particles"]
+    volume = 0.3 * np.prod(SPACING)
+    for more, mass in (([], None), (["--density", "rho - 1,rho - 2", "--velocity", "velocity"],
+                                    volume * arrays["rho - 1"][11, 11, 11])):
+        printed = [mesh_file(path, at("out.vtu"), *words, *more, ranks=ranks) for ranks in (1, 3)]
+        found = [re.search(r"^particles: (\d+), volume ([\d.e+-]+)(?:, mass ([\d.e+-]+))?$", text,
+                           re.M).groups() for text in printed]
+        assert found[0] == found[1] and found[0][0] == "1", found
+        assert np.isclose(float(found[0][1]), volume, rtol=1e-5)
+        assert (found[0][2] is None) == (mass is None)
+        if mass is not None:
+            assert np.isclose(float(found[0][2]), mass, rtol=1e-5)
+            assert "in particles" in printed[0]
+            sums = re.search(r"^mass((?: +[-\d.e+]+){4})$", printed[0], re.M).group(1).split()
+            assert np.isclose(float(sums[1]) + float(sums[3]), float(sums[0]), rtol=1e-8), sums
+            assert float(sums[2]) == 0
+    assert "articles" not in mesh_file(path, at("out.vtu"), *words[:2])
+
+
 main(globals())

@@ -7,15 +7,17 @@ identical arrays of elements and nodes and field data. Meshes of TetGen depend o
 ranks; only their sums are compared.
 """
 import os
+import pickle
 import sys
 
 import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
 from vtkmodules.vtkParallelCore import vtkCommunicator
 
 import amr_cases
 from conserve_cases import BOTH, CONSERVE, close, state
-from gold_meshes import RANK, RANKS, check_gold, dealt, make_folder
+from gold_meshes import CONTROLLER, RANK, RANKS, check_gold, dealt, make_folder
 from vfmtest import (
     ORIGIN, SPACING, TET_METHODS, VolumeFractionToHex, VolumeFractionToTet, ball_and_plate, collect,
     image, labels, main, producer, reduced, run)
@@ -23,7 +25,7 @@ from vfmtest import (
 FOLDER = os.path.join(sys.argv[1], "conserve")
 N = 14
 BALL, PLATE = ball_and_plate(N)
-BALL[N - 1, 1, 1] = BALL[N - 3, 4, 5] = 0.3  # unresolved material
+BALL[N - 1, 1, 1] = BALL[N - 3, 4, 5] = BALL[N - 1, N - 2, N - 2] = 0.3  # unresolved material
 FIELDS = {"ball": BALL, "plate": PLATE, "id": labels(N), **state((N, N, N))}
 DENSITIES = {"rho - ball": FIELDS["density"], "rho - plate": 2 * FIELDS["density"]}
 LATTICE = {"Method": "Lattice"}
@@ -32,6 +34,7 @@ for level, arrays in enumerate(AMR):
     arrays.update(state(arrays["ball"].shape, seed=level))
 CASES = {
     "hex": {}, "nodes": BOTH, "order 1": {"StateOrder": 1},
+    "particles": {"UnmeshedMaterial": "Particles", "ParticleClusters": 1},
     "dropped": {"UnmeshedMaterial": "Drop", "MeshVoid": 1},
     "regions": {"MinimumRegionCells": 40}, "long cells": {"MaximumAspectRatio": 1.5},
     "a material": {"DensityArrays": list(DENSITIES)},
@@ -70,6 +73,43 @@ def test_same_state():
                             AMR, dealt(amr_cases.nested(), seed)))):
         for name, properties in cases.items():
             check_gold(mesher_of(find(RANKS), name, properties), FOLDER, name, True)
+
+
+def particles_of(mesher):
+    """Returns {name: values} of this rank's particles."""
+    mesher.UpdatePipeline()
+    data = mesher.GetClientSideObject().GetOutputDataObject(6)
+    arrays = data.GetPointData()
+    return {"points": vtk_to_numpy(data.GetPoints().GetData()),
+            **{arrays.GetArrayName(a): vtk_to_numpy(arrays.GetArray(a))
+               for a in range(arrays.GetNumberOfArrays())}}
+
+
+def test_same_particles():
+    """The particles of all ranks together are those of one rank, bit for bit."""
+    make_folder(FOLDER)
+    for clusters in (0, 1):
+        mesher = mesher_of(blocks(RANKS), "", {"UnmeshedMaterial": "Particles",
+                                               "ParticleClusters": clusters})
+        path = os.path.join(FOLDER, "particles%d" % clusters)
+        with open("%s.rank%d" % (path, RANK), "wb") as file:
+            pickle.dump(particles_of(mesher), file)
+        CONTROLLER.Barrier()
+        right = True
+        if RANK == 0:
+            parts = []
+            for rank in range(RANKS):
+                with open("%s.rank%d" % (path, rank), "rb") as file:
+                    parts.append(pickle.load(file))
+            whole = {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
+            order = np.argsort(whole["Id"])
+            whole = {name: values[order].tobytes() for name, values in whole.items()}
+            if RANKS == 1:
+                with open(path + ".gold", "wb") as file:
+                    pickle.dump(whole, file)
+            with open(path + ".gold", "rb") as file:
+                right = pickle.load(file) == whole and len(order) >= 2 and "Mass" in whole
+        assert reduced(int(right), vtkCommunicator.MIN_OP) == 1, clusters
 
 
 def test_tetgen_keeps_sums():
