@@ -57,8 +57,8 @@ struct FilmHexes
 /// Expects a shift towards the film at all points that are at least 3 cells from the sides.
 void ExpectShift(const FilmHexes& film, double shift)
 {
-  const LocalVolumes local(
-    film.Cells(), film.TheDraft.Thin, film.TheDraft.Elements, *film.Active, film.Run);
+  const LocalVolumes local(film.Cells(), film.TheDraft.Thin, film.TheDraft.Elements, *film.Active,
+    film.TheDraft.Volumes, film.Run);
   std::vector<double> shifts(film.Active->Attachments.size(), 7.0);
   local.ReplaceShifts(*film.Active, shifts);
   int points = 0;
