@@ -134,9 +134,9 @@ void MoveToTargets(
   std::unique_ptr<LevelInterfaces> interfaces;
   const SurfaceTargets targets = FindTargets(cells, draft, method, run, active, kinds, interfaces);
   std::optional<LocalVolumes> local;
-  if (!draft.IsThin.empty())
+  if (!draft.IsThin.empty() && active.HasHexes()) // tets would crumple
   {
-    local.emplace(cells, draft.Thin, draft.Elements, active, run);
+    local.emplace(cells, draft.Thin, draft.Elements, active, draft.Volumes, run);
   }
   method.StartMoves(cells, kinds, run, draft);
   MovePoints(cells, targets, local ? &*local : nullptr, method, run, draft, active);

@@ -119,21 +119,25 @@ void ActiveMesh::SetYielding(
   }
 }
 
-void ActiveMesh::LowerDemands(const std::vector<unsigned char>& fragments, float demand)
+void ActiveMesh::LowerDemandsOf(const std::vector<unsigned char>& elements, float demand)
 {
-  this->Demands.resize(this->YieldingFragments.size(), 1.0f);
-  for (std::size_t e = 0; e < this->YieldingFragments.size(); ++e)
+  this->Demands.resize(elements.size(), 1.0f);
+  for (std::size_t e = 0; e < elements.size(); ++e)
   {
-    const int fragment = this->YieldingFragments[e];
-    if (fragment > 0 && fragments[fragment])
-    {
-      this->Demands[e] = std::min(this->Demands[e], demand);
-    }
+    this->Demands[e] = elements[e] ? std::min(this->Demands[e], demand) : this->Demands[e];
   }
   if (this->HasHexes())
   {
     this->Rings.UpdateDemands(*this);
   }
+}
+
+void ActiveMesh::LowerDemands(const std::vector<unsigned char>& fragments, float demand)
+{
+  std::vector<unsigned char> elements(this->YieldingFragments.size());
+  std::transform(this->YieldingFragments.begin(), this->YieldingFragments.end(), elements.begin(),
+    [&](int fragment) { return fragment > 0 && fragments[fragment]; });
+  this->LowerDemandsOf(elements, demand);
 }
 
 void ActiveMesh::BoundBySeams(const CartesianGrid& grid, const Mesh& mesh)

@@ -217,6 +217,8 @@ struct ActiveMesh
   /// @param isThin  FindThinFragments
   void SetYielding(
     const Mesh& mesh, const std::vector<unsigned char>& isThin, const std::vector<Index>& elements);
+  /// Lowers the demands of flagged elements to at most `demand`.
+  void LowerDemandsOf(const std::vector<unsigned char>& elements, float demand);
   /// Lowers the demands of the yielding elements of flagged fragments to at most `demand`.
   void LowerDemands(const std::vector<unsigned char>& fragments, float demand);
   /// Fills X, Fixed and bounds from the positions in the mesh. Points on sides of the domain and

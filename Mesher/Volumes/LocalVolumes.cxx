@@ -75,23 +75,23 @@ double VolumeOf(const std::array<Vector3, 8>& x, int corners)
 struct LocalVolumes::Item
 {
   Index Cell; // its key, or its number in a box
-  std::int64_t Lack, Area;
+  Amounts Values;
   int Material;
 };
 
 LocalVolumes::LocalVolumes(const MeshCells& cells, const std::vector<Index>& thin, const Mesh& mesh,
-  const ActiveMesh& active, const MeshRun& run) :
+  const ActiveMesh& active, const FragmentVolumes& volumes, const MeshRun& run) :
   Grid(cells.Grid),
   Parts(run.Parts),
   Materials(cells.Fractions.NumberOfMaterials() + 1),
   Region(cells.Grid.NumberOfEntries(), 0)
 {
   this->MarkRegion(thin);
+  this->MaterialOf.assign(volumes.FragmentTargets().size(), 0);
   for (std::size_t e = 0; e < mesh.Material.size(); ++e)
   {
-    const std::size_t fragment = mesh.Fragment[e];
-    this->MaterialOf.resize(std::max(this->MaterialOf.size(), fragment + 1), 0);
-    this->MaterialOf[fragment] = fragment > 0 ? mesh.Material[e] : 0;
+    const int fragment = mesh.Fragment[e];
+    this->MaterialOf[fragment] = fragment > 0 && !volumes.IsSmall(fragment) ? mesh.Material[e] : 0;
   }
   this->AddFractions(cells.Fractions, mesh);
   this->AddInactive(mesh, active);
@@ -133,8 +133,8 @@ void LocalVolumes::AddFractions(const FractionField& fractions, const Mesh& mesh
       { isNear = isNear || hasElement.count(this->KeyOf(this->Grid.Linear(q), material)) > 0; });
     if (material > 0 && isNear)
     {
-      this->Start[this->KeyOf(this->Grid.Linear(p), material)].Lack +=
-        Rounded(unit * this->Grid.CellVolume(p) * fraction);
+      const std::int64_t volume = Rounded(unit * this->Grid.CellVolume(p) * fraction);
+      this->Start[this->KeyOf(this->Grid.Linear(p), material)] = { volume, volume, 0 };
     }
   };
   ForCells(this->Grid.Owned(),
@@ -155,7 +155,13 @@ void LocalVolumes::AddInactive(const Mesh& mesh, const ActiveMesh& active)
   std::vector<int> activeOf(mesh.Material.size(), -1);
   for (std::size_t a = 0; a < active.MeshElement.size(); ++a)
   {
-    activeOf[active.MeshElement[a]] = static_cast<int>(a);
+    const Index element = active.MeshElement[a];
+    activeOf[element] = static_cast<int>(a);
+    const Index cell = this->Grid.Linear(CellOfElement(this->Grid, mesh, mesh.ElementIds[element]));
+    bool isNear = false;
+    ForCells(Grow(BoxOfCell(this->Grid.Position(cell)), 1, this->Grid.Local()),
+      [&](const Index3& q) { isNear = isNear || this->Region[this->Grid.Linear(q)] == 2; });
+    this->CellOf.push_back(isNear ? cell : -1);
   }
   for (std::size_t e = 0; e < mesh.Material.size(); ++e)
   {
@@ -268,8 +274,8 @@ void LocalVolumes::SendToOwners(Sums& sums) const
       continue;
     }
     const int peer = this->Parts.PeerOfCell(cell);
-    sent[peer].push_back({ this->Parts.CellKeyAtPeer(peer, cell), amounts.Lack, amounts.Area,
-      static_cast<int>(key % this->Materials) });
+    sent[peer].push_back(
+      { this->Parts.CellKeyAtPeer(peer, cell), amounts, static_cast<int>(key % this->Materials) });
     at = sums.erase(at);
   }
   for (const std::vector<Item>& items : this->Parts.Exchange(sent))
@@ -278,8 +284,9 @@ void LocalVolumes::SendToOwners(Sums& sums) const
     {
       const Index cell = this->Grid.Linear(this->Grid.CellOfKey(item.Cell));
       Amounts& amounts = sums[this->KeyOf(cell, item.Material)];
-      amounts.Lack += item.Lack;
-      amounts.Area += item.Area;
+      amounts.Lack += item.Values.Lack;
+      amounts.Filled += item.Values.Filled;
+      amounts.Area += item.Values.Area;
     }
   }
 }
@@ -299,7 +306,7 @@ void LocalVolumes::SendToGhosts(Sums& sums) const
             const auto at = sums.find(this->KeyOf(cell, m));
             if (at != sums.end())
             {
-              items.push_back({ number, at->second.Lack, at->second.Area, m });
+              items.push_back({ number, at->second, m });
             }
           }
           ++number;
@@ -316,7 +323,7 @@ void LocalVolumes::SendToGhosts(Sums& sums) const
         {
           for (; next != items.end() && next->Cell == number; ++next)
           {
-            sums[this->KeyOf(cell, next->Material)] = { next->Lack, next->Area };
+            sums[this->KeyOf(cell, next->Material)] = next->Values;
           }
           ++number;
         });
@@ -341,12 +348,46 @@ double LocalVolumes::ShiftOf(const Sums& sums, Index node, int material) const
   return static_cast<double>(lack) / static_cast<double>(std::max(area, smallest));
 }
 
-void LocalVolumes::ReplaceShifts(const ActiveMesh& mesh, std::vector<double>& shifts) const
+/// Returns the sums at the present positions, complete in the region.
+LocalVolumes::Sums LocalVolumes::Measure(const ActiveMesh& mesh) const
 {
   Sums sums = this->Start;
   this->AddElements(mesh, sums);
   this->AddFacets(mesh, sums);
   this->Complete(sums);
+  return sums;
+}
+
+std::vector<unsigned char> LocalVolumes::FindExcess(const ActiveMesh& mesh, double share) const
+{
+  const Sums sums = this->Measure(mesh);
+  std::vector<unsigned char> exceeds(this->CellOf.size(), 0);
+  for (std::size_t e = 0; e < this->CellOf.size(); ++e)
+  {
+    const int material = this->CellOf[e] >= 0 ? this->MaterialOf[mesh.YieldingFragments[e]] : 0;
+    if (material == 0)
+    {
+      continue;
+    }
+    std::int64_t lack = 0, filled = 0;
+    ForCells(Grow(BoxOfCell(this->Grid.Position(this->CellOf[e])), 1, this->Grid.Local()),
+      [&](const Index3& q)
+      {
+        const auto at = sums.find(this->KeyOf(this->Grid.Linear(q), material));
+        if (at != sums.end())
+        {
+          lack += at->second.Lack;
+          filled += at->second.Filled;
+        }
+      });
+    exceeds[e] = static_cast<double>(-lack) > share * static_cast<double>(filled);
+  }
+  return exceeds;
+}
+
+void LocalVolumes::ReplaceShifts(const ActiveMesh& mesh, std::vector<double>& shifts) const
+{
+  const Sums sums = this->Measure(mesh);
   for (std::size_t p = 0; p < this->NodeOf.size() && p + 1 < mesh.AttachmentOffset.size(); ++p)
   {
     if (this->NodeOf[p] < 0)
@@ -357,6 +398,10 @@ void LocalVolumes::ReplaceShifts(const ActiveMesh& mesh, std::vector<double>& sh
     {
       const auto& [first, second] = mesh.Attachments[i].Fragments;
       const int before = this->MaterialOf[first], behind = this->MaterialOf[second];
+      if (before == 0 && behind == 0)
+      {
+        continue;
+      }
       const double share = before > 0 && behind > 0 ? 0.5 : 1.0;
       const double shift = share *
         ((before > 0 ? this->ShiftOf(sums, this->NodeOf[p], before) : 0.0) -

@@ -12,6 +12,7 @@
 
 #include "Elements/MeshRun.h"
 #include "Smoothing/ActiveMesh.h"
+#include "Volumes/FragmentVolumes.h"
 
 #include <unordered_map>
 
@@ -25,8 +26,9 @@ public:
   /// @param thin  thin cells of the local box, ascending
   /// @param mesh  all elements of this rank, at their start
   /// @param active  its active part, with MeshElement
+  /// @param volumes  small fragments keep their shifts: they have a shift of their own
   LocalVolumes(const MeshCells& cells, const std::vector<Index>& thin, const Mesh& mesh,
-    const ActiveMesh& active, const MeshRun& run);
+    const ActiveMesh& active, const FragmentVolumes& volumes, const MeshRun& run);
 
   /// Replaces the shifts of points with a thin cell in the 4^3 cells around their node.
   /// @param mesh  the active part, at its present positions
@@ -34,11 +36,17 @@ public:
   /// @pre Collective among peers.
   void ReplaceShifts(const ActiveMesh& mesh, std::vector<double>& shifts) const;
 
+  /// Returns which active elements are in surroundings of 3^3 cells that contain more of their
+  /// material than the fractions, by more than a share of these.
+  /// @pre Collective among peers.
+  std::vector<unsigned char> FindExcess(const ActiveMesh& mesh, double share) const;
+
 private:
-  /// Volume that a cell lacks of a material, and area of its interfaces, in Quantum mean cells.
+  /// Volume that a cell lacks of a material and volume in its fractions, and area of interfaces, in
+  /// Quantum mean cells.
   struct Amounts
   {
-    std::int64_t Lack = 0, Area = 0;
+    std::int64_t Lack = 0, Filled = 0, Area = 0;
   };
   using Sums = std::unordered_map<Index, Amounts>; // by cell and material, KeyOf
   struct Item;                                     // an entry of Sums for another rank
@@ -50,6 +58,7 @@ private:
 
   Index KeyOf(Index cell, int material) const { return cell * this->Materials + material; }
   void MarkRegion(const std::vector<Index>& thin);
+  Sums Measure(const ActiveMesh& mesh) const;
   void AddInactive(const Mesh& mesh, const ActiveMesh& active);
   void AddFractions(const FractionField& fractions, const Mesh& mesh);
   void ListPoints(const Mesh& mesh, const ActiveMesh& active);
@@ -68,7 +77,8 @@ private:
   std::vector<unsigned char> Region; // whether each cell of the local box counts
   Sums Start;                        // fractions minus elements that do not move
   std::vector<Element> Elements;     // owned active elements in or beside the region
-  std::vector<int> MaterialOf;       // material of each fragment; 0 if it is not here
+  std::vector<Index> CellOf;         // cell of each active element near thin cells; -1 for others
+  std::vector<int> MaterialOf;       // material of each fragment; 0 if it is small or not here
   std::vector<Index> NodeOf;         // node of each active point near thin cells; -1 for others
 };
 

@@ -47,6 +47,11 @@ constexpr struct
 // A fragment has this number of rounds with a demand, or until its error did not fall this many
 // times in turn.
 constexpr int YieldingRounds = 16, IdleRounds = 4;
+// Demand of hexes near thin cells whose surroundings contain more than the fractions by more than
+// this share, and rounds of local shifts with it.
+constexpr float LocalDemand = 0.8f;
+constexpr double LocalExcess = 0.1;
+constexpr int LocalRounds = 4;
 constexpr int BulgeRounds = 4; // of corrections, after each of which bulges are measured again
 
 /// What rounds and lower demands change in an active mesh.
@@ -116,13 +121,8 @@ void VolumeCorrection::ShiftAfterSweep(int sweep)
     {
       this->Local->ReplaceShifts(this->Active(), shifts);
     }
-    const auto isThin = [this](int fragment)
-    { return !this->IsThin.empty() && this->IsThin[fragment]; };
     this->TheSmoother.ShiftTargets(
-      shifts,
-      [&](const Attachment& a)
-      { return this->IsLong(a) || isThin(a.Fragments[0]) || isThin(a.Fragments[1]); },
-      this->Last);
+      shifts, [this](const Attachment& a) { return this->IsLongLocally(a); }, this->Last);
   }
 }
 
@@ -146,10 +146,10 @@ std::vector<double> VolumeCorrection::FindShifts()
 }
 
 /// Runs one round with shifts of attachments. Returns false if all were too small to matter.
-bool VolumeCorrection::Follow(const std::vector<double>& shifts)
+bool VolumeCorrection::Follow(const std::vector<double>& shifts, LongOffsets isLong)
 {
   if (!this->TheSmoother.Follow(
-        shifts, [this](const Attachment& a) { return this->IsLong(a); }, this->Round))
+        shifts, [&](const Attachment& a) { return (this->*isLong)(a); }, this->Round))
   {
     return false;
   }
@@ -305,9 +305,35 @@ void VolumeCorrection::CorrectThin()
   }
 }
 
+/// Lowers the demands of hexes near thin cells where there is too much material, and shifts
+/// interfaces there.
+void VolumeCorrection::CorrectLocally()
+{
+  const std::vector<unsigned char> exceeds = this->Local->FindExcess(this->Active(), LocalExcess);
+  const bool isAny = std::find(exceeds.begin(), exceeds.end(), 1) != exceeds.end();
+  if (!this->TheSmoother.TheRuntime().Group().Any(isAny))
+  {
+    return;
+  }
+  this->Active().LowerDemandsOf(exceeds, LocalDemand);
+  for (int round = 0; round < LocalRounds; ++round)
+  {
+    std::vector<double> shifts = this->FindShifts();
+    this->Local->ReplaceShifts(this->Active(), shifts);
+    if (!this->Follow(shifts, &VolumeCorrection::IsLongLocally))
+    {
+      break;
+    }
+  }
+}
+
 void VolumeCorrection::Run()
 {
   this->MeasureBulges();
+  if (this->Local)
+  {
+    this->CorrectLocally();
+  }
   this->CorrectStraight();
   if (!this->IsThin.empty())
   {

@@ -50,20 +50,28 @@ public:
 
 private:
   ActiveMesh& Active() const { return this->TheSmoother.TheMesh(); }
-  /// Returns whether an attachment may have a long offset.
+  /// Return whether an attachment may have a long offset: those of small fragments, and near thin
+  /// cells also those of fragments with thin parts.
   bool IsLong(const Attachment& a) const
   {
     return this->Volumes.IsSmall(a.Fragments[0]) || this->Volumes.IsSmall(a.Fragments[1]);
   }
+  bool IsLongLocally(const Attachment& a) const
+  {
+    return this->IsLong(a) ||
+      (this->Local && (this->IsThin[a.Fragments[0]] || this->IsThin[a.Fragments[1]]));
+  }
   void CorrectStraight();
   void ScaleFree();
   std::vector<double> FindShifts();
-  bool Follow(const std::vector<double>& shifts);
+  using LongOffsets = bool (VolumeCorrection::*)(const Attachment&) const;
+  bool Follow(const std::vector<double>& shifts, LongOffsets isLong = &VolumeCorrection::IsLong);
   void FollowFragments();
   void Yield(const std::vector<unsigned char>& fragments, float demand);
   std::vector<unsigned char> FindCrumpled() const;
   void YieldWithoutCrumpling(std::vector<unsigned char>& fragments, float demand);
   void CorrectThin();
+  void CorrectLocally();
   void MoveSurfaces();
 
   FragmentVolumes& Volumes;
