@@ -302,6 +302,28 @@ extern "C"
   SCULPTOR_EXPORT int sculptor_get_point_state(
     int sculptor, const char* name, int* components, const double** values);
   /**
+   * Returns the particles of this rank: material without elements, if the option UnmeshedMaterial
+   * is Particles. Each particle is on one rank; the particles do not depend on the number of ranks.
+   * @param[out] particles  number of particles; 0 without the option
+   * @param[out] positions  shape (particles, 3); null without particles, as the following
+   * @param[out] ids  unique number per particle, from 0, ascending, with gaps
+   * @param[out] materials  material number per particle
+   * @param[out] radii,volumes  of material, as a sphere
+   * @param[out] masses  also null without the option DensityArrays
+   */
+  SCULPTOR_EXPORT int sculptor_get_particles(int sculptor, int64_t* particles,
+    const double** positions, const int64_t** ids, const int** materials, const double** radii,
+    const double** volumes, const double** masses);
+  /**
+   * Returns a state of the particles.
+   * @param name  name in sculptor_add_state
+   * @param[out] components  number of values per particle
+   * @param[out] values  shape (particles, components)
+   * @return SCULPTOR_ERROR_ARGUMENT if the particles have no such state
+   */
+  SCULPTOR_EXPORT int sculptor_get_particle_state(
+    int sculptor, const char* name, int* components, const double** values);
+  /**
    * Returns a number of the whole mesh, equal on all ranks: TargetVolume, MeshVolume and
    * VolumeError, one per material; NumberOfFragments, MinimumScaledJacobian, MeanScaledJacobian,
    * FlippedCells and others, which Documentation/reference/mesh-data.md lists with their units.
@@ -398,6 +420,8 @@ extern "C"
    *   folder processorRANK each
    * - .stl (STL): only the closed surface of each material; with {} in the name one file per
    *   material, as in bones_{}.stl
+   * - .vtp (VTK particles): only the particles, with all arrays
+   * - .data (LAMMPS): only the particles, as spheres with diameter, density and velocity
    * @param path  path of the file, equal on all ranks
    * @return SCULPTOR_ERROR_NO_MESH without a mesh, SCULPTOR_ERROR_ARGUMENT if the path is null or
    *   the suffix unknown, SCULPTOR_ERROR_FILE if the file cannot be written
