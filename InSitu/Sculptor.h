@@ -407,17 +407,19 @@ extern "C"
    * Writes the mesh of all ranks, files of Gmsh as text. The suffix selects the format:
    * - .vtu (VTK): all arrays and field data
    * - .pvtu (VTK): the same, with one piece per rank in a folder next to it
-   * - .e, .ex2, .exo (Exodus): named blocks, side sets, node sets, ids and variables; N ranks write
-   *   one file each, FILE.N.RANK
+   * - .e, .ex2, .exo (Exodus): named blocks, side sets, node sets, ids, variables and particles; N
+   *   ranks write one file each, FILE.N.RANK
    * - .inp (Abaqus and CalculiX): sets of elements and nodes, surfaces; velocities of nodes as
-   *   initial conditions
-   * - .k, .key (LS-DYNA): parts, sets of nodes and segments, velocities, stresses
-   * - .rad (OpenRadioss): parts, groups of nodes, surfaces, velocities, state of elements
-   * - .bdf, .nas (Nastran): properties, sets of nodes, a unit pressure on each surface
+   *   initial conditions; particles as point masses
+   * - .k, .key (LS-DYNA): parts, sets of nodes and segments, velocities, stresses, particles
+   * - .rad (OpenRadioss): parts, groups of nodes, surfaces, velocities, state of elements,
+   *   particles
+   * - .bdf, .nas (Nastran): properties, sets of nodes, a unit pressure on each surface, particles
+   *   as point masses
    * - .msh (Gmsh): version 2.2 or 4.1, text or binary: named volumes, domain sides and interfaces
    * - .xdmf (XDMF): for dolfinx: materials, and a second file of tagged facets, FILE_facets.xdmf
-   * - .foam (OpenFOAM): the folder of the file is a case with patches and zones; N ranks write a
-   *   folder processorRANK each
+   * - .foam (OpenFOAM): the folder of the file is a case with patches, zones and a cloud of
+   *   particles; N ranks write a folder processorRANK each
    * - .stl (STL): only the closed surface of each material; with {} in the name one file per
    *   material, as in bones_{}.stl
    * - .vtp (VTK particles): only the particles, with all arrays

@@ -70,33 +70,35 @@ const std::vector<FormatRow>& GetFormatTable()
     { MeshFormat::Pvtu, { ".pvtu" }, "VTK",
       "the same, with one piece per rank in a folder next to it", { "time" }, true },
     { MeshFormat::Exodus, { ".e", ".ex2", ".exo" }, "Exodus",
-      "named blocks, side sets, node sets, ids and variables; N ranks write one file each, "
-      "FILE.N.RANK",
+      "named blocks, side sets, node sets, ids, variables and particles; N ranks write one file "
+      "each, FILE.N.RANK",
       { "time" } },
     { MeshFormat::Abaqus, { ".inp" }, "Abaqus and CalculiX",
-      "sets of elements and nodes, surfaces; velocities of nodes as initial conditions",
+      "sets of elements and nodes, surfaces; velocities of nodes as initial conditions; particles "
+      "as point masses",
       { "time", "reduced" } },
     { MeshFormat::LsDyna, { ".k", ".key" }, "LS-DYNA",
-      "parts, sets of nodes and segments, velocities, stresses", { "time" } },
+      "parts, sets of nodes and segments, velocities, stresses, particles", { "time" } },
     { MeshFormat::Radioss, { ".rad" }, "OpenRadioss",
-      "parts, groups of nodes, surfaces, velocities, state of elements", { "time" } },
+      "parts, groups of nodes, surfaces, velocities, state of elements, particles", { "time" } },
     { MeshFormat::Nastran, { ".bdf", ".nas" }, "Nastran",
-      "properties, sets of nodes, a unit pressure on each surface", { "time" } },
+      "properties, sets of nodes, a unit pressure on each surface, particles as point masses",
+      { "time" } },
     { MeshFormat::Gmsh, { ".msh" }, "Gmsh",
       "version 2.2 or 4.1, text or binary: named volumes, domain sides and interfaces",
       { "version", "binary", "interfaces" } },
     { MeshFormat::Xdmf, { ".xdmf" }, "XDMF",
       "for dolfinx: materials, and a second file of tagged facets, FILE_facets.xdmf", {} },
     { MeshFormat::Foam, { ".foam" }, "OpenFOAM",
-      "the folder of the file is a case with patches and zones; N ranks write a folder "
-      "processorRANK each",
+      "the folder of the file is a case with patches, zones and a cloud of particles; N ranks "
+      "write a folder processorRANK each",
       { "binary" } },
     { MeshFormat::Stl, { ".stl" }, "STL",
       "only the closed surface of each material; with {} in the name one file per material, as in "
       "bones_{}.stl",
       {} },
     { MeshFormat::Vtp, { ".vtp" }, "VTK particles", "only the particles, with all arrays",
-      { "time" }, false, false }, // .vtp of the package: surfaces
+      { "time" }, false, false }, // the package writes surfaces by this suffix
     { MeshFormat::Lammps, { ".data" }, "LAMMPS",
       "only the particles, as spheres with diameter, density and velocity", {} },
   };

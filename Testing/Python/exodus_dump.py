@@ -188,3 +188,35 @@ def check_parts(dumps):
             assert shared.get((one, other)) == shared.get((other,
                                                            one)), "the maps of %d and %d differ" % (
                                                                one, other)
+
+
+def join_parts_of_particles(dumps):
+    """Returns a row per particle of all files, by the variable Id.
+
+    A row has the element and node ids, the block and its name, the place, attributes, variables.
+    """
+    rows = []
+    for dump in dumps:
+        count = dump.size("num_el_blk")
+        names = dump.get("name_elem_var")
+        table = np.reshape(dump.get("elem_var_tab"), (count, len(names)))
+        first = 0
+        for b in range(count):
+            size = dump.size("num_el_in_blk%d" % (b + 1))
+            if size and dump.attributes["connect%d:elem_type" % (b + 1)] == "SPHERE":
+                nodes = dump.get("connect%d" % (b + 1)) - 1
+                assert len(nodes) == size
+                assert dump.get("attrib_name%d" % (b + 1)) == ["radius", "volume"]
+                attributes = np.reshape(dump.get("attrib%d" % (b + 1)), (size, 2))
+                values = {name: dump.get("vals_elem_var%deb%d" % (n + 1, b + 1))
+                          for n, name in enumerate(names) if table[b, n]}
+                for e, node in enumerate(nodes):
+                    rows.append({
+                        "id": int(dump.get("elem_num_map")[first + e]),
+                        "node": int(dump.get("node_num_map")[node]),
+                        "block": int(dump.get("eb_prop1")[b]), "name": dump.get("eb_names")[b],
+                        "x": tuple(float(dump.get("coord" + axis)[node]) for axis in "xyz"),
+                        "attributes": tuple(attributes[e].tolist()),
+                        **{name: float(column[e]) for name, column in values.items()}})
+            first += size
+    return sorted(rows, key=lambda row: row["Id"])

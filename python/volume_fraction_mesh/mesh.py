@@ -502,18 +502,22 @@ class Mesh(MeshData):
         The package itself writes
 
         - ``.vtu`` (VTK): all arrays and field data;
-        - ``.e``, ``.ex2``, ``.exo`` (Exodus): named blocks, side sets, node sets, ids and
-          variables;
+        - ``.e``, ``.ex2``, ``.exo`` (Exodus): named blocks, side sets, node sets, ids, variables
+          and particles;
         - ``.inp`` (Abaqus and CalculiX): sets of elements and nodes, surfaces; velocities of nodes
-          as initial conditions;
-        - ``.k``, ``.key`` (LS-DYNA): parts, sets of nodes and segments, velocities, stresses;
-        - ``.rad`` (OpenRadioss): parts, groups of nodes, surfaces, velocities, state of elements;
-        - ``.bdf``, ``.nas`` (Nastran): properties, sets of nodes, a unit pressure on each surface;
+          as initial conditions; particles as point masses;
+        - ``.k``, ``.key`` (LS-DYNA): parts, sets of nodes and segments, velocities, stresses,
+          particles;
+        - ``.rad`` (OpenRadioss): parts, groups of nodes, surfaces, velocities, state of elements,
+          particles;
+        - ``.bdf``, ``.nas`` (Nastran): properties, sets of nodes, a unit pressure on each surface,
+          particles as point masses;
         - ``.msh`` (Gmsh): version 2.2 or 4.1, text or binary: named volumes, domain sides and
           interfaces;
         - ``.xdmf`` (XDMF): for dolfinx: materials, and a second file of tagged facets,
           FILE_facets.xdmf;
-        - ``.foam`` (OpenFOAM): the folder of the file is a case with patches and zones;
+        - ``.foam`` (OpenFOAM): the folder of the file is a case with patches, zones and a cloud of
+          particles;
         - ``.stl`` (STL): only the closed surface of each material; with {} in the name one file per
           material, as in bones_{}.stl;
         - ``.data`` (LAMMPS): only the particles, as spheres with diameter, density and velocity;

@@ -261,7 +261,7 @@ void AddAttributes(NetcdfLayout& layout, const ExodusModel& model, const ExodusB
       }
       return values;
     });
-  AddNames(layout, "attrib_name" + number, count, name, { "radius", "volume" });
+  AddNames(layout, "attrib_name" + number, count, name, { RadiusAttribute, VolumeAttribute });
 }
 
 /// Adds the element blocks and returns the dimension of each.

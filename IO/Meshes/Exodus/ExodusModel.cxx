@@ -148,6 +148,15 @@ void ListArrays(ExodusModel& model, Ranks& ranks)
   model.PointVariables = ListVariables(mesh.PointArrays, mesh.PointIds);
   model.ElementVariables = ListVariables(mesh.ElementArrays, mesh.ElementIds);
   model.ParticleVariables = ListVariables(model.Particles->Arrays, nullptr);
+  model.ParticleVariables.erase(
+    std::remove_if(model.ParticleVariables.begin(), model.ParticleVariables.end(),
+      [](const ExodusVariable& variable)
+      {
+        // IOSS ends if an attribute and a variable have the same name, in any case
+        const std::string name = ToLower(variable.Name);
+        return name == RadiusAttribute || name == VolumeAttribute;
+      }),
+    model.ParticleVariables.end());
   model.GlobalVariables = ListNumbers(mesh.Fields);
   std::string all;
   const auto take = [&](auto& variables)

@@ -12,6 +12,9 @@
 namespace vfm
 {
 
+/// Attributes of blocks of particles; variables of these names would be the same values.
+constexpr const char *RadiusAttribute = "radius", *VolumeAttribute = "volume";
+
 /// Element block, which holds the elements of one material, cohesive elements, or the particles of
 /// one material.
 struct ExodusBlock

@@ -38,11 +38,13 @@ MeshData ViewToGather(const ParticleData& particles, std::vector<Index>& nodes)
   return cells;
 }
 
+/// Returns the values of an array; not null if it has no values.
 template <class T>
 const T* ValuesOf(const MeshData& cells, const char* name)
 {
   const MeshArray* array = FindArray(cells.PointArrays, name);
-  return array ? static_cast<const T*>(array->Values) : nullptr;
+  static const T none{};
+  return !array ? nullptr : array->Values ? static_cast<const T*>(array->Values) : &none;
 }
 
 ParticleData ViewAsParticles(const MeshData& cells)

@@ -6,6 +6,7 @@
 /// and OpenFOAM also from three ranks (parts.e, parts/mesh.foam), and particles.txt: a line
 /// per particle, ascending by id: id material x y z radius volume mass velocity energy.
 #include "Meshes/Files/OutputFile.h"
+#include "Meshes/Particles/GatherParticles.h"
 #include "Meshes/WriteMesh.h"
 #include "WithParticles.h"
 
@@ -20,9 +21,10 @@ namespace
 void WriteExpected(const std::string& path)
 {
   WithParticles(1, MakeHexMesh,
-    [&](const MeshData& mesh, Ranks&)
+    [&](const MeshData& mesh, Ranks& ranks)
     {
-      const ParticleData& particles = *mesh.Particles;
+      const auto ordered = OrderParticles(mesh.Particles, ranks);
+      const ParticleData& particles = *ordered;
       OutputFile file(path);
       const auto velocity = GetArray(particles.Arrays, "Velocity");
       for (Index p = 0; p < particles.NumberOfParticles; ++p)
