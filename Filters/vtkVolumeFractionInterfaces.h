@@ -57,8 +57,8 @@ public:
   /// contact. The cell array Layer counts them from the surface. A fragment gets layers along its
   /// whole surface. 0, 1: no layers. Allowed: an integer from 0 to 20; default 0.
   vfmNumberOption(Layers, int);
-  /// Thickness of each layer relative to the one before it, away from the surface. Allowed: a
-  /// number from 1 to 10; default 1.5.
+  /// Thickness of each layer relative to the one before, from the surface. Allowed: a number from 1
+  /// to 10; default 1.5.
   vfmNumberOption(LayerGrowth, double);
   /// Thickness of the first layer, where there is room: where the hexahedra are high enough for all
   /// layers. Layers grow less where there is less room, and the last one is thicker where there is
@@ -66,9 +66,9 @@ public:
   /// number, 0 or more; default 0.
   vfmNumberOption(FirstLayer, double);
   /// Pairs of materials whose interfaces have layers. A pair is two names or ids with a slash
-  /// between them, such as water/steel or 1/3; * is any material, 0 or Void the void. None: all
-  /// interfaces. Allowed: pairs of materials such as steel/copper or 1/3 with commas between them,
-  /// all, or None; default None.
+  /// between them, such as water/steel or 1/3; * is any material, 0 or Void the void. None: all.
+  /// Allowed: pairs of materials such as steel/copper or 1/3 with commas between them, all, or
+  /// None; default None.
   vfmTextOption(LayerInterfaces);
   /// Side of the interfaces with layers: the elements of both materials of each pair, or only those
   /// of the first. Allowed: BothMaterials, FirstMaterial (or 0 to 1); default BothMaterials.

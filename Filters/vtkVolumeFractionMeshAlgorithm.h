@@ -332,21 +332,18 @@ public:
   vfmNumberOption(LostKineticEnergy, int);
   /// Treatment of material that is not attached to any element of its kind, such as small drops and
   /// removed regions. Give: Conserve adds it to the nearest fragment of its material within a few
-  /// cells. Drop: it is left out. Particles: it becomes one particle per cell and material, with
-  /// volume, mass and state, and the volumes of the elements do not count it. The table of
-  /// materials lists how much is left out, or in particles. Allowed: Give, Drop, Particles (or 0 to
-  /// 2); default Give.
+  /// cells. Drop: it is left out. Particles: it becomes one particle per cell, which elements do
+  /// not count. The table of materials lists how much is left out. Allowed: Give, Drop, Particles
+  /// (or 0 to 2); default Give.
   vfmNumberOption(UnmeshedMaterial, int);
-  /// Join the particles of neighbour cells: one particle takes what the 27 cells around it hold.
-  /// There are fewer particles then, and their material moves by up to a cell. They keep its
-  /// momentum; the table of materials lists the kinetic energy that they lose, and Lost Kinetic
-  /// Energy may add it to their internal energy. Allowed: on or off; default off.
+  /// Join particles of neighbour cells, up to 27 into one, with their momentum. Lost Kinetic Energy
+  /// tells what happens to the kinetic energy that they lose. Allowed: on or off; default off.
   vfmSwitchOption(ParticleClusters);
-  /// Volume, in cells, below which a particle joins one of its material in a neighbour cell, if
-  /// there is any. Allowed: a number from 0 to 1; default 0.001.
+  /// Particles below this part of a cell join one in a neighbour cell. Allowed: a number from 0 to
+  /// 1; default 0.001.
   vfmNumberOption(LeastParticle, double);
-  /// Turn each cell of a material into one hexahedron and move no nodes: a quick preview of the
-  /// materials. Allowed: on or off; default off.
+  /// Turn each cell of a material into one hexahedron and move no nodes: a quick preview. Allowed:
+  /// on or off; default off.
   vfmSwitchOption(StairStep);
   /// How the nodes are placed. Quadric Surface: surface nodes follow smooth local quadrics of the
   /// surface, which gives the best mesh. Geometry Based: surface nodes stay on the facets of the
@@ -362,8 +359,8 @@ public:
   vfmNumberOption(SharpEdges, int);
   /// Smooth the steps of material ids, by this number of averaging passes over neighbour cells.
   /// Each material keeps the volume of its cells, and thin parts stay. 2 or 3 passes suit most
-  /// images; more round off edges. Volume fractions are not smoothed. Allowed: an integer from 0 to
-  /// 10; default 0.
+  /// images; more round edges. Fractions are not smoothed. Allowed: an integer from 0 to 10;
+  /// default 0.
   vfmNumberOption(LabelSmoothing, int);
   /// Nodes of the elements. Linear: corners only. Quadratic: also mid nodes of edges, hexahedra of
   /// 20 nodes and tetrahedra of 10. Quadratic27: hexahedra also have mid nodes of faces and a
@@ -392,8 +389,8 @@ public:
   /// or off; default on.
   vfmSwitchOption(FineInterfaces);
   /// Minimum number of finest cells between an interface and larger cells. If Fine Interfaces is
-  /// off: number of fine cells around the places that Automatic refines. Allowed: an integer from 2
-  /// to 64; default 2.
+  /// off: fine cells around the places that Automatic refines. Allowed: an integer from 2 to 64;
+  /// default 2.
   vfmNumberOption(FineLayers, int);
   /// Refinement Automatic halves cells at films, gaps, rods and small bodies thinner than this
   /// number of cells. 0: off. Allowed: a number from 0 (off) to 3; default 2.
@@ -436,8 +433,8 @@ public:
   /// contact. The cell array Layer counts them from the surface. A fragment gets layers along its
   /// whole surface. 0, 1: no layers. Allowed: an integer from 0 to 20; default 0.
   vfmNumberOption(Layers, int);
-  /// Thickness of each layer relative to the one before it, away from the surface. Allowed: a
-  /// number from 1 to 10; default 1.5.
+  /// Thickness of each layer relative to the one before, from the surface. Allowed: a number from 1
+  /// to 10; default 1.5.
   vfmNumberOption(LayerGrowth, double);
   /// Thickness of the first layer, where there is room: where the hexahedra are high enough for all
   /// layers. Layers grow less where there is less room, and the last one is thicker where there is
@@ -448,9 +445,9 @@ public:
   /// input. Allowed: Cells, Length (or 0 to 1); default Cells.
   vfmNumberOption(FirstLayerUnit, int);
   /// Pairs of materials whose interfaces have layers. A pair is two names or ids with a slash
-  /// between them, such as water/steel or 1/3; * is any material, 0 or Void the void. None: all
-  /// interfaces. Allowed: pairs of materials such as steel/copper or 1/3 with commas between them,
-  /// all, or None; default None.
+  /// between them, such as water/steel or 1/3; * is any material, 0 or Void the void. None: all.
+  /// Allowed: pairs of materials such as steel/copper or 1/3 with commas between them, all, or
+  /// None; default None.
   vfmTextOption(LayerInterfaces);
   /// Side of the interfaces with layers: the elements of both materials of each pair, or only those
   /// of the first. Allowed: BothMaterials, FirstMaterial (or 0 to 1); default BothMaterials.

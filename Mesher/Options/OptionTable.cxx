@@ -282,21 +282,17 @@ OptionTable StateOptions()
     Row("UnmeshedMaterial", Choice<&M::UnmeshedMaterial>({ "Give", "Drop", "Particles" }),
       "Treatment of material that is not attached to any element of its kind, such as small drops "
       "and removed regions. Give: Conserve adds it to the nearest fragment of its material within "
-      "a few cells. Drop: it is left out. Particles: it becomes one particle per cell and "
-      "material, with volume, mass and state, and the volumes of the elements do not count it. "
-      "The table of materials lists how much is left out, or in particles.")
+      "a few cells. Drop: it is left out. Particles: it becomes one particle per cell, which "
+      "elements do not count. The table of materials lists how much is left out.")
       .Advanced()
       .Sculptor("--unmeshed WHAT"),
     Row("ParticleClusters", Switch<&M::ParticleClusters>(),
-      "Join the particles of neighbour cells: one particle takes what the 27 cells around it hold. "
-      "There are fewer particles then, and their material moves by up to a cell. They keep its "
-      "momentum; the table of materials lists the kinetic energy that they lose, and Lost Kinetic "
-      "Energy may add it to their internal energy.")
+      "Join particles of neighbour cells, up to 27 into one, with their momentum. Lost Kinetic "
+      "Energy tells what happens to the kinetic energy that they lose.")
       .EnabledIf(Particles)
       .Advanced(),
     Row("LeastParticle", Number<&M::LeastParticle>(0, 1),
-      "Volume, in cells, below which a particle joins one of its material in a neighbour cell, if "
-      "there is any.")
+      "Particles below this part of a cell join one in a neighbour cell.")
       .EnabledIf(Particles)
       .Advanced(),
   };
@@ -322,8 +318,7 @@ OptionTable SurfaceOptions()
 {
   return {
     Row("StairStep", Switch<&M::StairStep>(),
-      "Turn each cell of a material into one hexahedron and move no nodes: a quick preview of the "
-      "materials.")
+      "Turn each cell of a material into one hexahedron and move no nodes: a quick preview.")
       .Sculptor("--stairstep")
       .OfTets("Turn the cells of a material into tetrahedra and move no nodes: a quick preview of "
               "the materials."),
@@ -349,7 +344,7 @@ OptionTable SurfaceOptions()
     Row("LabelSmoothing", Number<&M::LabelSmoothing>(0, 10),
       "Smooth the steps of material ids, by this number of averaging passes over neighbour cells. "
       "Each material keeps the volume of its cells, and thin parts stay. 2 or 3 passes suit most "
-      "images; more round off edges. Volume fractions are not smoothed.")
+      "images; more round edges. Fractions are not smoothed.")
       .ShownIf("MaterialIdArray")
       .Sculptor("--label-smoothing N"),
     Row("ElementOrder", Choice<&M::ElementOrder>({ "Linear", "Quadratic", "Quadratic27" }),
@@ -396,7 +391,7 @@ OptionTable RefinementOptions()
       .OfTets("No effect on tetrahedra: all interfaces get the finest cells."),
     Row("FineLayers", Number<&M::FineLayers>(2, 64),
       "Minimum number of finest cells between an interface and larger cells. If Fine Interfaces is "
-      "off: number of fine cells around the places that Automatic refines.")
+      "off: fine cells around the places that Automatic refines.")
       .ShownIf("Refinement=Input Levels,Automatic,Coarsen")
       .Advanced(),
     Row("ThinCells", Number<&M::ThinCells>(0, LargestThickness),
@@ -479,7 +474,7 @@ OptionTable LayerOptionsTable()
       .NotOfTets()
       .Sculptor("--layers N"),
     Row("LayerGrowth", Number<&M::LayerGrowth>(1.0, 10.0),
-      "Thickness of each layer relative to the one before it, away from the surface.")
+      "Thickness of each layer relative to the one before, from the surface.")
       .EnabledIf("Layers")
       .Advanced()
       .NotOfTets()
@@ -502,8 +497,7 @@ OptionTable LayerOptionsTable()
       .Sculptor("--first-layer-unit UNIT"),
     Row("LayerInterfaces", Text(OptionKind::Pairs, &M::LayerInterfaces),
       "Pairs of materials whose interfaces have layers. A pair is two names or ids with a slash "
-      "between them, such as water/steel or 1/3; * is any material, 0 or Void the void. None: all "
-      "interfaces.")
+      "between them, such as water/steel or 1/3; * is any material, 0 or Void the void. None: all.")
       .InPython("layer_interfaces")
       .EnabledIf("Layers")
       .Advanced()

@@ -121,8 +121,7 @@ def hexes(
         copied if they are in Fortran order with "xyz", or in C order with "zyx". All other
         arguments and all results are in the order x, y, z.
     names : list of str, or dict of int to str, optional
-        Names of the materials; for labels a dict ``{label: name}``, which replaces names that an
-        image contains.
+        Names of the materials; for labels a dict ``{label: name}``, which replaces those of images.
     arrays : list of str, optional
         Arrays of a PyVista image, or of the result of `read`, that hold the materials. Default: the
         active scalars; without them and for `read`, the arrays whose contents are materials.
@@ -230,20 +229,15 @@ def hexes(
     unmeshed_material : {"give", "drop", "particles"}, default "give"
         Treatment of material that is not attached to any element of its kind, such as small drops
         and removed regions. "give": "conserve" adds it to the nearest fragment of its material
-        within a few cells. "drop": it is left out. "particles": it becomes one particle per cell
-        and material, with volume, mass and state, and the volumes of the elements do not count it.
-        The table of materials lists how much is left out, or in particles.
+        within a few cells. "drop": it is left out. "particles": it becomes one particle per cell,
+        which elements do not count. The table of materials lists how much is left out.
     particle_clusters : bool, default False
-        Join the particles of neighbour cells: one particle takes what the 27 cells around it hold.
-        There are fewer particles then, and their material moves by up to a cell. They keep its
-        momentum; the table of materials lists the kinetic energy that they lose, and
-        `lost_kinetic_energy` may add it to their internal energy.
+        Join particles of neighbour cells, up to 27 into one, with their momentum.
+        `lost_kinetic_energy` tells what happens to the kinetic energy that they lose.
     least_particle : float, default 0.001
-        A number from 0 to 1. Volume, in cells, below which a particle joins one of its material in
-        a neighbour cell, if there is any.
+        A number from 0 to 1. Particles below this part of a cell join one in a neighbour cell.
     stair_step : bool, default False
-        Turn each cell of a material into one hexahedron and move no nodes: a quick preview of the
-        materials.
+        Turn each cell of a material into one hexahedron and move no nodes: a quick preview.
     smoothing : {"off", "quadric_surface", "geometry_based"}, default "quadric_surface"
         How the nodes are placed. "quadric_surface": surface nodes follow smooth local quadrics of
         the surface, which gives the best mesh. "geometry_based": surface nodes stay on the facets
@@ -258,8 +252,7 @@ def hexes(
     label_smoothing : int, default 0
         An integer from 0 to 10. Smooth the steps of material ids, by this number of averaging
         passes over neighbour cells. Each material keeps the volume of its cells, and thin parts
-        stay. 2 or 3 passes suit most images; more round off edges. Volume fractions are not
-        smoothed.
+        stay. 2 or 3 passes suit most images; more round edges. Fractions are not smoothed.
     element_order : {"linear", "quadratic", "quadratic27"}, default "linear"
         Nodes of the elements. "linear": corners only. "quadratic": also mid nodes of edges,
         hexahedra of 20 nodes and tetrahedra of 10. "quadratic27": hexahedra also have mid nodes of
@@ -285,8 +278,7 @@ def hexes(
         possible. Hexahedra only: tetrahedra at interfaces are always of the finest cells.
     fine_layers : int, default 2
         An integer from 2 to 64. Minimum number of finest cells between an interface and larger
-        cells. If `fine_interfaces` is off: number of fine cells around the places that "automatic"
-        refines.
+        cells. If `fine_interfaces` is off: fine cells around the places that "automatic" refines.
     thin_cells : float, default 2.0
         A number from 0 (off) to 3. ``refinement="automatic"`` halves cells at films, gaps, rods and
         small bodies thinner than this number of cells. 0: off.
@@ -323,8 +315,7 @@ def hexes(
         for boundary layers or contact. The cell array Layer counts them from the surface. A
         fragment gets layers along its whole surface. 0, 1: no layers.
     layer_growth : float, default 1.5
-        A number from 1 to 10. Thickness of each layer relative to the one before it, away from the
-        surface.
+        A number from 1 to 10. Thickness of each layer relative to the one before, from the surface.
     first_layer : float, default 0.0
         A number, 0 or more. Thickness of the first layer, where there is room: where the hexahedra
         are high enough for all layers. Layers grow less where there is less room, and the last one
@@ -336,8 +327,7 @@ def hexes(
     layer_interfaces : str, default ""
         Pairs of materials such as steel/copper or 1/3 with commas between them, all, or None. Pairs
         of materials whose interfaces have layers. A pair is two names or ids with a slash between
-        them, such as water/steel or 1/3; * is any material, 0 or Void the void. None: all
-        interfaces.
+        them, such as water/steel or 1/3; * is any material, 0 or Void the void. None: all.
     layers_on : {"both_materials", "first_material"}, default "both_materials"
         Side of the interfaces with layers: the elements of both materials of each pair, or only
         those of the first.
@@ -384,8 +374,7 @@ def hexes(
 
     Notes
     -----
-    The mesh is bitwise identical for any number of threads. Other Python threads run during the
-    call.
+    The mesh is bitwise identical for any number of threads. Other Python threads run meanwhile.
 
     Examples
     --------
