@@ -4,7 +4,8 @@
 Pass the script to vfm::CatalystAdaptor, built for legacy Catalyst or Catalyst 2, or to any other
 Catalyst adaptor whose input is named "input". The input is a uniform grid in one or more blocks per
 rank, or a refined grid (AMR) of blocks on several levels. Writes each mesh as OUT/NAME_SSSSSS.pvtu,
-where S is the step, and the series as OUT/NAME.pvd. Exodus files and pictures are optional.
+where S is the step, and the series as OUT/NAME.pvd. With VFM_UNMESHED Particles, the particles are
+in OUT/NAME_particles_SSSSSS.pvtp. Exodus files and pictures are optional.
 
 Settings are the values below or environment variables of the simulation. Lists are separated by
 commas.
@@ -78,6 +79,7 @@ REDUCTIONS = {  # name: function on a rank, operation over the ranks, result wit
     "min": (np.min, vtkCommunicator.MIN_OP, np.inf),
     "max": (np.max, vtkCommunicator.MAX_OP, -np.inf),
 }
+PARTICLES = 6  # output of the filter
 GHOST, HIDDEN = 1, 32  # bits of vtkGhostType: copy of another block's cell; covered by finer cells
 
 
@@ -299,6 +301,9 @@ class Mesher:
     def write(self, mesh, step, time):
         stem = "%s_%06d" % (self.stem, step)
         simple.SaveData(stem + ".pvtu", proxy=self.filter, DataMode="Binary", CompressorType="ZLib")
+        if self.filter.UnmeshedMaterial == "Particles":
+            simple.SaveData("%s_particles_%06d.pvtp" % (self.stem, step),
+                            proxy=simple.OutputPort(self.filter, PARTICLES), DataMode="Binary")
         elements = int(reduced(mesh.GetNumberOfCells(), vtkCommunicator.SUM_OP))
         if int(setting("EXODUS")) and elements > 0:
             write_exodus(mesh, stem + ".e")

@@ -13,7 +13,8 @@ and the units.
 
 There is no contact. Bodies that share nodes stay tied there; others would pass through each other.
 Elements that failed and expanded, or are crushed flat, are removed: they exert no forces, but their
-mass stays on their nodes and their energy in the sums.
+mass stays on their nodes and their energy in the sums. Material without elements may be particles:
+point masses that fly freely, through each other and through elements.
 """
 import numpy as np
 
@@ -57,6 +58,26 @@ def length_of(gradients, volume):
     return volume / np.sqrt(2 * (gradients ** 2).sum((0, 1)))
 
 
+class PointMasses:
+    """Particles without forces.
+
+    Parameters
+    ----------
+    particles : dict
+        Arrays over particles: Position, velocity (particles, 3), Material, Mass, energy."""
+
+    def __init__(self, particles):
+        self.x, self.v = (np.array(particles[name].T, float) for name in ("Position", "velocity"))
+        self.body, self.mass = particles["Material"] - 1, particles["Mass"]
+        self.energy = particles["energy"]
+
+    def move(self, dt):
+        self.x = self.x + dt * self.v
+
+    def totals(self):
+        return totals_of(self.body, self.mass, self.v[:, None], self.mass * self.energy)
+
+
 class Lagrangian(MaterialPoints):
     """State of the bodies and its integration in time.
 
@@ -73,9 +94,12 @@ class Lagrangian(MaterialPoints):
     velocities : array, shape (nodes, 3), optional
         Default: means of ``state["velocity"]`` weighted by mass.
     hourglass : float
-        Viscosity against hourglass modes."""
+        Viscosity against hourglass modes.
+    particles : dict, optional
+        Particles (PointMasses)."""
 
-    def __init__(self, points, hexahedra, materials, state, velocities=None, hourglass=0.1):
+    def __init__(self, points, hexahedra, materials, state, velocities=None, hourglass=0.1,
+                 particles=None):
         self.x, self.corners = np.ascontiguousarray(points.T), np.ascontiguousarray(hexahedra.T)
         self.gradients, volume = volume_gradients(self.x[:, self.corners])
         super().__init__(materials, state, volume)
@@ -86,6 +110,7 @@ class Lagrangian(MaterialPoints):
         self.v = (np.ascontiguousarray(velocities.T) if velocities is not None
                   else self.to_mean_velocities(state["velocity"].T))
         self.time, self.steps, self.hourglass = 0.0, 0, hourglass
+        self.particles = PointMasses(particles) if particles else None
         self.forces = self.find_forces(self.v)
 
     def to_nodes(self, values):
@@ -127,6 +152,8 @@ class Lagrangian(MaterialPoints):
         self.energy = self.energy - dt / 2 * ((old_forces + self.forces)
                                               * mean).sum((0, 1)) / self.mass
         self.v = new
+        if self.particles:
+            self.particles.move(dt)
         self.time, self.steps = self.time + dt, self.steps + 1
 
     def give_up(self):
@@ -159,5 +186,6 @@ class Lagrangian(MaterialPoints):
             watch(self)
 
     def totals(self):
-        """Returns the totals of the bodies. The sums include removed elements."""
-        return totals_of(self.body, self.mass, self.v[:, self.corners], self.mass * self.energy)
+        """Returns the totals of the bodies. The sums include removed elements and particles."""
+        own = totals_of(self.body, self.mass, self.v[:, self.corners], self.mass * self.energy)
+        return own + self.particles.totals() if self.particles else own

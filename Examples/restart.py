@@ -2,7 +2,8 @@
 """Restarts an Eulerian simulation in a Lagrangian code: a ball strikes a plate.
 
 usage: pvpython restart.py --plugin VolumeFractionMesh.so --impact build/bin/impact [--cells 80]
-       [--step 100] [--last 200] [--transfer Conserve|Copy] [--out DIR] [--picture FILE.png]
+       [--step 100] [--last 200] [--transfer Conserve|Copy] [--unmeshed Give|Particles] [--out DIR]
+       [--picture FILE.png]
 
 Runs Examples/impact up to the step --last. Meshes its fields with their state at the step --step.
 Then the Lagrangian solver (lagrangian.py) continues to the time of the step --last, so that
@@ -12,10 +13,12 @@ both codes can be compared. Prints the differences of mass, momentum and energy.
   handover.vtu    mesh with the transferred state
   after.csv       totals at each step of the solver
   after.vtu       mesh at the end of the solver's run
+  particles.csv   with --unmeshed Particles: mass, position and velocity of each at the end
   restart.png     plot of both tables
 With --transfer Copy, each element takes the values of one cell, and each node the mean velocity of
-its elements. This shows the errors that conservative transfer avoids. The picture shows both
-meshes, cut; it needs a screen or xvfb-run.
+its elements. This shows the errors that conservative transfer avoids. With --unmeshed Particles,
+material without elements becomes particles, which the solver moves as point masses, so that late
+steps of the impact lose nothing. The picture shows both meshes, cut; it needs a screen or xvfb-run.
 """
 import argparse
 import csv
@@ -39,6 +42,7 @@ BODIES = ["ball", "plate"]
 QUANTITIES = ["mass [mg]", "momentum x [mg km/s]", "momentum y [mg km/s]", "momentum z [mg km/s]",
               "kinetic energy [J]", "internal energy [J]"]
 VIEW_SIZE, SPEED = (1200, 720), 3.0  # size of pictures; speed of the brightest colour, km/s
+PARTICLES = 6  # output of the filter
 LEAST_FRACTION = 1e-9  # the mesher ignores smaller fractions
 STATES = ["velocity", "energy", "ratio", "deviator", "plastic_strain", "damage", "toughness"]
 
@@ -55,6 +59,8 @@ def parse_arguments():
     parser.add_argument("--last", type=int, default=200,
                         help="step of impact at whose time both codes end (default: 200)")
     parser.add_argument("--transfer", choices=("Conserve", "Copy"), default="Conserve")
+    parser.add_argument("--unmeshed", choices=("Give", "Particles"), default="Give",
+                        help="material without elements (default: Give)")
     parser.add_argument("--out", default="restart", help="folder of the files (default: restart)")
     parser.add_argument("--picture", metavar="FILE",
                         help="save a picture of the meshes and the tables, .png")
@@ -117,7 +123,7 @@ def exact_totals(mass, velocity, energy):
 
 # ---- transfer ----
 
-def make_mesh(dump, transfer):
+def make_mesh(dump, transfer, unmeshed):
     source = simple.XMLPartitionedImageDataReader(FileName=[dump])
     source.UpdatePipeline()
     densities = of_bodies("density")
@@ -125,7 +131,7 @@ def make_mesh(dump, transfer):
     options = dict(StateArrays=states, DensityArrays=densities,
                    VelocityArray=of_bodies("velocity")[0],
                    EnergyArray=of_bodies("energy")[0], NodalVelocity=1,
-                   LostKineticEnergy="Internal Energy")
+                   LostKineticEnergy="Internal Energy", UnmeshedMaterial=unmeshed)
     if transfer == "Copy":
         options = dict(StateArrays=states + densities)
     mesher = VolumeFractionToHex(Input=source, VolumeFractionArrays=BODIES, **options)
@@ -151,14 +157,25 @@ def read_state(mesh, name, body):
     return np.where(chosen == 0, *values)
 
 
-def start_solver(mesh):
+def read_particles(mesher):
+    """Returns the arrays of the particles by name; an empty dict without particles."""
+    output = mesher.GetClientSideObject().GetOutputDataObject(PARTICLES)
+    if output.GetNumberOfPoints() == 0:
+        return {}
+    data = output.GetPointData()
+    arrays = {data.GetArrayName(a): vtk_to_numpy(data.GetArray(a))
+              for a in range(data.GetNumberOfArrays())}
+    return {**arrays, "Position": vtk_to_numpy(output.GetPoints().GetData())}
+
+
+def start_solver(mesh, particles):
     points = vtk_to_numpy(mesh.GetPoints().GetData())
     hexahedra = vtk_to_numpy(mesh.GetCells().GetConnectivityArray()).reshape(-1, 8)
     materials = vtk_to_numpy(mesh.GetCellData().GetArray("MaterialId"))
     state = {name: read_state(mesh, name, materials - 1) for name in STATES + ["density"]}
     at_nodes = mesh.GetPointData().GetArray("velocity")
     return Lagrangian(points, hexahedra, materials, state,
-                      vtk_to_numpy(at_nodes) if at_nodes else None)
+                      vtk_to_numpy(at_nodes) if at_nodes else None, particles=particles)
 
 
 # ---- the Lagrangian side ----
@@ -194,6 +211,17 @@ def save_mesh(mesh, solver, path):
     writer.SetDataModeToBinary()
     if not writer.Write():
         sys.exit("cannot write " + path)
+
+
+def save_particles(particles, path):
+    """Writes a row per particle."""
+    with open(path, "w", newline="", encoding="ascii") as file:
+        table = csv.writer(file)
+        table.writerow(["body", "mass [mg]", "x [mm]", "y [mm]", "z [mm]", "velocity x [km/s]",
+                        "velocity y [km/s]", "velocity z [km/s]", "internal energy [J]"])
+        for body, *values in zip(particles.body, particles.mass, *particles.x, *particles.v,
+                                 particles.mass * particles.energy):
+            table.writerow([BODIES[body], *map(repr, map(float, values))])
 
 
 # ---- report ----
@@ -302,9 +330,11 @@ def main():
     need_files(arguments.plugin, arguments.impact)
     if not 0 < arguments.step < arguments.last:
         sys.exit("restart.py: --step must be above 0 and below --last")
+    if arguments.transfer == "Copy" and arguments.unmeshed == "Particles":
+        sys.exit("restart.py: --unmeshed Particles needs --transfer Conserve")
     load_plugin(arguments.plugin, globals())  # defines VolumeFractionToHex
     os.makedirs(arguments.out, exist_ok=True)
-    source, mesher = make_mesh(run_impact(arguments), arguments.transfer)
+    source, mesher = make_mesh(run_impact(arguments), arguments.transfer, arguments.unmeshed)
     files = {name: os.path.join(arguments.out, name)
              for name in ("before.csv", "after.csv", "handover.vtu", "after.vtu")}
     simple.SaveData(files["handover.vtu"], proxy=mesher, DataMode="Binary")
@@ -313,17 +343,21 @@ def main():
         sys.exit("no mesh, see the message above")
     before = read_table(files["before.csv"])
     times = dict(zip(before["step"].astype(int), before["time [us]"]))
-    solver = start_solver(mesh)
+    solver = start_solver(mesh, read_particles(mesher))
     cells, at_start = (
         totals_of_cells(source.GetClientSideObject().GetOutputDataObject(0)), solver.totals())
     left_out = totals_not_meshed(mesh)
     run_solver(solver, times[arguments.step], times[arguments.last] - times[arguments.step],
                files["after.csv"])
     save_mesh(mesh, solver, files["after.vtu"])
+    if solver.particles:
+        save_particles(solver.particles, os.path.join(arguments.out, "particles.csv"))
     report([("points of impact to cells", cells, totals_of_points(before, arguments.step)),
             ("cells to mesh and not meshed", at_start + left_out, cells),
             ("the solver's run", solver.totals(), at_start)])
     print("not meshed: %.3g mg" % left_out[:, 0].sum())
+    if solver.particles:
+        print("particles: %d, %.3g mg" % (len(solver.particles.mass), solver.particles.mass.sum()))
     draw(arguments, before, read_table(files["after.csv"]), times[arguments.step])
     print("%s: %d hexahedra, %d steps, %d removed" % (
         files["after.vtu"], len(solver.mass), solver.steps, np.count_nonzero(~solver.lives)))

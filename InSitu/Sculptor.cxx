@@ -221,6 +221,32 @@ int sculptor_get_point_state(int sculptor, const char* name, int* components, co
     { ReturnState(session.GetPointState(NotNull(name, "name")), components, values); });
 }
 
+int sculptor_get_particles(int sculptor, int64_t* particles, const double** positions,
+  const int64_t** ids, const int** materials, const double** radii, const double** volumes,
+  const double** masses)
+{
+  return WithSession(sculptor,
+    [=](SculptorSession& session)
+    {
+      const vfm::ParticleData all = session.GetParticles();
+      *NotNull(particles, "particles") = static_cast<int64_t>(all.NumberOfParticles);
+      *NotNull(positions, "positions") = all.Positions;
+      *NotNull(ids, "ids") = all.Ids;
+      *NotNull(materials, "materials") = all.Material;
+      *NotNull(radii, "radii") = all.Radius;
+      *NotNull(volumes, "volumes") = all.Volume;
+      *NotNull(masses, "masses") = all.Mass;
+    });
+}
+
+int sculptor_get_particle_state(
+  int sculptor, const char* name, int* components, const double** values)
+{
+  return WithSession(sculptor,
+    [=](SculptorSession& session)
+    { ReturnState(session.GetParticleState(NotNull(name, "name")), components, values); });
+}
+
 int sculptor_get_number(int sculptor, const char* name, int index, double* value)
 {
   return WithSession(sculptor,

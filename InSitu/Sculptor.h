@@ -302,6 +302,28 @@ extern "C"
   SCULPTOR_EXPORT int sculptor_get_point_state(
     int sculptor, const char* name, int* components, const double** values);
   /**
+   * Returns the particles of this rank: material without elements, if the option UnmeshedMaterial
+   * is Particles. Each particle is on one rank; the particles do not depend on the number of ranks.
+   * @param[out] particles  number of particles; 0 without the option
+   * @param[out] positions  shape (particles, 3); null without particles, as the following
+   * @param[out] ids  unique number per particle, from 0, ascending, with gaps
+   * @param[out] materials  material number per particle
+   * @param[out] radii,volumes  of material, as a sphere
+   * @param[out] masses  also null without the option DensityArrays
+   */
+  SCULPTOR_EXPORT int sculptor_get_particles(int sculptor, int64_t* particles,
+    const double** positions, const int64_t** ids, const int** materials, const double** radii,
+    const double** volumes, const double** masses);
+  /**
+   * Returns a state of the particles.
+   * @param name  name in sculptor_add_state
+   * @param[out] components  number of values per particle
+   * @param[out] values  shape (particles, components)
+   * @return SCULPTOR_ERROR_ARGUMENT if the particles have no such state
+   */
+  SCULPTOR_EXPORT int sculptor_get_particle_state(
+    int sculptor, const char* name, int* components, const double** values);
+  /**
    * Returns a number of the whole mesh, equal on all ranks: TargetVolume, MeshVolume and
    * VolumeError, one per material; NumberOfFragments, MinimumScaledJacobian, MeanScaledJacobian,
    * FlippedCells and others, which Documentation/reference/mesh-data.md lists with their units.

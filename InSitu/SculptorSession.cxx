@@ -267,6 +267,19 @@ const TransferredArray& SculptorSession::GetPointState(const std::string& name) 
   return FindState(velocity ? &*velocity : nullptr, velocity ? 1 : 0, name, " of nodes");
 }
 
+const TransferredArray& SculptorSession::GetParticleState(const std::string& name) const
+{
+  const std::optional<Particles>& particles = this->GetResult().State.TheParticles;
+  return FindState(particles ? particles->Arrays.data() : nullptr,
+    particles ? particles->Arrays.size() : 0, name, " of particles");
+}
+
+ParticleData SculptorSession::GetParticles() const
+{
+  const std::optional<Particles>& particles = this->GetResult().State.TheParticles;
+  return particles ? ViewParticles(*particles) : ParticleData();
+}
+
 double SculptorSession::GetNumber(const std::string& name, int index) const
 {
   const FieldArray* field = FindField(this->GetResult().Fields, name);
@@ -295,7 +308,9 @@ void SculptorSession::Write(const char* path)
         throw InputError(problem);
       }
     });
-  const MeshData mesh = ViewMesh(result.TheMesh, result.State, result.Fields);
+  MeshData mesh = ViewMesh(result.TheMesh, result.State, result.Fields);
+  const ParticleData particles = this->GetParticles();
+  mesh.Particles = result.State.TheParticles ? &particles : nullptr;
   WorkInStage(ranks, ErrorCode::UnwritableOutput, [&] { WriteMesh(mesh, path, ranks); });
 }
 

@@ -46,9 +46,12 @@ public:
   int GetNumberOfFragments() const;
   /// Returns a table of adjacency with integer values (ListSurfaces, ListCurves, ListVertices).
   const FieldArray& GetGeometryTable(const std::string& name);
-  /// Return a transferred state of type double, of the elements or of the points.
+  /// Return a transferred state of type double, of the elements, of the points or of the particles.
   const TransferredArray& GetState(const std::string& name) const;
   const TransferredArray& GetPointState(const std::string& name) const;
+  const TransferredArray& GetParticleState(const std::string& name) const;
+  /// Returns a view of the particles; empty without the option.
+  ParticleData GetParticles() const;
   /// Returns entry `index` of an array of field data, counted from 0 over rows and components.
   double GetNumber(const std::string& name, int index) const;
   /// Writes the mesh of all ranks to a file whose suffix selects the format.

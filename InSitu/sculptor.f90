@@ -19,9 +19,10 @@ module sculptor
     sculptor_get_elements, sculptor_get_point_ids, sculptor_get_element_ids, &
     sculptor_get_original_ids, sculptor_get_cohesive, sculptor_get_materials, &
     sculptor_get_fragments, sculptor_get_layers, sculptor_get_state, sculptor_get_point_state, &
-    sculptor_get_number, sculptor_get_geometry, sculptor_get_surfaces, sculptor_get_curves, &
-    sculptor_get_vertices, sculptor_get_bounds, sculptor_write, sculptor_error_code, &
-    sculptor_error_message, sculptor_warning_message
+    sculptor_get_particles, sculptor_get_particle_state, sculptor_get_number, &
+    sculptor_get_geometry, sculptor_get_surfaces, sculptor_get_curves, sculptor_get_vertices, &
+    sculptor_get_bounds, sculptor_write, sculptor_error_code, sculptor_error_message, &
+    sculptor_warning_message
 
   interface
     integer(c_int) function sculptor_create(sculptor) bind(C)
@@ -199,6 +200,28 @@ module sculptor
       type(c_ptr), intent(out) :: values
     end function
 
+    integer(c_int) function sculptor_get_particles(sculptor, particles, positions, ids, materials, &
+      radii, volumes, masses) bind(C)
+      import
+      integer(c_int), value :: sculptor
+      integer(c_int64_t), intent(out) :: particles
+      type(c_ptr), intent(out) :: positions
+      type(c_ptr), intent(out) :: ids
+      type(c_ptr), intent(out) :: materials
+      type(c_ptr), intent(out) :: radii
+      type(c_ptr), intent(out) :: volumes
+      type(c_ptr), intent(out) :: masses
+    end function
+
+    integer(c_int) function c_sculptor_get_particle_state(sculptor, name, components, values) &
+      bind(C, name="sculptor_get_particle_state")
+      import
+      integer(c_int), value :: sculptor
+      character(kind=c_char), intent(in) :: name(*)
+      integer(c_int), intent(out) :: components
+      type(c_ptr), intent(out) :: values
+    end function
+
     integer(c_int) function c_sculptor_get_number(sculptor, name, index, value) bind(C, &
       name="sculptor_get_number")
       import
@@ -320,6 +343,15 @@ contains
     type(c_ptr), intent(out) :: values
     sculptor_get_point_state = c_sculptor_get_point_state(sculptor, trim(name) // c_null_char, &
       components, values)
+  end function
+
+  integer(c_int) function sculptor_get_particle_state(sculptor, name, components, values)
+    integer(c_int), intent(in) :: sculptor
+    character(*), intent(in) :: name
+    integer(c_int), intent(out) :: components
+    type(c_ptr), intent(out) :: values
+    sculptor_get_particle_state = c_sculptor_get_particle_state(sculptor, trim(name) // &
+      c_null_char, components, values)
   end function
 
   integer(c_int) function sculptor_get_number(sculptor, name, index, value)

@@ -1,7 +1,7 @@
 /* Meshes a ball on a plate as tetrahedra from C and transfers the temperature of the cells to the
- * elements. Runs on any number of ranks; each rank owns a slab of the grid. Prints volumes, the
- * size of the contact surface and the highest temperature, and writes no file. mesh_in_fortran.f90
- * is the same program in Fortran.
+ * elements. A drop that fills a quarter of a cell becomes a particle. Runs on any number of ranks;
+ * each rank owns a slab of the grid. Prints volumes, the size of the contact surface and the
+ * highest temperature, and writes no file. mesh_in_fortran.f90 is the same program in Fortran.
  *
  *   mpicc mesh_in_c.c $(pkg-config --cflags --libs sculptor) -o mesh_in_c
  *   mpiexec -n 2 ./mesh_in_c
@@ -49,6 +49,10 @@ static Fields make_fields(int first, int last)
     fields.plate[cell] = k < 6 ? 1 - fields.ball[cell] : 0;
     fields.temperature[cell] = 301 + k;
   }
+  if (last == N)
+  {
+    fields.ball[N * N * (last - first) - 1] = 0.25; /* the drop */
+  }
   return fields;
 }
 
@@ -78,6 +82,23 @@ static int count_contact(int s)
   return count;
 }
 
+/* Adds the number and the volume of this rank's particles to sums. */
+static void add_particles(int s, double* sums)
+{
+  int64_t particles;
+  const int64_t* ids;
+  const int* materials;
+  const double *positions, *radii, *volumes, *masses;
+  check(
+    sculptor_get_particles(s, &particles, &positions, &ids, &materials, &radii, &volumes, &masses),
+    s);
+  for (int64_t p = 0; p < particles; ++p)
+  {
+    sums[0] += 1;
+    sums[1] += volumes[p];
+  }
+}
+
 /* Prints the totals of the mesh over all ranks. */
 static void report(int s, int rank)
 {
@@ -85,7 +106,7 @@ static void report(int s, int rank)
   int corners, components, counts[3] = { 0, 0, count_contact(s) }, totals[3];
   const int* materials;
   const double* temperature;
-  double volumes[2], mine = 0, hottest;
+  double volumes[2], mine = 0, hottest, drops[2] = { 0, 0 }, all_drops[2];
   check(sculptor_get_counts(s, &points, &elements, &corners), s);
   check(sculptor_get_materials(s, &materials), s);
   check(sculptor_get_state(s, "temperature", &components, &temperature), s);
@@ -99,6 +120,8 @@ static void report(int s, int rank)
     check(sculptor_get_number(s, "MeshVolume", m, &volumes[m]), s);
   }
   MPI_Reduce(counts, totals, 3, MPI_INT, MPI_SUM, 0, MPI_COMM_WORLD);
+  add_particles(s, drops);
+  MPI_Reduce(drops, all_drops, 2, MPI_DOUBLE, MPI_SUM, 0, MPI_COMM_WORLD);
   MPI_Reduce(&mine, &hottest, 1, MPI_DOUBLE, MPI_MAX, 0, MPI_COMM_WORLD);
   if (rank == 0)
   {
@@ -106,6 +129,7 @@ static void report(int s, int rank)
     printf("plate: %d tetrahedra, volume %.3f\n", totals[1], volumes[1]);
     printf("contact: %d triangles\n", totals[2]);
     printf("hottest: %.1f\n", hottest);
+    printf("particles: %.0f, volume %.3f\n", all_drops[0], all_drops[1]);
   }
 }
 
@@ -124,6 +148,7 @@ int main(int argc, char** argv)
   check(sculptor_create(&s), 0);
   check(sculptor_set_communicator(s, MPI_Comm_c2f(MPI_COMM_WORLD)), s);
   check(sculptor_set_option(s, "Method", "Lattice"), s);
+  check(sculptor_set_option(s, "UnmeshedMaterial", "Particles"), s);
   check(sculptor_set_box(s, box, intervals), s);
   check(sculptor_set_neighbours(s, neighbours), s);
   check(sculptor_add_material(s, "ball", fields.ball), s);

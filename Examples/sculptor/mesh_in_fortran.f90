@@ -1,7 +1,7 @@
 ! Meshes a ball on a plate as tetrahedra from Fortran and transfers the temperature of the cells to
-! the elements. Runs on any number of ranks; each rank owns a slab of the grid. Prints volumes, the
-! size of the contact surface and the highest temperature, and writes no file. mesh_in_c.c is the
-! same program in C.
+! the elements. A drop that fills a quarter of a cell becomes a particle. Runs on any number of
+! ranks; each rank owns a slab of the grid. Prints volumes, the size of the contact surface and the
+! highest temperature, and writes no file. mesh_in_c.c is the same program in C.
 !
 !   gfortran -c $(pkg-config --variable=includedir sculptor)/sculptor.f90
 !   mpif90 mesh_in_fortran.f90 sculptor.o $(pkg-config --libs sculptor) -o mesh_in_fortran
@@ -20,7 +20,7 @@ program mesh_in_fortran
   real(c_double), pointer :: values(:)
   integer(c_int), pointer :: materials(:)
   type(c_ptr) :: pointer
-  real(c_double) :: volumes(2), hottest
+  real(c_double) :: volumes(2), hottest, drops(2)
   integer(c_int) :: neighbours(6), counts(3), totals(3)
 
   call MPI_Init(error)
@@ -39,10 +39,13 @@ program mesh_in_fortran
     end do
   end do
 
+  if (last == n) ball(n, n, last - first) = 0.25 ! the drop
+
   neighbours = [-1, -1, -1, -1, rank - 1, merge(rank + 1, -1, rank + 1 < ranks)]
   call check(sculptor_create(s))
   call check(sculptor_set_communicator(s, MPI_COMM_WORLD))
   call check(sculptor_set_option(s, "Method", "Lattice"))
+  call check(sculptor_set_option(s, "UnmeshedMaterial", "Particles"))
   call check(sculptor_set_box(s, [0.0_c_double, 0.0_c_double, real(first, c_double), &
     real(n, c_double), real(n, c_double), real(last, c_double)], [n, n, last - first]))
   call check(sculptor_set_neighbours(s, neighbours))
@@ -62,13 +65,16 @@ program mesh_in_fortran
   end do
   counts(3) = count_contact()
   hottest = maxval(values)
+  drops = sums_of_particles()
   call MPI_Allreduce(counts, totals, 3, MPI_INTEGER, MPI_SUM, MPI_COMM_WORLD, error)
   call MPI_Allreduce(MPI_IN_PLACE, hottest, 1, MPI_DOUBLE_PRECISION, MPI_MAX, MPI_COMM_WORLD, error)
+  call MPI_Allreduce(MPI_IN_PLACE, drops, 2, MPI_DOUBLE_PRECISION, MPI_SUM, MPI_COMM_WORLD, error)
   if (rank == 0) then
     print '(a, i0, a, f0.3)', 'ball: ', totals(1), ' tetrahedra, volume ', volumes(1)
     print '(a, i0, a, f0.3)', 'plate: ', totals(2), ' tetrahedra, volume ', volumes(2)
     print '(a, i0, a)', 'contact: ', totals(3), ' triangles'
     print '(a, f0.1)', 'hottest: ', hottest
+    print '(a, i0, a, f5.3)', 'particles: ', nint(drops(1)), ', volume ', drops(2)
   end if
   call check(sculptor_delete(s))
   deallocate (ball, plate, temperature)
@@ -107,6 +113,20 @@ contains
     do t = 1, triangles
       if (all(pairs(:, surface(t)) == [1, 2])) count_contact = count_contact + 1
     end do
+  end function
+
+  !> Returns the number and the volume of this rank's particles.
+  function sums_of_particles() result(sums)
+    real(c_double) :: sums(2)
+    integer(c_int64_t) :: particles
+    type(c_ptr) :: positions, ids, ids_of_materials, radii, parts, masses
+    real(c_double), pointer :: own(:)
+    call check(sculptor_get_particles(s, particles, positions, ids, ids_of_materials, radii, parts, &
+      masses))
+    sums = 0
+    if (particles == 0) return
+    call c_f_pointer(parts, own, [particles])
+    sums = [real(particles, c_double), sum(own)]
   end function
 
   subroutine check(code)

@@ -2,13 +2,14 @@
  * A small simulation with Catalyst for TestCatalyst.py: a ball sinks into
  * a plate, on 14 x 12 x 10 cells.
  *
- * usage: CatalystHost [--boxes N] [--refined] [--bad-step S] SCRIPT ...
+ * usage: CatalystHost [--boxes N] [--refined] [--drop] [--bad-step S] SCRIPT ...
  *
  * It takes 4 steps. The grid is cut along x into N boxes (default: two per rank), which are
- * distributed to the ranks in turn. --refined adds as many boxes of a finer level in the middle. In
- * step S the last rank passes a box outside the grid. The program prints a line per step, and at
- * the end the number of steps made for the scripts. Exit status 0: every step succeeded; 3: some
- * failed; 4: error messages differ between ranks.
+ * distributed to the ranks in turn. --refined adds as many boxes of a finer level in the middle.
+ * --drop fills a quarter of the last cell by the ball. In step S the last rank passes a box outside
+ * the grid. The program prints a line per step, and at the end the number of steps made for the
+ * scripts. Exit status 0: every step succeeded; 3: some failed; 4: error messages differ between
+ * ranks.
  *
  * The adaptor may use the fields only during the call: afterwards they are overwritten.
  */
@@ -32,7 +33,7 @@ constexpr int Steps = 4, Samples = 4;
 struct Options
 {
   int Boxes = 0, BadStep = -1;
-  bool IsRefined = false;
+  bool IsRefined = false, HasDrop = false;
   std::vector<std::string> Scripts;
 };
 
@@ -122,6 +123,10 @@ Options ParseOptions(int argc, char** argv)
     {
       options.IsRefined = true;
     }
+    else if (name == "--drop")
+    {
+      options.HasDrop = true;
+    }
     else
     {
       options.Scripts.push_back(name);
@@ -192,6 +197,10 @@ int Run(const Options& options)
     for (Box& box : boxes)
     {
       box.Set(step);
+      if (options.HasDrop && box.Level == 0 && box.Cells.Upper == Cells)
+      {
+        box.Ball.back() = 0.25;
+      }
     }
     HostGrid grid = Describe(boxes);
     if (step == options.BadStep && rank == ranks - 1)

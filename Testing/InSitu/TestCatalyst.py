@@ -14,6 +14,7 @@ import tempfile
 import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkAMRBox, vtkOverlappingAMR, vtkUniformGrid
 from vtkmodules.vtkIOImage import vtkPNGReader
+from vtkmodules.vtkIOXML import vtkXMLPPolyDataReader
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -284,6 +285,26 @@ def test_state():
         with tempfile.TemporaryDirectory() as out:
             assert run_example(2, out, STEPS=str(step), PICTURE="0", **settings)[0] == [step]
             expect_mesh(out, step, 2, gold)
+
+
+def test_particles():
+    """Particles are those of the filter, in a file beside the mesh."""
+    data = field(1)
+    vtk_to_numpy(data.GetCellData().GetArray("ball"))[-1] = 0.25
+    gold = mesh_of(data, UnmeshedMaterial="Particles", StateArrays=["id"])
+    assert gold.particles.GetNumberOfPoints() == 1
+    with tempfile.TemporaryDirectory() as out:
+        assert run_example(2, out, "--drop", STEPS="1", PICTURE="0", STATE="id",
+                           UNMESHED="particles")[0] == [1]
+        expect_mesh(out, 1, 2, gold.mesh)
+        reader = vtkXMLPPolyDataReader()
+        reader.SetFileName(os.path.join(out, "mesh_particles_000001.pvtp"))
+        reader.Update()
+        found = reader.GetOutput()
+        assert found.GetPoint(0) == gold.particles.GetPoint(0)
+        for name in ("Id", "Material", "Radius", "Volume", "id"):
+            own, other = (part.GetPointData().GetArray(name) for part in (found, gold.particles))
+            assert own.GetNumberOfTuples() == 1 and own.GetTuple(0) == other.GetTuple(0), name
 
 
 def test_triggers():

@@ -24,6 +24,7 @@ from mpi_run import mpi_run
 
 ROUNDING = 1e-13
 CASE = ["--cells", "24", "--step", "30", "--last", "42"]
+LATE = ["--step", "120", "--last", "132", "--unmeshed", "Particles"]
 
 
 def block(cells, width):
@@ -140,6 +141,23 @@ def check_restart(impact, plugin, folder):
     assert os.path.getsize(os.path.join(folder, "conserve", "restart.png")) > 10000
 
 
+def check_particles(impact, plugin, folder):
+    """Elements and particles continue a late step, with its mass, momentum and energy."""
+    folder = os.path.join(folder, "particles")
+    rows, text = run_restart(impact, plugin, folder, *LATE)
+    for name in ("cells to mesh and not meshed", "the solver's run"):
+        assert rows[name].max() <= ROUNDING, (name, rows[name])
+    assert "not meshed: 0 mg" in text
+    particles = read_csv(os.path.join(folder, "particles.csv"))
+    mass = sum(float(row["mass [mg]"]) for row in particles)
+    assert len(particles) > 50 and mass > 1, (len(particles), mass)
+    assert "particles: %d, %.3g mg" % (len(particles), mass) in text
+    moved = read_csv(os.path.join(folder, "after.csv"))
+    duration = float(moved[-1]["time [us]"]) - float(moved[0]["time [us]"])
+    fastest = max(particles, key=lambda row: abs(float(row["velocity x [km/s]"])))
+    assert abs(float(fastest["velocity x [km/s]"])) * duration > 0.01, fastest
+
+
 def check_ranks(impact, folder):
     """The history is bitwise identical on 1 and 3 ranks."""
     files = []
@@ -163,6 +181,7 @@ def main(impact, plugin, folder):
     os.makedirs(folder)
     check_ranks(impact, folder)
     check_restart(impact, plugin, folder)
+    check_particles(impact, plugin, folder)
 
 
 if __name__ == "__main__":

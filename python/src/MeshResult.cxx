@@ -1,6 +1,7 @@
 #include "MeshResult.h"
 
 #include "NumpyFields.h"
+#include "NumpyParticles.h"
 
 namespace vfm
 {
@@ -70,6 +71,7 @@ void TakeState(OutputState& state, nb::dict& all)
     all["nodal_velocity"] =
       nb::make_tuple(state.NodalVelocity->Name.c_str(), ToNumpy(*state.NodalVelocity));
   }
+  all["particles"] = state.TheParticles ? TakeParticles(*state.TheParticles) : nb::dict();
 }
 
 } // namespace

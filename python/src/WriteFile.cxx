@@ -2,6 +2,7 @@
 
 #include "Meshes/WriteMesh.h"
 #include "NumpyMesh.h"
+#include "NumpyParticles.h"
 #include "Ranks/WorkTogether.h"
 #include "Report/WriteReport.h"
 
@@ -31,11 +32,13 @@ GmshVersion ReadVersion(const std::string& version)
 
 void WriteFile(const std::string& path, const NumpyPoints& points, const NumpyCells& cells,
   const NamedArrays& pointArrays, const NamedArrays& cellArrays, const nb::dict& fields,
-  std::optional<double> time, const std::string& version, bool binary, bool interfaces,
-  bool reduced)
+  const NamedArrays& particles, std::optional<double> time, const std::string& version, bool binary,
+  bool interfaces, bool reduced)
 {
   StoredMesh mesh = ViewMesh(points, cells, pointArrays, cellArrays, fields);
   mesh.Data.Time = time;
+  const ParticleData cloud = particles.empty() ? ParticleData() : ViewParticles(particles);
+  mesh.Data.Particles = particles.empty() ? nullptr : &cloud;
   const OutputForm form{ .Version = ReadVersion(version),
     .IsBinary = binary,
     .HasInterfaces = interfaces,
@@ -82,8 +85,8 @@ void WriteReportFile(const std::string& path, const NumpyPoints& points, const N
 void BindWriters(nb::module_& module)
 {
   module.def("write_mesh", WriteFile, "path"_a, "points"_a, "cells"_a, "point_arrays"_a,
-    "cell_arrays"_a, "fields"_a, "time"_a.none(), "version"_a = "", "binary"_a = false,
-    "interfaces"_a = true, "reduced"_a = false);
+    "cell_arrays"_a, "fields"_a, "particles"_a, "time"_a.none(), "version"_a = "",
+    "binary"_a = false, "interfaces"_a = true, "reduced"_a = false);
   module.def("list_formats", ListFormats);
   module.def("write_report", WriteReportFile, "path"_a, "points"_a, "cells"_a, "point_arrays"_a,
     "cell_arrays"_a, "fields"_a, "materials"_a, "title"_a, "facts"_a, "options"_a, "warnings"_a);

@@ -1,4 +1,5 @@
-"""Tests of layers of hexahedra along interfaces and sides of the domain."""
+"""Tests of layers of hexahedra along interfaces and sides of the domain, and of Mesh.cut_layers and
+Mesh.split."""
 
 import numpy as np
 import pytest
@@ -6,7 +7,8 @@ import pytest
 import volume_fraction_mesh as vfm
 
 BALL = vfm.shapes("sphere radius=0.6", 12, bounds=[-1, 1] * 3)
-GRAINS = vfm.shapes("polycrystal grains=6 seed=2", 10, bounds=[-1, 1] * 3)
+GRAINS, FEW_CELLS = (vfm.shapes("polycrystal grains=6 seed=2", cells, bounds=[-1, 1] * 3)
+                     for cells in (10, 8))
 
 
 def count_layers(mesh):
@@ -86,3 +88,35 @@ def test_layers_follow_curved_interfaces():
     assert mesh.fields["StraightenedMidNodes"][0] == plain.fields["StraightenedMidNodes"][0] == 0
     assert mesh.fields["CurvedMidNodes"][0] > 4 * plain.fields["CurvedMidNodes"][0]
     assert mesh.materials["MeshVolume"] == pytest.approx(plain.materials["MeshVolume"], rel=1e-9)
+
+
+def check_same(made, expected):
+    """Checks that Mesh.split or Mesh.cut_layers made the same mesh as the options."""
+    for name in ("points", "cells", "material", "fragment", "point_ids", "cell_ids", "quality",
+                 "layer", "original_ids"):
+        one, other = getattr(made, name), getattr(expected, name)
+        assert (one is None) == (other is None) and np.array_equal(one, other), name
+    for part in ("geometry", "surfaces", "curves", "vertices"):
+        for name, values in vars(getattr(expected, part)).items():
+            if name != "fields":
+                assert np.array_equal(getattr(getattr(made, part), name), values), (part, name)
+    for table in ("fields", "materials"):
+        for name, values in getattr(expected, table).items():
+            assert np.array_equal(getattr(made, table)[name], values), name
+
+
+def test_split_of_a_mesh():
+    options = {"split_interfaces": "all", "split_connection": "cohesive"}
+    check_same(vfm.hexes(FEW_CELLS).split(connection="cohesive"), vfm.hexes(FEW_CELLS, **options))
+
+
+def test_cut_layers():
+    made = vfm.hexes(FEW_CELLS).cut_layers(3, first_layer=0.02)
+    check_same(made, vfm.hexes(FEW_CELLS, layers=3, first_layer=0.02, first_layer_unit="length"))
+
+
+def test_refusals_of_a_mesh():
+    with pytest.raises(ValueError, match="split already"):
+        vfm.hexes(FEW_CELLS).split().split()
+    with pytest.raises(ValueError, match="Layers are for hexahedra"):
+        vfm.tets(FEW_CELLS).cut_layers(2)

@@ -217,6 +217,8 @@ class MeshDict(TypedDict):
     state: Dict[str, NDArray[Any]]
     """Arrays of the elements, shape (m,) or (m, components)."""
     nodal_velocity: Optional[Tuple[str, NDArray[np.float64]]]
+    particles: Dict[str, NDArray[Any]]
+    """Position, Id, Material, Radius, Volume, Mass and state; empty without the option."""
     fields: Fields
     materials: Fields
     surface_fields: Fields
@@ -311,6 +313,7 @@ def write_mesh(
     point_arrays: Sequence[Tuple[str, NDArray[Any]]],
     cell_arrays: Sequence[Tuple[str, NDArray[Any]]],
     fields: Fields,
+    particles: Sequence[Tuple[str, NDArray[Any]]],
     time: Optional[float],
     version: str = "",
     binary: bool = False,
@@ -324,7 +327,8 @@ def write_mesh(
 
     point_arrays contains GlobalPointIds, int64. cell_arrays contains GlobalCellIds, int64, and
     MaterialId, int32. All arrays are C-contiguous, of shape (items,) or (items, components). fields
-    holds int32, int64 or float64 arrays, or lists of str. Raises OSError, with the path and the
+    holds int32, int64 or float64 arrays, or lists of str. particles: arrays as of MeshDict; empty
+    without particles. Raises OSError, with the path and the
     reason, if the file cannot be written; an incomplete file is removed.
     """
 

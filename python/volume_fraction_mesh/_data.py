@@ -36,6 +36,7 @@ class MeshData:
     original_ids: Optional[np.ndarray] = None
     mids: Optional[np.ndarray] = None
     layer: Optional[np.ndarray] = None
+    particles: Dict[str, np.ndarray] = field(default_factory=dict)
 
     @property
     def kind(self) -> str:

@@ -31,7 +31,7 @@ def modify(mesh: MeshType, extensive: Sequence[str] = (), **options: Any) -> Mes
     # Points keep their numbers, and the geometry its tables.
     result.update(vertices={"points": mesh.vertices.points, "vertex_id": mesh.vertices.vertex_id},
                   surface_fields=mesh.surfaces.fields, curve_fields=mesh.curves.fields,
-                  vertex_fields=mesh.vertices.fields,
+                  vertex_fields=mesh.vertices.fields, particles=mesh.particles,
                   materials=_update(mesh.materials, result["materials"]))
     run = replace(mesh.run, options={**mesh.run.options, **chosen.changed()},
                   warnings=mesh.run.warnings + told)

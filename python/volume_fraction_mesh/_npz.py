@@ -20,7 +20,7 @@ PARTS = {
     "curves": ("cells", "curve_id", "fields"),
     "vertices": ("points", "vertex_id", "fields"),
 }
-TABLES = ("state", "point_state", "materials", "fields", "roles")
+TABLES = ("state", "point_state", "materials", "fields", "roles", "particles")
 
 
 def write(mesh: MeshData, file: IO[bytes], compress: bool = False) -> None:

@@ -8,7 +8,7 @@ import numpy as np
 
 from ._data import MeshData
 
-PARTS = ("mesh", "surfaces", "curves", "vertices")
+PARTS = ("mesh", "surfaces", "curves", "vertices", "particles")
 # Numbers of the cell types of VTK, by their names in meshio.
 TYPES = {"hexahedron": 12, "tetra": 10, "hexahedron20": 25, "hexahedron27": 29, "tetra10": 24}
 
@@ -29,6 +29,8 @@ def convert(mesh: MeshData, part: str) -> Any:
     if part == "curves":
         return _flat(mesh, mesh.curves.cells, "lines", {"CurveId": mesh.curves.curve_id},
                      mesh.curves.fields)
+    if part == "particles":
+        return _particles(mesh)
     return _flat(
         mesh, mesh.vertices.points[:, None], "verts", {"VertexId": mesh.vertices.vertex_id},
         mesh.vertices.fields
@@ -92,6 +94,19 @@ def _flat(mesh: MeshData, cells: np.ndarray, kind: str, arrays: Mapping[str, np.
         if len(array):
             data.cell_data.set_array(array, name)
     _add_fields(data, fields)
+    return data
+
+
+def _particles(mesh: MeshData) -> Any:
+    import pyvista
+
+    if not len(mesh.particles.get("Position", ())):
+        return pyvista.PolyData()
+    data = pyvista.PolyData(mesh.particles["Position"])  # a vertex at each point
+    for name, array in mesh.particles.items():
+        if name != "Position":
+            data.point_data.set_array(array, name)
+    _add_fields(data, {name: mesh.fields[name] for name in ("MaterialNames", "MaterialIds")})
     return data
 
 

@@ -36,4 +36,5 @@ def data_of(result: Mapping[str, Any], roles: Dict[str, str], run: Run) -> Dict[
         run=run,
         original_ids=result["original_ids"],
         layer=result["layer"],
+        particles=result["particles"],
     )

@@ -9,7 +9,7 @@ from typing import Any, Optional
 from . import _core, _meshio, _npz, _pyvista, _vtk
 from ._data import MeshData
 from ._output import whole_file
-from ._tables import core_arrays, core_fields
+from ._tables import core_arrays, core_fields, core_particles
 
 BY_CORE = dict(_core.list_formats())  # options by ending
 BY_PACKAGE = {".npz": _npz.write, ".vtk": _vtk.write}
@@ -33,6 +33,8 @@ def save(mesh: MeshData, path: Any, **options: Any) -> None:
             _pyvista.convert(mesh, "surfaces").save(unfinished, **options)
         else:
             _save_by_meshio(mesh, unfinished, suffix, **options)
+        if mesh.particles and suffix != ".npz":
+            _write(mesh, os.path.splitext(unfinished)[0] + "_particles.vtp")
 
 
 def _check_suffix(path: str, suffix: str) -> None:
@@ -65,6 +67,7 @@ def _write(mesh: MeshData, path: str, time: Optional[float] = None, texts: bool 
         path,
         *core_arrays(mesh),
         {name: values for name, values in fields.items() if texts or not isinstance(values, list)},
+        core_particles(mesh),
         time,
         "" if version is None else str(version),
         binary,

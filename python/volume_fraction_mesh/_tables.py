@@ -9,6 +9,8 @@ import numpy as np
 from ._data import MeshData
 from ._pyvista import all_nodes, cell_arrays, point_arrays
 
+PARTICLES = {"Position": np.float64, "Id": np.int64, "Material": np.int32, "Radius": np.float64,
+             "Volume": np.float64, "Mass": np.float64}
 LINEAR = "A mesh with mid nodes is not converted to %s: element_order must be 'linear'."
 
 
@@ -27,6 +29,12 @@ def core_arrays(mesh: MeshData) -> Tuple[Any, ...]:
     """Returns points, cells and arrays as arguments of the core."""
     return (core_mesh(mesh)[0], np.ascontiguousarray(all_nodes(mesh), np.int64),
             list_arrays(point_arrays(mesh)), list_arrays(cell_arrays(mesh)))
+
+
+def core_particles(mesh: MeshData) -> List[Tuple[str, np.ndarray]]:
+    """Returns the arrays of the particles as an argument of the core."""
+    return [(name, np.ascontiguousarray(values, PARTICLES.get(name)))
+            for name, values in mesh.particles.items()]
 
 
 def require_linear(mesh: MeshData, target: str) -> None:

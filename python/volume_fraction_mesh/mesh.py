@@ -59,7 +59,8 @@ class Mesh(MeshData):
         ``TargetVolume`` (of the fractions), ``MeshVolume``, ``VolumeError`` (relative),
         ``LostCells`` and ``GainedCells`` (cells that changed their material to make interfaces
         manifold), ``Elements``, ``Fragments`` and the quality. Conserved state adds sums over cells
-        and over elements, such as ``InputMass``, ``MeshMass``, ``UnmeshedMass``.
+        and over elements, such as ``InputMass``, ``MeshMass``, ``UnmeshedMass``. `particles` add
+        ``Particles``, their number, ``ParticleVolume`` and other sums.
     fields : dict
         Values for the whole mesh, such as ``MinimumScaledJacobian``, ``NumberOfFragments`` and
         ``FlippedCells`` (cells moved to another material to make interfaces manifold).
@@ -74,6 +75,12 @@ class Mesh(MeshData):
         linear elements.
     layer : ndarray of int32, shape (m,), or None
         Layer of each element along a surface, from 1; 0 for others. None without ``layers``.
+    particles : dict of str to ndarray
+        Material without elements, with ``unmeshed_material="particles"``; empty without. k
+        particles have ``Position``, shape (k, 3), ``Id``, unique and ascending, ``Material``, as
+        of elements, ``Radius`` of the sphere with the ``Volume``, with ``density`` the ``Mass``,
+        and the state arrays, shape (k,) or (k, components). Sums over elements and particles are
+        those of the input.
 
     See Also
     --------
@@ -97,6 +104,8 @@ class Mesh(MeshData):
             len(self.materials.get("Name", ())),
             self.fragment.max(initial=0),
         )
+        if self.particles:
+            text += ", %d particles" % len(self.particles["Id"])
         if self.quality is not None and len(self.quality):
             text += ", scaled Jacobian %.3f to %.3f" % (self.quality.min(), self.quality.max())
         return "Mesh(%s)" % text
@@ -429,13 +438,13 @@ class Mesh(MeshData):
         _plot.plot(self, array, clip, path, **options)
 
     def to_pyvista(self, part: str = "mesh") -> pyvista.DataSet:
-        """Convert the mesh, or a part of its geometry, to PyVista.
+        """Convert the mesh, a part of its geometry, or the particles to PyVista.
 
         Arrays and field data have the names that the ParaView filters use, such as ``MaterialId``.
 
         Parameters
         ----------
-        part : {"mesh", "surfaces", "curves", "vertices"}, default "mesh"
+        part : {"mesh", "surfaces", "curves", "vertices", "particles"}, default "mesh"
             Part to convert.
 
         Returns
@@ -520,6 +529,9 @@ class Mesh(MeshData):
 
         PyVista writes ``.vtp`` with the surfaces. meshio writes other formats that hold the mesh,
         such as ``.med``. A file appears when it is complete.
+
+        `particles` are in the same file, or, if the format has none, beside it, in
+        NAME_particles.vtp.
 
         Parameters
         ----------
