@@ -1,8 +1,7 @@
 #include "State/MakeParticles.h"
 
+#include "Base/PortableMath.h"
 #include "State/Transfer/NodalVelocity.h"
-
-#include <cmath>
 
 namespace vfm
 {
@@ -119,7 +118,7 @@ void FillPlaces(const UnmeshedRows& rows, const CartesianGrid& grid, const Conse
     made.Items.Ids.push_back(cells.GetGrid().CellKey(cell) * materials + row.Material - 1);
     made.Items.Material.push_back(row.Material);
     made.Items.Volume.push_back(row.Volume);
-    made.Items.Radius.push_back(std::cbrt(row.Volume * 3.0 / (4.0 * std::acos(-1.0))));
+    made.Items.Radius.push_back(CubeRoot(0.75 / Pi * row.Volume));
     made.Items.Positions.insert(
       made.Items.Positions.end(), row.Position.begin(), row.Position.end());
   }

@@ -123,6 +123,25 @@ TEST(ThinMeshes, ShellIsClosed)
   }
 }
 
+// The film keeps its place: it does not take the volume of the ball, nor the ball that of the film.
+TEST(ThinMeshes, FilmThroughABall)
+{
+  const CartesianGrid grid = MakeUnitGrid(20);
+  const std::vector<Shape> shapes{ MakeFilm({ { 10.1, 9.8, 10.2 } }, { { 3, 2, 1 } }, 0.4),
+    MakeSphere(1, { { 10.1, 9.8, 10.2 } }, 4.0) };
+  for (const ElementMaker& method : ElementMakers)
+  {
+    const ThinMesh made = MakeThin(grid, shapes, method);
+    ExpectValid(made.Elements);
+    EXPECT_EQ(made.Report.NumberOfFragments, 1) << method.Name;
+    EXPECT_LT(std::abs(made.VolumeError), 1e-3) << method.Name;
+    EXPECT_LT(made.Displaced, &method == ElementMakers ? 0.07 : 0.2) << method.Name;
+    std::printf("%s film through a ball: volume %+.4f %%, displaced %.1f %%, SJ %.3f\n",
+      method.Name, 100.0 * made.VolumeError, 100.0 * made.Displaced,
+      made.Report.MinimumScaledJacobian);
+  }
+}
+
 TEST(ThinMeshes, ResolvedShapesKeepTheirMesh)
 {
   for (const char* name : { "gyroid", "sphere 16", "polycrystal", "plate 2 thick" })
