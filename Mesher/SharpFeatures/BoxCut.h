@@ -90,8 +90,8 @@ VFM_INLINE Real CutBox(const BoxPlaneOf<Real>& plane, PlaneRatesOf<Real>& rates)
   // third has the largest p.
   const std::array<Real, 3>& n = plane.Normal;
   const std::array<Real, 3> p{ { Magnitude(n[0]), Magnitude(n[1]), Magnitude(n[2]) } };
-  const auto isX = (p[0] >= p[1]) & (p[0] >= p[2]);
   const auto isY = p[1] >= p[2];
+  const auto isX = p[0] >= (isY ? p[1] : p[2]);
   const Real a = isX ? p[1] : (isY ? p[2] : p[0]), b = isX ? p[2] : (isY ? p[0] : p[1]);
   const Real c = (isX ? p[0] : (isY ? p[1] : p[2])) + 1e-300;
   const Real alpha = plane.Height + 0.5 * (a + b + c), inverse = 1.0 / c;

@@ -125,9 +125,9 @@ private:
     for (std::size_t j = 0; j < this->Crossings.size(); ++j)
     {
       const LocalCrossing& b = this->Crossings[j];
-      const bool supports = (Dot(a.Normal, b.Normal) > SupportCosine) &
-        (std::fabs(Dot(a.Normal, b.Point) - offset) < SupportDistance);
-      this->Supporters[i * this->Words + j / 64] |= std::uint64_t{ supports } << j % 64;
+      const std::uint64_t isNear = std::fabs(Dot(a.Normal, b.Point) - offset) < SupportDistance;
+      const std::uint64_t supports = (Dot(a.Normal, b.Normal) > SupportCosine) & isNear;
+      this->Supporters[i * this->Words + j / 64] |= supports << j % 64;
     }
   }
   bool IsNew(std::size_t i) const

@@ -127,13 +127,13 @@ private:
   {
     const MoveBounds& bounds = this->Mesh.BoundsOf(point);
     const Vector3 &x = this->Mesh.X[point], &low = bounds.Lower, &high = bounds.Upper;
-    bool stays = true;
+    int stays = 1; // an integer: & without branches
     for (int a = 0; a < 3; ++a)
     {
       const double to = x[a] + step[a];
       stays = stays & (x[a] > low[a]) & (x[a] < high[a]) & (to > low[a]) & (to < high[a]);
     }
-    return stays;
+    return stays != 0;
   }
   int FixedAxes(int point, const Vector3& step) const;
   Vector3 AlongFreeAxes(int point, Vector3 step) const;

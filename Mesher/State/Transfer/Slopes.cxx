@@ -126,7 +126,7 @@ VFM_INLINE LineLanes LimitLines(const Fit& fit, const Lanes& shift, const DonorS
   {
     const Lanes limited = part * number;
     // A number is finite if its difference to itself is 0.
-    number = (part > zero) & (number - number == zero) ? limited : zero;
+    number = ((part > zero) & (number - number == zero)) ? limited : zero;
   }
   return line;
 }
