@@ -52,6 +52,7 @@ FOLDERS = (
     ("IO/Images/Pictures", "Pictures, TIFF stacks and slices."),
     ("IO/Blocks", "SpyPlot files and AMReX plotfiles."),
     ("IO/Meshes/Files", "Parts of all writers of meshes."),
+    ("IO/Meshes/Particles", "Particles of all writers, and files with only particles."),
     ("IO/Meshes/Vtk", "VTK's XML files."),
     ("IO/Meshes/Exodus", "Exodus files, with netCDF."),
     ("IO/Meshes/Gmsh", "Files of Gmsh."),

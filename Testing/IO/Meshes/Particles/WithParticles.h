@@ -18,6 +18,7 @@ struct ParticleForm
 {
   bool HasMass = true, HasNodalVelocity = true;
   Index Count = NumberOfTestParticles;
+  MeshChange Change = {}; ///< of the mesh before particles are added
 };
 
 /// Calls work(mesh, ranks) on each rank with its part of WithMesh, its particles, an array "energy"
@@ -26,7 +27,8 @@ struct ParticleForm
 template <class Work>
 void WithParticles(int count, MeshMaker make, const Work& work, const ParticleForm& form = {})
 {
-  WithMesh(count, make,
+  WithMesh(
+    count, make,
     [&](const FileCase& part, Ranks& ranks)
     {
       const int holders = std::max(1, count - 1);
@@ -51,7 +53,8 @@ void WithParticles(int count, MeshMaker make, const Work& work, const ParticleFo
         mesh.PointArrays.push_back({ "NodalVelocity", ValueType::Double, 3, {}, velocity.data() });
       }
       work(mesh, ranks);
-    });
+    },
+    {}, form.Change);
 }
 
 } // namespace testing

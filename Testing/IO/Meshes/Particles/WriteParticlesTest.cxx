@@ -1,14 +1,18 @@
 /// Particles in mesh files: the same bytes from any number of ranks; all files or none; lists of
 /// parts. The test ParticleFiles of Python reads the files.
 #include "Meshes/Particles/WriteParticles.h"
+#include "Meshes/Exodus/ExodusModel.h"
 #include "Meshes/Particles/GatherParticles.h"
 #include "Meshes/Particles/ParticleParts.h"
 #include "Meshes/WriteMesh.h"
+#include "Modify/SplitInterfaces.h"
 #include "WithParticles.h"
 
 #include <algorithm>
 #include <map>
 #include <mutex>
+#include <numeric>
+#include <set>
 
 using namespace vfm;
 using namespace vfm::testing;
@@ -162,6 +166,61 @@ TEST(WriteParticles, EachRankWritesItsParticles)
       files.at("processor" + std::to_string(rank) + "/0/lagrangian/particles/U");
     EXPECT_NE(text.find(std::string("}\n\n") + count + "("), std::string::npos) << rank;
   }
+}
+
+TEST(WriteParticles, IdsDifferFromThoseOfCohesiveElements)
+{
+  const ParticleForm form{ .Change = [](Mesh& mesh, FieldArrays& fields, Ranks& ranks)
+    {
+      OutputState state;
+      RankRuntime runtime(ranks);
+      SplitInterfaces(MaterialPairs("SplitInterfaces", "all", {}), ConnectionKind::Cohesive,
+        runtime, fields, mesh, state);
+    } };
+  std::map<int, std::set<Index>> elements, nodes, all;
+  std::mutex lock;
+  std::vector<std::string> decks;
+  for (int count : { 1, 3 })
+  {
+    const Folder folder;
+    WithParticles(
+      count, MakeHexMesh,
+      [&](const MeshData& mesh, Ranks& ranks)
+      {
+        WriteMesh(mesh, folder / "mesh.inp", ranks);
+        const ExodusModel model = MakeExodusModel(mesh, ranks);
+        const MeshData& part = model.Mesh.Data;
+        const std::lock_guard<std::mutex> hold(lock);
+        std::set<int> blocks;
+        for (const ExodusBlock& block : model.Blocks)
+        {
+          EXPECT_TRUE(blocks.insert(block.Id).second) << block.Id;
+        }
+        EXPECT_EQ(blocks.size(), 8u); // three materials, their pairs, materials of particles
+        const Index total = std::accumulate(model.Blocks.begin(), model.Blocks.end(), Index(0),
+          [](Index sum, const ExodusBlock& block) { return sum + block.Total; });
+        EXPECT_EQ(model.TotalElements, total);
+        elements[count].insert(model.ParticleIds.begin(), model.ParticleIds.end());
+        nodes[count].insert(part.PointIds + part.NumberOfPoints - model.ParticleIds.size(),
+          part.PointIds + part.NumberOfPoints);
+        all[count].insert(part.ElementIds, part.ElementIds + part.NumberOfElements);
+        for (const CohesiveBlock& block : model.Cohesive)
+        {
+          all[count].insert(block.Ids.begin(), block.Ids.end());
+        }
+      },
+      form);
+    decks.push_back(ReadBytes(folder / "mesh.inp"));
+    EXPECT_EQ(elements[count].size(), 203u);
+    EXPECT_EQ(nodes[count].size(), 203u);
+    EXPECT_EQ(*elements[count].begin(), *all[count].rbegin() + 1);
+    EXPECT_EQ(*elements[count].rbegin(), *all[count].rbegin() + 203);
+  }
+  EXPECT_EQ(elements[1], elements[3]);
+  EXPECT_EQ(nodes[1], nodes[3]);
+  EXPECT_TRUE(decks[0] == decks[1]);
+  EXPECT_NE(decks[0].find("*ELEMENT, TYPE=COH3D8"), std::string::npos);
+  EXPECT_NE(decks[0].find("*ELEMENT, TYPE=MASS"), std::string::npos);
 }
 
 TEST(WriteParticles, OneFilePerMaterialHasItsParticlesBeside)
