@@ -194,6 +194,19 @@ def test_other_data():
     assert names("RTData") is None
 
 
+def test_particles_are_round():
+    """Particles are shown as spheres of Point Gaussian, the mesh with its surface."""
+    ball = BALL.copy()
+    ball[-1, -1, -1] = 0.3
+    made = VolumeFractionToHex(Input=producer(image({"ball": ball, "plate": 0 * PLATE})),
+                               VolumeFractionArrays=["ball", "plate"], StairStep=1,
+                               UnmeshedMaterial="Particles")
+    view = simple.CreateRenderView()
+    shown = [str(simple.Show(simple.OutputPort(made, port), view).Representation).strip("'")
+             for port in (0, 6)]
+    assert shown == ["Surface", "Point Gaussian"], shown
+
+
 def run_afresh(test):
     return lambda: (forget(), test())
 
