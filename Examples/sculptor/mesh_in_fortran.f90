@@ -121,8 +121,8 @@ contains
     integer(c_int64_t) :: particles
     type(c_ptr) :: positions, ids, ids_of_materials, radii, parts, masses
     real(c_double), pointer :: own(:)
-    call check(sculptor_get_particles(s, particles, positions, ids, ids_of_materials, radii, parts, &
-      masses))
+    call check(sculptor_get_particles(s, particles, positions, ids, ids_of_materials, radii, &
+      parts, masses))
     sums = 0
     if (particles == 0) return
     call c_f_pointer(parts, own, [particles])

@@ -14,6 +14,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkRectilinearGrid
 from vtkmodules.vtkCommonMath import vtkMatrix3x3
+from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 CASES_FOLDER = os.path.join(ROOT, "python", "tests")
@@ -112,6 +113,12 @@ def arrays_of(result, case):
     }
 
 
+def outer_environment():
+    """Returns the environment without that of pvpython."""
+    return {name: value for name, value in os.environ.items()
+            if name not in ("PYTHONPATH", "PYTHONHOME", "LD_LIBRARY_PATH")}
+
+
 def digests_of_the_package(folder):
     """Returns {case: digest of the package's mesh} and writes the meshes to files in `folder`.
 
@@ -120,13 +127,9 @@ def digests_of_the_package(folder):
     python = os.environ.get("VFM_PACKAGE_PYTHON")
     if not python:
         return {}
-    kept = {
-        name: value for name, value in os.environ.items()
-        if name not in ("PYTHONPATH", "PYTHONHOME", "LD_LIBRARY_PATH")
-    }
     run = subprocess.run(
         [python, os.path.join(CASES_FOLDER, "digest_cases.py"), folder],
-        env=kept,
+        env=outer_environment(),
         stdout=subprocess.PIPE,
         check=True,
         text=True,
@@ -158,6 +161,42 @@ def files_differ(mesh, name, folder):
         if not files or files != read_folder(os.path.dirname(other)):
             found.append("%s .%s" % (name, ending))
     return found
+
+
+def with_drops():
+    """Returns a case of which two cells become particles."""
+    case = CASES["hexes, state conserved"]()
+    case.arrays["ball"][0, 0, -1], case.arrays["ball"][-1, -1, -1] = 0.25, 0.375
+    return case
+
+
+@in_folder
+def test_particles(at):
+    """Files with particles are those of sculptor, of which the package reads the same grid."""
+    python = os.environ.get("VFM_PACKAGE_PYTHON")
+    if not python:
+        return
+    writer = vtkXMLImageDataWriter()
+    writer.SetFileName(at("drops.vti"))
+    writer.SetInputData(grid_of(with_drops()))
+    writer.Write()
+    roles = [word for role in ("density", "velocity", "energy") for word in ("--" + role, role)]
+    given = {"package": [python, "-m", "volume_fraction_mesh", at("drops.vti")],
+             "sculptor": [os.environ["VFM_SCULPTOR"], at("drops.vti")]}
+    options = {"package": ["--array", "ball", "--array", "plate", "--unmeshed-material",
+                           "particles", "--state", "code", *roles],
+               "sculptor": ["--fractions", "ball,plate", "--unmeshed", "Particles", "--state",
+                            "code", *roles]}
+    for ending in (*ENDINGS, "data", "vtu", "stl"):
+        files = {}
+        for program, words in given.items():
+            path = path_of(at(program), "drops", ending)
+            os.makedirs(os.path.dirname(path))
+            subprocess.run([*words, path, *options[program], "--quiet"], env=outer_environment(),
+                           check=True)
+            files[program] = read_folder(os.path.dirname(path))
+        assert files["package"] == files["sculptor"], ending
+        assert files["package"], ending
 
 
 @in_folder
