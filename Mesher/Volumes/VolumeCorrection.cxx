@@ -43,7 +43,7 @@ constexpr struct
 {
   float Demand;
   double Error;
-} Yields[] = { { 0.8f, FragmentTolerance }, { 0.6f, FragmentTolerance }, { 0.4f, 2e-2 } };
+} Yields[] = { { 0.8f, FragmentTolerance }, { 0.6f, FragmentTolerance }, { 0.4f, 1e-2 } };
 // A fragment has this number of rounds with a demand, or until its error did not fall this many
 // times in turn.
 constexpr int YieldingRounds = 16, IdleRounds = 4;

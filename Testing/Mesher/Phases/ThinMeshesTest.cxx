@@ -69,7 +69,7 @@ TEST(ThinMeshes, FilmsAreOneFragmentOfTheirVolume)
         SCOPED_TRACE(name);
         ExpectValid(made.Elements);
         EXPECT_EQ(made.Report.NumberOfFragments, 1);
-        EXPECT_LT(std::abs(made.VolumeError), isHexes ? 1e-3 : 0.08);
+        EXPECT_LT(std::abs(made.VolumeError), isHexes ? 0.02 : 0.08);
         EXPECT_LT(made.Displaced, isHexes ? 0.1 : 0.5);
         std::printf("%s: volume %+.3f %%, displaced %.1f %%, SJ %.3f\n", name,
           100.0 * made.VolumeError, 100.0 * made.Displaced, made.Report.MinimumScaledJacobian);
@@ -132,10 +132,14 @@ TEST(ThinMeshes, FilmThroughABall)
   for (const ElementMaker& method : ElementMakers)
   {
     const ThinMesh made = MakeThin(grid, shapes, method);
+    const bool isHexes = &method == ElementMakers;
     ExpectValid(made.Elements);
     EXPECT_EQ(made.Report.NumberOfFragments, 1) << method.Name;
-    EXPECT_LT(std::abs(made.VolumeError), 1e-3) << method.Name;
-    EXPECT_LT(made.Displaced, &method == ElementMakers ? 0.07 : 0.2) << method.Name;
+    // The film of Lattice would crumple if its elements were thinner.
+    EXPECT_LT(
+      std::abs(made.VolumeError), method.Tets == TetMethod::Lattice && !isHexes ? 0.3 : 1e-3)
+      << method.Name;
+    EXPECT_LT(made.Displaced, isHexes ? 0.1 : 0.4) << method.Name;
     std::printf("%s film through a ball: volume %+.4f %%, displaced %.1f %%, SJ %.3f\n",
       method.Name, 100.0 * made.VolumeError, 100.0 * made.Displaced,
       made.Report.MinimumScaledJacobian);
