@@ -14,6 +14,9 @@ constexpr double LeastFilmFraction = 0.003;
 constexpr double LargestFilmMean = 0.35;
 constexpr double LargestMean = 0.5; // of the material around a candidate
 constexpr double RidgeShare = 0.7;  // of the largest fraction around a ridge
+// A body ends at a side of the domain if the layer of cells there has less of it than this part of
+// the cell before. Else it crosses the side.
+constexpr double ShareAtSide = 0.5;
 
 /// Fractions of the 27 cells around a cell; a cell outside the local box counts as the nearest cell
 /// inside.
@@ -41,6 +44,43 @@ FractionsAround MeasureAround(const CartesianGrid& grid, const FractionField& fr
   return around;
 }
 
+/// Returns the largest fraction of the 3^2 cells around a cell across an axis.
+double LargestAcross(const CartesianGrid& grid, const FractionField& fractions, const Index3& cell,
+  int axis, int material)
+{
+  IndexBox layer = Grow(BoxOfCell(cell), 1, grid.Local());
+  layer.Lower[axis] = cell[axis];
+  layer.Upper[axis] = cell[axis] + 1;
+  double largest = 0.0;
+  ForCells(layer,
+    [&](const Index3& q)
+    { largest = std::max(largest, fractions.Fraction(grid.Linear(q), material)); });
+  return largest;
+}
+
+/// Returns whether a body ends in a cell at a side of the domain.
+bool EndsAtSide(const CartesianGrid& grid, const FractionField& fractions, const LabelArray& labels,
+  const Index3& cell, int material)
+{
+  for (int a = 0; a < 3; ++a)
+  {
+    for (Index step : { -1, 1 })
+    {
+      Index3 before = cell, behind = cell;
+      before[a] -= step;
+      behind[a] += step;
+      if (!grid.InDomain(behind) && grid.InDomain(before) &&
+        labels[grid.Linear(before)] == material &&
+        LargestAcross(grid, fractions, cell, a, material) <
+          ShareAtSide * fractions.Fraction(grid.Linear(before), material))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 /// Adds the candidates of a mixed cell.
 void AddCandidates(const CartesianGrid& grid, const FractionField& fractions,
   const LabelArray& labels, const Index3& cell, std::vector<ThinCandidate>& list)
@@ -56,8 +96,8 @@ void AddCandidates(const CartesianGrid& grid, const FractionField& fractions,
     if (around.Mean < (part.Fraction > LeastFraction ? LargestMean : LargestFilmMean))
     {
       const bool isRidge = !around.HasLabel && part.Fraction >= RidgeShare * around.Largest;
-      list.push_back(
-        { at, part.Material, part.Fraction, 0.5 * around.Mean + 0.5 * part.Fraction, isRidge });
+      list.push_back({ at, part.Material, part.Fraction, 0.5 * around.Mean + 0.5 * part.Fraction,
+        isRidge, EndsAtSide(grid, fractions, labels, cell, part.Material) });
     }
   }
 }

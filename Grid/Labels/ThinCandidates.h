@@ -20,6 +20,7 @@ struct ThinCandidate
   double Key; ///< the order of thinning: candidates with small keys leave first
   /// No cell around has the material's label, and none has much more of the material.
   bool IsRidge;
+  bool EndsAtSide; ///< whether it is the end of a body, in a cell at a side of the domain
 };
 
 /// Candidates of all materials in and around the owned cells, and which of them are in the set of

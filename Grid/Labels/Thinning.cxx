@@ -24,7 +24,8 @@ enum class Turn : unsigned char
 
 Turn FindTurn(const ThinCandidates& candidates, std::size_t n)
 {
-  const CellsAround set = candidates.SetAround(candidates[n], true);
+  // A body that ends at a side does not continue beyond it.
+  const CellsAround set = candidates.SetAround(candidates[n], !candidates[n].EndsAtSide);
   const int rest = CountPartsOfRest(set);
   if (rest > 1 || CountPartsOfSet(set) != 1)
   {
