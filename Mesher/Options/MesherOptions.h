@@ -130,12 +130,8 @@ struct ConserveOptions
 /// All user options. An empty name means no array or no file.
 struct MesherOptions : MeshSettings, LevelSettings, ConserveOptions, LayerOptions
 {
-  /// Sets the defaults for users of SharpEdges and ThinParts; those of MeshSettings are off.
-  MesherOptions()
-  {
-    this->SharpEdges = SharpEdgeMode::Automatic;
-    this->ThinParts = true;
-  }
+  /// Sets SharpEdges to Automatic, the default for users; the default of MeshSettings is Off.
+  MesherOptions() { this->SharpEdges = SharpEdgeMode::Automatic; }
 
   ElementKind Elements = ElementKind::Hexes;
   int Periodic = 0; ///< bit a is set if the domain repeats along axis a

@@ -134,7 +134,8 @@ void MoveToTargets(
   std::unique_ptr<LevelInterfaces> interfaces;
   const SurfaceTargets targets = FindTargets(cells, draft, method, run, active, kinds, interfaces);
   std::optional<LocalVolumes> local;
-  if (!draft.IsThin.empty() && active.HasHexes()) // tets would crumple
+  // Tets would crumple; elements of a refined mesh do not fill whole cells of the finest grid.
+  if (!draft.IsThin.empty() && active.HasHexes() && draft.Elements.Levels->IsUniform())
   {
     local.emplace(cells, draft.Thin, draft.Elements, active, draft.Volumes, run);
   }

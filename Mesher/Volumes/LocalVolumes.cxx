@@ -149,7 +149,7 @@ void LocalVolumes::AddFractions(const FractionField& fractions, const Mesh& mesh
     });
 }
 
-/// Subtracts the owned elements that do not move, and lists those that move.
+/// Subtracts the owned hexes that do not move, and lists those that move.
 void LocalVolumes::AddInactive(const Mesh& mesh, const ActiveMesh& active)
 {
   std::vector<int> activeOf(mesh.Material.size(), -1);
@@ -178,12 +178,11 @@ void LocalVolumes::AddInactive(const Mesh& mesh, const ActiveMesh& active)
       this->Elements.push_back({ activeOf[e], mesh.Material[e] });
       continue;
     }
-    std::array<Vector3, 8> x{};
-    for (int c = 0; c < mesh.Corners; ++c)
+    if (this->Region[this->Grid.Linear(cell)]) // it is the whole cell
     {
-      x[c] = mesh.PointAt(mesh.Elements[mesh.Corners * e + c]);
+      this->Start[this->KeyOf(this->Grid.Linear(cell), mesh.Material[e])].Lack -=
+        Rounded(this->Grid.CellVolume(cell) / Cube(this->Grid.MeanWidth()));
     }
-    this->AddParts(x, mesh.Corners, mesh.Material[e], this->Start);
   }
 }
 

@@ -24,7 +24,7 @@ class LocalVolumes
 {
 public:
   /// @param thin  thin cells of the local box, ascending
-  /// @param mesh  all elements of this rank, at their start
+  /// @param mesh  all hexes of this rank, without corners, at their start; all are of one level
   /// @param active  its active part, with MeshElement
   /// @param volumes  small fragments keep their shifts: they have a shift of their own
   LocalVolumes(const MeshCells& cells, const std::vector<Index>& thin, const Mesh& mesh,
