@@ -43,8 +43,8 @@ def run(proxy, fails=False):
     algorithm = proxy.GetClientSideObject()
     errors, warnings = collect(algorithm)
     algorithm.Update()
-    last = algorithm.GetNumberOfOutputPorts() - 1
-    outputs = [algorithm.GetOutputDataObject(port) for port in (0, last)]
+    cohesive = min(algorithm.GetNumberOfOutputPorts() - 1, 5)  # behind it are the particles
+    outputs = [algorithm.GetOutputDataObject(port) for port in (0, cohesive)]
     if fails:
         return outputs, errors
     warnings = [text for text in warnings if "is read as void" not in text]  # a note on label 0

@@ -59,8 +59,8 @@ def main() -> None:
         volumes = mesh.volumes()
         is_upper = mesh.points[mesh.cells].mean(axis=1)[:, 2] > upper
         print(
-            "thin parts %s: %d hexahedra, %d fragments, %.2f %% of the volume, %.0f %% of the upper "
-            "half of the film, scaled Jacobian %.2f"
+            "thin parts %s: %d hexahedra, %d fragments, %.2f %% of the volume, %.0f %% of the "
+            "upper half of the film, scaled Jacobian %.2f"
             % ("on" if thin_parts else "off", len(mesh.cells), len(np.unique(mesh.fragment)),
                100 * volumes.sum() / fractions.sum(),
                100 * volumes[is_upper].sum() / fractions[:, :, upper:].sum(), mesh.quality.min())
