@@ -40,7 +40,7 @@ def show(meshes, cells: int, path: str) -> None:
         grid.points[:, 0] += 0.8 * cells * place
         plotter.add_mesh(grid, color="lightblue", show_edges=True, line_width=0.5)
     plotter.view_vector((0.3, -1, 0.35), viewup=(0, 0, 1))
-    plotter.camera.zoom(1.6)
+    plotter.camera.zoom(2.0)
     plotter.screenshot(path)
 
 
