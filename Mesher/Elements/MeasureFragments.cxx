@@ -6,7 +6,6 @@
 namespace vfm
 {
 
-// Coordinates are relative to the first corner, which limits rounding errors if they are large.
 double VolumeOfElement(const Mesh& mesh, Index element, double unit)
 {
   std::array<Vector3, 8> x;
@@ -18,14 +17,7 @@ double VolumeOfElement(const Mesh& mesh, Index element, double unit)
   {
     return Dot(x[1] - x[0], Cross(x[2] - x[0], x[3] - x[0])) / (6.0 * unit * unit * unit);
   }
-  const double scale = 1.0 / unit;
-  std::array<Vector3, 4> lower, upper;
-  for (int c = 0; c < 4; ++c)
-  {
-    lower[c] = scale * (x[c] - x[0]);
-    upper[c] = scale * (x[c + 4] - x[0]);
-  }
-  return VolumeBetween(lower, upper);
+  return VolumeOfHex(x, 1.0 / unit);
 }
 
 std::vector<double> MeasureFragments(

@@ -76,11 +76,7 @@ FilmCrossings::FilmCrossings(const CartesianGrid& grid, const FractionField& fra
       const Index3 p = grid.Position(cells[i]);
       const std::vector<FractionSample> samples =
         SampleAround(grid, fractions, p, labels[cells[i]]);
-      if (samples[0].Value <= 0.0 || samples[0].Value >= 1.0)
-      {
-        return;
-      }
-      if (IsAlongLine(samples))
+      if (samples[0].Value <= 0.0 || samples[0].Value >= 1.0 || IsAlongLine(samples))
       {
         return;
       }

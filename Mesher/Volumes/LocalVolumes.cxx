@@ -1,8 +1,11 @@
 #include "Volumes/LocalVolumes.h"
 
+#include "Base/HexNumbering.h"
 #include "Base/HexVolume.h"
 #include "Base/PortableMath.h"
 #include "Geometry/ElementParts.h"
+
+#include <unordered_set>
 
 namespace vfm
 {
@@ -43,31 +46,15 @@ void ForCellsAround(const CartesianGrid& grid, const Index3& node, const Visit& 
     });
 }
 
-/// Returns the corners of an active element, in VTK's order and length units.
-std::array<Vector3, 8> CornersOf(const ActiveMesh& mesh, int element)
+/// Returns the corners of an active hex, in VTK's order and length units.
+std::array<Vector3, 8> CornersOf(const ActiveMesh& mesh, int hex)
 {
-  std::array<Vector3, 8> x{};
-  for (int c = 0; c < mesh.Corners; ++c)
+  std::array<Vector3, 8> x;
+  for (int c = 0; c < 8; ++c)
   {
-    const Vector3& point = mesh.X[mesh.Elements[mesh.Corners * element + c]];
-    x[mesh.HasHexes() ? c ^ (c >> 1 & 1) : c] = mesh.Origin + mesh.Scale * point;
+    x[VtkCorner[c]] = mesh.Origin + mesh.Scale * mesh.X[mesh.Elements[8 * hex + c]];
   }
   return x;
-}
-
-double VolumeOf(const std::array<Vector3, 8>& x, int corners)
-{
-  if (corners == 4)
-  {
-    return Dot(x[1] - x[0], Cross(x[2] - x[0], x[3] - x[0])) / 6.0;
-  }
-  std::array<Vector3, 4> lower, upper;
-  for (int c = 0; c < 4; ++c)
-  {
-    lower[c] = x[c] - x[0];
-    upper[c] = x[c + 4] - x[0];
-  }
-  return VolumeBetween(lower, upper);
 }
 
 } // namespace
@@ -115,13 +102,13 @@ void LocalVolumes::MarkRegion(const std::vector<Index>& thin)
 /// Adds the fractions of owned cells, except those without an element of their material around.
 void LocalVolumes::AddFractions(const FractionField& fractions, const Mesh& mesh)
 {
-  std::unordered_map<Index, bool> hasElement;
+  std::unordered_set<Index> hasElement;
   for (std::size_t e = 0; e < mesh.Material.size(); ++e)
   {
     const Index cell = this->Grid.Linear(CellOfElement(this->Grid, mesh, mesh.ElementIds[e]));
     if (this->Region[cell] && mesh.Material[e] > 0)
     {
-      hasElement[this->KeyOf(cell, mesh.Material[e])] = true;
+      hasElement.insert(this->KeyOf(cell, mesh.Material[e]));
     }
   }
   const double unit = 1.0 / Cube(this->Grid.MeanWidth());
@@ -199,28 +186,23 @@ void LocalVolumes::ListPoints(const Mesh& mesh, const ActiveMesh& active)
   }
 }
 
-/// Subtracts an element from the cells of the region that it fills.
-void LocalVolumes::AddParts(
-  const std::array<Vector3, 8>& corners, int numberOfCorners, int material, Sums& sums) const
-{
-  const double unit = 1.0 / Cube(this->Grid.MeanWidth());
-  const auto add = [&](const Vector3& centre, double volume)
-  {
-    const Index3 cell = this->Grid.CellAt(centre);
-    if (this->Grid.Local().Contains(cell) && this->Region[this->Grid.Linear(cell)])
-    {
-      sums[this->KeyOf(this->Grid.Linear(cell), material)].Lack -= Rounded(unit * volume);
-    }
-  };
-  const double volume = VolumeOf(corners, numberOfCorners);
-  numberOfCorners == 8 ? ForPartsOfHex(corners, volume, add) : ForPartsOfTet(corners, volume, add);
-}
-
+/// Subtracts the hexes that move from the cells of the region that they fill.
 void LocalVolumes::AddElements(const ActiveMesh& mesh, Sums& sums) const
 {
+  const double unit = 1.0 / Cube(this->Grid.MeanWidth());
   for (const Element& element : this->Elements)
   {
-    this->AddParts(CornersOf(mesh, element.Active), mesh.Corners, element.Material, sums);
+    const std::array<Vector3, 8> corners = CornersOf(mesh, element.Active);
+    ForPartsOfHex(corners, VolumeOfHex(corners),
+      [&](const Vector3& centre, double volume)
+      {
+        const Index3 cell = this->Grid.CellAt(centre);
+        if (this->Grid.Local().Contains(cell) && this->Region[this->Grid.Linear(cell)])
+        {
+          sums[this->KeyOf(this->Grid.Linear(cell), element.Material)].Lack -=
+            Rounded(unit * volume);
+        }
+      });
   }
 }
 
@@ -237,7 +219,6 @@ void LocalVolumes::AddFacets(const ActiveMesh& mesh, Sums& sums) const
     {
       continue;
     }
-    // A triangle repeats its last point.
     const double area = 0.5 * Norm(Cross(mesh.X[r] - mesh.X[p], mesh.X[s] - mesh.X[q]));
     for (int fragment : facet.Fragments)
     {

@@ -62,8 +62,6 @@ private:
   void AddInactive(const Mesh& mesh, const ActiveMesh& active);
   void AddFractions(const FractionField& fractions, const Mesh& mesh);
   void ListPoints(const Mesh& mesh, const ActiveMesh& active);
-  void AddParts(
-    const std::array<Vector3, 8>& corners, int numberOfCorners, int material, Sums& sums) const;
   void AddElements(const ActiveMesh& mesh, Sums& sums) const;
   void AddFacets(const ActiveMesh& mesh, Sums& sums) const;
   void Complete(Sums& sums) const;
@@ -76,7 +74,7 @@ private:
   const int Materials;               // with void
   std::vector<unsigned char> Region; // whether each cell of the local box counts
   Sums Start;                        // fractions minus elements that do not move
-  std::vector<Element> Elements;     // owned active elements in or beside the region
+  std::vector<Element> Elements;     // owned active hexes in or beside the region
   std::vector<Index> CellOf;         // cell of each active element near thin cells; -1 for others
   std::vector<int> MaterialOf;       // material of each fragment; 0 if it is small or not here
   std::vector<Index> NodeOf;         // node of each active point near thin cells; -1 for others
