@@ -282,7 +282,7 @@ public:
   /// threads that miss their volume may have less quality than others. Oblique threads of less than
   /// a cell can still become thicker than they are; the table of materials tells by how much. Off:
   /// thin parts are torn or lost. Only for volume fractions with an IsoValue of 0.5; material ids
-  /// stay as they are. Allowed: on or off; default off.
+  /// stay as they are. Allowed: on or off; default on.
   vfmSwitchOption(ThinParts);
   /// Thickness, in cells, below which Thin Parts gives no cells to a film, thread or drop. Its
   /// material belongs to elements within one cell of it, or else to none (Unmeshed Material). Below

@@ -130,8 +130,12 @@ struct ConserveOptions
 /// All user options. An empty name means no array or no file.
 struct MesherOptions : MeshSettings, LevelSettings, ConserveOptions, LayerOptions
 {
-  /// Sets SharpEdges to Automatic, the default for users; the default of MeshSettings is Off.
-  MesherOptions() { this->SharpEdges = SharpEdgeMode::Automatic; }
+  /// Sets the defaults for users that differ from those of MeshSettings.
+  MesherOptions()
+  {
+    this->SharpEdges = SharpEdgeMode::Automatic;
+    this->ThinParts = true;
+  }
 
   ElementKind Elements = ElementKind::Hexes;
   int Periodic = 0; ///< bit a is set if the domain repeats along axis a

@@ -43,7 +43,7 @@ def hexes(
     mesh_void: bool = False,
     periodic: Literal["off", "x", "y", "xy", "z", "xz", "yz", "xyz"] = "off",
     periodic_sides: Literal["flat", "free", "joined"] = "flat",
-    thin_parts: bool = False,
+    thin_parts: bool = True,
     least_thickness: float = 0.25,
     minimum_region_cells: int = 0,
     fraction_tolerance: float = 1e-06,
@@ -183,7 +183,7 @@ def hexes(
         meet surfaces. "joined": there are no sides; elements at opposite sides share nodes, so some
         elements seem to extend across the whole domain. Surfaces are those of "free". Tetrahedra
         are "flat" or "joined".
-    thin_parts : bool, default False
+    thin_parts : bool, default True
         Keep films, threads and drops that are thinner than a cell, and so fill no cell by more than
         half: they get the cells in which they have most of their material. Elements of films and
         threads that miss their volume may have less quality than others. Oblique threads of less
@@ -461,7 +461,7 @@ def tets(
     mesh_void: bool = False,
     periodic: Literal["off", "x", "y", "xy", "z", "xz", "yz", "xyz"] = "off",
     periodic_sides: Literal["flat", "free", "joined"] = "flat",
-    thin_parts: bool = False,
+    thin_parts: bool = True,
     least_thickness: float = 0.25,
     minimum_region_cells: int = 0,
     fraction_tolerance: float = 1e-06,
