@@ -1,5 +1,6 @@
 #include "Volumes/LocalVolumes.h"
 
+#include "Base/Groups.h"
 #include "Base/HexNumbering.h"
 #include "Base/HexVolume.h"
 #include "Base/PortableMath.h"
@@ -18,32 +19,14 @@ constexpr Index RegionLayers = 3;
 constexpr double LargestShift = 0.2; // per correction, in mean cells
 // Smallest area of the interfaces around a point by which its lack is divided, in mean cells.
 constexpr double SmallestArea = 0.3;
+// Along each axis, of the 4 cells around a node. The sum is that of the 3^3 cells around each of
+// the 8 cells at the node.
+constexpr int WeightAround[4] = { 1, 2, 2, 1 };
+constexpr Index ElementsOfBlock = 256; // elements per task
 
 std::int64_t Rounded(double value)
 {
   return std::llround(value / Quantum);
-}
-
-/// Calls visit(cell, weight) for the 4^3 cells around a node. Along each axis, the weights of the
-/// two inner cells are 2: the sum is that of the 3^3 cells around each of the 8 cells at the node.
-template <class Visit>
-void ForCellsAround(const CartesianGrid& grid, const Index3& node, const Visit& visit)
-{
-  const IndexBox around{ { { node[0] - 2, node[1] - 2, node[2] - 2 } },
-    { { node[0] + 2, node[1] + 2, node[2] + 2 } } };
-  ForCells(around,
-    [&](const Index3& cell)
-    {
-      if (grid.Local().Contains(cell))
-      {
-        int weight = 1;
-        for (int a = 0; a < 3; ++a)
-        {
-          weight *= cell[a] == node[a] || cell[a] == node[a] - 1 ? 2 : 1;
-        }
-        visit(grid.Linear(cell), weight);
-      }
-    });
 }
 
 /// Returns the corners of an active hex, in VTK's order and length units.
@@ -66,10 +49,18 @@ struct LocalVolumes::Item
   int Material;
 };
 
+/// Returns the first entry with at least a key.
+LocalVolumes::Sums::const_iterator LocalVolumes::FirstFrom(const Sums& sums, Index key)
+{
+  return std::lower_bound(
+    sums.begin(), sums.end(), key, [](const Entry& entry, Index k) { return entry.Key < k; });
+}
+
 LocalVolumes::LocalVolumes(const MeshCells& cells, const std::vector<Index>& thin, const Mesh& mesh,
   const ActiveMesh& active, const FragmentVolumes& volumes, const MeshRun& run) :
   Grid(cells.Grid),
   Parts(run.Parts),
+  TheRuntime(run.TheRuntime),
   Materials(cells.Fractions.NumberOfMaterials() + 1),
   Region(cells.Grid.NumberOfEntries(), 0)
 {
@@ -82,7 +73,34 @@ LocalVolumes::LocalVolumes(const MeshCells& cells, const std::vector<Index>& thi
   }
   this->AddFractions(cells.Fractions, mesh);
   this->AddInactive(mesh, active);
+  Unite(this->Start);
   this->ListPoints(mesh, active);
+}
+
+/// Adds amounts to the last entry if it has the same key, else as a new one.
+void LocalVolumes::Add(Sums& sums, Index key, const Amounts& amounts)
+{
+  if (sums.empty() || sums.back().Key != key)
+  {
+    sums.push_back({ key, {} });
+  }
+  Amounts& values = sums.back().Values;
+  values.Lack += amounts.Lack;
+  values.Filled += amounts.Filled;
+  values.Area += amounts.Area;
+}
+
+/// Sorts entries and adds up those of one key.
+void LocalVolumes::Unite(Sums& sums)
+{
+  std::sort(sums.begin(), sums.end(), [](const Entry& a, const Entry& b) { return a.Key < b.Key; });
+  Sums united;
+  united.reserve(sums.size());
+  for (const Entry& entry : sums)
+  {
+    Add(united, entry.Key, entry.Values);
+  }
+  sums.swap(united);
 }
 
 /// Marks thin cells with 2, the cells near them with 1.
@@ -121,7 +139,7 @@ void LocalVolumes::AddFractions(const FractionField& fractions, const Mesh& mesh
     if (material > 0 && isNear)
     {
       const std::int64_t volume = Rounded(unit * this->Grid.CellVolume(p) * fraction);
-      this->Start[this->KeyOf(this->Grid.Linear(p), material)] = { volume, volume, 0 };
+      Add(this->Start, this->KeyOf(this->Grid.Linear(p), material), { volume, volume, 0 });
     }
   };
   ForCells(this->Grid.Owned(),
@@ -162,13 +180,14 @@ void LocalVolumes::AddInactive(const Mesh& mesh, const ActiveMesh& active)
     }
     if (activeOf[e] >= 0)
     {
-      this->Elements.push_back({ activeOf[e], mesh.Material[e] });
+      this->Elements.push_back({ activeOf[e], mesh.Material[e], cell });
       continue;
     }
     if (this->Region[this->Grid.Linear(cell)]) // it is the whole cell
     {
-      this->Start[this->KeyOf(this->Grid.Linear(cell), mesh.Material[e])].Lack -=
+      const std::int64_t volume =
         Rounded(this->Grid.CellVolume(cell) / Cube(this->Grid.MeanWidth()));
+      Add(this->Start, this->KeyOf(this->Grid.Linear(cell), mesh.Material[e]), { -volume, 0, 0 });
     }
   }
 }
@@ -180,8 +199,10 @@ void LocalVolumes::ListPoints(const Mesh& mesh, const ActiveMesh& active)
   {
     const Index3 node = NodeOfPoint(this->Grid, mesh, mesh.PointIds[active.MeshPoint[p]]);
     bool isNear = false;
-    ForCellsAround(
-      this->Grid, node, [&](Index cell, int) { isNear = isNear || this->Region[cell] == 2; });
+    const IndexBox around{ { { node[0] - 2, node[1] - 2, node[2] - 2 } },
+      { { node[0] + 2, node[1] + 2, node[2] + 2 } } };
+    ForCells(Intersect(around, this->Grid.Local()),
+      [&](const Index3& cell) { isNear = isNear || this->Region[this->Grid.Linear(cell)] == 2; });
     this->NodeOf[p] = isNear ? this->Grid.Linear(node) : -1;
   }
 }
@@ -190,20 +211,23 @@ void LocalVolumes::ListPoints(const Mesh& mesh, const ActiveMesh& active)
 void LocalVolumes::AddElements(const ActiveMesh& mesh, Sums& sums) const
 {
   const double unit = 1.0 / Cube(this->Grid.MeanWidth());
-  for (const Element& element : this->Elements)
-  {
-    const std::array<Vector3, 8> corners = CornersOf(mesh, element.Active);
-    ForPartsOfHex(corners, VolumeOfHex(corners),
-      [&](const Vector3& centre, double volume)
-      {
-        const Index3 cell = this->Grid.CellAt(centre);
-        if (this->Grid.Local().Contains(cell) && this->Region[this->Grid.Linear(cell)])
+  const Sums filled = CollectItems<Entry>(this->TheRuntime, this->Elements.size(), ElementsOfBlock,
+    [&](Index e, Sums& found)
+    {
+      const Element& element = this->Elements[e];
+      const std::array<Vector3, 8> corners = CornersOf(mesh, element.Active);
+      ForPartsOfHex(corners, VolumeOfHex(corners),
+        [&](const Vector3& centre, double volume)
         {
-          sums[this->KeyOf(this->Grid.Linear(cell), element.Material)].Lack -=
-            Rounded(unit * volume);
-        }
-      });
-  }
+          const Index3 cell = this->Grid.CellAt(centre, element.Cell);
+          if (this->Grid.Local().Contains(cell) && this->Region[this->Grid.Linear(cell)])
+          {
+            Add(found, this->KeyOf(this->Grid.Linear(cell), element.Material),
+              { -Rounded(unit * volume), 0, 0 });
+          }
+        });
+    });
+  sums.insert(sums.end(), filled.begin(), filled.end());
 }
 
 /// Adds the areas of facets, except those that stay on a side of the domain.
@@ -225,7 +249,7 @@ void LocalVolumes::AddFacets(const ActiveMesh& mesh, Sums& sums) const
       const int material = fragment > 0 ? this->MaterialOf[fragment] : 0;
       if (material > 0)
       {
-        sums[this->KeyOf(this->Grid.Linear(cell), material)].Area += Rounded(area);
+        Add(sums, this->KeyOf(this->Grid.Linear(cell), material), { 0, 0, Rounded(area) });
       }
     }
   }
@@ -244,35 +268,34 @@ void LocalVolumes::Complete(Sums& sums) const
 void LocalVolumes::SendToOwners(Sums& sums) const
 {
   std::vector<std::vector<Item>> sent(this->Parts.Peers().size());
-  for (auto at = sums.begin(); at != sums.end();)
+  Sums own;
+  for (const auto& [key, amounts] : sums)
   {
-    const auto& [key, amounts] = *at;
     const Index3 cell = this->Grid.Position(key / this->Materials);
     if (this->Parts.OwnsCell(cell))
     {
-      ++at;
+      own.push_back({ key, amounts });
       continue;
     }
     const int peer = this->Parts.PeerOfCell(cell);
     sent[peer].push_back(
       { this->Parts.CellKeyAtPeer(peer, cell), amounts, static_cast<int>(key % this->Materials) });
-    at = sums.erase(at);
   }
   for (const std::vector<Item>& items : this->Parts.Exchange(sent))
   {
     for (const Item& item : items)
     {
       const Index cell = this->Grid.Linear(this->Grid.CellOfKey(item.Cell));
-      Amounts& amounts = sums[this->KeyOf(cell, item.Material)];
-      amounts.Lack += item.Values.Lack;
-      amounts.Filled += item.Values.Filled;
-      amounts.Area += item.Values.Area;
+      own.push_back({ this->KeyOf(cell, item.Material), item.Values });
     }
   }
+  Unite(own);
+  sums.swap(own);
 }
 
 void LocalVolumes::SendToGhosts(Sums& sums) const
 {
+  Sums ghosts;
   this->Parts.ExchangeBoxes(
     [&](const IndexBox& box)
     {
@@ -281,13 +304,11 @@ void LocalVolumes::SendToGhosts(Sums& sums) const
       this->Parts.ForCells(box,
         [&](Index cell)
         {
-          for (int m = 1; m < this->Materials && this->Region[cell]; ++m)
+          const Index key = this->KeyOf(cell, 0);
+          for (auto at = this->Region[cell] ? FirstFrom(sums, key) : sums.end();
+               at != sums.end() && at->Key < key + this->Materials; ++at)
           {
-            const auto at = sums.find(this->KeyOf(cell, m));
-            if (at != sums.end())
-            {
-              items.push_back({ number, at->second, m });
-            }
+            items.push_back({ number, at->Values, static_cast<int>(at->Key - key) });
           }
           ++number;
         });
@@ -303,27 +324,58 @@ void LocalVolumes::SendToGhosts(Sums& sums) const
         {
           for (; next != items.end() && next->Cell == number; ++next)
           {
-            sums[this->KeyOf(cell, next->Material)] = next->Values;
+            ghosts.push_back({ this->KeyOf(cell, next->Material), next->Values });
           }
           ++number;
         });
     });
+  sums.insert(sums.end(), ghosts.begin(), ghosts.end());
+  Unite(sums);
+}
+
+/// Calls visit(i, amounts) for cells i = 0 to count - 1 of a row along x that have an entry.
+/// @param first  the first cell; the part of the row outside the local box is skipped
+template <class Visit>
+void LocalVolumes::ForRow(
+  const Sums& sums, const Index3& first, Index count, int material, const Visit& visit) const
+{
+  const IndexBox& box = this->Grid.Local();
+  const Index skipped = std::max<Index>(0, box.Lower[0] - first[0]);
+  const Index3 start{ { first[0] + skipped, first[1], first[2] } };
+  if (!box.Contains(start))
+  {
+    return;
+  }
+  const Index cell = this->Grid.Linear(start);
+  const Index last = cell + std::min(count, box.Upper[0] - first[0]) - skipped;
+  for (auto at = FirstFrom(sums, this->KeyOf(cell, material));
+       at != sums.end() && at->Key < this->KeyOf(last, 0); ++at)
+  {
+    if (at->Key % this->Materials == material)
+    {
+      visit(at->Key / this->Materials - cell + skipped, at->Values);
+    }
+  }
 }
 
 /// Returns the shift outwards of the interfaces of a material that makes up for what it lacks.
 double LocalVolumes::ShiftOf(const Sums& sums, Index node, int material) const
 {
   std::int64_t lack = 0, area = 0;
-  ForCellsAround(this->Grid, this->Grid.Position(node),
-    [&](Index cell, int weight)
+  const Index3 p = this->Grid.Position(node);
+  for (int j = 0; j < 4; ++j)
+  {
+    for (int k = 0; k < 4; ++k)
     {
-      const auto at = sums.find(this->KeyOf(cell, material));
-      if (at != sums.end())
-      {
-        lack += weight * at->second.Lack;
-        area += weight * at->second.Area;
-      }
-    });
+      this->ForRow(sums, { { p[0] - 2, p[1] + j - 2, p[2] + k - 2 } }, 4, material,
+        [&](Index i, const Amounts& amounts)
+        {
+          const int weight = WeightAround[i] * WeightAround[j] * WeightAround[k];
+          lack += weight * amounts.Lack;
+          area += weight * amounts.Area;
+        });
+    }
+  }
   const std::int64_t smallest = Rounded(8.0 * SmallestArea);
   return static_cast<double>(lack) / static_cast<double>(std::max(area, smallest));
 }
@@ -334,6 +386,7 @@ LocalVolumes::Sums LocalVolumes::Measure(const ActiveMesh& mesh) const
   Sums sums = this->Start;
   this->AddElements(mesh, sums);
   this->AddFacets(mesh, sums);
+  Unite(sums);
   this->Complete(sums);
   return sums;
 }
@@ -350,16 +403,16 @@ std::vector<unsigned char> LocalVolumes::FindExcess(const ActiveMesh& mesh, doub
       continue;
     }
     std::int64_t lack = 0, filled = 0;
-    ForCells(Grow(BoxOfCell(this->Grid.Position(this->CellOf[e])), 1, this->Grid.Local()),
-      [&](const Index3& q)
-      {
-        const auto at = sums.find(this->KeyOf(this->Grid.Linear(q), material));
-        if (at != sums.end())
+    const Index3 p = this->Grid.Position(this->CellOf[e]);
+    for (int side = 0; side < 9; ++side)
+    {
+      this->ForRow(sums, { { p[0] - 1, p[1] + side % 3 - 1, p[2] + side / 3 - 1 } }, 3, material,
+        [&](Index, const Amounts& amounts)
         {
-          lack += at->second.Lack;
-          filled += at->second.Filled;
-        }
-      });
+          lack += amounts.Lack;
+          filled += amounts.Filled;
+        });
+    }
     exceeds[e] = static_cast<double>(-lack) > share * static_cast<double>(filled);
   }
   return exceeds;
@@ -368,27 +421,25 @@ std::vector<unsigned char> LocalVolumes::FindExcess(const ActiveMesh& mesh, doub
 void LocalVolumes::ReplaceShifts(const ActiveMesh& mesh, std::vector<double>& shifts) const
 {
   const Sums sums = this->Measure(mesh);
-  for (std::size_t p = 0; p < this->NodeOf.size() && p + 1 < mesh.AttachmentOffset.size(); ++p)
-  {
-    if (this->NodeOf[p] < 0)
+  ForEach(this->TheRuntime, this->NodeOf.size(),
+    [&](Index p)
     {
-      continue;
-    }
-    for (Index i = mesh.AttachmentOffset[p]; i < mesh.AttachmentOffset[p + 1]; ++i)
-    {
-      const auto& [first, second] = mesh.Attachments[i].Fragments;
-      const int before = this->MaterialOf[first], behind = this->MaterialOf[second];
-      if (before == 0 && behind == 0)
+      for (Index i = mesh.AttachmentOffset[p];
+           this->NodeOf[p] >= 0 && i < mesh.AttachmentOffset[p + 1]; ++i)
       {
-        continue;
+        const auto& [first, second] = mesh.Attachments[i].Fragments;
+        const int before = this->MaterialOf[first], behind = this->MaterialOf[second];
+        if (before == 0 && behind == 0)
+        {
+          continue;
+        }
+        const double share = before > 0 && behind > 0 ? 0.5 : 1.0;
+        const double shift = share *
+          ((before > 0 ? this->ShiftOf(sums, this->NodeOf[p], before) : 0.0) -
+            (behind > 0 ? this->ShiftOf(sums, this->NodeOf[p], behind) : 0.0));
+        shifts[i] = std::clamp(shift, -LargestShift, LargestShift);
       }
-      const double share = before > 0 && behind > 0 ? 0.5 : 1.0;
-      const double shift = share *
-        ((before > 0 ? this->ShiftOf(sums, this->NodeOf[p], before) : 0.0) -
-          (behind > 0 ? this->ShiftOf(sums, this->NodeOf[p], behind) : 0.0));
-      shifts[i] = std::clamp(shift, -LargestShift, LargestShift);
-    }
-  }
+    });
 }
 
 } // namespace vfm

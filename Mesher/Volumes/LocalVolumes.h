@@ -14,8 +14,6 @@
 #include "Smoothing/ActiveMesh.h"
 #include "Volumes/FragmentVolumes.h"
 
-#include <unordered_map>
-
 namespace vfm
 {
 
@@ -48,12 +46,18 @@ private:
   {
     std::int64_t Lack = 0, Filled = 0, Area = 0;
   };
-  using Sums = std::unordered_map<Index, Amounts>; // by cell and material, KeyOf
-  struct Item;                                     // an entry of Sums for another rank
+  struct Entry
+  {
+    Index Key; // KeyOf
+    Amounts Values;
+  };
+  using Sums = std::vector<Entry>; // one per cell and material, ascending
+  struct Item;                     // an entry of Sums for another rank
   struct Element
   {
     int Active; // its number in the active mesh
     int Material;
+    Index3 Cell;
   };
 
   Index KeyOf(Index cell, int material) const { return cell * this->Materials + material; }
@@ -62,15 +66,22 @@ private:
   void AddInactive(const Mesh& mesh, const ActiveMesh& active);
   void AddFractions(const FractionField& fractions, const Mesh& mesh);
   void ListPoints(const Mesh& mesh, const ActiveMesh& active);
+  static void Add(Sums& sums, Index key, const Amounts& amounts);
+  static void Unite(Sums& sums);
+  static Sums::const_iterator FirstFrom(const Sums& sums, Index key);
   void AddElements(const ActiveMesh& mesh, Sums& sums) const;
   void AddFacets(const ActiveMesh& mesh, Sums& sums) const;
   void Complete(Sums& sums) const;
   void SendToOwners(Sums& sums) const;
   void SendToGhosts(Sums& sums) const;
+  template <class Visit>
+  void ForRow(
+    const Sums& sums, const Index3& first, Index count, int material, const Visit& visit) const;
   double ShiftOf(const Sums& sums, Index node, int material) const;
 
   const CartesianGrid& Grid;
   const Partition& Parts;
+  Runtime& TheRuntime;
   const int Materials;               // with void
   std::vector<unsigned char> Region; // whether each cell of the local box counts
   Sums Start;                        // fractions minus elements that do not move
