@@ -13,7 +13,6 @@ namespace vfm
 namespace
 {
 
-constexpr double Quantum = 0x1p-40; // unit of volumes and areas, of a mean cell
 // Cells whose volumes count are this near to thin cells; elements may fill others by moving.
 constexpr Index RegionLayers = 3;
 constexpr double LargestShift = 0.2; // per correction, in mean cells
@@ -23,11 +22,6 @@ constexpr double SmallestArea = 0.3;
 // the 8 cells at the node.
 constexpr int WeightAround[4] = { 1, 2, 2, 1 };
 constexpr Index ElementsOfBlock = 256; // elements per task
-
-std::int64_t Rounded(double value)
-{
-  return std::llround(value / Quantum);
-}
 
 /// Returns the corners of an active hex, in VTK's order and length units.
 std::array<Vector3, 8> CornersOf(const ActiveMesh& mesh, int hex)
@@ -42,27 +36,13 @@ std::array<Vector3, 8> CornersOf(const ActiveMesh& mesh, int hex)
 
 } // namespace
 
-struct LocalVolumes::Item
-{
-  Index Cell; // its key, or its number in a box
-  Amounts Values;
-  int Material;
-};
-
-/// Returns the first entry with at least a key.
-LocalVolumes::Sums::const_iterator LocalVolumes::FirstFrom(const Sums& sums, Index key)
-{
-  return std::lower_bound(
-    sums.begin(), sums.end(), key, [](const Entry& entry, Index k) { return entry.Key < k; });
-}
-
 LocalVolumes::LocalVolumes(const MeshCells& cells, const std::vector<Index>& thin, const Mesh& mesh,
   const ActiveMesh& active, const FragmentVolumes& volumes, const MeshRun& run) :
   Grid(cells.Grid),
   Parts(run.Parts),
   TheRuntime(run.TheRuntime),
-  Materials(cells.Fractions.NumberOfMaterials() + 1),
-  Region(cells.Grid.NumberOfEntries(), 0)
+  Region(cells.Grid.NumberOfEntries(), 0),
+  Start(cells.Grid, cells.Fractions.NumberOfMaterials() + 1)
 {
   this->MarkRegion(thin);
   this->MaterialOf.assign(volumes.FragmentTargets().size(), 0);
@@ -73,34 +53,8 @@ LocalVolumes::LocalVolumes(const MeshCells& cells, const std::vector<Index>& thi
   }
   this->AddFractions(cells.Fractions, mesh);
   this->AddInactive(mesh, active);
-  Unite(this->Start);
+  this->Start.Unite();
   this->ListPoints(mesh, active);
-}
-
-/// Adds amounts to the last entry if it has the same key, else as a new one.
-void LocalVolumes::Add(Sums& sums, Index key, const Amounts& amounts)
-{
-  if (sums.empty() || sums.back().Key != key)
-  {
-    sums.push_back({ key, {} });
-  }
-  Amounts& values = sums.back().Values;
-  values.Lack += amounts.Lack;
-  values.Filled += amounts.Filled;
-  values.Area += amounts.Area;
-}
-
-/// Sorts entries and adds up those of one key.
-void LocalVolumes::Unite(Sums& sums)
-{
-  std::sort(sums.begin(), sums.end(), [](const Entry& a, const Entry& b) { return a.Key < b.Key; });
-  Sums united;
-  united.reserve(sums.size());
-  for (const Entry& entry : sums)
-  {
-    Add(united, entry.Key, entry.Values);
-  }
-  sums.swap(united);
 }
 
 /// Marks thin cells with 2, the cells near them with 1.
@@ -126,7 +80,7 @@ void LocalVolumes::AddFractions(const FractionField& fractions, const Mesh& mesh
     const Index cell = this->Grid.Linear(CellOfElement(this->Grid, mesh, mesh.ElementIds[e]));
     if (this->Region[cell] && mesh.Material[e] > 0)
     {
-      hasElement.insert(this->KeyOf(cell, mesh.Material[e]));
+      hasElement.insert(this->Start.MakeEntry(cell, mesh.Material[e], {}).Key);
     }
   }
   const double unit = 1.0 / Cube(this->Grid.MeanWidth());
@@ -135,11 +89,14 @@ void LocalVolumes::AddFractions(const FractionField& fractions, const Mesh& mesh
     bool isNear = false;
     ForCells(Grow(BoxOfCell(p), 1, this->Grid.Local()),
       [&](const Index3& q)
-      { isNear = isNear || hasElement.count(this->KeyOf(this->Grid.Linear(q), material)) > 0; });
+      {
+        const Index key = this->Start.MakeEntry(this->Grid.Linear(q), material, {}).Key;
+        isNear = isNear || hasElement.count(key) > 0;
+      });
     if (material > 0 && isNear)
     {
-      const std::int64_t volume = Rounded(unit * this->Grid.CellVolume(p) * fraction);
-      Add(this->Start, this->KeyOf(this->Grid.Linear(p), material), { volume, volume, 0 });
+      const std::int64_t volume = CellVolumes::Rounded(unit * this->Grid.CellVolume(p) * fraction);
+      this->Start.Add(this->Grid.Linear(p), material, { volume, volume, 0 });
     }
   };
   ForCells(this->Grid.Owned(),
@@ -186,8 +143,8 @@ void LocalVolumes::AddInactive(const Mesh& mesh, const ActiveMesh& active)
     if (this->Region[this->Grid.Linear(cell)]) // it is the whole cell
     {
       const std::int64_t volume =
-        Rounded(this->Grid.CellVolume(cell) / Cube(this->Grid.MeanWidth()));
-      Add(this->Start, this->KeyOf(this->Grid.Linear(cell), mesh.Material[e]), { -volume, 0, 0 });
+        CellVolumes::Rounded(this->Grid.CellVolume(cell) / Cube(this->Grid.MeanWidth()));
+      this->Start.Add(this->Grid.Linear(cell), mesh.Material[e], { -volume, 0, 0 });
     }
   }
 }
@@ -208,30 +165,32 @@ void LocalVolumes::ListPoints(const Mesh& mesh, const ActiveMesh& active)
 }
 
 /// Subtracts the hexes that move from the cells of the region that they fill.
-void LocalVolumes::AddElements(const ActiveMesh& mesh, Sums& sums) const
+void LocalVolumes::AddElements(const ActiveMesh& mesh, CellVolumes& volumes) const
 {
   const double unit = 1.0 / Cube(this->Grid.MeanWidth());
-  const Sums filled = CollectItems<Entry>(this->TheRuntime, this->Elements.size(), ElementsOfBlock,
-    [&](Index e, Sums& found)
-    {
-      const Element& element = this->Elements[e];
-      const std::array<Vector3, 8> corners = CornersOf(mesh, element.Active);
-      ForPartsOfHex(corners, VolumeOfHex(corners),
-        [&](const Vector3& centre, double volume)
+  using Entries = std::vector<CellVolumes::Entry>;
+  const auto add = [&](Index e, Entries& entries)
+  {
+    const auto& [active, material, near] = this->Elements[e];
+    const std::array<Vector3, 8> corners = CornersOf(mesh, active);
+    ForPartsOfHex(corners, VolumeOfHex(corners),
+      [&, material = material, near = near](const Vector3& centre, double volume)
+      {
+        const Index3 cell = this->Grid.CellAt(centre, near);
+        if (this->Grid.Local().Contains(cell) && this->Region[this->Grid.Linear(cell)])
         {
-          const Index3 cell = this->Grid.CellAt(centre, element.Cell);
-          if (this->Grid.Local().Contains(cell) && this->Region[this->Grid.Linear(cell)])
-          {
-            Add(found, this->KeyOf(this->Grid.Linear(cell), element.Material),
-              { -Rounded(unit * volume), 0, 0 });
-          }
-        });
-    });
-  sums.insert(sums.end(), filled.begin(), filled.end());
+          const std::int64_t part = CellVolumes::Rounded(unit * volume);
+          CellVolumes::Append(
+            volumes.MakeEntry(this->Grid.Linear(cell), material, { -part, 0, 0 }), entries);
+        }
+      });
+  };
+  volumes.Add(CollectItems<CellVolumes::Entry>(
+    this->TheRuntime, this->Elements.size(), ElementsOfBlock, add));
 }
 
 /// Adds the areas of facets, except those that stay on a side of the domain.
-void LocalVolumes::AddFacets(const ActiveMesh& mesh, Sums& sums) const
+void LocalVolumes::AddFacets(const ActiveMesh& mesh, CellVolumes& volumes) const
 {
   for (const ActiveFacet& facet : mesh.Facets)
   {
@@ -249,117 +208,14 @@ void LocalVolumes::AddFacets(const ActiveMesh& mesh, Sums& sums) const
       const int material = fragment > 0 ? this->MaterialOf[fragment] : 0;
       if (material > 0)
       {
-        Add(sums, this->KeyOf(this->Grid.Linear(cell), material), { 0, 0, Rounded(area) });
+        volumes.Add(this->Grid.Linear(cell), material, { 0, 0, CellVolumes::Rounded(area) });
       }
     }
   }
 }
 
-/// Adds the sums of other ranks, so that those of all cells of the region are complete.
-void LocalVolumes::Complete(Sums& sums) const
-{
-  if (!this->Parts.Peers().empty())
-  {
-    this->SendToOwners(sums);
-    this->SendToGhosts(sums);
-  }
-}
-
-void LocalVolumes::SendToOwners(Sums& sums) const
-{
-  std::vector<std::vector<Item>> sent(this->Parts.Peers().size());
-  Sums own;
-  for (const auto& [key, amounts] : sums)
-  {
-    const Index3 cell = this->Grid.Position(key / this->Materials);
-    if (this->Parts.OwnsCell(cell))
-    {
-      own.push_back({ key, amounts });
-      continue;
-    }
-    const int peer = this->Parts.PeerOfCell(cell);
-    sent[peer].push_back(
-      { this->Parts.CellKeyAtPeer(peer, cell), amounts, static_cast<int>(key % this->Materials) });
-  }
-  for (const std::vector<Item>& items : this->Parts.Exchange(sent))
-  {
-    for (const Item& item : items)
-    {
-      const Index cell = this->Grid.Linear(this->Grid.CellOfKey(item.Cell));
-      own.push_back({ this->KeyOf(cell, item.Material), item.Values });
-    }
-  }
-  Unite(own);
-  sums.swap(own);
-}
-
-void LocalVolumes::SendToGhosts(Sums& sums) const
-{
-  Sums ghosts;
-  this->Parts.ExchangeBoxes(
-    [&](const IndexBox& box)
-    {
-      std::vector<Item> items;
-      Index number = 0;
-      this->Parts.ForCells(box,
-        [&](Index cell)
-        {
-          const Index key = this->KeyOf(cell, 0);
-          for (auto at = this->Region[cell] ? FirstFrom(sums, key) : sums.end();
-               at != sums.end() && at->Key < key + this->Materials; ++at)
-          {
-            items.push_back({ number, at->Values, static_cast<int>(at->Key - key) });
-          }
-          ++number;
-        });
-      return ToBytes(items);
-    },
-    [&](const IndexBox& box, const Bytes& bytes)
-    {
-      const std::vector<Item> items = FromBytes<Item>(bytes);
-      auto next = items.begin();
-      Index number = 0;
-      this->Parts.ForCells(box,
-        [&](Index cell)
-        {
-          for (; next != items.end() && next->Cell == number; ++next)
-          {
-            ghosts.push_back({ this->KeyOf(cell, next->Material), next->Values });
-          }
-          ++number;
-        });
-    });
-  sums.insert(sums.end(), ghosts.begin(), ghosts.end());
-  Unite(sums);
-}
-
-/// Calls visit(i, amounts) for cells i = 0 to count - 1 of a row along x that have an entry.
-/// @param first  the first cell; the part of the row outside the local box is skipped
-template <class Visit>
-void LocalVolumes::ForRow(
-  const Sums& sums, const Index3& first, Index count, int material, const Visit& visit) const
-{
-  const IndexBox& box = this->Grid.Local();
-  const Index skipped = std::max<Index>(0, box.Lower[0] - first[0]);
-  const Index3 start{ { first[0] + skipped, first[1], first[2] } };
-  if (!box.Contains(start))
-  {
-    return;
-  }
-  const Index cell = this->Grid.Linear(start);
-  const Index last = cell + std::min(count, box.Upper[0] - first[0]) - skipped;
-  for (auto at = FirstFrom(sums, this->KeyOf(cell, material));
-       at != sums.end() && at->Key < this->KeyOf(last, 0); ++at)
-  {
-    if (at->Key % this->Materials == material)
-    {
-      visit(at->Key / this->Materials - cell + skipped, at->Values);
-    }
-  }
-}
-
 /// Returns the shift outwards of the interfaces of a material that makes up for what it lacks.
-double LocalVolumes::ShiftOf(const Sums& sums, Index node, int material) const
+double LocalVolumes::ShiftOf(const CellVolumes& volumes, Index node, int material) const
 {
   std::int64_t lack = 0, area = 0;
   const Index3 p = this->Grid.Position(node);
@@ -367,8 +223,8 @@ double LocalVolumes::ShiftOf(const Sums& sums, Index node, int material) const
   {
     for (int k = 0; k < 4; ++k)
     {
-      this->ForRow(sums, { { p[0] - 2, p[1] + j - 2, p[2] + k - 2 } }, 4, material,
-        [&](Index i, const Amounts& amounts)
+      volumes.ForRow({ { p[0] - 2, p[1] + j - 2, p[2] + k - 2 } }, 4, material,
+        [&](Index i, const CellVolumes::Amounts& amounts)
         {
           const int weight = WeightAround[i] * WeightAround[j] * WeightAround[k];
           lack += weight * amounts.Lack;
@@ -376,24 +232,23 @@ double LocalVolumes::ShiftOf(const Sums& sums, Index node, int material) const
         });
     }
   }
-  const std::int64_t smallest = Rounded(8.0 * SmallestArea);
+  const std::int64_t smallest = CellVolumes::Rounded(8.0 * SmallestArea);
   return static_cast<double>(lack) / static_cast<double>(std::max(area, smallest));
 }
 
-/// Returns the sums at the present positions, complete in the region.
-LocalVolumes::Sums LocalVolumes::Measure(const ActiveMesh& mesh) const
+CellVolumes LocalVolumes::Measure(const ActiveMesh& mesh) const
 {
-  Sums sums = this->Start;
-  this->AddElements(mesh, sums);
-  this->AddFacets(mesh, sums);
-  Unite(sums);
-  this->Complete(sums);
-  return sums;
+  CellVolumes volumes = this->Start;
+  this->AddElements(mesh, volumes);
+  this->AddFacets(mesh, volumes);
+  volumes.Unite();
+  volumes.Complete(this->Parts);
+  return volumes;
 }
 
-std::vector<unsigned char> LocalVolumes::FindExcess(const ActiveMesh& mesh, double share) const
+std::vector<unsigned char> LocalVolumes::FindExcess(
+  const CellVolumes& volumes, const ActiveMesh& mesh, double share) const
 {
-  const Sums sums = this->Measure(mesh);
   std::vector<unsigned char> exceeds(this->CellOf.size(), 0);
   for (std::size_t e = 0; e < this->CellOf.size(); ++e)
   {
@@ -406,8 +261,8 @@ std::vector<unsigned char> LocalVolumes::FindExcess(const ActiveMesh& mesh, doub
     const Index3 p = this->Grid.Position(this->CellOf[e]);
     for (int side = 0; side < 9; ++side)
     {
-      this->ForRow(sums, { { p[0] - 1, p[1] + side % 3 - 1, p[2] + side / 3 - 1 } }, 3, material,
-        [&](Index, const Amounts& amounts)
+      volumes.ForRow({ { p[0] - 1, p[1] + side % 3 - 1, p[2] + side / 3 - 1 } }, 3, material,
+        [&](Index, const CellVolumes::Amounts& amounts)
         {
           lack += amounts.Lack;
           filled += amounts.Filled;
@@ -418,9 +273,9 @@ std::vector<unsigned char> LocalVolumes::FindExcess(const ActiveMesh& mesh, doub
   return exceeds;
 }
 
-void LocalVolumes::ReplaceShifts(const ActiveMesh& mesh, std::vector<double>& shifts) const
+void LocalVolumes::ReplaceShifts(
+  const CellVolumes& volumes, const ActiveMesh& mesh, std::vector<double>& shifts) const
 {
-  const Sums sums = this->Measure(mesh);
   ForEach(this->TheRuntime, this->NodeOf.size(),
     [&](Index p)
     {
@@ -435,8 +290,8 @@ void LocalVolumes::ReplaceShifts(const ActiveMesh& mesh, std::vector<double>& sh
         }
         const double share = before > 0 && behind > 0 ? 0.5 : 1.0;
         const double shift = share *
-          ((before > 0 ? this->ShiftOf(sums, this->NodeOf[p], before) : 0.0) -
-            (behind > 0 ? this->ShiftOf(sums, this->NodeOf[p], behind) : 0.0));
+          ((before > 0 ? this->ShiftOf(volumes, this->NodeOf[p], before) : 0.0) -
+            (behind > 0 ? this->ShiftOf(volumes, this->NodeOf[p], behind) : 0.0));
         shifts[i] = std::clamp(shift, -LargestShift, LargestShift);
       }
     });
