@@ -50,7 +50,7 @@ constexpr struct
 constexpr int YieldingRounds = 16, IdleRounds = 4;
 // Demand of hexes near thin cells whose surroundings contain more than the fractions by more than
 // this share, and rounds of local shifts with it.
-constexpr float LocalDemand = 0.8f;
+constexpr float LocalDemand = 0.84f;
 constexpr double LocalExcess = 0.1;
 constexpr int LocalRounds = 2;
 constexpr int BulgeRounds = 4; // of corrections, after each of which bulges are measured again
