@@ -370,6 +370,14 @@ public:
   /// Shift the surfaces until each fragment has the volume given by its volume fractions. Allowed:
   /// on or off; default on.
   vfmSwitchOption(ConserveVolume);
+  /// Width of the cells that are meshed, in length units: one number, or three along the axes of
+  /// the input. The cells of the input are first replaced by as many equal cells as come nearest to
+  /// it, and each material keeps its volume. Twice the width gives an eighth of the elements, and
+  /// smooths the steps of material ids. Refinement then refines the new cells; Label Smoothing
+  /// smooths material ids before. Parts thinner than half of the width get lost. 0: the cells of
+  /// the input. Allowed: a number, 0 (as read) or more, or three such numbers with commas between
+  /// them; default 0.
+  vfmTextOption(CellWidth);
   /// Where the mesh is refined; each level halves the cells. Input Levels: where the input has
   /// finer levels (AMR). Off: nowhere, all cells are of the coarsest level. Automatic: where the
   /// shape of the materials requires it. Coarsen: the cells of the input stay near interfaces and

@@ -154,6 +154,7 @@ struct MesherOptions : MeshSettings, LevelSettings, ConserveOptions, LayerOption
   std::vector<std::string> StateKinds; ///< entries name=kind
   std::string VelocityArray, EnergyArray;
   std::vector<std::string> RotatedArrays;
+  std::string CellWidth = "0"; ///< widths along the axes (CellWidths.h)
   RefinementMode Refinement = RefinementMode::InputLevels;
   int MaximumLevel = -1; ///< -1: automatic
   double ThinCells = 2.0, CurvaturePerCell = 0.0;

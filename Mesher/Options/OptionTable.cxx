@@ -362,6 +362,15 @@ OptionTable SurfaceOptions()
 OptionTable RefinementOptions()
 {
   return {
+    Row("CellWidth", Text(OptionKind::Widths, &M::CellWidth),
+      "Width of the cells that are meshed, in length units: one number, or three along the axes of "
+      "the input. The cells of the input are first replaced by as many equal cells as come nearest "
+      "to it, and each material keeps its volume. Twice the width gives an eighth of the elements, "
+      "and smooths the steps of material ids. Refinement then refines the new cells; Label "
+      "Smoothing smooths material ids before. Parts thinner than half of the width get lost. 0: "
+      "the cells of the input.")
+      .InPython("cell_width")
+      .Sculptor("--cell-width W"),
     Row("Refinement",
       Choice<&M::Refinement>({ "Off", "Input Levels", "Automatic", "Coarsen", "Uniform" }),
       "Where the mesh is refined; each level halves the cells. Input Levels: where the input has "

@@ -28,6 +28,7 @@ enum class OptionKind
   Kinds,  ///< entries array=kind
   Pairs,  ///< pairs of materials
   Ranges, ///< ranges of values
+  Widths, ///< one width, or one per axis
   Boxes   ///< RefinementBoxes
 };
 

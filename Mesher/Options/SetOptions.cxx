@@ -2,6 +2,7 @@
 
 #include "Base/ParseText.h"
 #include "Base/Runtime.h"
+#include "Options/CellWidths.h"
 #include "Options/ValueRanges.h"
 
 #include <algorithm>
@@ -140,6 +141,14 @@ bool SetNumber(MesherOptions& options, const Option& option, const std::string& 
   return isAllowed;
 }
 
+/// Returns whether ranges or widths are allowed; true for other texts.
+bool IsSound(OptionKind kind, const std::string& text)
+{
+  return kind == OptionKind::Ranges ? ParseRanges(text).has_value()
+    : kind == OptionKind::Widths    ? ParseWidths(text).has_value()
+                                    : true;
+}
+
 /// Returns whether the text is allowed; otherwise the options do not change.
 bool SetText(MesherOptions& options, const Option& option, const std::string& given)
 {
@@ -148,7 +157,7 @@ bool SetText(MesherOptions& options, const Option& option, const std::string& gi
     return SetNumber(options, option, given);
   }
   const std::string text = IsSameWord(given, "None") ? "" : given;
-  if (option.Kind == OptionKind::Ranges && !ParseRanges(text))
+  if (!IsSound(option.Kind, text))
   {
     return false;
   }
@@ -266,6 +275,8 @@ std::string Option::Allowed() const
     case OptionKind::Ranges:
       return "ranges that do not overlap, LOW:HIGH with LOW below HIGH, LOW or :HIGH, with commas "
              "between them, or None";
+    case OptionKind::Widths:
+      return "a number, 0 (as read) or more, or three such numbers with commas between them";
     case OptionKind::Boxes:
       return "x0,y0,z0,x1,y1,z1, optionally followed by the number of halvings, 0 to " +
         std::to_string(MaximumHalvings) + "; boxes are separated by semicolons";
@@ -354,6 +365,7 @@ std::string GetOption(const MesherOptions& options, const Option& option)
     case OptionKind::File:
     case OptionKind::Pairs:
     case OptionKind::Ranges:
+    case OptionKind::Widths:
       return orNone(options.*option.Text);
     case OptionKind::Arrays:
     case OptionKind::Kinds:
@@ -389,7 +401,7 @@ void CheckOptions(const MesherOptions& options, const OptionTable& table)
     {
       Reject(option, FormatNumber(option.GetNumber(options)));
     }
-    if (option.Kind == OptionKind::Ranges && !ParseRanges(options.*option.Text))
+    if (option.Text && !IsSound(option.Kind, options.*option.Text))
     {
       Reject(option, options.*option.Text);
     }

@@ -60,4 +60,9 @@ inline bool AreLabels(const MesherJob& job)
   return !job.Input.Arrays.Labels.empty();
 }
 
+inline bool SmoothsLabels(const MesherJob& job)
+{
+  return job.Options.LabelSmoothing > 0 && AreLabels(job);
+}
+
 } // namespace vfm

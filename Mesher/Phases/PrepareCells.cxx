@@ -1,7 +1,7 @@
 #include "Phases/PrepareCells.h"
 
-#include "Labels/SmoothLabels.h"
 #include "Levels/PeriodicFields.h"
+#include "Phases/WidenCells.h"
 
 namespace vfm
 {
@@ -17,18 +17,6 @@ RemovedRegions RemoveRegions(const MesherJob& job, LevelFields& fields)
   job.Run.Progress(0.0, "Removing small regions");
   return RemoveSmallRegions(fields.Grid, job.Options.MinimumRegionCells, job.Options.IsoValue,
     Partition(fields.Grid, job.Run.Group()), fields.Field.Fractions);
-}
-
-void SmoothFields(const MesherJob& job, LevelFields& fields)
-{
-  if (job.Options.LabelSmoothing <= 0 || !AreLabels(job))
-  {
-    return;
-  }
-  job.Run.Progress(0.0, "Smoothing labels");
-  Warn(job,
-    DescribeVolumeError(SmoothLabels(fields.Grid, job.Options.LabelSmoothing,
-      Partition(fields.Grid, job.Run.Group()), job.Run, fields.Field.Fractions)));
 }
 
 /// Divides cells of high aspect ratio. Labels are smooth before: the parts of a slice would keep
@@ -52,14 +40,17 @@ PreparedCells PrepareCells(const MesherJob& job, Cells& cells)
   AddCopies(job.Options, cells.Setup, ranks, fields);
   Warn(job, DescribeSeams(fields, job.Options.IsoValue, ranks));
   const RemovedRegions removed = RemoveRegions(job, fields);
-  SmoothFields(job, fields);
+  if (!cells.Wide.IsUsed()) // labels were smoothed before
+  {
+    SmoothFields(job, fields);
+  }
   Divide(job, cells.Setup, fields);
   MeshOptions options{ job.Options,
     RefineFields(
-      job.Options, cells.Setup, cells.Requests, job.Input.Levels.Finest(), job.Run, fields),
+      job.Options, cells.Setup, cells.Requests, FinestLevel(job, cells), job.Run, fields),
     job.Options.UnmeshedMaterial == Unmeshed::Particles };
   Warn(job, DescribeWidths(fields.Grid));
-  options.ThinParts = options.ThinParts && !AreLabels(job);
+  options.ThinParts = options.ThinParts && !HasLabels(job, cells);
   return { options, removed };
 }
 

@@ -5,8 +5,10 @@
 #include "Levels/GreyLabels.h"
 #include "Levels/PeriodicFields.h"
 #include "Materials/ZeroLabels.h"
+#include "Options/CellWidths.h"
 #include "Options/SetOptions.h"
 #include "Options/ValueRanges.h"
+#include "Phases/WidenCells.h"
 
 #include <algorithm>
 
@@ -99,22 +101,28 @@ std::unique_ptr<Cells> ReadCells(const MesherJob& job)
   const std::vector<StateArray> states = FindStateArrays(levels, arrays.State.Arrays, ranks);
   InputRequests requests = FindInputRequests(levels, options, ranks);
   Warn(job, requests.Warning);
-  const LevelSetup setup = SetUpLevels(job, requests);
+  const bool isWidened = HasCellWidth(options);
+  const LevelSetup setup = isWidened ? SetUpReading(levels) : SetUpLevels(job, requests);
   CheckPeriods(options);
   std::vector<BlockPlace> owners = job.Input.StaysInPlace
     ? levels.Levels[0].Places
     : DistributeCells(levels, source, setup, ranks);
-  requests = DistributeRequests(requests, levels, owners, ranks);
   LevelFields fields = MakeLevelFields(
     levels, source, setup, options.ChildFractions, RepeatingAxes(options), owners, job.Run);
-  std::unique_ptr<Cells> cells(new Cells{ std::move(source), setup, std::move(requests),
-    std::move(owners), std::move(fields), {}, {}, {} });
+  std::unique_ptr<Cells> cells(
+    new Cells{ std::move(source), setup, {}, std::move(owners), std::move(fields), {}, {}, {} });
   Warn(job, CheckGreyValues(job, cells->Fields));
   Materials& table = cells->Fields.Field.Table;
   NameLabels(arrays.Names, table);
   const std::map<int, std::string> names = NamesOf(table);
   cells->SplitPairs = ReadPairs("SplitInterfaces", options.SplitInterfaces, names);
   cells->LayerPairs = ReadPairs("LayerInterfaces", options.LayerInterfaces, names);
+  if (isWidened)
+  {
+    WidenCells(job, requests, states, *cells);
+    return cells;
+  }
+  cells->Requests = DistributeRequests(requests, levels, cells->Owners, ranks);
   cells->State = StoreState(levels, cells->Source, arrays.State, states, cells->Fields,
     cells->Setup, options, cells->Owners, job.Run);
   return cells;

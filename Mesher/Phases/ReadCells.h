@@ -4,6 +4,7 @@
 #pragma once
 
 #include "Levels/LevelFields.h"
+#include "Levels/WideCells.h"
 #include "Modify/MaterialPairs.h"
 #include "Phases/MesherInput.h"
 #include "State/MeshState.h"
@@ -24,7 +25,20 @@ struct Cells
   LevelFields Fields;                                  ///< changed by PrepareCells
   std::optional<MaterialPairs> SplitPairs, LayerPairs; ///< interfaces to split, to get layers
   StoredState State;                                   ///< contents of the cells as read
+  WideReport Wide{};                                   ///< if CellWidth replaced the cells as read
 };
+
+/// Returns the finest level of the cells as read, or of those that replaced them.
+inline int FinestLevel(const MesherJob& job, const Cells& cells)
+{
+  return cells.Wide.IsUsed() ? 0 : job.Input.Levels.Finest();
+}
+
+/// Returns whether the cells have labels: those that replace others have fractions.
+inline bool HasLabels(const MesherJob& job, const Cells& cells)
+{
+  return AreLabels(job) && !cells.Wide.IsUsed();
+}
 
 /// Reads the arrays of the blocks.
 /// @throws InputError  if the input is not valid, on all ranks

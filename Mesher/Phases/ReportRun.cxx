@@ -10,8 +10,9 @@ namespace
 {
 
 /// Warns of corrected input, an empty mesh, and materials without elements or with wrong volumes.
-void WarnOfMesh(const MesherJob& job, const MeshReport& report, const InputField& field)
+void WarnOfMesh(const MesherJob& job, const MeshReport& report, const Cells& cells)
 {
+  const InputField& field = cells.Fields.Field;
   const CorrectedCells& corrected = field.Corrected;
   if (corrected.Clipped > 0)
   {
@@ -27,10 +28,16 @@ void WarnOfMesh(const MesherJob& job, const MeshReport& report, const InputField
   }
   const bool isEmpty = std::all_of(report.Materials.begin(), report.Materials.end(),
     [](const MeshReport::Material& material) { return material.Elements == 0; });
+  const bool areExact = MovesPoints(job.Options) && ConservesVolume(job.Options);
+  if (cells.Wide.IsUsed() && !isEmpty)
+  {
+    Warn(job, DescribeWideLosses(report, field.Table, cells.Wide, areExact));
+    return;
+  }
   Warn(job,
     isEmpty ? "The mesh is empty: no cell is filled by its materials to the iso value."
             : DescribeLostMaterials(report, field.Table));
-  if (MovesPoints(job.Options) && ConservesVolume(job.Options))
+  if (areExact)
   {
     Warn(job, DescribeInexactMaterials(report, field.Table, AreLabels(job)));
   }
@@ -56,6 +63,12 @@ void ListResult(
     result.Fields);
   AppendFields(ListDomain(fields.Grid, frame, RepeatingAxes(job.Options)), result.Fields);
   AppendFields(ListMaterials(result.Report, table, options), result.MaterialFields);
+  AppendFields(ListReplaced(cells.Wide, options.MeshVoid), result.MaterialFields);
+  if (cells.Wide.IsUsed())
+  {
+    const Vector3& widths = cells.Wide.Widths;
+    result.Fields.push_back({ "CellWidths", std::vector<double>(widths.begin(), widths.end()) });
+  }
   if (result.State.IsConserved)
   {
     AppendFields(ListBalance(result.State.Balance, options.MeshVoid), result.Fields);
@@ -65,7 +78,7 @@ void ListResult(
 
 void WarnOfResult(const MesherJob& job, const Cells& cells, const MesherResult& result)
 {
-  WarnOfMesh(job, result.Report, cells.Fields.Field);
+  WarnOfMesh(job, result.Report, cells);
   Warn(job, DescribeUnmeshed(result.State.Balance, cells.Fields.Field.Table));
 }
 

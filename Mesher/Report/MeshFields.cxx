@@ -1,11 +1,13 @@
 #include "Report/MeshFields.h"
 
 #include "Base/ParseText.h"
+#include "Levels/WideCells.h"
 #include "Report/MeshData.h"
 
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <limits>
 #include <sstream>
 
 namespace vfm
@@ -265,6 +267,13 @@ std::string CountMaterials(std::size_t count, const char* one, const char* sever
     (count == 1 ? one : several);
 }
 
+/// Returns a number with three digits, which is not larger.
+double RoundDown(double number)
+{
+  const double unit = std::pow(10.0, std::floor(std::log10(number)) - 2.0);
+  return std::floor(number / unit) * unit;
+}
+
 /// Returns the materials with elements whose volumes are inexact, by missing volume, descending.
 std::vector<std::size_t> FindInexact(const MeshReport& report)
 {
@@ -327,6 +336,47 @@ std::string DescribeInexactMaterials(
       (areLabels ? "LabelSmoothing, a" : "A") +
       " larger MinimumRegionCells, or finer cells there (Refinement with RefineFlippedCells) may "
       "help.";
+}
+
+FieldArrays ListReplaced(const WideReport& wide, bool meshVoid)
+{
+  if (!wide.IsUsed())
+  {
+    return {};
+  }
+  return { { "InputCells", TakeMeshed(wide.InputCells, meshVoid) },
+    { "NewCells", TakeMeshed(wide.Cells, meshVoid) } };
+}
+
+std::string DescribeWideLosses(
+  const MeshReport& report, const Materials& table, const WideReport& wide, bool areExact)
+{
+  std::vector<std::string> losses;
+  double keeping = std::numeric_limits<double>::infinity();
+  for (std::size_t m = 1; m < report.TargetVolume.size(); ++m)
+  {
+    const double target = report.TargetVolume[m], error = report.MeshVolume[m] - target;
+    if (areExact ? std::fabs(error) > LargestQuietError * target
+                 : target > 0.0 && report.MeshVolume[m] == 0.0)
+    {
+      std::ostringstream text;
+      text << NameMaterial(table, m) << " by " << std::showpos << std::setprecision(2)
+           << 100.0 * error / target << " %";
+      losses.push_back(text.str());
+      keeping = std::min(keeping, wide.Keeping[m]);
+    }
+  }
+  if (losses.empty())
+  {
+    return "";
+  }
+  const double width = *std::max_element(wide.Widths.begin(), wide.Widths.end());
+  return "In cells of width " + FormatNumber(width) + ", " +
+    CountMaterials(losses.size(), "misses its", "miss their") +
+    " volume by more than 1 %: " + Enumerate(losses) + ". " +
+    (keeping > 0.0 ? "A CellWidth of " + FormatNumber(RoundDown(keeping)) + " should keep"
+                   : "Only the cells of the input (CellWidth 0) keep") +
+    (losses.size() == 1 ? " it." : " them.");
 }
 
 } // namespace vfm

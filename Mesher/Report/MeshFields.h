@@ -14,6 +14,8 @@
 namespace vfm
 {
 
+struct WideReport;
+
 using FieldArrays = std::vector<FieldArray>;
 
 /// Lists the report of a mesh.
@@ -60,6 +62,10 @@ FieldArrays ListVertices(const GeometryTables& tables);
 FieldArrays ListDomain(
   const CartesianGrid& grid, const ImageFrame& frame, const std::array<bool, 3>& isPeriodic = {});
 
+/// Lists columns with one row per material, void only if meshed: InputCells and NewCells, the cells
+/// of each material before and after cells were replaced; nothing if they were not.
+FieldArrays ListReplaced(const WideReport& wide, bool meshVoid);
+
 /// Moves fields to the end of others.
 void AppendFields(FieldArrays more, FieldArrays& to);
 
@@ -76,5 +82,12 @@ std::string DescribeLostMaterials(const MeshReport& report, const Materials& tab
 /// @param areLabels  whether the input was labels, not fractions
 std::string DescribeInexactMaterials(
   const MeshReport& report, const Materials& table, bool areLabels);
+
+/// Returns a sentence with the materials that miss their volume by more than 1 % in cells that
+/// replace those of the input, and the width that keeps them; "" if there are none.
+/// @param areExact  false: the mesh does not conserve volumes; names only materials without
+/// elements
+std::string DescribeWideLosses(
+  const MeshReport& report, const Materials& table, const WideReport& wide, bool areExact);
 
 } // namespace vfm

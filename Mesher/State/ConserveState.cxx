@@ -89,7 +89,7 @@ std::vector<FarVolume> FindFarVolumes(
 }
 
 /// Collective. Transfers the state and finds the lost kinetic energy.
-GivenState Transfer(const Mesh& mesh, const MeshedGrid& meshed, const ConservedCells& cells,
+GivenState Transfer(const Mesh& mesh, const MeshedGrid& meshed, const DonorCells& cells,
   const ConserveOptions& options, Runtime& runtime)
 {
   const StatePlan& plan = cells.GetContents().GetPlan();
@@ -206,8 +206,8 @@ void MultiplyByVolume(const Mesh& mesh, int components, Buffer<double>& values, 
 
 } // namespace
 
-ConservedState ConserveState(const Mesh& mesh, const MeshedGrid& meshed,
-  const ConservedCells& cells, const ConserveOptions& options, Runtime& runtime)
+ConservedState ConserveState(const Mesh& mesh, const MeshedGrid& meshed, const DonorCells& cells,
+  const ConserveOptions& options, Runtime& runtime)
 {
   const InputContents& contents = cells.GetContents();
   const StatePlan& plan = contents.GetPlan();

@@ -27,7 +27,7 @@ struct ConservedState
 /// the energy.
 /// @param mesh elements owned by this rank, in image axes
 /// @pre Collective
-ConservedState ConserveState(const Mesh& mesh, const MeshedGrid& meshed,
-  const ConservedCells& cells, const ConserveOptions& options, Runtime& runtime);
+ConservedState ConserveState(const Mesh& mesh, const MeshedGrid& meshed, const DonorCells& cells,
+  const ConserveOptions& options, Runtime& runtime);
 
 } // namespace vfm

@@ -16,8 +16,21 @@
 namespace vfm
 {
 
-/// Values in the local box of the donor grid. Read() may be called by several threads.
-class ConservedCells : public StateCellValues
+/// The state of each material in the local box of a donor grid. Read() may be called by several
+/// threads.
+class DonorCells : public StateCellValues
+{
+public:
+  virtual const CartesianGrid& GetGrid() const = 0;
+  /// Returns the level of the grid.
+  virtual int GetLevel() const = 0;
+  /// Returns the fractions as read, before regions are removed or labels smoothed.
+  virtual const FractionField& GetFractions() const = 0;
+  virtual const InputContents& GetContents() const = 0;
+};
+
+/// State in the cells of the input.
+class ConservedCells : public DonorCells
 {
 public:
   /// Receives the values of cells from all ranks and checks the owned ones.
@@ -34,10 +47,10 @@ public:
   ConservedCells(const ConservedCells&) = delete;
   ConservedCells& operator=(const ConservedCells&) = delete;
 
-  const CartesianGrid& GetGrid() const { return this->Grid; }
-  int GetLevel() const { return this->Level; }
-  const FractionField& GetFractions() const { return this->Fractions; }
-  const InputContents& GetContents() const { return this->Contents; }
+  const CartesianGrid& GetGrid() const override { return this->Grid; }
+  int GetLevel() const override { return this->Level; }
+  const FractionField& GetFractions() const override { return this->Fractions; }
+  const InputContents& GetContents() const override { return this->Contents; }
 
   void Read(const Index3& cell, int material, double* values) const override;
 

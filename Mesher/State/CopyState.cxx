@@ -41,6 +41,11 @@ StatePlace FindInLevels(const Index3& cell, int level, const StateValues& values
 /// Finds the cell of the input of a cell of the domain.
 StatePlace FindPlace(const Index3& cell, const MeshedGrid& meshed, const StateValues& values)
 {
+  if (meshed.InputNodes)
+  {
+    return FindInLevels(CellAtCentre(meshed.Grid, cell, *meshed.InputNodes),
+      static_cast<int>(values.size()) - 1, values);
+  }
   Index3 own = cell;
   for (int a = 0; a < 3; ++a)
   {
@@ -151,6 +156,18 @@ TransferredArray MakeOutput(const StateArray& state, std::size_t number,
 }
 
 } // namespace
+
+Index3 CellAtCentre(
+  const CartesianGrid& grid, const Index3& cell, const std::array<std::vector<double>, 3>& nodes)
+{
+  Index3 at;
+  for (int a = 0; a < 3; ++a)
+  {
+    const double centre = 0.5 * (grid.Coordinates(a)[cell[a]] + grid.Coordinates(a)[cell[a] + 1]);
+    at[a] = std::upper_bound(nodes[a].begin(), nodes[a].end(), centre) - nodes[a].begin() - 1;
+  }
+  return at;
+}
 
 std::vector<TransferredArray> CopyState(const InputLevels& input,
   const std::vector<StateArray>& states, const Mesh& mesh, const MeshedGrid& meshed,

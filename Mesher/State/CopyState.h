@@ -21,7 +21,13 @@ struct MeshedGrid
   const FractionField& Fractions;
   int Level; ///< level of the grid before its cells were divided, numbered as in the input
   CellDivision Division; ///< division of the cells of that level into the cells of the grid
+  /// Nodes of the finest level of the input if the cells of the grid replace its cells; else null.
+  const std::array<std::vector<double>, 3>* InputNodes = nullptr;
 };
+
+/// Returns the cell of other nodes, from the lowest, at the centre of a cell.
+Index3 CellAtCentre(
+  const CartesianGrid& grid, const Index3& cell, const std::array<std::vector<double>, 3>& nodes);
 
 /// Copies state arrays to the elements of a mesh.
 /// An element gets the values of the finest cell of the input at the centre of its cell of the

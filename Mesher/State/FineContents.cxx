@@ -7,25 +7,6 @@ namespace
 
 constexpr int ChunkLevels = 3; // cells are summed in chunks of 2^ChunkLevels cells along each axis
 
-/// Returns the weight of each column in sums over cells.
-/// @param values values of a cell; volume: volume of the material in the cell
-std::vector<double> FindWeights(const InputContents& contents, const double* values, double volume)
-{
-  const StatePlan& plan = contents.GetPlan();
-  const double mass =
-    plan.Density < 0 ? volume : volume * values[contents.FirstColumn(plan.Density)];
-  std::vector<double> weights(contents.NumberOfColumns(), mass); // also for |u|^2 / 2
-  for (std::size_t a = 0; a < plan.Conserved.size(); ++a)
-  {
-    const ConservedArray& array = plan.Conserved[a];
-    const double factor =
-      array.Weight < 0 ? mass : mass * values[contents.FirstColumn(array.Weight)];
-    std::fill_n(weights.begin() + contents.FirstColumn(a), array.Components,
-      array.Meaning == StateMeaning::PerMass ? factor : volume);
-  }
-  return weights;
-}
-
 } // namespace
 
 void FineContents::Add(
@@ -35,16 +16,16 @@ void FineContents::Add(
     [&](const Index3& place)
     {
       const IndexBox chunk = Intersect(ChangeLevel(BoxOfCell(place), ChunkLevels), box);
-      std::vector<std::vector<Sums>> sums(chunk.NumberOfCells());
+      std::vector<ContentSums> sums(chunk.NumberOfCells());
       for (int finer = level + 1; finer <= this->Levels.Input.Finest(); ++finer)
       {
         this->AddLevel(chunk, level, finer, sums);
       }
       for (std::size_t i = 0; i < sums.size(); ++i)
       {
-        if (!sums[i].empty())
+        if (!sums[i].IsEmpty())
         {
-          visit(CellInBox(chunk, static_cast<Index>(i)), this->Store(sums[i]));
+          visit(CellInBox(chunk, static_cast<Index>(i)), this->Means.Store(sums[i]));
         }
       }
     });
@@ -81,7 +62,7 @@ std::vector<const StateBlock*> FineContents::FindSources(const IndexBox& box, in
 
 /// Adds the cells of a finer level, in an order that does not depend on the ranks that read them.
 void FineContents::AddLevel(
-  const IndexBox& chunk, int level, int finer, std::vector<std::vector<Sums>>& sums) const
+  const IndexBox& chunk, int level, int finer, std::vector<ContentSums>& sums) const
 {
   const IndexBox box = ChangeLevel(chunk, finer - level);
   const std::vector<const StateBlock*> sources = this->FindSources(box, finer);
@@ -103,7 +84,7 @@ void FineContents::AddLevel(
       const Index at = grid.Linear(cell);
       const InputCell fine{ source, cell, grid.CellVolume(cell), &fractions, at };
       const Index3 whole = ChangeLevel(BoxOfCell(cell), level - finer).Lower;
-      std::vector<Sums>& parts = sums[IndexInBox(chunk, whole)];
+      ContentSums& parts = sums[IndexInBox(chunk, whole)];
       fractions.ForParts(at,
         [&](int material, double fraction)
         { this->AddCell(fine, finer, fine.Volume * fraction, material, parts); });
@@ -112,59 +93,15 @@ void FineContents::AddLevel(
 
 /// Adds a fine cell to the sums of a material; volume: volume of the material in the cell.
 void FineContents::AddCell(
-  const InputCell& cell, int level, double volume, int material, std::vector<Sums>& sums) const
+  const InputCell& cell, int level, double volume, int material, ContentSums& sums) const
 {
-  const std::size_t columns = this->Contents.NumberOfColumns();
-  std::vector<double> values(columns);
+  std::vector<double> values(this->Contents.NumberOfColumns());
   this->Contents.Read(cell, material, values.data());
   if (material >= this->FirstMaterial)
   {
     this->Contents.Check(values.data(), material, cell.Cell, level, this->Names);
   }
-  auto at = std::find_if(
-    sums.begin(), sums.end(), [material](const Sums& s) { return s.Material == material; });
-  if (at == sums.end())
-  {
-    const std::vector<double> zeros(columns, 0.0);
-    at = sums.insert(at, { material, 0.0, zeros, zeros, zeros });
-  }
-  const std::vector<double> weights = FindWeights(this->Contents, values.data(), volume);
-  at->Volume += volume;
-  for (std::size_t c = 0; c < columns; ++c)
-  {
-    at->Weights[c] += weights[c];
-    at->Weighted[c] += weights[c] * values[c];
-    at->Plain[c] += volume * values[c];
-  }
-}
-
-int FineContents::Store(const std::vector<Sums>& sums)
-{
-  for (const Sums& own : sums)
-  {
-    this->Parts.push_back({ own.Material, this->Values.size() });
-    for (std::size_t c = 0; c < own.Weights.size(); ++c)
-    {
-      this->Values.push_back(
-        own.Weights[c] > 0.0 ? own.Weighted[c] / own.Weights[c] : own.Plain[c] / own.Volume);
-    }
-  }
-  this->Offsets.push_back(this->Parts.size());
-  return static_cast<int>(this->Offsets.size()) - 2;
-}
-
-void FineContents::Read(int number, int material, double* values) const
-{
-  const int columns = this->Contents.NumberOfColumns();
-  for (std::size_t p = this->Offsets[number]; p < this->Offsets[number + 1]; ++p)
-  {
-    if (this->Parts[p].Material == material)
-    {
-      std::copy_n(this->Values.data() + this->Parts[p].First, columns, values);
-      return;
-    }
-  }
-  std::fill_n(values, columns, 0.0);
+  sums.Add(this->Contents, material, volume, values.data());
 }
 
 } // namespace vfm

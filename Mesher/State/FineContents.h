@@ -7,6 +7,7 @@
 #include "Input/InputFields.h"
 #include "Input/InputLevels.h"
 #include "State/InputContents.h"
+#include "State/MeanContents.h"
 
 #include <functional>
 
@@ -40,38 +41,22 @@ public:
 
   /// Reads the values of a material in the cell with a number; zeros if the cell lacks
   /// the material.
-  void Read(int number, int material, double* values) const;
+  void Read(int number, int material, double* values) const
+  {
+    this->Means.Read(number, material, this->Contents.NumberOfColumns(), values);
+  }
 
 private:
-  /// Sums of a material over the fine cells in one cell.
-  struct Sums
-  {
-    int Material;
-    double Volume = 0.0;
-    std::vector<double> Weights;         // sum of weights, by column
-    std::vector<double> Weighted, Plain; // sums of values times weights, and times volumes
-  };
-  /// A material in a cell.
-  struct Part
-  {
-    int Material;
-    std::size_t First; // index of its first column in Values
-  };
-
-  void AddLevel(
-    const IndexBox& chunk, int level, int finer, std::vector<std::vector<Sums>>& sums) const;
+  void AddLevel(const IndexBox& chunk, int level, int finer, std::vector<ContentSums>& sums) const;
   std::vector<const StateBlock*> FindSources(const IndexBox& box, int level) const;
   void AddCell(
-    const InputCell& cell, int level, double volume, int material, std::vector<Sums>& sums) const;
-  int Store(const std::vector<Sums>& sums);
+    const InputCell& cell, int level, double volume, int material, ContentSums& sums) const;
 
   const InputContents& Contents;
   const LevelsOfState& Levels;
   const std::vector<std::string>& Names;
   const int FirstMaterial;
-  std::vector<std::size_t> Offsets{ 0 }; // index of each number in Parts, and the end
-  std::vector<Part> Parts;
-  std::vector<double> Values;
+  MeanContents Means;
 };
 
 } // namespace vfm

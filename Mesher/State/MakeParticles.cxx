@@ -103,7 +103,7 @@ StateSums SumsOfParticle(const UnmeshedRow& row, const RoleValues& roles, std::s
 }
 
 /// Fills what does not depend on the state.
-void FillPlaces(const UnmeshedRows& rows, const CartesianGrid& grid, const ConservedCells& cells,
+void FillPlaces(const UnmeshedRows& rows, const CartesianGrid& grid, const DonorCells& cells,
   ConservedParticles& made)
 {
   const Index materials = cells.GetFractions().NumberOfMaterials();
@@ -145,7 +145,7 @@ void AddArrays(const UnmeshedRows& rows, const InputContents& contents, RoleValu
 } // namespace
 
 ConservedParticles MakeParticles(const UnmeshedRows& rows, const CartesianGrid& grid,
-  const ConservedCells& cells, const ConserveOptions& options, Runtime& runtime)
+  const DonorCells& cells, const ConserveOptions& options, Runtime& runtime)
 {
   const InputContents& contents = cells.GetContents();
   const int materials = cells.GetFractions().NumberOfMaterials() + 1;

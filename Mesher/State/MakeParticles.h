@@ -25,6 +25,6 @@ struct ConservedParticles
 /// @param cells  cells that were transferred
 /// @pre Collective.
 ConservedParticles MakeParticles(const UnmeshedRows& rows, const CartesianGrid& grid,
-  const ConservedCells& cells, const ConserveOptions& options, Runtime& runtime);
+  const DonorCells& cells, const ConserveOptions& options, Runtime& runtime);
 
 } // namespace vfm

@@ -1,6 +1,9 @@
 #include "State/MeshState.h"
 
+#include "Ranks/Agreement.h"
+#include "State/ConservedCells.h"
 #include "State/RotatedArrays.h"
+#include "State/WideContents.h"
 
 #include <map>
 #include <numeric>
@@ -20,6 +23,11 @@ StatePlan PlanCopies(std::size_t states)
 }
 
 } // namespace
+
+bool NeedsState(const StateChoice& choice, const MesherOptions& options)
+{
+  return !choice.Arrays.empty() || options.UnmeshedMaterial == Unmeshed::Particles;
+}
 
 StoredState StoreState(const InputLevels& input, const LevelCells& cells, const StateChoice& choice,
   std::vector<StateArray> states, const LevelFields& fields, const LevelSetup& setup,
@@ -49,6 +57,15 @@ StoredState StoreState(const InputLevels& input, const LevelCells& cells, const 
       std::min(setup.Finest, input.Finest()), options.MeshVoid, owners, runtime);
   }
   return kept;
+}
+
+void WidenState(const CartesianGrid& grid, Runtime& runtime, StoredState& kept)
+{
+  if (kept.Conserved)
+  {
+    WorkTogether(runtime.Group(),
+      [&] { kept.Conserved = std::make_unique<WideContents>(*kept.Conserved, grid, runtime); });
+  }
 }
 
 namespace
@@ -82,8 +99,13 @@ Particles CompleteParticles(const StoredState& kept, const std::vector<std::size
   ConservedParticles made, const InputLevels& input, const std::vector<BlockPlace>& owners,
   Ranks& ranks)
 {
-  std::vector<TransferredArray> copies =
-    CopyCells(input, kept.Copied, made.Cells, kept.Conserved->GetLevel(), owners, ranks);
+  const bool isWide = !kept.InputNodes[0].empty();
+  for (Index3& cell : made.Cells)
+  {
+    cell = isWide ? CellAtCentre(kept.Conserved->GetGrid(), cell, kept.InputNodes) : cell;
+  }
+  std::vector<TransferredArray> copies = CopyCells(input, kept.Copied, made.Cells,
+    isWide ? input.Finest() : kept.Conserved->GetLevel(), owners, ranks);
   ArraysByState arrays;
   Place(conserved, made.Items.Arrays, arrays);
   Place(kept.Places, copies, arrays);
@@ -94,11 +116,12 @@ Particles CompleteParticles(const StoredState& kept, const std::vector<std::size
 } // namespace
 
 OutputState MakeOutputState(const StoredState& kept, const InputLevels& input, const Mesh& mesh,
-  const MeshedGrid& meshed, const ConserveOptions& options, const std::vector<BlockPlace>& owners,
+  MeshedGrid meshed, const ConserveOptions& options, const std::vector<BlockPlace>& owners,
   Runtime& runtime)
 {
   OutputState transferred;
   ArraysByState arrays;
+  meshed.InputNodes = kept.InputNodes[0].empty() ? nullptr : &kept.InputNodes;
   auto copies = CopyState(input, kept.Copied, mesh, meshed, owners, runtime);
   Place(kept.Places, copies, arrays);
   if (kept.Conserved)

@@ -5,8 +5,7 @@
 namespace vfm
 {
 
-RepeatedCells::RepeatedCells(
-  const ConservedCells& cells, const CartesianGrid& meshed, Ranks& ranks) :
+RepeatedCells::RepeatedCells(const DonorCells& cells, const CartesianGrid& meshed, Ranks& ranks) :
   Cells(cells)
 {
   if (meshed.IsPeriodic())

@@ -19,7 +19,7 @@ public:
   /// @param cells must outlive this object
   /// @param meshed grid that the mesh was made on
   /// @pre Collective
-  RepeatedCells(const ConservedCells& cells, const CartesianGrid& meshed, Ranks& ranks);
+  RepeatedCells(const DonorCells& cells, const CartesianGrid& meshed, Ranks& ranks);
 
   const CartesianGrid& GetGrid() const
   {
@@ -39,7 +39,7 @@ private:
     FractionField Fractions;
   };
 
-  const ConservedCells& Cells;
+  const DonorCells& Cells;
   std::optional<Covering> Copies; // empty if the domain does not repeat
 };
 

@@ -231,7 +231,7 @@ class Documents(unittest.TestCase):
         """The package and the C interface have the names of the page."""
         rows = OPTION.findall(read(OPTIONS))
         self.assertGreater(len(rows), 40)
-        mesher = set(re.findall(r"^    (\w+): ", read("python/volume_fraction_mesh/_mesher.py"),
+        mesher = set(re.findall(r"^    (\w+): ", read("python/volume_fraction_mesh/_tets.py"),
                                 re.MULTILINE))
         calls = set(re.findall(r"\w+", read("InSitu/Sculptor.h")))
         self.check(["%s: no keyword %s" % (OPTIONS, python) for _, python, _, _ in rows

@@ -17,7 +17,8 @@ TABLE = sys.argv.pop(1)
 # SetOptions.AnAddedRowIsAnOption tests the C interface and the help.
 PLACES = {"Plugin/VolumeFractionSurface.xml": 'command="SetNewOption"',
           "Filters/vtkVolumeFractionMeshAlgorithm.h": "vfmNumberOption(NewOption, double);",
-          "python/volume_fraction_mesh/_mesher.py": "    new_option: float = 0.5,",
+          "python/volume_fraction_mesh/_hexes.py": "    new_option: float = 0.5,",
+          "python/volume_fraction_mesh/_tets.py": "    new_option: float = 0.5,",
           "python/volume_fraction_mesh/_core.pyi": "    new_option: float\n",
           "Documentation/user/command-line.md":
               "| `--new V` | [NewOption](../reference/options.md#newoption) "

@@ -1,6 +1,7 @@
 #include "RunOptions.h"
 
 #include "Base/ParseText.h"
+#include "Options/CellWidths.h"
 #include "Options/SetOptions.h"
 
 #include <nanobind/stl/array.h>
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace vfm
 {
@@ -51,6 +53,7 @@ const char* KindInPython(const Option& option)
     : option.Kind == OptionKind::Choice    ? "word"
     : option.Kind == OptionKind::Integer   ? "whole"
     : option.Kind == OptionKind::Pairs     ? "text"
+    : option.Kind == OptionKind::Widths    ? "widths"
                                            : "real";
 }
 
@@ -119,8 +122,51 @@ double ReadNumber(const Option& option, nb::handle value)
   return found;
 }
 
+/// Converts a number, or a sequence of numbers, to a text.
+std::string WriteWidths(const Option& option, nb::handle value)
+{
+  std::vector<std::string> texts;
+  const auto add = [&](nb::handle item)
+  {
+    const nb::object number = nb::steal(PyNumber_Float(item.ptr()));
+    if (!number.is_valid())
+    {
+      RejectType(option, value);
+    }
+    texts.push_back(FormatNumber(PyFloat_AsDouble(number.ptr())));
+  };
+  if (PyNumber_Check(value.ptr()) && !PySequence_Check(value.ptr()))
+  {
+    add(value);
+  }
+  else
+  {
+    const nb::object items = nb::steal(PySequence_List(value.ptr()));
+    if (!items.is_valid())
+    {
+      RejectType(option, value);
+    }
+    for (nb::handle item : items)
+    {
+      add(item);
+    }
+  }
+  return JoinTexts(texts, ",");
+}
+
 void Set(MesherOptions& options, const Option& option, nb::handle value)
 {
+  if (option.Kind == OptionKind::Widths)
+  {
+    const std::string text =
+      nb::isinstance<nb::str>(value) ? nb::cast<std::string>(value) : WriteWidths(option, value);
+    if (!ParseWidths(text))
+    {
+      RejectValue(option, value);
+    }
+    options.*option.Text = text;
+    return;
+  }
   if (option.Text)
   {
     if (!nb::isinstance<nb::str>(value))
@@ -140,7 +186,10 @@ nb::object Get(const MesherOptions& options, const Option& option)
 {
   if (option.Text)
   {
-    return nb::str((options.*option.Text).c_str());
+    const std::string& text = options.*option.Text;
+    const bool isOne = option.Kind == OptionKind::Widths && text.find_first_of(", ") == text.npos;
+    return isOne ? nb::object(nb::float_(ParseNumber(text, 0.0, HUGE_VAL).value_or(0.0)))
+                 : nb::object(nb::str(text.c_str()));
   }
   const double number = option.GetNumber(options);
   switch (option.Kind)

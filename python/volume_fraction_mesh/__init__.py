@@ -15,12 +15,13 @@ from ._dolfinx import DolfinxMesh
 from ._facets import Facets, Separated
 from ._fragments import fragments
 from ._geometry import Curves, Geometry, Surfaces, Vertices
+from ._hexes import hexes
 from ._images import Arrays, Fractions
 from ._load import load
-from ._mesher import hexes, tets
 from ._read import read
 from ._shapes import shapes, surface
 from ._split import Cohesive
+from ._tets import tets
 from ._warning import VolumeFractionMeshWarning
 from .mesh import Mesh
 

@@ -51,6 +51,7 @@ class Options:
     label_smoothing: int
     element_order: Literal["linear", "quadratic", "quadratic27"]
     conserve_volume: bool
+    cell_width: Union[str, float, Sequence[float]]
     refinement: Literal["off", "input_levels", "automatic", "coarsen", "uniform"]
     maximum_level: int
     fine_interfaces: bool
@@ -89,7 +90,8 @@ class Options:
     """Boxes of seven numbers: x0, y0, z0, x1, y1, z1 and the number of times that cells are
     halved."""
 
-    def __init__(self, tets: bool, **values: Union[bool, int, float, str]) -> None: ...
+    def __init__(
+        self, tets: bool, **values: Union[bool, int, float, str, Sequence[float]]) -> None: ...
     def changed(self) -> Dict[str, Union[bool, int, float, str]]:
         """Returns the options that differ from their defaults."""
 
@@ -97,7 +99,7 @@ class Option:
     """Row of the table of options."""
 
     name: str
-    kind: Literal["flag", "whole", "real", "word"]
+    kind: Literal["flag", "whole", "real", "word", "text", "widths"]
     default: Union[bool, int, float, str]
     allowed: str
     """Allowed values, for messages and help."""

@@ -4,7 +4,8 @@ from options.table import common, of_interfaces, of_tets, put, wrap
 MACROS = {"switch": "vfmSwitchOption(%s)", "integer": "vfmNumberOption(%s, int)",
           "choice": "vfmNumberOption(%s, int)",
           "real": "vfmNumberOption(%s, double)", "array": "vfmTextOption(%s)",
-          "pairs": "vfmTextOption(%s)", "ranges": "vfmTextOption(%s)"}
+          "pairs": "vfmTextOption(%s)", "ranges": "vfmTextOption(%s)",
+          "widths": "vfmTextOption(%s)"}
 
 
 def write_accessors(text, rows):

@@ -24,13 +24,16 @@ def value(row):
         return '"%s"' % snake(row["words"][row["number"]])
     if row["kind"] == "pairs":
         return '""' if row["default"] == "None" else '"%s"' % row["default"]
+    if row["kind"] == "widths":
+        return repr(float(row["default"]))
     return repr(float(row["number"]) if row["kind"] == "real" else row["number"])
 
 
 def type_of(row):
     if row["kind"] == "choice":
         return "Literal[%s]" % ", ".join('"%s"' % snake(word) for word in row["words"])
-    return {"switch": "bool", "integer": "int", "real": "float", "pairs": "str"}[row["kind"]]
+    return {"switch": "bool", "integer": "int", "real": "float", "pairs": "str",
+            "widths": "Triple"}[row["kind"]]
 
 
 def replace_choices(text, row, table):
@@ -74,8 +77,9 @@ def pass_on(rows):
 def parameter(row, table, text):
     """Returns the lines of an option in a numpydoc section."""
     words = "{%s}" % type_of(row)[8:-1] if row["kind"] == "choice" else type_of(row)
+    words = "float or three of them" if row["kind"] == "widths" else words
     allowed = row["allowed"][0].upper() + row["allowed"][1:] + ". "
-    allowed = "" if row["kind"] in ("switch", "choice") else allowed
+    allowed = "" if row["kind"] in ("switch", "choice", "widths") else allowed
     return ["    %s : %s, default %s" % (row["python"], words, value(row)),
             *wrap(allowed + explain(row, table, text), "        ", width=WIDTH)]
 
@@ -100,26 +104,27 @@ def parameters_of_tets(table):
     return lines
 
 
-def write_functions(text, table):
-    for function, rows in (("hexes", common(table)), ("tets", table)):
-        rows = in_python(rows)
-        text = put(text, "# options of %s: generated" % function, "# end of options",
-                   signature(rows))
-        text = put(text, "# arguments of %s: generated" % function, "# end of arguments",
-                   pass_on(rows))
-        make = parameters_of_hexes if function == "hexes" else parameters_of_tets
-        start = text.index("def %s(" % function)
-        text = text[:start] + put(text[start:], "    ----------------", "    Returns",
-                                  make(table) + [""])
-    return text
+def write_function(text, function, table):
+    """Writes the options into the signature, the docstring and the call of a function."""
+    rows = in_python(common(table) if function == "hexes" else table)
+    text = put(text, "# options of %s: generated" % function, "# end of options", signature(rows))
+    text = put(text, "# arguments of %s: generated" % function, "# end of arguments",
+               pass_on(rows))
+    make = parameters_of_hexes if function == "hexes" else parameters_of_tets
+    return put(text, "    ----------------", "    Returns", make(table) + [""])
 
 
 def write_stub(text, table):
-    lines = ["    %s: %s" % (row["python"], type_of(row)) for row in in_python(table)]
+    types = {"Triple": "Union[str, float, Sequence[float]]"}
+    lines = ["    %s: %s" % (row["python"], types.get(type_of(row), type_of(row)))
+             for row in in_python(table)]
     return put(text, "# options: generated", "# end of options", lines)
 
 
 def files(table):
     """Returns the functions that update the text of a file, by path."""
-    return {"python/volume_fraction_mesh/_mesher.py": lambda text: write_functions(text, table),
+    return {"python/volume_fraction_mesh/_hexes.py":
+                lambda text: write_function(text, "hexes", table),
+            "python/volume_fraction_mesh/_tets.py":
+                lambda text: write_function(text, "tets", table),
             "python/volume_fraction_mesh/_core.pyi": lambda text: write_stub(text, table)}

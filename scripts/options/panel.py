@@ -143,8 +143,7 @@ def commands(row):
         return [("command", "Add" + one), ("clean_command", "Clear" + name), ("repeat_command", 1),
                 ("number_of_elements_per_command", len(BOX) if kind == "boxes" else 1)]
     defaults = {"file": "", "array": "None", "pairs": "None", "ranges": "None",
-                "integer": row["default"],
-                "real": row["default"]}
+                "widths": row["default"], "integer": row["default"], "real": row["default"]}
     return [("command", "Set%s%s" % (name, "File" if kind == "file" else "")),
             ("number_of_elements", 1), ("default_values", defaults.get(kind, row["number"]))]
 

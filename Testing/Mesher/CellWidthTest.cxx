@@ -1,0 +1,440 @@
+/// Meshes of wider cells than those of the input: materials keep their volumes and the state its
+/// sums, equal widths change nothing, and ranks do not matter.
+#include "Input/PlainArrays.h"
+#include "LabelInput.h"
+#include "Levels/WideCells.h"
+#include "Options/CellWidths.h"
+#include "Phases/WidenCells.h"
+#include "RankFields.h"
+#include "State/MeanContents.h"
+#include "State/WideContents.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <mutex>
+#include <numeric>
+
+using namespace vfm;
+using namespace vfm::testing;
+
+namespace
+{
+
+constexpr Index3 GridSize{ { 20, 18, 24 } };
+constexpr LabelGrid TheGrid{ GridSize, -0.3, 0.1 };
+
+/// Returns labels of the nearest of four seeds, 0 (void) to 3.
+std::vector<int> MakeGrains(const Index3& cells)
+{
+  const double seeds[4][3] = { { 0.2, 0.3, 0.2 }, { 0.8, 0.4, 0.3 }, { 0.4, 0.8, 0.7 },
+    { 0.7, 0.2, 0.9 } };
+  std::vector<int> labels;
+  ForCells({ {}, cells },
+    [&](const Index3& cell)
+    {
+      int nearest = 0;
+      double least = 10.0;
+      for (int s = 0; s < 4; ++s)
+      {
+        double squares = 0.0;
+        for (int a = 0; a < 3; ++a)
+        {
+          const double x = (0.5 + static_cast<double>(cell[a])) / static_cast<double>(cells[a]);
+          squares += std::pow(x - seeds[s][a], 2);
+        }
+        nearest = squares < least ? (s + 1) % 4 : nearest;
+        least = std::min(least, squares);
+      }
+      labels.push_back(nearest);
+    });
+  return labels;
+}
+
+/// Adds a state that differs from cell to cell, in cells of any level.
+void AddState(bool isConserved, MesherInput& input)
+{
+  for (InputBlocks& level : input.Levels.Levels)
+  {
+    for (InputBlock& block : level.Blocks)
+    {
+      std::array<std::vector<double>, 6> values;
+      ForCells(block.Box,
+        [&](const Index3& cell)
+        {
+          const double x = level.Coordinates[0][cell[0]], y = level.Coordinates[1][cell[1]],
+                       z = level.Coordinates[2][cell[2]];
+          const double state[6] = { 2.0 + std::sin(5.0 * x + y), 1.0 + y - z, std::cos(3.0 * z),
+            x * y, 3.0 + x + std::sin(7.0 * z), 0.1 + x * x };
+          for (std::size_t c = 0; c < values.size(); ++c)
+          {
+            values[c].push_back(state[c]);
+          }
+        });
+      auto arrays = std::make_shared<PlainArrays>(block.Arrays);
+      const char* const names[] = { "density", "u_x", "u_y", "u_z", "energy", "heat" };
+      for (std::size_t c = 0; c < values.size(); ++c)
+      {
+        arrays->Store(names[c], ValueType::Double, std::move(values[c]));
+      }
+      block.Arrays = arrays;
+    }
+  }
+  StateChoice& state = input.Arrays.State;
+  state.Arrays = { "density", "u_x", "u_y", "u_z", "energy", "heat" };
+  state.IsConserved = isConserved;
+  if (isConserved)
+  {
+    state.Densities = { "density" };
+    state.Velocity = "u_x";
+    state.Energy = "energy";
+    state.Kinds = { "heat=extensive" };
+  }
+}
+
+MesherInput MakeGrainsInput(Ranks& ranks)
+{
+  return MakeLabelInput(TheGrid, MakeGrains(GridSize), ranks);
+}
+
+MesherInput MakeLevels(Ranks& ranks)
+{
+  return MakeLevelInput(TheGrid,
+    { { { { 2, 3, 2 } }, { { 9, 8, 11 } } }, { { { 12, 3, 14 } }, { { 20, 15, 24 } } } }, ranks);
+}
+
+MesherOptions OptionsOf(const std::string& width)
+{
+  MesherOptions options;
+  options.CellWidth = width;
+  return options;
+}
+
+template <class Values>
+Values ValuesOf(const FieldArrays& fields, const std::string& name)
+{
+  const auto found = std::find_if(
+    fields.begin(), fields.end(), [&](const FieldArray& field) { return field.Name == name; });
+  return found == fields.end() ? Values() : std::get<Values>(found->Values);
+}
+
+/// Points and elements of the meshes of all ranks with their state, by id.
+struct MeshById
+{
+  std::map<Index, std::array<double, 3>> Points;
+  std::map<Index, std::vector<double>> Elements;
+
+  void Add(const MesherResult& result)
+  {
+    const Mesh& mesh = result.TheMesh;
+    for (std::size_t p = 0; p < mesh.PointIds.size(); ++p)
+    {
+      std::copy_n(mesh.Points.data() + 3 * p, 3, this->Points[mesh.PointIds[p]].begin());
+    }
+    for (std::size_t e = 0; e < mesh.ElementIds.size(); ++e)
+    {
+      std::vector<double>& values = this->Elements[mesh.ElementIds[e]];
+      values.push_back(mesh.Material[e]);
+      for (const TransferredArray& array : result.State.Arrays)
+      {
+        const double* tuple = reinterpret_cast<const double*>(array.Values.data());
+        values.insert(
+          values.end(), tuple + array.Components * e, tuple + array.Components * (e + 1));
+      }
+    }
+  }
+};
+
+MeshById MeshOnRanks(
+  int count, const MesherOptions& options, const std::function<MesherInput(Ranks&)>& makeInput)
+{
+  MeshById joined;
+  std::mutex mutex;
+  RunOnRanks(count,
+    [&](ThreadRanks& ranks)
+    {
+      RankRuntime runtime(ranks);
+      const MesherResult result = RunMesher(makeInput(ranks), options, runtime);
+      const std::lock_guard<std::mutex> lock(mutex);
+      joined.Add(result);
+    });
+  return joined;
+}
+
+void ExpectSameOnRanks(
+  const MesherOptions& options, const std::function<MesherInput(Ranks&)>& makeInput)
+{
+  const MeshById alone = MeshOnRanks(1, options, makeInput);
+  EXPECT_GT(alone.Elements.size(), 50u);
+  for (int count : { 2, 3, 8 })
+  {
+    const MeshById joined = MeshOnRanks(count, options, makeInput);
+    EXPECT_TRUE(joined.Points == alone.Points) << count;
+    EXPECT_TRUE(joined.Elements == alone.Elements) << count;
+  }
+}
+
+/// Returns mass, momentum, internal energy, and kinetic energy with its losses.
+std::array<double, 6> SumUp(const std::vector<StateSums>& one, const std::vector<StateSums>& other)
+{
+  std::array<double, 6> sums{};
+  for (const std::vector<StateSums>* all : { &one, &other })
+  {
+    for (const StateSums& s : *all)
+    {
+      const double own[6] = { s.Mass, s.Momentum[0], s.Momentum[1], s.Momentum[2], s.Internal,
+        s.Kinetic + s.LostToElements };
+      std::transform(sums.begin(), sums.end(), own, sums.begin(), std::plus<>());
+    }
+  }
+  return sums;
+}
+
+} // namespace
+
+TEST(CellWidth, IsOneWidthOrThree)
+{
+  EXPECT_EQ(ParseWidths("2.5").value(), (Vector3{ { 2.5, 2.5, 2.5 } }));
+  EXPECT_EQ(ParseWidths("1, 2 ,0").value(), (Vector3{ { 1.0, 2.0, 0.0 } }));
+  EXPECT_EQ(ParseWidths("1 2 3").value(), (Vector3{ { 1.0, 2.0, 3.0 } }));
+  EXPECT_EQ(ParseWidths("").value(), Vector3{});
+  for (const char* text : { "1,2", "-1", "x", "1,2,3,4", "1,,2", "nan" })
+  {
+    EXPECT_FALSE(ParseWidths(text)) << text;
+  }
+  EXPECT_FALSE(HasCellWidth(MesherOptions()));
+  EXPECT_TRUE(HasCellWidth(OptionsOf("0,0,1")));
+}
+
+TEST(CellWidth, MaterialsKeepTheirVolumes)
+{
+  Runtime serial;
+  const std::vector<int> labels = MakeGrains(GridSize);
+  for (const char* width : { "0.1", "0.2", "0.25", "0.3,0.2,0" })
+  {
+    const MesherResult result =
+      RunMesher(MakeGrainsInput(serial.Group()), OptionsOf(width), serial);
+    for (int m = 1; m <= 3; ++m)
+    {
+      const double volume =
+        0.001 * static_cast<double>(std::count(labels.begin(), labels.end(), m));
+      EXPECT_NEAR(result.Report.TargetVolume[m] / volume, 1.0, 1e-13);
+      EXPECT_NEAR(result.Report.MeshVolume[m] / volume, 1.0, 1e-3) << width;
+    }
+    const auto before = ValuesOf<std::vector<Index>>(result.MaterialFields, "InputCells");
+    const auto after = ValuesOf<std::vector<Index>>(result.MaterialFields, "NewCells");
+    ASSERT_EQ(before.size(), 3u);
+    ASSERT_EQ(after.size(), 3u);
+    EXPECT_EQ(before[1], std::count(labels.begin(), labels.end(), 2));
+    EXPECT_TRUE(width == std::string("0.1") ? after == before : after[0] < before[0]);
+  }
+}
+
+TEST(CellWidth, IsRoundedToFillTheDomain)
+{
+  Runtime serial;
+  const MesherResult result =
+    RunMesher(MakeGrainsInput(serial.Group()), OptionsOf("0.25,0,100"), serial);
+  const auto widths = ValuesOf<std::vector<double>>(result.Fields, "CellWidths");
+  ASSERT_EQ(widths.size(), 3u);
+  EXPECT_DOUBLE_EQ(widths[0], 0.25); // 8 cells in 2
+  EXPECT_DOUBLE_EQ(widths[1], 0.1);
+  EXPECT_DOUBLE_EQ(widths[2], 2.4);
+}
+
+/// Fractions in equal cells are the input, bit by bit.
+TEST(CellWidth, ThatOfTheInputChangesNothing)
+{
+  for (const ElementKind kind : { ElementKind::Hexes, ElementKind::Tets })
+  {
+    MesherOptions options;
+    options.Elements = kind;
+    options.ThinParts = false; // labels have none
+    options.Method = TetMethod::Lattice;
+    const auto read = MeshOnRanks(2, options, MakeGrainsInput);
+    options.CellWidth = "0.1";
+    const auto same = MeshOnRanks(2, options, MakeGrainsInput);
+    EXPECT_TRUE(read.Points == same.Points);
+    EXPECT_TRUE(read.Elements == same.Elements);
+  }
+}
+
+TEST(CellWidth, NarrowerThanTheInputIsAnError)
+{
+  Runtime serial;
+  try
+  {
+    RunMesher(MakeGrainsInput(serial.Group()), OptionsOf("0.08"), serial);
+    FAIL();
+  }
+  catch (const InputError& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("Refinement"), std::string::npos) << error.what();
+  }
+}
+
+TEST(CellWidth, RanksGiveTheSameMesh)
+{
+  ExpectSameOnRanks(OptionsOf("0.25"), MakeGrainsInput);
+  MesherOptions smooth = OptionsOf("0.2");
+  smooth.LabelSmoothing = 2;
+  smooth.Elements = ElementKind::Tets;
+  smooth.Method = TetMethod::Lattice;
+  ExpectSameOnRanks(smooth, MakeGrainsInput);
+  MesherOptions coarse = OptionsOf("0.125,0.1125,0.15");
+  coarse.Refinement = RefinementMode::Coarsen;
+  ExpectSameOnRanks(coarse, MakeGrainsInput);
+}
+
+TEST(CellWidth, PeriodsStay)
+{
+  MesherOptions options = OptionsOf("0.25");
+  options.Periodic = 7;
+  ExpectSameOnRanks(options, MakeGrainsInput);
+  Runtime serial;
+  const MesherResult result = RunMesher(MakeGrainsInput(serial.Group()), options, serial);
+  const auto lengths = ValuesOf<std::vector<double>>(result.Fields, "PeriodLengths");
+  ASSERT_EQ(lengths.size(), 3u);
+  MesherOptions read;
+  read.Periodic = 7;
+  const MesherResult before = RunMesher(MakeGrainsInput(serial.Group()), read, serial);
+  EXPECT_EQ(lengths, ValuesOf<std::vector<double>>(before.Fields, "PeriodLengths"));
+}
+
+/// Refined input is resampled from its finest data.
+TEST(CellWidth, ReplacesTheCellsOfLevels)
+{
+  Runtime serial;
+  MesherOptions read;
+  read.Refinement = RefinementMode::InputLevels;
+  const MesherResult before = RunMesher(MakeLevels(serial.Group()), read, serial);
+  const MesherResult after = RunMesher(MakeLevels(serial.Group()), OptionsOf("0.23"), serial);
+  for (int m = 1; m <= 2; ++m)
+  {
+    EXPECT_NEAR(after.Report.TargetVolume[m] / before.Report.TargetVolume[m], 1.0, 1e-13);
+  }
+  ExpectSameOnRanks(OptionsOf("0.23"), MakeLevels);
+}
+
+TEST(CellWidth, RequestsRefineTheNewCells)
+{
+  MesherOptions options = OptionsOf("0.3");
+  options.Refinement = RefinementMode::Automatic;
+  options.ThinCells = 0.0;
+  options.RefinementBoxes = { { { { -0.3, -0.3, -0.3 } }, { { 0.3, 0.3, 0.3 } }, 1.0 } };
+  Runtime serial;
+  const MesherResult result = RunMesher(MakeGrainsInput(serial.Group()), options, serial);
+  EXPECT_GT(result.TheMesh.ElementIds.size(),
+    RunMesher(MakeGrainsInput(serial.Group()), OptionsOf("0.3"), serial).TheMesh.ElementIds.size());
+  ExpectSameOnRanks(options, MakeGrainsInput);
+}
+
+/// The sums of the input are those of its own cells.
+TEST(CellWidth, StateIsConserved)
+{
+  Runtime serial;
+  const auto make = [](Ranks& ranks)
+  {
+    MesherInput input = MakeGrainsInput(ranks);
+    AddState(true, input);
+    return input;
+  };
+  const MesherResult read = RunMesher(make(serial.Group()), MesherOptions(), serial);
+  const std::array<double, 6> expected = SumUp(read.State.Balance.Input, {});
+  for (const char* width : { "0.25", "0.2" })
+  {
+    const MesherResult wide = RunMesher(make(serial.Group()), OptionsOf(width), serial);
+    const StateBalance& balance = wide.State.Balance;
+    const std::array<double, 6> input = SumUp(balance.Input, {});
+    const std::array<double, 6> mesh = SumUp(balance.Mesh, balance.Unmeshed);
+    for (int s = 0; s < 6; ++s)
+    {
+      EXPECT_NEAR(input[s] / expected[s], 1.0, 1e-13) << s;
+      if (s < 5) // reconstruction changes kinetic energy
+      {
+        EXPECT_NEAR((mesh[s] - expected[s]) / expected[0], 0.0, 1e-13) << s;
+      }
+    }
+    const auto& heat = wide.State.Arrays.back();
+    const double* values = reinterpret_cast<const double*>(heat.Values.data());
+    const auto& heatRead = read.State.Arrays.back();
+    const double* valuesRead = reinterpret_cast<const double*>(heatRead.Values.data());
+    const double sum = std::accumulate(values, values + wide.TheMesh.ElementIds.size(), 0.0);
+    const double before =
+      std::accumulate(valuesRead, valuesRead + read.TheMesh.ElementIds.size(), 0.0);
+    EXPECT_NEAR(sum / before, 1.0, 1e-12);
+  }
+  ExpectSameOnRanks(OptionsOf("0.25"), make);
+}
+
+TEST(CellWidth, StateOfLevelsIsConserved)
+{
+  Runtime serial;
+  const auto make = [](Ranks& ranks)
+  {
+    MesherInput input = MakeLevels(ranks);
+    AddState(true, input);
+    return input;
+  };
+  const std::array<double, 6> expected =
+    SumUp(RunMesher(make(serial.Group()), MesherOptions(), serial).State.Balance.Input, {});
+  const MesherResult wide = RunMesher(make(serial.Group()), OptionsOf("0.23"), serial);
+  const std::array<double, 6> input = SumUp(wide.State.Balance.Input, {});
+  const std::array<double, 6> mesh = SumUp(wide.State.Balance.Mesh, wide.State.Balance.Unmeshed);
+  for (int s = 0; s < 6; ++s)
+  {
+    EXPECT_NEAR(input[s] / expected[s], 1.0, 1e-13) << s;
+    if (s < 5)
+    {
+      EXPECT_NEAR((mesh[s] - expected[s]) / expected[0], 0.0, 1e-13) << s;
+    }
+  }
+  ExpectSameOnRanks(OptionsOf("0.23"), make);
+}
+
+TEST(CellWidth, StateIsCopiedFromCellsOfTheInput)
+{
+  const auto make = [](Ranks& ranks)
+  {
+    MesherInput input = MakeGrainsInput(ranks);
+    AddState(false, input);
+    return input;
+  };
+  Runtime serial;
+  const MesherInput input = make(serial.Group());
+  const auto energy = input.Levels.Levels[0].Blocks[0].Arrays->Find("energy");
+  std::vector<double> values;
+  for (Index i = 0; i < energy->Tuples; ++i)
+  {
+    values.push_back(energy->Get(i, 0));
+  }
+  std::sort(values.begin(), values.end());
+  const MesherResult result = RunMesher(input, OptionsOf("0.25"), serial);
+  const double* copied = reinterpret_cast<const double*>(result.State.Arrays[4].Values.data());
+  for (std::size_t e = 0; e < result.TheMesh.ElementIds.size(); ++e)
+  {
+    EXPECT_TRUE(std::binary_search(values.begin(), values.end(), copied[e]));
+  }
+  ExpectSameOnRanks(OptionsOf("0.25"), make);
+  MesherOptions periodic = OptionsOf("0.25");
+  periodic.Periodic = 3;
+  ExpectSameOnRanks(periodic, make);
+}
+
+TEST(CellWidth, OneWarningNamesWhatIsLost)
+{
+  std::vector<int> labels(GridSize[0] * GridSize[1] * GridSize[2], 1);
+  const IndexBox box{ {}, GridSize };
+  labels[IndexInBox(box, { { 10, 9, 12 } })] = 2; // a single cell
+  Runtime serial;
+  MesherInput input = MakeLabelInput(TheGrid, labels, serial.Group());
+  std::vector<std::string> warnings;
+  input.Warn = [&](const std::string& text) { warnings.push_back(text); };
+  MesherOptions options = OptionsOf("0.3");
+  options.ZeroLabel = ZeroLabelMeaning::Material; // no warning of label 0
+  RunMesher(input, options, serial);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].find("(id 2) by -1e+02 %"), std::string::npos) << warnings[0];
+  EXPECT_NE(warnings[0].find("CellWidth"), std::string::npos) << warnings[0];
+}
