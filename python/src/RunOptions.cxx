@@ -122,7 +122,7 @@ double ReadNumber(const Option& option, nb::handle value)
   return found;
 }
 
-/// Converts a number, or a sequence of numbers, to a text.
+/// Converts a number, or a sequence of three, to a text.
 std::string WriteWidths(const Option& option, nb::handle value)
 {
   std::vector<std::string> texts;
@@ -149,6 +149,10 @@ std::string WriteWidths(const Option& option, nb::handle value)
     for (nb::handle item : items)
     {
       add(item);
+    }
+    if (texts.size() != 3)
+    {
+      RejectType(option, value);
     }
   }
   return JoinTexts(texts, ",");

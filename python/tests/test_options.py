@@ -86,7 +86,7 @@ def test_ranges(option):
 
 @pytest.mark.parametrize("option", OPTIONS, ids=lambda option: option.name)
 def test_wrong_types(option):
-    for value in (*([] if option.kind == "text" else ["3"]), None, [1],
+    for value in (*([] if option.kind in ("text", "widths") else ["3"]), None, [1],
                   1.5 if option.kind == "whole" else {}):
         with pytest.raises((TypeError, ValueError)) as told:
             make_of(option)(BALL, **{option.name: value})
@@ -104,6 +104,20 @@ def test_words(option):
     with pytest.raises(ValueError) as told:
         make_of(option)(BALL, **{option.name: "Quick"})
     assert all(repr(word) in str(told.value) for word in option.words)
+
+
+def test_cell_width():
+    options = _core.Options(False)
+    for value, kept in ((2, 2.0), ("0.5", 0.5), ((1, 2, 0.5), "1,2,0.5"), ("1,1,2", "1,1,2")):
+        options.cell_width = value
+        assert options.cell_width == kept
+    wide = vfm.hexes(BALL, cell_width=2)
+    assert 0 < len(wide) < len(vfm.hexes(BALL)) / 4
+    assert len(vfm.hexes(BALL, cell_width=(2, 2, 2))) == len(wide)
+    with pytest.raises(ValueError, match="Refinement"):
+        vfm.hexes(BALL, cell_width=0.3)
+    with pytest.raises(ValueError, match="cell_width is -1"):
+        vfm.hexes(BALL, cell_width=-1)
 
 
 def test_unknown_options():
