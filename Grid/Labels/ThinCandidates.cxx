@@ -58,9 +58,10 @@ double LargestAcross(const CartesianGrid& grid, const FractionField& fractions, 
   return largest;
 }
 
-/// Returns whether a body ends in a cell at a side of the domain.
-bool EndsAtSide(const CartesianGrid& grid, const FractionField& fractions, const LabelArray& labels,
-  const Index3& cell, int material)
+/// Returns whether a predicate of an axis and of the cell before a cell along it holds at a side of
+/// the domain that the cell touches.
+template <class Predicate>
+bool HoldsAtSide(const CartesianGrid& grid, const Index3& cell, const Predicate& predicate)
 {
   for (int a = 0; a < 3; ++a)
   {
@@ -69,16 +70,37 @@ bool EndsAtSide(const CartesianGrid& grid, const FractionField& fractions, const
       Index3 before = cell, behind = cell;
       before[a] -= step;
       behind[a] += step;
-      if (!grid.InDomain(behind) && grid.InDomain(before) &&
-        labels[grid.Linear(before)] == material &&
-        LargestAcross(grid, fractions, cell, a, material) <
-          ShareAtSide * fractions.Fraction(grid.Linear(before), material))
+      if (!grid.InDomain(behind) && grid.InDomain(before) && predicate(a, grid.Linear(before)))
       {
         return true;
       }
     }
   }
   return false;
+}
+
+/// Returns whether a body ends in a cell at a side of the domain.
+bool EndsAtSide(const CartesianGrid& grid, const FractionField& fractions, const LabelArray& labels,
+  const Index3& cell, int material)
+{
+  return HoldsAtSide(grid, cell,
+    [&](int axis, Index before)
+    {
+      return labels[before] == material &&
+        LargestAcross(grid, fractions, cell, axis, material) <
+        ShareAtSide * fractions.Fraction(before, material);
+    });
+}
+
+/// Returns whether a cell at a side of the domain holds much less of a material than the one
+/// before.
+bool FadesAtSide(
+  const CartesianGrid& grid, const FractionField& fractions, const Index3& cell, int material)
+{
+  const double fraction = fractions.Fraction(grid.Linear(cell), material);
+  return HoldsAtSide(grid, cell,
+    [&](int, Index before)
+    { return fraction < ShareAtSide * fractions.Fraction(before, material); });
 }
 
 /// Adds the candidates of a mixed cell.
@@ -97,7 +119,8 @@ void AddCandidates(const CartesianGrid& grid, const FractionField& fractions,
     {
       const bool isRidge = !around.HasLabel && part.Fraction >= RidgeShare * around.Largest;
       list.push_back({ at, part.Material, part.Fraction, 0.5 * around.Mean + 0.5 * part.Fraction,
-        isRidge, EndsAtSide(grid, fractions, labels, cell, part.Material) });
+        isRidge, EndsAtSide(grid, fractions, labels, cell, part.Material),
+        FadesAtSide(grid, fractions, cell, part.Material) });
     }
   }
 }
