@@ -48,7 +48,7 @@ void ListResult(
   UseLabels(table, result.TheMesh);
   if (result.State.TheParticles)
   {
-    TurnParticles(frame, *result.State.TheParticles);
+    TurnPoints(frame, result.State.TheParticles->Positions); // state is turned already
     UseLabels(table, result.State.TheParticles->Material);
   }
   AppendFields(ListSides(result.TheMesh.Tables), result.Fields);
