@@ -86,8 +86,9 @@ void vtkVolumeFractionMeshWriter::WriteData()
         this->WriteMesh(stored.Data, this->FileName, ranks);
         if (ranks.Rank() == 0 && HasParticles(stored.Data))
         {
-          vtkWarningMacro(<< this->FileName << " has no particles: they are the output Particles "
-                          << "of the filter. Save that output, too.");
+          vtkWarningMacro(<< this->FileName
+                          << " has no particles: they are the output Particles "
+                             "of the filter. Save that output, too.");
         }
       });
   }

@@ -5,8 +5,8 @@ usage: pvpython TestReadBack.py IMPACT FOLDER      VFM_SCULPTOR: path of sculpto
 
 Exodus is read by ncdump, .vtu and .vtp by VTK, .rad and .k by the columns of their manuals. Exodus
 and .vtu have velocities of elements: the sums of each body are compared. Decks have velocities of
-nodes; an element gives each corner an equal part of its mass. Nodes on the contact of ball and plate
-have one velocity, so the sums over both bodies are compared. What a deck lacks is taken from
+nodes; an element gives each corner an equal part of its mass. Nodes on the contact of ball and
+plate have one velocity, so the sums over both bodies are compared. What a deck lacks is taken from
 Exodus, in the order of the ids: .k has no densities and energies, .rad no energies of particles.
 The test also checks the warning of displaced material.
 """

@@ -4,8 +4,8 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from conserve_cases import CONSERVE, state
 from vfmtest import (
-    ORIGIN, SPACING, VolumeFractionToTet, ball_and_plate, collect, held_class, image, in_folder, main,
-    mesh_of, producer, run, servermanager, table_of)
+    ORIGIN, SPACING, VolumeFractionToTet, ball_and_plate, collect, held_class, image, in_folder,
+    main, mesh_of, producer, run, servermanager, table_of)
 
 N = 14
 BALL, PLATE = ball_and_plate(N)

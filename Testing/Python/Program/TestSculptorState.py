@@ -103,7 +103,7 @@ def test_state_is_copied_where_asked(at):
 
 @in_folder
 def test_particles(at):
-    """The program prints the number and mass of particles, the files beside the mesh that hold them,
+    """The program prints the number and mass of particles, the files beside meshes that hold them,
     and their sums in the table of state."""
     arrays = arrays_of_impact()
     arrays["ball"][11, 11, 11], arrays["plate"][11, 11, 11] = 0.1, 0.0
