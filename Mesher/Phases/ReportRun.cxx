@@ -9,7 +9,8 @@ namespace vfm
 namespace
 {
 
-/// Warns of corrected input, an empty mesh, and materials without elements or with wrong volumes.
+/// Warns of corrected input, an empty mesh, and materials without elements, with wrong
+/// volumes, or in another place.
 void WarnOfMesh(const MesherJob& job, const MeshReport& report, const InputField& field)
 {
   const CorrectedCells& corrected = field.Corrected;
@@ -33,6 +34,9 @@ void WarnOfMesh(const MesherJob& job, const MeshReport& report, const InputField
   if (MovesPoints(job.Options) && ConservesVolume(job.Options))
   {
     Warn(job, DescribeInexactMaterials(report, field.Table, AreLabels(job)));
+    Warn(job,
+      DescribeDisplacedMaterials(
+        report, field.Table, job.Options.UnmeshedMaterial == Unmeshed::Particles));
   }
 }
 
