@@ -41,14 +41,11 @@ from load_plugin import load_plugin
 from need_files import need_files
 
 BODIES = ["ball", "plate"]
-PARTS_OF_PARTICLES = [body + " particles" for body in BODIES]  # in after.csv
 QUANTITIES = ["mass [mg]", "momentum x [mg km/s]", "momentum y [mg km/s]", "momentum z [mg km/s]",
               "kinetic energy [J]", "internal energy [J]"]
-SHARES = [("Mass of the ball [mg]", QUANTITIES[:1]),  # titles of plots: quantities to add
-          ("Momentum x of the ball [mg km/s]", QUANTITIES[1:2]),
-          ("Energy of the ball [J]", QUANTITIES[4:])]
+SHARES = [("Mass of the ball [mg]", BODIES[:1], QUANTITIES[:1]),  # plots: bodies and quantities
+          ("Momentum x [mg km/s]", BODIES, QUANTITIES[1:2]), ("Energy [J]", BODIES, QUANTITIES[4:])]
 VIEW_SIZE, SPEED = (1200, 720), 3.0  # size of pictures; speed of the brightest colour, km/s
-MIDDLE = 3.01  # pictures show what has a larger y
 PARTICLES = 6  # output of the filter
 LEAST_FRACTION = 1e-9  # the mesher ignores smaller fractions
 STATES = ["velocity", "energy", "ratio", "deviator", "plastic_strain", "damage", "toughness"]
@@ -77,6 +74,11 @@ def parse_arguments():
 def of_bodies(stem):
     """Returns the names of the arrays of a quantity, one per body."""
     return ["%s - %d" % (stem, body + 1) for body in range(len(BODIES))]
+
+
+def of_particles(bodies):
+    """Returns the names of the columns of the bodies' particles."""
+    return [body + " particles" for body in bodies]
 
 
 # ---- the Eulerian side ----
@@ -192,7 +194,7 @@ def run_solver(solver, start, duration, path):
     with open(path, "w", newline="", encoding="ascii") as file:
         table = csv.writer(file)
         table.writerow(["step", "time [us]"]
-                       + [body + " " + quantity for body in BODIES + PARTS_OF_PARTICLES
+                       + [body + " " + quantity for body in BODIES + of_particles(BODIES)
                           for quantity in QUANTITIES] + ["removed elements"])
         solver.run(duration, lambda s: table.writerow(
             [s.steps, repr(s.time), *map(repr, s.totals().ravel().tolist()),
@@ -287,14 +289,14 @@ def draw_tables(figure, places, before, after, start):
 
 
 def draw_shares(figure, places, before, after, start):
-    """Plots mass, momentum and energy of the ball over time: in impact, in elements, in particles,
-    and the sum of both."""
-    ball, particles = BODIES[0], PARTS_OF_PARTICLES[0]
+    """Plots mass, momentum and energy over time: in impact, in elements, in particles, and the sum
+    of both."""
     first = before["time [us]"] <= start * (1 + 1e-12)
-    for place, (title, quantities) in zip(places, SHARES):
+    for place, (title, bodies, quantities) in zip(places, SHARES):
         axes = figure.add_subplot(place)
-        old, both, loose = (sum(table[part + " " + quantity] for quantity in quantities)
-                            for table, part in ((before, ball), (after, ball), (after, particles)))
+        old, both, loose = (
+            sum(sum_of(table, quantity, parts) for quantity in quantities)
+            for table, parts in ((before, bodies), (after, bodies), (after, of_particles(bodies))))
         axes.plot(before["time [us]"], old, color="black", lw=0.8, ls=":")
         axes.plot(before["time [us]"][first], old[first], color="black", lw=2)
         for values, colour, label in ((both, "black", "both"), (both - loose, "C0", "elements"),
@@ -319,8 +321,8 @@ def colour_by_speed(shown, view):
 
 
 def show_spheres(spheres, view):
-    """Shows the particles that are not cut away. spheres: positions, velocities, radii."""
-    position, velocity, radius = (values[spheres[0][:, 1] > MIDDLE] for values in spheres)
+    """Shows particles. spheres: positions, velocities, radii."""
+    position, velocity, radius = spheres
     data = vtkPolyData()
     points = vtkPoints()
     points.SetData(numpy_to_vtk(np.ascontiguousarray(position), deep=1))
@@ -344,8 +346,8 @@ def spheres_of(particles, moved):
 
 
 def render(path, spheres, picture):
-    """Saves a picture of half of a mesh, coloured by the speed of its nodes, without removed
-    elements, and of the particles, if any."""
+    """Saves a picture of a mesh, coloured by the speed of its nodes, without removed elements:
+    half of it, or all of it and its particles."""
     simple._DisableFirstRenderCameraReset()
     view = pictures.make_view(VIEW_SIZE)
     view.BackgroundColorMode, view.Background = "Single Color", (1, 1, 1)
@@ -356,11 +358,13 @@ def render(path, spheres, picture):
                                 UpperThreshold=1)
     speed = simple.Calculator(Input=mesh, AttributeType="Point Data", Function="mag(velocity)",
                               ResultArrayName="speed")
-    colour_by_speed(
-        pictures.show(pictures.cut(speed, [0, MIDDLE, 0], [0, 1, 0]), view), view)
     if spheres:
         show_spheres(spheres, view)
-    pictures.aim(view, [0.5, 6.5, 3, 6, 0, 4], (0.15, -1, 0.35), 1.75, sink=0.12)
+        pictures.aim(view, [1.5, 12, 0, 6, 0, 4], (0.25, -1, 0.75), 1.45, sink=0.15)
+    else:
+        speed = pictures.cut(speed, [0, 3.01, 0], [0, 1, 0])
+        pictures.aim(view, [0.5, 6.5, 3, 6, 0, 4], (0.15, -1, 0.35), 1.75, sink=0.12)
+    colour_by_speed(pictures.show(speed, view), view)
     pictures.save(view, picture)
 
 
