@@ -232,8 +232,8 @@ def main(impact, plugin, folder):
     os.makedirs(folder)
     check_ranks(impact, folder)
     check_restart(impact, plugin, folder)
-    check_particles(impact, plugin, folder, 120, (50, 1))
-    check_particles(impact, plugin, folder, 180, (38, 0.2))
+    check_particles(impact, plugin, folder, 120, (45, 0.35))
+    check_particles(impact, plugin, folder, 180, (35, 0.2))
 
 
 if __name__ == "__main__":
