@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 using namespace vfm;
 using namespace vfm::testing;
 
@@ -32,6 +34,30 @@ TEST(DisplacedVolume, OfSlabs)
   EXPECT_DOUBLE_EQ(displaced(MakeSlab(grid, 8))[1], 1.0);
   EXPECT_DOUBLE_EQ(displaced(MakeSlab(grid, 4, 2))[2], 1.0); // it has no elements
   EXPECT_EQ(displaced(MakeSlab(grid, 4, 2))[1], 0.0);        // it is in no cell
+}
+
+/// The block of an element does not depend on the elements before it.
+TEST(DisplacedVolume, DoesNotDependOnTheOrderOfElements)
+{
+  const CartesianGrid grid = MakeUnitGrid(12);
+  const FractionField slab = MakeSlab(grid, 4);
+  MeshOptions options;
+  options.StairStep = true;
+  Mesh mesh = MakeCells(grid, slab, options);
+  for (std::size_t n = 0; n < mesh.Points.size(); n += 3)
+  {
+    mesh.Points[n] = 4.0 + 0.01 * (mesh.Points[n] - 6.0); // at the plane between two blocks
+  }
+  Runtime runtime;
+  const double displaced = FindDisplacedVolumes(grid, slab, mesh, runtime)[1];
+  EXPECT_NEAR(displaced, 0.995, 1e-12); // half of the elements are in the block of the slab
+  const auto count = static_cast<Index>(mesh.Material.size());
+  for (Index e = 0; e < count / 2; ++e)
+  {
+    Index* const corners = mesh.Elements.data();
+    std::swap_ranges(corners + 8 * e, corners + 8 * (e + 1), corners + 8 * (count - 1 - e));
+  }
+  EXPECT_EQ(FindDisplacedVolumes(grid, slab, mesh, runtime)[1], displaced);
 }
 
 } // namespace
