@@ -258,6 +258,24 @@ Index3 CartesianGrid::CellAt(const Vector3& point) const
   return cell;
 }
 
+Index3 CartesianGrid::CellAt(const Vector3& point, Index3 near) const
+{
+  for (int a = 0; a < 3; ++a)
+  {
+    const std::vector<double>& x = this->X[a];
+    const Index last = static_cast<Index>(x.size()) - 1;
+    while (near[a] < last && point[a] >= x[near[a] + 1])
+    {
+      ++near[a];
+    }
+    while (near[a] >= 0 && point[a] < x[near[a]])
+    {
+      --near[a];
+    }
+  }
+  return near;
+}
+
 double CartesianGrid::PeriodLength(int axis) const
 {
   const IndexBox& box = this->DomainBox;

@@ -177,6 +177,8 @@ public:
   /// point outside the domain, the index along that axis is -1 or the number of cells. A point on
   /// an upper side of the domain counts as outside.
   Index3 CellAt(const Vector3& point) const;
+  /// Returns the same; fast if a cell near the point is known.
+  Index3 CellAt(const Vector3& point, Index3 near) const;
   const std::array<std::vector<double>, 3>& Coordinates() const { return this->X; }
   const std::vector<double>& Coordinates(int axis) const { return this->X[axis]; }
   /// Returns the width of a cell, equal for all copies of it.

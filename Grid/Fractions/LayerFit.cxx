@@ -14,9 +14,11 @@ namespace
 {
 
 constexpr int LargestSteps = 12;
-constexpr double Difference = 1e-5;     // change of the unknowns for numerical derivatives
-constexpr double LongestStep = 0.5;     // largest change of the unknowns per step
-constexpr double SmallestStep = 1e-9;   // after a smaller step, the next would be rounding
+constexpr int LargestBisections = 100;
+constexpr double ThicknessTolerance = 1e-13; // of half thicknesses
+constexpr double Difference = 1e-5;          // change of the unknowns for numerical derivatives
+constexpr double LongestStep = 0.5;          // largest change of the unknowns per step
+constexpr double SmallestStep = 1e-9;        // after a smaller step, the next would be rounding
 constexpr double SmallestGain = 0.01;   // relative gain in squared error below which steps stop
 constexpr double SmallestSlope = 1e-12; // smaller gradients count as 0
 constexpr double Damping = 1e-9;
@@ -26,19 +28,25 @@ constexpr double OtherPlace = 0.25; // shift of the middle to these places
 // axis.
 constexpr double LineRatio = 1.0 / 3.0;
 
-/// Returns the half thickness of the layer around the plane n.x = middle that fills a
-/// fraction of the cell.
-double ThicknessOfVolume(const Vector3& n, double middle, double fraction)
+/// Returns the half thickness of the layer around the plane n.x = middle that fills a fraction of
+/// the cell: Newton steps, or bisection where these leave the bounds.
+double ThicknessOfVolume(const CellBelowPlanes& cell, double middle, double fraction)
 {
-  double low = 0.0;
-  double high = std::fabs(middle) + 0.5 * (std::fabs(n[0]) + std::fabs(n[1]) + std::fabs(n[2]));
-  while (high - low > 1e-13)
+  double low = 0.0, high = std::fabs(middle) + cell.Reach();
+  double half = std::min(0.5 * fraction, high);
+  for (int step = 0; step < LargestBisections && high - low > ThicknessTolerance; ++step)
   {
-    const double half = 0.5 * (low + high);
-    const double volume = VolumeBelowPlane(n, middle + half) - VolumeBelowPlane(n, middle - half);
-    (volume < fraction ? low : high) = half;
+    const double excess = cell.Volume(middle + half) - cell.Volume(middle - half) - fraction;
+    (excess < 0.0 ? low : high) = half;
+    const double slope = cell.Slope(middle + half) + cell.Slope(middle - half);
+    const double next = half - excess / slope;
+    if (std::fabs(next - half) < ThicknessTolerance)
+    {
+      return half;
+    }
+    half = next > low && next < high ? next : 0.5 * (low + high);
   }
-  return 0.5 * (low + high);
+  return half;
 }
 
 struct Trial
@@ -61,26 +69,42 @@ struct Unknowns
   int Count() const { return this->IsFilm ? 3 : 2; }
 };
 
+/// Returns the fraction of a box inside a layer.
+/// @param box  the box scaled to the unit cell
+/// @param centre  distance of the centre of the box along the normal
+double FractionOfBox(const Layer& layer, const CellBelowPlanes& box, double centre)
+{
+  const double beyond = std::isinf(layer.Lower) ? 0.0 : box.Volume(layer.Lower - centre);
+  return box.Volume(layer.Upper - centre) - beyond;
+}
+
 /// Returns the layer that keeps the volume in the cell.
 Trial Try(const Samples& samples, bool isFilm, const Vector3& normal, double middle)
 {
   Trial trial;
   trial.Middle = middle;
   const double inside = samples[0].Value;
+  CellBelowPlanes box(normal);
   if (isFilm)
   {
-    const double half = ThicknessOfVolume(normal, middle, inside);
+    const double half = ThicknessOfVolume(box, middle, inside);
     trial.Region = { normal, middle - half, middle + half };
   }
   else
   {
-    trial.Region = { normal, -std::numeric_limits<double>::infinity(),
-      PlaneOfVolume(normal, inside) };
+    trial.Region = { normal, -std::numeric_limits<double>::infinity(), box.PlaneOf(inside) };
   }
   trial.Errors.reserve(samples.size());
+  Vector3 size{ { 1.0, 1.0, 1.0 } };
   for (const FractionSample& sample : samples)
   {
-    const double error = FractionInLayer(trial.Region, sample.Centre, sample.Size) - sample.Value;
+    if (sample.Size != size)
+    {
+      size = sample.Size;
+      box = CellBelowPlanes(Scaled(normal, size));
+    }
+    const double error =
+      FractionOfBox(trial.Region, box, Dot(normal, sample.Centre)) - sample.Value;
     trial.Errors.push_back(error);
     trial.SquaredError += sample.Weight * error * error;
   }
@@ -241,10 +265,8 @@ void FindFilm(const Samples& samples, Vector3& normal, double& middle)
 
 double FractionInLayer(const Layer& layer, const Vector3& centre, const Vector3& size)
 {
-  const Vector3 n = Scaled(layer.Normal, size);
-  const double shift = Dot(layer.Normal, centre);
-  const double beyond = std::isinf(layer.Lower) ? 0.0 : VolumeBelowPlane(n, layer.Lower - shift);
-  return VolumeBelowPlane(n, layer.Upper - shift) - beyond;
+  return FractionOfBox(
+    layer, CellBelowPlanes(Scaled(layer.Normal, size)), Dot(layer.Normal, centre));
 }
 
 LayerFit FitHalfSpace(const std::vector<FractionSample>& samples)

@@ -12,6 +12,11 @@ double Cube(double x)
   return x > 0.0 ? x * x * x : 0.0;
 }
 
+double Square(double x)
+{
+  return x > 0.0 ? x * x : 0.0;
+}
+
 /// Returns the volume of the unit cube [0,1]^3 where m.x < alpha, with m >= 0 ascending and
 /// of sum 1, and alpha <= 1/2. The cases avoid cancellation of terms that a small component
 /// of m makes large.
@@ -30,50 +35,64 @@ double VolumeOfCorner(const Vector3& m, double alpha)
   return (2.0 * alpha - m[0] - m[1]) / (2.0 * m[2]);
 }
 
-/// Sets m to the magnitudes of n, ascending and scaled to the sum 1. Returns
-/// the sum before scaling.
-double Normalise(const Vector3& n, Vector3& m)
+/// Returns the derivative of VolumeOfCorner by alpha.
+double SlopeOfCorner(const Vector3& m, double alpha)
 {
-  m = { { std::fabs(n[0]), std::fabs(n[1]), std::fabs(n[2]) } };
-  std::sort(m.begin(), m.end());
-  const double size = m[0] + m[1] + m[2];
-  for (double& x : m)
+  if (alpha < m[0])
   {
-    x /= size;
+    return Square(alpha) / (2.0 * m[0] * m[1] * m[2]);
   }
-  return size;
+  if (alpha < m[0] + m[1])
+  {
+    const double beyond = alpha > m[1] ? (Square(alpha - m[1]) + Square(alpha - m[2])) / m[0] : 0.0;
+    return (2.0 * alpha - m[0] - beyond) / (2.0 * m[1] * m[2]);
+  }
+  return 1.0 / m[2];
 }
 
-/// Returns the volume of the unit cube [0,1]^3 where m.x < alpha, for m from Normalise.
-double VolumeBelow(const Vector3& m, double alpha)
+} // namespace
+
+CellBelowPlanes::CellBelowPlanes(const Vector3& n) :
+  M{ { std::fabs(n[0]), std::fabs(n[1]), std::fabs(n[2]) } }
+{
+  std::sort(this->M.begin(), this->M.end());
+  this->Size = this->M[0] + this->M[1] + this->M[2];
+  for (double& m : this->M)
+  {
+    m /= this->Size;
+  }
+}
+
+/// Returns the volume of the unit cube [0,1]^3 where M.x < alpha.
+double CellBelowPlanes::VolumeAt(double alpha) const
 {
   if (alpha <= 0.0 || alpha >= 1.0)
   {
     return alpha <= 0.0 ? 0.0 : 1.0;
   }
-  return alpha <= 0.5 ? VolumeOfCorner(m, alpha) : 1.0 - VolumeOfCorner(m, 1.0 - alpha);
+  return alpha <= 0.5 ? VolumeOfCorner(this->M, alpha) : 1.0 - VolumeOfCorner(this->M, 1.0 - alpha);
 }
 
-} // namespace
-
-double VolumeBelowPlane(const Vector3& n, double d)
+double CellBelowPlanes::Volume(double d) const
 {
-  Vector3 m;
-  const double size = Normalise(n, m);
-  return VolumeBelow(m, d / size + 0.5);
+  return this->VolumeAt(d / this->Size + 0.5);
 }
 
-double PlaneOfVolume(const Vector3& n, double fraction)
+double CellBelowPlanes::Slope(double d) const
 {
-  Vector3 m;
-  const double size = Normalise(n, m);
+  const double alpha = 0.5 - std::fabs(d) / this->Size;
+  return alpha > 0.0 ? SlopeOfCorner(this->M, alpha) / this->Size : 0.0;
+}
+
+double CellBelowPlanes::PlaneOf(double fraction) const
+{
   double low = 0.0, high = 1.0;
   while (high - low > 1e-12)
   {
     const double middle = 0.5 * (low + high);
-    (VolumeBelow(m, middle) < fraction ? low : high) = middle;
+    (this->VolumeAt(middle) < fraction ? low : high) = middle;
   }
-  return (0.5 * (low + high) - 0.5) * size;
+  return (0.5 * (low + high) - 0.5) * this->Size;
 }
 
 } // namespace vfm

@@ -8,32 +8,57 @@
 namespace vfm
 {
 
+/// Values of a linear function between two ends at 1/4 and 3/4 of the way, and its slope.
+struct Quarters
+{
+  Quarters(const Vector3& lower, const Vector3& upper) :
+    Slope(upper - lower), At{ { lower + 0.25 * this->Slope, upper - 0.25 * this->Slope } }
+  {
+  }
+  Vector3 Slope;
+  std::array<Vector3, 2> At;
+};
+
 /// Calls body(centre, volume) for the 8 parts of a hexahedron between halves of its coordinates.
 /// Their volumes are those of their middles, scaled to the volume of the element.
 /// @param x  corners in VTK's order
 template <class Body>
 void ForPartsOfHex(const std::array<Vector3, 8>& x, double volume, const Body& body)
 {
-  std::array<Vector3, 8> centres{};
+  // Interpolation along one axis after the other. Part n is in the upper half along axis a if bit a
+  // of n is set.
+  const std::array<std::array<Quarters, 2>, 2> edges{ { { { { x[0], x[1] }, { x[3], x[2] } } },
+    { { { x[4], x[5] }, { x[7], x[6] } } } } }; // [z][y]
+  std::array<Vector3, 8> centres;
+  std::array<std::array<Vector3, 4>, 3> slopes; // by axis and the bits of the other two axes
+  for (int i = 0; i < 2; ++i)
+  {
+    const Quarters lower(edges[0][0].At[i], edges[0][1].At[i]);
+    const Quarters upper(edges[1][0].At[i], edges[1][1].At[i]);
+    const Quarters alongY(lower.Slope, upper.Slope);
+    for (int j = 0; j < 2; ++j)
+    {
+      const Quarters alongZ(lower.At[j], upper.At[j]);
+      slopes[1][i + 2 * j] = alongY.At[j];
+      slopes[2][i + 2 * j] = alongZ.Slope;
+      centres[i + 2 * j] = alongZ.At[0];
+      centres[i + 2 * j + 4] = alongZ.At[1];
+    }
+  }
+  const Quarters lower(edges[0][0].Slope, edges[0][1].Slope);
+  const Quarters upper(edges[1][0].Slope, edges[1][1].Slope);
+  for (int j = 0; j < 2; ++j)
+  {
+    const Quarters alongX(lower.At[j], upper.At[j]);
+    slopes[0][j] = alongX.At[0];
+    slopes[0][j + 2] = alongX.At[1];
+  }
   std::array<double, 8> volumes;
   double sum = 0.0;
   for (int n = 0; n < 8; ++n)
   {
-    // Weights of the lower and upper sides along each axis. VTK's order of corners: 2 and 3, 6 and
-    // 7 are exchanged.
-    const auto weight = [n](int a, int c) { return (c ^ (c >> 1 & 1) ^ n) >> a & 1 ? 0.25 : 0.75; };
-    const auto sign = [](int a, int c) { return (c ^ (c >> 1 & 1)) >> a & 1 ? 1.0 : -1.0; };
-    std::array<Vector3, 3> derivatives{};
-    for (int c = 0; c < 8; ++c)
-    {
-      const std::array<double, 3> w{ { weight(0, c), weight(1, c), weight(2, c) } };
-      centres[n] = centres[n] + w[0] * w[1] * w[2] * x[c];
-      for (int a = 0; a < 3; ++a)
-      {
-        derivatives[a] = derivatives[a] + sign(a, c) * w[(a + 1) % 3] * w[(a + 2) % 3] * x[c];
-      }
-    }
-    volumes[n] = Dot(derivatives[0], Cross(derivatives[1], derivatives[2]));
+    const int i = n & 1, j = n >> 1 & 1, k = n >> 2;
+    volumes[n] = Dot(slopes[0][j + 2 * k], Cross(slopes[1][i + 2 * k], slopes[2][i + 2 * j]));
     sum += volumes[n];
   }
   for (int n = 0; n < 8; ++n)

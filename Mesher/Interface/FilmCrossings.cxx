@@ -40,7 +40,23 @@ std::vector<FractionSample> SampleAround(
   return samples;
 }
 
-/// Lists the cells with the label of a thin cell among the 27 around it, ascending.
+/// Returns whether a cell has a face to another label.
+bool HasFace(const CartesianGrid& grid, const LabelArray& labels, const Index3& p)
+{
+  for (int side = 0; side < 6; ++side)
+  {
+    Index3 q = p;
+    q[side / 2] += side % 2 ? 1 : -1;
+    if (grid.Local().Contains(q) && labels[grid.Linear(q)] != labels[grid.Linear(p)])
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Lists the cells with a face to another label and their own label in a thin cell among the 27
+/// around them, ascending.
 std::vector<Index> ListCells(
   const CartesianGrid& grid, const LabelArray& labels, const std::vector<Index>& thin)
 {
@@ -52,7 +68,8 @@ std::vector<Index> ListCells(
     for (int c = 0; c < 27; ++c)
     {
       const Index3 q = CellAround(p, c);
-      if (inner.Contains(q) && labels[cell] > 0 && labels[grid.Linear(q)] == labels[cell])
+      if (inner.Contains(q) && labels[cell] > 0 && labels[grid.Linear(q)] == labels[cell] &&
+        HasFace(grid, labels, q))
       {
         cells.push_back(grid.Linear(q));
       }

@@ -22,7 +22,7 @@ namespace vfm
 class FilmCrossings
 {
 public:
-  /// Fits a layer in each cell that has the label of a thin cell among the 27 around it.
+  /// Fits a layer in each cell that has faces and the label of a thin cell among the 27 around it.
   /// @param thin  cells that got their label as a part of a film, thread or drop, ascending
   FilmCrossings(const CartesianGrid& grid, const FractionField& fractions, const LabelArray& labels,
     const std::vector<Index>& thin, Runtime& runtime);

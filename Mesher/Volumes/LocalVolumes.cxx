@@ -1,5 +1,6 @@
 #include "Volumes/LocalVolumes.h"
 
+#include "Base/Groups.h"
 #include "Base/HexNumbering.h"
 #include "Base/HexVolume.h"
 #include "Base/PortableMath.h"
@@ -12,39 +13,15 @@ namespace vfm
 namespace
 {
 
-constexpr double Quantum = 0x1p-40; // unit of volumes and areas, of a mean cell
 // Cells whose volumes count are this near to thin cells; elements may fill others by moving.
 constexpr Index RegionLayers = 3;
 constexpr double LargestShift = 0.2; // per correction, in mean cells
 // Smallest area of the interfaces around a point by which its lack is divided, in mean cells.
 constexpr double SmallestArea = 0.3;
-
-std::int64_t Rounded(double value)
-{
-  return std::llround(value / Quantum);
-}
-
-/// Calls visit(cell, weight) for the 4^3 cells around a node. Along each axis, the weights of the
-/// two inner cells are 2: the sum is that of the 3^3 cells around each of the 8 cells at the node.
-template <class Visit>
-void ForCellsAround(const CartesianGrid& grid, const Index3& node, const Visit& visit)
-{
-  const IndexBox around{ { { node[0] - 2, node[1] - 2, node[2] - 2 } },
-    { { node[0] + 2, node[1] + 2, node[2] + 2 } } };
-  ForCells(around,
-    [&](const Index3& cell)
-    {
-      if (grid.Local().Contains(cell))
-      {
-        int weight = 1;
-        for (int a = 0; a < 3; ++a)
-        {
-          weight *= cell[a] == node[a] || cell[a] == node[a] - 1 ? 2 : 1;
-        }
-        visit(grid.Linear(cell), weight);
-      }
-    });
-}
+// Along each axis, of the 4 cells around a node. The sum is that of the 3^3 cells around each of
+// the 8 cells at the node.
+constexpr int WeightAround[4] = { 1, 2, 2, 1 };
+constexpr Index ElementsOfBlock = 256; // elements per task
 
 /// Returns the corners of an active hex, in VTK's order and length units.
 std::array<Vector3, 8> CornersOf(const ActiveMesh& mesh, int hex)
@@ -59,19 +36,13 @@ std::array<Vector3, 8> CornersOf(const ActiveMesh& mesh, int hex)
 
 } // namespace
 
-struct LocalVolumes::Item
-{
-  Index Cell; // its key, or its number in a box
-  Amounts Values;
-  int Material;
-};
-
 LocalVolumes::LocalVolumes(const MeshCells& cells, const std::vector<Index>& thin, const Mesh& mesh,
   const ActiveMesh& active, const FragmentVolumes& volumes, const MeshRun& run) :
   Grid(cells.Grid),
   Parts(run.Parts),
-  Materials(cells.Fractions.NumberOfMaterials() + 1),
-  Region(cells.Grid.NumberOfEntries(), 0)
+  TheRuntime(run.TheRuntime),
+  Region(cells.Grid.NumberOfEntries(), 0),
+  Start(cells.Grid, cells.Fractions.NumberOfMaterials() + 1)
 {
   this->MarkRegion(thin);
   this->MaterialOf.assign(volumes.FragmentTargets().size(), 0);
@@ -82,6 +53,7 @@ LocalVolumes::LocalVolumes(const MeshCells& cells, const std::vector<Index>& thi
   }
   this->AddFractions(cells.Fractions, mesh);
   this->AddInactive(mesh, active);
+  this->Start.Unite();
   this->ListPoints(mesh, active);
 }
 
@@ -108,7 +80,7 @@ void LocalVolumes::AddFractions(const FractionField& fractions, const Mesh& mesh
     const Index cell = this->Grid.Linear(CellOfElement(this->Grid, mesh, mesh.ElementIds[e]));
     if (this->Region[cell] && mesh.Material[e] > 0)
     {
-      hasElement.insert(this->KeyOf(cell, mesh.Material[e]));
+      hasElement.insert(this->Start.MakeEntry(cell, mesh.Material[e], {}).Key);
     }
   }
   const double unit = 1.0 / Cube(this->Grid.MeanWidth());
@@ -117,11 +89,14 @@ void LocalVolumes::AddFractions(const FractionField& fractions, const Mesh& mesh
     bool isNear = false;
     ForCells(Grow(BoxOfCell(p), 1, this->Grid.Local()),
       [&](const Index3& q)
-      { isNear = isNear || hasElement.count(this->KeyOf(this->Grid.Linear(q), material)) > 0; });
+      {
+        const Index key = this->Start.MakeEntry(this->Grid.Linear(q), material, {}).Key;
+        isNear = isNear || hasElement.count(key) > 0;
+      });
     if (material > 0 && isNear)
     {
-      const std::int64_t volume = Rounded(unit * this->Grid.CellVolume(p) * fraction);
-      this->Start[this->KeyOf(this->Grid.Linear(p), material)] = { volume, volume, 0 };
+      const std::int64_t volume = CellVolumes::Rounded(unit * this->Grid.CellVolume(p) * fraction);
+      this->Start.Add(this->Grid.Linear(p), material, { volume, volume, 0 });
     }
   };
   ForCells(this->Grid.Owned(),
@@ -162,13 +137,14 @@ void LocalVolumes::AddInactive(const Mesh& mesh, const ActiveMesh& active)
     }
     if (activeOf[e] >= 0)
     {
-      this->Elements.push_back({ activeOf[e], mesh.Material[e] });
+      this->Elements.push_back({ activeOf[e], mesh.Material[e], cell });
       continue;
     }
     if (this->Region[this->Grid.Linear(cell)]) // it is the whole cell
     {
-      this->Start[this->KeyOf(this->Grid.Linear(cell), mesh.Material[e])].Lack -=
-        Rounded(this->Grid.CellVolume(cell) / Cube(this->Grid.MeanWidth()));
+      const std::int64_t volume =
+        CellVolumes::Rounded(this->Grid.CellVolume(cell) / Cube(this->Grid.MeanWidth()));
+      this->Start.Add(this->Grid.Linear(cell), mesh.Material[e], { -volume, 0, 0 });
     }
   }
 }
@@ -180,34 +156,41 @@ void LocalVolumes::ListPoints(const Mesh& mesh, const ActiveMesh& active)
   {
     const Index3 node = NodeOfPoint(this->Grid, mesh, mesh.PointIds[active.MeshPoint[p]]);
     bool isNear = false;
-    ForCellsAround(
-      this->Grid, node, [&](Index cell, int) { isNear = isNear || this->Region[cell] == 2; });
+    const IndexBox around{ { { node[0] - 2, node[1] - 2, node[2] - 2 } },
+      { { node[0] + 2, node[1] + 2, node[2] + 2 } } };
+    ForCells(Intersect(around, this->Grid.Local()),
+      [&](const Index3& cell) { isNear = isNear || this->Region[this->Grid.Linear(cell)] == 2; });
     this->NodeOf[p] = isNear ? this->Grid.Linear(node) : -1;
   }
 }
 
 /// Subtracts the hexes that move from the cells of the region that they fill.
-void LocalVolumes::AddElements(const ActiveMesh& mesh, Sums& sums) const
+void LocalVolumes::AddElements(const ActiveMesh& mesh, CellVolumes& volumes) const
 {
   const double unit = 1.0 / Cube(this->Grid.MeanWidth());
-  for (const Element& element : this->Elements)
+  using Entries = std::vector<CellVolumes::Entry>;
+  const auto add = [&](Index e, Entries& entries)
   {
-    const std::array<Vector3, 8> corners = CornersOf(mesh, element.Active);
+    const auto& [active, material, near] = this->Elements[e];
+    const std::array<Vector3, 8> corners = CornersOf(mesh, active);
     ForPartsOfHex(corners, VolumeOfHex(corners),
-      [&](const Vector3& centre, double volume)
+      [&, material = material, near = near](const Vector3& centre, double volume)
       {
-        const Index3 cell = this->Grid.CellAt(centre);
+        const Index3 cell = this->Grid.CellAt(centre, near);
         if (this->Grid.Local().Contains(cell) && this->Region[this->Grid.Linear(cell)])
         {
-          sums[this->KeyOf(this->Grid.Linear(cell), element.Material)].Lack -=
-            Rounded(unit * volume);
+          const std::int64_t part = CellVolumes::Rounded(unit * volume);
+          CellVolumes::Append(
+            volumes.MakeEntry(this->Grid.Linear(cell), material, { -part, 0, 0 }), entries);
         }
       });
-  }
+  };
+  volumes.Add(CollectItems<CellVolumes::Entry>(
+    this->TheRuntime, this->Elements.size(), ElementsOfBlock, add));
 }
 
 /// Adds the areas of facets, except those that stay on a side of the domain.
-void LocalVolumes::AddFacets(const ActiveMesh& mesh, Sums& sums) const
+void LocalVolumes::AddFacets(const ActiveMesh& mesh, CellVolumes& volumes) const
 {
   for (const ActiveFacet& facet : mesh.Facets)
   {
@@ -225,122 +208,47 @@ void LocalVolumes::AddFacets(const ActiveMesh& mesh, Sums& sums) const
       const int material = fragment > 0 ? this->MaterialOf[fragment] : 0;
       if (material > 0)
       {
-        sums[this->KeyOf(this->Grid.Linear(cell), material)].Area += Rounded(area);
+        volumes.Add(this->Grid.Linear(cell), material, { 0, 0, CellVolumes::Rounded(area) });
       }
     }
   }
-}
-
-/// Adds the sums of other ranks, so that those of all cells of the region are complete.
-void LocalVolumes::Complete(Sums& sums) const
-{
-  if (!this->Parts.Peers().empty())
-  {
-    this->SendToOwners(sums);
-    this->SendToGhosts(sums);
-  }
-}
-
-void LocalVolumes::SendToOwners(Sums& sums) const
-{
-  std::vector<std::vector<Item>> sent(this->Parts.Peers().size());
-  for (auto at = sums.begin(); at != sums.end();)
-  {
-    const auto& [key, amounts] = *at;
-    const Index3 cell = this->Grid.Position(key / this->Materials);
-    if (this->Parts.OwnsCell(cell))
-    {
-      ++at;
-      continue;
-    }
-    const int peer = this->Parts.PeerOfCell(cell);
-    sent[peer].push_back(
-      { this->Parts.CellKeyAtPeer(peer, cell), amounts, static_cast<int>(key % this->Materials) });
-    at = sums.erase(at);
-  }
-  for (const std::vector<Item>& items : this->Parts.Exchange(sent))
-  {
-    for (const Item& item : items)
-    {
-      const Index cell = this->Grid.Linear(this->Grid.CellOfKey(item.Cell));
-      Amounts& amounts = sums[this->KeyOf(cell, item.Material)];
-      amounts.Lack += item.Values.Lack;
-      amounts.Filled += item.Values.Filled;
-      amounts.Area += item.Values.Area;
-    }
-  }
-}
-
-void LocalVolumes::SendToGhosts(Sums& sums) const
-{
-  this->Parts.ExchangeBoxes(
-    [&](const IndexBox& box)
-    {
-      std::vector<Item> items;
-      Index number = 0;
-      this->Parts.ForCells(box,
-        [&](Index cell)
-        {
-          for (int m = 1; m < this->Materials && this->Region[cell]; ++m)
-          {
-            const auto at = sums.find(this->KeyOf(cell, m));
-            if (at != sums.end())
-            {
-              items.push_back({ number, at->second, m });
-            }
-          }
-          ++number;
-        });
-      return ToBytes(items);
-    },
-    [&](const IndexBox& box, const Bytes& bytes)
-    {
-      const std::vector<Item> items = FromBytes<Item>(bytes);
-      auto next = items.begin();
-      Index number = 0;
-      this->Parts.ForCells(box,
-        [&](Index cell)
-        {
-          for (; next != items.end() && next->Cell == number; ++next)
-          {
-            sums[this->KeyOf(cell, next->Material)] = next->Values;
-          }
-          ++number;
-        });
-    });
 }
 
 /// Returns the shift outwards of the interfaces of a material that makes up for what it lacks.
-double LocalVolumes::ShiftOf(const Sums& sums, Index node, int material) const
+double LocalVolumes::ShiftOf(const CellVolumes& volumes, Index node, int material) const
 {
   std::int64_t lack = 0, area = 0;
-  ForCellsAround(this->Grid, this->Grid.Position(node),
-    [&](Index cell, int weight)
+  const Index3 p = this->Grid.Position(node);
+  for (int j = 0; j < 4; ++j)
+  {
+    for (int k = 0; k < 4; ++k)
     {
-      const auto at = sums.find(this->KeyOf(cell, material));
-      if (at != sums.end())
-      {
-        lack += weight * at->second.Lack;
-        area += weight * at->second.Area;
-      }
-    });
-  const std::int64_t smallest = Rounded(8.0 * SmallestArea);
+      volumes.ForRow({ { p[0] - 2, p[1] + j - 2, p[2] + k - 2 } }, 4, material,
+        [&](Index i, const CellVolumes::Amounts& amounts)
+        {
+          const int weight = WeightAround[i] * WeightAround[j] * WeightAround[k];
+          lack += weight * amounts.Lack;
+          area += weight * amounts.Area;
+        });
+    }
+  }
+  const std::int64_t smallest = CellVolumes::Rounded(8.0 * SmallestArea);
   return static_cast<double>(lack) / static_cast<double>(std::max(area, smallest));
 }
 
-/// Returns the sums at the present positions, complete in the region.
-LocalVolumes::Sums LocalVolumes::Measure(const ActiveMesh& mesh) const
+CellVolumes LocalVolumes::Measure(const ActiveMesh& mesh) const
 {
-  Sums sums = this->Start;
-  this->AddElements(mesh, sums);
-  this->AddFacets(mesh, sums);
-  this->Complete(sums);
-  return sums;
+  CellVolumes volumes = this->Start;
+  this->AddElements(mesh, volumes);
+  this->AddFacets(mesh, volumes);
+  volumes.Unite();
+  volumes.Complete(this->Parts);
+  return volumes;
 }
 
-std::vector<unsigned char> LocalVolumes::FindExcess(const ActiveMesh& mesh, double share) const
+std::vector<unsigned char> LocalVolumes::FindExcess(
+  const CellVolumes& volumes, const ActiveMesh& mesh, double share) const
 {
-  const Sums sums = this->Measure(mesh);
   std::vector<unsigned char> exceeds(this->CellOf.size(), 0);
   for (std::size_t e = 0; e < this->CellOf.size(); ++e)
   {
@@ -350,45 +258,43 @@ std::vector<unsigned char> LocalVolumes::FindExcess(const ActiveMesh& mesh, doub
       continue;
     }
     std::int64_t lack = 0, filled = 0;
-    ForCells(Grow(BoxOfCell(this->Grid.Position(this->CellOf[e])), 1, this->Grid.Local()),
-      [&](const Index3& q)
-      {
-        const auto at = sums.find(this->KeyOf(this->Grid.Linear(q), material));
-        if (at != sums.end())
+    const Index3 p = this->Grid.Position(this->CellOf[e]);
+    for (int side = 0; side < 9; ++side)
+    {
+      volumes.ForRow({ { p[0] - 1, p[1] + side % 3 - 1, p[2] + side / 3 - 1 } }, 3, material,
+        [&](Index, const CellVolumes::Amounts& amounts)
         {
-          lack += at->second.Lack;
-          filled += at->second.Filled;
-        }
-      });
+          lack += amounts.Lack;
+          filled += amounts.Filled;
+        });
+    }
     exceeds[e] = static_cast<double>(-lack) > share * static_cast<double>(filled);
   }
   return exceeds;
 }
 
-void LocalVolumes::ReplaceShifts(const ActiveMesh& mesh, std::vector<double>& shifts) const
+void LocalVolumes::ReplaceShifts(
+  const CellVolumes& volumes, const ActiveMesh& mesh, std::vector<double>& shifts) const
 {
-  const Sums sums = this->Measure(mesh);
-  for (std::size_t p = 0; p < this->NodeOf.size() && p + 1 < mesh.AttachmentOffset.size(); ++p)
-  {
-    if (this->NodeOf[p] < 0)
+  ForEach(this->TheRuntime, this->NodeOf.size(),
+    [&](Index p)
     {
-      continue;
-    }
-    for (Index i = mesh.AttachmentOffset[p]; i < mesh.AttachmentOffset[p + 1]; ++i)
-    {
-      const auto& [first, second] = mesh.Attachments[i].Fragments;
-      const int before = this->MaterialOf[first], behind = this->MaterialOf[second];
-      if (before == 0 && behind == 0)
+      for (Index i = mesh.AttachmentOffset[p];
+           this->NodeOf[p] >= 0 && i < mesh.AttachmentOffset[p + 1]; ++i)
       {
-        continue;
+        const auto& [first, second] = mesh.Attachments[i].Fragments;
+        const int before = this->MaterialOf[first], behind = this->MaterialOf[second];
+        if (before == 0 && behind == 0)
+        {
+          continue;
+        }
+        const double share = before > 0 && behind > 0 ? 0.5 : 1.0;
+        const double shift = share *
+          ((before > 0 ? this->ShiftOf(volumes, this->NodeOf[p], before) : 0.0) -
+            (behind > 0 ? this->ShiftOf(volumes, this->NodeOf[p], behind) : 0.0));
+        shifts[i] = std::clamp(shift, -LargestShift, LargestShift);
       }
-      const double share = before > 0 && behind > 0 ? 0.5 : 1.0;
-      const double shift = share *
-        ((before > 0 ? this->ShiftOf(sums, this->NodeOf[p], before) : 0.0) -
-          (behind > 0 ? this->ShiftOf(sums, this->NodeOf[p], behind) : 0.0));
-      shifts[i] = std::clamp(shift, -LargestShift, LargestShift);
-    }
-  }
+    });
 }
 
 } // namespace vfm

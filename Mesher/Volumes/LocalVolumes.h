@@ -5,16 +5,13 @@
  * and a thick body, that takes material from one place and adds it in another. Here, the volume of
  * the elements in each cell is compared with the fractions, and an interface shifts by what the
  * cells around it lack, over its area in them.
- *
- * Volumes are sums of integers, so they depend on neither their order nor ranks.
  */
 #pragma once
 
 #include "Elements/MeshRun.h"
 #include "Smoothing/ActiveMesh.h"
+#include "Volumes/CellVolumes.h"
 #include "Volumes/FragmentVolumes.h"
-
-#include <unordered_map>
 
 namespace vfm
 {
@@ -30,50 +27,43 @@ public:
   LocalVolumes(const MeshCells& cells, const std::vector<Index>& thin, const Mesh& mesh,
     const ActiveMesh& active, const FragmentVolumes& volumes, const MeshRun& run);
 
-  /// Replaces the shifts of points with a thin cell in the 4^3 cells around their node.
+  /// Returns what the cells near thin cells lack of each material, and areas of interfaces.
   /// @param mesh  the active part, at its present positions
-  /// @param[in,out] shifts  shift of each attachment, grid coordinates
   /// @pre Collective among peers.
-  void ReplaceShifts(const ActiveMesh& mesh, std::vector<double>& shifts) const;
+  CellVolumes Measure(const ActiveMesh& mesh) const;
+
+  /// Replaces the shifts of points with a thin cell in the 4^3 cells around their node.
+  /// @param volumes  Measure
+  /// @param[in,out] shifts  shift of each attachment, grid coordinates
+  void ReplaceShifts(
+    const CellVolumes& volumes, const ActiveMesh& mesh, std::vector<double>& shifts) const;
 
   /// Returns which active elements are in surroundings of 3^3 cells that contain more of their
   /// material than the fractions, by more than a share of these.
-  /// @pre Collective among peers.
-  std::vector<unsigned char> FindExcess(const ActiveMesh& mesh, double share) const;
+  std::vector<unsigned char> FindExcess(
+    const CellVolumes& volumes, const ActiveMesh& mesh, double share) const;
 
 private:
-  /// Volume that a cell lacks of a material and volume in its fractions, and area of interfaces, in
-  /// Quantum mean cells.
-  struct Amounts
-  {
-    std::int64_t Lack = 0, Filled = 0, Area = 0;
-  };
-  using Sums = std::unordered_map<Index, Amounts>; // by cell and material, KeyOf
-  struct Item;                                     // an entry of Sums for another rank
   struct Element
   {
     int Active; // its number in the active mesh
     int Material;
+    Index3 Cell;
   };
 
-  Index KeyOf(Index cell, int material) const { return cell * this->Materials + material; }
   void MarkRegion(const std::vector<Index>& thin);
-  Sums Measure(const ActiveMesh& mesh) const;
   void AddInactive(const Mesh& mesh, const ActiveMesh& active);
   void AddFractions(const FractionField& fractions, const Mesh& mesh);
   void ListPoints(const Mesh& mesh, const ActiveMesh& active);
-  void AddElements(const ActiveMesh& mesh, Sums& sums) const;
-  void AddFacets(const ActiveMesh& mesh, Sums& sums) const;
-  void Complete(Sums& sums) const;
-  void SendToOwners(Sums& sums) const;
-  void SendToGhosts(Sums& sums) const;
-  double ShiftOf(const Sums& sums, Index node, int material) const;
+  void AddElements(const ActiveMesh& mesh, CellVolumes& volumes) const;
+  void AddFacets(const ActiveMesh& mesh, CellVolumes& volumes) const;
+  double ShiftOf(const CellVolumes& volumes, Index node, int material) const;
 
   const CartesianGrid& Grid;
   const Partition& Parts;
-  const int Materials;               // with void
+  Runtime& TheRuntime;
   std::vector<unsigned char> Region; // whether each cell of the local box counts
-  Sums Start;                        // fractions minus elements that do not move
+  CellVolumes Start;                 // fractions minus elements that do not move
   std::vector<Element> Elements;     // owned active hexes in or beside the region
   std::vector<Index> CellOf;         // cell of each active element near thin cells; -1 for others
   std::vector<int> MaterialOf;       // material of each fragment; 0 if it is small or not here

@@ -11,8 +11,9 @@ namespace
 {
 
 // In the last stage of the ramp, targets are shifted after its first sweep and then every 5 sweeps,
-// until 4 sweeps are left. More often, the volumes would oscillate.
-constexpr int ShiftPeriod = 5;
+// until 4 sweeps are left. More often, the volumes would oscillate. Local shifts are larger, and
+// need more sweeps to settle.
+constexpr int ShiftPeriod = 5, LocalShiftPeriod = 15;
 constexpr int SweepsAfterShift = 4;
 constexpr int SweepsPerRound = 4;
 constexpr double VolumeTolerance = 2e-4;   // relative error
@@ -49,9 +50,9 @@ constexpr struct
 constexpr int YieldingRounds = 16, IdleRounds = 4;
 // Demand of hexes near thin cells whose surroundings contain more than the fractions by more than
 // this share, and rounds of local shifts with it.
-constexpr float LocalDemand = 0.8f;
+constexpr float LocalDemand = 0.84f;
 constexpr double LocalExcess = 0.1;
-constexpr int LocalRounds = 4;
+constexpr int LocalRounds = 2;
 constexpr int BulgeRounds = 4; // of corrections, after each of which bulges are measured again
 
 /// What rounds and lower demands change in an active mesh.
@@ -112,14 +113,15 @@ void VolumeCorrection::MeasureAll()
 
 void VolumeCorrection::ShiftAfterSweep(int sweep)
 {
-  if (sweep % ShiftPeriod == 1 && sweep + SweepsAfterShift <= this->Last.Sweeps)
+  const int period = this->Local ? LocalShiftPeriod : ShiftPeriod;
+  if (sweep % period == 1 && sweep + SweepsAfterShift <= this->Last.Sweeps)
   {
     this->Measure();
     this->MeasureBulges();
     std::vector<double> shifts = this->Volumes.FindShifts(this->Active(), InRamp);
     if (this->Local)
     {
-      this->Local->ReplaceShifts(this->Active(), shifts);
+      this->Local->ReplaceShifts(this->Local->Measure(this->Active()), this->Active(), shifts);
     }
     this->TheSmoother.ShiftTargets(
       shifts, [this](const Attachment& a) { return this->IsLongLocally(a); }, this->Last);
@@ -309,17 +311,23 @@ void VolumeCorrection::CorrectThin()
 /// interfaces there.
 void VolumeCorrection::CorrectLocally()
 {
-  const std::vector<unsigned char> exceeds = this->Local->FindExcess(this->Active(), LocalExcess);
+  ActiveMesh& active = this->Active();
+  CellVolumes volumes = this->Local->Measure(active);
+  const std::vector<unsigned char> exceeds = this->Local->FindExcess(volumes, active, LocalExcess);
   const bool isAny = std::find(exceeds.begin(), exceeds.end(), 1) != exceeds.end();
   if (!this->TheSmoother.TheRuntime().Group().Any(isAny))
   {
     return;
   }
-  this->Active().LowerDemandsOf(exceeds, LocalDemand);
+  active.LowerDemandsOf(exceeds, LocalDemand);
   for (int round = 0; round < LocalRounds; ++round)
   {
+    if (round > 0)
+    {
+      volumes = this->Local->Measure(active);
+    }
     std::vector<double> shifts = this->FindShifts();
-    this->Local->ReplaceShifts(this->Active(), shifts);
+    this->Local->ReplaceShifts(volumes, active, shifts);
     if (!this->Follow(shifts, &VolumeCorrection::IsLongLocally))
     {
       break;

@@ -66,7 +66,7 @@ void ExpectShift(const FilmHexes& film, double shift)
   const LocalVolumes local(film.Cells, film.TheDraft.Thin, film.TheDraft.Elements, film.Active,
     film.TheDraft.Volumes, film.Run);
   std::vector<double> shifts(film.Active.Attachments.size(), 7.0);
-  local.ReplaceShifts(film.Active, shifts);
+  local.ReplaceShifts(local.Measure(film.Active), film.Active, shifts);
   int points = 0;
   for (std::size_t p = 0; p + 1 < film.Active.AttachmentOffset.size(); ++p)
   {
