@@ -144,10 +144,12 @@ MesherInput MakeParts(Given given, Ranks& ranks, bool hasLevels = false)
   return input;
 }
 
+/// Returns options by which drops and the cloud are particles, not elements.
 MesherOptions ParticleOptions(ElementKind elements = ElementKind::Hexes)
 {
   MesherOptions options;
   options.Elements = elements;
+  options.ThinParts = false;
   options.UnmeshedMaterial = Unmeshed::Particles;
   options.LeastParticle = 0.0;
   return options;
@@ -201,15 +203,9 @@ double SumOf(const std::vector<StateSums>& sums, double StateSums::*member)
     [member](double sum, const StateSums& s) { return sum + s.*member; });
 }
 
-} // namespace
-
-// The particles are those of the cells: fractions of cells with none of the material's label
-// around, with the state of the cell.
-TEST(Particles, AreTheContentsOfTheirCells)
+void ExpectContentsOfCells(const MesherResult& result)
 {
-  const MesherResult result = Make(Given::All, ParticleOptions());
   const Particles& particles = *result.State.TheParticles;
-  ASSERT_GT(particles.Size(), 100);
   EXPECT_EQ(particles.Size(),
     std::accumulate(result.State.Balance.ParticleCounts.begin(),
       result.State.Balance.ParticleCounts.end(), Index(0)));
@@ -235,10 +231,38 @@ TEST(Particles, AreTheContentsOfTheirCells)
   }
 }
 
+} // namespace
+
+// The particles are those of the cells: fractions of cells with none of the material's label
+// around, with the state of the cell.
+TEST(Particles, AreTheContentsOfTheirCells)
+{
+  const MesherResult result = Make(Given::All, ParticleOptions());
+  EXPECT_GT(result.State.TheParticles->Size(), 100);
+  ExpectContentsOfCells(result);
+}
+
+// Thin parts are elements; particles hold little more than what is thinner than the least
+// thickness.
+TEST(Particles, AreFewWithThinParts)
+{
+  MesherOptions options = ParticleOptions();
+  const MesherResult all = Make(Given::All, options);
+  options.ThinParts = true;
+  const MesherResult result = Make(Given::All, options);
+  EXPECT_GT(result.State.TheParticles->Size(), 20);
+  EXPECT_LT(SumOf(result.State.Balance.Particles, &StateSums::Volume),
+    0.05 * SumOf(all.State.Balance.Particles, &StateSums::Volume));
+  ExpectContentsOfCells(result);
+}
+
 TEST(Particles, SumsMatchTheInput)
 {
   for (ElementKind elements : { ElementKind::Hexes, ElementKind::Tets })
   {
+    MesherOptions options = ParticleOptions(elements);
+    options.ThinParts = true;
+    ExpectSums(Make(Given::All, options).State.Balance);
     for (Given given : { Given::All, Given::NoDensity })
     {
       const MesherResult result = Make(given, ParticleOptions(elements));
@@ -419,9 +443,10 @@ void AddTo(const Particles& particles, ById& all)
 
 TEST(Particles, RanksGiveTheSame)
 {
-  for (int kind = 0; kind < 4; ++kind)
+  for (int kind = 0; kind < 5; ++kind)
   {
     MesherOptions options = ParticleOptions(kind == 3 ? ElementKind::Tets : ElementKind::Hexes);
+    options.ThinParts = kind == 4;
     options.ParticleClusters = kind == 1;
     options.LeastParticle = kind == 0 ? 0.0 : 0.1;
     options.Periodic = kind == 2 ? 7 : 0;
@@ -439,7 +464,7 @@ TEST(Particles, RanksGiveTheSame)
           AddTo(*result.State.TheParticles, joined);
         });
       alone = count == 1 ? joined : alone;
-      EXPECT_GT(joined.size(), 20u);
+      EXPECT_GT(joined.size(), kind == 4 ? 10u : 20u);
       EXPECT_TRUE(joined == alone) << kind << " on " << count << " ranks";
     }
   }
