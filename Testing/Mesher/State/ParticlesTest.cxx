@@ -144,12 +144,12 @@ MesherInput MakeParts(Given given, Ranks& ranks, bool hasLevels = false)
   return input;
 }
 
-/// Returns options by which drops and the cloud are particles, not elements.
-MesherOptions ParticleOptions(ElementKind elements = ElementKind::Hexes)
+/// Returns options by which drops and the cloud are particles, or else elements of thin parts.
+MesherOptions ParticleOptions(ElementKind elements = ElementKind::Hexes, bool thinParts = false)
 {
   MesherOptions options;
   options.Elements = elements;
-  options.ThinParts = false;
+  options.ThinParts = thinParts;
   options.UnmeshedMaterial = Unmeshed::Particles;
   options.LeastParticle = 0.0;
   return options;
@@ -234,35 +234,24 @@ void ExpectContentsOfCells(const MesherResult& result)
 } // namespace
 
 // The particles are those of the cells: fractions of cells with none of the material's label
-// around, with the state of the cell.
+// around, with the state of the cell. With thin parts they are few.
 TEST(Particles, AreTheContentsOfTheirCells)
 {
-  const MesherResult result = Make(Given::All, ParticleOptions());
-  EXPECT_GT(result.State.TheParticles->Size(), 100);
-  ExpectContentsOfCells(result);
-}
-
-// Thin parts are elements; particles hold little more than what is thinner than the least
-// thickness.
-TEST(Particles, AreFewWithThinParts)
-{
-  MesherOptions options = ParticleOptions();
-  const MesherResult all = Make(Given::All, options);
-  options.ThinParts = true;
-  const MesherResult result = Make(Given::All, options);
-  EXPECT_GT(result.State.TheParticles->Size(), 20);
-  EXPECT_LT(SumOf(result.State.Balance.Particles, &StateSums::Volume),
+  const MesherResult all = Make(Given::All, ParticleOptions());
+  EXPECT_GT(all.State.TheParticles->Size(), 100);
+  ExpectContentsOfCells(all);
+  const MesherResult few = Make(Given::All, ParticleOptions(ElementKind::Hexes, true));
+  EXPECT_GT(few.State.TheParticles->Size(), 20);
+  EXPECT_LT(SumOf(few.State.Balance.Particles, &StateSums::Volume),
     0.05 * SumOf(all.State.Balance.Particles, &StateSums::Volume));
-  ExpectContentsOfCells(result);
+  ExpectContentsOfCells(few);
 }
 
 TEST(Particles, SumsMatchTheInput)
 {
   for (ElementKind elements : { ElementKind::Hexes, ElementKind::Tets })
   {
-    MesherOptions options = ParticleOptions(elements);
-    options.ThinParts = true;
-    ExpectSums(Make(Given::All, options).State.Balance);
+    ExpectSums(Make(Given::All, ParticleOptions(elements, true)).State.Balance);
     for (Given given : { Given::All, Given::NoDensity })
     {
       const MesherResult result = Make(given, ParticleOptions(elements));
@@ -445,8 +434,8 @@ TEST(Particles, RanksGiveTheSame)
 {
   for (int kind = 0; kind < 5; ++kind)
   {
-    MesherOptions options = ParticleOptions(kind == 3 ? ElementKind::Tets : ElementKind::Hexes);
-    options.ThinParts = kind == 4;
+    MesherOptions options =
+      ParticleOptions(kind == 3 ? ElementKind::Tets : ElementKind::Hexes, kind == 4);
     options.ParticleClusters = kind == 1;
     options.LeastParticle = kind == 0 ? 0.0 : 0.1;
     options.Periodic = kind == 2 ? 7 : 0;
