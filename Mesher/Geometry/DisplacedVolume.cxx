@@ -1,5 +1,6 @@
 #include "Geometry/DisplacedVolume.h"
 
+#include "Base/HexVolume.h"
 #include "Base/PortableMath.h"
 #include "Base/Vector3.h"
 #include "Elements/MeasureFragments.h"
@@ -20,6 +21,9 @@ namespace
 constexpr double Quantum = 0x1p-40;
 // Elements that leave a block by less, in block widths, count as inside.
 constexpr double Slack = 0.05 / CellsOfBlock;
+// Times that elements in several blocks are halved along each axis, before their parts are placed
+// by 8 points.
+constexpr int Divisions = 1;
 
 /// The lack of a material in a block, for another rank.
 struct BlockLack
@@ -83,30 +87,11 @@ public:
   void AddElement(const Mesh& mesh, Index e)
   {
     std::array<Vector3, 8> x;
-    Vector3 lower = mesh.PointAt(mesh.Elements[mesh.Corners * e]), upper = lower;
     for (int c = 0; c < mesh.Corners; ++c)
     {
       x[c] = mesh.PointAt(mesh.Elements[mesh.Corners * e + c]);
-      for (int a = 0; a < 3; ++a)
-      {
-        lower[a] = std::min(lower[a], x[c][a]);
-        upper[a] = std::max(upper[a], x[c][a]);
-      }
     }
-    const int material = mesh.Material[e];
-    const double volume = VolumeOfElement(mesh, e);
-    this->SelectAt(0.5 * (lower + upper));
-    if (this->HasSelected(lower, Slack) && this->HasSelected(upper, Slack))
-    {
-      this->AddLack(material, -this->Rounded(volume));
-      return;
-    }
-    const auto subtract = [&](const Vector3& point, double part)
-    {
-      this->SelectAt(point);
-      this->AddLack(material, -this->Rounded(part));
-    };
-    mesh.HasHexes() ? ForPartsOfHex(x, volume, subtract) : ForPartsOfTet(x, volume, subtract);
+    this->AddPart(x, mesh.Corners, mesh.Material[e], VolumeOfElement(mesh, e), Divisions);
   }
 
   void Add(const BlockVolumes& other)
@@ -166,6 +151,42 @@ private:
     if (!this->HasSelected(x, 0.0))
     {
       this->Select(this->Grid.CellAt(x));
+    }
+  }
+
+  /// Subtracts an element or a part of it.
+  void AddPart(
+    const std::array<Vector3, 8>& x, int corners, int material, double volume, int divisions)
+  {
+    Vector3 lower = x[0], upper = lower;
+    for (int c = 1; c < corners; ++c)
+    {
+      for (int a = 0; a < 3; ++a)
+      {
+        lower[a] = std::min(lower[a], x[c][a]);
+        upper[a] = std::max(upper[a], x[c][a]);
+      }
+    }
+    this->SelectAt(0.5 * (lower + upper));
+    if (this->HasSelected(lower, Slack) && this->HasSelected(upper, Slack))
+    {
+      this->AddLack(material, -this->Rounded(volume));
+      return;
+    }
+    if (divisions == 0)
+    {
+      const auto subtract = [&](const Vector3& point, double share)
+      {
+        this->SelectAt(point);
+        this->AddLack(material, -this->Rounded(share));
+      };
+      corners == 8 ? ForPartsOfHex(x, volume, subtract) : ForPartsOfTet(x, volume, subtract);
+      return;
+    }
+    for (const std::array<Vector3, 8>& part : corners == 8 ? DivideHex(x) : DivideTet(x))
+    {
+      this->AddPart(
+        part, corners, material, corners == 8 ? VolumeOfHex(part) : volume / 8.0, divisions - 1);
     }
   }
 

@@ -21,9 +21,10 @@ using namespace vfm::testing;
 namespace
 {
 
-/// Cells far from the ball and the plate, and their fractions of the ball.
-const std::map<Index3, double> Drops{ { { { 0, 0, 14 } }, 0.25 }, { { { 17, 0, 14 } }, 0.375 },
-  { { { 17, 11, 14 } }, 0.3 }, { { { 0, 11, 13 } }, 0.4 } };
+/// Cells far from the ball and the plate, and their fractions of the ball. These drops are thinner
+/// than the option LeastThickness, so they get no elements.
+const std::map<Index3, double> Drops{ { { { 0, 0, 14 } }, 0.0625 }, { { { 17, 0, 14 } }, 0.09375 },
+  { { { 17, 11, 14 } }, 0.08 }, { { { 0, 11, 13 } }, 0.11 } };
 
 HostFields WithDrops(int rank, int ranks)
 {

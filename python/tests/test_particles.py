@@ -10,8 +10,9 @@ from fields import BALL, N, PLATE, STATE
 
 SPACING, ORIGIN = (0.5, 0.25, 1.0), (-1, 0.5, 2)
 CELL = np.prod(SPACING)
-DROPS = {(0, 0, N - 1): 0.3, (N - 1, N - 1, N - 1): 0.4, (N - 1, 0, N - 1): 0.2,
-         (N - 2, 0, N - 1): 0.1}
+# too little for thin parts
+DROPS = {(0, 0, N - 1): 0.11, (N - 1, N - 1, N - 1): 0.12, (N - 1, 0, N - 1): 0.06,
+         (N - 2, 0, N - 1): 0.05}
 WITH_DROPS = BALL.copy()
 for cell, part in DROPS.items():
     WITH_DROPS[cell] = part
@@ -80,6 +81,17 @@ def test_are_cells(make):
         assert particles[name].dtype == values.dtype
     np.testing.assert_allclose(particles["Mass"], particles["Volume"] * particles["density"],
                                rtol=1e-13)
+
+
+def test_thin_parts():
+    """By default a drop of 0.4 cells has an element; without thin parts it is a particle."""
+    ball = WITH_DROPS.copy()
+    ball[N - 1, N - 1, N - 1] = 0.4
+    meshes = [vfm.hexes([ball, PLATE], unmeshed_material="particles", **options)
+              for options in ({}, {"thin_parts": False})]
+    assert [len(mesh.particles["Id"]) for mesh in meshes] == [len(DROPS) - 1, len(DROPS)]
+    np.testing.assert_allclose(sum(meshes[0].volumes()) + sum(meshes[0].particles["Volume"]),
+                               ball.sum() + PLATE.sum(), rtol=1e-6)
 
 
 def test_without():

@@ -156,6 +156,22 @@ TEST(ThinParts, BodiesThatEndAtSidesKeepTheirLabels)
       }
 }
 
+/// Surfaces of these plates meet the sides of the domain at all angles.
+TEST(ThinParts, ResolvedPlatesKeepTheirLabels)
+{
+  const CartesianGrid grid = MakeUnitGrid(17);
+  RandomDraw draw(7);
+  for (const Vector3& normal : ListDirections(20))
+  {
+    for (double thickness : { 2.1, 2.7, 3.5 })
+    {
+      const Vector3 point{ { draw.Between(8, 9), draw.Between(8, 9), draw.Between(8, 9) } };
+      const FractionField plate = FractionsOfShapes(grid, { MakeFilm(point, normal, thickness) });
+      EXPECT_TRUE(LabelAll(grid, plate).Thin.empty()) << thickness;
+    }
+  }
+}
+
 /// Returns void with some small fractions, so few that no cell is inside of a cloud.
 FractionField MakeDust(const CartesianGrid& grid, int materials, double share, unsigned seed)
 {
