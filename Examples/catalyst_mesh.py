@@ -34,7 +34,8 @@ commas.
                 defaults
   VFM_TETS      method for tetrahedra: TetGen, Cells or Lattice; if empty, makes hexahedra
   VFM_EXODUS    1 also writes NAME_SSSSSS.e with side sets; on N ranks NAME_SSSSSS.e.N.0 and so on
-  VFM_PICTURE   1 also writes NAME_SSSSSS.png; needs an X server (DISPLAY)
+  VFM_PICTURE   1 also writes NAME_SSSSSS.png, with particles as red spheres; needs an X server
+                (DISPLAY)
   VFM_CAMERA    direction from the grid to the camera, three numbers
   VFM_ZOOM      magnification of the picture
 """
@@ -80,6 +81,7 @@ REDUCTIONS = {  # name: function on a rank, operation over the ranks, result wit
     "max": (np.max, vtkCommunicator.MAX_OP, -np.inf),
 }
 PARTICLES = 6  # output of the filter
+RED = (0.8, 0.1, 0.1)
 GHOST, HIDDEN = 1, 32  # bits of vtkGhostType: copy of another block's cell; covered by finer cells
 
 
@@ -244,7 +246,7 @@ def has_display():
 
 class Picture:
     """Picture of the outside of the mesh, with the edges of the elements and one colour per
-    material. The camera stays fixed."""
+    material, and of the particles as spheres. The camera stays fixed."""
 
     def __init__(self, mesher, bounds):
         self.mesher, self.parts = mesher, {}
@@ -252,6 +254,8 @@ class Picture:
         self.view = pictures.make_view()
         pictures.aim(self.view, bounds, [float(x) for x in names_of(setting("CAMERA"))],
                      float(setting("ZOOM")))
+        if mesher.UnmeshedMaterial == "Particles":
+            pictures.show_particles(simple.OutputPort(mesher, PARTICLES), self.view, RED)
 
     def save(self, materials, time, path):
         for material in materials:
