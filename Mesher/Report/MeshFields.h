@@ -77,4 +77,11 @@ std::string DescribeLostMaterials(const MeshReport& report, const Materials& tab
 std::string DescribeInexactMaterials(
   const MeshReport& report, const Materials& table, bool areLabels);
 
+/// Returns sentences with the materials of which more than 5 % is displaced (DisplacedVolume.h),
+/// those with the largest displaced volumes first, and with what helps; "" if there are none or it
+/// was not measured. Does not name materials without elements.
+/// @param hasParticles  whether material without elements became particles
+std::string DescribeDisplacedMaterials(
+  const MeshReport& report, const Materials& table, bool hasParticles);
+
 } // namespace vfm

@@ -224,6 +224,33 @@ TEST_F(SculptorParticles, AreWritten)
   }
 }
 
+/// A format without particles: the warnings of the mesh name the file beside it, on all ranks.
+TEST_F(SculptorParticles, AreWrittenBeside)
+{
+  const std::string name = "sculptor_beside" + std::to_string(NumberOfRanks()),
+                    mesh = name + ".vtu", beside = name + "_particles.vtp";
+  for (const char* unmeshed : { "Particles", "Give" })
+  {
+    this->Mesh(unmeshed, true);
+    const std::string before = sculptor_warning_text(this->Sculptor);
+    EXPECT_EQ(before.find("particles"), std::string::npos) << before;
+    ASSERT_EQ(sculptor_write(this->Sculptor, mesh.c_str()), SCULPTOR_OK)
+      << sculptor_error_text(this->Sculptor);
+    const bool hasParticles = std::string(unmeshed) == "Particles";
+    EXPECT_EQ(std::string(sculptor_warning_text(this->Sculptor)),
+      before +
+        (hasParticles ? "Files as " + mesh + " hold no particles: they are in " + beside + ".\n"
+                      : ""));
+    MPI_Barrier(MPI_COMM_WORLD);
+    if (MyRank() == 0)
+    {
+      EXPECT_EQ(std::remove(beside.c_str()) == 0, hasParticles);
+      std::remove(mesh.c_str());
+    }
+    MPI_Barrier(MPI_COMM_WORLD);
+  }
+}
+
 TEST_F(SculptorParticles, NoneWithoutTheOption)
 {
   this->Mesh("Give", true);

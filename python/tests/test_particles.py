@@ -164,7 +164,12 @@ def test_exodus(mesh, tmp_path):
 def test_beside(mesh, suffix, tmp_path):
     """Formats without particles get a second file."""
     pyvista = pytest.importorskip("pyvista")
-    mesh.save(tmp_path / ("mesh" + suffix))
+    path = tmp_path / ("mesh" + suffix)
+    with pytest.warns(vfm.VolumeFractionMeshWarning) as caught:
+        mesh.save(path)
+    assert [str(warning.message) for warning in caught] == [
+        "Files as %s hold no particles: they are in %s." % (path, tmp_path / "mesh_particles.vtp")]
+    assert caught[0].filename == __file__
     assert not list(tmp_path.glob(".*"))  # no unfinished files
     found, own = (pyvista.read(tmp_path / "mesh_particles.vtp"), mesh.to_pyvista("particles"))
     for data in (found, own):

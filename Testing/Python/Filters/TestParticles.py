@@ -4,7 +4,8 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from conserve_cases import CONSERVE, state
 from vfmtest import (
-    ORIGIN, SPACING, VolumeFractionToTet, ball_and_plate, image, main, mesh_of, run, table_of)
+    ORIGIN, SPACING, VolumeFractionToTet, ball_and_plate, collect, held_class, image, in_folder,
+    main, mesh_of, producer, run, servermanager, table_of)
 
 N = 14
 BALL, PLATE = ball_and_plate(N)
@@ -71,6 +72,20 @@ def test_small_ones_join():
     assert set(values) == {"Id", "Material", "Radius", "Volume"}  # no state
     _, joined = particles_of(mesh_of(DATA, **PARTICLES, ParticleClusters=1))
     np.testing.assert_array_equal(joined["Volume"], values["Volume"])
+
+
+@in_folder
+def test_writers_say_where_they_are(at):
+    """A writer has the mesh only: a warning names the output with the particles."""
+    for choice, count in (("Particles", 1), ("Give", 0)):
+        mesh = mesh_of(DATA, UnmeshedMaterial=choice).mesh
+        writer = servermanager.writers.VolumeFractionExodusWriter(
+            Input=producer(mesh), FileName=at("mesh.e"))
+        errors, warnings = collect(held_class(writer))
+        writer.UpdatePipeline()
+        assert not errors and len(warnings) == count and all(
+            at("mesh.e") + " has no particles: they are the output Particles" in text
+            for text in warnings), warnings
 
 
 def test_larger_drops_have_elements():
