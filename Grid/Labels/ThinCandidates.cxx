@@ -118,6 +118,25 @@ bool EndsAtSide(const CartesianGrid& grid, const FractionField& fractions, const
   return false;
 }
 
+/// Returns whether a cell at a side of the domain holds much less of a material than the one
+/// before.
+bool FadesAtSide(
+  const CartesianGrid& grid, const FractionField& fractions, const Index3& cell, int material)
+{
+  const double fraction = fractions.Fraction(grid.Linear(cell), material);
+  const Index3 steps = StepsInside(grid, cell);
+  for (int a = 0; a < 3; ++a)
+  {
+    Index3 before = cell;
+    before[a] += steps[a];
+    if (fraction < ShareAtSide * fractions.Fraction(grid.Linear(before), material))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 /// Adds the candidates of a mixed cell.
 void AddCandidates(const CartesianGrid& grid, const FractionField& fractions,
   const LabelArray& labels, const Index3& cell, std::vector<ThinCandidate>& list)
@@ -136,7 +155,7 @@ void AddCandidates(const CartesianGrid& grid, const FractionField& fractions,
     {
       const bool isRidge = !around.HasLabel && part.Fraction >= RidgeShare * around.Largest;
       list.push_back({ at, part.Material, part.Fraction, 0.5 * around.Mean + 0.5 * part.Fraction,
-        isRidge, ends });
+        isRidge, ends, FadesAtSide(grid, fractions, cell, part.Material) });
     }
   }
 }

@@ -139,6 +139,22 @@ TEST(ThinParts, ResolvedShapesKeepTheirLabels)
   EXPECT_TRUE(LabelAll(crystal.Grid, crystal.Fractions).Thin.empty());
 }
 
+/// Surfaces of these plates meet the sides of the domain at all angles.
+TEST(ThinParts, ResolvedPlatesKeepTheirLabels)
+{
+  const CartesianGrid grid = MakeUnitGrid(17);
+  RandomDraw draw(7);
+  for (const Vector3& normal : ListDirections(20))
+  {
+    for (double thickness : { 2.1, 2.7, 3.5 })
+    {
+      const Vector3 point{ { draw.Between(8, 9), draw.Between(8, 9), draw.Between(8, 9) } };
+      const FractionField plate = FractionsOfShapes(grid, { MakeFilm(point, normal, thickness) });
+      EXPECT_TRUE(LabelAll(grid, plate).Thin.empty()) << thickness;
+    }
+  }
+}
+
 /// A body that fills little of the last cells before sides, edges and corners of the domain ends
 /// there; it is no film along them.
 TEST(ThinParts, BodiesThatEndAtSidesKeepTheirLabels)
