@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import volume_fraction_mesh as vfm
+from volume_fraction_mesh.__main__ import main
 from fields import BALL, N, PLATE, STATE
 
 SPACING, ORIGIN = (0.5, 0.25, 1.0), (-1, 0.5, 2)
@@ -178,6 +179,15 @@ def test_beside(mesh, suffix, tmp_path):
         assert list(data.field_data["MaterialNames"]) == ["ball", "plate"]
         for name in set(mesh.particles) - {"Position"}:
             assert np.array_equal(data.point_data[name], mesh.particles[name]), name
+
+
+def test_command_says_where(tmp_path, capsys):
+    given, out = tmp_path / "in.npz", tmp_path / "out.vtu"
+    np.savez(given, **FRACTIONS)
+    assert main([str(given), str(out), "--unmeshed-material", "particles", "--quiet"]) == 0
+    assert capsys.readouterr().err == (
+        "warning: Files as %s hold no particles: they are in %s.\n"
+        % (out, tmp_path / "out_particles.vtp"))
 
 
 def test_no_second_file(tmp_path):
