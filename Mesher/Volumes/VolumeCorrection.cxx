@@ -11,9 +11,12 @@ namespace
 {
 
 // In the last stage of the ramp, targets are shifted after its first sweep and then every 5 sweeps,
-// until 4 sweeps are left. More often, the volumes would oscillate. Local shifts are larger, and
-// need more sweeps to settle.
-constexpr int ShiftPeriod = 5, LocalShiftPeriod = 15;
+// until 4 sweeps are left. More often, the volumes would oscillate. Local shifts are larger: they
+// begin after 11 sweeps, and need more sweeps to settle.
+constexpr struct
+{
+  int First, Period;
+} ShiftSweeps{ 1, 5 }, LocalShiftSweeps{ 11, 15 };
 constexpr int SweepsAfterShift = 4;
 constexpr int SweepsPerRound = 4;
 constexpr double VolumeTolerance = 2e-4;   // relative error
@@ -113,8 +116,8 @@ void VolumeCorrection::MeasureAll()
 
 void VolumeCorrection::ShiftAfterSweep(int sweep)
 {
-  const int period = this->Local ? LocalShiftPeriod : ShiftPeriod;
-  if (sweep % period == 1 && sweep + SweepsAfterShift <= this->Last.Sweeps)
+  const auto& [first, period] = this->Local ? LocalShiftSweeps : ShiftSweeps;
+  if (sweep % period == first && sweep + SweepsAfterShift <= this->Last.Sweeps)
   {
     this->Measure();
     this->MeasureBulges();
