@@ -213,29 +213,35 @@ void VolumeCorrection::MoveSurfaces()
   }
 }
 
-/// Lowers the demands of flagged fragments, and follows their errors to where they are smallest.
-/// Lower demands leave thin elements less stable, so the errors may grow again.
+/// Runs a round for flagged fragments and those that they pulled off their targets. Returns false
+/// if all shifts were too small to matter.
+bool VolumeCorrection::FollowOff(const std::vector<unsigned char>& fragments)
+{
+  const std::vector<unsigned char> isOff = this->Volumes.FindOff(FragmentTolerance);
+  std::vector<double> shifts = this->FindShifts();
+  ForEach(this->TheSmoother.TheRuntime(), shifts.size(),
+    [&](Index i)
+    {
+      const auto& [first, second] = this->Active().Attachments[i].Fragments;
+      const bool follows = fragments[first] || fragments[second] || isOff[first] || isOff[second];
+      shifts[i] = follows ? shifts[i] : 0.0;
+    });
+  return this->Follow(shifts);
+}
+
+/// Lowers the demands of flagged fragments, and follows errors to where they are smallest. Lower
+/// demands leave thin elements less stable, so the errors may grow again.
 void VolumeCorrection::Yield(const std::vector<unsigned char>& fragments, float demand)
 {
   this->Active().LowerDemands(fragments, demand);
   this->Volumes.ForgetResisting(fragments);
   this->Volumes.ForgetRequests();
   RoundState best(this->Active());
-  double least = this->Volumes.SumErrors(fragments);
-  for (int round = 0, idle = 0; round < YieldingRounds && idle < IdleRounds; ++round)
+  double least = this->Volumes.SumErrors();
+  for (int round = 0, idle = 0;
+       round < YieldingRounds && idle < IdleRounds && this->FollowOff(fragments); ++round)
   {
-    std::vector<double> shifts = this->FindShifts();
-    ForEach(this->TheSmoother.TheRuntime(), shifts.size(),
-      [&](Index i)
-      {
-        const auto& [first, second] = this->Active().Attachments[i].Fragments;
-        shifts[i] = fragments[first] || fragments[second] ? shifts[i] : 0.0;
-      });
-    if (!this->Follow(shifts))
-    {
-      break;
-    }
-    const double error = this->Volumes.SumErrors(fragments);
+    const double error = this->Volumes.SumErrors();
     idle = error < least ? 0 : idle + 1;
     if (idle == 0)
     {
