@@ -379,12 +379,12 @@ std::vector<unsigned char> FragmentVolumes::FindOff(double error) const
   return isOff;
 }
 
-double FragmentVolumes::SumErrors() const
+double FragmentVolumes::SumErrors(const std::vector<unsigned char>& fragments) const
 {
   double sum = 0.0;
-  for (std::size_t f = 1; f < this->Targets.size(); ++f)
+  for (std::size_t f = 1; f < fragments.size(); ++f)
   {
-    sum += std::fabs(this->VolumeOf(f) - this->Targets[f]);
+    sum += fragments[f] ? std::fabs(this->VolumeOf(f) - this->Targets[f]) : 0.0;
   }
   return sum;
 }

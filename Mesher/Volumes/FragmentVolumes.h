@@ -125,8 +125,8 @@ public:
 
   /// Returns whether the volume of each fragment is off its target by more than a relative error.
   std::vector<unsigned char> FindOff(double error) const;
-  /// Returns the sum of |volume - target| of all fragments.
-  double SumErrors() const;
+  /// Returns the sum of |volume - target| of flagged fragments.
+  double SumErrors(const std::vector<unsigned char>& fragments) const;
   /// Ends the marks of flagged fragments as resisting.
   void ForgetResisting(const std::vector<unsigned char>& fragments);
 

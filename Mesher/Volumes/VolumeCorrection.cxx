@@ -229,19 +229,19 @@ bool VolumeCorrection::FollowOff(const std::vector<unsigned char>& fragments)
   return this->Follow(shifts);
 }
 
-/// Lowers the demands of flagged fragments, and follows errors to where they are smallest. Lower
-/// demands leave thin elements less stable, so the errors may grow again.
+/// Lowers the demands of flagged fragments, and follows their errors to where they are smallest.
+/// Lower demands leave thin elements less stable, so the errors may grow again.
 void VolumeCorrection::Yield(const std::vector<unsigned char>& fragments, float demand)
 {
   this->Active().LowerDemands(fragments, demand);
   this->Volumes.ForgetResisting(fragments);
   this->Volumes.ForgetRequests();
   RoundState best(this->Active());
-  double least = this->Volumes.SumErrors();
+  double least = this->Volumes.SumErrors(fragments);
   for (int round = 0, idle = 0;
        round < YieldingRounds && idle < IdleRounds && this->FollowOff(fragments); ++round)
   {
-    const double error = this->Volumes.SumErrors();
+    const double error = this->Volumes.SumErrors(fragments);
     idle = error < least ? 0 : idle + 1;
     if (idle == 0)
     {
