@@ -28,14 +28,14 @@ commas.
   VFM_DENSITY   cell arrays of mass per volume, one or one per material; the transfer is then
                 conservative
   VFM_VELOCITY, VFM_ENERGY, VFM_STATE_KINDS (list of NAME=KIND), VFM_STATE_TRANSFER,
-  VFM_STATE_ORDER, VFM_NODAL_VELOCITY (0 or 1), VFM_LOST_KINETIC_ENERGY, VFM_UNMESHED,
-  VFM_THIN_PARTS (0 or 1)
+  VFM_STATE_ORDER, VFM_NODAL_VELOCITY (0 or 1), VFM_LOST_KINETIC_ENERGY, VFM_UNMESHED
                 properties VelocityArray, EnergyArray, StateKinds, StateTransfer, StateOrder,
-                NodalVelocity, LostKineticEnergy, UnmeshedMaterial and ThinParts of the filter; if
-                empty, its defaults
+                NodalVelocity, LostKineticEnergy and UnmeshedMaterial of the filter; if empty, its
+                defaults
   VFM_TETS      method for tetrahedra: TetGen, Cells or Lattice; if empty, makes hexahedra
   VFM_EXODUS    1 also writes NAME_SSSSSS.e with side sets; on N ranks NAME_SSSSSS.e.N.0 and so on
-  VFM_PICTURE   1 also writes NAME_SSSSSS.png; needs an X server (DISPLAY)
+  VFM_PICTURE   1 also writes NAME_SSSSSS.png, with particles as red spheres; needs an X server
+                (DISPLAY)
   VFM_CAMERA    direction from the grid to the camera, three numbers
   VFM_ZOOM      magnification of the picture
 """
@@ -67,7 +67,7 @@ STEPS = ""
 EVERY = ""
 TRIGGER = ""
 STATE = DENSITY = VELOCITY = ENERGY = STATE_KINDS = STATE_TRANSFER = STATE_ORDER = ""
-NODAL_VELOCITY = LOST_KINETIC_ENERGY = UNMESHED = THIN_PARTS = ""
+NODAL_VELOCITY = LOST_KINETIC_ENERGY = UNMESHED = ""
 TETS = ""
 EXODUS = "0"
 PICTURE = "1"
@@ -81,6 +81,7 @@ REDUCTIONS = {  # name: function on a rank, operation over the ranks, result wit
     "max": (np.max, vtkCommunicator.MAX_OP, -np.inf),
 }
 PARTICLES = 6  # output of the filter
+RED = (0.8, 0.1, 0.1)
 GHOST, HIDDEN = 1, 32  # bits of vtkGhostType: copy of another block's cell; covered by finer cells
 
 
@@ -98,8 +99,7 @@ PROPERTIES = {  # property of the filter: setting, and conversion of the setting
     "EnergyArray": ("ENERGY", str), "StateKinds": ("STATE_KINDS", names_of),
     "StateTransfer": ("STATE_TRANSFER", str),
     "StateOrder": ("STATE_ORDER", int), "NodalVelocity": ("NODAL_VELOCITY", int),
-    "LostKineticEnergy": ("LOST_KINETIC_ENERGY", str), "UnmeshedMaterial": ("UNMESHED", str),
-    "ThinParts": ("THIN_PARTS", int)}
+    "LostKineticEnergy": ("LOST_KINETIC_ENERGY", str), "UnmeshedMaterial": ("UNMESHED", str)}
 
 
 def word_of(chosen, value):
@@ -246,7 +246,7 @@ def has_display():
 
 class Picture:
     """Picture of the outside of the mesh, with the edges of the elements and one colour per
-    material. The camera stays fixed."""
+    material, and of the particles as spheres. The camera stays fixed."""
 
     def __init__(self, mesher, bounds):
         self.mesher, self.parts = mesher, {}
@@ -254,6 +254,8 @@ class Picture:
         self.view = pictures.make_view()
         pictures.aim(self.view, bounds, [float(x) for x in names_of(setting("CAMERA"))],
                      float(setting("ZOOM")))
+        if mesher.UnmeshedMaterial == "Particles":
+            pictures.show_particles(simple.OutputPort(mesher, PARTICLES), self.view, RED)
 
     def save(self, materials, time, path):
         for material in materials:

@@ -68,6 +68,19 @@ def show_material(mesh, view, material):
     return part
 
 
+def show_particles(particles, view, colour=None):
+    """Shows particles as spheres of their Radius and returns their display. colour: as for show."""
+    display = simple.Show(particles, view)
+    display.SetRepresentationType("Point Gaussian")
+    display.ShaderPreset = "Sphere"
+    display.ScaleByArray, display.SetScaleArray = 1, ["POINTS", "Radius"]
+    display.UseScaleFunction, display.GaussianRadius = 0, 1.0
+    if colour:
+        display.ColorArrayName = [None, ""]
+        display.AmbientColor = display.DiffuseColor = colour
+    return display
+
+
 def cut(mesh, origin, normal):
     """Returns the elements on the side of a plane to which its normal points, without cutting
     them."""

@@ -11,10 +11,10 @@ both codes can be compared. Prints the differences of mass, momentum and energy.
   before.csv      totals at each step of impact: mass, momentum, kinetic and internal energy of ball
                   and plate, and of material that left the grid
   handover.vtu    mesh with the transferred state
-  after.csv       totals at each step of the solver
+  after.csv       totals at each step of the solver, and the part of particles
   after.vtu       mesh at the end of the solver's run
   particles.csv   with --unmeshed Particles: mass, position and velocity of each at the end
-  restart.png     plot of both tables
+  restart.png     plot of both tables; with particles, that of the ball
 With --transfer Copy, each element takes the values of one cell, and each node the mean velocity of
 its elements. This shows the errors that conservative transfer avoids. With --unmeshed Particles,
 material without elements becomes particles, which the solver moves as point masses, so that late
@@ -30,6 +30,8 @@ import sys
 import numpy as np
 from paraview import simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader, vtkXMLUnstructuredGridWriter
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
@@ -41,6 +43,8 @@ from need_files import need_files
 BODIES = ["ball", "plate"]
 QUANTITIES = ["mass [mg]", "momentum x [mg km/s]", "momentum y [mg km/s]", "momentum z [mg km/s]",
               "kinetic energy [J]", "internal energy [J]"]
+SHARES = [("Mass of the ball [mg]", BODIES[:1], QUANTITIES[:1]),  # plots: bodies and quantities
+          ("Momentum x [mg km/s]", BODIES, QUANTITIES[1:2]), ("Energy [J]", BODIES, QUANTITIES[4:])]
 VIEW_SIZE, SPEED = (1200, 720), 3.0  # size of pictures; speed of the brightest colour, km/s
 PARTICLES = 6  # output of the filter
 LEAST_FRACTION = 1e-9  # the mesher ignores smaller fractions
@@ -70,6 +74,11 @@ def parse_arguments():
 def of_bodies(stem):
     """Returns the names of the arrays of a quantity, one per body."""
     return ["%s - %d" % (stem, body + 1) for body in range(len(BODIES))]
+
+
+def of_particles(bodies):
+    """Returns the names of the columns of the bodies' particles."""
+    return [body + " particles" for body in bodies]
 
 
 # ---- the Eulerian side ----
@@ -185,11 +194,16 @@ def run_solver(solver, start, duration, path):
     with open(path, "w", newline="", encoding="ascii") as file:
         table = csv.writer(file)
         table.writerow(["step", "time [us]"]
-                       + [body + " " + quantity for body in BODIES for quantity in QUANTITIES]
-                       + ["removed elements"])
+                       + [body + " " + quantity for body in BODIES + of_particles(BODIES)
+                          for quantity in QUANTITIES] + ["removed elements"])
         solver.run(duration, lambda s: table.writerow(
             [s.steps, repr(s.time), *map(repr, s.totals().ravel().tolist()),
-             np.count_nonzero(~s.lives)]))
+             *map(repr, totals_of_particles(s).ravel().tolist()), np.count_nonzero(~s.lives)]))
+
+
+def totals_of_particles(solver):
+    return (solver.particles.totals() if solver.particles
+            else np.zeros((len(BODIES), len(QUANTITIES))))
 
 
 def save_mesh(mesh, solver, path):
@@ -271,15 +285,69 @@ def draw_tables(figure, places, before, after, start):
         energy.plot(table["time [us]"][chosen], total[chosen], color="black", lw=2,
                     label="both" if table is after else None)
     for axes, title in ((momentum, "Momentum [mg km/s]"), (energy, "Energy [J]")):
-        axes.axvline(start, color="0.4", lw=1, ls="--")
-        axes.set(title=title, xlabel="time [µs]", xlim=(0, after["time [us]"][-1]))
-        axes.grid(alpha=0.3)
-        axes.legend(loc="center left", frameon=False)
+        finish(axes, title, start, after)
 
 
-def render(path, picture):
-    """Saves a picture of half of a mesh, coloured by the speed of its nodes, without removed
-    elements."""
+def draw_shares(figure, places, before, after, start):
+    """Plots mass, momentum and energy over time: in impact, in elements, in particles, and the sum
+    of both."""
+    first = before["time [us]"] <= start * (1 + 1e-12)
+    for place, (title, bodies, quantities) in zip(places, SHARES):
+        axes = figure.add_subplot(place)
+        old, both, loose = (
+            sum(sum_of(table, quantity, parts) for quantity in quantities)
+            for table, parts in ((before, bodies), (after, bodies), (after, of_particles(bodies))))
+        axes.plot(before["time [us]"], old, color="black", lw=0.8, ls=":")
+        axes.plot(before["time [us]"][first], old[first], color="black", lw=2)
+        for values, colour, label in ((both, "black", "both"), (both - loose, "C0", "elements"),
+                                      (loose, "C1", "particles")):
+            axes.plot(after["time [us]"], values, color=colour, lw=2, label=label)
+        finish(axes, title, start, after)
+
+
+def finish(axes, title, start, after):
+    axes.axvline(start, color="0.4", lw=1, ls="--")
+    axes.set(title=title, xlabel="time [µs]", xlim=(0, after["time [us]"][-1]))
+    axes.grid(alpha=0.3)
+    axes.legend(loc="center left", frameon=False)
+
+
+def colour_by_speed(shown, view):
+    simple.ColorBy(shown, ("POINTS", "speed"))
+    table = simple.GetColorTransferFunction("speed")
+    table.ApplyPreset(pictures.VIRIDIS, True)
+    table.RescaleTransferFunction(0, SPEED)
+    shown.SetScalarBarVisibility(view, False)
+
+
+def show_spheres(spheres, view):
+    """Shows particles. spheres: positions, velocities, radii."""
+    position, velocity, radius = spheres
+    data = vtkPolyData()
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(np.ascontiguousarray(position), deep=1))
+    data.SetPoints(points)
+    for name, values in (("speed", np.linalg.norm(velocity, axis=1)), ("Radius", radius)):
+        array = numpy_to_vtk(values, deep=1)
+        array.SetName(name)
+        data.GetPointData().AddArray(array)
+    source = simple.TrivialProducer()
+    source.GetClientSideObject().SetOutput(data)
+    colour_by_speed(pictures.show_particles(source, view), view)
+
+
+def spheres_of(particles, moved):
+    """Returns positions, velocities and radii of the particles before and after they moved; None
+    twice without particles."""
+    if not particles:
+        return None, None
+    return ((particles["Position"], particles["velocity"], particles["Radius"]),
+            (moved.x.T, moved.v.T, particles["Radius"]))
+
+
+def render(path, spheres, picture):
+    """Saves a picture of a mesh, coloured by the speed of its nodes, without removed elements:
+    half of it, or all of it and its particles."""
     simple._DisableFirstRenderCameraReset()
     view = pictures.make_view(VIEW_SIZE)
     view.BackgroundColorMode, view.Background = "Single Color", (1, 1, 1)
@@ -290,38 +358,41 @@ def render(path, picture):
                                 UpperThreshold=1)
     speed = simple.Calculator(Input=mesh, AttributeType="Point Data", Function="mag(velocity)",
                               ResultArrayName="speed")
-    shown = pictures.show(pictures.cut(speed, [0, 3.01, 0], [0, 1, 0]), view)
-    simple.ColorBy(shown, ("POINTS", "speed"))
-    table = simple.GetColorTransferFunction("speed")
-    table.ApplyPreset(pictures.VIRIDIS, True)
-    table.RescaleTransferFunction(0, SPEED)
-    shown.SetScalarBarVisibility(view, False)
-    pictures.aim(view, [0.5, 6.5, 3, 6, 0, 4], (0.15, -1, 0.35), 1.75, sink=0.12)
+    if spheres:
+        show_spheres(spheres, view)
+        pictures.aim(view, [1.5, 12, 0, 6, 0, 4], (0.25, -1, 0.75), 1.45, sink=0.15)
+    else:
+        speed = pictures.cut(speed, [0, 3.01, 0], [0, 1, 0])
+        pictures.aim(view, [0.5, 6.5, 3, 6, 0, 4], (0.15, -1, 0.35), 1.75, sink=0.12)
+    colour_by_speed(pictures.show(speed, view), view)
     pictures.save(view, picture)
 
 
-def draw(arguments, before, after, start):
+def draw(arguments, before, after, start, spheres):
+    """Draws the plot and the picture. spheres: of the particles at the transfer and at the end."""
     import matplotlib
     matplotlib.use("Agg")
     from matplotlib import cm, colors, pyplot
+    draw_curves, columns = (draw_shares, 3) if all(spheres) else (draw_tables, 2)
     figure = pyplot.figure(figsize=(11, 4), layout="constrained")
-    draw_tables(figure, figure.add_gridspec(1, 2), before, after, start)
+    draw_curves(figure, figure.add_gridspec(1, columns), before, after, start)
     figure.savefig(os.path.join(arguments.out, "restart.png"), dpi=110)
     if not arguments.picture:
         return
     figure = pyplot.figure(figsize=(12, 7.4), layout="constrained")
-    grid = figure.add_gridspec(2, 2, height_ratios=[1.05, 1])
-    shown = []
-    for place, (name, time) in enumerate((("handover", start), ("after", after["time [us]"][-1]))):
+    rows = figure.add_gridspec(2, 1, height_ratios=[1.05, 1])
+    places, shown = rows[0].subgridspec(1, 2), []
+    times = start, after["time [us]"][-1]
+    for place, name, time, own in zip(places, ("handover", "after"), times, spheres):
         path = os.path.join(arguments.out, name)
-        render(path + ".vtu", path + ".png")
-        shown.append(figure.add_subplot(grid[0, place]))
+        render(path + ".vtu", own, path + ".png")
+        shown.append(figure.add_subplot(place))
         shown[-1].imshow(pyplot.imread(path + ".png"))
         shown[-1].axis("off")
         shown[-1].set_title("%.2f µs" % time)
     figure.colorbar(cm.ScalarMappable(colors.Normalize(0, SPEED), "viridis"), ax=shown,
-                    label="speed of the nodes [km/s]", shrink=0.8, pad=0.01)
-    draw_tables(figure, [grid[1, 0], grid[1, 1]], before, after, start)
+                    label="speed [km/s]", shrink=0.8, pad=0.01)
+    draw_curves(figure, rows[1].subgridspec(1, columns), before, after, start)
     figure.savefig(arguments.picture, dpi=100)
 
 
@@ -343,7 +414,8 @@ def main():
         sys.exit("no mesh, see the message above")
     before = read_table(files["before.csv"])
     times = dict(zip(before["step"].astype(int), before["time [us]"]))
-    solver = start_solver(mesh, read_particles(mesher))
+    particles = read_particles(mesher)
+    solver = start_solver(mesh, particles)
     cells, at_start = (
         totals_of_cells(source.GetClientSideObject().GetOutputDataObject(0)), solver.totals())
     left_out = totals_not_meshed(mesh)
@@ -358,7 +430,8 @@ def main():
     print("not meshed: %.3g mg" % left_out[:, 0].sum())
     if solver.particles:
         print("particles: %d, %.3g mg" % (len(solver.particles.mass), solver.particles.mass.sum()))
-    draw(arguments, before, read_table(files["after.csv"]), times[arguments.step])
+    draw(arguments, before, read_table(files["after.csv"]), times[arguments.step],
+         spheres_of(particles, solver.particles))
     print("%s: %d hexahedra, %d steps, %d removed" % (
         files["after.vtu"], len(solver.mass), solver.steps, np.count_nonzero(~solver.lives)))
 

@@ -450,8 +450,10 @@ extern "C"
    */
   SCULPTOR_EXPORT const char* sculptor_error_text(int sculptor);
   /**
-   * Returns the warnings of the last mesh.
+   * Returns the warnings of the last mesh, and since then of sculptor_write: the file with the
+   * particles beside a file that holds none.
    * @return text, one line per warning, possibly empty, never null; valid until the next mesh
+   *   or file
    */
   SCULPTOR_EXPORT const char* sculptor_warning_text(int sculptor);
 

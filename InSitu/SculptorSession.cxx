@@ -312,6 +312,12 @@ void SculptorSession::Write(const char* path)
   const ParticleData particles = this->GetParticles();
   mesh.Particles = result.State.TheParticles ? &particles : nullptr;
   WorkInStage(ranks, ErrorCode::UnwritableOutput, [&] { WriteMesh(mesh, path, ranks); });
+  const std::string beside = FindParticlesBeside(path);
+  if (ranks.Any(particles.NumberOfParticles > 0) && !beside.empty())
+  {
+    this->WarningText +=
+      "Files as " + std::string(path) + " hold no particles: they are in " + beside + ".\n";
+  }
 }
 
 } // namespace vfm

@@ -302,7 +302,7 @@ bool RunBuiltInTest(const Arguments& arguments, Ranks& ranks)
     if (to)
     {
       *to << (&run == &runs[0] ? "" : "\n") << run.Title << "\n";
-      PrintSummary(summary, {}, *to);
+      PrintSummary(summary, {}, {}, *to);
     }
     CheckMesh(mesh, summary, plain, run.How, parts, ranks, checks);
     plain = summary;

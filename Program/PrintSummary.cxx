@@ -1,5 +1,6 @@
 #include "PrintSummary.h"
 
+#include "Base/ParseText.h"
 #include "Ranks/PrintableText.h"
 
 #include <algorithm>
@@ -113,7 +114,9 @@ void PrintState(const MeshSummary& summary, std::ostream& to)
   to << "\n";
 }
 
-void PrintParticles(const ParticleSummary& particles, std::ostream& to)
+/// @param paths  files with the particles beside other files
+void PrintParticles(
+  const ParticleSummary& particles, const std::vector<std::string>& paths, std::ostream& to)
 {
   to << Print(
     "particles: %lld, volume %.6g", static_cast<long long>(particles.Count), particles.Volume);
@@ -125,7 +128,7 @@ void PrintParticles(const ParticleSummary& particles, std::ostream& to)
   {
     to << Print(", kinetic energy lost by joining %.6g", particles.LostEnergy);
   }
-  to << "\n\n";
+  to << (paths.empty() ? "" : ", in " + JoinTexts(paths)) << "\n\n";
 }
 
 /// Prints the largest fragments by volume.
@@ -170,7 +173,8 @@ void PrintAngles(const MeshSummary& summary, std::ostream& to)
 
 } // namespace
 
-void PrintSummary(const MeshSummary& summary, const std::vector<StageTime>& times, std::ostream& to)
+void PrintSummary(const MeshSummary& summary, const std::vector<std::string>& particles,
+  const std::vector<StageTime>& times, std::ostream& to)
 {
   PrintMaterials(summary, to);
   to << "\n";
@@ -180,7 +184,7 @@ void PrintSummary(const MeshSummary& summary, const std::vector<StageTime>& time
   }
   if (summary.Particles)
   {
-    PrintParticles(*summary.Particles, to);
+    PrintParticles(*summary.Particles, particles, to);
   }
   PrintFragments(summary, to);
   to << "\n";

@@ -18,7 +18,8 @@ struct StageTime
 };
 
 /// Prints the tables of materials, state, fragments and dihedral angles, and the times.
-void PrintSummary(
-  const MeshSummary& summary, const std::vector<StageTime>& times, std::ostream& to);
+/// @param particles  paths of files with the particles beside other files
+void PrintSummary(const MeshSummary& summary, const std::vector<std::string>& particles,
+  const std::vector<StageTime>& times, std::ostream& to);
 
 } // namespace vfm

@@ -169,6 +169,21 @@ void WriteFiles(const MesherResult& result, const MeshData& mesh, const ReportHe
   }
 }
 
+/// Returns the paths of files with particles beside the files of meshes.
+std::vector<std::string> ListParticlesBeside(const Arguments& arguments)
+{
+  std::vector<std::string> paths;
+  for (const std::string& mesh : { arguments.Output, arguments.Surfaces })
+  {
+    const std::string path = FindParticlesBeside(mesh);
+    if (!path.empty())
+    {
+      paths.push_back(path);
+    }
+  }
+  return paths;
+}
+
 void MeshFile(const Arguments& arguments, Ranks& ranks)
 {
   StageTimes times(ranks);
@@ -214,7 +229,7 @@ void MeshFile(const Arguments& arguments, Ranks& ranks)
     if (ranks.Rank() == 0)
     {
       PrintHead(arguments, input, arrays);
-      PrintSummary(summary, times.Get(), std::cout);
+      PrintSummary(summary, ListParticlesBeside(arguments), times.Get(), std::cout);
     }
   }
 }

@@ -48,7 +48,7 @@ class Case:
 LEAST_DRAWN = 0.01  # smallest volume fraction of cells in the picture of the input
 
 CASES = [
-    Case("splash", "splash_3500us.vti", ["water"], "TetGen", (0.75, -1.0, 0.65), 1.25, (0, 1, 0),
+    Case("splash", "splash_3500us.vti", ["water"], "TetGen", (0.75, -1.0, 0.65), 1.1, (0, 1, 0),
          (0.3, -1.0, 0.5), 1.6),
     Case("ball_and_plate", "ball_and_plate.vti", ["ball", "plate"], "Lattice", (0.7, -1.0, 0.5),
          1.25, (0, 1, 0), (0.3, -1.0, 0.35), 1.5),

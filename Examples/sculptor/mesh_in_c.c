@@ -1,5 +1,5 @@
 /* Meshes a ball on a plate as tetrahedra from C and transfers the temperature of the cells to the
- * elements. A drop that fills a quarter of a cell becomes a particle. Runs on any number of ranks;
+ * elements. A drop that fills a tenth of a cell becomes a particle. Runs on any number of ranks;
  * each rank owns a slab of the grid. Prints volumes, the size of the contact surface and the
  * highest temperature, and writes no file. mesh_in_fortran.f90 is the same program in Fortran.
  *
@@ -51,7 +51,7 @@ static Fields make_fields(int first, int last)
   }
   if (last == N)
   {
-    fields.ball[N * N * (last - first) - 1] = 0.25; /* the drop */
+    fields.ball[N * N * (last - first) - 1] = 0.1; /* the drop */
   }
   return fields;
 }

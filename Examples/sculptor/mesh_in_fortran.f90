@@ -1,5 +1,5 @@
 ! Meshes a ball on a plate as tetrahedra from Fortran and transfers the temperature of the cells to
-! the elements. A drop that fills a quarter of a cell becomes a particle. Runs on any number of
+! the elements. A drop that fills a tenth of a cell becomes a particle. Runs on any number of
 ! ranks; each rank owns a slab of the grid. Prints volumes, the size of the contact surface and the
 ! highest temperature, and writes no file. mesh_in_c.c is the same program in C.
 !
@@ -39,7 +39,7 @@ program mesh_in_fortran
     end do
   end do
 
-  if (last == n) ball(n, n, last - first) = 0.25 ! the drop
+  if (last == n) ball(n, n, last - first) = 0.1_c_double ! the drop
 
   neighbours = [-1, -1, -1, -1, rank - 1, merge(rank + 1, -1, rank + 1 < ranks)]
   call check(sculptor_create(s))

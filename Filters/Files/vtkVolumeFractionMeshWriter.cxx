@@ -14,6 +14,20 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
+
+namespace
+{
+
+/// Returns whether the filter that made the mesh has particles in another output.
+bool HasParticles(const vfm::MeshData& mesh)
+{
+  const std::vector<double> counts = vfm::NumbersOfField(mesh.Fields, "Particles");
+  return std::any_of(counts.begin(), counts.end(), [](double count) { return count > 0.0; });
+}
+
+} // namespace
+
 vtkCxxSetObjectMacro(vtkVolumeFractionMeshWriter, Controller, vtkMultiProcessController);
 
 vtkVolumeFractionMeshWriter::vtkVolumeFractionMeshWriter()
@@ -68,7 +82,14 @@ void vtkVolumeFractionMeshWriter::WriteData()
         {
           throw vfm::InputError(std::string("The mesh could not be made: ") + why);
         }
-        this->WriteMesh(vfm::MeshDataOf(mesh).Data, this->FileName, ranks);
+        const vfm::StoredMesh stored = vfm::MeshDataOf(mesh);
+        this->WriteMesh(stored.Data, this->FileName, ranks);
+        if (ranks.Rank() == 0 && HasParticles(stored.Data))
+        {
+          vtkWarningMacro(<< this->FileName
+                          << " has no particles: they are the output Particles "
+                             "of the filter. Save that output, too.");
+        }
       });
   }
   catch (const vfm::InputError& error)

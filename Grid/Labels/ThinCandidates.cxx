@@ -18,8 +18,7 @@ constexpr double RidgeShare = 0.7;  // of the largest fraction around a ridge
 // the cell before. Else it crosses the side.
 constexpr double ShareAtSide = 0.5;
 
-/// Fractions of the 27 cells around a cell; a cell outside the local box counts as the nearest cell
-/// inside.
+/// Fractions of the 27 cells around a cell.
 struct FractionsAround
 {
   double Mean = 0.0; // with weights 8, 4, 2, 1 of the middle, faces, edges, corners
@@ -27,14 +26,21 @@ struct FractionsAround
   bool HasLabel = false; // whether any of the cells has the material's label
 };
 
+/// @param ends  whether cells outside the local box are void; else they count as the nearest cell
+///   inside
 FractionsAround MeasureAround(const CartesianGrid& grid, const FractionField& fractions,
-  const LabelArray& labels, const Index3& cell, int material)
+  const LabelArray& labels, const Index3& cell, int material, bool ends)
 {
   FractionsAround around;
   for (int n = 0; n < 27; ++n)
   {
     const Index3 step = StepAround(n);
-    const Index at = grid.Linear(grid.Local().Nearest(CellAround(cell, n)));
+    const Index3 other = CellAround(cell, n), inside = grid.Local().Nearest(other);
+    if (ends && inside != other)
+    {
+      continue;
+    }
+    const Index at = grid.Linear(inside);
     const double fraction = fractions.Fraction(at, material);
     const auto distance = std::abs(step[0]) + std::abs(step[1]) + std::abs(step[2]);
     around.Mean += fraction / static_cast<double>(8 << distance);
@@ -58,24 +64,74 @@ double LargestAcross(const CartesianGrid& grid, const FractionField& fractions, 
   return largest;
 }
 
-/// Returns whether a body ends in a cell at a side of the domain.
-bool EndsAtSide(const CartesianGrid& grid, const FractionField& fractions, const LabelArray& labels,
-  const Index3& cell, int material)
+/// Returns the steps from a cell at sides of the domain to the cell before along each axis, 0 for
+/// other axes.
+Index3 StepsInside(const CartesianGrid& grid, const Index3& cell)
 {
+  Index3 steps{};
   for (int a = 0; a < 3; ++a)
   {
     for (Index step : { -1, 1 })
     {
       Index3 before = cell, behind = cell;
-      before[a] -= step;
-      behind[a] += step;
-      if (!grid.InDomain(behind) && grid.InDomain(before) &&
-        labels[grid.Linear(before)] == material &&
-        LargestAcross(grid, fractions, cell, a, material) <
-          ShareAtSide * fractions.Fraction(grid.Linear(before), material))
+      before[a] += step;
+      behind[a] -= step;
+      if (!grid.InDomain(behind) && grid.InDomain(before))
       {
-        return true;
+        steps[a] = step;
       }
+    }
+  }
+  return steps;
+}
+
+/// Returns whether a body ends in a cell at a side of the domain, or at several: then the cell
+/// before can be along a diagonal.
+bool EndsAtSide(const CartesianGrid& grid, const FractionField& fractions, const LabelArray& labels,
+  const Index3& cell, int material)
+{
+  const Index3 steps = StepsInside(grid, cell);
+  for (int axes = 1; axes < 8; ++axes)
+  {
+    Index3 before = cell;
+    bool isAtSides = true;
+    for (int a = 0; a < 3; ++a)
+    {
+      before[a] += axes >> a & 1 ? steps[a] : 0;
+      isAtSides = isAtSides && (steps[a] != 0 || !(axes >> a & 1));
+    }
+    if (!isAtSides || labels[grid.Linear(before)] != material)
+    {
+      continue;
+    }
+    double largest = 0.0; // of the layers at the sides
+    for (int a = 0; a < 3; ++a)
+    {
+      largest =
+        std::max(largest, axes >> a & 1 ? LargestAcross(grid, fractions, cell, a, material) : 0.0);
+    }
+    if (largest < ShareAtSide * fractions.Fraction(grid.Linear(before), material))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Returns whether a cell at a side of the domain holds much less of a material than the one
+/// before.
+bool FadesAtSide(
+  const CartesianGrid& grid, const FractionField& fractions, const Index3& cell, int material)
+{
+  const double fraction = fractions.Fraction(grid.Linear(cell), material);
+  const Index3 steps = StepsInside(grid, cell);
+  for (int a = 0; a < 3; ++a)
+  {
+    Index3 before = cell;
+    before[a] += steps[a];
+    if (fraction < ShareAtSide * fractions.Fraction(grid.Linear(before), material))
+    {
+      return true;
     }
   }
   return false;
@@ -92,12 +148,14 @@ void AddCandidates(const CartesianGrid& grid, const FractionField& fractions,
     {
       continue;
     }
-    const FractionsAround around = MeasureAround(grid, fractions, labels, cell, part.Material);
+    const bool ends = EndsAtSide(grid, fractions, labels, cell, part.Material);
+    const FractionsAround around =
+      MeasureAround(grid, fractions, labels, cell, part.Material, ends);
     if (around.Mean < (part.Fraction > LeastFraction ? LargestMean : LargestFilmMean))
     {
       const bool isRidge = !around.HasLabel && part.Fraction >= RidgeShare * around.Largest;
       list.push_back({ at, part.Material, part.Fraction, 0.5 * around.Mean + 0.5 * part.Fraction,
-        isRidge, EndsAtSide(grid, fractions, labels, cell, part.Material) });
+        isRidge, ends, FadesAtSide(grid, fractions, cell, part.Material) });
     }
   }
 }

@@ -21,6 +21,8 @@ struct ThinCandidate
   /// No cell around has the material's label, and none has much more of the material.
   bool IsRidge;
   bool EndsAtSide; ///< whether it is the end of a body, in a cell at a side of the domain
+  /// Whether it is at a side of the domain and holds much less than the cell before.
+  bool FadesAtSide;
 };
 
 /// Candidates of all materials in and around the owned cells, and which of them are in the set of

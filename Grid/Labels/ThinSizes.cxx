@@ -68,9 +68,9 @@ Vector3 CountOpenFaces(
 struct LocalSize
 {
   double AsFilm = 0.0;      ///< thickness in cells, if the set is a film
-  double Codimension = 0.0; ///< about 1 in a film, 2 in a thread, 3 in a drop
+  double Codimension = 0.0; ///< about 1 in a film, 2 in a thread, 3 in a drop; less in a body
   /// Returns the thickness; threads and drops need less material to be as wide as a film.
-  double Thickness() const { return 0.5 * (1.0 + this->Codimension) * this->AsFilm; }
+  double Thickness() const { return 0.5 * (1.0 + std::max(this->Codimension, 1.0)) * this->AsFilm; }
 };
 
 /// Measures a set in the 27 cells around a candidate. Half the number of open faces per cell is the

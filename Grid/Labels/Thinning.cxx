@@ -27,12 +27,14 @@ Turn FindTurn(const ThinCandidates& candidates, std::size_t n)
   // A body that ends at a side does not continue beyond it.
   const CellsAround set = candidates.SetAround(candidates[n], !candidates[n].EndsAtSide);
   const int rest = CountPartsOfRest(set);
-  if (rest > 1 || CountPartsOfSet(set) != 1)
+  const CellsAround inside = candidates.SetAround(candidates[n], false);
+  const bool isNeeded = CountPartsOfRest(inside) > 1 || CountPartsOfSet(inside) != 1;
+  // An edge that fades at a side is no thread through the side.
+  if (rest > 1 || (CountPartsOfSet(set) != 1 && (isNeeded || !candidates[n].FadesAtSide)))
   {
     return Turn::Stays; // a film; a thread or a drop
   }
-  const CellsAround inside = candidates.SetAround(candidates[n], false);
-  if (inside != set && (CountPartsOfRest(inside) > 1 || CountPartsOfSet(inside) != 1))
+  if (inside != set && isNeeded)
   {
     return Turn::Stays; // a film along a side of the domain
   }

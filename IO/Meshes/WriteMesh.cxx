@@ -57,6 +57,21 @@ void Write(MeshFormat format, const MeshData& mesh, const std::string& path, Ran
   }
 }
 
+bool HoldsParticles(MeshFormat format)
+{
+  switch (format)
+  {
+    case MeshFormat::Vtu:
+    case MeshFormat::Pvtu:
+    case MeshFormat::Gmsh:
+    case MeshFormat::Xdmf:
+    case MeshFormat::Stl:
+      return false;
+    default:
+      return true;
+  }
+}
+
 } // namespace
 
 std::string FindFolderProblem(const std::string& path)
@@ -66,6 +81,12 @@ std::string FindFolderProblem(const std::string& path)
   return access(folder.c_str(), W_OK | X_OK) == 0
     ? ""
     : "Cannot write the output " + path + ": " + std::strerror(errno) + ".";
+}
+
+std::string FindParticlesBeside(const std::string& path)
+{
+  const FormatRow* format = FindMeshFormat(path);
+  return format && !HoldsParticles(format->Format) ? PathOfParticles(path) : "";
 }
 
 void WriteMesh(const MeshData& mesh, const std::string& path, Ranks& ranks, const OutputForm& form)

@@ -13,6 +13,10 @@ namespace vfm
 /// Returns the reason why no file can be created in the folder of a path; "" if one can.
 std::string FindFolderProblem(const std::string& path);
 
+/// Returns the path of the file in which WriteMesh writes the particles of a mesh, if files of the
+/// format hold none; "" if they do.
+std::string FindParticlesBeside(const std::string& path);
+
 /// Writes a mesh as FormatTable says: mostly one file of the whole mesh, which rank 0 gathers.
 /// @param mesh  part of this rank
 /// @throws InputError  if the files cannot be written, on all ranks; contains path and reason

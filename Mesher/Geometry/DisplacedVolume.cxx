@@ -1,5 +1,6 @@
 #include "Geometry/DisplacedVolume.h"
 
+#include "Base/HexVolume.h"
 #include "Base/PortableMath.h"
 #include "Base/Vector3.h"
 #include "Elements/MeasureFragments.h"
@@ -18,8 +19,11 @@ namespace
 
 // Volumes are summed as integers, so sums do not depend on the order. Their unit, in mean cells.
 constexpr double Quantum = 0x1p-40;
-// Elements that leave a block by less, in cells, count as inside.
-constexpr double Slack = 0.05;
+// Elements that leave a block by less, in block widths, count as inside.
+constexpr double Slack = 0.05 / CellsOfBlock;
+// Times that elements in several blocks are halved along each axis, before their parts are placed
+// by 8 points.
+constexpr int Divisions = 1;
 
 /// The lack of a material in a block, for another rank.
 struct BlockLack
@@ -83,29 +87,11 @@ public:
   void AddElement(const Mesh& mesh, Index e)
   {
     std::array<Vector3, 8> x;
-    Vector3 lower = mesh.PointAt(mesh.Elements[mesh.Corners * e]), upper = lower;
     for (int c = 0; c < mesh.Corners; ++c)
     {
       x[c] = mesh.PointAt(mesh.Elements[mesh.Corners * e + c]);
-      for (int a = 0; a < 3; ++a)
-      {
-        lower[a] = std::min(lower[a], x[c][a]);
-        upper[a] = std::max(upper[a], x[c][a]);
-      }
     }
-    const int material = mesh.Material[e];
-    const double volume = VolumeOfElement(mesh, e);
-    if (this->SelectAt(lower, upper))
-    {
-      this->AddLack(material, -this->Rounded(volume));
-      return;
-    }
-    const auto subtract = [&](const Vector3& point, double part)
-    {
-      this->SelectAt(point, point);
-      this->AddLack(material, -this->Rounded(part));
-    };
-    mesh.HasHexes() ? ForPartsOfHex(x, volume, subtract) : ForPartsOfTet(x, volume, subtract);
+    this->AddPart(x, mesh.Corners, mesh.Material[e], VolumeOfElement(mesh, e), Divisions);
   }
 
   void Add(const BlockVolumes& other)
@@ -131,40 +117,77 @@ private:
   }
 
   /// Selects the block of a cell, or of its copy in the domain.
-  void Select(const Index3& cell)
+  void Select(const Index3& at)
   {
-    const Index3 inside = this->Grid.Canonical(this->Grid.Global().Nearest(cell));
+    const Index3 cell = this->Grid.Global().Nearest(at), inside = this->Grid.Canonical(cell);
     Index3 block;
     for (int a = 0; a < 3; ++a)
     {
       const std::vector<double>& x = this->Grid.Coordinates(a);
       const Index first = this->Grid.Domain().Lower[a];
       block[a] = (inside[a] - first) / CellsOfBlock;
-      const double slack = Slack * this->Grid.Width(a, cell[a]);
-      this->Lower[a] =
-        x[cell[a] < first ? cell[a] : cell[a] - (cell[a] - first) % CellsOfBlock] - slack;
-      this->Upper[a] = x[std::max(this->EndOfBlock(a, cell[a]), cell[a] + 1)] + slack;
+      // Copies of adjacent cells outside of the domain can be in different blocks.
+      const bool isOutside = cell[a] < first || cell[a] >= this->Grid.Domain().Upper[a];
+      this->Lower[a] = x[isOutside ? cell[a] : cell[a] - (cell[a] - first) % CellsOfBlock];
+      this->Upper[a] = x[isOutside ? cell[a] + 1 : this->EndOfBlock(a, cell[a])];
     }
     this->Block = (block[2] * this->Blocks[1] + block[1]) * this->Blocks[0] + block[0];
   }
 
-  /// Selects the block of the lower corner of a box. Returns whether the whole box is in it.
-  bool SelectAt(const Vector3& lower, const Vector3& upper)
+  /// Returns whether a point is in the selected block, or closer to it than slack, in block widths.
+  bool HasSelected(const Vector3& x, double slack) const
   {
-    const auto contains = [&](const Vector3& x)
+    bool isInside = true;
+    for (int a = 0; a < 3; ++a)
     {
-      bool isInside = true;
+      const double margin = slack * (this->Upper[a] - this->Lower[a]);
+      isInside = isInside & (x[a] >= this->Lower[a] - margin) & (x[a] < this->Upper[a] + margin);
+    }
+    return isInside;
+  }
+  /// Selects the block of a point.
+  void SelectAt(const Vector3& x)
+  {
+    if (!this->HasSelected(x, 0.0))
+    {
+      this->Select(this->Grid.CellAt(x));
+    }
+  }
+
+  /// Subtracts an element or a part of it.
+  void AddPart(
+    const std::array<Vector3, 8>& x, int corners, int material, double volume, int divisions)
+  {
+    Vector3 lower = x[0], upper = lower;
+    for (int c = 1; c < corners; ++c)
+    {
       for (int a = 0; a < 3; ++a)
       {
-        isInside = isInside & (x[a] >= this->Lower[a]) & (x[a] <= this->Upper[a]);
+        lower[a] = std::min(lower[a], x[c][a]);
+        upper[a] = std::max(upper[a], x[c][a]);
       }
-      return isInside;
-    };
-    if (!contains(lower) || (lower != upper && !contains(upper)))
-    {
-      this->Select(this->Grid.CellAt(lower));
     }
-    return contains(upper);
+    this->SelectAt(0.5 * (lower + upper));
+    if (this->HasSelected(lower, Slack) && this->HasSelected(upper, Slack))
+    {
+      this->AddLack(material, -this->Rounded(volume));
+      return;
+    }
+    if (divisions == 0)
+    {
+      const auto subtract = [&](const Vector3& point, double share)
+      {
+        this->SelectAt(point);
+        this->AddLack(material, -this->Rounded(share));
+      };
+      corners == 8 ? ForPartsOfHex(x, volume, subtract) : ForPartsOfTet(x, volume, subtract);
+      return;
+    }
+    for (const std::array<Vector3, 8>& part : corners == 8 ? DivideHex(x) : DivideTet(x))
+    {
+      this->AddPart(
+        part, corners, material, corners == 8 ? VolumeOfHex(part) : volume / 8.0, divisions - 1);
+    }
   }
 
   /// Adds pure cells along x, which lie in one block.

@@ -19,7 +19,7 @@ constexpr Index CellsOfBlock = 4;
 /// blocks have more, whichever is larger. 0: all of it is where it was, or it is in no cell. 1: all
 /// of it is elsewhere, or in no element. Far material (Mesh::Far) is where it was.
 ///
-/// Elements that lie in several blocks are divided into 8 parts.
+/// Elements that lie in several blocks are divided into 64 parts.
 /// @param mesh  owned elements, linear, in the length unit of the grid
 /// @pre Collective.
 /// @note Bitwise reproducible on any number of ranks and threads.

@@ -81,4 +81,63 @@ void ForPartsOfTet(const std::array<Vector3, 8>& x, double volume, const Body& b
   }
 }
 
+/// Returns the corners of the 8 parts of a hexahedron between halves of its coordinates.
+/// @param x  corners in VTK's order
+inline std::array<std::array<Vector3, 8>, 8> DivideHex(const std::array<Vector3, 8>& x)
+{
+  // VTK's order of corners: 2 and 3, 6 and 7 are exchanged.
+  const auto bits = [](int c) { return c ^ (c >> 1 & 1); };
+  std::array<Vector3, 27> lattice; // 3 x 3 x 3 points, x fastest
+  for (int c = 0; c < 8; ++c)
+  {
+    const int n = bits(c);
+    lattice[2 * (n & 1) + 6 * (n >> 1 & 1) + 18 * (n >> 2)] = x[c];
+  }
+  // Along x, then y, then z: the middles of the lines between points that are known.
+  for (int n = 0; n < 27; n += n % 9 == 6 ? 12 : 6)
+  {
+    lattice[n + 1] = 0.5 * (lattice[n] + lattice[n + 2]);
+  }
+  for (int n = 0; n < 27; n += n % 9 == 2 ? 16 : 1)
+  {
+    lattice[n + 3] = 0.5 * (lattice[n] + lattice[n + 6]);
+  }
+  for (int n = 0; n < 9; ++n)
+  {
+    lattice[n + 9] = 0.5 * (lattice[n] + lattice[n + 18]);
+  }
+  std::array<std::array<Vector3, 8>, 8> parts;
+  for (int n = 0; n < 8; ++n)
+  {
+    for (int c = 0; c < 8; ++c)
+    {
+      const int b = bits(c);
+      const auto at = [n, b](int a) { return (n >> a & 1) + (b >> a & 1); };
+      parts[n][c] = lattice[at(0) + 3 * at(1) + 9 * at(2)];
+    }
+  }
+  return parts;
+}
+
+/// Returns the corners of 8 parts of a tetrahedron of equal volume: 4 at corners, 4 of the
+/// octahedron between them. The last four of 8 corners are not used.
+inline std::array<std::array<Vector3, 8>, 8> DivideTet(const std::array<Vector3, 8>& x)
+{
+  const auto middle = [&x](int c, int d) { return 0.5 * (x[c] + x[d]); };
+  const std::array<Vector3, 4> ring{ { middle(0, 2), middle(1, 2), middle(1, 3), middle(0, 3) } };
+  std::array<std::array<Vector3, 8>, 8> parts{};
+  for (int c = 0; c < 4; ++c)
+  {
+    for (int d = 0; d < 4; ++d)
+    {
+      parts[c][d] = middle(c, d);
+    }
+    parts[4 + c][0] = middle(0, 1);
+    parts[4 + c][1] = middle(2, 3);
+    parts[4 + c][2] = ring[c];
+    parts[4 + c][3] = ring[(c + 1) % 4];
+  }
+  return parts;
+}
+
 } // namespace vfm

@@ -206,18 +206,22 @@ void RotateTuple(const ImageFrame& frame, int components, double* values)
   }
 }
 
+void TurnPoints(const ImageFrame& frame, std::span<double> points)
+{
+  for (std::size_t p = 0; p < points.size() && !frame.IsIdentity(); p += 3)
+  {
+    const Vector3 turned = frame.ToSpace({ { points[p], points[p + 1], points[p + 2] } });
+    std::copy(turned.begin(), turned.end(), points.begin() + p);
+  }
+}
+
 void TurnMesh(const ImageFrame& frame, Mesh& mesh)
 {
   if (frame.IsIdentity())
   {
     return;
   }
-  for (std::size_t p = 0; p < mesh.Points.size(); p += 3)
-  {
-    double* x = mesh.Points.data() + p;
-    const Vector3 turned = frame.ToSpace({ { x[0], x[1], x[2] } });
-    std::copy_n(turned.begin(), 3, x);
-  }
+  TurnPoints(frame, { mesh.Points.data(), mesh.Points.size() });
   for (Vector3& centroid : mesh.Tables.SurfaceCentroids)
   {
     centroid = frame.ToSpace(centroid);

@@ -14,6 +14,7 @@
 #include "Ranks/Ranks.h"
 
 #include <array>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -64,6 +65,9 @@ bool CanRotate(int components);
 /// @param components  3: a vector; 6: a symmetric tensor in the order xx, yy, zz, xy, yz, xz; 9: a
 /// tensor, row-major
 void RotateTuple(const ImageFrame& frame, int components, double* values);
+
+/// Transforms points, (n, 3), from image axes to world coordinates.
+void TurnPoints(const ImageFrame& frame, std::span<double> points);
 
 /// Transforms a mesh from image axes to world coordinates.
 void TurnMesh(const ImageFrame& frame, Mesh& mesh);

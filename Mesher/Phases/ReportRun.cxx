@@ -9,7 +9,8 @@ namespace vfm
 namespace
 {
 
-/// Warns of corrected input, an empty mesh, and materials without elements or with wrong volumes.
+/// Warns of corrected input, an empty mesh, and materials without elements, with wrong
+/// volumes, or in another place.
 void WarnOfMesh(const MesherJob& job, const MeshReport& report, const Cells& cells)
 {
   const InputField& field = cells.Fields.Field;
@@ -40,6 +41,9 @@ void WarnOfMesh(const MesherJob& job, const MeshReport& report, const Cells& cel
   if (areExact)
   {
     Warn(job, DescribeInexactMaterials(report, field.Table, AreLabels(job)));
+    Warn(job,
+      DescribeDisplacedMaterials(
+        report, field.Table, job.Options.UnmeshedMaterial == Unmeshed::Particles));
   }
 }
 
@@ -55,7 +59,7 @@ void ListResult(
   UseLabels(table, result.TheMesh);
   if (result.State.TheParticles)
   {
-    TurnParticles(frame, *result.State.TheParticles);
+    TurnPoints(frame, result.State.TheParticles->Positions); // state is turned already
     UseLabels(table, result.State.TheParticles->Material);
   }
   AppendFields(ListSides(result.TheMesh.Tables), result.Fields);

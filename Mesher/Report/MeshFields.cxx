@@ -242,6 +242,7 @@ namespace
 {
 
 constexpr double LargestQuietError = 0.01; // relative error of a volume without a warning
+constexpr double LargestQuietShare = 0.05; // displaced share of a volume without a warning
 
 /// Returns a material for a message: its name and id.
 std::string NameMaterial(const Materials& table, std::size_t material)
@@ -274,33 +275,51 @@ double RoundDown(double number)
   return std::floor(number / unit) * unit;
 }
 
-/// Returns the materials with elements whose volumes are inexact, by missing volume, descending.
-std::vector<std::size_t> FindInexact(const MeshReport& report)
+/// Returns the materials with elements of which more than a share `limit` of the volume is wrong,
+/// by this volume, descending.
+/// @param wrong  returns the volume of a material that is wrong
+template <class Volume>
+std::vector<std::size_t> FindAbove(double limit, const MeshReport& report, const Volume& wrong)
 {
-  const auto missing = [&report](std::size_t m)
-  { return std::fabs(report.MeshVolume[m] - report.TargetVolume[m]); };
   std::vector<std::size_t> found;
   for (std::size_t m = 1; m < report.TargetVolume.size(); ++m)
   {
-    if (report.MeshVolume[m] > 0.0 && missing(m) > LargestQuietError * report.TargetVolume[m])
+    if (report.MeshVolume[m] > 0.0 && wrong(m) > limit * report.TargetVolume[m])
     {
       found.push_back(m);
     }
   }
   std::stable_sort(found.begin(), found.end(),
-    [&missing](std::size_t a, std::size_t b) { return missing(a) > missing(b); });
+    [&wrong](std::size_t a, std::size_t b) { return wrong(a) > wrong(b); });
   return found;
+}
+
+/// Returns a share in percent: two digits, above 100 % all before the point.
+std::string PercentOf(double share, bool showsPlus = false)
+{
+  const double percent = 100.0 * share;
+  std::ostringstream text;
+  text << (showsPlus ? std::showpos : std::noshowpos);
+  if (std::fabs(percent) < 99.5)
+  {
+    text << std::setprecision(2);
+  }
+  else
+  {
+    text << std::fixed << std::setprecision(0);
+  }
+  text << percent << " %";
+  return text.str();
 }
 
 /// Returns a material with its volume error, number of fragments and flips.
 std::string DescribeError(const MeshReport& report, const Materials& table, std::size_t m)
 {
-  const double error = report.MeshVolume[m] / report.TargetVolume[m] - 1.0;
-  std::ostringstream text;
-  text << NameMaterial(table, m) << " by " << std::showpos << std::setprecision(2) << 100.0 * error
-       << std::noshowpos << " % (fragments: " << report.Materials[m].Fragments
-       << ", cells lost: " << report.LostCells[m] << ", gained: " << report.GainedCells[m] << ")";
-  return text.str();
+  return NameMaterial(table, m) + " by " +
+    PercentOf(report.MeshVolume[m] / report.TargetVolume[m] - 1.0, true) +
+    " (fragments: " + std::to_string(report.Materials[m].Fragments) +
+    ", cells lost: " + std::to_string(report.LostCells[m]) +
+    ", gained: " + std::to_string(report.GainedCells[m]) + ")";
 }
 
 } // namespace
@@ -324,8 +343,10 @@ std::string DescribeLostMaterials(const MeshReport& report, const Materials& tab
 std::string DescribeInexactMaterials(
   const MeshReport& report, const Materials& table, bool areLabels)
 {
+  const auto missing = [&report](std::size_t m)
+  { return std::fabs(report.MeshVolume[m] - report.TargetVolume[m]); };
   std::vector<std::string> errors;
-  for (std::size_t m : FindInexact(report))
+  for (std::size_t m : FindAbove(LargestQuietError, report, missing))
   {
     errors.push_back(DescribeError(report, table, m));
   }
@@ -336,6 +357,30 @@ std::string DescribeInexactMaterials(
       (areLabels ? "LabelSmoothing, a" : "A") +
       " larger MinimumRegionCells, or finer cells there (Refinement with RefineFlippedCells) may "
       "help.";
+}
+
+std::string DescribeDisplacedMaterials(
+  const MeshReport& report, const Materials& table, bool hasParticles)
+{
+  if (report.DisplacedVolume.empty())
+  {
+    return "";
+  }
+  const auto displaced = [&report](std::size_t m)
+  { return report.DisplacedVolume[m] * report.TargetVolume[m]; };
+  std::vector<std::string> shares;
+  for (std::size_t m : FindAbove(LargestQuietShare, report, displaced))
+  {
+    shares.push_back(NameMaterial(table, m) + " " + PercentOf(report.DisplacedVolume[m]));
+  }
+  return shares.empty() ? ""
+                        : CountMaterials(shares.size(), "has", "have") + " more than 5 % of " +
+      (shares.size() == 1 ? "its volume" : "their volumes") +
+      " in another place than in the input: " + Enumerate(shares) +
+      ". In the mesh this share is in other blocks of 4 x 4 x 4 cells, or in no element. Finer "
+      "cells in the input" +
+      (hasParticles ? "" : ", or UnmeshedMaterial Particles for matter far from elements,") +
+      " may help.";
 }
 
 FieldArrays ListReplaced(const WideReport& wide, bool meshVoid)

@@ -1,6 +1,5 @@
 #include "State/Particles.h"
 
-#include "Input/ImageFrame.h"
 #include "State/StateArrays.h"
 
 #include <algorithm>
@@ -51,20 +50,6 @@ ParticleData ViewParticles(const Particles& particles)
       array.ComponentNames, array.Values.data() });
   }
   return data;
-}
-
-void TurnParticles(const ImageFrame& frame, Particles& particles)
-{
-  if (frame.IsIdentity())
-  {
-    return;
-  }
-  for (std::size_t i = 0; i < particles.Positions.size(); i += 3)
-  {
-    double* x = particles.Positions.data() + i;
-    const Vector3 inSpace = frame.ToSpace({ { x[0], x[1], x[2] } });
-    std::copy(inSpace.begin(), inSpace.end(), x);
-  }
 }
 
 } // namespace vfm

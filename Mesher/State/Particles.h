@@ -12,8 +12,6 @@
 namespace vfm
 {
 
-struct ImageFrame;
-
 /// Particles of one rank, each on one rank only; ascending by cell and material.
 struct Particles
 {
@@ -32,8 +30,5 @@ struct Particles
 /// Material, Radius, Volume and Mass replaces it in the list.
 /// @param particles  must outlive the result
 ParticleData ViewParticles(const Particles& particles);
-
-/// Puts particles from image axes into world coordinates; state is there already.
-void TurnParticles(const ImageFrame& frame, Particles& particles);
 
 } // namespace vfm

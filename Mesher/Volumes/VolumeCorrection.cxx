@@ -11,9 +11,12 @@ namespace
 {
 
 // In the last stage of the ramp, targets are shifted after its first sweep and then every 5 sweeps,
-// until 4 sweeps are left. More often, the volumes would oscillate. Local shifts are larger, and
-// need more sweeps to settle.
-constexpr int ShiftPeriod = 5, LocalShiftPeriod = 15;
+// until 4 sweeps are left. More often, the volumes would oscillate. Local shifts are larger: they
+// begin after 11 sweeps, and need more sweeps to settle.
+constexpr struct
+{
+  int First, Period;
+} ShiftSweeps{ 1, 5 }, LocalShiftSweeps{ 11, 15 };
 constexpr int SweepsAfterShift = 4;
 constexpr int SweepsPerRound = 4;
 constexpr double VolumeTolerance = 2e-4;   // relative error
@@ -113,8 +116,8 @@ void VolumeCorrection::MeasureAll()
 
 void VolumeCorrection::ShiftAfterSweep(int sweep)
 {
-  const int period = this->Local ? LocalShiftPeriod : ShiftPeriod;
-  if (sweep % period == 1 && sweep + SweepsAfterShift <= this->Last.Sweeps)
+  const auto& [first, period] = this->Local ? LocalShiftSweeps : ShiftSweeps;
+  if (sweep % period == first && sweep + SweepsAfterShift <= this->Last.Sweeps)
   {
     this->Measure();
     this->MeasureBulges();
@@ -210,6 +213,22 @@ void VolumeCorrection::MoveSurfaces()
   }
 }
 
+/// Runs a round for flagged fragments and those that they pulled off their targets. Returns false
+/// if all shifts were too small to matter.
+bool VolumeCorrection::FollowOff(const std::vector<unsigned char>& fragments)
+{
+  const std::vector<unsigned char> isOff = this->Volumes.FindOff(FragmentTolerance);
+  std::vector<double> shifts = this->FindShifts();
+  ForEach(this->TheSmoother.TheRuntime(), shifts.size(),
+    [&](Index i)
+    {
+      const auto& [first, second] = this->Active().Attachments[i].Fragments;
+      const bool follows = fragments[first] || fragments[second] || isOff[first] || isOff[second];
+      shifts[i] = follows ? shifts[i] : 0.0;
+    });
+  return this->Follow(shifts);
+}
+
 /// Lowers the demands of flagged fragments, and follows their errors to where they are smallest.
 /// Lower demands leave thin elements less stable, so the errors may grow again.
 void VolumeCorrection::Yield(const std::vector<unsigned char>& fragments, float demand)
@@ -219,19 +238,9 @@ void VolumeCorrection::Yield(const std::vector<unsigned char>& fragments, float 
   this->Volumes.ForgetRequests();
   RoundState best(this->Active());
   double least = this->Volumes.SumErrors(fragments);
-  for (int round = 0, idle = 0; round < YieldingRounds && idle < IdleRounds; ++round)
+  for (int round = 0, idle = 0;
+       round < YieldingRounds && idle < IdleRounds && this->FollowOff(fragments); ++round)
   {
-    std::vector<double> shifts = this->FindShifts();
-    ForEach(this->TheSmoother.TheRuntime(), shifts.size(),
-      [&](Index i)
-      {
-        const auto& [first, second] = this->Active().Attachments[i].Fragments;
-        shifts[i] = fragments[first] || fragments[second] ? shifts[i] : 0.0;
-      });
-    if (!this->Follow(shifts))
-    {
-      break;
-    }
     const double error = this->Volumes.SumErrors(fragments);
     idle = error < least ? 0 : idle + 1;
     if (idle == 0)

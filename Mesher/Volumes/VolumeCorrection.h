@@ -67,6 +67,7 @@ private:
   using LongOffsets = bool (VolumeCorrection::*)(const Attachment&) const;
   bool Follow(const std::vector<double>& shifts, LongOffsets isLong = &VolumeCorrection::IsLong);
   void FollowFragments();
+  bool FollowOff(const std::vector<unsigned char>& fragments);
   void Yield(const std::vector<unsigned char>& fragments, float demand);
   std::vector<unsigned char> FindCrumpled() const;
   void YieldWithoutCrumpling(std::vector<unsigned char>& fragments, float demand);

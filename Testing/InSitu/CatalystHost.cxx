@@ -6,7 +6,7 @@
  *
  * It takes 4 steps. The grid is cut along x into N boxes (default: two per rank), which are
  * distributed to the ranks in turn. --refined adds as many boxes of a finer level in the middle.
- * --drop fills a quarter of the last cell by the ball. In step S the last rank passes a box outside
+ * --drop fills a tenth of the last cell by the ball. In step S the last rank passes a box outside
  * the grid. The program prints a line per step, and at the end the number of steps made for the
  * scripts. Exit status 0: every step succeeded; 3: some failed; 4: error messages differ between
  * ranks.
@@ -199,7 +199,7 @@ int Run(const Options& options)
       box.Set(step);
       if (options.HasDrop && box.Level == 0 && box.Cells.Upper == Cells)
       {
-        box.Ball.back() = 0.25;
+        box.Ball.back() = 0.1;
       }
     }
     HostGrid grid = Describe(boxes);

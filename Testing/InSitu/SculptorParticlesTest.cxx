@@ -21,9 +21,10 @@ using namespace vfm::testing;
 namespace
 {
 
-/// Cells far from the ball and the plate, and their fractions of the ball.
-const std::map<Index3, double> Drops{ { { { 0, 0, 14 } }, 0.25 }, { { { 17, 0, 14 } }, 0.375 },
-  { { { 17, 11, 14 } }, 0.3 }, { { { 0, 11, 13 } }, 0.4 } };
+/// Cells far from the ball and the plate, and their fractions of the ball. These drops are thinner
+/// than the option LeastThickness, so they get no elements.
+const std::map<Index3, double> Drops{ { { { 0, 0, 14 } }, 0.0625 }, { { { 17, 0, 14 } }, 0.09375 },
+  { { { 17, 11, 14 } }, 0.08 }, { { { 0, 11, 13 } }, 0.11 } };
 
 HostFields WithDrops(int rank, int ranks)
 {
@@ -220,6 +221,33 @@ TEST_F(SculptorParticles, AreWritten)
     }
     EXPECT_EQ(line, "4 atoms");
     std::remove(path.c_str());
+  }
+}
+
+/// A format without particles: the warnings of the mesh name the file beside it, on all ranks.
+TEST_F(SculptorParticles, AreWrittenBeside)
+{
+  const std::string name = "sculptor_beside" + std::to_string(NumberOfRanks()),
+                    mesh = name + ".vtu", beside = name + "_particles.vtp";
+  for (const char* unmeshed : { "Particles", "Give" })
+  {
+    this->Mesh(unmeshed, true);
+    const std::string before = sculptor_warning_text(this->Sculptor);
+    EXPECT_EQ(before.find("particles"), std::string::npos) << before;
+    ASSERT_EQ(sculptor_write(this->Sculptor, mesh.c_str()), SCULPTOR_OK)
+      << sculptor_error_text(this->Sculptor);
+    const bool hasParticles = std::string(unmeshed) == "Particles";
+    EXPECT_EQ(std::string(sculptor_warning_text(this->Sculptor)),
+      before +
+        (hasParticles ? "Files as " + mesh + " hold no particles: they are in " + beside + ".\n"
+                      : ""));
+    MPI_Barrier(MPI_COMM_WORLD);
+    if (MyRank() == 0)
+    {
+      EXPECT_EQ(std::remove(beside.c_str()) == 0, hasParticles);
+      std::remove(mesh.c_str());
+    }
+    MPI_Barrier(MPI_COMM_WORLD);
   }
 }
 

@@ -290,7 +290,7 @@ def test_state():
 def test_particles():
     """Particles are those of the filter, in a file beside the mesh."""
     data = field(1)
-    vtk_to_numpy(data.GetCellData().GetArray("ball"))[-1] = 0.25
+    vtk_to_numpy(data.GetCellData().GetArray("ball"))[-1] = 0.1
     gold = mesh_of(data, UnmeshedMaterial="Particles", StateArrays=["id"])
     assert gold.particles.GetNumberOfPoints() == 1
     with tempfile.TemporaryDirectory() as out:

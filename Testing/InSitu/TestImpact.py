@@ -24,7 +24,7 @@ from mpi_run import mpi_run
 from vfmtest import VolumeFractionToHex, simple
 
 RANKS = (1, 2, 4)
-CELLS, END_TIME, EVERY = "32", "2.6", "50"
+CELLS, END_TIME, EVERY = "32", "3.2", "50"
 STATES = ["velocity", "damage"]
 
 

@@ -13,6 +13,8 @@ import subprocess
 import sys
 
 import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOXML import vtkXMLImageDataReader
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
@@ -24,7 +26,9 @@ from mpi_run import mpi_run
 
 ROUNDING = 1e-13
 CASE = ["--cells", "24", "--step", "30", "--last", "42"]
-LATE = ["--step", "120", "--last", "132", "--unmeshed", "Particles"]
+PARTICLES = ["--unmeshed", "Particles"]
+QUANTITIES = ["mass [mg]", "momentum x [mg km/s]", "momentum y [mg km/s]", "momentum z [mg km/s]",
+              "kinetic energy [J]", "internal energy [J]"]
 
 
 def block(cells, width):
@@ -141,21 +145,68 @@ def check_restart(impact, plugin, folder):
     assert os.path.getsize(os.path.join(folder, "conserve", "restart.png")) > 10000
 
 
-def check_particles(impact, plugin, folder):
-    """Elements and particles continue a late step, with its mass, momentum and energy."""
-    folder = os.path.join(folder, "particles")
-    rows, text = run_restart(impact, plugin, folder, *LATE)
+def check_particles(impact, plugin, folder, step, least):
+    """Elements and particles continue a late step, with its mass, momentum and energy.
+
+    At least `least` particles are expected, and as many mg of them.
+    """
+    folder = os.path.join(folder, "particles%d" % step)
+    rows, text = run_restart(impact, plugin, folder, "--step", str(step), "--last", str(step + 12),
+                             *PARTICLES)
     for name in ("cells to mesh and not meshed", "the solver's run"):
         assert rows[name].max() <= ROUNDING, (name, rows[name])
     assert "not meshed: 0 mg" in text
     particles = read_csv(os.path.join(folder, "particles.csv"))
     mass = sum(float(row["mass [mg]"]) for row in particles)
-    assert len(particles) > 50 and mass > 1, (len(particles), mass)
+    assert len(particles) >= least[0] and mass > least[1], (len(particles), mass)
     assert "particles: %d, %.3g mg" % (len(particles), mass) in text
     moved = read_csv(os.path.join(folder, "after.csv"))
     duration = float(moved[-1]["time [us]"]) - float(moved[0]["time [us]"])
     fastest = max(particles, key=lambda row: abs(float(row["velocity x [km/s]"])))
     assert abs(float(fastest["velocity x [km/s]"])) * duration > 0.01, fastest
+    check_shares(moved, mass)
+    check_hand_over(folder, step, moved[0])
+
+
+def values_of(row, parts, quantities=QUANTITIES):
+    return np.array([sum(float(row[part + " " + quantity]) for part in parts)
+                     for quantity in quantities])
+
+
+def check_shares(moved, mass):
+    """The columns of particles have their mass, and do not change, because nothing acts on them."""
+    first, last = (values_of(row, ["ball particles", "plate particles"])
+                   for row in (moved[0], moved[-1]))
+    assert np.isclose(first[0], mass, rtol=1e-12) and first[4:].min() > 0, (first, mass)
+    assert np.allclose(first, last, rtol=1e-12, atol=0), (first, last)
+
+
+def check_hand_over(folder, step, first):
+    """Sums over the cells of the dump are those of elements and particles, to 1e-12."""
+    before = np.zeros(6)
+    for name in sorted(os.listdir(os.path.join(folder, "dump"))):
+        if name.startswith("restart_%04d" % step) and name.endswith(".vti"):
+            before += totals_of_dump(os.path.join(folder, "dump", name))
+    after = values_of(first, ["ball", "plate"])
+    for old, new in ((before[0], after[0]), (before[4:].sum(), after[4:].sum()),
+                     *zip(before[1:4], after[1:4])):
+        assert abs(new - old) <= 1e-12 * before[0], (before, after)
+
+
+def totals_of_dump(path):
+    reader = vtkXMLImageDataReader()
+    reader.SetFileName(path)
+    reader.Update()
+    cells = reader.GetOutput()
+    array = lambda name: vtk_to_numpy(cells.GetCellData().GetArray(name))
+    totals = np.zeros(6)
+    for body, name in enumerate(("ball", "plate"), 1):
+        mass = array(name) * array("density - %d" % body) * np.prod(cells.GetSpacing())
+        velocity = array("velocity - %d" % body)
+        totals += [mass.sum(), *(mass[:, None] * velocity).sum(0),
+                   (mass * (velocity ** 2).sum(1)).sum() / 2,
+                   (mass * array("energy - %d" % body)).sum()]
+    return totals
 
 
 def check_ranks(impact, folder):
@@ -181,7 +232,8 @@ def main(impact, plugin, folder):
     os.makedirs(folder)
     check_ranks(impact, folder)
     check_restart(impact, plugin, folder)
-    check_particles(impact, plugin, folder)
+    check_particles(impact, plugin, folder, 120, (45, 0.35))
+    check_particles(impact, plugin, folder, 180, (35, 0.2))
 
 
 if __name__ == "__main__":

@@ -78,7 +78,7 @@ for host in mesh_in_c mesh_in_fortran; do
     expect "ball: [1-9][0-9]* tetrahedra" "$host.4.out"
     expect "contact: [1-9][0-9]* triangles" "$host.4.out"
     expect "hottest: 3[0-9][0-9]" "$host.4.out"
-    expect "^particles: 1, volume 0.250$" "$host.4.out"
+    expect "^particles: 1, volume 0.100$" "$host.4.out"
     cmp mesh_in_c.1.out "$host.1.out"
     cmp mesh_in_c.1.out "$host.4.out"
     check_memory "$host" 2

@@ -310,9 +310,8 @@ TEST(Mesher, WarnsOfInexactVolumes)
   input.Warn = [&warnings](const std::string& text) { warnings.push_back(text); };
   Runtime serial;
   MesherOptions options;
-  options.ThinParts = true;
   RunMesher(input, options, serial);
-  EXPECT_TRUE(warnings.empty()); // the dust is a thin part
+  EXPECT_TRUE(warnings.empty()); // by default, the dust is a thin part
   options.ThinParts = false;
   RunMesher(input, options, serial);
   ASSERT_EQ(warnings.size(), 1u);
@@ -353,6 +352,36 @@ TEST(Mesher, InexactVolumesAreSorted)
   EXPECT_NE(text.find("LabelSmoothing"), std::string::npos);
   EXPECT_EQ(
     DescribeInexactMaterials(report, table, false).find("LabelSmoothing"), std::string::npos);
+}
+
+/// The message names the materials with the largest displaced volumes.
+TEST(Mesher, DisplacedVolumesAreSorted)
+{
+  MeshReport report;
+  Materials table;
+  for (int m = 0; m <= 5; ++m)
+  {
+    table.Names.push_back("m" + std::to_string(m));
+    table.Labels.push_back(10 * m);
+    report.TargetVolume.push_back(m == 2 ? 1000.0 : 100.0);
+    report.MeshVolume.push_back(m == 3 ? 0.0 : report.TargetVolume[m]);
+  }
+  EXPECT_EQ(DescribeDisplacedMaterials(report, table, false), ""); // not measured
+  report.DisplacedVolume = { 1.0, 0.0496, 0.0504, 1.0, 0.456, 0.996 };
+  const std::string text = DescribeDisplacedMaterials(report, table, false);
+  EXPECT_EQ(text.find("3 materials have more than 5 % of their volumes in another place than in "
+                      "the input: 'm5' (id 50) 100 %, 'm2' (id 20) 5 %, 'm4' (id 40) 46 %. "),
+    0u)
+    << text;
+  EXPECT_NE(text.find("Particles"), std::string::npos);
+  EXPECT_EQ(DescribeDisplacedMaterials(report, table, true).find("Particles"), std::string::npos);
+  report.DisplacedVolume = { 1.0, 0.06, 0.0496, 1.0, 0.0, 0.0 };
+  EXPECT_EQ(DescribeDisplacedMaterials(report, table, false)
+              .find("1 material has more than 5 % of its volume in another place than in the "
+                    "input: 'm1' (id 10) 6 %. "),
+    0u);
+  report.DisplacedVolume = { 1.0, 0.0, 0.05, 1.0, 0.0, 0.0 };
+  EXPECT_EQ(DescribeDisplacedMaterials(report, table, false), "");
 }
 
 void ExpectError(const MesherInput& input, const std::string& text)

@@ -166,7 +166,7 @@ def files_differ(mesh, name, folder):
 def with_drops():
     """Returns a case of which two cells become particles."""
     case = CASES["hexes, state conserved"]()
-    case.arrays["ball"][0, 0, -1], case.arrays["ball"][-1, -1, -1] = 0.25, 0.375
+    case.arrays["ball"][0, 0, -1], case.arrays["ball"][-1, -1, -1] = 0.1, 0.11
     return case
 
 

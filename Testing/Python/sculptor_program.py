@@ -14,11 +14,12 @@ def sculptor(*arguments, ranks=1, folder=None):
     return mpi_run(ranks, [SCULPTOR, *arguments], folder)
 
 
-def mesh_file(path, output, *arguments, ranks=1):
-    """Meshes a file and returns the standard output. Only the note on label 0 may be printed."""
+def mesh_file(path, output, *arguments, ranks=1, note="is read as void"):
+    """Meshes a file and returns the standard output. Only messages with the note may be printed,
+    by default that on label 0."""
     result = sculptor("--input", path, "--output", output, *arguments, ranks=ranks)
     assert result.returncode == 0 and all(
-        "is read as void" in line for line in result.stderr.splitlines()), result
+        note in line for line in result.stderr.splitlines()), result
     return result.stdout
 
 

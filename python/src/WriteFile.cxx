@@ -30,7 +30,8 @@ GmshVersion ReadVersion(const std::string& version)
   return known.value_or(GmshVersion::Automatic);
 }
 
-void WriteFile(const std::string& path, const NumpyPoints& points, const NumpyCells& cells,
+/// Returns the path of the particles beside the file; "" if it holds them or there are none.
+std::string WriteFile(const std::string& path, const NumpyPoints& points, const NumpyCells& cells,
   const NamedArrays& pointArrays, const NamedArrays& cellArrays, const nb::dict& fields,
   const NamedArrays& particles, std::optional<double> time, const std::string& version, bool binary,
   bool interfaces, bool reduced)
@@ -46,6 +47,7 @@ void WriteFile(const std::string& path, const NumpyPoints& points, const NumpyCe
   const nb::gil_scoped_release others;
   Ranks alone;
   WorkInStage(alone, ErrorCode::UnwritableOutput, [&] { WriteMesh(mesh.Data, path, alone, form); });
+  return cloud.NumberOfParticles > 0 ? FindParticlesBeside(path) : "";
 }
 
 /// Returns the options of each suffix of which one process writes files.

@@ -186,7 +186,7 @@ def test_options_have_effect():
 
 def test_warnings():
     small = np.zeros((6, 6, 6))
-    small[3, 3, 3] = 0.2
+    small[3, 3, 3] = 0.1
     with pytest.warns(vfm.VolumeFractionMeshWarning, match="The mesh is empty") as told:
         mesh = vfm.hexes(small)
     assert len(mesh) == 0 and "0 hexahedra" in repr(mesh) and told[0].filename == __file__

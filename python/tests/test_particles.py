@@ -6,12 +6,14 @@ import numpy as np
 import pytest
 
 import volume_fraction_mesh as vfm
+from volume_fraction_mesh.__main__ import main
 from fields import BALL, N, PLATE, STATE
 
 SPACING, ORIGIN = (0.5, 0.25, 1.0), (-1, 0.5, 2)
 CELL = np.prod(SPACING)
-DROPS = {(0, 0, N - 1): 0.3, (N - 1, N - 1, N - 1): 0.4, (N - 1, 0, N - 1): 0.2,
-         (N - 2, 0, N - 1): 0.1}
+# too little for thin parts
+DROPS = {(0, 0, N - 1): 0.11, (N - 1, N - 1, N - 1): 0.12, (N - 1, 0, N - 1): 0.06,
+         (N - 2, 0, N - 1): 0.05}
 WITH_DROPS = BALL.copy()
 for cell, part in DROPS.items():
     WITH_DROPS[cell] = part
@@ -80,6 +82,17 @@ def test_are_cells(make):
         assert particles[name].dtype == values.dtype
     np.testing.assert_allclose(particles["Mass"], particles["Volume"] * particles["density"],
                                rtol=1e-13)
+
+
+def test_thin_parts():
+    """By default a drop of 0.4 cells has an element; without thin parts it is a particle."""
+    ball = WITH_DROPS.copy()
+    ball[N - 1, N - 1, N - 1] = 0.4
+    meshes = [vfm.hexes([ball, PLATE], unmeshed_material="particles", **options)
+              for options in ({}, {"thin_parts": False})]
+    assert [len(mesh.particles["Id"]) for mesh in meshes] == [len(DROPS) - 1, len(DROPS)]
+    np.testing.assert_allclose(sum(meshes[0].volumes()) + sum(meshes[0].particles["Volume"]),
+                               ball.sum() + PLATE.sum(), rtol=1e-6)
 
 
 def test_without():
@@ -152,7 +165,12 @@ def test_exodus(mesh, tmp_path):
 def test_beside(mesh, suffix, tmp_path):
     """Formats without particles get a second file."""
     pyvista = pytest.importorskip("pyvista")
-    mesh.save(tmp_path / ("mesh" + suffix))
+    path = tmp_path / ("mesh" + suffix)
+    with pytest.warns(vfm.VolumeFractionMeshWarning) as caught:
+        mesh.save(path)
+    assert [str(warning.message) for warning in caught] == [
+        "Files as %s hold no particles: they are in %s." % (path, tmp_path / "mesh_particles.vtp")]
+    assert caught[0].filename == __file__
     assert not list(tmp_path.glob(".*"))  # no unfinished files
     found, own = (pyvista.read(tmp_path / "mesh_particles.vtp"), mesh.to_pyvista("particles"))
     for data in (found, own):
@@ -161,6 +179,15 @@ def test_beside(mesh, suffix, tmp_path):
         assert list(data.field_data["MaterialNames"]) == ["ball", "plate"]
         for name in set(mesh.particles) - {"Position"}:
             assert np.array_equal(data.point_data[name], mesh.particles[name]), name
+
+
+def test_command_says_where(tmp_path, capsys):
+    given, out = tmp_path / "in.npz", tmp_path / "out.vtu"
+    np.savez(given, **FRACTIONS)
+    assert main([str(given), str(out), "--unmeshed-material", "particles", "--quiet"]) == 0
+    assert capsys.readouterr().err == (
+        "warning: Files as %s hold no particles: they are in %s.\n"
+        % (out, tmp_path / "out_particles.vtp"))
 
 
 def test_no_second_file(tmp_path):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import warnings
 from importlib.util import find_spec
 from typing import Any, Optional
 
@@ -10,6 +11,7 @@ from . import _core, _meshio, _npz, _pyvista, _vtk
 from ._data import MeshData
 from ._output import whole_file
 from ._tables import core_arrays, core_fields, core_particles
+from ._warning import VolumeFractionMeshWarning
 
 BY_CORE = dict(_core.list_formats())  # options by ending
 BY_PACKAGE = {".npz": _npz.write, ".vtk": _vtk.write}
@@ -23,8 +25,9 @@ def save(mesh: MeshData, path: Any, **options: Any) -> None:
     suffix = os.path.splitext(path)[1].lower()
     _check_suffix(path, suffix)
     if suffix in BY_CORE:
-        _save_by_core(mesh, path, suffix, **options)
+        _warn_of_particles(path, _save_by_core(mesh, path, suffix, **options))
         return
+    beside = os.path.splitext(path)[0] + "_particles.vtp"
     with whole_file(path) as unfinished:
         if suffix in BY_PACKAGE:
             with open(unfinished, "wb") as file:
@@ -35,6 +38,15 @@ def save(mesh: MeshData, path: Any, **options: Any) -> None:
             _save_by_meshio(mesh, unfinished, suffix, **options)
         if mesh.particles and suffix != ".npz":
             _write(mesh, os.path.splitext(unfinished)[0] + "_particles.vtp")
+    has_particles = len(mesh.particles.get("Id", ())) > 0
+    _warn_of_particles(path, beside if has_particles and suffix != ".npz" else "")
+
+
+def _warn_of_particles(path: str, beside: str) -> None:
+    """Warns that the particles are in a file beside the mesh, if they are."""
+    if beside:
+        warnings.warn("Files as %s hold no particles: they are in %s." % (path, beside),
+                      VolumeFractionMeshWarning, stacklevel=4)
 
 
 def _check_suffix(path: str, suffix: str) -> None:
@@ -52,18 +64,18 @@ def _check_suffix(path: str, suffix: str) -> None:
         raise ImportError("Writing %s requires meshio: pip install meshio" % path)
 
 
-def _save_by_core(mesh: MeshData, path: str, suffix: str, **options: Any) -> None:
+def _save_by_core(mesh: MeshData, path: str, suffix: str, **options: Any) -> str:
     unknown = set(options) - set(BY_CORE[suffix])
     if unknown:
         raise TypeError("%s is not an option of %s." % (", ".join(sorted(unknown)), suffix))
-    _write(mesh, path, **options)
+    return _write(mesh, path, **options)
 
 
 def _write(mesh: MeshData, path: str, time: Optional[float] = None, texts: bool = True,
            version: Optional[str] = None, binary: bool = False,
-           interfaces: bool = True, reduced: bool = False) -> None:
+           interfaces: bool = True, reduced: bool = False) -> str:
     fields = core_fields(mesh.fields)
-    _core.write_mesh(
+    return _core.write_mesh(
         path,
         *core_arrays(mesh),
         {name: values for name, values in fields.items() if texts or not isinstance(values, list)},

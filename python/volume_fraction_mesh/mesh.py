@@ -531,7 +531,7 @@ class Mesh(MeshData):
         such as ``.med``. A file appears when it is complete.
 
         `particles` are in the same file, or, if the format has none, beside it, in
-        NAME_particles.vtp.
+        NAME_particles.vtp; then a `VolumeFractionMeshWarning` names this file.
 
         Parameters
         ----------

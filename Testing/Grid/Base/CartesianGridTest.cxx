@@ -44,7 +44,15 @@ TEST(CartesianGrid, PointsAreInTheirCells)
 {
   const CartesianGrid grid(Lists);
   ForCells(grid.Global(), [&](const Index3& p) { ASSERT_EQ(grid.CellAt(grid.NodePoint(p)), p); });
-  EXPECT_EQ(grid.CellAt({ { -0.1, 3.5, 7.5 } }), (Index3{ { -1, 4, 2 } }));
+  const Vector3 outside{ { -0.1, 3.5, 7.5 } };
+  EXPECT_EQ(grid.CellAt(outside), (Index3{ { -1, 4, 2 } }));
+  ForCells(grid.Global(),
+    [&](const Index3& near)
+    {
+      ASSERT_EQ(grid.CellAt(outside, near), (Index3{ { -1, 4, 2 } }));
+      ForCells(grid.Global(),
+        [&](const Index3& p) { ASSERT_EQ(grid.CellAt(grid.NodePoint(p), near), p); });
+    });
   EXPECT_EQ(grid.CellVolume({ { 1, 1, 2 } }), 8.0);
   EXPECT_EQ(grid.DomainSides({ { 0, 2, 5 } }), 1 << 0 | 1 << 5);
   EXPECT_FALSE(IsUniform(grid));

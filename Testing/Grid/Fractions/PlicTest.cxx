@@ -60,3 +60,17 @@ TEST(Plic, PlanesHaveTheirVolume)
     ASSERT_NEAR(VolumeBelowPlane(n, PlaneOfVolume(n, fraction)), fraction, 1e-11);
   }
 }
+
+TEST(Plic, SlopesAreDifferencesOfVolumes)
+{
+  RandomDraw random(2);
+  constexpr double Step = 1e-7;
+  for (int i = 0; i < 20000; ++i)
+  {
+    const Vector3 n{ { random.Between(0.1, 1), -random.Between(0.1, 1), random.Between(0.1, 1) } };
+    const CellBelowPlanes cell(n);
+    const double d = random.Between(-1.2, 1.2) * cell.Reach();
+    const double difference = (cell.Volume(d + Step) - cell.Volume(d - Step)) / (2.0 * Step);
+    ASSERT_NEAR(cell.Slope(d), difference, 2e-5) << d; // second derivatives are at most 100
+  }
+}

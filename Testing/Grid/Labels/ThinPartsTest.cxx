@@ -139,6 +139,39 @@ TEST(ThinParts, ResolvedShapesKeepTheirLabels)
   EXPECT_TRUE(LabelAll(crystal.Grid, crystal.Fractions).Thin.empty());
 }
 
+/// Surfaces of these plates meet the sides of the domain at all angles.
+TEST(ThinParts, ResolvedPlatesKeepTheirLabels)
+{
+  const CartesianGrid grid = MakeUnitGrid(17);
+  RandomDraw draw(7);
+  for (const Vector3& normal : ListDirections(20))
+  {
+    for (double thickness : { 2.1, 2.7, 3.5 })
+    {
+      const Vector3 point{ { draw.Between(8, 9), draw.Between(8, 9), draw.Between(8, 9) } };
+      const FractionField plate = FractionsOfShapes(grid, { MakeFilm(point, normal, thickness) });
+      EXPECT_TRUE(LabelAll(grid, plate).Thin.empty()) << thickness;
+    }
+  }
+}
+
+/// A body that fills little of the last cells before sides, edges and corners of the domain ends
+/// there; it is no film along them.
+TEST(ThinParts, BodiesThatEndAtSidesKeepTheirLabels)
+{
+  const CartesianGrid grid = MakeUnitGrid(9, 8, 7);
+  const std::array<double, 3> depths{ { 0.12, 0.25, 0.45 } };
+  for (double x : depths)
+    for (double y : depths)
+      for (double z : { 0.12, 0.45, 2.6 })
+      {
+        const Vector3 lower{ { 1 - x, 1 - y, 1 - z } }, upper{ { 8 + y, 7 + x, 6 + z } };
+        const FractionField body =
+          FractionsOfShapes(grid, { MakeBox(1, 0.5 * (lower + upper), upper - lower) });
+        EXPECT_TRUE(LabelAll(grid, body).Thin.empty()) << x << " " << y << " " << z;
+      }
+}
+
 /// Returns void with some small fractions, so few that no cell is inside of a cloud.
 FractionField MakeDust(const CartesianGrid& grid, int materials, double share, unsigned seed)
 {

@@ -17,7 +17,7 @@ from vfmtest import (
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 IMPACT = os.path.join(HERE, "..", "..", "..", "Data", "impact.spcth")
-IMPACT_SIZES = [3161, 3144, 3195, 3312]  # numbers of elements at the four times
+IMPACT_SIZES = [3161, 3144, 3195, 3378]  # numbers of elements at the four times
 SERIES = os.path.join(HERE, "..", "..", "..", "Examples", "mesh_series.py")
 
 
@@ -141,7 +141,10 @@ def test_series_script(at):
 def test_sculptor_series(at):
     """sculptor meshes each time step on 1 to 3 ranks."""
     for step, time in enumerate(impact_times()):
-        mesh_file(IMPACT, at("out.vtu"), "--step", str(step), ranks=1 + step % 3)
+        # At the last time, the ball begins to break.
+        note = {"note": "1 material has more than 5 % of its volume in another place"}
+        mesh_file(IMPACT, at("out.vtu"), "--step", str(step), ranks=1 + step % 3,
+                  **(note if step == 3 else {}))
         check_output(at("out.vtu"), without_reader_fields(impact_mesh(time)))
 
 

@@ -83,9 +83,10 @@ def check_film(fin):
         assert (widths < 0.6).sum() > 100 and (widths
                                                > 0.75).sum() > 100, np.percentile(
                                                    widths, range(0, 101, 10))
-    # The film breaks if it is not refined.
-    assert mesh_of(data(),
-                   **{**AUTOMATIC, "Refinement": "Off"}).field("NumberOfFragments")[0] > bodies
+    # The film breaks if it is neither refined nor gets the cells of thin parts.
+    pieces_of_coarse = [mesh_of(data(), **{**AUTOMATIC, "Refinement": "Off"}, ThinParts=thin).field(
+        "NumberOfFragments")[0] for thin in (0, 1)]
+    assert pieces_of_coarse[0] > bodies == pieces_of_coarse[1], pieces_of_coarse
 
 
 def test_film_beside_a_ball():

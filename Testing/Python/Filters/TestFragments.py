@@ -119,13 +119,16 @@ def test_fraction_volumes():
 
 
 def test_drops_of_a_splash():
-    """Each drop, also one of a single cell, has the volume of its fractions."""
+    """Each drop, also one of a single cell, has the volume of its fractions.
+
+    Thin parts join drops: five on the floor by the film there, three by threads.
+    """
     reader = vtkXMLImageDataReader()
     reader.SetFileName(SPLASH)
     reader.Update()
     result = mesh_of(reader.GetOutput(), VolumeFractionArrays=["water"])
     table, _ = table_of(result.mesh)
-    assert len(table["FragmentId"]) == 22
+    assert len(table["FragmentId"]) == 16
     errors = np.array(table["MeshVolume"]) / table["FractionVolume"] - 1
     print("largest relative error of a fragment: %.1e" % abs(errors).max())
     assert abs(errors).max() < 1e-6, errors

@@ -27,8 +27,9 @@ def film(thickness, n=12, s=8):
     return image({"film": inside.reshape(n, s, n, s, n, s).mean(axis=(1, 3, 5))})
 
 
-def mesh_of_film(thickness, refinement):
-    return mesh_of(film(thickness), VolumeFractionArrays=["film"], **uniform(refinement))
+def mesh_of_film(thickness, refinement, thin_parts):
+    return mesh_of(film(thickness), VolumeFractionArrays=["film"], ThinParts=thin_parts,
+                   **uniform(refinement))
 
 
 def test_names_and_defaults():
@@ -94,12 +95,17 @@ def test_refinement_of_labels():
 
 
 def test_refinement_mends_films():
-    """A film that breaks at one level is whole with halved cells."""
-    torn, whole = mesh_of_film(0.8, 0), mesh_of_film(0.8, 1)
+    """A film that breaks at one level is whole with halved cells, or with Thin Parts."""
+    torn, whole = mesh_of_film(0.8, 0, 0), mesh_of_film(0.8, 1, 0)
     assert torn.field("NumberOfFragments")[0] > 1
     assert whole.field("NumberOfFragments")[0] == 1 and volume_error(whole) < 1e-6
-    assert mesh_of_film(0.4, 1).field("NumberOfFragments")[0] > 1  # thinner than the halved cells
-    assert mesh_of_film(0.4, 2).field("NumberOfFragments")[0] == 1
+    # thinner than the halved cells
+    assert mesh_of_film(0.4, 1, 0).field("NumberOfFragments")[0] > 1
+    assert mesh_of_film(0.4, 2, 0).field("NumberOfFragments")[0] == 1
+    for thickness, refinement in ((0.8, 0), (0.4, 1)):
+        film_of_cells = mesh_of_film(thickness, refinement, 1)
+        assert film_of_cells.field("NumberOfFragments")[0] == 1
+        assert volume_error(film_of_cells) < 1e-6
 
 
 def test_mesh_void():

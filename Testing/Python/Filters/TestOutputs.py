@@ -250,7 +250,7 @@ def test_volume_errors():
 
 def test_materials_without_elements_are_named():
     wall, names = np.ones((8, 8, 8)), ["wall", "trace", "none", "dust"]
-    wall[4] = 0.5
+    wall[4] = 0.7
     data = image({"wall": wall, "trace": (1 - wall) * 0.6, "none": 0 * wall,
                   "dust": (1 - wall) * 0.4})
     for kind in ({}, {"make": VolumeFractionToTet, "Method": "Lattice"}):

@@ -4,11 +4,13 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from conserve_cases import CONSERVE, state
 from vfmtest import (
-    ORIGIN, SPACING, VolumeFractionToTet, ball_and_plate, image, main, mesh_of, run, table_of)
+    ORIGIN, SPACING, VolumeFractionToTet, ball_and_plate, collect, held_class, image, in_folder,
+    main, mesh_of, producer, run, servermanager, table_of)
 
 N = 14
 BALL, PLATE = ball_and_plate(N)
-DROPS = {(N - 1, 1, 1): 0.3, (N - 1, N - 2, N - 2): 0.4, (N - 1, 2, 1): 0.0002}  # z, y, x
+# z, y, x: fraction, too little for thin parts
+DROPS = {(N - 1, 1, 1): 0.11, (N - 1, N - 2, N - 2): 0.12, (N - 1, 2, 1): 0.0002}
 for cell, fraction in DROPS.items():
     BALL[cell] = fraction
 PLATE = np.minimum(PLATE, 1 - BALL)
@@ -66,10 +68,42 @@ def test_particles_are_the_cells():
 
 def test_small_ones_join():
     _, values = particles_of(mesh_of(DATA, **PARTICLES))
-    np.testing.assert_allclose(values["Volume"], np.array([0.3002, 0.4]) * VOLUME, rtol=1e-13)
+    np.testing.assert_allclose(values["Volume"], np.array([0.1102, 0.12]) * VOLUME, rtol=1e-13)
     assert set(values) == {"Id", "Material", "Radius", "Volume"}  # no state
     _, joined = particles_of(mesh_of(DATA, **PARTICLES, ParticleClusters=1))
     np.testing.assert_array_equal(joined["Volume"], values["Volume"])
+
+
+@in_folder
+def test_writers_say_where_they_are(at):
+    """A writer has the mesh only: a warning names the output with the particles."""
+    for choice, count in (("Particles", 1), ("Give", 0)):
+        mesh = mesh_of(DATA, UnmeshedMaterial=choice).mesh
+        writer = servermanager.writers.VolumeFractionExodusWriter(
+            Input=producer(mesh), FileName=at("mesh.e"))
+        errors, warnings = collect(held_class(writer))
+        writer.UpdatePipeline()
+        assert not errors and len(warnings) == count and all(
+            at("mesh.e") + " has no particles: they are the output Particles" in text
+            for text in warnings), warnings
+
+
+def test_larger_drops_have_elements():
+    """With Thin Parts, by default on, a drop of 0.4 cells is an element instead of a particle."""
+    ball, cell = BALL.copy(), (N - 1, N - 2, N - 2)
+    ball[cell] = 0.4
+    data = image({"ball": ball, "plate": PLATE})
+    off = mesh_of(data, **PARTICLES, ThinParts=0)
+    volumes = particles_of(off)[1]["Volume"]
+    np.testing.assert_allclose(volumes, np.array([0.1102, 0.4]) * VOLUME, rtol=1e-13)
+    for kind in KINDS:
+        on = mesh_of(data, **PARTICLES, **kind)
+        np.testing.assert_allclose(particles_of(on)[1]["Volume"], 0.1102 * VOLUME, rtol=1e-13)
+        fragments = on.field("FragmentTargetVolume")
+        assert len(fragments) == len(off.field("FragmentTargetVolume")) + 1 == 3, fragments
+        table = table_of(on.materials)
+        np.testing.assert_allclose(np.add(table["MeshVolume"], table["ParticleVolume"]),
+                                   table["InputVolume"], rtol=1e-6)
 
 
 def test_empty_without_the_option():

@@ -228,7 +228,7 @@ def test_empty_mesh(at):
 @in_folder
 def test_materials_without_elements_are_named(at):
     wall = np.ones((6, 6, 6))
-    wall[3] = 0.7
+    wall[3] = 0.8
     path = write(image({"wall": wall, "trace": 1 - wall}), at("in.vti"))
     for ranks in (1, 2):
         result = sculptor("--input", path, "--output", at("out.vtu"), ranks=ranks)

@@ -103,16 +103,18 @@ def test_state_is_copied_where_asked(at):
 
 @in_folder
 def test_particles(at):
-    """The program prints the number and mass of particles, and their sums in the table of state."""
+    """The program prints the number and mass of particles, the files beside meshes that hold them,
+    and their sums in the table of state."""
     arrays = arrays_of_impact()
-    arrays["ball"][11, 11, 11], arrays["plate"][11, 11, 11] = 0.3, 0.0
+    arrays["ball"][11, 11, 11], arrays["plate"][11, 11, 11] = 0.1, 0.0
     path = write(image(arrays), at("in.vti"))
     words = ["--fractions", "ball,plate", "--unmeshed", "particles"]
-    volume = 0.3 * np.prod(SPACING)
+    volume = 0.1 * np.prod(SPACING)
     for more, mass in (([], None), (["--density", "rho - 1,rho - 2", "--velocity", "velocity"],
                                     volume * arrays["rho - 1"][11, 11, 11])):
         printed = [mesh_file(path, at("out.vtu"), *words, *more, ranks=ranks) for ranks in (1, 3)]
-        found = [re.search(r"^particles: (\d+), volume ([\d.e+-]+)(?:, mass ([\d.e+-]+))?$", text,
+        found = [re.search(r"^particles: (\d+), volume ([\d.e+-]+)(?:, mass ([\d.e+-]+))?"
+                           ", in %s$" % re.escape(at("out_particles.vtp")), text,
                            re.M).groups() for text in printed]
         assert found[0] == found[1] and found[0][0] == "1", found
         assert np.isclose(float(found[0][1]), volume, rtol=1e-5)
@@ -124,6 +126,11 @@ def test_particles(at):
             assert np.isclose(float(sums[1]) + float(sums[3]), float(sums[0]), rtol=1e-8), sums
             assert float(sums[2]) == 0
     assert "articles" not in mesh_file(path, at("out.vtu"), *words[:2])
+    in_file = mesh_file(path, at("out.e"), *words)  # holds particles
+    assert re.search(r"^particles: 1, volume [\d.e+-]+$", in_file, re.M), in_file
+    both = mesh_file(path, at("out.msh"), *words, "--surfaces", at("skin_{}.stl"))
+    beside = "%s, %s" % (at("out_particles.vtp"), at("skin_particles.vtp"))
+    assert re.search(r"^particles: 1, .*, in %s$" % re.escape(beside), both, re.M), both
 
 
 main(globals())

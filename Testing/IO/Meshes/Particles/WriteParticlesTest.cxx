@@ -96,6 +96,19 @@ TEST(WriteParticles, SameBytesOnRanks)
   }
 }
 
+TEST(WriteParticles, FilesBesideAreFound)
+{
+  for (const FormatRow& format : GetFormatTable())
+  {
+    const Folder folder;
+    const std::string path = folder / ("mesh" + format.Suffixes[0]);
+    WithParticles(
+      1, MakeHexMesh, [&](const MeshData& mesh, Ranks& ranks) { WriteMesh(mesh, path, ranks); });
+    const std::string beside = folder / "mesh_particles.vtp";
+    EXPECT_EQ(FindParticlesBeside(path), fs::exists(beside) ? beside : "") << path;
+  }
+}
+
 TEST(WriteParticles, MeshesWithoutParticlesKeepTheirFiles)
 {
   for (const std::string& suffix : Suffixes)
