@@ -104,7 +104,7 @@ void CellVolumes::SendToGhosts(const Partition& parts)
       parts.ForCells(box,
         [&](Index cell)
         {
-          const Index key = cell * this->Materials;
+          const Index key = this->KeyOf(cell, 0);
           for (auto at = this->FirstFrom(key);
                at != this->Entries.end() && at->Key < key + this->Materials; ++at)
           {
@@ -124,7 +124,7 @@ void CellVolumes::SendToGhosts(const Partition& parts)
         {
           for (; next != items.end() && next->Cell == number; ++next)
           {
-            ghosts.push_back(this->MakeEntry(cell, next->Material, next->Values));
+            ghosts.push_back({ this->KeyOf(cell, next->Material), next->Values });
           }
           ++number;
         });

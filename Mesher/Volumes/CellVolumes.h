@@ -32,7 +32,7 @@ public:
   };
   struct Entry
   {
-    Index Key; // of a cell and a material
+    Index Key; ///< KeyOf
     Amounts Values;
   };
 
@@ -44,18 +44,14 @@ public:
   /// Returns a volume or area, in mean cells, as a number of Quantum.
   static std::int64_t Rounded(double value) { return std::llround(value / Quantum); }
 
-  /// Returns what Append takes for a cell and a material.
-  Entry MakeEntry(Index cell, int material, const Amounts& amounts) const
-  {
-    return { cell * this->Materials + material, amounts };
-  }
+  Index KeyOf(Index cell, int material) const { return cell * this->Materials + material; }
   /// Adds to an entry at the end of a list if it has the same key, else appends the new one.
   static void Append(const Entry& entry, std::vector<Entry>& entries);
 
   /// Add amounts. They count after Unite.
   void Add(Index cell, int material, const Amounts& amounts)
   {
-    Append(this->MakeEntry(cell, material, amounts), this->Entries);
+    Append({ this->KeyOf(cell, material), amounts }, this->Entries);
   }
   void Add(const std::vector<Entry>& entries)
   {
@@ -81,8 +77,8 @@ public:
       return;
     }
     const Index origin = this->Grid->Linear(first);
-    const Index last = (origin + end) * this->Materials;
-    for (auto at = this->FirstFrom((origin + begin) * this->Materials);
+    const Index last = this->KeyOf(origin + end, 0);
+    for (auto at = this->FirstFrom(this->KeyOf(origin + begin, 0));
          at != this->Entries.end() && at->Key < last; ++at)
     {
       if (at->Key % this->Materials == material)

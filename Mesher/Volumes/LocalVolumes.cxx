@@ -80,7 +80,7 @@ void LocalVolumes::AddFractions(const FractionField& fractions, const Mesh& mesh
     const Index cell = this->Grid.Linear(CellOfElement(this->Grid, mesh, mesh.ElementIds[e]));
     if (this->Region[cell] && mesh.Material[e] > 0)
     {
-      hasElement.insert(this->Start.MakeEntry(cell, mesh.Material[e], {}).Key);
+      hasElement.insert(this->Start.KeyOf(cell, mesh.Material[e]));
     }
   }
   const double unit = 1.0 / Cube(this->Grid.MeanWidth());
@@ -88,10 +88,8 @@ void LocalVolumes::AddFractions(const FractionField& fractions, const Mesh& mesh
   {
     bool isNear = false;
     ForCells(Grow(BoxOfCell(p), 1, this->Grid.Local()),
-      [&](const Index3& q)
-      {
-        const Index key = this->Start.MakeEntry(this->Grid.Linear(q), material, {}).Key;
-        isNear = isNear || hasElement.count(key) > 0;
+      [&](const Index3& q) {
+        isNear = isNear || hasElement.count(this->Start.KeyOf(this->Grid.Linear(q), material)) > 0;
       });
     if (material > 0 && isNear)
     {
@@ -181,7 +179,7 @@ void LocalVolumes::AddElements(const ActiveMesh& mesh, CellVolumes& volumes) con
         {
           const std::int64_t part = CellVolumes::Rounded(unit * volume);
           CellVolumes::Append(
-            volumes.MakeEntry(this->Grid.Linear(cell), material, { -part, 0, 0 }), entries);
+            { volumes.KeyOf(this->Grid.Linear(cell), material), { -part, 0, 0 } }, entries);
         }
       });
   };

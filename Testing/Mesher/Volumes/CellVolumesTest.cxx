@@ -45,7 +45,7 @@ TEST(CellVolumes, AmountsOfACellAreAdded)
   volumes.Add(cell, 1, { 5, 6, 7 });
   volumes.Add(other, 2, { 1, 1, 1 });
   volumes.Add(cell, 2, { 2, 0, 0 });
-  volumes.Add({ volumes.MakeEntry(cell, 1, { -1, 1, 3 }) });
+  volumes.Add({ { volumes.KeyOf(cell, 1), { -1, 1, 3 } } });
   volumes.Unite();
   const std::map<std::array<Index, 4>, std::array<std::int64_t, 3>> expected{ { { 1, 2, 3, 1 },
                                                                                 { 4, 7, 10 } },
