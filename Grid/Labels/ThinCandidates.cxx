@@ -87,10 +87,10 @@ Index3 StepsInside(const CartesianGrid& grid, const Index3& cell)
 
 /// Returns whether a body ends in a cell at a side of the domain, or at several: then the cell
 /// before can be along a diagonal.
+/// @param steps  StepsInside of the cell
 bool EndsAtSide(const CartesianGrid& grid, const FractionField& fractions, const LabelArray& labels,
-  const Index3& cell, int material)
+  const Index3& cell, const Index3& steps, int material)
 {
-  const Index3 steps = StepsInside(grid, cell);
   for (int axes = 1; axes < 8; ++axes)
   {
     Index3 before = cell;
@@ -120,11 +120,11 @@ bool EndsAtSide(const CartesianGrid& grid, const FractionField& fractions, const
 
 /// Returns whether a cell at a side of the domain holds much less of a material than the one
 /// before.
-bool FadesAtSide(
-  const CartesianGrid& grid, const FractionField& fractions, const Index3& cell, int material)
+/// @param steps  StepsInside of the cell
+bool FadesAtSide(const CartesianGrid& grid, const FractionField& fractions, const Index3& cell,
+  const Index3& steps, int material)
 {
   const double fraction = fractions.Fraction(grid.Linear(cell), material);
-  const Index3 steps = StepsInside(grid, cell);
   for (int a = 0; a < 3; ++a)
   {
     Index3 before = cell;
@@ -142,20 +142,22 @@ void AddCandidates(const CartesianGrid& grid, const FractionField& fractions,
   const LabelArray& labels, const Index3& cell, std::vector<ThinCandidate>& list)
 {
   const Index at = grid.Linear(cell);
+  const Index3 steps = StepsInside(grid, cell);
+  const bool isAtSide = steps != Index3{};
   for (const FractionField::Part& part : fractions.Parts(at))
   {
     if (part.Material == 0 || labels[at] == part.Material || !(part.Fraction > LeastFilmFraction))
     {
       continue;
     }
-    const bool ends = EndsAtSide(grid, fractions, labels, cell, part.Material);
+    const bool ends = isAtSide && EndsAtSide(grid, fractions, labels, cell, steps, part.Material);
     const FractionsAround around =
       MeasureAround(grid, fractions, labels, cell, part.Material, ends);
     if (around.Mean < (part.Fraction > LeastFraction ? LargestMean : LargestFilmMean))
     {
       const bool isRidge = !around.HasLabel && part.Fraction >= RidgeShare * around.Largest;
       list.push_back({ at, part.Material, part.Fraction, 0.5 * around.Mean + 0.5 * part.Fraction,
-        isRidge, ends, FadesAtSide(grid, fractions, cell, part.Material) });
+        isRidge, ends, isAtSide && FadesAtSide(grid, fractions, cell, steps, part.Material) });
     }
   }
 }

@@ -3,6 +3,7 @@
  */
 #pragma once
 
+#include "Base/HexNumbering.h"
 #include "Base/Vector3.h"
 
 namespace vfm
@@ -85,12 +86,10 @@ void ForPartsOfTet(const std::array<Vector3, 8>& x, double volume, const Body& b
 /// @param x  corners in VTK's order
 inline std::array<std::array<Vector3, 8>, 8> DivideHex(const std::array<Vector3, 8>& x)
 {
-  // VTK's order of corners: 2 and 3, 6 and 7 are exchanged.
-  const auto bits = [](int c) { return c ^ (c >> 1 & 1); };
   std::array<Vector3, 27> lattice; // 3 x 3 x 3 points, x fastest
   for (int c = 0; c < 8; ++c)
   {
-    const int n = bits(c);
+    const int n = VtkCorner[c];
     lattice[2 * (n & 1) + 6 * (n >> 1 & 1) + 18 * (n >> 2)] = x[c];
   }
   // Along x, then y, then z: the middles of the lines between points that are known.
@@ -111,7 +110,7 @@ inline std::array<std::array<Vector3, 8>, 8> DivideHex(const std::array<Vector3,
   {
     for (int c = 0; c < 8; ++c)
     {
-      const int b = bits(c);
+      const int b = VtkCorner[c];
       const auto at = [n, b](int a) { return (n >> a & 1) + (b >> a & 1); };
       parts[n][c] = lattice[at(0) + 3 * at(1) + 9 * at(2)];
     }
