@@ -8,6 +8,7 @@
 #include "RankFields.h"
 #include "State/MeanContents.h"
 #include "State/WideContents.h"
+#include "StateCases.h"
 
 #include <gtest/gtest.h>
 
@@ -173,22 +174,6 @@ void ExpectSameOnRanks(
     EXPECT_TRUE(joined.Points == alone.Points) << count;
     EXPECT_TRUE(joined.Elements == alone.Elements) << count;
   }
-}
-
-/// Returns mass, momentum, internal energy, and kinetic energy with its losses.
-std::array<double, 6> SumUp(const std::vector<StateSums>& one, const std::vector<StateSums>& other)
-{
-  std::array<double, 6> sums{};
-  for (const std::vector<StateSums>* all : { &one, &other })
-  {
-    for (const StateSums& s : *all)
-    {
-      const double own[6] = { s.Mass, s.Momentum[0], s.Momentum[1], s.Momentum[2], s.Internal,
-        s.Kinetic + s.LostToElements };
-      std::transform(sums.begin(), sums.end(), own, sums.begin(), std::plus<>());
-    }
-  }
-  return sums;
 }
 
 } // namespace

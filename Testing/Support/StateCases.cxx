@@ -217,6 +217,21 @@ std::string FindOutcomeDifference(const StateOutcome& a, const StateOutcome& b)
   return text + (a.Factors == b.Factors ? "" : "Other factors.");
 }
 
+std::array<double, 6> SumUp(const std::vector<StateSums>& one, const std::vector<StateSums>& other)
+{
+  std::array<double, 6> sums{};
+  for (const std::vector<StateSums>* all : { &one, &other })
+  {
+    for (const StateSums& s : *all)
+    {
+      const double own[6] = { s.Mass, s.Momentum[0], s.Momentum[1], s.Momentum[2], s.Internal,
+        s.Kinetic + s.LostToElements };
+      std::transform(sums.begin(), sums.end(), own, sums.begin(), std::plus<>());
+    }
+  }
+  return sums;
+}
+
 std::vector<StateQuantity> MakeCodeQuantities()
 {
   return { { StateKind::PerVolume, 1, -1 }, { StateKind::PerMass, 3, -1 },

@@ -5,6 +5,7 @@
 
 #include "MeshCases.h"
 #include "RankFields.h"
+#include "State/StateBalance.h"
 #include "State/Transfer/TransferState.h"
 
 #include <map>
@@ -64,6 +65,10 @@ std::string FindTotalsProblem(
 /// Returns an empty string, or the number of elements that are not bitwise
 /// identical, and totals that differ.
 std::string FindOutcomeDifference(const StateOutcome& a, const StateOutcome& b);
+
+/// Returns mass, momentum, internal energy, and kinetic energy with its losses, of all materials in
+/// two lists: the input, or the mesh and unmeshed material.
+std::array<double, 6> SumUp(const std::vector<StateSums>& one, const std::vector<StateSums>& other);
 
 /// Lists typical quantities of a simulation: density, velocity, specific energy, heat capacity,
 /// temperature, stress per volume, and a sum per volume.

@@ -5,6 +5,7 @@
 #include "RankFields.h"
 #include "Report/ElementMoments.h"
 #include "State/ViewMesh.h"
+#include "StateCases.h"
 #include "ThreadRanks.h"
 
 #include <gtest/gtest.h>
@@ -152,23 +153,6 @@ const TransferredArray& FindArray(const MesherResult& result, const std::string&
 {
   return *std::find_if(result.State.Arrays.begin(), result.State.Arrays.end(),
     [&](const TransferredArray& array) { return array.Name == name; });
-}
-
-/// Returns sums over the input: mass, momentum, internal energy, kinetic energy, or over the mesh
-/// and unmeshed material.
-std::array<double, 6> SumUp(const std::vector<StateSums>& one, const std::vector<StateSums>& other)
-{
-  std::array<double, 6> sums{};
-  for (const std::vector<StateSums>* all : { &one, &other })
-  {
-    for (const StateSums& s : *all)
-    {
-      const double own[6] = { s.Mass, s.Momentum[0], s.Momentum[1], s.Momentum[2], s.Internal,
-        s.Kinetic + s.LostToElements };
-      std::transform(sums.begin(), sums.end(), own, sums.begin(), std::plus<>());
-    }
-  }
-  return sums;
 }
 
 /// The elements and points of a mesh with their state, by id.
