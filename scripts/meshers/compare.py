@@ -1,7 +1,7 @@
 """Compares meshers that are installed, on images of labels: prints a table per image.
 
 usage: compare.py [--cells 48] [--grains 12] [--images grains,pores,sphere,atlas] [--meshers WORDS]
-                  [--seed 1] [--seconds 600] [--keep FOLDER]
+                  [--seed 1] [--seconds 300] [--keep FOLDER]
 
 grains: labels of the nearest of random seeds, which fill the box; the true surfaces are the planes
 between two seeds. pores: one label with the pores of Examples/porous_flow.py; the true surface is
@@ -17,8 +17,9 @@ Columns: number of elements; CPU seconds; peak MB of the process; smallest scale
 corner of hexahedra or tetrahedra; smallest and largest dihedral angle of tetrahedra in degrees;
 elements whose volume is not positive, or a Jacobian at a corner of theirs; largest error of the
 volume of a label against its voxels; labels whose volume is wrong by more than 1 %; labels without
-an element; rms distance of points of interfaces to the true surface, in voxels; faces inside of
-the box that belong to one element, where all of the box is meshed: 0 if interfaces conform.
+an element; rms distance to the true surface, in voxels, of points between two labels, and at lines
+where more labels meet; faces inside of the box that belong to one element, where all of the box is
+meshed: 0 if interfaces conform.
 """
 import argparse
 import json
@@ -37,21 +38,24 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 DEBIAN = os.environ.get("PYTHON_DEBIAN", "/usr/bin/python3")
 CLEAVER = os.environ.get("PYTHON_CLEAVER", sys.executable)
 HEADER = ("mesher", "elements", "kind", "CPU s", "peak MB", "SJ", "angles", "inverted",
-          "volume error", "off 1 %", "lost", "distance", "open faces")
+          "volume error", "off 1 %", "lost", "distance", "at lines", "open faces")
 OFF = 0.01  # relative error of a volume
 NOT_HAD = {"iso2mesh": "PyPI has its functions, but not the programs that they run",
-           "automesh 0.5.0": "its wheels require glibc 2.38 or later, Debian 12 has 2.36",
+           "automesh 0.4 and 0.5": "wheels of the command only, for glibc 2.38 or later; Debian 12 "
+                                   "has 2.36",
            "CGAL 6.1": "Debian 12 has 5.5; pygalmesh lacks Detect_features_in_image, which finds "
                        "lines where labels meet",
            "Sculpt": "part of Cubit, under a licence"}
 
 
 class Mesher:
-    """name: of the row. function: of run_mesher.py. of_surface: needs the surface of label 1."""
+    """name: of the row. function: of run_mesher.py. of_surface: needs the surface of label 1.
+    image: the only one that it meshes."""
 
-    def __init__(self, name, function, python=sys.executable, of_surface=False, **settings):
+    def __init__(self, name, function, python=sys.executable, of_surface=False, image=None,
+                 **settings):
         self.name, self.function, self.python = name, function, python
-        self.of_surface, self.settings = of_surface, settings
+        self.of_surface, self.image, self.settings = of_surface, image, settings
 
     def describe(self):
         return ", ".join("%s=%s" % item for item in self.settings.items()) or "defaults"
@@ -75,16 +79,19 @@ def list_cgal():
 
 
 TAUBIN = {"method": "Taubin", "iterations": 20}  # as its command by default
+TETGEN = {"minratio": 2.0, "mindihedral": 5.0}  # -q of TetGen
 SURFACE_OF = "ours, hexahedra, width 1"  # the mesher whose surface others get
 MESHERS = [
     *list_ours(),
     Mesher("automesh, voxels", "automesh"),
     Mesher("automesh, Taubin", "automesh", **TAUBIN),
     Mesher("automesh, hierarchical", "automesh", hierarchical=True, **TAUBIN),
-    Mesher("SurfaceNets3D, TetGen", "tetgen", minratio=2.0, mindihedral=5.0),
+    Mesher("SurfaceNets3D, TetGen", "tetgen", smoothing=True, **TETGEN),
+    Mesher("SurfaceNets3D unsmoothed, TetGen", "tetgen", smoothing=False, **TETGEN),
     *list_cgal(),
     Mesher("Cleaver", "cleaver", CLEAVER),
-    Mesher("Cleaver, finer", "cleaver", CLEAVER, FeatureScaling=0.5),
+    Mesher("Cleaver, sizes x 0.6", "cleaver", CLEAVER, FeatureScaling=0.6),
+    Mesher("Cleaver, sizes x 0.15", "cleaver", CLEAVER, image="sphere", FeatureScaling=0.15),
     Mesher("snappyHexMesh", "snappy", of_surface=True),
     Mesher("Gmsh", "gmsh", of_surface=True),
     Mesher("fTetWild", "ftetwild", of_surface=True)]
@@ -98,7 +105,7 @@ def parse_arguments():
     parser.add_argument("--images", default=",".join(IMAGES))
     parser.add_argument("--meshers", default="", help="parts of names; default: all")
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--seconds", type=int, default=600, help="limit of CPU time of a mesher")
+    parser.add_argument("--seconds", type=int, default=300, help="limit of CPU time of a mesher")
     parser.add_argument("--keep", metavar="FOLDER")
     return parser.parse_args()
 
@@ -148,12 +155,13 @@ def make_row(name, made, image):
     kind = name_kind(mesh, made)
     angles = "%.1f to %.1f" % measure_mesh.find_angles(made["points"], made["cells"]) \
         if kind == "tetrahedra" else ""
+    distances = ["" if np.isnan(distance) else "%.3f" % distance for distance in (
+        measure_mesh.find_distances(mesh, image) if image.distance else 2 * (np.nan,))]
     return (name, "%d" % len(volumes), kind, "%.2f" % made["cpu"], "%.0f" % made["peak"],
             "%.3f" % corners[1].min(), angles,
             "%d" % measure_mesh.count_inverted(volumes, *corners), "%.2g %%" % (100 * errors.max()),
             "%d" % (errors > OFF).sum(), "%d" % (~is_found).sum(),
-            "%.3f" % measure_mesh.find_distance(mesh, image) if image.distance else "",
-            "%d" % measure_mesh.count_open_faces(mesh, box) if image.fills_box else "")
+            *distances, "%d" % measure_mesh.count_open_faces(mesh, box) if image.fills_box else "")
 
 
 def add_surface(given, mesh, box):
@@ -209,7 +217,8 @@ def compare_all(arguments, chosen, parent):
             continue
         print("%s: %d x %d x %d voxels, %d labels\n" % (
             name, *image.labels.shape, image.labels.max()))
-        compare(image, chosen, folder, arguments.seconds)
+        compare(image, [mesher for mesher in chosen if mesher.image in (None, name)], folder,
+                arguments.seconds)
 
 
 def main():

@@ -125,8 +125,9 @@ def count_open_faces(mesh, box):
                for corners, pairs in find_facets(mesh))
 
 
-def find_distance(mesh, image):
-    """Returns the rms distance to the true surface of the points of facets inside of the box.
+def find_distances(mesh, image):
+    """Returns two rms distances to the true surfaces of the points of facets inside of the box: of
+    points between two materials, and of those where more meet, NaN without such points.
 
     A point counts once per pair of materials. If all of the box is meshed, only facets between two
     materials count."""
@@ -139,7 +140,10 @@ def find_distance(mesh, image):
         rows.append(np.column_stack([corners[chosen].ravel(), np.repeat(
             np.sort(sides, axis=1), corners.shape[1], axis=0)]))
     rows = np.unique(np.concatenate(rows), axis=0)
-    return np.sqrt((image.distance(mesh.points[rows[:, 0]], rows[:, 1:]) ** 2).mean())
+    squares = image.distance(mesh.points[rows[:, 0]], rows[:, 1:]) ** 2
+    is_single = np.bincount(rows[:, 0])[rows[:, 0]] == 1
+    return tuple(np.sqrt(some.mean()) if len(some) else np.nan
+                 for some in (squares[is_single], squares[~is_single]))
 
 
 def find_volume_errors(mesh, volumes, labels):

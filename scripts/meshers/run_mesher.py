@@ -120,7 +120,7 @@ def make_cleaver(given, clock, settings):
             "cells": cells[material > 0].astype(int), "material": material[material > 0]}
 
 
-def make_surface_nets(labels):
+def make_surface_nets(labels, smoothing):
     """Returns points and triangles of the surfaces between labels, also at the sides of the box."""
     import vtk
     from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -132,6 +132,7 @@ def make_surface_nets(labels):
     nets.SetInputData(image)
     for i, label in enumerate(np.unique(labels)[1:]):
         nets.SetLabel(i, int(label))
+    nets.SetSmoothing(smoothing)
     nets.SetOutputMeshTypeToTriangles()
     nets.Update()
     surface = nets.GetOutput()
@@ -151,11 +152,12 @@ def find_region_labels(points, cells, region, labels):
 
 
 def make_tetgen(given, clock, settings):
-    """Fills the surfaces of SurfaceNets3D. settings: of TetGen."""
+    """Fills the surfaces of SurfaceNets3D. settings: whether it smooths, and those of TetGen."""
     import tetgen
     import vtk.util.numpy_support  # not in the time that is measured
+    smoothing = settings.pop("smoothing")
     with clock:
-        points, triangles = make_surface_nets(given["labels"])
+        points, triangles = make_surface_nets(given["labels"], smoothing)
         filled = tetgen.TetGen(points, triangles.astype(np.int32)).tetrahedralize(
             plc=True, regionattrib=True, quiet=True, **settings)
     points, cells, region = filled[:3]
