@@ -37,7 +37,7 @@ def test_cells():
     # A corner of the cube: right angles at its edges, and those of the face opposite to it.
     assert measure.find_angles(CUBE[[0, 1, 3, 4]], np.arange(4)[None]) == pytest.approx(
         (np.degrees(np.arccos(1 / 3 ** 0.5)), 90))
-    flat = np.array([(0, 0, 0), (2, 0, 0), (1, 1, 0), (1, 0.5, 0.01)])  # its fourth point, on a face
+    flat = np.array([(0, 0, 0), (2, 0, 0), (1, 1, 0), (1, 0.5, 0.01)])
     smallest, largest = measure.find_angles(flat, np.arange(4)[None])
     assert smallest < 2 and largest > 176
     assert measure_one(CUBE * [1, 1, -1]) == pytest.approx((-1, -1, 1))

@@ -115,8 +115,8 @@ def run_mesher(mesher, given, folder, seconds):
     """Returns the arrays that run_mesher.py writes, or why there are none."""
     out = os.path.join(folder, mesher.name.replace(" ", "_").replace(",", "") + ".npz")
     environment = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1",
-                       ITK_GLOBAL_DEFAULT_NUMBER_OF_THREADS="1", VTK_SMP_BACKEND_IN_USE="Sequential",
-                       PYTHONDONTWRITEBYTECODE="1")
+                       ITK_GLOBAL_DEFAULT_NUMBER_OF_THREADS="1",
+                       VTK_SMP_BACKEND_IN_USE="Sequential", PYTHONDONTWRITEBYTECODE="1")
     command = [mesher.python, os.path.join(HERE, "run_mesher.py"), mesher.function,
                json.dumps(mesher.settings), given, out, str(seconds)]
     if not os.path.exists(mesher.python):
