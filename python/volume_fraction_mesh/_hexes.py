@@ -12,7 +12,8 @@ from ._input import Source
 from ._run import run_mesher
 from ._state import StateGiven
 from ._threshold import write_ranges
-from ._types import (FractionsLike, Names, OfMaterials, Order, Progress, Ranges, StateLike, Triple)
+from ._types import (FractionsLike, Names, OfMaterials, Order, Progress, Ranges, Sizes,
+                     StateLike, Triple)
 from .mesh import Mesh
 
 
