@@ -178,6 +178,23 @@ void ExpectSameOnRanks(
 
 } // namespace
 
+TEST(CellWidth, CellsAreDescribed)
+{
+  const Vector3 lengths{ { 48.0, 48.0, 48.0 } };
+  const Index3 cells{ { 48, 48, 48 } };
+  const auto describe = [&](const char* widths) { return DescribeCells(widths, lengths, cells); };
+  EXPECT_EQ(describe("0"), "48 x 48 x 48 of width 1");
+  EXPECT_EQ(describe(""), "48 x 48 x 48 of width 1");
+  EXPECT_EQ(describe("2"), "24 x 24 x 24 of width 2");
+  EXPECT_EQ(describe("2, 3, 0"), "24 x 16 x 48 of 2 x 3 x 1");
+  EXPECT_EQ(describe("7"), "7 x 7 x 7 of width 6.857");
+  EXPECT_EQ(describe("100"), "1 x 1 x 1 of width 48");
+  EXPECT_EQ(describe("1,1,0.9"), "narrower than 48 x 48 x 48 of width 1");
+  EXPECT_EQ(describe("wide"), "not a width");
+  EXPECT_EQ(DescribeCells("2", lengths, {}), "24 x 24 x 24 of width 2");
+  EXPECT_EQ(DescribeCells("2,0,2", lengths, {}), "");
+}
+
 TEST(CellWidth, IsOneWidthOrThree)
 {
   EXPECT_EQ(ParseWidths("2.5").value(), (Vector3{ { 2.5, 2.5, 2.5 } }));
