@@ -17,8 +17,8 @@ LOAD_PLUGIN = [
     (MANAGER + "splitter/localGroup/loadLocal", "activate", ""),
     (MANAGER + "1pqFileDialog0", "filesSelected", os.path.realpath(os.environ["VFM_PLUGIN"])),
     (MANAGER + "buttonBox/1QPushButton0", "activate", "")]
-PROPERTIES = (PANEL + "scrollArea/qt_scrollarea_viewport/scrollAreaWidgetContents/PropertiesFrame/"
-              "ProxyPanel/")
+PROPERTIES = (PANEL + "scrollArea/qt_scrollarea_viewport/scrollAreaWidgetContents/"
+              "PropertiesFrame/ProxyPanel/")
 WIDTH, COUNT = PROPERTIES + "CellWidth/CellWidth", PROPERTIES + "CellCount/CellCount"
 MAKE_MESH = [
     (MENUS + "_File", "activate", "actionFileOpen"),
@@ -39,7 +39,8 @@ def save(path):
 
 
 def play(clicks, folder):
-    """Plays the clicks, and checks texts, in a new ParaView without settings, on a screen of its own."""
+    """Plays the clicks, and checks texts, in a new ParaView without settings, on a screen of its
+    own."""
     script = os.path.join(folder, "clicks.xml")
     with open(script, "w") as file:
         file.write('<?xml version="1.0"?>\n<pqevents>\n')
