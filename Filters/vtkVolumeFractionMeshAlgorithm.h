@@ -474,6 +474,12 @@ public:
   vfmNumberOption(NumberOfThreads, int);
   // end of options
 
+  /**
+   * Returns the widths of the cells of an image, along its own axes; zeros for other input. The
+   * panel shows how many cells CellWidth makes of them.
+   */
+  double* GetInputSpacing() VTK_SIZEHINT(3);
+
 protected:
   explicit vtkVolumeFractionMeshAlgorithm(vfm::ElementKind elements);
   ~vtkVolumeFractionMeshAlgorithm() override = 0; // an abstract class
@@ -487,6 +493,7 @@ protected:
   int WordAssociation = vfm::AnyAssociation; // association of the following words
   vfm::ChosenArray MaterialIdArray;
   std::vector<std::string> StateArrays;
+  double InputSpacing[3] = { 0.0, 0.0, 0.0 };
 
 private:
   vtkVolumeFractionMeshAlgorithm(const vtkVolumeFractionMeshAlgorithm&) = delete;

@@ -1,5 +1,6 @@
 #include "Mesher.h"
 
+#include "Geometry/DisplacedVolume.h"
 #include "Options/MaterialWidths.h"
 #include "Options/SetOptions.h"
 #include "Phases/ChangeElements.h"
@@ -52,6 +53,11 @@ MesherResult RunMesher(const MesherInput& input, const MesherOptions& given, Run
   const PreparedCells prepared = PrepareCells(job, *cells);
   MesherResult result;
   result.TheMesh = MakeMesh(job, cells->Fields, prepared.Options, result.Report);
+  if (cells->Wide.IsUsed() && result.Report.DisplacedVolume.empty())
+  {
+    result.Report.DisplacedVolume = FindDisplacedVolumes(
+      cells->Fields.Grid, cells->Fields.Field.Fractions, result.TheMesh, runtime);
+  }
   result.Report.RemovedRegions = prepared.Removed.Regions;
   result.Report.RemovedCells = prepared.Removed.Cells;
   result.Report.ChosenCells = cells->Requests.Cells;

@@ -9,17 +9,6 @@ namespace vfm
 namespace
 {
 
-/// If ranks know only the blocks nearby, they cannot send state or requests to new cells.
-void CheckWidth(const MesherJob& job, const InputRequests& requests)
-{
-  const bool isSent = NeedsState(job.Input.Arrays.State, job.Options) || requests.Cells > 0;
-  if (job.Input.StaysInPlace && isSent)
-  {
-    throw InputError("CellWidth cannot be combined with state arrays, particles, and boxes or "
-                     "arrays of refinement if each rank gives its face neighbours.");
-  }
-}
-
 /// Smooths labels as read, on a domain that may repeat.
 void SmoothInput(const MesherJob& job, Cells& cells)
 {
@@ -49,7 +38,6 @@ void WidenCells(
   const InputLevels& input = job.Input.Levels;
   const StateChoice& choice = job.Input.Arrays.State;
   Ranks& ranks = job.Run.Group();
-  CheckWidth(job, requests);
   CheckMaterialWidths(options);
   job.Run.Progress(0.0, "Replacing cells by wider ones");
   const GridNodes nodes = cells.Fields.Grid.Coordinates();

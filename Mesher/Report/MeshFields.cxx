@@ -360,7 +360,7 @@ std::string DescribeInexactMaterials(
 }
 
 std::string DescribeDisplacedMaterials(
-  const MeshReport& report, const Materials& table, bool hasParticles)
+  const MeshReport& report, const Materials& table, const WideReport& wide, bool hasParticles)
 {
   if (report.DisplacedVolume.empty())
   {
@@ -377,8 +377,8 @@ std::string DescribeDisplacedMaterials(
                         : CountMaterials(shares.size(), "has", "have") + " more than 5 % of " +
       (shares.size() == 1 ? "its volume" : "their volumes") +
       " in another place than in the input: " + Enumerate(shares) +
-      ". In the mesh this share is in other blocks of 4 x 4 x 4 cells, or in no element. Finer "
-      "cells in the input" +
+      ". In the mesh this share is in other blocks of 4 x 4 x 4 cells, or in no element. " +
+      (wide.IsUsed() ? "A smaller CellWidth" : "Finer cells in the input") +
       (hasParticles ? "" : ", or UnmeshedMaterial Particles for matter far from elements,") +
       " may help.";
 }

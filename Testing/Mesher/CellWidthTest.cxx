@@ -178,6 +178,23 @@ void ExpectSameOnRanks(
 
 } // namespace
 
+TEST(CellWidth, CellsAreDescribed)
+{
+  const Vector3 lengths{ { 48.0, 48.0, 48.0 } };
+  const Index3 cells{ { 48, 48, 48 } };
+  const auto describe = [&](const char* widths) { return DescribeCells(widths, lengths, cells); };
+  EXPECT_EQ(describe("0"), "48 x 48 x 48 of width 1");
+  EXPECT_EQ(describe(""), "48 x 48 x 48 of width 1");
+  EXPECT_EQ(describe("2"), "24 x 24 x 24 of width 2");
+  EXPECT_EQ(describe("2, 3, 0"), "24 x 16 x 48 of 2 x 3 x 1");
+  EXPECT_EQ(describe("7"), "7 x 7 x 7 of width 6.857");
+  EXPECT_EQ(describe("100"), "1 x 1 x 1 of width 48");
+  EXPECT_EQ(describe("1,1,0.9"), "narrower than 48 x 48 x 48 of width 1");
+  EXPECT_EQ(describe("wide"), "not a width");
+  EXPECT_EQ(DescribeCells("2", lengths, {}), "24 x 24 x 24 of width 2");
+  EXPECT_EQ(DescribeCells("2,0,2", lengths, {}), "");
+}
+
 TEST(CellWidth, IsOneWidthOrThree)
 {
   EXPECT_EQ(ParseWidths("2.5").value(), (Vector3{ { 2.5, 2.5, 2.5 } }));
@@ -422,4 +439,42 @@ TEST(CellWidth, OneWarningNamesWhatIsLost)
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_NE(warnings[0].find("(id 2) by -1e+02 %"), std::string::npos) << warnings[0];
   EXPECT_NE(warnings[0].find("CellWidth"), std::string::npos) << warnings[0];
+}
+
+/// A sheet that no new cell keeps becomes a part of the body near it, so the volume is exact.
+TEST(CellWidth, WarnsOfWhatIsInAnotherPlace)
+{
+  std::vector<int> labels;
+  ForCells({ {}, GridSize },
+    [&](const Index3& cell) { labels.push_back(cell[0] < 8 || cell[0] == 16 ? 2 : 1); });
+  MesherOptions options = OptionsOf("0.4");
+  options.ZeroLabel = ZeroLabelMeaning::Material; // no warning of label 0
+  options.ThinParts = false;
+  std::vector<double> shares;
+  for (int count : { 1, 2, 3 })
+  {
+    RunOnRanks(count,
+      [&](ThreadRanks& ranks)
+      {
+        RankRuntime runtime(ranks);
+        MesherInput input = MakeLabelInput(TheGrid, labels, ranks);
+        std::vector<std::string> warnings;
+        input.Warn = [&](const std::string& text) { warnings.push_back(text); };
+        const MesherResult result = RunMesher(input, options, runtime);
+        if (ranks.Rank() == 0)
+        {
+          ASSERT_EQ(warnings.size(), 1u);
+          EXPECT_NE(warnings[0].find("another place than in the input: 'Material 2' (id 2) 11 %"),
+            std::string::npos)
+            << warnings[0];
+          EXPECT_NE(warnings[0].find("smaller CellWidth"), std::string::npos) << warnings[0];
+          shares.push_back(result.Report.DisplacedVolume[2]);
+        }
+      });
+  }
+  for (double share : shares)
+  {
+    EXPECT_EQ(share, shares[0]);
+    EXPECT_NEAR(share, 1.0 / 9.0, 0.01);
+  }
 }
