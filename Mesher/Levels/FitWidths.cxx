@@ -1,7 +1,6 @@
 #include "Levels/FitWidths.h"
 
 #include "Base/Sorted.h"
-#include "Fractions/ResampleFields.h"
 #include "Levels/WideCells.h"
 #include "Ranks/Agreement.h"
 
@@ -103,6 +102,12 @@ double EstimateElements(const CartesianGrid& grid, const LabelArray& labels,
 
 } // namespace
 
+/// Two layers of the widest cells, which are rounded to fill the domain, by up to a half more.
+int LayersOf(const WidthLimits& limits)
+{
+  return std::max(GhostLayers, static_cast<int>(std::ceil(3.0 * limits.Widest)));
+}
+
 std::vector<FittedWidth> FitWidths(const CartesianGrid& grid, const FractionField& fractions,
   const LabelArray& labels, const WidthLimits& limits, double isoValue, Runtime& runtime)
 {
@@ -111,10 +116,8 @@ std::vector<FittedWidth> FitWidths(const CartesianGrid& grid, const FractionFiel
   for (const double ratio : ListWidths(limits.Widest))
   {
     const Vector3 widths{ { ratio * ofInput[0], ratio * ofInput[1], ratio * ofInput[2] } };
-    const ResampledFields wide =
-      ResampleFields(grid, fractions, ReplaceNodes(grid.Coordinates(), widths), 1, runtime);
-    const std::vector<MaterialFit> fits =
-      FindFits(grid, labels, wide.Grid, wide.Fractions, isoValue, runtime.Group());
+    const std::vector<MaterialFit> fits = FindFits(
+      grid, fractions, labels, ReplaceNodes(grid.Coordinates(), widths), isoValue, runtime);
     for (std::size_t m = 0; m < fits.size(); ++m)
     {
       const bool isFirst = fitted[m].Ratio == 1.0 && Fits(fits[m], ratio, limits.Distance);

@@ -31,8 +31,11 @@ struct FittedWidth
   MaterialFit Extent;
 };
 
+/// Returns the number of layers of ghost cells that FitWidths needs.
+int LayersOf(const WidthLimits& limits);
+
 /// Finds the widths of materials 0, 1, ..
-/// @param grid,fractions cells of the input
+/// @param grid,fractions cells of the input, with LayersOf layers of ghost cells
 /// @param labels AssignMaterials of these
 /// @pre Collective.
 /// @note Bitwise reproducible on any number of ranks.

@@ -1,5 +1,7 @@
 #include "Levels/MaterialFits.h"
 
+#include "Fractions/ResampleFields.h"
+
 #include <cmath>
 
 namespace vfm
@@ -150,53 +152,74 @@ void SumUp(Ranks& ranks, std::vector<MaterialFit>& fits)
   }
 }
 
-} // namespace
-
-std::vector<MaterialFit> FindFits(const CartesianGrid& grid, const LabelArray& labels,
-  const CartesianGrid& wider, const FractionField& fractions, double isoValue, Ranks& ranks)
+/// Returns the wider cells at the centres of some cells.
+IndexBox CellsAt(const std::array<CentresOnAxis, 3>& centres)
 {
-  const IndexBox& owned = grid.Owned();
-  std::array<CentresOnAxis, 3> centres;
-  IndexBox box; // of wider cells
-  for (int a = 0; owned.NumberOfCells() > 0 && a < 3; ++a)
+  IndexBox box;
+  for (int a = 0; a < 3; ++a)
   {
-    centres[a] =
-      FindCentres(grid.Coordinates()[a], wider.Coordinates()[a], owned.Lower[a], owned.Upper[a]);
     box.Lower[a] = centres[a].Cells.front();
     box.Upper[a] = centres[a].Cells.back() + 1;
   }
-  std::vector<MaterialFit> fits(fractions.NumberOfMaterials() + 1);
-  ForCells(box,
+  return box;
+}
+
+/// Adds the cells whose centres are in a wider cell.
+void AddCells(const CartesianGrid& grid, const LabelArray& labels, const FractionsAround& around,
+  const std::array<CentresOnAxis, 3>& centres, const Index3& wider, double isoValue,
+  std::vector<MaterialFit>& fits)
+{
+  IndexBox inside;
+  for (int a = 0; a < 3; ++a)
+  {
+    const std::array<Index, 2> range = centres[a].Inside(wider[a]);
+    inside.Lower[a] = range[0];
+    inside.Upper[a] = range[1];
+  }
+  ForCells(inside,
     [&](const Index3& cell)
     {
-      const FractionsAround around(wider, fractions, cell);
-      IndexBox inside;
-      for (int a = 0; a < 3; ++a)
+      const int label = labels[grid.Linear(cell)];
+      ++fits[label].Cells;
+      if (!around.HasOneMaterial())
       {
-        const std::array<Index, 2> range = centres[a].Inside(cell[a]);
-        inside.Lower[a] = range[0];
-        inside.Upper[a] = range[1];
-      }
-      ForCells(inside,
-        [&](const Index3& at)
+        Vector3 place;
+        for (int a = 0; a < 3; ++a)
         {
-          const int label = labels[grid.Linear(at)];
-          ++fits[label].Cells;
-          if (!around.HasOneMaterial())
-          {
-            Vector3 place;
-            for (int a = 0; a < 3; ++a)
-            {
-              place[a] = centres[a].Places[at[a] - centres[a].First];
-            }
-            const int other = around.LabelAt(place, isoValue);
-            fits[label].Lost += label != other;
-            fits[other].Gained += label != other;
-            fits[label].Sides += CountSides(grid, labels, at);
-          }
-        });
+          place[a] = centres[a].Places[cell[a] - centres[a].First];
+        }
+        const int other = around.LabelAt(place, isoValue);
+        fits[label].Lost += label != other;
+        fits[other].Gained += label != other;
+        fits[label].Sides += CountSides(grid, labels, cell);
+      }
     });
-  SumUp(ranks, fits);
+}
+
+} // namespace
+
+std::vector<MaterialFit> FindFits(const CartesianGrid& grid, const FractionField& fractions,
+  const LabelArray& labels, const std::array<std::vector<double>, 3>& wider, double isoValue,
+  Runtime& runtime)
+{
+  const IndexBox& owned = grid.Owned();
+  std::vector<MaterialFit> fits(fractions.NumberOfMaterials() + 1);
+  if (owned.NumberOfCells() > 0)
+  {
+    std::array<CentresOnAxis, 3> centres;
+    for (int a = 0; a < 3; ++a)
+    {
+      centres[a] = FindCentres(grid.Coordinates(a), wider[a], owned.Lower[a], owned.Upper[a]);
+    }
+    const IndexBox box = CellsAt(centres);
+    const CartesianGrid to(wider, box, 1);
+    const FractionField means = MeanFractions(grid, fractions,
+      FindOverlaps(grid.Coordinates(), wider, to.Local()), to, to.Local(), runtime);
+    ForCells(box,
+      [&](const Index3& cell)
+      { AddCells(grid, labels, FractionsAround(to, means, cell), centres, cell, isoValue, fits); });
+  }
+  SumUp(runtime.Group(), fits);
   return fits;
 }
 

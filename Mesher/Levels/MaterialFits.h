@@ -5,6 +5,7 @@
  */
 #pragma once
 
+#include "Base/Runtime.h"
 #include "Labels/Labels.h"
 
 namespace vfm
@@ -29,12 +30,13 @@ struct MaterialFit
 };
 
 /// Compares materials 0, 1, .. in owned cells and in wider cells, on all ranks.
-/// @param labels labels of the cells and of one layer around the owned ones
-/// @param wider,fractions must contain the wider cells at the centres of owned cells, and those
-/// around them
+/// @param grid,fractions cells of the input, with two layers of wider cells around the owned ones
+/// @param labels labels of these cells
+/// @param wider nodes of the wider cells
 /// @pre Collective.
 /// @note Bitwise reproducible on any number of ranks.
-std::vector<MaterialFit> FindFits(const CartesianGrid& grid, const LabelArray& labels,
-  const CartesianGrid& wider, const FractionField& fractions, double isoValue, Ranks& ranks);
+std::vector<MaterialFit> FindFits(const CartesianGrid& grid, const FractionField& fractions,
+  const LabelArray& labels, const std::array<std::vector<double>, 3>& wider, double isoValue,
+  Runtime& runtime);
 
 } // namespace vfm

@@ -1,5 +1,6 @@
 #include "Levels/NewCells.h"
 
+#include "Fractions/GhostFractions.h"
 #include "Levels/FitWidths.h"
 #include "Levels/HalvedCells.h"
 #include "Levels/PeriodicFields.h"
@@ -14,14 +15,15 @@ namespace vfm
 namespace
 {
 
-constexpr double WidestCells = 4.0; // of automatic widths without CellWidth, in cells of the input
+// Widest automatic cells, in cells of the input: without and with CellWidth.
+constexpr double WidestCells = 4.0, WidestOfAll = 16.0;
 
 /// Returns the limits of automatic widths.
 /// @param widest largest widths; 0: WidestCells
 WidthLimits LimitsOf(const MesherOptions& options, const GridNodes& nodes, const Vector3& widest)
 {
   const Vector3 ofInput = MeanWidths(nodes);
-  double ratio = widest == Vector3{} ? WidestCells : std::numeric_limits<double>::infinity();
+  double ratio = widest == Vector3{} ? WidestCells : WidestOfAll;
   for (int a = 0; a < 3; ++a)
   {
     ratio = widest[a] > 0.0 ? std::min(ratio, widest[a] / ofInput[a]) : ratio;
@@ -37,11 +39,13 @@ CellSizes FitSizes(
 {
   const GridNodes& nodes = fields.Grid.Coordinates();
   const WidthLimits limits = LimitsOf(options, nodes, widest);
-  const FractionField& fractions = fields.Field.Fractions;
-  const LabelArray labels = AssignMaterials(fields.Grid, fractions, options.IsoValue);
+  LevelFields held = fields;
+  WidenGrid({ LayersOf(limits), HexLayers }, runtime.Group(), held.Grid, held.Field.Fractions);
+  const FractionField& fractions = held.Field.Fractions;
+  const LabelArray labels = AssignMaterials(held.Grid, fractions, options.IsoValue);
   const std::vector<FittedWidth> fitted =
-    FitWidths(fields.Grid, fractions, labels, limits, options.IsoValue, runtime);
-  const WidthChoice choice = ChooseWidths(fields.Grid, labels, fitted, limits, runtime.Group());
+    FitWidths(held.Grid, fractions, labels, limits, options.IsoValue, runtime);
+  const WidthChoice choice = ChooseWidths(held.Grid, labels, fitted, limits, runtime.Group());
   Vector3 finest = MeanWidths(nodes);
   for (double& width : finest)
   {

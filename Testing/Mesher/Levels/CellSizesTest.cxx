@@ -1,5 +1,6 @@
 /// Numbers of cells and halvings for widths of materials.
 #include "Levels/CellSizes.h"
+#include "Input/NodeCoordinates.h"
 #include "Ranks/Errors.h"
 
 #include <gtest/gtest.h>
@@ -16,12 +17,7 @@ constexpr std::array<bool, 3> Alone{ { false, false, false } };
 
 std::vector<double> Nodes(int cells, double width)
 {
-  std::vector<double> nodes;
-  for (int i = 0; i <= cells; ++i)
-  {
-    nodes.push_back(width * i);
-  }
-  return nodes;
+  return EvenNodes(0.0, width, 0, cells);
 }
 
 GridNodes Cube(int cells)
@@ -88,7 +84,8 @@ TEST(CellSizes, NarrowerThanTheInputIsAnError)
 TEST(CellSizes, PeriodicAxesHaveAnEvenNumberOfCoarsestCells)
 {
   const std::array<bool, 3> repeats{ { true, false, false } };
-  const CellSizes sizes = PlanSizes(Cube(20), { { 4.0, 4.0, 4.0 } }, { Other, 1.0, Other }, repeats);
+  const CellSizes sizes =
+    PlanSizes(Cube(20), { { 4.0, 4.0, 4.0 } }, { Other, 1.0, Other }, repeats);
   EXPECT_EQ(sizes.Halvings, 2);
   EXPECT_EQ(sizes.Nodes[0].size(), 17u); // 4 cells, each halved twice
   EXPECT_EQ(sizes.Nodes[1].size(), 21u);

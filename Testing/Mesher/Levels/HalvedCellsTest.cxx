@@ -1,5 +1,6 @@
 /// Cells that are halved for materials, and their families.
 #include "Levels/HalvedCells.h"
+#include "Input/NodeCoordinates.h"
 #include "Octree/OctreeKeys.h"
 
 #include <gtest/gtest.h>
@@ -11,19 +12,10 @@ namespace
 
 constexpr std::array<bool, 3> Alone{ { false, false, false } };
 
-std::vector<double> Nodes(int cells, double width)
-{
-  std::vector<double> nodes;
-  for (int i = 0; i <= cells; ++i)
-  {
-    nodes.push_back(width * i);
-  }
-  return nodes;
-}
-
 CartesianGrid Cube(int cells, double width)
 {
-  return CartesianGrid({ { Nodes(cells, width), Nodes(cells, width), Nodes(cells, width) } });
+  const std::vector<double> nodes = EvenNodes(0.0, width, 0, cells);
+  return CartesianGrid(std::array<std::vector<double>, 3>{ { nodes, nodes, nodes } });
 }
 
 /// Returns the families of a level.
@@ -58,8 +50,8 @@ TEST(HalvedCells, HalveWhatContainsANarrowMaterial)
   EXPECT_TRUE(halved.Has(1, { { 4, 1, 1 } }));
 
   const auto families = FamiliesOf(halved, base, Alone, 0);
-  EXPECT_EQ(ListFamilies(families, base, 0),
-    (std::vector<Index3>{ { { 0, 0, 0 } }, { { 1, 0, 0 } } }));
+  EXPECT_EQ(
+    ListFamilies(families, base, 0), (std::vector<Index3>{ { { 0, 0, 0 } }, { { 1, 0, 0 } } }));
   EXPECT_EQ(ListFamilies(families, base, 1), (std::vector<Index3>{ { { 2, 0, 0 } } }));
   // A layer of cells around reaches the next family, and stays in the domain.
   EXPECT_EQ(FamiliesOf(halved, base, Alone, 1)[1].size(), 8u);

@@ -1,6 +1,6 @@
 /// Labels that wider cells give to the cells of the input: exact counts on slabs, balls and ranks.
 #include "Levels/MaterialFits.h"
-#include "Fractions/ResampleFields.h"
+#include "Input/NodeCoordinates.h"
 #include "RankFields.h"
 
 #include <gtest/gtest.h>
@@ -13,35 +13,24 @@ using namespace vfm::testing;
 namespace
 {
 
-std::vector<double> Nodes(Index cells, double length)
+std::array<std::vector<double>, 3> Cube(int cells, double length)
 {
-  std::vector<double> nodes;
-  for (Index i = 0; i <= cells; ++i)
-  {
-    nodes.push_back(length * static_cast<double>(i) / static_cast<double>(cells));
-  }
-  return nodes;
-}
-
-std::array<std::vector<double>, 3> Cube(Index cells, double length)
-{
-  return { { Nodes(cells, length), Nodes(cells, length), Nodes(cells, length) } };
+  const std::vector<double> nodes = EvenNodes(0.0, length / cells, 0, cells);
+  return { { nodes, nodes, nodes } };
 }
 
 /// Compares labels of 24^3 cells with wider cells.
 /// @param labelOf labelOf(cell)
 template <class LabelOf>
 std::vector<MaterialFit> Compare(
-  const IndexBox& owned, Index wider, const LabelOf& labelOf, Runtime& runtime)
+  const IndexBox& owned, int wider, const LabelOf& labelOf, Runtime& runtime)
 {
-  const CartesianGrid grid(Cube(24, 24.0), owned, GhostLayers);
+  const CartesianGrid grid(Cube(24, 24.0), owned, 12);
   FractionField fractions(grid, 2);
   ForCells(grid.Local(),
     [&](const Index3& cell) { fractions.SetLabel(grid.Linear(cell), labelOf(cell)); });
-  const ResampledFields wide =
-    ResampleFields(grid, fractions, Cube(wider, 24.0), 1, runtime);
-  return FindFits(grid, AssignMaterials(grid, fractions, 0.5), wide.Grid, wide.Fractions, 0.5,
-    runtime.Group());
+  return FindFits(
+    grid, fractions, AssignMaterials(grid, fractions, 0.5), Cube(wider, 24.0), 0.5, runtime);
 }
 
 constexpr IndexBox All{ { { 0, 0, 0 } }, { { 24, 24, 24 } } };
@@ -67,7 +56,7 @@ int BallLabel(const Index3& cell)
 TEST(MaterialFits, PlanesStay)
 {
   Runtime serial;
-  for (const Index wider : { 12, 8 })
+  for (const int wider : { 12, 8 })
   {
     const std::vector<MaterialFit> fits = Compare(All, wider, SlabLabel, serial);
     EXPECT_EQ(fits[1].Cells, 9 * 24 * 24);

@@ -23,8 +23,8 @@ TEST(MaterialWidths, AreEntriesOrAutomatic)
   EXPECT_TRUE(ParseMaterialWidths(" Auto ").value().IsAutomatic);
   EXPECT_FALSE(ParseMaterialWidths("").value().IsUsed());
   EXPECT_EQ(ParseMaterialWidths("small=2").value().Named[0].first, "small"); // a name
-  for (const char* text : { "steel", "steel=", "steel=0", "steel=-1", "=1", "steel=x",
-         "small=0:1", "small=9:0", "small=9:", "steel=1,,copper=1", "steel=inf", "steel=nan" })
+  for (const char* text : { "steel", "steel=", "steel=0", "steel=-1", "=1", "steel=x", "small=0:1",
+         "small=9:0", "small=9:", "steel=1,,copper=1", "steel=inf", "steel=nan" })
   {
     EXPECT_FALSE(ParseMaterialWidths(text)) << text;
   }
