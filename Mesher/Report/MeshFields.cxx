@@ -392,8 +392,13 @@ FieldArrays ListReplaced(const WideReport& wide, bool meshVoid)
   {
     return {};
   }
-  return { { "InputCells", TakeMeshed(wide.InputCells, meshVoid) },
+  FieldArrays fields{ { "InputCells", TakeMeshed(wide.InputCells, meshVoid) },
     { "NewCells", TakeMeshed(wide.Cells, meshVoid) } };
+  if (!wide.MaterialWidths.empty())
+  {
+    fields.push_back({ "MaterialWidths", TakeMeshed(wide.MaterialWidths, meshVoid) });
+  }
+  return fields;
 }
 
 std::string DescribeWideLosses(
@@ -411,7 +416,7 @@ std::string DescribeWideLosses(
       text << NameMaterial(table, m) << " by " << std::showpos << std::setprecision(2)
            << 100.0 * error / target << " %";
       losses.push_back(text.str());
-      keeping = std::min(keeping, wide.Keeping[m]);
+      keeping = wide.Halvings > 0 ? keeping : std::min(keeping, wide.Keeping[m]);
     }
   }
   if (losses.empty())
@@ -419,11 +424,14 @@ std::string DescribeWideLosses(
     return "";
   }
   const double width = *std::max_element(wide.Widths.begin(), wide.Widths.end());
-  return "In cells of width " + FormatNumber(width) + ", " +
+  const std::string widest =
+    wide.Halvings > 0 ? " to " + FormatNumber(std::ldexp(width, wide.Halvings)) : "";
+  return "In cells of width " + FormatNumber(width) + widest + ", " +
     CountMaterials(losses.size(), "misses its", "miss their") +
     " volume by more than 1 %: " + Enumerate(losses) + ". " +
-    (keeping > 0.0 ? "A CellWidth of " + FormatNumber(RoundDown(keeping)) + " should keep"
-                   : "Only the cells of the input (CellWidth 0) keep") +
+    (wide.Halvings > 0 ? "A smaller width in MaterialWidths, or a smaller AllowedError, should keep"
+        : keeping > 0.0 ? "A CellWidth of " + FormatNumber(RoundDown(keeping)) + " should keep"
+                        : "Only the cells of the input (CellWidth 0) keep") +
     (losses.size() == 1 ? " it." : " them.");
 }
 
