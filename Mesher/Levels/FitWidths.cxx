@@ -123,6 +123,7 @@ std::vector<FittedWidth> FitWidths(const CartesianGrid& grid, const FractionFiel
 {
   const Vector3 ofInput = MeanWidths(grid.Coordinates());
   std::vector<FittedWidth> fitted(fractions.NumberOfMaterials() + 1, { 1.0, {} });
+  std::size_t found = 0; // materials with a width
   for (const double ratio : ListWidths(limits.Widest))
   {
     const Vector3 widths{ { ratio * ofInput[0], ratio * ofInput[1], ratio * ofInput[2] } };
@@ -132,6 +133,11 @@ std::vector<FittedWidth> FitWidths(const CartesianGrid& grid, const FractionFiel
     {
       const bool isFirst = fitted[m].Ratio == 1.0 && Fits(fits[m], ratio, limits.Distance);
       fitted[m] = { isFirst ? ratio : fitted[m].Ratio, fits[m] };
+      found += isFirst;
+    }
+    if (found == fitted.size())
+    {
+      break;
     }
   }
   return fitted;
