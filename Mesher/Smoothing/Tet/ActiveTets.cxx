@@ -2,6 +2,8 @@
 
 #include "Base/Sorted.h"
 #include "Elements/PeriodicIds.h"
+#include "Elements/Tet/TetTopology.h"
+#include "Octree/LevelIds.h"
 #include "Smoothing/ActiveMeshBuilder.h"
 
 namespace vfm
@@ -74,8 +76,18 @@ void ReceiveMoving(const CartesianGrid& grid, const Mesh& mesh, const Partition&
   }
 }
 
-/// Returns the points that may lie on interfaces, and all points of the tets around them. Points of
-/// one block may share tets, so they move one after another.
+/// Returns whether a point is in the tets of coarser cells. Such points have no neighbours of their
+/// colour only among points of finest cells, so they are fixed.
+bool IsAtCoarse(const Mesh& mesh, Index id)
+{
+  const RefinedGrid& levels = *mesh.Levels;
+  return IsCoarsePoint(levels, id, mesh.Ids.PointSlots) ||
+    (SlotOfPoint(id) == VertexSlot &&
+      !levels.IsFineAround(NodeOfPoint(levels.Finest(), mesh, id)));
+}
+
+/// Returns the points that may lie on interfaces, and all points of the tets around them, except
+/// those of coarser cells. Points of one block may share tets, so they move one after another.
 std::vector<Mover> FindMovers(const Mesh& mesh, const std::vector<PointPosition>& positions,
   const CartesianGrid& grid, const Partition& partition)
 {
@@ -85,6 +97,10 @@ std::vector<Mover> FindMovers(const Mesh& mesh, const std::vector<PointPosition>
     moving[p] = positions[p] == PointPosition::OnInterface;
   }
   moving = Spread(mesh, moving);
+  for (std::size_t p = 0; p < moving.size(); ++p)
+  {
+    moving[p] = moving[p] && !IsAtCoarse(mesh, mesh.PointIds[p]);
+  }
   ReceiveMoving(grid, mesh, partition, moving);
   std::vector<Mover> movers;
   for (std::size_t p = 0; p < moving.size(); ++p)
