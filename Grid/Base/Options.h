@@ -67,7 +67,7 @@ struct LevelSettings
   /// true: all interfaces get cells of the finest level. false: only cells of Families do, so the
   /// interfaces of hexahedra cross levels.
   bool FineInterfaces = true;
-  /// Number of layers of finest cells around the finest cells at interfaces, at least 2.
+  /// Number of layers of finest cells around the finest cells at interfaces; tets have fewer.
   int FineLayers = 2;
 };
 

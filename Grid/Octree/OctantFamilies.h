@@ -16,9 +16,10 @@
  * Essentially after Owen, Shih, Ernst, Computer-Aided Design (2017); the rule of non-manifold
  * edges was found by testing.
  *
- * Tets need no pillowing (CoarseTets.h). For them, single cells are refined instead of families, and
- * there is no rule of non-manifold edges. A cell that shares a face or an edge with a refined cell
- * of its level is of this level or refined, so cells that share an edge differ by at most one level.
+ * Tets need no pillowing (CoarseTets.h). For them, single cells are refined instead of families,
+ * and there is no rule of non-manifold edges. A cell that shares a face or an edge with a refined
+ * cell of its level is of this level or refined, so cells that share an edge differ by at most one
+ * level.
  *
  * Memory is proportional to the refined families: one sorted list of keys per level.
  */
@@ -47,8 +48,8 @@ public:
   /// Closes the sets of requested families. Stores a reference to the lattice.
   /// @param requested  keys of families (OctreeKeys::FamilyKey) for each refinement, in any order,
   /// possibly repeated, of all ranks (GatherItems). Missing lists are empty.
-  /// @param unit  Cell: a cell has the key of the family that its children are: FamilyKey(level + 1,
-  /// cell)
+  /// @param unit  Cell: a cell has the key of the family that its children are: FamilyKey(level +
+  /// 1, cell)
   OctantFamilies(const OctreeKeys& lattice, std::vector<std::vector<Index>> requested,
     RefinedUnit unit = RefinedUnit::Family);
 

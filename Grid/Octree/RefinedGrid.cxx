@@ -8,9 +8,6 @@ namespace vfm
 namespace
 {
 
-// FineLayers counts from the interface. Tets at the interface are in the cells around its nodes,
-// and no point beyond these cells moves.
-constexpr int LayersOfTets = 2;
 constexpr int BaseGhostLayers = 3; // one more than the layers of base cells whose hexes are made
 
 } // namespace
@@ -38,7 +35,6 @@ std::vector<Index> RefinedGrid::FindFamilies(
 {
   const bool isCell = plan.Unit == RefinedUnit::Cell;
   const int level = this->NumberOfRefinements() - !isCell; // of the keys
-  const int layers = plan.FineLayers - (isCell ? LayersOfTets : 0);
   std::vector<Index> keys;
   for (Index node : interfaces)
   {
@@ -48,7 +44,8 @@ std::vector<Index> RefinedGrid::FindFamilies(
       continue;
     }
     const IndexBox around{ CellOfStar(p, 0), CornerOfCell(p, 7) };
-    ForCells(ChangeLevel(Grow(around, layers, this->FinestGrid.Global()), isCell ? -1 : -2),
+    ForCells(
+      ChangeLevel(Grow(around, plan.FineLayers, this->FinestGrid.Global()), isCell ? -1 : -2),
       [&](const Index3& q) { keys.push_back(this->TheLattice.FamilyKey(level, q)); });
   }
   SortUnique(keys);

@@ -27,8 +27,8 @@ class RefinedGrid : public std::enable_shared_from_this<RefinedGrid>
 public:
   /// Finds and closes the families that the plan of all ranks and the interfaces require.
   /// @param interfaces  linear indices of nodes of the finest grid that must have fine cells around
-  /// them, plan.FineLayers more than the cells at the node; two fewer if plan.Unit is Cell. Only nodes at owned cells count, and
-  /// only if plan.FineInterfaces.
+  /// them, plan.FineLayers more than the cells at the node. Only nodes at
+  /// owned cells count, and only if plan.FineInterfaces.
   /// @throws InputError  if the boxes of the grid are not whole base cells, or keys need more than
   /// 64 bits
   /// @pre Collective.
@@ -118,7 +118,8 @@ private:
   CartesianGrid BaseGrid;
   OctreeKeys TheLattice;
   OctantFamilies Sets;
-  int UnitShift; // a family of the last refinement has four finest cells along each axis, a cell two
+  // A family of the last refinement has four finest cells along each axis, a cell two.
+  int UnitShift;
 
   bool Uniform, FineInterfaces;
   // Families of the last refinement that cover the local box.

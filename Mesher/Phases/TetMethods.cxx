@@ -1,5 +1,6 @@
 #include "Phases/TetMethods.h"
 
+#include "Base/Sorted.h"
 #include "Elements/MeasureFragments.h"
 #include "Elements/ResolveCells.h"
 #include "Elements/Tet/CellTets.h"
@@ -52,14 +53,40 @@ std::vector<std::vector<Index>> CellsOf(
   return cells;
 }
 
-/// Makes levels of single cells.
+/// Adds the corners of narrow void cells to nodes, so that all tets of the barrier are finest ones.
+void AddCorners(const NarrowVoid& narrow, const CartesianGrid& grid, std::vector<Index>& nodes)
+{
+  const IndexBox box = NodesOf(grid.Owned());
+  ForRows(box,
+    [&](Index j, Index k)
+    {
+      const Index first = grid.Linear({ { box.Lower[0], j, k } });
+      narrow.ForNodes(first, first + box.Size(0),
+        [&](Index begin, Index end, bool touches)
+        {
+          for (Index node = begin; touches && node < end; ++node)
+          {
+            nodes.push_back(node);
+          }
+        });
+    });
+  SortUnique(nodes);
+}
+
+/// Makes levels of single cells. FineLayers counts from the interface, so the cells at crossed
+/// nodes are one layer. Another one has the tets of all points that move; the interfaces of Lattice
+/// hardly depend on them.
 /// @param crossed  nodes around which all cells must be finest ones, ascending
 std::shared_ptr<const RefinedGrid> MakeLevelsOfCells(
   const MeshCells& cells, const std::vector<Index>& crossed, Ranks& ranks)
 {
   LevelPlan plan = cells.Options.Levels;
-  plan.Unit = RefinedUnit::Cell;
-  plan.Families = CellsOf(plan.Families, CoarsenGrid(cells.Grid, plan.Refinements, 0));
+  if (plan.Refinements > 0)
+  {
+    plan.Unit = RefinedUnit::Cell;
+    plan.FineLayers -= cells.Options.Method == TetMethod::Lattice ? 2 : 1;
+    plan.Families = CellsOf(plan.Families, CoarsenGrid(cells.Grid, plan.Refinements, 0));
+  }
   return std::make_shared<const RefinedGrid>(cells.Grid, plan, crossed, ranks);
 }
 
@@ -90,12 +117,19 @@ Draft TetMethodBase::Make(const MeshCells& cells, MeshRun& run)
   run.Clock.Start("Making tetrahedra", 0.1);
   this->Mixed = FindMixedNodes(cells.Grid, this->Labels);
   this->StartTets(cells, run);
-  const std::shared_ptr<const RefinedGrid> levels = MakeLevelsOfCells(cells,
-    cells.Options.Levels.Refinements > 0 ? this->FindCrossedNodes(cells) : std::vector<Index>(),
-    run.Group());
+  const NarrowVoid narrow = FindBarrier(
+    cells.Options, RefinedGrid(cells.Grid, run.Group()), this->Labels, this->Mixed, run.TheRuntime);
+  std::vector<Index> crossed;
+  if (cells.Options.Levels.Refinements > 0)
+  {
+    crossed = this->FindCrossedNodes(cells);
+    if (!narrow.IsEmpty())
+    {
+      AddCorners(narrow, cells.Grid, crossed);
+    }
+  }
+  const std::shared_ptr<const RefinedGrid> levels = MakeLevelsOfCells(cells, crossed, run.Group());
   const CoarseTets coarse(*levels, this->Labels, cells.Options.MeshVoid, run.Group());
-  const NarrowVoid narrow =
-    FindBarrier(cells.Options, *levels, this->Labels, this->Mixed, run.TheRuntime);
   run.Report.NarrowVoidCells = SumOverRanks(narrow.CountOwned(), run.Group());
   TetTopology topology = this->BuildTets(cells, narrow, coarse, run);
   run.Clock.Start("Finding fragments", 0.15);

@@ -2,6 +2,7 @@
 
 #include "Base/HexNumbering.h"
 #include "Base/Sorted.h"
+#include "Elements/Tet/LeafNodes.h"
 #include "Octree/LevelIds.h"
 
 namespace vfm
@@ -61,9 +62,11 @@ CoarseTets::CoarseTets(
   CheckIds(grid.Finest(), TetIds.ElementSlots + TetsOfCell * 8 / 7 + 1);
   const IndexBox region = grid.Finest().HexBox();
   ForCells(ChangeLevel(region, -grid.NumberOfRefinements()),
-    [&](const Index3& cell) { this->AddLeaves({ 0, cell, 0 }, region); });
-  std::sort(this->Tets.begin(), this->Tets.end(),
-    [](const Tet& a, const Tet& b) { return a.Id < b.Id; });
+    [&](const Index3& cell) {
+      this->AddLeaves({ 0, cell, 0 }, region);
+    });
+  std::sort(
+    this->Tets.begin(), this->Tets.end(), [](const Tet& a, const Tet& b) { return a.Id < b.Id; });
   for (const Tet& tet : this->Tets)
   {
     std::copy_if(tet.Points.begin(), tet.Points.end(), std::back_inserter(this->Ids),
@@ -76,7 +79,7 @@ CoarseTets::CoarseTets(
 /// Adds the tets of the coarse leaves in a cell that have finest cells in a region.
 void CoarseTets::AddLeaves(const Cell& cell, const IndexBox& region)
 {
-  if (!this->IsRefined(cell))
+  if (!IsRefined(this->Grid, cell))
   {
     this->AddTetsOf(cell);
     return;
@@ -99,8 +102,7 @@ void CoarseTets::AddLeaves(const Cell& cell, const IndexBox& region)
 void CoarseTets::AddTetsOf(const Cell& leaf)
 {
   const CartesianGrid& finest = this->Grid.Finest();
-  const IndexBox known =
-    Intersect(this->Grid.FinestCells(leaf.Level, leaf.At), finest.HexBox());
+  const IndexBox known = Intersect(this->Grid.FinestCells(leaf.Level, leaf.At), finest.HexBox());
   const int label = this->Labels[finest.Linear(known.Lower)];
   for (int side = 0; side < 6 && IsMeshed(label, this->MeshVoid); ++side)
   {
@@ -115,12 +117,13 @@ void CoarseTets::AddTetsOfFace(const Face& face, int label)
   const Index3 at = Plus(leaf.At, face.Side / 2, isUpper ? 1 : -1);
   const Cell beyond{ leaf.Level, at, 0 };
   const bool isInside = this->Grid.Lattice().HasCell(leaf.Level, at);
-  if (isInside && this->IsRefined(beyond))
+  if (isInside && IsRefined(this->Grid, beyond))
   {
     this->AddAroundCentre(face, label);
     this->AddFinestBeyond(face, label);
   }
-  else if (isInside && leaf.Level > 0 && !this->IsRefined({ leaf.Level - 1, ParentOfCell(at), 0 }))
+  else if (isInside && leaf.Level > 0 &&
+    !IsRefined(this->Grid, { leaf.Level - 1, ParentOfCell(at), 0 }))
   {
     this->AddHalves(face, HubOf(leaf.At, face.Side), label);
   }
@@ -161,8 +164,7 @@ void CoarseTets::AddInner(const Face& face, Index beyond, int label)
 /// Adds the tets between the centre of a leaf and the triangles around the centre of a face.
 void CoarseTets::AddAroundCentre(const Face& face, int label)
 {
-  const Index hub =
-    this->PointOf(face.Leaf.Level + 1, FinerFaceCentre(face.Leaf.At, face.Side));
+  const Index hub = this->PointOf(face.Leaf.Level + 1, FinerFaceCentre(face.Leaf.At, face.Side));
   for (int k = 0; k < 4; ++k)
   {
     const Index from = face.Corners[k], to = face.Corners[(k + 1) % 4], middle = face.Midpoints[k];
@@ -205,8 +207,7 @@ void CoarseTets::AddFinestBeyond(const Face& face, int label)
 }
 
 /// Adds a tet, unless a point of it is unknown on this rank.
-void CoarseTets::AddTet(
-  const Face& face, int number, const std::array<Index, 4>& points, int label)
+void CoarseTets::AddTet(const Face& face, int number, const std::array<Index, 4>& points, int label)
 {
   if (std::find(points.begin(), points.end(), Unknown) == points.end())
   {
@@ -223,37 +224,12 @@ CoarseTets::Face CoarseTets::FaceOf(const Cell& leaf, int side) const
   {
     const int corner = FaceCorners[side][k], next = FaceCorners[side][(k + 1) % 4];
     face.Corners[k] = this->PointOf(leaf.Level, CornerOfCell(leaf.At, corner));
-    face.Midpoints[k] = this->HasMidpoint(leaf, corner, next)
+    face.Midpoints[k] = HasMidpoint(this->Grid, leaf, corner, next)
       ? this->PointOf(
           leaf.Level + 1, Mean(FinerCorner(leaf.At, corner), FinerCorner(leaf.At, next)))
       : NoPoint;
   }
   return face;
-}
-
-bool CoarseTets::IsRefined(const Cell& cell) const
-{
-  return cell.Level < this->Grid.NumberOfRefinements() &&
-    this->Grid.Families().IsRefined(cell.Level, cell.At);
-}
-
-/// Returns whether a cell at the edge between two corners of a leaf is refined.
-bool CoarseTets::HasMidpoint(const Cell& leaf, int corner, int next) const
-{
-  bool has = false;
-  for (int n = 1; n < 4; ++n)
-  {
-    Cell other = leaf;
-    for (int a = 0, across = 0; a < 3; ++a)
-    {
-      if ((corner >> a & 1) == (next >> a & 1))
-      {
-        other.At[a] += n >> across++ & 1 ? (corner >> a & 1 ? 1 : -1) : 0;
-      }
-    }
-    has = has || this->IsRefined(other);
-  }
-  return has;
 }
 
 bool CoarseTets::IsOnFlatSeam(const Cell& leaf, int side) const
@@ -268,26 +244,9 @@ bool CoarseTets::IsOnFlatSeam(const Cell& leaf, int side) const
 int CoarseTets::BoundaryDiagonal(const Cell& leaf, int side) const
 {
   const Index3 node = CornerOfCell(leaf.At, FaceCorners[side][0]);
-  const Index3 finest =
-    this->Grid.Finest().Canonical(this->Grid.FinestNode(leaf.Level, node));
+  const Index3 finest = this->Grid.Finest().Canonical(this->Grid.FinestNode(leaf.Level, node));
   const int shift = this->Grid.NumberOfRefinements() - leaf.Level;
-  return static_cast<int>(
-    ((finest[0] >> shift) + (finest[1] >> shift) + (finest[2] >> shift)) & 1);
-}
-
-/// Returns whether a node of the finest grid, of which this rank may know no cells, is a corner of
-/// finest cells.
-bool CoarseTets::IsFineVertex(const Index3& node) const
-{
-  const int last = this->Grid.NumberOfRefinements() - 1;
-  bool isFine = false;
-  for (int c = 0; c < 8 && !isFine; ++c)
-  {
-    const Index3 cell = CellOfStar(node, c);
-    isFine = this->Grid.Lattice().HasCell(last + 1, cell) &&
-      this->IsRefined({ last, ParentOfCell(cell), 0 });
-  }
-  return isFine;
+  return static_cast<int>(((finest[0] >> shift) + (finest[1] >> shift) + (finest[2] >> shift)) & 1);
 }
 
 /// Returns the point at a node of a level.
@@ -295,7 +254,7 @@ Index CoarseTets::PointOf(int level, const Index3& node) const
 {
   const CartesianGrid& finest = this->Grid.Finest();
   const Index3 at = this->Grid.FinestNode(level, node);
-  if (!this->IsFineVertex(at))
+  if (!IsFineVertex(this->Grid, at))
   {
     return CoarsePointId(
       this->Grid, this->Grid.Lattice().LatticeKey(level, node), TetIds.PointSlots);
@@ -337,8 +296,7 @@ PointPosition CoarseTets::KindOf(Index id) const
   {
     return PointPosition::Inside;
   }
-  const Cell node =
-    this->Grid.Lattice().NodeOfKey(KeyOfPoint(this->Grid, id, TetIds.PointSlots));
+  const Cell node = this->Grid.Lattice().NodeOfKey(KeyOfPoint(this->Grid, id, TetIds.PointSlots));
   return this->Grid.Lattice().DomainSides(node.Level, node.At) != 0 ? PointPosition::OnDomain
                                                                     : PointPosition::Inside;
 }

@@ -14,8 +14,8 @@
  *   midpoint, four to eight to triangles around the centre of the face.
  *
  * Cells that share an edge differ by at most one level (OctantFamilies.h), so no other case exists.
- * In cubes, dihedral angles are from 45 to 120 degrees. All points stay in place, except the
- * corners of finest cells at interfaces (ActiveTets.h).
+ * In cubes, dihedral angles are from 45 to 120 degrees. Only corners and centres of finest cells
+ * move (ActiveTets.h).
  *
  * Leaves have one label, because only finest cells are at interfaces. Ids are CoarsePointId,
  * CentreId and TetId (LevelIds.h). A tet between leaves of one level belongs to the lower one, all
@@ -88,11 +88,8 @@ private:
   void AddFinestBeyond(const Face& face, int label);
   void AddTet(const Face& face, int number, const std::array<Index, 4>& points, int label);
   Face FaceOf(const Cell& leaf, int side) const;
-  bool IsRefined(const Cell& cell) const;
-  bool HasMidpoint(const Cell& leaf, int corner, int next) const;
   bool IsOnFlatSeam(const Cell& leaf, int side) const;
   int BoundaryDiagonal(const Cell& leaf, int side) const;
-  bool IsFineVertex(const Index3& node) const;
   Index PointOf(int level, const Index3& node) const;
   Index CentreOf(const Cell& cell) const;
   Vector3 PositionOf(Index id) const;
