@@ -220,7 +220,7 @@ void AddLevels(std::vector<Group>& groups)
     {
       groups.push_back({ std::string("Families_") + kind.Name + "_" + std::to_string(halvings),
         halvings == 1 ? 6u : 3u,
-        [=](unsigned seed) { return MakeFamilyTets(kind, halvings, seed); }, { -1.0, 15.0 } });
+        [=](unsigned seed) { return MakeFamilyTets(kind, halvings, seed); }, { -1.0, 25.0 } });
     }
   }
   Bounds stretched;
