@@ -141,6 +141,11 @@ def tets(
         smooth.
     fine_interfaces : bool, default True
         No effect on tetrahedra: all interfaces get the finest cells.
+    fine_layers : int, default 2
+        An integer from 2 to 64. Finest cells between an interface and larger cells. With 2, Lattice
+        has finest cells only at the nodes of interfaces, and Cells and TetGen have one layer more;
+        each number above adds a layer. Interfaces are those of a mesh without larger cells, except
+        that those of Lattice differ by a few hundredths of a cell with 2.
     target_scaled_jacobian : float, default 0.0
         A number from 0 (automatic) to below 1. Target of smoothing for the quality of tetrahedra,
         the sine of their acute dihedral angles. Larger values give better tetrahedra that follow
@@ -156,7 +161,7 @@ def tets(
         Option of `hexes`, with the same default.
     particle_clusters, least_particle, sharp_edges, label_smoothing, element_order : see hexes
         Option of `hexes`, with the same default.
-    conserve_volume, cell_width, refinement, maximum_level, fine_layers, thin_cells : see hexes
+    conserve_volume, cell_width, refinement, maximum_level, thin_cells : see hexes
         Option of `hexes`, with the same default.
     curvature_per_cell, refine_flipped_cells, interface_layers, maximum_aspect_ratio : see hexes
         Option of `hexes`, with the same default.
