@@ -71,6 +71,18 @@ vtkVolumeFractionMeshAlgorithm::vtkVolumeFractionMeshAlgorithm(vfm::ElementKind 
 
 vtkVolumeFractionMeshAlgorithm::~vtkVolumeFractionMeshAlgorithm() = default;
 
+double* vtkVolumeFractionMeshAlgorithm::GetInputSpacing()
+{
+  std::fill_n(this->InputSpacing, 3, 0.0);
+  vtkInformation* info =
+    this->GetNumberOfInputConnections(0) > 0 ? this->GetInputInformation(0, 0) : nullptr;
+  if (info && info->Has(vtkDataObject::SPACING()))
+  {
+    info->Get(vtkDataObject::SPACING(), this->InputSpacing);
+  }
+  return this->InputSpacing;
+}
+
 int vtkVolumeFractionMeshAlgorithm::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());

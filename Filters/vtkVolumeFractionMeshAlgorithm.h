@@ -378,6 +378,17 @@ public:
   /// the input. Allowed: a number, 0 (as read) or more, or three such numbers with commas between
   /// them; default 0.
   vfmTextOption(CellWidth);
+  /// Widths of cells of single materials, name=width or id=width with commas between them, in
+  /// length units; small=N:width is for all materials of fewer than N cells in the input. All
+  /// others have Cell Width. A cell is halved while it is wider than the width of a material in it
+  /// or next to it, and interfaces run through cells of several widths. auto: cells are as wide as
+  /// Allowed Error lets them be, at most Cell Width, or 4 cells of the input. Hexahedra; tetrahedra
+  /// have the smallest width at all interfaces. Allowed: auto, or entries such as steel=0.5, 3=1 or
+  /// small=100:0.5 with commas between them and widths above 0, or None; default None.
+  vfmTextOption(MaterialWidths);
+  /// Distance that surfaces may be from those of the input, in cells of the input, if Material
+  /// Widths is auto. Allowed: a number, 0 or more; default 0.5.
+  vfmNumberOption(AllowedError, double);
   /// Where the mesh is refined; each level halves the cells. Input Levels: where the input has
   /// finer levels (AMR). Off: nowhere, all cells are of the coarsest level. Automatic: where the
   /// shape of the materials requires it. Coarsen: the cells of the input stay near interfaces and
@@ -474,6 +485,12 @@ public:
   vfmNumberOption(NumberOfThreads, int);
   // end of options
 
+  /**
+   * Returns the widths of the cells of an image, along its own axes; zeros for other input. The
+   * panel shows how many cells CellWidth makes of them.
+   */
+  double* GetInputSpacing() VTK_SIZEHINT(3);
+
 protected:
   explicit vtkVolumeFractionMeshAlgorithm(vfm::ElementKind elements);
   ~vtkVolumeFractionMeshAlgorithm() override = 0; // an abstract class
@@ -487,6 +504,7 @@ protected:
   int WordAssociation = vfm::AnyAssociation; // association of the following words
   vfm::ChosenArray MaterialIdArray;
   std::vector<std::string> StateArrays;
+  double InputSpacing[3] = { 0.0, 0.0, 0.0 };
 
 private:
   vtkVolumeFractionMeshAlgorithm(const vtkVolumeFractionMeshAlgorithm&) = delete;

@@ -4,6 +4,7 @@
 #include "HostInput.h"
 #include "Labels/ReadLabelNames.h"
 #include "Meshes/WriteMesh.h"
+#include "Options/CellWidths.h"
 #include "Options/SetOptions.h"
 #include "Ranks/WorkTogether.h"
 #include "Sculptor.h"
@@ -154,7 +155,10 @@ MesherResult SculptorSession::Run(
   CollectedBlocks collected = CollectHostBlocks(grid, ranks);
   input.Arrays.State =
     CompleteChoice(ChooseState(options, NamesOf(names.States)), ListsOf(collected.Blocks), ranks);
-  input.Levels = FindLevels(std::move(collected), this->Neighbours, ranks);
+  // Cells of CellWidth may need state of ranks that are not neighbours.
+  const std::optional<std::array<int, 6>> neighbours =
+    HasCellWidth(options) ? std::nullopt : this->Neighbours;
+  input.Levels = FindLevels(std::move(collected), neighbours, ranks);
   input.StaysInPlace = this->Neighbours.has_value();
   ThreadRuntime runtime(ChooseThreads(options.NumberOfThreads, ranks.Count()), &ranks);
   return RunMesher(input, options, runtime);

@@ -1,5 +1,7 @@
 #include "Mesher.h"
 
+#include "Geometry/DisplacedVolume.h"
+#include "Options/MaterialWidths.h"
 #include "Options/SetOptions.h"
 #include "Phases/ChangeElements.h"
 #include "Phases/GiveState.h"
@@ -31,19 +33,31 @@ Mesh MakeMesh(
   return mesh;
 }
 
+/// Interfaces cross levels if materials have widths of their own, but tets do not support it.
+bool HasFineInterfaces(const MesherOptions& options)
+{
+  return options.Elements == ElementKind::Tets ||
+    (options.FineInterfaces && !HasMaterialWidths(options));
+}
+
 } // namespace
 
 MesherResult RunMesher(const MesherInput& input, const MesherOptions& given, Runtime& runtime)
 {
   CheckOptions(given);
   MesherOptions options = given;
-  options.FineInterfaces |= options.Elements == ElementKind::Tets; // tets support nothing else
+  options.FineInterfaces = HasFineInterfaces(given);
   const MesherJob job{ input, options, runtime };
 
   const std::unique_ptr<Cells> cells = ReadCells(job);
   const PreparedCells prepared = PrepareCells(job, *cells);
   MesherResult result;
   result.TheMesh = MakeMesh(job, cells->Fields, prepared.Options, result.Report);
+  if (cells->Wide.IsUsed() && result.Report.DisplacedVolume.empty())
+  {
+    result.Report.DisplacedVolume = FindDisplacedVolumes(
+      cells->Fields.Grid, cells->Fields.Field.Fractions, result.TheMesh, runtime);
+  }
   result.Report.RemovedRegions = prepared.Removed.Regions;
   result.Report.RemovedCells = prepared.Removed.Cells;
   result.Report.ChosenCells = cells->Requests.Cells;

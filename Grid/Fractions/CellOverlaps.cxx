@@ -127,11 +127,16 @@ CellOverlaps FindOverlaps(const std::array<std::vector<double>, 3>& from,
   return overlaps;
 }
 
+Index CountEqualCells(double length, double width)
+{
+  return std::max<Index>(std::llround(length / width), 1);
+}
+
 std::vector<double> ReplaceNodes(const std::vector<double>& nodes, double width)
 {
   const double length = nodes.back() - nodes.front();
   const Index before = static_cast<Index>(nodes.size()) - 1;
-  const Index count = std::max<Index>(std::llround(length / width), 1);
+  const Index count = CountEqualCells(length, width);
   const bool isEven = HasEqualWidths(nodes);
   std::vector<double> replaced{ nodes.front() };
   for (Index c = 1; c < count; ++c)

@@ -69,6 +69,9 @@ CellOverlaps OverlapsOfBlocks(
 CellOverlaps FindOverlaps(const std::array<std::vector<double>, 3>& from,
   const std::array<std::vector<double>, 3>& to, const IndexBox& cells);
 
+/// Returns round(length / width), at least 1: the number of cells of equal width along an axis.
+Index CountEqualCells(double length, double width);
+
 /// Returns the nodes of round(length / width) cells of equal width in place of other cells, at
 /// least one. If the cells that they replace have equal widths, within 1e-3, nodes that should be
 /// equal are so exactly.

@@ -14,7 +14,7 @@ namespace
 
 /// Names of kinds, indexed by OptionKind.
 constexpr const char* KindNames[] = { "switch", "integer", "real", "choice", "array", "file",
-  "arrays", "kinds", "pairs", "ranges", "widths", "boxes" };
+  "arrays", "kinds", "pairs", "ranges", "widths", "sizes", "boxes" };
 
 std::string Quote(const std::string& text)
 {

@@ -9,6 +9,7 @@
 #include "Input/InputBlocks.h"
 #include "Input/SparseCells.h"
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -23,6 +24,17 @@ struct Materials
   std::vector<int> Labels; ///< ids of the user; 0 is void
   int ZeroId = 0;          ///< id of the material with label 0 in the input; 0: it is void
 };
+
+/// Returns the names of materials by id.
+inline std::map<int, std::string> NamesOf(const Materials& table)
+{
+  std::map<int, std::string> names;
+  for (std::size_t m = 0; m < table.Names.size(); ++m)
+  {
+    names[table.Labels[m]] = table.Names[m];
+  }
+  return names;
+}
 
 /// Numbers of cells of the input that were changed.
 struct CorrectedCells

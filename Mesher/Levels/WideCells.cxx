@@ -17,34 +17,6 @@ namespace
 constexpr double KeptShare = 0.99; // of a volume, without a warning
 constexpr double WidthRatio = 0.8; // of a width that is tried and the one before
 
-double MeanWidth(const std::vector<double>& nodes)
-{
-  return (nodes.back() - nodes.front()) / static_cast<double>(nodes.size() - 1);
-}
-
-Vector3 MeanWidths(const GridNodes& nodes)
-{
-  return { { MeanWidth(nodes[0]), MeanWidth(nodes[1]), MeanWidth(nodes[2]) } };
-}
-
-/// Collective. Returns the number of owned cells of each material.
-std::vector<Index> CountCells(
-  const CartesianGrid& grid, const FractionField& fractions, double isoValue, Ranks& ranks)
-{
-  std::vector<Index> counts(fractions.NumberOfMaterials() + 1, 0);
-  const IndexBox& box = grid.Owned();
-  ForRows(box,
-    [&](Index j, Index k)
-    {
-      const Index first = grid.Linear({ { box.Lower[0], j, k } });
-      fractions.VisitRuns(first, first + box.Size(0),
-        [&](Index begin, Index end, int label)
-        { counts[label < 0 ? MaterialOfCell(fractions, begin, isoValue) : label] += end - begin; });
-    });
-  ranks.Sum(counts);
-  return counts;
-}
-
 /// Returns whether a cell or one around it has a label.
 bool HasNear(const CartesianGrid& grid, const LabelArray& labels, const Index3& cell, int label)
 {
@@ -153,6 +125,23 @@ IndexBox Join(const IndexBox& one, const IndexBox& other)
 
 } // namespace
 
+std::vector<Index> CountCells(
+  const CartesianGrid& grid, const FractionField& fractions, double isoValue, Ranks& ranks)
+{
+  std::vector<Index> counts(fractions.NumberOfMaterials() + 1, 0);
+  const IndexBox& box = grid.Owned();
+  ForRows(box,
+    [&](Index j, Index k)
+    {
+      const Index first = grid.Linear({ { box.Lower[0], j, k } });
+      fractions.VisitRuns(first, first + box.Size(0),
+        [&](Index begin, Index end, int label)
+        { counts[label < 0 ? MaterialOfCell(fractions, begin, isoValue) : label] += end - begin; });
+    });
+  ranks.Sum(counts);
+  return counts;
+}
+
 GridNodes ReplaceNodes(const GridNodes& nodes, const Vector3& widths)
 {
   GridNodes replaced = nodes;
@@ -203,17 +192,22 @@ LevelFields HoldNeeded(const WidePlan& plan, const LevelFields& fields, Ranks& r
   return held;
 }
 
-WideReport WidenFields(const WidePlan& plan, double isoValue, Runtime& runtime, LevelFields& fields)
+WideReport WidenFields(
+  const WidePlan& plan, int halvings, double isoValue, Runtime& runtime, LevelFields& fields)
 {
   Ranks& ranks = runtime.Group();
   WideReport report;
   report.Widths = MeanWidths(plan.Nodes);
+  report.Halvings = halvings;
   report.InputCells = CountCells(fields.Grid, fields.Field.Fractions, isoValue, ranks);
   ResampledFields wide = ResampleFields(
     fields.Grid, fields.Field.Fractions, plan.Nodes, Index(1) << plan.Coarser, runtime);
   report.Cells = CountCells(wide.Grid, wide.Fractions, isoValue, ranks);
-  report.Keeping = FindKeepingFactors(
-    fields, report.Widths, FindKept(wide.Grid, wide.Fractions, isoValue, ranks), isoValue, runtime);
+  if (halvings == 0)
+  {
+    report.Keeping = FindKeepingFactors(fields, report.Widths,
+      FindKept(wide.Grid, wide.Fractions, isoValue, ranks), isoValue, runtime);
+  }
   const double width = *std::max_element(report.Widths.begin(), report.Widths.end());
   for (double& keeping : report.Keeping)
   {

@@ -6,23 +6,24 @@
 
 #include "Base/Runtime.h"
 #include "Input/InputLevels.h"
+#include "Levels/CellSizes.h"
 #include "Levels/InputRequests.h"
 #include "Levels/LevelFields.h"
 
 namespace vfm
 {
 
-using GridNodes = std::array<std::vector<double>, 3>;
-
 /// What materials keep in other cells, over all ranks.
 struct WideReport
 {
-  Vector3 Widths{ { 0.0, 0.0,
-    0.0 } }; ///< of the new cells; zeros: the cells are those of the input
+  /// Of the new cells, the finest of several levels; zeros: the cells are those of the input.
+  Vector3 Widths{ { 0.0, 0.0, 0.0 } };
+  int Halvings = 0; ///< of the coarsest new cells until they are the finest (MaterialWidths)
   std::vector<Index> InputCells,
-    Cells; ///< cells of the input, and new cells, of materials 0, 1, ..
+    Cells; ///< cells of the input, and new (finest) cells, of materials 0, 1, ..
+  std::vector<double> MaterialWidths; ///< of cells of materials 0, 1, ..; empty: Widths
   /// Largest width that keeps each of the materials 0, 1, .. in 99 % of its volume, among those
-  /// tried, which are below Widths; 0: only the cells of the input do.
+  /// tried, which are below Widths; 0: only the cells of the input do. Empty if there are Halvings.
   std::vector<double> Keeping;
 
   bool IsUsed() const { return this->Widths != Vector3{}; }
@@ -55,11 +56,17 @@ WidePlan PlanCells(
 /// @pre Collective
 LevelFields HoldNeeded(const WidePlan& plan, const LevelFields& fields, Ranks& ranks);
 
+/// Returns the numbers of cells of materials 0, 1, .. on all ranks.
+/// @pre Collective
+std::vector<Index> CountCells(
+  const CartesianGrid& grid, const FractionField& fractions, double isoValue, Ranks& ranks);
+
 /// Replaces the cells of fields of one level.
+/// @param halvings of the coarsest new cells, for WideReport
 /// @param[in,out] fields made for LevelSetup::IsUniform, without copies of cells
 /// @pre Collective
 WideReport WidenFields(
-  const WidePlan& plan, double isoValue, Runtime& runtime, LevelFields& fields);
+  const WidePlan& plan, int halvings, double isoValue, Runtime& runtime, LevelFields& fields);
 
 /// Returns the requests for the new cells of this rank: a new cell gets the most halvings of the
 /// cells of the input that it overlaps.

@@ -1,48 +1,21 @@
 #include "Modify/MaterialPairs.h"
 
-#include "Base/ParseText.h"
 #include "Ranks/Errors.h"
-
-#include <algorithm>
-#include <limits>
-#include <optional>
 
 namespace vfm
 {
 namespace
 {
 
-using Names = std::map<int, std::string>;
-
 /// Returns the id of a material, `any` for \*, or nothing.
-std::optional<int> FindMaterial(const std::string& text, const Names& names, int any)
+std::optional<int> FindMaterial(const std::string& text, const NamesById& names, int any)
 {
-  if (text == "*")
-  {
-    return any;
-  }
-  const auto named = std::find_if(
-    names.begin(), names.end(), [&text](const auto& material) { return material.second == text; });
-  if (named != names.end())
-  {
-    return named->first;
-  }
-  const std::optional<int> id = ParseCount(text, 0, std::numeric_limits<int>::max());
-  return id && names.count(*id) > 0 ? id : std::nullopt;
-}
-
-std::string ListMaterials(const Names& names)
-{
-  std::vector<std::string> texts;
-  for (const auto& [id, name] : names)
-  {
-    texts.push_back(name + " (" + std::to_string(id) + ")");
-  }
-  return JoinTexts(texts);
+  return text == "*" ? any : vfm::FindMaterial(text, names);
 }
 
 /// Parses a pair. A name may contain slashes itself.
-std::optional<std::array<int, 2>> ParsePair(const std::string& text, const Names& names, int any)
+std::optional<std::array<int, 2>> ParsePair(
+  const std::string& text, const NamesById& names, int any)
 {
   for (std::size_t at = text.find('/'); at != std::string::npos; at = text.find('/', at + 1))
   {
@@ -58,7 +31,8 @@ std::optional<std::array<int, 2>> ParsePair(const std::string& text, const Names
 
 } // namespace
 
-MaterialPairs::MaterialPairs(const std::string& option, const std::string& text, const Names& names)
+MaterialPairs::MaterialPairs(
+  const std::string& option, const std::string& text, const NamesById& names)
 {
   if (IsSameWord(text, "all"))
   {

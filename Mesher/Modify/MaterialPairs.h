@@ -3,10 +3,9 @@
  */
 #pragma once
 
+#include "Options/FindMaterial.h"
+
 #include <array>
-#include <map>
-#include <optional>
-#include <string>
 #include <vector>
 
 namespace vfm
@@ -20,8 +19,7 @@ public:
   /// @param option name of the option, for messages
   /// @param names names of all materials by id
   /// @throws InputError if a text is not a pair of two different materials
-  MaterialPairs(
-    const std::string& option, const std::string& text, const std::map<int, std::string>& names);
+  MaterialPairs(const std::string& option, const std::string& text, const NamesById& names);
 
   /// Returns whether the user selected two different materials.
   bool Contains(int one, int other) const;
@@ -37,7 +35,7 @@ private:
 
 /// Returns the pairs of materials in an option, or nothing if its text is empty.
 inline std::optional<MaterialPairs> ReadPairs(
-  const std::string& option, const std::string& text, const std::map<int, std::string>& names)
+  const std::string& option, const std::string& text, const NamesById& names)
 {
   return text.empty() ? std::nullopt
                       : std::optional<MaterialPairs>(MaterialPairs(option, text, names));

@@ -155,6 +155,8 @@ struct MesherOptions : MeshSettings, LevelSettings, ConserveOptions, LayerOption
   std::string VelocityArray, EnergyArray;
   std::vector<std::string> RotatedArrays;
   std::string CellWidth = "0"; ///< widths along the axes (CellWidths.h)
+  std::string MaterialWidths;  ///< widths of materials, or "auto" (MaterialWidths.h)
+  double AllowedError = 0.5;   ///< of surfaces if MaterialWidths is "auto", in cells of the input
   RefinementMode Refinement = RefinementMode::InputLevels;
   int MaximumLevel = -1; ///< -1: automatic
   double ThinCells = 2.0, CurvaturePerCell = 0.0;

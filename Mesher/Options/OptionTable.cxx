@@ -371,6 +371,19 @@ OptionTable RefinementOptions()
       "the cells of the input.")
       .InPython("cell_width")
       .Sculptor("--cell-width W"),
+    Row("MaterialWidths", Text(OptionKind::Sizes, &M::MaterialWidths),
+      "Widths of cells of single materials, name=width or id=width with commas between them, in "
+      "length units; small=N:width is for all materials of fewer than N cells in the input. All "
+      "others have Cell Width. A cell is halved while it is wider than the width of a material in "
+      "it or next to it, and interfaces run through cells of several widths. auto: cells are as "
+      "wide as Allowed Error lets them be, at most Cell Width, or 4 cells of the input. "
+      "Hexahedra; tetrahedra have the smallest width at all interfaces.")
+      .InPython("material_widths")
+      .Sculptor("--material-widths LIST"),
+    Row("AllowedError", Number<&M::AllowedError>(0),
+      "Distance that surfaces may be from those of the input, in cells of the input, if Material "
+      "Widths is auto.")
+      .EnabledIf("MaterialWidths"),
     Row("Refinement",
       Choice<&M::Refinement>({ "Off", "Input Levels", "Automatic", "Coarsen", "Uniform" }),
       "Where the mesh is refined; each level halves the cells. Input Levels: where the input has "

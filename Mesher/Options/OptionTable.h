@@ -29,6 +29,7 @@ enum class OptionKind
   Pairs,  ///< pairs of materials
   Ranges, ///< ranges of values
   Widths, ///< one width, or one per axis
+  Sizes,  ///< widths of materials
   Boxes   ///< RefinementBoxes
 };
 

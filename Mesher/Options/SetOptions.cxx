@@ -3,6 +3,7 @@
 #include "Base/ParseText.h"
 #include "Base/Runtime.h"
 #include "Options/CellWidths.h"
+#include "Options/MaterialWidths.h"
 #include "Options/ValueRanges.h"
 
 #include <algorithm>
@@ -146,6 +147,7 @@ bool IsSound(OptionKind kind, const std::string& text)
 {
   return kind == OptionKind::Ranges ? ParseRanges(text).has_value()
     : kind == OptionKind::Widths    ? ParseWidths(text).has_value()
+    : kind == OptionKind::Sizes     ? ParseMaterialWidths(text).has_value()
                                     : true;
 }
 
@@ -277,6 +279,10 @@ std::string Option::Allowed() const
              "between them, or None";
     case OptionKind::Widths:
       return "a number, 0 (as read) or more, or three such numbers with commas between them";
+    case OptionKind::Sizes:
+      return "auto, or entries such as steel=0.5, 3=1 or small=100:0.5 with commas between them "
+             "and "
+             "widths above 0, or None";
     case OptionKind::Boxes:
       return "x0,y0,z0,x1,y1,z1, optionally followed by the number of halvings, 0 to " +
         std::to_string(MaximumHalvings) + "; boxes are separated by semicolons";
@@ -366,6 +372,7 @@ std::string GetOption(const MesherOptions& options, const Option& option)
     case OptionKind::Pairs:
     case OptionKind::Ranges:
     case OptionKind::Widths:
+    case OptionKind::Sizes:
       return orNone(options.*option.Text);
     case OptionKind::Arrays:
     case OptionKind::Kinds:

@@ -33,7 +33,8 @@ struct MesherInput
   InputLevels Levels;
   MesherArrays Arrays;
   /// true: each rank has one block and meshes its cells; required for input of FindNeighbourLevels,
-  /// which knows only the blocks nearby. false: cells may be redistributed over the ranks.
+  /// which knows only the blocks nearby and does not suit the option CellWidth with state,
+  /// particles or requests of refinement. false: cells may be redistributed over the ranks.
   bool StaysInPlace = false;
   std::function<void(const std::string&)> Warn; ///< called only on rank 0; may be empty
 };

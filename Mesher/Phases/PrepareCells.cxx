@@ -50,7 +50,7 @@ PreparedCells PrepareCells(const MesherJob& job, Cells& cells)
       job.Options, cells.Setup, cells.Requests, FinestLevel(job, cells), job.Run, fields),
     job.Options.UnmeshedMaterial == Unmeshed::Particles };
   Warn(job, DescribeWidths(fields.Grid));
-  options.ThinParts = options.ThinParts && !HasLabels(job, cells);
+  options.ThinParts = options.ThinParts && !AreLabels(job);
   return { options, removed };
 }
 

@@ -3,9 +3,9 @@
 #include "Input/InputFractions.h"
 #include "Input/InputLabels.h"
 #include "Levels/GreyLabels.h"
+#include "Levels/NewCells.h"
 #include "Levels/PeriodicFields.h"
 #include "Materials/ZeroLabels.h"
-#include "Options/CellWidths.h"
 #include "Options/SetOptions.h"
 #include "Options/ValueRanges.h"
 #include "Phases/WidenCells.h"
@@ -77,17 +77,6 @@ LevelSetup SetUpLevels(const MesherJob& job, const InputRequests& requests)
   return setup;
 }
 
-/// Returns the names of materials by id.
-std::map<int, std::string> NamesOf(const Materials& table)
-{
-  std::map<int, std::string> names;
-  for (std::size_t m = 0; m < table.Names.size(); ++m)
-  {
-    names[table.Labels[m]] = table.Names[m];
-  }
-  return names;
-}
-
 } // namespace
 
 std::unique_ptr<Cells> ReadCells(const MesherJob& job)
@@ -101,7 +90,7 @@ std::unique_ptr<Cells> ReadCells(const MesherJob& job)
   const std::vector<StateArray> states = FindStateArrays(levels, arrays.State.Arrays, ranks);
   InputRequests requests = FindInputRequests(levels, options, ranks);
   Warn(job, requests.Warning);
-  const bool isWidened = HasCellWidth(options);
+  const bool isWidened = ReplacesCells(options);
   const LevelSetup setup = isWidened ? SetUpReading(levels) : SetUpLevels(job, requests);
   CheckPeriods(options);
   std::vector<BlockPlace> owners = job.Input.StaysInPlace
@@ -114,7 +103,7 @@ std::unique_ptr<Cells> ReadCells(const MesherJob& job)
   Warn(job, CheckGreyValues(job, cells->Fields));
   Materials& table = cells->Fields.Field.Table;
   NameLabels(arrays.Names, table);
-  const std::map<int, std::string> names = NamesOf(table);
+  const NamesById names = NamesOf(table);
   cells->SplitPairs = ReadPairs("SplitInterfaces", options.SplitInterfaces, names);
   cells->LayerPairs = ReadPairs("LayerInterfaces", options.LayerInterfaces, names);
   if (isWidened)

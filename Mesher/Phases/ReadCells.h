@@ -34,12 +34,6 @@ inline int FinestLevel(const MesherJob& job, const Cells& cells)
   return cells.Wide.IsUsed() ? 0 : job.Input.Levels.Finest();
 }
 
-/// Returns whether the cells have labels: those that replace others have fractions.
-inline bool HasLabels(const MesherJob& job, const Cells& cells)
-{
-  return AreLabels(job) && !cells.Wide.IsUsed();
-}
-
 /// Reads the arrays of the blocks.
 /// @throws InputError  if the input is not valid, on all ranks
 /// @pre Collective.

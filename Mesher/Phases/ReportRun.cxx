@@ -30,20 +30,17 @@ void WarnOfMesh(const MesherJob& job, const MeshReport& report, const Cells& cel
   const bool isEmpty = std::all_of(report.Materials.begin(), report.Materials.end(),
     [](const MeshReport::Material& material) { return material.Elements == 0; });
   const bool areExact = MovesPoints(job.Options) && ConservesVolume(job.Options);
-  if (cells.Wide.IsUsed() && !isEmpty)
-  {
-    Warn(job, DescribeWideLosses(report, field.Table, cells.Wide, areExact));
-    return;
-  }
+  const bool isWide = cells.Wide.IsUsed();
   Warn(job,
-    isEmpty ? "The mesh is empty: no cell is filled by its materials to the iso value."
-            : DescribeLostMaterials(report, field.Table));
+    isEmpty    ? "The mesh is empty: no cell is filled by its materials to the iso value."
+      : isWide ? DescribeWideLosses(report, field.Table, cells.Wide, areExact)
+               : DescribeLostMaterials(report, field.Table));
   if (areExact)
   {
-    Warn(job, DescribeInexactMaterials(report, field.Table, AreLabels(job)));
+    Warn(job, isWide ? "" : DescribeInexactMaterials(report, field.Table, AreLabels(job)));
     Warn(job,
       DescribeDisplacedMaterials(
-        report, field.Table, job.Options.UnmeshedMaterial == Unmeshed::Particles));
+        report, field.Table, cells.Wide, job.Options.UnmeshedMaterial == Unmeshed::Particles));
   }
 }
 

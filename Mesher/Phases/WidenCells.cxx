@@ -1,24 +1,13 @@
 #include "Phases/WidenCells.h"
 
 #include "Labels/SmoothLabels.h"
+#include "Levels/NewCells.h"
 #include "Levels/PeriodicFields.h"
-#include "Options/CellWidths.h"
 
 namespace vfm
 {
 namespace
 {
-
-/// If ranks know only the blocks nearby, they cannot send state or requests to new cells.
-void CheckWidth(const MesherJob& job, const InputRequests& requests)
-{
-  const bool isSent = NeedsState(job.Input.Arrays.State, job.Options) || requests.Cells > 0;
-  if (job.Input.StaysInPlace && isSent)
-  {
-    throw InputError("CellWidth cannot be combined with state arrays, particles, and boxes or "
-                     "arrays of refinement if each rank gives its face neighbours.");
-  }
-}
 
 /// Smooths labels as read, on a domain that may repeat.
 void SmoothInput(const MesherJob& job, Cells& cells)
@@ -30,13 +19,6 @@ void SmoothInput(const MesherJob& job, Cells& cells)
     SmoothFields(job, cells.Fields);
     RemoveCopies(ranks, cells.Fields);
   }
-}
-
-LevelSetup DecideLevels(
-  const MesherOptions& options, const GridNodes& nodes, const InputRequests& requests)
-{
-  return DecideLevels(options.Refinement, options.MaximumLevel, nodes, 0,
-    CountPeriodicLevels(options, nodes), requests.Finest);
 }
 
 } // namespace
@@ -53,25 +35,27 @@ void WidenCells(
   const MesherJob& job, const InputRequests& requests, std::vector<StateArray> states, Cells& cells)
 {
   const MesherOptions& options = job.Options;
-  const InputLevels& levels = job.Input.Levels;
+  const InputLevels& input = job.Input.Levels;
   const StateChoice& choice = job.Input.Arrays.State;
   Ranks& ranks = job.Run.Group();
-  CheckWidth(job, requests);
+  CheckMaterialWidths(options);
   job.Run.Progress(0.0, "Replacing cells by wider ones");
   const GridNodes nodes = cells.Fields.Grid.Coordinates();
-  GridNodes wide = ReplaceNodes(nodes, *ParseWidths(options.CellWidth));
-  const int coarser = std::max(-DecideLevels(options, wide, InputRequests()).Base, 0);
-  const WidePlan plan = PlanCells(levels, cells.Fields.Grid, std::move(wide), coarser, ranks);
+  const CellSizes sizes = PlanNewCells(options, cells.Fields,
+    CountCells(cells.Fields.Grid, cells.Fields.Field.Fractions, options.IsoValue, ranks), job.Run);
+  const WidePlan plan = PlanCells(input, cells.Fields.Grid, sizes.Nodes, sizes.Halvings, ranks);
   cells.Owners = plan.Places;
-  cells.State = StoreState(levels, cells.Source, choice, std::move(states),
+  cells.State = StoreState(input, cells.Source, choice, std::move(states),
     NeedsState(choice, options) ? HoldNeeded(plan, cells.Fields, ranks) : cells.Fields, cells.Setup,
     options, cells.Owners, job.Run);
   SmoothInput(job, cells);
-  cells.Wide = WidenFields(plan, options.IsoValue, job.Run, cells.Fields);
+  const int levels = sizes.OfMaterial.empty() ? 0 : sizes.Halvings;
+  cells.Wide = WidenFields(plan, levels, options.IsoValue, job.Run, cells.Fields);
+  cells.Wide.MaterialWidths = WidthsOfMaterials(sizes);
   WidenState(cells.Fields.Grid, job.Run, cells.State);
   cells.State.InputNodes = nodes;
-  cells.Requests = WidenRequests(requests, levels, plan, cells.Fields.Grid, ranks);
-  cells.Setup = DecideLevels(options, plan.Nodes, cells.Requests);
+  cells.Requests = WidenRequests(requests, input, plan, cells.Fields.Grid, ranks);
+  cells.Setup = SetUpNewLevels(options, sizes, cells.Requests, cells.Fields);
   Warn(job, cells.Setup.Warning);
 }
 

@@ -1,6 +1,6 @@
 /**
- * WidenCells: the phase that replaces the cells of the input by those of the option CellWidth,
- * before all other steps.
+ * WidenCells: the phase that replaces the cells of the input by those of the options CellWidth
+ * and MaterialWidths, before all other steps.
  */
 #pragma once
 

@@ -360,7 +360,7 @@ std::string DescribeInexactMaterials(
 }
 
 std::string DescribeDisplacedMaterials(
-  const MeshReport& report, const Materials& table, bool hasParticles)
+  const MeshReport& report, const Materials& table, const WideReport& wide, bool hasParticles)
 {
   if (report.DisplacedVolume.empty())
   {
@@ -377,8 +377,8 @@ std::string DescribeDisplacedMaterials(
                         : CountMaterials(shares.size(), "has", "have") + " more than 5 % of " +
       (shares.size() == 1 ? "its volume" : "their volumes") +
       " in another place than in the input: " + Enumerate(shares) +
-      ". In the mesh this share is in other blocks of 4 x 4 x 4 cells, or in no element. Finer "
-      "cells in the input" +
+      ". In the mesh this share is in other blocks of 4 x 4 x 4 cells, or in no element. " +
+      (wide.IsUsed() ? "A smaller CellWidth" : "Finer cells in the input") +
       (hasParticles ? "" : ", or UnmeshedMaterial Particles for matter far from elements,") +
       " may help.";
 }
@@ -389,8 +389,13 @@ FieldArrays ListReplaced(const WideReport& wide, bool meshVoid)
   {
     return {};
   }
-  return { { "InputCells", TakeMeshed(wide.InputCells, meshVoid) },
+  FieldArrays fields{ { "InputCells", TakeMeshed(wide.InputCells, meshVoid) },
     { "NewCells", TakeMeshed(wide.Cells, meshVoid) } };
+  if (!wide.MaterialWidths.empty())
+  {
+    fields.push_back({ "MaterialWidths", TakeMeshed(wide.MaterialWidths, meshVoid) });
+  }
+  return fields;
 }
 
 std::string DescribeWideLosses(
@@ -408,7 +413,7 @@ std::string DescribeWideLosses(
       text << NameMaterial(table, m) << " by " << std::showpos << std::setprecision(2)
            << 100.0 * error / target << " %";
       losses.push_back(text.str());
-      keeping = std::min(keeping, wide.Keeping[m]);
+      keeping = wide.Halvings > 0 ? keeping : std::min(keeping, wide.Keeping[m]);
     }
   }
   if (losses.empty())
@@ -416,11 +421,14 @@ std::string DescribeWideLosses(
     return "";
   }
   const double width = *std::max_element(wide.Widths.begin(), wide.Widths.end());
-  return "In cells of width " + FormatNumber(width) + ", " +
+  const std::string widest =
+    wide.Halvings > 0 ? " to " + FormatNumber(std::ldexp(width, wide.Halvings)) : "";
+  return "In cells of width " + FormatNumber(width) + widest + ", " +
     CountMaterials(losses.size(), "misses its", "miss their") +
     " volume by more than 1 %: " + Enumerate(losses) + ". " +
-    (keeping > 0.0 ? "A CellWidth of " + FormatNumber(RoundDown(keeping)) + " should keep"
-                   : "Only the cells of the input (CellWidth 0) keep") +
+    (wide.Halvings > 0 ? "A smaller width in MaterialWidths, or a smaller AllowedError, should keep"
+        : keeping > 0.0 ? "A CellWidth of " + FormatNumber(RoundDown(keeping)) + " should keep"
+                        : "Only the cells of the input (CellWidth 0) keep") +
     (losses.size() == 1 ? " it." : " them.");
 }
 

@@ -95,6 +95,6 @@ std::string DescribeWideLosses(
 /// was not measured. Does not name materials without elements.
 /// @param hasParticles  whether material without elements became particles
 std::string DescribeDisplacedMaterials(
-  const MeshReport& report, const Materials& table, bool hasParticles);
+  const MeshReport& report, const Materials& table, const WideReport& wide, bool hasParticles);
 
 } // namespace vfm

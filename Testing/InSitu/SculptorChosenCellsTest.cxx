@@ -117,8 +117,10 @@ TEST_F(SculptorChosenCells, OfSeveralMaterialsAndTets)
   ASSERT_EQ(sculptor_add_material(this->Sculptor, "ball", f.Ball.data()), SCULPTOR_OK);
   ASSERT_EQ(sculptor_add_material(this->Sculptor, "plate", f.Plate.data()), SCULPTOR_OK);
   ASSERT_EQ(sculptor_set_option(this->Sculptor, "Method", "Lattice"), SCULPTOR_OK);
-  for (int tets : { 0, 1 })
+  for (const auto& [tets, width] :
+    { std::pair(0, "0"), { 1, "0" }, { 0, "0.17,0.2,0.2" }, { 1, "0.17,0.2,0.2" } })
   {
+    ASSERT_EQ(sculptor_set_option(this->Sculptor, "CellWidth", width), SCULPTOR_OK);
     ASSERT_EQ(sculptor_make_mesh(this->Sculptor, tets), SCULPTOR_OK);
     const double plain = this->Elements();
     ASSERT_EQ(sculptor_set_refinement(this->Sculptor, once.data()), SCULPTOR_OK);

@@ -47,6 +47,9 @@ protected:
     sculptor_add_state(this->Sculptor, "density", 1, f.Density.data());
   }
 
+  /// Compares the mesh, and the velocity of its nodes, with those of the filter on one rank.
+  void ExpectThatOfTheFilter(const char* width);
+
   double Number(const char* name, int index)
   {
     double value = 0.0;
@@ -104,8 +107,9 @@ TEST_F(SculptorState, OptionsByText)
   }
 }
 
-TEST_F(SculptorState, IsThatOfTheFilter)
+void SculptorState::ExpectThatOfTheFilter(const char* width)
 {
+  ASSERT_EQ(this->Set("CellWidth", width), SCULPTOR_OK);
   ASSERT_EQ(this->Set("DensityArrays", "density"), SCULPTOR_OK);
   ASSERT_EQ(this->Set("VelocityArray", "velocity"), SCULPTOR_OK);
   ASSERT_EQ(this->Set("NodalVelocity", "on"), SCULPTOR_OK);
@@ -113,6 +117,7 @@ TEST_F(SculptorState, IsThatOfTheFilter)
   ASSERT_EQ(sculptor_make_mesh(this->Sculptor, 0), SCULPTOR_OK)
     << sculptor_error_text(this->Sculptor);
   vtkNew<vtkVolumeFractionToHex> mesher;
+  mesher->SetCellWidth(width);
   MeshWholeWithState(*mesher);
   const MeshView mesh = ViewOf(this->Sculptor);
   EXPECT_EQ(SumOverRanks(Digest(mesh)), Digest(ViewOf(mesher->GetOutput())));
@@ -132,6 +137,17 @@ TEST_F(SculptorState, IsThatOfTheFilter)
       ASSERT_EQ(velocities[3 * p + a], expected.at(mesh.PointIds[p])[a]);
     }
   }
+}
+
+TEST_F(SculptorState, IsThatOfTheFilter)
+{
+  this->ExpectThatOfTheFilter("0");
+}
+
+/// New cells get the state of cells that neither this rank nor its neighbours have.
+TEST_F(SculptorState, OfWiderCellsIsThatOfTheFilter)
+{
+  this->ExpectThatOfTheFilter("0.17,0.2,0.2");
 }
 
 TEST_F(SculptorState, SumsAreThoseOfTheCells)

@@ -1,20 +1,15 @@
 /// Meshes of wider cells than those of the input: materials keep their volumes and the state its
 /// sums, equal widths change nothing, and ranks do not matter.
-#include "Input/PlainArrays.h"
-#include "LabelInput.h"
 #include "Levels/WideCells.h"
 #include "Options/CellWidths.h"
 #include "Phases/WidenCells.h"
-#include "RankFields.h"
 #include "State/MeanContents.h"
 #include "State/WideContents.h"
-#include "StateCases.h"
+#include "WideCases.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <map>
-#include <mutex>
 #include <numeric>
 
 using namespace vfm;
@@ -23,88 +18,6 @@ using namespace vfm::testing;
 namespace
 {
 
-constexpr Index3 GridSize{ { 20, 18, 24 } };
-constexpr LabelGrid TheGrid{ GridSize, -0.3, 0.1 };
-
-/// Returns labels of the nearest of four seeds, 0 (void) to 3.
-std::vector<int> MakeGrains(const Index3& cells)
-{
-  const double seeds[4][3] = { { 0.2, 0.3, 0.2 }, { 0.8, 0.4, 0.3 }, { 0.4, 0.8, 0.7 },
-    { 0.7, 0.2, 0.9 } };
-  std::vector<int> labels;
-  ForCells({ {}, cells },
-    [&](const Index3& cell)
-    {
-      int nearest = 0;
-      double least = 10.0;
-      for (int s = 0; s < 4; ++s)
-      {
-        double squares = 0.0;
-        for (int a = 0; a < 3; ++a)
-        {
-          const double x = (0.5 + static_cast<double>(cell[a])) / static_cast<double>(cells[a]);
-          squares += std::pow(x - seeds[s][a], 2);
-        }
-        nearest = squares < least ? (s + 1) % 4 : nearest;
-        least = std::min(least, squares);
-      }
-      labels.push_back(nearest);
-    });
-  return labels;
-}
-
-/// Adds a state that differs from cell to cell, in cells of any level.
-void AddState(bool isConserved, MesherInput& input)
-{
-  for (InputBlocks& level : input.Levels.Levels)
-  {
-    for (InputBlock& block : level.Blocks)
-    {
-      std::array<std::vector<double>, 6> values;
-      ForCells(block.Box,
-        [&](const Index3& cell)
-        {
-          const double x = level.Coordinates[0][cell[0]], y = level.Coordinates[1][cell[1]],
-                       z = level.Coordinates[2][cell[2]];
-          const double state[6] = { 2.0 + std::sin(5.0 * x + y), 1.0 + y - z, std::cos(3.0 * z),
-            x * y, 3.0 + x + std::sin(7.0 * z), 0.1 + x * x };
-          for (std::size_t c = 0; c < values.size(); ++c)
-          {
-            values[c].push_back(state[c]);
-          }
-        });
-      auto arrays = std::make_shared<PlainArrays>(block.Arrays);
-      const char* const names[] = { "density", "u_x", "u_y", "u_z", "energy", "heat" };
-      for (std::size_t c = 0; c < values.size(); ++c)
-      {
-        arrays->Store(names[c], ValueType::Double, std::move(values[c]));
-      }
-      block.Arrays = arrays;
-    }
-  }
-  StateChoice& state = input.Arrays.State;
-  state.Arrays = { "density", "u_x", "u_y", "u_z", "energy", "heat" };
-  state.IsConserved = isConserved;
-  if (isConserved)
-  {
-    state.Densities = { "density" };
-    state.Velocity = "u_x";
-    state.Energy = "energy";
-    state.Kinds = { "heat=extensive" };
-  }
-}
-
-MesherInput MakeGrainsInput(Ranks& ranks)
-{
-  return MakeLabelInput(TheGrid, MakeGrains(GridSize), ranks);
-}
-
-MesherInput MakeLevels(Ranks& ranks)
-{
-  return MakeLevelInput(TheGrid,
-    { { { { 2, 3, 2 } }, { { 9, 8, 11 } } }, { { { 12, 3, 14 } }, { { 20, 15, 24 } } } }, ranks);
-}
-
 MesherOptions OptionsOf(const std::string& width)
 {
   MesherOptions options;
@@ -112,71 +25,24 @@ MesherOptions OptionsOf(const std::string& width)
   return options;
 }
 
-template <class Values>
-Values ValuesOf(const FieldArrays& fields, const std::string& name)
-{
-  const auto found = std::find_if(
-    fields.begin(), fields.end(), [&](const FieldArray& field) { return field.Name == name; });
-  return found == fields.end() ? Values() : std::get<Values>(found->Values);
-}
-
-/// Points and elements of the meshes of all ranks with their state, by id.
-struct MeshById
-{
-  std::map<Index, std::array<double, 3>> Points;
-  std::map<Index, std::vector<double>> Elements;
-
-  void Add(const MesherResult& result)
-  {
-    const Mesh& mesh = result.TheMesh;
-    for (std::size_t p = 0; p < mesh.PointIds.size(); ++p)
-    {
-      std::copy_n(mesh.Points.data() + 3 * p, 3, this->Points[mesh.PointIds[p]].begin());
-    }
-    for (std::size_t e = 0; e < mesh.ElementIds.size(); ++e)
-    {
-      std::vector<double>& values = this->Elements[mesh.ElementIds[e]];
-      values.push_back(mesh.Material[e]);
-      for (const TransferredArray& array : result.State.Arrays)
-      {
-        const double* tuple = reinterpret_cast<const double*>(array.Values.data());
-        values.insert(
-          values.end(), tuple + array.Components * e, tuple + array.Components * (e + 1));
-      }
-    }
-  }
-};
-
-MeshById MeshOnRanks(
-  int count, const MesherOptions& options, const std::function<MesherInput(Ranks&)>& makeInput)
-{
-  MeshById joined;
-  std::mutex mutex;
-  RunOnRanks(count,
-    [&](ThreadRanks& ranks)
-    {
-      RankRuntime runtime(ranks);
-      const MesherResult result = RunMesher(makeInput(ranks), options, runtime);
-      const std::lock_guard<std::mutex> lock(mutex);
-      joined.Add(result);
-    });
-  return joined;
-}
-
-void ExpectSameOnRanks(
-  const MesherOptions& options, const std::function<MesherInput(Ranks&)>& makeInput)
-{
-  const MeshById alone = MeshOnRanks(1, options, makeInput);
-  EXPECT_GT(alone.Elements.size(), 50u);
-  for (int count : { 2, 3, 8 })
-  {
-    const MeshById joined = MeshOnRanks(count, options, makeInput);
-    EXPECT_TRUE(joined.Points == alone.Points) << count;
-    EXPECT_TRUE(joined.Elements == alone.Elements) << count;
-  }
-}
-
 } // namespace
+
+TEST(CellWidth, CellsAreDescribed)
+{
+  const Vector3 lengths{ { 48.0, 48.0, 48.0 } };
+  const Index3 cells{ { 48, 48, 48 } };
+  const auto describe = [&](const char* widths) { return DescribeCells(widths, lengths, cells); };
+  EXPECT_EQ(describe("0"), "48 x 48 x 48 of width 1");
+  EXPECT_EQ(describe(""), "48 x 48 x 48 of width 1");
+  EXPECT_EQ(describe("2"), "24 x 24 x 24 of width 2");
+  EXPECT_EQ(describe("2, 3, 0"), "24 x 16 x 48 of 2 x 3 x 1");
+  EXPECT_EQ(describe("7"), "7 x 7 x 7 of width 6.857");
+  EXPECT_EQ(describe("100"), "1 x 1 x 1 of width 48");
+  EXPECT_EQ(describe("1,1,0.9"), "narrower than 48 x 48 x 48 of width 1");
+  EXPECT_EQ(describe("wide"), "not a width");
+  EXPECT_EQ(DescribeCells("2", lengths, {}), "24 x 24 x 24 of width 2");
+  EXPECT_EQ(DescribeCells("2,0,2", lengths, {}), "");
+}
 
 TEST(CellWidth, IsOneWidthOrThree)
 {
@@ -315,77 +181,36 @@ TEST(CellWidth, RequestsRefineTheNewCells)
   ExpectSameOnRanks(options, MakeGrainsInput);
 }
 
-/// The sums of the input are those of its own cells.
 TEST(CellWidth, StateIsConserved)
 {
-  Runtime serial;
-  const auto make = [](Ranks& ranks)
+  const auto make = [](Ranks& ranks) { return WithState(true, MakeGrainsInput(ranks)); };
+  const auto sumHeat = [](const MesherResult& result)
   {
-    MesherInput input = MakeGrainsInput(ranks);
-    AddState(true, input);
-    return input;
+    const double* values =
+      reinterpret_cast<const double*>(result.State.Arrays.back().Values.data());
+    return std::accumulate(values, values + result.TheMesh.ElementIds.size(), 0.0);
   };
-  const MesherResult read = RunMesher(make(serial.Group()), MesherOptions(), serial);
-  const std::array<double, 6> expected = SumUp(read.State.Balance.Input, {});
+  Runtime serial;
+  const double heat = sumHeat(RunMesher(make(serial.Group()), MesherOptions(), serial));
   for (const char* width : { "0.25", "0.2" })
   {
+    ExpectConserved(OptionsOf(width), make);
     const MesherResult wide = RunMesher(make(serial.Group()), OptionsOf(width), serial);
-    const StateBalance& balance = wide.State.Balance;
-    const std::array<double, 6> input = SumUp(balance.Input, {});
-    const std::array<double, 6> mesh = SumUp(balance.Mesh, balance.Unmeshed);
-    for (int s = 0; s < 6; ++s)
-    {
-      EXPECT_NEAR(input[s] / expected[s], 1.0, 1e-13) << s;
-      if (s < 5) // reconstruction changes kinetic energy
-      {
-        EXPECT_NEAR((mesh[s] - expected[s]) / expected[0], 0.0, 1e-13) << s;
-      }
-    }
-    const auto& heat = wide.State.Arrays.back();
-    const double* values = reinterpret_cast<const double*>(heat.Values.data());
-    const auto& heatRead = read.State.Arrays.back();
-    const double* valuesRead = reinterpret_cast<const double*>(heatRead.Values.data());
-    const double sum = std::accumulate(values, values + wide.TheMesh.ElementIds.size(), 0.0);
-    const double before =
-      std::accumulate(valuesRead, valuesRead + read.TheMesh.ElementIds.size(), 0.0);
-    EXPECT_NEAR(sum / before, 1.0, 1e-12);
+    EXPECT_NEAR(sumHeat(wide) / heat, 1.0, 1e-12);
   }
   ExpectSameOnRanks(OptionsOf("0.25"), make);
 }
 
 TEST(CellWidth, StateOfLevelsIsConserved)
 {
-  Runtime serial;
-  const auto make = [](Ranks& ranks)
-  {
-    MesherInput input = MakeLevels(ranks);
-    AddState(true, input);
-    return input;
-  };
-  const std::array<double, 6> expected =
-    SumUp(RunMesher(make(serial.Group()), MesherOptions(), serial).State.Balance.Input, {});
-  const MesherResult wide = RunMesher(make(serial.Group()), OptionsOf("0.23"), serial);
-  const std::array<double, 6> input = SumUp(wide.State.Balance.Input, {});
-  const std::array<double, 6> mesh = SumUp(wide.State.Balance.Mesh, wide.State.Balance.Unmeshed);
-  for (int s = 0; s < 6; ++s)
-  {
-    EXPECT_NEAR(input[s] / expected[s], 1.0, 1e-13) << s;
-    if (s < 5)
-    {
-      EXPECT_NEAR((mesh[s] - expected[s]) / expected[0], 0.0, 1e-13) << s;
-    }
-  }
+  const auto make = [](Ranks& ranks) { return WithState(true, MakeLevels(ranks)); };
+  ExpectConserved(OptionsOf("0.23"), make);
   ExpectSameOnRanks(OptionsOf("0.23"), make);
 }
 
 TEST(CellWidth, StateIsCopiedFromCellsOfTheInput)
 {
-  const auto make = [](Ranks& ranks)
-  {
-    MesherInput input = MakeGrainsInput(ranks);
-    AddState(false, input);
-    return input;
-  };
+  const auto make = [](Ranks& ranks) { return WithState(false, MakeGrainsInput(ranks)); };
   Runtime serial;
   const MesherInput input = make(serial.Group());
   const auto energy = input.Levels.Levels[0].Blocks[0].Arrays->Find("energy");
@@ -422,4 +247,42 @@ TEST(CellWidth, OneWarningNamesWhatIsLost)
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_NE(warnings[0].find("(id 2) by -1e+02 %"), std::string::npos) << warnings[0];
   EXPECT_NE(warnings[0].find("CellWidth"), std::string::npos) << warnings[0];
+}
+
+/// A sheet that no new cell keeps becomes a part of the body near it, so the volume is exact.
+TEST(CellWidth, WarnsOfWhatIsInAnotherPlace)
+{
+  std::vector<int> labels;
+  ForCells({ {}, GridSize },
+    [&](const Index3& cell) { labels.push_back(cell[0] < 8 || cell[0] == 16 ? 2 : 1); });
+  MesherOptions options = OptionsOf("0.4");
+  options.ZeroLabel = ZeroLabelMeaning::Material; // no warning of label 0
+  options.ThinParts = false;
+  std::vector<double> shares;
+  for (int count : { 1, 2, 3 })
+  {
+    RunOnRanks(count,
+      [&](ThreadRanks& ranks)
+      {
+        RankRuntime runtime(ranks);
+        MesherInput input = MakeLabelInput(TheGrid, labels, ranks);
+        std::vector<std::string> warnings;
+        input.Warn = [&](const std::string& text) { warnings.push_back(text); };
+        const MesherResult result = RunMesher(input, options, runtime);
+        if (ranks.Rank() == 0)
+        {
+          ASSERT_EQ(warnings.size(), 1u);
+          EXPECT_NE(warnings[0].find("another place than in the input: 'Material 2' (id 2) 11 %"),
+            std::string::npos)
+            << warnings[0];
+          EXPECT_NE(warnings[0].find("smaller CellWidth"), std::string::npos) << warnings[0];
+          shares.push_back(result.Report.DisplacedVolume[2]);
+        }
+      });
+  }
+  for (double share : shares)
+  {
+    EXPECT_EQ(share, shares[0]);
+    EXPECT_NEAR(share, 1.0 / 9.0, 0.01);
+  }
 }

@@ -1,6 +1,7 @@
 /// Meshes made from blocks of cells without VTK data sets.
 #include "Mesher.h"
 #include "Input/NodeCoordinates.h"
+#include "Levels/WideCells.h"
 #include "Report/MeshData.h"
 #include "Report/MeshFields.h"
 #include "Shapes/ShapesFractions.h"
@@ -366,22 +367,28 @@ TEST(Mesher, DisplacedVolumesAreSorted)
     report.TargetVolume.push_back(m == 2 ? 1000.0 : 100.0);
     report.MeshVolume.push_back(m == 3 ? 0.0 : report.TargetVolume[m]);
   }
-  EXPECT_EQ(DescribeDisplacedMaterials(report, table, false), ""); // not measured
+  EXPECT_EQ(DescribeDisplacedMaterials(report, table, {}, false), ""); // not measured
   report.DisplacedVolume = { 1.0, 0.0496, 0.0504, 1.0, 0.456, 0.996 };
-  const std::string text = DescribeDisplacedMaterials(report, table, false);
+  const std::string text = DescribeDisplacedMaterials(report, table, {}, false);
+  EXPECT_NE(text.find("Finer cells in the input"), std::string::npos);
+  WideReport wide;
+  wide.Widths = { 2.0, 2.0, 2.0 };
+  EXPECT_NE(DescribeDisplacedMaterials(report, table, wide, false).find("A smaller CellWidth"),
+    std::string::npos);
   EXPECT_EQ(text.find("3 materials have more than 5 % of their volumes in another place than in "
                       "the input: 'm5' (id 50) 100 %, 'm2' (id 20) 5 %, 'm4' (id 40) 46 %. "),
     0u)
     << text;
   EXPECT_NE(text.find("Particles"), std::string::npos);
-  EXPECT_EQ(DescribeDisplacedMaterials(report, table, true).find("Particles"), std::string::npos);
+  EXPECT_EQ(
+    DescribeDisplacedMaterials(report, table, {}, true).find("Particles"), std::string::npos);
   report.DisplacedVolume = { 1.0, 0.06, 0.0496, 1.0, 0.0, 0.0 };
-  EXPECT_EQ(DescribeDisplacedMaterials(report, table, false)
+  EXPECT_EQ(DescribeDisplacedMaterials(report, table, {}, false)
               .find("1 material has more than 5 % of its volume in another place than in the "
                     "input: 'm1' (id 10) 6 %. "),
     0u);
   report.DisplacedVolume = { 1.0, 0.0, 0.05, 1.0, 0.0, 0.0 };
-  EXPECT_EQ(DescribeDisplacedMaterials(report, table, false), "");
+  EXPECT_EQ(DescribeDisplacedMaterials(report, table, {}, false), "");
 }
 
 void ExpectError(const MesherInput& input, const std::string& text)

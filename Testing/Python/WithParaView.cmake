@@ -1,5 +1,5 @@
 # Tests that require ParaView itself: its GUI, servers, filters and readers.
-foreach (name IN ITEMS Colours CurvedCalculix Examples Printed Server)
+foreach (name IN ITEMS CellCount Colours CurvedCalculix Examples Printed Server)
   vfm_add_python_test(pvpython ParaView ${name} full)
 endforeach ()
 vfm_add_python_test(pvbatch Filters Pipeline full)

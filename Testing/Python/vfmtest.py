@@ -62,7 +62,7 @@ def list_defaults(of_tets):
             words = re.sub("(?<=[a-z])(?=[A-Z])", " ", row["default"])
             lists = dict.fromkeys(("arrays", "kinds", "boxes"), [])
             defaults[row["name"]] = {**lists, "array": "None", "pairs": "None", "ranges": "None",
-                                     "file": "", "widths": "0",
+                                     "file": "", "widths": "0", "sizes": "None",
                                      "choice": words}.get(row["kind"], row["number"])
     # The GUI shows these defaults as text.
     return {**defaults, "StateOrder": "2", "MaximumLevel": "Automatic"}

@@ -41,7 +41,7 @@ ALLOWED.update({
     "Program": BASE + MESHER + (
         "Parallel/Vtk", "Parallel/Mpi", "IO", "IO/Blocks", "IO/GridFiles", "IO/Images",
         "IO/Labels", "IO/Meshes", "IO/Report", "Filters", "Filters/Data"),
-    "Plugin": ("Filters", "Mesher/Input", "Mesher/Materials"),
+    "Plugin": ("Filters", "Mesher/Input", "Mesher/Materials", "Mesher/Options"),
     "python": MESHES + (
         "Shapes", "IO", "IO/Blocks", "IO/GridFiles", "IO/Labels", "IO/Meshes", "IO/Report"),
     "Examples": ("InSitu", "InSitu/Catalyst"),

@@ -2,6 +2,7 @@
 
 #include "Base/ParseText.h"
 #include "Options/CellWidths.h"
+#include "Options/MaterialWidths.h"
 #include "Options/SetOptions.h"
 
 #include <nanobind/stl/array.h>
@@ -54,6 +55,7 @@ const char* KindInPython(const Option& option)
     : option.Kind == OptionKind::Integer   ? "whole"
     : option.Kind == OptionKind::Pairs     ? "text"
     : option.Kind == OptionKind::Widths    ? "widths"
+    : option.Kind == OptionKind::Sizes     ? "sizes"
                                            : "real";
 }
 
@@ -158,6 +160,27 @@ std::string WriteWidths(const Option& option, nb::handle value)
   return JoinTexts(texts, ",");
 }
 
+/// Converts a dict of widths of materials to a text.
+std::string WriteSizes(const Option& option, nb::handle value)
+{
+  if (!nb::isinstance<nb::dict>(value))
+  {
+    RejectType(option, value);
+  }
+  std::vector<std::string> entries;
+  for (const auto& [name, width] : nb::borrow<nb::dict>(value))
+  {
+    const nb::object number = nb::steal(PyNumber_Float(width.ptr()));
+    if (!number.is_valid())
+    {
+      RejectType(option, value);
+    }
+    entries.push_back(QuoteName(
+      nb::cast<std::string>(nb::str(name)) + "=" + FormatNumber(PyFloat_AsDouble(number.ptr()))));
+  }
+  return JoinTexts(entries, ",");
+}
+
 void Set(MesherOptions& options, const Option& option, nb::handle value)
 {
   if (option.Kind == OptionKind::Widths)
@@ -165,6 +188,16 @@ void Set(MesherOptions& options, const Option& option, nb::handle value)
     const std::string text =
       nb::isinstance<nb::str>(value) ? nb::cast<std::string>(value) : WriteWidths(option, value);
     if (!ParseWidths(text))
+    {
+      RejectValue(option, value);
+    }
+    options.*option.Text = text;
+    return;
+  }
+  if (option.Kind == OptionKind::Sizes && !nb::isinstance<nb::str>(value))
+  {
+    const std::string text = WriteSizes(option, value);
+    if (!ParseMaterialWidths(text))
     {
       RejectValue(option, value);
     }

@@ -86,8 +86,8 @@ def test_ranges(option):
 
 @pytest.mark.parametrize("option", OPTIONS, ids=lambda option: option.name)
 def test_wrong_types(option):
-    for value in (*([] if option.kind in ("text", "widths") else ["3"]), None, [1],
-                  1.5 if option.kind == "whole" else {}):
+    for value in (*([] if option.kind in ("text", "widths", "sizes") else ["3"]), None, [1],
+                  1.5 if option.kind in ("whole", "sizes") else {}):
         with pytest.raises((TypeError, ValueError)) as told:
             make_of(option)(BALL, **{option.name: value})
         assert isinstance(told.value, TypeError) or option.kind == "word"

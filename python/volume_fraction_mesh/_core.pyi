@@ -52,6 +52,8 @@ class Options:
     element_order: Literal["linear", "quadratic", "quadratic27"]
     conserve_volume: bool
     cell_width: Union[str, float, Sequence[float]]
+    material_widths: Union[str, Mapping[Union[str, int], float]]
+    allowed_error: float
     refinement: Literal["off", "input_levels", "automatic", "coarsen", "uniform"]
     maximum_level: int
     fine_interfaces: bool

@@ -12,7 +12,8 @@ from ._input import Source
 from ._run import run_mesher
 from ._state import StateGiven
 from ._threshold import write_ranges
-from ._types import (FractionsLike, Names, OfMaterials, Order, Progress, Ranges, StateLike, Triple)
+from ._types import (FractionsLike, Names, OfMaterials, Order, Progress, Ranges, Sizes,
+                     StateLike, Triple)
 from .mesh import Mesh
 
 
@@ -62,6 +63,8 @@ def hexes(
     element_order: Literal["linear", "quadratic", "quadratic27"] = "linear",
     conserve_volume: bool = True,
     cell_width: Triple = 0.0,
+    material_widths: Sizes = "",
+    allowed_error: float = 0.5,
     refinement: Literal["off", "input_levels", "automatic", "coarsen", "uniform"] = "input_levels",
     maximum_level: int = -1,
     fine_interfaces: bool = True,
@@ -269,6 +272,17 @@ def hexes(
         and smooths the steps of material ids. Refinement then refines the new cells;
         `label_smoothing` smooths material ids before. Parts thinner than half of the width get
         lost. 0: the cells of the input.
+    material_widths : str or dict, default ""
+        Auto, or entries such as steel=0.5, 3=1 or small=100:0.5 with commas between them and widths
+        above 0, or None. Widths of cells of single materials, name=width or id=width with commas
+        between them, in length units; small=N:width is for all materials of fewer than N cells in
+        the input. All others have `cell_width`. A cell is halved while it is wider than the width
+        of a material in it or next to it, and interfaces run through cells of several widths. auto:
+        cells are as wide as `allowed_error` lets them be, at most `cell_width`, or 4 cells of the
+        input. Hexahedra; tetrahedra have the smallest width at all interfaces.
+    allowed_error : float, default 0.5
+        A number, 0 or more. Distance that surfaces may be from those of the input, in cells of the
+        input, if `material_widths` is auto.
     refinement : {"off", "input_levels", "automatic", "coarsen", "uniform"}, default "input_levels"
         Where the mesh is refined; each level halves the cells. "input_levels": where the input has
         finer levels (AMR). "off": nowhere, all cells are of the coarsest level. "automatic": where
@@ -424,13 +438,14 @@ def hexes(
         unmeshed_material=unmeshed_material, particle_clusters=particle_clusters,
         least_particle=least_particle, stair_step=stair_step, smoothing=smoothing,
         sharp_edges=sharp_edges, label_smoothing=label_smoothing, element_order=element_order,
-        conserve_volume=conserve_volume, cell_width=cell_width, refinement=refinement,
-        maximum_level=maximum_level, fine_interfaces=fine_interfaces, fine_layers=fine_layers,
-        thin_cells=thin_cells, curvature_per_cell=curvature_per_cell,
-        refine_flipped_cells=refine_flipped_cells, interface_layers=interface_layers,
-        maximum_aspect_ratio=maximum_aspect_ratio, child_fractions=child_fractions,
-        split_interfaces=split_interfaces, split_connection=split_connection, layers=layers,
-        layer_growth=layer_growth, first_layer=first_layer, first_layer_unit=first_layer_unit,
+        conserve_volume=conserve_volume, cell_width=cell_width, material_widths=material_widths,
+        allowed_error=allowed_error, refinement=refinement, maximum_level=maximum_level,
+        fine_interfaces=fine_interfaces, fine_layers=fine_layers, thin_cells=thin_cells,
+        curvature_per_cell=curvature_per_cell, refine_flipped_cells=refine_flipped_cells,
+        interface_layers=interface_layers, maximum_aspect_ratio=maximum_aspect_ratio,
+        child_fractions=child_fractions, split_interfaces=split_interfaces,
+        split_connection=split_connection, layers=layers, layer_growth=layer_growth,
+        first_layer=first_layer, first_layer_unit=first_layer_unit,
         layer_interfaces=layer_interfaces, layers_on=layers_on, layer_sides=layer_sides,
         target_scaled_jacobian=target_scaled_jacobian, compute_quality=compute_quality,
         threads=threads,

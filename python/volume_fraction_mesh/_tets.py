@@ -12,7 +12,8 @@ from ._input import Source
 from ._run import run_mesher
 from ._state import StateGiven
 from ._threshold import write_ranges
-from ._types import (FractionsLike, Names, OfMaterials, Order, Progress, Ranges, StateLike, Triple)
+from ._types import (FractionsLike, Names, OfMaterials, Order, Progress, Ranges, Sizes,
+                     StateLike, Triple)
 from .mesh import Mesh
 
 
@@ -62,6 +63,8 @@ def tets(
     element_order: Literal["linear", "quadratic", "quadratic27"] = "linear",
     conserve_volume: bool = True,
     cell_width: Triple = 0.0,
+    material_widths: Sizes = "",
+    allowed_error: float = 0.5,
     refinement: Literal["off", "input_levels", "automatic", "coarsen", "uniform"] = "input_levels",
     maximum_level: int = -1,
     fine_interfaces: bool = True,
@@ -161,13 +164,15 @@ def tets(
         Option of `hexes`, with the same default.
     particle_clusters, least_particle, sharp_edges, label_smoothing, element_order : see hexes
         Option of `hexes`, with the same default.
-    conserve_volume, cell_width, refinement, maximum_level, thin_cells : see hexes
+    conserve_volume, cell_width, material_widths, allowed_error, refinement : see hexes
         Option of `hexes`, with the same default.
-    curvature_per_cell, refine_flipped_cells, interface_layers, maximum_aspect_ratio : see hexes
+    maximum_level, thin_cells, curvature_per_cell, refine_flipped_cells : see hexes
         Option of `hexes`, with the same default.
-    child_fractions, split_interfaces, split_connection, layers, layer_growth : see hexes
+    interface_layers, maximum_aspect_ratio, child_fractions, split_interfaces : see hexes
         Option of `hexes`, with the same default.
-    first_layer, first_layer_unit, layer_interfaces, layers_on, layer_sides, threads : see hexes
+    split_connection, layers, layer_growth, first_layer, first_layer_unit : see hexes
+        Option of `hexes`, with the same default.
+    layer_interfaces, layers_on, layer_sides, threads : see hexes
         Option of `hexes`, with the same default.
 
     Returns
@@ -217,13 +222,14 @@ def tets(
         unmeshed_material=unmeshed_material, particle_clusters=particle_clusters,
         least_particle=least_particle, stair_step=stair_step, smoothing=smoothing,
         sharp_edges=sharp_edges, label_smoothing=label_smoothing, element_order=element_order,
-        conserve_volume=conserve_volume, cell_width=cell_width, refinement=refinement,
-        maximum_level=maximum_level, fine_interfaces=fine_interfaces, fine_layers=fine_layers,
-        thin_cells=thin_cells, curvature_per_cell=curvature_per_cell,
-        refine_flipped_cells=refine_flipped_cells, interface_layers=interface_layers,
-        maximum_aspect_ratio=maximum_aspect_ratio, child_fractions=child_fractions,
-        split_interfaces=split_interfaces, split_connection=split_connection, layers=layers,
-        layer_growth=layer_growth, first_layer=first_layer, first_layer_unit=first_layer_unit,
+        conserve_volume=conserve_volume, cell_width=cell_width, material_widths=material_widths,
+        allowed_error=allowed_error, refinement=refinement, maximum_level=maximum_level,
+        fine_interfaces=fine_interfaces, fine_layers=fine_layers, thin_cells=thin_cells,
+        curvature_per_cell=curvature_per_cell, refine_flipped_cells=refine_flipped_cells,
+        interface_layers=interface_layers, maximum_aspect_ratio=maximum_aspect_ratio,
+        child_fractions=child_fractions, split_interfaces=split_interfaces,
+        split_connection=split_connection, layers=layers, layer_growth=layer_growth,
+        first_layer=first_layer, first_layer_unit=first_layer_unit,
         layer_interfaces=layer_interfaces, layers_on=layers_on, layer_sides=layer_sides,
         target_scaled_jacobian=target_scaled_jacobian, compute_quality=compute_quality,
         threads=threads, method=method, relative_size=relative_size, growth=growth,

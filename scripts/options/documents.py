@@ -166,7 +166,7 @@ def values_of_row(row):
         return ", ".join(row["words"])
     return {"switch": "on, off", "array": "an array", "arrays": "arrays",
             "kinds": "array=kind, ..", "pairs": "all, or A/B, ..", "ranges": "LOW:HIGH, ..",
-            "widths": "W or X,Y,Z",
+            "widths": "W or X,Y,Z", "sizes": "auto, or MATERIAL=W, ..",
             "file": "file"}.get(row["kind"], allowed(row))
 
 

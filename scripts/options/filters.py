@@ -5,7 +5,7 @@ MACROS = {"switch": "vfmSwitchOption(%s)", "integer": "vfmNumberOption(%s, int)"
           "choice": "vfmNumberOption(%s, int)",
           "real": "vfmNumberOption(%s, double)", "array": "vfmTextOption(%s)",
           "pairs": "vfmTextOption(%s)", "ranges": "vfmTextOption(%s)",
-          "widths": "vfmTextOption(%s)"}
+          "widths": "vfmTextOption(%s)", "sizes": "vfmTextOption(%s)"}
 
 
 def write_accessors(text, rows):

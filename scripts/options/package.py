@@ -22,7 +22,7 @@ def value(row):
         return str(bool(row["number"]))
     if row["kind"] == "choice":
         return '"%s"' % snake(row["words"][row["number"]])
-    if row["kind"] == "pairs":
+    if row["kind"] in ("pairs", "sizes"):
         return '""' if row["default"] == "None" else '"%s"' % row["default"]
     if row["kind"] == "widths":
         return repr(float(row["default"]))
@@ -33,7 +33,7 @@ def type_of(row):
     if row["kind"] == "choice":
         return "Literal[%s]" % ", ".join('"%s"' % snake(word) for word in row["words"])
     return {"switch": "bool", "integer": "int", "real": "float", "pairs": "str",
-            "widths": "Triple"}[row["kind"]]
+            "widths": "Triple", "sizes": "Sizes"}[row["kind"]]
 
 
 def replace_choices(text, row, table):
@@ -77,7 +77,7 @@ def pass_on(rows):
 def parameter(row, table, text):
     """Returns the lines of an option in a numpydoc section."""
     words = "{%s}" % type_of(row)[8:-1] if row["kind"] == "choice" else type_of(row)
-    words = "float or three of them" if row["kind"] == "widths" else words
+    words = {"widths": "float or three of them", "sizes": "str or dict"}.get(row["kind"], words)
     allowed = row["allowed"][0].upper() + row["allowed"][1:] + ". "
     allowed = "" if row["kind"] in ("switch", "choice", "widths") else allowed
     return ["    %s : %s, default %s" % (row["python"], words, value(row)),
@@ -115,7 +115,8 @@ def write_function(text, function, table):
 
 
 def write_stub(text, table):
-    types = {"Triple": "Union[str, float, Sequence[float]]"}
+    types = {"Triple": "Union[str, float, Sequence[float]]",
+             "Sizes": "Union[str, Mapping[Union[str, int], float]]"}
     lines = ["    %s: %s" % (row["python"], types.get(type_of(row), type_of(row)))
              for row in in_python(table)]
     return put(text, "# options: generated", "# end of options", lines)

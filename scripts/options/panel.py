@@ -13,6 +13,35 @@ from options.table import common, label, of_interfaces, of_tets, put, wrap
 # Hand-written properties that come first in a group.
 FIRST = {"Materials": ["VolumeFractionArrays", "MaterialIdArray"], "State": ["StateArrays"],
          "Tetrahedra": ["Input"]}
+# Properties after one of the table that are not in it, with their XML.
+AFTER = {"CellWidth": ("CellCount", """\
+      <!-- CellCountDomain writes this text. The link keeps it out of traces. -->
+      <StringVectorProperty name="CellCount"
+                            label="Cells"
+                            number_of_elements="1"
+                            default_values=""
+                            animateable="0"
+                            state_ignored="1">
+        <CellCountDomain name="count">
+          <RequiredProperties>
+            <Property name="Input" function="Input" />
+            <Property name="InputSpacing" function="Spacing" />
+            <Property name="MaterialIdArray" function="Labels" />
+            <Property name="CellWidth" function="Width" />
+          </RequiredProperties>
+        </CellCountDomain>
+        <Hints>
+          <PropertyLink group="settings" proxy="None" property="None" />
+          <PropertyWidgetDecorator type="GenericDecorator" mode="enabled_state"
+                                   property="CellCount" value="never" />
+        </Hints>
+        <Documentation>
+          The number of cells along each axis that Cell Width makes, and their width in the length
+          unit of the input. If Cell Width is 0: the cells of the input and their mean width, of an
+          image or a rectilinear grid.
+        </Documentation>
+      </StringVectorProperty>
+""")}
 INPUT_GROUPS = ("Materials", "State", "State kinds (array=kind)")
 SURFACE_GROUPS = ("Surface", "Refinement")
 LONGEST_SLIDER = 1000  # a longer range has no slider
@@ -173,7 +202,9 @@ def write_property(row, rows, of_tets_too=False):
 
 
 def write_group(name, rows):
-    names = FIRST.get(name, []) + [row["name"] for row in rows if row["group"] == name]
+    names = FIRST.get(name, []) + [
+        member for row in rows if row["group"] == name
+        for member in (row["name"], *AFTER.get(row["name"], ())[:1])]
     inside = [line for n in names for line in element("Property", [("name", n)])]
     lines = element("PropertyGroup", [("label", name)], inside)
     return ["      " + line for line in lines] + [""]
@@ -185,6 +216,8 @@ def write_part(text, table, rows, overrides=()):
     lines = [""]
     for row in rows:
         lines += write_property(row, by_name)
+        lines += AFTER.get(row["name"], ("", ""))[1].split("\n")[:-1] + (
+            [""] if row["name"] in AFTER else [])
     for row in overrides:
         lines += write_property(row, by_name, True)
     for name in dict.fromkeys(row["group"] for row in rows):

@@ -17,11 +17,17 @@ LOAD_PLUGIN = [
     (MANAGER + "splitter/localGroup/loadLocal", "activate", ""),
     (MANAGER + "1pqFileDialog0", "filesSelected", os.path.realpath(os.environ["VFM_PLUGIN"])),
     (MANAGER + "buttonBox/1QPushButton0", "activate", "")]
+PROPERTIES = (PANEL + "scrollArea/qt_scrollarea_viewport/scrollAreaWidgetContents/"
+              "PropertiesFrame/ProxyPanel/")
+WIDTH, COUNT = PROPERTIES + "CellWidth/CellWidth", PROPERTIES + "CellCount/CellCount"
 MAKE_MESH = [
     (MENUS + "_File", "activate", "actionFileOpen"),
     ("FileOpenDialog", "filesSelected", os.path.realpath(FIELD)),
     (PANEL + "Accept", "activate", ""),
     (MENUS + "Filters/Alphabetical", "activate", "VolumeFractionToHex"),
+    (COUNT, "text", "40 x 32 x 32 of width 0.0625"), (WIDTH, "set_string", "0.125"),
+    (COUNT, "text", "20 x 16 x 16 of width 0.125"), (WIDTH, "set_string", "0"),
+    (COUNT, "text", "40 x 32 x 32 of width 0.0625"),
     (PANEL + "Accept", "activate", "")]
 
 
@@ -33,13 +39,16 @@ def save(path):
 
 
 def play(clicks, folder):
-    """Plays the clicks in a new ParaView without settings, on a screen of its own."""
+    """Plays the clicks, and checks texts, in a new ParaView without settings, on a screen of its
+    own."""
     script = os.path.join(folder, "clicks.xml")
     with open(script, "w") as file:
         file.write('<?xml version="1.0"?>\n<pqevents>\n')
         for what, command, value in clicks:
-            file.write("<pqevent object=%s command=%s arguments=%s/>\n"
-                       % tuple(map(quoteattr, ("pqClientMainWindow/" + what, command, value))))
+            event = "pqcheck object=%s property=%s" if command == "text" else (
+                "pqevent object=%s command=%s")
+            file.write("<" + event % (quoteattr("pqClientMainWindow/" + what), quoteattr(command))
+                       + " arguments=%s/>\n" % quoteattr(value))
         file.write("</pqevents>\n")
     return mpi_run(1,
                    ["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24 -noreset", "paraview", "--dr",
@@ -50,7 +59,8 @@ def play(clicks, folder):
 
 @in_folder
 def test_from_plugin_to_files(at):
-    """A single array is selected by default, and the saved files hold its mesh."""
+    """A single array is selected by default, the panel shows the cells of a width before Apply, and
+    the saved files hold the mesh."""
     saves = [click for end in ("exo", "e", "inp") for click in save(at("mesh." + end))]
     window = play(LOAD_PLUGIN + MAKE_MESH + saves, at(""))
     text = window.stdout + window.stderr

@@ -1,0 +1,170 @@
+#include "Levels/FitWidths.h"
+
+#include "Base/Sorted.h"
+#include "Levels/WideCells.h"
+#include "Ranks/Agreement.h"
+
+#include <cmath>
+
+namespace vfm
+{
+namespace
+{
+
+constexpr int StepsOfHalf = 6; // tried widths from one to half of it
+constexpr double FewestCells = 8.0;
+constexpr double LargestLoss = 0.6; // of the cells of a material
+constexpr double Rounding = 1e-9;   // of widths
+// Elements that replace the eight cells of a family: 64, transitions around, and those of families
+// that are added for validity.
+constexpr double ElementsOfFamily = 600.0;
+
+/// Returns the widths that are tried: the widest, and narrower ones above 1.
+std::vector<double> ListWidths(double widest)
+{
+  std::vector<double> widths;
+  for (int step = 0; widest * std::exp2(-step / double(StepsOfHalf)) > 1.0 + Rounding; ++step)
+  {
+    widths.push_back(widest * std::exp2(-step / double(StepsOfHalf)));
+  }
+  return widths;
+}
+
+bool Fits(const MaterialFit& fit, double width, double allowed)
+{
+  const double cells = static_cast<double>(fit.Cells);
+  return fit.Cells == 0 ||
+    (fit.Distance() <= allowed && cells >= FewestCells * width * width * width &&
+      static_cast<double>(fit.Lost) <= LargestLoss * cells);
+}
+
+/// Returns the smallest number of halvings of a width that gives a narrower one.
+int CountHalvings(double from, double to)
+{
+  int halvings = 0;
+  for (; std::ldexp(from, -halvings) > to * (1.0 + Rounding); ++halvings)
+  {
+  }
+  return halvings;
+}
+
+/// Collective. Returns the number of families that contain cells of materials, on all ranks.
+/// @param width of a family, in cells of the input
+/// @param isIn whether a label is one of these materials
+template <class IsIn>
+Index CountFamilies(
+  const CartesianGrid& grid, const LabelArray& labels, double width, const IsIn& isIn, Ranks& ranks)
+{
+  const auto familyAt = [width](const Index3& node)
+  {
+    Index3 family;
+    for (int a = 0; a < 3; ++a)
+    {
+      family[a] = static_cast<Index>(static_cast<double>(node[a]) / width);
+    }
+    return family;
+  };
+  const IndexBox box{ familyAt(grid.Owned().Lower), CornerOfCell(familyAt(grid.Owned().Upper), 7) };
+  std::vector<unsigned char> contain(box.NumberOfCells(), 0);
+  ForCells(grid.Owned(),
+    [&](const Index3& cell)
+    {
+      for (int c = 0; c < 8 && isIn(labels[grid.Linear(cell)]); ++c)
+      {
+        contain[IndexInBox(box, familyAt(CornerOfCell(cell, c)))] = 1;
+      }
+    });
+  std::vector<Index3> families;
+  for (std::size_t f = 0; f < contain.size(); ++f)
+  {
+    if (contain[f] != 0)
+    {
+      families.push_back(CellInBox(box, static_cast<Index>(f)));
+    }
+  }
+  families = GatherItems(ranks, families);
+  SortUnique(families);
+  return static_cast<Index>(families.size());
+}
+
+/// Collective. Estimates the number of elements: the cells inside of materials, one more per side
+/// of a cell at their surfaces, and those of families.
+double EstimateElements(const CartesianGrid& grid, const LabelArray& labels,
+  const std::vector<FittedWidth>& fitted, const WidthChoice& choice, Ranks& ranks)
+{
+  const double width = choice.Coarsest;
+  double elements = 0.0;
+  for (std::size_t m = 1; m < fitted.size(); ++m)
+  {
+    const MaterialFit& extent = fitted[m].Extent;
+    elements +=
+      static_cast<double>(extent.Cells) / (width * width * width) + extent.Area() / (width * width);
+  }
+  for (int level = 0; level < choice.Halvings; ++level)
+  {
+    const auto isHalved = [&](int label) { return choice.OfMaterial[label] > level; };
+    const Index families =
+      CountFamilies(grid, labels, std::ldexp(width, 1 - level), isHalved, ranks);
+    elements += ElementsOfFamily * static_cast<double>(families);
+  }
+  return elements;
+}
+
+} // namespace
+
+/// Two layers of the widest cells, which are rounded to fill the domain, by up to a half more.
+int LayersOf(const WidthLimits& limits)
+{
+  return std::max(GhostLayers, static_cast<int>(std::ceil(3.0 * limits.Widest)));
+}
+
+std::vector<FittedWidth> FitWidths(const CartesianGrid& grid, const FractionField& fractions,
+  const LabelArray& labels, const WidthLimits& limits, double isoValue, Runtime& runtime)
+{
+  const Vector3 ofInput = MeanWidths(grid.Coordinates());
+  std::vector<FittedWidth> fitted(fractions.NumberOfMaterials() + 1, { 1.0, {} });
+  std::size_t found = 0; // materials with a width
+  for (const double ratio : ListWidths(limits.Widest))
+  {
+    const Vector3 widths{ { ratio * ofInput[0], ratio * ofInput[1], ratio * ofInput[2] } };
+    const std::vector<MaterialFit> fits = FindFits(
+      grid, fractions, labels, ReplaceNodes(grid.Coordinates(), widths), isoValue, runtime);
+    for (std::size_t m = 0; m < fits.size(); ++m)
+    {
+      const bool isFirst = fitted[m].Ratio == 1.0 && Fits(fits[m], ratio, limits.Distance);
+      fitted[m] = { isFirst ? ratio : fitted[m].Ratio, fits[m] };
+      found += isFirst;
+    }
+    if (found == fitted.size())
+    {
+      break;
+    }
+  }
+  return fitted;
+}
+
+WidthChoice ChooseWidths(const CartesianGrid& grid, const LabelArray& labels,
+  const std::vector<FittedWidth>& fitted, const WidthLimits& limits, Ranks& ranks)
+{
+  WidthChoice best{ 1.0, 0, std::vector<int>(fitted.size(), 0) };
+  double least = EstimateElements(grid, labels, fitted, best, ranks);
+  for (const double coarsest : ListWidths(limits.Widest))
+  {
+    WidthChoice choice{ coarsest, 0, { 0 } };
+    for (std::size_t m = 1; m < fitted.size(); ++m)
+    {
+      choice.OfMaterial.push_back(CountHalvings(coarsest, fitted[m].Ratio));
+      choice.Halvings = std::max(choice.Halvings, choice.OfMaterial[m]);
+    }
+    if (choice.Halvings <= limits.Halvings &&
+      std::ldexp(coarsest, -choice.Halvings) >= 1.0 - Rounding)
+    {
+      const double elements = EstimateElements(grid, labels, fitted, choice, ranks);
+      best = elements < least ? choice : best;
+      least = std::min(elements, least);
+    }
+  }
+  return best;
+}
+
+} // namespace vfm
