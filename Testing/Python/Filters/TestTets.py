@@ -9,8 +9,8 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from vfmtest import (
     ORIGIN, SPACING, TET_METHODS, ball_and_plate, check_error, digest, elements, face_owners,
-    facets, fraction_image,
-    image, labels, list_defaults, OF_PANEL, main, mesh_of, producer, run, tet_volumes, VolumeFractionToTet)
+    facets, fraction_image, image, labels, list_defaults, main, mesh_of, OF_PANEL, producer, run,
+    tet_volumes, VolumeFractionToTet)
 
 N = 12
 DATA = fraction_image(N)
