@@ -139,7 +139,10 @@ def test_material_widths():
         vfm.hexes(BALL, material_widths={"iron": 2})
     with pytest.raises(ValueError, match="Refinement"):
         vfm.hexes(BALL, material_widths={1: 0.3})
-    for wrong in ("iron", {1: 0}, {1: -1}, {"": 1}, {1: float("nan")}, "1=2,"):
+    for wrong in ("iron", "1=2,", "auto,1=2", "1=0"):
+        with pytest.raises(ValueError, match="cannot be '%s': it takes auto" % wrong):
+            vfm.hexes(BALL, material_widths=wrong)
+    for wrong in ({1: 0}, {1: -1}, {"": 1}, {1: float("nan")}, {1: float("inf")}):
         with pytest.raises(ValueError) as told:
             vfm.hexes(BALL, material_widths=wrong)
         assert str(told.value).startswith("material_widths is %r: it must be auto" % (wrong,))
