@@ -1,7 +1,7 @@
 """Meshes an image of a piece of brain with narrow cells for its cortex, and wide ones inside.
 
-The cortex is folded, and three voxels thick. Wide cells everywhere tear it, and cells as wide as a voxel
-everywhere fill the inside with elements that it does not need.
+The cortex is folded, and three voxels thick. Wide cells everywhere tear it, and cells as wide as a
+voxel everywhere fill the inside with elements that it does not need.
 
 usage: python material_widths.py [--picture material_widths.png]
 """
