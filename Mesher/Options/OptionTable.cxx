@@ -410,6 +410,9 @@ OptionTable RefinementOptions()
     Row("FineLayers", Number<&M::FineLayers>(2, 64),
       "Minimum number of finest cells between an interface and larger cells. If Fine Interfaces is "
       "off: fine cells around the places that Automatic refines.")
+      .OfTets(
+        "Finest cells between an interface and larger cells. With 2, Lattice has them only at "
+        "nodes of interfaces, which differ by a few hundredths of a cell from those with 3.")
       .ShownIf("Refinement=Input Levels,Automatic,Coarsen")
       .Advanced(),
     Row("ThinCells", Number<&M::ThinCells>(0, LargestThickness),

@@ -12,7 +12,8 @@ using namespace vfm::testing;
 namespace
 {
 
-constexpr double SmallestAngle = 15.0; // degrees, transitions without interfaces
+constexpr double SmallestAngle = 45.0 - 1e-9; // degrees, tets of coarser cells
+constexpr double LargestShift = 0.1;          // of interface points of Lattice, in cells
 
 MeshOptions OptionsOf(TetMethod method, int refinements)
 {
@@ -22,8 +23,8 @@ MeshOptions OptionsOf(TetMethod method, int refinements)
   return options;
 }
 
-/// Returns the largest distance between points of equal ids, or a huge
-/// value if a point lacks a partner.
+/// Returns the largest distance between points of equal ids, or a huge value if a point lacks a
+/// partner.
 double LargestDistance(
   const std::map<Index, std::array<double, 3>>& a, const std::map<Index, std::array<double, 3>>& b)
 {
@@ -79,6 +80,11 @@ class CoarsenedTets : public ::testing::TestWithParam<CoarseCase>
 {
 };
 
+/// The method that has fewer layers of finest cells than points that move have around them.
+class CoarsenedLattice : public CoarsenedTets
+{
+};
+
 std::vector<CoarseCase> ListCases()
 {
   std::vector<CoarseCase> cases;
@@ -103,6 +109,21 @@ std::vector<CoarseCase> ListCases()
   return cases;
 }
 
+std::vector<CoarseCase> ListLatticeCases()
+{
+  std::vector<CoarseCase> cases = ListCases();
+  std::erase_if(cases, [](const CoarseCase& c) { return c.Method != TetMethod::Lattice; });
+  return cases;
+}
+
+std::string NameOfCase(const ::testing::TestParamInfo<CoarseCase>& info)
+{
+  std::string name = NameOf(info.param.Method) + "_" + info.param.Name + "_" +
+    std::to_string(info.param.Refinements) + (info.param.MeshVoid ? "_void" : "");
+  std::replace(name.begin(), name.end(), ' ', '_');
+  return name;
+}
+
 } // namespace
 
 TEST_P(CoarsenedTets, InterfacesAreThoseOfTheUniformMesh)
@@ -113,6 +134,7 @@ TEST_P(CoarsenedTets, InterfacesAreThoseOfTheUniformMesh)
   MeshReport report, fineReport;
   MeshOptions options = OptionsOf(p.Method, p.Refinements);
   options.MeshVoid = p.MeshVoid;
+  options.Levels.FineLayers = p.Method == TetMethod::Lattice ? 3 : 2;
   const Mesh mesh = MakeTetMesh(c.Grid, c.Fractions, options, runtime, report);
   options.Levels = LevelPlan();
   const Mesh fine = MakeTetMesh(c.Grid, c.Fractions, options, runtime, fineReport);
@@ -140,7 +162,7 @@ TEST_P(CoarsenedTets, InterfacesAreThoseOfTheUniformMesh)
     EXPECT_GE(
       report.MinimumDihedralAngle, std::min(SmallestAngle, fineReport.MinimumDihedralAngle));
   }
-  std::printf("%-8s %-18s %d refinements: %8zu tets of %8zu, %7lld transition hexes, dihedral "
+  std::printf("%-8s %-18s %d refinements: %8zu tets of %8zu, %7lld transition cells, dihedral "
               "%.1f-%.1f (%.1f-%.1f), %lld parts rejected\n",
     NameOf(p.Method).c_str(), c.Name.c_str(), p.Refinements, mesh.ElementIds.size(),
     fine.ElementIds.size(), static_cast<long long>(report.TransitionCells),
@@ -148,14 +170,47 @@ TEST_P(CoarsenedTets, InterfacesAreThoseOfTheUniformMesh)
     fineReport.MaximumDihedralAngle, static_cast<long long>(report.RefusedParts));
 }
 
-INSTANTIATE_TEST_SUITE_P(Cases, CoarsenedTets, ::testing::ValuesIn(ListCases()),
-  [](const ::testing::TestParamInfo<CoarseCase>& info)
+/// By default, points at interfaces have neighbours in larger cells.
+TEST_P(CoarsenedLattice, FewestLayersHardlyChangeInterfaces)
+{
+  const CoarseCase& p = this->GetParam();
+  const MeshCase c = MakeMeshCase(p.Name);
+  Runtime runtime;
+  MeshReport report, fineReport;
+  MeshOptions options = OptionsOf(p.Method, p.Refinements);
+  options.MeshVoid = p.MeshVoid;
+  const Mesh mesh = MakeTetMesh(c.Grid, c.Fractions, options, runtime, report);
+  options.Levels = LevelPlan();
+  const Mesh fine = MakeTetMesh(c.Grid, c.Fractions, options, runtime, fineReport);
+  ExpectValid(mesh);
+  if (p.MeshVoid)
   {
-    std::string name = NameOf(info.param.Method) + "_" + info.param.Name + "_" +
-      std::to_string(info.param.Refinements) + (info.param.MeshVoid ? "_void" : "");
-    std::replace(name.begin(), name.end(), ' ', '_');
-    return name;
-  });
+    ExpectFull(mesh, c.Grid, c.Fractions.NumberOfMaterials());
+  }
+  const double moved = LargestDistance(InterfacePoints(mesh), InterfacePoints(fine));
+  EXPECT_LT(moved, LargestShift * c.Grid.MeanWidth());
+  EXPECT_EQ(report.NumberOfFragments, fineReport.NumberOfFragments);
+  EXPECT_EQ(report.NumberOfSurfaces, fineReport.NumberOfSurfaces);
+  EXPECT_EQ(report.NumberOfCurves, fineReport.NumberOfCurves);
+  EXPECT_EQ(report.NumberOfVertices, fineReport.NumberOfVertices);
+  for (int m = 1; m < static_cast<int>(report.MeshVolume.size()); ++m)
+  {
+    EXPECT_NEAR(report.MeshVolume[m] / fineReport.MeshVolume[m], 1.0, 1e-6);
+    EXPECT_NEAR(MeasureVolume(mesh, m) / report.MeshVolume[m], 1.0, 1e-9);
+  }
+  EXPECT_GE(
+    report.MinimumDihedralAngle, std::min(SmallestAngle, fineReport.MinimumDihedralAngle - 1.0));
+  std::printf("%-8s %-18s %d refinements: %8zu tets of %8zu, dihedral %.1f-%.1f (%.1f-%.1f), "
+              "shift %.4f cells, %lld parts rejected\n",
+    NameOf(p.Method).c_str(), c.Name.c_str(), p.Refinements, mesh.ElementIds.size(),
+    fine.ElementIds.size(), report.MinimumDihedralAngle, report.MaximumDihedralAngle,
+    fineReport.MinimumDihedralAngle, fineReport.MaximumDihedralAngle, moved / c.Grid.MeanWidth(),
+    static_cast<long long>(report.RefusedParts));
+}
+
+INSTANTIATE_TEST_SUITE_P(Cases, CoarsenedTets, ::testing::ValuesIn(ListCases()), NameOfCase);
+INSTANTIATE_TEST_SUITE_P(
+  Cases, CoarsenedLattice, ::testing::ValuesIn(ListLatticeCases()), NameOfCase);
 
 TEST(RefinedTets, AllFamiliesGiveTheUniformMesh)
 {
@@ -176,6 +231,54 @@ TEST(RefinedTets, AllFamiliesGiveTheUniformMesh)
     EXPECT_TRUE(AreEqual(mesh, MakeTetMesh(grid, field, options, runtime, report)))
       << NameOf(method);
   }
+}
+
+/// 12 grains, about 20 cells across.
+TEST(RefinedTets, GrainsHaveHalfTheTets)
+{
+  const Index n = 48;
+  const CartesianGrid grid = MakeUnitGrid(n);
+  std::mt19937 engine(1);
+  std::vector<Vector3> seeds(12);
+  for (Vector3& seed : seeds)
+  {
+    for (double& x : seed)
+    {
+      x = static_cast<double>(engine()) / 4294967296.0 * static_cast<double>(n);
+    }
+  }
+  const FractionField field = MakeLabels(grid, static_cast<int>(seeds.size()),
+    [&](const Index3& p)
+    {
+      const auto distance = [&p](const Vector3& seed)
+      {
+        double square = 0.0;
+        for (int a = 0; a < 3; ++a)
+        {
+          square += std::pow(static_cast<double>(p[a]) + 0.5 - seed[a], 2);
+        }
+        return square;
+      };
+      const auto nearest = std::min_element(seeds.begin(), seeds.end(),
+        [&](const Vector3& a, const Vector3& b) { return distance(a) < distance(b); });
+      return 1 + static_cast<int>(nearest - seeds.begin());
+    });
+  Runtime runtime;
+  MeshReport report, fineReport;
+  const Mesh mesh = MakeTetMesh(grid, field, OptionsOf(TetMethod::Lattice, 3), runtime, report);
+  const Mesh fine = MakeTetMesh(grid, field, OptionsOf(TetMethod::Lattice, 0), runtime, fineReport);
+  ExpectValid(mesh);
+  ExpectFull(mesh, grid, static_cast<int>(seeds.size()));
+  EXPECT_LT(2 * mesh.ElementIds.size(), fine.ElementIds.size());
+  EXPECT_GE(report.MinimumDihedralAngle, 30.0);
+  EXPECT_LE(report.MaximumDihedralAngle, 140.0);
+  for (std::size_t m = 1; m < report.MeshVolume.size(); ++m)
+  {
+    EXPECT_NEAR(report.MeshVolume[m] / report.TargetVolume[m], 1.0, 1e-6);
+  }
+  std::printf("grains: %zu tets of %zu, dihedral %.2f-%.2f (%.2f-%.2f)\n", mesh.ElementIds.size(),
+    fine.ElementIds.size(), report.MinimumDihedralAngle, report.MaximumDihedralAngle,
+    fineReport.MinimumDihedralAngle, fineReport.MaximumDihedralAngle);
 }
 
 TEST(RefinedTets, FewWhereLittleHappens)
