@@ -12,7 +12,7 @@ import numpy as np
 
 import volume_fraction_mesh as vfm
 
-VOXELS, THICKNESS, WIDE, ERROR = 64, 3.0, 4, 0.2
+VOXELS, THICKNESS, WIDE = 64, 3.0, 4
 NAMES = {1: "cortex", 2: "inside", 3: "nucleus"}
 
 
@@ -66,7 +66,6 @@ def main() -> None:
         "width %d" % WIDE: {"cell_width": WIDE},
         "cortex 1, others %d" % WIDE: {"cell_width": WIDE, "material_widths": {"cortex": 1}},
         "auto": {"material_widths": "auto"},
-        "auto, error %g" % ERROR: {"material_widths": "auto", "allowed_error": ERROR},
     }
     meshes = {}
     print("widths of cells       hexahedra  smallest scaled Jacobian  pieces of the cortex")
@@ -78,7 +77,8 @@ def main() -> None:
                                           table["Fragments"][0]))
         meshes[name] = mesh
     if words.picture:
-        show({name: meshes[name] for name in list(meshes)[0::2]}, words.picture)
+        del meshes["width %d" % WIDE]
+        show(meshes, words.picture)
 
 
 if __name__ == "__main__":
