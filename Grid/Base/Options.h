@@ -67,8 +67,15 @@ struct LevelSettings
   /// true: all interfaces get cells of the finest level. false: only cells of Families do, so the
   /// interfaces of hexahedra cross levels.
   bool FineInterfaces = true;
-  /// Number of layers of finest cells around the finest cells at interfaces, at least 2.
+  /// Number of layers of finest cells around the finest cells at interfaces; tets have fewer.
   int FineLayers = 2;
+};
+
+/// What is refined: families of 2x2x2 cells, or for tets single cells (OctantFamilies.h).
+enum class RefinedUnit
+{
+  Family,
+  Cell
 };
 
 /// Plan of a refined grid: which cells may be coarser than the cells of the grid given to the
@@ -77,8 +84,9 @@ struct LevelPlan : LevelSettings
 {
   int Refinements = 0; ///< base cells are 2^Refinements cells of the grid along each axis
   /// Additional families to refine: for each refinement the keys of the families owned by this rank
-  /// (OctreeKeys::FamilyKey).
+  /// (OctreeKeys::FamilyKey); of cells, if these are the unit (OctantFamilies).
   std::vector<std::vector<Index>> Families;
+  RefinedUnit Unit = RefinedUnit::Family;
 };
 
 /// User options of the pipelines.

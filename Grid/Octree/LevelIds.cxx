@@ -78,7 +78,8 @@ Index CentreId(const RefinedGrid& grid, Index hexKey, Index slots)
 
 Index TetId(const RefinedGrid& grid, Index hexKey, Index number, Index slots)
 {
-  return NumberOfNodes(grid.Finest()) * slots + TetsOfHex * hexKey + number + 1;
+  return NumberOfNodes(grid.Finest()) * slots + TetsOfCell * (hexKey / OctreeKeys::HexSlots) +
+    number + 1;
 }
 
 bool IsCoarseCentre(const RefinedGrid& grid, Index id, Index slots)
@@ -98,7 +99,8 @@ OctreeKeys::LevelIndex CellOfCoarseCentre(const RefinedGrid& grid, Index id, Ind
 
 OctreeKeys::LevelIndex CellOfCoarseTet(const RefinedGrid& grid, Index id, Index slots)
 {
-  return grid.Lattice().HexOfKey((id - TetId(grid, 0, 0, slots)) / TetsOfHex);
+  return grid.Lattice().HexOfKey(
+    (id - TetId(grid, 0, 0, slots)) / TetsOfCell * OctreeKeys::HexSlots);
 }
 
 Index EndOfPointIds(const RefinedGrid& grid, Index slots)

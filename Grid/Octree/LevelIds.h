@@ -31,11 +31,11 @@ Index KeyOfPoint(const RefinedGrid& grid, Index id, Index slots);
 Index3 NodeOfCoarsePoint(const RefinedGrid& grid, Index id, Index slots);
 OctreeKeys::LevelIndex CellOfCoarseElement(const RefinedGrid& grid, Index id, Index slots);
 
-/// Number of tets per coarse hex.
-constexpr Index TetsOfHex = 24;
-/// The following functions are for tets (CoarseTets.h). Points without a finest cell in HexBox have
-/// ids computed from lattice keys. The centres of coarse hexes are points with ids after all
-/// others. A tet has a number from 0 to 23 in its hex.
+/// Number of tets per cell: up to 8 per side.
+constexpr Index TetsOfCell = 48;
+/// The following functions are for tets (CoarseTets.h). Points that are not corners of finest cells
+/// have ids computed from lattice keys. The centres of coarse cells are points with ids after all
+/// others. A tet has a number from 0 to 47 in its cell, whose key is a hex key of slot 0.
 Index CoarsePointId(const RefinedGrid& grid, Index key, Index slots, int slot = 0);
 Index CentreId(const RefinedGrid& grid, Index hexKey, Index slots);
 Index TetId(const RefinedGrid& grid, Index hexKey, Index number, Index slots);

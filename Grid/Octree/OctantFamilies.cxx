@@ -20,6 +20,12 @@ std::vector<Index> Merge(std::vector<Index>& set, const std::vector<Index>& adde
   return fresh;
 }
 
+/// Returns whether a cell shares a face or an edge with the cell a step away, or is this cell.
+bool IsFaceOrEdge(const Index3& step)
+{
+  return step[0] == 0 || step[1] == 0 || step[2] == 0;
+}
+
 Index3 Moved(Index3 p, int b, Index alongB, int c, Index alongC)
 {
   p[b] += alongB;
@@ -30,8 +36,11 @@ Index3 Moved(Index3 p, int b, Index alongB, int c, Index alongC)
 } // namespace
 
 OctantFamilies::OctantFamilies(
-  const OctreeKeys& lattice, std::vector<std::vector<Index>> requested) :
-  TheLattice(lattice), Sets(std::move(requested)), Reports(lattice.NumberOfRefinements())
+  const OctreeKeys& lattice, std::vector<std::vector<Index>> requested, RefinedUnit unit) :
+  TheLattice(lattice),
+  Unit(unit),
+  Sets(std::move(requested)),
+  Reports(lattice.NumberOfRefinements())
 {
   this->Sets.resize(this->Reports.size());
   for (int level = this->NumberOfRefinements() - 1; level >= 0; --level)
@@ -42,15 +51,33 @@ OctantFamilies::OctantFamilies(
     {
       this->AddBalance(level);
     }
-    this->CloseNonManifoldEdges(level);
+    if (this->Unit == RefinedUnit::Family)
+    {
+      this->CloseNonManifoldEdges(level);
+    }
   }
 }
 
 bool OctantFamilies::HasFamily(int level, const Index3& family) const
 {
   const std::vector<Index>& set = this->Sets[level];
-  return this->TheLattice.HasFamily(level, family) &&
-    std::binary_search(set.begin(), set.end(), this->TheLattice.FamilyKey(level, family));
+  const int own = this->FamilyLevel(level);
+  return this->TheLattice.HasFamily(own, family) &&
+    std::binary_search(set.begin(), set.end(), this->TheLattice.FamilyKey(own, family));
+}
+
+bool OctantFamilies::IsTouched(int level, const Index3& cell) const
+{
+  if (level >= this->NumberOfRefinements() || this->Unit == RefinedUnit::Family)
+  {
+    return level < this->NumberOfRefinements() && this->FindSlabs(level, cell) != 0;
+  }
+  bool isTouched = false;
+  for (int n = 0; n < 27 && !isTouched; ++n)
+  {
+    isTouched = IsFaceOrEdge(StepAround(n)) && this->IsRefined(level, CellAround(cell, n));
+  }
+  return isTouched;
 }
 
 int OctantFamilies::FindSlabs(int level, const Index3& cell) const
@@ -77,17 +104,18 @@ int OctantFamilies::FindSlabs(int level, const Index3& cell) const
 void OctantFamilies::AddCopies(int level, std::vector<Index>& keys) const
 {
   const CartesianGrid& base = this->TheLattice.Base();
+  const int own = this->FamilyLevel(level);
   std::vector<Index> copies;
   for (std::size_t k = 0; base.IsPeriodic() && k < keys.size(); ++k)
   {
-    const Index3 family = this->TheLattice.FamilyOfKey(level, keys[k]);
+    const Index3 family = this->TheLattice.FamilyOfKey(own, keys[k]);
     IndexBox shifts{ {}, { { 1, 1, 1 } } };
     for (int a = 0; a < 3; ++a)
     {
-      const Index step = base.Period(a) << level; // a family has two cells, so twice the families
+      const Index step = base.Period(a) << own; // a family has two cells, so twice the families
       shifts.Lower[a] = step > 0 ? -(2 * family[a] / step) : 0;
       shifts.Upper[a] =
-        step > 0 ? (this->TheLattice.Cells(level, a) - 2 * family[a] - 1) / step + 1 : 1;
+        step > 0 ? (this->TheLattice.Cells(own, a) - 2 * family[a] - 1) / step + 1 : 1;
     }
     ForCells(shifts,
       [&](const Index3& shift)
@@ -95,9 +123,9 @@ void OctantFamilies::AddCopies(int level, std::vector<Index>& keys) const
         Index3 copy = family;
         for (int a = 0; a < 3; ++a)
         {
-          copy[a] += shift[a] * ((base.Period(a) << level) / 2);
+          copy[a] += shift[a] * ((base.Period(a) << own) / 2);
         }
-        copies.push_back(this->TheLattice.FamilyKey(level, copy));
+        copies.push_back(this->TheLattice.FamilyKey(own, copy));
       });
   }
   keys.insert(keys.end(), copies.begin(), copies.end());
@@ -106,11 +134,12 @@ void OctantFamilies::AddCopies(int level, std::vector<Index>& keys) const
 
 Index OctantFamilies::CountInDomain(int level, const std::vector<Index>& keys) const
 {
-  const IndexBox domain = ChangeLevel(this->TheLattice.Base().Domain(), level);
+  const int own = this->FamilyLevel(level);
+  const IndexBox domain = ChangeLevel(this->TheLattice.Base().Domain(), own);
   return std::count_if(keys.begin(), keys.end(),
     [&](Index key)
     {
-      const IndexBox family = ChangeLevel(BoxOfCell(this->TheLattice.FamilyOfKey(level, key)), 1);
+      const IndexBox family = ChangeLevel(BoxOfCell(this->TheLattice.FamilyOfKey(own, key)), 1);
       return domain.Contains(family.Lower);
     });
 }
@@ -118,16 +147,17 @@ Index OctantFamilies::CountInDomain(int level, const std::vector<Index>& keys) c
 /// Adds the families of a level that the families of the next level need.
 void OctantFamilies::AddBalance(int level)
 {
+  const int own = this->FamilyLevel(level);
   std::vector<Index> needed;
   for (Index key : this->Sets[level + 1])
   {
-    const Index3 cell = this->TheLattice.FamilyOfKey(level + 1, key);
+    const Index3 cell = this->TheLattice.FamilyOfKey(own + 1, key);
     for (int n = 0; n < 27; ++n)
     {
-      const Index3 step = StepAround(n), other = CellAround(cell, n);
-      if ((step[0] == 0 || step[1] == 0 || step[2] == 0) && this->TheLattice.HasCell(level, other))
+      const Index3 other = CellAround(cell, n);
+      if (IsFaceOrEdge(StepAround(n)) && this->TheLattice.HasCell(own, other))
       {
-        needed.push_back(this->TheLattice.FamilyKey(level, ParentOfCell(other)));
+        needed.push_back(this->TheLattice.FamilyKey(own, ParentOfCell(other)));
       }
     }
   }

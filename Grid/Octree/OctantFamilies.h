@@ -16,10 +16,16 @@
  * Essentially after Owen, Shih, Ernst, Computer-Aided Design (2017); the rule of non-manifold
  * edges was found by testing.
  *
+ * Tets need no pillowing (CoarseTets.h). For them, single cells are refined instead of families,
+ * and there is no rule of non-manifold edges. A cell that shares a face or an edge with a refined
+ * cell of its level is of this level or refined, so cells that share an edge differ by at most one
+ * level.
+ *
  * Memory is proportional to the refined families: one sorted list of keys per level.
  */
 #pragma once
 
+#include "Base/Options.h"
 #include "Octree/OctreeKeys.h"
 
 namespace vfm
@@ -42,30 +48,34 @@ public:
   /// Closes the sets of requested families. Stores a reference to the lattice.
   /// @param requested  keys of families (OctreeKeys::FamilyKey) for each refinement, in any order,
   /// possibly repeated, of all ranks (GatherItems). Missing lists are empty.
-  OctantFamilies(const OctreeKeys& lattice, std::vector<std::vector<Index>> requested);
+  /// @param unit  Cell: a cell has the key of the family that its children are: FamilyKey(level +
+  /// 1, cell)
+  OctantFamilies(const OctreeKeys& lattice, std::vector<std::vector<Index>> requested,
+    RefinedUnit unit = RefinedUnit::Family);
 
   const OctreeKeys& Lattice() const { return this->TheLattice; }
   int NumberOfRefinements() const { return this->TheLattice.NumberOfRefinements(); }
-  /// Returns the keys of the refined families of a level, ascending.
+  RefinedUnit UnitOfSets() const { return this->Unit; }
+  /// Returns the level whose families have the keys of the set of a level.
+  int FamilyLevel(int level) const { return level + (this->Unit == RefinedUnit::Cell); }
+  /// Returns the keys of the refined families, or cells, of a level, ascending.
   const std::vector<Index>& Keys(int level) const { return this->Sets[level]; }
   const LevelReport& Report(int level) const { return this->Reports[level]; }
 
+  /// Returns whether a family, or cell, is in the set of a level.
   bool HasFamily(int level, const Index3& family) const;
-  /// Returns whether the family of a cell is refined.
+  /// Returns whether a cell is refined.
   bool IsRefined(int level, const Index3& cell) const
   {
-    return this->HasFamily(level, ParentOfCell(cell));
+    return this->HasFamily(level, this->Unit == RefinedUnit::Cell ? cell : ParentOfCell(cell));
   }
   /// Returns the axes (bits) along which a cell takes part in pillowing. Bit a is set if the cell
   /// is in the slab of a refined family along axis a, and in that family or next to it.
-  /// @pre The cell is in the domain.
+  /// @pre The cell is in the domain, and families are refined.
   int FindSlabs(int level, const Index3& cell) const;
   /// Returns whether the cell is refined or shares a face or an edge with a refined cell; false on
   /// the finest level.
-  bool IsTouched(int level, const Index3& cell) const
-  {
-    return level < this->NumberOfRefinements() && this->FindSlabs(level, cell) != 0;
-  }
+  bool IsTouched(int level, const Index3& cell) const;
 
 private:
   void AddCopies(int level, std::vector<Index>& keys) const;
@@ -74,6 +84,7 @@ private:
   void CloseNonManifoldEdges(int level);
 
   const OctreeKeys& TheLattice;
+  RefinedUnit Unit;
   std::vector<std::vector<Index>> Sets;
   std::vector<LevelReport> Reports;
 };

@@ -18,7 +18,8 @@ RefinedGrid::RefinedGrid(const CartesianGrid& finest, const LevelPlan& plan,
   BaseGrid(CoarsenGrid(finest, plan.Refinements, BaseGhostLayers)),
   TheLattice(this->BaseGrid, plan.Refinements,
     { { finest.Coordinates(0), finest.Coordinates(1), finest.Coordinates(2) } }),
-  Sets(this->TheLattice, this->GatherFamilies(plan, interfaces, ranks)),
+  Sets(this->TheLattice, this->GatherFamilies(plan, interfaces, ranks), plan.Unit),
+  UnitShift(plan.Unit == RefinedUnit::Cell ? 1 : 2),
   Uniform(plan.Refinements == 0),
   FineInterfaces(plan.FineInterfaces || this->Uniform)
 {
@@ -29,9 +30,11 @@ RefinedGrid::RefinedGrid(const CartesianGrid& finest, const LevelPlan& plan,
 }
 
 /// Returns the keys of the families of the last refinement around nodes.
-std::vector<Index> RefinedGrid::FindFamilies(const std::vector<Index>& interfaces, int layers) const
+std::vector<Index> RefinedGrid::FindFamilies(
+  const std::vector<Index>& interfaces, const LevelPlan& plan) const
 {
-  const int level = this->NumberOfRefinements() - 1;
+  const bool isCell = plan.Unit == RefinedUnit::Cell;
+  const int level = this->NumberOfRefinements() - !isCell; // of the keys
   std::vector<Index> keys;
   for (Index node : interfaces)
   {
@@ -41,7 +44,8 @@ std::vector<Index> RefinedGrid::FindFamilies(const std::vector<Index>& interface
       continue;
     }
     const IndexBox around{ CellOfStar(p, 0), CornerOfCell(p, 7) };
-    ForCells(ChangeLevel(Grow(around, layers, this->FinestGrid.Global()), -FamilyShift),
+    ForCells(
+      ChangeLevel(Grow(around, plan.FineLayers, this->FinestGrid.Global()), isCell ? -1 : -2),
       [&](const Index3& q) { keys.push_back(this->TheLattice.FamilyKey(level, q)); });
   }
   SortUnique(keys);
@@ -55,7 +59,7 @@ std::vector<std::vector<Index>> RefinedGrid::GatherFamilies(
   families.resize(plan.Refinements);
   if (plan.FineInterfaces && plan.Refinements > 0)
   {
-    const std::vector<Index> around = this->FindFamilies(interfaces, plan.FineLayers);
+    const std::vector<Index> around = this->FindFamilies(interfaces, plan);
     families.back().insert(families.back().end(), around.begin(), around.end());
   }
   for (std::vector<Index>& keys : families)
@@ -69,12 +73,12 @@ void RefinedGrid::MarkFine()
 {
   const int level = this->NumberOfRefinements() - 1;
   const IndexBox& box = this->FinestGrid.Local();
-  this->Marked = ChangeLevel(box, -FamilyShift);
+  this->Marked = ChangeLevel(box, -this->UnitShift);
   this->Fine.assign(this->Marked.NumberOfCells(), 0);
   this->HasFine.assign(this->Marked.Size(1) * this->Marked.Size(2), 0);
   for (Index key : this->Sets.Keys(level))
   {
-    const Index3 q = this->TheLattice.FamilyOfKey(level, key);
+    const Index3 q = this->TheLattice.FamilyOfKey(this->Sets.FamilyLevel(level), key);
     if (this->Marked.Contains(q))
     {
       this->Fine[IndexInBox(this->Marked, q)] = 1;
@@ -90,7 +94,7 @@ Index RefinedGrid::RowOfFamilies(Index j, Index k) const
   const auto family = [this](int a, Index i)
   {
     const IndexBox& box = this->FinestGrid.Local();
-    return (std::min(std::max(i, box.Lower[a]), box.Upper[a] - 1) >> FamilyShift) -
+    return (std::min(std::max(i, box.Lower[a]), box.Upper[a] - 1) >> this->UnitShift) -
       this->Marked.Lower[a];
   };
   return family(2, k) * this->Marked.Size(1) + family(1, j);
@@ -106,7 +110,7 @@ bool RefinedGrid::IsMarked(const Index3& cell) const
   Index3 q = box.Nearest(cell);
   for (Index& i : q)
   {
-    i >>= FamilyShift;
+    i >>= this->UnitShift;
   }
   return this->Fine[IndexInBox(this->Marked, q)];
 }

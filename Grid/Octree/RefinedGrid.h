@@ -27,8 +27,8 @@ class RefinedGrid : public std::enable_shared_from_this<RefinedGrid>
 public:
   /// Finds and closes the families that the plan of all ranks and the interfaces require.
   /// @param interfaces  linear indices of nodes of the finest grid that must have fine cells around
-  /// them, plan.FineLayers more than the cells at the node. Only nodes at owned cells count, and
-  /// only if plan.FineInterfaces.
+  /// them, plan.FineLayers more than the cells at the node. Only nodes at
+  /// owned cells count, and only if plan.FineInterfaces.
   /// @throws InputError  if the boxes of the grid are not whole base cells, or keys need more than
   /// 64 bits
   /// @pre Collective.
@@ -105,7 +105,8 @@ private:
   bool IsMarked(const Index3& cell) const;
   /// Returns how many of the eight cells at a node are hexes of their own.
   int CountFineAround(const Index3& node) const;
-  std::vector<Index> FindFamilies(const std::vector<Index>& interfaces, int layers) const;
+  std::vector<Index> FindFamilies(
+    const std::vector<Index>& interfaces, const LevelPlan& plan) const;
   std::vector<std::vector<Index>> GatherFamilies(
     const LevelPlan& plan, const std::vector<Index>& interfaces, Ranks& ranks) const;
   void MarkFine();
@@ -117,8 +118,8 @@ private:
   CartesianGrid BaseGrid;
   OctreeKeys TheLattice;
   OctantFamilies Sets;
-  // A family of the last refinement has four finest cells along each axis.
-  static constexpr int FamilyShift = 2;
+  // A family of the last refinement has four finest cells along each axis, a cell two.
+  int UnitShift;
 
   bool Uniform, FineInterfaces;
   // Families of the last refinement that cover the local box.
@@ -151,7 +152,7 @@ void RefinedGrid::ForFineFamilies(const std::array<Index, 4>& rows, const Visito
     }
     if (q > begin)
     {
-      visit((start + begin) << FamilyShift, (start + q) << FamilyShift);
+      visit((start + begin) << this->UnitShift, (start + q) << this->UnitShift);
     }
   }
 }

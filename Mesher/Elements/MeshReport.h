@@ -56,10 +56,10 @@ struct MeshReport
     Index Families = 0;         ///< families refined to the next level
     Index AddedForBalance = 0;  ///< families refined only because transitions need it
     Index AddedForValidity = 0; ///< families refined because no valid mesh started otherwise
-    Index Cells = 0;            ///< whole cells of the level that are hexes or filled by tets
+    Index Cells = 0;            ///< whole cells of the level; of tets: without finer cells beside
   };
   std::vector<Level> Levels; ///< levels from the base; empty without refinements
-  Index TransitionCells = 0; ///< hexes of transitions between levels; tets: the hexes they fill
+  Index TransitionCells = 0; ///< hexes of transitions between levels; tets: cells at finer ones
   /// Rounds that refined cells between levels because labels had to be changed or
   /// no valid mesh started.
   int LevelRounds = 0;

@@ -24,6 +24,7 @@ public:
     const bool isFirst = ranks.Rank() == 0; // the families of all ranks are joined
     LevelPlan plan;
     plan.FineInterfaces = this->Covering.HasFineInterfaces();
+    plan.Unit = this->Covering.Families().UnitOfSets();
     plan.Refinements = this->Covering.NumberOfRefinements();
     const CartesianGrid finest = this->Covering.Finest().OfDomain(GhostLayers);
     const CartesianGrid base = this->Covering.Base().OfDomain();
@@ -84,7 +85,7 @@ public:
     }
     if (IsCoarseTet(this->Covering, id, slots))
     {
-      const Index number = (id - TetId(this->Covering, 0, 0, slots)) % TetsOfHex;
+      const Index number = (id - TetId(this->Covering, 0, 0, slots)) % TetsOfCell;
       return TetId(
         *this->Domain, this->HexKey(CellOfCoarseTet(this->Covering, id, slots)), number, slots);
     }
@@ -112,14 +113,15 @@ private:
     std::vector<std::vector<Index>> families(this->Covering.NumberOfRefinements());
     for (int level = 0; level < this->Covering.NumberOfRefinements(); ++level)
     {
+      const int own = this->Covering.Families().FamilyLevel(level);
       for (Index key : this->Covering.Families().Keys(level))
       {
         const Index3 first =
-          ChangeLevel(BoxOfCell(this->Covering.Lattice().FamilyOfKey(level, key)), 1).Lower;
-        const Index3 family = ParentOfCell(this->Shifted({ level, first, 0 }).At);
-        if (domain.HasFamily(level, family))
+          ChangeLevel(BoxOfCell(this->Covering.Lattice().FamilyOfKey(own, key)), 1).Lower;
+        const Index3 family = ParentOfCell(this->Shifted({ own, first, 0 }).At);
+        if (domain.HasFamily(own, family))
         {
-          families[level].push_back(domain.FamilyKey(level, family));
+          families[level].push_back(domain.FamilyKey(own, family));
         }
       }
     }

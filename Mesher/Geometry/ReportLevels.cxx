@@ -8,8 +8,8 @@ namespace vfm
 namespace
 {
 
-/// Returns the number of whole cells of each level, then of transition hexes. In a mesh of tets,
-/// cells and hexes are counted if their centres are points.
+/// Returns the number of whole cells of each level, then of transition hexes. In a mesh of tets, of
+/// cells whose centres are points, then of those that touch finer cells.
 std::vector<std::int64_t> CountHexes(const Mesh& mesh)
 {
   const RefinedGrid& levels = *mesh.Levels;

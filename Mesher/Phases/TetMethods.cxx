@@ -1,12 +1,14 @@
 #include "Phases/TetMethods.h"
 
+#include "Base/Sorted.h"
 #include "Elements/MeasureFragments.h"
 #include "Elements/ResolveCells.h"
 #include "Elements/Tet/CellTets.h"
+#include "Elements/Tet/CoarseTets.h"
 #include "Elements/Tet/LatticeTopology.h"
+#include "Fractions/CoarsenFields.h"
 #include "Ranks/Agreement.h"
 #include "Smoothing/Attach.h"
-#include "Smoothing/Tet/MakeCoarseTets.h"
 #include "Smoothing/Tet/TetAttach.h"
 #include "Smoothing/Tet/TetImprove.h"
 #include "Volumes/CellLocator.h"
@@ -27,6 +29,78 @@ constexpr int LateFlips = 5;               // sweeps between two rounds of flips
 // corners.
 constexpr double CurvedWeight = 30.0;
 
+/// Returns the cells of families (LevelPlan::Families).
+std::vector<std::vector<Index>> CellsOf(
+  const std::vector<std::vector<Index>>& families, const CartesianGrid& base)
+{
+  const int refinements = static_cast<int>(families.size());
+  const OctreeKeys lattice(base, refinements);
+  std::vector<std::vector<Index>> cells(refinements);
+  for (int level = 0; level < refinements; ++level)
+  {
+    for (Index key : families[level])
+    {
+      ForCells(ChangeLevel(BoxOfCell(lattice.FamilyOfKey(level, key)), 1),
+        [&](const Index3& cell)
+        {
+          if (lattice.HasCell(level, cell))
+          {
+            cells[level].push_back(lattice.FamilyKey(level + 1, cell));
+          }
+        });
+    }
+  }
+  return cells;
+}
+
+/// Adds the corners of narrow void cells to nodes, so that all tets of the barrier are finest ones.
+void AddCorners(const NarrowVoid& narrow, const CartesianGrid& grid, std::vector<Index>& nodes)
+{
+  const IndexBox box = NodesOf(grid.Owned());
+  ForRows(box,
+    [&](Index j, Index k)
+    {
+      const Index first = grid.Linear({ { box.Lower[0], j, k } });
+      narrow.ForNodes(first, first + box.Size(0),
+        [&](Index begin, Index end, bool touches)
+        {
+          for (Index node = begin; touches && node < end; ++node)
+          {
+            nodes.push_back(node);
+          }
+        });
+    });
+  SortUnique(nodes);
+}
+
+/// Makes levels of single cells. FineLayers counts from the interface, so the cells at crossed
+/// nodes are one layer. Another one has the tets of all points that move; the interfaces of Lattice
+/// hardly depend on them.
+/// @param crossed  nodes around which all cells must be finest ones, ascending
+std::shared_ptr<const RefinedGrid> MakeLevelsOfCells(
+  const MeshCells& cells, const std::vector<Index>& crossed, Ranks& ranks)
+{
+  LevelPlan plan = cells.Options.Levels;
+  if (plan.Refinements > 0)
+  {
+    plan.Unit = RefinedUnit::Cell;
+    plan.FineLayers -= cells.Options.Method == TetMethod::Lattice ? 2 : 1;
+    plan.Families = CellsOf(plan.Families, CoarsenGrid(cells.Grid, plan.Refinements, 0));
+  }
+  return std::make_shared<const RefinedGrid>(cells.Grid, plan, crossed, ranks);
+}
+
+/// Returns the number of refined cells of each refinement that were requested.
+std::vector<Index> CountRequested(const OctantFamilies& sets)
+{
+  std::vector<Index> counts;
+  for (int level = 0; level < sets.NumberOfRefinements(); ++level)
+  {
+    counts.push_back(sets.Report(level).Requested);
+  }
+  return counts;
+}
+
 } // namespace
 
 TetMethodBase::TetMethodBase(const MeshCells& cells) :
@@ -43,14 +117,21 @@ Draft TetMethodBase::Make(const MeshCells& cells, MeshRun& run)
   run.Clock.Start("Making tetrahedra", 0.1);
   this->Mixed = FindMixedNodes(cells.Grid, this->Labels);
   this->StartTets(cells, run);
-  LevelHexes levels;
-  const std::unique_ptr<const CoarseTets> coarse = MakeCoarseTets(cells, this->Labels,
-    cells.Options.Levels.Refinements > 0 ? this->FindCrossedNodes(cells) : std::vector<Index>(),
-    this->TheEnergy, run, levels);
-  const NarrowVoid narrow =
-    FindBarrier(cells.Options, *levels.Grid, this->Labels, this->Mixed, run.TheRuntime);
+  const NarrowVoid narrow = FindBarrier(
+    cells.Options, RefinedGrid(cells.Grid, run.Group()), this->Labels, this->Mixed, run.TheRuntime);
+  std::vector<Index> crossed;
+  if (cells.Options.Levels.Refinements > 0)
+  {
+    crossed = this->FindCrossedNodes(cells);
+    if (!narrow.IsEmpty())
+    {
+      AddCorners(narrow, cells.Grid, crossed);
+    }
+  }
+  const std::shared_ptr<const RefinedGrid> levels = MakeLevelsOfCells(cells, crossed, run.Group());
+  const CoarseTets coarse(*levels, this->Labels, cells.Options.MeshVoid, run.Group());
   run.Report.NarrowVoidCells = SumOverRanks(narrow.CountOwned(), run.Group());
-  TetTopology topology = this->BuildTets(cells, narrow, *coarse, run);
+  TetTopology topology = this->BuildTets(cells, narrow, coarse, run);
   run.Clock.Start("Finding fragments", 0.15);
   FragmentVolumes volumes = this->FindFragments(cells, run, topology);
   this->Positions = std::move(topology.Positions);
@@ -62,7 +143,7 @@ Draft TetMethodBase::Make(const MeshCells& cells, MeshRun& run)
   return { .Elements = std::move(mesh),
     .Facets = std::move(facets),
     .Volumes = std::move(volumes),
-    .RequestedFamilies = std::move(levels.RequestedFamilies),
+    .RequestedFamilies = CountRequested(levels->Families()),
     .Barrier = topology.Barrier,
     .Thin = this->Thin,
     .IsThin = std::move(isThin) };

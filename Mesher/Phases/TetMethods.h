@@ -17,7 +17,6 @@ namespace vfm
 {
 
 class CoarseTets;
-struct LevelHexes;
 
 class TetMethodBase : public ElementMethod
 {

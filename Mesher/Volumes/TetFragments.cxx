@@ -34,7 +34,7 @@ Index AnchorOf(const TetTopology& topology, Index tet)
 
 /// Calls visit(cells, point) for the centres that are anchors.
 /// @param pieces  local component of each point, -1 if it is not an anchor
-/// @param visit  gets the cells of HexBox in the cell or coarse hex of the centre
+/// @param visit  gets the cells of HexBox in the cell of the centre
 template <class Visitor>
 void ForCentres(const TetTopology& topology, const CartesianGrid& grid,
   const std::vector<int>& pieces, const Visitor& visit)

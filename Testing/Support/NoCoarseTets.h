@@ -14,14 +14,12 @@ struct NoCoarseTets
 {
   NoCoarseTets(const CartesianGrid& grid, Runtime& runtime) :
     Levels(std::make_shared<const RefinedGrid>(grid, runtime.Group())),
-    Hexes(*this->Levels, this->Labels, CoarseHexes::Options()),
-    Tets(this->Hexes, runtime.Group())
+    Tets(*this->Levels, this->Labels, false, runtime.Group())
   {
   }
 
   std::shared_ptr<const RefinedGrid> Levels;
   LabelArray Labels;
-  CoarseHexes Hexes;
   CoarseTets Tets;
 };
 

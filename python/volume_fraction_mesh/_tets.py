@@ -144,6 +144,11 @@ def tets(
         smooth.
     fine_interfaces : bool, default True
         No effect on tetrahedra: all interfaces get the finest cells.
+    fine_layers : int, default 2
+        An integer from 2 to 64. Finest cells between an interface and larger cells. With 2, Lattice
+        has finest cells only at the nodes of interfaces, and Cells and TetGen have one layer more;
+        each number above adds a layer. Interfaces are those of a mesh without larger cells, except
+        that those of Lattice differ by a few hundredths of a cell with 2.
     target_scaled_jacobian : float, default 0.0
         A number from 0 (automatic) to below 1. Target of smoothing for the quality of tetrahedra,
         the sine of their acute dihedral angles. Larger values give better tetrahedra that follow
@@ -161,7 +166,7 @@ def tets(
         Option of `hexes`, with the same default.
     conserve_volume, cell_width, material_widths, allowed_error, refinement : see hexes
         Option of `hexes`, with the same default.
-    maximum_level, fine_layers, thin_cells, curvature_per_cell, refine_flipped_cells : see hexes
+    maximum_level, thin_cells, curvature_per_cell, refine_flipped_cells : see hexes
         Option of `hexes`, with the same default.
     interface_layers, maximum_aspect_ratio, child_fractions, split_interfaces : see hexes
         Option of `hexes`, with the same default.

@@ -385,26 +385,4 @@ void CoarseHexes::Fill(Mesh& mesh, Index firstPoint, Index firstHex, const FineP
   this->DropParts();
 }
 
-void CoarseHexes::Visit(const PointVisitor& onPoint, const HexVisitor& onHex)
-{
-  this->ForPoints(
-    [&](int number, Index key, const Vector3& x)
-    {
-      if (number != Fine)
-      {
-        onPoint(key, x);
-      }
-    });
-  this->ForHexes(
-    [&](Index key, const OctreeKeys::LevelIndex& cell, const std::array<Corner, 8>& corners)
-    {
-      std::array<Index, 8> points;
-      std::transform(corners.begin(), corners.end(), points.begin(),
-        [this](const Corner& corner)
-        { return *corner.Number == Fine ? ~this->FinestNode(corner.Node) : *corner.Number; });
-      onHex(key, cell, LabelOfLeaf(this->Grid, this->Labels, cell), points);
-    });
-  this->DropParts();
-}
-
 } // namespace vfm

@@ -27,8 +27,6 @@ public:
   struct Options
   {
     bool MeshVoid = false; ///< makes hexes of label 0
-    /// Smooths transitions as if all cells were cubes (MakeCoarseHexes).
-    bool AsCubes = false;
     /// Splits hexes on interfaces; otherwise interfaces run between unsplit hexes.
     bool HasBuffers = true;
     /// Void cells whose hexes are made as a barrier; must outlive the hexes.
@@ -52,7 +50,7 @@ public:
   /// Returns the families per refinement, in any order, whose refinement owned cells request
   /// because hexes there are not positive.
   const std::vector<std::vector<Index>>& BadFamilies() const { return this->Bad; }
-  /// Returns the refined mesh from which the hexes are made. After Fill or Visit it has only keys
+  /// Returns the refined mesh from which the hexes are made. After Fill it has only keys
   /// and anchors of the points, and the touched cells.
   const RefinedMesh& Refined() const { return this->TheRefined; }
   /// Returns the number of points that no finest cell of HexBox has.
@@ -77,19 +75,11 @@ public:
   /// @pre Fill was called.
   const std::vector<Index>& SplitPoints() const { return this->SplitPoint; }
 
-  /// Writes points, hexes, their ids and materials into a mesh. Only one call of Fill or Visit is
-  /// possible, because it frees what it has written.
+  /// Writes points, hexes, their ids and materials into a mesh. Only one call is possible, because
+  /// it frees what it has written.
   /// @param[in,out] mesh  mesh with the finest cells and enough space
   /// @param firstPoint,firstHex  first indices to write
   void Fill(Mesh& mesh, Index firstPoint, Index firstHex, const FinePoints& finePoints);
-
-  using PointVisitor = std::function<void(Index key, const Vector3& x)>;
-  using HexVisitor = std::function<void(
-    Index key, const OctreeKeys::LevelIndex& cell, int label, const std::array<Index, 8>& corners)>;
-  /// Passes points and hexes one by one, instead of Fill. Only for hexes that are not split.
-  /// Corners are numbered by bits: indices in the order of the points, or ~(linear index) of a node
-  /// of finest cells.
-  void Visit(const PointVisitor& onPoint, const HexVisitor& onHex);
 
 private:
   static constexpr int Unused = -1, Used = -2, Fine = -3;

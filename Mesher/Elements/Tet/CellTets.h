@@ -17,7 +17,7 @@ class CoarseTets;
 /// along the diagonal of its parity.
 /// @param labels  labels of the cells, after ResolveLabels
 /// @param narrow  void cells that get tets as a barrier; empty if void is meshed
-/// @param coarse  tets of the coarse hexes; they are added after the tets of the finest cells
+/// @param coarse  tets of the coarse cells; they are added after the tets of the finest cells
 /// @return points and tets in CartesianGrid::HexBox, ordered by id
 /// @throws InputError  if ids or numbers of points are too large
 /// @pre Collective.

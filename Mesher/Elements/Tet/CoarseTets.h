@@ -1,131 +1,105 @@
 /**
- * CoarseTets: the tets in the coarse hexes of a refined grid (CoarseHexes.h).
+ * CoarseTets: the tets outside the finest cells of a refined grid, which form a graded body-centred
+ * lattice.
  *
- * Tets are made like in finest cells. A face between two hexes, at least one of them coarse, has
- * four tets. A face on the domain boundary has two, between its halves and the centre of its hex.
- * The centre of a hex is the mean of its corners. A face between two hexes can be divided in three
- * ways: into four tets around the edge between the centres, or into two tets on each side, along
- * either diagonal. The three ways have the same outer surface, so each face takes the way with the
- * smallest energy. The choice depends only on the two hexes of the face. Faces of whole
- * cells are not changed.
+ * Nodes are the centres and corners of leaves: cells that are not refined (RefinedUnit::Cell). Each
+ * face of a leaf has tets:
+ * - between two leaves of one level, four around the edge between the centres, as in finest cells.
+ *   Where leaves at an edge of the face are finer, its midpoint halves the tet there.
+ * - towards finer leaves, eight from the centre of the leaf to the triangles around the centre of
+ *   the face.
+ * - towards a coarser leaf, two from the centre to the halves of the face. They meet at the centre
+ *   of the face of the coarser leaf.
+ * - on the domain boundary and flat seams, two to the halves of the face; if an edge has a
+ *   midpoint, four to eight to triangles around the centre of the face.
  *
- * On a periodic grid, a face takes the way of its owner's copy. A face on a flat seam has two tets
- * on each side, which belong to their own hexes, along one diagonal for both. If a finest cell is
- * beyond the seam, its two tets have an id made from the key of that cell.
+ * Cells that share an edge differ by at most one level (OctantFamilies.h), so no other case exists.
+ * In cubes, dihedral angles are from 45 to 120 degrees. Only corners and centres of finest cells
+ * move (ActiveTets.h).
  *
- * Ids are CentreId and TetId (LevelIds.h); a tet belongs to the hex with the smaller key. Points
- * and tets are in the order of ids. Results are bitwise identical on any
- * number of ranks, like TransitionSmoothing.
+ * Leaves have one label, because only finest cells are at interfaces. Ids are CoarsePointId,
+ * CentreId and TetId (LevelIds.h). A tet between leaves of one level belongs to the lower one, all
+ * others to the leaf of their centre. Each tet depends only on the sets of refined cells, which all
+ * ranks know.
+ *
+ * After F. Labelle and J. R. Shewchuk, Isosurface stuffing, ACM Transactions on Graphics 26 (2007);
+ * the domain boundary and seams are added.
  */
 #pragma once
 
-#include "Elements/Hex/CoarseHexes.h"
 #include "Elements/Tet/TetTopology.h"
+#include "Octree/RefinedGrid.h"
+
+#include <functional>
+#include <limits>
 
 namespace vfm
 {
 
-/// Tets of the coarse hexes near the owned cells. The grid of the hexes must outlive it.
+/// Tets of the coarse leaves in and around HexBox, whose points in finest cells are in HexBox. The
+/// grid must outlive it.
 class CoarseTets
 {
 public:
-  using Tet = std::array<int, 4>; ///< points of Points, in positive orientation
-  /// Corners of four tets, in grid coordinates (Interface.h).
-  using FourTets = Vector3[4][4];
-  /// Energy of four tets that divide a face; InvalidWay if one is not positive.
-  /// @param widths  widths of the cell, in mean widths of the finest grid
-  using WayEnergy = std::function<double(const FourTets& tets, const Vector3& widths)>;
-  static constexpr double InvalidWay = 1e300;
-
-  /// Makes the tets, or none if the grid has no refinements. Faces are not divided in their best
-  /// way yet.
-  /// @param hexes  coarse hexes that are not split; they are consumed (CoarseHexes::Visit)
+  /// Makes the tets, or none if the grid has no refinements.
+  /// @param labels  labels of the finest cells, equal in each leaf
   /// @throws InputError  if ids or numbers of points are too large
   /// @pre Collective.
-  CoarseTets(CoarseHexes& hexes, Ranks& ranks);
-
-  /// Divides the faces in their best ways at the present positions.
-  /// @pre Collective.
-  void ChooseWays(const WayEnergy& energy, Runtime& runtime);
-  /// Returns the families to refine because tets in owned base cells are not positive, one list
-  /// per refinement. If there are any on a rank, levels and tets must be made again.
-  std::vector<std::vector<Index>> FindBadFamilies(const WayEnergy& energy) const;
+  CoarseTets(const RefinedGrid& grid, const LabelArray& labels, bool meshVoid, Ranks& ranks);
 
   const RefinedGrid& Levels() const { return this->Grid; }
-  /// Points of the coarse hexes, their centres, and points of finest cells, which have no ids.
-  const Mesh& Points() const { return this->Local; }
-  Mesh& Points() { return this->Local; }
-  /// Calls visit(point, node) for each point of a level that may move, with its node of that level.
-  /// A copy of a lattice node moves with this node, the centre of a transition hex with the upper
-  /// node of its cell. So points of one colour share a tet only if they move with one node, and the
-  /// owner of a cell has all tets at its points.
-  void ForFreePoints(int level,
-    const std::function<void(int point, const OctreeKeys::LevelIndex& node)>& visit) const;
-  /// Calls visit(tet, widths of its cell in mean widths of the grid) for the tets of faces of
-  /// transition hexes.
-  void ForFreeTets(const std::function<void(const Tet& tet, const Vector3& widths)>& visit) const;
-  /// Returns the number of points that do not belong to a finest cell of HexBox.
-  Index NumberOfPoints() const { return static_cast<Index>(this->Local.PointIds.size()); }
-  Index NumberOfTets() const;
+  /// Returns the number of points that are not in finest cells.
+  Index NumberOfPoints() const { return static_cast<Index>(this->Ids.size()); }
+  Index NumberOfTets() const { return static_cast<Index>(this->Tets.size()); }
 
   /// Returns the mesh point in a slot of a block, given by its linear index. The slot is VertexSlot
-  /// for a vertex of the finest grid and CentreSlot for the centre of a fine cell.
+  /// for a vertex of the finest grid and CentreSlot for the centre of a finest cell.
   using FinePoint = std::function<Index(Index linear, Index slot)>;
-  /// Writes points with ids and positions, and tets with ids and materials.
+  /// Writes points with ids and positions, and tets with ids and materials, in the order of ids.
   /// @param firstPoint,firstTet  indices from which points and tets are written
   void Fill(
     TetTopology& topology, Index firstPoint, Index firstTet, const FinePoint& finePoint) const;
 
 private:
-  struct Hex
+  using Cell = OctreeKeys::LevelIndex;
+  struct Tet
   {
-    Index Key;
-    OctreeKeys::LevelIndex Cell;
+    Index Id;
     int Material;
-    bool IsWhole;                 // whether it is a cell, not a transition hex
-    std::array<Index, 8> Corners; // points of Local, numbered by bits
-    int Centre = -1;              // point of Local
+    /// Ids of points; ~(2 linear + slot) of points in finest cells.
+    std::array<Index, 4> Points;
   };
-  struct CoarseFace
+  /// Corners and midpoints of the edges of a face, counterclockwise as seen from beyond it.
+  struct Face
   {
-    int Hex, Side;
-    int Centre; // centre of the hex beyond the face; -1 on the domain boundary and flat seams
-    std::array<int, 4> Corners; // counterclockwise as seen from beyond the face
-    bool IsPlain;               // whether its hexes are whole cells
-    int Way; // 0: around the edge between the centres; 1 + k: along the diagonal from corner k
-    int Partner = -1; // on a flat seam, the same face as a face of the hex beyond
+    Cell Leaf;
+    int Side;
+    Index Centre; // of the leaf
+    std::array<Index, 4> Corners, Midpoints;
   };
-  struct FineHalf
-  {
-    int Face, Axis; // face on a flat seam, and the axis across which it lies
-    int Centre;     // centre of the finest cell beyond
-  };
-  Vector3 PointAt(int point) const;
-  Vector3 WidthsOf(const CoarseFace& face) const;
-  void TakeHexes(CoarseHexes& hexes);
-  void AddFinePoints();
-  void FindFaces();
-  std::vector<CoarseFace> ListFaces() const;
-  bool AddFace(CoarseFace face, std::vector<FineHalf>& fineHalves);
-  int SeamOf(const CoarseFace& face) const;
-  void AddFineHalves(const std::vector<FineHalf>& fineHalves);
-  int FineCentreBeyond(const CoarseFace& face) const;
-  void AddCentres();
-  int TetsOf(const CoarseFace& face, int way, Tet tets[4]) const;
-  int TetsOnBothSides(const CoarseFace& face, int way, Tet tets[4]) const;
-  double EnergyOf(const CoarseFace& face, int way, const WayEnergy& energy) const;
-  int BestWay(const CoarseFace& face, const WayEnergy& energy) const;
-  bool Decides(const CoarseFace& face) const;
-  int WayOfPartner(const CoarseFace& face, int way) const;
-  void TakeWays(Ranks& ranks);
-  int FindFine(Index code) const;
+  static constexpr Index NoPoint = 0, Unknown = std::numeric_limits<Index>::min();
+
+  void AddLeaves(const Cell& cell, const IndexBox& region);
+  void AddTetsOf(const Cell& leaf);
+  void AddTetsOfFace(const Face& face, int label);
+  void AddInner(const Face& face, Index beyond, int label);
+  void AddAroundCentre(const Face& face, int label);
+  void AddHalves(const Face& face, int first, int label);
+  void AddFinestBeyond(const Face& face, int label);
+  void AddTet(const Face& face, int number, const std::array<Index, 4>& points, int label);
+  Face FaceOf(const Cell& leaf, int side) const;
+  bool IsOnFlatSeam(const Cell& leaf, int side) const;
+  int BoundaryDiagonal(const Cell& leaf, int side) const;
+  Index PointOf(int level, const Index3& node) const;
+  Index CentreOf(const Cell& cell) const;
+  Vector3 PositionOf(Index id) const;
+  PointPosition KindOf(Index id) const;
 
   const RefinedGrid& Grid;
-  Mesh Local;        // points of coarse hexes, centres, and fine points, which have no ids
-  int HexPoints = 0; // number of points before the centres
-  std::vector<Index> FineCodes;  // 2 linear + slot of each fine point, ascending
-  std::vector<Hex> Hexes;        // ordered by key, then the finest cells with tets on flat seams
-  std::vector<CoarseFace> Faces; // ordered by hex and side
+  const LabelArray& Labels;
+  const bool MeshVoid;
+  std::vector<Tet> Tets;  // by id
+  std::vector<Index> Ids; // of points that are not in finest cells, ascending
 };
 
 } // namespace vfm

@@ -30,7 +30,7 @@ struct LatticeTets
 /// settled
 /// @param narrow  void cells that get tets as a barrier, in all lattice tets that touch them; empty
 /// if void is meshed
-/// @param coarse  tets of the coarse hexes. The nodes of FindLatticeInterfaces must be surrounded
+/// @param coarse  tets of the coarse cells. The nodes of FindLatticeInterfaces must be surrounded
 /// by finest cells.
 /// @return points and tets in CartesianGrid::HexBox, ordered by id, and their faces
 /// @throws InputError  if ids or numbers of points are too large

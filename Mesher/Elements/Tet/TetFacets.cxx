@@ -3,6 +3,7 @@
 #include "Elements/EqualFaces.h"
 #include "Elements/GridCoordinates.h"
 #include "Elements/TetQuality.h"
+#include "Octree/LevelIds.h"
 
 namespace vfm
 {
@@ -142,7 +143,9 @@ std::vector<Facet> JoinTriangles(
   for (std::size_t i = 0; i < order.size(); ++i)
   {
     Facet quad = facets[order[i].second];
-    if (i + 1 < order.size() && order[i + 1].first == order[i].first)
+    const bool isCoarse = IsCoarseTet(
+      *mesh.Levels, mesh.ElementIds[faces.Faces[order[i].second].Inner], TetIds.ElementSlots);
+    if (!isCoarse && i + 1 < order.size() && order[i + 1].first == order[i].first)
     {
       const std::array<Index, 4>& other = facets[order[++i].second].Points;
       const auto isIn = [](const std::array<Index, 4>& points, Index p)

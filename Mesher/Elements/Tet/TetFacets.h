@@ -38,7 +38,7 @@ TetFaces FindTetFaces(const Mesh& mesh, const std::vector<PointPosition>& positi
 std::vector<Facet> ListFacets(
   const TetFaces& faces, const CartesianGrid& grid, const Partition& partition, const Mesh& mesh);
 
-/// Joins the two triangles of each quad of a Cells mesh.
+/// Joins the two triangles of each quad of a Cells mesh. Those of larger cells stay triangles.
 /// @param facets  ListFacets of the faces
 /// @return quads, ordered by their face of the grid
 std::vector<Facet> JoinTriangles(

@@ -16,7 +16,7 @@
  * Colours. Points of different blocks whose indices have equal parities share no tet. The eight
  * combinations of parities are the colours.
  *
- * In a refined grid this holds for the faces of fine cells. The tets of coarse hexes follow after
+ * In a refined grid this holds for the faces of fine cells. The tets of coarse cells follow after
  * them (CoarseTets.h).
  *
  * A rank makes the tets of the faces whose cells in the domain, one or two, are in
@@ -53,9 +53,9 @@ struct TetTopology
   BarrierElements Barrier;
 };
 
-/// Returns whether a point is the centre of a cell of the grid or of a coarse hex.
+/// Returns whether a point is the centre of a cell of the grid or of a coarse cell.
 bool IsCentre(const Mesh& mesh, Index pointId);
-/// Returns the finest cell of a centre. In a coarse hex, it is the finest cell inside it that is
+/// Returns the finest cell of a centre. In a coarse cell, it is the finest cell in it that is
 /// nearest to the owned cells.
 Index3 CellOfCentre(const CartesianGrid& grid, const Mesh& mesh, Index pointId);
 

@@ -22,11 +22,15 @@ std::unique_ptr<CoarseHexes> MakeCoarseHexes(const RefinedGrid& grid, const Labe
     return std::make_unique<CoarseHexes>(grid, labels, options);
   }
   RefinedMesh refined = MakeRefinedMesh(grid.Families(), CoarseHexes::RegionOf(grid), false);
-  const TransitionReport report =
-    SmoothTransitions(grid.Lattice(), refined, runtime, true, options.AsCubes);
+  const TransitionReport report = SmoothTransitions(grid.Lattice(), refined, runtime);
   return std::make_unique<CoarseHexes>(grid, labels, options, std::move(refined), report.BadCells);
 }
 
+namespace
+{
+
+/// Adds families to a plan because no valid mesh starts there. Returns whether any rank added
+/// families. Collective.
 bool AddFamilies(const std::vector<std::vector<Index>>& families, LevelPlan& plan, Ranks& ranks)
 {
   bool found = false;
@@ -38,9 +42,6 @@ bool AddFamilies(const std::vector<std::vector<Index>>& families, LevelPlan& pla
   }
   return ranks.Any(found);
 }
-
-namespace
-{
 
 void MakeGrid(const CartesianGrid& grid, const LevelPlan& plan,
   const std::vector<Index>& interfaces, Ranks& ranks, LevelHexes& levels)
@@ -150,7 +151,7 @@ void LabelLeaves(const MeshCells& cells, MeshRun& run, LabelledGrid& result)
     result.Mixed = FindMixedNodes(grid, result.Labels);
     result.Narrow = FindBarrier(options, levels, result.Labels, result.Mixed, run.TheRuntime);
     result.Levels.Coarse = MakeCoarseHexes(levels, result.Labels,
-      { options.MeshVoid, false, !options.StairStep, &result.Narrow }, run.TheRuntime);
+      { options.MeshVoid, !options.StairStep, &result.Narrow }, run.TheRuntime);
     if (!AddFamilies(result.Levels.Coarse->BadFamilies(), plan, run.Group()))
     {
       break;
@@ -176,7 +177,7 @@ void LabelCells(const MeshCells& cells, MeshRun& run, LabelledGrid& result)
   run.Clock.Start("Making hexahedra", 0.1);
   result.Mixed = FindMixedNodes(cells.Grid, result.Labels);
   LevelPlan plan = options.Levels;
-  MakeLevels(cells.Grid, result.Labels, result.Mixed, { options.MeshVoid, false, true }, plan,
+  MakeLevels(cells.Grid, result.Labels, result.Mixed, { options.MeshVoid, true }, plan,
     run.TheRuntime, run.Report, result.Levels);
   result.Narrow =
     FindBarrier(options, *result.Levels.Grid, result.Labels, result.Mixed, run.TheRuntime);

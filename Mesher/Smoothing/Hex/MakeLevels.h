@@ -32,9 +32,4 @@ void MakeLevels(const CartesianGrid& grid, const LabelArray& labels,
   const std::vector<Index>& interfaces, const CoarseHexes::Options& hexes, LevelPlan& plan,
   Runtime& runtime, MeshReport& report, LevelHexes& levels);
 
-/// Adds families to a plan because no valid mesh starts there.
-/// @return whether any rank added families
-/// @pre Collective.
-bool AddFamilies(const std::vector<std::vector<Index>>& families, LevelPlan& plan, Ranks& ranks);
-
 } // namespace vfm

@@ -322,16 +322,13 @@ Index3 OwnerNode(const OctreeKeys::LevelIndex& anchor)
 }
 
 TransitionReport SmoothTransitions(
-  const OctreeKeys& lattice, RefinedMesh& mesh, Runtime& runtime, bool smooth, bool asCubes)
+  const OctreeKeys& lattice, RefinedMesh& mesh, Runtime& runtime, bool smooth)
 {
   CheckNumberOfPoints(mesh.NumberOfPoints(), runtime.Group());
   const Partition partition(lattice.Base(), runtime.Group());
   TransitionReport report;
   MovePoints(lattice, mesh, partition, true, smooth, runtime, report);
-  if (!asCubes)
-  {
-    MoveByWidths(lattice, mesh, partition, smooth, runtime, report);
-  }
+  MoveByWidths(lattice, mesh, partition, smooth, runtime, report);
   report.InvertedHexes = SumOverRanks(report.InvertedHexes, runtime.Group());
   return report;
 }

@@ -40,8 +40,7 @@ struct TransitionReport
   /// Number of hexes with a corner that is not positive, before untangling, over all ranks.
   Index InvertedHexes = 0;
   int UntangleSweeps = 0;
-  /// Cell of each owned transition hex that is not positive everywhere at the end; empty
-  /// if asCubes.
+  /// Cell of each owned transition hex that is not positive everywhere at the end.
   std::vector<OctreeKeys::LevelIndex> BadCells;
 };
 
@@ -49,10 +48,9 @@ struct TransitionReport
 /// @param[in,out] mesh  mesh of the owned cells of the lattice's grid and the cells around them
 /// (CartesianGrid::Extended(1) or more)
 /// @param smooth  false: stops after untangling
-/// @param asCubes  smooths as if all cells were cubes; tets are then positive too (CoarseTets.h)
 /// @throws InputError  if a rank has more than 2^31 points, on all ranks
 /// @pre Collective.
-TransitionReport SmoothTransitions(const OctreeKeys& lattice, RefinedMesh& mesh, Runtime& runtime,
-  bool smooth = true, bool asCubes = false);
+TransitionReport SmoothTransitions(
+  const OctreeKeys& lattice, RefinedMesh& mesh, Runtime& runtime, bool smooth = true);
 
 } // namespace vfm

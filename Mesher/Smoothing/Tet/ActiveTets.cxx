@@ -2,6 +2,9 @@
 
 #include "Base/Sorted.h"
 #include "Elements/PeriodicIds.h"
+#include "Elements/Tet/LeafNodes.h"
+#include "Elements/Tet/TetTopology.h"
+#include "Octree/LevelIds.h"
 #include "Smoothing/ActiveMeshBuilder.h"
 
 namespace vfm
@@ -37,6 +40,20 @@ bool IsOwned(
   return partition.OwnsNode(NodeOfPoint(grid, mesh, mesh.PointIds[point]));
 }
 
+/// Returns whether a point stays in place because it is in tets of larger cells: points of these
+/// cells, and corners of finest cells that may share such a tet with a point of their colour.
+bool IsFixed(const Mesh& mesh, Index id)
+{
+  const RefinedGrid& levels = *mesh.Levels;
+  if (levels.IsUniform() || IsCoarsePoint(levels, id, mesh.Ids.PointSlots))
+  {
+    return !levels.IsUniform();
+  }
+  const Index3 node = NodeOfPoint(levels.Finest(), mesh, id);
+  return SlotOfPoint(id) == VertexSlot && !levels.IsFineAround(node) &&
+    IsNearDistantVertex(levels, node);
+}
+
 /// Receives from the owners which ghost points move, among those within two tets of owned moving
 /// points. At the rim, this rank lacks some tets of a point and
 /// cannot decide. Collective among peers.
@@ -56,7 +73,8 @@ void ReceiveMoving(const CartesianGrid& grid, const Mesh& mesh, const Partition&
   std::vector<std::vector<Index>> requested(partition.Peers().size()), ids(requested.size());
   for (std::size_t p = 0; p < near.size(); ++p)
   {
-    if (near[p] && !moving[p] && !IsOwned(grid, mesh, partition, p))
+    if (near[p] && !moving[p] && !IsFixed(mesh, mesh.PointIds[p]) &&
+      !IsOwned(grid, mesh, partition, p))
     {
       const int peer = partition.PeerOfNode(NodeOfPoint(grid, mesh, mesh.PointIds[p]));
       requested[peer].push_back(static_cast<Index>(p));
@@ -74,8 +92,8 @@ void ReceiveMoving(const CartesianGrid& grid, const Mesh& mesh, const Partition&
   }
 }
 
-/// Returns the points that may lie on interfaces, and all points of the tets around them. Points of
-/// one block may share tets, so they move one after another.
+/// Returns the points that may lie on interfaces, and all points of the tets around them, except
+/// fixed ones. Points of one block may share tets, so they move one after another.
 std::vector<Mover> FindMovers(const Mesh& mesh, const std::vector<PointPosition>& positions,
   const CartesianGrid& grid, const Partition& partition)
 {
@@ -85,6 +103,10 @@ std::vector<Mover> FindMovers(const Mesh& mesh, const std::vector<PointPosition>
     moving[p] = positions[p] == PointPosition::OnInterface;
   }
   moving = Spread(mesh, moving);
+  for (std::size_t p = 0; p < moving.size(); ++p)
+  {
+    moving[p] = moving[p] && !IsFixed(mesh, mesh.PointIds[p]);
+  }
   ReceiveMoving(grid, mesh, partition, moving);
   std::vector<Mover> movers;
   for (std::size_t p = 0; p < moving.size(); ++p)

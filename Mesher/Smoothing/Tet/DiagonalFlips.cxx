@@ -1,7 +1,7 @@
 #include "Smoothing/Tet/DiagonalFlips.h"
 
 #include "Base/Sorted.h"
-#include "Octree/RefinedGrid.h"
+#include "Octree/LevelIds.h"
 
 #include <cmath>
 
@@ -35,7 +35,8 @@ DiagonalFlips::DiagonalFlips(const Mesh& mesh, const BarrierElements& barrier,
     }
     const Index point = active.MeshPoint[active.Elements[4 * first]];
     // The first point is a corner of the quad, or the centre of an inner face's lower cell.
-    const bool isHalf = SlotOfPoint(mesh.PointIds[point]) == VertexSlot;
+    const bool isHalf = SlotOfPoint(mesh.PointIds[point]) == VertexSlot &&
+      !IsCoarseTet(*mesh.Levels, mesh.ElementIds[active.MeshElement[first]], TetIds.ElementSlots);
     if (isHalf && (last - first) % 2 == 0)
     {
       this->Quads.push_back({ static_cast<Index>(first), static_cast<int>(last - first) / 2,

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <set>
 
 using namespace vfm;
 using namespace vfm::testing;
@@ -117,6 +118,62 @@ TEST(OctantFamilies, AreClosed)
       {
         EXPECT_TRUE(sets.HasFamily(level, c.Lattice->FamilyOfKey(level, key)));
       }
+    }
+  }
+}
+
+/// Single cells: all requested cells and no more than the balance needs.
+TEST(OctantFamilies, CellsAreBalanced)
+{
+  for (unsigned seed : ListSeeds(20))
+  {
+    const CartesianGrid grid = MakeUnitGrid(4, 3, 5);
+    const OctreeKeys lattice(grid, 3);
+    std::mt19937 random(seed);
+    std::vector<std::vector<Index>> requested(3);
+    std::array<std::set<Index3>, 3> expected;
+    for (int level = 2; level >= 0; --level)
+    {
+      const IndexBox box = ChangeLevel(grid.Global(), level);
+      ForCells(box,
+        [&](const Index3& cell)
+        {
+          if (random() % 200 < 1 + seed % 4)
+          {
+            requested[level].push_back(lattice.FamilyKey(level + 1, cell));
+            expected[level].insert(cell);
+          }
+        });
+      for (const Index3& finer : level < 2 ? expected[level + 1] : std::set<Index3>())
+      {
+        for (int n = 0; n < 27; ++n)
+        {
+          const Index3 step = StepAround(n), near = CellAround(finer, n);
+          if (step[0] * step[1] * step[2] == 0 && lattice.HasCell(level + 1, near))
+          {
+            expected[level].insert(ParentOfCell(near));
+          }
+        }
+      }
+    }
+    const OctantFamilies sets(lattice, requested, RefinedUnit::Cell);
+    for (int level = 0; level < 3; ++level)
+    {
+      EXPECT_EQ(sets.Keys(level).size(), expected[level].size());
+      EXPECT_EQ(sets.Report(level).NonManifold, 0);
+      ForCells(ChangeLevel(grid.Global(), level),
+        [&](const Index3& cell)
+        {
+          bool isTouched = false;
+          for (int n = 0; n < 27; ++n)
+          {
+            const Index3 step = StepAround(n);
+            isTouched = isTouched ||
+              (step[0] * step[1] * step[2] == 0 && expected[level].count(CellAround(cell, n)) > 0);
+          }
+          ASSERT_EQ(sets.IsRefined(level, cell), expected[level].count(cell) > 0);
+          ASSERT_EQ(sets.IsTouched(level, cell), isTouched);
+        });
     }
   }
 }

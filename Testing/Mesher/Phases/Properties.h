@@ -42,7 +42,8 @@ struct Bounds
   bool NoFlips = false, NoLocked = false;
   Index Transitions = -1; ///< more of them
   bool HasLevels = false, HasTransitions = false,
-       AddsFamilies = false; ///< the first two: each case
+       AddsFamilies = false, ///< the first two: each case
+    AddsNoFamilies = false;  ///< because no valid mesh starts
 };
 
 struct Group

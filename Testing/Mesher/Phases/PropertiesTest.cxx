@@ -432,6 +432,7 @@ TEST_P(Properties, Hold)
   EXPECT_GE(angle, group.Limits.Angle);
   EXPECT_TRUE(transitions > group.Limits.Transitions || !IsWholeSweep());
   EXPECT_TRUE(added > 0 || !group.Limits.AddsFamilies || !IsWholeSweep());
+  EXPECT_TRUE(added == 0 || !group.Limits.AddsNoFamilies) << added;
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, Properties, ::testing::ValuesIn(ListGroups()),

@@ -96,8 +96,7 @@ CartesianGrid MakeGradedGrid(Index n, int halvings, unsigned seed)
   return CartesianGrid(HalveWidths(x, halvings));
 }
 
-/// More cells are refined where transitions of stretched cells cannot be untangled or cut into
-/// tets.
+/// More cells are refined where transitions of stretched hexes cannot be untangled.
 Input MakeStretched(const Kind& kind, unsigned seed)
 {
   const int halvings = 1 + static_cast<int>(seed % 3 == 0);
@@ -221,15 +220,19 @@ void AddLevels(std::vector<Group>& groups)
     {
       groups.push_back({ std::string("Families_") + kind.Name + "_" + std::to_string(halvings),
         halvings == 1 ? 6u : 3u,
-        [=](unsigned seed) { return MakeFamilyTets(kind, halvings, seed); }, { -1.0, 15.0 } });
+        [=](unsigned seed) { return MakeFamilyTets(kind, halvings, seed); }, { -1.0, 25.0 } });
     }
   }
   Bounds stretched;
   stretched.AddsFamilies = true;
+  Bounds stretchedTets;
+  stretchedTets.AddsNoFamilies = true;
   for (const Kind& kind : { Hexes, Crossing, Cells, Lattice })
   {
+    const bool isTets = kind.Make == MakeTetMesh;
     groups.push_back({ std::string("StretchedFamilies_") + kind.Name, 4,
-      [=](unsigned seed) { return MakeStretched(kind, seed); }, stretched });
+      [=](unsigned seed) { return MakeStretched(kind, seed); },
+      isTets ? stretchedTets : stretched });
   }
   groups.push_back({ "GrowingCells", 2, MakeGrowing, {}, false });
 }

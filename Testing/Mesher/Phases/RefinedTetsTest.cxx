@@ -12,7 +12,8 @@ using namespace vfm::testing;
 namespace
 {
 
-constexpr double SmallestAngle = 15.0; // degrees, transitions without interfaces
+constexpr double SmallestAngle = 45.0 - 1e-9; // degrees, tets of coarser cells
+constexpr double LargestShift = 0.1;          // of interface points of Lattice, in cells
 
 MeshOptions OptionsOf(TetMethod method, int refinements)
 {
@@ -22,8 +23,8 @@ MeshOptions OptionsOf(TetMethod method, int refinements)
   return options;
 }
 
-/// Returns the largest distance between points of equal ids, or a huge
-/// value if a point lacks a partner.
+/// Returns the largest distance between points of equal ids, or a huge value if a point lacks a
+/// partner.
 double LargestDistance(
   const std::map<Index, std::array<double, 3>>& a, const std::map<Index, std::array<double, 3>>& b)
 {
@@ -113,6 +114,7 @@ TEST_P(CoarsenedTets, InterfacesAreThoseOfTheUniformMesh)
   MeshReport report, fineReport;
   MeshOptions options = OptionsOf(p.Method, p.Refinements);
   options.MeshVoid = p.MeshVoid;
+  options.Levels.FineLayers = p.Method == TetMethod::Lattice ? 3 : 2;
   const Mesh mesh = MakeTetMesh(c.Grid, c.Fractions, options, runtime, report);
   options.Levels = LevelPlan();
   const Mesh fine = MakeTetMesh(c.Grid, c.Fractions, options, runtime, fineReport);
@@ -140,12 +142,54 @@ TEST_P(CoarsenedTets, InterfacesAreThoseOfTheUniformMesh)
     EXPECT_GE(
       report.MinimumDihedralAngle, std::min(SmallestAngle, fineReport.MinimumDihedralAngle));
   }
-  std::printf("%-8s %-18s %d refinements: %8zu tets of %8zu, %7lld transition hexes, dihedral "
+  std::printf("%-8s %-18s %d refinements: %8zu tets of %8zu, %7lld transition cells, dihedral "
               "%.1f-%.1f (%.1f-%.1f), %lld parts rejected\n",
     NameOf(p.Method).c_str(), c.Name.c_str(), p.Refinements, mesh.ElementIds.size(),
     fine.ElementIds.size(), static_cast<long long>(report.TransitionCells),
     report.MinimumDihedralAngle, report.MaximumDihedralAngle, fineReport.MinimumDihedralAngle,
     fineReport.MaximumDihedralAngle, static_cast<long long>(report.RefusedParts));
+}
+
+/// By default, points at interfaces have neighbours in larger cells.
+TEST_P(CoarsenedTets, FewestLayersHardlyChangeInterfaces)
+{
+  const CoarseCase& p = this->GetParam();
+  if (p.Method != TetMethod::Lattice)
+  {
+    GTEST_SKIP() << "The test above is of the fewest layers.";
+  }
+  const MeshCase c = MakeMeshCase(p.Name);
+  Runtime runtime;
+  MeshReport report, fineReport;
+  MeshOptions options = OptionsOf(p.Method, p.Refinements);
+  options.MeshVoid = p.MeshVoid;
+  const Mesh mesh = MakeTetMesh(c.Grid, c.Fractions, options, runtime, report);
+  options.Levels = LevelPlan();
+  const Mesh fine = MakeTetMesh(c.Grid, c.Fractions, options, runtime, fineReport);
+  ExpectValid(mesh);
+  if (p.MeshVoid)
+  {
+    ExpectFull(mesh, c.Grid, c.Fractions.NumberOfMaterials());
+  }
+  const double moved = LargestDistance(InterfacePoints(mesh), InterfacePoints(fine));
+  EXPECT_LT(moved, LargestShift * c.Grid.MeanWidth());
+  EXPECT_EQ(report.NumberOfFragments, fineReport.NumberOfFragments);
+  EXPECT_EQ(report.NumberOfSurfaces, fineReport.NumberOfSurfaces);
+  EXPECT_EQ(report.NumberOfCurves, fineReport.NumberOfCurves);
+  EXPECT_EQ(report.NumberOfVertices, fineReport.NumberOfVertices);
+  for (int m = 1; m < static_cast<int>(report.MeshVolume.size()); ++m)
+  {
+    EXPECT_NEAR(report.MeshVolume[m] / fineReport.MeshVolume[m], 1.0, 1e-6);
+    EXPECT_NEAR(MeasureVolume(mesh, m) / report.MeshVolume[m], 1.0, 1e-9);
+  }
+  EXPECT_GE(
+    report.MinimumDihedralAngle, std::min(SmallestAngle, fineReport.MinimumDihedralAngle - 1.0));
+  std::printf("%-8s %-18s %d refinements: %8zu tets of %8zu, dihedral %.1f-%.1f (%.1f-%.1f), "
+              "shift %.4f cells, %lld parts rejected\n",
+    NameOf(p.Method).c_str(), c.Name.c_str(), p.Refinements, mesh.ElementIds.size(),
+    fine.ElementIds.size(), report.MinimumDihedralAngle, report.MaximumDihedralAngle,
+    fineReport.MinimumDihedralAngle, fineReport.MaximumDihedralAngle, moved / c.Grid.MeanWidth(),
+    static_cast<long long>(report.RefusedParts));
 }
 
 INSTANTIATE_TEST_SUITE_P(Cases, CoarsenedTets, ::testing::ValuesIn(ListCases()),
@@ -176,6 +220,54 @@ TEST(RefinedTets, AllFamiliesGiveTheUniformMesh)
     EXPECT_TRUE(AreEqual(mesh, MakeTetMesh(grid, field, options, runtime, report)))
       << NameOf(method);
   }
+}
+
+/// 12 grains, about 20 cells across.
+TEST(RefinedTets, GrainsHaveHalfTheTets)
+{
+  const Index n = 48;
+  const CartesianGrid grid = MakeUnitGrid(n);
+  std::mt19937 engine(1);
+  std::vector<Vector3> seeds(12);
+  for (Vector3& seed : seeds)
+  {
+    for (double& x : seed)
+    {
+      x = static_cast<double>(engine()) / 4294967296.0 * static_cast<double>(n);
+    }
+  }
+  const FractionField field = MakeLabels(grid, static_cast<int>(seeds.size()),
+    [&](const Index3& p)
+    {
+      const auto distance = [&p](const Vector3& seed)
+      {
+        double square = 0.0;
+        for (int a = 0; a < 3; ++a)
+        {
+          square += std::pow(static_cast<double>(p[a]) + 0.5 - seed[a], 2);
+        }
+        return square;
+      };
+      const auto nearest = std::min_element(seeds.begin(), seeds.end(),
+        [&](const Vector3& a, const Vector3& b) { return distance(a) < distance(b); });
+      return 1 + static_cast<int>(nearest - seeds.begin());
+    });
+  Runtime runtime;
+  MeshReport report, fineReport;
+  const Mesh mesh = MakeTetMesh(grid, field, OptionsOf(TetMethod::Lattice, 3), runtime, report);
+  const Mesh fine = MakeTetMesh(grid, field, OptionsOf(TetMethod::Lattice, 0), runtime, fineReport);
+  ExpectValid(mesh);
+  ExpectFull(mesh, grid, static_cast<int>(seeds.size()));
+  EXPECT_LT(2 * mesh.ElementIds.size(), fine.ElementIds.size());
+  EXPECT_GE(report.MinimumDihedralAngle, 30.0);
+  EXPECT_LE(report.MaximumDihedralAngle, 140.0);
+  for (std::size_t m = 1; m < report.MeshVolume.size(); ++m)
+  {
+    EXPECT_NEAR(report.MeshVolume[m] / report.TargetVolume[m], 1.0, 1e-6);
+  }
+  std::printf("grains: %zu tets of %zu, dihedral %.2f-%.2f (%.2f-%.2f)\n", mesh.ElementIds.size(),
+    fine.ElementIds.size(), report.MinimumDihedralAngle, report.MaximumDihedralAngle,
+    fineReport.MinimumDihedralAngle, fineReport.MaximumDihedralAngle);
 }
 
 TEST(RefinedTets, FewWhereLittleHappens)

@@ -66,7 +66,7 @@ struct CubeHexes
     this->Labelled.Labels = AssignMaterials(grid, fractions, 0.5);
     ResolveLabels(grid, fractions, this->Labelled.Labels, this->Parts, runtime);
     this->Labelled.Mixed = FindMixedNodes(grid, this->Labelled.Labels);
-    MakeLevels(grid, this->Labelled.Labels, this->Labelled.Mixed, { false, false, true }, plan, Run,
+    MakeLevels(grid, this->Labelled.Labels, this->Labelled.Mixed, { false, true }, plan, Run,
       report, this->Labelled.Levels);
     CoarseHexes& coarse = *this->Labelled.Levels.Coarse;
     PointNumbering numbering(grid, this->Labelled.Labels, false, false, this->Labelled.Narrow);
