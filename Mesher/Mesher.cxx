@@ -33,11 +33,12 @@ Mesh MakeMesh(
   return mesh;
 }
 
-/// Interfaces cross levels if materials have widths of their own, but tets do not support it.
+/// Interfaces cross levels if materials have widths of their own, but TetGen does not support it.
 bool HasFineInterfaces(const MesherOptions& options)
 {
-  return options.Elements == ElementKind::Tets ||
-    (options.FineInterfaces && !HasMaterialWidths(options));
+  const bool isTetGen =
+    options.Elements == ElementKind::Tets && options.Method == TetMethod::TetGen;
+  return isTetGen || (options.FineInterfaces && !HasMaterialWidths(options));
 }
 
 } // namespace

@@ -28,9 +28,11 @@ WidthLimits LimitsOf(const MesherOptions& options, const GridNodes& nodes, const
   {
     ratio = widest[a] > 0.0 ? std::min(ratio, widest[a] / ofInput[a]) : ratio;
   }
-  const bool areTets = options.Elements == ElementKind::Tets; // the finest at all interfaces
+  // TetGen needs the finest cells at all interfaces.
+  const bool isTetGen =
+    options.Elements == ElementKind::Tets && options.Method == TetMethod::TetGen;
   return { ratio, options.AllowedError,
-    areTets ? 0 : CountDoublings(nodes, RepeatingAxes(options)) };
+    isTetGen ? 0 : CountDoublings(nodes, RepeatingAxes(options)) };
 }
 
 /// Collective. Plans cells that are as wide as the materials allow.

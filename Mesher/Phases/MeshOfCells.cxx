@@ -84,7 +84,14 @@ Mesh MakeTetMesh(const CartesianGrid& grid, const FractionField& fractions,
   }
   report = MeshReport();
   MeshOptions own = options;
-  own.Levels.FineInterfaces = true; // tets support no other setting
+  if (own.Method == TetMethod::TetGen)
+  {
+    own.Levels.FineInterfaces = true; // it supports no other setting
+  }
+  else if (InterfacesCrossLevels(own))
+  {
+    own.Method = TetMethod::Cells; // labels belong to leaves
+  }
   const MeshCells cells{ grid, fractions, own };
   const std::unique_ptr<ElementMethod> method = MakeTetMethod(cells);
   MeshRun run(grid, runtime, report);

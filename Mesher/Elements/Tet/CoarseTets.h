@@ -28,6 +28,7 @@
 #pragma once
 
 #include "Elements/Tet/TetTopology.h"
+#include "Labels/NarrowVoid.h"
 #include "Octree/RefinedGrid.h"
 
 #include <functional>
@@ -43,9 +44,11 @@ class CoarseTets
 public:
   /// Makes the tets, or none if the grid has no refinements.
   /// @param labels  labels of the finest cells, equal in each leaf
+  /// @param narrow  void cells that get tets as a barrier, equal in each leaf
   /// @throws InputError  if ids or numbers of points are too large
   /// @pre Collective.
-  CoarseTets(const RefinedGrid& grid, const LabelArray& labels, bool meshVoid, Ranks& ranks);
+  CoarseTets(const RefinedGrid& grid, const LabelArray& labels, bool meshVoid,
+    const NarrowVoid& narrow, Ranks& ranks);
 
   const RefinedGrid& Levels() const { return this->Grid; }
   /// Returns the number of points that are not in finest cells.
@@ -78,15 +81,20 @@ private:
     std::array<Index, 4> Corners, Midpoints;
   };
   static constexpr Index NoPoint = 0, Unknown = std::numeric_limits<Index>::min();
+  static constexpr int NoTets = -1;
 
   void AddLeaves(const Cell& cell, const IndexBox& region);
   void AddTetsOf(const Cell& leaf);
   void AddTetsOfFace(const Face& face, int label);
+  void AddBetween(const Face& face, const Cell& beyond, int label);
   void AddInner(const Face& face, Index beyond, int label);
+  void AddOneSided(const Face& face, int label);
   void AddAroundCentre(const Face& face, int label);
   void AddHalves(const Face& face, int first, int label);
-  void AddFinestBeyond(const Face& face, int label);
+  void AddFinestBeyond(const Face& face);
   void AddTet(const Face& face, int number, const std::array<Index, 4>& points, int label);
+  Index KnownCell(const Cell& leaf) const;
+  int LabelOf(Index cell) const;
   Face FaceOf(const Cell& leaf, int side) const;
   bool IsOnFlatSeam(const Cell& leaf, int side) const;
   int BoundaryDiagonal(const Cell& leaf, int side) const;
@@ -98,8 +106,9 @@ private:
   const RefinedGrid& Grid;
   const LabelArray& Labels;
   const bool MeshVoid;
-  std::vector<Tet> Tets;  // by id
-  std::vector<Index> Ids; // of points that are not in finest cells, ascending
+  const NarrowVoid* Narrow; // null once the tets are made
+  std::vector<Tet> Tets;    // by id
+  std::vector<Index> Ids;   // of points that are not in finest cells, ascending
 };
 
 } // namespace vfm
