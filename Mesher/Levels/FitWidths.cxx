@@ -55,23 +55,33 @@ template <class IsIn>
 Index CountFamilies(
   const CartesianGrid& grid, const LabelArray& labels, double width, const IsIn& isIn, Ranks& ranks)
 {
-  std::vector<Index3> families;
-  const auto familyAt = [width](Index i)
-  { return static_cast<Index>(static_cast<double>(i) / width); };
+  const auto familyAt = [width](const Index3& node)
+  {
+    Index3 family;
+    for (int a = 0; a < 3; ++a)
+    {
+      family[a] = static_cast<Index>(static_cast<double>(node[a]) / width);
+    }
+    return family;
+  };
+  const IndexBox box{ familyAt(grid.Owned().Lower), CornerOfCell(familyAt(grid.Owned().Upper), 7) };
+  std::vector<unsigned char> contain(box.NumberOfCells(), 0);
   ForCells(grid.Owned(),
     [&](const Index3& cell)
     {
       for (int c = 0; c < 8 && isIn(labels[grid.Linear(cell)]); ++c)
       {
-        const Index3 corner = CornerOfCell(cell, c);
-        const Index3 family{ { familyAt(corner[0]), familyAt(corner[1]), familyAt(corner[2]) } };
-        if (families.empty() || families.back() != family)
-        {
-          families.push_back(family);
-        }
+        contain[IndexInBox(box, familyAt(CornerOfCell(cell, c)))] = 1;
       }
     });
-  SortUnique(families);
+  std::vector<Index3> families;
+  for (std::size_t f = 0; f < contain.size(); ++f)
+  {
+    if (contain[f] != 0)
+    {
+      families.push_back(CellInBox(box, static_cast<Index>(f)));
+    }
+  }
   families = GatherItems(ranks, families);
   SortUnique(families);
   return static_cast<Index>(families.size());
@@ -113,6 +123,7 @@ std::vector<FittedWidth> FitWidths(const CartesianGrid& grid, const FractionFiel
 {
   const Vector3 ofInput = MeanWidths(grid.Coordinates());
   std::vector<FittedWidth> fitted(fractions.NumberOfMaterials() + 1, { 1.0, {} });
+  std::size_t found = 0; // materials with a width
   for (const double ratio : ListWidths(limits.Widest))
   {
     const Vector3 widths{ { ratio * ofInput[0], ratio * ofInput[1], ratio * ofInput[2] } };
@@ -122,6 +133,11 @@ std::vector<FittedWidth> FitWidths(const CartesianGrid& grid, const FractionFiel
     {
       const bool isFirst = fitted[m].Ratio == 1.0 && Fits(fits[m], ratio, limits.Distance);
       fitted[m] = { isFirst ? ratio : fitted[m].Ratio, fits[m] };
+      found += isFirst;
+    }
+    if (found == fitted.size())
+    {
+      break;
     }
   }
   return fitted;

@@ -411,10 +411,8 @@ OptionTable RefinementOptions()
       "Minimum number of finest cells between an interface and larger cells. If Fine Interfaces is "
       "off: fine cells around the places that Automatic refines.")
       .OfTets(
-        "Finest cells between an interface and larger cells. With 2, Lattice has finest cells "
-        "only at the nodes of interfaces, and Cells and TetGen have one layer more; each "
-        "number above adds a layer. Interfaces are those of a mesh without larger cells, "
-        "except that those of Lattice differ by a few hundredths of a cell with 2.")
+        "Finest cells between an interface and larger cells. With 2, Lattice has them only at "
+        "nodes of interfaces, which differ by a few hundredths of a cell from those with 3.")
       .ShownIf("Refinement=Input Levels,Automatic,Coarsen")
       .Advanced(),
     Row("ThinCells", Number<&M::ThinCells>(0, LargestThickness),

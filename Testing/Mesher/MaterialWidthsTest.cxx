@@ -1,6 +1,5 @@
 /// Meshes with widths of materials: given and automatic, on ranks, periodic, and with state.
 #include "Levels/NewCells.h"
-#include "StateCases.h"
 #include "WideCases.h"
 
 #include <gtest/gtest.h>
@@ -111,27 +110,10 @@ TEST(MaterialWidthsOfMeshes, AutomaticWidthsFollowTheError)
   ExpectSameOnRanks(tets, MakeGrainsInput);
 }
 
-/// The sums of the input are those of its own cells.
 TEST(MaterialWidthsOfMeshes, StateIsConserved)
 {
-  Runtime serial;
-  const auto make = [](Ranks& ranks)
-  {
-    MesherInput input = MakeGrainsInput(ranks);
-    AddState(true, input);
-    return input;
-  };
-  const std::array<double, 6> expected =
-    SumUp(RunMesher(make(serial.Group()), MesherOptions(), serial).State.Balance.Input, {});
-  const MesherResult result = RunMesher(make(serial.Group()), OptionsOf("2=0.125", "0.25"), serial);
-  const std::array<double, 6> input = SumUp(result.State.Balance.Input, {});
-  const std::array<double, 6> mesh =
-    SumUp(result.State.Balance.Mesh, result.State.Balance.Unmeshed);
-  for (int s = 0; s < 5; ++s)
-  {
-    EXPECT_NEAR(input[s] / expected[s], 1.0, 1e-13) << s;
-    EXPECT_NEAR((mesh[s] - expected[s]) / expected[0], 0.0, 1e-13) << s;
-  }
+  const auto make = [](Ranks& ranks) { return WithState(true, MakeGrainsInput(ranks)); };
+  ExpectConserved(OptionsOf("2=0.125", "0.25"), make);
   ExpectSameOnRanks(OptionsOf("2=0.125", "0.25"), make);
 }
 

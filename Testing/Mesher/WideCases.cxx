@@ -1,6 +1,7 @@
 #include "WideCases.h"
 
 #include "Input/PlainArrays.h"
+#include "StateCases.h"
 
 #include <gtest/gtest.h>
 
@@ -38,7 +39,7 @@ std::vector<int> MakeGrains(const Index3& cells)
   return labels;
 }
 
-void AddState(bool isConserved, MesherInput& input)
+MesherInput WithState(bool isConserved, MesherInput input)
 {
   for (InputBlocks& level : input.Levels.Levels)
   {
@@ -76,6 +77,7 @@ void AddState(bool isConserved, MesherInput& input)
     state.Energy = "energy";
     state.Kinds = { "heat=extensive" };
   }
+  return input;
 }
 
 MesherInput MakeGrainsInput(Ranks& ranks)
@@ -115,6 +117,22 @@ void ExpectSameOnRanks(
     const MeshById joined = MeshOnRanks(count, options, makeInput);
     EXPECT_TRUE(joined.Points == alone.Points) << count;
     EXPECT_TRUE(joined.Elements == alone.Elements) << count;
+  }
+}
+
+void ExpectConserved(
+  const MesherOptions& options, const std::function<MesherInput(Ranks&)>& makeInput)
+{
+  Runtime serial;
+  const std::array<double, 6> expected =
+    SumUp(RunMesher(makeInput(serial.Group()), MesherOptions(), serial).State.Balance.Input, {});
+  const StateBalance balance = RunMesher(makeInput(serial.Group()), options, serial).State.Balance;
+  const std::array<double, 6> input = SumUp(balance.Input, {});
+  const std::array<double, 6> mesh = SumUp(balance.Mesh, balance.Unmeshed);
+  for (int s = 0; s < 6; ++s)
+  {
+    EXPECT_NEAR(input[s] / expected[s], 1.0, 1e-13) << s;
+    EXPECT_TRUE(s == 5 || std::fabs(mesh[s] - expected[s]) < 1e-13 * expected[0]) << s;
   }
 }
 

@@ -20,8 +20,8 @@ constexpr LabelGrid TheGrid{ GridSize, -0.3, 0.1 };
 /// Returns labels of the nearest of four seeds, 0 (void) to 3.
 std::vector<int> MakeGrains(const Index3& cells);
 
-/// Adds a state that differs from cell to cell, in cells of any level.
-void AddState(bool isConserved, MesherInput& input);
+/// Returns an input with a state that differs from cell to cell, in cells of any level.
+MesherInput WithState(bool isConserved, MesherInput input);
 
 /// Returns grains in TheGrid.
 MesherInput MakeGrainsInput(Ranks& ranks);
@@ -70,6 +70,11 @@ MeshById MeshOnRanks(
 
 /// Expects the same points and elements with their state on 1, 2, 3 and 8 ranks.
 void ExpectSameOnRanks(
+  const MesherOptions& options, const std::function<MesherInput(Ranks&)>& makeInput);
+
+/// Expects that mass, momentum and energy of the mesh, and all sums of its input, are those of the
+/// input meshed as read; kinetic energy of the mesh changes by its reconstruction.
+void ExpectConserved(
   const MesherOptions& options, const std::function<MesherInput(Ranks&)>& makeInput);
 
 } // namespace testing

@@ -39,8 +39,8 @@ def _add_option(group: Any, option: Option) -> None:
                            help=told)
     else:
         told += " (%s; %s)" % (option.allowed, option.default)
-        kind = {"word": lambda text: _find_word(option, text), "text": str, "widths": str, "sizes": str,
-                "whole": int, "real": float}[option.kind]
+        kind = {"word": lambda text: _find_word(option, text), "text": str, "widths": str,
+                "sizes": str, "whole": int, "real": float}[option.kind]
         group.add_argument(word, *OTHER_NAMES.get(option.name, ()), type=kind,
                            default=option.default, metavar=option.kind.upper(), help=told)
 

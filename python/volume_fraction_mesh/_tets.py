@@ -144,9 +144,8 @@ def tets(
         smooth.
     fine_layers : int, default 2
         An integer from 2 to 64. Finest cells between an interface and larger cells. With 2, Lattice
-        has finest cells only at the nodes of interfaces, and Cells and TetGen have one layer more;
-        each number above adds a layer. Interfaces are those of a mesh without larger cells, except
-        that those of Lattice differ by a few hundredths of a cell with 2.
+        has them only at nodes of interfaces, which differ by a few hundredths of a cell from those
+        with 3.
     target_scaled_jacobian : float, default 0.0
         A number from 0 (automatic) to below 1. Target of smoothing for the quality of tetrahedra,
         the sine of their acute dihedral angles. Larger values give better tetrahedra that follow

@@ -128,7 +128,7 @@ TEST(LevelIds, CentresFollowAllPoints)
       ASSERT_EQ(CellOfCoarseCentre(c.Levels, centre, Slots).At, p);
       const Index3 upper = NodeOfCoarsePoint(c.Levels, centre, Slots);
       ASSERT_EQ(upper[1], (p[1] + 1) << (2 - level));
-      for (Index tet : { Index(0), TetsOfHex - 1 })
+      for (Index tet : { Index(0), TetsOfCell - 1 })
       {
         const Index id = TetId(c.Levels, key, tet, TetIds.ElementSlots);
         ASSERT_TRUE(IsCoarseTet(c.Levels, id, TetIds.ElementSlots));

@@ -3,6 +3,7 @@
 #include "Base/Vector3.h"
 #include "Elements/EqualFaces.h"
 #include "Elements/Tet/CellTets.h"
+#include "Elements/Tet/LeafNodes.h"
 #include "Elements/TetQuality.h"
 #include "MeshChecks.h"
 #include "Octree/LevelIds.h"
@@ -177,6 +178,79 @@ TEST(CoarseTets, BelongToTheCellsOfTheirCentres)
     ASSERT_TRUE(found) << t;
   }
   EXPECT_GT(coarse, 0);
+}
+
+/// Points of finest cells that are not known as near a distant vertex share tets only with points
+/// next to them, which have other colours.
+TEST(LeafNodes, FindsVerticesOfOneColourInATet)
+{
+  Index near = 0, moves = 0;
+  for (unsigned seed : ListSeeds(12))
+  {
+    const int refinements = 2 + static_cast<int>(seed % 2);
+    const CartesianGrid grid = MakeUnitGrid(16, 8, 24);
+    const GradedTets c(grid, MakePlan(grid, refinements, 0.01 * (1 + seed % 5), seed));
+    const Mesh& mesh = c.Topology.Tets;
+    const auto isVertex = [&](Index point)
+    {
+      const Index id = mesh.PointIds[point];
+      return !IsCoarsePoint(*c.Levels, id, TetIds.PointSlots) && SlotOfPoint(id) == VertexSlot;
+    };
+    for (std::size_t at = 0; at < mesh.Elements.size(); ++at)
+    {
+      const Index point = mesh.Elements[at];
+      if (!isVertex(point))
+      {
+        continue;
+      }
+      const Index3 node = NodeOfPoint(grid, mesh, mesh.PointIds[point]);
+      ASSERT_TRUE(IsFineVertex(*c.Levels, node));
+      const bool isNear = IsNearDistantVertex(*c.Levels, node);
+      ASSERT_FALSE(isNear && c.Levels->IsFineAround(node));
+      near += isNear;
+      moves += !isNear && !c.Levels->IsFineAround(node);
+      for (std::size_t other = at / 4 * 4; !isNear && other < at / 4 * 4 + 4; ++other)
+      {
+        const Index end = mesh.Elements[other];
+        if (end != point && isVertex(end))
+        {
+          const Index3 far = NodeOfPoint(grid, mesh, mesh.PointIds[end]);
+          ASSERT_NE(grid.Colour(node), grid.Colour(far)) << TextOf(node) << TextOf(far);
+        }
+      }
+    }
+  }
+  EXPECT_GT(near, 0);
+  EXPECT_GT(moves, 0);
+}
+
+TEST(LeafNodes, FindMidpoints)
+{
+  const CartesianGrid grid = MakeUnitGrid(8);
+  LevelPlan plan;
+  plan.Refinements = 1;
+  plan.Unit = RefinedUnit::Cell;
+  plan.Families = { { 0 } }; // the lowest of 4^3 cells
+  const GradedTets c(grid, plan);
+  EXPECT_TRUE(IsRefined(*c.Levels, { 0, { { 0, 0, 0 } }, 0 }));
+  EXPECT_FALSE(IsRefined(*c.Levels, { 0, { { 1, 0, 0 } }, 0 }));
+  EXPECT_FALSE(IsRefined(*c.Levels, { 0, { { -1, 0, 0 } }, 0 }));
+  const auto count = [&](const Index3& cell)
+  {
+    int halved = 0;
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      for (int a = 0; a < 3; ++a)
+      {
+        halved += HasMidpoint(*c.Levels, { 0, cell, 0 }, corner, corner ^ 1 << a);
+      }
+    }
+    return halved / 2; // each edge was counted at both ends
+  };
+  EXPECT_EQ(count({ { 1, 0, 0 } }), 4);
+  EXPECT_EQ(count({ { 1, 1, 0 } }), 1);
+  EXPECT_EQ(count({ { 1, 1, 1 } }), 0);
+  EXPECT_EQ(count({ { 2, 0, 0 } }), 0);
 }
 
 TEST(CoarseTets, OneRefinedCellCostsLittle)
