@@ -33,12 +33,10 @@ Mesh MakeMesh(
   return mesh;
 }
 
-/// Interfaces cross levels if materials have widths of their own, but TetGen does not support it.
+/// Interfaces cross levels also if materials have widths of their own.
 bool HasFineInterfaces(const MesherOptions& options)
 {
-  const bool isTetGen =
-    options.Elements == ElementKind::Tets && options.Method == TetMethod::TetGen;
-  return isTetGen || (options.FineInterfaces && !HasMaterialWidths(options));
+  return UsesTetGen(options) || (options.FineInterfaces && !HasMaterialWidths(options));
 }
 
 } // namespace

@@ -28,11 +28,8 @@ WidthLimits LimitsOf(const MesherOptions& options, const GridNodes& nodes, const
   {
     ratio = widest[a] > 0.0 ? std::min(ratio, widest[a] / ofInput[a]) : ratio;
   }
-  // TetGen needs the finest cells at all interfaces.
-  const bool isTetGen =
-    options.Elements == ElementKind::Tets && options.Method == TetMethod::TetGen;
   return { ratio, options.AllowedError,
-    isTetGen ? 0 : CountDoublings(nodes, RepeatingAxes(options)) };
+    UsesTetGen(options) ? 0 : CountDoublings(nodes, RepeatingAxes(options)) };
 }
 
 /// Collective. Plans cells that are as wide as the materials allow.

@@ -38,10 +38,21 @@ public:
 private:
   struct Quad
   {
-    Index First;                   // first of its tets, which are consecutive, two per side
+    std::array<Index, 4> Tets;     // two per side: (q0 q1 q2 c) and (q0 q2 q3 c)
     int Sides;                     // 1 on the domain boundary, 2 on interfaces
     std::array<bool, 2> IsBarrier; // whether the tets of each side are only a barrier
   };
+  /// Tets of one side of a leaf, consecutive in the active mesh.
+  struct LeafSide
+  {
+    Index Key;         // number of the side of the leaf, among all
+    Index First, Last; // range of tets
+  };
+  void FindFineQuads(const Mesh& mesh, const BarrierElements& barrier);
+  void FindCoarseQuads(const Mesh& mesh, const BarrierElements& barrier);
+  std::vector<LeafSide> ListLeafSides(const Mesh& mesh) const;
+  void AddQuad(
+    const std::array<Index, 4>& tets, int sides, const Mesh& mesh, const BarrierElements& barrier);
   void FindCopies(const Mesh& mesh);
   void TakeChoices(std::vector<unsigned char>& isBetter) const;
   using Tets = std::array<std::array<int, 4>, 4>;
