@@ -30,6 +30,7 @@ struct CrossingCase
   bool MeshVoid;
   /// Bounds: least scaled Jacobian of hexes or dihedral angle of tets; distance in base cells.
   double LeastQuality, LargestDistance;
+  double VolumeError = 1e-6; // largest relative one of a material, tets
 };
 
 void PrintTo(const CrossingCase& c, std::ostream* out)
@@ -94,21 +95,22 @@ TEST_P(CrossingTets, AreValidAndNear)
   EXPECT_EQ(FindFragmentProblem(mesh), "");
   EXPECT_GT(SmallestCornerDeterminant(mesh), 0.0);
   EXPECT_GE(report.MinimumDihedralAngle, p.LeastQuality);
-  EXPECT_LT(f.VolumeError, 1e-6);
+  EXPECT_LT(f.VolumeError, p.VolumeError);
   const double width = 1 << p.Refinements; // of base cells
   EXPECT_LT(f.Distance.Largest / width, p.LargestDistance);
-  EXPECT_LT(f.Distance.RootMeanSquare / width, 0.045);
+  EXPECT_LT(f.Distance.RootMeanSquare / width, 0.06); // Cells has up to .09 of its cells
   MeshReport ofCells;
   options.Method = TetMethod::Cells;
   EXPECT_TRUE(AreEqual(mesh, MakeTetMesh(c.Grid, c.Fractions, options, runtime, ofCells)));
   options.Levels.FineInterfaces = true;
-  const Mesh fine = MakeTetMesh(c.Grid, c.Fractions, options, runtime, ofCells);
-  EXPECT_LT(mesh.ElementIds.size(), fine.ElementIds.size());
+  const MeshFigures fine = MeasureCase(c, options, runtime, MakeTetMesh);
+  EXPECT_LT(f.Elements, fine.Elements);
   std::printf("%-18s %d refinements: %8zu tets of %8zu, dihedral %.1f-%.1f (%.1f-%.1f), distance "
-              "%.3f, rms %.4f\n",
-    p.Name.c_str(), p.Refinements, mesh.ElementIds.size(), fine.ElementIds.size(),
-    report.MinimumDihedralAngle, report.MaximumDihedralAngle, ofCells.MinimumDihedralAngle,
-    ofCells.MaximumDihedralAngle, f.Distance.Largest / width, f.Distance.RootMeanSquare / width);
+              "%.3f, rms %.4f (%.3f, %.4f)\n",
+    p.Name.c_str(), p.Refinements, f.Elements, fine.Elements, report.MinimumDihedralAngle,
+    report.MaximumDihedralAngle, fine.Report.MinimumDihedralAngle, fine.Report.MaximumDihedralAngle,
+    f.Distance.Largest / width, f.Distance.RootMeanSquare / width, fine.Distance.Largest,
+    fine.Distance.RootMeanSquare);
 }
 
 /// With cells as hexes and no inserted layers, volumes equal the volumes of leaves and transitions.
@@ -146,15 +148,16 @@ INSTANTIATE_TEST_SUITE_P(Cases, CrossingShapes,
     CrossingCase{ "half sphere", 1, 0.5, true, .6, .2 },
     CrossingCase{ "torus", 1, 0.5, true, .57, .2 }));
 
+// In polycrystal, coarse cells of a grain fill less than half of it.
 INSTANTIATE_TEST_SUITE_P(Cases, CrossingTets,
-  ::testing::Values(CrossingCase{ "sphere 32", 1, 0.0, false, 28.0, .04 },
-    CrossingCase{ "sphere 32", 1, 0.5, false, 28.0, .35 },
-    CrossingCase{ "sphere 32", 1, 0.5, true, 28.0, .35 },
-    CrossingCase{ "polycrystal", 2, 0.6, false, 25.0, .45 },
-    CrossingCase{ "ball and plate", 1, 0.5, true, 28.0, .35 },
-    CrossingCase{ "ball of 3 sectors", 2, 0.6, false, 25.0, .35 },
-    CrossingCase{ "half sphere", 1, 0.5, true, 28.0, .35 },
-    CrossingCase{ "torus", 1, 0.5, true, 28.0, .35 }));
+  ::testing::Values(CrossingCase{ "sphere 32", 1, 0.0, false, 32.0, .37 },
+    CrossingCase{ "sphere 32", 1, 0.5, false, 32.0, .37 },
+    CrossingCase{ "sphere 32", 1, 0.5, true, 29.0, .37 },
+    CrossingCase{ "polycrystal", 2, 0.6, false, 27.0, .45, .5 },
+    CrossingCase{ "ball and plate", 1, 0.5, true, 29.0, .37 },
+    CrossingCase{ "ball of 3 sectors", 2, 0.6, false, 30.0, .25 },
+    CrossingCase{ "half sphere", 1, 0.5, true, 30.0, .2 },
+    CrossingCase{ "torus", 1, 0.5, true, 30.0, .38 }));
 
 namespace
 {
