@@ -60,26 +60,47 @@ public:
       [&](int material, double fraction)
       {
         const double value = share * fraction;
-        double& sum = PartOf(this->List, material).Fraction;
-        double& error = PartOf(this->Errors, material).Fraction;
-        const double next = sum + value;
-        error += sum >= value ? (sum - next) + value : (value - next) + sum;
-        sum = next;
+        Term& term = this->TermOf(material);
+        const double next = term.Sum + value;
+        term.Error += term.Sum >= value ? (term.Sum - next) + value : (value - next) + term.Sum;
+        term.Sum = next;
       });
   }
   /// Returns the parts in the order of their materials.
   std::vector<FractionField::Part> Parts() const
   {
-    std::vector<FractionField::Part> parts = this->List;
-    for (std::size_t p = 0; p < parts.size(); ++p)
+    std::vector<FractionField::Part> parts;
+    for (const Term& term : this->Terms)
     {
-      parts[p].Fraction += this->Errors[p].Fraction;
+      parts.push_back({ term.Material, term.Sum + term.Error });
     }
     return parts;
   }
 
 private:
-  std::vector<FractionField::Part> List, Errors;
+  struct Term
+  {
+    int Material;
+    double Sum, Error;
+  };
+
+  Term& TermOf(int material)
+  {
+    if (this->Last >= this->Terms.size() || this->Terms[this->Last].Material != material)
+    {
+      const auto at = std::lower_bound(this->Terms.begin(), this->Terms.end(), material,
+        [](const Term& term, int m) { return term.Material < m; });
+      this->Last = at - this->Terms.begin();
+      if (at == this->Terms.end() || at->Material != material)
+      {
+        this->Terms.insert(at, { material, 0.0, 0.0 });
+      }
+    }
+    return this->Terms[this->Last];
+  }
+
+  std::vector<Term> Terms; // in the order of their materials
+  std::size_t Last = 0;    // that of the last call
 };
 
 /// Row of new cells: its runs, and the sums of its mixed cells in order.
@@ -97,6 +118,10 @@ Runs MergeRows(const CartesianGrid& grid, const FractionField& fractions, const 
   ForRows(box,
     [&](Index j, Index k)
     {
+      if (all.size() == 1 && all[0].Label == Mixed)
+      {
+        return;
+      }
       const Index first = grid.Linear({ { box.Lower[0], j, k } });
       FindRuns(fractions, first, first + box.Size(0), row);
       if (all.empty())
@@ -140,15 +165,16 @@ Sum Average(const CartesianGrid& grid, const FractionField& fractions, const Cel
   const Index3& cell)
 {
   Sum sum;
-  ForCells(Overlapped(overlaps, BoxOfCell(cell)),
-    [&](const Index3& p)
+  const IndexBox old = Overlapped(overlaps, BoxOfCell(cell));
+  ForRows(old,
+    [&](Index j, Index k)
     {
-      double share = 1.0;
-      for (int a = 0; a < 3; ++a)
+      const double y = overlaps[1].Share(cell[1], j), z = overlaps[2].Share(cell[2], k);
+      const Index row = grid.Linear({ { 0, j, k } });
+      for (Index i = old.Lower[0]; i < old.Upper[0]; ++i)
       {
-        share *= overlaps[a].Share(cell[a], p[a]);
+        sum.Add(fractions, row + i, overlaps[0].Share(cell[0], i) * y * z);
       }
-      sum.Add(fractions, grid.Linear(p), share);
     });
   return sum;
 }

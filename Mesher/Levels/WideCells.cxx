@@ -15,7 +15,7 @@ namespace
 {
 
 constexpr double KeptShare = 0.99; // of a volume, without a warning
-constexpr double WidthRatio = 0.8; // of a width that is tried and the one before
+constexpr int Tries = 2;           // of narrower cells that keep materials
 
 /// Returns whether a cell or one around it has a label.
 bool HasNear(const CartesianGrid& grid, const LabelArray& labels, const Index3& cell, int label)
@@ -60,20 +60,28 @@ std::vector<double> FindKept(
   return kept;
 }
 
-/// Collective. Tries narrower cells until all materials are kept, or cells are those of the input.
+/// Collective. Tries a few widths between these and those of the input (Tries), by bisection for
+/// one that keeps all materials.
 /// @param kept shares of volumes that are kept in cells of some widths
 /// @return the largest tried factor of these widths that keeps each material; 0: none
 std::vector<double> FindKeepingFactors(const LevelFields& read, const Vector3& widths,
-  std::vector<double> kept, double isoValue, Runtime& runtime)
+  const std::vector<double>& kept, double isoValue, Runtime& runtime)
 {
+  const auto isLost = [](double share) { return share < KeptShare; };
   const GridNodes& nodes = read.Grid.Coordinates();
   const Vector3 before = MeanWidths(nodes);
-  std::vector<double> factors(kept.size(), 0.0);
-  const auto isLost = [](double share) { return share < KeptShare; };
-  Vector3 tried = widths;
-  for (double factor = WidthRatio;
-       tried != before && std::any_of(kept.begin() + 1, kept.end(), isLost); factor *= WidthRatio)
+  double ratio = 1.0; // of the widths of the input to these
+  for (int a = 0; a < 3; ++a)
   {
+    ratio = std::min(ratio, before[a] / widths[a]);
+  }
+  std::vector<double> factors(kept.size(), 0.0);
+  double wide = 1.0, narrow = ratio; // between these is the width
+  const bool isAnyLost = ratio < 1.0 && std::any_of(kept.begin() + 1, kept.end(), isLost);
+  for (int n = 0; isAnyLost && n < Tries; ++n)
+  {
+    const double factor = std::sqrt(wide * narrow);
+    Vector3 tried;
     for (int a = 0; a < 3; ++a)
     {
       tried[a] = std::max(widths[a] * factor, before[a]);
@@ -82,14 +90,14 @@ std::vector<double> FindKeepingFactors(const LevelFields& read, const Vector3& w
       ResampleFields(read.Grid, read.Field.Fractions, ReplaceNodes(nodes, tried), 1, runtime);
     const std::vector<double> now =
       FindKept(other.Grid, other.Fractions, isoValue, runtime.Group());
+    bool keepsAll = true;
     for (std::size_t m = 1; m < kept.size(); ++m)
     {
-      if (isLost(kept[m]) && !isLost(now[m]))
-      {
-        kept[m] = now[m];
-        factors[m] = tried == before ? 0.0 : factor;
-      }
+      const bool isKept = !isLost(now[m]);
+      keepsAll = keepsAll && (isKept || !isLost(kept[m]));
+      factors[m] = isLost(kept[m]) && isKept ? std::max(factors[m], factor) : factors[m];
     }
+    (keepsAll ? narrow : wide) = factor;
   }
   return factors;
 }

@@ -242,7 +242,9 @@ namespace
 {
 
 constexpr double LargestQuietError = 0.01; // relative error of a volume without a warning
-constexpr double LargestQuietShare = 0.05; // displaced share of a volume without a warning
+// Displaced share of a volume without a warning: in the cells of the input, and in wider ones,
+// where the surfaces of small bodies move more.
+constexpr double LargestQuietShare = 0.05, LargestQuietShareOfWide = 0.1;
 
 /// Returns a material for a message: its name and id.
 std::string NameMaterial(const Materials& table, std::size_t material)
@@ -369,13 +371,14 @@ std::string DescribeDisplacedMaterials(
   const auto displaced = [&report](std::size_t m)
   { return report.DisplacedVolume[m] * report.TargetVolume[m]; };
   std::vector<std::string> shares;
-  for (std::size_t m : FindAbove(LargestQuietShare, report, displaced))
+  const double limit = wide.IsUsed() ? LargestQuietShareOfWide : LargestQuietShare;
+  for (std::size_t m : FindAbove(limit, report, displaced))
   {
     shares.push_back(NameMaterial(table, m) + " " + PercentOf(report.DisplacedVolume[m]));
   }
   return shares.empty() ? ""
-                        : CountMaterials(shares.size(), "has", "have") + " more than 5 % of " +
-      (shares.size() == 1 ? "its volume" : "their volumes") +
+                        : CountMaterials(shares.size(), "has", "have") + " more than " +
+      PercentOf(limit) + " of " + (shares.size() == 1 ? "its volume" : "their volumes") +
       " in another place than in the input: " + Enumerate(shares) +
       ". In the mesh this share is in other blocks of 4 x 4 x 4 cells, or in no element. " +
       (wide.IsUsed() ? "A smaller CellWidth" : "Finer cells in the input") +

@@ -90,9 +90,10 @@ std::string DescribeInexactMaterials(
 std::string DescribeWideLosses(
   const MeshReport& report, const Materials& table, const WideReport& wide, bool areExact);
 
-/// Returns sentences with the materials of which more than 5 % is displaced (DisplacedVolume.h),
-/// those with the largest displaced volumes first, and with what helps; "" if there are none or it
-/// was not measured. Does not name materials without elements.
+/// Returns sentences with the materials of which more than 5 % is displaced (DisplacedVolume.h), in
+/// cells that replace others more than 10 %, those with the largest displaced volumes first, and
+/// with what helps; "" if there are none or it was not measured. Does not name materials without
+/// elements.
 /// @param hasParticles  whether material without elements became particles
 std::string DescribeDisplacedMaterials(
   const MeshReport& report, const Materials& table, const WideReport& wide, bool hasParticles);

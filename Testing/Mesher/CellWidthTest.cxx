@@ -249,6 +249,33 @@ TEST(CellWidth, OneWarningNamesWhatIsLost)
   EXPECT_NE(warnings[0].find("CellWidth"), std::string::npos) << warnings[0];
 }
 
+TEST(CellWidth, WarningNamesAWidthThatKeepsWhatIsLost)
+{
+  const IndexBox cube{ { { 6, 6, 6 } }, { { 10, 10, 10 } } };
+  std::vector<int> labels;
+  ForCells(
+    { {}, GridSize }, [&](const Index3& cell) { labels.push_back(cube.Contains(cell) ? 2 : 1); });
+  Runtime serial;
+  MesherInput input = MakeLabelInput(TheGrid, labels, serial.Group());
+  std::string warnings;
+  input.Warn = [&](const std::string& text) { warnings += text; };
+  MesherOptions options = OptionsOf("0.8");
+  options.ZeroLabel = ZeroLabelMeaning::Material; // no warning of label 0
+  RunMesher(input, options, serial);
+  const std::string before = "1 material misses its volume by more than 1 %",
+                    word = "CellWidth of ";
+  EXPECT_NE(warnings.find(before), std::string::npos) << warnings;
+  const std::size_t at = warnings.find(word);
+  ASSERT_NE(at, std::string::npos) << warnings;
+  const double width = std::stod(warnings.substr(at + word.size()));
+  EXPECT_GT(width, 0.11);
+  EXPECT_LT(width, 0.8);
+  warnings.clear();
+  options.CellWidth = std::to_string(width);
+  RunMesher(input, options, serial);
+  EXPECT_EQ(warnings.find("misses its volume"), std::string::npos) << warnings;
+}
+
 /// A sheet that no new cell keeps becomes a part of the body near it, so the volume is exact.
 TEST(CellWidth, WarnsOfWhatIsInAnotherPlace)
 {

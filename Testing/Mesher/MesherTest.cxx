@@ -373,8 +373,12 @@ TEST(Mesher, DisplacedVolumesAreSorted)
   EXPECT_NE(text.find("Finer cells in the input"), std::string::npos);
   WideReport wide;
   wide.Widths = { 2.0, 2.0, 2.0 };
-  EXPECT_NE(DescribeDisplacedMaterials(report, table, wide, false).find("A smaller CellWidth"),
-    std::string::npos);
+  const std::string ofWide = DescribeDisplacedMaterials(report, table, wide, false);
+  EXPECT_EQ(ofWide.find("2 materials have more than 10 % of their volumes in another place than in "
+                        "the input: 'm5' (id 50) 100 %, 'm4' (id 40) 46 %. "),
+    0u)
+    << ofWide;
+  EXPECT_NE(ofWide.find("A smaller CellWidth"), std::string::npos);
   EXPECT_EQ(text.find("3 materials have more than 5 % of their volumes in another place than in "
                       "the input: 'm5' (id 50) 100 %, 'm2' (id 20) 5 %, 'm4' (id 40) 46 %. "),
     0u)

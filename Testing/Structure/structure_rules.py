@@ -52,7 +52,8 @@ ALLOWED.update({
     "Testing/Fuzz": MESHES + (
         "Shapes", "IO", "IO/Blocks", "IO/GridFiles", "IO/Images", "IO/Labels", "IO/Meshes",
         "IO/Report", "Filters", "InSitu", "Program", "Testing/Inputs", "Testing/Support"),
-    "Testing/Benchmarks": MESHES + ("IO", "IO/Images", "Shapes", "Filters", "Testing/Support"),
+    "Testing/Benchmarks": MESHES + (
+        "IO", "IO/Images", "Shapes", "Filters", "Testing/Inputs", "Testing/Support"),
     "Testing/IO": MESHES + (
         "Shapes", "IO", "IO/Blocks", "IO/GridFiles", "IO/Images", "IO/Labels", "IO/Meshes",
         "IO/Report", "Testing/Inputs", "Testing/Support"),
