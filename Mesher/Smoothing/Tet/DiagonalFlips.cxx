@@ -1,5 +1,6 @@
 #include "Smoothing/Tet/DiagonalFlips.h"
 
+#include "Base/HexNumbering.h"
 #include "Base/Sorted.h"
 #include "Elements/PeriodicIds.h"
 #include "Elements/Tet/LeafNodes.h"
@@ -38,6 +39,33 @@ Index IdBelow(const Mesh& mesh, Index id, const Index3& cells)
   const Index number = (id - TetId(levels, 0, 0, TetIds.ElementSlots)) % TetsOfCell;
   return TetId(
     levels, levels.Lattice().HexKey(cell.Level, cell.At, 0), number, TetIds.ElementSlots);
+}
+
+OctreeKeys::LevelIndex CellBeyond(OctreeKeys::LevelIndex leaf, int side)
+{
+  leaf.At[side / 2] += side % 2 == 1 ? 1 : -1;
+  return leaf;
+}
+
+/// Returns whether a side of a leaf is on another leaf of its level, or on the domain boundary.
+bool IsAtEqualLeaf(const RefinedGrid& levels, const OctreeKeys::LevelIndex& leaf, int side)
+{
+  const OctreeKeys::LevelIndex beyond = CellBeyond(leaf, side);
+  const bool isInside = levels.Lattice().HasCell(beyond.Level, beyond.At);
+  const bool isLarger =
+    leaf.Level > 0 && !IsRefined(levels, { leaf.Level - 1, ParentOfCell(beyond.At), 0 });
+  return !isInside || (!isLarger && !IsRefined(levels, beyond));
+}
+
+/// Returns whether an edge of a side of a leaf has a midpoint.
+bool HasMidpoints(const RefinedGrid& levels, const OctreeKeys::LevelIndex& leaf, int side)
+{
+  bool has = false;
+  for (int k = 0; k < 4 && !has; ++k)
+  {
+    has = HasMidpoint(levels, leaf, FaceCorners[side][k], FaceCorners[side][(k + 1) % 4]);
+  }
+  return has;
 }
 
 } // namespace
@@ -81,66 +109,59 @@ void DiagonalFlips::FindFineQuads(const Mesh& mesh, const BarrierElements& barri
   }
 }
 
-/// Lists the sides of leaves that have two tets, the halves of a quad, ascending.
+/// Lists the sides of larger leaves whose quads may be flipped, ascending. Both halves of these are
+/// active.
 std::vector<DiagonalFlips::LeafSide> DiagonalFlips::ListLeafSides(const Mesh& mesh) const
 {
-  const Index start = TetId(*mesh.Levels, 0, 0, TetIds.ElementSlots);
+  const RefinedGrid& levels = *mesh.Levels;
+  const std::vector<Index>& tets = this->Active.MeshElement;
+  const Index start = TetId(levels, 0, 0, TetIds.ElementSlots), perSide = TetsOfCell / 6;
   std::vector<LeafSide> sides;
-  for (std::size_t at = 0; at < this->Active.MeshElement.size(); ++at)
+  for (std::size_t at = 0; at + 1 < tets.size(); ++at)
   {
-    const Index id = mesh.ElementIds[this->Active.MeshElement[at]], tet = static_cast<Index>(at);
-    if (IsCoarse(mesh, id))
+    const Index number = mesh.ElementIds[tets[at]] - start;
+    // Only a quad has tets 0 and 1, if no edge of the face has a midpoint.
+    if (number < 0 || number % perSide != 0 || mesh.ElementIds[tets[at + 1]] != start + number + 1)
     {
-      const Index key = (id - start) / (TetsOfCell / 6);
-      if (sides.empty() || sides.back().Key != key)
-      {
-        sides.push_back({ key, tet, tet });
-      }
-      ++sides.back().Last;
+      continue;
+    }
+    const OctreeKeys::LevelIndex leaf =
+      CellOfCoarseTet(levels, start + number, TetIds.ElementSlots);
+    const int side = static_cast<int>(number / perSide % 6);
+    if (IsAtEqualLeaf(levels, leaf, side) && !HasMidpoints(levels, leaf, side))
+    {
+      sides.push_back({ number / perSide, static_cast<Index>(at) });
     }
   }
-  sides.erase(std::remove_if(sides.begin(), sides.end(),
-                [](const LeafSide& side) { return side.Last - side.First != 2; }),
-    sides.end());
   return sides;
 }
 
-/// Finds the quads between leaves of one level, or of a leaf on the domain boundary. Other halves
-/// of a face meet at the centre of the face of a larger leaf.
+/// Other halves of a face meet at the centre of the face of a larger leaf, and cannot be flipped.
 void DiagonalFlips::FindCoarseQuads(const Mesh& mesh, const BarrierElements& barrier)
 {
   const RefinedGrid& levels = *mesh.Levels;
-  const OctreeKeys& lattice = levels.Lattice();
   const std::vector<LeafSide> sides = this->ListLeafSides(mesh);
-  const auto keyOf = [](const LeafSide& side) { return side.Key; };
   for (const LeafSide& side : sides)
   {
     const OctreeKeys::LevelIndex leaf = CellOfCoarseTet(
       levels, mesh.ElementIds[this->Active.MeshElement[side.First]], TetIds.ElementSlots);
     const int face = static_cast<int>(side.Key % 6);
-    OctreeKeys::LevelIndex beyond = leaf;
-    beyond.At[face / 2] += face % 2 == 1 ? 1 : -1;
-    const bool isInside = lattice.HasCell(beyond.Level, beyond.At);
-    if (isInside &&
-      (IsRefined(levels, beyond) ||
-        (leaf.Level > 0 && !IsRefined(levels, { leaf.Level - 1, ParentOfCell(beyond.At), 0 }))))
+    const OctreeKeys::LevelIndex beyond = CellBeyond(leaf, face);
+    auto other = sides.end();
+    if (levels.Lattice().HasCell(beyond.Level, beyond.At))
     {
-      continue;
+      const Index key =
+        6 * (levels.Lattice().HexKey(beyond.Level, beyond.At, 0) / OctreeKeys::HexSlots) +
+        (face ^ 1);
+      other = std::lower_bound(sides.begin(), sides.end(), key,
+        [](const LeafSide& a, Index value) { return a.Key < value; });
+      other = other != sides.end() && other->Key == key ? other : sides.end();
     }
-    const Index key = side.Key +
-      6 *
-        (lattice.HexKey(beyond.Level, isInside ? beyond.At : leaf.At, 0) -
-          lattice.HexKey(leaf.Level, leaf.At, 0)) /
-        OctreeKeys::HexSlots +
-      (face % 2 == 1 ? -1 : 1);
-    const auto other = std::lower_bound(sides.begin(), sides.end(), key,
-      [&](const LeafSide& a, Index value) { return keyOf(a) < value; });
-    const bool hasOther = isInside && other != sides.end() && other->Key == key;
-    if (!hasOther)
+    if (other == sides.end())
     {
       this->AddQuad({ { side.First + 1, side.First, -1, -1 } }, 1, mesh, barrier);
     }
-    else if (face % 2 == 1)
+    else if (face % 2 == 1) // once
     {
       this->AddQuad(
         { { side.First + 1, side.First, other->First + 1, other->First } }, 2, mesh, barrier);

@@ -42,11 +42,11 @@ private:
     int Sides;                     // 1 on the domain boundary, 2 on interfaces
     std::array<bool, 2> IsBarrier; // whether the tets of each side are only a barrier
   };
-  /// Tets of one side of a leaf, consecutive in the active mesh.
+  /// Halves of a quad at a side of a larger leaf: two tets, consecutive in the active mesh.
   struct LeafSide
   {
-    Index Key;         // number of the side of the leaf, among all
-    Index First, Last; // range of tets
+    Index Key;   // number of the side among those of all leaves
+    Index First; // first tet
   };
   void FindFineQuads(const Mesh& mesh, const BarrierElements& barrier);
   void FindCoarseQuads(const Mesh& mesh, const BarrierElements& barrier);
