@@ -308,7 +308,18 @@ void CellsMethod::AfterSweep(const SmoothingStage& stage, int sweep, Smoother& s
 {
   if (stage.HalfPower < TetRamp().back().HalfPower || sweep % LateFlips == LateFlips - 1)
   {
-    this->Flips->Run(stage, [&](int point) { smoother.MarkForUpdate(point); });
+    this->Flips->Run(stage,
+      [&](int point)
+      {
+        if (this->Flips->CrossLevels())
+        {
+          smoother.MarkPoint(point);
+        }
+        else
+        {
+          smoother.MarkForUpdate(point);
+        }
+      });
   }
 }
 

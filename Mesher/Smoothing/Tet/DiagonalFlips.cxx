@@ -73,10 +73,14 @@ bool HasMidpoints(const RefinedGrid& levels, const OctreeKeys::LevelIndex& leaf,
 DiagonalFlips::DiagonalFlips(const Mesh& mesh, const BarrierElements& barrier,
   const Partition& partition, ActiveMesh& active, const TetEnergy& energy,
   const std::vector<FeatureKind>& kinds) :
-  Parts(partition), Active(active), Energy(energy), Kinds(kinds)
+  Crossing(!mesh.Levels->HasFineInterfaces()),
+  Parts(partition),
+  Active(active),
+  Energy(energy),
+  Kinds(kinds)
 {
   this->FindFineQuads(mesh, barrier);
-  if (!mesh.Levels->HasFineInterfaces())
+  if (this->Crossing)
   {
     this->FindCoarseQuads(mesh, barrier);
   }
@@ -308,8 +312,15 @@ void DiagonalFlips::Run(const SmoothingStage& stage, const std::function<void(in
         std::copy(
           other[t].begin(), other[t].end(), this->Active.Elements.begin() + 4 * quad.Tets[t]);
       }
-      // Omits the centre, which is near points of ranks that do not have this quad.
-      flipped.insert(flipped.end(), other[0].begin(), other[0].begin() + 3);
+      for (int t = 0; this->Crossing && t < 2 * quad.Sides; ++t)
+      {
+        flipped.insert(flipped.end(), other[t].begin(), other[t].end());
+      }
+      if (!this->Crossing)
+      {
+        // Omits the centre, which is near points of ranks that do not have this quad.
+        flipped.insert(flipped.end(), other[0].begin(), other[0].begin() + 3);
+      }
     }
   }
   if (!flipped.empty())

@@ -28,9 +28,14 @@ public:
     ActiveMesh& active, const TetEnergy& energy, const std::vector<FeatureKind>& kinds);
 
   /// Flips each quad once if this reduces its energy at a stage.
-  /// @param changed  changed(point) is called for every corner of a flipped quad
+  /// @param changed  changed(point) is called for corners of a flipped quad. If interfaces cross
+  ///   levels, it is called for all points of its tets, but not all ranks that have points around
+  ///   these have the quad.
   /// @pre Collective among peers.
   void Run(const SmoothingStage& stage, const std::function<void(int)>& changed);
+
+  /// Returns whether interfaces cross levels.
+  bool CrossLevels() const { return this->Crossing; }
 
   /// Writes the tets back into the mesh.
   void CopyTo(Mesh& mesh) const;
@@ -63,6 +68,7 @@ private:
     const Quad& quad, const Tets& tets, const Tets& other, const SmoothingStage& stage) const;
   double EnergyOf(const Quad& quad, const Tets& tets, const SmoothingStage& stage) const;
 
+  const bool Crossing;
   const Partition& Parts;
   ActiveMesh& Active;
   const TetEnergy& Energy;
