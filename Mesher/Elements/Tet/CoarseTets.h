@@ -4,23 +4,24 @@
  *
  * Nodes are the centres and corners of leaves: cells that are not refined (RefinedUnit::Cell). Each
  * face of a leaf has tets:
- * - between two leaves of one level, four around the edge between the centres, as in finest cells.
- *   Where leaves at an edge of the face are finer, its midpoint halves the tet there.
+ * - between two leaves of one level and label, four around the edge between the centres, as in
+ * finest cells. Where leaves at an edge of the face are finer, its midpoint halves the tet there.
  * - towards finer leaves, eight from the centre of the leaf to the triangles around the centre of
  *   the face.
  * - towards a coarser leaf, two from the centre to the halves of the face. They meet at the centre
  *   of the face of the coarser leaf.
- * - on the domain boundary and flat seams, two to the halves of the face; if an edge has a
- *   midpoint, four to eight to triangles around the centre of the face.
+ * - on interfaces between leaves of one level, the domain boundary and flat seams, two to the
+ * halves of the face; if an edge has a midpoint, four to eight to triangles around the centre of
+ * the face.
  *
  * Cells that share an edge differ by at most one level (OctantFamilies.h), so no other case exists.
- * In cubes, dihedral angles are from 45 to 120 degrees. Only corners and centres of finest cells
- * move (ActiveTets.h).
+ * In cubes, dihedral angles are from 45 to 120 degrees. Points of larger cells move only if
+ * interfaces cross levels (ActiveTets.h).
  *
- * Leaves have one label, because only finest cells are at interfaces. Ids are CoarsePointId,
- * CentreId and TetId (LevelIds.h). A tet between leaves of one level belongs to the lower one, all
- * others to the leaf of their centre. Each tet depends only on the sets of refined cells, which all
- * ranks know.
+ * Each leaf has one label. Only if interfaces cross levels are larger leaves at interfaces. Ids are
+ * CoarsePointId, CentreId and TetId (LevelIds.h). A tet between leaves of one level belongs to the
+ * lower one, all others to the leaf of their centre. Each tet depends only on the sets of refined
+ * cells, which all ranks know.
  *
  * After F. Labelle and J. R. Shewchuk, Isosurface stuffing, ACM Transactions on Graphics 26 (2007);
  * the domain boundary and seams are added.
