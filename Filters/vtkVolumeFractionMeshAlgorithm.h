@@ -382,9 +382,10 @@ public:
   /// length units; small=N:width is for all materials of fewer than N cells in the input. All
   /// others have Cell Width. A cell is halved while it is wider than the width of a material in it
   /// or next to it, and interfaces run through cells of several widths. auto: cells are as wide as
-  /// Allowed Error lets them be, at most Cell Width, or 4 cells of the input. Hexahedra; tetrahedra
-  /// have the smallest width at all interfaces. Allowed: auto, or entries such as steel=0.5, 3=1 or
-  /// small=100:0.5 with commas between them and widths above 0, or None; default None.
+  /// Allowed Error lets them be, at most Cell Width, or 4 cells of the input. Tetrahedra are those
+  /// of Cells, also with Lattice; TetGen has the smallest width at all interfaces. Allowed: auto,
+  /// or entries such as steel=0.5, 3=1 or small=100:0.5 with commas between them and widths above
+  /// 0, or None; default None.
   vfmTextOption(MaterialWidths);
   /// Distance that surfaces may be from those of the input, in cells of the input, if Material
   /// Widths is auto. Allowed: a number, 0 or more; default 0.5.
@@ -403,8 +404,8 @@ public:
   vfmNumberOption(MaximumLevel, int);
   /// All interfaces get the finest cells. Off: each place gets the level of the input or of the
   /// criteria there, and interfaces cross levels. With Coarsen all cells are then as coarse as
-  /// possible. Hexahedra only: tetrahedra at interfaces are always of the finest cells. Allowed: on
-  /// or off; default on.
+  /// possible. Tetrahedra are those of Cells then, also with Lattice; TetGen always has the finest
+  /// cells at interfaces. Allowed: on or off; default on.
   vfmSwitchOption(FineInterfaces);
   /// Minimum number of finest cells between an interface and larger cells. If Fine Interfaces is
   /// off: fine cells around the places that Automatic refines. Allowed: an integer from 2 to 64;

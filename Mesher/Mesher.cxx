@@ -33,11 +33,10 @@ Mesh MakeMesh(
   return mesh;
 }
 
-/// Interfaces cross levels if materials have widths of their own, but tets do not support it.
+/// Interfaces cross levels also if materials have widths of their own.
 bool HasFineInterfaces(const MesherOptions& options)
 {
-  return options.Elements == ElementKind::Tets ||
-    (options.FineInterfaces && !HasMaterialWidths(options));
+  return UsesTetGen(options) || (options.FineInterfaces && !HasMaterialWidths(options));
 }
 
 } // namespace

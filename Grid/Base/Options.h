@@ -64,8 +64,8 @@ struct TetGenOptions
 /// User options of a refined grid.
 struct LevelSettings
 {
-  /// true: all interfaces get cells of the finest level. false: only cells of Families do, so the
-  /// interfaces of hexahedra cross levels.
+  /// true: all interfaces get cells of the finest level. false: only cells of Families do, so
+  /// interfaces cross levels, except those of TetGen.
   bool FineInterfaces = true;
   /// Number of layers of finest cells around the finest cells at interfaces; tets have fewer.
   int FineLayers = 2;

@@ -36,4 +36,28 @@ struct ResolvedCells
 /// @pre Collective.
 ResolvedCells ResolveCells(const MeshCells& cells, bool keepsSeam, MeshRun& run);
 
+/// Labels of cells, from which those of leaves follow.
+struct CellLabels
+{
+  LabelArray Labels;          ///< AssignMaterials
+  LabelArray ThinLabels;      ///< with the labels of thin parts; empty if these get no cells
+  std::vector<ThinCell> Thin; ///< LabelThinParts
+};
+
+/// @pre Collective.
+CellLabels LabelCellsOfLeaves(const MeshCells& cells, MeshRun& run);
+
+/// Labels of leaves (LeafLabels.h).
+struct ResolvedLeaves : ResolvedCells
+{
+  std::vector<Index3> CostlyFlips; ///< ResolveReport
+};
+
+/// Assigns labels to leaves and changes them until a valid mesh can be made from them. Only leaves
+/// of the finest level get the labels of thin parts.
+/// @param keepsSeam  ResolveLabels
+/// @pre Collective.
+ResolvedLeaves ResolveLeaves(const MeshCells& cells, const RefinedGrid& levels,
+  const CellLabels& ofCells, bool keepsSeam, MeshRun& run);
+
 } // namespace vfm

@@ -15,7 +15,8 @@ constexpr Index SearchRadius = 2; // distance of nodes for FindTarget, in cells
 // Families around that of a node; at least 3 cells around the node.
 constexpr Index NearFamilies = 2;
 
-/// Classifies the cells of a level. The cells of a family (OctreeKeys.h) are all of one class.
+/// Classifies the cells of a level. The cells of a family (OctreeKeys.h) are all of one class,
+/// unless single cells are refined.
 class LevelCells
 {
 public:
@@ -74,13 +75,26 @@ private:
     return at.first->second;
   }
 
+  /// Returns whether a family has a leaf.
+  bool HasLeaf(const Index3& family) const
+  {
+    const bool areAlike = this->Levels.Families().UnitOfSets() == RefinedUnit::Family;
+    bool found = false;
+    for (int c = 0; c < (areAlike ? 1 : 8) && !found; ++c)
+    {
+      const Index3 cell = ChildOfCell(family, c);
+      found = this->Lattice().HasCell(this->Level, cell) && this->IsLeaf(cell);
+    }
+    return found;
+  }
+
   /// Returns whether there is a leaf in a box of families, or in the families around it.
   bool HasLeafAround(const IndexBox& families, Index around) const
   {
     const IndexBox all = ChangeLevel(ChangeLevel(this->Levels.Base().Global(), this->Level), -1);
     bool found = false;
     ForCells(Grow(families, around, all),
-      [&](const Index3& family) { found = found || this->IsLeaf(ChildOfCell(family, 0)); });
+      [&](const Index3& family) { found = found || this->HasLeaf(family); });
     return found;
   }
 

@@ -28,9 +28,8 @@ WidthLimits LimitsOf(const MesherOptions& options, const GridNodes& nodes, const
   {
     ratio = widest[a] > 0.0 ? std::min(ratio, widest[a] / ofInput[a]) : ratio;
   }
-  const bool areTets = options.Elements == ElementKind::Tets; // the finest at all interfaces
   return { ratio, options.AllowedError,
-    areTets ? 0 : CountDoublings(nodes, RepeatingAxes(options)) };
+    UsesTetGen(options) ? 0 : CountDoublings(nodes, RepeatingAxes(options)) };
 }
 
 /// Collective. Plans cells that are as wide as the materials allow.

@@ -169,6 +169,12 @@ struct MesherOptions : MeshSettings, LevelSettings, ConserveOptions, LayerOption
   int NumberOfThreads = 0; ///< used by the code that creates the Runtime
 };
 
+/// Returns whether TetGen makes the elements; it needs the finest cells at all interfaces.
+inline bool UsesTetGen(const MesherOptions& options)
+{
+  return options.Elements == ElementKind::Tets && options.Method == TetMethod::TetGen;
+}
+
 /// Returns whether the domain repeats along each axis.
 inline std::array<bool, 3> RepeatingAxes(const MesherOptions& options)
 {

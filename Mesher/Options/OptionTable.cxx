@@ -377,7 +377,8 @@ OptionTable RefinementOptions()
       "others have Cell Width. A cell is halved while it is wider than the width of a material in "
       "it or next to it, and interfaces run through cells of several widths. auto: cells are as "
       "wide as Allowed Error lets them be, at most Cell Width, or 4 cells of the input. "
-      "Hexahedra; tetrahedra have the smallest width at all interfaces.")
+      "Tetrahedra are those of Cells, also with Lattice; TetGen has the smallest width at all "
+      "interfaces.")
       .InPython("material_widths")
       .Sculptor("--material-widths LIST"),
     Row("AllowedError", Number<&M::AllowedError>(0),
@@ -402,11 +403,10 @@ OptionTable RefinementOptions()
     Row("FineInterfaces", Switch<&M::FineInterfaces>(),
       "All interfaces get the finest cells. Off: each place gets the level of the input or of the "
       "criteria there, and interfaces cross levels. With Coarsen all cells are then as coarse as "
-      "possible. Hexahedra only: tetrahedra at interfaces are always of the finest cells.")
+      "possible. Tetrahedra are those of Cells then, also with Lattice; TetGen always has the "
+      "finest cells at interfaces.")
       .ShownIf("Refinement=Input Levels,Automatic,Coarsen")
-      .Advanced()
-      .NotOfTets()
-      .OfTets("No effect on tetrahedra: all interfaces get the finest cells."),
+      .Advanced(),
     Row("FineLayers", Number<&M::FineLayers>(2, 64),
       "Minimum number of finest cells between an interface and larger cells. If Fine Interfaces is "
       "off: fine cells around the places that Automatic refines.")

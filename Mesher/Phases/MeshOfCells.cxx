@@ -27,13 +27,16 @@ void CheckOptions(const MeshOptions& options, ElementKind elements)
   }
 }
 
-/// Returns whether the grid has at least the required ghost layers and exactly
-/// the required hex layers.
-bool HasLayers(const CartesianGrid& grid, const GridLayers& layers)
+/// Checks that the grid has at least the required ghost layers and exactly the required hex layers.
+void CheckLayers(const CartesianGrid& grid, const LevelPlan& plan)
 {
+  const GridLayers layers = LayersFor(plan);
   const IndexBox needed = Grow(grid.Owned(), layers.Ghosts, grid.Global());
-  return Intersect(needed, grid.Local()) == needed &&
-    grid.HexBox() == Grow(grid.Owned(), layers.Hexes, grid.Global());
+  if (Intersect(needed, grid.Local()) != needed ||
+    grid.HexBox() != Grow(grid.Owned(), layers.Hexes, grid.Global()))
+  {
+    throw std::logic_error("The grid has fewer ghost layers than LayersFor returns.");
+  }
 }
 
 std::unique_ptr<ElementMethod> MakeTetMethod(const MeshCells& cells)
@@ -63,10 +66,7 @@ Mesh MakeHexMesh(const CartesianGrid& grid, const FractionField& fractions,
 {
   CheckOptions(options, ElementKind::Hexes);
   report = MeshReport();
-  if (!HasLayers(grid, LayersFor(options.Levels)))
-  {
-    throw std::logic_error("The grid has fewer ghost layers than LayersFor returns.");
-  }
+  CheckLayers(grid, options.Levels);
   const MeshCells cells{ grid, fractions, options };
   HexMethod method(cells);
   MeshRun run(grid, runtime, report);
@@ -84,7 +84,15 @@ Mesh MakeTetMesh(const CartesianGrid& grid, const FractionField& fractions,
   }
   report = MeshReport();
   MeshOptions own = options;
-  own.Levels.FineInterfaces = true; // tets support no other setting
+  if (own.Method == TetMethod::TetGen)
+  {
+    own.Levels.FineInterfaces = true; // it supports no other setting
+  }
+  else if (InterfacesCrossLevels(own))
+  {
+    own.Method = TetMethod::Cells; // labels belong to leaves
+    CheckLayers(grid, own.Levels);
+  }
   const MeshCells cells{ grid, fractions, own };
   const std::unique_ptr<ElementMethod> method = MakeTetMethod(cells);
   MeshRun run(grid, runtime, report);

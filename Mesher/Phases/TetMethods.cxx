@@ -111,25 +111,11 @@ TetMethodBase::TetMethodBase(const MeshCells& cells) :
 Draft TetMethodBase::Make(const MeshCells& cells, MeshRun& run)
 {
   run.Clock.SetShare(this->Kind == TetMethod::TetGen ? ShareBeforeTetGen : 1.0);
-  ResolvedCells resolved = ResolveCells(cells, false, run);
-  this->Labels = std::move(resolved.Labels);
-  this->Thin = std::move(resolved.Thin);
-  run.Clock.Start("Making tetrahedra", 0.1);
-  this->Mixed = FindMixedNodes(cells.Grid, this->Labels);
-  this->StartTets(cells, run);
-  const NarrowVoid narrow = FindBarrier(
-    cells.Options, RefinedGrid(cells.Grid, run.Group()), this->Labels, this->Mixed, run.TheRuntime);
-  std::vector<Index> crossed;
-  if (cells.Options.Levels.Refinements > 0)
-  {
-    crossed = this->FindCrossedNodes(cells);
-    if (!narrow.IsEmpty())
-    {
-      AddCorners(narrow, cells.Grid, crossed);
-    }
-  }
-  const std::shared_ptr<const RefinedGrid> levels = MakeLevelsOfCells(cells, crossed, run.Group());
-  const CoarseTets coarse(*levels, this->Labels, cells.Options.MeshVoid, run.Group());
+  NarrowVoid narrow;
+  const std::shared_ptr<const RefinedGrid> levels = InterfacesCrossLevels(cells.Options)
+    ? this->LabelLeaves(cells, run, narrow)
+    : this->LabelCells(cells, run, narrow);
+  const CoarseTets coarse(*levels, this->Labels, cells.Options.MeshVoid, narrow, run.Group());
   run.Report.NarrowVoidCells = SumOverRanks(narrow.CountOwned(), run.Group());
   TetTopology topology = this->BuildTets(cells, narrow, coarse, run);
   run.Clock.Start("Finding fragments", 0.15);
@@ -149,6 +135,46 @@ Draft TetMethodBase::Make(const MeshCells& cells, MeshRun& run)
     .IsThin = std::move(isThin) };
 }
 
+/// Makes labels of cells, then levels whose finest cells are at all interfaces.
+std::shared_ptr<const RefinedGrid> TetMethodBase::LabelCells(
+  const MeshCells& cells, MeshRun& run, NarrowVoid& narrow)
+{
+  ResolvedCells resolved = ResolveCells(cells, false, run);
+  this->Labels = std::move(resolved.Labels);
+  this->Thin = std::move(resolved.Thin);
+  run.Clock.Start("Making tetrahedra", 0.1);
+  this->Mixed = FindMixedNodes(cells.Grid, this->Labels);
+  this->StartTets(cells, run);
+  narrow = FindBarrier(
+    cells.Options, RefinedGrid(cells.Grid, run.Group()), this->Labels, this->Mixed, run.TheRuntime);
+  std::vector<Index> crossed;
+  if (cells.Options.Levels.Refinements > 0)
+  {
+    crossed = this->FindCrossedNodes(cells);
+    if (!narrow.IsEmpty())
+    {
+      AddCorners(narrow, cells.Grid, crossed);
+    }
+  }
+  return MakeLevelsOfCells(cells, crossed, run.Group());
+}
+
+/// Makes levels, then labels of leaves.
+std::shared_ptr<const RefinedGrid> TetMethodBase::LabelLeaves(
+  const MeshCells& cells, MeshRun& run, NarrowVoid& narrow)
+{
+  run.Clock.Start("Assigning materials", 0.0);
+  std::shared_ptr<const RefinedGrid> levels = MakeLevelsOfCells(cells, {}, run.Group());
+  ResolvedLeaves resolved =
+    ResolveLeaves(cells, *levels, LabelCellsOfLeaves(cells, run), false, run);
+  this->Labels = std::move(resolved.Labels);
+  this->Thin = std::move(resolved.Thin);
+  run.Clock.Start("Making tetrahedra", 0.1);
+  this->Mixed = FindMixedNodes(cells.Grid, this->Labels);
+  narrow = FindBarrier(cells.Options, *levels, this->Labels, this->Mixed, run.TheRuntime);
+  return levels;
+}
+
 ActiveMesh& TetMethodBase::MakeActive(const MeshCells& cells, MeshRun& run, Draft& draft)
 {
   this->Active = MakeActiveTets(draft.Elements, this->Positions, draft.Barrier, draft.IsThin,
@@ -165,8 +191,7 @@ std::unique_ptr<LevelInterfaces> TetMethodBase::FindInterfaces(
 
 void TetMethodBase::Attach(const LevelInterfaces& interfaces, const Draft& draft, MeshRun& run)
 {
-  AttachTets(*interfaces.All().back(), draft.Elements, draft.Facets, this->Kind, run.TheRuntime,
-    this->Active);
+  AttachTets(interfaces, draft.Elements, draft.Facets, this->Kind, run.TheRuntime, this->Active);
 }
 
 SmoothingRamp TetMethodBase::Ramp(const MeshCells& cells) const
@@ -255,6 +280,11 @@ FragmentVolumes CellsMethod::FindFragments(
   FragmentVolumes volumes = VolumesOfCells(cells.Grid, cells.Fractions, *topology.Tets.Levels,
     this->Labels, fragments, cells.Options.LeavesFar, run.TheRuntime);
   FillFragments(cells.Grid, fragments, topology.Tets);
+  if (!topology.Tets.Levels->HasFineInterfaces())
+  {
+    volumes.SetStart(
+      MeasureFragments(topology.Tets, cells.Grid, fragments.NumberOfFragments(), run.TheRuntime));
+  }
   return volumes;
 }
 
@@ -278,7 +308,18 @@ void CellsMethod::AfterSweep(const SmoothingStage& stage, int sweep, Smoother& s
 {
   if (stage.HalfPower < TetRamp().back().HalfPower || sweep % LateFlips == LateFlips - 1)
   {
-    this->Flips->Run(stage, [&](int point) { smoother.MarkForUpdate(point); });
+    this->Flips->Run(stage,
+      [&](int point)
+      {
+        if (this->Flips->CrossLevels())
+        {
+          smoother.MarkPoint(point);
+        }
+        else
+        {
+          smoother.MarkForUpdate(point);
+        }
+      });
   }
 }
 

@@ -48,6 +48,13 @@ protected:
   virtual FragmentVolumes FindFragments(
     const MeshCells& cells, MeshRun& run, TetTopology& topology) = 0;
 
+private:
+  std::shared_ptr<const RefinedGrid> LabelCells(
+    const MeshCells& cells, MeshRun& run, NarrowVoid& narrow);
+  std::shared_ptr<const RefinedGrid> LabelLeaves(
+    const MeshCells& cells, MeshRun& run, NarrowVoid& narrow);
+
+protected:
   const TetMethod Kind;
   TetEnergy TheEnergy;
   LabelArray Labels;

@@ -42,18 +42,21 @@ std::vector<Vector3> WidthsOfCells(
   return widths;
 }
 
-std::vector<Vector3> WidthsOfHexes(
-  const RefinedGrid& levels, const Mesh& mesh, const std::vector<Index>& hexes)
+std::vector<Vector3> WidthsOfLeaves(
+  const RefinedGrid& levels, const Mesh& mesh, const std::vector<Index>& elements)
 {
   const CartesianGrid& grid = levels.Finest();
+  const Index slots = mesh.Ids.ElementSlots;
+  const bool areHexes = AreHexes(mesh.Corners);
   std::vector<Vector3> widths;
-  widths.reserve(hexes.size());
-  for (Index hex : hexes)
+  widths.reserve(elements.size());
+  for (Index element : elements)
   {
-    const Index id = mesh.ElementIds[hex];
-    if (IsCoarseElement(levels, id, mesh.Ids.ElementSlots))
+    const Index id = mesh.ElementIds[element];
+    if (areHexes ? IsCoarseElement(levels, id, slots) : IsCoarseTet(levels, id, slots))
     {
-      const OctreeKeys::LevelIndex cell = CellOfCoarseElement(levels, id, mesh.Ids.ElementSlots);
+      const OctreeKeys::LevelIndex cell =
+        areHexes ? CellOfCoarseElement(levels, id, slots) : CellOfCoarseTet(levels, id, slots);
       widths.push_back((1.0 / grid.MeanWidth()) * levels.Lattice().CellWidths(cell.Level, cell.At));
     }
     else

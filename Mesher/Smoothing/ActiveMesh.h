@@ -273,9 +273,9 @@ unsigned char FixedOnSides(int sides);
 /// @param elements  indices in the mesh
 std::vector<Vector3> WidthsOfCells(
   const CartesianGrid& grid, const Mesh& mesh, const std::vector<Index>& elements);
-/// Returns ActiveMesh::Widths of hexes of any level: widths of the cell that each hex is or
-/// lies in.
-std::vector<Vector3> WidthsOfHexes(
-  const RefinedGrid& levels, const Mesh& mesh, const std::vector<Index>& hexes);
+/// Returns ActiveMesh::Widths of elements of any level: widths of the cell to which each element
+/// belongs.
+std::vector<Vector3> WidthsOfLeaves(
+  const RefinedGrid& levels, const Mesh& mesh, const std::vector<Index>& elements);
 
 } // namespace vfm

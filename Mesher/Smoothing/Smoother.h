@@ -53,6 +53,8 @@ public:
 
   /// Marks a point and its neighbours for the next sweep.
   void MarkForUpdate(int point) { this->MarkNeighbours(point); }
+  /// Marks a point alone.
+  void MarkPoint(int point) { this->Mark(point); }
 
   /// Function that returns whether an attachment may have a long offset, up to a cell width.
   using HasLongOffset = std::function<bool(const Attachment&)>;

@@ -195,19 +195,17 @@ std::string FindLabelProblem(const FuzzCase& c, const Mesh& mesh)
 }
 
 /// Checks that the mesh has the fragments of its cells, that the same pairs of them touch, and that
-/// no tet of the lattice has all points on interfaces or sides. Not if interfaces cross levels:
-/// then poor hexes refine cells further, so the cells are not known.
+/// no tet of the lattice has all points on interfaces or sides. If interfaces cross levels, the
+/// cells are not known: poor hexes refine them further.
 std::string FindTruthProblem(const FuzzCase& c, const Mesh& mesh, Index locked)
 {
-  if (c.Make == MakeHexMesh && InterfacesCrossLevels(c.Options))
-  {
-    return "";
-  }
-  MeshOptions options = c.Options;
-  options.Levels.FineInterfaces = options.Levels.FineInterfaces || c.Make == MakeTetMesh;
-  const std::string problem =
-    FindCellProblem(c.Grid, mesh, MakeCells(c.Grid, c.Fractions, options));
   const bool mayLock = c.Make == MakeHexMesh || c.Options.Method == TetMethod::TetGen;
+  const bool isTetGen = mayLock && c.Make != MakeHexMesh;
+  MeshOptions options = c.Options;
+  options.Levels.FineInterfaces = options.Levels.FineInterfaces || isTetGen;
+  const std::string problem = InterfacesCrossLevels(options)
+    ? ""
+    : FindCellProblem(c.Grid, mesh, MakeCells(c.Grid, c.Fractions, options));
   const bool hasLaw =
     c.Make == MakeHexMesh && c.Options.Levels.Refinements == 0 && !c.Options.StairStep;
   return FirstOf({ problem, hasLaw ? FindLabelProblem(c, mesh) : "",

@@ -193,9 +193,8 @@ void DrawPlan(RandomDraw& draw, FuzzCase& c)
   LevelPlan& plan = c.Options.Levels;
   plan.FineInterfaces = draw.Chance(0.4);
   plan.FineLayers = draw.Pick({ 2, 2, 3, 5 });
-  c.Words += plan.FineInterfaces || c.Make != MakeHexMesh
-    ? ", " + std::to_string(plan.FineLayers) + " fine layers"
-    : ", crossing";
+  c.Words +=
+    plan.FineInterfaces ? ", " + std::to_string(plan.FineLayers) + " fine layers" : ", crossing";
 }
 
 void DrawBoxes(const Extent& extent, RandomDraw& draw, FuzzCase& c)

@@ -36,7 +36,8 @@ void AddCopies(const MesherOptions& options, FuzzCase& c)
   c.Grid = std::move(fields.Grid);
   c.Fractions = std::move(fields.Field.Fractions);
   plan.Families = std::move(fields.Families);
-  plan.FineInterfaces |= c.Make == MakeTetMesh; // tets support nothing else
+  plan.FineInterfaces |=
+    c.Make == MakeTetMesh && c.Options.Method == TetMethod::TetGen; // it supports nothing else
   if (InterfacesCrossLevels(c.Options))
   {
     WidenGrid(LayersFor(plan), alone.Group(), c.Grid, c.Fractions);

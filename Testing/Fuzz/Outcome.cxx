@@ -20,8 +20,8 @@ void CopyText(const std::string& from, char (&to)[Size])
 
 std::string MethodOf(const FuzzCase& c)
 {
-  return c.Make == MakeTetMesh ? NameOf(c.Options.Method)
-                               : (InterfacesCrossLevels(c.Options) ? "hexes crossing" : "hexes");
+  const std::string elements = c.Make == MakeTetMesh ? NameOf(c.Options.Method) : "hexes";
+  return elements + (InterfacesCrossLevels(c.Options) ? " crossing" : "");
 }
 
 Outcome DescribeCase(unsigned seed, const FuzzCase& c)

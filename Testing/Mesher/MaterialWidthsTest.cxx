@@ -1,5 +1,8 @@
 /// Meshes with widths of materials: given and automatic, on ranks, periodic, and with state.
 #include "Levels/NewCells.h"
+#include "MeshChecks.h"
+#include "Octree/RefinedGrid.h"
+#include "Phases/MeshOfCells.h"
 #include "WideCases.h"
 
 #include <gtest/gtest.h>
@@ -66,6 +69,32 @@ TEST(MaterialWidthsOfMeshes, EachMaterialGetsItsWidth)
   const std::size_t elements = result.TheMesh.ElementIds.size();
   EXPECT_LT(elements, count(MesherOptions()));
   EXPECT_GT(elements, count(OptionsOf("", "0.2")));
+}
+
+/// Their interfaces cross levels, except those of TetGen.
+TEST(MaterialWidthsOfMeshes, TetsHaveWidthsToo)
+{
+  Runtime serial;
+  MesherOptions options = OptionsOf("2=0.1", "0.2");
+  options.Elements = ElementKind::Tets;
+  const auto count = [&](const MesherOptions& given)
+  { return RunMesher(MakeGrainsInput(serial.Group()), given, serial).TheMesh.ElementIds.size(); };
+  const MesherResult result = RunMesher(MakeGrainsInput(serial.Group()), options, serial);
+  ExpectVolumes(result);
+  EXPECT_EQ(FindTopologyProblem(result.TheMesh), "");
+  EXPECT_GT(SmallestCornerDeterminant(result.TheMesh), 0.0);
+  EXPECT_GT(result.Report.MinimumDihedralAngle, 28.0);
+  const std::size_t elements = result.TheMesh.ElementIds.size();
+  MesherOptions wide = OptionsOf("", "0.2"), narrow = OptionsOf("", "0.1");
+  wide.Elements = narrow.Elements = ElementKind::Tets;
+  EXPECT_GT(elements, count(wide));
+  EXPECT_LT(elements, count(narrow));
+  if (HasTetGen())
+  {
+    options.Method = TetMethod::TetGen;
+    const MesherResult filled = RunMesher(MakeGrainsInput(serial.Group()), options, serial);
+    EXPECT_TRUE(filled.TheMesh.Levels == nullptr || filled.TheMesh.Levels->HasFineInterfaces());
+  }
 }
 
 TEST(MaterialWidthsOfMeshes, OneWidthForAllIsCellWidth)

@@ -273,6 +273,7 @@ INSTANTIATE_TEST_SUITE_P(Methods, PeriodicMesher,
     Method{ "FlatHexesAcrossLevels", ElementKind::Hexes, Sides::Flat, true, false },
     Method{ "FreeHexesAcrossLevels", ElementKind::Hexes, Sides::Free, true, false },
     Method{ "FlatTetsOfLevels", ElementKind::Tets, Sides::Flat, true },
+    Method{ "FlatTetsAcrossLevels", ElementKind::Tets, Sides::Flat, true, false },
     Method{ "FlatLayers", ElementKind::Hexes, Sides::Flat, false, true, 3 },
     Method{ "FreeLayers", ElementKind::Hexes, Sides::Free, false, true, 2 }),
   [](const auto& info) { return std::string(info.param.Name); });
@@ -326,6 +327,7 @@ INSTANTIATE_TEST_SUITE_P(Elements, JoinedMesher,
     Method{ "HexesOfLevels", ElementKind::Hexes, Sides::Joined, true },
     Method{ "HexesAcrossLevels", ElementKind::Hexes, Sides::Joined, true, false },
     Method{ "TetsOfLevels", ElementKind::Tets, Sides::Joined, true },
+    Method{ "TetsAcrossLevels", ElementKind::Tets, Sides::Joined, true, false },
     Method{ "Layers", ElementKind::Hexes, Sides::Joined, false, true, 2 }),
   [](const auto& info) { return std::string(info.param.Name); });
 

@@ -14,7 +14,7 @@ struct NoCoarseTets
 {
   NoCoarseTets(const CartesianGrid& grid, Runtime& runtime) :
     Levels(std::make_shared<const RefinedGrid>(grid, runtime.Group())),
-    Tets(*this->Levels, this->Labels, false, runtime.Group())
+    Tets(*this->Levels, this->Labels, false, NarrowVoid(), runtime.Group())
   {
   }
 

@@ -174,7 +174,8 @@ RankMesh MakeOnRanks(const CartesianGrid& whole, const FractionField& field,
   const std::vector<IndexBox>& boxes, const MeshOptions& options, MeshMaker make,
   const RankMeshChange& change)
 {
-  const GridLayers layers = make == MakeTetMesh ? GridLayers() : LayersFor(options.Levels);
+  const bool isTetGen = make == MakeTetMesh && options.Method == TetMethod::TetGen;
+  const GridLayers layers = isTetGen ? GridLayers() : LayersFor(options.Levels);
   const int count = static_cast<int>(boxes.size());
   std::vector<Mesh> meshes(count);
   RankMesh made;

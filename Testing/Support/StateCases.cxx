@@ -87,7 +87,7 @@ StateOutcome TransferOnThreads(const StateCase& c)
 
 StateOutcome TransferOnRanks(const StateCase& c, const std::vector<IndexBox>& boxes)
 {
-  const GridLayers layers = c.Make == MakeHexMesh ? LayersFor(c.Options.Levels) : GridLayers();
+  const GridLayers layers = LayersFor(c.Options.Levels);
   std::vector<StateOutcome> outcomes(boxes.size());
   RunOnRanks(static_cast<int>(boxes.size()),
     [&](Ranks& ranks)

@@ -279,7 +279,8 @@ def hexes(
         the input. All others have `cell_width`. A cell is halved while it is wider than the width
         of a material in it or next to it, and interfaces run through cells of several widths. auto:
         cells are as wide as `allowed_error` lets them be, at most `cell_width`, or 4 cells of the
-        input. Hexahedra; tetrahedra have the smallest width at all interfaces.
+        input. Tetrahedra are those of Cells, also with Lattice; TetGen has the smallest width at
+        all interfaces.
     allowed_error : float, default 0.5
         A number, 0 or more. Distance that surfaces may be from those of the input, in cells of the
         input, if `material_widths` is auto.
@@ -297,7 +298,8 @@ def hexes(
     fine_interfaces : bool, default True
         All interfaces get the finest cells. False: each place gets the level of the input or of the
         criteria there, and interfaces cross levels. With "coarsen" all cells are then as coarse as
-        possible. Hexahedra only: tetrahedra at interfaces are always of the finest cells.
+        possible. Tetrahedra are those of Cells then, also with Lattice; TetGen always has the
+        finest cells at interfaces.
     fine_layers : int, default 2
         An integer from 2 to 64. Minimum number of finest cells between an interface and larger
         cells. If `fine_interfaces` is off: fine cells around the places that "automatic" refines.

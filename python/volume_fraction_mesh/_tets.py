@@ -142,8 +142,6 @@ def tets(
         the surface, which gives the best mesh. "geometry_based": surface nodes stay on the facets
         of the initial surface. "off": the nodes stay at their initial positions; valid, but not
         smooth.
-    fine_interfaces : bool, default True
-        No effect on tetrahedra: all interfaces get the finest cells.
     fine_layers : int, default 2
         An integer from 2 to 64. Finest cells between an interface and larger cells. With 2, Lattice
         has them only at nodes of interfaces, which differ by a few hundredths of a cell from those
@@ -165,13 +163,13 @@ def tets(
         Option of `hexes`, with the same default.
     conserve_volume, cell_width, material_widths, allowed_error, refinement : see hexes
         Option of `hexes`, with the same default.
-    maximum_level, thin_cells, curvature_per_cell, refine_flipped_cells : see hexes
+    maximum_level, fine_interfaces, thin_cells, curvature_per_cell : see hexes
         Option of `hexes`, with the same default.
-    interface_layers, maximum_aspect_ratio, child_fractions, split_interfaces : see hexes
+    refine_flipped_cells, interface_layers, maximum_aspect_ratio, child_fractions : see hexes
         Option of `hexes`, with the same default.
-    split_connection, layers, layer_growth, first_layer, first_layer_unit : see hexes
+    split_interfaces, split_connection, layers, layer_growth, first_layer : see hexes
         Option of `hexes`, with the same default.
-    layer_interfaces, layers_on, layer_sides, threads : see hexes
+    first_layer_unit, layer_interfaces, layers_on, layer_sides, threads : see hexes
         Option of `hexes`, with the same default.
 
     Returns

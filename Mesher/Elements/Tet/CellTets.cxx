@@ -50,11 +50,9 @@ int SlotsOf(const RefinedGrid& levels, const TetCells& cells, const IndexBox& bo
 PointPosition PositionOf(
   const CartesianGrid& grid, const LabelArray& labels, const Index3& p, Index node)
 {
-  const std::array<int, 8> star = StarOfNode(grid, labels, node);
-  const bool mixed =
-    std::any_of(star.begin(), star.end(), [&](int label) { return label != star[0]; });
-  return mixed ? PointPosition::OnInterface
-               : (grid.DomainSides(p) != 0 ? PointPosition::OnDomain : PointPosition::Inside);
+  return IsMixedStar(StarOfNode(grid, labels, node))
+    ? PointPosition::OnInterface
+    : (grid.DomainSides(p) != 0 ? PointPosition::OnDomain : PointPosition::Inside);
 }
 
 /// Calls body(face) for the faces of a row of blocks whose cells are all fine and in the box, in

@@ -50,9 +50,9 @@ int HubOf(const Index3& cell, int side)
 
 } // namespace
 
-CoarseTets::CoarseTets(
-  const RefinedGrid& grid, const LabelArray& labels, bool meshVoid, Ranks& ranks) :
-  Grid(grid), Labels(labels), MeshVoid(meshVoid)
+CoarseTets::CoarseTets(const RefinedGrid& grid, const LabelArray& labels, bool meshVoid,
+  const NarrowVoid& narrow, Ranks& ranks) :
+  Grid(grid), Labels(labels), MeshVoid(meshVoid), Narrow(&narrow)
 {
   if (grid.IsUniform())
   {
@@ -65,6 +65,7 @@ CoarseTets::CoarseTets(
     [&](const Index3& cell) {
       this->AddLeaves({ 0, cell, 0 }, region);
     });
+  this->Narrow = nullptr;
   std::sort(
     this->Tets.begin(), this->Tets.end(), [](const Tet& a, const Tet& b) { return a.Id < b.Id; });
   for (const Tet& tet : this->Tets)
@@ -101,13 +102,32 @@ void CoarseTets::AddLeaves(const Cell& cell, const IndexBox& region)
 
 void CoarseTets::AddTetsOf(const Cell& leaf)
 {
+  const int label = this->LabelOf(this->KnownCell(leaf));
+  for (int side = 0; side < 6; ++side)
+  {
+    const Face face = this->FaceOf(leaf, side);
+    if (label != NoTets)
+    {
+      this->AddTetsOfFace(face, label);
+    }
+    this->AddFinestBeyond(face);
+  }
+}
+
+/// Returns a finest cell of a leaf in HexBox, or -1 if there is none.
+Index CoarseTets::KnownCell(const Cell& leaf) const
+{
   const CartesianGrid& finest = this->Grid.Finest();
   const IndexBox known = Intersect(this->Grid.FinestCells(leaf.Level, leaf.At), finest.HexBox());
-  const int label = this->Labels[finest.Linear(known.Lower)];
-  for (int side = 0; side < 6 && IsMeshed(label, this->MeshVoid); ++side)
-  {
-    this->AddTetsOfFace(this->FaceOf(leaf, side), label);
-  }
+  return known.NumberOfCells() > 0 ? finest.Linear(known.Lower) : -1;
+}
+
+/// Returns the label of a finest cell, or NoTets if its leaf gets no tets.
+int CoarseTets::LabelOf(Index cell) const
+{
+  const int label = this->Labels[cell];
+  const bool hasTets = IsMeshed(label, this->MeshVoid) || (label == 0 && this->Narrow->Has(cell));
+  return hasTets ? label : NoTets;
 }
 
 void CoarseTets::AddTetsOfFace(const Face& face, int label)
@@ -120,7 +140,6 @@ void CoarseTets::AddTetsOfFace(const Face& face, int label)
   if (isInside && IsRefined(this->Grid, beyond))
   {
     this->AddAroundCentre(face, label);
-    this->AddFinestBeyond(face, label);
   }
   else if (isInside && leaf.Level > 0 &&
     !IsRefined(this->Grid, { leaf.Level - 1, ParentOfCell(at), 0 }))
@@ -129,20 +148,41 @@ void CoarseTets::AddTetsOfFace(const Face& face, int label)
   }
   else if (!isInside || this->IsOnFlatSeam(leaf, face.Side))
   {
-    const bool isHalved = std::any_of(face.Midpoints.begin(), face.Midpoints.end(),
-      [](Index midpoint) { return midpoint != NoPoint; });
-    if (isHalved)
-    {
-      this->AddAroundCentre(face, label);
-    }
-    else
-    {
-      this->AddHalves(face, this->BoundaryDiagonal(leaf, face.Side), label);
-    }
+    this->AddOneSided(face, label);
   }
-  else if (isUpper)
+  else
+  {
+    this->AddBetween(face, beyond, label);
+  }
+}
+
+/// Adds the tets at a face between two leaves of one level, unless this rank does not know both.
+void CoarseTets::AddBetween(const Face& face, const Cell& beyond, int label)
+{
+  const Index cell = this->KnownCell(beyond);
+  if (cell >= 0 && this->Labels[cell] != this->Labels[this->KnownCell(face.Leaf)])
+  {
+    this->AddOneSided(face, label);
+  }
+  else if (cell >= 0 && face.Side % 2 == 1 && this->LabelOf(cell) != NoTets)
   {
     this->AddInner(face, this->CentreOf(beyond), label);
+  }
+}
+
+/// Adds the tets between the centre of a leaf and a face that another cell of its size, if there is
+/// one, divides in the same way.
+void CoarseTets::AddOneSided(const Face& face, int label)
+{
+  const bool isHalved = std::any_of(face.Midpoints.begin(), face.Midpoints.end(),
+    [](Index midpoint) { return midpoint != NoPoint; });
+  if (isHalved)
+  {
+    this->AddAroundCentre(face, label);
+  }
+  else
+  {
+    this->AddHalves(face, this->BoundaryDiagonal(face.Leaf, face.Side), label);
   }
 }
 
@@ -188,20 +228,27 @@ void CoarseTets::AddHalves(const Face& face, int first, int label)
 }
 
 /// Adds the tets of finest cells beyond a face, which the methods of finest tets do not make.
-void CoarseTets::AddFinestBeyond(const Face& face, int label)
+void CoarseTets::AddFinestBeyond(const Face& face)
 {
   const int level = face.Leaf.Level + 1, axis = face.Side / 2, isUpper = face.Side % 2;
-  if (level < this->Grid.NumberOfRefinements())
+  const Index3 beyond = Plus(face.Leaf.At, axis, isUpper ? 1 : -1);
+  if (level < this->Grid.NumberOfRefinements() ||
+    !this->Grid.Lattice().HasCell(level - 1, beyond) ||
+    !IsRefined(this->Grid, { level - 1, beyond, 0 }))
   {
     return;
   }
-  const Index3 beyond = Plus(face.Leaf.At, axis, isUpper ? 1 : -1);
   for (int c = 0; c < 8; ++c)
   {
     if ((c >> axis & 1) != isUpper)
     {
       const Face finest = this->FaceOf({ level, ChildOfCell(beyond, c), 0 }, face.Side ^ 1);
-      this->AddHalves(finest, HubOf(finest.Leaf.At, finest.Side), label);
+      const Index cell = this->KnownCell(finest.Leaf);
+      const int label = cell < 0 ? NoTets : this->LabelOf(cell);
+      if (label != NoTets)
+      {
+        this->AddHalves(finest, HubOf(finest.Leaf.At, finest.Side), label);
+      }
     }
   }
 }
@@ -297,6 +344,13 @@ PointPosition CoarseTets::KindOf(Index id) const
     return PointPosition::Inside;
   }
   const Cell node = this->Grid.Lattice().NodeOfKey(KeyOfPoint(this->Grid, id, TetIds.PointSlots));
+  const CartesianGrid& finest = this->Grid.Finest();
+  const Index3 at = this->Grid.FinestNode(node.Level, node.At);
+  if (!this->Grid.HasFineInterfaces() &&
+    IsMixedStar(StarOfNode(finest, this->Labels, finest.Linear(at))))
+  {
+    return PointPosition::OnInterface;
+  }
   return this->Grid.Lattice().DomainSides(node.Level, node.At) != 0 ? PointPosition::OnDomain
                                                                     : PointPosition::Inside;
 }

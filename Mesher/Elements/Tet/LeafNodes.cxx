@@ -65,6 +65,22 @@ bool HasMidpoint(
   return has;
 }
 
+int FinestLevelAt(const RefinedGrid& levels, const Index3& node)
+{
+  int level = levels.Lattice()
+                .NodeOfKey(levels.Lattice().LatticeKey(levels.NumberOfRefinements(), node))
+                .Level;
+  for (int c = 0; c < 8; ++c)
+  {
+    const Index3 cell = CellOfStar(node, c);
+    if (levels.Finest().InDomain(cell))
+    {
+      level = std::max(level, levels.LeafOf(cell).Level);
+    }
+  }
+  return level;
+}
+
 bool IsNearDistantVertex(const RefinedGrid& levels, const Index3& node)
 {
   bool isNear = false;

@@ -21,6 +21,10 @@ bool IsFineVertex(const RefinedGrid& levels, const Index3& node);
 bool HasMidpoint(
   const RefinedGrid& levels, const OctreeKeys::LevelIndex& leaf, int corner, int next);
 
+/// Returns the level of the smallest cells of which a node of the finest grid is a corner: that of
+/// the leaves around it, or one more if it is only between their corners.
+int FinestLevelAt(const RefinedGrid& levels, const Index3& node);
+
 /// Returns whether a corner of finest cells may share a tet of larger cells with another one that
 /// is not next to it. Such points may have the same colour.
 bool IsNearDistantVertex(const RefinedGrid& levels, const Index3& node);

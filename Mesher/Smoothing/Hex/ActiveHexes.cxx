@@ -89,7 +89,7 @@ ActiveMesh MakeActiveHexes(const LabelledGrid& labelled, const Partition& partit
     builder.Finish(partition, CopiesOfMovers(mesh), colours * (levels.NumberOfRefinements() + 1),
       hasPlanes ? ActiveMeshBuilder::Nodes::OfGrid : ActiveMeshBuilder::Nodes::Any);
   active.Widths = levels.HasFineInterfaces() ? WidthsOfCells(levels.Finest(), mesh, hexes)
-                                             : WidthsOfHexes(levels, mesh, hexes);
+                                             : WidthsOfLeaves(levels, mesh, hexes);
   active.SetBarrier(mesh, { !labelled.Narrow.IsEmpty() }, hexes);
   active.SetYielding(mesh, isThin, hexes);
   active.PlacePoints(levels.Finest(), mesh);

@@ -133,7 +133,7 @@ void SmoothCoarse(const CoarseHexes& coarse, const std::vector<unsigned char>& i
   ActiveMesh active =
     builder.Finish(partition, CopiesOfAnchors(levels.Lattice(), { { width, width, width } }),
       8 * levels.NumberOfRefinements());
-  active.Widths = WidthsOfHexes(levels, mesh, hexes);
+  active.Widths = WidthsOfLeaves(levels, mesh, hexes);
   active.PlacePoints(levels.Finest(), mesh);
   for (std::size_t p = 0; p < active.MeshPoint.size(); ++p)
   {

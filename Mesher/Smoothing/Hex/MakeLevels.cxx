@@ -1,7 +1,6 @@
 #include "Smoothing/Hex/MakeLevels.h"
 
 #include "Elements/ResolveCells.h"
-#include "Labels/LeafLabels.h"
 #include "Smoothing/Hex/TransitionSmoothing.h"
 
 namespace vfm
@@ -99,27 +98,6 @@ bool AddFlippedFamilies(
   return ranks.Any(found);
 }
 
-/// Gives leaves of the finest level the labels of thin parts; larger leaves keep their labels.
-/// Returns these leaves.
-/// @param thin  cells of thin parts; thinLabels: their labels
-std::vector<ThinCell> LabelThinLeaves(const RefinedGrid& levels, const std::vector<ThinCell>& thin,
-  const LabelArray& thinLabels, LabelArray& labels)
-{
-  const CartesianGrid& grid = levels.Finest();
-  const LabelUnits units(grid, &levels);
-  std::vector<ThinCell> leaves;
-  for (const ThinCell& cell : thin)
-  {
-    const IndexBox cells = units.CellsOf(units.UnitOf(grid.Position(cell.Cell)));
-    if (cells.NumberOfCells() == 1)
-    {
-      FillLabels(grid, cells, thinLabels[cell.Cell], labels);
-      leaves.push_back(cell);
-    }
-  }
-  return leaves;
-}
-
 /// Makes levels and labels of leaves where interfaces may cross levels. Refines leaves until a
 /// valid mesh starts everywhere.
 void LabelLeaves(const MeshCells& cells, MeshRun& run, LabelledGrid& result)
@@ -128,21 +106,14 @@ void LabelLeaves(const MeshCells& cells, MeshRun& run, LabelledGrid& result)
   const MeshOptions& options = cells.Options;
   LevelPlan plan = options.Levels;
   plan.Families.resize(plan.Refinements);
-  const LabelArray ofCells = AssignMaterials(grid, cells.Fractions, options.IsoValue);
-  LabelArray thinLabels = KeepsThinParts(options) ? ofCells : LabelArray();
-  const std::vector<ThinCell> thin = LabelThinCells(cells, run, thinLabels);
+  const CellLabels ofCells = LabelCellsOfLeaves(cells, run);
   for (;; ++run.Report.LevelRounds)
   {
     MakeGrid(grid, plan, {}, run.Group(), result.Levels);
     const RefinedGrid& levels = *result.Levels.Grid;
-    result.Labels = AssignLeafMaterials(levels, cells.Fractions, ofCells, options.IsoValue);
-    const std::vector<ThinCell> leaves = LabelThinLeaves(levels, thin, thinLabels, result.Labels);
-    ReportThinCells(cells, leaves, run);
-    result.Thin = CellsOf(leaves);
-    const ResolveReport resolved =
-      ResolveLabels(grid, WithClaims(cells.Fractions, thinLabels, leaves).Field(), result.Labels,
-        run.Parts, run.TheRuntime, &levels, true);
-    ReportFlips(resolved, run.Report);
+    ResolvedLeaves resolved = ResolveLeaves(cells, levels, ofCells, true, run);
+    result.Labels = std::move(resolved.Labels);
+    result.Thin = std::move(resolved.Thin);
     if (run.Report.LevelRounds < FlipRounds &&
       AddFlippedFamilies(levels, resolved.CostlyFlips, plan, run.Group()))
     {

@@ -45,6 +45,10 @@ bool IsOwned(
 bool IsFixed(const Mesh& mesh, Index id)
 {
   const RefinedGrid& levels = *mesh.Levels;
+  if (!levels.HasFineInterfaces())
+  {
+    return false;
+  }
   if (levels.IsUniform() || IsCoarsePoint(levels, id, mesh.Ids.PointSlots))
   {
     return !levels.IsUniform();
@@ -92,6 +96,32 @@ void ReceiveMoving(const CartesianGrid& grid, const Mesh& mesh, const Partition&
   }
 }
 
+/// Returns a mover. If interfaces cross levels, its colour is one of its level: a vertex has the
+/// level of its coarsest cells and moves with the centre below which it is. A tet has points of
+/// different nodes of one level only at neighbouring nodes.
+Mover MoverOf(const Mesh& mesh, const CartesianGrid& grid, Index point)
+{
+  const Index id = mesh.PointIds[point], slots = mesh.Ids.PointSlots;
+  const Index3 node = NodeOfPoint(grid, mesh, id);
+  const RefinedGrid& levels = *mesh.Levels;
+  if (levels.HasFineInterfaces())
+  {
+    return { point, id, (id - 1) / slots, node, grid.Colour(node) };
+  }
+  OctreeKeys::LevelIndex at{ levels.NumberOfRefinements(), node, 0 };
+  if (IsCoarsePoint(levels, id, slots) && IsCoarseCentre(levels, id, slots))
+  {
+    at = CellOfCoarseCentre(levels, id, slots);
+    at.At = CornerOfCell(at.At, 7);
+  }
+  else if (SlotOfPoint(id) == VertexSlot)
+  {
+    at = levels.Lattice().NodeOfKey(KeyOfPoint(levels, id, slots));
+  }
+  return { point, id, levels.Lattice().NodeKey(at.Level, at.At, 0), node,
+    8 * at.Level + CartesianGrid::Parities(at.At) };
+}
+
 /// Returns the points that may lie on interfaces, and all points of the tets around them, except
 /// fixed ones. Points of one block may share tets, so they move one after another.
 std::vector<Mover> FindMovers(const Mesh& mesh, const std::vector<PointPosition>& positions,
@@ -113,10 +143,7 @@ std::vector<Mover> FindMovers(const Mesh& mesh, const std::vector<PointPosition>
   {
     if (moving[p])
     {
-      const Index id = mesh.PointIds[p];
-      const Index3 node = NodeOfPoint(grid, mesh, id);
-      movers.push_back(
-        { static_cast<Index>(p), id, (id - 1) / mesh.Ids.PointSlots, node, grid.Colour(node) });
+      movers.push_back(MoverOf(mesh, grid, static_cast<Index>(p)));
     }
   }
   return movers;
@@ -130,9 +157,13 @@ ActiveMesh MakeActiveTets(const Mesh& mesh, const std::vector<PointPosition>& po
 {
   ActiveMeshBuilder builder(4, mesh.PointIds.size(), FindMovers(mesh, positions, grid, partition));
   std::vector<Index> tets = builder.AddAround(mesh, runtime);
-  ActiveMesh active = builder.Finish(partition, CopiesOfMovers(mesh), grid.NumberOfColours());
+  const RefinedGrid& levels = *mesh.Levels;
+  const int numberOfLevels = levels.HasFineInterfaces() ? 1 : levels.NumberOfRefinements() + 1;
+  ActiveMesh active =
+    builder.Finish(partition, CopiesOfMovers(mesh), grid.NumberOfColours() * numberOfLevels);
   active.MeshElement = std::move(tets);
-  active.Widths = WidthsOfCells(grid, mesh, active.MeshElement);
+  active.Widths = levels.HasFineInterfaces() ? WidthsOfCells(grid, mesh, active.MeshElement)
+                                             : WidthsOfLeaves(levels, mesh, active.MeshElement);
   active.SetBarrier(mesh, barrier, active.MeshElement);
   active.SetYielding(mesh, isThin, active.MeshElement);
   active.PlacePoints(grid, mesh);

@@ -28,9 +28,14 @@ public:
     ActiveMesh& active, const TetEnergy& energy, const std::vector<FeatureKind>& kinds);
 
   /// Flips each quad once if this reduces its energy at a stage.
-  /// @param changed  changed(point) is called for every corner of a flipped quad
+  /// @param changed  changed(point) is called for corners of a flipped quad. If interfaces cross
+  ///   levels, it is called for all points of its tets, but not all ranks that have points around
+  ///   these have the quad.
   /// @pre Collective among peers.
   void Run(const SmoothingStage& stage, const std::function<void(int)>& changed);
+
+  /// Returns whether interfaces cross levels.
+  bool CrossLevels() const { return this->Crossing; }
 
   /// Writes the tets back into the mesh.
   void CopyTo(Mesh& mesh) const;
@@ -38,10 +43,21 @@ public:
 private:
   struct Quad
   {
-    Index First;                   // first of its tets, which are consecutive, two per side
+    std::array<Index, 4> Tets;     // two per side: (q0 q1 q2 c) and (q0 q2 q3 c)
     int Sides;                     // 1 on the domain boundary, 2 on interfaces
     std::array<bool, 2> IsBarrier; // whether the tets of each side are only a barrier
   };
+  /// Halves of a quad at a side of a larger leaf: two tets, consecutive in the active mesh.
+  struct LeafSide
+  {
+    Index Key;   // number of the side among those of all leaves
+    Index First; // first tet
+  };
+  void FindFineQuads(const Mesh& mesh, const BarrierElements& barrier);
+  void FindCoarseQuads(const Mesh& mesh, const BarrierElements& barrier);
+  std::vector<LeafSide> ListLeafSides(const Mesh& mesh) const;
+  void AddQuad(
+    const std::array<Index, 4>& tets, int sides, const Mesh& mesh, const BarrierElements& barrier);
   void FindCopies(const Mesh& mesh);
   void TakeChoices(std::vector<unsigned char>& isBetter) const;
   using Tets = std::array<std::array<int, 4>, 4>;
@@ -52,6 +68,7 @@ private:
     const Quad& quad, const Tets& tets, const Tets& other, const SmoothingStage& stage) const;
   double EnergyOf(const Quad& quad, const Tets& tets, const SmoothingStage& stage) const;
 
+  const bool Crossing;
   const Partition& Parts;
   ActiveMesh& Active;
   const TetEnergy& Energy;

@@ -2,6 +2,7 @@
 
 #include "Base/Sorted.h"
 #include "Base/Vector3.h"
+#include "Elements/Tet/LeafNodes.h"
 #include "Smoothing/Attach.h"
 
 #include <limits>
@@ -43,11 +44,41 @@ Index FindNearestTarget(const Interface& interface, const Index3& block, const V
   return best;
 }
 
+/// Returns the target of a node of a refined grid in the finest possible level, or -1.
+Index FindLevelTarget(const LevelInterfaces& interfaces, const RefinedGrid& levels,
+  const Index3& node, const std::array<int, 2>& labels)
+{
+  Index target = -1;
+  for (int level = FinestLevelAt(levels, node), shift; target < 0 && level >= 0; --level)
+  {
+    shift = levels.NumberOfRefinements() - level;
+    const Index3 at{ { node[0] >> shift, node[1] >> shift, node[2] >> shift } };
+    if (levels.FinestNode(level, at) != node)
+    {
+      break;
+    }
+    target = interfaces.FindTarget(level, at, labels);
+  }
+  return target;
+}
+
 } // namespace
 
-void AttachTets(const Interface& interface, const Mesh& mesh, const std::vector<Facet>& facets,
-  TetMethod method, Runtime& runtime, ActiveMesh& active)
+void AttachTets(const LevelInterfaces& interfaces, const Mesh& mesh,
+  const std::vector<Facet>& facets, TetMethod method, Runtime& runtime, ActiveMesh& active)
 {
+  const RefinedGrid& levels = *mesh.Levels;
+  if (!levels.HasFineInterfaces())
+  {
+    const auto findTarget = [&](int point, const std::array<int, 2>& labels)
+    {
+      const Index id = mesh.PointIds[active.MeshPoint[point]];
+      return FindLevelTarget(interfaces, levels, NodeOfPoint(levels.Finest(), mesh, id), labels);
+    };
+    AttachToFacets(facets, findTarget, runtime, active);
+    return;
+  }
+  const Interface& interface = *interfaces.All().back();
   const CartesianGrid& grid = interface.Grid();
   const auto findTarget = [&](int point, const std::array<int, 2>& labels)
   {

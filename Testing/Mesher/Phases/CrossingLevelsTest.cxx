@@ -28,7 +28,9 @@ struct CrossingCase
   int Refinements;
   double Share; // refined part of the domain along x
   bool MeshVoid;
-  double LeastJacobian, LargestDistance; // bounds; distance in base cells
+  /// Bounds: least scaled Jacobian of hexes or dihedral angle of tets; distance in base cells.
+  double LeastQuality, LargestDistance;
+  double VolumeError = 1e-6; // largest relative one of a material, tets
 };
 
 void PrintTo(const CrossingCase& c, std::ostream* out)
@@ -60,12 +62,55 @@ TEST_P(CrossingShapes, MeshIsValidAndNear)
   EXPECT_EQ(last.AddedForValidity > 0, f.Report.LevelRounds > 0);
   // Distances are in base cells: most of these interfaces lie there.
   const double width = 1 << p.Refinements;
-  EXPECT_GT(f.Report.MinimumScaledJacobian, p.LeastJacobian);
+  EXPECT_GT(f.Report.MinimumScaledJacobian, p.LeastQuality);
   EXPECT_LT(f.Distance.Largest / width, p.LargestDistance);
   EXPECT_LT(f.Distance.RootMeanSquare / width, 0.045);
   std::printf("%s| transitions %lld, flips %lld, rounds %d\n", FormatFigures(p.Name, f).c_str(),
     static_cast<long long>(f.Report.TransitionCells), static_cast<long long>(f.Report.FlippedCells),
     f.Report.LevelRounds);
+}
+
+namespace
+{
+
+class CrossingTets : public ::testing::TestWithParam<CrossingCase>
+{
+};
+
+} // namespace
+
+/// Lattice makes the tets of Cells, TetGen has fine interfaces.
+TEST_P(CrossingTets, AreValidAndNear)
+{
+  const CrossingCase& p = this->GetParam();
+  const MeshCase c = MakeMeshCase(p.Name);
+  Runtime runtime;
+  MeshOptions options = CrossingOptions(p.Refinements);
+  options.MeshVoid = p.MeshVoid;
+  options.Levels.Families = RefineBelow(c.Grid, p.Refinements, p.Share);
+  const MeshFigures f = MeasureCase(c, options, runtime, MakeTetMesh);
+  const MeshReport& report = f.Report;
+  const Mesh& mesh = f.Result;
+  EXPECT_EQ(FindTopologyProblem(mesh), "");
+  EXPECT_EQ(FindFragmentProblem(mesh), "");
+  EXPECT_GT(SmallestCornerDeterminant(mesh), 0.0);
+  EXPECT_GE(report.MinimumDihedralAngle, p.LeastQuality);
+  EXPECT_LT(f.VolumeError, p.VolumeError);
+  const double width = 1 << p.Refinements; // of base cells
+  EXPECT_LT(f.Distance.Largest / width, p.LargestDistance);
+  EXPECT_LT(f.Distance.RootMeanSquare / width, 0.06); // Cells has up to .09 of its cells
+  MeshReport ofCells;
+  options.Method = TetMethod::Cells;
+  EXPECT_TRUE(AreEqual(mesh, MakeTetMesh(c.Grid, c.Fractions, options, runtime, ofCells)));
+  options.Levels.FineInterfaces = true;
+  const MeshFigures fine = MeasureCase(c, options, runtime, MakeTetMesh);
+  EXPECT_LT(f.Elements, fine.Elements);
+  std::printf("%-18s %d refinements: %8zu tets of %8zu, dihedral %.1f-%.1f (%.1f-%.1f), distance "
+              "%.3f, rms %.4f (%.3f, %.4f)\n",
+    p.Name.c_str(), p.Refinements, f.Elements, fine.Elements, report.MinimumDihedralAngle,
+    report.MaximumDihedralAngle, fine.Report.MinimumDihedralAngle, fine.Report.MaximumDihedralAngle,
+    f.Distance.Largest / width, f.Distance.RootMeanSquare / width, fine.Distance.Largest,
+    fine.Distance.RootMeanSquare);
 }
 
 /// With cells as hexes and no inserted layers, volumes equal the volumes of leaves and transitions.
@@ -102,6 +147,17 @@ INSTANTIATE_TEST_SUITE_P(Cases, CrossingShapes,
     CrossingCase{ "ball of 3 sectors", 2, 0.6, false, .48, .2 },
     CrossingCase{ "half sphere", 1, 0.5, true, .6, .2 },
     CrossingCase{ "torus", 1, 0.5, true, .57, .2 }));
+
+// In polycrystal, coarse cells of a grain fill less than half of it.
+INSTANTIATE_TEST_SUITE_P(Cases, CrossingTets,
+  ::testing::Values(CrossingCase{ "sphere 32", 1, 0.0, false, 32.0, .37 },
+    CrossingCase{ "sphere 32", 1, 0.5, false, 32.0, .37 },
+    CrossingCase{ "sphere 32", 1, 0.5, true, 29.0, .37 },
+    CrossingCase{ "polycrystal", 2, 0.6, false, 27.0, .45, .5 },
+    CrossingCase{ "ball and plate", 1, 0.5, true, 29.0, .37 },
+    CrossingCase{ "ball of 3 sectors", 2, 0.6, false, 30.0, .25 },
+    CrossingCase{ "half sphere", 1, 0.5, true, 30.0, .2 },
+    CrossingCase{ "torus", 1, 0.5, true, 30.0, .38 }));
 
 namespace
 {

@@ -23,6 +23,7 @@ struct Kind
 
 inline const Kind Hexes{ "Hexes", MakeHexMesh, TetMethod::Lattice };
 inline const Kind Crossing{ "Crossing", MakeHexMesh, TetMethod::Lattice, false };
+inline const Kind CrossingTets{ "CrossingTets", MakeTetMesh, TetMethod::Lattice, false };
 inline const Kind Cells{ "Cells", MakeTetMesh, TetMethod::Cells };
 inline const Kind Lattice{ "Lattice", MakeTetMesh, TetMethod::Lattice };
 inline const Kind Filled{ "TetGen", MakeTetMesh, TetMethod::TetGen };

@@ -42,13 +42,13 @@ Input MakeFamilyBlocks(unsigned seed)
 }
 
 /// Labels or near ties, across levels.
-Input MakeCrossingNoise(unsigned seed)
+Input MakeCrossingNoise(const Kind& kind, unsigned seed)
 {
   const int halvings = 1 + static_cast<int>(seed % 3 == 0);
   const Index n = 8 + 2 * (seed % 2);
   const CartesianGrid grid =
     halvings == 1 ? MakeUnitGrid(n, 8 + 2 * (seed % 3), 10) : MakeUnitGrid(8, 12, 12);
-  FuzzCase c = CaseOf(Crossing, grid, MakeNoise(grid, seed / 2 % 2 == 1, seed), halvings);
+  FuzzCase c = CaseOf(kind, grid, MakeNoise(grid, seed / 2 % 2 == 1, seed), halvings);
   c.Options.MeshVoid = seed % 5 == 0;
   c.Options.Levels.Families = MakeRandomFamilies(grid, halvings, .05 * (1 + seed % 4), seed);
   return { c };
@@ -184,6 +184,14 @@ std::vector<LevelRanks> ListLevelRanks()
     { Crossing, "ties", 2, 8, -1, { { 3, 3, 2 } }, 11 },
     { Crossing, "ties", 3, 3, 2, { { 3, 2, 3 } }, 3 },
     { Crossing, "ties", 3, 2, 2, { { 2, 2, 3 } }, 4 } };
+  for (std::size_t i = 0, count = cases.size(); i < count; ++i)
+  {
+    if (!cases[i].Elements.FineInterfaces)
+    {
+      cases.push_back(cases[i]);
+      cases.back().Elements = CrossingTets;
+    }
+  }
   for (const Kind& kind : { Cells, Lattice })
   {
     for (const std::array<int, 2>& c : { std::array<int, 2>{ { 1, 2 } }, { { 1, 8 } }, { { 2, 2 } },
@@ -211,8 +219,11 @@ void AddLevels(std::vector<Group>& groups)
     groups.push_back({ "Families_Hexes_" + name, 50, MakeFamilyBlocks, { 0.51 }, true, part, 5 });
     Bounds crossing{ 0.39 };
     crossing.Transitions = 200;
-    groups.push_back(
-      { "Families_Crossing_" + name, 50, MakeCrossingNoise, crossing, true, part, 5 });
+    groups.push_back({ "Families_Crossing_" + name, 50,
+      [](unsigned seed) { return MakeCrossingNoise(Crossing, seed); }, crossing, true, part, 5 });
+    groups.push_back({ "Families_CrossingTets_" + name, 50,
+      [](unsigned seed) { return MakeCrossingNoise(CrossingTets, seed); }, { -1.0, 15.0 }, true,
+      part, 5 });
   }
   for (const Kind& kind : { Cells, Lattice })
   {
@@ -227,7 +238,7 @@ void AddLevels(std::vector<Group>& groups)
   stretched.AddsFamilies = true;
   Bounds stretchedTets;
   stretchedTets.AddsNoFamilies = true;
-  for (const Kind& kind : { Hexes, Crossing, Cells, Lattice })
+  for (const Kind& kind : { Hexes, Crossing, Cells, Lattice, CrossingTets })
   {
     const bool isTets = kind.Make == MakeTetMesh;
     groups.push_back({ std::string("StretchedFamilies_") + kind.Name, 4,

@@ -164,7 +164,8 @@ void AddPeriods(std::vector<Group>& groups)
       [=](unsigned seed) { return MakeTorusLevels(torus, seed); }, levels });
   }
   for (const Torus& torus :
-    { Torus{ "Flat", Crossing, Sides::Flat }, { "Free", Crossing, Sides::Free } })
+    { Torus{ "Flat", Crossing, Sides::Flat }, { "Free", Crossing, Sides::Free },
+      { "FlatTets", CrossingTets, Sides::Flat }, { "JoinedTets", CrossingTets, Sides::Joined } })
   {
     groups.push_back({ std::string("TorusCrossing_") + torus.Name, 6,
       [=](unsigned seed) { return MakeTorusCrossing(torus, seed); }, transitions });

@@ -75,7 +75,7 @@ Counts CompareOnRanks(const CartesianGrid& whole, const FractionField& field,
     RunOnRanks(count,
       [&](Ranks& ranks)
       {
-        const GridLayers layers = make == MakeHexMesh ? LayersFor(options.Levels) : GridLayers();
+        const GridLayers layers = isTetGen ? GridLayers() : LayersFor(options.Levels);
         const CartesianGrid grid = MakeRankGrid(whole, boxes[ranks.Rank()], layers);
         RankRuntime runtime(ranks);
         MeshReport report;

@@ -48,7 +48,7 @@ struct GradedTets
   GradedTets(const CartesianGrid& grid, const LevelPlan& plan) :
     Levels(std::make_shared<const RefinedGrid>(grid, plan, std::vector<Index>(), Run.Group())),
     Labels(AssignMaterials(grid, MakeLabels(grid, 1, [](const Index3&) { return 1; }), 0.5)),
-    Coarse(*Levels, Labels, false, Run.Group()),
+    Coarse(*Levels, Labels, false, NarrowVoid(), Run.Group()),
     Topology(BuildCellTets(Labels, false, NarrowVoid(), Run, Coarse))
   {
   }

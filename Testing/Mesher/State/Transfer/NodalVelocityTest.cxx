@@ -118,7 +118,7 @@ Merged MakeOn(
   const int count = static_cast<int>(boxes.size());
   std::vector<Mesh> meshes(count);
   std::vector<NodalVelocity> nodal(count);
-  const GridLayers layers = make == MakeHexMesh ? LayersFor(options.Levels) : GridLayers();
+  const GridLayers layers = LayersFor(options.Levels);
   RunOnRanks(count,
     [&](Ranks& ranks)
     {

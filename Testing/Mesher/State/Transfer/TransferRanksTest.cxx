@@ -137,6 +137,6 @@ INSTANTIATE_TEST_SUITE_P(Cases, TransferRanks,
   NameOfCase);
 
 INSTANTIATE_TEST_SUITE_P(Crossing, TransferRanks,
-  ::testing::Values(std::make_tuple(
-    static_cast<MeshMaker>(MakeHexMesh), TransferRankCase{ "sphere 16", false, 1, false })),
+  ::testing::Combine(::testing::Values(MakeHexMesh, MakeTetMesh),
+    ::testing::Values(TransferRankCase{ "sphere 16", false, 1, false })),
   NameOfCase);
