@@ -13,10 +13,11 @@ namespace vfm
 namespace
 {
 
-constexpr int StepsOfHalf = 6;      // tried widths from one to half of it
-constexpr Index FewestCells = 8;    // of a material, or of a fragment that counts
-constexpr double LargestLoss = 0.6; // of the cells of a material
-constexpr double Rounding = 1e-9;   // of widths
+constexpr int StepsOfHalf = 6;        // tried widths from one to half of it
+constexpr Index FewestCells = 8;      // of a material
+constexpr Index FewestOfFragment = 2; // wider cells of a fragment that counts
+constexpr double LargestLoss = 0.6;   // of the cells of a material
+constexpr double Rounding = 1e-9;     // of widths
 // Elements that replace the eight cells of a family: 64, transitions around, and those of families
 // that are added for validity.
 constexpr double ElementsOfFamily = 600.0;
