@@ -151,9 +151,9 @@ extern "C"
 
   /**
    * Sets the ranks across the faces of this rank's box. Each rank then gets the elements of its own
-   * cells, or with the option CellWidth those of the new cells whose centres are in its box.
-   * Neighbours must be set on all ranks or on none, and each rank must have exactly one
-   * block, of level 0. sculptor_make_mesh checks this.
+   * cells, or with the options CellWidth and MaterialWidths those of the new cells whose centres
+   * are in its box. Neighbours must be set on all ranks or on none, and each rank must have exactly
+   * one block, of level 0. sculptor_make_mesh checks this.
    * @param neighbours  6 ranks across -x, +x, -y, +y, -z, +z, -1 at the ends of the whole grid;
    *   copied. Null: not known; the cells are redistributed, and this rank may receive elements of
    *   cells of other ranks

@@ -3,8 +3,8 @@
 #include "Base/ThreadRuntime.h"
 #include "HostInput.h"
 #include "Labels/ReadLabelNames.h"
+#include "Levels/NewCells.h"
 #include "Meshes/WriteMesh.h"
-#include "Options/CellWidths.h"
 #include "Options/SetOptions.h"
 #include "Ranks/WorkTogether.h"
 #include "Sculptor.h"
@@ -155,9 +155,9 @@ MesherResult SculptorSession::Run(
   CollectedBlocks collected = CollectHostBlocks(grid, ranks);
   input.Arrays.State =
     CompleteChoice(ChooseState(options, NamesOf(names.States)), ListsOf(collected.Blocks), ranks);
-  // Cells of CellWidth may need state of ranks that are not neighbours.
+  // Cells that replace those of the input may need state of ranks that are not neighbours.
   const std::optional<std::array<int, 6>> neighbours =
-    HasCellWidth(options) ? std::nullopt : this->Neighbours;
+    ReplacesCells(options) ? std::nullopt : this->Neighbours;
   input.Levels = FindLevels(std::move(collected), neighbours, ranks);
   input.StaysInPlace = this->Neighbours.has_value();
   ThreadRuntime runtime(ChooseThreads(options.NumberOfThreads, ranks.Count()), &ranks);

@@ -11,8 +11,9 @@ namespace vfm
 namespace
 {
 
-constexpr Index FewestPeriodic = 4; // coarsest cells along a periodic axis
-constexpr double Tolerance = 1.1;   // of widths, because cells fill the domain exactly
+constexpr Index FewestPeriodic = 4;  // coarsest cells along a periodic axis
+constexpr double Tolerance = 1.1;    // of widths, because cells fill the domain exactly
+constexpr double MostWidened = 1.25; // of finest cells, so that coarsest cells fill the domain
 
 double Least(const Vector3& widths)
 {
@@ -52,7 +53,8 @@ void CheckFinest(const Vector3& finest, const Vector3& ofInput, double width)
     if (Tolerance * finest[a] < ofInput[a])
     {
       throw InputError("MaterialWidths contains the width " + FormatNumber(width) +
-        ", and the cells of the input are " + FormatNumber(Least(ofInput)) +
+        ", which gives cells of width " + FormatNumber(finest[a]) + " along " + "xyz"[a] +
+        ", and those of the input are " + FormatNumber(ofInput[a]) +
         " wide: it makes cells wider, not narrower. Refinement makes narrower cells.");
     }
   }
@@ -80,7 +82,7 @@ CellSizes PlanSizes(const GridNodes& nodes, const Vector3& widths,
   }
   CheckFinest(finest, ofInput, narrowest);
   CellSizes sizes;
-  sizes.Halvings = std::min(CountHalvings(widest, narrowest), CountDoublings(nodes, repeats));
+  sizes.Halvings = LimitHalvings(nodes, finest, CountHalvings(widest, narrowest), repeats);
   sizes.Nodes = PlaceNodes(nodes, finest, sizes.Halvings, repeats);
   for (std::size_t m = 0; m < ofMaterial.size(); ++m)
   {
@@ -104,6 +106,23 @@ GridNodes PlaceNodes(
     placed[a] = ReplaceNodes(nodes[a], length / static_cast<double>(count << halvings));
   }
   return placed;
+}
+
+int LimitHalvings(
+  const GridNodes& nodes, const Vector3& finest, int halvings, const std::array<bool, 3>& repeats)
+{
+  const auto areTooWide = [&](int number)
+  {
+    const Vector3 placed = MeanWidths(PlaceNodes(nodes, finest, number, repeats));
+    return placed[0] > MostWidened * finest[0] || placed[1] > MostWidened * finest[1] ||
+      placed[2] > MostWidened * finest[2];
+  };
+  int limited = std::min(halvings, CountDoublings(nodes, repeats));
+  while (limited > 0 && areTooWide(limited))
+  {
+    --limited;
+  }
+  return limited;
 }
 
 int CountDoublings(const GridNodes& nodes, const std::array<bool, 3>& repeats)

@@ -48,6 +48,11 @@ CellSizes PlanSizes(const GridNodes& nodes, const Vector3& widths,
 GridNodes PlaceNodes(
   const GridNodes& nodes, const Vector3& finest, int halvings, const std::array<bool, 3>& repeats);
 
+/// Returns the largest number of halvings, at most a given one, with which PlaceNodes makes the
+/// finest cells at most a quarter wider. Domains of few coarsest cells along an axis limit it.
+int LimitHalvings(
+  const GridNodes& nodes, const Vector3& finest, int halvings, const std::array<bool, 3>& repeats);
+
 /// Returns how often the cells of the input can be doubled so that there is one along each axis, or
 /// four where the domain repeats.
 int CountDoublings(const GridNodes& nodes, const std::array<bool, 3>& repeats);

@@ -1,6 +1,8 @@
 #include "Levels/FitWidths.h"
 
 #include "Base/Sorted.h"
+#include "Fractions/ResampleFields.h"
+#include "Labels/Fragments.h"
 #include "Levels/WideCells.h"
 #include "Ranks/Agreement.h"
 
@@ -11,8 +13,8 @@ namespace vfm
 namespace
 {
 
-constexpr int StepsOfHalf = 6; // tried widths from one to half of it
-constexpr double FewestCells = 8.0;
+constexpr int StepsOfHalf = 6;      // tried widths from one to half of it
+constexpr Index FewestCells = 8;    // of a material, or of a fragment that counts
 constexpr double LargestLoss = 0.6; // of the cells of a material
 constexpr double Rounding = 1e-9;   // of widths
 // Elements that replace the eight cells of a family: 64, transitions around, and those of families
@@ -34,8 +36,47 @@ bool Fits(const MaterialFit& fit, double width, double allowed)
 {
   const double cells = static_cast<double>(fit.Cells);
   return fit.Cells == 0 ||
-    (fit.Distance() <= allowed && cells >= FewestCells * width * width * width &&
+    (fit.Distance() <= allowed &&
+      cells >= static_cast<double>(FewestCells) * width * width * width &&
       static_cast<double>(fit.Lost) <= LargestLoss * cells);
+}
+
+/// Collective. Returns the number of fragments of some cells and more of materials 0, 1, .. on all
+/// ranks.
+std::vector<Index> CountFragments(
+  const CartesianGrid& grid, const LabelArray& labels, int materials, Index fewest, Ranks& ranks)
+{
+  const Fragments fragments(grid, labels, false, Partition(grid, ranks));
+  std::vector<Index> cells(fragments.NumberOfFragments() + 1, 0);
+  const IndexBox& owned = grid.Owned();
+  ForRows(owned,
+    [&](Index j, Index k)
+    {
+      Index end = 0;
+      for (Index i = owned.Lower[0]; i < owned.Upper[0]; i = end)
+      {
+        const int fragment = fragments.FragmentOfCell({ { i, j, k } }, end);
+        end = std::min(end, owned.Upper[0]);
+        cells[fragment] += end - i;
+      }
+    });
+  ranks.Sum(cells);
+  std::vector<Index> counts(materials + 1, 0);
+  for (int f = 1; f <= fragments.NumberOfFragments(); ++f)
+  {
+    counts[fragments.MaterialsOfFragments()[f]] += cells[f] >= fewest;
+  }
+  return counts;
+}
+
+/// Collective. Returns the number of fragments of FewestOfFragment and more of materials 0, 1, ..
+/// in wider cells.
+std::vector<Index> CountWiderFragments(const CartesianGrid& grid, const FractionField& fractions,
+  const GridNodes& wider, double isoValue, Runtime& runtime)
+{
+  const ResampledFields wide = ResampleFields(grid, fractions, wider, 1, runtime);
+  return CountFragments(wide.Grid, AssignMaterials(wide.Grid, wide.Fractions, isoValue),
+    fractions.NumberOfMaterials(), FewestOfFragment, runtime.Group());
 }
 
 /// Returns the smallest number of halvings of a width that gives a narrower one.
@@ -123,15 +164,21 @@ std::vector<FittedWidth> FitWidths(const CartesianGrid& grid, const FractionFiel
 {
   const Vector3 ofInput = MeanWidths(grid.Coordinates());
   std::vector<FittedWidth> fitted(fractions.NumberOfMaterials() + 1, { 1.0, {} });
+  const std::vector<Index> fragments =
+    CountFragments(grid, labels, fractions.NumberOfMaterials(), 1, runtime.Group());
   std::size_t found = 0; // materials with a width
   for (const double ratio : ListWidths(limits.Widest))
   {
     const Vector3 widths{ { ratio * ofInput[0], ratio * ofInput[1], ratio * ofInput[2] } };
-    const std::vector<MaterialFit> fits = FindFits(
-      grid, fractions, labels, ReplaceNodes(grid.Coordinates(), widths), isoValue, runtime);
+    const GridNodes wider = ReplaceNodes(grid.Coordinates(), widths);
+    const std::vector<MaterialFit> fits =
+      FindFits(grid, fractions, labels, wider, isoValue, runtime);
+    const std::vector<Index> pieces =
+      CountWiderFragments(grid, fractions, wider, isoValue, runtime);
     for (std::size_t m = 0; m < fits.size(); ++m)
     {
-      const bool isFirst = fitted[m].Ratio == 1.0 && Fits(fits[m], ratio, limits.Distance);
+      const bool isFirst = fitted[m].Ratio == 1.0 && pieces[m] <= fragments[m] &&
+        Fits(fits[m], ratio, limits.Distance);
       fitted[m] = { isFirst ? ratio : fitted[m].Ratio, fits[m] };
       found += isFirst;
     }

@@ -4,8 +4,9 @@
  *
  * A material fits cells of a width if
  * - its surface stays within the allowed distance, on average over the surface,
- * - it fills at least 8 such cells, and
- * - wider cells give at most 60 % of it to others (thin materials).
+ * - it fills at least 8 such cells,
+ * - wider cells give at most 60 % of it to others (thin materials), and
+ * - it has not more fragments of two such cells and more than fragments in the input.
  */
 #pragma once
 

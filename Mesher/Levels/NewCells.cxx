@@ -44,14 +44,19 @@ CellSizes FitSizes(
   const LabelArray labels = AssignMaterials(held.Grid, fractions, options.IsoValue);
   const std::vector<FittedWidth> fitted =
     FitWidths(held.Grid, fractions, labels, limits, options.IsoValue, runtime);
-  const WidthChoice choice = ChooseWidths(held.Grid, labels, fitted, limits, runtime.Group());
+  WidthChoice choice = ChooseWidths(held.Grid, labels, fitted, limits, runtime.Group());
   Vector3 finest = MeanWidths(nodes);
   for (double& width : finest)
   {
     width *= std::ldexp(choice.Coarsest, -choice.Halvings);
   }
-  return { PlaceNodes(nodes, finest, choice.Halvings, RepeatingAxes(options)), choice.Halvings,
-    choice.OfMaterial };
+  const std::array<bool, 3> repeats = RepeatingAxes(options);
+  const int halvings = LimitHalvings(nodes, finest, choice.Halvings, repeats);
+  for (int& own : choice.OfMaterial)
+  {
+    own = std::max(own - (choice.Halvings - halvings), 0);
+  }
+  return { PlaceNodes(nodes, finest, halvings, repeats), halvings, std::move(choice.OfMaterial) };
 }
 
 LevelSetup DecideLevels(

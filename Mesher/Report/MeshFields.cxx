@@ -381,7 +381,9 @@ std::string DescribeDisplacedMaterials(
       PercentOf(limit) + " of " + (shares.size() == 1 ? "its volume" : "their volumes") +
       " in another place than in the input: " + Enumerate(shares) +
       ". In the mesh this share is in other blocks of 4 x 4 x 4 cells, or in no element. " +
-      (wide.IsUsed() ? "A smaller CellWidth" : "Finer cells in the input") +
+      (!wide.MaterialWidths.empty() ? "Smaller MaterialWidths or AllowedError"
+          : wide.IsUsed()           ? "A smaller CellWidth"
+                                    : "Finer cells in the input") +
       (hasParticles ? "" : ", or UnmeshedMaterial Particles for matter far from elements,") +
       " may help.";
 }
@@ -406,6 +408,7 @@ std::string DescribeWideLosses(
 {
   std::vector<std::string> losses;
   double keeping = std::numeric_limits<double>::infinity();
+  const bool haveOwn = !wide.MaterialWidths.empty();
   for (std::size_t m = 1; m < report.TargetVolume.size(); ++m)
   {
     const double target = report.TargetVolume[m], error = report.MeshVolume[m] - target;
@@ -416,7 +419,7 @@ std::string DescribeWideLosses(
       text << NameMaterial(table, m) << " by " << std::showpos << std::setprecision(2)
            << 100.0 * error / target << " %";
       losses.push_back(text.str());
-      keeping = wide.Halvings > 0 ? keeping : std::min(keeping, wide.Keeping[m]);
+      keeping = haveOwn ? keeping : std::min(keeping, wide.Keeping[m]);
     }
   }
   if (losses.empty())
@@ -429,7 +432,7 @@ std::string DescribeWideLosses(
   return "In cells of width " + FormatNumber(width) + widest + ", " +
     CountMaterials(losses.size(), "misses its", "miss their") +
     " volume by more than 1 %: " + Enumerate(losses) + ". " +
-    (wide.Halvings > 0 ? "A smaller width in MaterialWidths, or a smaller AllowedError, should keep"
+    (haveOwn ? "A smaller width in MaterialWidths, or a smaller AllowedError, should keep"
         : keeping > 0.0 ? "A CellWidth of " + FormatNumber(RoundDown(keeping)) + " should keep"
                         : "Only the cells of the input (CellWidth 0) keep") +
     (losses.size() == 1 ? " it." : " them.");

@@ -48,7 +48,7 @@ protected:
   }
 
   /// Compares the mesh, and the velocity of its nodes, with those of the filter on one rank.
-  void ExpectThatOfTheFilter(const char* width);
+  void ExpectThatOfTheFilter(const char* width, const char* ofMaterials = "None");
 
   double Number(const char* name, int index)
   {
@@ -107,9 +107,10 @@ TEST_F(SculptorState, OptionsByText)
   }
 }
 
-void SculptorState::ExpectThatOfTheFilter(const char* width)
+void SculptorState::ExpectThatOfTheFilter(const char* width, const char* ofMaterials)
 {
   ASSERT_EQ(this->Set("CellWidth", width), SCULPTOR_OK);
+  ASSERT_EQ(this->Set("MaterialWidths", ofMaterials), SCULPTOR_OK);
   ASSERT_EQ(this->Set("DensityArrays", "density"), SCULPTOR_OK);
   ASSERT_EQ(this->Set("VelocityArray", "velocity"), SCULPTOR_OK);
   ASSERT_EQ(this->Set("NodalVelocity", "on"), SCULPTOR_OK);
@@ -118,6 +119,7 @@ void SculptorState::ExpectThatOfTheFilter(const char* width)
     << sculptor_error_text(this->Sculptor);
   vtkNew<vtkVolumeFractionToHex> mesher;
   mesher->SetCellWidth(width);
+  mesher->SetMaterialWidths(ofMaterials);
   MeshWholeWithState(*mesher);
   const MeshView mesh = ViewOf(this->Sculptor);
   EXPECT_EQ(SumOverRanks(Digest(mesh)), Digest(ViewOf(mesher->GetOutput())));
@@ -148,6 +150,16 @@ TEST_F(SculptorState, IsThatOfTheFilter)
 TEST_F(SculptorState, OfWiderCellsIsThatOfTheFilter)
 {
   this->ExpectThatOfTheFilter("0.17,0.2,0.2");
+}
+
+TEST_F(SculptorState, OfMaterialsWithWidthsIsThatOfTheFilter)
+{
+  this->ExpectThatOfTheFilter("0.4", "ball=0.2");
+}
+
+TEST_F(SculptorState, OfAutomaticWidthsIsThatOfTheFilter)
+{
+  this->ExpectThatOfTheFilter("0", "auto");
 }
 
 TEST_F(SculptorState, SumsAreThoseOfTheCells)

@@ -379,6 +379,9 @@ TEST(Mesher, DisplacedVolumesAreSorted)
     0u)
     << ofWide;
   EXPECT_NE(ofWide.find("A smaller CellWidth"), std::string::npos);
+  wide.MaterialWidths = { 2.0, 2.0, 2.0, 1.0, 2.0, 2.0 };
+  EXPECT_NE(DescribeDisplacedMaterials(report, table, wide, false).find(". Smaller MaterialWidths"),
+    std::string::npos);
   EXPECT_EQ(text.find("3 materials have more than 5 % of their volumes in another place than in "
                       "the input: 'm5' (id 50) 100 %, 'm2' (id 20) 5 %, 'm4' (id 40) 46 %. "),
     0u)

@@ -47,6 +47,9 @@ TET_FACES = np.array([[0, 1, 3], [1, 2, 3], [2, 0, 3], [0, 2, 1]])
 # exact in binary: coordinates of blocks match exactly
 SPACING, ORIGIN = (0.25, 0.25, 0.5), (-1.0, 0.5, 2.0)
 
+# Properties of the meshing filters that are not options.
+OF_PANEL = {"Input", "InputSpacing", "Cells"} if "VFM_PLUGIN" in os.environ else {"Input"}
+
 
 def list_defaults(of_tets):
     """Returns the defaults of a meshing filter's properties from the table of options.

@@ -3,6 +3,7 @@
 import inspect
 import re
 
+import numpy as np
 import pytest
 
 import volume_fraction_mesh as vfm
@@ -118,6 +119,37 @@ def test_cell_width():
         vfm.hexes(BALL, cell_width=0.3)
     with pytest.raises(ValueError, match="cell_width is -1"):
         vfm.hexes(BALL, cell_width=-1)
+
+
+def test_material_widths():
+    options = _core.Options(False)
+    for value, kept in (("auto", "auto"), ("1=2", "1=2"), ({"cortex": 1, 7: 2.5}, "cortex=1,7=2.5"),
+                        ({"left, upper": 1, 2: 1}, '"left, upper=1",2=1'), ({}, ""),
+                        ({np.int64(3): np.float32(0.5)}, "3=0.5")):
+        options.material_widths = value
+        assert options.material_widths == kept
+    narrow, wide = vfm.hexes(BALL, names=["ball"]), vfm.hexes(BALL, names=["ball"], cell_width=4)
+    own = vfm.hexes(BALL, names=["ball"], cell_width=4, material_widths={"ball": 2})
+    assert len(wide) < len(own) < len(narrow) / 2
+    assert own.materials["MaterialWidths"] == [2.0] and own.materials["InputCells"][0] > 0
+    by_id = vfm.hexes(BALL, cell_width=4, material_widths={1: 2})
+    assert np.array_equal(by_id.points, own.points)
+    assert len(vfm.hexes(BALL, material_widths="auto", allowed_error=1)) < len(narrow) / 2
+    with pytest.raises(ValueError, match="'iron', which is not a material"):
+        vfm.hexes(BALL, material_widths={"iron": 2})
+    with pytest.raises(ValueError, match="Refinement"):
+        vfm.hexes(BALL, material_widths={1: 0.3})
+    for wrong in ("iron", "1=2,", "auto,1=2", "1=0"):
+        with pytest.raises(ValueError, match="cannot be '%s': it takes auto" % wrong):
+            vfm.hexes(BALL, material_widths=wrong)
+    for wrong in ({1: 0}, {1: -1}, {"": 1}, {1: float("nan")}, {1: float("inf")}):
+        with pytest.raises(ValueError) as told:
+            vfm.hexes(BALL, material_widths=wrong)
+        assert str(told.value).startswith("material_widths is %r: it must be auto" % (wrong,))
+    for wrong in ({1: "wide"}, {1: None}, {1: [1]}, 2, [("ball", 1)], ("ball", 1)):
+        with pytest.raises(TypeError) as told:
+            vfm.hexes(BALL, material_widths=wrong)
+        assert str(told.value).startswith("material_widths is %r: it must be auto" % (wrong,))
 
 
 def test_unknown_options():

@@ -88,13 +88,13 @@ def count_inverted(volumes, cells, jacobians):
     return int(inverted.sum())
 
 
-def find_smallest_angle(points, cells):
-    """Returns the smallest dihedral angle of tetrahedra in degrees."""
+def find_angles(points, cells):
+    """Returns the smallest and the largest dihedral angle of tetrahedra in degrees."""
     at = points[cells]
     normals = [np.cross(at[:, b] - at[:, a], at[:, c] - at[:, a]) for a, b, c in FACES[4]]
     normals = [n / np.maximum(np.linalg.norm(n, axis=1, keepdims=True), 1e-300) for n in normals]
     cosines = [-(normals[i] * normals[j]).sum(1) for i in range(4) for j in range(i)]
-    return np.degrees(np.arccos(np.clip(np.max(cosines), -1, 1)))
+    return tuple(np.degrees(np.arccos(np.clip((np.max(cosines), np.min(cosines)), -1, 1))))
 
 
 def find_facets(mesh):
@@ -125,8 +125,9 @@ def count_open_faces(mesh, box):
                for corners, pairs in find_facets(mesh))
 
 
-def find_distance(mesh, image):
-    """Returns the rms distance to the true surface of the points of facets inside of the box.
+def find_distances(mesh, image):
+    """Returns two rms distances to the true surfaces of the points of facets inside of the box: of
+    points between two materials, and of those where more meet, NaN without such points.
 
     A point counts once per pair of materials. If all of the box is meshed, only facets between two
     materials count."""
@@ -139,12 +140,17 @@ def find_distance(mesh, image):
         rows.append(np.column_stack([corners[chosen].ravel(), np.repeat(
             np.sort(sides, axis=1), corners.shape[1], axis=0)]))
     rows = np.unique(np.concatenate(rows), axis=0)
-    return np.sqrt((image.distance(mesh.points[rows[:, 0]], rows[:, 1:]) ** 2).mean())
+    squares = image.distance(mesh.points[rows[:, 0]], rows[:, 1:]) ** 2
+    is_single = np.bincount(rows[:, 0])[rows[:, 0]] == 1
+    return tuple(np.sqrt(some.mean()) if len(some) else np.nan
+                 for some in (squares[is_single], squares[~is_single]))
 
 
-def find_volume_error(mesh, volumes, labels):
-    """Returns the largest relative error of the volume of a label against its voxels."""
+def find_volume_errors(mesh, volumes, labels):
+    """Returns for each label of the image the relative error of its volume against its voxels, and
+    whether it has an element."""
     expected = np.bincount(labels.ravel())
-    found = np.bincount(mesh.material, volumes, len(expected))
     meshed = np.flatnonzero(expected[1:]) + 1
-    return np.abs(found[meshed] / expected[meshed] - 1).max()
+    found = np.bincount(mesh.material, volumes, len(expected))[meshed]
+    elements = np.bincount(mesh.material, minlength=len(expected))[meshed]
+    return np.abs(found / expected[meshed] - 1), elements > 0

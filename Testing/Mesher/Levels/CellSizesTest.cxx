@@ -60,6 +60,17 @@ TEST(CellSizes, WidestWidthLimitsTheCoarsestCells)
   EXPECT_EQ(PlanSizes(Cube(48), {}, { 4.0, Other }, Alone).OfMaterial, (std::vector<int>{ 0, 2 }));
 }
 
+/// Few coarsest cells along an axis would make the finest ones too wide.
+TEST(CellSizes, ThinDomainsHaveFewerHalvings)
+{
+  const GridNodes layer{ { Nodes(48, 1.0), Nodes(48, 1.0), Nodes(7, 1.0) } };
+  const CellSizes sizes = PlanSizes(layer, { { 8.0, 8.0, 8.0 } }, { Other, 1.0, Other }, Alone);
+  EXPECT_EQ(sizes.Halvings, 1); // 4 cells of 7/4 with 2, 6 of 7/6 with 1
+  EXPECT_EQ(sizes.OfMaterial, (std::vector<int>{ 0, 1, 0 }));
+  EXPECT_EQ(sizes.Nodes[2].size(), 7u);
+  EXPECT_EQ(LimitHalvings(Cube(24), { { 1.0, 1.0, 1.0 } }, 9, Alone), 3); // not 16 cells of 3/2
+}
+
 TEST(CellSizes, SlicesKeepTheirProportions)
 {
   const GridNodes slices{ { Nodes(48, 1.0), Nodes(48, 1.0), Nodes(16, 3.0) } };
@@ -78,6 +89,18 @@ TEST(CellSizes, NarrowerThanTheInputIsAnError)
   catch (const InputError& error)
   {
     EXPECT_NE(std::string(error.what()).find("Refinement"), std::string::npos) << error.what();
+  }
+  try
+  {
+    const GridNodes slices{ { Nodes(48, 1.0), Nodes(48, 1.0), Nodes(16, 3.0) } };
+    PlanSizes(slices, { { 4.0, 4.0, 4.0 } }, { Other, 1.0 }, Alone);
+    FAIL();
+  }
+  catch (const InputError& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("width 1 along z, and those of the input are 3 wide"),
+      std::string::npos)
+      << error.what();
   }
 }
 

@@ -114,6 +114,26 @@ def test_minimum_region():
     check_volumes(result, whole)
 
 
+def test_material_widths():
+    """Materials have cells of their widths, and keep their volumes."""
+    ids = np.zeros((16, 32, 32), np.int32)
+    ids[4:], ids[2:4] = 3, 7
+    twice = ",".join(str(2 * width) for width in SPACING)
+    one, two, none = (mesh_labels(ids, CellWidth=twice, MaterialWidths=widths)
+                      for widths in ("7=0.25", "3=0.25,7=0.25", "None"))
+    counts = [result.mesh.GetNumberOfCells() for result in (none, one, two)]
+    assert 2 * counts[0] < counts[1] < counts[2], counts
+    widths = one.materials.GetRowData().GetArray("MaterialWidths")
+    assert [widths.GetValue(m) for m in (0, 1)] == [2 * max(SPACING), max(SPACING)]
+    assert none.materials.GetRowData().GetArray("MaterialWidths") is None
+    check_volumes(one, ids)
+    wide, narrow = (mesh_labels(BALL, MaterialWidths="auto", AllowedError=allowed)
+                    for allowed in (0.5, 0))
+    assert wide.mesh.GetNumberOfCells() < 0.5 * narrow.mesh.GetNumberOfCells()
+    assert digest(narrow) == digest(mesh_labels(BALL))
+    check_volumes(wide, BALL)
+
+
 def test_minimum_region_of_fractions():
     """Small parts go together with the fractions around them; distant material is kept."""
     water = np.zeros((N, N, N))

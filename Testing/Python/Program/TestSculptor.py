@@ -128,6 +128,10 @@ def test_options_of_labels(at):
     path = write(image({"id": ids}), at("in.vti"))
     for arguments, properties in (
             (["--label-smoothing", "2"], dict(LabelSmoothing=2)),
+            (["--material-widths", "auto", "--set", "AllowedError=1"],
+             dict(MaterialWidths="auto", AllowedError=1)),
+            (["--cell-width", "0.5,0.5,1", "--material-widths", "2=0.25"],
+             dict(CellWidth="0.5,0.5,1", MaterialWidths="2=0.25")),
             (["--minimum-region", "2"], dict(MinimumRegionCells=2))):
         mesh_file(path, at("out.vtu"), "--labels", "id", *arguments, ranks=2)
         mesh = filter_mesh(path, MaterialIdArray="id", **properties)
