@@ -70,14 +70,14 @@ std::vector<Index> CountFragments(
   return counts;
 }
 
-/// Collective. Returns the number of fragments of FewestCells cells and more of materials 0, 1, ..
+/// Collective. Returns the number of fragments of FewestOfFragment and more of materials 0, 1, ..
 /// in wider cells.
 std::vector<Index> CountWiderFragments(const CartesianGrid& grid, const FractionField& fractions,
   const GridNodes& wider, double isoValue, Runtime& runtime)
 {
   const ResampledFields wide = ResampleFields(grid, fractions, wider, 1, runtime);
   return CountFragments(wide.Grid, AssignMaterials(wide.Grid, wide.Fractions, isoValue),
-    fractions.NumberOfMaterials(), FewestCells, runtime.Group());
+    fractions.NumberOfMaterials(), FewestOfFragment, runtime.Group());
 }
 
 /// Returns the smallest number of halvings of a width that gives a narrower one.

@@ -39,20 +39,21 @@ def read_table_of(text):
 
 
 def replace_rows(name, text):
-    """Replaces the rows of the cases in a printed table of the same columns; returns how many."""
+    """Replaces the rows of the cases in a printed table of the same columns, or all rows if as many
+    are printed; returns how many."""
     header, *rows = read_rows(name)
     count = len(header) - len(ORIGIN)
     printed = read_table_of(text)
     if header[:count] not in printed:
         return 0
-    printed = printed[printed.index(header[:count]) + 1:]
-    new = {}
-    for row in printed:
-        if len(row) != count or set("".join(row)) <= set("-: "):
-            continue
-        new[key_of(row)] = row + find_origin()
-    write_rows(name, [header] + [new.get(key_of(row[:count]), row) for row in rows])
-    return sum(key_of(row[:count]) in new for row in rows)
+    new = [row + find_origin() for row in printed[printed.index(header[:count]) + 1:]
+           if len(row) == count and not set("".join(row)) <= set("-: ")]
+    if len(new) == len(rows):
+        write_rows(name, [header] + new)
+        return len(new)
+    by_key = {key_of(row[:count]): row for row in new}
+    write_rows(name, [header] + [by_key.get(key_of(row[:count]), row) for row in rows])
+    return sum(key_of(row[:count]) in by_key for row in rows)
 
 
 def find_origin():
