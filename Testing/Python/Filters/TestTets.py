@@ -64,14 +64,15 @@ def test_default_method():
     assert digest(tets_of(DATA)) == digest(MESHES["Lattice"])
 
 
-def test_fine_interfaces_are_for_hexahedra():
-    """FineInterfaces does not change tetrahedra."""
-    for refinement in ("Coarsen", "Automatic"):
-        properties = {"Method": "Lattice", "Refinement": refinement, "InterfaceLayers": 1,
-                      "StairStep": 1}
-        fine, asked = (tets_of(DATA, FineInterfaces=on, **properties) for on in (1, 0))
-        assert digest(fine) == digest(asked), refinement
+def test_interfaces_across_levels():
+    """FineInterfaces off makes coarser cells at interfaces, but not for TetGen."""
+    for method in TET_METHODS:
+        fine, asked = (tets_of(DATA, FineInterfaces=on, Method=method, Refinement="Coarsen")
+                       for on in (1, 0))
         assert max(fine.field("RefinedCells")) > 0
+        assert (digest(fine) == digest(asked)) == (method == "TetGen"), method
+        assert len(elements(asked)) <= len(elements(fine)), method
+        check_mesh(asked)
 
 
 def test_every_method():

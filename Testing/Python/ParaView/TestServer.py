@@ -20,7 +20,7 @@ PLUGIN = os.environ["VFM_PLUGIN"]
 FIELD = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "Data",
                      "ball_and_plate.vti")
 # A client without the plugin prints this message.
-MISSED = re.compile("Could not create object of type: vtkSMMesh(ArrayList)?Domain")
+MISSED = re.compile("Could not create object of type: vtkSM(Mesh(ArrayList)?|CellCount)Domain")
 OURS = "ExodusAndSetsWriter"
 LIMIT = 300  # seconds; other users share the machine
 
