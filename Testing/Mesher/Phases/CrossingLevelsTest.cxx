@@ -38,6 +38,15 @@ void PrintTo(const CrossingCase& c, std::ostream* out)
   *out << c.Name << ", " << c.Refinements << " refinements, share " << c.Share;
 }
 
+/// Refines a part of the domain.
+MeshOptions OptionsOf(const CrossingCase& p, const MeshCase& c)
+{
+  MeshOptions options = CrossingOptions(p.Refinements);
+  options.MeshVoid = p.MeshVoid;
+  options.Levels.Families = RefineBelow(c.Grid, p.Refinements, p.Share);
+  return options;
+}
+
 class CrossingShapes : public ::testing::TestWithParam<CrossingCase>
 {
 };
@@ -49,9 +58,7 @@ TEST_P(CrossingShapes, MeshIsValidAndNear)
   const CrossingCase& p = this->GetParam();
   const MeshCase c = MakeMeshCase(p.Name);
   Runtime runtime;
-  MeshOptions options = CrossingOptions(p.Refinements);
-  options.MeshVoid = p.MeshVoid;
-  options.Levels.Families = RefineBelow(c.Grid, p.Refinements, p.Share);
+  MeshOptions options = OptionsOf(p, c);
   const MeshFigures f = MeasureCase(c, options, runtime);
   EXPECT_EQ(FindTopologyProblem(f.Result), "");
   EXPECT_EQ(FindFragmentProblem(f.Result), "");
@@ -85,9 +92,7 @@ TEST_P(CrossingTets, AreValidAndNear)
   const CrossingCase& p = this->GetParam();
   const MeshCase c = MakeMeshCase(p.Name);
   Runtime runtime;
-  MeshOptions options = CrossingOptions(p.Refinements);
-  options.MeshVoid = p.MeshVoid;
-  options.Levels.Families = RefineBelow(c.Grid, p.Refinements, p.Share);
+  MeshOptions options = OptionsOf(p, c);
   const MeshFigures f = MeasureCase(c, options, runtime, MakeTetMesh);
   const MeshReport& report = f.Report;
   const Mesh& mesh = f.Result;

@@ -124,33 +124,48 @@ std::string NameOfCase(const ::testing::TestParamInfo<CoarseCase>& info)
   return name;
 }
 
+/// A mesh with levels and the uniform one, with their reports.
+struct TetMeshes
+{
+  Mesh Coarse, Fine;
+  MeshReport Report, FineReport;
+};
+
+/// Makes both meshes, and expects that they are valid and have the same parts.
+TetMeshes MakeMeshes(const CoarseCase& p, const MeshCase& c, int fineLayers)
+{
+  TetMeshes made;
+  Runtime runtime;
+  MeshOptions options = OptionsOf(p.Method, p.Refinements);
+  options.MeshVoid = p.MeshVoid;
+  options.Levels.FineLayers = fineLayers;
+  made.Coarse = MakeTetMesh(c.Grid, c.Fractions, options, runtime, made.Report);
+  options.Levels = LevelPlan();
+  made.Fine = MakeTetMesh(c.Grid, c.Fractions, options, runtime, made.FineReport);
+  ExpectValid(made.Coarse);
+  if (p.MeshVoid)
+  {
+    ExpectFull(made.Coarse, c.Grid, c.Fractions.NumberOfMaterials());
+  }
+  EXPECT_EQ(made.Report.NumberOfFragments, made.FineReport.NumberOfFragments);
+  EXPECT_EQ(made.Report.NumberOfSurfaces, made.FineReport.NumberOfSurfaces);
+  EXPECT_EQ(made.Report.NumberOfCurves, made.FineReport.NumberOfCurves);
+  EXPECT_EQ(made.Report.NumberOfVertices, made.FineReport.NumberOfVertices);
+  return made;
+}
+
 } // namespace
 
 TEST_P(CoarsenedTets, InterfacesAreThoseOfTheUniformMesh)
 {
   const CoarseCase& p = this->GetParam();
   const MeshCase c = MakeMeshCase(p.Name);
-  Runtime runtime;
-  MeshReport report, fineReport;
-  MeshOptions options = OptionsOf(p.Method, p.Refinements);
-  options.MeshVoid = p.MeshVoid;
-  options.Levels.FineLayers = p.Method == TetMethod::Lattice ? 3 : 2;
-  const Mesh mesh = MakeTetMesh(c.Grid, c.Fractions, options, runtime, report);
-  options.Levels = LevelPlan();
-  const Mesh fine = MakeTetMesh(c.Grid, c.Fractions, options, runtime, fineReport);
-  ExpectValid(mesh);
-  if (p.MeshVoid)
-  {
-    ExpectFull(mesh, c.Grid, c.Fractions.NumberOfMaterials());
-  }
+  const TetMeshes made = MakeMeshes(p, c, p.Method == TetMethod::Lattice ? 3 : 2);
+  const auto& [mesh, fine, report, fineReport] = made;
   // Lattice sums the initial volumes over other tets; energies in single
   // precision amplify the difference.
   EXPECT_LE(LargestDistance(InterfacePoints(mesh), InterfacePoints(fine)),
     p.Method == TetMethod::Lattice ? 1e-6 : 0.0);
-  EXPECT_EQ(report.NumberOfFragments, fineReport.NumberOfFragments);
-  EXPECT_EQ(report.NumberOfSurfaces, fineReport.NumberOfSurfaces);
-  EXPECT_EQ(report.NumberOfCurves, fineReport.NumberOfCurves);
-  EXPECT_EQ(report.NumberOfVertices, fineReport.NumberOfVertices);
   EXPECT_EQ(report.TargetVolume, fineReport.TargetVolume);
   for (int m = 1; m < static_cast<int>(report.MeshVolume.size()); ++m)
   {
@@ -175,24 +190,10 @@ TEST_P(CoarsenedLattice, FewestLayersHardlyChangeInterfaces)
 {
   const CoarseCase& p = this->GetParam();
   const MeshCase c = MakeMeshCase(p.Name);
-  Runtime runtime;
-  MeshReport report, fineReport;
-  MeshOptions options = OptionsOf(p.Method, p.Refinements);
-  options.MeshVoid = p.MeshVoid;
-  const Mesh mesh = MakeTetMesh(c.Grid, c.Fractions, options, runtime, report);
-  options.Levels = LevelPlan();
-  const Mesh fine = MakeTetMesh(c.Grid, c.Fractions, options, runtime, fineReport);
-  ExpectValid(mesh);
-  if (p.MeshVoid)
-  {
-    ExpectFull(mesh, c.Grid, c.Fractions.NumberOfMaterials());
-  }
+  const TetMeshes made = MakeMeshes(p, c, LevelPlan().FineLayers);
+  const auto& [mesh, fine, report, fineReport] = made;
   const double moved = LargestDistance(InterfacePoints(mesh), InterfacePoints(fine));
   EXPECT_LT(moved, LargestShift * c.Grid.MeanWidth());
-  EXPECT_EQ(report.NumberOfFragments, fineReport.NumberOfFragments);
-  EXPECT_EQ(report.NumberOfSurfaces, fineReport.NumberOfSurfaces);
-  EXPECT_EQ(report.NumberOfCurves, fineReport.NumberOfCurves);
-  EXPECT_EQ(report.NumberOfVertices, fineReport.NumberOfVertices);
   for (int m = 1; m < static_cast<int>(report.MeshVolume.size()); ++m)
   {
     EXPECT_NEAR(report.MeshVolume[m] / fineReport.MeshVolume[m], 1.0, 1e-6);
