@@ -2,6 +2,7 @@
 
 #include "Base/ParseText.h"
 #include "Fractions/CellOverlaps.h"
+#include "Input/NodeCoordinates.h"
 #include "Ranks/Errors.h"
 
 #include <cmath>
@@ -42,7 +43,7 @@ Vector3 OtherWidths(const Vector3& widths, const Vector3& ofInput)
 Index CountCoarsest(Index finest, double length, double width, int halvings, bool repeats)
 {
   const Index most = finest >> halvings;
-  const Index count = std::clamp<Index>(std::llround(length / width), 1, most);
+  const Index count = std::min(CountEqualCells(length, width), most);
   return repeats && halvings > 0 ? std::min((count + 1) / 2, most / 2) * 2 : count;
 }
 
@@ -53,7 +54,7 @@ void CheckFinest(const Vector3& finest, const Vector3& ofInput, double width)
     if (Tolerance * finest[a] < ofInput[a])
     {
       throw InputError("MaterialWidths contains the width " + FormatNumber(width) +
-        ", which gives cells of width " + FormatNumber(finest[a]) + " along " + "xyz"[a] +
+        ", which gives cells of width " + FormatNumber(finest[a]) + " along " + AxisNames[a] +
         ", and those of the input are " + FormatNumber(ofInput[a]) +
         " wide: it makes cells wider, not narrower. Refinement makes narrower cells.");
     }
@@ -139,6 +140,18 @@ int CountDoublings(const GridNodes& nodes, const std::array<bool, 3>& repeats)
     doublings = std::min(doublings, own);
   }
   return doublings;
+}
+
+std::vector<double> WidthsOfMaterials(const CellSizes& sizes)
+{
+  const Vector3 finest = MeanWidths(sizes.Nodes);
+  std::vector<double> widths;
+  for (const int halvings : sizes.OfMaterial)
+  {
+    widths.push_back(
+      std::ldexp(*std::max_element(finest.begin(), finest.end()), sizes.Halvings - halvings));
+  }
+  return widths;
 }
 
 } // namespace vfm

@@ -57,4 +57,8 @@ int LimitHalvings(
 /// four where the domain repeats.
 int CountDoublings(const GridNodes& nodes, const std::array<bool, 3>& repeats);
 
+/// Returns the widths of the cells of materials 0, 1, ..: the largest along the axes. Empty without
+/// CellSizes::OfMaterial.
+std::vector<double> WidthsOfMaterials(const CellSizes& sizes);
+
 } // namespace vfm

@@ -123,16 +123,4 @@ LevelSetup SetUpNewLevels(const MesherOptions& options, const CellSizes& sizes,
   return setup;
 }
 
-std::vector<double> WidthsOfMaterials(const CellSizes& sizes)
-{
-  const Vector3 finest = MeanWidths(sizes.Nodes);
-  std::vector<double> widths;
-  for (const int halvings : sizes.OfMaterial)
-  {
-    widths.push_back(
-      std::ldexp(*std::max_element(finest.begin(), finest.end()), sizes.Halvings - halvings));
-  }
-  return widths;
-}
-
 } // namespace vfm

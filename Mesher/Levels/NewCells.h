@@ -35,8 +35,4 @@ CellSizes PlanNewCells(const MesherOptions& options, const LevelFields& fields,
 LevelSetup SetUpNewLevels(const MesherOptions& options, const CellSizes& sizes,
   const InputRequests& requests, LevelFields& fields);
 
-/// Returns the widths of the cells of materials 0, 1, ..: the largest along the axes. Empty without
-/// CellSizes::OfMaterial.
-std::vector<double> WidthsOfMaterials(const CellSizes& sizes);
-
 } // namespace vfm

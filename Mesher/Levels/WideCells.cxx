@@ -200,18 +200,19 @@ LevelFields HoldNeeded(const WidePlan& plan, const LevelFields& fields, Ranks& r
   return held;
 }
 
-WideReport WidenFields(
-  const WidePlan& plan, int halvings, double isoValue, Runtime& runtime, LevelFields& fields)
+WideReport WidenFields(const WidePlan& plan, const CellSizes& sizes, double isoValue,
+  Runtime& runtime, LevelFields& fields)
 {
   Ranks& ranks = runtime.Group();
   WideReport report;
   report.Widths = MeanWidths(plan.Nodes);
-  report.Halvings = halvings;
+  report.MaterialWidths = WidthsOfMaterials(sizes);
+  report.Halvings = report.MaterialWidths.empty() ? 0 : sizes.Halvings;
   report.InputCells = CountCells(fields.Grid, fields.Field.Fractions, isoValue, ranks);
   ResampledFields wide = ResampleFields(
     fields.Grid, fields.Field.Fractions, plan.Nodes, Index(1) << plan.Coarser, runtime);
   report.Cells = CountCells(wide.Grid, wide.Fractions, isoValue, ranks);
-  if (halvings == 0)
+  if (report.MaterialWidths.empty())
   {
     report.Keeping = FindKeepingFactors(fields, report.Widths,
       FindKept(wide.Grid, wide.Fractions, isoValue, ranks), isoValue, runtime);

@@ -23,7 +23,7 @@ struct WideReport
     Cells; ///< cells of the input, and new (finest) cells, of materials 0, 1, ..
   std::vector<double> MaterialWidths; ///< of cells of materials 0, 1, ..; empty: Widths
   /// Largest width that keeps each of the materials 0, 1, .. in 99 % of its volume, among those
-  /// tried, which are below Widths; 0: only the cells of the input do. Empty if there are Halvings.
+  /// tried, which are below Widths; 0: only the cells of the input do. Empty with MaterialWidths.
   std::vector<double> Keeping;
 
   bool IsUsed() const { return this->Widths != Vector3{}; }
@@ -62,11 +62,11 @@ std::vector<Index> CountCells(
   const CartesianGrid& grid, const FractionField& fractions, double isoValue, Ranks& ranks);
 
 /// Replaces the cells of fields of one level.
-/// @param halvings of the coarsest new cells, for WideReport
+/// @param sizes of the new cells, for WideReport
 /// @param[in,out] fields made for LevelSetup::IsUniform, without copies of cells
 /// @pre Collective
-WideReport WidenFields(
-  const WidePlan& plan, int halvings, double isoValue, Runtime& runtime, LevelFields& fields);
+WideReport WidenFields(const WidePlan& plan, const CellSizes& sizes, double isoValue,
+  Runtime& runtime, LevelFields& fields);
 
 /// Returns the requests for the new cells of this rank: a new cell gets the most halvings of the
 /// cells of the input that it overlaps.

@@ -48,13 +48,6 @@ protected:
   virtual FragmentVolumes FindFragments(
     const MeshCells& cells, MeshRun& run, TetTopology& topology) = 0;
 
-private:
-  std::shared_ptr<const RefinedGrid> LabelCells(
-    const MeshCells& cells, MeshRun& run, NarrowVoid& narrow);
-  std::shared_ptr<const RefinedGrid> LabelLeaves(
-    const MeshCells& cells, MeshRun& run, NarrowVoid& narrow);
-
-protected:
   const TetMethod Kind;
   TetEnergy TheEnergy;
   LabelArray Labels;
@@ -63,6 +56,12 @@ protected:
   std::vector<PointPosition> Positions;
   TetFaces Faces;
   ActiveMesh Active;
+
+private:
+  std::shared_ptr<const RefinedGrid> LabelCells(
+    const MeshCells& cells, MeshRun& run, NarrowVoid& narrow);
+  std::shared_ptr<const RefinedGrid> LabelLeaves(
+    const MeshCells& cells, MeshRun& run, NarrowVoid& narrow);
 };
 
 /// Tets of the method Lattice, cut where the labels of lattice nodes differ.

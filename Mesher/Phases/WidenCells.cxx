@@ -49,9 +49,7 @@ void WidenCells(
     NeedsState(choice, options) ? HoldNeeded(plan, cells.Fields, ranks) : cells.Fields, cells.Setup,
     options, cells.Owners, job.Run);
   SmoothInput(job, cells);
-  const int levels = sizes.OfMaterial.empty() ? 0 : sizes.Halvings;
-  cells.Wide = WidenFields(plan, levels, options.IsoValue, job.Run, cells.Fields);
-  cells.Wide.MaterialWidths = WidthsOfMaterials(sizes);
+  cells.Wide = WidenFields(plan, sizes, options.IsoValue, job.Run, cells.Fields);
   WidenState(cells.Fields.Grid, job.Run, cells.State);
   cells.State.InputNodes = nodes;
   cells.Requests = WidenRequests(requests, input, plan, cells.Fields.Grid, ranks);

@@ -124,19 +124,22 @@ double ReadNumber(const Option& option, nb::handle value)
   return found;
 }
 
+/// Converts a number in a value to a text.
+std::string WriteNumber(const Option& option, nb::handle value, nb::handle item)
+{
+  const nb::object number = nb::steal(PyNumber_Float(item.ptr()));
+  if (!number.is_valid())
+  {
+    RejectType(option, value);
+  }
+  return FormatNumber(PyFloat_AsDouble(number.ptr()));
+}
+
 /// Converts a number, or a sequence of three, to a text.
 std::string WriteWidths(const Option& option, nb::handle value)
 {
   std::vector<std::string> texts;
-  const auto add = [&](nb::handle item)
-  {
-    const nb::object number = nb::steal(PyNumber_Float(item.ptr()));
-    if (!number.is_valid())
-    {
-      RejectType(option, value);
-    }
-    texts.push_back(FormatNumber(PyFloat_AsDouble(number.ptr())));
-  };
+  const auto add = [&](nb::handle item) { texts.push_back(WriteNumber(option, value, item)); };
   if (PyNumber_Check(value.ptr()) && !PySequence_Check(value.ptr()))
   {
     add(value);
@@ -170,13 +173,8 @@ std::string WriteSizes(const Option& option, nb::handle value)
   std::vector<std::string> entries;
   for (const auto& [name, width] : nb::borrow<nb::dict>(value))
   {
-    const nb::object number = nb::steal(PyNumber_Float(width.ptr()));
-    if (!number.is_valid())
-    {
-      RejectType(option, value);
-    }
-    entries.push_back(QuoteName(
-      nb::cast<std::string>(nb::str(name)) + "=" + FormatNumber(PyFloat_AsDouble(number.ptr()))));
+    entries.push_back(
+      QuoteName(nb::cast<std::string>(nb::str(name)) + "=" + WriteNumber(option, value, width)));
   }
   return JoinTexts(entries, ",");
 }
