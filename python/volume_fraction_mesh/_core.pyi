@@ -4,7 +4,8 @@ Cells are numbered with x fastest. All functions raise ValueError if the input c
 MemoryError if memory runs out. Exceptions of `progress` and `warn`, and KeyboardInterrupt, pass
 through unchanged.
 """
-from typing import Any, Callable, Dict, List, Literal, Optional, Sequence, Tuple, TypedDict, Union
+from typing import (Any, Callable, Dict, List, Literal, Mapping, Optional, Sequence, Tuple,
+                    TypedDict, Union)
 
 import numpy as np
 from numpy.typing import NDArray
@@ -93,7 +94,9 @@ class Options:
     halved."""
 
     def __init__(
-        self, tets: bool, **values: Union[bool, int, float, str, Sequence[float]]) -> None: ...
+        self, tets: bool,
+        **values: Union[bool, int, float, str, Sequence[float],
+                        Mapping[Union[str, int], float]]) -> None: ...
     def changed(self) -> Dict[str, Union[bool, int, float, str]]:
         """Returns the options that differ from their defaults."""
 
