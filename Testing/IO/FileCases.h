@@ -34,8 +34,9 @@ public:
   }
 
 private:
-  const std::filesystem::path Path =
-    std::filesystem::path(::testing::TempDir()) / ("vfm_files_" + std::to_string(getpid()));
+  inline static int Count = 0;
+  const std::filesystem::path Path = std::filesystem::path(::testing::TempDir()) /
+    ("vfm_files_" + std::to_string(getpid()) + "_" + std::to_string(Count++));
 };
 
 inline std::string ReadBytes(const std::string& path)

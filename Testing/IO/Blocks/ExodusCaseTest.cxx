@@ -1,5 +1,6 @@
 /// Exodus files of hexahedra, in the formats of netCDF that the writer makes.
 #include "Blocks/ExodusCase.h"
+#include "FileCases.h"
 #include "Meshes/Exodus/WriteNetcdf.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +15,8 @@ namespace
 {
 
 constexpr int Cells = 3; // along each axis
-const std::string Path = testing::TempDir() + "vfm_exodus_test.e";
+const vfm::testing::Folder TestFolder;
+const std::string Path = TestFolder / "case.e";
 
 struct Contents
 {
@@ -138,7 +140,7 @@ std::string Refusal(const std::string& path)
   }
 }
 
-class ExodusCaseTest : public testing::TestWithParam<NetcdfFormat>
+class ExodusCaseTest : public ::testing::TestWithParam<NetcdfFormat>
 {
 };
 
@@ -226,6 +228,6 @@ TEST_P(ExodusCaseTest, PartsHaveTheSameTimes)
 }
 
 INSTANTIATE_TEST_SUITE_P(
-  Formats, ExodusCaseTest, testing::Values(NetcdfFormat::Classic, NetcdfFormat::Wide));
+  Formats, ExodusCaseTest, ::testing::Values(NetcdfFormat::Classic, NetcdfFormat::Wide));
 
 } // namespace

@@ -1,5 +1,6 @@
 /// NetCDF files, byte by byte.
 #include "Meshes/Exodus/WriteNetcdf.h"
+#include "FileCases.h"
 
 #include <gtest/gtest.h>
 
@@ -32,7 +33,8 @@ NetcdfLayout MakeLayout()
 
 std::string Write(NetcdfFormat format)
 {
-  const std::string path = testing::TempDir() + "vfm_netcdf_test.nc";
+  const vfm::testing::Folder folder;
+  const std::string path = folder / "case.nc";
   OutputSet files(path);
   WriteNetcdf(MakeLayout(), path, format, files);
   files.Rename();
