@@ -1,6 +1,6 @@
 #include "SurfaceShape.h"
 
-#include "Shapes/ClosedSurface.h"
+#include "Shapes/ShapesTriangles.h"
 
 #include "vtkCellArray.h"
 #include "vtkIdList.h"

@@ -280,11 +280,6 @@ double TriangleSolid::FitPlane(const Vector3& lower, const Vector3& upper, HalfS
   return deviation > SamePlane * Norm(edges) ? deviation * moments.Area : 0.0;
 }
 
-double TriangleSolid::MeasureVolume() const
-{
-  return this->MeasureVolume(this->All.Lower, this->All.Upper);
-}
-
 BoxQueries QueriesOf(std::shared_ptr<const TriangleSolid> solid)
 {
   BoxQueries boxes;
@@ -295,6 +290,13 @@ BoxQueries QueriesOf(std::shared_ptr<const TriangleSolid> solid)
   boxes.FitPlane = [solid](const Vector3& lower, const Vector3& upper, HalfSpace& plane)
   { return solid->FitPlane(lower, upper, plane); };
   return boxes;
+}
+
+Shape MakeSolid(
+  int material, const ClosedSurface& surface, std::function<double(const Vector3&)> distance)
+{
+  return MakeFunctionShape(material, std::move(distance),
+    QueriesOf(std::make_shared<const TriangleSolid>(PlaceTriangles(surface))));
 }
 
 } // namespace vfm

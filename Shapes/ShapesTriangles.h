@@ -5,12 +5,10 @@
 
 #include "Base/Groups.h"
 #include "Shapes/Shapes.h"
+#include "Surfaces/ClosedSurface.h"
 
 namespace vfm
 {
-
-/// Triangle with its corners counter-clockwise seen from outside.
-using Triangle = std::array<Vector3, 3>;
 
 /// Solid whose triangles are sorted into columns along x. A point is inside if its ray to +x
 /// leaves the solid once more than it enters. Therefore the volume in a box is a sum over the
@@ -30,8 +28,6 @@ public:
   /// Its offset is infinite if the solid fills all of the box or nothing. Returns the value
   /// of BoxQueries::FitPlane.
   double FitPlane(const Vector3& lower, const Vector3& upper, HalfSpace& plane) const;
-  /// Returns the volume of the whole solid; negative if the triangles face inwards.
-  double MeasureVolume() const;
 
 private:
   struct Bounds
@@ -56,5 +52,10 @@ private:
 
 /// Returns the functions for a shape that is the solid.
 BoxQueries QueriesOf(std::shared_ptr<const TriangleSolid> solid);
+
+/// Returns the solid inside a closed surface as a shape.
+/// @param distance  signed distance, negative inside; used only where other shapes cut this one
+Shape MakeSolid(
+  int material, const ClosedSurface& surface, std::function<double(const Vector3&)> distance);
 
 } // namespace vfm

@@ -103,7 +103,11 @@ struct MeshSettings : TetGenOptions
   /// material, 0.5 for several.
   double TargetScaledJacobian = 0.0;
   SharpEdgeMode SharpEdges =
-    SharpEdgeMode::Off;       ///< only with IsoValue 0.5 and SmoothingMethod::QuadricSurface
+    SharpEdgeMode::Off; ///< only with IsoValue 0.5 and SmoothingMethod::QuadricSurface
+  /// Surfaces of the input attract points; only with IsoValue 0.5 and
+  /// SmoothingMethod::QuadricSurface.
+  bool UseSurfaces = true;
+  double EdgeAngle = 40.0;    ///< least angle of sharp edges of surfaces of the input, degrees
   bool ConserveVolume = true; ///< match the fractions' volumes; only with IsoValue 0.5
   bool ComputeQuality = true; ///< fill Mesh::ScaledJacobian
   TetMethod Method = TetMethod::Lattice; ///< method of tetrahedral meshes

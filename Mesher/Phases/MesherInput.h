@@ -7,8 +7,10 @@
 #include "Input/LabelNames.h"
 #include "Options/MesherOptions.h"
 #include "State/StateChoice.h"
+#include "Surfaces/InputSurfaces.h"
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -36,6 +38,9 @@ struct MesherInput
   /// which knows only the blocks nearby and does not suit the option CellWidth with state,
   /// particles or requests of refinement. false: cells may be redistributed over the ranks.
   bool StaysInPlace = false;
+  /// Surfaces from which the fractions were computed, equal on all ranks; may be null. Bodies whose
+  /// names are not in Arrays.Fractions are ignored.
+  std::shared_ptr<const InputSurfaces> Surfaces{};
   std::function<void(const std::string&)> Warn; ///< called only on rank 0; may be empty
 };
 

@@ -8,9 +8,11 @@ import re
 # Modules of Grid and Mesher, from bottom to top. A module may include only modules before it; the
 # root of Mesher is above all its modules.
 RANKS = ("Parallel/Ranks",)
-GRID = RANKS + tuple("Grid/" + module for module in ("Base", "Fractions", "Octree", "Labels"))
+GRID = RANKS + tuple("Grid/" + module for module in (
+    "Base", "Surfaces", "Fractions", "Octree", "Labels"))
 MODULES = tuple("Mesher/" + module for module in (
-    "Elements", "Elements/Hex", "Elements/Tet", "Interface", "SharpFeatures", "Geometry",
+    "Elements", "Elements/Hex", "Elements/Tet", "Interface", "SharpFeatures", "GivenSurfaces",
+    "Geometry",
     "Smoothing", "Smoothing/Hex", "Smoothing/Tet", "Volumes", "Options", "TetGen", "Input",
     "Materials", "Levels", "Report", "Report/Sets", "State/Transfer", "State", "Modify", "Phases"))
 MESHER = MODULES + ("Mesher",)
@@ -22,7 +24,7 @@ WITH_MODULES = ("Grid", "Mesher", "Parallel", "Testing")
 # Other folders that a folder may include.
 ALLOWED = {place: MESHES[:level] for level, place in enumerate(MESHES)}
 ALLOWED.update({
-    "Shapes": BASE + ("Grid/Fractions",),
+    "Shapes": BASE + ("Grid/Surfaces", "Grid/Fractions"),
     "Parallel/Mpi": BASE,
     "Parallel/Vtk": BASE + ("Parallel/Mpi",),
     "Filters/Data": MESHES + ("Parallel/Vtk",),
@@ -48,7 +50,7 @@ ALLOWED.update({
     "Testing/Support": MESHES + ("Shapes",),
     "Testing/Inputs": MESHES,
     "Testing/Grid": MESHES + ("Shapes", "Testing/Support"),
-    "Testing/Shapes": BASE + ("Grid/Fractions", "Shapes"),
+    "Testing/Shapes": BASE + ("Grid/Surfaces", "Grid/Fractions", "Shapes"),
     "Testing/Fuzz": MESHES + (
         "Shapes", "IO", "IO/Blocks", "IO/GridFiles", "IO/Images", "IO/Labels", "IO/Meshes",
         "IO/Report", "Filters", "InSitu", "Program", "Testing/Inputs", "Testing/Support"),

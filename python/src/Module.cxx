@@ -16,7 +16,7 @@
 #include "Ranks/PrintableText.h"
 #include "RunOptions.h"
 #include "ShapeFractions.h"
-#include "Shapes/ClosedSurface.h"
+#include "Shapes/ShapesTriangles.h"
 #include "Shapes/ShapesText.h"
 #include "WriteFile.h"
 

@@ -5,7 +5,7 @@
 #include "Harness.h"
 
 #include "Ranks/Errors.h"
-#include "Shapes/ClosedSurface.h"
+#include "Shapes/ShapesTriangles.h"
 
 #include <algorithm>
 #include <cmath>

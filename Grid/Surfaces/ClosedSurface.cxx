@@ -1,10 +1,9 @@
-#include "Shapes/ClosedSurface.h"
+#include "Surfaces/ClosedSurface.h"
 
 #include "Ranks/Errors.h"
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <string>
 #include <utility>
 
@@ -209,6 +208,8 @@ void OrientConsistently(const std::vector<Neighbour>& neighbours, Triangles& tri
   }
 }
 
+} // namespace
+
 std::vector<Triangle> PlaceTriangles(const ClosedSurface& surface)
 {
   std::vector<Triangle> placed;
@@ -219,7 +220,17 @@ std::vector<Triangle> PlaceTriangles(const ClosedSurface& surface)
   return placed;
 }
 
-} // namespace
+double MeasureVolume(const ClosedSurface& surface)
+{
+  const Vector3 origin =
+    surface.Triangles.empty() ? Vector3{} : surface.Points[surface.Triangles[0][0]];
+  double sum = 0.0;
+  for (const Triangle& t : PlaceTriangles(surface))
+  {
+    sum += Dot(t[0] - origin, Cross(t[1] - origin, t[2] - origin)) / 6.0;
+  }
+  return sum;
+}
 
 ClosedSurface CloseSurface(std::vector<Vector3> points, Triangles triangles)
 {
@@ -230,7 +241,7 @@ ClosedSurface CloseSurface(std::vector<Vector3> points, Triangles triangles)
   CheckClosed(sides);
   OrientConsistently(FindNeighbours(sides), triangles);
   ClosedSurface surface{ std::move(points), std::move(triangles) };
-  if (TriangleSolid(PlaceTriangles(surface)).MeasureVolume() < 0.0)
+  if (MeasureVolume(surface) < 0.0)
   {
     for (PointTriangle& triangle : surface.Triangles)
     {
@@ -238,13 +249,6 @@ ClosedSurface CloseSurface(std::vector<Vector3> points, Triangles triangles)
     }
   }
   return surface;
-}
-
-Shape MakeSolid(
-  int material, const ClosedSurface& surface, std::function<double(const Vector3&)> distance)
-{
-  return MakeFunctionShape(material, std::move(distance),
-    QueriesOf(std::make_shared<const TriangleSolid>(PlaceTriangles(surface))));
 }
 
 } // namespace vfm

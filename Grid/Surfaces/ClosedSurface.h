@@ -4,9 +4,10 @@
  */
 #pragma once
 
-#include "Shapes/ShapesTriangles.h"
+#include "Base/IndexBox.h"
+#include "Base/Vector3.h"
 
-#include <functional>
+#include <vector>
 
 namespace vfm
 {
@@ -23,6 +24,15 @@ struct ClosedSurface
   std::vector<PointTriangle> Triangles;
 };
 
+/// Triangle given by its corners.
+using Triangle = std::array<Vector3, 3>;
+
+/// Returns the corners of all triangles.
+std::vector<Triangle> PlaceTriangles(const ClosedSurface& surface);
+
+/// Returns the volume inside a closed surface; negative if its triangles face inwards.
+double MeasureVolume(const ClosedSurface& surface);
+
 /// Makes a closed surface. Merges points at the same place and removes triangles with two equal
 /// corners. Orients the triangles of each connected component like its first one. If the total
 /// volume is then negative, reverses all triangles. Therefore the walls of a cavity must face
@@ -32,10 +42,5 @@ struct ClosedSurface
 /// @throws InputError  if a triangle refers to a point that does not exist, the magnitude of a
 ///   coordinate is not finite or above 1e60, or the surface is empty, open or not manifold
 ClosedSurface CloseSurface(std::vector<Vector3> points, std::vector<PointTriangle> triangles);
-
-/// Returns the solid inside a closed surface as a shape.
-/// @param distance  signed distance, negative inside; used only where other shapes cut this one
-Shape MakeSolid(
-  int material, const ClosedSurface& surface, std::function<double(const Vector3&)> distance);
 
 } // namespace vfm
