@@ -1,6 +1,7 @@
 #include "Smoothing/AttachFeatures.h"
 
 #include "Elements/PeriodicIds.h"
+#include "GivenSurfaces/FollowSurfaces.h"
 #include "Smoothing/RefineTargets.h"
 
 namespace vfm
@@ -122,7 +123,15 @@ std::vector<FeatureKind> AttachToFeatures(const MeshCells& cells, const Interfac
     options.IsoValue == 0.5 && options.Smoothing == SmoothingMethod::QuadricSurface;
   const Index firstTarget = targets.Count() - static_cast<Index>(interface.Points().size());
   std::vector<FeatureKind> kinds(active.X.size(), FeatureKind::None);
-  if (options.SharpEdges != SharpEdgeMode::Off && hasQuadrics)
+  if (cells.Surfaces && hasQuadrics)
+  {
+    run.Clock.Start("Following surfaces", 0.21);
+    const SharpFeatures features = FollowSurfaces(*cells.Surfaces, {interface, cells.Fractions, firstTarget, 1.0}, options.SharpEdges != SharpEdgeMode::Off, run.Parts, run.TheRuntime, targets);
+    kinds = AttachFeatures(
+      { features, interface, firstTarget }, facets, mesh, targets, active, run.TheRuntime);
+    CountCarriers(kinds, active, run);
+  }
+  else if (options.SharpEdges != SharpEdgeMode::Off && hasQuadrics)
   {
     run.Clock.Start("Finding sharp features", 0.22);
     const SharpFeatures features(interface, cells.Fractions, targets, firstTarget,
