@@ -14,7 +14,7 @@ constexpr FitRange SmoothRange{ 1.5, 0.7 };
 constexpr double NearFoot = 0.6, FarFoot = 1.8; // distances of the surface from a surface point
 constexpr double FootCosine = 0.2;              // between the interface and the surface
 constexpr double TurnedCost = 0.3; // of a foot whose normal differs by a right angle, in cells
-constexpr double AcceptedResidual = 0.3;
+constexpr double AcceptedResidual = 10;
 
 /// Surfaces near one grid, as far as interfaces of this rank need them.
 using NearSurfaces = std::vector<std::unique_ptr<const NearSurface>>;

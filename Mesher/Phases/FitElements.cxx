@@ -3,6 +3,7 @@
 #include "Interface/SurfaceTargets.h"
 #include "Smoothing/Attach.h"
 #include "Smoothing/AttachFeatures.h"
+#include "Smoothing/EaseFeatures.h"
 #include "Smoothing/EdgePulls.h"
 #include "Volumes/VolumeCorrection.h"
 
@@ -121,6 +122,11 @@ void MovePoints(const MeshCells& cells, const SurfaceTargets& targets, const Loc
   else
   {
     correction.Measure();
+  }
+  if (cells.Surfaces)
+  {
+    EaseFeatures(ramp.back(), smoother);
+    correction.MeasureAll();
   }
   CorrectMesh(conserves, ramp.back(), run.Clock, smoother, correction);
   smoother.ReportMoves(run.Report);
