@@ -129,6 +129,11 @@ void MovePoints(const MeshCells& cells, const SurfaceTargets& targets, const Loc
     correction.MeasureAll();
   }
   CorrectMesh(conserves, ramp.back(), run.Clock, smoother, correction);
+  if (cells.Surfaces) for (int i = 0; i < 3 && EaseFeatures(ramp.back(), smoother); ++i)
+  {
+    correction.MeasureAll();
+    CorrectMesh(conserves, ramp.back(), run.Clock, smoother, correction);
+  }
   smoother.ReportMoves(run.Report);
 }
 
