@@ -5,7 +5,6 @@
 
 #include "GivenSurfaces/SampleFit.h"
 #include "SharpFeatures/FeatureModel.h"
-#include "SharpFeatures/PackedCells.h"
 
 namespace vfm
 {
@@ -19,22 +18,14 @@ struct NodeSurroundings
   std::vector<NearCorner> Corners;
 };
 
-struct EdgeModel
-{
-  FeatureModel Model;
-  double Residual; ///< of the fractions around the node (ResidualOf)
-};
-
 /// Distance of edges and corners for which models are made, in cells.
 constexpr double EdgeReach = 2.3, CornerReach = EdgeReach + 0.5;
 
-/// Makes the model of the edge nearest to a node: two sides, and a third side of a corner or
-/// of another edge, if the fractions fit better with it.
+/// Makes the model of the edge nearest to a node: two sides, and a third side of a corner or of
+/// another edge, if more samples of the surface then lie where the second label ends.
 /// @param normal  of the interface at the node, towards the second label; edges without a side that
 ///   faces this way are ignored
-/// @param cells  fractions around the node
-/// @return nothing if there is no edge, or a side has too few samples
-std::optional<EdgeModel> MakeEdgeModel(
-  const NodeSurroundings& around, const Vector3& normal, const PackedCells& cells);
+/// @return nothing if there is no edge, or no two sides have enough samples
+std::optional<FeatureModel> MakeEdgeModel(const NodeSurroundings& around, const Vector3& normal);
 
 } // namespace vfm

@@ -14,7 +14,6 @@ constexpr FitRange SmoothRange{ 1.5, 0.7 };
 constexpr double NearFoot = 0.6, FarFoot = 1.8; // distances of the surface from a surface point
 constexpr double FootCosine = 0.2;              // between the interface and the surface
 constexpr double TurnedCost = 0.3; // of a foot whose normal differs by a right angle, in cells
-constexpr double AcceptedResidual = 10;
 
 /// Surfaces near one grid, as far as interfaces of this rank need them.
 using NearSurfaces = std::vector<std::unique_ptr<const NearSurface>>;
@@ -65,9 +64,12 @@ public:
   }
 
   /// Returns the model of the edge nearest to the node.
-  /// @param cells  fractions around the node
-  std::optional<EdgeModel> FitEdges(const PackedCells& cells)
+  std::optional<FeatureModel> FitEdges()
   {
+    if (!this->FindEdges())
+    {
+      return std::nullopt;
+    }
     this->List(EdgeReach + 2.0);
     this->Surface.ListCorners(this->Frame, CornerReach, this->Around.Corners);
     for (NearCorner& corner : this->Around.Corners)
@@ -77,9 +79,10 @@ public:
         normal = this->Sign * normal;
       }
     }
-    return MakeEdgeModel(this->Around, this->Normal, cells);
+    return MakeEdgeModel(this->Around, this->Normal);
   }
 
+private:
   bool FindEdges()
   {
     this->Surface.ListEdges(this->Frame, EdgeReach, this->Around.Edges);
@@ -91,7 +94,6 @@ public:
     return !this->Around.Edges.empty();
   }
 
-private:
   /// Collects the samples within a radius of the node.
   void List(double radius)
   {
@@ -130,20 +132,6 @@ private:
   NodeSurroundings Around;
 };
 
-/// Returns the model of the edges near a surface point if it explains the fractions.
-std::optional<FeatureModel> FindModel(const LevelSurface& level, const NodeFrame& frame,
-  const std::array<int, 2>& labels, PointSearch& search)
-{
-  std::vector<SampleCell> cells;
-  if (!search.FindEdges() ||
-    !GatherCells(level.Source, level.Fractions, frame, labels, NarrowStencil, cells))
-  {
-    return std::nullopt;
-  }
-  const std::optional<EdgeModel> model = search.FitEdges(cells);
-  return model && model->Residual <= AcceptedResidual ? std::optional(model->Model) : std::nullopt;
-}
-
 } // namespace
 
 SharpFeatures FollowSurfaces(const BodySurfaces& bodies, const LevelSurface& level, bool hasEdges,
@@ -173,7 +161,7 @@ SharpFeatures FollowSurfaces(const BodySurfaces& bodies, const LevelSurface& lev
       }
       if (hasEdges)
       {
-        found[i] = FindModel(level, frame, { { point.First, point.Second } }, search);
+        found[i] = search.FitEdges();
       }
     });
   std::vector<Index> points;
