@@ -1,7 +1,6 @@
 #include "Mesher.h"
 
 #include "Geometry/DisplacedVolume.h"
-#include "GivenSurfaces/BodySurfaces.h"
 #include "Options/MaterialWidths.h"
 #include "Options/SetOptions.h"
 #include "Phases/ChangeElements.h"
@@ -20,16 +19,11 @@ Mesh MakeMesh(
   const MesherJob& job, const LevelFields& fields, const MeshOptions& options, MeshReport& report)
 {
   const FractionField& fractions = fields.Field.Fractions;
-  std::unique_ptr<const BodySurfaces> surfaces;
-  if (job.Input.Surfaces && options.UseSurfaces)
-  {
-    surfaces = std::make_unique<const BodySurfaces>(*job.Input.Surfaces, job.Input.Arrays.Fractions, fields.Grid, options.EdgeAngle);
-  }
   if (job.Options.Elements == ElementKind::Hexes)
   {
-    return MakeHexMesh(fields.Grid, fractions, options, job.Run, report, surfaces.get());
+    return MakeHexMesh(fields.Grid, fractions, options, job.Run, report);
   }
-  Mesh mesh = MakeTetMesh(fields.Grid, fractions, options, job.Run, report, surfaces.get());
+  Mesh mesh = MakeTetMesh(fields.Grid, fractions, options, job.Run, report);
   if (report.RefusedParts > 0)
   {
     Warn(job,

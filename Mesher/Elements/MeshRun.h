@@ -11,15 +11,12 @@
 namespace vfm
 {
 
-class BodySurfaces;
-
 /// Cells to mesh. The referenced objects must outlive it.
 struct MeshCells
 {
   const CartesianGrid& Grid; ///< finest cells
   const FractionField& Fractions;
   const MeshOptions& Options;
-  const BodySurfaces* Surfaces; ///< given surfaces of the labels; null: none
 };
 
 /// Threads, ranks and report of a run. The referenced objects must outlive it.

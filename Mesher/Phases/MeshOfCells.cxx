@@ -62,19 +62,19 @@ Mesh MakeMesh(const MeshCells& cells, ElementMethod& method, MeshRun& run)
 } // namespace
 
 Mesh MakeHexMesh(const CartesianGrid& grid, const FractionField& fractions,
-  const MeshOptions& options, Runtime& runtime, MeshReport& report, const BodySurfaces* surfaces)
+  const MeshOptions& options, Runtime& runtime, MeshReport& report)
 {
   CheckOptions(options, ElementKind::Hexes);
   report = MeshReport();
   CheckLayers(grid, options.Levels);
-  const MeshCells cells{ grid, fractions, options, surfaces };
+  const MeshCells cells{ grid, fractions, options };
   HexMethod method(cells);
   MeshRun run(grid, runtime, report);
   return MakeMesh(cells, method, run);
 }
 
 Mesh MakeTetMesh(const CartesianGrid& grid, const FractionField& fractions,
-  const MeshOptions& options, Runtime& runtime, MeshReport& report, const BodySurfaces* surfaces)
+  const MeshOptions& options, Runtime& runtime, MeshReport& report)
 {
   CheckOptions(options, ElementKind::Tets);
   if (options.Method == TetMethod::TetGen && !HasTetGen())
@@ -93,7 +93,7 @@ Mesh MakeTetMesh(const CartesianGrid& grid, const FractionField& fractions,
     own.Method = TetMethod::Cells; // labels belong to leaves
     CheckLayers(grid, own.Levels);
   }
-  const MeshCells cells{ grid, fractions, own, surfaces };
+  const MeshCells cells{ grid, fractions, own };
   const std::unique_ptr<ElementMethod> method = MakeTetMethod(cells);
   MeshRun run(grid, runtime, report);
   return MakeMesh(cells, *method, run);

@@ -12,22 +12,18 @@
 namespace vfm
 {
 
-class BodySurfaces;
-
 /// Makes the hexahedral mesh of the owned cells. The mesh is valid for any labels: every corner of
 /// every hex has a positive Jacobian.
 /// @param grid  grid with the ghost layers that LayersFor(options.Levels) returns
 /// @param fractions  fractions of the local cells
 /// @param[out] report  measurements over all ranks
-/// @param surfaces  given surfaces of the labels; null: none
 /// @return elements of the owned cells; each element is on one rank
 /// @throws InputError  if an option is out of range or ids exceed 63 bits
 /// @throws std::logic_error  if the grid has too few ghost layers
 /// @throws Aborted  if the user stops the run
 /// @pre Collective over runtime.Group().
 Mesh MakeHexMesh(const CartesianGrid& grid, const FractionField& fractions,
-  const MeshOptions& options, Runtime& runtime, MeshReport& report,
-  const BodySurfaces* surfaces = nullptr);
+  const MeshOptions& options, Runtime& runtime, MeshReport& report);
 
 /// Makes the tetrahedral mesh of the owned cells. The mesh is valid for any labels: every tet
 /// has a positive volume. Arguments and results are those of MakeHexMesh.
@@ -36,8 +32,7 @@ Mesh MakeHexMesh(const CartesianGrid& grid, const FractionField& fractions,
 /// @throws InputError  if the build has no TetGen, too
 /// @pre Collective over runtime.Group().
 Mesh MakeTetMesh(const CartesianGrid& grid, const FractionField& fractions,
-  const MeshOptions& options, Runtime& runtime, MeshReport& report,
-  const BodySurfaces* surfaces = nullptr);
+  const MeshOptions& options, Runtime& runtime, MeshReport& report);
 
 /// Returns whether this build includes TetGen.
 bool HasTetGen();
