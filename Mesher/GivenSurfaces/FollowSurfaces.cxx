@@ -3,8 +3,6 @@
 #include "GivenSurfaces/EdgeModels.h"
 #include "SharpFeatures/FeatureSites.h"
 
-#include <memory>
-
 namespace vfm
 {
 namespace
@@ -14,25 +12,6 @@ constexpr FitRange SmoothRange{ 1.5, 0.7 };
 constexpr double NearFoot = 0.6, FarFoot = 1.8; // distances of the surface from a surface point
 constexpr double FootCosine = 0.2;              // between the interface and the surface
 constexpr double TurnedCost = 0.3; // of a foot whose normal differs by a right angle, in cells
-
-/// Surfaces near one grid, as far as interfaces of this rank need them.
-using NearSurfaces = std::vector<std::unique_ptr<const NearSurface>>;
-
-NearSurfaces ListNear(const BodySurfaces& bodies, const LevelSurface& level)
-{
-  NearSurfaces near;
-  for (const PlacedBody& body : bodies.Bodies)
-  {
-    std::vector<Vector3> points;
-    for (const Vector3& x : body.Points)
-    {
-      points.push_back((1.0 / level.Ratio) * x);
-    }
-    near.push_back(std::make_unique<const NearSurface>(
-      PlacedSurface{ points, body.Triangles, body.Sheets }, level.Source));
-  }
-  return near;
-}
 
 /// Search at a surface point. Normals point to the second label.
 class PointSearch
@@ -132,50 +111,98 @@ private:
   NodeSurroundings Around;
 };
 
-} // namespace
-
-SharpFeatures FollowSurfaces(const BodySurfaces& bodies, const LevelSurface& level, bool hasEdges,
-  const Partition& partition, Runtime& runtime, SurfaceTargets& targets)
+/// A surface point of a level with a surface.
+struct GivenPoint
 {
-  const Interface& interface = level.Source;
-  const NearSurfaces near = ListNear(bodies, level);
-  const FeatureSites sites(interface, partition);
-  const SiteList& list = sites.Near();
-  std::vector<std::optional<FeatureModel>> found(list.size());
-  ForEach(runtime, list.size(),
-    [&](Index i)
-    {
-      const SurfacePoint& point = interface.Points()[list[i].Point];
-      const BodySide side = bodies.Between(point.First, point.Second);
-      if (side.Body < 0)
-      {
-        return;
-      }
-      const NodeFrame frame = FrameOf(interface, list[i].Node);
-      PointSearch search(*near[side.Body], side.IsSecondInside, frame, point);
-      const std::optional<SampleFit> fit = search.FitSmooth();
-      if (fit)
-      {
-        targets.Replace(level.FirstTarget + list[i].Point, fit->Surface, level.Ratio * frame.Origin,
-          level.Ratio * frame.Widths);
-      }
-      if (hasEdges)
-      {
-        found[i] = search.FitEdges();
-      }
-    });
-  std::vector<Index> points;
-  std::vector<NodeFeature> models;
-  for (std::size_t i = 0; i < list.size(); ++i)
+  Index Node, Point; ///< positions in Interface::Nodes() and Points()
+  int Body;          ///< position in BodySurfaces::Bodies()
+  bool IsSecondInside;
+};
+
+/// Lists the points of owned nodes and of nodes within two of them.
+std::vector<GivenPoint> ListPoints(const BodySurfaces& bodies, const Interface& interface)
+{
+  const CartesianGrid& grid = interface.Grid();
+  const IndexBox nodes = NodesOf(Grow(grid.Owned(), FeatureSites::Spread, grid.Global()));
+  std::vector<GivenPoint> points;
+  for (Index n = 0; n < static_cast<Index>(interface.Nodes().size()); ++n)
   {
-    if (found[i])
+    const bool isNear = nodes.Contains(grid.Position(interface.Nodes()[n]));
+    for (Index p = interface.PointOffset(n); isNear && p < interface.PointOffset(n + 1); ++p)
     {
-      const NodeFrame frame = FrameOf(interface, list[i].Node);
-      points.push_back(list[i].Point);
-      models.push_back({ *found[i], level.Ratio * frame.Origin, level.Ratio * frame.Widths });
+      const SurfacePoint& point = interface.Points()[p];
+      const int body = bodies.FindOfInterface(point.First, point.Second);
+      if (body >= 0)
+      {
+        points.push_back({ n, p, body, bodies.Bodies()[body].Material == point.Second });
+      }
     }
   }
-  return SharpFeatures(std::move(points), std::move(models));
+  return points;
+}
+
+/// Interface of one level and its targets.
+struct FollowedLevel
+{
+  const Interface& Source;
+  Index FirstTarget; ///< target of the first surface point
+  double Ratio;      ///< factor from its grid coordinates to those of the finest grid
+};
+
+/// Replaces the targets of the points of a level. Returns the models of edges.
+std::vector<std::optional<FeatureModel>> FollowPoints(const std::vector<GivenPoint>& points,
+  const std::vector<NearSurface>& surfaces, const FollowedLevel& level, bool hasEdges,
+  Runtime& runtime, SurfaceTargets& targets)
+{
+  std::vector<std::optional<FeatureModel>> models(points.size());
+  ForEach(runtime, points.size(),
+    [&](Index i)
+    {
+      const GivenPoint& at = points[i];
+      const NodeFrame frame = FrameOf(level.Source, at.Node);
+      PointSearch search(
+        surfaces[at.Body], at.IsSecondInside, frame, level.Source.Points()[at.Point]);
+      if (const std::optional<SampleFit> fit = search.FitSmooth())
+      {
+        targets.Replace(level.FirstTarget + at.Point, fit->Surface, level.Ratio * frame.Origin,
+          level.Ratio * frame.Widths);
+      }
+      models[i] = hasEdges ? search.FitEdges() : std::nullopt;
+    });
+  return models;
+}
+
+} // namespace
+
+SharpFeatures FollowSurfaces(const BodySurfaces& bodies,
+  const std::vector<const Interface*>& interfaces, bool hasEdges, Runtime& runtime,
+  SurfaceTargets& targets)
+{
+  std::vector<Index> found;
+  std::vector<NodeFeature> features;
+  Index first = 0;
+  for (const Interface* interface : interfaces)
+  {
+    const FollowedLevel level{ *interface, first, interface->Scale() / interfaces.back()->Scale() };
+    std::vector<NearSurface> surfaces;
+    for (const GivenBody& body : bodies.Bodies())
+    {
+      surfaces.emplace_back(body, bodies.Periods(), level.Ratio, *interface);
+    }
+    const std::vector<GivenPoint> points = ListPoints(bodies, *interface);
+    const auto models = FollowPoints(points, surfaces, level, hasEdges, runtime, targets);
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      if (models[i])
+      {
+        const NodeFrame frame = FrameOf(*interface, points[i].Node);
+        found.push_back(first + points[i].Point);
+        features.push_back({ *models[i], level.Ratio * frame.Origin, level.Ratio * frame.Widths });
+      }
+    }
+    first += static_cast<Index>(interface->Points().size());
+  }
+  return SharpFeatures(std::move(found), std::move(features));
 }
 
 } // namespace vfm

@@ -92,52 +92,91 @@ Vector3 MeanWidths(const Interface& interface)
   return widths;
 }
 
+/// Returns the positions of the copies of a body that repeats, relative to it.
+std::vector<Vector3> ListShifts(const Vector3& periods, const CartesianGrid& grid)
+{
+  IndexBox copies;
+  for (int a = 0; a < 3; ++a)
+  {
+    const Index period = grid.Period(a);
+    const Index around = period > 0 ? (grid.Global().Size(a) + period - 1) / period : 0;
+    copies.Lower[a] = -around;
+    copies.Upper[a] = around + 1;
+  }
+  std::vector<Vector3> shifts;
+  ForCells(copies,
+    [&](const Index3& n)
+    {
+      shifts.push_back({ { static_cast<double>(n[0]) * periods[0],
+        static_cast<double>(n[1]) * periods[1], static_cast<double>(n[2]) * periods[2] } });
+    });
+  return shifts;
+}
+
 } // namespace
 
 NearSurface::NearSurface(
-  const PlacedSurface& surface, const Interface& interface, const std::vector<Vector3>& shifts) :
-  Widths(MeanWidths(interface)), SheetOf(surface.Sheets.SheetOf)
+  const GivenBody& body, const Vector3& periods, double ratio, const Interface& interface) :
+  Widths(MeanWidths(interface)), SheetOf(body.Sheets.SheetOf)
 {
-  const IndexBox& local = interface.Grid().Local();
-  this->Box.Lower = this->BinOf(interface.NodePoint(interface.Grid().Linear(local.Lower)));
-  this->Box.Upper = this->BinOf(interface.NodePoint(interface.Grid().Linear(local.Upper)));
-  for (int a = 0; a < 3; ++a)
-  {
-    this->Box.Lower[a] -= Margin;
-    this->Box.Upper[a] += Margin + 1;
-  }
+  this->PlaceBox(interface.Grid(), interface);
+  const ClosedSurface& surface = body.Boundary;
   for (const PointTriangle& t : surface.Triangles)
   {
     const Vector3& first = surface.Points[t[0]];
     this->Normals.push_back(
       Unit(Cross(surface.Points[t[1]] - first, surface.Points[t[2]] - first)));
   }
-  for (const Vector3& shift : shifts)
+  for (const Vector3& shift : ListShifts(periods, interface.Grid()))
   {
+    Points points = surface.Points;
+    std::for_each(
+      points.begin(), points.end(), [&](Vector3& x) { x = (1.0 / ratio) * (x + shift); });
     for (std::size_t t = 0; t < surface.Triangles.size(); ++t)
     {
-      this->AddSamples(surface, shift, static_cast<int>(t));
+      this->AddSamples(points, surface.Triangles[t], static_cast<int>(t));
     }
-    this->AddEdges(surface, shift);
-    this->AddCorners(surface, shift);
+    this->AddEdges(points, body.Sheets);
+    this->AddCorners(points, body.Sheets);
   }
+  this->FillBins();
+}
+
+void NearSurface::PlaceBox(const CartesianGrid& grid, const Interface& interface)
+{
+  const IndexBox& local = grid.Local();
+  this->Box.Lower = this->BinOf(interface.NodePoint(grid.Linear(local.Lower)));
+  this->Box.Upper = this->BinOf(interface.NodePoint(grid.Linear(local.Upper)));
+  for (int a = 0; a < 3; ++a)
+  {
+    this->Box.Lower[a] -= Margin;
+    this->Box.Upper[a] += Margin + 1;
+  }
+}
+
+void NearSurface::FillBins()
+{
   std::vector<BinnedItem> items;
+  const IndexBox& box = this->Box;
   const auto put = [&](const Vector3& x, std::size_t item)
   {
     const Index3 bin = this->BinOf(x);
-    const IndexBox& box = this->Box;
     if (box.Contains(bin))
     {
       const Index row = (bin[2] - box.Lower[2]) * box.Size(1) + bin[1] - box.Lower[1];
       items.emplace_back(row * box.Size(0) + bin[0] - box.Lower[0], static_cast<int>(item));
     }
   };
+  const auto make = [&](Bins& bins)
+  {
+    bins = this->MakeBins(std::move(items));
+    items.clear();
+  };
   for (std::size_t s = 0; s < this->Samples.size(); ++s)
   {
     put(this->Samples[s].At, s);
   }
-  this->SampleBins = this->MakeBins(std::move(items));
-  items.clear();
+  make(this->SampleBins);
   for (std::size_t e = 0; e < this->Edges.size(); ++e)
   {
     const auto& [a, b] = this->Edges[e].Ends;
@@ -147,13 +186,12 @@ NearSurface::NearSurface(
       put(a + (static_cast<double>(i) / parts) * (b - a), e);
     }
   }
-  this->EdgeBins = this->MakeBins(std::move(items));
-  items.clear();
+  make(this->EdgeBins);
   for (std::size_t c = 0; c < this->Corners.size(); ++c)
   {
     put(this->Corners[c].At, c);
   }
-  this->CornerBins = this->MakeBins(std::move(items));
+  make(this->CornerBins);
 }
 
 Index3 NearSurface::BinOf(const Vector3& x) const
@@ -168,15 +206,10 @@ Index3 NearSurface::BinOf(const Vector3& x) const
 
 /// Adds points in rows parallel to the longest side. Of triangles smaller than the square of the
 /// spacing only some are kept, with the area of all.
-void NearSurface::AddSamples(const PlacedSurface& surface, const Vector3& shift, int triangle)
+void NearSurface::AddSamples(const Points& points, const PointTriangle& corners, int triangle)
 {
-  const PointTriangle& points = surface.Triangles[triangle];
-  std::array<Vector3, 3> corners;
-  for (int c = 0; c < 3; ++c)
-  {
-    corners[c] = surface.Points[points[c]] + shift;
-  }
-  const Slope slope = SlopeOf(corners, this->Widths);
+  const Slope slope =
+    SlopeOf({ points[corners[0]], points[corners[1]], points[corners[2]] }, this->Widths);
   const double area = 0.5 * slope.Base * slope.Height;
   if (!(area > 0.0) || this->Normals[triangle] == Vector3{})
   {
@@ -215,15 +248,15 @@ void NearSurface::AddSamples(const PlacedSurface& surface, const Vector3& shift,
   }
 }
 
-void NearSurface::AddEdges(const PlacedSurface& surface, const Vector3& shift)
+void NearSurface::AddEdges(const Points& points, const SurfaceSheets& sheets)
 {
-  for (const SharpEdge& edge : surface.Sheets.Edges)
+  for (const SharpEdge& edge : sheets.Edges)
   {
     Edge placed;
     placed.IsConvex = edge.IsConvex;
     for (int i = 0; i < 2; ++i)
     {
-      placed.Ends[i] = surface.Points[edge.Points[i]] + shift;
+      placed.Ends[i] = points[edge.Points[i]];
       placed.Triangles[i] = static_cast<int>(edge.Triangles[i]);
       placed.Sheets[i] = this->SheetOf[edge.Triangles[i]];
     }
@@ -231,10 +264,10 @@ void NearSurface::AddEdges(const PlacedSurface& surface, const Vector3& shift)
   }
 }
 
-void NearSurface::AddCorners(const PlacedSurface& surface, const Vector3& shift)
+void NearSurface::AddCorners(const Points& points, const SurfaceSheets& sheets)
 {
   std::vector<std::pair<Index, Index>> ends; // points of edges and their triangles
-  for (const SharpEdge& edge : surface.Sheets.Edges)
+  for (const SharpEdge& edge : sheets.Edges)
   {
     for (Index point : edge.Points)
     {
@@ -245,7 +278,7 @@ void NearSurface::AddCorners(const PlacedSurface& surface, const Vector3& shift)
   SortUnique(ends);
   for (std::size_t begin = 0, end; begin < ends.size(); begin = end)
   {
-    Corner corner{ surface.Points[ends[begin].first] + shift, {}, {} };
+    Corner corner{ points[ends[begin].first], {}, {} };
     for (end = begin; end < ends.size() && ends[end].first == ends[begin].first; ++end)
     {
       const int sheet = this->SheetOf[ends[end].second];

@@ -4,19 +4,11 @@
  */
 #pragma once
 
+#include "GivenSurfaces/BodySurfaces.h"
 #include "SharpFeatures/FeatureData.h"
-#include "Surfaces/SurfaceSheets.h"
 
 namespace vfm
 {
-
-/// Surface of a body in grid coordinates of a grid.
-struct PlacedSurface
-{
-  const std::vector<Vector3>& Points;
-  const std::vector<PointTriangle>& Triangles;
-  const SurfaceSheets& Sheets;
-};
 
 /// Point of a surface, in the local frame of a node.
 struct SurfaceSample
@@ -50,11 +42,11 @@ struct NearCorner
 class NearSurface
 {
 public:
-  /// @param surface  its points; copied as far as needed
-  /// @param interface  interface of the grid; nodes of its local box are searched for
-  /// @param shifts  positions of the copies of the body relative to it, in grid coordinates
-  NearSurface(const PlacedSurface& surface, const Interface& interface,
-    const std::vector<Vector3>& shifts = { Vector3{} });
+  /// @param periods  BodySurfaces::Periods
+  /// @param ratio  factor from grid coordinates of the interface to those of the body
+  /// @param interface  interface of the grid; what is near nodes of its local box is found
+  NearSurface(
+    const GivenBody& body, const Vector3& periods, double ratio, const Interface& interface);
 
   /// Collects the samples whose distance to the node is at most a radius in cells, 4.5 at most.
   void ListSamples(
@@ -91,9 +83,12 @@ private:
   };
   using BinnedItem = std::pair<Index, int>; // cell and number of an item
 
-  void AddSamples(const PlacedSurface& surface, const Vector3& shift, int triangle);
-  void AddEdges(const PlacedSurface& surface, const Vector3& shift);
-  void AddCorners(const PlacedSurface& surface, const Vector3& shift);
+  using Points = std::vector<Vector3>;
+  void PlaceBox(const CartesianGrid& grid, const Interface& interface);
+  void AddSamples(const Points& points, const PointTriangle& corners, int triangle);
+  void AddEdges(const Points& points, const SurfaceSheets& sheets);
+  void AddCorners(const Points& points, const SurfaceSheets& sheets);
+  void FillBins();
   Bins MakeBins(std::vector<BinnedItem> items) const;
   Index3 BinOf(const Vector3& x) const;
   template <class Visitor>

@@ -17,6 +17,8 @@ namespace
 // Rounds of EndIntersections after which volumes are corrected, and points move again. Further
 // rounds only put points back.
 constexpr int CorrectedRounds = 4, MovingRounds = 30;
+// Rounds in which edges give way to quality after volumes were corrected, and volumes again.
+constexpr int EasedRounds = 3;
 
 /// Attaches the active points to the interfaces.
 /// @param[out] kinds  of the active points
@@ -33,8 +35,8 @@ SurfaceTargets FindTargets(const MeshCells& cells, const Draft& draft, ElementMe
   const SurfaceTargets::Kind kind = KindOfTargets(cells.Options);
   SurfaceTargets targets(interfaces->All(), kind, run.TheRuntime);
   const std::vector<Facet> features = method.FeatureFacets(cells, draft);
-  kinds = AttachToFeatures(cells, *interfaces->All().back(),
-    features.empty() ? draft.Facets : features, draft.Elements, run, targets, active);
+  kinds = AttachToFeatures(cells, interfaces->All(), features.empty() ? draft.Facets : features,
+    draft.Elements, run, targets, active);
   if (kind == SurfaceTargets::Kind::Quadrics)
   {
     interfaces.reset(); // only facets need them
@@ -123,16 +125,17 @@ void MovePoints(const MeshCells& cells, const SurfaceTargets& targets, const Loc
   {
     correction.Measure();
   }
-  if (cells.Surfaces)
+  for (int round = 0; round <= EasedRounds; ++round)
   {
-    EaseFeatures(ramp.back(), smoother);
-    correction.MeasureAll();
-  }
-  CorrectMesh(conserves, ramp.back(), run.Clock, smoother, correction);
-  if (cells.Surfaces) for (int i = 0; i < 3 && EaseFeatures(ramp.back(), smoother); ++i)
-  {
-    correction.MeasureAll();
-    CorrectMesh(conserves, ramp.back(), run.Clock, smoother, correction);
+    const bool isEased = cells.Surfaces && EaseFeatures(ramp.back(), smoother);
+    if (isEased)
+    {
+      correction.MeasureAll();
+    }
+    if (round == 0 || isEased)
+    {
+      CorrectMesh(conserves, ramp.back(), run.Clock, smoother, correction);
+    }
   }
   smoother.ReportMoves(run.Report);
 }
