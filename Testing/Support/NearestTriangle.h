@@ -7,6 +7,8 @@
 #include "Base/Groups.h"
 #include "Base/Vector3.h"
 
+#include <functional>
+
 namespace vfm
 {
 namespace testing
@@ -21,6 +23,9 @@ public:
   explicit NearestTriangle(std::vector<Corners> triangles, double binWidth = 1.0);
 
   double Distance(const Vector3& x) const;
+  /// Returns the triangle of the least badness(triangle, distance), which must not be below the
+  /// distance of the triangle from x.
+  int Find(const Vector3& x, const std::function<double(int, double)>& badness) const;
 
 private:
   Index3 BinOf(const Vector3& x) const;

@@ -1,0 +1,342 @@
+/**
+ * Meshes closed surfaces of parts, and compares the meshes with the triangles.
+ *
+ * usage: SurfaceParts PARTS CELLS [SURFACES, default on,off] [METHODS, default hexes]
+ *          [TURNED, default 0] [ANGLE, default 40]
+ *   SurfaceParts plate_with_holes,tray 3t,6t
+ *   SurfaceParts part.stl,other.stl 64
+ *   SurfaceParts one.stl+two.stl 64
+ *
+ * PARTS are files, or names of files of Data/Surfaces; + joins the bodies of one input. CELLS are
+ * numbers of cells along the longest side, or of the thickness of the named parts if t follows.
+ * SURFACES are values of the option UseSurfaces. TURNED 1 rotates the part, so that its faces are
+ * oblique to the grid. ANGLE: least angle of sharp edges in degrees.
+ *
+ * Columns, lengths in cells: share of the true sharp edges within 0.25 of the mesh, and their rms
+ * distance; distance of the nodes on the surface, rms and largest; Hausdorff and rms distance of
+ * the surfaces; sides that a surface of the mesh represents / sides of the part / surfaces of the
+ * mesh; error of the areas of sides, worst and mean; error of volumes; points on edges + corners;
+ * seconds of the fractions and of the mesh.
+ */
+#include "Base/ParseText.h"
+#include "Base/ThreadRuntime.h"
+
+#include "Input/PlainArrays.h"
+#include "LabelInput.h"
+#include "MeasureAlone.h"
+#include "Parts/PartFigures.h"
+#include "Shapes/ShapesFractions.h"
+#include "Shapes/ShapesTriangles.h"
+
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+using namespace vfm;
+using namespace vfm::testing;
+
+namespace
+{
+
+constexpr double Padding = 3.0; // cells between part and domain
+
+/// Thickness of a part of Data/Surfaces, relative to its longest side.
+struct NamedPart
+{
+  const char* Name;
+  double Thickness;
+};
+constexpr NamedPart NamedParts[] = { { "plate_with_holes", 6.0 / 60.0 }, { "tray", 2.0 / 60.0 },
+  { "fixed_top", 4.0 / 60.0 }, { "flange", 8.0 / 60.0 }, { "fan", 0.1 }, { "tube", 2.0 / 60.0 } };
+
+std::vector<std::string> Split(const std::string& text, char separator)
+{
+  std::vector<std::string> words;
+  std::istringstream stream(text);
+  for (std::string word; std::getline(stream, word, separator);)
+  {
+    words.push_back(word);
+  }
+  return words;
+}
+
+std::string NameOf(const std::string& path)
+{
+  const std::string file = path.substr(path.find_last_of('/') + 1);
+  return file.substr(0, file.find('.'));
+}
+
+/// Reads a binary STL file.
+BodySurface ReadBody(const std::string& word)
+{
+  const std::string path =
+    word.find('.') == std::string::npos ? std::string(VFM_SURFACES) + "/" + word + ".stl" : word;
+  std::ifstream file(path, std::ios::binary);
+  std::vector<char> bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  std::uint32_t count = 0;
+  if (bytes.size() >= 84)
+  {
+    std::memcpy(&count, bytes.data() + 80, 4);
+  }
+  if (bytes.size() < 84 + 50 * static_cast<std::size_t>(count) || count == 0)
+  {
+    throw InputError(path + " is not a binary STL file.");
+  }
+  std::vector<Vector3> points;
+  std::vector<PointTriangle> triangles;
+  for (std::uint32_t t = 0; t < count; ++t)
+  {
+    std::array<float, 9> x;
+    std::memcpy(x.data(), bytes.data() + 84 + 50 * t + 12, sizeof(x));
+    const Index first = static_cast<Index>(points.size());
+    for (int c = 0; c < 3; ++c)
+    {
+      points.push_back({ { x[3 * c], x[3 * c + 1], x[3 * c + 2] } });
+    }
+    triangles.push_back({ { first, first + 1, first + 2 } });
+  }
+  BodySurface body{ NameOf(path), CloseSurface(std::move(points), std::move(triangles)), {}, {} };
+  body.Patches.assign(body.Boundary.Triangles.size(), 0);
+  body.PatchNames = { body.Name };
+  return body;
+}
+
+/// Rotates by 0.4, 0.3, 0.5 about x, y, z.
+Vector3 Turn(Vector3 x)
+{
+  constexpr std::array<double, 3> Angles{ { 0.4, 0.3, 0.5 } };
+  for (int a = 0; a < 3; ++a)
+  {
+    const double c = std::cos(Angles[a]), s = std::sin(Angles[a]);
+    double &u = x[(a + 1) % 3], &v = x[(a + 2) % 3];
+    const double turned = c * u - s * v;
+    v = s * u + c * v;
+    u = turned;
+  }
+  return x;
+}
+
+/// Bodies in units of cells, inside a domain of cells from 0.
+struct Part
+{
+  std::string Name;
+  std::shared_ptr<InputSurfaces> Surfaces = std::make_shared<InputSurfaces>();
+  Index3 Cells;
+};
+
+template <class Visit>
+void ForPoints(Part& part, const Visit& visit)
+{
+  for (BodySurface& body : part.Surfaces->Bodies)
+  {
+    for (Vector3& point : body.Boundary.Points)
+    {
+      visit(point);
+    }
+  }
+}
+
+/// Returns the lower and the upper corner of all bodies.
+std::array<Vector3, 2> FindBounds(Part& part)
+{
+  Vector3 lower = part.Surfaces->Bodies[0].Boundary.Points[0], upper = lower;
+  ForPoints(part,
+    [&](const Vector3& x)
+    {
+      for (int a = 0; a < 3; ++a)
+      {
+        lower[a] = std::min(lower[a], x[a]);
+        upper[a] = std::max(upper[a], x[a]);
+      }
+    });
+  return { { lower, upper } };
+}
+
+double LongestSide(const std::array<Vector3, 2>& bounds)
+{
+  const Vector3 sides = bounds[1] - bounds[0];
+  return *std::max_element(sides.begin(), sides.end());
+}
+
+/// Returns the number of cells along the longest side of a part that is not turned.
+double CellsOf(const std::string& part, const std::string& text)
+{
+  const bool isThickness = text.back() == 't';
+  const std::optional<double> cells =
+    ParseNumber(isThickness ? text.substr(0, text.size() - 1) : text, 0.1, 1e4);
+  if (!cells)
+  {
+    throw InputError("There is no number of cells '" + text + "'.");
+  }
+  if (!isThickness)
+  {
+    return *cells;
+  }
+  for (const NamedPart& named : NamedParts)
+  {
+    if (named.Name == part)
+    {
+      return *cells / named.Thickness;
+    }
+  }
+  throw InputError("The thickness of '" + part + "' is not known.");
+}
+
+Part ReadPart(const std::string& words, const std::string& cells, bool isTurned)
+{
+  Part part;
+  part.Name = NameOf(words);
+  for (const std::string& word : Split(words, '+'))
+  {
+    part.Surfaces->Bodies.push_back(ReadBody(word));
+  }
+  const double scale = CellsOf(words, cells) / LongestSide(FindBounds(part));
+  ForPoints(part, [&](Vector3& x) { x = scale * (isTurned ? Turn(x) : x); });
+  const auto [lower, upper] = FindBounds(part);
+  Vector3 shift;
+  for (int a = 0; a < 3; ++a)
+  {
+    const double size = upper[a] - lower[a];
+    part.Cells[a] = static_cast<Index>(std::ceil(size - 1e-6)) + 2 * static_cast<Index>(Padding);
+    shift[a] = 0.5 * (static_cast<double>(part.Cells[a]) - size) - lower[a];
+  }
+  ForPoints(part, [&](Vector3& x) { x = x + shift; });
+  return part;
+}
+
+/// Returns the fractions of the bodies; an earlier body keeps its volume.
+MesherInput MakeInput(const Part& part, Runtime& runtime)
+{
+  const IndexBox cells{ {}, part.Cells };
+  std::array<std::vector<double>, 3> coordinates;
+  for (int a = 0; a < 3; ++a)
+  {
+    for (Index i = 0; i <= part.Cells[a]; ++i)
+    {
+      coordinates[a].push_back(static_cast<double>(i));
+    }
+  }
+  auto arrays = std::make_shared<PlainArrays>(cells.NumberOfCells());
+  std::vector<double> room(cells.NumberOfCells(), 1.0);
+  MesherInput input;
+  for (const BodySurface& body : part.Surfaces->Bodies)
+  {
+    Buffer<double> fractions = std::move(FractionArraysOfShapes(coordinates, cells,
+      { MakeSolid(1, body.Boundary, [](const Vector3&) { return 0.0; }) }, 1e-4, runtime)[0]);
+    for (std::size_t c = 0; c < room.size(); ++c)
+    {
+      fractions[c] = std::min(fractions[c], room[c]);
+      room[c] -= fractions[c];
+    }
+    arrays->Store(body.Name, ValueType::Double, std::move(fractions));
+    input.Arrays.Fractions.push_back(body.Name);
+  }
+  MesherInput made = testing::MakeInput({ MakeBlock(cells, {}, 1.0, arrays) }, runtime.Group());
+  made.Arrays = input.Arrays;
+  return made;
+}
+
+MesherOptions OptionsOf(const std::string& method, double angle)
+{
+  MesherOptions options;
+  options.Elements = method == "hexes" ? ElementKind::Hexes : ElementKind::Tets;
+  options.Method = method == "Cells" ? TetMethod::Cells : TetMethod::Lattice;
+  options.EdgeAngle = angle;
+  return options;
+}
+
+void PrintHeader()
+{
+  std::printf("| part | cells | surfaces | elements | scaled Jacobian or angles | "
+              "edges within .25, %% | edges rms | nodes rms, largest | Hausdorff, rms | "
+              "sides found/all/mesh | side areas worst, mean %% | volume | edge+corner points | "
+              "fractions, mesh s |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+}
+
+void PrintRow(const std::string& name, const std::string& surfaces, const MesherResult& result,
+  const PartFigures& f)
+{
+  const MeshReport& report = result.Report;
+  std::printf(
+    "| %s | %s | %zu | ", name.c_str(), surfaces.c_str(), result.TheMesh.ElementIds.size());
+  if (result.TheMesh.Corners == 8)
+  {
+    std::printf("%.3f", report.MinimumScaledJacobian);
+  }
+  else
+  {
+    std::printf("%.1f-%.1f", report.MinimumDihedralAngle, report.MaximumDihedralAngle);
+  }
+  std::printf(" | %.1f | %.3f | %.4f, %.3f | %.2f, %.4f | %lld/%lld/%lld | %.1f, %.2f | %.0e | "
+              "%lld+%lld | ",
+    100.0 * f.EdgesNear, f.Edges.RootMeanSquare, f.Nodes.RootMeanSquare, f.Nodes.Largest,
+    f.Hausdorff, f.RmsDistance, static_cast<long long>(f.SidesFound),
+    static_cast<long long>(f.Sides), static_cast<long long>(f.MeshSurfaces),
+    100.0 * f.WorstSideArea, 100.0 * f.MeanSideArea, f.VolumeError,
+    static_cast<long long>(report.EdgePoints), static_cast<long long>(report.CornerPoints));
+}
+
+void MeasureSizes(const std::string& words, const std::string& cells,
+  const std::vector<std::string>& surfaces, const std::vector<std::string>& methods, bool isTurned,
+  double angle)
+{
+  const Part part = ReadPart(words, cells, isTurned);
+  const TrueSurface truth(*part.Surfaces, angle);
+  ThreadRuntime runtime(1);
+  double begin = Now();
+  MesherInput input = MakeInput(part, runtime);
+  input.Surfaces = part.Surfaces;
+  const double fractions = Now() - begin;
+  for (const std::string& method : methods)
+  {
+    for (const std::string& use : surfaces)
+    {
+      MesherOptions options = OptionsOf(method, angle);
+      options.UseSurfaces = use == "on";
+      begin = Now();
+      const MesherResult result = RunMesher(input, options, runtime);
+      const double seconds = Now() - begin;
+      PrintRow(part.Name + (isTurned ? ", turned" : "") + (method == "hexes" ? "" : ", " + method) +
+          " | " + cells,
+        use, result, MeasurePart(truth, result.TheMesh, result.Report));
+      std::printf("%.2f, %.2f |\n", fractions, seconds);
+      std::fflush(stdout);
+    }
+  }
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  if (argc < 3)
+  {
+    std::fprintf(stderr, "usage: SurfaceParts PARTS CELLS [SURFACES] [METHODS] [TURNED] [ANGLE]\n");
+    return 2;
+  }
+  try
+  {
+    PrintHeader();
+    for (const std::string& part : Split(argv[1], ','))
+    {
+      for (const std::string& turned : Split(argc > 5 ? argv[5] : "0", ','))
+      {
+        for (const std::string& cells : Split(argv[2], ','))
+        {
+          MeasureSizes(part, cells, Split(argc > 3 ? argv[3] : "on,off", ','),
+            Split(argc > 4 ? argv[4] : "hexes", ','), turned == "1",
+            argc > 6 ? std::atof(argv[6]) : 40.0);
+        }
+      }
+    }
+  }
+  catch (const InputError& error)
+  {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+  return 0;
+}
