@@ -7,7 +7,6 @@ Requires NumPy and gmsh 4.15 (PyPI). Lengths are in millimetres, the longest sid
 of sides of each part is given below; the script compares it with the triangles, and the length of
 the sharp edges with that of the curves of the CAD model.
 """
-import gzip
 import os
 import re
 import sys
@@ -89,10 +88,67 @@ def tube():
     return cut(cylinder(0, 0, 0, 12, 60), [cylinder(0, 0, -1, 10, 62)])
 
 
-def triangulate(body):
+def rib():
+    """Returns a triangular prism."""
+    model = gmsh.model.occ
+    corners = [model.addPoint(x, 17, z) for x, z in ((38, 6), (50, 6), (38, 26))]
+    lines = [model.addLine(corners[i], corners[(i + 1) % 3]) for i in range(3)]
+    face = model.addPlaneSurface([model.addCurveLoop(lines)])
+    return [some for some in model.extrude([(2, face)], 0, 6, 0) if some[0] == 3][0]
+
+
+# Ten bodies in contact, and the deflection of each: round contacts have different segments, so
+# bodies overlap there. The ball is inside of the block, which has no cavity.
+ASSEMBLY = {
+    "ball": (lambda: (3, gmsh.model.occ.addSphere(12, 12.5, 16, 2.5)), 0.3),
+    "base": (lambda: cut(box(0, 0, 0, 60, 40, 6), [cylinder(54, 20, -1, 3, 8)]), 0.6),
+    "block": (lambda: cut(box(8, 8, 6, 30, 24, 20), [cylinder(23, 20, 5, 8, 22)]), 0.35),
+    "bushing": (lambda: cut(cylinder(23, 20, 6, 8, 20), [cylinder(23, 20, 5, 5, 22)]), 0.2),
+    "cover": (lambda: cut(box(8, 8, 26, 30, 24, 3), [cylinder(23, 20, 25, 5, 5)]), 0.5),
+    "foot_left": (lambda: box(0, 0, -4, 10, 40, 4), 0.5),
+    "foot_right": (lambda: box(50, 0, -4, 10, 40, 4), 0.5),
+    "pin": (lambda: cylinder(54, 20, 0, 3, 16), 0.4),
+    "rib": (rib, 0.5),
+    "shaft": (lambda: cylinder(23, 20, 6, 5, 34), 0.25)}
+
+
+def bracket():
+    """Returns an angle of 6 with two holes in its base and one in its wall."""
+    body = fuse(box(0, 0, 0, 60, 30, 6), [box(0, 0, 0, 6, 30, 40)])
+    wall = 3, gmsh.model.occ.addCylinder(-1, 15, 25, 8, 0, 0, 8)
+    return cut(body, [cylinder(25, 15, -1, 5, 8), cylinder(45, 15, -1, 5, 8), wall])
+
+
+# Centres of the faces of the bracket.
+NAMES = {(0, 15, 20): "back", (60, 15, 3): "end", (30, 15, 0): "bottom", (33, 15, 6): "floor",
+         (6, 15, 23): "front", (3, 15, 40): "top", (20, 0, 10): "left", (20, 30, 10): "right",
+         (25, 15, 3): "hole_1", (45, 15, 3): "hole_2", (3, 15, 25): "bore"}
+
+
+def write_step(path, body, names):
+    """Writes a body with names of its faces, as CAD programs do. gmsh writes faces without names,
+    in the order of their numbers."""
+    gmsh.model.occ.synchronize()
+    faces = [gmsh.model.occ.getCenterOfMass(2, face)
+             for _, face in sorted(gmsh.model.getBoundary([body], oriented=False))]
+    nearest = [min(names, key=lambda at, x=x: np.linalg.norm(np.subtract(at, x))) for x in faces]
+    assert len(set(nearest)) == len(names) == len(faces)
+    gmsh.write(path)
+    with open(path, encoding="ascii") as file:
+        text = file.read()
+    shell = re.search(r"CLOSED_SHELL\('',\(([^)]*)\)\)", text)[1].split(",")
+    for entity, at in zip(shell, nearest):
+        text = text.replace("%s = ADVANCED_FACE(''" % entity.strip(),
+                            "%s = ADVANCED_FACE('%s'" % (entity.strip(), names[at]))
+    text = re.sub(r"'\d{4}-\d\d-\d\dT[\d:]+'", "'2026-01-01T00:00:00'", text)
+    with open(path, "w", encoding="ascii") as file:
+        file.write(text.replace("Open CASCADE STEP translator 7.8 1", "bracket"))
+
+
+def triangulate(body, deflection=DEFLECTION):
     """Returns points and triangles of the surface of a body, as OpenCASCADE writes them."""
     gmsh.model.occ.synchronize()
-    gmsh.option.setNumber("Mesh.StlAngularDeflection", DEFLECTION)
+    gmsh.option.setNumber("Mesh.StlAngularDeflection", deflection)
     gmsh.option.setNumber("Mesh.StlLinearDeflection", 1.0)
     gmsh.model.mesh.importStl()
     tags, points, _ = gmsh.model.mesh.getNodes()
@@ -106,7 +162,8 @@ def triangulate(body):
     places, first, place = np.unique(np.round(points.reshape(-1, 3), 6), axis=0,
                                      return_index=True, return_inverse=True)
     triangles = place.ravel()[np.concatenate(triangles)]
-    return points.reshape(-1, 3)[first], triangles
+    distinct = (triangles != np.roll(triangles, 1, 1)).all(1)  # others are at poles of spheres
+    return points.reshape(-1, 3)[first], triangles[distinct]
 
 
 def length_of_curves(body):
@@ -228,6 +285,13 @@ def main(folder):
     print("%-18s %5d triangles, %2d sides, sharp edges %.1f" % ("fan", len(triangles), found,
                                                                sharp))
     write_stl(os.path.join(folder, "fan.stl"), points, triangles)
+    os.makedirs(os.path.join(folder, "assembly"), exist_ok=True)
+    for name, (function, deflection) in ASSEMBLY.items():
+        gmsh.model.add(name)
+        write_stl(os.path.join(folder, "assembly", name + ".stl"),
+                  *triangulate(function(), deflection))
+    gmsh.model.add("bracket")
+    write_step(os.path.join(folder, "bracket.step"), bracket(), NAMES)
     gmsh.finalize()
 
 

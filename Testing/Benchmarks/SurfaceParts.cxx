@@ -6,25 +6,27 @@
  *   SurfaceParts plate_with_holes,tray 3t,6t
  *   SurfaceParts part.stl,other.stl 64
  *   SurfaceParts one.stl+two.stl 64
+ *   SurfaceParts assembly 40,80 on,off hexes,Lattice
  *
- * PARTS are files, or names of files of Data/Surfaces; + joins the bodies of one input. CELLS are
- * numbers of cells along the longest side, or of the thickness of the named parts if t follows.
- * SURFACES are values of the option UseSurfaces. TURNED 1 rotates the part, so that its faces are
- * oblique to the grid. ANGLE: least angle of sharp edges in degrees.
+ * PARTS are files, or names in Data/Surfaces, also of a folder of bodies; + joins the bodies of one
+ * input. CELLS are numbers of cells along the longest side, or of the thickness of the named parts
+ * if t follows. SURFACES are values of the option UseSurfaces; "sharp" is off with SharpEdges On.
+ * TURNED 1 rotates the part, so that its faces are oblique to the grid. ANGLE: least angle of sharp
+ * edges in degrees.
  *
  * Columns, lengths in cells: share of the true sharp edges within 0.25 of the mesh, and their rms
  * distance; distance of the nodes on the surface, rms and largest; Hausdorff and rms distance of
  * the surfaces; sides that a surface of the mesh represents / sides of the part / surfaces of the
  * mesh; error of the areas of sides, worst and mean; error of volumes; points on edges + corners;
- * seconds of the fractions and of the mesh.
+ * CPU seconds of the fractions and of the mesh.
  */
 #include "Base/ParseText.h"
 #include "Base/ThreadRuntime.h"
 
 #include "Input/PlainArrays.h"
 #include "LabelInput.h"
-#include "MeasureAlone.h"
 #include "Parts/PartFigures.h"
+#include "SerialTimes.h"
 #include "Shapes/ShapesFractions.h"
 #include "Shapes/ShapesTriangles.h"
 
@@ -32,6 +34,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -63,17 +66,35 @@ std::vector<std::string> Split(const std::string& text, char separator)
   return words;
 }
 
-std::string NameOf(const std::string& path)
+std::string NameOf(const std::filesystem::path& path)
 {
-  const std::string file = path.substr(path.find_last_of('/') + 1);
-  return file.substr(0, file.find('.'));
+  return path.stem().string();
+}
+
+/// Returns the paths of the bodies of a part, sorted by name in folders.
+std::vector<std::filesystem::path> ListBodies(const std::string& words)
+{
+  std::vector<std::filesystem::path> paths;
+  for (const std::string& word : Split(words, '+'))
+  {
+    const std::filesystem::path named = std::filesystem::path(VFM_SURFACES) / word;
+    if (!std::filesystem::is_directory(named))
+    {
+      paths.push_back(word.find('.') == std::string::npos ? named.string() + ".stl" : word);
+      continue;
+    }
+    for (const auto& entry : std::filesystem::directory_iterator(named))
+    {
+      paths.push_back(entry.path());
+    }
+    std::sort(paths.begin(), paths.end());
+  }
+  return paths;
 }
 
 /// Reads a binary STL file.
-BodySurface ReadBody(const std::string& word)
+BodySurface ReadBody(const std::filesystem::path& path)
 {
-  const std::string path =
-    word.find('.') == std::string::npos ? std::string(VFM_SURFACES) + "/" + word + ".stl" : word;
   std::ifstream file(path, std::ios::binary);
   std::vector<char> bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
   std::uint32_t count = 0;
@@ -83,7 +104,7 @@ BodySurface ReadBody(const std::string& word)
   }
   if (bytes.size() < 84 + 50 * static_cast<std::size_t>(count) || count == 0)
   {
-    throw InputError(path + " is not a binary STL file.");
+    throw InputError(path.string() + " is not a binary STL file.");
   }
   std::vector<Vector3> points;
   std::vector<PointTriangle> triangles;
@@ -189,9 +210,9 @@ Part ReadPart(const std::string& words, const std::string& cells, bool isTurned)
 {
   Part part;
   part.Name = NameOf(words);
-  for (const std::string& word : Split(words, '+'))
+  for (const std::filesystem::path& path : ListBodies(words))
   {
-    part.Surfaces->Bodies.push_back(ReadBody(word));
+    part.Surfaces->Bodies.push_back(ReadBody(path));
   }
   const double scale = CellsOf(words, cells) / LongestSide(FindBounds(part));
   ForPoints(part, [&](Vector3& x) { x = scale * (isTurned ? Turn(x) : x); });
@@ -286,19 +307,20 @@ void MeasureSizes(const std::string& words, const std::string& cells,
   const Part part = ReadPart(words, cells, isTurned);
   const TrueSurface truth(*part.Surfaces, angle);
   ThreadRuntime runtime(1);
-  double begin = Now();
+  double begin = CpuSeconds(CLOCK_PROCESS_CPUTIME_ID);
   MesherInput input = MakeInput(part, runtime);
   input.Surfaces = part.Surfaces;
-  const double fractions = Now() - begin;
+  const double fractions = CpuSeconds(CLOCK_PROCESS_CPUTIME_ID) - begin;
   for (const std::string& method : methods)
   {
     for (const std::string& use : surfaces)
     {
       MesherOptions options = OptionsOf(method, angle);
       options.UseSurfaces = use == "on";
-      begin = Now();
+      options.SharpEdges = use == "sharp" ? SharpEdgeMode::On : options.SharpEdges;
+      begin = CpuSeconds(CLOCK_PROCESS_CPUTIME_ID);
       const MesherResult result = RunMesher(input, options, runtime);
-      const double seconds = Now() - begin;
+      const double seconds = CpuSeconds(CLOCK_PROCESS_CPUTIME_ID) - begin;
       PrintRow(part.Name + (isTurned ? ", turned" : "") + (method == "hexes" ? "" : ", " + method) +
           " | " + cells,
         use, result, MeasurePart(truth, result.TheMesh, result.Report));

@@ -31,12 +31,23 @@ double DistanceToTriangle(const Vector3& x, const NearestTriangle::Corners& t)
   return isOver ? std::fabs(Dot(x - t[0], normal)) : nearest;
 }
 
+NearestTriangle::Ball NearestTriangle::BallAround(const Corners& triangle)
+{
+  Ball ball{ 1.0 / 3.0 * (triangle[0] + triangle[1] + triangle[2]), 0.0 };
+  for (const Vector3& corner : triangle)
+  {
+    ball.Radius = std::max(ball.Radius, Norm(corner - ball.Centre));
+  }
+  return ball;
+}
+
 NearestTriangle::NearestTriangle(std::vector<Corners> triangles, double binWidth) :
   Triangles(std::move(triangles)), Lower(this->Triangles[0][0]), Width(binWidth)
 {
   Vector3 upper = this->Lower;
   for (const Corners& triangle : this->Triangles)
   {
+    this->Balls.push_back(BallAround(triangle));
     for (const Vector3& corner : triangle)
     {
       for (int a = 0; a < 3; ++a)
@@ -120,6 +131,10 @@ int NearestTriangle::Find(const Vector3& x, const std::function<double(int, doub
              away == reach && m < this->Members.Begin[group + 1]; ++m)
         {
           const int triangle = this->Members.Items[m];
+          if (Norm(x - this->Balls[triangle].Centre) - this->Balls[triangle].Radius >= least)
+          {
+            continue;
+          }
           const double bad = badness(triangle, DistanceToTriangle(x, this->Triangles[triangle]));
           if (bad < least)
           {

@@ -28,10 +28,17 @@ public:
   int Find(const Vector3& x, const std::function<double(int, double)>& badness) const;
 
 private:
+  struct Ball
+  {
+    Vector3 Centre;
+    double Radius;
+  };
+  static Ball BallAround(const Corners& triangle);
   Index3 BinOf(const Vector3& x) const;
   IndexBox BinsOf(const Corners& triangle) const;
 
   std::vector<Corners> Triangles;
+  std::vector<Ball> Balls; // around the triangles
   Vector3 Lower;
   double Width;
   IndexBox Box; // box of all bins
