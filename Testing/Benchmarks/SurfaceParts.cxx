@@ -27,15 +27,12 @@
 #include "LabelInput.h"
 #include "Parts/PartFigures.h"
 #include "SerialTimes.h"
-#include "Shapes/ShapesFractions.h"
-#include "Shapes/ShapesTriangles.h"
+#include "Shapes/SurfaceFractions.h"
+#include "Surfaces/ReadSurface.h"
 
 #include <cmath>
-#include <cstdint>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <sstream>
 
 using namespace vfm;
@@ -92,39 +89,6 @@ std::vector<std::filesystem::path> ListBodies(const std::string& words)
   return paths;
 }
 
-/// Reads a binary STL file.
-BodySurface ReadBody(const std::filesystem::path& path)
-{
-  std::ifstream file(path, std::ios::binary);
-  std::vector<char> bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  std::uint32_t count = 0;
-  if (bytes.size() >= 84)
-  {
-    std::memcpy(&count, bytes.data() + 80, 4);
-  }
-  if (bytes.size() < 84 + 50 * static_cast<std::size_t>(count) || count == 0)
-  {
-    throw InputError(path.string() + " is not a binary STL file.");
-  }
-  std::vector<Vector3> points;
-  std::vector<PointTriangle> triangles;
-  for (std::uint32_t t = 0; t < count; ++t)
-  {
-    std::array<float, 9> x;
-    std::memcpy(x.data(), bytes.data() + 84 + 50 * t + 12, sizeof(x));
-    const Index first = static_cast<Index>(points.size());
-    for (int c = 0; c < 3; ++c)
-    {
-      points.push_back({ { x[3 * c], x[3 * c + 1], x[3 * c + 2] } });
-    }
-    triangles.push_back({ { first, first + 1, first + 2 } });
-  }
-  BodySurface body{ NameOf(path), CloseSurface(std::move(points), std::move(triangles)), {}, {} };
-  body.Patches.assign(body.Boundary.Triangles.size(), 0);
-  body.PatchNames = { body.Name };
-  return body;
-}
-
 /// Rotates by 0.4, 0.3, 0.5 about x, y, z.
 Vector3 Turn(Vector3 x)
 {
@@ -140,31 +104,20 @@ Vector3 Turn(Vector3 x)
   return x;
 }
 
-/// Bodies in units of cells, inside a domain of cells from 0.
-struct Part
-{
-  std::string Name;
-  std::shared_ptr<InputSurfaces> Surfaces = std::make_shared<InputSurfaces>();
-  Index3 Cells;
-};
-
 template <class Visit>
-void ForPoints(Part& part, const Visit& visit)
+void ForPoints(std::vector<SurfaceFile>& files, const Visit& visit)
 {
-  for (BodySurface& body : part.Surfaces->Bodies)
+  for (SurfaceFile& file : files)
   {
-    for (Vector3& point : body.Boundary.Points)
-    {
-      visit(point);
-    }
+    std::for_each(file.Points.begin(), file.Points.end(), visit);
   }
 }
 
 /// Returns the lower and the upper corner of all bodies.
-std::array<Vector3, 2> FindBounds(Part& part)
+std::array<Vector3, 2> FindBounds(std::vector<SurfaceFile>& files)
 {
-  Vector3 lower = part.Surfaces->Bodies[0].Boundary.Points[0], upper = lower;
-  ForPoints(part,
+  Vector3 lower = files[0].Points[0], upper = lower;
+  ForPoints(files,
     [&](const Vector3& x)
     {
       for (int a = 0; a < 3; ++a)
@@ -206,17 +159,26 @@ double CellsOf(const std::string& part, const std::string& text)
   throw InputError("The thickness of '" + part + "' is not known.");
 }
 
+/// Bodies in units of cells, inside a domain of cells from 0.
+struct Part
+{
+  std::string Name;
+  std::shared_ptr<const InputSurfaces> Surfaces;
+  Index3 Cells;
+};
+
 Part ReadPart(const std::string& words, const std::string& cells, bool isTurned)
 {
-  Part part;
-  part.Name = NameOf(words);
-  for (const std::filesystem::path& path : ListBodies(words))
+  const std::vector<std::filesystem::path> paths = ListBodies(words);
+  std::vector<SurfaceFile> files;
+  for (const std::filesystem::path& path : paths)
   {
-    part.Surfaces->Bodies.push_back(ReadBody(path));
+    files.push_back(ReadSurface(path.string()));
   }
-  const double scale = CellsOf(words, cells) / LongestSide(FindBounds(part));
-  ForPoints(part, [&](Vector3& x) { x = scale * (isTurned ? Turn(x) : x); });
-  const auto [lower, upper] = FindBounds(part);
+  const double scale = CellsOf(words, cells) / LongestSide(FindBounds(files));
+  ForPoints(files, [&](Vector3& x) { x = scale * (isTurned ? Turn(x) : x); });
+  const auto [lower, upper] = FindBounds(files);
+  Part part{ NameOf(words), nullptr, {} };
   Vector3 shift;
   for (int a = 0; a < 3; ++a)
   {
@@ -224,7 +186,14 @@ Part ReadPart(const std::string& words, const std::string& cells, bool isTurned)
     part.Cells[a] = static_cast<Index>(std::ceil(size - 1e-6)) + 2 * static_cast<Index>(Padding);
     shift[a] = 0.5 * (static_cast<double>(part.Cells[a]) - size) - lower[a];
   }
-  ForPoints(part, [&](Vector3& x) { x = x + shift; });
+  ForPoints(files, [&](Vector3& x) { x = x + shift; });
+  InputSurfaces surfaces;
+  for (std::size_t b = 0; b < files.size(); ++b)
+  {
+    surfaces.Bodies.push_back(MakeBody(NameOf(paths[b]), std::move(files[b].Points),
+      std::move(files[b].Triangles), std::move(files[b].Patches), std::move(files[b].PatchNames)));
+  }
+  part.Surfaces = std::make_shared<const InputSurfaces>(std::move(surfaces));
   return part;
 }
 
@@ -241,23 +210,18 @@ MesherInput MakeInput(const Part& part, Runtime& runtime)
     }
   }
   auto arrays = std::make_shared<PlainArrays>(cells.NumberOfCells());
-  std::vector<double> room(cells.NumberOfCells(), 1.0);
-  MesherInput input;
-  for (const BodySurface& body : part.Surfaces->Bodies)
+  std::vector<Buffer<double>> fractions =
+    FractionsOfSurfaces(coordinates, cells, *part.Surfaces, runtime);
+  std::vector<std::string> names;
+  for (std::size_t b = 0; b < fractions.size(); ++b)
   {
-    Buffer<double> fractions = std::move(FractionArraysOfShapes(coordinates, cells,
-      { MakeSolid(1, body.Boundary, [](const Vector3&) { return 0.0; }) }, 1e-4, runtime)[0]);
-    for (std::size_t c = 0; c < room.size(); ++c)
-    {
-      fractions[c] = std::min(fractions[c], room[c]);
-      room[c] -= fractions[c];
-    }
-    arrays->Store(body.Name, ValueType::Double, std::move(fractions));
-    input.Arrays.Fractions.push_back(body.Name);
+    names.push_back(part.Surfaces->Bodies[b].Name);
+    arrays->Store(names[b], ValueType::Double, std::move(fractions[b]));
   }
-  MesherInput made = testing::MakeInput({ MakeBlock(cells, {}, 1.0, arrays) }, runtime.Group());
-  made.Arrays = input.Arrays;
-  return made;
+  MesherInput input = testing::MakeInput({ MakeBlock(cells, {}, 1.0, arrays) }, runtime.Group());
+  input.Arrays.Fractions = std::move(names);
+  input.Surfaces = part.Surfaces;
+  return input;
 }
 
 MesherOptions OptionsOf(const std::string& method, double angle)
@@ -308,8 +272,7 @@ void MeasureSizes(const std::string& words, const std::string& cells,
   const TrueSurface truth(*part.Surfaces, angle);
   ThreadRuntime runtime(1);
   double begin = CpuSeconds(CLOCK_PROCESS_CPUTIME_ID);
-  MesherInput input = MakeInput(part, runtime);
-  input.Surfaces = part.Surfaces;
+  const MesherInput input = MakeInput(part, runtime);
   const double fractions = CpuSeconds(CLOCK_PROCESS_CPUTIME_ID) - begin;
   for (const std::string& method : methods)
   {
