@@ -309,3 +309,68 @@ TEST(SurfaceFractions, HugeAndTinyTrianglesAreFinite)
   const NodeLists large = UniformNodes({ { 1, 1, 1 } }, { { 0, 0, 0 } }, { { 1e60, 1e60, 1e60 } });
   EXPECT_NEAR(FractionsIn(large, AllCells(large), tetrahedron(1e60))[0], 1.0 / 6.0, 1e-14);
 }
+
+/// Walls of a block that is divided by planes at random places: parts that touch in whole faces.
+TEST(SurfaceFractions, PartsInContactFillTheirCells)
+{
+  RandomDraw draw(9);
+  const NodeLists nodes = RandomNodes(draw, 12);
+  std::vector<ClosedSurface> parts;
+  const Vector3 axis{ { 1, 2, 3 } };
+  for (int i = 0; i < 10; ++i)
+  {
+    const double begin = -5.0 + i, end = i < 9 ? begin + 1.0 : 30.0;
+    const ClosedSurface box = BoxSurface({ { begin, -20, -20 } }, { { end, 20, 20 } }, i + 1);
+    parts.push_back(Turned(box, axis, 0.7));
+    for (Vector3& point : parts.back().Points)
+    {
+      point = 0.1 * point;
+    }
+  }
+  Runtime runtime;
+  const IndexBox cells = AllCells(nodes);
+  const std::vector<Buffer<double>> found =
+    FractionsOfSurfaces(nodes, cells, BodiesOf(parts), runtime);
+  int shared = 0;
+  for (Index i = 0; i < cells.NumberOfCells(); ++i)
+  {
+    double sum = 0.0;
+    int present = 0;
+    for (const Buffer<double>& values : found)
+    {
+      sum += values[i];
+      present += values[i] > 0.0;
+    }
+    EXPECT_LE(sum, 1.0 + 1e-15);
+    shared += present > 1 && sum > 1.0 - 1e-12;
+  }
+  EXPECT_GT(shared, 50);
+}
+
+/// A pin in a hole of other segments: they overlap in some places and leave gaps in others.
+TEST(SurfaceFractions, LaterBodiesGiveWay)
+{
+  const NodeLists nodes = UniformNodes({ { 12, 20, 20 } }, { { -1, -1, -1 } }, { { 1, 1, 1 } });
+  const IndexBox cells = AllCells(nodes);
+  const ClosedSurface pin = TubeSurface({ { -0.7, 0, 0 } }, 1.4, 0.5, 0.2, 11);
+  const ClosedSurface sleeve = TubeSurface({ { -0.7, 0, 0 } }, 1.4, 0.8, 0.5, 17);
+  const ClosedSurface around = BoxSurface({ { -0.9, -0.9, -0.9 } }, { { 0.9, 0.9, 0.9 } });
+  Runtime runtime;
+  const std::vector<double> alone[3] = { FractionsIn(nodes, cells, pin),
+    FractionsIn(nodes, cells, sleeve), FractionsIn(nodes, cells, around) };
+  const std::vector<Buffer<double>> found =
+    FractionsOfSurfaces(nodes, cells, BodiesOf({ pin, sleeve, around }), runtime);
+  int less = 0;
+  for (Index i = 0; i < cells.NumberOfCells(); ++i)
+  {
+    const double rest = 1.0 - alone[0][i];
+    EXPECT_EQ(found[0][i], alone[0][i]);
+    EXPECT_EQ(found[1][i], std::min(alone[1][i], rest));
+    EXPECT_NEAR(found[2][i], std::min(alone[2][i], rest - found[1][i]), 1e-12);
+    less += alone[1][i] > rest + 1e-3;
+  }
+  EXPECT_GT(less, 10);
+  // The pin is inside: the three fill the box except for its hole and the gaps in the contact.
+  EXPECT_NEAR(VolumeOf(nodes, std::vector<double>(found[0].begin(), found[0].end())),
+    MeasureVolume(pin), 1e-12);
+}
