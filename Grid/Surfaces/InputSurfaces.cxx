@@ -26,6 +26,30 @@ void CheckPatches(const std::vector<int>& patches, std::size_t triangles, std::s
   }
 }
 
+/// Drops names of patches without triangles, and renumbers the patches.
+void DropUnused(std::vector<int>& patches, std::vector<std::string>& names)
+{
+  std::vector<int> numbers(names.size(), -1);
+  for (int patch : patches)
+  {
+    numbers[patch] = 0;
+  }
+  int count = 0;
+  for (std::size_t p = 0; p < numbers.size(); ++p)
+  {
+    if (numbers[p] == 0)
+    {
+      numbers[p] = count;
+      names[count++] = names[p];
+    }
+  }
+  names.resize(count);
+  for (int& patch : patches)
+  {
+    patch = numbers[patch];
+  }
+}
+
 } // namespace
 
 BodySurface MakeBody(const std::string& name, std::vector<Vector3> points,
@@ -37,13 +61,9 @@ BodySurface MakeBody(const std::string& name, std::vector<Vector3> points,
     patches.assign(triangles.size(), 0);
   }
   CheckPatches(patches, triangles.size(), patchNames.size());
-  BodySurface body{ name, {}, {}, std::move(patchNames) };
-  body.Boundary = CloseSurface(std::move(points), std::move(triangles));
-  body.Patches = std::move(patches);
-  if (note)
-  {
-    note->clear();
-  }
+  BodySurface body{ name, {}, std::move(patches), std::move(patchNames) };
+  body.Boundary = CloseSurface(std::move(points), std::move(triangles), &body.Patches, note);
+  DropUnused(body.Patches, body.PatchNames);
   return body;
 }
 
