@@ -4,8 +4,14 @@
 #include "FileSuffix.h"
 #include "Ranks/Errors.h"
 #include "Surfaces/FileBytes.h"
+#include "Surfaces/ObjFile.h"
+#include "Surfaces/OffFile.h"
+#include "Surfaces/PlyFile.h"
 #include "Surfaces/StlFile.h"
+#include "Surfaces/ThreeMfFile.h"
+#include "Surfaces/VtpFile.h"
 
+#include <set>
 #include <utility>
 
 namespace vfm
@@ -28,7 +34,12 @@ std::vector<SurfaceFile> ReadAlone(const std::string& bytes, const SurfaceTools&
 
 const std::vector<SurfaceFormat>& ListFormats()
 {
-  static const std::vector<SurfaceFormat> formats{ { ".stl", ReadAlone<ReadStl> } };
+  static const std::vector<SurfaceFormat> formats{ { ".stl", ReadAlone<ReadStl> },
+    { ".obj", ReadAlone<ReadObj> }, { ".ply", ReadAlone<ReadPly> }, { ".off", ReadAlone<ReadOff> },
+    { ".vtp",
+      [](const std::string& bytes, const SurfaceTools& tools)
+      { return std::vector<SurfaceFile>{ ReadVtp(bytes, tools) }; } },
+    { ".3mf", ReadThreeMf } };
   return formats;
 }
 
@@ -45,6 +56,22 @@ const SurfaceFormat* FindFormat(const std::string& path)
     }
   }
   return nullptr;
+}
+
+/// Gives bodies without a name, or with that of another one, a name of their own.
+void NameApart(std::vector<SurfaceFile>& bodies)
+{
+  std::set<std::string> used;
+  for (std::size_t b = 0; b < bodies.size() && bodies.size() > 1; ++b)
+  {
+    std::string& name = bodies[b].Name;
+    name = name.empty() ? "body" + std::to_string(b + 1) : name;
+    const std::string base = name;
+    for (int number = 2; !used.insert(name).second; ++number)
+    {
+      name = base + "_" + std::to_string(number);
+    }
+  }
 }
 
 /// Appends a body; its patches get numbers behind those of the others.
@@ -91,6 +118,7 @@ std::vector<SurfaceFile> ReadBodies(const std::string& path, const SurfaceTools&
       throw InputError("the surface has no polygons.");
     }
   }
+  NameApart(bodies);
   return bodies;
 }
 
