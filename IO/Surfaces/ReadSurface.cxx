@@ -11,7 +11,6 @@
 #include "Surfaces/ThreeMfFile.h"
 #include "Surfaces/VtpFile.h"
 
-#include <set>
 #include <utility>
 
 namespace vfm
@@ -58,22 +57,6 @@ const SurfaceFormat* FindFormat(const std::string& path)
   return nullptr;
 }
 
-/// Gives bodies without a name, or with that of another one, a name of their own.
-void NameApart(std::vector<SurfaceFile>& bodies)
-{
-  std::set<std::string> used;
-  for (std::size_t b = 0; b < bodies.size() && bodies.size() > 1; ++b)
-  {
-    std::string& name = bodies[b].Name;
-    name = name.empty() ? "body" + std::to_string(b + 1) : name;
-    const std::string base = name;
-    for (int number = 2; !used.insert(name).second; ++number)
-    {
-      name = base + "_" + std::to_string(number);
-    }
-  }
-}
-
 /// Appends a body; its patches get numbers behind those of the others.
 void AppendBody(SurfaceFile&& body, SurfaceFile& all)
 {
@@ -113,7 +96,6 @@ std::vector<SurfaceFile> ReadBodies(const std::string& path, const SurfaceTools&
       throw InputError("the surface has no polygons.");
     }
   }
-  NameApart(bodies);
   return bodies;
 }
 
