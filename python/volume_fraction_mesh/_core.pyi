@@ -372,6 +372,19 @@ def read_label_names(path: str) -> Dict[int, str]:
     Warns if names are not UTF-8; they are then read as Windows-1252, which contains Latin-1.
     """
 
+def read_surface(
+    path: str, inflate: Callable[[bytes, int, int], bytes]
+) -> List[Tuple[str, NDArray[np.float64], NDArray[np.int64], NDArray[np.int32], List[str], str]]:
+    """Returns name, points of shape (n, 3), triangles of shape (m, 3), patches of shape (m,), names of
+    patches, and a note, for each body of a file.
+
+    inflate: unpacks bytes, given windowBits of zlib and the largest size; raises ValueError if they
+    are damaged. Raises ValueError, with the path, if the file is damaged or has no triangles.
+    """
+
+def is_surface_file(path: str) -> bool:
+    """Returns whether read_surface reads files with the suffix of a path."""
+
 def surface_fractions(
     surfaces: Sequence[Tuple[str, NDArray[np.float64], NDArray[np.int64]]],
     coordinates: Coordinates,
