@@ -394,8 +394,8 @@ def surface_fractions(
     """Returns the exact volume fractions inside closed surfaces, each of shape (cells,).
 
     surfaces: name, points of shape (n, 3), of which equal ones are merged, and triangles of shape
-    (m, 3). Where surfaces overlap, the first one keeps its volume. Raises ValueError if a surface is
-    open or not manifold; the message begins with its name if there are several.
+    (m, 3). Where surfaces overlap, the first one keeps its volume. Raises ValueError if a surface
+    is open or not manifold; the message begins with its name if there are several.
     """
 
 def element_volumes(points: NDArray[np.float64], cells: NDArray[np.int64],

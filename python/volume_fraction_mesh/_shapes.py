@@ -198,7 +198,7 @@ def surface(
     if bounds is None and coordinates is None:
         nodes = _fit([body.points for body in found.values()], cells)
     else:
-        nodes = _nodes(_counts(cells), 1.0, (0, 0, 0), bounds, coordinates)
+        nodes = _nodes(_counts(cells), (1.0, 1.0, 1.0), (0, 0, 0), bounds, coordinates)
     check_order(order)
     with shown(progress) as call:
         arrays = _core.surface_fractions([(name, body.points, body.triangles)
