@@ -4,7 +4,12 @@
 #include "FileSuffix.h"
 #include "Ranks/Errors.h"
 #include "Surfaces/FileBytes.h"
+#include "Surfaces/ObjFile.h"
+#include "Surfaces/OffFile.h"
+#include "Surfaces/PlyFile.h"
 #include "Surfaces/StlFile.h"
+#include "Surfaces/ThreeMfFile.h"
+#include "Surfaces/VtpFile.h"
 
 #include <utility>
 
@@ -28,7 +33,12 @@ std::vector<SurfaceFile> ReadAlone(const std::string& bytes, const SurfaceTools&
 
 const std::vector<SurfaceFormat>& ListFormats()
 {
-  static const std::vector<SurfaceFormat> formats{ { ".stl", ReadAlone<ReadStl> } };
+  static const std::vector<SurfaceFormat> formats{ { ".stl", ReadAlone<ReadStl> },
+    { ".obj", ReadAlone<ReadObj> }, { ".ply", ReadAlone<ReadPly> }, { ".off", ReadAlone<ReadOff> },
+    { ".vtp",
+      [](const std::string& bytes, const SurfaceTools& tools)
+      { return std::vector<SurfaceFile>{ ReadVtp(bytes, tools) }; } },
+    { ".3mf", ReadThreeMf } };
   return formats;
 }
 

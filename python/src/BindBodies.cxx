@@ -2,8 +2,6 @@
 
 #include "NumpyFields.h"
 #include "Shapes/PlaceGrid.h"
-#include "Surfaces/ReadInputSurfaces.h"
-#include "Surfaces/ReadSurface.h"
 
 #include <nanobind/ndarray.h>
 #include <nanobind/stl/array.h>
@@ -183,42 +181,6 @@ nb::list Place(const Bodies& bodies, const std::vector<std::int64_t>& cells,
                           : PlaceCells(bounds, { { cells.at(0), cells.at(1), cells.at(2) } }));
 }
 
-void WarnAll(const std::vector<std::string>& notes, nb::handle warn)
-{
-  for (const std::string& note : notes)
-  {
-    warn(nb::str(note.c_str(), note.size()));
-  }
-}
-
-Bodies ReadBodiesOf(const std::vector<std::string>& paths, nb::handle warn)
-{
-  Bodies bodies;
-  std::vector<std::string> notes;
-  {
-    const nb::gil_scoped_release others;
-    bodies.Surfaces = std::make_shared<const InputSurfaces>(
-      ReadInputSurfaces(paths, [&notes](const std::string& note) { notes.push_back(note); }));
-  }
-  WarnAll(notes, warn);
-  return bodies;
-}
-
-nb::tuple ReadOne(const std::string& path, nb::handle warn)
-{
-  SurfaceFile file;
-  {
-    const nb::gil_scoped_release others;
-    PrefixErrors("Cannot read the surface " + path + ": ", [&] { file = ReadSurface(path); });
-  }
-  if (!file.Note.empty())
-  {
-    WarnAll({ path + ": " + file.Note }, warn);
-  }
-  return nb::make_tuple(RowsToNumpy<double>(file.Points), RowsToNumpy<std::int64_t>(file.Triangles),
-    NumbersToNumpy(file.Patches), file.PatchNames);
-}
-
 } // namespace
 
 void BindBodies(nb::module_& module)
@@ -242,10 +204,6 @@ void BindBodies(nb::module_& module)
       "list of str: Names of the bodies; where they overlap, the first has priority.")
     .def("_renamed", Rename, "names"_a)
     .def("_place", Place, "cells"_a, "widths"_a.none());
-  module.def("read_bodies", ReadBodiesOf, "paths"_a, "warn"_a);
-  module.def("read_surface", ReadOne, "path"_a, "warn"_a);
-  module.def("is_surface_file", IsSurfaceFile, "path"_a);
-  module.def("surface_suffixes", GetSurfaceSuffixes);
 }
 
 } // namespace vfm

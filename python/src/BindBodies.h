@@ -18,7 +18,7 @@ struct Bodies
   std::shared_ptr<const InputSurfaces> Surfaces;
 };
 
-/// Binds the class Bodies and the functions that read it from files.
+/// Binds the class Bodies.
 void BindBodies(nanobind::module_& module);
 
 } // namespace vfm

@@ -163,21 +163,6 @@ class Bodies:
         """Returns the nodes of a grid around the bodies. cells: number along the longest side, or
         three numbers; widths: of the cells, instead."""
 
-def read_bodies(paths: Sequence[str], warn: Callable[[str], object]) -> Bodies:
-    """Reads the bodies of files, with the names of the files. Raises ValueError if two would be the
-    same, or if a file does not hold closed surfaces."""
-
-def read_surface(path: str, warn: Callable[[str], object]) -> Tuple[
-    NDArray[np.float64], NDArray[np.int64], NDArray[np.int32], List[str]
-]:
-    """Returns points, triangles, their patches, and the names of the patches of a file."""
-
-def is_surface_file(path: str) -> bool:
-    """Returns whether read_surface() reads files of this suffix."""
-
-def surface_suffixes() -> List[str]:
-    """Returns the suffixes of these files, which .gz may follow."""
-
 class MaterialChoice:
     """Arrays that hold the materials, result of choose_materials()."""
 
@@ -414,6 +399,19 @@ def read_label_names(path: str) -> Dict[int, str]:
     Raises ValueError, with path and line, if the format is unknown, or a label or name is repeated.
     Warns if names are not UTF-8; they are then read as Windows-1252, which contains Latin-1.
     """
+
+def read_surface(
+    path: str, inflate: Callable[[bytes, int, int], bytes]
+) -> List[Tuple[str, NDArray[np.float64], NDArray[np.int64], NDArray[np.int32], List[str], str]]:
+    """Returns name, points of shape (n, 3), triangles of shape (m, 3), patches of shape (m,), names of
+    patches, and a note, for each body of a file.
+
+    inflate: unpacks bytes, given windowBits of zlib and the largest size; raises ValueError if they
+    are damaged. Raises ValueError, with the path, if the file is damaged or has no triangles.
+    """
+
+def is_surface_file(path: str) -> bool:
+    """Returns whether read_surface reads files with the suffix of a path."""
 
 def surface_fractions(
     surfaces: Bodies,

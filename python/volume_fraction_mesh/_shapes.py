@@ -189,7 +189,8 @@ def surface(
     """
     _check_tolerance(tolerance)
     thread_count = _core.Options(False, threads=threads).threads
-    if cell_width is not None and (cells != DEFAULT_CELLS or bounds is not None):
+    if cell_width is not None and (
+            bounds is not None or np.any(np.not_equal(cells, DEFAULT_CELLS))):
         raise ValueError("Both cell_width and cells or bounds are given: give one or the other.")
     bodies = read_bodies(surfaces, triangles)
     if bounds is None and coordinates is None:

@@ -4,73 +4,104 @@ from __future__ import annotations
 
 import os
 import warnings
-from typing import Any, List, Mapping, Optional, Tuple
+import zlib
+from typing import Any, Dict, List, Mapping, NamedTuple, Optional
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
 from ._core import Bodies
+from ._readers import step_files
 from ._warning import VolumeFractionMeshWarning
 
-Triangles = Tuple[np.ndarray, np.ndarray]
-Patched = Tuple[np.ndarray, np.ndarray, Optional[np.ndarray], List[str]]
-NO_NAME = [""]  # of the only patch
 PATCHES = ("STLSolidLabeling", "MaterialIds", "GroupIds")  # cell arrays of VTK's readers
 FIELDS = ("Points", "Triangles", "Bodies", "Patches", "Names", "PatchNames")
-CALLER = 6  # stack level of the caller of surface(), for warnings
+CALLER = 5  # stack level of the caller of surface(), for warnings
+
+
+class Body(NamedTuple):
+    """Triangles of one body: corners may be repeated, and the surface may be open."""
+
+    name: Optional[str]  # of the body in its file
+    points: np.ndarray  # float64, (n, 3)
+    triangles: np.ndarray  # int64, (m, 3)
+    patches: np.ndarray  # int32, (m,): patch of each triangle
+    patch_names: List[str]  # empty texts for patches without a name
 
 
 def read_bodies(surfaces: Any, triangles: Optional[ArrayLike]) -> Bodies:
-    """Returns the bodies of a surface, or of a list of paths or a dict of surfaces."""
-    if isinstance(surfaces, (list, tuple)) and surfaces and all(map(is_path, surfaces)):
-        return _read_paths([os.fspath(path) for path in surfaces])
-    if triangles is not None and isinstance(surfaces, Mapping):
+    """Returns the bodies of a surface, of a list of paths, or of a dict of surfaces."""
+    if isinstance(surfaces, (list, tuple)) and surfaces and all(map(_is_path, surfaces)):
+        named = _name_files([os.fspath(path) for path in surfaces])
+    elif triangles is not None and isinstance(surfaces, Mapping):
         raise TypeError(
             "triangles belong to one array of points: for several surfaces give a dict "
             "{name: (points, triangles)}."
         )
-    named = dict(surfaces) if isinstance(surfaces, Mapping) else {"Material1": surfaces}
+    else:
+        named = dict(surfaces) if isinstance(surfaces, Mapping) else {"Material1": surfaces}
     if not named:
         raise ValueError("surfaces are empty: at least one is required.")
-    return Bodies([(name, *_read_surface(value, triangles)) for name, value in named.items()])
+    found = {}
+    for name, value in named.items():
+        found[name] = read_surface(value, triangles)
+    return Bodies([body._replace(name=name) for name, body in name_bodies(found).items()])
 
 
-def is_path(value: Any) -> bool:
+def _is_path(value: Any) -> bool:
     return isinstance(value, (str, os.PathLike))
 
 
-def _read_paths(paths: List[str]) -> Bodies:
-    """Reads files, whose names are those of the bodies."""
-    if all(map(_core.is_surface_file, paths)) and all(map(os.path.exists, paths)):
-        return _core.read_bodies(paths, _warn)
-    names = [os.path.splitext(os.path.basename(path))[0] for path in paths]
-    for name in names:
-        if names.count(name) > 1:
-            raise ValueError("Two surfaces would be the material %s: rename one of the files." % name)
-    return Bodies([(name, *_read_file(path)) for name, path in zip(names, paths)])
+def _name_files(paths: List[str]) -> Dict[str, str]:
+    """Returns the paths by the names of their files without suffixes."""
+    named: Dict[str, str] = {}
+    for path in paths:
+        whole = path[:-3] if path.lower().endswith(".gz") else path
+        name = os.path.splitext(os.path.basename(whole))[0]
+        if name in named:
+            raise ValueError("The surfaces %s and %s would both be the material %s: rename one of "
+                             "the files." % (named[name], path, name))
+        named[name] = path
+    return named
 
 
-def _read_surface(value: Any, triangles: Optional[ArrayLike]) -> Patched:
-    """Returns points, float64 of shape (n, 3), triangles, int64 of shape (m, 3), patches, int32 of
-    shape (m,) or None, and their names."""
-    if is_path(value):
+def read_surface(value: Any, triangles: Optional[ArrayLike] = None) -> List[Body]:
+    """Returns the bodies of a path, an object of PyVista or meshio, points, or (points, triangles).
+
+    There are several if a STEP or 3MF file has several solids. Notes about a file are a warning.
+    """
+    if _is_path(value):
         return _read_file(os.fspath(value))
-    if hasattr(value, "GetPolys"):
-        return _of_polydata(value)
     if isinstance(value, tuple) and len(value) == 2 and triangles is None:
-        value, triangles = value
-    elif hasattr(value, "cells_dict"):
-        value, triangles = _of_meshio(value)
+        return [_body(*value)]
+    if hasattr(value, "GetPolys"):
+        return [_of_polydata(value)]
+    if hasattr(value, "cells_dict"):
+        return [_of_meshio(value)]
     if triangles is None:
         raise TypeError(
             "The surface is a %s: a path, a pyvista.PolyData, a meshio.Mesh, or points and "
             "triangles are required." % type(value).__name__
         )
-    return (*_check(value, triangles), None, NO_NAME)
+    return [_body(value, triangles)]
 
 
-def _check(points: Any, triangles: Any) -> Triangles:
+def name_bodies(surfaces: Mapping[str, List[Body]]) -> Dict[str, Body]:
+    """Returns the bodies by unique names: the key if its surface has one body, else their own."""
+    named: Dict[str, Body] = {}
+    for key, bodies in surfaces.items():
+        for number, body in enumerate(bodies, 1):
+            name = first = key if len(bodies) == 1 else body.name or "%s %d" % (key, number)
+            copy = 1
+            while name in named:
+                copy += 1
+                name = "%s %d" % (first, copy)
+            named[name] = body
+    return named
+
+
+def _body(points: Any, triangles: Any) -> Body:
     places = np.ascontiguousarray(points, dtype=np.float64)
     corners = np.asarray(triangles)
     if places.ndim != 2 or places.shape[1] != 3:
@@ -82,26 +113,48 @@ def _check(points: Any, triangles: Any) -> Triangles:
         )
     if len(corners) == 0:
         raise ValueError("The surface has no polygons.")
-    return places, np.ascontiguousarray(corners, dtype=np.int64)
+    return Body(None, places, np.ascontiguousarray(corners, dtype=np.int64),
+                np.zeros(len(corners), dtype=np.int32), [""])
 
 
-def _read_file(path: str) -> Patched:
-    if not os.path.exists(path):
-        raise FileNotFoundError("There is no file %s." % path)
+def _read_file(path: str) -> List[Body]:
+    with open(path, "rb"):  # raises the OSError of a file that cannot be read
+        pass
+    if step_files.is_step_file(path):
+        return [Body(*body) for body in step_files.read(path)]
     if _core.is_surface_file(path):
-        return _core.read_surface(path, _warn)
+        found = _core.read_surface(path, _inflate)
+        notes = [note for *_, note in found if note]
+        if notes:
+            warnings.warn("%s: %s" % (path, " ".join(notes)), VolumeFractionMeshWarning,
+                          stacklevel=CALLER)
+        return [Body(name or None, *rest) for name, *rest, _ in found]
     try:
         import meshio
     except ImportError:
         raise ImportError("Reading %s requires meshio: pip install meshio" % path) from None
-    return (*_check(*_of_meshio(meshio.read(path))), None, NO_NAME)
+    return [_of_meshio(meshio.read(path))]
 
 
-def _warn(note: str) -> None:
-    warnings.warn(note, VolumeFractionMeshWarning, stacklevel=CALLER)
+def _inflate(packed: bytes, window_bits: int, most: int) -> bytes:
+    """Returns unpacked bytes, of all members of gzip."""
+    parts, left, size = [], packed, 0
+    try:
+        while left or not parts:
+            inflater = zlib.decompressobj(window_bits)
+            parts.append(inflater.decompress(left, most - size + 1))
+            size += len(parts[-1])
+            if size > most:
+                raise ValueError("its compressed data are larger than announced.")
+            if not inflater.eof:
+                raise ValueError("its compressed data are truncated.")
+            left = inflater.unused_data if window_bits == 31 else b""
+    except zlib.error:
+        raise ValueError("its compressed data are damaged.") from None
+    return b"".join(parts)
 
 
-def _of_meshio(mesh: Any) -> Triangles:
+def _of_meshio(mesh: Any) -> Body:
     """Returns the triangles, and quadrilaterals cut into two."""
     cells = mesh.cells_dict
     parts = [cells["triangle"]] if "triangle" in cells else []
@@ -109,11 +162,11 @@ def _of_meshio(mesh: Any) -> Triangles:
         parts += [cells["quad"][:, [0, 1, 2]], cells["quad"][:, [0, 2, 3]]]
     if not parts:
         raise ValueError("The mesh has no triangles.")
-    return mesh.points, np.concatenate(parts)
+    return _body(mesh.points, np.concatenate(parts))
 
 
-def _of_polydata(surface: Any) -> Patched:
-    """Returns the polygons, cut into triangles, and the patches of VTK's readers."""
+def _of_polydata(surface: Any) -> Body:
+    """Returns the polygons, cut into triangles, with the patches of VTK's readers."""
     from vtkmodules.util.numpy_support import vtk_to_numpy
     from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 
@@ -123,20 +176,19 @@ def _of_polydata(surface: Any) -> Patched:
     cut.SetInputData(surface)
     cut.Update()
     data = cut.GetOutput()
-    polygons = data.GetPolys()
+    polygons, arrays = data.GetPolys(), data.GetCellData()
     if polygons.GetNumberOfCells() == 0:
         raise ValueError("The surface has no polygons.")
     corners = vtk_to_numpy(polygons.GetConnectivityArray()).reshape(-1, 3)
-    found = _check(vtk_to_numpy(data.GetPoints().GetData()), corners)
-    name = next((name for name in PATCHES if data.GetCellData().HasArray(name)), None)
-    if name is None:
-        return (*found, None, NO_NAME)
-    values, patches = np.unique(vtk_to_numpy(data.GetCellData().GetArray(name)),
-                                return_inverse=True)
-    texts = data.GetFieldData().GetAbstractArray("MaterialNames") if name == "MaterialIds" else None
-    names = [texts.GetValue(int(value)) if texts is not None
-             and 0 <= value < texts.GetNumberOfValues() else "" for value in values]
-    return (*found, patches.ravel().astype(np.int32), names)
+    body = _body(vtk_to_numpy(data.GetPoints().GetData()), corners)
+    found = next((name for name in PATCHES if arrays.HasArray(name)), None)
+    if found is None:
+        return body
+    values, patches = np.unique(vtk_to_numpy(arrays.GetArray(found)), return_inverse=True)
+    texts = data.GetFieldData().GetAbstractArray("MaterialNames")
+    count = texts.GetNumberOfValues() if texts is not None and found == "MaterialIds" else 0
+    names = [texts.GetValue(int(value)) if 0 <= value < count else "" for value in values]
+    return body._replace(patches=patches.ravel().astype(np.int32), patch_names=names)
 
 
 def bodies_of_fields(data: Any) -> Optional[Bodies]:
@@ -152,5 +204,6 @@ def bodies_of_fields(data: Any) -> Optional[Bodies]:
     names, patch_names = ([arrays[name].GetValue(i) for i in range(arrays[name].GetNumberOfValues())]
                           for name in FIELDS[4:])
     return Bodies([
-        (name, *_check(points, triangles[owners == b]), patches[owners == b].astype(np.int32),
-         patch_names) for b, name in enumerate(names)])
+        _body(points, triangles[owners == b])._replace(
+            name=name, patches=patches[owners == b].astype(np.int32), patch_names=patch_names)
+        for b, name in enumerate(names)])

@@ -79,6 +79,25 @@ auto UnionOfKeys(Ranks& ranks, const Map& map)
   return UnionOverRanks(ranks, std::move(list));
 }
 
+/// Returns the name of the patch (field PatchNames) to which a surface belongs, or "".
+std::string PatchOf(const MeshData& mesh, int surface)
+{
+  const FieldArray* field = FindField(mesh.Fields, "PatchNames");
+  const auto* names = field ? std::get_if<std::vector<std::string>>(&field->Values) : nullptr;
+  const std::size_t number = static_cast<std::size_t>(surface);
+  return names && number <= names->size() ? (*names)[number - 1] : "";
+}
+
+/// Returns the name of a smooth side.
+/// @param ofPair  name of its pair of materials
+std::string NameOfSide(const MeshData& mesh, const PairSide& side, const std::string& ofPair)
+{
+  const std::string patch = PatchOf(mesh, side[2]);
+  return patch.empty() ? ofPair + "_" + std::to_string(side[2])
+    : side[1] == 0     ? patch
+                       : patch + "_" + ofPair;
+}
+
 /// Collective. Makes the side sets of sides of the domain, pairs and smooth sides.
 std::vector<SideSet> MakeSideSets(const MeshData& mesh, const Facets& facets, Ranks& ranks)
 {
@@ -128,7 +147,7 @@ std::vector<SideSet> MakeSideSets(const MeshData& mesh, const Facets& facets, Ra
   for (std::size_t s = 0; s < sides.size(); ++s)
   {
     sets.push_back({ SurfaceKind::SmoothSide, sideIds[s],
-      nameOf(sides[s][0], sides[s][1]) + "_" + std::to_string(sides[s][2]), NoSide,
+      NameOfSide(mesh, sides[s], nameOf(sides[s][0], sides[s][1])), NoSide,
       { { sides[s][0], sides[s][1] } }, sides[s][2], std::move(ofSides[sides[s]]) });
   }
   return sets;

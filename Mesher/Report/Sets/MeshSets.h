@@ -4,7 +4,9 @@
  * Side sets:
  * - each ordered pair of adjacent materials: "ball_to_plate" has the faces of elements of the first
  *   material that touch the second, "ball_to_Void" the free surface;
- * - each smooth side of an interface with several smooth sides: "ball_to_Void_3" for surface 3;
+ * - each side of an interface with several sides: "ball_to_Void_3" for surface 3. If the surface of
+ *   a body names it (field PatchNames) "inlet", the name is "inlet" for elements next to void, and
+ *   "inlet_ball_to_plate" next to another material;
  * - each side of the domain, "x_min" to "z_max", with faces of all materials. These faces are in no
  *   set of a pair;
  * - "interfaces", all faces between two materials once, where cohesive elements can be inserted;
