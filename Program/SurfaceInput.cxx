@@ -155,6 +155,7 @@ void ListSurfaces(const Arguments& arguments, Ranks& ranks, std::ostream& to)
           bounds.Lower[1], bounds.Upper[1], bounds.Lower[2], bounds.Upper[2])
      << Print(
           "grid around them: %lld x %lld x %lld cells of %g x %g x %g (--cells, --cell-width)\n",
+          placed.Surfaces->Bodies.size() == 1 ? "it" : "them",
           static_cast<long long>(grid.Cells[0]), static_cast<long long>(grid.Cells[1]),
           static_cast<long long>(grid.Cells[2]), grid.Widths[0], grid.Widths[1], grid.Widths[2]);
   PrintBodies(*placed.Surfaces, to);
