@@ -201,8 +201,8 @@ def bodies_of_fields(data: Any) -> Optional[Bodies]:
     if any(array is None for array in arrays.values()):
         return None
     points, triangles, owners, patches = (vtk_to_numpy(arrays[name]) for name in FIELDS[:4])
-    names, patch_names = ([arrays[name].GetValue(i) for i in range(arrays[name].GetNumberOfValues())]
-                          for name in FIELDS[4:])
+    names, patch_names = ([texts.GetValue(i) for i in range(texts.GetNumberOfValues())]
+                          for texts in (arrays[name] for name in FIELDS[4:]))
     return Bodies([
         _body(points, triangles[owners == b])._replace(
             name=name, patches=patches[owners == b].astype(np.int32), patch_names=patch_names)

@@ -75,7 +75,8 @@ def test_arrays():
     assert texts(names) == ["Material1", "Material2"]
     bodies, patches = vtk_to_numpy(bodies), vtk_to_numpy(patches)
     assert (bodies == 0).sum() == 12 and texts(of_patches) == [""] * 7
-    assert np.bincount(patches[bodies == 0]).tolist() == [2] * 6 and set(patches[bodies == 1]) == {6}
+    assert np.bincount(patches[bodies == 0]).tolist() == [2] * 6
+    assert set(patches[bodies == 1]) == {6}
     corners = vtk_to_numpy(points)[vtk_to_numpy(triangles)]
     volumes = np.linalg.det(corners)
     assert abs(volumes[bodies == 0].sum() / 6 - 1) < 1e-12
