@@ -12,9 +12,9 @@ BodySurface MakeTet(const std::string& name, double scale)
 {
   const std::vector<Vector3> points{ { { 2, 2, 2 } }, { { 2 + scale, 2, 2 } },
     { { 2, 2 + scale, 2 } }, { { 2, 2, 2 + scale } } };
-  return { name,
-    CloseSurface(points, { { { 0, 2, 1 } }, { { 0, 1, 3 } }, { { 1, 2, 3 } }, { { 0, 3, 2 } } }),
-    { 0, 0, 1, 1 }, { "base", "slope" } };
+  return MakeBody(name, points,
+    { { { 0, 2, 1 } }, { { 0, 1, 3 } }, { { 1, 2, 3 } }, { { 0, 3, 2 } } }, { 0, 0, 1, 1 },
+    { "base", "slope" });
 }
 
 const std::vector<double> Coordinates{ 1, 3, 5, 7 };
