@@ -13,18 +13,25 @@ namespace testing
 namespace
 {
 
-/// Returns the bodies in axes of the grid.
-InputSurfaces InAxes(const SurfaceCase& c)
+/// Returns the bodies in world coordinates.
+InputSurfaces InSpace(const SurfaceCase& c)
 {
-  InputSurfaces own = c.Surfaces;
-  for (BodySurface& body : own.Bodies)
+  InputSurfaces turned = c.Surfaces;
+  for (BodySurface& body : turned.Bodies)
   {
     for (Vector3& x : body.Boundary.Points)
     {
-      x = c.Frame.ToOwn(x);
+      x = c.Frame.ToSpace(x);
+    }
+    for (PointTriangle& t : body.Boundary.Triangles)
+    {
+      if (c.Frame.IsMirrored())
+      {
+        std::swap(t[1], t[2]);
+      }
     }
   }
-  return own;
+  return turned;
 }
 
 } // namespace
@@ -45,7 +52,7 @@ MesherInput MakeSurfaceInput(const SurfaceCase& c, Ranks& ranks)
   }
   Runtime serial;
   std::vector<Buffer<double>> fractions =
-    FractionsOfSurfaces(coordinates, cells, InAxes(c), serial);
+    FractionsOfSurfaces(coordinates, cells, c.Surfaces, serial);
   auto arrays = std::make_shared<PlainArrays>(cells.NumberOfCells());
   std::vector<std::string> names;
   for (std::size_t b = 0; b < fractions.size(); ++b)
@@ -56,7 +63,7 @@ MesherInput MakeSurfaceInput(const SurfaceCase& c, Ranks& ranks)
   MesherInput input = MakeInput({ MakeBlock(cells, {}, 1.0, arrays) }, ranks);
   input.Levels.Reading.Frame = c.Frame;
   input.Arrays.Fractions = names;
-  input.Surfaces = std::make_shared<const InputSurfaces>(c.Surfaces);
+  input.Surfaces = std::make_shared<const InputSurfaces>(InSpace(c));
   return input;
 }
 

@@ -15,8 +15,8 @@ namespace testing
 struct SurfaceCase
 {
   Index3 Cells;
-  InputSurfaces Surfaces;
-  ImageFrame Frame{}; ///< of the grid; the surfaces are in world coordinates
+  InputSurfaces Surfaces; ///< in axes of the grid
+  ImageFrame Frame{};     ///< of the grid
 };
 
 /// Mesh of all ranks.
