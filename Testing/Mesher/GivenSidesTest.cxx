@@ -3,7 +3,7 @@
 
 #include "Geometry/DivideInterfaces.h"
 #include "Geometry/FacetValues.h"
-#include "PartCases.h"
+#include "Parts/PartCases.h"
 #include "Report/Sets/MeshSets.h"
 #include "State/ViewMesh.h"
 #include "SurfaceCases.h"

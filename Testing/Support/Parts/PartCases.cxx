@@ -1,4 +1,4 @@
-#include "PartCases.h"
+#include "Parts/PartCases.h"
 
 #include "Base/PortableMath.h"
 #include "Base/Vector3.h"
