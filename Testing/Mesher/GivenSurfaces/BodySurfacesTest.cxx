@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 using namespace vfm;
 
 namespace
@@ -41,8 +43,10 @@ TEST(BodySurfaces, GridCoordinatesCountCells)
 {
   const BodySurfaces surfaces({ { MakeTet("a", 2.0) } }, { "a" }, Grid, 40.0);
   const GivenBody& body = surfaces.Bodies()[0];
-  EXPECT_EQ(body.Boundary.Points[3], (Vector3{ { 0.5, 0.5, 1.5 } }));
-  EXPECT_EQ(body.Sides.SideOf, (std::vector<int>{ 0, 0, 1, 1 }));
+  const std::vector<Vector3>& points = body.Boundary.Points;
+  EXPECT_EQ(points.front(), (Vector3{ { 0.5, 0.5, 0.5 } })); // the lowest one
+  EXPECT_EQ(points.back(), (Vector3{ { 1.5, 0.5, 0.5 } }));
+  EXPECT_EQ(std::count(body.Sides.SideOf.begin(), body.Sides.SideOf.end(), 1), 2);
   EXPECT_EQ(body.Sides.Names, (std::vector<std::string>{ "base", "slope" }));
   EXPECT_EQ(body.Sheets.Edges.size(), 6u);
 }
