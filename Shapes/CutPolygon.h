@@ -17,12 +17,12 @@ struct Interval
   double Low, High;
 };
 
-/// Triangle cut by up to six planes. It has at most nine corners, or more if rounding moves corners
-/// across a plane: then each cut adds up to half their number, 3, 4, 6, 9, 13, 19, 28.
+/// Triangle cut between planes along up to three axes. It has at most nine corners, or more if
+/// rounding moves corners: then each cut at most doubles their number, 3, 6, 12, 24.
 struct CutPolygon
 {
   int Size = 0;
-  std::array<Vector3, 28> Corners;
+  std::array<Vector3, 24> Corners;
 
   /// Returns the least and the largest coordinate of the corners.
   Interval Extent(int axis) const;

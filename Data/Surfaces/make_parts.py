@@ -44,9 +44,9 @@ def fuse(body, others):
 
 @part(6 + 7)
 def plate_with_holes():
-    """Plate, 6 thick, with seven holes of diameters 5 to 16.7."""
-    holes = ((46, 20, 16.7), (14, 28, 12), (12, 11, 10), (30, 10, 8), (30, 30, 7), (24, 20, 5),
-             (32, 20, 5))
+    """Plate, 6 thick, with seven holes of diameters 6 to 18."""
+    holes = ((47, 20, 18), (14, 28, 12), (12, 11, 10), (30, 10, 8), (30, 30, 7), (23, 19, 6),
+             (32, 20, 6))
     return cut(box(0, 0, 0, 60, 40, 6), [cylinder(x, y, -1, d / 2, 8) for x, y, d in holes])
 
 

@@ -75,13 +75,8 @@ std::vector<SurfaceFile> ReadBodies(const std::string& path, const SurfaceTools&
   const SurfaceFormat* format = FindFormat(path);
   if (!format)
   {
-    std::vector<std::string> suffixes;
-    for (const SurfaceFormat& one : ListFormats())
-    {
-      suffixes.push_back(one.Suffix);
-    }
-    throw InputError("it is not a file of a surface: supported are " + JoinTexts(suffixes) +
-      ", each also with .gz.");
+    throw InputError("it is not a file of a surface: supported are " +
+      JoinTexts(GetSurfaceSuffixes()) + ", each also with .gz.");
   }
   std::vector<SurfaceFile> bodies = format->Read(ReadFileBytes(path, tools), tools);
   for (const SurfaceFile& body : bodies)
@@ -103,6 +98,16 @@ SurfaceFile ReadSurface(const std::string& path, const SurfaceTools& tools)
     AppendBody(std::move(bodies[b]), all);
   }
   return all;
+}
+
+std::vector<std::string> GetSurfaceSuffixes()
+{
+  std::vector<std::string> suffixes;
+  for (const SurfaceFormat& format : ListFormats())
+  {
+    suffixes.push_back(format.Suffix);
+  }
+  return suffixes;
 }
 
 bool IsSurfaceFile(const std::string& path)

@@ -36,6 +36,8 @@ SurfaceFile ReadSurface(const std::string& path, const SurfaceTools& tools = {})
 /// @throws InputError  same conditions as ReadSurface
 std::vector<SurfaceFile> ReadBodies(const std::string& path, const SurfaceTools& tools = {});
 
+/// Returns the suffixes of the formats, for instance ".stl"; .gz may follow each.
+std::vector<std::string> GetSurfaceSuffixes();
 /// Returns whether the suffix of a path is one of those that ReadSurface reads.
 bool IsSurfaceFile(const std::string& path);
 

@@ -337,7 +337,7 @@ void NearSurface::Visit(
 }
 
 void NearSurface::ListSamples(
-  const NodeFrame& frame, double radius, std::vector<SurfaceSample>& samples) const
+  const NodeFrame& frame, double radius, std::vector<NearSample>& samples) const
 {
   samples.clear();
   this->Visit(this->SampleBins, frame, radius,

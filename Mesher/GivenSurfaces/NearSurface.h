@@ -11,7 +11,7 @@ namespace vfm
 {
 
 /// Point of a surface, in the local frame of a node.
-struct SurfaceSample
+struct NearSample
 {
   Vector3 At, Normal; ///< unit normal, outwards
   double Weight;      ///< area that the sample stands for, cells^2
@@ -49,8 +49,7 @@ public:
     const GivenBody& body, const Vector3& periods, double ratio, const Interface& interface);
 
   /// Collects the samples whose distance to the node is at most a radius in cells, 4.5 at most.
-  void ListSamples(
-    const NodeFrame& frame, double radius, std::vector<SurfaceSample>& samples) const;
+  void ListSamples(const NodeFrame& frame, double radius, std::vector<NearSample>& samples) const;
   /// Collects the edges in the order of their numbers.
   void ListEdges(const NodeFrame& frame, double radius, std::vector<NearEdge>& edges) const;
   void ListCorners(const NodeFrame& frame, double radius, std::vector<NearCorner>& corners) const;

@@ -49,6 +49,8 @@ class Options:
     stair_step: bool
     smoothing: Literal["off", "quadric_surface", "geometry_based"]
     sharp_edges: Literal["off", "on", "automatic"]
+    surface_targets: Literal["off", "on"]
+    edge_angle: float
     label_smoothing: int
     element_order: Literal["linear", "quadratic", "quadratic27"]
     conserve_volume: bool

@@ -67,6 +67,8 @@ TEST(BodySurfaces, PeriodsAreInCells)
   const BodySurfaces surfaces({ { MakeTet("a", 2.0) } }, { "a" }, periodic, 40.0);
   EXPECT_EQ(surfaces.Periods(), (Vector3{ { 3, 0, 0 } }));
   const double below = static_cast<double>(periodic.Domain().Lower[0]);
+  EXPECT_EQ(surfaces.Domain().Lower, (Vector3{ { below, 0, 0 } }));
+  EXPECT_EQ(surfaces.Domain().Upper, (Vector3{ { below + 3, 3, 3 } }));
   EXPECT_EQ(surfaces.Bodies()[0].Boundary.Points[0], (Vector3{ { below + 0.5, 0.5, 0.5 } }));
 }
 
