@@ -30,9 +30,7 @@ BodySurface MakeBodyOfPolyData(const std::string& name, vtkPolyData* polygons)
     cells->GetCellAtId(t, ids);
     triangles.push_back({ { ids->GetId(0), ids->GetId(1), ids->GetId(2) } });
   }
-  BodySurface body{ name, CloseSurface(std::move(points), std::move(triangles)), {}, { "" } };
-  body.Patches.assign(body.Boundary.Triangles.size(), 0);
-  return body;
+  return MakeBody(name, std::move(points), std::move(triangles));
 }
 
 } // namespace vfm

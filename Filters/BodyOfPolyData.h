@@ -11,7 +11,7 @@ namespace vfm
 {
 
 /// Returns the body inside the polygons of a surface, as one patch.
-/// @throws InputError if CloseSurface does: the surface is empty, open or not manifold
+/// @throws InputError if MakeBody does: the surface is empty, open or not manifold
 BodySurface MakeBodyOfPolyData(const std::string& name, vtkPolyData* polygons);
 
 } // namespace vfm

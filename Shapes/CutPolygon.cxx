@@ -1,7 +1,5 @@
 #include "Shapes/CutPolygon.h"
 
-#include <algorithm>
-
 namespace vfm
 {
 namespace
@@ -22,28 +20,6 @@ Vector3 CutEdge(const Vector3& a, const Vector3& b, int axis, double value)
   return point;
 }
 
-/// Returns the part of a polygon on one side of a plane. Corners in the plane belong to the part.
-template <class IsInside>
-CutPolygon CutAt(const CutPolygon& polygon, int axis, double value, const IsInside& isInside)
-{
-  CutPolygon part;
-  for (int i = 0; i < polygon.Size; ++i)
-  {
-    const Vector3& a = polygon.Corners[i];
-    const Vector3& b = polygon.Corners[i + 1 < polygon.Size ? i + 1 : 0];
-    const bool keepA = isInside(a[axis]);
-    if (keepA)
-    {
-      part.Corners[part.Size++] = a;
-    }
-    if (keepA != isInside(b[axis]) && a[axis] != value && b[axis] != value)
-    {
-      part.Corners[part.Size++] = CutEdge(a, b, axis, value);
-    }
-  }
-  return part;
-}
-
 } // namespace
 
 Interval CutPolygon::Extent(int axis) const
@@ -60,14 +36,29 @@ Interval CutPolygon::Extent(int axis) const
 CutPolygon CutBetween(const CutPolygon& polygon, int axis, const Interval& range)
 {
   const Interval extent = polygon.Extent(axis);
-  const auto isAbove = [&](double x) { return x >= range.Low; };
-  const auto isBelow = [&](double x) { return x <= range.High; };
-  if (extent.Low >= range.Low)
+  if (extent.Low >= range.Low && extent.High <= range.High)
   {
-    return extent.High <= range.High ? polygon : CutAt(polygon, axis, range.High, isBelow);
+    return polygon;
   }
-  const CutPolygon above = CutAt(polygon, axis, range.Low, isAbove);
-  return extent.High <= range.High ? above : CutAt(above, axis, range.High, isBelow);
+  CutPolygon part;
+  for (int i = 0; i < polygon.Size; ++i)
+  {
+    const Vector3& a = polygon.Corners[i];
+    const Vector3& b = polygon.Corners[i + 1 < polygon.Size ? i + 1 : 0];
+    if (a[axis] >= range.Low && a[axis] <= range.High)
+    {
+      part.Corners[part.Size++] = a;
+    }
+    const bool rises = a[axis] < b[axis];
+    for (double plane : { rises ? range.Low : range.High, rises ? range.High : range.Low })
+    {
+      if ((a[axis] < plane && plane < b[axis]) || (b[axis] < plane && plane < a[axis]))
+      {
+        part.Corners[part.Size++] = CutEdge(a, b, axis, plane);
+      }
+    }
+  }
+  return part;
 }
 
 } // namespace vfm

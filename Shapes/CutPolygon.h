@@ -9,6 +9,8 @@
 
 #include "Base/Vector3.h"
 
+#include <algorithm>
+
 namespace vfm
 {
 
@@ -17,15 +19,25 @@ struct Interval
   double Low, High;
 };
 
-/// Triangle cut by up to six planes. It has at most nine corners, or more if rounding moves corners
-/// across a plane: then each cut adds up to half their number, 3, 4, 6, 9, 13, 19, 28.
+/// Triangle cut between planes along up to three axes. It has at most nine corners, or more if
+/// rounding moves corners: then each cut at most doubles their number, 3, 6, 12, 24.
 struct CutPolygon
 {
-  int Size = 0;
-  std::array<Vector3, 28> Corners;
+  CutPolygon() = default;
+  CutPolygon(const CutPolygon& other) { *this = other; }
+  /// Copies only the corners that there are.
+  CutPolygon& operator=(const CutPolygon& other)
+  {
+    this->Size = other.Size;
+    std::copy_n(other.Corners.begin(), other.Size, this->Corners.begin());
+    return *this;
+  }
 
   /// Returns the least and the largest coordinate of the corners.
   Interval Extent(int axis) const;
+
+  int Size = 0;
+  std::array<Vector3, 24> Corners;
 };
 
 /// Returns the part of a polygon with range.Low <= x[axis] <= range.High; its size may be 0.

@@ -23,11 +23,17 @@ double Snapped(double fraction)
   return fraction < NegligiblePart ? 0.0 : (fraction > 1.0 - NegligiblePart ? 1.0 : fraction);
 }
 
-CellRange FindCells(const std::vector<double>& nodes, const Interval& interval)
+CellSpan FindCells(const std::vector<double>& nodes, const Interval& interval)
 {
-  const auto above = std::upper_bound(nodes.begin(), nodes.end(), interval.Low);
-  const auto below = std::lower_bound(nodes.begin(), nodes.end(), interval.High);
-  return { above - nodes.begin() - 1, below - nodes.begin() - 1 };
+  const Index count = static_cast<Index>(nodes.size());
+  const Index first =
+    std::upper_bound(nodes.begin(), nodes.end(), interval.Low) - nodes.begin() - 1;
+  Index last = first; // most intervals meet few cells
+  while (last + 1 < count && nodes[last + 1] < interval.High)
+  {
+    ++last;
+  }
+  return { first, first >= 0 && nodes[first] == interval.High ? first - 1 : last };
 }
 
 RowSums::RowSums(const std::vector<double>& nodes, Index first) :
@@ -59,7 +65,7 @@ void RowSums::AddPiece(const CutPolygon& piece, Index cell, bool isCut)
 void RowSums::Add(const CutPolygon& polygon)
 {
   const Interval extent = polygon.Extent(0);
-  const CellRange cells = FindCells(this->Nodes, extent);
+  const CellSpan cells = FindCells(this->Nodes, extent);
   if (std::max(cells.First, cells.Last) < this->First)
   {
     return;

@@ -33,10 +33,10 @@ const NearEdge* FindNearest(const std::vector<NearEdge>& edges, const Vector3& n
 }
 
 /// Fits a side unless it is a sliver between edges, which the mesh cannot show.
-std::optional<SampleFit> FitSide(const std::vector<SurfaceSample>& samples, const SurfacePart& side)
+std::optional<SampleFit> FitSide(const std::vector<NearSample>& samples, const SurfacePart& side)
 {
   double area = 0.0;
-  for (const SurfaceSample& sample : samples)
+  for (const NearSample& sample : samples)
   {
     const Vector3 from = sample.At - side.Centre;
     const bool counts =
@@ -62,8 +62,7 @@ struct SheetModel
 };
 
 /// Returns the model of both sides of an edge.
-std::optional<SheetModel> ModelOfSides(
-  const std::vector<SurfaceSample>& samples, const NearEdge& edge)
+std::optional<SheetModel> ModelOfSides(const std::vector<NearSample>& samples, const NearEdge& edge)
 {
   SheetModel sides;
   const bool isFading = edge.Sheets[0] == edge.Sheets[1];
@@ -92,7 +91,7 @@ struct SampleSides
 
 /// Returns the surface of a model that has the sheet of a sample, or -1. Of both sides of a fading
 /// edge, the one with the nearer normal.
-int SurfaceOf(const SurfaceSample& sample, const SheetModel& model)
+int SurfaceOf(const NearSample& sample, const SheetModel& model)
 {
   int best = -1;
   double most = -2.0;
@@ -111,11 +110,10 @@ int SurfaceOf(const SurfaceSample& sample, const SheetModel& model)
 }
 
 /// Lists the samples near the node, except those near an edge of the model.
-std::vector<SampleSides> ListSides(
-  const std::vector<SurfaceSample>& samples, const SheetModel& model)
+std::vector<SampleSides> ListSides(const std::vector<NearSample>& samples, const SheetModel& model)
 {
   std::vector<SampleSides> sides;
-  for (const SurfaceSample& sample : samples)
+  for (const NearSample& sample : samples)
   {
     if (Dot(sample.At, sample.At) > EdgeReach * EdgeReach)
     {
@@ -229,7 +227,7 @@ struct BestModel
 };
 
 /// Replaces the best model by the best composition of another one that misses less.
-void TryCompositions(SheetModel other, const std::vector<SurfaceSample>& samples, BestModel& best)
+void TryCompositions(SheetModel other, const std::vector<NearSample>& samples, BestModel& best)
 {
   const std::vector<SampleSides> sides = ListSides(samples, other);
   FeatureModel& model = other.Model;

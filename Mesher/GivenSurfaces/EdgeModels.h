@@ -13,7 +13,7 @@ namespace vfm
 /// point to the second label; an edge is convex if the second label fills less than 180 degrees.
 struct NodeSurroundings
 {
-  std::vector<SurfaceSample> Samples;
+  std::vector<NearSample> Samples;
   std::vector<NearEdge> Edges;
   std::vector<NearCorner> Corners;
 };

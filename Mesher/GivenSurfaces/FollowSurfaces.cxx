@@ -32,7 +32,7 @@ public:
   /// Returns the quadric of the surface where it is nearest to the point.
   std::optional<SampleFit> FitSmooth()
   {
-    const SurfaceSample* foot = this->FindFoot(NearFoot);
+    const NearSample* foot = this->FindFoot(NearFoot);
     foot = foot ? foot : this->FindFoot(FarFoot);
     if (!foot)
     {
@@ -77,7 +77,7 @@ private:
   void List(double radius)
   {
     this->Surface.ListSamples(this->Frame, radius, this->Around.Samples);
-    for (SurfaceSample& sample : this->Around.Samples)
+    for (NearSample& sample : this->Around.Samples)
     {
       sample.Normal = this->Sign * sample.Normal;
     }
@@ -85,12 +85,12 @@ private:
 
   /// Collects the samples that a fit around a foot needs, and returns the nearest sample within a
   /// distance that faces like the interface, or null.
-  const SurfaceSample* FindFoot(double farthest)
+  const NearSample* FindFoot(double farthest)
   {
     this->List(Norm(this->Start) + farthest + SmoothRange.Radius);
-    const SurfaceSample* foot = nullptr;
+    const NearSample* foot = nullptr;
     double least = 1e30;
-    for (const SurfaceSample& sample : this->Around.Samples)
+    for (const NearSample& sample : this->Around.Samples)
     {
       const double cosine = Dot(sample.Normal, this->Normal);
       const double distance = Norm(sample.At - this->Start);

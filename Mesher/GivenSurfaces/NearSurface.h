@@ -1,6 +1,6 @@
 /**
  * NearSurface: samples, sharp edges and corners of the surface of one body near the cells of a
- * grid.
+ * grid. Samples may lie beyond the domain; edges end at its sides.
  */
 #pragma once
 
@@ -11,7 +11,7 @@ namespace vfm
 {
 
 /// Point of a surface, in the local frame of a node.
-struct SurfaceSample
+struct NearSample
 {
   Vector3 At, Normal; ///< unit normal, outwards
   double Weight;      ///< area that the sample stands for, cells^2
@@ -49,8 +49,7 @@ public:
     const GivenBody& body, const Vector3& periods, double ratio, const Interface& interface);
 
   /// Collects the samples whose distance to the node is at most a radius in cells, 4.5 at most.
-  void ListSamples(
-    const NodeFrame& frame, double radius, std::vector<SurfaceSample>& samples) const;
+  void ListSamples(const NodeFrame& frame, double radius, std::vector<NearSample>& samples) const;
   /// Collects the edges in the order of their numbers.
   void ListEdges(const NodeFrame& frame, double radius, std::vector<NearEdge>& edges) const;
   void ListCorners(const NodeFrame& frame, double radius, std::vector<NearCorner>& corners) const;
@@ -94,8 +93,9 @@ private:
   template <class Visitor>
   void Visit(const Bins& bins, const NodeFrame& frame, double radius, const Visitor& visit) const;
 
-  Vector3 Widths; // mean widths of cells, grid coordinates
-  IndexBox Box;   // bins near the local box
+  Vector3 Lengths; // of the domain with its copies, grid coordinates
+  Vector3 Widths;  // mean widths of cells, grid coordinates
+  IndexBox Box;    // bins near the local box
   std::vector<Vector3> Normals;
   std::vector<int> SheetOf;
   std::vector<Sample> Samples;

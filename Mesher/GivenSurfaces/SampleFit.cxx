@@ -20,17 +20,17 @@ constexpr std::array<double, 4> Shrinks{ 1.0, 0.7, 0.5, 0.35 };
 
 struct Weighted
 {
-  const SurfaceSample* Sample;
+  const NearSample* Sample;
   double Weight;
 };
 
 /// Returns the samples of the part within a range.
 std::vector<Weighted> Select(
-  const std::vector<SurfaceSample>& samples, const SurfacePart& part, const FitRange& range)
+  const std::vector<NearSample>& samples, const SurfacePart& part, const FitRange& range)
 {
   std::vector<Weighted> selected;
   const bool hasOther = part.Other != Vector3{};
-  for (const SurfaceSample& sample : samples)
+  for (const NearSample& sample : samples)
   {
     const Vector3 from = sample.At - part.Centre;
     const double squared = Dot(from, from), cosine = Dot(sample.Normal, part.Normal);
@@ -101,7 +101,7 @@ double ErrorOf(const LocalQuadric& surface, const std::vector<Weighted>& samples
 }
 
 std::optional<SampleFit> FitOnce(
-  const std::vector<SurfaceSample>& samples, const SurfacePart& part, const FitRange& range)
+  const std::vector<NearSample>& samples, const SurfacePart& part, const FitRange& range)
 {
   const std::vector<Weighted> selected = Select(samples, part, range);
   double sum = 0.0;
@@ -134,7 +134,7 @@ std::optional<SampleFit> FitOnce(
 } // namespace
 
 std::optional<SampleFit> FitSamples(
-  const std::vector<SurfaceSample>& samples, const SurfacePart& part, const FitRange& range)
+  const std::vector<NearSample>& samples, const SurfacePart& part, const FitRange& range)
 {
   std::optional<SampleFit> best;
   for (double shrink : Shrinks)

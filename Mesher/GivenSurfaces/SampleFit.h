@@ -38,6 +38,6 @@ struct SampleFit
 /// @param samples  around the part, in the local frame of a node
 /// @return nothing if fewer than three samples count, or the surface is steep over its base
 std::optional<SampleFit> FitSamples(
-  const std::vector<SurfaceSample>& samples, const SurfacePart& part, const FitRange& range);
+  const std::vector<NearSample>& samples, const SurfacePart& part, const FitRange& range);
 
 } // namespace vfm

@@ -14,6 +14,7 @@
 #include "Phases/MeshOfCells.h"
 #include "PythonRuntime.h"
 #include "Ranks/PrintableText.h"
+#include "ReadSurfaces.h"
 #include "RunOptions.h"
 #include "ShapeFractions.h"
 #include "WriteFile.h"
@@ -179,6 +180,7 @@ NB_MODULE(_core, module)
   vfm::BindFaces(module);
   vfm::BindMeasures(module);
   vfm::BindModify(module);
+  vfm::BindSurfaceFiles(module);
   vfm::BindWriters(module);
   module.def("mesh", MakeMesh, "blocks"_a.none(), "arrays"_a, "coordinates"_a, "axes"_a, "origin"_a,
     "are_points"_a, "fractions"_a, "labels"_a, "label_names"_a, "state"_a.none(), "options"_a,

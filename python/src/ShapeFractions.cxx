@@ -68,8 +68,8 @@ InputSurfaces MakeBodies(std::vector<NamedTriangles> surfaces)
     PrefixErrors(surfaces.size() > 1 ? surface.Name + ": " : "",
       [&]
       {
-        bodies.Bodies.push_back({ surface.Name,
-          CloseSurface(std::move(surface.Points), std::move(surface.Triangles)), {}, {} });
+        bodies.Bodies.push_back(
+          MakeBody(surface.Name, std::move(surface.Points), std::move(surface.Triangles)));
       });
   }
   return bodies;

@@ -49,6 +49,8 @@ class Options:
     stair_step: bool
     smoothing: Literal["off", "quadric_surface", "geometry_based"]
     sharp_edges: Literal["off", "on", "automatic"]
+    surface_targets: Literal["off", "on"]
+    edge_angle: float
     label_smoothing: int
     element_order: Literal["linear", "quadratic", "quadratic27"]
     conserve_volume: bool
@@ -370,6 +372,19 @@ def read_label_names(path: str) -> Dict[int, str]:
     Warns if names are not UTF-8; they are then read as Windows-1252, which contains Latin-1.
     """
 
+def read_surface(
+    path: str, inflate: Callable[[bytes, int, int], bytes]
+) -> List[Tuple[str, NDArray[np.float64], NDArray[np.int64], NDArray[np.int32], List[str], str]]:
+    """Returns name, points of shape (n, 3), triangles of shape (m, 3), patches of shape (m,), names of
+    patches, and a note, for each body of a file.
+
+    inflate: unpacks bytes, given windowBits of zlib and the largest size; raises ValueError if they
+    are damaged. Raises ValueError, with the path, if the file is damaged or has no triangles.
+    """
+
+def is_surface_file(path: str) -> bool:
+    """Returns whether read_surface reads files with the suffix of a path."""
+
 def surface_fractions(
     surfaces: Sequence[Tuple[str, NDArray[np.float64], NDArray[np.int64]]],
     coordinates: Coordinates,
@@ -379,8 +394,8 @@ def surface_fractions(
     """Returns the exact volume fractions inside closed surfaces, each of shape (cells,).
 
     surfaces: name, points of shape (n, 3), of which equal ones are merged, and triangles of shape
-    (m, 3). Where surfaces overlap, the first one keeps its volume. Raises ValueError if a surface is
-    open or not manifold; the message begins with its name if there are several.
+    (m, 3). Where surfaces overlap, the first one keeps its volume. Raises ValueError if a surface
+    is open or not manifold; the message begins with its name if there are several.
     """
 
 def element_volumes(points: NDArray[np.float64], cells: NDArray[np.int64],

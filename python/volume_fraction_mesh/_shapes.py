@@ -13,7 +13,7 @@ from ._arrays import check_order, shaped
 from ._grid import make_grid
 from ._images import Fractions
 from ._progress import shown
-from ._surfaces import read_surface
+from ._surfaces import name_bodies, read_surface
 from ._types import Order, Progress, Triple
 
 TOLERANCES = (1e-8, 0.1)
@@ -194,14 +194,15 @@ def surface(
         raise ValueError("surfaces are empty: at least one is required.")
     _check_tolerance(tolerance)
     thread_count = _core.Options(False, threads=threads).threads
-    found = {name: read_surface(value, triangles) for name, value in named.items()}
+    found = name_bodies({name: read_surface(value, triangles) for name, value in named.items()})
     if bounds is None and coordinates is None:
-        nodes = _fit([points for points, _ in found.values()], cells)
+        nodes = _fit([body.points for body in found.values()], cells)
     else:
-        nodes = _nodes(_counts(cells), 1.0, (0, 0, 0), bounds, coordinates)
+        nodes = _nodes(_counts(cells), (1.0, 1.0, 1.0), (0, 0, 0), bounds, coordinates)
     check_order(order)
     with shown(progress) as call:
-        arrays = _core.surface_fractions([(name, *value) for name, value in found.items()],
+        arrays = _core.surface_fractions([(name, body.points, body.triangles)
+                                          for name, body in found.items()],
                                          list(nodes), thread_count, call)
     return _pack(dict(zip(found, arrays)), nodes, order)
 

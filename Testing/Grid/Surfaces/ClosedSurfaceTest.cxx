@@ -2,8 +2,8 @@
 /// message.
 #include "Surfaces/ClosedSurface.h"
 
+#include "LooseTriangles.h"
 #include "Ranks/Errors.h"
-#include "SurfaceCases.h"
 
 #include <gtest/gtest.h>
 

@@ -187,10 +187,15 @@ def test_surfaces_follow_each_other_and_the_text():
     ball = volume_inside(sphere())
     result = of(of_surface(sphere(), cube(2), FitToInput=0, Bounds=[-1.5, 1.5] * 3,
                            Dimensions=[20] * 3))
-    assert abs(result.volume(1) - ball) < 1e-12 and abs(result.volume(2) - (8 - ball)) < 1e-4
+    assert abs(result.volume(1) - ball) < 1e-12 and abs(result.volume(2) - (8 - ball)) < 1e-12
     result = of(of_surface(sphere(), Shapes="halfspace point=0,0,0 normal=1,0,0",
                            Dimensions=[20] * 3))
-    assert abs(result.volume(2) / (0.5 * ball) - 1) < 1e-4
+    assert abs(result.volume(2) / (0.5 * ball) - 1) < 1e-12  # the plane is between cells
+    result = of(of_surface(sphere(), Shapes="halfspace point=0,0,0 normal=1,2,3",
+                           Dimensions=[20] * 3))
+    # In cells that both boundaries cut, the surface gets the whole rest.
+    assert 1 < result.volume(2) / (0.5 * ball) < 1.01, result.volume(2) / (0.5 * ball)
+    assert (result.values(1) + result.values(2)).max() <= 1
     result = of(of_surface(sphere(), sphere(0.4, 2), SurfaceMaterial=3))
     assert result.names() == ["Material1", "Material2", "Material3"]
     assert abs(result.volume(3) / (ball + volume_inside(sphere(0.4, 2))) - 1) < 1e-12
