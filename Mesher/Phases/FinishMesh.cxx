@@ -7,6 +7,7 @@
 #include "Geometry/MeasureMaterials.h"
 #include "Geometry/Quality.h"
 #include "Geometry/ReportLevels.h"
+#include "GivenSurfaces/LostSurface.h"
 
 namespace vfm
 {
@@ -31,6 +32,11 @@ Mesh FinishMesh(const MeshCells& cells, ElementMethod& method, MeshRun& run, Dra
   {
     run.Report.DisplacedVolume =
       FindDisplacedVolumes(cells.Grid, cells.Fractions, mesh, run.TheRuntime);
+  }
+  if (cells.Surfaces)
+  {
+    run.Report.Bodies =
+      CompareBodies(*cells.Surfaces, cells.Grid, cells.Fractions, mesh, run.TheRuntime);
   }
   return std::move(mesh);
 }
