@@ -1,12 +1,13 @@
 #include "vtkVolumeFractionShapes.h"
 
 #include "AdoptBuffer.h"
+#include "BodyOfPolyData.h"
 #include "CollectivePipeline.h"
 #include "FilterRuntime.h"
 #include "Shapes/ShapesFractions.h"
 #include "Shapes/ShapesScenes.h"
 #include "Shapes/ShapesText.h"
-#include "SurfaceShape.h"
+#include "Shapes/SurfaceFractions.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkCellData.h"
@@ -18,7 +19,11 @@
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
+#include <numeric>
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
@@ -96,6 +101,84 @@ std::vector<vfm::Shape> MakePreset(int preset, const vfm::Vector3& lower, const 
     throw vfm::InputError("Preset " + std::to_string(preset) + " does not exist.");
   }
   return vfm::MakeScene(static_cast<vfm::Scene>(preset - 1), lower, upper);
+}
+
+/// Returns the name of the array of a material.
+std::string NameOf(std::size_t material)
+{
+  return "Material" + std::to_string(material);
+}
+
+/// Returns the material of each surface.
+/// @param given  material of all surfaces; 0: each gets the next free number
+/// @param taken  number of materials of the shapes
+std::vector<int> NumberSurfaces(std::size_t count, int given, int taken)
+{
+  if (given < 0)
+  {
+    throw vfm::InputError("SurfaceMaterial is " + std::to_string(given) +
+      ": materials are numbered from 1, and 0 is automatic.");
+  }
+  std::vector<int> materials(count, given);
+  if (given == 0)
+  {
+    std::iota(materials.begin(), materials.end(), taken + 1);
+  }
+  return materials;
+}
+
+vfm::InputSurfaces MakeBodies(
+  const std::vector<vtkPolyData*>& surfaces, const std::vector<int>& materials)
+{
+  vfm::InputSurfaces bodies;
+  for (std::size_t s = 0; s < surfaces.size(); ++s)
+  {
+    bodies.Bodies.push_back(vfm::MakeBodyOfPolyData(NameOf(materials[s]), surfaces[s]));
+  }
+  return bodies;
+}
+
+/// Returns one array per material. An array is empty if no shape or surface has the material.
+/// @param shapes  fractions of the materials of the shapes
+/// @param surfaces  fractions of the surfaces, which give way to the shapes
+/// @param materials  material of each surface
+std::vector<vfm::Buffer<double>> Combine(std::vector<vfm::Buffer<double>> shapes,
+  std::vector<vfm::Buffer<double>> surfaces, const std::vector<int>& materials,
+  vfm::Runtime& runtime)
+{
+  const std::size_t count = shapes.size();
+  std::vector<vfm::Buffer<double>> all = std::move(shapes);
+  std::move(surfaces.begin(), surfaces.end(), std::back_inserter(all));
+  if (count > 0 && !materials.empty())
+  {
+    vfm::LimitSums(all, runtime);
+  }
+  std::vector<vfm::Buffer<double>> sums(count);
+  std::move(all.begin(), all.begin() + count, sums.begin());
+  for (std::size_t s = 0; s < materials.size(); ++s)
+  {
+    sums.resize(std::max<std::size_t>(sums.size(), materials[s]));
+    vfm::Buffer<double>&sum = sums[materials[s] - 1], &values = all[count + s];
+    if (sum.empty())
+    {
+      sum = std::move(values);
+      continue;
+    }
+    std::transform(sum.begin(), sum.end(), values.begin(), sum.begin(), std::plus<double>());
+  }
+  return sums;
+}
+
+/// Adds the arrays of all materials to an image; zeros for an empty array.
+void AddFractions(std::vector<vfm::Buffer<double>>& fractions, vtkImageData* image)
+{
+  for (std::size_t m = 0; m < fractions.size(); ++m)
+  {
+    vfm::Buffer<double> values = fractions[m].empty()
+      ? vfm::Buffer<double>(image->GetNumberOfCells(), 0.0)
+      : std::move(fractions[m]);
+    image->GetCellData()->AddArray(vfm::AdoptBuffer(values, NameOf(m + 1).c_str()));
+  }
 }
 
 bool HasCells(const int extent[6])
@@ -225,37 +308,34 @@ void vtkVolumeFractionShapes::Fill(
   {
     shapes = MakePreset(this->Preset, lower, upper);
   }
-  for (vtkPolyData* surface : surfaces)
-  {
-    const int next = vfm::CountMaterials(shapes) + 1;
-    const int material = this->SurfaceMaterial == 0 ? next : this->SurfaceMaterial;
-    shapes.push_back(vfm::MakeSurfaceShape(material, surface));
-  }
-  if (shapes.empty())
+  const int taken = vfm::CountMaterials(shapes);
+  const std::vector<int> materials = NumberSurfaces(surfaces.size(), this->SurfaceMaterial, taken);
+  const vfm::InputSurfaces bodies = MakeBodies(surfaces, materials);
+  if (shapes.empty() && surfaces.empty())
   {
     throw vfm::InputError("There is no shape: choose a preset, write shapes, or give a surface.");
   }
   image->SetExtent(const_cast<int*>(extent));
   image->SetOrigin(place.Origin);
   image->SetSpacing(place.Spacing);
-  const bool hasCells = HasCells(extent); // otherwise the image may have flat cells
-  std::vector<vfm::Buffer<double>> fractions(vfm::CountMaterials(shapes));
-  if (hasCells)
+  std::vector<vfm::Buffer<double>> fractions(
+    materials.empty() ? taken : std::max(taken, materials.back()));
+  if (HasCells(extent)) // otherwise the image may have flat cells
   {
     vtkMultiProcessController* processes = vtkMultiProcessController::GetGlobalController();
     vfm::FilterRuntime runtime(this,
       vfm::ChooseThreads(this->NumberOfThreads, processes ? processes->GetNumberOfProcesses() : 1));
     const vfm::IndexBox cells{ { extent[0], extent[2], extent[4] },
       { extent[1], extent[3], extent[5] } };
-    fractions = vfm::FractionArraysOfShapes(coordinates, cells, shapes, this->Tolerance, runtime);
+    std::vector<vfm::Buffer<double>> ofShapes;
+    if (!shapes.empty())
+    {
+      ofShapes = vfm::FractionArraysOfShapes(coordinates, cells, shapes, this->Tolerance, runtime);
+    }
+    fractions = Combine(std::move(ofShapes),
+      vfm::FractionsOfSurfaces(coordinates, cells, bodies, runtime), materials, runtime);
   }
-  for (std::size_t m = 0; m < fractions.size(); ++m)
-  {
-    vfm::Buffer<double> values =
-      hasCells ? std::move(fractions[m]) : vfm::Buffer<double>(image->GetNumberOfCells(), 0.0);
-    const std::string name = "Material" + std::to_string(m + 1);
-    image->GetCellData()->AddArray(vfm::AdoptBuffer(values, name.c_str()));
-  }
+  AddFractions(fractions, image);
 }
 
 void vtkVolumeFractionShapes::PrintSelf(ostream& os, vtkIndent indent)

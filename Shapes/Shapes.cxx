@@ -312,12 +312,10 @@ Shape MakeVoronoiCell(
   return shape;
 }
 
-Shape MakeFunctionShape(
-  int material, std::function<double(const Vector3&)> distance, BoxQueries boxes)
+Shape MakeFunctionShape(int material, std::function<double(const Vector3&)> distance)
 {
   Shape shape = Place(ShapeKind::Function, "function", material, { { 0, 0, 0 } }, { { 0, 0, 0 } });
   shape.Distance = std::move(distance);
-  shape.Boxes = std::move(boxes);
   return shape;
 }
 

@@ -32,19 +32,6 @@ enum class ShapeKind
   Function
 };
 
-/// Optional functions of a shape of kind Function, for a box between two corners.
-struct BoxQueries
-{
-  /// Returns whether the surface may meet the box. If it is false for a box, it is false
-  /// for every box inside.
-  std::function<bool(const Vector3& lower, const Vector3& upper)> Meets;
-  /// Returns the exact volume of the shape in the box.
-  std::function<double(const Vector3& lower, const Vector3& upper)> Volume;
-  /// Sets the plane nearest to the surface in the box. Returns an estimate of the volume between
-  /// plane and surface: 0 if the surface is the plane, infinity if it is not close to any plane.
-  std::function<double(const Vector3& lower, const Vector3& upper, HalfSpace& plane)> FitPlane;
-};
-
 /// Intersection of at most one curved body with any number of half-spaces. Functions of shapes are
 /// negative inside. The function of the body has the Lipschitz constant 1: a single value can show
 /// that a whole box is on one side. The functions below make shapes.
@@ -60,7 +47,6 @@ struct Shape
   std::shared_ptr<const std::vector<Vector3>> Seeds; ///< seeds of the Voronoi diagram
   std::size_t Seed = 0;                              ///< seed of this Voronoi cell
   std::function<double(const Vector3&)> Distance;    ///< only for ShapeKind::Function
-  BoxQueries Boxes;                                  ///< only for ShapeKind::Function; may be empty
 };
 
 /// Makes a sphere.
@@ -90,12 +76,9 @@ Shape MakeGyroid(int material, const Vector3& center, double period, double leve
 /// Makes the cell of points nearer to seeds[seed] than to any other seed.
 Shape MakeVoronoiCell(
   int material, std::shared_ptr<const std::vector<Vector3>> seeds, std::size_t seed);
-/// Makes a shape from a function. Several threads may call the functions at once.
+/// Makes a shape from a function. Several threads may call it at once.
 /// @param distance  signed distance, negative inside, with Lipschitz constant 1
-/// @param boxes  all three functions or none; they avoid approximation in boxes that
-///   no other shape cuts
-Shape MakeFunctionShape(
-  int material, std::function<double(const Vector3&)> distance, BoxQueries boxes = BoxQueries());
+Shape MakeFunctionShape(int material, std::function<double(const Vector3&)> distance);
 /// Returns the part of a shape behind a plane, opposite to its normal.
 Shape CutShape(Shape shape, const Vector3& point, const Vector3& normal);
 

@@ -70,8 +70,6 @@ private:
   bool SelectShape(const Candidates* from, const Candidates::Item& item, const BoxGeometry& box,
     double caution, Candidates& to) const;
   void Recurse(const Candidates& from, const BoxGeometry& box, int depth);
-  bool AddExactly(const Candidates& candidates, const BoxGeometry& box);
-  FitError FitBody(const Shape& shape, const BoxGeometry& box, HalfSpace& plane);
   bool FitSurfaces(const Candidates& candidates, const BoxGeometry& box, int depth);
   void CutBox(const Candidates& candidates, const BoxGeometry& box);
   void Add(int shape, double volume);
@@ -88,28 +86,11 @@ private:
   std::vector<Vector3> Section;
 };
 
-/// Classifies a box by the functions of the shape.
-Side ClassifyByQueries(const Shape& shape, const BoxGeometry& box, double caution)
-{
-  const Vector3 half = (caution > 1.0 ? 1.0 + 1e-9 : 1.0) * box.Half;
-  if (shape.Boxes.Meets(box.Center - half, box.Center + half))
-  {
-    return Side::Cut;
-  }
-  const Vector3 core = 1e-3 * box.Half; // completely inside or outside
-  const double volume = shape.Boxes.Volume(box.Center - core, box.Center + core);
-  return volume > 4.0 * core[0] * core[1] * core[2] ? Side::Inside : Side::Outside;
-}
-
 Side CellWorker::Classify(int shape, int surface, const BoxGeometry& box, double caution) const
 {
   double value, reach;
   if (surface == Body)
   {
-    if (this->Shapes[shape].Boxes.Meets)
-    {
-      return ClassifyByQueries(this->Shapes[shape], box, caution);
-    }
     value = EvaluateBody(this->Shapes[shape], box.Center);
     reach = caution * Norm(box.Half);
   }
@@ -213,10 +194,6 @@ void CellWorker::Recurse(const Candidates& from, const BoxGeometry& box, int dep
     }
     return;
   }
-  if (this->AddExactly(candidates, box))
-  {
-    return;
-  }
   if (this->FitSurfaces(candidates, box, depth) || depth == MaximumDepth)
   {
     this->CutBox(candidates, box);
@@ -226,37 +203,6 @@ void CellWorker::Recurse(const Candidates& from, const BoxGeometry& box, int dep
   {
     this->Recurse(candidates, box.Child(c), depth + 1);
   }
-}
-
-/// Adds exact volumes if the box is cut only by a shape with BoxQueries::Volume, over void or over
-/// a shape that fills the box. Returns whether it is.
-bool CellWorker::AddExactly(const Candidates& candidates, const BoxGeometry& box)
-{
-  const std::vector<Candidates::Item>& items = candidates.Items;
-  const Shape& shape = this->Shapes[items[0].Shape];
-  if (candidates.Surfaces.size() != 1 || candidates.Surfaces[0] != Body || !shape.Boxes.Volume)
-  {
-    return false;
-  }
-  const double volume = std::min(
-    std::max(shape.Boxes.Volume(box.Center - box.Half, box.Center + box.Half), 0.0), box.Volume());
-  this->Add(items[0].Shape, volume);
-  if (items.size() > 1) // a shape that fills the box
-  {
-    this->Add(items[1].Shape, box.Volume() - volume);
-  }
-  return true;
-}
-
-FitError CellWorker::FitBody(const Shape& shape, const BoxGeometry& box, HalfSpace& plane)
-{
-  if (!shape.Boxes.FitPlane)
-  {
-    return this->Fitter.Fit(shape, box, plane);
-  }
-  FitError error;
-  error.Sheet = shape.Boxes.FitPlane(box.Center - box.Half, box.Center + box.Half, plane);
-  return error;
 }
 
 /// Fits planes to all surfaces. Returns whether the error is within the tolerance.
@@ -285,7 +231,7 @@ bool CellWorker::FitSurfaces(const Candidates& candidates, const BoxGeometry& bo
         GetPlane(shape, candidates.Surfaces[s], this->Fitted[s]);
         continue;
       }
-      const FitError fit = this->FitBody(shape, box, this->Fitted[s]);
+      const FitError fit = this->Fitter.Fit(shape, box, this->Fitted[s]);
       error += onSurface * fit.Rim + (sheet > 0.0 ? onEdge * sheet * fit.Sheet : 0.0);
       if (error > this->Tolerance && depth < MaximumDepth)
       {

@@ -1,10 +1,13 @@
 #include "Surfaces/ClosedSurface.h"
 
 #include "Ranks/Errors.h"
+#include "Surfaces/NestedParts.h"
+#include "Surfaces/RepeatedTriangles.h"
+#include "Surfaces/SplitEdges.h"
+#include "Surfaces/WeldPoints.h"
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <utility>
 
 namespace vfm
@@ -12,12 +15,11 @@ namespace vfm
 namespace
 {
 
-using Triangles = std::vector<PointTriangle>;
-
 // Largest coordinate of a grid (CartesianGrid); volumes and areas stay in the range of double.
 constexpr double LargestCoordinate = 1e60;
+constexpr double WeldDistance = 1e-6; // of the diagonal
 
-void CheckPoints(const std::vector<Vector3>& points, const Triangles& triangles)
+void CheckPoints(const std::vector<Vector3>& points, const std::vector<PointTriangle>& triangles)
 {
   const Index count = static_cast<Index>(points.size());
   for (const PointTriangle& triangle : triangles)
@@ -44,168 +46,136 @@ void CheckPoints(const std::vector<Vector3>& points, const Triangles& triangles)
   }
 }
 
-/// Replaces points at one place by the first of them. Only points of triangles are compared,
-/// because others need not be finite.
-void MergePoints(const std::vector<Vector3>& points, Triangles& triangles)
+std::vector<PatchTriangle> WithPatches(
+  const std::vector<PointTriangle>& triangles, const std::vector<int>* patches)
 {
-  std::vector<Index> order, first(points.size(), -1);
-  for (const PointTriangle& triangle : triangles)
-  {
-    for (Index p : triangle)
-    {
-      if (first[p] < 0)
-      {
-        first[p] = p;
-        order.push_back(p);
-      }
-    }
-  }
-  std::sort(order.begin(), order.end(),
-    [&points](Index a, Index b) { return points[a] != points[b] ? points[a] < points[b] : a < b; });
-  for (std::size_t i = 0; i < order.size(); ++i)
-  {
-    const bool isSame = i > 0 && points[order[i]] == points[order[i - 1]];
-    first[order[i]] = isSame ? first[order[i - 1]] : order[i];
-  }
-  for (PointTriangle& triangle : triangles)
-  {
-    for (Index& p : triangle)
-    {
-      p = first[p];
-    }
-  }
-}
-
-void DropCollapsed(Triangles& triangles)
-{
-  triangles.erase(
-    std::remove_if(triangles.begin(), triangles.end(),
-      [](const PointTriangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }),
-    triangles.end());
-}
-
-/// Edge of a triangle. Sorting brings equal edges together.
-struct TriangleEdge
-{
-  Index Low, High; // points
-  Index Triangle;
-  bool IsForward; // from Low to High
-
-  bool Meets(const TriangleEdge& other) const
-  {
-    return this->Low == other.Low && this->High == other.High;
-  }
-};
-
-std::vector<TriangleEdge> SortSides(const Triangles& triangles)
-{
-  std::vector<TriangleEdge> sides;
+  std::vector<PatchTriangle> all;
+  all.reserve(triangles.size());
   for (std::size_t t = 0; t < triangles.size(); ++t)
   {
-    for (int i = 0; i < 3; ++i)
-    {
-      const Index from = triangles[t][i], to = triangles[t][(i + 1) % 3];
-      sides.push_back({ std::min(from, to), std::max(from, to), static_cast<Index>(t), from < to });
-    }
+    all.push_back({ triangles[t], patches ? (*patches)[t] : 0 });
   }
-  std::sort(sides.begin(), sides.end(),
-    [](const TriangleEdge& a, const TriangleEdge& b)
-    {
-      return std::array<Index, 3>{ { a.Low, a.High, a.Triangle } } <
-        std::array<Index, 3>{ { b.Low, b.High, b.Triangle } };
-    });
-  return sides;
+  return all;
 }
 
-/// Checks that each edge has exactly two sides, which follow each other in the sorted list.
-void CheckClosed(const std::vector<TriangleEdge>& sides)
+/// Adds a sentence to a note if the count is not 0: the count and a text.
+void AddNote(Index count, const std::string& text, std::string& note)
 {
-  if (sides.empty())
+  if (count > 0)
   {
-    throw InputError("The surface has no polygons.");
-  }
-  Index open = 0, shared = 0;
-  for (std::size_t begin = 0, end; begin < sides.size(); begin = end)
-  {
-    for (end = begin + 1; end < sides.size() && sides[begin].Meets(sides[end]);)
-    {
-      ++end;
-    }
-    open += end - begin == 1;
-    shared += end - begin > 2;
-  }
-  if (open > 0)
-  {
-    throw InputError("The surface is open: " + std::to_string(open) +
-      " edges belong to one triangle only. Close its holes first (ParaView's filter Fill Holes).");
-  }
-  if (shared > 0)
-  {
-    throw InputError("The surface is not manifold: " + std::to_string(shared) +
-      " edges belong to more than two triangles. Separate its parts first.");
+    note += (note.empty() ? "" : " ") + std::to_string(count) + " " + text;
   }
 }
 
-/// Triangle on the other side of an edge, and whether both triangles face the same way.
-struct Neighbour
+void AddDropped(const DroppedTriangles& dropped, std::string& note)
 {
-  Index Triangle;
-  bool IsSameTurn;
+  AddNote(dropped.Repeated, "repeated triangles are dropped.", note);
+  AddNote(
+    dropped.BackToBack, "triangles that lie back to back, inside of the body, are dropped.", note);
+}
+
+/// Merges points, drops repeated triangles and divides edges, until all edges are closed if
+/// possible.
+/// @return sides of the triangles
+std::vector<TriangleSide> Repair(double distance, PatchTriangles& surface, std::string& note)
+{
+  AddDropped(DropRepeated(surface), note);
+  std::vector<TriangleSide> sides = SortSides(surface);
+  const std::vector<TriangleSide> open = FindOddEdges(sides);
+  if (open.empty() || !(distance > 0.0))
+  {
+    return sides;
+  }
+  const Index welded = WeldPoints(distance, open, surface);
+  AddNote(welded, "points are merged with others within 1e-6 of the size.", note);
+  surface = SortTriangles(surface.Points, std::move(surface.Triangles));
+  AddDropped(DropRepeated(surface), note);
+  const Index divided = SplitOpenEdges(distance, surface);
+  AddNote(divided, "triangles are divided, because corners of others lie on their edges.", note);
+  return SortSides(surface);
+}
+
+/// Returns six times the volume inside of each part if its triangles are turned as its first one.
+std::vector<double> MeasureParts(const PatchTriangles& surface, const SurfaceParts& parts)
+{
+  std::vector<double> volumes(parts.Count, 0.0);
+  std::vector<Index> first(parts.Count, -1);
+  for (std::size_t t = 0; t < surface.Triangles.size(); ++t)
+  {
+    const PointTriangle& c = surface.Triangles[t].Corners;
+    Index& origin = first[parts.Part[t]];
+    origin = origin < 0 ? c[0] : origin;
+    const Vector3& from = surface.Points[origin];
+    const double volume = Dot(
+      surface.Points[c[0]] - from, Cross(surface.Points[c[1]] - from, surface.Points[c[2]] - from));
+    volumes[parts.Part[t]] += parts.IsTurned[t] ? -volume : volume;
+  }
+  return volumes;
+}
+
+/// Numbers of triangles of a part, or of all parts but cavities.
+struct TurnCount
+{
+  Index Turned = 0, Kept = 0;
 };
 
-/// Returns three neighbours per triangle.
-std::vector<Neighbour> FindNeighbours(const std::vector<TriangleEdge>& sides)
+/// Reports turned triangles, unless the whole surface faces the wrong way.
+void AddTurned(const std::vector<TurnCount>& counts, const std::vector<bool>& areCavities,
+  const std::vector<Vector3>& places, std::string& note)
 {
-  std::vector<Neighbour> neighbours(sides.size());
-  std::vector<int> count(sides.size() / 3, 0);
-  const auto add = [&](const TriangleEdge& side, const TriangleEdge& other)
+  TurnCount all;
+  for (std::size_t p = 0; p < counts.size(); ++p)
   {
-    neighbours[3 * side.Triangle + count[side.Triangle]++] = { other.Triangle,
-      side.IsForward != other.IsForward };
-  };
-  for (std::size_t s = 0; s < sides.size(); s += 2)
-  {
-    add(sides[s], sides[s + 1]);
-    add(sides[s + 1], sides[s]);
+    all.Turned += areCavities[p] ? 0 : counts[p].Turned;
+    all.Kept += areCavities[p] ? 0 : counts[p].Kept;
   }
-  return neighbours;
+  const bool isReversed = all.Turned > all.Kept;
+  Index parts = 0, cavities = 0, triangles = 0;
+  std::string first;
+  for (std::size_t p = 0; p < counts.size(); ++p)
+  {
+    const Index turned = isReversed ? counts[p].Kept : counts[p].Turned;
+    const bool isWhole = turned == counts[p].Kept + counts[p].Turned;
+    first = turned > 0 && first.empty() ? FormatPlace(places[p]) : first;
+    (!isWhole ? triangles : areCavities[p] ? cavities : parts) += isWhole ? 1 : turned;
+  }
+  AddNote(parts, "components of the surface that faced inwards are turned.", note);
+  AddNote(cavities,
+    "components inside of others, which did not face inwards, are taken as walls of cavities; "
+    "give bodies inside of others in files of their own.",
+    note);
+  AddNote(triangles, "triangles that faced the other way than their neighbours are turned.", note);
+  note += first.empty() ? "" : " The first place is " + first + ".";
 }
 
-/// Orients the triangles of each connected component like its first triangle.
-void OrientConsistently(const std::vector<Neighbour>& neighbours, Triangles& triangles)
+/// Turns the triangles outwards, those of cavities inwards.
+void TurnOutwards(const SurfaceParts& parts, const std::vector<bool>& areCavities,
+  PatchTriangles& surface, std::string& note)
 {
-  std::vector<bool> isDone(triangles.size(), false), isTurned(triangles.size(), false);
-  std::vector<Index> toDo;
-  for (std::size_t first = 0; first < triangles.size(); ++first)
+  const std::vector<double> volumes = MeasureParts(surface, parts);
+  std::vector<TurnCount> counts(parts.Count);
+  std::vector<Vector3> places(parts.Count);
+  for (std::size_t t = 0; t < surface.Triangles.size(); ++t)
   {
-    if (!isDone[first])
+    const Index part = parts.Part[t];
+    const bool isPartTurned = (volumes[part] < 0.0) != areCavities[part];
+    PatchTriangle& triangle = surface.Triangles[t];
+    TurnCount& count = counts[part];
+    if (count.Turned + count.Kept == 0)
     {
-      isDone[first] = true;
-      toDo.push_back(static_cast<Index>(first));
+      places[part] = surface.Points[triangle.Corners[0]];
     }
-    while (!toDo.empty())
+    if (parts.IsTurned[t] != isPartTurned)
     {
-      const Index t = toDo.back();
-      toDo.pop_back();
-      for (int i = 0; i < 3; ++i)
-      {
-        const Neighbour& next = neighbours[3 * t + i];
-        if (!isDone[next.Triangle])
-        {
-          isDone[next.Triangle] = true;
-          isTurned[next.Triangle] = isTurned[t] == next.IsSameTurn;
-          toDo.push_back(next.Triangle);
-        }
-      }
+      triangle.Turn();
+      ++count.Turned;
+    }
+    else
+    {
+      ++count.Kept;
     }
   }
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-  {
-    if (isTurned[t])
-    {
-      std::swap(triangles[t][1], triangles[t][2]);
-    }
-  }
+  AddTurned(counts, areCavities, places, note);
 }
 
 } // namespace
@@ -213,6 +183,7 @@ void OrientConsistently(const std::vector<Neighbour>& neighbours, Triangles& tri
 std::vector<Triangle> PlaceTriangles(const ClosedSurface& surface)
 {
   std::vector<Triangle> placed;
+  placed.reserve(surface.Triangles.size());
   for (const PointTriangle& t : surface.Triangles)
   {
     placed.push_back({ { surface.Points[t[0]], surface.Points[t[1]], surface.Points[t[2]] } });
@@ -232,23 +203,40 @@ double MeasureVolume(const ClosedSurface& surface)
   return sum;
 }
 
-ClosedSurface CloseSurface(std::vector<Vector3> points, Triangles triangles)
+ClosedSurface CloseSurface(std::vector<Vector3> points, std::vector<PointTriangle> triangles,
+  std::vector<int>* patches, std::string* note)
 {
   CheckPoints(points, triangles);
-  MergePoints(points, triangles);
-  DropCollapsed(triangles);
-  const std::vector<TriangleEdge> sides = SortSides(triangles);
-  CheckClosed(sides);
-  OrientConsistently(FindNeighbours(sides), triangles);
-  ClosedSurface surface{ std::move(points), std::move(triangles) };
-  if (MeasureVolume(surface) < 0.0)
+  PatchTriangles surface = SortTriangles(points, WithPatches(triangles, patches));
+  const double distance = WeldDistance * FindDiagonal(surface.Points);
+  std::string repairs;
+  const std::vector<TriangleSide> sides = Repair(distance, surface, repairs);
+  if (surface.Triangles.empty())
   {
-    for (PointTriangle& triangle : surface.Triangles)
+    throw InputError("The surface has no polygons.");
+  }
+  CheckEdges(surface, sides);
+  const SurfaceParts parts = FindParts(surface, sides);
+  TurnOutwards(parts, FindCavities(surface, parts, distance), surface, repairs);
+  surface = SortTriangles(surface.Points, std::move(surface.Triangles));
+  ClosedSurface closed{ std::move(surface.Points), {} };
+  if (patches)
+  {
+    patches->clear();
+  }
+  for (const PatchTriangle& triangle : surface.Triangles)
+  {
+    closed.Triangles.push_back(triangle.Corners);
+    if (patches)
     {
-      std::swap(triangle[1], triangle[2]);
+      patches->push_back(triangle.Patch);
     }
   }
-  return surface;
+  if (note)
+  {
+    *note = repairs;
+  }
+  return closed;
 }
 
 } // namespace vfm

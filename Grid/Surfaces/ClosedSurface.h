@@ -7,6 +7,7 @@
 #include "Base/IndexBox.h"
 #include "Base/Vector3.h"
 
+#include <string>
 #include <vector>
 
 namespace vfm
@@ -19,8 +20,8 @@ using PointTriangle = std::array<Index, 3>;
 /// face into the cavities.
 struct ClosedSurface
 {
-  /// Points of the input. If several are at one place, only the first is used.
-  std::vector<Vector3> Points;
+  std::vector<Vector3> Points; ///< in ascending order; each is a corner of a triangle
+  /// The first corner has the lowest number. Sorted by the numbers of their points.
   std::vector<PointTriangle> Triangles;
 };
 
@@ -33,14 +34,24 @@ std::vector<Triangle> PlaceTriangles(const ClosedSurface& surface);
 /// Returns the volume inside a closed surface; negative if its triangles face inwards.
 double MeasureVolume(const ClosedSurface& surface);
 
-/// Makes a closed surface. Merges points at the same place and removes triangles with two equal
-/// corners. Orients the triangles of each connected component like its first one. If the total
-/// volume is then negative, reverses all triangles. Therefore the walls of a cavity must face
-/// opposite to the outer wall in the input.
+/// Makes a closed surface. The result does not depend on the order of the points, of the triangles
+/// and of their corners. Each repair is reported in the note:
+/// - Points of open edges that are within 1e-6 of the diagonal are merged.
+/// - Triangles with two equal corners, and repeated triangles, are dropped; pairs of triangles back
+///   to back too, because they are a wall inside of the solid.
+/// - An open edge with corners of other triangles on it is divided there.
+/// - Triangles are turned so that the components of the surface, without others around them, face
+///   outwards. Components inside an odd number of others are the walls of cavities, and face
+///   inwards, whatever their turn in the input. Around an edge of 4, 6 or more triangles, inside
+///   and outside alternate.
 /// @param points  coordinates
 /// @param triangles  points of each triangle, from 0
+/// @param patches  patch of each triangle; receives the patches of the result; or null
+/// @param note  receives a text about the repairs, empty if there are none; or null
 /// @throws InputError  if a triangle refers to a point that does not exist, the magnitude of a
-///   coordinate is not finite or above 1e60, or the surface is empty, open or not manifold
-ClosedSurface CloseSurface(std::vector<Vector3> points, std::vector<PointTriangle> triangles);
+///   coordinate is not finite or above 1e60, or the surface is empty, open, not manifold, or has
+///   only one side; the message names the first place
+ClosedSurface CloseSurface(std::vector<Vector3> points, std::vector<PointTriangle> triangles,
+  std::vector<int>* patches = nullptr, std::string* note = nullptr);
 
 } // namespace vfm

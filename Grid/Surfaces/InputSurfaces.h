@@ -26,4 +26,16 @@ struct InputSurfaces
   std::vector<BodySurface> Bodies;
 };
 
+/// Makes a body: the single way to get from triangles of any source to a BodySurface. CloseSurface
+/// repairs and orients the triangles. Patches without triangles are dropped.
+/// @param patches  patch of each triangle, from 0; empty for one patch
+/// @param patchNames  names of the patches; texts may be empty
+/// @param note  receives a warning about repairs, or an empty text; or null
+/// @throws InputError  if CloseSurface does, or if a patch has no name; the message does not
+/// contain
+///   the name of the body
+BodySurface MakeBody(const std::string& name, std::vector<Vector3> points,
+  std::vector<PointTriangle> triangles, std::vector<int> patches = {},
+  std::vector<std::string> patchNames = { "" }, std::string* note = nullptr);
+
 } // namespace vfm

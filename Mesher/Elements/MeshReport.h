@@ -38,7 +38,7 @@ struct MeshReport
     Index Solids = 0;       ///< closed outer surfaces in the domain
     Index LostSolids = 0;   ///< of these, those without elements
     bool IsWhole = true;    ///< neither the domain nor other bodies cut parts off
-    double LostArea = 0.0;  ///< of the largest connected lost part of the surface
+    double LostArea = 0.0;  ///< of the largest lost part; 0: there is none
     double LostLength = 0.0;
     double LostThickness = 0.0; ///< median thickness there
     Vector3 LostPlace{};        ///< a point of it, in length units of the grid

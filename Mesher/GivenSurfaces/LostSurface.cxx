@@ -19,7 +19,9 @@ constexpr int SamplesOfAll = 16384, LeastSamples = 1024; // of all bodies, of on
 // Depth below the surface at which a cell is looked for, in cells: a surface in a plane of nodes is
 // in the cell of its material.
 constexpr double DepthOfCell = 1e-3;
-constexpr double LeastReach = 1.0; // distance to the mesh at which a sample is not lost, in cells
+// Distances to the mesh, in cells, at which samples are near, and at which they are not far: edges
+// of less than 20 degrees recede by up to two cells.
+constexpr double NearReach = 1.0, FarReach = 2.5;
 // Samples closer than this times the side of the square for which one stands are of one part.
 constexpr double Spacing = 3.0;
 
@@ -29,8 +31,15 @@ struct SampledBody
   SurfaceComponents Components;
   std::vector<SurfaceSample> Samples;
   std::vector<double> Thickness;
-  std::vector<unsigned char> IsPresent, IsNear; ///< on this rank, later on any rank
+  ///@{ Known on this rank, later on any rank.
+  std::vector<unsigned char> IsPresent, IsNear;
+  std::vector<unsigned char> IsNotFar; ///< only of lost samples
+  ///@}
+
+  bool IsLost(std::size_t s) const { return this->IsPresent[s] && !this->IsNear[s]; }
 };
+
+using Flags = std::vector<unsigned char> SampledBody::*;
 
 double MeasureArea(const ClosedSurface& surface)
 {
@@ -55,7 +64,7 @@ std::vector<SampledBody> SampleBodies(const BodySurfaces& surfaces, Runtime& run
   for (std::size_t b = 0; b < areas.size(); ++b)
   {
     const ClosedSurface& surface = surfaces.Bodies()[b].Boundary;
-    SampledBody body{ FindComponents(surface), {}, {}, {}, {} };
+    SampledBody body{ FindComponents(surface), {}, {}, {}, {}, {} };
     const int count = static_cast<int>(SamplesOfAll * areas[b] / total);
     body.Samples = SampleSurface(surface, body.Components, std::max(count, LeastSamples));
     const TriangleSearch search(PlaceTriangles(surface), runtime);
@@ -66,6 +75,7 @@ std::vector<SampledBody> SampleBodies(const BodySurfaces& surfaces, Runtime& run
     }
     body.IsPresent.assign(body.Samples.size(), 0);
     body.IsNear.assign(body.Samples.size(), 0);
+    body.IsNotFar.assign(body.Samples.size(), 0);
     bodies.push_back(std::move(body));
   }
   return bodies;
@@ -91,12 +101,17 @@ void FindPresent(int material, const CartesianGrid& grid, const FractionField& f
 class SampleBins
 {
 public:
-  explicit SampleBins(const std::vector<SurfaceSample>& samples)
+  /// @param selects  selects(sample) returns whether a sample is in the bins
+  template <class Selects>
+  SampleBins(const std::vector<SurfaceSample>& samples, const Selects& selects)
   {
     for (std::size_t s = 0; s < samples.size(); ++s)
     {
-      const Index3 bin = BinOf(samples[s].Point);
-      this->Entries.push_back({ { { bin[2], bin[1], bin[0] } }, static_cast<Index>(s) });
+      if (selects(s))
+      {
+        const Index3 bin = BinOf(samples[s].Point);
+        this->Entries.push_back({ { { bin[2], bin[1], bin[0] } }, static_cast<Index>(s) });
+      }
     }
     std::sort(this->Entries.begin(), this->Entries.end());
   }
@@ -134,10 +149,11 @@ private:
 struct PlacedFacet
 {
   std::vector<Triangle> Triangles;
-  double Reach = LeastReach;
-  Bounds Box;
+  double Reach = 1.0;
+  Bounds Box; ///< around all points within the reach
 
-  PlacedFacet(const CartesianGrid& grid, const Mesh& mesh, Index facet)
+  /// @param reach  over the longest edge, or over a cell
+  PlacedFacet(const CartesianGrid& grid, const Mesh& mesh, Index facet, double reach)
   {
     const int corners = mesh.CornersOfFacet();
     std::vector<Vector3> x;
@@ -155,8 +171,9 @@ struct PlacedFacet
     {
       this->Triangles.push_back({ { x[0], x[c], x[c + 1] } });
     }
-    const Vector3 reach{ { this->Reach, this->Reach, this->Reach } };
-    this->Box = { this->Box.Lower - reach, this->Box.Upper + reach };
+    this->Reach *= reach;
+    const Vector3 around{ { this->Reach, this->Reach, this->Reach } };
+    this->Box = { this->Box.Lower - around, this->Box.Upper + around };
   }
   bool IsNear(const Vector3& x) const
   {
@@ -169,21 +186,17 @@ struct PlacedFacet
   }
 };
 
-/// Finds the samples that facets of their material are near to.
-void FindNear(const BodySurfaces& surfaces, const CartesianGrid& grid, const Mesh& mesh,
-  Runtime& runtime, std::vector<SampledBody>& bodies)
+/// Flags the samples that facets of their material reach.
+void FindReached(const BodySurfaces& surfaces, const CartesianGrid& grid, const Mesh& mesh,
+  const std::vector<SampleBins>& bins, double reach, Flags flags, Runtime& runtime,
+  std::vector<SampledBody>& bodies)
 {
-  std::vector<SampleBins> bins;
-  for (const SampledBody& body : bodies)
-  {
-    bins.emplace_back(body.Samples);
-  }
   using Hit = std::pair<int, Index>; // body and sample
   const SurfaceFacets& facets = mesh.Surfaces;
   const std::vector<Hit> hits = CollectItems<Hit>(runtime, facets.SurfaceId.size(), 256,
     [&](Index f, std::vector<Hit>& found)
     {
-      const PlacedFacet facet(grid, mesh, f);
+      const PlacedFacet facet(grid, mesh, f, reach);
       for (int side = 0; side < 2; ++side)
       {
         const int body = surfaces.Find(facets.MaterialPair[2 * f + side]);
@@ -202,31 +215,27 @@ void FindNear(const BodySurfaces& surfaces, const CartesianGrid& grid, const Mes
     });
   for (const auto& [body, sample] : hits)
   {
-    bodies[body].IsNear[sample] = 1;
+    (bodies[body].*flags)[sample] = 1;
   }
 }
 
-/// Replaces what is known of samples by what any rank knows.
-void ShareFlags(std::vector<SampledBody>& bodies, Ranks& ranks)
+/// Replaces the flags of samples by those of any rank.
+void ShareFlags(Flags flags, Ranks& ranks, std::vector<SampledBody>& bodies)
 {
-  std::vector<std::int64_t> flags;
-  const auto forAll = [&bodies](const auto& visit)
+  std::vector<std::int64_t> counts;
+  for (const SampledBody& body : bodies)
   {
-    for (SampledBody& body : bodies)
+    counts.insert(counts.end(), (body.*flags).begin(), (body.*flags).end());
+  }
+  ranks.Sum(counts);
+  auto at = counts.begin();
+  for (SampledBody& body : bodies)
+  {
+    for (unsigned char& flag : body.*flags)
     {
-      for (std::vector<unsigned char>* of : { &body.IsPresent, &body.IsNear })
-      {
-        for (unsigned char& flag : *of)
-        {
-          visit(flag);
-        }
-      }
+      flag = *at++ > 0 ? 1 : 0;
     }
-  };
-  forAll([&](unsigned char flag) { flags.push_back(flag); });
-  ranks.Sum(flags);
-  std::size_t at = 0;
-  forAll([&](unsigned char& flag) { flag = flags[at++] > 0 ? 1 : 0; });
+  }
 }
 
 /// Sets the counts of solids.
@@ -255,10 +264,10 @@ std::vector<std::vector<Index>> FindLostParts(const SampledBody& body)
   std::vector<Bounds> boxes;
   for (std::size_t s = 0; s < body.Samples.size(); ++s)
   {
-    if (body.IsPresent[s] && !body.IsNear[s])
+    if (body.IsLost(s))
     {
       const SurfaceSample& sample = body.Samples[s];
-      const double reach = 0.5 * std::max(LeastReach, Spacing * std::sqrt(sample.Area));
+      const double reach = 0.5 * std::max(NearReach, Spacing * std::sqrt(sample.Area));
       const Vector3 half{ { reach, reach, reach } };
       lost.push_back(static_cast<Index>(s));
       boxes.push_back({ sample.Point - half, sample.Point + half });
@@ -303,7 +312,7 @@ void DescribePart(const SampledBody& body, const std::vector<Index>& part,
   report.LostPlace = grid.NodePoint({ { 0, 0, 0 } }) + grid.MeanWidth() * nearest->Point;
 }
 
-MeshReport::Body Summarise(const SampledBody& body, const CartesianGrid& grid)
+MeshReport::Body ReportBody(const SampledBody& body, const CartesianGrid& grid)
 {
   MeshReport::Body report;
   report.Thickness = FindQuantile(body.Samples, body.Thickness, ThinShare);
@@ -311,7 +320,7 @@ MeshReport::Body Summarise(const SampledBody& body, const CartesianGrid& grid)
   for (std::size_t s = 0; s < body.Samples.size(); ++s)
   {
     present += body.IsPresent[s] ? body.Samples[s].Area : 0.0;
-    lost += body.IsPresent[s] && !body.IsNear[s] ? body.Samples[s].Area : 0.0;
+    lost += body.IsLost(s) ? body.Samples[s].Area : 0.0;
     report.IsWhole = report.IsWhole && body.IsPresent[s];
   }
   report.LostShare = present > 0.0 ? lost / present : 0.0;
@@ -321,11 +330,13 @@ MeshReport::Body Summarise(const SampledBody& body, const CartesianGrid& grid)
   for (const std::vector<Index>& part : parts)
   {
     double area = 0.0;
+    bool isFar = false;
     for (Index s : part)
     {
       area += body.Samples[s].Area;
+      isFar = isFar || !body.IsNotFar[s];
     }
-    if (area > report.LostArea)
+    if (isFar && area > report.LostArea)
     {
       report.LostArea = area;
       largest = &part;
@@ -348,13 +359,25 @@ std::vector<MeshReport::Body> CompareBodies(const BodySurfaces& surfaces, const 
   {
     FindPresent(surfaces.Bodies()[b].Material, grid, fractions, runtime, bodies[b]);
   }
-  FindNear(surfaces, grid, mesh, runtime, bodies);
-  ShareFlags(bodies, runtime.Group());
+  std::vector<SampleBins> all, lost;
+  for (const SampledBody& body : bodies)
+  {
+    all.emplace_back(body.Samples, [](std::size_t) { return true; });
+  }
+  FindReached(surfaces, grid, mesh, all, NearReach, &SampledBody::IsNear, runtime, bodies);
+  ShareFlags(&SampledBody::IsPresent, runtime.Group(), bodies);
+  ShareFlags(&SampledBody::IsNear, runtime.Group(), bodies);
+  for (const SampledBody& body : bodies)
+  {
+    lost.emplace_back(body.Samples, [&body](std::size_t s) { return body.IsLost(s); });
+  }
+  FindReached(surfaces, grid, mesh, lost, FarReach, &SampledBody::IsNotFar, runtime, bodies);
+  ShareFlags(&SampledBody::IsNotFar, runtime.Group(), bodies);
   std::vector<MeshReport::Body> reports(bodies.size());
   ForEach(runtime, bodies.size(),
     [&](Index b)
     {
-      reports[b] = Summarise(bodies[b], grid);
+      reports[b] = ReportBody(bodies[b], grid);
       reports[b].Material = surfaces.Bodies()[b].Material;
     });
   return reports;

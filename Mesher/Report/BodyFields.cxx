@@ -15,9 +15,8 @@ namespace
 
 using Body = MeshReport::Body;
 
-// Area of a lost part without a warning: in squares of the cell width, and as a share of the
-// surface. Sharp edges and tips recede by more than a cell, but have little area.
-constexpr double LargestQuietArea = 8.0, LargestQuietShare = 0.005;
+// Area of a lost part without a warning, in squares of the cell width: that of a sharp tip.
+constexpr double LargestQuietArea = 8.0;
 
 bool HasElements(const MeshReport& report, const Body& body)
 {
@@ -31,7 +30,7 @@ bool IsInPieces(const MeshReport& report, const Body& body)
 
 bool LosesSurface(const Body& body)
 {
-  return body.LostArea > LargestQuietArea || body.LostShare > LargestQuietShare;
+  return body.LostArea > LargestQuietArea;
 }
 
 std::string PrintLength(double length)
@@ -121,7 +120,7 @@ std::string DescribeLostBodies(
   return losses.empty() ? ""
                         : CountMaterials(losses.size(), "loses", "lose") +
       " parts that are thinner than its cells: " + Enumerate(losses) + ". A cell width of " +
-      FormatNumber(RoundDown(width * keeping)) + " or less should keep them.";
+      PrintLength(RoundDown(width * keeping)) + " or less should keep them.";
 }
 
 } // namespace vfm

@@ -5,7 +5,6 @@
 #include "Fractions/Plic.h"
 #include "Shapes/ShapesFractions.h"
 #include "Shapes/ShapesScenes.h"
-#include "Shapes/ShapesTriangles.h"
 
 #include <gtest/gtest.h>
 
@@ -169,25 +168,6 @@ struct ThreadedRuntime : Runtime
     }
   }
 };
-
-/// Returns a cube with corners at 0 and 1.
-TriangleSolid MakeCubeSolid()
-{
-  constexpr int Quads[6][4] = { { 0, 4, 6, 2 }, { 1, 3, 7, 5 }, { 0, 1, 5, 4 }, { 2, 6, 7, 3 },
-    { 0, 2, 3, 1 }, { 4, 5, 7, 6 } };
-  std::vector<Triangle> triangles;
-  const auto corner = [](int c)
-  {
-    return Vector3{ { static_cast<double>(c & 1), static_cast<double>(c >> 1 & 1),
-      static_cast<double>(c >> 2 & 1) } };
-  };
-  for (const auto& q : Quads)
-  {
-    triangles.push_back({ { corner(q[0]), corner(q[1]), corner(q[2]) } });
-    triangles.push_back({ { corner(q[0]), corner(q[2]), corner(q[3]) } });
-  }
-  return TriangleSolid(triangles);
-}
 
 } // namespace
 
@@ -441,59 +421,6 @@ TEST(Shapes, FunctionsGiveTheFractionsOfTheirShape)
       EXPECT_NEAR(a.Fraction(c, 1), b.Fraction(c, 1), 2.0 * DefaultShapeTolerance) << c;
     }
   }
-}
-
-TEST(Shapes, SolidsOfTrianglesAreExactAlsoOnCellFaces)
-{
-  const TriangleSolid cube = MakeCubeSolid();
-  EXPECT_DOUBLE_EQ(cube.MeasureVolume({ { -1, -1, -1 } }, { { 2, 2, 2 } }), 1.0);
-  EXPECT_NEAR(cube.MeasureVolume({ { 0.5, 0.5, 0.5 } }, { { 1.5, 1.5, 1.5 } }), 0.125, 1e-15);
-  EXPECT_NEAR(cube.MeasureVolume({ { -1.0, 0.25, 0.2 } }, { { 0.4, 0.75, 3.0 } }), 0.16, 1e-15);
-  EXPECT_NEAR(cube.MeasureVolume({ { 0.0, 0.0, 0.0 } }, { { 0.5, 0.5, 0.5 } }), 0.125, 1e-15);
-  EXPECT_NEAR(cube.MeasureVolume({ { 1.0, 0.0, 0.0 } }, { { 2.0, 1.0, 1.0 } }), 0.0, 1e-15);
-  EXPECT_NEAR(cube.MeasureVolume({ { -1.0, 0.0, 0.0 } }, { { 0.0, 1.0, 1.0 } }), 0.0, 1e-15);
-  EXPECT_FALSE(cube.Meets({ { 0.2, 0.2, 0.2 } }, { { 0.8, 0.8, 0.8 } }));
-  EXPECT_FALSE(cube.Meets({ { -2.0, 0.2, 0.2 } }, { { -1.0, 0.8, 0.8 } }));
-  EXPECT_TRUE(cube.Meets({ { 0.2, 0.2, 0.2 } }, { { 1.2, 0.8, 0.8 } }));
-  HalfSpace plane;
-  EXPECT_EQ(cube.FitPlane({ { 0.2, 0.2, 0.2 } }, { { 1.2, 0.8, 0.8 } }, plane), 0.0);
-  EXPECT_EQ(plane.Normal, (Vector3{ { 1, 0, 0 } }));
-  EXPECT_EQ(plane.Offset, 1.0);
-  EXPECT_GT(cube.FitPlane({ { 0.2, 0.2, 0.2 } }, { { 1.2, 1.2, 0.8 } }, plane), 0.01);
-  EXPECT_EQ(cube.FitPlane({ { 0.2, 0.2, 0.2 } }, { { 0.8, 0.8, 0.8 } }, plane), 0.0);
-  EXPECT_EQ(plane.Offset, INFINITY);
-  EXPECT_EQ(cube.FitPlane({ { 0.2, 0.2, 1.2 } }, { { 0.8, 0.8, 1.8 } }, plane), 0.0);
-  EXPECT_EQ(plane.Offset, -INFINITY);
-}
-
-/// Rounding moves corners of clipped triangles across planes if the triangle is much larger than
-/// the box, so that a triangle has more corners than a convex polygon.
-TEST(Shapes, LargeTrianglesInSmallBoxes)
-{
-  const std::vector<Triangle> triangle{ { { { { 3, 1, 0 } },
-    { { 432345564227567620.0, 180143985094819840.0, 324259173170675710.0 } },
-    { { 6, 7, 11 } } } } };
-  const TriangleSolid large(triangle);
-  const Vector3 lower{ { 5, 4, 7 } }, upper{ { 12, 11, 10 } };
-  HalfSpace plane;
-  EXPECT_TRUE(std::isfinite(large.MeasureVolume(lower, upper)));
-  EXPECT_GE(large.FitPlane(lower, upper, plane), 0.0);
-}
-
-TEST(Shapes, SurfacesInTheRangeOfGrids)
-{
-  const auto solid = [](double length)
-  {
-    const std::vector<Vector3> points{ { { 0, 0, 0 } }, { { length, 0, 0 } }, { { 0, length, 0 } },
-      { { 0, 0, length } } };
-    return MakeSolid(1,
-      CloseSurface(points, { { { 0, 2, 1 } }, { { 0, 1, 3 } }, { { 1, 2, 3 } }, { { 0, 3, 2 } } }),
-      [](const Vector3&) { return 0.0; });
-  };
-  EXPECT_NEAR(
-    solid(1e60).Boxes.Volume({ { 0, 0, 0 } }, { { 1e60, 1e60, 1e60 } }), 1e180 / 6.0, 1e166);
-  EXPECT_EQ(solid(1e-310).Boxes.Volume({ { 0, 0, 0 } }, { { 1, 1, 1 } }), 0.0);
-  EXPECT_THROW(solid(1e61), InputError);
 }
 
 TEST(Shapes, RefusesWhatIsNoShape)

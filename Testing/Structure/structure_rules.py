@@ -35,6 +35,7 @@ ALLOWED.update({
     "IO/Labels": BASE + ("Mesher/Input", "Mesher/Report", "IO"),
     "IO/Meshes": BASE + MESHER + ("IO",),
     "IO/Report": BASE + MESHER + ("IO", "IO/Meshes"),
+    "IO/Surfaces": BASE + ("Grid/Surfaces", "IO", "IO/GridFiles"),
     "Filters": MESHES + ("Shapes", "Parallel/Vtk", "IO/Blocks", "IO/Labels", "Filters/Data"),
     "Filters/Files": BASE + MESHER + (
         "Parallel/Vtk", "IO", "IO/Images", "IO/Meshes", "Filters/Data"),
@@ -42,23 +43,25 @@ ALLOWED.update({
     "InSitu/Catalyst": BASE + ("Parallel/Mpi", "InSitu"),
     "Program": BASE + MESHER + (
         "Parallel/Vtk", "Parallel/Mpi", "IO", "IO/Blocks", "IO/GridFiles", "IO/Images",
-        "IO/Labels", "IO/Meshes", "IO/Report", "Filters", "Filters/Data"),
+        "IO/Labels", "IO/Meshes", "IO/Report", "IO/Surfaces", "Filters", "Filters/Data"),
     "Plugin": ("Filters", "Mesher/Input", "Mesher/Materials", "Mesher/Options"),
     "python": MESHES + (
-        "Shapes", "IO", "IO/Blocks", "IO/GridFiles", "IO/Labels", "IO/Meshes", "IO/Report"),
+        "Shapes", "IO", "IO/Blocks", "IO/GridFiles", "IO/Labels", "IO/Meshes", "IO/Report",
+        "IO/Surfaces"),
     "Examples": ("InSitu", "InSitu/Catalyst"),
     "Testing/Support": MESHES + ("Shapes",),
     "Testing/Inputs": MESHES,
     "Testing/Grid": MESHES + ("Shapes", "Testing/Support"),
-    "Testing/Shapes": BASE + ("Grid/Surfaces", "Grid/Fractions", "Shapes"),
+    "Testing/Shapes": BASE + ("Grid/Surfaces", "Grid/Fractions", "Shapes", "Testing/Support"),
     "Testing/Fuzz": MESHES + (
         "Shapes", "IO", "IO/Blocks", "IO/GridFiles", "IO/Images", "IO/Labels", "IO/Meshes",
-        "IO/Report", "Filters", "InSitu", "Program", "Testing/Inputs", "Testing/Support"),
+        "IO/Report", "IO/Surfaces", "Filters", "InSitu", "Program", "Testing/Inputs",
+        "Testing/Support"),
     "Testing/Benchmarks": MESHES + (
         "IO", "IO/Images", "Shapes", "Filters", "Testing/Inputs", "Testing/Support"),
     "Testing/IO": MESHES + (
         "Shapes", "IO", "IO/Blocks", "IO/GridFiles", "IO/Images", "IO/Labels", "IO/Meshes",
-        "IO/Report", "Testing/Inputs", "Testing/Support"),
+        "IO/Report", "IO/Surfaces", "Testing/Inputs", "Testing/Support"),
     "Testing/Mesher": MESHES + ("Shapes", "Testing/Fuzz", "Testing/Inputs", "Testing/Support"),
     "Testing/Parallel": BASE + ("Parallel/Vtk", "Testing/Support"),
     "Testing/Digests": MESHES + ("Shapes", "Testing/Inputs"),
@@ -70,7 +73,7 @@ ALLOWED.update({
 # PLAIN: folders without VTK. WITHOUT_MPI: folders without VTK and MPI.
 WITHOUT_MPI = MESHES + (
     "Shapes", "IO", "IO/Blocks", "IO/GridFiles", "IO/Images", "IO/Labels", "IO/Meshes", "IO/Report",
-    "python",
+    "IO/Surfaces", "python",
     "Testing/IO", "Testing/Inputs", "Testing/Support", "Testing/Grid", "Testing/Mesher",
     "Testing/Shapes")
 PLAIN = WITHOUT_MPI + ("Parallel/Mpi", "InSitu")
@@ -85,7 +88,7 @@ MOST_AT_ROOT = 5  # files of Mesher outside its modules
 MOST_IN_FOLDER = 40 # files
 # folders in which each source has a header of its name
 HAVE_HEADERS = MESHES + ("Shapes", "Parallel/Vtk", "IO", "IO/GridFiles", "IO/Labels",
-                         "IO/Meshes", "IO/Report", "Filters/Data", "Filters/Files")
+                         "IO/Meshes", "IO/Report", "IO/Surfaces", "Filters/Data", "Filters/Files")
 # Sources without a test of their header; the list may only become shorter.
 UNTESTED = "Testing/Structure/untested_sources.txt"
 # Tests that include modules above their own; no test may be added.

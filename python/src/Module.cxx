@@ -16,8 +16,6 @@
 #include "Ranks/PrintableText.h"
 #include "RunOptions.h"
 #include "ShapeFractions.h"
-#include "Shapes/ShapesTriangles.h"
-#include "Shapes/ShapesText.h"
 #include "WriteFile.h"
 
 #include <nanobind/stl/array.h>
@@ -25,6 +23,7 @@
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
 #include <algorithm>
@@ -91,29 +90,20 @@ nb::list FillShapes(const std::string& text, const NodeArrays& coordinates, doub
   int threads, nb::handle progress)
 {
   vfm::PythonRuntime runtime(threads, progress);
-  return vfm::ComputeFractions(
-    Copy(coordinates),
-    [&text](const vfm::Vector3& lower, const vfm::Vector3& upper)
-    { return vfm::ParseShapes(text, lower, upper); },
-    tolerance, runtime);
+  return vfm::FractionsOfText(text, Copy(coordinates), tolerance, runtime);
 }
 
-nb::object FillTriangles(const Places& points, const Corners& triangles,
-  const NodeArrays& coordinates, double tolerance, int threads, nb::handle progress)
+nb::list FillSurfaces(const std::vector<std::tuple<std::string, Places, Corners>>& surfaces,
+  const NodeArrays& coordinates, int threads, nb::handle progress)
 {
-  const auto corners = CopyRows<vfm::PointTriangle>(triangles);
-  const auto places = CopyRows<vfm::Vector3>(points);
+  std::vector<vfm::NamedTriangles> named;
+  for (const auto& [name, points, triangles] : surfaces)
+  {
+    named.push_back(
+      { name, CopyRows<vfm::Vector3>(points), CopyRows<vfm::PointTriangle>(triangles) });
+  }
   vfm::PythonRuntime runtime(threads, progress);
-  const nb::list fractions = vfm::ComputeFractions(
-    Copy(coordinates),
-    [&](const vfm::Vector3&, const vfm::Vector3&)
-    {
-      // the distance of a single shape is not evaluated, because no other shape cuts it
-      return std::vector<vfm::Shape>{ vfm::MakeSolid(
-        1, vfm::CloseSurface(places, corners), [](const vfm::Vector3&) { return 0.0; }) };
-    },
-    tolerance, runtime);
-  return fractions[0];
+  return vfm::FractionsInside(std::move(named), Copy(coordinates), runtime);
 }
 
 vfm::FileBlocks ReadBlocks(const std::string& path, int step,
@@ -196,6 +186,6 @@ NB_MODULE(_core, module)
   module.def("read_label_names", ReadNames, "path"_a);
   module.def("shape_fractions", FillShapes, "text"_a, "coordinates"_a, "tolerance"_a, "threads"_a,
     "progress"_a.none());
-  module.def("triangle_fractions", FillTriangles, "points"_a, "triangles"_a, "coordinates"_a,
-    "tolerance"_a, "threads"_a, "progress"_a.none());
+  module.def("surface_fractions", FillSurfaces, "surfaces"_a, "coordinates"_a, "threads"_a,
+    "progress"_a.none());
 }

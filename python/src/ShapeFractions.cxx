@@ -4,6 +4,8 @@
 #include "NumpyFields.h"
 #include "PythonRuntime.h"
 #include "Shapes/ShapesFractions.h"
+#include "Shapes/ShapesText.h"
+#include "Shapes/SurfaceFractions.h"
 
 namespace vfm
 {
@@ -27,8 +29,22 @@ IndexBox CellsOf(const NodeCoordinates& coordinates)
   return cells;
 }
 
-std::vector<Shape> MakeShapes(const NodeCoordinates& coordinates,
-  const std::function<std::vector<Shape>(const Vector3&, const Vector3&)>& make)
+/// Returns numpy arrays of the buffers that compute(cells) returns; it runs without the GIL.
+template <class Compute>
+nanobind::list RunToNumpy(
+  const NodeCoordinates& coordinates, PythonRuntime& runtime, const Compute& compute)
+{
+  std::vector<Buffer<double>> fractions;
+  runtime.Run([&] { fractions = compute(CellsOf(coordinates)); });
+  nanobind::list arrays;
+  for (Buffer<double>& values : fractions)
+  {
+    arrays.append(ToNumpy(values));
+  }
+  return arrays;
+}
+
+std::vector<Shape> MakeShapes(const std::string& text, const NodeCoordinates& coordinates)
 {
   Vector3 lower, upper;
   for (int a = 0; a < 3; ++a)
@@ -36,7 +52,7 @@ std::vector<Shape> MakeShapes(const NodeCoordinates& coordinates,
     lower[a] = coordinates[a].front();
     upper[a] = coordinates[a].back();
   }
-  std::vector<Shape> shapes = make(lower, upper);
+  std::vector<Shape> shapes = ParseShapes(text, lower, upper);
   if (shapes.empty())
   {
     throw InputError("There is no shape.");
@@ -44,26 +60,40 @@ std::vector<Shape> MakeShapes(const NodeCoordinates& coordinates,
   return shapes;
 }
 
+InputSurfaces MakeBodies(std::vector<NamedTriangles> surfaces)
+{
+  InputSurfaces bodies;
+  for (NamedTriangles& surface : surfaces)
+  {
+    PrefixErrors(surfaces.size() > 1 ? surface.Name + ": " : "",
+      [&]
+      {
+        bodies.Bodies.push_back(
+          MakeBody(surface.Name, std::move(surface.Points), std::move(surface.Triangles)));
+      });
+  }
+  return bodies;
+}
+
 } // namespace
 
-nanobind::list ComputeFractions(const NodeCoordinates& coordinates,
-  const std::function<std::vector<Shape>(const Vector3&, const Vector3&)>& make, double tolerance,
-  PythonRuntime& runtime)
+nanobind::list FractionsOfText(const std::string& text, const NodeCoordinates& coordinates,
+  double tolerance, PythonRuntime& runtime)
 {
-  std::vector<Buffer<double>> fractions;
-  runtime.Run(
-    [&]
+  return RunToNumpy(coordinates, runtime,
+    [&](const IndexBox& cells)
     {
-      const IndexBox cells = CellsOf(coordinates);
-      fractions = FractionArraysOfShapes(
-        coordinates, cells, MakeShapes(coordinates, make), tolerance, runtime);
+      return FractionArraysOfShapes(
+        coordinates, cells, MakeShapes(text, coordinates), tolerance, runtime);
     });
-  nanobind::list arrays;
-  for (Buffer<double>& values : fractions)
-  {
-    arrays.append(ToNumpy(values));
-  }
-  return arrays;
+}
+
+nanobind::list FractionsInside(
+  std::vector<NamedTriangles> surfaces, const NodeCoordinates& coordinates, PythonRuntime& runtime)
+{
+  return RunToNumpy(coordinates, runtime,
+    [&](const IndexBox& cells)
+    { return FractionsOfSurfaces(coordinates, cells, MakeBodies(std::move(surfaces)), runtime); });
 }
 
 } // namespace vfm

@@ -370,18 +370,17 @@ def read_label_names(path: str) -> Dict[int, str]:
     Warns if names are not UTF-8; they are then read as Windows-1252, which contains Latin-1.
     """
 
-def triangle_fractions(
-    points: NDArray[np.float64],
-    triangles: NDArray[np.int64],
+def surface_fractions(
+    surfaces: Sequence[Tuple[str, NDArray[np.float64], NDArray[np.int64]]],
     coordinates: Coordinates,
-    tolerance: float,
     threads: int,
     progress: Progress,
-) -> NDArray[np.float64]:
-    """Returns the exact volume fractions inside a closed surface, shape (cells,).
+) -> List[NDArray[np.float64]]:
+    """Returns the exact volume fractions inside closed surfaces, each of shape (cells,).
 
-    points: shape (n, 3); equal points are merged. triangles: shape (m, 3). Raises ValueError if the
-    surface is open or not manifold.
+    surfaces: name, points of shape (n, 3), of which equal ones are merged, and triangles of shape
+    (m, 3). Where surfaces overlap, the first one keeps its volume. Raises ValueError if a surface is
+    open or not manifold; the message begins with its name if there are several.
     """
 
 def element_volumes(points: NDArray[np.float64], cells: NDArray[np.int64],

@@ -138,8 +138,9 @@ def surface(
     ----------
     surfaces : path, pyvista.PolyData, meshio.Mesh, array_like or tuple, or dict of them
         A closed surface: a file, an object of PyVista or meshio, points of shape (n, 3), or a tuple
-        (points, triangles). A dict holds one surface per material, by name; they must not overlap.
-        The walls of a cavity must face opposite to the outer walls. STL files require only NumPy,
+        (points, triangles). A dict holds one surface per material, by name. Where surfaces overlap,
+        the first keeps its volume; in cells that both cut, the others get at most the rest. The
+        walls of a cavity must face opposite to the outer walls. STL files require only NumPy,
         other files meshio.
     cells : int or sequence of 3 ints, default 64
         Numbers of cells along x, y and z. One number is the number along the longest side, with
@@ -148,8 +149,10 @@ def surface(
         Triangles of an array of points.
     bounds, coordinates : see shapes
         Grid. Default: cubic cells around the surfaces, with two cells between them and each side.
-    order, tolerance, threads, progress : see shapes
-        Order of axes, maximum error, and run.
+    order, threads, progress : see shapes
+        Order of axes, and run.
+    tolerance : float, default 1e-4
+        No effect: the fractions are exact.
 
     Returns
     -------
@@ -189,19 +192,18 @@ def surface(
         )
     if not named:
         raise ValueError("surfaces are empty: at least one is required.")
-    error, thread_count = _check_tolerance(tolerance), _core.Options(False, threads=threads).threads
+    _check_tolerance(tolerance)
+    thread_count = _core.Options(False, threads=threads).threads
     found = {name: read_surface(value, triangles) for name, value in named.items()}
     if bounds is None and coordinates is None:
         nodes = _fit([points for points, _ in found.values()], cells)
     else:
         nodes = _nodes(_counts(cells), 1.0, (0, 0, 0), bounds, coordinates)
     check_order(order)
-    flat = {}
     with shown(progress) as call:
-        for name, (points, corners) in found.items():
-            flat[name] = _core.triangle_fractions(points, corners, list(nodes), error, thread_count,
-                                                  call)
-    return _pack(flat, nodes, order)
+        arrays = _core.surface_fractions([(name, *value) for name, value in found.items()],
+                                         list(nodes), thread_count, call)
+    return _pack(dict(zip(found, arrays)), nodes, order)
 
 
 def _pack(flat: Mapping[str, np.ndarray], nodes: Sequence[np.ndarray], order: str) -> Fractions:

@@ -1,17 +1,15 @@
 /**
- * Makes a solid from a triangle surface, and measures it in boxes. The input is the number of
+ * Makes a solid from a triangle surface, and computes its fractions. The input is the number of
  * points (a byte), three doubles per point, and three numbers of points (a byte each) per triangle.
  */
 #include "Harness.h"
 
 #include "Ranks/Errors.h"
-#include "Shapes/ShapesTriangles.h"
+#include "Shapes/SurfaceFractions.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <stdexcept>
-#include <tuple>
 
 namespace vfm
 {
@@ -20,7 +18,7 @@ namespace testing
 namespace
 {
 
-constexpr std::size_t Most = 5; // corners of boxes
+constexpr std::size_t Most = 6; // nodes of the grid along an axis
 
 unsigned char ByteAt(const std::string& bytes, std::size_t at)
 {
@@ -48,30 +46,39 @@ std::vector<PointTriangle> ReadTriangles(const std::string& bytes, std::size_t b
   return triangles;
 }
 
-/// Measures in the boxes between each pair of some corners of triangles.
-void MeasureBoxes(const Shape& solid, const ClosedSurface& surface)
+/// Returns nodes at the coordinates of some corners of triangles.
+std::array<std::vector<double>, 3> NodesOf(const ClosedSurface& surface)
 {
-  std::vector<Vector3> points;
-  for (const PointTriangle& triangle : surface.Triangles)
+  std::array<std::vector<double>, 3> nodes;
+  for (int a = 0; a < 3; ++a)
   {
-    points.push_back(surface.Points[triangle[0]]);
+    for (std::size_t t = 0; t < std::min(surface.Triangles.size(), Most); ++t)
+    {
+      nodes[a].push_back(surface.Points[surface.Triangles[t][0]][a]);
+    }
+    std::sort(nodes[a].begin(), nodes[a].end());
+    nodes[a].erase(std::unique(nodes[a].begin(), nodes[a].end()), nodes[a].end());
   }
-  const std::size_t count = std::min(points.size(), Most);
-  for (std::size_t i = 0; i < count * count; ++i)
+  return nodes;
+}
+
+void CheckFractions(const ClosedSurface& surface)
+{
+  const std::array<std::vector<double>, 3> nodes = NodesOf(surface);
+  InputSurfaces input;
+  input.Bodies.push_back({ "body", surface, {}, {} });
+  IndexBox cells;
+  for (int a = 0; a < 3; ++a)
   {
-    const Vector3 &a = points[i / count], &b = points[i % count];
-    Vector3 lower, upper;
-    for (int axis = 0; axis < 3; ++axis)
+    cells.Upper[a] = static_cast<Index>(nodes[a].size()) - 1;
+  }
+  Runtime runtime;
+  for (double fraction : FractionsOfSurfaces(nodes, cells, input, runtime)[0])
+  {
+    if (!(fraction >= 0.0 && fraction <= 1.0))
     {
-      std::tie(lower[axis], upper[axis]) = std::minmax(a[axis], b[axis]);
+      throw std::logic_error("a fraction that is not from 0 to 1");
     }
-    HalfSpace plane;
-    solid.Boxes.Meets(lower, upper);
-    if (!std::isfinite(solid.Boxes.Volume(lower, upper)))
-    {
-      throw std::logic_error("a volume that is not finite");
-    }
-    solid.Boxes.FitPlane(lower, upper, plane);
   }
 }
 
@@ -84,9 +91,7 @@ void ReadBytes(const std::string& bytes)
     return;
   }
   const std::vector<Vector3> points = ReadPoints(bytes);
-  const ClosedSurface surface =
-    CloseSurface(points, ReadTriangles(bytes, 1 + points.size() * sizeof(Vector3)));
-  MeasureBoxes(MakeSolid(1, surface, [](const Vector3&) { return 0.0; }), surface);
+  CheckFractions(CloseSurface(points, ReadTriangles(bytes, 1 + points.size() * sizeof(Vector3))));
 }
 
 } // namespace testing

@@ -224,20 +224,34 @@ def test_errors_are_one_message_and_an_empty_output():
     expect_error(of_surface(sphere(), SurfaceMaterial=-1), "material")
 
 
-def test_surface_that_is_not_manifold_is_an_error():
-    def tetrahedron(tip):
-        points, cells = vtkPoints(), vtkCellArray()
-        for p in ((0, 0, 0), (1, 0, 0), tip, (0.5, 0.2, tip[1])):
-            points.InsertNextPoint(p)
-        for t in ((0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)):
-            cells.InsertNextCell(3, t)
-        data = vtkPolyData()
-        data.SetPoints(points)
-        data.SetPolys(cells)
-        return data
+def tetrahedron(tip):
+    points, cells = vtkPoints(), vtkCellArray()
+    for p in ((0, 0, 0), (1, 0, 0), tip, (0.5, 0.2, tip[1])):
+        points.InsertNextPoint(p)
+    for t in ((0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)):
+        cells.InsertNextCell(3, t)
+    data = vtkPolyData()
+    data.SetPoints(points)
+    data.SetPolys(cells)
+    return data
 
+
+def test_edge_of_four_triangles():
     two = appended(tetrahedron((0.5, 1, 0)), tetrahedron((0.5, -1, 0)))  # the two share an edge
-    expect_error(of_surface(two), "not manifold")
+    result = Fractions(of_surface(two))
+    assert not result.errors, result.errors
+
+
+def test_surface_that_is_not_manifold_is_an_error():
+    points, cells = vtkPoints(), vtkCellArray()
+    for p in ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 1, 1), (-1, -1, 0.5)):
+        points.InsertNextPoint(p)
+    for t in ((0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3), (0, 1, 4), (1, 2, 4), (2, 0, 4)):
+        cells.InsertNextCell(3, t)
+    data = vtkPolyData()
+    data.SetPoints(points)
+    data.SetPolys(cells)
+    expect_error(of_surface(data), "not manifold", "3 edges", "(0, 0, 0)")
 
 
 main(globals())
