@@ -1,7 +1,7 @@
 #include "Phases/ReportRun.h"
 
 #include "Materials/UseLabels.h"
-#include "Report/BodyFields.h"
+#include "Phases/BodyFields.h"
 
 #include <algorithm>
 

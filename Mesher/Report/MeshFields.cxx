@@ -2,8 +2,7 @@
 
 #include "Base/ParseText.h"
 #include "Levels/WideCells.h"
-#include "Report/BodyFields.h"
-#include "Report/MaterialTexts.h"
+#include "Materials/MaterialTexts.h"
 #include "Report/MeshData.h"
 
 #include <algorithm>

@@ -3,10 +3,10 @@
 
 #include "Input/PlainArrays.h"
 #include "LabelInput.h"
+#include "Materials/MaterialTexts.h"
 #include "Mesher.h"
+#include "Phases/BodyFields.h"
 #include "RankFields.h"
-#include "Report/BodyFields.h"
-#include "Report/MaterialTexts.h"
 #include "Shapes/SurfaceFractions.h"
 #include "SurfaceCases.h"
 #include "WideCases.h"

@@ -1,4 +1,4 @@
-#include "Report/MaterialTexts.h"
+#include "Materials/MaterialTexts.h"
 
 #include "Base/ParseText.h"
 

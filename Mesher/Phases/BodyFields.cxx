@@ -1,7 +1,7 @@
-#include "Report/BodyFields.h"
+#include "Phases/BodyFields.h"
 
 #include "Base/ParseText.h"
-#include "Report/MaterialTexts.h"
+#include "Materials/MaterialTexts.h"
 #include "Surfaces/SurfaceThickness.h"
 
 #include <algorithm>
