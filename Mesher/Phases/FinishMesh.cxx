@@ -35,6 +35,7 @@ Mesh FinishMesh(const MeshCells& cells, ElementMethod& method, MeshRun& run, Dra
   }
   if (cells.Surfaces)
   {
+    run.Clock.Start("Comparing surfaces", 0.97);
     run.Report.Bodies =
       CompareBodies(*cells.Surfaces, cells.Grid, cells.Fractions, mesh, run.TheRuntime);
   }
