@@ -23,7 +23,7 @@ double Snapped(double fraction)
   return fraction < NegligiblePart ? 0.0 : (fraction > 1.0 - NegligiblePart ? 1.0 : fraction);
 }
 
-CellRange FindCells(const std::vector<double>& nodes, const Interval& interval)
+CellSpan FindCells(const std::vector<double>& nodes, const Interval& interval)
 {
   const auto above = std::upper_bound(nodes.begin(), nodes.end(), interval.Low);
   const auto below = std::lower_bound(nodes.begin(), nodes.end(), interval.High);
@@ -59,7 +59,7 @@ void RowSums::AddPiece(const CutPolygon& piece, Index cell, bool isCut)
 void RowSums::Add(const CutPolygon& polygon)
 {
   const Interval extent = polygon.Extent(0);
-  const CellRange cells = FindCells(this->Nodes, extent);
+  const CellSpan cells = FindCells(this->Nodes, extent);
   if (std::max(cells.First, cells.Last) < this->First)
   {
     return;

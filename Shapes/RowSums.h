@@ -19,7 +19,7 @@ namespace vfm
 double Snapped(double fraction);
 
 /// Range of the cells first <= i <= last.
-struct CellRange
+struct CellSpan
 {
   Index First, Last;
 };
@@ -27,7 +27,7 @@ struct CellRange
 /// Returns the cells whose interior an interval meets. Cell -1 is below all nodes, cell
 /// nodes.size() - 1 above them. If the interval is a single node, First is the cell above it, and
 /// the range is empty.
-CellRange FindCells(const std::vector<double>& nodes, const Interval& interval);
+CellSpan FindCells(const std::vector<double>& nodes, const Interval& interval);
 
 /// Sums over the pieces of a surface in one row. Pieces below the first cell count nothing.
 class RowSums

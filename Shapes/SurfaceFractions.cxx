@@ -28,7 +28,7 @@ public:
 private:
   CutPolygon PolygonOf(Index triangle) const;
   Interval RangeOf(int axis, Index cell) const;
-  CellRange FindInBox(const Interval& extent, int axis) const;
+  CellSpan FindInBox(const Interval& extent, int axis) const;
   template <class Visit>
   void ForTiles(const Visit& visit) const;
   void AddRows(const CutPolygon& slab, Index first, std::vector<RowSums>& rows) const;
@@ -67,9 +67,9 @@ Interval SurfaceTiles::RangeOf(int axis, Index cell) const
 }
 
 /// Returns the cells of the box whose interior an interval meets; an empty range if there are none.
-CellRange SurfaceTiles::FindInBox(const Interval& extent, int axis) const
+CellSpan SurfaceTiles::FindInBox(const Interval& extent, int axis) const
 {
-  const CellRange found = FindCells(this->Nodes[axis], extent);
+  const CellSpan found = FindCells(this->Nodes[axis], extent);
   return { std::max(found.First, this->Cells.Lower[axis]),
     std::min(found.Last, this->Cells.Upper[axis] - 1) };
 }
@@ -81,8 +81,8 @@ void SurfaceTiles::ForTiles(const Visit& visit) const
   for (std::size_t t = 0; t < this->Surface.Triangles.size(); ++t)
   {
     const CutPolygon polygon = this->PolygonOf(static_cast<Index>(t));
-    const CellRange y = this->FindInBox(polygon.Extent(1), 1);
-    const CellRange z = this->FindInBox(polygon.Extent(2), 2);
+    const CellSpan y = this->FindInBox(polygon.Extent(1), 1);
+    const CellSpan z = this->FindInBox(polygon.Extent(2), 2);
     for (Index k = z.First; y.First <= y.Last && k <= z.Last; ++k)
     {
       const Index layer = (k - this->Cells.Lower[2]) * this->PerLayer;
@@ -99,7 +99,7 @@ void SurfaceTiles::ForTiles(const Visit& visit) const
 /// @param first  row of rows[0]
 void SurfaceTiles::AddRows(const CutPolygon& slab, Index first, std::vector<RowSums>& rows) const
 {
-  const CellRange range = FindCells(this->Nodes[1], slab.Extent(1));
+  const CellSpan range = FindCells(this->Nodes[1], slab.Extent(1));
   const Index last = std::min(range.Last, first + static_cast<Index>(rows.size()) - 1);
   for (Index j = std::max(range.First, first); j <= last; ++j)
   {

@@ -12,7 +12,7 @@
 #include "MeasureAlone.h"
 #include "MeshCases.h"
 #include "SerialTimes.h"
-#include "SmoothState.h"
+#include "State/SmoothState.h"
 #include "State/Transfer/NodalVelocity.h"
 #include "State/Transfer/Overlaps.h"
 #include "State/Transfer/StateCells.h"

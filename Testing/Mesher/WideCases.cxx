@@ -1,7 +1,7 @@
 #include "WideCases.h"
 
 #include "Input/PlainArrays.h"
-#include "StateCases.h"
+#include "State/StateCases.h"
 
 #include <gtest/gtest.h>
 

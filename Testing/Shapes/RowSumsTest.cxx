@@ -49,7 +49,7 @@ TEST(RowSums, CellsThatAnIntervalMeets)
 {
   const auto expect = [](double low, double high, Index first, Index last)
   {
-    const CellRange cells = FindCells(Nodes, { low, high });
+    const CellSpan cells = FindCells(Nodes, { low, high });
     EXPECT_EQ(cells.First, first);
     EXPECT_EQ(cells.Last, last);
   };

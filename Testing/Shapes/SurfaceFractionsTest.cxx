@@ -11,7 +11,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
 
 using namespace vfm;
 using namespace vfm::testing;
@@ -373,4 +375,29 @@ TEST(SurfaceFractions, LaterBodiesGiveWay)
   // The pin is inside: the three fill the box except for its hole and the gaps in the contact.
   EXPECT_NEAR(VolumeOf(nodes, std::vector<double>(found[0].begin(), found[0].end())),
     MeasureVolume(pin), 1e-12);
+}
+
+TEST(SurfaceFractions, DependNotOnTheOrderOfTriangles)
+{
+  const NodeLists nodes = UniformNodes({ { 21, 22, 23 } }, { { -1, -1, -1 } }, { { 1, 1, 1 } });
+  const ClosedSurface ball = SphereSurface({ { 0.01, 0.02, 0.03 } }, 0.7, 12);
+  const auto fractions = [&nodes](const ClosedSurface& surface)
+  {
+    return FractionsIn(
+      nodes, AllCells(nodes), MakeBody("ball", surface.Points, surface.Triangles).Boundary);
+  };
+  const std::vector<double> first = fractions(ball);
+  RandomDraw draw(6);
+  for (int run = 0; run < 5; ++run)
+  {
+    ClosedSurface other = ball;
+    std::mt19937 engine(draw.Seed());
+    std::shuffle(other.Triangles.begin(), other.Triangles.end(), engine);
+    for (PointTriangle& t : other.Triangles)
+    {
+      std::rotate(t.begin(), t.begin() + draw.Whole(0, 2), t.end());
+    }
+    EXPECT_NE(other.Triangles, ball.Triangles);
+    EXPECT_EQ(fractions(other), first);
+  }
 }

@@ -52,7 +52,7 @@ ALLOWED.update({
     "Testing/Support": MESHES + ("Shapes",),
     "Testing/Inputs": MESHES,
     "Testing/Grid": MESHES + ("Shapes", "Testing/Support"),
-    "Testing/Shapes": BASE + ("Grid/Surfaces", "Grid/Fractions", "Shapes"),
+    "Testing/Shapes": BASE + ("Grid/Surfaces", "Grid/Fractions", "Shapes", "Testing/Support"),
     "Testing/Fuzz": MESHES + (
         "Shapes", "IO", "IO/Blocks", "IO/GridFiles", "IO/Images", "IO/Labels", "IO/Meshes",
         "IO/Report", "IO/Surfaces", "Filters", "InSitu", "Program", "Testing/Inputs",

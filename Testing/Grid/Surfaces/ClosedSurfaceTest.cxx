@@ -3,7 +3,7 @@
 #include "Surfaces/ClosedSurface.h"
 
 #include "Ranks/Errors.h"
-#include "SurfaceCases.h"
+#include "LooseTriangles.h"
 
 #include <gtest/gtest.h>
 

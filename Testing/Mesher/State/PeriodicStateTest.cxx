@@ -5,7 +5,7 @@
 #include "RankFields.h"
 #include "Report/ElementMoments.h"
 #include "State/ViewMesh.h"
-#include "StateCases.h"
+#include "State/StateCases.h"
 #include "ThreadRanks.h"
 
 #include <gtest/gtest.h>

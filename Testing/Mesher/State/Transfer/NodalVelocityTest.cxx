@@ -4,7 +4,7 @@
 
 #include "Base/Vector3.h"
 #include "RankMeshes.h"
-#include "SmoothState.h"
+#include "State/SmoothState.h"
 #include "State/Transfer/Overlaps.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 /// The state of elements stays within the values of nearby cells of their material, for any field.
-#include "StateCases.h"
+#include "State/StateCases.h"
 
 #include "Base/Vector3.h"
 #include "RandomDraw.h"

@@ -1,6 +1,6 @@
 /// Order of convergence of transferred state: errors of smooth fields at the centroids of elements.
 #include "MeshCases.h"
-#include "SmoothState.h"
+#include "State/SmoothState.h"
 
 #include "Base/Vector3.h"
 

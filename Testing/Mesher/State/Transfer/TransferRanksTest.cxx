@@ -1,7 +1,7 @@
 /// State is bitwise identical on any number of ranks and threads.
 #include "RankMeshes.h"
 #include "Shapes/ShapesScenes.h"
-#include "StateCases.h"
+#include "State/StateCases.h"
 
 #include <gtest/gtest.h>
 

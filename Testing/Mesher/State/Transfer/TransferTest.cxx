@@ -1,5 +1,5 @@
 /// State transferred to meshes: totals, bounds, constants, linear fields, order.
-#include "StateCases.h"
+#include "State/StateCases.h"
 
 #include "Base/Vector3.h"
 #include "Base/WideSum.h"

@@ -1,4 +1,4 @@
-#include "StateCases.h"
+#include "State/StateCases.h"
 
 #include "State/Transfer/Overlaps.h"
 

@@ -1,4 +1,4 @@
-#include "SmoothState.h"
+#include "State/SmoothState.h"
 
 #include "Base/Vector3.h"
 #include "Phases/MeshOfCells.h"
