@@ -1,6 +1,8 @@
 #include "Mesher.h"
 
+#include "Elements/MeshRun.h"
 #include "Geometry/DisplacedVolume.h"
+#include "GivenSurfaces/BodySurfaces.h"
 #include "Options/MaterialWidths.h"
 #include "Options/SetOptions.h"
 #include "Phases/ChangeElements.h"
@@ -15,15 +17,25 @@ namespace vfm
 namespace
 {
 
-Mesh MakeMesh(
-  const MesherJob& job, const LevelFields& fields, const MeshOptions& options, MeshReport& report)
+/// Returns the surfaces of the fractions in grid coordinates; null if there are none.
+std::unique_ptr<const BodySurfaces> FindSurfaces(const MesherJob& job, const CartesianGrid& grid)
 {
-  const FractionField& fractions = fields.Field.Fractions;
-  if (job.Options.Elements == ElementKind::Hexes)
+  const InputSurfaces* surfaces = job.Input.Surfaces.get();
+  if (!surfaces || !job.Options.UseSurfaces)
   {
-    return MakeHexMesh(fields.Grid, fractions, options, job.Run, report);
+    return nullptr;
   }
-  Mesh mesh = MakeTetMesh(fields.Grid, fractions, options, job.Run, report);
+  const ImageFrame& frame = job.Input.Levels.Reading.Frame;
+  auto found = std::make_unique<const BodySurfaces>(*surfaces, job.Input.Arrays.Fractions, grid,
+    job.Options.EdgeAngle, [&frame](const Vector3& x) { return frame.ToOwn(x); });
+  return found->Bodies().empty() ? nullptr : std::move(found);
+}
+
+Mesh MakeMesh(const MesherJob& job, const LevelFields& fields, const BodySurfaces* surfaces,
+  const MeshOptions& options, MeshReport& report)
+{
+  const MeshCells cells{ fields.Grid, fields.Field.Fractions, options, surfaces };
+  Mesh mesh = MakeMeshOfCells(job.Options.Elements, cells, job.Run, report);
   if (report.RefusedParts > 0)
   {
     Warn(job,
@@ -51,7 +63,8 @@ MesherResult RunMesher(const MesherInput& input, const MesherOptions& given, Run
   const std::unique_ptr<Cells> cells = ReadCells(job);
   const PreparedCells prepared = PrepareCells(job, *cells);
   MesherResult result;
-  result.TheMesh = MakeMesh(job, cells->Fields, prepared.Options, result.Report);
+  const std::unique_ptr<const BodySurfaces> surfaces = FindSurfaces(job, cells->Fields.Grid);
+  result.TheMesh = MakeMesh(job, cells->Fields, surfaces.get(), prepared.Options, result.Report);
   if (cells->Wide.IsUsed() && result.Report.DisplacedVolume.empty())
   {
     result.Report.DisplacedVolume = FindDisplacedVolumes(

@@ -1,11 +1,13 @@
 /**
- * BoxTree: a search tree of boxes with sides along the axes, to find the pairs of boxes that touch.
+ * BoxTree: a search tree of boxes with sides along the axes, to find the pairs of boxes that touch,
+ * or the boxes near a point.
  */
 #pragma once
 
 #include "Base/CartesianGrid.h"
 #include "Base/Runtime.h"
 
+#include <utility>
 #include <vector>
 
 namespace vfm
@@ -29,6 +31,18 @@ struct Bounds
     this->Add(box.Lower);
     this->Add(box.Upper);
   }
+  /// Returns the square of the distance of a point; 0 inside.
+  double SquareTo(const Vector3& x) const
+  {
+    double sum = 0.0;
+    for (int a = 0; a < 3; ++a)
+    {
+      const double below = this->Lower[a] - x[a], above = x[a] - this->Upper[a];
+      const double out = below > 0.0 ? below : above > 0.0 ? above : 0.0;
+      sum += out * out;
+    }
+    return sum;
+  }
   /// Returns whether two boxes have a common point, possibly on their sides.
   bool Touches(const Bounds& other) const
   {
@@ -47,6 +61,11 @@ public:
   /// time.
   template <class Visitor>
   void ForPairs(Runtime& runtime, const Visitor& visit) const;
+  /// Calls visit(i) for the boxes with distance(box) <= limit, mostly near boxes first; visit may
+  /// lower the limit.
+  /// @param distance  returns a number that is not larger for a box around other boxes
+  template <class Distance, class Visitor>
+  void ForNear(const Distance& distance, const double& limit, const Visitor& visit) const;
 
 private:
   /// Node of the tree; a leaf has boxes.
@@ -92,6 +111,45 @@ void BoxTree::ForPairs(Runtime& runtime, const Visitor& visit) const
         n = touches ? n + 1 : node.Next;
       }
     });
+}
+
+template <class Distance, class Visitor>
+void BoxTree::ForNear(const Distance& distance, const double& limit, const Visitor& visit) const
+{
+  std::array<std::pair<int, double>, 64> toDo; // nodes and distances; a tree has fewer levels
+  int count = 0;
+  if (!this->Nodes.empty())
+  {
+    toDo[count++] = { 0, distance(this->Nodes[0].Box) };
+  }
+  while (count > 0)
+  {
+    const auto [number, away] = toDo[--count];
+    const Node& node = this->Nodes[number];
+    if (away > limit)
+    {
+      continue;
+    }
+    for (int i = node.First; i < node.Last; ++i)
+    {
+      if (distance(this->BoxOf(i)) <= limit)
+      {
+        visit(this->Items[i]);
+      }
+    }
+    if (node.First == node.Last)
+    {
+      const int first = number + 1, second = this->Nodes[first].Next;
+      std::pair<int, double> near{ first, distance(this->Nodes[first].Box) };
+      std::pair<int, double> far{ second, distance(this->Nodes[second].Box) };
+      if (far.second < near.second)
+      {
+        std::swap(near, far);
+      }
+      toDo[count++] = far;
+      toDo[count++] = near;
+    }
+  }
 }
 
 /// Visits the pairs of the boxes of two leaves, or of one.

@@ -11,12 +11,15 @@
 namespace vfm
 {
 
+class BodySurfaces;
+
 /// Cells to mesh. The referenced objects must outlive it.
 struct MeshCells
 {
   const CartesianGrid& Grid; ///< finest cells
   const FractionField& Fractions;
   const MeshOptions& Options;
+  const BodySurfaces* Surfaces = nullptr; ///< of the fractions; null: they are not known
 };
 
 /// Threads, ranks and report of a run. The referenced objects must outlive it.

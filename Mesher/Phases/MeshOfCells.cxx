@@ -59,31 +59,18 @@ Mesh MakeMesh(const MeshCells& cells, ElementMethod& method, MeshRun& run)
   return FinishMesh(cells, method, run, std::move(draft));
 }
 
-} // namespace
-
-Mesh MakeHexMesh(const CartesianGrid& grid, const FractionField& fractions,
-  const MeshOptions& options, Runtime& runtime, MeshReport& report)
+Mesh MakeHexes(const MeshCells& cells, Runtime& runtime, MeshReport& report)
 {
-  CheckOptions(options, ElementKind::Hexes);
-  report = MeshReport();
-  CheckLayers(grid, options.Levels);
-  const MeshCells cells{ grid, fractions, options };
+  CheckLayers(cells.Grid, cells.Options.Levels);
   HexMethod method(cells);
-  MeshRun run(grid, runtime, report);
+  MeshRun run(cells.Grid, runtime, report);
   return MakeMesh(cells, method, run);
 }
 
-Mesh MakeTetMesh(const CartesianGrid& grid, const FractionField& fractions,
-  const MeshOptions& options, Runtime& runtime, MeshReport& report)
+/// Returns the options with which tets are made.
+MeshOptions OptionsOfTets(const MeshCells& cells)
 {
-  CheckOptions(options, ElementKind::Tets);
-  if (options.Method == TetMethod::TetGen && !HasTetGen())
-  {
-    throw InputError(
-      "This build has no TetGen (VFM_ENABLE_TETGEN): choose the method Cells or Lattice.");
-  }
-  report = MeshReport();
-  MeshOptions own = options;
+  MeshOptions own = cells.Options;
   if (own.Method == TetMethod::TetGen)
   {
     own.Levels.FineInterfaces = true; // it supports no other setting
@@ -91,12 +78,46 @@ Mesh MakeTetMesh(const CartesianGrid& grid, const FractionField& fractions,
   else if (InterfacesCrossLevels(own))
   {
     own.Method = TetMethod::Cells; // labels belong to leaves
-    CheckLayers(grid, own.Levels);
+    CheckLayers(cells.Grid, own.Levels);
   }
-  const MeshCells cells{ grid, fractions, own };
+  return own;
+}
+
+Mesh MakeTets(const MeshCells& given, Runtime& runtime, MeshReport& report)
+{
+  if (given.Options.Method == TetMethod::TetGen && !HasTetGen())
+  {
+    throw InputError(
+      "This build has no TetGen (VFM_ENABLE_TETGEN): choose the method Cells or Lattice.");
+  }
+  const MeshOptions options = OptionsOfTets(given);
+  const MeshCells cells{ given.Grid, given.Fractions, options, given.Surfaces };
   const std::unique_ptr<ElementMethod> method = MakeTetMethod(cells);
-  MeshRun run(grid, runtime, report);
+  MeshRun run(cells.Grid, runtime, report);
   return MakeMesh(cells, *method, run);
+}
+
+} // namespace
+
+Mesh MakeMeshOfCells(
+  ElementKind elements, const MeshCells& cells, Runtime& runtime, MeshReport& report)
+{
+  CheckOptions(cells.Options, elements);
+  report = MeshReport();
+  return elements == ElementKind::Hexes ? MakeHexes(cells, runtime, report)
+                                        : MakeTets(cells, runtime, report);
+}
+
+Mesh MakeHexMesh(const CartesianGrid& grid, const FractionField& fractions,
+  const MeshOptions& options, Runtime& runtime, MeshReport& report)
+{
+  return MakeMeshOfCells(ElementKind::Hexes, { grid, fractions, options }, runtime, report);
+}
+
+Mesh MakeTetMesh(const CartesianGrid& grid, const FractionField& fractions,
+  const MeshOptions& options, Runtime& runtime, MeshReport& report)
+{
+  return MakeMeshOfCells(ElementKind::Tets, { grid, fractions, options }, runtime, report);
 }
 
 bool HasTetGen()

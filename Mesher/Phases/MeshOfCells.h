@@ -8,9 +8,16 @@
 #include "Elements/Mesh.h"
 #include "Elements/MeshReport.h"
 #include "Fractions/FractionField.h"
+#include "Options/MesherOptions.h"
 
 namespace vfm
 {
+
+struct MeshCells;
+
+/// Makes the mesh of cells as MakeHexMesh or MakeTetMesh does, also with surfaces of bodies.
+Mesh MakeMeshOfCells(
+  ElementKind elements, const MeshCells& cells, Runtime& runtime, MeshReport& report);
 
 /// Makes the hexahedral mesh of the owned cells. The mesh is valid for any labels: every corner of
 /// every hex has a positive Jacobian.
