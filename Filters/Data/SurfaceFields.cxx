@@ -162,6 +162,14 @@ void AddSurfaceFields(const FlatSurfaces& surfaces, vtkFieldData* fields)
   AddTexts("PatchNames", surfaces.PatchNames, fields);
 }
 
+void RemoveSurfaceFields(vtkFieldData* fields)
+{
+  for (const char* name : { "Points", "Triangles", "Bodies", "Patches", "Names", "PatchNames" })
+  {
+    fields->RemoveArray((Prefix + name).c_str());
+  }
+}
+
 std::shared_ptr<const InputSurfaces> FindSurfaces(vtkDataObject* data, Ranks& ranks)
 {
   std::shared_ptr<const InputSurfaces> surfaces;
