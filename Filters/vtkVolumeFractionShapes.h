@@ -14,6 +14,9 @@
  * placed around the surfaces instead, with cubic cells and at least two cells of margin;
  * Dimensions is used.
  *
+ * The surfaces themselves are field data of the output, which the mesh filters use: InputSurface..
+ * (SurfaceFields.h).
+ *
  * Any extent can be requested; fractions depend neither on the extent nor on threads. Each rank
  * needs the whole surfaces.
  *

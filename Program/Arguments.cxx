@@ -350,7 +350,8 @@ void CheckMesh(const Arguments& from)
   CheckInput(from);
   if (from.Output.empty())
   {
-    RejectArguments("--output FILE is missing, as in sculptor " + from.Input + " mesh.vtu.");
+    RejectArguments("--output FILE is missing, as in sculptor " +
+      (from.SurfaceFiles.empty() ? from.Input : JoinTexts(from.SurfaceFiles, " ")) + " mesh.vtu.");
   }
   CheckProblem(from.Geometry.empty() ? "" : FindGeometryProblem(from.Geometry));
   CheckProblem(from.Surfaces.empty() ? "" : FindStlProblem(from.Surfaces));

@@ -153,8 +153,8 @@ void ListSurfaces(const Arguments& arguments, Ranks& ranks, std::ostream& to)
   to << MakePrintable(arguments.Input) << "\n"
      << Print("x %g to %g, y %g to %g, z %g to %g\n", bounds.Lower[0], bounds.Upper[0],
           bounds.Lower[1], bounds.Upper[1], bounds.Lower[2], bounds.Upper[2])
-     << Print(
-          "grid around them: %lld x %lld x %lld cells of %g x %g x %g (--cells, --cell-width)\n",
+     << Print("grid around %s: %lld x %lld x %lld cells of %g x %g x %g (--cells, --cell-width)\n",
+          placed.Surfaces->Bodies.size() == 1 ? "it" : "them",
           static_cast<long long>(grid.Cells[0]), static_cast<long long>(grid.Cells[1]),
           static_cast<long long>(grid.Cells[2]), grid.Widths[0], grid.Widths[1], grid.Widths[2]);
   PrintBodies(*placed.Surfaces, to);

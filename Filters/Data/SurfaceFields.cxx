@@ -1,10 +1,15 @@
 #include "SurfaceFields.h"
 
+#include "Ranks/WorkTogether.h"
+
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
 #include "vtkIntArray.h"
+#include "vtkMatrix3x3.h"
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
@@ -17,6 +22,13 @@ namespace
 
 const std::string Prefix = "InputSurface";
 
+/// Adds an array that panels do not offer.
+void AddHidden(vtkAbstractArray* array, vtkFieldData* fields)
+{
+  array->GetInformation()->Set(vtkAbstractArray::GUI_HIDE(), 1);
+  fields->AddArray(array);
+}
+
 template <class Array, class Value>
 vtkSmartPointer<Array> AddNumbers(
   const char* name, int components, const std::vector<Value>& values, vtkFieldData* fields)
@@ -25,7 +37,7 @@ vtkSmartPointer<Array> AddNumbers(
   array->SetName((Prefix + name).c_str());
   array->SetNumberOfComponents(components);
   array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
-  fields->AddArray(array);
+  AddHidden(array, fields);
   return array;
 }
 
@@ -52,7 +64,7 @@ void AddTexts(const char* name, const std::vector<std::string>& texts, vtkFieldD
   {
     array->InsertNextValue(text);
   }
-  fields->AddArray(array);
+  AddHidden(array, fields);
 }
 
 /// Returns rows of numbers; none if the array is missing or has another number of components.
@@ -70,8 +82,8 @@ std::vector<Row> ReadRows(const char* name, int components, vtkFieldData* fields
   {
     for (int c = 0; c < components; ++c)
     {
-      rows[r][c] = static_cast<typename Row::value_type>(
-        array->GetComponent(static_cast<vtkIdType>(r), c));
+      rows[r][c] =
+        static_cast<typename Row::value_type>(array->GetComponent(static_cast<vtkIdType>(r), c));
     }
   }
   return rows;
@@ -98,15 +110,36 @@ std::vector<std::string> ReadTexts(const char* name, vtkFieldData* fields)
   return texts;
 }
 
-FlatSurfaces ReadFields(vtkFieldData* fields)
+FlatSurfaces ReadFields(vtkDataObject* data)
 {
-  if (!fields || !fields->GetArray((Prefix + "Triangles").c_str()))
+  vtkFieldData* fields = data ? data->GetFieldData() : nullptr;
+  auto* image = vtkImageData::SafeDownCast(data);
+  if (!fields || !fields->GetArray((Prefix + "Triangles").c_str()) ||
+    (image && !image->GetDirectionMatrix()->IsIdentity()))
   {
     return {};
   }
   return { ReadRows<Vector3>("Points", 3, fields), ReadRows<PointTriangle>("Triangles", 3, fields),
     ReadInts("Bodies", fields), ReadInts("Patches", fields), ReadTexts("Names", fields),
     ReadTexts("PatchNames", fields) };
+}
+
+/// Reads the fields of the data object, or of its first block that has them.
+FlatSurfaces ReadFirst(vtkDataObject* data)
+{
+  FlatSurfaces found = ReadFields(data);
+  auto* composite = vtkCompositeDataSet::SafeDownCast(data);
+  if (!composite)
+  {
+    return found;
+  }
+  const auto block = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+  for (block->InitTraversal(); !block->IsDoneWithTraversal() && found.Triangles.empty();
+       block->GoToNextItem())
+  {
+    found = ReadFields(block->GetCurrentDataObject());
+  }
+  return found;
 }
 
 } // namespace
@@ -117,15 +150,14 @@ void AddSurfaceFields(const FlatSurfaces& surfaces, vtkFieldData* fields)
   {
     return;
   }
-  CopyRows(surfaces.Points,
-    AddNumbers<vtkDoubleArray>("Points", 3, surfaces.Points, fields).Get());
+  CopyRows(surfaces.Points, AddNumbers<vtkDoubleArray>("Points", 3, surfaces.Points, fields).Get());
   const auto triangles = AddNumbers<vtkTypeInt64Array>("Triangles", 3, surfaces.Triangles, fields);
   for (std::size_t t = 0; t < surfaces.Triangles.size(); ++t)
   {
     for (int i = 0; i < 3; ++i)
     {
-      triangles->SetComponent(static_cast<vtkIdType>(t), i,
-        static_cast<double>(surfaces.Triangles[t][i]));
+      triangles->SetComponent(
+        static_cast<vtkIdType>(t), i, static_cast<double>(surfaces.Triangles[t][i]));
     }
   }
   AddInts("Bodies", surfaces.Bodies, fields);
@@ -134,21 +166,20 @@ void AddSurfaceFields(const FlatSurfaces& surfaces, vtkFieldData* fields)
   AddTexts("PatchNames", surfaces.PatchNames, fields);
 }
 
-FlatSurfaces FindSurfaceFields(vtkDataObject* data)
+std::shared_ptr<const InputSurfaces> FindSurfaces(vtkDataObject* data, Ranks& ranks)
 {
-  FlatSurfaces found = ReadFields(data->GetFieldData());
-  auto* composite = vtkCompositeDataSet::SafeDownCast(data);
-  if (!composite || !found.Triangles.empty())
-  {
-    return found;
-  }
-  const auto block = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-  for (block->InitTraversal(); !block->IsDoneWithTraversal() && found.Triangles.empty();
-       block->GoToNextItem())
-  {
-    found = ReadFields(block->GetCurrentDataObject()->GetFieldData());
-  }
-  return found;
+  std::shared_ptr<const InputSurfaces> surfaces;
+  WorkTogether(ranks,
+    [&]
+    {
+      const FlatSurfaces flat = ShareSurfaces(ReadFirst(data), ranks);
+      if (!flat.Triangles.empty())
+      {
+        PrefixErrors("The field data InputSurface..: ",
+          [&] { surfaces = std::make_shared<const InputSurfaces>(RestoreSurfaces(flat)); });
+      }
+    });
+  return surfaces;
 }
 
 } // namespace vfm

@@ -6,6 +6,8 @@
 
 #include "Surfaces/FlatSurfaces.h"
 
+#include <memory>
+
 class vtkDataObject;
 class vtkFieldData;
 
@@ -17,8 +19,12 @@ namespace vfm
 /// InputSurfacePatchNames (texts). Adds nothing if there are no triangles.
 void AddSurfaceFields(const FlatSurfaces& surfaces, vtkFieldData* fields);
 
-/// Returns the surfaces in these arrays, of the data object or of its first block that has them;
-/// none if they are missing.
-FlatSurfaces FindSurfaceFields(vtkDataObject* data);
+/// Returns the surfaces in these arrays of the data object, or of its first block that has them, of
+/// the lowest rank that has them; null if there are none. Those of images with a direction matrix
+/// are ignored.
+/// @param data  may be null
+/// @throws InputError  if RestoreSurfaces does
+/// @pre Collective
+std::shared_ptr<const InputSurfaces> FindSurfaces(vtkDataObject* data, Ranks& ranks);
 
 } // namespace vfm

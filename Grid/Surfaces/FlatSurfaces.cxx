@@ -25,8 +25,7 @@ void CheckNumbers(const std::vector<int>& numbers, std::size_t triangles, std::s
 struct Extract
 {
   explicit Extract(const FlatSurfaces& flat) :
-    NumberOfPoint(flat.Points.size(), -1),
-    NumberOfPatch(flat.PatchNames.size(), -1)
+    NumberOfPoint(flat.Points.size(), -1), NumberOfPatch(flat.PatchNames.size(), -1)
   {
   }
 
@@ -107,7 +106,8 @@ FlatSurfaces FlattenSurfaces(const InputSurfaces& surfaces)
     for (std::size_t t = 0; t < boundary.Triangles.size(); ++t)
     {
       const PointTriangle& corners = boundary.Triangles[t];
-      flat.Triangles.push_back({ { points + corners[0], points + corners[1], points + corners[2] } });
+      flat.Triangles.push_back(
+        { { points + corners[0], points + corners[1], points + corners[2] } });
       flat.Bodies.push_back(static_cast<int>(flat.Names.size()));
       flat.Patches.push_back(patches + body.Patches[t]);
     }

@@ -14,8 +14,8 @@ struct FlatSurfaces
 {
   std::vector<Vector3> Points;
   std::vector<PointTriangle> Triangles;
-  std::vector<int> Bodies;  ///< body of each triangle, from 0, ascending
-  std::vector<int> Patches; ///< patch of each triangle, from 0
+  std::vector<int> Bodies;             ///< body of each triangle, from 0, ascending
+  std::vector<int> Patches;            ///< patch of each triangle, from 0
   std::vector<std::string> Names;      ///< of the bodies
   std::vector<std::string> PatchNames; ///< of the patches; texts may be empty
 };

@@ -11,10 +11,13 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
+from ._core import Bodies
 from ._readers import step_files
 from ._warning import VolumeFractionMeshWarning
 
-CALLER = 4  # stack level of the caller of surface(), for warnings
+PATCHES = ("STLSolidLabeling", "MaterialIds", "GroupIds")  # cell arrays of VTK's readers
+FIELDS = ("Points", "Triangles", "Bodies", "Patches", "Names", "PatchNames")
+CALLER = 5  # stack level of the caller of surface(), for warnings
 
 
 class Body(NamedTuple):
@@ -27,12 +30,48 @@ class Body(NamedTuple):
     patch_names: List[str]  # empty texts for patches without a name
 
 
+def read_bodies(surfaces: Any, triangles: Optional[ArrayLike]) -> Bodies:
+    """Returns the bodies of a surface, of a list of paths, or of a dict of surfaces."""
+    if isinstance(surfaces, (list, tuple)) and surfaces and all(map(_is_path, surfaces)):
+        named = _name_files([os.fspath(path) for path in surfaces])
+    elif triangles is not None and isinstance(surfaces, Mapping):
+        raise TypeError(
+            "triangles belong to one array of points: for several surfaces give a dict "
+            "{name: (points, triangles)}."
+        )
+    else:
+        named = dict(surfaces) if isinstance(surfaces, Mapping) else {"Material1": surfaces}
+    if not named:
+        raise ValueError("surfaces are empty: at least one is required.")
+    found = {}
+    for name, value in named.items():
+        found[name] = read_surface(value, triangles)
+    return Bodies([body._replace(name=name) for name, body in name_bodies(found).items()])
+
+
+def _is_path(value: Any) -> bool:
+    return isinstance(value, (str, os.PathLike))
+
+
+def _name_files(paths: List[str]) -> Dict[str, str]:
+    """Returns the paths by the names of their files without suffixes."""
+    named: Dict[str, str] = {}
+    for path in paths:
+        whole = path[:-3] if path.lower().endswith(".gz") else path
+        name = os.path.splitext(os.path.basename(whole))[0]
+        if name in named:
+            raise ValueError("The surfaces %s and %s would both be the material %s: rename one of "
+                             "the files." % (named[name], path, name))
+        named[name] = path
+    return named
+
+
 def read_surface(value: Any, triangles: Optional[ArrayLike] = None) -> List[Body]:
     """Returns the bodies of a path, an object of PyVista or meshio, points, or (points, triangles).
 
     There are several if a STEP or 3MF file has several solids. Notes about a file are a warning.
     """
-    if isinstance(value, (str, os.PathLike)):
+    if _is_path(value):
         return _read_file(os.fspath(value))
     if isinstance(value, tuple) and len(value) == 2 and triangles is None:
         return [_body(*value)]
@@ -127,7 +166,7 @@ def _of_meshio(mesh: Any) -> Body:
 
 
 def _of_polydata(surface: Any) -> Body:
-    """Returns the polygons, cut into triangles."""
+    """Returns the polygons, cut into triangles, with the patches of VTK's readers."""
     from vtkmodules.util.numpy_support import vtk_to_numpy
     from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 
@@ -136,8 +175,35 @@ def _of_polydata(surface: Any) -> Body:
     cut.PassVertsOff()
     cut.SetInputData(surface)
     cut.Update()
-    polygons = cut.GetOutput().GetPolys()
+    data = cut.GetOutput()
+    polygons, arrays = data.GetPolys(), data.GetCellData()
     if polygons.GetNumberOfCells() == 0:
         raise ValueError("The surface has no polygons.")
     corners = vtk_to_numpy(polygons.GetConnectivityArray()).reshape(-1, 3)
-    return _body(vtk_to_numpy(cut.GetOutput().GetPoints().GetData()), corners)
+    body = _body(vtk_to_numpy(data.GetPoints().GetData()), corners)
+    found = next((name for name in PATCHES if arrays.HasArray(name)), None)
+    if found is None:
+        return body
+    values, patches = np.unique(vtk_to_numpy(arrays.GetArray(found)), return_inverse=True)
+    texts = data.GetFieldData().GetAbstractArray("MaterialNames")
+    count = texts.GetNumberOfValues() if texts is not None and found == "MaterialIds" else 0
+    names = [texts.GetValue(int(value)) if 0 <= value < count else "" for value in values]
+    return body._replace(patches=patches.ravel().astype(np.int32), patch_names=names)
+
+
+def bodies_of_fields(data: Any) -> Optional[Bodies]:
+    """Returns the bodies in the field data of a data set of VTK, which Volume Fraction Of Surface
+    writes; None if there are none."""
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+
+    fields = data.GetFieldData()
+    arrays = {name: fields.GetAbstractArray("InputSurface" + name) for name in FIELDS}
+    if any(array is None for array in arrays.values()):
+        return None
+    points, triangles, owners, patches = (vtk_to_numpy(arrays[name]) for name in FIELDS[:4])
+    names, patch_names = ([texts.GetValue(i) for i in range(texts.GetNumberOfValues())]
+                          for texts in (arrays[name] for name in FIELDS[4:]))
+    return Bodies([
+        _body(points, triangles[owners == b])._replace(
+            name=name, patches=patches[owners == b].astype(np.int32), patch_names=patch_names)
+        for b, name in enumerate(names)])

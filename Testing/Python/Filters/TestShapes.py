@@ -223,7 +223,7 @@ def test_errors_are_one_message_and_an_empty_output():
     pipe.SetResolution(6)
     pipe.CappingOff()
     expect_error(of_surface(output(pipe)), "open", "12 edges")
-    expect_error(of_surface(vtkPolyData()), "FitToInput")
+    expect_error(of_surface(vtkPolyData()), "no polygons")
     expect_error(of_surface(vtkPolyData(), FitToInput=0), "no polygons")
     expect_error(of_surface(sphere(), Dimensions=[4, 20, 20]), "at least 5")
     expect_error(of_surface(sphere(), SurfaceMaterial=-1), "material")
