@@ -250,7 +250,7 @@ MesherOptions OptionsOf(const std::string& method, double angle)
 void PrintHeader()
 {
   std::printf("| part | cells | surfaces | elements | scaled Jacobian or angles | "
-              "edges within .25, %% | edges rms | nodes rms, largest | Hausdorff, rms | "
+              "edges within 0.25, %% | edges rms | nodes rms, largest | Hausdorff, rms | "
               "sides found/all/mesh | side areas worst, mean %% | volume | edge+corner points | "
               "fractions, mesh s |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
 }

@@ -59,7 +59,7 @@ ALLOWED.update({
         "IO/Report", "IO/Surfaces", "Filters", "InSitu", "Program", "Testing/Inputs",
         "Testing/Support"),
     "Testing/Benchmarks": MESHES + (
-        "IO", "IO/Images", "Shapes", "Filters", "Testing/Inputs", "Testing/Support"),
+        "IO", "IO/Images", "IO/Surfaces", "Shapes", "Filters", "Testing/Inputs", "Testing/Support"),
     "Testing/IO": MESHES + (
         "Shapes", "IO", "IO/Blocks", "IO/GridFiles", "IO/Images", "IO/Labels", "IO/Meshes",
         "IO/Report", "IO/Surfaces", "Testing/Inputs", "Testing/Support"),

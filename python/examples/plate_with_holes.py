@@ -41,11 +41,11 @@ def sample_edges(corners: np.ndarray, step: float) -> np.ndarray:
 def show(corners: np.ndarray, meshes: List[vfm.Mesh], path: str) -> None:
     import pyvista
 
-    plotter = pyvista.Plotter(shape=(1, 3), off_screen=True, window_size=(1800, 620), border=False)
+    plotter = pyvista.Plotter(shape=(1, 3), off_screen=True, window_size=(1500, 400), border=False)
     plotter.background_color = "white"
     faces = np.arange(3 * len(corners)).reshape(-1, 3)
     plotter.add_mesh(pyvista.PolyData.from_regular_faces(corners.reshape(-1, 3), faces),
-                     color="#d8d8d8", show_edges=True, edge_color="#404040", line_width=0.6)
+                     color="#d8d8d8", show_edges=True, edge_color="#808080", line_width=0.4)
     for place, mesh in enumerate(meshes):
         plotter.subplot(0, 1 + place)
         plotter.add_mesh(mesh.to_pyvista("surfaces"), scalars="SurfaceId", cmap="Set3",
@@ -54,7 +54,7 @@ def show(corners: np.ndarray, meshes: List[vfm.Mesh], path: str) -> None:
         if len(mesh.curves.curve_id):
             plotter.add_mesh(mesh.to_pyvista("curves"), color="black", line_width=3, scalars=None)
     plotter.link_views()
-    plotter.camera_position = [(62, -42, 66), (30, 19, 0), (0, 0, 1)]
+    plotter.camera_position = [(62, -62, 78), (30, 18, 0), (0, 0, 1)]
     plotter.screenshot(path)
 
 

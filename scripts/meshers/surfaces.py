@@ -70,7 +70,8 @@ class Surface:
         area = 0.5 * np.linalg.norm(np.cross(self.corners[:, 1] - self.corners[:, 0],
                                              self.corners[:, 2] - self.corners[:, 0]), axis=1)
         weights = np.array([(4, 1, 1), (1, 4, 1), (1, 1, 4), (2, 2, 2)]) / 6
-        return np.einsum("sc,tcx->tsx", weights, self.corners).reshape(-1, 3), np.repeat(area / 4, 4)
+        points = np.einsum("sc,tcx->tsx", weights, self.corners).reshape(-1, 3)
+        return points, np.repeat(area / 4, 4)
 
 
 def sample_facets(facets):
