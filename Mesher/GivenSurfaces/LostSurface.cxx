@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace vfm
 {
@@ -257,8 +258,16 @@ void CountSolids(const SampledBody& body, MeshReport::Body& report)
   }
 }
 
-/// Returns the connected parts of the lost surface, as samples.
-std::vector<std::vector<Index>> FindLostParts(const SampledBody& body)
+/// Connected part of the lost surface.
+struct LostPart
+{
+  std::vector<Index> Samples;
+  double Area = 0.0;
+  bool IsFar = false; ///< a sample is farther than FarReach
+};
+
+/// Returns the connected parts of the lost surface.
+std::vector<LostPart> FindLostParts(const SampledBody& body)
 {
   std::vector<Index> lost;
   std::vector<Bounds> boxes;
@@ -276,15 +285,18 @@ std::vector<std::vector<Index>> FindLostParts(const SampledBody& body)
   std::vector<Index> sets = MakeSets(lost.size());
   Runtime serial;
   BoxTree(boxes, serial).ForPairs(serial, [&](Index a, Index b) { Join(sets, a, b); });
-  std::map<Index, std::vector<Index>> parts; // by root
+  std::map<Index, LostPart> parts; // by root
   for (std::size_t i = 0; i < lost.size(); ++i)
   {
-    parts[FindRoot(sets, static_cast<Index>(i))].push_back(lost[i]);
+    LostPart& part = parts[FindRoot(sets, static_cast<Index>(i))];
+    part.Samples.push_back(lost[i]);
+    part.Area += body.Samples[lost[i]].Area;
+    part.IsFar = part.IsFar || !body.IsNotFar[lost[i]];
   }
-  std::vector<std::vector<Index>> all;
-  for (auto& [root, samples] : parts)
+  std::vector<LostPart> all;
+  for (auto& [root, part] : parts)
   {
-    all.push_back(std::move(samples));
+    all.push_back(std::move(part));
   }
   return all;
 }
@@ -325,26 +337,18 @@ MeshReport::Body ReportBody(const SampledBody& body, const CartesianGrid& grid)
   }
   report.LostShare = present > 0.0 ? lost / present : 0.0;
   CountSolids(body, report);
-  const std::vector<Index>* largest = nullptr;
-  const std::vector<std::vector<Index>> parts = FindLostParts(body);
-  for (const std::vector<Index>& part : parts)
+  LostPart largest;
+  for (LostPart& part : FindLostParts(body))
   {
-    double area = 0.0;
-    bool isFar = false;
-    for (Index s : part)
+    if (std::pair(part.IsFar, part.Area) > std::pair(largest.IsFar, largest.Area))
     {
-      area += body.Samples[s].Area;
-      isFar = isFar || !body.IsNotFar[s];
-    }
-    if (isFar && area > report.LostArea)
-    {
-      report.LostArea = area;
-      largest = &part;
+      largest = std::move(part);
     }
   }
-  if (largest)
+  if (!largest.Samples.empty())
   {
-    DescribePart(body, *largest, grid, report);
+    report.LostArea = largest.IsFar ? largest.Area : 0.0;
+    DescribePart(body, largest.Samples, grid, report);
   }
   return report;
 }

@@ -190,7 +190,15 @@ TEST(LostBodies, EdgesOfWedgesMayRecede)
 {
   const Outcome wedge = MeshBodies({ Wedge(20.0, 6.0, 12.0) }, { { 25, 17, 12 } });
   EXPECT_GT(wedge.Bodies[0].LostShare, 0.01);
+  EXPECT_EQ(wedge.Bodies[0].LostArea, 0.0);
   EXPECT_EQ(wedge.Warnings.find(Loses), std::string::npos) << wedge.Warnings;
+}
+
+TEST(LostBodies, LargeShareIsNamed)
+{
+  const Outcome wedge = MeshBodies({ Wedge(20.0, 3.0, 12.0) }, { { 25, 17, 9 } });
+  EXPECT_GT(wedge.Bodies[0].LostShare, 0.05);
+  EXPECT_NE(wedge.Warnings.find(Loses), std::string::npos);
 }
 
 TEST(LostBodies, MastIsNamed)
