@@ -12,6 +12,7 @@
 #include "MissingLevels.h"
 #include "Ranks/WorkTogether.h"
 #include "StateOutput.h"
+#include "SurfaceFields.h"
 
 #include "vtkCompositeDataSet.h"
 #include "vtkImageData.h"
@@ -150,6 +151,7 @@ void vtkVolumeFractionMeshAlgorithm::Run(
   const vfm::ArraysToRead arrays =
     vfm::ListArrays(materials.List(), input.Arrays.State, *this->Options);
   input.Levels = vfm::FindInputLevels(vfm::CollectAllBlocks(data, arrays, ranks), ranks);
+  input.Surfaces = vfm::FindSurfaces(data, ranks);
   vfm::MesherResult result = vfm::RunMesher(input, *this->Options, runtime);
   LogStages(result.Report);
   vfm::WorkTogether(ranks,

@@ -356,6 +356,17 @@ public:
   /// one surface does not fit show edges, so not in fluids and noise. Requires Smoothing Quadric
   /// Surface and an IsoValue of 0.5. Allowed: Off, On, Automatic (or 0 to 2); default Automatic.
   vfmNumberOption(SharpEdges, int);
+  /// Place the nodes of interfaces on the closed surfaces from which the volume fractions were
+  /// computed, and take edges, corners and sides from their triangles. Off: from the fractions
+  /// alone. No effect on input without surfaces: they come from surface files and Volume Fraction
+  /// Of Surface. Requires Smoothing Quadric Surface and an IsoValue of 0.5. Allowed: Off, On (or 0
+  /// to 1); default On.
+  vfmNumberOption(SurfaceTargets, int);
+  /// Least angle between triangles of a surface, in degrees, at which their common edge is a sharp
+  /// edge of the mesh and separates two sides. Smaller angles find blunter edges, and also those of
+  /// coarse triangles on round surfaces. No effect without Surface Targets, or on input without
+  /// surfaces. Allowed: a number from 1 to 179; default 40.
+  vfmNumberOption(EdgeAngle, double);
   /// Smooth the steps of material ids, by this number of averaging passes over neighbour cells.
   /// Each material keeps the volume of its cells, and thin parts stay. 2 or 3 passes suit most
   /// images; more round edges. Fractions are not smoothed. Allowed: an integer from 0 to 10;

@@ -4,12 +4,13 @@
 #include "BodyOfPolyData.h"
 #include "CollectivePipeline.h"
 #include "FilterRuntime.h"
+#include "Shapes/PlaceGrid.h"
 #include "Shapes/ShapesFractions.h"
 #include "Shapes/ShapesScenes.h"
 #include "Shapes/ShapesText.h"
 #include "Shapes/SurfaceFractions.h"
+#include "SurfaceFields.h"
 
-#include "vtkBoundingBox.h"
 #include "vtkCellData.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -32,66 +33,30 @@ vtkStandardNewMacro(vtkVolumeFractionShapes);
 namespace
 {
 
-constexpr int Margin = 2; // cells between surfaces and the sides of a fitted grid
-
-struct Placement
+vfm::GridPlace PlaceInBounds(const double bounds[6], const int dimensions[3])
 {
-  double Origin[3], Spacing[3];
-};
-
-Placement PlaceInBounds(const double bounds[6], const int dimensions[3])
-{
-  Placement place;
+  vfm::GridPlace place;
   for (int a = 0; a < 3; ++a)
   {
     place.Origin[a] = bounds[2 * a];
-    place.Spacing[a] = (bounds[2 * a + 1] - bounds[2 * a]) / dimensions[a];
+    place.Widths[a] = (bounds[2 * a + 1] - bounds[2 * a]) / dimensions[a];
+    place.Cells[a] = dimensions[a];
   }
   return place;
 }
 
-/// Places cubic cells around all surfaces, centred.
-Placement PlaceAround(const std::vector<vtkPolyData*>& surfaces, const int dimensions[3])
+vfm::GridPlace PlaceAround(const vfm::InputSurfaces& surfaces, const int dimensions[3])
 {
-  vtkBoundingBox box;
-  for (vtkPolyData* surface : surfaces)
-  {
-    box.AddBounds(surface->GetBounds());
-  }
-  if (!box.IsValid())
+  if (surfaces.Bodies.empty())
   {
     throw vfm::InputError("FitToInput needs a surface on the input.");
   }
-  double width = 0.0, center[3];
-  box.GetCenter(center);
-  for (int a = 0; a < 3; ++a)
+  if (*std::min_element(dimensions, dimensions + 3) < vfm::LeastPlacedCells)
   {
-    if (dimensions[a] <= 2 * Margin)
-    {
-      throw vfm::InputError("FitToInput needs Dimensions of at least 5 along every axis.");
-    }
-    width = std::max(width, box.GetLength(a) / (dimensions[a] - 2 * Margin));
+    throw vfm::InputError("FitToInput needs Dimensions of at least 5 along every axis.");
   }
-  Placement place;
-  for (int a = 0; a < 3; ++a)
-  {
-    place.Origin[a] = center[a] - 0.5 * width * dimensions[a];
-    place.Spacing[a] = width;
-  }
-  return place;
-}
-
-std::array<std::vector<double>, 3> ListCoordinates(const Placement& place, const int dimensions[3])
-{
-  std::array<std::vector<double>, 3> coordinates;
-  for (int a = 0; a < 3; ++a)
-  {
-    for (int i = 0; i <= dimensions[a]; ++i)
-    {
-      coordinates[a].push_back(place.Origin[a] + i * place.Spacing[a]);
-    }
-  }
-  return coordinates;
+  return vfm::PlaceCells(
+    vfm::FindBounds(surfaces), { { dimensions[0], dimensions[1], dimensions[2] } });
 }
 
 std::vector<vfm::Shape> MakePreset(int preset, const vfm::Vector3& lower, const vfm::Vector3& upper)
@@ -127,13 +92,13 @@ std::vector<int> NumberSurfaces(std::size_t count, int given, int taken)
   return materials;
 }
 
-vfm::InputSurfaces MakeBodies(
-  const std::vector<vtkPolyData*>& surfaces, const std::vector<int>& materials)
+/// Returns the bodies of surfaces, without names.
+vfm::InputSurfaces MakeBodies(vtkInformationVector* surfaces)
 {
   vfm::InputSurfaces bodies;
-  for (std::size_t s = 0; s < surfaces.size(); ++s)
+  for (int i = 0; i < surfaces->GetNumberOfInformationObjects(); ++i)
   {
-    bodies.Bodies.push_back(vfm::MakeBodyOfPolyData(NameOf(materials[s]), surfaces[s]));
+    bodies.Bodies.push_back(vfm::MakeBodyOfPolyData("", vtkPolyData::GetData(surfaces, i)));
   }
   return bodies;
 }
@@ -248,9 +213,9 @@ int vtkVolumeFractionShapes::RequestInformation(
   info->Remove(vtkDataObject::SPACING());
   if (valid && !this->FitToInput) // otherwise the surfaces are needed
   {
-    const Placement place = PlaceInBounds(this->Bounds, this->Dimensions);
-    info->Set(vtkDataObject::ORIGIN(), place.Origin, 3);
-    info->Set(vtkDataObject::SPACING(), place.Spacing, 3);
+    const vfm::GridPlace place = PlaceInBounds(this->Bounds, this->Dimensions);
+    info->Set(vtkDataObject::ORIGIN(), place.Origin.data(), 3);
+    info->Set(vtkDataObject::SPACING(), place.Widths.data(), 3);
   }
   info->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
   return 1;
@@ -289,14 +254,10 @@ void vtkVolumeFractionShapes::Fill(
   {
     throw vfm::InputError(problem);
   }
-  std::vector<vtkPolyData*> surfaces;
-  for (int i = 0; i < inputs->GetNumberOfInformationObjects(); ++i)
-  {
-    surfaces.push_back(vtkPolyData::GetData(inputs, i));
-  }
-  const Placement place = this->FitToInput ? PlaceAround(surfaces, this->Dimensions)
-                                           : PlaceInBounds(this->Bounds, this->Dimensions);
-  const std::array<std::vector<double>, 3> coordinates = ListCoordinates(place, this->Dimensions);
+  vfm::InputSurfaces bodies = MakeBodies(inputs);
+  const vfm::GridPlace place = this->FitToInput ? PlaceAround(bodies, this->Dimensions)
+                                                : PlaceInBounds(this->Bounds, this->Dimensions);
+  const std::array<std::vector<double>, 3> coordinates = vfm::ListNodes(place);
   vfm::Vector3 lower, upper;
   for (int a = 0; a < 3; ++a)
   {
@@ -309,15 +270,19 @@ void vtkVolumeFractionShapes::Fill(
     shapes = MakePreset(this->Preset, lower, upper);
   }
   const int taken = vfm::CountMaterials(shapes);
-  const std::vector<int> materials = NumberSurfaces(surfaces.size(), this->SurfaceMaterial, taken);
-  const vfm::InputSurfaces bodies = MakeBodies(surfaces, materials);
-  if (shapes.empty() && surfaces.empty())
+  const std::vector<int> materials =
+    NumberSurfaces(bodies.Bodies.size(), this->SurfaceMaterial, taken);
+  for (std::size_t b = 0; b < materials.size(); ++b)
+  {
+    bodies.Bodies[b].Name = NameOf(materials[b]);
+  }
+  if (shapes.empty() && materials.empty())
   {
     throw vfm::InputError("There is no shape: choose a preset, write shapes, or give a surface.");
   }
   image->SetExtent(const_cast<int*>(extent));
-  image->SetOrigin(place.Origin);
-  image->SetSpacing(place.Spacing);
+  image->SetOrigin(place.Origin.data());
+  image->SetSpacing(place.Widths.data());
   std::vector<vfm::Buffer<double>> fractions(
     materials.empty() ? taken : std::max(taken, materials.back()));
   if (HasCells(extent)) // otherwise the image may have flat cells
@@ -336,6 +301,7 @@ void vtkVolumeFractionShapes::Fill(
       vfm::FractionsOfSurfaces(coordinates, cells, bodies, runtime), materials, runtime);
   }
   AddFractions(fractions, image);
+  vfm::AddSurfaceFields(vfm::FlattenSurfaces(bodies), image->GetFieldData());
 }
 
 void vtkVolumeFractionShapes::PrintSelf(ostream& os, vtkIndent indent)

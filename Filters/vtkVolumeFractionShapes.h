@@ -6,11 +6,16 @@
  * volume fraction of the material in each cell. Shapes are inserted in order: the first keeps its
  * volume, and later ones get the rest of each cell, as in the material insertion of shock-physics
  * codes. Shapes come from a preset or from text, then from closed surfaces on the optional,
- * repeatable input port.
+ * repeatable input port. Fractions of surfaces are exact. In a cell that several boundaries cut,
+ * a surface gets its whole fraction if the rest of the cell allows it: an upper bound if the
+ * boundaries cross there.
  *
  * Dimensions (cells) and Bounds (length units) define the grid. With FitToInput, the grid is
  * placed around the surfaces instead, with cubic cells and at least two cells of margin;
  * Dimensions is used.
+ *
+ * The surfaces themselves are field data of the output, which the mesh filters use: InputSurface..
+ * (SurfaceFields.h).
  *
  * Any extent can be requested; fractions depend neither on the extent nor on threads. Each rank
  * needs the whole surfaces.
@@ -87,7 +92,7 @@ public:
 
   ///@{
   /**
-   * Maximum error of a fraction where curved surfaces cut a cell, between 0 and 1. Default 1e-4.
+   * Maximum error of a fraction where curved shapes cut a cell, between 0 and 1. Default 1e-4.
    */
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);

@@ -4,6 +4,7 @@
 #include "Meshes/FormatTable.h"
 #include "Options/SetOptions.h"
 #include "ReadInput.h"
+#include "Surfaces/ReadSurface.h"
 
 #include <algorithm>
 
@@ -13,8 +14,10 @@ namespace
 {
 
 const std::vector<ArgumentOption> OwnOptions{
-  { "--input", "FILE", "file to mesh" },
+  { "--input", "FILE", "file to mesh; repeatable for surfaces, the first has priority", "", true },
   { "--output", "FILE", "file of the mesh" },
+  { "--cells", "N",
+    "number of cells along the longest side of surfaces, default 64; or --cell-width W" },
   { "--dimensions", "NX,NY,NZ", "numbers of cells of a .spn file" },
   { "--origin", "X,Y,Z", "lower corner of a .spn or .npy file, default 0,0,0" },
   { "--spacing", "X,Y,Z", "cell widths of a .spn or .npy file, default 1,1,1; or of an image" },
@@ -60,6 +63,7 @@ constexpr const char* Usage =
   R"(sculptor: makes a conforming mesh of all materials from volume fractions on a grid of cells
 
 usage: [mpiexec -n RANKS] sculptor [--input] FILE [--output] FILE [options]
+       [mpiexec -n RANKS] sculptor SURFACE .. [--output] FILE [--cells N] [options]
        [mpiexec -n RANKS] sculptor test [--tetmesh [METHOD]] [--no-smooth] [--stairstep] ..
        [mpiexec -n RANKS] sculptor --list FILE
 
@@ -100,6 +104,7 @@ Examples
   sculptor --input grains.vti --labels grain --tetmesh Lattice --output grains.e
   sculptor --input grains.spn --dimensions 20,20,20 --spacing 0.1,0.1,0.1 --output grains.e
   sculptor --input parts.vti --material 2 --set TargetScaledJacobian=0.4 --output second.vtu
+  sculptor shaft.stl housing.stl gear.e --cells 100 --edge-angle 30
   sculptor --input scan.vti --labels tissue --label-smoothing 3 --aspect 1.5 --output scan.e
 )";
 
@@ -158,6 +163,10 @@ std::string GetHelp()
   text += "\nInput: " + JoinTexts(GetInputSuffixes()) +
     "\n  Exodus: hexahedra that form a Cartesian grid, with element variables; any one of the\n"
     "    files FILE.N.RANK selects all of them\n  AMReX: folder of a plotfile\n"
+    "  Surfaces, closed: " +
+    JoinTexts(GetSurfaceSuffixes()) +
+    "\n    Each file is a material with its name; where they overlap, the first has priority.\n"
+    "    An output that is a surface, too, needs --output.\n"
     "Output:\n";
   for (const FormatRow& format : GetFormatTable())
   {

@@ -1,6 +1,7 @@
 #include "ArgumentWords.h"
 
 #include "ArgumentOptions.h"
+#include "Surfaces/ReadSurface.h"
 
 #include <algorithm>
 #include <string_view>
@@ -22,14 +23,25 @@ const ArgumentOption& FindArgument(std::string_view name)
   return *found;
 }
 
-/// Adds a word that is not an option: the input, or if that is given the output.
-void AddFile(GivenArguments& given, const std::string& file)
+/// Adds the words that are not options. The last one is the output, unless it is the only file, or
+/// the output is already given. Surfaces alone are inputs: no output may replace one by accident.
+void AddFiles(std::vector<std::string> files, GivenArguments& given)
 {
-  const char* name = given.count("--input") == 0 ? "--input" : "--output";
-  if (!given.insert({ name, { file } }).second)
+  std::vector<std::string> inputs;
+  if (given.count("--input") > 0)
   {
-    RejectArguments(
-      "'" + file + "' is one file too many: the input and the output are already given.");
+    inputs = given["--input"];
+  }
+  inputs.insert(inputs.end(), files.begin(), files.end());
+  const bool areSurfaces = std::all_of(inputs.begin(), inputs.end(), IsSurfaceFile);
+  if (!files.empty() && inputs.size() > 1 && given.count("--output") == 0 && !areSurfaces)
+  {
+    given["--output"] = { inputs.back() };
+    inputs.pop_back();
+  }
+  if (!inputs.empty())
+  {
+    given["--input"] = std::move(inputs);
   }
 }
 
@@ -73,11 +85,12 @@ void RejectArguments(const std::string& message)
 GivenArguments ReadWords(const std::vector<std::string>& words, bool isTest)
 {
   GivenArguments given;
+  std::vector<std::string> files;
   for (auto word = words.begin(); word != words.end();)
   {
     if (!word->empty() && word->front() != '-')
     {
-      AddFile(given, *word++);
+      files.push_back(*word++);
       continue;
     }
     const ArgumentOption& option = FindArgument(word->substr(0, word->find('=')));
@@ -94,6 +107,7 @@ GivenArguments ReadWords(const std::vector<std::string>& words, bool isTest)
     std::vector<std::string>& to = given[option.Name];
     to.insert(to.end(), values.begin(), values.end());
   }
+  AddFiles(files, given);
   return given;
 }
 

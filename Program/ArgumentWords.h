@@ -13,7 +13,7 @@ namespace vfm
 {
 
 /// Values of the given options, by name of the option; a switch has no values. Files without an
-/// option are values of --input and --output, in this order.
+/// option are values of --input, but the last one of --output. If all are surfaces, all are inputs.
 using GivenArguments = std::map<std::string, std::vector<std::string>>;
 
 /// Rejects the command line with a message that refers to --help.

@@ -8,11 +8,15 @@
 #include "Images/ImageFile.h"
 #include "Meshes/Surfaces/WriteStl.h"
 #include "Meshes/Vtk/WriteGeometry.h"
+#include "Options/CellWidths.h"
+#include "Options/MaterialWidths.h"
 #include "Options/SetOptions.h"
 #include "ReadInput.h"
 #include "Report/WriteReport.h"
+#include "Shapes/PlaceGrid.h"
 #include "State/ArrayStems.h"
 #include "State/StateChoice.h"
+#include "Surfaces/ReadSurface.h"
 
 #include <algorithm>
 #include <limits>
@@ -196,10 +200,57 @@ OutputForm ReadForm(const GivenArguments& given)
   return form;
 }
 
+/// Makes the cell width that of the grid around surfaces, unless the number of its cells is given.
+void TakeGridWidths(Arguments& to)
+{
+  MesherOptions& mesher = to.Mesher;
+  const Vector3 widths = *ParseWidths(mesher.CellWidth);
+  if (to.SurfaceFiles.empty() || to.Cells || widths == Vector3{})
+  {
+    return;
+  }
+  if (std::find(widths.begin(), widths.end(), 0.0) != widths.end())
+  {
+    RejectArguments(
+      "--cell-width of surfaces takes widths above 0, not '" + mesher.CellWidth + "'.");
+  }
+  to.GridWidths = widths;
+  if (!HasMaterialWidths(mesher))
+  {
+    mesher.CellWidth = "0";
+  }
+}
+
+/// Checks that there is one input, or only surfaces.
+void CheckInputs(const std::vector<std::string>& inputs)
+{
+  const auto surface = std::find_if(inputs.begin(), inputs.end(), IsSurfaceFile);
+  const auto other = std::find_if_not(inputs.begin(), inputs.end(), IsSurfaceFile);
+  if (surface != inputs.end() && other != inputs.end())
+  {
+    RejectArguments("Surfaces can only be meshed with surfaces, but of the inputs " + *surface +
+      " is a surface and " + *other + " is not.");
+  }
+  if (other != inputs.end() && inputs.size() > 1)
+  {
+    RejectArguments(
+      "'" + inputs[1] + "' is one file too many: the input and the output are already given.");
+  }
+}
+
 Arguments ReadValues(const GivenArguments& given)
 {
   Arguments to;
-  to.Input = TextOf(given, "--input");
+  const std::vector<std::string> inputs = ValuesOf(given, "--input");
+  to.Input = JoinTexts(inputs);
+  CheckInputs(inputs);
+  if (!inputs.empty() && IsSurfaceFile(inputs[0]))
+  {
+    to.SurfaceFiles = inputs;
+  }
+  to.Cells = ReadValue(given, "--cells", "an integer from " + std::to_string(LeastPlacedCells),
+    [](const std::string& text)
+    { return ParseCount(text, static_cast<int>(LeastPlacedCells), LargestCount - 1); });
   to.Output = TextOf(given, "--output");
   to.Dimensions =
     ReadThree(given, "--dimensions", "numbers of cells", ParseCount, 1, LargestCount - 1);
@@ -232,6 +283,7 @@ Arguments ReadValues(const GivenArguments& given)
   to.Form = ReadForm(given);
   to.TrustsInput = given.count("--trust-input") > 0;
   to.Quiet = given.count("--quiet") > 0;
+  TakeGridWidths(to);
   return to;
 }
 
@@ -268,7 +320,14 @@ void CheckInput(const Arguments& from)
   {
     RejectArguments("--input FILE is missing.");
   }
-  CheckInputSuffix(from.Input);
+  if (from.SurfaceFiles.empty())
+  {
+    CheckInputSuffix(from.Input);
+  }
+  if (from.SurfaceFiles.empty() && from.Cells)
+  {
+    RejectArguments("--cells is for surfaces: " + JoinTexts(GetSurfaceSuffixes()) + ".");
+  }
   CheckVoxels(from);
 }
 
@@ -291,7 +350,8 @@ void CheckMesh(const Arguments& from)
   CheckInput(from);
   if (from.Output.empty())
   {
-    RejectArguments("--output FILE is missing, as in sculptor " + from.Input + " mesh.vtu.");
+    RejectArguments("--output FILE is missing, as in sculptor " +
+      (from.SurfaceFiles.empty() ? from.Input : JoinTexts(from.SurfaceFiles, " ")) + " mesh.vtu.");
   }
   CheckProblem(from.Geometry.empty() ? "" : FindGeometryProblem(from.Geometry));
   CheckProblem(from.Surfaces.empty() ? "" : FindStlProblem(from.Surfaces));
@@ -399,8 +459,8 @@ Arguments ParseArguments(const std::vector<std::string>& words)
       break;
     case Command::List:
       CheckTaken(given, "--list",
-        { "--input", "--dimensions", "--origin", "--spacing", "--volume", "--axis-order", "--step",
-          "--time", "--trust-input", "--list" });
+        { "--input", "--cells", "--cell-width", "--dimensions", "--origin", "--spacing", "--volume",
+          "--axis-order", "--step", "--time", "--trust-input", "--list" });
       CheckInput(arguments);
       break;
     case Command::Mesh:

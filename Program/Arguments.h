@@ -25,8 +25,11 @@ enum class Command
 struct Arguments
 {
   Command Task = Command::Mesh;
-  std::string Input, Output;
-  std::optional<std::array<int, 3>> Dimensions; ///< number of voxels along x, y and z
+  std::string Input, Output; ///< files; Input has the names of all if there are several surfaces
+  std::vector<std::string> SurfaceFiles; ///< surfaces to mesh; empty: Input has cells
+  std::optional<int> Cells; ///< number along the longest side of a grid around surfaces
+  std::optional<std::array<double, 3>> GridWidths; ///< of the cells of such a grid, instead
+  std::optional<std::array<int, 3>> Dimensions;    ///< number of voxels along x, y and z
   /// Lower corner of the voxels, and widths of voxels or of the cells of an image.
   std::optional<std::array<double, 3>> Origin, Spacing;
   std::optional<int> Volume;          ///< number of an image, from 0, in a file of several

@@ -40,8 +40,16 @@ bool IsSameFile(const std::string& one, const std::string& other)
 
 std::vector<NamedFile> ListInputs(const Arguments& arguments)
 {
-  std::vector<NamedFile> inputs{ { "input", arguments.Input } };
-  if (!IsBlockFile(arguments.Input) && AreSlices(arguments.Input))
+  std::vector<NamedFile> inputs;
+  for (const std::string& path : arguments.SurfaceFiles)
+  {
+    inputs.push_back({ "input", path });
+  }
+  if (inputs.empty())
+  {
+    inputs.push_back({ "input", arguments.Input });
+  }
+  if (arguments.SurfaceFiles.empty() && !IsBlockFile(arguments.Input) && AreSlices(arguments.Input))
   {
     ClassifyErrors(ErrorCode::UnreadableInput,
       [&]

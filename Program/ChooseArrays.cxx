@@ -411,6 +411,11 @@ ChosenArrays ChooseArrays(const Input& input, const Arguments& arguments, Ranks&
     (isOfLabels ? "labels" : "as requested") + std::string(ofPoints), "", place, "", false };
   if (!HasMaterials(chosen))
   {
+    chosen.Fractions = input.Materials;
+    chosen.How = "surfaces";
+  }
+  if (!HasMaterials(chosen))
+  {
     chosen = FindMaterials(input, arguments, mesher.FractionTolerance, ranks);
   }
   if (!HasMaterials(chosen))

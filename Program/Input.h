@@ -7,8 +7,10 @@
 #include "ChosenArray.h"
 #include "Input/ArrayInfo.h"
 #include "Input/LabelNames.h"
+#include "Surfaces/InputSurfaces.h"
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -54,6 +56,10 @@ struct Input
   Index Volumes = 1;          ///< number of images in the file
   std::string Warning;        ///< warning about data that were not read or assumed, or empty
   LabelNames Names;           ///< names of labels that the file contains, equal on all ranks
+  /// Arrays of fractions of all materials, if the file itself says so.
+  std::vector<std::string> Materials;
+  /// Surfaces from which the fractions were computed, equal on all ranks; null: none.
+  std::shared_ptr<const InputSurfaces> Surfaces;
 };
 
 /// Makes an input of blocks, or of the pieces of one image with their Box.

@@ -5,6 +5,7 @@
 #include "Ranks/PrintableText.h"
 #include "Ranks/WorkTogether.h"
 #include "ReadInput.h"
+#include "SurfaceInput.h"
 
 #include <algorithm>
 #include <cmath>
@@ -191,6 +192,11 @@ void PrintMaterials(const ChosenArrays& arrays, const std::vector<int>& labels, 
 
 void ListInput(const Arguments& arguments, Ranks& ranks, std::ostream& to)
 {
+  if (!arguments.SurfaceFiles.empty())
+  {
+    ListSurfaces(arguments, ranks, to);
+    return;
+  }
   const Input input = ReadInput(arguments, ranks);
   const ChosenArrays arrays =
     FindMaterials(input, arguments, MesherOptions().FractionTolerance, ranks);

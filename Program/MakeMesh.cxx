@@ -112,6 +112,7 @@ MesherResult MakeMesh(const Arguments& arguments, const Input& input, const Chos
         ListArrays(ListMaterials(mesherInput.Arrays), mesherInput.Arrays.State, options), ranks);
     });
   KeepMaterials(collected.Blocks, arrays, arguments, ranks);
+  mesherInput.Surfaces = input.Surfaces;
   mesherInput.Warn(input.Warning);
   MesherResult result;
   WorkInStage(ranks, ErrorCode::RejectedMesh,

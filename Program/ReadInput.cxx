@@ -12,6 +12,8 @@
 #include "Images/ImageFile.h"
 #include "Images/Pictures/SliceFiles.h"
 #include "Ranks/WorkTogether.h"
+#include "SurfaceInput.h"
+#include "Surfaces/ReadSurface.h"
 #include "VtkFiles/UnpackByVtk.h"
 #include "VtkInput.h"
 #include "VtkMessages.h"
@@ -201,8 +203,8 @@ std::vector<std::string> GetInputSuffixes()
   {
     suffixes.push_back(format.Suffix);
   }
-  for (const std::vector<std::string>& more :
-    { GetVoxelSuffixes(), GetImageSuffixes(), { SpyPlotSuffix }, GetExodusSuffixes() })
+  for (const std::vector<std::string>& more : { GetVoxelSuffixes(), GetImageSuffixes(),
+         { SpyPlotSuffix }, GetExodusSuffixes(), GetSurfaceSuffixes() })
   {
     suffixes.insert(suffixes.end(), more.begin(), more.end());
   }
@@ -233,6 +235,10 @@ void CheckInputSuffix(const std::string& path)
 
 Input ReadInput(const Arguments& arguments, Ranks& ranks)
 {
+  if (!arguments.SurfaceFiles.empty())
+  {
+    return ReadSurfaces(arguments, ranks);
+  }
   if (IsExodusFile(arguments.Input))
   {
     return ReadExodus(arguments, ranks);

@@ -4,6 +4,7 @@
 #include "BlockArraysOfData.h"
 #include "CollectBlocks.h"
 #include "MissingLevels.h"
+#include "SurfaceFields.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkCompositeDataSet.h"
@@ -108,6 +109,7 @@ Input MakeInput(vtkSmartPointer<vtkDataObject> data, Ranks& ranks)
   input.Collect = [data](const ArraysToRead& arrays, Ranks& all)
   { return CollectAllBlocks(data, arrays, all); };
   input.Warning = DescribeMissingLevels(data, ranks);
+  input.Surfaces = FindSurfaces(data, ranks);
   return input;
 }
 

@@ -49,7 +49,8 @@ struct NumberRange
 };
 
 constexpr NumberRange LeastThicknesses{ 0.0, 1.0 }, RelativeSizes{ 0.1, 1e6 }, Growths{ 0.0, 1e6 },
-  RadiusEdgeRatios{ 1.0, 100.0 }, MinimumDihedralAngles{ 0.0, 60.0 }, OptimizationLevels{ 0, 10 };
+  RadiusEdgeRatios{ 1.0, 100.0 }, MinimumDihedralAngles{ 0.0, 60.0 }, OptimizationLevels{ 0, 10 },
+  EdgeAngles{ 1.0, 179.0 };
 
 /// Options of TetGen.
 struct TetGenOptions

@@ -266,6 +266,7 @@ SurfaceSheets FindSheets(const ClosedSurface& surface, double angleDegrees)
     sheets.Edges.push_back({ hinges[h].Points, hinges[h].Triangles, isConvex });
   }
   sheets.SheetOf = NumberSets(sets);
+  sheets.Normals = std::move(normals.Of);
   sheets.Corners = FindCorners(sheets);
   return sheets;
 }

@@ -29,6 +29,7 @@ struct SharpCorner
 /// Parts of a surface between its sharp edges.
 struct SurfaceSheets
 {
+  std::vector<Vector3> Normals;     ///< unit normal of each triangle
   std::vector<int> SheetOf;         ///< sheet of each triangle, from 0 by the lowest triangle
   std::vector<SharpEdge> Edges;     ///< ascending by points
   std::vector<SharpCorner> Corners; ///< ascending by points

@@ -7,6 +7,8 @@
 #include "Base/Vector3.h"
 #include "Surfaces/ClosedSurface.h"
 
+#include <cmath>
+
 namespace vfm
 {
 
@@ -39,6 +41,17 @@ public:
   {
     return this->Find(x, limit, [](int) { return true; });
   }
+
+  /// A triangle with its rating, a distance with a penalty; smaller is better.
+  struct Rated
+  {
+    int Triangle = -1; ///< -1: no rating is below Rating
+    double Rating;
+  };
+  /// Returns the triangle with the smallest sum of its distance and penalty(triangle), which must
+  /// not be negative; of equal ones the first. Returns `best` if no triangle is better.
+  template <class Penalty>
+  Rated FindBest(const Vector3& x, const Penalty& penalty, Rated best) const;
 
   /// Returns the nearest triangle that the ray x + t * direction meets; of equally near ones the
   /// first.
@@ -76,6 +89,27 @@ TriangleSearch::Nearest TriangleSearch::Find(
         (square == best.Square && (best.Triangle < 0 || t < best.Triangle)))
       {
         best = { t, point, square };
+      }
+    });
+  return best;
+}
+
+template <class Penalty>
+TriangleSearch::Rated TriangleSearch::FindBest(
+  const Vector3& x, const Penalty& penalty, Rated best) const
+{
+  this->Tree.ForNear([&x](const Bounds& box) { return std::sqrt(box.SquareTo(x)); }, best.Rating,
+    [&](int t)
+    {
+      const double extra = penalty(t);
+      if (extra > best.Rating)
+      {
+        return;
+      }
+      const double rating = Norm(NearestPoint(this->Triangles[t], x) - x) + extra;
+      if (rating < best.Rating || (rating == best.Rating && t < best.Triangle))
+      {
+        best = { t, rating };
       }
     });
   return best;

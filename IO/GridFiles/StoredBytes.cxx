@@ -1,7 +1,7 @@
 #include "GridFiles/StoredBytes.h"
 
 #include "GridFiles/VtkNumbers.h"
-#include "OpenFile.h"
+#include "Ranks/Errors.h"
 
 #include <algorithm>
 #include <array>
@@ -32,13 +32,13 @@ std::array<int, 256> MakeDigits()
 
 } // namespace
 
-StoredBytes::StoredBytes(const std::string& path, std::int64_t place, bool isBase64) :
-  Stream(OpenFile(path)), Size(GetFileLength(path)), IsBase64(isBase64)
+StoredBytes::StoredBytes(const VtkStorage& storage, std::int64_t place, bool isBase64) :
+  Stream(storage.Open()), Size(storage.FileSize), IsBase64(isBase64)
 {
-  this->Stream.seekg(place);
-  while (isBase64 && std::isspace(this->Stream.peek()))
+  this->Stream->seekg(place);
+  while (isBase64 && std::isspace(this->Stream->peek()))
   {
-    this->Stream.get();
+    this->Stream->get();
   }
 }
 
@@ -46,23 +46,23 @@ StoredBytes::StoredBytes(const std::string& path, std::int64_t place, bool isBas
 int StoredBytes::Letter()
 {
   static const std::array<int, 256> digits = MakeDigits();
-  constexpr int end = std::ifstream::traits_type::eof();
-  const int c = this->Stream.peek();
+  constexpr int end = std::istream::traits_type::eof();
+  const int c = this->Stream->peek();
   if (c == end || c == '<')
   {
     return NoLetter;
   }
   if (digits[c] != NoLetter)
   {
-    this->Stream.get();
+    this->Stream->get();
     ++this->Letters;
     return digits[c];
   }
-  while (std::isspace(this->Stream.peek()))
+  while (std::isspace(this->Stream->peek()))
   {
-    this->Stream.get();
+    this->Stream->get();
   }
-  const int next = this->Stream.peek();
+  const int next = this->Stream->peek();
   if (std::isspace(c) && (next == end || next == '<'))
   {
     return NoLetter;
@@ -105,8 +105,8 @@ std::size_t StoredBytes::Read(unsigned char* to, std::size_t count)
 {
   if (!this->IsBase64)
   {
-    this->Stream.read(reinterpret_cast<char*>(to), static_cast<std::streamsize>(count));
-    return static_cast<std::size_t>(this->Stream.gcount());
+    this->Stream->read(reinterpret_cast<char*>(to), static_cast<std::streamsize>(count));
+    return static_cast<std::size_t>(this->Stream->gcount());
   }
   for (std::size_t done = 0; done < count; ++done)
   {
@@ -132,7 +132,7 @@ bool StoredBytes::Skip(std::int64_t count)
   if (!this->IsBase64)
   {
     const bool isThere = count <= this->CountLeft();
-    this->Stream.seekg(count, std::ios::cur);
+    this->Stream->seekg(count, std::ios::cur);
     return isThere;
   }
   std::vector<unsigned char> bytes(static_cast<std::size_t>(std::min<std::int64_t>(count, 4096)));
@@ -150,20 +150,20 @@ bool StoredBytes::Skip(std::int64_t count)
 
 std::int64_t StoredBytes::CountLeft()
 {
-  const std::int64_t place = this->Stream.tellg();
+  const std::int64_t place = this->Stream->tellg();
   const std::int64_t left = place < 0 ? 0 : std::max<std::int64_t>(this->Size - place, 0);
   return this->IsBase64 ? left / 4 * 3 + 3 : left;
 }
 
 void StoredBytes::CheckEnd()
 {
-  while (std::isspace(this->Stream.peek()))
+  while (std::isspace(this->Stream->peek()))
   {
-    this->Stream.get();
+    this->Stream->get();
   }
-  if (this->Stream.peek() != '<')
+  if (this->Stream->peek() != '<')
   {
-    throw InputError("holds " + QuoteWord(std::string(1, static_cast<char>(this->Stream.peek()))) +
+    throw InputError("holds " + QuoteWord(std::string(1, static_cast<char>(this->Stream->peek()))) +
       " after its values, where it must end.");
   }
 }

@@ -3,9 +3,11 @@
  */
 #pragma once
 
+#include "GridFiles/VtkStorage.h"
+
 #include <cstdint>
-#include <fstream>
-#include <string>
+#include <istream>
+#include <memory>
 
 namespace vfm
 {
@@ -15,7 +17,7 @@ class StoredBytes
 {
 public:
   /// @param place  place of the first byte, or of white space before the text
-  StoredBytes(const std::string& path, std::int64_t place, bool isBase64);
+  StoredBytes(const VtkStorage& storage, std::int64_t place, bool isBase64);
 
   /// Reads bytes. Returns their number, which is smaller at the end of the file or of the text.
   /// @throws InputError  if the text is not base64; the message names the letter and its place
@@ -34,7 +36,7 @@ private:
   int Letter();
   void ReadGroup();
 
-  std::ifstream Stream;
+  std::unique_ptr<std::istream> Stream;
   std::int64_t Size, Letters = 0;
   bool IsBase64;
   unsigned char Group[3] = {};

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
-#include <fstream>
 #include <map>
 
 namespace vfm
@@ -53,13 +52,13 @@ void CheckCount(std::int64_t found, std::int64_t required, const char* unit)
 }
 
 /// Opens the text of an element: it begins after the first '>', as VTK finds it.
-std::ifstream OpenText(const Job& job)
+std::unique_ptr<std::istream> OpenText(const Job& job)
 {
-  std::ifstream stream(job.Storage.Path, std::ios::binary);
-  stream.seekg(job.Array.Place);
-  for (int c = 0; c != '>' && c != std::ifstream::traits_type::eof();)
+  std::unique_ptr<std::istream> stream = job.Storage.Open();
+  stream->seekg(job.Array.Place);
+  for (int c = 0; c != '>' && c != std::istream::traits_type::eof();)
   {
-    c = stream.get();
+    c = stream->get();
   }
   return stream;
 }
@@ -83,10 +82,10 @@ std::string ReadWord(std::streambuf& text)
 
 void CheckText(const Job& job)
 {
-  const std::ifstream stream = OpenText(job);
+  const std::unique_ptr<std::istream> stream = OpenText(job);
   std::int64_t found = 0;
-  for (std::string word = ReadWord(*stream.rdbuf()); !word.empty();
-       word = ReadWord(*stream.rdbuf()))
+  for (std::string word = ReadWord(*stream->rdbuf()); !word.empty();
+       word = ReadWord(*stream->rdbuf()))
   {
     const auto value = ParseVtkNumber(word, job.Type);
     ++found;
@@ -180,8 +179,8 @@ void ReadPlain(const Job& job, StoredBytes& stored, std::int64_t bytes, const Ta
 
 void CheckBytes(const Job& job, bool isInline)
 {
-  StoredBytes stored(job.Storage.Path,
-    isInline ? std::int64_t(OpenText(job).tellg()) : FindAppended(job),
+  StoredBytes stored(job.Storage,
+    isInline ? std::int64_t(OpenText(job)->tellg()) : FindAppended(job),
     isInline || job.Storage.Encoding == "base64");
   ValueDecoder decoder(job);
   const TakeBytes take = std::ref(decoder);

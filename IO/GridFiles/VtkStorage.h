@@ -4,7 +4,10 @@
 #pragma once
 
 #include <cstdint>
+#include <fstream>
 #include <functional>
+#include <memory>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -19,7 +22,7 @@ using UnpackVtkBlock = std::function<bool(const std::string& compressor,
 /// How a file stores its arrays.
 struct VtkStorage
 {
-  std::string Path;
+  std::string Path;          ///< empty if Bytes are given
   std::string Encoding;      ///< of appended data: "raw" or "base64"
   std::int64_t Begin = 0;    ///< place of the appended data, bytes
   std::int64_t FileSize = 0; ///< bytes
@@ -28,6 +31,17 @@ struct VtkStorage
   std::string Compressor;    ///< empty without compression
   double LargestRatio = 0.0; ///< largest ratio of compression
   UnpackVtkBlock Unpack;
+  std::string Bytes{}; ///< the file itself, if it is in memory
+
+  /// Returns the file as a stream at its begin.
+  std::unique_ptr<std::istream> Open() const
+  {
+    if (this->Path.empty())
+    {
+      return std::make_unique<std::istringstream>(this->Bytes);
+    }
+    return std::make_unique<std::ifstream>(this->Path, std::ios::binary);
+  }
 };
 
 } // namespace vfm

@@ -4,7 +4,12 @@
 #include "FileSuffix.h"
 #include "Ranks/Errors.h"
 #include "Surfaces/FileBytes.h"
+#include "Surfaces/ObjFile.h"
+#include "Surfaces/OffFile.h"
+#include "Surfaces/PlyFile.h"
 #include "Surfaces/StlFile.h"
+#include "Surfaces/ThreeMfFile.h"
+#include "Surfaces/VtpFile.h"
 
 #include <utility>
 
@@ -28,7 +33,12 @@ std::vector<SurfaceFile> ReadAlone(const std::string& bytes, const SurfaceTools&
 
 const std::vector<SurfaceFormat>& ListFormats()
 {
-  static const std::vector<SurfaceFormat> formats{ { ".stl", ReadAlone<ReadStl> } };
+  static const std::vector<SurfaceFormat> formats{ { ".stl", ReadAlone<ReadStl> },
+    { ".obj", ReadAlone<ReadObj> }, { ".ply", ReadAlone<ReadPly> }, { ".off", ReadAlone<ReadOff> },
+    { ".vtp",
+      [](const std::string& bytes, const SurfaceTools& tools)
+      { return std::vector<SurfaceFile>{ ReadVtp(bytes, tools) }; } },
+    { ".3mf", ReadThreeMf } };
   return formats;
 }
 
@@ -75,13 +85,8 @@ std::vector<SurfaceFile> ReadBodies(const std::string& path, const SurfaceTools&
   const SurfaceFormat* format = FindFormat(path);
   if (!format)
   {
-    std::vector<std::string> suffixes;
-    for (const SurfaceFormat& one : ListFormats())
-    {
-      suffixes.push_back(one.Suffix);
-    }
-    throw InputError("it is not a file of a surface: supported are " + JoinTexts(suffixes) +
-      ", each also with .gz.");
+    throw InputError("it is not a file of a surface: supported are " +
+      JoinTexts(GetSurfaceSuffixes()) + ", each also with .gz.");
   }
   std::vector<SurfaceFile> bodies = format->Read(ReadFileBytes(path, tools), tools);
   for (const SurfaceFile& body : bodies)
@@ -103,6 +108,16 @@ SurfaceFile ReadSurface(const std::string& path, const SurfaceTools& tools)
     AppendBody(std::move(bodies[b]), all);
   }
   return all;
+}
+
+std::vector<std::string> GetSurfaceSuffixes()
+{
+  std::vector<std::string> suffixes;
+  for (const SurfaceFormat& format : ListFormats())
+  {
+    suffixes.push_back(format.Suffix);
+  }
+  return suffixes;
 }
 
 bool IsSurfaceFile(const std::string& path)

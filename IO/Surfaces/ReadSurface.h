@@ -32,10 +32,13 @@ struct SurfaceFile
 ///   does not contain the path
 SurfaceFile ReadSurface(const std::string& path, const SurfaceTools& tools = {});
 
-/// Reads the bodies of a file: one, or each object of a 3MF file that has several.
+/// Reads the bodies of a file: one, or each object that a 3MF file builds. Names may be empty, or
+/// repeated.
 /// @throws InputError  same conditions as ReadSurface
 std::vector<SurfaceFile> ReadBodies(const std::string& path, const SurfaceTools& tools = {});
 
+/// Returns the suffixes of the formats, for instance ".stl"; .gz may follow each.
+std::vector<std::string> GetSurfaceSuffixes();
 /// Returns whether the suffix of a path is one of those that ReadSurface reads.
 bool IsSurfaceFile(const std::string& path);
 

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <tuple>
 #include <vector>
 
@@ -21,7 +22,9 @@ struct GeometryTables
   std::vector<Pair> SurfaceMaterials; ///< materials; 0: void or outside the domain
   std::vector<int> SurfaceSides;      ///< -1, or the side of the domain, 0..5 for -x +x -y +y -z +z
   std::vector<int> SurfaceParts;      ///< smooth side of an interface with edges, from 1; else 0
-  std::vector<double> SurfaceAreas;   ///< areas in squared length units of the grid
+  /// Names of sides that the surface of a body names, or ""; empty if there are none.
+  std::vector<std::string> PatchNames;
+  std::vector<double> SurfaceAreas; ///< areas in squared length units of the grid
   std::vector<std::array<double, 3>> SurfaceCentroids; ///< centroids of the area
   /// Mean normals over the area, from the second material to the first. The length is 1 for a plane
   /// and 0 for a closed surface.
@@ -44,8 +47,8 @@ inline bool operator==(const GeometryTables& a, const GeometryTables& b)
   const auto all = [](const GeometryTables& t)
   {
     return std::tie(t.SurfaceVolumes, t.SurfaceMaterials, t.SurfaceSides, t.SurfaceParts,
-      t.SurfaceAreas, t.SurfaceCentroids, t.SurfaceNormals, t.CurveEnds, t.VolumeSurfaces,
-      t.SurfaceCurves, t.CurveVertices, t.EdgeFacets);
+      t.PatchNames, t.SurfaceAreas, t.SurfaceCentroids, t.SurfaceNormals, t.CurveEnds,
+      t.VolumeSurfaces, t.SurfaceCurves, t.CurveVertices, t.EdgeFacets);
   };
   return all(a) == all(b);
 }

@@ -4,7 +4,6 @@
 #include "Elements/PeriodicIds.h"
 #include "Geometry/Junctions.h"
 #include "Geometry/MeasureSurfaces.h"
-#include "Geometry/SmoothSides.h"
 
 #include <mutex>
 
@@ -18,7 +17,7 @@ using SurfaceSet = std::vector<int>;
 using EdgeFacet = std::array<std::int64_t, 5>;
 
 /// Key of a surface: its two sides (SurfaceOf), their materials, and the smooth
-/// side (FindSmoothSides).
+/// side (DivideInterfaces).
 using SurfaceKey = std::array<int, 5>;
 
 SurfaceKey KeyOf(const Facet& facet, int side)
@@ -116,7 +115,9 @@ void SetFacet(std::size_t q, const Facet& facet, int corners, SurfaceFacets& sur
   }
 }
 
-void FillSurfaceTables(const std::vector<SurfaceKey>& surfaces, GeometryTables& tables)
+/// @param names  of sides
+void FillSurfaceTables(const std::vector<SurfaceKey>& surfaces,
+  const std::vector<std::string>& names, GeometryTables& tables)
 {
   for (std::size_t s = 0; s < surfaces.size(); ++s)
   {
@@ -139,6 +140,13 @@ void FillSurfaceTables(const std::vector<SurfaceKey>& surfaces, GeometryTables& 
     tables.SurfaceSides.push_back(key[0] < 0 ? -1 - key[0] : -1);
     const bool isNext = s > 0 && std::equal(key.begin(), key.begin() + 2, surfaces[s - 1].begin());
     tables.SurfaceParts.push_back(key[4] == 0 ? 0 : isNext ? tables.SurfaceParts.back() + 1 : 1);
+    const std::size_t side = static_cast<std::size_t>(key[4]);
+    tables.PatchNames.push_back(side < names.size() ? names[side] : "");
+  }
+  if (std::all_of(tables.PatchNames.begin(), tables.PatchNames.end(),
+        [](const std::string& name) { return name.empty(); }))
+  {
+    tables.PatchNames.clear();
   }
   std::sort(tables.VolumeSurfaces.begin(), tables.VolumeSurfaces.end());
 }
@@ -171,10 +179,10 @@ std::vector<SurfaceKey> ListKeys(
 }
 
 /// Fills the surfaces; returns their number.
-/// @param sides  smooth side of each facet
 Index FillSurfaces(
-  const std::vector<Facet>& facets, const std::vector<int>& sides, Runtime& runtime, Mesh& mesh)
+  const std::vector<Facet>& facets, const DividedFacets& divided, Runtime& runtime, Mesh& mesh)
 {
+  const std::vector<int>& sides = divided.SideOf;
   const Numbering<SurfaceKey> numbers = Gather(runtime.Group(), ListKeys(facets, sides, runtime));
   SurfaceFacets& surfaces = mesh.Surfaces;
   const int corners = mesh.CornersOfFacet();
@@ -198,7 +206,7 @@ Index FillSurfaces(
         surfaces.IsOwned[q] = facet.IsOwned;
       }
     });
-  FillSurfaceTables(numbers.All(), mesh.Tables);
+  FillSurfaceTables(numbers.All(), divided.Names, mesh.Tables);
   return numbers.Count();
 }
 
@@ -357,17 +365,16 @@ void ListEdgeFacets(
 
 } // namespace
 
-void ClassifyGeometry(const std::vector<Facet>& facets, const std::vector<FeatureKind>& kinds,
-  const Partition& partition, Runtime& runtime, Mesh& mesh, MeshReport& report)
+void ClassifyGeometry(const std::vector<Facet>& facets, const DividedFacets& divided,
+  Runtime& runtime, Mesh& mesh, MeshReport& report)
 {
   Ranks& ranks = runtime.Group();
-  const std::vector<int> sides = FindSmoothSides(facets, kinds, mesh, partition);
-  report.NumberOfSurfaces = FillSurfaces(facets, sides, runtime, mesh);
+  report.NumberOfSurfaces = FillSurfaces(facets, divided, runtime, mesh);
   ClassifySurfacePoints(mesh);
   const Junctions junctions(mesh);
   report.NumberOfVertices = FillVertices(junctions, ranks, mesh);
   report.NumberOfCurves = FillCurves(junctions, ranks, mesh);
-  ListEdgeFacets(facets, sides, ranks, mesh);
+  ListEdgeFacets(facets, divided.SideOf, ranks, mesh);
   MeasureSurfaces(mesh, runtime);
 }
 

@@ -3,11 +3,8 @@
  */
 #pragma once
 
-#include "Base/Partition.h"
-#include "Elements/Facet.h"
-#include "Elements/FeatureKind.h"
-#include "Elements/Mesh.h"
 #include "Elements/MeshReport.h"
+#include "Geometry/GivenSides.h"
 
 namespace vfm
 {
@@ -16,7 +13,7 @@ namespace vfm
 ///
 /// - Volume: a fragment.
 /// - Surface: the facets between two volumes, between a volume and unmeshed space, or on one side
-///   of the domain. An interface with edges consists of several surfaces, its smooth sides.
+///   of the domain. An interface with edges consists of several surfaces, its sides.
 /// - Curve: the facet edges where the same surfaces meet.
 /// - Vertex: a point where curves meet or end, or where surfaces touch.
 ///
@@ -27,12 +24,11 @@ namespace vfm
 /// Fills mesh.Surfaces, Curves, Vertices, Tables, GeometryDimension, the GeometryId of points on
 /// facets, and the counts of the report.
 /// @param facets  facets of the mesh
-/// @param kinds  kind of every mesh point (FindSmoothSides)
-/// @param partition  partition of the finest grid
+/// @param divided  sides of the facets (DivideInterfaces)
 /// @param[in,out] mesh  mesh with final point positions; GeometryId of points inside volumes is set
 /// @param[out] report  NumberOfSurfaces, NumberOfCurves and NumberOfVertices are set
 /// @pre Collective.
-void ClassifyGeometry(const std::vector<Facet>& facets, const std::vector<FeatureKind>& kinds,
-  const Partition& partition, Runtime& runtime, Mesh& mesh, MeshReport& report);
+void ClassifyGeometry(const std::vector<Facet>& facets, const DividedFacets& divided,
+  Runtime& runtime, Mesh& mesh, MeshReport& report);
 
 } // namespace vfm

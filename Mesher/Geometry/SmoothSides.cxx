@@ -2,7 +2,7 @@
 
 #include "Base/DisjointSets.h"
 #include "Base/Sorted.h"
-#include "Elements/PeriodicIds.h"
+#include "Geometry/FacetValues.h"
 #include "Geometry/SidePoints.h"
 
 #include <map>
@@ -157,14 +157,7 @@ struct SidedFacets
   }
   Vector3 Normal(std::size_t f) const { return NormalOf(this->Input, this->Facets[f]); }
   /// Returns the ids of the points of a facet, ascending.
-  std::array<Index, 4> KeyOf(std::size_t f) const
-  {
-    std::array<Index, 4> key;
-    std::transform(this->Facets[f].Points.begin(), this->Facets[f].Points.end(), key.begin(),
-      [this](Index p) { return IdOfOwner(this->Input, this->Input.PointIds[p]); });
-    std::sort(key.begin(), key.end());
-    return key;
-  }
+  FacetKey KeyOf(std::size_t f) const { return KeyOfFacet(this->Input, this->Facets[f]); }
   /// Returns, for each point of the mesh, the adjacent facets that have a side.
   Groups<int> ListDecided() const
   {

@@ -337,6 +337,23 @@ OptionTable SurfaceOptions()
       "Smoothing Quadric Surface and an IsoValue of 0.5.")
       .EnabledIf("!StairStep & Smoothing=Quadric Surface")
       .Sculptor("--sharp-edges WHEN"),
+    Row("SurfaceTargets", Choice<&M::UseSurfaces>({ "Off", "On" }),
+      "Place the nodes of interfaces on the closed surfaces from which the volume fractions were "
+      "computed, and take edges, corners and sides from their triangles. Off: from the fractions "
+      "alone. No effect on input without surfaces: they come from surface files and Volume "
+      "Fraction Of Surface. Requires Smoothing Quadric Surface and an IsoValue of 0.5.")
+      .EnabledIf("!StairStep & Smoothing=Quadric Surface")
+      .Advanced()
+      .InPython("surface_targets")
+      .Sculptor("--surface-targets WHEN"),
+    Row("EdgeAngle", Number<&M::EdgeAngle>(EdgeAngles),
+      "Least angle between triangles of a surface, in degrees, at which their common edge is a "
+      "sharp edge of the mesh and separates two sides. Smaller angles find blunter edges, and also "
+      "those of coarse triangles on round surfaces. No effect without Surface Targets, or on input "
+      "without surfaces.")
+      .EnabledIf("SurfaceTargets=On")
+      .Advanced()
+      .Sculptor("--edge-angle A"),
     Row("LabelSmoothing", Number<&M::LabelSmoothing>(0, 10),
       "Smooth the steps of material ids, by this number of averaging passes over neighbour cells. "
       "Each material keeps the volume of its cells, and thin parts stay. 2 or 3 passes suit most "

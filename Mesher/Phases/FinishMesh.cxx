@@ -2,6 +2,7 @@
 
 #include "Geometry/CloseSeam.h"
 #include "Geometry/DisplacedVolume.h"
+#include "Geometry/DivideInterfaces.h"
 #include "Geometry/Geometry.h"
 #include "Geometry/KeepOwned.h"
 #include "Geometry/MeasureMaterials.h"
@@ -16,7 +17,9 @@ Mesh FinishMesh(const MeshCells& cells, ElementMethod& method, MeshRun& run, Dra
   Mesh& mesh = draft.Elements;
   ReportVolumes(cells.Grid, draft.Volumes, run.Report);
   run.Clock.Start("Finding geometry", 0.93);
-  ClassifyGeometry(draft.Facets, draft.Kinds, run.Parts, run.TheRuntime, mesh, run.Report);
+  const DividedFacets divided =
+    DivideInterfaces(draft.Facets, draft.Kinds, mesh, cells.Surfaces, run.Parts, run.TheRuntime);
+  ClassifyGeometry(draft.Facets, divided, run.TheRuntime, mesh, run.Report);
   CloseSeam(run.Parts, mesh);
   KeepOwned(cells.Grid, draft.Barrier, run.TheRuntime, draft.WholeCells, mesh);
   ReportLevels(mesh, draft.RequestedFamilies, run.Group(), run.Report);

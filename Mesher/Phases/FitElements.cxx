@@ -3,6 +3,7 @@
 #include "Interface/SurfaceTargets.h"
 #include "Smoothing/Attach.h"
 #include "Smoothing/AttachFeatures.h"
+#include "Smoothing/EaseFeatures.h"
 #include "Smoothing/EdgePulls.h"
 #include "Volumes/VolumeCorrection.h"
 
@@ -16,6 +17,8 @@ namespace
 // Rounds of EndIntersections after which volumes are corrected, and points move again. Further
 // rounds only put points back.
 constexpr int CorrectedRounds = 4, MovingRounds = 30;
+// Rounds in which edges give way to quality after volumes were corrected, and volumes again.
+constexpr int EasedRounds = 3;
 
 /// Attaches the active points to the interfaces.
 /// @param[out] kinds  of the active points
@@ -32,8 +35,8 @@ SurfaceTargets FindTargets(const MeshCells& cells, const Draft& draft, ElementMe
   const SurfaceTargets::Kind kind = KindOfTargets(cells.Options);
   SurfaceTargets targets(interfaces->All(), kind, run.TheRuntime);
   const std::vector<Facet> features = method.FeatureFacets(cells, draft);
-  kinds = AttachToFeatures(cells, *interfaces->All().back(),
-    features.empty() ? draft.Facets : features, draft.Elements, run, targets, active);
+  kinds = AttachToFeatures(cells, interfaces->All(), features.empty() ? draft.Facets : features,
+    draft.Elements, run, targets, active);
   if (kind == SurfaceTargets::Kind::Quadrics)
   {
     interfaces.reset(); // only facets need them
@@ -122,7 +125,18 @@ void MovePoints(const MeshCells& cells, const SurfaceTargets& targets, const Loc
   {
     correction.Measure();
   }
-  CorrectMesh(conserves, ramp.back(), run.Clock, smoother, correction);
+  for (int round = 0; round <= EasedRounds; ++round)
+  {
+    const bool isEased = cells.Surfaces && EaseFeatures(ramp.back(), smoother);
+    if (isEased)
+    {
+      correction.MeasureAll();
+    }
+    if (round == 0 || isEased)
+    {
+      CorrectMesh(conserves, ramp.back(), run.Clock, smoother, correction);
+    }
+  }
   smoother.ReportMoves(run.Report);
 }
 

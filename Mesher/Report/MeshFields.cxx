@@ -160,6 +160,19 @@ FieldArrays ListMaterials(
   return columns;
 }
 
+namespace
+{
+
+void AddPatchNames(const GeometryTables& tables, FieldArrays& fields)
+{
+  if (!tables.PatchNames.empty())
+  {
+    fields.push_back({ "PatchNames", tables.PatchNames });
+  }
+}
+
+} // namespace
+
 FieldArrays ListSides(const GeometryTables& tables)
 {
   const std::vector<int>& parts = tables.SurfaceParts;
@@ -167,7 +180,9 @@ FieldArrays ListSides(const GeometryTables& tables)
   {
     return {};
   }
-  return { { "SurfaceParts", parts }, FieldOfRows("EdgeFacets", tables.EdgeFacets) };
+  FieldArrays fields{ { "SurfaceParts", parts }, FieldOfRows("EdgeFacets", tables.EdgeFacets) };
+  AddPatchNames(tables, fields);
+  return fields;
 }
 
 void AppendFields(FieldArrays more, FieldArrays& to)
@@ -188,13 +203,15 @@ void ReplaceFields(const FieldArrays& newer, FieldArrays& fields)
 
 FieldArrays ListSurfaces(const GeometryTables& tables)
 {
-  return { FieldOfRows("SurfaceVolumes", tables.SurfaceVolumes),
+  FieldArrays fields{ FieldOfRows("SurfaceVolumes", tables.SurfaceVolumes),
     FieldOfRows("SurfaceMaterials", tables.SurfaceMaterials),
     { "SurfaceSides", tables.SurfaceSides }, { "SurfaceParts", tables.SurfaceParts },
     { "SurfaceAreas", tables.SurfaceAreas },
     FieldOfRows("SurfaceCentroids", tables.SurfaceCentroids),
     FieldOfRows("SurfaceNormals", tables.SurfaceNormals),
     FieldOfRows("VolumeSurfaces", tables.VolumeSurfaces) };
+  AddPatchNames(tables, fields);
+  return fields;
 }
 
 FieldArrays ListCurves(const GeometryTables& tables)

@@ -42,12 +42,13 @@ FieldArrays ListReport(const Mesh& mesh, const MeshReport& report, const Materia
 FieldArrays ListMaterials(
   const MeshReport& report, const Materials& table, const MeshOptions& options);
 
-/// Lists SurfaceParts and EdgeFacets, from which MeshFacets.h finds the surface of a face; nothing
-/// if no interface has several smooth sides.
+/// Lists SurfaceParts and EdgeFacets, from which MeshFacets.h finds the surface of a face, and
+/// PatchNames (MeshSets.h) if there are any; nothing if no interface has several sides.
 FieldArrays ListSides(const GeometryTables& tables);
 
 /// Lists SurfaceVolumes and SurfaceMaterials (two per surface), SurfaceSides, SurfaceParts,
-/// SurfaceAreas, SurfaceCentroids and SurfaceNormals (three per surface), VolumeSurfaces (pairs).
+/// SurfaceAreas, SurfaceCentroids and SurfaceNormals (three per surface), VolumeSurfaces (pairs);
+/// and PatchNames if there are any.
 FieldArrays ListSurfaces(const GeometryTables& tables);
 /// Lists CurveEnds and SurfaceCurves (pairs).
 FieldArrays ListCurves(const GeometryTables& tables);

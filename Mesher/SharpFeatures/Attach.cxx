@@ -29,9 +29,7 @@ struct ModelAt
 
 ModelAt FindModel(const SharpFeatures& models, const SurfacePairs& pairs, Index point, Index pair)
 {
-  const Index surfacePoint = pairs.SurfacePoint[pair];
-  const NodeFeature* feature =
-    pairs.IsOwned[point] && surfacePoint >= 0 ? models.Find(surfacePoint) : nullptr;
+  const NodeFeature* feature = pairs.IsOwned[point] ? models.Find(pairs.Target[pair]) : nullptr;
   return feature
     ? ModelAt{ feature, Divided(pairs.Places[point] - feature->Origin, feature->Widths) }
     : ModelAt{ nullptr, {} };
@@ -146,6 +144,21 @@ FeaturePull MakePull(
 }
 
 } // namespace
+
+std::array<int, 2> InterfaceFeatures::LabelsOf(Index target) const
+{
+  Index point = target - this->FirstTarget;
+  for (const Interface* source : this->Sources)
+  {
+    const Index count = static_cast<Index>(source->Points().size());
+    if (point >= 0 && point < count)
+    {
+      return { { source->Points()[point].First, source->Points()[point].Second } };
+    }
+    point -= count;
+  }
+  return { { -1, -1 } };
+}
 
 FeaturePulls PullToFeatures(const InterfaceFeatures& features, const SurfacePairs& pairs,
   const std::vector<Facet>& facets, SurfaceTargets& targets, Runtime& runtime)

@@ -10,12 +10,15 @@
 namespace vfm
 {
 
-/// Sharp features of an interface.
+/// Sharp features of interfaces.
 struct InterfaceFeatures
 {
   const SharpFeatures& Models;
-  const Interface& Source;
-  Index FirstTarget; ///< target of the interface's first surface point
+  std::vector<const Interface*> Sources; ///< of one or more levels, the finest last
+  Index FirstTarget;                     ///< target of the first surface point of Sources
+
+  /// Returns the labels of the pair of a target, or -1 if it belongs to another level.
+  std::array<int, 2> LabelsOf(Index target) const;
 };
 
 /// Surfaces of a model that attract a point for one pair of labels, in place of the
@@ -39,7 +42,6 @@ struct FeaturePulls
 /// Finds the surfaces that attract the points near sharp features. A carrier is attracted to all
 /// surfaces that meet at its edge or corner, a side point to its side. The model is that of the
 /// surface point that the pair is attached to.
-/// @param features  sharp features of the finest interface
 /// @param pairs  surface points of the mesh in their initial position
 /// @param facets  surface facets of this rank
 /// @param[in,out] targets  the surfaces are appended

@@ -18,7 +18,8 @@ constexpr std::size_t KeyLength = 3; // key of the node, labels of the pair
 
 } // namespace
 
-FeatureSites::FeatureSites(const Interface& interface, const Partition& partition) :
+FeatureSites::FeatureSites(
+  const Interface& interface, const Partition& partition, const PairFilter& isSought) :
   Source(interface), Parts(partition)
 {
   const CartesianGrid& grid = interface.Grid();
@@ -29,7 +30,11 @@ FeatureSites::FeatureSites(const Interface& interface, const Partition& partitio
     {
       for (Index p = interface.PointOffset(n); p < interface.PointOffset(n + 1); ++p)
       {
-        this->TheNear.push_back({ n, p });
+        const FeatureSite site{ n, p };
+        if (!isSought || isSought(this->PairOf(site)))
+        {
+          this->TheNear.push_back(site);
+        }
       }
     }
   }

@@ -13,6 +13,8 @@ namespace vfm
 {
 
 using LabelPair = std::pair<int, int>;
+/// Returns whether a pair is selected; empty: all are.
+using PairFilter = std::function<bool(const LabelPair&)>;
 
 /// A surface point and its node, as positions in Interface::Points() and Nodes().
 struct FeatureSite
@@ -35,7 +37,9 @@ public:
   /// its model is tried.
   static constexpr Index Spread = 2;
 
-  FeatureSites(const Interface& interface, const Partition& partition);
+  /// @param isSought  pairs that have sites
+  FeatureSites(
+    const Interface& interface, const Partition& partition, const PairFilter& isSought = {});
 
   Ranks& Group() const { return this->Parts.Group(); }
 

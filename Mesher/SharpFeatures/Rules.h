@@ -36,8 +36,8 @@ struct SurfacePairs
   const PointExchange& Exchange;            ///< sends values of points to the ranks that share them
   std::vector<Index> Ids;                   ///< id of each point, equal on all ranks
   std::vector<unsigned char> IsOwned;       ///< whether this rank moves each point
-  std::vector<Index> SurfacePoint;          ///< position of each pair in Interface::Points(), or -1
-  /// Labels of each pair, the smaller first; -1 where SurfacePoint is -1.
+  std::vector<Index> Target;                ///< of the surface point of each pair
+  /// Labels of each pair, the smaller first; -1 on levels without features.
   std::vector<std::array<int, 2>> Labels;
 };
 

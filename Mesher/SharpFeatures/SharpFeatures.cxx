@@ -280,22 +280,41 @@ FoundFeatures FindModels(
 } // namespace
 
 SharpFeatures::SharpFeatures(const Interface& interface, const FractionField& fractions,
-  const SurfaceTargets& targets, Index firstTarget, SharpEdgeMode mode, const Partition& partition,
-  Runtime& runtime)
+  const SurfaceTargets& targets, Index firstTarget, const PairFilter& isSought, SharpEdgeMode mode,
+  const Partition& partition, Runtime& runtime)
 {
   if (mode == SharpEdgeMode::Off)
   {
     return;
   }
   const FeatureInput input{ interface, fractions, targets, firstTarget };
-  const FeatureSites sites(interface, partition);
+  const FeatureSites sites(interface, partition, isSought);
   ForFound(sites, FindModels(input, sites, mode, runtime),
     [&](const FeatureSite& site, const FittedFeature& feature)
     {
       const NodeFrame frame = FrameOf(interface, site.Node);
-      this->Points.push_back(site.Point);
+      this->Targets.push_back(firstTarget + site.Point);
       this->Models.push_back({ feature.Model, frame.Origin, frame.Widths });
     });
+}
+
+void SharpFeatures::Add(const SharpFeatures& other)
+{
+  std::vector<std::pair<Index, NodeFeature>> all;
+  for (const SharpFeatures* each : { static_cast<const SharpFeatures*>(this), &other })
+  {
+    for (std::size_t i = 0; i < each->Targets.size(); ++i)
+    {
+      all.emplace_back(each->Targets[i], each->Models[i]);
+    }
+  }
+  std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  *this = SharpFeatures();
+  for (const auto& [target, model] : all)
+  {
+    this->Targets.push_back(target);
+    this->Models.push_back(model);
+  }
 }
 
 } // namespace vfm

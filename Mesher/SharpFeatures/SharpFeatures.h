@@ -11,6 +11,7 @@
 #include "Fractions/FractionField.h"
 #include "Interface/SurfaceTargets.h"
 #include "SharpFeatures/FeatureModel.h"
+#include "SharpFeatures/FeatureSites.h"
 
 namespace vfm
 {
@@ -22,8 +23,8 @@ struct NodeFeature
   Vector3 Origin, Widths; ///< grid coordinates of the interface; they define the frame
 };
 
-/// Models at the surface points of one interface that are near its edges and corners. Owns the
-/// models; it does not change after construction.
+/// Models at the surface points of interfaces that are near their edges and corners, by their
+/// targets. Owns the models; it does not change after construction.
 class SharpFeatures
 {
 public:
@@ -35,32 +36,35 @@ public:
   /// @param fractions  fractions that the interface was made from, owned and ghost cells
   /// @param targets  fitted quadrics of the surface points
   /// @param firstTarget  index in `targets` of the target of the interface's first surface point
+  /// @param isSought  pairs of labels that may have models
   /// @param mode  Off: no models; On: models for all pairs of labels; Automatic: models only for
   ///   pairs whose samples show edges (SharpPairs.h)
   /// @pre Collective; mode is equal on all ranks.
   SharpFeatures(const Interface& interface, const FractionField& fractions,
-    const SurfaceTargets& targets, Index firstTarget, SharpEdgeMode mode,
-    const Partition& partition, Runtime& runtime);
+    const SurfaceTargets& targets, Index firstTarget, const PairFilter& isSought,
+    SharpEdgeMode mode, const Partition& partition, Runtime& runtime);
 
-  /// Returns the model at a surface point (position in Interface::Points()), or nullptr.
-  const NodeFeature* Find(Index point) const
+  /// Returns the model at the surface point of a target, or nullptr.
+  const NodeFeature* Find(Index target) const
   {
-    const auto at = std::lower_bound(this->Points.begin(), this->Points.end(), point);
-    return at != this->Points.end() && *at == point ? &this->Models[at - this->Points.begin()]
-                                                    : nullptr;
+    const auto at = std::lower_bound(this->Targets.begin(), this->Targets.end(), target);
+    return at != this->Targets.end() && *at == target ? &this->Models[at - this->Targets.begin()]
+                                                      : nullptr;
   }
-  bool IsEmpty() const { return this->Points.empty(); }
+  bool IsEmpty() const { return this->Targets.empty(); }
 
-  /// Stores given models, for tests and for features known from another source.
-  /// @param points  positions in Interface::Points(), ascending
-  /// @param models  one per point
-  SharpFeatures(std::vector<Index> points, std::vector<NodeFeature> models) :
-    Points(std::move(points)), Models(std::move(models))
+  /// Stores given models.
+  /// @param targets  of surface points, ascending
+  /// @param models  one per target
+  SharpFeatures(std::vector<Index> targets, std::vector<NodeFeature> models) :
+    Targets(std::move(targets)), Models(std::move(models))
   {
   }
+  /// Adds the models of other targets.
+  void Add(const SharpFeatures& other);
 
 private:
-  std::vector<Index> Points;
+  std::vector<Index> Targets;
   std::vector<NodeFeature> Models;
 };
 

@@ -1,6 +1,7 @@
 #include "Smoothing/AttachFeatures.h"
 
 #include "Elements/PeriodicIds.h"
+#include "GivenSurfaces/FollowSurfaces.h"
 #include "Smoothing/RefineTargets.h"
 
 namespace vfm
@@ -23,14 +24,8 @@ SurfacePairs ListPairs(
   }
   for (const Attachment& attachment : active.Attachments)
   {
-    const Index point = std::max<Index>(attachment.Target - features.FirstTarget, -1);
-    pairs.SurfacePoint.push_back(point);
-    pairs.Labels.push_back({ { -1, -1 } });
-    if (point >= 0)
-    {
-      const SurfacePoint& surface = features.Source.Points()[point];
-      pairs.Labels.back() = { { surface.First, surface.Second } };
-    }
+    pairs.Target.push_back(attachment.Target);
+    pairs.Labels.push_back(features.LabelsOf(attachment.Target));
   }
   return pairs;
 }
@@ -113,27 +108,39 @@ std::vector<FeatureKind> AttachFeatures(const InterfaceFeatures& features,
   return std::move(pulls.Kinds);
 }
 
-std::vector<FeatureKind> AttachToFeatures(const MeshCells& cells, const Interface& interface,
-  const std::vector<Facet>& facets, const Mesh& mesh, MeshRun& run, SurfaceTargets& targets,
-  ActiveMesh& active)
+std::vector<FeatureKind> AttachToFeatures(const MeshCells& cells,
+  const std::vector<const Interface*>& interfaces, const std::vector<Facet>& facets,
+  const Mesh& mesh, MeshRun& run, SurfaceTargets& targets, ActiveMesh& active)
 {
   const MeshOptions& options = cells.Options;
   const bool hasQuadrics =
     options.IsoValue == 0.5 && options.Smoothing == SmoothingMethod::QuadricSurface;
-  const Index firstTarget = targets.Count() - static_cast<Index>(interface.Points().size());
+  const BodySurfaces* surfaces = hasQuadrics ? cells.Surfaces : nullptr;
+  const Interface& finest = *interfaces.back();
+  const Index ofFinest = targets.Count() - static_cast<Index>(finest.Points().size());
   std::vector<FeatureKind> kinds(active.X.size(), FeatureKind::None);
+  const PairFilter hasNoSurface = [surfaces](const LabelPair& pair)
+  { return !surfaces || surfaces->FindOfInterface(pair.first, pair.second) < 0; };
+  SharpFeatures features;
+  if (surfaces)
+  {
+    run.Clock.Start("Following surfaces", 0.21);
+    features = FollowSurfaces(
+      *surfaces, interfaces, options.SharpEdges != SharpEdgeMode::Off, run.TheRuntime, targets);
+  }
   if (options.SharpEdges != SharpEdgeMode::Off && hasQuadrics)
   {
     run.Clock.Start("Finding sharp features", 0.22);
-    const SharpFeatures features(interface, cells.Fractions, targets, firstTarget,
-      options.SharpEdges, run.Parts, run.TheRuntime);
-    kinds = AttachFeatures(
-      { features, interface, firstTarget }, facets, mesh, targets, active, run.TheRuntime);
+    features.Add(SharpFeatures(finest, cells.Fractions, targets, ofFinest, hasNoSurface,
+      options.SharpEdges, run.Parts, run.TheRuntime));
+    const InterfaceFeatures all = surfaces ? InterfaceFeatures{ features, interfaces, 0 }
+                                           : InterfaceFeatures{ features, { &finest }, ofFinest };
+    kinds = AttachFeatures(all, facets, mesh, targets, active, run.TheRuntime);
     CountCarriers(kinds, active, run);
   }
   if (HasCurvedEdges(options) && hasQuadrics)
   {
-    RefineTargets(interface, cells.Fractions, firstTarget, active, run.TheRuntime, targets);
+    RefineTargets(finest, cells.Fractions, ofFinest, hasNoSurface, active, run.TheRuntime, targets);
   }
   return kinds;
 }

@@ -21,14 +21,15 @@ std::vector<FeatureKind> AttachFeatures(const InterfaceFeatures& features,
   Runtime& runtime);
 
 /// Finds the edges of interfaces, if the options request it, and attracts the attached points to
-/// them. Refines the targets of curved elements.
-/// @param interface  interface of the finest grid
+/// them: from the given surfaces on all levels, from the fractions on the finest. Refines the
+/// targets of curved elements.
+/// @param interfaces  LevelInterfaces::All
 /// @param facets  facets whose edges may be sharp
 /// @param[in,out] targets,active  targets and attached points; points near edges get new targets
 /// @return kind of every point of the active mesh
 /// @pre Collective.
-std::vector<FeatureKind> AttachToFeatures(const MeshCells& cells, const Interface& interface,
-  const std::vector<Facet>& facets, const Mesh& mesh, MeshRun& run, SurfaceTargets& targets,
-  ActiveMesh& active);
+std::vector<FeatureKind> AttachToFeatures(const MeshCells& cells,
+  const std::vector<const Interface*>& interfaces, const std::vector<Facet>& facets,
+  const Mesh& mesh, MeshRun& run, SurfaceTargets& targets, ActiveMesh& active);
 
 } // namespace vfm

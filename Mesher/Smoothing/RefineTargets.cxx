@@ -47,7 +47,7 @@ Index NodeOf(const Interface& interface, Index point)
 } // namespace
 
 void RefineTargets(const Interface& interface, const FractionField& fractions, Index firstTarget,
-  const ActiveMesh& active, Runtime& runtime, SurfaceTargets& targets)
+  const PairFilter& isSought, const ActiveMesh& active, Runtime& runtime, SurfaceTargets& targets)
 {
   const auto points = static_cast<Index>(interface.Points().size());
   const std::vector<Index> list = ListTargets(active, firstTarget, firstTarget + points);
@@ -56,6 +56,10 @@ void RefineTargets(const Interface& interface, const FractionField& fractions, I
     {
       const Index point = list[i] - firstTarget;
       const SurfacePoint& surface = interface.Points()[point];
+      if (!isSought({ surface.First, surface.Second }))
+      {
+        return;
+      }
       const NodeFrame frame = FrameOf(interface, NodeOf(interface, point));
       FeatureModel model = ModelOf(targets.QuadricOf(list[i], frame.Origin, frame.Widths));
       std::vector<SampleCell> cells;

@@ -11,6 +11,7 @@
 
 #include "Fractions/FractionField.h"
 #include "Interface/SurfaceTargets.h"
+#include "SharpFeatures/FeatureSites.h"
 #include "Smoothing/ActiveMesh.h"
 
 namespace vfm
@@ -22,7 +23,8 @@ namespace vfm
 /// @param interface  interface of the finest grid
 /// @param fractions  fractions that the interface was made from, owned and ghost cells
 /// @param firstTarget  target of the interface's first surface point
+/// @param isSought  pairs of labels whose targets are replaced
 void RefineTargets(const Interface& interface, const FractionField& fractions, Index firstTarget,
-  const ActiveMesh& active, Runtime& runtime, SurfaceTargets& targets);
+  const PairFilter& isSought, const ActiveMesh& active, Runtime& runtime, SurfaceTargets& targets);
 
 } // namespace vfm

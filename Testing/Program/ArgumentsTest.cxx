@@ -88,6 +88,30 @@ TEST(Arguments, FilesWithAndWithoutOptions)
   }
 }
 
+TEST(Arguments, Surfaces)
+{
+  for (const char* line :
+    { "a.stl b.OBJ out.vtu", "a.stl b.OBJ --output out.vtu", "--output out.vtu a.stl b.OBJ",
+      "--input a.stl --input b.OBJ out.vtu", "--input a.stl --quiet b.OBJ out.vtu" })
+  {
+    const Arguments arguments = Parse(line);
+    EXPECT_EQ(arguments.SurfaceFiles, Words({ "a.stl", "b.OBJ" })) << line;
+    EXPECT_EQ(arguments.Output, "out.vtu") << line;
+    EXPECT_FALSE(arguments.Cells || arguments.GridWidths) << line;
+  }
+  EXPECT_EQ(Parse("a.stl --output b.stl").SurfaceFiles, Words({ "a.stl" }));
+  EXPECT_TRUE(Parse("in.vti out.stl").SurfaceFiles.empty());
+  EXPECT_EQ(Parse("--list a.stl b.stl --cells 9").SurfaceFiles.size(), 2u);
+  const Arguments cells = Parse("a.stl out.vtu --cells 80 --cell-width 2");
+  EXPECT_EQ(cells.Cells, 80);
+  EXPECT_FALSE(cells.GridWidths);
+  EXPECT_EQ(cells.Mesher.CellWidth, "2"); // of the mesh
+  const Arguments width = Parse("a.stl out.vtu --cell-width .5");
+  EXPECT_EQ(width.GridWidths, (std::array<double, 3>{ 0.5, 0.5, 0.5 }));
+  EXPECT_EQ(width.Mesher.CellWidth, "0"); // the grid has it
+  EXPECT_EQ(Parse("a.stl out.vtu --cell-width 2 --material-widths a=1").Mesher.CellWidth, "2");
+}
+
 TEST(Arguments, ValuesOfTheProgram)
 {
   const Arguments none = ParseMesh("");
@@ -164,6 +188,8 @@ TEST(Arguments, OptionsOfTheMesher)
     { "--set Method=1 --tetmesh", { { "Method", "Cells" } } },
     { "--aspect 1.5", { { "MaximumAspectRatio", "1.5" } } },
     { "--sharp-edges on", { { "SharpEdges", "On" } } },
+    { "--surface-targets off --edge-angle 30",
+      { { "SurfaceTargets", "Off" }, { "EdgeAngle", "30" } } },
     { "--clip 0.01", { { "FractionTolerance", "0.01" } } },
     { "--label-smoothing 2", { { "LabelSmoothing", "2" } } },
     { "--minimum-region 2", { { "MinimumRegionCells", "2" } } },
@@ -232,7 +258,20 @@ TEST(Arguments, RejectedWords)
       { "in.vti", "--output FILE is missing, as in sculptor in.vti mesh.vtu." },
       { "in.vti out.vtu c.vtu",
         "'c.vtu' is one file too many: the input and the output are already given." },
-      { "in.vti out.vtu --output b.vtu", "--output is given twice." },
+      { "in.vti out.vtu --output b.vtu",
+        "'out.vtu' is one file too many: the input and the output are already given." },
+      { "--input in.vti --input b.vti out.vtu", "'b.vti' is one file too many" },
+      { "part.stl in.vti out.vtu",
+        "Surfaces can only be meshed with surfaces, but of the inputs part.stl is a surface and "
+        "in.vti is not." },
+      { "in.vti part.stl out.vtu", "part.stl is a surface and in.vti is not." },
+      { "part.stl other.stl",
+        "--output FILE is missing, as in sculptor part.stl other.stl mesh.vtu." },
+      { "in.vti out.vtu --cells 9", "--cells is for surfaces: .stl" },
+      { "part.stl out.vtu --cells 4", "--cells takes an integer from 5, not '4'." },
+      { "part.stl out.vtu --cell-width 0,1,1",
+        "--cell-width of surfaces takes widths above 0, not '0,1,1'." },
+      { "part.stl out.vtu --spacing 1,1,1", "--spacing is for .nii" },
       { "tset", "The input tset is of an unknown format. Supported formats: .vti" },
       { "in.xyz out.vtu", "The input in.xyz is of an unknown format. Supported formats: .vti" },
       { "in.vti no.obj", "The output no.obj is of an unknown format. Supported formats: .vtu" },
@@ -318,6 +357,8 @@ TEST(Arguments, RejectedOptionsOfTheMesher)
     { { "--iso 0,5", "The option IsoValue cannot be '0,5': it takes" },
       { "--smooth 3", "QuadricSurface" },
       { "--sharp-edges round", "The option SharpEdges cannot be 'round'" },
+      { "--edge-angle 180", "The option EdgeAngle cannot be '180'" },
+      { "--surface-targets maybe", "The option SurfaceTargets cannot be 'maybe'" },
       { "--clip 0.2", "The option FractionTolerance cannot be '0.2'" },
       { "--label-smoothing 11", "The option LabelSmoothing cannot be '11'" },
       { "--minimum-region -1", "The option MinimumRegionCells cannot be '-1'" },

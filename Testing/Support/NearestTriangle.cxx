@@ -31,12 +31,23 @@ double DistanceToTriangle(const Vector3& x, const NearestTriangle::Corners& t)
   return isOver ? std::fabs(Dot(x - t[0], normal)) : nearest;
 }
 
+NearestTriangle::Ball NearestTriangle::BallAround(const Corners& triangle)
+{
+  Ball ball{ 1.0 / 3.0 * (triangle[0] + triangle[1] + triangle[2]), 0.0 };
+  for (const Vector3& corner : triangle)
+  {
+    ball.Radius = std::max(ball.Radius, Norm(corner - ball.Centre));
+  }
+  return ball;
+}
+
 NearestTriangle::NearestTriangle(std::vector<Corners> triangles, double binWidth) :
   Triangles(std::move(triangles)), Lower(this->Triangles[0][0]), Width(binWidth)
 {
   Vector3 upper = this->Lower;
   for (const Corners& triangle : this->Triangles)
   {
+    this->Balls.push_back(BallAround(triangle));
     for (const Vector3& corner : triangle)
     {
       for (int a = 0; a < 3; ++a)
@@ -89,10 +100,17 @@ IndexBox NearestTriangle::BinsOf(const Corners& triangle) const
 
 double NearestTriangle::Distance(const Vector3& x) const
 {
-  double nearest = 1e300;
+  const int nearest = this->Find(x, [](int, double distance) { return distance; });
+  return DistanceToTriangle(x, this->Triangles[nearest]);
+}
+
+int NearestTriangle::Find(const Vector3& x, const std::function<double(int, double)>& badness) const
+{
+  double least = 1e300;
+  int found = -1;
   const Index3 middle = this->BinOf(x);
   // A triangle in no bin within `reach` bins of x is farther away than reach widths.
-  for (Index reach = 0; nearest > (reach - 1) * this->Width; ++reach)
+  for (Index reach = 0; least > (reach - 1) * this->Width; ++reach)
   {
     IndexBox bins;
     for (int a = 0; a < 3; ++a)
@@ -112,12 +130,21 @@ double NearestTriangle::Distance(const Vector3& x) const
         for (Index m = this->Members.Begin[group];
              away == reach && m < this->Members.Begin[group + 1]; ++m)
         {
-          nearest =
-            std::min(nearest, DistanceToTriangle(x, this->Triangles[this->Members.Items[m]]));
+          const int triangle = this->Members.Items[m];
+          if (Norm(x - this->Balls[triangle].Centre) - this->Balls[triangle].Radius >= least)
+          {
+            continue;
+          }
+          const double bad = badness(triangle, DistanceToTriangle(x, this->Triangles[triangle]));
+          if (bad < least)
+          {
+            least = bad;
+            found = triangle;
+          }
         }
       });
   }
-  return nearest;
+  return found;
 }
 
 } // namespace testing

@@ -2,10 +2,8 @@
 
 #include "Base/Vector3.h"
 #include "MeshChecks.h"
-#include "NearestTriangle.h"
 
 #include <map>
-#include <set>
 
 namespace vfm
 {
@@ -16,7 +14,6 @@ namespace
 
 constexpr double DomainWidth = 2.6;
 constexpr double SampleStep = 0.1; // in cells, along edges
-constexpr int SamplesOfFacet = 4;  // along each direction of a facet
 
 using Point2 = std::array<double, 2>;
 
@@ -186,93 +183,6 @@ Figure Scaled(Figure figure, double scale)
   return figure;
 }
 
-SharpDistances Summarise(std::vector<double> values)
-{
-  SharpDistances d;
-  if (values.empty())
-  {
-    return d;
-  }
-  double squares = 0.0;
-  for (double value : values)
-  {
-    squares += value * value;
-  }
-  std::sort(values.begin(), values.end());
-  d.Largest = values.back();
-  d.RootMeanSquare = std::sqrt(squares / values.size());
-  d.Percentile99 = values[static_cast<std::size_t>(0.99 * (values.size() - 1))];
-  return d;
-}
-
-template <class Distance>
-SharpDistances Measure(const std::vector<Vector3>& points, const Distance& distance)
-{
-  std::vector<double> values;
-  values.reserve(points.size());
-  for (const Vector3& x : points)
-  {
-    values.push_back(distance(x));
-  }
-  return Summarise(std::move(values));
-}
-
-/// The interface of a mesh: its facets that do not lie on a side of the domain.
-struct InterfaceOfMesh
-{
-  explicit InterfaceOfMesh(const Mesh& mesh);
-
-  std::vector<Vector3> Nodes;
-  std::vector<Vector3> Samples;
-  std::vector<NearestTriangle::Corners> Triangles;
-};
-
-InterfaceOfMesh::InterfaceOfMesh(const Mesh& mesh)
-{
-  const auto pointAt = [&](Index p)
-  {
-    const double* x = mesh.Points.data() + 3 * p;
-    return Vector3{ { x[0], x[1], x[2] } };
-  };
-  const int corners = mesh.CornersOfFacet();
-  std::set<Index> points;
-  for (std::size_t f = 0; f < mesh.Surfaces.DomainSide.size(); ++f)
-  {
-    if (mesh.Surfaces.DomainSide[f] >= 0)
-    {
-      continue;
-    }
-    std::array<Vector3, 4> x;
-    for (int c = 0; c < corners; ++c)
-    {
-      points.insert(mesh.Surfaces.Points[corners * f + c]);
-      x[c] = pointAt(mesh.Surfaces.Points[corners * f + c]);
-    }
-    for (int i = 0; i < SamplesOfFacet * SamplesOfFacet; ++i)
-    {
-      const double u = (i % SamplesOfFacet + .5) / SamplesOfFacet;
-      const double v = (i / SamplesOfFacet + .5) / SamplesOfFacet;
-      const double r = std::sqrt(u); // distributes samples evenly over a triangle
-      this->Samples.push_back(corners == 4
-          ? (1 - u) * (1 - v) * x[0] + u * (1 - v) * x[1] + u * v * x[2] + (1 - u) * v * x[3]
-          : (1 - r) * x[0] + r * (1 - v) * x[1] + r * v * x[2]);
-    }
-    const Vector3 centre = .25 * (x[0] + x[1] + x[2] + x[3]);
-    for (int c = 0; corners == 4 && c < 4; ++c)
-    {
-      this->Triangles.push_back({ { x[c], x[(c + 1) % 4], centre } });
-    }
-    if (corners == 3)
-    {
-      this->Triangles.push_back({ { x[0], x[1], x[2] } });
-    }
-  }
-  for (Index p : points)
-  {
-    this->Nodes.push_back(pointAt(p));
-  }
-}
-
 } // namespace
 
 std::vector<std::string> ListSharpCases()
@@ -315,7 +225,7 @@ SharpCase MakeSharpCase(const std::string& name, int cells)
 
 SharpFigures MeasureSharp(const SharpCase& c, const Mesh& mesh, const MeshReport& report)
 {
-  const InterfaceOfMesh interface(mesh);
+  const MeshInterface interface(mesh);
   SharpFigures figures;
   figures.VolumeError = std::fabs(MeasureVolume(mesh, 1) / report.TargetVolume[1] - 1.0);
   figures.NodesToSurface = Measure(interface.Nodes, c.Distance);

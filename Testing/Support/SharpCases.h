@@ -9,6 +9,7 @@
 
 #include "Phases/MeshOfCells.h"
 #include "Shapes/ShapesFractions.h"
+#include "Parts/MeshInterface.h"
 
 #include <string>
 
@@ -35,11 +36,6 @@ std::vector<std::string> ListSharpCases();
 SharpCase MakeSharpCase(const std::string& name, int cells);
 
 /// Distances in cells.
-struct SharpDistances
-{
-  double Largest = 0.0, RootMeanSquare = 0.0, Percentile99 = 0.0;
-};
-
 struct SharpFigures
 {
   SharpDistances NodesToSurface; ///< interface points to the true surface

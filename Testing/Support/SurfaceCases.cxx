@@ -2,6 +2,7 @@
 
 #include "Base/PortableMath.h"
 #include "Base/Vector3.h"
+#include "Shapes/SurfaceFractions.h"
 
 #include <utility>
 
@@ -127,6 +128,59 @@ ClosedSurface TubeSurface(
     AddQuad(a + 2, b + 2, b + 3, a + 3, surface);
   }
   return surface;
+}
+
+ClosedSurface Turned(ClosedSurface surface, const Vector3& centre, const Vector3& degrees)
+{
+  for (Vector3& point : surface.Points)
+  {
+    Vector3 x = point - centre;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double angle = degrees[axis] * Pi / 180.0;
+      const double c = Cosine(angle), s = Sine(angle);
+      const double u = x[(axis + 1) % 3], v = x[(axis + 2) % 3];
+      x[(axis + 1) % 3] = c * u - s * v;
+      x[(axis + 2) % 3] = s * u + c * v;
+    }
+    point = centre + x;
+  }
+  return surface;
+}
+
+InputSurfaces MakeBodies(const std::vector<ClosedSurface>& surfaces)
+{
+  InputSurfaces bodies;
+  for (const ClosedSurface& surface : surfaces)
+  {
+    bodies.Bodies.push_back(
+      MakeBody(std::to_string(bodies.Bodies.size() + 1), surface.Points, surface.Triangles));
+  }
+  return bodies;
+}
+
+FractionField FractionsOfBodies(const CartesianGrid& grid, const InputSurfaces& surfaces)
+{
+  Runtime runtime;
+  const std::vector<Buffer<double>> arrays =
+    FractionsOfSurfaces(grid.Coordinates(), grid.Local(), surfaces, runtime);
+  FractionField field(grid, static_cast<int>(arrays.size()));
+  Index n = 0;
+  ForCells(grid.Local(),
+    [&](const Index3& cell)
+    {
+      std::vector<FractionField::Part> parts;
+      for (std::size_t m = 0; m < arrays.size(); ++m)
+      {
+        if (arrays[m][n] > 0.0)
+        {
+          parts.push_back({ static_cast<int>(m) + 1, arrays[m][n] });
+        }
+      }
+      field.SetParts(grid.Linear(cell), parts);
+      ++n;
+    });
+  return field;
 }
 
 } // namespace testing

@@ -3,7 +3,8 @@
  */
 #pragma once
 
-#include "Surfaces/ClosedSurface.h"
+#include "Fractions/FractionField.h"
+#include "Surfaces/InputSurfaces.h"
 
 namespace vfm
 {
@@ -28,6 +29,16 @@ ClosedSurface Together(ClosedSurface first, const ClosedSurface& second);
 /// @param segments  number of flat sides around
 ClosedSurface TubeSurface(
   const Vector3& start, double length, double outerRadius, double innerRadius, int segments);
+
+/// Returns a surface that is turned about a point by Euler angles in degrees about x, y, z (R =
+/// Rz Ry Rx).
+ClosedSurface Turned(ClosedSurface surface, const Vector3& centre, const Vector3& degrees);
+
+/// Returns bodies of the names "1", "2", ..
+InputSurfaces MakeBodies(const std::vector<ClosedSurface>& surfaces);
+
+/// Returns the exact fractions of bodies, of materials 1, 2, ..., in the local cells of a grid.
+FractionField FractionsOfBodies(const CartesianGrid& grid, const InputSurfaces& surfaces);
 
 } // namespace testing
 } // namespace vfm

@@ -70,6 +70,7 @@ MesherInput MakeInput(const MesherCall& call, Runtime& runtime)
   input.Arrays = { call.Fractions, call.Labels, call.Names,
     CompleteChoice(call.State, ArrayLists{ collected.Blocks[0].Arrays }, runtime.Group()),
     call.AreGuessed, false, call.LabelsOption };
+  input.Surfaces = call.Surfaces;
   input.Levels = FindInputLevels(std::move(collected), runtime.Group());
   return input;
 }

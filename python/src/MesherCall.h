@@ -28,6 +28,7 @@ struct MesherCall
   StateChoice State;
   bool AreGuessed;
   std::string LabelsOption;
+  std::shared_ptr<const InputSurfaces> Surfaces; ///< may be null
 };
 
 /// Reads a dict, or None.

@@ -1,6 +1,7 @@
 /**
  * Module: the Python module _core; _core.pyi describes its functions.
  */
+#include "BindBodies.h"
 #include "BindChoice.h"
 #include "Blocks/BlockFile.h"
 #include "CheckGridFile.h"
@@ -14,6 +15,7 @@
 #include "Phases/MeshOfCells.h"
 #include "PythonRuntime.h"
 #include "Ranks/PrintableText.h"
+#include "ReadSurfaces.h"
 #include "RunOptions.h"
 #include "ShapeFractions.h"
 #include "WriteFile.h"
@@ -35,8 +37,6 @@ namespace nb = nanobind;
 using namespace nb::literals;
 
 using Numbers = nb::ndarray<const double, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
-using Places = nb::ndarray<const double, nb::shape<-1, 3>, nb::c_contig, nb::device::cpu>;
-using Corners = nb::ndarray<const std::int64_t, nb::shape<-1, 3>, nb::c_contig, nb::device::cpu>;
 using NodeArrays = std::array<Numbers, 3>;
 
 vfm::NodeCoordinates Copy(const NodeArrays& nodes)
@@ -49,27 +49,18 @@ vfm::NodeCoordinates Copy(const NodeArrays& nodes)
   return coordinates;
 }
 
-template <class Row, class Array>
-std::vector<Row> CopyRows(const Array& values)
-{
-  std::vector<Row> rows(values.shape(0));
-  for (std::size_t r = 0; r < rows.size(); ++r)
-  {
-    std::copy_n(values.data() + 3 * r, 3, rows[r].begin());
-  }
-  return rows;
-}
-
 nb::dict MakeMesh(const vfm::FileBlocks* blocks,
   const std::vector<std::pair<std::string, vfm::NumpyArray>>& arrays, const NodeArrays& coordinates,
   const std::array<double, 9>& axes, const std::array<double, 3>& origin, bool arePoints,
   const std::vector<std::string>& fractions, const std::string& labels,
   const vfm::LabelNames& names, nb::handle state, const vfm::MesherOptions& options,
-  nb::handle progress, nb::handle warn, bool areGuessed, const std::string& labelsOption)
+  nb::handle progress, nb::handle warn, bool areGuessed, const std::string& labelsOption,
+  const vfm::Bodies* bodies)
 {
   const vfm::MesherCall call{ blocks ? blocks->Blocks : std::vector<vfm::InputBlock>(), arrays,
     Copy(coordinates), axes, origin, arePoints, fractions, labels, names,
-    vfm::ReadStateChoice(state, options.StateTransfer), areGuessed, labelsOption };
+    vfm::ReadStateChoice(state, options.StateTransfer), areGuessed, labelsOption,
+    bodies ? bodies->Surfaces : nullptr };
   const vfm::MesherOptions kept = options; // other threads may change options during the run
   vfm::PythonRuntime runtime(kept.NumberOfThreads, progress);
   vfm::MesherResult result;
@@ -93,17 +84,11 @@ nb::list FillShapes(const std::string& text, const NodeArrays& coordinates, doub
   return vfm::FractionsOfText(text, Copy(coordinates), tolerance, runtime);
 }
 
-nb::list FillSurfaces(const std::vector<std::tuple<std::string, Places, Corners>>& surfaces,
-  const NodeArrays& coordinates, int threads, nb::handle progress)
+nb::list FillSurfaces(
+  const vfm::Bodies& bodies, const NodeArrays& coordinates, int threads, nb::handle progress)
 {
-  std::vector<vfm::NamedTriangles> named;
-  for (const auto& [name, points, triangles] : surfaces)
-  {
-    named.push_back(
-      { name, CopyRows<vfm::Vector3>(points), CopyRows<vfm::PointTriangle>(triangles) });
-  }
   vfm::PythonRuntime runtime(threads, progress);
-  return vfm::FractionsInside(std::move(named), Copy(coordinates), runtime);
+  return vfm::FractionsInside(*bodies.Surfaces, Copy(coordinates), runtime);
 }
 
 vfm::FileBlocks ReadBlocks(const std::string& path, int step,
@@ -174,15 +159,18 @@ NB_MODULE(_core, module)
   module.attr("has_tetgen") = vfm::HasTetGen();
   vfm::BindOptions(module);
   BindBlocks(module);
+  vfm::BindBodies(module);
   vfm::BindChecks(module);
   vfm::BindChoice(module);
   vfm::BindFaces(module);
   vfm::BindMeasures(module);
   vfm::BindModify(module);
+  vfm::BindSurfaceFiles(module);
   vfm::BindWriters(module);
   module.def("mesh", MakeMesh, "blocks"_a.none(), "arrays"_a, "coordinates"_a, "axes"_a, "origin"_a,
     "are_points"_a, "fractions"_a, "labels"_a, "label_names"_a, "state"_a.none(), "options"_a,
-    "progress"_a.none(), "warn"_a, "guessed"_a = false, "labels_option"_a = "--labels");
+    "progress"_a.none(), "warn"_a, "guessed"_a = false, "labels_option"_a = "--labels",
+    "bodies"_a.none() = nb::none());
   module.def("read_label_names", ReadNames, "path"_a);
   module.def("shape_fractions", FillShapes, "text"_a, "coordinates"_a, "tolerance"_a, "threads"_a,
     "progress"_a.none());

@@ -60,21 +60,6 @@ std::vector<Shape> MakeShapes(const std::string& text, const NodeCoordinates& co
   return shapes;
 }
 
-InputSurfaces MakeBodies(std::vector<NamedTriangles> surfaces)
-{
-  InputSurfaces bodies;
-  for (NamedTriangles& surface : surfaces)
-  {
-    PrefixErrors(surfaces.size() > 1 ? surface.Name + ": " : "",
-      [&]
-      {
-        bodies.Bodies.push_back(
-          MakeBody(surface.Name, std::move(surface.Points), std::move(surface.Triangles)));
-      });
-  }
-  return bodies;
-}
-
 } // namespace
 
 nanobind::list FractionsOfText(const std::string& text, const NodeCoordinates& coordinates,
@@ -89,11 +74,11 @@ nanobind::list FractionsOfText(const std::string& text, const NodeCoordinates& c
 }
 
 nanobind::list FractionsInside(
-  std::vector<NamedTriangles> surfaces, const NodeCoordinates& coordinates, PythonRuntime& runtime)
+  const InputSurfaces& surfaces, const NodeCoordinates& coordinates, PythonRuntime& runtime)
 {
   return RunToNumpy(coordinates, runtime,
     [&](const IndexBox& cells)
-    { return FractionsOfSurfaces(coordinates, cells, MakeBodies(std::move(surfaces)), runtime); });
+    { return FractionsOfSurfaces(coordinates, cells, surfaces, runtime); });
 }
 
 } // namespace vfm

@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "Surfaces/ClosedSurface.h"
+#include "Surfaces/InputSurfaces.h"
 
 #include <nanobind/nanobind.h>
 
@@ -22,18 +22,9 @@ using NodeCoordinates = std::array<std::vector<double>, 3>;
 nanobind::list FractionsOfText(const std::string& text, const NodeCoordinates& coordinates,
   double tolerance, PythonRuntime& runtime);
 
-struct NamedTriangles
-{
-  std::string Name;
-  std::vector<Vector3> Points;
-  std::vector<PointTriangle> Triangles;
-};
-
-/// Returns the fractions inside closed surfaces: one array per surface with one value per cell, x
-/// fastest.
-/// @throws InputError if a surface is not closed; its name is in the message if there are several.
-///   Also if there are no cells; exceptions of PythonRuntime::Run
+/// Returns the fractions inside bodies: one array per body with one value per cell, x fastest.
+/// @throws InputError if there are no cells; exceptions of PythonRuntime::Run
 nanobind::list FractionsInside(
-  std::vector<NamedTriangles> surfaces, const NodeCoordinates& coordinates, PythonRuntime& runtime);
+  const InputSurfaces& surfaces, const NodeCoordinates& coordinates, PythonRuntime& runtime);
 
 } // namespace vfm

@@ -136,6 +136,22 @@ def test_surface(run):
                                                atol=0.02)
 
 
+def test_surfaces(run):
+    """Several surfaces are materials; a width without a number of cells is that of the grid."""
+    for name, shift in (("one", 0), ("two", 0.5)):
+        write_stl(run.folder / (name + ".stl"), CUBE + [shift, 0, 0], TRIANGLES, True)
+    run("@one.stl", "@two.stl", "@out.vtu", "--cells", "16")
+    mesh = read(run.folder / "out.vtu")
+    assert set(mesh["MaterialId"]) == {1, 2} and "one" in mesh.field_data["MaterialNames"]
+    run("@one.stl", "@a.vtu", "--cell-width", "0.125")
+    run("@one.stl", "@b.vtu", "--cells", "12")
+    assert (run.folder / "a.vtu").read_bytes() == (run.folder / "b.vtu").read_bytes()
+    np.save(run.folder / "labels.npy", LABELS)
+    told = run("@labels.npy", "@one.stl", "@out.vtu", status=1)
+    assert "one.stl is a surface and" in told and "labels.npy is not" in told
+    assert "at least 5" in run("@one.stl", "@out.vtu", "--cells", "0", status=1)
+
+
 def test_errors(run):
     np.savez(run.folder / "both.npz", ball=BALL, plate=PLATE + 1)
     np.save(run.folder / "flat.npy", BALL[0])

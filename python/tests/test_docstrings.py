@@ -37,7 +37,7 @@ def list_public():
     for name in vfm.__all__:
         thing = getattr(vfm, name)
         if not getattr(thing, "__module__", "").startswith("volume_fraction_mesh.") or (
-                thing is vfm.Blocks):  # compiled
+                thing in (vfm.Blocks, vfm.Bodies)):  # compiled
             continue
         found[name] = thing
         if inspect.isclass(thing):

@@ -33,7 +33,8 @@ def blocks():
 def test_code(number, tmp_path, monkeypatch, capsys):
     nibabel = pytest.importorskip("nibabel")
     pytest.importorskip("meshio")
-    write_stl(tmp_path / "part.stl", CUBE, TRIANGLES, True)
+    for name, shift in (("part", 0), ("shaft", 0), ("housing", 0.5)):
+        write_stl(tmp_path / (name + ".stl"), CUBE + shift, TRIANGLES, True)
     for name, array in (("labels", GRAINS), ("steel", BALL), ("copper", PLATE)):
         np.save(tmp_path / (name + ".npy"), array)
     code, printed = blocks()[number]

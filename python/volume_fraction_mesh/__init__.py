@@ -9,7 +9,7 @@ Cartesian and AMR grids.
 """
 
 from ._call import Run
-from ._core import Blocks, has_tetgen
+from ._core import Blocks, Bodies, has_tetgen
 from ._core import version as __version__
 from ._dolfinx import DolfinxMesh
 from ._facets import Facets, Separated
@@ -28,6 +28,7 @@ from .mesh import Mesh
 __all__ = [
     "Arrays",
     "Blocks",
+    "Bodies",
     "Cohesive",
     "Curves",
     "DolfinxMesh",

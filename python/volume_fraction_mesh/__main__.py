@@ -1,4 +1,4 @@
-"""vfmesh makes a mesh file from a file of volume fractions, labels or a closed surface."""
+"""vfmesh makes a mesh file from a file of volume fractions, labels or closed surfaces."""
 
 from __future__ import annotations
 
@@ -10,12 +10,13 @@ from typing import Any, Dict, List, Optional
 
 from . import VolumeFractionMeshWarning, __version__, fragments, hexes, tets
 from ._core import Option, list_options, read_label_names
+from ._images import Fractions
 from ._output import ended_by_signals, find_conflict, whole_file
 from ._read import find_files, is_surface, read, sort_slices
 from ._readers.report import one_line
 from ._run import LABELS_OPTION
 from ._save import BY_CORE
-from ._shapes import surface
+from ._shapes import DEFAULT_CELLS, surface
 from .mesh import Mesh
 
 OPTIONS = list_options()
@@ -53,8 +54,9 @@ def make_parser() -> argparse.ArgumentParser:
     parser.add_argument("input", nargs="+",
                         help=".npy, .npz, .vti and other files of VTK, NIfTI, NRRD, MetaImage, "
                         "TIFF, PNG and other pictures, .dream3d, .spcth, Exodus, the folder of an "
-                        "AMReX plotfile, .stl; or slices: a folder, a pattern such as "
-                        "'slices/*.tif', or files")
+                        "AMReX plotfile; slices: a folder, a pattern such as 'slices/*.tif', or "
+                        "files; or closed surfaces (.stl, ..), each a material with the name of "
+                        "its file if there are several, where the first has priority")
     parser.add_argument("output", help="%s or another format of Mesh.save" % ", ".join(BY_CORE))
     parser.add_argument("--version", action="version", version=__version__)
     parser.add_argument("--tets", action="store_true", help="make tetrahedra instead of hexahedra")
@@ -87,8 +89,9 @@ def make_parser() -> argparse.ArgumentParser:
                         help="order of the axes of arrays in .npy and .npz")
     parser.add_argument("--trust-input", action="store_true",
                         help="the header may name files outside of its folder")
-    parser.add_argument("--cells", type=int, default=64,
-                        help="number of cells along the longest side of a surface (64)")
+    parser.add_argument("--cells", type=int,
+                        help="number of cells along the longest side of surfaces (64); or "
+                        "--cell-width")
     parser.add_argument("--step", type=int, default=0,
                         help="index of the time step in .spcth, Exodus and TIFF, from 0")
     for name, told in (
@@ -138,15 +141,33 @@ def _check_files(words: argparse.Namespace) -> None:
         raise ValueError(problem)
 
 
+def _read_surfaces(words: argparse.Namespace) -> Fractions:
+    """Returns the fractions of surfaces. --cell-width without --cells is the width of their grid;
+    the mesher then keeps these cells."""
+    paths = words.input
+    other = next((path for path in paths if not is_surface(path)), None)
+    if other is not None:
+        raise ValueError(
+            "Surfaces can only be meshed with surfaces, but of the inputs %s is a surface and %s "
+            "is not." % (next(filter(is_surface, paths)), other))
+    if words.spacing or words.volume is not None:
+        raise ValueError("--spacing and --volume do not apply to the surface %s: --cells or "
+                         "--cell-width sets the grid." % paths[0])
+    surfaces = paths if len(paths) > 1 else paths[0]
+    widths = [float(width) for width in str(words.cell_width).replace(",", " ").split()]
+    if words.cells is not None or not any(widths):
+        return surface(surfaces, DEFAULT_CELLS if words.cells is None else words.cells)
+    if not words.material_widths:
+        words.cell_width = 0.0
+    return surface(surfaces, cell_width=widths[0] if len(widths) == 1 else widths)
+
+
 def _read_input(words: argparse.Namespace) -> Any:
     """Returns the content of the input file or files."""
+    if any(map(is_surface, words.input)):
+        return _read_surfaces(words)
     path = words.input[0] if len(words.input) == 1 else sort_slices(words.input)
     spacing = words.spacing
-    if isinstance(path, str) and is_surface(path):
-        if spacing or words.volume is not None:
-            raise ValueError("--spacing and --volume do not apply to the surface %s: --cells "
-                             "sets the grid." % path)
-        return surface(path, words.cells)
     return read(path, step=words.step, volume=words.volume, origin=words.origin, order=words.order,
                 trust_input=words.trust_input,
                 spacing=spacing[0] if spacing and len(spacing) == 1 else spacing)
@@ -154,11 +175,12 @@ def _read_input(words: argparse.Namespace) -> Any:
 
 def _arguments(words: argparse.Namespace) -> Dict[str, Any]:
     """Returns the arguments of hexes() or tets()."""
+    found = _read_input(words)  # may take the option cell_width
     given: Dict[str, Any] = {
         option.name: getattr(words, option.name) for option in OPTIONS if words.tets
         or not option.tets
     }
-    given["labels" if words.labels else "fractions"] = _read_input(words)
+    given["labels" if words.labels else "fractions"] = found
     if words.names is not None:
         given["names"] = read_label_names(words.names)
     given.update(

@@ -49,6 +49,8 @@ class Options:
     stair_step: bool
     smoothing: Literal["off", "quadric_surface", "geometry_based"]
     sharp_edges: Literal["off", "on", "automatic"]
+    surface_targets: Literal["off", "on"]
+    edge_angle: float
     label_smoothing: int
     element_order: Literal["linear", "quadratic", "quadratic27"]
     conserve_volume: bool
@@ -135,6 +137,31 @@ class Blocks:
     """Name of the array that holds labels; empty without labels."""
 
     def __len__(self) -> int: ...
+
+class Bodies:
+    """Closed surfaces of the bodies from which volume fractions were computed."""
+
+    names: List[str]
+    """Names of the bodies; where they overlap, the first has priority."""
+
+    def __init__(self, bodies: Sequence[Tuple[
+        str, NDArray[np.float64], NDArray[np.int64], Optional[NDArray[np.int32]], List[str]
+    ]]) -> None:
+        """Makes closed surfaces that face outwards.
+
+        bodies: name, points of shape (n, 3), of which equal ones are merged, triangles of shape
+        (m, 3), patch of each triangle, from 0, or None, and the names of the patches. Raises
+        ValueError if a surface is open; the message begins with its name if there are several.
+        """
+
+    def __len__(self) -> int: ...
+    def __getitem__(self, name: str) -> Dict[str, Any]: ...
+    def _renamed(self, names: Dict[str, str]) -> Bodies: ...
+    def _place(
+        self, cells: Sequence[int], widths: Optional[Sequence[float]]
+    ) -> List[NDArray[np.float64]]:
+        """Returns the nodes of a grid around the bodies. cells: number along the longest side, or
+        three numbers; widths: of the cells, instead."""
 
 class MaterialChoice:
     """Arrays that hold the materials, result of choose_materials()."""
@@ -248,6 +275,7 @@ def mesh(
     warn: Callable[[str], object],
     guessed: bool = False,
     labels_option: str = "--labels",
+    bodies: Optional[Bodies] = None,
 ) -> MeshDict:
     """Makes a mesh.
 
@@ -279,6 +307,8 @@ def mesh(
         then an error, otherwise a warning.
     labels_option : str
         Words in front of the name of an array that select it as labels, for messages.
+    bodies : Bodies, optional
+        Surfaces from which the fractions were computed, by the names of their arrays.
 
     Returns
     -------
@@ -370,17 +400,28 @@ def read_label_names(path: str) -> Dict[int, str]:
     Warns if names are not UTF-8; they are then read as Windows-1252, which contains Latin-1.
     """
 
+def read_surface(
+    path: str, inflate: Callable[[bytes, int, int], bytes]
+) -> List[Tuple[str, NDArray[np.float64], NDArray[np.int64], NDArray[np.int32], List[str], str]]:
+    """Returns name, points of shape (n, 3), triangles of shape (m, 3), patches of shape (m,), names of
+    patches, and a note, for each body of a file.
+
+    inflate: unpacks bytes, given windowBits of zlib and the largest size; raises ValueError if they
+    are damaged. Raises ValueError, with the path, if the file is damaged or has no triangles.
+    """
+
+def is_surface_file(path: str) -> bool:
+    """Returns whether read_surface reads files with the suffix of a path."""
+
 def surface_fractions(
-    surfaces: Sequence[Tuple[str, NDArray[np.float64], NDArray[np.int64]]],
+    surfaces: Bodies,
     coordinates: Coordinates,
     threads: int,
     progress: Progress,
 ) -> List[NDArray[np.float64]]:
     """Returns the exact volume fractions inside closed surfaces, each of shape (cells,).
 
-    surfaces: name, points of shape (n, 3), of which equal ones are merged, and triangles of shape
-    (m, 3). Where surfaces overlap, the first one keeps its volume. Raises ValueError if a surface is
-    open or not manifold; the message begins with its name if there are several.
+    Where surfaces overlap, the first one keeps its volume.
     """
 
 def element_volumes(points: NDArray[np.float64], cells: NDArray[np.int64],

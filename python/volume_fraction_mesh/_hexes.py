@@ -59,6 +59,8 @@ def hexes(
     stair_step: bool = False,
     smoothing: Literal["off", "quadric_surface", "geometry_based"] = "quadric_surface",
     sharp_edges: Literal["off", "on", "automatic"] = "automatic",
+    surface_targets: Literal["off", "on"] = "on",
+    edge_angle: float = 40.0,
     label_smoothing: int = 0,
     element_order: Literal["linear", "quadratic", "quadratic27"] = "linear",
     conserve_volume: bool = True,
@@ -253,6 +255,16 @@ def hexes(
         points of interfaces are tested. "automatic": only between materials where samples of the
         points that one surface does not fit show edges, so not in fluids and noise. Requires
         ``smoothing="quadric_surface"`` and an `iso_value` of 0.5.
+    surface_targets : {"off", "on"}, default "on"
+        Place the nodes of interfaces on the closed surfaces from which the volume fractions were
+        computed, and take edges, corners and sides from their triangles. "off": from the fractions
+        alone. No effect on input without surfaces: they come from surface files and Volume Fraction
+        Of Surface. Requires ``smoothing="quadric_surface"`` and an `iso_value` of 0.5.
+    edge_angle : float, default 40.0
+        A number from 1 to 179. Least angle between triangles of a surface, in degrees, at which
+        their common edge is a sharp edge of the mesh and separates two sides. Smaller angles find
+        blunter edges, and also those of coarse triangles on round surfaces. No effect without
+        `surface_targets`, or on input without surfaces.
     label_smoothing : int, default 0
         An integer from 0 to 10. Smooth the steps of material ids, by this number of averaging
         passes over neighbour cells. Each material keeps the volume of its cells, and thin parts
@@ -439,7 +451,8 @@ def hexes(
         nodal_velocity=nodal_velocity, lost_kinetic_energy=lost_kinetic_energy,
         unmeshed_material=unmeshed_material, particle_clusters=particle_clusters,
         least_particle=least_particle, stair_step=stair_step, smoothing=smoothing,
-        sharp_edges=sharp_edges, label_smoothing=label_smoothing, element_order=element_order,
+        sharp_edges=sharp_edges, surface_targets=surface_targets, edge_angle=edge_angle,
+        label_smoothing=label_smoothing, element_order=element_order,
         conserve_volume=conserve_volume, cell_width=cell_width, material_widths=material_widths,
         allowed_error=allowed_error, refinement=refinement, maximum_level=maximum_level,
         fine_interfaces=fine_interfaces, fine_layers=fine_layers, thin_cells=thin_cells,

@@ -11,9 +11,11 @@ import numpy as np
 
 from ._arrays import as_numbers, check_3d, flatten, shaped
 from ._choice import has_materials
+from ._core import Bodies
 from ._grid import AXES, Grid, even_nodes, point_nodes
 from ._readers.cartesian_cells import REMEDY, find_grid
 from ._readers.label_names import find_caret_names, find_segments, join_segments, unique_names
+from ._surfaces import bodies_of_fields
 
 GHOSTS = "vtkGhostType"
 VTK_CLASSES = ("vtkImageData", "vtkRectilinearGrid", "vtkStructuredGrid", "vtkUnstructuredGrid")
@@ -31,6 +33,7 @@ class Image(NamedTuple):
     addition to the image. names: of labels, from the file. has_labels: bytes are labels, as in
     files of images, not fractions of 255. hint: what to do if the arrays cannot be used together.
     note: text of a warning if no spacing is given; warning: text of one that does not depend on it.
+    surfaces: from which the fractions were computed.
     """
 
     grid: Grid
@@ -42,6 +45,7 @@ class Image(NamedTuple):
     hint: str = ""
     note: str = ""
     warning: str = ""
+    surfaces: Optional[Bodies] = None
 
 
 class Fractions(Dict[str, np.ndarray]):
@@ -57,6 +61,8 @@ class Fractions(Dict[str, np.ndarray]):
         Nodes along x, y and z, shapes (nx + 1,), (ny + 1,) and (nz + 1,), increasing.
     order : {"xyz", "zyx"}
         Order of the axes of the arrays.
+    surfaces : Bodies, optional
+        Surfaces from which the fractions were computed, by the names of the arrays.
 
     Attributes
     ----------
@@ -64,6 +70,8 @@ class Fractions(Dict[str, np.ndarray]):
         The parameter `coordinates`.
     order : {"xyz", "zyx"}
         The parameter `order`.
+    surfaces : Bodies or None
+        The parameter `surfaces`.
 
     See Also
     --------
@@ -81,13 +89,14 @@ class Fractions(Dict[str, np.ndarray]):
     """
 
     def __init__(self, arrays: Mapping[str, np.ndarray], coordinates: Sequence[np.ndarray],
-                 order: str):
+                 order: str, surfaces: Optional[Bodies] = None):
         super().__init__(arrays)
         self.coordinates = tuple(coordinates)
         self.order = order
+        self.surfaces = surfaces
 
     def __reduce__(self) -> Tuple[Any, ...]:
-        return Fractions, (dict(self), self.coordinates, self.order)
+        return Fractions, (dict(self), self.coordinates, self.order, self.surfaces)
 
 
 class Arrays(Dict[str, np.ndarray]):
@@ -180,7 +189,8 @@ def _read_fractions(value: Fractions, names: Optional[Sequence[str]]) -> Image:
     for name, array in value.items():
         check_3d(array, name)
         arrays[name] = flatten(array, value.order)
-    return Image(grid, arrays, list(value) if names is None else check_names(names), value.order)
+    return Image(grid, arrays, list(value) if names is None else check_names(names), value.order,
+                 surfaces=value.surfaces)
 
 
 def read_vtk(data: Any, names: Optional[Sequence[str]], is_file: bool = False) -> Image:
@@ -218,7 +228,9 @@ def read_vtk(data: Any, names: Optional[Sequence[str]], is_file: bool = False) -
         grid = _rectilinear_grid(data)
     else:
         grid, arrays = _join_cells(data, arrays)
-    return Image(grid, arrays, None if is_file else chosen, "zyx")
+    is_turned = not np.array_equal(grid.direction, np.eye(3))
+    return Image(grid, arrays, None if is_file else chosen, "zyx",
+                 surfaces=None if is_turned else bodies_of_fields(data))
 
 
 def _has_all(data: Any, names: Optional[Sequence[str]]) -> bool:

@@ -8,7 +8,7 @@ import numpy as np
 
 from ._arrays import CellArrays, as_fractions, as_numbers, cells_of, check_3d, check_order
 from ._choice import LABELS_HINT, Contents, choose, list_contents
-from ._core import Blocks
+from ._core import Blocks, Bodies
 from ._grid import NOWHERE, UNIT, Grid, is_default, make_grid
 from ._images import Image, check_names, read_image
 
@@ -28,6 +28,7 @@ class Field(NamedTuple):
     blocks: Optional[Blocks] = None  # read from a file; grid and arrays are then empty
     guessed: bool = False  # whether the arrays and their kind were chosen by their contents
     note: str = ""  # text of a warning
+    surfaces: Optional[Bodies] = None  # from which the fractions were computed
 
 
 class Source(NamedTuple):
@@ -143,13 +144,15 @@ def _name_fractions(arrays: CellArrays, image: Image, have_names: bool, given: S
     """Makes the field of arrays that hold fractions or masks. have_names: whether the user named
     the arrays."""
     chosen, names = list(image.chosen or arrays.flat), given.names
+    surfaces = image.surfaces
     if names is not None:
         if have_names:
             raise TypeError("fractions have names already: names cannot be given too.")
         renamed = dict(zip(chosen, _rename(chosen, names)))
         arrays = arrays.renamed(renamed)
         chosen = list(renamed.values())
-    return Field(arrays, image.grid, chosen, "", {})
+        surfaces = surfaces and surfaces._renamed(renamed)
+    return Field(arrays, image.grid, chosen, "", {}, surfaces=surfaces)
 
 
 def _given_grid(cells: Any, given: Source) -> Grid:

@@ -25,7 +25,7 @@ from ._warning import VolumeFractionMeshWarning
 
 PathLike = Union[str, "os.PathLike[str]"]
 CALLER = 3  # stack level of the caller of read(), for warnings
-SURFACES = (".stl", ".obj", ".ply", ".off")
+SURFACES = (".obj", ".ply", ".off")  # by meshio
 VTK = (*vtk_files.READERS, ".vtk")
 SLICES = (*tiff_files.ENDINGS, *pictures.ENDINGS)
 
@@ -145,7 +145,7 @@ def find_files(path: str) -> List[str]:
 
 def is_surface(path: str) -> bool:
     """Returns whether a path is a file of a closed surface, by its ending."""
-    return path.lower().endswith(SURFACES)
+    return _core.is_surface_file(path) or path.lower().endswith(SURFACES)
 
 
 def _read_blocks(path: str, names: Optional[List[str]], choice: Choice) -> Blocks:

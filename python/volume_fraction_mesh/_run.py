@@ -62,6 +62,7 @@ def run_mesher(
                 warn=told.append,
                 guessed=field.guessed,
                 labels_option=LABELS_OPTION.get(),
+                bodies=field.surfaces,
             )
     finally:
         for text in told:

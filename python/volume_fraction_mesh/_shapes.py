@@ -13,11 +13,12 @@ from ._arrays import check_order, shaped
 from ._grid import make_grid
 from ._images import Fractions
 from ._progress import shown
-from ._surfaces import read_surface
+from ._surfaces import read_bodies
 from ._types import Order, Progress, Triple
 
 TOLERANCES = (1e-8, 0.1)
-MARGIN = 2  # cells between surfaces and each side of the grid
+LEAST_CELLS = 5  # along each axis of a grid around surfaces
+DEFAULT_CELLS = 64  # along the longest side of surfaces
 
 
 def _check_tolerance(value: Any) -> float:
@@ -122,8 +123,9 @@ def shapes(
 
 def surface(
     surfaces: Any,
-    cells: Union[int, Sequence[int]] = 64,
+    cells: Union[int, Sequence[int]] = DEFAULT_CELLS,
     *,
+    cell_width: Optional[Triple] = None,
     triangles: Optional[ArrayLike] = None,
     bounds: Optional[Sequence[float]] = None,
     coordinates: Optional[Sequence[ArrayLike]] = None,
@@ -136,15 +138,16 @@ def surface(
 
     Parameters
     ----------
-    surfaces : path, pyvista.PolyData, meshio.Mesh, array_like or tuple, or dict of them
+    surfaces : path, pyvista.PolyData, meshio.Mesh, array_like or tuple, or dict or list
         A closed surface: a file, an object of PyVista or meshio, points of shape (n, 3), or a tuple
-        (points, triangles). A dict holds one surface per material, by name. Where surfaces overlap,
-        the first keeps its volume; in cells that both cut, the others get at most the rest. The
-        walls of a cavity must face opposite to the outer walls. STL files require only NumPy,
-        other files meshio.
+        (points, triangles). A dict holds one surface per material, by name; a list of files gives
+        the materials the names of the files. Where surfaces overlap, the first one keeps its
+        volume. Files of formats other than those of `sculptor` require meshio.
     cells : int or sequence of 3 ints, default 64
         Numbers of cells along x, y and z. One number is the number along the longest side, with
         cubic cells.
+    cell_width : float or three of them, optional
+        Width of the cells instead, in the unit of the surfaces.
     triangles : array_like of int, shape (m, 3), optional
         Triangles of an array of points.
     bounds, coordinates : see shapes
@@ -158,12 +161,12 @@ def surface(
     -------
     Fractions
         Dict of float64 arrays, named as in `surfaces`, or "Material1". `hexes` and `tets` accept
-        it.
+        it, and place nodes, edges and sides by the triangles, which are its attribute `surfaces`.
 
     Raises
     ------
     ValueError
-        If a surface is open or not manifold, or a file does not hold a surface.
+        If a surface is open, or a file does not hold a surface.
     TypeError
         If an argument has the wrong type.
     ImportError
@@ -184,32 +187,27 @@ def surface(
     >>> mesh.materials["Name"], mesh.materials["MeshVolume"].round(4)  # 1 / 6
     (['steel'], array([0.1667]))
     """
-    named = dict(surfaces) if isinstance(surfaces, Mapping) else {"Material1": surfaces}
-    if triangles is not None and isinstance(surfaces, Mapping):
-        raise TypeError(
-            "triangles belong to one array of points: for several surfaces give a dict "
-            "{name: (points, triangles)}."
-        )
-    if not named:
-        raise ValueError("surfaces are empty: at least one is required.")
     _check_tolerance(tolerance)
     thread_count = _core.Options(False, threads=threads).threads
-    found = {name: read_surface(value, triangles) for name, value in named.items()}
+    if cell_width is not None and (
+            bounds is not None or np.any(np.not_equal(cells, DEFAULT_CELLS))):
+        raise ValueError("Both cell_width and cells or bounds are given: give one or the other.")
+    bodies = read_bodies(surfaces, triangles)
     if bounds is None and coordinates is None:
-        nodes = _fit([points for points, _ in found.values()], cells)
+        nodes = _fit(bodies, cells, cell_width)
     else:
-        nodes = _nodes(_counts(cells), 1.0, (0, 0, 0), bounds, coordinates)
+        nodes = _nodes(_counts(cells), (1.0, 1.0, 1.0), (0, 0, 0), bounds, coordinates)
     check_order(order)
     with shown(progress) as call:
-        arrays = _core.surface_fractions([(name, *value) for name, value in found.items()],
-                                         list(nodes), thread_count, call)
-    return _pack(dict(zip(found, arrays)), nodes, order)
+        arrays = _core.surface_fractions(bodies, list(nodes), thread_count, call)
+    return _pack(dict(zip(bodies.names, arrays)), nodes, order, bodies)
 
 
-def _pack(flat: Mapping[str, np.ndarray], nodes: Sequence[np.ndarray], order: str) -> Fractions:
+def _pack(flat: Mapping[str, np.ndarray], nodes: Sequence[np.ndarray], order: str,
+          bodies: Optional[_core.Bodies] = None) -> Fractions:
     counts = [len(x) - 1 for x in nodes]
     return Fractions({name: shaped(array, counts, order) for name, array in flat.items()}, nodes,
-                     order)
+                     order, bodies)
 
 
 def _counts(cells: Any, least: int = 1) -> Tuple[int, ...]:
@@ -239,16 +237,16 @@ def _nodes(counts: Sequence[int], spacing: Any, origin: Any, bounds: Any,
     return make_grid(counts, (sides[1::2] - sides[::2]) / counts, sides[::2], None, None).nodes
 
 
-def _fit(surfaces: List[np.ndarray], cells: Any) -> Tuple[np.ndarray, ...]:
-    """Returns the nodes of cubic cells around all surfaces, with the surfaces in the centre."""
-    lower = np.min([points.min(axis=0) for points in surfaces], axis=0)
-    upper = np.max([points.max(axis=0) for points in surfaces], axis=0)
-    counts = np.array(_counts(cells, 2 * MARGIN + 1))
-    width = ((upper - lower) / (counts - 2 * MARGIN)).max()
-    if not (np.isfinite(width) and width > 0):
-        raise ValueError("The surfaces have no extent, or points that are not finite.")
-    if np.ndim(cells) == 0:  # as few as contain the surfaces
-        counts = np.minimum(counts,
-                            np.ceil((upper - lower) / width * (1 - 1e-9)).astype(int) + 2 * MARGIN)
-    corner = 0.5 * (lower + upper) - 0.5 * width * counts
-    return make_grid(counts.tolist(), width, corner, None, None).nodes
+def _fit(bodies: _core.Bodies, cells: Any, width: Any) -> Tuple[np.ndarray, ...]:
+    """Returns the nodes of a grid around all bodies, with these in its centre."""
+    if width is None:
+        counts = _counts(cells, LEAST_CELLS)
+        return tuple(bodies._place(counts[:1] if np.ndim(cells) == 0 else counts, None))
+    text = "cell_width is %r: one number above 0 is required, or three." % (width,)
+    try:
+        widths = np.broadcast_to(np.asarray(width, np.float64), 3)
+    except (TypeError, ValueError):
+        raise TypeError(text) from None
+    if not (np.isfinite(widths) & (widths > 0)).all():
+        raise ValueError(text)
+    return tuple(bodies._place([], widths.tolist()))

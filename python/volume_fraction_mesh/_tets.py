@@ -59,6 +59,8 @@ def tets(
     stair_step: bool = False,
     smoothing: Literal["off", "quadric_surface", "geometry_based"] = "quadric_surface",
     sharp_edges: Literal["off", "on", "automatic"] = "automatic",
+    surface_targets: Literal["off", "on"] = "on",
+    edge_angle: float = 40.0,
     label_smoothing: int = 0,
     element_order: Literal["linear", "quadratic", "quadratic27"] = "linear",
     conserve_volume: bool = True,
@@ -159,17 +161,17 @@ def tets(
         Option of `hexes`, with the same default.
     state_transfer, state_order, nodal_velocity, lost_kinetic_energy, unmeshed_material : see hexes
         Option of `hexes`, with the same default.
-    particle_clusters, least_particle, sharp_edges, label_smoothing, element_order : see hexes
+    particle_clusters, least_particle, sharp_edges, surface_targets, edge_angle : see hexes
         Option of `hexes`, with the same default.
-    conserve_volume, cell_width, material_widths, allowed_error, refinement : see hexes
+    label_smoothing, element_order, conserve_volume, cell_width, material_widths : see hexes
         Option of `hexes`, with the same default.
-    maximum_level, fine_interfaces, thin_cells, curvature_per_cell : see hexes
+    allowed_error, refinement, maximum_level, fine_interfaces, thin_cells : see hexes
         Option of `hexes`, with the same default.
-    refine_flipped_cells, interface_layers, maximum_aspect_ratio, child_fractions : see hexes
+    curvature_per_cell, refine_flipped_cells, interface_layers, maximum_aspect_ratio : see hexes
         Option of `hexes`, with the same default.
-    split_interfaces, split_connection, layers, layer_growth, first_layer : see hexes
+    child_fractions, split_interfaces, split_connection, layers, layer_growth : see hexes
         Option of `hexes`, with the same default.
-    first_layer_unit, layer_interfaces, layers_on, layer_sides, threads : see hexes
+    first_layer, first_layer_unit, layer_interfaces, layers_on, layer_sides, threads : see hexes
         Option of `hexes`, with the same default.
 
     Returns
@@ -218,7 +220,8 @@ def tets(
         nodal_velocity=nodal_velocity, lost_kinetic_energy=lost_kinetic_energy,
         unmeshed_material=unmeshed_material, particle_clusters=particle_clusters,
         least_particle=least_particle, stair_step=stair_step, smoothing=smoothing,
-        sharp_edges=sharp_edges, label_smoothing=label_smoothing, element_order=element_order,
+        sharp_edges=sharp_edges, surface_targets=surface_targets, edge_angle=edge_angle,
+        label_smoothing=label_smoothing, element_order=element_order,
         conserve_volume=conserve_volume, cell_width=cell_width, material_widths=material_widths,
         allowed_error=allowed_error, refinement=refinement, maximum_level=maximum_level,
         fine_interfaces=fine_interfaces, fine_layers=fine_layers, thin_cells=thin_cells,

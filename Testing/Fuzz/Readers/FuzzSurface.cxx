@@ -82,6 +82,24 @@ void CheckFractions(const ClosedSurface& surface)
   }
 }
 
+/// Checks that points and triangles in reverse order give the same surface.
+void CheckOrder(
+  std::vector<Vector3> points, std::vector<PointTriangle> triangles, const ClosedSurface& expected)
+{
+  std::reverse(points.begin(), points.end());
+  std::reverse(triangles.begin(), triangles.end());
+  const Index last = static_cast<Index>(points.size()) - 1;
+  for (PointTriangle& t : triangles)
+  {
+    t = { { last - t[1], last - t[2], last - t[0] } };
+  }
+  const ClosedSurface found = CloseSurface(points, triangles);
+  if (found.Points != expected.Points || found.Triangles != expected.Triangles)
+  {
+    throw std::logic_error("a surface that depends on the order of the input");
+  }
+}
+
 } // namespace
 
 void ReadBytes(const std::string& bytes)
@@ -91,7 +109,11 @@ void ReadBytes(const std::string& bytes)
     return;
   }
   const std::vector<Vector3> points = ReadPoints(bytes);
-  CheckFractions(CloseSurface(points, ReadTriangles(bytes, 1 + points.size() * sizeof(Vector3))));
+  const std::vector<PointTriangle> triangles =
+    ReadTriangles(bytes, 1 + points.size() * sizeof(Vector3));
+  const ClosedSurface surface = CloseSurface(points, triangles);
+  CheckOrder(points, triangles, surface);
+  CheckFractions(surface);
 }
 
 } // namespace testing

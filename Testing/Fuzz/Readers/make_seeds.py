@@ -6,12 +6,14 @@ Needs only the standard library; seeds of Dream3d also need h5py, one of Exodus
 needs the program nccopy; they are left out without them.
 """
 import gzip
+import io
 import os
 import shutil
 import struct
 import subprocess
 import sys
 import tempfile
+import zipfile
 import zlib
 from base64 import b64encode
 
@@ -442,6 +444,93 @@ def surface_seeds():
     yield "cavity", surface(CORNERS + inner, cube + [(8 + a, 8 + c, 8 + b) for a, b, c in cube])
 
 
+TET = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
+SIDES = [(0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2)]
+
+
+def stl_seeds():
+    corners = [[TET[p] for p in side] for side in SIDES]
+    records = b"".join(struct.pack("<12fH", 0, 0, 0, *(x for c in three for x in c), 0x801f + t)
+                       for t, three in enumerate(corners))
+    yield "binary", b"solid binary".ljust(80) + struct.pack("<I", 4) + records
+    yield "magics", b"COLOR=abcd".ljust(80) + struct.pack("<I", 4) + records + b"trailing"
+    facets = ["facet normal 0 0 0\nouter loop\n%sendloop\nendfacet\n" % "".join(
+        "vertex %g %g %g\n" % c for c in three) for three in corners]
+    yield "text", "solid a\n%sendsolid a\nsolid b\n%sendsolid b\n" % (
+        "".join(facets[:2]), "".join(facets[2:]))
+
+
+def obj_seeds():
+    points = "".join("v %g %g %g\n" % p for p in CORNERS)
+    yield "cube", "o cube\n" + points + (
+        "usemtl a\nf 1 3 4 2\nf 5/1 6/2 8/3 7/4\ng side\nf 1//1 2//1 6//1 \\\n5\nusemtl b\n"
+        "f -6 -2 -1 -5\nf 1 5 7 3\nf 2 4 8 6\n")
+    yield "bent", "v 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\nv 0 0 0\nv 2 0 0\nf 1 2 3 4 5 6\n"
+
+
+def ply_seeds():
+    for form, order in (("ascii", ""), ("binary_little_endian", "<"), ("binary_big_endian", ">")):
+        head = ("ply\nformat %s 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+                "property double z\nproperty uchar red\nelement face 4\n"
+                "property list uchar int vertex_indices\nend_header\n" % form)
+        if order:
+            body = b"".join(struct.pack(order + "ffdB", *p, 7) for p in TET) + b"".join(
+                struct.pack(order + "B3i", 3, *side) for side in SIDES)
+        else:
+            body = ("".join("%g %g %g 7\n" % p for p in TET)
+                    + "".join("3 %d %d %d\n" % side for side in SIDES)).encode()
+        yield form, head.encode() + body
+
+
+def off_seeds():
+    yield "tet", "OFF # comment\n4 4 6\n%s%s" % (
+        "".join("%g %g %g\n" % p for p in TET), "".join("3 %d %d %d 1 0 0\n" % s for s in SIDES))
+
+
+def vtp_seeds():
+    points = struct.pack("<12d", *(x for p in TET for x in p))
+    corners = struct.pack("<12q", *(p for side in SIDES for p in side))
+    arrays = (("Points", "Float64", "p", points), ("Polys", "Int64", "connectivity", corners),
+              ("Polys", "Int64", "offsets", struct.pack("<4q", 3, 6, 9, 12)))
+
+    def file(form, more, values, tail=b""):
+        lists = {"Points": "", "Polys": ""}
+        for (place, kind, name, _), value in zip(arrays, values):
+            lists[place] += '<DataArray type="%s" Name="%s" %sformat="%s"%s</DataArray>' % (
+                kind, name, 'NumberOfComponents="3" ' if place == "Points" else "", form, value)
+        return ('<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian" '
+                'header_type="UInt32" %s><PolyData><Piece NumberOfPoints="4" NumberOfPolys="4">'
+                "<Points>%s</Points><Polys>%s</Polys></Piece></PolyData>" % (
+                    more, lists["Points"], lists["Polys"])).encode() + tail + b"</VTKFile>"
+
+    yield "ascii", file("ascii", "", [
+        ">" + " ".join("%g" % x for x in struct.unpack("<%d%s" % (len(data) // 8, code), data))
+        for (*_, data), code in zip(arrays, "dqq")])
+    sized = [struct.pack("<I", len(data)) + data for *_, data in arrays]
+    yield "inline", file("binary", "", [">" + b64encode(data).decode() for data in sized])
+    offsets = [sum(map(len, sized[:n])) for n in range(3)]
+    yield "raw", file("appended", "", [' offset="%d">' % at for at in offsets],
+                      b'<AppendedData encoding="raw">_' + b"".join(sized) + b"</AppendedData>")
+    packed = [pack(data, 64) for *_, data in arrays]
+    yield "zlib", file("binary", 'compressor="vtkZLibDataCompressor" ', [
+        ">" + (b64encode(head) + b64encode(data)).decode() for head, data in packed])
+
+
+def threemf_seeds():
+    mesh = "<mesh><vertices>%s</vertices><triangles>%s</triangles></mesh>" % (
+        "".join('<vertex x="%g" y="%g" z="%g"/>' % p for p in TET),
+        "".join('<triangle v1="%d" v2="%d" v3="%d" pid="9" p1="0"/>' % s for s in SIDES))
+    model = ('<?xml version="1.0"?><model><resources><basematerials id="9"><base name="a"/>'
+             '</basematerials><object id="1" name="tet">%s</object><object id="2"><components>'
+             '<component objectid="1" transform="2 0 0 0 2 0 0 0 2 5 0 0"/></components></object>'
+             '</resources><build><item objectid="1"/><item objectid="2"/></build></model>' % mesh)
+    for name, method in (("stored", zipfile.ZIP_STORED), ("packed", zipfile.ZIP_DEFLATED)):
+        bytes_ = io.BytesIO()
+        with zipfile.ZipFile(bytes_, "w", method) as archive:
+            archive.writestr(zipfile.ZipInfo("3D/3dmodel.model"), model, method)
+        yield name, bytes_.getvalue()
+
+
 def dream3d_seeds(folder):
     """Writes files of DREAM.3D 6 and DREAM3D-NX."""
     import h5py
@@ -474,11 +563,16 @@ def write_all(folder):
             ("SpyPlot", spyplot_seeds), ("Options", option_seeds),
             ("Shapes", shape_seeds), ("Surface", surface_seeds), ("VtkLegacy", legacy_seeds),
             ("VtkXml", xml_seeds), ("VtkImage", vti_seeds), ("VtkBlocks", block_seeds),
-            ("Arguments", argument_seeds)):
+            ("Arguments", argument_seeds), ("SurfaceStl", stl_seeds), ("SurfaceObj", obj_seeds),
+            ("SurfacePly", ply_seeds), ("SurfaceOff", off_seeds), ("SurfaceVtp", vtp_seeds),
+            ("Surface3mf", threemf_seeds)):
         for name, data in seeds():
             write(folder, harness, name, data)
             if harness == "Nifti":
                 write(folder, "NiftiGzip", name, gzip.compress(data, mtime=0))
+            if harness == "SurfaceStl":
+                bytes_ = data.encode() if isinstance(data, str) else data
+                write(folder, "SurfaceGzip", name, gzip.compress(bytes_, mtime=0))
     for version in (1, 2, 5):
         write(folder, "Exodus", "cdf%d" % version, exodus_file(version))
     wide = netcdf4_file(exodus_file(5))

@@ -102,6 +102,7 @@ TEST(SurfaceSheets, NeedlesDoNotCut)
     box.Triangles.push_back({ { 8, ends[0], ends[1] } }); // the needle
     const SurfaceSheets sheets = FindSheets(box, 40.0);
     EXPECT_EQ(CountSheets(sheets), 6);
+    EXPECT_EQ(sheets.Normals.back(), (Vector3{ { 0, 0, 1 } }));
     EXPECT_EQ(sheets.Edges.size(), isInside ? 12u : 13u);
   }
 }

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <cstring>
+#include <zlib.h>
 
 using namespace vfm;
 using namespace vfm::testing;
@@ -135,6 +136,239 @@ TEST(ReadSurface, DamagedStl)
   ExpectProblem("a.stl", "solid a\n" + TextFacet("vertex 0 0 0\n"), "has 1 vertices");
   ExpectProblem("a.stl", "solid a\nendsolid\n", "no polygons");
   ExpectProblem("a.xyz", "a", "supported are .stl");
+}
+
+const std::string TetOff = "OFF # a comment\n4 4 6\n0 0 0\n1 0 0 255 0 0\n0 1 0\n0 0 1\n3 0 2 1 7\n"
+                           "3 0 1 3\n3 1 2 3\n3 0 3 2\n";
+
+TEST(ReadSurface, Off)
+{
+  EXPECT_NEAR(VolumeOf(ReadAs("a.off", TetOff)), 1.0 / 6.0, 1e-15);
+  ExpectProblem("a.off", TetOff.substr(0, 60), "ends before");
+  ExpectProblem("a.off", "OFF\n999999999 1 1\n", "line 2");
+  ExpectProblem("a.off", "OFF\n1 1 0\n0 0 0\n3 0 0 1\n", "'1' is not an integer from 0 to 0");
+  ExpectProblem("a.off", "OFF BINARY\n", "line 1: 'BINARY'");
+  ExpectProblem("a.off", "4 4 6", "not an OFF file");
+}
+
+TEST(ReadSurface, ObjWithPatches)
+{
+  const std::string points = "# cube\nv 0 0 0\nv 1 0 0 0.5\nv 0 1 0\nv 1 1 0\nv 0 0 1\nv 1 0 1\n"
+                             "v 0 1 1\nv 1 1 1\nvt 0 0\n";
+  const std::string faces = "usemtl red\nf 1 3 4 2\nf 5/1 6/1 8/1 7/1\ng low\nf 1 2 6 \\\n5\n"
+                            "usemtl blue\nf -6 -2 -1 -5\nf 1//1 5//1 7//1 3//1\nf 2 4 8 6\n";
+  const SurfaceFile cube = ReadAs("a.obj", points + faces);
+  EXPECT_NEAR(VolumeOf(cube), 1.0, 1e-15);
+  EXPECT_EQ(cube.PatchNames, (Names{ "red", "blue" }));
+  EXPECT_EQ(std::count(cube.Patches.begin(), cube.Patches.end(), 0), 6);
+  const SurfaceFile grouped =
+    ReadAs("a.obj", points + "o part\n" + faces.substr(faces.find("f 5")));
+  EXPECT_EQ(grouped.PatchNames, (Names{ "", "blue" }));
+  // an L of six corners, whose fan from the first corner would leave it
+  const SurfaceFile bent =
+    ReadAs("a.obj", "v 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\nv 0 0 0\nv 2 0 0\nf 1 2 3 4 5 6\n");
+  double area = 0.0;
+  for (const PointTriangle& t : bent.Triangles)
+  {
+    area += 0.5 *
+      Norm(Cross(bent.Points[t[1]] - bent.Points[t[0]], bent.Points[t[2]] - bent.Points[t[0]]));
+  }
+  EXPECT_NEAR(area, 3.0, 1e-15);
+  ExpectProblem("a.obj", points + "f 1 2 9\n", "line 11: the face refers to the point '9'");
+  ExpectProblem("a.obj", points + "f 1 2 x\n", "'x'");
+  ExpectProblem("a.obj", points, "no polygons");
+}
+
+/// Returns a PLY file of a tetrahedron.
+std::string Ply(const std::string& format, bool isBig)
+{
+  std::string bytes = "ply\nformat " + format +
+    " 1.0\ncomment none\nelement vertex 4\n"
+    "property double x\nproperty double y\nproperty double z\nproperty uchar red\n"
+    "element face 4\nproperty list uchar int vertex_indices\nend_header\n";
+  const bool isText = format == "ascii";
+  const auto add = [&](auto value)
+  {
+    std::string plain = BytesOf(value);
+    if (isBig)
+    {
+      std::reverse(plain.begin(), plain.end());
+    }
+    bytes += isText ? std::to_string(value) + " " : plain;
+  };
+  for (const Vector3& point : TetPoints)
+  {
+    add(point[0]);
+    add(point[1]);
+    add(point[2]);
+    add(static_cast<unsigned char>(7));
+  }
+  for (const PointTriangle& t : TetTriangles)
+  {
+    add(static_cast<unsigned char>(3));
+    for (Index p : t)
+    {
+      add(static_cast<std::int32_t>(p));
+    }
+  }
+  return bytes;
+}
+
+TEST(ReadSurface, Ply)
+{
+  for (const std::string& bytes :
+    { Ply("ascii", false), Ply("binary_little_endian", false), Ply("binary_big_endian", true) })
+  {
+    EXPECT_NEAR(VolumeOf(ReadAs("a.ply", bytes)), 1.0 / 6.0, 1e-15);
+  }
+  const std::string binary = Ply("binary_little_endian", false);
+  ExpectProblem("a.ply", binary.substr(0, binary.size() - 1), "truncated");
+  ExpectProblem("a.ply", binary.substr(0, 100), "line");
+  ExpectProblem("a.ply", Ply("binary_little_endian", true), "damaged");
+  ExpectProblem("a.ply", "ply\nformat ascii 1.0\nelement vertex 99999999\nend_header\n", "line 3");
+  ExpectProblem("a.ply", "plz", "not a PLY file");
+}
+
+std::string Vtp(const std::string& type, const std::string& points)
+{
+  return "<?xml version='1.0'?><!-- a > b --><VTKFile type=\"" + type +
+    "\" version=\"1.0\" byte_order=\"LittleEndian\"><PolyData><Piece NumberOfPoints=\"4\" "
+    "NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"1\" NumberOfPolys=\"2\"><Points>"
+    "<DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">" +
+    points +
+    "</DataArray></Points><Polys><DataArray type=\"Int64\" Name=\"connectivity\">0 2 1 0 3 2"
+    "</DataArray><DataArray type=\"Int64\" Name=\"offsets\">3 6</DataArray></Polys><Strips>"
+    "<DataArray type=\"Int64\" Name=\"connectivity\">0 1 3 2</DataArray>"
+    "<DataArray type=\"Int64\" Name=\"offsets\">4</DataArray></Strips></Piece></PolyData>"
+    "</VTKFile>";
+}
+
+TEST(ReadSurface, Vtp)
+{
+  const std::string points = "0 0 0 1 0 0 0 1 0 0 0 1";
+  const std::string bytes = Vtp("PolyData", points);
+  EXPECT_NEAR(VolumeOf(ReadAs("a.vtp", bytes)), 1.0 / 6.0, 1e-15);
+  ExpectProblem("a.vtp", Vtp("PolyData", "0 0 0 1 0 0 0 1 0 0 0 x"), "'x'");
+  ExpectProblem(
+    "a.vtp", Vtp("UnstructuredGrid", points), "required is <VTKFile type=\"PolyData\">");
+  ExpectProblem("a.vtp", bytes.substr(0, bytes.size() - 5), "not XML in line 1");
+  ExpectProblem("a.vtp", "<!DOCTYPE a><a/>", "document type definition");
+}
+
+/// Packs bytes by zlib.
+std::string Pack(const std::string& bytes, int windowBits)
+{
+  z_stream stream{};
+  EXPECT_EQ(deflateInit2(&stream, 6, Z_DEFLATED, windowBits, 8, Z_DEFAULT_STRATEGY), Z_OK);
+  std::string packed(deflateBound(&stream, bytes.size()) + 64, '\0');
+  std::string input = bytes;
+  stream.next_in = reinterpret_cast<unsigned char*>(input.data());
+  stream.avail_in = static_cast<unsigned int>(input.size());
+  stream.next_out = reinterpret_cast<unsigned char*>(packed.data());
+  stream.avail_out = static_cast<unsigned int>(packed.size());
+  EXPECT_EQ(deflate(&stream, Z_FINISH), Z_STREAM_END);
+  packed.resize(stream.total_out);
+  deflateEnd(&stream);
+  return packed;
+}
+
+TEST(ReadSurface, Gzip)
+{
+  constexpr int gzip = 31;
+  const std::string packed = Pack(BinaryStl(), gzip);
+  EXPECT_NEAR(VolumeOf(ReadAs("a.stl.gz", packed)), 1.0 / 6.0, 1e-15);
+  EXPECT_NEAR(VolumeOf(ReadAs("a.vtp.gz", Pack(Vtp("PolyData", "0 0 0 1 0 0 0 1 0 0 0 1"), gzip))),
+    1.0 / 6.0, 1e-15);
+  const std::string first = Pack(TetOff.substr(0, 40), gzip), rest = Pack(TetOff.substr(40), gzip);
+  EXPECT_NEAR(VolumeOf(ReadAs("a.off.gz", first + rest)), 1.0 / 6.0, 1e-15);
+  ExpectProblem("a.stl.gz", packed.substr(0, packed.size() - 9), "truncated");
+  std::string damaged = packed;
+  damaged[damaged.size() - 6] ^= 1;
+  ExpectProblem("a.stl.gz", damaged, "damaged");
+}
+
+/// Returns a zip archive.
+std::string Zip(const std::vector<std::pair<std::string, std::string>>& files, bool isPacked)
+{
+  std::string bytes, list;
+  for (const auto& [name, content] : files)
+  {
+    const std::string packed = isPacked ? Pack(content, -15) : content;
+    const auto sum = crc32(0, reinterpret_cast<const unsigned char*>(content.data()),
+      static_cast<unsigned int>(content.size()));
+    const std::string common = BytesOf<std::uint16_t>(20) + BytesOf<std::uint16_t>(0) +
+      BytesOf<std::uint16_t>(isPacked ? 8 : 0) + BytesOf<std::uint32_t>(0) +
+      BytesOf(static_cast<std::uint32_t>(sum)) +
+      BytesOf(static_cast<std::uint32_t>(packed.size())) +
+      BytesOf(static_cast<std::uint32_t>(content.size())) +
+      BytesOf(static_cast<std::uint16_t>(name.size())) + BytesOf<std::uint16_t>(0);
+    list += "PK\1\2" + BytesOf<std::uint16_t>(20) + common + std::string(10, '\0') +
+      BytesOf(static_cast<std::uint32_t>(bytes.size())) + name;
+    bytes += "PK\3\4" + common + name + packed;
+  }
+  const std::string end = "PK\5\6" + BytesOf<std::uint32_t>(0) +
+    BytesOf(static_cast<std::uint16_t>(files.size())) +
+    BytesOf(static_cast<std::uint16_t>(files.size())) +
+    BytesOf(static_cast<std::uint32_t>(list.size())) +
+    BytesOf(static_cast<std::uint32_t>(bytes.size())) + BytesOf<std::uint16_t>(0);
+  return bytes + list + end;
+}
+
+/// Returns a model whose second item is two tetrahedra of twice the size, apart from each other.
+std::string ThreeMf(const std::string& component = "1")
+{
+  std::string mesh = "<mesh><vertices>";
+  for (const Vector3& x : TetPoints)
+  {
+    mesh += "<vertex x='" + std::to_string(x[0]) + "' y='" + std::to_string(x[1]) + "' z='" +
+      std::to_string(x[2]) + "'/>";
+  }
+  mesh += "</vertices><triangles>";
+  for (const PointTriangle& t : TetTriangles)
+  {
+    mesh += "<triangle v1='" + std::to_string(t[0]) + "' v2='" + std::to_string(t[1]) + "' v3='" +
+      std::to_string(t[2]) + "'" + (t[0] == 1 ? " pid='9' p1='1'" : "") + "/>";
+  }
+  mesh += "</triangles></mesh>";
+  return "<?xml version='1.0'?><model><resources><basematerials id='9'><base name='steel'/>"
+         "<base name='A &amp; B'/></basematerials><object id='1' name='tet'>" +
+    mesh + "</object><object id='2' name='pair'><components><component objectid='" + component +
+    "' transform='2 0 0 0 2 0 0 0 2 0 0 0'/><component objectid='1' "
+    "transform='2 0 0 0 2 0 0 0 2 5 0 0'/></components></object></resources>"
+    "<build><item objectid='1'/><item objectid='2' transform='1 0 0 0 1 0 0 0 1 0 0 9'/></build>"
+    "</model>";
+}
+
+TEST(ReadSurface, ThreeMf)
+{
+  const std::string place = "3D/3dmodel.model";
+  for (bool isPacked : { false, true })
+  {
+    const Folder folder;
+    std::ofstream(folder / "a.3mf", std::ios::binary) << Zip({ { place, ThreeMf() } }, isPacked);
+    const std::vector<SurfaceFile> bodies = ReadBodies(folder / "a.3mf");
+    ASSERT_EQ(bodies.size(), 2u);
+    EXPECT_EQ(bodies[0].Name, "tet");
+    EXPECT_EQ(bodies[0].PatchNames, (Names{ "tet", "A & B" }));
+    EXPECT_NEAR(VolumeOf(bodies[0]), 1.0 / 6.0, 1e-15);
+    EXPECT_EQ(bodies[1].Name, "pair");
+    EXPECT_NEAR(VolumeOf(bodies[1]), 2 * 8.0 / 6.0, 1e-14);
+    EXPECT_EQ(bodies[1].Points[0], (Vector3{ { 0, 0, 9 } }));
+    const SurfaceFile all = ReadSurface(folder / "a.3mf");
+    EXPECT_NEAR(VolumeOf(all), 17.0 / 6.0, 1e-14);
+    EXPECT_EQ(all.PatchNames.size(), 4u);
+  }
+  const std::string link = "<a><b Type='x/3dmodel' Target='/other/m.model'/></a>";
+  EXPECT_NEAR(VolumeOf(ReadAs(
+                "a.3mf", Zip({ { "_rels/.rels", link }, { "other/m.model", ThreeMf() } }, false))),
+    17.0 / 6.0, 1e-14);
+  ExpectProblem("a.3mf", Zip({ { place, ThreeMf("2") } }, false), "too deeply");
+  ExpectProblem("a.3mf", Zip({ { place, ThreeMf("7") } }, false), "no object 7");
+  ExpectProblem("a.3mf", Zip({ { "b", "" } }, false), "has no model");
+  std::string damaged = Zip({ { place, ThreeMf() } }, false);
+  damaged[300] ^= 1;
+  ExpectProblem("a.3mf", damaged, "checksum");
+  ExpectProblem("a.3mf", damaged.substr(0, 200), "not a zip archive");
 }
 
 } // namespace

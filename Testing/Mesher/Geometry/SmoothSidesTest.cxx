@@ -74,7 +74,9 @@ public:
   {
     Classified made;
     ThreadRuntime runtime(2, &this->Parts.Group());
-    ClassifyGeometry(this->Facets, this->Kinds, this->Parts, runtime, this->Result, made.Report);
+    ClassifyGeometry(this->Facets,
+      { FindSmoothSides(this->Facets, this->Kinds, this->Result, this->Parts) }, runtime,
+      this->Result, made.Report);
     made.Tables = this->Result.Tables;
     for (std::size_t f = 0; f < this->Facets.size(); ++f)
     {

@@ -85,7 +85,7 @@ struct CubeHexes
     this->Active = MakeActiveHexes(this->Labelled, this->Parts, this->Hexes, {}, runtime);
     AttachHexes(interfaces, coarse, this->Hexes, this->Facets, runtime, this->Active);
     const Interface& interface = *interfaces.All().back();
-    this->Kinds = AttachFeatures({ MakeFeatures(interface), interface, 0 }, this->Facets,
+    this->Kinds = AttachFeatures({ MakeFeatures(interface), { &interface }, 0 }, this->Facets,
       this->Hexes, *this->Targets, this->Active, Run);
   }
 

@@ -187,10 +187,15 @@ def test_surfaces_follow_each_other_and_the_text():
     ball = volume_inside(sphere())
     result = of(of_surface(sphere(), cube(2), FitToInput=0, Bounds=[-1.5, 1.5] * 3,
                            Dimensions=[20] * 3))
-    assert abs(result.volume(1) - ball) < 1e-12 and abs(result.volume(2) - (8 - ball)) < 1e-4
+    assert abs(result.volume(1) - ball) < 1e-12 and abs(result.volume(2) - (8 - ball)) < 1e-12
     result = of(of_surface(sphere(), Shapes="halfspace point=0,0,0 normal=1,0,0",
                            Dimensions=[20] * 3))
-    assert abs(result.volume(2) / (0.5 * ball) - 1) < 1e-4
+    assert abs(result.volume(2) / (0.5 * ball) - 1) < 1e-12  # the plane is between cells
+    result = of(of_surface(sphere(), Shapes="halfspace point=0,0,0 normal=1,2,3",
+                           Dimensions=[20] * 3))
+    # In cells that both boundaries cut, the surface gets the whole rest.
+    assert 1 < result.volume(2) / (0.5 * ball) < 1.01, result.volume(2) / (0.5 * ball)
+    assert (result.values(1) + result.values(2)).max() <= 1
     result = of(of_surface(sphere(), sphere(0.4, 2), SurfaceMaterial=3))
     assert result.names() == ["Material1", "Material2", "Material3"]
     assert abs(result.volume(3) / (ball + volume_inside(sphere(0.4, 2))) - 1) < 1e-12
@@ -218,7 +223,7 @@ def test_errors_are_one_message_and_an_empty_output():
     pipe.SetResolution(6)
     pipe.CappingOff()
     expect_error(of_surface(output(pipe)), "open", "12 edges")
-    expect_error(of_surface(vtkPolyData()), "FitToInput")
+    expect_error(of_surface(vtkPolyData()), "no polygons")
     expect_error(of_surface(vtkPolyData(), FitToInput=0), "no polygons")
     expect_error(of_surface(sphere(), Dimensions=[4, 20, 20]), "at least 5")
     expect_error(of_surface(sphere(), SurfaceMaterial=-1), "material")

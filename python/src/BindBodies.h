@@ -1,0 +1,24 @@
+/**
+ * BindBodies: closed surfaces of bodies, for Python.
+ */
+#pragma once
+
+#include "Surfaces/InputSurfaces.h"
+
+#include <nanobind/nanobind.h>
+
+#include <memory>
+
+namespace vfm
+{
+
+/// Surfaces of bodies; constant and shared, so that a run can use them without a copy.
+struct Bodies
+{
+  std::shared_ptr<const InputSurfaces> Surfaces;
+};
+
+/// Binds the class Bodies.
+void BindBodies(nanobind::module_& module);
+
+} // namespace vfm
