@@ -219,7 +219,7 @@ TEST(LostBodies, MastIsNamed)
   EXPECT_NEAR(body.LostPlace[2], 17.0, 0.6);
   EXPECT_EQ(body.Solids, 2);
   EXPECT_NE(lost.Warnings.find(Loses), std::string::npos);
-  EXPECT_NE(lost.Warnings.find("where it is 0.307 thick. A cell width of 0.122 or less should keep"),
+  EXPECT_NE(lost.Warnings.find("it is 0.307 thick. A cell width of 0.122 or less should keep"),
     std::string::npos)
     << lost.Warnings;
   EXPECT_NEAR(ValuesOf<std::vector<double>>(lost.Materials, "LostSurface")[0], body.LostShare, 0.0);
