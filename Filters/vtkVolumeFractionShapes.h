@@ -6,7 +6,9 @@
  * volume fraction of the material in each cell. Shapes are inserted in order: the first keeps its
  * volume, and later ones get the rest of each cell, as in the material insertion of shock-physics
  * codes. Shapes come from a preset or from text, then from closed surfaces on the optional,
- * repeatable input port.
+ * repeatable input port. Fractions of surfaces are exact. In a cell that several boundaries cut,
+ * a surface gets its whole fraction if the rest of the cell allows it: an upper bound if the
+ * boundaries cross there.
  *
  * Dimensions (cells) and Bounds (length units) define the grid. With FitToInput, the grid is
  * placed around the surfaces instead, with cubic cells and at least two cells of margin;
@@ -90,7 +92,7 @@ public:
 
   ///@{
   /**
-   * Maximum error of a fraction where curved surfaces cut a cell, between 0 and 1. Default 1e-4.
+   * Maximum error of a fraction where curved shapes cut a cell, between 0 and 1. Default 1e-4.
    */
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);

@@ -95,6 +95,32 @@ void PrintMaterials(const MeshSummary& summary, std::ostream& to)
      << "\n";
 }
 
+void PrintSurfaces(const MeshSummary& summary, std::ostream& to)
+{
+  const std::size_t listed = std::min(summary.Surfaces.size(), ListedMaterials);
+  std::vector<std::string> names;
+  for (std::size_t s = 0; s < listed; ++s)
+  {
+    const SurfaceSummary& surface = summary.Surfaces[s];
+    names.push_back(std::to_string(surface.Material) + " " + MakePrintable(surface.Name));
+  }
+  const std::size_t width = FindWidth(names);
+  to << Padded("surface", width)
+     << Print("%14s%16s%12s%8s%11s", "cells across", "suggested width", "lost area", "solids",
+          "fragments")
+     << "\n";
+  for (std::size_t s = 0; s < listed; ++s)
+  {
+    const SurfaceSummary& surface = summary.Surfaces[s];
+    to << Padded(names[s], width)
+       << Print("%14.3g%16.3g%10.3g %%%8lld%11lld", surface.Thickness, surface.SuggestedWidth,
+            100.0 * surface.Lost, static_cast<long long>(surface.Solids),
+            static_cast<long long>(surface.Fragments))
+       << "\n";
+  }
+  to << "\n";
+}
+
 void PrintState(const MeshSummary& summary, std::ostream& to)
 {
   to << Padded("state", LeastWidth)
@@ -178,6 +204,10 @@ void PrintSummary(const MeshSummary& summary, const std::vector<std::string>& pa
 {
   PrintMaterials(summary, to);
   to << "\n";
+  if (!summary.Surfaces.empty())
+  {
+    PrintSurfaces(summary, to);
+  }
   if (!summary.State.empty())
   {
     PrintState(summary, to);

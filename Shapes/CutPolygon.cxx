@@ -1,7 +1,5 @@
 #include "Shapes/CutPolygon.h"
 
-#include <algorithm>
-
 namespace vfm
 {
 namespace

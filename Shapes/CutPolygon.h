@@ -9,6 +9,8 @@
 
 #include "Base/Vector3.h"
 
+#include <algorithm>
+
 namespace vfm
 {
 
@@ -21,11 +23,21 @@ struct Interval
 /// rounding moves corners: then each cut at most doubles their number, 3, 6, 12, 24.
 struct CutPolygon
 {
-  int Size = 0;
-  std::array<Vector3, 24> Corners;
+  CutPolygon() = default;
+  CutPolygon(const CutPolygon& other) { *this = other; }
+  /// Copies only the corners that there are.
+  CutPolygon& operator=(const CutPolygon& other)
+  {
+    this->Size = other.Size;
+    std::copy_n(other.Corners.begin(), other.Size, this->Corners.begin());
+    return *this;
+  }
 
   /// Returns the least and the largest coordinate of the corners.
   Interval Extent(int axis) const;
+
+  int Size = 0;
+  std::array<Vector3, 24> Corners;
 };
 
 /// Returns the part of a polygon with range.Low <= x[axis] <= range.High; its size may be 0.

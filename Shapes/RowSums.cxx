@@ -25,9 +25,15 @@ double Snapped(double fraction)
 
 CellSpan FindCells(const std::vector<double>& nodes, const Interval& interval)
 {
-  const auto above = std::upper_bound(nodes.begin(), nodes.end(), interval.Low);
-  const auto below = std::lower_bound(nodes.begin(), nodes.end(), interval.High);
-  return { above - nodes.begin() - 1, below - nodes.begin() - 1 };
+  const Index count = static_cast<Index>(nodes.size());
+  const Index first =
+    std::upper_bound(nodes.begin(), nodes.end(), interval.Low) - nodes.begin() - 1;
+  Index last = first; // most intervals meet few cells
+  while (last + 1 < count && nodes[last + 1] < interval.High)
+  {
+    ++last;
+  }
+  return { first, first >= 0 && nodes[first] == interval.High ? first - 1 : last };
 }
 
 RowSums::RowSums(const std::vector<double>& nodes, Index first) :

@@ -18,20 +18,27 @@ constexpr Index TileHeight = 16; // rows of a tile
 class SurfaceTiles
 {
 public:
-  SurfaceTiles(const NodeLists& coordinates, const IndexBox& cells, const ClosedSurface& surface);
+  SurfaceTiles(const NodeLists& coordinates, const IndexBox& cells, const ClosedSurface& surface,
+    Runtime& runtime);
 
   Index Count() const { return this->PerLayer * this->Cells.Size(2); }
+  /// Returns empty sums for the rows of a tile.
+  std::vector<RowSums> MakeRows() const
+  {
+    return std::vector<RowSums>(TileHeight, RowSums(this->Nodes[0], this->Cells.Lower[0]));
+  }
   /// Computes the fractions of the cells of a tile.
+  /// @param rows  empty sums, which are empty again afterwards
   /// @param fractions  values of all cells of the box
-  void Compute(Index tile, Buffer<double>& fractions) const;
+  void Compute(Index tile, std::vector<RowSums>& rows, Buffer<double>& fractions) const;
 
 private:
   CutPolygon PolygonOf(Index triangle) const;
   Interval RangeOf(int axis, Index cell) const;
   CellSpan FindInBox(const Interval& extent, int axis) const;
   template <class Visit>
-  void ForTiles(const Visit& visit) const;
-  void AddRows(const CutPolygon& slab, Index first, std::vector<RowSums>& rows) const;
+  void ForTiles(const CellSpan& y, const CellSpan& z, const Visit& visit) const;
+  void AddRows(const CutPolygon& slab, Index first, Index count, std::vector<RowSums>& rows) const;
 
   const NodeLists& Nodes;
   const IndexBox Cells;
@@ -40,15 +47,30 @@ private:
   Groups<Index> Members; // triangles by tile
 };
 
-SurfaceTiles::SurfaceTiles(
-  const NodeLists& coordinates, const IndexBox& cells, const ClosedSurface& surface) :
+SurfaceTiles::SurfaceTiles(const NodeLists& coordinates, const IndexBox& cells,
+  const ClosedSurface& surface, Runtime& runtime) :
   Nodes(coordinates),
   Cells(cells),
   Surface(surface),
   PerLayer((cells.Size(1) + TileHeight - 1) / TileHeight)
 {
-  this->Members =
-    MakeGroups<Index>(this->Count(), [this](const auto& visit) { this->ForTiles(visit); });
+  std::vector<std::array<CellSpan, 2>> spans(surface.Triangles.size()); // along y and z
+  ForEach(runtime, spans.size(),
+    [&](Index t)
+    {
+      const CutPolygon polygon = this->PolygonOf(t);
+      spans[t] = { { this->FindInBox(polygon.Extent(1), 1),
+        this->FindInBox(polygon.Extent(2), 2) } };
+    });
+  this->Members = MakeGroups<Index>(this->Count(),
+    [&](const auto& visit)
+    {
+      for (std::size_t t = 0; t < spans.size(); ++t)
+      {
+        this->ForTiles(
+          spans[t][0], spans[t][1], [&](Index tile) { visit(tile, static_cast<Index>(t)); });
+      }
+    });
 }
 
 CutPolygon SurfaceTiles::PolygonOf(Index triangle) const
@@ -74,33 +96,33 @@ CellSpan SurfaceTiles::FindInBox(const Interval& extent, int axis) const
     std::min(found.Last, this->Cells.Upper[axis] - 1) };
 }
 
-/// Calls visit(tile, triangle) for the tiles that the bounds of each triangle meet.
+/// Calls visit(tile) for the tiles that hold some cells.
 template <class Visit>
-void SurfaceTiles::ForTiles(const Visit& visit) const
+void SurfaceTiles::ForTiles(const CellSpan& y, const CellSpan& z, const Visit& visit) const
 {
-  for (std::size_t t = 0; t < this->Surface.Triangles.size(); ++t)
+  if (y.First > y.Last)
   {
-    const CutPolygon polygon = this->PolygonOf(static_cast<Index>(t));
-    const CellSpan y = this->FindInBox(polygon.Extent(1), 1);
-    const CellSpan z = this->FindInBox(polygon.Extent(2), 2);
-    for (Index k = z.First; y.First <= y.Last && k <= z.Last; ++k)
+    return;
+  }
+  const Index first = (y.First - this->Cells.Lower[1]) / TileHeight;
+  const Index last = (y.Last - this->Cells.Lower[1]) / TileHeight;
+  for (Index k = z.First; k <= z.Last; ++k)
+  {
+    const Index layer = (k - this->Cells.Lower[2]) * this->PerLayer;
+    for (Index j = first; j <= last; ++j)
     {
-      const Index layer = (k - this->Cells.Lower[2]) * this->PerLayer;
-      const Index last = (y.Last - this->Cells.Lower[1]) / TileHeight;
-      for (Index j = (y.First - this->Cells.Lower[1]) / TileHeight; j <= last; ++j)
-      {
-        visit(layer + j, static_cast<Index>(t));
-      }
+      visit(layer + j);
     }
   }
 }
 
 /// Adds a polygon, whose z are relative to its layer, to the rows that it meets.
-/// @param first  row of rows[0]
-void SurfaceTiles::AddRows(const CutPolygon& slab, Index first, std::vector<RowSums>& rows) const
+/// @param first,count  rows of the tile
+void SurfaceTiles::AddRows(
+  const CutPolygon& slab, Index first, Index count, std::vector<RowSums>& rows) const
 {
   const CellSpan range = FindCells(this->Nodes[1], slab.Extent(1));
-  const Index last = std::min(range.Last, first + static_cast<Index>(rows.size()) - 1);
+  const Index last = std::min(range.Last, first + count - 1);
   for (Index j = std::max(range.First, first); j <= last; ++j)
   {
     const Interval y = this->RangeOf(1, j);
@@ -113,13 +135,12 @@ void SurfaceTiles::AddRows(const CutPolygon& slab, Index first, std::vector<RowS
   }
 }
 
-void SurfaceTiles::Compute(Index tile, Buffer<double>& fractions) const
+void SurfaceTiles::Compute(Index tile, std::vector<RowSums>& rows, Buffer<double>& fractions) const
 {
   const Index k = this->Cells.Lower[2] + tile / this->PerLayer;
   const Index first = this->Cells.Lower[1] + tile % this->PerLayer * TileHeight;
   const Index count = std::min(TileHeight, this->Cells.Upper[1] - first);
   const Interval z = this->RangeOf(2, k);
-  std::vector<RowSums> rows(count, RowSums(this->Nodes[0], this->Cells.Lower[0]));
   for (Index m = this->Members.Begin[tile]; m < this->Members.Begin[tile + 1]; ++m)
   {
     CutPolygon slab = CutBetween(this->PolygonOf(this->Members.Items[m]), 2, z);
@@ -127,7 +148,7 @@ void SurfaceTiles::Compute(Index tile, Buffer<double>& fractions) const
     {
       slab.Corners[i][2] = (slab.Corners[i][2] - z.Low) / (z.High - z.Low);
     }
-    this->AddRows(slab, first, rows);
+    this->AddRows(slab, first, count, rows);
   }
   for (Index j = 0; j < count; ++j)
   {
@@ -142,8 +163,16 @@ Buffer<double> FractionsOfBody(const NodeLists& coordinates, const IndexBox& cel
   Buffer<double> fractions(cells.NumberOfCells());
   if (cells.NumberOfCells() > 0)
   {
-    const SurfaceTiles tiles(coordinates, cells, surface);
-    ForEach(runtime, tiles.Count(), [&](Index tile) { tiles.Compute(tile, fractions); });
+    const SurfaceTiles tiles(coordinates, cells, surface, runtime);
+    runtime.For(0, tiles.Count(),
+      [&](Index begin, Index end)
+      {
+        std::vector<RowSums> rows = tiles.MakeRows();
+        for (Index tile = begin; tile < end; ++tile)
+        {
+          tiles.Compute(tile, rows, fractions);
+        }
+      });
   }
   return fractions;
 }

@@ -50,7 +50,9 @@ void AddSamples(const std::vector<Triangle>& corners, const std::vector<double>&
     for (; number < count && (number + 0.5) / count * total < end; ++number)
     {
       const double u = ((number + 0.5) / count * total - before) / areas[*t];
-      samples.push_back({ PointOf(corners[*t], u, ReverseDigits(number + 1)), total / count, *t });
+      const Triangle& corner = corners[*t];
+      samples.push_back({ PointOf(corner, u, ReverseDigits(number + 1)),
+        Unit(Cross(corner[1] - corner[0], corner[2] - corner[0])), total / count, *t });
     }
     before = end;
   }

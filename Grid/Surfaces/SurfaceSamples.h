@@ -21,8 +21,8 @@ SurfaceComponents FindComponents(const ClosedSurface& surface);
 /// Point that stands for a part of a surface.
 struct SurfaceSample
 {
-  Vector3 Point;
-  double Area = 0.0; ///< of the part
+  Vector3 Point, Normal; ///< the normal is a unit vector that faces outwards
+  double Area = 0.0;     ///< of the part
   int Triangle = 0;
 };
 

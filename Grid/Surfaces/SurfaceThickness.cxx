@@ -63,13 +63,11 @@ private:
   /// Returns the normal into the ball.
   Vector3 NormalAt(Index sample) const
   {
-    return (this->Side == BallSide::Inner ? -1.0 : 1.0) *
-      this->Surface.Normal(this->Samples[sample].Triangle);
+    return (this->Side == BallSide::Inner ? -1.0 : 1.0) * this->Samples[sample].Normal;
   }
   bool Faces(int triangle, Index sample) const
   {
-    const Vector3& own = this->Surface.Normal(this->Samples[sample].Triangle);
-    return Dot(this->Surface.Normal(triangle), own) < LargestCosine;
+    return Dot(this->Surface.Normal(triangle), this->Samples[sample].Normal) < LargestCosine;
   }
 
   const std::vector<SurfaceSample>& Samples;

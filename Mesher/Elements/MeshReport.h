@@ -29,6 +29,21 @@ struct MeshReport
     double MinimumScaledJacobian = 0.0, MeanScaledJacobian = 0.0;
   };
   std::vector<Material> Materials; ///< materials from 0
+  /// Body whose surface the input gives (LostSurface.h). Lengths are in mean cell widths.
+  struct Body
+  {
+    int Material = 0;
+    double Thickness = 0.0; ///< of the thinnest 5 % of the area
+    double LostShare = 0.0; ///< of the area
+    Index Solids = 0;       ///< closed outer surfaces in the domain
+    Index LostSolids = 0;   ///< of these, those without elements
+    bool IsWhole = true;    ///< neither the domain nor other bodies cut parts off
+    double LostArea = 0.0;  ///< of the largest lost part; 0: there is none
+    double LostLength = 0.0;
+    double LostThickness = 0.0; ///< median thickness there
+    Vector3 LostPlace{};        ///< a point of it, in length units of the grid
+  };
+  std::vector<Body> Bodies; ///< empty without surfaces
   /// Small regions that became part of their neighbours.
   Index RemovedRegions = 0, RemovedCells = 0;
   Index ChosenCells = 0;   ///< user-selected cells of the input to refine

@@ -21,6 +21,7 @@ using Pair = std::array<int, 2>;
 constexpr double NormalWeight = 0.6, EdgeWeight = 0.2; // in sizes of facets
 constexpr double LeastGain = 1e-9;
 constexpr int MostRounds = 50;
+constexpr double OnSide = 1e-6; // distance of a triangle from a side of the domain
 constexpr double None = std::numeric_limits<double>::infinity();
 
 /// Facet in grid coordinates.
@@ -53,9 +54,11 @@ Place PlaceOf(const CartesianGrid& grid, const Mesh& mesh, const Facet& facet, i
 class SideSearch
 {
 public:
-  SideSearch(const GivenBody& body, int firstSide, const Vector3& periods, Runtime& runtime) :
+  SideSearch(const GivenBody& body, int firstSide, const BodySurfaces& surfaces, Runtime& runtime) :
     Body(body), First(firstSide), Search(PlaceTriangles(body.Boundary), runtime)
   {
+    this->LeaveOutside(surfaces.Domain());
+    const Vector3& periods = surfaces.Periods();
     for (int n = 0; n < 27; ++n)
     {
       const Index3 steps{ { n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1 } };
@@ -73,10 +76,12 @@ public:
     }
   }
 
-  /// Returns the side with the smallest rating at a facet, from 1 over all bodies.
+  /// Returns the side with the smallest rating at a facet, from 1 over all bodies; 0: there is
+  /// none.
   int FindSide(const Place& place) const
   {
-    return this->First + this->SideOf(this->FindTriangle(place, None, -1).Triangle);
+    const int triangle = this->FindTriangle(place, None, -1).Triangle;
+    return triangle < 0 ? 0 : this->First + this->SideOf(triangle);
   }
   /// Returns the smallest rating of a side at a facet, or infinity if it is not below a limit.
   double RateSide(const Place& place, int side, double limit) const
@@ -87,6 +92,26 @@ public:
 
 private:
   int SideOf(int triangle) const { return this->Body.Sides.SideOf[triangle]; }
+
+  /// Excludes the triangles on sides of the domain and beyond, where no interface is.
+  void LeaveOutside(const Bounds& domain)
+  {
+    for (std::size_t t = 0; t < this->Body.Boundary.Triangles.size(); ++t)
+    {
+      Bounds box;
+      for (const Vector3& x : this->Search.Corners(static_cast<int>(t)))
+      {
+        box.Add(x);
+      }
+      bool isOutside = false;
+      for (int a = 0; a < 3; ++a)
+      {
+        isOutside = isOutside || box.Upper[a] < domain.Lower[a] + OnSide ||
+          box.Lower[a] > domain.Upper[a] - OnSide;
+      }
+      this->IsOutside.push_back(isOutside);
+    }
+  }
 
   /// @param side  side of the body; -1: all
   TriangleSearch::Rated FindTriangle(const Place& place, double limit, int side) const
@@ -99,7 +124,7 @@ private:
         [&](int t)
         {
           const double cosine = Dot(place.Normal, this->Body.Sheets.Normals[t]);
-          return side >= 0 && this->SideOf(t) != side
+          return this->IsOutside[t] || (side >= 0 && this->SideOf(t) != side)
             ? None
             : NormalWeight * place.Size * std::max(0.0, 1.0 - cosine);
         },
@@ -111,6 +136,7 @@ private:
   const GivenBody& Body;
   int First; // number of its first side over all bodies
   TriangleSearch Search;
+  std::vector<bool> IsOutside; // of each triangle
   std::vector<Vector3> Shifts; // to the copies of the domain
 };
 
@@ -366,7 +392,7 @@ DividedFacets FindGivenSides(const std::vector<Facet>& facets, const Mesh& mesh,
   std::vector<SideSearch> searches;
   for (const GivenBody& body : surfaces.Bodies())
   {
-    searches.emplace_back(body, static_cast<int>(sides.Names.size()), surfaces.Periods(), runtime);
+    searches.emplace_back(body, static_cast<int>(sides.Names.size()), surfaces, runtime);
     sides.Names.insert(sides.Names.end(), body.Sides.Names.begin(), body.Sides.Names.end());
   }
   const SurfaceFacetList list = ListFacets(facets, mesh, surfaces);

@@ -23,9 +23,10 @@ struct DividedFacets
 
 /// Finds the sides of the facets on interfaces whose body has a surface (BodySurfaces::
 /// FindOfInterface). The side of a facet is that of the triangle with the smallest distance, plus
-/// 0.6 times the size of the facet times 1 - cosine of the angle between both normals. Then single
-/// facets take the side of their neighbours: a side changes while that lowers the sum of these
-/// numbers and of 0.2 times the size for each edge between two sides.
+/// 0.6 times the size of the facet times 1 - cosine of the angle between both normals; triangles on
+/// sides of the domain do not count. Then single facets take the side of their neighbours: a side
+/// changes while that lowers the sum of these numbers and of 0.2 times the size for each edge
+/// between two sides.
 ///
 /// Sides are numbered by body and side of its surface. If an interface has only one side without a
 /// name, its facets get side 0, as on interfaces without a surface and on sides of the domain.

@@ -50,6 +50,11 @@ BodySurfaces::BodySurfaces(const InputSurfaces& surfaces, const std::vector<std:
     this->TheBodies.push_back(
       { material, std::move(boundary), std::move(sheets), std::move(sides) });
   }
+  for (const Index3& node : { grid.Domain().Lower, grid.Domain().Upper })
+  {
+    const Vector3 corner = grid.NodePoint(node);
+    this->TheDomain.Add(ToGrid(grid, corner.data()));
+  }
   for (int a = 0; a < 3; ++a)
   {
     this->ThePeriods[a] = grid.PeriodLength(a) / grid.MeanWidth();

@@ -3,6 +3,7 @@
  */
 #pragma once
 
+#include "Base/BoxTree.h"
 #include "Base/CartesianGrid.h"
 #include "Base/Vector3.h"
 #include "Surfaces/InputSurfaces.h"
@@ -53,10 +54,14 @@ public:
   /// does not.
   const Vector3& Periods() const { return this->ThePeriods; }
 
+  /// Returns the domain, in grid coordinates.
+  const Bounds& Domain() const { return this->TheDomain; }
+
 private:
   std::vector<GivenBody> TheBodies;
   std::vector<int> BodyOf; // of each material from 0, or -1
   Vector3 ThePeriods;
+  Bounds TheDomain;
 };
 
 } // namespace vfm

@@ -75,6 +75,40 @@ Vector3 NearestOfSegment(const Vector3& a, const Vector3& b)
   return a + t * along;
 }
 
+/// Returns the lengths of the domain with its copies, in grid coordinates, where it begins at 0.
+Vector3 LengthsOf(const Interface& interface)
+{
+  Vector3 lengths;
+  for (int a = 0; a < 3; ++a)
+  {
+    const std::vector<double>& x = interface.Grid().Coordinates(a);
+    lengths[a] = (x.back() - x.front()) / interface.Scale();
+  }
+  return lengths;
+}
+
+/// Cuts a segment to the box from 0 to its lengths; returns false if nothing is left.
+bool CutToBox(const Vector3& lengths, std::array<Vector3, 2>& ends)
+{
+  double from = 0.0, to = 1.0;
+  const Vector3 start = ends[0], along = ends[1] - ends[0];
+  for (int a = 0; a < 3; ++a)
+  {
+    const double low = -start[a], high = lengths[a] - start[a];
+    if (along[a] == 0.0 && (low > 0.0 || high < 0.0))
+    {
+      return false;
+    }
+    if (along[a] != 0.0)
+    {
+      from = std::max(from, std::min(low / along[a], high / along[a]));
+      to = std::min(to, std::max(low / along[a], high / along[a]));
+    }
+  }
+  ends = { start + from * along, start + to * along };
+  return from <= to;
+}
+
 /// Returns a normal in the frame of a node, in which lengths are divided by its widths.
 Vector3 NormalIn(const NodeFrame& frame, const Vector3& normal)
 {
@@ -83,11 +117,10 @@ Vector3 NormalIn(const NodeFrame& frame, const Vector3& normal)
 
 Vector3 MeanWidths(const Interface& interface)
 {
-  Vector3 widths;
+  Vector3 widths = LengthsOf(interface);
   for (int a = 0; a < 3; ++a)
   {
-    const std::vector<double>& x = interface.Grid().Coordinates(a);
-    widths[a] = (x.back() - x.front()) / (static_cast<double>(x.size() - 1) * interface.Scale());
+    widths[a] /= static_cast<double>(interface.Grid().Coordinates(a).size() - 1);
   }
   return widths;
 }
@@ -117,7 +150,7 @@ std::vector<Vector3> ListShifts(const Vector3& periods, const CartesianGrid& gri
 
 NearSurface::NearSurface(
   const GivenBody& body, const Vector3& periods, double ratio, const Interface& interface) :
-  Widths(MeanWidths(interface)), SheetOf(body.Sheets.SheetOf)
+  Lengths(LengthsOf(interface)), Widths(MeanWidths(interface)), SheetOf(body.Sheets.SheetOf)
 {
   this->PlaceBox(interface.Grid(), interface);
   const ClosedSurface& surface = body.Boundary;
@@ -260,7 +293,10 @@ void NearSurface::AddEdges(const Points& points, const SurfaceSheets& sheets)
       placed.Triangles[i] = static_cast<int>(edge.Triangles[i]);
       placed.Sheets[i] = this->SheetOf[edge.Triangles[i]];
     }
-    this->Edges.push_back(placed);
+    if (CutToBox(this->Lengths, placed.Ends))
+    {
+      this->Edges.push_back(placed);
+    }
   }
 }
 
@@ -288,7 +324,8 @@ void NearSurface::AddCorners(const Points& points, const SurfaceSheets& sheets)
         corner.Triangles.push_back(static_cast<int>(ends[end].second));
       }
     }
-    if (corner.Sheets.size() >= 3)
+    std::array<Vector3, 2> place{ corner.At, corner.At };
+    if (corner.Sheets.size() >= 3 && CutToBox(this->Lengths, place))
     {
       this->Corners.push_back(std::move(corner));
     }

@@ -1,6 +1,6 @@
 /**
  * NearSurface: samples, sharp edges and corners of the surface of one body near the cells of a
- * grid.
+ * grid. Samples may lie beyond the domain; edges end at its sides.
  */
 #pragma once
 
@@ -93,8 +93,9 @@ private:
   template <class Visitor>
   void Visit(const Bins& bins, const NodeFrame& frame, double radius, const Visitor& visit) const;
 
-  Vector3 Widths; // mean widths of cells, grid coordinates
-  IndexBox Box;   // bins near the local box
+  Vector3 Lengths; // of the domain with its copies, grid coordinates
+  Vector3 Widths;  // mean widths of cells, grid coordinates
+  IndexBox Box;    // bins near the local box
   std::vector<Vector3> Normals;
   std::vector<int> SheetOf;
   std::vector<Sample> Samples;

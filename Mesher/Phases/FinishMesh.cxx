@@ -8,6 +8,7 @@
 #include "Geometry/MeasureMaterials.h"
 #include "Geometry/Quality.h"
 #include "Geometry/ReportLevels.h"
+#include "GivenSurfaces/LostSurface.h"
 
 namespace vfm
 {
@@ -34,6 +35,12 @@ Mesh FinishMesh(const MeshCells& cells, ElementMethod& method, MeshRun& run, Dra
   {
     run.Report.DisplacedVolume =
       FindDisplacedVolumes(cells.Grid, cells.Fractions, mesh, run.TheRuntime);
+  }
+  if (cells.Surfaces)
+  {
+    run.Clock.Start("Comparing surfaces", 0.97);
+    run.Report.Bodies =
+      CompareBodies(*cells.Surfaces, cells.Grid, cells.Fractions, mesh, run.TheRuntime);
   }
   return std::move(mesh);
 }

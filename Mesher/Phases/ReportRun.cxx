@@ -1,6 +1,7 @@
 #include "Phases/ReportRun.h"
 
 #include "Materials/UseLabels.h"
+#include "Phases/BodyFields.h"
 
 #include <algorithm>
 
@@ -44,6 +45,12 @@ void WarnOfMesh(const MesherJob& job, const MeshReport& report, const Cells& cel
   }
 }
 
+/// Returns the frame of the mesh that is returned.
+ImageFrame FrameOf(const MesherJob& job)
+{
+  return job.Options.ImageAxes ? ImageFrame() : job.Input.Levels.Reading.Frame;
+}
+
 } // namespace
 
 void ListResult(
@@ -51,7 +58,7 @@ void ListResult(
 {
   const LevelFields& fields = cells.Fields;
   const Materials& table = fields.Field.Table;
-  const ImageFrame frame = job.Options.ImageAxes ? ImageFrame() : job.Input.Levels.Reading.Frame;
+  const ImageFrame frame = FrameOf(job);
   TurnMesh(frame, result.TheMesh);
   UseLabels(table, result.TheMesh);
   if (result.State.TheParticles)
@@ -64,6 +71,10 @@ void ListResult(
     result.Fields);
   AppendFields(ListDomain(fields.Grid, frame, RepeatingAxes(job.Options)), result.Fields);
   AppendFields(ListMaterials(result.Report, table, options), result.MaterialFields);
+  for (FieldArrays* to : { &result.Fields, &result.MaterialFields })
+  {
+    AppendFields(ListBodies(result.Report, table, fields.Grid.MeanWidth(), options.MeshVoid), *to);
+  }
   AppendFields(ListReplaced(cells.Wide, options.MeshVoid), result.MaterialFields);
   if (cells.Wide.IsUsed())
   {
@@ -80,6 +91,9 @@ void ListResult(
 void WarnOfResult(const MesherJob& job, const Cells& cells, const MesherResult& result)
 {
   WarnOfMesh(job, result.Report, cells);
+  Warn(job,
+    DescribeLostBodies(
+      result.Report, cells.Fields.Field.Table, cells.Fields.Grid.MeanWidth(), FrameOf(job)));
   Warn(job, DescribeUnmeshed(result.State.Balance, cells.Fields.Field.Table));
 }
 

@@ -2,6 +2,7 @@
 
 #include "Base/ParseText.h"
 #include "Levels/WideCells.h"
+#include "Materials/MaterialTexts.h"
 #include "Report/MeshData.h"
 
 #include <algorithm>
@@ -18,14 +19,6 @@ namespace
 bool IsTetMesh(const Mesh& mesh)
 {
   return !mesh.HasHexes();
-}
-
-/// Returns the values of the materials that are meshed.
-template <class Value>
-std::vector<Value> TakeMeshed(const std::vector<Value>& values, bool meshVoid)
-{
-  const std::size_t first = meshVoid ? 0 : 1;
-  return { values.begin() + std::min(first, values.size()), values.end() };
 }
 
 void AddCount(FieldArrays& fields, const char* name, Index count)
@@ -263,37 +256,6 @@ constexpr double LargestQuietError = 0.01; // relative error of a volume without
 // where the surfaces of small bodies move more.
 constexpr double LargestQuietShare = 0.05, LargestQuietShareOfWide = 0.1;
 
-/// Returns a material for a message: its name and id.
-std::string NameMaterial(const Materials& table, std::size_t material)
-{
-  return "'" + table.Names[material] + "' (id " + std::to_string(table.Labels[material]) + ")";
-}
-
-/// Returns the first items in a sequence, and how many more there are.
-std::string Enumerate(const std::vector<std::string>& items)
-{
-  constexpr std::size_t MaximumNames = 20;
-  if (items.size() <= MaximumNames)
-  {
-    return JoinTexts(items);
-  }
-  return JoinTexts({ items.begin(), items.begin() + MaximumNames }) + " and " +
-    std::to_string(items.size() - MaximumNames) + " more";
-}
-
-std::string CountMaterials(std::size_t count, const char* one, const char* several)
-{
-  return std::to_string(count) + (count == 1 ? " material " : " materials ") +
-    (count == 1 ? one : several);
-}
-
-/// Returns a number with three digits, which is not larger.
-double RoundDown(double number)
-{
-  const double unit = std::pow(10.0, std::floor(std::log10(number)) - 2.0);
-  return std::floor(number / unit) * unit;
-}
-
 /// Returns the materials with elements of which more than a share `limit` of the volume is wrong,
 /// by this volume, descending.
 /// @param wrong  returns the volume of a material that is wrong
@@ -311,24 +273,6 @@ std::vector<std::size_t> FindAbove(double limit, const MeshReport& report, const
   std::stable_sort(found.begin(), found.end(),
     [&wrong](std::size_t a, std::size_t b) { return wrong(a) > wrong(b); });
   return found;
-}
-
-/// Returns a share in percent: two digits, above 100 % all before the point.
-std::string PercentOf(double share, bool showsPlus = false)
-{
-  const double percent = 100.0 * share;
-  std::ostringstream text;
-  text << (showsPlus ? std::showpos : std::noshowpos);
-  if (std::fabs(percent) < 99.5)
-  {
-    text << std::setprecision(2);
-  }
-  else
-  {
-    text << std::fixed << std::setprecision(0);
-  }
-  text << percent << " %";
-  return text.str();
 }
 
 /// Returns a material with its volume error, number of fragments and flips.

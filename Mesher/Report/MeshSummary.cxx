@@ -192,6 +192,28 @@ void NameMaterials(
   }
 }
 
+/// Returns the surfaces of the input, of materials that have one.
+std::vector<SurfaceSummary> FindSurfaces(const MeshData& mesh,
+  const std::vector<PartSummary>& materials, const std::vector<PartSummary>& fragments)
+{
+  const std::vector<double> thickness = GetField(mesh, "SurfaceThickness"),
+                            widths = GetField(mesh, "SuggestedWidth"),
+                            lost = GetField(mesh, "LostSurface"), solids = GetField(mesh, "Solids");
+  std::vector<SurfaceSummary> surfaces;
+  for (std::size_t m = 0; m < thickness.size(); ++m)
+  {
+    if (thickness[m] > 0.0)
+    {
+      const int id = materials[m].Material;
+      const auto pieces = std::count_if(fragments.begin(), fragments.end(),
+        [id](const PartSummary& fragment) { return fragment.Material == id; });
+      surfaces.push_back({ materials[m].Name, id, thickness[m], widths[m], lost[m],
+        static_cast<Index>(solids[m]), static_cast<Index>(pieces) });
+    }
+  }
+  return surfaces;
+}
+
 } // namespace
 
 MeshSummary Summarise(const MeshData& mesh, Ranks& ranks)
@@ -217,6 +239,7 @@ MeshSummary Summarise(const MeshData& mesh, Ranks& ranks)
   {
     summary.Total.TargetVolume += material.TargetVolume;
   }
+  summary.Surfaces = FindSurfaces(mesh, summary.Materials, summary.Fragments);
   summary.State = FindStateTotals(mesh);
   summary.LostToElements = SumOfMaterials(mesh, "LostKineticEnergy");
   summary.LostToNodes = SumOfMaterials(mesh, "LostNodalKineticEnergy");

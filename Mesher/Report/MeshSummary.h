@@ -37,11 +37,23 @@ struct ParticleSummary
   double LostEnergy = 0.0;    ///< kinetic energy that joined particles lack
 };
 
+/// A surface of the input, and what the mesh keeps of it (BodyFields.h).
+struct SurfaceSummary
+{
+  std::string Name; ///< of the material
+  int Material = 0;
+  double Thickness = 0.0;      ///< in finest cells
+  double SuggestedWidth = 0.0; ///< of cells, length units
+  double Lost = 0.0;           ///< share of the area
+  Index Solids = 0, Fragments = 0;
+};
+
 struct MeshSummary
 {
   bool IsTets = false, HasQuality = false;
   std::vector<PartSummary> Materials, Fragments; ///< Fragments[f] has FragmentId f + 1
   PartSummary Total;
+  std::vector<SurfaceSummary> Surfaces;           ///< empty if the input has no surfaces
   double MinimumAngle = 0.0, MaximumAngle = 0.0;  ///< dihedral angles of tets, degrees
   std::vector<Index> Angles;                      ///< tets: histogram in steps of ten degrees
   std::vector<StateTotal> State;                  ///< empty unless state was conserved

@@ -3,16 +3,16 @@
  *
  * usage: SurfaceParts PARTS CELLS [SURFACES, default on,off] [METHODS, default hexes]
  *          [TURNED, default 0] [ANGLE, default 40]
- *   SurfaceParts plate_with_holes,tray 3t,6t
+ *   SurfaceParts all 3t on,off hexes 0,1
  *   SurfaceParts part.stl,other.stl 64
  *   SurfaceParts one.stl+two.stl 64
  *   SurfaceParts assembly 40,80 on,off hexes,Lattice
  *
- * PARTS are files, or names in Data/Surfaces, also of a folder of bodies; + joins the bodies of one
- * input. CELLS are numbers of cells along the longest side, or of the thickness of the named parts
- * if t follows. SURFACES are values of the option UseSurfaces; "sharp" is off with SharpEdges On.
- * TURNED 1 rotates the part, so that its faces are oblique to the grid. ANGLE: least angle of sharp
- * edges in degrees.
+ * PARTS are "all" parts of known thickness, or files, or names in Data/Surfaces, also of a folder
+ * of bodies; + joins the bodies of one input. CELLS are numbers of cells along the longest side, or
+ * of the thickness of the named parts if t follows. SURFACES are values of the option UseSurfaces;
+ * "sharp" is off with SharpEdges On. TURNED 1 rotates the part, so that its faces are oblique to
+ * the grid. ANGLE: least angle of sharp edges in degrees.
  *
  * Columns, lengths in cells: share of the true sharp edges within 0.25 of the mesh, and their rms
  * distance; distance of the nodes on the surface, rms and largest; Hausdorff and rms distance of
@@ -61,6 +61,20 @@ std::vector<std::string> Split(const std::string& text, char separator)
     words.push_back(word);
   }
   return words;
+}
+
+std::vector<std::string> ListParts(const std::string& words)
+{
+  std::vector<std::string> parts = Split(words, ',');
+  if (words == "all")
+  {
+    parts.clear();
+    for (const NamedPart& named : NamedParts)
+    {
+      parts.push_back(named.Name);
+    }
+  }
+  return parts;
 }
 
 std::string NameOf(const std::filesystem::path& path)
@@ -242,7 +256,7 @@ void PrintHeader()
 }
 
 void PrintRow(const std::string& name, const std::string& surfaces, const MesherResult& result,
-  const PartFigures& f)
+  const PartFigures& f, bool isSingle)
 {
   const MeshReport& report = result.Report;
   std::printf(
@@ -255,13 +269,20 @@ void PrintRow(const std::string& name, const std::string& surfaces, const Mesher
   {
     std::printf("%.1f-%.1f", report.MinimumDihedralAngle, report.MaximumDihedralAngle);
   }
-  std::printf(" | %.1f | %.3f | %.4f, %.3f | %.2f, %.4f | %lld/%lld/%lld | %.1f, %.2f | %.0e | "
-              "%lld+%lld | ",
-    100.0 * f.EdgesNear, f.Edges.RootMeanSquare, f.Nodes.RootMeanSquare, f.Nodes.Largest,
-    f.Hausdorff, f.RmsDistance, static_cast<long long>(f.SidesFound),
-    static_cast<long long>(f.Sides), static_cast<long long>(f.MeshSurfaces),
-    100.0 * f.WorstSideArea, 100.0 * f.MeanSideArea, f.VolumeError,
-    static_cast<long long>(report.EdgePoints), static_cast<long long>(report.CornerPoints));
+  std::printf(" | %.1f | %.3f | %.4f, %.3f | %.2f, %.4f | ", 100.0 * f.EdgesNear,
+    f.Edges.RootMeanSquare, f.Nodes.RootMeanSquare, f.Nodes.Largest, f.Hausdorff, f.RmsDistance);
+  if (isSingle)
+  {
+    std::printf("%lld/%lld/%lld | %.1f, %.2f", static_cast<long long>(f.SidesFound),
+      static_cast<long long>(f.Sides), static_cast<long long>(f.MeshSurfaces),
+      100.0 * f.WorstSideArea, 100.0 * f.MeanSideArea);
+  }
+  else // contacts divide sides of bodies
+  {
+    std::printf("%lld | ", static_cast<long long>(f.MeshSurfaces));
+  }
+  std::printf(" | %.0e | %lld+%lld | ", f.VolumeError, static_cast<long long>(report.EdgePoints),
+    static_cast<long long>(report.CornerPoints));
 }
 
 void MeasureSizes(const std::string& words, const std::string& cells,
@@ -286,7 +307,8 @@ void MeasureSizes(const std::string& words, const std::string& cells,
       const double seconds = CpuSeconds(CLOCK_PROCESS_CPUTIME_ID) - begin;
       PrintRow(part.Name + (isTurned ? ", turned" : "") + (method == "hexes" ? "" : ", " + method) +
           " | " + cells,
-        use, result, MeasurePart(truth, result.TheMesh, result.Report));
+        use, result, MeasurePart(truth, result.TheMesh, result.Report),
+        part.Surfaces->Bodies.size() == 1);
       std::printf("%.2f, %.2f |\n", fractions, seconds);
       std::fflush(stdout);
     }
@@ -305,7 +327,7 @@ int main(int argc, char** argv)
   try
   {
     PrintHeader();
-    for (const std::string& part : Split(argv[1], ','))
+    for (const std::string& part : ListParts(argv[1]))
     {
       for (const std::string& turned : Split(argc > 5 ? argv[5] : "0", ','))
       {

@@ -182,3 +182,39 @@ def test_absent(monkeypatch):
     assert not rows and "ours, %s: no mesh: ended after 1 s of CPU" % smoothed in printed
     assert "- Cleaver: no mesh: there is no /nowhere/python" in printed
     assert "- snappyHexMesh: no mesh: meshes one closed surface here" in printed
+
+
+def write_cube(folder, count):
+    """Writes a cube as HybridOctree_Hex does: its triangles, and its mesh at another place."""
+    pyvista = pytest.importorskip("pyvista")
+    cube = pyvista.Cube(center=(3, 4, 5)).triangulate().clean()
+    triangles = cube.regular_faces + 1  # point 0 is not used
+    for name in ("input boundaries", "our results"):
+        (folder / name).mkdir()
+    with open(folder / "input boundaries" / "cube_tri.raw", "w", encoding="ascii") as file:
+        file.write("%d %d\n" % (len(cube.points) + 1, len(triangles)))
+        np.savetxt(file, np.concatenate([cube.points[:1], cube.points]))
+        np.savetxt(file, triangles, "%d")
+    grid = pyvista.ImageData(dimensions=3 * (count + 1,), spacing=3 * (7 / count,))
+    hexahedra = grid.cast_to_structured_grid().cast_to_unstructured_grid()
+    hexahedra.save(folder / "our results" / "cube.vtk", binary=False)
+
+
+def test_published_hexahedra(tmp_path, capsys):
+    """Theirs fit after they are moved back onto the triangles; ours have as many elements."""
+    write_cube(tmp_path, 8)
+    surfaces = pytest.importorskip("surfaces")
+    surfaces.compare(str(tmp_path), "", 1.0)
+    theirs, ours = [line.split("|")[3:8] for line in capsys.readouterr().out.splitlines()
+                    if line.startswith("| cube")]
+    assert [float(value) for value in theirs] == pytest.approx([512, 1, 0, 0, 0], abs=1e-5)
+    count, jacobian, rms, largest, volume = map(float, ours)
+    assert count == pytest.approx(512, rel=0.3) and jacobian > 0.4
+    assert 0 < rms < largest < 100 and abs(volume) < 1e-5
+
+
+def test_no_published_hexahedra(tmp_path, capsys):
+    pytest.importorskip("pyvista")
+    surfaces = pytest.importorskip("surfaces")
+    surfaces.compare(str(tmp_path), "", 1.0)
+    assert "clone https://github.com" in capsys.readouterr().out

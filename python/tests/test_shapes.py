@@ -130,6 +130,19 @@ def test_ways_to_give_surfaces():
     assert flat["Material1"].shape == (12, 8, 6)
 
 
+def test_first_surface_keeps_its_volume():
+    nodes = np.linspace(-0.6, 2.6, 13), np.linspace(-0.3, 1.3, 9), [-0.5, -0.1, 0.3, 0.8, 1.4]
+    first, second = (CUBE, TRIANGLES), (CUBE + [0.5, 0, 0], TRIANGLES)
+    found = vfm.surface({"first": first, "second": second}, coordinates=nodes)
+    alone = vfm.surface({"second": second}, coordinates=nodes)["second"]
+    assert [list(x) for x in found.coordinates] == [list(x) for x in nodes]
+    assert np.array_equal(found["first"], vfm.surface(first, coordinates=nodes)["Material1"])
+    assert np.array_equal(found["second"], np.minimum(alone, 1 - found["first"]))
+    assert (alone > found["second"]).sum() > 10
+    with pytest.raises(ValueError, match="second: .*open"):
+        vfm.surface({"first": first, "second": (CUBE, TRIANGLES[1:])}, 8)
+
+
 def test_surfaces_of_others(tmp_path):
     pyvista = pytest.importorskip("pyvista")
     meshio = pytest.importorskip("meshio")

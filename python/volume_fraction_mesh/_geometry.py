@@ -53,6 +53,7 @@ class Surfaces:
         - ``SurfaceMaterials``, ``SurfaceSides``: its material pair and domain side.
         - ``SurfaceParts``: number of the smooth side of an interface with edges, from 1; 0
           without edges.
+        - ``PatchNames``: its name in the surface of a body, or empty; only if there are any.
         - ``SurfaceAreas`` in length**2, ``SurfaceCentroids``, ``SurfaceNormals``: the mean normal
           has length 1 on a plane.
 

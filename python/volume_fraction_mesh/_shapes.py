@@ -196,7 +196,7 @@ def surface(
     if bounds is None and coordinates is None:
         nodes = _fit(bodies, cells, cell_width)
     else:
-        nodes = _nodes(_counts(cells), 1.0, (0, 0, 0), bounds, coordinates)
+        nodes = _nodes(_counts(cells), (1.0, 1.0, 1.0), (0, 0, 0), bounds, coordinates)
     check_order(order)
     with shown(progress) as call:
         arrays = _core.surface_fractions(bodies, list(nodes), thread_count, call)

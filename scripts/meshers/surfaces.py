@@ -1,6 +1,6 @@
 """Compares our hexahedra of closed surfaces with published ones, at equal numbers of elements.
 
-usage: surfaces.py FOLDER [--models NAMES] [--count 1]
+usage: compare_meshers --surfaces FOLDER [--models NAMES] [--count 1]
 
 FOLDER is a clone of https://github.com/CMU-CBML/HybridOctree_Hex: surfaces in "input boundaries",
 hexahedra that its authors published in "our results". Without it there is a message and no table.

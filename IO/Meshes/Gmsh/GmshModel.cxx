@@ -1,5 +1,6 @@
 #include "Meshes/Gmsh/GmshModel.h"
 
+#include "Base/Sorted.h"
 #include "Ranks/Errors.h"
 #include "Report/Sets/NamedSurfaces.h"
 
@@ -56,7 +57,7 @@ bool Contains(const NamedSurface& group, const SurfaceEntity& surface)
       return surface.DomainSide == NoSide && surface.Materials == group.Materials;
     case SurfaceKind::SmoothSide:
       return surface.DomainSide == NoSide && surface.Materials == group.Materials &&
-        surface.SmoothSide == group.Surface;
+        FindSorted(group.Surfaces, surface.SmoothSide) >= 0;
     case SurfaceKind::AllInterfaces:
       return surface.IsInterface;
     case SurfaceKind::Skin:

@@ -20,6 +20,12 @@ bool IsWordCharacter(char c)
 /// Side of the domain, materials from the one whose elements own the faces, and smooth side.
 using SurfaceKey = std::array<int, 4>;
 
+/// Returns the lowest surface of a set, or 0.
+int SurfaceOf(const SideSet& set)
+{
+  return set.Surfaces.empty() ? 0 : set.Surfaces.front();
+}
+
 /// @param surface  smooth side, or 0
 SurfaceKey KeyOf(const SideSet& set, int surface)
 {
@@ -67,7 +73,7 @@ FoamSurfaces FindFoamSurfaces(const MeshData& mesh, Ranks& ranks)
     if (IsFinest(surface))
     {
       const int index = static_cast<int>(found.Surfaces.size());
-      indices[KeyOf(surface, surface.Surface)] = index;
+      indices[KeyOf(surface, SurfaceOf(surface))] = index;
       found.Surfaces.push_back(
         { used.Add(FoamWord(surface.Name)), surface.Kind == SurfaceKind::DomainSide,
           surface.Kind == SurfaceKind::SmoothSide ? indices.at(KeyOf(surface, 0)) : index });
@@ -77,7 +83,7 @@ FoamSurfaces FindFoamSurfaces(const MeshData& mesh, Ranks& ranks)
   {
     if (IsFinest(set))
     {
-      found.OfSideSet[set.Id] = { indices.at(KeyOf(set, set.Surface)),
+      found.OfSideSet[set.Id] = { indices.at(KeyOf(set, SurfaceOf(set))),
         !OwnsFace(set.Materials[0], set.Materials[1]) };
     }
   }

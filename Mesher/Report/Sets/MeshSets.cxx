@@ -88,6 +88,37 @@ std::string PatchOf(const MeshData& mesh, int surface)
   return names && number <= names->size() ? (*names)[number - 1] : "";
 }
 
+/// Surfaces and faces of one side set.
+struct SideGroup
+{
+  std::vector<int> Surfaces;
+  std::vector<ElementSide> Sides;
+};
+
+/// Collective. Joins the surfaces of each patch between two materials; keys are their lowest ones.
+std::map<PairSide, SideGroup> JoinPatches(
+  const MeshData& mesh, std::map<PairSide, std::vector<ElementSide>> ofSides, Ranks& ranks)
+{
+  std::map<std::pair<Pair, std::string>, int> firsts;
+  std::map<PairSide, SideGroup> groups;
+  for (const PairSide& side : UnionOfKeys(ranks, ofSides))
+  {
+    const Pair pair{ { std::min(side[0], side[1]), std::max(side[0], side[1]) } };
+    const std::string patch = PatchOf(mesh, side[2]);
+    const int first =
+      patch.empty() ? side[2] : firsts.emplace(std::pair(pair, patch), side[2]).first->second;
+    SideGroup& group = groups[{ { side[0], side[1], first } }];
+    group.Surfaces.push_back(side[2]);
+    const std::vector<ElementSide>& sides = ofSides[side];
+    group.Sides.insert(group.Sides.end(), sides.begin(), sides.end());
+  }
+  for (auto& [side, group] : groups)
+  {
+    std::sort(group.Sides.begin(), group.Sides.end());
+  }
+  return groups;
+}
+
 /// Returns the name of a smooth side.
 /// @param ofPair  name of its pair of materials
 std::string NameOfSide(const MeshData& mesh, const PairSide& side, const std::string& ofPair)
@@ -121,7 +152,7 @@ std::vector<SideSet> MakeSideSets(const MeshData& mesh, const Facets& facets, Ra
   std::vector<SideSet> sets;
   for (int side : UnionOfKeys(ranks, ofDomain))
   {
-    sets.push_back({ SurfaceKind::DomainSide, side + 1, SideNames[side], side, { { 0, 0 } }, 0,
+    sets.push_back({ SurfaceKind::DomainSide, side + 1, SideNames[side], side, { { 0, 0 } }, {},
       std::move(ofDomain[side]) });
   }
   const std::map<int, std::string> names = NamesOfMaterials(mesh);
@@ -133,12 +164,14 @@ std::vector<SideSet> MakeSideSets(const MeshData& mesh, const Facets& facets, Ra
   for (std::size_t p = 0; p < pairs.size(); ++p)
   {
     sets.push_back({ SurfaceKind::Interface, ids[p], nameOf(pairs[p][0], pairs[p][1]), NoSide,
-      pairs[p], 0, std::move(ofPairs[pairs[p]]) });
+      pairs[p], {}, std::move(ofPairs[pairs[p]]) });
   }
-  const std::vector<PairSide> sides = UnionOfKeys(ranks, ofSides);
+  std::map<PairSide, SideGroup> groups = JoinPatches(mesh, std::move(ofSides), ranks);
+  std::vector<PairSide> sides;
   std::vector<int> pairIds;
-  for (const PairSide& side : sides)
+  for (const auto& [side, group] : groups)
   {
+    sides.push_back(side);
     const Pair pair{ { side[0], side[1] } };
     pairIds.push_back(ids[std::lower_bound(pairs.begin(), pairs.end(), pair) - pairs.begin()]);
   }
@@ -146,9 +179,10 @@ std::vector<SideSet> MakeSideSets(const MeshData& mesh, const Facets& facets, Ra
   const std::vector<int> sideIds = NumberSides(sides, pairIds, greatest);
   for (std::size_t s = 0; s < sides.size(); ++s)
   {
+    SideGroup& group = groups[sides[s]];
     sets.push_back({ SurfaceKind::SmoothSide, sideIds[s],
       NameOfSide(mesh, sides[s], nameOf(sides[s][0], sides[s][1])), NoSide,
-      { { sides[s][0], sides[s][1] } }, sides[s][2], std::move(ofSides[sides[s]]) });
+      { { sides[s][0], sides[s][1] } }, std::move(group.Surfaces), std::move(group.Sides) });
   }
   return sets;
 }
@@ -156,7 +190,7 @@ std::vector<SideSet> MakeSideSets(const MeshData& mesh, const Facets& facets, Ra
 /// Collective. Makes "interfaces" and the skins, without ids.
 std::vector<SideSet> MakeUnions(const MeshData& mesh, const Facets& facets, Ranks& ranks)
 {
-  SideSet all{ SurfaceKind::AllInterfaces, 0, "interfaces", NoSide, { { 0, 0 } }, 0, {} };
+  SideSet all{ SurfaceKind::AllInterfaces, 0, "interfaces", NoSide, { { 0, 0 } }, {}, {} };
   std::map<int, std::vector<ElementSide>> skins;
   for (const MeshFacet& facet : facets)
   {
@@ -176,7 +210,7 @@ std::vector<SideSet> MakeUnions(const MeshData& mesh, const Facets& facets, Rank
   for (int material : UnionOfKeys(ranks, skins))
   {
     sets.push_back({ SurfaceKind::Skin, 0, NameOfMaterial(names, material) + "_skin", NoSide,
-      { { material, material } }, 0, std::move(skins[material]) });
+      { { material, material } }, {}, std::move(skins[material]) });
   }
   return sets;
 }
@@ -238,18 +272,21 @@ std::vector<SurfacePoint> FindRims(const MeshData& mesh, const Facets& facets, R
   return UnionOverRanks(ranks, std::move(rims));
 }
 
-/// Returns the points on a smooth side.
+/// Returns the points on some surfaces.
 std::vector<Index> FindSurfacePoints(
-  const MeshData& mesh, int surface, const std::vector<SurfacePoint>& rims)
+  const MeshData& mesh, const std::vector<int>& surfaces, const std::vector<SurfacePoint>& rims)
 {
   const Index* ids = mesh.UnsplitPointIds();
   std::vector<Index> points;
   for (Index point = 0; point < mesh.NumberOfPoints; ++point)
   {
-    const bool isOnSurface = mesh.GeometryDimension[point] == DimensionOfSurfaces
-      ? mesh.GeometryId[point] == surface
-      : std::binary_search(rims.begin(), rims.end(), SurfacePoint{ { surface, ids[point] } });
-    if (isOnSurface)
+    const auto isOn = [&](int surface)
+    {
+      return mesh.GeometryDimension[point] == DimensionOfSurfaces
+        ? mesh.GeometryId[point] == surface
+        : std::binary_search(rims.begin(), rims.end(), SurfacePoint{ { surface, ids[point] } });
+    };
+    if (std::any_of(surfaces.begin(), surfaces.end(), isOn))
     {
       points.push_back(point);
     }
@@ -277,9 +314,9 @@ std::vector<NodeSet> MakeNodeSets(
   const std::vector<SurfacePoint> rims = FindRims(mesh, facets, ranks);
   for (const SideSet& sides : sideSets)
   {
-    if (sides.Surface > 0)
+    if (!sides.Surfaces.empty())
     {
-      add(sides.Id, sides.Name, FindSurfacePoints(mesh, sides.Surface, rims));
+      add(sides.Id, sides.Name, FindSurfacePoints(mesh, sides.Surfaces, rims));
     }
   }
   return sets;

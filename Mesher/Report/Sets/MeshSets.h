@@ -6,7 +6,7 @@
  *   material that touch the second, "ball_to_Void" the free surface;
  * - each side of an interface with several sides: "ball_to_Void_3" for surface 3. If the surface of
  *   a body names it (field PatchNames) "inlet", the name is "inlet" for elements next to void, and
- *   "inlet_ball_to_plate" next to another material;
+ *   "inlet_ball_to_plate" next to another material; surfaces of one patch are in one set;
  * - each side of the domain, "x_min" to "z_max", with faces of all materials. These faces are in no
  *   set of a pair;
  * - "interfaces", all faces between two materials once, where cohesive elements can be inserted;
@@ -44,7 +44,8 @@ struct SideSet
   int DomainSide; ///< 0..5 for -x +x -y +y -z +z; NoSide for other kinds
   /// Interface, SmoothSide: materials of the elements and behind. Skin: its material, twice.
   std::array<int, 2> Materials;
-  int Surface;                    ///< surface of a smooth side; 0 otherwise
+  /// Surface of a smooth side, or all surfaces of a patch between its materials; empty otherwise.
+  std::vector<int> Surfaces;
   std::vector<ElementSide> Sides; ///< sides on this rank, ascending
 };
 
@@ -76,7 +77,8 @@ struct MeshSets
 /// - pairs: 1000 * first + second for material ids below 1,000, a greater power of ten for greater
 ///   ids, or consecutive numbers from 7 if that exceeds 31 bits. The void is 0 as second,
 ///   FindVoidId() as first material;
-/// - smooth sides: 1000 * (id of the pair) + surface, or a greater power of ten, or consecutive
+/// - smooth sides: 1000 * (id of the pair) + surface, for patches the lowest one, or a greater
+/// power of ten, or consecutive
 ///   numbers after the pairs if that exceeds 31 bits;
 /// - "interfaces", then the skins in the order of the materials: the lowest from 7 that are free.
 /// A repeated name gets the ending _2, _3 and so on.

@@ -2,8 +2,8 @@
 /// message.
 #include "Surfaces/ClosedSurface.h"
 
-#include "Ranks/Errors.h"
 #include "LooseTriangles.h"
+#include "Ranks/Errors.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 /// Steps of the repair of surfaces, and bodies.
-#include "Ranks/Errors.h"
 #include "LooseTriangles.h"
+#include "Ranks/Errors.h"
 #include "Surfaces/InputSurfaces.h"
 #include "Surfaces/NestedParts.h"
 #include "Surfaces/OrientTriangles.h"

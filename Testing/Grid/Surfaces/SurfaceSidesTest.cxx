@@ -12,9 +12,9 @@ BodySurface MakeTet(std::vector<std::string> names)
 {
   const std::vector<Vector3> points{ { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } },
     { { 0, 0, 1 } } };
-  return { "tet",
-    CloseSurface(points, { { { 0, 2, 1 } }, { { 0, 1, 3 } }, { { 1, 2, 3 } }, { { 0, 3, 2 } } }),
-    { 0, 1, 1, 0 }, std::move(names) };
+  return MakeBody("tet", points,
+    { { { 0, 2, 1 } }, { { 0, 1, 3 } }, { { 1, 2, 3 } }, { { 0, 3, 2 } } }, { 0, 1, 1, 0 },
+    std::move(names));
 }
 
 TEST(SurfaceSides, NamedPatchesAreSides)

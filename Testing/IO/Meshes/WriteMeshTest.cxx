@@ -93,3 +93,58 @@ TEST(WriteMesh, FilesThatCannotBeWrittenAreNotLeft)
   }
   EXPECT_EQ(folder.CountFiles(), 2u);
 }
+
+namespace
+{
+
+/// Makes the interface of the first and third material a side that the surface of a body names.
+void NameInterface(Mesh& mesh, FieldArrays& fields)
+{
+  GeometryTables& tables = mesh.Tables;
+  const std::array<int, 2> pair{ { 1, 3 } };
+  const auto at = std::find(tables.SurfaceMaterials.begin(), tables.SurfaceMaterials.end(), pair);
+  const auto number = at - tables.SurfaceMaterials.begin();
+  tables.SurfaceParts.at(number) = 1;
+  tables.PatchNames.assign(tables.SurfaceParts.size(), "");
+  tables.PatchNames.at(number) = "inlet";
+  for (MeshFacet& facet : mesh.Facets)
+  {
+    const int own = mesh.Material[facet.Element], behind = facet.Behind;
+    if (std::min(own, behind) == 1 && std::max(own, behind) == 3)
+    {
+      facet.Surface = static_cast<int>(number) + 1;
+    }
+  }
+  AppendFields(ListSides(tables), fields);
+}
+
+/// Returns all files of a folder in lower case.
+std::string ReadLower(const std::string& folder)
+{
+  std::string all;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
+  {
+    all += entry.is_regular_file() ? ReadBytes(entry.path().string()) : "";
+  }
+  std::transform(all.begin(), all.end(), all.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return all;
+}
+
+} // namespace
+
+TEST(WriteMesh, SidesHaveTheNamesOfPatches)
+{
+  for (const char* name : { "mesh.e", "mesh.inp", "mesh.bdf", "mesh.k", "mesh.rad", "mesh.msh",
+         "mesh.stl", "mesh.xdmf", "mesh.foam", "mesh.vtu" })
+  {
+    const Folder folder;
+    WithMesh(
+      1, MakeHexMesh,
+      [&](const FileCase& part, Ranks& ranks)
+      { WriteMesh(part.Mesh, folder / name, ranks, { .IsSingle = true }); },
+      {}, [](Mesh& mesh, FieldArrays& fields, Ranks&) { NameInterface(mesh, fields); });
+    const char* expected = std::string(name) == "mesh.vtu" ? "patchnames" : "inlet_one_to_three";
+    EXPECT_NE(ReadLower(folder / ".").find(expected), std::string::npos) << name;
+  }
+}

@@ -172,6 +172,29 @@ TEST(WriteReport, ValuesAreThoseOfTheMesher)
     });
 }
 
+TEST(WriteReport, SurfacesOfTheInputAreListed)
+{
+  ReportContent content;
+  content.Materials = { { "Name", std::vector<std::string>{ "hull", "fluid" } },
+    { "MaterialId", std::vector<int>{ 1, 2 } }, { "TargetVolume", std::vector<double>{ 1, 1 } },
+    { "MeshVolume", std::vector<double>{ 1, 1 } }, { "VolumeError", std::vector<double>{ 0, 0 } },
+    { "LostCells", std::vector<Index>{ 0, 0 } }, { "GainedCells", std::vector<Index>{ 0, 0 } },
+    { "Elements", std::vector<Index>{ 9, 9 } }, { "Fragments", std::vector<Index>{ 3, 1 } } };
+  const std::string heading = "Surfaces of the input";
+  EXPECT_EQ(SectionOf(PrintReportPage(content), heading), "");
+  AppendFields({ { "SurfaceThickness", std::vector<double>{ 0.75, 0 } },
+                 { "SuggestedWidth", std::vector<double>{ 0.3, 0 } },
+                 { "LostSurface", std::vector<double>{ 0.125, 0 } },
+                 { "Solids", std::vector<Index>{ 1, 0 } } },
+    content.Materials);
+  const std::string page = PrintReportPage(content);
+  ExpectNested(page);
+  const std::vector<std::string> cells = CellsOf(SectionOf(page, heading));
+  ASSERT_EQ(cells.size(), 12u); // the fluid has no surface
+  EXPECT_EQ((std::vector<std::string>(cells.begin() + 6, cells.end())),
+    (std::vector<std::string>{ "hull", "0.75", "0.3", "12.5", "1", "3" }));
+}
+
 TEST(WriteReport, HexesHaveNoAngles)
 {
   const std::string page = WritePage(2, MakeHexMesh, {});

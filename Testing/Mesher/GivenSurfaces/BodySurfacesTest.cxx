@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 using namespace vfm;
 
 namespace
@@ -12,9 +14,9 @@ BodySurface MakeTet(const std::string& name, double scale)
 {
   const std::vector<Vector3> points{ { { 2, 2, 2 } }, { { 2 + scale, 2, 2 } },
     { { 2, 2 + scale, 2 } }, { { 2, 2, 2 + scale } } };
-  return { name,
-    CloseSurface(points, { { { 0, 2, 1 } }, { { 0, 1, 3 } }, { { 1, 2, 3 } }, { { 0, 3, 2 } } }),
-    { 0, 0, 1, 1 }, { "base", "slope" } };
+  return MakeBody(name, points,
+    { { { 0, 2, 1 } }, { { 0, 1, 3 } }, { { 1, 2, 3 } }, { { 0, 3, 2 } } }, { 0, 0, 1, 1 },
+    { "base", "slope" });
 }
 
 const std::vector<double> Coordinates{ 1, 3, 5, 7 };
@@ -41,8 +43,10 @@ TEST(BodySurfaces, GridCoordinatesCountCells)
 {
   const BodySurfaces surfaces({ { MakeTet("a", 2.0) } }, { "a" }, Grid, 40.0);
   const GivenBody& body = surfaces.Bodies()[0];
-  EXPECT_EQ(body.Boundary.Points[3], (Vector3{ { 0.5, 0.5, 1.5 } }));
-  EXPECT_EQ(body.Sides.SideOf, (std::vector<int>{ 0, 0, 1, 1 }));
+  const std::vector<Vector3>& points = body.Boundary.Points;
+  EXPECT_EQ(points.front(), (Vector3{ { 0.5, 0.5, 0.5 } })); // the lowest one
+  EXPECT_EQ(points.back(), (Vector3{ { 1.5, 0.5, 0.5 } }));
+  EXPECT_EQ(std::count(body.Sides.SideOf.begin(), body.Sides.SideOf.end(), 1), 2);
   EXPECT_EQ(body.Sides.Names, (std::vector<std::string>{ "base", "slope" }));
   EXPECT_EQ(body.Sheets.Edges.size(), 6u);
 }
@@ -63,6 +67,8 @@ TEST(BodySurfaces, PeriodsAreInCells)
   const BodySurfaces surfaces({ { MakeTet("a", 2.0) } }, { "a" }, periodic, 40.0);
   EXPECT_EQ(surfaces.Periods(), (Vector3{ { 3, 0, 0 } }));
   const double below = static_cast<double>(periodic.Domain().Lower[0]);
+  EXPECT_EQ(surfaces.Domain().Lower, (Vector3{ { below, 0, 0 } }));
+  EXPECT_EQ(surfaces.Domain().Upper, (Vector3{ { below + 3, 3, 3 } }));
   EXPECT_EQ(surfaces.Bodies()[0].Boundary.Points[0], (Vector3{ { below + 0.5, 0.5, 0.5 } }));
 }
 

@@ -69,6 +69,21 @@ TEST(NearSurface, TheNearestPointsOfEdgesAndCornersAreFound)
   EXPECT_NEAR(Norm(corners[0].At - Vector3{ { 0.3, 0.4, 0.5 } }), 0.0, 1e-12);
 }
 
+TEST(NearSurface, EdgesEndAtTheDomain)
+{
+  const GivenCase box(12, { vfm::testing::BoxSurface({ { 4, 4, 4 } }, { { 13, 12.2, 8 } }) });
+  const NearSurface near(box.Surfaces.Bodies()[0], {}, 1.0, box.Surface);
+  std::vector<NearEdge> edges;
+  near.ListEdges(FrameAt({ { 11, 4.5, 8 } }), 2.0, edges);
+  ASSERT_EQ(edges.size(), 1u); // not the upper one beyond the side
+  near.ListEdges(FrameAt({ { 12, 12, 8 } }), 2.0, edges);
+  EXPECT_TRUE(edges.empty());
+  std::vector<NearCorner> corners;
+  near.ListCorners(FrameAt({ { 12, 12, 8 } }), 2.0, corners);
+  EXPECT_TRUE(corners.empty());
+  EXPECT_NEAR(AreaWithin(near, { { 11, 8, 8 } }, 3.0), 33.0, 1.0); // also beyond the side
+}
+
 TEST(NearSurface, CellsOfOtherShapesAreUnitCubes)
 {
   std::array<std::vector<double>, 3> x = GivenCase::Coordinates(12);

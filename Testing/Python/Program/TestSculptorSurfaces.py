@@ -36,10 +36,10 @@ def test_names_priority_and_ranks(at):
     shaft = write_box(at("shaft.stl"), (0, 0, 0), (1, 1, 1))
     housing = write_box(at("housing.stl"), (0.5, 0, 0), (3, 1, 1))
     for ranks in (1, 3):
-        result = sculptor(shaft, housing, at("%d.vtu" % ranks), "--cells", "20", ranks=ranks)
+        result = sculptor(shaft, housing, at("%d.vtu" % ranks), "--cell-width", "0.125",
+                          ranks=ranks)
         assert result.returncode == 0 and result.stderr == "", result
-        volumes = {name: row for name, row in rows(result.stdout).items()}
-        assert list(volumes)[:2] == ["shaft", "housing"], result.stdout
+        assert list(rows(result.stdout))[:2] == ["1 shaft", "2 housing"], result.stdout
         assert "materials from shaft, housing (surfaces)" in result.stdout
     with open(at("1.vtu"), "rb") as one, open(at("3.vtu"), "rb") as three:
         assert one.read() == three.read()
@@ -106,7 +106,7 @@ def test_messages(at):
                 (1, "--cells takes an integer from 5, not '0'", [part, "--cells", "0"]),
                 (1, "in.vti is not", [part, "in.vti"]),
                 (2, "--labels", [part, "--labels", "id"]),
-                (1, "no time", [part, "--step", "1"])):
+                (2, "no step 1", [part, "--step", "1"])):
             refused(code, text, *words, "--output", at("no.vtu"), ranks=ranks)
         refused(1, "same file as the input", part, "--output", part, ranks=ranks)
 

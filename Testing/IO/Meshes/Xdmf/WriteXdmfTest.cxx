@@ -149,12 +149,13 @@ TEST(WriteXdmf, RanksWriteTheSameFiles)
 TEST(WriteXdmf, SmoothSidesReplaceTheirInterface)
 {
   const std::vector<ElementSide> both{ { 0, 1 }, { 1, 2 } };
-  const std::vector<NamedSurface> surfaces{ { SurfaceKind::DomainSide, 1, "x_min", 0, {}, 0,
-                                              { { 1, 0 } } },
-    { SurfaceKind::Interface, 1000, "a_to_Void", NoSide, { { 1, 0 } }, 0, both },
-    { SurfaceKind::SmoothSide, 1000001, "a_to_Void_1", NoSide, { { 1, 0 } }, 1, { both[1] } },
-    { SurfaceKind::AllInterfaces, 7, "interfaces", NoSide, {}, 0, { { 2, 2 } } },
-    { SurfaceKind::Skin, 8, "a_skin", NoSide, { { 1, 1 } }, 0, { { 0, 0 }, { 0, 1 }, { 1, 2 } } } };
+  const std::vector<NamedSurface> surfaces{
+    { SurfaceKind::DomainSide, 1, "x_min", 0, {}, {}, { { 1, 0 } } },
+    { SurfaceKind::Interface, 1000, "a_to_Void", NoSide, { { 1, 0 } }, {}, both },
+    { SurfaceKind::SmoothSide, 1000001, "a_to_Void_1", NoSide, { { 1, 0 } }, { 1 }, { both[1] } },
+    { SurfaceKind::AllInterfaces, 7, "interfaces", NoSide, {}, {}, { { 2, 2 } } },
+    { SurfaceKind::Skin, 8, "a_skin", NoSide, { { 1, 1 } }, {}, { { 0, 0 }, { 0, 1 }, { 1, 2 } } }
+  };
   const TaggedFaces tagged = TagFaces(surfaces);
   EXPECT_EQ(tagged.Tags, (std::vector<int>{ 1000, 1, 1000001 }));
   EXPECT_EQ(tagged.Names.size(), 3u);
