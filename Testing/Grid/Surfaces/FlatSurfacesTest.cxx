@@ -1,7 +1,7 @@
 /// Surfaces as a few arrays: they are restored, and sent to all ranks.
 #include "Surfaces/FlatSurfaces.h"
 
-#include "LooseTriangles.h"
+#include "SurfaceCases.h"
 #include "ThreadRanks.h"
 
 #include <gtest/gtest.h>
