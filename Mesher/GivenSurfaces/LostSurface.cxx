@@ -19,8 +19,7 @@ namespace
 
 constexpr int SamplesOfAll = 16384, LeastSamples = 1024; // of all bodies, of one
 constexpr std::size_t Stride = 4; // thickness is measured at each sample of this number
-// Depth below the surface at which a cell is looked for, in cells: a surface in a plane of nodes is
-// in the cell of its material.
+// Distance from the surface at which cells below and above it are looked for, in cells.
 constexpr double DepthOfCell = 1e-3;
 // Distances to the mesh, in cells, at which samples are near, and at which they are not far: edges
 // of less than 20 degrees recede by up to two cells.
@@ -90,7 +89,8 @@ double MeasureQuantile(const std::vector<SurfaceSample>& samples, const SampledB
   return std::min(FindQuantile(samples, thickness, share), body.Search->Diagonal());
 }
 
-/// Finds the samples whose material is in their cells, of the owned cells.
+/// Finds the samples of the owned cells on the surface of the material: its cells below the surface
+/// have some of it, and those above are not filled by it.
 void FindPresent(int material, const CartesianGrid& grid, const FractionField& fractions,
   Runtime& runtime, SampledBody& body)
 {
@@ -99,10 +99,14 @@ void FindPresent(int material, const CartesianGrid& grid, const FractionField& f
     [&](Index s)
     {
       const SurfaceSample& sample = body.Samples[s];
-      const Index3 cell =
-        grid.CellAt(origin + grid.MeanWidth() * (sample.Point - DepthOfCell * sample.Normal));
-      body.IsPresent[s] =
-        grid.Owned().Contains(cell) && fractions.Fraction(grid.Linear(cell), material) > 0.0;
+      const auto cellAt = [&](double height)
+      { return grid.CellAt(origin + grid.MeanWidth() * (sample.Point + height * sample.Normal)); };
+      const Index3 below = cellAt(-DepthOfCell), above = cellAt(DepthOfCell);
+      const auto fractionIn = [&](const Index3& cell) {
+        return grid.Local().Contains(cell) ? fractions.Fraction(grid.Linear(cell), material) : 0.0;
+      };
+      body.IsPresent[s] = grid.Owned().Contains(below) && fractionIn(below) > 0.0 &&
+        fractionIn(above) < 1.0 - FractionTolerance;
     });
 }
 

@@ -186,6 +186,16 @@ TEST(LostBodies, PartsOutsideTheDomainOrInOtherBodiesAreNotLost)
   EXPECT_EQ(cut.Fragments, (std::vector<Index>{ 1, 2 }));
 }
 
+TEST(LostBodies, SurfacesInsideTheBodyAreNotLost)
+{
+  const Outcome crossed =
+    MeshBodies({ Together(Cube, BoxSurface({ { 6.2, 6.3, 5.4 } }, { { 9.3, 9.8, 19.6 } })) },
+      { { 18, 18, 24 } });
+  ExpectKept(crossed, 3.1);
+  EXPECT_EQ(crossed.Bodies[0].Solids, 2);
+  EXPECT_FALSE(crossed.Bodies[0].IsWhole);
+}
+
 TEST(LostBodies, EdgesOfWedgesMayRecede)
 {
   const Outcome wedge = MeshBodies({ Wedge(20.0, 6.0, 12.0) }, { { 25, 17, 12 } });
