@@ -108,6 +108,10 @@ int vtkVolumeFractionMeshAlgorithm::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+  {
+    vfm::RemoveSurfaceFields(vtkDataObject::GetData(outputVector, port)->GetFieldData());
+  }
   const vfm::MeshOutputs outputs{ vtkUnstructuredGrid::GetData(outputVector, 0),
     vtkPolyData::GetData(outputVector, 1), vtkPolyData::GetData(outputVector, 2),
     vtkPolyData::GetData(outputVector, 3), vtkTable::GetData(outputVector, 4),

@@ -39,6 +39,12 @@ void AddFiles(std::vector<std::string> files, GivenArguments& given)
     given["--output"] = { inputs.back() };
     inputs.pop_back();
   }
+  if (!files.empty() && inputs.size() > 1 &&
+    std::none_of(inputs.begin(), inputs.end(), IsSurfaceFile))
+  {
+    RejectArguments(
+      "'" + files.back() + "' is one file too many: the input and the output are already given.");
+  }
   if (!inputs.empty())
   {
     given["--input"] = std::move(inputs);

@@ -233,8 +233,7 @@ void CheckInputs(const std::vector<std::string>& inputs)
   }
   if (other != inputs.end() && inputs.size() > 1)
   {
-    RejectArguments(
-      "'" + inputs[1] + "' is one file too many: the input and the output are already given.");
+    RejectArguments("--input is given twice.");
   }
 }
 

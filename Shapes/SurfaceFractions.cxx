@@ -208,7 +208,10 @@ void LimitSums(std::vector<Buffer<double>>& fractions, Runtime& runtime)
         double rest = 1.0;
         for (Buffer<double>& values : fractions)
         {
-          values[i] = Snapped(std::min(values[i], rest));
+          if (values[i] > rest) // few cells: most memory is only read
+          {
+            values[i] = Snapped(rest);
+          }
           rest -= values[i];
         }
       }

@@ -6,10 +6,8 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkIntArray.h"
-#include "vtkMatrix3x3.h"
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
@@ -113,9 +111,7 @@ std::vector<std::string> ReadTexts(const char* name, vtkFieldData* fields)
 FlatSurfaces ReadFields(vtkDataObject* data)
 {
   vtkFieldData* fields = data ? data->GetFieldData() : nullptr;
-  auto* image = vtkImageData::SafeDownCast(data);
-  if (!fields || !fields->GetArray((Prefix + "Triangles").c_str()) ||
-    (image && !image->GetDirectionMatrix()->IsIdentity()))
+  if (!fields || !fields->GetArray((Prefix + "Triangles").c_str()))
   {
     return {};
   }
@@ -164,6 +160,14 @@ void AddSurfaceFields(const FlatSurfaces& surfaces, vtkFieldData* fields)
   AddInts("Patches", surfaces.Patches, fields);
   AddTexts("Names", surfaces.Names, fields);
   AddTexts("PatchNames", surfaces.PatchNames, fields);
+}
+
+void RemoveSurfaceFields(vtkFieldData* fields)
+{
+  for (const char* name : { "Points", "Triangles", "Bodies", "Patches", "Names", "PatchNames" })
+  {
+    fields->RemoveArray((Prefix + name).c_str());
+  }
 }
 
 std::shared_ptr<const InputSurfaces> FindSurfaces(vtkDataObject* data, Ranks& ranks)

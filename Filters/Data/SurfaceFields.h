@@ -19,9 +19,11 @@ namespace vfm
 /// InputSurfacePatchNames (texts). Adds nothing if there are no triangles.
 void AddSurfaceFields(const FlatSurfaces& surfaces, vtkFieldData* fields);
 
+/// Removes these arrays, which VTK passes from the input of a filter to its outputs.
+void RemoveSurfaceFields(vtkFieldData* fields);
+
 /// Returns the surfaces in these arrays of the data object, or of its first block that has them, of
-/// the lowest rank that has them; null if there are none. Those of images with a direction matrix
-/// are ignored.
+/// the lowest rank that has them; null if there are none.
 /// @param data  may be null
 /// @throws InputError  if RestoreSurfaces does
 /// @pre Collective

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
+#include <utility>
 
 namespace vfm
 {
@@ -16,8 +18,8 @@ namespace
 {
 
 constexpr int SamplesOfAll = 16384, LeastSamples = 1024; // of all bodies, of one
-// Depth below the surface at which a cell is looked for, in cells: a surface in a plane of nodes is
-// in the cell of its material.
+constexpr std::size_t Stride = 4; // thickness is measured at each sample of this number
+// Distance from the surface at which cells below and above it are looked for, in cells.
 constexpr double DepthOfCell = 1e-3;
 // Distances to the mesh, in cells, at which samples are near, and at which they are not far: edges
 // of less than 20 degrees recede by up to two cells.
@@ -30,7 +32,7 @@ struct SampledBody
 {
   SurfaceComponents Components;
   std::vector<SurfaceSample> Samples;
-  std::vector<double> Thickness;
+  std::unique_ptr<const TriangleSearch> Search;
   ///@{ Known on this rank, later on any rank.
   std::vector<unsigned char> IsPresent, IsNear;
   std::vector<unsigned char> IsNotFar; ///< only of lost samples
@@ -64,15 +66,11 @@ std::vector<SampledBody> SampleBodies(const BodySurfaces& surfaces, Runtime& run
   for (std::size_t b = 0; b < areas.size(); ++b)
   {
     const ClosedSurface& surface = surfaces.Bodies()[b].Boundary;
-    SampledBody body{ FindComponents(surface), {}, {}, {}, {}, {} };
+    SampledBody body;
+    body.Components = FindComponents(surface);
     const int count = static_cast<int>(SamplesOfAll * areas[b] / total);
     body.Samples = SampleSurface(surface, body.Components, std::max(count, LeastSamples));
-    const TriangleSearch search(PlaceTriangles(surface), runtime);
-    body.Thickness = MeasureThickness(body.Samples, search, BallSide::Inner, runtime);
-    for (double& thickness : body.Thickness)
-    {
-      thickness = std::min(thickness, search.Diagonal()); // a tetrahedron has no opposed normals
-    }
+    body.Search = std::make_unique<const TriangleSearch>(PlaceTriangles(surface), runtime);
     body.IsPresent.assign(body.Samples.size(), 0);
     body.IsNear.assign(body.Samples.size(), 0);
     body.IsNotFar.assign(body.Samples.size(), 0);
@@ -81,7 +79,18 @@ std::vector<SampledBody> SampleBodies(const BodySurfaces& surfaces, Runtime& run
   return bodies;
 }
 
-/// Finds the samples whose material is in their cells, of the owned cells.
+/// Returns the thickness that a share of the area of samples does not exceed.
+double MeasureQuantile(const std::vector<SurfaceSample>& samples, const SampledBody& body,
+  double share, Runtime& runtime)
+{
+  const std::vector<double> thickness =
+    MeasureThickness(samples, *body.Search, BallSide::Inner, runtime);
+  // A tetrahedron has no opposed normals.
+  return std::min(FindQuantile(samples, thickness, share), body.Search->Diagonal());
+}
+
+/// Finds the samples of the owned cells on the surface of the material: its cells below the surface
+/// have some of it, and those above are not filled by it.
 void FindPresent(int material, const CartesianGrid& grid, const FractionField& fractions,
   Runtime& runtime, SampledBody& body)
 {
@@ -90,10 +99,14 @@ void FindPresent(int material, const CartesianGrid& grid, const FractionField& f
     [&](Index s)
     {
       const SurfaceSample& sample = body.Samples[s];
-      const Index3 cell =
-        grid.CellAt(origin + grid.MeanWidth() * (sample.Point - DepthOfCell * sample.Normal));
-      body.IsPresent[s] =
-        grid.Owned().Contains(cell) && fractions.Fraction(grid.Linear(cell), material) > 0.0;
+      const auto cellAt = [&](double height)
+      { return grid.CellAt(origin + grid.MeanWidth() * (sample.Point + height * sample.Normal)); };
+      const Index3 below = cellAt(-DepthOfCell), above = cellAt(DepthOfCell);
+      const auto fractionIn = [&](const Index3& cell) {
+        return grid.Local().Contains(cell) ? fractions.Fraction(grid.Linear(cell), material) : 0.0;
+      };
+      body.IsPresent[s] = grid.Owned().Contains(below) && fractionIn(below) > 0.0 &&
+        fractionIn(above) < 1.0 - FractionTolerance;
     });
 }
 
@@ -257,8 +270,16 @@ void CountSolids(const SampledBody& body, MeshReport::Body& report)
   }
 }
 
-/// Returns the connected parts of the lost surface, as samples.
-std::vector<std::vector<Index>> FindLostParts(const SampledBody& body)
+/// Connected part of the lost surface.
+struct LostPart
+{
+  std::vector<Index> Samples;
+  double Area = 0.0;
+  bool IsFar = false; ///< a sample is farther than FarReach
+};
+
+/// Returns the connected parts of the lost surface.
+std::vector<LostPart> FindLostParts(const SampledBody& body)
 {
   std::vector<Index> lost;
   std::vector<Bounds> boxes;
@@ -276,35 +297,36 @@ std::vector<std::vector<Index>> FindLostParts(const SampledBody& body)
   std::vector<Index> sets = MakeSets(lost.size());
   Runtime serial;
   BoxTree(boxes, serial).ForPairs(serial, [&](Index a, Index b) { Join(sets, a, b); });
-  std::map<Index, std::vector<Index>> parts; // by root
+  std::map<Index, LostPart> parts; // by root
   for (std::size_t i = 0; i < lost.size(); ++i)
   {
-    parts[FindRoot(sets, static_cast<Index>(i))].push_back(lost[i]);
+    LostPart& part = parts[FindRoot(sets, static_cast<Index>(i))];
+    part.Samples.push_back(lost[i]);
+    part.Area += body.Samples[lost[i]].Area;
+    part.IsFar = part.IsFar || !body.IsNotFar[lost[i]];
   }
-  std::vector<std::vector<Index>> all;
-  for (auto& [root, samples] : parts)
+  std::vector<LostPart> all;
+  for (auto& [root, part] : parts)
   {
-    all.push_back(std::move(samples));
+    all.push_back(std::move(part));
   }
   return all;
 }
 
 /// Describes a lost part of the surface.
-/// @param part  samples
-void DescribePart(const SampledBody& body, const std::vector<Index>& part,
-  const CartesianGrid& grid, MeshReport::Body& report)
+void DescribePart(const SampledBody& body, const LostPart& part, const CartesianGrid& grid,
+  Runtime& runtime, MeshReport::Body& report)
 {
   Bounds box;
   std::vector<SurfaceSample> samples;
-  std::vector<double> thickness;
-  for (Index s : part)
+  for (Index s : part.Samples)
   {
     samples.push_back(body.Samples[s]);
-    thickness.push_back(body.Thickness[s]);
     box.Add(samples.back().Point);
   }
+  report.LostArea = part.IsFar ? part.Area : 0.0;
   report.LostLength = Norm(box.Upper - box.Lower);
-  report.LostThickness = FindQuantile(samples, thickness, 0.5);
+  report.LostThickness = MeasureQuantile(samples, body, 0.5, runtime);
   const Vector3 middle = 0.5 * (box.Lower + box.Upper);
   const auto nearest = std::min_element(samples.begin(), samples.end(),
     [&middle](const SurfaceSample& a, const SurfaceSample& b)
@@ -312,10 +334,15 @@ void DescribePart(const SampledBody& body, const std::vector<Index>& part,
   report.LostPlace = grid.NodePoint({ { 0, 0, 0 } }) + grid.MeanWidth() * nearest->Point;
 }
 
-MeshReport::Body ReportBody(const SampledBody& body, const CartesianGrid& grid)
+MeshReport::Body ReportBody(const SampledBody& body, const CartesianGrid& grid, Runtime& runtime)
 {
   MeshReport::Body report;
-  report.Thickness = FindQuantile(body.Samples, body.Thickness, ThinShare);
+  std::vector<SurfaceSample> sparse;
+  for (std::size_t s = 0; s < body.Samples.size(); s += Stride)
+  {
+    sparse.push_back(body.Samples[s]);
+  }
+  report.Thickness = MeasureQuantile(sparse, body, ThinShare, runtime);
   double present = 0.0, lost = 0.0;
   for (std::size_t s = 0; s < body.Samples.size(); ++s)
   {
@@ -325,26 +352,17 @@ MeshReport::Body ReportBody(const SampledBody& body, const CartesianGrid& grid)
   }
   report.LostShare = present > 0.0 ? lost / present : 0.0;
   CountSolids(body, report);
-  const std::vector<Index>* largest = nullptr;
-  const std::vector<std::vector<Index>> parts = FindLostParts(body);
-  for (const std::vector<Index>& part : parts)
+  LostPart largest;
+  for (LostPart& part : FindLostParts(body))
   {
-    double area = 0.0;
-    bool isFar = false;
-    for (Index s : part)
+    if (std::pair(part.IsFar, part.Area) > std::pair(largest.IsFar, largest.Area))
     {
-      area += body.Samples[s].Area;
-      isFar = isFar || !body.IsNotFar[s];
-    }
-    if (isFar && area > report.LostArea)
-    {
-      report.LostArea = area;
-      largest = &part;
+      largest = std::move(part);
     }
   }
-  if (largest)
+  if (!largest.Samples.empty())
   {
-    DescribePart(body, *largest, grid, report);
+    DescribePart(body, largest, grid, runtime, report);
   }
   return report;
 }
@@ -373,13 +391,12 @@ std::vector<MeshReport::Body> CompareBodies(const BodySurfaces& surfaces, const 
   }
   FindReached(surfaces, grid, mesh, lost, FarReach, &SampledBody::IsNotFar, runtime, bodies);
   ShareFlags(&SampledBody::IsNotFar, runtime.Group(), bodies);
-  std::vector<MeshReport::Body> reports(bodies.size());
-  ForEach(runtime, bodies.size(),
-    [&](Index b)
-    {
-      reports[b] = ReportBody(bodies[b], grid);
-      reports[b].Material = surfaces.Bodies()[b].Material;
-    });
+  std::vector<MeshReport::Body> reports;
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+  {
+    reports.push_back(ReportBody(bodies[b], grid, runtime));
+    reports.back().Material = surfaces.Bodies()[b].Material;
+  }
   return reports;
 }
 

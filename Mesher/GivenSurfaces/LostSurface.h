@@ -13,9 +13,11 @@ namespace vfm
 {
 
 /// Compares the surface of each body with the mesh at samples (SurfaceSamples.h). A sample is lost
-/// if its material is in its cell, and all facets of its material are farther than a cell, or than
-/// their longest edge. So samples that other bodies or the domain cut off do not count.
-/// Connected lost samples are a lost part if one of them is farther than 2.5 cells.
+/// if its material is in its cell, does not fill it, and all facets of its material are farther
+/// than a cell, or than their longest edge. So samples that other bodies or the domain cut off do
+/// not count, nor those where solids of the body overlap. Connected lost samples are a lost part;
+/// LostLength, LostThickness and LostPlace describe the largest one that reaches farther than 2.5
+/// cells from the mesh, or, if LostArea is 0, the largest.
 /// @param mesh  owned elements and their facets, in length units of the grid
 /// @return the bodies in the order of BodySurfaces::Bodies
 /// @pre Collective.

@@ -15,8 +15,9 @@ namespace
 
 using Body = MeshReport::Body;
 
-// Area of a lost part without a warning, in squares of the cell width: that of a sharp tip.
-constexpr double LargestQuietArea = 8.0;
+// Area without a warning: of a part far from the mesh, in squares of the cell width, that of a
+// sharp tip; of all that is lost, over the area of the surface, that of edges of wedges.
+constexpr double LargestQuietArea = 8.0, LargestQuietShare = 0.05;
 
 bool HasElements(const MeshReport& report, const Body& body)
 {
@@ -30,7 +31,7 @@ bool IsInPieces(const MeshReport& report, const Body& body)
 
 bool LosesSurface(const Body& body)
 {
-  return body.LostArea > LargestQuietArea;
+  return body.LostArea > LargestQuietArea || body.LostShare > LargestQuietShare;
 }
 
 std::string PrintLength(double length)

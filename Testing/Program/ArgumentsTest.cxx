@@ -260,7 +260,7 @@ TEST(Arguments, RejectedWords)
         "'c.vtu' is one file too many: the input and the output are already given." },
       { "in.vti out.vtu --output b.vtu",
         "'out.vtu' is one file too many: the input and the output are already given." },
-      { "--input in.vti --input b.vti out.vtu", "'b.vti' is one file too many" },
+      { "--input in.vti --input b.vti --output out.vtu", "--input is given twice." },
       { "part.stl in.vti out.vtu",
         "Surfaces can only be meshed with surfaces, but of the inputs part.stl is a surface and "
         "in.vti is not." },
@@ -397,7 +397,7 @@ TEST(Arguments, RejectedTestsAndLists)
   ExpectRefusals("--list ",
     { { "", "--input FILE is missing." }, { "in.xyz", "The input in.xyz is of an unknown format." },
       { "in.spn", "--dimensions NX,NY,NZ is missing." },
-      { "in.vti out.vtu", "--list takes --input, --dimensions, " },
+      { "in.vti out.vtu", "--list takes --input, --cells, " },
       { "in.vti out.vtu", "not --output." }, { "in.vti --void", "not --void." },
       { "in.vti --step 1 --time 2", "--step and --time exclude each other." } });
 }

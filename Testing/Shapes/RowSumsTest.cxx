@@ -99,3 +99,15 @@ TEST(RowSums, OverlapsCountOnce)
   const CutPolygon first = Square({ { 4, 4, 4, 4 } }), second = Square({ { 2, 2, 2, 2 } });
   EXPECT_EQ(Fractions({ first, second }), (std::vector<double>{ 1, 1, 1, 0 }));
 }
+
+/// Triangles much larger than cells leave gaps by rounding.
+TEST(RowSums, GapsDoNotReachUncutCells)
+{
+  CutPolygon end = Square({ { 3.5, 3.5, 3.5, 3.5 } });
+  end.Corners[1][1] = end.Corners[2][1] = 1.0 - 1e-6;
+  const std::vector<double> found = Fractions({ end });
+  EXPECT_EQ(found[0], 1.0);
+  EXPECT_EQ(found[1], 1.0);
+  EXPECT_NEAR(found[2], 0.5, 1e-6);
+  EXPECT_EQ(found[3], 0.0);
+}

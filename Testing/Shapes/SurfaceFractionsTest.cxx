@@ -223,6 +223,56 @@ TEST(SurfaceFractions, CellsWithoutSurfaceInsideAreExactlyFullOrEmpty)
   }
 }
 
+/// Faces of boxes differ from planes of the grid by rounding.
+TEST(SurfaceFractions, FacesNextToPlanesLeaveNoSlivers)
+{
+  RandomDraw draw(8);
+  for (int run = 0; run < 50; ++run)
+  {
+    const NodeLists nodes = RandomNodes(draw, 7);
+    const IndexBox inner{ { { 1, 2, 1 } }, { { 5, 4, 6 } } };
+    Vector3 lower, upper;
+    for (int a = 0; a < 3; ++a)
+    {
+      lower[a] = nodes[a][inner.Lower[a]] * (1.0 + draw.Whole(-3, 3) * 0x1p-52);
+      upper[a] = nodes[a][inner.Upper[a]] * (1.0 + draw.Whole(-3, 3) * 0x1p-52);
+    }
+    const std::vector<double> found =
+      FractionsIn(nodes, AllCells(nodes), BoxSurface(lower, upper, 1 + run % 5));
+    for (Index i = 0; i < AllCells(nodes).NumberOfCells(); ++i)
+    {
+      const Index3 cell = CellInBox(AllCells(nodes), i);
+      EXPECT_EQ(found[i], inner.Contains(cell) ? 1.0 : 0.0) << TextOf(cell);
+    }
+  }
+}
+
+TEST(SurfaceFractions, SolidsFarFromTheOrigin)
+{
+  const Vector3 far{ { 1e6, -2e6, 3e6 } };
+  NodeLists nodes = UniformNodes({ { 9, 9, 9 } }, { { -1, -1, -1 } }, { { 1, 1, 1 } });
+  ClosedSurface box =
+    Turned(BoxSurface({ { -0.7, -0.6, -0.5 } }, { { 0.6, 0.7, 0.8 } }, 5), { { 1, 2, 3 } }, 0.7);
+  const std::vector<double> near = FractionsIn(nodes, AllCells(nodes), box);
+  for (int a = 0; a < 3; ++a)
+  {
+    for (double& x : nodes[a])
+    {
+      x += far[a];
+    }
+  }
+  for (Vector3& point : box.Points)
+  {
+    point = point + far;
+  }
+  const std::vector<double> found = FractionsIn(nodes, AllCells(nodes), box);
+  for (std::size_t i = 0; i < found.size(); ++i)
+  {
+    EXPECT_NEAR(found[i], near[i], 1e-7) << i;
+    EXPECT_TRUE(near[i] != 1.0 || found[i] == 1.0) << i;
+  }
+}
+
 TEST(SurfaceFractions, SolidsMayExtendBeyondTheGrid)
 {
   RandomDraw draw(5);

@@ -43,7 +43,8 @@ ALLOWED.update({
     "InSitu/Catalyst": BASE + ("Parallel/Mpi", "InSitu"),
     "Program": BASE + MESHER + (
         "Parallel/Vtk", "Parallel/Mpi", "IO", "IO/Blocks", "IO/GridFiles", "IO/Images",
-        "IO/Labels", "IO/Meshes", "IO/Report", "IO/Surfaces", "Filters", "Filters/Data"),
+        "IO/Labels", "IO/Meshes", "IO/Report", "IO/Surfaces", "Filters", "Filters/Data",
+        "Grid/Surfaces", "Shapes"),
     "Plugin": ("Filters", "Mesher/Input", "Mesher/Materials", "Mesher/Options"),
     "python": MESHES + (
         "Shapes", "IO", "IO/Blocks", "IO/GridFiles", "IO/Labels", "IO/Meshes", "IO/Report",

@@ -1,6 +1,7 @@
 #include "BindBodies.h"
 
 #include "NumpyFields.h"
+#include "Ranks/PrintableText.h"
 #include "Shapes/PlaceGrid.h"
 
 #include <nanobind/ndarray.h>
@@ -41,24 +42,6 @@ std::vector<Row> CopyRows(const Array& values)
   return rows;
 }
 
-template <class T, class Row>
-nb::object RowsToNumpy(const std::vector<Row>& rows)
-{
-  Buffer<T> values(3 * rows.size());
-  for (std::size_t r = 0; r < rows.size(); ++r)
-  {
-    std::copy(rows[r].begin(), rows[r].end(), values.data() + 3 * r);
-  }
-  return ToNumpy(values, 3);
-}
-
-nb::object NumbersToNumpy(const std::vector<int>& numbers)
-{
-  Buffer<std::int32_t> values(numbers.size());
-  std::copy(numbers.begin(), numbers.end(), values.data());
-  return ToNumpy(values);
-}
-
 /// Triangles as they were given.
 struct BodyArrays
 {
@@ -85,16 +68,20 @@ Bodies MakeBodies(const std::vector<GivenBody>& given)
   }
   const nb::gil_scoped_release others;
   auto surfaces = std::make_shared<InputSurfaces>();
+  std::string notes;
   for (BodyArrays& body : arrays)
   {
-    PrefixErrors(arrays.size() > 1 ? body.Name + ": " : "",
+    const std::string prefix = arrays.size() > 1 ? body.Name + ": " : "";
+    std::string note;
+    PrefixErrors(prefix,
       [&]
       {
         surfaces->Bodies.push_back(MakeBody(body.Name, std::move(body.Points),
-          std::move(body.Triangles), std::move(body.Patches), std::move(body.PatchNames)));
+          std::move(body.Triangles), std::move(body.Patches), std::move(body.PatchNames), &note));
       });
+    notes += note.empty() ? "" : (notes.empty() ? "" : " ") + prefix + note;
   }
-  return { surfaces };
+  return { surfaces, notes };
 }
 
 nb::tuple ToTuple(const BodySurface& body)
@@ -155,7 +142,7 @@ Bodies Rename(const Bodies& bodies, const std::map<std::string, std::string>& na
     const auto found = names.find(body.Name);
     body.Name = found == names.end() ? body.Name : found->second;
   }
-  return { renamed };
+  return { renamed, bodies.Note };
 }
 
 nb::list ToNodes(const GridPlace& place)
@@ -202,6 +189,9 @@ void BindBodies(nb::module_& module)
     .def("__getitem__", DescribeBody, "name"_a)
     .def_prop_ro("names", ListNames,
       "list of str: Names of the bodies; where they overlap, the first has priority.")
+    .def_prop_ro(
+      "note", [](const Bodies& self) { return MakePrintable(self.Note); },
+      "str: Repairs of the surfaces, such as merged points; empty if there are none.")
     .def("_renamed", Rename, "names"_a)
     .def("_place", Place, "cells"_a, "widths"_a.none());
 }

@@ -16,6 +16,7 @@ namespace vfm
 struct Bodies
 {
   std::shared_ptr<const InputSurfaces> Surfaces;
+  std::string Note{}; ///< repairs of the surfaces; or empty
 };
 
 /// Binds the class Bodies.

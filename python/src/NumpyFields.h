@@ -31,6 +31,26 @@ nanobind::object ToNumpy(Buffer<T>& values, int columns = 0)
   return nb::cast(nb::ndarray<nb::numpy, T>(data, columns > 0 ? 2 : 1, shape, owner));
 }
 
+/// Returns rows of three numbers as an array of shape (n, 3).
+template <class T, class Row>
+nanobind::object RowsToNumpy(const std::vector<Row>& rows)
+{
+  Buffer<T> values(3 * rows.size());
+  for (std::size_t r = 0; r < rows.size(); ++r)
+  {
+    std::copy(rows[r].begin(), rows[r].end(), values.data() + 3 * r);
+  }
+  return ToNumpy(values, 3);
+}
+
+/// Returns integers as an array of shape (n,).
+inline nanobind::object NumbersToNumpy(const std::vector<int>& numbers)
+{
+  Buffer<std::int32_t> values(numbers.size());
+  std::copy(numbers.begin(), numbers.end(), values.data());
+  return ToNumpy(values);
+}
+
 /// Returns an array of the same type, of shape (n,) or (n, Components); the values are then empty.
 nanobind::object ToNumpy(TransferredArray& array);
 

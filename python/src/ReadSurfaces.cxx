@@ -7,8 +7,6 @@
 
 #include <nanobind/stl/string.h>
 
-#include <algorithm>
-
 namespace vfm
 {
 namespace
@@ -37,29 +35,15 @@ std::string Inflate(
   }
 }
 
-/// Returns rows of three numbers as an array of shape (n, 3).
-template <class Value, class Row>
-nb::object ToRows(const std::vector<Row>& rows)
-{
-  Buffer<Value> values(3 * rows.size());
-  for (std::size_t r = 0; r < rows.size(); ++r)
-  {
-    std::copy(rows[r].begin(), rows[r].end(), values.data() + 3 * r);
-  }
-  return ToNumpy(values, 3);
-}
-
 nb::tuple ToTuple(const SurfaceFile& body)
 {
-  Buffer<int> patches(body.Patches.size());
-  std::copy(body.Patches.begin(), body.Patches.end(), patches.data());
   nb::list names;
   for (const std::string& name : body.PatchNames)
   {
     names.append(MakePrintable(name));
   }
-  return nb::make_tuple(MakePrintable(body.Name), ToRows<double>(body.Points),
-    ToRows<std::int64_t>(body.Triangles), ToNumpy(patches), names, body.Note);
+  return nb::make_tuple(MakePrintable(body.Name), RowsToNumpy<double>(body.Points),
+    RowsToNumpy<std::int64_t>(body.Triangles), NumbersToNumpy(body.Patches), names, body.Note);
 }
 
 nb::list ReadFile(const std::string& path, const nb::callable& inflate)

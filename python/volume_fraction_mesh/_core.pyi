@@ -143,6 +143,8 @@ class Bodies:
 
     names: List[str]
     """Names of the bodies; where they overlap, the first has priority."""
+    note: str
+    """Repairs of the surfaces, such as merged points; empty if there are none."""
 
     def __init__(self, bodies: Sequence[Tuple[
         str, NDArray[np.float64], NDArray[np.int64], Optional[NDArray[np.int32]], List[str]

@@ -228,9 +228,7 @@ def read_vtk(data: Any, names: Optional[Sequence[str]], is_file: bool = False) -
         grid = _rectilinear_grid(data)
     else:
         grid, arrays = _join_cells(data, arrays)
-    is_turned = not np.array_equal(grid.direction, np.eye(3))
-    return Image(grid, arrays, None if is_file else chosen, "zyx",
-                 surfaces=None if is_turned else bodies_of_fields(data))
+    return Image(grid, arrays, None if is_file else chosen, "zyx", surfaces=bodies_of_fields(data))
 
 
 def _has_all(data: Any, names: Optional[Sequence[str]]) -> bool:

@@ -46,7 +46,10 @@ def read_bodies(surfaces: Any, triangles: Optional[ArrayLike]) -> Bodies:
     found = {}
     for name, value in named.items():
         found[name] = read_surface(value, triangles)
-    return Bodies([body._replace(name=name) for name, body in name_bodies(found).items()])
+    bodies = Bodies([body._replace(name=name) for name, body in name_bodies(found).items()])
+    if bodies.note:
+        warnings.warn(bodies.note, VolumeFractionMeshWarning, stacklevel=CALLER - 2)
+    return bodies
 
 
 def _is_path(value: Any) -> bool:

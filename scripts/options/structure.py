@@ -62,6 +62,7 @@ FOLDERS = (
     ("IO/Meshes/Surfaces", "Surfaces of materials."),
     ("IO/Meshes", "Files of meshes."),
     ("IO/Report", "Quality reports of meshes."),
+    ("IO/Surfaces", "Readers of surfaces of triangles."),
     ("Filters/Data", "VTK meshes as plain arrays."),
     ("Filters", "The VTK filters and sources."),
     ("Filters/Files", "VTK readers and writers."),

@@ -73,7 +73,8 @@ void CheckFractions(const ClosedSurface& surface)
     cells.Upper[a] = static_cast<Index>(nodes[a].size()) - 1;
   }
   Runtime runtime;
-  for (double fraction : FractionsOfSurfaces(nodes, cells, input, runtime)[0])
+  const std::vector<Buffer<double>> fractions = FractionsOfSurfaces(nodes, cells, input, runtime);
+  for (double fraction : fractions[0])
   {
     if (!(fraction >= 0.0 && fraction <= 1.0))
     {

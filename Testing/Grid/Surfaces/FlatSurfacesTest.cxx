@@ -1,7 +1,7 @@
 /// Surfaces as a few arrays: they are restored, and sent to all ranks.
 #include "Surfaces/FlatSurfaces.h"
 
-#include "LooseTriangles.h"
+#include "SurfaceCases.h"
 #include "ThreadRanks.h"
 
 #include <gtest/gtest.h>
@@ -14,8 +14,8 @@ namespace
 
 InputSurfaces TwoBoxes()
 {
-  const LooseTriangles one = MakeBox({ { 0.1, 0, 0 } }, { { 1, 1, 1 } }),
-                       other = MakeBox({ { 2, 0, 0.3 } }, { { 3, 1, 1.7 } });
+  const ClosedSurface one = BoxSurface({ { 0.1, 0, 0 } }, { { 1, 1, 1 } }),
+                      other = BoxSurface({ { 2, 0, 0.3 } }, { { 3, 1, 1.7 } });
   std::vector<int> patches(one.Triangles.size(), 1);
   patches[0] = 0;
   return { { MakeBody("one", one.Points, one.Triangles, patches, { "first", "rest" }),

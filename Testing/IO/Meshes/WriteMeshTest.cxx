@@ -135,8 +135,8 @@ std::string ReadLower(const std::string& folder)
 
 TEST(WriteMesh, SidesHaveTheNamesOfPatches)
 {
-  for (const char* name : { "mesh.e", "mesh.inp", "mesh.bdf", "mesh.k", "mesh.rad", "mesh.msh",
-         "mesh.stl", "mesh.xdmf", "mesh.foam", "mesh.vtu" })
+  for (const char* name :
+    { "mesh.e", "mesh.inp", "mesh.bdf", "mesh.k", "mesh.rad", "mesh.msh", "mesh.xdmf", "mesh.vtu" })
   {
     const Folder folder;
     WithMesh(

@@ -12,19 +12,22 @@ SIDES = {"bottom": (0, 4, 6, 2), "top": (1, 3, 7, 5), "front": (0, 1, 5, 4), "ba
          "left": (0, 2, 3, 1), "right": (4, 5, 7, 6)}
 
 
-def write_box(path, lower, upper, sides=SIDES):
-    """Writes a box as text STL with one solid per side, and returns the path."""
+def write_box(path, lower, upper, sides=SIDES, is_one=False):
+    """Writes a box as text STL with one solid per side, or one for all, and returns the path."""
     corners = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)])
     places = lower + corners * np.subtract(upper, lower)
     lines = []
     for name in sides:
         a, b, c, d = SIDES[name]
-        lines.append("solid %s" % name)
+        if not is_one or lines == []:
+            lines.append("solid %s" % name)
         for triangle in ((a, b, c), (a, c, d)):
             lines += ["facet normal 0 0 0", "outer loop"]
             lines += ["vertex %.17g %.17g %.17g" % tuple(places[p]) for p in triangle]
             lines += ["endloop", "endfacet"]
-        lines.append("endsolid %s" % name)
+        if not is_one:
+            lines.append("endsolid %s" % name)
+    lines += ["endsolid"] if is_one else []
     with open(path, "w") as file:
         file.write("\n".join(lines) + "\n")
     return path
@@ -52,8 +55,8 @@ def test_names_priority_and_ranks(at):
 
 @in_folder
 def test_same_as_filter(at):
-    """By ParaView's reader, by a .vti file of the fractions with their surface, and by sculptor."""
-    path = write_box(at("Material1.stl"), (0.1, 0.2, 0.3), (1.1, 1.2, 1.3))
+    """By ParaView's reader, whose coordinates are float, by a .vti file of the fractions with their surface, and by sculptor."""
+    path = write_box(at("Material1.stl"), (0.25, 0.5, 0.75), (1.25, 1.5, 1.75), is_one=True)
     fractions = VolumeFractionOfSurface(Input=[simple.OpenDataFile(path)], Dimensions=[14] * 3)
     mesher = VolumeFractionToHex(Input=fractions)
     mesher.UpdatePipeline()

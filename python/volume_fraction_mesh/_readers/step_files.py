@@ -45,7 +45,8 @@ def _load(path: str) -> Any:
     try:
         import gmsh
     except (ImportError, OSError) as error:  # OSError: it lacks a library of the system
-        raise ImportError("Reading %s requires gmsh: pip install gmsh (%s)" % (path, error)) from None
+        raise ImportError(
+            "Reading %s requires gmsh: pip install gmsh (%s)" % (path, error)) from None
     return gmsh
 
 
@@ -124,7 +125,7 @@ def _name_solid(gmsh: Any, volume: int) -> Optional[str]:
 
 
 def _name_faces(gmsh: Any, path: str, faces: Dict[int, List[int]]) -> Dict[int, str]:
-    """Returns the names of faces: their labels, else those in the text of the file, else colours."""
+    """Returns the names of faces: labels, else those in the text of the file, else colours."""
     every = [face for members in faces.values() for face in members]
     labels = {face: gmsh.model.getEntityName(2, face).rsplit("/", 1)[-1] for face in every}
     labels = {face: label for face, label in labels.items() if label}

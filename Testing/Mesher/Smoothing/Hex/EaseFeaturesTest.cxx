@@ -1,7 +1,7 @@
 /// Edges give way where elements are poor.
 #include "Smoothing/EaseFeatures.h"
 
-#include "../GivenSurfaces/GivenCases.h"
+#include "../../GivenSurfaces/GivenCases.h"
 #include "Smoothing/ActiveMeshBuilder.h"
 #include "Smoothing/Hex/HexEnergy.h"
 
