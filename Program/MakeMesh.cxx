@@ -75,16 +75,19 @@ std::vector<ChosenArray> ListMaterials(const MesherArrays& arrays)
 }
 
 /// Reports a mesh without elements.
+/// @param hasGridOfOwn  whether the input is surfaces, around which the program places the cells
 /// @pre Collective
-void CheckElements(const Mesh& mesh, const ChosenArrays& arrays, Ranks& ranks)
+void CheckElements(const Mesh& mesh, const ChosenArrays& arrays, bool hasGridOfOwn, Ranks& ranks)
 {
   if (!ranks.Any(!mesh.Material.empty()))
   {
     throw InputError(ErrorCode::RejectedMesh,
       "The mesh has no elements, so no file is written: the materials from " +
         (arrays.Labels.empty() ? JoinTexts(arrays.Fractions) : arrays.Labels) + " (" + arrays.How +
-        ") fill no cell to the iso value. sculptor --list shows what the arrays hold; --fractions, "
-        "--labels and --threshold select others.");
+        ") fill no cell to the iso value. " +
+        (hasGridOfOwn ? "Use more cells (--cells), or narrower ones (--cell-width)."
+                      : "sculptor --list shows what the arrays hold; --fractions, --labels and "
+                        "--threshold select others."));
   }
 }
 
@@ -124,7 +127,7 @@ MesherResult MakeMesh(const Arguments& arguments, const Input& input, const Chos
       mesherInput.Levels = FindInputLevels(std::move(collected), ranks);
       result = RunMesher(mesherInput, options, runtime);
     });
-  CheckElements(result.TheMesh, arrays, ranks);
+  CheckElements(result.TheMesh, arrays, !arguments.SurfaceFiles.empty(), ranks);
   for (const std::string& warning : found)
   {
     std::cerr << (ranks.Rank() == 0 ? "sculptor: warning: " + MakePrintable(warning) + "\n" : "");

@@ -149,6 +149,9 @@ def test_surfaces(run):
     np.save(run.folder / "labels.npy", LABELS)
     told = run("@labels.npy", "@one.stl", "@out.vtu", status=1)
     assert "one.stl is a surface and" in told and "labels.npy is not" in told
+    assert read(run.folder / "b.vtu").field_data["MaterialNames"].tolist() == ["one"]
+    assert "--labels" in run("@one.stl", "@out.vtu", "--labels", status=1)
+    assert "is for surfaces" in run("@ball.npy", "@out.vtu", "--cells", "9", status=1)
     assert "at least 5" in run("@one.stl", "@out.vtu", "--cells", "0", status=1)
 
 

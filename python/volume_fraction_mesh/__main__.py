@@ -150,22 +150,23 @@ def _read_surfaces(words: argparse.Namespace) -> Fractions:
         raise ValueError(
             "Surfaces can only be meshed with surfaces, but of the inputs %s is a surface and %s "
             "is not." % (next(filter(is_surface, paths)), other))
-    if words.spacing or words.volume is not None:
-        raise ValueError("--spacing and --volume do not apply to the surface %s: --cells or "
-                         "--cell-width sets the grid." % paths[0])
-    surfaces = paths if len(paths) > 1 else paths[0]
+    if words.spacing or words.volume is not None or words.step or words.labels:
+        raise ValueError("--spacing, --volume, --step and --labels do not apply to the surface %s: "
+                         "--cells or --cell-width sets the grid." % paths[0])
     widths = [float(width) for width in str(words.cell_width).replace(",", " ").split()]
     if words.cells is not None or not any(widths):
-        return surface(surfaces, DEFAULT_CELLS if words.cells is None else words.cells)
+        return surface(paths, DEFAULT_CELLS if words.cells is None else words.cells)
     if not words.material_widths:
         words.cell_width = 0.0
-    return surface(surfaces, cell_width=widths[0] if len(widths) == 1 else widths)
+    return surface(paths, cell_width=widths[0] if len(widths) == 1 else widths)
 
 
 def _read_input(words: argparse.Namespace) -> Any:
     """Returns the content of the input file or files."""
     if any(map(is_surface, words.input)):
         return _read_surfaces(words)
+    if words.cells is not None:
+        raise ValueError("--cells is for surfaces, and %s is none." % words.input[0])
     path = words.input[0] if len(words.input) == 1 else sort_slices(words.input)
     spacing = words.spacing
     return read(path, step=words.step, volume=words.volume, origin=words.origin, order=words.order,

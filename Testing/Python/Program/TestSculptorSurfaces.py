@@ -100,6 +100,7 @@ def test_messages(at):
     open_part = write_box(at("open.stl"), (0, 0, 0), (1, 1, 1), list(SIDES)[1:])
     os.mkdir(at("more"))
     same = write_box(at("more/part.stl"), (0, 0, 0), (1, 1, 1))
+    sheet = write_box(at("sheet.stl"), (0, 0, 0), (1, 1, 0.01))
     with open(at("empty.off"), "w") as file:
         file.write("OFF\n0 0 0\n")
     for ranks in (1, 3):
@@ -108,6 +109,8 @@ def test_messages(at):
                 (2, "would both be the material part", [part, same]),
                 (2, "empty.off", [part, at("empty.off")]),
                 (1, "--cells takes an integer from 5, not '0'", [part, "--cells", "0"]),
+                (2, "is too large", [part, "--cell-width", "1e-9"]),
+                (3, "Use more cells (--cells)", [sheet, "--cells", "9"]),
                 (1, "in.vti is not", [part, "in.vti"]),
                 (2, "--labels", [part, "--labels", "id"]),
                 (2, "no step 1", [part, "--step", "1"])):
