@@ -1,7 +1,7 @@
-#include "Shapes/SurfaceFractions.h"
+#include "Surfaces/SurfaceFractions.h"
 
 #include "Base/Groups.h"
-#include "Shapes/RowSums.h"
+#include "Surfaces/RowSums.h"
 
 #include <algorithm>
 
