@@ -157,8 +157,10 @@ void SurfaceTiles::Compute(Index tile, std::vector<RowSums>& rows, Buffer<double
   }
 }
 
-Buffer<double> FractionsOfBody(const NodeLists& coordinates, const IndexBox& cells,
-  const ClosedSurface& surface, Runtime& runtime)
+} // namespace
+
+Buffer<double> FractionsOfSurface(const std::array<std::vector<double>, 3>& coordinates,
+  const IndexBox& cells, const ClosedSurface& surface, Runtime& runtime)
 {
   Buffer<double> fractions(cells.NumberOfCells());
   if (cells.NumberOfCells() > 0)
@@ -177,8 +179,6 @@ Buffer<double> FractionsOfBody(const NodeLists& coordinates, const IndexBox& cel
   return fractions;
 }
 
-} // namespace
-
 std::vector<Buffer<double>> FractionsOfSurfaces(
   const std::array<std::vector<double>, 3>& coordinates, const IndexBox& cells,
   const InputSurfaces& surfaces, Runtime& runtime)
@@ -188,7 +188,7 @@ std::vector<Buffer<double>> FractionsOfSurfaces(
   for (const BodySurface& body : surfaces.Bodies)
   {
     runtime.Progress(static_cast<double>(fractions.size()) / count, "Computing fractions");
-    fractions.push_back(FractionsOfBody(coordinates, cells, body.Boundary, runtime));
+    fractions.push_back(FractionsOfSurface(coordinates, cells, body.Boundary, runtime));
   }
   LimitSums(fractions, runtime);
   return fractions;

@@ -25,6 +25,10 @@ std::vector<Buffer<double>> FractionsOfSurfaces(
   const std::array<std::vector<double>, 3>& coordinates, const IndexBox& cells,
   const InputSurfaces& surfaces, Runtime& runtime);
 
+/// Computes the volume fractions of one solid.
+Buffer<double> FractionsOfSurface(const std::array<std::vector<double>, 3>& coordinates,
+  const IndexBox& cells, const ClosedSurface& surface, Runtime& runtime);
+
 /// Limits each array, cell by cell, to what the arrays before it leave of 1.
 void LimitSums(std::vector<Buffer<double>>& fractions, Runtime& runtime);
 
