@@ -185,9 +185,9 @@ SharpFeatures FollowSurfaces(const BodySurfaces& bodies,
   {
     const FollowedLevel level{ *interface, first, interface->Scale() / interfaces.back()->Scale() };
     std::vector<NearSurface> surfaces;
-    for (const GivenBody& body : bodies.Bodies())
+    for (std::size_t body = 0; body < bodies.Bodies().size(); ++body)
     {
-      surfaces.emplace_back(body, bodies.Periods(), level.Ratio, *interface);
+      surfaces.emplace_back(bodies, static_cast<int>(body), level.Ratio, *interface);
     }
     const std::vector<GivenPoint> points = ListPoints(bodies, *interface);
     const auto models = FollowPoints(points, surfaces, level, hasEdges, runtime, targets);

@@ -13,6 +13,7 @@ namespace
 constexpr double Spacing = 0.25;    // of samples, in cells
 constexpr double EdgeSpacing = 0.5; // of the points of edges that are put into bins
 constexpr Index Margin = 5;         // layers of bins around the local box
+constexpr double OnSide = 1e-6;     // distance of a triangle from a side of the domain
 constexpr double Tolerance = 1e-12; // smallest length that counts, cells
 
 /// Divides a length into equal parts no longer than a spacing.
@@ -109,6 +110,24 @@ bool CutToBox(const Vector3& lengths, std::array<Vector3, 2>& ends)
   return from <= to;
 }
 
+/// Returns whether a triangle lies in a side of the domain.
+bool LiesInSide(const Triangle& corners, const Bounds& domain)
+{
+  for (int a = 0; a < 3; ++a)
+  {
+    const auto isAt = [&](double side)
+    {
+      return std::all_of(corners.begin(), corners.end(),
+        [&](const Vector3& x) { return std::fabs(x[a] - side) < OnSide; });
+    };
+    if (isAt(domain.Lower[a]) || isAt(domain.Upper[a]))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 /// Returns a normal in the frame of a node, in which lengths are divided by its widths.
 Vector3 NormalIn(const NodeFrame& frame, const Vector3& normal)
 {
@@ -149,30 +168,37 @@ std::vector<Vector3> ListShifts(const Vector3& periods, const CartesianGrid& gri
 } // namespace
 
 NearSurface::NearSurface(
-  const GivenBody& body, const Vector3& periods, double ratio, const Interface& interface) :
-  Lengths(LengthsOf(interface)), Widths(MeanWidths(interface)), SheetOf(body.Sheets.SheetOf)
+  const BodySurfaces& bodies, int body, double ratio, const Interface& interface) :
+  Lengths(LengthsOf(interface)),
+  Widths(MeanWidths(interface)),
+  SheetOf(bodies.Bodies()[body].Sheets.SheetOf)
 {
+  const GivenBody& given = bodies.Bodies()[body];
   this->PlaceBox(interface.Grid(), interface);
-  const ClosedSurface& surface = body.Boundary;
-  for (const PointTriangle& t : surface.Triangles)
+  this->SetNormals(given, bodies.Domain());
+  for (const Vector3& shift : ListShifts(bodies.Periods(), interface.Grid()))
   {
-    const Vector3& first = surface.Points[t[0]];
-    this->Normals.push_back(
-      Unit(Cross(surface.Points[t[1]] - first, surface.Points[t[2]] - first)));
-  }
-  for (const Vector3& shift : ListShifts(periods, interface.Grid()))
-  {
-    Points points = surface.Points;
+    Points points = given.Boundary.Points;
     std::for_each(
       points.begin(), points.end(), [&](Vector3& x) { x = (1.0 / ratio) * (x + shift); });
-    for (std::size_t t = 0; t < surface.Triangles.size(); ++t)
+    for (std::size_t t = 0; t < this->Normals.size(); ++t)
     {
-      this->AddSamples(points, surface.Triangles[t], static_cast<int>(t));
+      this->AddSamples(points, given.Boundary.Triangles[t], static_cast<int>(t));
     }
-    this->AddEdges(points, body.Sheets);
-    this->AddCorners(points, body.Sheets);
+    this->AddEdges(points, given.Sheets);
+    this->AddCorners(points, given.Sheets);
   }
   this->FillBins();
+}
+
+void NearSurface::SetNormals(const GivenBody& body, const Bounds& domain)
+{
+  for (const Triangle& corners : PlaceTriangles(body.Boundary))
+  {
+    this->Normals.push_back(LiesInSide(corners, domain)
+        ? Vector3{}
+        : Unit(Cross(corners[1] - corners[0], corners[2] - corners[0])));
+  }
 }
 
 void NearSurface::PlaceBox(const CartesianGrid& grid, const Interface& interface)
@@ -293,7 +319,7 @@ void NearSurface::AddEdges(const Points& points, const SurfaceSheets& sheets)
       placed.Triangles[i] = static_cast<int>(edge.Triangles[i]);
       placed.Sheets[i] = this->SheetOf[edge.Triangles[i]];
     }
-    if (CutToBox(this->Lengths, placed.Ends))
+    if (this->Counts(placed.Triangles) && CutToBox(this->Lengths, placed.Ends))
     {
       this->Edges.push_back(placed);
     }
@@ -305,8 +331,11 @@ void NearSurface::AddCorners(const Points& points, const SurfaceSheets& sheets)
   std::vector<std::pair<Index, Index>> ends; // points of edges and their triangles
   for (const SharpEdge& edge : sheets.Edges)
   {
-    for (Index point : edge.Points)
+    const bool counts =
+      this->Counts({ static_cast<int>(edge.Triangles[0]), static_cast<int>(edge.Triangles[1]) });
+    for (std::size_t i = 0; counts && i < edge.Points.size(); ++i)
     {
+      const Index point = edge.Points[i];
       ends.emplace_back(point, edge.Triangles[0]);
       ends.emplace_back(point, edge.Triangles[1]);
     }

@@ -1,6 +1,7 @@
 /**
  * NearSurface: samples, sharp edges and corners of the surface of one body near the cells of a
- * grid. Samples may lie beyond the domain; edges end at its sides.
+ * grid. Samples may lie beyond the domain; edges end at its sides. Triangles in the sides of the
+ * domain, where bodies are cut off, do not count, nor do their edges.
  */
 #pragma once
 
@@ -42,11 +43,10 @@ struct NearCorner
 class NearSurface
 {
 public:
-  /// @param periods  BodySurfaces::Periods
-  /// @param ratio  factor from grid coordinates of the interface to those of the body
+  /// @param body  position in BodySurfaces::Bodies()
+  /// @param ratio  factor from grid coordinates of the interface to those of the bodies
   /// @param interface  interface of the grid; what is near nodes of its local box is found
-  NearSurface(
-    const GivenBody& body, const Vector3& periods, double ratio, const Interface& interface);
+  NearSurface(const BodySurfaces& bodies, int body, double ratio, const Interface& interface);
 
   /// Collects the samples whose distance to the node is at most a radius in cells, 4.5 at most.
   void ListSamples(const NodeFrame& frame, double radius, std::vector<NearSample>& samples) const;
@@ -84,19 +84,24 @@ private:
 
   using Points = std::vector<Vector3>;
   void PlaceBox(const CartesianGrid& grid, const Interface& interface);
+  void SetNormals(const GivenBody& body, const Bounds& domain);
   void AddSamples(const Points& points, const PointTriangle& corners, int triangle);
   void AddEdges(const Points& points, const SurfaceSheets& sheets);
   void AddCorners(const Points& points, const SurfaceSheets& sheets);
   void FillBins();
   Bins MakeBins(std::vector<BinnedItem> items) const;
   Index3 BinOf(const Vector3& x) const;
+  bool Counts(const std::array<int, 2>& triangles) const
+  {
+    return this->Normals[triangles[0]] != Vector3{} && this->Normals[triangles[1]] != Vector3{};
+  }
   template <class Visitor>
   void Visit(const Bins& bins, const NodeFrame& frame, double radius, const Visitor& visit) const;
 
-  Vector3 Lengths; // of the domain with its copies, grid coordinates
-  Vector3 Widths;  // mean widths of cells, grid coordinates
-  IndexBox Box;    // bins near the local box
-  std::vector<Vector3> Normals;
+  Vector3 Lengths;              // of the domain with its copies, grid coordinates
+  Vector3 Widths;               // mean widths of cells, grid coordinates
+  IndexBox Box;                 // bins near the local box
+  std::vector<Vector3> Normals; // of triangles that count; others are zero
   std::vector<int> SheetOf;
   std::vector<Sample> Samples;
   std::vector<Edge> Edges;

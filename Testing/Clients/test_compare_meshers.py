@@ -204,7 +204,7 @@ def test_published_hexahedra(tmp_path, capsys):
     """Theirs fit after they are moved back onto the triangles; ours have as many elements."""
     write_cube(tmp_path, 8)
     surfaces = pytest.importorskip("surfaces")
-    surfaces.compare(str(tmp_path), "", 1.0)
+    surfaces.compare(str(tmp_path))
     theirs, ours = [line.split("|")[3:8] for line in capsys.readouterr().out.splitlines()
                     if line.startswith("| cube")]
     assert [float(value) for value in theirs] == pytest.approx([512, 1, 0, 0, 0], abs=1e-5)
@@ -216,5 +216,5 @@ def test_published_hexahedra(tmp_path, capsys):
 def test_no_published_hexahedra(tmp_path, capsys):
     pytest.importorskip("pyvista")
     surfaces = pytest.importorskip("surfaces")
-    surfaces.compare(str(tmp_path), "", 1.0)
+    surfaces.compare(str(tmp_path))
     assert "clone https://github.com" in capsys.readouterr().out

@@ -163,8 +163,8 @@ class Documents(unittest.TestCase):
 
     def test_messages_exist(self):
         """The parts of each message between variable parts are in a string of the sources."""
-        strings = " ".join(message for top in ("Grid", "Mesher", "Filters", "IO", "Program", "Shapes")
-                           for text in texts((".cxx", ".h"), top)
+        folders = ("Grid", "Mesher", "Filters", "IO", "Program", "Shapes")
+        strings = " ".join(message for top in folders for text in texts((".cxx", ".h"), top)
                            for message in read_messages(text))
         strings += " ".join(node.value for text in texts(".py", "python/volume_fraction_mesh")
                             for node in ast.walk(ast.parse(text))

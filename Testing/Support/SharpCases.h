@@ -7,9 +7,9 @@
  */
 #pragma once
 
+#include "Parts/MeshInterface.h"
 #include "Phases/MeshOfCells.h"
 #include "Shapes/ShapesFractions.h"
-#include "Parts/MeshInterface.h"
 
 #include <string>
 

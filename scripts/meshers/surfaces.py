@@ -1,6 +1,6 @@
 """Compares our hexahedra of closed surfaces with published ones, at equal numbers of elements.
 
-usage: compare_meshers --surfaces FOLDER [--models NAMES] [--count 1]
+usage: compare_meshers --surfaces FOLDER [--models NAMES] [--count 1] [--edge-angle 40]
 
 FOLDER is a clone of https://github.com/CMU-CBML/HybridOctree_Hex: surfaces in "input boundaries",
 hexahedra that its authors published in "our results". Without it there is a message and no table.
@@ -142,29 +142,30 @@ def print_row(row):
         "" if seconds is None else "%.1f" % seconds), flush=True)
 
 
-def mesh_surface(surface, width):
+def mesh_surface(surface, width, options):
     """Returns our hexahedra with cells of a width, and the seconds."""
     begin = time.perf_counter()
     low, high = surface.points.min(0), surface.points.max(0)
     cells = np.ceil((high - low) / width).astype(int) + 4
     low = 0.5 * (low + high - cells * width)
     bounds = np.stack([low, low + cells * width], 1).ravel()
-    mesh = vfm.hexes(vfm.surface((surface.points, surface.triangles), tuple(cells), bounds=bounds))
+    mesh = vfm.hexes(vfm.surface((surface.points, surface.triangles), tuple(cells), bounds=bounds),
+                     **options)
     return mesh, time.perf_counter() - begin
 
 
-def mesh_with_count(surface, count):
+def mesh_with_count(surface, count, options):
     """Returns our hexahedra of about a number, and the seconds of the last mesh."""
     width = (abs(surface.find_volume()) / count) ** (1 / 3)
     for _ in range(STEPS):
-        mesh, seconds = mesh_surface(surface, width)
+        mesh, seconds = mesh_surface(surface, width, options)
         if abs(len(mesh.cells) / count - 1) < 0.01:
             break
         width *= (len(mesh.cells) / count) ** (1 / 3)
     return mesh, seconds
 
 
-def compare_model(name, folder, share):
+def compare_model(name, folder, share, options):
     """Prints the rows of a model, and returns them."""
     surface = Surface(*read_raw(os.path.join(folder, "input boundaries", name + "_tri.raw")))
     if surface.find_volume() < 0:
@@ -175,14 +176,15 @@ def compare_model(name, folder, share):
     boundary = np.unique(np.concatenate([some for some, _ in measure_mesh.find_facets(mesh)]))
     points = align(np.array(theirs.points, float), boundary, surface)
     rows = [measure(name, "HybridOctree_Hex", points, cells, surface, None)]
-    ours, seconds = mesh_with_count(surface, share * len(cells))
+    ours, seconds = mesh_with_count(surface, share * len(cells), options)
     rows.append(measure(name, "ours", ours.points, ours.cells, surface, seconds))
     for row in rows:
         print_row(row)
     return rows
 
 
-def compare(folder, models, share):
+def compare(folder, models="", share=1.0, **options):
+    """Prints the table. options: of our mesher."""
     found = sorted(os.path.basename(path)[:-len(".vtk")]
                    for path in glob.glob(os.path.join(folder, "our results", "*.vtk")))
     chosen = [name for name in found if not models or name in models.split(",")]
@@ -190,7 +192,7 @@ def compare(folder, models, share):
         print("No meshes in %s: clone https://github.com/CMU-CBML/HybridOctree_Hex" % folder)
         return
     print("| %s |\n|%s" % (" | ".join(HEADER), "---|" * len(HEADER)))
-    rows = [compare_model(name, folder, share) for name in chosen]
+    rows = [compare_model(name, folder, share, options) for name in chosen]
     numbers = np.array([[row[3:6] for row in pair] for pair in rows])
     ratios = numbers[:, 1] / numbers[:, 0]
     print("\nOurs better in, of %d: scaled Jacobian %d, rms %d, Hausdorff %d" % (
@@ -205,8 +207,9 @@ def main():
     parser.add_argument("folder")
     parser.add_argument("--models", default="", help="names, separated by commas; default: all")
     parser.add_argument("--count", type=float, default=1.0)
+    parser.add_argument("--edge-angle", type=float, default=40.0, help="179: no sharp edges")
     arguments = parser.parse_args()
-    compare(arguments.folder, arguments.models, arguments.count)
+    compare(arguments.folder, arguments.models, arguments.count, edge_angle=arguments.edge_angle)
 
 
 if __name__ == "__main__":

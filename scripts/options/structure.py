@@ -13,6 +13,7 @@ FOLDERS = (
     ("Parallel/Ranks", "Communication between ranks. It depends on nothing else."),
     ("Grid/Base", "Grids, memory, threads, exact sums and geometry. No file depends on fractions, "
                   "labels or meshes."),
+    ("Grid/Surfaces", "Closed surfaces of triangles: their repair, edges, sides and thickness."),
     ("Grid/Fractions", "The contents of cells."),
     ("Grid/Octree", "The cells that are refined, and the hexes between levels."),
     ("Grid/Labels", "One material per cell."),
@@ -24,6 +25,8 @@ FOLDERS = (
     ("Mesher/Interface", "The position of the true interface."),
     ("Mesher/SharpFeatures", "Edges and corners found in fractions: "
                              "[algorithm](../theory/algorithm.md#sharp-edges-and-corners)."),
+    ("Mesher/GivenSurfaces", "Targets, edges and lost parts of interfaces from the surfaces of the "
+                             "input: [algorithm](../theory/algorithm.md#given-surfaces)."),
     ("Mesher/Smoothing", "The points that move, and the energies that move them."),
     ("Mesher/Smoothing/Hex", "The energies and active meshes of hexahedra, and transitions between "
                              "levels."),
@@ -42,7 +45,8 @@ FOLDERS = (
     ("Mesher/Modify", "Changes of a finished mesh: layers, split interfaces, mid nodes."),
     ("Mesher/Phases", "The pipelines, which call the stages of all modules."),
     ("Mesher", "One run, from blocks to a mesh."),
-    ("Shapes", "Solids with exact fractions. They depend on Grid/Base and Grid/Fractions only."),
+    ("Shapes", "Solids with exact fractions. They depend on Grid/Base, Grid/Surfaces and "
+               "Grid/Fractions only."),
     ("Parallel/Mpi", "Ranks over MPI, without VTK."),
     ("Parallel/Vtk", "Ranks over vtkMPIController, and the differences between versions of VTK."),
     ("IO", "Voxel files."),

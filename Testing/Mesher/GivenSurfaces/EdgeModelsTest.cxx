@@ -14,7 +14,7 @@ namespace
 NodeSurroundings Around(const ClosedSurface& surface, const Vector3& origin)
 {
   const GivenCase given(16, { surface });
-  const NearSurface near(given.Surfaces.Bodies()[0], {}, 1.0, given.Surface);
+  const NearSurface near(given.Surfaces, 0, 1.0, given.Surface);
   const NodeFrame frame{ {}, origin, { { 1.0, 1.0, 1.0 } } };
   NodeSurroundings around;
   near.ListSamples(frame, EdgeReach + 2.0, around.Samples);

@@ -33,7 +33,7 @@ const ClosedSurface Box = vfm::testing::BoxSurface({ { 2.3, 2.4, 2.5 } }, { { 9.
 
 NearSurface NearBox(const GivenCase& box)
 {
-  return NearSurface(box.Surfaces.Bodies()[0], {}, 1.0, box.Surface);
+  return NearSurface(box.Surfaces, 0, 1.0, box.Surface);
 }
 
 TEST(NearSurface, SamplesStandForTheArea)
@@ -44,7 +44,7 @@ TEST(NearSurface, SamplesStandForTheArea)
   EXPECT_EQ(AreaWithin(NearBox(box), { { 6.0, 5.0, 5.0 } }, 2.0), 0.0);
   // 13,448 triangles of about 0.013 cells^2: a part of them stands for all
   const GivenCase sphere(12, { vfm::testing::SphereSurface({ { 6, 6, 6 } }, 4.0, 82) });
-  const NearSurface fine(sphere.Surfaces.Bodies()[0], {}, 1.0, sphere.Surface);
+  const NearSurface fine(sphere.Surfaces, 0, 1.0, sphere.Surface);
   EXPECT_NEAR(AreaWithin(fine, { { 10, 6, 6 } }, 3.0), 9.0 * Pi, 0.05 * 9.0 * Pi);
 }
 
@@ -72,7 +72,7 @@ TEST(NearSurface, TheNearestPointsOfEdgesAndCornersAreFound)
 TEST(NearSurface, EdgesEndAtTheDomain)
 {
   const GivenCase box(12, { vfm::testing::BoxSurface({ { 4, 4, 4 } }, { { 13, 12.2, 8 } }) });
-  const NearSurface near(box.Surfaces.Bodies()[0], {}, 1.0, box.Surface);
+  const NearSurface near(box.Surfaces, 0, 1.0, box.Surface);
   std::vector<NearEdge> edges;
   near.ListEdges(FrameAt({ { 11, 4.5, 8 } }), 2.0, edges);
   ASSERT_EQ(edges.size(), 1u); // not the upper one beyond the side
@@ -82,6 +82,23 @@ TEST(NearSurface, EdgesEndAtTheDomain)
   near.ListCorners(FrameAt({ { 12, 12, 8 } }), 2.0, corners);
   EXPECT_TRUE(corners.empty());
   EXPECT_NEAR(AreaWithin(near, { { 11, 8, 8 } }, 3.0), 33.0, 1.0); // also beyond the side
+}
+
+/// A bar that ends in a side of the domain continues beyond it, or repeats.
+TEST(NearSurface, TrianglesInSidesOfTheDomainDoNotCount)
+{
+  const GivenCase bar(12, { vfm::testing::BoxSurface({ { 0, 4, 4 } }, { { 7, 8, 8 } }) });
+  const NearSurface near(bar.Surfaces, 0, 1.0, bar.Surface);
+  EXPECT_EQ(AreaWithin(near, { { 0, 6, 6 } }, 1.5), 0.0);
+  EXPECT_NEAR(AreaWithin(near, { { 7, 6, 6 } }, 1.5), 2.25 * Pi, 0.3);
+  std::vector<NearEdge> edges;
+  near.ListEdges(FrameAt({ { 0, 4, 6 } }), 1.0, edges);
+  EXPECT_TRUE(edges.empty());
+  near.ListEdges(FrameAt({ { 0, 4, 4 } }), 1.0, edges);
+  EXPECT_EQ(edges.size(), 1u); // along the bar
+  std::vector<NearCorner> corners;
+  near.ListCorners(FrameAt({ { 0, 4, 4 } }), 1.0, corners);
+  EXPECT_TRUE(corners.empty());
 }
 
 TEST(NearSurface, CellsOfOtherShapesAreUnitCubes)
@@ -99,7 +116,7 @@ TEST(NearSurface, CellsOfOtherShapesAreUnitCubes)
   Runtime runtime;
   const Interface interface(grid, fractions, labels, FindMixedNodes(grid, labels), 0.5, runtime);
   const BodySurfaces surfaces(bodies, { "1" }, grid, 40.0);
-  const NearSurface near(surfaces.Bodies()[0], {}, 1.0, interface);
+  const NearSurface near(surfaces, 0, 1.0, interface);
   const double scale = interface.Scale();
   const NodeFrame frame{ {}, { { 9.0 / scale, 5.0 / scale, 1.25 / scale } },
     { { 1.0 / scale, 1.0 / scale, 0.25 / scale } } };
@@ -125,7 +142,7 @@ TEST(NearSurface, ABodyRepeatsWithTheDomain)
   Runtime runtime;
   const Interface interface(grid, fractions, labels, {}, 0.5, runtime);
   const BodySurfaces surfaces(bodies, { "1" }, grid, 40.0);
-  const NearSurface near(surfaces.Bodies()[0], surfaces.Periods(), 1.0, interface);
+  const NearSurface near(surfaces, 0, 1.0, interface);
   const double layers = -grid.Coordinates(0).front(); // before the domain
   for (double period : { -12.0, 0.0, 12.0 })
   {

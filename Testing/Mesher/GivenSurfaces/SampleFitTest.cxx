@@ -16,7 +16,7 @@ constexpr FitRange Range{ 1.5, 0.7 };
 std::vector<NearSample> SamplesAt(const GivenCase& given, const Vector3& origin)
 {
   std::vector<NearSample> samples;
-  NearSurface(given.Surfaces.Bodies()[0], {}, 1.0, given.Surface)
+  NearSurface(given.Surfaces, 0, 1.0, given.Surface)
     .ListSamples({ {}, origin, { { 1.0, 1.0, 1.0 } } }, 4.0, samples);
   return samples;
 }

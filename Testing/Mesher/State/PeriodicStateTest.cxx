@@ -4,8 +4,8 @@
 #include "LabelInput.h"
 #include "RankFields.h"
 #include "Report/ElementMoments.h"
-#include "State/ViewMesh.h"
 #include "State/StateCases.h"
+#include "State/ViewMesh.h"
 #include "ThreadRanks.h"
 
 #include <gtest/gtest.h>

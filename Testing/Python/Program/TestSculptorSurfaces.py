@@ -55,7 +55,8 @@ def test_names_priority_and_ranks(at):
 
 @in_folder
 def test_same_as_filter(at):
-    """By ParaView's reader, whose coordinates are float, by a .vti file of the fractions with their surface, and by sculptor."""
+    """By ParaView's reader, whose coordinates are float, by a .vti file of the fractions with their
+    surface, and by sculptor."""
     path = write_box(at("Material1.stl"), (0.25, 0.5, 0.75), (1.25, 1.5, 1.75), is_one=True)
     fractions = VolumeFractionOfSurface(Input=[simple.OpenDataFile(path)], Dimensions=[14] * 3)
     mesher = VolumeFractionToHex(Input=fractions)
