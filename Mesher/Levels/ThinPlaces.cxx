@@ -23,15 +23,10 @@ struct PlacedSample
 std::vector<PlacedSample> PlaceSamples(
   const GivenBody& body, const CartesianGrid& grid, const FractionField& fractions)
 {
-  double area = 0.0;
-  for (const Triangle& t : PlaceTriangles(body.Boundary))
-  {
-    area += 0.5 * Norm(Cross(t[1] - t[0], t[2] - t[0]));
-  }
   const Vector3 origin = grid.NodePoint({ { 0, 0, 0 } });
   std::vector<PlacedSample> placed;
-  for (const SurfaceSample& sample : SampleSurface(
-         body.Boundary, FindComponents(body.Boundary), static_cast<int>(SamplesPerFace * area) + 1))
+  for (const SurfaceSample& sample : SampleSurface(body.Boundary, FindComponents(body.Boundary),
+         static_cast<int>(SamplesPerFace * MeasureArea(body.Boundary)) + 1))
   {
     const auto cellAt = [&](double height)
     { return grid.CellAt(origin + grid.MeanWidth() * (sample.Point + height * sample.Normal)); };

@@ -15,7 +15,7 @@
  * "sharp" is off with SharpEdges On. TURNED 1 rotates the part, so that its faces are oblique to
  * the grid. ANGLE: least angle of sharp edges in degrees. HALVINGS: cells of the input are
  * 2^HALVINGS wide, and those that the surface requests are halved as often (Refinement Automatic,
- * Fine Interfaces off); CELLS and all lengths are in finest cells.
+ * Fine Interfaces off), or none with a minus sign; CELLS and all lengths are in finest cells.
  *
  * Columns, lengths in cells: share of the true sharp edges within 0.25 of the mesh, and their rms
  * distance; distance of the nodes on the surface, rms and largest; Hausdorff and rms distance of
@@ -297,11 +297,17 @@ void PrintRow(const std::string& name, const std::string& surfaces, const Mesher
     static_cast<long long>(report.CornerPoints));
 }
 
+std::string NameHalvings(int halvings)
+{
+  const std::string width = std::to_string(1 << std::abs(halvings)) + " wide";
+  return halvings == 0 ? "" : (halvings < 0 ? ", all " : ", coarse ones ") + width;
+}
+
 void MeasureSizes(const std::string& words, const std::string& cells,
   const std::vector<std::string>& surfaces, const std::vector<std::string>& methods, bool isTurned,
   double angle, int halvings)
 {
-  const Part part = ReadPart(words, cells, isTurned, 1 << halvings);
+  const Part part = ReadPart(words, cells, isTurned, 1 << std::abs(halvings));
   const TrueSurface truth(*part.Surfaces, angle);
   ThreadRuntime runtime(1);
   double begin = CpuSeconds(CLOCK_PROCESS_CPUTIME_ID);
@@ -318,7 +324,7 @@ void MeasureSizes(const std::string& words, const std::string& cells,
       const MesherResult result = RunMesher(input, options, runtime);
       const double seconds = CpuSeconds(CLOCK_PROCESS_CPUTIME_ID) - begin;
       PrintRow(part.Name + (isTurned ? ", turned" : "") + (method == "hexes" ? "" : ", " + method) +
-          " | " + cells + (halvings > 0 ? ", " + std::to_string(halvings) + " halvings" : ""),
+          " | " + cells + NameHalvings(halvings),
         use, result, MeasurePart(truth, result.TheMesh, result.Report),
         part.Surfaces->Bodies.size() == 1);
       std::printf("%.2f, %.2f |\n", fractions, seconds);
