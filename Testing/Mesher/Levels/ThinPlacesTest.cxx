@@ -3,7 +3,6 @@
 
 #include "../GivenSurfaces/GivenCases.h"
 #include "../SurfaceRuns.h"
-#include "Phases/PlaceSurfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -29,13 +28,12 @@ ClosedSurface BlockWithFin()
   return Turned(Together(block, fin), { { 9, 9, 9 } }, { { 7, 5, 9 } });
 }
 
-MesherOptions Refined(bool usesSurfaces)
+MesherOptions Refined()
 {
   MesherOptions options;
   options.Refinement = RefinementMode::Automatic;
   options.MaximumLevel = 1;
   options.FineInterfaces = false;
-  options.UseSurfaces = usesSurfaces;
   return options;
 }
 
@@ -97,33 +95,16 @@ TEST(ThinPlaces, TubeOfOneCellAndAHalf)
 TEST(ThinPlaces, MeshesAreEqualOnRanks)
 {
   const SurfaceCase c{ { { 18, 18, 19 } }, MakeBodies({ BlockWithFin() }) };
-  const SurfaceMesh alone = MeshSurfaces(c, Refined(true));
+  const SurfaceMesh alone = MeshSurfaces(c, Refined());
   MesherOptions coarse;
   const Index before = CountElements(MeshSurfaces(c, coarse));
   EXPECT_GT(CountElements(alone), before * 3 / 2);
   EXPECT_LT(CountElements(alone), before * 5);
   for (int ranks : { 2, 3 })
   {
-    const SurfaceMesh made = MeshSurfaces(c, Refined(true), ranks);
+    const SurfaceMesh made = MeshSurfaces(c, Refined(), ranks);
     EXPECT_EQ(FindGeometryDifference(made.Merged, alone.Merged), "") << ranks;
     EXPECT_EQ(CountDifferences(made.Merged.Points, alone.Merged.Points), 0u) << ranks;
     EXPECT_EQ(CountDifferences(made.Merged.Elements, alone.Merged.Elements), 0u) << ranks;
   }
-}
-
-TEST(PlaceSurfaces, OnlyIfTheyAreThereAndUsed)
-{
-  const SurfaceCase c{ { { 12, 12, 12 } },
-    MakeBodies({ BoxSurface({ { 3, 3, 3 } }, { { 9, 9, 9 } }) }) };
-  Runtime runtime;
-  MesherInput input = MakeSurfaceInput(c, runtime.Group());
-  const CartesianGrid grid(GivenCase::Coordinates(12));
-  const MesherOptions on = Refined(true), off = Refined(false);
-  ASSERT_TRUE(PlaceSurfaces({ input, on, runtime }, grid));
-  EXPECT_EQ(PlaceSurfaces({ input, on, runtime }, grid)->Bodies().size(), 1u);
-  EXPECT_FALSE(PlaceSurfaces({ input, off, runtime }, grid));
-  input.Arrays.Fractions = { "other" };
-  EXPECT_FALSE(PlaceSurfaces({ input, on, runtime }, grid));
-  input.Surfaces = nullptr;
-  EXPECT_FALSE(PlaceSurfaces({ input, on, runtime }, grid));
 }
