@@ -8,8 +8,8 @@
 #include "Shapes/ShapesFractions.h"
 #include "Shapes/ShapesScenes.h"
 #include "Shapes/ShapesText.h"
-#include "Shapes/SurfaceFractions.h"
 #include "SurfaceFields.h"
+#include "Surfaces/SurfaceFractions.h"
 
 #include "vtkCellData.h"
 #include "vtkImageData.h"

@@ -2,12 +2,12 @@
 
 #include "Elements/MeshRun.h"
 #include "Geometry/DisplacedVolume.h"
-#include "GivenSurfaces/BodySurfaces.h"
 #include "Options/MaterialWidths.h"
 #include "Options/SetOptions.h"
 #include "Phases/ChangeElements.h"
 #include "Phases/GiveState.h"
 #include "Phases/MeshOfCells.h"
+#include "Phases/PlaceSurfaces.h"
 #include "Phases/PrepareCells.h"
 #include "Phases/ReportRun.h"
 #include "Ranks/WorkTogether.h"
@@ -16,20 +16,6 @@ namespace vfm
 {
 namespace
 {
-
-/// Returns the surfaces of the fractions in grid coordinates; null if there are none.
-std::unique_ptr<const BodySurfaces> FindSurfaces(const MesherJob& job, const CartesianGrid& grid)
-{
-  const InputSurfaces* surfaces = job.Input.Surfaces.get();
-  if (!surfaces || !job.Options.UseSurfaces)
-  {
-    return nullptr;
-  }
-  const ImageFrame& frame = job.Input.Levels.Reading.Frame;
-  auto found = std::make_unique<const BodySurfaces>(*surfaces, job.Input.Arrays.Fractions, grid,
-    job.Options.EdgeAngle, [&frame](const Vector3& x) { return frame.ToOwn(x); });
-  return found->Bodies().empty() ? nullptr : std::move(found);
-}
 
 Mesh MakeMesh(const MesherJob& job, const LevelFields& fields, const BodySurfaces* surfaces,
   const MeshOptions& options, MeshReport& report)
@@ -63,7 +49,7 @@ MesherResult RunMesher(const MesherInput& input, const MesherOptions& given, Run
   const std::unique_ptr<Cells> cells = ReadCells(job);
   const PreparedCells prepared = PrepareCells(job, *cells);
   MesherResult result;
-  const std::unique_ptr<const BodySurfaces> surfaces = FindSurfaces(job, cells->Fields.Grid);
+  const std::unique_ptr<const BodySurfaces> surfaces = PlaceSurfaces(job, cells->Fields.Grid);
   result.TheMesh = MakeMesh(job, cells->Fields, surfaces.get(), prepared.Options, result.Report);
   if (cells->Wide.IsUsed() && result.Report.DisplacedVolume.empty())
   {

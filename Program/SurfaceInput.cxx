@@ -8,8 +8,8 @@
 #include "Ranks/WorkTogether.h"
 #include "ReaderSteps.h"
 #include "Shapes/PlaceGrid.h"
-#include "Shapes/SurfaceFractions.h"
 #include "Surfaces/ReadInputSurfaces.h"
+#include "Surfaces/SurfaceFractions.h"
 
 #include <algorithm>
 #include <cstdio>

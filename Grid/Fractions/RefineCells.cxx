@@ -16,6 +16,8 @@ struct ParentField
   const CartesianGrid& Grid;
   const FractionField& Fractions;
   const CellDivision& Division;
+  ChildRule Rule;
+  const KnownChildren& Known;
 };
 
 /// Writes the rows of children of a row of cells.
@@ -136,11 +138,18 @@ std::vector<CellRun> ListRuns(
 }
 
 /// Returns the fractions of the parts of a mixed cell in its children.
-std::vector<ChildFractions> Distribute(
-  const ParentField& parents, ChildRule rule, const Index3& cell)
+std::vector<ChildFractions> Distribute(const ParentField& parents, const Index3& cell)
 {
+  if (parents.Known)
+  {
+    std::vector<ChildFractions> known = parents.Known(cell);
+    if (!known.empty())
+    {
+      return known;
+    }
+  }
   const Index3 counts = parents.Division.Parts(cell);
-  if (rule == ChildRule::Planes && counts != Index3{ { 1, 1, 1 } })
+  if (parents.Rule == ChildRule::Planes && counts != Index3{ { 1, 1, 1 } })
   {
     return SplitCell(parents.Grid, parents.Fractions, cell, counts);
   }
@@ -154,7 +163,7 @@ std::vector<ChildFractions> Distribute(
 
 /// Returns the fractions in the children of the mixed cells among the runs.
 std::vector<std::vector<ChildFractions>> Distribute(
-  const ParentField& parents, ChildRule rule, const std::vector<CellRun>& runs, Runtime& runtime)
+  const ParentField& parents, const std::vector<CellRun>& runs, Runtime& runtime)
 {
   std::vector<Index> mixed;
   for (const CellRun& run : runs)
@@ -166,7 +175,7 @@ std::vector<std::vector<ChildFractions>> Distribute(
   }
   std::vector<std::vector<ChildFractions>> children(mixed.size());
   ForEach(runtime, mixed.size(),
-    [&](Index m) { children[m] = Distribute(parents, rule, parents.Grid.Position(mixed[m])); });
+    [&](Index m) { children[m] = Distribute(parents, parents.Grid.Position(mixed[m])); });
   return children;
 }
 
@@ -198,7 +207,7 @@ void WriteLayer(const ParentField& parents, const IndexBox& layer, const std::ve
 }
 
 /// Divides the cells of a box, layer by layer along z.
-void Cut(const ParentField& parents, ChildRule rule, const IndexBox& box,
+void Cut(const ParentField& parents, const IndexBox& box,
   const std::function<bool(const Index3&)>& skips, Runtime& runtime, RefinedCells& refined)
 {
   for (Index k = box.Lower[2]; k < box.Upper[2]; ++k)
@@ -211,7 +220,7 @@ void Cut(const ParentField& parents, ChildRule rule, const IndexBox& box,
     {
       SkipCells(parents.Grid, skips, runs);
     }
-    WriteLayer(parents, layer, runs, Distribute(parents, rule, runs, runtime), refined);
+    WriteLayer(parents, layer, runs, Distribute(parents, runs, runtime), refined);
   }
 }
 
@@ -257,11 +266,12 @@ CartesianGrid ChangeLevel(const CartesianGrid& grid, int levels, int ghostLayers
 }
 
 RefinedCells RefineCells(const CartesianGrid& grid, const FractionField& fractions,
-  Runtime& runtime, ChildRule rule, const std::function<bool(const Index3&)>& skips)
+  Runtime& runtime, ChildRule rule, const std::function<bool(const Index3&)>& skips,
+  const KnownChildren& known)
 {
   const CellDivision halves(grid.Global().Upper, 2);
   RefinedCells refined = MakeVoidCells(ChangeLevel(grid, 1, GhostLayers), fractions);
-  Cut({ grid, fractions, halves }, rule, grid.Extended(ReadLayers), skips, runtime, refined);
+  Cut({ grid, fractions, halves, rule, known }, grid.Extended(ReadLayers), skips, runtime, refined);
   return refined;
 }
 
@@ -271,7 +281,7 @@ RefinedCells DivideCells(const CartesianGrid& grid, const FractionField& fractio
   RefinedCells refined = MakeVoidCells(
     CartesianGrid(division.Divide(grid.Coordinates()), division.Divide(grid.Owned()), GhostLayers),
     fractions);
-  Cut({ grid, fractions, division }, rule, grid.Owned(), {}, runtime, refined);
+  Cut({ grid, fractions, division, rule, {} }, grid.Owned(), {}, runtime, refined);
   return refined;
 }
 

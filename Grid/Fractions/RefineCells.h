@@ -20,6 +20,10 @@ enum class ChildRule
   Parent  ///< gives each child the fractions of the cell
 };
 
+/// Returns the fractions in the children of a mixed cell, x fastest, one list per part of the cell;
+/// nothing if they are not known. Threads may call it at the same time.
+using KnownChildren = std::function<std::vector<std::vector<double>>(const Index3& cell)>;
+
 /// A grid and its fractions.
 struct RefinedCells
 {
@@ -42,12 +46,13 @@ CartesianGrid ChangeLevel(const CartesianGrid& grid, int levels, int ghostLayers
 /// @param fractions  owned and ghost cells
 /// @param skips  skips(cell): whether the children of a cell are not needed; they become
 ///   void; may be empty
+/// @param known  fractions that replace those of the rule; may be empty
 /// @throws InputError  if the finer grid has too many nodes for 64-bit ids, or coordinates too
 ///   close to halve
 /// @note Bitwise reproducible on any number of ranks and threads.
 RefinedCells RefineCells(const CartesianGrid& grid, const FractionField& fractions,
   Runtime& runtime, ChildRule rule = ChildRule::Planes,
-  const std::function<bool(const Index3&)>& skips = {});
+  const std::function<bool(const Index3&)>& skips = {}, const KnownChildren& known = {});
 
 /// Divides the owned cells. The GhostLayers layers around them are void: a child may be as wide as
 /// its cell, so FillGhosts must get them from their owners. Otherwise like RefineCells.

@@ -19,14 +19,6 @@ constexpr double Speck = 0.05;
 static_assert(ThicknessReach <= GhostLayers && CurvatureReach <= GhostLayers,
   "ghost layers contain the cells that are read");
 
-/// Returns the number of halvings, 0 to most, that multiply the cells across a length
-/// by about a factor.
-int HalvingsFor(double factor, int most)
-{
-  const double requested = std::ceil(std::log2(factor) - Slack);
-  return static_cast<int>(std::min(std::max(requested, 0.0), static_cast<double>(most)));
-}
-
 void CheckCriteria(const RefinementCriteria& criteria)
 {
   if (!(criteria.ThinCells <= LargestThickness))
@@ -264,6 +256,12 @@ Requests RequestChosen(const CartesianGrid& grid, const RefinementCriteria& crit
 }
 
 } // namespace
+
+int HalvingsFor(double factor, int most)
+{
+  const double requested = std::ceil(std::log2(factor) - Slack);
+  return static_cast<int>(std::min(std::max(requested, 0.0), static_cast<double>(most)));
+}
 
 RefinementRequests FindRefinement(const CartesianGrid& grid, const FractionField& fractions,
   const RefinementCriteria& criteria, double isoValue, const Partition& partition, Runtime& runtime)

@@ -59,6 +59,10 @@ struct RefinementRequests
   Index AllCells = 0; ///< number of marked cells, over all ranks
 };
 
+/// Returns the number of halvings, 0 to most, that multiply the cells across a length by about a
+/// factor.
+int HalvingsFor(double factor, int most);
+
 /// Evaluates the criteria in the owned cells.
 /// @param grid  has GhostLayers ghost layers
 /// @param isoValue  iso value of the labels, as in MeshOptions

@@ -89,6 +89,16 @@ SurfaceComponents FindComponents(const ClosedSurface& surface)
   return components;
 }
 
+double MeasureArea(const ClosedSurface& surface)
+{
+  double area = 0.0;
+  for (const Triangle& t : PlaceTriangles(surface))
+  {
+    area += 0.5 * Norm(Cross(t[1] - t[0], t[2] - t[0]));
+  }
+  return area;
+}
+
 std::vector<SurfaceSample> SampleSurface(
   const ClosedSurface& surface, const SurfaceComponents& components, int count)
 {

@@ -18,6 +18,8 @@ struct SurfaceComponents
 
 SurfaceComponents FindComponents(const ClosedSurface& surface);
 
+double MeasureArea(const ClosedSurface& surface);
+
 /// Point that stands for a part of a surface.
 struct SurfaceSample
 {

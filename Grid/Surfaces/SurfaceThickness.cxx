@@ -90,6 +90,15 @@ std::vector<double> MeasureThickness(const std::vector<SurfaceSample>& samples,
   return diameters;
 }
 
+std::vector<double> MeasureThicknessTo(double limit, const std::vector<SurfaceSample>& samples,
+  const TriangleSearch& surface, BallSide side, Runtime& runtime)
+{
+  const Balls balls(samples, surface, side);
+  std::vector<double> diameters(samples.size());
+  ForEach(runtime, samples.size(), [&](Index s) { diameters[s] = balls.Shrink(s, limit, limit); });
+  return diameters;
+}
+
 double FindQuantile(
   const std::vector<SurfaceSample>& samples, const std::vector<double>& values, double share)
 {

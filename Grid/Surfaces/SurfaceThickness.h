@@ -23,6 +23,11 @@ enum class BallSide
 std::vector<double> MeasureThickness(const std::vector<SurfaceSample>& samples,
   const TriangleSearch& surface, BallSide side, Runtime& runtime);
 
+/// As MeasureThickness, up to a limit: balls that are larger, or touch nothing, have this diameter.
+/// Each value depends on no other sample.
+std::vector<double> MeasureThicknessTo(double limit, const std::vector<SurfaceSample>& samples,
+  const TriangleSearch& surface, BallSide side, Runtime& runtime);
+
 /// Returns the value that samples with a share of the area do not exceed.
 /// @param values  of the samples
 double FindQuantile(

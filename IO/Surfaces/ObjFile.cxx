@@ -1,7 +1,7 @@
 #include "Surfaces/ObjFile.h"
 
-#include "Surfaces/CutPolygon.h"
 #include "Surfaces/PatchList.h"
+#include "Surfaces/PolygonTriangles.h"
 #include "Surfaces/TextScan.h"
 
 #include <array>

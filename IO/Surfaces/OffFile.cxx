@@ -1,7 +1,7 @@
 #include "Surfaces/OffFile.h"
 
 #include "Ranks/Errors.h"
-#include "Surfaces/CutPolygon.h"
+#include "Surfaces/PolygonTriangles.h"
 #include "Surfaces/TextScan.h"
 
 namespace vfm

@@ -1,8 +1,8 @@
 #include "Surfaces/PlyFile.h"
 
 #include "Ranks/Errors.h"
-#include "Surfaces/CutPolygon.h"
 #include "Surfaces/FileBytes.h"
+#include "Surfaces/PolygonTriangles.h"
 #include "Surfaces/TextScan.h"
 
 #include <cmath>

@@ -4,8 +4,8 @@
 #include "GridFiles/VtkArrays.h"
 #include "GridFiles/VtkExtents.h"
 #include "Ranks/Errors.h"
-#include "Surfaces/CutPolygon.h"
 #include "Surfaces/FileBytes.h"
+#include "Surfaces/PolygonTriangles.h"
 #include "Surfaces/XmlTags.h"
 
 #include <algorithm>

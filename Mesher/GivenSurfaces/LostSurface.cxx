@@ -43,16 +43,6 @@ struct SampledBody
 
 using Flags = std::vector<unsigned char> SampledBody::*;
 
-double MeasureArea(const ClosedSurface& surface)
-{
-  double area = 0.0;
-  for (const Triangle& t : PlaceTriangles(surface))
-  {
-    area += 0.5 * Norm(Cross(t[1] - t[0], t[2] - t[0]));
-  }
-  return area;
-}
-
 std::vector<SampledBody> SampleBodies(const BodySurfaces& surfaces, Runtime& runtime)
 {
   std::vector<double> areas;

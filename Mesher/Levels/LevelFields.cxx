@@ -6,6 +6,8 @@
 #include "Fractions/GhostFractions.h"
 #include "Input/InputRoute.h"
 #include "Input/MakePartition.h"
+#include "Levels/ExactChildren.h"
+#include "Levels/ThinPlaces.h"
 #include "Octree/OctreeKeys.h"
 #include "Ranks/Agreement.h"
 
@@ -391,17 +393,34 @@ int FindFinerLevels(LevelFields& fields, const RefinementCriteria& criteria, dou
   return requests.Refinements;
 }
 
+/// Halves the cells of a grid once.
+/// @param bodies  in grid coordinates of unit, or null
+RefinedCells HalveCells(const LevelFields& fields, ChildRule rule, const BodySurfaces* bodies,
+  const CartesianGrid& unit, Runtime& runtime)
+{
+  const FractionField& fractions = fields.Field.Fractions;
+  if (!bodies || rule != ChildRule::Planes)
+  {
+    return RefineCells(fields.Grid, fractions, runtime, rule);
+  }
+  const ExactChildren exact(*bodies, unit, fields.Grid, fractions, runtime);
+  return RefineCells(fields.Grid, fractions, runtime, rule, {},
+    [&exact](const Index3& cell) { return exact.Find(cell); });
+}
+
 /// Halves all cells of Grid.
 /// Collective.
-void HalveCells(int steps, ChildRule rule, Runtime& runtime, LevelFields& fields)
+void HalveCells(
+  int steps, ChildRule rule, const BodySurfaces* bodies, Runtime& runtime, LevelFields& fields)
 {
+  const CartesianGrid unit = fields.Grid;
   for (int step = 0; step < steps; ++step)
   {
     runtime.Progress(0.0, "Refining cells");
     WorkTogether(runtime.Group(),
       [&]
       {
-        RefinedCells refined = RefineCells(fields.Grid, fields.Field.Fractions, runtime, rule);
+        RefinedCells refined = HalveCells(fields, rule, bodies, unit, runtime);
         fields.Grid = std::move(refined.Grid);
         fields.Field.Fractions = std::move(refined.Fractions);
       });
@@ -412,29 +431,40 @@ void HalveCells(int steps, ChildRule rule, Runtime& runtime, LevelFields& fields
 /// their families.
 /// Collective.
 int FindRefinements(const MesherOptions& options, const LevelSetup& setup,
-  const InputRequests& requests, int finer, Runtime& runtime, LevelFields& fields)
+  const InputRequests& requests, int finer, const BodySurfaces* bodies, Runtime& runtime,
+  LevelFields& fields)
 {
   runtime.Progress(0.0, "Looking for places to refine");
   const int layers = options.FineInterfaces ? 0 : options.FineLayers;
   RefinementCriteria criteria{ options.ThinCells, options.CurvaturePerCell,
     options.RefineFlippedCells, options.InterfaceLayers, {}, finer };
-  WorkTogether(
-    runtime.Group(), [&] { criteria.Chosen = TakeRequests(requests, setup, layers, fields); });
+  WorkTogether(runtime.Group(),
+    [&]
+    {
+      criteria.Chosen = TakeRequests(requests, setup, layers, fields);
+      if (bodies && options.ThinCells > 0.0)
+      {
+        const std::vector<ChosenBox> thin = FindThinPlaces(
+          *bodies, fields.Grid, fields.Field.Fractions, options.ThinCells, finer, runtime);
+        criteria.Chosen.insert(criteria.Chosen.end(), thin.begin(), thin.end());
+      }
+    });
   return finer > 0 ? FindFinerLevels(fields, criteria, options.IsoValue, layers, runtime) : finer;
 }
 
 } // namespace
 
 LevelPlan RefineFields(const MesherOptions& options, const LevelSetup& setup,
-  const InputRequests& requests, int inputFinest, Runtime& runtime, LevelFields& fields)
+  const InputRequests& requests, int inputFinest, const BodySurfaces* bodies, Runtime& runtime,
+  LevelFields& fields)
 {
   const int top = std::min(setup.Finest, inputFinest);
   int finer = setup.Finest - top;
   if (options.Refinement == RefinementMode::Automatic)
   {
-    finer = FindRefinements(options, setup, requests, finer, runtime, fields);
+    finer = FindRefinements(options, setup, requests, finer, bodies, runtime, fields);
   }
-  HalveCells(finer, options.ChildFractions, runtime, fields);
+  HalveCells(finer, options.ChildFractions, bodies, runtime, fields);
   LevelPlan plan{ options, 0, {} };
   if (!setup.IsUniform)
   {

@@ -12,6 +12,7 @@
 
 #include "Base/Runtime.h"
 #include "Fractions/RefineCells.h"
+#include "GivenSurfaces/BodySurfaces.h"
 #include "Input/InputFields.h"
 #include "Input/InputLevels.h"
 #include "Labels/RefinementCriteria.h"
@@ -61,10 +62,14 @@ void DivideFields(LevelFields& fields, double maximumAspectRatio, ChildRule rule
 /// and adds the ghost layers that meshing needs.
 /// @param requests requests of the cells that this rank meshes
 /// @param inputFinest finest level of the input
+/// @param bodies surfaces in coordinates of Grid, or null; not if the domain repeats. Thin places
+/// of these are refined too (ThinPlaces.h), and their children get exact fractions
+/// (ExactChildren.h).
 /// @return plan of the levels of the mesh
 /// @pre Collective
 LevelPlan RefineFields(const MesherOptions& options, const LevelSetup& setup,
-  const InputRequests& requests, int inputFinest, Runtime& runtime, LevelFields& fields);
+  const InputRequests& requests, int inputFinest, const BodySurfaces* bodies, Runtime& runtime,
+  LevelFields& fields);
 
 /// Returns a sentence if the widths of cells differ so much that close bodies may overlap, or "".
 std::string DescribeWidths(const CartesianGrid& grid);

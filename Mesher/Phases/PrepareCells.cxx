@@ -1,6 +1,7 @@
 #include "Phases/PrepareCells.h"
 
 #include "Levels/PeriodicFields.h"
+#include "Phases/PlaceSurfaces.h"
 #include "Phases/WidenCells.h"
 
 namespace vfm
@@ -31,6 +32,17 @@ void Divide(const MesherJob& job, const LevelSetup& setup, LevelFields& fields)
   }
 }
 
+/// Refines the cells; those of surfaces by the surfaces, unless the domain repeats.
+LevelPlan Refine(const MesherJob& job, Cells& cells)
+{
+  const int finest = FinestLevel(job, cells);
+  const bool usesBodies = cells.Setup.Finest > finest && job.Options.Periodic == 0;
+  const std::unique_ptr<const BodySurfaces> bodies =
+    usesBodies ? PlaceSurfaces(job, cells.Fields.Grid) : nullptr;
+  return RefineFields(
+    job.Options, cells.Setup, cells.Requests, finest, bodies.get(), job.Run, cells.Fields);
+}
+
 } // namespace
 
 PreparedCells PrepareCells(const MesherJob& job, Cells& cells)
@@ -45,9 +57,7 @@ PreparedCells PrepareCells(const MesherJob& job, Cells& cells)
     SmoothFields(job, fields);
   }
   Divide(job, cells.Setup, fields);
-  MeshOptions options{ job.Options,
-    RefineFields(
-      job.Options, cells.Setup, cells.Requests, FinestLevel(job, cells), job.Run, fields),
+  MeshOptions options{ job.Options, Refine(job, cells),
     job.Options.UnmeshedMaterial == Unmeshed::Particles };
   Warn(job, DescribeWidths(fields.Grid));
   options.ThinParts = options.ThinParts && !AreLabels(job);

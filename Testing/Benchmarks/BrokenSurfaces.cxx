@@ -7,8 +7,8 @@
  * All are made of cubes of edge 1. A file that is read has the true volume, whatever its defects.
  */
 #include "Ranks/Errors.h"
-#include "Shapes/SurfaceFractions.h"
 #include "Surfaces/ReadSurface.h"
+#include "Surfaces/SurfaceFractions.h"
 
 #include <cstdint>
 #include <cstdio>

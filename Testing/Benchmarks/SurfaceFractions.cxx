@@ -6,7 +6,7 @@
  * The solid is an ellipsoid with the half axes 1, 0.2 and 0.1 as 4 RINGS (RINGS - 1) triangles. The
  * grid has CELLS cubic cells along its length. Each time is the least of several runs.
  */
-#include "Shapes/SurfaceFractions.h"
+#include "Surfaces/SurfaceFractions.h"
 #include "Base/ThreadRuntime.h"
 #include "Base/Vector3.h"
 #include "MeasureAlone.h"

@@ -2,17 +2,20 @@
  * Meshes closed surfaces of parts, and compares the meshes with the triangles.
  *
  * usage: SurfaceParts PARTS CELLS [SURFACES, default on,off] [METHODS, default hexes]
- *          [TURNED, default 0] [ANGLE, default 40]
+ *          [TURNED, default 0] [ANGLE, default 40] [HALVINGS, default 0]
  *   SurfaceParts all 3t on,off hexes 0,1
  *   SurfaceParts part.stl,other.stl 64
  *   SurfaceParts one.stl+two.stl 64
  *   SurfaceParts assembly 40,80 on,off hexes,Lattice
+ *   SurfaceParts fixed_top 6t on hexes 0,1 40 0,1
  *
  * PARTS are "all" parts of known thickness, or files, or names in Data/Surfaces, also of a folder
  * of bodies; + joins the bodies of one input. CELLS are numbers of cells along the longest side, or
  * of the thickness of the named parts if t follows. SURFACES are values of the option UseSurfaces;
  * "sharp" is off with SharpEdges On. TURNED 1 rotates the part, so that its faces are oblique to
- * the grid. ANGLE: least angle of sharp edges in degrees.
+ * the grid. ANGLE: least angle of sharp edges in degrees. HALVINGS: cells of the input are
+ * 2^HALVINGS wide, and those that the surface requests are halved as often (Refinement Automatic,
+ * Fine Interfaces off), or none with a minus sign; CELLS and all lengths are in finest cells.
  *
  * Columns, lengths in cells: share of the true sharp edges within 0.25 of the mesh, and their rms
  * distance; distance of the nodes on the surface, rms and largest; Hausdorff and rms distance of
@@ -27,8 +30,8 @@
 #include "LabelInput.h"
 #include "Parts/PartFigures.h"
 #include "SerialTimes.h"
-#include "Shapes/SurfaceFractions.h"
 #include "Surfaces/ReadSurface.h"
+#include "Surfaces/SurfaceFractions.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -173,15 +176,16 @@ double CellsOf(const std::string& part, const std::string& text)
   throw InputError("The thickness of '" + part + "' is not known.");
 }
 
-/// Bodies in units of cells, inside a domain of cells from 0.
+/// Bodies in units of the finest cells, inside a domain from 0.
 struct Part
 {
   std::string Name;
   std::shared_ptr<const InputSurfaces> Surfaces;
-  Index3 Cells;
+  Index3 Cells; ///< of the input
+  double Width; ///< of these
 };
 
-Part ReadPart(const std::string& words, const std::string& cells, bool isTurned)
+Part ReadPart(const std::string& words, const std::string& cells, bool isTurned, double width)
 {
   const std::vector<std::filesystem::path> paths = ListBodies(words);
   std::vector<SurfaceFile> files;
@@ -192,13 +196,14 @@ Part ReadPart(const std::string& words, const std::string& cells, bool isTurned)
   const double scale = CellsOf(words, cells) / LongestSide(FindBounds(files));
   ForPoints(files, [&](Vector3& x) { x = scale * (isTurned ? Turn(x) : x); });
   const auto [lower, upper] = FindBounds(files);
-  Part part{ NameOf(words), nullptr, {} };
+  Part part{ NameOf(words), nullptr, {}, width };
   Vector3 shift;
   for (int a = 0; a < 3; ++a)
   {
     const double size = upper[a] - lower[a];
-    part.Cells[a] = static_cast<Index>(std::ceil(size - 1e-6)) + 2 * static_cast<Index>(Padding);
-    shift[a] = 0.5 * (static_cast<double>(part.Cells[a]) - size) - lower[a];
+    part.Cells[a] =
+      static_cast<Index>(std::ceil(size / width - 1e-6)) + 2 * static_cast<Index>(Padding);
+    shift[a] = 0.5 * (width * static_cast<double>(part.Cells[a]) - size) - lower[a];
   }
   ForPoints(files, [&](Vector3& x) { x = x + shift; });
   InputSurfaces surfaces;
@@ -220,7 +225,7 @@ MesherInput MakeInput(const Part& part, Runtime& runtime)
   {
     for (Index i = 0; i <= part.Cells[a]; ++i)
     {
-      coordinates[a].push_back(static_cast<double>(i));
+      coordinates[a].push_back(part.Width * static_cast<double>(i));
     }
   }
   auto arrays = std::make_shared<PlainArrays>(cells.NumberOfCells());
@@ -232,18 +237,25 @@ MesherInput MakeInput(const Part& part, Runtime& runtime)
     names.push_back(part.Surfaces->Bodies[b].Name);
     arrays->Store(names[b], ValueType::Double, std::move(fractions[b]));
   }
-  MesherInput input = testing::MakeInput({ MakeBlock(cells, {}, 1.0, arrays) }, runtime.Group());
+  MesherInput input =
+    testing::MakeInput({ MakeBlock(cells, {}, part.Width, arrays) }, runtime.Group());
   input.Arrays.Fractions = std::move(names);
   input.Surfaces = part.Surfaces;
   return input;
 }
 
-MesherOptions OptionsOf(const std::string& method, double angle)
+MesherOptions OptionsOf(const std::string& method, double angle, int halvings)
 {
   MesherOptions options;
   options.Elements = method == "hexes" ? ElementKind::Hexes : ElementKind::Tets;
   options.Method = method == "Cells" ? TetMethod::Cells : TetMethod::Lattice;
   options.EdgeAngle = angle;
+  if (halvings > 0)
+  {
+    options.Refinement = RefinementMode::Automatic;
+    options.MaximumLevel = halvings;
+    options.FineInterfaces = false;
+  }
   return options;
 }
 
@@ -285,11 +297,17 @@ void PrintRow(const std::string& name, const std::string& surfaces, const Mesher
     static_cast<long long>(report.CornerPoints));
 }
 
+std::string NameHalvings(int halvings)
+{
+  const std::string width = std::to_string(1 << std::abs(halvings)) + " wide";
+  return halvings == 0 ? "" : (halvings < 0 ? ", all " : ", coarse ones ") + width;
+}
+
 void MeasureSizes(const std::string& words, const std::string& cells,
   const std::vector<std::string>& surfaces, const std::vector<std::string>& methods, bool isTurned,
-  double angle)
+  double angle, int halvings)
 {
-  const Part part = ReadPart(words, cells, isTurned);
+  const Part part = ReadPart(words, cells, isTurned, 1 << std::abs(halvings));
   const TrueSurface truth(*part.Surfaces, angle);
   ThreadRuntime runtime(1);
   double begin = CpuSeconds(CLOCK_PROCESS_CPUTIME_ID);
@@ -299,14 +317,14 @@ void MeasureSizes(const std::string& words, const std::string& cells,
   {
     for (const std::string& use : surfaces)
     {
-      MesherOptions options = OptionsOf(method, angle);
+      MesherOptions options = OptionsOf(method, angle, halvings);
       options.UseSurfaces = use == "on";
       options.SharpEdges = use == "sharp" ? SharpEdgeMode::On : options.SharpEdges;
       begin = CpuSeconds(CLOCK_PROCESS_CPUTIME_ID);
       const MesherResult result = RunMesher(input, options, runtime);
       const double seconds = CpuSeconds(CLOCK_PROCESS_CPUTIME_ID) - begin;
       PrintRow(part.Name + (isTurned ? ", turned" : "") + (method == "hexes" ? "" : ", " + method) +
-          " | " + cells,
+          " | " + cells + NameHalvings(halvings),
         use, result, MeasurePart(truth, result.TheMesh, result.Report),
         part.Surfaces->Bodies.size() == 1);
       std::printf("%.2f, %.2f |\n", fractions, seconds);
@@ -321,7 +339,8 @@ int main(int argc, char** argv)
 {
   if (argc < 3)
   {
-    std::fprintf(stderr, "usage: SurfaceParts PARTS CELLS [SURFACES] [METHODS] [TURNED] [ANGLE]\n");
+    std::fprintf(
+      stderr, "usage: SurfaceParts PARTS CELLS [SURFACES] [METHODS] [TURNED] [ANGLE] [HALVINGS]\n");
     return 2;
   }
   try
@@ -333,9 +352,12 @@ int main(int argc, char** argv)
       {
         for (const std::string& cells : Split(argv[2], ','))
         {
-          MeasureSizes(part, cells, Split(argc > 3 ? argv[3] : "on,off", ','),
-            Split(argc > 4 ? argv[4] : "hexes", ','), turned == "1",
-            argc > 6 ? std::atof(argv[6]) : 40.0);
+          for (const std::string& halvings : Split(argc > 7 ? argv[7] : "0", ','))
+          {
+            MeasureSizes(part, cells, Split(argc > 3 ? argv[3] : "on,off", ','),
+              Split(argc > 4 ? argv[4] : "hexes", ','), turned == "1",
+              argc > 6 ? std::atof(argv[6]) : 40.0, std::atoi(halvings.c_str()));
+          }
         }
       }
     }

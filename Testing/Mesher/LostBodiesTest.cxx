@@ -7,8 +7,8 @@
 #include "Mesher.h"
 #include "Phases/BodyFields.h"
 #include "RankFields.h"
-#include "Shapes/SurfaceFractions.h"
 #include "SurfaceCases.h"
+#include "Surfaces/SurfaceFractions.h"
 #include "WideCases.h"
 
 #include <gtest/gtest.h>

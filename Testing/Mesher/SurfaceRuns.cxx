@@ -2,7 +2,7 @@
 
 #include "Input/PlainArrays.h"
 #include "LabelInput.h"
-#include "Shapes/SurfaceFractions.h"
+#include "Surfaces/SurfaceFractions.h"
 
 #include <mutex>
 

@@ -2,7 +2,7 @@
 
 #include "Base/PortableMath.h"
 #include "Base/Vector3.h"
-#include "Shapes/SurfaceFractions.h"
+#include "Surfaces/SurfaceFractions.h"
 
 #include <utility>
 

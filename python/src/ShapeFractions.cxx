@@ -5,7 +5,7 @@
 #include "PythonRuntime.h"
 #include "Shapes/ShapesFractions.h"
 #include "Shapes/ShapesText.h"
-#include "Shapes/SurfaceFractions.h"
+#include "Surfaces/SurfaceFractions.h"
 
 namespace vfm
 {

@@ -5,7 +5,7 @@
 #include "Harness.h"
 
 #include "Ranks/Errors.h"
-#include "Shapes/SurfaceFractions.h"
+#include "Surfaces/SurfaceFractions.h"
 
 #include <algorithm>
 #include <cstring>

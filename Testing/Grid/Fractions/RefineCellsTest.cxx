@@ -332,3 +332,29 @@ TEST(RefineCells, ChildrenLikeTheirParentAndNoneWhereNotRequested)
     EXPECT_EQ(fine.Fractions.Label(fine.Grid.Linear(ChildOfCell({ { 1, 0, 0 } }, c))), 0);
   }
 }
+
+TEST(RefineCells, KnownChildrenReplaceTheRule)
+{
+  const CartesianGrid grid({ { { 0.0, 1.0, 2.0 }, { 0.0, 1.0 }, { 0.0, 1.0 } } });
+  FractionField field(grid, 1);
+  field.SetParts(grid.Linear({ { 0, 0, 0 } }), { { 1, 0.125 } });
+  field.SetParts(grid.Linear({ { 1, 0, 0 } }), { { 1, 0.5 } });
+  Runtime runtime;
+  const RefinedCells fine = RefineCells(grid, field, runtime, ChildRule::Parent, {},
+    [](const Index3& cell)
+    {
+      std::vector<std::vector<double>> children;
+      if (cell[0] == 0)
+      {
+        children = { std::vector<double>(8, 1.0), std::vector<double>(8, 0.0) };
+        std::swap(children[0][6], children[1][6]);
+      }
+      return children;
+    });
+  for (int c = 0; c < 8; ++c)
+  {
+    const Index known = fine.Grid.Linear(ChildOfCell({ { 0, 0, 0 } }, c));
+    EXPECT_EQ(fine.Fractions.Label(known), c == 6 ? 1 : 0);
+    EXPECT_EQ(fine.Fractions.Fraction(fine.Grid.Linear(ChildOfCell({ { 1, 0, 0 } }, c)), 1), 0.5);
+  }
+}

@@ -133,6 +133,25 @@ TEST(SurfaceThickness, OfGaps)
   EXPECT_NEAR(*std::min_element(inner.begin(), inner.end()), 4.0, 1e-9);
 }
 
+TEST(SurfaceThickness, UpToALimit)
+{
+  const ClosedSurface box = BoxSurface(Zero, { { 10, 8, 3 } }, 4);
+  const std::vector<SurfaceSample> samples = SampleSurface(box, FindComponents(box), 1000);
+  Runtime runtime;
+  const TriangleSearch search(PlaceTriangles(box), runtime);
+  const std::vector<double> all =
+    MeasureThicknessTo(4.0, samples, search, BallSide::Inner, runtime);
+  for (std::size_t s = 0; s < samples.size(); ++s)
+  {
+    EXPECT_NEAR(all[s], samples[s].Normal[2] == 0.0 ? 4.0 : 3.0, 1e-9);
+    EXPECT_EQ(MeasureThicknessTo(4.0, { samples[s] }, search, BallSide::Inner, runtime)[0], all[s]);
+  }
+  for (double gap : MeasureThicknessTo(4.0, samples, search, BallSide::Outer, runtime))
+  {
+    EXPECT_EQ(gap, 4.0);
+  }
+}
+
 TEST(SurfaceThickness, DoesNotDependOnThreads)
 {
   const ClosedSurface tube = TubeSurface({ { 0.1, 0.2, 0.3 } }, 20.0, 5.0, 4.0, 64);

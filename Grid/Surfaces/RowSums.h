@@ -8,7 +8,7 @@
  */
 #pragma once
 
-#include "Shapes/CutPolygon.h"
+#include "Surfaces/CutPolygon.h"
 
 #include <vector>
 

@@ -1,5 +1,5 @@
 /**
- * CutPolygon: cuts the polygons of a file into triangles.
+ * PolygonTriangles: cuts the polygons of a file into triangles.
  */
 #pragma once
 

@@ -1,5 +1,5 @@
 /// Parts of triangles between planes.
-#include "Shapes/CutPolygon.h"
+#include "Surfaces/CutPolygon.h"
 
 #include "RandomDraw.h"
 

@@ -1,4 +1,4 @@
-#include "Shapes/CutPolygon.h"
+#include "Surfaces/CutPolygon.h"
 
 namespace vfm
 {

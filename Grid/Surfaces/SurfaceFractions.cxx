@@ -1,8 +1,8 @@
-#include "Shapes/SurfaceFractions.h"
+#include "Surfaces/SurfaceFractions.h"
 
 #include "Base/Groups.h"
-#include "Shapes/RowSums.h"
-#include "Shapes/SharedCells.h"
+#include "Surfaces/RowSums.h"
+#include "Surfaces/SharedCells.h"
 
 #include <algorithm>
 
@@ -336,18 +336,30 @@ std::vector<Buffer<double>> FractionsOfSurfaces(
   const std::array<std::vector<double>, 3>& coordinates, const IndexBox& cells,
   const InputSurfaces& surfaces, Runtime& runtime)
 {
-  const std::size_t count = surfaces.Bodies.size();
+  std::vector<const ClosedSurface*> boundaries;
+  for (const BodySurface& body : surfaces.Bodies)
+  {
+    boundaries.push_back(&body.Boundary);
+  }
+  return FractionsOfSurfaces(coordinates, cells, boundaries, runtime);
+}
+
+std::vector<Buffer<double>> FractionsOfSurfaces(
+  const std::array<std::vector<double>, 3>& coordinates, const IndexBox& cells,
+  const std::vector<const ClosedSurface*>& surfaces, Runtime& runtime)
+{
+  const std::size_t count = surfaces.size();
   if (cells.NumberOfCells() == 0)
   {
     return std::vector<Buffer<double>>(count);
   }
   std::vector<SurfaceTiles> bodies;
   std::vector<Buffer<double>> fractions;
-  for (const BodySurface& body : surfaces.Bodies)
+  for (const ClosedSurface* surface : surfaces)
   {
     runtime.Progress(
       static_cast<double>(fractions.size()) / static_cast<double>(count), "Computing fractions");
-    bodies.emplace_back(coordinates, cells, body.Boundary, runtime);
+    bodies.emplace_back(coordinates, cells, *surface, runtime);
     fractions.push_back(FractionsOfBody(bodies.back(), cells.NumberOfCells(), runtime));
   }
   runtime.For(0, count > 1 ? bodies[0].Count() : 0,

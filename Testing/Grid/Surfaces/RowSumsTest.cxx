@@ -1,5 +1,5 @@
 /// The part of a solid in the cells of a row, from the pieces of its surface.
-#include "Shapes/RowSums.h"
+#include "Surfaces/RowSums.h"
 
 #include <gtest/gtest.h>
 

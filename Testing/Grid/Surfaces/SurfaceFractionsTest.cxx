@@ -2,7 +2,7 @@
  * Volume fractions of solids inside closed surfaces, compared with a sum over all triangles in one
  * cell at a time.
  */
-#include "Shapes/SurfaceFractions.h"
+#include "Surfaces/SurfaceFractions.h"
 
 #include "Base/ThreadRuntime.h"
 #include "Base/Vector3.h"

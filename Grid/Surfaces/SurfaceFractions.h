@@ -27,6 +27,11 @@ std::vector<Buffer<double>> FractionsOfSurfaces(
   const std::array<std::vector<double>, 3>& coordinates, const IndexBox& cells,
   const InputSurfaces& surfaces, Runtime& runtime);
 
+/// Computes the same of closed surfaces in the order of their priority.
+std::vector<Buffer<double>> FractionsOfSurfaces(
+  const std::array<std::vector<double>, 3>& coordinates, const IndexBox& cells,
+  const std::vector<const ClosedSurface*>& surfaces, Runtime& runtime);
+
 /// Limits each array, cell by cell, to what the arrays before it leave of 1.
 void LimitSums(std::vector<Buffer<double>>& fractions, Runtime& runtime);
 

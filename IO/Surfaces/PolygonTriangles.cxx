@@ -1,4 +1,4 @@
-#include "Surfaces/CutPolygon.h"
+#include "Surfaces/PolygonTriangles.h"
 
 #include <algorithm>
 

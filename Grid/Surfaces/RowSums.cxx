@@ -1,4 +1,4 @@
-#include "Shapes/RowSums.h"
+#include "Surfaces/RowSums.h"
 
 #include <algorithm>
 #include <limits>

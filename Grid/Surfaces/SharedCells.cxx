@@ -1,4 +1,4 @@
-#include "Shapes/SharedCells.h"
+#include "Surfaces/SharedCells.h"
 
 #include <algorithm>
 #include <cmath>
