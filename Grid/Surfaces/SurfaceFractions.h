@@ -13,9 +13,11 @@
 namespace vfm
 {
 
-/// Computes the volume fractions of all bodies in the cells of a box. Where the fractions of a cell
-/// sum to more than 1, later bodies give way (LimitSums). Where a body overlaps itself, it counts
-/// once; in a cell that both of its overlapping boundaries cut, the fraction is an upper bound.
+/// Computes the volume fractions of all bodies in the cells of a box, each without the bodies
+/// before it. In a cell that the boundaries of a body and of an earlier one cut, their overlap is
+/// measured on rays (SharedCells.h), and where they do not overlap, the fraction stays exact. Where
+/// a body overlaps itself, it counts once; in a cell that both of its overlapping boundaries cut,
+/// the fraction is an upper bound.
 /// @param coordinates  node coordinates of the whole grid, one list per axis
 /// @param cells  cells to compute
 /// @param runtime  receives the progress, 0 to 1
@@ -24,10 +26,9 @@ namespace vfm
 std::vector<Buffer<double>> FractionsOfSurfaces(
   const std::array<std::vector<double>, 3>& coordinates, const IndexBox& cells,
   const InputSurfaces& surfaces, Runtime& runtime);
-
-/// Computes the volume fractions of one solid.
-Buffer<double> FractionsOfSurface(const std::array<std::vector<double>, 3>& coordinates,
-  const IndexBox& cells, const ClosedSurface& surface, Runtime& runtime);
+std::vector<Buffer<double>> FractionsOfSurfaces(
+  const std::array<std::vector<double>, 3>& coordinates, const IndexBox& cells,
+  const std::vector<const ClosedSurface*>& surfaces, Runtime& runtime);
 
 /// Limits each array, cell by cell, to what the arrays before it leave of 1.
 void LimitSums(std::vector<Buffer<double>>& fractions, Runtime& runtime);

@@ -158,11 +158,12 @@ void ExactChildren::AddLayers(const std::array<std::vector<double>, 3>& nodes,
   Runtime& runtime)
 {
   HalfCells exact{ ChangeLevel(BoxAround(this->Grid, cells), 1), {} };
+  std::vector<const ClosedSurface*> boundaries;
   for (const GivenBody& body : bodies.Bodies())
   {
-    exact.Fractions.push_back(FractionsOfSurface(nodes, exact.Box, body.Boundary, runtime));
+    boundaries.push_back(&body.Boundary);
   }
-  LimitSums(exact.Fractions, runtime);
+  exact.Fractions = FractionsOfSurfaces(nodes, exact.Box, boundaries, runtime);
   std::vector<std::vector<std::vector<double>>> halves(cells.size());
   ForEach(runtime, cells.size(),
     [&](Index i)
