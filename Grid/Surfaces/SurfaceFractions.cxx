@@ -334,18 +334,6 @@ void SharedRows::GiveWay(
 
 std::vector<Buffer<double>> FractionsOfSurfaces(
   const std::array<std::vector<double>, 3>& coordinates, const IndexBox& cells,
-  const InputSurfaces& surfaces, Runtime& runtime)
-{
-  std::vector<const ClosedSurface*> boundaries;
-  for (const BodySurface& body : surfaces.Bodies)
-  {
-    boundaries.push_back(&body.Boundary);
-  }
-  return FractionsOfSurfaces(coordinates, cells, boundaries, runtime);
-}
-
-std::vector<Buffer<double>> FractionsOfSurfaces(
-  const std::array<std::vector<double>, 3>& coordinates, const IndexBox& cells,
   const std::vector<const ClosedSurface*>& surfaces, Runtime& runtime)
 {
   const std::size_t count = surfaces.size();
@@ -372,6 +360,18 @@ std::vector<Buffer<double>> FractionsOfSurfaces(
       }
     });
   return fractions;
+}
+
+std::vector<Buffer<double>> FractionsOfSurfaces(
+  const std::array<std::vector<double>, 3>& coordinates, const IndexBox& cells,
+  const InputSurfaces& surfaces, Runtime& runtime)
+{
+  std::vector<const ClosedSurface*> boundaries;
+  for (const BodySurface& body : surfaces.Bodies)
+  {
+    boundaries.push_back(&body.Boundary);
+  }
+  return FractionsOfSurfaces(coordinates, cells, boundaries, runtime);
 }
 
 void LimitSums(std::vector<Buffer<double>>& fractions, Runtime& runtime)

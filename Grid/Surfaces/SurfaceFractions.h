@@ -26,8 +26,6 @@ namespace vfm
 std::vector<Buffer<double>> FractionsOfSurfaces(
   const std::array<std::vector<double>, 3>& coordinates, const IndexBox& cells,
   const InputSurfaces& surfaces, Runtime& runtime);
-
-/// Computes the same of closed surfaces in the order of their priority.
 std::vector<Buffer<double>> FractionsOfSurfaces(
   const std::array<std::vector<double>, 3>& coordinates, const IndexBox& cells,
   const std::vector<const ClosedSurface*>& surfaces, Runtime& runtime);

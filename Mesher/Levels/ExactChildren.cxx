@@ -157,13 +157,13 @@ void ExactChildren::AddLayers(const std::array<std::vector<double>, 3>& nodes,
   const BodySurfaces& bodies, const FractionField& fractions, const std::vector<Index>& cells,
   Runtime& runtime)
 {
-  std::vector<const ClosedSurface*> surfaces;
+  HalfCells exact{ ChangeLevel(BoxAround(this->Grid, cells), 1), {} };
+  std::vector<const ClosedSurface*> boundaries;
   for (const GivenBody& body : bodies.Bodies())
   {
-    surfaces.push_back(&body.Boundary);
+    boundaries.push_back(&body.Boundary);
   }
-  HalfCells exact{ ChangeLevel(BoxAround(this->Grid, cells), 1), {} };
-  exact.Fractions = FractionsOfSurfaces(nodes, exact.Box, surfaces, runtime);
+  exact.Fractions = FractionsOfSurfaces(nodes, exact.Box, boundaries, runtime);
   std::vector<std::vector<std::vector<double>>> halves(cells.size());
   ForEach(runtime, cells.size(),
     [&](Index i)
