@@ -13,7 +13,8 @@ namespace vfm
 namespace
 {
 
-constexpr double MostCells = std::numeric_limits<int>::max() - 1.0; // along one axis
+constexpr double MostCells = 1e7;          // along one axis: each rank has the nodes of all axes
+constexpr double MostCellsInAll = 1e12;    // whose numbers times those of levels are in 64 bits
 constexpr double RoundingTolerance = 1e-9; // of a number of cells that need not be rounded up
 
 void CheckExtent(const PlaceBounds& bounds)
@@ -34,6 +35,43 @@ void CheckExtent(const PlaceBounds& bounds)
 double CountCells(double extent, double width)
 {
   return std::ceil(extent / width * (1.0 - RoundingTolerance)) + 2 * PlaceMargin;
+}
+
+void CheckCells(const Vector3& counts)
+{
+  if (!(std::max({ counts[0], counts[1], counts[2] }) <= MostCells &&
+        counts[0] * counts[1] * counts[2] <= MostCellsInAll))
+  {
+    throw InputError("A grid of " + FormatNumber(counts[0]) + " x " + FormatNumber(counts[1]) +
+      " x " + FormatNumber(counts[2]) +
+      " cells around the surfaces is too large: at most 1e7 cells along an axis and 1e12 in all "
+      "are possible. Use fewer or wider cells.");
+  }
+}
+
+/// Returns the width of cubic cells.
+double FindWidth(const PlaceBounds& bounds, const Index3& cells)
+{
+  CheckExtent(bounds);
+  double width = 0.0;
+  for (int a = 0; a < 3; ++a)
+  {
+    if (cells[a] < LeastPlacedCells)
+    {
+      throw InputError("A grid around surfaces needs at least " + std::to_string(LeastPlacedCells) +
+        " cells along every axis.");
+    }
+    width = std::max(
+      width, (bounds.Upper[a] - bounds.Lower[a]) / static_cast<double>(cells[a] - 2 * PlaceMargin));
+  }
+  return width;
+}
+
+Index3 ToCells(const Vector3& counts)
+{
+  CheckCells(counts);
+  return { { static_cast<Index>(counts[0]), static_cast<Index>(counts[1]),
+    static_cast<Index>(counts[2]) } };
 }
 
 /// Places the centre of the cells at that of the bounds.
@@ -78,50 +116,33 @@ PlaceBounds FindBounds(const InputSurfaces& surfaces)
 
 GridPlace PlaceCells(const PlaceBounds& bounds, const Index3& cells)
 {
-  CheckExtent(bounds);
-  double width = 0.0;
-  for (int a = 0; a < 3; ++a)
-  {
-    if (cells[a] < LeastPlacedCells)
-    {
-      throw InputError("A grid around surfaces needs at least " + std::to_string(LeastPlacedCells) +
-        " cells along every axis.");
-    }
-    width = std::max(
-      width, (bounds.Upper[a] - bounds.Lower[a]) / static_cast<double>(cells[a] - 2 * PlaceMargin));
-  }
+  const double width = FindWidth(bounds, cells);
+  CheckCells({ { static_cast<double>(cells[0]), static_cast<double>(cells[1]),
+    static_cast<double>(cells[2]) } });
   return Centre(bounds, { { width, width, width } }, cells);
 }
 
 GridPlace PlaceCells(const PlaceBounds& bounds, Index cells)
 {
-  const GridPlace cube = PlaceCells(bounds, Index3{ { cells, cells, cells } });
-  Index3 counts;
+  const double width = FindWidth(bounds, { { cells, cells, cells } });
+  Vector3 counts;
   for (int a = 0; a < 3; ++a)
   {
-    counts[a] = std::min(
-      cells, static_cast<Index>(CountCells(bounds.Upper[a] - bounds.Lower[a], cube.Widths[a])));
+    counts[a] =
+      std::min(static_cast<double>(cells), CountCells(bounds.Upper[a] - bounds.Lower[a], width));
   }
-  return Centre(bounds, cube.Widths, counts);
+  return Centre(bounds, { { width, width, width } }, ToCells(counts));
 }
 
 GridPlace PlaceCellsOfWidth(const PlaceBounds& bounds, const Vector3& widths)
 {
   CheckExtent(bounds);
-  Index3 counts;
+  Vector3 counts;
   for (int a = 0; a < 3; ++a)
   {
-    const double count = CountCells(bounds.Upper[a] - bounds.Lower[a], widths[a]);
-    if (!(count <= MostCells))
-    {
-      throw InputError("Cells of width " + FormatNumber(widths[a]) +
-        " are too many: the surfaces "
-        "are " +
-        FormatNumber(bounds.Upper[a] - bounds.Lower[a]) + " long.");
-    }
-    counts[a] = static_cast<Index>(count);
+    counts[a] = CountCells(bounds.Upper[a] - bounds.Lower[a], widths[a]);
   }
-  return Centre(bounds, widths, counts);
+  return Centre(bounds, widths, ToCells(counts));
 }
 
 std::array<std::vector<double>, 3> ListNodes(const GridPlace& place)

@@ -39,7 +39,8 @@ PlaceBounds FindBounds(const InputSurfaces& surfaces);
 /// Places cubic cells around the bounds, centred, with PlaceMargin cells between them and each side
 /// at least.
 /// @param cells  numbers of cells along the axes
-/// @throws InputError  if a number is below LeastPlacedCells, or the bounds have no extent
+/// @throws InputError  if a number is below LeastPlacedCells, the bounds have no extent, or there
+///                     would be too many cells
 GridPlace PlaceCells(const PlaceBounds& bounds, const Index3& cells);
 
 /// Places cubic cells around the bounds. Along the shorter sides, there are as many as the margin

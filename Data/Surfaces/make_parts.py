@@ -163,7 +163,30 @@ def triangulate(body, deflection=DEFLECTION):
                                      return_index=True, return_inverse=True)
     triangles = place.ravel()[np.concatenate(triangles)]
     distinct = (triangles != np.roll(triangles, 1, 1)).all(1)  # others are at poles of spheres
-    return points.reshape(-1, 3)[first], triangles[distinct]
+    points = points.reshape(-1, 3)[first]
+    return points, face_outwards(points, triangles[distinct])
+
+
+def face_outwards(points, triangles):
+    """Turns triangles, as OpenCASCADE leaves some turned after cut and fuse; the surface is one
+    component."""
+    corners = triangles.tolist()
+    around = {}
+    for t, (a, b, c) in enumerate(corners):
+        for edge in ((a, b), (b, c), (c, a)):
+            around.setdefault(frozenset(edge), []).append((t, edge))
+    turned, waiting = {0: False}, [0]
+    while waiting:
+        t = waiting.pop()
+        a, b, c = corners[t]
+        for edge in ((a, b), (b, c), (c, a)):
+            for other, its_edge in around[frozenset(edge)]:
+                if other not in turned:
+                    turned[other] = turned[t] != (its_edge == edge)
+                    waiting.append(other)
+    is_turned = np.array([turned[t] for t in range(len(corners))])
+    triangles = np.where(is_turned[:, None], triangles[:, ::-1], triangles)
+    return triangles if np.linalg.det(points[triangles]).sum() > 0 else triangles[:, ::-1]
 
 
 def length_of_curves(body):

@@ -61,15 +61,19 @@ struct SheetModel
   }
 };
 
+bool Fades(const NearEdge& edge)
+{
+  return edge.Sheets[0] == edge.Sheets[1];
+}
+
 /// Returns the model of both sides of an edge.
 std::optional<SheetModel> ModelOfSides(const std::vector<NearSample>& samples, const NearEdge& edge)
 {
   SheetModel sides;
-  const bool isFading = edge.Sheets[0] == edge.Sheets[1];
   for (int k = 0; k < 2; ++k)
   {
     SurfacePart side{ edge.At, edge.Normals[k], edge.Sheets[k], {} };
-    side.Other = isFading ? edge.Normals[1 - k] : Vector3{};
+    side.Other = Fades(edge) ? edge.Normals[1 - k] : Vector3{};
     const std::optional<SampleFit> fit = FitSide(samples, side);
     if (!fit)
     {
@@ -311,7 +315,7 @@ void TrySheets(const NodeSurroundings& around, BestModel& best)
 
 } // namespace
 
-std::optional<FeatureModel> MakeEdgeModel(const NodeSurroundings& around, const Vector3& normal)
+std::optional<EdgeModel> MakeEdgeModel(const NodeSurroundings& around, const Vector3& normal)
 {
   const NearEdge* edge = FindNearest(around.Edges, normal);
   if (!edge)
@@ -324,7 +328,8 @@ std::optional<FeatureModel> MakeEdgeModel(const NodeSurroundings& around, const 
   {
     TrySheets(around, best);
   }
-  return best.Missed < NoModel ? std::optional(best.Model) : std::nullopt;
+  return best.Missed < NoModel ? std::optional<EdgeModel>({ best.Model, Fades(*edge) })
+                               : std::nullopt;
 }
 
 } // namespace vfm

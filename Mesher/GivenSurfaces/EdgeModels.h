@@ -18,6 +18,13 @@ struct NodeSurroundings
   std::vector<NearCorner> Corners;
 };
 
+/// Model of edges near a node.
+struct EdgeModel
+{
+  FeatureModel Model;
+  bool Fades; ///< the nearest edge has one sheet on both sides
+};
+
 /// Distance of edges and corners for which models are made, in cells.
 constexpr double EdgeReach = 2.3, CornerReach = EdgeReach + 0.5;
 
@@ -26,6 +33,6 @@ constexpr double EdgeReach = 2.3, CornerReach = EdgeReach + 0.5;
 /// @param normal  of the interface at the node, towards the second label; edges without a side that
 ///   faces this way are ignored
 /// @return nothing if there is no edge, or no two sides have enough samples
-std::optional<FeatureModel> MakeEdgeModel(const NodeSurroundings& around, const Vector3& normal);
+std::optional<EdgeModel> MakeEdgeModel(const NodeSurroundings& around, const Vector3& normal);
 
 } // namespace vfm

@@ -43,7 +43,7 @@ public:
   }
 
   /// Returns the model of the edge nearest to the node.
-  std::optional<FeatureModel> FitEdges()
+  std::optional<EdgeModel> FitEdges()
   {
     if (!this->FindEdges())
     {
@@ -150,11 +150,11 @@ struct FollowedLevel
 };
 
 /// Replaces the targets of the points of a level. Returns the models of edges.
-std::vector<std::optional<FeatureModel>> FollowPoints(const std::vector<GivenPoint>& points,
+std::vector<std::optional<EdgeModel>> FollowPoints(const std::vector<GivenPoint>& points,
   const std::vector<NearSurface>& surfaces, const FollowedLevel& level, bool hasEdges,
   Runtime& runtime, SurfaceTargets& targets)
 {
-  std::vector<std::optional<FeatureModel>> models(points.size());
+  std::vector<std::optional<EdgeModel>> models(points.size());
   ForEach(runtime, points.size(),
     [&](Index i)
     {
@@ -197,7 +197,8 @@ SharpFeatures FollowSurfaces(const BodySurfaces& bodies,
       {
         const NodeFrame frame = FrameOf(*interface, points[i].Node);
         found.push_back(first + points[i].Point);
-        features.push_back({ *models[i], level.Ratio * frame.Origin, level.Ratio * frame.Widths });
+        features.push_back({ models[i]->Model, level.Ratio * frame.Origin,
+          level.Ratio * frame.Widths, models[i]->Fades });
       }
     }
     first += static_cast<Index>(interface->Points().size());

@@ -3,7 +3,7 @@
 #include "Interface/SurfaceTargets.h"
 #include "Smoothing/Attach.h"
 #include "Smoothing/AttachFeatures.h"
-#include "Smoothing/EaseFeatures.h"
+#include "Smoothing/EaseTargets.h"
 #include "Smoothing/EdgePulls.h"
 #include "Volumes/VolumeCorrection.h"
 
@@ -18,7 +18,7 @@ namespace
 // rounds only put points back.
 constexpr int CorrectedRounds = 4, MovingRounds = 30;
 // Rounds in which edges give way to quality after volumes were corrected, and volumes again.
-constexpr int EasedRounds = 3;
+constexpr int EasedRounds = 5;
 
 /// Attaches the active points to the interfaces.
 /// @param[out] kinds  of the active points
@@ -127,7 +127,7 @@ void MovePoints(const MeshCells& cells, const SurfaceTargets& targets, const Loc
   }
   for (int round = 0; round <= EasedRounds; ++round)
   {
-    const bool isEased = cells.Surfaces && EaseFeatures(ramp.back(), smoother);
+    const bool isEased = cells.Surfaces && EaseTargets(ramp.back(), smoother);
     if (isEased)
     {
       correction.MeasureAll();

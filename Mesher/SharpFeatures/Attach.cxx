@@ -166,7 +166,7 @@ FeaturePulls PullToFeatures(const InterfaceFeatures& features, const SurfacePair
   std::vector<FeaturePoint> points = Classify(features.Models, pairs, runtime);
   ApplyFeatureRules(pairs, facets, points);
   FeaturePulls pulls{ std::vector<FeaturePull>(points.size()), KindsOfPoints(pairs, points),
-    std::vector<float>(pairs.Ids.size(), 1.0f) };
+    std::vector<unsigned char>(pairs.Ids.size(), 0), std::vector<float>(pairs.Ids.size(), 1.0f) };
   for (std::size_t p = 0; p < pairs.Ids.size(); ++p)
   {
     for (Index i = pairs.Offset[p]; i < pairs.Offset[p + 1]; ++i)
@@ -176,6 +176,7 @@ FeaturePulls PullToFeatures(const InterfaceFeatures& features, const SurfacePair
       {
         double bluntness;
         pulls.OfPairs[i] = MakePull(at, points[i].Kind, pairs.IsOfHexes, targets, bluntness);
+        pulls.Fade[p] |= at.Feature->Fades;
         pulls.Bluntness[p] = std::min(pulls.Bluntness[p], static_cast<float>(bluntness));
       }
     }

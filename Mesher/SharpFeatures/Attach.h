@@ -35,6 +35,8 @@ struct FeaturePulls
 {
   std::vector<FeaturePull> OfPairs; ///< one per pair; Count is 0 at points that other ranks move
   std::vector<FeatureKind> Kinds;   ///< kind of each point, equal on all ranks that hold it
+  /// Whether each point has a model of an edge that fades out.
+  std::vector<unsigned char> Fade;
   /// Bluntness of the sharpest edge that each point carries; 1: it carries no edge.
   std::vector<float> Bluntness;
 };

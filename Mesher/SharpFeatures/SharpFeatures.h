@@ -21,6 +21,7 @@ struct NodeFeature
 {
   FeatureModel Model;
   Vector3 Origin, Widths; ///< grid coordinates of the interface; they define the frame
+  bool Fades = false;     ///< the edge of a given surface fades out: one sheet is on both sides
 };
 
 /// Models at the surface points of interfaces that are near their edges and corners, by their

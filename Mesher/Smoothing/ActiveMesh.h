@@ -92,6 +92,8 @@ struct ActiveMesh
   /// First attachment of each point, like CornerOffset.
   std::vector<CornerPosition> AttachmentOffset;
   std::vector<Attachment> Attachments;
+  /// Whether each point is attracted to an edge of a given surface that fades out; empty: none.
+  std::vector<unsigned char> AtFadingEdge;
   /// Faces by which volumes are measured, each on one rank.
   std::vector<ActiveFacet> Facets;
   /// Points of the mesh, in length units of the grid.

@@ -101,6 +101,7 @@ std::vector<FeatureKind> AttachFeatures(const InterfaceFeatures& features,
   FeaturePulls pulls =
     PullToFeatures(features, ListPairs(features, mesh, active), facets, targets, runtime);
   Rewrite(pulls.OfPairs, active);
+  active.AtFadingEdge = std::move(pulls.Fade);
   if (active.HasHexes()) // tets fill acute edges well enough
   {
     SetDemands(std::move(pulls.Bluntness), active);

@@ -80,3 +80,11 @@ TEST(PlaceGrid, WrongInputIsAnError)
   EXPECT_THROW(PlaceCellsOfWidth(Part, { { 1.0, 1.0, 1e-12 } }), InputError);
   EXPECT_THROW(FindBounds({}), InputError);
 }
+
+TEST(PlaceGrid, TooManyCellsAreAnError)
+{
+  EXPECT_THROW(PlaceCellsOfWidth(Part, { { 1e-7, 1.0, 1.0 } }), InputError);
+  EXPECT_THROW(PlaceCellsOfWidth(Part, { { 1e-5, 1e-5, 1e-5 } }), InputError);
+  EXPECT_THROW(PlaceCells(Part, 100000), InputError);
+  EXPECT_THROW(PlaceCells(Part, Index3{ { 20000000, 5, 5 } }), InputError);
+}

@@ -178,6 +178,8 @@ def test_wrong_surfaces(tmp_path):
         (tmp_path / "short.stl", ValueError, "is not an STL file"),
         (tmp_path / "none.stl", FileNotFoundError, "none.stl"),
         ({}, ValueError, "empty"),
+        ({3: (CUBE, TRIANGLES)}, TypeError, "name of a surface is 3"),
+        ({"": (CUBE, TRIANGLES)}, TypeError, "name of a surface is ''"),
         ((CUBE * np.nan, TRIANGLES), ValueError, "finite"),
     ):
         with pytest.raises(error) as told:
@@ -198,6 +200,7 @@ def test_surfaces_go_with_fractions():
     mesh = vfm.hexes(found)
     assert mesh.materials["Name"] == ["steel"]
     assert same(vfm.hexes(pickle.loads(pickle.dumps(found))), mesh)
+    assert same(vfm.hexes(found.copy()), mesh)
     plain = vfm.hexes(dict(found), coordinates=found.coordinates)
     assert same(vfm.hexes(found, surface_targets="off"), plain) and not same(mesh, plain)
     bare = vfm.Fractions(found, found.coordinates, found.order)
@@ -253,7 +256,7 @@ def test_width_of_cells():
         (dict(cell_width=0), ValueError, "cell_width is 0"),
         (dict(cell_width=[1, 2]), TypeError, "cell_width is [1, 2]"),
         (dict(cell_width="wide"), TypeError, "cell_width is 'wide'"),
-        (dict(cell_width=1e-12), ValueError, "too many"),
+        (dict(cell_width=1e-12), ValueError, "too large"),
         (dict(cell_width=0.1, cells=20), ValueError, "one or the other"),
     ):
         with pytest.raises(error) as told:

@@ -98,6 +98,9 @@ class Fractions(Dict[str, np.ndarray]):
     def __reduce__(self) -> Tuple[Any, ...]:
         return Fractions, (dict(self), self.coordinates, self.order, self.surfaces)
 
+    def copy(self) -> Fractions:
+        return Fractions(self, self.coordinates, self.order, self.surfaces)
+
 
 class Arrays(Dict[str, np.ndarray]):
     """Arrays of a file on a grid of cells, by name: the result of `read`.

@@ -45,6 +45,8 @@ def read_bodies(surfaces: Any, triangles: Optional[ArrayLike]) -> Bodies:
         raise ValueError("surfaces are empty: at least one is required.")
     found = {}
     for name, value in named.items():
+        if not isinstance(name, str) or not name:
+            raise TypeError("The name of a surface is %r: it must be a str." % (name,))
         found[name] = read_surface(value, triangles)
     bodies = Bodies([body._replace(name=name) for name, body in name_bodies(found).items()])
     if bodies.note:

@@ -77,8 +77,8 @@ TEST(EdgeModels, EdgesAndCornersOfABox)
   {
     const auto model = MakeEdgeModel(Around(box, node), { { -1, 0, 0 } });
     ASSERT_TRUE(model);
-    EXPECT_EQ(model->Count, node[2] < 10 ? 2 : 3);
-    ExpectSolid(*model, node, IsInBox);
+    EXPECT_EQ(model->Model.Count, node[2] < 10 ? 2 : 3);
+    ExpectSolid(model->Model, node, IsInBox);
   }
   EXPECT_FALSE(MakeEdgeModel(Around(box, { { 12, 8, 8 } }), { { -1, 0, 0 } }));
   // an edge of which no side faces like the interface
@@ -98,7 +98,7 @@ TEST(EdgeModels, ConcaveEdges)
   {
     const auto model = MakeEdgeModel(Around(hollow, node), { { 1, 0, 0 } });
     ASSERT_TRUE(model);
-    ExpectSolid(*model, node, isInside);
+    ExpectSolid(model->Model, node, isInside);
   }
 }
 
@@ -108,9 +108,31 @@ TEST(EdgeModels, WallsThinnerThanTheReachHaveBothEdges)
   const Vector3 node{ { 8, 8, 12 } };
   const auto model = MakeEdgeModel(Around(wall, node), { { 0, 0, -1 } });
   ASSERT_TRUE(model);
-  EXPECT_EQ(model->Count, 3);
+  EXPECT_EQ(model->Model.Count, 3);
   ExpectSolid(
-    *model, node, [](const Vector3& x) { return x[1] > 7.3 && x[1] < 8.5 && x[2] < 12.3; });
+    model->Model, node, [](const Vector3& x) { return x[1] > 7.3 && x[1] < 8.5 && x[2] < 12.3; });
+}
+
+/// Between two sides of one sheet, which a smooth part connects, the normals decide.
+TEST(EdgeModels, EdgesThatFade)
+{
+  ClosedSurface box = vfm::testing::BoxSurface(Lower, Upper, 3);
+  const Vector3 node{ { 12, 12, 8 } };
+  EXPECT_FALSE(MakeEdgeModel(Around(box, node), { { -1, 0, 0 } })->Fades);
+  NodeSurroundings around = Around(box, node);
+  const std::array<int, 2> sheets = around.Edges[0].Sheets;
+  for (NearSample& sample : around.Samples)
+  {
+    sample.Sheet = sample.Sheet == sheets[1] ? sheets[0] : sample.Sheet;
+  }
+  for (NearEdge& edge : around.Edges)
+  {
+    edge.Sheets = { sheets[0], sheets[0] };
+  }
+  const auto model = MakeEdgeModel(around, { { -1, 0, 0 } });
+  ASSERT_TRUE(model);
+  EXPECT_TRUE(model->Fades);
+  ExpectSolid(model->Model, node, IsInBox);
 }
 
 /// A chamfer of 0.02 cells is a sliver between two sides that meet.
@@ -140,8 +162,8 @@ TEST(EdgeModels, SliversBetweenSidesAreLeftOut)
   const Vector3 node{ { 12, 12, 8 } };
   const auto model = MakeEdgeModel(Around(CloseSurface(points, triangles), node), { { -1, 0, 0 } });
   ASSERT_TRUE(model);
-  EXPECT_EQ(model->Count, 2);
-  ExpectSolid(*model, node, IsInBox);
+  EXPECT_EQ(model->Model.Count, 2);
+  ExpectSolid(model->Model, node, IsInBox);
 }
 
 } // namespace

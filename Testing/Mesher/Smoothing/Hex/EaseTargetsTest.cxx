@@ -1,5 +1,5 @@
-/// Edges give way where elements are poor.
-#include "Smoothing/EaseFeatures.h"
+/// Targets give way where elements are poor.
+#include "Smoothing/EaseTargets.h"
 
 #include "../../GivenSurfaces/GivenCases.h"
 #include "Smoothing/ActiveMeshBuilder.h"
@@ -53,10 +53,12 @@ public:
     Smoother smoother(this->Hexes, &this->Targets, energy, this->Box.Run);
     smoother.RunStage(Stage, [](double) {});
     this->Pulled = this->Height();
-    const bool isEased = EaseFeatures(Stage, smoother);
+    const bool isEased = EaseTargets(Stage, smoother);
     height = this->Height();
     return isEased;
   }
+
+  void Fade() { this->Hexes.AtFadingEdge.assign(this->Hexes.X.size(), 1); }
 
   double Pulled = 0.0; ///< height of the point after smoothing
   float Weight() const { return this->Hexes.Attachments[0].Weight; }
@@ -72,7 +74,7 @@ private:
   ActiveMesh Hexes;
 };
 
-TEST(EaseFeatures, PointsOfPoorHexesGoBack)
+TEST(EaseTargets, PointsOfPoorHexesGoBack)
 {
   EightHexes hexes(1.2, 300.0f);
   double height;
@@ -82,16 +84,23 @@ TEST(EaseFeatures, PointsOfPoorHexesGoBack)
   EXPECT_GT(height, 0.2);
 }
 
-TEST(EaseFeatures, GoodHexesAndSmoothSurfacesStay)
+TEST(EaseTargets, GoodHexesStay)
 {
   double height;
   EightHexes good(0.1, 300.0f);
   EXPECT_FALSE(good.Ease(height));
   EXPECT_EQ(good.Weight(), 300.0f);
   EXPECT_EQ(height, good.Pulled);
-  EightHexes smooth(1.2, 1.0f); // a weight of 1 is that of smooth surfaces
-  EXPECT_FALSE(smooth.Ease(height));
-  EXPECT_EQ(smooth.Weight(), 1.0f);
+}
+
+TEST(EaseTargets, FadingEdgesGiveWayEarlier)
+{
+  double stays, eased;
+  EightHexes edge(0.42, 300.0f), fading(0.42, 300.0f);
+  fading.Fade();
+  EXPECT_FALSE(edge.Ease(stays));
+  EXPECT_TRUE(fading.Ease(eased));
+  EXPECT_LT(eased, stays);
 }
 
 } // namespace
