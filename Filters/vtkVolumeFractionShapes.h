@@ -6,8 +6,9 @@
  * volume fraction of the material in each cell. Shapes are inserted in order: the first keeps its
  * volume, and later ones get the rest of each cell, as in the material insertion of shock-physics
  * codes. Shapes come from a preset or from text, then from closed surfaces on the optional,
- * repeatable input port. Fractions of surfaces are exact. In a cell that several boundaries cut,
- * a surface gets its whole fraction if the rest of the cell allows it: an upper bound if the
+ * repeatable input port. Fractions of surfaces are exact; in a cell that boundaries of several
+ * surfaces cut, overlaps are measured on rays. In a cell that boundaries of shapes and of a surface
+ * cut, the surface gets its whole fraction if the rest of the cell allows it: an upper bound if the
  * boundaries cross there.
  *
  * Dimensions (cells) and Bounds (length units) define the grid. With FitToInput, the grid is

@@ -9,7 +9,7 @@ namespace
 {
 
 // Rays lie on a lattice of Fibonacci numbers, which is even in all directions.
-constexpr int RayCount = 89, RayStep = 55;
+constexpr int RayCount = 55, RayStep = 34;
 constexpr double NegligiblePart = 1e-9; // of a cell; rounding of surfaces in contact
 
 /// Point where the edge of a triangle crosses a plane normal to y.

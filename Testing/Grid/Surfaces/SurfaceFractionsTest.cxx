@@ -362,6 +362,38 @@ TEST(SurfaceFractions, HugeAndTinyTrianglesAreFinite)
   EXPECT_NEAR(FractionsIn(large, AllCells(large), tetrahedron(1e60))[0], 1.0 / 6.0, 1e-14);
 }
 
+/// Returns the fractions of several bodies.
+std::vector<std::vector<double>> FractionsOf(const NodeLists& nodes, const IndexBox& cells,
+  const std::vector<ClosedSurface>& bodies, int threads = 1)
+{
+  ThreadRuntime runtime(threads);
+  std::vector<std::vector<double>> lists;
+  for (const Buffer<double>& found : FractionsOfSurfaces(nodes, cells, BodiesOf(bodies), runtime))
+  {
+    lists.emplace_back(found.begin(), found.end());
+  }
+  return lists;
+}
+
+/// Returns the fractions of each body alone, limited to what the earlier ones leave.
+std::vector<std::vector<double>> LimitedFractions(
+  const NodeLists& nodes, const IndexBox& cells, const std::vector<ClosedSurface>& bodies)
+{
+  Runtime runtime;
+  std::vector<Buffer<double>> limited;
+  for (const ClosedSurface& body : bodies)
+  {
+    limited.push_back(std::move(FractionsOfSurfaces(nodes, cells, BodiesOf({ body }), runtime)[0]));
+  }
+  LimitSums(limited, runtime);
+  std::vector<std::vector<double>> lists;
+  for (const Buffer<double>& values : limited)
+  {
+    lists.emplace_back(values.begin(), values.end());
+  }
+  return lists;
+}
+
 /// Walls of a block that is divided by planes at random places: parts that touch in whole faces.
 TEST(SurfaceFractions, PartsInContactFillTheirCells)
 {
@@ -379,16 +411,15 @@ TEST(SurfaceFractions, PartsInContactFillTheirCells)
       point = 0.1 * point;
     }
   }
-  Runtime runtime;
   const IndexBox cells = AllCells(nodes);
-  const std::vector<Buffer<double>> found =
-    FractionsOfSurfaces(nodes, cells, BodiesOf(parts), runtime);
+  const std::vector<std::vector<double>> found = FractionsOf(nodes, cells, parts);
+  EXPECT_EQ(found, LimitedFractions(nodes, cells, parts));
   int shared = 0;
   for (Index i = 0; i < cells.NumberOfCells(); ++i)
   {
     double sum = 0.0;
     int present = 0;
-    for (const Buffer<double>& values : found)
+    for (const std::vector<double>& values : found)
     {
       sum += values[i];
       present += values[i] > 0.0;
@@ -397,19 +428,6 @@ TEST(SurfaceFractions, PartsInContactFillTheirCells)
     shared += present > 1 && sum > 1.0 - 1e-12;
   }
   EXPECT_GT(shared, 50);
-}
-
-/// Returns the fractions of several bodies.
-std::vector<std::vector<double>> FractionsOf(const NodeLists& nodes, const IndexBox& cells,
-  const std::vector<ClosedSurface>& bodies, int threads = 1)
-{
-  ThreadRuntime runtime(threads);
-  std::vector<std::vector<double>> lists;
-  for (const Buffer<double>& found : FractionsOfSurfaces(nodes, cells, BodiesOf(bodies), runtime))
-  {
-    lists.emplace_back(found.begin(), found.end());
-  }
-  return lists;
 }
 
 /// A pin in a hole of other segments: they overlap in some places and leave gaps in others.
@@ -439,6 +457,16 @@ TEST(SurfaceFractions, LaterBodiesGiveWay)
     MeasureVolume(around), 1e-10);
 }
 
+/// No cell has both boundaries.
+TEST(SurfaceFractions, InclusionsLeaveTheRest)
+{
+  const NodeLists nodes = UniformNodes({ { 12, 20, 20 } }, { { -1, -1, -1 } }, { { 1, 1, 1 } });
+  const std::vector<ClosedSurface> bodies{ SphereSurface({ { 0.03, 0.1, 0 } }, 0.4, 8),
+    BoxSurface({ { -0.87, -0.89, -0.82 } }, { { 0.87, 0.93, 0.92 } }) };
+  EXPECT_EQ(
+    FractionsOf(nodes, AllCells(nodes), bodies), LimitedFractions(nodes, AllCells(nodes), bodies));
+}
+
 /// Boundaries of both bodies cut the same cells, on faces that lie in one plane.
 TEST(SurfaceFractions, OverlapsWithFlushSidesHaveNoCoat)
 {
@@ -455,7 +483,6 @@ TEST(SurfaceFractions, OverlapsWithFlushSidesHaveNoCoat)
         { Turned(first, { { 1, 2, 3 } }, angle), Turned(second, { { 1, 2, 3 } }, angle) });
       EXPECT_NEAR(VolumeOf(nodes, found[0]), 1.0, 1e-12);
       EXPECT_NEAR(VolumeOf(nodes, found[1]), 2.0, 0.01) << offset << " " << angle;
-      std::printf("flush %g %g: %.5f\n", offset, angle, VolumeOf(nodes, found[1]));
     }
   }
 }
@@ -491,14 +518,10 @@ TEST(SurfaceFractions, OverlapsOfSpheres)
     const std::vector<std::vector<double>> found =
       FractionsOf(nodes, AllCells(nodes), { one, other });
     EXPECT_NEAR(MeasureVolume(other) - VolumeOf(nodes, found[1]), lens, 0.01 * lens) << n;
-    std::printf(
-      "lens %d: %.5f of %.5f\n", int(n), MeasureVolume(other) - VolumeOf(nodes, found[1]), lens);
     const ClosedSurface inner = SphereSurface({ { 0.25, 0.2, 0.2 } }, 0.39, 12);
     const std::vector<std::vector<double>> nested =
       FractionsOf(nodes, AllCells(nodes), { inner, other });
     EXPECT_NEAR(VolumeOf(nodes, nested[1]), MeasureVolume(other) - MeasureVolume(inner), 1e-4);
-    std::printf(
-      "nested %g\n", VolumeOf(nodes, nested[1]) - MeasureVolume(other) + MeasureVolume(inner));
   }
 }
 
