@@ -47,9 +47,10 @@ MesherResult RunMesher(const MesherInput& input, const MesherOptions& given, Run
   const MesherJob job{ input, options, runtime };
 
   const std::unique_ptr<Cells> cells = ReadCells(job);
+  MatchSurfaces(job, *cells);
   const PreparedCells prepared = PrepareCells(job, *cells);
   MesherResult result;
-  const std::unique_ptr<const BodySurfaces> surfaces = PlaceSurfaces(job, cells->Fields.Grid);
+  const std::unique_ptr<const BodySurfaces> surfaces = PlaceSurfaces(job, *cells);
   result.TheMesh = MakeMesh(job, cells->Fields, surfaces.get(), prepared.Options, result.Report);
   if (cells->Wide.IsUsed() && result.Report.DisplacedVolume.empty())
   {

@@ -38,7 +38,7 @@ LevelPlan Refine(const MesherJob& job, Cells& cells)
   const int finest = FinestLevel(job, cells);
   const bool usesBodies = cells.Setup.Finest > finest && job.Options.Periodic == 0;
   const std::unique_ptr<const BodySurfaces> bodies =
-    usesBodies ? PlaceSurfaces(job, cells.Fields.Grid) : nullptr;
+    usesBodies ? PlaceSurfaces(job, cells) : nullptr;
   return RefineFields(
     job.Options, cells.Setup, cells.Requests, finest, bodies.get(), job.Run, cells.Fields);
 }

@@ -26,6 +26,7 @@ struct Cells
   std::optional<MaterialPairs> SplitPairs, LayerPairs; ///< interfaces to split, to get layers
   StoredState State;                                   ///< contents of the cells as read
   WideReport Wide{};                                   ///< if CellWidth replaced the cells as read
+  std::shared_ptr<const InputSurfaces> Surfaces{};     ///< that fit the fractions; null: none
 };
 
 /// Returns the finest level of the cells as read, or of those that replaced them.

@@ -9,20 +9,59 @@
 using namespace vfm;
 using namespace vfm::testing;
 
+namespace
+{
+
+/// Returns the number of bodies that a run uses, and sets the warnings.
+std::size_t CountBodies(
+  MesherInput input, const MesherOptions& options, std::string* warnings = nullptr)
+{
+  Runtime runtime;
+  input.Warn = [&](const std::string& text)
+  {
+    if (warnings)
+    {
+      *warnings += text;
+    }
+  };
+  const MesherJob job{ input, options, runtime };
+  const std::unique_ptr<Cells> cells = ReadCells(job);
+  MatchSurfaces(job, *cells);
+  const std::unique_ptr<const BodySurfaces> bodies = PlaceSurfaces(job, *cells);
+  return bodies ? bodies->Bodies().size() : 0;
+}
+
+const SurfaceCase TwoBoxes{ { { 12, 12, 12 } },
+  MakeBodies({ BoxSurface({ { 3, 3, 3 } }, { { 9, 9, 7.4 } }),
+    BoxSurface({ { 3, 3, 7.4 } }, { { 9, 9, 10 } }) }) };
+
+} // namespace
+
 TEST(PlaceSurfaces, OnlyIfTheyAreThereAndUsed)
 {
-  const SurfaceCase c{ { { 12, 12, 12 } },
-    MakeBodies({ BoxSurface({ { 3, 3, 3 } }, { { 9, 9, 9 } }) }) };
   Runtime runtime;
-  MesherInput input = MakeSurfaceInput(c, runtime.Group());
-  const CartesianGrid grid(GivenCase::Coordinates(12));
+  MesherInput input = MakeSurfaceInput(TwoBoxes, runtime.Group());
   MesherOptions on, off;
   off.UseSurfaces = false;
-  ASSERT_TRUE(PlaceSurfaces({ input, on, runtime }, grid));
-  EXPECT_EQ(PlaceSurfaces({ input, on, runtime }, grid)->Bodies().size(), 1u);
-  EXPECT_FALSE(PlaceSurfaces({ input, off, runtime }, grid));
-  input.Arrays.Fractions = { "other" };
-  EXPECT_FALSE(PlaceSurfaces({ input, on, runtime }, grid));
+  EXPECT_EQ(CountBodies(input, on), 2u);
+  EXPECT_EQ(CountBodies(input, off), 0u);
   input.Surfaces = nullptr;
-  EXPECT_FALSE(PlaceSurfaces({ input, on, runtime }, grid));
+  EXPECT_EQ(CountBodies(input, on), 0u);
+}
+
+TEST(PlaceSurfaces, OthersThanThoseOfTheFractionsAreNamed)
+{
+  Runtime runtime;
+  MesherInput input = MakeSurfaceInput(TwoBoxes, runtime.Group());
+  auto moved = std::make_shared<InputSurfaces>(*input.Surfaces);
+  for (Vector3& point : moved->Bodies[1].Boundary.Points)
+  {
+    point[1] += 0.5;
+  }
+  input.Surfaces = moved;
+  std::string warnings;
+  EXPECT_EQ(CountBodies(input, MesherOptions(), &warnings), 1u);
+  EXPECT_NE(
+    warnings.find("The fractions are not those of the surfaces of 2, which"), std::string::npos)
+    << warnings;
 }
