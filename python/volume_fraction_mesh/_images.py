@@ -99,6 +99,20 @@ class Fractions(Dict[str, np.ndarray]):
         return Fractions, (dict(self), self.coordinates, self.order, self.surfaces)
 
     def copy(self) -> Fractions:
+        """Return a copy with the same arrays, grid and surfaces.
+
+        Returns
+        -------
+        Fractions
+            The arrays are not copied.
+
+        Examples
+        --------
+        >>> ball = vfm.shapes("sphere radius=0.7", 12, bounds=[-1, 1] * 3)
+        >>> other = ball.copy()
+        >>> other["Material1"] is ball["Material1"], len(other.coordinates)
+        (True, 3)
+        """
         return Fractions(self, self.coordinates, self.order, self.surfaces)
 
 
