@@ -27,8 +27,6 @@ public:
   {
   }
 
-  const Vector3& InterfaceNormal() const { return this->Normal; }
-
   /// Returns the quadric of the surface where it is nearest to the point.
   std::optional<SampleFit> FitSmooth()
   {
@@ -62,6 +60,7 @@ public:
   }
 
 private:
+  /// Collects the edges near the node; returns whether there are some.
   bool FindEdges()
   {
     this->Surface.ListEdges(this->Frame, EdgeReach, this->Around.Edges);

@@ -93,6 +93,22 @@ void CorrectMesh(bool conserves, const SmoothingStage& last, StageClock& clock, 
   correction.MeasureBulges();
 }
 
+/// The same, with targets of given surfaces that give way before and after.
+void CorrectEasedMesh(bool conserves, const SmoothingStage& last, StageClock& clock,
+  Smoother& smoother, VolumeCorrection& correction)
+{
+  bool isEased = EaseTargets(last, smoother);
+  for (int round = 0; round == 0 || isEased; ++round)
+  {
+    if (isEased)
+    {
+      correction.MeasureAll();
+    }
+    CorrectMesh(conserves, last, clock, smoother, correction);
+    isEased = round < EasedRounds && EaseTargets(last, smoother);
+  }
+}
+
 /// Smooths the active mesh. If the options request it, moves the interfaces until the relative
 /// errors of the volumes are at most 1e-7 or the rounds are used up.
 /// @param local  null: there are no thin cells
@@ -125,17 +141,14 @@ void MovePoints(const MeshCells& cells, const SurfaceTargets& targets, const Loc
   {
     correction.Measure();
   }
-  for (int round = 0; round <= EasedRounds; ++round)
+  const SmoothingStage& last = ramp.back();
+  if (cells.Surfaces)
   {
-    const bool isEased = cells.Surfaces && EaseTargets(ramp.back(), smoother);
-    if (isEased)
-    {
-      correction.MeasureAll();
-    }
-    if (round == 0 || isEased)
-    {
-      CorrectMesh(conserves, ramp.back(), run.Clock, smoother, correction);
-    }
+    CorrectEasedMesh(conserves, last, run.Clock, smoother, correction);
+  }
+  else
+  {
+    CorrectMesh(conserves, last, run.Clock, smoother, correction);
   }
   smoother.ReportMoves(run.Report);
 }
