@@ -1,5 +1,5 @@
-"""Meshes a bracket given as a surface of triangles, with edges rounded and with edges kept. Prints
-the distance of the true edges from both meshes, in cells.
+"""Meshes a bracket from the volume fractions of a surface of triangles, with edges rounded and with
+edges found in the fractions. Prints the distance of the true edges from both meshes, in cells.
 
 usage: pvbatch Examples/bracket.py OUT [--cells N] [--plugin PLUGIN.so] [--no-pictures]
 
@@ -63,7 +63,8 @@ def rms(values):
 
 
 def mesh_of(fractions, mode):
-    return VolumeFractionToHex(Input=fractions, VolumeFractionArrays=["Material1"], SharpEdges=mode)
+    return VolumeFractionToHex(Input=fractions, VolumeFractionArrays=["Material1"], SharpEdges=mode,
+                               SurfaceTargets="Off")  # edges found in the fractions
 
 
 def measure(mode, mesh, width):
