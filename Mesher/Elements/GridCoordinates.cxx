@@ -14,6 +14,21 @@ Vector3 ToGrid(const CartesianGrid& grid, const double* point)
   return x;
 }
 
+std::array<std::vector<double>, 3> ToGrid(
+  const CartesianGrid& grid, std::array<std::vector<double>, 3> nodes)
+{
+  for (int a = 0; a < 3; ++a)
+  {
+    for (double& x : nodes[a])
+    {
+      Vector3 point{};
+      point[a] = x;
+      x = ToGrid(grid, point.data())[a];
+    }
+  }
+  return nodes;
+}
+
 int FindDomainSides(const CartesianGrid& grid, const double* point)
 {
   int sides = 0;

@@ -34,22 +34,6 @@ std::vector<Index> ChooseLayers(const IndexBox& domain)
   return layers;
 }
 
-/// Returns the nodes of a grid in grid coordinates.
-std::array<std::vector<double>, 3> PlaceNodes(const CartesianGrid& grid)
-{
-  std::array<std::vector<double>, 3> nodes = grid.Coordinates();
-  for (int a = 0; a < 3; ++a)
-  {
-    for (double& x : nodes[a])
-    {
-      Vector3 point{};
-      point[a] = x;
-      x = ToGrid(grid, point.data())[a];
-    }
-  }
-  return nodes;
-}
-
 void AddCell(double exact, double given, BodySums& sums)
 {
   if (exact > 0.0 && exact < 1.0)
@@ -70,7 +54,7 @@ std::vector<bool> FindMatches(const BodySurfaces& bodies, const CartesianGrid& g
   {
     surfaces.push_back(&body.Boundary);
   }
-  const std::array<std::vector<double>, 3> nodes = PlaceNodes(grid);
+  const std::array<std::vector<double>, 3> nodes = ToGrid(grid, grid.Coordinates());
   std::vector<BodySums> sums(surfaces.size());
   IndexBox box = grid.Owned();
   for (Index layer : ChooseLayers(grid.Domain()))

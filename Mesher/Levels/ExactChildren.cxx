@@ -112,22 +112,6 @@ IndexBox BoxAround(const CartesianGrid& grid, const std::vector<Index>& cells)
   return box;
 }
 
-/// Returns the nodes of half cells in the grid coordinates of another grid.
-std::array<std::vector<double>, 3> PlaceHalves(const CartesianGrid& grid, const CartesianGrid& unit)
-{
-  std::array<std::vector<double>, 3> nodes = HalveWidths(grid.Coordinates());
-  for (int a = 0; a < 3; ++a)
-  {
-    for (double& x : nodes[a])
-    {
-      Vector3 point{};
-      point[a] = x;
-      x = ToGrid(unit, point.data())[a];
-    }
-  }
-  return nodes;
-}
-
 } // namespace
 
 ExactChildren::ExactChildren(const BodySurfaces& bodies, const CartesianGrid& unit,
@@ -139,7 +123,7 @@ ExactChildren::ExactChildren(const BodySurfaces& bodies, const CartesianGrid& un
   {
     return;
   }
-  const std::array<std::vector<double>, 3> nodes = PlaceHalves(grid, unit);
+  const std::array<std::vector<double>, 3> nodes = ToGrid(unit, HalveWidths(grid.Coordinates()));
   const IndexBox box = BoxAround(grid, cells);
   const Index ofLayer = 8 * box.Size(0) * box.Size(1) * static_cast<Index>(bodies.Bodies().size());
   const Index layers = std::max<Index>(1, LargestArray / ofLayer);

@@ -114,6 +114,17 @@ IndexBox AllCells(const NodeLists& nodes)
   return cells;
 }
 
+IndexBox DrawPart(const IndexBox& all, RandomDraw& draw)
+{
+  IndexBox part;
+  for (int a = 0; a < 3; ++a)
+  {
+    part.Lower[a] = draw.Whole(0, static_cast<int>(all.Upper[a]) - 1);
+    part.Upper[a] = draw.Whole(static_cast<int>(part.Lower[a]) + 1, static_cast<int>(all.Upper[a]));
+  }
+  return part;
+}
+
 InputSurfaces BodiesOf(const std::vector<ClosedSurface>& surfaces)
 {
   InputSurfaces input;
@@ -309,13 +320,7 @@ TEST(SurfaceFractions, DependOnNeitherBoxNorThreads)
   RandomDraw draw(1);
   for (int i = 0; i < 20; ++i)
   {
-    IndexBox part;
-    for (int a = 0; a < 3; ++a)
-    {
-      part.Lower[a] = draw.Whole(0, static_cast<int>(all.Upper[a]) - 1);
-      part.Upper[a] =
-        draw.Whole(static_cast<int>(part.Lower[a]) + 1, static_cast<int>(all.Upper[a]));
-    }
+    const IndexBox part = DrawPart(all, draw);
     const std::vector<double> found = FractionsIn(nodes, part, surface);
     for (Index n = 0; n < part.NumberOfCells(); ++n)
     {
@@ -539,13 +544,7 @@ TEST(SurfaceFractions, OverlapsDependOnNeitherBoxNorThreads)
   RandomDraw draw(2);
   for (int i = 0; i < 20; ++i)
   {
-    IndexBox part;
-    for (int a = 0; a < 3; ++a)
-    {
-      part.Lower[a] = draw.Whole(0, static_cast<int>(all.Upper[a]) - 1);
-      part.Upper[a] =
-        draw.Whole(static_cast<int>(part.Lower[a]) + 1, static_cast<int>(all.Upper[a]));
-    }
+    const IndexBox part = DrawPart(all, draw);
     const std::vector<std::vector<double>> found = FractionsOf(nodes, part, bodies);
     for (Index n = 0; n < part.NumberOfCells(); ++n)
     {
