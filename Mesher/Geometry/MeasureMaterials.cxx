@@ -1,7 +1,6 @@
 #include "Geometry/MeasureMaterials.h"
 
 #include "Base/ExactSum.h"
-#include "Ranks/MaxOfEach.h"
 
 namespace vfm
 {
@@ -37,7 +36,7 @@ void MeasureMaterials(const Mesh& mesh, Ranks& ranks, MeshReport& report)
   }
   ranks.Sum(elements);
   const std::vector<double> totals = SumOverRanks(sums, ranks);
-  MaxOfEach(worst, ranks);
+  ranks.Max(worst);
   const bool hasQuality = ranks.Any(isMeasured);
   for (std::size_t m = 0; m < materials; ++m)
   {

@@ -2,7 +2,6 @@
 
 #include "Base/ExactSum.h"
 #include "Ranks/Agreement.h"
-#include "Ranks/MaxOfEach.h"
 #include "Report/ElementCorners.h"
 #include "Report/ElementMoments.h"
 #include "Report/GatherMesh.h"
@@ -127,7 +126,7 @@ Units FindUnits(
   {
     extremes[8] = std::max(extremes[8], Norm(velocity));
   }
-  MaxOfEach(extremes, ranks);
+  ranks.Max(extremes);
   const auto orOne = [](double unit) { return unit > 0.0 ? unit : 1.0; };
   Units units{ { { -extremes[0], -extremes[2], -extremes[4] } }, 0.0, extremes[6],
     orOne(extremes[7]), orOne(extremes[8]) };
@@ -205,7 +204,7 @@ std::vector<FragmentSummary> MergeFragments(
   }
   ranks.Sum(elements);
   const std::vector<double> totals = SumOverRanks(parts, ranks);
-  MaxOfEach(extremes, ranks);
+  ranks.Max(extremes);
   std::vector<FragmentSummary> fragments(sums.size());
   for (std::size_t f = 0; f < fragments.size(); ++f)
   {

@@ -2,7 +2,6 @@
 
 #include "Base/ExactSum.h"
 #include "Ranks/Agreement.h"
-#include "Ranks/MaxOfEach.h"
 #include "Report/ElementMoments.h"
 #include "Report/MeshMaterials.h"
 #include "Report/PointCounts.h"
@@ -134,7 +133,7 @@ std::vector<PartSummary> MergeParts(
   ranks.Sum(elements);
   const std::vector<double> qualities = SumOverRanks(quality, ranks);
   const std::vector<double> volumes = SumOverRanks(volume, ranks);
-  MaxOfEach(extremes, ranks);
+  ranks.Max(extremes);
   std::vector<PartSummary> united(parts.size());
   for (std::size_t p = 0; p < parts.size(); ++p)
   {

@@ -1,7 +1,6 @@
 #include "Volumes/ScaleFragments.h"
 
 #include "Base/ExactSum.h"
-#include "Ranks/MaxOfEach.h"
 
 #include <atomic>
 
@@ -256,7 +255,7 @@ void Scaling::FindTranslations()
     }
   }
   const std::vector<double> means = SumOverRanks(sums, this->Run.Group());
-  MaxOfEach(limits, this->Run.Group());
+  this->Run.Group().Max(limits);
   for (std::size_t f = 0; f < this->Factors.size(); ++f)
   {
     const int at = this->NumberOf[f];

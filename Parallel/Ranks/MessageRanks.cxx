@@ -464,37 +464,36 @@ std::vector<Bytes> MessageRanks::Gather(const Bytes& mine)
   return items;
 }
 
-void MessageRanks::Sum(std::vector<std::int64_t>& values)
+/// Replaces each value by join of the values of all ranks.
+template <class Value, class Join>
+void MessageRanks::Reduce(std::vector<Value>& values, const Join& join)
 {
   if (values.empty())
   {
     return;
   }
-  ++this->Counted.Reductions;
   Bytes bytes = ToBytes(values);
+  ++this->Counted.Reductions;
+  this->Counted.ReducedBytes += static_cast<std::int64_t>(bytes.size());
   this->Combine(bytes,
-    [&values](Bytes& sums, const Bytes& others)
+    [&join](Bytes& mine, const Bytes& others)
     {
-      const std::vector<std::int64_t> mine = FromBytes<std::int64_t>(sums),
-                                      theirs = FromBytes<std::int64_t>(others);
-      std::transform(
-        mine.begin(), mine.end(), theirs.begin(), values.begin(), std::plus<std::int64_t>());
-      sums = ToBytes(values);
+      std::vector<Value> joined = FromBytes<Value>(mine);
+      const std::vector<Value> theirs = FromBytes<Value>(others);
+      std::transform(joined.begin(), joined.end(), theirs.begin(), joined.begin(), join);
+      mine = ToBytes(joined);
     });
-  values = FromBytes<std::int64_t>(bytes);
+  values = FromBytes<Value>(bytes);
 }
 
-double MessageRanks::Max(double value)
+void MessageRanks::Sum(std::vector<std::int64_t>& values)
 {
-  ++this->Counted.Reductions;
-  Bytes bytes = ToBytes(std::vector<double>{ value });
-  this->Combine(bytes,
-    [](Bytes& largest, const Bytes& others)
-    {
-      const double values[2] = { FromBytes<double>(largest)[0], FromBytes<double>(others)[0] };
-      largest = ToBytes(std::vector<double>{ std::max(values[0], values[1]) });
-    });
-  return FromBytes<double>(bytes)[0];
+  this->Reduce(values, std::plus<std::int64_t>());
+}
+
+void MessageRanks::Max(std::vector<double>& values)
+{
+  this->Reduce(values, [](double a, double b) { return std::max(a, b); });
 }
 
 } // namespace vfm

@@ -63,18 +63,19 @@ public:
   /// Gather, Sum and Max take log2 P rounds of messages on P ranks.
   std::vector<Bytes> Gather(const Bytes& mine) override;
   void Sum(std::vector<std::int64_t>& values) override;
-  double Max(double value) override;
+  using Ranks::Max;
+  void Max(std::vector<double>& values) override;
 
   bool Enter(Frame frame) noexcept override;
   void Leave() override;
   [[noreturn]] void Fail(const Failure& mine) override;
 
   /// Communication of this rank since construction. A gather is counted by the bytes that it
-  /// returns, not by its messages.
+  /// returns, and a reduction by those that it reduces, not by their messages.
   struct Traffic
   {
     std::int64_t Exchanges = 0, Messages = 0, MessageBytes = 0;
-    std::int64_t Reductions = 0, Gathers = 0, GatheredBytes = 0;
+    std::int64_t Reductions = 0, ReducedBytes = 0, Gathers = 0, GatheredBytes = 0;
   };
   const Traffic& Sent() const { return this->Counted; }
 
@@ -98,6 +99,8 @@ private:
   std::vector<Bytes> Swap(const std::vector<int>& peers, const std::vector<Bytes>& outgoing);
   template <class Merge>
   void Combine(Bytes& mine, const Merge& merge);
+  template <class Value, class Join>
+  void Reduce(std::vector<Value>& values, const Join& join);
 
   void Receive(void* data, std::size_t size, int from) noexcept;
   Head ReceiveHead(int from) noexcept;

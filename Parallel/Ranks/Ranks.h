@@ -39,8 +39,16 @@ public:
   virtual std::vector<Bytes> Gather(const Bytes& mine) { return { mine }; }
   /// Replaces each value by its sum over all ranks. All ranks pass the same number of values.
   virtual void Sum(std::vector<std::int64_t>& values) { (void)values; }
+  /// Replaces each value by its maximum over all ranks. All ranks pass the same number of values.
+  virtual void Max(std::vector<double>& values) { (void)values; }
+
   /// Returns the maximum over all ranks.
-  virtual double Max(double value) { return value; }
+  double Max(double value)
+  {
+    std::vector<double> values{ value };
+    this->Max(values);
+    return values[0];
+  }
 
   /// Returns whether the value is true on at least one rank.
   bool Any(bool value) { return this->Max(value ? 1.0 : 0.0) > 0.0; }

@@ -2,7 +2,6 @@
 
 #include "Base/ExactSum.h"
 #include "Base/PortableMath.h"
-#include "Ranks/MaxOfEach.h"
 
 namespace vfm
 {
@@ -72,7 +71,7 @@ VolumeFactors FindRanges(Movers& movers, std::size_t materials, const std::vecto
       most = std::max(most, factors[piece]);
     }
   }
-  MaxOfEach(ranges, movers.Run.Group());
+  movers.Run.Group().Max(ranges);
   VolumeFactors found;
   for (std::size_t m = 0; m < materials; ++m)
   {

@@ -23,6 +23,9 @@ TEST(MessageRanks, ReductionsAreEqualOnAllRanks)
         EXPECT_EQ(values[1], count);
         EXPECT_EQ(values[2], count * (std::int64_t(1) << 50));
         EXPECT_EQ(ranks.Max(-10.0 - ranks.Rank()), -10.0);
+        std::vector<double> rising{ double(ranks.Rank()), -double(ranks.Rank()), 7.0 };
+        ranks.Max(rising);
+        EXPECT_EQ(rising, (std::vector<double>{ count - 1.0, 0.0, 7.0 }));
         const std::vector<Bytes> all = ranks.Gather(Bytes(ranks.Rank() * 100, 'a'));
         ASSERT_EQ(static_cast<int>(all.size()), count);
         for (int r = 0; r < count; ++r)
