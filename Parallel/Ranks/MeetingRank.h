@@ -22,4 +22,9 @@ int MeetingRank(const std::array<std::int64_t, Length>& key, int count)
   return static_cast<int>(hash % static_cast<std::uint64_t>(count));
 }
 
+inline int MeetingRank(std::int64_t key, int count)
+{
+  return MeetingRank(std::array<std::int64_t, 1>{ { key } }, count);
+}
+
 } // namespace vfm

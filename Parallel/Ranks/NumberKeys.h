@@ -1,0 +1,76 @@
+/**
+ * NumberKeys: numbers the different keys of all ranks in their order, in log2 P messages per rank.
+ */
+#pragma once
+
+#include "Ranks/KeyMerge.h"
+
+#include <cmath>
+#include <limits>
+
+namespace vfm
+{
+
+/// Returns the sum of the values of all lower ranks. log2 P messages per rank.
+/// @pre Collective over `ranks`.
+std::int64_t SumOfLowerRanks(std::int64_t mine, Ranks& ranks);
+
+/// Homes that rise with values, with about equal numbers of values. Values are divided into 4,096
+/// equal ranges, and a home has some of them.
+class RisingHomes
+{
+public:
+  /// @param values  values of this rank, in any order
+  /// @pre Collective over `ranks`.
+  RisingHomes(const std::vector<std::int64_t>& values, Ranks& ranks);
+  /// Returns the home of a value of any rank.
+  int operator()(std::int64_t value) const { return this->HomeOfRange[this->RangeOf(value)]; }
+
+private:
+  static constexpr int NumberOfRanges = 4096;
+  std::size_t RangeOf(std::int64_t value) const;
+
+  std::int64_t Lowest = 0;
+  int Shift = 0; // ranges have 2^Shift values
+  std::vector<int> HomeOfRange;
+};
+
+/// Numbers of keys in the order of the different keys of all ranks.
+struct KeyNumbers
+{
+  std::vector<std::int64_t> Numbers; ///< of each key of this rank, from 0
+  std::int64_t Total;                ///< number of different keys of all ranks
+};
+
+/// Numbers the different keys of all ranks in their order. Equal keys of several ranks get the same
+/// number.
+/// @param keys  keys of this rank, ascending, each once
+/// @param value  value(key) is an integer that never falls as keys rise; keys may have equal
+///   values, which get one home, so few keys should have the same
+/// @pre Collective over `ranks`.
+template <class Key, class Value>
+KeyNumbers NumberKeys(const std::vector<Key>& keys, const Value& value, Ranks& ranks)
+{
+  std::vector<std::int64_t> values;
+  values.reserve(keys.size());
+  for (const Key& key : keys)
+  {
+    values.push_back(value(key));
+  }
+  const RisingHomes homes(values, ranks);
+  const KeyMerge<Key> ways(
+    keys, [&](const Key& key) { return homes(value(key)); }, ranks);
+  const bool isHome = ranks.Rank() < CountHomes(ranks);
+  const auto own = static_cast<std::int64_t>(isHome ? ways.HomeKeys().size() : 0);
+  const std::int64_t before = SumOfLowerRanks(own, ranks);
+  std::vector<std::int64_t> numbers(ways.HomeKeys().size());
+  for (std::size_t k = 0; k < numbers.size(); ++k)
+  {
+    numbers[k] = before + static_cast<std::int64_t>(k);
+  }
+  std::vector<std::int64_t> total{ own };
+  ranks.Sum(total);
+  return { ways.FromHome(std::move(numbers), 1), total[0] };
+}
+
+} // namespace vfm

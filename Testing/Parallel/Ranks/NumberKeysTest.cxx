@@ -1,0 +1,98 @@
+/// Numbers of keys on ranks that are threads.
+#include "Ranks/NumberKeys.h"
+#include "ThreadRanks.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <set>
+
+using namespace vfm;
+using namespace vfm::testing;
+
+namespace
+{
+
+/// Returns keys of a rank, ascending: with negative and huge ones, and some of several ranks.
+std::vector<std::int64_t> KeysOf(int rank)
+{
+  std::mt19937_64 random(rank);
+  std::set<std::int64_t> keys;
+  for (int i = 0; i < (rank * 37) % 300; ++i)
+  {
+    keys.insert(static_cast<std::int64_t>(random() % 5000) - 1000);
+    keys.insert(static_cast<std::int64_t>(random() >> 3));
+  }
+  return { keys.begin(), keys.end() };
+}
+
+} // namespace
+
+TEST(NumberKeys, NumbersAreThePlacesInTheListOfAllKeys)
+{
+  for (int count : { 1, 2, 3, 5, 6, 7, 8, 27 })
+  {
+    std::set<std::int64_t> all;
+    for (int r = 0; r < count; ++r)
+    {
+      const std::vector<std::int64_t> keys = KeysOf(r);
+      all.insert(keys.begin(), keys.end());
+    }
+    const std::vector<std::int64_t> sorted(all.begin(), all.end());
+    RunOnRanks(count,
+      [&](Ranks& ranks)
+      {
+        const std::vector<std::int64_t> keys = KeysOf(ranks.Rank());
+        const KeyNumbers numbers = NumberKeys(
+          keys, [](std::int64_t key) { return key; }, ranks);
+        EXPECT_EQ(numbers.Total, static_cast<std::int64_t>(sorted.size()));
+        ASSERT_EQ(numbers.Numbers.size(), keys.size());
+        for (std::size_t k = 0; k < keys.size(); ++k)
+        {
+          EXPECT_EQ(sorted[numbers.Numbers[k]], keys[k]);
+        }
+      });
+  }
+}
+
+TEST(NumberKeys, SumOfLowerRanks)
+{
+  for (int count : { 1, 2, 3, 7, 8, 27 })
+  {
+    RunOnRanks(count,
+      [](Ranks& ranks)
+      {
+        const std::int64_t r = ranks.Rank();
+        EXPECT_EQ(SumOfLowerRanks(r + 1, ranks), r * (r + 1) / 2);
+      });
+  }
+}
+
+TEST(NumberKeys, RisingHomesRiseAndShareTheValues)
+{
+  RunOnRanks(12,
+    [](Ranks& ranks)
+    {
+      std::vector<std::int64_t> values;
+      for (int i = 0; i < 1000; ++i)
+      {
+        values.push_back((std::int64_t(1) << 61) + 1000 * ranks.Rank() + i);
+      }
+      const RisingHomes homes(values, ranks);
+      std::vector<std::int64_t> counts(CountHomes(ranks), 0);
+      int before = 0;
+      for (std::int64_t value : values)
+      {
+        const int home = homes(value);
+        EXPECT_GE(home, before);
+        ASSERT_LT(home, CountHomes(ranks));
+        before = home;
+        ++counts[home];
+      }
+      ranks.Sum(counts);
+      for (std::int64_t own : counts)
+      {
+        EXPECT_NEAR(static_cast<double>(own), 1500.0, 300.0);
+      }
+    });
+}
