@@ -6,6 +6,7 @@
 #include "Base/Options.h"
 #include "Fractions/RefineCells.h"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -74,6 +75,18 @@ enum class ConnectionKind
   Contact,  ///< contact of surfaces
   Tied      ///< tied surfaces
 };
+
+/// Option WholeTables: whether every rank gets the tables of all fragments, surfaces, curves and
+/// vertices of the mesh.
+enum class TableMode
+{
+  Automatic, ///< up to LargestTable rows
+  Off,       ///< a rank only has rows of what it touches
+  On
+};
+/// Number of fragments, surfaces, curves or vertices up to which TableMode::Automatic gives whole
+/// tables.
+constexpr std::int64_t LargestTable = 100000;
 
 /// Unit of a thickness.
 enum class ThicknessUnit
@@ -166,6 +179,7 @@ struct MesherOptions : MeshSettings, LevelSettings, ConserveOptions, LayerOption
   std::vector<RefinementBox> RefinementBoxes;
   double MaximumAspectRatio = 0.0;
   ChildRule ChildFractions = ChildRule::Planes;
+  TableMode WholeTables = TableMode::Automatic;
   int NumberOfThreads = 0; ///< used by the code that creates the Runtime
 };
 
@@ -173,6 +187,12 @@ struct MesherOptions : MeshSettings, LevelSettings, ConserveOptions, LayerOption
 inline bool UsesTetGen(const MesherOptions& options)
 {
   return options.Elements == ElementKind::Tets && options.Method == TetMethod::TetGen;
+}
+
+/// Returns whether every rank gets a table of this number of rows.
+inline bool HasWholeTable(TableMode mode, std::int64_t rows)
+{
+  return mode == TableMode::On || (mode == TableMode::Automatic && rows <= LargestTable);
 }
 
 /// Returns whether the domain repeats along each axis.

@@ -480,6 +480,15 @@ OptionTable PerformanceOptions()
       .Special(0, "automatic")
       .Advanced()
       .InPython("threads"),
+    Row("WholeTables", Choice<&M::WholeTables>({ "Automatic", "Off", "On" }),
+      "Field data with a row for each fragment, surface, curve and vertex of the whole mesh, such "
+      "as "
+      "target volumes, areas and materials on both sides, on every rank. Automatic: tables of at "
+      "most 100,000 rows. Off: none, so that the memory of a rank depends on its part of the mesh "
+      "only. Ids, the table of fragments and the files of each rank do not need them; names of "
+      "surfaces in files do.")
+      .Advanced()
+      .Sculptor("--whole-tables WHEN"),
   };
 }
 
