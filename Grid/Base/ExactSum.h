@@ -66,6 +66,18 @@ private:
   Integer Total = 0;
 };
 
+/// Returns the values of sums.
+inline std::vector<double> ValuesOf(const std::vector<ExactSum>& sums)
+{
+  std::vector<double> values;
+  values.reserve(sums.size());
+  for (const ExactSum& sum : sums)
+  {
+    values.push_back(sum.Value());
+  }
+  return values;
+}
+
 /// Returns the values of the sums over all ranks.
 /// @pre Collective over `ranks`; the same number of sums on each rank.
 inline std::vector<double> SumOverRanks(const std::vector<ExactSum>& sums, Ranks& ranks)

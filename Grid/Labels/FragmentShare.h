@@ -66,13 +66,7 @@ struct FragmentShare
   std::vector<double> Sum(std::vector<ExactSum> sums, std::size_t width = 1) const
   {
     this->Merge(sums, width, [](ExactSum& a, const ExactSum& b) { a.Add(b); });
-    std::vector<double> values;
-    values.reserve(sums.size());
-    for (const ExactSum& sum : sums)
-    {
-      values.push_back(sum.Value());
-    }
-    return values;
+    return ValuesOf(sums);
   }
 };
 

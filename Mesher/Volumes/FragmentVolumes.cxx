@@ -211,12 +211,12 @@ FragmentVolumes::FragmentVolumes(const CartesianGrid& grid, const FractionField&
 template <class ValueOf>
 std::vector<double> FragmentVolumes::SumByMaterial(const ValueOf& valueOf) const
 {
-  std::vector<double> sums(this->TotalOfMaterial.size(), 0.0);
+  std::vector<ExactSum> sums(this->TotalOfMaterial.size());
   for (int f = 1; f < static_cast<int>(this->Targets.size()); ++f)
   {
-    sums[this->Materials[f]] += valueOf(f);
+    sums[this->Materials[f]].Add(valueOf(f));
   }
-  return sums;
+  return ValuesOf(sums);
 }
 
 /// Distributes fractions without a cell of their material nearby to all fragments of the material,
@@ -323,12 +323,13 @@ std::vector<double> FragmentVolumes::FindShifts(const ActiveMesh& mesh, const Vo
 
 void FragmentVolumes::AddPushes(const std::vector<double>& requests, std::vector<double>& mu) const
 {
-  std::vector<double> areas(mu.size(), 0.0);
+  std::vector<ExactSum> sums(mu.size());
   for (const PairSum& sum : this->Areas)
   {
-    areas[sum.First] += sum.Value.Value();
-    areas[sum.Second] += sum.Value.Value();
+    sums[sum.First].Add(sum.Value);
+    sums[sum.Second].Add(sum.Value);
   }
+  const std::vector<double> areas = ValuesOf(sums);
   for (std::size_t f = 1; f < mu.size(); ++f)
   {
     mu[f] += this->Resists[f] && areas[f] > 0.0 ? requests[f] / areas[f] : 0.0;
@@ -381,12 +382,12 @@ std::vector<unsigned char> FragmentVolumes::FindOff(double error) const
 
 double FragmentVolumes::SumErrors(const std::vector<unsigned char>& fragments) const
 {
-  double sum = 0.0;
+  ExactSum sum;
   for (std::size_t f = 1; f < fragments.size(); ++f)
   {
-    sum += fragments[f] ? std::fabs(this->VolumeOf(f) - this->Targets[f]) : 0.0;
+    sum.Add(fragments[f] ? std::fabs(this->VolumeOf(f) - this->Targets[f]) : 0.0);
   }
-  return sum;
+  return sum.Value();
 }
 
 void FragmentVolumes::ForgetResisting(const std::vector<unsigned char>& fragments)
@@ -426,13 +427,15 @@ std::vector<double> FragmentVolumes::FindScales(double error) const
 /// Ends the marks of fragments that have reached their targets, and sets the aims of all fragments.
 void FragmentVolumes::SetAims()
 {
-  std::vector<double> lack(this->TotalOfMaterial.size(), 0.0), free(lack);
   for (int f = 1; f < static_cast<int>(this->Targets.size()); ++f)
   {
     const double target = this->Targets[f], missing = target - this->VolumeOf(f);
     this->Resists[f] &= !(std::fabs(missing) <= this->Tolerance * target);
-    (this->Resists[f] ? lack : free)[this->Materials[f]] += this->Resists[f] ? missing : target;
   }
+  const std::vector<double> lack = this->SumByMaterial(
+    [this](int f) { return this->Resists[f] ? this->Targets[f] - this->VolumeOf(f) : 0.0; });
+  const std::vector<double> free =
+    this->SumByMaterial([this](int f) { return this->Resists[f] ? 0.0 : this->Targets[f]; });
   for (int f = 1; f < static_cast<int>(this->Targets.size()); ++f)
   {
     const int m = this->Materials[f];
