@@ -1,5 +1,6 @@
 #include "Modify/LayerFacets.h"
 
+#include "Base/Sorted.h"
 #include "Ranks/Agreement.h"
 #include "Ranks/MergeByKey.h"
 
@@ -75,15 +76,26 @@ std::array<std::int64_t, 5> RowOf(const Mesh& mesh, const Index* points, int sur
 
 /// Collective. Replaces rows of facets that were cut.
 /// @param cut rows of this rank before, and the rows of their parts
-void ReplaceRows(const std::array<EdgeFacets, 2>& cut, Ranks& ranks, EdgeFacets& rows)
+void ReplaceRows(std::array<EdgeFacets, 2> cut, Ranks& ranks, GeometryTables& tables)
 {
-  const EdgeFacets before = UnionOverRanks(ranks, cut[0]);
-  const EdgeFacets after = UnionOverRanks(ranks, cut[1]);
+  const bool haveOwnRows = ranks.Any(!tables.HasAllSurfaces);
+  for (EdgeFacets& list : cut)
+  {
+    if (haveOwnRows)
+    {
+      SortUnique(list);
+    }
+    else
+    {
+      list = UnionOverRanks(ranks, std::move(list));
+    }
+  }
+  EdgeFacets& rows = tables.EdgeFacets;
   EdgeFacets kept;
   std::set_difference(
-    rows.begin(), rows.end(), before.begin(), before.end(), std::back_inserter(kept));
+    rows.begin(), rows.end(), cut[0].begin(), cut[0].end(), std::back_inserter(kept));
   rows.clear();
-  std::merge(kept.begin(), kept.end(), after.begin(), after.end(), std::back_inserter(rows));
+  std::merge(kept.begin(), kept.end(), cut[1].begin(), cut[1].end(), std::back_inserter(rows));
 }
 
 /// Collective. Cuts the facets of surfaces.
@@ -122,7 +134,7 @@ void CutSurfaces(const LayerParts& parts, const EdgeFinder& edges, Ranks& ranks,
   }
   mesh.Surfaces = { ToBuffer(points), ToBuffer(ids), ToBuffer(pairs), std::move(isOwned),
     ToBuffer(sides) };
-  ReplaceRows(rows, ranks, mesh.Tables.EdgeFacets);
+  ReplaceRows(std::move(rows), ranks, mesh.Tables);
 }
 
 /// Cuts the edges of curves.

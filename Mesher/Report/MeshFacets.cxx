@@ -39,9 +39,18 @@ std::vector<MeshFacet> CollectFaces(const MeshData& mesh)
 class FaceSurfaces
 {
 public:
-  explicit FaceSurfaces(const MeshData& mesh) :
-    TheMesh(mesh), Parts(NumbersOfField(mesh.Fields, "SurfaceParts"))
+  explicit FaceSurfaces(const MeshData& mesh) : TheMesh(mesh)
   {
+    const std::vector<double> parts = NumbersOfField(mesh.Fields, "SurfaceParts");
+    const std::vector<double> ids = NumbersOfField(mesh.Fields, "SurfaceIds");
+    for (std::size_t row = 0; row < parts.size(); ++row)
+    {
+      if (parts[row] >= 1.0)
+      {
+        this->Sides.push_back(
+          row < ids.size() ? static_cast<int>(ids[row]) : static_cast<int>(row) + 1);
+      }
+    }
     constexpr std::size_t width = 5; // four points and the surface
     const FieldArray* field = FindField(mesh.Fields, "EdgeFacets");
     if (!field || field->Components != static_cast<int>(width))
@@ -61,7 +70,7 @@ public:
   int Find(const MeshFacet& facet) const
   {
     const MeshData& mesh = this->TheMesh;
-    if (this->Parts.empty() || !mesh.GeometryDimension || !mesh.GeometryId)
+    if (this->Sides.empty() || !mesh.GeometryDimension || !mesh.GeometryId)
     {
       return 0;
     }
@@ -76,14 +85,12 @@ public:
     }
     const auto listed = this->EdgeFacets.find(SortedIds(points, mesh.UnsplitPointIds()));
     surface = listed == this->EdgeFacets.end() ? surface : listed->second;
-    const bool isSide = surface >= 1 && surface <= static_cast<int>(this->Parts.size()) &&
-      this->Parts[surface - 1] >= 1;
-    return isSide ? surface : 0;
+    return std::binary_search(this->Sides.begin(), this->Sides.end(), surface) ? surface : 0;
   }
 
 private:
   const MeshData& TheMesh;
-  const std::vector<double> Parts;
+  std::vector<int> Sides; // surfaces that are smooth sides, ascending
   std::map<FaceIds, int> EdgeFacets;
 };
 

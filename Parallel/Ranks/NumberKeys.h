@@ -16,7 +16,7 @@ namespace vfm
 std::int64_t SumOfLowerRanks(std::int64_t mine, Ranks& ranks);
 
 /// Homes that rise with values, with about equal numbers of values. Values are divided into 4,096
-/// equal ranges, and a home has some of them.
+/// equal ranges, those with far too many values again, and a home has some of them.
 class RisingHomes
 {
 public:
@@ -27,11 +27,20 @@ public:
   int operator()(std::int64_t value) const { return this->HomeOfRange[this->RangeOf(value)]; }
 
 private:
-  static constexpr int NumberOfRanges = 4096;
+  static constexpr std::size_t NumberOfRanges = 4096;
+  struct Range
+  {
+    std::int64_t Start; // lowest value
+    int Shift;          // it has 2^Shift values
+    std::int64_t Count; // values of all ranks in it; -1: not counted
+  };
+  static void AddRanges(
+    std::int64_t start, int shift, std::size_t count, std::vector<Range>& ranges);
   std::size_t RangeOf(std::int64_t value) const;
+  void Count(const std::vector<std::int64_t>& values, Ranks& ranks);
+  bool Divide(std::int64_t most);
 
-  std::int64_t Lowest = 0;
-  int Shift = 0; // ranges have 2^Shift values
+  std::vector<Range> Ranges; // ascending; the first and the last have all values outside
   std::vector<int> HomeOfRange;
 };
 
