@@ -8,6 +8,7 @@
 #include "Report/MatchFaces.h"
 #include "Report/MeshArrays.h"
 #include "Report/MeshFacets.h"
+#include "Report/MeshFields.h"
 #include "Report/Sets/MeshSets.h"
 
 namespace vfm
@@ -207,15 +208,7 @@ Mesh MakeMeshOf(const MeshData& data, const std::vector<int>& labels, Ranks& ran
   const std::vector<double> ids = NumbersOfField(data.Fields, "SurfaceIds");
   mesh.Tables.SurfaceIds.assign(ids.begin(), ids.end());
   mesh.Tables.HasAllSurfaces = FindField(data.Fields, "SurfaceIds") == nullptr;
-  if (const FieldArray* rows = FindField(data.Fields, "EdgeFacets"))
-  {
-    const auto* numbers = std::get_if<std::vector<Index>>(&rows->Values);
-    for (std::size_t at = 0; numbers && at + 5 <= numbers->size(); at += 5)
-    {
-      mesh.Tables.EdgeFacets.emplace_back();
-      std::copy_n(numbers->begin() + at, 5, mesh.Tables.EdgeFacets.back().begin());
-    }
-  }
+  mesh.Tables.EdgeFacets = ReadEdgeFacets(data.Fields);
   return mesh;
 }
 

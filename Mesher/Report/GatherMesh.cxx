@@ -1,10 +1,13 @@
 #include "Report/GatherMesh.h"
 
+#include "Base/Sorted.h"
 #include "Ranks/Agreement.h"
+#include "Report/MeshFields.h"
 #include "Report/PackMesh.h"
 
 #include <functional>
 #include <limits>
+#include <map>
 #include <numeric>
 
 namespace vfm
@@ -138,6 +141,48 @@ void MergeFacets(const Pieces& pieces, const std::vector<Item>& elements, Stored
   merged.Memory.push_back(std::move(facets));
 }
 
+/// Returns the fields of the first piece. Smooth sides of which a piece only has its own
+/// (ListSides) are those of all pieces.
+FieldArrays MergeFields(const Pieces& pieces)
+{
+  std::map<int, int> parts; // by surface
+  std::vector<std::array<Index, 5>> facets;
+  for (const MeshData* piece : pieces)
+  {
+    const std::vector<double> ids = NumbersOfField(piece->Fields, "SurfaceIds");
+    const std::vector<double> own = NumbersOfField(piece->Fields, "SurfaceParts");
+    for (std::size_t s = 0; s < std::min(ids.size(), own.size()); ++s)
+    {
+      parts[static_cast<int>(ids[s])] = static_cast<int>(own[s]);
+    }
+    if (!ids.empty())
+    {
+      const std::vector<std::array<Index, 5>> more = ReadEdgeFacets(piece->Fields);
+      facets.insert(facets.end(), more.begin(), more.end());
+    }
+  }
+  FieldArrays fields = pieces[0]->Fields;
+  if (parts.empty())
+  {
+    return fields;
+  }
+  GeometryTables tables;
+  tables.HasAllSurfaces = false;
+  for (const auto& [surface, part] : parts)
+  {
+    tables.SurfaceIds.push_back(surface);
+    tables.SurfaceParts.push_back(part);
+  }
+  SortUnique(facets);
+  tables.EdgeFacets = std::move(facets);
+  FieldArrays sides = ListSides(tables);
+  fields.erase(std::remove_if(fields.begin(), fields.end(),
+                 [&sides](const FieldArray& field) { return FindField(sides, field.Name); }),
+    fields.end());
+  AppendFields(std::move(sides), fields);
+  return fields;
+}
+
 /// Merges one or more pieces, all with elements.
 StoredMesh MergePieces(const Pieces& pieces)
 {
@@ -158,7 +203,7 @@ StoredMesh MergePieces(const Pieces& pieces)
     MergeNodes(pieces, points, elements, &MeshData::MidPoints, &MeshData::MidsPerElement));
   data.PointArrays = MergeArrays(pieces, points, &MeshData::PointArrays, merged);
   data.ElementArrays = MergeArrays(pieces, elements, &MeshData::ElementArrays, merged);
-  data.Fields = pieces[0]->Fields;
+  data.Fields = MergeFields(pieces);
   FindKnownArrays(merged);
   MergeFacets(pieces, elements, merged);
   return merged;

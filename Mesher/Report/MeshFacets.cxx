@@ -3,6 +3,7 @@
 #include "Ranks/Agreement.h"
 #include "Report/DomainSides.h"
 #include "Report/MatchFaces.h"
+#include "Report/MeshFields.h"
 #include "Report/SeamFacets.h"
 
 #include <map>
@@ -51,19 +52,9 @@ public:
           row < ids.size() ? static_cast<int>(ids[row]) : static_cast<int>(row) + 1);
       }
     }
-    constexpr std::size_t width = 5; // four points and the surface
-    const FieldArray* field = FindField(mesh.Fields, "EdgeFacets");
-    if (!field || field->Components != static_cast<int>(width))
+    for (const auto& row : ReadEdgeFacets(mesh.Fields))
     {
-      return;
-    }
-    if (const auto* numbers = std::get_if<std::vector<Index>>(&field->Values))
-    {
-      for (std::size_t at = 0; at + width <= numbers->size(); at += width)
-      {
-        const Index* row = numbers->data() + at;
-        this->EdgeFacets[{ { row[0], row[1], row[2], row[3] } }] = static_cast<int>(row[4]);
-      }
+      this->EdgeFacets[{ { row[0], row[1], row[2], row[3] } }] = static_cast<int>(row[4]);
     }
   }
 

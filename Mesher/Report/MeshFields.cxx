@@ -199,6 +199,19 @@ FieldArrays ListSides(const GeometryTables& tables)
   return fields;
 }
 
+std::vector<std::array<Index, 5>> ReadEdgeFacets(const FieldArrays& fields)
+{
+  std::vector<std::array<Index, 5>> rows;
+  const FieldArray* field = FindField(fields, "EdgeFacets");
+  const auto* numbers = field ? std::get_if<std::vector<Index>>(&field->Values) : nullptr;
+  for (std::size_t at = 0; numbers && field->Components == 5 && at + 5 <= numbers->size(); at += 5)
+  {
+    rows.emplace_back();
+    std::copy_n(numbers->begin() + static_cast<std::ptrdiff_t>(at), 5, rows.back().begin());
+  }
+  return rows;
+}
+
 void AppendFields(FieldArrays more, FieldArrays& to)
 {
   std::move(more.begin(), more.end(), std::back_inserter(to));

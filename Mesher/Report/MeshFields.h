@@ -48,6 +48,9 @@ FieldArrays ListMaterials(
 /// and EdgeFacets.
 FieldArrays ListSides(const GeometryTables& tables);
 
+/// Returns the rows of the field EdgeFacets, or none.
+std::vector<std::array<Index, 5>> ReadEdgeFacets(const FieldArrays& fields);
+
 /// Lists SurfaceVolumes and SurfaceMaterials (two per surface), SurfaceSides, SurfaceParts,
 /// SurfaceAreas, SurfaceCentroids and SurfaceNormals (three per surface), VolumeSurfaces (pairs);
 /// and PatchNames if there are any. If ranks do not have all rows, SurfaceIds are the numbers of
