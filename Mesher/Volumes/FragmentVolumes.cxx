@@ -4,6 +4,7 @@
 #include "Fractions/RowVolumes.h"
 
 #include <mutex>
+#include <numeric>
 #include <tuple>
 
 namespace vfm
@@ -492,7 +493,10 @@ void ReportVolumes(const CartesianGrid& grid, const FragmentVolumes& volumes, Me
   const double cellVolume = Cube(grid.MeanWidth());
   report.TargetVolume = Multiplied(volumes.MaterialTargets(), cellVolume);
   report.MeshVolume = Multiplied(volumes.MaterialVolumes(), cellVolume);
-  report.FragmentTargetVolume = Multiplied(volumes.FragmentTargets(), cellVolume);
+  const std::vector<double> targets = Multiplied(volumes.FragmentTargets(), cellVolume);
+  report.Fragments = { {}, { targets.begin() + 1, targets.end() } };
+  report.Fragments.Ids.resize(targets.size() - 1);
+  std::iota(report.Fragments.Ids.begin(), report.Fragments.Ids.end(), 1);
   for (Index fragments : volumes.MaterialFragments())
   {
     report.Materials.push_back({ 0, fragments });
