@@ -4,7 +4,6 @@
 #include "Fractions/RowVolumes.h"
 
 #include <mutex>
-#include <numeric>
 #include <tuple>
 
 namespace vfm
@@ -493,10 +492,15 @@ void ReportVolumes(const CartesianGrid& grid, const FragmentVolumes& volumes, Me
   const double cellVolume = Cube(grid.MeanWidth());
   report.TargetVolume = Multiplied(volumes.MaterialTargets(), cellVolume);
   report.MeshVolume = Multiplied(volumes.MaterialVolumes(), cellVolume);
-  const std::vector<double> targets = Multiplied(volumes.FragmentTargets(), cellVolume);
-  report.Fragments = { {}, { targets.begin() + 1, targets.end() } };
-  report.Fragments.Ids.resize(targets.size() - 1);
-  std::iota(report.Fragments.Ids.begin(), report.Fragments.Ids.end(), 1);
+  const FragmentShare& share = volumes.Share();
+  for (std::size_t f = 1; f < share.Size(); ++f)
+  {
+    if (share.IsMine[f])
+    {
+      report.Fragments.Ids.push_back(share.Ids[f]);
+      report.Fragments.Volumes.push_back(cellVolume * volumes.FragmentTargets()[f]);
+    }
+  }
   for (Index fragments : volumes.MaterialFragments())
   {
     report.Materials.push_back({ 0, fragments });
