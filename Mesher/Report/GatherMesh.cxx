@@ -2,6 +2,7 @@
 
 #include "Base/Sorted.h"
 #include "Ranks/Agreement.h"
+#include "Report/FragmentTargets.h"
 #include "Report/MeshFields.h"
 #include "Report/PackMesh.h"
 
@@ -161,10 +162,9 @@ FieldArrays MergeFields(const Pieces& pieces)
       facets.insert(facets.end(), more.begin(), more.end());
     }
   }
-  FieldArrays fields = pieces[0]->Fields;
   if (parts.empty())
   {
-    return fields;
+    return;
   }
   GeometryTables tables;
   tables.HasAllSurfaces = false;
@@ -180,7 +180,6 @@ FieldArrays MergeFields(const Pieces& pieces)
                  [&sides](const FieldArray& field) { return FindField(sides, field.Name); }),
     fields.end());
   AppendFields(std::move(sides), fields);
-  return fields;
 }
 
 /// Merges one or more pieces, all with elements.
@@ -203,7 +202,13 @@ StoredMesh MergePieces(const Pieces& pieces)
     MergeNodes(pieces, points, elements, &MeshData::MidPoints, &MeshData::MidsPerElement));
   data.PointArrays = MergeArrays(pieces, points, &MeshData::PointArrays, merged);
   data.ElementArrays = MergeArrays(pieces, elements, &MeshData::ElementArrays, merged);
-  data.Fields = MergeFields(pieces);
+  std::vector<const std::vector<FieldArray>*> fields;
+  for (const MeshData* piece : pieces)
+  {
+    fields.push_back(&piece->Fields);
+  }
+  data.Fields = JoinFields(fields);
+  JoinSides(pieces, data.Fields);
   FindKnownArrays(merged);
   MergeFacets(pieces, elements, merged);
   return merged;
