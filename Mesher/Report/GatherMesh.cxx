@@ -142,9 +142,8 @@ void MergeFacets(const Pieces& pieces, const std::vector<Item>& elements, Stored
   merged.Memory.push_back(std::move(facets));
 }
 
-/// Returns the fields of the first piece. Smooth sides of which a piece only has its own
-/// (ListSides) are those of all pieces.
-FieldArrays MergeFields(const Pieces& pieces)
+/// Replaces smooth sides of which a piece only has its own (ListSides) by those of all pieces.
+void JoinSides(const Pieces& pieces, FieldArrays& fields)
 {
   std::map<int, int> parts; // by surface
   std::vector<std::array<Index, 5>> facets;
