@@ -21,15 +21,13 @@ public:
   DomainIds(const Mesh& mesh, Ranks& ranks) :
     Covering(*mesh.Levels), Lower(Covering.Finest().Domain().Lower), Ids(mesh.Ids)
   {
-    const bool isFirst = ranks.Rank() == 0; // the families of all ranks are joined
     LevelPlan plan;
     plan.FineInterfaces = this->Covering.HasFineInterfaces();
     plan.Unit = this->Covering.Families().UnitOfSets();
     plan.Refinements = this->Covering.NumberOfRefinements();
     const CartesianGrid finest = this->Covering.Finest().OfDomain(GhostLayers);
     const CartesianGrid base = this->Covering.Base().OfDomain();
-    plan.Families = isFirst ? this->ListFamilies(OctreeKeys(base, plan.Refinements))
-                            : std::vector<std::vector<Index>>();
+    plan.Families = this->ListFamilies(OctreeKeys(base, plan.Refinements));
     this->Domain = std::make_shared<const RefinedGrid>(finest, plan, std::vector<Index>(), ranks);
   }
 
@@ -108,20 +106,22 @@ private:
     const LevelIndex cell = this->Shifted(covering);
     return this->Domain->Lattice().HexKey(cell.Level, cell.At, cell.Slot);
   }
+  /// Returns the families of the covering grid that this rank owns, with keys of the domain.
   std::vector<std::vector<Index>> ListFamilies(const OctreeKeys& domain) const
   {
     std::vector<std::vector<Index>> families(this->Covering.NumberOfRefinements());
     for (int level = 0; level < this->Covering.NumberOfRefinements(); ++level)
     {
       const int own = this->Covering.Families().FamilyLevel(level);
+      const IndexBox owned = ChangeLevel(domain.Base().Owned(), own);
       for (Index key : this->Covering.Families().Keys(level))
       {
         const Index3 first =
           ChangeLevel(BoxOfCell(this->Covering.Lattice().FamilyOfKey(own, key)), 1).Lower;
-        const Index3 family = ParentOfCell(this->Shifted({ own, first, 0 }).At);
-        if (domain.HasFamily(own, family))
+        const Index3 cell = this->Shifted({ own, first, 0 }).At;
+        if (owned.Contains(cell))
         {
-          families[level].push_back(domain.FamilyKey(own, family));
+          families[level].push_back(domain.FamilyKey(own, ParentOfCell(cell)));
         }
       }
     }
