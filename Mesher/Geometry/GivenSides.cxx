@@ -5,6 +5,7 @@
 #include "Geometry/FacetValues.h"
 #include "GivenSurfaces/BodySurfaces.h"
 #include "Octree/RefinedGrid.h"
+#include "Ranks/KeyMerge.h"
 #include "Surfaces/TriangleSearch.h"
 
 #include <cmath>
@@ -348,37 +349,44 @@ private:
   std::vector<std::vector<std::pair<int, double>>> Ratings; // of sides at facets, as far as known
 };
 
-/// Sets the sides of interfaces with one side without a name to 0.
+/// Sets the sides of interfaces with one side without a name to 0. Collective.
 void LeaveWholes(const std::vector<Facet>& facets, Ranks& ranks, DividedFacets& sides)
 {
-  std::vector<std::array<int, 3>> mine; // interface and side
+  using Interface = std::array<Index, 2>;
+  const auto interfaceOf = [](const Facet& facet)
+  {
+    const Pair pair = SurfaceOf(facet);
+    return Interface{ { pair[0], pair[1] } };
+  };
+  std::vector<Interface> interfaces;
   for (std::size_t f = 0; f < facets.size(); ++f)
   {
-    if (facets[f].IsOwned && sides.SideOf[f] > 0)
+    if (sides.SideOf[f] > 0)
     {
-      const Pair pair = SurfaceOf(facets[f]);
-      mine.push_back({ { pair[0], pair[1], sides.SideOf[f] } });
+      interfaces.push_back(interfaceOf(facets[f]));
     }
   }
-  SortUnique(mine);
-  std::vector<std::array<int, 3>> all = GatherItems(ranks, mine);
-  SortUnique(all);
-  std::vector<Pair> wholes;
-  ForRuns(
-    all.begin(), all.end(),
-    [](const auto& a, const auto& b) { return a[0] == b[0] && a[1] == b[1]; },
-    [&](auto first, auto last)
-    {
-      if (last - first == 1 && sides.Names[(*first)[2]].empty())
-      {
-        wholes.push_back({ { (*first)[0], (*first)[1] } });
-      }
-    });
+  SortUnique(interfaces);
+  // The lowest side of each interface, and minus the highest.
+  std::vector<int> range(2 * interfaces.size(), std::numeric_limits<int>::max());
   for (std::size_t f = 0; f < facets.size(); ++f)
   {
-    if (sides.SideOf[f] > 0 && FindSorted(wholes, SurfaceOf(facets[f])) >= 0)
+    const int side = sides.SideOf[f];
+    if (facets[f].IsOwned && side > 0)
     {
-      sides.SideOf[f] = 0;
+      int* own = range.data() + 2 * FindSorted(interfaces, interfaceOf(facets[f]));
+      own[0] = std::min(own[0], side);
+      own[1] = std::min(own[1], -side);
+    }
+  }
+  KeyMerge<Interface>(interfaces, ranks).Merge(range, 2, [](int& a, int b) { a = std::min(a, b); });
+  for (std::size_t f = 0; f < facets.size(); ++f)
+  {
+    if (sides.SideOf[f] > 0)
+    {
+      const int* all = range.data() + 2 * FindSorted(interfaces, interfaceOf(facets[f]));
+      const bool isWhole = all[0] == -all[1] && sides.Names[all[0]].empty();
+      sides.SideOf[f] = isWhole ? 0 : sides.SideOf[f];
     }
   }
 }

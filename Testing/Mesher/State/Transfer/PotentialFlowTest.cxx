@@ -119,10 +119,15 @@ private:
 
   void Update(std::vector<double>& values)
   {
-    std::vector<std::pair<Index, double>> mine;
+    struct CellValue
+    {
+      Index Cell;
+      double Value;
+    };
+    std::vector<CellValue> mine;
     for (std::size_t i = 0; i < this->Graph.Nodes.size(); ++i)
     {
-      mine.emplace_back(IndexInBox(this->Box, this->Graph.Places[i]), values[i]);
+      mine.push_back({ IndexInBox(this->Box, this->Graph.Places[i]), values[i] });
     }
     for (const auto& [cell, value] : GatherItems(this->Group, mine))
     {
