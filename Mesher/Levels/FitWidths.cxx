@@ -1,10 +1,10 @@
 #include "Levels/FitWidths.h"
 
-#include "Base/Sorted.h"
 #include "Fractions/ResampleFields.h"
 #include "Labels/Fragments.h"
 #include "Levels/WideCells.h"
 #include "Ranks/Agreement.h"
+#include "Ranks/KeyMerge.h"
 
 #include <cmath>
 
@@ -116,7 +116,7 @@ Index CountFamilies(
         contain[IndexInBox(box, familyAt(CornerOfCell(cell, c)))] = 1;
       }
     });
-  std::vector<Index3> families;
+  std::vector<Index3> families; // ascending
   for (std::size_t f = 0; f < contain.size(); ++f)
   {
     if (contain[f] != 0)
@@ -124,9 +124,9 @@ Index CountFamilies(
       families.push_back(CellInBox(box, static_cast<Index>(f)));
     }
   }
-  families = GatherItems(ranks, families);
-  SortUnique(families);
-  return static_cast<Index>(families.size());
+  std::sort(families.begin(), families.end());
+  const KeyMerge<Index3> ways(std::move(families), ranks); // a family is counted at its home
+  return SumOverRanks(static_cast<Index>(ways.HomeKeys().size()), ranks);
 }
 
 /// Collective. Estimates the number of elements: the cells inside of materials, one more per side
