@@ -1,7 +1,7 @@
 #include "Report/PointCounts.h"
 
 #include "Base/Sorted.h"
-#include "Ranks/AskRanks.h"
+#include "Ranks/KeyMerge.h"
 
 #include <algorithm>
 
@@ -27,22 +27,15 @@ std::vector<PartPoint> FindOwnPoints(const MeshData& mesh, const std::vector<int
   return found;
 }
 
-/// Returns the points whose ids this rank counts.
-std::vector<PartPoint> DistributePoints(const std::vector<PartPoint>& own, Ranks& ranks)
-{
-  const auto rankOf = [&ranks](const PartPoint& point) { return point[1] % ranks.Count(); };
-  auto mine = JoinItems<PartPoint>(SendItems(own, rankOf, ranks));
-  SortUnique(mine);
-  return mine;
-}
-
 } // namespace
 
 std::vector<Index> CountPoints(
   const MeshData& mesh, const std::vector<int>& partOf, std::size_t numberOfParts, Ranks& ranks)
 {
   std::vector<std::int64_t> counts(numberOfParts, 0);
-  for (const PartPoint& point : DistributePoints(FindOwnPoints(mesh, partOf), ranks))
+  // A point of several ranks is counted at its home.
+  const KeyMerge<PartPoint> ways(FindOwnPoints(mesh, partOf), ranks);
+  for (const PartPoint& point : ways.HomeKeys())
   {
     ++counts[point[0]];
   }

@@ -3,9 +3,10 @@
 namespace vfm
 {
 
-std::int64_t SumOfLowerRanks(std::int64_t mine, Ranks& ranks)
+std::vector<std::int64_t> SumOfLowerRanks(const std::vector<std::int64_t>& mine, Ranks& ranks)
 {
-  std::int64_t below = 0, all = mine; // all: of the last `step` ranks up to this one
+  std::vector<std::int64_t> below(mine.size(), 0);
+  std::vector<std::int64_t> all = mine; // of the last `step` ranks up to this one
   for (int step = 1; step < ranks.Count(); step *= 2)
   {
     std::vector<int> peers;
@@ -19,20 +20,21 @@ std::int64_t SumOfLowerRanks(std::int64_t mine, Ranks& ranks)
     if (to < ranks.Count())
     {
       peers.push_back(to);
-      messages.push_back(ToBytes(std::vector<std::int64_t>{ all }));
+      messages.push_back(ToBytes(all));
     }
     const std::vector<Bytes> received = ranks.Exchange(peers, messages);
-    if (from >= 0)
+    const auto more = FromBytes<std::int64_t>(from >= 0 ? received[0] : Bytes());
+    for (std::size_t i = 0; i < more.size(); ++i)
     {
-      const std::int64_t more = FromBytes<std::int64_t>(received[0])[0];
-      below += more;
-      all += more;
+      below[i] += more[i];
+      all[i] += more[i];
     }
   }
   return below;
 }
 
-RisingHomes::RisingHomes(const std::vector<std::int64_t>& values, Ranks& ranks)
+RisingHomes::RisingHomes(const std::vector<std::int64_t>& values, Ranks& ranks) :
+  NumberOfRanges(std::min(64 * CountHomes(ranks), 4096))
 {
   // Doubles round, so the range is widened by as much; values outside go to the first or last one.
   constexpr double none = -std::numeric_limits<double>::max();
@@ -46,12 +48,13 @@ RisingHomes::RisingHomes(const std::vector<std::int64_t>& values, Ranks& ranks)
   if (ends[0] > none)
   {
     this->Lowest = static_cast<std::int64_t>(-ends[0]);
-    while (std::ldexp(ends[1] + ends[0] + 1.0, -this->Shift) > NumberOfRanges)
+    while (
+      std::ldexp(ends[1] + ends[0] + 1.0, -this->Shift) > static_cast<double>(this->NumberOfRanges))
     {
       ++this->Shift;
     }
   }
-  std::vector<std::int64_t> counts(NumberOfRanges, 0);
+  std::vector<std::int64_t> counts(this->NumberOfRanges, 0);
   for (std::int64_t value : values)
   {
     ++counts[this->RangeOf(value)];
@@ -74,7 +77,7 @@ RisingHomes::RisingHomes(const std::vector<std::int64_t>& values, Ranks& ranks)
 std::size_t RisingHomes::RangeOf(std::int64_t value) const
 {
   const std::int64_t above = std::max<std::int64_t>(value - this->Lowest, 0) >> this->Shift;
-  return static_cast<std::size_t>(std::min<std::int64_t>(above, NumberOfRanges - 1));
+  return static_cast<std::size_t>(std::min(above, this->NumberOfRanges - 1));
 }
 
 } // namespace vfm
