@@ -15,6 +15,7 @@
  */
 #include "Atlas.h"
 #include "Elements/MeasureFragments.h"
+#include "FragmentShares.h"
 #include "Input/MakePartition.h"
 #include "MeasureAlone.h"
 #include "Options/OptionTable.h"
@@ -231,8 +232,8 @@ void MeasureVolumes(const MeshCase& c, const Run& run, Outcome& outcome)
 {
   Runtime runtime;
   const MeshReport& report = run.Report;
-  const std::vector<double> volumes =
-    MeasureFragments(run.Result, c.Grid, static_cast<int>(report.NumberOfFragments), runtime);
+  const std::vector<double> volumes = MeasureFragments(
+    run.Result, c.Grid, ShareOfAll(report.NumberOfFragments, runtime.Group()), runtime);
   for (std::size_t f = 1; f < volumes.size(); ++f)
   {
     const double target = run.Targets[f - 1]; // cells have volume 1
