@@ -105,15 +105,9 @@ void WriteFragments(const MeshData& mesh, const Arguments& arguments, Ranks& ran
   FieldArrays table;
   WorkInStage(ranks, ErrorCode::UnreadableInput,
     [&] { table = MakeFragmentTable(mesh, FindDensities(mesh, arguments), ranks); });
-  WorkInStage(ranks, ErrorCode::UnwritableOutput,
-    [&]
-    {
-      if (ranks.Rank() == 0)
-      {
-        PrefixErrors("Cannot write the table " + arguments.Fragments + ": ",
-          [&] { WriteTable(table, arguments.Fragments); });
-      }
-    });
+  const auto write = [&] { WriteTable(table, arguments.Fragments, ranks); };
+  PrefixErrors("Cannot write the table " + arguments.Fragments + ": ",
+    [&] { WorkInStage(ranks, ErrorCode::UnwritableOutput, write); });
 }
 
 /// Returns the texts of the report.

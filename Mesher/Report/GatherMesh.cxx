@@ -210,6 +210,26 @@ void CheckCorners(const MeshData& mesh, Ranks& ranks)
   }
 }
 
+/// Collective. Checks that the parts of a mesh can be one mesh: lists of it have at most 2^31 - 1
+/// entries.
+void CheckLength(const MeshData& mesh, Ranks& ranks)
+{
+  if (ranks.Count() == 1)
+  {
+    return;
+  }
+  constexpr std::int64_t longest = std::numeric_limits<std::int32_t>::max();
+  std::vector<std::int64_t> counts{ mesh.NumberOfElements, mesh.NumberOfPoints };
+  ranks.Sum(counts);
+  if (counts[0] > longest || counts[1] > longest)
+  {
+    throw InputError("The mesh has " + std::to_string(counts[0]) + " elements and up to " +
+      std::to_string(counts[1]) + " points. One file holds the mesh of several ranks up to " +
+      std::to_string(longest) +
+      " of each: choose files per rank (.pvtu, or Exodus with one file per rank).");
+  }
+}
+
 /// Collective. Returns the latest time of all ranks, or 0.
 double AgreeOnTime(const MeshData& mesh, Ranks& ranks)
 {
@@ -272,25 +292,35 @@ StoredMesh OrderMesh(const MeshData& mesh, Ranks& ranks)
   return ordered;
 }
 
+std::vector<Bytes> SendToFirst(Bytes mine, Ranks& ranks)
+{
+  if (ranks.Rank() > 0)
+  {
+    std::vector<Bytes> outgoing(1);
+    outgoing[0] = std::move(mine); // an initializer list would copy it
+    ranks.Exchange({ 0 }, outgoing);
+    return {};
+  }
+  std::vector<int> others(ranks.Count() - 1);
+  std::iota(others.begin(), others.end(), 1);
+  return ranks.Exchange(others, std::vector<Bytes>(others.size()));
+}
+
 StoredMesh GatherMesh(const MeshData& mesh, Ranks& ranks)
 {
+  CheckLength(mesh, ranks);
   CheckCorners(mesh, ranks);
-  std::vector<int> peers(ranks.Rank() == 0 ? ranks.Count() - 1 : 1, 0);
-  std::vector<Bytes> outgoing(peers.size());
+  Bytes mine;
   WorkTogether(ranks,
     [&]
     {
       RequireIds(mesh);
-      if (ranks.Rank() == 0)
+      if (ranks.Rank() > 0 && mesh.NumberOfElements > 0)
       {
-        std::iota(peers.begin(), peers.end(), 1);
-      }
-      else if (mesh.NumberOfElements > 0)
-      {
-        outgoing[0] = PackMesh(mesh);
+        mine = PackMesh(mesh);
       }
     });
-  std::vector<Bytes> incoming = ranks.Exchange(peers, outgoing);
+  std::vector<Bytes> incoming = SendToFirst(std::move(mine), ranks);
   StoredMesh whole;
   WorkTogether(ranks,
     [&]

@@ -71,7 +71,8 @@ Report MakeReport(
         MakeHexMesh(grid, CopyToLocal(whole, field, grid), MeshOptions(), runtime, measured);
       const MeshData data = ViewMesh(mesh, OutputState(), ListDomain(whole, ImageFrame()));
       const StoredMesh gathered = GatherMesh(data, ranks);
-      const FieldArrays fragments = MakeFragmentTable(data, {}, ranks);
+      const FieldArrays fragments =
+        GatherTable(MakeFragmentTable(data, {}, ranks), TableMode::On, ranks);
       const MeshSets sets = FindMeshSets(OrderMesh(data, ranks).Data, ranks);
       if (ranks.Rank() == 0)
       {

@@ -1,0 +1,142 @@
+/**
+ * Memory and messages of a table of fragments on several ranks: drops of two hexahedra, every third
+ * of which is on two ranks, and every second of which touches another one.
+ *
+ * usage: FragmentTables [fragments, default 100000] [ranks, default 27]
+ */
+#include "MeasureAlone.h"
+#include "Report/Fragments/FragmentTable.h"
+#include "ThreadRanks.h"
+
+#include <array>
+#include <cstdlib>
+#include <mutex>
+
+using namespace vfm;
+using namespace vfm::testing;
+
+namespace
+{
+
+/// Elements of a rank. Drop d has two of them in a row along x, and drops 2 d and 2 d + 1 touch.
+struct Drops
+{
+  std::vector<double> Points;
+  std::vector<Index> PointIds, Elements, ElementIds;
+  std::vector<int> Material, Fragment;
+
+  /// Adds half of a drop.
+  void Add(Index drop, int half)
+  {
+    const Index row = drop / 2, first = 2 * (drop % 2) + half; // a row has four elements
+    for (int c = 0; c < 8; ++c)
+    {
+      const int x = c % 4 == 1 || c % 4 == 2, y = c % 4 >= 2, z = c / 4;
+      this->Elements.push_back(static_cast<Index>(this->PointIds.size()));
+      this->PointIds.push_back(1 + 20 * row + 4 * (first + x) + 2 * z + y);
+      const double at[] = { static_cast<double>(first + x), static_cast<double>(2 * row + y),
+        static_cast<double>(z) };
+      this->Points.insert(this->Points.end(), at, at + 3);
+    }
+    this->ElementIds.push_back(1 + 4 * row + first);
+    this->Material.push_back(static_cast<int>(1 + drop % 2));
+    this->Fragment.push_back(static_cast<int>(drop + 1));
+  }
+};
+
+Drops MakeDrops(Index count, int rank, int ranks)
+{
+  Drops drops;
+  for (Index drop = 0; drop < count; ++drop)
+  {
+    const auto owner = static_cast<int>(drop * ranks / count);
+    const int other = drop % 3 == 0 ? (owner + 1) % ranks : owner;
+    for (int half = 0; half < 2; ++half)
+    {
+      if ((half == 0 ? owner : other) == rank)
+      {
+        drops.Add(drop, half);
+      }
+    }
+  }
+  return drops;
+}
+
+MeshData ViewDrops(const Drops& drops)
+{
+  MeshData mesh;
+  mesh.Corners = 8;
+  mesh.NumberOfPoints = static_cast<Index>(drops.PointIds.size());
+  mesh.NumberOfElements = static_cast<Index>(drops.ElementIds.size());
+  mesh.Points = drops.Points.data();
+  mesh.PointIds = drops.PointIds.data();
+  mesh.Elements = drops.Elements.data();
+  mesh.ElementIds = drops.ElementIds.data();
+  mesh.Material = drops.Material.data();
+  mesh.Fragment = drops.Fragment.data();
+  mesh.Fields = { { "MaterialNames", std::vector<std::string>{ "one", "two" } },
+    { "MaterialIds", std::vector<int>{ 1, 2 } } };
+  return mesh;
+}
+
+/// Figures of a table, the largest of any rank, and of all ranks together.
+struct Figures
+{
+  ThreadRanks::Traffic Most;
+  std::size_t Before = 0, Rows = 0;
+  double Seconds = 0.0;
+};
+
+Figures Measure(Index fragments, int count)
+{
+  Figures figures;
+  std::mutex mutex;
+  RunOnRanks(count,
+    [&](ThreadRanks& ranks)
+    {
+      const Drops drops = MakeDrops(fragments, ranks.Rank(), count);
+      const MeshData mesh = ViewDrops(drops);
+      ranks.Any(true); // all have their elements
+      if (ranks.Rank() == 0)
+      {
+        figures.Before = CurrentBytes();
+        figures.Seconds = -Now();
+      }
+      const ThreadRanks::Traffic before = ranks.Sent();
+      const FieldArrays table = MakeFragmentTable(mesh, {}, ranks);
+      const ThreadRanks::Traffic& sent = ranks.Sent();
+      ranks.Any(true);
+      const std::lock_guard<std::mutex> lock(mutex);
+      figures.Rows += table.empty() ? 0 : std::get<std::vector<int>>(table[0].Values).size();
+      ThreadRanks::Traffic& most = figures.Most;
+      most.Messages = std::max(most.Messages, sent.Messages - before.Messages);
+      most.MessageBytes = std::max(most.MessageBytes, sent.MessageBytes - before.MessageBytes);
+      most.ReducedBytes = std::max(most.ReducedBytes, sent.ReducedBytes - before.ReducedBytes);
+      most.GatheredBytes = std::max(most.GatheredBytes, sent.GatheredBytes - before.GatheredBytes);
+      if (ranks.Rank() == 0)
+      {
+        figures.Seconds += Now();
+      }
+    });
+  return figures;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  const Index fragments = argc > 1 ? std::atoll(argv[1]) : 100000;
+  const int ranks = argc > 2 ? std::atoi(argv[2]) : 27;
+  const Figures figures = Measure(fragments, ranks);
+  const double megabyte = 1e-6;
+  std::printf("| fragments | ranks | rows | MB of the table at the peak, all ranks | seconds "
+              "| messages | MB sent | MB reduced | kB gathered |\n|---|---|---|---|---|---|---|---|"
+              "---|\n| %lld | %d | %zu | %.1f | %.2f | %lld | %.2f | %.2f | %.1f |\n",
+    static_cast<long long>(fragments), ranks, figures.Rows,
+    megabyte * static_cast<double>(PeakBytes() - figures.Before), figures.Seconds,
+    static_cast<long long>(figures.Most.Messages),
+    megabyte * static_cast<double>(figures.Most.MessageBytes),
+    megabyte * static_cast<double>(figures.Most.ReducedBytes),
+    1e-3 * static_cast<double>(figures.Most.GatheredBytes));
+  return 0;
+}
