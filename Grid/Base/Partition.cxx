@@ -1,5 +1,7 @@
 #include "Base/Partition.h"
 
+#include "Ranks/FindMeetings.h"
+
 #include <numeric>
 
 namespace vfm
@@ -21,6 +23,71 @@ IndexBox PossibleShifts(const CartesianGrid& grid)
     }
   }
   return shifts;
+}
+
+/// The boxes of a rank.
+struct RankBoxes
+{
+  IndexBox Owned, Local;
+};
+
+/// Returns the cells of the domain of which a box holds copies, as boxes that may overlap.
+std::vector<IndexBox> FoldIntoDomain(const CartesianGrid& grid, const IndexBox& box)
+{
+  std::vector<IndexBox> parts;
+  if (box.NumberOfCells() > 0)
+  {
+    parts.push_back(box);
+  }
+  for (int a = 0; a < 3; ++a)
+  {
+    const Index first = grid.Domain().Lower[a], end = grid.Domain().Upper[a];
+    for (std::size_t p = 0, count = parts.size(); grid.Period(a) > 0 && p < count; ++p)
+    {
+      IndexBox part = parts[p];
+      const Index size = std::min(part.Size(a), grid.Period(a));
+      const Index offset = (part.Lower[a] - first) % grid.Period(a);
+      part.Lower[a] = first + offset + (offset < 0 ? grid.Period(a) : 0);
+      part.Upper[a] = std::min(part.Lower[a] + size, end);
+      parts[p] = part;
+      if (part.Lower[a] + size > end) // the rest begins at the other side
+      {
+        part.Upper[a] = part.Lower[a] + size - grid.Period(a);
+        part.Lower[a] = first;
+        parts.push_back(part);
+      }
+    }
+  }
+  return parts;
+}
+
+/// Returns whether a rank holds cells of the other one, or copies of these.
+bool ArePeers(const CartesianGrid& grid, const RankBoxes& a, const RankBoxes& b)
+{
+  bool arePeers = false;
+  ForCells(PossibleShifts(grid),
+    [&](const Index3& shift)
+    {
+      const Index3 cells = grid.CellsInPeriods(shift);
+      arePeers = arePeers || Intersect(a.Local, Moved(b.Owned, cells)).NumberOfCells() > 0 ||
+        Intersect(b.Local, Moved(a.Owned, cells)).NumberOfCells() > 0;
+    });
+  return arePeers;
+}
+
+/// Returns the boxes of this rank and of the ranks that may be its peers, ordered by rank.
+/// Collective.
+std::vector<RankItem<RankBoxes>> FindRanksNear(const CartesianGrid& grid, Ranks& ranks)
+{
+  const RankBoxes own{ grid.Owned(), grid.Local() };
+  std::vector<RankItem<RankBoxes>> near = FindMeetings(
+    std::vector<RankBoxes>{ own },
+    [&grid](const RankBoxes& boxes) { return FoldIntoDomain(grid, boxes.Local); },
+    [&grid](const RankBoxes& a, const RankBoxes& b) { return ArePeers(grid, a, b); }, ranks);
+  const auto place = std::find_if(near.begin(), near.end(),
+    [&ranks](const RankItem<RankBoxes>& other) { return other.Rank > ranks.Rank(); });
+  near.insert(place, { own, ranks.Rank(), 0 });
+  return near;
 }
 
 /// Messages of one rank one after another, each after its length.
@@ -53,26 +120,20 @@ void Append(const Bytes& message, Bytes& all)
 
 Partition::Partition(const CartesianGrid& grid, Ranks& ranks) : Grid(grid), TheRanks(ranks)
 {
-  struct Boxes
-  {
-    IndexBox Owned, Local;
-  };
-  const std::vector<Boxes> all =
-    GatherItems(ranks, std::vector<Boxes>{ { grid.Owned(), grid.Local() } });
-  for (int rank = 0; rank < ranks.Count(); ++rank)
+  for (const RankItem<RankBoxes>& near : FindRanksNear(grid, ranks))
   {
     vfm::ForCells(PossibleShifts(grid),
       [&](const Index3& shift)
       {
         const Index3 cells = grid.CellsInPeriods(shift);
-        const IndexBox owned = Moved(all[rank].Owned, cells);
+        const IndexBox owned = Moved(near.What.Owned, cells);
         const IndexBox incoming = Intersect(grid.Local(), owned);
         const Index3 back{ { -cells[0], -cells[1], -cells[2] } };
-        const IndexBox outgoing = Intersect(grid.Owned(), Moved(all[rank].Local, back));
-        if ((rank != ranks.Rank() || shift != Index3{}) &&
+        const IndexBox outgoing = Intersect(grid.Owned(), Moved(near.What.Local, back));
+        if ((near.Rank != ranks.Rank() || shift != Index3{}) &&
           outgoing.NumberOfCells() + incoming.NumberOfCells() > 0)
         {
-          this->ThePeers.push_back(rank);
+          this->ThePeers.push_back(near.Rank);
           this->Shifts.push_back(shift);
           this->Owned.push_back(owned);
           this->Outgoing.push_back(outgoing);
