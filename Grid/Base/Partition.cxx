@@ -31,34 +31,9 @@ struct RankBoxes
   IndexBox Owned, Local;
 };
 
-/// Returns the cells of the domain of which a box holds copies, as boxes that may overlap.
-std::vector<IndexBox> FoldIntoDomain(const CartesianGrid& grid, const IndexBox& box)
+std::array<bool, 3> RepeatingAxes(const CartesianGrid& grid)
 {
-  std::vector<IndexBox> parts;
-  if (box.NumberOfCells() > 0)
-  {
-    parts.push_back(box);
-  }
-  for (int a = 0; a < 3; ++a)
-  {
-    const Index first = grid.Domain().Lower[a], end = grid.Domain().Upper[a];
-    for (std::size_t p = 0, count = parts.size(); grid.Period(a) > 0 && p < count; ++p)
-    {
-      IndexBox part = parts[p];
-      const Index size = std::min(part.Size(a), grid.Period(a));
-      const Index offset = (part.Lower[a] - first) % grid.Period(a);
-      part.Lower[a] = first + offset + (offset < 0 ? grid.Period(a) : 0);
-      part.Upper[a] = std::min(part.Lower[a] + size, end);
-      parts[p] = part;
-      if (part.Lower[a] + size > end) // the rest begins at the other side
-      {
-        part.Upper[a] = part.Lower[a] + size - grid.Period(a);
-        part.Lower[a] = first;
-        parts.push_back(part);
-      }
-    }
-  }
-  return parts;
+  return { { grid.Period(0) > 0, grid.Period(1) > 0, grid.Period(2) > 0 } };
 }
 
 /// Returns whether a rank holds cells of the other one, or copies of these.
@@ -82,7 +57,8 @@ std::vector<RankItem<RankBoxes>> FindRanksNear(const CartesianGrid& grid, Ranks&
   const RankBoxes own{ grid.Owned(), grid.Local() };
   std::vector<RankItem<RankBoxes>> near = FindMeetings(
     std::vector<RankBoxes>{ own },
-    [&grid](const RankBoxes& boxes) { return FoldIntoDomain(grid, boxes.Local); },
+    [&grid](const RankBoxes& boxes)
+    { return FoldIntoDomain(boxes.Local, grid.Domain(), RepeatingAxes(grid)); },
     [&grid](const RankBoxes& a, const RankBoxes& b) { return ArePeers(grid, a, b); }, ranks);
   const auto place = std::find_if(near.begin(), near.end(),
     [&ranks](const RankItem<RankBoxes>& other) { return other.Rank > ranks.Rank(); });

@@ -58,6 +58,41 @@ BoxTiles::Position SizeOf(const Box& box)
     box.Upper[2] - box.Lower[2] } };
 }
 
+/// Returns the cells of a domain of which a box holds copies, as boxes, which may overlap; none for
+/// a box without cells.
+/// @param repeats  whether the domain repeats along each axis; along others the box is inside
+template <class Box>
+std::vector<Box> FoldIntoDomain(
+  const Box& box, const Box& domain, const std::array<bool, 3>& repeats)
+{
+  const BoxTiles::Position size = SizeOf(box), periods = SizeOf(domain);
+  std::vector<Box> parts;
+  if (size[0] > 0 && size[1] > 0 && size[2] > 0)
+  {
+    parts.push_back(box);
+  }
+  for (int a = 0; a < 3; ++a)
+  {
+    for (std::size_t p = 0, count = parts.size(); repeats[a] && p < count; ++p)
+    {
+      const std::int64_t first = domain.Lower[a], width = std::min(size[a], periods[a]);
+      const std::int64_t offset = (box.Lower[a] - first) % periods[a];
+      Box& part = parts[p];
+      part.Lower[a] = first + offset + (offset < 0 ? periods[a] : 0);
+      part.Upper[a] = part.Lower[a] + width;
+      if (part.Upper[a] > domain.Upper[a]) // the rest begins at the other side
+      {
+        Box rest = part;
+        rest.Lower[a] = first;
+        rest.Upper[a] = part.Upper[a] - periods[a];
+        part.Upper[a] = domain.Upper[a];
+        parts.push_back(rest);
+      }
+    }
+  }
+  return parts;
+}
+
 template <class Box, class Visit>
 void BoxTiles::ForTiles(int level, const Box& box, const Visit& visit) const
 {
