@@ -77,7 +77,8 @@ struct BlockPlace
 struct InputBlocks
 {
   std::vector<InputBlock> Blocks; ///< blocks of this rank
-  /// Blocks of all ranks, or of nearby ranks, ordered by rank; 56 bytes per block.
+  /// Blocks of this rank, and blocks of other ranks near them or near the cells that this rank
+  /// meshes (FindPlaces, FindOwners), ordered by rank.
   std::vector<BlockPlace> Places;
   std::array<std::vector<double>, 3> Coordinates; ///< nodes of the global grid along each axis
 
