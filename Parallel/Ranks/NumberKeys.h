@@ -24,7 +24,8 @@ inline std::int64_t SumOfLowerRanks(std::int64_t mine, Ranks& ranks)
 }
 
 /// Homes that rise with values, with about equal numbers of values. Values are divided into 64
-/// equal ranges per home, at most 4,096, and a home has some of them.
+/// equal ranges per home, at most 4,096, those with far too many values again, and a home has some
+/// of them.
 class RisingHomes
 {
 public:
@@ -35,10 +36,20 @@ public:
   int operator()(std::int64_t value) const { return this->HomeOfRange[this->RangeOf(value)]; }
 
 private:
+  struct Range
+  {
+    std::int64_t Start; // lowest value
+    int Shift;          // it has 2^Shift values
+    std::int64_t Count; // values of all ranks in it; -1: not counted
+  };
+  static void AddRanges(
+    std::int64_t start, int shift, std::size_t count, std::vector<Range>& ranges);
   std::size_t RangeOf(std::int64_t value) const;
+  void Count(const std::vector<std::int64_t>& values, Ranks& ranks);
+  bool Divide(std::int64_t most);
 
-  std::int64_t NumberOfRanges, Lowest = 0;
-  int Shift = 0; // ranges have 2^Shift values
+  std::size_t NumberOfRanges; // of each division
+  std::vector<Range> Ranges;  // ascending; the first and the last have all values outside
   std::vector<int> HomeOfRange;
 };
 

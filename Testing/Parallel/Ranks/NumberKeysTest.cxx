@@ -110,29 +110,38 @@ TEST(NumberKeys, SumOfLowerRanks)
 
 TEST(NumberKeys, RisingHomesRiseAndShareTheValues)
 {
-  RunOnRanks(12,
-    [](Ranks& ranks)
-    {
-      std::vector<std::int64_t> values;
-      for (int i = 0; i < 1000; ++i)
+  // Dense values far from 0; and dense ones among few that are far away.
+  for (const std::int64_t far : { std::int64_t(0), std::int64_t(1) << 60 })
+  {
+    RunOnRanks(12,
+      [far](Ranks& ranks)
       {
-        values.push_back((std::int64_t(1) << 61) + 1000 * ranks.Rank() + i);
-      }
-      const RisingHomes homes(values, ranks);
-      std::vector<std::int64_t> counts(CountHomes(ranks), 0);
-      int before = 0;
-      for (std::int64_t value : values)
-      {
-        const int home = homes(value);
-        EXPECT_GE(home, before);
-        ASSERT_LT(home, CountHomes(ranks));
-        before = home;
-        ++counts[home];
-      }
-      ranks.Sum(counts);
-      for (std::int64_t own : counts)
-      {
-        EXPECT_NEAR(static_cast<double>(own), 1500.0, 300.0);
-      }
-    });
+        std::vector<std::int64_t> values;
+        for (int i = 0; i < 3000; ++i)
+        {
+          values.push_back((std::int64_t(1) << 61) - far + 3000 * ranks.Rank() + i);
+        }
+        if (far > 0)
+        {
+          values.insert(values.begin(), -5);
+          values.insert(values.end(), { std::int64_t(1) << 61, std::int64_t(1) << 62 });
+        }
+        const RisingHomes homes(values, ranks);
+        std::vector<std::int64_t> counts(CountHomes(ranks), 0);
+        int before = 0;
+        for (std::int64_t value : values)
+        {
+          const int home = homes(value);
+          EXPECT_GE(home, before);
+          ASSERT_LT(home, CountHomes(ranks));
+          before = home;
+          ++counts[home];
+        }
+        ranks.Sum(counts);
+        for (std::int64_t own : counts)
+        {
+          EXPECT_NEAR(static_cast<double>(own), 4500.0, 900.0) << far;
+        }
+      });
+  }
 }
