@@ -58,10 +58,8 @@ std::uint64_t DigestOfElements(const Mesh& mesh)
 }
 
 /// Returns the digest of what is listed by its points and a number: facets, edges or vertices.
-/// @param isCounted  isCounted(i) is true on one rank only
-template <class IsCounted>
 std::uint64_t DigestOfParts(std::uint64_t kind, const Mesh& mesh, const Buffer<Index>& points,
-  std::size_t width, const Buffer<int>& numbers, const IsCounted& isCounted)
+  std::size_t width, const Buffer<int>& numbers)
 {
   std::uint64_t sum = 0;
   std::vector<Index> ids(width);
@@ -78,7 +76,7 @@ std::uint64_t DigestOfParts(std::uint64_t kind, const Mesh& mesh, const Buffer<I
     {
       digest.Add(id);
     }
-    sum += isCounted(i) ? digest.Get() : 0;
+    sum += digest.Get();
   }
   return sum;
 }
@@ -87,13 +85,11 @@ std::uint64_t DigestOfParts(std::uint64_t kind, const Mesh& mesh, const Buffer<I
 
 std::uint64_t DigestOfRank(const Mesh& mesh)
 {
-  const auto always = [](std::size_t) { return true; };
-  const SurfaceFacets& facets = mesh.Surfaces;
+  const SurfaceFacets& facets = mesh.Surfaces; // each is on one rank
   return DigestOfElements(mesh) +
-    DigestOfParts(2, mesh, facets.Points, mesh.CornersOfFacet(), facets.SurfaceId,
-      [&](std::size_t f) { return facets.IsOwned[f] != 0; }) +
-    DigestOfParts(3, mesh, mesh.Curves.Points, 2, mesh.Curves.CurveId, always) +
-    DigestOfParts(4, mesh, mesh.Vertices.Points, 1, mesh.Vertices.VertexId, always);
+    DigestOfParts(2, mesh, facets.Points, mesh.CornersOfFacet(), facets.SurfaceId) +
+    DigestOfParts(3, mesh, mesh.Curves.Points, 2, mesh.Curves.CurveId) +
+    DigestOfParts(4, mesh, mesh.Vertices.Points, 1, mesh.Vertices.VertexId);
 }
 
 } // namespace testing
