@@ -3,20 +3,11 @@
  */
 #pragma once
 
+#include "Labels/JoinPieces.h"
 #include "Labels/Labels.h"
 
 namespace vfm
 {
-
-/// Local component: a connected part of a fragment on one rank. It consists of cells (Fragments)
-/// or of tets (TetFragments.h).
-struct Piece
-{
-  Index Lowest; ///< id of the lowest cell or element
-  Index Label;
-};
-/// Pairs of local components, numbered over all ranks.
-using PiecePairs = std::vector<std::array<Index, 2>>;
 
 /// Returns the number of this rank's first local component, if all components are numbered from 0
 /// in the order of ranks.
