@@ -31,6 +31,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <set>
 #include <sstream>
 
 using namespace vfm;
@@ -238,7 +239,8 @@ double WorstVolumeOf(const MeshReport& report)
   return worst;
 }
 
-void PrintRun(const Arguments& arguments, const ScaleScene& scene, const Outcome& outcome)
+/// Returns the digest of the mesh.
+std::uint32_t PrintRun(const Arguments& arguments, const ScaleScene& scene, const Outcome& outcome)
 {
   RankFigures most;
   double sum = 0.0;
@@ -259,10 +261,11 @@ void PrintRun(const Arguments& arguments, const ScaleScene& scene, const Outcome
     elements += outcome.Elements[rank];
     digest += outcome.Digests[rank];
   }
+  const auto folded = static_cast<std::uint32_t>(digest ^ (digest >> 32));
   const Index3 &n = scene.Cells, &r = arguments.Ranks;
   const ThreadRanks::Traffic& traffic = most.Traffic;
   std::printf("| %s%s | %lldx%lldx%lld | %lld | %lld | %lld | %.1f | %.2f | %.1f | %.0f | %lld | "
-              "%.3f | %.1f | %.1f | %.1e | %08llx |\n",
+              "%.3f | %.1f | %.1f | %.1e | %08x |\n",
     arguments.Scene.c_str(), arguments.Options.StairStep ? ", stairs" : "",
     static_cast<long long>(n[0]), static_cast<long long>(n[1]), static_cast<long long>(n[2]),
     static_cast<long long>(r[0] * r[1] * r[2]),
@@ -271,8 +274,8 @@ void PrintRun(const Arguments& arguments, const ScaleScene& scene, const Outcome
     1e-6 * static_cast<double>(PeakBytes()), static_cast<long long>(traffic.Messages),
     1e-6 * static_cast<double>(traffic.MessageBytes),
     1e-3 * static_cast<double>(traffic.ReducedBytes),
-    1e-3 * static_cast<double>(traffic.GatheredBytes), WorstVolumeOf(outcome.Report),
-    static_cast<unsigned long long>((digest ^ (digest >> 32)) & 0xffffffffU));
+    1e-3 * static_cast<double>(traffic.GatheredBytes), WorstVolumeOf(outcome.Report), folded);
+  return folded;
 }
 
 /// Returns three numbers from 8 or 8x4x2.
@@ -329,7 +332,8 @@ Arguments ParseOptions(int argc, char** argv)
   return arguments;
 }
 
-void PrintRow(Arguments arguments)
+/// Returns the digest of the mesh.
+std::uint32_t PrintRow(Arguments arguments)
 {
   for (int a = 0; arguments.IsPerRank && a < 3; ++a)
   {
@@ -341,8 +345,33 @@ void PrintRow(Arguments arguments)
   {
     PrintStages(outcome);
   }
-  PrintRun(arguments, scene, outcome);
+  const std::uint32_t digest = PrintRun(arguments, scene, outcome);
   std::fflush(stdout);
+  return digest;
+}
+
+/// Prints the rows of a size, and whether all ranks give the same mesh. Returns false if a run
+/// fails.
+bool PrintRows(Arguments arguments, const std::vector<Index3>& ranks)
+{
+  std::set<double> digests;
+  for (const Index3& count : ranks)
+  {
+    arguments.Ranks = count;
+    const std::vector<double> digest = MeasureAlone(
+      1, [&] { return std::vector<double>{ static_cast<double>(PrintRow(arguments)) }; });
+    if (digest.empty())
+    {
+      return false;
+    }
+    digests.insert(digest[0]);
+  }
+  if (ranks.size() > 1 && !arguments.IsPerRank)
+  {
+    std::printf("Digests %s\n", digests.size() == 1 ? "are equal" : "differ");
+    std::fflush(stdout);
+  }
+  return true;
 }
 
 } // namespace
@@ -363,22 +392,13 @@ int main(int argc, char** argv)
   try
   {
     Arguments arguments = ParseOptions(argc, argv);
+    const std::vector<Index3> ranks = ParseSizes(argv[3]);
     for (const Index3& size : ParseSizes(argv[2]))
     {
-      for (const Index3& ranks : ParseSizes(argv[3]))
+      arguments.Size = size;
+      if (!PrintRows(arguments, ranks))
       {
-        arguments.Size = size;
-        arguments.Ranks = ranks;
-        const std::vector<double> done = MeasureAlone(1,
-          [&]
-          {
-            PrintRow(arguments);
-            return std::vector<double>{ 1.0 };
-          });
-        if (done.empty())
-        {
-          return 1;
-        }
+        return 1;
       }
     }
   }

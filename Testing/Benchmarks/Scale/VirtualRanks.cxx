@@ -297,7 +297,7 @@ Row Fit(const std::map<int, Row>& rows, int degree, double ranks)
     left.row(r) = powersOf(count);
     right.row(r++) = Eigen::Map<const Eigen::RowVectorXd>(row.data(), row.size());
   }
-  const Eigen::MatrixXd factors = left.colPivHouseholderQr().solve(right);
+  const Eigen::MatrixXd factors = (left.transpose() * left).ldlt().solve(left.transpose() * right);
   Row fitted{};
   Eigen::Map<Eigen::RowVectorXd>(fitted.data(), fitted.size()) = powersOf(ranks) * factors;
   return fitted;

@@ -1,14 +1,17 @@
-#!/usr/bin/env python3
+#!/ usr / bin / env python3
 """Checks a mesh of hexahedra in pieces, of which one at a time is in memory.
 
 usage: python3 check_parts.py MESH.pvtu [--each COMMAND]
   --each COMMAND   runs COMMAND PIECE for each piece too, such as a check of files of one piece
 
-Checked: hexahedra only, positive at every corner; global ids of cells rise through a piece and are
-in one piece only; a face is on two cells at most, also of two pieces, where both have the same
-points at the same coordinates; the boundary of all pieces together is closed: each of its edges is
-on an even number of its faces. Needs the vtkmodules of VTK and NumPy. Prints a line per piece, then
-PASS or FAIL; the exit status is 0 or 1.
+Checked: hexahedra only, positive at every corner;
+global ids of cells rise through a piece and are in one piece only;
+a face is on two cells at most, also of two pieces,
+  where both have the same points at the same coordinates;
+the boundary of all pieces together is closed :
+  each of its edges is on an even number of its faces.Needs the vtkmodules of VTK and NumPy.Prints a
+    line per piece,
+  then PASS or FAIL; the exit status is 0 or 1.
 """
 import os
 import re
