@@ -395,6 +395,10 @@ StoredMesh GatherMesh(const MeshData& mesh, Ranks& ranks)
       whole = pieces.empty() ? StoredMesh{ mesh, {} }
         : others.empty()     ? OrderAlone(mesh)
                              : MergePieces(pieces);
+      if (ranks.Count() > 1)
+      {
+        whole.Data.Fields = JoinFields({ &whole.Data.Fields });
+      }
       whole.Data.Time = mesh.Time;
     });
   return whole;

@@ -43,4 +43,21 @@ std::vector<Index> CountPoints(
   return counts;
 }
 
+PointsOfFragments CountFragmentPoints(const MeshData& mesh, Ranks& ranks)
+{
+  const std::vector<int> partOf(mesh.Fragment, mesh.Fragment + mesh.NumberOfElements);
+  const KeyMerge<PartPoint> ways(FindOwnPoints(mesh, partOf), ranks);
+  PointsOfFragments found;
+  for (const PartPoint& point : ways.HomeKeys())
+  {
+    if (found.Fragments.empty() || found.Fragments.back() != point[0])
+    {
+      found.Fragments.push_back(static_cast<int>(point[0]));
+      found.Counts.push_back(0);
+    }
+    ++found.Counts.back();
+  }
+  return found;
+}
+
 } // namespace vfm

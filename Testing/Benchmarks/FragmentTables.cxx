@@ -4,11 +4,11 @@
  *
  * usage: FragmentTables [fragments, default 100000] [ranks, default 27]
  */
+#include "FragmentDrops.h"
 #include "MeasureAlone.h"
 #include "Report/Fragments/FragmentTable.h"
 #include "ThreadRanks.h"
 
-#include <array>
 #include <cstdlib>
 #include <mutex>
 
@@ -17,67 +17,6 @@ using namespace vfm::testing;
 
 namespace
 {
-
-/// Elements of a rank. Drop d has two of them in a row along x, and drops 2 d and 2 d + 1 touch.
-struct Drops
-{
-  std::vector<double> Points;
-  std::vector<Index> PointIds, Elements, ElementIds;
-  std::vector<int> Material, Fragment;
-
-  /// Adds half of a drop.
-  void Add(Index drop, int half)
-  {
-    const Index row = drop / 2, first = 2 * (drop % 2) + half; // a row has four elements
-    for (int c = 0; c < 8; ++c)
-    {
-      const int x = c % 4 == 1 || c % 4 == 2, y = c % 4 >= 2, z = c / 4;
-      this->Elements.push_back(static_cast<Index>(this->PointIds.size()));
-      this->PointIds.push_back(1 + 20 * row + 4 * (first + x) + 2 * z + y);
-      const double at[] = { static_cast<double>(first + x), static_cast<double>(2 * row + y),
-        static_cast<double>(z) };
-      this->Points.insert(this->Points.end(), at, at + 3);
-    }
-    this->ElementIds.push_back(1 + 4 * row + first);
-    this->Material.push_back(static_cast<int>(1 + drop % 2));
-    this->Fragment.push_back(static_cast<int>(drop + 1));
-  }
-};
-
-Drops MakeDrops(Index count, int rank, int ranks)
-{
-  Drops drops;
-  for (Index drop = 0; drop < count; ++drop)
-  {
-    const auto owner = static_cast<int>(drop * ranks / count);
-    const int other = drop % 3 == 0 ? (owner + 1) % ranks : owner;
-    for (int half = 0; half < 2; ++half)
-    {
-      if ((half == 0 ? owner : other) == rank)
-      {
-        drops.Add(drop, half);
-      }
-    }
-  }
-  return drops;
-}
-
-MeshData ViewDrops(const Drops& drops)
-{
-  MeshData mesh;
-  mesh.Corners = 8;
-  mesh.NumberOfPoints = static_cast<Index>(drops.PointIds.size());
-  mesh.NumberOfElements = static_cast<Index>(drops.ElementIds.size());
-  mesh.Points = drops.Points.data();
-  mesh.PointIds = drops.PointIds.data();
-  mesh.Elements = drops.Elements.data();
-  mesh.ElementIds = drops.ElementIds.data();
-  mesh.Material = drops.Material.data();
-  mesh.Fragment = drops.Fragment.data();
-  mesh.Fields = { { "MaterialNames", std::vector<std::string>{ "one", "two" } },
-    { "MaterialIds", std::vector<int>{ 1, 2 } } };
-  return mesh;
-}
 
 /// Figures of a table, the largest of any rank, and of all ranks together.
 struct Figures
