@@ -22,7 +22,8 @@ class Partition
 {
 public:
   /// Finds the ranks near this one (FindMeetings.h), and stores the boxes of peers (Peers).
-  /// @pre Collective over `ranks`.  @note About 2 log2 P messages of some boxes, and one sum.
+  /// @pre Collective over `ranks`.
+  /// @note About 2 log2 P messages of a few boxes per rank, and one sum.
   Partition(const CartesianGrid& grid, Ranks& ranks);
 
   Ranks& Group() const { return this->TheRanks; }

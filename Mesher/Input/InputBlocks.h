@@ -77,8 +77,7 @@ struct BlockPlace
 struct InputBlocks
 {
   std::vector<InputBlock> Blocks; ///< blocks of this rank
-  /// Blocks of this rank, and blocks of other ranks near them or near the cells that this rank
-  /// meshes (FindPlaces, FindOwners), ordered by rank.
+  /// Blocks of this rank and of others near its blocks or cells (FindPlaces, FindOwners), by rank.
   std::vector<BlockPlace> Places;
   std::array<std::vector<double>, 3> Coordinates; ///< nodes of the global grid along each axis
 
