@@ -17,7 +17,7 @@ namespace vfm
 class IslandList
 {
 public:
-  static constexpr int LargestFactored = 20000; ///< fragments of an island that is factored
+  static constexpr int LargestFactored = 2000; ///< fragments of an island that is factored
   /// Returns the area of a pair by its entry.
   using AreaFunction = std::function<double(int)>;
 
