@@ -7,7 +7,7 @@ namespace vfm
 namespace
 {
 
-constexpr int LargestIterations = 200;
+constexpr int LargestIterations = 1000; // reached only if areas differ by 1e18
 
 IslandLevel MakeFirstLevel(FragmentShare share, std::vector<FragmentPair> pairs)
 {
