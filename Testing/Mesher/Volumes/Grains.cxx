@@ -2,7 +2,6 @@
 
 #include "RandomDraw.h"
 #include "ThreadRanks.h"
-#include "Volumes/IslandSystem.h"
 
 #include <gtest/gtest.h>
 
@@ -18,6 +17,22 @@ void Grains::Add(int a, int b, double area)
   this->Areas.push_back({ std::min(a, b), std::max(a, b), {} });
   this->Areas.back().Value.Add(0.5 * area);
   this->Areas.back().Value.Add(0.5 * area);
+}
+
+void Grains::Append(const Grains& others)
+{
+  const int before = this->Count;
+  for (const PairSum& area : others.Areas)
+  {
+    this->Areas.push_back(
+      { area.First > 0 ? area.First + before : 0, area.Second + before, area.Value });
+  }
+  this->Lack.resize(before + 1, 0.0);
+  this->Lack.insert(this->Lack.end(), others.Lack.begin() + 1, others.Lack.end());
+  this->Count += others.Count;
+  const auto first = std::move(this->Home), second = others.Home;
+  this->Home = [=](int f, int ranks)
+  { return f <= before ? first(f, ranks) : second(f - before, ranks); };
 }
 
 void Grains::DrawLacks(int seed)
@@ -138,7 +153,7 @@ PairSumMap AreasOf(const Grains& grains, const FragmentShare& share)
   return areas;
 }
 
-std::vector<double> SolveOnRanks(const Grains& grains, int count)
+std::vector<double> SolveOnRanks(const Grains& grains, int count, const IslandBounds& bounds)
 {
   std::vector<double> all(grains.Count + 1, 0.0);
   RunOnRanks(count,
@@ -146,7 +161,7 @@ std::vector<double> SolveOnRanks(const Grains& grains, int count)
     {
       const FragmentShare share = ShareOf(grains, ranks);
       const PairSumMap mine = AreasOf(grains, share);
-      const IslandSystem system(share, mine);
+      const IslandSystem system(share, mine, bounds);
       std::vector<double> lack(1, 0.0);
       for (std::size_t f = 1; f < share.Size(); ++f)
       {

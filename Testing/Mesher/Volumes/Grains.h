@@ -5,6 +5,7 @@
 
 #include "Base/PairSums.h"
 #include "Labels/FragmentShare.h"
+#include "Volumes/IslandSystem.h"
 
 #include <functional>
 
@@ -22,6 +23,8 @@ struct Grains
   std::function<int(int, int)> Home; ///< rank of a fragment, of a number of ranks
 
   void Add(int a, int b, double area);
+  /// Adds the grains of another group, which do not touch these.
+  void Append(const Grains& others);
   /// Draws lacks between -1 and 1.
   void DrawLacks(int seed);
 };
@@ -37,7 +40,7 @@ PairSumMap AreasOf(const Grains& grains, const FragmentShare& share);
 
 /// Solves the system of the grains on a number of ranks that are threads.
 /// @return mu per grain
-std::vector<double> SolveOnRanks(const Grains& grains, int count);
+std::vector<double> SolveOnRanks(const Grains& grains, int count, const IslandBounds& bounds = {});
 /// Returns the largest |lack - sum of areas times differences of mu - 1e-6 mu|.
 double LargestResidual(const Grains& grains, const std::vector<double>& mu);
 
