@@ -3,7 +3,7 @@
 #include "FieldValues.h"
 #include "FilterRuntime.h"
 #include "MeshDataOfGrid.h"
-#include "Report/FragmentTable.h"
+#include "Report/Fragments/FragmentTable.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"

@@ -20,7 +20,7 @@
 #include "Ranks/PrintableText.h"
 #include "Ranks/WorkTogether.h"
 #include "ReadInput.h"
-#include "Report/FragmentTable.h"
+#include "Report/Fragments/FragmentTable.h"
 #include "Report/MeshMaterials.h"
 #include "Report/WriteReport.h"
 #include "State/ArrayStems.h"

@@ -51,8 +51,8 @@ std::vector<int> NumberFragments(const std::vector<Piece>& mine, const PiecePair
   return fragments;
 }
 
-Fragments::Fragments(
-  const CartesianGrid& grid, const LabelArray& labels, bool meshVoid, const Partition& partition) :
+Fragments::Fragments(const CartesianGrid& grid, const LabelArray& labels, bool meshVoid,
+  const Partition& partition, Numbers numbers) :
   Box(grid.HexBox()), End(this->Box.Upper[0])
 {
   this->MakeRuns(grid, labels);
@@ -71,9 +71,21 @@ Fragments::Fragments(
     });
   const std::vector<Piece> mine = this->FindPieces(grid, parent, meshVoid);
   Ranks& ranks = partition.Group();
-  const Index offset = OffsetOfPieces(ranks, static_cast<Index>(mine.size()));
-  const std::vector<int> fragments =
-    NumberFragments(mine, this->FindSame(grid, partition, offset), offset, ranks, this->Materials);
+  std::vector<int> fragments;
+  if (numbers == Numbers::OfAllRanks)
+  {
+    const Index offset = OffsetOfPieces(ranks, static_cast<Index>(mine.size()));
+    fragments = NumberFragments(
+      mine, this->FindSame(grid, partition, offset), offset, ranks, this->Own.Materials);
+    this->Own.Total = static_cast<Index>(this->Own.Materials.size()) - 1;
+  }
+  else
+  {
+    JoinedPieces joined = JoinPieces(
+      mine, this->FindSame(grid, partition, OffsetOfRank(ranks)), partition.Peers(), ranks);
+    this->Own = std::move(joined.Share);
+    fragments = std::move(joined.Fragments);
+  }
   for (RunOfCells& run : this->Runs)
   {
     run.Fragment = run.Fragment > 0 ? fragments[run.Fragment - 1] : 0;

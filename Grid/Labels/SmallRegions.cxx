@@ -325,7 +325,8 @@ RemovedRegions RemoveSmallRegions(const CartesianGrid& grid, Index minimumCells,
   const Partition& partition, FractionField& fractions)
 {
   Ranks& ranks = partition.Group();
-  const Fragments regions(grid, AssignMaterials(grid, fractions, isoValue), true, partition);
+  const Fragments regions(grid, AssignMaterials(grid, fractions, isoValue), true, partition,
+    Fragments::Numbers::OfAllRanks);
   const std::vector<int>& materials = regions.MaterialsOfFragments();
   const std::vector<Index> cells = CountCells(grid, regions, ranks);
   RegionGraph graph(

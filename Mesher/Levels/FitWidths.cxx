@@ -48,7 +48,8 @@ std::vector<Index> CountFragments(
   const CartesianGrid& grid, const LabelArray& labels, int materials, Index fewest, Ranks& ranks)
 {
   const Fragments fragments(grid, labels, false, Partition(grid, ranks));
-  std::vector<Index> cells(fragments.NumberOfFragments() + 1, 0);
+  const FragmentShare& share = fragments.Share();
+  std::vector<Index> cells(share.Size(), 0);
   const IndexBox& owned = grid.Owned();
   ForRows(owned,
     [&](Index j, Index k)
@@ -61,12 +62,13 @@ std::vector<Index> CountFragments(
         cells[fragment] += end - i;
       }
     });
-  ranks.Sum(cells);
+  share.Merge(cells, 1, [](Index& a, Index b) { a += b; });
   std::vector<Index> counts(materials + 1, 0);
-  for (int f = 1; f <= fragments.NumberOfFragments(); ++f)
+  for (std::size_t f = 1; f < share.Size(); ++f)
   {
-    counts[fragments.MaterialsOfFragments()[f]] += cells[f] >= fewest;
+    counts[share.Materials[f]] += share.IsMine[f] && cells[f] >= fewest;
   }
+  ranks.Sum(counts);
   return counts;
 }
 

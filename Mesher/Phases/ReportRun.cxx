@@ -2,6 +2,7 @@
 
 #include "Materials/UseLabels.h"
 #include "Phases/BodyFields.h"
+#include "Report/FragmentTargets.h"
 
 #include <algorithm>
 
@@ -67,7 +68,10 @@ void ListResult(
     UseLabels(table, result.State.TheParticles->Material);
   }
   AppendFields(ListSides(result.TheMesh.Tables), result.Fields);
-  AppendFields(ListReport(result.TheMesh, result.Report, table, options, fields.Field.Corrected),
+  const FieldArrays targets = ListFragmentTargets(result.Report.Fragments, job.Options.WholeTables,
+    result.Report.NumberOfFragments, job.Run.Group());
+  AppendFields(
+    ListReport(result.TheMesh, result.Report, table, options, fields.Field.Corrected, targets),
     result.Fields);
   AppendFields(ListDomain(fields.Grid, frame, RepeatingAxes(job.Options)), result.Fields);
   AppendFields(ListMaterials(result.Report, table, options), result.MaterialFields);

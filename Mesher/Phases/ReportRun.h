@@ -13,6 +13,7 @@ namespace vfm
 
 /// Transforms the mesh to world coordinates, gives its materials the ids of the user, and lists its
 /// fields.
+/// @pre Collective.
 void ListResult(
   const MesherJob& job, const Cells& cells, const MeshOptions& options, MesherResult& result);
 

@@ -1,6 +1,7 @@
 #include "Report/GatherMesh.h"
 
 #include "Ranks/Agreement.h"
+#include "Report/FragmentTargets.h"
 #include "Report/PackMesh.h"
 
 #include <functional>
@@ -158,7 +159,12 @@ StoredMesh MergePieces(const Pieces& pieces)
     MergeNodes(pieces, points, elements, &MeshData::MidPoints, &MeshData::MidsPerElement));
   data.PointArrays = MergeArrays(pieces, points, &MeshData::PointArrays, merged);
   data.ElementArrays = MergeArrays(pieces, elements, &MeshData::ElementArrays, merged);
-  data.Fields = pieces[0]->Fields;
+  std::vector<const std::vector<FieldArray>*> fields;
+  for (const MeshData* piece : pieces)
+  {
+    fields.push_back(&piece->Fields);
+  }
+  data.Fields = JoinFields(fields);
   FindKnownArrays(merged);
   MergeFacets(pieces, elements, merged);
   return merged;

@@ -106,11 +106,11 @@ void AddMaterials(FieldArrays& fields, const MeshReport& report, const Materials
 } // namespace
 
 FieldArrays ListReport(const Mesh& mesh, const MeshReport& report, const Materials& table,
-  const MeshOptions& options, const CorrectedCells& corrected)
+  const MeshOptions& options, const CorrectedCells& corrected, const FieldArrays& targets)
 {
   FieldArrays fields;
   AddMaterials(fields, report, table, options.MeshVoid, { { "MaterialNames", "MaterialIds" } });
-  fields.push_back({ "FragmentTargetVolume", TakeMeshed(report.FragmentTargetVolume, false) });
+  AppendFields(targets, fields);
   AddCount(fields, "NormalisedCells", corrected.Normalised);
   AddCount(fields, "ClippedCells", corrected.Clipped);
   AddCount(fields, "RemovedRegions", report.RemovedRegions);

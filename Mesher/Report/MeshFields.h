@@ -22,7 +22,7 @@ using FieldArrays = std::vector<FieldArray>;
 /// - One value per material, void only if meshed: MaterialNames, MaterialIds, TargetVolume,
 ///   MeshVolume, VolumeError (MeshVolume / TargetVolume - 1; 0 if the input has no such material),
 ///   LostCells and GainedCells (cells or leaves that changed their material)
-/// - One value per fragment: FragmentTargetVolume
+/// - The given fields of fragments
 /// - Counts: NormalisedCells, ClippedCells, RemovedRegions, RemovedCells, ChosenCells,
 ///   FlippedCells, ResolveRounds, NarrowVoidCells, NumberOfFragments, NumberOfSurfaces,
 ///   NumberOfCurves, NumberOfVertices; EdgePoints and CornerPoints with SharpEdges; RefusedParts of
@@ -32,8 +32,9 @@ using FieldArrays = std::vector<FieldArray>;
 /// - Several levels add RefinedCells, CellsAddedForBalance, CellsAddedForValidity, LevelCells,
 ///   TransitionCells
 /// @param mesh determines the kind of elements; its arrays may be empty
+/// @param targets fields of fragments (ListFragmentTargets)
 FieldArrays ListReport(const Mesh& mesh, const MeshReport& report, const Materials& table,
-  const MeshOptions& options, const CorrectedCells& corrected);
+  const MeshOptions& options, const CorrectedCells& corrected, const FieldArrays& targets);
 
 /// Lists columns with one row per material, void only if meshed: Name, MaterialId, TargetVolume,
 /// MeshVolume (length units cubed), VolumeError, LostCells and GainedCells (cells that changed

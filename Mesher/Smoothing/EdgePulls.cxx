@@ -400,7 +400,7 @@ double VolumeOfBulge(const Vector3 (&x)[4], const Vector3 (&pulls)[4], bool isTr
 } // namespace
 
 std::vector<double> MeasureBulges(const std::vector<EdgePull>& pulls, const Mesh& mesh,
-  const ActiveMesh& active, std::size_t fragments, Runtime& runtime)
+  const ActiveMesh& active, const FragmentShare& share, Runtime& runtime)
 {
   const auto idOf = [&](Index point)
   { return IdOfOwner(mesh, mesh.PointIds[active.MeshPoint[point]]); };
@@ -414,7 +414,7 @@ std::vector<double> MeasureBulges(const std::vector<EdgePull>& pulls, const Mesh
     }
   }
   const std::vector<EdgeMove> moves = CombinePulls(pulls, edges, runtime.Group());
-  std::vector<ExactSum> sums(fragments);
+  std::vector<ExactSum> sums(share.Size());
   std::size_t at = 0;
   for (const ActiveFacet& facet : active.Facets)
   {
@@ -430,7 +430,7 @@ std::vector<double> MeasureBulges(const std::vector<EdgePull>& pulls, const Mesh
     sums[facet.Fragments[0]].Add(volume);
     sums[facet.Fragments[1]].Subtract(volume);
   }
-  return SumOverRanks(sums, runtime.Group());
+  return share.Sum(std::move(sums));
 }
 
 } // namespace vfm

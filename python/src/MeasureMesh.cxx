@@ -3,7 +3,7 @@
 #include "NumpyFields.h"
 #include "NumpyMesh.h"
 #include "Report/ElementMoments.h"
-#include "Report/FragmentTable.h"
+#include "Report/Fragments/FragmentTable.h"
 
 #include <nanobind/stl/optional.h>
 

@@ -1,7 +1,7 @@
 /// The report of a mesh is the same from any number of ranks, even if one has no element.
 #include "Report/GatherMesh.h"
 #include "RankMeshes.h"
-#include "Report/FragmentTable.h"
+#include "Report/Fragments/FragmentTable.h"
 #include "Report/Sets/MeshSets.h"
 #include "State/ViewMesh.h"
 

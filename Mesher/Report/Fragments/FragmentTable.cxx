@@ -1,4 +1,4 @@
-#include "Report/FragmentTable.h"
+#include "Report/Fragments/FragmentTable.h"
 
 #include "Base/ExactSum.h"
 #include "Ranks/Agreement.h"
@@ -7,7 +7,7 @@
 #include "Report/GatherMesh.h"
 #include "Report/MeshFacets.h"
 #include "Report/MeshMaterials.h"
-#include "Report/PeriodicPieces.h"
+#include "Report/Fragments/PeriodicPieces.h"
 
 #include <limits>
 #include <numeric>

@@ -1,7 +1,7 @@
 /// Fragments of periodic meshes: position, bounds and neighbours of bodies that sides cut.
 #include "LabelInput.h"
 #include "RankFields.h"
-#include "Report/FragmentTable.h"
+#include "Report/Fragments/FragmentTable.h"
 #include "State/ViewMesh.h"
 #include "ThreadRanks.h"
 

@@ -1,4 +1,4 @@
-#include "Report/PeriodicPieces.h"
+#include "Report/Fragments/PeriodicPieces.h"
 
 #include "Base/DisjointSets.h"
 #include "Base/Sorted.h"
