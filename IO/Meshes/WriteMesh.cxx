@@ -89,6 +89,22 @@ std::string FindParticlesBeside(const std::string& path)
   return format && !HoldsParticles(format->Format) ? PathOfParticles(path) : "";
 }
 
+bool TakesRuns(const std::string& path)
+{
+  const FormatRow* format = FindMeshFormat(path);
+  return format && format->Format == MeshFormat::Vtu;
+}
+
+void WriteMesh(const MeshWithRuns& mesh, const std::string& path)
+{
+  const std::string problem = FindFolderProblem(path);
+  if (!problem.empty())
+  {
+    throw InputError(problem);
+  }
+  PrefixErrors("Cannot write the output " + path + ": ", [&] { WriteVtu(mesh, path); });
+}
+
 void WriteMesh(const MeshData& mesh, const std::string& path, Ranks& ranks, const OutputForm& form)
 {
   WorkTogether(ranks,

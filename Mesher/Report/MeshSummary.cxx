@@ -4,6 +4,7 @@
 #include "Ranks/Agreement.h"
 #include "Report/ElementMoments.h"
 #include "Report/MeshMaterials.h"
+#include "Report/MeshWithRuns.h"
 #include "Report/PointCounts.h"
 
 #include <algorithm>
@@ -147,22 +148,44 @@ std::vector<PartSummary> MergeParts(
   return united;
 }
 
-/// Summarises the parts of a mesh; partOf: part of each element, from 0.
-std::vector<PartSummary> SummariseParts(const MeshData& mesh,
-  const std::vector<ElementMoments>& moments, const std::vector<int>& partOf,
-  std::size_t numberOfParts, double unit, Ranks& ranks)
+/// Adds the hexes that a mesh leaves out.
+/// @param place  place(material, fragment) returns the part, from 0
+template <class Place>
+void AddRuns(const MeshWithRuns& whole, const Place& place, double unit,
+  std::vector<PartSums>& parts, std::vector<Index>& points)
 {
-  return MergeParts(SumParts(mesh, moments, partOf, numberOfParts, unit),
-    CountPoints(mesh, partOf, numberOfParts, ranks), unit, ranks);
+  for (const CellRuns::Run& run : whole.Cells())
+  {
+    PartSums& part = parts[place(run.Material, run.Fragment)];
+    part.Elements += run.Count;
+    part.Material = run.Material;
+    part.Volume.Add(whole.VolumeOf(run) / unit);
+    part.Minimum = std::min(part.Minimum, 1.0);
+    part.Quality.Add(1.0, run.Count);
+  }
+  for (const MeshWithRuns::NodeRun& run : whole.Nodes())
+  {
+    points[place(run.Material, run.Fragment)] += run.Count;
+  }
 }
 
-/// Returns the part of each element; place: returns the part of a value.
+/// Summarises the parts of a mesh.
+/// @param place  place(material, fragment) returns the part, from 0
 template <class Place>
-std::vector<int> FindParts(const MeshData& mesh, const int* values, const Place& place)
+std::vector<PartSummary> SummariseParts(const MeshData& mesh, const MeshWithRuns* whole,
+  const std::vector<ElementMoments>& moments, const Place& place, std::size_t numberOfParts,
+  double unit, Ranks& ranks)
 {
-  std::vector<int> parts(mesh.NumberOfElements);
-  std::transform(values, values + mesh.NumberOfElements, parts.begin(), place);
-  return parts;
+  std::vector<int> partOf(mesh.NumberOfElements);
+  std::transform(
+    mesh.Material, mesh.Material + mesh.NumberOfElements, mesh.Fragment, partOf.begin(), place);
+  std::vector<PartSums> parts = SumParts(mesh, moments, partOf, numberOfParts, unit);
+  std::vector<Index> points = CountPoints(mesh, partOf, numberOfParts, ranks);
+  if (whole)
+  {
+    AddRuns(*whole, place, unit, parts, points);
+  }
+  return MergeParts(parts, points, unit, ranks);
 }
 
 /// Returns the mean volume of an element, a unit that makes sums independent of the scale
@@ -215,25 +238,26 @@ std::vector<SurfaceSummary> FindSurfaces(const MeshData& mesh,
 
 } // namespace
 
-MeshSummary Summarise(const MeshData& mesh, Ranks& ranks)
+MeshSummary Summarise(const MeshData& mesh, Ranks& ranks, const MeshWithRuns* whole)
 {
   const std::vector<double> ids = GetField(mesh, "MaterialIds");
-  const double unit = FindUnit(GetField(mesh, "MeshVolume"), mesh.NumberOfElements, ranks);
+  const double unit = FindUnit(
+    GetField(mesh, "MeshVolume"), whole ? whole->NumberOfElements() : mesh.NumberOfElements, ranks);
   const auto fragments = static_cast<std::size_t>(GetNumber(mesh, "NumberOfFragments"));
   const std::vector<ElementMoments> moments = FindElementMoments(mesh);
   MeshSummary summary;
   summary.IsTets = FindField(mesh.Fields, "RefusedParts") != nullptr;
   summary.HasQuality = FindField(mesh.Fields, "MinimumScaledJacobian") != nullptr;
-  summary.Materials = SummariseParts(mesh, moments,
-    FindParts(mesh, mesh.Material,
-      [&ids](int id)
-      { return static_cast<int>(std::find(ids.begin(), ids.end(), id) - ids.begin()); }),
+  summary.Materials = SummariseParts(
+    mesh, whole, moments,
+    [&ids](int material, int)
+    { return static_cast<int>(std::find(ids.begin(), ids.end(), material) - ids.begin()); },
     ids.size(), unit, ranks);
   NameMaterials(mesh, ids, summary.Materials);
-  summary.Fragments = SummariseParts(mesh, moments,
-    FindParts(mesh, mesh.Fragment, [](int id) { return id - 1; }), fragments, unit, ranks);
-  summary.Total =
-    SummariseParts(mesh, moments, std::vector<int>(mesh.NumberOfElements, 0), 1, unit, ranks)[0];
+  summary.Fragments = SummariseParts(
+    mesh, whole, moments, [](int, int fragment) { return fragment - 1; }, fragments, unit, ranks);
+  summary.Total = SummariseParts(
+    mesh, whole, moments, [](int, int) { return 0; }, 1, unit, ranks)[0];
   for (const PartSummary& material : summary.Materials)
   {
     summary.Total.TargetVolume += material.TargetVolume;

@@ -14,20 +14,36 @@ namespace vfm
 namespace
 {
 
-void WritePiece(const MeshData& mesh, const std::string& path, OutputSet& files)
+/// @param head  has the fields and the kind of elements of the mesh
+/// @param mesh  MeshData or MeshWithRuns
+template <class AnyMesh>
+void WritePiece(const MeshData& head, const AnyMesh& mesh, Index points, Index elements,
+  const std::string& path, OutputSet& files)
 {
   OutputFile file(path, files);
   file.Add(VtuHead("UnstructuredGrid") + "<UnstructuredGrid>\n");
-  AddVtuFields(file, mesh);
-  file.Add("<Piece NumberOfPoints=\"" + std::to_string(mesh.NumberOfPoints) +
-    "\" NumberOfCells=\"" + std::to_string(mesh.NumberOfElements) + "\">\n");
+  AddVtuFields(file, head);
+  file.Add("<Piece NumberOfPoints=\"" + std::to_string(points) + "\" NumberOfCells=\"" +
+    std::to_string(elements) + "\">\n");
   AddVtuMesh(file, mesh);
   file.Add("<Cells>\n");
   AddVtuElements(file, mesh);
-  const std::string types(mesh.NumberOfElements, static_cast<char>(mesh.Shape().VtkType));
-  AddVtuArray(file, "type=\"UInt8\" Name=\"types\"", types);
+  AddVtuArray(file, "type=\"UInt8\" Name=\"types\"", static_cast<std::size_t>(elements),
+    [&](const AddBytes& add)
+    {
+      const std::string type(1, static_cast<char>(head.Shape().VtkType));
+      for (Index element = 0; element < elements; ++element)
+      {
+        add(type);
+      }
+    });
   file.Add("</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
   file.Close();
+}
+
+void WritePiece(const MeshData& mesh, const std::string& path, OutputSet& files)
+{
+  WritePiece(mesh, mesh, mesh.NumberOfPoints, mesh.NumberOfElements, path, files);
 }
 
 void AddArrayList(OutputFile& file, const char* element, const std::vector<MeshArray>& arrays)
@@ -76,6 +92,13 @@ void WriteVtu(const MeshData& mesh, const std::string& path, Ranks& ranks)
         files.Rename();
       }
     });
+}
+
+void WriteVtu(const MeshWithRuns& mesh, const std::string& path)
+{
+  OutputSet files(path);
+  WritePiece(mesh.Stored(), mesh, mesh.NumberOfPoints(), mesh.NumberOfElements(), path, files);
+  files.Rename();
 }
 
 void WritePvtu(const MeshData& mesh, const std::string& path, Ranks& ranks)

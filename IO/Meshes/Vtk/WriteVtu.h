@@ -9,7 +9,7 @@
 #pragma once
 
 #include "Ranks/Ranks.h"
-#include "Report/MeshData.h"
+#include "Report/MeshWithRuns.h"
 
 #include <string>
 
@@ -23,6 +23,9 @@ namespace vfm
 /// @pre Collective
 /// @note Rank 0 needs the memory of GatherMesh.
 void WriteVtu(const MeshData& mesh, const std::string& path, Ranks& ranks);
+
+/// Writes the same file of a mesh on one rank, without holding the hexes that the mesh leaves out.
+void WriteVtu(const MeshWithRuns& mesh, const std::string& path);
 
 /// Writes the file NAME.pvtu, and one file NAME/NAME_RANK.vtu per rank that has elements.
 /// @param mesh  part of this rank
