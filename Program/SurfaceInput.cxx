@@ -2,9 +2,9 @@
 
 #include "Base/ParseText.h"
 #include "Base/ThreadRuntime.h"
-#include "Input/PackedValues.h"
 #include "Input/PlainArrays.h"
 #include "Options/CellWidths.h"
+#include "PackedValues.h"
 #include "Ranks/PrintableText.h"
 #include "Ranks/WorkTogether.h"
 #include "ReaderSteps.h"

@@ -7,6 +7,7 @@
 #include "BuiltInTest.h"
 #include "CheckFiles.h"
 #include "ChooseArrays.h"
+#include "Elements/MeshWithRuns.h"
 #include "InputTrust.h"
 #include "ListInput.h"
 #include "MakeMesh.h"
@@ -14,7 +15,6 @@
 #include "Meshes/Vtk/WriteGeometry.h"
 #include "Meshes/WriteMesh.h"
 #include "MpiTransport.h"
-#include "Octree/RefinedGrid.h"
 #include "PrintSummary.h"
 #include "Process/EndBySignal.h"
 #include "Process/StandardStreams.h"
@@ -23,7 +23,6 @@
 #include "ReadInput.h"
 #include "Report/FragmentTable.h"
 #include "Report/MeshMaterials.h"
-#include "Report/MeshWithRuns.h"
 #include "Report/WriteReport.h"
 #include "State/ArrayStems.h"
 #include "State/ViewMesh.h"
@@ -242,8 +241,9 @@ void MeshFile(const Arguments& arguments, Ranks& ranks)
   }
   else
   {
-    whole.emplace(mesh, result.TheMesh.Levels->Finest(), leftOut);
-    WorkInStage(ranks, ErrorCode::UnwritableOutput, [&] { WriteMesh(*whole, arguments.Output); });
+    whole.emplace(result.TheMesh, leftOut);
+    WorkInStage(
+      ranks, ErrorCode::UnwritableOutput, [&] { WriteMesh(mesh, *whole, arguments.Output); });
   }
   times.Add("write");
   if (!arguments.Quiet)

@@ -3,9 +3,10 @@
  */
 #pragma once
 
+#include "Elements/MeshWithRuns.h"
 #include "Meshes/FormatTable.h"
 #include "Ranks/Ranks.h"
-#include "Report/MeshWithRuns.h"
+#include "Report/MeshData.h"
 
 namespace vfm
 {
@@ -29,8 +30,9 @@ bool TakesRuns(const std::string& path);
 
 /// Writes the same files as for a mesh with all hexes, of a mesh on one rank.
 /// @param mesh  without particles and cohesive elements
+/// @param whole  the mesh with these hexes
 /// @throws InputError  if the file cannot be written; contains path and reason
 /// @pre TakesRuns(path)
-void WriteMesh(const MeshWithRuns& mesh, const std::string& path);
+void WriteMesh(const MeshData& mesh, const MeshWithRuns& whole, const std::string& path);
 
 } // namespace vfm

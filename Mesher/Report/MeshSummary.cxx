@@ -1,10 +1,10 @@
 #include "Report/MeshSummary.h"
 
 #include "Base/ExactSum.h"
+#include "Elements/MeshWithRuns.h"
 #include "Ranks/Agreement.h"
 #include "Report/ElementMoments.h"
 #include "Report/MeshMaterials.h"
-#include "Report/MeshWithRuns.h"
 #include "Report/PointCounts.h"
 
 #include <algorithm>

@@ -63,7 +63,7 @@ NetcdfParts PartsOfCoordinates(const MeshWithRuns* mesh, int axis)
   {
     Collected<double> values(put);
     int place = 0;
-    mesh->AddPoints(
+    AddPoints(*mesh,
       [&](std::string_view bytes)
       {
         const auto* x = reinterpret_cast<const double*>(bytes.data());
@@ -110,8 +110,8 @@ NetcdfParts PartsOfPointArray(const MeshWithRuns* mesh, const MeshArray& array)
   return [mesh, &array](const PutValues& put)
   {
     Collected<double> values(put);
-    mesh->AddPointValues(
-      array, [&](std::string_view bytes) { AddNumbers(array.Type, bytes, values); });
+    AddPointValues(
+      *mesh, array, [&](std::string_view bytes) { AddNumbers(array.Type, bytes, values); });
     values.Flush();
   };
 }
@@ -125,40 +125,42 @@ NetcdfParts PartsOfElementArray(const MeshWithRuns* mesh, const MeshArray& array
   return [mesh, &array, material](const PutValues& put)
   {
     Collected<double> values(put);
-    mesh->AddElementValues(
-      array, [&](std::string_view bytes) { AddNumbers(array.Type, bytes, values); }, material);
+    AddElementValues(
+      *mesh, array, [&](std::string_view bytes) { AddNumbers(array.Type, bytes, values); },
+      material);
     values.Flush();
   };
 }
 
-NetcdfParts PartsOfPointIds(const MeshWithRuns* mesh)
+NetcdfParts PartsOfPointIds(const MeshWithRuns* mesh, const MeshData& stored)
 {
   if (!mesh)
   {
     return {};
   }
-  return [mesh](const PutValues& put)
+  return [mesh, &stored](const PutValues& put)
   {
     Collected<Index> values(put);
-    mesh->AddPointValues(GetArray(mesh->Stored().PointArrays, "GlobalPointIds"),
+    AddPointValues(*mesh, GetArray(stored.PointArrays, "GlobalPointIds"),
       [&](std::string_view bytes) { AddNumbers(ValueType::Id, bytes, values); });
     values.Flush();
   };
 }
 
-NetcdfParts PartsOfElementIds(const MeshWithRuns* mesh, std::vector<int> materials)
+NetcdfParts PartsOfElementIds(
+  const MeshWithRuns* mesh, const MeshData& stored, std::vector<int> materials)
 {
   if (!mesh)
   {
     return {};
   }
-  return [mesh, materials = std::move(materials)](const PutValues& put)
+  return [mesh, &stored, materials = std::move(materials)](const PutValues& put)
   {
     Collected<Index> values(put);
     for (int material : materials)
     {
-      mesh->AddElementValues(
-        GetArray(mesh->Stored().ElementArrays, "GlobalCellIds"),
+      AddElementValues(
+        *mesh, GetArray(stored.ElementArrays, "GlobalCellIds"),
         [&](std::string_view bytes) { AddNumbers(ValueType::Id, bytes, values); }, material);
     }
     values.Flush();

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "Meshes/Exodus/NetcdfLayout.h"
-#include "Report/MeshWithRuns.h"
+#include "Meshes/Files/RunValues.h"
 
 namespace vfm
 {
@@ -17,9 +17,10 @@ NetcdfParts PartsOfCoordinates(const MeshWithRuns* mesh, int axis);
 NetcdfParts PartsOfNodes(const MeshWithRuns* mesh, int material);
 NetcdfParts PartsOfPointArray(const MeshWithRuns* mesh, const MeshArray& array);
 NetcdfParts PartsOfElementArray(const MeshWithRuns* mesh, const MeshArray& array, int material);
-NetcdfParts PartsOfPointIds(const MeshWithRuns* mesh);
+NetcdfParts PartsOfPointIds(const MeshWithRuns* mesh, const MeshData& stored);
 /// @param materials  of the blocks
-NetcdfParts PartsOfElementIds(const MeshWithRuns* mesh, std::vector<int> materials);
+NetcdfParts PartsOfElementIds(
+  const MeshWithRuns* mesh, const MeshData& stored, std::vector<int> materials);
 ///@}
 
 } // namespace vfm

@@ -370,16 +370,16 @@ void AddVtuMesh(OutputFile& file, const MeshData& mesh)
   file.Add("</Points>\n");
 }
 
-void AddVtuMesh(OutputFile& file, const MeshWithRuns& mesh)
+void AddVtuMesh(OutputFile& file, const MeshData& mesh, const MeshWithRuns& whole)
 {
-  AddArrays(file, "PointData", mesh.Stored().PointArrays, mesh.NumberOfPoints(),
-    [&mesh](const MeshArray& array, const AddBytes& add) { mesh.AddPointValues(array, add); });
-  AddArrays(file, "CellData", mesh.Stored().ElementArrays, mesh.NumberOfElements(),
-    [&mesh](const MeshArray& array, const AddBytes& add) { mesh.AddElementValues(array, add); });
+  AddArrays(file, "PointData", mesh.PointArrays, whole.NumberOfPoints(),
+    [&whole](const MeshArray& array, const AddBytes& add) { AddPointValues(whole, array, add); });
+  AddArrays(file, "CellData", mesh.ElementArrays, whole.NumberOfElements(),
+    [&whole](const MeshArray& array, const AddBytes& add) { AddElementValues(whole, array, add); });
   file.Add("<Points>\n");
   AddVtuArray(file, VtuPointAttributes,
-    3 * sizeof(double) * static_cast<std::size_t>(mesh.NumberOfPoints()),
-    [&mesh](const AddBytes& add) { mesh.AddPoints(add); });
+    3 * sizeof(double) * static_cast<std::size_t>(whole.NumberOfPoints()),
+    [&whole](const AddBytes& add) { AddPoints(whole, add); });
   file.Add("</Points>\n");
 }
 
@@ -403,11 +403,11 @@ void AddVtuElements(OutputFile& file, const MeshData& mesh)
   AddOffsets(file, nodes, count);
 }
 
-void AddVtuElements(OutputFile& file, const MeshWithRuns& mesh)
+void AddVtuElements(OutputFile& file, const MeshData& mesh, const MeshWithRuns& whole)
 {
-  const Index nodes = mesh.Stored().NodesPerElement(), count = mesh.NumberOfElements();
+  const Index nodes = mesh.NodesPerElement(), count = whole.NumberOfElements();
   AddVtuArray(file, CornerAttributes, sizeof(Index) * static_cast<std::size_t>(nodes * count),
-    [&mesh](const AddBytes& add) { mesh.AddCorners(add); });
+    [&whole](const AddBytes& add) { AddCorners(whole, add); });
   AddOffsets(file, nodes, count);
 }
 

@@ -3,8 +3,7 @@
  */
 #pragma once
 
-#include "Report/MeshData.h"
-#include "Report/MeshWithRuns.h"
+#include "Meshes/Files/RunValues.h"
 
 #include <string>
 #include <string_view>
@@ -43,13 +42,14 @@ void AddVtuArray(OutputFile& file, const std::string& attributes, std::size_t si
 void AddVtuFields(OutputFile& file, const MeshData& mesh);
 
 ///@{ Add PointData, CellData and Points.
+/// @param whole  the mesh with the hexes that it leaves out
 void AddVtuMesh(OutputFile& file, const MeshData& mesh);
-void AddVtuMesh(OutputFile& file, const MeshWithRuns& mesh);
+void AddVtuMesh(OutputFile& file, const MeshData& mesh, const MeshWithRuns& whole);
 ///@}
 
 ///@{ Add the arrays of connectivity and offsets.
 void AddVtuElements(OutputFile& file, const MeshData& mesh);
-void AddVtuElements(OutputFile& file, const MeshWithRuns& mesh);
+void AddVtuElements(OutputFile& file, const MeshData& mesh, const MeshWithRuns& whole);
 ///@}
 
 /// Returns the attributes of PointData or CellData that mark arrays as global ids or scalars.

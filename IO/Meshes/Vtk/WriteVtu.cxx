@@ -14,24 +14,23 @@ namespace vfm
 namespace
 {
 
-/// @param head  has the fields and the kind of elements of the mesh
-/// @param mesh  MeshData or MeshWithRuns
-template <class AnyMesh>
-void WritePiece(const MeshData& head, const AnyMesh& mesh, Index points, Index elements,
-  const std::string& path, OutputSet& files)
+/// @param whole  nothing, or the mesh with the hexes that it leaves out
+template <class... Whole>
+void WritePiece(const MeshData& mesh, Index points, Index elements, const std::string& path,
+  OutputSet& files, const Whole&... whole)
 {
   OutputFile file(path, files);
   file.Add(VtuHead("UnstructuredGrid") + "<UnstructuredGrid>\n");
-  AddVtuFields(file, head);
+  AddVtuFields(file, mesh);
   file.Add("<Piece NumberOfPoints=\"" + std::to_string(points) + "\" NumberOfCells=\"" +
     std::to_string(elements) + "\">\n");
-  AddVtuMesh(file, mesh);
+  AddVtuMesh(file, mesh, whole...);
   file.Add("<Cells>\n");
-  AddVtuElements(file, mesh);
+  AddVtuElements(file, mesh, whole...);
   AddVtuArray(file, "type=\"UInt8\" Name=\"types\"", static_cast<std::size_t>(elements),
     [&](const AddBytes& add)
     {
-      const std::string type(1, static_cast<char>(head.Shape().VtkType));
+      const std::string type(1, static_cast<char>(mesh.Shape().VtkType));
       for (Index element = 0; element < elements; ++element)
       {
         add(type);
@@ -43,7 +42,7 @@ void WritePiece(const MeshData& head, const AnyMesh& mesh, Index points, Index e
 
 void WritePiece(const MeshData& mesh, const std::string& path, OutputSet& files)
 {
-  WritePiece(mesh, mesh, mesh.NumberOfPoints, mesh.NumberOfElements, path, files);
+  WritePiece(mesh, mesh.NumberOfPoints, mesh.NumberOfElements, path, files);
 }
 
 void AddArrayList(OutputFile& file, const char* element, const std::vector<MeshArray>& arrays)
@@ -94,10 +93,10 @@ void WriteVtu(const MeshData& mesh, const std::string& path, Ranks& ranks)
     });
 }
 
-void WriteVtu(const MeshWithRuns& mesh, const std::string& path)
+void WriteVtu(const MeshData& mesh, const MeshWithRuns& whole, const std::string& path)
 {
   OutputSet files(path);
-  WritePiece(mesh.Stored(), mesh, mesh.NumberOfPoints(), mesh.NumberOfElements(), path, files);
+  WritePiece(mesh, whole.NumberOfPoints(), whole.NumberOfElements(), path, files, whole);
   files.Rename();
 }
 

@@ -8,8 +8,9 @@
  */
 #pragma once
 
+#include "Elements/MeshWithRuns.h"
 #include "Ranks/Ranks.h"
-#include "Report/MeshWithRuns.h"
+#include "Report/MeshData.h"
 
 #include <string>
 
@@ -25,7 +26,8 @@ namespace vfm
 void WriteVtu(const MeshData& mesh, const std::string& path, Ranks& ranks);
 
 /// Writes the same file of a mesh on one rank, without holding the hexes that the mesh leaves out.
-void WriteVtu(const MeshWithRuns& mesh, const std::string& path);
+/// @param whole  the mesh with these hexes
+void WriteVtu(const MeshData& mesh, const MeshWithRuns& whole, const std::string& path);
 
 /// Writes the file NAME.pvtu, and one file NAME/NAME_RANK.vtu per rank that has elements.
 /// @param mesh  part of this rank

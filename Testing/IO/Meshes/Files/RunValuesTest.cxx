@@ -1,10 +1,8 @@
 /// Meshes that leave out hexes far from interfaces, together with these, equal meshes of all hexes.
-#include "Report/MeshWithRuns.h"
+#include "Meshes/Files/RunValues.h"
 #include "LabelInput.h"
 #include "Report/MeshSummary.h"
 #include "State/ViewMesh.h"
-
-#include "Octree/RefinedGrid.h"
 
 #include <gtest/gtest.h>
 
@@ -80,28 +78,27 @@ void ExpectEqual(const MeshSummary& a, const MeshSummary& b)
   ExpectEqual(a.Total, b.Total);
 }
 
-void ExpectEqualMeshes(const MeshData& all, const MeshWithRuns& whole)
+void ExpectEqualMeshes(const MeshData& all, const MeshData& stored, const MeshWithRuns& whole)
 {
   ASSERT_EQ(whole.NumberOfPoints(), all.NumberOfPoints);
   ASSERT_EQ(whole.NumberOfElements(), all.NumberOfElements);
-  EXPECT_LT(whole.Stored().NumberOfElements, all.NumberOfElements);
-  EXPECT_EQ(Collect([&](const AddBytes& add) { whole.AddPoints(add); }),
+  EXPECT_LT(stored.NumberOfElements, all.NumberOfElements);
+  EXPECT_EQ(Collect([&](const AddBytes& add) { AddPoints(whole, add); }),
     BytesOf(all.Points, 3 * all.NumberOfPoints));
-  EXPECT_EQ(Collect([&](const AddBytes& add) { whole.AddCorners(add); }),
+  EXPECT_EQ(Collect([&](const AddBytes& add) { AddCorners(whole, add); }),
     BytesOf(all.Elements, 8 * all.NumberOfElements));
-  const MeshData& stored = whole.Stored();
   ASSERT_EQ(stored.PointArrays.size(), all.PointArrays.size());
   ASSERT_EQ(stored.ElementArrays.size(), all.ElementArrays.size());
   for (const MeshArray& array : stored.PointArrays)
   {
-    EXPECT_EQ(Collect([&](const AddBytes& add) { whole.AddPointValues(array, add); }),
+    EXPECT_EQ(Collect([&](const AddBytes& add) { AddPointValues(whole, array, add); }),
       BytesOf(static_cast<const char*>(FindArray(all.PointArrays, array.Name)->Values),
         WidthOfType(array.Type) * all.NumberOfPoints))
       << array.Name;
   }
   for (const MeshArray& array : stored.ElementArrays)
   {
-    EXPECT_EQ(Collect([&](const AddBytes& add) { whole.AddElementValues(array, add); }),
+    EXPECT_EQ(Collect([&](const AddBytes& add) { AddElementValues(whole, array, add); }),
       BytesOf(static_cast<const char*>(FindArray(all.ElementArrays, array.Name)->Values),
         WidthOfType(array.Type) * all.NumberOfElements))
       << array.Name;
@@ -125,8 +122,8 @@ void CompareMeshes(const std::vector<int>& labels, const Index3& n, const Mesher
   ASSERT_GT(leftOut.Count(), 0);
   const MeshData allData = ViewMesh(all.TheMesh, all.State, all.Fields),
                  partData = ViewMesh(part.TheMesh, part.State, part.Fields);
-  const MeshWithRuns whole(partData, part.TheMesh.Levels->Finest(), leftOut);
-  ExpectEqualMeshes(allData, whole);
+  const MeshWithRuns whole(part.TheMesh, leftOut);
+  ExpectEqualMeshes(allData, partData, whole);
   EXPECT_EQ(part.MaterialFields.size(), all.MaterialFields.size());
   for (std::size_t f = 0; f < all.MaterialFields.size(); ++f)
   {
@@ -139,7 +136,7 @@ constexpr Index3 Cells{ { 40, 36, 33 } };
 
 } // namespace
 
-TEST(MeshWithRuns, EqualsTheMeshOfAllHexes)
+TEST(RunValues, EqualsTheMeshOfAllHexes)
 {
   MesherOptions options;
   options.LabelSmoothing = 4;
@@ -148,7 +145,7 @@ TEST(MeshWithRuns, EqualsTheMeshOfAllHexes)
   CompareMeshes(MakeLabels(Cells), Cells, options);
 }
 
-TEST(MeshWithRuns, WithoutQualityOrMoves)
+TEST(RunValues, WithoutQualityOrMoves)
 {
   MesherOptions options;
   options.ComputeQuality = false;
@@ -159,7 +156,7 @@ TEST(MeshWithRuns, WithoutQualityOrMoves)
 }
 
 /// Labels without order in a corner: split nodes of many labels, narrow void, small fragments.
-TEST(MeshWithRuns, WithNoiseInACorner)
+TEST(RunValues, WithNoiseInACorner)
 {
   std::vector<int> labels(Cells[0] * Cells[1] * Cells[2], 2);
   const std::vector<int> noise = RandomLabels({ { 12, 12, 12 } }, 7);
@@ -171,7 +168,7 @@ TEST(MeshWithRuns, WithNoiseInACorner)
 }
 
 /// Ids of materials are those of the user.
-TEST(MeshWithRuns, HasTheLabelsOfTheInput)
+TEST(RunValues, HasTheLabelsOfTheInput)
 {
   std::vector<int> labels = MakeLabels(Cells);
   for (int& label : labels)

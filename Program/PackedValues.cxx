@@ -1,4 +1,4 @@
-#include "Input/PackedValues.h"
+#include "PackedValues.h"
 
 #include <algorithm>
 

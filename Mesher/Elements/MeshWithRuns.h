@@ -3,22 +3,17 @@
  */
 #pragma once
 
-#include "Base/GlobalIds.h"
 #include "Elements/CellRuns.h"
-#include "Report/MeshData.h"
+#include "Elements/Mesh.h"
 
 #include <functional>
-#include <string_view>
 
 namespace vfm
 {
 
-/// Receives consecutive parts of the bytes of an array.
-using AddBytes = std::function<void(std::string_view)>;
-
-/// Points and hexes of a mesh and of its runs, numbered in the order of their ids. A mesh that
-/// holds all hexes has the same points, hexes and values in this order. Needs memory for the runs,
-/// and 8 bytes per point of the mesh.
+/// Numbers of the points and hexes of a mesh and of its runs, in the order of their ids. A mesh
+/// that holds all hexes has the same points and hexes in this order. Needs memory for the runs, and
+/// 8 bytes per point of the mesh.
 class MeshWithRuns
 {
 public:
@@ -32,20 +27,26 @@ public:
     Index Number; ///< number of the first point, from 0
   };
 
-  /// @param mesh  points and elements in the order of their ids, without mid nodes; must outlive
-  ///   this object, like the others
-  /// @param grid  grid of the runs
-  MeshWithRuns(const MeshData& mesh, const CartesianGrid& grid, const CellRuns& runs);
+  /// @param mesh  linear hexes of one rank; must outlive this object, like runs
+  MeshWithRuns(const Mesh& mesh, const CellRuns& runs);
 
-  const MeshData& Stored() const { return this->Mesh; }
-  const std::vector<CellRuns::Run>& Cells() const { return this->Runs.Runs; }
-  /// Returns the volume of the cells of a run.
-  double VolumeOf(const CellRuns::Run& run) const;
+  const Mesh& Stored() const { return this->TheMesh; }
   Index NumberOfPoints() const { return this->Points; }
   Index NumberOfElements() const { return this->Elements; }
   /// Returns the number of a point of the mesh.
   Index NumberOfPoint(Index point) const { return this->Numbers[point]; }
+  const std::vector<CellRuns::Run>& Cells() const { return this->Runs.Runs; }
   const std::vector<NodeRun>& Nodes() const { return this->NodeRuns; }
+
+  ///@{ Return the global id of the first point or hex of a run. Ids ascend by PointSlots and
+  /// ElementSlots of HexIds.
+  Index FirstId(const NodeRun& run) const;
+  Index FirstId(const CellRuns::Run& run) const;
+  ///@}
+  /// Returns the position of a point of a run.
+  Vector3 PointAt(const NodeRun& run, Index place) const;
+  /// Returns the volume of the cells of a run.
+  double VolumeOf(const CellRuns::Run& run) const;
 
   /// Calls stored(first, last) for ranges of points of the mesh, and nodes(NodeRun) between them.
   template <class Stored, class Nodes>
@@ -58,7 +59,7 @@ public:
       nodes(run);
       next = run.Before;
     }
-    stored(next, this->Mesh.NumberOfPoints);
+    stored(next, static_cast<Index>(this->TheMesh.PointIds.size()));
   }
   /// Calls stored(first, last) for ranges of elements of the mesh, and cells(CellRuns::Run) between
   /// them.
@@ -72,27 +73,18 @@ public:
       cells(this->Runs.Runs[r]);
       next = this->ElementsBefore[r];
     }
-    stored(next, this->Mesh.NumberOfElements);
+    stored(next, static_cast<Index>(this->TheMesh.ElementIds.size()));
   }
-  /// Calls visit(material, corners) for each hex; corners: 8 numbers of points in VTK's order.
+  /// Calls visit(material, corners) for each hex.
+  /// @param visit  gets 8 numbers of points in VTK's order
   void ForCorners(const std::function<void(int material, const Index* corners)>& visit) const;
-
-  ///@{ Add the coordinates of points, shape (points, 3), and the corners of hexes, shape (elements,
-  /// 8), in native byte order.
-  void AddPoints(const AddBytes& add) const;
-  void AddCorners(const AddBytes& add) const;
-  ///@}
-  ///@{ Add the values of an array of the mesh, which must be one of MeshArrays.h.
-  void AddPointValues(const MeshArray& array, const AddBytes& add) const;
-  void AddElementValues(const MeshArray& array, const AddBytes& add) const;
-  ///@}
 
 private:
   class Planes;
   void FindNodes();
   void FindElements();
 
-  const MeshData& Mesh;
+  const Mesh& TheMesh;
   const CartesianGrid& Grid;
   const CellRuns& Runs;
   std::vector<NodeRun> NodeRuns;
