@@ -3,6 +3,7 @@
  */
 #pragma once
 
+#include "Base/IndexBox.h"
 #include "Base/Sorted.h"
 #include "Ranks/NumberLimit.h"
 #include "Ranks/NumberOwnedKeys.h"
