@@ -51,9 +51,7 @@ struct MeshData : NodeCounts
   const float* ScaledJacobian = nullptr;
   ///@}
   std::vector<MeshArray> PointArrays, ElementArrays; ///< all arrays of files, also the ones above
-  /// Arrays of the whole mesh, equal on all ranks except those for which IsFieldOfRank is true
-  /// (FragmentTargets.h).
-  std::vector<FieldArray> Fields;
+  std::vector<FieldArray> Fields; ///< of the whole mesh, equal on all ranks unless IsFieldOfRank
   std::optional<double> Time;
   /// Facets ascending by element and side, if the mesher made the mesh; null: MeshFacets.h
   /// finds them.
