@@ -1,11 +1,14 @@
 #include "Report/GatherMesh.h"
 
+#include "Base/Sorted.h"
 #include "Ranks/Agreement.h"
 #include "Report/FragmentTargets.h"
+#include "Report/MeshFields.h"
 #include "Report/PackMesh.h"
 
 #include <functional>
 #include <limits>
+#include <map>
 #include <numeric>
 
 namespace vfm
@@ -139,6 +142,53 @@ void MergeFacets(const Pieces& pieces, const std::vector<Item>& elements, Stored
   merged.Memory.push_back(std::move(facets));
 }
 
+/// Returns the fields of the whole mesh: those that each piece has, and rows of all pieces where a
+/// piece only has its own (JoinFields, ListSides).
+FieldArrays MergeFields(const Pieces& pieces)
+{
+  std::vector<const FieldArrays*> ofPieces;
+  for (const MeshData* piece : pieces)
+  {
+    ofPieces.push_back(&piece->Fields);
+  }
+  FieldArrays fields = JoinFields(ofPieces);
+  std::map<int, int> parts; // by surface
+  std::vector<std::array<Index, 5>> facets;
+  for (const MeshData* piece : pieces)
+  {
+    const std::vector<double> ids = NumbersOfField(piece->Fields, "SurfaceIds");
+    const std::vector<double> own = NumbersOfField(piece->Fields, "SurfaceParts");
+    for (std::size_t s = 0; s < std::min(ids.size(), own.size()); ++s)
+    {
+      parts[static_cast<int>(ids[s])] = static_cast<int>(own[s]);
+    }
+    if (!ids.empty())
+    {
+      const std::vector<std::array<Index, 5>> more = ReadEdgeFacets(piece->Fields);
+      facets.insert(facets.end(), more.begin(), more.end());
+    }
+  }
+  if (parts.empty())
+  {
+    return fields;
+  }
+  GeometryTables tables;
+  tables.HasAllSurfaces = false;
+  for (const auto& [surface, part] : parts)
+  {
+    tables.SurfaceIds.push_back(surface);
+    tables.SurfaceParts.push_back(part);
+  }
+  SortUnique(facets);
+  tables.EdgeFacets = std::move(facets);
+  FieldArrays sides = ListSides(tables);
+  fields.erase(std::remove_if(fields.begin(), fields.end(),
+                 [&sides](const FieldArray& field) { return FindField(sides, field.Name); }),
+    fields.end());
+  AppendFields(std::move(sides), fields);
+  return fields;
+}
+
 /// Merges one or more pieces, all with elements.
 StoredMesh MergePieces(const Pieces& pieces)
 {
@@ -159,12 +209,7 @@ StoredMesh MergePieces(const Pieces& pieces)
     MergeNodes(pieces, points, elements, &MeshData::MidPoints, &MeshData::MidsPerElement));
   data.PointArrays = MergeArrays(pieces, points, &MeshData::PointArrays, merged);
   data.ElementArrays = MergeArrays(pieces, elements, &MeshData::ElementArrays, merged);
-  std::vector<const std::vector<FieldArray>*> fields;
-  for (const MeshData* piece : pieces)
-  {
-    fields.push_back(&piece->Fields);
-  }
-  data.Fields = JoinFields(fields);
+  data.Fields = MergeFields(pieces);
   FindKnownArrays(merged);
   MergeFacets(pieces, elements, merged);
   return merged;
