@@ -1,6 +1,7 @@
 /// Ranks that exchange contents of blocks, against lists of all blocks and all ranks.
 #include "Input/InputRoute.h"
 #include "BlockPieces.h"
+#include "Input/InputLevels.h"
 #include "ThreadRanks.h"
 
 #include <gtest/gtest.h>
