@@ -395,7 +395,7 @@ StoredMesh GatherMesh(const MeshData& mesh, Ranks& ranks)
       whole = pieces.empty() ? StoredMesh{ mesh, {} }
         : others.empty()     ? OrderAlone(mesh)
                              : MergePieces(pieces);
-      if (ranks.Count() > 1)
+      if (others.empty() && ranks.Count() > 1)
       {
         whole.Data.Fields = JoinFields({ &whole.Data.Fields });
       }

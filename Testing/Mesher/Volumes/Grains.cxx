@@ -153,6 +153,47 @@ PairSumMap AreasOf(const Grains& grains, const FragmentShare& share)
   return areas;
 }
 
+GrainLevel MakeGrainLevel(const Grains& grains, Ranks& ranks)
+{
+  GrainLevel made;
+  made.Level.Share = ShareOf(grains, ranks);
+  std::vector<FragmentPair> pairs;
+  std::vector<ExactSum> sums;
+  for (const auto& sum : AreasOf(grains, made.Level.Share))
+  {
+    pairs.push_back({ { sum.first.first, sum.first.second } });
+    sums.push_back(sum.second);
+  }
+  made.Level.Pairs = PairShare(made.Level.Share, std::move(pairs));
+  made.Level.Pairs.Sum(sums);
+  made.Areas = ValuesOf(sums);
+  made.Level.Regular.assign(made.Level.Share.Size(), RegularDiagonal);
+  made.Lack.assign(1, 0.0);
+  for (std::size_t f = 1; f < made.Level.Share.Size(); ++f)
+  {
+    made.Lack.push_back(grains.Lack[made.Level.Share.Ids[f]]);
+  }
+  return made;
+}
+
+std::vector<double> GatherValues(const FragmentShare& share, const std::vector<double>& values)
+{
+  EXPECT_EQ(values.size(), share.Size());
+  std::vector<double> all(share.Total + 1, -HUGE_VAL);
+  for (std::size_t f = 1; f < share.Size(); ++f)
+  {
+    all[share.Ids[f]] = values[f];
+  }
+  const std::vector<double> own = all;
+  share.Group->Max(all);
+  for (std::size_t f = 1; f < share.Size(); ++f)
+  {
+    EXPECT_EQ(all[share.Ids[f]], own[share.Ids[f]]) << "shared grains are equal";
+  }
+  all[0] = 0.0;
+  return all;
+}
+
 std::vector<double> SolveOnRanks(const Grains& grains, int count, const IslandBounds& bounds)
 {
   std::vector<double> all(grains.Count + 1, 0.0);
@@ -169,20 +210,10 @@ std::vector<double> SolveOnRanks(const Grains& grains, int count, const IslandBo
       }
       const std::vector<double> mu = system.Solve(system.SumAreas(mine), lack);
       EXPECT_EQ(mu.size(), share.Size());
-      std::vector<double> ofAll(grains.Count + 1, -HUGE_VAL);
-      for (std::size_t f = 1; f < share.Size(); ++f)
-      {
-        ofAll[share.Ids[f]] = mu[f];
-      }
-      const std::vector<double> own = ofAll;
-      ranks.Max(ofAll);
-      for (std::size_t f = 1; f < share.Size(); ++f)
-      {
-        EXPECT_EQ(ofAll[share.Ids[f]], own[share.Ids[f]]) << "shared grains are equal";
-      }
+      const std::vector<double> ofAll = GatherValues(share, mu);
       if (ranks.Rank() == 0)
       {
-        std::copy(ofAll.begin() + 1, ofAll.end(), all.begin() + 1);
+        all = ofAll;
       }
     });
   return all;

@@ -38,6 +38,18 @@ FragmentShare ShareOf(const Grains& grains, Ranks& ranks);
 /// Returns the areas of the rank: each rank of a grain has half of the area of its interfaces.
 PairSumMap AreasOf(const Grains& grains, const FragmentShare& share);
 
+/// Grains of one island as their ranks hold them.
+struct GrainLevel
+{
+  IslandLevel Level;
+  std::vector<double> Areas; ///< by pair of the rank, over all ranks
+  std::vector<double> Lack;  ///< by grain of the rank
+};
+GrainLevel MakeGrainLevel(const Grains& grains, Ranks& ranks);
+/// Returns values of all grains, by number over all ranks.
+/// @param values  by grain of the share, equal on all ranks that share it
+std::vector<double> GatherValues(const FragmentShare& share, const std::vector<double>& values);
+
 /// Solves the system of the grains on a number of ranks that are threads.
 /// @return mu per grain
 std::vector<double> SolveOnRanks(const Grains& grains, int count, const IslandBounds& bounds = {});

@@ -1,6 +1,8 @@
 /// Tables in parts of several ranks are written as one file.
 #include "Meshes/Files/WriteTable.h"
 #include "FileCases.h"
+#include "FragmentDrops.h"
+#include "Report/Fragments/FragmentTable.h"
 #include "ThreadRanks.h"
 
 #include <gtest/gtest.h>
@@ -54,6 +56,26 @@ TEST(WriteTable, IsTheSameFileFromPartsOfRanks)
       });
     EXPECT_EQ(ReadBytes(own), expected) << count;
   }
+}
+
+TEST(WriteTable, HasTheBytesOfOneRankForFragmentsOfMany)
+{
+  const Folder folder;
+  std::string expected;
+  for (int count : { 1, 2, 3, 5, 8, 27 })
+  {
+    const std::string path = folder / ("fragments" + std::to_string(count) + ".csv");
+    RunOnRanks(count,
+      [&](ThreadRanks& ranks)
+      {
+        const Drops drops = MakeDrops(100, ranks.Rank(), count);
+        WriteTable(MakeFragmentTable(ViewDrops(drops), { "density" }, ranks), path, ranks);
+      });
+    const std::string written = ReadBytes(path);
+    expected = count == 1 ? written : expected;
+    EXPECT_EQ(written, expected) << count;
+  }
+  EXPECT_EQ(std::count(expected.begin(), expected.end(), '\n'), 101);
 }
 
 TEST(WriteTable, FailsOnAllRanks)
