@@ -495,6 +495,12 @@ public:
   /// Number of threads. 0 is automatic: all cores on one rank, one thread per rank on several. The
   /// mesh does not depend on it. Allowed: an integer, 0 (automatic) or more; default 0.
   vfmNumberOption(NumberOfThreads, int);
+  /// Field data with a row for each fragment, surface, curve and vertex of the whole mesh, such as
+  /// target volumes, areas and materials on both sides, on every rank. Automatic: tables of at most
+  /// 100,000 rows. Off: none, so that the memory of a rank depends on its part of the mesh only.
+  /// Ids, the table of fragments and the files of each rank do not need them; names of surfaces in
+  /// files do. Allowed: Automatic, Off, On (or 0 to 2); default Automatic.
+  vfmNumberOption(WholeTables, int);
   // end of options
 
   /**

@@ -69,6 +69,7 @@ MesherResult RunMesher(
   runtime.Progress(0.98, "Filling output");
   GiveState(job, prepared.Options, *cells, result);
   AddLayersAndJoin(job, *cells, result);
+  GatherTables(job, result);
   WorkTogether(runtime.Group(), [&] { ListResult(job, *cells, prepared.Options, result); });
   SplitAndCurve(job, *cells, prepared.Options, result);
   if (runs)

@@ -21,7 +21,7 @@
 #include "Ranks/PrintableText.h"
 #include "Ranks/WorkTogether.h"
 #include "ReadInput.h"
-#include "Report/FragmentTable.h"
+#include "Report/Fragments/FragmentTable.h"
 #include "Report/MeshMaterials.h"
 #include "Report/WriteReport.h"
 #include "State/ArrayStems.h"
@@ -107,15 +107,9 @@ void WriteFragments(const MeshData& mesh, const Arguments& arguments, Ranks& ran
   FieldArrays table;
   WorkInStage(ranks, ErrorCode::UnreadableInput,
     [&] { table = MakeFragmentTable(mesh, FindDensities(mesh, arguments), ranks); });
-  WorkInStage(ranks, ErrorCode::UnwritableOutput,
-    [&]
-    {
-      if (ranks.Rank() == 0)
-      {
-        PrefixErrors("Cannot write the table " + arguments.Fragments + ": ",
-          [&] { WriteTable(table, arguments.Fragments); });
-      }
-    });
+  const auto write = [&] { WriteTable(table, arguments.Fragments, ranks); };
+  PrefixErrors("Cannot write the table " + arguments.Fragments + ": ",
+    [&] { WorkInStage(ranks, ErrorCode::UnwritableOutput, write); });
 }
 
 /// Returns the texts of the report.

@@ -31,7 +31,7 @@ std::vector<double> SolveForLack(const std::vector<PairSum>& sums, const std::ve
   std::vector<Eigen::Triplet<double>> entries;
   for (int f = 0; f < count; ++f)
   {
-    entries.emplace_back(f, f, 1e-6); // keeps items without sums regular
+    entries.emplace_back(f, f, RegularDiagonal);
   }
   for (const PairSum& sum : sums)
   {

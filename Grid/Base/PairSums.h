@@ -26,6 +26,9 @@ using PairSumMap = std::map<std::pair<int, int>, ExactSum>;
 /// @pre Collective over `ranks`.
 std::vector<PairSum> GatherPairSums(const PairSumMap& mine, Ranks& ranks);
 
+/// Added to the diagonal of the systems of mu: it keeps items without sums regular.
+constexpr double RegularDiagonal = 1e-6;
+
 /// Solves sum_b S_ab (mu_a - mu_b) = lack_a for all items a >= 1, with mu_0 = 0.
 /// @param sums  S_ab >= 0: the amount that item a gains from item b if mu_a grows by 1
 /// @param lack  missing amount per item; lack[0] is not used

@@ -60,6 +60,14 @@ struct FragmentShare
     }
   }
 
+  /// Sets the flag of each fragment to whether it is set on any rank.
+  /// @pre Collective.
+  void Unite(std::vector<unsigned char>& flags) const
+  {
+    this->Merge(
+      flags, 1, [](unsigned char& a, unsigned char b) { a = static_cast<unsigned char>(a | b); });
+  }
+
   /// Returns the values of the sums of each fragment over all ranks. [0] is that of this rank only.
   /// @param sums  `width` sums per fragment of this rank
   /// @pre Collective.

@@ -3,59 +3,35 @@
  */
 #pragma once
 
+#include "Labels/JoinPieces.h"
 #include "Labels/Labels.h"
 
 namespace vfm
 {
 
-/// Local component: a connected part of a fragment on one rank. It consists of cells (Fragments)
-/// or of tets (TetFragments.h).
-struct Piece
-{
-  Index Lowest; ///< id of the lowest cell or element
-  Index Label;
-};
-/// Pairs of local components, numbered over all ranks.
-using PiecePairs = std::vector<std::array<Index, 2>>;
-
-/// Returns the number of this rank's first local component, if all components are numbered from 0
-/// in the order of ranks.
-/// @param count  number of local components of this rank
-/// @pre Collective.
-Index OffsetOfPieces(Ranks& ranks, Index count);
-
-/// Joins the local components of all ranks into fragments, which are numbered from 1 by their
-/// lowest cell or element.
-/// @param mine  local components of this rank
-/// @param same  pairs of components that belong to one fragment; components are numbered over all
-///   ranks (OffsetOfPieces)
-/// @param offset  OffsetOfPieces of this rank
-/// @param[out] materials  label of each fragment; [0] is unused
-/// @return fragment of each local component of this rank
-/// @pre Collective.
-std::vector<int> NumberFragments(const std::vector<Piece>& mine, const PiecePairs& same,
-  Index offset, Ranks& ranks, std::vector<int>& materials);
-
-/// Fragment of every cell of CartesianGrid::HexBox, numbered from 1 over all ranks by the lowest
-/// cell; 0 in cells that are not meshed. Stored as runs of cells of one label along x, so memory is
-/// proportional to the interfaces.
+/// Fragment of every cell of CartesianGrid::HexBox, as numbered on this rank (FragmentShare); 0 in
+/// cells that are not meshed. Over all ranks, fragments are numbered by their lowest cell. Stored
+/// as runs of cells of one label along x, so memory is proportional to the interfaces.
 class Fragments
 {
 public:
-  /// Finds the fragments. Every rank receives the local components of all ranks, 16 bytes each.
+  /// Finds the fragments.
   /// @param labels  labels of the cells of the local box
   /// @param meshVoid  whether void forms fragments too
   /// @pre Collective.
   Fragments(
     const CartesianGrid& grid, const LabelArray& labels, bool meshVoid, const Partition& partition);
 
-  int NumberOfFragments() const { return static_cast<int>(this->Materials.size()) - 1; }
+  /// Returns the number of fragments over all ranks.
+  int NumberOfFragments() const { return static_cast<int>(this->Own.Total); }
+  /// Returns the fragments of this rank.
+  const FragmentShare& Share() const { return this->Own; }
   /// Returns the fragment of a cell in HexBox.
   int FragmentOfCell(const Index3& cell) const;
   /// Also sets runEnd to the index i of the end of the run of cells of this fragment along x.
   int FragmentOfCell(const Index3& cell, Index& runEnd) const;
   /// Returns the material of every fragment; [0] is unused.
-  const std::vector<int>& MaterialsOfFragments() const { return this->Materials; }
+  const std::vector<int>& MaterialsOfFragments() const { return this->Own.Materials; }
 
   /// Calls body(begin, end, fragment) for the runs of row (j, k) in order, with the indices i of
   /// the first cell and of the end.
@@ -91,7 +67,7 @@ private:
   Index End;
   std::vector<RunOfCells> Runs;
   std::vector<Index> RowStart;
-  std::vector<int> Materials; // one per fragment; [0] is unused
+  FragmentShare Own;
 };
 
 } // namespace vfm

@@ -21,7 +21,7 @@ double VolumeOfElement(const Mesh& mesh, Index element, double unit)
 }
 
 std::vector<double> MeasureFragments(
-  const Mesh& mesh, const CartesianGrid& grid, int fragments, Runtime& runtime)
+  const Mesh& mesh, const CartesianGrid& grid, const FragmentShare& share, Runtime& runtime)
 {
   const double width = grid.MeanWidth();
   std::vector<double> volumes(mesh.ElementIds.size(), 0.0);
@@ -33,12 +33,12 @@ std::vector<double> MeasureFragments(
         volumes[e] = VolumeOfElement(mesh, e, width);
       }
     });
-  std::vector<ExactSum> sums(fragments + 1);
+  std::vector<ExactSum> sums(share.Size());
   for (std::size_t e = 0; e < volumes.size(); ++e)
   {
     sums[mesh.Fragment[e]].Add(volumes[e]);
   }
-  return SumOverRanks(sums, runtime.Group());
+  return share.Sum(std::move(sums));
 }
 
 } // namespace vfm

@@ -21,8 +21,14 @@ struct MeshReport
   /// Share of the volume of materials 0, 1, ... that is in other blocks of 4^3 cells than in the
   /// fractions, or in no element (DisplacedVolume.h).
   std::vector<double> DisplacedVolume;
-  /// Volume of the fractions of each fragment; [0] unused.
-  std::vector<double> FragmentTargetVolume;
+  /// Fragments that this rank counts, and the volume of their fractions. Each fragment of the mesh
+  /// is in the list of at least one rank; on a single rank fragment f is entry f - 1.
+  struct FragmentTargets
+  {
+    std::vector<int> Ids; ///< ascending
+    std::vector<double> Volumes;
+  };
+  FragmentTargets Fragments;
   struct Material
   {
     Index Elements = 0, Fragments = 0;

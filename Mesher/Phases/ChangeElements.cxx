@@ -45,7 +45,7 @@ void AddOrder(
     result.Fields);
   result.Report.MeshVolume = MeasureCurvedVolumes(mesh, table.Labels, result.Fields, job.Run);
   ReplaceFields(
-    ListReport(mesh, result.Report, table, options, fields.Field.Corrected), result.Fields);
+    ListReport(mesh, result.Report, table, options, fields.Field.Corrected, {}), result.Fields);
   ReplaceFields(ListMaterials(result.Report, table, options), result.MaterialFields);
 }
 

@@ -13,11 +13,38 @@
 
 namespace vfm
 {
+namespace
+{
+
+/// Replaces the numbers that fragments have on this rank by those over all ranks.
+void UseNumbersOfAllRanks(
+  const FragmentShare& share, Runtime& runtime, std::vector<Facet>& facets, Mesh& mesh)
+{
+  if (static_cast<Index>(share.Size()) == share.Total + 1) // both are equal
+  {
+    return;
+  }
+  const auto replace = [&](Buffer<int>& numbers)
+  {
+    ForEach(runtime, static_cast<Index>(numbers.size()),
+      [&](Index i) { numbers[i] = share.Ids[numbers[i]]; });
+  };
+  replace(mesh.Fragment);
+  replace(mesh.GeometryId); // of points inside fragments; others get theirs later
+  for (Facet& facet : facets)
+  {
+    facet.Fragments = { { share.Ids[facet.Fragments[0]], share.Ids[facet.Fragments[1]] } };
+  }
+}
+
+} // namespace
+
 Mesh FinishMesh(const MeshCells& cells, ElementMethod& method, MeshRun& run, Draft draft)
 {
   Mesh& mesh = draft.Elements;
   ReportVolumes(cells.Grid, draft.Volumes, run.Report);
   run.Clock.Start("Finding geometry", 0.93);
+  UseNumbersOfAllRanks(draft.Volumes.Share(), run.TheRuntime, draft.Facets, mesh);
   const DividedFacets divided =
     DivideInterfaces(draft.Facets, draft.Kinds, mesh, cells.Surfaces, run.Parts, run.TheRuntime);
   ClassifyGeometry(draft.Facets, divided, run.TheRuntime, mesh, run.Report);

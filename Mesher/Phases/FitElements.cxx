@@ -124,7 +124,7 @@ void MovePoints(const MeshCells& cells, const SurfaceTargets& targets, const Loc
     {
       return MeasureBulges(
         FindEdgePulls(draft.Facets, draft.Elements, targets, active, run.TheRuntime),
-        draft.Elements, active, run.Report.NumberOfFragments + 1, run.TheRuntime);
+        draft.Elements, active, draft.Volumes.Share(), run.TheRuntime);
     };
   }
   run.Clock.Start("Smoothing", 0.25);

@@ -66,11 +66,10 @@ Draft HexMethod::Make(const MeshCells& cells, MeshRun& run)
     labelled.Labels, fragments, cells.Options.LeavesFar, run.TheRuntime);
   if (!mesh.Levels->HasFineInterfaces())
   {
-    volumes.SetStart(
-      MeasureFragments(mesh, cells.Grid, fragments.NumberOfFragments(), run.TheRuntime));
+    volumes.SetStart(MeasureFragments(mesh, cells.Grid, fragments.Share(), run.TheRuntime));
   }
   std::vector<unsigned char> isThin =
-    FindThinFragments(cells.Grid, mesh, labelled.Thin, run.Report.NumberOfFragments, run.Group());
+    FindThinFragments(cells.Grid, mesh, labelled.Thin, fragments.Share());
   return { .Elements = std::move(mesh),
     .Facets = std::move(facets),
     .Volumes = std::move(volumes),

@@ -125,7 +125,7 @@ Draft TetMethodBase::Make(const MeshCells& cells, MeshRun& run)
   FillInside(mesh);
   std::vector<Facet> facets = ListFacets(this->Faces, cells.Grid, run.Parts, mesh);
   std::vector<unsigned char> isThin =
-    FindThinFragments(cells.Grid, mesh, this->Thin, run.Report.NumberOfFragments, run.Group());
+    FindThinFragments(cells.Grid, mesh, this->Thin, volumes.Share());
   return { .Elements = std::move(mesh),
     .Facets = std::move(facets),
     .Volumes = std::move(volumes),
@@ -249,11 +249,10 @@ FragmentVolumes LatticeMethod::FindFragments(
   const MeshCells& cells, MeshRun& run, TetTopology& topology)
 {
   const TetFragments fragments(topology, this->Faces, cells.Grid, run.Parts);
-  run.Report.NumberOfFragments = static_cast<Index>(fragments.Materials().size()) - 1;
-  FragmentVolumes volumes(cells.Grid, cells.Fractions, fragments.Materials(), fragments,
+  run.Report.NumberOfFragments = fragments.Share().Total;
+  FragmentVolumes volumes(cells.Grid, cells.Fractions, fragments.Share(), fragments,
     cells.Options.LeavesFar, run.TheRuntime);
-  volumes.SetStart(MeasureFragments(
-    topology.Tets, cells.Grid, static_cast<int>(run.Report.NumberOfFragments), run.TheRuntime));
+  volumes.SetStart(MeasureFragments(topology.Tets, cells.Grid, fragments.Share(), run.TheRuntime));
   return volumes;
 }
 
@@ -283,7 +282,7 @@ FragmentVolumes CellsMethod::FindFragments(
   if (!topology.Tets.Levels->HasFineInterfaces())
   {
     volumes.SetStart(
-      MeasureFragments(topology.Tets, cells.Grid, fragments.NumberOfFragments(), run.TheRuntime));
+      MeasureFragments(topology.Tets, cells.Grid, fragments.Share(), run.TheRuntime));
   }
   return volumes;
 }

@@ -4,6 +4,7 @@
 #include "Elements/MeshWithRuns.h"
 #include "Ranks/Agreement.h"
 #include "Report/ElementMoments.h"
+#include "Report/FragmentWays.h"
 #include "Report/MeshMaterials.h"
 #include "Report/PointCounts.h"
 
@@ -116,76 +117,166 @@ std::vector<PartSums> SumParts(const MeshData& mesh, const std::vector<ElementMo
   return parts;
 }
 
-/// Merges the parts of all ranks; points: number of points of each part.
-std::vector<PartSummary> MergeParts(
-  const std::vector<PartSums>& parts, const std::vector<Index>& points, double unit, Ranks& ranks)
+/// Sums of parts as lists, to combine them over ranks.
+struct PartLists
 {
-  std::vector<std::int64_t> elements;
-  std::vector<ExactSum> quality, volume;
-  std::vector<double> extremes;
+  std::vector<std::int64_t> Elements;
+  std::vector<ExactSum> Sums;   ///< quality and volume of each part
+  std::vector<double> Extremes; ///< negated minimum of the quality, and material of each part
+};
+constexpr std::size_t SumsPerPart = 2, ExtremesPerPart = 2;
+
+PartLists ListSums(const std::vector<PartSums>& parts)
+{
+  PartLists lists;
   for (const PartSums& part : parts)
   {
-    elements.push_back(part.Elements);
-    quality.push_back(part.Quality);
-    volume.push_back(part.Volume);
-    extremes.push_back(-part.Minimum);
-    extremes.push_back(part.Material);
+    lists.Elements.push_back(part.Elements);
+    lists.Sums.insert(lists.Sums.end(), { part.Quality, part.Volume });
+    lists.Extremes.push_back(-part.Minimum);
+    lists.Extremes.push_back(part.Material);
   }
-  ranks.Sum(elements);
-  const std::vector<double> qualities = SumOverRanks(quality, ranks);
-  const std::vector<double> volumes = SumOverRanks(volume, ranks);
-  ranks.Max(extremes);
-  std::vector<PartSummary> united(parts.size());
-  for (std::size_t p = 0; p < parts.size(); ++p)
-  {
-    united[p].Material = static_cast<int>(extremes[2 * p + 1]);
-    united[p].Elements = elements[p];
-    united[p].Points = points[p];
-    united[p].MinimumQuality = elements[p] > 0 ? -extremes[2 * p] : 0.0;
-    united[p].MeanQuality = elements[p] > 0 ? qualities[p] / static_cast<double>(elements[p]) : 0.0;
-    united[p].Volume = volumes[p] * unit;
-  }
-  return united;
+  return lists;
+}
+
+/// Returns a part from its values over all ranks.
+/// @param sums  values of its SumsPerPart sums
+/// @param extremes  its ExtremesPerPart values
+PartSizes MakePart(
+  Index elements, Index points, const double* sums, const double* extremes, double unit)
+{
+  PartSizes part;
+  part.Material = static_cast<int>(extremes[1]);
+  part.Elements = elements;
+  part.Points = points;
+  part.MinimumQuality = elements > 0 ? -extremes[0] : 0.0;
+  part.MeanQuality = elements > 0 ? sums[0] / static_cast<double>(elements) : 0.0;
+  part.Volume = sums[1] * unit;
+  return part;
 }
 
 /// Adds the hexes that a mesh leaves out.
-/// @param place  place(material, fragment) returns the part, from 0
+/// @param whole  null: none
+/// @param place  place(run) returns the part of a run, from 0
 template <class Place>
-void AddRuns(const MeshWithRuns& whole, const Place& place, double unit,
-  std::vector<PartSums>& parts, std::vector<Index>& points)
+void AddRuns(
+  const MeshWithRuns* whole, const Place& place, double unit, std::vector<PartSums>& parts)
 {
-  for (const CellRuns::Run& run : whole.Cells())
+  for (std::size_t r = 0; whole && r < whole->Cells().size(); ++r)
   {
-    PartSums& part = parts[place(run.Material, run.Fragment)];
+    const CellRuns::Run& run = whole->Cells()[r];
+    PartSums& part = parts[place(run)];
     part.Elements += run.Count;
     part.Material = run.Material;
-    part.Volume.Add(whole.VolumeOf(run) / unit);
+    part.Volume.Add(whole->VolumeOf(run) / unit);
     part.Minimum = std::min(part.Minimum, 1.0);
     part.Quality.Add(1.0, run.Count);
   }
-  for (const MeshWithRuns::NodeRun& run : whole.Nodes())
+}
+
+/// Adds the points that a mesh leaves out.
+template <class Place>
+void AddPoints(const MeshWithRuns* whole, const Place& place, std::vector<Index>& points)
+{
+  for (std::size_t r = 0; whole && r < whole->Nodes().size(); ++r)
   {
-    points[place(run.Material, run.Fragment)] += run.Count;
+    points[place(whole->Nodes()[r])] += whole->Nodes()[r].Count;
   }
 }
 
 /// Summarises the parts of a mesh.
-/// @param place  place(material, fragment) returns the part, from 0
+/// @param place  place(material) returns the part, from 0
+/// @pre Collective
 template <class Place>
 std::vector<PartSummary> SummariseParts(const MeshData& mesh, const MeshWithRuns* whole,
   const std::vector<ElementMoments>& moments, const Place& place, std::size_t numberOfParts,
   double unit, Ranks& ranks)
 {
+  const auto placeOfRun = [&place](const auto& run) { return place(run.Material); };
   std::vector<int> partOf(mesh.NumberOfElements);
-  std::transform(
-    mesh.Material, mesh.Material + mesh.NumberOfElements, mesh.Fragment, partOf.begin(), place);
-  std::vector<PartSums> parts = SumParts(mesh, moments, partOf, numberOfParts, unit);
+  std::transform(mesh.Material, mesh.Material + mesh.NumberOfElements, partOf.begin(), place);
+  std::vector<PartSums> sumsOfParts = SumParts(mesh, moments, partOf, numberOfParts, unit);
+  AddRuns(whole, placeOfRun, unit, sumsOfParts);
+  PartLists lists = ListSums(sumsOfParts);
+  ranks.Sum(lists.Elements);
+  const std::vector<double> sums = SumOverRanks(lists.Sums, ranks);
+  ranks.Max(lists.Extremes);
   std::vector<Index> points = CountPoints(mesh, partOf, numberOfParts, ranks);
-  if (whole)
+  AddPoints(whole, placeOfRun, points);
+  std::vector<PartSummary> parts(numberOfParts);
+  for (std::size_t p = 0; p < numberOfParts; ++p)
   {
-    AddRuns(*whole, place, unit, parts, points);
+    static_cast<PartSizes&>(parts[p]) = MakePart(lists.Elements[p], points[p],
+      &sums[SumsPerPart * p], &lists.Extremes[ExtremesPerPart * p], unit);
   }
-  return MergeParts(parts, points, unit, ranks);
+  return parts;
+}
+
+/// Returns the fragments whose rows this rank has (FragmentWays).
+/// @pre Collective
+std::vector<FragmentSizes> SummariseFragments(const MeshData& mesh, const MeshWithRuns* whole,
+  const std::vector<ElementMoments>& moments, double unit, Ranks& ranks)
+{
+  const FragmentWays ways(mesh, {}, ranks);
+  const auto placeIn = [](const std::vector<int>& ids) // each fragment also has stored hexes
+  {
+    return [&ids](const auto& run)
+    { return std::lower_bound(ids.begin(), ids.end(), run.Fragment) - ids.begin(); };
+  };
+  std::vector<PartSums> sumsOfParts =
+    SumParts(mesh, moments, ways.PlaceOfElement(), ways.Ids().size(), unit);
+  AddRuns(whole, placeIn(ways.Ids()), unit, sumsOfParts);
+  PartLists lists = ListSums(sumsOfParts);
+  lists.Elements = ways.Sum(std::move(lists.Elements), 1);
+  lists.Sums = ways.Sum(std::move(lists.Sums), SumsPerPart);
+  lists.Extremes = ways.Max(std::move(lists.Extremes), ExtremesPerPart);
+  PointsOfFragments counted = CountFragmentPoints(mesh, ranks);
+  AddPoints(whole, placeIn(counted.Fragments), counted.Counts);
+  const KeyMerge<int> pointWays(
+    std::move(counted.Fragments), [&ways](int id) { return ways.HomeOf(id); }, ranks);
+  const std::vector<Index> points =
+    pointWays.ToHome(std::move(counted.Counts), 1, [](Index& a, Index b) { a += b; });
+  std::vector<FragmentSizes> fragments(ways.HomeIds().size());
+  for (std::size_t f = 0; f < fragments.size(); ++f)
+  {
+    const double sums[] = { lists.Sums[SumsPerPart * f].Value(),
+      lists.Sums[SumsPerPart * f + 1].Value() };
+    static_cast<PartSizes&>(fragments[f]) =
+      MakePart(lists.Elements[f], points[f], sums, &lists.Extremes[ExtremesPerPart * f], unit);
+    fragments[f].Id = ways.HomeIds()[f];
+  }
+  return fragments;
+}
+
+/// Returns the largest fragments of all ranks.
+/// @param own  fragments of this rank
+/// @pre Collective
+std::vector<FragmentSizes> FindLargest(std::vector<FragmentSizes> own, Ranks& ranks)
+{
+  const std::size_t count = std::min(MaximumFragments, own.size());
+  std::partial_sort(own.begin(), own.begin() + static_cast<Index>(count), own.end());
+  own.resize(count);
+  return UnionOverRanks(ranks, std::move(own), MaximumFragments);
+}
+
+/// Returns the number of fragments of each material.
+/// @param ids  materials
+/// @param own  fragments of this rank
+/// @pre Collective
+std::vector<std::int64_t> CountFragments(
+  const std::vector<double>& ids, const std::vector<FragmentSizes>& own, Ranks& ranks)
+{
+  std::vector<std::int64_t> counts(ids.size(), 0);
+  for (const FragmentSizes& fragment : own)
+  {
+    const auto at = std::find(ids.begin(), ids.end(), fragment.Material);
+    if (at != ids.end())
+    {
+      ++counts[at - ids.begin()];
+    }
+  }
+  ranks.Sum(counts);
+  return counts;
 }
 
 /// Returns the mean volume of an element, a unit that makes sums independent of the scale
@@ -215,8 +306,9 @@ void NameMaterials(
 }
 
 /// Returns the surfaces of the input, of materials that have one.
+/// @param fragments  number of fragments of each material
 std::vector<SurfaceSummary> FindSurfaces(const MeshData& mesh,
-  const std::vector<PartSummary>& materials, const std::vector<PartSummary>& fragments)
+  const std::vector<PartSummary>& materials, const std::vector<std::int64_t>& fragments)
 {
   const std::vector<double> thickness = GetField(mesh, "SurfaceThickness"),
                             widths = GetField(mesh, "SuggestedWidth"),
@@ -226,11 +318,8 @@ std::vector<SurfaceSummary> FindSurfaces(const MeshData& mesh,
   {
     if (thickness[m] > 0.0)
     {
-      const int id = materials[m].Material;
-      const auto pieces = std::count_if(fragments.begin(), fragments.end(),
-        [id](const PartSummary& fragment) { return fragment.Material == id; });
-      surfaces.push_back({ materials[m].Name, id, thickness[m], widths[m], lost[m],
-        static_cast<Index>(solids[m]), static_cast<Index>(pieces) });
+      surfaces.push_back({ materials[m].Name, materials[m].Material, thickness[m], widths[m],
+        lost[m], static_cast<Index>(solids[m]), fragments[m] });
     }
   }
   return surfaces;
@@ -243,26 +332,27 @@ MeshSummary Summarise(const MeshData& mesh, Ranks& ranks, const MeshWithRuns* wh
   const std::vector<double> ids = GetField(mesh, "MaterialIds");
   const double unit = FindUnit(
     GetField(mesh, "MeshVolume"), whole ? whole->NumberOfElements() : mesh.NumberOfElements, ranks);
-  const auto fragments = static_cast<std::size_t>(GetNumber(mesh, "NumberOfFragments"));
   const std::vector<ElementMoments> moments = FindElementMoments(mesh);
   MeshSummary summary;
   summary.IsTets = FindField(mesh.Fields, "RefusedParts") != nullptr;
   summary.HasQuality = FindField(mesh.Fields, "MinimumScaledJacobian") != nullptr;
   summary.Materials = SummariseParts(
     mesh, whole, moments,
-    [&ids](int material, int)
-    { return static_cast<int>(std::find(ids.begin(), ids.end(), material) - ids.begin()); },
+    [&ids](int id)
+    { return static_cast<int>(std::find(ids.begin(), ids.end(), id) - ids.begin()); },
     ids.size(), unit, ranks);
   NameMaterials(mesh, ids, summary.Materials);
-  summary.Fragments = SummariseParts(
-    mesh, whole, moments, [](int, int fragment) { return fragment - 1; }, fragments, unit, ranks);
+  const std::vector<FragmentSizes> fragments =
+    SummariseFragments(mesh, whole, moments, unit, ranks);
+  summary.NumberOfFragments = static_cast<Index>(GetNumber(mesh, "NumberOfFragments"));
+  summary.LargestFragments = FindLargest(fragments, ranks);
   summary.Total = SummariseParts(
-    mesh, whole, moments, [](int, int) { return 0; }, 1, unit, ranks)[0];
+    mesh, whole, moments, [](int) { return 0; }, 1, unit, ranks)[0];
   for (const PartSummary& material : summary.Materials)
   {
     summary.Total.TargetVolume += material.TargetVolume;
   }
-  summary.Surfaces = FindSurfaces(mesh, summary.Materials, summary.Fragments);
+  summary.Surfaces = FindSurfaces(mesh, summary.Materials, CountFragments(ids, fragments, ranks));
   summary.State = FindStateTotals(mesh);
   summary.LostToElements = SumOfMaterials(mesh, "LostKineticEnergy");
   summary.LostToNodes = SumOfMaterials(mesh, "LostNodalKineticEnergy");

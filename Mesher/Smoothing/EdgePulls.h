@@ -14,6 +14,7 @@
 
 #include "Elements/MidNodes.h"
 #include "Interface/SurfaceTargets.h"
+#include "Labels/FragmentShare.h"
 #include "Smoothing/ActiveMesh.h"
 
 namespace vfm
@@ -34,9 +35,9 @@ std::vector<EdgeMove> CombinePulls(
 
 /// Returns the volume that each fragment gains when interface edges become curved, in grid
 /// coordinates.
-/// @param fragments  number of fragments, with the outside
+/// @param share  the fragments of this rank, whose numbers the facets have
 /// @pre Collective over runtime.Group().
 std::vector<double> MeasureBulges(const std::vector<EdgePull>& pulls, const Mesh& mesh,
-  const ActiveMesh& active, std::size_t fragments, Runtime& runtime);
+  const ActiveMesh& active, const FragmentShare& share, Runtime& runtime);
 
 } // namespace vfm

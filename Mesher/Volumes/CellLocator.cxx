@@ -112,8 +112,7 @@ FragmentVolumes VolumesOfCells(const CartesianGrid& grid, const FractionField& f
   Runtime& runtime)
 {
   const CellLocator locator(levels, labels, fragments);
-  return FragmentVolumes(
-    grid, fractions, fragments.MaterialsOfFragments(), locator, leavesFar, runtime);
+  return FragmentVolumes(grid, fractions, fragments.Share(), locator, leavesFar, runtime);
 }
 
 } // namespace vfm

@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include "Labels/Fragments.h"
 #include "Octree/RefinedGrid.h"
 #include "Volumes/FragmentVolumes.h"
 

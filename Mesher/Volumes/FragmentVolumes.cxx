@@ -176,17 +176,19 @@ private:
 } // namespace
 
 FragmentVolumes::FragmentVolumes(const CartesianGrid& grid, const FractionField& fractions,
-  std::vector<int> materials, const FragmentLocator& locator, bool leavesFar, Runtime& runtime) :
-  Materials(std::move(materials)), Run(runtime), Swept(this->Materials.size(), 0.0)
+  FragmentShare share, const FragmentLocator& locator, bool leavesFar, Runtime& runtime) :
+  Fragments(std::make_shared<const FragmentShare>(std::move(share))),
+  Run(runtime),
+  Swept(this->Fragments->Size(), 0.0)
 {
   const IndexBox& owned = grid.Owned();
   const Index rows = owned.NumberOfCells() > 0 ? owned.Size(1) * owned.Size(2) : 0;
-  TargetSums sums(grid, fractions, this->Materials, locator, leavesFar);
+  TargetSums sums(grid, fractions, this->Fragments->Materials, locator, leavesFar);
   std::mutex lock;
   runtime.For(0, rows,
     [&](Index first, Index last)
     {
-      TargetSums own(grid, fractions, this->Materials, locator, leavesFar);
+      TargetSums own(grid, fractions, this->Fragments->Materials, locator, leavesFar);
       for (Index row = first; row < last; ++row)
       {
         own.AddRow(owned.Lower[1] + row % owned.Size(1), owned.Lower[2] + row / owned.Size(1));
@@ -194,10 +196,9 @@ FragmentVolumes::FragmentVolumes(const CartesianGrid& grid, const FractionField&
       const std::lock_guard<std::mutex> guard(lock);
       sums.Add(own);
     });
-  Ranks& ranks = runtime.Group();
-  this->Targets = SumOverRanks(sums.Targets, ranks);
-  this->StartVolumes = SumOverRanks(sums.Cells, ranks);
-  this->TotalOfMaterial = SumOverRanks(sums.Totals, ranks);
+  this->Targets = this->Fragments->Sum(std::move(sums.Targets));
+  this->StartVolumes = this->Fragments->Sum(std::move(sums.Cells));
+  this->TotalOfMaterial = SumOverRanks(sums.Totals, runtime.Group());
   this->Far = std::move(sums.Far);
   std::sort(this->Far.begin(), this->Far.end(),
     [](const FarMatter& a, const FarMatter& b)
@@ -207,16 +208,19 @@ FragmentVolumes::FragmentVolumes(const CartesianGrid& grid, const FractionField&
   this->Resists.assign(this->Targets.size(), 0);
 }
 
-/// Sums valueOf(fragment) over the fragments of each material.
+/// Sums valueOf(fragment) over the fragments of each material on all ranks.
 template <class ValueOf>
 std::vector<double> FragmentVolumes::SumByMaterial(const ValueOf& valueOf) const
 {
   std::vector<ExactSum> sums(this->TotalOfMaterial.size());
   for (int f = 1; f < static_cast<int>(this->Targets.size()); ++f)
   {
-    sums[this->Materials[f]].Add(valueOf(f));
+    if (this->Fragments->IsMine[f])
+    {
+      sums[this->Fragments->Materials[f]].Add(valueOf(f));
+    }
   }
-  return ValuesOf(sums);
+  return SumOverRanks(sums, this->Run.Group());
 }
 
 /// Distributes fractions without a cell of their material nearby to all fragments of the material,
@@ -231,7 +235,7 @@ void FragmentVolumes::DistributeOrphans(bool leavesFar)
   }
   for (std::size_t f = 1; f < this->Targets.size(); ++f)
   {
-    const int m = this->Materials[f];
+    const int m = this->Fragments->Materials[f];
     this->Targets[f] *= found[m] > 0.0 ? this->TotalOfMaterial[m] / found[m] : 1.0;
   }
 }
@@ -240,6 +244,7 @@ void FragmentVolumes::Measure(const ActiveMesh& mesh)
 {
   this->ForgetRequests();
   this->Facets.Start(mesh, this->Targets.size(), this->Run);
+  this->System = IslandSystem(*this->Fragments, this->Facets.Areas());
   this->SumFacets();
 }
 
@@ -258,8 +263,8 @@ void FragmentVolumes::SetBulges(std::vector<double> bulges)
 /// Sums over the ranks.
 void FragmentVolumes::SumFacets()
 {
-  this->Swept = SumOverRanks(this->Facets.Swept(), this->Run.Group());
-  this->Areas = GatherPairSums(this->Facets.Areas(), this->Run.Group());
+  this->Swept = this->Fragments->Sum(this->Facets.Swept());
+  this->Areas = this->System.SumAreas(this->Facets.Areas());
   this->SetAims();
 }
 
@@ -306,7 +311,7 @@ std::vector<double> FragmentVolumes::FindShifts(const ActiveMesh& mesh, const Vo
     lack[f] = this->Resists[f] ? 0.0 : requests[f];
     this->Requests[f] = { requests[f], this->VolumeOf(static_cast<int>(f)) };
   }
-  std::vector<double> mu = SolveForLack(this->Areas, lack);
+  std::vector<double> mu = this->System.Solve(this->Areas, lack);
   if (rules.Insists)
   {
     this->AddPushes(requests, mu);
@@ -324,12 +329,13 @@ std::vector<double> FragmentVolumes::FindShifts(const ActiveMesh& mesh, const Vo
 void FragmentVolumes::AddPushes(const std::vector<double>& requests, std::vector<double>& mu) const
 {
   std::vector<ExactSum> sums(mu.size());
-  for (const PairSum& sum : this->Areas)
+  // A rank does not know all pairs of a fragment, so each adds its own parts.
+  for (const auto& [pair, area] : this->Facets.Areas())
   {
-    sums[sum.First].Add(sum.Value);
-    sums[sum.Second].Add(sum.Value);
+    sums[pair.first].Add(area);
+    sums[pair.second].Add(area);
   }
-  const std::vector<double> areas = ValuesOf(sums);
+  const std::vector<double> areas = this->Fragments->Sum(std::move(sums));
   for (std::size_t f = 1; f < mu.size(); ++f)
   {
     mu[f] += this->Resists[f] && areas[f] > 0.0 ? requests[f] / areas[f] : 0.0;
@@ -348,7 +354,7 @@ double FragmentVolumes::WorstFragmentError() const
   {
     worst = std::max(worst, this->ErrorOf(f));
   }
-  return worst;
+  return this->Run.Group().Max(worst);
 }
 
 bool FragmentVolumes::IsPushed(int fragment) const
@@ -360,14 +366,12 @@ bool FragmentVolumes::IsPushed(int fragment) const
 
 bool FragmentVolumes::HasPushed() const
 {
+  bool isAny = false;
   for (int f = 1; f < static_cast<int>(this->Targets.size()); ++f)
   {
-    if (this->IsPushed(f))
-    {
-      return true;
-    }
+    isAny = isAny || this->IsPushed(f);
   }
-  return false;
+  return this->Run.Group().Any(isAny);
 }
 
 std::vector<unsigned char> FragmentVolumes::FindOff(double error) const
@@ -385,9 +389,10 @@ double FragmentVolumes::SumErrors(const std::vector<unsigned char>& fragments) c
   ExactSum sum;
   for (std::size_t f = 1; f < fragments.size(); ++f)
   {
-    sum.Add(fragments[f] ? std::fabs(this->VolumeOf(f) - this->Targets[f]) : 0.0);
+    const bool counts = fragments[f] && this->Fragments->IsMine[f];
+    sum.Add(counts ? std::fabs(this->VolumeOf(f) - this->Targets[f]) : 0.0);
   }
-  return sum.Value();
+  return SumOverRanks(std::vector<ExactSum>{ sum }, this->Run.Group())[0];
 }
 
 void FragmentVolumes::ForgetResisting(const std::vector<unsigned char>& fragments)
@@ -438,7 +443,7 @@ void FragmentVolumes::SetAims()
     this->SumByMaterial([this](int f) { return this->Resists[f] ? 0.0 : this->Targets[f]; });
   for (int f = 1; f < static_cast<int>(this->Targets.size()); ++f)
   {
-    const int m = this->Materials[f];
+    const int m = this->Fragments->Materials[f];
     const double takeover =
       free[m] > 0.0 ? std::clamp(lack[m] / free[m], -LargestTakeover, LargestTakeover) : 0.0;
     this->Aims[f] = this->Resists[f] ? this->VolumeOf(f) : (1.0 + takeover) * this->Targets[f];
@@ -452,6 +457,7 @@ double FragmentVolumes::WorstError() const
   {
     worst = this->IsSmall(f) ? worst : std::max(worst, this->ErrorOf(f));
   }
+  worst = this->Run.Group().Max(worst);
   const std::vector<double> volumes = this->MaterialVolumes();
   const std::vector<double> aims =
     this->SumByMaterial([this](int fragment) { return this->Aims[fragment]; });
@@ -475,8 +481,9 @@ std::vector<Index> FragmentVolumes::MaterialFragments() const
   std::vector<Index> fragments(this->TotalOfMaterial.size(), 0);
   for (std::size_t f = 1; f < this->Targets.size(); ++f)
   {
-    ++fragments[this->Materials[f]];
+    fragments[this->Fragments->Materials[f]] += this->Fragments->IsMine[f];
   }
+  this->Run.Group().Sum(fragments);
   return fragments;
 }
 
@@ -485,7 +492,15 @@ void ReportVolumes(const CartesianGrid& grid, const FragmentVolumes& volumes, Me
   const double cellVolume = Cube(grid.MeanWidth());
   report.TargetVolume = Multiplied(volumes.MaterialTargets(), cellVolume);
   report.MeshVolume = Multiplied(volumes.MaterialVolumes(), cellVolume);
-  report.FragmentTargetVolume = Multiplied(volumes.FragmentTargets(), cellVolume);
+  const FragmentShare& share = volumes.Share();
+  for (std::size_t f = 1; f < share.Size(); ++f)
+  {
+    if (share.IsMine[f])
+    {
+      report.Fragments.Ids.push_back(share.Ids[f]);
+      report.Fragments.Volumes.push_back(cellVolume * volumes.FragmentTargets()[f]);
+    }
+  }
   for (Index fragments : volumes.MaterialFragments())
   {
     report.Materials.push_back({ 0, fragments });

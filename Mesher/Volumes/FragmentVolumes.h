@@ -2,9 +2,10 @@
  * FragmentVolumes: the volumes of fragments in the fractions (targets) and in the mesh, and the
  * shifts of the interfaces that make them equal.
  *
- * Sums are exact (ExactSum), so they depend on neither their order nor the number of ranks. Every
- * rank holds the volumes of all fragments and the interface areas of all pairs of fragments.
- * Volumes are in grid coordinates (Interface.h), where the volume of a mean cell is 1.
+ * Sums are exact (ExactSum), so they depend on neither their order nor the number of ranks. A rank
+ * holds the volumes of the fragments that it touches (FragmentShare) and the interface areas of its
+ * pairs of fragments, with the parts of all ranks. Volumes are in grid coordinates (Interface.h),
+ * where the volume of a mean cell is 1.
  *
  * Some fragments resist: the barrier, or a lack of cells, keeps them far from their targets. The
  * shifts of all fragments are coupled, so a fragment that resists would pull its neighbours off
@@ -16,10 +17,12 @@
 
 #include "Elements/FarMatter.h"
 #include "Elements/MeshReport.h"
-#include "Labels/Fragments.h"
+#include "Labels/FragmentShare.h"
 #include "Volumes/FacetSums.h"
+#include "Volumes/IslandSystem.h"
 
 #include <functional>
+#include <memory>
 
 namespace vfm
 {
@@ -60,27 +63,31 @@ struct VolumeRules
   bool Insists;
 };
 
-/// Target and current volumes of all fragments, equal on all ranks. Refers to the runtime.
+/// Target and current volumes of the fragments of this rank, equal on all their ranks. Fragments
+/// have the numbers of this rank. Refers to the runtime.
 class FragmentVolumes
 {
   static constexpr double LargeFragment = 64.0; // cells
 
 public:
   /// Finds the target volumes of all fragments.
-  /// @param materials  material of each fragment, [0] unused
+  /// @param share  the fragments of this rank
   /// @param locator  is used only here
   /// @param leavesFar  whether the targets do not count far material (FarMatter.h); else all
   ///   fragments of the material share it. Void is always shared.
   /// @pre Collective.
-  FragmentVolumes(const CartesianGrid& grid, const FractionField& fractions,
-    std::vector<int> materials, const FragmentLocator& locator, bool leavesFar, Runtime& runtime);
+  FragmentVolumes(const CartesianGrid& grid, const FractionField& fractions, FragmentShare share,
+    const FragmentLocator& locator, bool leavesFar, Runtime& runtime);
+
+  /// Returns the fragments of this rank.
+  const FragmentShare& Share() const { return *this->Fragments; }
 
   /// Returns the far material of the owned cells, ascending by cell and material; none without
   /// leavesFar. May be called once.
   std::vector<FarMatter> TakeFar() { return std::move(this->Far); }
 
-  /// Sets the initial volumes of the mesh, by fragment over all ranks. Without this call they are
-  /// the volumes of the cells.
+  /// Sets the initial volumes of the mesh over all ranks, by fragment of this rank. Without this
+  /// call they are the volumes of the cells.
   void SetStart(std::vector<double> volumes) { this->StartVolumes = std::move(volumes); }
 
   /// Measures the mesh: the initial volumes plus the volumes that its facets have swept. Before the
@@ -93,6 +100,7 @@ public:
   void Measure(const ActiveMesh& mesh, const std::vector<unsigned char>& moved);
 
   /// Sets the volume that each fragment gains because its elements are curved; 0 without this call.
+  /// @pre Collective.
   void SetBulges(std::vector<double> bulges);
 
   /// Returns the shift of each attachment, in grid coordinates, that corrects the errors of the
@@ -105,6 +113,7 @@ public:
   /// factor is the inverse of the part of the last request by which the fragment changed, from 1 to
   /// the largest factor. Without Insists it is 1 where that part is smaller. A push adds factor_f
   /// (target_f - volume_f) / sum_g A_fg to mu of a resisting fragment whose error is at most 50 %.
+  /// @pre Collective.
   std::vector<double> FindShifts(const ActiveMesh& mesh, const VolumeRules& rules);
   /// Sets all factors of the next call of FindShifts to 1. Measure(mesh) does so too.
   void ForgetRequests() { this->Requests.assign(this->Targets.size(), {}); }
@@ -115,24 +124,30 @@ public:
     return fragment > 0 && this->Targets[fragment] < LargeFragment;
   }
 
-  /// Returns the largest |volume - aim| / aim of all materials and of all fragments that are not
-  /// small.
+  /// Returns the largest |volume - aim| / aim of all materials and of all fragments of all ranks
+  /// that are not small.
+  /// @pre Collective.
   double WorstError() const;
-  /// Returns the largest |volume - aim| / aim of all fragments.
+  /// Returns the largest |volume - aim| / aim of all fragments of all ranks.
+  /// @pre Collective.
   double WorstFragmentError() const;
-  /// Returns whether FindShifts may push any fragment that resists.
+  /// Returns whether FindShifts may push any fragment of any rank that resists.
+  /// @pre Collective.
   bool HasPushed() const;
 
   /// Returns whether the volume of each fragment is off its target by more than a relative error.
   std::vector<unsigned char> FindOff(double error) const;
-  /// Returns the sum of |volume - target| of flagged fragments.
+  /// Returns the sum of |volume - target| of flagged fragments of all ranks.
+  /// @pre Collective.
   double SumErrors(const std::vector<unsigned char>& fragments) const;
   /// Ends the marks of flagged fragments as resisting.
+  /// @pre Collective.
   void ForgetResisting(const std::vector<unsigned char>& fragments);
 
   /// Marks the fragments with a relative error above `error` as resisting. The other fragments of
   /// their material take over the missing volume in proportion to their targets, each at most 10 %.
   /// The marks of fragments that reach their targets within this error end.
+  /// @pre Collective.
   void MarkResisting(double error);
 
   /// Returns by which factor the lengths of each small fragment must change to give it its aim, or
@@ -140,11 +155,13 @@ public:
   /// those that are not small, and for the outside, [0].
   std::vector<double> FindScales(double error) const;
 
-  /// Return the volume per material from 0, in mean cells. Targets include cells without an element
-  /// of the material nearby, unless these are left.
+  /// Return the volume per material from 0 over all ranks, in mean cells. Targets include cells
+  /// without an element of the material nearby, unless these are left.
+  /// @pre Collective.
   std::vector<double> MaterialTargets() const { return this->TotalOfMaterial; }
   std::vector<double> MaterialVolumes() const;
-  /// Returns the number of fragments per material.
+  /// Returns the number of fragments per material over all ranks.
+  /// @pre Collective.
   std::vector<Index> MaterialFragments() const;
   /// Returns the target of each fragment, [0] unused, in mean cells: the fractions in and near its
   /// cells, plus a share of the fractions near no fragment.
@@ -173,7 +190,7 @@ private:
   }
   double ErrorOf(int fragment) const;
 
-  const std::vector<int> Materials; // material of each fragment
+  std::shared_ptr<const FragmentShare> Fragments; // IslandSystem refers to it
   Runtime& Run;
   std::vector<double> Targets;        // target of each fragment
   std::vector<double> Aims;           // volumes that the system requests
@@ -184,13 +201,15 @@ private:
   std::vector<double> Swept;           // volume that each fragment has gained since then
   std::vector<double> Bulges;          // SetBulges
   std::vector<Request> Requests;       // of each fragment
-  std::vector<PairSum> Areas;          // interface areas of pairs of fragments
+  IslandSystem System;                 // of the pairs of fragments
+  std::vector<PairSum> Areas;          // interface areas of pairs of fragments of this rank
   std::vector<double> TotalOfMaterial; // total volume of each material in the fractions
   std::vector<FarMatter> Far;          // TakeFar
 };
 
 /// Writes the volumes of materials and fragments into the report, in length units cubed, and the
 /// number of fragments per material.
+/// @pre Collective.
 void ReportVolumes(const CartesianGrid& grid, const FragmentVolumes& volumes, MeshReport& report);
 
 } // namespace vfm

@@ -45,7 +45,7 @@ LocalVolumes::LocalVolumes(const MeshCells& cells, const std::vector<Index>& thi
   Start(cells.Grid, cells.Fractions.NumberOfMaterials() + 1)
 {
   this->MarkRegion(thin);
-  this->MaterialOf.assign(volumes.FragmentTargets().size(), 0);
+  this->MaterialOf.assign(volumes.Share().Size(), 0);
   for (std::size_t e = 0; e < mesh.Material.size(); ++e)
   {
     const int fragment = mesh.Fragment[e];

@@ -19,10 +19,11 @@ constexpr double NoLimit = 1e300;
 class Scaling
 {
 public:
-  Scaling(const ElementEnergy& energy, const SmoothingStage& stage, std::vector<double> factors,
-    Runtime& runtime, ActiveMesh& mesh) :
+  Scaling(const ElementEnergy& energy, const SmoothingStage& stage, const FragmentShare& share,
+    std::vector<double> factors, Runtime& runtime, ActiveMesh& mesh) :
     Energy(energy),
     Stage(stage),
+    Share(share),
     Factors(std::move(factors)),
     Run(runtime),
     Mesh(mesh),
@@ -37,10 +38,10 @@ public:
 
 private:
   bool IsScaled(int fragment) const { return this->Factors[fragment] != 1.0; }
-  bool AreAny() const
+  bool AreAny() const // on any rank
   {
-    return std::any_of(
-      this->Factors.begin(), this->Factors.end(), [](double factor) { return factor != 1.0; });
+    return this->Run.Group().Any(std::any_of(
+      this->Factors.begin(), this->Factors.end(), [](double factor) { return factor != 1.0; }));
   }
   void Leave(int fragment) { __atomic_store_n(&this->Leaves[fragment], 1, __ATOMIC_RELAXED); }
   bool LeaveMarked();
@@ -54,7 +55,6 @@ private:
   }
   void ListPoints();
   void KeepScaledPoints();
-  void NumberFragments();
   void FindTranslations();
   Vector3 Scaled(int point, const Vector3& x) const;
   void Move();
@@ -80,12 +80,12 @@ private:
 
   const ElementEnergy& Energy;
   const SmoothingStage& Stage;
+  const FragmentShare& Share;
   std::vector<double> Factors;
   Runtime& Run;
   ActiveMesh& Mesh;
   std::vector<unsigned char> Leaves; // fragments that are not to be scaled after all
-  std::vector<Vector3> Translations; // of scaled fragments: x becomes factor * x + translation
-  std::vector<int> NumberOf;         // of each fragment, in Translations
+  std::vector<Vector3> Translations; // of each fragment: x becomes factor * x + translation
   std::vector<int> FragmentOf;       // fragment of each point, 0 if it stays
   std::vector<int> Points;           // points of this rank with a fragment
   std::vector<Vector3> Before;       // their positions
@@ -95,16 +95,15 @@ private:
 /// Leaves the marked fragments as they are. Returns whether there were any, on any rank.
 bool Scaling::LeaveMarked()
 {
-  std::vector<std::int64_t> counts(this->Leaves.begin(), this->Leaves.end());
-  this->Run.Group().Sum(counts);
+  this->Share.Unite(this->Leaves);
   bool leaves = false;
-  for (std::size_t f = 0; f < counts.size(); ++f)
+  for (std::size_t f = 0; f < this->Leaves.size(); ++f)
   {
-    leaves |= counts[f] > 0 && this->Factors[f] != 1.0;
-    this->Factors[f] = counts[f] > 0 ? 1.0 : this->Factors[f];
+    leaves = leaves || (this->Leaves[f] && this->Factors[f] != 1.0);
+    this->Factors[f] = this->Leaves[f] ? 1.0 : this->Factors[f];
   }
   std::fill(this->Leaves.begin(), this->Leaves.end(), 0);
-  return leaves;
+  return this->Run.Group().Any(leaves);
 }
 
 void Scaling::LeaveTouching()
@@ -154,9 +153,10 @@ void Scaling::LabelSurfaces()
 /// Labels the points next to labelled ones in elements. Returns whether there are any, on any rank.
 bool Scaling::LabelRing()
 {
-  this->Mesh.Exchange.SendPositions([this](int p) { return this->FragmentOf[p]; },
-    [this](int p, int fragment, const Vector3& translation)
+  this->Mesh.Exchange.SendPositions([this](int p) { return this->Share.Ids[this->FragmentOf[p]]; },
+    [this](int p, int id, const Vector3& translation)
     {
+      const int fragment = this->Share.Find(id);
       this->FragmentOf[p] = fragment;
       if (translation != Vector3{})
       {
@@ -220,50 +220,37 @@ void Scaling::ListPoints()
     });
 }
 
-/// Numbers the fragments that are scaled.
-void Scaling::NumberFragments()
-{
-  int count = 0;
-  for (double factor : this->Factors)
-  {
-    this->NumberOf.push_back(count);
-    count += factor != 1.0;
-  }
-  this->Translations.resize(count);
-}
-
 /// Finds translations that keep the means of the points in place, or else as near as the limits of
 /// the points permit. Leaves fragments whose points cannot all stay within their limits.
 void Scaling::FindTranslations()
 {
-  this->NumberFragments();
-  const std::size_t count = this->Translations.size();
+  const std::size_t count = this->Factors.size();
   std::vector<ExactSum> sums(4 * count);           // of positions along each axis, and their number
   std::vector<double> limits(6 * count, -NoLimit); // lower limits, and minus the upper ones
   for (int point : this->Points)
   {
-    const int fragment = this->FragmentOf[point], at = this->NumberOf[fragment];
+    const int at = this->FragmentOf[point];
     const MoveBounds range = this->Mesh.RangeOf(point);
     sums[4 * at + 3].Add(1.0);
     for (int a = 0; a < 3; ++a)
     {
-      const double x = this->Mesh.X[point][a], scaled = this->Factors[fragment] * x;
+      const double x = this->Mesh.X[point][a], scaled = this->Factors[at] * x;
       sums[4 * at + a].Add(x);
       double* own = &limits[6 * at + a];
       own[0] = std::max(own[0], range.Lower[a] - scaled);
       own[3] = std::max(own[3], scaled - range.Upper[a]);
     }
   }
-  const std::vector<double> means = SumOverRanks(sums, this->Run.Group());
-  this->Run.Group().Max(limits);
-  for (std::size_t f = 0; f < this->Factors.size(); ++f)
+  const std::vector<double> means = this->Share.Sum(std::move(sums), 4);
+  this->Share.Merge(limits, 6, [](double& a, double b) { a = std::max(a, b); });
+  this->Translations.resize(count);
+  for (std::size_t f = 0; f < count; ++f)
   {
-    const int at = this->NumberOf[f];
     for (int a = 0; a < 3 && this->Factors[f] != 1.0; ++a)
     {
-      const double lower = limits[6 * at + a], upper = -limits[6 * at + 3 + a];
-      const double still = (1.0 - this->Factors[f]) * means[4 * at + a] / means[4 * at + 3];
-      this->Translations[at][a] = std::max(lower, std::min(upper, still));
+      const double lower = limits[6 * f + a], upper = -limits[6 * f + 3 + a];
+      const double still = (1.0 - this->Factors[f]) * means[4 * f + a] / means[4 * f + 3];
+      this->Translations[f][a] = std::max(lower, std::min(upper, still));
       if (!(lower <= upper + Rounding))
       {
         this->Leave(static_cast<int>(f));
@@ -276,7 +263,7 @@ void Scaling::FindTranslations()
 Vector3 Scaling::Scaled(int point, const Vector3& x) const
 {
   const int fragment = this->FragmentOf[point];
-  Vector3 scaled = this->Factors[fragment] * x + this->Translations[this->NumberOf[fragment]];
+  Vector3 scaled = this->Factors[fragment] * x + this->Translations[fragment];
   for (int a = 0; a < 3; ++a)
   {
     scaled[a] = this->Mesh.Fixed[point] >> a & 1 ? x[a] : scaled[a];
@@ -402,9 +389,10 @@ std::vector<int> Scaling::ShiftTargets(const SurfaceTargets& targets)
 } // namespace
 
 std::vector<int> ScaleFragments(const SurfaceTargets& targets, const ElementEnergy& energy,
-  const SmoothingStage& stage, std::vector<double> factors, Runtime& runtime, ActiveMesh& mesh)
+  const SmoothingStage& stage, const FragmentShare& share, std::vector<double> factors,
+  Runtime& runtime, ActiveMesh& mesh)
 {
-  Scaling scaling(energy, stage, std::move(factors), runtime, mesh);
+  Scaling scaling(energy, stage, share, std::move(factors), runtime, mesh);
   scaling.Apply();
   return scaling.ShiftTargets(targets);
 }

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "Interface/SurfaceTargets.h"
+#include "Labels/FragmentShare.h"
 #include "Smoothing/ElementEnergy.h"
 
 namespace vfm
@@ -18,10 +19,12 @@ namespace vfm
 /// is if it lies on opposite sides or across a periodic side, if some of its points cannot move, if
 /// a point would leave its bounds, or if elements of the barrier would become poor.
 /// @param stage  of which the energy of elements counts
-/// @param factors  factor of lengths by fragment, equal on all ranks; 1: the fragment stays
+/// @param share  the fragments of this rank
+/// @param factors  factor of lengths by fragment, equal on all its ranks; 1: the fragment stays
 /// @return the points of this rank that have moved
 /// @pre Collective.
 std::vector<int> ScaleFragments(const SurfaceTargets& targets, const ElementEnergy& energy,
-  const SmoothingStage& stage, std::vector<double> factors, Runtime& runtime, ActiveMesh& mesh);
+  const SmoothingStage& stage, const FragmentShare& share, std::vector<double> factors,
+  Runtime& runtime, ActiveMesh& mesh);
 
 } // namespace vfm

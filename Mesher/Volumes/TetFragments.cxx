@@ -67,9 +67,10 @@ TetFragments::TetFragments(TetTopology& topology, const TetFaces& faces, const C
   Mesh& mesh = topology.Tets;
   const std::vector<Piece> pieces = this->FindPieces(topology, faces);
   Ranks& ranks = partition.Group();
-  const Index offset = OffsetOfPieces(ranks, static_cast<Index>(pieces.size()));
-  const std::vector<int> fragments =
-    NumberFragments(pieces, this->FindSame(topology, offset), offset, ranks, this->MaterialOf);
+  JoinedPieces joined =
+    JoinPieces(pieces, this->FindSame(topology, OffsetOfRank(ranks)), partition.Peers(), ranks);
+  this->Own = std::move(joined.Share);
+  const std::vector<int>& fragments = joined.Fragments;
   mesh.Fragment = Buffer<int>(mesh.ElementIds.size());
   for (std::size_t t = 0; t < this->PieceOf.size(); ++t)
   {
@@ -278,7 +279,7 @@ int TetFragments::FindNear(const Index3& cell, int material) const
     [&](const Index3& q)
     {
       const int fragment = this->FragmentOfCentre[this->Grid.Linear(q)];
-      return fragment > 0 && this->MaterialOf[fragment] == material ? fragment : 0;
+      return fragment > 0 && this->Own.Materials[fragment] == material ? fragment : 0;
     });
 }
 

@@ -11,8 +11,9 @@
 namespace vfm
 {
 
-/// Fragments of a Lattice mesh: face-connected sets of tets of one material, numbered from 1 over
-/// all ranks by their lowest tet. Grid and partition must outlive this object.
+/// Fragments of a Lattice mesh: face-connected sets of tets of one material, as numbered on this
+/// rank (FragmentShare). Over all ranks, they are numbered by their lowest tet. Grid and partition
+/// must outlive this object.
 class TetFragments : public FragmentLocator
 {
 public:
@@ -21,8 +22,8 @@ public:
   TetFragments(TetTopology& topology, const TetFaces& faces, const CartesianGrid& grid,
     const Partition& partition);
 
-  /// Returns the material of every fragment; [0] is unused.
-  const std::vector<int>& Materials() const { return this->MaterialOf; }
+  /// Returns the fragments of this rank, whose numbers the tets have.
+  const FragmentShare& Share() const { return this->Own; }
 
   void ForRuns(Index j, Index k, const Body& body) const override;
   int FindNear(const Index3& cell, int material) const override;
@@ -50,7 +51,7 @@ private:
   std::vector<int> PieceOf; // local component of each tet, -1 if it is only a barrier
   // Local component of each point, -1 if it is not an anchor; freed by FindLocations.
   std::vector<int> PieceAt;
-  std::vector<int> MaterialOf;      // material of each fragment
+  FragmentShare Own;
   PagedArray<int> FragmentOfCentre; // one per cell; 0 if its centre is on an interface
   std::vector<Location> Locations;  // sorted
 };

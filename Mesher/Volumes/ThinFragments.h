@@ -4,16 +4,17 @@
 #pragma once
 
 #include "Elements/Mesh.h"
-#include "Ranks/Ranks.h"
+#include "Labels/FragmentShare.h"
 
 namespace vfm
 {
 
-/// Returns whether each fragment has an element in a thin cell, [0] unused; empty if none has.
+/// Returns whether each fragment of this rank has an element in a thin cell on any rank, [0]
+/// unused; empty on all ranks if none has.
 /// @param thin  thin cells of this rank, ascending
-/// @param fragments  number of fragments over all ranks
+/// @param share  the fragments of this rank, whose numbers the elements have
 /// @pre Collective.
 std::vector<unsigned char> FindThinFragments(const CartesianGrid& grid, const Mesh& mesh,
-  const std::vector<Index>& thin, Index fragments, Ranks& ranks);
+  const std::vector<Index>& thin, const FragmentShare& share);
 
 } // namespace vfm

@@ -135,11 +135,12 @@ void VolumeCorrection::ShiftAfterSweep(int sweep)
 void VolumeCorrection::ScaleFree()
 {
   const std::vector<double> scales = this->Volumes.FindScales(FragmentTolerance);
-  if (std::any_of(scales.begin(), scales.end(), [](double scale) { return scale != 1.0; }))
+  if (this->TheSmoother.TheRuntime().Group().Any(
+        std::any_of(scales.begin(), scales.end(), [](double scale) { return scale != 1.0; })))
   {
     this->TheSmoother.NoteMoved(
       ScaleFragments(this->TheSmoother.TheTargets(), this->TheSmoother.TheEnergy(), this->Round,
-        scales, this->TheSmoother.TheRuntime(), this->Active()));
+        this->Volumes.Share(), scales, this->TheSmoother.TheRuntime(), this->Active()));
     this->Measure();
   }
 }
@@ -263,19 +264,16 @@ std::vector<unsigned char> VolumeCorrection::FindCrumpled() const
   std::vector<unsigned char> intersects = FindIntersections(active, runtime);
   active.Exchange.SendAll([&](int mover) { return intersects[mover]; },
     [&](int mover, unsigned char flag) { intersects[mover] = flag; });
-  std::vector<std::int64_t> counts(this->IsThin.size(), 0);
+  std::vector<unsigned char> crumpled(this->IsThin.size(), 0);
   for (const ActiveFacet& facet : active.Facets)
   {
     const bool isCrumpled = std::any_of(
       facet.Points.begin(), facet.Points.end(), [&](int point) { return intersects[point]; });
-    counts[facet.Fragments[0]] += isCrumpled;
-    counts[facet.Fragments[1]] += isCrumpled;
+    crumpled[facet.Fragments[0]] |= isCrumpled;
+    crumpled[facet.Fragments[1]] |= isCrumpled;
   }
-  runtime.Group().Sum(counts);
-  std::vector<unsigned char> isCrumpled(counts.size());
-  std::transform(
-    counts.begin(), counts.end(), isCrumpled.begin(), [](auto count) { return count > 0; });
-  return isCrumpled;
+  this->Volumes.Share().Unite(crumpled);
+  return crumpled;
 }
 
 /// Lowers the demands of flagged fragments, except those that would crumple: their points would go
@@ -283,7 +281,8 @@ std::vector<unsigned char> VolumeCorrection::FindCrumpled() const
 /// @param[in,out] fragments  those that would crumple are removed
 void VolumeCorrection::YieldWithoutCrumpling(std::vector<unsigned char>& fragments, float demand)
 {
-  while (std::find(fragments.begin(), fragments.end(), 1) != fragments.end())
+  Ranks& ranks = this->TheSmoother.TheRuntime().Group();
+  while (ranks.Any(std::find(fragments.begin(), fragments.end(), 1) != fragments.end()))
   {
     RoundState before(this->Active());
     this->Yield(fragments, demand);
@@ -294,7 +293,7 @@ void VolumeCorrection::YieldWithoutCrumpling(std::vector<unsigned char>& fragmen
       hasRemoved = hasRemoved || (fragments[f] && isCrumpled[f]);
       fragments[f] &= !isCrumpled[f];
     }
-    if (!hasRemoved)
+    if (!ranks.Any(hasRemoved))
     {
       return;
     }

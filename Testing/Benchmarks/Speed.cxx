@@ -15,11 +15,13 @@
  */
 #include "Atlas.h"
 #include "Elements/MeasureFragments.h"
+#include "FragmentShares.h"
 #include "Input/MakePartition.h"
 #include "MeasureAlone.h"
 #include "Options/OptionTable.h"
 #include "RankMeshes.h"
 #include "RealCases.h"
+#include "Report/FragmentTargets.h"
 #include "SerialTimes.h"
 
 #include <atomic>
@@ -120,7 +122,8 @@ struct Run
 {
   Mesh Result;
   MeshReport Report;
-  SerialTimes Times; // of rank 0
+  std::vector<double> Targets; // volume of the fractions of fragments 1, 2, ..
+  SerialTimes Times;           // of rank 0
   Index Elements = 0;
 };
 
@@ -129,6 +132,7 @@ Run MeshOnce(const SpeedCase& what, const MeshCase& c, int threads)
   TimedRuntime runtime(threads, nullptr);
   Run run;
   run.Result = what.Maker(c.Grid, c.Fractions, what.Options, runtime, run.Report);
+  run.Targets = run.Report.Fragments.Volumes;
   run.Times = runtime.Times();
   run.Elements = static_cast<Index>(run.Result.ElementIds.size());
   return run;
@@ -154,20 +158,16 @@ std::vector<Index3> ListInterfaceCells(const MeshCase& c)
 /// Returns the boxes of the ranks as the filters choose them.
 std::vector<IndexBox> CutByWeights(const MeshCase& c, int count)
 {
-  std::vector<IndexBox> boxes;
+  std::vector<IndexBox> boxes(count);
   RunOnRanks(count,
     [&](Ranks& ranks)
     {
       const bool isFirst = ranks.Rank() == 0;
       const auto listCells = [&]
       { return isFirst ? ListInterfaceCells(c) : std::vector<Index3>(); };
-      const std::vector<IndexBox> found = MakePartition(c.Grid.Owned(),
+      boxes[ranks.Rank()] = MakePartition(c.Grid.Owned(),
         isFirst ? std::vector<IndexBox>{ c.Grid.Owned() } : std::vector<IndexBox>(), listCells,
         ranks, false);
-      if (isFirst)
-      {
-        boxes = found;
-      }
     });
   return boxes;
 }
@@ -197,9 +197,12 @@ public:
         const Mesh mesh =
           what.Maker(this->Grids[rank], this->Fields[rank], what.Options, runtime, report);
         elements += static_cast<Index>(mesh.ElementIds.size());
+        const std::vector<double> targets =
+          GatherFragmentTargets(report.Fragments, report.NumberOfFragments, ranks);
         if (rank == 0)
         {
           run.Report = report;
+          run.Targets = targets;
           run.Times = runtime.Times();
         }
       });
@@ -225,11 +228,11 @@ void MeasureVolumes(const MeshCase& c, const Run& run, Outcome& outcome)
 {
   Runtime runtime;
   const MeshReport& report = run.Report;
-  const std::vector<double> volumes =
-    MeasureFragments(run.Result, c.Grid, static_cast<int>(report.NumberOfFragments), runtime);
+  const std::vector<double> volumes = MeasureFragments(
+    run.Result, c.Grid, ShareOfAll(report.NumberOfFragments, runtime.Group()), runtime);
   for (std::size_t f = 1; f < volumes.size(); ++f)
   {
-    const double target = report.FragmentTargetVolume[f]; // cells have volume 1
+    const double target = run.Targets[f - 1]; // cells have volume 1
     outcome.OffFragments += std::abs(volumes[f] - target) > TolerableError * target;
   }
   for (std::size_t m = 1; m < report.MeshVolume.size(); ++m)

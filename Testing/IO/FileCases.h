@@ -4,6 +4,7 @@
 #pragma once
 
 #include "RankMeshes.h"
+#include "Report/FragmentTargets.h"
 #include "Report/MeshFields.h"
 #include "State/ViewMesh.h"
 
@@ -116,7 +117,9 @@ void WithMesh(int count, MeshMaker make, const Work& work, const MeshOptions& op
       FileCase part;
       Mesh mesh =
         make(grid, CopyToLocal(whole.Grid, whole.Fractions, grid), options, runtime, part.Report);
-      FieldArrays fields = ListReport(mesh, part.Report, table, options, {});
+      FieldArrays fields = ListReport(mesh, part.Report, table, options, {},
+        ListFragmentTargets(
+          part.Report.Fragments, TableMode::On, part.Report.NumberOfFragments, ranks));
       for (FieldArray& field : ListDomain(whole.Grid, ImageFrame()))
       {
         fields.push_back(std::move(field));

@@ -4,7 +4,7 @@
 #include "LabelInput.h"
 #include "MeshChecks.h"
 #include "Phases/MeshOfCells.h"
-#include "Report/FragmentTable.h"
+#include "Report/Fragments/FragmentTable.h"
 #include "Report/QualityDistribution.h"
 #include "State/ViewMesh.h"
 

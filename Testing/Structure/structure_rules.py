@@ -14,7 +14,8 @@ MODULES = tuple("Mesher/" + module for module in (
     "Elements", "Elements/Hex", "Elements/Tet", "Interface", "SharpFeatures", "GivenSurfaces",
     "Geometry",
     "Smoothing", "Smoothing/Hex", "Smoothing/Tet", "Volumes", "Options", "TetGen", "Input",
-    "Materials", "Levels", "Report", "Report/Sets", "State/Transfer", "State", "Modify", "Phases"))
+    "Materials", "Levels", "Report", "Report/Sets", "Report/Fragments", "State/Transfer", "State",
+    "Modify", "Phases"))
 MESHER = MODULES + ("Mesher",)
 IN_MODULES = frozenset(GRID + MODULES)
 BASE = RANKS + ("Grid/Base",)

@@ -79,6 +79,7 @@ class Options:
     target_scaled_jacobian: float
     compute_quality: bool
     threads: int
+    whole_tables: Literal["automatic", "off", "on"]
     method: Literal["tetgen", "cells", "lattice"]
     relative_size: float
     growth: float

@@ -89,6 +89,7 @@ def hexes(
     target_scaled_jacobian: float = 0.0,
     compute_quality: bool = True,
     threads: int = 0,
+    whole_tables: Literal["automatic", "off", "on"] = "automatic",
     # end of options
 ) -> Mesh:
     """Mesh all materials with hexahedra that conform across their interfaces.
@@ -379,6 +380,12 @@ def hexes(
     threads : int, default 0
         An integer, 0 (automatic) or more. Number of threads. 0 is automatic: all cores on one rank,
         one thread per rank on several. The mesh does not depend on it.
+    whole_tables : {"automatic", "off", "on"}, default "automatic"
+        Field data with a row for each fragment, surface, curve and vertex of the whole mesh, such
+        as target volumes, areas and materials on both sides, on every rank. "automatic": tables of
+        at most 100,000 rows. "off": none, so that the memory of a rank depends on its part of the
+        mesh only. Ids, the table of fragments and the files of each rank do not need them; names of
+        surfaces in files do.
 
     Returns
     -------
@@ -463,7 +470,7 @@ def hexes(
         first_layer=first_layer, first_layer_unit=first_layer_unit,
         layer_interfaces=layer_interfaces, layers_on=layers_on, layer_sides=layer_sides,
         target_scaled_jacobian=target_scaled_jacobian, compute_quality=compute_quality,
-        threads=threads,
+        threads=threads, whole_tables=whole_tables,
         # end of arguments
     )
     source = Source(fractions, labels, spacing, origin, coordinates, direction, order, names,

@@ -89,6 +89,7 @@ def tets(
     target_scaled_jacobian: float = 0.0,
     compute_quality: bool = True,
     threads: int = 0,
+    whole_tables: Literal["automatic", "off", "on"] = "automatic",
     method: Literal["tetgen", "cells", "lattice"] = "lattice",
     relative_size: float = 1.0,
     growth: float = 0.3,
@@ -173,6 +174,8 @@ def tets(
         Option of `hexes`, with the same default.
     first_layer, first_layer_unit, layer_interfaces, layers_on, layer_sides, threads : see hexes
         Option of `hexes`, with the same default.
+    whole_tables : see hexes
+        Option of `hexes`, with the same default.
 
     Returns
     -------
@@ -232,9 +235,9 @@ def tets(
         first_layer=first_layer, first_layer_unit=first_layer_unit,
         layer_interfaces=layer_interfaces, layers_on=layers_on, layer_sides=layer_sides,
         target_scaled_jacobian=target_scaled_jacobian, compute_quality=compute_quality,
-        threads=threads, method=method, relative_size=relative_size, growth=growth,
-        radius_edge_ratio=radius_edge_ratio, minimum_dihedral_angle=minimum_dihedral_angle,
-        optimization_level=optimization_level,
+        threads=threads, whole_tables=whole_tables, method=method, relative_size=relative_size,
+        growth=growth, radius_edge_ratio=radius_edge_ratio,
+        minimum_dihedral_angle=minimum_dihedral_angle, optimization_level=optimization_level,
         # end of arguments
     )
     source = Source(fractions, labels, spacing, origin, coordinates, direction, order, names,

@@ -38,6 +38,7 @@ FOLDERS = (
     ("Mesher/Materials", "What arrays hold, and which of them are materials."),
     ("Mesher/Levels", "The levels of a refined grid."),
     ("Mesher/Report", "Reports, faces and parts of a finished mesh."),
+    ("Mesher/Report/Fragments", "The table of fragments."),
     ("Mesher/Report/Sets", "Named surfaces, and pairs of periodic points."),
     ("Mesher/State/Transfer", "Transfer of state from cells to elements: "
                               "[state transfer](../theory/state-transfer.md)."),

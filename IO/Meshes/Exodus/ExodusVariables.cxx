@@ -1,5 +1,6 @@
 #include "Meshes/Exodus/ExodusVariables.h"
 
+#include "Report/FragmentTargets.h"
 #include "Report/UniqueNames.h"
 
 #include <algorithm>
@@ -11,7 +12,7 @@ namespace
 {
 
 constexpr std::size_t MaximumNumbers = 100;
-constexpr const char* TableNames[] = { "SurfaceParts", "EdgeFacets" }; // not listed
+constexpr const char* TableNames[] = { "SurfaceIds", "SurfaceParts", "EdgeFacets" }; // not listed
 constexpr const char* IdNames[] = { "GlobalPointIds", "GlobalCellIds", "vtkGhostType" };
 
 template <std::size_t Count>
@@ -58,7 +59,8 @@ std::vector<ExodusNumber> ListNumbers(const std::vector<FieldArray>& fields)
   for (const FieldArray& field : fields)
   {
     const std::vector<double> values = NumbersOfField(fields, field.Name);
-    const bool isListed = values.size() <= MaximumNumbers && !IsOneOf(field.Name, TableNames);
+    const bool isListed = values.size() <= MaximumNumbers && !IsOneOf(field.Name, TableNames) &&
+      !IsFieldOfRank(field.Name);
     for (std::size_t i = 0; isListed && i < values.size(); ++i)
     {
       numbers.push_back({ PrintableName(field.Name) + Ending(i, values.size(), false), values[i] });

@@ -5,6 +5,7 @@
 #include "Meshes/Particles/WriteParticles.h"
 #include "Meshes/Vtk/VtuText.h"
 #include "Ranks/Agreement.h"
+#include "Report/FragmentTargets.h"
 #include "Report/GatherMesh.h"
 
 #include <filesystem>
@@ -61,7 +62,9 @@ void WriteSummary(const MeshData& mesh, const std::string& path,
 {
   OutputFile file(path, files);
   file.Add(VtuHead("PUnstructuredGrid") + "<PUnstructuredGrid GhostLevel=\"0\">\n");
-  AddVtuFields(file, mesh);
+  MeshData head = mesh;
+  std::erase_if(head.Fields, [](const FieldArray& field) { return IsFieldOfRank(field.Name); });
+  AddVtuFields(file, head);
   AddArrayList(file, "PPointData", mesh.PointArrays);
   AddArrayList(file, "PCellData", mesh.ElementArrays);
   file.Add(std::string("<PPoints>\n<PDataArray ") + VtuPointAttributes + "/>\n</PPoints>\n");

@@ -298,6 +298,7 @@ void FillFragments(const LabelledGrid& labelled, const PointNumbering& numbering
   mesh.Fragment = Buffer<int>(mesh.ElementIds.size());
   std::fill(mesh.Fragment.begin() + rowOffset.back(), mesh.Fragment.end(), 0);
   mesh.GeometryId = Buffer<int>(mesh.PointIds.size());
+  std::fill(mesh.GeometryId.begin(), mesh.GeometryId.end(), 0);
   ForRows(runtime, grid.HexBox(),
     [&](Index j, Index k, Index row)
     {

@@ -1,5 +1,6 @@
 /// Mesh files are the same from any number of ranks; no file remains after a failed write.
 #include "Meshes/WriteMesh.h"
+#include "Geometry/GatherTables.h"
 #include "RunsCases.h"
 
 using namespace vfm;
@@ -84,9 +85,11 @@ namespace
 {
 
 /// Makes the interface of the first and third material a side that the surface of a body names.
-void NameInterface(Mesh& mesh, FieldArrays& fields)
+/// @pre Collective.
+void NameInterface(Mesh& mesh, FieldArrays& fields, Ranks& ranks)
 {
   GeometryTables& tables = mesh.Tables;
+  GatherSurfaceTables(ranks, tables);
   const std::array<int, 2> pair{ { 1, 3 } };
   const auto at = std::find(tables.SurfaceMaterials.begin(), tables.SurfaceMaterials.end(), pair);
   const auto number = at - tables.SurfaceMaterials.begin();
@@ -129,7 +132,7 @@ TEST(WriteMesh, SidesHaveTheNamesOfPatches)
       1, MakeHexMesh,
       [&](const FileCase& part, Ranks& ranks)
       { WriteMesh(part.Mesh, folder / name, ranks, { .IsSingle = true }); },
-      {}, [](Mesh& mesh, FieldArrays& fields, Ranks&) { NameInterface(mesh, fields); });
+      {}, NameInterface);
     const char* expected = std::string(name) == "mesh.vtu" ? "patchnames" : "inlet_one_to_three";
     EXPECT_NE(ReadLower(folder / ".").find(expected), std::string::npos) << name;
   }

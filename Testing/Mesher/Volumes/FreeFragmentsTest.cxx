@@ -39,7 +39,7 @@ FractionField MakeBlurredDrops(const CartesianGrid& grid, unsigned seed)
 /// Returns the largest relative error of the volume of a fragment.
 double WorstFragment(const Mesh& mesh, const MeshReport& report)
 {
-  std::vector<double> volumes(report.FragmentTargetVolume.size(), 0.0);
+  std::vector<double> volumes(report.NumberOfFragments + 1, 0.0);
   for (std::size_t e = 0; e < mesh.ElementIds.size(); ++e)
   {
     volumes[mesh.Fragment[e]] += VolumeOfElement(mesh, e);
@@ -47,7 +47,7 @@ double WorstFragment(const Mesh& mesh, const MeshReport& report)
   double worst = 0.0;
   for (std::size_t f = 1; f < volumes.size(); ++f)
   {
-    const double target = report.FragmentTargetVolume[f];
+    const double target = report.Fragments.Volumes[f - 1];
     worst = std::max(worst, std::fabs(volumes[f] - target) / target);
   }
   return worst;

@@ -8,6 +8,7 @@
 
 #include "Elements/Hex/HexTopology.h"
 #include "Elements/MeasureFragments.h"
+#include "FragmentShares.h"
 #include "Smoothing/Hex/MakeLevels.h"
 
 #include <gtest/gtest.h>
@@ -201,10 +202,8 @@ TEST(CellLocator, GiveACoarseLeafToTheAdjacentPiece)
   const Fragments pieces(grid, labels, false, partition);
   const int beside = pieces.FragmentOfCell({ { 0, 0, 0 } }),
             far = pieces.FragmentOfCell({ { 20, 0, 0 } });
-  const auto targets = [&](const FragmentLocator& locator)
-  {
-    return FragmentVolumes(grid, field, pieces.MaterialsOfFragments(), locator, false, runtime)
-      .FragmentTargets();
+  const auto targets = [&](const FragmentLocator& locator) {
+    return FragmentVolumes(grid, field, pieces.Share(), locator, false, runtime).FragmentTargets();
   };
   const std::vector<double> leaves = targets(CellLocator(levels, labels, pieces));
   EXPECT_NEAR(leaves[beside], 64.0 + 12.8, 1e-9);
@@ -215,7 +214,7 @@ TEST(CellLocator, GiveACoarseLeafToTheAdjacentPiece)
   // Left, it is in no target: a layer of the fifth of the block is near.
   const RefinedGrid finest(grid, runtime.Group());
   const CellLocator near(finest, labels, pieces);
-  FragmentVolumes left(grid, field, pieces.MaterialsOfFragments(), near, true, runtime);
+  FragmentVolumes left(grid, field, pieces.Share(), near, true, runtime);
   EXPECT_NEAR(left.FragmentTargets()[far], 64.0, 1e-9);
   EXPECT_NEAR(left.FragmentTargets()[beside], 64.0 + 0.2 * 16, 1e-9);
   EXPECT_NEAR(left.MaterialTargets()[2], 128.0 + 0.2 * 16, 1e-9);
@@ -237,16 +236,18 @@ TEST(CellLocator, RanksAgree)
     const CartesianGrid whole =
       MakeUnitGrid(Index(6) << refinements, Index(4) << refinements, Index(4) << refinements);
     const FractionField field = MakePatchyFractions(whole, 2, 5);
-    const auto targets = [&](const CartesianGrid& grid, Ranks& ranks)
+    const auto targets = [&](const CartesianGrid& grid, Ranks& ranks, std::vector<int>& ids)
     {
       const RandomLeaves leaves(grid, refinements, 0.05, 6, ranks);
       RankRuntime runtime(ranks);
-      return FragmentVolumes(grid, CopyToLocal(whole, field, grid),
-        leaves.Pieces.MaterialsOfFragments(), leaves.Locator, false, runtime)
+      ids = leaves.Pieces.Share().Ids;
+      return FragmentVolumes(grid, CopyToLocal(whole, field, grid), leaves.Pieces.Share(),
+        leaves.Locator, false, runtime)
         .FragmentTargets();
     };
     Ranks alone;
-    const std::vector<double> expected = targets(whole, alone);
+    std::vector<int> all;
+    const std::vector<double> expected = targets(whole, alone, all);
     ASSERT_GT(expected.size(), 10u);
     for (int count : { 2, 3, 4, 8 })
     {
@@ -254,8 +255,15 @@ TEST(CellLocator, RanksAgree)
       RunOnRanks(count,
         [&](Ranks& ranks)
         {
-          EXPECT_TRUE(targets(MakeRankGrid(whole, boxes[ranks.Rank()]), ranks) == expected)
-            << count << " ranks, " << refinements << " refinements";
+          std::vector<int> ids;
+          const std::vector<double> own =
+            targets(MakeRankGrid(whole, boxes[ranks.Rank()]), ranks, ids);
+          ASSERT_EQ(own.size(), ids.size());
+          for (std::size_t f = 1; f < ids.size(); ++f)
+          {
+            EXPECT_EQ(own[f], expected[ids[f]])
+              << count << " ranks, " << refinements << " refinements";
+          }
         });
     }
   }
@@ -312,7 +320,8 @@ TEST(LeafVolumes, HexesHaveWhatTheyHave)
   const CartesianGrid grid = MakeUnitGrid(32, 24, 24);
   Runtime runtime;
   const Stairs stairs(grid, runtime);
-  const std::vector<double> volumes = MeasureFragments(stairs.Hexes, grid, 2, runtime);
+  const std::vector<double> volumes =
+    MeasureFragments(stairs.Hexes, grid, ShareOfAll(2, runtime.Group()), runtime);
   ASSERT_EQ(volumes.size(), 3u);
   EXPECT_EQ(volumes[0], 0.0);
   EXPECT_NEAR(volumes[1], MeasureVolume(stairs.Hexes, 1), 1e-6);
@@ -327,7 +336,8 @@ TEST(LeafVolumes, HexesHaveWhatTheyHave)
       {
         RankRuntime run(ranks);
         const CartesianGrid mine = MakeRankGrid(grid, boxes[ranks.Rank()]);
-        EXPECT_TRUE(MeasureFragments(Stairs(mine, run).Hexes, mine, 2, run) == volumes) << count;
+        const Stairs parts(mine, run);
+        EXPECT_EQ(MeasureFragments(parts.Hexes, mine, ShareOfAll(2, ranks), run), volumes) << count;
       });
   }
 }
@@ -352,7 +362,7 @@ TEST(LeafVolumes, UnitsAreMeanCells)
   MeshReport report;
   const Mesh mesh = MakeHexMesh(grid, shape.Fractions, options, runtime, report);
   const std::vector<double> volumes =
-    MeasureFragments(mesh, grid, static_cast<int>(report.NumberOfFragments), runtime);
+    MeasureFragments(mesh, grid, ShareOfAll(report.NumberOfFragments, runtime.Group()), runtime);
   ASSERT_EQ(report.NumberOfFragments, 2);
   for (std::size_t h = 0; h < mesh.ElementIds.size(); ++h)
   {

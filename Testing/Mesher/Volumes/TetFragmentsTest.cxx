@@ -41,7 +41,7 @@ TEST(TetFragments, AreConnectedTets)
         const TetFaces faces = FindTetFaces(mesh, topology.Positions, topology.Barrier, grid);
         const TetFragments fragments(topology, faces, grid, partition);
         // By their lowest tets: below x = 2, at 2 to 4, and above.
-        EXPECT_EQ(fragments.Materials(), (std::vector<int>{ 0, 1, 2, 1 }));
+        EXPECT_EQ(fragments.Share().Materials, (std::vector<int>{ 0, 1, 2, 1 }));
         for (std::size_t t = 0; t < mesh.ElementIds.size(); ++t)
         {
           double x = 0.0;

@@ -1,5 +1,6 @@
 /// Which fragments have thin parts.
 #include "Volumes/ThinFragments.h"
+#include "FragmentShares.h"
 #include "MeshChecks.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +18,7 @@ TEST(ThinFragments, HaveElementsInThinCells)
   const Mesh mesh = MakeCells(grid, two, options);
   Runtime runtime;
   const auto find = [&](const std::vector<Index>& thin)
-  { return FindThinFragments(grid, mesh, thin, 2, runtime.Group()); };
+  { return FindThinFragments(grid, mesh, thin, ShareOfAll(2, runtime.Group())); };
   EXPECT_TRUE(find({}).empty());
   const std::vector<unsigned char> isThin = find({ grid.Linear({ { 9, 1, 2 } }) });
   ASSERT_EQ(isThin.size(), 3u);
