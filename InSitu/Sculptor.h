@@ -328,6 +328,7 @@ extern "C"
    * Returns a number of the whole mesh, equal on all ranks: TargetVolume, MeshVolume and
    * VolumeError, one per material; NumberOfFragments, MinimumScaledJacobian, MeanScaledJacobian,
    * FlippedCells and others, which Documentation/reference/mesh-data.md lists with their units.
+   * RankFragments and RankTargetVolume, if they exist, are of this rank only.
    * @param name  name of the number
    * @param index  from 0: 0 for a single number; m for numbers per material, 3 * m + axis for
    * vectors per material, where m is 0 for the first material

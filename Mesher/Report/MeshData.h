@@ -51,8 +51,8 @@ struct MeshData : NodeCounts
   const float* ScaledJacobian = nullptr;
   ///@}
   std::vector<MeshArray> PointArrays, ElementArrays; ///< all arrays of files, also the ones above
-  /// Arrays of the whole mesh, equal on all ranks; except tables with SurfaceIds, which have the
-  /// rows of a rank (ListSides).
+  /// Arrays of the whole mesh, equal on all ranks, except rows of a rank: tables with SurfaceIds
+  /// (ListSides), and those for which IsFieldOfRank is true (FragmentTargets.h).
   std::vector<FieldArray> Fields;
   std::optional<double> Time;
   /// Facets ascending by element and side, if the mesher made the mesh; null: MeshFacets.h

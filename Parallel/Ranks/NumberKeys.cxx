@@ -3,9 +3,10 @@
 namespace vfm
 {
 
-std::int64_t SumOfLowerRanks(std::int64_t mine, Ranks& ranks)
+std::vector<std::int64_t> SumOfLowerRanks(const std::vector<std::int64_t>& mine, Ranks& ranks)
 {
-  std::int64_t below = 0, all = mine; // all: of the last `step` ranks up to this one
+  std::vector<std::int64_t> below(mine.size(), 0);
+  std::vector<std::int64_t> all = mine; // of the last `step` ranks up to this one
   for (int step = 1; step < ranks.Count(); step *= 2)
   {
     std::vector<int> peers;
@@ -19,20 +20,21 @@ std::int64_t SumOfLowerRanks(std::int64_t mine, Ranks& ranks)
     if (to < ranks.Count())
     {
       peers.push_back(to);
-      messages.push_back(ToBytes(std::vector<std::int64_t>{ all }));
+      messages.push_back(ToBytes(all));
     }
     const std::vector<Bytes> received = ranks.Exchange(peers, messages);
-    if (from >= 0)
+    const auto more = FromBytes<std::int64_t>(from >= 0 ? received[0] : Bytes());
+    for (std::size_t i = 0; i < more.size(); ++i)
     {
-      const std::int64_t more = FromBytes<std::int64_t>(received[0])[0];
-      below += more;
-      all += more;
+      below[i] += more[i];
+      all[i] += more[i];
     }
   }
   return below;
 }
 
-RisingHomes::RisingHomes(const std::vector<std::int64_t>& values, Ranks& ranks)
+RisingHomes::RisingHomes(const std::vector<std::int64_t>& values, Ranks& ranks) :
+  NumberOfRanges(std::min(64 * CountHomes(ranks), 4096))
 {
   // Doubles round, so the range is widened by as much.
   constexpr double none = -std::numeric_limits<double>::max();
@@ -48,12 +50,12 @@ RisingHomes::RisingHomes(const std::vector<std::int64_t>& values, Ranks& ranks)
   if (ends[0] > none)
   {
     lowest = static_cast<std::int64_t>(-ends[0]);
-    while (std::ldexp(ends[1] + ends[0] + 1.0, -shift) > static_cast<double>(NumberOfRanges))
+    while (std::ldexp(ends[1] + ends[0] + 1.0, -shift) > static_cast<double>(this->NumberOfRanges))
     {
       ++shift;
     }
   }
-  AddRanges(lowest, shift, NumberOfRanges, this->Ranges);
+  AddRanges(lowest, shift, this->NumberOfRanges, this->Ranges);
   this->Count(values, ranks);
   std::int64_t total = 0;
   for (const Range& range : this->Ranges)
@@ -137,7 +139,7 @@ bool RisingHomes::Divide(std::int64_t most)
   const auto divided =
     static_cast<std::size_t>(std::count_if(this->Ranges.begin(), this->Ranges.end(), isDivided));
   int halvings = 0;
-  while (divided > 0 && divided << (halvings + 1) <= NumberOfRanges)
+  while (divided > 0 && divided << (halvings + 1) <= this->NumberOfRanges)
   {
     ++halvings;
   }

@@ -57,8 +57,9 @@ public:
     const Fragments fragments(grid, labels, false, this->Parts);
     const auto addFacet = [&](const InterfaceFace& face, const Index3& lower, const Index3& upper)
     {
+      const std::vector<int>& ids = fragments.Share().Ids;
       Facet facet{ {}, { { face.LowerLabel, face.UpperLabel } },
-        { { fragments.FragmentOfCell(lower), fragments.FragmentOfCell(upper) } }, -1,
+        { { ids[fragments.FragmentOfCell(lower)], ids[fragments.FragmentOfCell(upper)] } }, -1,
         this->Parts.OwnsCell(face.LowerLabel > 0 ? lower : upper) };
       const std::array<Index, 4> nodes = NodesOfFace(grid, face);
       std::transform(nodes.begin(), nodes.end(), facet.Points.begin(),
