@@ -3,56 +3,11 @@
 #include "Base/DisjointSets.h"
 #include "Base/Sorted.h"
 
-#include <map>
-#include <numeric>
-
 namespace vfm
 {
 
-Index OffsetOfPieces(Ranks& ranks, Index count)
-{
-  const std::vector<Index> counts = GatherItems(ranks, std::vector<Index>{ count });
-  return std::accumulate(counts.begin(), counts.begin() + ranks.Rank(), Index(0));
-}
-
-std::vector<int> NumberFragments(const std::vector<Piece>& mine, const PiecePairs& same,
-  Index offset, Ranks& ranks, std::vector<int>& materials)
-{
-  const std::vector<Piece> pieces = GatherItems(ranks, mine);
-  std::vector<Index> parent = MakeSets(pieces.size());
-  for (const auto& pair : GatherItems(ranks, same))
-  {
-    Join(parent, pair[0], pair[1]);
-  }
-  std::map<Index, Index> lowest; // root -> lowest cell of the fragment
-  for (std::size_t p = 0; p < pieces.size(); ++p)
-  {
-    const auto at = lowest.emplace(FindRoot(parent, p), pieces[p].Lowest).first;
-    at->second = std::min(at->second, pieces[p].Lowest);
-  }
-  std::vector<std::pair<Index, Index>> order; // lowest cell, root
-  for (const auto& piece : lowest)
-  {
-    order.emplace_back(piece.second, piece.first);
-  }
-  std::sort(order.begin(), order.end());
-  std::map<Index, int> number;
-  materials.assign(1, 0);
-  for (const auto& piece : order)
-  {
-    number[piece.second] = static_cast<int>(materials.size());
-    materials.push_back(static_cast<int>(pieces[piece.second].Label));
-  }
-  std::vector<int> fragments;
-  for (std::size_t p = 0; p < mine.size(); ++p)
-  {
-    fragments.push_back(number[FindRoot(parent, offset + static_cast<Index>(p))]);
-  }
-  return fragments;
-}
-
-Fragments::Fragments(const CartesianGrid& grid, const LabelArray& labels, bool meshVoid,
-  const Partition& partition, Numbers numbers) :
+Fragments::Fragments(
+  const CartesianGrid& grid, const LabelArray& labels, bool meshVoid, const Partition& partition) :
   Box(grid.HexBox()), End(this->Box.Upper[0])
 {
   this->MakeRuns(grid, labels);
@@ -71,24 +26,12 @@ Fragments::Fragments(const CartesianGrid& grid, const LabelArray& labels, bool m
     });
   const std::vector<Piece> mine = this->FindPieces(grid, parent, meshVoid);
   Ranks& ranks = partition.Group();
-  std::vector<int> fragments;
-  if (numbers == Numbers::OfAllRanks)
-  {
-    const Index offset = OffsetOfPieces(ranks, static_cast<Index>(mine.size()));
-    fragments = NumberFragments(
-      mine, this->FindSame(grid, partition, offset), offset, ranks, this->Own.Materials);
-    this->Own.Total = static_cast<Index>(this->Own.Materials.size()) - 1;
-  }
-  else
-  {
-    JoinedPieces joined = JoinPieces(
-      mine, this->FindSame(grid, partition, OffsetOfRank(ranks)), partition.Peers(), ranks);
-    this->Own = std::move(joined.Share);
-    fragments = std::move(joined.Fragments);
-  }
+  JoinedPieces joined = JoinPieces(
+    mine, this->FindSame(grid, partition, OffsetOfRank(ranks)), partition.Peers(), ranks);
+  this->Own = std::move(joined.Share);
   for (RunOfCells& run : this->Runs)
   {
-    run.Fragment = run.Fragment > 0 ? fragments[run.Fragment - 1] : 0;
+    run.Fragment = run.Fragment > 0 ? joined.Fragments[run.Fragment - 1] : 0;
   }
 }
 

@@ -9,46 +9,22 @@
 namespace vfm
 {
 
-/// Returns the number of this rank's first local component, if all components are numbered from 0
-/// in the order of ranks.
-/// @param count  number of local components of this rank
-/// @pre Collective.
-Index OffsetOfPieces(Ranks& ranks, Index count);
-
-/// Joins the local components of all ranks into fragments, which are numbered from 1 by their
-/// lowest cell or element.
-/// @param mine  local components of this rank
-/// @param same  pairs of components that belong to one fragment; components are numbered over all
-///   ranks (OffsetOfPieces)
-/// @param offset  OffsetOfPieces of this rank
-/// @param[out] materials  label of each fragment; [0] is unused
-/// @return fragment of each local component of this rank
-/// @pre Collective.
-std::vector<int> NumberFragments(const std::vector<Piece>& mine, const PiecePairs& same,
-  Index offset, Ranks& ranks, std::vector<int>& materials);
-
 /// Fragment of every cell of CartesianGrid::HexBox, as numbered on this rank (FragmentShare); 0 in
 /// cells that are not meshed. Over all ranks, fragments are numbered by their lowest cell. Stored
 /// as runs of cells of one label along x, so memory is proportional to the interfaces.
 class Fragments
 {
 public:
-  /// Whether fragments have the numbers over all ranks, or those of this rank.
-  enum class Numbers
-  {
-    OfAllRanks, ///< every rank receives the local components of all ranks, 16 bytes each
-    OfThisRank
-  };
   /// Finds the fragments.
   /// @param labels  labels of the cells of the local box
   /// @param meshVoid  whether void forms fragments too
   /// @pre Collective.
-  Fragments(const CartesianGrid& grid, const LabelArray& labels, bool meshVoid,
-    const Partition& partition, Numbers numbers = Numbers::OfThisRank);
+  Fragments(
+    const CartesianGrid& grid, const LabelArray& labels, bool meshVoid, const Partition& partition);
 
   /// Returns the number of fragments over all ranks.
   int NumberOfFragments() const { return static_cast<int>(this->Own.Total); }
-  /// Returns the fragments of this rank, if they have its numbers.
+  /// Returns the fragments of this rank.
   const FragmentShare& Share() const { return this->Own; }
   /// Returns the fragment of a cell in HexBox.
   int FragmentOfCell(const Index3& cell) const;

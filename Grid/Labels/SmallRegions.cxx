@@ -1,9 +1,9 @@
 #include "Labels/SmallRegions.h"
 
-#include "Base/DisjointSets.h"
 #include "Fractions/FractionSum.h"
 #include "Fractions/GhostFractions.h"
 #include "Labels/Fragments.h"
+#include "Labels/JoinRegions.h"
 
 #include <map>
 #include <set>
@@ -14,136 +14,6 @@ namespace
 {
 
 using Part = FractionField::Part;
-
-/// Number of faces that a small region shares with another, as one rank sees them.
-struct SharedFaces
-{
-  Index Region, Other, Count;
-};
-
-/// Decides which regions join, equally on all ranks. Regions are numbered from 1
-/// by their lowest cell.
-class RegionGraph
-{
-public:
-  /// @param materials,cells  one per region; [0] is unused
-  /// @param shared  may contain a pair several times
-  RegionGraph(std::vector<int> materials, std::vector<Index> cells, Index minimumCells,
-    const std::vector<SharedFaces>& shared);
-
-  /// Returns the final material of each region; [0] is unused.
-  std::vector<int> Merge();
-
-private:
-  int ChooseMaterial(Index region, std::set<Index>& joined);
-  void Join(Index region, Index other);
-
-  std::vector<int> Material; // one per root
-  std::vector<Index> Cells;  // one per root
-  std::vector<Index> Parent; // sets of regions
-  Index MinimumCells;
-  // Number of faces of small roots, by region; regions need not be roots.
-  std::map<Index, std::map<Index, Index>> Faces;
-};
-
-RegionGraph::RegionGraph(std::vector<int> materials, std::vector<Index> cells, Index minimumCells,
-  const std::vector<SharedFaces>& shared) :
-  Material(std::move(materials)),
-  Cells(std::move(cells)),
-  Parent(MakeSets(this->Material.size())),
-  MinimumCells(minimumCells)
-{
-  for (const SharedFaces& faces : shared)
-  {
-    this->Faces[faces.Region][faces.Other] += faces.Count;
-  }
-}
-
-/// Returns the material with the most faces around a region, or -1 if nothing is around. joined:
-/// adds the adjacent regions of that material.
-int RegionGraph::ChooseMaterial(Index region, std::set<Index>& joined)
-{
-  std::map<int, Index> faces; // one count per material
-  for (const auto& shared : this->Faces[region])
-  {
-    const Index other = FindRoot(this->Parent, shared.first);
-    if (other != region)
-    {
-      faces[this->Material[other]] += shared.second;
-    }
-  }
-  int best = -1;
-  for (const auto& count : faces)
-  {
-    best = best < 0 || count.second > faces[best] ? count.first : best;
-  }
-  for (const auto& shared : this->Faces[region])
-  {
-    const Index other = FindRoot(this->Parent, shared.first);
-    if (other != region && this->Material[other] == best)
-    {
-      joined.insert(other);
-    }
-  }
-  return best;
-}
-
-/// Joins two regions. The one with the lower number, hence the lower cell, stays the root.
-void RegionGraph::Join(Index region, Index other)
-{
-  const Index root = std::min(region, other), child = std::max(region, other);
-  vfm::Join(this->Parent, root, child);
-  this->Cells[root] += this->Cells[child];
-  const auto old = this->Faces.find(child);
-  if (old != this->Faces.end())
-  {
-    for (const auto& shared : old->second)
-    {
-      this->Faces[root][shared.first] += shared.second;
-    }
-    this->Faces.erase(child);
-  }
-}
-
-std::vector<int> RegionGraph::Merge()
-{
-  std::set<std::pair<Index, Index>> small; // cells, root
-  for (std::size_t r = 1; r < this->Cells.size(); ++r)
-  {
-    if (this->Cells[r] < this->MinimumCells)
-    {
-      small.insert({ this->Cells[r], static_cast<Index>(r) });
-    }
-  }
-  while (!small.empty())
-  {
-    Index region = small.begin()->second;
-    small.erase(small.begin());
-    std::set<Index> joined;
-    const int material = this->ChooseMaterial(region, joined);
-    if (material < 0)
-    {
-      continue;
-    }
-    for (Index other : joined)
-    {
-      small.erase({ this->Cells[other], other });
-      this->Join(region, other);
-      region = std::min(region, other);
-    }
-    this->Material[region] = material;
-    if (this->Cells[region] < this->MinimumCells)
-    {
-      small.insert({ this->Cells[region], region });
-    }
-  }
-  std::vector<int> materials;
-  for (std::size_t r = 0; r < this->Material.size(); ++r)
-  {
-    materials.push_back(this->Material[FindRoot(this->Parent, static_cast<Index>(r))]);
-  }
-  return materials;
-}
 
 /// Change from one material to another, near a removed region.
 struct Change
@@ -171,21 +41,21 @@ void ForOwnedCells(const CartesianGrid& grid, const Fragments& regions, const Bo
     });
 }
 
-/// Returns the number of cells of each region, over all ranks.
-std::vector<Index> CountCells(const CartesianGrid& grid, const Fragments& regions, Ranks& ranks)
+/// Returns the number of cells of each region of this rank, over all ranks. Collective.
+std::vector<Index> CountCells(const CartesianGrid& grid, const Fragments& regions)
 {
-  std::vector<Index> cells(regions.NumberOfFragments() + 1, 0);
+  std::vector<Index> cells(regions.Share().Size(), 0);
   ForOwnedCells(grid, regions, [&](const Index3&, Index, int region) { ++cells[region]; });
-  ranks.Sum(cells);
+  regions.Share().Merge(cells, 1, [](Index& a, Index b) { a += b; });
   return cells;
 }
 
-/// Counts the faces of small regions, seen from their owned cells. Returns the counts of all ranks.
+/// Counts the faces of small regions, seen from their owned cells.
 /// @param cells  number of cells of each region
 std::vector<SharedFaces> FindFaces(const CartesianGrid& grid, const Fragments& regions,
-  const std::vector<Index>& cells, Index minimumCells, Ranks& ranks)
+  const std::vector<Index>& cells, Index minimumCells)
 {
-  std::map<std::pair<Index, Index>, Index> counts;
+  std::map<std::array<int, 2>, Index> counts;
   ForOwnedCells(grid, regions,
     [&](const Index3& p, Index, int region)
     {
@@ -196,32 +66,33 @@ std::vector<SharedFaces> FindFaces(const CartesianGrid& grid, const Fragments& r
         const int other = grid.InDomain(q) ? regions.FragmentOfCell(q) : region;
         if (other != region)
         {
-          ++counts[{ region, other }];
+          ++counts[{ { region, other } }];
         }
       }
     });
   std::vector<SharedFaces> mine;
   for (const auto& count : counts)
   {
-    mine.push_back({ count.first.first, count.first.second, count.second });
+    mine.push_back({ count.first[0], count.first[1], count.second });
   }
-  return GatherItems(ranks, mine);
+  return mine;
 }
 
-/// Counts the regions that get another material, and their cells.
-RemovedRegions CountRemoved(const std::vector<int>& oldMaterials,
-  const std::vector<int>& newMaterials, const std::vector<Index>& cells)
+/// Counts the regions that get another material, and their cells, on all ranks. Collective.
+RemovedRegions CountRemoved(const FragmentShare& regions, const std::vector<int>& newMaterials,
+  const std::vector<Index>& cells, Ranks& ranks)
 {
-  RemovedRegions removed;
-  for (std::size_t r = 1; r < oldMaterials.size(); ++r)
+  std::vector<Index> counts(2, 0);
+  for (std::size_t r = 1; r < regions.Size(); ++r)
   {
-    if (newMaterials[r] != oldMaterials[r])
+    if (regions.IsMine[r] && newMaterials[r] != regions.Materials[r])
     {
-      ++removed.Regions;
-      removed.Cells += cells[r];
+      ++counts[0];
+      counts[1] += cells[r];
     }
   }
-  return removed;
+  ranks.Sum(counts);
+  return { counts[0], counts[1] };
 }
 
 /// Returns the changes by the removed regions around a cell, its own first, then by number. No
@@ -325,14 +196,11 @@ RemovedRegions RemoveSmallRegions(const CartesianGrid& grid, Index minimumCells,
   const Partition& partition, FractionField& fractions)
 {
   Ranks& ranks = partition.Group();
-  const Fragments regions(grid, AssignMaterials(grid, fractions, isoValue), true, partition,
-    Fragments::Numbers::OfAllRanks);
-  const std::vector<int>& materials = regions.MaterialsOfFragments();
-  const std::vector<Index> cells = CountCells(grid, regions, ranks);
-  RegionGraph graph(
-    materials, cells, minimumCells, FindFaces(grid, regions, cells, minimumCells, ranks));
-  const std::vector<int> newMaterials = graph.Merge();
-  const RemovedRegions removed = CountRemoved(materials, newMaterials, cells);
+  const Fragments regions(grid, AssignMaterials(grid, fractions, isoValue), true, partition);
+  const std::vector<Index> cells = CountCells(grid, regions);
+  const std::vector<int> newMaterials = JoinRegions(
+    regions.Share(), cells, minimumCells, FindFaces(grid, regions, cells, minimumCells), ranks);
+  const RemovedRegions removed = CountRemoved(regions.Share(), newMaterials, cells, ranks);
   if (removed.Regions > 0)
   {
     fractions = Apply(grid, fractions, isoValue, regions, newMaterials);

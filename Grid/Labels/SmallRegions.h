@@ -26,7 +26,6 @@ struct RemovedRegions
 /// The fraction of the old material goes to the new one in the cells of a removed region, and in
 /// each of the 26 cells around them that has another label. If that would change the label of a
 /// cell around, it goes to the label of that cell. So no other label changes, and volumes follow.
-/// Every rank receives all regions.
 /// @param[in,out] fractions  valid in all cells of the local box, before and after
 /// @pre Collective.
 /// @note Bitwise reproducible on any number of ranks.

@@ -1,6 +1,7 @@
 #include "Octree/OctantFamilies.h"
 
 #include "Base/Sorted.h"
+#include "Octree/FamilyOwners.h"
 
 #include <iterator>
 
@@ -36,25 +37,78 @@ Index3 Moved(Index3 p, int b, Index alongB, int c, Index alongC)
 } // namespace
 
 OctantFamilies::OctantFamilies(
-  const OctreeKeys& lattice, std::vector<std::vector<Index>> requested, RefinedUnit unit) :
-  TheLattice(lattice),
-  Unit(unit),
-  Sets(std::move(requested)),
-  Reports(lattice.NumberOfRefinements())
+  const OctreeKeys& lattice, const std::vector<std::vector<Index>>& requested, RefinedUnit unit) :
+  TheLattice(lattice), Unit(unit)
 {
-  this->Sets.resize(this->Reports.size());
+  Ranks alone;
+  this->Close(requested, lattice.Base().Global(), alone);
+}
+
+OctantFamilies::OctantFamilies(const OctreeKeys& lattice,
+  const std::vector<std::vector<Index>>& requested, RefinedUnit unit, const IndexBox& part,
+  Ranks& ranks) :
+  TheLattice(lattice), Unit(unit)
+{
+  this->Close(requested, part, ranks);
+}
+
+void OctantFamilies::Close(
+  const std::vector<std::vector<Index>>& requested, const IndexBox& part, Ranks& ranks)
+{
+  const std::size_t levels = this->NumberOfRefinements();
+  if (levels == 0)
+  {
+    return;
+  }
+  this->Sets.resize(levels);
+  this->Reports.resize(levels);
+  const FamilyOwners owners(
+    this->TheLattice, part, CellsAround, requested, this->FamilyLevel(0), ranks);
   for (int level = this->NumberOfRefinements() - 1; level >= 0; --level)
   {
-    this->AddCopies(level, this->Sets[level]);
-    this->Reports[level].Requested = this->CountInDomain(level, this->Sets[level]);
+    const int own = this->FamilyLevel(level);
+    const bool isRequested = level < static_cast<int>(requested.size());
+    std::vector<Index> owned =
+      owners.ToOwners(own, isRequested ? requested[level] : std::vector<Index>());
+    this->Reports[level].Requested = static_cast<Index>(owned.size());
     if (level + 1 < this->NumberOfRefinements())
     {
-      this->AddBalance(level);
+      this->Reports[level].Balance =
+        static_cast<Index>(Merge(owned, this->FindBalance(level, owners)).size());
     }
+    this->Sets[level] = owners.WithGhosts(own, owned, this->CellsNear(level, part));
     if (this->Unit == RefinedUnit::Family)
     {
-      this->CloseNonManifoldEdges(level);
+      this->CloseNonManifoldEdges(owners, part, ranks, level);
     }
+  }
+  this->SumReports(ranks);
+}
+
+/// Returns the cells near a rank whose families it holds, of the level of their cells.
+IndexBox OctantFamilies::CellsNear(int level, const IndexBox& part) const
+{
+  const IndexBox cells = ChangeLevel(part, level);
+  const IndexBox near =
+    Grow(cells, CellsAround, ChangeLevel(this->TheLattice.Base().Global(), level));
+  return ChangeLevel(near, this->FamilyLevel(level) - level);
+}
+
+/// Sums the counts of families over all ranks; rounds are equal.
+void OctantFamilies::SumReports(Ranks& ranks)
+{
+  std::vector<Index> counts;
+  for (const LevelReport& report : this->Reports)
+  {
+    counts.insert(counts.end(), { report.Requested, report.Balance, report.NonManifold });
+  }
+  ranks.Sum(counts);
+  auto next = counts.begin();
+  for (LevelReport& report : this->Reports)
+  {
+    report.Requested = *next++;
+    report.Balance = *next++;
+    report.NonManifold = *next++;
   }
 }
 
@@ -100,52 +154,8 @@ int OctantFamilies::FindSlabs(int level, const Index3& cell) const
   return slabs;
 }
 
-/// Adds the copies of families on a periodic grid, and sorts the keys.
-void OctantFamilies::AddCopies(int level, std::vector<Index>& keys) const
-{
-  const CartesianGrid& base = this->TheLattice.Base();
-  const int own = this->FamilyLevel(level);
-  std::vector<Index> copies;
-  for (std::size_t k = 0; base.IsPeriodic() && k < keys.size(); ++k)
-  {
-    const Index3 family = this->TheLattice.FamilyOfKey(own, keys[k]);
-    IndexBox shifts{ {}, { { 1, 1, 1 } } };
-    for (int a = 0; a < 3; ++a)
-    {
-      const Index step = base.Period(a) << own; // a family has two cells, so twice the families
-      shifts.Lower[a] = step > 0 ? -(2 * family[a] / step) : 0;
-      shifts.Upper[a] =
-        step > 0 ? (this->TheLattice.Cells(own, a) - 2 * family[a] - 1) / step + 1 : 1;
-    }
-    ForCells(shifts,
-      [&](const Index3& shift)
-      {
-        Index3 copy = family;
-        for (int a = 0; a < 3; ++a)
-        {
-          copy[a] += shift[a] * ((base.Period(a) << own) / 2);
-        }
-        copies.push_back(this->TheLattice.FamilyKey(own, copy));
-      });
-  }
-  keys.insert(keys.end(), copies.begin(), copies.end());
-  SortUnique(keys);
-}
-
-Index OctantFamilies::CountInDomain(int level, const std::vector<Index>& keys) const
-{
-  const int own = this->FamilyLevel(level);
-  const IndexBox domain = ChangeLevel(this->TheLattice.Base().Domain(), own);
-  return std::count_if(keys.begin(), keys.end(),
-    [&](Index key)
-    {
-      const IndexBox family = ChangeLevel(BoxOfCell(this->TheLattice.FamilyOfKey(own, key)), 1);
-      return domain.Contains(family.Lower);
-    });
-}
-
-/// Adds the families of a level that the families of the next level need.
-void OctantFamilies::AddBalance(int level)
+/// Returns the owned families of a level that the families of the next level need, ascending.
+std::vector<Index> OctantFamilies::FindBalance(int level, const FamilyOwners& owners) const
 {
   const int own = this->FamilyLevel(level);
   std::vector<Index> needed;
@@ -155,43 +165,60 @@ void OctantFamilies::AddBalance(int level)
     for (int n = 0; n < 27; ++n)
     {
       const Index3 other = CellAround(cell, n);
-      if (IsFaceOrEdge(StepAround(n)) && this->TheLattice.HasCell(own, other))
+      if (IsFaceOrEdge(StepAround(n)) && this->TheLattice.HasCell(own, other) &&
+        owners.Owns(own, ParentOfCell(other)))
       {
         needed.push_back(this->TheLattice.FamilyKey(own, ParentOfCell(other)));
       }
     }
   }
-  this->AddCopies(level, needed);
-  this->Reports[level].Balance = this->CountInDomain(level, Merge(this->Sets[level], needed));
+  SortUnique(needed);
+  return needed;
 }
 
-void OctantFamilies::CloseNonManifoldEdges(int level)
+/// Returns the owned families that fill non-manifold edges with an end in a list of families,
+/// ascending.
+std::vector<Index> OctantFamilies::FillNonManifoldEdges(
+  int level, const std::vector<Index>& front, const FamilyOwners& owners) const
+{
+  std::vector<Index> added;
+  for (Index key : front)
+  {
+    const Index3 p = this->TheLattice.FamilyOfKey(level, key);
+    for (int n = 0; n < 12; ++n)
+    {
+      const int b = (n / 4 + 1) % 3, c = (n / 4 + 2) % 3;
+      const Index u = n & 1 ? 1 : -1, v = n & 2 ? 1 : -1;
+      const auto has = [&](Index alongB, Index alongC)
+      { return this->HasFamily(level, Moved(p, b, alongB * u, c, alongC * v)); };
+      const Index3 middle = Moved(p, b, u, c, v);
+      if (has(2, 2) && !has(1, 1) && !has(1, 0) && !has(0, 1) && !has(2, 1) && !has(1, 2) &&
+        owners.Owns(level, middle))
+      {
+        added.push_back(this->TheLattice.FamilyKey(level, middle));
+      }
+    }
+  }
+  SortUnique(added);
+  return added;
+}
+
+void OctantFamilies::CloseNonManifoldEdges(
+  const FamilyOwners& owners, const IndexBox& part, Ranks& ranks, int level)
 {
   // A non-manifold edge has an end among the families of the last round.
   std::vector<Index> front = this->Sets[level];
-  while (!front.empty())
+  for (;;)
   {
-    std::vector<Index> added;
-    for (Index key : front)
+    const std::vector<Index> added = this->FillNonManifoldEdges(level, front, owners);
+    if (!ranks.Any(!added.empty()))
     {
-      const Index3 p = this->TheLattice.FamilyOfKey(level, key);
-      for (int n = 0; n < 12; ++n)
-      {
-        const int b = (n / 4 + 1) % 3, c = (n / 4 + 2) % 3;
-        const Index u = n & 1 ? 1 : -1, v = n & 2 ? 1 : -1;
-        const auto has = [&](Index alongB, Index alongC)
-        { return this->HasFamily(level, Moved(p, b, alongB * u, c, alongC * v)); };
-        if (has(2, 2) && !has(1, 1) && !has(1, 0) && !has(0, 1) && !has(2, 1) && !has(1, 2))
-        {
-          added.push_back(this->TheLattice.FamilyKey(level, Moved(p, b, u, c, v)));
-        }
-      }
+      return;
     }
-    this->AddCopies(level, added);
-    const std::vector<Index> fresh = Merge(this->Sets[level], added);
-    this->Reports[level].NonManifold += this->CountInDomain(level, fresh);
-    this->Reports[level].Rounds += !fresh.empty();
-    front = std::move(added);
+    this->Reports[level].NonManifold += static_cast<Index>(added.size());
+    ++this->Reports[level].Rounds;
+    front = owners.WithGhosts(level, added, this->CellsNear(level, part));
+    Merge(this->Sets[level], front);
   }
 }
 

@@ -12,7 +12,9 @@
  * around the two families would share an edge but not a face: a non-manifold edge.
  *
  * Closing proceeds from the finest level to the coarsest. Families are added in rounds, each
- * based on the sets of the previous round, so the result does not depend on any order.
+ * based on the sets of the previous round, so the result does not depend on any order. The rank
+ * that owns the first cell of a family adds it and sends it to the ranks that read it
+ * (FamilyOwners.h). Rounds end when no rank has added a family.
  * Essentially after Owen, Shih, Ernst, Computer-Aided Design (2017); the rule of non-manifold
  * edges was found by testing.
  *
@@ -21,22 +23,30 @@
  * cell of its level is of this level or refined, so cells that share an edge differ by at most one
  * level.
  *
- * Memory is proportional to the refined families: one sorted list of keys per level.
+ * A rank holds the families that overlap its part of the grid and some cells of their level
+ * around it. Memory is proportional to them: one sorted list of keys per level.
  */
 #pragma once
 
 #include "Base/Options.h"
 #include "Octree/OctreeKeys.h"
+#include "Ranks/Ranks.h"
 
 namespace vfm
 {
 
-/// Closed sets of refined families, equal on all ranks. Refers to the lattice, which must outlive
-/// it. Thread safe once made.
+class FamilyOwners;
+
+/// Closed sets of refined families near one rank. Refers to the lattice, which must outlive it.
+/// Thread safe once made.
 class OctantFamilies
 {
 public:
-  /// Numbers of families of a level, by reason.
+  /// Number of cells of each level around the part of a rank whose families it holds too: one more
+  /// than the transition hexes and the interfaces of a level depend on.
+  static constexpr Index CellsAround = 9;
+
+  /// Numbers of families of a level on all ranks, by reason. Copies do not count.
   struct LevelReport
   {
     Index Requested = 0;   ///< requested families
@@ -45,12 +55,18 @@ public:
     int Rounds = 0;        ///< rounds in which this rule added families
   };
 
-  /// Closes the sets of requested families. Stores a reference to the lattice.
+  /// Closes the sets of families that the ranks request. Stores a reference to the lattice.
   /// @param requested  keys of families (OctreeKeys::FamilyKey) for each refinement, in any order,
-  /// possibly repeated, of all ranks (GatherItems). Missing lists are empty.
+  /// possibly repeated, that this rank requests. Missing lists are empty. The farther they are from
+  /// its cells, the more ranks exchange families. Those of a rank without cells do not count.
   /// @param unit  Cell: a cell has the key of the family that its children are: FamilyKey(level +
   /// 1, cell)
-  OctantFamilies(const OctreeKeys& lattice, std::vector<std::vector<Index>> requested,
+  /// @param part  base cells in and around which this rank reads families; contains the owned ones
+  /// @pre Collective over `ranks`, if there are refinements.
+  OctantFamilies(const OctreeKeys& lattice, const std::vector<std::vector<Index>>& requested,
+    RefinedUnit unit, const IndexBox& part, Ranks& ranks);
+  /// Closes the sets of a grid of which one rank owns all cells.
+  OctantFamilies(const OctreeKeys& lattice, const std::vector<std::vector<Index>>& requested,
     RefinedUnit unit = RefinedUnit::Family);
 
   const OctreeKeys& Lattice() const { return this->TheLattice; }
@@ -58,11 +74,12 @@ public:
   RefinedUnit UnitOfSets() const { return this->Unit; }
   /// Returns the level whose families have the keys of the set of a level.
   int FamilyLevel(int level) const { return level + (this->Unit == RefinedUnit::Cell); }
-  /// Returns the keys of the refined families, or cells, of a level, ascending.
+  /// Returns the keys of the refined families, or cells, of a level near this rank, ascending.
   const std::vector<Index>& Keys(int level) const { return this->Sets[level]; }
   const LevelReport& Report(int level) const { return this->Reports[level]; }
 
   /// Returns whether a family, or cell, is in the set of a level.
+  /// @pre It is near this rank, or outside the grid, also for the functions below.
   bool HasFamily(int level, const Index3& family) const;
   /// Returns whether a cell is refined.
   bool IsRefined(int level, const Index3& cell) const
@@ -78,10 +95,14 @@ public:
   bool IsTouched(int level, const Index3& cell) const;
 
 private:
-  void AddCopies(int level, std::vector<Index>& keys) const;
-  Index CountInDomain(int level, const std::vector<Index>& keys) const;
-  void AddBalance(int level);
-  void CloseNonManifoldEdges(int level);
+  void Close(const std::vector<std::vector<Index>>& requested, const IndexBox& part, Ranks& ranks);
+  IndexBox CellsNear(int level, const IndexBox& part) const;
+  std::vector<Index> FindBalance(int level, const FamilyOwners& owners) const;
+  std::vector<Index> FillNonManifoldEdges(
+    int level, const std::vector<Index>& front, const FamilyOwners& owners) const;
+  void CloseNonManifoldEdges(
+    const FamilyOwners& owners, const IndexBox& part, Ranks& ranks, int level);
+  void SumReports(Ranks& ranks);
 
   const OctreeKeys& TheLattice;
   RefinedUnit Unit;

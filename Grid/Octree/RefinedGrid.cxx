@@ -18,7 +18,8 @@ RefinedGrid::RefinedGrid(const CartesianGrid& finest, const LevelPlan& plan,
   BaseGrid(CoarsenGrid(finest, plan.Refinements, BaseGhostLayers)),
   TheLattice(this->BaseGrid, plan.Refinements,
     { { finest.Coordinates(0), finest.Coordinates(1), finest.Coordinates(2) } }),
-  Sets(this->TheLattice, this->GatherFamilies(plan, interfaces, ranks), plan.Unit),
+  Sets(
+    this->TheLattice, this->RequestFamilies(plan, interfaces), plan.Unit, this->FindPart(), ranks),
   UnitShift(plan.Unit == RefinedUnit::Cell ? 1 : 2),
   Uniform(plan.Refinements == 0),
   FineInterfaces(plan.FineInterfaces || this->Uniform)
@@ -52,8 +53,9 @@ std::vector<Index> RefinedGrid::FindFamilies(
   return keys;
 }
 
-std::vector<std::vector<Index>> RefinedGrid::GatherFamilies(
-  const LevelPlan& plan, const std::vector<Index>& interfaces, Ranks& ranks) const
+/// Returns the families of the plan and those around interfaces, which this rank requests.
+std::vector<std::vector<Index>> RefinedGrid::RequestFamilies(
+  const LevelPlan& plan, const std::vector<Index>& interfaces) const
 {
   std::vector<std::vector<Index>> families = plan.Families;
   families.resize(plan.Refinements);
@@ -62,11 +64,20 @@ std::vector<std::vector<Index>> RefinedGrid::GatherFamilies(
     const std::vector<Index> around = this->FindFamilies(interfaces, plan);
     families.back().insert(families.back().end(), around.begin(), around.end());
   }
-  for (std::vector<Index>& keys : families)
-  {
-    keys = GatherItems(ranks, keys);
-  }
   return families;
+}
+
+/// Returns the base cells of which this rank holds any cell.
+IndexBox RefinedGrid::FindPart() const
+{
+  const IndexBox fine = ChangeLevel(this->FinestGrid.Local(), -this->NumberOfRefinements());
+  IndexBox part = this->BaseGrid.Local();
+  for (int a = 0; a < 3 && fine.NumberOfCells() > 0; ++a)
+  {
+    part.Lower[a] = std::min(part.Lower[a], fine.Lower[a]);
+    part.Upper[a] = std::max(part.Upper[a], fine.Upper[a]);
+  }
+  return part;
 }
 
 void RefinedGrid::MarkFine()

@@ -8,6 +8,9 @@
  * hexes: coarser cells, and transition hexes between levels (CoarseHexes.h). If all interfaces have
  * finest cells, the stages that find, resolve and move interfaces meet no coarse hexes. Otherwise
  * labels belong to leaves (LeafOf), and interfaces cross coarse hexes too (SplitNodes.h).
+ *
+ * A rank holds the families of its own part of the grid and around it. Functions return what is
+ * true of the whole grid for cells and nodes in the local boxes of both grids.
  */
 #pragma once
 
@@ -107,8 +110,9 @@ private:
   int CountFineAround(const Index3& node) const;
   std::vector<Index> FindFamilies(
     const std::vector<Index>& interfaces, const LevelPlan& plan) const;
-  std::vector<std::vector<Index>> GatherFamilies(
-    const LevelPlan& plan, const std::vector<Index>& interfaces, Ranks& ranks) const;
+  std::vector<std::vector<Index>> RequestFamilies(
+    const LevelPlan& plan, const std::vector<Index>& interfaces) const;
+  IndexBox FindPart() const;
   void MarkFine();
   Index RowOfFamilies(Index j, Index k) const;
   template <class Visitor>

@@ -5,6 +5,7 @@
 #include "Geometry/FacetValues.h"
 #include "GivenSurfaces/BodySurfaces.h"
 #include "Octree/RefinedGrid.h"
+#include "Ranks/MergeByKey.h"
 #include "Surfaces/TriangleSearch.h"
 
 #include <cmath>
@@ -348,37 +349,36 @@ private:
   std::vector<std::vector<std::pair<int, double>>> Ratings; // of sides at facets, as far as known
 };
 
-/// Sets the sides of interfaces with one side without a name to 0.
+/// Sets the sides of interfaces with one side without a name to 0. Collective.
 void LeaveWholes(const std::vector<Facet>& facets, Ranks& ranks, DividedFacets& sides)
 {
-  std::vector<std::array<int, 3>> mine; // interface and side
+  using Key = std::array<Index, 2>;
+  using Bounds = std::array<int, 2>; // lowest and highest side
+  std::vector<std::size_t> divided;
+  std::vector<Key> keys;
+  std::vector<Bounds> bounds;
+  constexpr Bounds none{ { std::numeric_limits<int>::max(), 0 } };
   for (std::size_t f = 0; f < facets.size(); ++f)
   {
-    if (facets[f].IsOwned && sides.SideOf[f] > 0)
+    if (const int side = sides.SideOf[f]; side > 0)
     {
       const Pair pair = SurfaceOf(facets[f]);
-      mine.push_back({ { pair[0], pair[1], sides.SideOf[f] } });
+      divided.push_back(f);
+      keys.push_back({ { pair[0], pair[1] } });
+      bounds.push_back(facets[f].IsOwned ? Bounds{ { side, side } } : none);
     }
   }
-  SortUnique(mine);
-  std::vector<std::array<int, 3>> all = GatherItems(ranks, mine);
-  SortUnique(all);
-  std::vector<Pair> wholes;
-  ForRuns(
-    all.begin(), all.end(),
-    [](const auto& a, const auto& b) { return a[0] == b[0] && a[1] == b[1]; },
-    [&](auto first, auto last)
-    {
-      if (last - first == 1 && sides.Names[(*first)[2]].empty())
-      {
-        wholes.push_back({ { (*first)[0], (*first)[1] } });
-      }
-    });
-  for (std::size_t f = 0; f < facets.size(); ++f)
+  bounds = MergeByKey(
+    keys, bounds,
+    [](const Bounds& a, const Bounds& b) {
+      return Bounds{ { std::min(a[0], b[0]), std::max(a[1], b[1]) } };
+    },
+    ranks);
+  for (std::size_t i = 0; i < divided.size(); ++i)
   {
-    if (sides.SideOf[f] > 0 && FindSorted(wholes, SurfaceOf(facets[f])) >= 0)
+    if (bounds[i][0] == bounds[i][1] && sides.Names[bounds[i][0]].empty())
     {
-      sides.SideOf[f] = 0;
+      sides.SideOf[divided[i]] = 0;
     }
   }
 }

@@ -3,7 +3,9 @@
 #include "Base/DisjointSets.h"
 #include "Base/Sorted.h"
 #include "Elements/PointValues.h"
-#include "Labels/Fragments.h"
+#include "Labels/JoinPieces.h"
+#include "Ranks/NumberKeys.h"
+#include "Ranks/NumberLimit.h"
 
 namespace vfm
 {
@@ -19,6 +21,14 @@ bool IsInterface(const Facet& facet)
 }
 
 using Pair = std::array<int, 2>;
+using IndexPair = std::array<Index, 2>;
+
+/// Returns the two sides of a facet as a key (SurfaceOf).
+IndexPair PairOf(const Facet& facet)
+{
+  const Pair pair = SurfaceOf(facet);
+  return { { pair[0], pair[1] } };
+}
 
 /// Place of a point on the interfaces.
 enum class Place : unsigned char
@@ -125,32 +135,57 @@ void CloseGaps(
   }
 }
 
-/// Returns the interfaces with edges on all ranks, ascending.
-std::vector<Pair> FindCuts(const std::vector<Facet>& facets, const Places& places, Ranks& ranks)
+/// Returns whether interfaces have edges.
+/// @param interfaces  those of the facets, ascending
+std::vector<unsigned char> FindEdges(
+  const std::vector<Facet>& facets, const Places& places, const std::vector<IndexPair>& interfaces)
 {
-  std::vector<Pair> cut;
+  std::vector<unsigned char> hasEdge(interfaces.size(), 0);
   for (const Facet& facet : facets)
   {
     if (IsInterface(facet) && facet.IsOwned &&
       std::any_of(facet.Points.begin(), facet.Points.end(),
         [&](Index p) { return places[p] == Place::OnEdge; }))
     {
-      cut.push_back(SurfaceOf(facet));
+      hasEdge[FindSorted(interfaces, PairOf(facet))] = 1;
     }
   }
-  SortUnique(cut);
-  std::vector<Pair> cuts = GatherItems(ranks, cut);
-  SortUnique(cuts);
-  return cuts;
+  return hasEdge;
 }
 
-/// Returns the position of the interface of each facet in `cuts`, or -1.
-std::vector<int> FindCutOfFacets(const std::vector<Facet>& facets, const std::vector<Pair>& cuts)
+/// Returns the number of the interface of each facet among those with edges, in the order of all
+/// ranks, or -1. Collective.
+std::vector<int> FindCuts(const std::vector<Facet>& facets, const Places& places, Ranks& ranks)
 {
+  std::vector<IndexPair> interfaces;
+  for (const Facet& facet : facets)
+  {
+    if (IsInterface(facet))
+    {
+      interfaces.push_back(PairOf(facet));
+    }
+  }
+  SortUnique(interfaces);
+  std::vector<unsigned char> hasEdge = FindEdges(facets, places, interfaces);
+  KeyMerge<IndexPair>(interfaces, ranks)
+    .Merge(hasEdge, 1, [](unsigned char& a, unsigned char b) { a |= b; });
+  std::vector<IndexPair> cuts;
+  for (std::size_t i = 0; i < interfaces.size(); ++i)
+  {
+    if (hasEdge[i])
+    {
+      cuts.push_back(interfaces[i]);
+    }
+  }
+  // Fragments have 31 bits.
+  const KeyNumbers numbers = NumberKeys(
+    cuts, [](const IndexPair& pair) { return (pair[0] << 31) + pair[1]; }, ranks);
+  CheckNumberLimit(numbers.Total, "interfaces with edges");
   std::vector<int> cutOf;
   for (const Facet& facet : facets)
   {
-    cutOf.push_back(static_cast<int>(FindSorted(cuts, SurfaceOf(facet))));
+    const auto cut = FindSorted(cuts, PairOf(facet));
+    cutOf.push_back(cut < 0 ? -1 : static_cast<int>(numbers.Numbers[cut]));
   }
   return cutOf;
 }
@@ -162,17 +197,17 @@ struct LocalPieces
   std::vector<Index> Of; ///< piece of each point, or -1
 };
 
-/// Joins the pieces of all ranks to sides.
-/// @param[out] cutOfSide  interface of each side
+/// Joins the pieces of all ranks to sides. Collective.
+/// @param[out] total  number of sides on all ranks
 /// @return side of each point; 0: none
 std::vector<int> NumberSides(
-  const LocalPieces& pieces, const PointValues& shared, Ranks& ranks, std::vector<int>& cutOfSide)
+  const LocalPieces& pieces, const PointValues& shared, const Partition& partition, int& total)
 {
-  const Index offset = OffsetOfPieces(ranks, static_cast<Index>(pieces.List.size()));
+  Ranks& ranks = partition.Group();
   std::vector<Index> numbers(pieces.Of);
   for (Index& number : numbers)
   {
-    number += number < 0 ? 0 : offset;
+    number += number < 0 ? 0 : OffsetOfRank(ranks);
   }
   PiecePairs same;
   shared.Fetch(numbers,
@@ -184,11 +219,12 @@ std::vector<int> NumberSides(
       }
     });
   SortUnique(same);
-  const std::vector<int> sides = NumberFragments(pieces.List, same, offset, ranks, cutOfSide);
+  const JoinedPieces joined = JoinPieces(pieces.List, same, partition.Peers(), ranks);
+  total = static_cast<int>(joined.Share.Total);
   std::vector<int> sideOf;
   for (Index piece : pieces.Of)
   {
-    sideOf.push_back(piece < 0 ? 0 : sides[piece]);
+    sideOf.push_back(piece < 0 ? 0 : joined.Share.Ids[joined.Fragments[piece]]);
   }
   return sideOf;
 }
@@ -240,16 +276,13 @@ Vector3 NormalOf(const Mesh& mesh, const Facet& facet)
 SidePoints FindSidePoints(const std::vector<Facet>& facets, const std::vector<FeatureKind>& kinds,
   const Mesh& mesh, const Partition& partition)
 {
-  Ranks& ranks = partition.Group();
   const PointValues shared(ListPoints(facets, mesh.CornersOfFacet()), mesh, partition);
   Places places = FindPlaces(facets, kinds, mesh, shared);
   CloseGaps(facets, mesh, shared, places);
-  const std::vector<Pair> cuts = FindCuts(facets, places, ranks);
   SidePoints sides;
-  sides.CutOf = FindCutOfFacets(facets, cuts);
-  sides.NumberOfCuts = static_cast<int>(cuts.size());
-  sides.SideOf =
-    NumberSides(FindPieces(facets, sides.CutOf, places, mesh), shared, ranks, sides.CutsOfSides);
+  sides.CutOf = FindCuts(facets, places, partition.Group());
+  sides.SideOf = NumberSides(
+    FindPieces(facets, sides.CutOf, places, mesh), shared, partition, sides.NumberOfSides);
   return sides;
 }
 

@@ -37,13 +37,12 @@ Groups<int> ListFacetsAt(
 /// Interfaces with edges, which are cut into sides, and the points inside the sides.
 struct SidePoints
 {
-  /// Cut interface of each facet, from 0; -1 if its interface has no edges.
+  /// Cut interface of each facet, from 0 over all ranks; -1 if its interface has no edges.
   std::vector<int> CutOf;
-  int NumberOfCuts; ///< number of interfaces with edges
   /// Side of each point, numbered from 1 over all ranks by the lowest point. 0: the point is on an
   /// edge, on several interfaces, or on an interface without edges.
   std::vector<int> SideOf;
-  std::vector<int> CutsOfSides; ///< cut interface of each side; [0] is not used
+  int NumberOfSides; ///< on all ranks
 };
 
 /// Finds the points inside smooth sides. Edges run over carriers (IsCarrier); gaps of a few points

@@ -4,6 +4,7 @@
 #include "Base/Sorted.h"
 #include "Geometry/FacetValues.h"
 #include "Geometry/SidePoints.h"
+#include "Ranks/KeyMerge.h"
 
 #include <map>
 #include <tuple>
@@ -20,9 +21,10 @@ constexpr int FewestTriangles = 12;   // minimum size of a side; a quad counts a
 constexpr int FewTriangles = 36;      // minimum size if its border is smooth somewhere
 constexpr double SmoothCosine = .906; // cosine of 25 degrees, between mean normals of facets
 
-/// Common border of two sides.
+/// Common border of two sides of a cut interface.
 struct Border
 {
+  Index Cut;
   Pair Sides;                      ///< the smaller first
   std::int64_t Edges, SmoothEdges; ///< numbers of facet edges
   double Cosine;                   ///< largest cosine between normals of facets across the border
@@ -30,14 +32,20 @@ struct Border
 
 using Borders = std::map<Pair, Border>;
 
+/// Adds more of the same border.
+void Combine(Border& border, const Border& more)
+{
+  border.Edges += more.Edges;
+  border.SmoothEdges += more.SmoothEdges;
+  border.Cosine = std::max(border.Cosine, more.Cosine);
+}
+
 void AddBorder(const Border& more, Borders& borders)
 {
   const auto [at, isNew] = borders.emplace(more.Sides, more);
   if (!isNew)
   {
-    at->second.Edges += more.Edges;
-    at->second.SmoothEdges += more.SmoothEdges;
-    at->second.Cosine = std::max(at->second.Cosine, more.Cosine);
+    Combine(at->second, more);
   }
 }
 
@@ -153,7 +161,7 @@ struct SidedFacets
 
   int Remainder(std::size_t f) const
   {
-    return static_cast<int>(this->Points.CutsOfSides.size()) + this->Points.CutOf[f];
+    return this->Points.NumberOfSides + 1 + this->Points.CutOf[f];
   }
   Vector3 Normal(std::size_t f) const { return NormalOf(this->Input, this->Facets[f]); }
   /// Returns the ids of the points of a facet, ascending.
@@ -367,7 +375,7 @@ void AddEdge(const SidedFacets& sided, std::size_t f, std::size_t g, const Group
     const double cosine = Dot(sided.Normal(f), sided.Normal(g));
     const bool isSmooth =
       Dot(MeanNormal(sided, f, g, around), MeanNormal(sided, g, f, around)) > SmoothCosine;
-    AddBorder({ sides, 1, isSmooth, cosine }, borders);
+    AddBorder({ sided.Points.CutOf[f], sides, 1, isSmooth, cosine }, borders);
   }
 }
 
@@ -401,62 +409,124 @@ Borders FindBorders(const SidedFacets& sided)
   return borders;
 }
 
-/// Returns the number of triangles of each side over all ranks.
-std::vector<std::int64_t> CountTriangles(const SidedFacets& sided, Ranks& ranks)
+/// Side of a cut interface: numbers of both over all ranks.
+using SideKey = std::array<Index, 2>;
+/// Border of two sides of a cut interface, the side with the smaller number first.
+using BorderKey = std::array<Index, 3>;
+
+SideKey SideOfFacet(const SidedFacets& sided, std::size_t f)
 {
-  const SidePoints& points = sided.Points;
-  std::vector<std::int64_t> triangles(points.CutsOfSides.size() + points.NumberOfCuts, 0);
+  return { { sided.Points.CutOf[f], sided.SideOf[f] } };
+}
+
+/// Returns a function for KeyMerge: the sides and borders of a cut interface have the same home.
+auto HomeOfCut(const Ranks& ranks)
+{
+  return [homes = CountHomes(ranks)](const auto& key) { return MeetingRank(key[0], homes); };
+}
+
+/// Returns the sides of the facets of this rank, ascending.
+std::vector<SideKey> ListSides(const SidedFacets& sided)
+{
+  std::vector<SideKey> sides;
   for (std::size_t f = 0; f < sided.Facets.size(); ++f)
   {
-    triangles[sided.SideOf[f]] += sided.Facets[f].IsOwned ? sided.Input.CornersOfFacet() - 2 : 0;
+    if (sided.Points.CutOf[f] >= 0)
+    {
+      sides.push_back(SideOfFacet(sided, f));
+    }
   }
-  ranks.Sum(triangles);
+  SortUnique(sides);
+  return sides;
+}
+
+/// Returns the number of triangles of each side that this rank owns.
+std::vector<std::int64_t> CountTriangles(
+  const SidedFacets& sided, const std::vector<SideKey>& sides)
+{
+  std::vector<std::int64_t> triangles(sides.size(), 0);
+  for (std::size_t f = 0; f < sided.Facets.size(); ++f)
+  {
+    if (sided.Points.CutOf[f] >= 0 && sided.Facets[f].IsOwned)
+    {
+      triangles[FindSorted(sides, SideOfFacet(sided, f))] += sided.Input.CornersOfFacet() - 2;
+    }
+  }
   return triangles;
 }
 
-/// Returns the borders of all ranks.
-Borders GatherBorders(const SidedFacets& sided, Ranks& ranks)
+/// Returns the borders of all ranks between sides whose home this rank is. Collective.
+/// @param sides  these sides; borders have their positions
+Borders FindBordersAtHome(const SidedFacets& sided, const std::vector<SideKey>& sides, Ranks& ranks)
 {
-  std::vector<Border> mine;
-  for (const auto& border : FindBorders(sided))
+  std::vector<std::pair<BorderKey, Border>> mine;
+  for (const auto& [pair, border] : FindBorders(sided))
   {
-    mine.push_back(border.second);
+    mine.push_back({ { { border.Cut, pair[0], pair[1] } }, border });
   }
-  Borders borders;
-  for (const Border& border : GatherItems(ranks, mine))
+  std::sort(
+    mine.begin(), mine.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<BorderKey> keys;
+  std::vector<Border> values;
+  for (const auto& [key, border] : mine)
   {
-    AddBorder(border, borders);
+    keys.push_back(key);
+    values.push_back(border);
+  }
+  const KeyMerge<BorderKey> ways(std::move(keys), HomeOfCut(ranks), ranks);
+  Borders borders;
+  for (Border border : ways.ToHome(std::move(values), 1, Combine))
+  {
+    for (int& side : border.Sides)
+    {
+      side = static_cast<int>(FindSorted(sides, SideKey{ { border.Cut, side } }));
+    }
+    borders.emplace(border.Sides, border);
   }
   return borders;
 }
 
-/// Returns the number of sides of each cut interface.
-std::vector<int> CountSides(const SidePoints& points, SideSets& sets)
+/// Returns the number of each side after sides have been joined; 0 if its interface has one side.
+/// @param sides  sides with all sides of their interfaces, ascending
+std::vector<Index> NumberJoined(const std::vector<SideKey>& sides, SideSets& sets)
 {
-  const std::size_t remainders = points.CutsOfSides.size();
-  std::vector<int> count(points.NumberOfCuts, 0);
-  for (std::size_t side = 1; side < sets.Triangles.size(); ++side)
-  {
-    const Index root = sets.Root(side);
-    const std::size_t cut = side < remainders ? points.CutsOfSides[side] : side - remainders;
-    count[cut] += sets.Triangles[root] > 0 && root == static_cast<Index>(side);
-  }
-  return count;
+  std::vector<Index> numbers(sides.size(), 0);
+  ForRuns(
+    sides.begin(), sides.end(), [](const SideKey& a, const SideKey& b) { return a[0] == b[0]; },
+    [&](auto begin, auto end)
+    {
+      const Index first = begin - sides.begin(), last = end - sides.begin();
+      int count = 0;
+      for (Index side = first; side < last; ++side)
+      {
+        count += sets.Root(side) == side && sets.Triangles[side] > 0;
+      }
+      for (Index side = first; count > 1 && side < last; ++side)
+      {
+        numbers[side] = sides[sets.Root(side)][1];
+      }
+    });
+  return numbers;
 }
 
-/// Joins sides. Facets of interfaces with one side get side 0.
+/// Joins sides. Facets of interfaces with one side get side 0. Interfaces do not depend on each
+/// other, and each has a home that joins its sides. Collective.
 void JoinSides(Ranks& ranks, SidedFacets& sided)
 {
-  const std::vector<int>& cutOf = sided.Points.CutOf;
-  SideSets sets(CountTriangles(sided, ranks));
-  const Borders borders = GatherBorders(sided, ranks);
+  const std::vector<SideKey> mine = ListSides(sided);
+  const KeyMerge<SideKey> ways(mine, HomeOfCut(ranks), ranks);
+  const std::vector<SideKey>& sides = ways.HomeKeys();
+  SideSets sets(
+    ways.ToHome(CountTriangles(sided, mine), 1, [](std::int64_t& a, std::int64_t b) { a += b; }));
+  const Borders borders = FindBordersAtHome(sided, sides, ranks);
   JoinSmooth(borders, sets);
   JoinSlivers(borders, sets);
-  const std::vector<int> count = CountSides(sided.Points, sets);
-  for (std::size_t f = 0; f < cutOf.size(); ++f)
+  const std::vector<Index> numbers = ways.FromHome(NumberJoined(sides, sets), 1);
+  for (std::size_t f = 0; f < sided.SideOf.size(); ++f)
   {
-    const bool isCut = cutOf[f] >= 0 && count[cutOf[f]] > 1;
-    sided.SideOf[f] = isCut ? static_cast<int>(sets.Root(sided.SideOf[f])) : 0;
+    sided.SideOf[f] = sided.Points.CutOf[f] < 0
+      ? 0
+      : static_cast<int>(numbers[FindSorted(mine, SideOfFacet(sided, f))]);
   }
 }
 

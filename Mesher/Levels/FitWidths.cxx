@@ -1,10 +1,10 @@
 #include "Levels/FitWidths.h"
 
-#include "Base/Sorted.h"
 #include "Fractions/ResampleFields.h"
 #include "Labels/Fragments.h"
 #include "Levels/WideCells.h"
 #include "Ranks/Agreement.h"
+#include "Ranks/KeyMerge.h"
 
 #include <cmath>
 
@@ -92,6 +92,65 @@ int CountHalvings(double from, double to)
   return halvings;
 }
 
+/// Families at the nodes of the cells of this rank.
+class FamiliesOfRank
+{
+public:
+  /// @param width of a family, in cells of the input
+  FamiliesOfRank(const CartesianGrid& grid, double width) :
+    Width(width),
+    Box{ this->FamilyAt(grid.Owned().Lower), CornerOfCell(this->FamilyAt(grid.Owned().Upper), 7) },
+    Contain(this->Box.NumberOfCells(), 0)
+  {
+  }
+
+  void Add(const Index3& node) { this->Contain[IndexInBox(this->Box, this->FamilyAt(node))] = 1; }
+
+  /// Collective. Returns the number of families on all ranks.
+  Index Count(Ranks& ranks) const
+  {
+    std::vector<Index> counts(1, 0);
+    std::vector<Index3> border; // families that other ranks may have too
+    for (std::size_t f = 0; f < this->Contain.size(); ++f)
+    {
+      const Index3 family = CellInBox(this->Box, static_cast<Index>(f));
+      if (this->Contain[f] != 0 && !this->IsInside(family))
+      {
+        border.push_back(family);
+      }
+      counts[0] += this->Contain[f] != 0 && this->IsInside(family);
+    }
+    std::sort(border.begin(), border.end());
+    counts[0] += static_cast<Index>(KeyMerge<Index3>(std::move(border), ranks).HomeKeys().size());
+    ranks.Sum(counts);
+    return counts[0];
+  }
+
+private:
+  Index3 FamilyAt(const Index3& node) const
+  {
+    Index3 family;
+    for (int a = 0; a < 3; ++a)
+    {
+      family[a] = static_cast<Index>(static_cast<double>(node[a]) / this->Width);
+    }
+    return family;
+  }
+  bool IsInside(const Index3& family) const
+  {
+    bool isInside = true;
+    for (int a = 0; a < 3; ++a)
+    {
+      isInside = isInside && family[a] > this->Box.Lower[a] && family[a] < this->Box.Upper[a] - 1;
+    }
+    return isInside;
+  }
+
+  const double Width;
+  const IndexBox Box;
+  std::vector<unsigned char> Contain; // whether each family contains cells
+};
+
 /// Collective. Returns the number of families that contain cells of materials, on all ranks.
 /// @param width of a family, in cells of the input
 /// @param isIn whether a label is one of these materials
@@ -99,36 +158,16 @@ template <class IsIn>
 Index CountFamilies(
   const CartesianGrid& grid, const LabelArray& labels, double width, const IsIn& isIn, Ranks& ranks)
 {
-  const auto familyAt = [width](const Index3& node)
-  {
-    Index3 family;
-    for (int a = 0; a < 3; ++a)
-    {
-      family[a] = static_cast<Index>(static_cast<double>(node[a]) / width);
-    }
-    return family;
-  };
-  const IndexBox box{ familyAt(grid.Owned().Lower), CornerOfCell(familyAt(grid.Owned().Upper), 7) };
-  std::vector<unsigned char> contain(box.NumberOfCells(), 0);
+  FamiliesOfRank families(grid, width);
   ForCells(grid.Owned(),
     [&](const Index3& cell)
     {
       for (int c = 0; c < 8 && isIn(labels[grid.Linear(cell)]); ++c)
       {
-        contain[IndexInBox(box, familyAt(CornerOfCell(cell, c)))] = 1;
+        families.Add(CornerOfCell(cell, c));
       }
     });
-  std::vector<Index3> families;
-  for (std::size_t f = 0; f < contain.size(); ++f)
-  {
-    if (contain[f] != 0)
-    {
-      families.push_back(CellInBox(box, static_cast<Index>(f)));
-    }
-  }
-  families = GatherItems(ranks, families);
-  SortUnique(families);
-  return static_cast<Index>(families.size());
+  return families.Count(ranks);
 }
 
 /// Collective. Estimates the number of elements: the cells inside of materials, one more per side

@@ -2,6 +2,7 @@
 
 #include "Input/InputFractions.h"
 #include "Input/InputLabels.h"
+#include "Input/InputRoute.h"
 #include "Levels/GreyLabels.h"
 #include "Levels/NewCells.h"
 #include "Levels/PeriodicFields.h"
@@ -93,13 +94,15 @@ std::unique_ptr<Cells> ReadCells(const MesherJob& job)
   const bool isWidened = ReplacesCells(options);
   const LevelSetup setup = isWidened ? SetUpReading(levels) : SetUpLevels(job, requests);
   CheckPeriods(options);
+  InputLevels near = levels;
   std::vector<BlockPlace> owners = job.Input.StaysInPlace
     ? levels.Levels[0].Places
-    : DistributeCells(levels, source, setup, ranks);
+    : FindOwners(
+        DistributeCells(levels, source, setup, ranks), RepeatingAxes(options), ranks, near);
   LevelFields fields = MakeLevelFields(
-    levels, source, setup, options.ChildFractions, RepeatingAxes(options), owners, job.Run);
-  std::unique_ptr<Cells> cells(
-    new Cells{ std::move(source), setup, {}, std::move(owners), std::move(fields), {}, {}, {} });
+    near, source, setup, options.ChildFractions, RepeatingAxes(options), owners, job.Run);
+  std::unique_ptr<Cells> cells(new Cells{ std::move(source), setup, {}, std::move(near),
+    std::move(owners), std::move(fields), {}, {}, {} });
   Warn(job, CheckGreyValues(job, cells->Fields));
   Materials& table = cells->Fields.Field.Table;
   NameLabels(arrays.Names, table);
@@ -111,8 +114,8 @@ std::unique_ptr<Cells> ReadCells(const MesherJob& job)
     WidenCells(job, requests, states, *cells);
     return cells;
   }
-  cells->Requests = DistributeRequests(requests, levels, cells->Owners, ranks);
-  cells->State = StoreState(levels, cells->Source, arrays.State, states, cells->Fields,
+  cells->Requests = DistributeRequests(requests, cells->Input, cells->Owners, ranks);
+  cells->State = StoreState(cells->Input, cells->Source, arrays.State, states, cells->Fields,
     cells->Setup, options, cells->Owners, job.Run);
   return cells;
 }

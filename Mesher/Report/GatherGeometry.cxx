@@ -28,15 +28,16 @@ std::vector<OwnCells> ListCells(const Mesh& mesh)
     return MeshArray{ name, ValueType::Int, components, {}, values.data() };
   };
   const SurfaceFacets& surfaces = mesh.Surfaces;
+  const GeometryTables& tables = mesh.Tables;
   return { { "Surfaces", mesh.CornersOfFacet(), surfaces.Points,
              { numbers("SurfaceId", surfaces.SurfaceId),
                numbers("MaterialPair", surfaces.MaterialPair, 2),
                numbers("DomainSide", surfaces.DomainSide) },
-             ListSurfaces(mesh.Tables) },
+             tables.HasAllSurfaces ? ListSurfaces(tables) : FieldArrays() },
     { "Curves", 2, mesh.Curves.Points, { numbers("CurveId", mesh.Curves.CurveId) },
-      ListCurves(mesh.Tables) },
+      tables.HasAllCurves ? ListCurves(tables) : FieldArrays() },
     { "Vertices", 1, mesh.Vertices.Points, { numbers("VertexId", mesh.Vertices.VertexId) },
-      ListVertices(mesh.Tables) } };
+      tables.HasAllCurves ? ListVertices(tables) : FieldArrays() } };
 }
 
 void SetCellIds(std::vector<Index> ids, StoredMesh& cells)

@@ -6,9 +6,9 @@
 #include "Base/Vector3.h"
 #include "Elements/FacetSides.h"
 #include "Elements/Tet/TetFacets.h"
-#include "Labels/Fragments.h"
 #include "Octree/LevelIds.h"
 #include "Ranks/Agreement.h"
+#include "Ranks/NumberKeys.h"
 #include "Smoothing/Tet/TetImprove.h"
 
 #include <functional>
@@ -254,7 +254,7 @@ private:
       geometry[p] = mesh.GeometryId[kept[p]];
     }
     Index id = EndOfPointIds(*mesh.Levels, mesh.Ids.PointSlots) +
-      OffsetOfPieces(ranks, static_cast<Index>(this->Added.size()));
+      SumOfLowerRanks(static_cast<Index>(this->Added.size()), ranks);
     for (std::size_t p = 0; p < this->Added.size(); ++p)
     {
       const NewPoint& added = this->Added[p];
@@ -281,7 +281,7 @@ private:
     mesh.ElementIds = Buffer<Index>(count);
     mesh.Material = Buffer<int>(count);
     mesh.Fragment = Buffer<int>(count);
-    const Index first = OffsetOfPieces(ranks, static_cast<Index>(count)) + 1;
+    const Index first = SumOfLowerRanks(static_cast<Index>(count), ranks) + 1;
     for (std::size_t t = 0; t < count; ++t)
     {
       const Tet& tet = this->Tets[t];

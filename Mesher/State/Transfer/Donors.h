@@ -113,6 +113,9 @@ public:
   /// @pre Collective among peers.
   DonorLinks Narrow(const std::function<bool(int donor)>& isNeeded) const;
 
+  /// Returns the ranks with which donors are exchanged.
+  const std::vector<int>& Peers() const { return this->Parts->Peers(); }
+
   /// Sends numbers of each owned donor to its copies.
   /// @param width  count of numbers per donor
   /// @param pack  pack(donor, numbers) writes the numbers of an owned donor

@@ -2,10 +2,15 @@
 
 #include "Base/DisjointSets.h"
 #include "Base/Sorted.h"
-#include "Labels/Fragments.h"
 
 namespace vfm
 {
+namespace
+{
+
+constexpr Index MaximumDonors = Index(1) << 16; // of a cell
+
+} // namespace
 
 bool FlowRegion::Holds(const Donor& donor) const
 {
@@ -34,7 +39,12 @@ FlowNodes::FlowNodes(const CartesianGrid& grid, const FlowRegion& region, const 
     }
   }
   this->TheGraph.Nodes.resize(this->DonorOf.size());
-  this->Ghosts.ForCopies([this](int s) { this->AddNode(s); });
+  this->Ghosts.ForCopies(
+    [&](int s)
+    {
+      this->AddNode(s);
+      this->TheGraph.Places.push_back(grid.Canonical(grid.Position(donors[s].Cell)));
+    });
   this->TheGraph.Copies = static_cast<int>(this->Count() - this->Owned());
   this->TheGraph.Update = [this](std::vector<double>& values)
   {
@@ -81,73 +91,99 @@ std::vector<Index> FlowNodes::FindNeighbours()
   return parent;
 }
 
-/// Returns an id that is equal on all ranks and for all copies. It is formed like the id of a
-/// point, from the cell and the position among the donors of the cell.
+/// Returns an id that is equal on all ranks and for all copies, and that no other donor has. It is
+/// formed from the cell and the position among the donors of the cell.
 Index FlowNodes::IdOf(const Donor& donor) const
 {
   Index place = 0;
   this->Donors.ForCell(
     donor.Cell, [&](int s) { place += this->Donors[s].Fragment < donor.Fragment; });
   const Index3 cell = this->Grid.Canonical(this->Grid.Position(donor.Cell));
-  return this->Grid.CellKey(cell) * TetIds.PointSlots + std::min(place, TetIds.PointSlots - 1);
+  return this->Grid.CellKey(cell) * MaximumDonors + place;
 }
 
 /// Numbers the connected components over all ranks. Collective.
 void FlowNodes::NumberPieces(std::vector<Index> parent, Ranks& ranks)
 {
   std::vector<Piece> pieces;
-  std::vector<double> pieceOf(this->Count());
+  std::vector<Index> pieceOf(this->Count());
   for (std::size_t i = 0; i < this->Count(); ++i)
   {
     const Donor& donor = this->Donors[this->DonorOf[i]];
-    const Index root = FindRoot(parent, i), id = this->IdOf(donor);
+    const Index root = FindRoot(parent, static_cast<Index>(i)), id = this->IdOf(donor);
     if (root == static_cast<Index>(i))
     {
-      pieceOf[i] = static_cast<double>(pieces.size());
+      pieceOf[i] = static_cast<Index>(pieces.size());
       pieces.push_back({ id, donor.Fragment });
     }
     pieceOf[i] = pieceOf[root];
-    Index& lowest = pieces[static_cast<std::size_t>(pieceOf[i])].Lowest;
+    Index& lowest = pieces[pieceOf[i]].Lowest;
     lowest = std::min(lowest, id);
   }
-  const Index offset = OffsetOfPieces(ranks, static_cast<Index>(pieces.size()));
-  std::vector<double> known = pieceOf;
-  for (double& piece : known)
+  JoinedPieces joined =
+    JoinPieces(pieces, this->FindSame(pieceOf, ranks), this->Ghosts.Peers(), ranks);
+  for (Index piece : pieceOf)
   {
-    piece += static_cast<double>(offset);
+    this->TheGraph.Pieces.push_back(joined.Fragments[piece]);
   }
-  const std::vector<double> mine = known;
-  this->TheGraph.Update(known);
+  this->TheGraph.Components = std::move(joined.Share);
+}
+
+/// Returns the pairs of local components that have the same copies. Collective among peers.
+/// @param pieceOf  local component of each node
+PiecePairs FlowNodes::FindSame(const std::vector<Index>& pieceOf, const Ranks& ranks) const
+{
+  // A double does not hold all 64 bits of a number, so two have 32 bits each.
+  constexpr int half = 32;
+  const auto numberOf = [&](int s) { return OffsetOfRank(ranks) + pieceOf[this->Numbers[s]]; };
   PiecePairs same;
-  for (std::size_t i = this->Owned(); i < known.size(); ++i)
-  {
-    same.push_back({ { static_cast<Index>(mine[i]), static_cast<Index>(known[i]) } });
-  }
+  this->Ghosts.Exchange(
+    2,
+    [&](int s, double* v)
+    {
+      const Index number = numberOf(s), high = number >> half;
+      v[0] = static_cast<double>(high);
+      v[1] = static_cast<double>(number - (high << half));
+    },
+    [&](int s, const double* v)
+    {
+      const Index high = static_cast<Index>(v[0]), low = static_cast<Index>(v[1]);
+      same.push_back({ { numberOf(s), (high << half) + low } });
+    });
   SortUnique(same);
-  const std::vector<int> numbers =
-    NumberFragments(pieces, same, offset, ranks, this->PieceFragments);
-  for (double piece : pieceOf)
-  {
-    this->TheGraph.Pieces.push_back(numbers[static_cast<std::size_t>(piece)]);
-  }
+  return same;
 }
 
 std::vector<int> FindDivided(const CartesianGrid& grid, const MismatchCells& mismatches,
   const DonorLinks& links, const DonorTable& donors, Ranks& ranks)
 {
   const FlowRegion region{ mismatches, {} };
-  std::vector<int> fragments = FlowNodes(grid, region, links, donors, ranks).FragmentsOfPieces();
-  fragments.erase(fragments.begin()); // entry 0 is unused
-  std::sort(fragments.begin(), fragments.end());
-  std::vector<int> divided;
-  for (std::size_t p = 1; p < fragments.size(); ++p)
+  FlowNodes nodes(grid, region, links, donors, ranks);
+  const FragmentShare& pieces = nodes.Graph().Components;
+  std::vector<Index> fragments;
+  for (int s = 0; s < donors.Count(); ++s)
   {
-    if (fragments[p] == fragments[p - 1])
+    fragments.push_back(donors[s].Fragment);
+  }
+  SortUnique(fragments);
+  std::vector<std::int64_t> counts(fragments.size(), 0); // of components
+  for (std::size_t p = 1; p < pieces.Size(); ++p)
+  {
+    if (pieces.IsMine[p])
     {
-      divided.push_back(fragments[p]);
+      ++counts[FindSorted(fragments, pieces.Materials[p])];
     }
   }
-  SortUnique(divided);
+  KeyMerge<Index>(fragments, ranks)
+    .Merge(counts, 1, [](std::int64_t& a, std::int64_t b) { a += b; });
+  std::vector<int> divided;
+  for (std::size_t f = 0; f < fragments.size(); ++f)
+  {
+    if (counts[f] > 1)
+    {
+      divided.push_back(static_cast<int>(fragments[f]));
+    }
+  }
   return divided;
 }
 

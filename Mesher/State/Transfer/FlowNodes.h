@@ -6,6 +6,7 @@
  */
 #pragma once
 
+#include "Labels/JoinPieces.h"
 #include "State/Transfer/MismatchCells.h"
 #include "State/Transfer/PotentialFlow.h"
 
@@ -16,7 +17,7 @@ namespace vfm
 struct FlowRegion
 {
   const MismatchCells& Mismatches;
-  /// Fragments whose donors are all nodes, ascending, equal on all ranks.
+  /// Fragments of this rank whose donors are all nodes, ascending.
   std::vector<int> Divided;
 
   /// Returns whether a donor is a node.
@@ -49,8 +50,6 @@ public:
   int NodeOf(int donor) const { return this->Numbers[donor]; }
   /// Returns the links between the donors of owned nodes and of copies.
   const DonorLinks& Links() const { return this->Ghosts; }
-  /// Returns the fragment of each connected component (FlowGraph::Pieces); [0] is unused.
-  const std::vector<int>& FragmentsOfPieces() const { return this->PieceFragments; }
 
 private:
   bool TouchesOwned(Index cell) const;
@@ -58,6 +57,7 @@ private:
   std::vector<Index> FindNeighbours();
   Index IdOf(const Donor& donor) const;
   void NumberPieces(std::vector<Index> parent, Ranks& ranks);
+  PiecePairs FindSame(const std::vector<Index>& pieceOf, const Ranks& ranks) const;
 
   const CartesianGrid& Grid;
   const DonorTable& Donors;
@@ -65,11 +65,10 @@ private:
   std::vector<int> Numbers; // node of each donor, or -1
   std::vector<int> DonorOf; // donor of each node
   FlowGraph TheGraph;
-  std::vector<int> PieceFragments;
 };
 
-/// Returns the fragments whose donors near mismatch cells form several connected components,
-/// ascending and equal on all ranks.
+/// Returns the fragments of the donors of this rank whose donors near mismatch cells form several
+/// connected components, ascending.
 /// @pre Collective.
 std::vector<int> FindDivided(const CartesianGrid& grid, const MismatchCells& mismatches,
   const DonorLinks& links, const DonorTable& donors, Ranks& ranks);

@@ -88,10 +88,10 @@ std::vector<double> InvertDiagonal(const FlowGraph& graph)
   return inverse;
 }
 
-/// Returns the potential of all blocks of nodes for a residual.
+/// Returns the potential of the blocks of nodes of this rank for a residual. Collective.
 /// @param most  upper bound of all residuals
-const Eigen::VectorXd& SolveBlocks(
-  CoarseGraph& blocks, const std::vector<double>& residual, double most, Ranks& ranks)
+std::vector<double> SolveBlocks(
+  const CoarseGraph& blocks, const std::vector<double>& residual, double most)
 {
   const double unit = UnitOf(most), units = 1.0 / unit; // exact
   std::vector<std::int64_t> sums(blocks.NumberOfBlocks(), 0);
@@ -99,13 +99,7 @@ const Eigen::VectorXd& SolveBlocks(
   {
     sums[blocks.BlockOf(i)] += static_cast<std::int64_t>(residual[i] * units);
   }
-  ranks.Sum(sums);
-  Eigen::VectorXd excess(sums.size());
-  for (std::size_t b = 0; b < sums.size(); ++b)
-  {
-    excess[b] = static_cast<double>(sums[b]) * unit;
-  }
-  return blocks.Solve(std::move(excess));
+  return blocks.Solve(sums, unit);
 }
 
 /// Returns the Laplacian of values at a node.
@@ -126,7 +120,7 @@ std::vector<double> FindPotential(const FlowGraph& graph, std::vector<double> ex
 {
   const Index nodes = static_cast<Index>(excess.size());
   NodeSums sums(nodes, runtime);
-  CoarseGraph blocks(graph, runtime.Group());
+  const CoarseGraph blocks(graph, runtime.Group());
   const std::vector<double> inverse = InvertDiagonal(graph);
   // Per node of this rank: residual, preconditioned residual, Laplacian of the direction.
   std::vector<double> residual = std::move(excess), correction(nodes), image(nodes);
@@ -155,8 +149,7 @@ std::vector<double> FindPotential(const FlowGraph& graph, std::vector<double> ex
       break;
     }
     least = std::min(least, square);
-    const Eigen::VectorXd& coarse =
-      SolveBlocks(blocks, residual, std::sqrt(square) * largest, runtime.Group());
+    const std::vector<double> coarse = SolveBlocks(blocks, residual, std::sqrt(square) * largest);
     const auto correct = [&](Index i)
     {
       correction[i] = inverse[i] * residual[i] + coarse[blocks.BlockOf(i)];

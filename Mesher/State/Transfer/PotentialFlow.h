@@ -6,6 +6,7 @@
 #pragma once
 
 #include "Base/Runtime.h"
+#include "Labels/FragmentShare.h"
 #include "State/Transfer/Donors.h"
 
 #include <functional>
@@ -23,9 +24,10 @@ struct FlowNode
 struct FlowGraph
 {
   std::vector<FlowNode> Nodes; ///< nodes of this rank
-  std::vector<Index3> Places;  ///< cell (i,j,k) of each node of this rank
-  std::vector<int> Pieces;     ///< connected component, over all ranks, of each node and copy
-  int Copies = 0;              ///< number of copies, nodes of other ranks, which follow
+  std::vector<Index3> Places;  ///< cell (i,j,k) in the domain of each node and copy
+  std::vector<int> Pieces; ///< connected component, as numbered on this rank, of each node and copy
+  FragmentShare Components; ///< connected components of this rank; their materials are fragments
+  int Copies = 0;           ///< number of copies, nodes of other ranks, which follow
   /// Sets the values at copies to the values of their owners. Collective among peers.
   std::function<void(std::vector<double>&)> Update;
 };

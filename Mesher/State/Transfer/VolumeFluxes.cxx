@@ -26,18 +26,19 @@ struct Movers
   const Donor& DonorAt(std::size_t node) const { return this->Donors[this->Nodes.DonorAt(node)]; }
 };
 
-/// Sums values of nodes per connected component, over all ranks. Sums are in mean cells.
-/// Collective.
+/// Returns the sums of values of nodes per connected component of this rank, over all ranks. Sums
+/// are in mean cells. Collective.
 std::vector<double> SumPieces(
   Movers& movers, const std::function<double(std::size_t node)>& valueOf)
 {
   const double unit = Cube(movers.Grid.MeanWidth());
-  std::vector<ExactSum> sums(movers.Nodes.FragmentsOfPieces().size());
+  const FlowGraph& graph = movers.Nodes.Graph();
+  std::vector<ExactSum> sums(graph.Components.Size());
   for (std::size_t i = 0; i < movers.Nodes.Owned(); ++i)
   {
-    sums[movers.Nodes.Graph().Pieces[i]].Add(valueOf(i) / unit);
+    sums[graph.Pieces[i]].Add(valueOf(i) / unit);
   }
-  return SumOverRanks(sums, movers.Run.Group());
+  return graph.Components.Sum(std::move(sums));
 }
 
 /// Returns the factor by which the volumes of each component must be divided so that their sum is

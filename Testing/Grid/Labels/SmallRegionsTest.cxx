@@ -181,6 +181,37 @@ TEST(SmallRegions, RandomFractions)
   }
 }
 
+/// Islands of small regions over many ranks. Nothing is gathered.
+TEST(SmallRegions, ManyRanksAgree)
+{
+  const CartesianGrid whole = MakeUnitGrid(15, 14, 13);
+  const FractionField noise = MakeRandomLabels(whole, 4, 0, 9);
+  FractionField expected = noise;
+  const RemovedRegions removed = Remove(whole, 12, expected);
+  EXPECT_GT(removed.Regions, 500);
+  for (int count : { 5, 27 })
+  {
+    const std::vector<IndexBox> boxes = CutBox(whole.Global(), count);
+    RunOnRanks(count,
+      [&](ThreadRanks& ranks)
+      {
+        const CartesianGrid grid = MakeRankGrid(whole, boxes[ranks.Rank()]);
+        const Partition partition(grid, ranks);
+        FractionField field = CopyToLocal(whole, noise, grid);
+        const std::int64_t gathered = ranks.Sent().GatheredBytes;
+        const RemovedRegions own = RemoveSmallRegions(grid, 12, 0.5, partition, field);
+        EXPECT_EQ(ranks.Sent().GatheredBytes, gathered);
+        EXPECT_EQ(own.Regions, removed.Regions);
+        EXPECT_EQ(own.Cells, removed.Cells);
+        Index differences = 0;
+        ForCells(grid.Local(),
+          [&](const Index3& p)
+          { differences += !HaveSameParts(field, grid.Linear(p), expected, whole.Linear(p)); });
+        EXPECT_EQ(differences, 0) << count << " ranks";
+      });
+  }
+}
+
 /// Water with an oblique surface, and two droplets above it. One droplet fills two cells by more
 /// than half and is removed, the other fills none and stays.
 TEST(SmallRegions, SprayGoesWithAllItsFractions)

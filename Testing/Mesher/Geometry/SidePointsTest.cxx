@@ -78,8 +78,7 @@ TEST(SidePoints, OfABlock)
                                      : FeatureKind::None);
         }
         const SidePoints found = FindSidePoints(facets, kinds, mesh, partition);
-        EXPECT_EQ(found.NumberOfCuts, 1);
-        EXPECT_EQ(found.CutsOfSides, std::vector<int>({ 0, 0, 0, 0, 0, 0, 0 }));
+        EXPECT_EQ(found.NumberOfSides, 6);
         for (std::size_t f = 0; f < facets.size(); ++f)
         {
           EXPECT_EQ(found.CutOf[f], facets[f].DomainSide < 0 ? 0 : -1);
@@ -101,7 +100,7 @@ TEST(SidePoints, OfABlock)
           EXPECT_EQ(found.SideOf[p], isInside ? numbers.at(side) : 0);
         }
         const SidePoints none = FindSidePoints(facets, {}, mesh, partition);
-        EXPECT_EQ(none.NumberOfCuts, 0);
+        EXPECT_EQ(none.NumberOfSides, 0);
         EXPECT_EQ(*std::max_element(none.SideOf.begin(), none.SideOf.end()), 0);
         EXPECT_EQ(*std::max_element(none.CutOf.begin(), none.CutOf.end()), -1);
       });

@@ -28,7 +28,7 @@ TEST(IslandLevel, SystemsOfGroupsAgreeWithThatOfGrains)
         }
         const IslandLevel next = MakeNextLevel(level, groups);
         const IslandValues values = MakeValues(level, grains.Areas),
-                          nextValues = SumValues(level, values, next);
+                           nextValues = SumValues(level, values, next);
         std::vector<double> shifts(1, 0.0), ofGrains(1, 0.0);
         for (std::size_t g = 1; g < next.Share.Size(); ++g)
         {

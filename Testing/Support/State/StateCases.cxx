@@ -15,20 +15,6 @@ namespace testing
 namespace
 {
 
-class FunctionValues : public StateCellValues
-{
-public:
-  FunctionValues(const StateCase& c, const CartesianGrid& grid) : Case(c), Grid(grid) {}
-  void Read(const Index3& cell, int material, double* values) const override
-  {
-    this->Case.Function(this->Grid, cell, material, values);
-  }
-
-private:
-  const StateCase& Case;
-  const CartesianGrid& Grid;
-};
-
 StateOutcome MakeOutcome(
   const StateCase& c, const CartesianGrid& grid, const FractionField& fractions, Runtime& runtime)
 {

@@ -49,6 +49,21 @@ struct StateOutcome
   std::vector<std::array<double, 2>> Factors;
 };
 
+/// State of a rank by a function.
+class FunctionValues : public StateCellValues
+{
+public:
+  FunctionValues(const StateCase& c, const CartesianGrid& grid) : Case(c), Grid(grid) {}
+  void Read(const Index3& cell, int material, double* values) const override
+  {
+    this->Case.Function(this->Grid, cell, material, values);
+  }
+
+private:
+  const StateCase& Case;
+  const CartesianGrid& Grid;
+};
+
 /// Meshes and transfers on one rank per box.
 StateOutcome TransferOnRanks(const StateCase& c, const std::vector<IndexBox>& boxes);
 StateOutcome TransferAlone(const StateCase& c);

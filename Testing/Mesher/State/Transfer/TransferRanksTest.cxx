@@ -128,6 +128,50 @@ TEST(TransferThinCells, SameBits)
   }
 }
 
+/// Returns the most bytes that a rank gathers while the state of a spray is transferred.
+/// @param drops  number of drops along each axis
+std::int64_t CountGathered(Index drops)
+{
+  constexpr Index distance = 5; // of drops, in cells
+  const CartesianGrid whole = MakeUnitGrid(distance * drops);
+  std::vector<Shape> shapes;
+  ForCells({ {}, { { drops, drops, drops } } },
+    [&](const Index3& p)
+    {
+      const auto middle = [&](int a) { return static_cast<double>(distance * p[a]) + 2.6; };
+      shapes.push_back(MakeSphere(1, { { middle(0), middle(1), middle(2) } }, 1.7));
+    });
+  const FractionField field = FractionsOfShapes(whole, shapes);
+  StateCase c{ whole, field, FillNoise };
+  c.Quantities = MakeCodeQuantities();
+  c.Density = 0;
+  c.Options.StairStep = true;
+  const std::vector<IndexBox> boxes = CutBox(whole.Global(), 8);
+  std::vector<std::int64_t> gathered(boxes.size());
+  RunOnRanks(static_cast<int>(boxes.size()),
+    [&](ThreadRanks& ranks)
+    {
+      const CartesianGrid grid = MakeRankGrid(whole, boxes[ranks.Rank()]);
+      const FractionField fractions = CopyToLocal(whole, field, grid);
+      RankRuntime runtime(ranks);
+      MeshReport report;
+      const Mesh mesh = c.Make(grid, fractions, c.Options, runtime, report);
+      const FunctionValues values(c, grid);
+      const std::int64_t before = ranks.Sent().GatheredBytes;
+      TransferState(mesh, { grid, fractions, values, c.Quantities, c.Density }, runtime);
+      gathered[ranks.Rank()] = ranks.Sent().GatheredBytes - before;
+    });
+  return *std::max_element(gathered.begin(), gathered.end());
+}
+
+/// No rank learns of all drops.
+TEST(TransferSpray, BytesGatheredDoNotDependOnTheDrops)
+{
+  const std::int64_t few = CountGathered(5);
+  EXPECT_LT(few, 10000);
+  EXPECT_EQ(CountGathered(10), few);
+}
+
 INSTANTIATE_TEST_SUITE_P(Cases, TransferRanks,
   ::testing::Combine(::testing::Values(MakeHexMesh, MakeTetMesh),
     ::testing::Values(TransferRankCase{ "sphere 8", false, 0 },
