@@ -1,6 +1,8 @@
 #include "Report/MeshSummary.h"
 
 #include "Base/ExactSum.h"
+#include "Base/Sorted.h"
+#include "Elements/MeshWithRuns.h"
 #include "Ranks/Agreement.h"
 #include "Report/ElementMoments.h"
 #include "Report/FragmentWays.h"
@@ -116,6 +118,33 @@ std::vector<PartSums> SumParts(const MeshData& mesh, const std::vector<ElementMo
   return parts;
 }
 
+/// Adds the hexes that a mesh leaves out.
+/// @param place  place(material, fragment) returns the part, from 0
+template <class Place>
+void AddRuns(
+  const MeshWithRuns& whole, const Place& place, double unit, std::vector<PartSums>& parts)
+{
+  for (const CellRuns::Run& run : whole.Cells())
+  {
+    PartSums& part = parts[place(run.Material, run.Fragment)];
+    part.Elements += run.Count;
+    part.Material = run.Material;
+    part.Volume.Add(whole.VolumeOf(run) / unit);
+    part.Minimum = std::min(part.Minimum, 1.0);
+    part.Quality.Add(1.0, run.Count);
+  }
+}
+
+/// Adds the points that a mesh leaves out.
+template <class Place>
+void AddPointsOfRuns(const MeshWithRuns& whole, const Place& place, std::vector<Index>& points)
+{
+  for (const MeshWithRuns::NodeRun& run : whole.Nodes())
+  {
+    points[place(run.Material, run.Fragment)] += run.Count;
+  }
+}
+
 /// Sums of parts as lists, to combine them over ranks.
 struct PartLists
 {
@@ -154,17 +183,28 @@ PartSizes MakePart(
   return part;
 }
 
-/// Summarises the parts of a mesh; partOf: part of each element, from 0.
+/// Summarises the parts of a mesh.
+/// @param place  place(material, fragment) returns the part, from 0
 /// @pre Collective
-std::vector<PartSummary> SummariseParts(const MeshData& mesh,
-  const std::vector<ElementMoments>& moments, const std::vector<int>& partOf,
-  std::size_t numberOfParts, double unit, Ranks& ranks)
+template <class Place>
+std::vector<PartSummary> SummariseParts(const MeshData& mesh, const MeshWithRuns* whole,
+  const std::vector<ElementMoments>& moments, const Place& place, std::size_t numberOfParts,
+  double unit, Ranks& ranks)
 {
-  PartLists lists = ListSums(SumParts(mesh, moments, partOf, numberOfParts, unit));
+  std::vector<int> partOf(mesh.NumberOfElements);
+  std::transform(
+    mesh.Material, mesh.Material + mesh.NumberOfElements, mesh.Fragment, partOf.begin(), place);
+  std::vector<PartSums> own = SumParts(mesh, moments, partOf, numberOfParts, unit);
+  std::vector<Index> points = CountPoints(mesh, partOf, numberOfParts, ranks);
+  if (whole)
+  {
+    AddRuns(*whole, place, unit, own);
+    AddPointsOfRuns(*whole, place, points);
+  }
+  PartLists lists = ListSums(own);
   ranks.Sum(lists.Elements);
   const std::vector<double> sums = SumOverRanks(lists.Sums, ranks);
   ranks.Max(lists.Extremes);
-  const std::vector<Index> points = CountPoints(mesh, partOf, numberOfParts, ranks);
   std::vector<PartSummary> parts(numberOfParts);
   for (std::size_t p = 0; p < numberOfParts; ++p)
   {
@@ -176,20 +216,36 @@ std::vector<PartSummary> SummariseParts(const MeshData& mesh,
 
 /// Returns the fragments whose rows this rank has (FragmentWays).
 /// @pre Collective
-std::vector<FragmentSizes> SummariseFragments(
-  const MeshData& mesh, const std::vector<ElementMoments>& moments, double unit, Ranks& ranks)
+std::vector<FragmentSizes> SummariseFragments(const MeshData& mesh, const MeshWithRuns* whole,
+  const std::vector<ElementMoments>& moments, double unit, Ranks& ranks)
 {
-  const FragmentWays ways(mesh, {}, ranks);
-  PartLists lists =
-    ListSums(SumParts(mesh, moments, ways.PlaceOfElement(), ways.Ids().size(), unit));
+  std::vector<int> ofRuns;
+  for (const CellRuns::Run& run : whole ? whole->Cells() : std::vector<CellRuns::Run>())
+  {
+    ofRuns.push_back(run.Fragment);
+  }
+  const FragmentWays ways(mesh, ofRuns, ranks);
+  std::vector<PartSums> own =
+    SumParts(mesh, moments, ways.PlaceOfElement(), ways.Ids().size(), unit);
+  if (whole)
+  {
+    AddRuns(
+      *whole, [&ways](int, int fragment) { return FindSorted(ways.Ids(), fragment); }, unit, own);
+  }
+  PartLists lists = ListSums(own);
   lists.Elements = ways.Sum(std::move(lists.Elements), 1);
   lists.Sums = ways.Sum(std::move(lists.Sums), SumsPerPart);
   lists.Extremes = ways.Max(std::move(lists.Extremes), ExtremesPerPart);
   PointsOfFragments counted = CountFragmentPoints(mesh, ranks);
   const KeyMerge<int> pointWays(
     std::move(counted.Fragments), [&ways](int id) { return ways.HomeOf(id); }, ranks);
-  const std::vector<Index> points =
+  std::vector<Index> points =
     pointWays.ToHome(std::move(counted.Counts), 1, [](Index& a, Index b) { a += b; });
+  if (whole) // of a single rank, which has all rows
+  {
+    AddPointsOfRuns(
+      *whole, [&ways](int, int fragment) { return FindSorted(ways.HomeIds(), fragment); }, points);
+  }
   std::vector<FragmentSizes> fragments(ways.HomeIds().size());
   for (std::size_t f = 0; f < fragments.size(); ++f)
   {
@@ -231,16 +287,6 @@ std::vector<std::int64_t> CountFragments(
   }
   ranks.Sum(counts);
   return counts;
-}
-
-/// Returns the place of the material of each element in a list of ids.
-std::vector<int> FindParts(const MeshData& mesh, const std::vector<double>& ids)
-{
-  std::vector<int> parts(mesh.NumberOfElements);
-  std::transform(mesh.Material, mesh.Material + mesh.NumberOfElements, parts.begin(),
-    [&ids](int id)
-    { return static_cast<int>(std::find(ids.begin(), ids.end(), id) - ids.begin()); });
-  return parts;
 }
 
 /// Returns the mean volume of an element, a unit that makes sums independent of the scale
@@ -291,21 +337,27 @@ std::vector<SurfaceSummary> FindSurfaces(const MeshData& mesh,
 
 } // namespace
 
-MeshSummary Summarise(const MeshData& mesh, Ranks& ranks)
+MeshSummary Summarise(const MeshData& mesh, Ranks& ranks, const MeshWithRuns* whole)
 {
   const std::vector<double> ids = GetField(mesh, "MaterialIds");
-  const double unit = FindUnit(GetField(mesh, "MeshVolume"), mesh.NumberOfElements, ranks);
+  const double unit = FindUnit(
+    GetField(mesh, "MeshVolume"), whole ? whole->NumberOfElements() : mesh.NumberOfElements, ranks);
   const std::vector<ElementMoments> moments = FindElementMoments(mesh);
   MeshSummary summary;
   summary.IsTets = FindField(mesh.Fields, "RefusedParts") != nullptr;
   summary.HasQuality = FindField(mesh.Fields, "MinimumScaledJacobian") != nullptr;
-  summary.Materials = SummariseParts(mesh, moments, FindParts(mesh, ids), ids.size(), unit, ranks);
+  summary.Materials = SummariseParts(
+    mesh, whole, moments,
+    [&ids](int material, int)
+    { return static_cast<int>(std::find(ids.begin(), ids.end(), material) - ids.begin()); },
+    ids.size(), unit, ranks);
   NameMaterials(mesh, ids, summary.Materials);
-  const std::vector<FragmentSizes> fragments = SummariseFragments(mesh, moments, unit, ranks);
+  const std::vector<FragmentSizes> fragments =
+    SummariseFragments(mesh, whole, moments, unit, ranks);
   summary.NumberOfFragments = static_cast<Index>(GetNumber(mesh, "NumberOfFragments"));
   summary.LargestFragments = FindLargest(fragments, ranks);
-  summary.Total =
-    SummariseParts(mesh, moments, std::vector<int>(mesh.NumberOfElements, 0), 1, unit, ranks)[0];
+  summary.Total = SummariseParts(
+    mesh, whole, moments, [](int, int) { return 0; }, 1, unit, ranks)[0];
   for (const PartSummary& material : summary.Materials)
   {
     summary.Total.TargetVolume += material.TargetVolume;

@@ -80,12 +80,15 @@ struct MeshSummary
   std::optional<ParticleSummary> Particles;       ///< empty if it does not become particles
 };
 
+class MeshWithRuns;
+
 /// Number of fragments that a summary lists.
 constexpr std::size_t MaximumFragments = 10;
 
 /// Summarises a mesh. The result is equal on all ranks and for any number of ranks.
 /// @param mesh part of this rank, with the fields of RunMesher
+/// @param whole the mesh with the hexes that it leaves out; null: none
 /// @pre Collective
-MeshSummary Summarise(const MeshData& mesh, Ranks& ranks);
+MeshSummary Summarise(const MeshData& mesh, Ranks& ranks, const MeshWithRuns* whole = nullptr);
 
 } // namespace vfm

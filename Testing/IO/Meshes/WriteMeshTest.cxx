@@ -1,7 +1,7 @@
 /// Mesh files are the same from any number of ranks; no file remains after a failed write.
 #include "Meshes/WriteMesh.h"
-#include "FileCases.h"
 #include "Geometry/GatherTables.h"
+#include "RunsCases.h"
 
 using namespace vfm;
 using namespace vfm::testing;
@@ -10,20 +10,6 @@ namespace
 {
 
 namespace fs = std::filesystem;
-
-/// Returns a file in which the date and time of the Exodus QA record are set to zeros.
-std::string ReadWithoutDate(const std::string& path)
-{
-  std::string bytes = ReadBytes(path);
-  constexpr std::size_t recordLength = 33;
-  const std::size_t record = bytes.rfind("VolumeFractionMesh");
-  const std::size_t first = record + 2 * recordLength, last = record + 4 * recordLength;
-  for (std::size_t i = first; path.find(".e") != std::string::npos && i < last; ++i)
-  {
-    bytes[i] = std::isdigit(static_cast<unsigned char>(bytes[i])) ? '0' : bytes[i];
-  }
-  return bytes;
-}
 
 } // namespace
 
