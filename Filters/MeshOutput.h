@@ -34,7 +34,7 @@ struct MeshOutputs
 ///
 /// All outputs except Mesh have their own points, with GlobalPointIds. Surfaces, Curves and
 /// Vertices have the ids before interfaces were split, and the field data of ListSurfaces,
-/// ListCurves and ListVertices.
+/// ListCurves and ListVertices, of all ranks or of this one (GatherTables in ReportRun.h).
 /// @param cohesive  cohesive elements of this rank
 void SetMeshOutput(Mesh& mesh, const CohesiveElements& cohesive, const MeshOutputs& outputs);
 

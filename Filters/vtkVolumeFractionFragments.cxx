@@ -3,6 +3,7 @@
 #include "FieldValues.h"
 #include "FilterRuntime.h"
 #include "MeshDataOfGrid.h"
+#include "Options/MesherOptions.h"
 #include "Report/Fragments/FragmentTable.h"
 
 #include "vtkInformation.h"
@@ -48,7 +49,8 @@ int vtkVolumeFractionFragments::RequestData(
       vfm::StoredMesh mesh;
       vfm::WorkTogether(
         ranks, [&] { mesh = vfm::MeshDataOf(vtkUnstructuredGrid::GetData(inputVector[0])); });
-      vfm::AddColumns(vfm::MakeFragmentTable(mesh.Data, this->DensityArrays, ranks),
+      vfm::FieldArrays table = vfm::MakeFragmentTable(mesh.Data, this->DensityArrays, ranks);
+      vfm::AddColumns(vfm::GatherTable(std::move(table), this->Options->WholeTables, ranks),
         vtkTable::GetData(outputVector));
     });
   return 1;

@@ -11,9 +11,11 @@
  * - Mass, if there are densities
  * - Neighbours: ids of the fragments that share faces with it, separated by spaces
  *
- * On several ranks, rank 0 has the table and the others an empty one; all must update together.
- * Numbers do not depend on the number of ranks. A mesh without the required arrays gives one error
- * message on all ranks.
+ * On several ranks, rank 0 has a table of at most 100,000 rows and the others an empty one. A
+ * longer table is in parts: the rows of a rank follow those of the rank before, and ranks may have
+ * none (WholeTables). All ranks must update together. Numbers do not depend on the number of ranks.
+ * FractionVolume exists if the field data of the mesh lists the volumes of all its fragments, on
+ * any rank. A mesh without the required arrays gives one error message on all ranks.
  */
 #ifndef vtkVolumeFractionFragments_h
 #define vtkVolumeFractionFragments_h
@@ -43,6 +45,10 @@ public:
   void AddDensityArray(const char* name);
   void ClearDensityArrays();
   ///@}
+
+  /// Whether rank 0 has the whole table. Allowed: Automatic (tables of at most 100,000 rows), Off,
+  /// On (or 0 to 2); default Automatic. Otherwise each rank has a part of it.
+  vfmNumberOption(WholeTables, int);
 
 protected:
   vtkVolumeFractionFragments() = default;

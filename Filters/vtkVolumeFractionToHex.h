@@ -35,7 +35,8 @@
  * - Field data: CurveVertices (pairs)
  *
  * Ports 1, 2 and 3 have the point array GlobalPointIds of the mesh. Their field data is of type int
- * and equal on all ranks.
+ * and equal on all ranks; without WholeTables, ranks have their rows, numbered by SurfaceIds and
+ * CurveIds.
  *
  * Port 4, one row per material: Name, MaterialId, TargetVolume, MeshVolume (length units cubed),
  * VolumeError (relative), LostCells, GainedCells (cells that changed their material), Elements,

@@ -328,6 +328,7 @@ extern "C"
    * Returns a number of the whole mesh, equal on all ranks: TargetVolume, MeshVolume and
    * VolumeError, one per material; NumberOfFragments, MinimumScaledJacobian, MeanScaledJacobian,
    * FlippedCells and others, which Documentation/reference/mesh-data.md lists with their units.
+   * RankFragments and RankTargetVolume, if they exist, are of this rank only.
    * @param name  name of the number
    * @param index  from 0: 0 for a single number; m for numbers per material, 3 * m + axis for
    * vectors per material, where m is 0 for the first material
@@ -377,14 +378,16 @@ extern "C"
   SCULPTOR_EXPORT int sculptor_get_vertices(
     int sculptor, int64_t* vertices, const int64_t** points, const int** ids);
   /**
-   * Returns a table of adjacency, equal on all ranks.
+   * Returns a table of adjacency. It is equal on all ranks for up to 100,000 surfaces, or curves
+   * and vertices (option WholeTables). Above that number a rank of several gets the rows of the
+   * surfaces and curves that it touches; the tables SurfaceIds and CurveIds have their numbers.
    *
    * Tables with one row per pair, each pair once, ascending:
    * - VolumeSurfaces: a volume and a surface around it
    * - SurfaceCurves: a surface and a curve on it
    * - CurveVertices: a curve and a vertex at its end
    *
-   * Tables with one row per surface:
+   * Tables with one row per surface, in the order of their numbers:
    * - SurfaceVolumes and SurfaceMaterials: the volumes, or materials, on its two sides; 0: not
    *   meshed, or outside. Normals of facets point from the second to the first
    * - SurfaceSides: side of the domain, 0 to 5 for -x, +x, -y, +y, -z, +z; otherwise -1

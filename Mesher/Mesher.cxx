@@ -1,11 +1,13 @@
 #include "Mesher.h"
 
+#include "Elements/CellRuns.h"
 #include "Elements/MeshRun.h"
 #include "Geometry/DisplacedVolume.h"
 #include "Options/MaterialWidths.h"
 #include "Options/SetOptions.h"
 #include "Phases/ChangeElements.h"
 #include "Phases/GiveState.h"
+#include "Phases/LeaveRuns.h"
 #include "Phases/MeshOfCells.h"
 #include "Phases/PlaceSurfaces.h"
 #include "Phases/PrepareCells.h"
@@ -18,9 +20,9 @@ namespace
 {
 
 Mesh MakeMesh(const MesherJob& job, const LevelFields& fields, const BodySurfaces* surfaces,
-  const MeshOptions& options, MeshReport& report)
+  const MeshOptions& options, CellRuns* leftOut, MeshReport& report)
 {
-  const MeshCells cells{ fields.Grid, fields.Field.Fractions, options, surfaces };
+  const MeshCells cells{ fields.Grid, fields.Field.Fractions, options, surfaces, leftOut };
   Mesh mesh = MakeMeshOfCells(job.Options.Elements, cells, job.Run, report);
   if (report.RefusedParts > 0)
   {
@@ -39,7 +41,8 @@ bool HasFineInterfaces(const MesherOptions& options)
 
 } // namespace
 
-MesherResult RunMesher(const MesherInput& input, const MesherOptions& given, Runtime& runtime)
+MesherResult RunMesher(
+  const MesherInput& input, const MesherOptions& given, Runtime& runtime, CellRuns* leftOut)
 {
   CheckOptions(given);
   MesherOptions options = given;
@@ -51,7 +54,9 @@ MesherResult RunMesher(const MesherInput& input, const MesherOptions& given, Run
   const PreparedCells prepared = PrepareCells(job, *cells);
   MesherResult result;
   const std::unique_ptr<const BodySurfaces> surfaces = PlaceSurfaces(job, *cells);
-  result.TheMesh = MakeMesh(job, cells->Fields, surfaces.get(), prepared.Options, result.Report);
+  CellRuns* const runs = leftOut && CanLeaveRuns(job, *cells) ? leftOut : nullptr;
+  result.TheMesh =
+    MakeMesh(job, cells->Fields, surfaces.get(), prepared.Options, runs, result.Report);
   if (cells->Wide.IsUsed() && result.Report.DisplacedVolume.empty())
   {
     result.Report.DisplacedVolume = FindDisplacedVolumes(
@@ -64,8 +69,13 @@ MesherResult RunMesher(const MesherInput& input, const MesherOptions& given, Run
   runtime.Progress(0.98, "Filling output");
   GiveState(job, prepared.Options, *cells, result);
   AddLayersAndJoin(job, *cells, result);
+  GatherTables(job, result);
   WorkTogether(runtime.Group(), [&] { ListResult(job, *cells, prepared.Options, result); });
   SplitAndCurve(job, *cells, prepared.Options, result);
+  if (runs)
+  {
+    UseLabels(cells->Fields.Field.Table, *runs);
+  }
   WarnOfResult(job, *cells, result);
   return result;
 }

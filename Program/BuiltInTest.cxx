@@ -124,12 +124,22 @@ private:
   bool Good = true;
 };
 
+/// Returns the fragment of a box, from 0, or null.
+const FragmentSizes* FindBox(const MeshSummary& summary, std::size_t box)
+{
+  const std::vector<FragmentSizes>& all = summary.LargestFragments;
+  const auto at = std::find_if(all.begin(), all.end(),
+    [box](const FragmentSizes& one) { return one.Id == static_cast<int>(box + 1); });
+  return at == all.end() ? nullptr : &*at;
+}
+
 /// Checks the number of fragments, their volumes and the quality.
 /// @param volumeError  relative error of the first box
 void CheckParts(const MeshSummary& summary, double volumeError, Checks& checks)
 {
-  checks.Check("2 fragments", summary.Fragments.size() == Boxes().size());
-  if (summary.Fragments.size() != Boxes().size())
+  const bool areAll = summary.NumberOfFragments == static_cast<Index>(Boxes().size());
+  checks.Check("2 fragments", areAll);
+  if (!areAll)
   {
     return;
   }
@@ -139,7 +149,8 @@ void CheckParts(const MeshSummary& summary, double volumeError, Checks& checks)
     const double error = b == 0 ? volumeError : VolumeError;
     std::ostringstream text;
     text << "volume of box " << b + 1 << ", to " << error;
-    checks.Check(text.str(), std::abs(summary.Fragments[b].Volume - volume) <= error * volume);
+    const FragmentSizes* part = FindBox(summary, b);
+    checks.Check(text.str(), part && std::abs(part->Volume - volume) <= error * volume);
   }
   checks.Check("all scaled Jacobians are above 0",
     summary.Total.Elements > 0 && summary.Total.MinimumQuality > 0.0);
@@ -163,12 +174,11 @@ void CheckElements(const MeshData& mesh, Ranks& ranks, Checks& checks)
 void CheckCounts(
   const MeshSummary& summary, std::size_t box, Index parts, bool isStairs, Checks& checks)
 {
-  if (box < summary.Fragments.size())
+  if (const FragmentSizes* part = FindBox(summary, box))
   {
-    const PartSummary& part = summary.Fragments[box];
     const std::string name = " of box " + std::to_string(box + 1);
-    checks.Check("elements" + name, part.Elements == CountHexes(Boxes()[box], parts, isStairs));
-    checks.Check("points" + name, part.Points == CountNodes(Boxes()[box], parts, isStairs));
+    checks.Check("elements" + name, part->Elements == CountHexes(Boxes()[box], parts, isStairs));
+    checks.Check("points" + name, part->Points == CountNodes(Boxes()[box], parts, isStairs));
   }
 }
 
@@ -217,9 +227,9 @@ void CheckChosen(const MeshData& mesh, const MeshSummary& summary, const MeshSum
       "more elements than without refinement", summary.Total.Elements > plain.Total.Elements);
     return;
   }
+  const FragmentSizes *box = FindBox(summary, 0), *plainBox = FindBox(plain, 0);
   checks.Check("more elements in box 1 than without refinement",
-    !summary.Fragments.empty() && !plain.Fragments.empty() &&
-      summary.Fragments[0].Elements > plain.Fragments[0].Elements);
+    box && plainBox && box->Elements > plainBox->Elements);
   CheckCounts(summary, 1, PartsOfCell, isStairs, checks); // far from the chosen cells
 }
 

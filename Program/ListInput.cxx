@@ -2,6 +2,7 @@
 
 #include "Base/ParseText.h"
 #include "ChooseArrays.h"
+#include "Ranks/ItemRoute.h"
 #include "Ranks/PrintableText.h"
 #include "Ranks/WorkTogether.h"
 #include "ReadInput.h"
@@ -214,7 +215,8 @@ void ListInput(const Arguments& arguments, Ranks& ranks, std::ostream& to)
         mine.push_back(piece.Describe(isOfPoints ? ArrayPlace::Points : ArrayPlace::Cells));
       }
     });
-  const std::vector<CellsInfo> pieces = GatherItems(ranks, mine);
+  const std::vector<CellsInfo> pieces = // of all ranks, on rank 0
+    ItemRoute(std::vector<int>(mine.size(), 0), ranks).Send(mine);
   const std::vector<int> labels = arrays.Labels.empty()
     ? std::vector<int>()
     : FindLabels(ListsOf(input, arrays.Place), arrays.Labels, ranks);

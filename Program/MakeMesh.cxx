@@ -94,7 +94,7 @@ void CheckElements(const Mesh& mesh, const ChosenArrays& arrays, bool hasGridOfO
 } // namespace
 
 MesherResult MakeMesh(const Arguments& arguments, const Input& input, const ChosenArrays& arrays,
-  Ranks& ranks, std::vector<std::string>* warnings)
+  Ranks& ranks, std::vector<std::string>* warnings, CellRuns* leftOut)
 {
   const MesherOptions& options = arguments.Mesher;
   MesherInput mesherInput;
@@ -125,7 +125,7 @@ MesherResult MakeMesh(const Arguments& arguments, const Input& input, const Chos
       TerminalRuntime runtime(
         ChooseThreads(options.NumberOfThreads, ranks.Count()), ranks, isShown);
       mesherInput.Levels = FindInputLevels(std::move(collected), ranks);
-      result = RunMesher(mesherInput, options, runtime);
+      result = RunMesher(mesherInput, options, runtime, leftOut);
     });
   CheckElements(result.TheMesh, arrays, !arguments.SurfaceFiles.empty(), ranks);
   for (const std::string& warning : found)

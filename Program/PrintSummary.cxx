@@ -13,7 +13,6 @@ namespace vfm
 namespace
 {
 
-constexpr std::size_t ListedFragments = 10;
 constexpr std::size_t ListedMaterials = 50;
 constexpr std::size_t LeastWidth = 28; // minimum width of names
 
@@ -25,7 +24,7 @@ std::string Print(const char* format, Values... values)
   return text;
 }
 
-std::string PrintQuality(const MeshSummary& summary, const PartSummary& part)
+std::string PrintQuality(const MeshSummary& summary, const PartSizes& part)
 {
   return summary.HasQuality && part.Elements > 0
     ? Print("%8.4f%9.4f", part.MinimumQuality, part.MeanQuality)
@@ -51,7 +50,7 @@ std::string Padded(std::string name, std::size_t width)
 
 /// Returns the line of a part.
 /// @param name  padded name
-std::string PrintPart(const MeshSummary& summary, const std::string& name, const PartSummary& part)
+std::string PrintPart(const MeshSummary& summary, const std::string& name, const PartSizes& part)
 {
   return name +
     Print(
@@ -160,26 +159,17 @@ void PrintParticles(
 /// Prints the largest fragments by volume.
 void PrintFragments(const MeshSummary& summary, std::ostream& to)
 {
-  std::vector<std::size_t> order(summary.Fragments.size());
-  for (std::size_t f = 0; f < order.size(); ++f)
-  {
-    order[f] = f;
-  }
-  std::stable_sort(order.begin(), order.end(),
-    [&summary](std::size_t a, std::size_t b)
-    { return summary.Fragments[a].Volume > summary.Fragments[b].Volume; });
   to << PrintHead(Padded("fragment", LeastWidth)) << "\n";
-  const std::size_t listed = std::min(order.size(), ListedFragments);
-  for (std::size_t f = 0; f < listed; ++f)
+  for (const FragmentSizes& part : summary.LargestFragments)
   {
-    const PartSummary& part = summary.Fragments[order[f]];
     const std::string name =
-      std::to_string(order[f] + 1) + " of material " + std::to_string(part.Material);
+      std::to_string(part.Id) + " of material " + std::to_string(part.Material);
     to << PrintPart(summary, Padded(name, LeastWidth), part) << "\n";
   }
-  if (listed < order.size())
+  const Index listed = static_cast<Index>(summary.LargestFragments.size());
+  if (listed < summary.NumberOfFragments)
   {
-    to << "and " << order.size() - listed << " smaller fragments\n";
+    to << "and " << summary.NumberOfFragments - listed << " smaller fragments\n";
   }
 }
 

@@ -4,6 +4,7 @@
 #include "Base/ThreadRuntime.h"
 #include "Input/PlainArrays.h"
 #include "Options/CellWidths.h"
+#include "PackedValues.h"
 #include "Ranks/PrintableText.h"
 #include "Ranks/WorkTogether.h"
 #include "ReaderSteps.h"
@@ -21,7 +22,8 @@ namespace vfm
 namespace
 {
 
-constexpr int DefaultCells = 64; // along the longest side
+constexpr int DefaultCells = 64;              // along the longest side
+constexpr Index CellsOfPart = Index(1) << 25; // whose fractions are computed at once
 
 /// Surfaces with the grid around them.
 struct PlacedSurfaces
@@ -53,6 +55,36 @@ PlacedSurfaces ReadAndPlace(const Arguments& arguments)
   return placed;
 }
 
+/// Computes the fractions of a slab, some layers of cells at a time.
+std::shared_ptr<const BlockArrays> MakeArrays(const std::array<std::vector<double>, 3>& nodes,
+  const IndexBox& slab, const InputSurfaces& surfaces, Runtime& runtime)
+{
+  std::vector<std::shared_ptr<PackedValues>> packed;
+  for (std::size_t b = 0; b < surfaces.Bodies.size(); ++b)
+  {
+    packed.push_back(std::make_shared<PackedValues>());
+  }
+  const Index layers = std::max<Index>(CellsOfPart / (slab.Size(0) * slab.Size(1)), 1);
+  IndexBox part = slab;
+  for (; part.Lower[2] < slab.Upper[2]; part.Lower[2] = part.Upper[2])
+  {
+    part.Upper[2] = std::min(part.Lower[2] + layers, slab.Upper[2]);
+    const std::vector<Buffer<double>> fractions =
+      FractionsOfSurfaces(nodes, part, surfaces, runtime);
+    for (std::size_t b = 0; b < fractions.size(); ++b)
+    {
+      packed[b]->Append(fractions[b].data(), static_cast<Index>(fractions[b].size()));
+    }
+  }
+  auto arrays = std::make_shared<PlainArrays>(slab.NumberOfCells());
+  for (std::size_t b = 0; b < packed.size(); ++b)
+  {
+    packed[b]->Finish();
+    arrays->Add(surfaces.Bodies[b].Name, packed[b]);
+  }
+  return arrays;
+}
+
 InputBlock MakeBlock(const PlacedSurfaces& placed, const IndexBox& slab, int threads, Ranks& ranks)
 {
   const std::array<std::vector<double>, 3> nodes = ListNodes(placed.Place);
@@ -65,14 +97,7 @@ InputBlock MakeBlock(const PlacedSurfaces& placed, const IndexBox& slab, int thr
   }
   FinishBlock(block, -1, ranks);
   ThreadRuntime runtime(ChooseThreads(threads, ranks.Count()));
-  std::vector<Buffer<double>> fractions =
-    FractionsOfSurfaces(nodes, slab, *placed.Surfaces, runtime);
-  auto arrays = std::make_shared<PlainArrays>(slab.NumberOfCells());
-  for (std::size_t b = 0; b < fractions.size(); ++b)
-  {
-    arrays->Store(placed.Surfaces->Bodies[b].Name, ValueType::Double, std::move(fractions[b]));
-  }
-  block.Arrays = arrays;
+  block.Arrays = MakeArrays(nodes, slab, *placed.Surfaces, runtime);
   return block;
 }
 

@@ -7,6 +7,7 @@
 #include "BuiltInTest.h"
 #include "CheckFiles.h"
 #include "ChooseArrays.h"
+#include "Elements/MeshWithRuns.h"
 #include "InputTrust.h"
 #include "ListInput.h"
 #include "MakeMesh.h"
@@ -29,6 +30,7 @@
 #include <algorithm>
 #include <chrono>
 #include <iostream>
+#include <optional>
 
 namespace vfm
 {
@@ -105,15 +107,9 @@ void WriteFragments(const MeshData& mesh, const Arguments& arguments, Ranks& ran
   FieldArrays table;
   WorkInStage(ranks, ErrorCode::UnreadableInput,
     [&] { table = MakeFragmentTable(mesh, FindDensities(mesh, arguments), ranks); });
-  WorkInStage(ranks, ErrorCode::UnwritableOutput,
-    [&]
-    {
-      if (ranks.Rank() == 0)
-      {
-        PrefixErrors("Cannot write the table " + arguments.Fragments + ": ",
-          [&] { WriteTable(table, arguments.Fragments); });
-      }
-    });
+  const auto write = [&] { WriteTable(table, arguments.Fragments, ranks); };
+  PrefixErrors("Cannot write the table " + arguments.Fragments + ": ",
+    [&] { WorkInStage(ranks, ErrorCode::UnwritableOutput, write); });
 }
 
 /// Returns the texts of the report.
@@ -169,6 +165,15 @@ void WriteFiles(const MesherResult& result, const MeshData& mesh, const ReportHe
   }
 }
 
+/// Returns whether the mesh may leave out hexes (CellRuns), because its file is the only output and
+/// can be written without them in memory.
+bool MayLeaveHexes(const Arguments& arguments, const Ranks& ranks)
+{
+  const bool isOnly = arguments.Fragments.empty() && arguments.Geometry.empty() &&
+    arguments.Surfaces.empty() && arguments.Report.empty();
+  return isOnly && ranks.Count() == 1 && TakesRuns(arguments.Output);
+}
+
 /// Returns the paths of files with particles beside the files of meshes.
 std::vector<std::string> ListParticlesBeside(const Arguments& arguments)
 {
@@ -210,8 +215,10 @@ void MeshFile(const Arguments& arguments, Ranks& ranks)
   times.Add("read");
   std::vector<std::string> warnings;
   MesherResult result;
+  CellRuns leftOut;
+  CellRuns* const runs = MayLeaveHexes(arguments, ranks) ? &leftOut : nullptr;
   PrefixErrors("Cannot mesh " + arguments.Input + ": ",
-    [&] { result = MakeMesh(arguments, input, arrays, ranks, &warnings); });
+    [&] { result = MakeMesh(arguments, input, arrays, ranks, &warnings, runs); });
   times.Add("mesh");
   MeshData mesh = ViewMesh(result.TheMesh, result.State, result.Fields);
   mesh.Time = input.Time;
@@ -221,11 +228,21 @@ void MeshFile(const Arguments& arguments, Ranks& ranks)
     particles = ViewParticles(*result.State.TheParticles);
     mesh.Particles = &particles;
   }
-  WriteFiles(result, mesh, DescribeRun(arguments, arrays, warnings), arguments, ranks);
+  std::optional<MeshWithRuns> whole;
+  if (leftOut.Runs.empty())
+  {
+    WriteFiles(result, mesh, DescribeRun(arguments, arrays, warnings), arguments, ranks);
+  }
+  else
+  {
+    whole.emplace(result.TheMesh, leftOut);
+    WorkInStage(
+      ranks, ErrorCode::UnwritableOutput, [&] { WriteMesh(mesh, *whole, arguments.Output); });
+  }
   times.Add("write");
   if (!arguments.Quiet)
   {
-    const MeshSummary summary = Summarise(mesh, ranks);
+    const MeshSummary summary = Summarise(mesh, ranks, whole ? &*whole : nullptr);
     if (ranks.Rank() == 0)
     {
       PrintHead(arguments, input, arrays);

@@ -1,5 +1,7 @@
 #include "Base/Partition.h"
 
+#include "Ranks/FindMeetings.h"
+
 #include <numeric>
 
 namespace vfm
@@ -21,6 +23,47 @@ IndexBox PossibleShifts(const CartesianGrid& grid)
     }
   }
   return shifts;
+}
+
+/// The boxes of a rank.
+struct RankBoxes
+{
+  IndexBox Owned, Local;
+};
+
+std::array<bool, 3> RepeatingAxes(const CartesianGrid& grid)
+{
+  return { { grid.Period(0) > 0, grid.Period(1) > 0, grid.Period(2) > 0 } };
+}
+
+/// Returns whether a rank holds cells of the other one, or copies of these.
+bool ArePeers(const CartesianGrid& grid, const RankBoxes& a, const RankBoxes& b)
+{
+  bool arePeers = false;
+  ForCells(PossibleShifts(grid),
+    [&](const Index3& shift)
+    {
+      const Index3 cells = grid.CellsInPeriods(shift);
+      arePeers = arePeers || Intersect(a.Local, Moved(b.Owned, cells)).NumberOfCells() > 0 ||
+        Intersect(b.Local, Moved(a.Owned, cells)).NumberOfCells() > 0;
+    });
+  return arePeers;
+}
+
+/// Returns the boxes of this rank and of the ranks that may be its peers, ordered by rank.
+/// Collective.
+std::vector<RankItem<RankBoxes>> FindRanksNear(const CartesianGrid& grid, Ranks& ranks)
+{
+  const RankBoxes own{ grid.Owned(), grid.Local() };
+  std::vector<RankItem<RankBoxes>> near = FindMeetings(
+    std::vector<RankBoxes>{ own },
+    [&grid](const RankBoxes& boxes)
+    { return FoldIntoDomain(boxes.Local, grid.Domain(), RepeatingAxes(grid)); },
+    [&grid](const RankBoxes& a, const RankBoxes& b) { return ArePeers(grid, a, b); }, ranks);
+  const auto place = std::find_if(near.begin(), near.end(),
+    [&ranks](const RankItem<RankBoxes>& other) { return other.Rank > ranks.Rank(); });
+  near.insert(place, { own, ranks.Rank(), 0 });
+  return near;
 }
 
 /// Messages of one rank one after another, each after its length.
@@ -53,26 +96,20 @@ void Append(const Bytes& message, Bytes& all)
 
 Partition::Partition(const CartesianGrid& grid, Ranks& ranks) : Grid(grid), TheRanks(ranks)
 {
-  struct Boxes
-  {
-    IndexBox Owned, Local;
-  };
-  const std::vector<Boxes> all =
-    GatherItems(ranks, std::vector<Boxes>{ { grid.Owned(), grid.Local() } });
-  for (int rank = 0; rank < ranks.Count(); ++rank)
+  for (const RankItem<RankBoxes>& near : FindRanksNear(grid, ranks))
   {
     vfm::ForCells(PossibleShifts(grid),
       [&](const Index3& shift)
       {
         const Index3 cells = grid.CellsInPeriods(shift);
-        const IndexBox owned = Moved(all[rank].Owned, cells);
+        const IndexBox owned = Moved(near.What.Owned, cells);
         const IndexBox incoming = Intersect(grid.Local(), owned);
         const Index3 back{ { -cells[0], -cells[1], -cells[2] } };
-        const IndexBox outgoing = Intersect(grid.Owned(), Moved(all[rank].Local, back));
-        if ((rank != ranks.Rank() || shift != Index3{}) &&
+        const IndexBox outgoing = Intersect(grid.Owned(), Moved(near.What.Local, back));
+        if ((near.Rank != ranks.Rank() || shift != Index3{}) &&
           outgoing.NumberOfCells() + incoming.NumberOfCells() > 0)
         {
-          this->ThePeers.push_back(rank);
+          this->ThePeers.push_back(near.Rank);
           this->Shifts.push_back(shift);
           this->Owned.push_back(owned);
           this->Outgoing.push_back(outgoing);

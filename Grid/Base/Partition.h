@@ -21,9 +21,9 @@ namespace vfm
 class Partition
 {
 public:
-  /// Gathers the owned and local boxes of all ranks (96 bytes per rank), and stores the boxes of
-  /// peers (Peers).
+  /// Finds the ranks near this one (FindMeetings.h), and stores the boxes of peers (Peers).
   /// @pre Collective over `ranks`.
+  /// @note About 2 log2 P messages of a few boxes per rank, and one sum.
   Partition(const CartesianGrid& grid, Ranks& ranks);
 
   Ranks& Group() const { return this->TheRanks; }

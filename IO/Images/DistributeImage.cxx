@@ -1,5 +1,7 @@
 #include "Images/DistributeImage.h"
 
+#include "Ranks/ItemRoute.h"
+
 #include <algorithm>
 #include <cstring>
 
@@ -8,12 +10,13 @@ namespace vfm
 namespace
 {
 
-/// Returns the values in a box of a whole image, as bytes.
+/// Returns the type and the values in a box of a whole image, as bytes.
 Bytes Cut(const TypedValues& values, const Index3& size, const IndexBox& box)
 {
   const Index width = WidthOfType(values.Type);
-  Bytes part(box.NumberOfCells() * width);
-  char* to = part.data();
+  Bytes part(sizeof(values.Type) + box.NumberOfCells() * width);
+  std::memcpy(part.data(), &values.Type, sizeof(values.Type));
+  char* to = part.data() + sizeof(values.Type);
   ForRows(box,
     [&](Index j, Index k)
     {
@@ -26,10 +29,12 @@ Bytes Cut(const TypedValues& values, const Index3& size, const IndexBox& box)
 }
 
 /// Converts the result of Cut to values.
-TypedValues Uncut(int type, const IndexBox& box, const Bytes& bytes)
+TypedValues Uncut(const IndexBox& box, const Bytes& bytes)
 {
+  int type = 0;
+  std::memcpy(&type, bytes.data(), sizeof(type));
   TypedValues values = MakeValues("", type, box.NumberOfCells());
-  std::copy(bytes.begin(), bytes.end(), values.Bytes.begin());
+  std::copy(bytes.begin() + sizeof(type), bytes.end(), values.Bytes.begin());
   return values;
 }
 
@@ -43,9 +48,9 @@ TypedValues ReadPart(const ImageFile& file, const IndexBox& box, Ranks& ranks)
   {
     return isEmpty ? TypedValues() : file.Read(box);
   }
-  const std::vector<IndexBox> boxes = GatherItems(ranks, std::vector<IndexBox>{ box });
+  const std::vector<IndexBox> boxes = // of all ranks, on rank 0
+    ItemRoute({ 0 }, ranks).Send(std::vector<IndexBox>{ box });
   const TypedValues values = ranks.Rank() == 0 ? file.Read(whole) : TypedValues();
-  const int type = GatherItems(ranks, std::vector<int>{ values.Type })[0];
   Bytes mine;
   // Parts are sent one by one, so that at most one of them is in memory twice.
   for (int rank = 1; rank < ranks.Count(); ++rank)
@@ -63,7 +68,7 @@ TypedValues ReadPart(const ImageFile& file, const IndexBox& box, Ranks& ranks)
   {
     mine = Cut(values, whole.Upper, box);
   }
-  return isEmpty ? TypedValues() : Uncut(type, box, mine);
+  return isEmpty ? TypedValues() : Uncut(box, mine);
 }
 
 } // namespace vfm

@@ -89,6 +89,27 @@ std::string FindParticlesBeside(const std::string& path)
   return format && !HoldsParticles(format->Format) ? PathOfParticles(path) : "";
 }
 
+bool TakesRuns(const std::string& path)
+{
+  const FormatRow* format = FindMeshFormat(path);
+  return format && (format->Format == MeshFormat::Vtu || format->Format == MeshFormat::Exodus);
+}
+
+void WriteMesh(const MeshData& mesh, const MeshWithRuns& whole, const std::string& path)
+{
+  const std::string problem = FindFolderProblem(path);
+  if (!problem.empty())
+  {
+    throw InputError(problem);
+  }
+  PrefixErrors("Cannot write the output " + path + ": ",
+    [&]
+    {
+      FindMeshFormat(path)->Format == MeshFormat::Vtu ? WriteVtu(mesh, whole, path)
+                                                      : WriteExodus(mesh, whole, path);
+    });
+}
+
 void WriteMesh(const MeshData& mesh, const std::string& path, Ranks& ranks, const OutputForm& form)
 {
   WorkTogether(ranks,

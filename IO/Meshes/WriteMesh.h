@@ -3,6 +3,7 @@
  */
 #pragma once
 
+#include "Elements/MeshWithRuns.h"
 #include "Meshes/FormatTable.h"
 #include "Ranks/Ranks.h"
 #include "Report/MeshData.h"
@@ -23,5 +24,15 @@ std::string FindParticlesBeside(const std::string& path);
 /// @pre Collective
 void WriteMesh(
   const MeshData& mesh, const std::string& path, Ranks& ranks, const OutputForm& form = {});
+
+/// Returns whether WriteMesh can write the format of a path from a mesh that leaves hexes out.
+bool TakesRuns(const std::string& path);
+
+/// Writes the same files as for a mesh with all hexes, of a mesh on one rank.
+/// @param mesh  without particles and cohesive elements
+/// @param whole  the mesh with these hexes
+/// @throws InputError  if the file cannot be written; contains path and reason
+/// @pre TakesRuns(path)
+void WriteMesh(const MeshData& mesh, const MeshWithRuns& whole, const std::string& path);
 
 } // namespace vfm

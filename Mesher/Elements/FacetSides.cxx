@@ -10,18 +10,19 @@ namespace
 constexpr Index FacetsOfBlock = 4096, ElementsOfBlock = 4096; // per task
 
 /// Adds the side of a facet on which the material with position `own` in the pair is.
-void AddSide(const Mesh& mesh, std::size_t facet, int own, const FaceIds& points,
-  std::vector<FacetSide>& sides)
+/// @param row  of the surface in the tables
+void AddSide(const Mesh& mesh, std::size_t facet, std::ptrdiff_t row, int own,
+  const FaceIds& points, std::vector<FacetSide>& sides)
 {
   const SurfaceFacets& surfaces = mesh.Surfaces;
   const int id = surfaces.SurfaceId[facet], domainSide = surfaces.DomainSide[facet];
-  const GeometryTables::Pair& volumes = mesh.Tables.SurfaceVolumes[id - 1];
+  const GeometryTables::Pair& volumes = mesh.Tables.SurfaceVolumes[row];
   if (volumes[own] == 0)
   {
     return;
   }
   const int behind = 1 - own;
-  const bool isSmoothSide = domainSide < 0 && mesh.Tables.SurfaceParts[id - 1] > 0;
+  const bool isSmoothSide = domainSide < 0 && mesh.Tables.SurfaceParts[row] > 0;
   sides.push_back({ points,
     { 0, 0, volumes[behind] > 0 ? surfaces.MaterialPair[2 * facet + behind] : NothingBehind,
       isSmoothSide ? id : 0, domainSide } });
@@ -32,7 +33,6 @@ void AddSide(const Mesh& mesh, std::size_t facet, int own, const FaceIds& points
 std::vector<FacetSide> ListFacetSides(const Mesh& mesh, Runtime& runtime)
 {
   const int corners = mesh.CornersOfFacet();
-  const auto surfaces = static_cast<int>(mesh.Tables.SurfaceVolumes.size());
   return CollectItems<FacetSide>(runtime, mesh.Surfaces.SurfaceId.size(), FacetsOfBlock,
     [&](Index facet, std::vector<FacetSide>& sides)
     {
@@ -40,10 +40,12 @@ std::vector<FacetSide> ListFacetSides(const Mesh& mesh, Runtime& runtime)
       std::copy_n(mesh.Surfaces.Points.data() + corners * facet, corners, points.end() - corners);
       std::sort(points.begin(), points.end());
       // Facets outside the elements of this rank may be on surfaces without a number.
-      if (points[4 - corners] >= 0 && mesh.Surfaces.SurfaceId[facet] <= surfaces)
+      const std::ptrdiff_t row =
+        points[4 - corners] >= 0 ? mesh.Tables.RowOfSurface(mesh.Surfaces.SurfaceId[facet]) : -1;
+      if (row >= 0)
       {
-        AddSide(mesh, facet, 0, points, sides);
-        AddSide(mesh, facet, 1, points, sides);
+        AddSide(mesh, facet, row, 0, points, sides);
+        AddSide(mesh, facet, row, 1, points, sides);
       }
     });
 }

@@ -12,6 +12,7 @@ namespace vfm
 {
 
 class BodySurfaces;
+struct CellRuns;
 
 /// Cells to mesh. The referenced objects must outlive it.
 struct MeshCells
@@ -20,6 +21,7 @@ struct MeshCells
   const FractionField& Fractions;
   const MeshOptions& Options;
   const BodySurfaces* Surfaces = nullptr; ///< of the fractions; null: they are not known
+  CellRuns* Runs = nullptr; ///< receives hexes that the mesh leaves out; null: it has all hexes
 };
 
 /// Threads, ranks and report of a run. The referenced objects must outlive it.

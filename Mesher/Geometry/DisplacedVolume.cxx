@@ -5,7 +5,7 @@
 #include "Base/Vector3.h"
 #include "Elements/MeasureFragments.h"
 #include "Geometry/ElementParts.h"
-#include "Ranks/AskRanks.h"
+#include "Ranks/KeyMerge.h"
 
 #include <cmath>
 #include <functional>
@@ -24,13 +24,6 @@ constexpr double Slack = 0.05 / CellsOfBlock;
 // Times that elements in several blocks are halved along each axis, before their parts are placed
 // by 8 points.
 constexpr int Divisions = 1;
-
-/// The lack of a material in a block, for another rank.
-struct BlockLack
-{
-  Index Key;
-  std::int64_t Volume; // in Quantum
-};
 
 /// Volumes in the fractions minus those in elements, by block and material.
 class BlockVolumes
@@ -232,26 +225,25 @@ private:
 
 std::vector<double> BlockVolumes::Finish(Ranks& ranks)
 {
-  std::vector<BlockLack> sent;
-  for (const auto& [key, volume] : this->Lack)
+  std::vector<Index> keys;
+  for (const auto& entry : this->Lack)
   {
-    sent.push_back({ key, volume });
+    keys.push_back(entry.first);
   }
-  std::unordered_map<Index, std::int64_t> whole;
-  const auto rankOf = [&](const BlockLack& lack)
-  { return static_cast<int>(lack.Key / this->Materials % ranks.Count()); };
-  for (const Bytes& message : SendItems(sent, rankOf, ranks))
+  std::sort(keys.begin(), keys.end());
+  std::vector<std::int64_t> volumes;
+  for (Index key : keys)
   {
-    for (const BlockLack& item : FromBytes<BlockLack>(message))
-    {
-      whole[item.Key] += item.Volume;
-    }
+    volumes.push_back(this->Lack.at(key));
   }
+  const KeyMerge<Index> ways(std::move(keys), ranks);
+  volumes = ways.ToHome(std::move(volumes), 1, [](std::int64_t& a, std::int64_t b) { a += b; });
   // Sums of what blocks lack, of what they have too much, and of the fractions.
   std::vector<std::int64_t> sums(3 * this->Materials, 0);
-  for (const auto& [key, volume] : whole)
+  for (std::size_t k = 0; k < volumes.size(); ++k)
   {
-    sums[(volume > 0 ? 0 : this->Materials) + key % this->Materials] += std::abs(volume);
+    const Index material = ways.HomeKeys()[k] % this->Materials;
+    sums[(volumes[k] > 0 ? 0 : this->Materials) + material] += std::abs(volumes[k]);
   }
   std::copy(this->Totals.begin(), this->Totals.end(), sums.begin() + 2 * this->Materials);
   ranks.Sum(sums);

@@ -1,7 +1,8 @@
 #include "Geometry/Geometry.h"
 
-#include "Base/Sorted.h"
 #include "Elements/PeriodicIds.h"
+#include "Geometry/EdgeFacets.h"
+#include "Geometry/EntityNumbers.h"
 #include "Geometry/Junctions.h"
 #include "Geometry/MeasureSurfaces.h"
 
@@ -14,43 +15,25 @@ namespace
 
 using Pair = GeometryTables::Pair;
 using SurfaceSet = std::vector<int>;
-using EdgeFacet = std::array<std::int64_t, 5>;
+using CurveNumbers = EntityNumbers<SurfaceSet>;
 
 /// Key of a surface: its two sides (SurfaceOf), their materials, and the smooth
 /// side (DivideInterfaces).
 using SurfaceKey = std::array<int, 5>;
+
+using SurfaceNumbers = EntityNumbers<SurfaceKey>;
+
+/// Returns the two sides of a surface, which its smooth sides have in common.
+std::array<Index, 2> InterfaceOf(const SurfaceKey& key)
+{
+  return { { key[0], key[1] } };
+}
 
 SurfaceKey KeyOf(const Facet& facet, int side)
 {
   const Pair pair = SurfaceOf(facet);
   const int first = pair[0] == facet.Fragments[0] ? 0 : 1;
   return { { pair[0], pair[1], facet.Materials[first], facet.Materials[1 - first], side } };
-}
-
-/// Numbers distinct keys from 1 in their order.
-template <class Key>
-class Numbering
-{
-public:
-  explicit Numbering(std::vector<Key> keys) : Keys(std::move(keys)) { SortUnique(this->Keys); }
-  int Find(const Key& key) const
-  {
-    return static_cast<int>(
-             std::lower_bound(this->Keys.begin(), this->Keys.end(), key) - this->Keys.begin()) +
-      1;
-  }
-  Index Count() const { return static_cast<Index>(this->Keys.size()); }
-  const std::vector<Key>& All() const { return this->Keys; }
-
-private:
-  std::vector<Key> Keys;
-};
-
-/// Returns the numbering of the distinct keys of all ranks.
-template <class Key>
-Numbering<Key> Gather(Ranks& ranks, const std::vector<Key>& keys)
-{
-  return Numbering<Key>(GatherItems(ranks, Numbering<Key>(keys).All()));
 }
 
 /// Cache of surface numbers. Facets close to each other belong to few surfaces.
@@ -81,26 +64,6 @@ private:
   std::array<Entry, 256> Entries{};
 };
 
-/// Returns the numbering of the distinct sets of all ranks. A set is sent as its
-/// size and its members.
-Numbering<SurfaceSet> GatherSets(Ranks& ranks, const std::vector<SurfaceSet>& sets)
-{
-  const Numbering<SurfaceSet> distinct(sets);
-  std::vector<int> flat;
-  for (const SurfaceSet& set : distinct.All())
-  {
-    flat.push_back(static_cast<int>(set.size()));
-    flat.insert(flat.end(), set.begin(), set.end());
-  }
-  flat = GatherItems(ranks, flat);
-  std::vector<SurfaceSet> all;
-  for (auto at = flat.begin(); at != flat.end(); at += 1 + *at)
-  {
-    all.emplace_back(at + 1, at + 1 + *at);
-  }
-  return Numbering<SurfaceSet>(std::move(all));
-}
-
 /// Stores a facet with the smaller material first; the normal points to it.
 void SetFacet(std::size_t q, const Facet& facet, int corners, SurfaceFacets& surfaces)
 {
@@ -115,19 +78,62 @@ void SetFacet(std::size_t q, const Facet& facet, int corners, SurfaceFacets& sur
   }
 }
 
-/// @param names  of sides
-void FillSurfaceTables(const std::vector<SurfaceKey>& surfaces,
-  const std::vector<std::string>& names, GeometryTables& tables)
+/// Returns the lowest number of the smooth sides of the interface of each surface; 0: the interface
+/// is not divided. Numbers of the sides of an interface follow each other.
+std::vector<int> FindFirstSides(const SurfaceNumbers& surfaces, Ranks& ranks)
 {
-  for (std::size_t s = 0; s < surfaces.size(); ++s)
+  std::vector<std::array<Index, 2>> interfaces;
+  std::vector<int> lowest;
+  for (std::size_t s = 0; s < surfaces.Keys.size(); ++s)
   {
-    const SurfaceKey& key = surfaces[s];
+    const SurfaceKey& key = surfaces.Keys[s];
+    if (key[4] > 0 && (interfaces.empty() || interfaces.back() != InterfaceOf(key)))
+    {
+      interfaces.push_back(InterfaceOf(key));
+      lowest.push_back(surfaces.Ids[s]);
+    }
+  }
+  KeyMerge<std::array<Index, 2>>(interfaces, ranks)
+    .Merge(lowest, 1, [](int& a, int b) { a = std::min(a, b); });
+  std::vector<int> firsts;
+  for (const SurfaceKey& key : surfaces.Keys)
+  {
+    firsts.push_back(key[4] > 0 ? lowest[FindSorted(interfaces, InterfaceOf(key))] : 0);
+  }
+  return firsts;
+}
+
+/// @param names  of sides
+std::vector<std::string> ListPatchNames(
+  const SurfaceNumbers& surfaces, const std::vector<std::string>& names, Ranks& ranks)
+{
+  std::vector<std::string> patches;
+  for (const SurfaceKey& key : surfaces.Keys)
+  {
+    const auto side = static_cast<std::size_t>(key[4]);
+    patches.push_back(side < names.size() ? names[side] : "");
+  }
+  const bool areNamed = ranks.Any(std::any_of(
+    patches.begin(), patches.end(), [](const std::string& name) { return !name.empty(); }));
+  return areNamed ? patches : std::vector<std::string>();
+}
+
+/// @param names  of sides
+/// @pre Collective.
+void FillSurfaceTables(const SurfaceNumbers& surfaces, const std::vector<std::string>& names,
+  Ranks& ranks, GeometryTables& tables)
+{
+  const std::vector<int> firsts = FindFirstSides(surfaces, ranks);
+  for (std::size_t s = 0; s < surfaces.Keys.size(); ++s)
+  {
+    const SurfaceKey& key = surfaces.Keys[s];
+    const int id = surfaces.Ids[s];
     Pair volumes{ { std::max(key[0], 0), key[1] } }, materials{ { key[2], key[3] } };
     for (int volume : volumes)
     {
       if (volume > 0)
       {
-        tables.VolumeSurfaces.push_back({ { volume, static_cast<int>(s) + 1 } });
+        tables.VolumeSurfaces.push_back({ { volume, id } });
       }
     }
     if (materials[0] > materials[1])
@@ -138,52 +144,67 @@ void FillSurfaceTables(const std::vector<SurfaceKey>& surfaces,
     tables.SurfaceVolumes.push_back(volumes);
     tables.SurfaceMaterials.push_back(materials);
     tables.SurfaceSides.push_back(key[0] < 0 ? -1 - key[0] : -1);
-    const bool isNext = s > 0 && std::equal(key.begin(), key.begin() + 2, surfaces[s - 1].begin());
-    tables.SurfaceParts.push_back(key[4] == 0 ? 0 : isNext ? tables.SurfaceParts.back() + 1 : 1);
-    const std::size_t side = static_cast<std::size_t>(key[4]);
-    tables.PatchNames.push_back(side < names.size() ? names[side] : "");
+    tables.SurfaceParts.push_back(firsts[s] > 0 ? id - firsts[s] + 1 : 0);
   }
-  if (std::all_of(tables.PatchNames.begin(), tables.PatchNames.end(),
-        [](const std::string& name) { return name.empty(); }))
-  {
-    tables.PatchNames.clear();
-  }
+  tables.PatchNames = ListPatchNames(surfaces, names, ranks);
   std::sort(tables.VolumeSurfaces.begin(), tables.VolumeSurfaces.end());
+  tables.HasAllSurfaces = ranks.Count() == 1;
+  if (!tables.HasAllSurfaces)
+  {
+    tables.SurfaceIds = surfaces.Ids;
+  }
 }
 
-/// Returns the keys of the surfaces of owned facets; some occur repeatedly.
-std::vector<SurfaceKey> ListKeys(
+/// Returns the keys of the surfaces of facets. Some of facets that other ranks own are wrong,
+/// because their side may be unknown.
+EntityKeys<SurfaceKey> ListKeys(
   const std::vector<Facet>& facets, const std::vector<int>& sides, Runtime& runtime)
 {
-  std::vector<SurfaceKey> keys;
+  std::vector<std::pair<SurfaceKey, bool>> keys;
   std::mutex lock;
   runtime.For(0, static_cast<Index>(facets.size()),
     [&](Index first, Index last)
     {
-      RecentSurfaces known;
+      std::array<RecentSurfaces, 2> known; // of owned facets, and of others
       for (Index q = first; q < last; ++q)
       {
-        if (facets[q].IsOwned) // the sides of other facets may be unknown
-        {
-          known.Find(KeyOf(facets[q], sides[q]),
-            [&](const SurfaceKey& key)
-            {
-              const std::lock_guard<std::mutex> guard(lock);
-              keys.push_back(key);
-              return 0;
-            });
-        }
+        const bool isOwned = facets[q].IsOwned;
+        known[isOwned ? 0 : 1].Find(KeyOf(facets[q], sides[q]),
+          [&](const SurfaceKey& key)
+          {
+            const std::lock_guard<std::mutex> guard(lock);
+            keys.emplace_back(key, isOwned);
+            return 0;
+          });
       }
     });
-  return keys;
+  return EntityKeys<SurfaceKey>(std::move(keys));
 }
 
-/// Fills the surfaces; returns their number.
-Index FillSurfaces(
-  const std::vector<Facet>& facets, const DividedFacets& divided, Runtime& runtime, Mesh& mesh)
+/// Numbers the surfaces of facets.
+/// @pre Collective.
+SurfaceNumbers NumberSurfaces(
+  const std::vector<Facet>& facets, const std::vector<int>& sides, Runtime& runtime)
 {
-  const std::vector<int>& sides = divided.SideOf;
-  const Numbering<SurfaceKey> numbers = Gather(runtime.Group(), ListKeys(facets, sides, runtime));
+  Ranks& ranks = runtime.Group();
+  EntityKeys<SurfaceKey> keys = ListKeys(facets, sides, runtime);
+  int most = 0;
+  for (const SurfaceKey& key : keys.Keys)
+  {
+    most = std::max(most, key[1]);
+  }
+  // First sides begin with -6, the sides of the domain. Homes of keys shall have about the same
+  // number of keys, so values have no gaps.
+  const auto width = static_cast<Index>(ranks.Max(most)) + 1;
+  const auto value = [width](const SurfaceKey& key) { return (key[0] + 6) * width + key[1]; };
+  const OwnedKeyNumbers numbers = NumberOwnedKeys(keys.Keys, keys.IsOwned, value, ranks);
+  return { std::move(keys.Keys), numbers, "surfaces" };
+}
+
+/// Fills the surfaces.
+void FillSurfaces(const std::vector<Facet>& facets, const std::vector<int>& sides,
+  const SurfaceNumbers& numbers, Runtime& runtime, Mesh& mesh)
+{
   SurfaceFacets& surfaces = mesh.Surfaces;
   const int corners = mesh.CornersOfFacet();
   const std::size_t count = facets.size();
@@ -206,8 +227,6 @@ Index FillSurfaces(
         surfaces.IsOwned[q] = facet.IsOwned;
       }
     });
-  FillSurfaceTables(numbers.All(), divided.Names, mesh.Tables);
-  return numbers.Count();
 }
 
 void ClassifySurfacePoints(Mesh& mesh)
@@ -233,17 +252,25 @@ bool IsOwned(const Mesh& mesh, const Junction& junction)
 /// Fills the vertices; returns their number.
 Index FillVertices(const Junctions& junctions, Ranks& ranks, Mesh& mesh)
 {
-  std::vector<Index> points, ids;
+  std::vector<std::pair<Index, bool>> all;
+  std::vector<Index> owned;
   for (std::size_t p = 0; p < junctions.Points().size(); ++p)
   {
     const Index point = junctions.Points()[p].Points[0];
-    if (junctions.IsVertex(p) && IsOwned(mesh, junctions.Points()[p]))
+    if (junctions.IsVertex(p))
     {
-      points.push_back(point);
-      ids.push_back(IdOfOwner(mesh, mesh.PointIds[point]));
+      const bool isOwned = IsOwned(mesh, junctions.Points()[p]);
+      all.emplace_back(IdOfOwner(mesh, mesh.PointIds[point]), isOwned);
+      if (isOwned)
+      {
+        owned.push_back(point);
+      }
     }
   }
-  const Numbering<Index> numbers = Gather(ranks, ids);
+  EntityKeys<Index> keys(std::move(all));
+  const OwnedKeyNumbers found = NumberOwnedKeys(
+    keys.Keys, keys.IsOwned, [](Index id) { return id; }, ranks);
+  const EntityNumbers<Index> numbers(std::move(keys.Keys), found, "vertices");
   for (std::size_t p = 0; p < junctions.Points().size(); ++p)
   {
     const Index point = junctions.Points()[p].Points[0];
@@ -253,60 +280,68 @@ Index FillVertices(const Junctions& junctions, Ranks& ranks, Mesh& mesh)
       mesh.GeometryId[point] = numbers.Find(IdOfOwner(mesh, mesh.PointIds[point]));
     }
   }
-  mesh.Vertices.Points = Buffer<Index>(points.size());
-  mesh.Vertices.VertexId = Buffer<int>(points.size());
-  std::copy(points.begin(), points.end(), mesh.Vertices.Points.begin());
-  std::transform(points.begin(), points.end(), mesh.Vertices.VertexId.begin(),
+  mesh.Vertices.Points = Buffer<Index>(owned.size());
+  mesh.Vertices.VertexId = Buffer<int>(owned.size());
+  std::copy(owned.begin(), owned.end(), mesh.Vertices.Points.begin());
+  std::transform(owned.begin(), owned.end(), mesh.Vertices.VertexId.begin(),
     [&mesh](Index point) { return mesh.GeometryId[point]; });
-  return numbers.Count();
+  return numbers.Total;
 }
 
-void FillCurveTables(const std::vector<SurfaceSet>& curves, Ranks& ranks, Mesh& mesh)
+/// @pre Collective. mesh.Curves and the vertices are filled.
+void FillCurveTables(const CurveNumbers& curves, Ranks& ranks, Mesh& mesh)
 {
   GeometryTables& tables = mesh.Tables;
-  for (std::size_t c = 0; c < curves.size(); ++c)
+  for (std::size_t c = 0; c < curves.Keys.size(); ++c)
   {
-    for (int surface : curves[c])
+    for (int surface : curves.Keys[c])
     {
-      tables.SurfaceCurves.push_back({ { surface, static_cast<int>(c) + 1 } });
+      tables.SurfaceCurves.push_back({ { surface, curves.Ids[c] } });
     }
   }
   std::sort(tables.SurfaceCurves.begin(), tables.SurfaceCurves.end());
-  std::vector<std::int64_t> ends(curves.size(), 0);
-  std::vector<Pair> pairs;
+  tables.CurveEnds.assign(curves.Keys.size(), 0);
   for (std::size_t at = 0; at < mesh.Curves.Points.size(); ++at)
   {
     const Index point = mesh.Curves.Points[at];
     if (mesh.GeometryDimension[point] == 0)
     {
       const int curve = mesh.Curves.CurveId[at / 2];
-      ++ends[curve - 1];
-      pairs.push_back({ { curve, mesh.GeometryId[point] } });
+      ++tables.CurveEnds[FindSorted(curves.Ids, curve)];
+      tables.CurveVertices.push_back({ { curve, mesh.GeometryId[point] } });
     }
   }
-  ranks.Sum(ends);
-  tables.CurveEnds.assign(ends.begin(), ends.end());
-  tables.CurveVertices = Gather(ranks, pairs).All();
+  SharedRows(curves.Ids, curves.IsShared, ranks)
+    .Merge(tables.CurveEnds, 1, [](int& a, int b) { a += b; });
+  SortUnique(tables.CurveVertices);
+  tables.HasAllCurves = ranks.Count() == 1;
+  if (!tables.HasAllCurves)
+  {
+    tables.CurveIds = curves.Ids;
+  }
 }
 
 /// Fills the curves; returns their number. The vertices must be classified already.
-Index FillCurves(const Junctions& junctions, Ranks& ranks, Mesh& mesh)
+/// @param surfaces  number of surfaces of all ranks
+Index FillCurves(const Junctions& junctions, Index surfaces, Ranks& ranks, Mesh& mesh)
 {
   std::vector<const Junction*> owned;
-  std::vector<SurfaceSet> sets;
+  std::vector<std::pair<SurfaceSet, bool>> sets;
   for (const Junction& edge : junctions.Edges())
   {
-    if (IsOwned(mesh, edge))
+    const bool isOwned = IsOwned(mesh, edge);
+    sets.emplace_back(edge.Surfaces, isOwned);
+    if (isOwned)
     {
       owned.push_back(&edge);
-      sets.push_back(edge.Surfaces);
     }
   }
-  const Numbering<SurfaceSet> numbers = GatherSets(ranks, sets);
+  const CurveNumbers numbers =
+    NumberSets(EntityKeys<SurfaceSet>(std::move(sets)), surfaces, "curves", ranks);
   for (std::size_t p = 0; p < junctions.Points().size(); ++p)
   {
     const Junction& point = junctions.Points()[p];
-    if (!junctions.IsVertex(p))
+    if (!junctions.IsVertex(p)) // then edges at the point are on its surfaces
     {
       mesh.GeometryDimension[point.Points[0]] = 1;
       mesh.GeometryId[point.Points[0]] = numbers.Find(point.Surfaces);
@@ -321,46 +356,8 @@ Index FillCurves(const Junctions& junctions, Ranks& ranks, Mesh& mesh)
     std::copy_n(owned[e]->Points.begin(), 2, mesh.Curves.Points.data() + 2 * e);
     mesh.Curves.CurveId[e] = numbers.Find(owned[e]->Surfaces);
   }
-  FillCurveTables(numbers.All(), ranks, mesh);
-  return numbers.Count();
-}
-
-/// Returns whether the surface of a facet is that of its points inside surfaces.
-bool IsKnownFromPoints(const Mesh& mesh, std::size_t q)
-{
-  const int corners = mesh.CornersOfFacet();
-  const Index* points = mesh.Surfaces.Points.data() + corners * q;
-  int inside = 0, others = 0;
-  for (int c = 0; c < corners; ++c)
-  {
-    if (mesh.GeometryDimension[points[c]] == 2)
-    {
-      ++inside;
-      others += mesh.GeometryId[points[c]] != mesh.Surfaces.SurfaceId[q];
-    }
-  }
-  return inside > 0 && others == 0;
-}
-
-/// Fills EdgeFacets. The points must be classified already.
-void ListEdgeFacets(
-  const std::vector<Facet>& facets, const std::vector<int>& sides, Ranks& ranks, Mesh& mesh)
-{
-  const int corners = mesh.CornersOfFacet();
-  std::vector<EdgeFacet> mine;
-  for (std::size_t q = 0; q < facets.size(); ++q)
-  {
-    if (sides[q] > 0 && facets[q].IsOwned && !IsKnownFromPoints(mesh, q))
-    {
-      EdgeFacet facet{ { -1, -1, -1, -1, mesh.Surfaces.SurfaceId[q] } };
-      const Index* points = mesh.Surfaces.Points.data() + corners * q;
-      std::transform(points, points + corners, facet.begin() + (4 - corners),
-        [&mesh](Index point) { return IdOfOwner(mesh, mesh.PointIds[point]); });
-      std::sort(facet.begin(), facet.begin() + 4);
-      mine.push_back(facet);
-    }
-  }
-  mesh.Tables.EdgeFacets = Gather(ranks, mine).All();
+  FillCurveTables(numbers, ranks, mesh);
+  return numbers.Total;
 }
 
 } // namespace
@@ -369,13 +366,16 @@ void ClassifyGeometry(const std::vector<Facet>& facets, const DividedFacets& div
   Runtime& runtime, Mesh& mesh, MeshReport& report)
 {
   Ranks& ranks = runtime.Group();
-  report.NumberOfSurfaces = FillSurfaces(facets, divided, runtime, mesh);
+  const SurfaceNumbers surfaces = NumberSurfaces(facets, divided.SideOf, runtime);
+  FillSurfaces(facets, divided.SideOf, surfaces, runtime, mesh);
+  FillSurfaceTables(surfaces, divided.Names, ranks, mesh.Tables);
   ClassifySurfacePoints(mesh);
   const Junctions junctions(mesh);
+  report.NumberOfSurfaces = surfaces.Total;
   report.NumberOfVertices = FillVertices(junctions, ranks, mesh);
-  report.NumberOfCurves = FillCurves(junctions, ranks, mesh);
-  ListEdgeFacets(facets, divided.SideOf, ranks, mesh);
-  MeasureSurfaces(mesh, runtime);
+  report.NumberOfCurves = FillCurves(junctions, surfaces.Total, ranks, mesh);
+  mesh.Tables.EdgeFacets = ListEdgeFacets(facets, divided.SideOf, mesh);
+  MeasureSurfaces(surfaces.Ids, surfaces.IsShared, mesh, runtime);
 }
 
 } // namespace vfm

@@ -5,7 +5,7 @@
 #include "Geometry/FacetValues.h"
 #include "GivenSurfaces/BodySurfaces.h"
 #include "Octree/RefinedGrid.h"
-#include "Ranks/KeyMerge.h"
+#include "Ranks/MergeByKey.h"
 #include "Surfaces/TriangleSearch.h"
 
 #include <cmath>
@@ -352,41 +352,33 @@ private:
 /// Sets the sides of interfaces with one side without a name to 0. Collective.
 void LeaveWholes(const std::vector<Facet>& facets, Ranks& ranks, DividedFacets& sides)
 {
-  using Interface = std::array<Index, 2>;
-  const auto interfaceOf = [](const Facet& facet)
-  {
-    const Pair pair = SurfaceOf(facet);
-    return Interface{ { pair[0], pair[1] } };
-  };
-  std::vector<Interface> interfaces;
+  using Key = std::array<Index, 2>;
+  using Bounds = std::array<int, 2>; // lowest and highest side
+  std::vector<std::size_t> divided;
+  std::vector<Key> keys;
+  std::vector<Bounds> bounds;
+  constexpr Bounds none{ { std::numeric_limits<int>::max(), 0 } };
   for (std::size_t f = 0; f < facets.size(); ++f)
   {
-    if (sides.SideOf[f] > 0)
+    if (const int side = sides.SideOf[f]; side > 0)
     {
-      interfaces.push_back(interfaceOf(facets[f]));
+      const Pair pair = SurfaceOf(facets[f]);
+      divided.push_back(f);
+      keys.push_back({ { pair[0], pair[1] } });
+      bounds.push_back(facets[f].IsOwned ? Bounds{ { side, side } } : none);
     }
   }
-  SortUnique(interfaces);
-  // The lowest side of each interface, and minus the highest.
-  std::vector<int> range(2 * interfaces.size(), std::numeric_limits<int>::max());
-  for (std::size_t f = 0; f < facets.size(); ++f)
+  bounds = MergeByKey(
+    keys, bounds,
+    [](const Bounds& a, const Bounds& b) {
+      return Bounds{ { std::min(a[0], b[0]), std::max(a[1], b[1]) } };
+    },
+    ranks);
+  for (std::size_t i = 0; i < divided.size(); ++i)
   {
-    const int side = sides.SideOf[f];
-    if (facets[f].IsOwned && side > 0)
+    if (bounds[i][0] == bounds[i][1] && sides.Names[bounds[i][0]].empty())
     {
-      int* own = range.data() + 2 * FindSorted(interfaces, interfaceOf(facets[f]));
-      own[0] = std::min(own[0], side);
-      own[1] = std::min(own[1], -side);
-    }
-  }
-  KeyMerge<Interface>(interfaces, ranks).Merge(range, 2, [](int& a, int b) { a = std::min(a, b); });
-  for (std::size_t f = 0; f < facets.size(); ++f)
-  {
-    if (sides.SideOf[f] > 0)
-    {
-      const int* all = range.data() + 2 * FindSorted(interfaces, interfaceOf(facets[f]));
-      const bool isWhole = all[0] == -all[1] && sides.Names[all[0]].empty();
-      sides.SideOf[f] = isWhole ? 0 : sides.SideOf[f];
+      sides.SideOf[divided[i]] = 0;
     }
   }
 }

@@ -1,53 +1,69 @@
 #include "Geometry/JoinCopies.h"
 
 #include "Elements/SelectPoints.h"
-#include "Ranks/Agreement.h"
+#include "Octree/LevelIds.h"
+#include "Ranks/MergeByKey.h"
 
 #include <numeric>
-#include <tuple>
 
 namespace vfm
 {
 namespace
 {
 
+/// A copy of a point: its id before joining and its position.
 struct Copy
 {
-  Index Joined, Id; // id after joining, and id of the copy
+  Index Id;
   Vector3 Place;
-  bool operator<(const Copy& other) const
-  {
-    return std::tie(this->Joined, this->Id) < std::tie(other.Joined, other.Id);
-  }
-  bool operator==(const Copy& other) const
-  {
-    return this->Joined == other.Joined && this->Id == other.Id;
-  }
 };
 
-/// Collective. Returns the copies of all ranks of points whose id changes, and of the points that
-/// have this id before, ascending.
-std::vector<Copy> GatherCopies(const Mesh& mesh, Ranks& ranks)
+Copy LowestOf(const Copy& a, const Copy& b)
 {
-  std::vector<Index> joined;
-  for (std::size_t p = 0; p < mesh.PointIds.size(); ++p)
-  {
-    if (mesh.PeriodicPartner[p] != mesh.PointIds[p])
-    {
-      joined.push_back(mesh.PeriodicPartner[p]);
-    }
-  }
-  joined = UnionOverRanks(ranks, std::move(joined));
+  return a.Id < b.Id ? a : b;
+}
+
+/// Returns whether a point may have copies: not if its node is inside the domain. Points that
+/// TetGen or layers added have no node.
+bool MayHaveCopies(const Mesh& mesh, Index point)
+{
+  const Index id = mesh.PointIds[point];
+  const CartesianGrid& domain = mesh.Levels->Finest();
+  return mesh.PeriodicPartner[point] != id ||
+    id >= EndOfPointIds(*mesh.Levels, mesh.Ids.PointSlots) ||
+    domain.DomainSides(NodeOfPoint(domain, mesh, id)) != 0;
+}
+
+/// The points of this rank that may have copies, by their ids after joining, and for each one the
+/// copy of all ranks with the lowest id.
+struct JoinedPoints
+{
+  std::vector<Index> Ids; // ascending
+  std::vector<Copy> Lowest;
+};
+
+/// Collective.
+JoinedPoints FindLowestCopies(const Mesh& mesh, Ranks& ranks)
+{
+  std::vector<Index> ids;
   std::vector<Copy> copies;
   for (std::size_t p = 0; p < mesh.PointIds.size(); ++p)
   {
-    const Index id = mesh.PeriodicPartner[p];
-    if (std::binary_search(joined.begin(), joined.end(), id))
+    const auto point = static_cast<Index>(p);
+    if (MayHaveCopies(mesh, point))
     {
-      copies.push_back({ id, mesh.PointIds[p], mesh.PointAt(static_cast<Index>(p)) });
+      ids.push_back(mesh.PeriodicPartner[p]);
+      copies.push_back({ mesh.PointIds[p], mesh.PointAt(point) });
     }
   }
-  return UnionOverRanks(ranks, std::move(copies));
+  copies = MergeByKey(ids, copies, LowestOf, ranks);
+  JoinedPoints joined;
+  for (std::size_t place : OrderOf(ids))
+  {
+    joined.Ids.push_back(ids[place]);
+    joined.Lowest.push_back(copies[place]);
+  }
+  return joined;
 }
 
 /// Returns the points with the lowest number of each id, ascending by id, and numbers[p], the
@@ -74,7 +90,7 @@ std::vector<Index> OrderPoints(const Buffer<Index>& ids, std::vector<Index>& num
 
 std::vector<Index> JoinCopies(Runtime& runtime, Mesh& mesh)
 {
-  const std::vector<Copy> copies = GatherCopies(mesh, runtime.Group());
+  const JoinedPoints joined = FindLowestCopies(mesh, runtime.Group());
   mesh.PointIds = std::move(mesh.PeriodicPartner);
   std::vector<Index> numbers;
   const std::vector<Index> kept = OrderPoints(mesh.PointIds, numbers);
@@ -82,11 +98,11 @@ std::vector<Index> JoinCopies(Runtime& runtime, Mesh& mesh)
   for (std::size_t p = 0; p < kept.size(); ++p)
   {
     const Index id = mesh.PointIds[p];
-    const auto lowest = std::partition_point(
-      copies.begin(), copies.end(), [id](const Copy& copy) { return copy.Joined < id; });
-    if (lowest != copies.end() && lowest->Joined == id)
+    const auto found = std::lower_bound(joined.Ids.begin(), joined.Ids.end(), id);
+    if (found != joined.Ids.end() && *found == id)
     {
-      mesh.SetPoint(static_cast<Index>(p), lowest->Place, id);
+      const Copy& lowest = joined.Lowest[found - joined.Ids.begin()];
+      mesh.SetPoint(static_cast<Index>(p), lowest.Place, id);
     }
   }
   SortGeometry(mesh);

@@ -1,8 +1,9 @@
 #include "Geometry/LeaveCovering.h"
 
+#include "Base/Sorted.h"
 #include "Elements/PeriodicIds.h"
 #include "Octree/LevelIds.h"
-#include "Ranks/Agreement.h"
+#include "Ranks/MergeByKey.h"
 
 #include <limits>
 
@@ -134,18 +135,20 @@ private:
   std::shared_ptr<const RefinedGrid> Domain;
 };
 
-/// Id of the owner of a point, and the id of the point on the grid of the domain.
-using Copy = std::array<Index, 2>;
+/// Returns whether a point may have copies.
+bool MayHaveCopies(const Mesh& mesh, const DomainIds& domain, Index id)
+{
+  const CartesianGrid& grid = mesh.Levels->Finest();
+  return !domain.IsAdded(id) && HasCopies(grid, NodeOfPoint(grid, mesh, id));
+}
 
 /// Returns the points that may have copies.
 std::vector<Index> ListCopies(const Mesh& mesh, const DomainIds& domain)
 {
-  const CartesianGrid& grid = mesh.Levels->Finest();
   std::vector<Index> points;
   for (std::size_t p = 0; p < mesh.PointIds.size(); ++p)
   {
-    const Index id = mesh.PointIds[p];
-    if (!domain.IsAdded(id) && HasCopies(grid, NodeOfPoint(grid, mesh, id)))
+    if (MayHaveCopies(mesh, domain, mesh.PointIds[p]))
     {
       points.push_back(static_cast<Index>(p));
     }
@@ -153,7 +156,25 @@ std::vector<Index> ListCopies(const Mesh& mesh, const DomainIds& domain)
   return points;
 }
 
-/// Finds the partners of points.
+/// Returns the ids of the ends of pulls that may have copies, ascending. They are ids of owners.
+std::vector<Index> ListEnds(const Mesh& mesh, const DomainIds& domain)
+{
+  std::vector<Index> ends;
+  for (const EdgePull& pull : mesh.Pulls)
+  {
+    for (Index end : pull.Edge)
+    {
+      if (MayHaveCopies(mesh, domain, end))
+      {
+        ends.push_back(end);
+      }
+    }
+  }
+  SortUnique(ends);
+  return ends;
+}
+
+/// Finds the partners of the points of this rank and of the ends of its pulls.
 class PartnerIds
 {
 public:
@@ -164,29 +185,36 @@ public:
     const Buffer<Index>& ids, Partner partner, Ranks& ranks) :
     Domain(domain)
   {
-    std::vector<Copy> copies;
+    if (partner == Partner::Upper)
+    {
+      return;
+    }
+    std::vector<Index> owners, copies, questions = ListEnds(mesh, domain);
     for (Index point : points)
     {
-      copies.push_back({ { IdOfOwner(mesh, mesh.PointIds[point]), ids[point] } });
+      owners.push_back(IdOfOwner(mesh, mesh.PointIds[point]));
+      copies.push_back(ids[point]);
     }
-    if (partner == Partner::Lowest)
-    {
-      this->Copies = UnionOverRanks(ranks, std::move(copies));
-    }
+    questions.insert(questions.end(), owners.begin(), owners.end());
+    SortUnique(questions);
+    this->Lowest = AskByKey(
+      std::move(owners), std::move(copies), questions, std::numeric_limits<Index>::max(),
+      [](Index a, Index b) { return std::min(a, b); }, ranks);
+    this->Owners = std::move(questions);
   }
 
   /// Returns the partner from the id of the owner.
   Index Of(Index owner) const
   {
-    const auto found = std::lower_bound(this->Copies.begin(), this->Copies.end(),
-      Copy{ { owner, std::numeric_limits<Index>::min() } });
-    return found != this->Copies.end() && (*found)[0] == owner ? (*found)[1]
-                                                               : this->Domain.OfPoint(owner);
+    const Index found = FindSorted(this->Owners, owner);
+    const bool isKnown = found >= 0 && this->Lowest[found] < std::numeric_limits<Index>::max();
+    return isKnown ? this->Lowest[found] : this->Domain.OfPoint(owner);
   }
 
 private:
   const DomainIds& Domain;
-  std::vector<Copy> Copies; // of all ranks, ascending; empty if partners are owners
+  std::vector<Index> Owners; // ids of owners, ascending; empty if partners are owners
+  std::vector<Index> Lowest; // lowest id of a copy in the mesh on the grid of the domain
 };
 
 /// Names the edges of pulls by the partners of their ends.

@@ -4,7 +4,7 @@
 
 namespace vfm
 {
-void MeasureMaterials(const Mesh& mesh, Ranks& ranks, MeshReport& report)
+void MeasureMaterials(const Mesh& mesh, Ranks& ranks, MeshReport& report, const CellRuns* leftOut)
 {
   const std::size_t materials = report.Materials.size();
   std::vector<std::int64_t> elements(materials, 0), perfect(materials, 0);
@@ -29,6 +29,12 @@ void MeasureMaterials(const Mesh& mesh, Ranks& ranks, MeshReport& report)
     }
     elements[material] += last - first;
     perfect[material] += ones;
+  }
+  for (std::size_t r = 0; leftOut && r < leftOut->Runs.size(); ++r)
+  {
+    const CellRuns::Run& run = leftOut->Runs[r];
+    elements[run.Material] += run.Count;
+    perfect[run.Material] += run.Count;
   }
   for (std::size_t m = 0; m < materials; ++m)
   {

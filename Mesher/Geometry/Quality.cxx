@@ -46,11 +46,6 @@ double HexScaledJacobian(const double* points, const Index* hex)
   return std::min(smallest, Normalised(axis[0], axis[1], axis[2]));
 }
 
-namespace
-{
-
-/// Returns whether HexScaledJacobian of every cell rounds to 1 in single precision. The relative
-/// rounding errors of coordinate differences, and therefore the errors of angles, are below 2^-16.
 bool AreCellsPerfect(const CartesianGrid& grid)
 {
   double largest = 0.0, narrowest = 1e300;
@@ -65,6 +60,9 @@ bool AreCellsPerfect(const CartesianGrid& grid)
   }
   return narrowest >= 0x1p-34 * largest;
 }
+
+namespace
+{
 
 /// Fills mesh.ScaledJacobian. Returns the number of hexes, from the first one, that have the value
 /// 1 because they are unchanged cells.
@@ -106,7 +104,8 @@ void MeasureAllTets(Mesh& mesh, Runtime& runtime, MeshReport& report)
 
 } // namespace
 
-void ComputeQuality(Mesh& mesh, Runtime& runtime, MeshReport& report, Index wholeCells)
+void ComputeQuality(
+  Mesh& mesh, Runtime& runtime, MeshReport& report, Index wholeCells, Index leftOut)
 {
   mesh.ScaledJacobian = Buffer<float>(static_cast<Index>(mesh.ElementIds.size()));
   Index cells = 0;
@@ -119,7 +118,7 @@ void ComputeQuality(Mesh& mesh, Runtime& runtime, MeshReport& report, Index whol
     MeasureAllTets(mesh, runtime, report);
   }
   std::vector<ExactSum> sums(2); // sum and number of the scaled Jacobians
-  sums[0].Add(1.0, cells);
+  sums[0].Add(1.0, cells + leftOut);
   double smallest = 1.0;
   for (const float* value = mesh.ScaledJacobian.begin() + cells; value < mesh.ScaledJacobian.end();
        ++value)
@@ -127,7 +126,7 @@ void ComputeQuality(Mesh& mesh, Runtime& runtime, MeshReport& report, Index whol
     sums[0].Add(*value);
     smallest = std::min(smallest, static_cast<double>(*value));
   }
-  sums[1].Add(static_cast<double>(mesh.ScaledJacobian.size()));
+  sums[1].Add(static_cast<double>(static_cast<Index>(mesh.ScaledJacobian.size()) + leftOut));
   const std::vector<double> total = SumOverRanks(sums, runtime.Group());
   report.MinimumScaledJacobian = -runtime.Group().Max(-smallest);
   report.MeanScaledJacobian = total[1] > 0.0 ? total[0] / total[1] : 0.0;

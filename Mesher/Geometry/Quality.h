@@ -17,10 +17,16 @@ namespace vfm
 /// @param hex  the eight corners in VTK's order
 double HexScaledJacobian(const double* points, const Index* hex);
 
+/// Returns whether HexScaledJacobian of every cell rounds to 1 in single precision. The relative
+/// rounding errors of coordinate differences, and therefore the errors of angles, are below 2^-16.
+bool AreCellsPerfect(const CartesianGrid& grid);
+
 /// Fills mesh.ScaledJacobian and the minimum and mean over all ranks in the report. Also fills the
 /// dihedral angles of the report if the mesh consists of tets.
 /// @param wholeCells  number of hexes, from the first one, that are unchanged cells
+/// @param leftOut  number of hexes in CellRuns
 /// @pre Collective.
-void ComputeQuality(Mesh& mesh, Runtime& runtime, MeshReport& report, Index wholeCells = 0);
+void ComputeQuality(
+  Mesh& mesh, Runtime& runtime, MeshReport& report, Index wholeCells = 0, Index leftOut = 0);
 
 } // namespace vfm

@@ -5,22 +5,30 @@
 
 #include "Input/InputBlocks.h"
 
+#include <span>
+
 namespace vfm
 {
 
-/// Returns the places of the blocks of all ranks, ordered by rank.
+/// Sets the Places of the levels of a grid: the blocks of this rank, and the blocks of other ranks
+/// that have common cells with them, also on other levels.
 /// @pre Collective
-std::vector<BlockPlace> GatherPlaces(const std::vector<InputBlock>& blocks, Ranks& ranks);
+void FindPlaces(std::span<InputBlocks> levels, Ranks& ranks);
 
 /// Checks that places do not overlap.
 /// @param isAlone whether there is only one rank; messages then name no ranks
 /// @throws InputError naming two blocks and a common cell
-void CheckOverlaps(std::vector<BlockPlace> places, bool isAlone);
+void CheckOverlaps(const std::vector<BlockPlace>& places, bool isAlone);
 
-/// Checks that the places fill the grid.
-/// @throws InputError naming the first cell without a block
-/// @pre places do not overlap
-void CheckGaps(const InputBlocks& input);
+/// Checks that the blocks of each level do not overlap.
+/// @throws InputError as above, for the coarsest level with overlaps, on all ranks
+/// @pre Collective; Places are set (FindPlaces)
+void CheckOverlaps(std::span<const InputBlocks> levels, Ranks& ranks);
+
+/// Checks that the blocks of all ranks fill the grid.
+/// @throws InputError naming the first cell without a block, on all ranks
+/// @pre Collective; blocks do not overlap
+void CheckGaps(const InputBlocks& input, Ranks& ranks);
 
 /// Checks that 64-bit ids can number all nodes of the grid.
 /// @throws InputError that states the number of nodes

@@ -170,7 +170,7 @@ void DropSharedPlanes(InputBlocks& input, Ranks& ranks)
     input.Blocks.erase(std::remove_if(input.Blocks.begin(), input.Blocks.end(),
                          [](const InputBlock& block) { return block.Box.NumberOfCells() == 0; }),
       input.Blocks.end());
-    input.Places = GatherPlaces(input.Blocks, ranks);
+    FindPlaces({ &input, 1 }, ranks);
   }
 }
 
@@ -246,13 +246,13 @@ bool FitOneGrid(std::vector<InputBlock> blocks, Ranks& ranks)
 InputBlocks FindInputBlocks(CollectedBlocks collected, Ranks& ranks)
 {
   InputBlocks input = PlaceOwnBlocks(std::move(collected.Blocks), ranks);
-  input.Places = GatherPlaces(input.Blocks, ranks);
+  FindPlaces({ &input, 1 }, ranks);
   if (collected.Reading.ArePoints)
   {
     DropSharedPlanes(input, ranks);
   }
-  CheckOverlaps(input.Places, ranks.Count() == 1);
-  CheckGaps(input);
+  CheckOverlaps({ &input, 1 }, ranks);
+  CheckGaps(input, ranks);
   return input;
 }
 

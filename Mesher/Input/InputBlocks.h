@@ -77,7 +77,7 @@ struct BlockPlace
 struct InputBlocks
 {
   std::vector<InputBlock> Blocks; ///< blocks of this rank
-  /// Blocks of all ranks, or of nearby ranks, ordered by rank; 56 bytes per block.
+  /// Blocks of this rank and of others near its blocks or cells (FindPlaces, FindOwners), by rank.
   std::vector<BlockPlace> Places;
   std::array<std::vector<double>, 3> Coordinates; ///< nodes of the global grid along each axis
 

@@ -269,11 +269,8 @@ InputLevels SortByLevels(std::vector<InputBlock> blocks, const Vector3& coarsest
         input.Levels[levels[b]].Blocks.push_back(std::move(blocks[b]));
       }
     });
-  for (InputBlocks& level : input.Levels)
-  {
-    level.Places = GatherPlaces(level.Blocks, ranks);
-    CheckOverlaps(level.Places, ranks.Count() == 1);
-  }
+  FindPlaces(input.Levels, ranks);
+  CheckOverlaps(input.Levels, ranks);
   MarkCovered(input);
   return input;
 }

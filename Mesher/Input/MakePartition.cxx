@@ -1,6 +1,7 @@
 #include "Input/MakePartition.h"
 
 #include "Ranks/Agreement.h"
+#include "Ranks/SumOverRange.h"
 
 #include <cmath>
 
@@ -9,19 +10,40 @@ namespace vfm
 namespace
 {
 
-/// A box that belongs to the ranks [First, First + Count).
+/// A box that the ranks [First, First + Count) divide.
 struct Part
 {
   IndexBox Box;
   int First, Count;
 };
 
-/// The weights of this rank's cells.
+/// Numbers of up to 63 bits, in 7 bits per byte; small ones take one byte.
+void AddNumber(Index number, Bytes& bytes)
+{
+  for (; number > 127; number >>= 7)
+  {
+    bytes.push_back(static_cast<char>((number & 127) | 128));
+  }
+  bytes.push_back(static_cast<char>(number));
+}
+
+Index TakeNumber(Bytes::const_iterator& at)
+{
+  Index number = 0;
+  int shift = 0;
+  for (; (*at & 128) != 0; shift += 7)
+  {
+    number |= Index(*at++ & 127) << shift;
+  }
+  return number | Index(*at++) << shift;
+}
+
+/// The weights of cells that this rank holds.
 class Weights
 {
 public:
-  Weights(const std::vector<IndexBox>& blocks, std::vector<Index3> interfaceCells) :
-    Blocks(blocks), Cells(std::move(interfaceCells)), PartOfCell(this->Cells.size(), 0)
+  Weights(std::vector<IndexBox> blocks, std::vector<Index3> interfaceCells) :
+    Blocks(std::move(blocks)), Cells(std::move(interfaceCells))
   {
   }
 
@@ -35,52 +57,84 @@ public:
     return total;
   }
 
-  /// Returns the weights of the planes across axes[p] of each part p with several ranks; they begin
-  /// at first[p].
-  std::vector<Index> WeighPlanes(const std::vector<Part>& parts, const std::vector<int>& axes,
-    const std::vector<Index>& first) const
+  /// Returns the weights of the planes of a box across an axis.
+  std::vector<Index> WeighPlanes(const IndexBox& box, int axis) const
   {
-    std::vector<Index> planes(first.back(), 0);
-    for (std::size_t p = 0; p < parts.size(); ++p)
+    std::vector<Index> planes(box.Size(axis), 0);
+    const int b = (axis + 1) % 3, c = (axis + 2) % 3;
+    for (const IndexBox& block : this->Blocks)
     {
-      const int a = axes[p], b = (a + 1) % 3, c = (a + 2) % 3;
-      for (std::size_t i = 0; parts[p].Count > 1 && i < this->Blocks.size(); ++i)
+      const IndexBox common = Intersect(block, box);
+      for (Index x = common.Lower[axis]; x < common.Upper[axis]; ++x)
       {
-        const IndexBox common = Intersect(this->Blocks[i], parts[p].Box);
-        for (Index x = common.Lower[a]; x < common.Upper[a]; ++x)
-        {
-          planes[first[p] + x - parts[p].Box.Lower[a]] +=
-            CellWeight * common.Size(b) * common.Size(c);
-        }
+        planes[x - box.Lower[axis]] += CellWeight * common.Size(b) * common.Size(c);
       }
     }
-    for (std::size_t c = 0; c < this->Cells.size(); ++c)
+    for (const Index3& cell : this->Cells)
     {
-      const int p = this->PartOfCell[c], a = axes[p];
-      if (parts[p].Count > 1)
-      {
-        planes[first[p] + this->Cells[c][a] - parts[p].Box.Lower[a]] += InterfaceCellWeight;
-      }
+      planes[cell[axis] - box.Lower[axis]] += InterfaceCellWeight;
     }
     return planes;
   }
 
-  /// Updates the parts of cells after a cut; halves[p]: index of the first half of part p.
-  void Follow(const std::vector<Part>& parts, const std::vector<int>& halves)
-  {
-    for (std::size_t c = 0; c < this->Cells.size(); ++c)
-    {
-      int& p = this->PartOfCell[c];
-      p = halves[p];
-      p += !parts[p].Box.Contains(this->Cells[c]);
-    }
-  }
+  /// Removes the weights of the cells in a box, and returns them as a message.
+  Bytes Take(const IndexBox& box);
+  /// Adds the weights of a message for the same box.
+  void Add(const IndexBox& box, const Bytes& message);
 
 private:
-  const std::vector<IndexBox>& Blocks;
+  std::vector<IndexBox> Blocks;
   std::vector<Index3> Cells;
-  std::vector<int> PartOfCell;
 };
+
+/// The message has the blocks, then the distances of the cells from each other in the box.
+Bytes Weights::Take(const IndexBox& box)
+{
+  std::vector<IndexBox> blocks;
+  for (const IndexBox& block : this->Blocks)
+  {
+    const IndexBox common = Intersect(block, box);
+    if (common.NumberOfCells() > 0)
+    {
+      blocks.push_back(common);
+    }
+  }
+  const auto kept = std::partition(this->Cells.begin(), this->Cells.end(),
+    [&box](const Index3& cell) { return !box.Contains(cell); });
+  std::vector<Index> places;
+  for (auto cell = kept; cell != this->Cells.end(); ++cell)
+  {
+    places.push_back(IndexInBox(box, *cell));
+  }
+  this->Cells.erase(kept, this->Cells.end());
+  std::sort(places.begin(), places.end());
+  Bytes message;
+  AddNumber(static_cast<Index>(blocks.size()), message);
+  const Bytes packed = ToBytes(blocks);
+  message.insert(message.end(), packed.begin(), packed.end());
+  Index last = 0;
+  for (Index place : places)
+  {
+    AddNumber(place - last, message);
+    last = place;
+  }
+  return message;
+}
+
+void Weights::Add(const IndexBox& box, const Bytes& message)
+{
+  auto at = message.begin();
+  const Index count = TakeNumber(at);
+  const auto end = at + static_cast<std::ptrdiff_t>(count * sizeof(IndexBox));
+  const std::vector<IndexBox> blocks = FromBytes<IndexBox>(Bytes(at, end));
+  this->Blocks.insert(this->Blocks.end(), blocks.begin(), blocks.end());
+  Index place = 0;
+  for (at = end; at != message.end();)
+  {
+    place += TakeNumber(at);
+    this->Cells.push_back(CellInBox(box, place));
+  }
+}
 
 IndexBox FindBounds(const std::vector<IndexBox>& boxes)
 {
@@ -145,42 +199,39 @@ Index FindCut(const Index* planes, Index count, double share)
   return cut;
 }
 
-/// Cuts each part that has several ranks.
-std::vector<Part> CutParts(const std::vector<Part>& parts, Weights& weights, Ranks& ranks)
+/// Returns the halves of a part of several ranks.
+/// @pre Collective over the ranks of the part.
+std::array<Part, 2> Halve(const Part& part, const Weights& weights, Ranks& ranks)
 {
-  std::vector<int> axes, halves;
-  std::vector<Index> first{ 0 };
-  for (const Part& part : parts)
+  const int axis = FindLongestAxis(part.Box);
+  std::vector<Index> planes = weights.WeighPlanes(part.Box, axis);
+  SumOverRange(part.First, part.Count, planes, ranks);
+  Part lower = part, upper = part;
+  lower.Count /= 2;
+  upper.First += lower.Count;
+  upper.Count -= lower.Count;
+  const double share = static_cast<double>(lower.Count) / part.Count;
+  lower.Box.Upper[axis] = upper.Box.Lower[axis] =
+    part.Box.Lower[axis] + FindCut(planes.data(), part.Box.Size(axis), share);
+  return { { lower, upper } };
+}
+
+/// Sends the weights of cells in the other half to a rank of it, and adds those received.
+/// @pre Collective over the ranks of both halves.
+void SwapWeights(const Part& own, const Part& other, Weights& weights, Ranks& ranks)
+{
+  const int place = ranks.Rank() - own.First;
+  std::vector<int> partners{ other.First + std::min(place, other.Count - 1) };
+  std::vector<Bytes> messages{ weights.Take(other.Box) };
+  if (place == own.Count - 1 && own.Count < other.Count) // also that of the last rank
   {
-    axes.push_back(FindLongestAxis(part.Box));
-    first.push_back(first.back() + (part.Count > 1 ? part.Box.Size(axes.back()) : 0));
+    partners.push_back(other.First + own.Count);
+    messages.push_back(Weights({}, {}).Take(other.Box));
   }
-  std::vector<Index> planes = weights.WeighPlanes(parts, axes, first);
-  ranks.Sum(planes);
-  std::vector<Part> result;
-  for (std::size_t p = 0; p < parts.size(); ++p)
+  for (const Bytes& message : ranks.Exchange(partners, messages))
   {
-    halves.push_back(static_cast<int>(result.size()));
-    Part lower = parts[p], upper = parts[p];
-    if (lower.Count > 1)
-    {
-      lower.Count /= 2;
-      upper.First += lower.Count;
-      upper.Count -= lower.Count;
-      const double share = static_cast<double>(lower.Count) / parts[p].Count;
-      const Index cut = lower.Box.Lower[axes[p]] +
-        FindCut(planes.data() + first[p], first[p + 1] - first[p], share);
-      lower.Box.Upper[axes[p]] = upper.Box.Lower[axes[p]] = cut;
-      result.push_back(lower);
-      result.push_back(upper);
-    }
-    else
-    {
-      result.push_back(lower);
-    }
+    weights.Add(own.Box, message);
   }
-  weights.Follow(result, halves);
-  return result;
 }
 
 } // namespace
@@ -209,31 +260,29 @@ void FindInterfaceCells(const IndexBox& box, const RowReader& read, std::vector<
     });
 }
 
-std::vector<IndexBox> MakePartition(const IndexBox& global, const std::vector<IndexBox>& blocks,
+IndexBox MakePartition(const IndexBox& global, const std::vector<IndexBox>& blocks,
   const std::function<std::vector<Index3>()>& findInterfaceCells, Ranks& ranks, bool mayStay)
 {
   if (ranks.Count() == 1)
   {
-    return { global };
+    return global;
   }
   std::vector<Index3> cells;
   WorkTogether(ranks, [&] { cells = findInterfaceCells(); });
   Weights weights(blocks, std::move(cells));
   if (mayStay && IsPartition(blocks, weights, ranks))
   {
-    return GatherItems(ranks, std::vector<IndexBox>{ FindBounds(blocks) });
+    return FindBounds(blocks);
   }
-  std::vector<Part> parts{ { global, 0, ranks.Count() } };
-  while (static_cast<int>(parts.size()) < ranks.Count())
+  Part part{ global, 0, ranks.Count() };
+  while (part.Count > 1)
   {
-    parts = CutParts(parts, weights, ranks);
+    const std::array<Part, 2> halves = Halve(part, weights, ranks);
+    const bool isUpper = ranks.Rank() >= halves[1].First;
+    part = halves[isUpper];
+    SwapWeights(part, halves[!isUpper], weights, ranks);
   }
-  std::vector<IndexBox> boxes;
-  for (const Part& part : parts)
-  {
-    boxes.push_back(part.Box);
-  }
-  return boxes;
+  return part.Box;
 }
 
 } // namespace vfm

@@ -4,8 +4,9 @@
  * Recursive coordinate bisection (Berger and Bokhari, IEEE Transactions on Computers C-36, 1987):
  * the global box is cut across its longest axis, the ranks are divided in halves, and so on. A cut
  * lies where the weights of the sides are nearest to the shares of their ranks. Weights of planes
- * are integers summed over the ranks, so all ranks find the same boxes, and no rank needs the
- * whole grid.
+ * are integers summed over the ranks that divide a box, so they find the same cut. Then a rank of
+ * one half and one of the other swap the weights of cells, so that the ranks of a half hold all
+ * weights in it. No rank needs the whole grid, or learns of the boxes of all ranks.
  */
 #pragma once
 
@@ -35,12 +36,12 @@ void FindInterfaceCells(const IndexBox& box, const RowReader& read, std::vector<
 /// @param findInterfaceCells returns the cells of this rank that weigh more. It must not
 /// communicate; its exceptions are thrown on all ranks (WorkTogether). Not called on a single rank.
 /// @param mayStay false: never use the boxes of the blocks, which may then overlap and leave gaps
-/// @return box of each rank, the same list on all ranks; boxes are disjoint, fill the global box,
-/// and may be empty
+/// @return box of this rank; the boxes of all ranks are disjoint, fill the global box, and may be
+/// empty
 /// @pre Collective
-/// @note Memory and messages per rank: 48 bytes per rank, and 8 bytes per plane of the boxes that
-/// are cut.
-std::vector<IndexBox> MakePartition(const IndexBox& global, const std::vector<IndexBox>& blocks,
+/// @note About log2 P times: messages of 8 bytes per plane of the box that is cut to log2 P ranks,
+/// and one message with about 1 to 2 bytes per cell that weighs more and 48 bytes per block.
+IndexBox MakePartition(const IndexBox& global, const std::vector<IndexBox>& blocks,
   const std::function<std::vector<Index3>()>& findInterfaceCells, Ranks& ranks,
   bool mayStay = true);
 

@@ -52,7 +52,7 @@ void PlainArrays::Add(const std::string& name, int type, Index tuples, int compo
   array->Components = components;
   array->Memory = values.get();
   array->Kept = std::move(values);
-  this->Arrays.emplace_back(name, std::move(array));
+  this->Add(name, std::move(array));
 }
 
 std::shared_ptr<const BlockArray> PlainArrays::Find(const std::string& name) const

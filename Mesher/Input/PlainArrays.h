@@ -1,5 +1,6 @@
 /**
- * PlainArrays: arrays of a block in contiguous memory, row-major. They are not copied.
+ * PlainArrays: a list of arrays of a block, mostly in contiguous memory, row-major. They are not
+ * copied.
  */
 #pragma once
 
@@ -30,6 +31,11 @@ public:
   /// Adds an array and shares ownership of its values.
   void Add(const std::string& name, int type, Index tuples, int components,
     std::shared_ptr<const void> values);
+  /// Adds an array that stores its values in its own way.
+  void Add(const std::string& name, std::shared_ptr<const BlockArray> array)
+  {
+    this->Arrays.emplace_back(name, std::move(array));
+  }
   /// Adds an array of one component and stores its values: a vector or Buffer of numbers or bytes.
   template <class Values>
   void Store(const std::string& name, int type, Values values)

@@ -267,7 +267,7 @@ bool AreAligned(const std::vector<IndexBox>& boxes, int levels)
 
 } // namespace
 
-std::vector<BlockPlace> DistributeCells(
+IndexBox DistributeCells(
   const InputLevels& input, const LevelCells& cells, const LevelSetup& setup, Ranks& ranks)
 {
   const int coarser = std::max(-setup.Base, 0);
@@ -297,13 +297,9 @@ std::vector<BlockPlace> DistributeCells(
     }
     return found;
   };
-  std::vector<BlockPlace> owners;
-  for (const IndexBox& box : MakePartition(
-         ChangeLevel(input.Levels[0].Global(), -coarser), held, findInterfaceCells, ranks, mayStay))
-  {
-    owners.push_back({ ChangeLevel(box, coarser), static_cast<int>(owners.size()), -1 });
-  }
-  return owners;
+  return ChangeLevel(MakePartition(ChangeLevel(input.Levels[0].Global(), -coarser), held,
+                       findInterfaceCells, ranks, mayStay),
+    coarser);
 }
 
 LevelFields MakeLevelFields(const InputLevels& input, const LevelCells& cells,

@@ -36,15 +36,16 @@ struct LevelFields
 };
 
 /// Distributes the cells over the ranks (MakePartition), in whole cells of the base.
-/// @return cells of level 0 that each rank meshes, ordered by rank
+/// @return cells of level 0 that this rank meshes
 /// @pre Collective
-std::vector<BlockPlace> DistributeCells(
+IndexBox DistributeCells(
   const InputLevels& input, const LevelCells& cells, const LevelSetup& setup, Ranks& ranks);
 
 /// Makes the grids and fractions of this rank, without copies of cells.
 /// @param repeats whether the domain repeats along each axis: cells at sides are then halved with
 /// their neighbours across
 /// @param owners cells of level 0 that each rank meshes, of all ranks or of nearby ranks
+/// (FindOwners)
 /// @throws InputError if values are not fractions, or if CheckCover does; on all ranks
 /// @pre Collective
 LevelFields MakeLevelFields(const InputLevels& input, const LevelCells& cells,

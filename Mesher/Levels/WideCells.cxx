@@ -170,18 +170,14 @@ GridNodes ReplaceNodes(const GridNodes& nodes, const Vector3& widths)
 }
 
 WidePlan PlanCells(
-  const InputLevels& input, const CartesianGrid& read, GridNodes nodes, int coarser, Ranks& ranks)
+  const InputLevels& input, const CartesianGrid& read, GridNodes nodes, int coarser)
 {
   WidePlan plan{ std::move(nodes), coarser, {}, {} };
   const IndexBox owned =
     CellsOfOwner(read.Coordinates(), plan.Nodes, Index(1) << coarser, read.Owned());
   const CartesianGrid grid(plan.Nodes, owned, GhostLayers);
   plan.Needed = Join(read.Owned(), FindCells(plan.Nodes, grid.Local(), read.Coordinates()));
-  const IndexBox place = ChangeLevel(plan.Needed, -input.Finest());
-  for (const IndexBox& box : GatherItems(ranks, std::vector<IndexBox>{ place }))
-  {
-    plan.Places.push_back({ box, static_cast<int>(plan.Places.size()), -1 });
-  }
+  plan.Place = ChangeLevel(plan.Needed, -input.Finest());
   return plan;
 }
 
@@ -230,11 +226,11 @@ WideReport WidenFields(const WidePlan& plan, const CellSizes& sizes, double isoV
 }
 
 InputRequests WidenRequests(const InputRequests& requests, const InputLevels& input,
-  const WidePlan& plan, const CartesianGrid& grid, Ranks& ranks)
+  const std::vector<BlockPlace>& owners, const CartesianGrid& grid, Ranks& ranks)
 {
   InputRequests wide{ {}, requests.Cells, 0, "" };
   wide.Levels.resize(1);
-  const InputRequests here = DistributeRequests(requests, input, plan.Places, ranks);
+  const InputRequests here = DistributeRequests(requests, input, owners, ranks);
   for (int level = 0; level <= input.Finest(); ++level)
   {
     for (const ChosenBox& row : here.Levels[level])

@@ -35,9 +35,9 @@ struct WidePlan
   GridNodes Nodes; ///< of the new cells
   int Coarser;     ///< number of times that the new cells will be joined in pairs
   IndexBox Needed; ///< cells of the input, of its finest level, that this rank needs
-  /// Cells of level 0 of the input that each rank needs: those that it meshed, and those that its
+  /// Cells of level 0 of the input that this rank needs: those that it meshed, and those that its
   /// new cells, with their ghost cells, overlap. The boxes of ranks overlap.
-  std::vector<BlockPlace> Places;
+  IndexBox Place;
 };
 
 /// Returns the nodes of the cells that replace others.
@@ -46,11 +46,10 @@ struct WidePlan
 /// @throws InputError if there would be more cells than in the input along an axis
 GridNodes ReplaceNodes(const GridNodes& nodes, const Vector3& widths);
 
-/// Plans the cells of all ranks (CellsOfOwner).
+/// Plans the cells of this rank (CellsOfOwner).
 /// @param read grid of the finest level of the input, without copies of cells
-/// @pre Collective
 WidePlan PlanCells(
-  const InputLevels& input, const CartesianGrid& read, GridNodes nodes, int coarser, Ranks& ranks);
+  const InputLevels& input, const CartesianGrid& read, GridNodes nodes, int coarser);
 
 /// Returns the fields with so many ghost layers that all ranks hold the cells that they need.
 /// @pre Collective
@@ -71,9 +70,10 @@ WideReport WidenFields(const WidePlan& plan, const CellSizes& sizes, double isoV
 /// Returns the requests for the new cells of this rank: a new cell gets the most halvings of the
 /// cells of the input that it overlaps.
 /// @param requests of the cells that this rank reads
+/// @param owners cells of level 0 that each rank needs (WidePlan::Place)
 /// @param grid grid of the new cells
 /// @pre Collective
 InputRequests WidenRequests(const InputRequests& requests, const InputLevels& input,
-  const WidePlan& plan, const CartesianGrid& grid, Ranks& ranks);
+  const std::vector<BlockPlace>& owners, const CartesianGrid& grid, Ranks& ranks);
 
 } // namespace vfm

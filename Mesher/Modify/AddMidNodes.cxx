@@ -3,7 +3,7 @@
 #include "Modify/GreatestId.h"
 #include "Modify/StraightenEdges.h"
 #include "Ranks/MergeByKey.h"
-#include "Ranks/NumberInOrder.h"
+#include "Ranks/NumberKeys.h"
 #include "Report/MatchFaces.h"
 #include "Smoothing/EdgePulls.h"
 #include "State/StateArrays.h"
@@ -41,7 +41,7 @@ struct DistinctKeys
 
 /// Returns the distinct keys. Sets the points of the mid nodes from `first` on.
 template <class Key>
-DistinctKeys<Key> NumberKeys(std::vector<KeyUse<Key>> uses, Index first, Buffer<Index>& midPoints)
+DistinctKeys<Key> ListKeys(std::vector<KeyUse<Key>> uses, Index first, Buffer<Index>& midPoints)
 {
   std::sort(uses.begin(), uses.end());
   DistinctKeys<Key> keys;
@@ -57,21 +57,32 @@ DistinctKeys<Key> NumberKeys(std::vector<KeyUse<Key>> uses, Index first, Buffer<
   return keys;
 }
 
-/// Dimension and id of the surface or curve that has an edge or a face.
-template <class Ids>
-struct OnGeometry
+using Place = std::array<int, 2>; // dimension and id of a surface or curve
+
+/// Edges or faces on surfaces and curves, with their places.
+template <class Key>
+struct PlacedKeys
 {
-  Ids Corners;
-  int Dimension, Id;
-  const Ids& Key() const { return this->Corners; }
-  bool operator<(const OnGeometry& other) const
+  std::vector<Key> Ids;
+  std::vector<Place> Places;
+
+  void Add(const Key& ids, int dimension, int id)
   {
-    return std::tie(this->Corners, this->Dimension, this->Id) <
-      std::tie(other.Corners, other.Dimension, other.Id);
+    this->Ids.push_back(ids);
+    this->Places.push_back({ { dimension, id } });
   }
 };
 
-using Place = std::array<int, 2>; // dimension and id
+/// Returns for each question the place of lowest dimension and id that any rank knows.
+/// @pre Collective
+template <class Key>
+std::vector<Place> FindPlaces(
+  const PlacedKeys<Key>& known, const std::vector<Key>& questions, Ranks& ranks)
+{
+  return AskByKey(
+    known.Ids, known.Places, questions, Place{ { DimensionOfVolumes, 0 } },
+    [](const Place& a, const Place& b) { return std::min(a, b); }, ranks);
+}
 
 /// Returns the lowest coordinates of copies along each axis.
 Vector3 LowestOf(const Vector3& a, const Vector3& b)
@@ -235,8 +246,8 @@ void MidNodeBuilder::ListNodes()
         { KeyOf(mesh.PointIds, faces.PointsOf(corners, f)), place + this->Mids.Edges + f });
     }
   }
-  this->Edges = NumberKeys(std::move(edgeUses), this->Corners, mesh.MidPoints);
-  this->Faces = NumberKeys(std::move(faceUses), this->FirstFace(), mesh.MidPoints);
+  this->Edges = ListKeys(std::move(edgeUses), this->Corners, mesh.MidPoints);
+  this->Faces = ListKeys(std::move(faceUses), this->FirstFace(), mesh.MidPoints);
   const Index firstCentre = this->FirstFace() + static_cast<Index>(this->Faces.Ids.size());
   for (Index element = 0; this->Mids.HasFaces() && element < this->Elements; ++element)
   {
@@ -256,12 +267,12 @@ void MidNodeBuilder::AppendPoints()
   mesh.PointIds = Grown(mesh.PointIds, points);
   const auto append = [&](const auto& keys)
   {
-    const std::vector<std::int64_t> numbers = NumberInOrder(keys, ranks);
-    for (std::int64_t number : numbers)
+    const KeyNumbers numbers = NumberItems(keys, FirstOfKey(), ranks);
+    for (std::int64_t number : numbers.Numbers)
     {
       mesh.PointIds[next++] = greatest + 1 + number;
     }
-    greatest = MaximumOverRanks(numbers.empty() ? greatest : mesh.PointIds[next - 1], ranks);
+    greatest += numbers.Total;
   };
   append(this->Edges.Ids);
   if (this->Mids.HasFaces())
@@ -490,8 +501,8 @@ void MidNodeBuilder::PlaceOthers()
 void MidNodeBuilder::FillGeometry()
 {
   Mesh& mesh = this->TheMesh;
-  std::vector<OnGeometry<EdgeIds>> edges;
-  std::vector<OnGeometry<FaceIds>> faces;
+  PlacedKeys<EdgeIds> edges;
+  PlacedKeys<FaceIds> faces;
   const SurfaceFacets& surfaces = mesh.Surfaces;
   const Buffer<Index>& ids = mesh.UnsplitPointIds();
   const int corners = mesh.CornersOfFacet();
@@ -500,30 +511,25 @@ void MidNodeBuilder::FillGeometry()
     const Index* points = surfaces.Points.data() + corners * f;
     for (int c = 0; c < corners; ++c)
     {
-      edges.push_back(
-        { KeyOf(ids, std::array<Index, 2>{ { points[c], points[(c + 1) % corners] } }),
-          DimensionOfSurfaces, surfaces.SurfaceId[f] });
+      edges.Add(KeyOf(ids, std::array<Index, 2>{ { points[c], points[(c + 1) % corners] } }),
+        DimensionOfSurfaces, surfaces.SurfaceId[f]);
     }
     if (this->Mids.HasFaces())
     {
-      faces.push_back({ KeyOf(ids, FaceIds{ { points[0], points[1], points[2], points[3] } }),
-        DimensionOfSurfaces, surfaces.SurfaceId[f] });
+      faces.Add(KeyOf(ids, FaceIds{ { points[0], points[1], points[2], points[3] } }),
+        DimensionOfSurfaces, surfaces.SurfaceId[f]);
     }
   }
   for (std::size_t e = 0; e < mesh.Curves.CurveId.size(); ++e)
   {
     const Index* ends = mesh.Curves.Points.data() + 2 * e;
-    edges.push_back({ KeyOf(ids, std::array<Index, 2>{ { ends[0], ends[1] } }),
-      DimensionOfSurfaces - 1, mesh.Curves.CurveId[e] });
+    edges.Add(KeyOf(ids, std::array<Index, 2>{ { ends[0], ends[1] } }), DimensionOfSurfaces - 1,
+      mesh.Curves.CurveId[e]);
   }
-  const auto combine = [](auto first, auto last) {
-    return first < last ? Place{ { first->Dimension, first->Id } } : Place{ { 3, 0 } };
-  };
   const auto unsplit = [&](const auto& keys)
   { return this->IsSplit ? this->KeysOf(keys, ids) : keys.Ids; };
-  std::vector<Place> places = AskByKey(edges, unsplit(this->Edges), combine, this->Run.Group());
-  const std::vector<Place> ofFaces =
-    AskByKey(faces, unsplit(this->Faces), combine, this->Run.Group());
+  std::vector<Place> places = FindPlaces(edges, unsplit(this->Edges), this->Run.Group());
+  const std::vector<Place> ofFaces = FindPlaces(faces, unsplit(this->Faces), this->Run.Group());
   places.insert(places.end(), ofFaces.begin(), ofFaces.end());
   places.resize(mesh.PointIds.size() - this->Corners, Place{ { DimensionOfVolumes, 0 } });
   for (std::size_t i = 0; i < places.size(); ++i)

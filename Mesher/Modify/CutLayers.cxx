@@ -6,7 +6,7 @@
 #include "Modify/LayerFacets.h"
 #include "Modify/LayerPulls.h"
 #include "Ranks/MergeByKey.h"
-#include "Ranks/NumberInOrder.h"
+#include "Ranks/NumberKeys.h"
 
 #include <cmath>
 
@@ -26,12 +26,15 @@ void Append(Buffer<T>& buffer, const std::vector<T>& values)
 }
 
 /// Returns new ids for the parts of items: `count` ids per item.
-/// @param numbers  position of each item among those of all ranks
+/// @param items  of this rank; new ids are in the order of the items of all ranks
 /// @param greatest  greatest id of all ranks
-std::vector<Index> MakeIds(const std::vector<std::int64_t>& numbers, Index count, Index greatest)
+/// @pre Collective
+template <class Item>
+std::vector<Index> MakeIds(
+  const std::vector<Item>& items, Index count, Index greatest, Ranks& ranks)
 {
   std::vector<Index> added;
-  for (std::int64_t number : numbers)
+  for (std::int64_t number : NumberItems(items, FirstOfKey(), ranks).Numbers)
   {
     for (Index part = 1; part <= count; ++part)
     {
@@ -87,7 +90,7 @@ std::vector<NewPoint> MakePoints(
   const Index greatest = std::max(FindGreatestId(mesh.PointIds, runtime.Group()),
     FindGreatestId(mesh.PeriodicPartner, runtime.Group()));
   const std::vector<Index> ids =
-    MakeIds(NumberInOrder(columns.IdsOfEdges(mesh), runtime.Group()), inner, greatest);
+    MakeIds(columns.IdsOfEdges(mesh), inner, greatest, runtime.Group());
   std::vector<NewPoint> points;
   for (std::size_t e = 0; e < columns.Edges.size(); ++e)
   {
@@ -167,8 +170,7 @@ void AddElements(
     ids.push_back(mesh.ElementIds[column.Element]);
   }
   Ranks& ranks = runtime.Group();
-  ids =
-    MakeIds(NumberInOrder(ids, ranks), parts.Layers - 1, FindGreatestId(mesh.ElementIds, ranks));
+  ids = MakeIds(ids, parts.Layers - 1, FindGreatestId(mesh.ElementIds, ranks), ranks);
   Append(mesh.ElementIds, ids);
   mesh.Elements = Select(mesh.Elements, parents, runtime, mesh.Corners);
   mesh.Material = Select(mesh.Material, parents, runtime);

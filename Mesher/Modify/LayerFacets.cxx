@@ -1,6 +1,6 @@
 #include "Modify/LayerFacets.h"
 
-#include "Ranks/Agreement.h"
+#include "Base/Sorted.h"
 #include "Ranks/MergeByKey.h"
 
 #include <limits>
@@ -73,17 +73,38 @@ std::array<std::int64_t, 5> RowOf(const Mesh& mesh, const Index* points, int sur
   return row;
 }
 
-/// Collective. Replaces rows of facets that were cut.
-/// @param cut rows of this rank before, and the rows of their parts
-void ReplaceRows(const std::array<EdgeFacets, 2>& cut, Ranks& ranks, EdgeFacets& rows)
+/// Collective. Replaces rows of facets that were cut on any rank.
+/// @param cut  rows that this rank cut
+/// @param parts  rows of the parts of each: `layers` each
+/// @param rows  known to this rank
+void ReplaceRows(
+  const EdgeFacets& cut, const EdgeFacets& parts, int layers, Ranks& ranks, EdgeFacets& rows)
 {
-  const EdgeFacets before = UnionOverRanks(ranks, cut[0]);
-  const EdgeFacets after = UnionOverRanks(ranks, cut[1]);
-  EdgeFacets kept;
-  std::set_difference(
-    rows.begin(), rows.end(), before.begin(), before.end(), std::back_inserter(kept));
-  rows.clear();
-  std::merge(kept.begin(), kept.end(), after.begin(), after.end(), std::back_inserter(rows));
+  SortUnique(rows);
+  const std::size_t width = 4 * static_cast<std::size_t>(layers);
+  std::vector<std::int64_t> points(width * rows.size(), -1); // of the parts of each row
+  for (std::size_t p = 0; p < parts.size(); ++p)
+  {
+    const std::size_t row = FindSorted(rows, cut[p / layers]);
+    std::copy_n(parts[p].begin(), 4, points.begin() + width * row + 4 * (p % layers));
+  }
+  KeyMerge<EdgeFacets::value_type>(rows, ranks)
+    .Merge(points, width, [](std::int64_t& a, std::int64_t b) { a = std::max(a, b); });
+  EdgeFacets replaced;
+  for (std::size_t row = 0; row < rows.size(); ++row)
+  {
+    const std::int64_t* part = points.data() + width * row;
+    if (part[0] < 0)
+    {
+      replaced.push_back(rows[row]);
+    }
+    for (const auto* end = part + width; part[0] >= 0 && part < end; part += 4)
+    {
+      replaced.push_back({ { part[0], part[1], part[2], part[3], rows[row][4] } });
+    }
+  }
+  std::sort(replaced.begin(), replaced.end());
+  rows = std::move(replaced);
 }
 
 /// Collective. Cuts the facets of surfaces.
@@ -93,7 +114,7 @@ void CutSurfaces(const LayerParts& parts, const EdgeFinder& edges, Ranks& ranks,
   std::vector<Index> points;
   std::vector<int> ids, pairs, sides;
   std::vector<unsigned char> isOwned;
-  std::array<EdgeFacets, 2> rows;
+  EdgeFacets rows, rowsOfParts;
   const EdgeFacets& listed = mesh.Tables.EdgeFacets;
   for (std::size_t f = 0; f < old.SurfaceId.size(); ++f)
   {
@@ -103,7 +124,7 @@ void CutSurfaces(const LayerParts& parts, const EdgeFinder& edges, Ranks& ranks,
     const bool isListed = cut && std::binary_search(listed.begin(), listed.end(), row);
     if (isListed)
     {
-      rows[0].push_back(row);
+      rows.push_back(row);
     }
     for (int layer = 0; layer < (cut ? parts.Layers : 1); ++layer)
     {
@@ -116,13 +137,13 @@ void CutSurfaces(const LayerParts& parts, const EdgeFinder& edges, Ranks& ranks,
       isOwned.push_back(old.IsOwned[f]);
       if (isListed)
       {
-        rows[1].push_back(RowOf(mesh, part.data(), old.SurfaceId[f]));
+        rowsOfParts.push_back(RowOf(mesh, part.data(), old.SurfaceId[f]));
       }
     }
   }
   mesh.Surfaces = { ToBuffer(points), ToBuffer(ids), ToBuffer(pairs), std::move(isOwned),
     ToBuffer(sides) };
-  ReplaceRows(rows, ranks, mesh.Tables.EdgeFacets);
+  ReplaceRows(rows, rowsOfParts, parts.Layers, ranks, mesh.Tables.EdgeFacets);
 }
 
 /// Cuts the edges of curves.

@@ -1,14 +1,15 @@
 #include "Modify/MeshOfData.h"
 
+#include "Base/Sorted.h"
 #include "Ranks/Agreement.h"
 #include "Ranks/MergeByKey.h"
+#include "Ranks/NumberKeys.h"
 #include "Report/DomainSides.h"
 #include "Report/MatchFaces.h"
 #include "Report/MeshArrays.h"
 #include "Report/MeshFacets.h"
+#include "Report/MeshFields.h"
 #include "Report/Sets/MeshSets.h"
-
-#include <map>
 
 namespace vfm
 {
@@ -99,33 +100,42 @@ std::vector<SurfaceSides> FindSurfaceSides(
   return sides;
 }
 
-/// Returns the first surface of each pair of sides. Smooth sides of one pair follow each other.
-std::map<SurfaceSides, int> NumberSurfaces(
-  const std::vector<SurfaceSides>& pairs, const MeshData& data)
+/// Key of a surface: its sides, and the number of a smooth side, or 0.
+using SurfaceKey = std::array<int, 3>;
+
+SurfaceKey KeyOf(const SurfaceSides& sides, const MeshFacet& facet)
 {
-  const std::vector<double> parts = NumbersOfField(data.Fields, "SurfaceParts");
-  const std::vector<double> counts = NumbersOfField(data.Fields, "NumberOfSurfaces");
-  std::map<SurfaceSides, int> first;
-  std::size_t surface = 0;
-  for (const SurfaceSides& pair : pairs)
+  return { { sides[0], sides[1], facet.Surface } };
+}
+
+/// Returns the numbers of surfaces from 0, as when the mesh was made: ascending by their sides; the
+/// smooth sides of an interface follow each other.
+/// @param keys  of this rank, ascending, each once
+/// @throws InputError  on all ranks if parts of the mesh are missing
+/// @pre Collective
+std::vector<Index> NumberSurfaces(
+  const std::vector<SurfaceKey>& keys, const MeshData& data, Ranks& ranks)
+{
+  int most = 0;
+  for (const SurfaceKey& key : keys)
   {
-    if (pair == NoSurface)
-    {
-      continue;
-    }
-    first[pair] = static_cast<int>(++surface);
-    while (surface < parts.size() && parts[surface] > 1.0)
-    {
-      ++surface;
-    }
+    most = std::max(most, key[1]);
   }
-  if (counts.size() == 1 && counts[0] != static_cast<double>(surface))
-  {
-    throw InputError("The mesh has " + std::to_string(surface) + " surfaces, and " +
-      std::to_string(static_cast<Index>(counts[0])) +
-      " when it was made: parts of it are missing. Layers need the whole mesh.");
-  }
-  return first;
+  const auto width = static_cast<Index>(ranks.Max(most)) + 1;
+  const KeyNumbers numbers = NumberKeys(
+    keys, [width](const SurfaceKey& key) { return (key[0] + 6) * width + key[1]; }, ranks);
+  WorkTogether(ranks,
+    [&]
+    {
+      const std::vector<double> counts = NumbersOfField(data.Fields, "NumberOfSurfaces");
+      if (counts.size() == 1 && counts[0] != static_cast<double>(numbers.Total))
+      {
+        throw InputError("The mesh has " + std::to_string(numbers.Total) + " surfaces, and " +
+          std::to_string(static_cast<Index>(counts[0])) +
+          " when it was made: parts of it are missing. Layers need the whole mesh.");
+      }
+    });
+  return numbers.Numbers;
 }
 
 /// Returns the point arrays that are not part of Mesh.
@@ -195,15 +205,10 @@ Mesh MakeMeshOf(const MeshData& data, const std::vector<int>& labels, Ranks& ran
   }
   const std::vector<double> parts = NumbersOfField(data.Fields, "SurfaceParts");
   mesh.Tables.SurfaceParts.assign(parts.begin(), parts.end());
-  if (const FieldArray* rows = FindField(data.Fields, "EdgeFacets"))
-  {
-    const auto* numbers = std::get_if<std::vector<Index>>(&rows->Values);
-    for (std::size_t at = 0; numbers && at + 5 <= numbers->size(); at += 5)
-    {
-      mesh.Tables.EdgeFacets.emplace_back();
-      std::copy_n(numbers->begin() + at, 5, mesh.Tables.EdgeFacets.back().begin());
-    }
-  }
+  const std::vector<double> ids = NumbersOfField(data.Fields, "SurfaceIds");
+  mesh.Tables.SurfaceIds.assign(ids.begin(), ids.end());
+  mesh.Tables.HasAllSurfaces = FindField(data.Fields, "SurfaceIds") == nullptr;
+  mesh.Tables.EdgeFacets = ReadEdgeFacets(data.Fields);
   return mesh;
 }
 
@@ -253,9 +258,16 @@ OutputState MakeStateOf(const MeshData& mesh, const std::vector<std::string>& ex
 void AddSurfaces(const MeshData& data, Ranks& ranks, Mesh& mesh)
 {
   const std::vector<SurfaceSides> sides = FindSurfaceSides(data, mesh.Facets, ranks);
-  const std::vector<SurfaceSides> pairs = UnionOverRanks(ranks, sides);
-  std::map<SurfaceSides, int> surfaces;
-  WorkTogether(ranks, [&] { surfaces = NumberSurfaces(pairs, data); });
+  std::vector<SurfaceKey> keys;
+  for (std::size_t f = 0; f < sides.size(); ++f)
+  {
+    if (sides[f] != NoSurface)
+    {
+      keys.push_back(KeyOf(sides[f], mesh.Facets[f]));
+    }
+  }
+  SortUnique(keys);
+  const std::vector<Index> numbers = NumberSurfaces(keys, data, ranks);
   std::vector<Index> points;
   std::vector<int> ids, materials, domainSides;
   const ElementFaces faces(mesh.Corners);
@@ -268,7 +280,9 @@ void AddSurfaces(const MeshData& data, Ranks& ranks, Mesh& mesh)
     }
     const std::array<Index, 4> face = faces.PointsOf(data.Element(facet.Element), facet.Side);
     points.insert(points.end(), face.begin(), face.begin() + faces.Corners);
-    ids.push_back(facet.Surface > 0 ? facet.Surface : surfaces.at(sides[f]));
+    ids.push_back(facet.Surface > 0
+        ? facet.Surface
+        : static_cast<int>(numbers[FindSorted(keys, KeyOf(sides[f], facet))]) + 1);
     const int own = mesh.Material[facet.Element], other = std::max(facet.Behind, 0);
     materials.insert(materials.end(), { std::min(own, other), std::max(own, other) });
     domainSides.push_back(facet.DomainSide);

@@ -4,9 +4,9 @@
 #include "Base/Sorted.h"
 #include "Elements/EqualFaces.h"
 #include "Modify/GreatestId.h"
-#include "Ranks/MeetingRank.h"
+#include "Ranks/AskRanks.h"
 #include "Ranks/MergeByKey.h"
-#include "Ranks/NumberInOrder.h"
+#include "Ranks/NumberKeys.h"
 #include "Report/MatchFaces.h"
 #include "Report/Sets/MeshSets.h"
 
@@ -253,7 +253,7 @@ std::vector<Index> NumberGroups(const std::vector<GroupKey>& keys, Index first, 
       added.push_back(keys[k]);
     }
   }
-  const std::vector<std::int64_t> numbers = NumberInOrder(added, ranks);
+  const std::vector<std::int64_t> numbers = NumberItems(added, FirstOfKey(), ranks).Numbers;
   auto number = numbers.begin();
   for (Index& id : ids)
   {
@@ -303,8 +303,8 @@ std::vector<PartCopy> AskForCopies(
 {
   const auto rankOf = [&ranks](const Part& part)
   { return MeetingRank(std::array<Index, 1>{ { part.Class } }, ranks.Count()); };
-  const auto received = JoinItems<PartLink>(SendItems(
-    links, [&rankOf](const PartLink& link) { return rankOf(link.Of); }, ranks));
+  const std::vector<PartLink> received = SendItems(
+    links, [&rankOf](const PartLink& link) { return rankOf(link.Of); }, ranks);
   const auto answer = [&](const std::vector<Part>& asked)
   {
     std::vector<Part> sorted = asked;

@@ -2,7 +2,7 @@
 
 #include "Modify/CurvedElement.h"
 #include "Ranks/Agreement.h"
-#include "Ranks/AskByKey.h"
+#include "Ranks/MergeByKey.h"
 
 namespace vfm
 {
@@ -13,19 +13,6 @@ namespace
 constexpr double KeptParts[] = { 1.0, 0.75, 0.5, 0.25, 0.1, 0.0 };
 constexpr int LastPart = 5;
 constexpr double SmallestRatio = 0.1; // of the coefficients of curved and straight elements
-
-/// Index in KeptParts that a rank requests for an edge.
-struct PartRequest
-{
-  EdgeIds Edge;
-  int Part, Rank;
-  const EdgeIds& Key() const { return this->Edge; }
-  bool operator<(const PartRequest& other) const
-  {
-    return std::tie(this->Edge, this->Rank, this->Part) <
-      std::tie(other.Edge, other.Rank, other.Part);
-  }
-};
 
 class Straightener
 {
@@ -136,7 +123,8 @@ private:
   /// nodes have moved. Returns whether any has on any rank.
   bool MoveBack(const std::vector<unsigned char>& fails, std::vector<unsigned char>& isOpen)
   {
-    std::vector<PartRequest> requests;
+    std::vector<int> requests(this->Parts.size(), 0); // index in KeptParts of each curved edge
+    bool hasAny = false;
     for (std::size_t i = 0; i < fails.size(); ++i)
     {
       for (int mid = 0; fails[i] && mid < this->Mids.Edges; ++mid)
@@ -144,17 +132,17 @@ private:
         const Index edge = this->CurvedAt(this->Elements[i], mid);
         if (edge >= 0 && this->Parts[edge] < LastPart)
         {
-          requests.push_back({ this->Edges.Groups[edge], this->Parts[edge] + 1, 0 });
+          requests[edge] = this->Parts[edge] + 1;
+          hasAny = true;
         }
       }
     }
-    if (!this->Run.Group().Any(!requests.empty()))
+    if (!this->Run.Group().Any(hasAny))
     {
       return false;
     }
-    const std::vector<int> parts = AskByKey(
-      requests, this->Edges.Groups,
-      [](auto first, auto last) { return first < last ? (last - 1)->Part : 0; }, this->Run.Group());
+    const std::vector<int> parts = MergeByKey(
+      this->Edges.Groups, requests, [](int a, int b) { return std::max(a, b); }, this->Run.Group());
     std::vector<unsigned char> isMoved(parts.size(), 0);
     for (std::size_t e = 0; e < parts.size(); ++e)
     {
@@ -177,13 +165,9 @@ private:
   void Count(CurvedReport& report) const
   {
     Ranks& ranks = this->Run.Group();
-    std::vector<PartRequest> entries;
-    for (std::size_t e = 0; e < this->Parts.size(); ++e)
-    {
-      entries.push_back({ this->Edges.Ids[e], this->Parts[e], ranks.Rank() });
-    }
-    const std::vector<int> owners = AskByKey(
-      entries, this->Edges.Ids, [](auto first, auto) { return first->Rank; }, ranks);
+    const std::vector<int> owners = MergeByKey(
+      this->Edges.Ids, std::vector<int>(this->Parts.size(), ranks.Rank()),
+      [](int a, int b) { return std::min(a, b); }, ranks);
     std::vector<std::int64_t> counts(2, 0);
     for (std::size_t e = 0; e < owners.size(); ++e)
     {

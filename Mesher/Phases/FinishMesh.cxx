@@ -1,5 +1,6 @@
 #include "Phases/FinishMesh.h"
 
+#include "Elements/CellRuns.h"
 #include "Geometry/CloseSeam.h"
 #include "Geometry/DisplacedVolume.h"
 #include "Geometry/DivideInterfaces.h"
@@ -54,9 +55,10 @@ Mesh FinishMesh(const MeshCells& cells, ElementMethod& method, MeshRun& run, Dra
   if (cells.Options.ComputeQuality)
   {
     run.Clock.Start("Measuring quality", 0.95);
-    ComputeQuality(mesh, run.TheRuntime, run.Report, draft.WholeCells);
+    ComputeQuality(
+      mesh, run.TheRuntime, run.Report, draft.WholeCells, cells.Runs ? cells.Runs->Count() : 0);
   }
-  MeasureMaterials(mesh, run.Group(), run.Report);
+  MeasureMaterials(mesh, run.Group(), run.Report, cells.Runs);
   mesh.Far = draft.Volumes.TakeFar();
   if (run.Report.ThinPartCells > 0)
   {

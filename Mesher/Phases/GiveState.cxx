@@ -37,7 +37,7 @@ MeshedGrid DescribeGrid(const LevelFields& fields, const LevelSetup& setup, cons
 
 void GiveState(const MesherJob& job, const MeshOptions& options, Cells& cells, MesherResult& result)
 {
-  result.State = MakeOutputState(cells.State, job.Input.Levels, result.TheMesh,
+  result.State = MakeOutputState(cells.State, cells.Input, result.TheMesh,
     DescribeGrid(cells.Fields, cells.Setup, options.Levels), job.Options, cells.Owners, job.Run);
   std::vector<FarMatter>().swap(result.TheMesh.Far);
   LeaveCopies(job, cells.Fields, result.TheMesh); // after the state, which takes cells across sides

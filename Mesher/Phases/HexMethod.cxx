@@ -1,7 +1,9 @@
 #include "Phases/HexMethod.h"
 
 #include "Elements/Hex/HexFacets.h"
+#include "Elements/Hex/NearCells.h"
 #include "Elements/MeasureFragments.h"
+#include "Geometry/Quality.h"
 #include "Ranks/Agreement.h"
 #include "Smoothing/Hex/ActiveHexes.h"
 #include "Smoothing/Hex/CoarseSmoothing.h"
@@ -11,6 +13,19 @@
 
 namespace vfm
 {
+namespace
+{
+
+/// Returns whether hexes that never move can be left out of the mesh.
+bool LeavesRuns(const MeshCells& cells, const LabelledGrid& labelled, const MeshRun& run)
+{
+  return cells.Runs && run.Parts.Group().Count() == 1 && labelled.Levels.Grid->IsUniform() &&
+    !cells.Options.StairStep && !cells.Grid.IsPeriodic() && labelled.Thin.empty() &&
+    AreCellsPerfect(cells.Grid);
+}
+
+} // namespace
+
 HexMethod::HexMethod(const MeshCells& cells) :
   TheEnergy(TargetJacobian(cells.Options, cells.Fractions.NumberOfMaterials()))
 {
@@ -23,16 +38,26 @@ Draft HexMethod::Make(const MeshCells& cells, MeshRun& run)
   LabelCells(cells, run, labelled);
   CoarseHexes& coarse = *labelled.Levels.Coarse;
   run.Report.NarrowVoidCells = SumOverRanks(labelled.Narrow.CountOwned(), run.Group());
+  std::optional<NearCells> near;
+  if (LeavesRuns(cells, labelled, run))
+  {
+    near.emplace(cells.Grid, labelled.Mixed, MovingRings);
+  }
   PointNumbering numbering(cells.Grid, labelled.Labels, cells.Options.MeshVoid,
-    !coarse.Levels().IsUniform(), labelled.Narrow);
+    near || !coarse.Levels().IsUniform(), labelled.Narrow);
   HexTopology topology = BuildHexes(cells.Grid, labelled.Labels, labelled.Mixed,
-    cells.Options.StairStep, numbering, run.TheRuntime, coarse);
+    cells.Options.StairStep, numbering, run.TheRuntime, coarse, near ? &*near : nullptr);
   Mesh& mesh = topology.Hexes;
   mesh.Levels = labelled.Levels.Grid;
   run.Clock.Start("Finding fragments", 0.12);
   const Fragments fragments(cells.Grid, labelled.Labels, cells.Options.MeshVoid, run.Parts);
   run.Report.NumberOfFragments = fragments.NumberOfFragments();
   FillFragments(labelled, numbering, fragments, run.TheRuntime, topology);
+  if (near)
+  {
+    *cells.Runs = ListFarCells(cells.Grid, *near, fragments);
+    near.reset();
+  }
   run.Clock.Update(0.135);
   std::vector<Facet> facets =
     FindHexFacets(labelled, numbering, fragments, run.Parts, run.TheRuntime, topology);

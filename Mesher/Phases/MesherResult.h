@@ -22,6 +22,7 @@ struct MesherResult
   OutputState State;
   std::vector<CohesiveBlock> Cohesive; ///< cohesive elements of this rank
   /// Field data of the whole mesh: ListSides, ListReport, ListDomain (MeshFields.h), ListBalance.
+  /// RankFragments and RankTargetVolume, if they exist, are of this rank (FragmentTargets.h).
   FieldArrays Fields;
   /// Table with one row per material: ListMaterials (MeshFields.h), ListBalance (StateBalance.h).
   FieldArrays MaterialFields;

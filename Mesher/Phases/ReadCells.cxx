@@ -2,6 +2,7 @@
 
 #include "Input/InputFractions.h"
 #include "Input/InputLabels.h"
+#include "Input/InputRoute.h"
 #include "Levels/GreyLabels.h"
 #include "Levels/NewCells.h"
 #include "Levels/PeriodicFields.h"
@@ -17,7 +18,7 @@ namespace vfm
 namespace
 {
 
-LevelCells OpenCells(const MesherJob& job)
+LevelCells OpenCells(const MesherJob& job, const std::vector<InputBlocks>& levels)
 {
   if (!AreLabels(job) && !job.Options.Threshold.empty())
   {
@@ -26,7 +27,6 @@ LevelCells OpenCells(const MesherJob& job)
       "chosen as labels (" +
       job.Input.Arrays.LabelsOption + " ARRAY), not as volume fractions.");
   }
-  const std::vector<InputBlocks>& levels = job.Input.Levels.Levels;
   const MesherArrays& arrays = job.Input.Arrays;
   Ranks& ranks = job.Run.Group();
   return AreLabels(job) ? OpenLabels(levels,
@@ -81,11 +81,11 @@ LevelSetup SetUpLevels(const MesherJob& job, const InputRequests& requests)
 
 std::unique_ptr<Cells> ReadCells(const MesherJob& job)
 {
-  const InputLevels& levels = job.Input.Levels;
+  InputLevels levels = job.Input.Levels; // a copy, with other Places
   const MesherArrays& arrays = job.Input.Arrays;
   const MesherOptions& options = job.Options;
   Ranks& ranks = job.Run.Group();
-  LevelCells source = OpenCells(job);
+  LevelCells source = OpenCells(job, levels.Levels);
   NoteZeroLabel(job);
   const std::vector<StateArray> states = FindStateArrays(levels, arrays.State.Arrays, ranks);
   InputRequests requests = FindInputRequests(levels, options, ranks);
@@ -95,11 +95,12 @@ std::unique_ptr<Cells> ReadCells(const MesherJob& job)
   CheckPeriods(options);
   std::vector<BlockPlace> owners = job.Input.StaysInPlace
     ? levels.Levels[0].Places
-    : DistributeCells(levels, source, setup, ranks);
+    : FindOwners(
+        DistributeCells(levels, source, setup, ranks), RepeatingAxes(options), ranks, levels);
   LevelFields fields = MakeLevelFields(
     levels, source, setup, options.ChildFractions, RepeatingAxes(options), owners, job.Run);
-  std::unique_ptr<Cells> cells(
-    new Cells{ std::move(source), setup, {}, std::move(owners), std::move(fields), {}, {}, {} });
+  std::unique_ptr<Cells> cells(new Cells{ std::move(source), setup, {}, std::move(levels),
+    std::move(owners), std::move(fields), {}, {}, {} });
   Warn(job, CheckGreyValues(job, cells->Fields));
   Materials& table = cells->Fields.Field.Table;
   NameLabels(arrays.Names, table);
@@ -111,8 +112,8 @@ std::unique_ptr<Cells> ReadCells(const MesherJob& job)
     WidenCells(job, requests, states, *cells);
     return cells;
   }
-  cells->Requests = DistributeRequests(requests, levels, cells->Owners, ranks);
-  cells->State = StoreState(levels, cells->Source, arrays.State, states, cells->Fields,
+  cells->Requests = DistributeRequests(requests, cells->Input, cells->Owners, ranks);
+  cells->State = StoreState(cells->Input, cells->Source, arrays.State, states, cells->Fields,
     cells->Setup, options, cells->Owners, job.Run);
   return cells;
 }

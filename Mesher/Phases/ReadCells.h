@@ -20,9 +20,10 @@ struct Cells
 {
   LevelCells Source; ///< materials of the blocks
   LevelSetup Setup;
-  InputRequests Requests;                              ///< of the cells that this rank meshes
-  std::vector<BlockPlace> Owners;                      ///< cells of level 0 that each rank meshes
-  LevelFields Fields;                                  ///< changed by PrepareCells
+  InputRequests Requests;         ///< of the cells that this rank meshes
+  InputLevels Input;              ///< with Places near the cells that this rank meshes; in Source
+  std::vector<BlockPlace> Owners; ///< cells of level 0 that nearby ranks mesh (FindOwners)
+  LevelFields Fields;             ///< changed by PrepareCells
   std::optional<MaterialPairs> SplitPairs, LayerPairs; ///< interfaces to split, to get layers
   StoredState State;                                   ///< contents of the cells as read
   WideReport Wide{};                                   ///< if CellWidth replaced the cells as read

@@ -1,7 +1,10 @@
 #include "Phases/ReportRun.h"
 
+#include "Geometry/EdgeFacets.h"
+#include "Geometry/GatherTables.h"
 #include "Materials/UseLabels.h"
 #include "Phases/BodyFields.h"
+#include "Ranks/Agreement.h"
 #include "Report/FragmentTargets.h"
 
 #include <algorithm>
@@ -53,6 +56,38 @@ ImageFrame FrameOf(const MesherJob& job)
 }
 
 } // namespace
+
+void GatherTables(const MesherJob& job, MesherResult& result)
+{
+  Ranks& ranks = job.Run.Group();
+  if (ranks.Count() == 1)
+  {
+    return;
+  }
+  const TableMode mode = job.Options.WholeTables;
+  const MeshReport& report = result.Report;
+  GeometryTables& tables = result.TheMesh.Tables;
+  const Index edgeFacets = SumOverRanks(static_cast<Index>(tables.EdgeFacets.size()), ranks);
+  if (HasWholeTable(mode, std::max(report.NumberOfSurfaces, edgeFacets)))
+  {
+    GatherSurfaceTables(ranks, tables);
+  }
+  else
+  {
+    tables.EdgeFacets = ListEdgeFacetsOfElements(result.TheMesh);
+    if (ranks.Any(!tables.PatchNames.empty()))
+    {
+      Warn(job,
+        "The mesh has " + std::to_string(report.NumberOfSurfaces) +
+          " surfaces. Their names in the surfaces of bodies are not in files of the mesh. They are "
+          "with WholeTables On, which needs memory for all surfaces on every rank.");
+    }
+  }
+  if (HasWholeTable(mode, std::max(report.NumberOfCurves, report.NumberOfVertices)))
+  {
+    GatherCurveTables(ranks, tables);
+  }
+}
 
 void ListResult(
   const MesherJob& job, const Cells& cells, const MeshOptions& options, MesherResult& result)

@@ -11,6 +11,12 @@
 namespace vfm
 {
 
+/// Gives every rank the tables of all surfaces and curves of the mesh if option WholeTables says
+/// so. Otherwise ranks keep the rows of what they touch, with EdgeFacets of all facets of their
+/// elements; warns if files lose the names of surfaces.
+/// @pre Collective.
+void GatherTables(const MesherJob& job, MesherResult& result);
+
 /// Transforms the mesh to world coordinates, gives its materials the ids of the user, and lists its
 /// fields.
 /// @pre Collective.

@@ -1,5 +1,6 @@
 #include "Phases/WidenCells.h"
 
+#include "Input/InputRoute.h"
 #include "Labels/SmoothLabels.h"
 #include "Levels/NewCells.h"
 #include "Levels/PeriodicFields.h"
@@ -35,7 +36,7 @@ void WidenCells(
   const MesherJob& job, const InputRequests& requests, std::vector<StateArray> states, Cells& cells)
 {
   const MesherOptions& options = job.Options;
-  const InputLevels& input = job.Input.Levels;
+  const InputLevels& input = cells.Input;
   const StateChoice& choice = job.Input.Arrays.State;
   Ranks& ranks = job.Run.Group();
   CheckMaterialWidths(options);
@@ -43,8 +44,8 @@ void WidenCells(
   const GridNodes nodes = cells.Fields.Grid.Coordinates();
   const CellSizes sizes = PlanNewCells(options, cells.Fields,
     CountCells(cells.Fields.Grid, cells.Fields.Field.Fractions, options.IsoValue, ranks), job.Run);
-  const WidePlan plan = PlanCells(input, cells.Fields.Grid, sizes.Nodes, sizes.Halvings, ranks);
-  cells.Owners = plan.Places;
+  const WidePlan plan = PlanCells(input, cells.Fields.Grid, sizes.Nodes, sizes.Halvings);
+  cells.Owners = FindOwners(plan.Place, RepeatingAxes(options), ranks, cells.Input);
   cells.State = StoreState(input, cells.Source, choice, std::move(states),
     NeedsState(choice, options) ? HoldNeeded(plan, cells.Fields, ranks) : cells.Fields, cells.Setup,
     options, cells.Owners, job.Run);
@@ -52,7 +53,7 @@ void WidenCells(
   cells.Wide = WidenFields(plan, sizes, options.IsoValue, job.Run, cells.Fields);
   WidenState(cells.Fields.Grid, job.Run, cells.State);
   cells.State.InputNodes = nodes;
-  cells.Requests = WidenRequests(requests, input, plan, cells.Fields.Grid, ranks);
+  cells.Requests = WidenRequests(requests, input, cells.Owners, cells.Fields.Grid, ranks);
   cells.Setup = SetUpNewLevels(options, sizes, cells.Requests, cells.Fields);
   Warn(job, cells.Setup.Warning);
 }

@@ -1,10 +1,10 @@
 #include "Report/FragmentTargets.h"
 
+#include "Base/Sorted.h"
 #include "Report/MeshData.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace vfm
 {
@@ -61,20 +61,33 @@ std::vector<FieldArray> ListFragmentTargets(
   return { { IdsName, own.Ids }, { VolumesName, own.Volumes } };
 }
 
-MeshReport::FragmentTargets ReadFragmentTargets(const std::vector<FieldArray>& fields)
+bool HasFragmentTargets(const std::vector<FieldArray>& fields)
 {
-  const auto* all = ValuesOf<double>(fields, AllName);
-  const auto* ids = ValuesOf<int>(fields, IdsName);
-  const auto* volumes = ValuesOf<double>(fields, VolumesName);
-  if (all)
+  return ValuesOf<double>(fields, AllName) || ValuesOf<double>(fields, VolumesName);
+}
+
+std::vector<int> ListRankFragments(const std::vector<FieldArray>& fields)
+{
+  const std::vector<int>* ids = ValuesOf<int>(fields, IdsName);
+  return ids ? *ids : std::vector<int>();
+}
+
+std::vector<double> FindFragmentTargets(
+  const std::vector<FieldArray>& fields, const std::vector<int>& fragments)
+{
+  const std::vector<double>* all = ValuesOf<double>(fields, AllName);
+  const std::vector<double>* volumes = all ? all : ValuesOf<double>(fields, VolumesName);
+  const std::vector<int>* ids = all ? nullptr : ValuesOf<int>(fields, IdsName);
+  std::vector<double> found;
+  found.reserve(fragments.size());
+  for (int fragment : fragments)
   {
-    MeshReport::FragmentTargets targets{ {}, *all };
-    targets.Ids.resize(all->size());
-    std::iota(targets.Ids.begin(), targets.Ids.end(), 1);
-    return targets;
+    const std::int64_t at = ids ? FindSorted(*ids, fragment) : fragment - 1;
+    const bool isListed =
+      volumes && (all || ids) && at >= 0 && at < static_cast<std::int64_t>(volumes->size());
+    found.push_back(isListed ? (*volumes)[at] : -1.0);
   }
-  const bool isListed = ids && volumes && ids->size() == volumes->size();
-  return isListed ? MeshReport::FragmentTargets{ *ids, *volumes } : MeshReport::FragmentTargets();
+  return found;
 }
 
 std::vector<double> GatherFragmentTargets(
@@ -106,7 +119,8 @@ std::vector<FieldArray> JoinFields(const std::vector<const std::vector<FieldArra
   std::vector<Target> targets;
   for (const std::vector<FieldArray>* part : parts)
   {
-    AddTargets(ReadFragmentTargets(*part), targets);
+    const std::vector<int> ids = ListRankFragments(*part);
+    AddTargets({ ids, FindFragmentTargets(*part, ids) }, targets);
   }
   const std::vector<double> count = NumbersOfField(fields, "NumberOfFragments");
   std::vector<double> volumes = PutInOrder(targets, count.empty() ? 0 : std::llround(count[0]));

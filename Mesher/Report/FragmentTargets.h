@@ -23,9 +23,16 @@ namespace vfm
 std::vector<FieldArray> ListFragmentTargets(
   const MeshReport::FragmentTargets& own, TableMode mode, Index count, Ranks& ranks);
 
-/// Returns the volumes of fragments that the fields of a mesh list (ListFragmentTargets): of all
-/// fragments, or of those that this rank counts; none if there are no such fields.
-MeshReport::FragmentTargets ReadFragmentTargets(const std::vector<FieldArray>& fields);
+/// Returns whether fields list volumes of fragments in either way, even if of no fragment.
+bool HasFragmentTargets(const std::vector<FieldArray>& fields);
+
+/// Returns the fragments of RankFragments; none if there is no such field.
+std::vector<int> ListRankFragments(const std::vector<FieldArray>& fields);
+
+/// Returns the volumes that fields list for fragments (ListFragmentTargets), below 0 for a fragment
+/// that they do not list.
+std::vector<double> FindFragmentTargets(
+  const std::vector<FieldArray>& fields, const std::vector<int>& fragments);
 
 /// Returns the volumes of the fractions of all fragments, on all ranks; entry f - 1 is that of
 /// fragment f.

@@ -1,5 +1,6 @@
 #include "Report/GatherGeometry.h"
 
+#include "Ranks/NumberKeys.h"
 #include "Ranks/WorkTogether.h"
 #include "Report/GatherMesh.h"
 #include "Report/MeshFields.h"
@@ -28,15 +29,16 @@ std::vector<OwnCells> ListCells(const Mesh& mesh)
     return MeshArray{ name, ValueType::Int, components, {}, values.data() };
   };
   const SurfaceFacets& surfaces = mesh.Surfaces;
+  const GeometryTables& tables = mesh.Tables;
   return { { "Surfaces", mesh.CornersOfFacet(), surfaces.Points,
              { numbers("SurfaceId", surfaces.SurfaceId),
                numbers("MaterialPair", surfaces.MaterialPair, 2),
                numbers("DomainSide", surfaces.DomainSide) },
-             ListSurfaces(mesh.Tables) },
+             tables.HasAllSurfaces ? ListSurfaces(tables) : FieldArrays() },
     { "Curves", 2, mesh.Curves.Points, { numbers("CurveId", mesh.Curves.CurveId) },
-      ListCurves(mesh.Tables) },
+      tables.HasAllCurves ? ListCurves(tables) : FieldArrays() },
     { "Vertices", 1, mesh.Vertices.Points, { numbers("VertexId", mesh.Vertices.VertexId) },
-      ListVertices(mesh.Tables) } };
+      tables.HasAllCurves ? ListVertices(tables) : FieldArrays() } };
 }
 
 void SetCellIds(std::vector<Index> ids, StoredMesh& cells)
@@ -113,14 +115,9 @@ std::vector<GeometryPart> GatherGeometry(const Mesh& mesh, Ranks& ranks)
   for (const OwnCells& own : ListCells(mesh))
   {
     const auto count = static_cast<Index>(own.Points.size()) / own.Corners;
-    const std::vector<Index> counts = GatherItems(ranks, std::vector<Index>{ count });
+    const Index firstId = SumOfLowerRanks(count, ranks) + 1;
     StoredMesh part;
-    WorkTogether(ranks,
-      [&]
-      {
-        part = ViewCells(
-          mesh, own, std::accumulate(counts.begin(), counts.begin() + ranks.Rank(), Index(1)));
-      });
+    WorkTogether(ranks, [&] { part = ViewCells(mesh, own, firstId); });
     StoredMesh whole = GatherMesh(part.Data, ranks);
     WorkTogether(ranks,
       [&]

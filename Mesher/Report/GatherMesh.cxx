@@ -1,11 +1,14 @@
 #include "Report/GatherMesh.h"
 
+#include "Base/Sorted.h"
 #include "Ranks/Agreement.h"
 #include "Report/FragmentTargets.h"
+#include "Report/MeshFields.h"
 #include "Report/PackMesh.h"
 
 #include <functional>
 #include <limits>
+#include <map>
 #include <numeric>
 
 namespace vfm
@@ -139,6 +142,53 @@ void MergeFacets(const Pieces& pieces, const std::vector<Item>& elements, Stored
   merged.Memory.push_back(std::move(facets));
 }
 
+/// Returns the fields of the whole mesh: those that each piece has, and rows of all pieces where a
+/// piece only has its own (JoinFields, ListSides).
+FieldArrays MergeFields(const Pieces& pieces)
+{
+  std::vector<const FieldArrays*> ofPieces;
+  for (const MeshData* piece : pieces)
+  {
+    ofPieces.push_back(&piece->Fields);
+  }
+  FieldArrays fields = JoinFields(ofPieces);
+  std::map<int, int> parts; // by surface
+  std::vector<std::array<Index, 5>> facets;
+  for (const MeshData* piece : pieces)
+  {
+    const std::vector<double> ids = NumbersOfField(piece->Fields, "SurfaceIds");
+    const std::vector<double> own = NumbersOfField(piece->Fields, "SurfaceParts");
+    for (std::size_t s = 0; s < std::min(ids.size(), own.size()); ++s)
+    {
+      parts[static_cast<int>(ids[s])] = static_cast<int>(own[s]);
+    }
+    if (!ids.empty())
+    {
+      const std::vector<std::array<Index, 5>> more = ReadEdgeFacets(piece->Fields);
+      facets.insert(facets.end(), more.begin(), more.end());
+    }
+  }
+  if (parts.empty())
+  {
+    return fields;
+  }
+  GeometryTables tables;
+  tables.HasAllSurfaces = false;
+  for (const auto& [surface, part] : parts)
+  {
+    tables.SurfaceIds.push_back(surface);
+    tables.SurfaceParts.push_back(part);
+  }
+  SortUnique(facets);
+  tables.EdgeFacets = std::move(facets);
+  FieldArrays sides = ListSides(tables);
+  fields.erase(std::remove_if(fields.begin(), fields.end(),
+                 [&sides](const FieldArray& field) { return FindField(sides, field.Name); }),
+    fields.end());
+  AppendFields(std::move(sides), fields);
+  return fields;
+}
+
 /// Merges one or more pieces, all with elements.
 StoredMesh MergePieces(const Pieces& pieces)
 {
@@ -159,12 +209,7 @@ StoredMesh MergePieces(const Pieces& pieces)
     MergeNodes(pieces, points, elements, &MeshData::MidPoints, &MeshData::MidsPerElement));
   data.PointArrays = MergeArrays(pieces, points, &MeshData::PointArrays, merged);
   data.ElementArrays = MergeArrays(pieces, elements, &MeshData::ElementArrays, merged);
-  std::vector<const std::vector<FieldArray>*> fields;
-  for (const MeshData* piece : pieces)
-  {
-    fields.push_back(&piece->Fields);
-  }
-  data.Fields = JoinFields(fields);
+  data.Fields = MergeFields(pieces);
   FindKnownArrays(merged);
   MergeFacets(pieces, elements, merged);
   return merged;
@@ -207,6 +252,26 @@ void CheckCorners(const MeshData& mesh, Ranks& ranks)
   if (ranks.Any(own >= 0.0 && own != most))
   {
     throw InputError("All elements of the mesh must have the same number of nodes.");
+  }
+}
+
+/// Collective. Checks that the parts of a mesh can be one mesh: lists of it have at most 2^31 - 1
+/// entries.
+void CheckLength(const MeshData& mesh, Ranks& ranks)
+{
+  if (ranks.Count() == 1)
+  {
+    return;
+  }
+  constexpr std::int64_t longest = std::numeric_limits<std::int32_t>::max();
+  std::vector<std::int64_t> counts{ mesh.NumberOfElements, mesh.NumberOfPoints };
+  ranks.Sum(counts);
+  if (counts[0] > longest || counts[1] > longest)
+  {
+    throw InputError("The mesh has " + std::to_string(counts[0]) + " elements and up to " +
+      std::to_string(counts[1]) + " points. One file holds the mesh of several ranks up to " +
+      std::to_string(longest) +
+      " of each: choose files per rank (.pvtu, or Exodus with one file per rank).");
   }
 }
 
@@ -272,25 +337,35 @@ StoredMesh OrderMesh(const MeshData& mesh, Ranks& ranks)
   return ordered;
 }
 
+std::vector<Bytes> SendToFirst(Bytes mine, Ranks& ranks)
+{
+  if (ranks.Rank() > 0)
+  {
+    std::vector<Bytes> outgoing(1);
+    outgoing[0] = std::move(mine); // an initializer list would copy it
+    ranks.Exchange({ 0 }, outgoing);
+    return {};
+  }
+  std::vector<int> others(ranks.Count() - 1);
+  std::iota(others.begin(), others.end(), 1);
+  return ranks.Exchange(others, std::vector<Bytes>(others.size()));
+}
+
 StoredMesh GatherMesh(const MeshData& mesh, Ranks& ranks)
 {
+  CheckLength(mesh, ranks);
   CheckCorners(mesh, ranks);
-  std::vector<int> peers(ranks.Rank() == 0 ? ranks.Count() - 1 : 1, 0);
-  std::vector<Bytes> outgoing(peers.size());
+  Bytes mine;
   WorkTogether(ranks,
     [&]
     {
       RequireIds(mesh);
-      if (ranks.Rank() == 0)
+      if (ranks.Rank() > 0 && mesh.NumberOfElements > 0)
       {
-        std::iota(peers.begin(), peers.end(), 1);
-      }
-      else if (mesh.NumberOfElements > 0)
-      {
-        outgoing[0] = PackMesh(mesh);
+        mine = PackMesh(mesh);
       }
     });
-  std::vector<Bytes> incoming = ranks.Exchange(peers, outgoing);
+  std::vector<Bytes> incoming = SendToFirst(std::move(mine), ranks);
   StoredMesh whole;
   WorkTogether(ranks,
     [&]
@@ -320,6 +395,10 @@ StoredMesh GatherMesh(const MeshData& mesh, Ranks& ranks)
       whole = pieces.empty() ? StoredMesh{ mesh, {} }
         : others.empty()     ? OrderAlone(mesh)
                              : MergePieces(pieces);
+      if (others.empty() && ranks.Count() > 1)
+      {
+        whole.Data.Fields = JoinFields({ &whole.Data.Fields });
+      }
       whole.Data.Time = mesh.Time;
     });
   return whole;

@@ -32,4 +32,9 @@ StoredMesh OrderMesh(const MeshData& mesh, Ranks& ranks);
 /// of the mesh three times.
 StoredMesh GatherMesh(const MeshData& mesh, Ranks& ranks);
 
+/// Sends bytes to rank 0.
+/// @return on rank 0 the bytes of ranks 1, 2, ..; none on other ranks
+/// @pre Collective
+std::vector<Bytes> SendToFirst(Bytes mine, Ranks& ranks);
+
 } // namespace vfm

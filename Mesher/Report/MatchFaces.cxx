@@ -1,8 +1,7 @@
 #include "Report/MatchFaces.h"
 
 #include "Elements/EqualFaces.h"
-#include "Ranks/AskRanks.h"
-#include "Ranks/MeetingRank.h"
+#include "Ranks/KeyMerge.h"
 #include "Ranks/WorkTogether.h"
 
 namespace vfm
@@ -17,6 +16,12 @@ namespace
     " belongs to more than two elements.");
 }
 
+[[noreturn]] void RejectFace(const FaceIds& ids)
+{
+  RejectFace(
+    std::to_string(ids[1]) + ", " + std::to_string(ids[2]) + ", " + std::to_string(ids[3]));
+}
+
 std::string ListIds(const MeshData& mesh, const FaceIds& points)
 {
   std::string ids;
@@ -28,27 +33,87 @@ std::string ListIds(const MeshData& mesh, const FaceIds& points)
   return ids;
 }
 
-/// Returns the number of the partner of each face in the list, or NothingBehind.
-std::vector<Index> MatchList(const std::vector<NumberedFace>& faces)
+/// Returns the place of the partner of each face in the list, or NothingBehind.
+std::vector<Index> MatchList(const std::vector<FaceIds>& faces)
 {
   std::vector<Index> behind(faces.size(), NothingBehind);
   ForEqualFaces(
-    faces.size(), [&faces](Index f) { return faces[f].Points; },
+    faces.size(), [&faces](Index f) { return faces[f]; },
     [&](std::span<const NumberedFace> same)
     {
       if (same.size() > 2)
       {
-        const FaceIds& ids = same[0].Points;
-        RejectFace(
-          std::to_string(ids[1]) + ", " + std::to_string(ids[2]) + ", " + std::to_string(ids[3]));
+        RejectFace(same[0].Points);
       }
       if (same.size() == 2)
       {
-        behind[same[0].Number] = faces[same[1].Number].Number;
-        behind[same[1].Number] = faces[same[0].Number].Number;
+        behind[same[0].Number] = same[1].Number;
+        behind[same[1].Number] = same[0].Number;
       }
     });
   return behind;
+}
+
+/// Faces without a partner on this rank, ascending by ids.
+struct OpenFaces
+{
+  std::vector<FaceIds> Ids;
+  std::vector<std::size_t> Places; ///< in the list of all faces
+};
+
+OpenFaces ListOpenFaces(const std::vector<FaceIds>& ids, const std::vector<Index>& behind)
+{
+  std::vector<FaceIds> open;
+  std::vector<std::size_t> places;
+  for (std::size_t f = 0; f < ids.size(); ++f)
+  {
+    if (behind[f] == NothingBehind)
+    {
+      open.push_back(ids[f]);
+      places.push_back(f);
+    }
+  }
+  OpenFaces sorted;
+  for (std::size_t place : OrderOf(open))
+  {
+    sorted.Ids.push_back(open[place]);
+    sorted.Places.push_back(places[place]);
+  }
+  return sorted;
+}
+
+/// Fills the values behind open faces from other ranks. Of two ranks with a face, each gets the sum
+/// of the values of both, and subtracts its own.
+/// @pre Collective
+void MatchOverRanks(const OpenFaces& open, const std::vector<Index>& values, std::size_t width,
+  Ranks& ranks, std::vector<Index>& found)
+{
+  std::vector<std::uint64_t> sums; // per face: number of ranks, and sum of each value
+  for (std::size_t place : open.Places)
+  {
+    const auto own = values.begin() + static_cast<std::ptrdiff_t>(width * place);
+    sums.push_back(1);
+    sums.insert(sums.end(), own, own + static_cast<std::ptrdiff_t>(width));
+  }
+  KeyMerge<FaceIds>(open.Ids, ranks)
+    .Merge(sums, 1 + width, [](std::uint64_t& a, std::uint64_t b) { a += b; });
+  WorkTogether(ranks,
+    [&]
+    {
+      for (std::size_t f = 0; f < open.Ids.size(); ++f)
+      {
+        const std::uint64_t* ofFace = sums.data() + (1 + width) * f;
+        if (ofFace[0] > 2)
+        {
+          RejectFace(open.Ids[f]);
+        }
+        for (std::size_t i = 0; ofFace[0] == 2 && i < width; ++i)
+        {
+          const std::size_t at = width * open.Places[f] + i;
+          found[at] = static_cast<Index>(ofFace[1 + i] - static_cast<std::uint64_t>(values[at]));
+        }
+      }
+    });
 }
 
 } // namespace
@@ -98,44 +163,25 @@ std::vector<Index> MatchSides(const MeshData& mesh)
   return behind;
 }
 
-std::vector<Index> MatchFaces(
-  const std::vector<FaceIds>& ids, const std::vector<Index>& values, Ranks& ranks)
+std::vector<Index> MatchFaces(const std::vector<FaceIds>& ids, const std::vector<Index>& values,
+  Ranks& ranks, std::size_t width)
 {
-  std::vector<NumberedFace> faces;
-  for (std::size_t f = 0; f < ids.size(); ++f)
-  {
-    faces.push_back({ ids[f], values[f] });
-  }
   std::vector<Index> behind;
-  WorkTogether(ranks, [&] { behind = MatchList(faces); });
-  if (ranks.Count() == 1)
+  WorkTogether(ranks, [&] { behind = MatchList(ids); });
+  std::vector<Index> found(values.size(), NothingBehind);
+  for (std::size_t f = 0; f < behind.size(); ++f)
   {
-    return behind;
-  }
-  std::vector<std::size_t> open;
-  std::vector<NumberedFace> questions;
-  for (std::size_t f = 0; f < faces.size(); ++f)
-  {
-    if (behind[f] == NothingBehind)
+    if (behind[f] != NothingBehind)
     {
-      open.push_back(f);
-      questions.push_back(faces[f]);
+      const auto other = values.begin() + static_cast<std::ptrdiff_t>(width * behind[f]);
+      std::copy_n(other, width, found.begin() + static_cast<std::ptrdiff_t>(width * f));
     }
   }
-  const auto rankOf = [&ranks](const NumberedFace& face)
-  { return MeetingRank(face.Points, ranks.Count()); };
-  const auto answer = [&ranks](const std::vector<NumberedFace>& received)
+  if (ranks.Count() > 1)
   {
-    std::vector<Index> answers;
-    WorkTogether(ranks, [&] { answers = MatchList(received); });
-    return answers;
-  };
-  const std::vector<Index> answers = AskRanks(questions, rankOf, answer, ranks);
-  for (std::size_t q = 0; q < open.size(); ++q)
-  {
-    behind[open[q]] = answers[q];
+    MatchOverRanks(ListOpenFaces(ids, behind), values, width, ranks, found);
   }
-  return behind;
+  return found;
 }
 
 } // namespace vfm

@@ -25,14 +25,15 @@ FaceIds SortedIds(const FaceIds& points, const Index* ids);
 /// @throws InputError if a face belongs to more than two elements
 std::vector<Index> MatchSides(const MeshData& mesh);
 
-/// Finds the value of the element behind each face.
+/// Finds the values of the element behind each face.
 /// @param ids sorted global ids of the points of each face
-/// @param values value >= 0 of the element of each face, such as its material or number
-/// @return value of the element on the other side of each face, on any rank, or NothingBehind
+/// @param values `width` values >= 0 of the element of each face, such as its material or number
+/// @return `width` values per face of the element on the other side, on any rank; NothingBehind if
+///   there is none
 /// @throws InputError if a face belongs to more than two elements of one rank, or to elements of
 /// three ranks; on all ranks
 /// @pre Collective
-std::vector<Index> MatchFaces(
-  const std::vector<FaceIds>& ids, const std::vector<Index>& values, Ranks& ranks);
+std::vector<Index> MatchFaces(const std::vector<FaceIds>& ids, const std::vector<Index>& values,
+  Ranks& ranks, std::size_t width = 1);
 
 } // namespace vfm

@@ -51,7 +51,9 @@ struct MeshData : NodeCounts
   const float* ScaledJacobian = nullptr;
   ///@}
   std::vector<MeshArray> PointArrays, ElementArrays; ///< all arrays of files, also the ones above
-  std::vector<FieldArray> Fields; ///< arrays of the whole mesh, equal on all ranks
+  /// Arrays of the whole mesh, equal on all ranks, except rows of a rank: tables with SurfaceIds
+  /// (ListSides), and those for which IsFieldOfRank is true (FragmentTargets.h).
+  std::vector<FieldArray> Fields;
   std::optional<double> Time;
   /// Facets ascending by element and side, if the mesher made the mesh; null: MeshFacets.h
   /// finds them.

@@ -3,6 +3,7 @@
 #include "Ranks/Agreement.h"
 #include "Report/DomainSides.h"
 #include "Report/MatchFaces.h"
+#include "Report/MeshFields.h"
 #include "Report/SeamFacets.h"
 
 #include <map>
@@ -39,29 +40,28 @@ std::vector<MeshFacet> CollectFaces(const MeshData& mesh)
 class FaceSurfaces
 {
 public:
-  explicit FaceSurfaces(const MeshData& mesh) :
-    TheMesh(mesh), Parts(NumbersOfField(mesh.Fields, "SurfaceParts"))
+  explicit FaceSurfaces(const MeshData& mesh) : TheMesh(mesh)
   {
-    constexpr std::size_t width = 5; // four points and the surface
-    const FieldArray* field = FindField(mesh.Fields, "EdgeFacets");
-    if (!field || field->Components != static_cast<int>(width))
+    const std::vector<double> parts = NumbersOfField(mesh.Fields, "SurfaceParts");
+    const std::vector<double> ids = NumbersOfField(mesh.Fields, "SurfaceIds");
+    for (std::size_t row = 0; row < parts.size(); ++row)
     {
-      return;
-    }
-    if (const auto* numbers = std::get_if<std::vector<Index>>(&field->Values))
-    {
-      for (std::size_t at = 0; at + width <= numbers->size(); at += width)
+      if (parts[row] >= 1.0)
       {
-        const Index* row = numbers->data() + at;
-        this->EdgeFacets[{ { row[0], row[1], row[2], row[3] } }] = static_cast<int>(row[4]);
+        this->Sides.push_back(
+          row < ids.size() ? static_cast<int>(ids[row]) : static_cast<int>(row) + 1);
       }
+    }
+    for (const auto& row : ReadEdgeFacets(mesh.Fields))
+    {
+      this->EdgeFacets[{ { row[0], row[1], row[2], row[3] } }] = static_cast<int>(row[4]);
     }
   }
 
   int Find(const MeshFacet& facet) const
   {
     const MeshData& mesh = this->TheMesh;
-    if (this->Parts.empty() || !mesh.GeometryDimension || !mesh.GeometryId)
+    if (this->Sides.empty() || !mesh.GeometryDimension || !mesh.GeometryId)
     {
       return 0;
     }
@@ -76,14 +76,12 @@ public:
     }
     const auto listed = this->EdgeFacets.find(SortedIds(points, mesh.UnsplitPointIds()));
     surface = listed == this->EdgeFacets.end() ? surface : listed->second;
-    const bool isSide = surface >= 1 && surface <= static_cast<int>(this->Parts.size()) &&
-      this->Parts[surface - 1] >= 1;
-    return isSide ? surface : 0;
+    return std::binary_search(this->Sides.begin(), this->Sides.end(), surface) ? surface : 0;
   }
 
 private:
   const MeshData& TheMesh;
-  const std::vector<double> Parts;
+  std::vector<int> Sides; // surfaces that are smooth sides, ascending
   std::map<FaceIds, int> EdgeFacets;
 };
 

@@ -20,7 +20,8 @@ std::vector<MeshFacet> FindMeshFaces(const MeshData& mesh, const int* values, Ra
 
 /// Returns the facets of this rank's elements: mesh.Facets, or the result of a search.
 /// The search needs the field DomainBounds to find sides of the domain, and SurfaceParts and
-/// EdgeFacets to find smooth sides; otherwise DomainSide is NoSide, and Surface is 0.
+/// EdgeFacets to find smooth sides, of this rank if there are SurfaceIds (ListSides); otherwise
+/// DomainSide is NoSide, and Surface is 0.
 /// @return facets ordered by element and side; facets between two ranks are in the lists of both
 /// @throws InputError if FindMeshFaces does
 /// @pre Collective

@@ -180,9 +180,36 @@ FieldArrays ListSides(const GeometryTables& tables)
   {
     return {};
   }
-  FieldArrays fields{ { "SurfaceParts", parts }, FieldOfRows("EdgeFacets", tables.EdgeFacets) };
+  const FieldArray facets = FieldOfRows("EdgeFacets", tables.EdgeFacets);
+  if (!tables.HasAllSurfaces)
+  {
+    std::vector<int> sides, ids;
+    for (std::size_t s = 0; s < parts.size(); ++s)
+    {
+      if (parts[s] > 0)
+      {
+        ids.push_back(tables.SurfaceIds[s]);
+        sides.push_back(parts[s]);
+      }
+    }
+    return { { "SurfaceIds", ids }, { "SurfaceParts", sides }, facets };
+  }
+  FieldArrays fields{ { "SurfaceParts", parts }, facets };
   AddPatchNames(tables, fields);
   return fields;
+}
+
+std::vector<std::array<Index, 5>> ReadEdgeFacets(const FieldArrays& fields)
+{
+  std::vector<std::array<Index, 5>> rows;
+  const FieldArray* field = FindField(fields, "EdgeFacets");
+  const auto* numbers = field ? std::get_if<std::vector<Index>>(&field->Values) : nullptr;
+  for (std::size_t at = 0; numbers && field->Components == 5 && at + 5 <= numbers->size(); at += 5)
+  {
+    rows.emplace_back();
+    std::copy_n(numbers->begin() + static_cast<std::ptrdiff_t>(at), 5, rows.back().begin());
+  }
+  return rows;
 }
 
 void AppendFields(FieldArrays more, FieldArrays& to)
@@ -211,12 +238,22 @@ FieldArrays ListSurfaces(const GeometryTables& tables)
     FieldOfRows("SurfaceNormals", tables.SurfaceNormals),
     FieldOfRows("VolumeSurfaces", tables.VolumeSurfaces) };
   AddPatchNames(tables, fields);
+  if (!tables.HasAllSurfaces)
+  {
+    fields.push_back({ "SurfaceIds", tables.SurfaceIds });
+  }
   return fields;
 }
 
 FieldArrays ListCurves(const GeometryTables& tables)
 {
-  return { { "CurveEnds", tables.CurveEnds }, FieldOfRows("SurfaceCurves", tables.SurfaceCurves) };
+  FieldArrays fields{ { "CurveEnds", tables.CurveEnds },
+    FieldOfRows("SurfaceCurves", tables.SurfaceCurves) };
+  if (!tables.HasAllCurves)
+  {
+    fields.push_back({ "CurveIds", tables.CurveIds });
+  }
+  return fields;
 }
 
 FieldArrays ListVertices(const GeometryTables& tables)

@@ -44,14 +44,21 @@ FieldArrays ListMaterials(
   const MeshReport& report, const Materials& table, const MeshOptions& options);
 
 /// Lists SurfaceParts and EdgeFacets, from which MeshFacets.h finds the surface of a face, and
-/// PatchNames (MeshSets.h) if there are any; nothing if no interface has several sides.
+/// PatchNames (MeshSets.h) if there are any; nothing if no interface has several sides. If ranks do
+/// not have all rows: SurfaceIds, the numbers of the smooth sides of this rank, their SurfaceParts
+/// and EdgeFacets.
 FieldArrays ListSides(const GeometryTables& tables);
+
+/// Returns the rows of the field EdgeFacets, or none.
+std::vector<std::array<Index, 5>> ReadEdgeFacets(const FieldArrays& fields);
 
 /// Lists SurfaceVolumes and SurfaceMaterials (two per surface), SurfaceSides, SurfaceParts,
 /// SurfaceAreas, SurfaceCentroids and SurfaceNormals (three per surface), VolumeSurfaces (pairs);
-/// and PatchNames if there are any.
+/// and PatchNames if there are any. If ranks do not have all rows, SurfaceIds are the numbers of
+/// the rows of this rank.
 FieldArrays ListSurfaces(const GeometryTables& tables);
-/// Lists CurveEnds and SurfaceCurves (pairs).
+/// Lists CurveEnds and SurfaceCurves (pairs); and CurveIds, the numbers of the rows of this rank,
+/// if ranks do not have all.
 FieldArrays ListCurves(const GeometryTables& tables);
 /// Lists CurveVertices (pairs).
 FieldArrays ListVertices(const GeometryTables& tables);

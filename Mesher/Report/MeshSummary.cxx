@@ -1,8 +1,11 @@
 #include "Report/MeshSummary.h"
 
 #include "Base/ExactSum.h"
+#include "Base/Sorted.h"
+#include "Elements/MeshWithRuns.h"
 #include "Ranks/Agreement.h"
 #include "Report/ElementMoments.h"
+#include "Report/FragmentWays.h"
 #include "Report/MeshMaterials.h"
 #include "Report/PointCounts.h"
 
@@ -115,54 +118,175 @@ std::vector<PartSums> SumParts(const MeshData& mesh, const std::vector<ElementMo
   return parts;
 }
 
-/// Merges the parts of all ranks; points: number of points of each part.
-std::vector<PartSummary> MergeParts(
-  const std::vector<PartSums>& parts, const std::vector<Index>& points, double unit, Ranks& ranks)
+/// Adds the hexes that a mesh leaves out.
+/// @param place  place(material, fragment) returns the part, from 0
+template <class Place>
+void AddRuns(
+  const MeshWithRuns& whole, const Place& place, double unit, std::vector<PartSums>& parts)
 {
-  std::vector<std::int64_t> elements;
-  std::vector<ExactSum> quality, volume;
-  std::vector<double> extremes;
+  for (const CellRuns::Run& run : whole.Cells())
+  {
+    PartSums& part = parts[place(run.Material, run.Fragment)];
+    part.Elements += run.Count;
+    part.Material = run.Material;
+    part.Volume.Add(whole.VolumeOf(run) / unit);
+    part.Minimum = std::min(part.Minimum, 1.0);
+    part.Quality.Add(1.0, run.Count);
+  }
+}
+
+/// Adds the points that a mesh leaves out.
+template <class Place>
+void AddPointsOfRuns(const MeshWithRuns& whole, const Place& place, std::vector<Index>& points)
+{
+  for (const MeshWithRuns::NodeRun& run : whole.Nodes())
+  {
+    points[place(run.Material, run.Fragment)] += run.Count;
+  }
+}
+
+/// Sums of parts as lists, to combine them over ranks.
+struct PartLists
+{
+  std::vector<std::int64_t> Elements;
+  std::vector<ExactSum> Sums;   ///< quality and volume of each part
+  std::vector<double> Extremes; ///< negated minimum of the quality, and material of each part
+};
+constexpr std::size_t SumsPerPart = 2, ExtremesPerPart = 2;
+
+PartLists ListSums(const std::vector<PartSums>& parts)
+{
+  PartLists lists;
   for (const PartSums& part : parts)
   {
-    elements.push_back(part.Elements);
-    quality.push_back(part.Quality);
-    volume.push_back(part.Volume);
-    extremes.push_back(-part.Minimum);
-    extremes.push_back(part.Material);
+    lists.Elements.push_back(part.Elements);
+    lists.Sums.insert(lists.Sums.end(), { part.Quality, part.Volume });
+    lists.Extremes.push_back(-part.Minimum);
+    lists.Extremes.push_back(part.Material);
   }
-  ranks.Sum(elements);
-  const std::vector<double> qualities = SumOverRanks(quality, ranks);
-  const std::vector<double> volumes = SumOverRanks(volume, ranks);
-  ranks.Max(extremes);
-  std::vector<PartSummary> united(parts.size());
-  for (std::size_t p = 0; p < parts.size(); ++p)
-  {
-    united[p].Material = static_cast<int>(extremes[2 * p + 1]);
-    united[p].Elements = elements[p];
-    united[p].Points = points[p];
-    united[p].MinimumQuality = elements[p] > 0 ? -extremes[2 * p] : 0.0;
-    united[p].MeanQuality = elements[p] > 0 ? qualities[p] / static_cast<double>(elements[p]) : 0.0;
-    united[p].Volume = volumes[p] * unit;
-  }
-  return united;
+  return lists;
 }
 
-/// Summarises the parts of a mesh; partOf: part of each element, from 0.
-std::vector<PartSummary> SummariseParts(const MeshData& mesh,
-  const std::vector<ElementMoments>& moments, const std::vector<int>& partOf,
-  std::size_t numberOfParts, double unit, Ranks& ranks)
+/// Returns a part from its values over all ranks.
+/// @param sums  values of its SumsPerPart sums
+/// @param extremes  its ExtremesPerPart values
+PartSizes MakePart(
+  Index elements, Index points, const double* sums, const double* extremes, double unit)
 {
-  return MergeParts(SumParts(mesh, moments, partOf, numberOfParts, unit),
-    CountPoints(mesh, partOf, numberOfParts, ranks), unit, ranks);
+  PartSizes part;
+  part.Material = static_cast<int>(extremes[1]);
+  part.Elements = elements;
+  part.Points = points;
+  part.MinimumQuality = elements > 0 ? -extremes[0] : 0.0;
+  part.MeanQuality = elements > 0 ? sums[0] / static_cast<double>(elements) : 0.0;
+  part.Volume = sums[1] * unit;
+  return part;
 }
 
-/// Returns the part of each element; place: returns the part of a value.
+/// Summarises the parts of a mesh.
+/// @param place  place(material, fragment) returns the part, from 0
+/// @pre Collective
 template <class Place>
-std::vector<int> FindParts(const MeshData& mesh, const int* values, const Place& place)
+std::vector<PartSummary> SummariseParts(const MeshData& mesh, const MeshWithRuns* whole,
+  const std::vector<ElementMoments>& moments, const Place& place, std::size_t numberOfParts,
+  double unit, Ranks& ranks)
 {
-  std::vector<int> parts(mesh.NumberOfElements);
-  std::transform(values, values + mesh.NumberOfElements, parts.begin(), place);
+  std::vector<int> partOf(mesh.NumberOfElements);
+  std::transform(
+    mesh.Material, mesh.Material + mesh.NumberOfElements, mesh.Fragment, partOf.begin(), place);
+  std::vector<PartSums> own = SumParts(mesh, moments, partOf, numberOfParts, unit);
+  std::vector<Index> points = CountPoints(mesh, partOf, numberOfParts, ranks);
+  if (whole)
+  {
+    AddRuns(*whole, place, unit, own);
+    AddPointsOfRuns(*whole, place, points);
+  }
+  PartLists lists = ListSums(own);
+  ranks.Sum(lists.Elements);
+  const std::vector<double> sums = SumOverRanks(lists.Sums, ranks);
+  ranks.Max(lists.Extremes);
+  std::vector<PartSummary> parts(numberOfParts);
+  for (std::size_t p = 0; p < numberOfParts; ++p)
+  {
+    static_cast<PartSizes&>(parts[p]) = MakePart(lists.Elements[p], points[p],
+      &sums[SumsPerPart * p], &lists.Extremes[ExtremesPerPart * p], unit);
+  }
   return parts;
+}
+
+/// Returns the fragments whose rows this rank has (FragmentWays).
+/// @pre Collective
+std::vector<FragmentSizes> SummariseFragments(const MeshData& mesh, const MeshWithRuns* whole,
+  const std::vector<ElementMoments>& moments, double unit, Ranks& ranks)
+{
+  std::vector<int> ofRuns;
+  for (const CellRuns::Run& run : whole ? whole->Cells() : std::vector<CellRuns::Run>())
+  {
+    ofRuns.push_back(run.Fragment);
+  }
+  const FragmentWays ways(mesh, ofRuns, ranks);
+  std::vector<PartSums> own =
+    SumParts(mesh, moments, ways.PlaceOfElement(), ways.Ids().size(), unit);
+  if (whole)
+  {
+    AddRuns(
+      *whole, [&ways](int, int fragment) { return FindSorted(ways.Ids(), fragment); }, unit, own);
+  }
+  PartLists lists = ListSums(own);
+  lists.Elements = ways.Sum(std::move(lists.Elements), 1);
+  lists.Sums = ways.Sum(std::move(lists.Sums), SumsPerPart);
+  lists.Extremes = ways.Max(std::move(lists.Extremes), ExtremesPerPart);
+  PointsOfFragments counted = CountFragmentPoints(mesh, ranks);
+  const KeyMerge<int> pointWays(
+    std::move(counted.Fragments), [&ways](int id) { return ways.HomeOf(id); }, ranks);
+  std::vector<Index> points =
+    pointWays.ToHome(std::move(counted.Counts), 1, [](Index& a, Index b) { a += b; });
+  if (whole) // of a single rank, which has all rows
+  {
+    AddPointsOfRuns(
+      *whole, [&ways](int, int fragment) { return FindSorted(ways.HomeIds(), fragment); }, points);
+  }
+  std::vector<FragmentSizes> fragments(ways.HomeIds().size());
+  for (std::size_t f = 0; f < fragments.size(); ++f)
+  {
+    const double sums[] = { lists.Sums[SumsPerPart * f].Value(),
+      lists.Sums[SumsPerPart * f + 1].Value() };
+    static_cast<PartSizes&>(fragments[f]) =
+      MakePart(lists.Elements[f], points[f], sums, &lists.Extremes[ExtremesPerPart * f], unit);
+    fragments[f].Id = ways.HomeIds()[f];
+  }
+  return fragments;
+}
+
+/// Returns the largest fragments of all ranks.
+/// @param own  fragments of this rank
+/// @pre Collective
+std::vector<FragmentSizes> FindLargest(std::vector<FragmentSizes> own, Ranks& ranks)
+{
+  const std::size_t count = std::min(MaximumFragments, own.size());
+  std::partial_sort(own.begin(), own.begin() + static_cast<Index>(count), own.end());
+  own.resize(count);
+  return UnionOverRanks(ranks, std::move(own), MaximumFragments);
+}
+
+/// Returns the number of fragments of each material.
+/// @param ids  materials
+/// @param own  fragments of this rank
+/// @pre Collective
+std::vector<std::int64_t> CountFragments(
+  const std::vector<double>& ids, const std::vector<FragmentSizes>& own, Ranks& ranks)
+{
+  std::vector<std::int64_t> counts(ids.size(), 0);
+  for (const FragmentSizes& fragment : own)
+  {
+    const auto at = std::find(ids.begin(), ids.end(), fragment.Material);
+    if (at != ids.end())
+    {
+      ++counts[at - ids.begin()];
+    }
+  }
+  ranks.Sum(counts);
+  return counts;
 }
 
 /// Returns the mean volume of an element, a unit that makes sums independent of the scale
@@ -192,8 +316,9 @@ void NameMaterials(
 }
 
 /// Returns the surfaces of the input, of materials that have one.
+/// @param fragments  number of fragments of each material
 std::vector<SurfaceSummary> FindSurfaces(const MeshData& mesh,
-  const std::vector<PartSummary>& materials, const std::vector<PartSummary>& fragments)
+  const std::vector<PartSummary>& materials, const std::vector<std::int64_t>& fragments)
 {
   const std::vector<double> thickness = GetField(mesh, "SurfaceThickness"),
                             widths = GetField(mesh, "SuggestedWidth"),
@@ -203,11 +328,8 @@ std::vector<SurfaceSummary> FindSurfaces(const MeshData& mesh,
   {
     if (thickness[m] > 0.0)
     {
-      const int id = materials[m].Material;
-      const auto pieces = std::count_if(fragments.begin(), fragments.end(),
-        [id](const PartSummary& fragment) { return fragment.Material == id; });
-      surfaces.push_back({ materials[m].Name, id, thickness[m], widths[m], lost[m],
-        static_cast<Index>(solids[m]), static_cast<Index>(pieces) });
+      surfaces.push_back({ materials[m].Name, materials[m].Material, thickness[m], widths[m],
+        lost[m], static_cast<Index>(solids[m]), fragments[m] });
     }
   }
   return surfaces;
@@ -215,30 +337,32 @@ std::vector<SurfaceSummary> FindSurfaces(const MeshData& mesh,
 
 } // namespace
 
-MeshSummary Summarise(const MeshData& mesh, Ranks& ranks)
+MeshSummary Summarise(const MeshData& mesh, Ranks& ranks, const MeshWithRuns* whole)
 {
   const std::vector<double> ids = GetField(mesh, "MaterialIds");
-  const double unit = FindUnit(GetField(mesh, "MeshVolume"), mesh.NumberOfElements, ranks);
-  const auto fragments = static_cast<std::size_t>(GetNumber(mesh, "NumberOfFragments"));
+  const double unit = FindUnit(
+    GetField(mesh, "MeshVolume"), whole ? whole->NumberOfElements() : mesh.NumberOfElements, ranks);
   const std::vector<ElementMoments> moments = FindElementMoments(mesh);
   MeshSummary summary;
   summary.IsTets = FindField(mesh.Fields, "RefusedParts") != nullptr;
   summary.HasQuality = FindField(mesh.Fields, "MinimumScaledJacobian") != nullptr;
-  summary.Materials = SummariseParts(mesh, moments,
-    FindParts(mesh, mesh.Material,
-      [&ids](int id)
-      { return static_cast<int>(std::find(ids.begin(), ids.end(), id) - ids.begin()); }),
+  summary.Materials = SummariseParts(
+    mesh, whole, moments,
+    [&ids](int material, int)
+    { return static_cast<int>(std::find(ids.begin(), ids.end(), material) - ids.begin()); },
     ids.size(), unit, ranks);
   NameMaterials(mesh, ids, summary.Materials);
-  summary.Fragments = SummariseParts(mesh, moments,
-    FindParts(mesh, mesh.Fragment, [](int id) { return id - 1; }), fragments, unit, ranks);
-  summary.Total =
-    SummariseParts(mesh, moments, std::vector<int>(mesh.NumberOfElements, 0), 1, unit, ranks)[0];
+  const std::vector<FragmentSizes> fragments =
+    SummariseFragments(mesh, whole, moments, unit, ranks);
+  summary.NumberOfFragments = static_cast<Index>(GetNumber(mesh, "NumberOfFragments"));
+  summary.LargestFragments = FindLargest(fragments, ranks);
+  summary.Total = SummariseParts(
+    mesh, whole, moments, [](int, int) { return 0; }, 1, unit, ranks)[0];
   for (const PartSummary& material : summary.Materials)
   {
     summary.Total.TargetVolume += material.TargetVolume;
   }
-  summary.Surfaces = FindSurfaces(mesh, summary.Materials, summary.Fragments);
+  summary.Surfaces = FindSurfaces(mesh, summary.Materials, CountFragments(ids, fragments, ranks));
   summary.State = FindStateTotals(mesh);
   summary.LostToElements = SumOfMaterials(mesh, "LostKineticEnergy");
   summary.LostToNodes = SumOfMaterials(mesh, "LostNodalKineticEnergy");

@@ -10,15 +10,32 @@ namespace vfm
 {
 
 /// Sums over a material, a fragment, or the whole mesh.
-struct PartSummary
+struct PartSizes
 {
-  std::string Name;
   int Material = 0;
   /// Points between parts count in each part, points between ranks count once.
   Index Elements = 0, Points = 0;
   double MinimumQuality = 1.0; ///< minimum scaled Jacobian
   double MeanQuality = 0.0;
-  double Volume = 0.0, TargetVolume = 0.0; ///< length units cubed; fragments have no target
+  double Volume = 0.0; ///< length units cubed
+};
+
+/// A material, or the whole mesh.
+struct PartSummary : PartSizes
+{
+  std::string Name;
+  double TargetVolume = 0.0; ///< length units cubed
+};
+
+/// A fragment. Fragments are ordered by volume, the largest first, then by id.
+struct FragmentSizes : PartSizes
+{
+  int Id = 0;
+  bool operator<(const FragmentSizes& other) const
+  {
+    return this->Volume != other.Volume ? this->Volume > other.Volume : this->Id < other.Id;
+  }
+  bool operator==(const FragmentSizes& other) const { return this->Id == other.Id; }
 };
 
 /// A conserved quantity, summed over all materials.
@@ -51,7 +68,9 @@ struct SurfaceSummary
 struct MeshSummary
 {
   bool IsTets = false, HasQuality = false;
-  std::vector<PartSummary> Materials, Fragments; ///< Fragments[f] has FragmentId f + 1
+  std::vector<PartSummary> Materials;
+  Index NumberOfFragments = 0;
+  std::vector<FragmentSizes> LargestFragments; ///< at most MaximumFragments, in their order
   PartSummary Total;
   std::vector<SurfaceSummary> Surfaces;           ///< empty if the input has no surfaces
   double MinimumAngle = 0.0, MaximumAngle = 0.0;  ///< dihedral angles of tets, degrees
@@ -61,9 +80,15 @@ struct MeshSummary
   std::optional<ParticleSummary> Particles;       ///< empty if it does not become particles
 };
 
+class MeshWithRuns;
+
+/// Number of fragments that a summary lists.
+constexpr std::size_t MaximumFragments = 10;
+
 /// Summarises a mesh. The result is equal on all ranks and for any number of ranks.
 /// @param mesh part of this rank, with the fields of RunMesher
+/// @param whole the mesh with the hexes that it leaves out; null: none
 /// @pre Collective
-MeshSummary Summarise(const MeshData& mesh, Ranks& ranks);
+MeshSummary Summarise(const MeshData& mesh, Ranks& ranks, const MeshWithRuns* whole = nullptr);
 
 } // namespace vfm

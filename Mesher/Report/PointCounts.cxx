@@ -1,7 +1,7 @@
 #include "Report/PointCounts.h"
 
 #include "Base/Sorted.h"
-#include "Ranks/AskRanks.h"
+#include "Ranks/KeyMerge.h"
 
 #include <algorithm>
 
@@ -27,27 +27,37 @@ std::vector<PartPoint> FindOwnPoints(const MeshData& mesh, const std::vector<int
   return found;
 }
 
-/// Returns the points whose ids this rank counts.
-std::vector<PartPoint> DistributePoints(const std::vector<PartPoint>& own, Ranks& ranks)
-{
-  const auto rankOf = [&ranks](const PartPoint& point) { return point[1] % ranks.Count(); };
-  auto mine = JoinItems<PartPoint>(SendItems(own, rankOf, ranks));
-  SortUnique(mine);
-  return mine;
-}
-
 } // namespace
 
 std::vector<Index> CountPoints(
   const MeshData& mesh, const std::vector<int>& partOf, std::size_t numberOfParts, Ranks& ranks)
 {
   std::vector<std::int64_t> counts(numberOfParts, 0);
-  for (const PartPoint& point : DistributePoints(FindOwnPoints(mesh, partOf), ranks))
+  // A point of several ranks is counted at its home.
+  const KeyMerge<PartPoint> ways(FindOwnPoints(mesh, partOf), ranks);
+  for (const PartPoint& point : ways.HomeKeys())
   {
     ++counts[point[0]];
   }
   ranks.Sum(counts);
   return counts;
+}
+
+PointsOfFragments CountFragmentPoints(const MeshData& mesh, Ranks& ranks)
+{
+  const std::vector<int> partOf(mesh.Fragment, mesh.Fragment + mesh.NumberOfElements);
+  const KeyMerge<PartPoint> ways(FindOwnPoints(mesh, partOf), ranks);
+  PointsOfFragments found;
+  for (const PartPoint& point : ways.HomeKeys())
+  {
+    if (found.Fragments.empty() || found.Fragments.back() != point[0])
+    {
+      found.Fragments.push_back(static_cast<int>(point[0]));
+      found.Counts.push_back(0);
+    }
+    ++found.Counts.back();
+  }
+  return found;
 }
 
 } // namespace vfm

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <tuple>
 
 namespace vfm
 {
@@ -28,12 +27,6 @@ Vector3 FindCentroid(const MeshData& mesh, Index element)
   return (1.0 / moments.Volume) * moments.Moment;
 }
 
-/// Orders by quality, then by id.
-bool IsWorse(const RatedElement& a, const RatedElement& b)
-{
-  return std::tie(a.Quality, a.Id) < std::tie(b.Quality, b.Id);
-}
-
 /// Returns the worst elements of this rank.
 std::vector<RatedElement> FindOwnWorst(
   const MeshData& mesh, const MeshArray& quality, std::size_t count)
@@ -52,16 +45,6 @@ std::vector<RatedElement> FindOwnWorst(
     worst.push_back({ mesh.ElementIds[element], mesh.Material[element], ValueAt(quality, element),
       FindCentroid(mesh, element) });
   }
-  return worst;
-}
-
-/// Returns the worst elements of all ranks, from those of each rank.
-std::vector<RatedElement> MergeWorst(
-  const std::vector<RatedElement>& own, std::size_t count, Ranks& ranks)
-{
-  std::vector<RatedElement> worst = GatherItems(ranks, own);
-  std::sort(worst.begin(), worst.end(), IsWorse);
-  worst.resize(std::min(count, worst.size()));
   return worst;
 }
 
@@ -110,7 +93,7 @@ QualityDistribution FindQualityDistribution(const MeshData& mesh, std::size_t wo
       }
     });
   found.ScaledJacobian = MakeHistogram(std::move(counts), ranks);
-  found.Worst = MergeWorst(found.Worst, worst, ranks);
+  found.Worst = UnionOverRanks(ranks, std::move(found.Worst), worst);
   return found;
 }
 

@@ -8,6 +8,8 @@
 #include "Ranks/Ranks.h"
 #include "Report/MeshData.h"
 
+#include <tuple>
+
 namespace vfm
 {
 
@@ -25,6 +27,15 @@ struct RatedElement
   int Material = 0;
   double Quality = 0.0;
   Vector3 Centroid{}; ///< centroid of the volume
+  /// Orders by quality, then by id.
+  bool operator<(const RatedElement& other) const
+  {
+    return std::tie(this->Quality, this->Id) < std::tie(other.Quality, other.Id);
+  }
+  bool operator==(const RatedElement& other) const
+  {
+    return std::tie(this->Quality, this->Id) == std::tie(other.Quality, other.Id);
+  }
 };
 
 struct QualityDistribution

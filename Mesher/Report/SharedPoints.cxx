@@ -21,31 +21,41 @@ struct Meeting
   }
 };
 
-/// Returns, for each rank, the ids that it and others sent.
-std::vector<Bytes> FindMeetings(const std::vector<Bytes>& questions)
+/// Returns the points of this rank that other ranks have too, once per other rank. Ranks that share
+/// a point meet on the rank that its id determines.
+/// @pre Collective
+std::vector<Meeting> FindMeetings(const std::vector<Index>& ids, Ranks& ranks)
 {
+  ItemRoute route = MakeRoute(
+    ids, [&ranks](Index id) { return id % ranks.Count(); }, ranks);
   std::vector<Meeting> all; // the ranks of each id
-  for (std::size_t rank = 0; rank < questions.size(); ++rank)
+  for (Index id : route.Send(ids))
   {
-    for (Index id : FromBytes<Index>(questions[rank]))
+    all.push_back({ id, 0 });
+  }
+  auto next = all.begin();
+  for (const ItemRoute::Run& run : route.Received())
+  {
+    for (const auto end = next + run.Count; next != end; ++next)
     {
-      all.push_back({ id, static_cast<Index>(rank) });
+      next->Rank = run.Source;
     }
   }
   std::sort(all.begin(), all.end());
-  std::vector<std::vector<Meeting>> answers(questions.size());
+  std::vector<Meeting> answers;
+  std::vector<int> to;
   ForRuns(
     all.begin(), all.end(), [](const Meeting& a, const Meeting& b) { return a.Id == b.Id; },
     [&](auto begin, auto end)
     {
       for (auto one = begin; one != end; ++one)
       {
-        std::vector<Meeting>& answer = answers[one->Rank];
-        answer.insert(answer.end(), begin, one);
-        answer.insert(answer.end(), one + 1, end);
+        answers.insert(answers.end(), begin, one);
+        answers.insert(answers.end(), one + 1, end);
+        to.resize(answers.size(), static_cast<int>(one->Rank));
       }
     });
-  return PackLists(answers);
+  return ItemRoute(to, ranks).Send(answers);
 }
 
 } // namespace
@@ -64,9 +74,7 @@ SharedPoints FindSharedPoints(const std::vector<Index>& ids, Ranks& ranks)
     places.push_back({ ids[p], static_cast<Index>(p) });
   }
   std::sort(places.begin(), places.end());
-  const auto rankOf = [&ranks](Index id) { return id % ranks.Count(); };
-  auto meetings =
-    JoinItems<Meeting>(ExchangeAll(FindMeetings(SendItems(ids, rankOf, ranks)), ranks));
+  std::vector<Meeting> meetings = FindMeetings(ids, ranks);
   std::sort(meetings.begin(), meetings.end());
   auto place = places.begin();
   for (const Meeting& meeting : meetings)

@@ -4,11 +4,11 @@
 #include "Elements/GaussRule.h"
 #include "Elements/PeriodicIds.h"
 #include "Octree/RefinedGrid.h"
-#include "Ranks/AskByKey.h"
+#include "Ranks/MergeByKey.h"
 
 #include <Eigen/Cholesky>
 
-#include <mutex>
+#include <limits>
 
 namespace vfm
 {
@@ -265,24 +265,69 @@ std::vector<EdgePull> FindEdgePulls(const std::vector<Facet>& facets, const Mesh
   return pulls;
 }
 
+namespace
+{
+
+/// Pull at an end of an edge.
+struct PullAtEnd
+{
+  Index End;
+  Vector3 Pull;
+  auto operator<=>(const PullAtEnd&) const = default;
+};
+
+constexpr PullAtEnd NoPull{ std::numeric_limits<Index>::max(), {} };
+
+/// Pulls of an edge.
+struct PullsOfEdge
+{
+  std::array<PullAtEnd, 2> Ends; // ascending, with NoPull last
+  EdgeIds Group;                 // of the first end
+  bool IsHeld;
+};
+
+/// Joins the pulls that two ranks have for an edge. Of several pulls at an end the lowest counts.
+PullsOfEdge JoinPulls(const PullsOfEdge& a, const PullsOfEdge& b)
+{
+  std::array<PullAtEnd, 4> all{ { a.Ends[0], a.Ends[1], b.Ends[0], b.Ends[1] } };
+  std::sort(all.begin(), all.end());
+  const auto second = std::find_if(
+    all.begin(), all.end(), [&all](const PullAtEnd& pull) { return pull.End != all[0].End; });
+  const bool isGroupOfA = std::tie(a.Ends[0], a.Group) < std::tie(b.Ends[0], b.Group);
+  return { { { all[0], second == all.end() ? NoPull : *second } }, isGroupOfA ? a.Group : b.Group,
+    a.IsHeld || b.IsHeld };
+}
+
+EdgeMove MoveBy(const PullsOfEdge& pulls)
+{
+  EdgeMove move{};
+  for (std::size_t e = 0; !pulls.IsHeld && e < 2 && pulls.Ends[e].End != NoPull.End; ++e)
+  {
+    move = { move.Move + 0.5 * pulls.Ends[e].Pull, pulls.Group };
+  }
+  return move;
+}
+
+} // namespace
+
 std::vector<EdgeMove> CombinePulls(
   const std::vector<EdgePull>& pulls, const std::vector<EdgeIds>& edges, Ranks& ranks)
 {
-  return AskByKey(
-    pulls, edges,
-    [](auto first, auto last)
-    {
-      EdgeMove sum{};
-      bool isHeld = false;
-      for (auto pull = first; pull < last; ++pull)
-      {
-        const bool isCopy = pull > first && pull->End == (pull - 1)->End;
-        sum = { isCopy ? sum.Move : sum.Move + 0.5 * pull->Pull, first->Group };
-        isHeld |= pull->IsHeld;
-      }
-      return isHeld ? EdgeMove{} : sum;
-    },
-    ranks);
+  std::vector<EdgeIds> keys;
+  std::vector<PullsOfEdge> values;
+  for (const EdgePull& pull : pulls)
+  {
+    keys.push_back(pull.Edge);
+    values.push_back({ { { { pull.End, pull.Pull }, NoPull } }, pull.Group, pull.IsHeld });
+  }
+  const PullsOfEdge none{ { { NoPull, NoPull } }, {}, false };
+  std::vector<EdgeMove> moves;
+  for (const PullsOfEdge& ofEdge :
+    AskByKey(std::move(keys), std::move(values), edges, none, JoinPulls, ranks))
+  {
+    moves.push_back(MoveBy(ofEdge));
+  }
+  return moves;
 }
 
 namespace

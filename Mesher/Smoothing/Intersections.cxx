@@ -2,7 +2,9 @@
 
 #include "Base/BoxTree.h"
 #include "Base/Vector3.h"
+#include "Ranks/FindMeetings.h"
 
+#include <cmath>
 #include <limits>
 
 namespace vfm
@@ -11,6 +13,7 @@ namespace
 {
 
 constexpr double Touching = 1e-13; // overlap of projections that is rounding, in facet widths
+constexpr double FarAway = 1e15;   // beyond all points, grid coordinates
 
 using Triangle = std::array<Vector3, 3>;
 
@@ -235,6 +238,33 @@ private:
   std::vector<Bounds> Boxes;
 };
 
+/// Returns the cells of a grid of unit width that a box touches.
+IndexBox CellsOf(const Bounds& box)
+{
+  const auto cellOf = [](double x)
+  { return static_cast<Index>(std::floor(std::clamp(x, -FarAway, FarAway))); };
+  IndexBox cells;
+  for (int a = 0; a < 3; ++a)
+  {
+    cells.Lower[a] = cellOf(box.Lower[a]);
+    cells.Upper[a] = cellOf(box.Upper[a]) + 1;
+  }
+  return cells;
+}
+
+/// Returns the bounds of the facets of the ranks whose facets may touch those of this rank, ordered
+/// by rank.
+/// @param own  bounds of the facets of this rank
+/// Collective.
+std::vector<RankItem<Bounds>> FindRanksNear(const Bounds& own, Ranks& ranks)
+{
+  const bool isEmpty = own.Lower[0] > own.Upper[0];
+  return FindMeetings(
+    std::vector<Bounds>(isEmpty ? 0 : 1, own),
+    [](const Bounds& box) { return std::array<IndexBox, 1>{ { CellsOf(box) } }; },
+    [](const Bounds& a, const Bounds& b) { return a.Touches(b); }, ranks);
+}
+
 /// Sends facets to the ranks whose facets may touch them.
 void FreeFacets::Exchange(Ranks& ranks)
 {
@@ -243,21 +273,16 @@ void FreeFacets::Exchange(Ranks& ranks)
   {
     own.Add(box);
   }
-  const std::vector<Bounds> all = GatherItems(ranks, std::vector<Bounds>{ own });
   std::vector<int> peers;
   std::vector<std::vector<SentFacet>> lists;
   std::vector<Index> sent;
-  for (int rank = 0; rank < ranks.Count(); ++rank)
+  for (const RankItem<Bounds>& near : FindRanksNear(own, ranks))
   {
-    if (rank == ranks.Rank() || !own.Touches(all[rank]))
-    {
-      continue;
-    }
-    peers.push_back(rank);
+    peers.push_back(near.Rank);
     lists.emplace_back();
     for (Index f = 0; f < this->CountOwn(); ++f)
     {
-      if (!this->Boxes[f].Touches(all[rank]))
+      if (!this->Boxes[f].Touches(near.What))
       {
         continue;
       }

@@ -28,7 +28,7 @@ void IslandList::AddPair(int entry, const FragmentPair& ids)
   this->Pairs.push_back({ { placeOf(ids[0]), placeOf(ids[1]) } });
 }
 
-void IslandList::Finish(const AreaFunction& areaOf)
+void IslandList::Finish(const AreaFunction& areaOf, Index largestFactored)
 {
   this->BeginIsland(); // the end of the last one
   static Ranks alone;  // has no state
@@ -37,7 +37,7 @@ void IslandList::Finish(const AreaFunction& areaOf)
     Island& island = this->Islands[i];
     const Island& next = this->Islands[i + 1];
     const std::size_t count = next.FirstFragment - island.FirstFragment;
-    if (count <= LargestFactored)
+    if (static_cast<Index>(count) <= largestFactored)
     {
       continue;
     }

@@ -17,7 +17,6 @@ namespace vfm
 class IslandList
 {
 public:
-  static constexpr int LargestFactored = 20000; ///< fragments of an island that is factored
   /// Returns the area of a pair by its entry.
   using AreaFunction = std::function<double(int)>;
 
@@ -31,7 +30,8 @@ public:
   /// @param ids  numbers of the fragments over all ranks, the lower one first; 0 is the outside
   void AddPair(int entry, const FragmentPair& ids);
   /// Ends the list and finds the coarse levels of large islands.
-  void Finish(const AreaFunction& areaOf);
+  /// @param largestFactored  number of fragments of an island that is factored
+  void Finish(const AreaFunction& areaOf, Index largestFactored);
 
   /// Solves all islands.
   /// @param lack  by entry of fragments

@@ -36,7 +36,8 @@ std::vector<std::pair<int, int>> SortByKey(std::size_t count, const KeyOf& keyOf
 
 } // namespace
 
-IslandSystem::IslandSystem(const FragmentShare& share, const PairSumMap& mine) :
+IslandSystem::IslandSystem(
+  const FragmentShare& share, const PairSumMap& mine, const IslandBounds& bounds) :
   Share(&share), Pairs(share, PairsOf(mine)), Places(share.Size(), Place::Here)
 {
   const Islands islands = FindIslands(share, this->Pairs.Pairs());
@@ -44,12 +45,12 @@ IslandSystem::IslandSystem(const FragmentShare& share, const PairSumMap& mine) :
   {
     if (islands.AreShared[f])
     {
-      this->Places[f] = islands.Sizes[f] > LargestAtHome ? Place::Common : Place::Home;
+      this->Places[f] = islands.Sizes[f] > bounds.AtHome ? Place::Common : Place::Home;
     }
   }
   const std::vector<PairSum> areas = this->SumAreas(mine);
-  this->ListHere(islands, areas);
-  this->ListHomes(islands, areas);
+  this->ListHere(islands, areas, bounds.Factored);
+  this->ListHomes(islands, areas, bounds.Factored);
   this->ListCommon(islands, areas);
 }
 
@@ -72,7 +73,8 @@ std::vector<PairSum> IslandSystem::SumAreas(const PairSumMap& mine) const
   return areas;
 }
 
-void IslandSystem::ListHere(const Islands& islands, const std::vector<PairSum>& areas)
+void IslandSystem::ListHere(
+  const Islands& islands, const std::vector<PairSum>& areas, Index largestFactored)
 {
   const auto& pairs = this->Pairs.Pairs();
   const auto islandOf = [&](std::size_t f)
@@ -94,10 +96,11 @@ void IslandSystem::ListHere(const Islands& islands, const std::vector<PairSum>& 
       this->Here.AddPair(pair->second, { { this->Share->Ids[a], this->Share->Ids[b] } });
     }
   }
-  this->Here.Finish([&](int p) { return areas[p].Value.Value(); });
+  this->Here.Finish([&](int p) { return areas[p].Value.Value(); }, largestFactored);
 }
 
-void IslandSystem::ListHomes(const Islands& islands, const std::vector<PairSum>& areas)
+void IslandSystem::ListHomes(
+  const Islands& islands, const std::vector<PairSum>& areas, Index largestFactored)
 {
   const FragmentShare& share = *this->Share;
   std::vector<Key> keys;
@@ -135,10 +138,10 @@ void IslandSystem::ListHomes(const Islands& islands, const std::vector<PairSum>&
   this->Ways = KeyMerge<Key>(
     keys, [homes = CountHomes(*share.Group)](const Key& key) { return MeetingRank(key[0], homes); },
     *share.Group);
-  this->ListAtHome(this->SendHome(areas, {}));
+  this->ListAtHome(this->SendHome(areas, {}), largestFactored);
 }
 
-void IslandSystem::ListAtHome(const std::vector<double>& areas)
+void IslandSystem::ListAtHome(const std::vector<double>& areas, Index largestFactored)
 {
   const std::vector<Key>& keys = this->Ways.HomeKeys();
   const auto isSame = [](const Key& a, const Key& b) { return a[0] == b[0]; };
@@ -163,7 +166,7 @@ void IslandSystem::ListAtHome(const std::vector<double>& areas)
         }
       }
     });
-  this->AtHome.Finish([&](int key) { return areas[key]; });
+  this->AtHome.Finish([&](int key) { return areas[key]; }, largestFactored);
 }
 
 /// Sends areas and lacks of islands to their homes.

@@ -9,7 +9,7 @@
  *
  *   fragments of the island    method
  *   1                          one division
- *   up to LargestFactored      factorization (SolveForLack)
+ *   up to IslandBounds         factorization (SolveForLack)
  *   more                       conjugate gradients (LargeIsland)
  */
 #pragma once
@@ -20,18 +20,24 @@
 namespace vfm
 {
 
+/// Largest numbers of fragments of an island.
+struct IslandBounds
+{
+  Index Factored = 2000; ///< that is factored: conjugate gradients take less time from about 1,000
+  Index AtHome = 20000;  ///< of several ranks that one of them solves
+};
+
 /// The system of the fragments of this rank, which are numbered as in its share.
 class IslandSystem
 {
 public:
-  static constexpr Index LargestAtHome = 20000; ///< fragments of an island that one rank collects
-
   IslandSystem() = default;
   /// Finds the islands.
   /// @param share  must outlive this object
   /// @param mine  areas of the interfaces of this rank
+  /// @param bounds  equal on all ranks
   /// @pre Collective.
-  IslandSystem(const FragmentShare& share, const PairSumMap& mine);
+  IslandSystem(const FragmentShare& share, const PairSumMap& mine, const IslandBounds& bounds = {});
 
   /// Returns the areas of this rank's pairs over all ranks, ascending by pair.
   /// @param mine  areas of this rank, of the pairs that the constructor got
@@ -63,9 +69,9 @@ private:
     Common
   };
 
-  void ListHere(const Islands& islands, const std::vector<PairSum>& areas);
-  void ListHomes(const Islands& islands, const std::vector<PairSum>& areas);
-  void ListAtHome(const std::vector<double>& areas);
+  void ListHere(const Islands& islands, const std::vector<PairSum>& areas, Index largestFactored);
+  void ListHomes(const Islands& islands, const std::vector<PairSum>& areas, Index largestFactored);
+  void ListAtHome(const std::vector<double>& areas, Index largestFactored);
   void ListCommon(const Islands& islands, const std::vector<PairSum>& areas);
   void AddCommon(const std::function<bool(std::size_t)>& isIn, const std::vector<PairSum>& areas);
   std::vector<double> SendHome(

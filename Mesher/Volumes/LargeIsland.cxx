@@ -1,150 +1,86 @@
 #include "Volumes/LargeIsland.h"
 
 #include "Base/PairSums.h"
-#include "Base/WideSum.h"
 
 namespace vfm
 {
 namespace
 {
 
-constexpr double Residual = 1e-9; // relative
-constexpr int LargestIterations = 5000;
+constexpr int LargestIterations = 1000; // reached only if areas differ by 1e18
 
-/// The system on this rank.
-class System
+IslandLevel MakeFirstLevel(FragmentShare share, std::vector<FragmentPair> pairs)
 {
-public:
-  System(const FragmentShare& share, const PairShare& pairs, const std::vector<double>& areas) :
-    Share(share), Pairs(pairs), Areas(areas)
-  {
-    std::vector<ExactSum> sums(share.Size());
-    for (std::size_t p = 0; p < pairs.Size(); ++p)
-    {
-      if (pairs.IsMine(p))
-      {
-        sums[pairs.Pairs()[p][0]].Add(areas[p]);
-        sums[pairs.Pairs()[p][1]].Add(areas[p]);
-      }
-    }
-    this->Diagonal = share.Sum(std::move(sums));
-    for (double& value : this->Diagonal)
-    {
-      value += RegularDiagonal;
-    }
-  }
+  IslandLevel level;
+  level.Pairs = PairShare(share, std::move(pairs));
+  level.Regular.assign(share.Size(), RegularDiagonal);
+  level.Share = std::move(share);
+  return level;
+}
 
-  std::vector<double> Multiply(const std::vector<double>& x) const
-  {
-    std::vector<ExactSum> sums(x.size());
-    for (std::size_t p = 0; p < this->Pairs.Size(); ++p)
-    {
-      if (this->Pairs.IsMine(p))
-      {
-        const auto& [a, b] = this->Pairs.Pairs()[p];
-        ExactSum flow;
-        flow.Add(this->Areas[p] * (x[b] - x[a])); // x[0] is 0
-        sums[b].Add(flow);
-        sums[a].Subtract(flow);
-      }
-    }
-    for (std::size_t f = 1; f < x.size(); ++f)
-    {
-      sums[f].Add(this->Share.IsMine[f] ? RegularDiagonal * x[f] : 0.0);
-    }
-    return this->Share.Sum(std::move(sums));
-  }
-
-  double Dot(const std::vector<double>& x, const std::vector<double>& y) const
-  {
-    std::vector<WideSum> sum(1);
-    for (std::size_t f = 1; f < x.size(); ++f)
-    {
-      if (this->Share.IsMine[f])
-      {
-        sum[0].Add(x[f] * y[f]);
-      }
-    }
-    WideSum::SumOverRanks(sum, *this->Share.Group);
-    return sum[0].Value();
-  }
-
-  const FragmentShare& Share;
-  const PairShare& Pairs;
-  const std::vector<double>& Areas;
-  std::vector<double> Diagonal;
-};
-
-/// Adds `factor` times one list to another.
-void AddTimes(double factor, const std::vector<double>& from, std::vector<double>& to)
+/// Returns a power of two near the largest absolute value, or 0 if there is none. It keeps the bits
+/// of values that it divides, and exact sums of them in their range.
+double FindUnit(const std::vector<double>& values, Ranks& ranks)
 {
-  for (std::size_t i = 0; i < to.size(); ++i)
+  double largest = 0.0;
+  for (std::size_t f = 1; f < values.size(); ++f)
   {
-    to[i] += factor * from[i];
+    largest = std::max(largest, std::fabs(values[f]));
   }
+  largest = ranks.Max(largest);
+  return largest > 0.0 ? std::ldexp(1.0, std::ilogb(largest)) : 0.0;
 }
 
 } // namespace
 
 LargeIsland::LargeIsland(
   FragmentShare share, std::vector<FragmentPair> pairs, const std::vector<double>& areas) :
-  Share(std::move(share)), Pairs(this->Share, std::move(pairs))
+  Levels(MakeFirstLevel(std::move(share), std::move(pairs)), areas)
 {
-  (void)areas;
 }
 
 std::vector<double> LargeIsland::Solve(
   const std::vector<double>& areas, const std::vector<double>& lack, int* iterations) const
 {
-  const System system(this->Share, this->Pairs, areas);
-  double largest = 0.0;
-  for (std::size_t f = 1; f < lack.size(); ++f)
-  {
-    largest = std::max(largest, std::fabs(lack[f]));
-  }
-  largest = this->Share.Group->Max(largest);
-  std::vector<double> x(lack.size(), 0.0), r(lack), p(lack.size(), 0.0), z(p);
-  if (largest == 0.0)
-  {
-    return x;
-  }
-  // A power of two keeps the bits, and the sums within the range of ExactSum.
-  const double unit = std::ldexp(1.0, std::ilogb(largest));
-  r[0] = 0.0;
-  for (double& value : r)
-  {
-    value /= unit;
-  }
-  const double start = system.Dot(r, r);
-  double last = 1.0, residual = start;
+  const IslandLevel& level = this->Levels.First();
+  const FragmentShare& share = level.Share;
+  std::vector<double> x(lack.size(), 0.0), rest(lack), before, direction(x);
+  const double unit = FindUnit(lack, *share.Group);
   int iteration = 0;
-  for (; residual > Residual * Residual * start && iteration < LargestIterations; ++iteration)
+  if (unit > 0.0)
   {
-    for (std::size_t f = 1; f < r.size(); ++f)
+    const IslandLevels::System system = this->Levels.MakeSystem(areas);
+    rest[0] = 0.0;
+    std::for_each(rest.begin(), rest.end(), [unit](double& value) { value /= unit; });
+    const double end = Tolerance * Tolerance * Dot(share, rest, rest);
+    double last = 1.0;
+    for (; iteration < LargestIterations && Dot(share, rest, rest) > end; ++iteration)
     {
-      z[f] = r[f] / system.Diagonal[f];
+      // The approximate solver is not linear: directions are made orthogonal by differences
+      // (Polak, Ribiere).
+      const std::vector<double> correction = this->Levels.Approximate(system, rest);
+      const double next = Dot(share, correction, rest);
+      const double turn = iteration == 0 ? 0.0 : (next - Dot(share, correction, before)) / last;
+      for (std::size_t f = 1; f < x.size(); ++f)
+      {
+        direction[f] = correction[f] + turn * direction[f];
+      }
+      const std::vector<double> product = Multiply(level, system.Values[0], direction);
+      const double square = Dot(share, direction, product);
+      if (!(next > 0.0 && square > 0.0))
+      {
+        break; // all that rounding leaves
+      }
+      before = rest;
+      AddTimes(next / square, direction, x);
+      AddTimes(-next / square, product, rest);
+      last = next;
     }
-    const double next = system.Dot(r, z);
-    const double beta = iteration > 0 ? next / last : 0.0;
-    last = next;
-    for (std::size_t f = 1; f < r.size(); ++f)
-    {
-      p[f] = z[f] + beta * p[f];
-    }
-    const std::vector<double> q = system.Multiply(p);
-    const double alpha = last / system.Dot(p, q);
-    AddTimes(alpha, p, x);
-    AddTimes(-alpha, q, r);
-    r[0] = 0.0;
-    residual = system.Dot(r, r);
+    std::for_each(x.begin(), x.end(), [unit](double& value) { value *= unit; });
   }
   if (iterations)
   {
     *iterations = iteration;
-  }
-  for (double& value : x)
-  {
-    value *= unit;
   }
   return x;
 }

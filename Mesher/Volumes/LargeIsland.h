@@ -5,15 +5,18 @@
  */
 #pragma once
 
-#include "Volumes/PairShare.h"
+#include "Volumes/IslandLevels.h"
 
 namespace vfm
 {
 
-/// One island. Ranks of its share without a fragment of it take part.
+/// One island. Ranks without a fragment of it take part, with an empty share.
 class LargeIsland
 {
 public:
+  /// Part of the lacks that may remain: sums of squares over the fragments, relative.
+  static constexpr double Tolerance = 1e-6;
+
   LargeIsland() = default;
   /// @param share  the fragments of the island on this rank
   /// @param pairs  of these fragments
@@ -26,14 +29,13 @@ public:
   /// @param areas  by pair, over all ranks
   /// @param lack  by fragment of this rank; [0] is not used
   /// @param[out] iterations  number of iterations
-  /// @return mu by fragment of this rank
+  /// @return mu by fragment of this rank; [0] is 0
   /// @pre Collective.
   std::vector<double> Solve(const std::vector<double>& areas, const std::vector<double>& lack,
     int* iterations = nullptr) const;
 
 private:
-  FragmentShare Share;
-  PairShare Pairs;
+  IslandLevels Levels;
 };
 
 } // namespace vfm

@@ -6,6 +6,7 @@
 #include "Ranks/WorkTogether.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace vfm
 {
@@ -20,16 +21,20 @@ inline std::int64_t SumOverRanks(std::int64_t mine, Ranks& ranks)
 }
 
 /// Returns the values that at least one rank holds, ascending and without duplicates.
+/// @param most  maximum number of values to return: the lowest ones
 /// @pre Collective over `ranks`.
 /// @note Lists are merged up a binary tree and sent down again. A rank of P sends at most
 ///   2 log2 P messages.
 template <class T>
-std::vector<T> UnionOverRanks(Ranks& ranks, std::vector<T> values)
+std::vector<T> UnionOverRanks(
+  Ranks& ranks, std::vector<T> values, std::size_t most = std::numeric_limits<std::size_t>::max())
 {
-  const auto tidy = [&values]
+  const auto tidy = [&values, most]
   {
     std::sort(values.begin(), values.end());
     values.erase(std::unique(values.begin(), values.end()), values.end());
+    values.erase(
+      values.begin() + static_cast<std::ptrdiff_t>(std::min(most, values.size())), values.end());
   };
   tidy();
   const int rank = ranks.Rank();

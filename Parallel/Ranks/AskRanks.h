@@ -3,25 +3,33 @@
  */
 #pragma once
 
-#include "Ranks/ExchangeAll.h"
+#include "Ranks/ItemRoute.h"
 
 namespace vfm
 {
 
-/// Sends items to ranks. Returns the messages of all ranks to this rank (ToBytes), by rank; the
-/// items of a rank keep their order.
+/// Returns the ways of items.
+/// @param rankOf  rankOf(item) returns the rank that gets an item
+template <class Item, class RankOf>
+ItemRoute MakeRoute(const std::vector<Item>& items, const RankOf& rankOf, Ranks& ranks)
+{
+  std::vector<int> to;
+  to.reserve(items.size());
+  for (const Item& item : items)
+  {
+    to.push_back(static_cast<int>(rankOf(item)));
+  }
+  return { to, ranks };
+}
+
+/// Sends items to ranks. Returns the items of all ranks to this rank, by rank, then as sent.
 /// @tparam Item  trivially copyable type
 /// @param rankOf  rankOf(item) returns the rank that gets an item
 /// @pre Collective over `ranks`.
 template <class Item, class RankOf>
-std::vector<Bytes> SendItems(const std::vector<Item>& items, const RankOf& rankOf, Ranks& ranks)
+std::vector<Item> SendItems(const std::vector<Item>& items, const RankOf& rankOf, Ranks& ranks)
 {
-  std::vector<std::vector<Item>> lists(ranks.Count());
-  for (const Item& item : items)
-  {
-    lists[rankOf(item)].push_back(item);
-  }
-  return ExchangeAll(PackLists(lists), ranks);
+  return MakeRoute(items, rankOf, ranks).Send(items);
 }
 
 /// Sends items to ranks and returns one answer per item.
@@ -34,29 +42,9 @@ template <class Item, class RankOf, class Answer>
 auto AskRanks(
   const std::vector<Item>& items, const RankOf& rankOf, const Answer& answer, Ranks& ranks)
 {
-  const std::vector<Bytes> questions = SendItems(items, rankOf, ranks);
-  auto answers = answer(JoinItems<Item>(questions));
-  std::vector<decltype(answers)> lists;
-  auto begin = answers.begin();
-  for (const Bytes& question : questions)
-  {
-    const auto end = begin + static_cast<std::ptrdiff_t>(question.size() / sizeof(Item));
-    lists.emplace_back(begin, end);
-    begin = end;
-  }
-  const std::vector<Bytes> received = ExchangeAll(PackLists(lists), ranks);
-  for (std::size_t rank = 0; rank < received.size(); ++rank)
-  {
-    lists[rank] = FromBytes<typename decltype(answers)::value_type>(received[rank]);
-  }
-  std::vector<std::size_t> next(lists.size(), 0); // answer of each rank
-  answers.clear();
-  for (const Item& item : items)
-  {
-    const std::size_t rank = rankOf(item);
-    answers.push_back(lists[rank][next[rank]++]);
-  }
-  return answers;
+  ItemRoute route = MakeRoute(items, rankOf, ranks);
+  const std::vector<Item> received = route.Send(items);
+  return route.Return(answer(received));
 }
 
 } // namespace vfm

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 
 namespace vfm
 {
@@ -31,6 +32,20 @@ inline int CountHomes(const Ranks& ranks)
     homes *= 2;
   }
   return homes;
+}
+
+/// Returns the places of keys in ascending order.
+template <class Key>
+std::vector<std::size_t> OrderOf(const std::vector<Key>& keys)
+{
+  std::vector<std::size_t> order(keys.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  if (!std::is_sorted(keys.begin(), keys.end()))
+  {
+    std::sort(order.begin(), order.end(),
+      [&keys](std::size_t a, std::size_t b) { return keys[a] < keys[b]; });
+  }
+  return order;
 }
 
 /// Ways of the keys of all ranks to their homes and back. The ranks must outlive it. On a single

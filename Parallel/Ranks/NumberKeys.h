@@ -11,12 +11,21 @@
 namespace vfm
 {
 
-/// Returns the sum of the values of all lower ranks. log2 P messages per rank.
+/// Returns the sum of each value over all lower ranks. log2 P messages per rank.
+/// @param mine  values of this rank, as many on all ranks
 /// @pre Collective over `ranks`.
-std::int64_t SumOfLowerRanks(std::int64_t mine, Ranks& ranks);
+std::vector<std::int64_t> SumOfLowerRanks(const std::vector<std::int64_t>& mine, Ranks& ranks);
 
-/// Homes that rise with values, with about equal numbers of values. Values are divided into 4,096
-/// equal ranges, and a home has some of them.
+/// Returns the sum of the values of all lower ranks.
+/// @pre Collective over `ranks`.
+inline std::int64_t SumOfLowerRanks(std::int64_t mine, Ranks& ranks)
+{
+  return SumOfLowerRanks(std::vector<std::int64_t>{ mine }, ranks)[0];
+}
+
+/// Homes that rise with values, with about equal numbers of values. Values are divided into 64
+/// equal ranges per home, at most 4,096, those with far too many values again, and a home has some
+/// of them.
 class RisingHomes
 {
 public:
@@ -27,11 +36,20 @@ public:
   int operator()(std::int64_t value) const { return this->HomeOfRange[this->RangeOf(value)]; }
 
 private:
-  static constexpr int NumberOfRanges = 4096;
+  struct Range
+  {
+    std::int64_t Start; // lowest value
+    int Shift;          // it has 2^Shift values
+    std::int64_t Count; // values of all ranks in it; -1: not counted
+  };
+  static void AddRanges(
+    std::int64_t start, int shift, std::size_t count, std::vector<Range>& ranges);
   std::size_t RangeOf(std::int64_t value) const;
+  void Count(const std::vector<std::int64_t>& values, Ranks& ranks);
+  bool Divide(std::int64_t most);
 
-  std::int64_t Lowest = 0;
-  int Shift = 0; // ranges have 2^Shift values
+  std::size_t NumberOfRanges; // of each division
+  std::vector<Range> Ranges;  // ascending; the first and the last have all values outside
   std::vector<int> HomeOfRange;
 };
 
@@ -71,6 +89,45 @@ KeyNumbers NumberKeys(const std::vector<Key>& keys, const Value& value, Ranks& r
   std::vector<std::int64_t> total{ own };
   ranks.Sum(total);
   return { ways.FromHome(std::move(numbers), 1), total[0] };
+}
+
+/// Value of a key for NumberKeys: the number, or the first of several.
+struct FirstOfKey
+{
+  std::int64_t operator()(std::int64_t key) const { return key; }
+  template <std::size_t Length>
+  std::int64_t operator()(const std::array<std::int64_t, Length>& key) const
+  {
+    return key[0];
+  }
+};
+
+/// Numbers the different items of all ranks in their order.
+/// @param items  of this rank, in any order; may be repeated
+/// @param value  as in NumberKeys
+/// @return the number of each item: its position in the list of the different items of all ranks
+/// @pre Collective over `ranks`.
+template <class Item, class Value>
+KeyNumbers NumberItems(const std::vector<Item>& items, const Value& value, Ranks& ranks)
+{
+  const std::vector<std::size_t> order = OrderOf(items);
+  std::vector<Item> different;
+  for (std::size_t place : order)
+  {
+    if (different.empty() || different.back() < items[place])
+    {
+      different.push_back(items[place]);
+    }
+  }
+  const KeyNumbers keys = NumberKeys(different, value, ranks);
+  KeyNumbers found{ std::vector<std::int64_t>(items.size()), keys.Total };
+  std::size_t at = 0;
+  for (std::size_t place : order)
+  {
+    at += different[at] < items[place] ? 1 : 0;
+    found.Numbers[place] = keys.Numbers[at];
+  }
+  return found;
 }
 
 } // namespace vfm

@@ -2,7 +2,7 @@
  * Counts the messages of ranks that mesh a gyroid, per rank (largest of any rank): the figures of
  * Documentation/theory/parallel.md. Ranks are threads, so times are meaningless here.
  *
- * usage: RankTraffic [cells per rank and axis, default 24]: weak scaling on 1, 2, 4, 8, 27 ranks
+ * usage: RankTraffic [cells per rank and axis, default 24]: weak scaling on 1 to 64 ranks
  */
 #include "MeshCases.h"
 #include "RankFields.h"
@@ -46,13 +46,14 @@ void PrintTraffic(Index cells, const Index3& ranks)
     most.Messages = std::max(most.Messages, t.Messages);
     most.MessageBytes = std::max(most.MessageBytes, t.MessageBytes);
     most.Reductions = std::max(most.Reductions, t.Reductions);
+    most.ReducedBytes = std::max(most.ReducedBytes, t.ReducedBytes);
     most.Gathers = std::max(most.Gathers, t.Gathers);
     most.GatheredBytes = std::max(most.GatheredBytes, t.GatheredBytes);
   }
-  std::printf("| %d | %lld | %.2f | %lld | %lld | %.1f |\n", count,
+  std::printf("| %d | %lld | %.2f | %lld | %.1f | %lld | %.1f |\n", count,
     static_cast<long long>(most.Messages), 1e-6 * static_cast<double>(most.MessageBytes),
-    static_cast<long long>(most.Reductions), static_cast<long long>(most.Gathers),
-    1e-3 * static_cast<double>(most.GatheredBytes));
+    static_cast<long long>(most.Reductions), 1e-3 * static_cast<double>(most.ReducedBytes),
+    static_cast<long long>(most.Gathers), 1e-3 * static_cast<double>(most.GatheredBytes));
 }
 
 } // namespace
@@ -60,10 +61,10 @@ void PrintTraffic(Index cells, const Index3& ranks)
 int main(int argc, char** argv)
 {
   const Index cells = argc > 1 ? std::atoi(argv[1]) : 24;
-  std::printf("| ranks | messages | MB sent | reductions | gathers | kB gathered |\n"
-              "|---|---|---|---|---|---|\n");
+  std::printf("| ranks | messages | MB sent | reductions | kB reduced | gathers | kB gathered |\n"
+              "|---|---|---|---|---|---|---|\n");
   for (const Index3& ranks : { Index3{ { 1, 1, 1 } }, Index3{ { 2, 1, 1 } }, Index3{ { 2, 2, 1 } },
-         Index3{ { 2, 2, 2 } }, Index3{ { 3, 3, 3 } } })
+         Index3{ { 2, 2, 2 } }, Index3{ { 3, 3, 3 } }, Index3{ { 4, 4, 4 } } })
   {
     PrintTraffic(cells, ranks);
   }

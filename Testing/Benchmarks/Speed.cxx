@@ -158,20 +158,16 @@ std::vector<Index3> ListInterfaceCells(const MeshCase& c)
 /// Returns the boxes of the ranks as the filters choose them.
 std::vector<IndexBox> CutByWeights(const MeshCase& c, int count)
 {
-  std::vector<IndexBox> boxes;
+  std::vector<IndexBox> boxes(count);
   RunOnRanks(count,
     [&](Ranks& ranks)
     {
       const bool isFirst = ranks.Rank() == 0;
       const auto listCells = [&]
       { return isFirst ? ListInterfaceCells(c) : std::vector<Index3>(); };
-      const std::vector<IndexBox> found = MakePartition(c.Grid.Owned(),
+      boxes[ranks.Rank()] = MakePartition(c.Grid.Owned(),
         isFirst ? std::vector<IndexBox>{ c.Grid.Owned() } : std::vector<IndexBox>(), listCells,
         ranks, false);
-      if (isFirst)
-      {
-        boxes = found;
-      }
     });
   return boxes;
 }

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
 #include <random>
 
 namespace vfm
@@ -72,12 +73,108 @@ std::map<Index, std::array<double, 5>> PointsOfFacets(const MergedMesh& mesh)
   return points;
 }
 
+std::vector<int> NumbersTo(std::size_t count)
+{
+  std::vector<int> numbers(count);
+  std::iota(numbers.begin(), numbers.end(), 1);
+  return numbers;
+}
+
+/// Returns a table with the numbers of its rows.
+GeometryTables WithIds(GeometryTables tables)
+{
+  if (tables.HasAllSurfaces)
+  {
+    tables.SurfaceIds = NumbersTo(tables.SurfaceVolumes.size());
+  }
+  if (tables.HasAllCurves)
+  {
+    tables.CurveIds = NumbersTo(tables.CurveEnds.size());
+  }
+  tables.HasAllSurfaces = tables.HasAllCurves = false;
+  return tables;
+}
+
+/// Returns the numbers of both lists; places: those of the second list among them.
+std::vector<int> JoinIds(
+  const std::vector<int>& a, const std::vector<int>& b, std::array<std::vector<int>, 2>& places)
+{
+  std::vector<int> joined;
+  std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(joined));
+  const auto find = [&joined](int id)
+  { return static_cast<int>(std::lower_bound(joined.begin(), joined.end(), id) - joined.begin()); };
+  places = {};
+  std::transform(a.begin(), a.end(), std::back_inserter(places[0]), find);
+  std::transform(b.begin(), b.end(), std::back_inserter(places[1]), find);
+  return joined;
+}
+
+/// Joins a column with that of other rows.
+/// @return number of rows of which both have different values
+template <class Value>
+int JoinColumns(const std::array<std::vector<int>, 2>& places, std::size_t rows,
+  const std::vector<Value>& more, std::vector<Value>& column)
+{
+  std::vector<Value> joined(rows);
+  std::vector<bool> isSet(rows, false);
+  for (std::size_t row = 0; row < column.size(); ++row)
+  {
+    joined[places[0][row]] = column[row];
+    isSet[places[0][row]] = true;
+  }
+  int conflicts = 0;
+  for (std::size_t row = 0; row < more.size(); ++row)
+  {
+    const int to = places[1][row];
+    conflicts += isSet[to] && joined[to] != more[row];
+    joined[to] = more[row];
+  }
+  column = std::move(joined);
+  return conflicts;
+}
+
+template <class Row>
+void JoinLists(const std::vector<Row>& more, std::vector<Row>& list)
+{
+  std::vector<Row> joined;
+  std::set_union(list.begin(), list.end(), more.begin(), more.end(), std::back_inserter(joined));
+  list = std::move(joined);
+}
+
 } // namespace
+
+int JoinTables(const GeometryTables& more, GeometryTables& tables)
+{
+  tables = WithIds(std::move(tables));
+  const GeometryTables other = WithIds(more);
+  std::array<std::vector<int>, 2> places;
+  tables.SurfaceIds = JoinIds(tables.SurfaceIds, other.SurfaceIds, places);
+  int conflicts = 0;
+  const auto join = [&](auto GeometryTables::*column)
+  { conflicts += JoinColumns(places, tables.SurfaceIds.size(), other.*column, tables.*column); };
+  join(&GeometryTables::SurfaceVolumes);
+  join(&GeometryTables::SurfaceMaterials);
+  join(&GeometryTables::SurfaceSides);
+  join(&GeometryTables::SurfaceParts);
+  join(&GeometryTables::SurfaceAreas);
+  join(&GeometryTables::SurfaceCentroids);
+  join(&GeometryTables::SurfaceNormals);
+  if (!tables.PatchNames.empty() || !other.PatchNames.empty())
+  {
+    join(&GeometryTables::PatchNames);
+  }
+  tables.CurveIds = JoinIds(tables.CurveIds, other.CurveIds, places);
+  conflicts += JoinColumns(places, tables.CurveIds.size(), other.CurveEnds, tables.CurveEnds);
+  JoinLists(other.VolumeSurfaces, tables.VolumeSurfaces);
+  JoinLists(other.SurfaceCurves, tables.SurfaceCurves);
+  JoinLists(other.CurveVertices, tables.CurveVertices);
+  JoinLists(other.EdgeFacets, tables.EdgeFacets);
+  return conflicts;
+}
 
 void MergedMesh::Add(const Mesh& m)
 {
-  this->Conflicts += this->Corners > 0 && !(this->Tables == m.Tables);
-  this->Tables = m.Tables;
+  this->Conflicts += JoinTables(m.Tables, this->Tables);
   this->Corners = m.Corners;
   for (std::size_t p = 0; p < m.PointIds.size(); ++p)
   {

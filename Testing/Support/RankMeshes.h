@@ -22,7 +22,7 @@ struct MergedMesh
   std::map<std::array<Index, 4>, std::array<int, 4>> Facets; // surface, materials, side
   std::map<std::array<Index, 2>, int> CurveEdges;            // curves
   std::map<Index, int> Vertices;
-  GeometryTables Tables; // equal on all ranks
+  GeometryTables Tables; // rows of all ranks, with their numbers
   int Corners = 0;
   int Conflicts = 0;
 
@@ -30,6 +30,10 @@ struct MergedMesh
   /// Returns one mesh, without facets.
   Mesh Join() const;
 };
+
+/// Joins the rows of a rank to those of others. Tables have the numbers of their rows then.
+/// @return number of rows of both with different values
+int JoinTables(const GeometryTables& more, GeometryTables& tables);
 
 struct RankMesh
 {

@@ -59,6 +59,7 @@ nb::dict ToColumns(const std::vector<FragmentSummary>& rows, bool hasMass, bool 
 {
   using Row = const FragmentSummary&;
   nb::dict columns;
+  columns["id"] = MakeColumn<int>(rows, [](Row row, int) { return row.Id; });
   columns["material"] = MakeColumn<int>(rows, [](Row row, int) { return row.Material; });
   columns["elements"] = MakeColumn<Index>(rows, [](Row row, int) { return row.Elements; });
   columns["volume"] = MakeColumn<double>(rows, [](Row row, int) { return row.Volume; });

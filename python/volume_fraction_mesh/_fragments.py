@@ -71,14 +71,14 @@ def fragments(mesh: MeshData, density: Optional[str] = None,
         None if density is None or velocity is None
         else _numbers(_state(mesh, velocity), np.float64),
     )
-    material, elements = columns.pop("material"), columns.pop("elements")
+    ids, material, elements = (columns.pop(name) for name in ("id", "material", "elements"))
     names = material_names(mesh)
     return {
-        "id": np.arange(1, len(material) + 1, dtype=np.int32),
+        "id": ids,
         "material": material,
         "name": [names[int(m)] for m in material],
         "elements": elements,
-        "fraction_volume": np.array(mesh.fields["FragmentTargetVolume"][: len(material)]),
+        "fraction_volume": np.asarray(mesh.fields["FragmentTargetVolume"])[ids - 1],
         **columns,
     }
 

@@ -1,6 +1,7 @@
 #include "Meshes/Exodus/ExodusLayout.h"
 #include "Meshes/Files/ElementNodes.h"
 
+#include "Meshes/Exodus/ExodusRuns.h"
 #include "Meshes/Exodus/NemesisLayout.h"
 
 #include <algorithm>
@@ -115,7 +116,7 @@ Sizes AddSizes(NetcdfLayout& layout, const ExodusModel& model)
   layout.Dimensions.push_back({ "time_step", 0 });
   sizes.Time = sizes.Name + 1;
   sizes.Axes = add("num_dim", 3);
-  sizes.Nodes = add("num_nodes", model.Mesh.Data.NumberOfPoints);
+  sizes.Nodes = add("num_nodes", model.NumberOfPoints());
   sizes.Elements = add("num_elem", model.NumberOfElements());
   sizes.Blocks = add("num_el_blk", model.Blocks.size());
   sizes.NodeSets = add("num_node_sets", model.Sets.NodeSets.size());
@@ -154,7 +155,8 @@ void AddNodes(NetcdfLayout& layout, const ExodusModel& model, const Sizes& sizes
           values[point] = mesh.Point(point)[axis];
         }
         return values;
-      });
+      },
+      {}, PartsOfCoordinates(model.Whole, axis));
   }
 }
 
@@ -276,8 +278,10 @@ std::vector<std::size_t> AddBlocks(NetcdfLayout& layout, const ExodusModel& mode
     dimensions.push_back(AddDimension(layout, "num_el_in_blk" + number, block.Count()));
     const std::size_t nodes =
       AddDimension(layout, "num_nod_per_el" + number, block.Count() == 0 ? 0 : count);
-    AddVariable(layout, "connect" + number, KindOfNumbers(model), { dimensions.back(), nodes },
-      [&mesh, &block] { return NodesOf(mesh, block); }, { { "elem_type", type } });
+    AddVariable(
+      layout, "connect" + number, KindOfNumbers(model), { dimensions.back(), nodes },
+      [&mesh, &block] { return NodesOf(mesh, block); }, { { "elem_type", type } },
+      PartsOfNodes(model.Whole, block.Material));
     if (block.HasParticles)
     {
       AddAttributes(layout, model, block, number, dimensions.back());
@@ -295,7 +299,9 @@ void AddSets(NetcdfLayout& layout, const ExodusModel& model)
     const std::string number = std::to_string(++count);
     const std::size_t nodes = AddDimension(layout, "num_nod_ns" + number, Size(set.Points.size()));
     AddVariable(layout, "node_ns" + number, kind, { nodes },
-      [&set] { return Collect(set.Points, [](Index point) { return point + 1; }); });
+      [&set, &model] {
+        return Collect(set.Points, [&model](Index point) { return model.NumberOfPoint(point); });
+      });
   }
   count = 0;
   for (const SideSet& set : model.Sets.SideSets)
@@ -338,7 +344,8 @@ void AddPointVariables(NetcdfLayout& layout, const ExodusModel& model, const Siz
   int number = 0;
   for (const ExodusVariable& variable : model.PointVariables)
   {
-    AddVariable(layout, "vals_nod_var" + std::to_string(++number), NetcdfKind::Real,
+    AddVariable(
+      layout, "vals_nod_var" + std::to_string(++number), NetcdfKind::Real,
       { sizes.Time, sizes.Nodes },
       [&variable, points]
       {
@@ -348,7 +355,8 @@ void AddPointVariables(NetcdfLayout& layout, const ExodusModel& model, const Siz
           values[point] = ValueAt(*variable.Array, point, variable.Component);
         }
         return values;
-      });
+      },
+      {}, PartsOfPointArray(model.Whole, *variable.Array));
   }
 }
 
@@ -369,14 +377,16 @@ void AddElementVariables(NetcdfLayout& layout, const ExodusModel& model, const S
       {
         continue;
       }
-      AddVariable(layout, "vals_elem_var" + std::to_string(name + 1) + "eb" + std::to_string(b + 1),
+      AddVariable(
+        layout, "vals_elem_var" + std::to_string(name + 1) + "eb" + std::to_string(b + 1),
         NetcdfKind::Real, { sizes.Time, blocks[b] },
         [&block, variable]
         {
           return Collect(block.Elements,
             [variable](Index element)
             { return ValueAt(*variable->Array, element, variable->Component); });
-        });
+        },
+        {}, PartsOfElementArray(model.Whole, *variable->Array, block.Material));
     }
   }
   AddVariable(layout, "elem_var_tab", NetcdfKind::Int, { sizes.Blocks, count },
@@ -398,9 +408,12 @@ void AddMaps(NetcdfLayout& layout, const ExodusModel& model, const Sizes& sizes)
 {
   const NetcdfKind kind = model.HasWideIds ? NetcdfKind::WideInt : NetcdfKind::Int;
   const MeshData& mesh = model.Mesh.Data;
-  AddVariable(layout, "node_num_map", kind, { sizes.Nodes },
-    [&mesh] { return std::vector<Index>(mesh.PointIds, mesh.PointIds + mesh.NumberOfPoints); });
-  AddVariable(layout, "elem_num_map", kind, { sizes.Elements },
+  AddVariable(
+    layout, "node_num_map", kind, { sizes.Nodes },
+    [&mesh] { return std::vector<Index>(mesh.PointIds, mesh.PointIds + mesh.NumberOfPoints); }, {},
+    PartsOfPointIds(model.Whole, mesh));
+  AddVariable(
+    layout, "elem_num_map", kind, { sizes.Elements },
     [&mesh, &model]
     {
       std::vector<Index> ids(mesh.NumberOfElements);
@@ -420,7 +433,10 @@ void AddMaps(NetcdfLayout& layout, const ExodusModel& model, const Sizes& sizes)
         }
       }
       return ids;
-    });
+    },
+    {},
+    PartsOfElementIds(model.Whole, mesh,
+      Collect(model.Blocks, [](const ExodusBlock& block) { return block.Material; })));
 }
 
 } // namespace
@@ -432,12 +448,12 @@ std::size_t AddDimension(NetcdfLayout& layout, const std::string& name, Index le
 
 void AddVariable(NetcdfLayout& layout, const std::string& name, NetcdfKind kind,
   std::vector<std::size_t> dimensions, std::function<NetcdfValues()> values,
-  std::vector<NetcdfText> attributes)
+  std::vector<NetcdfText> attributes, NetcdfParts parts)
 {
   if (std::find(dimensions.begin(), dimensions.end(), NoDimension) == dimensions.end())
   {
-    layout.Variables.push_back(
-      { name, kind, std::move(dimensions), std::move(values), std::move(attributes) });
+    layout.Variables.push_back({ name, kind, std::move(dimensions), std::move(values),
+      std::move(attributes), std::move(parts) });
   }
 }
 

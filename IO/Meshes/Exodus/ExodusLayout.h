@@ -16,9 +16,10 @@ namespace vfm
 NetcdfLayout MakeExodusLayout(const ExodusModel& model, int ranks);
 
 /// Appends a variable, unless one of its dimensions is NoDimension.
+/// @param parts  used instead of values, if it is a function
 void AddVariable(NetcdfLayout& layout, const std::string& name, NetcdfKind kind,
   std::vector<std::size_t> dimensions, std::function<NetcdfValues()> values,
-  std::vector<NetcdfText> attributes = {});
+  std::vector<NetcdfText> attributes = {}, NetcdfParts parts = {});
 
 constexpr std::size_t NoDimension = static_cast<std::size_t>(-1);
 /// Appends a dimension, unless its length is 0, which files do not support.

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <map>
 #include <set>
 
 namespace vfm
@@ -44,11 +45,49 @@ void NameItems(Items& items, std::size_t& longest)
   }
 }
 
+/// Numbers the elements block by block, in the order of their ids.
+void NumberElements(ExodusModel& model)
+{
+  std::map<int, Index> next; // number before the next element of each material
+  Index total = 0;
+  for (const ExodusBlock& block : model.Blocks)
+  {
+    if (!block.Cohesive && !block.HasParticles)
+    {
+      next[block.Material] = total;
+      total += block.Count();
+    }
+  }
+  const MeshData& mesh = model.Mesh.Data;
+  const auto number = [&](Index first, Index last)
+  {
+    for (Index e = first; e < last; ++e)
+    {
+      model.Numbers[e] = ++next[mesh.Material[e]];
+    }
+  };
+  model.Numbers.resize(mesh.NumberOfElements);
+  if (!model.Whole)
+  {
+    number(0, mesh.NumberOfElements);
+    return;
+  }
+  model.Whole->ForElements(
+    number, [&next](const CellRuns::Run& run) { next[run.Material] += run.Count; });
+}
+
 void MakeBlocks(std::vector<ParticlePart> particles, ExodusModel& model)
 {
   for (MaterialPart& part : model.Materials)
   {
     model.Blocks.push_back({ part.Id, part.Name, std::move(part.Elements), nullptr });
+    ExodusBlock& block = model.Blocks.back();
+    block.Material = part.Material;
+    for (std::size_t r = 0; model.Whole && r < model.Whole->Cells().size(); ++r)
+    {
+      const CellRuns::Run& run = model.Whole->Cells()[r];
+      block.LeftOut += run.Material == block.Material ? run.Count : 0;
+    }
   }
   std::sort(model.Blocks.begin(), model.Blocks.end(),
     [](const ExodusBlock& a, const ExodusBlock& b) { return a.Id < b.Id; });
@@ -60,15 +99,7 @@ void MakeBlocks(std::vector<ParticlePart> particles, ExodusModel& model)
   {
     model.Blocks.push_back({ part.Id, part.Name, std::move(part.Particles), nullptr, true });
   }
-  model.Numbers.resize(model.Mesh.Data.NumberOfElements);
-  Index next = 0;
-  for (const ExodusBlock& block : model.Blocks)
-  {
-    for (std::size_t e = 0; !block.HasParticles && e < block.Elements.size(); ++e)
-    {
-      model.Numbers[block.Elements[e]] = ++next;
-    }
-  }
+  NumberElements(model);
 }
 
 /// Adds the particles of this rank, their ids and nodes. Other parts of the model that depend on
@@ -113,7 +144,8 @@ void CountAll(ExodusModel& model, Ranks& ranks)
   const MeshData& mesh = model.Mesh.Data;
   model.Sharing = FindSharedPoints({ mesh.PointIds, mesh.PointIds + mesh.NumberOfPoints }, ranks);
   const std::vector<char>& isOwned = model.Sharing.IsOwned;
-  std::vector<std::int64_t> counts{ std::count(isOwned.begin(), isOwned.end(), 1),
+  const Index leftOut = model.NumberOfPoints() - mesh.NumberOfPoints;
+  std::vector<std::int64_t> counts{ std::count(isOwned.begin(), isOwned.end(), 1) + leftOut,
     model.NumberOfElements() };
   for (const ExodusBlock& block : model.Blocks)
   {
@@ -200,10 +232,16 @@ void FindSizes(ExodusModel& model, Ranks& ranks)
     hasWideIds |= isWide(block.Ids.data(), static_cast<Index>(block.Ids.size()));
   }
   hasWideIds |= isWide(model.ParticleIds.data(), static_cast<Index>(model.ParticleIds.size()));
+  if (model.Whole && !model.Whole->Nodes().empty()) // ids of hexes are smaller
+  {
+    const MeshWithRuns::NodeRun& last = model.Whole->Nodes().back();
+    hasWideIds |=
+      model.Whole->FirstId(last) + HexIds.PointSlots * (last.Count - 1) > LargestPlainId;
+  }
   model.HasWideIds = ranks.Any(hasWideIds);
-  const double largest =
-    std::max(4.0 * mesh.NodesPerElement() * static_cast<double>(mesh.NumberOfElements),
-      8.0 * static_cast<double>(mesh.NumberOfPoints));
+  const Index elements = model.Whole ? model.Whole->NumberOfElements() : mesh.NumberOfElements;
+  const double largest = std::max(4.0 * mesh.NodesPerElement() * static_cast<double>(elements),
+    8.0 * static_cast<double>(model.NumberOfPoints()));
   model.HasLargeArrays = ranks.Max(largest) > LargestArray;
 }
 
@@ -219,9 +257,10 @@ const ExodusVariable* ExodusModel::VariableOf(const ExodusBlock& block, std::siz
                                                                  : &this->ElementVariables[name];
 }
 
-ExodusModel MakeExodusModel(const MeshData& mesh, Ranks& ranks)
+ExodusModel MakeExodusModel(const MeshData& mesh, Ranks& ranks, const MeshWithRuns* whole)
 {
   ExodusModel model;
+  model.Whole = whole;
   model.Mesh = OrderMesh(mesh, ranks);
   static_cast<MeshModel&>(model) = MakeMeshModel(model.Mesh.Data, ranks);
   MakeBlocks(AddParticles(mesh.Particles, model, ranks), model);

@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include "Elements/MeshWithRuns.h"
 #include "Meshes/Exodus/ExodusVariables.h"
 #include "Meshes/Files/MeshModel.h"
 #include "Meshes/Particles/ParticleParts.h"
@@ -26,11 +27,15 @@ struct ExodusBlock
   const CohesiveBlock* Cohesive = nullptr; ///< set for cohesive elements; Elements is then empty
   bool HasParticles = false;               ///< whether Elements are particles of this rank
   Index Total = 0;                         ///< number of elements on all ranks
+  int Material = 0;                        ///< of elements of the mesh
+  Index LeftOut = 0;                       ///< number of hexes in MeshWithRuns::Cells
 
   /// Returns the number of elements on this rank.
   Index Count() const
   {
-    return static_cast<Index>(this->Cohesive ? this->Cohesive->Ids.size() : this->Elements.size());
+    const auto stored =
+      static_cast<Index>(this->Cohesive ? this->Cohesive->Ids.size() : this->Elements.size());
+    return stored + this->LeftOut;
   }
 };
 
@@ -40,6 +45,7 @@ struct ExodusModel : MeshModel
 {
   /// Part of this rank; points and elements in the order of their ids, then nodes of particles.
   StoredMesh Mesh;
+  const MeshWithRuns* Whole = nullptr; ///< with the hexes that Mesh leaves out; null: none
   std::shared_ptr<const ParticleData> Particles; ///< of this rank; never null
   std::vector<Index> ParticleIds;  ///< element ids, above those of all elements, also cohesive ones
   std::vector<ExodusBlock> Blocks; ///< list of blocks by id, equal on all ranks
@@ -61,8 +67,18 @@ struct ExodusModel : MeshModel
   /// Returns the number of elements on this rank, with cohesive elements and particles.
   Index NumberOfElements() const
   {
-    return this->Mesh.Data.NumberOfElements + CountElements(this->Cohesive) +
-      this->Particles->NumberOfParticles;
+    const Index hexes =
+      this->Whole ? this->Whole->NumberOfElements() : this->Mesh.Data.NumberOfElements;
+    return hexes + CountElements(this->Cohesive) + this->Particles->NumberOfParticles;
+  }
+  Index NumberOfPoints() const
+  {
+    return this->Whole ? this->Whole->NumberOfPoints() : this->Mesh.Data.NumberOfPoints;
+  }
+  /// Returns the number in the file of a point of Mesh, from 1.
+  Index NumberOfPoint(Index point) const
+  {
+    return (this->Whole ? this->Whole->NumberOfPoint(point) : point) + 1;
   }
   /// Returns the variable of a name in ElementNames that a block has, or null.
   const ExodusVariable* VariableOf(const ExodusBlock& block, std::size_t name) const;
@@ -72,7 +88,9 @@ struct ExodusModel : MeshModel
 /// @param mesh  part of this rank, made by the mesher or read from a file; must outlive the model
 /// @throws InputError  if the mesh is empty, lacks a required array, or has different arrays on
 ///   different ranks; on all ranks
+/// @param whole  the mesh with the hexes that it leaves out; null: none
 /// @pre Collective
-ExodusModel MakeExodusModel(const MeshData& mesh, Ranks& ranks);
+ExodusModel MakeExodusModel(
+  const MeshData& mesh, Ranks& ranks, const MeshWithRuns* whole = nullptr);
 
 } // namespace vfm

@@ -12,7 +12,7 @@ namespace
 {
 
 constexpr std::size_t MaximumNumbers = 100;
-constexpr const char* TableNames[] = { "SurfaceParts", "EdgeFacets" }; // not listed
+constexpr const char* TableNames[] = { "SurfaceIds", "SurfaceParts", "EdgeFacets" }; // not listed
 constexpr const char* IdNames[] = { "GlobalPointIds", "GlobalCellIds", "vtkGhostType" };
 
 template <std::size_t Count>

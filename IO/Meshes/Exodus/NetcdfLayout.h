@@ -25,6 +25,11 @@ enum class NetcdfKind
 /// last dimension varies fastest.
 using NetcdfValues = std::variant<std::string, std::vector<Index>, std::vector<double>>;
 
+/// Receives consecutive values of a variable.
+using PutValues = std::function<void(NetcdfValues values)>;
+/// Puts all numbers of a variable, part by part.
+using NetcdfParts = std::function<void(const PutValues& put)>;
+
 struct NetcdfDimension
 {
   std::string Name;
@@ -44,6 +49,9 @@ struct NetcdfVariable
   std::vector<std::size_t> Dimensions;  ///< indices in the layout; only the first may be unlimited
   std::function<NetcdfValues()> Values; ///< function that is called once, to write the values
   std::vector<NetcdfText> Attributes;
+  NetcdfParts Parts{}; ///< used instead of Values if set; parts end at ends of the last dimension
+
+  void Put(const PutValues& put) const { this->Parts ? this->Parts(put) : put(this->Values()); }
 };
 
 /// Dimensions, variables and attributes of a file, in the order of the file.

@@ -33,10 +33,12 @@ void WritePart(const ExodusModel& model, const std::string& part, int ranks, Out
 }
 
 /// Writes the files of all ranks, or none if one of them fails.
+/// @param whole  the mesh with the hexes that it leaves out; null: none
 /// @pre Collective
-void WriteParts(const MeshData& mesh, const std::string& path, Ranks& ranks)
+void WriteParts(
+  const MeshData& mesh, const std::string& path, Ranks& ranks, const MeshWithRuns* whole = nullptr)
 {
-  const ExodusModel model = MakeExodusModel(mesh, ranks);
+  const ExodusModel model = MakeExodusModel(mesh, ranks, whole);
   const std::string part = PartPath(path, ranks);
   OutputSet files(part);
   WorkTogether(ranks,
@@ -69,6 +71,12 @@ void WriteExodus(const MeshData& mesh, const std::string& path, Ranks& ranks, Ex
         WriteParts(whole.Data, path, alone);
       }
     });
+}
+
+void WriteExodus(const MeshData& mesh, const MeshWithRuns& whole, const std::string& path)
+{
+  Ranks alone;
+  WriteParts(mesh, path, alone, &whole);
 }
 
 } // namespace vfm

@@ -17,6 +17,7 @@
  */
 #pragma once
 
+#include "Elements/MeshWithRuns.h"
 #include "Ranks/Ranks.h"
 #include "Report/MeshData.h"
 
@@ -39,5 +40,10 @@ enum class ExodusParts
 /// @pre Collective
 void WriteExodus(const MeshData& mesh, const std::string& path, Ranks& ranks,
   ExodusParts parts = ExodusParts::OnePerRank);
+
+/// Writes the same file of a mesh on one rank, without holding the hexes that the mesh leaves out.
+/// In the format netCDF-4, bytes that are no values may differ.
+/// @param whole  the mesh with these hexes
+void WriteExodus(const MeshData& mesh, const MeshWithRuns& whole, const std::string& path);
 
 } // namespace vfm

@@ -167,9 +167,8 @@ private:
   std::vector<const NetcdfVariable*> Ordered;
 };
 
-void AddValues(OutputFile& file, const NetcdfVariable& variable)
+void AddValues(OutputFile& file, NetcdfKind kind, const NetcdfValues& values)
 {
-  const NetcdfValues values = variable.Values();
   if (const auto* text = std::get_if<std::string>(&values))
   {
     file.Add(*text);
@@ -191,7 +190,7 @@ void AddValues(OutputFile& file, const NetcdfVariable& variable)
     add(*reals, [&](double real) { AppendBits(bytes, real); });
     return;
   }
-  const int size = SizeOf[static_cast<int>(variable.Kind)];
+  const int size = SizeOf[static_cast<int>(kind)];
   add(std::get<std::vector<Index>>(values),
     [&](Index number) { AppendNumber(bytes, static_cast<std::uint64_t>(number), size); });
 }
@@ -204,7 +203,7 @@ void WriteClassic(
   file.Add(header.Bytes());
   for (const NetcdfVariable* variable : header.Order())
   {
-    AddValues(file, *variable);
+    variable->Put([&](const NetcdfValues& values) { AddValues(file, variable->Kind, values); });
   }
   file.Close();
 }

@@ -104,15 +104,41 @@ void Define(int file, const NetcdfLayout& layout, std::vector<int>& variables)
   Check(nc_enddef(file));
 }
 
-void PutValues(int file, int id, const NetcdfLayout& layout, const NetcdfVariable& variable)
+/// Consecutive values of a variable.
+struct Slab
 {
-  std::vector<std::size_t> starts(variable.Dimensions.size(), 0), counts;
-  for (std::size_t dimension : variable.Dimensions)
+  std::vector<std::size_t> Starts, Counts; ///< along each dimension
+
+  /// @param first,count  place and number of the values
+  Slab(const NetcdfLayout& layout, const NetcdfVariable& variable, std::size_t first,
+    std::size_t count) :
+    Starts(variable.Dimensions.size(), 0)
   {
-    const Index length = layout.Dimensions[dimension].Length;
-    counts.push_back(static_cast<std::size_t>(std::max<Index>(length, 1)));
+    for (std::size_t dimension : variable.Dimensions)
+    {
+      const Index length = layout.Dimensions[dimension].Length;
+      this->Counts.push_back(static_cast<std::size_t>(std::max<Index>(length, 1)));
+    }
+    std::size_t cut = 0, stride = 1; // only dimensions of length 1 are before the cut one
+    while (cut + 1 < this->Counts.size() && this->Counts[cut] == 1)
+    {
+      ++cut;
+    }
+    for (std::size_t d = cut + 1; d < this->Counts.size(); ++d)
+    {
+      stride *= this->Counts[d];
+    }
+    if (cut < this->Counts.size())
+    {
+      this->Starts[cut] = first / stride;
+      this->Counts[cut] = count / stride;
+    }
   }
-  const NetcdfValues values = variable.Values();
+};
+
+void PutSlab(int file, int id, const Slab& slab, const NetcdfValues& values)
+{
+  const std::vector<std::size_t>&starts = slab.Starts, &counts = slab.Counts;
   if (const auto* text = std::get_if<std::string>(&values))
   {
     Check(nc_put_vara_text(file, id, starts.data(), counts.data(), text->data()));
@@ -129,6 +155,18 @@ void PutValues(int file, int id, const NetcdfLayout& layout, const NetcdfVariabl
   }
 }
 
+void PutVariable(int file, int id, const NetcdfLayout& layout, const NetcdfVariable& variable)
+{
+  std::size_t first = 0;
+  variable.Put(
+    [&](const NetcdfValues& values)
+    {
+      const std::size_t count = std::visit([](const auto& list) { return list.size(); }, values);
+      PutSlab(file, id, Slab(layout, variable, first, count), values);
+      first += count;
+    });
+}
+
 } // namespace
 
 bool TryWriteNetcdf4(const NetcdfLayout& layout, const std::string& path, OutputSet& files)
@@ -139,7 +177,7 @@ bool TryWriteNetcdf4(const NetcdfLayout& layout, const std::string& path, Output
   Define(file.Id, layout, variables);
   for (std::size_t v = 0; v < variables.size(); ++v)
   {
-    PutValues(file.Id, variables[v], layout, layout.Variables[v]);
+    PutVariable(file.Id, variables[v], layout, layout.Variables[v]);
   }
   file.Close();
   SyncFile(begun);

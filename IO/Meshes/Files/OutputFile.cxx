@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cstring>
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 #include <utility>
 
@@ -49,13 +50,17 @@ void OutputFile::Open(const std::string& path)
   {
     ThrowReason();
   }
+  struct stat status
+  {
+  };
+  this->IsSeekable = fstat(this->File, &status) == 0 && S_ISREG(status.st_mode);
   this->Buffer.reserve(2 * BufferSize);
 }
 
 void OutputFile::Add(std::string_view text)
 {
   this->Buffer.append(text);
-  if (this->Buffer.size() >= BufferSize)
+  if (this->Buffer.size() >= BufferSize && (this->IsSeekable || !this->HasReserved))
   {
     this->Flush();
   }
@@ -86,7 +91,36 @@ void OutputFile::Flush()
     }
     next += std::max<ssize_t>(written, 0);
   }
+  this->Written += static_cast<std::int64_t>(this->Buffer.size());
   this->Buffer.clear();
+}
+
+std::int64_t OutputFile::Reserve(std::size_t size)
+{
+  const std::int64_t place = this->Written + static_cast<std::int64_t>(this->Buffer.size());
+  this->HasReserved = true;
+  this->Add(std::string(size, ' '));
+  return place;
+}
+
+void OutputFile::Fill(std::int64_t place, std::string_view bytes)
+{
+  this->HasReserved = false;
+  if (place >= this->Written)
+  {
+    this->Buffer.replace(static_cast<std::size_t>(place - this->Written), bytes.size(), bytes);
+    return;
+  }
+  while (!bytes.empty())
+  {
+    const ssize_t written = pwrite(this->File, bytes.data(), bytes.size(), place);
+    if (written < 0 && errno != EINTR)
+    {
+      ThrowReason();
+    }
+    place += std::max<ssize_t>(written, 0);
+    bytes.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(written, 0)));
+  }
 }
 
 void OutputFile::Close()

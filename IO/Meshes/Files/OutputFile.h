@@ -38,6 +38,12 @@ public:
   {
     this->Add(std::string_view(reinterpret_cast<const char*>(&number), sizeof(T)));
   }
+  /// Adds bytes that Fill replaces; returns their place. Later bytes of a device or pipe stay in
+  /// memory until then.
+  /// @pre No other bytes wait for Fill.
+  std::int64_t Reserve(std::size_t size);
+  /// Replaces the reserved bytes.
+  void Fill(std::int64_t place, std::string_view bytes);
   /// Returns when the content is on the disk.
   void Close();
 
@@ -48,6 +54,9 @@ private:
   std::unique_ptr<OutputSet> Own; ///< set of this file only; null if it belongs to another set
   std::string Buffer;
   int File = -1;
+  bool IsSeekable = false;  ///< false: a device or pipe
+  bool HasReserved = false; ///< whether bytes wait for Fill
+  std::int64_t Written = 0; ///< bytes before those of Buffer
 };
 
 } // namespace vfm

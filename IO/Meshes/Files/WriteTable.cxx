@@ -1,6 +1,7 @@
 #include "Meshes/Files/WriteTable.h"
 
 #include "Meshes/Files/OutputFile.h"
+#include "Ranks/WorkTogether.h"
 #include "Report/UniqueNames.h"
 
 #include <charconv>
@@ -41,29 +42,61 @@ std::size_t CountRows(const std::vector<FieldArray>& columns)
     : std::visit([](const auto& values) { return values.size(); }, columns[0].Values);
 }
 
-} // namespace
-
-void WriteTable(const std::vector<FieldArray>& columns, const std::string& path)
+/// Adds a line with a text per column to a file or a string.
+template <class Add, class Text>
+void AddLine(const std::vector<FieldArray>& columns, const Add& add, const Text& textOf)
 {
-  OutputFile file(path);
-  const auto addLine = [&](const auto& print)
+  for (const FieldArray& column : columns)
   {
-    for (const FieldArray& column : columns)
-    {
-      file.Add(&column == &columns[0] ? "" : ",");
-      file.Add(print(column));
-    }
-    file.Add("\n");
-  };
-  addLine([](const FieldArray& column) { return Print(column.Name); });
+    add(&column == &columns[0] ? "" : ",");
+    add(textOf(column));
+  }
+  add("\n");
+}
+
+template <class Add>
+void AddRows(const std::vector<FieldArray>& columns, const Add& add)
+{
   for (std::size_t row = 0; row < CountRows(columns); ++row)
   {
-    addLine(
+    AddLine(columns, add,
       [row](const FieldArray& column) {
         return std::visit([row](const auto& values) { return Print(values[row]); }, column.Values);
       });
   }
-  file.Close();
+}
+
+void SendRows(const std::vector<FieldArray>& columns, Ranks& ranks)
+{
+  std::vector<Bytes> lines(1);
+  AddRows(columns,
+    [&](std::string_view text) { lines[0].insert(lines[0].end(), text.begin(), text.end()); });
+  ranks.Exchange({ 0 }, lines);
+}
+
+} // namespace
+
+void WriteTable(const std::vector<FieldArray>& columns, const std::string& path, Ranks& ranks)
+{
+  WorkTogether(ranks,
+    [&]
+    {
+      if (ranks.Rank() > 0)
+      {
+        SendRows(columns, ranks);
+        return;
+      }
+      OutputFile file(path);
+      const auto add = [&file](std::string_view text) { file.Add(text); };
+      AddLine(columns, add, [](const FieldArray& column) { return Print(column.Name); });
+      AddRows(columns, add);
+      for (int rank = 1; rank < ranks.Count(); ++rank)
+      {
+        const Bytes lines = ranks.Exchange({ rank }, { Bytes() })[0];
+        file.Add({ lines.data(), lines.size() });
+      }
+      file.Close();
+    });
 }
 
 } // namespace vfm

@@ -104,23 +104,23 @@ void FoamMeshMaker::AddCyclicPatches(Ranks& ranks)
     for (int p = 0; p < 2; ++p)
     {
       foam.Patches.push_back({ both.Names[p], "cyclic", "", 0, -1, both.Names[1 - p] });
-      for (std::size_t f = 0; f < both.Sides[p].size(); ++f, ++foam.TotalCyclic)
+      for (const CyclicSide& side : both.Sides[p])
       {
-        const RankSide &side = both.Sides[p][f], &copy = both.Sides[1 - p][f];
-        if (side.Rank == foam.Rank && copy.Rank == foam.Rank)
+        if (side.CopyRank == foam.Rank)
         {
           ++foam.Patches.back().Count;
           foam.Sides.push_back(side.Side);
-          foam.CyclicNumbers.push_back(foam.TotalCyclic);
+          foam.CyclicNumbers.push_back(foam.TotalCyclic + side.Number);
         }
-        else if (side.Rank == foam.Rank)
+        else
         {
-          RemoteCyclic& remote = this->RemoteCyclics[{ copy.Rank, foam.Patches.size() }];
+          RemoteCyclic& remote = this->RemoteCyclics[{ side.CopyRank, foam.Patches.size() }];
           remote.Name = both.Names[p];
           remote.Sides.push_back(side.Side);
-          remote.Numbers.push_back(foam.TotalCyclic);
+          remote.Numbers.push_back(foam.TotalCyclic + side.Number);
         }
       }
+      foam.TotalCyclic += both.Count;
     }
   }
   this->Open = std::move(cyclic.Others);

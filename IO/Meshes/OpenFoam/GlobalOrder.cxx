@@ -1,6 +1,7 @@
 #include "Meshes/OpenFoam/GlobalOrder.h"
 
-#include "Ranks/NumberInOrder.h"
+#include "Ranks/AskRanks.h"
+#include "Ranks/NumberKeys.h"
 
 namespace vfm
 {
@@ -12,19 +13,13 @@ namespace
 /// @pre Collective
 std::vector<Index> FirstOfGroups(const std::vector<Index>& counts, Ranks& ranks)
 {
-  const std::vector<Index> all = GatherItems(ranks, counts);
-  std::vector<Index> first;
-  Index number = 0;
+  std::vector<Index> first = SumOfLowerRanks(counts, ranks), totals = counts;
+  ranks.Sum(totals);
+  Index before = 0;
   for (std::size_t group = 0; group < counts.size(); ++group)
   {
-    for (int rank = 0; rank < ranks.Count(); ++rank)
-    {
-      if (rank == ranks.Rank())
-      {
-        first.push_back(number);
-      }
-      number += all[rank * counts.size() + group];
-    }
+    first[group] += before;
+    before += totals[group];
   }
   return first;
 }
@@ -33,10 +28,8 @@ std::vector<Index> FirstOfGroups(const std::vector<Index>& counts, Ranks& ranks)
 
 GlobalOrder OrderIds(const Index* ids, Index count, Ranks& ranks)
 {
-  GlobalOrder order{ NumberInOrder(std::vector<Index>(ids, ids + count), ranks) };
-  const auto last = std::max_element(order.Positions.begin(), order.Positions.end());
-  order.Total = 1 + MaximumOverRanks(last == order.Positions.end() ? -1 : *last, ranks);
-  return order;
+  KeyNumbers numbers = NumberItems(std::vector<Index>(ids, ids + count), FirstOfKey(), ranks);
+  return { std::move(numbers.Numbers), numbers.Total };
 }
 
 std::vector<Index> NumberFaces(

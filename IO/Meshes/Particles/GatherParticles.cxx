@@ -2,6 +2,7 @@
 
 #include "Meshes/Files/MeshModel.h"
 #include "Ranks/Agreement.h"
+#include "Ranks/NumberKeys.h"
 #include "Report/GatherMesh.h"
 
 #include <algorithm>
@@ -123,11 +124,8 @@ std::shared_ptr<const ParticleData> GatherParticles(const ParticleData* particle
 
 std::vector<Index> NumberParticles(const ParticleData& particles, Ranks& ranks)
 {
-  std::vector<Index> numbers(particles.Ids, particles.Ids + particles.NumberOfParticles);
-  const std::vector<Index> all = UnionOverRanks(ranks, numbers);
-  std::transform(numbers.begin(), numbers.end(), numbers.begin(),
-    [&all](Index id) { return std::lower_bound(all.begin(), all.end(), id) - all.begin(); });
-  return numbers;
+  const std::vector<Index> ids(particles.Ids, particles.Ids + particles.NumberOfParticles);
+  return NumberItems(ids, FirstOfKey(), ranks).Numbers;
 }
 
 const MeshArray* FindVelocity(const std::vector<MeshArray>& arrays)

@@ -16,13 +16,11 @@ namespace vfm
 namespace
 {
 
-using Sizes = std::vector<std::uint32_t>;
+using AddParts = std::function<void(const AddBytes& add)>;
 
-std::string ToBase64(std::string_view bytes)
+void AppendBase64(std::string_view bytes, std::string& text)
 {
   constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
   for (std::size_t first = 0; first < bytes.size(); first += 3)
   {
     const std::size_t count = std::min<std::size_t>(bytes.size() - first, 3);
@@ -36,13 +34,38 @@ std::string ToBase64(std::string_view bytes)
       text += d <= count ? digits[bits >> (18 - 6 * d) & 63] : '=';
     }
   }
-  return text;
 }
 
-std::string_view BytesOf(const Sizes& sizes)
+/// Writes bytes as one text in base64.
+class Base64
 {
-  return { reinterpret_cast<const char*>(sizes.data()), sizeof(sizes[0]) * sizes.size() };
-}
+public:
+  explicit Base64(OutputFile& file) : File(file) {}
+  void Add(std::string_view bytes)
+  {
+    this->Rest.append(bytes);
+    const std::size_t whole = this->Rest.size() / 3 * 3;
+    this->Write(whole);
+    this->Rest.erase(0, whole);
+  }
+  void Finish()
+  {
+    this->Write(this->Rest.size());
+    this->Rest.clear();
+  }
+
+private:
+  void Write(std::size_t size)
+  {
+    this->Text.clear();
+    AppendBase64(std::string_view(this->Rest).substr(0, size), this->Text);
+    this->File.Add(this->Text);
+  }
+
+  OutputFile& File;
+  std::string Rest; // fewer than 3 bytes between calls
+  std::string Text;
+};
 
 #ifdef VFM_HAS_ZLIB
 
@@ -51,37 +74,90 @@ constexpr const char* HeadAttributes =
 constexpr std::size_t BlockSize = 32768;
 constexpr int CompressionLevel = 5; // default of VTK
 
-/// Adds compressed values: number of blocks, size of a block, size of the last block if it is
+/// Writes compressed values: number of blocks, size of a block, size of the last block if it is
 /// shorter or 0, compressed sizes; then the blocks.
-void AddValues(OutputFile& file, std::string_view bytes)
+class Values
 {
-  const std::size_t blocks = (bytes.size() + BlockSize - 1) / BlockSize;
-  Sizes sizes{ static_cast<std::uint32_t>(blocks), BlockSize,
-    static_cast<std::uint32_t>(bytes.size() % BlockSize) };
-  std::string all, buffer(compressBound(BlockSize), '\0');
-  for (std::size_t block = 0; block < blocks; ++block)
+public:
+  /// @param size  number of bytes
+  Values(OutputFile& file, std::size_t size) :
+    File(file), Blocks(file), Packed(compressBound(BlockSize), '\0')
   {
-    const std::string_view part = bytes.substr(block * BlockSize, BlockSize);
-    uLongf size = buffer.size();
-    compress2(reinterpret_cast<Bytef*>(&buffer[0]), &size,
-      reinterpret_cast<const Bytef*>(part.data()), part.size(), CompressionLevel);
-    sizes.push_back(static_cast<std::uint32_t>(size));
-    all.append(buffer, 0, size);
+    const std::size_t blocks = (size + BlockSize - 1) / BlockSize;
+    this->Sizes = { static_cast<std::uint32_t>(blocks), BlockSize,
+      static_cast<std::uint32_t>(size % BlockSize) };
+    const std::size_t bytes = sizeof(std::uint32_t) * (this->Sizes.size() + blocks);
+    this->Place = file.Reserve((bytes + 2) / 3 * 4);
   }
-  file.Add(ToBase64(BytesOf(sizes)));
-  file.Add(ToBase64(all));
-}
+  void Add(std::string_view bytes)
+  {
+    while (!bytes.empty())
+    {
+      if (this->Block.empty() && bytes.size() >= BlockSize)
+      {
+        this->AddBlock(bytes.substr(0, BlockSize));
+        bytes.remove_prefix(BlockSize);
+        continue;
+      }
+      const std::size_t taken = std::min(BlockSize - this->Block.size(), bytes.size());
+      this->Block.append(bytes.substr(0, taken));
+      bytes.remove_prefix(taken);
+      if (this->Block.size() == BlockSize)
+      {
+        this->AddBlock(this->Block);
+        this->Block.clear();
+      }
+    }
+  }
+  void Finish()
+  {
+    if (!this->Block.empty())
+    {
+      this->AddBlock(this->Block);
+    }
+    this->Blocks.Finish();
+    std::string text;
+    AppendBase64({ reinterpret_cast<const char*>(this->Sizes.data()),
+                   sizeof(std::uint32_t) * this->Sizes.size() },
+      text);
+    this->File.Fill(this->Place, text);
+  }
+
+private:
+  void AddBlock(std::string_view block)
+  {
+    uLongf size = this->Packed.size();
+    compress2(reinterpret_cast<Bytef*>(&this->Packed[0]), &size,
+      reinterpret_cast<const Bytef*>(block.data()), block.size(), CompressionLevel);
+    this->Sizes.push_back(static_cast<std::uint32_t>(size));
+    this->Blocks.Add({ this->Packed.data(), size });
+  }
+
+  OutputFile& File;
+  Base64 Blocks;
+  std::string Block, Packed;
+  std::vector<std::uint32_t> Sizes;
+  std::int64_t Place;
+};
 
 #else
 
 constexpr const char* HeadAttributes = "header_type=\"UInt64\"";
 
-void AddValues(OutputFile& file, std::string_view bytes)
+/// Writes the number of bytes and the values.
+class Values
 {
-  const std::uint64_t size = bytes.size();
-  std::string all(reinterpret_cast<const char*>(&size), sizeof(size));
-  file.Add(ToBase64(all.append(bytes)));
-}
+public:
+  Values(OutputFile& file, std::uint64_t size) : Text(file)
+  {
+    this->Text.Add({ reinterpret_cast<const char*>(&size), sizeof(size) });
+  }
+  void Add(std::string_view bytes) { this->Text.Add(bytes); }
+  void Finish() { this->Text.Finish(); }
+
+private:
+  Base64 Text;
+};
 
 #endif
 
@@ -102,14 +178,24 @@ std::string IdAttribute()
 
 /// Adds an XML element with values. ParaView does not list hidden arrays.
 void AddElement(OutputFile& file, const char* element, const std::string& attributes,
-  std::string_view bytes, bool isHidden)
+  std::size_t size, const AddParts& addValues, bool isHidden)
 {
   file.Add(std::string("<") + element + " " + attributes + " format=\"binary\">\n");
-  AddValues(file, bytes);
+  Values values(file, size);
+  addValues([&values](std::string_view bytes) { values.Add(bytes); });
+  values.Finish();
   file.Add(isHidden
       ? "\n<InformationKey name=\"GUI_HIDE\" location=\"vtkAbstractArray\">1</InformationKey>\n"
       : "\n");
   file.Add(std::string("</") + element + ">\n");
+}
+
+void AddElement(OutputFile& file, const char* element, const std::string& attributes,
+  std::string_view bytes, bool isHidden)
+{
+  AddElement(
+    file, element, attributes, bytes.size(), [bytes](const AddBytes& add) { add(bytes); },
+    isHidden);
 }
 
 template <class Value>
@@ -146,17 +232,49 @@ std::string_view View(const T* values, Index count)
 
 /// Adds PointData or CellData.
 /// @param tuples  number of points or elements
-void AddArrays(
-  OutputFile& file, const char* element, const std::vector<MeshArray>& arrays, Index tuples)
+/// @param addValues  addValues(array, add) adds the values of an array
+template <class AddValues>
+void AddArrays(OutputFile& file, const char* element, const std::vector<MeshArray>& arrays,
+  Index tuples, const AddValues& addValues)
 {
   file.Add(std::string("<") + element + DescribeVtuRoles(arrays) + ">\n");
   for (const MeshArray& array : arrays)
   {
-    AddVtuArray(file, DescribeVtuArray(array),
-      View(static_cast<const char*>(array.Values),
-        WidthOfType(array.Type) * array.Components * tuples));
+    const Index size = WidthOfType(array.Type) * array.Components * tuples;
+    AddVtuArray(file, DescribeVtuArray(array), static_cast<std::size_t>(size),
+      [&](const AddBytes& add) { addValues(array, add); });
   }
   file.Add(std::string("</") + element + ">\n");
+}
+
+/// Adds arrays in memory.
+void AddArrays(
+  OutputFile& file, const char* element, const std::vector<MeshArray>& arrays, Index tuples)
+{
+  AddArrays(file, element, arrays, tuples,
+    [tuples](const MeshArray& array, const AddBytes& add)
+    {
+      add(View(static_cast<const char*>(array.Values),
+        WidthOfType(array.Type) * array.Components * tuples));
+    });
+}
+
+constexpr const char* CornerAttributes = "type=\"Int64\" Name=\"connectivity\"";
+
+/// Adds the ends of elements in the array of connectivity.
+/// @param nodes  number of nodes per element
+void AddOffsets(OutputFile& file, Index nodes, Index elements)
+{
+  AddVtuArray(file, "type=\"Int64\" Name=\"offsets\"",
+    sizeof(Index) * static_cast<std::size_t>(elements),
+    [=](const AddBytes& add)
+    {
+      for (Index element = 0; element < elements; ++element)
+      {
+        const Index end = nodes * (element + 1);
+        add(View(&end, 1));
+      }
+    });
 }
 
 } // namespace
@@ -221,6 +339,12 @@ void AddVtuArray(OutputFile& file, const std::string& attributes, std::string_vi
   AddElement(file, "DataArray", attributes, bytes, false);
 }
 
+void AddVtuArray(OutputFile& file, const std::string& attributes, std::size_t size,
+  const std::function<void(const AddBytes& add)>& addValues)
+{
+  AddElement(file, "DataArray", attributes, size, addValues, false);
+}
+
 void AddVtuFields(OutputFile& file, const MeshData& mesh)
 {
   file.Add("<FieldData>\n");
@@ -246,23 +370,45 @@ void AddVtuMesh(OutputFile& file, const MeshData& mesh)
   file.Add("</Points>\n");
 }
 
+void AddVtuMesh(OutputFile& file, const MeshData& mesh, const MeshWithRuns& whole)
+{
+  AddArrays(file, "PointData", mesh.PointArrays, whole.NumberOfPoints(),
+    [&whole](const MeshArray& array, const AddBytes& add) { AddPointValues(whole, array, add); });
+  AddArrays(file, "CellData", mesh.ElementArrays, whole.NumberOfElements(),
+    [&whole](const MeshArray& array, const AddBytes& add) { AddElementValues(whole, array, add); });
+  file.Add("<Points>\n");
+  AddVtuArray(file, VtuPointAttributes,
+    3 * sizeof(double) * static_cast<std::size_t>(whole.NumberOfPoints()),
+    [&whole](const AddBytes& add) { AddPoints(whole, add); });
+  file.Add("</Points>\n");
+}
+
 void AddVtuElements(OutputFile& file, const MeshData& mesh)
 {
   const Index count = mesh.NumberOfElements, nodes = mesh.NodesPerElement();
-  std::vector<Index> all;
-  for (Index element = 0; mesh.MidsPerElement > 0 && element < count; ++element)
-  {
-    mesh.ForNodes(element,
-      [&all](const Index* first, const Index* last) { all.insert(all.end(), first, last); });
-  }
-  AddVtuArray(file, "type=\"Int64\" Name=\"connectivity\"",
-    View(all.empty() ? mesh.Elements : all.data(), nodes * count));
-  std::vector<Index> offsets(count);
-  for (Index element = 0; element < count; ++element)
-  {
-    offsets[element] = nodes * (element + 1);
-  }
-  AddVtuArray(file, "type=\"Int64\" Name=\"offsets\"", View(offsets.data(), count));
+  AddVtuArray(file, CornerAttributes, sizeof(Index) * static_cast<std::size_t>(nodes * count),
+    [&](const AddBytes& add)
+    {
+      if (mesh.MidsPerElement == 0)
+      {
+        add(View(mesh.Elements, nodes * count));
+        return;
+      }
+      for (Index element = 0; element < count; ++element)
+      {
+        mesh.ForNodes(element,
+          [&add](const Index* first, const Index* last) { add(View(first, last - first)); });
+      }
+    });
+  AddOffsets(file, nodes, count);
+}
+
+void AddVtuElements(OutputFile& file, const MeshData& mesh, const MeshWithRuns& whole)
+{
+  const Index nodes = mesh.NodesPerElement(), count = whole.NumberOfElements();
+  AddVtuArray(file, CornerAttributes, sizeof(Index) * static_cast<std::size_t>(nodes * count),
+    [&whole](const AddBytes& add) { AddCorners(whole, add); });
+  AddOffsets(file, nodes, count);
 }
 
 std::string DescribeVtuRoles(const std::vector<MeshArray>& arrays)

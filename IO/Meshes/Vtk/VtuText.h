@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "Report/MeshData.h"
+#include "Meshes/Files/RunValues.h"
 
 #include <string>
 #include <string_view>
@@ -32,15 +32,25 @@ std::string DescribeVtuArray(const MeshArray& array);
 /// @param attributes  result of DescribeVtuArray
 /// @param bytes  memory of the values
 void AddVtuArray(OutputFile& file, const std::string& attributes, std::string_view bytes);
+/// Adds a DataArray of which no more than a part is in memory.
+/// @param size  number of bytes of all values
+/// @param addValues  called once; adds the values part by part
+void AddVtuArray(OutputFile& file, const std::string& attributes, std::size_t size,
+  const std::function<void(const AddBytes& add)>& addValues);
 
 /// Adds FieldData with the fields and the time.
 void AddVtuFields(OutputFile& file, const MeshData& mesh);
 
-/// Adds PointData, CellData and Points.
+///@{ Add PointData, CellData and Points.
+/// @param whole  the mesh with the hexes that it leaves out
 void AddVtuMesh(OutputFile& file, const MeshData& mesh);
+void AddVtuMesh(OutputFile& file, const MeshData& mesh, const MeshWithRuns& whole);
+///@}
 
-/// Adds the arrays of connectivity and offsets.
+///@{ Add the arrays of connectivity and offsets.
 void AddVtuElements(OutputFile& file, const MeshData& mesh);
+void AddVtuElements(OutputFile& file, const MeshData& mesh, const MeshWithRuns& whole);
+///@}
 
 /// Returns the attributes of PointData or CellData that mark arrays as global ids or scalars.
 std::string DescribeVtuRoles(const std::vector<MeshArray>& arrays);

@@ -5,6 +5,7 @@
 #include "Meshes/Particles/WriteParticles.h"
 #include "Meshes/Vtk/VtuText.h"
 #include "Ranks/Agreement.h"
+#include "Report/FragmentTargets.h"
 #include "Report/GatherMesh.h"
 
 #include <filesystem>
@@ -14,20 +15,35 @@ namespace vfm
 namespace
 {
 
-void WritePiece(const MeshData& mesh, const std::string& path, OutputSet& files)
+/// @param whole  nothing, or the mesh with the hexes that it leaves out
+template <class... Whole>
+void WritePiece(const MeshData& mesh, Index points, Index elements, const std::string& path,
+  OutputSet& files, const Whole&... whole)
 {
   OutputFile file(path, files);
   file.Add(VtuHead("UnstructuredGrid") + "<UnstructuredGrid>\n");
   AddVtuFields(file, mesh);
-  file.Add("<Piece NumberOfPoints=\"" + std::to_string(mesh.NumberOfPoints) +
-    "\" NumberOfCells=\"" + std::to_string(mesh.NumberOfElements) + "\">\n");
-  AddVtuMesh(file, mesh);
+  file.Add("<Piece NumberOfPoints=\"" + std::to_string(points) + "\" NumberOfCells=\"" +
+    std::to_string(elements) + "\">\n");
+  AddVtuMesh(file, mesh, whole...);
   file.Add("<Cells>\n");
-  AddVtuElements(file, mesh);
-  const std::string types(mesh.NumberOfElements, static_cast<char>(mesh.Shape().VtkType));
-  AddVtuArray(file, "type=\"UInt8\" Name=\"types\"", types);
+  AddVtuElements(file, mesh, whole...);
+  AddVtuArray(file, "type=\"UInt8\" Name=\"types\"", static_cast<std::size_t>(elements),
+    [&](const AddBytes& add)
+    {
+      const std::string type(1, static_cast<char>(mesh.Shape().VtkType));
+      for (Index element = 0; element < elements; ++element)
+      {
+        add(type);
+      }
+    });
   file.Add("</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
   file.Close();
+}
+
+void WritePiece(const MeshData& mesh, const std::string& path, OutputSet& files)
+{
+  WritePiece(mesh, mesh.NumberOfPoints, mesh.NumberOfElements, path, files);
 }
 
 void AddArrayList(OutputFile& file, const char* element, const std::vector<MeshArray>& arrays)
@@ -46,7 +62,9 @@ void WriteSummary(const MeshData& mesh, const std::string& path,
 {
   OutputFile file(path, files);
   file.Add(VtuHead("PUnstructuredGrid") + "<PUnstructuredGrid GhostLevel=\"0\">\n");
-  AddVtuFields(file, mesh);
+  MeshData head = mesh;
+  std::erase_if(head.Fields, [](const FieldArray& field) { return IsFieldOfRank(field.Name); });
+  AddVtuFields(file, head);
   AddArrayList(file, "PPointData", mesh.PointArrays);
   AddArrayList(file, "PCellData", mesh.ElementArrays);
   file.Add(std::string("<PPoints>\n<PDataArray ") + VtuPointAttributes + "/>\n</PPoints>\n");
@@ -76,6 +94,13 @@ void WriteVtu(const MeshData& mesh, const std::string& path, Ranks& ranks)
         files.Rename();
       }
     });
+}
+
+void WriteVtu(const MeshData& mesh, const MeshWithRuns& whole, const std::string& path)
+{
+  OutputSet files(path);
+  WritePiece(mesh, whole.NumberOfPoints(), whole.NumberOfElements(), path, files, whole);
+  files.Rename();
 }
 
 void WritePvtu(const MeshData& mesh, const std::string& path, Ranks& ranks)

@@ -8,6 +8,7 @@
  */
 #pragma once
 
+#include "Elements/MeshWithRuns.h"
 #include "Ranks/Ranks.h"
 #include "Report/MeshData.h"
 
@@ -23,6 +24,10 @@ namespace vfm
 /// @pre Collective
 /// @note Rank 0 needs the memory of GatherMesh.
 void WriteVtu(const MeshData& mesh, const std::string& path, Ranks& ranks);
+
+/// Writes the same file of a mesh on one rank, without holding the hexes that the mesh leaves out.
+/// @param whole  the mesh with these hexes
+void WriteVtu(const MeshData& mesh, const MeshWithRuns& whole, const std::string& path);
 
 /// Writes the file NAME.pvtu, and one file NAME/NAME_RANK.vtu per rank that has elements.
 /// @param mesh  part of this rank

@@ -50,10 +50,12 @@ void FillRowOfCells(const CartesianGrid& grid, const PointNumbering& numbering,
     });
 }
 
+/// @param hasAllCells  whether each point G inside a fragment is the lowest corner of a hex
 void FillRow(const CartesianGrid& grid, const Fragments& fragments, Index j, Index k, Index first,
-  Index last, Mesh& mesh)
+  Index last, bool hasAllCells, Mesh& mesh)
 {
   const Index key = grid.CellKey({ { 0, j, k } });
+  const int corners = hasAllCells ? 1 : 8;
   Index runEnd = -1;
   int fragment = 0;
   for (Index h = first; h < last; ++h)
@@ -67,7 +69,11 @@ void FillRow(const CartesianGrid& grid, const Fragments& fragments, Index j, Ind
     mesh.Fragment[h] = fragment;
     if (place % HexIds.ElementSlots == 0) // only core hexes have a lowest corner of their own
     {
-      mesh.GeometryId[mesh.Elements[8 * h]] = fragment; // sets every point G inside a fragment
+      const Index* points = mesh.Elements.data() + 8 * h;
+      for (int c = 0; c < corners; ++c) // threads may write equal values at the same time
+      {
+        __atomic_store_n(&mesh.GeometryId[points[c]], fragment, __ATOMIC_RELAXED);
+      }
     }
   }
 }
@@ -302,7 +308,7 @@ void FillFragments(const LabelledGrid& labelled, const PointNumbering& numbering
         FillRowOfCells(grid, numbering, fragments, j, k, first, mesh);
         return;
       }
-      FillRow(grid, fragments, j, k, first, last, mesh);
+      FillRow(grid, fragments, j, k, first, last, topology.HasAllCells, mesh);
     });
   ForCoarseHexes(topology,
     [&](Index hex, const Index3& cell)

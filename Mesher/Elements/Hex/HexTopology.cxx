@@ -1,6 +1,7 @@
 #include "Elements/Hex/HexTopology.h"
 
 #include "Elements/Hex/CoarseHexes.h"
+#include "Elements/Hex/NearCells.h"
 #include "Labels/LabelCondition.h"
 
 namespace vfm
@@ -99,6 +100,7 @@ struct FineCells
   const std::vector<Index>& Mixed; ///< mixed nodes, ascending
   const PointNumbering& Numbering;
   bool StairStep;
+  const NearCells* Near; ///< null: all finest cells
 
   const CartesianGrid& Grid() const { return this->Levels.Finest(); }
   std::array<int, 8> StarOf(Index node) const
@@ -139,6 +141,11 @@ void ForNodes(const FineCells& cells, Index j, Index k, const Plain& plain, cons
       ++p[0];
     }
   };
+  if (cells.Near)
+  {
+    cells.Near->ForNodes(j, k, visitRun);
+    return;
+  }
   cells.Levels.ForFineNodes(j, k, box.Lower[0], box.Upper[0] + 1, visitRun);
 }
 
@@ -225,6 +232,11 @@ void ForCells(const FineCells& cells, Index j, Index k, const Visitor& visit)
         }
       });
   };
+  if (cells.Near)
+  {
+    cells.Near->ForCells(j, k, visitRun);
+    return;
+  }
   cells.Levels.ForFineCells(j, k, box.Lower[0], box.Upper[0], visitRun);
 }
 
@@ -396,11 +408,12 @@ void FillHexes(const FineCells& cells, Index j, Index k, Index hex, Mesh& mesh)
 
 HexTopology BuildHexes(const CartesianGrid& grid, const LabelArray& labels,
   const std::vector<Index>& mixed, bool stairStep, PointNumbering& numbering, Runtime& runtime,
-  CoarseHexes& coarse)
+  CoarseHexes& coarse, const NearCells* near)
 {
-  const FineCells cells{ coarse.Levels(), labels, mixed, numbering, stairStep };
+  const FineCells cells{ coarse.Levels(), labels, mixed, numbering, stairStep, near };
   const IndexBox box = grid.HexBox();
   HexTopology result;
+  result.HasAllCells = near == nullptr;
   Mesh& mesh = result.Hexes;
   CheckIds(grid, mesh.Ids.PointSlots);
   std::vector<Index> firstPoint;

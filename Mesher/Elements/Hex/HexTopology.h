@@ -187,11 +187,13 @@ void PointNumbering::ForNodes(Index first, Index last, int label, const Visitor&
 }
 
 class CoarseHexes;
+class NearCells;
 
 /// Hexes of HexBox before points move.
 struct HexTopology
 {
   Mesh Hexes;
+  bool HasAllCells = true; ///< false: only those of NearCells
   /// The first hex of each row of HexBox (y fastest), then the end of the hexes of finest cells.
   std::vector<Index> RowOffset;
   Index WholeCells = 0; ///< number of hexes, from the first one, that are unchanged cells
@@ -203,10 +205,11 @@ struct HexTopology
 /// @param mixed  all mixed nodes (FindMixedNodes)
 /// @param[out] numbering  points of each grid node
 /// @param coarse  hexes other than finest cells; they are written into the mesh
+/// @param near  finest cells that get points and hexes; null: all of them
 /// @throws InputError  if an id or the number of points is too large
 /// @pre Collective.
 HexTopology BuildHexes(const CartesianGrid& grid, const LabelArray& labels,
   const std::vector<Index>& mixed, bool stairStep, PointNumbering& numbering, Runtime& runtime,
-  CoarseHexes& coarse);
+  CoarseHexes& coarse, const NearCells* near = nullptr);
 
 } // namespace vfm

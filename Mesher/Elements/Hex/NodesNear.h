@@ -6,6 +6,9 @@
 
 #include "Base/CartesianGrid.h"
 
+#include <algorithm>
+#include <vector>
+
 namespace vfm
 {
 
@@ -21,6 +24,9 @@ public:
     const CartesianGrid& finest, const std::vector<Index>& mixed, int halvings, Index rings);
 
   bool Has(const Index3& node) const;
+  /// Calls visit(begin, end) for the runs of these nodes in row (j, k), in order.
+  template <class Visitor>
+  void ForRuns(Index j, Index k, const Visitor& visit) const;
 
 private:
   struct Run
@@ -34,5 +40,22 @@ private:
   IndexBox Box; // box of nodes
   std::vector<Run> Runs;
 };
+
+template <class Visitor>
+void NodesNear::ForRuns(Index j, Index k, const Visitor& visit) const
+{
+  const Index3 first{ { this->Box.Lower[0], j, k } };
+  if (!this->Box.Contains(first))
+  {
+    return;
+  }
+  const Index row = IndexInBox(this->Box, first), end = row + this->Box.Size(0);
+  auto run = std::partition_point(
+    this->Runs.begin(), this->Runs.end(), [row](const Run& r) { return r.End <= row; });
+  for (; run != this->Runs.end() && run->Begin < end; ++run)
+  {
+    visit(first[0] + std::max(run->Begin, row) - row, first[0] + std::min(run->End, end) - row);
+  }
+}
 
 } // namespace vfm

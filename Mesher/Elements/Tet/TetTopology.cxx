@@ -40,7 +40,7 @@ void FillFragments(const CartesianGrid& grid, const Fragments& fragments, Mesh& 
 void FillInside(Mesh& mesh)
 {
   mesh.GeometryId = Buffer<int>(mesh.PointIds.size());
-  std::fill(mesh.GeometryId.begin(), mesh.GeometryId.end(), 0); // of points without tets
+  std::fill(mesh.GeometryId.begin(), mesh.GeometryId.end(), 0); // barriers leave points out
   for (std::size_t at = 0; at < mesh.Elements.size(); ++at)
   {
     mesh.GeometryId[mesh.Elements[at]] = mesh.Fragment[at / 4];

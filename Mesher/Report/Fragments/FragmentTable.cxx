@@ -1,16 +1,20 @@
 #include "Report/Fragments/FragmentTable.h"
 
-#include "Base/ExactSum.h"
+#include "Base/Sorted.h"
 #include "Ranks/Agreement.h"
 #include "Report/ElementCorners.h"
 #include "Report/ElementMoments.h"
-#include "Report/GatherMesh.h"
-#include "Report/MeshFacets.h"
-#include "Report/MeshMaterials.h"
+#include "Report/FragmentTargets.h"
+#include "Report/FragmentWays.h"
+#include "Report/Fragments/FragmentPairs.h"
 #include "Report/Fragments/PeriodicPieces.h"
+#include "Report/GatherMesh.h"
+#include "Report/MeshMaterials.h"
+#include "Report/PackMesh.h"
 
 #include <limits>
-#include <numeric>
+#include <map>
+#include <utility>
 
 namespace vfm
 {
@@ -84,16 +88,21 @@ ElementState FindState(const MeshData& mesh, const FragmentArrays& names)
   return state;
 }
 
-/// Sums over the elements of a fragment on this rank.
-struct Sums
+constexpr std::size_t VolumeSums = 4; // volume and first moments
+constexpr std::size_t MassSums = 4;   // mass and momentum
+
+/// Values of each fragment of this rank, or, combined over all ranks, of each of its rows.
+struct FragmentValues
 {
-  Index Elements = 0;
-  ExactSum Volume, Mass;
-  std::array<ExactSum, 3> Moment, Momentum;
+  std::vector<Index> Elements;
+  std::vector<ExactSum> Volumes; ///< VolumeSums per fragment
+  std::vector<ExactSum> Masses;  ///< MassSums per fragment; empty without densities
+  std::vector<double> Extremes;  ///< ExtremeValues per fragment
+  std::vector<double> Targets;   ///< target volume, below 0 where it is unknown
 };
 
 constexpr double Nowhere = -std::numeric_limits<double>::infinity();
-constexpr int Extremes = 7; // values of a fragment: material, then bounds with negated minima
+constexpr std::size_t ExtremeValues = 7; // material, then bounds with negated minima
 
 /// Extends bounds by a point; extremes: six values, minima negated.
 void WidenBounds(const double* point, double* extremes)
@@ -147,101 +156,145 @@ Moments Translate(Moments moments, const std::vector<Vector3>& translations)
   return moments;
 }
 
-/// Extends the bounds of fragments by the corners of their elements.
-void WidenByElements(
-  const MeshData& mesh, const std::vector<Vector3>& translations, std::vector<double>& extremes)
+/// Returns the extremes of each fragment of this rank, from its elements and their corners.
+std::vector<double> FindExtremes(
+  const MeshData& mesh, const std::vector<Vector3>& translations, const FragmentWays& ways)
 {
+  std::vector<double> extremes(ExtremeValues * ways.Ids().size(), Nowhere);
   const ElementCorners corners(mesh);
   for (Index e = 0; e < mesh.NumberOfElements; ++e)
   {
+    double* const values = &extremes[ExtremeValues * ways.PlaceOfElement()[e]];
+    values[0] = mesh.Material[e];
     const std::array<Vector3, 8> positions = corners.Find(e);
     const Vector3 move = translations.empty() ? Vector3{} : translations[e];
     for (int c = 0; c < mesh.Corners; ++c)
     {
       const Vector3 moved = positions[c] + move;
-      WidenBounds(moved.data(), &extremes[Extremes * (mesh.Fragment[e] - 1) + 1]);
+      WidenBounds(moved.data(), values + 1);
     }
   }
+  return extremes;
 }
 
-/// Sums over the elements of this rank; extremes: sets the material, the first of Extremes values
-/// per fragment.
-void SumElements(const MeshData& mesh, const Moments& moments, const ElementState& state,
-  const Units& units, std::vector<Sums>& sums, std::vector<double>& extremes)
+std::vector<Index> CountElements(const FragmentWays& ways)
 {
-  for (Index e = 0; e < mesh.NumberOfElements; ++e)
+  std::vector<Index> counts(ways.Ids().size(), 0);
+  for (int place : ways.PlaceOfElement())
   {
-    const int fragment = mesh.Fragment[e] - 1;
-    Sums& sum = sums[fragment];
+    ++counts[place];
+  }
+  return counts;
+}
+
+std::vector<ExactSum> SumVolumes(
+  const Moments& moments, const Units& units, const FragmentWays& ways)
+{
+  std::vector<ExactSum> sums(VolumeSums * ways.Ids().size());
+  for (std::size_t e = 0; e < moments.size(); ++e)
+  {
+    ExactSum* const of = &sums[VolumeSums * ways.PlaceOfElement()[e]];
     const double volume = moments[e].Volume / units.Volume;
-    const double mass = state.Density.empty() ? 0.0 : volume * (state.Density[e] / units.Density);
-    ++sum.Elements;
-    sum.Volume.Add(volume);
-    sum.Mass.Add(mass);
-    extremes[Extremes * fragment] = mesh.Material[e];
+    of[0].Add(volume);
     for (int a = 0; a < 3; ++a)
     {
       const double moment = moments[e].Moment[a] / units.Volume - volume * units.Origin[a];
-      sum.Moment[a].Add(moment / units.Length);
-      sum.Momentum[a].Add(
-        state.Velocity.empty() ? 0.0 : mass * (state.Velocity[e][a] / units.Speed));
+      of[1 + a].Add(moment / units.Length);
     }
+  }
+  return sums;
+}
+
+std::vector<ExactSum> SumMasses(
+  const Moments& moments, const ElementState& state, const Units& units, const FragmentWays& ways)
+{
+  std::vector<ExactSum> sums(MassSums * ways.Ids().size());
+  for (std::size_t e = 0; e < moments.size(); ++e)
+  {
+    ExactSum* const of = &sums[MassSums * ways.PlaceOfElement()[e]];
+    const double mass = moments[e].Volume / units.Volume * (state.Density[e] / units.Density);
+    of[0].Add(mass);
+    for (int a = 0; a < 3 && !state.Velocity.empty(); ++a)
+    {
+      of[1 + a].Add(mass * (state.Velocity[e][a] / units.Speed));
+    }
+  }
+  return sums;
+}
+
+/// Collective. Returns the values of the rows of this rank from those of all ranks. Takes one list
+/// after the other, so that few copies exist at a time.
+FragmentValues Combine(FragmentValues own, bool hasMass, const FragmentWays& ways)
+{
+  FragmentValues rows;
+  rows.Elements = ways.Sum(std::move(own.Elements), 1);
+  rows.Volumes = ways.Sum(std::move(own.Volumes), VolumeSums);
+  if (hasMass)
+  {
+    rows.Masses = ways.Sum(std::move(own.Masses), MassSums);
+  }
+  rows.Extremes = ways.Max(std::move(own.Extremes), ExtremeValues);
+  rows.Targets = ways.Max(std::move(own.Targets), 1);
+  return rows;
+}
+
+/// Sets the volume and the centroid of a fragment, and its mass and momentum unless masses is null.
+void SetSums(
+  const ExactSum* volumes, const ExactSum* masses, const Units& units, FragmentSummary& row)
+{
+  const double total = volumes[0].Value();
+  row.Volume = total * units.Volume;
+  row.Mass = masses ? masses[0].Value() * units.Volume * units.Density : 0.0;
+  for (int a = 0; a < 3; ++a)
+  {
+    row.Centroid[a] = units.Origin[a] + units.Length * volumes[1 + a].Value() / total;
+    row.Momentum[a] =
+      masses ? masses[1 + a].Value() * units.Volume * units.Density * units.Speed : 0.0;
   }
 }
 
-/// Collective. Makes fragments from the sums and extremes of all ranks.
-std::vector<FragmentSummary> MergeFragments(
-  const std::vector<Sums>& sums, std::vector<double>& extremes, const Units& units, Ranks& ranks)
+/// Returns the rows of fragments with elements, without their neighbours.
+std::vector<FragmentSummary> MakeRows(
+  const FragmentValues& values, const Units& units, const FragmentWays& ways)
 {
-  std::vector<std::int64_t> elements;
-  std::vector<ExactSum> parts;
-  for (const Sums& sum : sums)
+  std::vector<FragmentSummary> rows;
+  rows.reserve(ways.HomeIds().size());
+  for (std::size_t r = 0; r < ways.HomeIds().size(); ++r)
   {
-    elements.push_back(sum.Elements);
-    parts.insert(parts.end(), { sum.Volume, sum.Mass });
-    parts.insert(parts.end(), sum.Moment.begin(), sum.Moment.end());
-    parts.insert(parts.end(), sum.Momentum.begin(), sum.Momentum.end());
-  }
-  ranks.Sum(elements);
-  const std::vector<double> totals = SumOverRanks(parts, ranks);
-  ranks.Max(extremes);
-  std::vector<FragmentSummary> fragments(sums.size());
-  for (std::size_t f = 0; f < fragments.size(); ++f)
-  {
-    const double* total = &totals[8 * f];
-    const double* extreme = &extremes[Extremes * f];
-    FragmentSummary& fragment = fragments[f];
-    fragment.Material = static_cast<int>(extreme[0]);
-    fragment.Elements = elements[f];
-    fragment.Volume = total[0] * units.Volume;
-    fragment.Mass = total[1] * units.Volume * units.Density;
+    if (values.Elements[r] == 0)
+    {
+      continue;
+    }
+    const double* extreme = &values.Extremes[ExtremeValues * r];
+    FragmentSummary row;
+    row.Id = ways.HomeIds()[r];
+    row.Material = static_cast<int>(extreme[0]);
+    row.Elements = values.Elements[r];
+    row.TargetVolume = values.Targets[r];
+    SetSums(&values.Volumes[VolumeSums * r],
+      values.Masses.empty() ? nullptr : &values.Masses[MassSums * r], units, row);
     for (int a = 0; a < 3; ++a)
     {
-      fragment.Centroid[a] = units.Origin[a] + units.Length * total[2 + a] / total[0];
-      fragment.Momentum[a] = total[5 + a] * units.Volume * units.Density * units.Speed;
-      fragment.Bounds[2 * a] = -extreme[2 * a + 1];
-      fragment.Bounds[2 * a + 1] = extreme[2 * a + 2];
+      row.Bounds[2 * a] = -extreme[2 * a + 1];
+      row.Bounds[2 * a + 1] = extreme[2 * a + 2];
     }
+    rows.push_back(std::move(row));
   }
-  return fragments;
+  return rows;
 }
 
-/// Collective. Finds the fragments that share faces, also across sides of a periodic domain.
-void FindNeighbours(MeshData mesh, Ranks& ranks, std::vector<FragmentSummary>& fragments)
+/// Collective. Sets the neighbours of the rows of this rank.
+/// @param pairs  fragments that share faces with elements of this rank
+void SetNeighbours(std::vector<FragmentPair> pairs, const FragmentWays& ways, Ranks& ranks,
+  std::vector<FragmentSummary>& rows)
 {
-  using Pair = std::array<int, 2>;
-  std::vector<Pair> pairs;
-  mesh.PointIds = mesh.PeriodicPartner ? mesh.PeriodicPartner : mesh.PointIds;
-  for (const MeshFacet& face : FindMeshFaces(mesh, mesh.Fragment, ranks))
+  const KeyMerge<FragmentPair> all(
+    std::move(pairs), [&ways](const FragmentPair& pair) { return ways.HomeOf(pair[0]); }, ranks);
+  auto row = rows.begin();
+  for (const FragmentPair& pair : all.HomeKeys())
   {
-    if (face.Behind != NothingBehind)
-    {
-      pairs.push_back({ { mesh.Fragment[face.Element], face.Behind } });
-    }
-  }
-  for (const Pair& pair : UnionOverRanks(ranks, std::move(pairs)))
-  {
-    fragments[pair[0] - 1].Neighbours.push_back(pair[1]);
+    row = std::find_if(row, rows.end(), [&](const auto& other) { return other.Id == pair[0]; });
+    row->Neighbours.push_back(pair[1]);
   }
 }
 
@@ -255,30 +308,27 @@ std::string JoinIds(const std::vector<int>& ids)
   return text;
 }
 
-/// Makes the columns of the table; mesh: source of fields.
-FieldArrays ListFragments(
-  const std::vector<FragmentSummary>& fragments, const MeshData& mesh, bool hasMass)
+/// Makes the columns of the table.
+/// @param names  names of materials by id
+FieldArrays ListFragments(const std::vector<FragmentSummary>& fragments,
+  const std::map<int, std::string>& names, bool hasTargets, bool hasMass)
 {
   FieldArrays columns;
   const auto add = [&](const std::string& name, const auto& get)
   {
     std::vector<std::decay_t<decltype(get(fragments[0]))>> values;
+    values.reserve(fragments.size());
     std::transform(fragments.begin(), fragments.end(), std::back_inserter(values), get);
     columns.push_back({ name, std::move(values) });
   };
   using Row = const FragmentSummary&;
-  std::vector<int> ids(fragments.size());
-  std::iota(ids.begin(), ids.end(), 1);
-  columns.push_back({ "FragmentId", std::move(ids) });
+  add("FragmentId", [](Row row) { return row.Id; });
   add("MaterialId", [](Row row) { return row.Material; });
-  const std::map<int, std::string> names = NamesOfMaterials(mesh);
   add("Material", [&names](Row row) { return NameOfMaterial(names, row.Material); });
   add("Elements", [](Row row) { return row.Elements; });
-  std::vector<double> targets = NumbersOfField(mesh.Fields, "FragmentTargetVolume");
-  if (FindField(mesh.Fields, "FragmentTargetVolume") && targets.size() >= fragments.size())
+  if (hasTargets)
   {
-    targets.resize(fragments.size());
-    columns.push_back({ "FractionVolume", std::move(targets) });
+    add("FractionVolume", [](Row row) { return row.TargetVolume; });
   }
   add("MeshVolume", [](Row row) { return row.Volume; });
   for (int a = 0; a < 3; ++a)
@@ -298,6 +348,41 @@ FieldArrays ListFragments(
   return columns;
 }
 
+/// Collective. Returns the names of materials on all ranks, also on those without elements.
+std::map<int, std::string> ShareNames(const MeshData& mesh, Ranks& ranks)
+{
+  MeshData head; // with the names only
+  head.NumberOfElements = mesh.NumberOfElements;
+  std::copy_if(mesh.Fields.begin(), mesh.Fields.end(), std::back_inserter(head.Fields),
+    [](const FieldArray& field)
+    { return field.Name == "MaterialNames" || field.Name == "MaterialIds"; });
+  const bool isEmpty = !ranks.Any(mesh.NumberOfElements > 0);
+  return NamesOfMaterials(isEmpty ? head : ShareHead(head, ranks));
+}
+
+std::size_t CountRows(const FieldArrays& columns)
+{
+  return columns.empty()
+    ? 0
+    : std::visit([](const auto& values) { return values.size(); }, columns[0].Values);
+}
+
+/// Appends the rows of a table to another one with the same columns.
+void AppendRows(FieldArrays more, FieldArrays& to)
+{
+  for (std::size_t c = 0; c < to.size(); ++c)
+  {
+    std::visit(
+      [&](auto& values)
+      {
+        auto& from = std::get<std::decay_t<decltype(values)>>(more[c].Values);
+        values.insert(
+          values.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+      },
+      to[c].Values);
+  }
+}
+
 } // namespace
 
 std::vector<FragmentSummary> FindFragments(
@@ -305,7 +390,6 @@ std::vector<FragmentSummary> FindFragments(
 {
   ElementState state;
   Moments moments;
-  int last = 0;
   WorkTogether(ranks,
     [&]
     {
@@ -315,34 +399,58 @@ std::vector<FragmentSummary> FindFragments(
         Require(mesh.Material, "MaterialId", mesh);
         state = FindState(mesh, arrays);
         moments = FindElementMoments(mesh);
-        const auto [least, most] =
-          std::minmax_element(mesh.Fragment, mesh.Fragment + mesh.NumberOfElements);
-        if (*least < 1)
+        const int least = *std::min_element(mesh.Fragment, mesh.Fragment + mesh.NumberOfElements);
+        if (least < 1)
         {
-          throw InputError("FragmentId " + std::to_string(*least) + " is less than 1.");
+          throw InputError("FragmentId " + std::to_string(least) + " is less than 1.");
         }
-        last = *most;
       }
     });
-  const auto count = static_cast<std::size_t>(ranks.Max(last));
+  const bool hasMass = !arrays.Densities.empty();
+  std::vector<FragmentPair> pairs = FindFragmentPairs(mesh, ranks);
   const Units units = FindUnits(mesh, moments, state, ranks);
-  std::vector<Sums> sums(count);
-  std::vector<double> extremes(Extremes * count, Nowhere);
+  const FragmentWays ways(mesh, ListRankFragments(mesh.Fields), ranks);
   const std::vector<Vector3> translations = FindTranslations(mesh, ranks);
   moments = Translate(std::move(moments), translations);
-  SumElements(mesh, moments, state, units, sums, extremes);
-  WidenByElements(mesh, translations, extremes);
-  std::vector<FragmentSummary> fragments = MergeFragments(sums, extremes, units, ranks);
-  FindNeighbours(mesh, ranks, fragments);
-  return fragments;
+  FragmentValues own{ CountElements(ways), SumVolumes(moments, units, ways), {},
+    FindExtremes(mesh, translations, ways), FindFragmentTargets(mesh.Fields, ways.Ids()) };
+  if (hasMass)
+  {
+    own.Masses = SumMasses(moments, state, units, ways);
+  }
+  std::vector<FragmentSummary> rows = MakeRows(Combine(std::move(own), hasMass, ways), units, ways);
+  SetNeighbours(std::move(pairs), ways, ranks, rows);
+  return rows;
 }
 
 FieldArrays MakeFragmentTable(
   const MeshData& mesh, const std::vector<std::string>& densities, Ranks& ranks)
 {
-  const std::vector<FragmentSummary> fragments = FindFragments(mesh, { densities, "" }, ranks);
-  const MeshData head = fragments.empty() ? mesh : ShareHead(mesh, ranks);
-  return ranks.Rank() == 0 ? ListFragments(fragments, head, !densities.empty()) : FieldArrays();
+  const std::vector<FragmentSummary> rows = FindFragments(mesh, { densities, "" }, ranks);
+  const bool lacksTargets = std::any_of(
+    rows.begin(), rows.end(), [](const FragmentSummary& row) { return row.TargetVolume < 0.0; });
+  const bool hasTargets = !ranks.Any(lacksTargets) && ranks.Any(HasFragmentTargets(mesh.Fields));
+  return ListFragments(rows, ShareNames(mesh, ranks), hasTargets, !densities.empty());
+}
+
+FieldArrays GatherTable(FieldArrays part, TableMode mode, Ranks& ranks)
+{
+  const Index rows = SumOverRanks(static_cast<Index>(CountRows(part)), ranks);
+  if (!HasWholeTable(mode, rows))
+  {
+    return part;
+  }
+  MeshData carrier;
+  if (ranks.Rank() > 0)
+  {
+    carrier.Fields = std::move(part);
+    part = FieldArrays();
+  }
+  for (Bytes& other : SendToFirst(PackHead(carrier), ranks))
+  {
+    AppendRows(UnpackMesh(std::exchange(other, Bytes())).Data.Fields, part);
+  }
+  return part;
 }
 
 } // namespace vfm

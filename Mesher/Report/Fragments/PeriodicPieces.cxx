@@ -1,8 +1,11 @@
 #include "Report/Fragments/PeriodicPieces.h"
 
 #include "Base/DisjointSets.h"
+#include "Base/Sorted.h"
 #include "Elements/EqualFaces.h"
-#include "Ranks/Agreement.h"
+#include "Ranks/AskRanks.h"
+#include "Ranks/MeetingRank.h"
+#include "Ranks/WorkTogether.h"
 #include "Report/DomainSides.h"
 #include "Report/ElementCorners.h"
 #include "Report/MatchFaces.h"
@@ -140,7 +143,8 @@ std::vector<Index> FindPieces(const MeshData& mesh, std::vector<NumberedFace>& f
 
 using Link = std::array<Index, 5>; // two pieces, and the periods by which the second is moved
 
-/// Collective. Returns the links between the pieces of all ranks.
+/// Returns the links of pieces of this rank.
+/// @pre Collective
 std::vector<Link> FindLinks(
   const std::vector<NumberedFace>& faces, const std::vector<Index>& pieces, Ranks& ranks)
 {
@@ -153,16 +157,18 @@ std::vector<Link> FindLinks(
     links.push_back({ { pieces[ElementOf(faces[f])], behind[f] / FacePlaces::End, periods[0],
       periods[1], periods[2] } });
   }
-  return UnionOverRanks(ranks, std::move(links));
+  SortUnique(links);
+  return links;
 }
 
 /// Moves pieces so that they fit together.
 class PieceMoves
 {
 public:
+  /// @param links  all links of some fragments, ascending
   explicit PieceMoves(const std::vector<Link>& links)
   {
-    for (const Link& link : links) // ascending, so each fragment begins with its lowest piece
+    for (const Link& link : links) // so each fragment begins with its lowest piece
     {
       this->LinksOf[link[0]].push_back(link);
     }
@@ -215,6 +221,53 @@ private:
   std::map<Index, Index3> Periods;
 };
 
+/// Returns the periods by which each element is moved. A rank, which the fragment determines, finds
+/// those of all pieces of the fragment.
+/// @pre Collective
+std::vector<Index3> FindPeriods(const MeshData& mesh, const std::vector<Index>& pieces,
+  const std::vector<Link>& links, Ranks& ranks)
+{
+  using OfFragment = std::array<Index, 2>; // fragment and piece
+  std::vector<OfFragment> asked;
+  for (std::size_t e = 0; e < pieces.size(); ++e)
+  {
+    const OfFragment piece{ { mesh.Fragment[e], pieces[e] } };
+    if (asked.empty() || asked.back() != piece)
+    {
+      asked.push_back(piece);
+    }
+  }
+  SortUnique(asked);
+  std::map<Index, Index> fragmentOf;
+  for (const auto& [fragment, piece] : asked)
+  {
+    fragmentOf[piece] = fragment;
+  }
+  const auto rankOf = [&ranks](Index fragment) { return MeetingRank(fragment, ranks.Count()); };
+  std::vector<Link> known = SendItems(
+    links, [&](const Link& link) { return rankOf(fragmentOf.at(link[0])); }, ranks);
+  SortUnique(known);
+  const PieceMoves moves(known);
+  const std::vector<Index3> found = AskRanks(
+    asked, [&](const OfFragment& piece) { return rankOf(piece[0]); },
+    [&moves](const std::vector<OfFragment>& questions)
+    {
+      std::vector<Index3> answers;
+      for (const OfFragment& piece : questions)
+      {
+        answers.push_back(moves.Of(piece[1]));
+      }
+      return answers;
+    },
+    ranks);
+  std::vector<Index3> periods;
+  for (std::size_t e = 0; e < pieces.size(); ++e)
+  {
+    periods.push_back(found[FindSorted(asked, OfFragment{ { mesh.Fragment[e], pieces[e] } })]);
+  }
+  return periods;
+}
+
 Vector3 TranslationBy(
   const Index3& periods, const std::vector<double>& lengths, const ImageFrame& frame)
 {
@@ -243,12 +296,12 @@ std::vector<Vector3> FindTranslations(const MeshData& mesh, Ranks& ranks)
     });
   std::vector<NumberedFace> faces = FindInnerFaces(mesh, ranks);
   const std::vector<Index> pieces = FindPieces(mesh, faces, ranks);
-  const PieceMoves moves(FindLinks(faces, pieces, ranks));
+  const std::vector<Link> links = FindLinks(faces, pieces, ranks);
   const ImageFrame frame = FrameOfDomain(mesh);
   std::vector<Vector3> translations;
-  for (Index piece : pieces)
+  for (const Index3& periods : FindPeriods(mesh, pieces, links, ranks))
   {
-    translations.push_back(TranslationBy(moves.Of(piece), lengths, frame));
+    translations.push_back(TranslationBy(periods, lengths, frame));
   }
   return translations;
 }

@@ -1,6 +1,8 @@
 #include "Report/Sets/MeshSets.h"
 
+#include "Base/Sorted.h"
 #include "Ranks/Agreement.h"
+#include "Ranks/KeyMerge.h"
 #include "Report/MeshFacets.h"
 #include "Report/MeshMaterials.h"
 #include "Report/Sets/SidePoints.h"
@@ -246,8 +248,8 @@ void SeparateNames(std::vector<SideSet>& sets)
 
 using SurfacePoint = std::array<Index, 2>; // surface and global id of a point
 
-/// Collective. Returns the points on the edges of smooth sides (not inside a surface), ascending.
-std::vector<SurfacePoint> FindRims(const MeshData& mesh, const Facets& facets, Ranks& ranks)
+/// Returns the points of this rank on the edges of its smooth sides (not inside a surface).
+std::vector<SurfacePoint> FindOwnRims(const MeshData& mesh, const Facets& facets)
 {
   const Index* ids = mesh.UnsplitPointIds();
   std::vector<SurfacePoint> rims;
@@ -269,7 +271,67 @@ std::vector<SurfacePoint> FindRims(const MeshData& mesh, const Facets& facets, R
     const std::vector<Index> mids = MidsOfFace(mesh, facet.Element, facet.Side);
     std::for_each(mids.begin(), mids.end(), add);
   }
-  return UnionOverRanks(ranks, std::move(rims));
+  SortUnique(rims);
+  return rims;
+}
+
+/// Returns the ids of the points of this rank that may be on edges of smooth sides, ascending.
+/// @param own  those that are on edges of smooth sides of this rank
+std::vector<Index> ListRimPoints(const MeshData& mesh, const std::vector<SurfacePoint>& own)
+{
+  std::vector<Index> ids;
+  for (Index point = 0; point < mesh.NumberOfPoints; ++point)
+  {
+    if (mesh.GeometryDimension[point] < DimensionOfSurfaces)
+    {
+      ids.push_back(mesh.UnsplitPointIds()[point]);
+    }
+  }
+  for (const auto& [surface, id] : own)
+  {
+    ids.push_back(id);
+  }
+  SortUnique(ids);
+  return ids;
+}
+
+/// Collective. Returns the points of this rank on the edges of smooth sides of any rank, ascending.
+/// Each round finds the next higher surface at each point.
+std::vector<SurfacePoint> FindRims(const MeshData& mesh, const Facets& facets, Ranks& ranks)
+{
+  const std::vector<SurfacePoint> own = FindOwnRims(mesh, facets);
+  std::vector<SurfacePoint> rims;
+  bool hasMore = ranks.Any(!own.empty());
+  if (!hasMore)
+  {
+    return rims;
+  }
+  constexpr Index none = std::numeric_limits<Index>::max();
+  const std::vector<Index> ids = ListRimPoints(mesh, own);
+  const KeyMerge<Index> ways(ids, ranks);
+  std::vector<Index> last(ids.size(), 0);
+  while (hasMore)
+  {
+    std::vector<Index> next(ids.size(), none);
+    for (const auto& [surface, id] : own)
+    {
+      const Index at = FindSorted(ids, id);
+      next[at] = surface > last[at] ? std::min(next[at], surface) : next[at];
+    }
+    ways.Merge(next, 1, [](Index& a, Index b) { a = std::min(a, b); });
+    for (std::size_t p = 0; p < ids.size(); ++p)
+    {
+      if (next[p] < none)
+      {
+        rims.push_back({ { next[p], ids[p] } });
+        last[p] = next[p];
+      }
+    }
+    hasMore = ranks.Any(
+      std::any_of(next.begin(), next.end(), [](Index surface) { return surface < none; }));
+  }
+  std::sort(rims.begin(), rims.end());
+  return rims;
 }
 
 /// Returns the points on some surfaces.

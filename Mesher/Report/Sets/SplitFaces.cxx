@@ -1,6 +1,7 @@
 #include "Report/Sets/SplitFaces.h"
 
-#include "Ranks/NumberInOrder.h"
+#include "Ranks/Agreement.h"
+#include "Ranks/NumberKeys.h"
 #include "Report/MatchFaces.h"
 #include "Report/MeshFacets.h"
 #include "Report/MeshMaterials.h"
@@ -82,20 +83,23 @@ std::vector<FaceNodes> ValuesOf(const InnerFaces& faces, const Index* values)
 std::vector<FaceNodes> FindValuesBehind(
   const InnerFaces& faces, const std::vector<FaceNodes>& values, Ranks& ranks)
 {
-  std::vector<FaceNodes> found = values;
-  std::vector<Index> some(values.size());
-  for (std::size_t c = 0; c < std::tuple_size<FaceNodes>::value; ++c)
+  constexpr std::size_t width = std::tuple_size<FaceNodes>::value;
+  std::vector<Index> own; // a point without a value keeps it
+  for (std::size_t f = 0; f < values.size(); ++f)
   {
-    // A point without a value keeps it.
-    for (std::size_t f = 0; f < values.size(); ++f)
+    for (int place : faces.Orders[f])
     {
-      some[f] = std::max<Index>(values[f][faces.Orders[f][c]], 0);
+      own.push_back(std::max<Index>(values[f][place], 0));
     }
-    const std::vector<Index> behind = MatchFaces(faces.Keys, some, ranks);
-    for (std::size_t f = 0; f < values.size(); ++f)
+  }
+  const std::vector<Index> behind = MatchFaces(faces.Keys, own, ranks, width);
+  std::vector<FaceNodes> found = values;
+  for (std::size_t f = 0; f < values.size(); ++f)
+  {
+    for (std::size_t c = 0; c < width; ++c)
     {
       Index& value = found[f][faces.Orders[f][c]];
-      value = value < 0 ? value : behind[f];
+      value = value < 0 ? value : behind[width * f + c];
     }
   }
   return found;
@@ -137,10 +141,11 @@ void NumberElements(const MeshData& mesh, Ranks& ranks, std::vector<CohesiveBloc
   const Index largest =
     mesh.NumberOfElements > 0 ? *std::max_element(ids, ids + mesh.NumberOfElements) : 0;
   const Index first = MaximumOverRanks(largest, ranks) + 1;
-  const std::vector<std::int64_t> numbers = NumberInOrder(keys, ranks);
+  const KeyNumbers numbers = NumberItems(
+    keys, [first](const std::array<Index, 3>& key) { return key[0] * first + key[1]; }, ranks);
   for (std::size_t k = 0; k < keys.size(); ++k)
   {
-    blocks[keys[k][0]].Ids.push_back(first + numbers[k]);
+    blocks[keys[k][0]].Ids.push_back(first + numbers.Numbers[k]);
   }
 }
 

@@ -13,8 +13,7 @@ namespace vfm
 namespace
 {
 
-constexpr Index Rings = 2;            // points within this number of cells around interfaces move
-constexpr Index PointsOfBlock = 4096; // points per task
+constexpr Index PointsOfBlock = 4096; // per task
 
 /// Nodes near interfaces, on all levels that have interfaces.
 struct NearInterfaces
@@ -28,11 +27,11 @@ struct NearInterfaces
   {
     for (int halvings = 0; halvings <= this->Halvings; ++halvings)
     {
-      this->Nodes.emplace_back(levels.Finest(), mixed, halvings, Rings);
+      this->Nodes.emplace_back(levels.Finest(), mixed, halvings, MovingRings);
     }
     if (this->Halvings > 0)
     {
-      this->Nodes.emplace_back(levels.Finest(), mixed, this->Halvings, Rings + 1);
+      this->Nodes.emplace_back(levels.Finest(), mixed, this->Halvings, MovingRings + 1);
     }
   }
 

@@ -16,6 +16,9 @@
 namespace vfm
 {
 
+/// Points within this number of cells around interfaces move, in cells of their level.
+constexpr Index MovingRings = 2;
+
 /// Returns the active part of a mesh.
 /// @param mesh  result of BuildHexes, in its initial position
 /// @param isThin  FindThinFragments

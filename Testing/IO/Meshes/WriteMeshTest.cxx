@@ -1,6 +1,7 @@
 /// Mesh files are the same from any number of ranks; no file remains after a failed write.
 #include "Meshes/WriteMesh.h"
-#include "FileCases.h"
+#include "Geometry/GatherTables.h"
+#include "RunsCases.h"
 
 using namespace vfm;
 using namespace vfm::testing;
@@ -9,20 +10,6 @@ namespace
 {
 
 namespace fs = std::filesystem;
-
-/// Returns a file in which the date and time of the Exodus QA record are set to zeros.
-std::string ReadWithoutDate(const std::string& path)
-{
-  std::string bytes = ReadBytes(path);
-  constexpr std::size_t recordLength = 33;
-  const std::size_t record = bytes.rfind("VolumeFractionMesh");
-  const std::size_t first = record + 2 * recordLength, last = record + 4 * recordLength;
-  for (std::size_t i = first; path.find(".e") != std::string::npos && i < last; ++i)
-  {
-    bytes[i] = std::isdigit(static_cast<unsigned char>(bytes[i])) ? '0' : bytes[i];
-  }
-  return bytes;
-}
 
 } // namespace
 
@@ -98,9 +85,11 @@ namespace
 {
 
 /// Makes the interface of the first and third material a side that the surface of a body names.
-void NameInterface(Mesh& mesh, FieldArrays& fields)
+/// @pre Collective.
+void NameInterface(Mesh& mesh, FieldArrays& fields, Ranks& ranks)
 {
   GeometryTables& tables = mesh.Tables;
+  GatherSurfaceTables(ranks, tables);
   const std::array<int, 2> pair{ { 1, 3 } };
   const auto at = std::find(tables.SurfaceMaterials.begin(), tables.SurfaceMaterials.end(), pair);
   const auto number = at - tables.SurfaceMaterials.begin();
@@ -143,7 +132,7 @@ TEST(WriteMesh, SidesHaveTheNamesOfPatches)
       1, MakeHexMesh,
       [&](const FileCase& part, Ranks& ranks)
       { WriteMesh(part.Mesh, folder / name, ranks, { .IsSingle = true }); },
-      {}, [](Mesh& mesh, FieldArrays& fields, Ranks&) { NameInterface(mesh, fields); });
+      {}, NameInterface);
     const char* expected = std::string(name) == "mesh.vtu" ? "patchnames" : "inlet_one_to_three";
     EXPECT_NE(ReadLower(folder / ".").find(expected), std::string::npos) << name;
   }

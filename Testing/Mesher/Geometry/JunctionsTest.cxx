@@ -95,8 +95,8 @@ TEST(MeasureSurfaces, OfABoxOnRanks)
         {
           mesh.Surfaces.SurfaceId[f] = mesh.Surfaces.DomainSide[f] + 1;
         }
-        mesh.Tables.SurfaceVolumes.assign(6, { { 0, 1 } });
-        MeasureSurfaces(mesh, runtime);
+        const std::vector<unsigned char> areShared(6, count > 1);
+        MeasureSurfaces({ 1, 2, 3, 4, 5, 6 }, areShared, mesh, runtime);
         for (int side = 0; side < 6; ++side)
         {
           const int axis = side / 2;

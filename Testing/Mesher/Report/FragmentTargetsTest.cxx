@@ -54,10 +54,9 @@ TEST(FragmentTargets, AreWholeOnlyIfRequested)
           EXPECT_EQ(fields.size(), isWhole ? 1u : 2u);
           EXPECT_EQ(NumbersOfField(fields, "FragmentTargetVolume"),
             isWhole ? AllVolumes() : std::vector<double>());
-          const MeshReport::FragmentTargets read = ReadFragmentTargets(fields);
-          EXPECT_EQ(read.Volumes, isWhole ? AllVolumes() : own.Volumes);
-          EXPECT_EQ(read.Ids.size(), read.Volumes.size());
-          EXPECT_EQ(read.Ids.back(), isWhole ? Count : own.Ids.back());
+          EXPECT_TRUE(HasFragmentTargets(fields));
+          EXPECT_EQ(ListRankFragments(fields), isWhole ? std::vector<int>() : own.Ids);
+          EXPECT_EQ(FindFragmentTargets(fields, own.Ids), own.Volumes);
         }
       });
   }
@@ -86,10 +85,14 @@ TEST(FragmentTargets, OfAllPartsAreJoined)
   EXPECT_FALSE(IsFieldOfRank("FragmentTargetVolume"));
 }
 
-TEST(FragmentTargets, ListsThatDoNotFitAreIgnored)
+TEST(FragmentTargets, AreUnknownWhereNoFieldListsThem)
 {
-  EXPECT_TRUE(ReadFragmentTargets({}).Ids.empty());
-  const std::vector<FieldArray> broken{ { "RankFragments", std::vector<int>{ 1, 2 } },
-    { "RankTargetVolume", std::vector<double>{ 0.5 } } };
-  EXPECT_TRUE(ReadFragmentTargets(broken).Ids.empty());
+  EXPECT_FALSE(HasFragmentTargets({}));
+  EXPECT_TRUE(ListRankFragments({}).empty());
+  EXPECT_EQ(FindFragmentTargets({}, { 1, 2 }), (std::vector<double>{ -1.0, -1.0 }));
+  const std::vector<FieldArray> some{ { "RankFragments", std::vector<int>{ 2, 3 } },
+    { "RankTargetVolume", std::vector<double>{ 0.5 } } }; // too short
+  EXPECT_EQ(FindFragmentTargets(some, { 1, 2, 3 }), (std::vector<double>{ -1.0, 0.5, -1.0 }));
+  const std::vector<FieldArray> all{ { "FragmentTargetVolume", std::vector<double>{ 0.5 } } };
+  EXPECT_EQ(FindFragmentTargets(all, { 1, 2 }), (std::vector<double>{ 0.5, -1.0 }));
 }

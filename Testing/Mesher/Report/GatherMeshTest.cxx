@@ -1,6 +1,7 @@
 /// The report of a mesh is the same from any number of ranks, even if one has no element.
 #include "Report/GatherMesh.h"
 #include "RankMeshes.h"
+#include "Report/FragmentTargets.h"
 #include "Report/Fragments/FragmentTable.h"
 #include "Report/Sets/MeshSets.h"
 #include "State/ViewMesh.h"
@@ -31,6 +32,7 @@ struct Report
   std::vector<std::string> Arrays;
   FieldArrays Fragments;
   std::vector<std::pair<int, std::string>> Sets;
+  std::vector<double> Targets; ///< volumes of the fractions of fragments
 };
 
 Report Describe(const MeshData& whole)
@@ -46,6 +48,7 @@ Report Describe(const MeshData& whole)
     report.Facets.emplace_back(
       facet.Element, facet.Side, facet.Behind, facet.Surface, facet.DomainSide);
   }
+  report.Targets = NumbersOfField(whole.Fields, "FragmentTargetVolume");
   for (const std::vector<MeshArray>& arrays : { whole.PointArrays, whole.ElementArrays })
   {
     for (const MeshArray& array : arrays)
@@ -69,9 +72,15 @@ Report MakeReport(
       MeshReport measured;
       const Mesh mesh =
         MakeHexMesh(grid, CopyToLocal(whole, field, grid), MeshOptions(), runtime, measured);
-      const MeshData data = ViewMesh(mesh, OutputState(), ListDomain(whole, ImageFrame()));
+      FieldArrays fields = ListDomain(whole, ImageFrame());
+      AppendFields(
+        ListFragmentTargets(measured.Fragments, TableMode::Off, measured.NumberOfFragments, ranks),
+        fields);
+      fields.push_back({ "NumberOfFragments", std::vector<Index>{ measured.NumberOfFragments } });
+      const MeshData data = ViewMesh(mesh, OutputState(), fields);
       const StoredMesh gathered = GatherMesh(data, ranks);
-      const FieldArrays fragments = MakeFragmentTable(data, {}, ranks);
+      const FieldArrays fragments =
+        GatherTable(MakeFragmentTable(data, {}, ranks), TableMode::On, ranks);
       const MeshSets sets = FindMeshSets(OrderMesh(data, ranks).Data, ranks);
       if (ranks.Rank() == 0)
       {
@@ -96,6 +105,7 @@ void ExpectEqual(const Report& made, const Report& alone)
   EXPECT_EQ(made.Facets, alone.Facets);
   EXPECT_EQ(made.Arrays, alone.Arrays);
   EXPECT_EQ(made.Sets, alone.Sets);
+  EXPECT_EQ(made.Targets, alone.Targets);
   ASSERT_EQ(made.Fragments.size(), alone.Fragments.size());
   for (std::size_t column = 0; column < made.Fragments.size(); ++column)
   {
@@ -114,6 +124,30 @@ TEST(GatherMesh, IsTheMeshOfOneRank)
   const Report alone = MakeReport(c.Grid, c.Fractions, { box });
   EXPECT_GT(alone.Facets.size(), 100u);
   EXPECT_FALSE(alone.Sets.empty());
+  EXPECT_EQ(alone.Targets.size(), 1u);
   ExpectEqual(MakeReport(c.Grid, c.Fractions, CutBox(box, 2)), alone);
   ExpectEqual(MakeReport(c.Grid, c.Fractions, CutBox(box, 5, 0)), alone); // rank 0 has no element
+}
+
+TEST(GatherMesh, RejectsMeshesTooLongForOneFile)
+{
+  for (Index MeshData::*count : { &MeshData::NumberOfElements, &MeshData::NumberOfPoints })
+  {
+    RunOnRanks(2,
+      [count](Ranks& ranks)
+      {
+        MeshData mesh; // its arrays are not read
+        mesh.*count = Index(1) << 30;
+        try
+        {
+          GatherMesh(mesh, ranks);
+          ADD_FAILURE();
+        }
+        catch (const InputError& error)
+        {
+          EXPECT_NE(std::string(error.what()).find("choose files per rank"), std::string::npos)
+            << error.what();
+        }
+      });
+  }
 }

@@ -1,5 +1,7 @@
 /// The mesher's facets equal the facets found by a search and give the same sets, on any ranks.
 #include "Report/MeshFacets.h"
+#include "Geometry/EdgeFacets.h"
+#include "Geometry/GatherTables.h"
 #include "RankMeshes.h"
 #include "Report/MeshFields.h"
 #include "SharpCases.h"
@@ -48,10 +50,10 @@ Counts CountFacets(const std::vector<MeshFacet>& facets, Ranks& ranks)
 }
 
 /// Expects the same facets from the mesher and from a search.
-std::vector<MeshFacet> Compare(
-  const CartesianGrid& whole, const ImageFrame& frame, const Mesh& mesh, Ranks& ranks)
+std::vector<MeshFacet> Compare(const CartesianGrid& whole, const ImageFrame& frame,
+  const Mesh& mesh, const GeometryTables& tables, Ranks& ranks)
 {
-  MeshData data = ViewMesh(mesh, OutputState(), ListSides(mesh.Tables));
+  MeshData data = ViewMesh(mesh, OutputState(), ListSides(tables));
   for (FieldArray& field : ListDomain(whole, frame))
   {
     data.Fields.push_back(std::move(field));
@@ -61,6 +63,18 @@ std::vector<MeshFacet> Compare(
   EXPECT_EQ(ToRows(made), ToRows(FindMeshFacets(data, ranks)))
     << ranks.Rank() << " of " << ranks.Count();
   return made;
+}
+
+/// Compares with the tables of the rank and with those of the whole mesh.
+std::vector<MeshFacet> Compare(
+  const CartesianGrid& whole, const ImageFrame& frame, const Mesh& mesh, Ranks& ranks)
+{
+  GeometryTables tables = mesh.Tables;
+  GatherSurfaceTables(ranks, tables);
+  Compare(whole, frame, mesh, tables, ranks);
+  tables = mesh.Tables;
+  tables.EdgeFacets = ListEdgeFacetsOfElements(mesh);
+  return Compare(whole, frame, mesh, tables, ranks);
 }
 
 /// Returns the counts on one rank; expects the same on several.

@@ -9,7 +9,7 @@ using namespace vfm::testing;
 
 TEST(AskRanks, AnswersBelongToTheItems)
 {
-  for (int count : { 1, 2, 5 })
+  for (int count : { 1, 2, 5, 12 })
   {
     RunOnRanks(count,
       [&](Ranks& ranks)

@@ -1,6 +1,5 @@
 /// Messages and reductions on ranks that are threads.
 #include "Ranks/MessageRanks.h"
-#include "Ranks/ExchangeAll.h"
 #include "ThreadRanks.h"
 
 #include <gtest/gtest.h>
@@ -56,26 +55,4 @@ TEST(MessageRanks, LargeMessagesArriveWhole)
       EXPECT_EQ(ranks.Sent().Messages, 1);
       EXPECT_EQ(ranks.Sent().MessageBytes, static_cast<std::int64_t>(mine.size()));
     });
-}
-
-TEST(ExchangeAll, EachRankGetsItsMessages)
-{
-  for (int count : { 1, 2, 5 })
-  {
-    RunOnRanks(count,
-      [count](Ranks& ranks)
-      {
-        std::vector<Bytes> messages;
-        for (int to = 0; to < count; ++to)
-        {
-          messages.emplace_back(to + 1, static_cast<char>('a' + ranks.Rank()));
-        }
-        const std::vector<Bytes> got = ExchangeAll(messages, ranks);
-        ASSERT_EQ(static_cast<int>(got.size()), count);
-        for (int from = 0; from < count; ++from)
-        {
-          EXPECT_EQ(got[from], Bytes(ranks.Rank() + 1, static_cast<char>('a' + from)));
-        }
-      });
-  }
 }

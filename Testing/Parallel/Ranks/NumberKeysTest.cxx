@@ -55,6 +55,44 @@ TEST(NumberKeys, NumbersAreThePlacesInTheListOfAllKeys)
   }
 }
 
+TEST(NumberKeys, ItemsMayBeRepeatedAndInAnyOrder)
+{
+  using Item = std::array<std::int64_t, 2>;
+  const auto itemsOf = [](int rank)
+  {
+    std::mt19937 random(rank);
+    std::vector<Item> items;
+    for (int i = 0; i < rank * 31 % 200; ++i)
+    {
+      items.push_back({ { static_cast<std::int64_t>(random() % 40) - 7,
+        static_cast<std::int64_t>(random() % 3) } });
+    }
+    return items;
+  };
+  for (int count : { 1, 2, 3, 5, 8, 12, 27 })
+  {
+    std::set<Item> all;
+    for (int r = 0; r < count; ++r)
+    {
+      const std::vector<Item> items = itemsOf(r);
+      all.insert(items.begin(), items.end());
+    }
+    const std::vector<Item> sorted(all.begin(), all.end());
+    RunOnRanks(count,
+      [&](Ranks& ranks)
+      {
+        const std::vector<Item> items = itemsOf(ranks.Rank());
+        const KeyNumbers found = NumberItems(items, FirstOfKey(), ranks);
+        EXPECT_EQ(found.Total, static_cast<std::int64_t>(sorted.size()));
+        ASSERT_EQ(found.Numbers.size(), items.size());
+        for (std::size_t i = 0; i < items.size(); ++i)
+        {
+          EXPECT_EQ(sorted[found.Numbers[i]], items[i]);
+        }
+      });
+  }
+}
+
 TEST(NumberKeys, SumOfLowerRanks)
 {
   for (int count : { 1, 2, 3, 7, 8, 27 })
@@ -64,35 +102,46 @@ TEST(NumberKeys, SumOfLowerRanks)
       {
         const std::int64_t r = ranks.Rank();
         EXPECT_EQ(SumOfLowerRanks(r + 1, ranks), r * (r + 1) / 2);
+        EXPECT_EQ(
+          SumOfLowerRanks({ 1, r }, ranks), (std::vector<std::int64_t>{ r, r * (r - 1) / 2 }));
       });
   }
 }
 
 TEST(NumberKeys, RisingHomesRiseAndShareTheValues)
 {
-  RunOnRanks(12,
-    [](Ranks& ranks)
-    {
-      std::vector<std::int64_t> values;
-      for (int i = 0; i < 1000; ++i)
+  // Dense values far from 0; and dense ones among few that are far away.
+  for (const std::int64_t far : { std::int64_t(0), std::int64_t(1) << 60 })
+  {
+    RunOnRanks(12,
+      [far](Ranks& ranks)
       {
-        values.push_back((std::int64_t(1) << 61) + 1000 * ranks.Rank() + i);
-      }
-      const RisingHomes homes(values, ranks);
-      std::vector<std::int64_t> counts(CountHomes(ranks), 0);
-      int before = 0;
-      for (std::int64_t value : values)
-      {
-        const int home = homes(value);
-        EXPECT_GE(home, before);
-        ASSERT_LT(home, CountHomes(ranks));
-        before = home;
-        ++counts[home];
-      }
-      ranks.Sum(counts);
-      for (std::int64_t own : counts)
-      {
-        EXPECT_NEAR(static_cast<double>(own), 1500.0, 300.0);
-      }
-    });
+        std::vector<std::int64_t> values;
+        for (int i = 0; i < 3000; ++i)
+        {
+          values.push_back((std::int64_t(1) << 61) - far + 3000 * ranks.Rank() + i);
+        }
+        if (far > 0)
+        {
+          values.insert(values.begin(), -5);
+          values.insert(values.end(), { std::int64_t(1) << 61, std::int64_t(1) << 62 });
+        }
+        const RisingHomes homes(values, ranks);
+        std::vector<std::int64_t> counts(CountHomes(ranks), 0);
+        int before = 0;
+        for (std::int64_t value : values)
+        {
+          const int home = homes(value);
+          EXPECT_GE(home, before);
+          ASSERT_LT(home, CountHomes(ranks));
+          before = home;
+          ++counts[home];
+        }
+        ranks.Sum(counts);
+        for (std::int64_t own : counts)
+        {
+          EXPECT_NEAR(static_cast<double>(own), 4500.0, 900.0) << far;
+        }
+      });
+  }
 }

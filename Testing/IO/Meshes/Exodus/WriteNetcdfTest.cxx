@@ -6,6 +6,9 @@
 
 #include <fstream>
 #include <iterator>
+#include <numeric>
+#include <type_traits>
+#include <utility>
 
 using namespace vfm;
 
@@ -31,15 +34,58 @@ NetcdfLayout MakeLayout()
   return layout;
 }
 
-std::string Write(NetcdfFormat format)
+/// Returns a layout with numbers that are put at once or in three parts.
+NetcdfLayout MakeLayout(bool inParts)
+{
+  NetcdfLayout layout;
+  const std::size_t time = layout.AddDimension("t", 0), rows = layout.AddDimension("rows", 1000),
+                    four = layout.AddDimension("four", 4);
+  std::vector<double> reals(1000);
+  std::vector<Index> integers(4000);
+  std::iota(reals.begin(), reals.end(), 0.5);
+  std::iota(integers.begin(), integers.end(), -7);
+  layout.Variables = { { "v", NetcdfKind::Real, { time, rows }, [reals] { return reals; }, {} },
+    { "n", NetcdfKind::Int, { rows, four }, [integers] { return integers; }, {} },
+    { "x", NetcdfKind::Real, { rows }, [reals] { return reals; }, {} } };
+  for (NetcdfVariable& variable : layout.Variables)
+  {
+    if (inParts)
+    {
+      variable.Parts = [values = std::exchange(variable.Values, nullptr)](const PutValues& put)
+      {
+        std::visit(
+          [&put](const auto& list)
+          {
+            using List = std::decay_t<decltype(list)>;
+            if constexpr (!std::is_same_v<List, std::string>)
+            {
+              const auto first = list.begin() + 400, second = list.begin() + 404;
+              put(List(list.begin(), first));
+              put(List(first, second));
+              put(List(second, list.end()));
+            }
+          },
+          values());
+      };
+    }
+  }
+  return layout;
+}
+
+std::string Write(const NetcdfLayout& layout, NetcdfFormat format)
 {
   const vfm::testing::Folder folder;
   const std::string path = folder / "case.nc";
   OutputSet files(path);
-  WriteNetcdf(MakeLayout(), path, format, files);
+  WriteNetcdf(layout, path, format, files);
   files.Rename();
   std::ifstream file(path, std::ios::binary);
   return { std::istreambuf_iterator<char>(file), {} };
+}
+
+std::string Write(NetcdfFormat format)
+{
+  return Write(MakeLayout(), format);
 }
 
 /// Returns the bytes given as pairs of hexadecimal digits.
@@ -73,4 +119,12 @@ TEST(WriteNetcdf, ClassicFilesHaveTheBytesOfTheLibrary)
 TEST(WriteNetcdf, WideFilesAreNetcdf4)
 {
   EXPECT_EQ(Write(NetcdfFormat::Wide).substr(0, 4), "\x89HDF");
+}
+
+TEST(WriteNetcdf, PartsOfValuesMakeTheSameFile)
+{
+  for (const NetcdfFormat format : { NetcdfFormat::Classic, NetcdfFormat::Wide })
+  {
+    EXPECT_EQ(Write(MakeLayout(true), format), Write(MakeLayout(false), format));
+  }
 }

@@ -1,0 +1,154 @@
+#!/ usr / bin / env python3
+"""Checks a mesh of hexahedra in pieces, of which one at a time is in memory.
+
+usage: python3 check_parts.py MESH.pvtu [--each COMMAND]
+  --each COMMAND   runs COMMAND PIECE for each piece too, such as a check of files of one piece
+
+Checked: hexahedra only, positive at every corner;
+global ids of cells rise through a piece and are in one piece only;
+a face is on two cells at most, also of two pieces,
+  where both have the same points at the same coordinates;
+the boundary of all pieces together is closed :
+  each of its edges is on an even number of its faces.Needs the vtkmodules of VTK and NumPy.Prints a
+    line per piece,
+  then PASS or FAIL; the exit status is 0 or 1.
+"""
+import os
+import re
+import shlex
+import subprocess
+import sys
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+
+FACES = np.array([[0, 4, 7, 3], [1, 2, 6, 5], [0, 1, 5, 4], [3, 7, 6, 2], [0, 3, 2, 1],
+                  [4, 5, 6, 7]])
+CORNERS = np.array([[1, 3, 4], [2, 0, 5], [3, 1, 6], [0, 2, 7], [7, 5, 0], [4, 6, 1], [5, 7, 2],
+                    [6, 4, 3]])
+CHUNK = 1 << 20  # cells
+
+
+def read_piece(path):
+    """Returns coordinates, global ids of points and cells, and points of hexahedra."""
+    reader = vtkXMLUnstructuredGridReader()
+    reader.SetFileName(path)
+    reader.Update()
+    grid = reader.GetOutput()
+    types = vtk_to_numpy(grid.GetCellTypesArray())
+    if len(types) and (types.min() < 12 or types.max() > 12):
+        raise ValueError("%s has cells that are no hexahedra" % path)
+    cells = vtk_to_numpy(grid.GetCells().GetConnectivityArray()).reshape(-1, 8)
+    points = vtk_to_numpy(grid.GetPoints().GetData()).astype(float)
+    return (points, vtk_to_numpy(grid.GetPointData().GetArray("GlobalPointIds")).astype(np.int64),
+            vtk_to_numpy(grid.GetCellData().GetArray("GlobalCellIds")).astype(np.int64), cells)
+
+
+def smallest_corner(points, cells):
+    """Returns the smallest determinant at a corner of a cell."""
+    smallest = np.inf
+    for begin in range(0, len(cells), CHUNK):
+        x = points[cells[begin:begin + CHUNK]]
+        for corner, (a, b, c) in enumerate(CORNERS):
+            u, v, w = (x[:, other] - x[:, corner] for other in (a, b, c))
+            smallest = min(smallest, np.einsum("ij,ij->i", u, np.cross(v, w)).min())
+    return smallest
+
+
+def hash_rows(rows):
+    """Returns a number of 64 bits per row of ids, which does not depend on their order."""
+    ids = np.sort(rows, axis=1).astype(np.uint64)
+    value = np.full(len(ids), 0x12345, np.uint64)
+    for column in ids.T:
+        value = (value ^ column) * np.uint64(0x9e3779b97f4a7c15)
+        value ^= value >> np.uint64(29)
+    return value
+
+
+def outer_faces(ids, cells):
+    """Returns the faces that are on one cell of a piece, as global ids, and the largest number of
+    cells on a face."""
+    keys = np.concatenate([hash_rows(ids[cells[:, face]]) for face in FACES])
+    order = np.argsort(keys)
+    starts = np.flatnonzero(np.concatenate([[True], np.diff(keys[order]) != 0]))
+    counts = np.diff(np.append(starts, len(keys)))
+    single = order[starts[counts == 1]]
+    side, cell = np.divmod(single, len(cells))
+    return ids[cells[cell[:, None], FACES[side]]], counts.max() if len(counts) else 0
+
+
+def list_pieces(path):
+    with open(path, encoding="utf-8") as file:
+        names = re.findall(r'<Piece Source="([^"]+)"', file.read())
+    return [os.path.join(os.path.dirname(path), name) for name in names]
+
+
+def check_boundary(faces):
+    """Returns problems of the faces that are outer ones of pieces."""
+    _, first, counts = np.unique(hash_rows(faces), return_index=True, return_counts=True)
+    problems = []
+    if len(counts) and counts.max() > 2:
+        problems.append("a face is on cells of more than two pieces")
+    outer = faces[first[counts == 1]]
+    edges = np.stack([outer, np.roll(outer, -1, axis=1)], axis=2).reshape(-1, 2)
+    _, uses = np.unique(hash_rows(edges), return_counts=True)
+    if np.any(uses % 2):
+        problems.append("%d edges of the boundary are on an odd number of its faces"
+                        % np.count_nonzero(uses % 2))
+    print("faces between pieces: %d, boundary: %d faces" %
+          (np.count_nonzero(counts == 2), len(outer)))
+    return problems
+
+
+def check_same_points(ids, points):
+    """Returns problems of points that several pieces have."""
+    order = np.argsort(ids, kind="stable")
+    ids, points = ids[order], points[order]
+    same = ids[1:] == ids[:-1]
+    apart = np.count_nonzero(np.any(points[1:] != points[:-1], axis=1) & same)
+    print("points between pieces: %d" % np.count_nonzero(same))
+    return ["%d points of several pieces have several places" % apart] if apart else []
+
+
+def main(path, command):
+    problems, outer, border_ids, border_points, cell_ids, total = [], [], [], [], [], 0
+    for piece in list_pieces(path):
+        points, ids, cell_numbers, cells = read_piece(piece)
+        if not len(cells):
+            continue
+        faces, most = outer_faces(ids, cells)
+        smallest = smallest_corner(points, cells)
+        print("%s: %d hexahedra, smallest determinant %.3g" % (piece, len(cells), smallest),
+              flush=True)
+        if most > 2:
+            problems.append("%s: a face is on %d cells" % (piece, most))
+        if not smallest > 0.0:
+            problems.append("%s: a cell is not positive" % piece)
+        if np.any(np.diff(cell_numbers) <= 0):
+            problems.append("%s: ids of cells do not rise" % piece)
+        on_border = np.isin(ids, np.unique(faces))
+        outer.append(faces)
+        border_ids.append(ids[on_border])
+        border_points.append(points[on_border])
+        cell_ids.append(cell_numbers)
+        total += len(cells)
+        del points, ids, cells
+        if command and subprocess.run(shlex.split(command) + [piece]).returncode:
+            problems.append("%s fails for %s" % (command, piece))
+    if not total:
+        problems.append("there is no hexahedron")
+    else:
+        problems += check_boundary(np.concatenate(outer))
+        problems += check_same_points(np.concatenate(border_ids), np.concatenate(border_points))
+        every = np.sort(np.concatenate(cell_ids))
+        if np.any(every[1:] == every[:-1]):
+            problems.append("an id of a cell is in two pieces")
+    print("%d hexahedra: %s" % (total, "FAIL: " + "; ".join(problems) if problems else "PASS"))
+    return 1 if problems else 0
+
+
+if __name__ == "__main__":
+    if len(sys.argv) not in (2, 4) or (len(sys.argv) == 4 and sys.argv[2] != "--each"):
+        sys.exit(__doc__)
+    sys.exit(main(sys.argv[1], sys.argv[3] if len(sys.argv) == 4 else ""))
