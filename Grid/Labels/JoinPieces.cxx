@@ -1,8 +1,8 @@
 #include "Labels/JoinPieces.h"
 
 #include "Base/DisjointSets.h"
-#include "Base/NumberLimit.h"
 #include "Ranks/NumberKeys.h"
+#include "Ranks/NumberLimit.h"
 
 #include <limits>
 

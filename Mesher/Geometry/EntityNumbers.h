@@ -3,8 +3,9 @@
  */
 #pragma once
 
-#include "Base/NumberLimit.h"
+#include "Base/IndexBox.h"
 #include "Base/Sorted.h"
+#include "Ranks/NumberLimit.h"
 #include "Ranks/NumberOwnedKeys.h"
 
 #include <utility>

@@ -1,11 +1,11 @@
 #include "Geometry/SidePoints.h"
 
 #include "Base/DisjointSets.h"
-#include "Base/NumberLimit.h"
 #include "Base/Sorted.h"
 #include "Elements/PointValues.h"
 #include "Labels/JoinPieces.h"
 #include "Ranks/NumberKeys.h"
+#include "Ranks/NumberLimit.h"
 
 namespace vfm
 {

@@ -27,9 +27,9 @@ namespace
 Bytes PackFor(const IndexBox& requested, const InputBlocks& input, const InputCells& cells)
 {
   std::vector<SparseCells> packets;
-  for (const InputBlock& block : input.Blocks)
+  for (std::size_t block = 0; block < input.Blocks.size(); ++block)
   {
-    const IndexBox box = Intersect(block.Box, requested);
+    const IndexBox box = Intersect(input.Blocks[block].Box, requested);
     if (box.NumberOfCells() > 0)
     {
       packets.push_back(cells.Extract(block, box));

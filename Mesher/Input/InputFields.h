@@ -67,8 +67,8 @@ public:
   /// any axis.
   std::vector<Index3> FindInterfaceCells() const;
 
-  /// Extracts the cells of a box that lies within a block.
-  virtual SparseCells Extract(const InputBlock& block, const IndexBox& box) const = 0;
+  /// Extracts the cells of a box that lies within a block, by its place in the blocks of this rank.
+  virtual SparseCells Extract(std::size_t block, const IndexBox& box) const = 0;
 
   /// Makes the field of the local box of a grid.
   /// Values come from the arrays of this rank, else from received cells; other cells are void.

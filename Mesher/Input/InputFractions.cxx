@@ -49,7 +49,7 @@ public:
   OverfullCells FindOverfull(OutsideFractions& outside) const;
   Index NumberOfCells() const;
 
-  SparseCells Extract(const InputBlock& block, const IndexBox& box) const override;
+  SparseCells Extract(std::size_t block, const IndexBox& box) const override;
   InputField MakeField(
     const CartesianGrid& grid, const std::vector<SparseCells>& received) const override;
 
@@ -222,14 +222,13 @@ Index FractionCells::NumberOfCells() const
   return cells;
 }
 
-SparseCells FractionCells::Extract(const InputBlock& block, const IndexBox& box) const
+SparseCells FractionCells::Extract(std::size_t block, const IndexBox& box) const
 {
   struct Item
   {
     int Material;
     double Value;
   };
-  const std::size_t number = &block - this->Blocks().data();
   SparseCells cells;
   cells.Box = box;
   std::vector<double> values(box.Size(0));
@@ -239,7 +238,7 @@ SparseCells FractionCells::Extract(const InputBlock& block, const IndexBox& box)
     {
       for (int m = 1; m <= this->NumberOfMaterials(); ++m)
       {
-        this->ReadFractions(number, m, { { box.Lower[0], j, k } }, box.Size(0), values.data());
+        this->ReadFractions(block, m, { { box.Lower[0], j, k } }, box.Size(0), values.data());
         for (Index c = 0; c < box.Size(0); ++c)
         {
           if (values[c] != 0.0) // NaN too

@@ -97,7 +97,7 @@ public:
   /// @throws InputError if there is no next id
   void SetTable(std::vector<int> labels, bool isZeroMaterial);
 
-  SparseCells Extract(const InputBlock& block, const IndexBox& box) const override;
+  SparseCells Extract(std::size_t block, const IndexBox& box) const override;
   InputField MakeField(
     const CartesianGrid& grid, const std::vector<SparseCells>& received) const override;
 
@@ -226,17 +226,14 @@ void LabelCells::ReadMaterials(
     { std::fill_n(materials + offset, length, material); });
 }
 
-SparseCells LabelCells::Extract(const InputBlock& block, const IndexBox& box) const
+SparseCells LabelCells::Extract(std::size_t block, const IndexBox& box) const
 {
   SparseCells cells;
   cells.Box = box;
   cells.Entry.resize(box.NumberOfCells());
   VisitRows(box,
     [&](const Index3& first, Index count)
-    {
-      this->ReadMaterials(
-        &block - this->Input.Blocks.data(), first, count, cells.Entry.data() + cells.CellId(first));
-    });
+    { this->ReadMaterials(block, first, count, cells.Entry.data() + cells.CellId(first)); });
   return cells;
 }
 

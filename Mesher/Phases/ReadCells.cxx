@@ -18,7 +18,7 @@ namespace vfm
 namespace
 {
 
-LevelCells OpenCells(const MesherJob& job)
+LevelCells OpenCells(const MesherJob& job, const std::vector<InputBlocks>& levels)
 {
   if (!AreLabels(job) && !job.Options.Threshold.empty())
   {
@@ -27,7 +27,6 @@ LevelCells OpenCells(const MesherJob& job)
       "chosen as labels (" +
       job.Input.Arrays.LabelsOption + " ARRAY), not as volume fractions.");
   }
-  const std::vector<InputBlocks>& levels = job.Input.Levels.Levels;
   const MesherArrays& arrays = job.Input.Arrays;
   Ranks& ranks = job.Run.Group();
   return AreLabels(job) ? OpenLabels(levels,
@@ -82,11 +81,11 @@ LevelSetup SetUpLevels(const MesherJob& job, const InputRequests& requests)
 
 std::unique_ptr<Cells> ReadCells(const MesherJob& job)
 {
-  const InputLevels& levels = job.Input.Levels;
+  InputLevels levels = job.Input.Levels; // a copy, with other Places
   const MesherArrays& arrays = job.Input.Arrays;
   const MesherOptions& options = job.Options;
   Ranks& ranks = job.Run.Group();
-  LevelCells source = OpenCells(job);
+  LevelCells source = OpenCells(job, levels.Levels);
   NoteZeroLabel(job);
   const std::vector<StateArray> states = FindStateArrays(levels, arrays.State.Arrays, ranks);
   InputRequests requests = FindInputRequests(levels, options, ranks);
@@ -94,14 +93,13 @@ std::unique_ptr<Cells> ReadCells(const MesherJob& job)
   const bool isWidened = ReplacesCells(options);
   const LevelSetup setup = isWidened ? SetUpReading(levels) : SetUpLevels(job, requests);
   CheckPeriods(options);
-  InputLevels near = levels;
   std::vector<BlockPlace> owners = job.Input.StaysInPlace
     ? levels.Levels[0].Places
     : FindOwners(
-        DistributeCells(levels, source, setup, ranks), RepeatingAxes(options), ranks, near);
+        DistributeCells(levels, source, setup, ranks), RepeatingAxes(options), ranks, levels);
   LevelFields fields = MakeLevelFields(
-    near, source, setup, options.ChildFractions, RepeatingAxes(options), owners, job.Run);
-  std::unique_ptr<Cells> cells(new Cells{ std::move(source), setup, {}, std::move(near),
+    levels, source, setup, options.ChildFractions, RepeatingAxes(options), owners, job.Run);
+  std::unique_ptr<Cells> cells(new Cells{ std::move(source), setup, {}, std::move(levels),
     std::move(owners), std::move(fields), {}, {}, {} });
   Warn(job, CheckGreyValues(job, cells->Fields));
   Materials& table = cells->Fields.Field.Table;

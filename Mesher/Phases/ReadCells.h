@@ -21,7 +21,7 @@ struct Cells
   LevelCells Source; ///< materials of the blocks
   LevelSetup Setup;
   InputRequests Requests;         ///< of the cells that this rank meshes
-  InputLevels Input;              ///< with Places near the cells that this rank meshes
+  InputLevels Input;              ///< with Places near the cells that this rank meshes; in Source
   std::vector<BlockPlace> Owners; ///< cells of level 0 that nearby ranks mesh (FindOwners)
   LevelFields Fields;             ///< changed by PrepareCells
   std::optional<MaterialPairs> SplitPairs, LayerPairs; ///< interfaces to split, to get layers

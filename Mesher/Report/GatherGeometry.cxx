@@ -1,5 +1,6 @@
 #include "Report/GatherGeometry.h"
 
+#include "Ranks/NumberKeys.h"
 #include "Ranks/WorkTogether.h"
 #include "Report/GatherMesh.h"
 #include "Report/MeshFields.h"
@@ -114,14 +115,9 @@ std::vector<GeometryPart> GatherGeometry(const Mesh& mesh, Ranks& ranks)
   for (const OwnCells& own : ListCells(mesh))
   {
     const auto count = static_cast<Index>(own.Points.size()) / own.Corners;
-    const std::vector<Index> counts = GatherItems(ranks, std::vector<Index>{ count });
+    const Index firstId = SumOfLowerRanks(count, ranks) + 1;
     StoredMesh part;
-    WorkTogether(ranks,
-      [&]
-      {
-        part = ViewCells(
-          mesh, own, std::accumulate(counts.begin(), counts.begin() + ranks.Rank(), Index(1)));
-      });
+    WorkTogether(ranks, [&] { part = ViewCells(mesh, own, firstId); });
     StoredMesh whole = GatherMesh(part.Data, ranks);
     WorkTogether(ranks,
       [&]

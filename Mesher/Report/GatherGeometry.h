@@ -19,7 +19,8 @@ struct GeometryPart
 /// Gathers the surfaces, curves and vertices on rank 0.
 /// Cells are ordered by SurfaceId, CurveId or VertexId, then by their points; points are ordered by
 /// GlobalPointIds. Surfaces also have MaterialPair and DomainSide. Fields: ListSurfaces, ListCurves
-/// and ListVertices; none of tables of which a rank only has its rows. The result does not depend on the number of ranks.
+/// and ListVertices; none of tables of which a rank only has its rows. The result does not depend
+/// on the number of ranks.
 /// @return parts that have cells, on rank 0; an empty list on other ranks
 /// @pre Collective
 std::vector<GeometryPart> GatherGeometry(const Mesh& mesh, Ranks& ranks);

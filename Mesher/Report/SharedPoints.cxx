@@ -24,7 +24,7 @@ struct Meeting
 /// Returns the points of this rank that other ranks have too, once per other rank. Ranks that share
 /// a point meet on the rank that its id determines.
 /// @pre Collective
-std::vector<Meeting> FindMeetings(const std::vector<Index>& ids, Ranks& ranks)
+std::vector<Meeting> FindSharers(const std::vector<Index>& ids, Ranks& ranks)
 {
   ItemRoute route = MakeRoute(
     ids, [&ranks](Index id) { return id % ranks.Count(); }, ranks);
@@ -74,7 +74,7 @@ SharedPoints FindSharedPoints(const std::vector<Index>& ids, Ranks& ranks)
     places.push_back({ ids[p], static_cast<Index>(p) });
   }
   std::sort(places.begin(), places.end());
-  std::vector<Meeting> meetings = FindMeetings(ids, ranks);
+  std::vector<Meeting> meetings = FindSharers(ids, ranks);
   std::sort(meetings.begin(), meetings.end());
   auto place = places.begin();
   for (const Meeting& meeting : meetings)

@@ -13,6 +13,7 @@ namespace
 {
 
 constexpr double Touching = 1e-13; // overlap of projections that is rounding, in facet widths
+constexpr double FarAway = 1e15;   // beyond all points, grid coordinates
 
 using Triangle = std::array<Vector3, 3>;
 
@@ -240,11 +241,13 @@ private:
 /// Returns the cells of a grid of unit width that a box touches.
 IndexBox CellsOf(const Bounds& box)
 {
+  const auto cellOf = [](double x)
+  { return static_cast<Index>(std::floor(std::clamp(x, -FarAway, FarAway))); };
   IndexBox cells;
   for (int a = 0; a < 3; ++a)
   {
-    cells.Lower[a] = static_cast<Index>(std::floor(box.Lower[a]));
-    cells.Upper[a] = static_cast<Index>(std::floor(box.Upper[a])) + 1;
+    cells.Lower[a] = cellOf(box.Lower[a]);
+    cells.Upper[a] = cellOf(box.Upper[a]) + 1;
   }
   return cells;
 }

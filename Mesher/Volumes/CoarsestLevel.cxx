@@ -55,7 +55,7 @@ CoarsestLevel::CoarsestLevel(const IslandLevel& level)
 }
 
 std::shared_ptr<const CoarsestLevel::Factors> CoarsestLevel::Factor(
-  const IslandLevel& level, const LevelValues& values) const
+  const IslandLevel& level, const IslandValues& values) const
 {
   const std::vector<Entry> own = ListEntries(level);
   std::vector<double> list(own.size());

@@ -25,7 +25,7 @@ public:
 
   /// Factors the system of the level.
   /// @pre Collective.
-  std::shared_ptr<const Factors> Factor(const IslandLevel& level, const LevelValues& values) const;
+  std::shared_ptr<const Factors> Factor(const IslandLevel& level, const IslandValues& values) const;
   /// Returns the solution by group of this rank.
   /// @param right  right side by group of this rank
   /// @pre Collective.

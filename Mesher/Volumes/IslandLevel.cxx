@@ -5,7 +5,7 @@
 namespace vfm
 {
 
-LevelValues MakeValues(const IslandLevel& level, std::vector<double> areas)
+IslandValues MakeValues(const IslandLevel& level, std::vector<double> areas)
 {
   std::vector<ExactSum> sums(level.Share.Size());
   for (std::size_t p = 0; p < areas.size(); ++p)
@@ -17,7 +17,7 @@ LevelValues MakeValues(const IslandLevel& level, std::vector<double> areas)
       sums[b].Add(areas[p]);
     }
   }
-  LevelValues values{ std::move(areas), level.Share.Sum(std::move(sums)) };
+  IslandValues values{ std::move(areas), level.Share.Sum(std::move(sums)) };
   for (std::size_t f = 0; f < values.Diagonal.size(); ++f)
   {
     values.Diagonal[f] += level.Regular[f];
@@ -94,7 +94,8 @@ IslandLevel MakeNextLevel(IslandLevel& level, const std::vector<Index>& groups)
   return next;
 }
 
-LevelValues SumValues(const IslandLevel& level, const LevelValues& values, const IslandLevel& next)
+IslandValues SumValues(
+  const IslandLevel& level, const IslandValues& values, const IslandLevel& next)
 {
   std::vector<ExactSum> sums(next.Pairs.Size());
   for (std::size_t p = 0; p < level.PairOf.size(); ++p)
@@ -109,7 +110,7 @@ LevelValues SumValues(const IslandLevel& level, const LevelValues& values, const
 }
 
 std::vector<double> Multiply(
-  const IslandLevel& level, const LevelValues& values, const std::vector<double>& x)
+  const IslandLevel& level, const IslandValues& values, const std::vector<double>& x)
 {
   std::vector<ExactSum> sums(x.size());
   for (std::size_t p = 0; p < values.Areas.size(); ++p)

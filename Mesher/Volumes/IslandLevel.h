@@ -20,7 +20,7 @@ struct IslandLevel
 };
 
 /// Areas and diagonal of a level, over all ranks.
-struct LevelValues
+struct IslandValues
 {
   std::vector<double> Areas, Diagonal; ///< by pair; by fragment
 };
@@ -28,7 +28,7 @@ struct LevelValues
 /// Sums the diagonal.
 /// @param areas  by pair of this rank, over all ranks
 /// @pre Collective.
-LevelValues MakeValues(const IslandLevel& level, std::vector<double> areas);
+IslandValues MakeValues(const IslandLevel& level, std::vector<double> areas);
 
 /// Makes the next level.
 /// @param[in,out] level  gets its groups
@@ -38,12 +38,13 @@ IslandLevel MakeNextLevel(IslandLevel& level, const std::vector<Index>& groups);
 
 /// Returns the values of the next level.
 /// @pre Collective.
-LevelValues SumValues(const IslandLevel& level, const LevelValues& values, const IslandLevel& next);
+IslandValues SumValues(
+  const IslandLevel& level, const IslandValues& values, const IslandLevel& next);
 
 /// Returns the system times x. x[0] is 0.
 /// @pre Collective.
 std::vector<double> Multiply(
-  const IslandLevel& level, const LevelValues& values, const std::vector<double>& x);
+  const IslandLevel& level, const IslandValues& values, const std::vector<double>& x);
 
 /// Returns the sum of x times y over all fragments or groups of all ranks.
 /// @pre Collective.

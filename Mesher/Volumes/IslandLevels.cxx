@@ -19,11 +19,11 @@ Index CountAll(const FragmentShare& share)
 }
 
 /// Finds the groups of the next level and its values.
-IslandLevel MakeCoarser(IslandLevel& level, LevelValues& values)
+IslandLevel MakeCoarser(IslandLevel& level, IslandValues& values)
 {
   std::vector<Index> groups = MatchFragments(level, values);
   IslandLevel next = MakeNextLevel(level, groups);
-  LevelValues nextValues = SumValues(level, values, next);
+  IslandValues nextValues = SumValues(level, values, next);
   for (int matching = 1; matching < Matchings; ++matching)
   {
     const std::vector<Index> joined = MatchFragments(next, nextValues);
@@ -39,7 +39,7 @@ IslandLevel MakeCoarser(IslandLevel& level, LevelValues& values)
 }
 
 /// Corrects x by the damped residuals over the diagonal.
-void CorrectEach(const IslandLevel& level, const LevelValues& values,
+void CorrectEach(const IslandLevel& level, const IslandValues& values,
   const std::vector<double>& right, std::vector<double>& x)
 {
   const std::vector<double> product = Multiply(level, values, x);
@@ -62,7 +62,7 @@ std::vector<double> Times(double factor, std::vector<double> values)
 
 IslandLevels::IslandLevels(IslandLevel first, const std::vector<double>& areas)
 {
-  LevelValues values = MakeValues(first, areas);
+  IslandValues values = MakeValues(first, areas);
   this->Levels.push_back(std::move(first));
   for (Index count = CountAll(this->First().Share), last = 2 * count;
        count > LargestCoarsest && count < last;)
@@ -95,7 +95,7 @@ std::vector<double> IslandLevels::Cycle(
     return this->Coarsest.Solve(*system.Factors, right);
   }
   const IslandLevel &own = this->Levels[level], &next = this->Levels[level + 1];
-  const LevelValues& values = system.Values[level];
+  const IslandValues& values = system.Values[level];
   std::vector<double> x(right.size(), 0.0), rest(right);
   for (std::size_t f = 1; f < x.size(); ++f)
   {
@@ -119,7 +119,7 @@ std::vector<double> IslandLevels::CycleTwice(
   const System& system, std::size_t level, const std::vector<double>& right) const
 {
   const IslandLevel& own = this->Levels[level];
-  const LevelValues& values = system.Values[level];
+  const IslandValues& values = system.Values[level];
   const std::vector<double> first = this->Cycle(system, level, right),
                             firstProduct = Multiply(own, values, first);
   const double square = Dot(own.Share, first, firstProduct);

@@ -31,7 +31,7 @@ public:
   /// Values of all levels, and factors of the coarsest.
   struct System
   {
-    std::vector<LevelValues> Values;
+    std::vector<IslandValues> Values;
     std::shared_ptr<const CoarsestLevel::Factors> Factors;
   };
   /// @param areas  by pair of the fragments, over all ranks

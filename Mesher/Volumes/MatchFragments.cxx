@@ -39,7 +39,7 @@ std::uint64_t DrawOf(Index a, Index b)
 class Matching
 {
 public:
-  Matching(const IslandLevel& level, const LevelValues& values) :
+  Matching(const IslandLevel& level, const IslandValues& values) :
     Share(level.Share), Pairs(level.Pairs.Pairs()), Mates(level.Share.Size(), 0)
   {
     for (std::size_t p = 0; p < this->Pairs.size(); ++p)
@@ -136,7 +136,7 @@ private:
 
 } // namespace
 
-std::vector<Index> MatchFragments(const IslandLevel& level, const LevelValues& values)
+std::vector<Index> MatchFragments(const IslandLevel& level, const IslandValues& values)
 {
   Matching matching(level, values);
   matching.FindMates();

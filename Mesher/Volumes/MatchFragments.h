@@ -14,6 +14,6 @@ namespace vfm
 /// @return number over all ranks of the group of each fragment or group of this rank, which is that
 ///   of a member
 /// @pre Collective.
-std::vector<Index> MatchFragments(const IslandLevel& level, const LevelValues& values);
+std::vector<Index> MatchFragments(const IslandLevel& level, const IslandValues& values);
 
 } // namespace vfm

@@ -67,7 +67,7 @@ std::vector<T> UnionOverRanks(
 /// @pre Collective over `ranks`.
 inline std::int64_t MaximumOverRanks(std::int64_t mine, Ranks& ranks)
 {
-  return UnionOverRanks(ranks, std::vector<std::int64_t>{ mine }).back();
+  return ~UnionOverRanks(ranks, std::vector<std::int64_t>{ ~mine }, 1)[0]; // ~ reverses the order
 }
 
 } // namespace vfm

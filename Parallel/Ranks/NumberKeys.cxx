@@ -139,11 +139,11 @@ bool RisingHomes::Divide(std::int64_t most)
   const auto divided =
     static_cast<std::size_t>(std::count_if(this->Ranges.begin(), this->Ranges.end(), isDivided));
   int halvings = 0;
-  while (divided << (halvings + 1) <= this->NumberOfRanges)
+  while (divided > 0 && divided << (halvings + 1) <= this->NumberOfRanges)
   {
     ++halvings;
   }
-  if (divided == 0 || halvings == 0)
+  if (halvings == 0)
   {
     return false;
   }

@@ -102,6 +102,29 @@ struct FirstOfKey
   }
 };
 
+/// Value for NumberKeys of keys that begin with a group, such as a block, and an id.
+class ValueInGroup
+{
+public:
+  /// @param greatest  greatest id of all ranks; ids are at least 0
+  explicit ValueInGroup(std::int64_t greatest)
+  {
+    while (greatest >> this->Shift >= std::int64_t(1) << 40) // groups must fit, up to 2^22
+    {
+      ++this->Shift;
+    }
+    this->Width = (greatest >> this->Shift) + 1;
+  }
+  std::int64_t operator()(std::int64_t group, std::int64_t id) const
+  {
+    return group * this->Width + (id >> this->Shift);
+  }
+
+private:
+  int Shift = 0;
+  std::int64_t Width;
+};
+
 /// Numbers the different items of all ranks in their order.
 /// @param items  of this rank, in any order; may be repeated
 /// @param value  as in NumberKeys

@@ -119,10 +119,10 @@ std::vector<Index> NumberPairs(
     keys.push_back({ { patches[p], ids[0], ids[1], ids[2], ids[3] } });
     greatest = std::max(greatest, ids[3]);
   }
-  greatest = MaximumOverRanks(greatest, ranks);
-  const auto value = [greatest](const std::array<Index, 5>& key)
-  { return key[0] * (greatest + 1) + (key[1] < 0 ? key[2] : key[1]); };
-  return NumberItems(keys, value, ranks).Numbers;
+  const ValueInGroup value(MaximumOverRanks(greatest, ranks));
+  const auto valueOf = [&value](const std::array<Index, 5>& key)
+  { return value(key[0], key[1] < 0 ? key[2] : key[1]); };
+  return NumberItems(keys, valueOf, ranks).Numbers;
 }
 
 /// Collects the patches of pairs.

@@ -24,7 +24,7 @@ public:
   }
 
   ///@{ Call visit(begin, end) for the runs of these cells in row (j, k) of HexBox, in order, and
-  ///for
+  /// for
   /// the runs of nodes of these cells in row (j, k) of nodes.
   template <class Visitor>
   void ForCells(Index j, Index k, const Visitor& visit) const

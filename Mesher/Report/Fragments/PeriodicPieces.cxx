@@ -231,7 +231,11 @@ std::vector<Index3> FindPeriods(const MeshData& mesh, const std::vector<Index>& 
   std::vector<OfFragment> asked;
   for (std::size_t e = 0; e < pieces.size(); ++e)
   {
-    asked.push_back({ { mesh.Fragment[e], pieces[e] } });
+    const OfFragment piece{ { mesh.Fragment[e], pieces[e] } };
+    if (asked.empty() || asked.back() != piece)
+    {
+      asked.push_back(piece);
+    }
   }
   SortUnique(asked);
   std::map<Index, Index> fragmentOf;

@@ -140,12 +140,13 @@ void NumberElements(const MeshData& mesh, Ranks& ranks, std::vector<CohesiveBloc
   const Index* ids = mesh.ElementIds;
   const Index largest =
     mesh.NumberOfElements > 0 ? *std::max_element(ids, ids + mesh.NumberOfElements) : 0;
-  const Index first = MaximumOverRanks(largest, ranks) + 1;
+  const Index greatest = MaximumOverRanks(largest, ranks);
+  const ValueInGroup value(greatest);
   const KeyNumbers numbers = NumberItems(
-    keys, [first](const std::array<Index, 3>& key) { return key[0] * first + key[1]; }, ranks);
+    keys, [&value](const std::array<Index, 3>& key) { return value(key[0], key[1]); }, ranks);
   for (std::size_t k = 0; k < keys.size(); ++k)
   {
-    blocks[keys[k][0]].Ids.push_back(first + numbers.Numbers[k]);
+    blocks[keys[k][0]].Ids.push_back(greatest + 1 + numbers.Numbers[k]);
   }
 }
 

@@ -9,16 +9,13 @@
  *
  * Figures are of the rank that has most: messages to others and their bytes; bytes that sums and
  * maxima reduce. `fragments` are joined and numbered once per mesh, a sum by fragment is one of
- * about fifty, `surfaces` are numbered once. The last row is at 2^20 ranks, by least squares of the
- * rows of 64 ranks and more: linear in log2 P, of filaments quadratic, because they take log2 P
- * rounds.
+ * about fifty, `surfaces` are numbered once. For drops, the last row is a + b log2 P at 2^20 ranks,
+ * by least squares of the rows of 64 ranks and more. Filaments take about log2 P rounds.
  */
 #include "Labels/JoinPieces.h"
 #include "Ranks/NumberKeys.h"
 #include "SiteDraw.h"
 #include "ThreadRanks.h"
-
-#include <Eigen/Dense>
 
 #include <cmath>
 #include <cstdio>
@@ -278,28 +275,28 @@ void PrintRow(const Row& row)
   std::fflush(stdout);
 }
 
-/// Returns the polynomial in log2 P of a degree, by least squares, at a number of ranks.
-Row Fit(const std::map<int, Row>& rows, int degree, double ranks)
+/// Returns a + b log2 P at a number of ranks, by least squares.
+Row Fit(const std::map<int, Row>& rows, double ranks)
 {
-  const auto powersOf = [degree](double count)
-  {
-    Eigen::RowVectorXd powers(degree + 1);
-    for (int d = 0; d <= degree; ++d)
-    {
-      powers[d] = std::pow(std::log2(count), d);
-    }
-    return powers;
-  };
-  Eigen::MatrixXd left(rows.size(), degree + 1), right(rows.size(), Row().size());
-  Eigen::Index r = 0;
+  double n = 0.0, x = 0.0, xx = 0.0;
+  Row y{}, xy{}, fitted{};
   for (const auto& [count, row] : rows)
   {
-    left.row(r) = powersOf(count);
-    right.row(r++) = Eigen::Map<const Eigen::RowVectorXd>(row.data(), row.size());
+    const double log = std::log2(count);
+    n += 1.0;
+    x += log;
+    xx += log * log;
+    for (std::size_t i = 0; i < row.size(); ++i)
+    {
+      y[i] += row[i];
+      xy[i] += log * row[i];
+    }
   }
-  const Eigen::MatrixXd factors = (left.transpose() * left).ldlt().solve(left.transpose() * right);
-  Row fitted{};
-  Eigen::Map<Eigen::RowVectorXd>(fitted.data(), fitted.size()) = powersOf(ranks) * factors;
+  for (std::size_t i = 0; i < fitted.size(); ++i)
+  {
+    const double slope = (n * xy[i] - x * y[i]) / (n * xx - x * x);
+    fitted[i] = (y[i] - slope * x) / n + slope * std::log2(ranks);
+  }
   return fitted;
 }
 
@@ -340,11 +337,10 @@ int main(int argc, char** argv)
       rows[world.Count()] = row;
     }
   }
-  const int degree = areDrops ? 1 : 2;
-  if (rows.size() > static_cast<std::size_t>(degree))
+  if (areDrops && rows.size() > 1)
   {
     std::printf("| 2^20, fitted | | | | |");
-    PrintRow(Fit(rows, degree, FitAt));
+    PrintRow(Fit(rows, FitAt));
   }
   return 0;
 }

@@ -1,7 +1,7 @@
 /// Components of many ranks that are threads, against disjoint sets of all of them.
 #include "Labels/JoinPieces.h"
 #include "Base/DisjointSets.h"
-#include "Base/NumberLimit.h"
+#include "Ranks/NumberLimit.h"
 #include "ThreadRanks.h"
 
 #include <gtest/gtest.h>

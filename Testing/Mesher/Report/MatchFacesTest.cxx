@@ -125,6 +125,15 @@ TEST(MatchFaces, CubesOfAGrid)
           }
         }
         EXPECT_EQ(MatchFaces(faces, values, ranks), expected) << count << ", " << ranks.Rank();
+        std::vector<Index> pairs, expectedPairs; // two values per face
+        for (std::size_t f = 0; f < faces.size(); ++f)
+        {
+          pairs.insert(pairs.end(), { values[f], Shift - values[f] });
+          const Index behind = expected[f];
+          expectedPairs.insert(expectedPairs.end(),
+            { behind, behind == NothingBehind ? NothingBehind : Shift - behind });
+        }
+        EXPECT_EQ(MatchFaces(faces, pairs, ranks, 2), expectedPairs);
       });
   }
 }

@@ -27,8 +27,8 @@ TEST(IslandLevel, SystemsOfGroupsAgreeWithThatOfGrains)
           groups.push_back((level.Share.Ids[f] - 1) / 2 * 2 + 1);
         }
         const IslandLevel next = MakeNextLevel(level, groups);
-        const LevelValues values = MakeValues(level, grains.Areas),
-                          nextValues = SumValues(level, values, next);
+        const IslandValues values = MakeValues(level, grains.Areas),
+                           nextValues = SumValues(level, values, next);
         std::vector<double> shifts(1, 0.0), ofGrains(1, 0.0);
         for (std::size_t g = 1; g < next.Share.Size(); ++g)
         {

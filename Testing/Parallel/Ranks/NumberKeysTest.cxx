@@ -93,6 +93,23 @@ TEST(NumberKeys, ItemsMayBeRepeatedAndInAnyOrder)
   }
 }
 
+TEST(NumberKeys, ValuesInGroupsRiseAndStayInRange)
+{
+  for (std::int64_t greatest : { std::int64_t(0), std::int64_t(7), std::int64_t(1) << 62 })
+  {
+    const ValueInGroup value(greatest);
+    std::int64_t last = -1;
+    for (std::int64_t group = 0; group < 1000; ++group)
+    {
+      EXPECT_GT(value(group, 0), last); // groups do not overlap
+      EXPECT_GE(value(group, greatest / 2), value(group, 0));
+      EXPECT_GE(value(group, greatest), value(group, greatest / 2));
+      last = value(group, greatest);
+    }
+    EXPECT_LT(last, std::int64_t(1) << 60);
+  }
+}
+
 TEST(NumberKeys, SumOfLowerRanks)
 {
   for (int count : { 1, 2, 3, 7, 8, 27 })

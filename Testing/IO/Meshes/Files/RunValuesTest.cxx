@@ -51,31 +51,33 @@ std::string Collect(const Add& add)
   return bytes;
 }
 
-void ExpectEqual(const PartSummary& a, const PartSummary& b)
+void ExpectEqual(const PartSizes& a, const PartSizes& b)
 {
-  EXPECT_EQ(a.Name, b.Name);
   EXPECT_EQ(a.Material, b.Material);
   EXPECT_EQ(a.Elements, b.Elements);
   EXPECT_EQ(a.Points, b.Points);
   EXPECT_EQ(a.MinimumQuality, b.MinimumQuality);
   EXPECT_EQ(a.MeanQuality, b.MeanQuality);
   EXPECT_NEAR(a.Volume, b.Volume, 1e-12 * b.Volume);
-  EXPECT_EQ(a.TargetVolume, b.TargetVolume);
 }
 
 void ExpectEqual(const MeshSummary& a, const MeshSummary& b)
 {
   ASSERT_EQ(a.Materials.size(), b.Materials.size());
-  ASSERT_EQ(a.Fragments.size(), b.Fragments.size());
+  ASSERT_EQ(a.LargestFragments.size(), b.LargestFragments.size());
   for (std::size_t m = 0; m < a.Materials.size(); ++m)
   {
     ExpectEqual(a.Materials[m], b.Materials[m]);
+    EXPECT_EQ(a.Materials[m].Name, b.Materials[m].Name);
+    EXPECT_EQ(a.Materials[m].TargetVolume, b.Materials[m].TargetVolume);
   }
-  for (std::size_t f = 0; f < a.Fragments.size(); ++f)
+  for (std::size_t f = 0; f < a.LargestFragments.size(); ++f)
   {
-    ExpectEqual(a.Fragments[f], b.Fragments[f]);
+    ExpectEqual(a.LargestFragments[f], b.LargestFragments[f]);
+    EXPECT_EQ(a.LargestFragments[f].Id, b.LargestFragments[f].Id);
   }
   ExpectEqual(a.Total, b.Total);
+  EXPECT_EQ(a.Total.TargetVolume, b.Total.TargetVolume);
 }
 
 void ExpectEqualMeshes(const MeshData& all, const MeshData& stored, const MeshWithRuns& whole)

@@ -3,7 +3,6 @@
  */
 #pragma once
 
-#include "Base/IndexBox.h"
 #include "Ranks/Errors.h"
 
 #include <limits>
@@ -14,9 +13,9 @@ namespace vfm
 /// Throws an InputError (TooLarge) if things cannot be numbered from 1 with 32 bits. A check of a
 /// number that all ranks know, so all throw.
 /// @param things  plural, such as "fragments"
-inline void CheckNumberLimit(Index count, const char* things)
+inline void CheckNumberLimit(std::int64_t count, const char* things)
 {
-  constexpr Index largest = std::numeric_limits<int>::max();
+  constexpr std::int64_t largest = std::numeric_limits<int>::max();
   if (count > largest)
   {
     throw InputError(ErrorCode::TooLarge,
