@@ -23,13 +23,14 @@ Copy LowestOf(const Copy& a, const Copy& b)
   return a.Id < b.Id ? a : b;
 }
 
-/// Returns whether a point may have copies: not if its node is inside the domain. Points that
-/// TetGen or layers added have no node.
+/// Returns whether a point may have copies: not a corner of hexes whose node is inside the domain.
+/// Points of tets can have the node of a cell next to the side. Points that TetGen or layers added
+/// have no node.
 bool MayHaveCopies(const Mesh& mesh, Index point)
 {
   const Index id = mesh.PointIds[point];
   const CartesianGrid& domain = mesh.Levels->Finest();
-  return mesh.PeriodicPartner[point] != id ||
+  return mesh.Corners != 8 || mesh.PeriodicPartner[point] != id ||
     id >= EndOfPointIds(*mesh.Levels, mesh.Ids.PointSlots) ||
     domain.DomainSides(NodeOfPoint(domain, mesh, id)) != 0;
 }

@@ -118,20 +118,22 @@ std::vector<PartSums> SumParts(const MeshData& mesh, const std::vector<ElementMo
   return parts;
 }
 
-/// Adds the hexes that a mesh leaves out.
+/// Adds the hexes that a mesh leaves out, which are cells.
+/// @param mesh  the mesh without them
 /// @param place  place(material, fragment) returns the part, from 0
 template <class Place>
-void AddRuns(
-  const MeshWithRuns& whole, const Place& place, double unit, std::vector<PartSums>& parts)
+void AddRuns(const MeshData& mesh, const MeshWithRuns& whole, const Place& place, double unit,
+  std::vector<PartSums>& parts)
 {
+  const bool hasQuality = FindArray(mesh.ElementArrays, "ScaledJacobian") != nullptr;
   for (const CellRuns::Run& run : whole.Cells())
   {
     PartSums& part = parts[place(run.Material, run.Fragment)];
     part.Elements += run.Count;
     part.Material = run.Material;
     part.Volume.Add(whole.VolumeOf(run) / unit);
-    part.Minimum = std::min(part.Minimum, 1.0);
-    part.Quality.Add(1.0, run.Count);
+    part.Minimum = hasQuality ? std::min(part.Minimum, 1.0) : part.Minimum;
+    part.Quality.Add(1.0, hasQuality ? run.Count : 0);
   }
 }
 
@@ -198,7 +200,7 @@ std::vector<PartSummary> SummariseParts(const MeshData& mesh, const MeshWithRuns
   std::vector<Index> points = CountPoints(mesh, partOf, numberOfParts, ranks);
   if (whole)
   {
-    AddRuns(*whole, place, unit, own);
+    AddRuns(mesh, *whole, place, unit, own);
     AddPointsOfRuns(*whole, place, points);
   }
   PartLists lists = ListSums(own);
@@ -230,7 +232,8 @@ std::vector<FragmentSizes> SummariseFragments(const MeshData& mesh, const MeshWi
   if (whole)
   {
     AddRuns(
-      *whole, [&ways](int, int fragment) { return FindSorted(ways.Ids(), fragment); }, unit, own);
+      mesh, *whole, [&ways](int, int fragment) { return FindSorted(ways.Ids(), fragment); }, unit,
+      own);
   }
   PartLists lists = ListSums(own);
   lists.Elements = ways.Sum(std::move(lists.Elements), 1);
@@ -358,6 +361,7 @@ MeshSummary Summarise(const MeshData& mesh, Ranks& ranks, const MeshWithRuns* wh
   summary.LargestFragments = FindLargest(fragments, ranks);
   summary.Total = SummariseParts(
     mesh, whole, moments, [](int, int) { return 0; }, 1, unit, ranks)[0];
+  summary.Total.Material = -1;
   for (const PartSummary& material : summary.Materials)
   {
     summary.Total.TargetVolume += material.TargetVolume;

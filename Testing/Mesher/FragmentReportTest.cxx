@@ -89,7 +89,7 @@ void CheckSummary(const Outcome& outcome)
   const std::vector<FragmentSizes>& largest = outcome.Summary.LargestFragments;
   ASSERT_EQ(largest.size(), MaximumFragments);
   EXPECT_EQ(outcome.Summary.NumberOfFragments, static_cast<Index>(volumes.size()));
-  EXPECT_GT(volumes.size(), 2 * MaximumFragments);
+  EXPECT_GT(volumes.size(), MaximumFragments);
   for (const FragmentSizes& fragment : largest)
   {
     EXPECT_NEAR(fragment.Volume, volumes[fragment.Id - 1], 1e-12);

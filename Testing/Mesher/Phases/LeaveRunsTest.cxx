@@ -53,7 +53,7 @@ TEST(LeaveRuns, OnlyIfNothingNeedsAllHexes)
   options.ElementOrder = InterpolationOrder::Quadratic;
   EXPECT_EQ(CountLeftOut(options), 0);
   options = MesherOptions();
-  options.SplitInterfaces = "*";
+  options.SplitInterfaces = "1/2";
   EXPECT_EQ(CountLeftOut(options), 0);
   options = MesherOptions();
   options.Layers = 2;

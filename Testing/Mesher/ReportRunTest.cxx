@@ -6,7 +6,7 @@
 #include "Report/GatherMesh.h"
 #include "Report/MeshFacets.h"
 #include "State/ViewMesh.h"
-#include "../SurfaceRuns.h"
+#include "SurfaceRuns.h"
 
 #include <gtest/gtest.h>
 
