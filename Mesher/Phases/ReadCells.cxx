@@ -77,6 +77,24 @@ LevelSetup SetUpLevels(const MesherJob& job, const InputRequests& requests)
   return setup;
 }
 
+/// Decides which cells each rank meshes.
+/// @param[in,out] levels  gets the blocks near the cells of this rank
+/// @return cells of level 0, of this rank and of ranks near it
+/// @pre Collective
+std::vector<BlockPlace> ChooseOwners(
+  const MesherJob& job, const LevelCells& source, const LevelSetup& setup, InputLevels& levels)
+{
+  Ranks& ranks = job.Run.Group();
+  const bool staysInPlace = job.Input.StaysInPlace;
+  if (staysInPlace && !ReplacesCells(job.Options))
+  {
+    return levels.Levels[0].Places; // of the neighbours that the host named
+  }
+  const IndexBox owned = staysInPlace ? BoxOfRank(levels.Levels[0].Places, ranks.Rank())
+                                      : DistributeCells(levels, source, setup, ranks);
+  return FindOwners(owned, RepeatingAxes(job.Options), ranks, levels);
+}
+
 } // namespace
 
 std::unique_ptr<Cells> ReadCells(const MesherJob& job)
@@ -93,10 +111,7 @@ std::unique_ptr<Cells> ReadCells(const MesherJob& job)
   const bool isWidened = ReplacesCells(options);
   const LevelSetup setup = isWidened ? SetUpReading(levels) : SetUpLevels(job, requests);
   CheckPeriods(options);
-  std::vector<BlockPlace> owners = job.Input.StaysInPlace
-    ? levels.Levels[0].Places
-    : FindOwners(
-        DistributeCells(levels, source, setup, ranks), RepeatingAxes(options), ranks, levels);
+  std::vector<BlockPlace> owners = ChooseOwners(job, source, setup, levels);
   LevelFields fields = MakeLevelFields(
     levels, source, setup, options.ChildFractions, RepeatingAxes(options), owners, job.Run);
   std::unique_ptr<Cells> cells(new Cells{ std::move(source), setup, {}, std::move(levels),

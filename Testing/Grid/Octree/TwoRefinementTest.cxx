@@ -369,7 +369,8 @@ TEST(TwoRefinement, RanksChangeNothing)
         {
           const CartesianGrid grid = MakeRankGrid(*c.Grid, boxes[ranks.Rank()]);
           const OctreeKeys lattice(grid, c.Lattice->NumberOfRefinements());
-          const OctantFamilies own(lattice, c.Requested);
+          const OctantFamilies own(
+            lattice, c.Requested, RefinedUnit::Family, grid.Extended(1), ranks);
           RefinedMesh part = MakeRefinedMesh(own, grid.Extended(1));
           RankRuntime runtime(ranks);
           const TransitionReport report = SmoothTransitions(lattice, part, runtime);

@@ -1,6 +1,8 @@
 /// Interfaces and targets on the grids of several levels: near the true surface, and
 /// the same on parts of the grid.
+#include "RankFields.h"
 #include "RankMeshes.h"
+#include "ThreadRanks.h"
 
 #include "Base/Vector3.h"
 #include "Fractions/CoarsenFields.h"
@@ -44,9 +46,9 @@ LevelPlan HalfPlan(const CartesianGrid& grid, int refinements)
 }
 
 /// Labels each leaf by the fractions of its level.
-LabelArray MakeBlockyLabels(const RefinedGrid& levels, const FractionField& fractions)
+LabelArray MakeBlockyLabels(
+  const RefinedGrid& levels, const FractionField& fractions, Runtime& runtime)
 {
-  Runtime runtime;
   const CartesianGrid& grid = levels.Finest();
   const int refinements = levels.NumberOfRefinements();
   LabelArray labels = AssignMaterials(grid, fractions, 0.5);
@@ -70,15 +72,15 @@ LabelArray MakeBlockyLabels(const RefinedGrid& levels, const FractionField& frac
   return labels;
 }
 
-/// A sphere on levels, on the whole grid or a part.
+/// A sphere on levels, on the whole grid or the part of a rank.
 struct LevelCase
 {
   LevelCase(const CartesianGrid& grid, const FractionField& fractions, const LevelPlan& plan,
-    SurfaceTargets::Kind kind) :
-    Levels(grid, plan, {}, Run.Group()),
-    Labels(MakeBlockyLabels(Levels, fractions)),
-    Interfaces(Levels, fractions, Labels, FindMixedNodes(Levels.Finest(), Labels), 0.5, Run),
-    Targets(Interfaces.All(), kind, Run)
+    SurfaceTargets::Kind kind, Runtime& runtime) :
+    Levels(grid, plan, {}, runtime.Group()),
+    Labels(MakeBlockyLabels(Levels, fractions, runtime)),
+    Interfaces(Levels, fractions, Labels, FindMixedNodes(Levels.Finest(), Labels), 0.5, runtime),
+    Targets(Interfaces.All(), kind, runtime)
   {
   }
   /// Returns whether a leaf of the level inside a box of finest cells has the node as a corner.
@@ -96,7 +98,6 @@ struct LevelCase
     return false;
   }
 
-  Runtime Run;
   RefinedGrid Levels;
   LabelArray Labels;
   LevelInterfaces Interfaces;
@@ -149,8 +150,9 @@ TEST_P(LevelTargets, LieOnTheSphere)
 {
   const int refinements = std::get<0>(this->GetParam());
   const CartesianGrid grid = MakeUnitGrid(Cells);
-  const LevelCase levels(
-    grid, SphereFractions(grid), HalfPlan(grid, refinements), std::get<1>(this->GetParam()));
+  Runtime runtime;
+  const LevelCase levels(grid, SphereFractions(grid), HalfPlan(grid, refinements),
+    std::get<1>(this->GetParam()), runtime);
   Index first = 0;
   for (int level = 0; level <= refinements; ++level)
   {
@@ -201,8 +203,9 @@ INSTANTIATE_TEST_SUITE_P(Refinements, LevelTargets,
 TEST(LevelInterfaces, FindsTheNearestTarget)
 {
   const CartesianGrid grid = MakeUnitGrid(48);
+  Runtime runtime;
   const LevelCase levels(grid, FractionsOfShapes(grid, { MakeSphere(1, { { 24, 24, 24 } }, 16.0) }),
-    HalfPlan(grid, 1), SurfaceTargets::Kind::Quadrics);
+    HalfPlan(grid, 1), SurfaceTargets::Kind::Quadrics, runtime);
   const Interface& interface = levels.Interfaces.Of(0);
   int tried = 0;
   for (Index at : interface.Nodes())
@@ -243,8 +246,9 @@ TEST(LevelInterfaces, FindsTheNearestTarget)
 TEST(LevelDistances, GradientsFitTheDistances)
 {
   const CartesianGrid grid = MakeUnitGrid(Cells);
+  Runtime runtime;
   const LevelCase levels(
-    grid, SphereFractions(grid), HalfPlan(grid, 2), SurfaceTargets::Kind::Quadrics);
+    grid, SphereFractions(grid), HalfPlan(grid, 2), SurfaceTargets::Kind::Quadrics, runtime);
   const double step = 1e-5;
   Index first = 0;
   for (int level = 0; level <= 2; ++level)
@@ -280,44 +284,57 @@ class LevelParts : public ::testing::TestWithParam<SurfaceTargets::Kind>
 {
 };
 
+/// Compares the targets of a rank, at nodes of its own leaves, with those of the whole grid.
+void ExpectSameTargets(const LevelCase& part, const LevelCase& whole, const IndexBox& owned)
+{
+  const int refinements = whole.Levels.NumberOfRefinements();
+  for (int level = 0; level <= refinements; ++level)
+  {
+    Index found = 0;
+    for (Index node : whole.Interfaces.Of(level).Nodes())
+    {
+      const Index3 p = whole.Interfaces.Of(level).Grid().Position(node);
+      if (!whole.IsAtLeaf(level, p, owned))
+      {
+        continue;
+      }
+      const Index a = whole.Interfaces.FindTarget(level, p, { { 0, 1 } });
+      const Index b = part.Interfaces.FindTarget(level, p, { { 0, 1 } });
+      ASSERT_GE(a, 0);
+      ASSERT_GE(b, 0);
+      const Vector3 x =
+        whole.Interfaces.Of(refinements).Grid().NodePoint(whole.Levels.FinestNode(level, p));
+      Vector3 gradientA, gradientB;
+      EXPECT_EQ(whole.Targets.Distance(a, x, gradientA), part.Targets.Distance(b, x, gradientB));
+      EXPECT_EQ(gradientA, gradientB);
+      EXPECT_EQ(whole.Targets.LocalScale(a), part.Targets.LocalScale(b));
+      ++found;
+    }
+    EXPECT_GT(found, 50);
+  }
+}
+
 TEST_P(LevelParts, SameAsOfTheWhole)
 {
   const int refinements = 2;
   const CartesianGrid grid = MakeUnitGrid(Cells);
   const FractionField fractions = SphereFractions(grid);
   const LevelPlan plan = HalfPlan(grid, refinements);
-  const LevelCase whole(grid, fractions, plan, this->GetParam());
-  for (const IndexBox& box :
-    CutBaseBox(grid, refinements, 3, 1)) // the boxes cross borders of levels
-  {
-    const CartesianGrid local(grid, box, GhostLayers << refinements);
-    ASSERT_LT(local.Local().NumberOfCells(), grid.Local().NumberOfCells());
-    const LevelCase part(local, CopyToLocal(grid, fractions, local), plan, this->GetParam());
-    for (int level = 0; level <= refinements; ++level)
+  Runtime serial;
+  const LevelCase whole(grid, fractions, plan, this->GetParam(), serial);
+  // The boxes cross borders of levels.
+  const std::vector<IndexBox> boxes = CutBaseBox(grid, refinements, 3, 1);
+  RunOnRanks(3,
+    [&](Ranks& ranks)
     {
-      Index found = 0;
-      for (Index node : whole.Interfaces.Of(level).Nodes())
-      {
-        const Index3 p = whole.Interfaces.Of(level).Grid().Position(node);
-        if (!whole.IsAtLeaf(level, p, box))
-        {
-          continue;
-        }
-        const Index a = whole.Interfaces.FindTarget(level, p, { { 0, 1 } });
-        const Index b = part.Interfaces.FindTarget(level, p, { { 0, 1 } });
-        ASSERT_GE(a, 0);
-        ASSERT_GE(b, 0);
-        const Vector3 x =
-          whole.Interfaces.Of(refinements).Grid().NodePoint(whole.Levels.FinestNode(level, p));
-        Vector3 gradientA, gradientB;
-        EXPECT_EQ(whole.Targets.Distance(a, x, gradientA), part.Targets.Distance(b, x, gradientB));
-        EXPECT_EQ(gradientA, gradientB);
-        EXPECT_EQ(whole.Targets.LocalScale(a), part.Targets.LocalScale(b));
-        ++found;
-      }
-      EXPECT_GT(found, 50);
-    }
-  }
+      const IndexBox& box = boxes[ranks.Rank()];
+      const CartesianGrid local(grid, box, GhostLayers << refinements);
+      EXPECT_LT(local.Local().NumberOfCells(), grid.Local().NumberOfCells());
+      RankRuntime runtime(ranks);
+      const LevelCase part(
+        local, CopyToLocal(grid, fractions, local), plan, this->GetParam(), runtime);
+      ExpectSameTargets(part, whole, box);
+    });
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, LevelParts,
