@@ -17,6 +17,7 @@ std::vector<unsigned char> FindThinFragments(const CartesianGrid& grid, const Me
     isThin[mesh.Fragment[e]] |= std::binary_search(thin.begin(), thin.end(), cell);
   }
   share.Unite(isThin);
+  isThin[0] = share.Group->Any(isThin[0] != 0);
   return isThin;
 }
 

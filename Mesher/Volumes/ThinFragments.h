@@ -9,8 +9,8 @@
 namespace vfm
 {
 
-/// Returns whether each fragment of this rank has an element in a thin cell on any rank, [0]
-/// unused; empty on all ranks if none has.
+/// Returns whether each fragment of this rank has an element in a thin cell on any rank; [0] is
+/// that of elements outside of fragments. Empty on all ranks if there are no thin cells.
 /// @param thin  thin cells of this rank, ascending
 /// @param share  the fragments of this rank, whose numbers the elements have
 /// @pre Collective.

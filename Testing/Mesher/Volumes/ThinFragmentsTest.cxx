@@ -2,6 +2,7 @@
 #include "Volumes/ThinFragments.h"
 #include "FragmentShares.h"
 #include "MeshChecks.h"
+#include "ThreadRanks.h"
 
 #include <gtest/gtest.h>
 
@@ -27,4 +28,22 @@ TEST(ThinFragments, HaveElementsInThinCells)
     const Index3 cell = CellOfElement(grid, mesh, mesh.ElementIds[e]);
     EXPECT_EQ(isThin[mesh.Fragment[e]], cell[0] > 7);
   }
+}
+
+/// Elements outside of fragments count on all ranks if those of one rank are in thin cells.
+TEST(ThinFragments, OutsideIsTheSameOnRanks)
+{
+  const CartesianGrid grid = MakeUnitGrid(12, 4, 4);
+  const FractionField one = MakeLabels(grid, 1, [](const Index3&) { return 1; });
+  MeshOptions options;
+  options.StairStep = true;
+  Mesh mesh = MakeCells(grid, one, options);
+  std::fill(mesh.Fragment.begin(), mesh.Fragment.end(), 0);
+  RunOnRanks(3,
+    [&](Ranks& ranks)
+    {
+      const std::vector<Index> thin(ranks.Rank() == 1, grid.Linear({ { 9, 1, 2 } }));
+      const auto isThin = FindThinFragments(grid, mesh, thin, ShareOfAll(1, ranks));
+      EXPECT_EQ(isThin, (std::vector<unsigned char>{ 1, 0 }));
+    });
 }
