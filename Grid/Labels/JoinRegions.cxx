@@ -308,8 +308,7 @@ private:
 /// Returns the final materials of regions of islands of several ranks. Collective.
 std::vector<int> ChooseAtHomes(const Islands& mine, Index minimumCells, Ranks& ranks)
 {
-  const auto homeOf = [homes = CountHomes(ranks)](const auto& key)
-  { return MeetingRank(key[0], homes); };
+  const HomeOfFirst homeOf(ranks);
   const KeyMerge<RegionKey> ways(mine.Regions, homeOf, ranks);
   const KeyMerge<FacesKey> faceWays(mine.Faces, homeOf, ranks);
   const Islands islands{ ways.HomeKeys(),

@@ -8,8 +8,6 @@
 #include "Base/Vector3.h"
 #include "Elements/ElementFaces.h"
 
-#include <tuple>
-
 namespace vfm
 {
 
@@ -71,13 +69,6 @@ struct EdgePull
   Vector3 Pull;  ///< length units of the grid
   bool IsHeld;   ///< the edge stays straight, whatever the other end requests
   EdgeIds Group; ///< edges of a group become straight together: those of layers above an edge
-
-  const EdgeIds& Key() const { return this->Edge; }
-  bool operator<(const EdgePull& other) const
-  {
-    return std::tie(this->Edge, this->End, this->Pull) <
-      std::tie(other.Edge, other.End, other.Pull);
-  }
 };
 
 /// Displacement of the mid node of an edge.

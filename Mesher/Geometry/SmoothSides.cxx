@@ -419,12 +419,6 @@ SideKey SideOfFacet(const SidedFacets& sided, std::size_t f)
   return { { sided.Points.CutOf[f], sided.SideOf[f] } };
 }
 
-/// Returns a function for KeyMerge: the sides and borders of a cut interface have the same home.
-auto HomeOfCut(const Ranks& ranks)
-{
-  return [homes = CountHomes(ranks)](const auto& key) { return MeetingRank(key[0], homes); };
-}
-
 /// Returns the sides of the facets of this rank, ascending.
 std::vector<SideKey> ListSides(const SidedFacets& sided)
 {
@@ -473,7 +467,7 @@ Borders FindBordersAtHome(const SidedFacets& sided, const std::vector<SideKey>& 
     keys.push_back(key);
     values.push_back(border);
   }
-  const KeyMerge<BorderKey> ways(std::move(keys), HomeOfCut(ranks), ranks);
+  const KeyMerge<BorderKey> ways(std::move(keys), HomeOfFirst(ranks), ranks);
   Borders borders;
   for (Border border : ways.ToHome(std::move(values), 1, Combine))
   {
@@ -514,7 +508,7 @@ std::vector<Index> NumberJoined(const std::vector<SideKey>& sides, SideSets& set
 void JoinSides(Ranks& ranks, SidedFacets& sided)
 {
   const std::vector<SideKey> mine = ListSides(sided);
-  const KeyMerge<SideKey> ways(mine, HomeOfCut(ranks), ranks);
+  const KeyMerge<SideKey> ways(mine, HomeOfFirst(ranks), ranks);
   const std::vector<SideKey>& sides = ways.HomeKeys();
   SideSets sets(
     ways.ToHome(CountTriangles(sided, mine), 1, [](std::int64_t& a, std::int64_t b) { a += b; }));

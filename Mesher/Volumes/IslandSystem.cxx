@@ -135,9 +135,7 @@ void IslandSystem::ListHomes(
     this->KeyOfPair.push_back(this->Places[b] == Place::Home ? placeOf(a, b) : -1);
   }
   this->NumberOfKeys = keys.size();
-  this->Ways = KeyMerge<Key>(
-    keys, [homes = CountHomes(*share.Group)](const Key& key) { return MeetingRank(key[0], homes); },
-    *share.Group);
+  this->Ways = KeyMerge<Key>(keys, HomeOfFirst(*share.Group), *share.Group);
   this->ListAtHome(this->SendHome(areas, {}), largestFactored);
 }
 

@@ -34,6 +34,22 @@ inline int CountHomes(const Ranks& ranks)
   return homes;
 }
 
+/// Homes of keys by their first part only: keys that begin with the same number, such as that of an
+/// island or a component, have one home.
+class HomeOfFirst
+{
+public:
+  explicit HomeOfFirst(const Ranks& ranks) : Homes(CountHomes(ranks)) {}
+  template <std::size_t Length>
+  int operator()(const std::array<std::int64_t, Length>& key) const
+  {
+    return MeetingRank(key[0], this->Homes);
+  }
+
+private:
+  int Homes;
+};
+
 /// Returns the places of keys in ascending order.
 template <class Key>
 std::vector<std::size_t> OrderOf(const std::vector<Key>& keys)

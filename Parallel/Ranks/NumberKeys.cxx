@@ -33,6 +33,13 @@ std::vector<std::int64_t> SumOfLowerRanks(const std::vector<std::int64_t>& mine,
   return below;
 }
 
+std::pair<std::int64_t, std::int64_t> CountLowerAndAll(std::int64_t count, Ranks& ranks)
+{
+  std::vector<std::int64_t> total{ count };
+  ranks.Sum(total);
+  return { SumOfLowerRanks(count, ranks), total[0] };
+}
+
 RisingHomes::RisingHomes(const std::vector<std::int64_t>& values, Ranks& ranks) :
   NumberOfRanges(std::min(64 * CountHomes(ranks), 4096))
 {

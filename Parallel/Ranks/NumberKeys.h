@@ -60,6 +60,28 @@ struct KeyNumbers
   std::int64_t Total;                ///< number of different keys of all ranks
 };
 
+/// Ways of keys to homes that rise with them.
+/// @param keys, value  as for NumberKeys
+/// @pre Collective over `ranks`.
+template <class Key, class Value>
+KeyMerge<Key> MakeRisingWays(const std::vector<Key>& keys, const Value& value, Ranks& ranks)
+{
+  std::vector<std::int64_t> values;
+  values.reserve(keys.size());
+  for (const Key& key : keys)
+  {
+    values.push_back(value(key));
+  }
+  const RisingHomes homes(values, ranks);
+  return KeyMerge<Key>(
+    keys, [&](const Key& key) { return homes(value(key)); }, ranks);
+}
+
+/// Returns the number of items on lower ranks, and on all ranks.
+/// @param count  of this rank
+/// @pre Collective over `ranks`.
+std::pair<std::int64_t, std::int64_t> CountLowerAndAll(std::int64_t count, Ranks& ranks);
+
 /// Numbers the different keys of all ranks in their order. Equal keys of several ranks get the same
 /// number.
 /// @param keys  keys of this rank, ascending, each once
@@ -69,26 +91,11 @@ struct KeyNumbers
 template <class Key, class Value>
 KeyNumbers NumberKeys(const std::vector<Key>& keys, const Value& value, Ranks& ranks)
 {
-  std::vector<std::int64_t> values;
-  values.reserve(keys.size());
-  for (const Key& key : keys)
-  {
-    values.push_back(value(key));
-  }
-  const RisingHomes homes(values, ranks);
-  const KeyMerge<Key> ways(
-    keys, [&](const Key& key) { return homes(value(key)); }, ranks);
-  const bool isHome = ranks.Rank() < CountHomes(ranks);
-  const auto own = static_cast<std::int64_t>(isHome ? ways.HomeKeys().size() : 0);
-  const std::int64_t before = SumOfLowerRanks(own, ranks);
+  const KeyMerge<Key> ways = MakeRisingWays(keys, value, ranks);
   std::vector<std::int64_t> numbers(ways.HomeKeys().size());
-  for (std::size_t k = 0; k < numbers.size(); ++k)
-  {
-    numbers[k] = before + static_cast<std::int64_t>(k);
-  }
-  std::vector<std::int64_t> total{ own };
-  ranks.Sum(total);
-  return { ways.FromHome(std::move(numbers), 1), total[0] };
+  const auto [before, total] = CountLowerAndAll(static_cast<std::int64_t>(numbers.size()), ranks);
+  std::iota(numbers.begin(), numbers.end(), before);
+  return { ways.FromHome(std::move(numbers), 1), total };
 }
 
 /// Value of a key for NumberKeys: the number, or the first of several.

@@ -27,18 +27,13 @@ template <class Key, class Value>
 OwnedKeyNumbers NumberOwnedKeys(const std::vector<Key>& keys,
   const std::vector<unsigned char>& isOwned, const Value& value, Ranks& ranks)
 {
-  std::vector<std::int64_t> values;
   std::vector<std::array<int, 2>> holders; // ranks that have a key, ranks that own it
-  values.reserve(keys.size());
   holders.reserve(keys.size());
-  for (std::size_t k = 0; k < keys.size(); ++k)
+  for (unsigned char owns : isOwned)
   {
-    values.push_back(value(keys[k]));
-    holders.push_back({ { 1, isOwned[k] != 0 ? 1 : 0 } });
+    holders.push_back({ { 1, owns != 0 ? 1 : 0 } });
   }
-  const RisingHomes homes(values, ranks);
-  const KeyMerge<Key> ways(
-    keys, [&](const Key& key) { return homes(value(key)); }, ranks);
+  const KeyMerge<Key> ways = MakeRisingWays(keys, value, ranks);
   holders = ways.ToHome(std::move(holders), 1,
     [](std::array<int, 2>& a, const std::array<int, 2>& b)
     {
@@ -47,16 +42,14 @@ OwnedKeyNumbers NumberOwnedKeys(const std::vector<Key>& keys,
     });
   const auto owned = std::count_if(
     holders.begin(), holders.end(), [](const std::array<int, 2>& h) { return h[1] > 0; });
-  std::int64_t next = SumOfLowerRanks(owned, ranks);
+  auto [next, total] = CountLowerAndAll(owned, ranks);
   std::vector<std::array<std::int64_t, 2>> answers; // number, ranks that have the key
   answers.reserve(holders.size());
   for (const std::array<int, 2>& h : holders)
   {
     answers.push_back({ { h[1] > 0 ? next++ : -1, h[0] } });
   }
-  std::vector<std::int64_t> total{ owned };
-  ranks.Sum(total);
-  OwnedKeyNumbers numbers{ {}, {}, total[0] };
+  OwnedKeyNumbers numbers{ {}, {}, total };
   for (const std::array<std::int64_t, 2>& answer : ways.FromHome(std::move(answers), 1))
   {
     numbers.Numbers.push_back(answer[0]);

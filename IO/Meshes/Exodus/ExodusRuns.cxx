@@ -51,120 +51,113 @@ void AddNumbers(int type, std::string_view bytes, Collected<T>& to)
     });
 }
 
+/// Returns values that are collected while the file is written; none without a mesh.
+/// @param add  add(mesh, values) adds the values; called on each pass
+template <class T, class AddValues>
+NetcdfParts PartsOf(const MeshWithRuns* mesh, AddValues add)
+{
+  if (!mesh)
+  {
+    return {};
+  }
+  return [mesh, add = std::move(add)](const PutValues& put)
+  {
+    Collected<T> values(put);
+    add(*mesh, values);
+    values.Flush();
+  };
+}
+
+/// Adds the values of an array at the elements of a material.
+template <class T>
+void AddOfElements(
+  const MeshWithRuns& mesh, const MeshArray& array, int material, Collected<T>& values)
+{
+  AddElementValues(
+    mesh, array, [&](std::string_view bytes) { AddNumbers(array.Type, bytes, values); }, material);
+}
+
+/// Adds the values of an array at the points.
+template <class T>
+void AddOfPoints(const MeshWithRuns& mesh, const MeshArray& array, Collected<T>& values)
+{
+  AddPointValues(
+    mesh, array, [&](std::string_view bytes) { AddNumbers(array.Type, bytes, values); });
+}
+
 } // namespace
 
 NetcdfParts PartsOfCoordinates(const MeshWithRuns* mesh, int axis)
 {
-  if (!mesh)
-  {
-    return {};
-  }
-  return [mesh, axis](const PutValues& put)
-  {
-    Collected<double> values(put);
-    int place = 0;
-    AddPoints(*mesh,
-      [&](std::string_view bytes)
-      {
-        const auto* x = reinterpret_cast<const double*>(bytes.data());
-        for (std::size_t i = 0; i < bytes.size() / sizeof(double); ++i)
+  return PartsOf<double>(mesh,
+    [axis](const MeshWithRuns& runs, Collected<double>& values)
+    {
+      int place = 0;
+      AddPoints(runs,
+        [&](std::string_view bytes)
         {
-          if (place == axis)
+          const auto* x = reinterpret_cast<const double*>(bytes.data());
+          for (std::size_t i = 0; i < bytes.size() / sizeof(double); ++i)
           {
-            values.Add(x[i]);
+            if (place == axis)
+            {
+              values.Add(x[i]);
+            }
+            place = place == 2 ? 0 : place + 1;
           }
-          place = place == 2 ? 0 : place + 1;
-        }
-      });
-    values.Flush();
-  };
+        });
+    });
 }
 
 NetcdfParts PartsOfNodes(const MeshWithRuns* mesh, int material)
 {
-  if (!mesh)
-  {
-    return {};
-  }
-  return [mesh, material](const PutValues& put)
-  {
-    Collected<Index> values(put);
-    mesh->ForCorners(
-      [&](int own, const Index* corners)
-      {
-        for (int c = 0; own == material && c < 8; ++c)
+  return PartsOf<Index>(mesh,
+    [material](const MeshWithRuns& runs, Collected<Index>& values)
+    {
+      runs.ForCorners(
+        [&](int own, const Index* corners)
         {
-          values.Add(corners[c] + 1);
-        }
-      });
-    values.Flush();
-  };
+          for (int c = 0; own == material && c < 8; ++c)
+          {
+            values.Add(corners[c] + 1);
+          }
+        });
+    });
 }
 
 NetcdfParts PartsOfPointArray(const MeshWithRuns* mesh, const MeshArray& array)
 {
-  if (!mesh)
-  {
-    return {};
-  }
-  return [mesh, &array](const PutValues& put)
-  {
-    Collected<double> values(put);
-    AddPointValues(
-      *mesh, array, [&](std::string_view bytes) { AddNumbers(array.Type, bytes, values); });
-    values.Flush();
-  };
+  return PartsOf<double>(mesh,
+    [&array](const MeshWithRuns& runs, Collected<double>& values)
+    { AddOfPoints(runs, array, values); });
 }
 
 NetcdfParts PartsOfElementArray(const MeshWithRuns* mesh, const MeshArray& array, int material)
 {
-  if (!mesh)
-  {
-    return {};
-  }
-  return [mesh, &array, material](const PutValues& put)
-  {
-    Collected<double> values(put);
-    AddElementValues(
-      *mesh, array, [&](std::string_view bytes) { AddNumbers(array.Type, bytes, values); },
-      material);
-    values.Flush();
-  };
+  return PartsOf<double>(mesh,
+    [&array, material](const MeshWithRuns& runs, Collected<double>& values)
+    { AddOfElements(runs, array, material, values); });
 }
 
 NetcdfParts PartsOfPointIds(const MeshWithRuns* mesh, const MeshData& stored)
 {
-  if (!mesh)
-  {
-    return {};
-  }
-  return [mesh, &stored](const PutValues& put)
-  {
-    Collected<Index> values(put);
-    AddPointValues(*mesh, GetArray(stored.PointArrays, "GlobalPointIds"),
-      [&](std::string_view bytes) { AddNumbers(ValueType::Id, bytes, values); });
-    values.Flush();
-  };
+  return PartsOf<Index>(mesh,
+    [&stored](const MeshWithRuns& runs, Collected<Index>& values)
+    { AddOfPoints(runs, GetArray(stored.PointArrays, "GlobalPointIds"), values); });
 }
 
 NetcdfParts PartsOfElementIds(
   const MeshWithRuns* mesh, const MeshData& stored, std::vector<int> materials)
 {
-  if (!mesh)
-  {
-    return {};
-  }
-  return [mesh, &stored, materials = std::move(materials)](const PutValues& put)
-  {
-    Collected<Index> values(put);
-    for (int material : materials)
+  return PartsOf<Index>(mesh,
+    [&stored, materials = std::move(materials)](const MeshWithRuns& runs, Collected<Index>& values)
     {
-      AddElementValues(
-        *mesh, GetArray(stored.ElementArrays, "GlobalCellIds"),
-        [&](std::string_view bytes) { AddNumbers(ValueType::Id, bytes, values); }, material);
-    }
-    values.Flush();
-  };
+      const MeshArray& ids = GetArray(stored.ElementArrays, "GlobalCellIds");
+      for (int material : materials)
+      {
+        AddOfElements(runs, ids, material, values);
+      }
+    });
 }
 
 } // namespace vfm

@@ -25,12 +25,6 @@ void AddTo(std::int64_t& a, std::int64_t b)
   a += b;
 }
 
-/// Returns a function for KeyMerge: all blocks and links of a component have the same home.
-auto HomeOfComponent(const Ranks& ranks)
-{
-  return [homes = CountHomes(ranks)](const auto& name) { return MeetingRank(name[0], homes); };
-}
-
 /// Merges links between the same blocks.
 void JoinLinks(std::vector<BlockLink>& links)
 {
@@ -218,7 +212,7 @@ bool CoarseGraph::MakeBlocks(const FlowGraph& graph, std::vector<Index>& sizes, 
     (isShared ? this->SharedBlocks : this->LocalBlocks).push_back(static_cast<int>(b));
     (isShared ? shared : local).push_back(this->Names[b]);
   }
-  this->Ways = KeyMerge<BlockName>(std::move(shared), HomeOfComponent(ranks), ranks);
+  this->Ways = KeyMerge<BlockName>(std::move(shared), HomeOfFirst(ranks), ranks);
   std::vector<Index> large = ListLarge(local);
   const std::vector<Index> largeAtHome = ListLarge(this->Ways.HomeKeys());
   std::vector<unsigned char> isLarge;
@@ -308,7 +302,7 @@ void CoarseGraph::MakeSystemsAtHome(
     keys.push_back({ { from[0], from[1], from[2], from[3], to[1], to[2], to[3] } });
     widths.push_back(link.Width);
   }
-  const KeyMerge<LinkName> ways(std::move(keys), HomeOfComponent(ranks), ranks);
+  const KeyMerge<LinkName> ways(std::move(keys), HomeOfFirst(ranks), ranks);
   widths = ways.ToHome(std::move(widths), 1, AddTo);
   const std::vector<BlockName>& names = this->Ways.HomeKeys();
   std::vector<BlockLink> atHome;
