@@ -68,6 +68,7 @@ void KeepOwned(const CartesianGrid& grid, const BarrierElements& barrier, Runtim
   surfaces.SurfaceId = Select(surfaces.SurfaceId, facets, runtime);
   surfaces.MaterialPair = Select(surfaces.MaterialPair, facets, runtime, 2);
   surfaces.DomainSide = Select(surfaces.DomainSide, facets, runtime);
+  surfaces.IsOwned.assign(facets.size(), 1);
 }
 
 } // namespace vfm
