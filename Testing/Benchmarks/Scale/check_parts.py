@@ -1,17 +1,15 @@
-#!/ usr / bin / env python3
+#!/usr/bin/env python3
 """Checks a mesh of hexahedra in pieces, of which one at a time is in memory.
 
-usage: python3 check_parts.py MESH.pvtu [--each COMMAND]
-  --each COMMAND   runs COMMAND PIECE for each piece too, such as a check of files of one piece
+usage: python3 check_parts.py MESH.pvtu|MESH.e [--each COMMAND]
+  --each COMMAND   runs COMMAND PIECE for each piece of a .pvtu too, such as a check of one file
 
-Checked: hexahedra only, positive at every corner;
-global ids of cells rise through a piece and are in one piece only;
-a face is on two cells at most, also of two pieces,
-  where both have the same points at the same coordinates;
-the boundary of all pieces together is closed :
-  each of its edges is on an even number of its faces.Needs the vtkmodules of VTK and NumPy.Prints a
-    line per piece,
-  then PASS or FAIL; the exit status is 0 or 1.
+The pieces of a .pvtu are its files, those of an Exodus file ranges of its elements.
+Checked: hexahedra only, positive at every corner; global ids of cells rise through a piece and are
+in one piece only; a face is on two cells at most, also of two pieces, where both have the same
+points at the same coordinates; the boundary of all pieces together is closed: each of its edges is
+on an even number of its faces. Needs NumPy and the vtkmodules of VTK (.pvtu) or netCDF4 (.e).
+Prints a line per piece, then PASS or FAIL; the exit status is 0 or 1.
 """
 import os
 import re
@@ -20,18 +18,19 @@ import subprocess
 import sys
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
 FACES = np.array([[0, 4, 7, 3], [1, 2, 6, 5], [0, 1, 5, 4], [3, 7, 6, 2], [0, 3, 2, 1],
                   [4, 5, 6, 7]])
 CORNERS = np.array([[1, 3, 4], [2, 0, 5], [3, 1, 6], [0, 2, 7], [7, 5, 0], [4, 6, 1], [5, 7, 2],
                     [6, 4, 3]])
 CHUNK = 1 << 20  # cells
+PIECE = 4 << 20  # elements of an Exodus file
 
 
-def read_piece(path):
+def read_file(path):
     """Returns coordinates, global ids of points and cells, and points of hexahedra."""
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
     reader = vtkXMLUnstructuredGridReader()
     reader.SetFileName(path)
     reader.Update()
@@ -43,6 +42,36 @@ def read_piece(path):
     points = vtk_to_numpy(grid.GetPoints().GetData()).astype(float)
     return (points, vtk_to_numpy(grid.GetPointData().GetArray("GlobalPointIds")).astype(np.int64),
             vtk_to_numpy(grid.GetCellData().GetArray("GlobalCellIds")).astype(np.int64), cells)
+
+
+def read_files(path):
+    """Yields the name of each file of a .pvtu, and what read_file returns."""
+    with open(path, encoding="utf-8") as file:
+        names = re.findall(r'<Piece Source="([^"]+)"', file.read())
+    for name in names:
+        piece = os.path.join(os.path.dirname(path), name)
+        yield (piece, *read_file(piece))
+
+
+def read_ranges(path):
+    """Yields the name of each range of elements of an Exodus file, and the values of read_file."""
+    import netCDF4
+    with netCDF4.Dataset(path) as file:
+        file.set_auto_mask(False)
+        first = 0  # element of the block
+        for block in range(1, len(file.dimensions["num_el_blk"]) + 1):
+            connect = file["connect%d" % block]
+            if connect.elem_type != "HEX8":
+                raise ValueError("%s has elements that are no hexahedra" % path)
+            for begin in range(0, len(connect), PIECE):
+                cells = connect[begin:begin + PIECE].astype(np.int64) - 1
+                lower, upper = cells.min(), cells.max() + 1
+                points = np.stack([file["coord" + axis][lower:upper] for axis in "xyz"], axis=1)
+                numbers = slice(first + begin, first + begin + len(cells))
+                yield ("block %d, element %d" % (block, begin + 1), points,
+                       file["node_num_map"][lower:upper].astype(np.int64),
+                       file["elem_num_map"][numbers].astype(np.int64), cells - lower)
+            first += len(connect)
 
 
 def smallest_corner(points, cells):
@@ -78,10 +107,13 @@ def outer_faces(ids, cells):
     return ids[cells[cell[:, None], FACES[side]]], counts.max() if len(counts) else 0
 
 
-def list_pieces(path):
-    with open(path, encoding="utf-8") as file:
-        names = re.findall(r'<Piece Source="([^"]+)"', file.read())
-    return [os.path.join(os.path.dirname(path), name) for name in names]
+def have_common(lists):
+    """Returns whether a number is in two of several lists, each in ascending order."""
+    ends = sorted((ids[0], ids[-1]) for ids in lists)
+    if all(a[1] < b[0] for a, b in zip(ends, ends[1:])):
+        return False
+    every = np.sort(np.concatenate(lists))
+    return bool(np.any(every[1:] == every[:-1]))
 
 
 def check_boundary(faces):
@@ -113,8 +145,8 @@ def check_same_points(ids, points):
 
 def main(path, command):
     problems, outer, border_ids, border_points, cell_ids, total = [], [], [], [], [], 0
-    for piece in list_pieces(path):
-        points, ids, cell_numbers, cells = read_piece(piece)
+    read = read_files if path.endswith(".pvtu") else read_ranges
+    for piece, points, ids, cell_numbers, cells in read(path):
         if not len(cells):
             continue
         faces, most = outer_faces(ids, cells)
@@ -141,8 +173,7 @@ def main(path, command):
     else:
         problems += check_boundary(np.concatenate(outer))
         problems += check_same_points(np.concatenate(border_ids), np.concatenate(border_points))
-        every = np.sort(np.concatenate(cell_ids))
-        if np.any(every[1:] == every[:-1]):
+        if have_common(cell_ids):
             problems.append("an id of a cell is in two pieces")
     print("%d hexahedra: %s" % (total, "FAIL: " + "; ".join(problems) if problems else "PASS"))
     return 1 if problems else 0
