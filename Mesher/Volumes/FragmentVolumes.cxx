@@ -263,8 +263,9 @@ void FragmentVolumes::SetBulges(std::vector<double> bulges)
 /// Sums over the ranks.
 void FragmentVolumes::SumFacets()
 {
-  this->Swept = this->Fragments->Sum(this->Facets.Swept());
-  this->Areas = this->System.SumAreas(this->Facets.Areas());
+  std::vector<ExactSum> swept = this->Facets.Swept();
+  this->Areas = this->System.SumAreas(this->Facets.Areas(), swept);
+  this->Swept = ValuesOf(swept);
   this->SetAims();
 }
 

@@ -48,27 +48,29 @@ IslandSystem::IslandSystem(
       this->Places[f] = islands.Sizes[f] > bounds.AtHome ? Place::Common : Place::Home;
     }
   }
-  const std::vector<PairSum> areas = this->SumAreas(mine);
+  std::vector<ExactSum> none(share.Size());
+  const std::vector<PairSum> areas = this->SumAreas(mine, none);
   this->ListHere(islands, areas, bounds.Factored);
   this->ListHomes(islands, areas, bounds.Factored);
   this->ListCommon(islands, areas);
 }
 
-std::vector<PairSum> IslandSystem::SumAreas(const PairSumMap& mine) const
+std::vector<PairSum> IslandSystem::SumAreas(
+  const PairSumMap& mine, std::vector<ExactSum>& sums) const
 {
-  std::vector<ExactSum> sums;
-  sums.reserve(mine.size());
+  std::vector<ExactSum> ofPairs;
+  ofPairs.reserve(mine.size());
   for (const auto& sum : mine)
   {
-    sums.push_back(sum.second);
+    ofPairs.push_back(sum.second);
   }
-  this->Pairs.Sum(sums);
+  this->Pairs.Sum(ofPairs, sums);
   std::vector<PairSum> areas;
-  areas.reserve(sums.size());
-  for (std::size_t p = 0; p < sums.size(); ++p)
+  areas.reserve(ofPairs.size());
+  for (std::size_t p = 0; p < ofPairs.size(); ++p)
   {
     const auto& [first, second] = this->Pairs.Pairs()[p];
-    areas.push_back({ first, second, sums[p] });
+    areas.push_back({ first, second, ofPairs[p] });
   }
   return areas;
 }

@@ -41,8 +41,10 @@ public:
 
   /// Returns the areas of this rank's pairs over all ranks, ascending by pair.
   /// @param mine  areas of this rank, of the pairs that the constructor got
+  /// @param[in,out] sums  sums of this rank per fragment, which become those over all ranks in the
+  ///   same messages; [0] stays
   /// @pre Collective.
-  std::vector<PairSum> SumAreas(const PairSumMap& mine) const;
+  std::vector<PairSum> SumAreas(const PairSumMap& mine, std::vector<ExactSum>& sums) const;
 
   /// Solves sum_b A_ab (mu_a - mu_b) + 1e-6 mu_a = lack_a for all fragments, with mu_0 = 0.
   /// @param areas  SumAreas

@@ -28,15 +28,20 @@ public:
   /// Returns whether this rank counts a pair: the lowest rank that has it does.
   bool IsMine(std::size_t pair) const { return this->AreMine[pair]; }
 
-  /// Replaces the sum of each pair by the sum over all ranks.
+  /// Replaces the sums of each pair and of each fragment by the sums over all ranks, in the same
+  /// messages.
+  /// @param fragments  per fragment of this rank; [0] stays
   /// @pre Collective.
-  void Sum(std::vector<ExactSum>& sums) const;
+  void Sum(std::vector<ExactSum>& pairs, std::vector<ExactSum>& fragments) const;
 
 private:
   std::vector<FragmentPair> ThePairs;
   std::vector<unsigned char> AreMine;
-  std::vector<int> Shared; // pairs that other ranks may have
-  KeyMerge<std::array<Index, 2>> Ways;
+  std::vector<int> Shared;                // pairs that other ranks may have
+  std::vector<int> Fragments;             // that other ranks touch
+  std::vector<std::size_t> PlacesOfPairs; // of Shared, in the keys of Ways
+  std::vector<std::size_t> PlacesOfFragments;
+  KeyMerge<std::array<Index, 2>> Ways; // of the shared pairs, and (f, f) for a shared fragment f
 };
 
 } // namespace vfm

@@ -208,7 +208,8 @@ std::vector<double> SolveOnRanks(const Grains& grains, int count, const IslandBo
       {
         lack.push_back(grains.Lack[share.Ids[f]]);
       }
-      const std::vector<double> mu = system.Solve(system.SumAreas(mine), lack);
+      std::vector<ExactSum> none(share.Size());
+      const std::vector<double> mu = system.Solve(system.SumAreas(mine, none), lack);
       EXPECT_EQ(mu.size(), share.Size());
       const std::vector<double> ofAll = GatherValues(share, mu);
       if (ranks.Rank() == 0)

@@ -27,7 +27,23 @@ TEST(PairShare, OneRankCountsEachPairAndAllGetItsSum)
         }
         const PairShare pairs(share, list);
         EXPECT_EQ(pairs.Pairs(), list);
-        pairs.Sum(sums);
+        std::vector<ExactSum> ones(share.Size());
+        for (ExactSum& one : ones)
+        {
+          one.Add(1.0);
+        }
+        pairs.Sum(sums, ones);
+        std::vector<std::int64_t> holders(lattice.Count + 1, 0);
+        for (int id : share.Ids)
+        {
+          ++holders[id];
+        }
+        ranks.Sum(holders);
+        EXPECT_EQ(ones[0].Value(), 1.0);
+        for (std::size_t f = 1; f < share.Size(); ++f)
+        {
+          EXPECT_EQ(ones[f].Value(), static_cast<double>(holders[share.Ids[f]]));
+        }
         std::vector<std::int64_t> counts(lattice.Areas.size(), 0);
         for (std::size_t p = 0; p < list.size(); ++p)
         {
