@@ -105,7 +105,8 @@ IslandValues SumValues(
       sums[level.PairOf[p]].Add(values.Areas[p]);
     }
   }
-  next.Pairs.Sum(sums);
+  std::vector<ExactSum> none(next.Share.Size());
+  next.Pairs.Sum(sums, none);
   return MakeValues(next, ValuesOf(sums));
 }
 
