@@ -77,28 +77,38 @@ def read_ranges(path):
 def smallest_corner(points, cells):
     """Returns the smallest determinant at a corner of a cell."""
     smallest = np.inf
+    axes = [np.ascontiguousarray(points[:, axis]) for axis in range(3)]
     for begin in range(0, len(cells), CHUNK):
-        x = points[cells[begin:begin + CHUNK]]
-        for corner, (a, b, c) in enumerate(CORNERS):
-            u, v, w = (x[:, other] - x[:, corner] for other in (a, b, c))
-            smallest = min(smallest, np.einsum("ij,ij->i", u, np.cross(v, w)).min())
+        corners = np.ascontiguousarray(cells[begin:begin + CHUNK].T)
+        x, y, z = ([values[corner] for corner in corners] for values in axes)
+        for corner, ends in enumerate(CORNERS):
+            (a, b, c), (d, e, f), (g, h, i) = (
+                [values[end] - values[corner] for values in (x, y, z)] for end in ends)
+            smallest = min(smallest, (a * (e * i - f * h) + b * (f * g - d * i)
+                                      + c * (d * h - e * g)).min())
     return smallest
+
+
+def mix(ids):
+    """Returns a number of 64 bits per id, whose sums tell sets of ids apart."""
+    value = np.asarray(ids).astype(np.uint64) + np.uint64(1)
+    for factor, shift in ((0xbf58476d1ce4e5b9, 30), (0x94d049bb133111eb, 27)):
+        value = (value ^ (value >> np.uint64(shift))) * np.uint64(factor)
+    return value ^ (value >> np.uint64(31))
 
 
 def hash_rows(rows):
     """Returns a number of 64 bits per row of ids, which does not depend on their order."""
-    ids = np.sort(rows, axis=1).astype(np.uint64)
-    value = np.full(len(ids), 0x12345, np.uint64)
-    for column in ids.T:
-        value = (value ^ column) * np.uint64(0x9e3779b97f4a7c15)
-        value ^= value >> np.uint64(29)
-    return value
+    return mix(rows).sum(axis=1, dtype=np.uint64)
 
 
 def outer_faces(ids, cells):
     """Returns the faces that are on one cell of a piece, as global ids, and the largest number of
     cells on a face."""
-    keys = np.concatenate([hash_rows(ids[cells[:, face]]) for face in FACES])
+    mixed = mix(ids)
+    corners = [mixed[corner] for corner in cells.T]
+    keys = np.concatenate([sum(corners[c] for c in face) for face in FACES])
+    del corners
     order = np.argsort(keys)
     starts = np.flatnonzero(np.concatenate([[True], np.diff(keys[order]) != 0]))
     counts = np.diff(np.append(starts, len(keys)))
