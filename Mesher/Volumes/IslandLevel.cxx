@@ -105,8 +105,7 @@ IslandValues SumValues(
       sums[level.PairOf[p]].Add(values.Areas[p]);
     }
   }
-  std::vector<ExactSum> none(next.Share.Size());
-  next.Pairs.Sum(sums, none);
+  next.Pairs.Sum(sums);
   return MakeValues(next, ValuesOf(sums));
 }
 

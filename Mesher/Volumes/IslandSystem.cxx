@@ -38,7 +38,7 @@ std::vector<std::pair<int, int>> SortByKey(std::size_t count, const KeyOf& keyOf
 
 IslandSystem::IslandSystem(
   const FragmentShare& share, const PairSumMap& mine, const IslandBounds& bounds) :
-  Share(&share), Pairs(share, PairsOf(mine)), Places(share.Size(), Place::Here)
+  Share(&share), Pairs(share, PairsOf(mine), share.Shared), Places(share.Size(), Place::Here)
 {
   const Islands islands = FindIslands(share, this->Pairs.Pairs());
   for (std::size_t f = 1; f < share.Size(); ++f)

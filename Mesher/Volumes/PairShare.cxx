@@ -3,67 +3,64 @@
 namespace vfm
 {
 
-PairShare::PairShare(const FragmentShare& share, std::vector<FragmentPair> pairs) :
-  ThePairs(std::move(pairs)), AreMine(this->ThePairs.size(), 1), Fragments(share.Shared)
+PairShare::PairShare(
+  const FragmentShare& share, std::vector<FragmentPair> pairs, const std::vector<int>& fragments) :
+  ThePairs(std::move(pairs)), AreMine(this->ThePairs.size(), 1)
 {
   using Key = std::array<Index, 2>;
-  std::vector<Key> ofPairs, ofFragments;
+  std::vector<std::pair<Key, int>> items;
   for (std::size_t p = 0; p < this->ThePairs.size(); ++p)
   {
     const auto& [a, b] = this->ThePairs[p];
     if ((a == 0 || share.IsShared[a]) && share.IsShared[b])
     {
-      this->Shared.push_back(static_cast<int>(p));
-      ofPairs.push_back({ { share.Ids[a], share.Ids[b] } });
+      items.push_back({ { { share.Ids[a], share.Ids[b] } }, static_cast<int>(p) });
     }
   }
-  for (int fragment : this->Fragments)
+  for (int f : fragments)
   {
-    ofFragments.push_back({ { share.Ids[fragment], share.Ids[fragment] } });
+    items.push_back({ { { share.Ids[f], share.Ids[f] } }, ~f });
   }
+  std::sort(items.begin(), items.end());
   std::vector<Key> keys;
-  std::merge(ofPairs.begin(), ofPairs.end(), ofFragments.begin(), ofFragments.end(),
-    std::back_inserter(keys));
-  const auto findPlaces = [&keys](const std::vector<Key>& some)
+  for (const auto& [key, item] : items)
   {
-    std::vector<std::size_t> places;
-    for (const Key& key : some)
-    {
-      places.push_back(FindSorted(keys, key));
-    }
-    return places;
-  };
-  this->PlacesOfPairs = findPlaces(ofPairs);
-  this->PlacesOfFragments = findPlaces(ofFragments);
-  std::vector<int> lowest(keys.size(), share.Group->Rank());
+    keys.push_back(key);
+    this->Items.push_back(item);
+  }
   this->Ways = KeyMerge<Key>(std::move(keys), *share.Group);
+  std::vector<int> lowest(this->Items.size(), share.Group->Rank());
   this->Ways.Merge(lowest, 1, [](int& a, int b) { a = std::min(a, b); });
-  for (std::size_t s = 0; s < this->Shared.size(); ++s)
+  for (std::size_t i = 0; i < this->Items.size(); ++i)
   {
-    this->AreMine[this->Shared[s]] = lowest[this->PlacesOfPairs[s]] == share.Group->Rank();
+    if (this->Items[i] >= 0)
+    {
+      this->AreMine[this->Items[i]] = lowest[i] == share.Group->Rank();
+    }
   }
 }
 
 void PairShare::Sum(std::vector<ExactSum>& pairs, std::vector<ExactSum>& fragments) const
 {
-  std::vector<ExactSum> sums(this->Shared.size() + this->Fragments.size());
-  for (std::size_t s = 0; s < this->Shared.size(); ++s)
+  const auto sumOf = [&](int item) -> ExactSum&
+  { return item >= 0 ? pairs[item] : fragments[~item]; };
+  std::vector<ExactSum> sums;
+  sums.reserve(this->Items.size());
+  for (int item : this->Items)
   {
-    sums[this->PlacesOfPairs[s]] = pairs[this->Shared[s]];
-  }
-  for (std::size_t s = 0; s < this->Fragments.size(); ++s)
-  {
-    sums[this->PlacesOfFragments[s]] = fragments[this->Fragments[s]];
+    sums.push_back(sumOf(item));
   }
   this->Ways.Merge(sums, 1, [](ExactSum& a, const ExactSum& b) { a.Add(b); });
-  for (std::size_t s = 0; s < this->Shared.size(); ++s)
+  for (std::size_t i = 0; i < sums.size(); ++i)
   {
-    pairs[this->Shared[s]] = sums[this->PlacesOfPairs[s]];
+    sumOf(this->Items[i]) = sums[i];
   }
-  for (std::size_t s = 0; s < this->Fragments.size(); ++s)
-  {
-    fragments[this->Fragments[s]] = sums[this->PlacesOfFragments[s]];
-  }
+}
+
+void PairShare::Sum(std::vector<ExactSum>& pairs) const
+{
+  std::vector<ExactSum> none;
+  this->Sum(pairs, none);
 }
 
 } // namespace vfm

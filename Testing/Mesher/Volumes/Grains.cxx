@@ -165,8 +165,7 @@ GrainLevel MakeGrainLevel(const Grains& grains, Ranks& ranks)
     sums.push_back(sum.second);
   }
   made.Level.Pairs = PairShare(made.Level.Share, std::move(pairs));
-  std::vector<ExactSum> none(made.Level.Share.Size());
-  made.Level.Pairs.Sum(sums, none);
+  made.Level.Pairs.Sum(sums);
   made.Areas = ValuesOf(sums);
   made.Level.Regular.assign(made.Level.Share.Size(), RegularDiagonal);
   made.Lack.assign(1, 0.0);

@@ -25,7 +25,7 @@ TEST(PairShare, OneRankCountsEachPairAndAllGetItsSum)
           list.push_back({ { sum.first.first, sum.first.second } });
           sums.push_back(sum.second);
         }
-        const PairShare pairs(share, list);
+        const PairShare pairs(share, list, share.Shared);
         EXPECT_EQ(pairs.Pairs(), list);
         std::vector<ExactSum> ones(share.Size());
         for (ExactSum& one : ones)
