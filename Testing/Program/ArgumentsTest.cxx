@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <sstream>
 
 namespace vfm
@@ -305,6 +306,19 @@ TEST(Arguments, RejectedWords)
     "--labels needs a value. See sculptor --help.");
 }
 
+TEST(Arguments, FolderOfSurfaces)
+{
+  for (const auto& [given, folder, surfaces] :
+    std::vector<std::array<std::string, 3>>{ { "parts", "parts", "parts/{}.stl" },
+      { "a.b/parts/", "a.b/parts", "a.b/parts/{}.stl" }, { "..", "..", "../{}.stl" },
+      { "parts.obj", "", "parts.obj" }, { "a/{}.stl", "", "a/{}.stl" } })
+  {
+    const Arguments found = ParseMesh("--surfaces " + given);
+    EXPECT_EQ(found.SurfaceFolder, folder) << given;
+    EXPECT_EQ(found.Surfaces, surfaces) << given;
+  }
+}
+
 TEST(Arguments, RejectedValues)
 {
   ExpectRefusals("in.vti out.vtu ",
@@ -324,7 +338,9 @@ TEST(Arguments, RejectedValues)
       { "--refine -1", "--refine takes an integer from 0 to 10, not '-1'." },
       { "--refine 11", "--refine takes an integer from 0 to 10, not '11'." },
       { "--surfaces s.vtp",
-        "The surfaces s.vtp are of an unknown format. Supported format: .stl." },
+        "The surfaces s.vtp are of an unknown format. Supported formats: .stl, .obj. A name "
+        "without "
+        "a dot is a folder." },
       { "--surfaces {}/s_{}.stl", "has {} for the name of a material in its folder or twice." },
       { "--set IsoValue", "--set takes Option=Value, not 'IsoValue'." },
       { "--set IsoValue=.3 x.vti", "--set takes Option=Value, not 'x.vti'." } });
