@@ -275,8 +275,8 @@ TEST(Arguments, RejectedWords)
       { "part.stl out.vtu --spacing 1,1,1", "--spacing is for .nii" },
       { "tset", "The input tset is of an unknown format. Supported formats: .vti" },
       { "in.xyz out.vtu", "The input in.xyz is of an unknown format. Supported formats: .vti" },
-      { "in.vti no.obj", "The output no.obj is of an unknown format. Supported formats: .vtu" },
-      { "in.vti no.obj", ".inp" },
+      { "in.vti no.xyz", "The output no.xyz is of an unknown format. Supported formats: .vtu" },
+      { "in.vti no.xyz", ".inp" },
       { "in.vti out.vtu --binary",
         "The output out.vtu has no binary form. Formats that have it: .msh" },
       { "in.vti out.msh --msh-version 3", "--msh-version takes 2.2 or 4.1, not '3'." },
@@ -409,7 +409,7 @@ TEST(Arguments, RejectedTestsAndLists)
       { "--refine 1 --refine-cells", "--refine and --refine-cells exclude each other." },
       { "--refine-cells=a", "--refine-cells takes no value, but 'a' is given." },
       { "--refine -1", "--refine takes an integer from 0 to 10, not '-1'." },
-      { "--output no.obj", "The output no.obj is of an unknown format." } });
+      { "--output no.xyz", "The output no.xyz is of an unknown format." } });
   ExpectRefusals("--list ",
     { { "", "--input FILE is missing." }, { "in.xyz", "The input in.xyz is of an unknown format." },
       { "in.spn", "--dimensions NX,NY,NZ is missing." },
