@@ -426,6 +426,7 @@ extern "C"
    *   particles; N ranks write a folder processorRANK each
    * - .stl (STL): only the closed surface of each material; with {} in the name one file per
    *   material, as in bones_{}.stl
+   * - .obj (OBJ): the same surfaces, one group per material, with common vertices
    * - .vtp (VTK particles): only the particles, with all arrays
    * - .data (LAMMPS): only the particles, as spheres with diameter, density and velocity
    * @param path  path of the file, equal on all ranks

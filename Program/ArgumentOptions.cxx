@@ -36,8 +36,9 @@ const std::vector<ArgumentOption> OwnOptions{
     "cell arrays to transfer to the elements: velocity, temperature; repeatable", "", true },
   { "--fragments", "FILE.csv", "also write a table of fragments: volumes, centroids, neighbours" },
   { "--geometry", "FILE.vtm", "also write surfaces, curves and vertices, and their adjacency" },
-  { "--surfaces", "FILE.stl",
-    "also write the closed surface of each material; {} in FILE: one file per material" },
+  { "--surfaces", "FILE|FOLDER",
+    "also write the closed surface of each material: .stl, .obj; {} in FILE, or a folder: one file"
+    " per material" },
   { "--report", "FILE.html", "also write a quality report: volumes, histogram, worst elements" },
   { "--tetmesh", "[METHOD]", "tetrahedra instead of hexahedra; TetGen, Cells or Lattice",
     "Method" },

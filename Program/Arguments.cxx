@@ -6,7 +6,7 @@
 #include "FileSuffix.h"
 #include "ImageInput.h"
 #include "Images/ImageFile.h"
-#include "Meshes/Surfaces/WriteStl.h"
+#include "Meshes/Surfaces/MaterialSkins.h"
 #include "Meshes/Vtk/WriteGeometry.h"
 #include "Options/CellWidths.h"
 #include "Options/MaterialWidths.h"
@@ -265,6 +265,11 @@ Arguments ReadValues(const GivenArguments& given)
   to.Fragments = TextOf(given, "--fragments");
   to.Geometry = TextOf(given, "--geometry");
   to.Surfaces = TextOf(given, "--surfaces");
+  to.SurfaceFolder = FindSurfaceFolder(to.Surfaces);
+  if (!to.SurfaceFolder.empty())
+  {
+    to.Surfaces = to.SurfaceFolder + "/" + MaterialPlace + ".stl";
+  }
   to.Report = TextOf(given, "--report");
   to.Fractions = ReadList(given, "--fractions");
   to.Labels = TextOf(given, "--labels");
@@ -353,7 +358,7 @@ void CheckMesh(const Arguments& from)
       (from.SurfaceFiles.empty() ? from.Input : JoinTexts(from.SurfaceFiles, " ")) + " mesh.vtu.");
   }
   CheckProblem(from.Geometry.empty() ? "" : FindGeometryProblem(from.Geometry));
-  CheckProblem(from.Surfaces.empty() ? "" : FindStlProblem(from.Surfaces));
+  CheckProblem(from.Surfaces.empty() ? "" : FindSurfaceProblem(from.Surfaces));
   CheckProblem(from.Report.empty() ? "" : FindReportProblem(from.Report));
   CheckOutput(from);
 }

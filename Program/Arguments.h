@@ -37,6 +37,7 @@ struct Arguments
   std::string Fragments;              ///< file of the table of fragments; empty: none
   std::string Geometry;               ///< file of surfaces, curves and vertices; empty: none
   std::string Surfaces;               ///< file of the surfaces of materials; empty: none
+  std::string SurfaceFolder;          ///< folder to make for Surfaces; empty: none
   std::string Report;                 ///< file of the quality report; empty: none
   std::vector<std::string> Fractions; ///< cell arrays; empty: found in the input
   std::string Labels;                 ///< cell array; empty: fractions

@@ -29,6 +29,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <iostream>
 #include <optional>
 
@@ -134,6 +135,23 @@ ReportHead DescribeRun(
   return head;
 }
 
+/// Makes the folder of surfaces on rank 0, unless it exists. Returns when it exists.
+/// @pre Collective
+void MakeSurfaceFolder(const Arguments& arguments, Ranks& ranks)
+{
+  std::error_code error;
+  if (ranks.Rank() == 0 && !arguments.SurfaceFolder.empty())
+  {
+    std::filesystem::create_directory(arguments.SurfaceFolder, error);
+  }
+  if (error)
+  {
+    throw InputError(
+      "Cannot make the folder " + arguments.SurfaceFolder + ": " + error.message() + ".");
+  }
+  ranks.Any(false); // waits for rank 0
+}
+
 /// Writes the mesh, and the table of fragments, the geometry, the surfaces and the report if
 /// requested.
 /// @param head  texts of the report
@@ -155,6 +173,7 @@ void WriteFiles(const MesherResult& result, const MeshData& mesh, const ReportHe
   }
   if (!arguments.Surfaces.empty())
   {
+    WorkInStage(ranks, ErrorCode::UnwritableOutput, [&] { MakeSurfaceFolder(arguments, ranks); });
     WorkInStage(
       ranks, ErrorCode::UnwritableOutput, [&] { WriteMesh(mesh, arguments.Surfaces, ranks); });
   }
@@ -196,8 +215,10 @@ void MeshFile(const Arguments& arguments, Ranks& ranks)
     [&]
     {
       CheckFiles(arguments);
-      for (const std::string& path : { arguments.Output, arguments.Fragments, arguments.Geometry,
-             arguments.Surfaces, arguments.Report })
+      const std::string& surfaces =
+        arguments.SurfaceFolder.empty() ? arguments.Surfaces : arguments.SurfaceFolder;
+      for (const std::string& path :
+        { arguments.Output, arguments.Fragments, arguments.Geometry, surfaces, arguments.Report })
       {
         const std::string problem = path.empty() ? "" : FindFolderProblem(path);
         if (!problem.empty())

@@ -2,7 +2,7 @@
 
 #include "Base/ParseText.h"
 #include "FileSuffix.h"
-#include "Meshes/Surfaces/WriteStl.h"
+#include "Meshes/Surfaces/MaterialSkins.h"
 
 #include <algorithm>
 
@@ -97,6 +97,8 @@ const std::vector<FormatRow>& GetFormatTable()
       "only the closed surface of each material; with {} in the name one file per material, as in "
       "bones_{}.stl",
       {} },
+    { MeshFormat::Obj, { ".obj" }, "OBJ",
+      "the same surfaces, one group per material, with common vertices", {} },
     { MeshFormat::Vtp, { ".vtp" }, "VTK particles", "only the particles, with all arrays",
       { "time" }, false, false }, // the package writes surfaces by this suffix
     { MeshFormat::Lammps, { ".data" }, "LAMMPS",
@@ -129,7 +131,8 @@ std::string FindOutputProblem(const std::string& path, const OutputForm& form)
         (option.ListsFormats ? ListSuffixes(&option) + "." : "");
     }
   }
-  return format->Format == MeshFormat::Stl ? FindStlProblem(path) : "";
+  const bool isSurface = format->Format == MeshFormat::Stl || format->Format == MeshFormat::Obj;
+  return isSurface ? FindSurfaceProblem(path) : "";
 }
 
 } // namespace vfm

@@ -37,6 +37,7 @@ enum class MeshFormat
   Xdmf,
   Foam,
   Stl,
+  Obj,
   Vtp,
   Lammps
 };

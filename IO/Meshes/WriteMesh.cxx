@@ -7,6 +7,7 @@
 #include "Meshes/Exodus/WriteExodus.h"
 #include "Meshes/OpenFoam/WriteFoam.h"
 #include "Meshes/Particles/WriteParticles.h"
+#include "Meshes/Surfaces/WriteObj.h"
 #include "Meshes/Surfaces/WriteStl.h"
 #include "Meshes/Vtk/WriteVtu.h"
 #include "Meshes/Xdmf/WriteXdmf.h"
@@ -50,6 +51,8 @@ void Write(MeshFormat format, const MeshData& mesh, const std::string& path, Ran
       return WriteFoam(mesh, path, ranks, { form.IsSingle, form.IsBinary });
     case MeshFormat::Stl:
       return WriteStl(mesh, path, ranks);
+    case MeshFormat::Obj:
+      return WriteObj(mesh, path, ranks);
     case MeshFormat::Vtp:
       return WriteVtpParticles(mesh, path, ranks);
     case MeshFormat::Lammps:
@@ -66,6 +69,7 @@ bool HoldsParticles(MeshFormat format)
     case MeshFormat::Gmsh:
     case MeshFormat::Xdmf:
     case MeshFormat::Stl:
+    case MeshFormat::Obj:
       return false;
     default:
       return true;

@@ -200,5 +200,5 @@ TEST_F(SculptorArguments, FilesThatCannotBeWritten)
   ASSERT_EQ(this->Mesh(), SCULPTOR_OK);
   EXPECT_EQ(sculptor_write(this->Sculptor, nullptr), SCULPTOR_ERROR_ARGUMENT);
   EXPECT_EQ(sculptor_write(this->Sculptor, "/no/such/folder/mesh.pvtu"), SCULPTOR_ERROR_FILE);
-  EXPECT_EQ(sculptor_write(this->Sculptor, "mesh.obj"), SCULPTOR_ERROR_ARGUMENT);
+  EXPECT_EQ(sculptor_write(this->Sculptor, "mesh.xyz"), SCULPTOR_ERROR_ARGUMENT);
 }

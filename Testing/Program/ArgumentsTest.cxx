@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <sstream>
 
 namespace vfm
@@ -274,8 +275,8 @@ TEST(Arguments, RejectedWords)
       { "part.stl out.vtu --spacing 1,1,1", "--spacing is for .nii" },
       { "tset", "The input tset is of an unknown format. Supported formats: .vti" },
       { "in.xyz out.vtu", "The input in.xyz is of an unknown format. Supported formats: .vti" },
-      { "in.vti no.obj", "The output no.obj is of an unknown format. Supported formats: .vtu" },
-      { "in.vti no.obj", ".inp" },
+      { "in.vti no.xyz", "The output no.xyz is of an unknown format. Supported formats: .vtu" },
+      { "in.vti no.xyz", ".inp" },
       { "in.vti out.vtu --binary",
         "The output out.vtu has no binary form. Formats that have it: .msh" },
       { "in.vti out.msh --msh-version 3", "--msh-version takes 2.2 or 4.1, not '3'." },
@@ -305,6 +306,19 @@ TEST(Arguments, RejectedWords)
     "--labels needs a value. See sculptor --help.");
 }
 
+TEST(Arguments, FolderOfSurfaces)
+{
+  for (const auto& [given, folder, surfaces] :
+    std::vector<std::array<std::string, 3>>{ { "parts", "parts", "parts/{}.stl" },
+      { "a.b/parts/", "a.b/parts", "a.b/parts/{}.stl" }, { "..", "..", "../{}.stl" },
+      { "parts.obj", "", "parts.obj" }, { "a/{}.stl", "", "a/{}.stl" } })
+  {
+    const Arguments found = ParseMesh("--surfaces " + given);
+    EXPECT_EQ(found.SurfaceFolder, folder) << given;
+    EXPECT_EQ(found.Surfaces, surfaces) << given;
+  }
+}
+
 TEST(Arguments, RejectedValues)
 {
   ExpectRefusals("in.vti out.vtu ",
@@ -324,7 +338,9 @@ TEST(Arguments, RejectedValues)
       { "--refine -1", "--refine takes an integer from 0 to 10, not '-1'." },
       { "--refine 11", "--refine takes an integer from 0 to 10, not '11'." },
       { "--surfaces s.vtp",
-        "The surfaces s.vtp are of an unknown format. Supported format: .stl." },
+        "The surfaces s.vtp are of an unknown format. Supported formats: .stl, .obj. A name "
+        "without "
+        "a dot is a folder." },
       { "--surfaces {}/s_{}.stl", "has {} for the name of a material in its folder or twice." },
       { "--set IsoValue", "--set takes Option=Value, not 'IsoValue'." },
       { "--set IsoValue=.3 x.vti", "--set takes Option=Value, not 'x.vti'." } });
@@ -393,7 +409,7 @@ TEST(Arguments, RejectedTestsAndLists)
       { "--refine 1 --refine-cells", "--refine and --refine-cells exclude each other." },
       { "--refine-cells=a", "--refine-cells takes no value, but 'a' is given." },
       { "--refine -1", "--refine takes an integer from 0 to 10, not '-1'." },
-      { "--output no.obj", "The output no.obj is of an unknown format." } });
+      { "--output no.xyz", "The output no.xyz is of an unknown format." } });
   ExpectRefusals("--list ",
     { { "", "--input FILE is missing." }, { "in.xyz", "The input in.xyz is of an unknown format." },
       { "in.spn", "--dimensions NX,NY,NZ is missing." },

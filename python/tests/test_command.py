@@ -107,6 +107,13 @@ def test_nifti(run):
     solids = (run.folder / "solids.stl").read_text()
     assert solids == "".join((run.folder / ("part_%s.stl" % name)).read_text()
                              for name in ("left side", "right"))
+    run("@in.nii.gz", "@solids.obj", "--names", "@names.txt", "--surfaces", "@parts")
+    groups = [line[2:] for line in (run.folder / "solids.obj").read_text().splitlines()
+              if line[0] == "g"]
+    assert groups == ["left_side", "right"]
+    for name in ("left side", "right"):
+        assert ((run.folder / "parts" / (name + ".stl")).read_bytes()
+                == (run.folder / ("part_%s.stl" % name)).read_bytes())
     labels = '<label index="1">left side</label><label index="2">P&#244;le</label>'
     (run.folder / "names.xml").write_text(
         "<atlas><header><type>Label</type></header><data>%s</data></atlas>" % labels)

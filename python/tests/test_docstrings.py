@@ -22,6 +22,7 @@ FILES = {"read": ["impact.spcth", "impact"]}
 
 def list_modules():
     names = [module.name for module in pkgutil.iter_modules(vfm.__path__)]
+    names += ["_grains.grains", "_grains.grain_table"]
     return [vfm, *(importlib.import_module("volume_fraction_mesh." + name) for name in names
                    if name not in ("_core", "__main__"))]
 
@@ -47,7 +48,7 @@ def list_public():
     return found
 
 
-NOTHING = ("Mesh.report", "Mesh.save")  # functions that return nothing
+NOTHING = ("Grains.save", "Mesh.report", "Mesh.save")  # functions that return nothing
 EXAMPLES = list_examples()
 PUBLIC = list_public()
 

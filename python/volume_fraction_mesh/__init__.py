@@ -15,6 +15,7 @@ from ._dolfinx import DolfinxMesh
 from ._facets import Facets, Separated
 from ._fragments import fragments
 from ._geometry import Curves, Geometry, Surfaces, Vertices
+from ._grains.grains import Grains, read_grains
 from ._hexes import hexes
 from ._images import Arrays, Fractions
 from ._load import load
@@ -35,6 +36,7 @@ __all__ = [
     "Facets",
     "Fractions",
     "Geometry",
+    "Grains",
     "Mesh",
     "Run",
     "Separated",
@@ -47,6 +49,7 @@ __all__ = [
     "hexes",
     "load",
     "read",
+    "read_grains",
     "shapes",
     "surface",
     "tets",

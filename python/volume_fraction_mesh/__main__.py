@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import csv
+import os
 import sys
 import warnings
 from typing import Any, Dict, List, Optional
@@ -113,9 +114,9 @@ def make_parser() -> argparse.ArgumentParser:
         help="box whose cells are halved: x0 y0 z0 x1 y1 z1 and the number of times"
     )
     parser.add_argument("--surfaces", metavar="FILE",
-                        help="write the surfaces of the mesh: .stl, a closed surface per material, "
-                        "with {} in the name one file each; .vtp or another format of PyVista, all "
-                        "facets once")
+                        help="write the surfaces of the mesh: .stl or .obj, a closed surface per "
+                        "material, with {} in the name one file each; a folder (a name without a "
+                        "dot), one .stl each; .vtp or another format of PyVista, all facets once")
     parser.add_argument("--fragments", metavar="FILE", dest="table",
                         help="write a table of the fragments, .csv")
     parser.add_argument("--report", metavar="FILE",
@@ -221,6 +222,12 @@ def _show_warning(message: Any, *_: Any, **__: Any) -> None:
         print("warning: %s" % one_line(message), file=sys.stderr)
 
 
+def _is_folder(path: str) -> bool:
+    """Returns whether a path of surfaces means a folder: its name has no dot, or it ends with /."""
+    name = os.path.basename(path)
+    return "." not in name or name in (".", "..")
+
+
 def _write(mesh: Mesh, words: argparse.Namespace) -> None:
     """Writes all files of the command."""
     name = " ".join(words.input)
@@ -229,7 +236,11 @@ def _write(mesh: Mesh, words: argparse.Namespace) -> None:
                          "materials to the iso value. Check --array, --labels, --threshold and "
                          "--iso-value. Nothing is written." % name)
     mesh.save(words.output)
-    if words.surfaces and words.surfaces.lower().endswith(".stl"):
+    if words.surfaces and _is_folder(words.surfaces):
+        if not os.path.isdir(words.surfaces):
+            os.mkdir(words.surfaces)
+        mesh.save(os.path.join(words.surfaces, "{}.stl"))
+    elif words.surfaces and words.surfaces.lower().endswith((".stl", ".obj")):
         mesh.save(words.surfaces)
     elif words.surfaces:
         with whole_file(words.surfaces) as path:

@@ -520,6 +520,7 @@ class Mesh(MeshData):
           particles;
         - ``.stl`` (STL): only the closed surface of each material; with {} in the name one file per
           material, as in bones_{}.stl;
+        - ``.obj`` (OBJ): the same surfaces, one group per material, with common vertices;
         - ``.data`` (LAMMPS): only the particles, as spheres with diameter, density and velocity;
         - ``.npz``: the whole mesh for `load`;
         - ``.vtk``: legacy format 4.2, with the array ``material`` first: the void has the number

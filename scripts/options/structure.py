@@ -83,6 +83,8 @@ FOLDERS = (
     ("python/src", "The compiled module of the Python package."),
     ("python/volume_fraction_mesh", "The Python package."),
     ("python/volume_fraction_mesh/_readers", "Readers of files for `_read.py`."),
+    ("python/volume_fraction_mesh/_plugins", "Plugins of other packages, which import them."),
+    ("python/volume_fraction_mesh/_grains", "Orientations and phases of grains."),
 )
 HEADERS, SOURCES = (".h", ".hpp"), (".cxx", ".cpp")
 COMMENT = re.compile(r"/\*\*?(.*?)\*/", re.DOTALL)

@@ -3,7 +3,7 @@
 #include "Meshes/Files/OutputFile.h"
 #include "Meshes/Particles/GatherParticles.h"
 #include "Meshes/Particles/ParticleParts.h"
-#include "Meshes/Surfaces/WriteStl.h"
+#include "Meshes/Surfaces/MaterialSkins.h"
 #include "Meshes/Vtk/WriteVtp.h"
 #include "Ranks/WorkTogether.h"
 #include "Report/MeshMaterials.h"

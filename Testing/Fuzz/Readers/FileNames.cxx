@@ -5,7 +5,7 @@
 #include "FileSuffix.h"
 #include "ImageInput.h"
 #include "Meshes/Gmsh/WriteGmsh.h"
-#include "Meshes/Surfaces/WriteStl.h"
+#include "Meshes/Surfaces/MaterialSkins.h"
 #include "Meshes/Vtk/WriteGeometry.h"
 #include "Ranks/Errors.h"
 #include "ReadInput.h"
@@ -41,9 +41,14 @@ bool IsVoxelFile(const std::string& path)
   return HasSuffix(path, std::vector<std::string>{ ".spn", ".npy" });
 }
 
-std::string FindStlProblem(const std::string& path)
+std::string FindSurfaceFolder(const std::string&)
 {
-  return FindProblem(path, { ".stl" });
+  return "";
+}
+
+std::string FindSurfaceProblem(const std::string& path)
+{
+  return FindProblem(path, { ".stl", ".obj" });
 }
 
 std::string FindGeometryProblem(const std::string& path)

@@ -58,7 +58,7 @@ TEST(WriteMesh, FilesThatCannotBeWrittenAreNotLeft)
   fs::create_symlink("/dev/full", folder / "full.exo.2.1");
   fs::create_symlink("/dev/full", folder / "full.vtu");
   for (const auto& [name, reason] : std::vector<std::pair<std::string, std::string>>{
-         { "mesh.obj", "unknown format" }, { "no/mesh.vtu", "No such file or directory" },
+         { "mesh.xyz", "unknown format" }, { "no/mesh.vtu", "No such file or directory" },
          { "no/mesh.inp", "No such file or directory" }, { "full.vtu", "No space left on device" },
          { "full.exo", "full.exo.2.1: No space left on device" } })
   {

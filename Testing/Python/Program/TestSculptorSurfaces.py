@@ -54,6 +54,29 @@ def test_names_priority_and_ranks(at):
 
 
 @in_folder
+def test_folder_of_surfaces(at):
+    """--surfaces FOLDER makes the folder, with the files that {} gives, on any ranks."""
+    words = [write_box(at("shaft.stl"), (0, 0, 0), (1, 1, 1)),
+             write_box(at("housing.stl"), (0.5, 0, 0), (3, 1, 1)), at("out.vtu"), "--cells", "12"]
+    for ranks, folder in ((1, "parts"), (3, "more/"), (3, "parts")):
+        result = sculptor(*words, "--surfaces", at(folder), ranks=ranks)
+        assert result.returncode == 0, result
+        assert sorted(os.listdir(at(folder))) == ["housing.stl", "shaft.stl"]
+    assert sculptor(*words, "--surfaces", at("of_{}.stl")).returncode == 0
+    for name in ("shaft", "housing"):
+        texts = []
+        for path in ("parts/%s.stl", "more/%s.stl", "of_%s.stl"):
+            with open(at(path % name), "rb") as file:
+                texts.append(file.read())
+        assert texts[0] == texts[1] == texts[2] and len(texts[0]) > 1000
+    with open(at("file"), "w") as file:
+        file.write("text")
+    for folder in ("file", "missing/parts"):
+        result = sculptor(*words, "--surfaces", at(folder))
+        assert result.returncode == 4 and folder in result.stderr, result
+
+
+@in_folder
 def test_same_as_filter(at):
     """By ParaView's reader, whose coordinates are float, by a .vti file of the fractions with their
     surface, and by sculptor."""

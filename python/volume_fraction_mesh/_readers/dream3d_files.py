@@ -32,8 +32,8 @@ def read(path: str, names: Optional[Sequence[str]], is_trusted: bool) -> CellDat
     h5py = load_library("h5py", path)
     wanted = list(names or [DEFAULT])
     with h5py.File(path, "r") as file:
-        found = [(group, grid, dict(_list_arrays(h5py, group, grid, is_trusted)))
-                 for group, grid in _find_geometries(h5py, file, DEEPEST)]
+        found = [(group, grid, dict(list_arrays(h5py, group, grid, is_trusted)))
+                 for group, grid in find_geometries(h5py, file, DEEPEST)]
         if not found:
             raise ValueError("it has no image geometry.")
         fitting = [each for each in found if all(name in each[2] for name in wanted)]
@@ -48,7 +48,7 @@ def read(path: str, names: Optional[Sequence[str]], is_trusted: bool) -> CellDat
         return CellData(grid, {name: _flatten(data, grid.cells) for name, data in arrays.items()})
 
 
-def _find_geometries(h5py: Any, group: Any, depth: int) -> Iterator[Tuple[Any, Grid]]:
+def find_geometries(h5py: Any, group: Any, depth: int) -> Iterator[Tuple[Any, Grid]]:
     for name in group:
         if not isinstance(group.get(name, getlink=True), h5py.HardLink):
             continue
@@ -59,7 +59,7 @@ def _find_geometries(h5py: Any, group: Any, depth: int) -> Iterator[Tuple[Any, G
         if grid is not None:
             yield child, grid
         elif depth > 0:
-            yield from _find_geometries(h5py, child, depth - 1)
+            yield from find_geometries(h5py, child, depth - 1)
 
 
 def _read_grid(group: Any) -> Optional[Grid]:
@@ -77,21 +77,21 @@ def _read_grid(group: Any) -> Optional[Grid]:
     return None
 
 
-def _list_arrays(h5py: Any, group: Any, grid: Grid,
+def list_arrays(h5py: Any, group: Any, grid: Grid,
                  is_trusted: bool) -> Iterator[Tuple[str, Any]]:
     """Yields names and data sets of numbers with one tuple per cell. DREAM.3D 6 also stores them
     flat, as (cells, components)."""
     shape, count = grid.cells[::-1], int(np.prod(grid.cells))
     for matrix in group:
-        inner = _open(h5py, group, matrix, is_trusted)
+        inner = open_member(h5py, group, matrix, is_trusted)
         for name in inner if hasattr(inner, "keys") else []:
-            data = _open(h5py, inner, name, is_trusted)
+            data = open_member(h5py, inner, name, is_trusted)
             if getattr(data, "shape", None) and data.dtype.kind in "biuf" and (
                     data.shape[:3] == shape or data.shape[0] == count and data.ndim <= 2):
                 yield name, data
 
 
-def _open(h5py: Any, group: Any, name: str, is_trusted: bool) -> Any:
+def open_member(h5py: Any, group: Any, name: str, is_trusted: bool) -> Any:
     """Returns a member of a group. Raises ValueError if it is in another file."""
     if not is_trusted and isinstance(group.get(name, getlink=True), h5py.ExternalLink):
         raise ValueError("its link %r leads to another file. %s" % (name, TRUST))

@@ -169,6 +169,40 @@ TEST(WriteStl, ClosedWithTheVolumesOfTheMesh)
   }
 }
 
+/// A triangle between two materials is in the surfaces of both, in opposite orientations.
+TEST(WriteStl, NeighboursHaveTheSameTriangles)
+{
+  for (const MeshMaker make : { MakeHexMesh, MakeTetMesh })
+  {
+    const Folder folder;
+    WithMesh(1, make,
+      [&](const FileCase& part, Ranks& ranks)
+      { WriteMesh(part.Mesh, folder / "mesh.stl", ranks); });
+    std::map<std::array<Vector3, 3>, std::vector<bool>> sides; // orientation of each occurrence
+    for (const Solid& solid : ReadStl(folder / "mesh.stl"))
+    {
+      for (std::size_t c = 0; c < solid.Corners.size(); c += 3)
+      {
+        std::array<Vector3, 3> corners{ solid.Corners[c], solid.Corners[c + 1],
+          solid.Corners[c + 2] };
+        std::rotate(
+          corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+        const bool isTurned = corners[2] < corners[1];
+        std::sort(corners.begin(), corners.end());
+        sides[corners].push_back(isTurned);
+      }
+    }
+    Index shared = 0;
+    for (const auto& [corners, turned] : sides)
+    {
+      ASSERT_LE(turned.size(), 2u);
+      shared += turned.size() == 2;
+      EXPECT_TRUE(turned.size() == 1 || turned[0] != turned[1]);
+    }
+    EXPECT_GT(shared, 100);
+  }
+}
+
 /// A mesh that was read from a file has no facets: they are found.
 TEST(WriteStl, SameWithoutFacets)
 {

@@ -1,0 +1,1 @@
+"""Orientations and phases of grains."""
