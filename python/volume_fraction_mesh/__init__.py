@@ -17,6 +17,7 @@ from ._fragments import fragments
 from ._geometry import Curves, Geometry, Surfaces, Vertices
 from ._hexes import hexes
 from ._images import Arrays, Fractions
+from ._level_set import level_set
 from ._load import load
 from ._read import read
 from ._shapes import shapes, surface
@@ -45,6 +46,7 @@ __all__ = [
     "fragments",
     "has_tetgen",
     "hexes",
+    "level_set",
     "load",
     "read",
     "shapes",

@@ -324,6 +324,19 @@ def shape_fractions(
 ) -> List[NDArray[np.float64]]:
     """Returns the exact volume fractions of shapes: one array of shape (cells,) per material."""
 
+def level_set_fractions(
+    arrays: List[Tuple[str, NDArray[Any]]],
+    coordinates: Coordinates,
+    rule: str,
+    inside: str,
+    threads: int,
+    progress: Progress,
+) -> List[NDArray[np.float64]]:
+    """Returns the volume fractions of level sets, each of shape (cells,).
+
+    rule, inside: words of the options LevelSets and LevelSetInside.
+    """
+
 def read_blocks(path: str, step: int, names: Optional[Sequence[str]],
                 trust_input: bool) -> Blocks:
     """Reads the blocks of a SpyPlot file, an AMReX plotfile or an Exodus file. names: arrays to read, None for all.
