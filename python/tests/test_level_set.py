@@ -60,7 +60,7 @@ def test_same_mesh_as_option():
     assert np.array_equal(mesh.points, expected.points)
     assert np.array_equal(mesh.material, expected.material)
     assert mesh.materials["Name"] == ["ball", "film"]
-    found = np.array(mesh.materials["FractionVolume"])
+    found = np.array(mesh.materials["TargetVolume"])
     np.testing.assert_allclose(found, [ball(0.6), ball(0.63) - ball(0.6)], rtol=1e-3)
 
 
