@@ -212,8 +212,9 @@ TEST(LevelSets, ValuesThatAreNotFinite)
     [&](const Index3& cell)
     {
       const double value = ValueAt(found.Blocks[0], "ball", cell);
-      cell == bad ? EXPECT_TRUE(std::isnan(value))
-                  : EXPECT_NEAR(value, ValueAt(whole.Blocks[0], "ball", cell), 5e-3);
+      EXPECT_EQ(std::isnan(value), cell == bad);
+      const double expected = ValueAt(whole.Blocks[0], "ball", cell);
+      EXPECT_NEAR(std::isnan(value) ? expected : value, expected, 5e-3);
     });
 }
 
