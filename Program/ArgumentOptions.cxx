@@ -29,7 +29,8 @@ const std::vector<ArgumentOption> OwnOptions{
     "", true },
   { "--level-set", "A,B,..",
     "cell arrays that are level sets, such as signed distances, negative inside one material each;"
-    " where several are negative, the first counts (--set LevelSets=Lowest: the lowest); repeatable",
+    " where several are negative, the first counts (--set LevelSets=Lowest: the lowest); "
+    "repeatable",
     "", true },
   { "--labels", "ARRAY", "integer cell array with the material of each cell" },
   { "--material", "ID,..|all",

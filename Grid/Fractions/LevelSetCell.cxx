@@ -14,8 +14,8 @@ namespace
 constexpr int FineParts = 4; // of a cell along each axis
 constexpr int FineNodes = FineParts + 1;
 // Of the largest slope, that are taken for a kink:
-constexpr double SlopeJump = 0.8;      // difference of the slopes on both sides of two centres
-constexpr double UnequalJump = 0.5;    // difference of its parts at both centres
+constexpr double SlopeJump = 0.8;         // difference of the slopes on both sides of two centres
+constexpr double UnequalJump = 0.5;       // difference of its parts at both centres
 constexpr double NegligibleShare = 1e-13; // of a cell
 constexpr double Unknown = std::numeric_limits<double>::quiet_NaN();
 
@@ -51,7 +51,8 @@ public:
     for (int n = 0; n < FineNodes; ++n)
     {
       const Place& p = this->Places[n];
-      const double left = slopes[p.First - 1], middle = slopes[p.First], right = slopes[p.First + 1];
+      const double left = slopes[p.First - 1], middle = slopes[p.First],
+                   right = slopes[p.First + 1];
       const bool isKink = std::abs(right - left) > SlopeJump * slope ||
         std::abs(left + right - 2.0 * middle) > UnequalJump * slope;
       const double f0 = f[p.First], f1 = f[p.First + 1];
@@ -61,8 +62,8 @@ public:
         found[n] = right > left ? std::max(fromLeft, fromRight) : std::min(fromLeft, fromRight);
         continue;
       }
-      const double bend = (1.0 - p.Right) * (middle - left) * p.LeftScale +
-        p.Right * (right - middle) * p.RightScale;
+      const double bend =
+        (1.0 - p.Right) * (middle - left) * p.LeftScale + p.Right * (right - middle) * p.RightScale;
       found[n] = f0 + p.After * middle - (isKink ? 0.0 : p.After * p.Before * bend);
     }
     return found;
@@ -106,14 +107,13 @@ private:
 
 using FineValues = std::array<double, FineNodes * FineNodes * FineNodes>;
 
-constexpr std::array<int, 3> Strides{ { 1, StencilWidth, StencilWidth * StencilWidth } };
+constexpr std::array<int, 3> Strides{ { 1, StencilWidth, StencilWidth* StencilWidth } };
 constexpr int Middle =
   LevelSetLayers * (1 + StencilWidth + StencilWidth * StencilWidth); // the cell itself
 
 /// Interpolates one function to the nodes of the parts of a cell.
 /// @note Both counts along an axis are 5, so the values change in place, axis by axis.
-FineValues Interpolate(
-  const std::array<LineInterpolation, 3>& axes, const StencilValues& values)
+FineValues Interpolate(const std::array<LineInterpolation, 3>& axes, const StencilValues& values)
 {
   static_assert(StencilWidth == FineNodes, "values change in place");
   double slope = 0.0;
@@ -128,8 +128,8 @@ FineValues Interpolate(
   };
   for (int a = 0; a < 3; ++a)
   {
-    slope = std::max(slope,
-      axes[a].SlopeOf(lineAt(values, Middle - LevelSetLayers * Strides[a], Strides[a])));
+    slope = std::max(
+      slope, axes[a].SlopeOf(lineAt(values, Middle - LevelSetLayers * Strides[a], Strides[a])));
   }
   FineValues found = values;
   for (int a = 0; a < 3; ++a)
@@ -196,9 +196,9 @@ double ExtrapolateTo(int i, const Line& centres, const Line& f, int least)
     double weight = 1.0;
     for (int q = 0; q < count; ++q)
     {
-      weight *= q == p ? 1.0
-                       : (centres[i] - centres[nearest[q]]) /
-          (centres[nearest[p]] - centres[nearest[q]]);
+      weight *= q == p
+        ? 1.0
+        : (centres[i] - centres[nearest[q]]) / (centres[nearest[p]] - centres[nearest[q]]);
     }
     value += weight * f[nearest[p]];
   }
@@ -229,8 +229,7 @@ void FillAlong(int axis, const StencilPlaces& places, int least, StencilValues& 
 
 bool IsComplete(const StencilValues& values)
 {
-  return std::none_of(
-    values.begin(), values.end(), [](double value) { return std::isnan(value); });
+  return std::none_of(values.begin(), values.end(), [](double value) { return std::isnan(value); });
 }
 
 /// Returns the lowest function at a cell of the stencil; the first one of equal values.
@@ -273,8 +272,8 @@ StencilPlaces PlacesAround(const std::array<std::vector<double>, 3>& nodes, cons
     {
       const Index at = cell[a] + i - LevelSetLayers;
       const Index inside = std::clamp<Index>(at, 0, count - 1);
-      places.Centres[a][i] = centre(inside) +
-        static_cast<double>(at - inside) * (x[inside + 1] - x[inside]);
+      places.Centres[a][i] =
+        centre(inside) + static_cast<double>(at - inside) * (x[inside + 1] - x[inside]);
     }
   }
   return places;
@@ -311,8 +310,8 @@ int FindOnlyMaterial(const std::vector<StencilValues>& functions, LevelSetRule r
   return material;
 }
 
-std::vector<double> FractionsOfFunctions(const StencilPlaces& places,
-  const std::vector<StencilValues>& functions, LevelSetRule rule)
+std::vector<double> FractionsOfFunctions(
+  const StencilPlaces& places, const std::vector<StencilValues>& functions, LevelSetRule rule)
 {
   const auto axis = [&places](int a)
   { return LineInterpolation(places.Centres[a], places.Lower[a], places.Upper[a]); };

@@ -5,9 +5,9 @@
  * A function is known at the centres of the cells around the cell. Between them it is interpolated
  * by cubic polynomials along each axis, except where its slope jumps: there the lines on both sides
  * are extended up to where they cross, as by subcell resolution (Harten, J. Comput. Phys. 83 (1989)
- * 148-184). The cell is cut into 2^3 and into 4^3 parts, each part into six tetrahedra, in which the
- * functions are linear and the volumes are exact. The volumes of both are extrapolated (Richardson),
- * so that their error is of fourth order in the width of the cells. Planes are exact.
+ * 148-184). The cell is cut into 2^3 and into 4^3 parts, each part into six tetrahedra, in which
+ * the functions are linear and the volumes are exact. The volumes of both are extrapolated
+ * (Richardson), so that their error is of fourth order in the width of the cells. Planes are exact.
  */
 #pragma once
 
@@ -50,7 +50,7 @@ int FindOnlyMaterial(const std::vector<StencilValues>& functions, LevelSetRule r
 
 /// Returns the fractions of all materials; their sum is at most 1.
 /// @param functions  values of the function of each material, all known
-std::vector<double> FractionsOfFunctions(const StencilPlaces& places,
-  const std::vector<StencilValues>& functions, LevelSetRule rule);
+std::vector<double> FractionsOfFunctions(
+  const StencilPlaces& places, const std::vector<StencilValues>& functions, LevelSetRule rule);
 
 } // namespace vfm

@@ -72,8 +72,7 @@ double NegativeShare(const Four& values)
       return bc * bd + ac * (1.0 - bc) * bd + ac * ad * (1.0 - bd);
     }
     case 3:
-      return 1.0 -
-        ZeroBetween(f[3], f[0]) * ZeroBetween(f[3], f[1]) * ZeroBetween(f[3], f[2]);
+      return 1.0 - ZeroBetween(f[3], f[0]) * ZeroBetween(f[3], f[1]) * ZeroBetween(f[3], f[2]);
     default:
       return 1.0;
   }
@@ -220,8 +219,8 @@ private:
       return;
     }
     Four opposite{};
-    std::transform(values.begin(), values.end(), opposite.begin(),
-      [](double value) { return -value; });
+    std::transform(
+      values.begin(), values.end(), opposite.begin(), [](double value) { return -value; });
     VisitNegative(part, opposite, visit);
   }
 
@@ -288,8 +287,8 @@ void AddVolumesInBox(const std::vector<CornerValues>& functions, LevelSetRule ru
 {
   const std::vector<int> active =
     rule == LevelSetRule::Priority ? FindFirst(functions) : FindLowest(functions, rule);
-  const bool isWhole = active.size() == 1 &&
-    (rule == LevelSetRule::Fill || HighestOf(functions[active[0]]) < 0.0);
+  const bool isWhole =
+    active.size() == 1 && (rule == LevelSetRule::Fill || HighestOf(functions[active[0]]) < 0.0);
   if (active.empty() || isWhole)
   {
     volumes[active.empty() ? 0 : active[0] + 1] += volume;

@@ -17,9 +17,9 @@ namespace vfm
 namespace
 {
 
-constexpr Index PartLayers = 32;          // layers of cells that are computed together
-constexpr double Infinite = 1e100;        // in place of infinity
-constexpr int NoValue = -1, Mixed = -2;   // in place of the material of a centre
+constexpr Index PartLayers = 32;        // layers of cells that are computed together
+constexpr double Infinite = 1e100;      // in place of infinity
+constexpr int NoValue = -1, Mixed = -2; // in place of the material of a centre
 constexpr double Unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// Values of all arrays in a box of cells, array by array, x fastest.
@@ -86,8 +86,7 @@ private:
         const Index3 first{ { common.Lower[0], j, k } };
         for (std::size_t m = 0; m < this->Count; ++m)
         {
-          double* row =
-            to.Values.data() + m * to.Box.NumberOfCells() + IndexInBox(to.Box, first);
+          double* row = to.Values.data() + m * to.Box.NumberOfCells() + IndexInBox(to.Box, first);
           ReadRow(block, this->Columns[b * this->Count + m], first, common.Size(0), row);
           for (Index i = 0; i < common.Size(0); ++i)
           {
@@ -195,8 +194,11 @@ class PartFractions
 {
 public:
   PartFractions(const LevelValues& level, const IndexBox& box, LevelSetRule rule) :
-    Level(level), Rule(rule), Around(level.Read(CellsAround(box))),
-    Cells(Around.Box.NumberOfCells()), Materials(Cells)
+    Level(level),
+    Rule(rule),
+    Around(level.Read(CellsAround(box))),
+    Cells(Around.Box.NumberOfCells()),
+    Materials(Cells)
   {
     for (Index cell = 0; cell < this->Cells; ++cell)
     {
@@ -306,8 +308,8 @@ private:
 };
 
 /// Returns a block with the fractions of one block of a level.
-InputBlock MakeBlock(const LevelValues& level, const InputBlock& block,
-  const LevelSetSource& source, Runtime& runtime)
+InputBlock MakeBlock(
+  const LevelValues& level, const InputBlock& block, const LevelSetSource& source, Runtime& runtime)
 {
   const std::size_t count = source.Arrays.size();
   std::vector<Buffer<double>> values;

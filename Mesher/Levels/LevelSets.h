@@ -1,9 +1,9 @@
 /**
  * LevelSets: volume fractions from arrays that are level sets, the option LevelSets.
  *
- * A value belongs to the centre of its cell. The fractions of a cell depend on the values within two
- * cells of it (LevelSetCell.h), of the same level, whatever block and rank holds them. Values across
- * the sides of the domain and of a level are extrapolated.
+ * A value belongs to the centre of its cell. The fractions of a cell depend on the values within
+ * two cells of it (LevelSetCell.h), of the same level, whatever block and rank holds them. Values
+ * across the sides of the domain and of a level are extrapolated.
  */
 #pragma once
 
@@ -17,7 +17,7 @@ namespace vfm
 /// Arrays that are level sets, and how they are read.
 struct LevelSetSource
 {
-  std::vector<std::string> Arrays; ///< one per material, in order of priority
+  std::vector<std::string> Arrays;            ///< one per material, in order of priority
   LevelSetRule Rule = LevelSetRule::Priority; ///< not Off
   bool IsPositiveInside = false;
 };

@@ -99,8 +99,7 @@ nanobind::list FractionsOfArrays(const std::vector<std::pair<std::string, NumpyA
   MesherOptions options;
   SetOption(options, "LevelSets", rule);
   SetOption(options, "LevelSetInside", inside);
-  LevelSetSource source{ {}, options.LevelSets,
-    options.LevelSetInside == LevelSetSign::Positive };
+  LevelSetSource source{ {}, options.LevelSets, options.LevelSetInside == LevelSetSign::Positive };
   for (const auto& array : arrays)
   {
     source.Arrays.push_back(array.first);

@@ -63,8 +63,8 @@ void AddList(OutputFile& file, const Numbers& numbers)
 }
 
 /// Adds a set of numbers, several in a line.
-void AddSet(OutputFile& file, const char* kind, const std::string& name,
-  const std::vector<Index>& numbers)
+void AddSet(
+  OutputFile& file, const char* kind, const std::string& name, const std::vector<Index>& numbers)
 {
   constexpr std::size_t inLine = 12;
   file.Add(std::string("    <") + kind + " name=" + Quoted(name) + ">");
@@ -104,8 +104,8 @@ void AddElements(
   OutputFile& file, const MeshData& mesh, const MaterialPart& part, const std::string& name)
 {
   ElementNodes nodes(mesh, {});
-  AddLine(file, std::string("    <Elements type=") + Quoted(TypeOf(mesh)) + " name=" +
-      Quoted(name) + ">");
+  AddLine(file,
+    std::string("    <Elements type=") + Quoted(TypeOf(mesh)) + " name=" + Quoted(name) + ">");
   for (Index element : part.Elements)
   {
     const Index* points = nodes.Of(element);
@@ -126,8 +126,7 @@ void AddSurface(
   for (const ElementSide& side : surface.Sides)
   {
     const std::vector<Index> points = NodesOfSide(mesh, side.Element, side.Side);
-    const std::string type =
-      (mesh.HasHexes() ? "quad" : "tri") + std::to_string(points.size());
+    const std::string type = (mesh.HasHexes() ? "quad" : "tri") + std::to_string(points.size());
     file.Add("      <" + type + " id=\"");
     file.Add(++number);
     file.Add("\">");
@@ -141,13 +140,14 @@ void AddSurface(
 void AddMaterial(
   OutputFile& file, const DeckModel& model, const MaterialPart& part, const std::string& name)
 {
-  AddLine(file, "    <material id=" + Quoted(std::to_string(&part - model.Materials.data() + 1)) +
+  AddLine(file,
+    "    <material id=" + Quoted(std::to_string(&part - model.Materials.data() + 1)) +
       " name=" + Quoted(name) + " type=\"isotropic elastic\">");
   const MeshArray* density = model.State.Density;
   const auto valueOf = [density](Index element) { return vfm::ValueAt(*density, element); };
   if (density && !part.Elements.empty() &&
-    std::all_of(part.Elements.begin(), part.Elements.end(), [&](Index element)
-      { return valueOf(element) == valueOf(part.Elements.front()); }))
+    std::all_of(part.Elements.begin(), part.Elements.end(),
+      [&](Index element) { return valueOf(element) == valueOf(part.Elements.front()); }))
   {
     file.Add("      <density>");
     file.AddReal(valueOf(part.Elements.front()));
@@ -164,7 +164,8 @@ void AddElementData(OutputFile& file, const MeshData& mesh, UniqueNames& names)
     {
       continue;
     }
-    AddLine(file, "    <ElementData name=" + Quoted(names.Add(FebioName(array.Name))) +
+    AddLine(file,
+      "    <ElementData name=" + Quoted(names.Add(FebioName(array.Name))) +
         " data_type=\"scalar\" elem_set=" + Quoted(AllElements) + ">");
     for (Index element = 0; element < mesh.NumberOfElements; ++element)
     {
@@ -264,8 +265,8 @@ void WriteFebio(const MeshData& mesh, const std::string& path, Ranks& ranks)
 {
   MeshData elements = mesh;
   elements.Particles = nullptr;
-  WriteDeck(elements, ranks, IsElementData,
-    [&](const DeckModel& model) { WriteFile(model, path); });
+  WriteDeck(
+    elements, ranks, IsElementData, [&](const DeckModel& model) { WriteFile(model, path); });
 }
 
 } // namespace vfm

@@ -77,7 +77,8 @@ std::vector<double> VolumesOf(
         values.push_back(ValuesAround(f, nodes, cell));
       }
       const int only = FindOnlyMaterial(values, rule);
-      const std::vector<double> fractions = FractionsOfFunctions(PlacesAround(nodes, cell), values, rule);
+      const std::vector<double> fractions =
+        FractionsOfFunctions(PlacesAround(nodes, cell), values, rule);
       for (std::size_t m = 0; m < functions.size(); ++m)
       {
         EXPECT_GE(fractions[m], 0.0);
@@ -85,8 +86,8 @@ std::vector<double> VolumesOf(
         {
           EXPECT_NEAR(fractions[m], static_cast<int>(m) + 1 == only ? 1.0 : 0.0, 0.02);
         }
-        volumes[m] += volume *
-          (only < 0 ? fractions[m] : (static_cast<int>(m) + 1 == only ? 1.0 : 0.0));
+        volumes[m] +=
+          volume * (only < 0 ? fractions[m] : (static_cast<int>(m) + 1 == only ? 1.0 : 0.0));
       }
       EXPECT_LE(std::accumulate(fractions.begin(), fractions.end(), 0.0), 1.0 + 1e-14);
     });
@@ -171,8 +172,8 @@ TEST(LevelSetCell, VolumesOfCurvedBodies)
   const double radius = 0.7, ring = 0.6, tube = 0.25;
   const Vector3 off{ { 0.011, -0.023, 0.017 } };
   const double ball = ErrorOf(VolumesOf({ Ball(off, radius) }, nodes, rule)[0], BallVolume(radius));
-  const double torus = ErrorOf(
-    VolumesOf({ Torus(ring, tube) }, nodes, rule)[0], 2.0 * Pi * Pi * ring * tube * tube);
+  const double torus =
+    ErrorOf(VolumesOf({ Torus(ring, tube) }, nodes, rule)[0], 2.0 * Pi * Pi * ring * tube * tube);
   const Function left = Ball({ { -0.4, 0, 0 } }, 0.5), right = Ball({ { 0.4, 0.0, 0 } }, 0.5);
   const double both = 2.0 * BallVolume(0.5) - LensVolume(0.5, 0.8);
   const double joined = ErrorOf(VolumesOf({ Least(left, right) }, nodes, rule)[0], both);
@@ -180,7 +181,6 @@ TEST(LevelSetCell, VolumesOfCurvedBodies)
   const double first = ErrorOf(two[0], BallVolume(0.5)), second = ErrorOf(two[0] + two[1], both);
   const std::vector<double> lowest = VolumesOf({ left, right }, nodes, LevelSetRule::Lowest);
   const double halves = ErrorOf(lowest[0], 0.5 * both);
-  std::printf("errors: ball %.1e torus %.1e joined %.1e two %.1e %.1e halves %.1e\n", ball, torus, joined, first, second, halves);
   EXPECT_LT(ball, 1e-4);
   EXPECT_LT(torus, 1e-4);
   EXPECT_LT(joined, 1e-4);
@@ -229,8 +229,7 @@ TEST(LevelSetCell, KinksDoNotMovePlanes)
   const Nodes nodes = MakeNodes(16);
   const Function plate = [](const Vector3& x) { return std::abs(x[2] - 0.02) - 0.237; };
   EXPECT_NEAR(VolumesOf({ plate }, nodes, LevelSetRule::Priority)[0], 4.0 * 2.0 * 0.237, 1e-12);
-  const Function box = [](const Vector3& x)
-  {
+  const Function box = [](const Vector3& x) {
     return std::max({ std::abs(x[0]), std::abs(x[1]), std::abs(x[2]) }) - 0.5;
   };
   EXPECT_NEAR(VolumesOf({ box }, nodes, LevelSetRule::Priority)[0], 1.0, 5e-3);

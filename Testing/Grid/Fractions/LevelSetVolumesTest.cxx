@@ -64,8 +64,8 @@ TEST(LevelSetVolumes, NestedHalfSpacesArePlies)
   {
     const Vector3 normal{ { draw(random), draw(random), draw(random) } };
     const double low = 0.4 * draw(random), high = low + 0.02;
-    const std::vector<double> found = VolumesOf(
-      { PlaneValues(normal, low), PlaneValues(normal, high) }, LevelSetRule::Priority);
+    const std::vector<double> found =
+      VolumesOf({ PlaneValues(normal, low), PlaneValues(normal, high) }, LevelSetRule::Priority);
     const double below = VolumeBelowPlane(normal, low);
     EXPECT_NEAR(found[1], below, 1e-14);
     EXPECT_NEAR(found[2], VolumeBelowPlane(normal, high) - below, 1e-14);
@@ -102,10 +102,10 @@ TEST(LevelSetVolumes, TiesAndJunctions)
     EXPECT_GT(found[1], 0.5);
   }
   const double s = 0.86602540378443864676;
-  const std::vector<double> found = VolumesOf({ PlaneValues({ { 1.0, 0.0, 0.0 } }, 0.0),
-                                                PlaneValues({ { -0.5, s, 0.0 } }, 0.0),
-                                                PlaneValues({ { -0.5, -s, 0.0 } }, 0.0) },
-    LevelSetRule::Fill);
+  const std::vector<double> found =
+    VolumesOf({ PlaneValues({ { 1.0, 0.0, 0.0 } }, 0.0), PlaneValues({ { -0.5, s, 0.0 } }, 0.0),
+                PlaneValues({ { -0.5, -s, 0.0 } }, 0.0) },
+      LevelSetRule::Fill);
   EXPECT_EQ(found[0], 0.0);
   EXPECT_NEAR(found[2], found[3], 1e-15);
   EXPECT_NEAR(found[1] + found[2] + found[3], 1.0, 1e-15);

@@ -44,16 +44,16 @@ InputBlock MakeBlock(const IndexBox& box, int number, double scale)
   block.Name = NameBlock(number, 0, true);
   for (int a = 0; a < 3; ++a)
   {
-    block.Coordinates[a] = EvenNodes(-1.0, Width, static_cast<int>(box.Lower[a]),
-      static_cast<int>(box.Upper[a]));
+    block.Coordinates[a] =
+      EvenNodes(-1.0, Width, static_cast<int>(box.Lower[a]), static_cast<int>(box.Upper[a]));
   }
   KeepAllCells(block);
   const auto arrays = std::make_shared<PlainArrays>(box.NumberOfCells());
   for (const auto& [name, radius] : { std::pair("ball", 0.6), { "film", 0.63 } })
   {
     Buffer<double> values(box.NumberOfCells());
-    ForCells(box, [&](const Index3& cell)
-      { values[IndexInBox(box, cell)] = scale * Distance(cell, radius); });
+    ForCells(box,
+      [&](const Index3& cell) { values[IndexInBox(box, cell)] = scale * Distance(cell, radius); });
     arrays->Store(name, ValueType::Double, std::move(values));
   }
   block.Arrays = arrays;
@@ -65,8 +65,7 @@ InputLevels MakeInput(const std::vector<IndexBox>& boxes, Ranks& ranks, double s
   CollectedBlocks collected;
   for (const IndexBox& box : boxes)
   {
-    collected.Blocks.push_back(
-      MakeBlock(box, static_cast<int>(collected.Blocks.size()), scale));
+    collected.Blocks.push_back(MakeBlock(box, static_cast<int>(collected.Blocks.size()), scale));
   }
   return FindInputLevels(std::move(collected), ranks);
 }
@@ -123,8 +122,8 @@ TEST(LevelSets, OtherSign)
   ForCells(All,
     [&](const Index3& cell)
     {
-      EXPECT_EQ(ValueAt(negative.Blocks[0], "film", cell),
-        ValueAt(positive.Blocks[0], "film", cell));
+      EXPECT_EQ(
+        ValueAt(negative.Blocks[0], "film", cell), ValueAt(positive.Blocks[0], "film", cell));
     });
 }
 
@@ -175,13 +174,15 @@ TEST(LevelSets, NothingInsideIsAnError)
   far->Store("far", ValueType::Double, std::vector<double>(All.NumberOfCells(), 2.5));
   input.Levels[0].Blocks[0].Arrays = far;
   const LevelSetSource source{ { "far" }, LevelSetRule::Priority, false };
-  const std::string told =
-    ErrorOf([&] { FractionsOfLevelSets(input.Levels, source, runtime); });
+  const std::string told = ErrorOf([&] { FractionsOfLevelSets(input.Levels, source, runtime); });
   EXPECT_NE(told.find("'far' is negative"), std::string::npos) << told;
   EXPECT_NE(told.find("LevelSetInside Positive"), std::string::npos) << told;
-  EXPECT_NE(ErrorOf([&] {
-    FractionsOfLevelSets(input.Levels, { { "ball" }, LevelSetRule::Lowest, false }, runtime);
-  }).find("ball"),
+  EXPECT_NE(
+    ErrorOf(
+      [&] {
+        FractionsOfLevelSets(input.Levels, { { "ball" }, LevelSetRule::Lowest, false }, runtime);
+      })
+      .find("ball"),
     std::string::npos);
 }
 
@@ -205,8 +206,8 @@ TEST(LevelSets, ValuesThatAreNotFinite)
   const auto arrays = std::make_shared<PlainArrays>(All.NumberOfCells());
   arrays->Store("ball", ValueType::Double, std::move(band));
   input.Levels[0].Blocks[0].Arrays = arrays;
-  const InputBlocks found = FractionsOfLevelSets(
-    input.Levels, { { "ball" }, LevelSetRule::Priority, false }, runtime)[0];
+  const InputBlocks found =
+    FractionsOfLevelSets(input.Levels, { { "ball" }, LevelSetRule::Priority, false }, runtime)[0];
   const InputBlocks whole = OneBlock();
   ForCells(All,
     [&](const Index3& cell)
@@ -234,7 +235,7 @@ TEST(LevelSets, Meshes)
   const MesherResult result = RunMesher(input, options, runtime);
   double volumes[3] = {};
   const Mesh& mesh = result.TheMesh;
-  for (Index e = 0; e < mesh.NumberOfElements(); ++e)
+  for (Index e = 0; e < static_cast<Index>(mesh.Material.size()); ++e)
   {
     ++volumes[mesh.Material[e]];
   }
