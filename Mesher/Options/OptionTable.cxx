@@ -49,13 +49,12 @@ OptionTable MaterialsOptions()
       "there, so each level set may contain those before it, as layers of films do. Lowest: to the "
       "array of the lowest value, if it is negative. Fill: as Lowest, also if it is positive, so "
       "that there is no void. Off: the arrays are volume fractions.")
-      .ShownIf("!MaterialIdArray")
+      .EnabledIf("!MaterialIdArray")
       .Advanced(),
     Row("LevelSetInside", Choice<&M::LevelSetInside>({ "Negative", "Positive" }),
       "Sign of level sets inside their material. With Positive, Lowest and Fill take the highest "
       "value.")
-      .ShownIf("!MaterialIdArray")
-      .EnabledIf("LevelSets!=Off")
+      .EnabledIf("LevelSets!=Off & !MaterialIdArray")
       .Advanced()
       .Sculptor("--level-set-inside SIGN"),
     Row("ImageAxes", Switch<&M::ImageAxes>(),
