@@ -420,6 +420,7 @@ extern "C"
    *   particles
    * - .bdf, .nas (Nastran): properties, sets of nodes, a unit pressure on each surface, particles
    *   as point masses
+   * - .feb (FEBio): version 4.0: elements of each material, sets of nodes, surfaces, element data
    * - .msh (Gmsh): version 2.2 or 4.1, text or binary: named volumes, domain sides and interfaces
    * - .xdmf (XDMF): for dolfinx: materials, and a second file of tagged facets, FILE_facets.xdmf
    * - .foam (OpenFOAM): the folder of the file is a case with patches, zones and a cloud of

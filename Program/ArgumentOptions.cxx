@@ -27,6 +27,11 @@ const std::vector<ArgumentOption> OwnOptions{
   { "--fractions", "A,B,..",
     "cell arrays with the volume fractions of one material each; repeatable, then one name each",
     "", true },
+  { "--level-set", "A,B,..",
+    "cell arrays that are level sets, such as signed distances, negative inside one material each;"
+    " where several are negative, the first counts (--set LevelSets=Lowest: the lowest); "
+    "repeatable",
+    "", true },
   { "--labels", "ARRAY", "integer cell array with the material of each cell" },
   { "--material", "ID,..|all",
     "mesh only these materials, others become void; numbers from 1, or names of arrays;"

@@ -272,6 +272,8 @@ Arguments ReadValues(const GivenArguments& given)
   }
   to.Report = TextOf(given, "--report");
   to.Fractions = ReadList(given, "--fractions");
+  const std::vector<std::string> levelSets = ReadList(given, "--level-set");
+  to.Fractions.insert(to.Fractions.end(), levelSets.begin(), levelSets.end());
   to.Labels = TextOf(given, "--labels");
   to.Materials = ReadList(given, "--material");
   if (to.Materials.size() == 1 && IsSameWord(to.Materials[0], "all"))
@@ -281,6 +283,10 @@ Arguments ReadValues(const GivenArguments& given)
   to.State = ReadList(given, "--state");
   to.RefinesCells = given.count("--refine-cells") > 0;
   to.Mesher = ReadOptions(given);
+  if (!levelSets.empty() && to.Mesher.LevelSets == LevelSetRule::Off)
+  {
+    to.Mesher.LevelSets = LevelSetRule::Priority;
+  }
   to.Step = ReadCount(given, "--step", "", LargestCount);
   to.Time = ReadValue(given, "--time", "a number",
     [](const std::string& text) { return ParseNumber(text, -LargestNumber, LargestNumber); });
@@ -391,7 +397,9 @@ void CheckExclusive(const GivenArguments& given)
   for (const auto& [one, other] :
     { std::pair("--step", "--time"), { "--fractions", "--labels" }, { "--smooth", "--no-smooth" },
       { "--refine", "--refine-cells" }, { "--refine", "--refine-box" },
-      { "--threshold", "--fractions" }, { "--threshold", "--material" } })
+      { "--threshold", "--fractions" }, { "--threshold", "--material" },
+      { "--level-set", "--fractions" }, { "--level-set", "--labels" },
+      { "--level-set", "--threshold" }, { "--level-set", "--material" } })
   {
     if (given.count(one) + given.count(other) == 2)
     {

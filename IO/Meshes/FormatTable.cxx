@@ -84,6 +84,8 @@ const std::vector<FormatRow>& GetFormatTable()
     { MeshFormat::Nastran, { ".bdf", ".nas" }, "Nastran",
       "properties, sets of nodes, a unit pressure on each surface, particles as point masses",
       { "time" } },
+    { MeshFormat::Febio, { ".feb" }, "FEBio",
+      "version 4.0: elements of each material, sets of nodes, surfaces, element data", {} },
     { MeshFormat::Gmsh, { ".msh" }, "Gmsh",
       "version 2.2 or 4.1, text or binary: named volumes, domain sides and interfaces",
       { "version", "binary", "interfaces" } },

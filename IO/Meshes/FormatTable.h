@@ -33,6 +33,7 @@ enum class MeshFormat
   LsDyna,
   Radioss,
   Nastran,
+  Febio,
   Gmsh,
   Xdmf,
   Foam,

@@ -1,6 +1,7 @@
 #include "Meshes/WriteMesh.h"
 
 #include "Meshes/Decks/WriteAbaqus.h"
+#include "Meshes/Decks/WriteFebio.h"
 #include "Meshes/Decks/WriteLsDyna.h"
 #include "Meshes/Decks/WriteNastran.h"
 #include "Meshes/Decks/WriteRadioss.h"
@@ -43,6 +44,8 @@ void Write(MeshFormat format, const MeshData& mesh, const std::string& path, Ran
       return WriteRadioss(mesh, path, ranks);
     case MeshFormat::Nastran:
       return WriteNastran(mesh, path, ranks);
+    case MeshFormat::Febio:
+      return WriteFebio(mesh, path, ranks);
     case MeshFormat::Gmsh:
       return WriteGmsh(mesh, path, ranks, { form.Version, form.IsBinary, form.HasInterfaces });
     case MeshFormat::Xdmf:
@@ -66,6 +69,7 @@ bool HoldsParticles(MeshFormat format)
   {
     case MeshFormat::Vtu:
     case MeshFormat::Pvtu:
+    case MeshFormat::Febio:
     case MeshFormat::Gmsh:
     case MeshFormat::Xdmf:
     case MeshFormat::Stl:

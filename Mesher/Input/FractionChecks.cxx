@@ -163,12 +163,37 @@ void OutsideFractions::Add(const OutsideFractions& other)
     this->Material = other.Material;
   }
   this->Largest = std::max(this->Largest, other.Largest);
+  if (other.Lowest < this->Lowest ||
+    (other.Lowest == this->Lowest && other.LowestMaterial < this->LowestMaterial))
+  {
+    this->Lowest = other.Lowest;
+    this->LowestMaterial = other.LowestMaterial;
+  }
 }
+
+namespace
+{
+
+/// Rejects an array of values of both signs.
+[[noreturn]] void RejectLevelSet(
+  const OutsideFractions& outside, const std::vector<std::string>& names)
+{
+  const std::string& name = names[outside.LowestMaterial - 1];
+  std::ostringstream text;
+  text << "Volume fraction array '" << names[outside.Material - 1] << "' holds " << outside.Value
+       << " in " << TextOf(outside.First) << ": volume fractions lie in [0, 1]. '" << name
+       << "' holds values down to " << outside.Lowest
+       << ". If it is a level set, such as a signed distance that is negative inside its material, "
+       << "LevelSets Priority (--level-set " << name << ") makes volume fractions of it.";
+  throw InputError(text.str());
+}
+
+} // namespace
 
 void CheckOutside(const OutsideFractions& mine, const std::vector<std::string>& names, Ranks& ranks)
 {
   const double largest = ranks.Max(mine.Largest);
-  if (largest == 0.0 || largest > LargestFractionTolerance)
+  if (largest == 0.0)
   {
     return;
   }
@@ -176,6 +201,14 @@ void CheckOutside(const OutsideFractions& mine, const std::vector<std::string>& 
   for (const OutsideFractions& one : GatherItems(ranks, std::vector<OutsideFractions>{ mine }))
   {
     all.Add(one);
+  }
+  if (all.Lowest < -LargestFractionTolerance)
+  {
+    RejectLevelSet(all, names);
+  }
+  if (largest > LargestFractionTolerance)
+  {
+    return;
   }
   const double enough = SufficientTolerance(largest);
   std::ostringstream text;

@@ -37,8 +37,10 @@ struct OutsideFractions
 {
   double Largest = 0.0; ///< distance from [0, 1]
   double Value = 0.0;
-  int Material = 0; ///< of Value
-  Index3 First{};   ///< cell of Value, with the lowest indices, z before y before x
+  int Material = 0;       ///< of Value
+  Index3 First{};         ///< cell of Value, with the lowest indices, z before y before x
+  double Lowest = 0.0;    ///< lowest value, if it is negative
+  int LowestMaterial = 0; ///< of Lowest; the first one
 
   void Add(const OutsideFractions& other);
 };
@@ -46,8 +48,9 @@ struct OutsideFractions
 /// Checks the fractions of all ranks.
 /// @param mine  fractions of this rank
 /// @param names  array of each material
-/// @throws InputError  on all ranks, with the tolerance that suffices. Larger distances than
-///   LargestFractionTolerance are left to FractionField, which rejects them.
+/// @throws InputError  on all ranks, with the tolerance that suffices, or with the option for level
+///   sets if values are negative by more than LargestFractionTolerance. Other distances above it
+///   are left to FractionField, which rejects them.
 /// @pre Collective
 void CheckOutside(
   const OutsideFractions& mine, const std::vector<std::string>& names, Ranks& ranks);

@@ -123,7 +123,9 @@ ContentOfArray FindContentOfReals(const ArrayInfo& array, double tolerance)
     const char* what = IsDistanceName(array.Name)
       ? "a level set or signed distance"
       : "probably a level set or signed distance, or a component of a vector";
-    return { ArrayContent::LevelSet, "values of both signs, " + Range(array) + ": " + what };
+    return { ArrayContent::LevelSet,
+      "values of both signs, " + Range(array) + ": " + what +
+        " (LevelSets Priority, --level-set)" };
   }
   return { ArrayContent::Grey,
     "real numbers from " + Range(array) + ": neither in [0, 1] nor integers" +

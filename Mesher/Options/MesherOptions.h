@@ -4,6 +4,7 @@
 #pragma once
 
 #include "Base/Options.h"
+#include "Fractions/LevelSetRule.h"
 #include "Fractions/RefineCells.h"
 
 #include <cstdint>
@@ -65,6 +66,13 @@ enum class ZeroLabelMeaning
 {
   Void,
   Material
+};
+
+/// Option LevelSetInside: the sign of level sets in their materials.
+enum class LevelSetSign
+{
+  Negative,
+  Positive
 };
 
 /// What connects both sides of split interfaces, in files.
@@ -159,6 +167,8 @@ struct MesherOptions : MeshSettings, LevelSettings, ConserveOptions, LayerOption
   int LabelSmoothing = 0;
   std::string LabelNames; ///< path of a file
   ZeroLabelMeaning ZeroLabel = ZeroLabelMeaning::Void;
+  LevelSetRule LevelSets = LevelSetRule::Off;
+  LevelSetSign LevelSetInside = LevelSetSign::Negative;
   std::string Threshold;  ///< ranges of values that are materials (ValueRanges.h); empty: labels
   bool ImageAxes = false; ///< true: the mesh is not rotated to world coordinates
   int MinimumRegionCells = 0;

@@ -42,6 +42,21 @@ OptionTable MaterialsOptions()
       "Values in no range are void.")
       .Advanced()
       .Sculptor("--threshold LOW:HIGH"),
+    Row("LevelSets", Choice<&M::LevelSets>({ "Off", "Priority", "Lowest", "Fill" }),
+      "The volume fraction arrays are level sets: signed distances, or other functions that are "
+      "negative inside their material, at the centres of the cells. The part of each cell that is "
+      "inside becomes its fraction. Priority: a point belongs to the first array that is negative "
+      "there, so each level set may contain those before it, as layers of films do. Lowest: to the "
+      "array of the lowest value, if it is negative. Fill: as Lowest, also if it is positive, so "
+      "that there is no void. Off: the arrays are volume fractions.")
+      .EnabledIf("!MaterialIdArray")
+      .Advanced(),
+    Row("LevelSetInside", Choice<&M::LevelSetInside>({ "Negative", "Positive" }),
+      "Sign of level sets inside their material. With Positive, Lowest and Fill take the highest "
+      "value.")
+      .EnabledIf("LevelSets!=Off & !MaterialIdArray")
+      .Advanced()
+      .Sculptor("--level-set-inside SIGN"),
     Row("ImageAxes", Switch<&M::ImageAxes>(),
       "Leave the mesh of an image with a direction matrix in the axes of the image. The sides of "
       "the domain then lie along x, y and z. Off: the mesh is rotated to the position of the image "

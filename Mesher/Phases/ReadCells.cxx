@@ -4,6 +4,7 @@
 #include "Input/InputLabels.h"
 #include "Input/InputRoute.h"
 #include "Levels/GreyLabels.h"
+#include "Levels/LevelSets.h"
 #include "Levels/NewCells.h"
 #include "Levels/PeriodicFields.h"
 #include "Materials/ZeroLabels.h"
@@ -17,6 +18,26 @@ namespace vfm
 {
 namespace
 {
+
+/// Returns the blocks with the fractions of level sets; none if the arrays are no level sets.
+/// @pre Collective
+std::vector<InputBlocks> ConvertLevelSets(
+  const MesherJob& job, const std::vector<InputBlocks>& levels)
+{
+  const LevelSetRule rule = job.Options.LevelSets;
+  if (rule == LevelSetRule::Off)
+  {
+    return {};
+  }
+  if (AreLabels(job))
+  {
+    throw InputError("LevelSets applies to arrays that are chosen as volume fractions, not to "
+                     "labels. Choose the level sets as fractions, one per material.");
+  }
+  return FractionsOfLevelSets(levels,
+    { job.Input.Arrays.Fractions, rule, job.Options.LevelSetInside == LevelSetSign::Positive },
+    job.Run);
+}
 
 LevelCells OpenCells(const MesherJob& job, const std::vector<InputBlocks>& levels)
 {
@@ -60,6 +81,10 @@ std::string CheckGreyValues(const MesherJob& job, const LevelFields& fields)
   }
   const ArrayChoice choice{ areLabels ? arrays.Labels : arrays.Fractions[0], arrays.LabelsOption,
     arrays.AreGuessed };
+  if (job.Options.LevelSets != LevelSetRule::Off)
+  {
+    return "";
+  }
   return areLabels ? CheckGreyLabels(fields, choice, job.Run.Group())
                    : CheckGreyFractions(fields, choice, job.Input.Levels, job.Run.Group());
 }
@@ -103,7 +128,8 @@ std::unique_ptr<Cells> ReadCells(const MesherJob& job)
   const MesherArrays& arrays = job.Input.Arrays;
   const MesherOptions& options = job.Options;
   Ranks& ranks = job.Run.Group();
-  LevelCells source = OpenCells(job, levels.Levels);
+  std::vector<InputBlocks> levelSets = ConvertLevelSets(job, levels.Levels);
+  LevelCells source = OpenCells(job, levelSets.empty() ? levels.Levels : levelSets);
   NoteZeroLabel(job);
   const std::vector<StateArray> states = FindStateArrays(levels, arrays.State.Arrays, ranks);
   InputRequests requests = FindInputRequests(levels, options, ranks);
@@ -116,6 +142,7 @@ std::unique_ptr<Cells> ReadCells(const MesherJob& job)
     levels, source, setup, options.ChildFractions, RepeatingAxes(options), owners, job.Run);
   std::unique_ptr<Cells> cells(new Cells{ std::move(source), setup, {}, std::move(levels),
     std::move(owners), std::move(fields), {}, {}, {} });
+  cells->LevelSets = std::move(levelSets);
   Warn(job, CheckGreyValues(job, cells->Fields));
   Materials& table = cells->Fields.Field.Table;
   NameLabels(arrays.Names, table);

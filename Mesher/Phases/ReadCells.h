@@ -28,6 +28,7 @@ struct Cells
   StoredState State;                                   ///< contents of the cells as read
   WideReport Wide{};                                   ///< if CellWidth replaced the cells as read
   std::shared_ptr<const InputSurfaces> Surfaces{};     ///< that fit the fractions; null: none
+  std::vector<InputBlocks> LevelSets{};                ///< their fractions, which Source reads
 };
 
 /// Returns the finest level of the cells as read, or of those that replaced them.

@@ -91,6 +91,14 @@ nb::list FillSurfaces(
   return vfm::FractionsInside(*bodies.Surfaces, Copy(coordinates), runtime);
 }
 
+nb::list FillLevelSets(const std::vector<std::pair<std::string, vfm::NumpyArray>>& arrays,
+  const NodeArrays& coordinates, const std::string& rule, const std::string& inside, int threads,
+  nb::handle progress)
+{
+  vfm::PythonRuntime runtime(threads, progress);
+  return vfm::FractionsOfArrays(arrays, Copy(coordinates), rule, inside, runtime);
+}
+
 vfm::FileBlocks ReadBlocks(const std::string& path, int step,
   const std::optional<std::vector<std::string>>& names, bool isTrusted)
 {
@@ -174,6 +182,8 @@ NB_MODULE(_core, module)
   module.def("read_label_names", ReadNames, "path"_a);
   module.def("shape_fractions", FillShapes, "text"_a, "coordinates"_a, "tolerance"_a, "threads"_a,
     "progress"_a.none());
+  module.def("level_set_fractions", FillLevelSets, "arrays"_a, "coordinates"_a, "rule"_a,
+    "inside"_a, "threads"_a, "progress"_a.none());
   module.def("surface_fractions", FillSurfaces, "surfaces"_a, "coordinates"_a, "threads"_a,
     "progress"_a.none());
 }

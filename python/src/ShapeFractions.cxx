@@ -1,7 +1,10 @@
 #include "ShapeFractions.h"
 
+#include "Input/InputLevels.h"
 #include "Input/NodeCoordinates.h"
+#include "Levels/LevelSets.h"
 #include "NumpyFields.h"
+#include "Options/SetOptions.h"
 #include "PythonRuntime.h"
 #include "Shapes/ShapesFractions.h"
 #include "Shapes/ShapesText.h"
@@ -44,6 +47,14 @@ nanobind::list RunToNumpy(
   return arrays;
 }
 
+/// Returns the values of an array of doubles in contiguous memory.
+Buffer<double> CopyOf(const BlockArray& array)
+{
+  Buffer<double> values(array.Tuples);
+  std::copy_n(static_cast<const double*>(array.Memory), array.Tuples, values.data());
+  return values;
+}
+
 std::vector<Shape> MakeShapes(const std::string& text, const NodeCoordinates& coordinates)
 {
   Vector3 lower, upper;
@@ -79,6 +90,38 @@ nanobind::list FractionsInside(
   return RunToNumpy(coordinates, runtime,
     [&](const IndexBox& cells)
     { return FractionsOfSurfaces(coordinates, cells, surfaces, runtime); });
+}
+
+nanobind::list FractionsOfArrays(const std::vector<std::pair<std::string, NumpyArray>>& arrays,
+  const NodeCoordinates& coordinates, const std::string& rule, const std::string& inside,
+  PythonRuntime& runtime)
+{
+  MesherOptions options;
+  SetOption(options, "LevelSets", rule);
+  SetOption(options, "LevelSetInside", inside);
+  LevelSetSource source{ {}, options.LevelSets, options.LevelSetInside == LevelSetSign::Positive };
+  for (const auto& array : arrays)
+  {
+    source.Arrays.push_back(array.first);
+  }
+  return RunToNumpy(coordinates, runtime,
+    [&](const IndexBox& cells)
+    {
+      InputBlock block;
+      block.Coordinates = coordinates;
+      FinishBlock(block, -1, runtime.Group());
+      block.Arrays = MakeBlockArrays(cells.NumberOfCells(), arrays);
+      CollectedBlocks collected;
+      collected.Blocks.push_back(std::move(block));
+      const InputLevels levels = FindInputLevels(std::move(collected), runtime.Group());
+      const auto found = FractionsOfLevelSets(levels.Levels, source, runtime);
+      std::vector<Buffer<double>> fractions;
+      for (const std::string& name : source.Arrays)
+      {
+        fractions.push_back(CopyOf(*found[0].Blocks[0].Arrays->Find(name)));
+      }
+      return fractions;
+    });
 }
 
 } // namespace vfm

@@ -18,6 +18,7 @@ from ._geometry import Curves, Geometry, Surfaces, Vertices
 from ._grains.grains import Grains, read_grains
 from ._hexes import hexes
 from ._images import Arrays, Fractions
+from ._level_set import level_set
 from ._load import load
 from ._read import read
 from ._shapes import shapes, surface
@@ -47,6 +48,7 @@ __all__ = [
     "fragments",
     "has_tetgen",
     "hexes",
+    "level_set",
     "load",
     "read",
     "read_grains",

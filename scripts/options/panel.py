@@ -105,7 +105,7 @@ def write_word(word, rows):
         none = [("index", 4), ("value", "None")]
         if row:
             none = [("value", "null" if row["kind"] == "arrays" else "None")]
-        return [("property", name), *none, ("inverse", 1)]
+        return [("property", name), *none] + ([] if word.startswith("!") else [("inverse", 1)])
     numbers = values.split(",")
     if row["words"]:
         numbers = [str(row["words"].index(value)) for value in numbers]

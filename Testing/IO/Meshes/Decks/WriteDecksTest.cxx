@@ -72,7 +72,7 @@ TEST(DeckReal, NumbersFitAndLoseFewDigits)
 TEST(WriteDecks, SameBytesOnRanks)
 {
   const Folder folder;
-  for (const char* suffix : { ".inp", ".k", ".rad", ".bdf" })
+  for (const char* suffix : { ".inp", ".k", ".rad", ".bdf", ".feb" })
   {
     for (int count : { 1, 3 })
     {

@@ -1,0 +1,272 @@
+#include "Meshes/Decks/WriteFebio.h"
+
+#include "Meshes/Decks/DeckModel.h"
+#include "Meshes/Files/ElementNodes.h"
+#include "Meshes/Files/OutputFile.h"
+#include "Meshes/Vtk/VtuText.h"
+#include "Report/Sets/NamedSurfaces.h"
+#include "Report/UniqueNames.h"
+
+#include <algorithm>
+
+namespace vfm
+{
+namespace
+{
+
+constexpr std::size_t LongestName = 100;
+constexpr const char* AllElements = "all_elements";
+
+/// Returns a name without the characters that separate names in expressions of FEBio.
+std::string FebioName(const std::string& name)
+{
+  const auto isPlain = [](char c)
+  {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
+      c == '.' || c == '_';
+  };
+  std::string plain;
+  for (char c : name)
+  {
+    plain += isPlain(c) ? c : '_';
+  }
+  return plain.empty() ? "_" : plain;
+}
+
+/// Returns whether an array is one that MeshData holds: real numbers, one per element.
+bool IsElementData(const MeshArray& array)
+{
+  return IsRealType(array.Type) && array.Components == 1;
+}
+
+std::string Quoted(const std::string& text)
+{
+  return "\"" + text + "\"";
+}
+
+void AddLine(OutputFile& file, const std::string& text)
+{
+  file.Add(text + "\n");
+}
+
+/// Adds numbers, counted from 1, with commas between them.
+template <class Numbers>
+void AddList(OutputFile& file, const Numbers& numbers)
+{
+  bool isFirst = true;
+  for (const Index number : numbers)
+  {
+    file.Add(isFirst ? "" : ",");
+    file.Add(number + 1);
+    isFirst = false;
+  }
+}
+
+/// Adds a set of numbers, several in a line.
+void AddSet(
+  OutputFile& file, const char* kind, const std::string& name, const std::vector<Index>& numbers)
+{
+  constexpr std::size_t inLine = 12;
+  file.Add(std::string("    <") + kind + " name=" + Quoted(name) + ">");
+  for (std::size_t n = 0; n < numbers.size(); ++n)
+  {
+    file.Add(n == 0 ? "" : (n % inLine == 0 ? ",\n      " : ","));
+    file.Add(numbers[n] + 1);
+  }
+  AddLine(file, std::string("</") + kind + ">");
+}
+
+void AddNodes(OutputFile& file, const MeshData& mesh)
+{
+  AddLine(file, "    <Nodes name=\"all_nodes\">");
+  for (Index point = 0; point < mesh.NumberOfPoints; ++point)
+  {
+    file.Add("      <node id=\"");
+    file.Add(point + 1);
+    file.Add("\">");
+    for (int a = 0; a < 3; ++a)
+    {
+      file.Add(a > 0 ? "," : "");
+      file.AddReal(mesh.Point(point)[a]);
+    }
+    AddLine(file, "</node>");
+  }
+  AddLine(file, "    </Nodes>");
+}
+
+const char* TypeOf(const MeshData& mesh)
+{
+  const bool isLinear = mesh.MidsPerElement == 0;
+  return mesh.HasHexes() ? (isLinear ? "hex8" : "hex20") : (isLinear ? "tet4" : "tet10");
+}
+
+void AddElements(
+  OutputFile& file, const MeshData& mesh, const MaterialPart& part, const std::string& name)
+{
+  ElementNodes nodes(mesh, {});
+  AddLine(file,
+    std::string("    <Elements type=") + Quoted(TypeOf(mesh)) + " name=" + Quoted(name) + ">");
+  for (Index element : part.Elements)
+  {
+    const Index* points = nodes.Of(element);
+    file.Add("      <elem id=\"");
+    file.Add(element + 1);
+    file.Add("\">");
+    AddList(file, std::vector<Index>(points, points + nodes.Count()));
+    AddLine(file, "</elem>");
+  }
+  AddLine(file, "    </Elements>");
+}
+
+void AddSurface(
+  OutputFile& file, const MeshData& mesh, const NamedSurface& surface, const std::string& name)
+{
+  AddLine(file, "    <Surface name=" + Quoted(name) + ">");
+  Index number = 0;
+  for (const ElementSide& side : surface.Sides)
+  {
+    const std::vector<Index> points = NodesOfSide(mesh, side.Element, side.Side);
+    const std::string type = (mesh.HasHexes() ? "quad" : "tri") + std::to_string(points.size());
+    file.Add("      <" + type + " id=\"");
+    file.Add(++number);
+    file.Add("\">");
+    AddList(file, points);
+    AddLine(file, "</" + type + ">");
+  }
+  AddLine(file, "    </Surface>");
+}
+
+/// Adds a material with constants that the user replaces.
+void AddMaterial(
+  OutputFile& file, const DeckModel& model, const MaterialPart& part, const std::string& name)
+{
+  AddLine(file,
+    "    <material id=" + Quoted(std::to_string(&part - model.Materials.data() + 1)) +
+      " name=" + Quoted(name) + " type=\"isotropic elastic\">");
+  const MeshArray* density = model.State.Density;
+  const auto valueOf = [density](Index element) { return vfm::ValueAt(*density, element); };
+  if (density && !part.Elements.empty() &&
+    std::all_of(part.Elements.begin(), part.Elements.end(),
+      [&](Index element) { return valueOf(element) == valueOf(part.Elements.front()); }))
+  {
+    file.Add("      <density>");
+    file.AddReal(valueOf(part.Elements.front()));
+    AddLine(file, "</density>");
+  }
+  AddLine(file, "      <E>1</E>\n      <v>0.3</v>\n    </material>");
+}
+
+void AddElementData(OutputFile& file, const MeshData& mesh, UniqueNames& names)
+{
+  for (const MeshArray& array : mesh.ElementArrays)
+  {
+    if (!IsElementData(array) || array.Values == mesh.ScaledJacobian)
+    {
+      continue;
+    }
+    AddLine(file,
+      "    <ElementData name=" + Quoted(names.Add(FebioName(array.Name))) +
+        " data_type=\"scalar\" elem_set=" + Quoted(AllElements) + ">");
+    for (Index element = 0; element < mesh.NumberOfElements; ++element)
+    {
+      file.Add("      <e lid=\"");
+      file.Add(element + 1);
+      file.Add("\">");
+      file.AddReal(ValueAt(array, element));
+      AddLine(file, "</e>");
+    }
+    AddLine(file, "    </ElementData>");
+  }
+}
+
+/// Names of what belongs to the mesh, in the order of the model.
+struct FebioNames
+{
+  std::vector<std::string> Parts, NodeSets, Surfaces;
+};
+
+FebioNames MakeNames(const DeckModel& model, const std::vector<NamedSurface>& surfaces)
+{
+  FebioNames names;
+  UniqueNames ofParts(LongestName), ofSets(LongestName), ofSurfaces(LongestName);
+  ofParts.Add(AllElements);
+  for (const MaterialPart& part : model.Materials)
+  {
+    names.Parts.push_back(ofParts.Add(FebioName(part.Name)));
+  }
+  for (const NodeSet& set : model.Sets.NodeSets)
+  {
+    names.NodeSets.push_back(ofSets.Add(FebioName(set.Name)));
+  }
+  for (const NamedSurface& surface : surfaces)
+  {
+    names.Surfaces.push_back(ofSurfaces.Add(FebioName(surface.Name)));
+  }
+  return names;
+}
+
+void AddMesh(OutputFile& file, const DeckModel& model, const std::vector<NamedSurface>& surfaces,
+  const FebioNames& names)
+{
+  const MeshData& mesh = model.Mesh;
+  AddLine(file, "  <Mesh>");
+  AddNodes(file, mesh);
+  for (std::size_t p = 0; p < model.Materials.size(); ++p)
+  {
+    AddElements(file, mesh, model.Materials[p], names.Parts[p]);
+  }
+  std::vector<Index> elements;
+  for (Index element = 0; element < mesh.NumberOfElements; ++element)
+  {
+    elements.push_back(element);
+  }
+  AddSet(file, "ElementSet", AllElements, elements);
+  for (std::size_t s = 0; s < names.NodeSets.size(); ++s)
+  {
+    AddSet(file, "NodeSet", names.NodeSets[s], model.Sets.NodeSets[s].Points);
+  }
+  for (std::size_t s = 0; s < surfaces.size(); ++s)
+  {
+    AddSurface(file, mesh, surfaces[s], names.Surfaces[s]);
+  }
+  AddLine(file, "  </Mesh>");
+}
+
+void WriteFile(const DeckModel& model, const std::string& path)
+{
+  RequireNodes(model.Mesh, { 6, 12 }, "FEBio");
+  const std::vector<NamedSurface> surfaces = SelectNamedSurfaces(model.Sets.SideSets);
+  const FebioNames names = MakeNames(model, surfaces);
+  OutputFile file(path);
+  AddLine(file, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<febio_spec version=\"4.0\">");
+  AddLine(file, "  <!-- " + XmlText(DescribeDeck(model)) + ". Replace E and v. -->");
+  AddLine(file, "  <Module type=\"solid\"/>\n  <Material>");
+  for (std::size_t p = 0; p < model.Materials.size(); ++p)
+  {
+    AddMaterial(file, model, model.Materials[p], names.Parts[p]);
+  }
+  AddLine(file, "  </Material>");
+  AddMesh(file, model, surfaces, names);
+  AddLine(file, "  <MeshDomains>");
+  for (const std::string& name : names.Parts)
+  {
+    AddLine(file, "    <SolidDomain name=" + Quoted(name) + " mat=" + Quoted(name) + "/>");
+  }
+  AddLine(file, "  </MeshDomains>\n  <MeshData>");
+  UniqueNames ofData(LongestName);
+  AddElementData(file, model.Mesh, ofData);
+  AddLine(file, "  </MeshData>\n</febio_spec>");
+  file.Close();
+}
+
+} // namespace
+
+void WriteFebio(const MeshData& mesh, const std::string& path, Ranks& ranks)
+{
+  MeshData elements = mesh;
+  elements.Particles = nullptr;
+  WriteDeck(
+    elements, ranks, IsElementData, [&](const DeckModel& model) { WriteFile(model, path); });
+}
+
+} // namespace vfm
