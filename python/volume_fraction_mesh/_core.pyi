@@ -32,6 +32,7 @@ class Options:
     zero_label: Literal["void", "material"]
     image_axes: bool
     mesh_void: bool
+    flat: bool
     periodic: Literal["off", "x", "y", "xy", "z", "xz", "yz", "xyz"]
     periodic_sides: Literal["flat", "free", "joined"]
     thin_parts: bool
