@@ -1,6 +1,7 @@
 #include "MeshOutput.h"
 
 #include "AdoptBuffer.h"
+#include "Elements/FlatMesh.h"
 #include "EmptyOutput.h"
 #include "FieldValues.h"
 #include "Report/MeshArrays.h"
@@ -188,7 +189,10 @@ void SetElementOutput(Mesh& mesh, vtkUnstructuredGrid* output)
   }
   else
   {
-    output->SetCells(mesh.Shape().VtkType, AdoptElements(mesh));
+    const int type = !IsFlat(mesh) ? mesh.Shape().VtkType
+      : mesh.Corners == 4          ? VTK_QUAD
+                                   : VTK_TRIANGLE;
+    output->SetCells(type, AdoptElements(mesh));
   }
   vtkCellData* cells = output->GetCellData();
   VisitElementArrays(AdoptInto(cells), mesh);

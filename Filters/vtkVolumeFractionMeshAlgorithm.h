@@ -275,6 +275,10 @@ public:
   /// Mesh the void as well, as material 0, conforming with the materials. Allowed: on or off;
   /// default off.
   vfmSwitchOption(MeshVoid);
+  /// Make a mesh of a plane from input that is one layer of cells along an axis: quadrilaterals, or
+  /// triangles instead of tetrahedra, of all materials. Interfaces are curves. Volumes in reports
+  /// are areas. Off: such input gives a layer of solid elements. Allowed: on or off; default off.
+  vfmSwitchOption(Flat);
   /// Axes along which the input is one period of a material that repeats. The mesh of one side is
   /// then a copy of the mesh of the opposite side, at exactly one period from it, and the point
   /// array PeriodicPartner pairs their nodes. Surfaces, volumes and fragments continue across these

@@ -98,6 +98,12 @@ void SculptorSession::SetOption(const std::string& name, const std::string& valu
   }
   this->Options.Elements = ElementKind::Tets; // tetrahedra accept all options
   vfm::SetOption(this->Options, name, value);
+  if (this->Options.Flat)
+  {
+    this->Options.Flat = false;
+    throw InputError("The option Flat is not available in this interface, which has hexahedra and "
+                     "tetrahedra only.");
+  }
   this->Texts[name] = value;
 }
 

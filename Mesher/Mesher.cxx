@@ -6,6 +6,7 @@
 #include "Options/MaterialWidths.h"
 #include "Options/SetOptions.h"
 #include "Phases/ChangeElements.h"
+#include "Phases/FlatLayer.h"
 #include "Phases/GiveState.h"
 #include "Phases/LeaveRuns.h"
 #include "Phases/MeshOfCells.h"
@@ -20,9 +21,10 @@ namespace
 {
 
 Mesh MakeMesh(const MesherJob& job, const LevelFields& fields, const BodySurfaces* surfaces,
-  const MeshOptions& options, CellRuns* leftOut, MeshReport& report)
+  const MeshOptions& options, CellRuns* leftOut, int flatAxis, MeshReport& report)
 {
-  const MeshCells cells{ fields.Grid, fields.Field.Fractions, options, surfaces, leftOut };
+  const MeshCells cells{ fields.Grid, fields.Field.Fractions, options, surfaces, leftOut,
+    flatAxis };
   Mesh mesh = MakeMeshOfCells(job.Options.Elements, cells, job.Run, report);
   if (report.RefusedParts > 0)
   {
@@ -47,6 +49,10 @@ MesherResult RunMesher(
   CheckOptions(given);
   MesherOptions options = given;
   options.FineInterfaces = HasFineInterfaces(given);
+  if (given.Flat)
+  {
+    options.Elements = ElementKind::Hexes; // prisms, which become elements of the plane at the end
+  }
   const MesherJob job{ input, options, runtime };
 
   const std::unique_ptr<Cells> cells = ReadCells(job);
@@ -54,9 +60,10 @@ MesherResult RunMesher(
   const PreparedCells prepared = PrepareCells(job, *cells);
   MesherResult result;
   const std::unique_ptr<const BodySurfaces> surfaces = PlaceSurfaces(job, *cells);
-  CellRuns* const runs = leftOut && CanLeaveRuns(job, *cells) ? leftOut : nullptr;
+  const int flatAxis = given.Flat ? FindFlatAxis(*cells, prepared.Options) : -1;
+  CellRuns* const runs = leftOut && !given.Flat && CanLeaveRuns(job, *cells) ? leftOut : nullptr;
   result.TheMesh =
-    MakeMesh(job, cells->Fields, surfaces.get(), prepared.Options, runs, result.Report);
+    MakeMesh(job, cells->Fields, surfaces.get(), prepared.Options, runs, flatAxis, result.Report);
   if (cells->Wide.IsUsed() && result.Report.DisplacedVolume.empty())
   {
     result.Report.DisplacedVolume = FindDisplacedVolumes(
@@ -69,8 +76,18 @@ MesherResult RunMesher(
   runtime.Progress(0.98, "Filling output");
   GiveState(job, prepared.Options, *cells, result);
   AddLayersAndJoin(job, *cells, result);
+  if (given.Flat)
+  {
+    const bool areTriangles = given.Elements == ElementKind::Tets;
+    FlattenResult(job, flatAxis, areTriangles ? FlatElement::Triangle : FlatElement::Quad,
+      cells->Fields.Grid, result);
+  }
   GatherTables(job, result);
   WorkTogether(runtime.Group(), [&] { ListResult(job, *cells, prepared.Options, result); });
+  if (given.Flat)
+  {
+    FlattenBounds(flatAxis, result.Fields);
+  }
   SplitAndCurve(job, *cells, prepared.Options, result);
   if (runs)
   {

@@ -1,5 +1,7 @@
 #include "MeshDataOfGrid.h"
 
+#include "Report/FlatData.h"
+
 #include "vtkBitArray.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -15,6 +17,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <span>
 
 namespace vfm
 {
@@ -111,13 +114,21 @@ std::vector<FieldArray> ListFields(vtkFieldData* data)
   return fields;
 }
 
+/// Returns the kind of elements of a type of VTK, or null.
+const ElementShape* FindShape(int type, std::span<const ElementShape> shapes)
+{
+  const auto found = std::find_if(shapes.begin(), shapes.end(),
+    [type](const ElementShape& shape) { return shape.VtkType == type; });
+  return found == shapes.end() ? nullptr : &*found;
+}
+
 /// Returns the kind of all cells.
 const ElementShape& FindShape(vtkUnstructuredGrid* mesh)
 {
   const int type = mesh->GetCellType(0);
-  const auto* known = std::find_if(std::begin(ElementShapes), std::end(ElementShapes),
-    [type](const ElementShape& shape) { return shape.VtkType == type; });
-  bool isOneKind = known != std::end(ElementShapes);
+  const bool isFlat = mesh->GetFieldData()->HasArray(FlatAxisName) != 0;
+  const ElementShape* known = isFlat ? FindShape(type, FlatShapes) : FindShape(type, ElementShapes);
+  bool isOneKind = known != nullptr;
   for (vtkIdType cell = 0; isOneKind && cell < mesh->GetNumberOfCells(); ++cell)
   {
     isOneKind = mesh->GetCellType(cell) == type;
@@ -189,6 +200,7 @@ StoredMesh MeshDataOf(vtkUnstructuredGrid* mesh)
   data.PointArrays = ListArrays(mesh->GetPointData(), stored);
   data.ElementArrays = ListArrays(mesh->GetCellData(), stored);
   data.Fields = ListFields(mesh->GetFieldData());
+  PutFlatAxisFirst(data.Fields);
   vtkInformation* information = mesh->GetInformation();
   if (information->Has(vtkDataObject::DATA_TIME_STEP()))
   {

@@ -13,6 +13,7 @@
 #include "Meshes/Vtk/WriteVtu.h"
 #include "Meshes/Xdmf/WriteXdmf.h"
 #include "Ranks/WorkTogether.h"
+#include "Report/FlatData.h"
 
 #include <cerrno>
 #include <cstring>
@@ -60,6 +61,37 @@ void Write(MeshFormat format, const MeshData& mesh, const std::string& path, Ran
       return WriteVtpParticles(mesh, path, ranks);
     case MeshFormat::Lammps:
       return WriteLammps(mesh, path, ranks);
+  }
+}
+
+bool HoldsPlanes(MeshFormat format)
+{
+  switch (format)
+  {
+    case MeshFormat::Vtu:
+    case MeshFormat::Pvtu:
+    case MeshFormat::Exodus:
+    case MeshFormat::Abaqus:
+    case MeshFormat::Gmsh:
+    case MeshFormat::Xdmf:
+      return true;
+    default:
+      return false;
+  }
+}
+
+void RequirePlanes(const MeshData& mesh, MeshFormat format)
+{
+  if (IsFlat(mesh) && !HoldsPlanes(format))
+  {
+    std::string suffixes;
+    for (const FormatRow& row : GetFormatTable())
+    {
+      suffixes += HoldsPlanes(row.Format) ? (suffixes.empty() ? "" : ", ") + row.Suffixes[0] : "";
+    }
+    throw InputError("This format is not written for meshes of a plane (option Flat). Formats that "
+                     "are: " +
+      suffixes + ".");
   }
 }
 
@@ -131,7 +163,12 @@ void WriteMesh(const MeshData& mesh, const std::string& path, Ranks& ranks, cons
         }
       }
       PrefixErrors("Cannot write the output " + path + ": ",
-        [&] { Write(FindMeshFormat(path)->Format, mesh, path, ranks, form); });
+        [&]
+        {
+          const MeshFormat format = FindMeshFormat(path)->Format;
+          RequirePlanes(mesh, format);
+          Write(format, mesh, path, ranks, form);
+        });
     });
 }
 

@@ -4,6 +4,7 @@
 #include "Meshes/Files/OutputFile.h"
 #include "Options/SetOptions.h"
 #include "Ranks/WorkTogether.h"
+#include "Report/FlatData.h"
 #include "Report/PointCounts.h"
 #include "Report/Sets/MeshSets.h"
 
@@ -41,6 +42,10 @@ ReportContent CollectContent(
   const MeshData& mesh, const FieldArrays& materials, const ReportHead& head, Ranks& ranks)
 {
   Require(mesh.PointIds, "GlobalPointIds", mesh);
+  if (IsFlat(mesh))
+  {
+    throw InputError("Quality reports are not written for meshes of a plane (option Flat).");
+  }
   ReportContent content;
   content.Head = head;
   content.Time = mesh.Time;

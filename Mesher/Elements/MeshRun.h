@@ -22,6 +22,7 @@ struct MeshCells
   const MeshOptions& Options;
   const BodySurfaces* Surfaces = nullptr; ///< of the fractions; null: they are not known
   CellRuns* Runs = nullptr; ///< receives hexes that the mesh leaves out; null: it has all hexes
+  int FlatAxis = -1; ///< axis of one cell along which points are in straight columns; -1: none
 };
 
 /// Threads, ranks and report of a run. The referenced objects must outlive it.

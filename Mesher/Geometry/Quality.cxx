@@ -3,6 +3,7 @@
 #include "Base/ExactSum.h"
 #include "Base/HexNumbering.h"
 #include "Base/Vector3.h"
+#include "Elements/FlatMesh.h"
 #include "Elements/TetQuality.h"
 #include "Octree/RefinedGrid.h"
 
@@ -46,6 +47,30 @@ double HexScaledJacobian(const double* points, const Index* hex)
   return std::min(smallest, Normalised(axis[0], axis[1], axis[2]));
 }
 
+double FlatScaledJacobian(const double* points, const Index* element, int corners)
+{
+  const double scale = LengthScale(points, element, corners);
+  Vector3 x[4];
+  for (int c = 0; c < corners; ++c)
+  {
+    const double* p = points + 3 * element[c];
+    x[c] = { { scale * p[0], scale * p[1], scale * p[2] } };
+  }
+  Vector3 normal = corners == 4 ? Cross(x[2] - x[0], x[3] - x[1]) : Cross(x[1] - x[0], x[2] - x[0]);
+  const double area = Norm(normal);
+  double smallest = 1.0, longest = 0.0;
+  for (int c = 0; c < corners; ++c)
+  {
+    const Vector3 a = x[(c + 1) % corners] - x[c], b = x[(c + corners - 1) % corners] - x[c];
+    const double lengths = std::sqrt(Dot(a, a) * Dot(b, b));
+    const double jacobian = area > 0.0 ? Dot(Cross(a, b), normal) / area : 0.0;
+    smallest = std::min(smallest, lengths > 0.0 ? jacobian / lengths : 0.0);
+    longest = std::max(longest, lengths);
+  }
+  constexpr double OfEquilateral = 1.1547005383792515; // 2 / sqrt(3)
+  return corners == 4 ? smallest : longest > 0.0 ? OfEquilateral * area / longest : 0.0;
+}
+
 bool AreCellsPerfect(const CartesianGrid& grid)
 {
   double largest = 0.0, narrowest = 1e300;
@@ -81,6 +106,17 @@ Index MeasureHexes(Index wholeCells, Runtime& runtime, Mesh& mesh)
   return cells;
 }
 
+/// Fills mesh.ScaledJacobian of elements of a plane.
+void MeasureFlat(Runtime& runtime, Mesh& mesh)
+{
+  ForEach(runtime, static_cast<Index>(mesh.ScaledJacobian.size()),
+    [&](Index e)
+    {
+      mesh.ScaledJacobian[e] = static_cast<float>(FlatScaledJacobian(
+        mesh.Points.data(), mesh.Elements.data() + mesh.Corners * e, mesh.Corners));
+    });
+}
+
 /// Fills mesh.ScaledJacobian and the dihedral angles of the report.
 void MeasureAllTets(Mesh& mesh, Runtime& runtime, MeshReport& report)
 {
@@ -112,6 +148,10 @@ void ComputeQuality(
   if (mesh.HasHexes())
   {
     cells = MeasureHexes(wholeCells, runtime, mesh);
+  }
+  else if (IsFlat(mesh))
+  {
+    MeasureFlat(runtime, mesh);
   }
   else
   {

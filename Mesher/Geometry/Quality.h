@@ -16,6 +16,11 @@ namespace vfm
 /// @param points  coordinates of all mesh points, (points, 3)
 /// @param hex  the eight corners in VTK's order
 double HexScaledJacobian(const double* points, const Index* hex);
+/// Returns Verdict's scaled Jacobian of a quad or triangle of a plane: of a quad the smallest sine
+/// of its angles, of a triangle 2 / sqrt(3) times the sine at its longest two edges, 1 if
+/// equilateral.
+/// @param element  mesh points, (corners); counterclockwise from one of both sides
+double FlatScaledJacobian(const double* points, const Index* element, int corners);
 
 /// Returns whether HexScaledJacobian of every cell rounds to 1 in single precision. The relative
 /// rounding errors of coordinate differences, and therefore the errors of angles, are below 2^-16.

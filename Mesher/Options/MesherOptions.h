@@ -159,7 +159,8 @@ struct MesherOptions : MeshSettings, LevelSettings, ConserveOptions, LayerOption
   }
 
   ElementKind Elements = ElementKind::Hexes;
-  int Periodic = 0; ///< bit a is set if the domain repeats along axis a
+  bool Flat = false; ///< a layer of one cell gives quads, or triangles instead of tets
+  int Periodic = 0;  ///< bit a is set if the domain repeats along axis a
   Sides PeriodicSides = Sides::Flat;
   std::string SplitInterfaces; ///< pairs of materials (Modify/MaterialPairs.h)
   ConnectionKind SplitConnection = ConnectionKind::None;

@@ -66,6 +66,12 @@ OptionTable MaterialsOptions()
     Row("MeshVoid", Switch<&M::MeshVoid>(),
       "Mesh the void as well, as material 0, conforming with the materials.")
       .Sculptor("--void"),
+    Row("Flat", Switch<&M::Flat>(),
+      "Make a mesh of a plane from input that is one layer of cells along an axis: quadrilaterals, "
+      "or triangles instead of tetrahedra, of all materials. Interfaces are curves. Volumes in "
+      "reports are areas. Off: such input gives a layer of solid elements.")
+      .Advanced()
+      .Sculptor("--flat"),
     Row("Periodic", Choice<&M::Periodic>({ "Off", "X", "Y", "XY", "Z", "XZ", "YZ", "XYZ" }),
       "Axes along which the input is one period of a material that repeats. The mesh of one side "
       "is then a copy of the mesh of the opposite side, at exactly one period from it, and the "

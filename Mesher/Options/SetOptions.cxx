@@ -233,6 +233,26 @@ void CheckLayers(const MesherOptions& options)
   }
 }
 
+void CheckFlat(const MesherOptions& options)
+{
+  if (!options.Flat)
+  {
+    return;
+  }
+  const auto reject = [](bool isSet, const std::string& name, const std::string& value)
+  {
+    if (isSet)
+    {
+      throw InputError("The option Flat, for meshes of a plane, does not support " + name +
+        ": set it to " + value + ".");
+    }
+  };
+  reject(options.Layers > 1, "Layers", "0");
+  reject(!options.SplitInterfaces.empty(), "SplitInterfaces", "None");
+  reject(options.ElementOrder != InterpolationOrder::Linear, "ElementOrder", "Linear");
+  reject(options.UnmeshedMaterial == Unmeshed::Particles, "Particles in UnmeshedMaterial", "Give");
+}
+
 void CheckOrder(const MesherOptions& options)
 {
   if (options.ElementOrder == InterpolationOrder::Linear)
@@ -414,6 +434,7 @@ void CheckOptions(const MesherOptions& options, const OptionTable& table)
     }
   }
   CheckLayers(options);
+  CheckFlat(options);
   CheckOrder(options);
 }
 

@@ -7,6 +7,8 @@
 #include "Ranks/Agreement.h"
 #include "Smoothing/Hex/ActiveHexes.h"
 #include "Smoothing/Hex/CoarseSmoothing.h"
+#include "Smoothing/Hex/FlatColumns.h"
+#include "Smoothing/Hex/FlatEnergy.h"
 #include "Smoothing/Hex/MakeLevels.h"
 #include "Volumes/CellLocator.h"
 #include "Volumes/ThinFragments.h"
@@ -20,15 +22,23 @@ namespace
 bool LeavesRuns(const MeshCells& cells, const LabelledGrid& labelled, const MeshRun& run)
 {
   return cells.Runs && run.Parts.Group().Count() == 1 && labelled.Levels.Grid->IsUniform() &&
-    !cells.Options.StairStep && !cells.Grid.IsPeriodic() && labelled.Thin.empty() &&
-    AreCellsPerfect(cells.Grid);
+    !cells.Options.StairStep && !cells.Grid.IsPeriodic() && cells.FlatAxis < 0 &&
+    labelled.Thin.empty() && AreCellsPerfect(cells.Grid);
 }
 
 } // namespace
 
-HexMethod::HexMethod(const MeshCells& cells) :
-  TheEnergy(TargetJacobian(cells.Options, cells.Fractions.NumberOfMaterials()))
+HexMethod::HexMethod(const MeshCells& cells) : FlatAxis(cells.FlatAxis)
 {
+  const double target = TargetJacobian(cells.Options, cells.Fractions.NumberOfMaterials());
+  if (this->FlatAxis < 0)
+  {
+    this->TheEnergy = std::make_unique<HexEnergy>(target);
+  }
+  else
+  {
+    this->TheEnergy = std::make_unique<FlatEnergy>(target, this->FlatAxis);
+  }
 }
 
 /// The numbers of points and the fragments of cells are freed at the end.
@@ -70,6 +80,10 @@ Draft HexMethod::Make(const MeshCells& cells, MeshRun& run)
   }
   std::vector<unsigned char> isThin =
     FindThinFragments(cells.Grid, mesh, labelled.Thin, fragments.Share());
+  if (this->FlatAxis >= 0)
+  {
+    StraightenColumns(cells.Grid, this->FlatAxis, run.TheRuntime, mesh);
+  }
   return { .Elements = std::move(mesh),
     .Facets = std::move(facets),
     .Volumes = std::move(volumes),
@@ -80,10 +94,14 @@ Draft HexMethod::Make(const MeshCells& cells, MeshRun& run)
     .WholeCells = topology.WholeCells };
 }
 
-ActiveMesh& HexMethod::MakeActive(const MeshCells&, MeshRun& run, Draft& draft)
+ActiveMesh& HexMethod::MakeActive(const MeshCells& cells, MeshRun& run, Draft& draft)
 {
   this->Active =
     MakeActiveHexes(this->Labelled, run.Parts, draft.Elements, draft.IsThin, run.TheRuntime);
+  if (this->FlatAxis >= 0)
+  {
+    ListColumns(cells.Grid, draft.Elements, this->FlatAxis, this->Active);
+  }
   this->Corners.emplace(this->Active, draft.Elements);
   run.Clock.Update(0.16);
   return this->Active;
@@ -147,6 +165,11 @@ void HexMethod::EndMoves(MeshRun& run, Draft& draft)
   this->Active = ActiveMesh();
   this->Corners->Restore(elements, meshPoints, run.TheRuntime, draft.Elements);
   this->Corners.reset();
+  if (this->FlatAxis >= 0)
+  {
+    StraightenColumns(
+      draft.Elements.Levels->Finest(), this->FlatAxis, run.TheRuntime, draft.Elements);
+  }
   if (hasLevels)
   {
     run.Clock.Start("Smoothing transitions", 0.9);

@@ -24,7 +24,7 @@ public:
   std::unique_ptr<LevelInterfaces> FindInterfaces(
     const MeshCells& cells, const Draft& draft, MeshRun& run) override;
   void Attach(const LevelInterfaces& interfaces, const Draft& draft, MeshRun& run) override;
-  const ElementEnergy& Energy() const override { return this->TheEnergy; }
+  const ElementEnergy& Energy() const override { return *this->TheEnergy; }
   SmoothingRamp Ramp(const MeshCells& cells) const override;
   void StartMoves(const MeshCells& cells, const std::vector<FeatureKind>& kinds, MeshRun& run,
     Draft& draft) override;
@@ -32,7 +32,8 @@ public:
   void EndMoves(MeshRun& run, Draft& draft) override;
 
 private:
-  HexEnergy TheEnergy;
+  int FlatAxis; // MeshCells::FlatAxis
+  std::unique_ptr<const ElementEnergy> TheEnergy;
   LabelledGrid Labelled;
   ActiveMesh Active;
   std::optional<ActiveCorners> Corners; // of the draft while points move

@@ -60,7 +60,7 @@ ImageFrame FrameOf(const MesherJob& job)
 void GatherTables(const MesherJob& job, MesherResult& result)
 {
   Ranks& ranks = job.Run.Group();
-  if (ranks.Count() == 1)
+  if (ranks.Count() == 1 || job.Options.Flat)
   {
     return;
   }

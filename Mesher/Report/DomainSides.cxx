@@ -1,5 +1,7 @@
 #include "Report/DomainSides.h"
 
+#include "Report/FlatData.h"
+
 #include <algorithm>
 
 namespace vfm
@@ -23,6 +25,13 @@ ImageFrame FrameOfDomain(const MeshData& mesh)
   return frame;
 }
 
+int NumberOfAxes(const MeshData& mesh)
+{
+  const bool isAcrossZ =
+    IsFlat(mesh) && NumbersOfField(mesh.Fields, FlatAxisName) == std::vector{ 2.0 };
+  return isAcrossZ && FrameOfDomain(mesh).IsIdentity() ? 2 : 3;
+}
+
 DomainSides::DomainSides(const MeshData& mesh) :
   TheMesh(mesh),
   Bounds(NumbersOfField(mesh.Fields, "DomainBounds")),
@@ -39,6 +48,10 @@ bool DomainSides::IsOnSide(Index point, int side) const
   }
   const int axis = side / 2;
   const double length = this->Bounds[2 * axis + 1] - this->Bounds[2 * axis];
+  if (!(length > 0.0)) // the mesh is one of a plane
+  {
+    return false;
+  }
   const double* place = this->TheMesh.Point(point);
   const Vector3 x{ { place[0], place[1], place[2] } };
   const double own = this->Frame.IsIdentity() ? x[axis] : this->Frame.ToOwn(x)[axis];

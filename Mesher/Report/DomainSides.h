@@ -15,6 +15,10 @@ constexpr int NoSide = -1;
 /// Returns the frame of image axes from the field DomainFrame of a mesh.
 ImageFrame FrameOfDomain(const MeshData& mesh);
 
+/// Returns the number of coordinates that the points of a mesh need in files: 2 if it is one of the
+/// plane of x and y, else 3.
+int NumberOfAxes(const MeshData& mesh);
+
 /// Sides 0..5 are -x +x -y +y -z +z, in image axes if the image is rotated. Views the mesh, which
 /// must outlive this object.
 class DomainSides

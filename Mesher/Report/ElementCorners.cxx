@@ -61,7 +61,8 @@ Index FacePlaces::Of(const std::vector<Vector3>& corners) const
   Index place = 0;
   for (int a = 0; a < 3; ++a)
   {
-    const double low = this->Bounds[2 * a], length = this->Bounds[2 * a + 1] - low;
+    const double low = this->Bounds[2 * a], height = this->Bounds[2 * a + 1] - low;
+    const double length = height > 0.0 ? height : 1.0; // 0: across the plane of the mesh
     const double centre = sum[a] / static_cast<double>(corners.size());
     const Index part = std::llround(PartsOfDomain * (centre - low) / length) + PartsOfDomain;
     place |= part << (BitsOfAxis * a);

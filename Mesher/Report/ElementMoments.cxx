@@ -1,6 +1,7 @@
 #include "Report/ElementMoments.h"
 
 #include "Report/ElementCorners.h"
+#include "Report/FlatData.h"
 
 namespace vfm
 {
@@ -59,16 +60,34 @@ ElementMoments MomentsOfHex(const Corners& p)
   return moments;
 }
 
+/// Returns the area and its moment of an element of a plane.
+/// @param axis  across the plane
+ElementMoments MomentsOfFlat(const Corners& p, int corners, int axis)
+{
+  ElementMoments moments{ 0.0, {} };
+  for (int c = 1; c + 1 < corners; ++c)
+  {
+    const double area = 0.5 * Cross(p[c] - p[0], p[c + 1] - p[0])[axis];
+    moments.Volume += area;
+    moments.Moment = moments.Moment + (area / 3.0) * ((p[0] + p[c]) + p[c + 1]);
+  }
+  return moments;
+}
+
 } // namespace
 
 std::vector<ElementMoments> FindElementMoments(const MeshData& mesh)
 {
   std::vector<ElementMoments> moments(mesh.NumberOfElements);
   const ElementCorners corners(mesh);
+  const bool isFlat = IsFlat(mesh);
+  const int axis = isFlat ? static_cast<int>(NumbersOfField(mesh.Fields, FlatAxisName)[0]) : 0;
   for (std::size_t e = 0; e < moments.size(); ++e)
   {
     const Corners positions = corners.Find(static_cast<Index>(e));
-    moments[e] = mesh.Corners == 4 ? MomentsOfTet(positions) : MomentsOfHex(positions);
+    moments[e] = isFlat   ? MomentsOfFlat(positions, mesh.Corners, axis)
+      : mesh.Corners == 4 ? MomentsOfTet(positions)
+                          : MomentsOfHex(positions);
   }
   return moments;
 }

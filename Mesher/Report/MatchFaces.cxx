@@ -3,6 +3,7 @@
 #include "Elements/EqualFaces.h"
 #include "Ranks/KeyMerge.h"
 #include "Ranks/WorkTogether.h"
+#include "Report/FlatData.h"
 
 namespace vfm
 {
@@ -120,6 +121,11 @@ void MatchOverRanks(const OpenFaces& open, const std::vector<Index>& values, std
 
 FaceIds PointsOfSide(const MeshData& mesh, const ElementSide& side)
 {
+  if (IsFlat(mesh))
+  {
+    const Index* corners = mesh.Element(side.Element);
+    return { { corners[side.Side], corners[(side.Side + 1) % mesh.Corners], -1, -1 } };
+  }
   return ElementFaces(mesh.Corners).PointsOf(mesh.Element(side.Element), side.Side);
 }
 
@@ -141,7 +147,7 @@ FaceIds SortedIds(const FaceIds& points, const Index* ids)
 
 std::vector<Index> MatchSides(const MeshData& mesh)
 {
-  const int sides = ElementFaces(mesh.Corners).Count;
+  const int sides = SidesOf(mesh);
   std::vector<Index> behind(sides * mesh.NumberOfElements, NothingBehind);
   ForEqualFaces(
     behind.size(),

@@ -11,7 +11,7 @@ namespace vfm
 {
 
 /// Returns the points of a side, counterclockwise seen from outside of the element. The last point
-/// of a triangle is -1.
+/// of a triangle, and the last two of an edge, are -1.
 FaceIds PointsOfSide(const MeshData& mesh, const ElementSide& side);
 /// Returns the points of a side in ascending order. The first point of a triangle is -1.
 FaceIds SortedPointsOfSide(const MeshData& mesh, const ElementSide& side);

@@ -2,6 +2,7 @@
 
 #include "Ranks/Agreement.h"
 #include "Report/DomainSides.h"
+#include "Report/FlatData.h"
 #include "Report/MatchFaces.h"
 #include "Report/MeshFields.h"
 #include "Report/SeamFacets.h"
@@ -16,16 +17,16 @@ namespace
 /// Returns the faces that can be on a surface. Points on periodic sides count as inside a volume.
 std::vector<MeshFacet> CollectFaces(const MeshData& mesh)
 {
-  const ElementFaces table(mesh.Corners);
+  const int sides = SidesOf(mesh), inside = DimensionInside(mesh);
   const int* dimensions = mesh.PeriodicPartner ? nullptr : mesh.GeometryDimension;
-  const auto isInside = [dimensions](Index point)
-  { return point >= 0 && dimensions && dimensions[point] >= DimensionOfVolumes; };
+  const auto isInside = [dimensions, inside](Index point)
+  { return point >= 0 && dimensions && dimensions[point] >= inside; };
   std::vector<MeshFacet> faces;
   for (Index element = 0; element < mesh.NumberOfElements; ++element)
   {
-    for (int side = 0; side < table.Count; ++side)
+    for (int side = 0; side < sides; ++side)
     {
-      const std::array<Index, 4> points = table.PointsOf(mesh.Element(element), side);
+      const FaceIds points = PointsOfSide(mesh, { element, side });
       if (std::none_of(points.begin(), points.end(), isInside))
       {
         faces.push_back({ element, side, NothingBehind, 0, NoSide });

@@ -1,6 +1,7 @@
 #include "Report/MeshFields.h"
 
 #include "Base/ParseText.h"
+#include "Elements/FlatMesh.h"
 #include "Levels/WideCells.h"
 #include "Materials/MaterialTexts.h"
 #include "Report/MeshData.h"
@@ -18,7 +19,7 @@ namespace
 
 bool IsTetMesh(const Mesh& mesh)
 {
-  return !mesh.HasHexes();
+  return !mesh.HasHexes() && !IsFlat(mesh);
 }
 
 void AddCount(FieldArrays& fields, const char* name, Index count)

@@ -96,6 +96,10 @@ struct ActiveMesh
   std::vector<unsigned char> AtFadingEdge;
   /// Faces by which volumes are measured, each on one rank.
   std::vector<ActiveFacet> Facets;
+  /// Lower and upper point of each column of a flat layer (FlatColumns.h); empty: none. Upper
+  /// points are not active: they have the positions of the lower ones, except along ColumnAxis.
+  std::vector<std::array<int, 2>> Columns;
+  int ColumnAxis = -1;
   /// Points of the mesh, in length units of the grid.
   const double* MeshPoints = nullptr;
   Vector3 Origin{};   ///< origin of grid coordinates
@@ -137,6 +141,16 @@ struct ActiveMesh
     return std::any_of(this->Attachments.begin() + this->AttachmentOffset[point],
       this->Attachments.begin() + this->AttachmentOffset[point + 1],
       [](const Attachment& a) { return a.Weight > 1.0f; });
+  }
+  /// Moves the upper points of columns to where the lower ones are.
+  void AlignColumns()
+  {
+    for (const auto& [lower, upper] : this->Columns)
+    {
+      const double height = this->X[upper][this->ColumnAxis];
+      this->X[upper] = this->X[lower];
+      this->X[upper][this->ColumnAxis] = height;
+    }
   }
   bool HasHexes() const { return AreHexes(this->Corners); }
   /// Calls visit(other) for the points of the elements at an active point. Some are visited more

@@ -91,6 +91,17 @@ void Smoother::NoteMoved(const std::vector<int>& points)
   {
     this->HasMoved[point] = 1;
   }
+  this->AlignColumns();
+}
+
+/// Moves the upper points of columns after the lower ones.
+void Smoother::AlignColumns()
+{
+  this->Mesh.AlignColumns();
+  for (const auto& [lower, upper] : this->Mesh.Columns)
+  {
+    this->HasMoved[upper] |= this->HasMoved[lower];
+  }
 }
 
 void Smoother::MarkAll()
@@ -111,6 +122,7 @@ void Smoother::MoveAndCheck(
     {
       this->HasMoved[point] |= this->TheGuard.Returned()[point];
     }
+    this->AlignColumns();
     moveReturned();
   }
 }
@@ -167,6 +179,7 @@ bool Smoother::EndIntersections(const SmoothingStage& stage, bool moves)
     this->Before[p] = this->Mesh.StartOf(static_cast<int>(p));
   }
   this->TheGuard.PutBack(intersects, this->Before, this->Mesh.X, stage);
+  this->AlignColumns();
   if (moves)
   {
     this->MarkReturned();
@@ -256,6 +269,7 @@ double Smoother::ForPoints(const Move& move)
         [this](int point) { this->MarkNeighbours(point); });
     }
   }
+  this->AlignColumns();
   return this->Run.Group().Max(largest);
 }
 

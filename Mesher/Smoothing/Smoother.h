@@ -152,6 +152,7 @@ private:
   void MarkNeighbours(int point);
   void MarkAll();
   void MarkReturned();
+  void AlignColumns();
   void RunSweeps(const SmoothingStage& stage, const std::function<void(double)>& report);
 
   ActiveMesh& Mesh;

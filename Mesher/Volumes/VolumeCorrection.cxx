@@ -134,7 +134,11 @@ void VolumeCorrection::ShiftAfterSweep(int sweep)
 /// Gives free fragments that are off their targets.
 void VolumeCorrection::ScaleFree()
 {
-  const std::vector<double> scales = this->Volumes.FindScales(FragmentTolerance);
+  std::vector<double> scales = this->Volumes.FindScales(FragmentTolerance);
+  for (double& scale : scales) // of areas, if the height of the elements is fixed
+  {
+    scale *= this->Active().Columns.empty() ? 1.0 : std::sqrt(scale);
+  }
   if (this->TheSmoother.TheRuntime().Group().Any(
         std::any_of(scales.begin(), scales.end(), [](double scale) { return scale != 1.0; })))
   {

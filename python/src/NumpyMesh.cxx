@@ -1,5 +1,6 @@
 #include "NumpyMesh.h"
 
+#include "Report/FlatData.h"
 #include "Report/MeshArrays.h"
 
 #include <nanobind/stl/string.h>
@@ -61,7 +62,8 @@ FieldArray ReadField(const std::string& name, nb::handle value)
 
 [[noreturn]] void RejectCells()
 {
-  throw nb::value_error("cells must be points of hexahedra (n, 8) or tetrahedra (n, 4).");
+  throw nb::value_error(
+    "cells must be points of hexahedra (n, 8), tetrahedra or quads (n, 4) or triangles (n, 3).");
 }
 
 void CheckPoints(const NumpyCells& cells, Index points)
@@ -83,7 +85,7 @@ MeshData ViewMesh(const NumpyPoints& points, const NumpyCells& cells)
   mesh.Corners = static_cast<int>(cells.shape(1));
   mesh.Points = points.data();
   mesh.Elements = cells.data();
-  if (mesh.Corners != 8 && mesh.Corners != 4)
+  if (mesh.Corners != 8 && mesh.Corners != 4 && mesh.Corners != 3)
   {
     RejectCells();
   }
@@ -141,6 +143,7 @@ StoredMesh ViewMesh(const NumpyPoints& points, const NumpyCells& cells,
   mesh.Data.PointArrays = ListArrays(pointArrays, mesh.Data.NumberOfPoints);
   mesh.Data.ElementArrays = ListArrays(cellArrays, mesh.Data.NumberOfElements);
   mesh.Data.Fields = ReadFields(fields);
+  PutFlatAxisFirst(mesh.Data.Fields);
   FindKnownArrays(mesh);
   return mesh;
 }

@@ -47,17 +47,17 @@ WRONG = {
     "objects": (dict(fractions=BALL.astype(object)), TypeError, "of the type object"),
     "texts": (dict(labels=LABELS.astype(str)), TypeError, "'labels' is of the type <U"),
     "long doubles": (dict(fractions=BALL.astype(np.longdouble)), TypeError, "up to 8 bytes"),
-    "two axes": (
-        dict(fractions=BALL[0]),
+    "one axis": (
+        dict(fractions=BALL[0, 0]),
         ValueError,
-        "has the shape (12, 12): three axes are required. For a single layer",
+        "has the shape (12,): two or three axes are required.",
     ),
     "four axes": (
         dict(fractions=np.stack([BALL, PLATE])),
         ValueError,
-        "three axes are required. For several materials give a list",
+        "two or three axes are required. For several materials give a list",
     ),
-    "a number": (dict(fractions=0.5), ValueError, "has the shape (): three axes are required"),
+    "a number": (dict(fractions=0.5), ValueError, "has the shape (): two or three axes are required"),
     "empty": (dict(fractions=np.zeros((0, 3, 3))), ValueError,
               "has the shape (0, 3, 3): it contains no cells"),
     "no materials": (dict(fractions=[]), ValueError, "fractions are empty"),

@@ -45,14 +45,13 @@ def as_fractions(values: Any, name: str) -> np.ndarray:
 
 
 def check_3d(array: np.ndarray, name: str) -> None:
-    """Raises an exception unless the array has three axes and at least one cell."""
-    if array.ndim != 3:
+    """Raises an exception unless the array has three axes, or two, and at least one cell."""
+    if array.ndim not in (2, 3):
         hint = {
-            2: " For a single layer of cells give array[:, :, None].",
             4: " For several materials give a list of arrays, such as list(array).",
         }
         raise ValueError(
-            "The array %r has the shape %r: three axes are required.%s"
+            "The array %r has the shape %r: two or three axes are required.%s"
             % (name, array.shape, hint.get(array.ndim, ""))
         )
     if array.size == 0:
@@ -89,11 +88,21 @@ class CellArrays:
         self.order = order
         self.cells: Optional[Tuple[int, ...]] = None if cells is None else tuple(cells)
         self.flat: Dict[str, np.ndarray] = {}
+        self.is_plane = False  # whether the first array has two axes
+
+    def _as_layer(self, array: np.ndarray) -> np.ndarray:
+        """Returns an array of cells of a plane as one of a layer of cells."""
+        if self.cells is None:
+            self.is_plane = array.ndim == 2
+        if self.is_plane and array.ndim in (2, 3):
+            return array[:, :, None] if self.order == "xyz" else array[None]
+        return array
 
     def add(self, name: str, array: np.ndarray) -> None:
-        """Adds an array of three axes, or four with components. The first array defines the
-        numbers of cells."""
+        """Adds an array of three axes, or four with components; of a plane one axis less. The first
+        array defines the numbers of cells."""
         self._check_name(name)
+        array = self._as_layer(array)
         if array.ndim not in (3, 4) or array.size == 0:
             raise ValueError(
                 "The array %r has the shape %r: axes for x, y and z are required, and a fourth for "
@@ -124,6 +133,7 @@ class CellArrays:
     def renamed(self, names: Mapping[str, str]) -> CellArrays:
         """Returns the arrays, some of them with other names."""
         arrays = CellArrays(self.order, self.cells)
+        arrays.is_plane = self.is_plane
         for name, array in self.flat.items():
             arrays.add_flat(names.get(name, name), array)
         return arrays

@@ -34,6 +34,7 @@ class Options:
     level_set_inside: Literal["negative", "positive"]
     image_axes: bool
     mesh_void: bool
+    flat: bool
     periodic: Literal["off", "x", "y", "xy", "z", "xz", "yz", "xyz"]
     periodic_sides: Literal["flat", "free", "joined"]
     thin_parts: bool

@@ -39,9 +39,20 @@ class MeshData:
     particles: Dict[str, np.ndarray] = field(default_factory=dict)
 
     @property
+    def is_flat(self) -> bool:
+        """Whether the mesh is one of a plane, made with the option `flat`.
+
+        Examples
+        --------
+        >>> vfm.hexes(np.ones((3, 2))).is_flat
+        True
+        """
+        return "FlatAxis" in self.fields
+
+    @property
     def kind(self) -> str:
         """Type of the elements in meshio: "hexahedron" or "tetra", and with mid nodes
-        "hexahedron20", "hexahedron27" or "tetra10".
+        "hexahedron20", "hexahedron27" or "tetra10"; in a plane "quad" or "triangle".
 
         Examples
         --------
@@ -49,6 +60,8 @@ class MeshData:
         'tetra'
         """
         corners = self.cells.shape[1]
+        if self.is_flat:
+            return "quad" if corners == 4 else "triangle"
         name = "tetra" if corners == 4 else "hexahedron"
         return name if self.mids is None else "%s%d" % (name, corners + self.mids.shape[1])
 

@@ -7,7 +7,7 @@ from typing import Any, Dict, Union
 
 import numpy as np
 
-from . import _core
+from . import _core, _flat
 from ._data import MeshData
 from ._tables import core_arrays, core_fields, core_mesh, material_names
 
@@ -101,7 +101,7 @@ class Separated:
 
 def neighbours(mesh: MeshData) -> np.ndarray:
     """Implements Mesh.neighbours."""
-    return _core.neighbours(*core_mesh(mesh))
+    return _flat.neighbours(mesh) if mesh.is_flat else _core.neighbours(*core_mesh(mesh))
 
 
 def facet_sets(mesh: MeshData) -> Dict[str, Facets]:
@@ -140,6 +140,8 @@ def separate(mesh: MeshData) -> Separated:
 
 def _facets(mesh: MeshData, elements: Any, sides: Any) -> Facets:
     elements, sides = elements.astype(np.int64), sides.astype(np.int32)
+    if mesh.is_flat:
+        return Facets(_flat.edge_points(mesh, elements, sides), elements, sides)
     return Facets(_core.face_points(core_mesh(mesh)[1], elements, sides), elements, sides)
 
 

@@ -93,9 +93,32 @@ def _given_nodes(coordinates: Any, cells: Sequence[int]) -> Tuple[np.ndarray, ..
     return nodes
 
 
+def _of_layer(cells: Sequence[int], origin: Any, spacing: Any,
+              coordinates: Any) -> Tuple[Any, Any, Any]:
+    """Returns origin, spacing and coordinates of a layer of cells along z: those with two entries,
+    of x and y, get a third one. The layer is as thick as its cells are wide on average."""
+    if cells[2] != 1:
+        return origin, spacing, coordinates
+
+    def has_two(value: Any) -> bool:
+        return not isinstance(value, str) and hasattr(value, "__len__") and len(value) == 2
+
+    if has_two(origin):
+        origin = (*origin, 0.0)
+    if has_two(spacing):
+        widths = check_spacing((*spacing, 1.0))
+        spacing = (widths[0], widths[1], 0.5 * (widths[0] + widths[1]))
+    if has_two(coordinates):
+        lengths = [np.ptp(np.asarray(x, dtype=np.float64)) for x in coordinates]
+        width = 0.5 * (lengths[0] / cells[0] + lengths[1] / cells[1])
+        coordinates = (*coordinates, np.array([0.0, width]))
+    return origin, spacing, coordinates
+
+
 def make_grid(cells: Sequence[int], spacing: Any, origin: Any, coordinates: Any,
               direction: Any) -> Grid:
     """Makes the grid from the arguments of hexes(). cells: numbers along x, y and z."""
+    origin, spacing, coordinates = _of_layer(cells, origin, spacing, coordinates)
     corner = _numbers("origin", origin, 3)
     turned = np.eye(3) if direction is None else _numbers("direction", direction, 9).reshape(3, 3)
     if coordinates is None:

@@ -6,7 +6,7 @@ from typing import Any, Dict, List, Mapping, NamedTuple, Optional, Sequence, Tup
 
 import numpy as np
 
-from ._arrays import CellArrays, as_fractions, as_numbers, cells_of, check_3d, check_order
+from ._arrays import CellArrays, as_fractions, as_numbers, check_3d, check_order
 from ._choice import LABELS_HINT, Contents, choose, list_contents
 from ._core import Blocks, Bodies
 from ._grid import NOWHERE, UNIT, Grid, is_default, make_grid
@@ -172,7 +172,7 @@ def _read_labels(labels: Any, order: str, given: Source) -> Field:
     check_3d(array, "labels")
     arrays = CellArrays(order)
     arrays.add("labels", array)
-    return Field(arrays, _given_grid(cells_of(array, order), given), [], "labels",
+    return Field(arrays, _given_grid(arrays.cells, given), [], "labels",
                  _label_names(given.names))
 
 

@@ -10,7 +10,8 @@ from ._data import MeshData
 
 PARTS = ("mesh", "surfaces", "curves", "vertices", "particles")
 # Numbers of the cell types of VTK, by their names in meshio.
-TYPES = {"hexahedron": 12, "tetra": 10, "hexahedron20": 25, "hexahedron27": 29, "tetra10": 24}
+TYPES = {"hexahedron": 12, "tetra": 10, "hexahedron20": 25, "hexahedron27": 29, "tetra10": 24,
+         "quad": 9, "triangle": 5}
 
 
 def convert(mesh: MeshData, part: str) -> Any:

@@ -8,6 +8,7 @@ import numpy as np
 
 from ._data import MeshData
 from ._facets import Facets, facet_sets
+from ._flat import plane_axes
 from ._tables import material_names, require_linear
 
 # Corners of VTK in the order of scikit-fem's MeshHex, whose last corner is the origin and whose
@@ -20,10 +21,19 @@ def convert(mesh: MeshData) -> Any:
     import skfem
 
     require_linear(mesh, "scikit-fem")
+    if mesh.is_flat:
+        return _with_names(mesh, (skfem.MeshQuad if mesh.kind == "quad" else skfem.MeshTri)(
+            np.ascontiguousarray(mesh.points[:, plane_axes(mesh)].T),
+            np.ascontiguousarray(mesh.cells.T)))
     is_tet = mesh.kind == "tetra"
     cells = mesh.cells if is_tet else mesh.cells[:, HEX_ORDER]
     result = (skfem.MeshTet if is_tet else skfem.MeshHex)(
         np.ascontiguousarray(mesh.points.T), np.ascontiguousarray(cells.T))
+    return _with_names(mesh, result)
+
+
+def _with_names(mesh: MeshData, result: Any) -> Any:
+    """Returns the mesh of scikit-fem with names of materials and boundaries."""
     return result.with_subdomains({
         name: np.flatnonzero(mesh.material == i) for i, name in material_names(mesh).items()
     }).with_boundaries({

@@ -7,7 +7,7 @@ from typing import Any, Dict, Literal, Optional, Sequence, TYPE_CHECKING, Tuple,
 
 import numpy as np
 
-from . import (_core, _dolfinx, _facets, _meshio, _modify, _periodic, _plot, _pyvista, _report,
+from . import (_core, _dolfinx, _facets, _flat, _meshio, _modify, _periodic, _plot, _pyvista, _report,
                _save, _skfem, _split)
 from ._data import MeshData
 from ._dolfinx import DolfinxMesh
@@ -96,7 +96,8 @@ class Mesh(MeshData):
     """
 
     def __repr__(self) -> str:
-        names = {"tetra": "tetrahedra", "hexahedron": "hexahedra"}
+        names = {"tetra": "tetrahedra", "hexahedron": "hexahedra", "quad": "quadrilaterals",
+                 "triangle": "triangles"}
         text = "%d %s, %d points, %d materials, %d fragments" % (
             len(self.cells),
             names[self.kind.rstrip("0123456789")],
@@ -116,7 +117,7 @@ class Mesh(MeshData):
         Returns
         -------
         ndarray of float64, shape (m,)
-            Volumes in length**3. The faces of hexahedra are bilinear. Elements across joined sides
+            Volumes in length**3, of a mesh of a plane areas in length**2. The faces of hexahedra are bilinear. Elements across joined sides
             of a periodic mesh have their volume, although their corners are far apart.
 
         Examples
@@ -125,6 +126,8 @@ class Mesh(MeshData):
         >>> bool(np.isclose(mesh.volumes().sum(), mesh.materials["MeshVolume"][0]))
         True
         """
+        if self.is_flat:
+            return _flat.areas(self)
         joined = {} if self.partner is not None else core_fields(self.fields)
         return _core.element_volumes(*core_mesh(self), joined)
 

@@ -3,6 +3,7 @@
 #include "Meshes/Files/WriteWhole.h"
 #include "Meshes/Particles/GatherParticles.h"
 #include "Ranks/Errors.h"
+#include "Report/FlatData.h"
 
 #include <algorithm>
 #include <numeric>
@@ -117,7 +118,7 @@ std::string DescribeDeck(const DeckModel& model)
 {
   return "Mesh by VolumeFractionMesh " VFM_VERSION ": " +
     std::to_string(model.Mesh.NumberOfPoints) + " nodes, " +
-    std::to_string(model.Mesh.NumberOfElements) + " " + model.Mesh.Shape().Plural +
+    std::to_string(model.Mesh.NumberOfElements) + " " + ShapeOf(model.Mesh).Plural +
     (model.Particles.empty()
         ? ""
         : ", " + std::to_string(model.Mesh.Particles->NumberOfParticles) + " particles");

@@ -7,6 +7,9 @@
 #include "Meshes/Decks/WriteEquations.h"
 #include "Meshes/Files/ElementNodes.h"
 #include "Meshes/Files/OutputFile.h"
+#include "Ranks/Errors.h"
+#include "Report/DomainSides.h"
+#include "Report/FlatData.h"
 
 #include <filesystem>
 
@@ -24,6 +27,7 @@ constexpr std::size_t NumberLength = 20;
 /// corners 1 to 4.
 constexpr int HexFaces[6] = { 6, 4, 3, 5, 1, 2 };
 constexpr int TetFaces[4] = { 2, 3, 4, 1 };
+constexpr int FlatFaces[4] = { 1, 2, 3, 4 };
 
 /// Names of the element sets of a section.
 struct SectionNames
@@ -79,8 +83,13 @@ void WriteNodes(OutputFile& file, const MeshData& mesh)
   }
 }
 
+/// Elements of a plane are those of plane strain.
 std::string TypeOfElements(const MeshData& mesh, bool isReduced)
 {
+  if (IsFlat(mesh))
+  {
+    return "CPE" + std::to_string(mesh.Corners);
+  }
   return "C3D" + std::to_string(mesh.NodesPerElement()) +
     (isReduced && mesh.MidsPerElement == 12 ? "R" : "");
 }
@@ -210,14 +219,15 @@ void WriteVelocity(OutputFile& file, const MeshData& mesh, const MeshArray& velo
   }
 }
 
-void WriteSurface(OutputFile& file, const DeckSurface& surface, bool ofHexes)
+void WriteSurface(OutputFile& file, const DeckSurface& surface, const MeshData& mesh)
 {
+  const int* faces = IsFlat(mesh) ? FlatFaces : mesh.HasHexes() ? HexFaces : TetFaces;
   file.Add("*SURFACE, NAME=" + surface.Name + ", TYPE=ELEMENT\n");
   for (const ElementSide& side : surface.Set->Sides)
   {
     file.Add(side.Element + 1);
     file.Add(",S");
-    file.Add((ofHexes ? HexFaces : TetFaces)[side.Side]);
+    file.Add(faces[side.Side]);
     file.Add("\n");
   }
 }
@@ -239,6 +249,11 @@ void WriteFile(const DeckModel& model, const std::string& path, bool isReduced)
 {
   const MeshData& mesh = model.Mesh;
   RequireNodes(mesh, { 12, 6 }, "Abaqus");
+  if (IsFlat(mesh) && NumberOfAxes(mesh) != 2)
+  {
+    throw InputError("Abaqus has elements of the plane of x and y only: write a layer of cells "
+                     "across z. Formats that have others: .e, .vtu, .xdmf.");
+  }
   RequireNumbers(model, LargestNumber, "Abaqus", ".e, .msh, .vtu");
   AbaqusNames names, nodeNames;
   names.Add("EALL");
@@ -272,7 +287,7 @@ void WriteFile(const DeckModel& model, const std::string& path, bool isReduced)
   }
   for (const DeckSurface& surface : surfaces)
   {
-    WriteSurface(file, surface, mesh.HasHexes());
+    WriteSurface(file, surface, mesh);
   }
   WriteConnections(model, ties, surfaces, names, file);
   WriteParticles(file, model, names, nodeNames);

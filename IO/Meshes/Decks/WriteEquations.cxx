@@ -58,10 +58,10 @@ void WriteReferences(OutputFile& file, const MeshData& mesh, const std::vector<d
 }
 
 /// Writes an equation per direction. The first node is eliminated.
-void WriteEquation(OutputFile& file, const std::vector<Term>& terms)
+void WriteEquation(OutputFile& file, const std::vector<Term>& terms, int directions)
 {
   constexpr std::size_t termsInLine = 4; // Abaqus and CalculiX read at most four
-  for (int direction = 1; direction <= 3; ++direction)
+  for (int direction = 1; direction <= directions; ++direction)
   {
     file.Add("*EQUATION\n");
     file.Add(static_cast<Index>(terms.size()));
@@ -103,7 +103,7 @@ bool WriteEquations(const MeshData& mesh, const std::string& path, OutputSet& fi
         terms.push_back({ references[a], -pair.Periods[a] });
       }
     }
-    WriteEquation(file, terms);
+    WriteEquation(file, terms, NumberOfAxes(mesh));
   }
   file.Close();
   return true;

@@ -3,6 +3,8 @@
 
 #include "Meshes/Exodus/ExodusRuns.h"
 #include "Meshes/Exodus/NemesisLayout.h"
+#include "Report/DomainSides.h"
+#include "Report/FlatData.h"
 
 #include <algorithm>
 #include <ctime>
@@ -15,7 +17,7 @@ namespace
 
 // Numbers of the faces in Exodus, indexed by the numbers in VTK.
 constexpr Index HexSides[6] = { 4, 2, 1, 3, 5, 6 };
-constexpr Index TetSides[4] = { 1, 2, 3, 4 };
+constexpr Index TetSides[4] = { 1, 2, 3, 4 }; // also of quads and triangles
 
 constexpr std::size_t NameLength = 256, QaLength = 33, LineLength = 81; // final zero included
 constexpr std::size_t LeastLongestName = 32;
@@ -46,7 +48,7 @@ std::string Describe(const ExodusModel& model)
     particles += block.HasParticles ? block.Total : 0;
     blocks += block.HasParticles ? 0 : 1;
   }
-  return std::to_string(model.TotalElements - particles) + " " + model.Mesh.Data.Shape().Plural +
+  return std::to_string(model.TotalElements - particles) + " " + ShapeOf(model.Mesh.Data).Plural +
     " and " + std::to_string(model.TotalNodes) + " nodes, materials: " + std::to_string(blocks) +
     (particles > 0 ? ", particles: " + std::to_string(particles) : "");
 }
@@ -115,7 +117,7 @@ Sizes AddSizes(NetcdfLayout& layout, const ExodusModel& model)
   sizes.Name = add("len_name", NameLength);
   layout.Dimensions.push_back({ "time_step", 0 });
   sizes.Time = sizes.Name + 1;
-  sizes.Axes = add("num_dim", 3);
+  sizes.Axes = add("num_dim", NumberOfAxes(model.Mesh.Data));
   sizes.Nodes = add("num_nodes", model.NumberOfPoints());
   sizes.Elements = add("num_elem", model.NumberOfElements());
   sizes.Blocks = add("num_el_blk", model.Blocks.size());
@@ -143,7 +145,7 @@ void AddIds(NetcdfLayout& layout, const std::string& prefix, std::size_t dimensi
 void AddNodes(NetcdfLayout& layout, const ExodusModel& model, const Sizes& sizes)
 {
   const MeshData& mesh = model.Mesh.Data;
-  for (int axis = 0; axis < 3; ++axis)
+  for (int axis = 0; axis < NumberOfAxes(mesh); ++axis)
   {
     AddVariable(
       layout, std::string("coord") + "xyz" [axis], NetcdfKind::Real, { sizes.Nodes },
@@ -174,7 +176,9 @@ void AddEntities(NetcdfLayout& layout, const ExodusModel& model, const Sizes& si
   AddNames(layout, "eb_names", sizes.Blocks, sizes.Name, NamesOf(model.Blocks));
   AddNames(layout, "ns_names", sizes.NodeSets, sizes.Name, NamesOf(model.Sets.NodeSets));
   AddNames(layout, "ss_names", sizes.SideSets, sizes.Name, NamesOf(model.Sets.SideSets));
-  AddNames(layout, "coor_names", sizes.Axes, sizes.Name, { "x", "y", "z" });
+  std::vector<std::string> axes{ "x", "y", "z" };
+  axes.resize(NumberOfAxes(model.Mesh.Data));
+  AddNames(layout, "coor_names", sizes.Axes, sizes.Name, axes);
 }
 
 void AddRecords(NetcdfLayout& layout, const ExodusModel& model)
@@ -192,6 +196,10 @@ void AddRecords(NetcdfLayout& layout, const ExodusModel& model)
 
 const char* TypeOfElements(const MeshData& mesh)
 {
+  if (IsFlat(mesh))
+  {
+    return mesh.Corners == 4 ? "QUAD4" : "TRI3";
+  }
   if (mesh.Corners == 4)
   {
     return mesh.MidsPerElement > 0 ? "TETRA10" : "TETRA";
@@ -314,7 +322,7 @@ void AddSets(NetcdfLayout& layout, const ExodusModel& model)
         return Collect(
           set.Sides, [&](const ElementSide& side) { return model.Numbers[side.Element]; });
       });
-    const Index* sideNumbers = model.Mesh.Data.Corners == 4 ? TetSides : HexSides;
+    const Index* sideNumbers = model.Mesh.Data.HasHexes() ? HexSides : TetSides;
     AddVariable(layout, "side_ss" + number, kind, { sides },
       [&set, sideNumbers] {
         return Collect(set.Sides, [&](const ElementSide& side) { return sideNumbers[side.Side]; });

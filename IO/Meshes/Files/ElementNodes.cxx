@@ -1,6 +1,7 @@
 #include "Meshes/Files/ElementNodes.h"
 
 #include "Ranks/Errors.h"
+#include "Report/FlatData.h"
 #include "Report/Sets/MeshSets.h"
 
 #include <algorithm>
@@ -43,7 +44,7 @@ const Index* ElementNodes::Of(Index element)
 std::vector<Index> NodesOfSide(const MeshData& mesh, Index element, int side)
 {
   const FaceIds corners = PointsOfSide(mesh, { element, side });
-  std::vector<Index> points(corners.begin(), corners.begin() + ElementFaces(mesh.Corners).Corners);
+  std::vector<Index> points(corners.begin(), corners.begin() + CornersOfSide(mesh));
   const std::vector<Index> mids = MidsOfFace(mesh, element, side);
   points.insert(points.end(), mids.begin(), mids.end());
   return points;

@@ -2,6 +2,7 @@
 
 #include "Base/Sorted.h"
 #include "Ranks/Errors.h"
+#include "Report/FlatData.h"
 #include "Report/Sets/NamedSurfaces.h"
 
 #include <utility>
@@ -39,7 +40,7 @@ void AddVolumeGroups(GmshModel& model, const std::vector<MaterialPart>& parts)
   UniqueNames used(LongestName);
   for (const MaterialPart& part : parts)
   {
-    model.Groups.push_back({ 3, part.Id, used.Add(PlainName(part.Name)) });
+    model.Groups.push_back({ IsFlat(model.Mesh) ? 2 : 3, part.Id, used.Add(PlainName(part.Name)) });
   }
   for (const CohesiveBlock& block : model.Cohesive)
   {
@@ -87,7 +88,8 @@ void AddSurfaceGroups(GmshModel& model, const std::vector<NamedSurface>& named, 
   UniqueNames used(LongestName);
   for (const NamedSurface& group : named)
   {
-    model.Groups.push_back({ 2, group.Id, used.Add(PlainName(group.Name)) });
+    model.Groups.push_back(
+      { IsFlat(model.Mesh) ? 1 : 2, group.Id, used.Add(PlainName(group.Name)) });
   }
   const TaggedFaces finest = TagFaces(named);
   for (const SurfaceEntity& surface : model.Entities.Surfaces)

@@ -14,7 +14,7 @@ namespace vfm
 /// A physical group. Tags and names are unique in each dimension.
 struct GmshGroup
 {
-  int Dimension; ///< 2 surfaces, 3 volumes
+  int Dimension; ///< 2 surfaces, 3 volumes; of a plane 1 curves, 2 surfaces
   int Tag;
   std::string Name; ///< at most 127 bytes of UTF-8, without quotes and control characters
 };

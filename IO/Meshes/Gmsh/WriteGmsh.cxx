@@ -6,6 +6,7 @@
 #include "Meshes/Gmsh/GmshModel.h"
 #include "Meshes/Gmsh/GmshPeriodic.h"
 #include "Meshes/Particles/WriteParticles.h"
+#include "Report/FlatData.h"
 #include "Report/MeshFacets.h"
 
 #include <iterator>
@@ -23,6 +24,10 @@ constexpr int NumberOfTags = 2; // of an element in version 2.2: group and entit
 /// Numbers of types of elements in Gmsh.
 int ElementType(const MeshData& mesh)
 {
+  if (IsFlat(mesh))
+  {
+    return mesh.Corners == 4 ? 3 : 2;
+  }
   if (mesh.Corners == 4)
   {
     return mesh.MidsPerElement == 0 ? 4 : 11;
@@ -37,6 +42,10 @@ int CohesiveType(int corners)
 
 int FaceType(const MeshData& mesh)
 {
+  if (IsFlat(mesh))
+  {
+    return 1;
+  }
   if (mesh.Corners == 4)
   {
     return mesh.MidsPerElement == 0 ? 2 : 9;
@@ -139,9 +148,11 @@ std::vector<GmshGroup> ListGroups(const GmshModel& model, GmshVersion version)
     const bool hasOne = version == GmshVersion::V2_2 && !tags.empty();
     used.insert(tags.begin(), hasOne ? tags.begin() + 1 : tags.end());
   }
+  const int highest = IsFlat(model.Mesh) ? 2 : 3;
   std::vector<GmshGroup> groups;
   std::copy_if(model.Groups.begin(), model.Groups.end(), std::back_inserter(groups),
-    [&used](const GmshGroup& group) { return group.Dimension == 3 || used.count(group.Tag) > 0; });
+    [&used, highest](const GmshGroup& group)
+    { return group.Dimension == highest || used.count(group.Tag) > 0; });
   return groups;
 }
 
@@ -506,6 +517,11 @@ GmshVersion ChooseVersion(const GmshModel& model, GmshVersion version)
   {
     throw InputError("The id " + std::to_string(largest) +
       " exceeds 2147483647, the largest one in version 2.2 of Gmsh's format. Write version 4.1.");
+  }
+  if (IsFlat(mesh) && (version == GmshVersion::V4_1 || largest > LargestInt))
+  {
+    throw InputError("Meshes of a plane are written in version 2.2 of Gmsh's format only" +
+      std::string(largest > LargestInt ? ", whose largest id is 2147483647." : "."));
   }
   const bool fits = largest <= LargestInt && version != GmshVersion::V4_1;
   return fits ? GmshVersion::V2_2 : GmshVersion::V4_1;

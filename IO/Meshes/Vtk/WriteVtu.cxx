@@ -5,6 +5,7 @@
 #include "Meshes/Particles/WriteParticles.h"
 #include "Meshes/Vtk/VtuText.h"
 #include "Ranks/Agreement.h"
+#include "Report/FlatData.h"
 #include "Report/FragmentTargets.h"
 #include "Report/GatherMesh.h"
 
@@ -31,7 +32,7 @@ void WritePiece(const MeshData& mesh, Index points, Index elements, const std::s
   AddVtuArray(file, "type=\"UInt8\" Name=\"types\"", static_cast<std::size_t>(elements),
     [&](const AddBytes& add)
     {
-      const std::string type(1, static_cast<char>(mesh.Shape().VtkType));
+      const std::string type(1, static_cast<char>(ShapeOf(mesh).VtkType));
       for (Index element = 0; element < elements; ++element)
       {
         add(type);

@@ -6,6 +6,8 @@
 #include "Meshes/Files/WriteWhole.h"
 #include "Meshes/Particles/WriteParticles.h"
 #include "Meshes/Vtk/VtuText.h"
+#include "Report/DomainSides.h"
+#include "Report/FlatData.h"
 #include "Report/MeshMaterials.h"
 #include "Report/Sets/NamedSurfaces.h"
 
@@ -90,12 +92,16 @@ void AddTopology(OutputFile& file, const char* type, Index count, int corners,
 
 void AddPoints(OutputFile& file, const MeshData& mesh)
 {
-  file.Add("<Geometry GeometryType=\"XYZ\">\n");
-  BeginData(file, "NumberType=\"Float\" Precision=\"8\"", mesh.NumberOfPoints, 3);
-  for (Index at = 0; at < 3 * mesh.NumberOfPoints; ++at)
+  const int axes = NumberOfAxes(mesh);
+  file.Add(std::string("<Geometry GeometryType=\"") + (axes == 2 ? "XY" : "XYZ") + "\">\n");
+  BeginData(file, "NumberType=\"Float\" Precision=\"8\"", mesh.NumberOfPoints, axes);
+  for (Index point = 0; point < mesh.NumberOfPoints; ++point)
   {
-    file.AddReal(mesh.Points[at]);
-    file.Add(at % 3 < 2 ? " " : "\n");
+    for (int axis = 0; axis < axes; ++axis)
+    {
+      file.AddReal(mesh.Point(point)[axis]);
+      file.Add(axis + 1 < axes ? " " : "\n");
+    }
   }
   file.Add("</DataItem>\n</Geometry>\n");
 }
@@ -113,6 +119,15 @@ void AddTags(OutputFile& file, const char* name, const int* tags, Index count)
   file.Add("</DataItem>\n</Attribute>\n");
 }
 
+const char* TopologyOf(const MeshData& mesh)
+{
+  if (IsFlat(mesh))
+  {
+    return mesh.Corners == 4 ? "Quadrilateral" : "Triangle";
+  }
+  return mesh.HasHexes() ? "Hexahedron" : "Tetrahedron";
+}
+
 void WriteElements(const MeshData& mesh, const std::string& path, OutputSet& files)
 {
   Ranks alone;
@@ -125,9 +140,9 @@ void WriteElements(const MeshData& mesh, const std::string& path, OutputSet& fil
   }
   OutputFile file(path, files);
   BeginGrid(file, "mesh");
-  AddNames(file, "MaterialNames", numbers, 3);
-  AddTopology(file, mesh.HasHexes() ? "Hexahedron" : "Tetrahedron", mesh.NumberOfElements,
-    mesh.Corners, [&mesh](Index element) { return mesh.Element(element); });
+  AddNames(file, "MaterialNames", numbers, IsFlat(mesh) ? 2 : 3);
+  AddTopology(file, TopologyOf(mesh), mesh.NumberOfElements, mesh.Corners,
+    [&mesh](Index element) { return mesh.Element(element); });
   AddPoints(file, mesh);
   AddTags(file, "MaterialId", mesh.Material, mesh.NumberOfElements);
   EndGrid(file);
@@ -147,9 +162,12 @@ void WriteFacets(const MeshData& mesh, const std::string& path, OutputSet& files
   FaceIds points;
   OutputFile file(path, files);
   BeginGrid(file, "facets");
-  AddNames(file, "SurfaceNames", numbers, 2);
-  AddTopology(file, mesh.HasHexes() ? "Quadrilateral" : "Triangle", count,
-    ElementFaces(mesh.Corners).Corners,
+  AddNames(file, "SurfaceNames", numbers, IsFlat(mesh) ? 1 : 2);
+  AddTopology(file,
+    IsFlat(mesh)        ? "PolyLine"
+      : mesh.HasHexes() ? "Quadrilateral"
+                        : "Triangle",
+    count, CornersOfSide(mesh),
     [&](Index facet)
     {
       points = PointsOfSide(mesh, facets.Faces[facet]);

@@ -4,6 +4,7 @@
 #include "Ranks/AskRanks.h"
 #include "Ranks/MeetingRank.h"
 #include "Ranks/WorkTogether.h"
+#include "Report/FlatData.h"
 #include "Report/MatchFaces.h"
 
 #include <limits>
@@ -28,16 +29,16 @@ public:
   std::vector<Index> List() const
   {
     const MeshData& mesh = this->TheMesh;
-    const ElementFaces table(mesh.Corners);
+    const int sides = SidesOf(mesh), inside = DimensionInside(mesh);
     const int* dimensions = mesh.PeriodicPartner ? nullptr : mesh.GeometryDimension;
-    const auto isInside = [dimensions](Index point)
-    { return point >= 0 && dimensions && dimensions[point] >= DimensionOfVolumes; };
+    const auto isInside = [dimensions, inside](Index point)
+    { return point >= 0 && dimensions && dimensions[point] >= inside; };
     std::vector<Index> faces;
     for (Index element = 0; element < mesh.NumberOfElements; ++element)
     {
-      for (int side = 0; side < table.Count; ++side)
+      for (int side = 0; side < sides; ++side)
       {
-        const FaceIds points = table.PointsOf(mesh.Element(element), side);
+        const FaceIds points = PointsOfSide(mesh, { element, side });
         if (std::none_of(points.begin(), points.end(), isInside))
         {
           faces.push_back(Sides * element + side);

@@ -4,6 +4,7 @@
 #include "Elements/EqualFaces.h"
 #include "Elements/MidNodes.h"
 #include "Geometry/Junctions.h"
+#include "Report/FlatData.h"
 #include "Report/MatchFaces.h"
 #include "Report/MeshMaterials.h"
 #include "Report/Sets/NamedSurfaces.h"
@@ -121,7 +122,7 @@ void ClassifyPoints(
           [&](Index point) { entities.PointEntity[point] = entities.Volumes[element]; });
       });
   }
-  const int count = ElementFaces(mesh.Corners).Corners;
+  const int count = CornersOfSide(mesh);
   for (std::size_t s = 0; s < entities.Surfaces.size(); ++s)
   {
     for (const ElementSide& side : entities.Surfaces[s].Sides)
@@ -155,7 +156,7 @@ Mesh MakeFacets(
 {
   std::vector<Index> points;
   std::vector<int> ids;
-  const int count = ElementFaces(mesh.Corners).Corners;
+  const int count = CornersOfSide(mesh);
   for (std::size_t s = 0; s < entities.Surfaces.size(); ++s)
   {
     for (const ElementSide& side : entities.Surfaces[s].Sides)
@@ -243,7 +244,7 @@ void ClassifyMids(
       curves[MakeEdgeIds(edge[0], edge[1])] = static_cast<int>(c) + 1;
     }
   }
-  const int count = ElementFaces(mesh.Corners).Corners;
+  const int count = CornersOfSide(mesh);
   for (const SurfaceEntity& surface : entities.Surfaces)
   {
     for (const ElementSide& side : surface.Sides)
@@ -273,6 +274,11 @@ MeshEntities FindMeshEntities(const MeshData& mesh)
   const std::vector<Index> firstCopies = FindFirstCopies(mesh);
   entities.Surfaces = FindSurfaces(mesh, entities.Volumes, firstCopies);
   ClassifyPoints(mesh, firstCopies, entities);
+  if (IsFlat(mesh))
+  {
+    ClassifyCopies(firstCopies, entities);
+    return entities;
+  }
   const Junctions junctions(MakeFacets(mesh, firstCopies, entities));
   FindVertices(junctions, entities);
   FindCurves(junctions, entities);

@@ -1,8 +1,8 @@
 #include "Report/Sets/SidePoints.h"
 
-#include "Elements/ElementFaces.h"
 #include "Report/DomainSides.h"
 #include "Report/ElementCorners.h"
+#include "Report/MatchFaces.h"
 
 #include <map>
 
@@ -16,7 +16,6 @@ namespace
 std::vector<unsigned char> FindSidesOfFacets(
   const MeshData& mesh, const std::vector<MeshFacet>& facets)
 {
-  const ElementFaces table(mesh.Corners);
   std::vector<unsigned char> sides(mesh.NumberOfPoints, 0);
   for (const MeshFacet& facet : facets)
   {
@@ -27,7 +26,7 @@ std::vector<unsigned char> FindSidesOfFacets(
         sides[point] = static_cast<unsigned char>(sides[point] | 1 << facet.DomainSide);
       }
     };
-    const FaceIds corners = table.PointsOf(mesh.Element(facet.Element), facet.Side);
+    const FaceIds corners = PointsOfSide(mesh, facet);
     std::for_each(corners.begin(), corners.end(), mark);
     const std::vector<Index> mids = MidsOfFace(mesh, facet.Element, facet.Side);
     std::for_each(mids.begin(), mids.end(), mark);

@@ -1,0 +1,230 @@
+#include "Modify/FlattenMesh.h"
+
+#include "Base/Vector3.h"
+#include "Elements/ElementFaces.h"
+#include "Elements/SelectPoints.h"
+#include "Octree/RefinedGrid.h"
+
+namespace vfm
+{
+namespace
+{
+
+constexpr int QuadCorners = 4, HexCornersCount = 8;
+
+/// The lower face of each hex.
+class LowerFaces
+{
+public:
+  LowerFaces(int axis, Runtime& runtime, const Mesh& mesh) :
+    TheMesh(mesh),
+    Lowest(mesh.Levels->Finest().Coordinates(axis).front()),
+    Axis(axis),
+    Quads(QuadCorners * mesh.ElementIds.size())
+  {
+    ForEach(runtime, mesh.ElementIds.size(), [this](Index e) { this->Find(e); });
+  }
+
+  bool IsLower(Index point) const
+  {
+    return this->TheMesh.Points[3 * point + this->Axis] == this->Lowest;
+  }
+  const Index* Quad(Index element) const { return this->Quads.data() + QuadCorners * element; }
+  Buffer<Index> Take() { return std::move(this->Quads); }
+  /// Returns the edge of the quad that is in a face of the hex, or -1.
+  int EdgeOf(Index element, int face) const
+  {
+    const FaceIds points =
+      ElementFaces(HexCornersCount)
+        .PointsOf(this->TheMesh.Elements.data() + HexCornersCount * element, face);
+    const auto has = [&points](Index point)
+    { return std::find(points.begin(), points.end(), point) != points.end(); };
+    const Index* quad = this->Quad(element);
+    int edge = -1, corners = 0;
+    for (int c = 0; c < QuadCorners; ++c)
+    {
+      corners += has(quad[c]);
+      edge = has(quad[c]) && has(quad[(c + 1) % QuadCorners]) ? c : edge;
+    }
+    return corners == 2 ? edge : -1;
+  }
+
+private:
+  void Find(Index element)
+  {
+    const ElementFaces faces(HexCornersCount);
+    for (int face = 0; face < faces.Count; ++face)
+    {
+      const FaceIds points =
+        faces.PointsOf(this->TheMesh.Elements.data() + HexCornersCount * element, face);
+      if (std::all_of(points.begin(), points.end(), [this](Index p) { return this->IsLower(p); }))
+      {
+        std::reverse_copy(points.begin(), points.end(), this->Quads.data() + QuadCorners * element);
+      }
+    }
+  }
+
+  const Mesh& TheMesh;
+  double Lowest;
+  int Axis;
+  Buffer<Index> Quads;
+};
+
+/// Facets across the plane, with the numbers of the edges of their quads.
+std::vector<MeshFacet> TakeFacets(const LowerFaces& lower, const Mesh& mesh)
+{
+  std::vector<MeshFacet> edges;
+  for (const MeshFacet& facet : mesh.Facets)
+  {
+    const int edge = lower.EdgeOf(facet.Element, facet.Side);
+    if (edge >= 0)
+    {
+      edges.push_back({ facet.Element, edge, facet.Behind, 0, facet.DomainSide });
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
+/// Leaves the items of which all points are lower.
+void TakeLower(const LowerFaces& lower, std::size_t width, Runtime& runtime, Buffer<Index>& points,
+  Buffer<int>& ids)
+{
+  std::vector<Index> kept;
+  for (std::size_t i = 0; i < ids.size(); ++i)
+  {
+    const Index* first = points.data() + width * i;
+    if (std::all_of(first, first + width, [&](Index point) { return lower.IsLower(point); }))
+    {
+      kept.push_back(static_cast<Index>(i));
+    }
+  }
+  points = Select(points, kept, runtime, static_cast<Index>(width));
+  ids = Select(ids, kept, runtime);
+}
+
+/// Points on the lower side that are on no curve are inside their fragment.
+void NumberInside(Mesh& mesh)
+{
+  for (std::size_t i = 0; i < mesh.Elements.size(); ++i)
+  {
+    const Index point = mesh.Elements[i];
+    if (mesh.GeometryDimension[point] >= DimensionOfSurfaces)
+    {
+      mesh.GeometryDimension[point] = DimensionOfSurfaces;
+      mesh.GeometryId[point] = mesh.Fragment[i / mesh.Corners];
+    }
+  }
+}
+
+/// Returns the largest cosine of the angles of a triangle, that of the smallest angle.
+double LargestCosine(const Mesh& mesh, const std::array<Index, 3>& corners)
+{
+  double largest = -1.0;
+  for (int c = 0; c < 3; ++c)
+  {
+    const Vector3 x = mesh.PointAt(corners[c]);
+    const Vector3 a = mesh.PointAt(corners[(c + 1) % 3]) - x;
+    const Vector3 b = mesh.PointAt(corners[(c + 2) % 3]) - x;
+    largest = std::max(largest, Dot(a, b) / std::sqrt(Dot(a, a) * Dot(b, b)));
+  }
+  return largest;
+}
+
+/// Returns whether the diagonal from corner 1 to corner 3 is better than that from 0 to 2.
+bool TakesSecond(const Mesh& mesh, const Index* q)
+{
+  const auto of = [&](int a, int b, int c) {
+    return LargestCosine(mesh, { { q[a], q[b], q[c] } });
+  };
+  const double first = std::max(of(0, 1, 2), of(0, 2, 3));
+  const double second = std::max(of(0, 1, 3), of(1, 2, 3));
+  return second != first ? second < first
+                         : std::min(q[1], q[3]) < std::min(q[0], q[2]); // ids ascend with numbers
+}
+
+template <class T>
+void Double(Buffer<T>& values)
+{
+  Buffer<T> twice(2 * values.size());
+  for (std::size_t i = 0; i < twice.size(); ++i)
+  {
+    twice[i] = values[i / 2];
+  }
+  values = std::move(twice);
+}
+
+/// Divides quads into triangles.
+void Divide(Runtime& runtime, Mesh& mesh)
+{
+  const Index quads = static_cast<Index>(mesh.ElementIds.size());
+  Buffer<Index> triangles(6 * quads);
+  std::vector<unsigned char> isSecond(quads);
+  ForEach(runtime, quads,
+    [&](Index e)
+    {
+      const Index* q = mesh.Elements.data() + QuadCorners * e;
+      isSecond[e] = TakesSecond(mesh, q);
+      const std::array<Index, 6> corners = isSecond[e]
+        ? std::array<Index, 6>{ { q[0], q[1], q[3], q[1], q[2], q[3] } }
+        : std::array<Index, 6>{ { q[0], q[1], q[2], q[0], q[2], q[3] } };
+      std::copy(corners.begin(), corners.end(), triangles.data() + 6 * e);
+    });
+  // Triangle and edge of each edge of a quad, by diagonal.
+  constexpr int Places[2][4][2] = { { { 0, 0 }, { 0, 1 }, { 1, 1 }, { 1, 2 } },
+    { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 2 } } };
+  for (MeshFacet& facet : mesh.Facets)
+  {
+    const int(&place)[2] = Places[isSecond[facet.Element]][facet.Side];
+    facet.Element = 2 * facet.Element + place[0];
+    facet.Side = place[1];
+  }
+  std::sort(mesh.Facets.begin(), mesh.Facets.end());
+  mesh.Elements = std::move(triangles);
+  mesh.Corners = 3;
+  Double(mesh.ElementIds);
+  Double(mesh.Material);
+  Double(mesh.Fragment);
+  Double(mesh.Layer);
+  for (std::size_t e = 0; e < mesh.ElementIds.size(); ++e)
+  {
+    mesh.ElementIds[e] = 2 * mesh.ElementIds[e] - (e % 2 == 0);
+  }
+}
+
+} // namespace
+
+std::vector<Index> FlattenMesh(int axis, FlatElement kind, Runtime& runtime, Mesh& mesh)
+{
+  LowerFaces lower(axis, runtime, mesh);
+  mesh.Facets = TakeFacets(lower, mesh);
+  TakeLower(lower, 2, runtime, mesh.Curves.Points, mesh.Curves.CurveId);
+  TakeLower(lower, 1, runtime, mesh.Vertices.Points, mesh.Vertices.VertexId);
+  mesh.Surfaces = SurfaceFacets();
+  mesh.Tables = GeometryTables();
+  std::vector<Index> kept, numbers(mesh.PointIds.size(), -1);
+  for (std::size_t p = 0; p < numbers.size(); ++p)
+  {
+    if (lower.IsLower(static_cast<Index>(p)))
+    {
+      numbers[p] = static_cast<Index>(kept.size());
+      kept.push_back(static_cast<Index>(p));
+    }
+  }
+  mesh.Elements = lower.Take();
+  mesh.Corners = QuadCorners;
+  mesh.ScaledJacobian = Buffer<float>();
+  SelectPoints(kept, numbers, runtime, mesh);
+  if (!mesh.PeriodicPartner.empty())
+  {
+    mesh.PeriodicPartner = Select(mesh.PeriodicPartner, kept, runtime);
+  }
+  NumberInside(mesh);
+  if (kind == FlatElement::Triangle)
+  {
+    Divide(runtime, mesh);
+  }
+  return kept;
+}
+
+} // namespace vfm
