@@ -20,9 +20,9 @@ struct OutputForm
 {
   bool IsSingle = false; ///< one file with the whole mesh, which rank 0 gathers
   GmshVersion Version = GmshVersion::Automatic;
-  bool IsBinary = false;     ///< binary instead of text
-  bool HasInterfaces = true; ///< whether the file has faces between elements
-  bool IsReduced = false;    ///< C3D20R instead of C3D20
+  bool IsBinary = false;      ///< binary instead of text
+  bool HasInterfaces = true;  ///< whether the file has faces between elements
+  bool IsReduced = false;     ///< C3D20R instead of C3D20
   bool IsPlaneStress = false; ///< elements of a plane have plane stress instead of plane strain
 };
 

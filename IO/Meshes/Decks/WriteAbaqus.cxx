@@ -268,8 +268,7 @@ void WriteFile(const DeckModel& model, const std::string& path, const AbaqusForm
   WriteNodes(file, mesh);
   for (std::size_t s = 0; s < sections.size(); ++s)
   {
-    WriteElements(
-      file, mesh, model.Materials[s], TypeOfElements(mesh, form), sections[s].Block);
+    WriteElements(file, mesh, model.Materials[s], TypeOfElements(mesh, form), sections[s].Block);
   }
   WriteElementSets(file, model, sections);
   WriteCohesive(file, model, names);
@@ -304,8 +303,7 @@ void WriteFile(const DeckModel& model, const std::string& path, const AbaqusForm
 void WriteAbaqus(
   const MeshData& mesh, const std::string& path, Ranks& ranks, const AbaqusForm& form)
 {
-  WriteDeck(
-    mesh, ranks, IsVelocity, [&](const DeckModel& model) { WriteFile(model, path, form); });
+  WriteDeck(mesh, ranks, IsVelocity, [&](const DeckModel& model) { WriteFile(model, path, form); });
 }
 
 } // namespace vfm

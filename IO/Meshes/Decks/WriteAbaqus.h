@@ -32,7 +32,8 @@ struct AbaqusForm
 
 /// Writes one file on rank 0. Its contents do not depend on the number of ranks.
 /// @param mesh  part of this rank, made by the mesher or read from a file
-/// @throws InputError  if the mesh is empty or lacks a required array, if it is one of another plane
+/// @throws InputError  if the mesh is empty or lacks a required array, if it is one of another
+/// plane
 ///   than that of x and y, or if the file cannot be written; on all ranks. The earlier file then
 ///   remains
 /// @pre Collective

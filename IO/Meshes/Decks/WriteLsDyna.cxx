@@ -239,7 +239,7 @@ void WriteFile(const DeckModel& model, const std::string& path, bool isPlaneStre
   WriteNodes(cards, mesh);
   WriteParts(cards, model, isPlaneStress);
   const bool isLinear = mesh.MidsPerElement == 0;
-  cards.Line(IsFlat(mesh)           ? "*ELEMENT_SHELL"
+  cards.Line(IsFlat(mesh)         ? "*ELEMENT_SHELL"
       : mesh.MidsPerElement == 12 ? "*ELEMENT_SOLID_H20"
                                   : "*ELEMENT_SOLID");
   cards.Line(IsFlat(mesh) ? "$    EID     PID      N1      N2      N3      N4"

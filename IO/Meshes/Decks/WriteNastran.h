@@ -3,8 +3,8 @@
  *
  * The file contains the mesh, without materials and case control:
  * - GRID*, in fields of 16 characters; CHEXA or CTETRA, in a plane CQUAD4 or CTRIA3
- * - PSOLID, or PSHELL of thickness 1, of each material, with its id, and its name in a comment; its material has the same
- *   number, and must be defined in another file
+ * - PSOLID, or PSHELL of thickness 1, of each material, with its id, and its name in a comment; its
+ * material has the same number, and must be defined in another file
  * - CONM2* at each particle with its mass, and a node without one if there is no density
  * - SET1 of each node set, and of the nodes of the particles of each material
  * - PLOAD4 of each named surface (NamedSurfaces.h): a unit pressure, which a LOAD entry scales.

@@ -1,8 +1,8 @@
 /**
  * CellSides: finds the cell behind each side of the cells of a mesh, also on other ranks.
  *
- * Sides have numbers: (sides of a cell) * cell + side, with sides as in ElementFaces. In a mesh of a
- * plane they are edges (FlatData.h).
+ * Sides have numbers: (sides of a cell) * cell + side, with sides as in ElementFaces. In a mesh of
+ * a plane they are edges (FlatData.h).
  */
 #pragma once
 

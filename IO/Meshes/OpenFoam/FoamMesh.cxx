@@ -340,7 +340,8 @@ void CheckSizes(const FoamMesh& foam)
 {
   const bool isFlat = IsFlat(foam.Mesh);
   const Index offsets = (isFlat ? 4 : CornersOfSide(foam.Mesh)) * foam.NumberOfFaces();
-  const Index largest = std::max({ (isFlat ? 2 : 1) * foam.Points.Total, foam.Cells.Total, foam.TotalFaces, offsets });
+  const Index largest =
+    std::max({ (isFlat ? 2 : 1) * foam.Points.Total, foam.Cells.Total, foam.TotalFaces, offsets });
   if (largest > LargestLabel)
   {
     throw InputError("The mesh has " + std::to_string(foam.TotalFaces) +

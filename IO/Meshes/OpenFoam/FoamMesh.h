@@ -75,7 +75,8 @@ struct FoamMesh
 };
 
 /// Makes the model of this rank's part.
-/// @param mesh  ordered mesh (OrderMesh), with MaterialId; must outlive the result; of a plane on one
+/// @param mesh  ordered mesh (OrderMesh), with MaterialId; must outlive the result; of a plane on
+/// one
 ///   rank only
 /// @throws InputError  if faces do not match, or if FindNamedSurfaces does; on all ranks
 /// @pre Collective
