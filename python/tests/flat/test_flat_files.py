@@ -1,15 +1,11 @@
 """Files of meshes of a plane: read back, they have the points, elements, sets and areas of the mesh."""
 
-import os
 import re
-import sys
 
 import numpy as np
 import pytest
 
 import volume_fraction_mesh as vfm
-
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
 from decks import read_abaqus, read_keyword_file, read_nastran, read_radioss
 
 
