@@ -82,6 +82,7 @@ FOLDERS = (
     ("Plugin/Domains", "Domains of the plugin's properties."),
     ("python/src", "The compiled module of the Python package."),
     ("python/volume_fraction_mesh", "The Python package."),
+    ("python/volume_fraction_mesh/_convert", "Meshes as objects of other packages."),
     ("python/volume_fraction_mesh/_readers", "Readers of files for `_read.py`."),
     ("python/volume_fraction_mesh/_plugins", "Plugins of other packages, which import them."),
     ("python/volume_fraction_mesh/_grains", "Orientations and phases of grains."),

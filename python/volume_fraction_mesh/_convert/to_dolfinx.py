@@ -7,10 +7,10 @@ from typing import Any, Dict, NamedTuple, Optional, Tuple
 
 import numpy as np
 
-from . import _core
-from ._data import MeshData
-from ._facets import neighbours
-from ._tables import LINEAR, core_arrays, core_fields, material_names
+from .. import _core
+from .._data import MeshData
+from .._facets import neighbours
+from .._tables import LINEAR, core_arrays, core_fields, material_names
 
 # By number of corners of an element, in the numbering of dolfinx: the corner of VTK, and for each
 # facet the side of VTK.
