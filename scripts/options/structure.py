@@ -39,6 +39,7 @@ FOLDERS = (
     ("Mesher/Levels", "The levels of a refined grid."),
     ("Mesher/Report", "Reports, faces and parts of a finished mesh."),
     ("Mesher/Report/Fragments", "The table of fragments."),
+    ("Mesher/Report/Gather", "A mesh as messages, and on one rank."),
     ("Mesher/Report/Sets", "Named surfaces, and pairs of periodic points."),
     ("Mesher/State/Transfer", "Transfer of state from cells to elements: "
                               "[state transfer](../theory/state-transfer.md)."),

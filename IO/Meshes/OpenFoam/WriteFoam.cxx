@@ -6,7 +6,7 @@
 #include "Meshes/OpenFoam/FoamFolder.h"
 #include "Meshes/Particles/GatherParticles.h"
 #include "Ranks/WorkTogether.h"
-#include "Report/GatherMesh.h"
+#include "Report/Gather/GatherMesh.h"
 
 #include <algorithm>
 #include <optional>

@@ -1,5 +1,7 @@
 #include "Smoothing/Hex/FlatEnergy.h"
 
+#include "Smoothing/Hex/FlatDiagonals.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,9 +1,9 @@
 /// Meshes of a plane: a layer of one cell with the option Flat.
-#include "Phases/FlatLayer.h"
 #include "Base/Vector3.h"
 #include "LabelInput.h"
 #include "Mesher.h"
 #include "Modify/FlattenMesh.h"
+#include "Phases/FlatLayer.h"
 #include "RankFields.h"
 #include "Smoothing/Hex/FlatColumns.h"
 #include "ThreadRanks.h"
@@ -256,7 +256,7 @@ void ExpectFacets(const Mesh& mesh)
 
 } // namespace
 
-TEST(FlatLayer, DiscHasItsAreaAndGoodQuads)
+TEST(FlatMesh, DiscHasItsAreaAndGoodQuads)
 {
   Runtime serial;
   const MesherResult result = RunMesher(MakeDiscInput(serial.Group()), FlatOptions(), serial);
@@ -274,7 +274,7 @@ TEST(FlatLayer, DiscHasItsAreaAndGoodQuads)
   }
 }
 
-TEST(FlatLayer, GrainsHaveTheirAreasAndGoodElements)
+TEST(FlatMesh, GrainsHaveTheirAreasAndGoodElements)
 {
   Runtime serial;
   for (unsigned seed = 1; seed <= 8; ++seed)
@@ -296,7 +296,7 @@ TEST(FlatLayer, GrainsHaveTheirAreasAndGoodElements)
   }
 }
 
-TEST(FlatLayer, LayersAlongAnyAxisAreMeshed)
+TEST(FlatMesh, LayersAlongAnyAxisAreMeshed)
 {
   Runtime serial;
   for (int axis = 0; axis < 3; ++axis)
@@ -311,7 +311,7 @@ TEST(FlatLayer, LayersAlongAnyAxisAreMeshed)
   }
 }
 
-TEST(FlatLayer, BitsDoNotDependOnRanksAndThreads)
+TEST(FlatMesh, BitsDoNotDependOnRanksAndThreads)
 {
   for (const ElementKind kind : { ElementKind::Hexes, ElementKind::Tets })
   {
@@ -330,7 +330,7 @@ TEST(FlatLayer, BitsDoNotDependOnRanksAndThreads)
   }
 }
 
-TEST(FlatLayer, VoidAndNoiseAreMeshed)
+TEST(FlatMesh, VoidAndNoiseAreMeshed)
 {
   Runtime serial;
   for (const ElementKind kind : { ElementKind::Hexes, ElementKind::Tets })
@@ -351,7 +351,7 @@ TEST(FlatLayer, VoidAndNoiseAreMeshed)
   }
 }
 
-TEST(FlatLayer, TrianglesOfUnmovedPointsAreHalvesOfCells)
+TEST(FlatMesh, TrianglesOfUnmovedPointsAreHalvesOfCells)
 {
   Runtime serial;
   for (const bool isStair : { false, true })
@@ -370,7 +370,7 @@ TEST(FlatLayer, TrianglesOfUnmovedPointsAreHalvesOfCells)
   }
 }
 
-TEST(FlatLayer, PeriodicSidesAreCopies)
+TEST(FlatMesh, PeriodicSidesAreCopies)
 {
   Runtime serial;
   MesherOptions options = FlatOptions();
@@ -395,7 +395,7 @@ TEST(FlatLayer, PeriodicSidesAreCopies)
   EXPECT_GT(copies, 40);
 }
 
-TEST(FlatLayer, InputThatDoesNotFitIsAnError)
+TEST(FlatMesh, InputThatDoesNotFitIsAnError)
 {
   const auto messageOf = [](const Index3& cells, const MesherOptions& options)
   {
