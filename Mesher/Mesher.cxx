@@ -21,10 +21,11 @@ namespace
 {
 
 Mesh MakeMesh(const MesherJob& job, const LevelFields& fields, const BodySurfaces* surfaces,
-  const MeshOptions& options, CellRuns* leftOut, int flatAxis, MeshReport& report)
+  const MeshOptions& options, CellRuns* leftOut, int flatAxis, bool areTriangles,
+  MeshReport& report)
 {
-  const MeshCells cells{ fields.Grid, fields.Field.Fractions, options, surfaces, leftOut,
-    flatAxis };
+  const MeshCells cells{ fields.Grid, fields.Field.Fractions, options, surfaces, leftOut, flatAxis,
+    areTriangles };
   Mesh mesh = MakeMeshOfCells(job.Options.Elements, cells, job.Run, report);
   if (report.RefusedParts > 0)
   {
@@ -60,10 +61,11 @@ MesherResult RunMesher(
   const PreparedCells prepared = PrepareCells(job, *cells);
   MesherResult result;
   const std::unique_ptr<const BodySurfaces> surfaces = PlaceSurfaces(job, *cells);
+  const bool areTriangles = given.Flat && given.Elements == ElementKind::Tets;
   const int flatAxis = given.Flat ? FindFlatAxis(*cells, prepared.Options) : -1;
   CellRuns* const runs = leftOut && !given.Flat && CanLeaveRuns(job, *cells) ? leftOut : nullptr;
-  result.TheMesh =
-    MakeMesh(job, cells->Fields, surfaces.get(), prepared.Options, runs, flatAxis, result.Report);
+  result.TheMesh = MakeMesh(job, cells->Fields, surfaces.get(), prepared.Options, runs, flatAxis,
+    areTriangles, result.Report);
   if (cells->Wide.IsUsed() && result.Report.DisplacedVolume.empty())
   {
     result.Report.DisplacedVolume = FindDisplacedVolumes(
@@ -78,7 +80,6 @@ MesherResult RunMesher(
   AddLayersAndJoin(job, *cells, result);
   if (given.Flat)
   {
-    const bool areTriangles = given.Elements == ElementKind::Tets;
     FlattenResult(job, flatAxis, areTriangles ? FlatElement::Triangle : FlatElement::Quad,
       cells->Fields.Grid, result);
   }

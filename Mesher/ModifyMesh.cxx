@@ -6,7 +6,7 @@
 #include "Modify/SplitInterfaces.h"
 #include "Options/SetOptions.h"
 #include "Ranks/WorkTogether.h"
-#include "Report/GatherMesh.h"
+#include "Report/Gather/GatherMesh.h"
 #include "Report/MeshMaterials.h"
 
 namespace vfm

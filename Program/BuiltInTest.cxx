@@ -8,7 +8,7 @@
 #include "Meshes/WriteMesh.h"
 #include "PrintSummary.h"
 #include "Ranks/WorkTogether.h"
-#include "Report/GatherMesh.h"
+#include "Report/Gather/GatherMesh.h"
 #include "State/ViewMesh.h"
 
 #include <algorithm>

@@ -10,6 +10,13 @@
 namespace vfm
 {
 
+/// Elements of a plane.
+enum class FlatElement
+{
+  Quad,
+  Triangle ///< two from each quad, by the diagonal that leaves the larger smallest angle
+};
+
 /// Returns whether a mesh has elements of a plane. They have the ids of hexes.
 inline bool IsFlat(const Mesh& mesh)
 {

@@ -23,6 +23,8 @@ struct MeshCells
   const BodySurfaces* Surfaces = nullptr; ///< of the fractions; null: they are not known
   CellRuns* Runs = nullptr; ///< receives hexes that the mesh leaves out; null: it has all hexes
   int FlatAxis = -1; ///< axis of one cell along which points are in straight columns; -1: none
+  /// Whether the hexes of these columns are to be divided into triangles.
+  bool AreTriangles = false;
 };
 
 /// Threads, ranks and report of a run. The referenced objects must outlive it.

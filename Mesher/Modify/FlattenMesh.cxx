@@ -2,6 +2,7 @@
 
 #include "Base/Vector3.h"
 #include "Elements/ElementFaces.h"
+#include "Elements/FlatPlane.h"
 #include "Elements/SelectPoints.h"
 #include "Octree/RefinedGrid.h"
 
@@ -117,30 +118,16 @@ void NumberInside(Mesh& mesh)
   }
 }
 
-/// Returns the largest cosine of the angles of a triangle, that of the smallest angle.
-double LargestCosine(const Mesh& mesh, const std::array<Index, 3>& corners)
-{
-  double largest = -1.0;
-  for (int c = 0; c < 3; ++c)
-  {
-    const Vector3 x = mesh.PointAt(corners[c]);
-    const Vector3 a = mesh.PointAt(corners[(c + 1) % 3]) - x;
-    const Vector3 b = mesh.PointAt(corners[(c + 2) % 3]) - x;
-    largest = std::max(largest, Dot(a, b) / std::sqrt(Dot(a, a) * Dot(b, b)));
-  }
-  return largest;
-}
-
 /// Returns whether the diagonal from corner 1 to corner 3 is better than that from 0 to 2.
-bool TakesSecond(const Mesh& mesh, const Index* q)
+bool TakesSecond(const FlatPlane& plane, const Mesh& mesh, const Index* q)
 {
-  const auto of = [&](int a, int b, int c) {
-    return LargestCosine(mesh, { { q[a], q[b], q[c] } });
-  };
-  const double first = std::max(of(0, 1, 2), of(0, 2, 3));
-  const double second = std::max(of(0, 1, 3), of(1, 2, 3));
-  return second != first ? second < first
-                         : std::min(q[1], q[3]) < std::min(q[0], q[2]); // ids ascend with numbers
+  std::array<FlatVector, 4> quad;
+  std::transform(q, q + QuadCorners, quad.begin(),
+    [&](Index point) { return plane.At(mesh.Points.data() + 3 * point); });
+  const std::array<double, 2> sines = SinesOfDiagonals(quad);
+  return sines[0] != sines[1]
+    ? sines[0] < sines[1]
+    : std::min(q[1], q[3]) < std::min(q[0], q[2]); // ids ascend with numbers
 }
 
 template <class T>
@@ -155,7 +142,7 @@ void Double(Buffer<T>& values)
 }
 
 /// Divides quads into triangles.
-void Divide(Runtime& runtime, Mesh& mesh)
+void Divide(const FlatPlane& plane, Runtime& runtime, Mesh& mesh)
 {
   const Index quads = static_cast<Index>(mesh.ElementIds.size());
   Buffer<Index> triangles(6 * quads);
@@ -164,7 +151,7 @@ void Divide(Runtime& runtime, Mesh& mesh)
     [&](Index e)
     {
       const Index* q = mesh.Elements.data() + QuadCorners * e;
-      isSecond[e] = TakesSecond(mesh, q);
+      isSecond[e] = TakesSecond(plane, mesh, q);
       const std::array<Index, 6> corners = isSecond[e]
         ? std::array<Index, 6>{ { q[0], q[1], q[3], q[1], q[2], q[3] } }
         : std::array<Index, 6>{ { q[0], q[1], q[2], q[0], q[2], q[3] } };
@@ -222,7 +209,7 @@ std::vector<Index> FlattenMesh(int axis, FlatElement kind, Runtime& runtime, Mes
   NumberInside(mesh);
   if (kind == FlatElement::Triangle)
   {
-    Divide(runtime, mesh);
+    Divide(FlatPlane(axis), runtime, mesh);
   }
   return kept;
 }

@@ -9,13 +9,6 @@
 namespace vfm
 {
 
-/// Elements of a plane.
-enum class FlatElement
-{
-  Quad,
-  Triangle ///< two from each quad, by the diagonal that leaves the larger smallest angle
-};
-
 /// Replaces hexes of a layer of one cell, prisms with straight columns of points (FlatColumns.h),
 /// by their lower faces, counterclockwise seen from above. Facets, curves and vertices of the mesh
 /// become those of the plane; there are no surfaces. Points inside fragments have the dimension 2.

@@ -18,6 +18,8 @@ namespace vfm
 namespace
 {
 
+constexpr double FlatTarget = 0.55; // s* of elements of a plane
+
 /// Returns whether hexes that never move can be left out of the mesh.
 bool LeavesRuns(const MeshCells& cells, const LabelledGrid& labelled, const MeshRun& run)
 {
@@ -30,15 +32,20 @@ bool LeavesRuns(const MeshCells& cells, const LabelledGrid& labelled, const Mesh
 
 HexMethod::HexMethod(const MeshCells& cells) : FlatAxis(cells.FlatAxis)
 {
-  const double target = TargetJacobian(cells.Options, cells.Fractions.NumberOfMaterials());
+  const MeshOptions& options = cells.Options;
   if (this->FlatAxis < 0)
   {
-    this->TheEnergy = std::make_unique<HexEnergy>(target);
+    this->TheEnergy =
+      std::make_unique<HexEnergy>(TargetJacobian(options, cells.Fractions.NumberOfMaterials()));
+    return;
   }
-  else
+  if (cells.AreTriangles)
   {
-    this->TheEnergy = std::make_unique<FlatEnergy>(target, this->FlatAxis);
+    this->Diagonals.emplace(this->FlatAxis);
   }
+  this->TheEnergy = std::make_unique<FlatEnergy>(
+    options.TargetScaledJacobian > 0.0 ? options.TargetScaledJacobian : FlatTarget, this->FlatAxis,
+    this->Diagonals ? &*this->Diagonals : nullptr);
 }
 
 /// The numbers of points and the fragments of cells are freed at the end.
@@ -55,8 +62,11 @@ Draft HexMethod::Make(const MeshCells& cells, MeshRun& run)
   }
   PointNumbering numbering(cells.Grid, labelled.Labels, cells.Options.MeshVoid,
     near || !coarse.Levels().IsUniform(), labelled.Narrow);
+  // Triangles need no layer of thin elements along interfaces.
   HexTopology topology = BuildHexes(cells.Grid, labelled.Labels, labelled.Mixed,
-    cells.Options.StairStep, numbering, run.TheRuntime, coarse, near ? &*near : nullptr);
+    cells.Options.StairStep || this->Diagonals, numbering, run.TheRuntime, coarse,
+    near ? &*near : nullptr);
+  topology.WholeCells = MovesPoints(cells.Options) ? 0 : topology.WholeCells;
   Mesh& mesh = topology.Hexes;
   mesh.Levels = labelled.Levels.Grid;
   run.Clock.Start("Finding fragments", 0.12);
@@ -141,6 +151,18 @@ void HexMethod::StartMoves(
   if (!HasCurvedEdges(cells.Options)) // bulges are measured by facets and ids
   {
     this->Packed.emplace(draft.Elements, draft.Facets);
+  }
+}
+
+/// Turns diagonals while the barrier grows; the last sweeps keep them.
+void HexMethod::AfterSweep(const SmoothingStage&, int, Smoother& smoother)
+{
+  if (this->Diagonals)
+  {
+    for (int point : this->Diagonals->Turn(this->Active))
+    {
+      smoother.MarkPoint(point);
+    }
   }
 }
 

@@ -6,6 +6,7 @@
 #include "Elements/Hex/LabelledGrid.h"
 #include "Phases/ElementMethod.h"
 #include "Smoothing/Hex/ActiveCorners.h"
+#include "Smoothing/Hex/FlatDiagonals.h"
 #include "Smoothing/Hex/HexEnergy.h"
 #include "Smoothing/Hex/PackedLists.h"
 
@@ -28,11 +29,13 @@ public:
   SmoothingRamp Ramp(const MeshCells& cells) const override;
   void StartMoves(const MeshCells& cells, const std::vector<FeatureKind>& kinds, MeshRun& run,
     Draft& draft) override;
+  void AfterSweep(const SmoothingStage& stage, int sweep, Smoother& smoother) override;
   void RestoreDraft(const MeshCells& cells, MeshRun& run, Draft& draft) override;
   void EndMoves(MeshRun& run, Draft& draft) override;
 
 private:
-  int FlatAxis; // MeshCells::FlatAxis
+  int FlatAxis;                           // MeshCells::FlatAxis
+  std::optional<FlatDiagonals> Diagonals; // of triangles
   std::unique_ptr<const ElementEnergy> TheEnergy;
   LabelledGrid Labelled;
   ActiveMesh Active;

@@ -94,16 +94,6 @@ void Smoother::NoteMoved(const std::vector<int>& points)
   this->AlignColumns();
 }
 
-/// Moves the upper points of columns after the lower ones.
-void Smoother::AlignColumns()
-{
-  this->Mesh.AlignColumns();
-  for (const auto& [lower, upper] : this->Mesh.Columns)
-  {
-    this->HasMoved[upper] |= this->HasMoved[lower];
-  }
-}
-
 void Smoother::MarkAll()
 {
   std::fill_n(this->Dirty.get(), this->Mesh.X.size(), 1);

@@ -152,7 +152,15 @@ private:
   void MarkNeighbours(int point);
   void MarkAll();
   void MarkReturned();
-  void AlignColumns();
+  /// Moves the upper points of columns after the lower ones.
+  void AlignColumns()
+  {
+    this->Mesh.AlignColumns();
+    for (const auto& [lower, upper] : this->Mesh.Columns)
+    {
+      this->HasMoved[upper] |= this->HasMoved[lower];
+    }
+  }
   void RunSweeps(const SmoothingStage& stage, const std::function<void(double)>& report);
 
   ActiveMesh& Mesh;

@@ -36,8 +36,8 @@ constexpr VolumeRules InRounds{ { 0.5 * VolumeTolerance, 3.0 }, { 0.5 * Fragment
 // A fragment that cannot move would pull its neighbours off their targets.
 constexpr VolumeRules InMoves{ { 0.5 * FinalTolerance, 3.0 }, { 0.5 * FinalTolerance, 3.0 },
   false };
-constexpr int Moves = 20;
-constexpr int FewestMoves = 4; // if small fragments are off
+constexpr int Moves = 20, FlatMoves = 60; // of meshes of a plane, which are small
+constexpr int FewestMoves = 4;            // if small fragments are off
 // Moves end once the error was not within this part of the least one this many times in turn.
 constexpr double PartThatCounts = 0.9;
 constexpr int IdleMoves = 3;
@@ -202,7 +202,8 @@ void VolumeCorrection::MoveSurfaces()
   FragmentVolumes& volumes = this->Volumes;
   volumes.ForgetRequests(); // sweeps tell nothing about moves along normals
   double least = std::numeric_limits<double>::infinity();
-  for (int move = 0, idle = 0; move < Moves && idle < IdleMoves; ++move)
+  const int moves = this->Active().Columns.empty() ? Moves : FlatMoves;
+  for (int move = 0, idle = 0; move < moves && idle < IdleMoves; ++move)
   {
     const double error = volumes.WorstError();
     const bool isOff = error > FinalTolerance ||

@@ -45,7 +45,7 @@ def solve(points, cells, material, fixed):
     """
     import skfem
     from skfem.helpers import dot, grad
-    from volume_fraction_mesh._skfem import HEX_ORDER
+    from volume_fraction_mesh._convert.to_skfem import HEX_ORDER
 
     tets = np.shape(cells)[1] == 4
     made = (skfem.MeshTet if tets else skfem.MeshHex)(

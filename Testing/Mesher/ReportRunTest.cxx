@@ -3,7 +3,7 @@
 
 #include "ModifyMesh.h"
 #include "Parts/PartCases.h"
-#include "Report/GatherMesh.h"
+#include "Report/Gather/GatherMesh.h"
 #include "Report/MeshFacets.h"
 #include "State/ViewMesh.h"
 #include "SurfaceRuns.h"

@@ -12,10 +12,9 @@ GRID = RANKS + tuple("Grid/" + module for module in (
     "Base", "Surfaces", "Fractions", "Octree", "Labels"))
 MODULES = tuple("Mesher/" + module for module in (
     "Elements", "Elements/Hex", "Elements/Tet", "Interface", "SharpFeatures", "GivenSurfaces",
-    "Geometry",
-    "Smoothing", "Smoothing/Hex", "Smoothing/Tet", "Volumes", "Options", "TetGen", "Input",
-    "Materials", "Levels", "Report", "Report/Sets", "Report/Fragments", "State/Transfer", "State",
-    "Modify", "Phases"))
+    "Geometry", "Smoothing", "Smoothing/Hex", "Smoothing/Tet", "Volumes", "Options", "TetGen",
+    "Input", "Materials", "Levels", "Report", "Report/Gather", "Report/Sets", "Report/Fragments",
+    "State/Transfer", "State", "Modify", "Phases"))
 MESHER = MODULES + ("Mesher",)
 IN_MODULES = frozenset(GRID + MODULES)
 BASE = RANKS + ("Grid/Base",)
@@ -97,8 +96,8 @@ UNTESTED = "Testing/Structure/untested_sources.txt"
 HIGH_TESTS = frozenset("Testing/%sTest.cxx" % name for name in (
     "Grid/Base/PagedArray", "Grid/Fractions/CellDivision", "Grid/Labels/NarrowVoid",
     "Grid/Labels/SmallLabels", "Mesher/Modify/SecondOrderAccuracy",
-    "Mesher/Report/GatherMesh", "Mesher/Report/MeshFacets", "Mesher/Report/PeriodicFragments",
-    "Mesher/Report/Sets/NamedSurfaces", "Mesher/Smoothing/AttachFeatures",
+    "Mesher/Report/Gather/GatherMesh", "Mesher/Report/MeshFacets",
+    "Mesher/Report/PeriodicFragments", "Mesher/Report/Sets/NamedSurfaces", "Mesher/Smoothing/AttachFeatures",
     "Mesher/Volumes/FreeFragments", "Mesher/Volumes/LeafVolumes"))
 PACKAGE = "python/volume_fraction_mesh"
 # Headers that users of the installed package include, and the list of the installed headers.

@@ -11,7 +11,7 @@ Cartesian and AMR grids.
 from ._call import Run
 from ._core import Blocks, Bodies, has_tetgen
 from ._core import version as __version__
-from ._dolfinx import DolfinxMesh
+from ._convert.to_dolfinx import DolfinxMesh
 from ._facets import Facets, Separated
 from ._fragments import fragments
 from ._geometry import Curves, Geometry, Surfaces, Vertices

@@ -7,7 +7,8 @@ import warnings
 from importlib.util import find_spec
 from typing import Any, Optional
 
-from . import _core, _meshio, _npz, _pyvista, _vtk
+from . import _core, _npz, _vtk
+from ._convert import to_meshio, to_pyvista
 from ._data import MeshData
 from ._output import whole_file
 from ._tables import core_arrays, core_fields, core_particles
@@ -33,7 +34,7 @@ def save(mesh: MeshData, path: Any, **options: Any) -> None:
             with open(unfinished, "wb") as file:
                 BY_PACKAGE[suffix](mesh, file, **options)
         elif suffix == ".vtp":
-            _pyvista.convert(mesh, "surfaces").save(unfinished, **options)
+            to_pyvista.convert(mesh, "surfaces").save(unfinished, **options)
         else:
             _save_by_meshio(mesh, unfinished, suffix, **options)
         if mesh.particles and suffix != ".npz":
@@ -92,4 +93,4 @@ def _write(mesh: MeshData, path: str, time: Optional[float] = None, texts: bool 
 def _save_by_meshio(mesh: MeshData, path: str, suffix: str, **options: Any) -> None:
     import meshio
 
-    meshio.write(path, _meshio.convert(mesh, False), **options)
+    meshio.write(path, to_meshio.convert(mesh, False), **options)

@@ -7,7 +7,7 @@ from typing import Any, Dict, List, Mapping, Tuple
 import numpy as np
 
 from ._data import MeshData
-from ._pyvista import all_nodes, cell_arrays, point_arrays
+from ._convert.to_pyvista import all_nodes, cell_arrays, point_arrays
 
 PARTICLES = {"Position": np.float64, "Id": np.int64, "Material": np.int32, "Radius": np.float64,
              "Volume": np.float64, "Mass": np.float64}

@@ -8,7 +8,7 @@ from urllib.parse import quote
 import numpy as np
 
 from ._data import MeshData
-from ._pyvista import TYPES as CELL_TYPES, all_nodes, cell_arrays, point_arrays
+from ._convert.to_pyvista import TYPES as CELL_TYPES, all_nodes, cell_arrays, point_arrays
 from ._tables import material_tags
 
 TYPES = {"f4": "float", "f8": "double", "i1": "char", "u1": "unsigned_char", "i2": "short",

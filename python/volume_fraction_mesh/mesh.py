@@ -7,10 +7,10 @@ from typing import Any, Dict, Literal, Optional, Sequence, TYPE_CHECKING, Tuple,
 
 import numpy as np
 
-from . import (_core, _dolfinx, _facets, _flat, _meshio, _modify, _periodic, _plot, _pyvista, _report,
-               _save, _skfem, _split)
+from . import _core, _facets, _flat, _modify, _periodic, _report, _save, _split
+from ._convert import plot, to_dolfinx, to_meshio, to_pyvista, to_skfem
+from ._convert.to_dolfinx import DolfinxMesh
 from ._data import MeshData
-from ._dolfinx import DolfinxMesh
 from ._facets import Facets, Separated
 from ._split import Cohesive
 from ._tables import core_fields, core_mesh
@@ -367,7 +367,7 @@ class Mesh(MeshData):
         >>> mesh.p.shape, mesh.t.shape
         ((3, 27), (8, 8))
         """
-        return _skfem.convert(self)
+        return to_skfem.convert(self)
 
     def to_dolfinx(self, comm: Any) -> DolfinxMesh:
         """Convert the mesh to dolfinx, with tags of materials and named surfaces.
@@ -404,7 +404,7 @@ class Mesh(MeshData):
         >>> facets.find(surfaces["x_min"]).size  # doctest: +SKIP
         4
         """
-        return _dolfinx.convert(self, comm)
+        return to_dolfinx.convert(self, comm)
 
     def plot(self, array: str = "MaterialId", clip: Optional[str] = None, path: Any = None,
              **options: Any) -> None:
@@ -438,7 +438,7 @@ class Mesh(MeshData):
         >>> mesh = vfm.hexes(vfm.shapes("sphere radius=4 center=6,6,6", 12))
         >>> mesh.plot("ScaledJacobian", clip="x", path="ball.png")
         """
-        _plot.plot(self, array, clip, path, **options)
+        plot.plot(self, array, clip, path, **options)
 
     def to_pyvista(self, part: str = "mesh") -> pyvista.DataSet:
         """Convert the mesh, a part of its geometry, or the particles to PyVista.
@@ -470,7 +470,7 @@ class Mesh(MeshData):
         >>> mesh.to_pyvista("surfaces").cell_data.keys()
         ['SurfaceId', 'MaterialPair', 'DomainSide']
         """
-        return _pyvista.convert(self, part)
+        return to_pyvista.convert(self, part)
 
     def to_meshio(self, blocks: bool = False) -> meshio.Mesh:
         """Convert the mesh with its arrays to meshio.
@@ -497,7 +497,7 @@ class Mesh(MeshData):
         >>> list(mesh.to_meshio().cell_sets)
         ['ball']
         """
-        return _meshio.convert(self, blocks)
+        return to_meshio.convert(self, blocks)
 
     def save(self, path: Any, **options: Any) -> None:
         """Write the mesh to a file. The ending of its name selects the format.

@@ -14,9 +14,10 @@ from options.table import allowed, label, put, read
 
 PAGE = "Documentation/reference/options.md"
 COMMAND_LINE = "Documentation/user/command-line.md"
-FILES = ["VolumeFractionInput.xml", "VolumeFractionSurface.xml", "VolumeFractionMesh.xml",
-         "VolumeFractionToTet.xml", "VolumeFractionFragments.xml", "VolumeFractionInterfaces.xml",
-         "VolumeFractionShapes.xml", "VolumeFractionReaders.xml", "VolumeFractionWriters.xml"]
+FILES = ["VolumeFractionInput.xml", "VolumeFractionState.xml", "VolumeFractionSurface.xml",
+         "VolumeFractionMesh.xml", "VolumeFractionToTet.xml", "VolumeFractionFragments.xml",
+         "VolumeFractionInterfaces.xml", "VolumeFractionShapes.xml", "VolumeFractionReaders.xml",
+         "VolumeFractionWriters.xml"]
 MESHERS = ("VolumeFractionToHex", "VolumeFractionToTet")
 
 # Properties of the meshers that are not in the table of options, by the group that they begin.

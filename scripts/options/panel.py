@@ -42,8 +42,9 @@ AFTER = {"CellWidth": ("CellCount", """\
         </Documentation>
       </StringVectorProperty>
 """)}
-INPUT_GROUPS = ("Materials", "State", "State kinds (array=kind)")
-SURFACE_GROUPS = ("Surface", "Refinement")
+# Groups of the files that come before VolumeFractionMesh.xml.
+PARTS = {"Input": ("Materials",), "State": ("State", "State kinds (array=kind)"),
+         "Surface": ("Surface", "Refinement")}
 LONGEST_SLIDER = 1000  # a longer range has no slider
 WIDTH = 100
 BOX = ("x from", "y from", "z from", "x to", "y to", "z to", "halvings")
@@ -229,13 +230,16 @@ def write_part(text, table, rows, overrides=()):
 def files(table):
     """Returns, for each generated file, a function that updates its text."""
     hexes = common(table)
-    inputs = [row for row in hexes if row["group"] in INPUT_GROUPS]
-    surfaces = [row for row in hexes if row["group"] in SURFACE_GROUPS]
-    others = [row for row in hexes if row["group"] not in INPUT_GROUPS + SURFACE_GROUPS]
     overrides = [row for row in hexes if row["text_of_tets"]]
-    return {"Plugin/VolumeFractionInput.xml": lambda text: write_part(text, table, inputs),
-            "Plugin/VolumeFractionSurface.xml": lambda text: write_part(text, table, surfaces),
-            "Plugin/VolumeFractionMesh.xml": lambda text: write_part(text, table, others),
+
+    def of_groups(names):
+        rows = [row for row in hexes if row["group"] in names]
+        return lambda text: write_part(text, table, rows)
+
+    rest = {row["group"] for row in hexes} - {name for part in PARTS.values() for name in part}
+    return {**{"Plugin/VolumeFraction%s.xml" % part: of_groups(names)
+               for part, names in PARTS.items()},
+            "Plugin/VolumeFractionMesh.xml": of_groups(rest),
             "Plugin/VolumeFractionInterfaces.xml":
                 lambda text: write_part(text, table, of_interfaces(table)),
             "Plugin/VolumeFractionToTet.xml":

@@ -39,6 +39,7 @@ FOLDERS = (
     ("Mesher/Levels", "The levels of a refined grid."),
     ("Mesher/Report", "Reports, faces and parts of a finished mesh."),
     ("Mesher/Report/Fragments", "The table of fragments."),
+    ("Mesher/Report/Gather", "A mesh as messages, and on one rank."),
     ("Mesher/Report/Sets", "Named surfaces, and pairs of periodic points."),
     ("Mesher/State/Transfer", "Transfer of state from cells to elements: "
                               "[state transfer](../theory/state-transfer.md)."),
@@ -82,6 +83,7 @@ FOLDERS = (
     ("Plugin/Domains", "Domains of the plugin's properties."),
     ("python/src", "The compiled module of the Python package."),
     ("python/volume_fraction_mesh", "The Python package."),
+    ("python/volume_fraction_mesh/_convert", "Meshes as objects of other packages."),
     ("python/volume_fraction_mesh/_readers", "Readers of files for `_read.py`."),
     ("python/volume_fraction_mesh/_plugins", "Plugins of other packages, which import them."),
     ("python/volume_fraction_mesh/_grains", "Orientations and phases of grains."),

@@ -3,7 +3,7 @@
 #include "Base/ParseText.h"
 #include "Meshes/Particles/GatherParticles.h"
 #include "Ranks/Agreement.h"
-#include "Report/GatherMesh.h"
+#include "Report/Gather/GatherMesh.h"
 
 #include <algorithm>
 #include <functional>

@@ -5,7 +5,7 @@
 #include "Meshes/Files/OutputSet.h"
 #include "Meshes/Particles/GatherParticles.h"
 #include "Ranks/WorkTogether.h"
-#include "Report/GatherMesh.h"
+#include "Report/Gather/GatherMesh.h"
 
 namespace vfm
 {

@@ -2,7 +2,7 @@
 
 #include "Meshes/Particles/GatherParticles.h"
 #include "Ranks/WorkTogether.h"
-#include "Report/GatherMesh.h"
+#include "Report/Gather/GatherMesh.h"
 
 namespace vfm
 {

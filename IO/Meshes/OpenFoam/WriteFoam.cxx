@@ -7,7 +7,7 @@
 #include "Meshes/Particles/GatherParticles.h"
 #include "Ranks/WorkTogether.h"
 #include "Report/FlatData.h"
-#include "Report/GatherMesh.h"
+#include "Report/Gather/GatherMesh.h"
 
 #include <algorithm>
 #include <optional>

@@ -3,7 +3,7 @@
 #include "Meshes/Files/MeshModel.h"
 #include "Ranks/Agreement.h"
 #include "Ranks/NumberKeys.h"
-#include "Report/GatherMesh.h"
+#include "Report/Gather/GatherMesh.h"
 
 #include <algorithm>
 #include <numeric>

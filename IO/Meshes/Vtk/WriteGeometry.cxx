@@ -5,7 +5,7 @@
 #include "Meshes/Vtk/VtuText.h"
 #include "Meshes/Vtk/WriteVtp.h"
 #include "Ranks/WorkTogether.h"
-#include "Report/GatherGeometry.h"
+#include "Report/Gather/GatherGeometry.h"
 
 #include <filesystem>
 

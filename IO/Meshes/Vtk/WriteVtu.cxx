@@ -7,7 +7,7 @@
 #include "Ranks/Agreement.h"
 #include "Report/FlatData.h"
 #include "Report/FragmentTargets.h"
-#include "Report/GatherMesh.h"
+#include "Report/Gather/GatherMesh.h"
 
 #include <filesystem>
 

@@ -8,9 +8,9 @@
 #include "Report/FragmentWays.h"
 #include "Report/Fragments/FragmentPairs.h"
 #include "Report/Fragments/PeriodicPieces.h"
-#include "Report/GatherMesh.h"
+#include "Report/Gather/GatherMesh.h"
+#include "Report/Gather/PackMesh.h"
 #include "Report/MeshMaterials.h"
-#include "Report/PackMesh.h"
 
 #include <limits>
 #include <map>

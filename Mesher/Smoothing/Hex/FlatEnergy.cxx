@@ -11,57 +11,68 @@ namespace
 {
 
 constexpr double SmallestDeterminant = 1e-9; // smallest determinant of a corner, in cell areas
-// Smallest determinants, in cell areas, of all quads and of those of which only some points went
-// back.
-constexpr double LeastOfQuads = 1e-6, LeastOfMixed = 0.01;
+// Smallest determinants, in cell areas, of all elements and of those of which only some points
+// went back.
+constexpr double LeastOfAll = 1e-6, LeastOfMixed = 0.01;
 constexpr double ShortestEdge = 0.15; // l*, in cell widths
 
-/// A vector of the plane.
-struct Flat
+/// A quad or triangle at a point: its edges from the point, and the far ends of the edges that
+/// follow them.
+struct PartAtPoint
 {
-  double U, V;
-};
-
-Flat operator-(const Flat& a, const Flat& b)
-{
-  return { a.U - b.U, a.V - b.V };
-}
-
-double Dot(const Flat& a, const Flat& b)
-{
-  return a.U * b.U + a.V * b.V;
-}
-
-double Cross(const Flat& a, const Flat& b)
-{
-  return a.U * b.V - a.V * b.U;
-}
-
-/// The axes of the plane, so that they and the axis of the columns are right-handed.
-struct Plane
-{
-  explicit Plane(int axis) : Axis(axis), U((axis + 1) % 3), V((axis + 2) % 3) {}
-  Flat At(const Vector3& x) const { return { x[this->U], x[this->V] }; }
-  int Axis, U, V;
-};
-
-/// A quad at a point: its edges from the point along U and V, and its diagonal.
-struct QuadAtPoint
-{
-  Flat Arm[2], Diagonal;
+  FlatVector Arm[2], Far[2];
   double Sign;     ///< of the determinant of the arms
-  double Scale[2]; ///< 1 / width^2 of the cell
-  double Edge[2];  ///< (l* width)^2
+  double Scale[2]; ///< 1 / length^2 of each arm in the cell
+  double Edge[2];  ///< (l* length)^2
   double Area;     ///< of the cell
   double Target;   ///< s*^2
 };
 
-/// Calls visit(quad) for the quads at a point that would be at x.
-template <class Visit>
-VFM_INLINE void ForQuads(const ActiveMesh& mesh, const Plane& plane, int point, const Vector3& x,
-  double target, const Visit& visit)
+/// Returns the part of the sine of 45 degrees that the angles of a divided cell have.
+double SineOfDivided(double wide, double high)
 {
-  const Flat here = plane.At(x);
+  return std::sqrt(2.0 / (wide * wide + high * high)) * std::min(wide, high);
+}
+
+/// Calls visit(part) for the triangles of a divided quad that have its corner.
+template <class Visit>
+VFM_INLINE void ForTriangles(const PartAtPoint& quad, bool isOnDiagonal, const Visit& visit)
+{
+  const FlatVector &first = quad.Arm[0], &last = quad.Arm[1], &diagonal = quad.Far[0];
+  PartAtPoint part = quad;
+  const auto visitArms = [&](const FlatVector& a, const FlatVector& b)
+  {
+    part.Arm[0] = part.Far[1] = a;
+    part.Arm[1] = part.Far[0] = b;
+    visit(part);
+  };
+  if (isOnDiagonal)
+  {
+    visitArms(first, diagonal);
+    visitArms(diagonal, last);
+  }
+  else
+  {
+    visitArms(first, last);
+  }
+}
+
+/// Elements of a layer, of which the lower points are read.
+struct Layer
+{
+  const ActiveMesh& Mesh;
+  FlatPlane Plane;
+  const FlatDiagonals* Diagonals; ///< null: quads
+  double Target;                  ///< s*
+};
+
+/// Calls visit(part) for the elements at a point that would be at x.
+template <class Visit>
+VFM_INLINE void ForParts(const Layer& layer, int point, const Vector3& x, const Visit& visit)
+{
+  const ActiveMesh& mesh = layer.Mesh;
+  const FlatPlane& plane = layer.Plane;
+  const FlatVector here = plane.At(x);
   for (CornerPosition at = mesh.CornerOffset[point]; at < mesh.CornerOffset[point + 1]; ++at)
   {
     const CornerPosition position = mesh.CornerList[at];
@@ -69,38 +80,54 @@ VFM_INLINE void ForQuads(const ActiveMesh& mesh, const Plane& plane, int point, 
     const int* points = mesh.Elements.data() + (position & ~CornerPosition(7));
     const auto to = [&](int other) { return plane.At(mesh.X[points[other]]) - here; };
     const Vector3& widths = mesh.WidthsAt(position);
-    const double wide = widths[plane.U], high = widths[plane.V];
-    const double demand = mesh.DemandAt(position);
-    visit(QuadAtPoint{ { to(corner ^ u), to(corner ^ v) }, to(corner ^ u ^ v),
-      std::popcount(static_cast<unsigned>(corner)) % 2 == 0 ? 1.0 : -1.0,
-      { 1.0 / (wide * wide), 1.0 / (high * high) },
-      { ShortestEdge * wide * ShortestEdge * wide, ShortestEdge * high * ShortestEdge * high },
-      wide * high, target * target * demand * demand });
+    const double wide = widths[plane.U], high = widths[plane.V], area = wide * high;
+    const double target = layer.Target * mesh.DemandAt(position);
+    const double sign = std::popcount(static_cast<unsigned>(corner)) % 2 == 0 ? 1.0 : -1.0;
+    const FlatVector far = to(corner ^ u ^ v);
+    PartAtPoint quad{ { to(corner ^ u), to(corner ^ v) }, { far, far }, sign, {}, {}, area,
+      target * target };
+    if (!layer.Diagonals)
+    {
+      for (int k = 0; k < 2; ++k)
+      {
+        const double square = k == 0 ? wide * wide : high * high;
+        quad.Scale[k] = 1.0 / square;
+        quad.Edge[k] = ShortestEdge * ShortestEdge * square;
+      }
+      visit(quad);
+      continue;
+    }
+    const double part = SineOfDivided(wide, high);
+    quad.Target *= part * part;
+    quad.Scale[0] = quad.Scale[1] = 1.0 / area;
+    quad.Edge[0] = quad.Edge[1] = ShortestEdge * ShortestEdge * area;
+    const bool isEven = sign > 0.0;
+    ForTriangles(quad, layer.Diagonals->IsTurned(mesh.ElementAt(position)) != isEven, visit);
   }
 }
 
-/// A corner of a quad as a function of the point.
+/// A corner of an element as a function of the point.
 struct Corner
 {
-  Flat Arm[2]; ///< from the point to the far ends of the edges that move with it; else 0
-  double L[2]; ///< squared lengths of the edges along U and V
-  double D;    ///< determinant
-  Flat GradD;  ///< its gradient
+  FlatVector Arm[2]; ///< from the point to the far ends of the edges that move with it; else 0
+  double L[2];       ///< squared lengths of the edges along U and V
+  double D;          ///< determinant
+  FlatVector GradD;  ///< its gradient
   bool Moves[2];
 };
 
-VFM_INLINE Corner OwnCorner(const QuadAtPoint& q)
+VFM_INLINE Corner OwnCorner(const PartAtPoint& q)
 {
-  const Flat &a = q.Arm[0], &b = q.Arm[1];
+  const FlatVector &a = q.Arm[0], &b = q.Arm[1];
   return { { a, b }, { Dot(a, a), Dot(b, b) }, q.Sign * Cross(a, b),
     { q.Sign * (a.V - b.V), q.Sign * (b.U - a.U) }, { true, true } };
 }
 
 /// Returns the corner at the far end of arm k.
-VFM_INLINE Corner EndCorner(const QuadAtPoint& q, int k)
+VFM_INLINE Corner EndCorner(const PartAtPoint& q, int k)
 {
-  const Flat& arm = q.Arm[k];
-  const Flat side = q.Diagonal - arm;
+  const FlatVector& arm = q.Arm[k];
+  const FlatVector side = q.Far[k] - arm;
   const double sign = k == 0 ? q.Sign : -q.Sign;
   Corner c{};
   c.Arm[k] = arm;
@@ -126,7 +153,7 @@ struct Terms
   double Jacobian, Shape;
 };
 
-VFM_INLINE Terms ComputeTerms(const Corner& c, const QuadAtPoint& q, const SmoothingStage& stage)
+VFM_INLINE Terms ComputeTerms(const Corner& c, const PartAtPoint& q, const SmoothingStage& stage)
 {
   const double inverse = 1.0 / c.D;
   return { Power(q.Target * c.L[0] * c.L[1] * (inverse * inverse), stage.HalfPower),
@@ -134,7 +161,7 @@ VFM_INLINE Terms ComputeTerms(const Corner& c, const QuadAtPoint& q, const Smoot
 }
 
 /// Returns the edge terms of both ends of arm k.
-VFM_INLINE double ComputeEdge(const QuadAtPoint& q, double length, int k)
+VFM_INLINE double ComputeEdge(const PartAtPoint& q, double length, int k)
 {
   const double shortness = q.Edge[k] / length, square = shortness * shortness;
   return 2.0 * square * square;
@@ -145,7 +172,7 @@ struct Sums
 {
   double Value = 0.0, U = 0.0, V = 0.0, UU = 0.0, VV = 0.0, UV = 0.0, Steepest = 0.0;
 
-  VFM_INLINE void AddOuter(double factor, const Flat& a)
+  VFM_INLINE void AddOuter(double factor, const FlatVector& a)
   {
     this->UU += factor * a.U * a.U;
     this->VV += factor * a.V * a.V;
@@ -153,7 +180,7 @@ struct Sums
   }
   /// Adds a term E of which ln E has this gradient; its Hessian, except for a multiple of 1 and
   /// outer products that the caller adds, is E g g^T.
-  VFM_INLINE void AddTerm(double e, const Flat& g, double unit)
+  VFM_INLINE void AddTerm(double e, const FlatVector& g, double unit)
   {
     this->U += e * g.U;
     this->V += e * g.V;
@@ -165,24 +192,24 @@ struct Sums
 
 // ln J = m (ln l0 + ln l1 - 2 ln D), ln S = ln W - ln D; grad l = -2 arm, grad^2 l = 2.
 VFM_INLINE void AddCorner(
-  const Corner& c, const QuadAtPoint& q, const SmoothingStage& stage, Sums& sums)
+  const Corner& c, const PartAtPoint& q, const SmoothingStage& stage, Sums& sums)
 {
   const Terms t = ComputeTerms(c, q, stage);
   const double m = stage.HalfPower, inverse = 1.0 / c.D;
-  const Flat n{ inverse * c.GradD.U, inverse * c.GradD.V };
+  const FlatVector n{ inverse * c.GradD.U, inverse * c.GradD.V };
   const double w = c.L[0] * q.Scale[0] + c.L[1] * q.Scale[1];
-  Flat jacobian{ -2.0 * m * n.U, -2.0 * m * n.V }, gradW{ 0.0, 0.0 };
+  FlatVector jacobian{ -2.0 * m * n.U, -2.0 * m * n.V }, gradW{ 0.0, 0.0 };
   double unitJ = 0.0, unitS = 0.0;
   for (int k = 0; k < 2; ++k)
   {
     if (c.Moves[k])
     {
       const double per = 2.0 / c.L[k];
-      jacobian = jacobian - Flat{ m * per * c.Arm[k].U, m * per * c.Arm[k].V };
+      jacobian = jacobian - FlatVector{ m * per * c.Arm[k].U, m * per * c.Arm[k].V };
       unitJ += m * per;
       sums.AddOuter(-t.Jacobian * m * per * per, c.Arm[k]);
       const double scale = 2.0 * q.Scale[k] / w;
-      gradW = gradW - Flat{ scale * c.Arm[k].U, scale * c.Arm[k].V };
+      gradW = gradW - FlatVector{ scale * c.Arm[k].U, scale * c.Arm[k].V };
       unitS += scale;
     }
   }
@@ -195,7 +222,7 @@ VFM_INLINE void AddCorner(
   sums.Steepest = std::max(sums.Steepest, Dot(n, n));
 }
 
-VFM_INLINE void AddEdge(const QuadAtPoint& q, int k, Sums& sums)
+VFM_INLINE void AddEdge(const PartAtPoint& q, int k, Sums& sums)
 {
   const double length = Dot(q.Arm[k], q.Arm[k]), e = ComputeEdge(q, length, k);
   const double per = 8.0 / length;
@@ -208,13 +235,12 @@ VFM_INLINE void AddEdge(const QuadAtPoint& q, int k, Sums& sums)
 }
 
 VFM_CLONES
-double EvaluateQuads(const ActiveMesh& mesh, const Plane& plane, int point, const Vector3& x,
-  double target, const SmoothingStage& stage)
+double EvaluateParts(const Layer& layer, int point, const Vector3& x, const SmoothingStage& stage)
 {
   double value = 0.0;
   bool isValid = true;
-  ForQuads(mesh, plane, point, x, target,
-    [&](const QuadAtPoint& q)
+  ForParts(layer, point, x,
+    [&](const PartAtPoint& q)
     {
       for (const Corner& c : { OwnCorner(q), EndCorner(q, 0), EndCorner(q, 1) })
       {
@@ -231,12 +257,11 @@ double EvaluateQuads(const ActiveMesh& mesh, const Plane& plane, int point, cons
 }
 
 VFM_CLONES
-Sums DifferentiateQuads(
-  const ActiveMesh& mesh, const Plane& plane, int point, double target, const SmoothingStage& stage)
+Sums DifferentiateParts(const Layer& layer, int point, const SmoothingStage& stage)
 {
   Sums sums;
-  ForQuads(mesh, plane, point, mesh.X[point], target,
-    [&](const QuadAtPoint& q)
+  ForParts(layer, point, layer.Mesh.X[point],
+    [&](const PartAtPoint& q)
     {
       AddCorner(OwnCorner(q), q, stage, sums);
       for (int k = 0; k < 2; ++k)
@@ -248,13 +273,12 @@ Sums DifferentiateQuads(
   return sums;
 }
 
-/// Returns the smallest determinant of the quads at a point that depends on it, in cell areas.
-VFM_INLINE double SmallestAt(
-  const ActiveMesh& mesh, const Plane& plane, int point, const Vector3& x)
+/// Returns the smallest determinant of the elements at a point that depends on it, in cell areas.
+VFM_INLINE double SmallestAt(const Layer& layer, int point, const Vector3& x)
 {
   double smallest = std::numeric_limits<double>::infinity();
-  ForQuads(mesh, plane, point, x, 1.0,
-    [&](const QuadAtPoint& q)
+  ForParts(layer, point, x,
+    [&](const PartAtPoint& q)
     {
       for (const Corner& c : { OwnCorner(q), EndCorner(q, 0), EndCorner(q, 1) })
       {
@@ -264,21 +288,23 @@ VFM_INLINE double SmallestAt(
   return smallest;
 }
 
-/// Returns the smallest determinant of the quad below a hex, in cell areas.
-/// @param first  position of the hex
-double SmallestOfQuad(const ActiveMesh& mesh, const Plane& plane, Index first)
+/// Returns the smallest determinant of the elements below a hex, in cell areas.
+double SmallestOfHex(const Layer& layer, Index hex)
 {
-  const int u = 1 << plane.U, v = 1 << plane.V;
-  const int* points = mesh.Elements.data() + first;
-  const Flat x[4] = { plane.At(mesh.X[points[0]]), plane.At(mesh.X[points[u]]),
-    plane.At(mesh.X[points[u ^ v]]), plane.At(mesh.X[points[v]]) };
-  const Vector3& widths = mesh.WidthsAt(static_cast<CornerPosition>(first));
-  double smallest = std::numeric_limits<double>::infinity();
+  const std::array<FlatVector, 4> x = LowerQuad(layer.Mesh, layer.Plane, hex);
+  const Vector3& widths = layer.Mesh.WidthsAt(static_cast<CornerPosition>(8 * hex));
+  // The determinant at each corner is that of a triangle of one of both diagonals.
+  double ofCorner[4];
   for (int c = 0; c < 4; ++c)
   {
-    smallest = std::min(smallest, Cross(x[(c + 1) % 4] - x[c], x[(c + 3) % 4] - x[c]));
+    ofCorner[c] = Cross(x[(c + 1) % 4] - x[c], x[(c + 3) % 4] - x[c]);
   }
-  return smallest / (widths[plane.U] * widths[plane.V]);
+  const double first = std::min(ofCorner[1], ofCorner[3]), // of the diagonal from 0 to 2
+    second = std::min(ofCorner[0], ofCorner[2]);
+  const double smallest = !layer.Diagonals ? std::min(first, second)
+    : layer.Diagonals->IsTurned(hex)       ? second
+                                           : first;
+  return smallest / (widths[layer.Plane.U] * widths[layer.Plane.V]);
 }
 
 /// Returns whether some lower active points of a hex went back, but not all.
@@ -299,14 +325,15 @@ bool IsMixed(const ActiveMesh& mesh, const std::vector<unsigned char>& returned,
 double FlatEnergy::Evaluate(
   const ActiveMesh& mesh, int point, const Vector3& x, const SmoothingStage& stage) const
 {
-  return EvaluateQuads(mesh, Plane(this->Axis), point, x, this->Target, stage);
+  return EvaluateParts({ mesh, this->Plane, this->Diagonals, this->Target }, point, x, stage);
 }
 
 Derivatives FlatEnergy::Differentiate(
   const ActiveMesh& mesh, int point, const SmoothingStage& stage) const
 {
-  const Plane plane(this->Axis);
-  const Sums sums = DifferentiateQuads(mesh, plane, point, this->Target, stage);
+  const FlatPlane& plane = this->Plane;
+  const Sums sums =
+    DifferentiateParts({ mesh, plane, this->Diagonals, this->Target }, point, stage);
   Derivatives d;
   d.Value = sums.Value;
   d.Gradient[plane.U] = sums.U;
@@ -322,14 +349,14 @@ Derivatives FlatEnergy::Differentiate(
 bool FlatEnergy::MarkLost(const ActiveMesh& mesh, Runtime& runtime,
   const std::vector<unsigned char>& returned, std::vector<unsigned char>& points) const
 {
-  const Plane plane(this->Axis);
+  const Layer layer{ mesh, this->Plane, this->Diagonals, this->Target };
   std::atomic<bool> isFound(false);
   ForEach(runtime, static_cast<Index>(mesh.Elements.size() / 8),
     [&](Index hex)
     {
       const Index first = 8 * hex;
       const bool isMixed = !returned.empty() && IsMixed(mesh, returned, first);
-      if (!(SmallestOfQuad(mesh, plane, first) > (isMixed ? LeastOfMixed : LeastOfQuads)))
+      if (!(SmallestOfHex(layer, hex) > (isMixed ? LeastOfMixed : LeastOfAll)))
       {
         for (int c = 0; c < 8; ++c)
         {
@@ -343,9 +370,9 @@ bool FlatEnergy::MarkLost(const ActiveMesh& mesh, Runtime& runtime,
 
 bool FlatEnergy::KeepsAt(const ActiveMesh& mesh, int point, const Vector3& x) const
 {
-  const Plane plane(this->Axis);
-  const double then = SmallestAt(mesh, plane, point, x);
-  return then > LeastOfQuads || then >= SmallestAt(mesh, plane, point, mesh.X[point]);
+  const Layer layer{ mesh, this->Plane, this->Diagonals, this->Target };
+  const double then = SmallestAt(layer, point, x);
+  return then > LeastOfAll || then >= SmallestAt(layer, point, mesh.X[point]);
 }
 
 } // namespace vfm

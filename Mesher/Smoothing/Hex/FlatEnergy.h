@@ -1,17 +1,19 @@
 /**
  * FlatEnergy: the barrier energy of a layer of hexes whose points are in straight columns of two
- * across the layer, so that each hex is a prism over a quad. It is HexEnergy in two dimensions, for
- * the lower point of a column:
+ * across the layer, so that each hex is a prism over a quad, or two prisms over triangles. It is
+ * HexEnergy in two dimensions, for the lower point of a column:
  *
- *   E = sum over quad corners [ (s* / SJ)^p + omega (tr T^T T) / 2 / det T ]
- *     + sum over quad edge ends (l* / |e|)^8
+ *   E = sum over corners [ (s* / SJ)^p + omega (tr T^T T) / 2 / det T ]
+ *     + sum over edge ends (l* / |e|)^8
  *
- * SJ is the sine of the angle at a corner. Quads that are positive at their corners are positive
- * throughout, and so are the prisms. All sums are in doubles.
+ * SJ is the sine of the angle at a corner, in triangles of cells that are not squares as a part of
+ * the one that the cell has. Elements that are positive at their corners are positive throughout,
+ * and so are the prisms. All sums are in doubles.
  */
 #pragma once
 
 #include "Smoothing/ElementEnergy.h"
+#include "Smoothing/Hex/FlatDiagonals.h"
 
 namespace vfm
 {
@@ -22,7 +24,11 @@ class FlatEnergy : public ElementEnergy
 public:
   /// @param target  s*
   /// @param axis  of the columns, 0 to 2
-  FlatEnergy(double target, int axis) : Target(target), Axis(axis) {}
+  /// @param diagonals  of triangles; null: quads. They must outlive the energy.
+  FlatEnergy(double target, int axis, const FlatDiagonals* diagonals = nullptr) :
+    Target(target), Plane(axis), Diagonals(diagonals)
+  {
+  }
   double Evaluate(const ActiveMesh& mesh, int point, const Vector3& x,
     const SmoothingStage& stage) const override;
   Derivatives Differentiate(
@@ -33,7 +39,8 @@ public:
 
 private:
   double Target;
-  int Axis;
+  FlatPlane Plane;
+  const FlatDiagonals* Diagonals;
 };
 
 } // namespace vfm

@@ -1,13 +1,8 @@
-/// Fractions of level sets in blocks of any ranks, and meshes of them.
+/// Fractions of level sets in blocks of any ranks.
 #include "Levels/LevelSets.h"
 
-#include "../Input/BlockPieces.h"
 #include "Input/InputArrays.h"
-#include "Input/NodeCoordinates.h"
-#include "Input/PlainArrays.h"
-#include "Mesher.h"
-#include "RankFields.h"
-#include "Report/MeshFields.h"
+#include "LevelSetBalls.h"
 #include "ThreadRanks.h"
 
 #include <gtest/gtest.h>
@@ -20,57 +15,6 @@ using namespace vfm::testing;
 
 namespace
 {
-
-constexpr Index Cells = 20;
-constexpr double Width = 2.0 / Cells;
-
-double Distance(const Index3& cell, double radius)
-{
-  double sum = 0.0;
-  for (Index i : cell)
-  {
-    const double x = -1.0 + Width * (static_cast<double>(i) + 0.5);
-    sum += x * x;
-  }
-  return std::sqrt(sum) - radius;
-}
-
-/// Returns a block of cells of [-1, 1]^3 with level sets of balls that wrap each other.
-/// @param scale  factor of all values
-InputBlock MakeBlock(const IndexBox& box, int number, double scale)
-{
-  InputBlock block;
-  block.Number = number;
-  block.Name = NameBlock(number, 0, true);
-  for (int a = 0; a < 3; ++a)
-  {
-    block.Coordinates[a] =
-      EvenNodes(-1.0, Width, static_cast<int>(box.Lower[a]), static_cast<int>(box.Upper[a]));
-  }
-  KeepAllCells(block);
-  const auto arrays = std::make_shared<PlainArrays>(box.NumberOfCells());
-  for (const auto& [name, radius] : { std::pair("ball", 0.6), { "film", 0.63 } })
-  {
-    Buffer<double> values(box.NumberOfCells());
-    ForCells(box,
-      [&](const Index3& cell) { values[IndexInBox(box, cell)] = scale * Distance(cell, radius); });
-    arrays->Store(name, ValueType::Double, std::move(values));
-  }
-  block.Arrays = arrays;
-  return block;
-}
-
-InputLevels MakeInput(const std::vector<IndexBox>& boxes, Ranks& ranks, double scale = 1.0)
-{
-  CollectedBlocks collected;
-  for (const IndexBox& box : boxes)
-  {
-    collected.Blocks.push_back(MakeBlock(box, static_cast<int>(collected.Blocks.size()), scale));
-  }
-  return FindInputLevels(std::move(collected), ranks);
-}
-
-const IndexBox All{ {}, { { Cells, Cells, Cells } } };
 
 double ValueAt(const InputBlock& block, const std::string& name, const Index3& cell)
 {
@@ -86,19 +30,6 @@ InputBlocks OneBlock(double scale = 1.0, bool isPositive = false)
     { { "ball", "film" }, LevelSetRule::Priority, isPositive }, runtime)[0];
 }
 
-std::string ErrorOf(const std::function<void()>& work)
-{
-  try
-  {
-    work();
-  }
-  catch (const InputError& error)
-  {
-    return error.what();
-  }
-  return "";
-}
-
 } // namespace
 
 TEST(LevelSets, VolumesOfWrappedBalls)
@@ -111,7 +42,8 @@ TEST(LevelSets, VolumesOfWrappedBalls)
       ball += ValueAt(whole.Blocks[0], "ball", cell);
       film += ValueAt(whole.Blocks[0], "film", cell);
     });
-  const double unit = 4.0 / 3.0 * 3.14159265358979323846 / (Width * Width * Width);
+  const double unit =
+    4.0 / 3.0 * 3.14159265358979323846 / (WidthOfBalls * WidthOfBalls * WidthOfBalls);
   EXPECT_NEAR(ball, unit * 0.216, 1e-4 * ball);
   EXPECT_NEAR(film, unit * (0.250047 - 0.216), 1e-3 * film); // 0.3 cells thick
 }
@@ -198,7 +130,7 @@ TEST(LevelSets, ValuesThatAreNotFinite)
     [&](const Index3& cell)
     {
       const double value = Distance(cell, 0.6);
-      band[IndexInBox(All, cell)] = std::abs(value) < 3.0 * Width
+      band[IndexInBox(All, cell)] = std::abs(value) < 3.0 * WidthOfBalls
         ? value
         : std::copysign(std::numeric_limits<double>::infinity(), value);
     });
@@ -217,32 +149,4 @@ TEST(LevelSets, ValuesThatAreNotFinite)
       const double expected = ValueAt(whole.Blocks[0], "ball", cell);
       EXPECT_NEAR(std::isnan(value) ? expected : value, expected, 5e-3);
     });
-}
-
-/// The whole run: option, materials, volumes of the mesh; and the message without the option.
-TEST(LevelSets, Meshes)
-{
-  Ranks alone;
-  RankRuntime runtime(alone);
-  MesherInput input;
-  input.Levels = MakeInput({ All }, alone);
-  input.Arrays.Fractions = { "ball", "film" };
-  MesherOptions options;
-  const std::string told = ErrorOf([&] { RunMesher(input, options, runtime); });
-  EXPECT_NE(told.find("volume fractions lie in [0, 1]"), std::string::npos) << told;
-  EXPECT_NE(told.find("LevelSets Priority (--level-set "), std::string::npos) << told;
-  options.LevelSets = LevelSetRule::Priority;
-  const MesherResult result = RunMesher(input, options, runtime);
-  double volumes[3] = {};
-  const Mesh& mesh = result.TheMesh;
-  for (Index e = 0; e < static_cast<Index>(mesh.Material.size()); ++e)
-  {
-    ++volumes[mesh.Material[e]];
-  }
-  EXPECT_GT(volumes[1], 500);
-  EXPECT_GT(volumes[2], 100);
-  input.Arrays.Labels = "ball";
-  input.Arrays.Fractions.clear();
-  EXPECT_NE(ErrorOf([&] { RunMesher(input, options, runtime); }).find("LevelSets applies to"),
-    std::string::npos);
 }

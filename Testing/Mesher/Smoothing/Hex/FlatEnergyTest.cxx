@@ -1,5 +1,7 @@
 #include "Smoothing/Hex/FlatEnergy.h"
 
+#include "Smoothing/Hex/FlatDiagonals.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -65,6 +67,31 @@ TEST(FlatEnergy, IsThatOfPerfectCells)
   EXPECT_NEAR(energy, expected, 1e-12 * expected);
 }
 
+/// Expects the derivatives of differences.
+void ExpectDerivatives(const ActiveMesh& mesh, const FlatEnergy& energy, int axis)
+{
+  const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+  const auto at = [&](double du, double dv)
+  {
+    Vector3 x = mesh.X[0];
+    x[u] += du;
+    x[v] += dv;
+    return energy.Evaluate(mesh, 0, x, Stage);
+  };
+  ASSERT_LT(at(0, 0), 1e6);
+  const Derivatives d = energy.Differentiate(mesh, 0, Stage);
+  const double e = 1e-5, scale = 1e-3 * (1.0 + d.Value) * 100;
+  const int mixed = axis == 2 ? 3 : axis == 1 ? 4 : 5;
+  EXPECT_NEAR(d.Value, at(0, 0), 1e-12 * d.Value);
+  EXPECT_NEAR(d.Gradient[u], (at(e, 0) - at(-e, 0)) / (2 * e), 1e-3 * scale);
+  EXPECT_NEAR(d.Gradient[v], (at(0, e) - at(0, -e)) / (2 * e), 1e-3 * scale);
+  EXPECT_EQ(d.Gradient[axis], 0.0);
+  EXPECT_NEAR(d.Hessian[u], (at(e, 0) - 2 * at(0, 0) + at(-e, 0)) / (e * e), scale);
+  EXPECT_NEAR(d.Hessian[v], (at(0, e) - 2 * at(0, 0) + at(0, -e)) / (e * e), scale);
+  EXPECT_NEAR(
+    d.Hessian[mixed], (at(e, e) - at(e, -e) - at(-e, e) + at(-e, -e)) / (4 * e * e), scale);
+}
+
 TEST(FlatEnergy, DerivativesAreThoseOfDifferences)
 {
   for (int axis = 0; axis < 3; ++axis)
@@ -72,29 +99,43 @@ TEST(FlatEnergy, DerivativesAreThoseOfDifferences)
     for (unsigned seed = 1; seed <= 5; ++seed)
     {
       const ActiveMesh mesh = MakeStar(axis, 0.25, seed);
-      const FlatEnergy energy(Target, axis);
-      const auto at = [&](double u, double v)
-      {
-        Vector3 x = mesh.X[0];
-        x[(axis + 1) % 3] += u;
-        x[(axis + 2) % 3] += v;
-        return energy.Evaluate(mesh, 0, x, Stage);
-      };
-      ASSERT_LT(at(0, 0), 1e6);
-      const Derivatives d = energy.Differentiate(mesh, 0, Stage);
-      const double e = 1e-5, scale = 1e-3 * (1.0 + d.Value) * 100;
-      const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-      const int mixed = axis == 2 ? 3 : axis == 1 ? 4 : 5;
-      EXPECT_NEAR(d.Value, at(0, 0), 1e-12 * d.Value);
-      EXPECT_NEAR(d.Gradient[u], (at(e, 0) - at(-e, 0)) / (2 * e), 1e-3 * scale);
-      EXPECT_NEAR(d.Gradient[v], (at(0, e) - at(0, -e)) / (2 * e), 1e-3 * scale);
-      EXPECT_EQ(d.Gradient[axis], 0.0);
-      EXPECT_NEAR(d.Hessian[u], (at(e, 0) - 2 * at(0, 0) + at(-e, 0)) / (e * e), scale);
-      EXPECT_NEAR(d.Hessian[v], (at(0, e) - 2 * at(0, 0) + at(0, -e)) / (e * e), scale);
-      EXPECT_NEAR(
-        d.Hessian[mixed], (at(e, e) - at(e, -e) - at(-e, e) + at(-e, -e)) / (4 * e * e), scale);
+      ExpectDerivatives(mesh, FlatEnergy(Target, axis), axis);
+      FlatDiagonals diagonals(axis);
+      ExpectDerivatives(mesh, FlatEnergy(Target, axis, &diagonals), axis);
+      diagonals.Turn(mesh);
+      ExpectDerivatives(mesh, FlatEnergy(Target, axis, &diagonals), axis);
     }
   }
+}
+
+TEST(FlatEnergy, TrianglesOfPerfectCells)
+{
+  const ActiveMesh mesh = MakeStar(2, 0.0, 1);
+  FlatDiagonals diagonals(2);
+  const double energy = FlatEnergy(Target, 2, &diagonals).Evaluate(mesh, 0, mesh.X[0], Stage);
+  // Cells of 1.5 x 0.5: sines of 1 at the right angle, of 3 and 1 / sqrt(10) at the others.
+  const double target = Target * std::sqrt(2.0 / (1.5 * 1.5 + 0.5 * 0.5)) * 0.5, area = 0.75;
+  const double corners = std::pow(target, 16) * (1 + std::pow(10.0, 8) + std::pow(10.0 / 9.0, 8));
+  const double shape = Stage.Omega * (1.5 * 1.5 + 0.5 * 0.5) * 2 / area;
+  const double shortest = 0.15 * 0.15 * area;
+  const auto ends = [&](double length) { return 2 * std::pow(shortest / (length * length), 4); };
+  // Six triangles: two at each diagonal through the point, and two others.
+  const double edges = 4 * (ends(1.5) + ends(0.5) + ends(std::sqrt(2.5)));
+  EXPECT_NEAR(energy, 6 * (corners + shape) + edges, 1e-12 * energy);
+}
+
+TEST(FlatEnergy, DiagonalsTurnWhereThatLeavesLargerAngles)
+{
+  ActiveMesh mesh = MakeStar(2, 0.0, 1);
+  FlatDiagonals diagonals(2);
+  EXPECT_TRUE(diagonals.Turn(mesh).empty()); // both are equal
+  // Of the cell at the lower right, the angles are 18 and 31 degrees, then 25 and 38.
+  mesh.X[0] = { { 0.6, 0.2, 0.0 } };
+  EXPECT_EQ(diagonals.Turn(mesh).size(), 4u);
+  EXPECT_TRUE(diagonals.IsTurned(1));
+  EXPECT_TRUE(diagonals.Turn(mesh).empty());
+  const FlatEnergy energy(Target, 2, &diagonals);
+  EXPECT_LT(energy.Evaluate(mesh, 0, mesh.X[0], Stage), InvalidEnergy);
 }
 
 TEST(FlatEnergy, InvertedQuadsAreInvalidAndLost)
@@ -111,4 +152,22 @@ TEST(FlatEnergy, InvertedQuadsAreInvalidAndLost)
   mesh.X[0] = beyond;
   EXPECT_TRUE(energy.MarkLost(mesh, serial, {}, points));
   EXPECT_EQ(points[0], 1);
+}
+
+TEST(FlatEnergy, QuadsThatAreNotConvexHaveValidTriangles)
+{
+  ActiveMesh mesh = MakeStar(2, 0.0, 1);
+  // The corner of the last cell at the point is beyond the line between its neighbours.
+  const Vector3 dent{ { 0.8, 0.26, 0.0 } };
+  FlatDiagonals diagonals(2);
+  const FlatEnergy quads(Target, 2), triangles(Target, 2, &diagonals);
+  EXPECT_GE(quads.Evaluate(mesh, 0, dent, Stage), InvalidEnergy);
+  EXPECT_LT(triangles.Evaluate(mesh, 0, dent, Stage), InvalidEnergy);
+  EXPECT_FALSE(quads.KeepsAt(mesh, 0, dent));
+  EXPECT_TRUE(triangles.KeepsAt(mesh, 0, dent));
+  mesh.X[0] = dent;
+  Runtime serial;
+  std::vector<unsigned char> points(18, 0);
+  EXPECT_TRUE(quads.MarkLost(mesh, serial, {}, points));
+  EXPECT_FALSE(triangles.MarkLost(mesh, serial, {}, points));
 }

@@ -1,4 +1,4 @@
-#include "Report/PackMesh.h"
+#include "Report/Gather/PackMesh.h"
 
 #include "Input/PackBytes.h"
 

@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING, Any, Dict, List
 
 import numpy as np
 
-from ._data import MeshData
-from ._pyvista import all_nodes, cell_arrays, point_arrays
-from ._tables import material_names
+from .._data import MeshData
+from .._tables import material_names
+from .to_pyvista import all_nodes, cell_arrays, point_arrays
 
 if TYPE_CHECKING:
     import meshio

@@ -6,10 +6,10 @@ from typing import Any
 
 import numpy as np
 
-from ._data import MeshData
-from ._facets import Facets, facet_sets
-from ._flat import plane_axes
-from ._tables import material_names, require_linear
+from .._data import MeshData
+from .._facets import Facets, facet_sets
+from .._flat import plane_axes
+from .._tables import material_names, require_linear
 
 # Corners of VTK in the order of scikit-fem's MeshHex, whose last corner is the origin and whose
 # corners 4, 5, 6 are next to it along x, y, z.

@@ -1,10 +1,10 @@
-#include "Report/GatherMesh.h"
+#include "Report/Gather/GatherMesh.h"
 
 #include "Base/Sorted.h"
 #include "Ranks/Agreement.h"
 #include "Report/FragmentTargets.h"
+#include "Report/Gather/PackMesh.h"
 #include "Report/MeshFields.h"
-#include "Report/PackMesh.h"
 
 #include <functional>
 #include <limits>

@@ -1,5 +1,5 @@
 /// The report of a mesh is the same from any number of ranks, even if one has no element.
-#include "Report/GatherMesh.h"
+#include "Report/Gather/GatherMesh.h"
 #include "RankMeshes.h"
 #include "Report/FragmentTargets.h"
 #include "Report/Fragments/FragmentTable.h"

@@ -5,9 +5,9 @@ from __future__ import annotations
 import os
 from typing import Any, Optional
 
-from ._data import MeshData
-from ._pyvista import convert
-from ._tables import material_names
+from .._data import MeshData
+from .._tables import material_names
+from .to_pyvista import convert
 
 
 def plot(mesh: MeshData, array: str, clip: Optional[str], path: Any, **options: Any) -> None:

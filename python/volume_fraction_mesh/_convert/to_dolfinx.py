@@ -7,11 +7,11 @@ from typing import Any, Dict, NamedTuple, Optional, Tuple
 
 import numpy as np
 
-from . import _core
-from ._data import MeshData
-from ._facets import neighbours
-from ._flat import plane_axes
-from ._tables import LINEAR, core_arrays, core_fields, material_names
+from .. import _core
+from .._data import MeshData
+from .._facets import neighbours
+from .._flat import plane_axes
+from .._tables import LINEAR, core_arrays, core_fields, material_names
 
 # By kind of elements, in the numbering of dolfinx: the corner of VTK, and for each facet the side of
 # VTK.

@@ -11,7 +11,7 @@ import volume_fraction_mesh as vfm
 from fields import BALL, LABELS, N, PLATE, STATE, check_valid, same
 from volume_fraction_mesh.__main__ import main
 
-ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
+ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..")
 sys.path.append(os.path.join(ROOT, "Testing", "Python"))
 from spyplot import Block, split, with_ghosts, write_spyplot  # noqa: E402
 

@@ -1,8 +1,8 @@
-#include "Report/GatherGeometry.h"
+#include "Report/Gather/GatherGeometry.h"
 
 #include "Ranks/NumberKeys.h"
 #include "Ranks/WorkTogether.h"
-#include "Report/GatherMesh.h"
+#include "Report/Gather/GatherMesh.h"
 #include "Report/MeshFields.h"
 
 #include <algorithm>

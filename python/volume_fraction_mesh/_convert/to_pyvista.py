@@ -6,7 +6,7 @@ from typing import Any, Dict, Mapping
 
 import numpy as np
 
-from ._data import MeshData
+from .._data import MeshData
 
 PARTS = ("mesh", "surfaces", "curves", "vertices", "particles")
 # Numbers of the cell types of VTK, by their names in meshio.

@@ -1,0 +1,1 @@
+"""Meshes as objects of other packages."""
