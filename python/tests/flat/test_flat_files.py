@@ -153,7 +153,6 @@ def test_pynastran(mesh, tmp_path):
     assert np.array_equal(cells, mesh.cells)
     assert np.array_equal([model.elements[e + 1].pid for e in range(len(mesh))], mesh.material)
     assert {entry.type for entry in model.properties.values()} == {"PSHELL"}
-    assert {entry.mid2 for entry in model.properties.values()} == {-1}
 
 
 @pytest.mark.parametrize("version", ["2.2", "4.1"])
@@ -188,15 +187,19 @@ def test_gmsh(mesh, version, binary, tmp_path):
 
 
 def test_meshio(mesh, tmp_path):
+    """meshio 5.3.5 does not know elements of plane strain."""
     meshio = pytest.importorskip("meshio")
     for name, options in (("a.vtu", {"texts": False}), ("a.msh", {}), ("a.msh", {"version": "4.1"}),
-                          ("a.inp", {}), ("a.inp", {"plane": "stress"}), ("a.e", {}), ("a.bdf", {}),
+                          ("a.inp", {"plane": "stress"}), ("a.e", {}), ("a.bdf", {}),
                           ("a.xdmf", {}), ("a.vtk", {}), ("a.npz", {})):
         mesh.save(tmp_path / name, **options)
         if name == "a.npz":
             again = vfm.load(tmp_path / name)
             assert again.kind == mesh.kind and np.array_equal(again.cells, mesh.cells)
             continue
+        if name == "a.bdf":
+            path = tmp_path / name
+            path.write_text("BEGIN BULK\n%sENDDATA\n" % path.read_text())
         read = meshio.read(tmp_path / name)
         blocks = [block.data for block in read.cells if block.type == mesh.kind]
         areas = [area_of(read.points, np.asarray(block)) for block in blocks]

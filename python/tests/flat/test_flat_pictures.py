@@ -59,7 +59,8 @@ def test_layers_of_solid_elements_of_pictures(tmp_path):
 def test_stacks_are_no_planes(tmp_path):
     write_pictures(tmp_path)
     tifffile = pytest.importorskip("tifffile")
-    tifffile.imwrite(tmp_path / "two.tif", np.stack([PICTURE] * 3), metadata=None)
+    tifffile.imwrite(tmp_path / "two.tif", np.stack([PICTURE] * 3), photometric="minisblack",
+                     metadata=None)
     for given in (tmp_path / "two.tif", [tmp_path / "b.tif", tmp_path / "slice_1.tif"]):
         with pytest.warns(vfm.VolumeFractionMeshWarning, match="no size of voxels"):
             arrays = vfm.read(given)
