@@ -25,7 +25,7 @@ struct TwoSquares
       x[u] = 2.0 * (point % 3);
       x[v] = 2.0 * (point / 3);
       this->Points.insert(this->Points.end(), x.begin(), x.end());
-      this->PointIds.push_back(100 - 10 * point); // other order than that of points
+      this->PointIds.push_back(1 + 10 * point);
     }
     this->Elements = areTriangles ? std::vector<Index>{ 0, 1, 3, 1, 4, 3, 1, 2, 4, 2, 5, 4 }
                                   : std::vector<Index>{ 0, 1, 4, 3, 1, 2, 5, 4 };
