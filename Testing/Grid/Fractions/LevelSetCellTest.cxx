@@ -184,7 +184,7 @@ TEST(LevelSetCell, VolumesOfCurvedBodies)
   const double halves = ErrorOf(lowest[0], 0.5 * both);
   std::printf(
     "errors of volumes in 32^3 cells: ball %.1e, torus %.1e, two balls of one array %.1e,\n"
-    "of two %.1e (first) %.1e, by the lowest %.1e\n",
+    "first of two %.1e, both %.1e, by the lowest %.1e\n",
     ball, torus, joined, first, second, halves);
   EXPECT_LT(ball, 1e-4);
   EXPECT_LT(torus, 1e-4);
