@@ -173,6 +173,13 @@ Settings ListSettings(const GivenArguments& given)
   return settings;
 }
 
+/// Returns whether a setting is one of the option Flat.
+bool IsOfFlat(const std::pair<std::string, std::string>& setting)
+{
+  const Option* option = FindOption(setting.first);
+  return option && option->Name == "Flat";
+}
+
 MesherOptions ReadOptions(const GivenArguments& given)
 {
   MesherOptions options;
@@ -197,6 +204,8 @@ OutputForm ReadForm(const GivenArguments& given)
   form.IsBinary = given.count("--binary") > 0;
   form.HasInterfaces = given.count("--no-interfaces") == 0;
   form.IsReduced = given.count("--reduced") > 0;
+  form.IsPlaneStress =
+    ReadValue(given, "--plane", "strain or stress", ParsePlaneStress).value_or(false);
   return form;
 }
 
@@ -283,6 +292,8 @@ Arguments ReadValues(const GivenArguments& given)
   to.State = ReadList(given, "--state");
   to.RefinesCells = given.count("--refine-cells") > 0;
   to.Mesher = ReadOptions(given);
+  const Settings settings = ListSettings(given);
+  to.SetsFlat = std::any_of(settings.begin(), settings.end(), IsOfFlat);
   if (!levelSets.empty() && to.Mesher.LevelSets == LevelSetRule::Off)
   {
     to.Mesher.LevelSets = LevelSetRule::Priority;

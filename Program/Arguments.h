@@ -45,6 +45,7 @@ struct Arguments
   std::vector<std::string> State;     ///< cell arrays to transfer to the elements
   bool RefinesCells = false;          ///< `sculptor test` refines only chosen cells
   MesherOptions Mesher;
+  bool SetsFlat = false;      ///< whether an option says what Flat is; otherwise the input does
   std::optional<int> Step;    ///< index of a time of the input, from 0
   std::optional<double> Time; ///< time of the input, the nearest one is used
   OutputForm Form;            ///< form of the output

@@ -77,6 +77,7 @@ Input ReadImage(const Arguments& arguments, Ranks& ranks)
   LabelNames names;
   std::string warning;
   Index volumes = 1;
+  bool isPicture = false;
   const auto read = [&]
   {
     const ImageSource source = OpenSource(arguments);
@@ -85,6 +86,8 @@ Input ReadImage(const Arguments& arguments, Ranks& ranks)
     names = source.Names;
     warning = source.Warning;
     volumes = source.Volumes;
+    isPicture = source.Place.Size[2] == 1 &&
+      (AreSlices(arguments.Input) || HasSuffix(arguments.Input, GetSliceSuffixes()));
     blocks.Reading = { !source.IsOfCells, FrameOf(source.Place) };
     if (slab.NumberOfCells() > 0)
     {
@@ -105,6 +108,7 @@ Input ReadImage(const Arguments& arguments, Ranks& ranks)
   Input input = MakeInput(std::move(blocks), true);
   input.Names = std::move(names);
   input.Volumes = volumes;
+  input.IsPicture = isPicture;
   input.Warning = warning.empty() ? "" : arguments.Input + ": " + warning;
   return input;
 }

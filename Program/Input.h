@@ -56,6 +56,7 @@ struct Input
   Index Volumes = 1;          ///< number of images in the file
   std::string Warning;        ///< warning about data that were not read or assumed, or empty
   LabelNames Names;           ///< names of labels that the file contains, equal on all ranks
+  bool IsPicture = false;     ///< whether the file is a picture of one slice
   /// Arrays of fractions of all materials, if the file itself says so.
   std::vector<std::string> Materials;
   /// Surfaces from which the fractions were computed, equal on all ranks; null: none.

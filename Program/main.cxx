@@ -208,9 +208,10 @@ std::vector<std::string> ListParticlesBeside(const Arguments& arguments)
   return paths;
 }
 
-void MeshFile(const Arguments& arguments, Ranks& ranks)
+/// Checks that all outputs can be written.
+/// @pre Collective
+void CheckOutputs(const Arguments& arguments, Ranks& ranks)
 {
-  StageTimes times(ranks);
   WorkInStage(ranks, ErrorCode::UnwritableOutput,
     [&]
     {
@@ -227,7 +228,31 @@ void MeshFile(const Arguments& arguments, Ranks& ranks)
         }
       }
     });
-  const Input input = ReadInput(arguments, ranks);
+}
+
+/// Returns the arguments with Flat for a picture of one slice, unless an option says what Flat is.
+Arguments CompleteArguments(const Arguments& given, const Input& input)
+{
+  Arguments arguments = given;
+  arguments.Mesher.Flat = given.Mesher.Flat || (input.IsPicture && !given.SetsFlat);
+  return arguments;
+}
+
+/// Returns the begin of messages of the mesher.
+std::string DescribeTask(const Arguments& arguments)
+{
+  return "Cannot mesh " + arguments.Input +
+    (arguments.Mesher.Flat && !arguments.SetsFlat
+        ? " as a plane (--set Flat=off: as a layer of solid elements): "
+        : ": ");
+}
+
+void MeshFile(const Arguments& given, Ranks& ranks)
+{
+  StageTimes times(ranks);
+  CheckOutputs(given, ranks);
+  const Input input = ReadInput(given, ranks);
+  const Arguments arguments = CompleteArguments(given, input);
   const ChosenArrays arrays = ChooseArrays(input, arguments, ranks);
   if (ranks.Rank() == 0 && !arrays.Warning.empty())
   {
@@ -238,7 +263,7 @@ void MeshFile(const Arguments& arguments, Ranks& ranks)
   MesherResult result;
   CellRuns leftOut;
   CellRuns* const runs = MayLeaveHexes(arguments, ranks) ? &leftOut : nullptr;
-  PrefixErrors("Cannot mesh " + arguments.Input + ": ",
+  PrefixErrors(DescribeTask(arguments),
     [&] { result = MakeMesh(arguments, input, arrays, ranks, &warnings, runs); });
   times.Add("mesh");
   MeshData mesh = ViewMesh(result.TheMesh, result.State, result.Fields);

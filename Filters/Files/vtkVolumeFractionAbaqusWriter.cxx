@@ -9,7 +9,7 @@ vtkStandardNewMacro(vtkVolumeFractionAbaqusWriter);
 void vtkVolumeFractionAbaqusWriter::WriteMesh(
   const vfm::MeshData& mesh, const std::string& path, vfm::Ranks& ranks)
 {
-  vfm::WriteAbaqus(mesh, path, ranks, this->ReducedIntegration);
+  vfm::WriteAbaqus(mesh, path, ranks, { .IsReduced = this->ReducedIntegration });
 }
 
 void vtkVolumeFractionAbaqusWriter::PrintSelf(ostream& os, vtkIndent indent)

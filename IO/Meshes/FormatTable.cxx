@@ -27,6 +27,10 @@ constexpr FormatOption FormatOptions[] = {
   { "reduced", "--reduced", "", "write C3D20R instead of C3D20 in an .inp file",
     [](const OutputForm& form) { return form.IsReduced; },
     "has no elements of reduced integration. Only .inp has them.", false },
+  { "plane", "--plane", "strain|stress",
+    "elements of a mesh of a plane in .inp, .k and .bdf files: plane strain (default) or stress",
+    [](const OutputForm& form) { return form.IsPlaneStress; },
+    "has no choice of plane stress. Formats that have it: " },
   { "interfaces", "--no-interfaces", "",
     "leave the faces between elements out of a .msh file, for deal.II",
     [](const OutputForm& form) { return !form.HasInterfaces; },
@@ -58,6 +62,15 @@ bool FormatRow::Has(const FormatOption& option) const
     : std::find(this->Options.begin(), this->Options.end(), option.Name) != this->Options.end();
 }
 
+std::optional<bool> ParsePlaneStress(const std::string& name)
+{
+  if (name == "strain" || name == "stress")
+  {
+    return name == "stress";
+  }
+  return std::nullopt;
+}
+
 std::span<const FormatOption> GetFormatOptions()
 {
   return FormatOptions;
@@ -76,14 +89,14 @@ const std::vector<FormatRow>& GetFormatTable()
     { MeshFormat::Abaqus, { ".inp" }, "Abaqus and CalculiX",
       "sets of elements and nodes, surfaces; velocities of nodes as initial conditions; particles "
       "as point masses",
-      { "time", "reduced" } },
+      { "time", "reduced", "plane" } },
     { MeshFormat::LsDyna, { ".k", ".key" }, "LS-DYNA",
-      "parts, sets of nodes and segments, velocities, stresses, particles", { "time" } },
+      "parts, sets of nodes and segments, velocities, stresses, particles", { "time", "plane" } },
     { MeshFormat::Radioss, { ".rad" }, "OpenRadioss",
       "parts, groups of nodes, surfaces, velocities, state of elements, particles", { "time" } },
     { MeshFormat::Nastran, { ".bdf", ".nas" }, "Nastran",
       "properties, sets of nodes, a unit pressure on each surface, particles as point masses",
-      { "time" } },
+      { "time", "plane" } },
     { MeshFormat::Febio, { ".feb" }, "FEBio",
       "version 4.0: elements of each material, sets of nodes, surfaces, element data", {} },
     { MeshFormat::Gmsh, { ".msh" }, "Gmsh",

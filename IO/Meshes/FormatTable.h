@@ -7,6 +7,7 @@
 
 #include "Meshes/Gmsh/WriteGmsh.h"
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -19,9 +20,10 @@ struct OutputForm
 {
   bool IsSingle = false; ///< one file with the whole mesh, which rank 0 gathers
   GmshVersion Version = GmshVersion::Automatic;
-  bool IsBinary = false;     ///< binary instead of text
-  bool HasInterfaces = true; ///< whether the file has faces between elements
-  bool IsReduced = false;    ///< C3D20R instead of C3D20
+  bool IsBinary = false;      ///< binary instead of text
+  bool HasInterfaces = true;  ///< whether the file has faces between elements
+  bool IsReduced = false;     ///< C3D20R instead of C3D20
+  bool IsPlaneStress = false; ///< elements of a plane have plane stress instead of plane strain
 };
 
 enum class MeshFormat
@@ -67,6 +69,9 @@ struct FormatRow
 
   bool Has(const FormatOption& option) const;
 };
+
+/// Returns whether a choice among "strain" and "stress" is plane stress; nothing for other texts.
+std::optional<bool> ParsePlaneStress(const std::string& name);
 
 std::span<const FormatOption> GetFormatOptions();
 const std::vector<FormatRow>& GetFormatTable();

@@ -38,13 +38,13 @@ void Write(MeshFormat format, const MeshData& mesh, const std::string& path, Ran
       return WriteExodus(
         mesh, path, ranks, form.IsSingle ? ExodusParts::One : ExodusParts::OnePerRank);
     case MeshFormat::Abaqus:
-      return WriteAbaqus(mesh, path, ranks, form.IsReduced);
+      return WriteAbaqus(mesh, path, ranks, { form.IsReduced, form.IsPlaneStress });
     case MeshFormat::LsDyna:
-      return WriteLsDyna(mesh, path, ranks);
+      return WriteLsDyna(mesh, path, ranks, form.IsPlaneStress);
     case MeshFormat::Radioss:
       return WriteRadioss(mesh, path, ranks);
     case MeshFormat::Nastran:
-      return WriteNastran(mesh, path, ranks);
+      return WriteNastran(mesh, path, ranks, form.IsPlaneStress);
     case MeshFormat::Febio:
       return WriteFebio(mesh, path, ranks);
     case MeshFormat::Gmsh:
@@ -72,8 +72,12 @@ bool HoldsPlanes(MeshFormat format)
     case MeshFormat::Pvtu:
     case MeshFormat::Exodus:
     case MeshFormat::Abaqus:
+    case MeshFormat::LsDyna:
+    case MeshFormat::Radioss:
+    case MeshFormat::Nastran:
     case MeshFormat::Gmsh:
     case MeshFormat::Xdmf:
+    case MeshFormat::Foam:
       return true;
     default:
       return false;
@@ -91,7 +95,7 @@ void RequirePlanes(const MeshData& mesh, MeshFormat format)
     }
     throw InputError("This format is not written for meshes of a plane (option Flat). Formats that "
                      "are: " +
-      suffixes + ".");
+      suffixes + ". Without Flat the layer has solid elements.");
   }
 }
 

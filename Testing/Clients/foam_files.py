@@ -54,8 +54,8 @@ def read_numbers(path, columns=1):
 
 
 def read_faces(path):
-    """Reads faces, as text or binary: shape (faces, corners), or a list if faces of a text have
-    different numbers of corners."""
+    """Reads faces, as text or binary: shape (faces, corners), or a list if faces have different
+    numbers of corners."""
     with open(path, "rb") as file:
         data = file.read()
     if b"faceCompactList" not in data:
@@ -75,6 +75,8 @@ def read_faces(path):
                      np.zeros(0, "<i4"))
         begin = match.end() + (4 * count + 1 if count else -1)
     offsets, corners = lists
+    if len(set(np.diff(offsets))) > 1:
+        return np.split(corners, offsets[1:-1])
     return corners.reshape(len(offsets) - 1, -1)
 
 

@@ -22,6 +22,7 @@ from petsc4py import PETSc  # noqa: E402
 
 from ball_in_block import (CONDUCTIVITY, SIDES, area_of, check_maximum, check_volumes,  # noqa: E402
                            make_mesh, run_recipe)
+import flat_cases as flat  # noqa: E402
 from periodic_ball import check_range, make_cell, run_cell_recipe, sources  # noqa: E402
 
 
@@ -67,7 +68,8 @@ def read_files(path):
         made = file.read_mesh()
         cells = file.read_meshtags(made, "mesh")
         materials = json.loads(file.read_information("MaterialNames", "/Xdmf/Domain/Grid"))
-    made.topology.create_connectivity(2, 3)
+    size = made.topology.dim
+    made.topology.create_connectivity(size - 1, size)
     with XDMFFile(MPI.COMM_WORLD, path.replace(".xdmf", "_facets.xdmf"), "r",
                   encoding=text) as file:
         facets = file.read_meshtags(made, "facets")
@@ -154,6 +156,54 @@ def test_periodic(kind, sides):
     run_cell_recipe("dolfinx_mpc", names)
     assert names["periodic"].num_local_slaves == len(mesh.points) - len(np.unique(mesh.partner))
     check_range(mesh, names["u"].x.array)
+
+
+def error_in_plane(made, fixed):
+    """Returns the error in L2 of u of the case of flat_cases, with u = 0 on facets."""
+    space = fem.FunctionSpace(made, ("Lagrange", 1))
+    u, v = ufl.TrialFunction(space), ufl.TestFunction(space)
+    x = ufl.SpatialCoordinate(made)
+    exact = ufl.sin(np.pi * x[0]) * ufl.sin(np.pi * x[1])
+    dx = ufl.Measure("dx", made, metadata={"quadrature_degree": 4})
+    sides = fem.dirichletbc(PETSc.ScalarType(0),
+                            fem.locate_dofs_topological(space, 1, fixed), space)
+    found = fem.petsc.LinearProblem(
+        ufl.dot(ufl.grad(u), ufl.grad(v)) * dx, 2 * np.pi ** 2 * exact * v * dx, bcs=[sides],
+        petsc_options={"ksp_type": "cg", "pc_type": "jacobi", "ksp_rtol": 1e-12}).solve()
+    return np.sqrt(total((found - exact) ** 2 * dx, made.comm))
+
+
+@pytest.mark.parametrize("kind", ["hexes", "tets"])
+@pytest.mark.parametrize("route", ["file", "arrays"])
+def test_planes(route, kind, tmp_path):
+    """Tags, areas and lengths in a plane; the error in L2 falls by the square of the width."""
+    errors = []
+    for cells in (8, 16, 32):
+        mesh = flat.make_square(kind, cells)
+        mesh.save(tmp_path / "mesh.xdmf")
+        made, tags, facets, materials, surfaces = (
+            read_files(str(tmp_path / "mesh.xdmf")) if route == "file"
+            else mesh.to_dolfinx(MPI.COMM_WORLD))
+        assert made.geometry.dim == made.topology.dim == 2
+        dx = ufl.Measure("dx", made, subdomain_data=tags)
+        ds = ufl.Measure("ds", made, subdomain_data=facets)
+        dS = ufl.Measure("dS", made, subdomain_data=facets)
+        one = fem.Constant(made, PETSc.ScalarType(1))
+        disc = flat.disc_fractions(cells).mean()
+        for name, expected in zip(flat.NAMES, (disc, 1 - disc)):
+            assert np.isclose(total(one * dx(materials[name]), made.comm), expected, rtol=1e-6)
+        for name in flat.SIDES:
+            assert np.isclose(total(one * ds(surfaces[name]), made.comm), 1.0, rtol=1e-12)
+        ends = np.diff(mesh.points[mesh.facets("disc_to_square").points], axis=1)[:, 0]
+        length = total(one("+") * dS(surfaces["disc_to_square"]), made.comm)
+        assert np.isclose(length, np.linalg.norm(ends, axis=1).sum(), rtol=1e-12)
+        errors.append(error_in_plane(
+            made, np.concatenate([facets.find(surfaces[name]) for name in flat.SIDES])))
+    found = flat.orders(errors)
+    print("%s, %s: errors %s, orders %s" % (
+        route, kind, " ".join("%.3g" % error for error in errors),
+        " ".join("%.2f" % order for order in found)))
+    assert (np.abs(found - 2) < 0.25).all(), found
 
 
 if __name__ == "__main__":

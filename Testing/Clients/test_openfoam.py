@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 import volume_fraction_mesh as vfm
 
+import flat_cases as flat
 import foam_files as foam
 from ball_in_block import CONDUCTIVITY, HALF, SHAPES, fixed_points, make_mesh, run_recipe, solve
 
@@ -93,6 +94,40 @@ def test_check_mesh(name, tmp_path):
         found = foam.PolyMesh(case)
         assert np.array_equal(found.points, mesh.points)
         assert found.owner.max() + 1 == len(mesh.cells)
+        for material in mesh.materials["Name"]:
+            assert " %s " % foam.word(material) in report, material
+
+
+def make_plane(name):
+    """Returns meshes of a plane."""
+    make = vfm.tets if name.startswith("triangles") else vfm.hexes
+    if name.endswith("disc"):
+        return flat.make_disc(make.__name__, 24)
+    labels = make_grains()[:, :, 12]
+    words = {"periodic": "xy"} if name.endswith("periodic") else {}
+    axis = {"across x": 0, "across y": 1}.get(name, 2)
+    return make(labels=np.expand_dims(labels, axis), flat=True, label_smoothing=3, **words)
+
+
+@pytest.mark.parametrize("name", ["quads", "triangles", "quads disc", "triangles disc", "across x",
+                                  "across y", "quads periodic", "triangles periodic"])
+def test_planes(name, tmp_path):
+    """A mesh of a plane is a layer of prisms of two dimensions for OpenFOAM."""
+    mesh = make_plane(name)
+    axis = "xyz"[int(mesh.fields["FlatAxis"][0])]
+    for binary in (False, True):
+        case = tmp_path / str(binary)
+        case.mkdir()
+        mesh.save(case / "mesh.foam", binary=binary)
+        report = check_mesh(case)
+        assert "Mesh has 2 geometric (non-empty/wedge) directions" in report, report
+        found = foam.PolyMesh(case)
+        assert len(found.points) == 2 * len(mesh.points)
+        assert np.array_equal(found.points[:len(mesh.points)], mesh.points)
+        assert found.owner.max() + 1 == len(mesh)
+        ends = [found.patches[axis + end] for end in ("_min", "_max")]
+        assert all(patch["type"] == "empty" and int(patch["nFaces"]) == len(mesh)
+                   for patch in ends)
         for material in mesh.materials["Name"]:
             assert " %s " % foam.word(material) in report, material
 

@@ -137,6 +137,10 @@ TEST(Arguments, ValuesOfTheProgram)
   EXPECT_EQ(steps.Geometry, "g.vtm");
   EXPECT_EQ(steps.Report, "r.html");
   EXPECT_EQ(ParseMesh("--time -1.5e-3").Time, -1.5e-3);
+  EXPECT_TRUE(Parse("in.vti out.inp --plane stress").Form.IsPlaneStress);
+  EXPECT_FALSE(Parse("in.vti out.inp --plane strain").Form.IsPlaneStress);
+  EXPECT_FALSE(none.SetsFlat);
+  EXPECT_TRUE(ParseMesh("--flat").SetsFlat && ParseMesh("--set flat=off").SetsFlat);
 }
 
 TEST(Arguments, Lists)
@@ -333,6 +337,10 @@ TEST(Arguments, RejectedValues)
       { "--material 1,2,1", "--material contains '1' twice." },
       { "--time 2s", "--time takes a number, not '2s'." },
       { "--time nan", "--time takes a number, not 'nan'." },
+      { "--plane bent", "--plane takes strain or stress, not 'bent'." },
+      { "--plane stress",
+        "The output out.vtu has no choice of plane stress. Formats that have it: .inp, .k, .key, "
+        ".bdf, .nas." },
       { "--step -1", "--step takes an integer from 0, not '-1'." },
       { "--step 1.5", "--step takes an integer from 0, not '1.5'." },
       { "--refine -1", "--refine takes an integer from 0 to 10, not '-1'." },

@@ -30,11 +30,22 @@ GmshVersion ReadVersion(const std::string& version)
   return known.value_or(GmshVersion::Automatic);
 }
 
+/// Returns whether a choice is plane stress.
+bool ReadPlane(const std::string& plane)
+{
+  const std::optional<bool> known = ParsePlaneStress(plane);
+  if (!known)
+  {
+    throw InputError("plane is '" + plane + "': it must be strain or stress.");
+  }
+  return *known;
+}
+
 /// Returns the path of the particles beside the file; "" if it holds them or there are none.
 std::string WriteFile(const std::string& path, const NumpyPoints& points, const NumpyCells& cells,
   const NamedArrays& pointArrays, const NamedArrays& cellArrays, const nb::dict& fields,
   const NamedArrays& particles, std::optional<double> time, const std::string& version, bool binary,
-  bool interfaces, bool reduced)
+  bool interfaces, bool reduced, const std::string& plane)
 {
   StoredMesh mesh = ViewMesh(points, cells, pointArrays, cellArrays, fields);
   mesh.Data.Time = time;
@@ -43,7 +54,8 @@ std::string WriteFile(const std::string& path, const NumpyPoints& points, const 
   const OutputForm form{ .Version = ReadVersion(version),
     .IsBinary = binary,
     .HasInterfaces = interfaces,
-    .IsReduced = reduced };
+    .IsReduced = reduced,
+    .IsPlaneStress = ReadPlane(plane) };
   const nb::gil_scoped_release others;
   Ranks alone;
   WorkInStage(alone, ErrorCode::UnwritableOutput, [&] { WriteMesh(mesh.Data, path, alone, form); });
@@ -88,7 +100,7 @@ void BindWriters(nb::module_& module)
 {
   module.def("write_mesh", WriteFile, "path"_a, "points"_a, "cells"_a, "point_arrays"_a,
     "cell_arrays"_a, "fields"_a, "particles"_a, "time"_a.none(), "version"_a = "",
-    "binary"_a = false, "interfaces"_a = true, "reduced"_a = false);
+    "binary"_a = false, "interfaces"_a = true, "reduced"_a = false, "plane"_a = "strain");
   module.def("list_formats", ListFormats);
   module.def("write_report", WriteReportFile, "path"_a, "points"_a, "cells"_a, "point_arrays"_a,
     "cell_arrays"_a, "fields"_a, "materials"_a, "title"_a, "facts"_a, "options"_a, "warnings"_a);

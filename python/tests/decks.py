@@ -13,6 +13,7 @@ ABAQUS_FACES = {
     8: [(1, 2, 3, 4), (5, 8, 7, 6), (1, 5, 6, 2), (2, 6, 7, 3), (3, 7, 8, 4), (4, 8, 5, 1)],
     4: [(1, 2, 3), (1, 4, 2), (2, 4, 3), (3, 4, 1)],
 }
+EDGES = [(1, 2), (2, 3), (3, 4), (4, 1)]  # of a quadrilateral; the last one of a triangle is (3, 1)
 
 
 def new_deck():
@@ -62,7 +63,7 @@ def sections(path, mark, comment):
 
 def corners_of(ids):
     """Returns corners without those that repeat the last one."""
-    return tuple(ids[:3] if ids[2] == ids[3] else ids[:4])
+    return tuple(ids[:next((i for i in (2, 3) if ids[i] == ids[i - 1]), 4)])
 
 
 def read_keyword_file(path):
@@ -76,6 +77,9 @@ def read_keyword_file(path):
                 add_new(deck.nodes, int(number), list(map(float, x)))
         elif keyword == "*SECTION_SOLID":
             deck.form = numbers(lines[0], 10)
+        elif keyword == "*SECTION_SHELL":
+            deck.form = numbers(lines[0], 10)
+            assert fields(lines[1], 10, 10, 10, 10) == ["1"] * 4 and len(lines) == 2
         elif keyword == "*PART":
             part, section, material = numbers(lines[1], 10)
             assert len(lines) == 2 and (section, material) == (1, part) and len(lines[0]) <= 70
@@ -86,6 +90,12 @@ def read_keyword_file(path):
                 assert len(corners) == 8
                 is_tet = len(set(corners[3:])) == 1
                 add_new(deck.elements, number, corners[:4] if is_tet else corners)
+                deck.parts[part][1].append(number)
+        elif keyword == "*ELEMENT_SHELL":
+            for line in lines:
+                number, part, *corners = numbers(line, 8)
+                assert len(corners) == 4
+                add_new(deck.elements, number, list(corners_of(corners)))
                 deck.parts[part][1].append(number)
         elif keyword == "*SET_NODE_LIST_TITLE":
             nodes = [n for line in lines[2:] for n in numbers(line, 10)]
@@ -98,6 +108,13 @@ def read_keyword_file(path):
             for line in lines:
                 number, *v = fields(line, 10, 10, 10, 10)
                 add_new(deck.velocities, int(number), list(map(float, v)))
+        elif keyword == "*INITIAL_STRESS_SHELL":
+            for head, first, second in zip(lines[::3], lines[1::3], lines[2::3]):
+                number, *rest = numbers(head, 10)
+                place, *stresses = fields(first, *[16] * 5)
+                assert rest == [1, 1, 0, 0, 1] and float(place) == 0
+                add_new(deck.states, number,
+                        list(map(float, (*stresses, *fields(second, 16, 16, 16)))))
         else:
             assert keyword == "*INITIAL_STRESS_SOLID", keyword
             for head, first, second in zip(lines[::3], lines[1::3], lines[2::3]):
@@ -116,7 +133,9 @@ def read_radioss(path):
     assert found[-1] == ("/END", [])
     for keyword, lines in found[1:-1]:
         name, ident = re.fullmatch(r"(/[A-Z0-9_/]+?)(?:/(\d+))?", keyword).groups()
-        if name == "/NODE":
+        if name == "/ANALY":
+            deck.analysis = fields(lines[0], 10, 20, 10)
+        elif name == "/NODE":
             for line in lines:
                 number, *x = fields(line, 10, 20, 20, 20)
                 add_new(deck.nodes, int(number), list(map(float, x)))
@@ -125,7 +144,7 @@ def read_radioss(path):
         elif name == "/PART":
             assert numbers(lines[1], 10) == [1, int(ident), 0] and len(lines) == 2
             add_new(deck.parts, int(ident), (lines[0], []))
-        elif name in ("/BRICK", "/TETRA4"):
+        elif name in ("/BRICK", "/TETRA4", "/QUAD"):
             for line in lines:
                 number, *corners = numbers(line, 10)
                 assert len(corners) == (8 if name == "/BRICK" else 4)
@@ -138,12 +157,18 @@ def read_radioss(path):
         elif name == "/SURF/SEG":
             rows = [numbers(line, 10) for line in lines[1:]]
             assert [row[0] for row in rows] == list(range(1, len(rows) + 1))
-            add_new(deck.surfaces, lines[0], (int(ident), [corners_of(row[1:]) for row in rows]))
+            add_new(deck.surfaces, lines[0], (int(ident), [
+                tuple(row[1:]) if len(row) == 3 else corners_of(row[1:]) for row in rows]))
         elif name == "/INIVEL/NODE":
             for first, second in zip(lines[1::2], lines[2::2]):
                 number, skew, *v = fields(first, 10, 10, 20, 20, 20)
                 assert skew == "0" and fields(second, 20, 20, 20, 20) == ["", "0", "0", "0"]
                 add_new(deck.velocities, int(number), list(map(float, v)))
+        elif name.startswith("/INIQUA/"):
+            count = 4 if name == "/INIQUA/STRESS" else 1
+            for line in lines:
+                number, *values = fields(line, 10, *[20] * count)
+                deck.states.setdefault(int(number), {})[name[8:]] = list(map(float, values))
         else:
             assert name == "/INIBRI/STRS_FGLO", keyword
             for i in range(0, len(lines), 5):
@@ -184,6 +209,15 @@ def read_nastran(path):
             add_new(deck.nodes, int(number), [real(x), real(y), real(z)])
         elif head == "PSOLID":
             assert numbers(line[8:], 8) == [ident, ident]
+        elif head == "PSHELL":
+            own, material, thickness, *rest = fields(line[8:], *[8] * 4)
+            assert int(own) == int(material) == ident and real(thickness) == 1
+            deck.planes = "strain" if rest == ["-1"] else "stress"
+        elif head in ("CQUAD4", "CTRIA3"):
+            number, part, *corners = numbers(line[8:], 8)
+            assert part == ident and len(corners) == (4 if head == "CQUAD4" else 3)
+            add_new(deck.elements, number, corners)
+            items.append(number)
         elif head in ("CHEXA", "CTETRA"):
             number, part, *corners = numbers(line[8:], 8)
             if head == "CHEXA":
@@ -210,7 +244,7 @@ def read_nastran(path):
 def read_abaqus(path):
     """Reads a file of Abaqus. Parts are the sets of elements EB and their id."""
     deck, found = new_deck(), sections(path, "*", "**")
-    deck.element_sets = {}
+    deck.element_sets, deck.types = {}, set()
     for keyword, lines in found[1:]:
         name, *options = keyword.split(", ")
         options = dict((option + "=").split("=")[:2] for option in options)
@@ -220,6 +254,7 @@ def read_abaqus(path):
         elif name == "*ELEMENT":
             part = re.fullmatch(r"EB(\d+)", options["ELSET"]).group(1)
             block = {int(row[0]): list(map(int, row[1:])) for row in rows}
+            deck.types.add(options["TYPE"])
             deck.elements.update(block)
             add_new(deck.parts, int(part), (None, list(block)))
         elif name == "*ELSET":
@@ -231,8 +266,12 @@ def read_abaqus(path):
             listed = [int(text) for row in rows for text in row]
             add_new(deck.node_sets, options["NSET"], (None, listed))
         elif name == "*SURFACE":
-            faces = [tuple(deck.elements[int(element)][c - 1] for c in ABAQUS_FACES[
-                len(deck.elements[int(element)])][int(face[1:]) - 1]) for element, face in rows]
+            is_flat = deck.types <= {"CPE4", "CPE3", "CPS4", "CPS3"}
+            faces = []
+            for element, face in rows:
+                corners, place = deck.elements[int(element)], int(face[1:]) - 1
+                sides = EDGES if is_flat else ABAQUS_FACES[len(corners)]
+                faces.append(tuple(corners[(c - 1) % len(corners)] for c in sides[place]))
             add_new(deck.surfaces, options["NAME"], (None, faces))
         else:
             assert keyword == "*INITIAL CONDITIONS, TYPE=VELOCITY", keyword

@@ -11,7 +11,7 @@ from typing import Any, Dict, List, Optional
 
 from . import VolumeFractionMeshWarning, __version__, fragments, hexes, tets
 from ._core import Option, list_options, read_label_names
-from ._images import Fractions
+from ._images import Arrays, Fractions
 from ._output import ended_by_signals, find_conflict, whole_file
 from ._read import find_files, is_surface, read, sort_slices
 from ._readers.report import one_line
@@ -127,6 +127,7 @@ def make_parser() -> argparse.ArgumentParser:
         for option in OPTIONS:
             if option.group == title:
                 _add_option(group, option)
+    parser.set_defaults(flat=None)  # None: pictures of one slice are meshed as a plane
     return parser
 
 
@@ -182,6 +183,9 @@ def _arguments(words: argparse.Namespace) -> Dict[str, Any]:
         option.name: getattr(words, option.name) for option in OPTIONS if words.tets
         or not option.tets
     }
+    given["flat"] = bool(words.flat)
+    if isinstance(found, Arrays) and words.flat is not None:
+        found.is_picture = words.flat
     given["labels" if words.labels else "fractions"] = found
     if words.names is not None:
         given["names"] = read_label_names(words.names)

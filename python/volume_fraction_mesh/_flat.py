@@ -10,13 +10,17 @@ from ._data import MeshData
 
 
 def is_plane(*inputs: Any) -> bool:
-    """Returns whether the first input that is given is an array of two axes, or arrays of them."""
+    """Returns whether the first input that is given is an array of two axes or a picture of one
+    slice, or several of them."""
     given = next((value for value in inputs if value is not None), None)
+    if hasattr(given, "is_picture"):
+        return bool(given.is_picture)
     if isinstance(given, Mapping):
         given = list(given.values())
-    if isinstance(given, (list, tuple)) and given and hasattr(given[0], "ndim"):
+    if isinstance(given, (list, tuple)) and given:
         given = given[0]
-    return isinstance(given, np.ndarray) and given.ndim == 2
+    is_array = isinstance(given, np.ndarray)
+    return given.ndim == 2 if is_array else bool(getattr(given, "is_picture", False))
 
 
 def plane_axes(mesh: MeshData) -> Tuple[int, int]:

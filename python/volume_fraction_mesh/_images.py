@@ -33,7 +33,8 @@ class Image(NamedTuple):
     addition to the image. names: of labels, from the file. has_labels: bytes are labels, as in
     files of images, not fractions of 255. hint: what to do if the arrays cannot be used together.
     note: text of a warning if no spacing is given; warning: text of one that does not depend on it.
-    surfaces: from which the fractions were computed.
+    surfaces: from which the fractions were computed. is_picture: one slice of a picture, which is
+    meshed as a plane.
     """
 
     grid: Grid
@@ -46,6 +47,7 @@ class Image(NamedTuple):
     note: str = ""
     warning: str = ""
     surfaces: Optional[Bodies] = None
+    is_picture: bool = False
 
 
 class Fractions(Dict[str, np.ndarray]):
@@ -134,6 +136,9 @@ class Arrays(Dict[str, np.ndarray]):
         Order of the axes of the arrays.
     names : dict of int to str
         Names of labels that the file contains.
+    is_picture : bool
+        Whether the file is one picture (PNG, TIFF, ..), which becomes a mesh of a plane, as with
+        ``flat=True``. Set it to False for a layer of solid elements.
 
     See Also
     --------
@@ -159,6 +164,7 @@ class Arrays(Dict[str, np.ndarray]):
         self.direction = image.grid.direction
         self.order = image.order
         self.names = dict(image.names)
+        self.is_picture = image.is_picture
         self._image = image._replace(arrays={})
 
     def __reduce__(self) -> Tuple[Any, ...]:
@@ -196,7 +202,8 @@ def check_names(names: Any) -> List[str]:
 def _arrays_image(value: Arrays, names: Optional[Sequence[str]]) -> Image:
     return value._image._replace(
         arrays={name: flatten(array, value.order) for name, array in value.items()},
-        chosen=value._image.chosen if names is None else check_names(names), names=value.names)
+        chosen=value._image.chosen if names is None else check_names(names), names=value.names,
+        is_picture=value.is_picture)
 
 
 def _read_fractions(value: Fractions, names: Optional[Sequence[str]]) -> Image:

@@ -55,7 +55,7 @@ def read(path: Union[PathLike, Sequence[PathLike]], *, step: int = 0,
         ``.nii``, ``.nii.gz``, ``.mgz``, ``.mgh``, ``.img``, ``.hdr``. SimpleITK: ``.nrrd``,
         ``.nhdr``, ``.mha``, ``.mhd``, ``.gipl``, ``.mrc``, ``.dcm``. tifffile: ``.tif``,
         ``.tiff``. Pillow: ``.png``, ``.bmp``, ``.jpg``, ``.gif``, ``.pgm`` and others, one layer of
-        cells. h5py: ``.dream3d``. Slices: a folder, a pattern such as ``slices/*.tif``, or a list
+        cells. One picture becomes a mesh of a plane (`Arrays.is_picture`). h5py: ``.dream3d``. Slices: a folder, a pattern such as ``slices/*.tif``, or a list
         of files. Blocks: a case file ``.spcth`` of CTH or one of its binary files, versions 101 to
         105; the folder of an AMReX plotfile; Exodus files of hexahedra that form a Cartesian grid,
         ``.e``, ``.ex2``, ``.exo``, ``.exii``, ``.g``, or any of the parts ``FILE.N.0`` to
@@ -275,7 +275,8 @@ def _read_tiff(path: str, names: Optional[List[str]], choice: Choice) -> Image:
     volumes = [flatten(as_numbers(volume, "image"), "zyx") for volume in stack.volumes]
     arrays = choose_volume(volumes, choice.volume)
     grid, note = _place_stack(stack.volumes[0].shape[2::-1], stack.widths, path)
-    return Image(grid, arrays, list(arrays), "zyx", {}, True, volume_hint(arrays), note)
+    return Image(grid, arrays, list(arrays), "zyx", {}, True, volume_hint(arrays), note,
+                 is_picture=grid.cells[2] == 1)
 
 
 def _read_slice(path: str) -> Slice:
@@ -311,7 +312,8 @@ def _stack_image(stack: Slice, path: str) -> Image:
     values, names = (label_colours(stack.values) if stack.values.ndim == 4 else (stack.values, {}))
     grid, note = _place_stack(values.shape[::-1], stack.widths, path)
     arrays = {"Material 1": flatten(as_numbers(values, "image"), "zyx")}
-    return Image(grid, arrays, list(arrays), "zyx", names, True, note=note)
+    return Image(grid, arrays, list(arrays), "zyx", names, True, note=note,
+                 is_picture=grid.cells[2] == 1)
 
 
 def _place_stack(cells: Sequence[int], widths: Sequence[Optional[float]],

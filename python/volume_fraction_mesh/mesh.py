@@ -551,6 +551,8 @@ class Mesh(MeshData):
               2147483647; ``binary``, bool, default False; ``interfaces=False`` leaves out the
               faces between elements, for deal.II.
             - ``.inp``: ``reduced=True`` writes C3D20R instead of C3D20.
+            - ``.inp``, ``.k``, ``.bdf`` of a mesh of a plane: ``plane``, "strain" (default) or
+              "stress".
             - ``.foam``, ``.vtk``: ``binary=True`` instead of text. ``.npz``: ``compress=True``.
             - Other formats: arguments of ``pyvista.DataSet.save`` or ``meshio.write``.
 

@@ -3,6 +3,7 @@
 #include "Meshes/Files/WriteWhole.h"
 #include "Meshes/Particles/GatherParticles.h"
 #include "Ranks/Errors.h"
+#include "Report/DomainSides.h"
 #include "Report/FlatData.h"
 
 #include <algorithm>
@@ -132,6 +133,16 @@ void RequireNumbers(const DeckModel& model, Index largest, const char* format, c
   {
     throw InputError("The mesh has more than " + std::to_string(largest) +
       " nodes or elements, which " + format + " cannot number. Formats that can: " + others + ".");
+  }
+}
+
+void RequirePlaneOfXY(const DeckModel& model, const char* format)
+{
+  if (IsFlat(model.Mesh) && NumberOfAxes(model.Mesh) != 2)
+  {
+    throw InputError(std::string(format) +
+      " has elements of the plane of x and y only: write a layer of cells across z. Formats that "
+      "have others: .e, .vtu, .bdf, .rad, .xdmf.");
   }
 }
 

@@ -65,6 +65,8 @@ std::string DescribeDeck(const DeckModel& model);
 /// Throws InputError if the mesh has more nodes or elements than a format can number.
 /// @param others  formats that can
 void RequireNumbers(const DeckModel& model, Index largest, const char* format, const char* others);
+/// Throws InputError if the mesh is one of another plane than that of x and y, at any z.
+void RequirePlaneOfXY(const DeckModel& model, const char* format);
 /// Throws InputError if the id of a material has too many digits for a format.
 void RequireIds(const DeckModel& model, int largest, const char* format, const char* others);
 

@@ -32,10 +32,11 @@ void WriteNumbers(
 
 void WriteFace(DeckCards& cards, const MeshData& mesh, const ElementSide& side, std::size_t width)
 {
-  const FaceIds points = PointsOfSide(mesh, side);
-  for (std::size_t p = 0; p < points.size(); ++p)
+  Index last = -1;
+  for (Index point : PointsOfSide(mesh, side))
   {
-    cards.Integer((points[p] < 0 ? points[p - 1] : points[p]) + 1, width);
+    last = point < 0 ? last : point;
+    cards.Integer(last + 1, width);
   }
   cards.End();
 }

@@ -18,7 +18,7 @@ void WriteNumbers(
   DeckCards& cards, const std::vector<Index>& points, std::size_t inLine, std::size_t width);
 
 /// Writes the four nodes of a face; its normal points out of the element. A triangle repeats its
-/// last node.
+/// last node, and so does an edge of a plane.
 void WriteFace(DeckCards& cards, const MeshData& mesh, const ElementSide& side, std::size_t width);
 
 } // namespace vfm

@@ -7,8 +7,6 @@
 #include "Meshes/Decks/WriteEquations.h"
 #include "Meshes/Files/ElementNodes.h"
 #include "Meshes/Files/OutputFile.h"
-#include "Ranks/Errors.h"
-#include "Report/DomainSides.h"
 #include "Report/FlatData.h"
 
 #include <filesystem>
@@ -83,15 +81,14 @@ void WriteNodes(OutputFile& file, const MeshData& mesh)
   }
 }
 
-/// Elements of a plane are those of plane strain.
-std::string TypeOfElements(const MeshData& mesh, bool isReduced)
+std::string TypeOfElements(const MeshData& mesh, const AbaqusForm& form)
 {
   if (IsFlat(mesh))
   {
-    return "CPE" + std::to_string(mesh.Corners);
+    return (form.IsPlaneStress ? "CPS" : "CPE") + std::to_string(mesh.Corners);
   }
   return "C3D" + std::to_string(mesh.NodesPerElement()) +
-    (isReduced && mesh.MidsPerElement == 12 ? "R" : "");
+    (form.IsReduced && mesh.MidsPerElement == 12 ? "R" : "");
 }
 
 /// Writes the elements of a section. Nodes have the same order as in VTK.
@@ -245,15 +242,11 @@ std::vector<SectionNames> NameSections(const DeckModel& model, AbaqusNames& name
 
 /// Writes the whole mesh. The sides of the domain get their names first, so that X_MIN is a side of
 /// the domain even if a material has this name.
-void WriteFile(const DeckModel& model, const std::string& path, bool isReduced)
+void WriteFile(const DeckModel& model, const std::string& path, const AbaqusForm& form)
 {
   const MeshData& mesh = model.Mesh;
   RequireNodes(mesh, { 12, 6 }, "Abaqus");
-  if (IsFlat(mesh) && NumberOfAxes(mesh) != 2)
-  {
-    throw InputError("Abaqus has elements of the plane of x and y only: write a layer of cells "
-                     "across z. Formats that have others: .e, .vtu, .xdmf.");
-  }
+  RequirePlaneOfXY(model, "Abaqus");
   RequireNumbers(model, LargestNumber, "Abaqus", ".e, .msh, .vtu");
   AbaqusNames names, nodeNames;
   names.Add("EALL");
@@ -275,8 +268,7 @@ void WriteFile(const DeckModel& model, const std::string& path, bool isReduced)
   WriteNodes(file, mesh);
   for (std::size_t s = 0; s < sections.size(); ++s)
   {
-    WriteElements(
-      file, mesh, model.Materials[s], TypeOfElements(mesh, isReduced), sections[s].Block);
+    WriteElements(file, mesh, model.Materials[s], TypeOfElements(mesh, form), sections[s].Block);
   }
   WriteElementSets(file, model, sections);
   WriteCohesive(file, model, names);
@@ -308,10 +300,10 @@ void WriteFile(const DeckModel& model, const std::string& path, bool isReduced)
 
 } // namespace
 
-void WriteAbaqus(const MeshData& mesh, const std::string& path, Ranks& ranks, bool isReduced)
+void WriteAbaqus(
+  const MeshData& mesh, const std::string& path, Ranks& ranks, const AbaqusForm& form)
 {
-  WriteDeck(
-    mesh, ranks, IsVelocity, [&](const DeckModel& model) { WriteFile(model, path, isReduced); });
+  WriteDeck(mesh, ranks, IsVelocity, [&](const DeckModel& model) { WriteFile(model, path, form); });
 }
 
 } // namespace vfm

@@ -4,6 +4,7 @@
 #include "Meshes/Decks/DeckModel.h"
 #include "Meshes/Decks/DeckParts.h"
 #include "Meshes/Files/ElementNodes.h"
+#include "Report/FlatData.h"
 #include "Report/Sets/NamedSurfaces.h"
 #include "Report/UniqueNames.h"
 
@@ -21,6 +22,8 @@ constexpr std::size_t Narrow = 8, Normal = 10, Wide = 16; // widths of fields
 constexpr const char* OtherFormats = ".rad, .inp, .e";
 /// Formulations of *SECTION_SOLID: constant stress, tetrahedron with one point; of 20 nodes, of 10.
 constexpr int HexForm = 1, TetForm = 10, Hex20Form = 23, Tet10Form = 16;
+/// Formulations of *SECTION_SHELL in the plane of x and y.
+constexpr int PlaneStressForm = 12, PlaneStrainForm = 13;
 constexpr int NodesInLine = 10; // of an element with mid nodes
 
 int FormOf(const MeshData& mesh)
@@ -44,13 +47,25 @@ void WritePart(DeckCards& cards, const std::string& name, int id, int section, i
   cards.Integer(id, Normal).Integer(section, Normal).Integer(material, Normal).End();
 }
 
+void WriteSection(DeckCards& cards, const MeshData& mesh, bool isPlaneStress)
+{
+  const bool isFlat = IsFlat(mesh);
+  cards.Line(isFlat ? "*SECTION_SHELL" : "*SECTION_SOLID");
+  cards.Line("$    SECID    ELFORM");
+  const int formOfPlane = isPlaneStress ? PlaneStressForm : PlaneStrainForm;
+  cards.Integer(1, Normal).Integer(isFlat ? formOfPlane : FormOf(mesh), Normal).End();
+  if (isFlat)
+  {
+    cards.Line("$       T1        T2        T3        T4");
+    cards.Line("         1         1         1         1");
+  }
+}
+
 /// Writes the parts; each refers to a material of its number. Parts of particles come last, and
 /// refer to the materials of the particles.
-void WriteParts(DeckCards& cards, const DeckModel& model)
+void WriteParts(DeckCards& cards, const DeckModel& model, bool isPlaneStress)
 {
-  cards.Line("*SECTION_SOLID");
-  cards.Line("$    SECID    ELFORM");
-  cards.Integer(1, Normal).Integer(FormOf(model.Mesh), Normal).End();
+  WriteSection(cards, model.Mesh, isPlaneStress);
   UniqueNames names(LongestTitle);
   for (const MaterialPart& section : model.Materials)
   {
@@ -92,7 +107,7 @@ void WriteParticles(DeckCards& cards, const DeckModel& model)
 
 void WriteElements(DeckCards& cards, const MeshData& mesh, const MaterialPart& section)
 {
-  constexpr int nodes = 8;
+  const int nodes = IsFlat(mesh) ? 4 : 8;
   for (Index element : section.Elements)
   {
     cards.Integer(element + 1, Narrow).Integer(section.Id, Narrow);
@@ -158,28 +173,40 @@ void WriteVelocities(DeckCards& cards, const MeshData& mesh, const MeshArray& ve
   }
 }
 
-/// Writes stresses and plastic strains, at one integration point and in wide fields.
+/// Writes numbers in wide fields, five in a line.
+void WriteWide(DeckCards& cards, const std::vector<double>& numbers)
+{
+  constexpr std::size_t inLine = 5;
+  for (std::size_t n = 0; n < numbers.size(); ++n)
+  {
+    cards.Real(numbers[n], Wide);
+    if ((n + 1) % inLine == 0 || n + 1 == numbers.size())
+    {
+      cards.End();
+    }
+  }
+}
+
+/// Writes stresses and plastic strains, at one integration point and in wide fields. Those of a
+/// plane begin with the position of the point across it.
 void WriteStresses(DeckCards& cards, const DeckModel& model)
 {
   const DeckState& state = model.State;
-  cards.Line("*INITIAL_STRESS_SOLID");
-  cards.Line("$      EID      NINT     NHISV     LARGE");
+  const bool isFlat = IsFlat(model.Mesh);
+  cards.Line(isFlat ? "*INITIAL_STRESS_SHELL" : "*INITIAL_STRESS_SOLID");
+  cards.Line(isFlat ? "$      EID    NPLANE    NTHICK     NHISV    NTENSR     LARGE"
+                    : "$      EID      NINT     NHISV     LARGE");
   for (Index element = 0; element < model.Mesh.NumberOfElements; ++element)
   {
-    cards.Integer(element + 1, Normal).Integer(1, Normal).Integer(0, Normal).Integer(1, Normal);
-    cards.End();
-    std::array<double, 6> stress{};
-    if (state.Stress)
-    {
-      stress = StressOf(*state.Stress, element);
-    }
-    for (int component = 0; component < 5; ++component)
-    {
-      cards.Real(stress[component], Wide);
-    }
-    cards.End();
-    const double strain = state.PlasticStrain ? ValueAt(*state.PlasticStrain, element) : 0;
-    cards.Real(stress[5], Wide).Real(strain, Wide).End();
+    cards.Integer(element + 1, Normal);
+    cards.Line(isFlat ? "         1         1         0         0         1"
+                      : "         1         0         1");
+    std::vector<double> numbers(isFlat ? 1 : 0, 0.0);
+    const std::array<double, 6> stress =
+      state.Stress ? StressOf(*state.Stress, element) : std::array<double, 6>{};
+    numbers.insert(numbers.end(), stress.begin(), stress.end());
+    numbers.push_back(state.PlasticStrain ? ValueAt(*state.PlasticStrain, element) : 0);
+    WriteWide(cards, numbers);
   }
 }
 
@@ -199,20 +226,24 @@ std::vector<NamedSurface> SelectSurfaces(const DeckModel& model)
   return surfaces;
 }
 
-void WriteFile(const DeckModel& model, const std::string& path)
+void WriteFile(const DeckModel& model, const std::string& path, bool isPlaneStress)
 {
   const MeshData& mesh = model.Mesh;
   RequireNodes(mesh, { 12, 6 }, "LS-DYNA");
   RequireNumbers(model, LargestNumber, "LS-DYNA", OtherFormats);
   RequireIds(model, LargestNumber, "LS-DYNA", OtherFormats);
+  RequirePlaneOfXY(model, "LS-DYNA");
   DeckCards cards(path, RealForm::Compact);
   cards.Line("*KEYWORD");
   cards.Line("$ " + DescribeDeck(model));
   WriteNodes(cards, mesh);
-  WriteParts(cards, model);
+  WriteParts(cards, model, isPlaneStress);
   const bool isLinear = mesh.MidsPerElement == 0;
-  cards.Line(mesh.MidsPerElement == 12 ? "*ELEMENT_SOLID_H20" : "*ELEMENT_SOLID");
-  cards.Line(isLinear
+  cards.Line(IsFlat(mesh)         ? "*ELEMENT_SHELL"
+      : mesh.MidsPerElement == 12 ? "*ELEMENT_SOLID_H20"
+                                  : "*ELEMENT_SOLID");
+  cards.Line(IsFlat(mesh) ? "$    EID     PID      N1      N2      N3      N4"
+      : isLinear
       ? "$    EID     PID      N1      N2      N3      N4      N5      N6      N7      N8"
       : "$    EID     PID");
   for (const MaterialPart& section : model.Materials)
@@ -243,9 +274,10 @@ void WriteFile(const DeckModel& model, const std::string& path)
 
 } // namespace
 
-void WriteLsDyna(const MeshData& mesh, const std::string& path, Ranks& ranks)
+void WriteLsDyna(const MeshData& mesh, const std::string& path, Ranks& ranks, bool isPlaneStress)
 {
-  WriteDeck(mesh, ranks, IsState, [&](const DeckModel& model) { WriteFile(model, path); });
+  WriteDeck(
+    mesh, ranks, IsState, [&](const DeckModel& model) { WriteFile(model, path, isPlaneStress); });
 }
 
 } // namespace vfm

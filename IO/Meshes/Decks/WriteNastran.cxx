@@ -3,10 +3,12 @@
 #include "Meshes/Decks/DeckCards.h"
 #include "Meshes/Decks/DeckModel.h"
 #include "Meshes/Files/ElementNodes.h"
+#include "Report/FlatData.h"
 #include "Report/Sets/NamedSurfaces.h"
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace vfm
 {
@@ -37,12 +39,23 @@ void WriteNodes(DeckCards& cards, const MeshData& mesh)
   }
 }
 
+/// Returns the name of the elements as a field.
+const char* EntryOf(const MeshData& mesh)
+{
+  if (IsFlat(mesh))
+  {
+    return mesh.Corners == 4 ? "CQUAD4  " : "CTRIA3  ";
+  }
+  return mesh.HasHexes() ? "CHEXA   " : "CTETRA  ";
+}
+
 void WriteElements(DeckCards& cards, const MeshData& mesh, const MaterialPart& section)
 {
   constexpr int inFirstLine = 6;
+  const char* entry = EntryOf(mesh);
   for (Index element : section.Elements)
   {
-    cards.Text(mesh.HasHexes() ? "CHEXA   " : "CTETRA  ");
+    cards.Text(entry);
     cards.Integer(element + 1, Narrow).Integer(section.Id, Narrow);
     for (int c = 0; c < mesh.Corners; ++c)
     {
@@ -57,10 +70,14 @@ void WriteElements(DeckCards& cards, const MeshData& mesh, const MaterialPart& s
   }
 }
 
-void WriteSection(DeckCards& cards, const MeshData& mesh, const MaterialPart& section)
+/// Writes a property and the elements of a material. MID2 of a PSHELL is -1 for plane strain.
+void WriteSection(
+  DeckCards& cards, const MeshData& mesh, const MaterialPart& section, bool isPlaneStress)
 {
   WriteComment(cards, "Material " + std::to_string(section.Id) + ": " + section.Name);
-  cards.Text("PSOLID  ").Integer(section.Id, Narrow).Integer(section.Id, Narrow).End();
+  cards.Text(IsFlat(mesh) ? "PSHELL  " : "PSOLID  ");
+  cards.Integer(section.Id, Narrow).Integer(section.Id, Narrow);
+  cards.Text(!IsFlat(mesh) ? "" : isPlaneStress ? "      1." : "      1.      -1").End();
   WriteElements(cards, mesh, section);
 }
 
@@ -112,6 +129,36 @@ void WriteSurface(DeckCards& cards, const MeshData& mesh, const NamedSurface& su
   }
 }
 
+/// Returns the nodes of the edges of a surface as a set.
+NodeSet NodesOfSurface(const MeshData& mesh, const NamedSurface& surface)
+{
+  NodeSet set{ surface.Id, surface.Name, {} };
+  for (const ElementSide& side : surface.Sides)
+  {
+    const FaceIds points = PointsOfSide(mesh, side);
+    set.Points.insert(set.Points.end(), points.begin(), points.begin() + CornersOfSide(mesh));
+  }
+  std::sort(set.Points.begin(), set.Points.end());
+  set.Points.erase(std::unique(set.Points.begin(), set.Points.end()), set.Points.end());
+  return set;
+}
+
+/// Replaces surfaces of edges by sets of their nodes. Those of a node set are left out.
+void MakeNodeSets(
+  const MeshData& mesh, std::vector<NamedSurface>& surfaces, std::vector<NodeSet>& sets)
+{
+  const std::size_t own = sets.size();
+  for (const NamedSurface& surface : std::exchange(surfaces, {}))
+  {
+    const bool isKnown = std::any_of(sets.begin(), sets.begin() + static_cast<std::ptrdiff_t>(own),
+      [&surface](const NodeSet& set) { return set.Id == surface.Id; });
+    if (!isKnown)
+    {
+      sets.push_back(NodesOfSurface(mesh, surface));
+    }
+  }
+}
+
 /// Returns whether all ids of sets have at most eight digits.
 template <class Set>
 bool HaveShortIds(const std::vector<Set>& sets)
@@ -127,7 +174,7 @@ int LargestId(const std::vector<Set>& sets, int least)
     [](int largest, const Set& set) { return std::max(largest, set.Id); });
 }
 
-void WriteFile(const DeckModel& model, const std::string& path)
+void WriteFile(const DeckModel& model, const std::string& path, bool isPlaneStress)
 {
   const MeshData& mesh = model.Mesh;
   RequireNodes(mesh, {}, "Nastran");
@@ -139,16 +186,21 @@ void WriteFile(const DeckModel& model, const std::string& path)
   WriteNodes(cards, mesh);
   for (const MaterialPart& section : model.Materials)
   {
-    WriteSection(cards, mesh, section);
+    WriteSection(cards, mesh, section, isPlaneStress);
   }
   for (const ParticlePart& part : model.Particles)
   {
     WriteMasses(cards, model, part);
   }
-  const std::vector<NamedSurface> surfaces = SelectNamedSurfaces(model.Sets.SideSets);
-  const bool keepsIds = HaveShortIds(surfaces) && HaveShortIds(model.Sets.NodeSets);
+  std::vector<NamedSurface> surfaces = SelectNamedSurfaces(model.Sets.SideSets);
+  std::vector<NodeSet> nodeSets = model.Sets.NodeSets;
+  if (IsFlat(mesh))
+  {
+    MakeNodeSets(mesh, surfaces, nodeSets);
+  }
+  const bool keepsIds = HaveShortIds(surfaces) && HaveShortIds(nodeSets);
   int next = 0;
-  for (const NodeSet& set : model.Sets.NodeSets)
+  for (const NodeSet& set : nodeSets)
   {
     WriteNodeSet(cards, set, keepsIds ? set.Id : ++next);
   }
@@ -156,7 +208,7 @@ void WriteFile(const DeckModel& model, const std::string& path)
   {
     WriteSurface(cards, mesh, surface, keepsIds ? surface.Id : ++next);
   }
-  next = keepsIds ? LargestId(surfaces, LargestId(model.Sets.NodeSets, 0)) : next;
+  next = keepsIds ? LargestId(surfaces, LargestId(nodeSets, 0)) : next;
   for (const ParticlePart& part : model.Particles)
   {
     WriteNodeSet(cards, { 0, part.Name, model.PointsOf(part) }, ++next);
@@ -166,9 +218,10 @@ void WriteFile(const DeckModel& model, const std::string& path)
 
 } // namespace
 
-void WriteNastran(const MeshData& mesh, const std::string& path, Ranks& ranks)
+void WriteNastran(const MeshData& mesh, const std::string& path, Ranks& ranks, bool isPlaneStress)
 {
-  WriteDeck(mesh, ranks, IsVelocity, [&](const DeckModel& model) { WriteFile(model, path); });
+  WriteDeck(mesh, ranks, IsVelocity,
+    [&](const DeckModel& model) { WriteFile(model, path, isPlaneStress); });
 }
 
 } // namespace vfm

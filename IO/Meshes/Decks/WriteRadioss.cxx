@@ -5,6 +5,8 @@
 #include "Meshes/Decks/DeckParts.h"
 #include "Meshes/Files/ElementNodes.h"
 #include "Ranks/Errors.h"
+#include "Report/DomainSides.h"
+#include "Report/FlatData.h"
 #include "Report/Sets/NamedSurfaces.h"
 #include "Report/UniqueNames.h"
 
@@ -20,6 +22,19 @@ constexpr std::size_t LongestPropertyTitle = 80;
 constexpr int FormatVersion = 2019;
 constexpr int TypeOfMass = 1, TypeOfVolume = 2; // of /SPHCEL
 
+/// Axes of the mesh that are the axes of the file.
+using FileAxes = std::array<int, 3>;
+
+FileAxes AxesOf(const MeshData& mesh)
+{
+  if (!IsFlat(mesh))
+  {
+    return { { 0, 1, 2 } };
+  }
+  const int across = static_cast<int>(NumbersOfField(mesh.Fields, FlatAxisName).at(0));
+  return { { across, (across + 1) % 3, (across + 2) % 3 } };
+}
+
 /// Writes the head. Equal units of the input and of the work leave all numbers as they are.
 void WriteHead(DeckCards& cards, const DeckModel& model)
 {
@@ -32,13 +47,29 @@ void WriteHead(DeckCards& cards, const DeckModel& model)
   {
     cards.Line("                  kg                   m                   s");
   }
+  if (IsFlat(model.Mesh))
+  {
+    cards.Line("/ANALY");
+    cards.Line("#    N2D3D             IPARITH      ISUB");
+    cards.Line("         2                   0         0");
+  }
 }
 
 void WriteNodes(DeckCards& cards, const MeshData& mesh)
 {
   cards.Line("/NODE");
   cards.Line("#  node_ID                  Xc                  Yc                  Zc");
-  WriteNodeLines(cards, mesh, Normal, Wide);
+  if (!IsFlat(mesh))
+  {
+    return WriteNodeLines(cards, mesh, Normal, Wide);
+  }
+  const FileAxes axes = AxesOf(mesh);
+  for (Index point = 0; point < mesh.NumberOfPoints; ++point)
+  {
+    const double* x = mesh.Point(point);
+    cards.Integer(point + 1, Normal).Real(0.0, Wide);
+    cards.Real(x[axes[1]], Wide).Real(x[axes[2]], Wide).End();
+  }
 }
 
 void WriteTitle(DeckCards& cards, const char* keyword, int id, const std::string& title)
@@ -70,7 +101,8 @@ void WritePart(
   WriteTitle(cards, "/PART/", section.Id, names.Add(PlainTitle(section.Name, LongestTitle)));
   cards.Line("#  prop_ID    mat_ID subset_ID");
   cards.Integer(1, Normal).Integer(section.Id, Normal).Integer(0, Normal).End();
-  cards.Line((mesh.HasHexes() ? "/BRICK/" : "/TETRA4/") + std::to_string(section.Id));
+  const std::string keyword = IsFlat(mesh) ? "/QUAD/" : mesh.HasHexes() ? "/BRICK/" : "/TETRA4/";
+  cards.Line(keyword + std::to_string(section.Id));
   for (Index element : section.Elements)
   {
     cards.Integer(element + 1, Normal);
@@ -128,6 +160,12 @@ void WriteSurface(
   for (std::size_t s = 0; s < surface.Sides.size(); ++s)
   {
     cards.Integer(static_cast<Index>(s) + 1, Normal);
+    if (IsFlat(mesh))
+    {
+      const FaceIds points = PointsOfSide(mesh, surface.Sides[s]);
+      cards.Integer(points[0] + 1, Normal).Integer(points[1] + 1, Normal).End();
+      continue;
+    }
     WriteFace(cards, mesh, surface.Sides[s], Normal);
   }
 }
@@ -137,10 +175,11 @@ void WriteVelocities(DeckCards& cards, const MeshData& mesh, const MeshArray& ve
 {
   WriteTitle(cards, "/INIVEL/NODE/", 1, PlainTitle(velocity.Name, LongestTitle));
   cards.Line("#  Node_ID   Skew_ID                 Vxt                 Vyt                 Vzt");
+  const FileAxes axes = AxesOf(mesh);
   for (Index point = first; point < mesh.NumberOfPoints; ++point)
   {
     cards.Integer(point + 1, Normal).Integer(0, Normal);
-    for (int axis = 0; axis < 3; ++axis)
+    for (int axis : axes)
     {
       cards.Real(ValueAt(velocity, point, axis), Wide);
     }
@@ -149,12 +188,17 @@ void WriteVelocities(DeckCards& cards, const MeshData& mesh, const MeshArray& ve
   }
 }
 
-/// Writes the state of an element at its integration point. The energy is per volume.
+/// Returns the energy per volume.
+double EnergyOf(const DeckState& state, Index element)
+{
+  return state.Energy ? ValueAt(*state.Energy, element) * ValueAt(*state.Density, element) : 0;
+}
+
+/// Writes the state of an element at its integration point.
 void WriteElementState(DeckCards& cards, const DeckState& state, Index element)
 {
   const double density = state.Density ? ValueAt(*state.Density, element) : 0;
-  const double energy = state.Energy ? ValueAt(*state.Energy, element) * density : 0;
-  cards.Real(energy, Wide).Real(density, Wide).End();
+  cards.Real(EnergyOf(state, element), Wide).Real(density, Wide).End();
   std::array<double, 6> stress{};
   if (state.Stress)
   {
@@ -171,8 +215,65 @@ void WriteElementState(DeckCards& cards, const DeckState& state, Index element)
   cards.Real(state.PlasticStrain ? ValueAt(*state.PlasticStrain, element) : 0, Wide).End();
 }
 
+/// Writes a value of each quad.
+template <class Value>
+void WriteQuadValues(
+  DeckCards& cards, const DeckModel& model, const char* keyword, const Value& value)
+{
+  cards.Line(keyword);
+  cards.Line("#  quad_ID               Value");
+  for (Index element = 0; element < model.Mesh.NumberOfElements; ++element)
+  {
+    cards.Integer(element + 1, Normal).Real(value(element), Wide).End();
+  }
+}
+
+/// Writes stresses yy, zz, xx and yz of quads, in axes of the file.
+void WriteQuadStresses(DeckCards& cards, const DeckModel& model)
+{
+  constexpr int Shears[3] = { 4, 5, 3 }; // yz, xz, xy in StressOf, by the axis without it
+  const FileAxes axes = AxesOf(model.Mesh);
+  cards.Line("/INIQUA/STRESS");
+  cards.Line("#  quad_ID             Sigma_y             Sigma_z             Sigma_x"
+             "            Sigma_yz");
+  for (Index element = 0; element < model.Mesh.NumberOfElements; ++element)
+  {
+    const std::array<double, 6> stress = StressOf(*model.State.Stress, element);
+    cards.Integer(element + 1, Normal);
+    cards.Real(stress[axes[1]], Wide).Real(stress[axes[2]], Wide).Real(stress[axes[0]], Wide);
+    cards.Real(stress[Shears[axes[0]]], Wide).End();
+  }
+}
+
+void WriteQuadState(DeckCards& cards, const DeckModel& model)
+{
+  const DeckState& state = model.State;
+  if (state.Density)
+  {
+    WriteQuadValues(
+      cards, model, "/INIQUA/DENS", [&](Index e) { return ValueAt(*state.Density, e); });
+  }
+  if (state.Energy)
+  {
+    WriteQuadValues(cards, model, "/INIQUA/ENER", [&](Index e) { return EnergyOf(state, e); });
+  }
+  if (state.PlasticStrain)
+  {
+    WriteQuadValues(
+      cards, model, "/INIQUA/EPSP", [&](Index e) { return ValueAt(*state.PlasticStrain, e); });
+  }
+  if (state.Stress)
+  {
+    WriteQuadStresses(cards, model);
+  }
+}
+
 void WriteState(DeckCards& cards, const DeckModel& model)
 {
+  if (IsFlat(model.Mesh))
+  {
+    return WriteQuadState(cards, model);
+  }
   cards.Line("/INIBRI/STRS_FGLO");
   cards.Line("# brick_ID Nb_integr   Isolnod    Isolid      nptr      npts      nptt");
   for (Index element = 0; element < model.Mesh.NumberOfElements; ++element)
@@ -194,6 +295,16 @@ void WriteFile(const DeckModel& model, const std::string& path)
     throw InputError("The array " + state.Energy->Name +
       " is an energy per mass, but OpenRadioss requires it per volume: the mesh also needs an "
       "array of the density. Transfer the density, or leave out the energy.");
+  }
+  if (IsFlat(mesh) && !FrameOfDomain(mesh).IsIdentity())
+  {
+    throw InputError("OpenRadioss has elements of the plane of y and z only: make the mesh with "
+                     "ImageAxes. Formats that have others: .e, .vtu, .bdf, .xdmf.");
+  }
+  if (IsFlat(mesh) && mesh.Corners == 3)
+  {
+    throw InputError("OpenRadioss has triangles of a plane for one law of fluids only: make "
+                     "quadrilaterals. Formats that have triangles: .k, .inp, .bdf, .e.");
   }
   DeckCards cards(path, RealForm::Compact);
   WriteHead(cards, model);

@@ -11,6 +11,10 @@
  *   names and ids
  * - /INIVEL/NODE, if the mesh has velocities of nodes; /INIBRI/STRS_FGLO, if it has other arrays of
  *   DeckState (DeckModel.h)
+ *
+ * OpenRadioss solves plane strain in its plane of y and z. Quads of a plane are /QUAD there, with
+ * /ANALY, edges in /SURF/SEG, and /INIQUA instead of /INIBRI: y and z are the axes of the plane in
+ * cyclic order, x and y of a layer across z. Its triangles, /TRIA, are for one law of fluids only.
  */
 #pragma once
 
@@ -24,8 +28,8 @@ namespace vfm
 
 /// Writes one file on rank 0. Its contents do not depend on the number of ranks.
 /// @param mesh  part of this rank, made by the mesher or read from a file
-/// @throws InputError  if WriteDeck does, if the mesh has an energy without a density, or if the
-///   file cannot be written; on all ranks. The earlier file then remains
+/// @throws InputError  if WriteDeck does, if the mesh has an energy without a density or triangles
+///   of a plane, or if the file cannot be written; on all ranks. The earlier file then remains
 /// @pre Collective
 void WriteRadioss(const MeshData& mesh, const std::string& path, Ranks& ranks);
 

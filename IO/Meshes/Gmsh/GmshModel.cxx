@@ -40,7 +40,8 @@ void AddVolumeGroups(GmshModel& model, const std::vector<MaterialPart>& parts)
   UniqueNames used(LongestName);
   for (const MaterialPart& part : parts)
   {
-    model.Groups.push_back({ IsFlat(model.Mesh) ? 2 : 3, part.Id, used.Add(PlainName(part.Name)) });
+    model.Groups.push_back(
+      { DimensionOfElements(model.Mesh), part.Id, used.Add(PlainName(part.Name)) });
   }
   for (const CohesiveBlock& block : model.Cohesive)
   {
@@ -89,7 +90,7 @@ void AddSurfaceGroups(GmshModel& model, const std::vector<NamedSurface>& named, 
   for (const NamedSurface& group : named)
   {
     model.Groups.push_back(
-      { IsFlat(model.Mesh) ? 1 : 2, group.Id, used.Add(PlainName(group.Name)) });
+      { DimensionOfElements(model.Mesh) - 1, group.Id, used.Add(PlainName(group.Name)) });
   }
   const TaggedFaces finest = TagFaces(named);
   for (const SurfaceEntity& surface : model.Entities.Surfaces)
@@ -105,6 +106,11 @@ void AddSurfaceGroups(GmshModel& model, const std::vector<NamedSurface>& named, 
 }
 
 } // namespace
+
+int DimensionOfElements(const MeshData& mesh)
+{
+  return IsFlat(mesh) ? 2 : 3;
+}
 
 GmshModel MakeGmshModel(const MeshData& mesh, bool hasInterfaces)
 {

@@ -1,5 +1,7 @@
 /**
  * GmshModel: the entities and physical groups of a mesh for Gmsh.
+ *
+ * In a mesh of a plane, the "volumes" of the model are surfaces of Gmsh, and its "surfaces" curves.
  */
 #pragma once
 
@@ -18,6 +20,9 @@ struct GmshGroup
   int Tag;
   std::string Name; ///< at most 127 bytes of UTF-8, without quotes and control characters
 };
+
+/// Returns the dimension of the elements: 3, or 2 in a plane.
+int DimensionOfElements(const MeshData& mesh);
 
 struct GmshVolume
 {

@@ -149,7 +149,7 @@ void WriteLinks(GmshFile& file, const MeshData& mesh, const std::vector<GmshLink
   file.EndLine();
   for (const GmshLink& link : links)
   {
-    file.Int(2);
+    file.Int(DimensionOfElements(mesh) - 1);
     file.Int(link.Copy);
     file.Int(link.Master);
     file.EndLine();

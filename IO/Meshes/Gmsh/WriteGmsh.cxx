@@ -148,7 +148,7 @@ std::vector<GmshGroup> ListGroups(const GmshModel& model, GmshVersion version)
     const bool hasOne = version == GmshVersion::V2_2 && !tags.empty();
     used.insert(tags.begin(), hasOne ? tags.begin() + 1 : tags.end());
   }
-  const int highest = IsFlat(model.Mesh) ? 2 : 3;
+  const int highest = DimensionOfElements(model.Mesh);
   std::vector<GmshGroup> groups;
   std::copy_if(model.Groups.begin(), model.Groups.end(), std::back_inserter(groups),
     [&used, highest](const GmshGroup& group)
@@ -396,11 +396,17 @@ void WriteVolumes(GmshFile& file, const GmshModel& model)
 void WriteEntities(GmshFile& file, const GmshModel& model)
 {
   const MeshEntities& entities = model.Entities;
+  std::vector<std::size_t> counts{ entities.Vertices.size(), entities.Curves.size(),
+    entities.Surfaces.size(), model.Volumes.size() + model.Cohesive.size() };
+  if (IsFlat(model.Mesh))
+  {
+    counts = { 0, entities.Surfaces.size(), model.Volumes.size(), 0 };
+  }
   file.Begin("Entities");
-  file.Size(static_cast<Index>(entities.Vertices.size()));
-  file.Size(static_cast<Index>(entities.Curves.size()));
-  file.Size(static_cast<Index>(entities.Surfaces.size()));
-  file.Size(static_cast<Index>(model.Volumes.size() + model.Cohesive.size()));
+  for (std::size_t count : counts)
+  {
+    file.Size(static_cast<Index>(count));
+  }
   file.EndLine();
   WriteVertices(file, model);
   WriteCurves(file, model);
@@ -435,7 +441,8 @@ void WriteNodes4(GmshFile& file, const GmshModel& model)
   for (Index point = 0; point < mesh.NumberOfPoints; ++point)
   {
     const MeshEntities& entities = model.Entities;
-    blocks[{ { entities.PointDimension[point], entities.PointEntity[point] } }].push_back(point);
+    const int dimension = entities.PointDimension[point] - (IsFlat(mesh) ? 1 : 0);
+    blocks[{ { dimension, entities.PointEntity[point] } }].push_back(point);
   }
   file.Begin("Nodes");
   WriteTotals(file, blocks.size(), mesh.NumberOfPoints, mesh.PointIds[0],
@@ -476,12 +483,14 @@ void WriteElements4(GmshFile& file, const GmshModel& model)
   WriteTotals(file, blocks,
     model.NumberOfFaces + mesh.NumberOfElements + CountElements(model.Cohesive), mesh.ElementIds[0],
     LargestElementId(model) + model.NumberOfFaces);
+  const int dimension = DimensionOfElements(mesh);
   FaceIdCounter ids(model);
   ForSurfaces(model,
     [&](std::size_t s)
     {
       const SurfaceEntity& surface = model.Entities.Surfaces[s];
-      WriteBlock(file, 2, static_cast<int>(s) + 1, FaceType(mesh), surface.Sides.size());
+      WriteBlock(
+        file, dimension - 1, static_cast<int>(s) + 1, FaceType(mesh), surface.Sides.size());
       ids.ForFaces(surface,
         [&](Index id, const Index* points, int corners)
         { WriteElement4(file, mesh, id, points, corners); });
@@ -489,7 +498,7 @@ void WriteElements4(GmshFile& file, const GmshModel& model)
   ElementNodes nodes = NodesFor(mesh);
   for (const auto& [tag, volume] : model.Volumes)
   {
-    WriteBlock(file, 3, tag, ElementType(mesh), volume.Elements.size());
+    WriteBlock(file, dimension, tag, ElementType(mesh), volume.Elements.size());
     for (Index element : volume.Elements)
     {
       WriteElement4(file, mesh, mesh.ElementIds[element], nodes.Of(element), nodes.Count());
@@ -517,11 +526,6 @@ GmshVersion ChooseVersion(const GmshModel& model, GmshVersion version)
   {
     throw InputError("The id " + std::to_string(largest) +
       " exceeds 2147483647, the largest one in version 2.2 of Gmsh's format. Write version 4.1.");
-  }
-  if (IsFlat(mesh) && (version == GmshVersion::V4_1 || largest > LargestInt))
-  {
-    throw InputError("Meshes of a plane are written in version 2.2 of Gmsh's format only" +
-      std::string(largest > LargestInt ? ", whose largest id is 2147483647." : "."));
   }
   const bool fits = largest <= LargestInt && version != GmshVersion::V4_1;
   return fits ? GmshVersion::V2_2 : GmshVersion::V4_1;

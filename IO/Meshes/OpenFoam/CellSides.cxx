@@ -1,6 +1,7 @@
 #include "Meshes/OpenFoam/CellSides.h"
 
 #include "Ranks/WorkTogether.h"
+#include "Report/FlatData.h"
 #include "Report/MatchFaces.h"
 
 namespace vfm
@@ -13,7 +14,7 @@ namespace
 void MatchRemote(
   const MeshData& mesh, const std::vector<Index>& positions, CellSides& cells, Ranks& ranks)
 {
-  const Index sides = ElementFaces(mesh.Corners).Count;
+  const Index sides = SidesOf(mesh);
   std::vector<Index> open, values; // a value is the position of the cell and the rank
   std::vector<FaceIds> ids;
   for (Index side = 0; side < static_cast<Index>(cells.Behind.size()); ++side)
@@ -41,14 +42,14 @@ void MatchRemote(
 
 ElementSide SideOfNumber(const MeshData& mesh, Index number)
 {
-  const Index sides = ElementFaces(mesh.Corners).Count;
+  const Index sides = SidesOf(mesh);
   return { number / sides, static_cast<int>(number % sides) };
 }
 
 FaceIds PointsOfSide(const MeshData& mesh, Index number)
 {
   FaceIds points = PointsOfSide(mesh, SideOfNumber(mesh, number));
-  const auto end = points.begin() + ElementFaces(mesh.Corners).Corners;
+  const auto end = points.begin() + CornersOfSide(mesh);
   const auto key = [&mesh](Index point)
   { return mesh.PeriodicPartner ? mesh.PeriodicPartner[point] : point; };
   const auto first =

@@ -1,7 +1,8 @@
 /**
  * CellSides: finds the cell behind each side of the cells of a mesh, also on other ranks.
  *
- * Sides have numbers: (sides of a cell) * cell + side, with sides as in ElementFaces.
+ * Sides have numbers: (sides of a cell) * cell + side, with sides as in ElementFaces. In a mesh of
+ * a plane they are edges (FlatData.h).
  */
 #pragma once
 
@@ -33,8 +34,8 @@ struct CellSides
 ElementSide SideOfNumber(const MeshData& mesh, Index number);
 
 /// Returns the points of a side, counterclockwise seen from outside of its cell, from the lowest
-/// one; in a periodic mesh from the one with the lowest partner. The last point of a triangle is
-/// -1.
+/// one; in a periodic mesh from the one with the lowest partner. The last point of a triangle, and
+/// the last two of an edge, are -1.
 FaceIds PointsOfSide(const MeshData& mesh, Index number);
 /// Returns the points of a side in ascending order. The first point of a triangle is -1.
 FaceIds SortedPointsOfSide(const MeshData& mesh, Index number);

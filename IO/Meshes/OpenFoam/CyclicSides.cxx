@@ -121,7 +121,10 @@ std::vector<Index> NumberPairs(
   }
   const ValueInGroup value(MaximumOverRanks(greatest, ranks));
   const auto valueOf = [&value](const std::array<Index, 5>& key)
-  { return value(key[0], key[1] < 0 ? key[2] : key[1]); };
+  {
+    const auto lowest = std::find_if(key.begin() + 1, key.end(), [](Index id) { return id >= 0; });
+    return value(key[0], *lowest);
+  };
   return NumberItems(keys, valueOf, ranks).Numbers;
 }
 

@@ -8,6 +8,8 @@
 
 #include <array>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace vfm
 {
@@ -20,6 +22,20 @@ struct FoamHeader
   std::string Object;   ///< name of the file
   std::string Note;     ///< may be empty
 };
+
+/// Faces in a row with the same number of corners.
+struct FaceRun
+{
+  Index Count;
+  int Corners;
+};
+
+/// Returns the number of faces of runs.
+Index CountFaces(const std::vector<FaceRun>& runs);
+/// Returns the number of corners of all faces before a face.
+Index CornersBefore(const std::vector<FaceRun>& runs, Index face);
+/// Returns the face and the corner that are at a place in the list of all corners.
+std::pair<Index, Index> FindCorner(const std::vector<FaceRun>& runs, Index place);
 
 /// A file of lists and dictionaries. Binary files have labels of 32 bits, scalars of 64 bits and
 /// the byte order of the machine, as their header states.
@@ -76,21 +92,30 @@ public:
   }
   /// Writes a list of points, three coordinates each.
   void Points(const double* points, Index count);
-  /// Writes the list of faces points(i), of which the first `corners` count.
+  /// Writes the list of faces points(i), of which the first corners count.
   template <class Points>
-  void Faces(Index count, int corners, const Points& points)
+  void Faces(const std::vector<FaceRun>& runs, const Points& points)
   {
+    const Index count = CountFaces(runs);
     if (this->IsBinary)
     {
-      this->Labels(count + 1, [corners](Index face) { return corners * face; });
-      this->Labels(corners * count,
-        [&](Index i) { return points(i / corners)[static_cast<std::size_t>(i % corners)]; });
+      this->Labels(count + 1, [&runs](Index face) { return CornersBefore(runs, face); });
+      this->Labels(CornersBefore(runs, count),
+        [&](Index place)
+        {
+          const auto [face, corner] = FindCorner(runs, place);
+          return points(face)[static_cast<std::size_t>(corner)];
+        });
       return;
     }
     this->Begin(count);
-    for (Index face = 0; face < count; ++face)
+    Index face = 0;
+    for (const FaceRun& run : runs)
     {
-      this->Face(points(face), corners);
+      for (Index i = 0; i < run.Count; ++i)
+      {
+        this->Face(points(face++), run.Corners);
+      }
     }
     this->End(count);
   }

@@ -1,6 +1,7 @@
 #include "Meshes/OpenFoam/FoamFolder.h"
 
 #include "Meshes/OpenFoam/FoamFile.h"
+#include "Meshes/OpenFoam/FoamLayer.h"
 
 #include <filesystem>
 
@@ -28,6 +29,8 @@ private:
   void WriteFile(const std::string& name, const std::string& type, const Write& write,
     const std::string& note = "") const;
   void WriteLabels(const std::string& name, const std::vector<Index>& labels) const;
+  void WritePoints() const;
+  void WriteFaces() const;
   void WriteOwners() const;
   void WriteBoundary() const;
   void WriteZones(const std::string& name, const std::string& type, const std::string& entry,
@@ -58,8 +61,9 @@ void PolyMeshWriter::WriteLabels(const std::string& name, const std::vector<Inde
 
 void PolyMeshWriter::WriteOwners() const
 {
-  const Index faces = static_cast<Index>(this->Foam.Sides.size());
-  const std::string note = "nPoints:" + std::to_string(this->Foam.Mesh.NumberOfPoints) +
+  const Index faces = this->Foam.NumberOfFaces();
+  const Index points = (IsFlat(this->Foam.Mesh) ? 2 : 1) * this->Foam.Mesh.NumberOfPoints;
+  const std::string note = "nPoints:" + std::to_string(points) +
     "  nCells:" + std::to_string(this->Foam.Mesh.NumberOfElements) +
     "  nFaces:" + std::to_string(faces) +
     "  nInternalFaces:" + std::to_string(this->Foam.Neighbours.size());
@@ -144,17 +148,43 @@ void PolyMeshWriter::WriteZones(const std::string& name, const std::string& type
     });
 }
 
-void PolyMeshWriter::WriteMesh() const
+void PolyMeshWriter::WritePoints() const
 {
   const MeshData& mesh = this->Foam.Mesh;
   this->WriteFile("points", "vectorField",
-    [&mesh](FoamFile& file) { file.Points(mesh.Points, mesh.NumberOfPoints); });
-  this->WriteFile("faces", this->IsBinary ? "faceCompactList" : "faceList",
-    [this, &mesh](FoamFile& file)
+    [&mesh](FoamFile& file)
     {
-      file.Faces(static_cast<Index>(this->Foam.Sides.size()), ElementFaces(mesh.Corners).Corners,
-        [this, &mesh](Index face) { return PointsOfSide(mesh, this->Foam.Sides[face]); });
+      if (!IsFlat(mesh))
+      {
+        return file.Points(mesh.Points, mesh.NumberOfPoints);
+      }
+      const std::vector<double> points = PointsOfLayer(mesh);
+      file.Points(points.data(), 2 * mesh.NumberOfPoints);
     });
+}
+
+void PolyMeshWriter::WriteFaces() const
+{
+  const FoamMesh& foam = this->Foam;
+  const MeshData& mesh = foam.Mesh;
+  this->WriteFile("faces", this->IsBinary ? "faceCompactList" : "faceList",
+    [&foam, &mesh](FoamFile& file)
+    {
+      if (IsFlat(mesh))
+      {
+        return file.Faces(
+          { { foam.NumberOfSides(), 4 }, { 2 * mesh.NumberOfElements, mesh.Corners } },
+          [&foam](Index face) { return PointsOfLayerFace(foam, face); });
+      }
+      file.Faces({ { foam.NumberOfSides(), CornersOfSide(mesh) } },
+        [&foam, &mesh](Index face) { return PointsOfSide(mesh, foam.Sides[face]); });
+    });
+}
+
+void PolyMeshWriter::WriteMesh() const
+{
+  this->WritePoints();
+  this->WriteFaces();
   this->WriteOwners();
   this->WriteBoundary();
   this->WriteZones("cellZones", "cellZone", "cellLabels", this->Foam.CellZones);

@@ -40,6 +40,7 @@ public:
   void AddPatches(Ranks& ranks);
   void AddRemoteCyclics();
   void AddRemoteFaces();
+  void AddEnds();
   /// @pre Collective
   void AddCellZones(Ranks& ranks);
   /// @pre Collective
@@ -60,7 +61,7 @@ private:
 void FoamMeshMaker::AddInnerFaces()
 {
   const MeshData& mesh = this->Foam.Mesh;
-  const Index sides = ElementFaces(mesh.Corners).Count;
+  const Index sides = SidesOf(mesh);
   std::vector<Index> owned;
   for (Index cell = 0; cell < mesh.NumberOfElements; ++cell)
   {
@@ -209,7 +210,7 @@ void FoamMeshMaker::AddPatches(Ranks& ranks)
 bool FoamMeshMaker::IsBefore(const RemoteSide& a, const RemoteSide& b) const
 {
   const FoamMesh& foam = this->Foam;
-  const Index sides = ElementFaces(foam.Mesh.Corners).Count;
+  const Index sides = SidesOf(foam.Mesh);
   const auto key = [&](const RemoteSide& side)
   {
     const Index cell = foam.Cells.Positions[side.Side / sides];
@@ -239,6 +240,18 @@ void FoamMeshMaker::AddRemoteFaces()
     }
     ++foam.Patches.back().Count;
     foam.Sides.push_back(side.Side);
+  }
+}
+
+/// Adds the patches of the lower and upper faces of a mesh of a plane.
+void FoamMeshMaker::AddEnds()
+{
+  FoamMesh& foam = this->Foam;
+  const std::vector<double> axis = NumbersOfField(foam.Mesh.Fields, FlatAxisName);
+  for (const char* end : { "_min", "_max" })
+  {
+    const std::string name = std::string(1, "xyz"[static_cast<int>(axis.at(0))]) + end;
+    foam.Patches.push_back({ name, "empty", "", foam.Mesh.NumberOfElements });
   }
 }
 
@@ -290,7 +303,7 @@ void FoamMeshMaker::AddFaceZones(Ranks& ranks)
 Index CountFaces(const FoamMesh& foam, Ranks& ranks)
 {
   const Index remote = SumOverRanks(static_cast<Index>(foam.Remote.size()), ranks);
-  return SumOverRanks(static_cast<Index>(foam.Sides.size()), ranks) - remote / 2;
+  return SumOverRanks(foam.NumberOfFaces(), ranks) - remote / 2;
 }
 
 } // namespace
@@ -312,6 +325,10 @@ FoamMesh MakeFoamMesh(const MeshData& mesh, Ranks& ranks)
       maker.AddPatches(ranks);
       maker.AddRemoteCyclics();
       maker.AddRemoteFaces();
+      if (IsFlat(mesh))
+      {
+        maker.AddEnds();
+      }
       maker.AddCellZones(ranks);
       maker.AddFaceZones(ranks);
       foam.TotalFaces = CountFaces(foam, ranks);
@@ -321,9 +338,10 @@ FoamMesh MakeFoamMesh(const MeshData& mesh, Ranks& ranks)
 
 void CheckSizes(const FoamMesh& foam)
 {
-  const int corners = ElementFaces(foam.Mesh.Corners).Corners;
-  const Index offsets = corners * static_cast<Index>(foam.Sides.size());
-  const Index largest = std::max({ foam.Points.Total, foam.Cells.Total, foam.TotalFaces, offsets });
+  const bool isFlat = IsFlat(foam.Mesh);
+  const Index offsets = (isFlat ? 4 : CornersOfSide(foam.Mesh)) * foam.NumberOfFaces();
+  const Index largest =
+    std::max({ (isFlat ? 2 : 1) * foam.Points.Total, foam.Cells.Total, foam.TotalFaces, offsets });
   if (largest > LargestLabel)
   {
     throw InputError("The mesh has " + std::to_string(foam.TotalFaces) +

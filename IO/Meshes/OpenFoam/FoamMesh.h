@@ -15,11 +15,14 @@
  *   surface. A smooth side is in the patch group of its interface.
  * - Zones: cells of each material; faces between cells of each interface, oriented from its first
  *   to its second material. Faces of cyclic patches are in no zone.
+ * - A mesh of a plane becomes a layer of prisms (FoamLayer.h): its edges are faces as above, then
+ *   follow the lower faces of all cells and the upper ones, each in a patch of type empty.
  */
 #pragma once
 
 #include "Meshes/OpenFoam/CellSides.h"
 #include "Meshes/OpenFoam/GlobalOrder.h"
+#include "Report/FlatData.h"
 
 namespace vfm
 {
@@ -46,7 +49,7 @@ struct FoamMesh
   MeshData Mesh; ///< ordered part of this rank; a view
   int Rank = 0;
   GlobalOrder Points, Cells;
-  std::vector<Index> Sides;       ///< side of the owner of each face (CellSides.h)
+  std::vector<Index> Sides;       ///< side of the owner of each face (CellSides.h), except ends
   std::vector<Index> Neighbours;  ///< neighbour of each inner face
   std::vector<RemoteSide> Remote; ///< faces to other ranks, the last ones in Sides
   /// Number of each face of cyclic patches, counted from the first face on patches of the whole
@@ -58,14 +61,23 @@ struct FoamMesh
   std::vector<FoamZone> CellZones, FaceZones; ///< the same names on all ranks
   Index TotalFaces = 0;                       ///< on all ranks, each once
 
+  Index NumberOfSides() const { return static_cast<Index>(this->Sides.size()); }
+  /// Returns the number of faces of this rank, with the ends of the prisms of a plane.
+  Index NumberOfFaces() const
+  {
+    return this->NumberOfSides() + (IsFlat(this->Mesh) ? 2 * this->Mesh.NumberOfElements : 0);
+  }
   Index Owner(Index face) const
   {
-    return this->Sides[face] / ElementFaces(this->Mesh.Corners).Count;
+    const Index end = face - this->NumberOfSides();
+    return end < 0 ? this->Sides[face] / SidesOf(this->Mesh) : end % this->Mesh.NumberOfElements;
   }
 };
 
 /// Makes the model of this rank's part.
-/// @param mesh  ordered mesh (OrderMesh), with MaterialId; must outlive the result
+/// @param mesh  ordered mesh (OrderMesh), with MaterialId; must outlive the result; of a plane on
+/// one
+///   rank only
 /// @throws InputError  if faces do not match, or if FindNamedSurfaces does; on all ranks
 /// @pre Collective
 FoamMesh MakeFoamMesh(const MeshData& mesh, Ranks& ranks);

@@ -6,6 +6,7 @@
 #include "Meshes/OpenFoam/FoamFolder.h"
 #include "Meshes/Particles/GatherParticles.h"
 #include "Ranks/WorkTogether.h"
+#include "Report/FlatData.h"
 #include "Report/Gather/GatherMesh.h"
 
 #include <algorithm>
@@ -68,7 +69,7 @@ void WriteCase(const MeshData& mesh, const std::string& path, Ranks& ranks, bool
 
 void WriteFoam(const MeshData& mesh, const std::string& path, Ranks& ranks, const FoamForm& form)
 {
-  if (form.IsWhole || ranks.Count() == 1)
+  if (form.IsWhole || ranks.Count() == 1 || ranks.Any(IsFlat(mesh)))
   {
     WriteWhole(mesh, ranks,
       [&](const MeshData& whole)

@@ -14,6 +14,9 @@
  * pointProcAddressing, faceProcAddressing, cellProcAddressing and boundaryProcAddressing, which
  * contain numbers in the case of a single rank. Folders of other numbers of ranks are not removed.
  *
+ * A mesh of a plane is a layer of prisms with patches of type empty (FoamLayer.h), always as one
+ * case, which rank 0 gathers.
+ *
  * OpenFOAM User Guide v1912, chapter 4.1 "Mesh description".
  */
 #pragma once

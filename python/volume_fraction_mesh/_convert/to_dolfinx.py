@@ -10,13 +10,17 @@ import numpy as np
 from .. import _core
 from .._data import MeshData
 from .._facets import neighbours
+from .._flat import plane_axes
 from .._tables import LINEAR, core_arrays, core_fields, material_names
 
-# By number of corners of an element, in the numbering of dolfinx: the corner of VTK, and for each
-# facet the side of VTK.
-CORNERS = {8: [0, 1, 3, 2, 4, 5, 7, 6], 4: [0, 1, 2, 3]}
-SIDES = {8: [4, 2, 0, 1, 3, 5], 4: [1, 2, 0, 3]}
-CELLS = {8: "hexahedron", 4: "tetrahedron"}
+# By kind of elements, in the numbering of dolfinx: the corner of VTK, and for each facet the side of
+# VTK.
+CORNERS = {"hexahedron": [0, 1, 3, 2, 4, 5, 7, 6], "tetra": [0, 1, 2, 3],
+           "quad": [0, 1, 3, 2], "triangle": [0, 1, 2]}
+SIDES = {"hexahedron": [4, 2, 0, 1, 3, 5], "tetra": [1, 2, 0, 3],
+         "quad": [0, 3, 1, 2], "triangle": [1, 2, 0]}
+CELLS = {"hexahedron": "hexahedron", "tetra": "tetrahedron", "quad": "quadrilateral",
+         "triangle": "triangle"}
 NO_TAG = np.iinfo(np.int32).min
 
 
@@ -57,19 +61,22 @@ def convert(mesh: Optional[MeshData], comm: Any) -> DolfinxMesh:
     table = comm.bcast(_list_tags(mesh) if is_first else None)
     if isinstance(table, Exception):
         raise table
-    corners, materials, tags, names = table
-    points = np.ascontiguousarray(mesh.points, np.float64) if is_first else np.empty((0, 3))
-    cells = (np.ascontiguousarray(mesh.cells[:, CORNERS[corners]], np.int64) if is_first
-             else np.empty((0, corners), np.int64))
-    made = _create_mesh(comm, points, cells, CELLS[corners])
+    kind, materials, tags, names = table
+    size = 2 if kind in ("quad", "triangle") else 3
+    axes = plane_axes(mesh) if is_first and size == 2 else (0, 1, 2)
+    points = (np.ascontiguousarray(mesh.points[:, axes], np.float64) if is_first
+              else np.empty((0, size)))
+    cells = (np.ascontiguousarray(mesh.cells[:, CORNERS[kind]], np.int64) if is_first
+             else np.empty((0, len(CORNERS[kind])), np.int64))
+    made = _create_mesh(comm, points, cells, CELLS[kind])
     original = np.asarray(made.topology.original_cell_index)
-    cell_tags = meshtags(made, 3, np.arange(len(original), dtype=np.int32), materials[original])
-    facets, values = _tag_facets(made, tags[original][:, SIDES[corners]])
-    return DolfinxMesh(made, cell_tags, meshtags(made, 2, facets, values), *names)
+    cell_tags = meshtags(made, size, np.arange(len(original), dtype=np.int32), materials[original])
+    facets, values = _tag_facets(made, tags[original][:, SIDES[kind]])
+    return DolfinxMesh(made, cell_tags, meshtags(made, size - 1, facets, values), *names)
 
 
 def _list_tags(mesh: Optional[MeshData]) -> Any:
-    """Returns the number of corners, the material of each element, the tag of each of its sides or
+    """Returns the kind of elements, the material of each element, the tag of each of its sides or
     NO_TAG, and the numbers of the names; or an exception, which all ranks raise."""
     if mesh is None or not len(mesh):
         return ValueError("Rank 0 has no mesh with elements to convert.")
@@ -86,7 +93,7 @@ def _list_tags(mesh: Optional[MeshData]) -> Any:
     tags[others, (behind[others] == elements[:, None]).argmax(axis=1)] = ids
     names = ({name: number for number, name in material_names(mesh).items()},
              {name: number for number, name in surfaces.items()})
-    return mesh.cells.shape[1], np.asarray(mesh.material, np.int32), tags, names
+    return mesh.kind, np.asarray(mesh.material, np.int32), tags, names
 
 
 def _create_mesh(comm: Any, points: np.ndarray, cells: np.ndarray, cell: str) -> Any:
@@ -95,15 +102,16 @@ def _create_mesh(comm: Any, points: np.ndarray, cells: np.ndarray, cell: str) ->
     from dolfinx.mesh import GhostMode, create_cell_partitioner, create_mesh
 
     arguments = signature(create_mesh).parameters
+    size = points.shape[1]
     if "ghost_mode" in arguments:  # 0.5
-        element = ufl.VectorElement("Lagrange", ufl.Cell(cell, geometric_dimension=3), 1)
+        element = ufl.VectorElement("Lagrange", ufl.Cell(cell, geometric_dimension=size), 1)
         return create_mesh(comm, cells, points, ufl.Mesh(element), GhostMode.shared_facet)
     if hasattr(ufl, "VectorElement"):  # 0.6
-        element = ufl.VectorElement("Lagrange", ufl.Cell(cell, geometric_dimension=3), 1)
+        element = ufl.VectorElement("Lagrange", ufl.Cell(cell, geometric_dimension=size), 1)
     else:
         import basix.ufl
 
-        element = basix.ufl.element("Lagrange", cell, 1, shape=(3,))
+        element = basix.ufl.element("Lagrange", cell, 1, shape=(size,))
     try:
         partitioner = create_cell_partitioner(GhostMode.shared_facet)
     except TypeError:  # 0.11: also the number of cells at a facet
@@ -117,8 +125,9 @@ def _tag_facets(mesh: Any, tags: np.ndarray) -> Tuple[np.ndarray, np.ndarray]:
 
     tags: of each facet of each cell of this rank, or NO_TAG.
     """
-    mesh.topology.create_connectivity(3, 2)
-    facets = np.asarray(mesh.topology.connectivity(3, 2).array).reshape(tags.shape)
+    size = mesh.topology.dim
+    mesh.topology.create_connectivity(size, size - 1)
+    facets = np.asarray(mesh.topology.connectivity(size, size - 1).array).reshape(tags.shape)
     is_tagged = tags != NO_TAG
     found, place = np.unique(facets[is_tagged], return_index=True)
     return found.astype(np.int32), tags[is_tagged][place]
