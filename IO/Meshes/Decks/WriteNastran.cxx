@@ -61,6 +61,13 @@ void WriteSection(DeckCards& cards, const MeshData& mesh, const MaterialPart& se
 {
   WriteComment(cards, "Material " + std::to_string(section.Id) + ": " + section.Name);
   cards.Text("PSOLID  ").Integer(section.Id, Narrow).Integer(section.Id, Narrow).End();
+  if (section.Bin && section.Bin->Elastic)
+  {
+    const ElasticConstants& elastic = *section.Bin->Elastic;
+    cards.Text("MAT1*   ").Integer(section.Id, Wide).Real(elastic.Modulus, Wide).Blank(Wide);
+    cards.Real(elastic.Poisson, Wide).End();
+    cards.Text("*       ").Real(elastic.Density, Wide).End();
+  }
   WriteElements(cards, mesh, section);
 }
 
