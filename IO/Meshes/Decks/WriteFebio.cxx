@@ -162,12 +162,9 @@ void AddMaterial(
     "    <material id=" + Quoted(std::to_string(&part - model.Materials.data() + 1)) +
       " name=" + Quoted(name) + " type=\"isotropic elastic\">");
   const bool hasConstants = part.Bin && part.Bin->Elastic;
-  const std::optional<double> density =
-    hasConstants ? part.Bin->Elastic->Density : DensityOf(model, part);
-  if (density)
-  {
-    AddConstant(file, "density", *density);
-  }
+  // FEBio's own density is 1; readers of Python expect it before the other constants.
+  AddConstant(file, "density",
+    hasConstants ? part.Bin->Elastic->Density : DensityOf(model, part).value_or(1.0));
   AddConstant(file, "E", hasConstants ? part.Bin->Elastic->Modulus : 1.0);
   AddConstant(file, "v", hasConstants ? part.Bin->Elastic->Poisson : 0.3);
   AddLine(file, "    </material>");
@@ -236,6 +233,10 @@ void AddMesh(OutputFile& file, const DeckModel& model, const std::vector<NamedSu
   {
     AddElements(file, mesh, model.Materials[p], names.Parts[p]);
   }
+  for (std::size_t s = 0; s < surfaces.size(); ++s)
+  {
+    AddSurface(file, mesh, surfaces[s], names.Surfaces[s]);
+  }
   std::vector<Index> elements;
   for (Index element = 0; element < mesh.NumberOfElements; ++element)
   {
@@ -249,10 +250,6 @@ void AddMesh(OutputFile& file, const DeckModel& model, const std::vector<NamedSu
   for (std::size_t s = 0; s < names.NodeSets.size(); ++s)
   {
     AddSet(file, "NodeSet", names.NodeSets[s], model.Sets.NodeSets[s].Points);
-  }
-  for (std::size_t s = 0; s < surfaces.size(); ++s)
-  {
-    AddSurface(file, mesh, surfaces[s], names.Surfaces[s]);
   }
   AddLine(file, "  </Mesh>");
 }
