@@ -518,7 +518,7 @@ def bin_materials(
     array: str,
     count: int,
     materials: Sequence[int],
-    law: Optional[Tuple[float, float, float, float, float]],
+    law: Optional[Sequence[float]],
 ) -> Tuple[NDArray[np.int32], Fields]:
     """Groups elements by intervals of an array. Returns the id of the bin of each element, and the
     columns of the table of bins. law: a, b, Poisson's ratio, c0, c1."""

@@ -43,14 +43,14 @@ def modify(mesh: MeshType, extensive: Sequence[str] = (), **options: Any) -> Mes
     return replace(mesh, **{**data, "point_state": point_state})
 
 
-def bin_materials(mesh: MeshType, array: str, count: int, law: Optional[Sequence[float]],
-                  materials: Sequence[Union[int, str]]) -> MeshType:
-    """Implements Mesh.bin_materials. law: a, b, Poisson's ratio, c0, c1."""
+def bin_materials(mesh: MeshType, array: str, count: int, law: Sequence[Optional[float]],
+                  materials: Union[int, str, Sequence[Union[int, str]]]) -> MeshType:
+    """Implements Mesh.bin_materials. law: a, b, Poisson's ratio, c0, c1; none if a is None."""
     chosen = [materials] if isinstance(materials, (int, str)) else materials
-    numbers = None if law is None else tuple(float(number) for number in law)
     ids, table = _core.bin_materials(
         *core_arrays(mesh), core_fields(mesh.fields), array, operator.index(count),
-        [material_id(mesh, material) for material in chosen], numbers)
+        [material_id(mesh, material) for material in chosen],
+        None if law[0] is None else [float(number) for number in law])
     kept = {name: values for name, values in mesh.fields.items()
             if name not in table and name not in BIN_LAW}
     return replace(mesh, state={**mesh.state, BIN_ID: ids}, fields={**kept, **table})

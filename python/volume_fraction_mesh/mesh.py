@@ -335,20 +335,19 @@ class Mesh(MeshData):
         """Group the elements by grey values or densities, as materials of files of solvers.
 
         The range of the array is divided into `count` intervals of equal width. The elements of a
-        material in an interval are a bin, such as ``bone_bin_03``: a block of Exodus, a part of
-        ``.k``, an element set with material and section of ``.inp``, a domain of ``.feb``. The
-        material of elements, fragments, interfaces and named sets stay as they are.
+        material in an interval are a bin, such as ``bone_bin_03``: in files a block, part or element
+        set with a material of its own. Materials, fragments and named sets of the mesh stay.
 
         Parameters
         ----------
         array : str
-            Array of `state` with one value per element.
+            Array of `state`, one value per element.
         count : int, default 20
             Number of intervals. Bins without elements are left out.
         a, b : float
             Young's modulus is a * density**b. Without `a` files have no constants of bins.
         poisson : float, default 0.3
-            Poisson's ratio of all bins.
+            Poisson's ratio.
         c0, c1 : float, default 0 and 1
             The density is c0 + c1 * value, of the mean value of the bin, weighted by volume.
         materials : int, str or sequence, optional
@@ -357,22 +356,18 @@ class Mesh(MeshData):
         Returns
         -------
         Mesh
-            The mesh with ``BinId`` in `state` and the table of bins in `fields`: ``BinIds``,
-            ``BinNames``, ``BinMean``, ``BinVolume``, ``BinModulus`` and others.
+            The mesh with ``BinId`` in `state`, and ``BinIds``, ``BinNames`` and so on in `fields`.
 
         Examples
         --------
         >>> density = np.linspace(0.2, 1.8, 8).reshape(8, 1, 1) * np.ones((8, 4, 4))
         >>> mesh = vfm.hexes({"bone": np.ones((8, 4, 4))}, state={"density": density})
         >>> binned = mesh.bin_materials("density", 4, a=6850, b=1.49)
-        >>> binned.fields["BinNames"]
-        ['bone_bin_01', 'bone_bin_02', 'bone_bin_03', 'bone_bin_04']
-        >>> binned.fields["BinModulus"].round().tolist()
-        [1221.0, 4653.0, 9309.0, 14914.0]
+        >>> binned.fields["BinNames"][0], binned.fields["BinModulus"].round().tolist()
+        ('bone_bin_01', [1221.0, 4653.0, 9309.0, 14914.0])
         >>> binned.save("bone.inp")
         """
-        law = None if a is None else (a, b, poisson, c0, c1)
-        return _modify.bin_materials(self, array, count, law, materials)
+        return _modify.bin_materials(self, array, count, (a, b, poisson, c0, c1), materials)
 
     def separate(self) -> Separated:
         """Give each material its own points, so that materials can slide and part in contact.
