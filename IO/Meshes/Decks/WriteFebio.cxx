@@ -4,6 +4,7 @@
 #include "Meshes/Files/ElementNodes.h"
 #include "Meshes/Files/OutputFile.h"
 #include "Meshes/Vtk/VtuText.h"
+#include "Report/MeshArrays.h"
 #include "Report/Sets/NamedSurfaces.h"
 #include "Report/UniqueNames.h"
 
@@ -174,7 +175,7 @@ void AddElementData(OutputFile& file, const MeshData& mesh, UniqueNames& names)
 {
   for (const MeshArray& array : mesh.ElementArrays)
   {
-    if (!IsElementData(array) || array.Values == mesh.ScaledJacobian)
+    if (!IsElementData(array) || FindKnownArray(array.Name))
     {
       continue;
     }
