@@ -39,6 +39,11 @@ const std::vector<ArgumentOption> OwnOptions{
     "", true },
   { "--state", "A,B,..",
     "cell arrays to transfer to the elements: velocity, temperature; repeatable", "", true },
+  { "--bins", "ARRAY,COUNT[,A,B[,V[,C0,C1]]]",
+    "divide materials by COUNT intervals of a cell array, such as grey values, into parts of "
+    "solvers'"
+    " files; E = A rho^B, rho = C0 + C1 value, default the value; V: Poisson's ratio, default "
+    "0.3" },
   { "--fragments", "FILE.csv", "also write a table of fragments: volumes, centroids, neighbours" },
   { "--geometry", "FILE.vtm", "also write surfaces, curves and vertices, and their adjacency" },
   { "--surfaces", "FILE|FOLDER",

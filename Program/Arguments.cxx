@@ -209,6 +209,33 @@ OutputForm ReadForm(const GivenArguments& given)
   return form;
 }
 
+/// Reads the array and the number of bins, and the numbers of the law.
+std::optional<BinRule> ParseBins(const std::string& text)
+{
+  const std::vector<std::string> parts = SplitText(text);
+  const std::optional<int> count =
+    parts.size() > 1 ? ParseCount(parts[1], 1, LargestBinCount) : std::nullopt;
+  const std::set<std::size_t> lengths{ 2, 4, 5, 7 };
+  if (!count || parts[0].empty() || lengths.count(parts.size()) == 0)
+  {
+    return std::nullopt;
+  }
+  BinRule rule{ parts[0], *count, {}, std::nullopt };
+  ElasticLaw law;
+  double* const numbers[] = { &law.Factor, &law.Exponent, &law.Poisson, &law.Offset, &law.Slope };
+  for (std::size_t p = 2; p < parts.size(); ++p)
+  {
+    const std::optional<double> number = ParseNumber(parts[p], -LargestNumber, LargestNumber);
+    if (!number)
+    {
+      return std::nullopt;
+    }
+    *numbers[p - 2] = *number;
+    rule.Law = law;
+  }
+  return rule;
+}
+
 /// Makes the cell width that of the grid around surfaces, unless the number of its cells is given.
 void TakeGridWidths(Arguments& to)
 {
@@ -290,6 +317,10 @@ Arguments ReadValues(const GivenArguments& given)
     to.Materials.clear();
   }
   to.State = ReadList(given, "--state");
+  to.Bins = ReadValue(given, "--bins",
+    "ARRAY,COUNT, or with A,B or A,B,V or A,B,V,C0,C1 after it, COUNT from 1 to " +
+      std::to_string(LargestBinCount),
+    ParseBins);
   to.RefinesCells = given.count("--refine-cells") > 0;
   to.Mesher = ReadOptions(given);
   const Settings settings = ListSettings(given);
@@ -391,10 +422,15 @@ void CheckConserved(const MesherOptions& options)
   }
 }
 
-/// Adds the densities to the arrays that readers read.
-void AddDensities(Arguments& to)
+/// Adds the densities and the array of bins to the arrays that readers read.
+void AddState(Arguments& to)
 {
-  for (const std::string& name : to.Mesher.DensityArrays)
+  std::vector<std::string> names = to.Mesher.DensityArrays;
+  if (to.Bins)
+  {
+    names.push_back(to.Bins->Array);
+  }
+  for (const std::string& name : names)
   {
     if (std::find(to.State.begin(), to.State.end(), name) == to.State.end())
     {
@@ -488,7 +524,7 @@ Arguments ParseArguments(const std::vector<std::string>& words)
       break;
     case Command::Mesh:
       CheckMesh(arguments);
-      AddDensities(arguments);
+      AddState(arguments);
       CheckConserved(arguments.Mesher);
       break;
     case Command::Help:

@@ -5,6 +5,7 @@
 
 #include "Meshes/FormatTable.h"
 #include "Options/MesherOptions.h"
+#include "Report/Sets/MaterialBins.h"
 
 #include <array>
 #include <optional>
@@ -43,6 +44,7 @@ struct Arguments
   std::string Labels;                 ///< cell array; empty: fractions
   std::vector<std::string> Materials; ///< numbers or names of materials to mesh; empty: all
   std::vector<std::string> State;     ///< cell arrays to transfer to the elements
+  std::optional<BinRule> Bins;        ///< groups of elements; its array is in State, too
   bool RefinesCells = false;          ///< `sculptor test` refines only chosen cells
   MesherOptions Mesher;
   bool SetsFlat = false;      ///< whether an option says what Flat is; otherwise the input does

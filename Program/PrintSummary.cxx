@@ -225,4 +225,33 @@ void PrintSummary(const MeshSummary& summary, const std::vector<std::string>& pa
   to << "\n";
 }
 
+void PrintBins(const std::vector<MaterialBin>& bins, std::ostream& to)
+{
+  const std::size_t listed = std::min(bins.size(), ListedMaterials);
+  std::vector<std::string> names;
+  for (std::size_t b = 0; b < listed; ++b)
+  {
+    names.push_back(std::to_string(bins[b].Id) + " " + MakePrintable(bins[b].Name));
+  }
+  const std::size_t width = FindWidth(names);
+  for (std::size_t b = 0; b < listed; ++b)
+  {
+    const MaterialBin& bin = bins[b];
+    if (b == 0)
+    {
+      to << "\n"
+         << Padded("bin", width) << Print("%12s%14s%14s", "elements", "volume", "mean value")
+         << (bin.Elastic ? Print("%14s%14s", "density", "modulus") : "") << "\n";
+    }
+    to << Padded(names[b], width)
+       << Print("%12lld%14.6g%14.6g", static_cast<long long>(bin.Elements), bin.Volume, bin.Mean)
+       << (bin.Elastic ? Print("%14.6g%14.6g", bin.Elastic->Density, bin.Elastic->Modulus) : "")
+       << "\n";
+  }
+  if (listed < bins.size())
+  {
+    to << "and " << bins.size() - listed << " more bins\n";
+  }
+}
+
 } // namespace vfm

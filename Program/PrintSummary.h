@@ -4,6 +4,7 @@
 #pragma once
 
 #include "Report/MeshSummary.h"
+#include "Report/Sets/MaterialBins.h"
 
 #include <iosfwd>
 
@@ -21,5 +22,8 @@ struct StageTime
 /// @param particles  paths of files with the particles beside other files
 void PrintSummary(const MeshSummary& summary, const std::vector<std::string>& particles,
   const std::vector<StageTime>& times, std::ostream& to);
+
+/// Prints the table of bins; nothing if there are none.
+void PrintBins(const std::vector<MaterialBin>& bins, std::ostream& to);
 
 } // namespace vfm

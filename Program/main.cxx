@@ -189,8 +189,24 @@ void WriteFiles(const MesherResult& result, const MeshData& mesh, const ReportHe
 bool MayLeaveHexes(const Arguments& arguments, const Ranks& ranks)
 {
   const bool isOnly = arguments.Fragments.empty() && arguments.Geometry.empty() &&
-    arguments.Surfaces.empty() && arguments.Report.empty();
+    arguments.Surfaces.empty() && arguments.Report.empty() && !arguments.Bins;
   return isOnly && ranks.Count() == 1 && TakesRuns(arguments.Output);
+}
+
+/// Groups the elements if requested, and adds the groups to the mesh.
+/// @return  groups, which must outlive the mesh
+/// @pre Collective
+BinnedElements AddBins(const Arguments& arguments, Ranks& ranks, MeshData& mesh)
+{
+  BinnedElements bins;
+  if (arguments.Bins)
+  {
+    WorkInStage(
+      ranks, ErrorCode::RejectedMesh, [&] { bins = BinElements(mesh, *arguments.Bins, ranks); });
+    mesh.ElementArrays.push_back({ BinIdName, ValueType::Int, 1, {}, bins.Ids.data() });
+    ReplaceBins(bins.Fields, mesh.Fields);
+  }
+  return bins;
 }
 
 /// Returns the paths of files with particles beside the files of meshes.
@@ -274,6 +290,7 @@ void MeshFile(const Arguments& given, Ranks& ranks)
     particles = ViewParticles(*result.State.TheParticles);
     mesh.Particles = &particles;
   }
+  const BinnedElements bins = AddBins(arguments, ranks, mesh);
   std::optional<MeshWithRuns> whole;
   if (leftOut.Runs.empty())
   {
@@ -293,6 +310,7 @@ void MeshFile(const Arguments& given, Ranks& ranks)
     {
       PrintHead(arguments, input, arrays);
       PrintSummary(summary, ListParticlesBeside(arguments), times.Get(), std::cout);
+      PrintBins(bins.Bins, std::cout);
     }
   }
 }

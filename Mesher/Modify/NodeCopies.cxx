@@ -7,6 +7,7 @@
 #include "Ranks/AskRanks.h"
 #include "Ranks/MergeByKey.h"
 #include "Ranks/NumberKeys.h"
+#include "Report/FlatData.h"
 #include "Report/MatchFaces.h"
 #include "Report/Sets/MeshSets.h"
 
@@ -54,12 +55,11 @@ const Index* ClassesOf(const MeshData& mesh)
 
 std::vector<char> MarkOwnNodes(const MeshData& mesh, const std::vector<char>& isCut)
 {
-  const ElementFaces faces(mesh.Corners);
   std::vector<char> isMarked(mesh.NumberOfPoints, 0);
   for (std::size_t f = 0; f < isCut.size(); ++f)
   {
     const MeshFacet& facet = (*mesh.Facets)[f];
-    for (Index point : faces.PointsOf(mesh.Element(facet.Element), facet.Side))
+    for (Index point : PointsOfSide(mesh, facet))
     {
       if (isCut[f] != 0 && point >= 0)
       {
@@ -80,7 +80,7 @@ std::vector<char> MarkNodes(const MeshData& mesh, const std::vector<char>& isCut
   std::vector<char> marks;
   for (Index point = 0; point < mesh.NumberOfPoints; ++point)
   {
-    if (isPeriodic || isMarked[point] != 0 || mesh.GeometryDimension[point] < DimensionOfVolumes)
+    if (isPeriodic || isMarked[point] != 0 || mesh.GeometryDimension[point] < DimensionInside(mesh))
     {
       points.push_back(point);
       classes.push_back({ { ClassesOf(mesh)[point] } });
@@ -157,13 +157,12 @@ private:
   /// Returns the sides at the corners that connect elements.
   std::vector<ElementSide> ListSides() const
   {
-    const ElementFaces table(this->TheMesh.Corners);
     std::vector<ElementSide> sides;
     for (const Corner& corner : this->Corners)
     {
-      for (int side = 0; side < table.Count; ++side)
+      for (int side = 0; side < SidesOf(this->TheMesh); ++side)
       {
-        const FaceIds points = table.PointsOf(this->TheMesh.Element(corner.Element), side);
+        const FaceIds points = PointsOfSide(this->TheMesh, { corner.Element, side });
         const bool isAtNode = std::find(points.begin(), points.end(), corner.Node) != points.end();
         if (isAtNode && this->Connects({ corner.Element, side }))
         {

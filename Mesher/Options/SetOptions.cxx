@@ -247,8 +247,9 @@ void CheckFlat(const MesherOptions& options)
         ": set it to " + value + ".");
     }
   };
-  reject(options.Layers > 1, "Layers", "0");
-  reject(!options.SplitInterfaces.empty(), "SplitInterfaces", "None");
+  reject(options.Layers > 1 && options.Elements == ElementKind::Tets, "Layers of triangles", "0");
+  reject(!options.SplitInterfaces.empty() && options.SplitConnection == ConnectionKind::Cohesive,
+    "cohesive elements in SplitConnection", "None, Contact or Tied");
   reject(options.ElementOrder != InterpolationOrder::Linear, "ElementOrder", "Linear");
   reject(options.UnmeshedMaterial == Unmeshed::Particles, "Particles in UnmeshedMaterial", "Give");
 }

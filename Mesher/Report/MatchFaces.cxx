@@ -119,14 +119,15 @@ void MatchOverRanks(const OpenFaces& open, const std::vector<Index>& values, std
 
 } // namespace
 
+FaceIds ValuesOfSide(const MeshData& mesh, const Index* ofCorners, int side)
+{
+  return IsFlat(mesh) ? FaceIds{ { ofCorners[side], ofCorners[(side + 1) % mesh.Corners], -1, -1 } }
+                      : ElementFaces(mesh.Corners).PointsOf(ofCorners, side);
+}
+
 FaceIds PointsOfSide(const MeshData& mesh, const ElementSide& side)
 {
-  if (IsFlat(mesh))
-  {
-    const Index* corners = mesh.Element(side.Element);
-    return { { corners[side.Side], corners[(side.Side + 1) % mesh.Corners], -1, -1 } };
-  }
-  return ElementFaces(mesh.Corners).PointsOf(mesh.Element(side.Element), side.Side);
+  return ValuesOfSide(mesh, mesh.Element(side.Element), side.Side);
 }
 
 FaceIds SortedPointsOfSide(const MeshData& mesh, const ElementSide& side)

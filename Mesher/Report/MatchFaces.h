@@ -13,6 +13,9 @@ namespace vfm
 /// Returns the points of a side, counterclockwise seen from outside of the element. The last point
 /// of a triangle, and the last two of an edge, are -1.
 FaceIds PointsOfSide(const MeshData& mesh, const ElementSide& side);
+/// Returns the values of these points.
+/// @param ofCorners  a value for each corner of an element of the mesh
+FaceIds ValuesOfSide(const MeshData& mesh, const Index* ofCorners, int side);
 /// Returns the points of a side in ascending order. The first point of a triangle is -1.
 FaceIds SortedPointsOfSide(const MeshData& mesh, const ElementSide& side);
 

@@ -323,8 +323,36 @@ TEST(Arguments, FolderOfSurfaces)
   }
 }
 
+TEST(Arguments, Bins)
+{
+  const Arguments plain = ParseMesh("--bins grey,20 --state heat");
+  ASSERT_TRUE(plain.Bins);
+  EXPECT_EQ(plain.Bins->Array, "grey");
+  EXPECT_EQ(plain.Bins->Count, 20);
+  EXPECT_FALSE(plain.Bins->Law);
+  EXPECT_EQ(plain.State, (std::vector<std::string>{ "heat", "grey" }));
+  const Arguments law = ParseMesh("--bins grey,5,6850,1.49");
+  ASSERT_TRUE(law.Bins && law.Bins->Law);
+  EXPECT_EQ(law.Bins->Law->Factor, 6850.0);
+  EXPECT_EQ(law.Bins->Law->Exponent, 1.49);
+  EXPECT_EQ(law.Bins->Law->Poisson, 0.3);
+  EXPECT_EQ(law.Bins->Law->Slope, 1.0);
+  const Arguments all = ParseMesh("--bins grey,5,2,-1,0.25,0.1,1e-3");
+  ASSERT_TRUE(all.Bins && all.Bins->Law);
+  EXPECT_EQ(all.Bins->Law->Exponent, -1.0);
+  EXPECT_EQ(all.Bins->Law->Poisson, 0.25);
+  EXPECT_EQ(all.Bins->Law->Offset, 0.1);
+  EXPECT_EQ(all.Bins->Law->Slope, 1e-3);
+}
+
 TEST(Arguments, RejectedValues)
 {
+  for (const char* wrong : { "grey", "grey,0", "grey,2.5", "grey,10001", "grey,5,1", "grey,5,1,inf",
+         "grey,5,1,2,0.3,4", "grey,5,1,2,0.3,4,5,6", ",5" })
+  {
+    ExpectRefusals(
+      "in.vti out.inp --bins ", { { wrong, "--bins takes ARRAY,COUNT, or with A,B" } });
+  }
   ExpectRefusals("in.vti out.vtu ",
     { { "--fractions a,,b", "--fractions contains an empty name." },
       { "--fractions a,a", "--fractions contains 'a' twice." },

@@ -5,7 +5,10 @@
 #include "NumpyFields.h"
 #include "NumpyMesh.h"
 #include "PythonRuntime.h"
+#include "Report/Sets/MaterialBins.h"
 
+#include <nanobind/stl/array.h>
+#include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
@@ -70,12 +73,35 @@ nb::dict Modify(const NumpyPoints& points, const NumpyCells& cells, const NamedA
   return all;
 }
 
+/// @param law  factor, exponent, Poisson's ratio, offset and slope of ElasticLaw
+nb::tuple BinMaterials(const NumpyPoints& points, const NumpyCells& cells,
+  const NamedArrays& pointArrays, const NamedArrays& cellArrays, const nb::dict& fields,
+  const std::string& array, int count, const std::vector<int>& materials,
+  const std::optional<std::array<double, 5>>& law)
+{
+  const StoredMesh mesh = ViewMesh(points, cells, pointArrays, cellArrays, fields);
+  BinRule rule{ array, count, materials, std::nullopt };
+  if (law)
+  {
+    rule.Law = ElasticLaw{ (*law)[0], (*law)[1], (*law)[2], (*law)[3], (*law)[4] };
+  }
+  BinnedElements bins;
+  {
+    const nb::gil_scoped_release others;
+    Ranks alone;
+    bins = BinElements(mesh.Data, rule, alone);
+  }
+  return nb::make_tuple(NumbersToNumpy(bins.Ids), ToDict(bins.Fields));
+}
+
 } // namespace
 
 void BindModify(nb::module_& module)
 {
   module.def("modify_mesh", Modify, "points"_a, "cells"_a, "point_arrays"_a, "cell_arrays"_a,
     "fields"_a, "surfaces"_a, "curves"_a, "extensive"_a, "options"_a, "warn"_a);
+  module.def("bin_materials", BinMaterials, "points"_a, "cells"_a, "point_arrays"_a,
+    "cell_arrays"_a, "fields"_a, "array"_a, "count"_a, "materials"_a, "law"_a.none());
 }
 
 } // namespace vfm

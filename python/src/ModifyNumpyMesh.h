@@ -1,5 +1,6 @@
 /**
- * ModifyNumpyMesh: splits interfaces of a mesh in numpy arrays, and cuts it into layers.
+ * ModifyNumpyMesh: splits interfaces of a mesh in numpy arrays, cuts it into layers, and groups its
+ * elements in bins.
  */
 #pragma once
 
@@ -8,7 +9,7 @@
 namespace vfm
 {
 
-/// Adds modify_mesh to the module.
+/// Adds modify_mesh and bin_materials to the module.
 void BindModify(nanobind::module_& module);
 
 } // namespace vfm

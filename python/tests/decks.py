@@ -22,9 +22,10 @@ def new_deck():
     - nodes: {number: coordinates}; elements: {number: corners}; parts: {id: (name, elements)}
     - node_sets: {name: (id, nodes)}; surfaces: {name: (id, [corners of a face])}
     - velocities: {node: vector}; states: {element: numbers}
+    - constants: {material: (density, modulus, Poisson's ratio)}; part_sets: {name: (id, parts)}
     """
     return SimpleNamespace(nodes={}, elements={}, parts={}, node_sets={}, surfaces={},
-                           velocities={}, states={})
+                           velocities={}, states={}, constants={}, part_sets={})
 
 
 def fields(line, *widths):
@@ -97,6 +98,13 @@ def read_keyword_file(path):
                 assert len(corners) == 4
                 add_new(deck.elements, number, list(corners_of(corners)))
                 deck.parts[part][1].append(number)
+        elif keyword == "*MAT_ELASTIC":
+            number, *constants = fields(lines[0], 10, 10, 10, 10)
+            add_new(deck.constants, int(number), tuple(map(float, constants)))
+        elif keyword == "*SET_PART_LIST_TITLE":
+            parts = [n for line in lines[2:] for n in numbers(line, 10)]
+            assert all(len(line) <= 80 for line in lines[2:])
+            add_new(deck.part_sets, lines[0], (int(lines[1]), parts))
         elif keyword == "*SET_NODE_LIST_TITLE":
             nodes = [n for line in lines[2:] for n in numbers(line, 10)]
             assert all(len(line) <= 80 for line in lines[2:])
@@ -141,6 +149,9 @@ def read_radioss(path):
                 add_new(deck.nodes, int(number), list(map(float, x)))
         elif name == "/PROP/SOLID":
             assert ident == "1" and len(lines) == 4
+        elif name == "/MAT/ELAST":
+            (density,), constants = fields(lines[1], 20), fields(lines[2], 20, 20)
+            add_new(deck.constants, int(ident), tuple(map(float, (density, *constants))))
         elif name == "/PART":
             assert numbers(lines[1], 10) == [1, int(ident), 0] and len(lines) == 2
             add_new(deck.parts, int(ident), (lines[0], []))
@@ -218,6 +229,11 @@ def read_nastran(path):
             assert part == ident and len(corners) == (4 if head == "CQUAD4" else 3)
             add_new(deck.elements, number, corners)
             items.append(number)
+        elif head == "MAT1*":
+            number, modulus, shear, poisson = fields(line[8:], 16, 16, 16, 16)
+            star, density = fields(next(lines), 8, 16)
+            assert int(number) == ident and shear == "" and star == "*"
+            add_new(deck.constants, ident, (real(density), real(modulus), real(poisson)))
         elif head in ("CHEXA", "CTETRA"):
             number, part, *corners = numbers(line[8:], 8)
             if head == "CHEXA":
@@ -265,6 +281,17 @@ def read_abaqus(path):
         elif name == "*NSET":
             listed = [int(text) for row in rows for text in row]
             add_new(deck.node_sets, options["NSET"], (None, listed))
+        elif name == "*MATERIAL":
+            material = options["NAME"]
+        elif name == "*ELASTIC":
+            (elastic,) = rows
+        elif name == "*DENSITY":
+            add_new(deck.constants, material, tuple(map(float, (rows[0][0], *elastic))))
+        elif name == "*SOLID SECTION":
+            part = int(re.fullmatch(r"EB(\d+)", options["ELSET"]).group(1))
+            assert options["MATERIAL"] == material and deck.parts[part][1] == deck.element_sets[
+                material]
+            deck.parts[part] = (material, deck.parts[part][1])
         elif name == "*SURFACE":
             is_flat = deck.types <= {"CPE4", "CPE3", "CPS4", "CPS3"}
             faces = []

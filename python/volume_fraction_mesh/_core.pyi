@@ -511,6 +511,20 @@ def cohesive_blocks(
     The arguments are those of write_mesh().
     """
 
+def bin_materials(
+    points: NDArray[np.float64],
+    cells: NDArray[np.int64],
+    point_arrays: Sequence[Tuple[str, NDArray[Any]]],
+    cell_arrays: Sequence[Tuple[str, NDArray[Any]]],
+    fields: Fields,
+    array: str,
+    count: int,
+    materials: Sequence[int],
+    law: Optional[Sequence[float]],
+) -> Tuple[NDArray[np.int32], Fields]:
+    """Groups elements by intervals of an array. Returns the id of the bin of each element, and the
+    columns of the table of bins. law: a, b, Poisson's ratio, c0, c1."""
+
 def modify_mesh(
     points: NDArray[np.float64],
     cells: NDArray[np.int64],

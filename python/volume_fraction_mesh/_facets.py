@@ -121,7 +121,7 @@ def facets(mesh: MeshData, name: str) -> Facets:
 
 def skin(mesh: MeshData, material: Union[int, str]) -> Facets:
     """Implements Mesh.skin."""
-    label = _material_id(mesh, material)
+    label = material_id(mesh, material)
     behind = neighbours(mesh)
     other = np.where(behind < 0, label - 1, mesh.material[behind])
     elements, sides = np.nonzero((mesh.material == label)[:, None] & (other != label))
@@ -145,7 +145,8 @@ def _facets(mesh: MeshData, elements: Any, sides: Any) -> Facets:
     return Facets(_core.face_points(core_mesh(mesh)[1], elements, sides), elements, sides)
 
 
-def _material_id(mesh: MeshData, material: Union[int, str]) -> int:
+def material_id(mesh: MeshData, material: Union[int, str]) -> int:
+    """Returns the id of a material by its id or name."""
     names = material_names(mesh)
     found = [i for i, name in names.items() if material == (name if isinstance(material, str)
                                                              else i)]

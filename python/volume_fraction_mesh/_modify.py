@@ -1,20 +1,24 @@
-"""Splits interfaces of a mesh, and cuts it into layers."""
+"""Splits interfaces of a mesh, cuts it into layers, and groups its elements in bins."""
 
 from __future__ import annotations
 
+import operator
 import warnings
 from dataclasses import replace
-from typing import Any, Dict, List, Mapping, Sequence, TypeVar
+from typing import Any, Dict, List, Mapping, Optional, Sequence, TypeVar, Union
 
 import numpy as np
 
 from . import _core
 from ._data import MeshData
+from ._facets import material_id
 from ._result import data_of
 from ._tables import core_arrays, core_fields
 from ._warning import VolumeFractionMeshWarning
 
 MeshType = TypeVar("MeshType", bound=MeshData)
+BIN_ID = "BinId"  # name of the array with the bin of each element
+BIN_LAW = ("BinDensity", "BinModulus", "BinPoisson")  # columns of a table of bins with a law
 CALLER = 3  # stack level of the caller of Mesh.split(), for warnings
 
 
@@ -37,6 +41,19 @@ def modify(mesh: MeshType, extensive: Sequence[str] = (), **options: Any) -> Mes
                   warnings=mesh.run.warnings + told)
     data = data_of(result, mesh.roles, run)
     return replace(mesh, **{**data, "point_state": point_state})
+
+
+def bin_materials(mesh: MeshType, array: str, count: int, law: Sequence[Optional[float]],
+                  materials: Union[int, str, Sequence[Union[int, str]]]) -> MeshType:
+    """Implements Mesh.bin_materials. law: a, b, Poisson's ratio, c0, c1; none if a is None."""
+    chosen = [materials] if isinstance(materials, (int, str)) else materials
+    ids, table = _core.bin_materials(
+        *core_arrays(mesh), core_fields(mesh.fields), array, operator.index(count),
+        [material_id(mesh, material) for material in chosen],
+        None if law[0] is None else [float(number) for number in law])
+    kept = {name: values for name, values in mesh.fields.items()
+            if name not in table and name not in BIN_LAW}
+    return replace(mesh, state={**mesh.state, BIN_ID: ids}, fields={**kept, **table})
 
 
 def _arrays_of(geometry: Any) -> Dict[str, np.ndarray]:

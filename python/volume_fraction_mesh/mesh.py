@@ -329,6 +329,46 @@ class Mesh(MeshData):
         """
         return _modify.modify(self, extensive, layers=layers, first_layer_unit="length", **options)
 
+    def bin_materials(self, array: str, count: int = 20, *, a: Optional[float] = None,
+                      b: float = 1.0, poisson: float = 0.3, c0: float = 0.0, c1: float = 1.0,
+                      materials: Union[int, str, Sequence[Union[int, str]]] = ()) -> Mesh:
+        """Group the elements by grey values or densities, as materials of files of solvers.
+
+        The range of the array is divided into `count` intervals of equal width. The elements of a
+        material in an interval are a bin, such as ``bone_bin_03``: in files a block, part or element
+        set with a material of its own. Materials, fragments and named sets of the mesh stay.
+
+        Parameters
+        ----------
+        array : str
+            Array of `state`, one value per element.
+        count : int, default 20
+            Number of intervals. Bins without elements are left out.
+        a, b : float
+            Young's modulus is a * density**b. Without `a` files have no constants of bins.
+        poisson : float, default 0.3
+            Poisson's ratio.
+        c0, c1 : float, default 0 and 1
+            The density is c0 + c1 * value, of the mean value of the bin, weighted by volume.
+        materials : int, str or sequence, optional
+            Materials to divide, by id or name. Default: all but the void.
+
+        Returns
+        -------
+        Mesh
+            The mesh with ``BinId`` in `state`, and ``BinIds``, ``BinNames`` and so on in `fields`.
+
+        Examples
+        --------
+        >>> density = np.linspace(0.2, 1.8, 8).reshape(8, 1, 1) * np.ones((8, 4, 4))
+        >>> mesh = vfm.hexes({"bone": np.ones((8, 4, 4))}, state={"density": density})
+        >>> binned = mesh.bin_materials("density", 4, a=6850, b=1.49)
+        >>> binned.fields["BinNames"][0], binned.fields["BinModulus"].round().tolist()
+        ('bone_bin_01', [1221.0, 4653.0, 9309.0, 14914.0])
+        >>> binned.save("bone.inp")
+        """
+        return _modify.bin_materials(self, array, count, (a, b, poisson, c0, c1), materials)
+
     def separate(self) -> Separated:
         """Give each material its own points, so that materials can slide and part in contact.
 

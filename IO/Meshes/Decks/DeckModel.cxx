@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace vfm
 {
@@ -61,6 +62,12 @@ StoredMesh AddNodes(MeshData mesh)
   return AddParticleNodes(mesh, ids);
 }
 
+bool HasBins(const MaterialPart& whole, const std::vector<MaterialPart>& divided)
+{
+  return std::any_of(divided.begin(), divided.end(),
+    [&whole](const MaterialPart& part) { return part.Bin && part.Material == whole.Material; });
+}
+
 /// @param mesh  whole mesh, from which sets and connections are made: particles are in none
 /// @param extended  the same with nodes of particles
 DeckModel MakeModel(const MeshData& mesh, const MeshData& extended)
@@ -69,12 +76,17 @@ DeckModel MakeModel(const MeshData& mesh, const MeshData& extended)
   const std::vector<MeshArray>& arrays = mesh.ElementArrays;
   MeshModel parts = MakeMeshModel(mesh, alone);
   std::vector<ParticlePart> particles = FindParticleParts(mesh, parts.Cohesive, alone);
+  std::vector<MaterialPart> undivided =
+    std::exchange(parts.Materials, DivideByBins(parts.Materials, mesh, alone));
+  undivided.erase(std::remove_if(undivided.begin(), undivided.end(),
+                    [&parts](const MaterialPart& part) { return !HasBins(part, parts.Materials); }),
+    undivided.end());
   const bool hasVelocity = FindFirst(mesh.PointArrays, IsVelocity) != nullptr;
   return { std::move(parts), extended,
     { FindFirst(extended.PointArrays, IsVelocity), hasVelocity ? 0 : mesh.NumberOfPoints,
       FindFirst(arrays, IsDensity), FindFirst(arrays, IsEnergy), FindFirst(arrays, IsStress),
       FindFirst(arrays, IsPlasticStrain) },
-    ConnectionOf(mesh), FindSplitFaces(mesh, alone), std::move(particles) };
+    ConnectionOf(mesh), FindSplitFaces(mesh, alone), std::move(particles), std::move(undivided) };
 }
 
 } // namespace
@@ -173,7 +185,7 @@ void WriteDeck(const MeshData& mesh, Ranks& ranks, bool (*isTaken)(const MeshArr
 {
   WriteWhole(
     mesh, ranks, [&](const MeshData& whole) { write(MakeModel(whole, AddNodes(whole).Data)); },
-    isTaken);
+    [isTaken](const MeshArray& array) { return isTaken(array) || IsBinArray(array); });
 }
 
 } // namespace vfm

@@ -37,6 +37,8 @@ struct DeckModel : MeshModel
   ConnectionKind Connection;                ///< of both sides of split interfaces
   std::vector<SplitFace> SplitFaces;        ///< faces at which interfaces were split
   std::vector<ParticlePart> Particles = {}; ///< empty: no particles
+  /// Materials that have bins in Materials, with all their elements.
+  std::vector<MaterialPart> Undivided = {};
 
   /// Returns whether particles have a mass.
   bool HasMasses() const { return this->Mesh.Particles->Mass != nullptr; }

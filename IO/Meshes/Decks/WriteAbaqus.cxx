@@ -143,15 +143,20 @@ void WriteNumbers(OutputFile& file, const std::vector<Index>& indices)
   }
 }
 
-/// Writes the sets named after materials, and of all elements. deal.II fails to read sets of sets,
-/// and meshio sets of several ranges.
-void WriteElementSets(
-  OutputFile& file, const DeckModel& model, const std::vector<SectionNames>& names)
+/// Writes the sets named after bins and materials, and of all elements. deal.II fails to read sets
+/// of sets, and meshio sets of several ranges.
+void WriteElementSets(OutputFile& file, const DeckModel& model,
+  const std::vector<SectionNames>& names, const std::vector<std::string>& undivided)
 {
   for (std::size_t s = 0; s < names.size(); ++s)
   {
     file.Add("*ELSET, ELSET=" + names[s].Set + "\n");
     WriteNumbers(file, model.Materials[s].Elements);
+  }
+  for (std::size_t u = 0; u < undivided.size(); ++u)
+  {
+    file.Add("*ELSET, ELSET=" + undivided[u] + "\n");
+    WriteNumbers(file, model.Undivided[u].Elements);
   }
   file.Add("*ELSET, ELSET=EALL, GENERATE\n1,");
   file.Add(model.Mesh.NumberOfElements);
@@ -229,6 +234,24 @@ void WriteSurface(OutputFile& file, const DeckSurface& surface, const MeshData& 
   }
 }
 
+/// Writes a material and a section for each bin that has elastic constants.
+void WriteConstants(
+  OutputFile& file, const DeckModel& model, const std::vector<SectionNames>& names)
+{
+  const auto real = [](double value)
+  { return std::string(DeckReal(value, NumberLength, RealForm::Plain).Text()); };
+  for (std::size_t s = 0; s < names.size(); ++s)
+  {
+    const std::optional<MaterialBin>& bin = model.Materials[s].Bin;
+    if (bin && bin->Elastic)
+    {
+      file.Add("*MATERIAL, NAME=" + names[s].Set + "\n*ELASTIC\n" + real(bin->Elastic->Modulus) +
+        "," + real(bin->Elastic->Poisson) + "\n*DENSITY\n" + real(bin->Elastic->Density) +
+        ",\n*SOLID SECTION, ELSET=" + names[s].Block + ", MATERIAL=" + names[s].Set + "\n");
+    }
+  }
+}
+
 /// Returns the names of the sets of each section.
 std::vector<SectionNames> NameSections(const DeckModel& model, AbaqusNames& names)
 {
@@ -238,6 +261,17 @@ std::vector<SectionNames> NameSections(const DeckModel& model, AbaqusNames& name
     sections.push_back({ BlockName(section), names.Add(section.Name) });
   }
   return sections;
+}
+
+/// Returns the names of the sets of materials that have bins, which they get before their bins.
+std::vector<std::string> NameUndivided(const DeckModel& model, AbaqusNames& names)
+{
+  std::vector<std::string> sets;
+  for (const MaterialPart& part : model.Undivided)
+  {
+    sets.push_back(names.Add(part.Name));
+  }
+  return sets;
 }
 
 /// Writes the whole mesh. The sides of the domain get their names first, so that X_MIN is a side of
@@ -256,6 +290,7 @@ void WriteFile(const DeckModel& model, const std::string& path, const AbaqusForm
     names.Add(BlockName(section));
   }
   std::vector<DeckSurface> surfaces = MakeSurfaces(model.Sets.SideSets, names, true);
+  const std::vector<std::string> undivided = NameUndivided(model, names);
   const std::vector<SectionNames> sections = NameSections(model, names);
   for (DeckSurface& surface : MakeSurfaces(model.Sets.SideSets, names, false))
   {
@@ -270,7 +305,8 @@ void WriteFile(const DeckModel& model, const std::string& path, const AbaqusForm
   {
     WriteElements(file, mesh, model.Materials[s], TypeOfElements(mesh, form), sections[s].Block);
   }
-  WriteElementSets(file, model, sections);
+  WriteElementSets(file, model, sections, undivided);
+  WriteConstants(file, model, sections);
   WriteCohesive(file, model, names);
   const NodeTies ties = FindNodeTies(model);
   for (const NodeSet& set : model.Sets.NodeSets)

@@ -4,6 +4,7 @@
 #include "Meshes/Files/ElementNodes.h"
 #include "Meshes/Files/OutputFile.h"
 #include "Meshes/Vtk/VtuText.h"
+#include "Report/MeshArrays.h"
 #include "Report/Sets/NamedSurfaces.h"
 #include "Report/UniqueNames.h"
 
@@ -136,31 +137,45 @@ void AddSurface(
   AddLine(file, "    </Surface>");
 }
 
-/// Adds a material with constants that the user replaces.
+/// Returns the density of all elements of a part; nothing if they differ or have none.
+std::optional<double> DensityOf(const DeckModel& model, const MaterialPart& part)
+{
+  const MeshArray* density = model.State.Density;
+  const auto valueOf = [density](Index element) { return vfm::ValueAt(*density, element); };
+  const bool isEqual = density && !part.Elements.empty() &&
+    std::all_of(part.Elements.begin(), part.Elements.end(),
+      [&](Index element) { return valueOf(element) == valueOf(part.Elements.front()); });
+  return isEqual ? std::optional(valueOf(part.Elements.front())) : std::nullopt;
+}
+
+void AddConstant(OutputFile& file, const std::string& name, double value)
+{
+  file.Add("      <" + name + ">");
+  file.AddReal(value);
+  AddLine(file, "</" + name + ">");
+}
+
+/// Adds a material with the constants of a bin, or with some that the user replaces.
 void AddMaterial(
   OutputFile& file, const DeckModel& model, const MaterialPart& part, const std::string& name)
 {
   AddLine(file,
     "    <material id=" + Quoted(std::to_string(&part - model.Materials.data() + 1)) +
       " name=" + Quoted(name) + " type=\"isotropic elastic\">");
-  const MeshArray* density = model.State.Density;
-  const auto valueOf = [density](Index element) { return vfm::ValueAt(*density, element); };
-  if (density && !part.Elements.empty() &&
-    std::all_of(part.Elements.begin(), part.Elements.end(),
-      [&](Index element) { return valueOf(element) == valueOf(part.Elements.front()); }))
-  {
-    file.Add("      <density>");
-    file.AddReal(valueOf(part.Elements.front()));
-    AddLine(file, "</density>");
-  }
-  AddLine(file, "      <E>1</E>\n      <v>0.3</v>\n    </material>");
+  const bool hasConstants = part.Bin && part.Bin->Elastic;
+  // FEBio's own density is 1; readers of Python expect it before the other constants.
+  AddConstant(file, "density",
+    hasConstants ? part.Bin->Elastic->Density : DensityOf(model, part).value_or(1.0));
+  AddConstant(file, "E", hasConstants ? part.Bin->Elastic->Modulus : 1.0);
+  AddConstant(file, "v", hasConstants ? part.Bin->Elastic->Poisson : 0.3);
+  AddLine(file, "    </material>");
 }
 
 void AddElementData(OutputFile& file, const MeshData& mesh, UniqueNames& names)
 {
   for (const MeshArray& array : mesh.ElementArrays)
   {
-    if (!IsElementData(array) || array.Values == mesh.ScaledJacobian)
+    if (!IsElementData(array) || FindKnownArray(array.Name))
     {
       continue;
     }
@@ -182,7 +197,7 @@ void AddElementData(OutputFile& file, const MeshData& mesh, UniqueNames& names)
 /// Names of what belongs to the mesh, in the order of the model.
 struct FebioNames
 {
-  std::vector<std::string> Parts, NodeSets, Surfaces;
+  std::vector<std::string> Parts, Undivided, NodeSets, Surfaces;
 };
 
 FebioNames MakeNames(const DeckModel& model, const std::vector<NamedSurface>& surfaces)
@@ -190,6 +205,10 @@ FebioNames MakeNames(const DeckModel& model, const std::vector<NamedSurface>& su
   FebioNames names;
   UniqueNames ofParts(LongestName), ofSets(LongestName), ofSurfaces(LongestName);
   ofParts.Add(AllElements);
+  for (const MaterialPart& whole : model.Undivided)
+  {
+    names.Undivided.push_back(ofParts.Add(FebioName(whole.Name)));
+  }
   for (const MaterialPart& part : model.Materials)
   {
     names.Parts.push_back(ofParts.Add(FebioName(part.Name)));
@@ -215,19 +234,23 @@ void AddMesh(OutputFile& file, const DeckModel& model, const std::vector<NamedSu
   {
     AddElements(file, mesh, model.Materials[p], names.Parts[p]);
   }
+  for (std::size_t s = 0; s < surfaces.size(); ++s)
+  {
+    AddSurface(file, mesh, surfaces[s], names.Surfaces[s]);
+  }
   std::vector<Index> elements;
   for (Index element = 0; element < mesh.NumberOfElements; ++element)
   {
     elements.push_back(element);
   }
   AddSet(file, "ElementSet", AllElements, elements);
+  for (std::size_t u = 0; u < names.Undivided.size(); ++u)
+  {
+    AddSet(file, "ElementSet", names.Undivided[u], model.Undivided[u].Elements);
+  }
   for (std::size_t s = 0; s < names.NodeSets.size(); ++s)
   {
     AddSet(file, "NodeSet", names.NodeSets[s], model.Sets.NodeSets[s].Points);
-  }
-  for (std::size_t s = 0; s < surfaces.size(); ++s)
-  {
-    AddSurface(file, mesh, surfaces[s], names.Surfaces[s]);
   }
   AddLine(file, "  </Mesh>");
 }
@@ -237,9 +260,12 @@ void WriteFile(const DeckModel& model, const std::string& path)
   RequireNodes(model.Mesh, { 6, 12 }, "FEBio");
   const std::vector<NamedSurface> surfaces = SelectNamedSurfaces(model.Sets.SideSets);
   const FebioNames names = MakeNames(model, surfaces);
+  const bool hasAll = std::all_of(model.Materials.begin(), model.Materials.end(),
+    [](const MaterialPart& part) { return part.Bin && part.Bin->Elastic; });
   OutputFile file(path);
   AddLine(file, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<febio_spec version=\"4.0\">");
-  AddLine(file, "  <!-- " + XmlText(DescribeDeck(model)) + ". Replace E and v. -->");
+  AddLine(
+    file, "  <!-- " + XmlText(DescribeDeck(model)) + (hasAll ? "" : ". Replace E and v") + ". -->");
   AddLine(file, "  <Module type=\"solid\"/>\n  <Material>");
   for (std::size_t p = 0; p < model.Materials.size(); ++p)
   {

@@ -84,6 +84,39 @@ void WriteParts(DeckCards& cards, const DeckModel& model, bool isPlaneStress)
   }
 }
 
+/// Writes a material for each bin that has elastic constants, and each material that has bins as a
+/// set of parts.
+void WriteBins(DeckCards& cards, const DeckModel& model)
+{
+  for (const MaterialPart& section : model.Materials)
+  {
+    if (section.Bin && section.Bin->Elastic)
+    {
+      const ElasticConstants& elastic = *section.Bin->Elastic;
+      cards.Line("*MAT_ELASTIC");
+      cards.Line("$      MID        RO         E        PR");
+      cards.Integer(section.Id, Normal).Real(elastic.Density, Normal);
+      cards.Real(elastic.Modulus, Normal).Real(elastic.Poisson, Normal).End();
+    }
+  }
+  UniqueNames names(LongestTitle);
+  for (const MaterialPart& whole : model.Undivided)
+  {
+    cards.Line("*SET_PART_LIST_TITLE");
+    cards.Line(names.Add(PlainTitle(whole.Name, LongestTitle)));
+    cards.Integer(whole.Id, Normal).End();
+    std::vector<Index> ids; // from 0, as WriteNumbers takes them
+    for (const MaterialPart& section : model.Materials)
+    {
+      if (section.Material == whole.Material)
+      {
+        ids.push_back(section.Id - 1);
+      }
+    }
+    WriteNumbers(cards, ids, NumbersInLine, Normal);
+  }
+}
+
 /// Writes the particles with their masses, or with volumes, which are negative.
 void WriteParticles(DeckCards& cards, const DeckModel& model)
 {
@@ -238,6 +271,7 @@ void WriteFile(const DeckModel& model, const std::string& path, bool isPlaneStre
   cards.Line("$ " + DescribeDeck(model));
   WriteNodes(cards, mesh);
   WriteParts(cards, model, isPlaneStress);
+  WriteBins(cards, model);
   const bool isLinear = mesh.MidsPerElement == 0;
   cards.Line(IsFlat(mesh)         ? "*ELEMENT_SHELL"
       : mesh.MidsPerElement == 12 ? "*ELEMENT_SOLID_H20"

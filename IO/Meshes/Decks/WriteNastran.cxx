@@ -78,6 +78,13 @@ void WriteSection(
   cards.Text(IsFlat(mesh) ? "PSHELL  " : "PSOLID  ");
   cards.Integer(section.Id, Narrow).Integer(section.Id, Narrow);
   cards.Text(!IsFlat(mesh) ? "" : isPlaneStress ? "      1." : "      1.      -1").End();
+  if (section.Bin && section.Bin->Elastic)
+  {
+    const ElasticConstants& elastic = *section.Bin->Elastic;
+    cards.Text("MAT1*   ").Integer(section.Id, Wide).Real(elastic.Modulus, Wide).Blank(Wide);
+    cards.Real(elastic.Poisson, Wide).End();
+    cards.Text("*       ").Real(elastic.Density, Wide).End();
+  }
   WriteElements(cards, mesh, section);
 }
 

@@ -94,11 +94,27 @@ void WriteProperty(DeckCards& cards)
   cards.Line("                   0");
 }
 
+/// Writes the material of a bin, of linear elasticity.
+void WriteElastic(
+  DeckCards& cards, const ElasticConstants& elastic, int id, const std::string& title)
+{
+  WriteTitle(cards, "/MAT/ELAST/", id, title);
+  cards.Line("#              RHO_I");
+  cards.Real(elastic.Density, Wide).End();
+  cards.Line("#                  E                  nu");
+  cards.Real(elastic.Modulus, Wide).Real(elastic.Poisson, Wide).End();
+}
+
 /// Writes a part, which refers to a material of its number, and its elements.
 void WritePart(
   DeckCards& cards, const MeshData& mesh, const MaterialPart& section, UniqueNames& names)
 {
-  WriteTitle(cards, "/PART/", section.Id, names.Add(PlainTitle(section.Name, LongestTitle)));
+  const std::string title = names.Add(PlainTitle(section.Name, LongestTitle));
+  if (section.Bin && section.Bin->Elastic)
+  {
+    WriteElastic(cards, *section.Bin->Elastic, section.Id, title);
+  }
+  WriteTitle(cards, "/PART/", section.Id, title);
   cards.Line("#  prop_ID    mat_ID subset_ID");
   cards.Integer(1, Normal).Integer(section.Id, Normal).Integer(0, Normal).End();
   const std::string keyword = IsFlat(mesh) ? "/QUAD/" : mesh.HasHexes() ? "/BRICK/" : "/TETRA4/";

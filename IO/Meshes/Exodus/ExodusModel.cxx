@@ -45,8 +45,23 @@ void NameItems(Items& items, std::size_t& longest)
   }
 }
 
-/// Numbers the elements block by block, in the order of their ids.
-void NumberElements(ExodusModel& model)
+/// Numbers the elements block by block, in the order of their ids, of a mesh that leaves no hexes
+/// out.
+void NumberInBlocks(ExodusModel& model)
+{
+  Index number = 0;
+  model.Numbers.resize(model.Mesh.Data.NumberOfElements);
+  for (const ExodusBlock& block : model.Blocks)
+  {
+    for (std::size_t e = 0; !block.HasParticles && e < block.Elements.size(); ++e)
+    {
+      model.Numbers[block.Elements[e]] = ++number;
+    }
+  }
+}
+
+/// Numbers the elements block by block, with the hexes that are left out.
+void NumberWithRuns(ExodusModel& model)
 {
   std::map<int, Index> next; // number before the next element of each material
   Index total = 0;
@@ -67,11 +82,6 @@ void NumberElements(ExodusModel& model)
     }
   };
   model.Numbers.resize(mesh.NumberOfElements);
-  if (!model.Whole)
-  {
-    number(0, mesh.NumberOfElements);
-    return;
-  }
   model.Whole->ForElements(
     number, [&next](const CellRuns::Run& run) { next[run.Material] += run.Count; });
 }
@@ -99,7 +109,7 @@ void MakeBlocks(std::vector<ParticlePart> particles, ExodusModel& model)
   {
     model.Blocks.push_back({ part.Id, part.Name, std::move(part.Particles), nullptr, true });
   }
-  NumberElements(model);
+  model.Whole ? NumberWithRuns(model) : NumberInBlocks(model);
 }
 
 /// Adds the particles of this rank, their ids and nodes. Other parts of the model that depend on
@@ -263,6 +273,10 @@ ExodusModel MakeExodusModel(const MeshData& mesh, Ranks& ranks, const MeshWithRu
   model.Whole = whole;
   model.Mesh = OrderMesh(mesh, ranks);
   static_cast<MeshModel&>(model) = MakeMeshModel(model.Mesh.Data, ranks);
+  if (!whole)
+  {
+    model.Materials = DivideByBins(model.Materials, model.Mesh.Data, ranks);
+  }
   MakeBlocks(AddParticles(mesh.Particles, model, ranks), model);
   NameItems(model.Blocks, model.LongestName);
   NameItems(model.Sets.SideSets, model.LongestName);

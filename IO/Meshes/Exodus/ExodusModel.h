@@ -16,11 +16,11 @@ namespace vfm
 /// Attributes of blocks of particles; variables of these names would be the same values.
 constexpr const char *RadiusAttribute = "radius", *VolumeAttribute = "volume";
 
-/// Element block, which holds the elements of one material, cohesive elements, or the particles of
-/// one material.
+/// Element block, which holds the elements of one material or bin, cohesive elements, or the
+/// particles of one material.
 struct ExodusBlock
 {
-  int Id; ///< material id; for the void, material 0, FindVoidId(); CohesiveBlock::Id,
+  int Id; ///< material or bin id; for the void, material 0, FindVoidId(); CohesiveBlock::Id,
           ///< ParticlePart::Id
   std::string Name;
   std::vector<Index> Elements;             ///< elements of this rank, ascending

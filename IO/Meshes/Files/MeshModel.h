@@ -3,6 +3,7 @@
  */
 #pragma once
 
+#include "Report/Sets/MaterialBins.h"
 #include "Report/Sets/SplitFaces.h"
 #include "Report/UniqueNames.h"
 
@@ -11,13 +12,14 @@
 namespace vfm
 {
 
-/// The elements of a material.
+/// The elements of a material, or of one of its bins.
 struct MaterialPart
 {
   int Material; ///< 0: the meshed void
-  int Id;       ///< id of the material; FindVoidId() of the void
+  int Id;       ///< id of the material, FindVoidId() of the void; or of the bin
   std::string Name;
   std::vector<Index> Elements; ///< elements of this rank, ascending
+  std::optional<MaterialBin> Bin = {};
 };
 
 /// Lists have the same items on all ranks, with the elements, faces and points of this rank.
@@ -39,6 +41,17 @@ Index CountElements(const std::vector<CohesiveBlock>& blocks);
 
 /// @pre Collective
 std::vector<MaterialPart> FindMaterialParts(const MeshData& mesh, Ranks& ranks);
+
+/// Returns whether an array has the ids of bins.
+bool IsBinArray(const MeshArray& array);
+
+/// Divides materials whose elements are in bins (MaterialBins.h): each bin becomes a part, and so
+/// do the elements of the material that are in none.
+/// @throws InputError  if ReadBins does, or an element is in a bin that its material does not have;
+///   on all ranks
+/// @pre Collective
+std::vector<MaterialPart> DivideByBins(
+  const std::vector<MaterialPart>& parts, const MeshData& mesh, Ranks& ranks);
 
 /// @throws InputError  if FindMaterials, FindMeshSets or FindCohesiveBlocks does; on all ranks
 /// @pre Collective

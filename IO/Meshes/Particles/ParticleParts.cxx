@@ -4,6 +4,7 @@
 #include "Ranks/Agreement.h"
 #include "Report/MeshArrays.h"
 #include "Report/MeshMaterials.h"
+#include "Report/Sets/MaterialBins.h"
 
 #include <algorithm>
 #include <limits>
@@ -90,7 +91,7 @@ std::vector<ParticlePart> FindParticleParts(
   {
     return {};
   }
-  Index last = std::max(FindVoidId(mesh, ranks), all.back());
+  Index last = std::max({ FindVoidId(mesh, ranks), FindLastBinId(mesh), all.back() });
   last = cohesive.empty() ? last : std::max<Index>(last, cohesive.back().Id);
   if (last + static_cast<Index>(all.size()) > std::numeric_limits<int>::max())
   {

@@ -8,6 +8,7 @@
 #include "Ranks/WorkTogether.h"
 #include "Report/DomainSides.h"
 #include "Report/ElementCorners.h"
+#include "Report/FlatData.h"
 #include "Report/MatchFaces.h"
 
 #include <map>
@@ -43,18 +44,17 @@ public:
     const Index* ids = mesh.PeriodicPartner ? mesh.PeriodicPartner : mesh.PointIds;
     const std::array<Vector3, 8> corners = this->Corners.Find(element);
     const Index numbers[] = { 0, 1, 2, 3, 4, 5, 6, 7 };
-    const ElementFaces table(mesh.Corners);
-    for (int side = 0; side < table.Count; ++side)
+    for (int side = 0; side < SidesOf(mesh); ++side)
     {
       std::vector<Vector3> positions;
-      for (Index corner : table.PointsOf(numbers, side))
+      for (Index corner : ValuesOfSide(mesh, numbers, side))
       {
         if (corner >= 0)
         {
           positions.push_back(corners[corner]);
         }
       }
-      const FaceIds points = table.PointsOf(mesh.Element(element), side);
+      const FaceIds points = PointsOfSide(mesh, { element, side });
       faces.push_back(
         { SortedIds(points, ids), FacePlaces::End * element + this->Places.Of(positions) });
     }

@@ -5,6 +5,7 @@
 #include "Report/MatchFaces.h"
 #include "Report/MeshFacets.h"
 #include "Report/MeshMaterials.h"
+#include "Report/Sets/MaterialBins.h"
 
 #include <map>
 #include <numeric>
@@ -115,7 +116,7 @@ std::vector<CohesiveBlock> ListBlocks(
     pairs.push_back(face.Materials);
   }
   const std::map<int, std::string> names = NamesOfMaterials(mesh);
-  int id = FindVoidId(mesh, ranks);
+  int id = std::max(FindVoidId(mesh, ranks), FindLastBinId(mesh));
   std::vector<CohesiveBlock> blocks;
   for (const Pair& pair : UnionOverRanks(ranks, std::move(pairs)))
   {

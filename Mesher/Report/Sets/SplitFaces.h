@@ -45,7 +45,8 @@ std::vector<SplitFace> FindSplitFaces(const MeshData& mesh, Ranks& ranks);
 /// the second side.
 struct CohesiveBlock
 {
-  int Id;                         ///< above the ids of materials, also of a meshed void
+  int Id;                         ///< above the ids of materials, also of a meshed void, and of
+                                  ///< bins (MaterialBins.h)
   std::string Name;               ///< "steel_to_copper_cohesive"
   std::array<int, 2> Materials;   ///< of the first and of the second side
   std::vector<ElementSide> Sides; ///< sides of the first elements on this rank, ascending

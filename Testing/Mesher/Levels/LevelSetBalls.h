@@ -31,7 +31,8 @@ inline double Distance(const Index3& cell, double radius)
 
 /// Returns a block of cells of [-1, 1]^3 with level sets of balls that wrap each other.
 /// @param scale  factor of all values
-inline InputBlock MakeBlock(const IndexBox& box, int number, double scale)
+/// @param film  outer radius of the film
+inline InputBlock MakeBlock(const IndexBox& box, int number, double scale, double film)
 {
   InputBlock block;
   block.Number = number;
@@ -43,7 +44,7 @@ inline InputBlock MakeBlock(const IndexBox& box, int number, double scale)
   }
   KeepAllCells(block);
   const auto arrays = std::make_shared<PlainArrays>(box.NumberOfCells());
-  for (const auto& [name, radius] : { std::pair("ball", 0.6), { "film", 0.63 } })
+  for (const auto& [name, radius] : { std::pair("ball", 0.6), { "film", film } })
   {
     Buffer<double> values(box.NumberOfCells());
     ForCells(box,
@@ -54,12 +55,14 @@ inline InputBlock MakeBlock(const IndexBox& box, int number, double scale)
   return block;
 }
 
-inline InputLevels MakeInput(const std::vector<IndexBox>& boxes, Ranks& ranks, double scale = 1.0)
+inline InputLevels MakeInput(
+  const std::vector<IndexBox>& boxes, Ranks& ranks, double scale = 1.0, double film = 0.63)
 {
   CollectedBlocks collected;
   for (const IndexBox& box : boxes)
   {
-    collected.Blocks.push_back(MakeBlock(box, static_cast<int>(collected.Blocks.size()), scale));
+    collected.Blocks.push_back(
+      MakeBlock(box, static_cast<int>(collected.Blocks.size()), scale, film));
   }
   return FindInputLevels(std::move(collected), ranks);
 }

@@ -142,5 +142,5 @@ def test_pyvista_cells():
 def test_input_that_does_not_fit():
     with pytest.raises(ValueError, match="Flat needs one layer of cells"):
         vfm.hexes(np.ones((3, 4, 2)), flat=True)
-    with pytest.raises(ValueError, match="does not support Layers"):
-        vfm.hexes(np.ones((3, 4)), layers=3)
+    with pytest.raises(ValueError, match="does not support ElementOrder"):
+        vfm.hexes(np.ones((3, 4)), element_order="quadratic")

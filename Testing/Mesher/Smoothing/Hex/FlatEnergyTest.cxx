@@ -129,10 +129,13 @@ TEST(FlatEnergy, DiagonalsTurnWhereThatLeavesLargerAngles)
   ActiveMesh mesh = MakeStar(2, 0.0, 1);
   FlatDiagonals diagonals(2);
   EXPECT_TRUE(diagonals.Turn(mesh).empty()); // both are equal
-  // Of the cell at the lower right, the angles are 18 and 31 degrees, then 25 and 38.
+  // Smallest angles of the lower cells: 13 and 18 degrees, then 18 and 25; above they would shrink.
   mesh.X[0] = { { 0.6, 0.2, 0.0 } };
-  EXPECT_EQ(diagonals.Turn(mesh).size(), 4u);
-  EXPECT_TRUE(diagonals.IsTurned(1));
+  EXPECT_EQ(diagonals.Turn(mesh).size(), 8u);
+  for (int hex = 0; hex < 4; ++hex)
+  {
+    EXPECT_EQ(diagonals.IsTurned(hex), hex < 2);
+  }
   EXPECT_TRUE(diagonals.Turn(mesh).empty());
   const FlatEnergy energy(Target, 2, &diagonals);
   EXPECT_LT(energy.Evaluate(mesh, 0, mesh.X[0], Stage), InvalidEnergy);
