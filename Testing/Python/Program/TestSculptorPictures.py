@@ -83,16 +83,44 @@ def test_an_image_of_one_layer_is_a_plane_by_option(at):
     assert types(at("b.vtu")) == {QUAD}
 
 
+def bytes_below(folder):
+    """Returns the bytes of all files in a folder, by their paths in it."""
+    found = {}
+    for place, _, names in os.walk(folder):
+        for name in names:
+            path = os.path.join(place, name)
+            with open(path, "rb") as file:
+                found[os.path.relpath(path, folder)] = file.read()
+    return found
+
+
+@in_folder
+def test_files_do_not_depend_on_ranks(at):
+    """Also OpenFOAM's: a plane is one case."""
+    save_png(at("a.png"), PICTURE)
+    for name, words in (("a.k", ()), ("a.rad", ()), ("a.bdf", ()), ("a.inp", ("--tetmesh",)),
+                        ("a.foam", ()), ("a.foam", ("--tetmesh", "--binary")),
+                        ("a.msh", ("--msh-version", "4.1")), ("a.xdmf", ())):
+        found = []
+        for ranks in (1, 2, 3):
+            folder = at("%s_%d_%d" % (name, len(words), ranks))
+            os.mkdir(folder)
+            mesh_file(at("a.png"), os.path.join(folder, name), *words, ranks=ranks)
+            found.append(bytes_below(folder))
+        assert found[0] == found[1] == found[2] and len(found[0]) > 0, name
+        assert name != "a.foam" or os.path.join("constant", "polyMesh", "faces") in found[0]
+
+
 @in_folder
 def test_options_and_formats_of_solids(at):
     save_png(at("a.png"), PICTURE)
     for ranks in (1, 2):
         refused(3, "as a plane (--set Flat=off: as a layer of solid elements): The option Flat",
-                at("a.png"), at("a.vtu"), "--set", "Layers=3", ranks=ranks)
+                at("a.png"), at("a.vtu"), "--set", "ElementOrder=Quadratic", ranks=ranks)
         refused(4, "not written for meshes of a plane (option Flat)", at("a.png"), at("a.feb"),
                 ranks=ranks)
     refused(3, "Cannot mesh %s: The option Flat" % at("a.png"), at("a.png"), at("a.vtu"), "--flat",
-            "--set", "Layers=3")
+            "--set", "ElementOrder=Quadratic")
 
 
 @in_folder
