@@ -18,7 +18,11 @@ namespace vfm
 namespace
 {
 
-constexpr double FlatTarget = 0.55; // s* of elements of a plane
+constexpr double QuadTarget = 0.55, TriangleTarget = 0.52; // s*
+// Triangles have no elements between the interface and the cells that would give way. A steep
+// barrier lets their angles come near 30 degrees before it holds points back from the interface.
+constexpr int TriangleHalfPower = 32;
+constexpr double TriangleLambdas = 10.0; // factor
 
 /// Returns whether hexes that never move can be left out of the mesh.
 bool LeavesRuns(const MeshCells& cells, const LabelledGrid& labelled, const MeshRun& run)
@@ -43,9 +47,11 @@ HexMethod::HexMethod(const MeshCells& cells) : FlatAxis(cells.FlatAxis)
   {
     this->Diagonals.emplace(this->FlatAxis);
   }
-  this->TheEnergy = std::make_unique<FlatEnergy>(
-    options.TargetScaledJacobian > 0.0 ? options.TargetScaledJacobian : FlatTarget, this->FlatAxis,
-    this->Diagonals ? &*this->Diagonals : nullptr);
+  this->TheEnergy =
+    std::make_unique<FlatEnergy>(options.TargetScaledJacobian > 0.0 ? options.TargetScaledJacobian
+        : this->Diagonals                                           ? TriangleTarget
+                                                                    : QuadTarget,
+      this->FlatAxis, this->Diagonals ? &*this->Diagonals : nullptr);
 }
 
 /// The numbers of points and the fragments of cells are freed at the end.
@@ -141,7 +147,16 @@ void HexMethod::Attach(const LevelInterfaces& interfaces, const Draft& draft, Me
 
 SmoothingRamp HexMethod::Ramp(const MeshCells&) const
 {
-  return HexRamp();
+  SmoothingRamp ramp = HexRamp();
+  if (this->Diagonals)
+  {
+    for (SmoothingStage& stage : ramp)
+    {
+      stage.Lambda *= TriangleLambdas;
+    }
+    ramp.back().HalfPower = TriangleHalfPower;
+  }
+  return ramp;
 }
 
 void HexMethod::StartMoves(

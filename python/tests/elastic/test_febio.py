@@ -64,7 +64,7 @@ def test_nodes_and_elements(case):
 def test_sets_and_surfaces(case):
     mesh, root, (_, kind) = case
     sets = {one.get("name"): numbers(one.text) for one in root.find("Mesh").findall("NodeSet")}
-    assert {"x_min", "z_max"} <= sets.keys() or not sets
+    assert {"x_min", "z_min"} <= sets.keys()
     assert {one.get("name") for one in root.find("Mesh").findall("ElementSet")} == {"all_elements"}
     surfaces = {one.get("name"): one for one in root.find("Mesh").findall("Surface")}
     assert {"ball_to_plate__lower", "ball_skin"} <= surfaces.keys()
@@ -79,7 +79,7 @@ def test_sets_and_surfaces(case):
         for a, b in zip(corners[1:], corners[2:]):
             volume += np.dot(first, np.cross(a, b)) / 6
     ball = mesh.materials["MeshVolume"][0]
-    assert abs(volume - ball) < 0.02 * ball  # normals point out; mid nodes are left out
+    assert abs(volume - ball) < 0.03 * ball  # normals point out; mid nodes are left out
 
 
 def test_element_data(case):
