@@ -571,13 +571,12 @@ class Mesh(MeshData):
         - ``.vtk``: legacy format 4.2, with the array ``material`` first: the void has the number
           after the greatest.
 
-        Files are equal byte for byte to those of the ParaView plugin and of ``sculptor``.
+        Files are equal byte for byte to those of the ParaView plugin and of ``sculptor``. PyVista
+        writes ``.vtp`` with the surfaces, meshio other formats such as ``.med``. A file appears when
+        it is complete.
 
-        PyVista writes ``.vtp`` with the surfaces, meshio other formats such as ``.med``. A file
-        appears when it is complete.
-
-        `particles` are in the same file, or, if the format has none, beside it, in
-        NAME_particles.vtp; then a `VolumeFractionMeshWarning` names this file.
+        `particles` are in the same file, or, if the format has none, in NAME_particles.vtp beside it.
+        A `VolumeFractionMeshWarning` then names this file.
 
         Parameters
         ----------
