@@ -164,7 +164,7 @@ def test_surfaces(run):
 
 def test_errors(run):
     np.savez(run.folder / "both.npz", ball=BALL, plate=PLATE + 1)
-    np.save(run.folder / "flat.npy", BALL[0])
+    np.save(run.folder / "line.npy", BALL[0, 0])
     (run.folder / "names.txt").write_text("one 1\n")
     np.save(run.folder / "labels.npy", LABELS)
     for words, text in (
@@ -173,7 +173,7 @@ def test_errors(run):
          "no numeric cell array 'foam'. Its cell arrays: 'ball', 'plate'"),
         (["@both.npz", "@out.vtu", "--labels", "--array", "ball", "--array", "plate"],
          "labels are 2 arrays"),
-        (["@flat.npy", "@out.vtu"], "axes for x, y and z are required"),
+        (["@line.npy", "@out.vtu"], "axes for x, y and z are required"),
         (["@none.npy", "@out.vtu"], "none.npy"),
         (["@none.nii", "@out.vtu"], "There is no file"),
         (["@labels.npy", "@out"], "has no ending"),
