@@ -44,7 +44,8 @@ ReportContent CollectContent(
   Require(mesh.PointIds, "GlobalPointIds", mesh);
   if (IsFlat(mesh))
   {
-    throw InputError("Quality reports are not written for meshes of a plane (option Flat).");
+    throw InputError("Quality reports are not written for meshes of a plane (option Flat). Without "
+                     "Flat the layer has solid elements.");
   }
   ReportContent content;
   content.Head = head;

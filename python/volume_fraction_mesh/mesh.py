@@ -571,13 +571,12 @@ class Mesh(MeshData):
         - ``.vtk``: legacy format 4.2, with the array ``material`` first: the void has the number
           after the greatest.
 
-        Files are equal byte for byte to those of the ParaView plugin and of ``sculptor``.
+        Files are equal byte for byte to those of the ParaView plugin and of ``sculptor``. PyVista
+        writes ``.vtp`` with the surfaces, meshio other formats such as ``.med``. A file appears when
+        it is complete.
 
-        PyVista writes ``.vtp`` with the surfaces. meshio writes other formats that hold the mesh,
-        such as ``.med``. A file appears when it is complete.
-
-        `particles` are in the same file, or, if the format has none, beside it, in
-        NAME_particles.vtp; then a `VolumeFractionMeshWarning` names this file.
+        `particles` are in the same file, or, if the format has none, in NAME_particles.vtp beside it.
+        A `VolumeFractionMeshWarning` then names this file.
 
         Parameters
         ----------
@@ -590,9 +589,8 @@ class Mesh(MeshData):
             - ``.msh``: ``version``, "2.2" or "4.1", default 2.2, or 4.1 if an id exceeds
               2147483647; ``binary``, bool, default False; ``interfaces=False`` leaves out the
               faces between elements, for deal.II.
-            - ``.inp``: ``reduced=True`` writes C3D20R instead of C3D20.
-            - ``.inp``, ``.k``, ``.bdf`` of a mesh of a plane: ``plane``, "strain" (default) or
-              "stress".
+            - ``.inp``: ``reduced=True`` writes C3D20R instead of C3D20; with ``.k``, ``.bdf``: in a
+              plane, ``plane``, "strain" (default) or "stress".
             - ``.foam``, ``.vtk``: ``binary=True`` instead of text. ``.npz``: ``compress=True``.
             - Other formats: arguments of ``pyvista.DataSet.save`` or ``meshio.write``.
 
