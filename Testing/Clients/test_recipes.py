@@ -113,7 +113,7 @@ def test_solidification(tmp_path, kind):
 
 def test_organs(tmp_path):
     """Names of labels become sets, and each organ keeps the volume of its voxels."""
-    pytest.importorskip("nibabel")
+    nibabel = pytest.importorskip("nibabel")
     text = run_example("organs.py", "--output", tmp_path / "organs.inp")
     rows = re.findall(r"(\w+): %s mm3 in the mesh, %s in the voxels" % (NUMBER, NUMBER), text)
     assert [name for name, _, _ in rows] == ["trunk", "liver", "spleen", "vertebrae_L1"]
@@ -121,7 +121,17 @@ def test_organs(tmp_path):
         assert abs(float(found) / float(known) - 1) < 1e-6
     # Half axes in mm: the volume of an ellipsoid, but for the steps of its voxels.
     assert abs(float(rows[2][2]) / (4 / 3 * np.pi * 12 * 16 * 14) - 1) < 0.02
+    count, volume, grey, least, most = numbers_of(
+        r"vertebrae_L1: (\d+) bins, volume # mm3, mean grey value #, E # to # MPa", text)
+    assert count == 10 and np.isclose(volume, float(rows[3][1]), rtol=1e-6)
+    labels, scan = (nibabel.load(tmp_path / name).get_fdata() for name in (
+        "organs.nii.gz", "scan.nii.gz"))
+    bone = scan[labels == 26]
+    assert abs(grey - bone.mean()) < 0.01 and abs(bone.mean() - (200 + 8 * 50)) < 2
+    low, high = (6850 * (0.1 + 0.0008 * end) ** 1.49 for end in (bone.min(), bone.max()))
+    assert low < least < 1.1 * low and 0.9 * high < most < high
     deck = (tmp_path / "organs.inp").read_text()
+    assert deck.count("*ELASTIC\n") == 10 and "*ELSET, ELSET=VERTEBRAE_L1_BIN_10\n" in deck
     for name in ("LIVER", "SPLEEN", "VERTEBRAE_L1"):
         assert "*ELSET, ELSET=%s\n" % name in deck
         assert "*SURFACE, NAME=TRUNK_TO_%s, TYPE=ELEMENT" % name in deck

@@ -64,7 +64,12 @@ def test_nodes_and_elements(case):
 def test_sets_and_surfaces(case):
     mesh, root, (_, kind) = case
     sets = {one.get("name"): numbers(one.text) for one in root.find("Mesh").findall("NodeSet")}
-    assert {"x_min", "z_min"} <= sets.keys()
+    sides = {name: 0 if name[2:] == "min" else 12 for name in mesh.facet_sets()
+             if name[1:] in ("_min", "_max")}
+    assert len(sides) == 5 and set(sets) == set(sides)  # the bodies leave out a side
+    for name, end in sides.items():
+        on_side = mesh.points[:, "xyz".index(name[0])] == end
+        assert np.array_equal(sets[name], np.flatnonzero(on_side) + 1)
     assert {one.get("name") for one in root.find("Mesh").findall("ElementSet")} == {"all_elements"}
     surfaces = {one.get("name"): one for one in root.find("Mesh").findall("Surface")}
     assert {"ball_to_plate__lower", "ball_skin"} <= surfaces.keys()
