@@ -30,11 +30,12 @@ SIZES = ('PhysicalSizeX="0.5" PhysicalSizeXUnit="\u00b5m" PhysicalSizeY="0.5" '
 
 
 def gold_of(values, spacing=(1, 1, 1)):
-    """Returns the mesh of labels whose first voxel has its centre at 0."""
+    """Returns the mesh of labels whose first voxel has its centre at 0; a mesh of a plane if they are
+    a picture."""
     data = image({"Labels": values.astype("i4")})
     data.SetSpacing(spacing)
     data.SetOrigin([-0.5 * s for s in spacing])
-    return merge([mesh_of(data, MaterialIdArray="Labels").mesh])
+    return merge([mesh_of(data, MaterialIdArray="Labels", Flat=len(values) == 1).mesh])
 
 
 def check_same(mesh, other, what):
