@@ -135,8 +135,9 @@ ReportHead DescribeRun(
   return head;
 }
 
-/// Makes the folder of surfaces on rank 0, unless it exists.
-void MakeSurfaceFolder(const Arguments& arguments, const Ranks& ranks)
+/// Makes the folder of surfaces on rank 0, unless it exists. Returns when it exists.
+/// @pre Collective
+void MakeSurfaceFolder(const Arguments& arguments, Ranks& ranks)
 {
   std::error_code error;
   if (ranks.Rank() == 0 && !arguments.SurfaceFolder.empty())
@@ -148,6 +149,7 @@ void MakeSurfaceFolder(const Arguments& arguments, const Ranks& ranks)
     throw InputError(
       "Cannot make the folder " + arguments.SurfaceFolder + ": " + error.message() + ".");
   }
+  ranks.Any(false); // waits for rank 0
 }
 
 /// Writes the mesh, and the table of fragments, the geometry, the surfaces and the report if

@@ -36,7 +36,7 @@ constexpr VolumeRules InRounds{ { 0.5 * VolumeTolerance, 3.0 }, { 0.5 * Fragment
 // A fragment that cannot move would pull its neighbours off their targets.
 constexpr VolumeRules InMoves{ { 0.5 * FinalTolerance, 3.0 }, { 0.5 * FinalTolerance, 3.0 },
   false };
-constexpr int FewestMoves = 4;            // if small fragments are off
+constexpr int FewestMoves = 4; // if small fragments are off
 // Moves end after a number of them, or once the error was not within this part of the least one
 // several times in turn.
 constexpr double PartThatCounts = 0.9;

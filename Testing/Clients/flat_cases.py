@@ -1,4 +1,4 @@
-"""Meshes of a plane for clients: a disc in a square, a disc in void, and exact solutions on them."""
+"""Meshes of a plane for clients: a disc in a square and in void, and exact solutions on them."""
 
 import numpy as np
 import volume_fraction_mesh as vfm

@@ -45,8 +45,8 @@ def error_of(mesh, boundaries, load, exact):
 @pytest.mark.parametrize("kind", ["hexes", "tets"])
 @pytest.mark.parametrize("name", ["square", "disc"])
 def test_order_in_a_plane(kind, name):
-    """The error in L2 falls by the square of the cell width, also where the boundary is round. Round
-    boundaries of triangles are less smooth, so that the order there is lower."""
+    """The error in L2 falls by the square of the cell width, also where the boundary is round.
+    Round boundaries of triangles are less smooth, so that the order there is lower."""
     case = {"square": (flat.make_square, flat.SIDES, lambda x: 2 * np.pi ** 2 * flat.wave(x),
                        flat.wave),
             "disc": (flat.make_disc, ["disc_to_Void"], lambda x: 1 + 0 * x[0], flat.bump)}[name]

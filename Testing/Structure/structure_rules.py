@@ -97,7 +97,8 @@ HIGH_TESTS = frozenset("Testing/%sTest.cxx" % name for name in (
     "Grid/Base/PagedArray", "Grid/Fractions/CellDivision", "Grid/Labels/NarrowVoid",
     "Grid/Labels/SmallLabels", "Mesher/Modify/SecondOrderAccuracy",
     "Mesher/Report/Gather/GatherMesh", "Mesher/Report/MeshFacets",
-    "Mesher/Report/PeriodicFragments", "Mesher/Report/Sets/NamedSurfaces", "Mesher/Smoothing/AttachFeatures",
+    "Mesher/Report/PeriodicFragments", "Mesher/Report/Sets/NamedSurfaces",
+    "Mesher/Smoothing/AttachFeatures",
     "Mesher/Volumes/FreeFragments", "Mesher/Volumes/LeafVolumes"))
 PACKAGE = "python/volume_fraction_mesh"
 # Headers that users of the installed package include, and the list of the installed headers.

@@ -55,8 +55,8 @@ def read(path: Union[PathLike, Sequence[PathLike]], *, step: int = 0,
         ``.nii``, ``.nii.gz``, ``.mgz``, ``.mgh``, ``.img``, ``.hdr``. SimpleITK: ``.nrrd``,
         ``.nhdr``, ``.mha``, ``.mhd``, ``.gipl``, ``.mrc``, ``.dcm``. tifffile: ``.tif``,
         ``.tiff``. Pillow: ``.png``, ``.bmp``, ``.jpg``, ``.gif``, ``.pgm`` and others, one layer of
-        cells. One picture becomes a mesh of a plane (`Arrays.is_picture`). h5py: ``.dream3d``. Slices: a folder, a pattern such as ``slices/*.tif``, or a list
-        of files. Blocks: a case file ``.spcth`` of CTH or one of its binary files, versions 101 to
+        cells. One picture becomes a mesh of a plane (`Arrays.is_picture`). h5py: ``.dream3d``.
+        Slices: a folder, a pattern such as ``slices/*.tif``, or a list of files. Blocks: a case file ``.spcth`` of CTH or one of its binary files, versions 101 to
         105; the folder of an AMReX plotfile; Exodus files of hexahedra that form a Cartesian grid,
         ``.e``, ``.ex2``, ``.exo``, ``.exii``, ``.g``, or any of the parts ``FILE.N.0`` to
         ``FILE.N.N-1``. Exodus files in the form netCDF-4 are read only if the package was built

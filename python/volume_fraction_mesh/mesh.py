@@ -117,8 +117,9 @@ class Mesh(MeshData):
         Returns
         -------
         ndarray of float64, shape (m,)
-            Volumes in length**3, of a mesh of a plane areas in length**2. The faces of hexahedra are bilinear. Elements across joined sides
-            of a periodic mesh have their volume, although their corners are far apart.
+            Volumes in length**3, of a mesh of a plane areas in length**2. The faces of hexahedra
+            are bilinear. Elements across joined sides of a periodic mesh have their volume,
+            although their corners are far apart.
 
         Examples
         --------
@@ -335,8 +336,8 @@ class Mesh(MeshData):
         """Group the elements by grey values or densities, as materials of files of solvers.
 
         The range of the array is divided into `count` intervals of equal width. The elements of a
-        material in an interval are a bin, such as ``bone_bin_03``: in files a block, part or element
-        set with a material of its own. Materials, fragments and named sets of the mesh stay.
+        material in an interval are a bin, such as ``bone_bin_03``: in files a block, part or
+        element set with a material of its own. Materials, fragments and named sets of the mesh stay.
 
         Parameters
         ----------
@@ -572,11 +573,11 @@ class Mesh(MeshData):
           after the greatest.
 
         Files are equal byte for byte to those of the ParaView plugin and of ``sculptor``. PyVista
-        writes ``.vtp`` with the surfaces, meshio other formats such as ``.med``. A file appears when
-        it is complete.
+        writes ``.vtp`` with the surfaces, meshio other formats such as ``.med``. A file appears
+        when it is complete.
 
-        `particles` are in the same file, or, if the format has none, in NAME_particles.vtp beside it.
-        A `VolumeFractionMeshWarning` then names this file.
+        `particles` are in the same file, or, if the format has none, in NAME_particles.vtp beside
+        it. A `VolumeFractionMeshWarning` then names this file.
 
         Parameters
         ----------

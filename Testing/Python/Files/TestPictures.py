@@ -30,8 +30,8 @@ SIZES = ('PhysicalSizeX="0.5" PhysicalSizeXUnit="\u00b5m" PhysicalSizeY="0.5" '
 
 
 def gold_of(values, spacing=(1, 1, 1)):
-    """Returns the mesh of labels whose first voxel has its centre at 0; a mesh of a plane if they are
-    a picture."""
+    """Returns the mesh of labels whose first voxel has its centre at 0. One layer is a picture and
+    becomes a mesh of a plane."""
     data = image({"Labels": values.astype("i4")})
     data.SetSpacing(spacing)
     data.SetOrigin([-0.5 * s for s in spacing])

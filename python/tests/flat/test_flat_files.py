@@ -1,4 +1,4 @@
-"""Files of meshes of a plane: read back, they have the points, elements, sets and areas of the mesh."""
+"""Files of meshes of a plane, read back: the points, elements, sets and areas of the mesh."""
 
 import re
 
@@ -19,7 +19,8 @@ def make_labels(cells=16):
 
 LABELS, NAMES = make_labels(), {1: "matrix", 2: "fibre"}
 HEAT = np.arange(256.0).reshape(16, 16)
-STATE = {"density": 1.0 + HEAT, "energy": 2.0 + HEAT, "velocity": np.stack([HEAT, -HEAT, 0 * HEAT], -1),
+STATE = {"density": 1.0 + HEAT, "energy": 2.0 + HEAT,
+         "velocity": np.stack([HEAT, -HEAT, 0 * HEAT], -1),
          "state": {"stress": np.stack([(i + 1) * HEAT for i in range(6)], -1)},
          "state_kinds": {"stress": "volume"}}
 WORDS = {"names": NAMES, "label_smoothing": 3, "origin": (1, 2)}

@@ -66,7 +66,8 @@ def test_neighbours_and_interfaces():
     sets = GRAINS.facet_sets()
     length = lambda name: np.linalg.norm(
         np.diff(GRAINS.points[sets[name].points], axis=1), axis=-1).sum()
-    assert [length(name) for name in ("x_min", "x_max", "y_min", "y_max")] == pytest.approx([30] * 4)
+    sides = [length(name) for name in ("x_min", "x_max", "y_min", "y_max")]
+    assert sides == pytest.approx([30] * 4)
     pair = next(name for name in sets if "_to_" in name)
     first, second = pair.split("_to_")
     assert length(pair) == pytest.approx(length(second + "_to_" + first))
@@ -87,7 +88,8 @@ def test_state_is_that_of_the_cells():
 def test_periodic_copies():
     mesh = vfm.hexes(labels=grains(), periodic="xy", label_smoothing=2)
     copies, partners, periods = mesh.periodic_pairs()
-    np.testing.assert_allclose(mesh.points[copies] - mesh.points[partners], 30.0 * periods, atol=1e-12)
+    away = mesh.points[copies] - mesh.points[partners]
+    np.testing.assert_allclose(away, 30.0 * periods, atol=1e-12)
     assert len(copies) > 50
 
 

@@ -13,8 +13,8 @@ from .._facets import neighbours
 from .._flat import plane_axes
 from .._tables import LINEAR, core_arrays, core_fields, material_names
 
-# By kind of elements, in the numbering of dolfinx: the corner of VTK, and for each facet the side of
-# VTK.
+# By kind of elements, in the numbering of dolfinx: the corner of VTK, and for each facet the side
+# of VTK.
 CORNERS = {"hexahedron": [0, 1, 3, 2, 4, 5, 7, 6], "tetra": [0, 1, 2, 3],
            "quad": [0, 1, 3, 2], "triangle": [0, 1, 2]}
 SIDES = {"hexahedron": [4, 2, 0, 1, 3, 5], "tetra": [1, 2, 0, 3],
