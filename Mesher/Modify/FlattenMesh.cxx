@@ -120,29 +120,29 @@ void NumberInside(Mesh& mesh)
 
 // Factor of the sines of a diagonal without which a triangle would have one neighbour only: solvers
 // hold all points of such a triangle at the boundary.
-constexpr double NeighbourFactor = 1.25;
+constexpr double NeighbourFactor = 1.1;
 
-/// Returns the edges of each quad that are facets, as bits.
-std::vector<unsigned char> FindFacetEdges(const Mesh& mesh)
+/// Returns the edges of each quad on the boundary of the mesh, as bits.
+std::vector<unsigned char> FindBoundaryEdges(const Mesh& mesh)
 {
   std::vector<unsigned char> edges(mesh.ElementIds.size(), 0);
   for (const MeshFacet& facet : mesh.Facets)
   {
-    edges[facet.Element] |= 1 << facet.Side;
+    edges[facet.Element] |= (facet.Behind == NothingBehind) << facet.Side;
   }
   return edges;
 }
 
-/// Returns whether two edges at corner c or at the opposite one are facets.
-/// @param edges  bits of the facets of a quad
-bool HasFacetsAt(int edges, int c)
+/// Returns whether both edges at corner c or at the opposite one are on the boundary.
+/// @param edges  bits of the edges of a quad there
+bool IsOnBoundary(int edges, int c)
 {
   const auto has = [edges](int edge) { return (edges >> edge % QuadCorners & 1) != 0; };
   return (has(c + 3) && has(c)) || (has(c + 1) && has(c + 2));
 }
 
 /// Returns whether the diagonal from corner 1 to corner 3 is better than that from 0 to 2.
-/// @param edges  bits of the facets of the quad
+/// @param edges  bits of the edges of the quad on the boundary
 bool TakesSecond(const FlatPlane& plane, const Mesh& mesh, const Index* q, int edges)
 {
   std::array<FlatVector, 4> quad;
@@ -151,7 +151,7 @@ bool TakesSecond(const FlatPlane& plane, const Mesh& mesh, const Index* q, int e
   std::array<double, 2> sines = SinesOfDiagonals(quad);
   for (int c = 0; c < 2; ++c)
   {
-    sines[c] *= HasFacetsAt(edges, c) ? NeighbourFactor : 1.0;
+    sines[c] *= IsOnBoundary(edges, c) ? NeighbourFactor : 1.0;
   }
   return sines[0] != sines[1]
     ? sines[0] < sines[1]
@@ -175,12 +175,12 @@ void Divide(const FlatPlane& plane, Runtime& runtime, Mesh& mesh)
   const Index quads = static_cast<Index>(mesh.ElementIds.size());
   Buffer<Index> triangles(6 * quads);
   std::vector<unsigned char> isSecond(quads);
-  const std::vector<unsigned char> facetEdges = FindFacetEdges(mesh);
+  const std::vector<unsigned char> boundaryEdges = FindBoundaryEdges(mesh);
   ForEach(runtime, quads,
     [&](Index e)
     {
       const Index* q = mesh.Elements.data() + QuadCorners * e;
-      isSecond[e] = TakesSecond(plane, mesh, q, facetEdges[e]);
+      isSecond[e] = TakesSecond(plane, mesh, q, boundaryEdges[e]);
       const std::array<Index, 6> corners = isSecond[e]
         ? std::array<Index, 6>{ { q[0], q[1], q[3], q[1], q[2], q[3] } }
         : std::array<Index, 6>{ { q[0], q[1], q[2], q[0], q[2], q[3] } };

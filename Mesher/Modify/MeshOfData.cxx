@@ -5,6 +5,7 @@
 #include "Ranks/MergeByKey.h"
 #include "Ranks/NumberKeys.h"
 #include "Report/DomainSides.h"
+#include "Report/FlatData.h"
 #include "Report/MatchFaces.h"
 #include "Report/MeshArrays.h"
 #include "Report/MeshFacets.h"
@@ -185,6 +186,7 @@ Mesh MakeMeshOf(const MeshData& data, const std::vector<int>& labels, Ranks& ran
   Mesh mesh;
   const Index points = data.NumberOfPoints, elements = data.NumberOfElements;
   mesh.Corners = data.Corners;
+  mesh.Ids = data.HasHexes() || IsFlat(data) ? HexIds : TetIds;
   mesh.Points = CopyOf(data.Points, 3 * points);
   mesh.Elements = CopyOf(data.Elements, data.Corners * elements);
   const auto copy = [](Index count)

@@ -18,7 +18,7 @@ namespace vfm
 namespace
 {
 
-constexpr double QuadTarget = 0.55, TriangleTarget = 0.52; // s*
+constexpr double QuadTarget = 0.55, TriangleTarget = 0.53; // s*
 // Triangles have no elements between the interface and the cells that would give way. A steep
 // barrier lets their angles come near 30 degrees before it holds points back from the interface.
 constexpr int TriangleHalfPower = 32;

@@ -36,11 +36,14 @@ constexpr VolumeRules InRounds{ { 0.5 * VolumeTolerance, 3.0 }, { 0.5 * Fragment
 // A fragment that cannot move would pull its neighbours off their targets.
 constexpr VolumeRules InMoves{ { 0.5 * FinalTolerance, 3.0 }, { 0.5 * FinalTolerance, 3.0 },
   false };
-constexpr int Moves = 20, FlatMoves = 60; // of meshes of a plane, which are small
 constexpr int FewestMoves = 4;            // if small fragments are off
-// Moves end once the error was not within this part of the least one this many times in turn.
+// Moves end after a number of them, or once the error was not within this part of the least one
+// several times in turn.
 constexpr double PartThatCounts = 0.9;
-constexpr int IdleMoves = 3;
+constexpr struct
+{
+  int Most, Idle;
+} Moves{ 20, 3 }, FlatMoves{ 60, 12 }; // FlatMoves: of meshes of a plane, which are small
 // Demands of thin fragments, and the relative error above which they get them: the lower a demand,
 // the more of its volume must a fragment miss.
 constexpr struct
@@ -202,8 +205,8 @@ void VolumeCorrection::MoveSurfaces()
   FragmentVolumes& volumes = this->Volumes;
   volumes.ForgetRequests(); // sweeps tell nothing about moves along normals
   double least = std::numeric_limits<double>::infinity();
-  const int moves = this->Active().Columns.empty() ? Moves : FlatMoves;
-  for (int move = 0, idle = 0; move < moves && idle < IdleMoves; ++move)
+  const auto& [most, mostIdle] = this->Active().Columns.empty() ? Moves : FlatMoves;
+  for (int move = 0, idle = 0; move < most && idle < mostIdle; ++move)
   {
     const double error = volumes.WorstError();
     const bool isOff = error > FinalTolerance ||

@@ -4,9 +4,9 @@
  * usage: FlatMeshes [n, cells of the map along each axis, default 600] [its grains, default 13364]
  *                   [threads, default 1]
  *
- * Worst area: relative error of the area of a fragment of at least two cells. Tiny fragments: those
- * of less, and how many of them miss their areas by more than 1e-6. Seconds are of wall time, all
- * stages from the cells to the elements.
+ * Worst area: relative error of the area of a fragment of at least two cells. Fragments, off:
+ * number of those, and how many of them miss their areas by more than 1e-6. Tiny fragments are
+ * smaller ones. Seconds are of wall time, all stages from the cells to the elements.
  */
 #include "Base/ThreadRuntime.h"
 #include "Base/Vector3.h"
@@ -111,7 +111,7 @@ MesherInput MakeMap(int n, const std::vector<int>& labels, Ranks& ranks)
 struct Figures
 {
   double LeastAngle = 180.0, LargestAngle = 0.0, WorstArea = 0.0;
-  int Tiny = 0, TinyOff = 0;
+  int Fragments = 0, Off = 0, Tiny = 0, TinyOff = 0;
 };
 
 Figures Measure(const MesherResult& result)
@@ -137,8 +137,8 @@ Figures Measure(const MesherResult& result)
     const double target = result.Report.Fragments.Volumes[f];
     const double error = std::fabs(areas[f] / target - 1.0);
     const bool isTiny = target < 2.0 * Width * Width;
-    figures.Tiny += isTiny;
-    figures.TinyOff += isTiny && error > 1e-6;
+    (isTiny ? figures.Tiny : figures.Fragments) += 1;
+    (isTiny ? figures.TinyOff : figures.Off) += error > 1e-6;
     figures.WorstArea = isTiny ? figures.WorstArea : std::max(figures.WorstArea, error);
   }
   return figures;
@@ -155,10 +155,11 @@ void PrintCase(
     const MesherResult result = RunMesher(input, options, runtime);
     const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
     const Figures figures = Measure(result);
-    std::printf("| %s | %s | %zu | %.3f | %.1f to %.1f | %.1e | %d, %d | %.2f |\n", name.c_str(),
-      kind == ElementKind::Hexes ? "quadrilaterals" : "triangles", result.TheMesh.ElementIds.size(),
-      result.Report.MinimumScaledJacobian, figures.LeastAngle, figures.LargestAngle,
-      figures.WorstArea, figures.Tiny, figures.TinyOff, time.count());
+    std::printf("| %s | %s | %zu | %.3f | %.1f to %.1f | %.1e | %d, %d | %d, %d | %.2f |\n",
+      name.c_str(), kind == ElementKind::Hexes ? "quadrilaterals" : "triangles",
+      result.TheMesh.ElementIds.size(), result.Report.MinimumScaledJacobian, figures.LeastAngle,
+      figures.LargestAngle, figures.WorstArea, figures.Fragments, figures.Off, figures.Tiny,
+      figures.TinyOff, time.count());
   }
 }
 
@@ -170,8 +171,9 @@ int main(int argc, char** argv)
   const int grains = argc > 2 ? std::atoi(argv[2]) : 13364;
   ThreadRuntime runtime(argc > 3 ? std::atoi(argv[3]) : 1);
   Ranks& ranks = runtime.Group();
-  std::printf("| case | elements | number | smallest scaled Jacobian | angles | worst area | tiny "
-              "fragments, off | s |\n|---|---|---|---|---|---|---|---|\n");
+  std::printf(
+    "| case | elements | number | smallest scaled Jacobian | angles | worst area | "
+    "fragments, off | tiny fragments, off | s |\n|---|---|---|---|---|---|---|---|---|\n");
   MesherOptions fractions, labels;
   PrintCase("disc", MakeDisc(ranks), fractions, runtime);
   fractions.MeshVoid = true;

@@ -63,17 +63,12 @@ void AddList(OutputFile& file, const Numbers& numbers)
   }
 }
 
-/// Adds a set of numbers, several in a line.
+/// Adds a set of numbers, in one line, because some readers take no spaces between them.
 void AddSet(
   OutputFile& file, const char* kind, const std::string& name, const std::vector<Index>& numbers)
 {
-  constexpr std::size_t inLine = 12;
   file.Add(std::string("    <") + kind + " name=" + Quoted(name) + ">");
-  for (std::size_t n = 0; n < numbers.size(); ++n)
-  {
-    file.Add(n == 0 ? "" : (n % inLine == 0 ? ",\n      " : ","));
-    file.Add(numbers[n] + 1);
-  }
+  AddList(file, numbers);
   AddLine(file, std::string("</") + kind + ">");
 }
 

@@ -72,7 +72,7 @@ def test_table(mesh, binned):
     assert np.isclose(fields["BinVolume"].sum(), meshed.sum(), rtol=1e-9)
 
 
-def test_mesh_stays(mesh, binned):
+def test_mesh_stays(mesh, binned, tmp_path):
     assert same(mesh, binned) and "BinId" not in mesh.state
     assert not any(name.startswith("Bin") for name in mesh.fields)
     again = binned.bin_materials("grey", 3)
@@ -80,6 +80,11 @@ def test_mesh_stays(mesh, binned):
     one = mesh.bin_materials("grey", 5, materials="bone")
     assert set(one.fields["BinMaterials"]) == {1}
     assert np.array_equal(one.state["BinId"] > 0, mesh.material == 1)
+    binned.save(tmp_path / "binned.npz")
+    loaded = vfm.load(tmp_path / "binned.npz")
+    loaded.save(tmp_path / "loaded.inp")
+    binned.save(tmp_path / "binned.inp")
+    assert (tmp_path / "loaded.inp").read_bytes() == (tmp_path / "binned.inp").read_bytes()
     split = binned.split()
     assert np.array_equal(split.state["BinId"], binned.state["BinId"])
     assert split.fields["BinNames"] == binned.fields["BinNames"]
@@ -190,7 +195,7 @@ def test_plane(tmp_path):
     ({"array": "grey", "a": 1, "b": np.inf}, "exponent b of the law of bins is not finite"),
     ({"array": "grey", "a": -1}, "factor a of the law of bins is -1"),
     ({"array": "grey", "a": 1, "poisson": 0.5}, "Poisson's ratio of bins is 0.5"),
-    ({"array": "grey", "a": 1, "c0": -1e6}, "density of bone_bin_01 is -"),
+    ({"array": "grey", "a": 1, "c0": -1e6}, "density of bone_bin_.. is -"),
     ({"array": "grey", "materials": "wood"}, "no material 'wood'"),
     ({"array": "constant"}, "All values of the array 'constant' are 2"),
     ({"array": "nan"}, "'nan' has 1 values that are not finite"),
