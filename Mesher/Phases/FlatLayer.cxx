@@ -96,15 +96,18 @@ void FlattenResult(
 
 void FlattenBounds(int axis, std::vector<FieldArray>& fields)
 {
+  double thickness = 0.0;
   for (FieldArray& field : fields)
   {
     if (field.Name == "DomainBounds")
     {
       auto& bounds = std::get<std::vector<double>>(field.Values);
+      thickness = bounds[2 * axis + 1] - bounds[2 * axis];
       bounds[2 * axis + 1] = bounds[2 * axis];
     }
   }
   fields.insert(fields.begin(), { FlatAxisName, std::vector<int>{ axis } });
+  fields.push_back({ FlatThicknessName, std::vector<double>{ thickness } });
 }
 
 } // namespace vfm

@@ -12,6 +12,8 @@ namespace vfm
 
 /// Name of the field with the axis across the plane. It is the first field of a mesh of a plane.
 constexpr const char* FlatAxisName = "FlatAxis";
+/// Name of the field with the thickness of the layer from which the plane was made.
+constexpr const char* FlatThicknessName = "FlatThickness";
 
 constexpr ElementShape FlatShapes[] = {
   { 4, 0, 4, 4, 2, 9, "quadrilaterals" }, // VTK_QUAD

@@ -5,6 +5,7 @@
 #include "Modify/FlattenMesh.h"
 #include "Phases/FlatLayer.h"
 #include "RankFields.h"
+#include "Report/FlatData.h"
 #include "Smoothing/Hex/FlatColumns.h"
 #include "ThreadRanks.h"
 
@@ -266,6 +267,7 @@ TEST(FlatMesh, DiscHasItsAreaAndGoodQuads)
   ExpectAreas(result);
   EXPECT_GE(result.Report.MinimumScaledJacobian, 0.55);
   EXPECT_EQ(FieldOf(result, "DomainBounds").at(4), FieldOf(result, "DomainBounds").at(5));
+  EXPECT_EQ(FieldOf(result, FlatThicknessName), std::vector{ Width });
   // Points of the boundary are outside of the circle, so that the polygon has its area.
   for (const MeshFacet& facet : result.TheMesh.Facets)
   {

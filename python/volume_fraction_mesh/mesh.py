@@ -117,9 +117,8 @@ class Mesh(MeshData):
         Returns
         -------
         ndarray of float64, shape (m,)
-            Volumes in length**3, of a mesh of a plane areas in length**2. The faces of hexahedra
-            are bilinear. Elements across joined sides of a periodic mesh have their volume,
-            although their corners are far apart.
+            Volumes, of a mesh of a plane areas. The faces of hexahedra are bilinear. Elements
+            across joined sides of a periodic mesh have their volume.
 
         Examples
         --------

@@ -21,7 +21,8 @@ Vector3 AreaVector(const MeshData& mesh, Index element)
     (mesh.Corners == 4 ? Cross(between(0, 2), between(1, 3)) : Cross(between(0, 1), between(0, 2)));
 }
 
-/// Returns the vector from the lower to the upper points.
+/// Returns the vector from the lower to the upper points. Meshes that do not know the thickness of
+/// their layer are as thick as their elements are wide.
 Vector3 HeightOfLayer(const MeshData& mesh)
 {
   Vector3 sum{};
@@ -29,7 +30,9 @@ Vector3 HeightOfLayer(const MeshData& mesh)
   {
     sum = sum + AreaVector(mesh, element);
   }
-  return std::sqrt(Norm(sum) / static_cast<double>(mesh.NumberOfElements)) * Unit(sum);
+  const std::vector<double> thickness = NumbersOfField(mesh.Fields, FlatThicknessName);
+  const double mean = Norm(sum) / static_cast<double>(mesh.NumberOfElements);
+  return (thickness.size() == 1 ? thickness[0] : std::sqrt(mean)) * Unit(sum);
 }
 
 /// Returns a face with its points in the same cyclic order from the one with the lowest key.

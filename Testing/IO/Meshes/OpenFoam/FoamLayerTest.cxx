@@ -162,6 +162,13 @@ TEST(FoamLayer, TrianglesBecomePrismsInBothForms)
   EXPECT_EQ(TypesOf(binary), TypesOf(text));
 }
 
+TEST(FoamLayer, ThicknessIsThatOfTheLayer)
+{
+  TwoSquares squares(2, true);
+  squares.Data.Fields.push_back({ FlatThicknessName, std::vector<double>{ 0.25 } });
+  CheckCells(Write(squares.Data, false), 2.0 * 0.25); // areas of 2
+}
+
 TEST(FoamLayer, FacesOfALayerBeginWithTheLowestPoint)
 {
   const TwoSquares squares(2);
