@@ -1,4 +1,4 @@
-"""Reads .feb files by the packages pyfebio and febio-python: nodes, elements, sets and materials."""
+"""Reads .feb files by pyfebio and febio-python: nodes, elements, sets and materials."""
 
 from dataclasses import replace
 
