@@ -24,7 +24,7 @@ def made(request, tmp_path):
         grey = 2.0 + mesh.points[mesh.cells].mean(axis=1) @ [0.5, 0.25, 0.125]
         mesh = replace(mesh, state={"grey": grey}).bin_materials("grey", 5, a=3.0, b=2.0,
                                                                  poisson=POISSON)
-        mesh.state.pop("grey")  # pyfebio names values <elem>, febio-python and FEBio Studio <e>
+        mesh.state.pop("grey")  # values: <elem> in pyfebio, <e> in febio-python; FEBio reads both
     path = tmp_path / "ball.feb"
     mesh.save(path)
     return mesh, path
