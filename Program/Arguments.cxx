@@ -197,6 +197,7 @@ OutputForm ReadForm(const GivenArguments& given)
   form.IsBinary = given.count("--binary") > 0;
   form.HasInterfaces = given.count("--no-interfaces") == 0;
   form.IsReduced = given.count("--reduced") > 0;
+  form.IsDual = given.count("--polyhedra") > 0;
   return form;
 }
 

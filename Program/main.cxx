@@ -190,7 +190,7 @@ bool MayLeaveHexes(const Arguments& arguments, const Ranks& ranks)
 {
   const bool isOnly = arguments.Fragments.empty() && arguments.Geometry.empty() &&
     arguments.Surfaces.empty() && arguments.Report.empty();
-  return isOnly && ranks.Count() == 1 && TakesRuns(arguments.Output);
+  return isOnly && ranks.Count() == 1 && !arguments.Form.IsDual && TakesRuns(arguments.Output);
 }
 
 /// Returns the paths of files with particles beside the files of meshes.

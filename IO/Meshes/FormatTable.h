@@ -22,6 +22,7 @@ struct OutputForm
   bool IsBinary = false;     ///< binary instead of text
   bool HasInterfaces = true; ///< whether the file has faces between elements
   bool IsReduced = false;    ///< C3D20R instead of C3D20
+  bool IsDual = false;       ///< polyhedra around the nodes of tetrahedra
 };
 
 enum class MeshFormat

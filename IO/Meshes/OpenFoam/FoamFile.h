@@ -7,7 +7,9 @@
 #include "Meshes/Files/OutputFile.h"
 
 #include <array>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace vfm
 {
@@ -90,7 +92,31 @@ public:
     this->Begin(count);
     for (Index face = 0; face < count; ++face)
     {
-      this->Face(points(face), corners);
+      const std::array<Index, 4> all = points(face);
+      this->Face({ all.data(), static_cast<std::size_t>(corners) });
+    }
+    this->End(count);
+  }
+  /// Writes the list of faces points(i), ranges of any length.
+  template <class Points>
+  void Polygons(Index count, const Points& points)
+  {
+    if (this->IsBinary)
+    {
+      std::vector<Index> ends{ 0 }, all;
+      for (Index face = 0; face < count; ++face)
+      {
+        all.insert(all.end(), points(face).begin(), points(face).end());
+        ends.push_back(static_cast<Index>(all.size()));
+      }
+      this->Labels(count + 1, [&ends](Index face) { return ends[face]; });
+      this->Labels(ends.back(), [&all](Index i) { return all[i]; });
+      return;
+    }
+    this->Begin(count);
+    for (Index face = 0; face < count; ++face)
+    {
+      this->Face(points(face));
     }
     this->End(count);
   }
@@ -100,7 +126,7 @@ private:
   void Begin(Index count);
   void End(Index count);
   void Label(Index label);
-  void Face(const std::array<Index, 4>& points, int corners);
+  void Face(std::span<const Index> points);
   void EndLine();
 
   OutputFile File;

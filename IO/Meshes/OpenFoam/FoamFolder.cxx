@@ -15,8 +15,9 @@ constexpr const char* MeshFolder = "constant/polyMesh";
 class PolyMeshWriter
 {
 public:
-  PolyMeshWriter(const FoamMesh& foam, const std::string& folder, bool isBinary, OutputSet& files) :
-    Foam(foam), Folder(folder), IsBinary(isBinary), Files(files)
+  PolyMeshWriter(
+    const FoamLists& lists, const std::string& folder, bool isBinary, OutputSet& files) :
+    Lists(lists), Folder(folder), IsBinary(isBinary), Files(files)
   {
   }
 
@@ -33,7 +34,7 @@ private:
   void WriteZones(const std::string& name, const std::string& type, const std::string& entry,
     const std::vector<FoamZone>& zones) const;
 
-  const FoamMesh& Foam;
+  const FoamLists& Lists;
   const std::string& Folder;
   const bool IsBinary;
   OutputSet& Files;
@@ -58,22 +59,22 @@ void PolyMeshWriter::WriteLabels(const std::string& name, const std::vector<Inde
 
 void PolyMeshWriter::WriteOwners() const
 {
-  const Index faces = static_cast<Index>(this->Foam.Sides.size());
-  const std::string note = "nPoints:" + std::to_string(this->Foam.Mesh.NumberOfPoints) +
-    "  nCells:" + std::to_string(this->Foam.Mesh.NumberOfElements) +
+  const Index faces = this->Lists.NumberOfFaces;
+  const std::string note = "nPoints:" + std::to_string(this->Lists.NumberOfPoints) +
+    "  nCells:" + std::to_string(this->Lists.NumberOfCells) +
     "  nFaces:" + std::to_string(faces) +
-    "  nInternalFaces:" + std::to_string(this->Foam.Neighbours.size());
+    "  nInternalFaces:" + std::to_string(this->Lists.Neighbours.size());
   this->WriteFile(
     "owner", "labelList",
     [&](FoamFile& file)
-    { file.Labels(faces, [this](Index face) { return this->Foam.Owner(face); }); },
+    { file.Labels(faces, this->Lists.OwnerOf); },
     note);
   this->WriteFile(
     "neighbour", "labelList",
     [&](FoamFile& file)
     {
-      file.Labels(static_cast<Index>(this->Foam.Neighbours.size()),
-        [this](Index face) { return this->Foam.Neighbours[face]; });
+      file.Labels(static_cast<Index>(this->Lists.Neighbours.size()),
+        [this](Index face) { return this->Lists.Neighbours[face]; });
     },
     note);
 }
@@ -90,9 +91,9 @@ void PolyMeshWriter::WriteBoundary() const
   this->WriteFile("boundary", "polyBoundaryMesh",
     [this](FoamFile& file)
     {
-      file.Text(std::to_string(this->Foam.Patches.size()) + "\n(\n");
-      Index first = static_cast<Index>(this->Foam.Neighbours.size());
-      for (const FoamPatch& patch : this->Foam.Patches)
+      file.Text(std::to_string(this->Lists.Patches.size()) + "\n(\n");
+      Index first = static_cast<Index>(this->Lists.Neighbours.size());
+      for (const FoamPatch& patch : this->Lists.Patches)
       {
         file.Text("    " + patch.Name + "\n    {\n        type            " + patch.Type + ";\n" +
           DescribeGroups(patch) + "        nFaces          " + std::to_string(patch.Count) +
@@ -105,7 +106,7 @@ void PolyMeshWriter::WriteBoundary() const
         if (patch.Neighbour >= 0)
         {
           file.Text("        matchTolerance  0.0001;\n        myProcNo        " +
-            std::to_string(this->Foam.Rank) + ";\n        neighbProcNo    " +
+            std::to_string(this->Lists.Rank) + ";\n        neighbProcNo    " +
             std::to_string(patch.Neighbour) + ";\n" +
             (patch.Refer.empty() ? "" : "        referPatch      " + patch.Refer + ";\n"));
         }
@@ -146,19 +147,13 @@ void PolyMeshWriter::WriteZones(const std::string& name, const std::string& type
 
 void PolyMeshWriter::WriteMesh() const
 {
-  const MeshData& mesh = this->Foam.Mesh;
   this->WriteFile("points", "vectorField",
-    [&mesh](FoamFile& file) { file.Points(mesh.Points, mesh.NumberOfPoints); });
-  this->WriteFile("faces", this->IsBinary ? "faceCompactList" : "faceList",
-    [this, &mesh](FoamFile& file)
-    {
-      file.Faces(static_cast<Index>(this->Foam.Sides.size()), ElementFaces(mesh.Corners).Corners,
-        [this, &mesh](Index face) { return PointsOfSide(mesh, this->Foam.Sides[face]); });
-    });
+    [this](FoamFile& file) { file.Points(this->Lists.Points, this->Lists.NumberOfPoints); });
+  this->WriteFile("faces", this->IsBinary ? "faceCompactList" : "faceList", this->Lists.AddFaces);
   this->WriteOwners();
   this->WriteBoundary();
-  this->WriteZones("cellZones", "cellZone", "cellLabels", this->Foam.CellZones);
-  this->WriteZones("faceZones", "faceZone", "faceLabels", this->Foam.FaceZones);
+  this->WriteZones("cellZones", "cellZone", "cellLabels", this->Lists.CellZones);
+  this->WriteZones("faceZones", "faceZone", "faceLabels", this->Lists.FaceZones);
   this->WriteZones("pointZones", "pointZone", "pointLabels", {});
 }
 
@@ -200,17 +195,32 @@ std::vector<Dictionary> ListDictionaries(int ranks)
 
 } // namespace
 
-void WritePolyMesh(const FoamMesh& foam, const FoamAddressing* addressing,
-  const std::string& folder, bool isBinary, OutputSet& files)
+void WritePolyMesh(
+  const FoamLists& lists, const std::string& folder, bool isBinary, OutputSet& files)
 {
   files.MakeFolder(folder);
   files.MakeFolder(folder + "/constant");
   files.MakeFolder(folder + "/" + MeshFolder);
-  const PolyMeshWriter writer(foam, folder, isBinary, files);
-  writer.WriteMesh();
+  PolyMeshWriter(lists, folder, isBinary, files).WriteMesh();
+}
+
+void WritePolyMesh(const FoamMesh& foam, const FoamAddressing* addressing,
+  const std::string& folder, bool isBinary, OutputSet& files)
+{
+  const MeshData& mesh = foam.Mesh;
+  const Index faces = static_cast<Index>(foam.Sides.size());
+  const auto addFaces = [&](FoamFile& file)
+  {
+    file.Faces(faces, ElementFaces(mesh.Corners).Corners,
+      [&](Index face) { return PointsOfSide(mesh, foam.Sides[face]); });
+  };
+  const FoamLists lists{ mesh.Points, mesh.NumberOfPoints, mesh.NumberOfElements, faces, addFaces,
+    [&foam](Index face) { return foam.Owner(face); }, foam.Neighbours, foam.Patches, foam.CellZones,
+    foam.FaceZones, foam.Rank };
+  WritePolyMesh(lists, folder, isBinary, files);
   if (addressing)
   {
-    writer.WriteAddressing(*addressing);
+    PolyMeshWriter(lists, folder, isBinary, files).WriteAddressing(*addressing);
   }
 }
 
