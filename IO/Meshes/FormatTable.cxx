@@ -70,7 +70,8 @@ std::span<const FormatOption> GetFormatOptions()
 const std::vector<FormatRow>& GetFormatTable()
 {
   static const std::vector<FormatRow> table{
-    { MeshFormat::Vtu, { ".vtu" }, "VTK", "all arrays and field data", { "time", "texts", "polyhedra" } },
+    { MeshFormat::Vtu, { ".vtu" }, "VTK", "all arrays and field data",
+      { "time", "texts", "polyhedra" } },
     { MeshFormat::Pvtu, { ".pvtu" }, "VTK",
       "the same, with one piece per rank in a folder next to it", { "time" }, true },
     { MeshFormat::Exodus, { ".e", ".ex2", ".exo" }, "Exodus",

@@ -34,7 +34,7 @@ GmshVersion ReadVersion(const std::string& version)
 std::string WriteFile(const std::string& path, const NumpyPoints& points, const NumpyCells& cells,
   const NamedArrays& pointArrays, const NamedArrays& cellArrays, const nb::dict& fields,
   const NamedArrays& particles, std::optional<double> time, const std::string& version, bool binary,
-  bool interfaces, bool reduced)
+  bool interfaces, bool reduced, bool polyhedra)
 {
   StoredMesh mesh = ViewMesh(points, cells, pointArrays, cellArrays, fields);
   mesh.Data.Time = time;
@@ -43,7 +43,8 @@ std::string WriteFile(const std::string& path, const NumpyPoints& points, const 
   const OutputForm form{ .Version = ReadVersion(version),
     .IsBinary = binary,
     .HasInterfaces = interfaces,
-    .IsReduced = reduced };
+    .IsReduced = reduced,
+    .IsDual = polyhedra };
   const nb::gil_scoped_release others;
   Ranks alone;
   WorkInStage(alone, ErrorCode::UnwritableOutput, [&] { WriteMesh(mesh.Data, path, alone, form); });
@@ -88,7 +89,7 @@ void BindWriters(nb::module_& module)
 {
   module.def("write_mesh", WriteFile, "path"_a, "points"_a, "cells"_a, "point_arrays"_a,
     "cell_arrays"_a, "fields"_a, "particles"_a, "time"_a.none(), "version"_a = "",
-    "binary"_a = false, "interfaces"_a = true, "reduced"_a = false);
+    "binary"_a = false, "interfaces"_a = true, "reduced"_a = false, "polyhedra"_a = false);
   module.def("list_formats", ListFormats);
   module.def("write_report", WriteReportFile, "path"_a, "points"_a, "cells"_a, "point_arrays"_a,
     "cell_arrays"_a, "fields"_a, "materials"_a, "title"_a, "facts"_a, "options"_a, "warnings"_a);

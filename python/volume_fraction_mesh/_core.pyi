@@ -375,11 +375,12 @@ def write_mesh(
     binary: bool = False,
     interfaces: bool = True,
     reduced: bool = False,
+    polyhedra: bool = False,
 ) -> str:
     """Writes a mesh in a format of list_formats(). Returns the path of the particles beside a file
     that holds none, or "".
 
-    version, "2.2" or "4.1", binary, interfaces and reduced are options of some formats. cells has
+    version, "2.2" or "4.1", binary, interfaces, reduced and polyhedra are options of some formats. cells has
     shape (m, 8) or (m, 4), or (m, 20), (m, 27) or (m, 10) with mid nodes.
 
     point_arrays contains GlobalPointIds, int64. cell_arrays contains GlobalCellIds, int64, and

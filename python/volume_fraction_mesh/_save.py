@@ -73,7 +73,7 @@ def _save_by_core(mesh: MeshData, path: str, suffix: str, **options: Any) -> str
 
 def _write(mesh: MeshData, path: str, time: Optional[float] = None, texts: bool = True,
            version: Optional[str] = None, binary: bool = False,
-           interfaces: bool = True, reduced: bool = False) -> str:
+           interfaces: bool = True, reduced: bool = False, polyhedra: bool = False) -> str:
     fields = core_fields(mesh.fields)
     return _core.write_mesh(
         path,
@@ -85,6 +85,7 @@ def _write(mesh: MeshData, path: str, time: Optional[float] = None, texts: bool 
         binary,
         interfaces,
         reduced,
+        polyhedra,
     )
 
 

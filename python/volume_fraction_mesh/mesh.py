@@ -551,6 +551,8 @@ class Mesh(MeshData):
               2147483647; ``binary``, bool, default False; ``interfaces=False`` leaves out the
               faces between elements, for deal.II.
             - ``.inp``: ``reduced=True`` writes C3D20R instead of C3D20.
+            - ``.foam``, ``.vtu``: ``polyhedra=True`` writes polyhedra around the nodes of
+              tetrahedra, about five times fewer cells, with the same volumes of the materials.
             - ``.foam``, ``.vtk``: ``binary=True`` instead of text. ``.npz``: ``compress=True``.
             - Other formats: arguments of ``pyvista.DataSet.save`` or ``meshio.write``.
 

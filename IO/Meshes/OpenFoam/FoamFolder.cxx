@@ -61,14 +61,10 @@ void PolyMeshWriter::WriteOwners() const
 {
   const Index faces = this->Lists.NumberOfFaces;
   const std::string note = "nPoints:" + std::to_string(this->Lists.NumberOfPoints) +
-    "  nCells:" + std::to_string(this->Lists.NumberOfCells) +
-    "  nFaces:" + std::to_string(faces) +
+    "  nCells:" + std::to_string(this->Lists.NumberOfCells) + "  nFaces:" + std::to_string(faces) +
     "  nInternalFaces:" + std::to_string(this->Lists.Neighbours.size());
   this->WriteFile(
-    "owner", "labelList",
-    [&](FoamFile& file)
-    { file.Labels(faces, this->Lists.OwnerOf); },
-    note);
+    "owner", "labelList", [&](FoamFile& file) { file.Labels(faces, this->Lists.OwnerOf); }, note);
   this->WriteFile(
     "neighbour", "labelList",
     [&](FoamFile& file)

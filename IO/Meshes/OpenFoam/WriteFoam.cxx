@@ -99,12 +99,11 @@ void WriteFoam(const MeshData& mesh, const std::string& path, Ranks& ranks, cons
   if (form.IsDual && !form.IsWhole && ranks.Count() > 1)
   {
     throw InputError("Polyhedra are written as one mesh, which rank 0 gathers: with several ranks "
-                     "they need the option of a single file.");
+                     "they need the option of a single file (--single-file).");
   }
   if (form.IsWhole || ranks.Count() == 1)
   {
-    WriteWhole(
-      mesh, ranks, [&](const MeshData& whole) { WriteWholeCase(whole, path, form); });
+    WriteWhole(mesh, ranks, [&](const MeshData& whole) { WriteWholeCase(whole, path, form); });
     return;
   }
   StoredMesh part = OrderMesh(TakeKnownArrays(mesh), ranks);

@@ -5,13 +5,53 @@ namespace vfm
 namespace
 {
 
+constexpr double LargestSkewness = 3.9; ///< checkMesh of OpenFOAM rejects 4
+constexpr double LeastCosine = 0.17;    ///< of 80 degrees between the line and the normal
+
 Vector3 PointAt(const DualMesh& dual, Index point)
 {
   const double* x = dual.Points.data() + 3 * point;
   return { { x[0], x[1], x[2] } };
 }
 
+/// Returns the distance of the centre of a face from the line through its plane, in widths of the
+/// face in this direction or in `share` of the length of the line.
+double SkewnessOf(const DualMesh& dual, Index face, const FaceMeasure& measure,
+  const Vector3& fromCell, const Vector3& line, double share)
+{
+  const double slope = Dot(measure.Area, fromCell) / Dot(measure.Area, line);
+  const Vector3 offset = fromCell - slope * line;
+  const Vector3 direction = Unit(offset);
+  double width = share * Norm(line);
+  for (const Index point : dual.PointsOf(face))
+  {
+    width = std::max(width, std::fabs(Dot(direction, PointAt(dual, point) - measure.Centre)));
+  }
+  return Norm(offset) / width;
+}
+
 } // namespace
+
+bool IsPoor(const DualMesh& dual, const CellMeasures& cells, Index face)
+{
+  const FaceMeasure& measure = cells.Faces[face];
+  const Vector3 normal = Unit(measure.Area);
+  const Index owner = dual.Owners[face], behind = dual.BehindFace(face);
+  const Vector3 fromOwner = measure.Centre - cells.Centres[owner];
+  if (Dot(normal, fromOwner) <= 0.0)
+  {
+    return true;
+  }
+  if (behind == NothingBehind)
+  {
+    const Vector3 line = Dot(normal, fromOwner) * normal;
+    return SkewnessOf(dual, face, measure, fromOwner, line, 0.4) > LargestSkewness;
+  }
+  const Vector3 line = cells.Centres[behind] - cells.Centres[owner];
+  return Dot(normal, cells.Centres[behind] - measure.Centre) <= 0.0 ||
+    Dot(normal, line) < LeastCosine * Norm(line) ||
+    SkewnessOf(dual, face, measure, fromOwner, line, 0.2) > LargestSkewness;
+}
 
 FaceMeasure MeasureFace(const DualMesh& dual, Index face)
 {
@@ -61,8 +101,7 @@ CellMeasures MeasureCells(const DualMesh& dual)
       const Vector3 mean = (1.0 / faces[cell]) * means[cell];
       const double volume = sign * Dot(measure.Area, measure.Centre - mean) / 3.0;
       cells.Volumes[cell] += volume;
-      cells.Centres[cell] =
-        cells.Centres[cell] + volume * (0.75 * measure.Centre + 0.25 * mean);
+      cells.Centres[cell] = cells.Centres[cell] + volume * (0.75 * measure.Centre + 0.25 * mean);
     });
   for (std::size_t cell = 0; cell < count; ++cell)
   {

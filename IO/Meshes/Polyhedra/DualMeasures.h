@@ -28,6 +28,10 @@ struct CellMeasures
 
 CellMeasures MeasureCells(const DualMesh& dual);
 
+/// Returns whether finite volumes may reject a face: the centre of a cell is behind it, the line
+/// between the centres of its cells is nearly along it, or meets its plane far from it.
+bool IsPoor(const DualMesh& dual, const CellMeasures& cells, Index face);
+
 /// Calls visit(face, cell, sign) for the cells of each face: 1 for the owner, -1 for the neighbour.
 template <class Visit>
 void ForFaces(const DualMesh& dual, const Visit& visit)

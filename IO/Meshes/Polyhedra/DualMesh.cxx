@@ -3,6 +3,7 @@
 #include "Meshes/Polyhedra/DualMeasures.h"
 #include "Meshes/Polyhedra/FitWalls.h"
 
+#include <optional>
 #include <tuple>
 
 namespace vfm
@@ -91,8 +92,7 @@ void AddEdgeFaces(
 /// Returns the cell of a side at a node.
 Index CellAt(const DualTets& tets, const DualCells& cells, Index side, Index node)
 {
-  return side < 0 ? NothingBehind
-                  : cells.OfCorner[4 * (side / 4) + tets.CornerAt(side / 4, node)];
+  return side < 0 ? NothingBehind : cells.OfCorner[4 * (side / 4) + tets.CornerAt(side / 4, node)];
 }
 
 void AddWallFaces(
@@ -122,8 +122,8 @@ void SetFaces(const DualFaces& faces, DualMesh& dual)
   for (const auto& [isOuter, owner, neighbour, place] : order)
   {
     const DualFace& face = faces.Faces[place];
-    dual.FacePoints.insert(dual.FacePoints.end(), faces.Points.begin() + face.Begin,
-      faces.Points.begin() + face.End);
+    dual.FacePoints.insert(
+      dual.FacePoints.end(), faces.Points.begin() + face.Begin, faces.Points.begin() + face.End);
     dual.FaceEnds.push_back(static_cast<Index>(dual.FacePoints.size()));
     dual.Owners.push_back(owner);
     dual.WallSides.push_back(face.WallSide);
@@ -188,41 +188,62 @@ void AddTetPoints(const MeshData& mesh, const DualWalls& walls, std::vector<doub
   }
 }
 
-/// Makes the dual with given round nodes, also with points that no face has.
-DualMesh Build(const DualTets& tets, const DualCells& cells, const SurfaceOfSide& surfaceOf,
-  const std::vector<char>& isRound)
+/// Makes the dual with given edges, also with points that no face has.
+/// @param[in,out] edges  nodes of surfaces that cannot keep volumes otherwise become sharp
+/// @return nothing if a node became sharp
+std::optional<DualMesh> TryEdges(const DualTets& tets, const DualCells& cells,
+  const SurfaceOfSide& surfaceOf, std::vector<NodeEdges>& edges)
 {
   DualMesh dual;
   dual.Cells = cells;
-  const DualWalls walls = FindDualWalls(tets, surfaceOf, isRound, tets.Count());
+  const DualWalls walls = FindDualWalls(tets, surfaceOf, edges, tets.Count());
   AddTetPoints(tets.Data(), walls, dual.Points);
   AddWallPoints(tets.Data(), walls, dual.Points);
   DualFaces faces;
   AddEdgeFaces(tets, cells, walls, faces);
   AddWallFaces(tets, cells, walls, faces);
   SetFaces(faces, dual);
-  FitWalls(tets, walls, dual);
-  return dual;
+  const std::vector<Index> refused = FitWalls(tets, walls, dual);
+  for (const Index triangle : refused)
+  {
+    for (const Index node : walls.Triangles[triangle].Nodes)
+    {
+      edges[node] = NodeEdges::Sharp;
+    }
+  }
+  return refused.empty() ? std::optional<DualMesh>(std::move(dual)) : std::nullopt;
 }
 
-/// Marks the nodes of cells whose centre is behind one of their faces on walls.
+/// Makes the dual in which surfaces keep volumes. Surfaces whose nodes are all sharp do.
+DualMesh Build(const DualTets& tets, const DualCells& cells, const SurfaceOfSide& surfaceOf,
+  std::vector<NodeEdges>& edges)
+{
+  std::optional<DualMesh> dual;
+  while (!dual)
+  {
+    dual = TryEdges(tets, cells, surfaceOf, edges);
+  }
+  return std::move(*dual);
+}
+
+/// Makes the edges at the nodes of cells at poor faces round.
 /// @return whether a node is new
-bool MarkRound(const DualMesh& dual, std::vector<char>& isRound)
+bool RoundEdges(const DualMesh& dual, std::vector<NodeEdges>& edges)
 {
   const CellMeasures cells = MeasureCells(dual);
   bool isAny = false;
-  ForFaces(dual,
-    [&](Index face, Index cell, double sign)
+  for (Index face = 0; face < dual.NumberOfFaces(); ++face)
+  {
+    for (const Index cell : { dual.Owners[face], dual.BehindFace(face) })
     {
-      const FaceMeasure& measure = cells.Faces[face];
-      char& mark = isRound[dual.Cells.Nodes[cell]];
-      if (dual.WallSides[face] >= 0 && !mark &&
-        sign * Dot(measure.Area, measure.Centre - cells.Centres[cell]) <= 0.0)
+      if (cell != NothingBehind && edges[dual.Cells.Nodes[cell]] == NodeEdges::ByAngle &&
+        IsPoor(dual, cells, face))
       {
-        mark = 1;
+        edges[dual.Cells.Nodes[cell]] = NodeEdges::Round;
         isAny = true;
       }
-    });
+    }
+  }
   return isAny;
 }
 
@@ -232,11 +253,11 @@ DualMesh MakeDualMesh(const MeshData& mesh, const SurfaceOfSide& surfaceOf)
 {
   const DualTets tets(mesh);
   const DualCells cells = FindDualCells(tets);
-  std::vector<char> isRound(mesh.NumberOfPoints, 0);
-  DualMesh dual = Build(tets, cells, surfaceOf, isRound);
-  for (int round = 0; round < MostRounds && MarkRound(dual, isRound); ++round)
+  std::vector<NodeEdges> edges(mesh.NumberOfPoints, NodeEdges::ByAngle);
+  DualMesh dual = Build(tets, cells, surfaceOf, edges);
+  for (int round = 0; round < MostRounds && RoundEdges(dual, edges); ++round)
   {
-    dual = Build(tets, cells, surfaceOf, isRound);
+    dual = Build(tets, cells, surfaceOf, edges);
   }
   DropUnused(dual);
   return dual;

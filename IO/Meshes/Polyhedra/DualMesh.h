@@ -2,9 +2,9 @@
  * DualMesh: the polyhedra around the nodes of a mesh of linear tetrahedra.
  *
  * A node inside of a region is one cell; a node on walls (DualWalls.h) is one cell per region and
- * connected group of its tetrahedra there. A face between the cells of two nodes is a polygon around
- * their common edge: through the centres of the tetrahedra there, and at walls through the centres
- * of two wall triangles and, if the edge is sharp, its middle.
+ * connected group of its tetrahedra there. A face between the cells of two nodes is a polygon
+ * around their common edge: through the centres of the tetrahedra there, and at walls through the
+ * centres of two wall triangles and, if the edge is sharp, its middle.
  */
 #pragma once
 
@@ -31,6 +31,11 @@ struct DualMesh
   Index NumberOfCells() const { return static_cast<Index>(this->Cells.Nodes.size()); }
   Index NumberOfInnerFaces() const { return static_cast<Index>(this->Neighbours.size()); }
   Index NumberOfFaces() const { return static_cast<Index>(this->FaceEnds.size()); }
+  /// Returns the neighbour of a face, or NothingBehind.
+  Index BehindFace(Index face) const
+  {
+    return face < this->NumberOfInnerFaces() ? this->Neighbours[face] : NothingBehind;
+  }
   /// Returns the points of a face, counterclockwise seen from outside of its owner.
   std::span<const Index> PointsOf(Index face) const
   {
@@ -41,8 +46,8 @@ struct DualMesh
 };
 
 /// Makes the dual of a whole mesh. Faces are ordered by owner, then by neighbour, those on the
-/// boundary behind the others. Sharp edges of walls are rounded at nodes where a cell would not
-/// contain its own centre otherwise.
+/// boundary behind the others. Sharp edges of walls are rounded at nodes whose cells would have
+/// poor faces otherwise (DualMeasures.h).
 /// @param mesh  linear tetrahedra with Material; points and elements ordered by global id
 /// @param surfaceOf  the surface of a side on a wall
 DualMesh MakeDualMesh(const MeshData& mesh, const SurfaceOfSide& surfaceOf);

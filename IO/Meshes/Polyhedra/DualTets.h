@@ -1,5 +1,6 @@
 /**
- * DualTets: the tetrahedra that the cells of a dual mesh consist of, and the way around their edges.
+ * DualTets: the tetrahedra that the cells of a dual mesh consist of, and the way around their
+ * edges.
  *
  * Corners, sides and edges of tetrahedra are numbered as in ElementFaces.h and MidNodes.h. The part
  * of a tetrahedron at a corner is a quarter of its volume: it is bounded by the middles of the

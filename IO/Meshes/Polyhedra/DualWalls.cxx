@@ -11,10 +11,9 @@ namespace
 {
 
 constexpr double SmoothCosine = 0.8660254037844387; ///< of 30 degrees between two triangles
-constexpr double StraightCosine = 1.0 - 1e-10;       ///< of two edges of a sharp curve
+constexpr double StraightCosine = 1.0 - 1e-14;      ///< of two edges of a sharp curve
 
-std::vector<WallTriangle> ListTriangles(
-  const DualTets& tets, const SurfaceOfSide& surfaceOf)
+std::vector<WallTriangle> ListTriangles(const DualTets& tets, const SurfaceOfSide& surfaceOf)
 {
   std::vector<WallTriangle> triangles;
   for (Index side = 0; side < 4 * tets.Count(); ++side)
@@ -56,12 +55,12 @@ void LinkSides(const DualTets& tets, DualWalls& walls)
 Vector3 NormalOf(const MeshData& mesh, const WallTriangle& triangle)
 {
   const Vector3 first = mesh.PointAt(triangle.Nodes[0]);
-  return Unit(Cross(mesh.PointAt(triangle.Nodes[1]) - first,
-    mesh.PointAt(triangle.Nodes[2]) - first));
+  return Unit(
+    Cross(mesh.PointAt(triangle.Nodes[1]) - first, mesh.PointAt(triangle.Nodes[2]) - first));
 }
 
 /// Numbers the edges of triangles, smooth or not.
-void FindEdges(const MeshData& mesh, const std::vector<char>& isRound, DualWalls& walls)
+void FindEdges(const MeshData& mesh, const std::vector<NodeEdges>& edges, DualWalls& walls)
 {
   std::vector<std::tuple<EdgeIds, Index, int>> places; // edge, triangle, its first node there
   for (std::size_t t = 0; t < walls.Triangles.size(); ++t)
@@ -76,9 +75,10 @@ void FindEdges(const MeshData& mesh, const std::vector<char>& isRound, DualWalls
   const auto isSmooth = [&](const EdgeIds& edge, Index a, Index b)
   {
     const WallTriangle &first = walls.Triangles[a], &second = walls.Triangles[b];
-    if (isRound[edge[0]] || isRound[edge[1]])
+    const NodeEdges kind = std::max(edges[edge[0]], edges[edge[1]]);
+    if (kind != NodeEdges::ByAngle)
     {
-      return first.Surface.Joined == second.Surface.Joined;
+      return kind == NodeEdges::Round && first.Surface.Joined == second.Surface.Joined;
     }
     return first.Surface.Finest == second.Surface.Finest &&
       Dot(NormalOf(mesh, first), NormalOf(mesh, second)) >= SmoothCosine;
@@ -121,8 +121,7 @@ void FindNodes(const MeshData& mesh, DualWalls& walls)
     }
     const auto to = [&](std::size_t place)
     { return Unit(mesh.PointAt(ends[place].second) - mesh.PointAt(node)); };
-    const bool isStraight =
-      end - begin == 2 && -Dot(to(begin), to(begin + 1)) >= StraightCosine;
+    const bool isStraight = end - begin == 2 && -Dot(to(begin), to(begin + 1)) >= StraightCosine;
     walls.NodePoints[node] = isStraight ? -1 : walls.NumberOfPoints++;
   }
 }
@@ -146,8 +145,8 @@ WallPart StepOver(const DualWalls& walls, const WallPart& part, const WallEdge& 
 /// Returns the edge after the node of a part, or the one before it.
 const WallEdge& EdgeAt(const DualWalls& walls, const WallPart& part, bool isAfter)
 {
-  return walls.Edges[walls.Triangles[part.Triangle].Edges[isAfter ? part.Place
-                                                                  : (part.Place + 2) % 3]];
+  return walls
+    .Edges[walls.Triangles[part.Triangle].Edges[isAfter ? part.Place : (part.Place + 2) % 3]];
 }
 
 /// Returns the polygon with a part, and marks its parts.
@@ -210,14 +209,14 @@ Index DualWalls::MiddleOf(Index triangle, const EdgeIds& nodes) const
 }
 
 DualWalls FindDualWalls(const DualTets& tets, const SurfaceOfSide& surfaceOf,
-  const std::vector<char>& isRound, Index firstPoint)
+  const std::vector<NodeEdges>& edges, Index firstPoint)
 {
   DualWalls walls;
   walls.Triangles = ListTriangles(tets, surfaceOf);
   walls.FirstPoint = firstPoint;
   walls.NumberOfPoints = firstPoint + static_cast<Index>(walls.Triangles.size());
   LinkSides(tets, walls);
-  FindEdges(tets.Data(), isRound, walls);
+  FindEdges(tets.Data(), edges, walls);
   FindNodes(tets.Data(), walls);
   return walls;
 }
@@ -230,8 +229,8 @@ std::vector<WallPolygon> JoinWallParts(const DualWalls& walls)
   {
     if (!isDone[part])
     {
-      polygons.push_back(JoinFrom(
-        walls, { static_cast<Index>(part / 3), static_cast<int>(part % 3) }, isDone));
+      polygons.push_back(
+        JoinFrom(walls, { static_cast<Index>(part / 3), static_cast<int>(part % 3) }, isDone));
     }
   }
   return polygons;

@@ -28,8 +28,8 @@ using SurfaceOfSide = std::function<WallSurface(const ElementSide&)>;
 /// A triangle between two regions or on the boundary.
 struct WallTriangle
 {
-  Index Front;                ///< side of the lower region: 4 * tet + side
-  Index Back;                 ///< side behind; NothingBehind on the boundary
+  Index Front; ///< side of the lower region: 4 * tet + side
+  Index Back;  ///< side behind; NothingBehind on the boundary
   WallSurface Surface;
   std::array<Index, 3> Nodes; ///< counterclockwise seen from behind
   std::array<Index, 3> Edges; ///< from each node to the next: number among DualWalls::Edges
@@ -64,11 +64,19 @@ struct DualWalls
   Index MiddleOf(Index triangle, const EdgeIds& nodes) const;
 };
 
+/// Which wall edges at a node are smooth.
+enum class NodeEdges : char
+{
+  ByAngle, ///< those up to 30 degrees between two triangles of the same finest surface
+  Round,   ///< all that have the same joined surface on both sides
+  Sharp    ///< none, also where the other node is round
+};
+
 /// Finds the walls, and decides which middles of edges and which nodes become points.
-/// @param isRound  nodes at which all edges are smooth that have the same surface on both sides
+/// @param edges  of each node
 /// @param firstPoint  number of the first point that the walls add
 DualWalls FindDualWalls(const DualTets& tets, const SurfaceOfSide& surfaceOf,
-  const std::vector<char>& isRound, Index firstPoint);
+  const std::vector<NodeEdges>& edges, Index firstPoint);
 
 /// Returns the polygons of all triangles.
 std::vector<WallPolygon> JoinWallParts(const DualWalls& walls);

@@ -10,9 +10,9 @@ namespace vfm
 namespace
 {
 
-constexpr int MostSteps = 8;          ///< of the secant method
-constexpr double LargestMove = 0.25;  ///< of a surface, in mean widths of its triangles
-constexpr double Tolerance = 1e-15;   ///< of the volume, in that of the surface's largest box
+constexpr int MostSteps = 8;        ///< of the secant method
+constexpr double LargestMove = 0.6; ///< of a surface, in mean widths of its triangles
+constexpr double Tolerance = 1e-15; ///< of the volume, in that of the surface's largest box
 
 /// The surface between two regions, or of one region on the boundary.
 struct DualSurface
@@ -79,8 +79,8 @@ bool IsJoined(const DualWalls& walls, const WallTriangle& triangle)
     [&walls](Index edge) { return walls.Edges[edge].Middle < 0; });
 }
 
-Moves FindMoves(const MeshData& mesh, const DualWalls& walls, const DualSurface& surface,
-  const DualMesh& dual)
+Moves FindMoves(
+  const MeshData& mesh, const DualWalls& walls, const DualSurface& surface, const DualMesh& dual)
 {
   Moves moves;
   for (const Index t : surface.Triangles)
@@ -119,13 +119,14 @@ double MeasureVolume(const DualSurface& surface, const DualMesh& dual, const Vec
 }
 
 /// Moves one surface.
-void FitSurface(
+/// @return false if it would have to move too far
+bool FitSurface(
   const MeshData& mesh, const DualWalls& walls, const DualSurface& surface, DualMesh& dual)
 {
   const Moves moves = FindMoves(mesh, walls, surface, dual);
   if (moves.Points.empty())
   {
-    return;
+    return true;
   }
   const Vector3 from = mesh.PointAt(walls.Triangles[surface.Triangles[0]].Nodes[0]);
   double target = 0.0, area = 0.0, scale = 0.0;
@@ -145,8 +146,8 @@ void FitSurface(
   {
     if (std::fabs(distance) > LargestMove * width)
     {
-      distance = 0.0; // a surface of few triangles that bends too much
-      step = MostSteps;
+      Move(moves, 0.0, dual);
+      return false;
     }
     Move(moves, distance, dual);
     const double error = MeasureVolume(surface, dual, from) - target;
@@ -155,16 +156,22 @@ void FitSurface(
     lastError = error;
     distance -= slope != 0.0 && std::isfinite(slope) ? error / slope : 0.0;
   }
+  return true;
 }
 
 } // namespace
 
-void FitWalls(const DualTets& tets, const DualWalls& walls, DualMesh& dual)
+std::vector<Index> FitWalls(const DualTets& tets, const DualWalls& walls, DualMesh& dual)
 {
+  std::vector<Index> refused;
   for (const auto& [key, surface] : FindSurfaces(tets, walls, dual))
   {
-    FitSurface(tets.Data(), walls, surface, dual);
+    if (!FitSurface(tets.Data(), walls, surface, dual))
+    {
+      refused.insert(refused.end(), surface.Triangles.begin(), surface.Triangles.end());
+    }
   }
+  return refused;
 }
 
 } // namespace vfm

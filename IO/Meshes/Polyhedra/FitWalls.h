@@ -15,6 +15,7 @@ namespace vfm
 {
 
 /// @param[in,out] dual  the points of its walls move; has all points of the walls
-void FitWalls(const DualTets& tets, const DualWalls& walls, DualMesh& dual);
+/// @return the triangles of surfaces that would have to move too far, and do not
+std::vector<Index> FitWalls(const DualTets& tets, const DualWalls& walls, DualMesh& dual);
 
 } // namespace vfm

@@ -106,12 +106,12 @@ void AddCellZones(const MeshData& mesh, const DualMesh& dual, Ranks& ranks, Dual
 
 void CheckLabels(const DualMesh& dual)
 {
-  const Index largest = std::max({ dual.NumberOfPoints(), dual.NumberOfFaces(),
-    static_cast<Index>(dual.FacePoints.size()) });
+  const Index largest = std::max(
+    { dual.NumberOfPoints(), dual.NumberOfFaces(), static_cast<Index>(dual.FacePoints.size()) });
   if (largest > std::numeric_limits<std::int32_t>::max())
   {
-    throw InputError("The mesh has " + std::to_string(dual.NumberOfFaces()) +
-      " faces with " + std::to_string(dual.FacePoints.size()) +
+    throw InputError("The mesh has " + std::to_string(dual.NumberOfFaces()) + " faces with " +
+      std::to_string(dual.FacePoints.size()) +
       " corners. OpenFOAM's labels of 32 bits count at most 2147483647.");
   }
 }
@@ -125,8 +125,8 @@ std::vector<MeshArray> TakePointArrays(
   {
     if (!FindKnownArray(array.Name) && array.Values)
     {
-      const std::size_t width =
-        static_cast<std::size_t>(WidthOfType(array.Type)) * static_cast<std::size_t>(array.Components);
+      const std::size_t width = static_cast<std::size_t>(WidthOfType(array.Type)) *
+        static_cast<std::size_t>(array.Components);
       std::vector<char> values(width * nodes.size());
       for (std::size_t cell = 0; cell < nodes.size(); ++cell)
       {
@@ -146,8 +146,8 @@ template <class Value>
 std::vector<Value> TakeValues(const Value* values, const std::vector<Index>& places)
 {
   std::vector<Value> taken(places.size());
-  std::transform(places.begin(), places.end(), taken.begin(),
-    [values](Index place) { return values[place]; });
+  std::transform(
+    places.begin(), places.end(), taken.begin(), [values](Index place) { return values[place]; });
   return taken;
 }
 
@@ -186,7 +186,8 @@ StoredMesh DescribeCells(const MeshData& mesh, const DualMesh& dual)
 struct VtkPolyhedra
 {
   std::vector<Index> Corners, CornerEnds;
-  std::vector<Index> Faces; ///< of each cell: number of faces; of each face: number of points, points
+  std::vector<Index>
+    Faces; ///< of each cell: number of faces; of each face: number of points, points
   std::vector<Index> FaceEnds;
 };
 
@@ -246,8 +247,9 @@ void AddIds(OutputFile& file, const char* name, const std::vector<Index>& ids)
 
 void RequireDual(const MeshData& mesh)
 {
-  constexpr const char* need = "Polyhedra are made around the nodes of linear tetrahedra that share "
-                               "their nodes (tetrahedra of the method lattice): ";
+  constexpr const char* need =
+    "Polyhedra are made around the nodes of linear tetrahedra that share "
+    "their nodes (tetrahedra of the method lattice): ";
   if (IsFlat(mesh))
   {
     throw InputError(std::string(need) + "this is a mesh of a plane (option Flat).");
@@ -266,8 +268,7 @@ void RequireDual(const MeshData& mesh)
   }
 }
 
-void WriteDualFoam(
-  const MeshData& mesh, const std::string& folder, bool isBinary, OutputSet& files)
+void WriteDualFoam(const MeshData& mesh, const std::string& folder, bool isBinary, OutputSet& files)
 {
   if (mesh.PeriodicPartner)
   {
@@ -277,8 +278,8 @@ void WriteDualFoam(
   }
   Ranks alone;
   const FoamSurfaces surfaces = FindFoamSurfaces(mesh, alone);
-  const DualMesh dual =
-    MakeDualMesh(mesh, [&surfaces](const ElementSide& side) { return FindSurface(surfaces, side); });
+  const DualMesh dual = MakeDualMesh(
+    mesh, [&surfaces](const ElementSide& side) { return FindSurface(surfaces, side); });
   CheckLabels(dual);
   DualFoam foam;
   foam.Faces.resize(dual.NumberOfInnerFaces());
@@ -291,10 +292,10 @@ void WriteDualFoam(
     file.Polygons(
       dual.NumberOfFaces(), [&](Index face) { return dual.PointsOf(foam.Faces[face]); });
   };
-  WritePolyMesh({ dual.Points.data(), dual.NumberOfPoints(), dual.NumberOfCells(),
-                  dual.NumberOfFaces(), addFaces,
-                  [&](Index face) { return dual.Owners[foam.Faces[face]]; }, dual.Neighbours,
-                  foam.Patches, foam.CellZones, foam.FaceZones },
+  WritePolyMesh(
+    { dual.Points.data(), dual.NumberOfPoints(), dual.NumberOfCells(), dual.NumberOfFaces(),
+      addFaces, [&](Index face) { return dual.Owners[foam.Faces[face]]; }, dual.Neighbours,
+      foam.Patches, foam.CellZones, foam.FaceZones },
     folder, isBinary, files);
 }
 
@@ -302,8 +303,8 @@ void WriteDualVtu(const MeshData& mesh, const std::string& path, OutputSet& file
 {
   Ranks alone;
   const FoamSurfaces surfaces = FindFoamSurfaces(mesh, alone);
-  const DualMesh dual =
-    MakeDualMesh(mesh, [&surfaces](const ElementSide& side) { return FindSurface(surfaces, side); });
+  const DualMesh dual = MakeDualMesh(
+    mesh, [&surfaces](const ElementSide& side) { return FindSurface(surfaces, side); });
   const StoredMesh cells = DescribeCells(mesh, dual);
   OutputFile file(path, files);
   file.Add(VtuHead("UnstructuredGrid") + "<UnstructuredGrid>\n");

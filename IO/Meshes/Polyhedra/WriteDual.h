@@ -3,9 +3,9 @@
  * or as VTK's XML file of polyhedra.
  *
  * OpenFOAM: patches, cell zones and face zones have the names of those of the tetrahedra
- * (FoamMesh.h). VTK: cells have MaterialId, FragmentId if fragments are known, GlobalCellIds from 1,
- * NodeId, the global id of the node inside, and the values of other arrays of points there; fields
- * are those of the tetrahedra.
+ * (FoamMesh.h). VTK: cells have MaterialId, FragmentId if fragments are known, GlobalCellIds from
+ * 1, NodeId, the global id of the node inside, and the values of other arrays of points there;
+ * fields are those of the tetrahedra.
  */
 #pragma once
 
