@@ -206,6 +206,7 @@ OutputForm ReadForm(const GivenArguments& given)
   form.IsReduced = given.count("--reduced") > 0;
   form.IsPlaneStress =
     ReadValue(given, "--plane", "strain or stress", ParsePlaneStress).value_or(false);
+  form.IsDual = given.count("--polyhedra") > 0;
   return form;
 }
 

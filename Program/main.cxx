@@ -190,7 +190,7 @@ bool MayLeaveHexes(const Arguments& arguments, const Ranks& ranks)
 {
   const bool isOnly = arguments.Fragments.empty() && arguments.Geometry.empty() &&
     arguments.Surfaces.empty() && arguments.Report.empty() && !arguments.Bins;
-  return isOnly && ranks.Count() == 1 && TakesRuns(arguments.Output);
+  return isOnly && ranks.Count() == 1 && !arguments.Form.IsDual && TakesRuns(arguments.Output);
 }
 
 /// Groups the elements if requested, and adds the groups to the mesh.

@@ -35,6 +35,10 @@ constexpr FormatOption FormatOptions[] = {
     "leave the faces between elements out of a .msh file, for deal.II",
     [](const OutputForm& form) { return !form.HasInterfaces; },
     "has no faces of interfaces to leave out. Formats that have them: " },
+  { "polyhedra", "--polyhedra", "",
+    "write polyhedra around the nodes of tetrahedra to an OpenFOAM case or a .vtu file",
+    [](const OutputForm& form) { return form.IsDual; },
+    "has no polyhedra. Formats that have them: " },
   { "time", "", "", "", nullptr, "" },
   { "texts", "", "", "", nullptr, "" },
 };
@@ -79,7 +83,8 @@ std::span<const FormatOption> GetFormatOptions()
 const std::vector<FormatRow>& GetFormatTable()
 {
   static const std::vector<FormatRow> table{
-    { MeshFormat::Vtu, { ".vtu" }, "VTK", "all arrays and field data", { "time", "texts" } },
+    { MeshFormat::Vtu, { ".vtu" }, "VTK", "all arrays and field data",
+      { "time", "texts", "polyhedra" } },
     { MeshFormat::Pvtu, { ".pvtu" }, "VTK",
       "the same, with one piece per rank in a folder next to it", { "time" }, true },
     { MeshFormat::Exodus, { ".e", ".ex2", ".exo" }, "Exodus",
@@ -107,7 +112,7 @@ const std::vector<FormatRow>& GetFormatTable()
     { MeshFormat::Foam, { ".foam" }, "OpenFOAM",
       "the folder of the file is a case with patches, zones and a cloud of particles; N ranks "
       "write a folder processorRANK each",
-      { "binary" } },
+      { "binary", "polyhedra" } },
     { MeshFormat::Stl, { ".stl" }, "STL",
       "only the closed surface of each material; with {} in the name one file per material, as in "
       "bones_{}.stl",

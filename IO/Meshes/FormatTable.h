@@ -24,6 +24,7 @@ struct OutputForm
   bool HasInterfaces = true;  ///< whether the file has faces between elements
   bool IsReduced = false;     ///< C3D20R instead of C3D20
   bool IsPlaneStress = false; ///< elements of a plane have plane stress instead of plane strain
+  bool IsDual = false;        ///< polyhedra around the nodes of tetrahedra
 };
 
 enum class MeshFormat

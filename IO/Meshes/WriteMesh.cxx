@@ -31,7 +31,7 @@ void Write(MeshFormat format, const MeshData& mesh, const std::string& path, Ran
   switch (format)
   {
     case MeshFormat::Vtu:
-      return WriteVtu(mesh, path, ranks);
+      return form.IsDual ? WritePolyhedra(mesh, path, ranks) : WriteVtu(mesh, path, ranks);
     case MeshFormat::Pvtu:
       return WritePvtu(mesh, path, ranks);
     case MeshFormat::Exodus:
@@ -52,7 +52,7 @@ void Write(MeshFormat format, const MeshData& mesh, const std::string& path, Ran
     case MeshFormat::Xdmf:
       return WriteXdmf(mesh, path, ranks);
     case MeshFormat::Foam:
-      return WriteFoam(mesh, path, ranks, { form.IsSingle, form.IsBinary });
+      return WriteFoam(mesh, path, ranks, { form.IsSingle, form.IsBinary, form.IsDual });
     case MeshFormat::Stl:
       return WriteStl(mesh, path, ranks);
     case MeshFormat::Obj:

@@ -55,6 +55,16 @@ def crop_atlas():
     return np.ascontiguousarray(labels[20:100:2, 60:140:2, 60:140:2])
 
 
+def make_tets(name):
+    """Returns the tetrahedra of a case."""
+    if name == "ball and plate":
+        shapes = vfm.shapes("sphere radius=0.45 center=0,0,0.9; box size=2,2,1 center=0,0,0 "
+                            "material=2", (32, 32, 24), bounds=(-1, 1, -1, 1, 0, 1.5))
+        return vfm.tets(shapes, names=["ball", "plate"])
+    labels = {"pores": make_pores, "grains": make_grains, "atlas": crop_atlas}[name]()
+    return vfm.tets(labels=labels, label_smoothing=3, minimum_region_cells=3)
+
+
 def make_case(name):
     if name == "ball and plate":
         shapes = vfm.shapes("sphere radius=0.45 center=0,0,0.9; box size=2,2,1 center=0,0,0 "
@@ -137,6 +147,23 @@ def test_planes(name, tmp_path):
                    for patch in ends)
         for material in mesh.materials["Name"]:
             assert " %s " % foam.word(material) in report, material
+
+
+@pytest.mark.parametrize("name", ["ball and plate", "pores", "grains"])
+def test_polyhedra(name, tmp_path):
+    """checkMesh accepts the polyhedra around the nodes of tetrahedra; materials keep their volumes."""
+    mesh = make_tets(name)
+    mesh.save(tmp_path / "mesh.foam", polyhedra=True, binary=True)
+    report = foam.run("checkMesh -constant", tmp_path)
+    assert report.rstrip().endswith("Mesh OK.\n\nEnd"), report
+    for line in report.splitlines():
+        if any(word in line for word in (" cells: ", "non-orthogonality Max", "Max skewness")):
+            print(line.strip())
+    cells = int(re.search(r"cells: +(\d+)", report).group(1))
+    print("tetrahedra: %d, %.2f a cell" % (len(mesh.cells), len(mesh.cells) / cells))
+    assert 4 * cells < len(mesh.cells)
+    total = float(re.search(r"Total volume = ([\d.e+-]+)\.", report).group(1))
+    assert abs(total / mesh.volumes().sum() - 1) < 1e-9
 
 
 def make_round_pores():

@@ -45,7 +45,7 @@ bool ReadPlane(const std::string& plane)
 std::string WriteFile(const std::string& path, const NumpyPoints& points, const NumpyCells& cells,
   const NamedArrays& pointArrays, const NamedArrays& cellArrays, const nb::dict& fields,
   const NamedArrays& particles, std::optional<double> time, const std::string& version, bool binary,
-  bool interfaces, bool reduced, const std::string& plane)
+  bool interfaces, bool reduced, const std::string& plane, bool polyhedra)
 {
   StoredMesh mesh = ViewMesh(points, cells, pointArrays, cellArrays, fields);
   mesh.Data.Time = time;
@@ -55,7 +55,8 @@ std::string WriteFile(const std::string& path, const NumpyPoints& points, const 
     .IsBinary = binary,
     .HasInterfaces = interfaces,
     .IsReduced = reduced,
-    .IsPlaneStress = ReadPlane(plane) };
+    .IsPlaneStress = ReadPlane(plane),
+    .IsDual = polyhedra };
   const nb::gil_scoped_release others;
   Ranks alone;
   WorkInStage(alone, ErrorCode::UnwritableOutput, [&] { WriteMesh(mesh.Data, path, alone, form); });
@@ -100,7 +101,8 @@ void BindWriters(nb::module_& module)
 {
   module.def("write_mesh", WriteFile, "path"_a, "points"_a, "cells"_a, "point_arrays"_a,
     "cell_arrays"_a, "fields"_a, "particles"_a, "time"_a.none(), "version"_a = "",
-    "binary"_a = false, "interfaces"_a = true, "reduced"_a = false, "plane"_a = "strain");
+    "binary"_a = false, "interfaces"_a = true, "reduced"_a = false, "plane"_a = "strain",
+    "polyhedra"_a = false);
   module.def("list_formats", ListFormats);
   module.def("write_report", WriteReportFile, "path"_a, "points"_a, "cells"_a, "point_arrays"_a,
     "cell_arrays"_a, "fields"_a, "materials"_a, "title"_a, "facts"_a, "options"_a, "warnings"_a);

@@ -376,13 +376,14 @@ def write_mesh(
     interfaces: bool = True,
     reduced: bool = False,
     plane: str = "strain",
+    polyhedra: bool = False,
 ) -> str:
     """Writes a mesh in a format of list_formats(). Returns the path of the particles beside a file
     that holds none, or "".
 
-    version, "2.2" or "4.1", binary, interfaces, reduced and plane, "strain" or "stress", are options
-    of some formats. cells has shape (m, 8) or (m, 4), or (m, 20), (m, 27) or (m, 10) with mid nodes;
-    of a plane (m, 4) or (m, 3).
+    version, "2.2" or "4.1", binary, interfaces, reduced, plane, "strain" or "stress", and polyhedra are
+    options of some formats. cells has shape (m, 8) or (m, 4), or (m, 20), (m, 27) or (m, 10) with mid
+    nodes; of a plane (m, 4) or (m, 3).
 
     point_arrays contains GlobalPointIds, int64. cell_arrays contains GlobalCellIds, int64, and
     MaterialId, int32. All arrays are C-contiguous, of shape (items,) or (items, components). fields

@@ -74,7 +74,8 @@ def _save_by_core(mesh: MeshData, path: str, suffix: str, **options: Any) -> str
 
 def _write(mesh: MeshData, path: str, time: Optional[float] = None, texts: bool = True,
            version: Optional[str] = None, binary: bool = False,
-           interfaces: bool = True, reduced: bool = False, plane: str = "strain") -> str:
+           interfaces: bool = True, reduced: bool = False, plane: str = "strain",
+           polyhedra: bool = False) -> str:
     fields = core_fields(mesh.fields)
     return _core.write_mesh(
         path,
@@ -87,6 +88,7 @@ def _write(mesh: MeshData, path: str, time: Optional[float] = None, texts: bool 
         interfaces,
         reduced,
         plane,
+        polyhedra,
     )
 
 

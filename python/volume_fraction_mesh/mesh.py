@@ -71,8 +71,7 @@ class Mesh(MeshData):
     original_ids : ndarray of int64, shape (n,), or None
         Id of each point before interfaces were split. None without ``split_interfaces``.
     mids : ndarray of int64, shape (m, 12), (m, 19) or (m, 6), or None
-        Mid nodes with ``element_order``, in the order of VTK: indices of `points`. None for
-        linear elements.
+        Mid nodes with ``element_order``, in the order of VTK: indices of `points`, or None.
     layer : ndarray of int32, shape (m,), or None
         Layer of each element along a surface, from 1; 0 for others. None without ``layers``.
     particles : dict of str to ndarray
@@ -591,6 +590,7 @@ class Mesh(MeshData):
               faces between elements, for deal.II.
             - ``.inp``: ``reduced=True`` writes C3D20R instead of C3D20; with ``.k``, ``.bdf``: in a
               plane, ``plane``, "strain" (default) or "stress".
+            - ``.foam``, ``.vtu``: ``polyhedra=True`` writes cells around the nodes of tetrahedra.
             - ``.foam``, ``.vtk``: ``binary=True`` instead of text. ``.npz``: ``compress=True``.
             - Other formats: arguments of ``pyvista.DataSet.save`` or ``meshio.write``.
 

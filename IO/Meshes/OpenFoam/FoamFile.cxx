@@ -124,13 +124,15 @@ void FoamFile::Points(const double* points, Index count)
   this->End(count);
 }
 
-void FoamFile::Face(const std::array<Index, 4>& points, int corners)
+void FoamFile::Face(std::span<const Index> points)
 {
-  this->File.Add(static_cast<std::int64_t>(corners));
-  for (int c = 0; c < corners; ++c)
+  this->File.Add(static_cast<std::int64_t>(points.size()));
+  const char* before = "(";
+  for (const Index point : points)
   {
-    this->Text(c == 0 ? "(" : " ");
-    this->File.Add(points[static_cast<std::size_t>(c)]);
+    this->Text(before);
+    this->File.Add(point);
+    before = " ";
   }
   this->Text(")\n");
 }

@@ -7,6 +7,7 @@
 #include "Meshes/Files/OutputFile.h"
 
 #include <array>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -114,8 +115,32 @@ public:
     {
       for (Index i = 0; i < run.Count; ++i)
       {
-        this->Face(points(face++), run.Corners);
+        const std::array<Index, 4> all = points(face++);
+        this->Face({ all.data(), static_cast<std::size_t>(run.Corners) });
       }
+    }
+    this->End(count);
+  }
+  /// Writes the list of faces points(i), ranges of any length.
+  template <class Points>
+  void Polygons(Index count, const Points& points)
+  {
+    if (this->IsBinary)
+    {
+      std::vector<Index> ends{ 0 }, all;
+      for (Index face = 0; face < count; ++face)
+      {
+        all.insert(all.end(), points(face).begin(), points(face).end());
+        ends.push_back(static_cast<Index>(all.size()));
+      }
+      this->Labels(count + 1, [&ends](Index face) { return ends[face]; });
+      this->Labels(ends.back(), [&all](Index i) { return all[i]; });
+      return;
+    }
+    this->Begin(count);
+    for (Index face = 0; face < count; ++face)
+    {
+      this->Face(points(face));
     }
     this->End(count);
   }
@@ -125,7 +150,7 @@ private:
   void Begin(Index count);
   void End(Index count);
   void Label(Index label);
-  void Face(const std::array<Index, 4>& points, int corners);
+  void Face(std::span<const Index> points);
   void EndLine();
 
   OutputFile File;

@@ -16,8 +16,9 @@ constexpr const char* MeshFolder = "constant/polyMesh";
 class PolyMeshWriter
 {
 public:
-  PolyMeshWriter(const FoamMesh& foam, const std::string& folder, bool isBinary, OutputSet& files) :
-    Foam(foam), Folder(folder), IsBinary(isBinary), Files(files)
+  PolyMeshWriter(
+    const FoamLists& lists, const std::string& folder, bool isBinary, OutputSet& files) :
+    Lists(lists), Folder(folder), IsBinary(isBinary), Files(files)
   {
   }
 
@@ -29,14 +30,12 @@ private:
   void WriteFile(const std::string& name, const std::string& type, const Write& write,
     const std::string& note = "") const;
   void WriteLabels(const std::string& name, const std::vector<Index>& labels) const;
-  void WritePoints() const;
-  void WriteFaces() const;
   void WriteOwners() const;
   void WriteBoundary() const;
   void WriteZones(const std::string& name, const std::string& type, const std::string& entry,
     const std::vector<FoamZone>& zones) const;
 
-  const FoamMesh& Foam;
+  const FoamLists& Lists;
   const std::string& Folder;
   const bool IsBinary;
   OutputSet& Files;
@@ -61,23 +60,18 @@ void PolyMeshWriter::WriteLabels(const std::string& name, const std::vector<Inde
 
 void PolyMeshWriter::WriteOwners() const
 {
-  const Index faces = this->Foam.NumberOfFaces();
-  const Index points = (IsFlat(this->Foam.Mesh) ? 2 : 1) * this->Foam.Mesh.NumberOfPoints;
-  const std::string note = "nPoints:" + std::to_string(points) +
-    "  nCells:" + std::to_string(this->Foam.Mesh.NumberOfElements) +
-    "  nFaces:" + std::to_string(faces) +
-    "  nInternalFaces:" + std::to_string(this->Foam.Neighbours.size());
+  const Index faces = this->Lists.NumberOfFaces;
+  const std::string note = "nPoints:" + std::to_string(this->Lists.NumberOfPoints) +
+    "  nCells:" + std::to_string(this->Lists.NumberOfCells) + "  nFaces:" + std::to_string(faces) +
+    "  nInternalFaces:" + std::to_string(this->Lists.Neighbours.size());
   this->WriteFile(
-    "owner", "labelList",
-    [&](FoamFile& file)
-    { file.Labels(faces, [this](Index face) { return this->Foam.Owner(face); }); },
-    note);
+    "owner", "labelList", [&](FoamFile& file) { file.Labels(faces, this->Lists.OwnerOf); }, note);
   this->WriteFile(
     "neighbour", "labelList",
     [&](FoamFile& file)
     {
-      file.Labels(static_cast<Index>(this->Foam.Neighbours.size()),
-        [this](Index face) { return this->Foam.Neighbours[face]; });
+      file.Labels(static_cast<Index>(this->Lists.Neighbours.size()),
+        [this](Index face) { return this->Lists.Neighbours[face]; });
     },
     note);
 }
@@ -94,9 +88,9 @@ void PolyMeshWriter::WriteBoundary() const
   this->WriteFile("boundary", "polyBoundaryMesh",
     [this](FoamFile& file)
     {
-      file.Text(std::to_string(this->Foam.Patches.size()) + "\n(\n");
-      Index first = static_cast<Index>(this->Foam.Neighbours.size());
-      for (const FoamPatch& patch : this->Foam.Patches)
+      file.Text(std::to_string(this->Lists.Patches.size()) + "\n(\n");
+      Index first = static_cast<Index>(this->Lists.Neighbours.size());
+      for (const FoamPatch& patch : this->Lists.Patches)
       {
         file.Text("    " + patch.Name + "\n    {\n        type            " + patch.Type + ";\n" +
           DescribeGroups(patch) + "        nFaces          " + std::to_string(patch.Count) +
@@ -109,7 +103,7 @@ void PolyMeshWriter::WriteBoundary() const
         if (patch.Neighbour >= 0)
         {
           file.Text("        matchTolerance  0.0001;\n        myProcNo        " +
-            std::to_string(this->Foam.Rank) + ";\n        neighbProcNo    " +
+            std::to_string(this->Lists.Rank) + ";\n        neighbProcNo    " +
             std::to_string(patch.Neighbour) + ";\n" +
             (patch.Refer.empty() ? "" : "        referPatch      " + patch.Refer + ";\n"));
         }
@@ -148,47 +142,15 @@ void PolyMeshWriter::WriteZones(const std::string& name, const std::string& type
     });
 }
 
-void PolyMeshWriter::WritePoints() const
-{
-  const MeshData& mesh = this->Foam.Mesh;
-  this->WriteFile("points", "vectorField",
-    [&mesh](FoamFile& file)
-    {
-      if (!IsFlat(mesh))
-      {
-        return file.Points(mesh.Points, mesh.NumberOfPoints);
-      }
-      const std::vector<double> points = PointsOfLayer(mesh);
-      file.Points(points.data(), 2 * mesh.NumberOfPoints);
-    });
-}
-
-void PolyMeshWriter::WriteFaces() const
-{
-  const FoamMesh& foam = this->Foam;
-  const MeshData& mesh = foam.Mesh;
-  this->WriteFile("faces", this->IsBinary ? "faceCompactList" : "faceList",
-    [&foam, &mesh](FoamFile& file)
-    {
-      if (IsFlat(mesh))
-      {
-        return file.Faces(
-          { { foam.NumberOfSides(), 4 }, { 2 * mesh.NumberOfElements, mesh.Corners } },
-          [&foam](Index face) { return PointsOfLayerFace(foam, face); });
-      }
-      file.Faces({ { foam.NumberOfSides(), CornersOfSide(mesh) } },
-        [&foam, &mesh](Index face) { return PointsOfSide(mesh, foam.Sides[face]); });
-    });
-}
-
 void PolyMeshWriter::WriteMesh() const
 {
-  this->WritePoints();
-  this->WriteFaces();
+  this->WriteFile("points", "vectorField",
+    [this](FoamFile& file) { file.Points(this->Lists.Points, this->Lists.NumberOfPoints); });
+  this->WriteFile("faces", this->IsBinary ? "faceCompactList" : "faceList", this->Lists.AddFaces);
   this->WriteOwners();
   this->WriteBoundary();
-  this->WriteZones("cellZones", "cellZone", "cellLabels", this->Foam.CellZones);
-  this->WriteZones("faceZones", "faceZone", "faceLabels", this->Foam.FaceZones);
+  this->WriteZones("cellZones", "cellZone", "cellLabels", this->Lists.CellZones);
+  this->WriteZones("faceZones", "faceZone", "faceLabels", this->Lists.FaceZones);
   this->WriteZones("pointZones", "pointZone", "pointLabels", {});
 }
 
@@ -230,17 +192,40 @@ std::vector<Dictionary> ListDictionaries(int ranks)
 
 } // namespace
 
-void WritePolyMesh(const FoamMesh& foam, const FoamAddressing* addressing,
-  const std::string& folder, bool isBinary, OutputSet& files)
+void WritePolyMesh(
+  const FoamLists& lists, const std::string& folder, bool isBinary, OutputSet& files)
 {
   files.MakeFolder(folder);
   files.MakeFolder(folder + "/constant");
   files.MakeFolder(folder + "/" + MeshFolder);
-  const PolyMeshWriter writer(foam, folder, isBinary, files);
-  writer.WriteMesh();
+  PolyMeshWriter(lists, folder, isBinary, files).WriteMesh();
+}
+
+void WritePolyMesh(const FoamMesh& foam, const FoamAddressing* addressing,
+  const std::string& folder, bool isBinary, OutputSet& files)
+{
+  const MeshData& mesh = foam.Mesh;
+  const bool isFlat = IsFlat(mesh);
+  const std::vector<double> ofLayer = isFlat ? PointsOfLayer(mesh) : std::vector<double>();
+  const auto addFaces = [&](FoamFile& file)
+  {
+    if (isFlat)
+    {
+      file.Faces({ { foam.NumberOfSides(), 4 }, { 2 * mesh.NumberOfElements, mesh.Corners } },
+        [&](Index face) { return PointsOfLayerFace(foam, face); });
+      return;
+    }
+    file.Faces({ { foam.NumberOfSides(), CornersOfSide(mesh) } },
+      [&](Index face) { return PointsOfSide(mesh, foam.Sides[face]); });
+  };
+  const FoamLists lists{ isFlat ? ofLayer.data() : mesh.Points,
+    (isFlat ? 2 : 1) * mesh.NumberOfPoints, mesh.NumberOfElements, foam.NumberOfFaces(), addFaces,
+    [&foam](Index face) { return foam.Owner(face); }, foam.Neighbours, foam.Patches, foam.CellZones,
+    foam.FaceZones, foam.Rank };
+  WritePolyMesh(lists, folder, isBinary, files);
   if (addressing)
   {
-    writer.WriteAddressing(*addressing);
+    PolyMeshWriter(lists, folder, isBinary, files).WriteAddressing(*addressing);
   }
 }
 

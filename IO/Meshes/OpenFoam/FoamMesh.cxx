@@ -47,7 +47,6 @@ public:
   void AddFaceZones(Ranks& ranks);
 
 private:
-  std::vector<FoamPatch> ListPatches() const;
   bool IsBefore(const RemoteSide& a, const RemoteSide& b) const;
 
   FoamMesh& Foam;
@@ -145,42 +144,14 @@ void FoamMeshMaker::AddRemoteCyclics()
   }
 }
 
-/// Returns a patch for each surface and for faces on no surface.
-std::vector<FoamPatch> FoamMeshMaker::ListPatches() const
+void FoamMeshMaker::AddPatches(Ranks& ranks)
 {
-  std::vector<FoamPatch> patches;
   UniqueNames used;
   for (const FoamPatch& cyclic : this->Foam.Patches)
   {
     used.Add(cyclic.Name);
   }
-  for (const FoamSurface& surface : this->Surfaces.Surfaces)
-  {
-    const std::string& interface = this->Surfaces.Surfaces[surface.Interface].Name;
-    patches.push_back({ used.Add(surface.Name), surface.IsDomainSide ? "patch" : "wall",
-      interface == surface.Name ? "" : interface });
-  }
-  patches.push_back({ used.Add("defaultFaces"), "patch", "" });
-  return patches;
-}
-
-/// Removes the patch groups that have the name of a patch, which OpenFOAM forbids: an interface
-/// with smooth sides and other faces.
-void RemoveEqualGroups(std::vector<FoamPatch>& patches)
-{
-  for (FoamPatch& patch : patches)
-  {
-    if (std::any_of(patches.begin(), patches.end(),
-          [&patch](const FoamPatch& other) { return other.Name == patch.Group; }))
-    {
-      patch.Group.clear();
-    }
-  }
-}
-
-void FoamMeshMaker::AddPatches(Ranks& ranks)
-{
-  std::vector<FoamPatch> patches = this->ListPatches();
+  std::vector<FoamPatch> patches = ListPatches(this->Surfaces, used);
   std::vector<std::vector<Index>> sides(patches.size());
   for (Index side : this->Open)
   {

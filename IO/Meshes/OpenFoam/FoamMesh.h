@@ -21,28 +21,12 @@
 #pragma once
 
 #include "Meshes/OpenFoam/CellSides.h"
+#include "Meshes/OpenFoam/FoamPatches.h"
 #include "Meshes/OpenFoam/GlobalOrder.h"
 #include "Report/FlatData.h"
 
 namespace vfm
 {
-
-struct FoamPatch
-{
-  std::string Name, Type;
-  std::string Group;         ///< name of a patch group; empty: none
-  Index Count = 0;           ///< number of faces
-  int Neighbour = -1;        ///< rank behind the patch; -1: none
-  std::string Opposite = {}; ///< name of the other patch of a cyclic pair
-  std::string Refer = {};    ///< cyclic patch whose faces have copies on rank Neighbour
-};
-
-struct FoamZone
-{
-  std::string Name;
-  std::vector<Index> Members;  ///< cells or faces, ascending
-  std::vector<char> IsFlipped; ///< of each face: whether it is oriented against the zone
-};
 
 struct FoamMesh
 {

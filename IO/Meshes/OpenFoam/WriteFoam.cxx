@@ -5,6 +5,7 @@
 #include "Meshes/OpenFoam/FoamCloud.h"
 #include "Meshes/OpenFoam/FoamFolder.h"
 #include "Meshes/Particles/GatherParticles.h"
+#include "Meshes/Polyhedra/WriteDual.h"
 #include "Ranks/WorkTogether.h"
 #include "Report/FlatData.h"
 #include "Report/Gather/GatherMesh.h"
@@ -31,19 +32,13 @@ void CheckPeriodic(const MeshData& mesh, Ranks& ranks)
   }
 }
 
-/// Writes the mesh of each rank, or one mesh if there is one rank. All files appear, or none.
+/// Writes the files of a case. All appear, or none.
+/// @param writeMesh  writeMesh(part, files) writes the mesh in the folder of this rank
 /// @pre Collective
-void WriteCase(const MeshData& mesh, const std::string& path, Ranks& ranks, bool isBinary)
+template <class WriteMesh>
+void WriteFiles(
+  const MeshData& mesh, const std::string& path, Ranks& ranks, const WriteMesh& writeMesh)
 {
-  WorkTogether(ranks, [&mesh] { RequireNodes(mesh, {}, "OpenFOAM"); });
-  CheckPeriodic(mesh, ranks);
-  const FoamMesh foam = MakeFoamMesh(mesh, ranks);
-  WorkTogether(ranks, [&foam] { CheckSizes(foam); });
-  std::optional<FoamAddressing> addressing;
-  if (ranks.Count() > 1)
-  {
-    addressing = FindAddressing(foam, ranks);
-  }
   const std::size_t slash = path.rfind('/');
   const std::string folder = slash == std::string::npos ? "." : path.substr(0, slash + 1);
   const std::string part =
@@ -52,7 +47,7 @@ void WriteCase(const MeshData& mesh, const std::string& path, Ranks& ranks, bool
   WorkTogether(ranks,
     [&]
     {
-      WritePolyMesh(foam, addressing ? &*addressing : nullptr, part, isBinary, files);
+      writeMesh(part, files);
       if (mesh.Particles)
       {
         WriteCloud(*mesh.Particles, part, files);
@@ -65,18 +60,51 @@ void WriteCase(const MeshData& mesh, const std::string& path, Ranks& ranks, bool
     });
 }
 
+/// Writes the mesh of each rank, or one mesh if there is one rank.
+/// @pre Collective
+void WriteCase(const MeshData& mesh, const std::string& path, Ranks& ranks, bool isBinary)
+{
+  WorkTogether(ranks, [&mesh] { RequireNodes(mesh, {}, "OpenFOAM"); });
+  CheckPeriodic(mesh, ranks);
+  const FoamMesh foam = MakeFoamMesh(mesh, ranks);
+  WorkTogether(ranks, [&foam] { CheckSizes(foam); });
+  std::optional<FoamAddressing> addressing;
+  if (ranks.Count() > 1)
+  {
+    addressing = FindAddressing(foam, ranks);
+  }
+  WriteFiles(mesh, path, ranks,
+    [&](const std::string& part, OutputSet& files)
+    { WritePolyMesh(foam, addressing ? &*addressing : nullptr, part, isBinary, files); });
+}
+
+/// Writes a whole mesh on one rank.
+void WriteWholeCase(const MeshData& whole, const std::string& path, const FoamForm& form)
+{
+  Ranks alone;
+  if (!form.IsDual)
+  {
+    WriteCase(whole, path, alone, form.IsBinary);
+    return;
+  }
+  RequireDual(whole);
+  WriteFiles(whole, path, alone,
+    [&](const std::string& folder, OutputSet& files)
+    { WriteDualFoam(whole, folder, form.IsBinary, files); });
+}
+
 } // namespace
 
 void WriteFoam(const MeshData& mesh, const std::string& path, Ranks& ranks, const FoamForm& form)
 {
+  if (form.IsDual && !form.IsWhole && ranks.Count() > 1)
+  {
+    throw InputError("Polyhedra are written as one mesh, which rank 0 gathers: with several ranks "
+                     "they need the option of a single file (--single-file).");
+  }
   if (form.IsWhole || ranks.Count() == 1 || ranks.Any(IsFlat(mesh)))
   {
-    WriteWhole(mesh, ranks,
-      [&](const MeshData& whole)
-      {
-        Ranks alone;
-        WriteCase(whole, path, alone, form.IsBinary);
-      });
+    WriteWhole(mesh, ranks, [&](const MeshData& whole) { WriteWholeCase(whole, path, form); });
     return;
   }
   StoredMesh part = OrderMesh(TakeKnownArrays(mesh), ranks);

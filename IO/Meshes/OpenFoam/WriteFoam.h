@@ -34,14 +34,15 @@ struct FoamForm
 {
   bool IsWhole = false;  ///< one mesh from several ranks, which rank 0 gathers
   bool IsBinary = false; ///< labels of 32 bits, scalars of 64 bits
+  bool IsDual = false;   ///< polyhedra around the nodes of tetrahedra (WriteDual.h)
 };
 
 /// Writes a case. Whole meshes have identical bytes from any number of ranks.
 /// @param mesh  part of this rank, made by the mesher or read from a file; may be empty
 /// @throws InputError  if the mesh of all ranks is empty or lacks a required array, if it is
-///   periodic with joined sides, if a number exceeds 2^31 - 1, or if a file cannot be written; on
-///   all ranks. The earlier files of all ranks then remain, and the folders that this call made are
-///   removed
+///   periodic with joined sides, if polyhedra are not made of it or of several ranks without
+///   IsWhole, if a number exceeds 2^31 - 1, or if a file cannot be written; on all ranks. The
+///   earlier files of all ranks then remain, and the folders that this call made are removed
 /// @pre Collective
 void WriteFoam(
   const MeshData& mesh, const std::string& path, Ranks& ranks, const FoamForm& form = {});

@@ -1,8 +1,10 @@
 #include "Meshes/Vtk/WriteVtu.h"
 
 #include "Meshes/Files/OutputFile.h"
+#include "Meshes/Files/WriteWhole.h"
 #include "Meshes/Particles/GatherParticles.h"
 #include "Meshes/Particles/WriteParticles.h"
+#include "Meshes/Polyhedra/WriteDual.h"
 #include "Meshes/Vtk/VtuText.h"
 #include "Ranks/Agreement.h"
 #include "Report/FlatData.h"
@@ -102,6 +104,21 @@ void WriteVtu(const MeshData& mesh, const MeshWithRuns& whole, const std::string
   OutputSet files(path);
   WritePiece(mesh, whole.NumberOfPoints(), whole.NumberOfElements(), path, files, whole);
   files.Rename();
+}
+
+void WritePolyhedra(const MeshData& mesh, const std::string& path, Ranks& ranks)
+{
+  WriteWhole(
+    mesh, ranks,
+    [&path](const MeshData& whole)
+    {
+      RequireDual(whole);
+      OutputSet files(path);
+      WriteDualVtu(whole, path, files);
+      WriteParticlesBeside(whole, path, files);
+      files.Rename();
+    },
+    [](const MeshArray&) { return true; });
 }
 
 void WritePvtu(const MeshData& mesh, const std::string& path, Ranks& ranks)

@@ -29,6 +29,11 @@ void WriteVtu(const MeshData& mesh, const std::string& path, Ranks& ranks);
 /// @param whole  the mesh with these hexes
 void WriteVtu(const MeshData& mesh, const MeshWithRuns& whole, const std::string& path);
 
+/// Writes one file of the polyhedra around the nodes of tetrahedra (WriteDual.h) on rank 0, in the
+/// same way.
+/// @throws InputError  also if polyhedra are not made of the mesh
+void WritePolyhedra(const MeshData& mesh, const std::string& path, Ranks& ranks);
+
 /// Writes the file NAME.pvtu, and one file NAME/NAME_RANK.vtu per rank that has elements.
 /// @param mesh  part of this rank
 /// @param path  path of NAME.pvtu
