@@ -151,7 +151,7 @@ def test_planes(name, tmp_path):
 
 @pytest.mark.parametrize("name", ["ball and plate", "pores", "grains"])
 def test_polyhedra(name, tmp_path):
-    """checkMesh accepts the polyhedra around the nodes of tetrahedra; materials keep their volumes."""
+    """checkMesh accepts polyhedra around the nodes of tetrahedra; materials keep their volumes."""
     mesh = make_tets(name)
     mesh.save(tmp_path / "mesh.foam", polyhedra=True, binary=True)
     report = foam.run("checkMesh -constant", tmp_path)

@@ -335,7 +335,7 @@ class Mesh(MeshData):
 
         The range of the array is divided into `count` intervals of equal width. The elements of a
         material in an interval are a bin, such as ``bone_bin_03``: in files a block, part or
-        element set with a material of its own. Materials, fragments and named sets of the mesh stay.
+        element set with a material of its own. Materials, fragments and named sets stay.
 
         Parameters
         ----------

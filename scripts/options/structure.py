@@ -63,6 +63,7 @@ FOLDERS = (
     ("IO/Meshes/Exodus", "Exodus files, with netCDF."),
     ("IO/Meshes/Gmsh", "Files of Gmsh."),
     ("IO/Meshes/OpenFoam", "Cases of OpenFOAM."),
+    ("IO/Meshes/Polyhedra", "Polyhedra around the nodes of tetrahedra."),
     ("IO/Meshes/Decks", "Input files of solvers."),
     ("IO/Meshes/Xdmf", "XDMF files for dolfinx."),
     ("IO/Meshes/Surfaces", "Surfaces of materials."),
