@@ -61,15 +61,22 @@ def read(path: Union[PathLike, Sequence[PathLike]], *, step: int = 0,
         AMReX plotfile; Exodus files of hexahedra that form a Cartesian grid, ``.e``, ``.ex2``,
         ``.exo``, ``.exii``, ``.g``, or any of the parts ``FILE.N.0`` to ``FILE.N.N-1``. Exodus
         files in the form netCDF-4 are read only if the package was built with the netCDF library.
-        step : int, default 0 Index of the time step; negative values count from the end. arrays :
-        list of str, optional Names of the arrays to read. Default: all. Of Exodus files also
-        "object_id", the ids of the element blocks. volume : int, optional Index of the volume, from
-        0, of a file with several volumes. Default: all, as materials. spacing : float or sequence
-        of 3 floats, optional Widths of the cells along x, y and z, instead of those of the file.
-        origin : sequence of 3 floats, default (0, 0, 0) Corner of the first cell, for ``.npy`` and
-        ``.npz``. order : {"xyz", "zyx"}, default "xyz" Order of the axes of arrays in ``.npy`` and
-        ``.npz``. trust_input : bool, default False Whether a header may name files outside of its
-        folder: ``.mhd``, ``.nhdr``, ``.pvti`` and the like, ``.dream3d``, ``.spcth``, plotfiles.
+    step : int, default 0
+        Index of the time step; negative values count from the end.
+    arrays : list of str, optional
+        Names of the arrays to read. Default: all. Of Exodus files also "object_id", the ids of the
+        element blocks.
+    volume : int, optional
+        Index of the volume, from 0, of a file with several volumes. Default: all, as materials.
+    spacing : float or sequence of 3 floats, optional
+        Widths of the cells along x, y and z, instead of those of the file.
+    origin : sequence of 3 floats, default (0, 0, 0)
+        Corner of the first cell, for ``.npy`` and ``.npz``.
+    order : {"xyz", "zyx"}, default "xyz"
+        Order of the axes of arrays in ``.npy`` and ``.npz``.
+    trust_input : bool, default False
+        Whether a header may name files outside of its folder: ``.mhd``, ``.nhdr``, ``.pvti`` and
+        the like, ``.dream3d``, ``.spcth``, plotfiles.
 
     Returns
     -------
