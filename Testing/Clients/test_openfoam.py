@@ -55,25 +55,15 @@ def crop_atlas():
     return np.ascontiguousarray(labels[20:100:2, 60:140:2, 60:140:2])
 
 
-def make_tets(name):
-    """Returns the tetrahedra of a case."""
+def make_case(name, make=vfm.hexes):
     if name == "ball and plate":
         shapes = vfm.shapes("sphere radius=0.45 center=0,0,0.9; box size=2,2,1 center=0,0,0 "
                             "material=2", (32, 32, 24), bounds=(-1, 1, -1, 1, 0, 1.5))
-        return vfm.tets(shapes, names=["ball", "plate"])
-    labels = {"pores": make_pores, "grains": make_grains, "atlas": crop_atlas}[name]()
-    return vfm.tets(labels=labels, label_smoothing=3, minimum_region_cells=3)
-
-
-def make_case(name):
-    if name == "ball and plate":
-        shapes = vfm.shapes("sphere radius=0.45 center=0,0,0.9; box size=2,2,1 center=0,0,0 "
-                            "material=2", (32, 32, 24), bounds=(-1, 1, -1, 1, 0, 1.5))
-        return vfm.hexes(shapes, names=["ball", "plate"])
+        return make(shapes, names=["ball", "plate"])
     if name == "tets":
         return vfm.tets(labels=make_grains(), label_smoothing=3)
     labels = {"pores": make_pores, "grains": make_grains, "atlas": crop_atlas}[name]()
-    return vfm.hexes(labels=labels, label_smoothing=3, minimum_region_cells=3)
+    return make(labels=labels, label_smoothing=3, minimum_region_cells=3)
 
 
 def check_mesh(case, ranks=1, warped=0):
@@ -152,7 +142,7 @@ def test_planes(name, tmp_path):
 @pytest.mark.parametrize("name", ["ball and plate", "pores", "grains"])
 def test_polyhedra(name, tmp_path):
     """checkMesh accepts polyhedra around the nodes of tetrahedra; materials keep their volumes."""
-    mesh = make_tets(name)
+    mesh = make_case(name, vfm.tets)
     mesh.save(tmp_path / "mesh.foam", polyhedra=True, binary=True)
     report = foam.run("checkMesh -constant", tmp_path)
     assert report.rstrip().endswith("Mesh OK.\n\nEnd"), report
