@@ -3,6 +3,8 @@
 #include "Meshes/Decks/DeckModel.h"
 #include "Meshes/Files/ElementNodes.h"
 #include "Meshes/Files/OutputFile.h"
+#include "Meshes/Particles/GatherParticles.h"
+#include "Meshes/Particles/WriteParticles.h"
 #include "Meshes/Vtk/VtuText.h"
 #include "Report/MeshArrays.h"
 #include "Report/Sets/NamedSurfaces.h"
@@ -250,14 +252,14 @@ void AddMesh(OutputFile& file, const DeckModel& model, const std::vector<NamedSu
   AddLine(file, "  </Mesh>");
 }
 
-void WriteFile(const DeckModel& model, const std::string& path)
+void WriteFile(const DeckModel& model, const std::string& path, OutputSet& files)
 {
   RequireNodes(model.Mesh, { 6, 12 }, "FEBio");
   const std::vector<NamedSurface> surfaces = SelectNamedSurfaces(model.Sets.SideSets);
   const FebioNames names = MakeNames(model, surfaces);
   const bool hasAll = std::all_of(model.Materials.begin(), model.Materials.end(),
     [](const MaterialPart& part) { return part.Bin && part.Bin->Elastic; });
-  OutputFile file(path);
+  OutputFile file(path, files);
   AddLine(file, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<febio_spec version=\"4.0\">");
   AddLine(
     file, "  <!-- " + XmlText(DescribeDeck(model)) + (hasAll ? "" : ". Replace E and v") + ". -->");
@@ -284,10 +286,19 @@ void WriteFile(const DeckModel& model, const std::string& path)
 
 void WriteFebio(const MeshData& mesh, const std::string& path, Ranks& ranks)
 {
+  const std::shared_ptr<const ParticleData> particles = GatherParticles(mesh.Particles, ranks);
   MeshData elements = mesh;
   elements.Particles = nullptr;
-  WriteDeck(
-    elements, ranks, IsElementData, [&](const DeckModel& model) { WriteFile(model, path); });
+  WriteDeck(elements, ranks, IsElementData,
+    [&](const DeckModel& model)
+    {
+      OutputSet files(path);
+      WriteFile(model, path, files);
+      MeshData whole = model.Mesh;
+      whole.Particles = particles.get();
+      WriteParticlesBeside(whole, path, files);
+      files.Rename();
+    });
 }
 
 } // namespace vfm

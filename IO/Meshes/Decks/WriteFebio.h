@@ -12,7 +12,8 @@
  *   parameter takes by `<E type="map">NAME</E>`
  *
  * DeckModel.h has the numbers of nodes and elements. Characters of names other than ASCII letters,
- * digits, '-', '.' and '_' become '_'. Particles and cohesive elements are not in the file.
+ * digits, '-', '.' and '_' become '_'. Particles are in a file beside it (WriteParticles.h).
+ * Cohesive elements are left out.
  */
 #pragma once
 
