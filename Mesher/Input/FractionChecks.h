@@ -39,7 +39,7 @@ struct OutsideFractions
   double Value = 0.0;
   int Material = 0;       ///< of Value
   Index3 First{};         ///< cell of Value, with the lowest indices, z before y before x
-  double Lowest = 0.0;    ///< lowest value, if it is negative
+  double Lowest = 0.0;    ///< lowest finite value, if it is negative
   int LowestMaterial = 0; ///< of Lowest; the first one
 
   void Add(const OutsideFractions& other);

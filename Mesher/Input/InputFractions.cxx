@@ -196,8 +196,8 @@ OverfullCells FractionCells::FindOverfull(OutsideFractions& outside) const
             sums[c] += isAccepted ? std::clamp(values[c], 0.0, 1.0) : NotAccepted;
             if (distance > this->OutsideTolerance)
             {
-              outside.Add({ distance, values[c], m, { { first[0] + c, j, k } },
-                std::min(values[c], 0.0), m });
+              const double lowest = std::isfinite(values[c]) ? std::min(values[c], 0.0) : 0.0;
+              outside.Add({ distance, values[c], m, { { first[0] + c, j, k } }, lowest, m });
             }
           }
         }
