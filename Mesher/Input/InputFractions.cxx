@@ -4,6 +4,7 @@
 #include "Input/InputArrays.h"
 #include "Ranks/Agreement.h"
 
+#include <cmath>
 #include <functional>
 #include <limits>
 
