@@ -139,7 +139,7 @@ def test_planes(name, tmp_path):
             assert " %s " % foam.word(material) in report, material
 
 
-@pytest.mark.parametrize("name", ["ball and plate", "pores", "grains"])
+@pytest.mark.parametrize("name", ["ball and plate", "pores", "grains", "atlas"])
 def test_polyhedra(name, tmp_path):
     """checkMesh accepts polyhedra around the nodes of tetrahedra; materials keep their volumes."""
     mesh = make_case(name, vfm.tets)

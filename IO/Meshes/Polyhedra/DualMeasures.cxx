@@ -7,12 +7,7 @@ namespace
 
 constexpr double LargestSkewness = 3.9; ///< checkMesh of OpenFOAM rejects 4
 constexpr double LeastCosine = 0.17;    ///< of 80 degrees between the line and the normal
-
-Vector3 PointAt(const DualMesh& dual, Index point)
-{
-  const double* x = dual.Points.data() + 3 * point;
-  return { { x[0], x[1], x[2] } };
-}
+constexpr double RejectedCosine = 0.03; ///< of 88 degrees; checkMesh rejects 90
 
 /// Returns the distance of the centre of a face from the line through its plane, in widths of the
 /// face in this direction or in `share` of the length of the line.
@@ -25,32 +20,49 @@ double SkewnessOf(const DualMesh& dual, Index face, const FaceMeasure& measure,
   double width = share * Norm(line);
   for (const Index point : dual.PointsOf(face))
   {
-    width = std::max(width, std::fabs(Dot(direction, PointAt(dual, point) - measure.Centre)));
+    width = std::max(width, std::fabs(Dot(direction, PointOfDual(dual, point) - measure.Centre)));
   }
   return Norm(offset) / width;
 }
 
 } // namespace
 
-bool IsPoor(const DualMesh& dual, const CellMeasures& cells, Index face)
+Vector3 PointOfDual(const DualMesh& dual, Index point)
+{
+  const double* x = dual.Points.data() + 3 * point;
+  return { { x[0], x[1], x[2] } };
+}
+
+FaceQuality QualityOf(const DualMesh& dual, const CellMeasures& cells, Index face)
 {
   const FaceMeasure& measure = cells.Faces[face];
   const Vector3 normal = Unit(measure.Area);
   const Index owner = dual.Owners[face], behind = dual.BehindFace(face);
   const Vector3 fromOwner = measure.Centre - cells.Centres[owner];
-  if (Dot(normal, fromOwner) <= 0.0)
-  {
-    return true;
-  }
+  const double depth = Dot(normal, fromOwner) / std::cbrt(cells.Volumes[owner]);
   if (behind == NothingBehind)
   {
     const Vector3 line = Dot(normal, fromOwner) * normal;
-    return SkewnessOf(dual, face, measure, fromOwner, line, 0.4) > LargestSkewness;
+    return { depth, 1.0, SkewnessOf(dual, face, measure, fromOwner, line, 0.4) };
   }
   const Vector3 line = cells.Centres[behind] - cells.Centres[owner];
-  return Dot(normal, cells.Centres[behind] - measure.Centre) <= 0.0 ||
-    Dot(normal, line) < LeastCosine * Norm(line) ||
-    SkewnessOf(dual, face, measure, fromOwner, line, 0.2) > LargestSkewness;
+  const double depthBehind =
+    Dot(normal, cells.Centres[behind] - measure.Centre) / std::cbrt(cells.Volumes[behind]);
+  return { std::min(depth, depthBehind), Dot(normal, line) / Norm(line),
+    SkewnessOf(dual, face, measure, fromOwner, line, 0.2) };
+}
+
+bool IsPoor(const DualMesh& dual, const CellMeasures& cells, Index face)
+{
+  const FaceQuality quality = QualityOf(dual, cells, face);
+  return quality.Depth <= 0.0 || quality.Cosine < LeastCosine || quality.Skewness > LargestSkewness;
+}
+
+bool IsRejected(const DualMesh& dual, const CellMeasures& cells, Index face)
+{
+  const FaceQuality quality = QualityOf(dual, cells, face);
+  return quality.Depth <= 0.0 || quality.Cosine < RejectedCosine ||
+    quality.Skewness > LargestSkewness;
 }
 
 FaceMeasure MeasureFace(const DualMesh& dual, Index face)
@@ -59,15 +71,15 @@ FaceMeasure MeasureFace(const DualMesh& dual, Index face)
   Vector3 sum{};
   for (const Index point : points)
   {
-    sum = sum + PointAt(dual, point);
+    sum = sum + PointOfDual(dual, point);
   }
   const Vector3 middle = (1.0 / static_cast<double>(points.size())) * sum;
   FaceMeasure measure;
   double total = 0.0;
   for (std::size_t p = 0; p < points.size(); ++p)
   {
-    const Vector3 first = PointAt(dual, points[p]);
-    const Vector3 second = PointAt(dual, points[(p + 1) % points.size()]);
+    const Vector3 first = PointOfDual(dual, points[p]);
+    const Vector3 second = PointOfDual(dual, points[(p + 1) % points.size()]);
     const Vector3 area = 0.5 * Cross(second - first, middle - first);
     const double size = Norm(area);
     measure.Area = measure.Area + area;
@@ -78,6 +90,36 @@ FaceMeasure MeasureFace(const DualMesh& dual, Index face)
   return measure;
 }
 
+std::vector<std::vector<CellFace>> FacesOfCells(const DualMesh& dual)
+{
+  std::vector<std::vector<CellFace>> faces(dual.NumberOfCells());
+  ForFaces(dual,
+    [&faces](Index face, Index cell, double sign) {
+      faces[cell].push_back({ face, sign });
+    });
+  return faces;
+}
+
+void MeasureCell(const std::vector<CellFace>& faces, Index cell, CellMeasures& cells)
+{
+  Vector3 sum{}, moment{};
+  for (const CellFace& face : faces)
+  {
+    sum = sum + cells.Faces[face.Face].Centre;
+  }
+  const Vector3 mean = (1.0 / static_cast<double>(faces.size())) * sum;
+  double total = 0.0;
+  for (const CellFace& face : faces)
+  {
+    const FaceMeasure& measure = cells.Faces[face.Face];
+    const double volume = face.Sign * Dot(measure.Area, measure.Centre - mean) / 3.0;
+    total += volume;
+    moment = moment + volume * (0.75 * measure.Centre + 0.25 * mean);
+  }
+  cells.Volumes[cell] = total;
+  cells.Centres[cell] = (1.0 / total) * moment;
+}
+
 CellMeasures MeasureCells(const DualMesh& dual)
 {
   const std::size_t count = dual.Cells.Nodes.size();
@@ -86,26 +128,10 @@ CellMeasures MeasureCells(const DualMesh& dual)
   {
     cells.Faces.push_back(MeasureFace(dual, face));
   }
-  std::vector<Vector3> means(count, Vector3{});
-  std::vector<double> faces(count, 0.0);
-  ForFaces(dual,
-    [&](Index face, Index cell, double)
-    {
-      means[cell] = means[cell] + cells.Faces[face].Centre;
-      faces[cell] += 1.0;
-    });
-  ForFaces(dual,
-    [&](Index face, Index cell, double sign)
-    {
-      const FaceMeasure& measure = cells.Faces[face];
-      const Vector3 mean = (1.0 / faces[cell]) * means[cell];
-      const double volume = sign * Dot(measure.Area, measure.Centre - mean) / 3.0;
-      cells.Volumes[cell] += volume;
-      cells.Centres[cell] = cells.Centres[cell] + volume * (0.75 * measure.Centre + 0.25 * mean);
-    });
-  for (std::size_t cell = 0; cell < count; ++cell)
+  const std::vector<std::vector<CellFace>> faces = FacesOfCells(dual);
+  for (Index cell = 0; cell < dual.NumberOfCells(); ++cell)
   {
-    cells.Centres[cell] = (1.0 / cells.Volumes[cell]) * cells.Centres[cell];
+    MeasureCell(faces[cell], cell, cells);
   }
   return cells;
 }

@@ -46,8 +46,9 @@ struct DualMesh
 };
 
 /// Makes the dual of a whole mesh. Faces are ordered by owner, then by neighbour, those on the
-/// boundary behind the others. Sharp edges of walls are rounded at nodes whose cells would have
-/// poor faces otherwise (DualMeasures.h).
+/// boundary behind the others. At nodes whose cells would have poor faces (DualMeasures.h), sharp
+/// edges of walls are rounded; if faces remain poor, points in tetrahedra are moved; and if finite
+/// volumes would still reject faces, cells are split into the parts of single tetrahedra.
 /// @param mesh  linear tetrahedra with Material; points and elements ordered by global id
 /// @param surfaceOf  the surface of a side on a wall
 DualMesh MakeDualMesh(const MeshData& mesh, const SurfaceOfSide& surfaceOf);

@@ -85,10 +85,14 @@ Index GoToWall(const DualTets& tets, const EdgeIds& edge, Index end, Index& tet,
 
 } // namespace
 
-DualCells FindDualCells(const DualTets& tets)
+DualCells FindDualCells(const DualTets& tets, const std::vector<char>& isApart)
 {
   DualCells cells;
   cells.OfCorner = GroupCorners(tets);
+  for (std::size_t corner = 0; corner < isApart.size(); ++corner)
+  {
+    cells.OfCorner[corner] = isApart[corner] ? static_cast<Index>(corner) : cells.OfCorner[corner];
+  }
   std::vector<std::pair<Index, Index>> order; // node and lowest corner of each cell
   for (Index corner = 0; corner < 4 * tets.Count(); ++corner)
   {

@@ -69,7 +69,8 @@ struct DualCells
   std::vector<Index> Tets;     ///< lowest tetrahedron of each cell
 };
 
-DualCells FindDualCells(const DualTets& tets);
+/// @param isApart  of each corner: whether its part is a cell of its own; empty: none
+DualCells FindDualCells(const DualTets& tets, const std::vector<char>& isApart = {});
 
 /// The tetrahedra around an edge from one wall to the next, or all around it.
 struct EdgeArc

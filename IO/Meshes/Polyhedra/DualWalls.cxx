@@ -208,6 +208,13 @@ Index DualWalls::MiddleOf(Index triangle, const EdgeIds& nodes) const
   return -1;
 }
 
+Index DualWalls::MiddleOf(const EdgeIds& nodes) const
+{
+  const auto edge = std::lower_bound(this->Edges.begin(), this->Edges.end(), nodes,
+    [](const WallEdge& a, const EdgeIds& b) { return a.Nodes < b; });
+  return edge == this->Edges.end() || edge->Nodes != nodes ? -1 : edge->Middle;
+}
+
 DualWalls FindDualWalls(const DualTets& tets, const SurfaceOfSide& surfaceOf,
   const std::vector<NodeEdges>& edges, Index firstPoint)
 {

@@ -53,15 +53,17 @@ struct WallPolygon
 struct DualWalls
 {
   std::vector<WallTriangle> Triangles; ///< by Front, ascending
-  std::vector<WallEdge> Edges;
-  std::vector<Index> OfSide;     ///< triangle of each side of the tetrahedra; -1: no wall
-  std::vector<Index> NodePoints; ///< number of the point at each node; -1: left out
-  Index FirstPoint = 0;          ///< number of the point in the centre of the first triangle
-  Index NumberOfPoints = 0;      ///< with those before FirstPoint
+  std::vector<WallEdge> Edges;         ///< by Nodes, ascending
+  std::vector<Index> OfSide;           ///< triangle of each side of the tetrahedra; -1: no wall
+  std::vector<Index> NodePoints;       ///< number of the point at each node; -1: left out
+  Index FirstPoint = 0;                ///< number of the point in the centre of the first triangle
+  Index NumberOfPoints = 0;            ///< with those before FirstPoint
 
   Index CentreOf(Index triangle) const { return this->FirstPoint + triangle; }
   /// Returns the point in the middle of an edge of a triangle; -1: none.
   Index MiddleOf(Index triangle, const EdgeIds& nodes) const;
+  /// Returns the point in the middle of an edge; -1: none, or the edge is on no wall.
+  Index MiddleOf(const EdgeIds& nodes) const;
 };
 
 /// Which wall edges at a node are smooth.

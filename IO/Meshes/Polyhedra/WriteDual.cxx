@@ -3,7 +3,7 @@
 #include "Meshes/Files/MeshModel.h"
 #include "Meshes/OpenFoam/FoamFile.h"
 #include "Meshes/OpenFoam/FoamFolder.h"
-#include "Meshes/Polyhedra/DualMesh.h"
+#include "Meshes/Polyhedra/DualMeasures.h"
 #include "Meshes/Vtk/VtuText.h"
 #include "Report/FlatData.h"
 #include "Report/MeshArrays.h"
@@ -191,34 +191,19 @@ struct VtkPolyhedra
   std::vector<Index> FaceEnds;
 };
 
-/// Returns the faces of each cell: number of the face, negative minus 1 if the cell is behind it.
-std::vector<std::vector<Index>> FacesOfCells(const DualMesh& dual)
-{
-  std::vector<std::vector<Index>> faces(dual.NumberOfCells());
-  for (Index face = 0; face < dual.NumberOfFaces(); ++face)
-  {
-    faces[dual.Owners[face]].push_back(face);
-    if (face < dual.NumberOfInnerFaces())
-    {
-      faces[dual.Neighbours[face]].push_back(-face - 1);
-    }
-  }
-  return faces;
-}
-
 VtkPolyhedra ListPolyhedra(const DualMesh& dual)
 {
   VtkPolyhedra lists;
   std::vector<Index> corners;
-  for (const std::vector<Index>& faces : FacesOfCells(dual))
+  for (const std::vector<CellFace>& faces : FacesOfCells(dual))
   {
     corners.clear();
     lists.Faces.push_back(static_cast<Index>(faces.size()));
-    for (const Index face : faces)
+    for (const CellFace& face : faces)
     {
-      const std::span<const Index> points = dual.PointsOf(face < 0 ? -face - 1 : face);
+      const std::span<const Index> points = dual.PointsOf(face.Face);
       lists.Faces.push_back(static_cast<Index>(points.size()));
-      if (face < 0)
+      if (face.Sign < 0.0)
       {
         lists.Faces.insert(lists.Faces.end(), points.rbegin(), points.rend());
       }
