@@ -184,7 +184,8 @@ def test_contents(at):
         "vf": "fraction: real numbers in [0, 1]",
         "void": "other: named void, which is no material",
         "mass": "other: named as a mass or density",
-        "phi": "level set: values of both signs, -0.5 to 0.5: a level set or signed distance",
+        "phi": "level set: values of both signs, -0.5 to 0.5: a level set or signed distance "
+               "(LevelSets Priority, --level-set)",
         "heat": "grey values: real numbers from 300.5 to 301.5: neither in [0, 1] nor integers, "
                 "such as 300.5",
         "whole": "labels: real numbers that are integers from 0 to 10",
