@@ -390,11 +390,13 @@ def test_level_sets(at):
     path = write(unit_image({"phi": np.sqrt((i ** 2).sum(axis=0)) - 4}), at("in.vti"))
     for ranks in (1, 2):
         refused(2, "'phi' (values of both signs, -3.13397 to 5.52628: a level set or signed "
-                "distance)", path, at("o.vtu"), ranks=ranks)
+                "distance (LevelSets Priority, --level-set))", path, at("o.vtu"), ranks=ranks)
         refused(3, "Threshold (--threshold LOW:HIGH)", path, at("o.vtu"), "--labels", "phi",
                 ranks=ranks)
     found = contents(path, "--threshold", ":0", at=at)
     assert found["1 Material 1"][1] == (np.sqrt((i ** 2).sum(axis=0)) <= 4).sum(), found
+    found = contents(path, "--level-set", "phi", at=at)
+    assert abs(found["1 phi"][1] / (4 / 3 * np.pi * 4 ** 3) - 1) < 1e-3, found
 
 
 main(globals())
