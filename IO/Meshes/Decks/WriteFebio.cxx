@@ -11,6 +11,7 @@
 #include "Report/UniqueNames.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace vfm
 {
@@ -235,11 +236,8 @@ void AddMesh(OutputFile& file, const DeckModel& model, const std::vector<NamedSu
   {
     AddSurface(file, mesh, surfaces[s], names.Surfaces[s]);
   }
-  std::vector<Index> elements;
-  for (Index element = 0; element < mesh.NumberOfElements; ++element)
-  {
-    elements.push_back(element);
-  }
+  std::vector<Index> elements(mesh.NumberOfElements);
+  std::iota(elements.begin(), elements.end(), Index(0));
   AddSet(file, "ElementSet", AllElements, elements);
   for (std::size_t u = 0; u < names.Undivided.size(); ++u)
   {

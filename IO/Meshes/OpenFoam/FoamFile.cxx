@@ -2,8 +2,6 @@
 
 #include "Ranks/Errors.h"
 
-#include <algorithm>
-
 namespace vfm
 {
 namespace
@@ -16,43 +14,6 @@ bool IsLittleEndian()
 }
 
 } // namespace
-
-Index CountFaces(const std::vector<FaceRun>& runs)
-{
-  Index count = 0;
-  for (const FaceRun& run : runs)
-  {
-    count += run.Count;
-  }
-  return count;
-}
-
-Index CornersBefore(const std::vector<FaceRun>& runs, Index face)
-{
-  Index corners = 0;
-  for (const FaceRun& run : runs)
-  {
-    const Index faces = std::min(face, run.Count);
-    corners += faces * run.Corners;
-    face -= faces;
-  }
-  return corners;
-}
-
-std::pair<Index, Index> FindCorner(const std::vector<FaceRun>& runs, Index place)
-{
-  Index face = 0;
-  for (const FaceRun& run : runs)
-  {
-    if (place < run.Count * run.Corners)
-    {
-      return { face + place / run.Corners, place % run.Corners };
-    }
-    face += run.Count;
-    place -= run.Count * run.Corners;
-  }
-  return { face, place };
-}
 
 FoamFile::FoamFile(
   const std::string& folder, const FoamHeader& header, bool isBinary, OutputSet& files) :

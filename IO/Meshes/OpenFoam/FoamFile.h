@@ -9,7 +9,6 @@
 #include <array>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace vfm
@@ -23,20 +22,6 @@ struct FoamHeader
   std::string Object;   ///< name of the file
   std::string Note;     ///< may be empty
 };
-
-/// Faces in a row with the same number of corners.
-struct FaceRun
-{
-  Index Count;
-  int Corners;
-};
-
-/// Returns the number of faces of runs.
-Index CountFaces(const std::vector<FaceRun>& runs);
-/// Returns the number of corners of all faces before a face.
-Index CornersBefore(const std::vector<FaceRun>& runs, Index face);
-/// Returns the face and the corner that are at a place in the list of all corners.
-std::pair<Index, Index> FindCorner(const std::vector<FaceRun>& runs, Index place);
 
 /// A file of lists and dictionaries. Binary files have labels of 32 bits, scalars of 64 bits and
 /// the byte order of the machine, as their header states.
@@ -93,31 +78,22 @@ public:
   }
   /// Writes a list of points, three coordinates each.
   void Points(const double* points, Index count);
-  /// Writes the list of faces points(i), of which the first corners count.
+  /// Writes the list of faces points(i), of which the first `corners` count.
   template <class Points>
-  void Faces(const std::vector<FaceRun>& runs, const Points& points)
+  void Faces(Index count, int corners, const Points& points)
   {
-    const Index count = CountFaces(runs);
     if (this->IsBinary)
     {
-      this->Labels(count + 1, [&runs](Index face) { return CornersBefore(runs, face); });
-      this->Labels(CornersBefore(runs, count),
-        [&](Index place)
-        {
-          const auto [face, corner] = FindCorner(runs, place);
-          return points(face)[static_cast<std::size_t>(corner)];
-        });
+      this->Labels(count + 1, [corners](Index face) { return corners * face; });
+      this->Labels(corners * count,
+        [&](Index i) { return points(i / corners)[static_cast<std::size_t>(i % corners)]; });
       return;
     }
     this->Begin(count);
-    Index face = 0;
-    for (const FaceRun& run : runs)
+    for (Index face = 0; face < count; ++face)
     {
-      for (Index i = 0; i < run.Count; ++i)
-      {
-        const std::array<Index, 4> all = points(face++);
-        this->Face({ all.data(), static_cast<std::size_t>(run.Corners) });
-      }
+      const std::array<Index, 4> all = points(face);
+      this->Face({ all.data(), static_cast<std::size_t>(corners) });
     }
     this->End(count);
   }
@@ -128,19 +104,20 @@ public:
     if (this->IsBinary)
     {
       std::vector<Index> ends{ 0 }, all;
-      for (Index face = 0; face < count; ++face)
+      for (Index i = 0; i < count; ++i)
       {
-        all.insert(all.end(), points(face).begin(), points(face).end());
+        const auto face = points(i);
+        all.insert(all.end(), face.begin(), face.end());
         ends.push_back(static_cast<Index>(all.size()));
       }
-      this->Labels(count + 1, [&ends](Index face) { return ends[face]; });
+      this->Labels(count + 1, [&ends](Index i) { return ends[i]; });
       this->Labels(ends.back(), [&all](Index i) { return all[i]; });
       return;
     }
     this->Begin(count);
-    for (Index face = 0; face < count; ++face)
+    for (Index i = 0; i < count; ++i)
     {
-      this->Face(points(face));
+      this->Face(points(i));
     }
     this->End(count);
   }

@@ -211,11 +211,11 @@ void WritePolyMesh(const FoamMesh& foam, const FoamAddressing* addressing,
   {
     if (isFlat)
     {
-      file.Faces({ { foam.NumberOfSides(), 4 }, { 2 * mesh.NumberOfElements, mesh.Corners } },
-        [&](Index face) { return PointsOfLayerFace(foam, face); });
+      file.Polygons(
+        foam.NumberOfFaces(), [&](Index face) { return PointsOfLayerFace(foam, face); });
       return;
     }
-    file.Faces({ { foam.NumberOfSides(), CornersOfSide(mesh) } },
+    file.Faces(foam.NumberOfSides(), CornersOfSide(mesh),
       [&](Index face) { return PointsOfSide(mesh, foam.Sides[face]); });
   };
   const FoamLists lists{ isFlat ? ofLayer.data() : mesh.Points,

@@ -37,12 +37,12 @@ Vector3 HeightOfLayer(const MeshData& mesh)
 
 /// Returns a face with its points in the same cyclic order from the one with the lowest key.
 template <class Key>
-FaceIds FromLowest(FaceIds points, int corners, const Key& key)
+std::vector<Index> FromLowest(std::vector<Index> points, const Key& key)
 {
-  const auto end = points.begin() + corners;
   std::rotate(points.begin(),
-    std::min_element(points.begin(), end, [&key](Index a, Index b) { return key(a) < key(b); }),
-    end);
+    std::min_element(
+      points.begin(), points.end(), [&key](Index a, Index b) { return key(a) < key(b); }),
+    points.end());
   return points;
 }
 
@@ -59,7 +59,7 @@ std::vector<double> PointsOfLayer(const MeshData& mesh)
   return points;
 }
 
-FaceIds PointsOfLayerFace(const FoamMesh& foam, Index face)
+std::vector<Index> PointsOfLayerFace(const FoamMesh& foam, Index face)
 {
   const MeshData& mesh = foam.Mesh;
   const Index above = mesh.NumberOfPoints;
@@ -71,16 +71,16 @@ FaceIds PointsOfLayerFace(const FoamMesh& foam, Index face)
   if (face < foam.NumberOfSides())
   {
     const FaceIds ends = PointsOfSide(mesh, SideOfNumber(mesh, foam.Sides[face]));
-    return FromLowest({ { ends[0], ends[1], ends[1] + above, ends[0] + above } }, 4, key);
+    return FromLowest({ ends[0], ends[1], ends[1] + above, ends[0] + above }, key);
   }
   const bool isUpper = face - foam.NumberOfSides() >= mesh.NumberOfElements;
   const Index* corners = mesh.Element(foam.Owner(face));
-  FaceIds points{ { -1, -1, -1, -1 } };
+  std::vector<Index> points;
   for (int c = 0; c < mesh.Corners; ++c)
   {
-    points[c] = isUpper ? corners[c] + above : corners[mesh.Corners - 1 - c];
+    points.push_back(isUpper ? corners[c] + above : corners[mesh.Corners - 1 - c]);
   }
-  return FromLowest(points, mesh.Corners, key);
+  return FromLowest(std::move(points), key);
 }
 
 } // namespace vfm

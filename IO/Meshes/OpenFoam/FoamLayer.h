@@ -2,9 +2,9 @@
  * FoamLayer: the layer of prisms that a mesh of a plane is in OpenFOAM, which has cells of three
  * dimensions only.
  *
- * The prisms are as high as the elements are wide: the square root of their mean area. Points are
- * those of the plane, then in the same order those above it. Faces are those over the edges, then
- * the lower faces of all prisms, then the upper ones.
+ * The prisms are as high as the layer from which the plane was made is thick. Points are those of
+ * the plane, then in the same order those above it. Faces are those over the edges, then the lower
+ * faces of all prisms, then the upper ones.
  */
 #pragma once
 
@@ -18,8 +18,8 @@ namespace vfm
 std::vector<double> PointsOfLayer(const MeshData& mesh);
 
 /// Returns the points of a face, counterclockwise seen from outside of its owner, from the lowest
-/// one; in a periodic mesh from the one with the lowest partner. The last one of a triangle is -1.
+/// one; in a periodic mesh from the one with the lowest partner.
 /// @param face  from 0 below foam.NumberOfFaces()
-FaceIds PointsOfLayerFace(const FoamMesh& foam, Index face);
+std::vector<Index> PointsOfLayerFace(const FoamMesh& foam, Index face);
 
 } // namespace vfm

@@ -179,7 +179,7 @@ TEST(FoamLayer, FacesOfALayerBeginWithTheLowestPoint)
   EXPECT_EQ(points.size(), 36u);
   for (Index face = 0; face < foam.NumberOfFaces(); ++face)
   {
-    const FaceIds ids = PointsOfLayerFace(foam, face);
+    const std::vector<Index> ids = PointsOfLayerFace(foam, face);
     EXPECT_EQ(ids[0], *std::min_element(ids.begin(), ids.end()));
   }
 }
