@@ -74,10 +74,11 @@ public:
   /// does not contain.
   /// @param returned  whether each point went back to an earlier position; empty: none. Elements
   /// of which only some active points went back must meet stricter conditions.
+  /// @param where  elements without a flagged active point may be left out; empty: none
   /// @param[in,out] points  flags of all points
   /// @return whether there is such an element
   virtual bool MarkLost(const ActiveMesh&, Runtime&, const std::vector<unsigned char>& /*returned*/,
-    std::vector<unsigned char>& /*points*/) const
+    const std::vector<unsigned char>& /*where*/, std::vector<unsigned char>& /*points*/) const
   {
     return false;
   }

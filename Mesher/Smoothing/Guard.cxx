@@ -1,5 +1,7 @@
 #include "Smoothing/Guard.h"
 
+#include "Smoothing/ForFlagged.h"
+
 #include <atomic>
 
 namespace vfm
@@ -11,20 +13,27 @@ constexpr int Rings = 2; // around points that go back, and around those again
 
 void Add(const std::vector<unsigned char>& flags, std::vector<unsigned char>& to)
 {
-  for (std::size_t p = 0; p < flags.size(); ++p)
-  {
-    to[p] |= flags[p];
-  }
+  std::transform(flags.begin(), flags.end(), to.begin(), to.begin(), std::bit_or<unsigned char>());
 }
 
 } // namespace
 
+void Guard::NoteMoved(const Flags& points)
+{
+  if (!this->Unchecked.empty())
+  {
+    Add(points, this->Unchecked);
+  }
+}
+
 /// Marks the active points of lost elements. Returns whether any is not known, on any rank.
-bool Guard::MarkLost(const Flags& known, const Flags& returned, Flags& lost) const
+/// @param where  points at whose elements it looks; empty: all
+bool Guard::MarkLost(
+  const Flags& known, const Flags& returned, const Flags& where, Flags& lost) const
 {
   lost.assign(this->Mesh.X.size(), 0);
   bool isNew = false;
-  if (this->Energy.MarkLost(this->Mesh, this->Run, returned, lost))
+  if (this->Energy.MarkLost(this->Mesh, this->Run, returned, where, lost))
   {
     for (std::size_t p = 0; p < lost.size(); ++p)
     {
@@ -60,24 +69,27 @@ void Guard::Exchange(Flags& flags) const
     [&](int p) { return flags[p]; }, [&](int p, unsigned char flag) { flags[p] = flag; });
 }
 
-/// Adds rings of points. Only owners know all elements at a point, so they decide.
+/// Adds rings of points. Only owners know all elements at a point, so they decide. Begins at the
+/// flagged points, which are few.
 void Guard::Grow(int rings, Flags& flags) const
 {
+  const std::vector<CornerPosition>& corners = this->Mesh.CornerOffset;
   this->Exchange(flags);
   for (int ring = 0; ring < rings; ++ring)
   {
-    Flags grown = flags;
-    this->Mesh.ForOwned(this->Run,
-      [&](int p)
+    Flags reached(flags.size(), 0);
+    ForFlagged(this->Run, flags,
+      [&](Index p)
       {
-        if (this->Mesh.IsActive[p])
+        // A ghost may have no element here.
+        if (this->Mesh.IsActive[p] && corners[p] < corners[p + 1])
         {
-          this->Mesh.ForAround(
-            p, [&](int other) { grown[p] |= flags[other] && this->Mesh.IsActive[other]; });
+          this->Mesh.ForAround(static_cast<int>(p),
+            [&](int other) { __atomic_store_n(&reached[other], 1, __ATOMIC_RELAXED); });
         }
       });
-    this->Exchange(grown);
-    flags.swap(grown);
+    this->Mesh.ForOwned(this->Run, [&](int p) { flags[p] |= reached[p] & this->Mesh.IsActive[p]; });
+    this->Exchange(flags);
   }
 }
 
@@ -92,10 +104,7 @@ void Guard::Return(Flags& lost, const std::vector<Vector3>& before, std::vector<
   do
   {
     this->Grow(rings, lost);
-    for (std::size_t p = 0; p < points.size(); ++p)
-    {
-      points[p] = lost[p] ? before[p] : points[p];
-    }
+    ForFlagged(this->Run, lost, [&](Index p) { points[p] = before[p]; });
     Add(lost, this->PutBackNow);
     rings = laterRings;
   } while (findMore(lost));
@@ -104,12 +113,16 @@ void Guard::Return(Flags& lost, const std::vector<Vector3>& before, std::vector<
 bool Guard::PutBack(const std::vector<Vector3>& before, std::vector<Vector3>& points)
 {
   Flags lost;
-  if (!this->MarkLost(this->Guarded, {}, lost))
+  const bool isNew = this->MarkLost(this->Guarded, {}, this->Unchecked, lost);
+  this->Unchecked = lost;
+  if (!isNew)
   {
     return false;
   }
+  // All points of lost elements go back, so others are lost only at points that went back.
   this->Return(lost, before, points, 0,
-    [&](Flags& more) { return this->MarkLost(this->PutBackNow, this->PutBackNow, more); });
+    [&](Flags& more)
+    { return this->MarkLost(this->PutBackNow, this->PutBackNow, this->PutBackNow, more); });
   Flags guarded = this->PutBackNow;
   this->Grow(Rings, guarded);
   this->Guarded.resize(points.size(), 0);
@@ -123,7 +136,7 @@ void Guard::PutBack(std::vector<unsigned char> points, const std::vector<Vector3
   this->Return(points, before, now, Rings,
     [&](Flags& more)
     {
-      const bool isLost = this->MarkLost(this->PutBackNow, {}, more);
+      const bool isLost = this->MarkLost(this->PutBackNow, {}, {}, more);
       return this->MarkNegative(this->PutBackNow, stage, more) || isLost;
     });
 }

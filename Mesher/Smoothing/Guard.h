@@ -22,13 +22,18 @@ public:
   /// Returns whether moves of a point are checked.
   bool Has(int point) const { return !this->Guarded.empty() && this->Guarded[point]; }
 
+  /// Notes that points may have moved. PutBack looks only at elements at points that have moved
+  /// since it looked last, and at those that it found then; at first at all.
+  /// @param points  flags of all points
+  void NoteMoved(const std::vector<unsigned char>& points);
+
   /// Puts points back where elements were lost, with two rings of points around. Then puts back the
   /// points of elements that this has lost, without rings, until no element is lost that was not
   /// lost before.
   /// @param before  positions of all points before they moved
   /// @param[in,out] points  positions of all points now
   /// @return false if no element was lost on any rank; then nothing changes
-  /// @pre Collective.
+  /// @pre NoteMoved got all points that have moved. Collective.
   bool PutBack(const std::vector<Vector3>& before, std::vector<Vector3>& points);
 
   /// Puts points back, with two rings of points around, and more until all elements at these points
@@ -46,7 +51,7 @@ public:
 private:
   using Flags = std::vector<unsigned char>; // of points
 
-  bool MarkLost(const Flags& known, const Flags& returned, Flags& lost) const;
+  bool MarkLost(const Flags& known, const Flags& returned, const Flags& where, Flags& lost) const;
   bool MarkNegative(const Flags& returned, const SmoothingStage& stage, Flags& lost) const;
   template <class FindMore>
   void Return(Flags& lost, const std::vector<Vector3>& before, std::vector<Vector3>& points,
@@ -58,6 +63,7 @@ private:
   const ElementEnergy& Energy;
   Runtime& Run;
   Flags Guarded, PutBackNow;
+  Flags Unchecked; // points at which PutBack looks next; empty: all
 };
 
 } // namespace vfm

@@ -222,6 +222,7 @@ MoveOrder MoveOrder::ByColour(const std::vector<Node>& nodes, int colours)
 {
   MoveOrder order;
   order.AddColours(nodes, colours);
+  order.FindRanges();
   return order;
 }
 
@@ -256,6 +257,7 @@ MoveOrder MoveOrder::ByPlanes(const std::vector<Node>& nodes, const PointExchang
   if (!exchange.HasPeers())
   {
     order.AddPlanes(nodes);
+    order.FindRanges();
     return order;
   }
   const std::vector<unsigned char> isRim = FindRim(nodes, exchange);
@@ -266,6 +268,7 @@ MoveOrder MoveOrder::ByPlanes(const std::vector<Node>& nodes, const PointExchang
   }
   order.AddColours(rim, exchange.CountColours());
   order.AddPlanes(inside);
+  order.FindRanges();
   return order;
 }
 
@@ -308,6 +311,20 @@ void MoveOrder::AddPlanes(const std::vector<Node>& nodes)
         { this->TheGroups.push_back(nodes[place[1]].Points); });
     }
     begins.push_back(static_cast<Index>(this->TheGroups.size()));
+  }
+}
+
+void MoveOrder::FindRanges()
+{
+  for (std::size_t g = 0; g < this->TheGroups.size(); ++g)
+  {
+    const auto& [first, last] = this->TheGroups[g];
+    if (g % GroupsOfRange == 0)
+    {
+      this->RangeOf.push_back({ { first, last } });
+    }
+    Range& range = this->RangeOf.back();
+    range = { { std::min(range[0], first), std::max(range[1], last) } };
   }
 }
 

@@ -1,6 +1,7 @@
 #include "Smoothing/Smoother.h"
 
 #include "Base/Vector3.h"
+#include "Smoothing/ForFlagged.h"
 #include "Smoothing/Intersections.h"
 #include "Smoothing/NewtonStep.h"
 
@@ -50,7 +51,8 @@ Smoother::Smoother(
   TheGuard(mesh, energy, runtime),
   Dirty(new unsigned char[mesh.X.size()]),
   Marked(mesh.X.size(), 0),
-  HasMoved(mesh.X.size(), 1)
+  HasMoved(mesh.X.size(), 1),
+  MovedSince(mesh.X.size(), 0)
 {
   std::vector<unsigned char> isGhost = mesh.IsActive;
   mesh.ForOwned(
@@ -76,22 +78,17 @@ Smoother::Smoother(
   }
 }
 
-void Smoother::ForgetMoved()
+/// Adds the points that have moved to the lists of those who look at them.
+void Smoother::ListMoved()
 {
+  this->TheGuard.NoteMoved(this->HasMoved);
+  std::transform(this->HasMoved.begin(), this->HasMoved.end(), this->MovedSince.begin(),
+    this->MovedSince.begin(), std::bit_or<unsigned char>());
   std::fill(this->HasMoved.begin(), this->HasMoved.end(), 0);
   for (int ghost : this->Ghosts)
   {
     this->HasMoved[ghost] = 1; // its owner does not report whether it moves
   }
-}
-
-void Smoother::NoteMoved(const std::vector<int>& points)
-{
-  for (int point : points)
-  {
-    this->HasMoved[point] = 1;
-  }
-  this->AlignColumns();
 }
 
 void Smoother::MarkAll()
@@ -106,12 +103,15 @@ void Smoother::MoveAndCheck(
   this->Before.resize(this->Mesh.X.size());
   ForEach(this->Run, this->Before.size(), [this](Index p) { this->Before[p] = this->Mesh.X[p]; });
   move();
-  while (this->TheGuard.PutBack(this->Before, this->Mesh.X))
+  const auto putsBack = [this]
   {
-    for (std::size_t point = 0; point < this->Before.size(); ++point)
-    {
-      this->HasMoved[point] |= this->TheGuard.Returned()[point];
-    }
+    this->ListMoved();
+    return this->TheGuard.PutBack(this->Before, this->Mesh.X);
+  };
+  while (putsBack())
+  {
+    ForFlagged(
+      this->Run, this->TheGuard.Returned(), [this](Index point) { this->HasMoved[point] = 1; });
     this->AlignColumns();
     moveReturned();
   }
@@ -137,7 +137,7 @@ void Smoother::RunStage(const SmoothingStage& stage, const std::function<void(do
       for (int snap = 0; snap < stage.Snaps; ++snap)
       {
         ++this->NumberOfSweeps;
-        this->ForPoints(
+        this->ForPoints(nullptr,
           [&](int point)
           {
             this->SnapPoint(point, stage);
@@ -191,14 +191,14 @@ void Smoother::MarkReturned()
 {
   std::fill_n(this->Dirty.get(), this->Mesh.X.size(), 0);
   const std::vector<CornerPosition>& corners = this->Mesh.CornerOffset;
-  for (std::size_t point = 0; point < this->Mesh.X.size(); ++point)
-  {
-    // A ghost may have no element here.
-    if (this->TheGuard.Returned()[point] && corners[point] < corners[point + 1])
+  ForFlagged(this->Run, this->TheGuard.Returned(),
+    [&](Index point)
     {
-      this->MarkNeighbours(static_cast<int>(point));
-    }
-  }
+      if (corners[point] < corners[point + 1]) // a ghost may have no element here
+      {
+        this->MarkNeighbours(static_cast<int>(point));
+      }
+    });
 }
 
 void Smoother::RunSweeps(const SmoothingStage& stage, const std::function<void(double)>& report)
@@ -225,8 +225,9 @@ void Smoother::RunRamp(const SmoothingRamp& ramp)
 
 /// Calls move(point) for the owned active points in their order; move returns a length or NoVisit.
 /// Returns the largest length over all ranks.
+/// @param where  flags of the points; others are left out; null: none
 template <class Move>
-double Smoother::ForPoints(const Move& move)
+double Smoother::ForPoints(const unsigned char* where, const Move& move)
 {
   std::atomic<double> largest(0.0);
   std::fill(this->Marked.begin(), this->Marked.end(), 0);
@@ -237,16 +238,13 @@ double Smoother::ForPoints(const Move& move)
       {
         double longest = 0.0;
         Index visits = 0;
-        for (Index g = step.Tasks[first]; g < step.Tasks[last]; ++g)
-        {
-          const MoveOrder::Group& group = this->Mesh.Order.Groups()[g];
-          for (int point = group.First; point < group.Last; ++point)
+        this->Mesh.Order.ForPoints(step.Tasks[first], step.Tasks[last], where,
+          [&](int point)
           {
             const double length = this->Mesh.IsActive[point] ? move(point) : NoVisit;
             longest = std::max(longest, length);
             visits += length != NoVisit;
-          }
-        }
+          });
         this->NumberOfVisits.fetch_add(visits, std::memory_order_relaxed);
         for (double seen = largest;
              longest > seen && !largest.compare_exchange_weak(seen, longest);)
@@ -268,11 +266,7 @@ double Smoother::Sweep(const SmoothingStage& stage)
 {
   ++this->NumberOfSweeps;
   return this->ForPoints(
-    [&](int point)
-    {
-      return __atomic_load_n(&this->Dirty[point], __ATOMIC_RELAXED) ? this->MovePoint(point, stage)
-                                                                    : NoVisit;
-    });
+    this->Dirty.get(), [&](int point) { return this->MovePoint(point, stage); });
 }
 
 /// Returns the lower and upper limit of the offset of an attachment with a long offset.
@@ -342,7 +336,7 @@ bool Smoother::Follow(
 {
   this->Shift(shifts, isLong, stage);
   std::fill_n(this->Dirty.get(), this->Mesh.X.size(), 0);
-  this->ForPoints(
+  this->ForPoints(nullptr,
     [&](int point)
     {
       if (this->IsShifted(point, shifts))
@@ -379,12 +373,8 @@ void Smoother::MoveAlongNormals(const std::vector<double>& shifts, const Smoothi
     this->MoveAlongNormal(point, shifts, stage);
     return NoVisit;
   };
-  this->MoveAndCheck([&] { this->ForPoints(move); },
-    [&]
-    {
-      this->ForPoints(
-        [&](int point) { return this->TheGuard.Returned()[point] ? move(point) : NoVisit; });
-    });
+  this->MoveAndCheck([&] { this->ForPoints(nullptr, move); },
+    [&] { this->ForPoints(this->TheGuard.Returned().data(), move); });
 }
 
 void Smoother::MoveAlongNormal(

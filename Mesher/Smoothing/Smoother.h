@@ -102,10 +102,26 @@ public:
   void ReportMoves(MeshReport& report) const;
 
   /// Returns whether each point may have moved since ForgetMoved; at first all.
-  const std::vector<unsigned char>& MovedPoints() const { return this->HasMoved; }
-  void ForgetMoved();
-  /// Notes that other code has moved points.
-  void NoteMoved(const std::vector<int>& points);
+  const std::vector<unsigned char>& MovedPoints()
+  {
+    this->ListMoved();
+    return this->MovedSince;
+  }
+  void ForgetMoved()
+  {
+    this->ListMoved();
+    std::fill(this->MovedSince.begin(), this->MovedSince.end(), 0);
+  }
+  /// Note that other code has moved points.
+  void NoteMoved(const std::vector<int>& points)
+  {
+    for (int point : points)
+    {
+      this->HasMoved[point] = 1;
+    }
+    this->AlignColumns();
+  }
+  void NoteAllMoved() { std::fill(this->HasMoved.begin(), this->HasMoved.end(), 1); }
 
 private:
   bool IsShifted(int point, const std::vector<double>& shifts) const;
@@ -117,7 +133,7 @@ private:
   void SweepAndCheck(const SmoothingStage& stage, const std::function<void()>& sweep);
   void SweepWithChecks(const SmoothingStage& stage);
   template <class Move>
-  double ForPoints(const Move& move);
+  double ForPoints(const unsigned char* where, const Move& move);
   void MoveAlongNormal(int point, const std::vector<double>& shifts, const SmoothingStage& stage);
   double Sweep(const SmoothingStage& stage);
   void Prefetch(int point) const;
@@ -151,6 +167,7 @@ private:
   void Mark(int point) { __atomic_store_n(&this->Dirty[point], 1, __ATOMIC_RELAXED); }
   void MarkNeighbours(int point);
   void MarkAll();
+  void ListMoved();
   void MarkReturned();
   /// Moves the upper points of columns after the lower ones.
   void AlignColumns()
@@ -178,7 +195,9 @@ private:
   std::unique_ptr<unsigned char[]> Dirty;
   /// Set if the point marked its neighbours in this sweep.
   std::vector<unsigned char> Marked;
+  /// Set if the point may have moved since ListMoved.
   std::vector<unsigned char> HasMoved;
+  std::vector<unsigned char> MovedSince; // MovedPoints, without HasMoved
   /// Positions to which points go back. Kept between stages, because new memory takes time.
   std::vector<Vector3> Before;
   /// Active points that other ranks move.

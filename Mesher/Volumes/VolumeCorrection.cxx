@@ -113,6 +113,7 @@ void VolumeCorrection::Measure()
 void VolumeCorrection::MeasureAll()
 {
   this->Volumes.Measure(this->Active());
+  this->TheSmoother.NoteAllMoved();
   this->TheSmoother.ForgetMoved();
   this->IsMeasured = true;
 }

@@ -347,7 +347,8 @@ Derivatives FlatEnergy::Differentiate(
 }
 
 bool FlatEnergy::MarkLost(const ActiveMesh& mesh, Runtime& runtime,
-  const std::vector<unsigned char>& returned, std::vector<unsigned char>& points) const
+  const std::vector<unsigned char>& returned, const std::vector<unsigned char>& /*where*/,
+  std::vector<unsigned char>& points) const
 {
   const Layer layer{ mesh, this->Plane, this->Diagonals, this->Target };
   std::atomic<bool> isFound(false);

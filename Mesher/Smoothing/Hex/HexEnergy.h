@@ -43,9 +43,10 @@ public:
   Derivatives Differentiate(
     const ActiveMesh& mesh, int point, const SmoothingStage& stage) const override;
   bool MarkLost(const ActiveMesh& mesh, Runtime& runtime,
-    const std::vector<unsigned char>& returned, std::vector<unsigned char>& points) const override
+    const std::vector<unsigned char>& returned, const std::vector<unsigned char>& where,
+    std::vector<unsigned char>& points) const override
   {
-    return MarkSmallCoefficients(mesh, runtime, returned, points);
+    return MarkSmallCoefficients(mesh, runtime, returned, where, points);
   }
   bool KeepsAt(const ActiveMesh& mesh, int point, const Vector3& x) const override
   {

@@ -1,6 +1,7 @@
 #include "Smoothing/Hex/PositiveHexes.h"
 
 #include "Elements/Hex/EdgeProducts.h"
+#include "Smoothing/ForFlagged.h"
 
 #include <atomic>
 
@@ -12,6 +13,9 @@ namespace
 // Smallest coefficients, in cell volumes, of all hexes and of those of which only some points went
 // back.
 constexpr double LeastCoefficient = 1e-6, LeastOfMixed = 0.01;
+// If fewer than this part of the points are given, only the hexes at them are checked. Finding the
+// hexes of more points takes the time that this saves.
+constexpr double FewPoints = 1.0 / 4.0;
 
 VFM_INLINE HexCorners CornersOf(const ActiveMesh& mesh, Index firstPosition)
 {
@@ -48,13 +52,40 @@ bool IsMixed(const ActiveMesh& mesh, const std::vector<unsigned char>& returned,
   return isAny && !areAll;
 }
 
-/// Appends the hexes with a small coefficient.
-VFM_CLONES
-void FindSmallHexes(const ActiveMesh& mesh, const std::vector<unsigned char>& returned, Index first,
-  Index last, std::vector<Index>& found)
+/// Returns whether each hex is at a flagged active point; an empty list if there are many of them.
+std::vector<unsigned char> FindHexesAt(
+  const ActiveMesh& mesh, Runtime& runtime, const std::vector<unsigned char>& points)
 {
+  const auto count = static_cast<double>(std::count(points.begin(), points.end(), 1));
+  if (count >= FewPoints * static_cast<double>(points.size()))
+  {
+    return {};
+  }
+  std::vector<unsigned char> hexes(mesh.Elements.size() / 8, 0);
+  ForFlagged(runtime, points,
+    [&](Index point)
+    {
+      for (CornerPosition at = mesh.CornerOffset[point]; at < mesh.CornerOffset[point + 1]; ++at)
+      {
+        __atomic_store_n(&hexes[mesh.CornerList[at] / 8], 1, __ATOMIC_RELAXED);
+      }
+    });
+  return hexes;
+}
+
+/// Appends the hexes with a small coefficient.
+/// @param isChecked  which hexes are checked; empty: all
+VFM_CLONES
+void FindSmallHexes(const ActiveMesh& mesh, const std::vector<unsigned char>& returned,
+  const std::vector<unsigned char>& isChecked, Index first, Index last, std::vector<Index>& found)
+{
+  const bool areAllChecked = isChecked.empty();
   for (Index hex = first; hex < last; ++hex)
   {
+    if (!areAllChecked && !isChecked[hex])
+    {
+      continue;
+    }
     const Index position = 8 * hex;
     const double least = !returned.empty() && IsMixed(mesh, returned, hex)
       ? LeastOfMixed * VolumeAt(mesh, position)
@@ -93,14 +124,16 @@ bool MayStandAt(const ActiveMesh& mesh, int point, const Vector3& x)
 } // namespace
 
 bool MarkSmallCoefficients(const ActiveMesh& mesh, Runtime& runtime,
-  const std::vector<unsigned char>& returned, std::vector<unsigned char>& points)
+  const std::vector<unsigned char>& returned, const std::vector<unsigned char>& where,
+  std::vector<unsigned char>& points)
 {
+  const std::vector<unsigned char> isChecked = FindHexesAt(mesh, runtime, where);
   std::atomic<bool> isFound(false);
   runtime.For(0, static_cast<Index>(mesh.Elements.size() / 8),
     [&](Index first, Index last)
     {
       std::vector<Index> found;
-      FindSmallHexes(mesh, returned, first, last, found);
+      FindSmallHexes(mesh, returned, isChecked, first, last, found);
       for (Index hex : found)
       {
         for (int c = 0; c < 8; ++c)

@@ -151,9 +151,9 @@ TEST(FlatEnergy, InvertedQuadsAreInvalidAndLost)
   EXPECT_TRUE(energy.KeepsAt(mesh, 0, { { 0.5, 0.1, 0.0 } }));
   Runtime serial;
   std::vector<unsigned char> points(18, 0);
-  EXPECT_FALSE(energy.MarkLost(mesh, serial, {}, points));
+  EXPECT_FALSE(energy.MarkLost(mesh, serial, {}, {}, points));
   mesh.X[0] = beyond;
-  EXPECT_TRUE(energy.MarkLost(mesh, serial, {}, points));
+  EXPECT_TRUE(energy.MarkLost(mesh, serial, {}, {}, points));
   EXPECT_EQ(points[0], 1);
 }
 
@@ -171,6 +171,6 @@ TEST(FlatEnergy, QuadsThatAreNotConvexHaveValidTriangles)
   mesh.X[0] = dent;
   Runtime serial;
   std::vector<unsigned char> points(18, 0);
-  EXPECT_TRUE(quads.MarkLost(mesh, serial, {}, points));
-  EXPECT_FALSE(triangles.MarkLost(mesh, serial, {}, points));
+  EXPECT_TRUE(quads.MarkLost(mesh, serial, {}, {}, points));
+  EXPECT_FALSE(triangles.MarkLost(mesh, serial, {}, {}, points));
 }
