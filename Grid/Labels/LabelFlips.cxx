@@ -44,6 +44,49 @@ int Violations(const std::array<int, 8>& star, int flatSeams)
   return CountViolations(star) + (flatSeams != 0 ? CountSeamViolations(star, flatSeams) : 0);
 }
 
+/// Number of axes that each region violates.
+constexpr std::array<unsigned char, 256> MakeViolatedAxes()
+{
+  std::array<unsigned char, 256> axes{};
+  for (int region = 0; region < 256; ++region)
+  {
+    axes[region] = static_cast<unsigned char>(RegionNormalsTable[region].ViolatedAxes());
+  }
+  return axes;
+}
+constexpr std::array<unsigned char, 256> ViolatedAxes = MakeViolatedAxes();
+
+/// A star in which the cells of a region change to one label.
+class ChangedStar
+{
+public:
+  ChangedStar(const std::array<int, 8>& star, int region) : Star(star), Region(region)
+  {
+    int seen = region;
+    for (int c = 0; c < 8; ++c)
+    {
+      if (!(seen >> c & 1))
+      {
+        const int rest = RegionOfLabel(star, star[c]) & ~region;
+        seen |= rest;
+        this->OfRest += ViolatedAxes[rest];
+      }
+    }
+  }
+
+  /// Returns CountViolations of the star with a new label.
+  int CountWith(int label) const
+  {
+    const int rest = RegionOfLabel(this->Star, label) & ~this->Region;
+    return this->OfRest - ViolatedAxes[rest] + ViolatedAxes[rest | this->Region];
+  }
+
+private:
+  const std::array<int, 8>& Star;
+  int Region;
+  int OfRest = 0; // violations of all labels in the other cells
+};
+
 int Violations(const LabelFlips& flips, Index node)
 {
   return Violations(StarOfNode(flips.Grid, flips.Labels, node),
@@ -76,6 +119,15 @@ std::vector<int> FindGains(
       const int seams = flips.KeepsSeam ? flips.Grid.FlatSeams(node) : 0;
       const int before = Violations(star, seams);
       const int region = flips.Units.RegionAt(node, cells);
+      if (seams == 0)
+      {
+        const ChangedStar changed(star, region);
+        for (std::size_t n = 0; n < labels.size(); ++n)
+        {
+          gains[n] += before - changed.CountWith(labels[n]);
+        }
+        return;
+      }
       for (std::size_t n = 0; n < labels.size(); ++n)
       {
         for (int s = 0; s < 8; ++s)

@@ -1,6 +1,6 @@
 #include "Volumes/FacetSums.h"
 
-#include "Base/HexVolume.h"
+#include "Volumes/FacetSweeps.h"
 
 #include <cstring>
 #include <mutex>
@@ -11,7 +11,6 @@ namespace
 {
 
 constexpr Index LongestRun = 64; // facets
-constexpr Index FacetsAhead = 4; // whose points are loaded while others are summed
 
 void Prefetch(const ActiveMesh& mesh, const ActiveFacet& facet)
 {
@@ -22,9 +21,25 @@ void Prefetch(const ActiveMesh& mesh, const ActiveFacet& facet)
   }
 }
 
-double AreaOf(const std::array<Vector3, 4>& q)
+/// Collects the corners of some facets; the last one is repeated until all fours are complete.
+/// Begins to load the corners of the facets that follow.
+/// @param end  end of the facets that follow
+void CollectCorners(
+  const ActiveMesh& mesh, Index first, Index last, Index end, FacetCorners& corners)
 {
-  return 0.5 * Norm(Cross(q[2] - q[0], q[3] - q[1]));
+  for (int n = 0; first + n < last || n % 4 != 0; ++n)
+  {
+    const Index f = std::min(first + n, last - 1);
+    if (f + FacetCorners::Most < end)
+    {
+      Prefetch(mesh, mesh.Facets[f + FacetCorners::Most]);
+    }
+    for (int c = 0; c < 4; ++c)
+    {
+      const int point = mesh.Facets[f].Points[c];
+      corners.Set(n, c, mesh.MeshPoints + 3 * mesh.MeshPoint[point], mesh.X[point].data());
+    }
+  }
 }
 
 } // namespace
@@ -94,21 +109,19 @@ bool FacetSums::HasMoved(const ActiveMesh& mesh, const FacetRun& run, const Flag
 void FacetSums::Sum(const ActiveMesh& mesh, FacetRun& run)
 {
   run.Swept = run.Area = ExactSum();
-  for (Index f = run.First; f < run.End; ++f)
+  FacetCorners corners;
+  double volumes[FacetCorners::Most], areas[FacetCorners::Most];
+  for (Index first = run.First; first < run.End; first += FacetCorners::Most)
   {
-    if (f + FacetsAhead < run.End)
+    const Index last = std::min(run.End, first + FacetCorners::Most);
+    const int facets = static_cast<int>(last - first);
+    CollectCorners(mesh, first, last, run.End, corners);
+    corners.Measure(facets, mesh.Origin, mesh.Scale, volumes, areas);
+    for (int f = 0; f < facets; ++f)
     {
-      Prefetch(mesh, mesh.Facets[f + FacetsAhead]);
+      run.Swept.Add(volumes[f]);
+      run.Area.Add(areas[f]);
     }
-    std::array<Vector3, 4> start, now;
-    for (int c = 0; c < 4; ++c)
-    {
-      const int point = mesh.Facets[f].Points[c];
-      start[c] = mesh.StartOf(point);
-      now[c] = mesh.X[point];
-    }
-    run.Swept.Add(VolumeBetween(start, now));
-    run.Area.Add(AreaOf(now));
   }
 }
 

@@ -71,6 +71,32 @@ TEST(LabelFlips, OfTwoCellsAtAnEdge)
   EXPECT_TRUE(flips.Violated.empty());
 }
 
+/// Gains are the violations that a change removes, of random labels.
+TEST(LabelFlips, GainsAreViolationsLessThoseAfterTheChange)
+{
+  RandomDraw draw(7);
+  TwoCells c;
+  const auto cellAt = [&] { return static_cast<Index>(draw.Between(1.0, 4.99)); };
+  const auto label = [&] { return static_cast<int>(draw.Between(0.0, 3.99)); };
+  for (int time = 0; time < 60; ++time)
+  {
+    ForCells({ {}, { { 6, 6, 6 } } },
+      [&](const Index3& cell) { c.Labels.Set(c.Grid.Linear(cell), label()); });
+    const Index3 low{ { cellAt(), cellAt(), cellAt() } };
+    const LabelFlips flips{ c.Grid, c.Fractions, c.Labels, c.Parts, nullptr, false };
+    const std::vector<int> labels{ 3, 0, 1, 2 };
+    const std::vector<int> gains = FindGains(flips, BoxOfCell(low), labels);
+    const Index before = c.CountAll(), cell = c.Grid.Linear(low);
+    const int first = c.Labels[cell];
+    for (std::size_t n = 0; n < labels.size(); ++n)
+    {
+      c.Labels.Set(cell, labels[n]);
+      EXPECT_EQ(gains[n], before - c.CountAll()) << time << " " << labels[n];
+      c.Labels.Set(cell, first);
+    }
+  }
+}
+
 /// A box of cells costs what its cells cost; changes can be undone.
 TEST(LabelFlips, OfABox)
 {

@@ -1,7 +1,9 @@
 /// Sums of facets that are kept between moves are equal to new sums.
 #include "Volumes/FacetSums.h"
+#include "Base/HexVolume.h"
 #include "Base/ThreadRuntime.h"
 #include "RandomDraw.h"
+#include "Volumes/FacetSweeps.h"
 
 #include <gtest/gtest.h>
 
@@ -105,4 +107,37 @@ TEST(FacetSums, SumsOnlyFacetsAtPointsThatMoved)
     swept += std::fabs(kept.Swept()[f].Value());
   }
   EXPECT_GT(swept, 0.5);
+}
+
+TEST(FacetSweeps, AreEqualToTheVolumesAndAreasOfEachFacet)
+{
+  RandomDraw draw(6);
+  const Vector3 origin{ { 0.7, -3.1, 12.3 } };
+  const double scale = 0.37;
+  FacetCorners corners{};
+  for (int facets = 1; facets <= FacetCorners::Most; ++facets)
+  {
+    std::vector<std::array<Vector3, 4>> start(facets), now(facets);
+    for (int f = 0; f < facets; ++f)
+    {
+      for (int c = 0; c < 4; ++c)
+      {
+        const Vector3 x = origin + draw.Vector(-5.0, 5.0);
+        for (int a = 0; a < 3; ++a)
+        {
+          start[f][c][a] = (x[a] - origin[a]) / scale;
+        }
+        now[f][c] = start[f][c] + draw.Vector(-0.6, 0.6);
+        corners.Set(f, c, x.data(), now[f][c].data());
+      }
+    }
+    double volumes[FacetCorners::Most], areas[FacetCorners::Most];
+    corners.Measure(facets, origin, scale, volumes, areas);
+    for (int f = 0; f < facets; ++f)
+    {
+      const std::array<Vector3, 4>& q = now[f];
+      EXPECT_EQ(volumes[f], VolumeBetween(start[f], q));
+      EXPECT_EQ(areas[f], 0.5 * Norm(Cross(q[2] - q[0], q[3] - q[1])));
+    }
+  }
 }

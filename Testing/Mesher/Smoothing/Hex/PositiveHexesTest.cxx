@@ -56,8 +56,8 @@ TEST(PositiveHexes, HexesAtOtherPointsAreLeftOut)
   where[middle + 1] = 1;
   EXPECT_TRUE(MarkSmallCoefficients(mesh, serial, {}, where, points));
   EXPECT_EQ(points[middle], 1);
-  EXPECT_EQ(points[middle + 2], 1);
-  EXPECT_EQ(points[middle - 1], 0); // its hexes are not at the flagged point
+  EXPECT_EQ(points[middle + 1], 1);
+  EXPECT_EQ(points[middle + 2], 0);
   EXPECT_FALSE(KeepPositiveCoefficients(mesh, middle + 1, mesh.X[middle + 2]));
   EXPECT_TRUE(KeepPositiveCoefficients(mesh, 0, { { 0.1, 0.1, 0.1 } }));
 }
