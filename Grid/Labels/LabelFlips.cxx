@@ -62,28 +62,30 @@ class ChangedStar
 public:
   ChangedStar(const std::array<int, 8>& star, int region) : Star(star), Region(region)
   {
-    int seen = region;
+    int seen = 0;
     for (int c = 0; c < 8; ++c)
     {
       if (!(seen >> c & 1))
       {
-        const int rest = RegionOfLabel(star, star[c]) & ~region;
-        seen |= rest;
-        this->OfRest += ViolatedAxes[rest];
+        const int own = RegionOfLabel(star, star[c]);
+        seen |= own;
+        this->Before += ViolatedAxes[own];
+        this->OfRest += ViolatedAxes[own & ~region];
       }
     }
   }
 
-  /// Returns CountViolations of the star with a new label.
-  int CountWith(int label) const
+  /// Returns by how much CountViolations is smaller with a new label.
+  int GainOf(int label) const
   {
     const int rest = RegionOfLabel(this->Star, label) & ~this->Region;
-    return this->OfRest - ViolatedAxes[rest] + ViolatedAxes[rest | this->Region];
+    return this->Before - this->OfRest + ViolatedAxes[rest] - ViolatedAxes[rest | this->Region];
   }
 
 private:
   const std::array<int, 8>& Star;
   int Region;
+  int Before = 0; // CountViolations
   int OfRest = 0; // violations of all labels in the other cells
 };
 
@@ -117,17 +119,17 @@ std::vector<int> FindGains(
     {
       std::array<int, 8> star = StarOfNode(flips.Grid, flips.Labels, flips.Grid.Linear(node));
       const int seams = flips.KeepsSeam ? flips.Grid.FlatSeams(node) : 0;
-      const int before = Violations(star, seams);
       const int region = flips.Units.RegionAt(node, cells);
       if (seams == 0)
       {
         const ChangedStar changed(star, region);
         for (std::size_t n = 0; n < labels.size(); ++n)
         {
-          gains[n] += before - changed.CountWith(labels[n]);
+          gains[n] += changed.GainOf(labels[n]);
         }
         return;
       }
+      const int before = Violations(star, seams);
       for (std::size_t n = 0; n < labels.size(); ++n)
       {
         for (int s = 0; s < 8; ++s)

@@ -163,11 +163,28 @@ bool Scaling::LabelRing()
         this->Leave(fragment); // the mean of its points is not inside it
       }
     });
+  const std::vector<CornerPosition>& corners = this->Mesh.CornerOffset;
+  std::vector<unsigned char> isReached(this->FragmentOf.size(), 0); // from labelled points
+  std::atomic<bool> areUnknown(false); // some points around labelled ones
+  ForEach(this->Run, this->FragmentOf.size(),
+    [&](Index point)
+    {
+      if (this->FragmentOf[point] != 0 && corners[point] == corners[point + 1])
+      {
+        areUnknown = true;
+      }
+      else if (this->FragmentOf[point] != 0)
+      {
+        this->Mesh.ForAround(static_cast<int>(point),
+          [&](int other) { __atomic_store_n(&isReached[other], 1, __ATOMIC_RELAXED); });
+      }
+    });
   std::atomic<bool> isNew(false);
   this->Mesh.ForOwned(this->Run,
     [&](int point)
     {
-      const int fragment = this->LabelAt(point) == 0 ? this->FindLabelAround(point) : 0;
+      const bool mayBeNew = (isReached[point] || areUnknown) && this->LabelAt(point) == 0;
+      const int fragment = mayBeNew ? this->FindLabelAround(point) : 0;
       if (fragment != 0)
       {
         __atomic_store_n(&this->FragmentOf[point], fragment, __ATOMIC_RELAXED);
