@@ -10,7 +10,8 @@ namespace vfm
 namespace
 {
 
-constexpr Index LongestRun = 64; // facets
+constexpr Index LongestRun = 64;  // facets
+constexpr Index FacetsAhead = 32; // whose indices of points in the mesh are loaded
 
 void Prefetch(const ActiveMesh& mesh, const ActiveFacet& facet)
 {
@@ -22,7 +23,7 @@ void Prefetch(const ActiveMesh& mesh, const ActiveFacet& facet)
 }
 
 /// Collects the corners of some facets; the last one is repeated until all fours are complete.
-/// Begins to load the corners of the facets that follow.
+/// Begins to load what is read of the facets that follow.
 /// @param end  end of the facets that follow
 void CollectCorners(
   const ActiveMesh& mesh, Index first, Index last, Index end, FacetCorners& corners)
@@ -30,6 +31,13 @@ void CollectCorners(
   for (int n = 0; first + n < last || n % 4 != 0; ++n)
   {
     const Index f = std::min(first + n, last - 1);
+    if (f + FacetsAhead < static_cast<Index>(mesh.Facets.size()))
+    {
+      for (int point : mesh.Facets[f + FacetsAhead].Points)
+      {
+        __builtin_prefetch(&mesh.MeshPoint[point]);
+      }
+    }
     if (f + FacetCorners::Most < end)
     {
       Prefetch(mesh, mesh.Facets[f + FacetCorners::Most]);
