@@ -118,6 +118,39 @@ TEST(MoveOrder, KeepsTheOrderOfNeighbours)
   }
 }
 
+TEST(MoveOrder, VisitsFlaggedPointsInTheOrderOfAll)
+{
+  const std::vector<MoveOrder::Node> nodes = MakeNodes({ { 40, 9, 5 } }, 0.8, 3);
+  const MoveOrder order = MoveOrder::ByPlanes(nodes, PointExchange());
+  const Index groups = static_cast<Index>(order.Groups().size());
+  const auto visit = [&](Index first, Index last, const std::vector<unsigned char>& flags)
+  {
+    std::vector<int> points;
+    order.ForPoints(first, last, flags.empty() ? nullptr : flags.data(),
+      [&](int point) { points.push_back(point); });
+    return points;
+  };
+  std::mt19937 random(4);
+  for (const double share : { 0.0, 0.001, 0.03, 0.5, 1.0 })
+  {
+    std::vector<unsigned char> flags(nodes.size());
+    std::generate(flags.begin(), flags.end(), [&] { return random() <= share * 4294967295.0; });
+    for (const auto& [first, last] : { std::pair<Index, Index>{ 0, groups }, { 5, 6 }, { 31, 97 },
+           { 64, groups - 1 }, { 40, 40 } })
+    {
+      const std::vector<int> all = visit(first, last, {});
+      std::vector<int> right;
+      for (Index g = first; g < last; ++g)
+      {
+        EXPECT_EQ(all[g - first], order.Groups()[g].First);
+      }
+      std::copy_if(all.begin(), all.end(), std::back_inserter(right),
+        [&](int point) { return flags[point] != 0; });
+      EXPECT_EQ(visit(first, last, flags), right) << share << " " << first;
+    }
+  }
+}
+
 TEST(MoveOrder, GivesThreadsTasksInFlatMeshes)
 {
   const PointExchange alone;
