@@ -146,7 +146,7 @@ Mesh MakeMesh(const SpeedCase& what, const CartesianGrid& grid, const FractionFi
   {
     return what.Maker(grid, fractions, what.Options, runtime, report);
   }
-  constexpr char stage[] = "Smoothing labels";
+  const char* const stage = "Smoothing labels";
   const double begin = Now();
   runtime.Progress(0.0, stage);
   FractionField smooth = fractions;
