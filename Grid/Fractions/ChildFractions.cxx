@@ -258,8 +258,9 @@ ChildFractions ShareSmoothly(const CartesianGrid& grid, const FractionField& fra
   const FractionField::Range parts = fractions.Parts(grid.Linear(cell));
   const FractionField::Part& first = parts.First[cut];
   const std::vector<double> weights(fractions.NumberOfMaterials() + 1, 1.0);
-  const std::vector<MaterialPatch> patches =
-    MakePatches(grid, fractions, cell, { first.Material, parts.First[1 - cut].Material }, weights);
+  const std::array<int, 2> materials{ { first.Material, parts.First[1 - cut].Material } };
+  PatchFinder finder(grid, fractions);
+  const std::vector<MaterialPatch>& patches = finder.Find(cell, materials, weights);
   return ShareChildren(patches[0], patches[1], counts, first.Fraction);
 }
 

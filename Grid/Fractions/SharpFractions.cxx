@@ -1,7 +1,11 @@
 #include "Fractions/SharpFractions.h"
 
-#include "Base/Vector3.h"
+#include "Base/Lanes.h"
 #include "Fractions/Plic.h"
+
+#include <bit>
+#include <limits>
+#include <optional>
 
 namespace vfm
 {
@@ -31,94 +35,132 @@ Corners CornersOfOctant(const MaterialPatch& patch, int octant)
   return corners;
 }
 
-/// Returns whether a is nowhere less than b in the octant: a trilinear difference has
-/// its extremes at corners.
-bool Covers(const Corners& a, const Corners& b)
+/// LinearDifference of two fields as a linear function in the unit cube around 0: Mean + Slope.x
+class LinearDifference
 {
-  for (int c = 0; c < 8; ++c)
+public:
+  LinearDifference(double mean, const Vector3& slope) : Mean(mean), Size(Norm(slope))
   {
-    if (a[c] < b[c])
+    if (this->Size > Flat)
     {
-      return false;
+      this->Below.emplace(-1.0 * slope);
     }
   }
-  return true;
-}
-
-struct Contender
-{
-  std::size_t Patch;
-  Corners Values;
-  double Part; // fraction of the octant
-};
-
-/// Returns the patches that no other covers, the first of equal ones.
-std::vector<Contender> FindContenders(const std::vector<MaterialPatch>& patches, int octant)
-{
-  std::vector<Contender> found;
-  for (std::size_t p = 0; p < patches.size(); ++p)
+  LinearDifference(const Corners& a, const Corners& b) :
+    LinearDifference(MeanOf(a, b), SlopeOf(a, b))
   {
-    const Contender next{ p, CornersOfOctant(patches[p], octant), 0.0 };
-    const auto covers = [&next](const Contender& other)
-    { return Covers(other.Values, next.Values); };
-    if (std::none_of(found.begin(), found.end(), covers))
-    {
-      const auto covered = [&next](const Contender& other)
-      { return Covers(next.Values, other.Values); };
-      found.erase(std::remove_if(found.begin(), found.end(), covered), found.end());
-      found.push_back(next);
-    }
   }
-  return found;
-}
 
-/// Difference of two contenders as a linear function in the unit cube around 0: Mean + Slope.x
-struct Difference
-{
-  double Mean = 0.0;
-  Vector3 Slope{ { 0.0, 0.0, 0.0 } };
-
-  Difference(const Corners& a, const Corners& b)
-  {
-    for (int c = 0; c < 8; ++c)
-    {
-      const double d = a[c] - b[c];
-      this->Mean += 0.125 * d;
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        this->Slope[axis] += (c >> axis & 1) ? 0.25 * d : -0.25 * d;
-      }
-    }
-  }
+  /// Returns the length of the slope.
+  double Steepness() const { return this->Size; }
   /// Returns the fraction of the cube where it is above -shift.
   double PartAbove(double shift) const
   {
-    return Norm(this->Slope) > Flat ? VolumeBelowPlane(-1.0 * this->Slope, this->Mean + shift)
-                                    : (this->Mean + shift >= 0.0 ? 1.0 : 0.0);
+    return this->Below ? this->Below->Volume(this->Mean + shift)
+                       : (this->Mean + shift >= 0.0 ? 1.0 : 0.0);
   }
+
+private:
+  static double MeanOf(const Corners& a, const Corners& b)
+  {
+    double mean = 0.0;
+    for (int c = 0; c < 8; ++c)
+    {
+      mean += 0.125 * (a[c] - b[c]);
+    }
+    return mean;
+  }
+  static Vector3 SlopeOf(const Corners& a, const Corners& b)
+  {
+    Vector3 slope{ { 0.0, 0.0, 0.0 } };
+    for (int c = 0; c < 8; ++c)
+    {
+      const double d = a[c] - b[c];
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        slope[axis] += (c >> axis & 1) ? 0.25 * d : -0.25 * d;
+      }
+    }
+    return slope;
+  }
+
+  double Mean, Size;
+  std::optional<CellBelowPlanes> Below; // unless it is flat
 };
 
-void PartByPlane(std::vector<Contender>& two, const std::vector<MaterialPatch>& patches,
-  std::vector<PairRate>* rates)
+/// Values of a patch at corner c of the octants with bits 0 and 1 = 0 .. 3, from the place of that
+/// corner of the first of them.
+VFM_INLINE Lanes LoadOctants(const double* values)
 {
-  const Difference difference(two[0].Values, two[1].Values);
-  two[0].Part = difference.PartAbove(0.0);
-  two[1].Part = 1.0 - two[0].Part;
-  if (!rates)
-  {
-    return;
-  }
-  double value = 0.0; // approximate value of both fields where they are equal
+  return __builtin_shufflevector(LoadLanes(values), LoadLanes(values + 1), 0, 1, 3, 7);
+}
+
+/// Compares two patches in four octants. Sums are added in the order of LinearDifference.
+/// @param first, second  values of the patches, from the lowest corner of the octants
+/// @param[out] pair  numbers of the octants from `octant` on are set
+VFM_INLINE void CompareFour(
+  const double* first, const double* second, int octant, OctantDifferences& pair)
+{
+  const Lanes zero = Fill(0.0);
+  Lanes least = Fill(std::numeric_limits<double>::max()), greatest = -least;
+  Lanes mean = zero, x = zero, y = zero, z = zero, value = zero;
   for (int c = 0; c < 8; ++c)
   {
-    value += 0.0625 * (two[0].Values[c] + two[1].Values[c]);
+    const int at = (c & 1) + 3 * (c >> 1 & 1) + 9 * (c >> 2);
+    const Lanes a = LoadOctants(first + at), b = LoadOctants(second + at), d = a - b;
+    const Lanes quarter = 0.25 * d;
+    least = Least(least, d);
+    greatest = Greatest(greatest, d);
+    mean += 0.125 * d;
+    x += (c & 1) ? quarter : -quarter;
+    y += (c & 2) ? quarter : -quarter;
+    z += (c & 4) ? quarter : -quarter;
+    value += 0.0625 * (a + b);
   }
-  const double step = RelativeStep * Norm(difference.Slope);
-  const double rate = step > 0.0
-    ? (difference.PartAbove(step) - difference.PartAbove(-step)) / (2.0 * step) * value
-    : 0.0;
-  rates->push_back(
-    { patches[two[0].Patch].Material, patches[two[1].Patch].Material, OctantPart * rate });
+  StoreLanes(least, pair.Least.data() + octant);
+  StoreLanes(greatest, pair.Greatest.data() + octant);
+  StoreLanes(mean, pair.Mean.data() + octant);
+  StoreLanes(x, pair.Slope[0].data() + octant);
+  StoreLanes(y, pair.Slope[1].data() + octant);
+  StoreLanes(z, pair.Slope[2].data() + octant);
+  StoreLanes(value, pair.Value.data() + octant);
+}
+
+VFM_CLONES void CompareOctants(const double* first, const double* second, OctantDifferences& pair)
+{
+  CompareFour(first, second, 0, pair);
+  CompareFour(first + 9, second + 9, 4, pair);
+}
+
+/// Counts the samples of an octant at which each field is the largest, the first of equal ones.
+/// Products are formed in the order of Trilinear.
+/// @param values  `count` fields at the corners
+VFM_CLONES void CountWins(const Corners* values, int count, int* wins)
+{
+  static_assert(SamplesAlong == 4); // one row of samples is one set of lanes
+  const Lanes upper = (Lanes{ 0.0, 1.0, 2.0, 3.0 } + 0.5) / double(SamplesAlong);
+  const Lanes lower = 1.0 - upper;
+  for (int row = 0; row < SamplesAlong * SamplesAlong; ++row)
+  {
+    const double y = (row % SamplesAlong + 0.5) / SamplesAlong;
+    const double z = (row / SamplesAlong + 0.5) / SamplesAlong;
+    const double alongY[] = { 1.0 - y, y }, alongZ[] = { 1.0 - z, z };
+    Lanes most = Fill(-1.0), best = Fill(0.0);
+    for (int f = 0; f < count; ++f)
+    {
+      Lanes value = Fill(0.0);
+      for (int c = 0; c < 8; ++c)
+      {
+        value += values[f][c] * ((c & 1) ? upper : lower) * alongY[c >> 1 & 1] * alongZ[c >> 2 & 1];
+      }
+      best = value > most ? Fill(double(f)) : best;
+      most = Greatest(value, most);
+    }
+    for (int lane = 0; lane < SamplesAlong; ++lane)
+    {
+      ++wins[static_cast<int>(best[lane])];
+    }
+  }
 }
 
 double Trilinear(const Corners& values, const Vector3& x)
@@ -132,39 +174,11 @@ double Trilinear(const Corners& values, const Vector3& x)
   return result;
 }
 
-void PartBySamples(std::vector<Contender>& several)
-{
-  constexpr int count = SamplesAlong * SamplesAlong * SamplesAlong;
-  std::vector<int> wins(several.size(), 0);
-  for (int s = 0; s < count; ++s)
-  {
-    const Vector3 x{ { (s % SamplesAlong + 0.5) / SamplesAlong,
-      (s / SamplesAlong % SamplesAlong + 0.5) / SamplesAlong,
-      (s / (SamplesAlong * SamplesAlong) + 0.5) / SamplesAlong } };
-    std::size_t best = 0;
-    double most = -1.0;
-    for (std::size_t c = 0; c < several.size(); ++c)
-    {
-      const double value = Trilinear(several[c].Values, x);
-      if (value > most)
-      {
-        most = value;
-        best = c;
-      }
-    }
-    ++wins[best];
-  }
-  for (std::size_t c = 0; c < several.size(); ++c)
-  {
-    several[c].Part = static_cast<double>(wins[c]) / count;
-  }
-}
-
 /// Part of a child in one octant.
 struct Piece
 {
   double Part; // fraction of the child
-  Difference Ahead;
+  LinearDifference Ahead;
 };
 
 /// Interval of child n of several in the lower or upper half of a cell; the half is [0, 1].
@@ -214,94 +228,233 @@ std::vector<Piece> CutAtOctants(const MaterialPatch& first, const MaterialPatch&
       own[c] = Trilinear(a, at);
       others[c] = Trilinear(b, at);
     }
-    pieces.push_back({ part, Difference(own, others) });
+    pieces.push_back({ part, LinearDifference(own, others) });
   }
   return pieces;
 }
 
+/// Divides by a width. A width that is a power of 2 has an exact inverse, which is faster and gives
+/// the same.
+class WidthDivisor
+{
+public:
+  explicit WidthDivisor(double width) : Width(width), Inverse(1.0 / width)
+  {
+    constexpr std::uint64_t digits = (std::uint64_t(1) << 52) - 1;
+    this->IsPower = (std::bit_cast<std::uint64_t>(width) & digits) == 0;
+  }
+  bool IsPowerOf2() const { return this->IsPower; }
+  double Divide(double value) const { return value / this->Width; }
+  double Multiply(double value) const { return value * this->Inverse; }
+
+private:
+  double Width, Inverse;
+  bool IsPower;
+};
+
+/// A cell and those below and above it along an axis.
+struct ThreeCells
+{
+  bool IsFirst, IsLast; // of the domain
+  double Width, Below, Above;
+  WidthDivisor WithBelow, WithAbove; // of the sums of two widths
+
+  ThreeCells(const CartesianGrid& grid, int axis, Index i) :
+    IsFirst(i == 0),
+    IsLast(i == grid.Global().Upper[axis] - 1),
+    Width(grid.Width(axis, i)),
+    Below(grid.Width(axis, this->IsFirst ? i : i - 1)),
+    Above(grid.Width(axis, this->IsLast ? i : i + 1)),
+    WithBelow(this->Below + this->Width),
+    WithAbove(this->Above + this->Width)
+  {
+  }
+};
+
 /// Converts the values at the centres of three cells in a row to values on the sides and
 /// in the middle of the second. On a side of the domain the field is extrapolated, so
 /// that planes stay planes.
-void Interpolate(const CartesianGrid& grid, int axis, Index i, std::array<double, 27>& values)
+/// @param Step  places between values along the axis: 1, 3 or 9
+/// @param divide  divide(value, divisor)
+template <int Step, class Divide>
+void Interpolate(const ThreeCells& cells, const Divide& divide, double* values)
 {
-  const Index last = grid.Global().Upper[axis] - 1;
-  const double width = grid.Width(axis, i);
-  const double below = grid.Width(axis, std::max<Index>(i - 1, 0));
-  const double above = grid.Width(axis, std::min(i + 1, last));
-  const int step = axis == 0 ? 1 : (axis == 1 ? 3 : 9);
+  for (int n = 0; n < 9; ++n)
+  {
+    double* const v = values + (Step == 1 ? 3 * n : (Step == 3 ? n % 3 + n / 3 * 9 : n));
+    const double middle = v[Step];
+    const double low = divide(v[0] * cells.Width + middle * cells.Below, cells.WithBelow);
+    const double high = divide(v[2 * Step] * cells.Width + middle * cells.Above, cells.WithAbove);
+    v[0] = cells.IsFirst ? 2.0 * middle - high : low;
+    v[2 * Step] = cells.IsLast ? 2.0 * middle - low : high;
+  }
+}
+
+template <int Axis>
+void Interpolate(const CartesianGrid& grid, const Index3& cell, std::vector<MaterialPatch>& patches)
+{
+  constexpr int step = Axis == 0 ? 1 : (Axis == 1 ? 3 : 9);
+  const ThreeCells cells(grid, Axis, cell[Axis]);
+  const auto divide = [](double value, const WidthDivisor& by) { return by.Divide(value); };
+  const auto multiply = [](double value, const WidthDivisor& by) { return by.Multiply(value); };
+  const bool multiplies = cells.WithBelow.IsPowerOf2() && cells.WithAbove.IsPowerOf2();
+  for (MaterialPatch& patch : patches)
+  {
+    multiplies ? Interpolate<step>(cells, multiply, patch.Values.data())
+               : Interpolate<step>(cells, divide, patch.Values.data());
+  }
+}
+
+/// Returns the cells around a cell, those of the domain that are nearest to them.
+std::array<Index, 27> ListAround(const CartesianGrid& grid, const Index3& cell)
+{
+  std::array<std::array<Index, 3>, 3> shift; // of the linear index, by axis and step
+  for (int a = 0; a < 3; ++a)
+  {
+    shift[a] = { { cell[a] > grid.Global().Lower[a] ? -grid.Stride(a) : 0, 0,
+      cell[a] + 1 < grid.Global().Upper[a] ? grid.Stride(a) : 0 } };
+  }
+  std::array<Index, 27> around;
   for (int v = 0; v < 27; ++v)
   {
-    if (v / step % 3 == 1)
-    {
-      const double middle = values[v];
-      const double low = (values[v - step] * width + middle * below) / (below + width);
-      const double high = (values[v + step] * width + middle * above) / (above + width);
-      values[v - step] = i == 0 ? 2.0 * middle - high : low;
-      values[v + step] = i == last ? 2.0 * middle - low : high;
-    }
+    around[v] = grid.Linear(cell) + shift[0][v % 3] + shift[1][v / 3 % 3] + shift[2][v / 9];
   }
+  return around;
 }
 
 } // namespace
 
-std::vector<MaterialPatch> MakePatches(const CartesianGrid& grid, const FractionField& smooth,
-  const Index3& cell, const std::vector<int>& materials, const std::vector<double>& weights)
+PatchFinder::PatchFinder(const CartesianGrid& grid, const FractionField& smooth) :
+  Grid(grid), Smooth(smooth), ValuesOf(smooth.NumberOfMaterials() + 1, this->Unused.data())
 {
-  std::array<Index, 27> around;
-  for (int v = 0; v < 27; ++v)
-  {
-    around[v] = grid.Linear(grid.Global().Nearest(CellAround(cell, v)));
-  }
-  std::vector<MaterialPatch> patches;
-  for (int material : materials)
-  {
-    patches.push_back({ material, {} });
-    std::array<double, 27>& values = patches.back().Values;
-    for (int v = 0; v < 27; ++v)
-    {
-      values[v] = weights[material] * smooth.Fraction(around[v], material);
-    }
-    for (int a = 0; a < 3; ++a)
-    {
-      Interpolate(grid, a, cell[a], values);
-    }
-  }
-  return patches;
 }
 
-std::vector<FractionField::Part> FindSharpFractions(
+const std::vector<MaterialPatch>& PatchFinder::Find(
+  const Index3& cell, std::span<const int> materials, const std::vector<double>& weights)
+{
+  this->Patches.resize(materials.size());
+  for (std::size_t m = 0; m < materials.size(); ++m)
+  {
+    this->Patches[m].Material = materials[m];
+    this->Patches[m].Values.fill(0.0);
+    this->ValuesOf[materials[m]] = this->Patches[m].Values.data();
+  }
+  const std::array<Index, 27> around = ListAround(this->Grid, cell);
+  for (int v = 0; v < 27; ++v)
+  {
+    this->Smooth.ForParts(around[v],
+      [&](int material, double fraction)
+      { this->ValuesOf[material][v] = weights[material] * fraction; });
+  }
+  Interpolate<0>(this->Grid, cell, this->Patches);
+  Interpolate<1>(this->Grid, cell, this->Patches);
+  Interpolate<2>(this->Grid, cell, this->Patches);
+  for (int material : materials)
+  {
+    this->ValuesOf[material] = this->Unused.data();
+  }
+  return this->Patches;
+}
+
+const std::vector<double>& SharpFractions::Find(
   const std::vector<MaterialPatch>& patches, std::vector<PairRate>* rates)
 {
-  std::vector<double> fractions(patches.size(), 0.0);
+  this->Fractions.assign(patches.size(), 0.0);
+  this->Compare(patches);
   for (int octant = 0; octant < 8; ++octant)
   {
-    std::vector<Contender> contenders = FindContenders(patches, octant);
-    if (contenders.size() == 1)
+    this->FindContenders(patches.size(), octant);
+    if (this->Contenders.size() == 1)
     {
-      contenders[0].Part = 1.0;
+      this->Fractions[this->Contenders[0]] += OctantPart;
     }
-    else if (contenders.size() == 2)
+    else if (this->Contenders.size() == 2)
     {
-      PartByPlane(contenders, patches, rates);
+      this->PartByPlane(patches, octant, rates);
     }
     else
     {
-      PartBySamples(contenders);
-    }
-    for (const Contender& c : contenders)
-    {
-      fractions[c.Patch] += OctantPart * c.Part;
+      this->PartBySamples(patches, octant);
     }
   }
-  std::vector<FractionField::Part> parts;
-  for (std::size_t p = 0; p < patches.size(); ++p)
+  return this->Fractions;
+}
+
+void SharpFractions::Compare(const std::vector<MaterialPatch>& patches)
+{
+  this->Pairs.resize(patches.size() * (patches.size() - 1) / 2);
+  auto pair = this->Pairs.begin();
+  for (std::size_t second = 1; second < patches.size(); ++second)
   {
-    if (fractions[p] > 0.0)
+    for (std::size_t first = 0; first < second; ++first)
     {
-      parts.push_back({ patches[p].Material, fractions[p] });
+      CompareOctants(patches[first].Values.data(), patches[second].Values.data(), *pair++);
     }
   }
-  return parts;
+}
+
+/// @param second  above first
+const OctantDifferences& SharpFractions::Pair(std::size_t first, std::size_t second) const
+{
+  return this->Pairs[second * (second - 1) / 2 + first];
+}
+
+/// A patch covers another one in an octant if it is nowhere less: a trilinear difference has its
+/// extremes at corners.
+void SharpFractions::FindContenders(std::size_t patches, int octant)
+{
+  std::vector<std::size_t>& found = this->Contenders;
+  found.clear();
+  for (std::size_t p = 0; p < patches; ++p)
+  {
+    const auto covers = [&](std::size_t other)
+    { return this->Pair(other, p).Least[octant] >= 0.0; };
+    if (std::none_of(found.begin(), found.end(), covers))
+    {
+      const auto isCovered = [&](std::size_t other)
+      { return this->Pair(other, p).Greatest[octant] <= 0.0; };
+      found.erase(std::remove_if(found.begin(), found.end(), isCovered), found.end());
+      found.push_back(p);
+    }
+  }
+}
+
+void SharpFractions::PartByPlane(
+  const std::vector<MaterialPatch>& patches, int octant, std::vector<PairRate>* rates)
+{
+  const std::size_t first = this->Contenders[0], second = this->Contenders[1];
+  const OctantDifferences& pair = this->Pair(first, second);
+  const LinearDifference difference(
+    pair.Mean[octant], { { pair.Slope[0][octant], pair.Slope[1][octant], pair.Slope[2][octant] } });
+  const double part = difference.PartAbove(0.0);
+  this->Fractions[first] += OctantPart * part;
+  this->Fractions[second] += OctantPart * (1.0 - part);
+  if (rates)
+  {
+    // The mean of both fields is their approximate value where they are equal.
+    const double step = RelativeStep * difference.Steepness();
+    const double rate = step > 0.0 ? (difference.PartAbove(step) - difference.PartAbove(-step)) /
+        (2.0 * step) * pair.Value[octant]
+                                   : 0.0;
+    rates->push_back({ patches[first].Material, patches[second].Material, OctantPart * rate });
+  }
+}
+
+void SharpFractions::PartBySamples(const std::vector<MaterialPatch>& patches, int octant)
+{
+  constexpr int count = SamplesAlong * SamplesAlong * SamplesAlong;
+  this->Rest.clear();
+  for (std::size_t p : this->Contenders)
+  {
+    this->Rest.push_back(CornersOfOctant(patches[p], octant));
+  }
+  this->Wins.assign(this->Contenders.size(), 0);
+  CountWins(this->Rest.data(), static_cast<int>(this->Rest.size()), this->Wins.data());
+  for (std::size_t c = 0; c < this->Contenders.size(); ++c)
+  {
+    this->Fractions[this->Contenders[c]] +=
+      OctantPart * (static_cast<double>(this->Wins[c]) / count);
+  }
 }
 
 std::vector<double> ShareChildren(

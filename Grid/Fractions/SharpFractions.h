@@ -11,6 +11,8 @@
 
 #include "Fractions/FractionField.h"
 
+#include <span>
+
 namespace vfm
 {
 
@@ -30,17 +32,65 @@ struct PairRate
   double Rate;
 };
 
-/// Returns the patches of some materials around a cell, in the order of the materials.
-/// @param smooth  the 26 cells around must be in the local box or outside the domain
-/// @param weights  factor of each field, by material
-std::vector<MaterialPatch> MakePatches(const CartesianGrid& grid, const FractionField& smooth,
-  const Index3& cell, const std::vector<int>& materials, const std::vector<double>& weights);
+/// Finds the patches of materials around cells; keeps its memory, for the next cell.
+class PatchFinder
+{
+public:
+  /// @param smooth  fields; the 26 cells around each cell must be in the local box or outside the
+  ///   domain
+  PatchFinder(const CartesianGrid& grid, const FractionField& smooth);
+  PatchFinder(const PatchFinder&) = delete; // it holds pointers to its members
+  PatchFinder& operator=(const PatchFinder&) = delete;
 
-/// Returns the fraction of the cell where each material has the largest field. Materials without a
-/// fraction are left out; the sum is 1.
-/// @param[in,out] rates  rates of pairs of materials are appended, unless it is null
-std::vector<FractionField::Part> FindSharpFractions(
-  const std::vector<MaterialPatch>& patches, std::vector<PairRate>* rates = nullptr);
+  /// Returns the patches of some materials around a cell, in their order. Valid until the next
+  /// call.
+  /// @param materials  distinct
+  /// @param weights  factor of each field, by material
+  const std::vector<MaterialPatch>& Find(
+    const Index3& cell, std::span<const int> materials, const std::vector<double>& weights);
+
+private:
+  const CartesianGrid& Grid;
+  const FractionField& Smooth;
+  std::vector<MaterialPatch> Patches;
+  std::array<double, 27> Unused; // takes the values of all other materials
+  std::vector<double*> ValuesOf; // by material, those of its patch or Unused
+};
+
+/// How two fields differ in the octants of a cell, one number per octant.
+struct OctantDifferences
+{
+  std::array<double, 8> Least, Greatest; ///< of the first minus the second
+  std::array<double, 8> Mean;            ///< of the first minus the second
+  std::array<std::array<double, 8>, 3> Slope;
+  std::array<double, 8> Value; ///< mean of both fields
+};
+
+/// Finds sharp fractions; keeps its memory, for the next cell.
+class SharpFractions
+{
+public:
+  /// Returns the fraction of the cell where each patch has the largest field; their sum is 1.
+  /// Valid until the next call.
+  /// @param[in,out] rates  rates of pairs of materials are appended, unless it is null
+  const std::vector<double>& Find(
+    const std::vector<MaterialPatch>& patches, std::vector<PairRate>* rates = nullptr);
+
+private:
+  void Compare(const std::vector<MaterialPatch>& patches);
+  const OctantDifferences& Pair(std::size_t first, std::size_t second) const;
+  void FindContenders(std::size_t patches, int octant);
+  void PartByPlane(
+    const std::vector<MaterialPatch>& patches, int octant, std::vector<PairRate>* rates);
+  void PartBySamples(const std::vector<MaterialPatch>& patches, int octant);
+
+  std::vector<double> Fractions;        // by patch
+  std::vector<OctantDifferences> Pairs; // of all pairs of patches, by the second, then the first
+  std::vector<std::size_t> Contenders;  // patches that no other covers in an octant
+  std::vector<std::array<double, 8>>
+    Rest;                // their values at the corners, if there are three or more
+  std::vector<int> Wins; // samples in which each of them is the largest
+};
 
 /// Returns the fraction of each child that the first of two materials fills. It fills the region
 /// where its field plus a constant exceeds the field of the second.

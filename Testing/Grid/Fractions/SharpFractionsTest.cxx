@@ -28,13 +28,13 @@ MaterialPatch AlongX(int material, double low, double high)
 
 TEST(SharpFractions, PlaneWhereFieldsAreEqual)
 {
-  const auto parts = FindSharpFractions({ AlongX(1, 0.0, 1.0), AlongX(2, 0.6, 0.0) });
-  ASSERT_EQ(parts.size(), 2u);
-  EXPECT_NEAR(parts[0].Fraction, 1.0 - 0.6 / 1.6, 1e-12);
-  EXPECT_NEAR(parts[0].Fraction + parts[1].Fraction, 1.0, 1e-14);
-  const auto one = FindSharpFractions({ AlongX(1, 0.6, 1.0), AlongX(2, 0.5, 0.0) });
-  ASSERT_EQ(one.size(), 1u);
-  EXPECT_EQ(one[0].Material, 1);
+  SharpFractions sharp;
+  const std::vector<double> two = sharp.Find({ AlongX(1, 0.0, 1.0), AlongX(2, 0.6, 0.0) });
+  ASSERT_EQ(two.size(), 2u);
+  EXPECT_NEAR(two[0], 1.0 - 0.6 / 1.6, 1e-12);
+  EXPECT_NEAR(two[0] + two[1], 1.0, 1e-14);
+  const std::vector<double> one{ 1.0, 0.0 };
+  EXPECT_EQ(sharp.Find({ AlongX(1, 0.6, 1.0), AlongX(2, 0.5, 0.0) }), one);
 }
 
 TEST(SharpFractions, ChildrenOnOneSideAreFull)
