@@ -30,7 +30,7 @@ Corners CornersOfOctant(const MaterialPatch& patch, int octant)
   {
     const int x = (octant & 1) + (c & 1), y = (octant >> 1 & 1) + (c >> 1 & 1);
     const int z = (octant >> 2 & 1) + (c >> 2 & 1);
-    corners[c] = patch.Values[x + 3 * y + 9 * z];
+    corners[c] = patch.Values[x + MaterialPatch::Row * y + MaterialPatch::Layer * z];
   }
   return corners;
 }
@@ -88,74 +88,130 @@ private:
   std::optional<CellBelowPlanes> Below; // unless it is flat
 };
 
-/// Values of a patch at corner c of the octants with bits 0 and 1 = 0 .. 3, from the place of that
-/// corner of the first of them.
+/// Reads the values of a patch at a corner of four octants, from its place in the first of them.
 VFM_INLINE Lanes LoadOctants(const double* values)
 {
-  return __builtin_shufflevector(LoadLanes(values), LoadLanes(values + 1), 0, 1, 3, 7);
+  return __builtin_shufflevector(
+    LoadLanes(values), LoadLanes(values + MaterialPatch::Row), 0, 1, 4, 5);
 }
 
-/// Compares two patches in four octants. Sums are added in the order of LinearDifference.
-/// @param first, second  values of the patches, from the lowest corner of the octants
-/// @param[out] pair  numbers of the octants from `octant` on are set
-VFM_INLINE void CompareFour(
-  const double* first, const double* second, int octant, OctantDifferences& pair)
+/// Returns the place of corner c of the first octant in a patch.
+constexpr int PlaceOfCorner(int c)
 {
-  const Lanes zero = Fill(0.0);
-  Lanes least = Fill(std::numeric_limits<double>::max()), greatest = -least;
-  Lanes mean = zero, x = zero, y = zero, z = zero, value = zero;
+  return (c & 1) + MaterialPatch::Row * (c >> 1 & 1) + MaterialPatch::Layer * (c >> 2);
+}
+
+/// Returns which of four lanes are set.
+VFM_INLINE unsigned BitsOf(const Mask& lanes)
+{
+  const Mask bits = lanes & Mask{ 1, 2, 4, 8 };
+  return static_cast<unsigned>((bits[0] | bits[1]) | (bits[2] | bits[3]));
+}
+
+/// Finds the octants in which one of two patches covers the other: a trilinear difference has its
+/// extremes at corners.
+VFM_CLONES void FindCovers(const double* first, const double* second, OctantDifferences& pair)
+{
+  pair.FirstCovers = pair.SecondCovers = 0;
+  for (int half = 0; half < 2; ++half)
+  {
+    Lanes least = Fill(std::numeric_limits<double>::max()), greatest = -least;
+    for (int c = 0; c < 8; ++c)
+    {
+      const int at = PlaceOfCorner(c) + half * MaterialPatch::Layer;
+      const Lanes difference = LoadOctants(first + at) - LoadOctants(second + at);
+      least = Least(least, difference);
+      greatest = Greatest(greatest, difference);
+    }
+    pair.FirstCovers |= BitsOf(least >= Fill(0.0)) << 4 * half;
+    pair.SecondCovers |= BitsOf(greatest <= Fill(0.0)) << 4 * half;
+  }
+}
+
+/// Finds the means and the slopes of two patches in the octants. Sums are added in the order of
+/// LinearDifference.
+VFM_CLONES void FindPlanes(const double* first, const double* second, OctantDifferences& pair)
+{
+  for (int half = 0; half < 2; ++half)
+  {
+    const Lanes zero = Fill(0.0);
+    Lanes mean = zero, x = zero, y = zero, z = zero, value = zero;
+    for (int c = 0; c < 8; ++c)
+    {
+      const int at = PlaceOfCorner(c) + half * MaterialPatch::Layer;
+      const Lanes a = LoadOctants(first + at), b = LoadOctants(second + at), d = a - b;
+      const Lanes quarter = 0.25 * d;
+      mean += 0.125 * d;
+      x += (c & 1) ? quarter : -quarter;
+      y += (c & 2) ? quarter : -quarter;
+      z += (c & 4) ? quarter : -quarter;
+      value += 0.0625 * (a + b);
+    }
+    StoreLanes(mean, pair.Mean.data() + 4 * half);
+    StoreLanes(x, pair.Slope[0].data() + 4 * half);
+    StoreLanes(y, pair.Slope[1].data() + 4 * half);
+    StoreLanes(z, pair.Slope[2].data() + 4 * half);
+    StoreLanes(value, pair.Value.data() + 4 * half);
+  }
+  pair.HasPlanes = true;
+}
+
+/// Rows of samples in an octant, and the largest field of each sample up to now.
+struct SampleRows
+{
+  static constexpr int Count = SamplesAlong * SamplesAlong;
+  Lanes Most[Count], Best[Count];
+};
+
+/// Updates samples by field f. Products are formed in the order of Trilinear.
+VFM_INLINE void AddField(const Corners& values, int f, SampleRows& rows)
+{
+  const Lanes upper = (Lanes{ 0.0, 1.0, 2.0, 3.0 } + 0.5) / double(SamplesAlong);
+  const Lanes lower = 1.0 - upper;
+  Lanes alongX[8], alongXY[8];
   for (int c = 0; c < 8; ++c)
   {
-    const int at = (c & 1) + 3 * (c >> 1 & 1) + 9 * (c >> 2);
-    const Lanes a = LoadOctants(first + at), b = LoadOctants(second + at), d = a - b;
-    const Lanes quarter = 0.25 * d;
-    least = Least(least, d);
-    greatest = Greatest(greatest, d);
-    mean += 0.125 * d;
-    x += (c & 1) ? quarter : -quarter;
-    y += (c & 2) ? quarter : -quarter;
-    z += (c & 4) ? quarter : -quarter;
-    value += 0.0625 * (a + b);
+    alongX[c] = values[c] * ((c & 1) ? upper : lower);
   }
-  StoreLanes(least, pair.Least.data() + octant);
-  StoreLanes(greatest, pair.Greatest.data() + octant);
-  StoreLanes(mean, pair.Mean.data() + octant);
-  StoreLanes(x, pair.Slope[0].data() + octant);
-  StoreLanes(y, pair.Slope[1].data() + octant);
-  StoreLanes(z, pair.Slope[2].data() + octant);
-  StoreLanes(value, pair.Value.data() + octant);
-}
-
-VFM_CLONES void CompareOctants(const double* first, const double* second, OctantDifferences& pair)
-{
-  CompareFour(first, second, 0, pair);
-  CompareFour(first + 9, second + 9, 4, pair);
+  for (int j = 0; j < SamplesAlong; ++j)
+  {
+    const double y = (j + 0.5) / SamplesAlong;
+    for (int c = 0; c < 8; ++c)
+    {
+      alongXY[c] = alongX[c] * ((c & 2) ? y : 1.0 - y);
+    }
+    for (int k = 0; k < SamplesAlong; ++k)
+    {
+      const double z = (k + 0.5) / SamplesAlong;
+      Lanes value = Fill(0.0);
+      for (int c = 0; c < 8; ++c)
+      {
+        value += alongXY[c] * ((c & 4) ? z : 1.0 - z);
+      }
+      const int row = SamplesAlong * j + k;
+      rows.Best[row] = value > rows.Most[row] ? Fill(double(f)) : rows.Best[row];
+      rows.Most[row] = Greatest(value, rows.Most[row]);
+    }
+  }
 }
 
 /// Counts the samples of an octant at which each field is the largest, the first of equal ones.
-/// Products are formed in the order of Trilinear.
 /// @param values  `count` fields at the corners
 VFM_CLONES void CountWins(const Corners* values, int count, int* wins)
 {
   static_assert(SamplesAlong == 4); // one row of samples is one set of lanes
-  const Lanes upper = (Lanes{ 0.0, 1.0, 2.0, 3.0 } + 0.5) / double(SamplesAlong);
-  const Lanes lower = 1.0 - upper;
-  for (int row = 0; row < SamplesAlong * SamplesAlong; ++row)
+  SampleRows rows;
+  for (int row = 0; row < SampleRows::Count; ++row)
   {
-    const double y = (row % SamplesAlong + 0.5) / SamplesAlong;
-    const double z = (row / SamplesAlong + 0.5) / SamplesAlong;
-    const double alongY[] = { 1.0 - y, y }, alongZ[] = { 1.0 - z, z };
-    Lanes most = Fill(-1.0), best = Fill(0.0);
-    for (int f = 0; f < count; ++f)
-    {
-      Lanes value = Fill(0.0);
-      for (int c = 0; c < 8; ++c)
-      {
-        value += values[f][c] * ((c & 1) ? upper : lower) * alongY[c >> 1 & 1] * alongZ[c >> 2 & 1];
-      }
-      best = value > most ? Fill(double(f)) : best;
-      most = Greatest(value, most);
-    }
+    rows.Most[row] = Fill(-1.0);
+    rows.Best[row] = Fill(0.0);
+  }
+  for (int f = 0; f < count; ++f)
+  {
+    AddField(values[f], f, rows);
+  }
+  for (const Lanes& best : rows.Best)
+  {
     for (int lane = 0; lane < SamplesAlong; ++lane)
     {
       ++wins[static_cast<int>(best[lane])];
@@ -233,76 +289,109 @@ std::vector<Piece> CutAtOctants(const MaterialPatch& first, const MaterialPatch&
   return pieces;
 }
 
-/// Divides by a width. A width that is a power of 2 has an exact inverse, which is faster and gives
-/// the same.
-class WidthDivisor
-{
-public:
-  explicit WidthDivisor(double width) : Width(width), Inverse(1.0 / width)
-  {
-    constexpr std::uint64_t digits = (std::uint64_t(1) << 52) - 1;
-    this->IsPower = (std::bit_cast<std::uint64_t>(width) & digits) == 0;
-  }
-  bool IsPowerOf2() const { return this->IsPower; }
-  double Divide(double value) const { return value / this->Width; }
-  double Multiply(double value) const { return value * this->Inverse; }
-
-private:
-  double Width, Inverse;
-  bool IsPower;
-};
-
 /// A cell and those below and above it along an axis.
 struct ThreeCells
 {
   bool IsFirst, IsLast; // of the domain
   double Width, Below, Above;
-  WidthDivisor WithBelow, WithAbove; // of the sums of two widths
 
   ThreeCells(const CartesianGrid& grid, int axis, Index i) :
     IsFirst(i == 0),
     IsLast(i == grid.Global().Upper[axis] - 1),
     Width(grid.Width(axis, i)),
     Below(grid.Width(axis, this->IsFirst ? i : i - 1)),
-    Above(grid.Width(axis, this->IsLast ? i : i + 1)),
-    WithBelow(this->Below + this->Width),
-    WithAbove(this->Above + this->Width)
+    Above(grid.Width(axis, this->IsLast ? i : i + 1))
   {
   }
 };
 
-/// Converts the values at the centres of three cells in a row to values on the sides and
-/// in the middle of the second. On a side of the domain the field is extrapolated, so
-/// that planes stay planes.
-/// @param Step  places between values along the axis: 1, 3 or 9
-/// @param divide  divide(value, divisor)
-template <int Step, class Divide>
-void Interpolate(const ThreeCells& cells, const Divide& divide, double* values)
+/// Divides by the sum of two widths. A sum that is a power of 2 has an exact inverse, which is
+/// faster and gives the same.
+template <bool IsPowerOf2>
+VFM_INLINE Lanes Divide(const Lanes& value, const Lanes& by)
 {
-  for (int n = 0; n < 9; ++n)
+  return IsPowerOf2 ? value * by : value / by;
+}
+
+/// Converts lanes of values at the centres of three cells to values on the sides of the second.
+/// @param below, above  sums of widths, or their inverses
+/// @param[in,out] low, high  first and third cell
+template <bool IsPowerOf2>
+VFM_INLINE void Interpolate(const ThreeCells& cells, double below, double above,
+  const Lanes& middle, double* low, double* high)
+{
+  const Lanes atLow =
+    Divide<IsPowerOf2>(LoadLanes(low) * cells.Width + middle * cells.Below, Fill(below));
+  const Lanes atHigh =
+    Divide<IsPowerOf2>(LoadLanes(high) * cells.Width + middle * cells.Above, Fill(above));
+  StoreLanes(cells.IsFirst ? 2.0 * middle - atHigh : atLow, low);
+  StoreLanes(cells.IsLast ? 2.0 * middle - atLow : atHigh, high);
+}
+
+/// Does the same along x, in each row of a patch.
+template <bool IsPowerOf2>
+VFM_INLINE void InterpolateRow(const ThreeCells& cells, double below, double above, double* row)
+{
+  const Lanes values = LoadLanes(row);
+  const Lanes middle = __builtin_shufflevector(values, values, 1, 1, 1, 1);
+  const Lanes sides =
+    Divide<IsPowerOf2>(values * cells.Width + middle * Lanes{ cells.Below, 0.0, cells.Above, 0.0 },
+      Lanes{ below, 1.0, above, 1.0 });
+  const Lanes beyond =
+    2.0 * middle - __builtin_shufflevector(sides, sides, 2, 1, 0, 3); // from the other side
+  row[0] = cells.IsFirst ? beyond[0] : sides[0];
+  row[2] = cells.IsLast ? beyond[2] : sides[2];
+}
+
+template <bool IsPowerOf2>
+VFM_INLINE void InterpolateAll(
+  const ThreeCells& cells, int axis, double below, double above, double* values)
+{
+  constexpr int row = MaterialPatch::Row, layer = MaterialPatch::Layer;
+  for (int n = 0; axis == 0 && n < 9; ++n)
   {
-    double* const v = values + (Step == 1 ? 3 * n : (Step == 3 ? n % 3 + n / 3 * 9 : n));
-    const double middle = v[Step];
-    const double low = divide(v[0] * cells.Width + middle * cells.Below, cells.WithBelow);
-    const double high = divide(v[2 * Step] * cells.Width + middle * cells.Above, cells.WithAbove);
-    v[0] = cells.IsFirst ? 2.0 * middle - high : low;
-    v[2 * Step] = cells.IsLast ? 2.0 * middle - low : high;
+    InterpolateRow<IsPowerOf2>(cells, below, above, values + row * n);
+  }
+  const int step = axis == 1 ? row : layer; // between values along the axis
+  const int next = axis == 1 ? layer : row; // between rows across it
+  for (int n = 0; axis != 0 && n < 3; ++n)
+  {
+    double* const low = values + next * n;
+    Interpolate<IsPowerOf2>(cells, below, above, LoadLanes(low + step), low, low + 2 * step);
   }
 }
 
-template <int Axis>
-void Interpolate(const CartesianGrid& grid, const Index3& cell, std::vector<MaterialPatch>& patches)
+/// Returns whether a number above 0 is a power of 2.
+bool IsPowerOf2(double number)
 {
-  constexpr int step = Axis == 0 ? 1 : (Axis == 1 ? 3 : 9);
-  const ThreeCells cells(grid, Axis, cell[Axis]);
-  const auto divide = [](double value, const WidthDivisor& by) { return by.Divide(value); };
-  const auto multiply = [](double value, const WidthDivisor& by) { return by.Multiply(value); };
-  const bool multiplies = cells.WithBelow.IsPowerOf2() && cells.WithAbove.IsPowerOf2();
-  for (MaterialPatch& patch : patches)
+  return (std::bit_cast<std::uint64_t>(number) & ((std::uint64_t(1) << 52) - 1)) == 0;
+}
+
+/// Converts the values of a patch at the centres of cells to values on the sides and in the middle
+/// of the second cell along each axis. On a side of the domain the field is extrapolated, so that
+/// planes stay planes.
+/// @param cells  by axis
+VFM_CLONES void InterpolatePatch(const std::array<ThreeCells, 3>& cells, double* values)
+{
+  for (int axis = 0; axis < 3; ++axis)
   {
-    multiplies ? Interpolate<step>(cells, multiply, patch.Values.data())
-               : Interpolate<step>(cells, divide, patch.Values.data());
+    const double below = cells[axis].Below + cells[axis].Width;
+    const double above = cells[axis].Above + cells[axis].Width;
+    if (IsPowerOf2(below) && IsPowerOf2(above))
+    {
+      InterpolateAll<true>(cells[axis], axis, 1.0 / below, 1.0 / above, values);
+    }
+    else
+    {
+      InterpolateAll<false>(cells[axis], axis, below, above, values);
+    }
   }
+}
+
+/// Returns the place of the n-th of the 27 cells around a cell in a patch.
+constexpr int PlaceOfCell(int n)
+{
+  return n % 3 + MaterialPatch::Row * (n / 3);
 }
 
 /// Returns the cells around a cell, those of the domain that are nearest to them.
@@ -340,15 +429,19 @@ const std::vector<MaterialPatch>& PatchFinder::Find(
     this->ValuesOf[materials[m]] = this->Patches[m].Values.data();
   }
   const std::array<Index, 27> around = ListAround(this->Grid, cell);
-  for (int v = 0; v < 27; ++v)
+  for (int n = 0; n < 27; ++n)
   {
-    this->Smooth.ForParts(around[v],
+    const int place = PlaceOfCell(n);
+    this->Smooth.ForParts(around[n],
       [&](int material, double fraction)
-      { this->ValuesOf[material][v] = weights[material] * fraction; });
+      { this->ValuesOf[material][place] = weights[material] * fraction; });
   }
-  Interpolate<0>(this->Grid, cell, this->Patches);
-  Interpolate<1>(this->Grid, cell, this->Patches);
-  Interpolate<2>(this->Grid, cell, this->Patches);
+  const std::array<ThreeCells, 3> cells{ { ThreeCells(this->Grid, 0, cell[0]),
+    ThreeCells(this->Grid, 1, cell[1]), ThreeCells(this->Grid, 2, cell[2]) } };
+  for (MaterialPatch& patch : this->Patches)
+  {
+    InterpolatePatch(cells, patch.Values.data());
+  }
   for (int material : materials)
   {
     this->ValuesOf[material] = this->Unused.data();
@@ -360,17 +453,27 @@ const std::vector<double>& SharpFractions::Find(
   const std::vector<MaterialPatch>& patches, std::vector<PairRate>* rates)
 {
   this->Fractions.assign(patches.size(), 0.0);
-  this->Compare(patches);
+  this->FindContenders(patches);
   for (int octant = 0; octant < 8; ++octant)
   {
-    this->FindContenders(patches.size(), octant);
-    if (this->Contenders.size() == 1)
+    int count = 0;
+    std::size_t first = 0, last = 0; // contenders
+    for (std::size_t p = 0; p < patches.size(); ++p)
     {
-      this->Fractions[this->Contenders[0]] += OctantPart;
+      if (this->IsContender[p] >> octant & 1)
+      {
+        first = count == 0 ? p : first;
+        last = p;
+        ++count;
+      }
     }
-    else if (this->Contenders.size() == 2)
+    if (count == 1)
     {
-      this->PartByPlane(patches, octant, rates);
+      this->Fractions[first] += OctantPart;
+    }
+    else if (count == 2)
+    {
+      this->PartByPlane(patches, first, last, octant, rates);
     }
     else
     {
@@ -380,50 +483,37 @@ const std::vector<double>& SharpFractions::Find(
   return this->Fractions;
 }
 
-void SharpFractions::Compare(const std::vector<MaterialPatch>& patches)
+/// Finds the patches that no other covers in each octant, the first of equal ones.
+void SharpFractions::FindContenders(const std::vector<MaterialPatch>& patches)
 {
-  this->Pairs.resize(patches.size() * (patches.size() - 1) / 2);
-  auto pair = this->Pairs.begin();
-  for (std::size_t second = 1; second < patches.size(); ++second)
+  const std::size_t count = patches.size();
+  this->Pairs.resize(count * (count - 1) / 2);
+  this->IsContender.assign(count, 0xffu);
+  for (std::size_t second = 1; second < count; ++second)
   {
+    unsigned& isContender = this->IsContender[second];
     for (std::size_t first = 0; first < second; ++first)
     {
-      CompareOctants(patches[first].Values.data(), patches[second].Values.data(), *pair++);
+      OctantDifferences& pair = this->Pair(first, second);
+      pair.HasPlanes = false;
+      FindCovers(patches[first].Values.data(), patches[second].Values.data(), pair);
+      isContender &= ~(this->IsContender[first] & pair.FirstCovers);
     }
-  }
-}
-
-/// @param second  above first
-const OctantDifferences& SharpFractions::Pair(std::size_t first, std::size_t second) const
-{
-  return this->Pairs[second * (second - 1) / 2 + first];
-}
-
-/// A patch covers another one in an octant if it is nowhere less: a trilinear difference has its
-/// extremes at corners.
-void SharpFractions::FindContenders(std::size_t patches, int octant)
-{
-  std::vector<std::size_t>& found = this->Contenders;
-  found.clear();
-  for (std::size_t p = 0; p < patches; ++p)
-  {
-    const auto covers = [&](std::size_t other)
-    { return this->Pair(other, p).Least[octant] >= 0.0; };
-    if (std::none_of(found.begin(), found.end(), covers))
+    for (std::size_t first = 0; first < second; ++first)
     {
-      const auto isCovered = [&](std::size_t other)
-      { return this->Pair(other, p).Greatest[octant] <= 0.0; };
-      found.erase(std::remove_if(found.begin(), found.end(), isCovered), found.end());
-      found.push_back(p);
+      this->IsContender[first] &= ~(isContender & this->Pair(first, second).SecondCovers);
     }
   }
 }
 
-void SharpFractions::PartByPlane(
-  const std::vector<MaterialPatch>& patches, int octant, std::vector<PairRate>* rates)
+void SharpFractions::PartByPlane(const std::vector<MaterialPatch>& patches, std::size_t first,
+  std::size_t second, int octant, std::vector<PairRate>* rates)
 {
-  const std::size_t first = this->Contenders[0], second = this->Contenders[1];
-  const OctantDifferences& pair = this->Pair(first, second);
+  OctantDifferences& pair = this->Pair(first, second);
+  if (!pair.HasPlanes)
+  {
+    FindPlanes(patches[first].Values.data(), patches[second].Values.data(), pair);
+  }
   const LinearDifference difference(
     pair.Mean[octant], { { pair.Slope[0][octant], pair.Slope[1][octant], pair.Slope[2][octant] } });
   const double part = difference.PartAbove(0.0);
@@ -443,17 +533,23 @@ void SharpFractions::PartByPlane(
 void SharpFractions::PartBySamples(const std::vector<MaterialPatch>& patches, int octant)
 {
   constexpr int count = SamplesAlong * SamplesAlong * SamplesAlong;
-  this->Rest.clear();
-  for (std::size_t p : this->Contenders)
+  this->Corners.clear();
+  for (std::size_t p = 0; p < patches.size(); ++p)
   {
-    this->Rest.push_back(CornersOfOctant(patches[p], octant));
+    if (this->IsContender[p] >> octant & 1)
+    {
+      this->Corners.push_back(CornersOfOctant(patches[p], octant));
+    }
   }
-  this->Wins.assign(this->Contenders.size(), 0);
-  CountWins(this->Rest.data(), static_cast<int>(this->Rest.size()), this->Wins.data());
-  for (std::size_t c = 0; c < this->Contenders.size(); ++c)
+  this->Wins.assign(this->Corners.size(), 0);
+  CountWins(this->Corners.data(), static_cast<int>(this->Corners.size()), this->Wins.data());
+  auto wins = this->Wins.begin();
+  for (std::size_t p = 0; p < patches.size(); ++p)
   {
-    this->Fractions[this->Contenders[c]] +=
-      OctantPart * (static_cast<double>(this->Wins[c]) / count);
+    if (this->IsContender[p] >> octant & 1)
+    {
+      this->Fractions[p] += OctantPart * (static_cast<double>(*wins++) / count);
+    }
   }
 }
 

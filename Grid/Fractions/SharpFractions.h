@@ -16,12 +16,15 @@
 namespace vfm
 {
 
-/// Field of a material around a cell. Values[x + 3 y + 9 z] is its value at the lower side (0),
-/// middle (1) or upper side (2) along x, y and z.
+/// Field of a material around a cell. The value at the lower side (0), middle (1) or upper side (2)
+/// along x, y and z is Values[x + Row * y + Layer * z]. The last value of a row is not used.
 struct MaterialPatch
 {
+  static constexpr int Row = 4, Layer = 3 * Row, Size = 3 * Layer;
+  static constexpr int Middle = 1 + Row + Layer;
+
   int Material;
-  std::array<double, 27> Values;
+  std::array<double, Size> Values;
 };
 
 /// Exchange between two materials in a cell. First gains Rate * (a - b) of the cell from Second if
@@ -53,15 +56,17 @@ private:
   const CartesianGrid& Grid;
   const FractionField& Smooth;
   std::vector<MaterialPatch> Patches;
-  std::array<double, 27> Unused; // takes the values of all other materials
-  std::vector<double*> ValuesOf; // by material, those of its patch or Unused
+  std::array<double, MaterialPatch::Size> Unused; // takes the values of all other materials
+  std::vector<double*> ValuesOf;                  // by material, those of its patch or Unused
 };
 
-/// How two fields differ in the octants of a cell, one number per octant.
+/// How two fields differ in the octants of a cell.
 struct OctantDifferences
 {
-  std::array<double, 8> Least, Greatest; ///< of the first minus the second
-  std::array<double, 8> Mean;            ///< of the first minus the second
+  bool HasPlanes;       ///< whether Mean, Slope and Value are set
+  unsigned FirstCovers; ///< bit o: the first is nowhere less than the second in octant o
+  unsigned SecondCovers;
+  std::array<double, 8> Mean; ///< of the first minus the second, by octant
   std::array<std::array<double, 8>, 3> Slope;
   std::array<double, 8> Value; ///< mean of both fields
 };
@@ -77,19 +82,20 @@ public:
     const std::vector<MaterialPatch>& patches, std::vector<PairRate>* rates = nullptr);
 
 private:
-  void Compare(const std::vector<MaterialPatch>& patches);
-  const OctantDifferences& Pair(std::size_t first, std::size_t second) const;
-  void FindContenders(std::size_t patches, int octant);
-  void PartByPlane(
-    const std::vector<MaterialPatch>& patches, int octant, std::vector<PairRate>* rates);
+  OctantDifferences& Pair(std::size_t first, std::size_t second)
+  {
+    return this->Pairs[second * (second - 1) / 2 + first];
+  }
+  void FindContenders(const std::vector<MaterialPatch>& patches);
+  void PartByPlane(const std::vector<MaterialPatch>& patches, std::size_t first, std::size_t second,
+    int octant, std::vector<PairRate>* rates);
   void PartBySamples(const std::vector<MaterialPatch>& patches, int octant);
 
   std::vector<double> Fractions;        // by patch
   std::vector<OctantDifferences> Pairs; // of all pairs of patches, by the second, then the first
-  std::vector<std::size_t> Contenders;  // patches that no other covers in an octant
-  std::vector<std::array<double, 8>>
-    Rest;                // their values at the corners, if there are three or more
-  std::vector<int> Wins; // samples in which each of them is the largest
+  std::vector<unsigned> IsContender;    // by patch; bit o: no other covers it in octant o
+  std::vector<std::array<double, 8>> Corners; // of the contenders in an octant
+  std::vector<int> Wins;                      // samples in which each of them is the largest
 };
 
 /// Returns the fraction of each child that the first of two materials fills. It fills the region

@@ -19,8 +19,7 @@ namespace
 
 using Part = FractionField::Part;
 
-constexpr double LeastFloor = 0.501; // least fraction of the own label of a cell
-constexpr int MiddleOfPatch = 13;
+constexpr double LeastFloor = 0.501;     // least fraction of the own label of a cell
 constexpr double VolumeTolerance = 1e-6; // relative error of volumes without a warning
 constexpr int WeightRounds = 5;          // rounds that move the interfaces
 constexpr double WeightsAreGood = 1e-4;  // relative error of volumes at which they end
@@ -127,7 +126,7 @@ double FindFloor(const ActiveCell& cell, const std::vector<MaterialPatch>& patch
   double own = 0.0, other = 0.0;
   for (const MaterialPatch& patch : patches)
   {
-    const double value = patch.Values[MiddleOfPatch];
+    const double value = patch.Values[MaterialPatch::Middle];
     (patch.Material == cell.Label ? own : other) =
       patch.Material == cell.Label ? value : std::max(other, value);
   }

@@ -17,9 +17,9 @@ namespace
 MaterialPatch AlongX(int material, double low, double high)
 {
   MaterialPatch patch{ material, {} };
-  for (int n = 0; n < 27; ++n)
+  for (int n = 0; n < MaterialPatch::Size; ++n)
   {
-    patch.Values[n] = low + (high - low) * 0.5 * (n % 3);
+    patch.Values[n] = low + (high - low) * 0.5 * (n % MaterialPatch::Row);
   }
   return patch;
 }
