@@ -388,38 +388,14 @@ VFM_CLONES void InterpolatePatch(const std::array<ThreeCells, 3>& cells, double*
   }
 }
 
-/// Returns the place of the n-th of the 27 cells around a cell in a patch.
-constexpr int PlaceOfCell(int n)
-{
-  return n % 3 + MaterialPatch::Row * (n / 3);
-}
-
-/// Returns the cells around a cell, those of the domain that are nearest to them.
-std::array<Index, 27> ListAround(const CartesianGrid& grid, const Index3& cell)
-{
-  std::array<std::array<Index, 3>, 3> shift; // of the linear index, by axis and step
-  for (int a = 0; a < 3; ++a)
-  {
-    shift[a] = { { cell[a] > grid.Global().Lower[a] ? -grid.Stride(a) : 0, 0,
-      cell[a] + 1 < grid.Global().Upper[a] ? grid.Stride(a) : 0 } };
-  }
-  std::array<Index, 27> around;
-  for (int v = 0; v < 27; ++v)
-  {
-    around[v] = grid.Linear(cell) + shift[0][v % 3] + shift[1][v / 3 % 3] + shift[2][v / 9];
-  }
-  return around;
-}
-
 } // namespace
 
-PatchFinder::PatchFinder(const CartesianGrid& grid, const FractionField& smooth) :
-  Grid(grid), Smooth(smooth), ValuesOf(smooth.NumberOfMaterials() + 1, this->Unused.data())
+PatchFinder::PatchFinder(const CartesianGrid& grid, int numberOfMaterials) :
+  Grid(grid), ValuesOf(numberOfMaterials + 1, this->Unused.data())
 {
 }
 
-const std::vector<MaterialPatch>& PatchFinder::Find(
-  const Index3& cell, std::span<const int> materials, const std::vector<double>& weights)
+void PatchFinder::Begin(std::span<const int> materials)
 {
   this->Patches.resize(materials.size());
   for (std::size_t m = 0; m < materials.size(); ++m)
@@ -428,25 +404,17 @@ const std::vector<MaterialPatch>& PatchFinder::Find(
     this->Patches[m].Values.fill(0.0);
     this->ValuesOf[materials[m]] = this->Patches[m].Values.data();
   }
-  const std::array<Index, 27> around = ListAround(this->Grid, cell);
-  for (int n = 0; n < 27; ++n)
-  {
-    const int place = PlaceOfCell(n);
-    this->Smooth.ForParts(around[n],
-      [&](int material, double fraction)
-      { this->ValuesOf[material][place] = weights[material] * fraction; });
-  }
+}
+
+void PatchFinder::End(const Index3& cell)
+{
   const std::array<ThreeCells, 3> cells{ { ThreeCells(this->Grid, 0, cell[0]),
     ThreeCells(this->Grid, 1, cell[1]), ThreeCells(this->Grid, 2, cell[2]) } };
   for (MaterialPatch& patch : this->Patches)
   {
     InterpolatePatch(cells, patch.Values.data());
+    this->ValuesOf[patch.Material] = this->Unused.data();
   }
-  for (int material : materials)
-  {
-    this->ValuesOf[material] = this->Unused.data();
-  }
-  return this->Patches;
 }
 
 const std::vector<double>& SharpFractions::Find(

@@ -39,9 +39,7 @@ struct PairRate
 class PatchFinder
 {
 public:
-  /// @param smooth  fields; the 26 cells around each cell must be in the local box or outside the
-  ///   domain
-  PatchFinder(const CartesianGrid& grid, const FractionField& smooth);
+  explicit PatchFinder(const CartesianGrid& grid, int numberOfMaterials);
   PatchFinder(const PatchFinder&) = delete; // it holds pointers to its members
   PatchFinder& operator=(const PatchFinder&) = delete;
 
@@ -49,12 +47,28 @@ public:
   /// call.
   /// @param materials  distinct
   /// @param weights  factor of each field, by material
-  const std::vector<MaterialPatch>& Find(
-    const Index3& cell, std::span<const int> materials, const std::vector<double>& weights);
+  /// @param forParts  forParts(visit) calls visit(n, material, fraction) for each part of the 27
+  ///   cells around (CellAround), those of the domain that are nearest to them
+  template <class ForParts>
+  const std::vector<MaterialPatch>& Find(const Index3& cell, std::span<const int> materials,
+    const std::vector<double>& weights, const ForParts& forParts)
+  {
+    this->Begin(materials);
+    forParts(
+      [&](int n, int material, double fraction)
+      {
+        const int place = n % 3 + MaterialPatch::Row * (n / 3);
+        this->ValuesOf[material][place] = weights[material] * fraction;
+      });
+    this->End(cell);
+    return this->Patches;
+  }
 
 private:
+  void Begin(std::span<const int> materials);
+  void End(const Index3& cell);
+
   const CartesianGrid& Grid;
-  const FractionField& Smooth;
   std::vector<MaterialPatch> Patches;
   std::array<double, MaterialPatch::Size> Unused; // takes the values of all other materials
   std::vector<double*> ValuesOf;                  // by material, those of its patch or Unused

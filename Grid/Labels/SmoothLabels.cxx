@@ -282,8 +282,9 @@ double FindError(const std::vector<double>& lack, const std::vector<double>& tot
 }
 
 /// Changes the parts of the active cells on several threads.
-/// @param makeBody  makeBody() returns the body of a range of cells; body(cell, parts, tally) may
-///   change the parts and the floor, and add rates
+/// @param makeBody  makeBody() returns the body of a range of cells; body(c, cell, parts, tally)
+/// may
+///   change the parts and the floor of cell c, and add rates
 template <class MakeBody>
 Balance Visit(ActiveCells& active, const MakeBody& makeBody)
 {
@@ -298,7 +299,7 @@ Balance Visit(ActiveCells& active, const MakeBody& makeBody)
       {
         ActiveCell& cell = active.Cells[c];
         const std::span<Part> parts = active.PartsOf(cell);
-        body(cell, parts, mine);
+        body(c, cell, parts, mine);
         if (!HasAll(cell, parts)) // else it lacks nothing
         {
           mine.Volumes[cell.Label].Add(-cell.Volume);
@@ -319,18 +320,110 @@ Balance Visit(ActiveCells& active, const MakeBody& makeBody)
   return balance;
 }
 
+/// Smooth fractions of the active cells and of the cells around them. The parts of three cells in a
+/// row are together, so that a visit reads nine pieces of memory.
+class Surroundings
+{
+public:
+  Surroundings(
+    const CartesianGrid& grid, const FractionField& smooth, const std::vector<ActiveCell>& cells) :
+    Offset(1, 0)
+  {
+    PagedArray<int> numbers(grid, 0); // of the cells that are needed, from 1
+    const auto forRows = [&](const ActiveCell& cell, const auto& body)
+    {
+      const Index first = grid.Linear(cell.Position) - 1;
+      for (int row = 0; row < 9; ++row)
+      {
+        body(first + (row % 3 - 1) * grid.Stride(1) + (row / 3 - 1) * grid.Stride(2));
+      }
+    };
+    for (const ActiveCell& cell : cells)
+    {
+      forRows(cell,
+        [&](Index first)
+        {
+          for (Index n = first; n < first + 3; ++n)
+          {
+            numbers.Set(n, 1);
+          }
+        });
+    }
+    this->CopyParts(grid, smooth, numbers);
+    this->First.reserve(9 * cells.size());
+    for (const ActiveCell& cell : cells)
+    {
+      forRows(cell, [&](Index first) { this->First.push_back(numbers[first] - 1); });
+    }
+  }
+
+  /// Calls visit(n, material, fraction) for the parts of the 27 cells around active cell c.
+  template <class Visitor>
+  void ForParts(Index c, const Visitor& visit) const
+  {
+    for (int row = 0; row < 9; ++row)
+    {
+      const Index* offset = this->Offset.data() + this->First[9 * c + row];
+      for (int step = 0; step < 3; ++step)
+      {
+        for (Index p = offset[step]; p < offset[step + 1]; ++p)
+        {
+          visit(3 * row + step, this->Parts[p].Material, this->Parts[p].Fraction);
+        }
+      }
+    }
+  }
+
+private:
+  /// Copies the parts of marked cells, row by row. Cells outside the domain have those of the
+  /// nearest cell in it.
+  /// @param[in,out] numbers  1 in marked cells, which become the numbers of cells from 1
+  void CopyParts(const CartesianGrid& grid, const FractionField& smooth, PagedArray<int>& numbers)
+  {
+    const IndexBox& box = grid.Local();
+    const Index count = box.Size(0) + 2;
+    ForRows(IndexBox{ CellOfStar(box.Lower, 0), CornerOfCell(box.Upper, 7) },
+      [&](Index j, Index k)
+      {
+        const Index row = grid.Linear({ { box.Lower[0] - 1, j, k } });
+        const Index source =
+          grid.Linear(box.Nearest({ { box.Lower[0], j, k } })) - 1; // the cell before the row
+        for (Index i = 0; i < count; ++i)
+        {
+          if (numbers[row + i] != 0)
+          {
+            smooth.ForParts(source + std::min(std::max<Index>(i, 1), count - 2),
+              [&](int material, double fraction) {
+                this->Parts.push_back({ material, fraction });
+              });
+            numbers.Set(row + i, static_cast<int>(this->Offset.size()));
+            this->Offset.push_back(static_cast<Index>(this->Parts.size()));
+          }
+        }
+      });
+  }
+
+  std::vector<int> First;    // by active cell and row: number of the first of three cells
+  std::vector<Index> Offset; // by number
+  std::vector<Part> Parts;
+};
+
 /// Finds the fractions and the floors of cells; keeps its memory, for the next cell.
 class CellDivider
 {
 public:
+  /// @param weights  factors of the fields
   /// @param addsRates  whether rates are added
-  CellDivider(const CartesianGrid& grid, const FractionField& smooth,
+  CellDivider(const CartesianGrid& grid, const Surroundings& smooth,
     const std::vector<double>& weights, bool addsRates) :
-    Patches(grid, smooth), Weights(weights), AddsRates(addsRates)
+    Smooth(smooth),
+    Weights(weights),
+    AddsRates(addsRates),
+    Patches(grid, static_cast<int>(weights.size()) - 1)
   {
   }
 
-  void operator()(ActiveCell& cell, std::span<Part> parts, Tally& tally)
+  void operator()(Index c, ActiveCell& cell, std::span<Part> parts, Tally& tally)
   {
     this->Around.clear();
     for (const Part& part : parts)
@@ -338,8 +431,8 @@ public:
       this->Around.push_back(part.Material);
     }
     this->Rates.clear();
-    const std::vector<MaterialPatch>& patches =
-      this->Patches.Find(cell.Position, this->Around, this->Weights);
+    const std::vector<MaterialPatch>& patches = this->Patches.Find(cell.Position, this->Around,
+      this->Weights, [&](const auto& visit) { this->Smooth.ForParts(c, visit); });
     const std::vector<double>& fractions =
       this->Sharp.Find(patches, this->AddsRates ? &this->Rates : nullptr);
     for (std::size_t p = 0; p < parts.size(); ++p)
@@ -357,9 +450,10 @@ public:
   }
 
 private:
-  PatchFinder Patches;
-  const std::vector<double>& Weights; // factors of the fields
+  const Surroundings& Smooth;
+  const std::vector<double>& Weights;
   const bool AddsRates;
+  PatchFinder Patches;
   std::vector<int> Around;
   SharpFractions Sharp;
   std::vector<PairRate> Rates;
@@ -377,7 +471,7 @@ std::vector<double> FindSteps(const Balance& balance, double largest, Ranks& ran
 }
 
 /// Moves the interfaces until the volumes are nearly right.
-Balance PartCells(const CartesianGrid& grid, const FractionField& smooth, ActiveCells& active)
+Balance PartCells(const CartesianGrid& grid, const Surroundings& smooth, ActiveCells& active)
 {
   std::vector<double> weights(active.Totals.size(), 1.0); // factors of the fields
   for (int round = 1;; ++round)
@@ -441,7 +535,7 @@ double ScaleFractions(std::vector<double> lack, ActiveCells& active)
     Balance balance = Visit(active,
       [&]
       {
-        return [&](const ActiveCell& cell, std::span<Part> parts, Tally& tally)
+        return [&](Index, const ActiveCell& cell, std::span<Part> parts, Tally& tally)
         {
           ScaleCell(cell, factors, parts);
           AddRates(lack, cell, parts, tally);
@@ -490,8 +584,9 @@ double SmoothLabels(const CartesianGrid& grid, int passes, const Partition& part
 {
   ActiveCells active = FindCells(
     grid, AssignMaterials(grid, labels, 0.5), labels.NumberOfMaterials() + 1, partition, runtime);
-  Balance balance =
-    PartCells(grid, AverageFractions(grid, labels, passes, partition, runtime), active);
+  Balance balance = PartCells(grid,
+    Surroundings(grid, AverageFractions(grid, labels, passes, partition, runtime), active.Cells),
+    active);
   LeaveOutFull(active);
   const double error = ScaleFractions(std::move(balance.Lack), active);
   Store(grid, active, labels);
