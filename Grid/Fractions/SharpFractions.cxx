@@ -17,6 +17,8 @@ constexpr int SamplesAlong = 4;
 constexpr double RelativeStep = 1e-3; // relative change of a difference that measures its rate
 constexpr double Flat = 1e-12;        // a difference with a smaller slope has no plane
 constexpr double OctantPart = 0.125;
+// Above all rounding of fields, far below values that matter.
+constexpr double LeadSlack = 1e-9;
 // Fields differ by at most 1 at cells, and by less than this between them.
 constexpr double LargestShift = 8.0;
 constexpr double SmallestShift = 1e-12;
@@ -389,6 +391,21 @@ VFM_CLONES void InterpolatePatch(const std::array<ThreeCells, 3>& cells, double*
 }
 
 } // namespace
+
+/// The slack covers the rounding of both fields by other weights.
+VFM_CLONES double FindLead(const MaterialPatch& one, const MaterialPatch& other)
+{
+  const Lanes zero = Fill(0.0), slack = Fill(LeadSlack);
+  const Mask isUsed{ -1, -1, -1, 0 };
+  Lanes lead = Fill(std::numeric_limits<double>::max());
+  for (int row = 0; row < MaterialPatch::Size; row += MaterialPatch::Row)
+  {
+    const Lanes values = LoadLanes(one.Values.data() + row) - slack;
+    const Lanes others = Greatest(LoadLanes(other.Values.data() + row), zero) + slack;
+    lead = isUsed ? Least(lead, values / others) : lead;
+  }
+  return std::min({ lead[0], lead[1], lead[2] });
+}
 
 PatchFinder::PatchFinder(const CartesianGrid& grid, int numberOfMaterials) :
   Grid(grid), ValuesOf(numberOfMaterials + 1, this->Unused.data())

@@ -35,6 +35,12 @@ struct PairRate
   double Rate;
 };
 
+/// Returns a factor by which one field leads another everywhere in a cell: if it, times the weight
+/// of the one, exceeds the weight of the other, the other has no part of the cell, and leaving it
+/// out changes nothing. Not above 0 if the first field is nearly 0 somewhere.
+/// @param one, other  patches of weights 1
+double FindLead(const MaterialPatch& one, const MaterialPatch& other);
+
 /// Finds the patches of materials around cells; keeps its memory, for the next cell.
 class PatchFinder
 {

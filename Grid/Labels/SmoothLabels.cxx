@@ -3,6 +3,7 @@
 #include "Base/PairSums.h"
 #include "Base/PortableMath.h"
 #include "Fractions/AverageFractions.h"
+#include "Fractions/FractionsAround.h"
 #include "Fractions/GhostFractions.h"
 #include "Fractions/SharpFractions.h"
 #include "Labels/Labels.h"
@@ -27,7 +28,8 @@ constexpr double LargestWeightStep = 0.3;
 constexpr int ScaleRounds = 60; // rounds that scale the fractions
 constexpr double VolumesAreGood = 1e-9;
 constexpr double LargestScaleStep = 1.0;
-constexpr double Negligible = 1e-9; // smaller fractions count as 0
+constexpr double Negligible = 1e-9;       // smaller fractions count as 0
+constexpr double LeadMargin = 1.0 + 1e-6; // above the rounding of leads
 
 /// Cell that may become mixed.
 struct ActiveCell
@@ -82,6 +84,7 @@ struct ActiveCells
   Runtime& Run;
   std::vector<ActiveCell> Cells{};
   std::vector<Part> Parts{};    // of all cells, each ascending by material; fractions may be 0
+  std::vector<float> Leads{};   // of the own label of the cell over the label of each part
   std::vector<double> Totals{}; // volumes of the labels over all ranks, in mean cells
 
   std::span<Part> PartsOf(const ActiveCell& cell)
@@ -267,6 +270,18 @@ ActiveCells FindCells(const CartesianGrid& grid, const LabelArray& labels, std::
   return active;
 }
 
+/// Returns the linear indices of the active cells.
+std::vector<Index> ListPlaces(const CartesianGrid& grid, const ActiveCells& active)
+{
+  std::vector<Index> places;
+  places.reserve(active.Cells.size());
+  for (const ActiveCell& cell : active.Cells)
+  {
+    places.push_back(grid.Linear(cell.Position));
+  }
+  return places;
+}
+
 /// Returns the largest relative error of a volume.
 double FindError(const std::vector<double>& lack, const std::vector<double>& totals)
 {
@@ -320,124 +335,49 @@ Balance Visit(ActiveCells& active, const MakeBody& makeBody)
   return balance;
 }
 
-/// Smooth fractions of the active cells and of the cells around them. The parts of three cells in a
-/// row are together, so that a visit reads nine pieces of memory.
-class Surroundings
-{
-public:
-  Surroundings(
-    const CartesianGrid& grid, const FractionField& smooth, const std::vector<ActiveCell>& cells) :
-    Offset(1, 0)
-  {
-    PagedArray<int> numbers(grid, 0); // of the cells that are needed, from 1
-    const auto forRows = [&](const ActiveCell& cell, const auto& body)
-    {
-      const Index first = grid.Linear(cell.Position) - 1;
-      for (int row = 0; row < 9; ++row)
-      {
-        body(first + (row % 3 - 1) * grid.Stride(1) + (row / 3 - 1) * grid.Stride(2));
-      }
-    };
-    for (const ActiveCell& cell : cells)
-    {
-      forRows(cell,
-        [&](Index first)
-        {
-          for (Index n = first; n < first + 3; ++n)
-          {
-            numbers.Set(n, 1);
-          }
-        });
-    }
-    this->CopyParts(grid, smooth, numbers);
-    this->First.reserve(9 * cells.size());
-    for (const ActiveCell& cell : cells)
-    {
-      forRows(cell, [&](Index first) { this->First.push_back(numbers[first] - 1); });
-    }
-  }
-
-  /// Calls visit(n, material, fraction) for the parts of the 27 cells around active cell c.
-  template <class Visitor>
-  void ForParts(Index c, const Visitor& visit) const
-  {
-    for (int row = 0; row < 9; ++row)
-    {
-      const Index* offset = this->Offset.data() + this->First[9 * c + row];
-      for (int step = 0; step < 3; ++step)
-      {
-        for (Index p = offset[step]; p < offset[step + 1]; ++p)
-        {
-          visit(3 * row + step, this->Parts[p].Material, this->Parts[p].Fraction);
-        }
-      }
-    }
-  }
-
-private:
-  /// Copies the parts of marked cells, row by row. Cells outside the domain have those of the
-  /// nearest cell in it.
-  /// @param[in,out] numbers  1 in marked cells, which become the numbers of cells from 1
-  void CopyParts(const CartesianGrid& grid, const FractionField& smooth, PagedArray<int>& numbers)
-  {
-    const IndexBox& box = grid.Local();
-    const Index count = box.Size(0) + 2;
-    ForRows(IndexBox{ CellOfStar(box.Lower, 0), CornerOfCell(box.Upper, 7) },
-      [&](Index j, Index k)
-      {
-        const Index row = grid.Linear({ { box.Lower[0] - 1, j, k } });
-        const Index source =
-          grid.Linear(box.Nearest({ { box.Lower[0], j, k } })) - 1; // the cell before the row
-        for (Index i = 0; i < count; ++i)
-        {
-          if (numbers[row + i] != 0)
-          {
-            smooth.ForParts(source + std::min(std::max<Index>(i, 1), count - 2),
-              [&](int material, double fraction) {
-                this->Parts.push_back({ material, fraction });
-              });
-            numbers.Set(row + i, static_cast<int>(this->Offset.size()));
-            this->Offset.push_back(static_cast<Index>(this->Parts.size()));
-          }
-        }
-      });
-  }
-
-  std::vector<int> First;    // by active cell and row: number of the first of three cells
-  std::vector<Index> Offset; // by number
-  std::vector<Part> Parts;
-};
-
 /// Finds the fractions and the floors of cells; keeps its memory, for the next cell.
 class CellDivider
 {
 public:
   /// @param weights  factors of the fields
-  /// @param addsRates  whether rates are added
-  CellDivider(const CartesianGrid& grid, const Surroundings& smooth,
-    const std::vector<double>& weights, bool addsRates) :
+  /// @param round  from 1; the first has weights 1 and finds the leads, which later rounds read
+  /// @param leads  ActiveCells::Leads
+  CellDivider(const CartesianGrid& grid, const FractionsAround& smooth,
+    const std::vector<double>& weights, int round, std::vector<float>& leads) :
     Smooth(smooth),
     Weights(weights),
-    AddsRates(addsRates),
+    Round(round),
+    Leads(leads),
     Patches(grid, static_cast<int>(weights.size()) - 1)
   {
   }
 
+  /// A label with a smaller field than the own label everywhere in the cell is left out. It would
+  /// not even change the floor.
   void operator()(Index c, ActiveCell& cell, std::span<Part> parts, Tally& tally)
   {
+    float* const leads = this->Leads.data() + cell.FirstPart;
     this->Around.clear();
-    for (const Part& part : parts)
-    {
-      this->Around.push_back(part.Material);
-    }
-    this->Rates.clear();
-    const std::vector<MaterialPatch>& patches = this->Patches.Find(cell.Position, this->Around,
-      this->Weights, [&](const auto& visit) { this->Smooth.ForParts(c, visit); });
-    const std::vector<double>& fractions =
-      this->Sharp.Find(patches, this->AddsRates ? &this->Rates : nullptr);
     for (std::size_t p = 0; p < parts.size(); ++p)
     {
-      parts[p].Fraction = fractions[p];
+      const int label = parts[p].Material;
+      parts[p].Fraction = label == cell.Label ? 1.0 : 0.0;
+      if (label == cell.Label ||
+        !(leads[p] * this->Weights[cell.Label] > LeadMargin * this->Weights[label]))
+      {
+        this->Around.push_back(label);
+      }
+    }
+    if (this->Around.size() == 1)
+    {
+      return;
+    }
+    const std::vector<MaterialPatch>& patches = this->Patches.Find(cell.Position, this->Around,
+      this->Weights, [&](const auto& visit) { this->Smooth.ForParts(c, visit); });
+    this->Divide(patches, parts);
+    if (this->Round == 1)
+    {
+      FindLeads(patches, cell.Label, leads);
     }
     cell.Floor = FindFloor(cell, patches);
     if (!RaiseOwn(cell, parts))
@@ -450,11 +390,37 @@ public:
   }
 
 private:
-  const Surroundings& Smooth;
+  void Divide(const std::vector<MaterialPatch>& patches, std::span<Part> parts)
+  {
+    this->Rates.clear();
+    const std::vector<double>& fractions =
+      this->Sharp.Find(patches, this->Round < WeightRounds ? &this->Rates : nullptr);
+    auto part = parts.begin();
+    for (std::size_t p = 0; p < patches.size(); ++p)
+    {
+      while (part->Material != patches[p].Material)
+      {
+        ++part;
+      }
+      part->Fraction = fractions[p];
+    }
+  }
+  static void FindLeads(const std::vector<MaterialPatch>& patches, int label, float* leads)
+  {
+    const auto own = std::find_if(patches.begin(), patches.end(),
+      [&](const MaterialPatch& patch) { return patch.Material == label; });
+    for (const MaterialPatch& patch : patches)
+    {
+      *leads++ = static_cast<float>(FindLead(*own, patch));
+    }
+  }
+
+  const FractionsAround& Smooth;
   const std::vector<double>& Weights;
-  const bool AddsRates;
+  const int Round;
+  std::vector<float>& Leads;
   PatchFinder Patches;
-  std::vector<int> Around;
+  std::vector<int> Around; // labels
   SharpFractions Sharp;
   std::vector<PairRate> Rates;
 };
@@ -471,15 +437,18 @@ std::vector<double> FindSteps(const Balance& balance, double largest, Ranks& ran
 }
 
 /// Moves the interfaces until the volumes are nearly right.
-Balance PartCells(const CartesianGrid& grid, const Surroundings& smooth, ActiveCells& active)
+Balance PartCells(const CartesianGrid& grid, const FractionsAround& smooth, ActiveCells& active)
 {
   std::vector<double> weights(active.Totals.size(), 1.0); // factors of the fields
+  active.Leads.assign(active.Parts.size(), 0.0f);
   for (int round = 1;; ++round)
   {
     const bool isLast = round == WeightRounds;
-    Balance balance = Visit(active, [&] { return CellDivider(grid, smooth, weights, !isLast); });
+    Balance balance =
+      Visit(active, [&] { return CellDivider(grid, smooth, weights, round, active.Leads); });
     if (isLast || FindError(balance.Lack, active.Totals) < WeightsAreGood)
     {
+      active.Leads = std::vector<float>();
       return balance;
     }
     const std::vector<double> steps = FindSteps(balance, LargestWeightStep, active.Group);
@@ -585,7 +554,8 @@ double SmoothLabels(const CartesianGrid& grid, int passes, const Partition& part
   ActiveCells active = FindCells(
     grid, AssignMaterials(grid, labels, 0.5), labels.NumberOfMaterials() + 1, partition, runtime);
   Balance balance = PartCells(grid,
-    Surroundings(grid, AverageFractions(grid, labels, passes, partition, runtime), active.Cells),
+    FractionsAround(
+      grid, AverageFractions(grid, labels, passes, partition, runtime), ListPlaces(grid, active)),
     active);
   LeaveOutFull(active);
   const double error = ScaleFractions(std::move(balance.Lack), active);
