@@ -1,7 +1,8 @@
 #include "Fractions/AverageFractions.h"
 
-#include "Fractions/FractionSum.h"
 #include "Fractions/GhostFractions.h"
+
+#include <limits>
 
 namespace vfm
 {
@@ -25,19 +26,74 @@ Shares FindShares(const CartesianGrid& grid, int axis, Index i)
     0.25 * std::min(width, grid.Width(axis, i + 1)) / width };
 }
 
-/// Cells of a row in order: of one label, or one cell with label -1.
+using Part = FractionField::Part;
+using Range = FractionField::Range;
+
+/// Cells of a row in order: of one label, or one cell with a negative label.
 struct Run
 {
   Index End; // first cell behind the run, from the start of the row
-  int Label;
+  int Label; // of averages: ~(number of parts) if it is negative
 };
 
-/// The averages of a row.
+/// The averages of a row, and lists of runs for the search of mixed cells.
 struct RowOfAverages
 {
   std::vector<Run> Runs;
-  std::vector<FractionSum> Mixed; // of the cells with label -1
+  std::vector<Part> Parts; // of the cells with negative labels
+  std::vector<Run> Own, Below, Above;
 };
+
+/// Returns the parts of a cell.
+/// @param[out] whole  holds the part of a pure cell
+Range PartsOf(const FractionField& fractions, Index cell, Part& whole)
+{
+  if (fractions.IsMixed(cell))
+  {
+    return fractions.Parts(cell);
+  }
+  whole = { fractions.Label(cell), 1.0 };
+  return { &whole, &whole + 1 };
+}
+
+/// Parts of a cell, and the share that another cell takes from it.
+struct SharedParts
+{
+  Range Parts;
+  double Share;
+};
+
+/// Adds the weighted sum of the parts of some cells, cell by cell, ascending by material.
+/// @return number of parts added
+template <std::size_t N>
+int AddSum(std::array<SharedParts, N> cells, std::vector<Part>& parts)
+{
+  constexpr int none = std::numeric_limits<int>::max();
+  int count = 0;
+  for (;; ++count)
+  {
+    int material = none;
+    for (const SharedParts& cell : cells)
+    {
+      material = cell.Parts.First == cell.Parts.Last
+        ? material
+        : std::min(material, cell.Parts.First->Material);
+    }
+    if (material == none)
+    {
+      return count;
+    }
+    double sum = 0.0;
+    for (SharedParts& cell : cells)
+    {
+      if (cell.Parts.First != cell.Parts.Last && cell.Parts.First->Material == material)
+      {
+        sum += cell.Share * (cell.Parts.First++)->Fraction;
+      }
+    }
+    parts.push_back({ material, sum });
+  }
+}
 
 /// Averages along one axis, row by row.
 class RowAverage
@@ -55,7 +111,7 @@ public:
   void AverageRow(Index j, Index k, RowOfAverages& row) const
   {
     row.Runs.clear();
-    row.Mixed.clear();
+    row.Parts.clear();
     const Index first = this->Grid.Linear({ { this->Box.Lower[0], j, k } });
     const Index count = this->Box.Size(0);
     const Index at = this->Axis == 0 ? 0 : (this->Axis == 1 ? j : k) - this->Box.Lower[this->Axis];
@@ -75,7 +131,7 @@ public:
 
   void StoreRow(Index j, Index k, const RowOfAverages& averages, FractionField& to) const
   {
-    auto next = averages.Mixed.begin();
+    const Part* next = averages.Parts.data();
     FractionField::RowWriter row(to);
     row.Start(this->Grid.Linear({ { this->Box.Lower[0], j, k } }));
     Index begin = 0;
@@ -87,7 +143,8 @@ public:
       }
       else
       {
-        row.CopyParts((next++)->Parts());
+        row.CopyParts({ next, next + ~run.Label });
+        next += ~run.Label;
       }
       begin = run.End;
     }
@@ -96,14 +153,13 @@ public:
 
 private:
   /// Lists the runs of cells [range[0], range[1]) of a row that starts at cell `first`.
-  std::vector<Run> ListRuns(Index first, const std::array<Index, 2>& range) const
+  void ListRuns(Index first, const std::array<Index, 2>& range, std::vector<Run>& runs) const
   {
-    std::vector<Run> runs;
+    runs.clear();
     this->From.VisitRuns(first + range[0], first + range[1],
       [&](Index, Index end, int label) {
         runs.push_back({ end - first, label });
       });
-    return runs;
   }
 
   /// Averages a range of a row in which all cells exchange, or none.
@@ -112,10 +168,15 @@ private:
     const SharesOf& sharesOf, RowOfAverages& row) const
   {
     const Index step = this->Grid.Stride(this->Axis);
-    const std::vector<Run> own = this->ListRuns(first, range);
-    const std::vector<Run> below = exchanges ? this->ListRuns(first - step, range) : own;
-    const std::vector<Run> above = exchanges ? this->ListRuns(first + step, range) : own;
-    const Run *o = own.data(), *b = below.data(), *a = above.data();
+    this->ListRuns(first, range, row.Own);
+    if (exchanges)
+    {
+      this->ListRuns(first - step, range, row.Below);
+      this->ListRuns(first + step, range, row.Above);
+    }
+    const Run* o = row.Own.data();
+    const Run* b = exchanges ? row.Below.data() : o;
+    const Run* a = exchanges ? row.Above.data() : o;
     for (Index i = range[0]; i < range[1];)
     {
       const Index end = std::min({ o->End, b->End, a->End });
@@ -126,9 +187,7 @@ private:
       }
       for (; !isPure && i < end; ++i)
       {
-        row.Runs.push_back({ i + 1, -1 });
-        row.Mixed.emplace_back();
-        this->Average(first + i, sharesOf(i), row.Mixed.back());
+        row.Runs.push_back({ i + 1, ~this->Average(first + i, sharesOf(i), row.Parts) });
       }
       i = end;
       o += o->End == end;
@@ -137,18 +196,20 @@ private:
     }
   }
 
-  void Average(Index cell, const Shares& shares, FractionSum& sum) const
+  /// Adds the parts of a cell and returns their number.
+  int Average(Index cell, const Shares& shares, std::vector<Part>& parts) const
   {
+    Part own, lower, upper;
+    const SharedParts mine{ PartsOf(this->From, cell, own), 1.0 - (shares.Lower + shares.Upper) };
+    if (!(shares.Lower > 0.0))
+    {
+      return AddSum(std::array<SharedParts, 1>{ mine }, parts);
+    }
     const Index step = this->Grid.Stride(this->Axis);
-    sum.Add(this->From, cell, 1.0 - (shares.Lower + shares.Upper));
-    if (shares.Lower > 0.0)
-    {
-      sum.Add(this->From, cell - step, shares.Lower);
-    }
-    if (shares.Upper > 0.0)
-    {
-      sum.Add(this->From, cell + step, shares.Upper);
-    }
+    return AddSum(
+      std::array<SharedParts, 3>{ mine, { PartsOf(this->From, cell - step, lower), shares.Lower },
+        { PartsOf(this->From, cell + step, upper), shares.Upper } },
+      parts);
   }
 
   const CartesianGrid& Grid;

@@ -258,8 +258,17 @@ ChildFractions ShareSmoothly(const CartesianGrid& grid, const FractionField& fra
   const FractionField::Range parts = fractions.Parts(grid.Linear(cell));
   const FractionField::Part& first = parts.First[cut];
   const std::vector<double> weights(fractions.NumberOfMaterials() + 1, 1.0);
-  const std::vector<MaterialPatch> patches =
-    MakePatches(grid, fractions, cell, { first.Material, parts.First[1 - cut].Material }, weights);
+  const std::array<int, 2> materials{ { first.Material, parts.First[1 - cut].Material } };
+  PatchFinder finder(grid, fractions.NumberOfMaterials());
+  const std::vector<MaterialPatch>& patches = finder.Find(cell, materials, weights,
+    [&](const auto& visit)
+    {
+      for (int n = 0; n < 27; ++n)
+      {
+        fractions.ForParts(grid.Linear(grid.Global().Nearest(CellAround(cell, n))),
+          [&](int material, double fraction) { visit(n, material, fraction); });
+      }
+    });
   return ShareChildren(patches[0], patches[1], counts, first.Fraction);
 }
 

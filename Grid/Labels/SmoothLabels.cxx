@@ -2,15 +2,15 @@
 
 #include "Base/PairSums.h"
 #include "Base/PortableMath.h"
-#include "Base/Sorted.h"
 #include "Fractions/AverageFractions.h"
-#include "Fractions/FractionSum.h"
+#include "Fractions/FractionsAround.h"
 #include "Fractions/GhostFractions.h"
 #include "Fractions/SharpFractions.h"
 #include "Labels/Labels.h"
 
 #include <cmath>
 #include <mutex>
+#include <span>
 #include <sstream>
 
 namespace vfm
@@ -20,8 +20,7 @@ namespace
 
 using Part = FractionField::Part;
 
-constexpr double LeastFloor = 0.501; // least fraction of the own label of a cell
-constexpr int MiddleOfPatch = 13;
+constexpr double LeastFloor = 0.501;     // least fraction of the own label of a cell
 constexpr double VolumeTolerance = 1e-6; // relative error of volumes without a warning
 constexpr int WeightRounds = 5;          // rounds that move the interfaces
 constexpr double WeightsAreGood = 1e-4;  // relative error of volumes at which they end
@@ -29,35 +28,34 @@ constexpr double LargestWeightStep = 0.3;
 constexpr int ScaleRounds = 60; // rounds that scale the fractions
 constexpr double VolumesAreGood = 1e-9;
 constexpr double LargestScaleStep = 1.0;
-constexpr double Negligible = 1e-9; // smaller fractions count as 0
+constexpr double Negligible = 1e-9;       // smaller fractions count as 0
+constexpr double LeadMargin = 1.0 + 1e-6; // above the rounding of leads
 
 /// Cell that may become mixed.
 struct ActiveCell
 {
   Index3 Position;
   int Label;
-  double Volume;           // in volumes of a mean cell
-  double Floor;            // least fraction of its label
-  std::vector<Part> Parts; // ascending by material
+  int NumberOfParts;     // labels of the cell and of the 26 around it
+  std::size_t FirstPart; // in ActiveCells::Parts
+  double Volume;         // in volumes of a mean cell
+  double Floor;          // least fraction of its label
 };
 
 /// Volumes by material, and the rates at which materials gain volume from each other.
-struct Tally
+class Tally
 {
-  std::vector<ExactSum> Volumes;
-  PairSumMap Rates;
-
+public:
   explicit Tally(std::size_t materials) : Volumes(materials) {}
-  void AddVolumes(const ActiveCell& cell)
-  {
-    for (const Part& part : cell.Parts)
-    {
-      this->Volumes[part.Material].Add(part.Fraction * cell.Volume);
-    }
-  }
   void AddRate(int first, int second, double rate)
   {
-    this->Rates[std::minmax(first, second)].Add(rate);
+    const std::pair<int, int> key = std::minmax(first, second);
+    if (key != this->LastKey)
+    {
+      this->LastKey = key;
+      this->LastRate = &this->Rates[key];
+    }
+    this->LastRate->Add(rate);
   }
   void Add(const Tally& other)
   {
@@ -70,22 +68,58 @@ struct Tally
       this->Rates[rate.first].Add(rate.second);
     }
   }
+
+  std::vector<ExactSum> Volumes;
+  PairSumMap Rates;
+
+private:
+  std::pair<int, int> LastKey{ -1, -1 }; // adjacent cells mostly have rates of one pair
+  ExactSum* LastRate = nullptr;
 };
 
-double OwnFraction(const ActiveCell& cell)
+/// Cells of this rank that may become mixed, and the volumes of all labels.
+struct ActiveCells
 {
-  return FractionField::FractionOf(cell.Parts, cell.Label);
+  Ranks& Group;
+  Runtime& Run;
+  std::vector<ActiveCell> Cells{};
+  std::vector<Part> Parts{};    // of all cells, each ascending by material; fractions may be 0
+  std::vector<float> Leads{};   // of the own label of the cell over the label of each part
+  std::vector<double> Totals{}; // volumes of the labels over all ranks, in mean cells
+
+  std::span<Part> PartsOf(const ActiveCell& cell)
+  {
+    return { this->Parts.data() + cell.FirstPart, static_cast<std::size_t>(cell.NumberOfParts) };
+  }
+};
+
+Part& OwnPart(const ActiveCell& cell, std::span<Part> parts)
+{
+  return *std::find_if(
+    parts.begin(), parts.end(), [&](const Part& part) { return part.Material == cell.Label; });
 }
 
-/// Sets the own label of a cell to its floor and scales the others to the rest.
-void RaiseOwn(ActiveCell& cell)
+bool HasAll(const ActiveCell& cell, std::span<const Part> parts)
 {
-  const double scale = (1.0 - cell.Floor) / (1.0 - OwnFraction(cell));
-  PartOf(cell.Parts, cell.Label);
-  for (Part& part : cell.Parts)
+  return std::all_of(parts.begin(), parts.end(),
+    [&](const Part& part) { return part.Fraction == (part.Material == cell.Label ? 1.0 : 0.0); });
+}
+
+/// Raises the own label of a cell to its floor, if it has less, and scales the others to the rest.
+/// @return whether it had less
+bool RaiseOwn(const ActiveCell& cell, std::span<Part> parts)
+{
+  const double own = OwnPart(cell, parts).Fraction;
+  if (own >= cell.Floor)
+  {
+    return false;
+  }
+  const double scale = (1.0 - cell.Floor) / (1.0 - own);
+  for (Part& part : parts)
   {
     part.Fraction = part.Material == cell.Label ? cell.Floor : part.Fraction * scale;
   }
+  return true;
 }
 
 /// Returns the floor of a cell. The weaker its label is at its centre, the thinner is the part to
@@ -95,21 +129,12 @@ double FindFloor(const ActiveCell& cell, const std::vector<MaterialPatch>& patch
   double own = 0.0, other = 0.0;
   for (const MaterialPatch& patch : patches)
   {
-    const double value = patch.Values[MiddleOfPatch];
+    const double value = patch.Values[MaterialPatch::Middle];
     (patch.Material == cell.Label ? own : other) =
       patch.Material == cell.Label ? value : std::max(other, value);
   }
   return std::max(LeastFloor, other / (own + other));
 }
-
-/// Cells of this rank that may become mixed, and the volumes of all labels.
-struct ActiveCells
-{
-  Ranks& Group;
-  Runtime& Run;
-  std::vector<ActiveCell> Cells{};
-  std::vector<double> Totals{}; // volumes of the labels over all ranks, in mean cells
-};
 
 /// Result of a round that changes the cells.
 struct Balance
@@ -132,6 +157,99 @@ PagedArray<unsigned char> MarkActive(const CartesianGrid& grid, const LabelArray
   return isActive;
 }
 
+/// Lists the labels of a cell and of the 26 around it, ascending.
+void ListLabelsAround(
+  const CartesianGrid& grid, const LabelArray& labels, Index cell, std::vector<int>& found)
+{
+  found.clear();
+  for (int row = 0; row < 9; ++row)
+  {
+    const Index first = cell + (row % 3 - 1) * grid.Stride(1) + (row / 3 - 1) * grid.Stride(2) - 1;
+    const LabelArray::RowView view = labels.Row(first);
+    const Index i = labels.InRow(first);
+    for (Index step = 0; step < 3; ++step)
+    {
+      const int label = view[i + step];
+      if (std::find(found.begin(), found.end(), label) == found.end())
+      {
+        found.push_back(label);
+      }
+    }
+  }
+  std::sort(found.begin(), found.end());
+}
+
+/// Adds the volumes of the cells of a row, by label.
+/// @param row  position of its first cell
+/// @param scale  1 over the volume of a mean cell
+void AddVolumes(const CartesianGrid& grid, const LabelArray& labels, const Index3& row,
+  double scale, std::vector<ExactSum>& totals)
+{
+  const Index first = grid.Linear(row), last = first + grid.Owned().Size(0);
+  const auto addRun = [&](Index begin, Index end, int label)
+  {
+    double volume = 0.0;
+    Index count = 0; // cells of this volume
+    for (Index cell = begin; cell < end; ++cell)
+    {
+      const double next = grid.CellVolume({ { row[0] + cell - first, row[1], row[2] } }) * scale;
+      if (next != volume)
+      {
+        totals[label].Add(volume, count);
+        volume = next;
+        count = 0;
+      }
+      ++count;
+    }
+    totals[label].Add(volume, count);
+  };
+  labels.Visit(first, last, addRun,
+    [&](Index begin, Index end, const int* values)
+    {
+      for (Index cell = begin; cell < end; ++cell)
+      {
+        addRun(cell, cell + 1, values[cell - begin]);
+      }
+    });
+}
+
+/// Adds the cells of a row that are marked.
+/// @param row  position of its first cell
+/// @param scale  1 over the volume of a mean cell
+void AddActive(const CartesianGrid& grid, const LabelArray& labels,
+  const PagedArray<unsigned char>& isActive, const Index3& row, double scale, ActiveCells& active)
+{
+  const Index first = grid.Linear(row), last = first + grid.Owned().Size(0);
+  std::vector<int> around;
+  const auto add = [&](Index cell)
+  {
+    const Index3 p{ { row[0] + cell - first, row[1], row[2] } };
+    ListLabelsAround(grid, labels, cell, around);
+    active.Cells.push_back({ p, labels[cell], static_cast<int>(around.size()), active.Parts.size(),
+      grid.CellVolume(p) * scale, LeastFloor });
+    for (int label : around)
+    {
+      active.Parts.push_back({ label, 0.0 });
+    }
+  };
+  const auto addMarked = [&](Index begin, Index end, const auto& isMarked)
+  {
+    for (Index cell = begin; cell < end; ++cell)
+    {
+      if (isMarked(cell - begin))
+      {
+        add(cell);
+      }
+    }
+  };
+  isActive.Visit(
+    first, last,
+    [&](Index begin, Index end, unsigned char mark)
+    { addMarked(begin, mark ? end : begin, [](Index) { return true; }); },
+    [&](Index begin, Index end, const unsigned char* marks)
+    { addMarked(begin, end, [&](Index c) { return marks[c] != 0; }); });
+}
+
 /// Finds the cells at interfaces.
 /// @param materials  number of labels
 ActiveCells FindCells(const CartesianGrid& grid, const LabelArray& labels, std::size_t materials,
@@ -141,20 +259,27 @@ ActiveCells FindCells(const CartesianGrid& grid, const LabelArray& labels, std::
   const PagedArray<unsigned char> isActive = MarkActive(grid, labels);
   ActiveCells active{ partition.Group(), runtime };
   std::vector<ExactSum> totals(materials);
-  partition.ForCells(grid.Owned(),
-    [&](Index cell)
+  ForRows(grid.Owned(),
+    [&](Index j, Index k)
     {
-      const Index3 p = grid.Position(cell);
-      const double volume = grid.CellVolume(p) * scale;
-      const int label = labels[cell];
-      totals[label].Add(volume);
-      if (isActive[cell])
-      {
-        active.Cells.push_back({ p, label, volume, LeastFloor, { { label, 1.0 } } });
-      }
+      const Index3 row{ { grid.Owned().Lower[0], j, k } };
+      AddVolumes(grid, labels, row, scale, totals);
+      AddActive(grid, labels, isActive, row, scale, active);
     });
   active.Totals = SumOverRanks(totals, active.Group);
   return active;
+}
+
+/// Returns the linear indices of the active cells.
+std::vector<Index> ListPlaces(const CartesianGrid& grid, const ActiveCells& active)
+{
+  std::vector<Index> places;
+  places.reserve(active.Cells.size());
+  for (const ActiveCell& cell : active.Cells)
+  {
+    places.push_back(grid.Linear(cell.Position));
+  }
+  return places;
 }
 
 /// Returns the largest relative error of a volume.
@@ -171,23 +296,33 @@ double FindError(const std::vector<double>& lack, const std::vector<double>& tot
   return worst;
 }
 
-/// Calls body(cell, tally) for the active cells on several threads, which may change the fractions
-/// and add rates.
-template <class Body>
-Balance Visit(ActiveCells& active, const Body& body)
+/// Changes the parts of the active cells on several threads.
+/// @param makeBody  makeBody() returns the body of a range of cells; body(c, cell, parts, tally)
+/// may
+///   change the parts and the floor of cell c, and add rates
+template <class MakeBody>
+Balance Visit(ActiveCells& active, const MakeBody& makeBody)
 {
-  std::vector<ActiveCell>& cells = active.Cells;
   Tally sum(active.Totals.size());
   std::mutex mutex;
-  active.Run.For(0, static_cast<Index>(cells.size()),
+  active.Run.For(0, static_cast<Index>(active.Cells.size()),
     [&](Index begin, Index end)
     {
       Tally mine(active.Totals.size());
+      auto body = makeBody();
       for (Index c = begin; c < end; ++c)
       {
-        mine.Volumes[cells[c].Label].Add(-cells[c].Volume);
-        body(cells[c], mine);
-        mine.AddVolumes(cells[c]);
+        ActiveCell& cell = active.Cells[c];
+        const std::span<Part> parts = active.PartsOf(cell);
+        body(c, cell, parts, mine);
+        if (!HasAll(cell, parts)) // else it lacks nothing
+        {
+          mine.Volumes[cell.Label].Add(-cell.Volume);
+          for (const Part& part : parts)
+          {
+            mine.Volumes[part.Material].Add(part.Fraction * cell.Volume);
+          }
+        }
       }
       const std::lock_guard<std::mutex> lock(mutex);
       sum.Add(mine);
@@ -200,36 +335,95 @@ Balance Visit(ActiveCells& active, const Body& body)
   return balance;
 }
 
-/// Returns the labels of a cell and of the 26 around it, ascending.
-std::vector<int> LabelsAround(
-  const CartesianGrid& grid, const LabelArray& labels, const Index3& cell)
+/// Finds the fractions and the floors of cells; keeps its memory, for the next cell.
+class CellDivider
 {
-  std::vector<int> found;
-  for (int v = 0; v < 27; ++v)
+public:
+  /// @param weights  factors of the fields
+  /// @param round  from 1; the first has weights 1 and finds the leads, which later rounds read
+  /// @param leads  ActiveCells::Leads
+  CellDivider(const CartesianGrid& grid, const FractionsAround& smooth,
+    const std::vector<double>& weights, int round, std::vector<float>& leads) :
+    Smooth(smooth),
+    Weights(weights),
+    Round(round),
+    Leads(leads),
+    Patches(grid, static_cast<int>(weights.size()) - 1)
   {
-    found.push_back(labels[grid.Linear(CellAround(cell, v))]);
   }
-  SortUnique(found);
-  return found;
-}
 
-/// Sets the fractions and the floor of a cell.
-/// @param patches  fields of the labels around it
-void PartCell(const std::vector<MaterialPatch>& patches, ActiveCell& cell, Tally& tally)
-{
-  std::vector<PairRate> rates;
-  cell.Parts = FindSharpFractions(patches, &rates);
-  cell.Floor = FindFloor(cell, patches);
-  if (OwnFraction(cell) < cell.Floor)
+  /// A label with a smaller field than the own label everywhere in the cell is left out. It would
+  /// not even change the floor.
+  void operator()(Index c, ActiveCell& cell, std::span<Part> parts, Tally& tally)
   {
-    RaiseOwn(cell);
-    return;
+    float* const leads = this->Leads.data() + cell.FirstPart;
+    this->Around.clear();
+    for (std::size_t p = 0; p < parts.size(); ++p)
+    {
+      const int label = parts[p].Material;
+      parts[p].Fraction = label == cell.Label ? 1.0 : 0.0;
+      if (label == cell.Label ||
+        !(leads[p] * this->Weights[cell.Label] > LeadMargin * this->Weights[label]))
+      {
+        this->Around.push_back(label);
+      }
+    }
+    if (this->Around.size() == 1)
+    {
+      return;
+    }
+    const std::vector<MaterialPatch>& patches = this->Patches.Find(cell.Position, this->Around,
+      this->Weights, [&](const auto& visit) { this->Smooth.ForParts(c, visit); });
+    this->Divide(patches, parts);
+    if (this->Round == 1)
+    {
+      FindLeads(patches, cell.Label, leads);
+    }
+    cell.Floor = FindFloor(cell, patches);
+    if (!RaiseOwn(cell, parts))
+    {
+      for (const PairRate& rate : this->Rates)
+      {
+        tally.AddRate(rate.First, rate.Second, rate.Rate * cell.Volume);
+      }
+    }
   }
-  for (const PairRate& rate : rates)
+
+private:
+  void Divide(const std::vector<MaterialPatch>& patches, std::span<Part> parts)
   {
-    tally.AddRate(rate.First, rate.Second, rate.Rate * cell.Volume);
+    this->Rates.clear();
+    const std::vector<double>& fractions =
+      this->Sharp.Find(patches, this->Round < WeightRounds ? &this->Rates : nullptr);
+    auto part = parts.begin();
+    for (std::size_t p = 0; p < patches.size(); ++p)
+    {
+      while (part->Material != patches[p].Material)
+      {
+        ++part;
+      }
+      part->Fraction = fractions[p];
+    }
   }
-}
+  static void FindLeads(const std::vector<MaterialPatch>& patches, int label, float* leads)
+  {
+    const auto own = std::find_if(patches.begin(), patches.end(),
+      [&](const MaterialPatch& patch) { return patch.Material == label; });
+    for (const MaterialPatch& patch : patches)
+    {
+      *leads++ = static_cast<float>(FindLead(*own, patch));
+    }
+  }
+
+  const FractionsAround& Smooth;
+  const std::vector<double>& Weights;
+  const int Round;
+  std::vector<float>& Leads;
+  PatchFinder Patches;
+  std::vector<int> Around; // labels
+  SharpFractions Sharp;
+  std::vector<PairRate> Rates;
+};
 
 /// Returns a factor for each label that reduces its lack of volume.
 std::vector<double> FindSteps(const Balance& balance, double largest, Ranks& ranks)
@@ -243,20 +437,18 @@ std::vector<double> FindSteps(const Balance& balance, double largest, Ranks& ran
 }
 
 /// Moves the interfaces until the volumes are nearly right.
-Balance PartCells(const CartesianGrid& grid, const LabelArray& labels, const FractionField& smooth,
-  ActiveCells& active)
+Balance PartCells(const CartesianGrid& grid, const FractionsAround& smooth, ActiveCells& active)
 {
   std::vector<double> weights(active.Totals.size(), 1.0); // factors of the fields
+  active.Leads.assign(active.Parts.size(), 0.0f);
   for (int round = 1;; ++round)
   {
-    Balance balance = Visit(active,
-      [&](ActiveCell& cell, Tally& tally)
-      {
-        const std::vector<int> around = LabelsAround(grid, labels, cell.Position);
-        PartCell(MakePatches(grid, smooth, cell.Position, around, weights), cell, tally);
-      });
-    if (FindError(balance.Lack, active.Totals) < WeightsAreGood || round == WeightRounds)
+    const bool isLast = round == WeightRounds;
+    Balance balance =
+      Visit(active, [&] { return CellDivider(grid, smooth, weights, round, active.Leads); });
+    if (isLast || FindError(balance.Lack, active.Totals) < WeightsAreGood)
     {
+      active.Leads = std::vector<float>();
       return balance;
     }
     const std::vector<double> steps = FindSteps(balance, LargestWeightStep, active.Group);
@@ -267,36 +459,36 @@ Balance PartCells(const CartesianGrid& grid, const LabelArray& labels, const Fra
   }
 }
 
-void ScaleCell(ActiveCell& cell, const std::vector<double>& factors)
+void ScaleCell(const ActiveCell& cell, const std::vector<double>& factors, std::span<Part> parts)
 {
   double sum = 0.0;
-  for (Part& part : cell.Parts)
+  for (Part& part : parts)
   {
     part.Fraction *= factors[part.Material];
     sum += part.Fraction;
   }
-  for (Part& part : cell.Parts)
+  for (Part& part : parts)
   {
     part.Fraction /= sum;
   }
-  if (OwnFraction(cell) < cell.Floor)
-  {
-    RaiseOwn(cell);
-  }
+  RaiseOwn(cell, parts);
 }
 
 /// Adds the rates at which the materials of a cell gain from each other when they are scaled. A
 /// label at its floor loses nothing.
-void AddRates(const std::vector<double>& lack, const ActiveCell& cell, Tally& tally)
+void AddRates(
+  const std::vector<double>& lack, const ActiveCell& cell, std::span<Part> parts, Tally& tally)
 {
-  const bool isHeld = OwnFraction(cell) <= cell.Floor && lack[cell.Label] <= 0.0;
-  for (auto a = cell.Parts.begin(); a != cell.Parts.end(); ++a)
+  const bool isHeld = OwnPart(cell, parts).Fraction <= cell.Floor && lack[cell.Label] <= 0.0;
+  for (auto a = parts.begin(); a != parts.end(); ++a)
   {
-    for (auto b = a + 1; b != cell.Parts.end(); ++b)
+    for (auto b = a + 1; b != parts.end(); ++b)
     {
-      if (!isHeld || (a->Material != cell.Label && b->Material != cell.Label))
+      const double product = a->Fraction * b->Fraction;
+      if (a->Fraction > 0.0 && b->Fraction > 0.0 &&
+        (!isHeld || (a->Material != cell.Label && b->Material != cell.Label)))
       {
-        tally.AddRate(a->Material, b->Material, a->Fraction * b->Fraction * cell.Volume);
+        tally.AddRate(a->Material, b->Material, product * cell.Volume);
       }
     }
   }
@@ -310,10 +502,13 @@ double ScaleFractions(std::vector<double> lack, ActiveCells& active)
   for (int round = 1;; ++round)
   {
     Balance balance = Visit(active,
-      [&](ActiveCell& cell, Tally& tally)
+      [&]
       {
-        ScaleCell(cell, factors);
-        AddRates(lack, cell, tally);
+        return [&](Index, const ActiveCell& cell, std::span<Part> parts, Tally& tally)
+        {
+          ScaleCell(cell, factors, parts);
+          AddRates(lack, cell, parts, tally);
+        };
       });
     const double error = FindError(balance.Lack, active.Totals);
     if (error < VolumesAreGood || round == ScaleRounds)
@@ -325,12 +520,22 @@ double ScaleFractions(std::vector<double> lack, ActiveCells& active)
   }
 }
 
-void Store(const CartesianGrid& grid, const std::vector<ActiveCell>& cells, FractionField& labels)
+/// Leaves out cells that are full of their label, which scaling does not change.
+void LeaveOutFull(ActiveCells& active)
 {
-  for (const ActiveCell& cell : cells)
+  std::vector<ActiveCell>& cells = active.Cells;
+  cells.erase(std::remove_if(cells.begin(), cells.end(),
+                [&](const ActiveCell& cell) { return HasAll(cell, active.PartsOf(cell)); }),
+    cells.end());
+}
+
+void Store(const CartesianGrid& grid, ActiveCells& active, FractionField& labels)
+{
+  std::vector<Part> parts;
+  for (const ActiveCell& cell : active.Cells)
   {
-    std::vector<Part> parts;
-    for (const Part& part : cell.Parts)
+    parts.clear();
+    for (const Part& part : active.PartsOf(cell))
     {
       if (part.Fraction > Negligible)
       {
@@ -346,12 +551,15 @@ void Store(const CartesianGrid& grid, const std::vector<ActiveCell>& cells, Frac
 double SmoothLabels(const CartesianGrid& grid, int passes, const Partition& partition,
   Runtime& runtime, FractionField& labels)
 {
-  const LabelArray own = AssignMaterials(grid, labels, 0.5);
-  ActiveCells active = FindCells(grid, own, labels.NumberOfMaterials() + 1, partition, runtime);
-  Balance balance =
-    PartCells(grid, own, AverageFractions(grid, labels, passes, partition, runtime), active);
+  ActiveCells active = FindCells(
+    grid, AssignMaterials(grid, labels, 0.5), labels.NumberOfMaterials() + 1, partition, runtime);
+  Balance balance = PartCells(grid,
+    FractionsAround(
+      grid, AverageFractions(grid, labels, passes, partition, runtime), ListPlaces(grid, active)),
+    active);
+  LeaveOutFull(active);
   const double error = ScaleFractions(std::move(balance.Lack), active);
-  Store(grid, active.Cells, labels);
+  Store(grid, active, labels);
   FillGhosts(partition, labels);
   return error;
 }

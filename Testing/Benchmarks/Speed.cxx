@@ -11,12 +11,14 @@
  * fragments of one rank whose volume is off by more than .5 %. Memory: the peak of the process
  * above its memory before meshing, over that of fractions and mesh; bytes a point: the same over
  * the points that move. `real` are the cases like the data of users (RealCases.h); images come from
- * Debian's package mricron-data.
+ * Debian's package mricron-data. The cases NAME-3 smooth the labels of NAME by 3 passes, which is
+ * one of their stages.
  */
 #include "Atlas.h"
 #include "Elements/MeasureFragments.h"
 #include "FragmentShares.h"
 #include "Input/MakePartition.h"
+#include "Labels/SmoothLabels.h"
 #include "MeasureAlone.h"
 #include "Options/OptionTable.h"
 #include "RankMeshes.h"
@@ -48,6 +50,7 @@ struct SpeedCase
   std::function<MeshCase()> Make; // no distance if there is no true surface
   MeshOptions Options;
   MeshMaker Maker = MakeHexMesh;
+  int LabelPasses = 0; // label smoothing, part of what is measured
 };
 
 MeshCase MakeGyroidCase(int n)
@@ -90,6 +93,12 @@ std::vector<SpeedCase> ListCases()
     { "cells", [] { return MakeSphereCase(64); }, cells, MakeTetMesh } };
 }
 
+/// Returns a case of an image whose labels are smoothed in each run.
+SpeedCase SmoothedImage(const std::string& name, const std::string& image)
+{
+  return { name, [image] { return MakeImageCase(image, 0); }, {}, MakeHexMesh, 3 };
+}
+
 std::vector<SpeedCase> ListRealCases()
 {
   return { { "gyroid-128", [] { return MakeGyroidCase(128); }, {} },
@@ -99,7 +108,9 @@ std::vector<SpeedCase> ListRealCases()
     { "aicha", [] { return MakeImageCase("AICHAmc", 0); }, {} },
     { "jhu", [] { return MakeImageCase("JHU-WhiteMatter-labels-1mm", 3); }, {} },
     { "aal", [] { return MakeImageCase("aal", 0); }, {} },
-    { "inia19", [] { return MakeImageCase("inia19-NeuroMaps", 0); }, {} } };
+    { "inia19", [] { return MakeImageCase("inia19-NeuroMaps", 0); }, {} },
+    SmoothedImage("aicha-3", "AICHAmc"), SmoothedImage("aal-3", "aal"),
+    SmoothedImage("inia19-3", "inia19-NeuroMaps") };
 }
 
 constexpr double TolerableError = 5e-3; // relative error of a fragment
@@ -127,11 +138,30 @@ struct Run
   Index Elements = 0;
 };
 
+/// Makes the mesh of a rank; with label smoothing as its first stage, if the case has it.
+Mesh MakeMesh(const SpeedCase& what, const CartesianGrid& grid, const FractionField& fractions,
+  Runtime& runtime, MeshReport& report)
+{
+  if (what.LabelPasses == 0)
+  {
+    return what.Maker(grid, fractions, what.Options, runtime, report);
+  }
+  const char* const stage = "Smoothing labels";
+  const double begin = Now();
+  runtime.Progress(0.0, stage);
+  FractionField smooth = fractions;
+  SmoothLabels(grid, what.LabelPasses, Partition(grid, runtime.Group()), runtime, smooth);
+  const double seconds = Now() - begin;
+  Mesh mesh = what.Maker(grid, smooth, what.Options, runtime, report);
+  report.Stages.insert(report.Stages.begin(), { stage, seconds });
+  return mesh;
+}
+
 Run MeshOnce(const SpeedCase& what, const MeshCase& c, int threads)
 {
   TimedRuntime runtime(threads, nullptr);
   Run run;
-  run.Result = what.Maker(c.Grid, c.Fractions, what.Options, runtime, run.Report);
+  run.Result = MakeMesh(what, c.Grid, c.Fractions, runtime, run.Report);
   run.Targets = run.Report.Fragments.Volumes;
   run.Times = runtime.Times();
   run.Elements = static_cast<Index>(run.Result.ElementIds.size());
@@ -194,8 +224,7 @@ public:
         TimedRuntime runtime(threads, &ranks);
         MeshReport report;
         const std::size_t rank = ranks.Rank();
-        const Mesh mesh =
-          what.Maker(this->Grids[rank], this->Fields[rank], what.Options, runtime, report);
+        const Mesh mesh = MakeMesh(what, this->Grids[rank], this->Fields[rank], runtime, report);
         elements += static_cast<Index>(mesh.ElementIds.size());
         const std::vector<double> targets =
           GatherFragmentTargets(report.Fragments, report.NumberOfFragments, ranks);
