@@ -6,6 +6,7 @@
 #include "MeshChecks.h"
 #include "RandomDraw.h"
 #include "RankFields.h"
+#include "RankMeshes.h"
 
 #include <gtest/gtest.h>
 
