@@ -6,6 +6,8 @@
 #include "Base/Runtime.h"
 #include "Elements/Mesh.h"
 
+#include <algorithm>
+#include <functional>
 #include <tuple>
 #include <utility>
 
@@ -25,16 +27,51 @@ Buffer<T> Select(
   return result;
 }
 
+/// Leaves only the items with the given indices, in the memory that they have.
+/// @param kept  ascending
+/// @param width  values per item
+template <class T>
+void KeepItems(const std::vector<Index>& kept, Index width, Buffer<T>& items)
+{
+  const Index count = static_cast<Index>(kept.size());
+  for (Index i = 0; i < count; ++i)
+  {
+    if (kept[i] != i)
+    {
+      std::copy_n(items.data() + width * kept[i], width, items.data() + width * i);
+    }
+  }
+  if (static_cast<Index>(items.size()) > width * count)
+  {
+    T* all = items.release();
+    void* less = std::realloc(all, std::max<std::size_t>(1, width * count * sizeof(T)));
+    items = Buffer<T>::From(less ? static_cast<T*>(less) : all, width * count);
+  }
+}
+
 /// Leaves only some points, and renumbers the points of elements, facets, curves and vertices.
 /// @param kept  points that remain, in their new order
 /// @param numbers  new number of each point, or -1
 inline void SelectPoints(
   const std::vector<Index>& kept, const std::vector<Index>& numbers, Runtime& runtime, Mesh& mesh)
 {
-  mesh.Points = Select(mesh.Points, kept, runtime, 3);
-  mesh.PointIds = Select(mesh.PointIds, kept, runtime);
-  mesh.GeometryDimension = Select(mesh.GeometryDimension, kept, runtime);
-  mesh.GeometryId = Select(mesh.GeometryId, kept, runtime);
+  const bool areAscending =
+    std::adjacent_find(kept.begin(), kept.end(), std::greater_equal<Index>()) == kept.end();
+  const auto select = [&](auto& items, Index width)
+  {
+    if (areAscending)
+    {
+      KeepItems(kept, width, items);
+    }
+    else
+    {
+      items = Select(items, kept, runtime, width);
+    }
+  };
+  select(mesh.Points, 3);
+  select(mesh.PointIds, 1);
+  select(mesh.GeometryDimension, 1);
+  select(mesh.GeometryId, 1);
   for (Buffer<Index>* points :
     { &mesh.Elements, &mesh.Surfaces.Points, &mesh.Curves.Points, &mesh.Vertices.Points })
   {

@@ -54,20 +54,20 @@ void KeepOwned(const CartesianGrid& grid, const BarrierElements& barrier, Runtim
         grid.Owned().Contains(CellOfElement(grid, mesh, mesh.ElementIds[e]));
     });
   wholeCells = std::lower_bound(elements.begin(), elements.end(), wholeCells) - elements.begin();
-  mesh.Elements = Select(mesh.Elements, elements, runtime, mesh.Corners);
-  mesh.ElementIds = Select(mesh.ElementIds, elements, runtime);
-  mesh.Material = Select(mesh.Material, elements, runtime);
-  mesh.Fragment = Select(mesh.Fragment, elements, runtime);
+  KeepItems(elements, mesh.Corners, mesh.Elements);
+  KeepItems(elements, 1, mesh.ElementIds);
+  KeepItems(elements, 1, mesh.Material);
+  KeepItems(elements, 1, mesh.Fragment);
   SelectPointsOfElements(runtime, mesh);
 
   SurfaceFacets& surfaces = mesh.Surfaces;
   mesh.Facets = FindElements(ListFacetSides(mesh, runtime), mesh, runtime);
   const std::vector<Index> facets =
     ListKept(runtime, surfaces.IsOwned.size(), [&](Index q) { return surfaces.IsOwned[q] != 0; });
-  surfaces.Points = Select(surfaces.Points, facets, runtime, mesh.CornersOfFacet());
-  surfaces.SurfaceId = Select(surfaces.SurfaceId, facets, runtime);
-  surfaces.MaterialPair = Select(surfaces.MaterialPair, facets, runtime, 2);
-  surfaces.DomainSide = Select(surfaces.DomainSide, facets, runtime);
+  KeepItems(facets, mesh.CornersOfFacet(), surfaces.Points);
+  KeepItems(facets, 1, surfaces.SurfaceId);
+  KeepItems(facets, 2, surfaces.MaterialPair);
+  KeepItems(facets, 1, surfaces.DomainSide);
   surfaces.IsOwned.assign(facets.size(), 1);
 }
 

@@ -6,6 +6,8 @@
 
 #include <Eigen/Cholesky>
 
+#include <stdexcept>
+
 namespace vfm
 {
 namespace
@@ -67,6 +69,26 @@ Vector3 NearestOfTriangle(const Vector3& a, const Vector3& b, const Vector3& c)
   return a + (vb / sum) * ab + (vc / sum) * ac;
 }
 
+/// Returns a vector along the first tangent of MakeTangents.
+Vector3 AlongTangent(const Vector3& n)
+{
+  int flat = 0;
+  for (int a = 1; a < 3; ++a)
+  {
+    flat = std::fabs(n[a]) < std::fabs(n[flat]) ? a : flat;
+  }
+  Vector3 axis{ { 0.0, 0.0, 0.0 } };
+  axis[flat] = 1.0;
+  return Cross(n, axis);
+}
+
+/// Returns the factor that makes AlongTangent(n) a unit vector.
+double StretchOf(const Vector3& n)
+{
+  const double norm = Norm(AlongTangent(n));
+  return norm > 0.0 ? 1.0 / norm : 1.0;
+}
+
 } // namespace
 
 SurfaceTargets::SurfaceTargets(const Interface& interface, Kind kind, Runtime& runtime) :
@@ -85,11 +107,33 @@ SurfaceTargets::SurfaceTargets(
     count += static_cast<Index>(interface->Points().size());
   }
   this->Frames.resize(count);
+  this->StartWidths();
   this->Facets.resize(kind == Kind::Facets ? count : 0);
   this->Corners.resize(this->Facets.size());
   for (const Level& level : this->Levels)
   {
     this->FitLevel(level, runtime);
+  }
+}
+
+/// Stores widths once if all nodes of a single grid have the same, to the last bit.
+void SurfaceTargets::StartWidths()
+{
+  const Interface& interface = *this->Levels[0].Source;
+  const CartesianGrid& grid = interface.Grid();
+  this->HasEqualWidths = this->Levels.size() == 1 && !interface.Nodes().empty();
+  for (int a = 0; a < 3; ++a)
+  {
+    for (Index i = 1; i < grid.Global().Upper[a]; ++i)
+    {
+      this->HasEqualWidths &= grid.Width(a, i) == grid.Width(a, 0);
+    }
+  }
+  this->InverseWidths.resize(this->HasEqualWidths ? 1 : this->Frames.size());
+  if (this->HasEqualWidths)
+  {
+    this->InverseWidths[0] =
+      Divided({ { 1.0, 1.0, 1.0 } }, interface.NodeWidths(interface.Nodes()[0]));
   }
 }
 
@@ -135,12 +179,13 @@ void SurfaceTargets::FitQuadric(
   const Interface& interface = *level.Source;
   const SurfacePoint& base = interface.Points()[point];
   const Vector3 widths = interface.NodeWidths(interface.Nodes()[node]);
+  const Vector3 inverseWidths = Divided({ { 1.0, 1.0, 1.0 } }, widths);
   Frame frame; // uses the coordinates of its own grid until it is stored
   frame.Base = base.Point;
-  frame.InverseWidths = Divided({ { 1.0, 1.0, 1.0 } }, widths);
   frame.N = Unit(Scaled(base.Normal, widths));
-  Vector3 tangent;
-  MakeTangents(frame.N, frame.U, tangent);
+  frame.Stretch = StretchOf(frame.N);
+  Vector3 along, tangent;
+  MakeTangents(frame.N, along, tangent);
 
   Matrix6 A = Matrix6::Zero();
   Vector6 b = Vector6::Zero();
@@ -148,9 +193,9 @@ void SurfaceTargets::FitQuadric(
   for (int face : faces)
   {
     const Crossing& crossing = interface.Crossings()[face];
-    const Vector3 y = Scaled(crossing.Point - frame.Base, frame.InverseWidths);
+    const Vector3 y = Scaled(crossing.Point - frame.Base, inverseWidths);
     const Vector3 normal = Scaled(crossing.Normal, widths);
-    const double u = Dot(y, frame.U), v = Dot(y, tangent), w = Dot(y, frame.N);
+    const double u = Dot(y, along), v = Dot(y, tangent), w = Dot(y, frame.N);
     if (std::fabs(w) >= LargestHeight || Dot(normal, frame.N) <= SmallestCosine * Norm(normal))
     {
       continue;
@@ -182,8 +227,20 @@ void SurfaceTargets::FitQuadric(
   }
   frame.C[0] -= StandOff * (frame.C[3] + frame.C[5]);
   frame.Base = level.Ratio * frame.Base;
-  frame.InverseWidths = (1.0 / level.Ratio) * frame.InverseWidths;
   this->Frames[level.First + point] = frame;
+  this->SetWidths(level.First + point, (1.0 / level.Ratio) * inverseWidths);
+}
+
+void SurfaceTargets::SetWidths(Index target, const Vector3& inverse)
+{
+  if (!this->HasEqualWidths)
+  {
+    this->InverseWidths[target] = inverse;
+  }
+  else if (this->InverseWidths[0] != inverse) // other threads may read them
+  {
+    throw std::logic_error("The cells of a surface target have other widths than all others.");
+  }
 }
 
 /// Returns the surface point of a target moved onto its quadric, in grid coordinates of the finest
@@ -201,55 +258,70 @@ Vector3 SurfaceTargets::FindCorner(const Level& level, Index node, Index point) 
     along[a] = sides >> (2 * a) & 3 ? 0.0 : along[a];
   }
   const double slope = Dot(along, gradient);
-  return slope > SmallestSlide ? frame.Base - Divided((d / slope) * along, frame.InverseWidths)
-                               : frame.Base;
+  return slope > SmallestSlide
+    ? frame.Base - Divided((d / slope) * along, this->WidthsAt(level.First + point))
+    : frame.Base;
 }
 
 LocalQuadric SurfaceTargets::QuadricOf(
   Index target, const Vector3& origin, const Vector3& widths) const
 {
   const Frame& frame = this->Frames[target];
-  LocalQuadric quadric{ Divided(frame.Base - origin, widths), frame.U, Cross(frame.N, frame.U),
-    frame.N, frame.C };
+  LocalQuadric quadric = MakeLocalPlane(Divided(frame.Base - origin, widths), frame.N);
+  quadric.C = frame.C;
   quadric.C[0] += StandOff * (quadric.C[3] + quadric.C[5]);
   return quadric;
 }
 
 Index SurfaceTargets::Add(const LocalQuadric& quadric, const Vector3& origin, const Vector3& widths)
 {
+  const Vector3 inverse = Divided({ { 1.0, 1.0, 1.0 } }, widths);
+  const Index target = this->Count();
+  if (this->HasEqualWidths && this->InverseWidths[0] != inverse)
+  {
+    this->InverseWidths.assign(target, this->InverseWidths[0]);
+    this->HasEqualWidths = false;
+  }
+  if (!this->HasEqualWidths)
+  {
+    this->InverseWidths.push_back(inverse);
+  }
   this->Frames.emplace_back();
-  this->Replace(this->Count() - 1, quadric, origin, widths);
-  return this->Count() - 1;
+  this->Replace(target, quadric, origin, widths);
+  return target;
 }
 
 void SurfaceTargets::Replace(
   Index target, const LocalQuadric& quadric, const Vector3& origin, const Vector3& widths)
 {
-  this->Frames[target] = { origin + Scaled(quadric.Base, widths),
-    Divided({ { 1.0, 1.0, 1.0 } }, widths), quadric.U, quadric.N, quadric.C };
+  this->Frames[target] = { origin + Scaled(quadric.Base, widths), quadric.N, StretchOf(quadric.N),
+    quadric.C };
+  this->SetWidths(target, Divided({ { 1.0, 1.0, 1.0 } }, widths));
 }
 
 double SurfaceTargets::LocalScale(Index target) const
 {
   const Frame& frame = this->Frames[target];
-  return Norm(Scaled(frame.N, frame.InverseWidths));
+  return Norm(Scaled(frame.N, this->WidthsAt(target)));
 }
 
 double SurfaceTargets::Distance(Index target, const Vector3& x, Vector3& gradient) const
 {
   const Frame& frame = this->Frames[target];
-  const Vector3 y = Scaled(x - frame.Base, frame.InverseWidths);
+  const Vector3& inverseWidths = this->WidthsAt(target);
+  const Vector3 y = Scaled(x - frame.Base, inverseWidths);
   const double d = this->TheKind == Kind::Quadrics ? this->QuadricDistance(frame, y, gradient)
                                                    : this->FacetDistance(target, y, gradient);
-  gradient = Scaled(gradient, frame.InverseWidths);
+  gradient = Scaled(gradient, inverseWidths);
   return d;
 }
 
 double SurfaceTargets::QuadricDistance(
   const Frame& frame, const Vector3& y, Vector3& gradient) const
 {
-  const Vector3 tangent = Cross(frame.N, frame.U);
-  const double u = Dot(y, frame.U), v = Dot(y, tangent), w = Dot(y, frame.N);
+  const Vector3 along = frame.Stretch * AlongTangent(frame.N);
+  const Vector3 tangent = Cross(frame.N, along);
+  const double u = Dot(y, along), v = Dot(y, tangent), w = Dot(y, frame.N);
   const std::array<double, 6>& c = frame.C;
   const double r2 = u * u + v * v;
   const double shrink = r2 > LinearBeyond * LinearBeyond ? LinearBeyond / std::sqrt(r2) : 1.0;
@@ -259,7 +331,7 @@ double SurfaceTargets::QuadricDistance(
   const double f = c[0] + c[1] * uc + c[2] * vc + c[3] * uc * uc + c[4] * uc * vc + c[5] * vc * vc +
     fu * (u - uc) + fv * (v - vc);
   const double steep = 1.0 / std::sqrt(1.0 + fu * fu + fv * fv);
-  gradient = steep * (frame.N - fu * frame.U - fv * tangent);
+  gradient = steep * (frame.N - fu * along - fv * tangent);
   return (w - f) * steep;
 }
 
@@ -281,7 +353,7 @@ double SurfaceTargets::FacetDistance(Index target, const Vector3& y, Vector3& gr
     {
       const SurfacePoint* point = interface.FindPoint(n, base.First, base.Second);
       const Vector3& x = this->Corners[level.First + (point - interface.Points().data())];
-      corner[c++] = Scaled(x - frame.Base, frame.InverseWidths) - y;
+      corner[c++] = Scaled(x - frame.Base, this->WidthsAt(target)) - y;
     }
     const bool along = interface.Faces()[face].LowerLabel == base.First;
     for (int half = 0; half < 2; ++half)

@@ -69,9 +69,10 @@ public:
   LocalQuadric QuadricOf(Index target, const Vector3& origin, const Vector3& widths) const;
   /// Appends a quadric to targets of kind Quadrics and returns its number. It is used as given;
   /// fitted quadrics are shifted a little where they bend.
-  /// @pre quadric.V is bitwise equal to the cross product of N and U, as from MakeTangents
+  /// @pre quadric.U and quadric.V are bitwise equal to those of MakeTangents
   Index Add(const LocalQuadric& quadric, const Vector3& origin, const Vector3& widths);
   /// Replaces a target by a quadric as in Add. Threads may replace different targets.
+  /// @pre If all cells of a single grid have equal widths, these are given.
   void Replace(
     Index target, const LocalQuadric& quadric, const Vector3& origin, const Vector3& widths);
 
@@ -88,12 +89,20 @@ private:
   };
   struct Frame
   {
-    Vector3 Base;          // grid coordinates of the finest grid
-    Vector3 InverseWidths; // inverse widths of the node, in the same coordinates
-    Vector3 U, N;          // unit vectors of the local frame; the third is N x U
+    Vector3 Base; // grid coordinates of the finest grid
+    Vector3 N;    // unit vector of the local frame; MakeTangents finds the others
+    // Inverse length of the cross product of N and an axis, which is the first tangent; 1 if it
+    // is 0.
+    double Stretch;
     std::array<double, 6> C;
   };
 
+  void StartWidths();
+  void SetWidths(Index target, const Vector3& inverse);
+  const Vector3& WidthsAt(Index target) const
+  {
+    return this->InverseWidths[this->HasEqualWidths ? 0 : target];
+  }
   void FitLevel(const Level& level, Runtime& runtime);
   void FitQuadric(const Level& level, Index node, Index point, const std::vector<int>& faces);
   Vector3 FindCorner(const Level& level, Index node, Index point) const;
@@ -104,6 +113,10 @@ private:
   Kind TheKind;
   std::vector<Level> Levels;
   std::vector<Frame> Frames;
+  // Inverse widths of the node of each target, in coordinates of the finest grid; if all are equal,
+  // only one.
+  bool HasEqualWidths = false;
+  std::vector<Vector3> InverseWidths;
   std::vector<std::vector<int>> Facets; // interface faces around each target
   // Surface point of each target, moved onto its quadric; only for facets.
   std::vector<Vector3> Corners;

@@ -17,9 +17,9 @@ namespace vfm
 /// | part | made by | freed by |
 /// |---|---|---|
 /// | Elements | ElementMethod::Make | FinishMesh returns it, with the owned elements |
-/// | ids of Elements | ElementMethod::Make | packed by HexMethod::StartMoves until RestoreDraft |
+/// | Elements except corners | ElementMethod::Make | packed in HexMethod until RestoreDraft |
 /// | Elements.Pulls | FitElements | AddMidNodes |
-/// | Facets | ElementMethod::Make; RestoreDraft again | ElementMethod::StartMoves; FinishMesh |
+/// | Facets | ElementMethod::Make; EndMoves again | ElementMethod::StartMoves; FinishMesh |
 /// | Volumes, Thin, IsThin, RequestedFamilies, WholeCells | ElementMethod::Make | FinishMesh |
 /// | Barrier | ElementMethod::Make | KeepOwned removes its elements |
 /// | Kinds | FitElements | FinishMesh |

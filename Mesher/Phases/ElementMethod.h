@@ -48,7 +48,7 @@ public:
   virtual void AfterSweep(const SmoothingStage&, int sweep, Smoother&) { (void)sweep; }
   /// Replaces the facets of the draft and of the active mesh.
   virtual void AfterRamp(const MeshCells&, MeshRun&, Draft&) {}
-  /// Undoes StartMoves; the active mesh stays.
+  /// Undoes StartMoves; the active mesh stays. Packed facets come back in EndMoves.
   virtual void RestoreDraft(const MeshCells& cells, MeshRun& run, Draft& draft) = 0;
   /// Frees the active mesh. Then moves points that are far from interfaces, if the method needs
   /// that.

@@ -45,9 +45,10 @@ Mesh FinishMesh(const MeshCells& cells, ElementMethod& method, MeshRun& run, Dra
   ReportVolumes(cells.Grid, draft.Volumes, run.Report);
   run.Clock.Start("Finding geometry", 0.93);
   UseNumbersOfAllRanks(draft.Volumes.Share(), run.TheRuntime, draft.Facets, mesh);
-  const DividedFacets divided =
-    DivideInterfaces(draft.Facets, draft.Kinds, mesh, cells.Surfaces, run.Parts, run.TheRuntime);
-  ClassifyGeometry(draft.Facets, divided, run.TheRuntime, mesh, run.Report);
+  ClassifyGeometry(draft.Facets,
+    DivideInterfaces(draft.Facets, draft.Kinds, mesh, cells.Surfaces, run.Parts, run.TheRuntime),
+    run.TheRuntime, mesh, run.Report);
+  std::vector<Facet>().swap(draft.Facets); // before other lists of facets take memory
   CloseSeam(run.Parts, mesh);
   KeepOwned(cells.Grid, draft.Barrier, run.TheRuntime, draft.WholeCells, mesh);
   ReportLevels(mesh, draft.RequestedFamilies, run.Group(), run.Report);

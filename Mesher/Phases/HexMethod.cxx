@@ -119,6 +119,13 @@ ActiveMesh& HexMethod::MakeActive(const MeshCells& cells, MeshRun& run, Draft& d
     ListColumns(cells.Grid, draft.Elements, this->FlatAxis, this->Active);
   }
   this->Corners.emplace(this->Active, draft.Elements);
+  // Before the interfaces, which add to the peak of memory; cells of thin parts are compared with
+  // the elements first. Bulges are measured by what is packed.
+  if (draft.IsThin.empty() && !HasCurvedEdges(cells.Options))
+  {
+    this->Packed.emplace(draft.Elements, this->Active);
+    ReleaseFreeMemory();
+  }
   run.Clock.Update(0.16);
   return this->Active;
 }
@@ -163,10 +170,17 @@ void HexMethod::StartMoves(
   const MeshCells& cells, const std::vector<FeatureKind>&, MeshRun&, Draft& draft)
 {
   std::vector<int>().swap(this->Active.PointOf);
-  if (!HasCurvedEdges(cells.Options)) // bulges are measured by facets and ids
+  if (HasCurvedEdges(cells.Options)) // bulges are measured by facets and ids
   {
-    this->Packed.emplace(draft.Elements, draft.Facets);
+    return;
   }
+  if (!this->Packed)
+  {
+    this->Packed.emplace(draft.Elements, this->Active);
+  }
+  this->PointIds.emplace(draft.Elements.PointIds);
+  this->Facets.emplace(draft.Facets);
+  ReleaseFreeMemory();
 }
 
 /// Turns diagonals while the barrier grows; the last sweeps keep them.
@@ -185,8 +199,15 @@ void HexMethod::RestoreDraft(const MeshCells&, MeshRun&, Draft& draft)
 {
   if (this->Packed)
   {
-    this->Active.Rings = HexRings(); // before the lists, which would add to the peak of memory
-    this->Packed->Unpack(draft.Elements, draft.Facets);
+    // Before the lists, which would add to the peak of memory.
+    this->Active.Rings = HexRings();
+    std::vector<CornerPosition>().swap(this->Active.CornerList);
+    std::vector<CornerPosition>().swap(this->Active.CornerOffset);
+    std::vector<ActiveFacet>().swap(this->Active.Facets);
+    ReleaseFreeMemory();
+    draft.Elements.PointIds = this->PointIds->Unpack();
+    this->PointIds.reset();
+    this->Packed->Unpack(draft.Elements, this->Active);
     this->Packed.reset();
   }
 }
@@ -198,8 +219,13 @@ void HexMethod::EndMoves(MeshRun& run, Draft& draft)
   const std::vector<unsigned char> moved =
     hasLevels ? this->Active.ListMoved(draft.Elements) : std::vector<unsigned char>();
   const std::vector<int> elements = std::move(this->Active.Elements);
-  const std::vector<Index> meshPoints = std::move(this->Active.MeshPoint);
+  const std::vector<int> meshPoints = std::move(this->Active.MeshPoint);
   this->Active = ActiveMesh();
+  if (this->Facets)
+  {
+    draft.Facets = this->Facets->Unpack();
+    this->Facets.reset();
+  }
   this->Corners->Restore(elements, meshPoints, run.TheRuntime, draft.Elements);
   this->Corners.reset();
   if (this->FlatAxis >= 0)

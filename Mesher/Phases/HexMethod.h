@@ -40,7 +40,10 @@ private:
   LabelledGrid Labelled;
   ActiveMesh Active;
   std::optional<ActiveCorners> Corners; // of the draft while points move
-  std::optional<PackedLists> Packed;    // of the draft while points move
+  // Of the draft while points move.
+  std::optional<PackedMesh> Packed;
+  std::optional<PackedArray<Index>> PointIds;
+  std::optional<PackedFacets> Facets;
 };
 
 } // namespace vfm

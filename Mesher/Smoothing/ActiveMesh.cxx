@@ -182,8 +182,8 @@ void ActiveMesh::PlacePoints(const CartesianGrid& grid, const Mesh& mesh)
   for (std::size_t p = 0; p < this->MeshPoint.size(); ++p)
   {
     this->X[p] = this->StartOf(static_cast<int>(p));
-    this->Fixed[p] =
-      FixedOnSides(FindDomainSides(grid, this->MeshPoints + 3 * this->MeshPoint[p])) |
+    this->Fixed[p] = FixedOnSides(FindDomainSides(
+                       grid, this->MeshPoints + 3 * static_cast<Index>(this->MeshPoint[p]))) |
       grid.FlatSeams(mesh.PointAt(this->MeshPoint[p]));
   }
   for (int a = 0; a < 3; ++a)
@@ -195,6 +195,12 @@ void ActiveMesh::PlacePoints(const CartesianGrid& grid, const Mesh& mesh)
     this->Bounds.Upper[a] = scale * (x.back() - x.front() - SideClearance * grid.Width(a, last));
   }
   this->BoundBySeams(grid, mesh);
+}
+
+void ActiveMesh::CodeStarts()
+{
+  this->Starts = CodedPoints(this->MeshPoints, this->MeshPoint);
+  this->Starts.Convert([this](int a, double x) { return (x - this->Origin[a]) / this->Scale; });
 }
 
 /// Returns the largest distance of a point near narrow void from its start, along each axis.
@@ -288,7 +294,8 @@ void ActiveMesh::CopyTo(Mesh& mesh, const CartesianGrid& grid) const
     {
       if (this->IsActive[p] && this->X[p][a] != start[a])
       {
-        mesh.Points[3 * this->MeshPoint[p] + a] = grid.Coordinates(a)[0] + scale * this->X[p][a];
+        mesh.Points[3 * static_cast<Index>(this->MeshPoint[p]) + a] =
+          grid.Coordinates(a)[0] + scale * this->X[p][a];
       }
     }
   }

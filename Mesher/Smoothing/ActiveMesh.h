@@ -16,6 +16,7 @@
 #include "Elements/GridCoordinates.h"
 #include "Elements/PointExchange.h"
 #include "Interface/Interface.h"
+#include "Smoothing/CodedPoints.h"
 #include "Smoothing/HexRings.h"
 #include "Smoothing/MoveOrder.h"
 #include "Smoothing/TetStars.h"
@@ -60,8 +61,8 @@ struct ActiveMesh
 {
   /// Corners per element: 8 for hexes, numbered by bits, x lowest; 4 for tets.
   int Corners = 8;
-  std::vector<Vector3> X;       ///< position of each point
-  std::vector<Index> MeshPoint; ///< index of each point in the mesh
+  std::vector<Vector3> X;     ///< position of each point
+  std::vector<int> MeshPoint; ///< index of each point in the mesh
   /// Index here of each mesh point, or -1; may be freed once all is attached.
   std::vector<int> PointOf;
   std::vector<unsigned char> Fixed; ///< bit a is set if coordinate a is fixed
@@ -100,8 +101,9 @@ struct ActiveMesh
   /// points are not active: they have the positions of the lower ones, except along ColumnAxis.
   std::vector<std::array<int, 2>> Columns;
   int ColumnAxis = -1;
-  /// Points of the mesh, in length units of the grid.
+  /// Points of the mesh, in length units of the grid. They are not read if there are Starts.
   const double* MeshPoints = nullptr;
+  CodedPoints Starts; ///< where the points here are in the mesh (CodeStarts); may be empty
   Vector3 Origin{};   ///< origin of grid coordinates
   double Scale = 1.0; ///< unit of grid coordinates
 
@@ -246,10 +248,27 @@ struct ActiveMesh
   /// Returns the position of a point in the mesh, grid coordinates.
   Vector3 StartOf(int point) const
   {
-    const double* start = this->MeshPoints + 3 * this->MeshPoint[point];
+    if (!this->Starts.IsEmpty())
+    {
+      return this->Starts.ConvertedAt(point);
+    }
+    const double* start = this->MeshPoints + 3 * static_cast<Index>(this->MeshPoint[point]);
     return { { (start[0] - this->Origin[0]) / this->Scale,
       (start[1] - this->Origin[1]) / this->Scale, (start[2] - this->Origin[2]) / this->Scale } };
   }
+  /// Begins to load the start of a point.
+  void PrefetchStart(int point) const
+  {
+    if (!this->Starts.IsEmpty())
+    {
+      this->Starts.Prefetch(point);
+      return;
+    }
+    __builtin_prefetch(this->MeshPoints + 3 * static_cast<Index>(this->MeshPoint[point]));
+  }
+  /// Fills Starts, which take less memory than the points of the mesh and are in the order of the
+  /// points here. They stay empty if points start at too many different places.
+  void CodeStarts();
   /// Returns where a point may be: within its bounds, near its start if it must stay there, and at
   /// its fixed coordinates.
   MoveBounds RangeOf(int point) const;

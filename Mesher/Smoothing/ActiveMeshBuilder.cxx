@@ -29,7 +29,7 @@ ActiveMeshBuilder::ActiveMeshBuilder(int corners, std::size_t points, std::vecto
 int ActiveMeshBuilder::AddPoint(Index meshPoint)
 {
   const int point = static_cast<int>(this->Result.MeshPoint.size());
-  this->Result.MeshPoint.push_back(meshPoint);
+  this->Result.MeshPoint.push_back(static_cast<int>(meshPoint));
   return this->Result.PointOf[meshPoint] = point;
 }
 

@@ -421,7 +421,7 @@ void Smoother::Prefetch(int point) const
 {
   if (!this->Mesh.StaysNear.empty())
   {
-    __builtin_prefetch(this->Mesh.MeshPoints + 3 * this->Mesh.MeshPoint[point]);
+    this->Mesh.PrefetchStart(point);
   }
   const std::vector<CornerPosition>& offsets = this->Mesh.AttachmentOffset;
   for (Index i = offsets[point]; i < offsets[point + 1]; ++i)

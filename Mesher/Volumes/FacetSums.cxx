@@ -18,7 +18,7 @@ void Prefetch(const ActiveMesh& mesh, const ActiveFacet& facet)
   for (int point : facet.Points)
   {
     __builtin_prefetch(&mesh.X[point]);
-    __builtin_prefetch(mesh.MeshPoints + 3 * mesh.MeshPoint[point]);
+    mesh.PrefetchStart(point);
   }
 }
 

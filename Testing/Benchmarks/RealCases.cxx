@@ -204,9 +204,9 @@ MeshCase MakePoresCase(int n, int passes, unsigned seed)
     passes);
 }
 
-MeshCase MakeImageCase(const std::string& name, int passes)
+MeshCase MakeImageCase(const std::string& name, int passes, Index cells)
 {
-  LabelImage image = ReadLabelImage(Images + name + ".nii.gz", 0);
+  LabelImage image = ReadLabelImage(Images + name + ".nii.gz", cells);
   return MakeSmoothedCase(image.Grid, std::move(image.Labels), passes);
 }
 

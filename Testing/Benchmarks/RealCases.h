@@ -28,8 +28,9 @@ MeshCase MakePoresCase(int n, int passes, unsigned seed);
 /// Returns an image of labels (ReadLabelImage.h).
 /// @param name  file in the folder of Debian's package mricron-data, without .nii.gz
 /// @param passes  label smoothing
+/// @param cells  size of the cube in the middle of the image that is read; 0: the whole image
 /// @throws InputError  if the file cannot be read
-MeshCase MakeImageCase(const std::string& name, int passes);
+MeshCase MakeImageCase(const std::string& name, int passes, Index cells = 0);
 
 } // namespace testing
 } // namespace vfm

@@ -1,7 +1,7 @@
 /**
  * Speed, effort and quality of meshes: one row per case. scripts/compare_speed compares two builds.
  *
- * usage: Speed [CASE, list, list-real, all or real, default all] [runs, default 3]
+ * usage: Speed [CASE, list, list-real, list-parts, all or real, default all] [runs, default 3]
  *              [threads, default 1] [ranks, default 1]
  *
  * Seconds are of the fastest run, CPU of all threads in it. Stages of rank 0: wall time, CPU of its
@@ -12,7 +12,7 @@
  * above its memory before meshing, over that of fractions and mesh; bytes a point: the same over
  * the points that move. `real` are the cases like the data of users (RealCases.h); images come from
  * Debian's package mricron-data. The cases NAME-3 smooth the labels of NAME by 3 passes, which is
- * one of their stages.
+ * one of their stages. Parts are small cases like them.
  */
 #include "Atlas.h"
 #include "Elements/MeasureFragments.h"
@@ -111,6 +111,15 @@ std::vector<SpeedCase> ListRealCases()
     { "inia19", [] { return MakeImageCase("inia19-NeuroMaps", 0); }, {} },
     SmoothedImage("aicha-3", "AICHAmc"), SmoothedImage("aal-3", "aal"),
     SmoothedImage("inia19-3", "inia19-NeuroMaps") };
+}
+
+/// Returns small cases of the same kinds, which end in minutes where misses are counted
+/// (scripts/count_misses).
+std::vector<SpeedCase> ListParts()
+{
+  return { { "aicha-32", [] { return MakeImageCase("AICHAmc", 0, 32); }, {} },
+    { "spray-48", [] { return MakeSprayCase(48, 320, 1); }, {} },
+    { "polycrystal-24", [] { return MakePolycrystalCase(40, 24); }, {} } };
 }
 
 constexpr double TolerableError = 5e-3; // relative error of a fragment
@@ -348,10 +357,11 @@ int main(int argc, char** argv)
   const auto argument = [&](int a, int otherwise)
   { return argc > a ? std::max(1, std::atoi(argv[a])) : otherwise; };
   const int runs = argument(2, 3), threads = argument(3, 1), ranks = argument(4, 1);
-  std::vector<SpeedCase> cases = ListCases(), real = ListRealCases();
-  if (requested == "list" || requested == "list-real")
+  std::vector<SpeedCase> cases = ListCases(), real = ListRealCases(), parts = ListParts();
+  if (requested.rfind("list", 0) == 0)
   {
-    for (const SpeedCase& what : requested == "list" ? cases : real)
+    const auto& listed = requested == "list" ? cases : requested == "list-real" ? real : parts;
+    for (const SpeedCase& what : listed)
     {
       std::printf("%s\n", what.Name.c_str());
     }
@@ -364,6 +374,7 @@ int main(int argc, char** argv)
   if (requested != "all")
   {
     std::move(real.begin(), real.end(), std::back_inserter(cases));
+    std::move(parts.begin(), parts.end(), std::back_inserter(cases));
   }
   bool isKnown = false;
   for (const SpeedCase& what : cases)

@@ -53,7 +53,7 @@ ActiveCorners::ActiveCorners(const ActiveMesh& active, Mesh& mesh)
   mesh.Elements = Buffer<Index>();
 }
 
-void ActiveCorners::Restore(const std::vector<int>& elements, const std::vector<Index>& meshPoints,
+void ActiveCorners::Restore(const std::vector<int>& elements, const std::vector<int>& meshPoints,
   Runtime& runtime, Mesh& mesh) const
 {
   if (this->Hexes == 0)

@@ -19,7 +19,7 @@ public:
 
   /// Fills Mesh::Elements again, with equal values.
   /// @param elements,meshPoints  ActiveMesh::Elements and ActiveMesh::MeshPoint
-  void Restore(const std::vector<int>& elements, const std::vector<Index>& meshPoints,
+  void Restore(const std::vector<int>& elements, const std::vector<int>& meshPoints,
     Runtime& runtime, Mesh& mesh) const;
 
 private:

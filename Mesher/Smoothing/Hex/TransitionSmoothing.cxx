@@ -180,7 +180,7 @@ void CopyBack(const ActiveMesh& active, const SmoothingSpace& space, RefinedMesh
     {
       if (!(active.Fixed[n] >> a & 1))
       {
-        mesh.Points[3 * active.MeshPoint[n] + a] = x[a];
+        mesh.Points[3 * static_cast<Index>(active.MeshPoint[n]) + a] = x[a];
       }
     }
   }

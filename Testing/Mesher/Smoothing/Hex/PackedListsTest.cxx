@@ -16,7 +16,18 @@ using namespace vfm;
 namespace
 {
 
-TEST(PackedLists, ReturnEqualIds)
+template <class T>
+void ExpectEqual(const std::vector<T>& numbers)
+{
+  Buffer<T> packed(numbers.size());
+  std::copy(numbers.begin(), numbers.end(), packed.begin());
+  const PackedArray<T> some(packed);
+  EXPECT_TRUE(packed.empty());
+  const Buffer<T> back = some.Unpack();
+  EXPECT_EQ(std::vector<T>(back.begin(), back.end()), numbers);
+}
+
+TEST(PackedLists, ReturnEqualNumbers)
 {
   std::mt19937 engine(1);
   std::vector<Index> ids{ 5, 6, 133, 134, 40000, 3 };
@@ -24,12 +35,14 @@ TEST(PackedLists, ReturnEqualIds)
   {
     ids.push_back(id);
   }
-  Buffer<Index> packed(ids.size());
-  std::copy(ids.begin(), ids.end(), packed.begin());
-  const PackedIds some(packed);
-  EXPECT_TRUE(packed.empty());
-  const Buffer<Index> back = some.Unpack();
-  EXPECT_EQ(std::vector<Index>(back.begin(), back.end()), ids);
+  ExpectEqual(ids);
+  std::vector<int> numbers{ 0, 63, 127, 63, 0, -1, -65, -129, 2147483647, -2147483647 - 1, 7 };
+  while (numbers.size() < 1000)
+  {
+    numbers.push_back(static_cast<int>(engine()) >> engine() % 32);
+  }
+  ExpectEqual(numbers);
+  ExpectEqual(std::vector<int>());
 }
 
 TEST(PackedLists, ReturnEqualFacets)
@@ -53,6 +66,42 @@ TEST(PackedLists, ReturnEqualFacets)
   }
 }
 
+/// Takes the points of a mesh, of which the active mesh has every third one, and restores them.
+/// @param width  factor of the coordinates
+/// @param isCoded  whether they have few values
+void ExpectPointsRestored(double width, bool isCoded)
+{
+  constexpr int Count = 80000;
+  Buffer<double> points(3 * Count);
+  for (int i = 0; i < 3 * Count; ++i)
+  {
+    points[i] = width * (isCoded ? i % 100 : i);
+  }
+  const std::vector<double> given(points.begin(), points.end());
+  ActiveMesh active;
+  for (int p = Count - 1; p >= 0; p -= 3)
+  {
+    active.MeshPoint.push_back(p);
+  }
+  active.MeshPoints = points.data();
+  active.Origin = { { 0.1, 0.2, 0.3 } };
+  active.Scale = 0.7;
+  const Vector3 start = active.StartOf(1000);
+  const PackedPoints some(points, active);
+  EXPECT_EQ(points.empty(), isCoded);
+  EXPECT_EQ(active.StartOf(1000), start);
+  some.Unpack(points, active);
+  EXPECT_EQ(std::vector<double>(points.begin(), points.end()), given);
+  EXPECT_EQ(active.MeshPoints, points.data());
+  EXPECT_EQ(active.StartOf(1000), start);
+}
+
+TEST(PackedLists, ReturnEqualPoints)
+{
+  ExpectPointsRestored(0.1, true);
+  ExpectPointsRestored(0.1, false);
+}
+
 /// Takes the corners of 500 hexes, of which every n-th is not active, and restores them.
 /// @param others  n
 void ExpectRestored(int others)
@@ -71,7 +120,7 @@ void ExpectRestored(int others)
     for (int c = 0; hex % others != 0 && c < 8; ++c)
     {
       active.Elements.push_back(static_cast<int>(active.MeshPoint.size()));
-      active.MeshPoint.push_back(points[8 * hex + VtkCorner[c]]);
+      active.MeshPoint.push_back(static_cast<int>(points[8 * hex + VtkCorner[c]]));
     }
   }
   const ActiveCorners corners(active, mesh);
