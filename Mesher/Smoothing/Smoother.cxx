@@ -447,8 +447,9 @@ double Smoother::MovePoint(int point, const SmoothingStage& stage)
     isFree = this->StaysWithin(point, step);
     more = isFree ? 0 : this->FixedAxes(point, step) & ~held;
   } while (more != 0);
-  const Vector3& widths =
-    this->Mesh.WidthsAt(this->Mesh.CornerList[this->Mesh.CornerOffset[point]]);
+  const Vector3& widths = this->Mesh.Widths.size() == 1 // then the lists are not read
+    ? this->Mesh.Widths[0]
+    : this->Mesh.WidthsAt(this->Mesh.CornerList[this->Mesh.CornerOffset[point]]);
   const double length = Norm(Divided(step, widths));
   if (!(length > 0.0))
   {
