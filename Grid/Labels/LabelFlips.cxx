@@ -89,65 +89,6 @@ private:
   int OfRest = 0; // violations of all labels in the other cells
 };
 
-/// Returns the labels of the 3^3 cells around a cell, x fastest.
-std::array<int, 27> LabelsAround(
-  const CartesianGrid& grid, const LabelArray& labels, const Index3& cell)
-{
-  std::array<int, 27> around;
-  const Index middle = grid.Linear(cell), i = labels.InRow(middle);
-  for (int n = 0; n < 27; n += 3)
-  {
-    const LabelArray::RowView row =
-      labels.Row(middle + (n / 3 % 3 - 1) * grid.Stride(1) + (n / 9 - 1) * grid.Stride(2));
-    for (int x = 0; x < 3; ++x)
-    {
-      around[n + x] = row[i + x - 1];
-    }
-  }
-  return around;
-}
-
-/// Returns the stars of the nodes of a cell, in the order of its corners.
-std::array<std::array<int, 8>, 8> StarsOfCell(
-  const CartesianGrid& grid, const LabelArray& labels, const Index3& cell)
-{
-  constexpr std::array<int, 8> Offsets{ { 0, 1, 3, 4, 9, 10, 12, 13 } }; // in the 3^3 cells
-  const std::array<int, 27> around = LabelsAround(grid, labels, cell);
-  std::array<std::array<int, 8>, 8> stars;
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    for (int c = 0; c < 8; ++c)
-    {
-      stars[corner][c] = around[Offsets[corner] + Offsets[c]];
-    }
-  }
-  return stars;
-}
-
-/// Adds the violations removed at a node if the cells of a region in its star get each label.
-void AddGains(std::array<int, 8> star, int flatSeams, int region, const std::vector<int>& labels,
-  std::vector<int>& gains)
-{
-  if (flatSeams == 0)
-  {
-    const ChangedStar changed(star, region);
-    for (std::size_t n = 0; n < labels.size(); ++n)
-    {
-      gains[n] += changed.GainOf(labels[n]);
-    }
-    return;
-  }
-  const int before = Violations(star, flatSeams);
-  for (std::size_t n = 0; n < labels.size(); ++n)
-  {
-    for (int s = 0; s < 8; ++s)
-    {
-      star[s] = region >> s & 1 ? labels[n] : star[s];
-    }
-    gains[n] += before - Violations(star, flatSeams);
-  }
-}
-
 int Violations(const LabelFlips& flips, Index node)
 {
   return Violations(StarOfNode(flips.Grid, flips.Labels, node),
@@ -173,23 +114,31 @@ std::vector<int> FindGains(
   const LabelFlips& flips, const IndexBox& cells, const std::vector<int>& labels)
 {
   std::vector<int> gains(labels.size(), 0);
-  const auto add = [&](const Index3& node, const std::array<int, 8>& star)
-  {
-    AddGains(star, flips.KeepsSeam ? flips.Grid.FlatSeams(node) : 0,
-      flips.Units.RegionAt(node, cells), labels, gains);
-  };
-  if (cells.NumberOfCells() == 1)
-  {
-    const auto stars = StarsOfCell(flips.Grid, flips.Labels, cells.Lower);
-    for (int corner = 0; corner < 8; ++corner)
-    {
-      add(CornerOfCell(cells.Lower, corner), stars[corner]);
-    }
-    return gains;
-  }
   ForSurfaceNodes(cells,
     [&](const Index3& node)
-    { add(node, StarOfNode(flips.Grid, flips.Labels, flips.Grid.Linear(node))); });
+    {
+      std::array<int, 8> star = StarOfNode(flips.Grid, flips.Labels, flips.Grid.Linear(node));
+      const int seams = flips.KeepsSeam ? flips.Grid.FlatSeams(node) : 0;
+      const int region = flips.Units.RegionAt(node, cells);
+      if (seams == 0)
+      {
+        const ChangedStar changed(star, region);
+        for (std::size_t n = 0; n < labels.size(); ++n)
+        {
+          gains[n] += changed.GainOf(labels[n]);
+        }
+        return;
+      }
+      const int before = Violations(star, seams);
+      for (std::size_t n = 0; n < labels.size(); ++n)
+      {
+        for (int s = 0; s < 8; ++s)
+        {
+          star[s] = region >> s & 1 ? labels[n] : star[s];
+        }
+        gains[n] += before - Violations(star, seams);
+      }
+    });
   return gains;
 }
 
