@@ -10,8 +10,7 @@ namespace vfm
 namespace
 {
 
-constexpr Index LongestRun = 64;  // facets
-constexpr Index FacetsAhead = 32; // whose indices of points in the mesh are loaded
+constexpr Index LongestRun = 64; // facets
 
 void Prefetch(const ActiveMesh& mesh, const ActiveFacet& facet)
 {
@@ -31,13 +30,6 @@ void CollectCorners(
   for (int n = 0; first + n < last || n % 4 != 0; ++n)
   {
     const Index f = std::min(first + n, last - 1);
-    if (f + FacetsAhead < static_cast<Index>(mesh.Facets.size()))
-    {
-      for (int point : mesh.Facets[f + FacetsAhead].Points)
-      {
-        __builtin_prefetch(&mesh.MeshPoint[point]);
-      }
-    }
     if (f + FacetCorners::Most < end)
     {
       Prefetch(mesh, mesh.Facets[f + FacetCorners::Most]);
@@ -45,7 +37,7 @@ void CollectCorners(
     for (int c = 0; c < 4; ++c)
     {
       const int point = mesh.Facets[f].Points[c];
-      corners.Set(n, c, mesh.MeshPoints + 3 * mesh.MeshPoint[point], mesh.X[point].data());
+      corners.Set(n, c, mesh.StartOf(point), mesh.X[point]);
     }
   }
 }
@@ -124,7 +116,7 @@ void FacetSums::Sum(const ActiveMesh& mesh, FacetRun& run)
     const Index last = std::min(run.End, first + FacetCorners::Most);
     const int facets = static_cast<int>(last - first);
     CollectCorners(mesh, first, last, run.End, corners);
-    corners.Measure(facets, mesh.Origin, mesh.Scale, volumes, areas);
+    corners.Measure(facets, volumes, areas);
     for (int f = 0; f < facets; ++f)
     {
       run.Swept.Add(volumes[f]);

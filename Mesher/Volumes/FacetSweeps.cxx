@@ -70,18 +70,14 @@ VFM_INLINE Lanes3 Load(const double (&corner)[3][4])
 } // namespace
 
 VFM_CLONES
-void FacetCorners::Measure(int facets, const Vector3& origin, double scale, double (&volumes)[Most],
-  double (&areas)[Most]) const
+void FacetCorners::Measure(int facets, double (&volumes)[Most], double (&areas)[Most]) const
 {
-  const Lanes3 from{ Fill(origin[0]), Fill(origin[1]), Fill(origin[2]) };
-  const Lanes unit = Fill(scale);
   for (int first = 0; first < facets; first += 4)
   {
     Lanes3 start[4], now[4];
     for (int c = 0; c < 4; ++c)
     {
-      const Lanes3 apart = Load(this->Start[first / 4][c]) - from;
-      start[c] = { apart.X / unit, apart.Y / unit, apart.Z / unit };
+      start[c] = Load(this->Start[first / 4][c]);
       now[c] = Load(this->Now[first / 4][c]);
     }
     StoreLanes(VolumesBetween(start, now), volumes + first);

@@ -15,9 +15,8 @@ public:
   static constexpr int Most = 16;
 
   /// Sets a corner of a facet, both from 0.
-  /// @param start  position at the start, in length units of the mesh
-  /// @param now  present position, in grid coordinates
-  void Set(int facet, int corner, const double* start, const double* now)
+  /// @param start,now  positions at the start and at present
+  void Set(int facet, int corner, const Vector3& start, const Vector3& now)
   {
     for (int a = 0; a < 3; ++a)
     {
@@ -27,12 +26,9 @@ public:
   }
 
   /// Computes the area of each of the first facets, and VolumeBetween its corners at the start and
-  /// now, in grid coordinates.
+  /// now.
   /// @param facets  number of facets; up to the next multiple of four, all must be set
-  /// @param origin  of grid coordinates
-  /// @param scale  unit of grid coordinates
-  void Measure(int facets, const Vector3& origin, double scale, double (&volumes)[Most],
-    double (&areas)[Most]) const;
+  void Measure(int facets, double (&volumes)[Most], double (&areas)[Most]) const;
 
 private:
   using Four = double[4][3][4]; // of each corner and axis, for four facets

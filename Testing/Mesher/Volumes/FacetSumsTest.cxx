@@ -112,8 +112,6 @@ TEST(FacetSums, SumsOnlyFacetsAtPointsThatMoved)
 TEST(FacetSweeps, AreEqualToTheVolumesAndAreasOfEachFacet)
 {
   RandomDraw draw(6);
-  const Vector3 origin{ { 0.7, -3.1, 12.3 } };
-  const double scale = 0.37;
   FacetCorners corners{};
   for (int facets = 1; facets <= FacetCorners::Most; ++facets)
   {
@@ -122,17 +120,13 @@ TEST(FacetSweeps, AreEqualToTheVolumesAndAreasOfEachFacet)
     {
       for (int c = 0; c < 4; ++c)
       {
-        const Vector3 x = origin + draw.Vector(-5.0, 5.0);
-        for (int a = 0; a < 3; ++a)
-        {
-          start[f][c][a] = (x[a] - origin[a]) / scale;
-        }
+        start[f][c] = draw.Vector(-5.0, 5.0);
         now[f][c] = start[f][c] + draw.Vector(-0.6, 0.6);
-        corners.Set(f, c, x.data(), now[f][c].data());
+        corners.Set(f, c, start[f][c], now[f][c]);
       }
     }
     double volumes[FacetCorners::Most], areas[FacetCorners::Most];
-    corners.Measure(facets, origin, scale, volumes, areas);
+    corners.Measure(facets, volumes, areas);
     for (int f = 0; f < facets; ++f)
     {
       const std::array<Vector3, 4>& q = now[f];
