@@ -61,6 +61,26 @@ TEST(Plic, PlanesHaveTheirVolume)
   }
 }
 
+/// Newton's method before the bisection changes no bit of its result.
+TEST(Plic, PlanesAreThoseOfABisection)
+{
+  RandomDraw random(3);
+  for (int i = 0; i < 20000; ++i)
+  {
+    const auto component = [&]
+    { return i % 4 ? random.Between(-1, 1) : std::pow(10.0, random.Between(-14, 0)); };
+    const CellBelowPlanes cell({ { component(), component(), component() } });
+    const double fraction = i % 3 ? random.Between(0, 1) : std::pow(10.0, random.Between(-15, 0));
+    double low = 0.0, high = 1.0;
+    while (high - low > 1e-12)
+    {
+      const double middle = 0.5 * (low + high);
+      (cell.Volume((middle - 0.5) * 2.0 * cell.Reach()) < fraction ? low : high) = middle;
+    }
+    ASSERT_NEAR(cell.PlaneOf(fraction), (low + high - 1.0) * cell.Reach(), 1e-15) << fraction;
+  }
+}
+
 TEST(Plic, SlopesAreDifferencesOfVolumes)
 {
   RandomDraw random(2);
