@@ -65,19 +65,20 @@ TEST(Plic, PlanesHaveTheirVolume)
 TEST(Plic, PlanesAreThoseOfABisection)
 {
   RandomDraw random(3);
+  const auto draw = [&] { return std::floor(0x1p20 * random.Between(0.0, 0.5)) * 0x1p-20; };
   for (int i = 0; i < 20000; ++i)
   {
-    const auto component = [&]
-    { return i % 4 ? random.Between(-1, 1) : std::pow(10.0, random.Between(-14, 0)); };
-    const CellBelowPlanes cell({ { component(), component(), component() } });
+    // The components sum to exactly 1, so that no place of a plane is rounded.
+    const double x = i % 4 ? draw() : 0x1p-20, y = i % 5 ? draw() : 0.0;
+    const CellBelowPlanes cell(Vector3{ { x, y, 1.0 - x - y } });
     const double fraction = i % 3 ? random.Between(0, 1) : std::pow(10.0, random.Between(-15, 0));
     double low = 0.0, high = 1.0;
     while (high - low > 1e-12)
     {
       const double middle = 0.5 * (low + high);
-      (cell.Volume((middle - 0.5) * 2.0 * cell.Reach()) < fraction ? low : high) = middle;
+      (cell.Volume(middle - 0.5) < fraction ? low : high) = middle;
     }
-    ASSERT_NEAR(cell.PlaneOf(fraction), (low + high - 1.0) * cell.Reach(), 1e-15) << fraction;
+    ASSERT_EQ(cell.PlaneOf(fraction), 0.5 * (low + high) - 0.5) << fraction;
   }
 }
 
