@@ -1,7 +1,10 @@
 #include "Base/PortableMath.h"
 
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <cstdlib>
 #include <limits>
 
 namespace vfm
@@ -58,6 +61,15 @@ double CosineOf(double r)
   return 1.0 + square * Polynomial(CosineSeries, square);
 }
 
+/// Returns x * 2^power; x is near 1.
+double TimesPower(double x, int power)
+{
+  constexpr int bias = 1023, digits = 52, largest = 1000; // beyond, the result may be rounded
+  return std::abs(power) > largest
+    ? std::ldexp(x, power)
+    : x * std::bit_cast<double>(static_cast<std::uint64_t>(power + bias) << digits);
+}
+
 constexpr double MostTurns = 2147483000.0; // quarter turns that an int holds
 
 /// Returns the sine of x + quarters * Pi / 2.
@@ -97,7 +109,7 @@ double Exp(double x)
   const double power = std::floor(x / (Ln2[0] + Ln2[1]) + 0.5);
   const double r = (x - power * Ln2[0]) - power * Ln2[1], square = r * r;
   const double series = Polynomial(ExpEven, square) + r * Polynomial(ExpOdd, square);
-  return std::ldexp(1.0 + (r + square * series), static_cast<int>(power));
+  return TimesPower(1.0 + (r + square * series), static_cast<int>(power));
 }
 
 double CubeRoot(double x)

@@ -7,6 +7,12 @@ namespace vfm
 namespace
 {
 
+// PlaneOf begins its bisection in an interval of this width, found by Newton's method.
+constexpr double NarrowWidth = 0x1p-36;
+constexpr double SafeDistance = 1e-13; // of volumes at its ends, above their rounding
+constexpr int NewtonSteps = 12;
+constexpr double NewtonIsGood = 1e-8; // step after which the error is below rounding
+
 double Cube(double x)
 {
   return x > 0.0 ? x * x * x : 0.0;
@@ -84,9 +90,32 @@ double CellBelowPlanes::Slope(double d) const
   return alpha > 0.0 ? SlopeOfCorner(this->M, alpha) / this->Size : 0.0;
 }
 
+/// Narrows [0, 1] to the interval that a bisection for a fraction reaches after 36 steps, if it is
+/// clear in spite of rounding.
+void CellBelowPlanes::Narrow(double fraction, double& low, double& high) const
+{
+  const double part = std::min(fraction, 1.0 - fraction);
+  double alpha = 0.5; // Newton's method comes from above, as the slope grows up to 1/2
+  double step = 1.0;
+  for (int i = 0; i < NewtonSteps && alpha > 0.0 && step > NewtonIsGood; ++i)
+  {
+    step = (VolumeOfCorner(this->M, alpha) - part) / SlopeOfCorner(this->M, alpha);
+    alpha -= step;
+  }
+  const double place = std::floor((fraction > 0.5 ? 1.0 - alpha : alpha) / NarrowWidth);
+  const double from = place * NarrowWidth, to = (place + 1.0) * NarrowWidth;
+  if (this->VolumeAt(from) < fraction - SafeDistance &&
+    this->VolumeAt(to) > fraction + SafeDistance)
+  {
+    low = from;
+    high = to;
+  }
+}
+
 double CellBelowPlanes::PlaneOf(double fraction) const
 {
   double low = 0.0, high = 1.0;
+  this->Narrow(fraction, low, high);
   while (high - low > 1e-12)
   {
     const double middle = 0.5 * (low + high);

@@ -29,6 +29,7 @@ public:
 
 private:
   double VolumeAt(double alpha) const;
+  void Narrow(double fraction, double& low, double& high) const;
 
   Vector3 M;   // magnitudes of n, ascending, of sum 1
   double Size; // their sum before

@@ -22,21 +22,8 @@ constexpr double SteepPlane = 0.25;
 // Normals of crossings with a smaller n.axis are turned by AddedSlope.
 constexpr double SmallestSlope = 0.02;
 constexpr double AddedSlope = 0.3;
-constexpr Index SearchRadius = 2; // distance of faces for FindCrossingNear, in cells
-
-/// One of the two cells of the dual edge.
-struct EndCell
-{
-  Index Cell;
-  Vector3 Centre; // grid coordinates
-  Vector3 Widths; // grid coordinates
-  double D;       // difference field
-  // Gradient of D in the frame of the cell; at sides of the domain turned to the normal
-  // of the fitted plane.
-  Vector3 Gradient;
-  bool IsOneSided; // whether the cell is at a side of the domain
-  bool HasPlane;   // whether a plane was fitted
-};
+constexpr Index SearchRadius = 2;       // distance of faces for FindNear, in cells
+constexpr std::size_t KeptSides = 2048; // power of 2
 
 /// Fractions of the two labels of a face.
 class PairFractions
@@ -128,7 +115,24 @@ bool TurnToPlane(
   return true;
 }
 
-EndCell MakeSide(const ScaledCells& cells, const PairFractions& pair, Index cell)
+/// Finds the PLIC plane of a cell, if it has one.
+void FindPlane(const PairFractions& pair, EndCell& side)
+{
+  const double both = pair.HasVoid() ? 1.0 : pair.OfBoth(side.Cell);
+  if (both < PairShare)
+  {
+    return;
+  }
+  side.Share = pair.OfFirst(side.Cell) / both;
+  side.IsCut = IsMixed(side.Share) && Norm(side.Gradient) > 1e-12;
+  if (side.IsCut)
+  {
+    side.Plane = PlaneOfVolume(Unit(side.Gradient), side.Share);
+  }
+}
+
+/// @param hasPlanes  whether cells may have PLIC planes
+EndCell MakeSide(const ScaledCells& cells, const PairFractions& pair, Index cell, bool hasPlanes)
 {
   EndCell side;
   const CartesianGrid& grid = cells.Grid;
@@ -141,6 +145,11 @@ EndCell MakeSide(const ScaledCells& cells, const PairFractions& pair, Index cell
   side.IsOneSided = !grid.InDomain({ { p[0] - 1, p[1] - 1, p[2] - 1 } }) ||
     !grid.InDomain({ { p[0] + 1, p[1] + 1, p[2] + 1 } });
   side.HasPlane = side.IsOneSided && TurnToPlane(cells, pair, p, side);
+  side.IsCut = false;
+  if (hasPlanes)
+  {
+    FindPlane(pair, side);
+  }
   return side;
 }
 
@@ -162,45 +171,31 @@ double LinearParameter(const InterfaceFace& face, const EndCell& lower, const En
   return a > 0.0 && b > 0.0 ? 0.0 : (a < 0.0 && b < 0.0 ? 1.0 : 0.5);
 }
 
-/// Sets the share of the first label in the pair; returns false if the cell has no plane.
-bool PlaneFraction(const PairFractions& pair, const EndCell& side, double& fraction)
-{
-  const double both = pair.HasVoid() ? 1.0 : pair.OfBoth(side.Cell);
-  if (both < PairShare)
-  {
-    return false;
-  }
-  fraction = pair.OfFirst(side.Cell) / both;
-  return IsMixed(fraction) && Norm(side.Gradient) > 1e-12;
-}
-
 /// Returns the cut of the plane of a cell with the dual edge.
-Vector3 CutOfPlane(const InterfaceFace& face, const EndCell& side, double fraction)
+Vector3 CutOfPlane(const InterfaceFace& face, const EndCell& side)
 {
   const Vector3 n = Unit(side.Gradient);
-  const double d = PlaneOfVolume(n, fraction);
-  Vector3 foot = d * n;
+  Vector3 foot = side.Plane * n;
   if (SignOf(face) * n[face.Axis] >= SteepPlane)
   {
     foot = { { 0.0, 0.0, 0.0 } };
-    foot[face.Axis] = d / n[face.Axis];
+    foot[face.Axis] = side.Plane / n[face.Axis];
   }
   return side.Centre + Scaled(side.Widths, foot);
 }
 
 /// Moves a point to the mean cut of the planes of both cells, as far as they have one.
-void MoveToPlanes(const InterfaceFace& face, const PairFractions& pair,
-  const std::array<EndCell, 2>& sides, Vector3& point)
+void MoveToPlanes(
+  const InterfaceFace& face, const EndCell& lower, const EndCell& upper, Vector3& point)
 {
   Vector3 sum{ { 0.0, 0.0, 0.0 } };
   double weights = 0.0;
-  for (const EndCell& side : sides)
+  for (const EndCell* side : { &lower, &upper })
   {
-    double f = 0.0;
-    if (PlaneFraction(pair, side, f))
+    if (side->IsCut)
     {
-      const double w = f * (1.0 - f) + 0.01;
-      sum = sum + w * CutOfPlane(face, side, f);
+      const double w = side->Share * (1.0 - side->Share) + 0.01;
+      sum = sum + w * CutOfPlane(face, *side);
       weights += w;
     }
   }
@@ -274,52 +269,68 @@ std::vector<FaceStep> MakeSteps(int axis)
 
 } // namespace
 
-Crossing FindCrossing(const CartesianGrid& grid, const FractionField& fractions,
-  const InterfaceFace& face, double isoValue)
+CrossingFinder::CrossingFinder(
+  const CartesianGrid& grid, const FractionField& fractions, double isoValue) :
+  Grid(grid), Fractions(fractions), IsoValue(isoValue), Sides(KeptSides)
 {
-  const ScaledCells cells(grid);
-  const PairFractions pair(fractions, face, isoValue);
-  const std::array<EndCell, 2> sides{ { MakeSide(cells, pair, face.Node - grid.Stride(face.Axis)),
-    MakeSide(cells, pair, face.Node) } };
-  const EndCell &lower = sides[0], &upper = sides[1];
+}
+
+/// Returns a cell of the dual edge of a face. Valid until the next call for a cell that has the
+/// same place in the list.
+const EndCell& CrossingFinder::FindSide(const InterfaceFace& face, Index cell)
+{
+  const int first = face.First(), second = face.Second();
+  const std::size_t key = static_cast<std::size_t>(cell) ^ (37 * first + 1009 * second);
+  EndCell& side = this->Sides[key % KeptSides];
+  if (side.Cell != cell || side.First != first || side.Second != second)
+  {
+    side = MakeSide(ScaledCells(this->Grid), PairFractions(this->Fractions, face, this->IsoValue),
+      cell, this->IsoValue == 0.5);
+    side.First = first;
+    side.Second = second;
+  }
+  return side;
+}
+
+Crossing CrossingFinder::Find(const InterfaceFace& face)
+{
+  const EndCell lower = this->FindSide(face, face.Node - this->Grid.Stride(face.Axis));
+  const EndCell& upper = this->FindSide(face, face.Node);
   const double t = LinearParameter(face, lower, upper);
   Crossing crossing;
   crossing.Point = (1.0 - t) * lower.Centre + t * upper.Centre;
-  if (isoValue == 0.5)
-  {
-    MoveToPlanes(face, pair, sides, crossing.Point);
-  }
+  MoveToPlanes(face, lower, upper, crossing.Point);
   crossing.Normal = BlendNormals(face, lower, upper, t);
+  const PairFractions pair(this->Fractions, face, this->IsoValue);
   const double filled = pair.OfBoth(lower.Cell) * pair.OfBoth(upper.Cell);
   crossing.Weight = std::max(filled * filled, LeastWeight);
   return crossing;
 }
 
-Crossing FindCrossingNear(const CartesianGrid& grid, const FractionField& fractions,
-  const InterfaceFace& face, double isoValue)
+Crossing CrossingFinder::FindNear(const InterfaceFace& face)
 {
   static const std::array<std::vector<FaceStep>, 3> steps{ { MakeSteps(0), MakeSteps(1),
     MakeSteps(2) } };
-  const Index3 p = grid.Position(face.Node);
+  const Index3 p = this->Grid.Position(face.Node);
   for (const FaceStep& step : steps[face.Axis])
   {
     const Index3 upper{ { p[0] + step.Node[0], p[1] + step.Node[1], p[2] + step.Node[2] } };
     Index3 lower = upper;
     --lower[step.Axis];
-    if (!grid.Local().Contains(upper) || !grid.Local().Contains(lower))
+    if (!this->Grid.Local().Contains(upper) || !this->Grid.Local().Contains(lower))
     {
       continue;
     }
-    const Index node = grid.Linear(upper);
+    const Index node = this->Grid.Linear(upper);
     const InterfaceFace other{ node, step.Axis,
-      MaterialOfCell(fractions, node - grid.Stride(step.Axis), isoValue),
-      MaterialOfCell(fractions, node, isoValue) };
+      MaterialOfCell(this->Fractions, node - this->Grid.Stride(step.Axis), this->IsoValue),
+      MaterialOfCell(this->Fractions, node, this->IsoValue) };
     if (other.First() == face.First() && other.Second() == face.Second())
     {
-      return FindCrossing(grid, fractions, other, isoValue);
+      return this->Find(other);
     }
   }
-  return FindCrossing(grid, fractions, face, isoValue);
+  return this->Find(face);
 }
 
 } // namespace vfm

@@ -2,10 +2,10 @@
  * FilmCrossings: crossings of films that are thinner than a cell, from the layer that best fits the
  * fractions around.
  *
- * FindCrossing takes normals from gradients, which are of no use where a material has two surfaces
- * within a cell or two. Here both surfaces are found at once (LayerFit.h). They are exact for flat
- * films. Threads keep the crossings of FindCrossing: a cylinder that fits the fractions around gave
- * volumes that are farther off.
+ * CrossingFinder takes normals from gradients, which are of no use where a material has two
+ * surfaces within a cell or two. Here both surfaces are found at once (LayerFit.h). They are exact
+ * for flat films. Threads keep the crossings of CrossingFinder: a cylinder that fits the fractions
+ * around gave volumes that are farther off.
  */
 #pragma once
 

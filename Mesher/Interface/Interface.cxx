@@ -32,6 +32,7 @@ Interface::Interface(const CartesianGrid& grid, const FractionField& fractions,
   runtime.For(0, static_cast<Index>(this->TheFaces.size()),
     [&](Index first, Index last)
     {
+      CrossingFinder finder(grid, fractions, isoValue);
       for (Index f = first; f < last; ++f)
       {
         const InterfaceFace& face = this->TheFaces[f];
@@ -41,8 +42,8 @@ Interface::Interface(const CartesianGrid& grid, const FractionField& fractions,
           continue;
         }
         this->TheCrossings[f] = isStep(face.Node) || isStep(face.Node - grid.Stride(face.Axis))
-          ? FindCrossingNear(grid, fractions, face, isoValue)
-          : FindCrossing(grid, fractions, face, isoValue);
+          ? finder.FindNear(face)
+          : finder.Find(face);
       }
     });
   this->FindSurfacePoints(runtime);

@@ -47,7 +47,7 @@ public:
   /// @param mixed  FindMixedNodes(grid, labels), or some of these nodes, ascending. A face is left
   ///   out if one of its nodes is not in this list
   /// @param steps  cells, ascending, that got their label as a part of a coarser cell, against
-  ///   their own fractions. Their faces get the crossing of a face nearby (FindCrossingNear)
+  ///   their own fractions. Their faces get the crossing of a face nearby (Crossings.h)
   /// @param thin  cells, ascending, that got their label as a thin part (FilmCrossings.h)
   Interface(const CartesianGrid& grid, const FractionField& fractions, const LabelArray& labels,
     std::vector<Index> mixed, double isoValue, Runtime& runtime,

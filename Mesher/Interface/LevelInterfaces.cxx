@@ -9,7 +9,7 @@ namespace vfm
 namespace
 {
 
-// The two further layers are for FindCrossingNear, on levels above the base.
+// The two further layers are for CrossingFinder::FindNear, on levels above the base.
 constexpr int LevelGhosts = GhostLayers + 2;
 constexpr Index SearchRadius = 2; // distance of nodes for FindTarget, in cells
 // Families around that of a node; at least 3 cells around the node.

@@ -30,6 +30,19 @@ constexpr std::array<double, 6> Tikhonov{ { 1e-6, 1e-3, 1e-3, 0.02, 0.02, 0.02 }
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
+/// Adds weight * row * row^T to the lower triangle of a matrix, which is all that LDLT reads.
+void AddLower(double weight, const Vector6& row, Matrix6& A)
+{
+  const Vector6 weighted = weight * row;
+  for (int j = 0; j < 6; ++j)
+  {
+    for (int i = j; i < 6; ++i)
+    {
+      A(i, j) += weighted[i] * row[j];
+    }
+  }
+}
+
 /// Returns the point of a triangle nearest to 0. Ericson, Real-Time Collision
 /// Detection, 2005, section 5.1.5.
 Vector3 NearestOfTriangle(const Vector3& a, const Vector3& b, const Vector3& c)
@@ -203,7 +216,7 @@ void SurfaceTargets::FitQuadric(
     const double weight = crossing.Weight * Exp(-(u * u + v * v) / (2.0 * FitRadius * FitRadius));
     Vector6 row;
     row << 1.0, u, v, u * u, u * v, v * v;
-    A += weight * row * row.transpose();
+    AddLower(weight, row, A);
     b += weight * w * row;
     ++used;
   }

@@ -61,6 +61,27 @@ TEST(Plic, PlanesHaveTheirVolume)
   }
 }
 
+/// Newton's method before the bisection changes no bit of its result.
+TEST(Plic, PlanesAreThoseOfABisection)
+{
+  RandomDraw random(3);
+  const auto draw = [&] { return std::floor(0x1p20 * random.Between(0.0, 0.5)) * 0x1p-20; };
+  for (int i = 0; i < 20000; ++i)
+  {
+    // The components sum to exactly 1, so that no place of a plane is rounded.
+    const double x = i % 4 ? draw() : 0x1p-20, y = i % 5 ? draw() : 0.0;
+    const CellBelowPlanes cell(Vector3{ { x, y, 1.0 - x - y } });
+    const double fraction = i % 3 ? random.Between(0, 1) : std::pow(10.0, random.Between(-15, 0));
+    double low = 0.0, high = 1.0;
+    while (high - low > 1e-12)
+    {
+      const double middle = 0.5 * (low + high);
+      (cell.Volume(middle - 0.5) < fraction ? low : high) = middle;
+    }
+    ASSERT_EQ(cell.PlaneOf(fraction), 0.5 * (low + high) - 0.5) << fraction;
+  }
+}
+
 TEST(Plic, SlopesAreDifferencesOfVolumes)
 {
   RandomDraw random(2);

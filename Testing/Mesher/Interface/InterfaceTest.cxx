@@ -150,12 +150,40 @@ TEST(Crossings, NearStepsAreThoseOfTheInterface)
   const HalfSpace c(MakeUnitGrid(7, 7, 7), { { { 1, 0, 0 } }, -INFINITY, 3.3 });
   // The face between cells 3 and 4, as if cell 3 had label 1; the interface is one face lower.
   const InterfaceFace face{ c.Grid.Linear({ { 4, 3, 3 } }), 0, 1, 2 };
-  const Crossing near = FindCrossingNear(c.Grid, c.Fractions, face, 0.5);
+  CrossingFinder finder(c.Grid, c.Fractions, 0.5);
+  const Crossing near = finder.FindNear(face);
   EXPECT_NEAR(Norm(near.Point - (Vector3{ { 3.3, 3.5, 3.5 } })), 0.0, 1e-12);
   EXPECT_NEAR(near.Normal[0], 1.0, 1e-12);
   const InterfaceFace own{ c.Grid.Linear({ { 3, 3, 3 } }), 0, 1, 2 };
-  const Crossing crossing = FindCrossing(c.Grid, c.Fractions, own, 0.5);
-  EXPECT_EQ(FindCrossingNear(c.Grid, c.Fractions, own, 0.5).Point, crossing.Point);
+  const Crossing crossing = finder.Find(own);
+  EXPECT_EQ(finder.FindNear(own).Point, crossing.Point);
+}
+
+/// A finder that has found the crossings of other faces returns those of a new one.
+TEST(Crossings, DoNotDependOnThoseBefore)
+{
+  const CartesianGrid grid = MakeUnevenGrid(17);
+  const FractionField fractions = MakePatchyFractions(grid, 5, 3);
+  CrossingFinder finder(grid, fractions, 0.5);
+  ForCells(grid.Owned(),
+    [&](const Index3& p)
+    {
+      for (int axis = 0; axis < 3 && p[axis] > 0; ++axis)
+      {
+        const Index node = grid.Linear(p);
+        const InterfaceFace face{ node, axis,
+          MaterialOfCell(fractions, node - grid.Stride(axis), 0.5),
+          MaterialOfCell(fractions, node, 0.5) };
+        if (face.LowerLabel != face.UpperLabel)
+        {
+          const Crossing found = finder.Find(face);
+          const Crossing alone = CrossingFinder(grid, fractions, 0.5).Find(face);
+          ASSERT_EQ(found.Point, alone.Point);
+          ASSERT_EQ(found.Normal, alone.Normal);
+          ASSERT_EQ(found.Weight, alone.Weight);
+        }
+      }
+    });
 }
 
 /// Other iso values and pure cells interpolate: D = 2 (1 - vf_0 - isoValue) is 2 * 0.75 and
@@ -166,7 +194,7 @@ TEST(Crossings, OfVoidWithAnIsoValue)
   const FractionField fractions =
     MakeLabels(grid, 1, [](const Index3& p) { return p[0] < 3 ? 1 : 0; });
   const InterfaceFace face{ grid.Linear({ { 3, 1, 1 } }), 0, 1, 0 };
-  const Crossing crossing = FindCrossing(grid, fractions, face, 0.25);
+  const Crossing crossing = CrossingFinder(grid, fractions, 0.25).Find(face);
   EXPECT_NEAR(crossing.Point[0], 2.5 + 0.75, 1e-12);
   EXPECT_NEAR(crossing.Normal[0], -1.0, 1e-12); // from void to material 1
 }
