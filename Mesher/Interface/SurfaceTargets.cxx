@@ -82,24 +82,27 @@ Vector3 NearestOfTriangle(const Vector3& a, const Vector3& b, const Vector3& c)
   return a + (vb / sum) * ab + (vc / sum) * ac;
 }
 
-/// Returns a vector along the first tangent of MakeTangents.
-Vector3 AlongTangent(const Vector3& n)
+constexpr Vector3 Axes[] = { { { 1.0, 0.0, 0.0 } }, { { 0.0, 1.0, 0.0 } }, { { 0.0, 0.0, 1.0 } } };
+
+/// Returns the first tangent of MakeTangents as a number: the factor that makes the cross product
+/// of n and an axis a unit vector, 1 to 1.23, times 1, 2 or 4 for the axes.
+double PackTangent(const Vector3& n)
 {
   int flat = 0;
   for (int a = 1; a < 3; ++a)
   {
     flat = std::fabs(n[a]) < std::fabs(n[flat]) ? a : flat;
   }
-  Vector3 axis{ { 0.0, 0.0, 0.0 } };
-  axis[flat] = 1.0;
-  return Cross(n, axis);
+  const double norm = Norm(Cross(n, Axes[flat]));
+  return (norm > 0.0 ? 1.0 / norm : 1.0) * (1 << flat);
 }
 
-/// Returns the factor that makes AlongTangent(n) a unit vector.
-double StretchOf(const Vector3& n)
+/// Returns the tangent. Has no branches, which processors could not predict.
+Vector3 UnpackTangent(const Vector3& n, double packed)
 {
-  const double norm = Norm(AlongTangent(n));
-  return norm > 0.0 ? 1.0 / norm : 1.0;
+  constexpr double inverse[] = { 1.0, 0.5, 0.25 };
+  const int flat = (packed > 1.5) + (packed > 3.0);
+  return (inverse[flat] * packed) * Cross(n, Axes[flat]);
 }
 
 } // namespace
@@ -196,7 +199,7 @@ void SurfaceTargets::FitQuadric(
   Frame frame; // uses the coordinates of its own grid until it is stored
   frame.Base = base.Point;
   frame.N = Unit(Scaled(base.Normal, widths));
-  frame.Stretch = StretchOf(frame.N);
+  frame.Tangent = PackTangent(frame.N);
   Vector3 along, tangent;
   MakeTangents(frame.N, along, tangent);
 
@@ -307,7 +310,7 @@ Index SurfaceTargets::Add(const LocalQuadric& quadric, const Vector3& origin, co
 void SurfaceTargets::Replace(
   Index target, const LocalQuadric& quadric, const Vector3& origin, const Vector3& widths)
 {
-  this->Frames[target] = { origin + Scaled(quadric.Base, widths), quadric.N, StretchOf(quadric.N),
+  this->Frames[target] = { origin + Scaled(quadric.Base, widths), quadric.N, PackTangent(quadric.N),
     quadric.C };
   this->SetWidths(target, Divided({ { 1.0, 1.0, 1.0 } }, widths));
 }
@@ -332,7 +335,7 @@ double SurfaceTargets::Distance(Index target, const Vector3& x, Vector3& gradien
 double SurfaceTargets::QuadricDistance(
   const Frame& frame, const Vector3& y, Vector3& gradient) const
 {
-  const Vector3 along = frame.Stretch * AlongTangent(frame.N);
+  const Vector3 along = UnpackTangent(frame.N, frame.Tangent);
   const Vector3 tangent = Cross(frame.N, along);
   const double u = Dot(y, along), v = Dot(y, tangent), w = Dot(y, frame.N);
   const std::array<double, 6>& c = frame.C;

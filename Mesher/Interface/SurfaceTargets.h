@@ -89,11 +89,9 @@ private:
   };
   struct Frame
   {
-    Vector3 Base; // grid coordinates of the finest grid
-    Vector3 N;    // unit vector of the local frame; MakeTangents finds the others
-    // Inverse length of the cross product of N and an axis, which is the first tangent; 1 if it
-    // is 0.
-    double Stretch;
+    Vector3 Base;   // grid coordinates of the finest grid
+    Vector3 N;      // unit vector of the local frame; MakeTangents finds the others
+    double Tangent; // the first of them, which is orthogonal to an axis, as a number
     std::array<double, 6> C;
   };
 

@@ -67,19 +67,19 @@ TEST(PackedLists, ReturnEqualFacets)
 }
 
 /// Takes the points of a mesh, of which the active mesh has every third one, and restores them.
-/// @param width  factor of the coordinates
-/// @param isCoded  whether they have few values
-void ExpectPointsRestored(double width, bool isCoded)
+/// @param count  number of points
+/// @param values  number of different values of the coordinates
+/// @param isCoded  whether these are few enough
+void ExpectPointsRestored(int count, int values, bool isCoded)
 {
-  constexpr int Count = 80000;
-  Buffer<double> points(3 * Count);
-  for (int i = 0; i < 3 * Count; ++i)
+  Buffer<double> points(3 * count);
+  for (int i = 0; i < 3 * count; ++i)
   {
-    points[i] = width * (isCoded ? i % 100 : i);
+    points[i] = 0.1 * (i % values);
   }
   const std::vector<double> given(points.begin(), points.end());
   ActiveMesh active;
-  for (int p = Count - 1; p >= 0; p -= 3)
+  for (int p = count - 1; p >= 0; p -= 3)
   {
     active.MeshPoint.push_back(p);
   }
@@ -98,8 +98,9 @@ void ExpectPointsRestored(double width, bool isCoded)
 
 TEST(PackedLists, ReturnEqualPoints)
 {
-  ExpectPointsRestored(0.1, true);
-  ExpectPointsRestored(0.1, false);
+  ExpectPointsRestored(80000, 100, true);
+  ExpectPointsRestored(120000, 120000 * 3, false); // too many only for the other points
+  ExpectPointsRestored(210000, 210000 * 3, false);
 }
 
 /// Takes the corners of 500 hexes, of which every n-th is not active, and restores them.
