@@ -95,7 +95,7 @@ private:
 
   const CartesianGrid& Grid;
   PagedArray<int> Firsts; // first donor of each cell, or -1
-  std::vector<Donor> Donors;
+  std::vector<Donor, LargeAllocator<Donor>> Donors;
 };
 
 /// Links between owned donors and their copies on other ranks. Two ranks list the donors that they
