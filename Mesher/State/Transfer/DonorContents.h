@@ -74,7 +74,7 @@ public:
 
 private:
   int Width;
-  std::vector<double, LargeAllocator<double>> Values;
+  std::vector<double> Values;
 };
 
 /// Fills the volumes and values of the owned donors from the owned cells.

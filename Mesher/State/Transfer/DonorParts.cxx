@@ -100,6 +100,8 @@ void AddRegular(const RegularSums& sums, const CartesianGrid& grid, const Index3
 }
 
 constexpr Index ElementsAtOnce = 32768;
+// Tets per donor, or fewer. There are 12 in a cell, and cells at interfaces have several donors.
+constexpr std::size_t LeastTetsOfDonor = 9;
 
 /// Donors of the cells that were searched last, because consecutive elements are mostly in the same
 /// cells.
@@ -384,6 +386,10 @@ std::vector<DonorParts> FindDonorParts(const Mesh& mesh,
   DonorSearch search(mesh, grid, donors);
   OverlapFinder finder(mesh, grid, runtime);
   std::vector<DonorParts> pieces = ListElements(static_cast<Index>(mesh.Material.size()), isNeeded);
+  if (regular.IsUsed())
+  {
+    donors.Reserve(mesh.Material.size() / LeastTetsOfDonor);
+  }
   for (DonorParts& some : pieces)
   {
     CutElements(FindRegular(regular, runtime, search, some), finder, search, some);

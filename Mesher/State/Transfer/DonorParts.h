@@ -50,7 +50,7 @@ struct DonorShape
   Vector3 Lower{ { 1e300, 1e300, 1e300 } }, Upper{ { -1e300, -1e300, -1e300 } };
 };
 
-using DonorShapes = std::vector<DonorShape, LargeAllocator<DonorShape>>;
+using DonorShapes = std::vector<DonorShape>;
 
 /// Cuts elements by cells, and makes the donors of their parts. Adds the parts to Donor::Overlap
 /// and to the shapes of owned donors, and sets Donor::HasParts of copies.

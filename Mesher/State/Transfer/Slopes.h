@@ -45,7 +45,7 @@ private:
   const int Width;
   const std::vector<double> Zeros; // slopes of constant donors
   std::vector<int> Places;         // position of each donor in Lines; -1 if it is constant
-  std::vector<double, LargeAllocator<double>> Lines; // Width numbers per donor
+  std::vector<double> Lines;       // Width numbers per donor
 };
 
 } // namespace vfm

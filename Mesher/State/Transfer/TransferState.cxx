@@ -69,7 +69,7 @@ class StateWriter
 {
 public:
   StateWriter(const StateSource& source, TransferredState& state) :
-    Mass(state.Mass.data()), States(source.Columns)
+    Mass(state.Mass.data()), Width(source.Columns.Width()), States(source.Columns)
   {
     for (std::size_t q = 0; q < state.Values.size(); ++q)
     {
@@ -98,15 +98,19 @@ public:
   {
     const std::size_t count = this->States.Count();
     this->States.Finish();
+    const double* values = this->States.Values(0);
+    const std::size_t width = this->Width;
+    for (const Target& target : this->Targets) // column by column, for longer runs of memory
+    {
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        target.Values[this->Elements[i] * target.Components] = values[i * width];
+      }
+      ++values;
+    }
     for (std::size_t i = 0; i < count; ++i)
     {
-      const Index e = this->Elements[i];
-      const double* value = this->States.Values(i);
-      this->Mass[e] = this->States.Mass(i);
-      for (const Target& target : this->Targets)
-      {
-        target.Values[e * target.Components] = *value++;
-      }
+      this->Mass[this->Elements[i]] = this->States.Mass(i);
     }
     this->States.Clear();
   }
@@ -120,6 +124,7 @@ private:
   };
   std::vector<Target> Targets; // one per column of the quantities
   double* Mass;
+  std::size_t Width; // numbers per element in States
   std::array<Index, AtOnce> Elements;
   ElementStates States;
 };
