@@ -14,8 +14,11 @@ public:
   explicit MoversById(const std::vector<Mover>& movers) : Movers(movers), Order(movers.size())
   {
     std::iota(this->Order.begin(), this->Order.end(), 0);
-    std::sort(this->Order.begin(), this->Order.end(),
-      [&](int a, int b) { return movers[a].Id < movers[b].Id; });
+    const auto isLess = [&](int a, int b) { return movers[a].Id < movers[b].Id; };
+    if (!std::is_sorted(this->Order.begin(), this->Order.end(), isLess)) // mostly they are
+    {
+      std::sort(this->Order.begin(), this->Order.end(), isLess);
+    }
   }
   int Find(Index id) const
   {

@@ -137,11 +137,15 @@ public:
   explicit Forerunners(const std::vector<Node>& nodes) :
     Nodes(nodes), Box(BoxAround(nodes)), IsOne(nodes.size(), 0)
   {
+    this->Places.reserve(nodes.size());
     for (std::size_t n = 0; n < nodes.size(); ++n)
     {
       this->Places.push_back({ { IndexInBox(this->Box, nodes[n].At), static_cast<Index>(n) } });
     }
-    std::sort(this->Places.begin(), this->Places.end());
+    if (!std::is_sorted(this->Places.begin(), this->Places.end())) // mostly they are
+    {
+      std::sort(this->Places.begin(), this->Places.end());
+    }
   }
 
   void Add(std::size_t node)

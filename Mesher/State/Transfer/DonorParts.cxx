@@ -100,6 +100,8 @@ void AddRegular(const RegularSums& sums, const CartesianGrid& grid, const Index3
 }
 
 constexpr Index ElementsAtOnce = 32768;
+// Tets per donor, or fewer. There are 12 in a cell, and cells at interfaces have several donors.
+constexpr std::size_t LeastTetsOfDonor = 9;
 
 /// Donors of the cells that were searched last, because consecutive elements are mostly in the same
 /// cells.
@@ -330,8 +332,8 @@ void ExchangeKinds(
 }
 
 /// Adds the parts of regular tets to owned donors.
-void AddRegularParts(const DonorSearch& search, const CartesianGrid& grid, DonorTable& donors,
-  std::vector<DonorShape>& shapes)
+void AddRegularParts(
+  const DonorSearch& search, const CartesianGrid& grid, DonorTable& donors, DonorShapes& shapes)
 {
   RegularSums sums(0);
   for (int s = 0; s < donors.Count(); ++s)
@@ -350,7 +352,7 @@ void AddRegularParts(const DonorSearch& search, const CartesianGrid& grid, Donor
 /// @param others,donorOf  parts of other ranks and their donors
 void AddCutParts(const std::vector<DonorParts>& pieces, const Buffer<Index>& ids,
   const std::vector<SentPart>& others, const std::vector<int>& donorOf, DonorTable& donors,
-  std::vector<DonorShape>& shapes)
+  DonorShapes& shapes)
 {
   const auto add = [&](int s, double volume, const Vector3& centroid)
   { AddPart(volume, centroid, donors[s], shapes[s]); };
@@ -379,11 +381,15 @@ void AddCutParts(const std::vector<DonorParts>& pieces, const Buffer<Index>& ids
 std::vector<DonorParts> FindDonorParts(const Mesh& mesh,
   const std::function<bool(Index element)>& isNeeded, const CartesianGrid& grid,
   const RegularTets& regular, const Partition& partition, Runtime& runtime, DonorTable& donors,
-  std::vector<DonorShape>& shapes)
+  DonorShapes& shapes)
 {
   DonorSearch search(mesh, grid, donors);
   OverlapFinder finder(mesh, grid, runtime);
   std::vector<DonorParts> pieces = ListElements(static_cast<Index>(mesh.Material.size()), isNeeded);
+  if (regular.IsUsed())
+  {
+    donors.Reserve(mesh.Material.size() / LeastTetsOfDonor);
+  }
   for (DonorParts& some : pieces)
   {
     CutElements(FindRegular(regular, runtime, search, some), finder, search, some);
@@ -406,7 +412,7 @@ std::vector<DonorParts> FindDonorParts(const Mesh& mesh,
   return pieces;
 }
 
-void CentreShapes(DonorTable& donors, std::vector<DonorShape>& shapes)
+void CentreShapes(DonorTable& donors, DonorShapes& shapes)
 {
   for (int s = 0; s < donors.Count(); ++s)
   {

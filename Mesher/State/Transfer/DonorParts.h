@@ -50,6 +50,8 @@ struct DonorShape
   Vector3 Lower{ { 1e300, 1e300, 1e300 } }, Upper{ { -1e300, -1e300, -1e300 } };
 };
 
+using DonorShapes = std::vector<DonorShape>;
+
 /// Cuts elements by cells, and makes the donors of their parts. Adds the parts to Donor::Overlap
 /// and to the shapes of owned donors, and sets Donor::HasParts of copies.
 /// @param mesh  elements owned by this rank, with fragments
@@ -60,10 +62,10 @@ struct DonorShape
 std::vector<DonorParts> FindDonorParts(const Mesh& mesh,
   const std::function<bool(Index element)>& isNeeded, const CartesianGrid& grid,
   const RegularTets& regular, const Partition& partition, Runtime& runtime, DonorTable& donors,
-  std::vector<DonorShape>& shapes);
+  DonorShapes& shapes);
 
 /// Moves the centroid of each donor from the cell centre to the centroid of its parts, and makes
 /// shapes relative to it.
-void CentreShapes(DonorTable& donors, std::vector<DonorShape>& shapes);
+void CentreShapes(DonorTable& donors, DonorShapes& shapes);
 
 } // namespace vfm

@@ -78,6 +78,9 @@ public:
     }
   }
 
+  /// Makes room for a number of new donors, so that fewer are copied. Unused room is never touched.
+  void Reserve(std::size_t added) { this->Donors.reserve(this->Donors.size() + added); }
+
   int Count() const { return static_cast<int>(this->Donors.size()); }
   Donor& operator[](int donor) { return this->Donors[donor]; }
   const Donor& operator[](int donor) const { return this->Donors[donor]; }

@@ -7,6 +7,8 @@ namespace vfm
 namespace
 {
 
+constexpr int LaneCount = ElementLanes<double>::Count;
+
 /// Returns the value of a column in a part.
 VFM_INLINE double ValueIn(const StatePart& part, int column, int width)
 {
@@ -29,60 +31,128 @@ VFM_INLINE Lanes Gather(const double* numbers, const int* places)
 
 } // namespace
 
-/// Sums the contents of all columns over the parts, and divides them by the contents of their
-/// bases. Returns whether all of these are positive.
-VFM_CLONES
-bool ElementState::Sum()
+/// Sums the contents of all columns over the parts of an element, and divides them by the contents
+/// of their bases, for any bases.
+VFM_INLINE void ElementStates::SumElement(
+  const StatePart* first, const StatePart* end, double* weights, double* found)
 {
   const int width = this->Columns.Width(), slots = static_cast<int>(this->Bases.size());
-  double* weights = this->Factors.data(); // contents of the bases
-  std::fill_n(weights, slots, 0.0);
-  double* factor = weights;
-  for (const StatePart& part : this->Parts)
+  double* factor = this->Factors.data();
+  for (const StatePart* part = first; part < end; ++part, factor += slots)
   {
-    factor += slots;
-    factor[0] = part.Volume;
-    weights[0] += part.Inside;
+    factor[0] = part->Volume;
+    weights[0] += part->Inside;
     for (int s = 1; s < slots; ++s)
     {
       const int c = this->Bases[s];
-      factor[s] = factor[this->Slots[c]] * ValueIn(part, c, width);
+      factor[s] = factor[this->Slots[c]] * ValueIn(*part, c, width);
       weights[s] += factor[s];
     }
   }
-  for (int c = 0; c < width; c += ElementLanes<double>::Count)
+  for (int c = 0; c < width; c += LaneCount)
   {
     const int* places = this->Slots.data() + c;
     Lanes sum{};
-    factor = weights;
-    for (const StatePart& part : this->Parts)
+    factor = this->Factors.data();
+    for (const StatePart* part = first; part < end; ++part, factor += slots)
     {
-      factor += slots;
-      sum += Gather(factor, places) * ValuesIn(part, c, width);
+      sum += Gather(factor, places) * ValuesIn(*part, c, width);
     }
-    StoreLanes(sum / Gather(weights, places), this->Found.data() + c);
+    StoreLanes(sum / Gather(weights, places), found + c);
   }
-  // A call here would make GCC 12 leave out vzeroupper, which slows down all code that follows.
-  bool arePositive = true;
-  for (int s = 0; s < slots; ++s)
-  {
-    arePositive = arePositive && weights[s] > 0.0;
-  }
-  return arePositive;
 }
 
-ElementState::ElementState(const StateColumns& columns) :
-  Columns(columns), Slots(columns.Width(), 0), Bases(1, -1), Found(columns.Width(), 0.0)
+VFM_INLINE void ElementStates::SumMany()
+{
+  const std::size_t width = this->Columns.Width(), slots = this->Bases.size();
+  for (std::size_t i = 0; i + 1 < this->Firsts.size(); ++i)
+  {
+    this->SumElement(this->Parts.data() + this->Firsts[i], this->Parts.data() + this->Firsts[i + 1],
+      this->Weights.data() + i * slots, this->Found.data() + i * width);
+  }
+}
+
+/// The same sums if the only bases are volume and density, and there are few columns.
+/// @param Groups  number of lanes of columns
+template <int Groups>
+VFM_INLINE void ElementStates::SumFew()
+{
+  constexpr int Width = Groups * LaneCount;
+  const int density = this->Bases[1];
+  Mask isPerMass[Groups];
+  for (int g = 0; g < Groups; ++g)
+  {
+    isPerMass[g] = LoadLanes(this->IsPerMass.data() + g * LaneCount) < 0.0;
+  }
+  const std::size_t count = this->Firsts.size() - 1;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const StatePart* end = this->Parts.data() + this->Firsts[i + 1];
+    Lanes sums[Groups]{};
+    double volume = 0.0, mass = 0.0;
+    for (const StatePart* part = this->Parts.data() + this->Firsts[i]; part < end; ++part)
+    {
+      Lanes values[Groups];
+      double numbers[Width];
+      for (int g = 0; g < Groups; ++g)
+      {
+        values[g] = ValuesIn(*part, g * LaneCount, Width);
+        StoreLanes(values[g], numbers + g * LaneCount);
+      }
+      const double partMass = part->Volume * numbers[density];
+      volume += part->Inside;
+      mass += partMass;
+      const Lanes ofVolume = Fill(part->Volume), ofMass = Fill(partMass);
+      for (int g = 0; g < Groups; ++g)
+      {
+        sums[g] += (isPerMass[g] ? ofMass : ofVolume) * values[g];
+      }
+    }
+    this->Weights[2 * i] = volume;
+    this->Weights[2 * i + 1] = mass;
+    const Lanes ofVolume = Fill(volume), ofMass = Fill(mass);
+    for (int g = 0; g < Groups; ++g)
+    {
+      StoreLanes(sums[g] / (isPerMass[g] ? ofMass : ofVolume),
+        this->Found.data() + i * Width + g * LaneCount);
+    }
+  }
+}
+
+// A call to another function would make GCC 12 leave out vzeroupper, which slows down all code that
+// follows.
+VFM_CLONES
+void ElementStates::Sum()
+{
+  const int groups = this->Bases.size() == 2 ? this->Columns.Width() / LaneCount : 0;
+  switch (groups)
+  {
+    case 1:
+      return this->SumFew<1>();
+    case 2:
+      return this->SumFew<2>();
+    case 3:
+      return this->SumFew<3>();
+    case 4:
+      return this->SumFew<4>();
+    default:
+      return this->SumMany();
+  }
+}
+
+ElementStates::ElementStates(const StateColumns& columns) :
+  Columns(columns), Slots(columns.Width(), 0), Bases(1, -1), IsPerMass(columns.Width(), 0.0)
 {
   this->FindSlot(columns.Density());
   for (int c : columns.Order())
   {
     this->Slots[c] = columns.Base(c) < 0 ? 0 : this->FindSlot(columns.Base(c));
+    this->IsPerMass[c] = this->Slots[c] == 1 ? -1.0 : 0.0;
   }
 }
 
 /// Returns the slot of a base, which is made if there is none.
-int ElementState::FindSlot(int base)
+int ElementStates::FindSlot(int base)
 {
   const auto at = std::find(this->Bases.begin(), this->Bases.end(), base);
   const int slot = static_cast<int>(at - this->Bases.begin());
@@ -93,32 +163,48 @@ int ElementState::FindSlot(int base)
   return slot;
 }
 
-void ElementState::Finish()
+void ElementStates::Clear()
 {
-  this->Factors.resize((this->Parts.size() + 1) * this->Bases.size());
-  if (this->Sum())
+  this->Parts.clear();
+  this->Firsts.clear();
+}
+
+void ElementStates::Finish()
+{
+  const std::size_t count = this->Count(), slots = this->Bases.size();
+  this->Start(); // the end of the last element
+  this->Factors.resize(this->Parts.size() * slots);
+  this->Weights.assign(count * slots, 0.0);
+  this->Found.resize(count * this->Columns.Width());
+  this->Sum();
+  for (std::size_t i = 0; i < count; ++i)
   {
-    return;
-  }
-  for (int c = 0; c < this->Columns.Count(); ++c)
-  {
-    if (!(this->Factors[this->Slots[c]] > 0.0))
+    const double* weights = this->Weights.data() + i * slots;
+    if (std::all_of(weights, weights + slots, [](double weight) { return weight > 0.0; }))
     {
-      this->FindMean(c);
+      continue;
+    }
+    for (int c = 0; c < this->Columns.Count(); ++c)
+    {
+      if (!(weights[this->Slots[c]] > 0.0))
+      {
+        this->Found[i * this->Columns.Width() + c] = this->FindMean(i, c);
+      }
     }
   }
 }
 
-/// Sets the value of a column to the mean over the volume, for elements without mass.
-void ElementState::FindMean(int column)
+/// Returns the mean of a column over the volume, for elements without mass.
+double ElementStates::FindMean(std::size_t i, int column) const
 {
   double sum = 0.0, inside = 0.0;
-  for (const StatePart& part : this->Parts)
+  for (int p = this->Firsts[i]; p < this->Firsts[i + 1]; ++p)
   {
+    const StatePart& part = this->Parts[p];
     sum += part.Inside * ValueIn(part, column, this->Columns.Width());
     inside += part.Inside;
   }
-  this->Found[column] = inside > 0.0 ? sum / inside : 0.0;
+  return inside > 0.0 ? sum / inside : 0.0;
 }
 
 } // namespace vfm

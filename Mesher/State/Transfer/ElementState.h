@@ -1,10 +1,12 @@
 /**
- * ElementState: the state of an element, summed over its parts. A part gets its contents from
+ * ElementStates: the state of elements, summed over their parts. A part gets its contents from
  * linear values in its donor (Slopes.h).
  */
 #pragma once
 
 #include "State/Transfer/StateColumns.h"
+
+#include <vector>
 
 namespace vfm
 {
@@ -19,33 +21,47 @@ struct StatePart
   double Volume;      ///< volume of the material that the part receives, equal up to rounding
 };
 
-/// Sums the parts of elements, one element after another. The columns must outlive it.
-class ElementState
+/// Sums the parts of some elements at a time. The columns must outlive it.
+class ElementStates
 {
 public:
-  explicit ElementState(const StateColumns& columns);
+  explicit ElementStates(const StateColumns& columns);
 
-  /// Begins an element.
-  void Start() { this->Parts.clear(); }
+  /// Removes all elements.
+  void Clear();
+  /// Begins the next element.
+  void Start() { this->Firsts.push_back(static_cast<int>(this->Parts.size())); }
+  /// Adds a part to the last element.
   void Add(const StatePart& part) { this->Parts.push_back(part); }
-  /// Finds the values of the element from its parts.
+  /// Returns the number of elements.
+  std::size_t Count() const { return this->Firsts.size(); }
+  /// Finds the values of the elements from their parts.
   void Finish();
-  /// Returns the values, one per column, after Finish.
-  const double* Values() const { return this->Found.data(); }
-  double Mass() const { return this->Factors[1]; }
+  /// Returns the values of an element, one per column, after Finish.
+  const double* Values(std::size_t i) const
+  {
+    return this->Found.data() + i * this->Columns.Width();
+  }
+  double Mass(std::size_t i) const { return this->Weights[i * this->Bases.size() + 1]; }
 
 private:
   int FindSlot(int base);
-  bool Sum();
-  void FindMean(int column);
+  void Sum();
+  template <int Groups>
+  void SumFew();
+  void SumMany();
+  void SumElement(const StatePart* first, const StatePart* end, double* weights, double* found);
+  double FindMean(std::size_t i, int column) const;
 
   const StateColumns& Columns;
-  std::vector<StatePart> Parts;
-  std::vector<int> Slots; // position of the base of each column in Bases, 0 up to Width()
-  std::vector<int> Bases; // columns that are bases: -1 for volume, density, then weights
-  // Contents of the bases: in the element, where that of volume is its own volume, then per part.
-  std::vector<double> Factors;
-  std::vector<double> Found;
+  std::vector<StatePart> Parts;  // of the elements one after another
+  std::vector<int> Firsts;       // first part of each element; after Finish, also the end
+  std::vector<int> Slots;        // position of the base of each column in Bases, 0 up to Width()
+  std::vector<int> Bases;        // columns that are bases: -1 for volume, density, then weights
+  std::vector<double> IsPerMass; // per column, -1 if its base is density, else 0
+  std::vector<double> Factors;   // contents of the bases, per part of one element
+  std::vector<double> Weights;   // per element, contents of the bases; of volume, its own volume
+  std::vector<double> Found;     // per element, Width() numbers
 };
 
 } // namespace vfm

@@ -1,8 +1,8 @@
 #include "State/Transfer/Overlaps.h"
 
 #include "Base/HexNumbering.h"
-#include "Base/Vector3.h"
 #include "Octree/RefinedGrid.h"
+#include "State/Transfer/CellSums.h"
 #include "State/Transfer/StateCells.h"
 
 namespace vfm
@@ -16,63 +16,6 @@ constexpr Index ElementsAtOnce = 1024;
 
 /// Corners of the faces of a tet, counterclockwise as seen from outside.
 constexpr int TetFaces[4][3] = { { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } };
-
-/// Returns the point where an edge crosses a plane. It is computed from the lower end of the edge,
-/// so it is bitwise identical in both triangles at the edge.
-template <int Axis>
-Vector3 CutEdge(const Vector3& a, const Vector3& b, double plane)
-{
-  const bool rises = a[Axis] < b[Axis];
-  const Vector3 &low = rises ? a : b, &high = rises ? b : a;
-  Vector3 cut = low + (plane - low[Axis]) / (high[Axis] - low[Axis]) * (high - low);
-  cut[Axis] = plane;
-  return cut;
-}
-
-/// Sums in a cell over pieces of an element's surface.
-struct CellSums
-{
-  // Volume and first moments, times 6, 24, 24, 24 for cones and 6, 24, 24, 48 for columns.
-  double Volume = 0.0, X = 0.0, Y = 0.0, Z = 0.0;
-  // Area and first moments of shadows, times 2, 6, 6.
-  double Area = 0.0, AreaX = 0.0, AreaY = 0.0;
-
-  /// Adds the tet between the origin and a triangle.
-  void AddCone(const Vector3& a, const Vector3& b, const Vector3& c)
-  {
-    const double volume = Dot(a, Cross(b, c));
-    this->Volume += volume;
-    this->X += volume * (a[0] + b[0] + c[0]);
-    this->Y += volume * (a[1] + b[1] + c[1]);
-    this->Z += volume * (a[2] + b[2] + c[2]);
-  }
-
-  /// Adds the column along z between a triangle and z = 0.
-  void AddColumn(const Vector3& a, const Vector3& b, const Vector3& c)
-  {
-    const double area = TwiceShadow(a, b, c);
-    const double x = a[0] + b[0] + c[0], y = a[1] + b[1] + c[1], z = a[2] + b[2] + c[2];
-    this->Volume += area * z;
-    this->X += area * (x * z + a[0] * a[2] + b[0] * b[2] + c[0] * c[2]);
-    this->Y += area * (y * z + a[1] * a[2] + b[1] * b[2] + c[1] * c[2]);
-    this->Z += area * (z * z + a[2] * a[2] + b[2] * b[2] + c[2] * c[2]);
-  }
-
-  /// Adds the shadow of a triangle, its projection along z.
-  void AddShadow(const Vector3& a, const Vector3& b, const Vector3& c)
-  {
-    const double area = TwiceShadow(a, b, c);
-    this->Area += area;
-    this->AreaX += area * (a[0] + b[0] + c[0]);
-    this->AreaY += area * (a[1] + b[1] + c[1]);
-  }
-
-private:
-  static double TwiceShadow(const Vector3& a, const Vector3& b, const Vector3& c)
-  {
-    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-  }
-};
 
 /// Cells in which elements may lie. On a graded grid, smoothing may move an element across many
 /// thin cells, out of the local box of a rank.
@@ -160,10 +103,11 @@ public:
       this->CutBox(parts);
       return;
     }
-    this->MakePlanes();
+    this->FindOrigin();
+    this->IsStar ? this->StartCones() : this->StartColumns();
     this->AddSurface();
     this->IsStar ? this->FinishCones() : this->FinishColumns();
-    this->AddParts(parts);
+    this->IsStar ? this->AddPartsOfStar(parts) : this->AddParts(parts);
   }
 
 private:
@@ -260,18 +204,58 @@ private:
       });
   }
 
-  /// Finds the planes that cut the element, and makes coordinates relative to the origin. Along
-  /// each axis, the origin is on the first plane, or on the lower side of the bounding box if no
-  /// plane cuts the element. If a corner is on all planes, it is the origin.
-  void MakePlanes()
+  /// Finds the axes along which planes cut the element, and makes coordinates relative to the
+  /// origin. Along each axis, the origin is on the first plane, or on the lower side of the
+  /// bounding box if no plane cuts the element. If a corner is on all planes, it is the origin.
+  void FindOrigin()
+  {
+    this->IsStar = true;
+    this->CutAxes = 0;
+    for (int a = 0; a < 3; ++a)
+    {
+      const Span& span = this->Spans[a];
+      const bool isCut = span.First < span.Last;
+      this->Origin[a] = isCut ? this->Grid.Coordinates(a)[span.First + 1] : this->Lower[a];
+      this->CutAxes |= isCut << a;
+      this->IsStar = this->IsStar && span.Last - span.First < 2;
+    }
+    this->Apex = this->IsStar ? this->FindApex() : -1;
+    this->Shift = this->Apex < 0 ? this->Origin : this->Corners[this->Apex];
+    for (int c = 0; c < this->TheMesh.Corners; ++c)
+    {
+      this->Corners[c] = this->Corners[c] - this->Shift;
+    }
+  }
+
+  bool IsCut(int axis) const { return this->CutAxes >> axis & 1; }
+
+  /// Calls body(octant) for the cells of a star. Octants are on the lower side of axes that are not
+  /// cut.
+  template <class Body>
+  void ForOctants(const Body& body) const
+  {
+    for (int octant = 0; octant < 8; ++octant)
+    {
+      if ((octant & ~this->CutAxes) == 0)
+      {
+        body(octant);
+      }
+    }
+  }
+
+  void StartCones()
+  {
+    this->ForOctants([&](int octant) { this->Octants[octant] = CellSums(); });
+  }
+
+  /// Starts the sums of an element that is no star, and lists its planes.
+  void StartColumns()
   {
     std::size_t cells = 1;
-    this->IsStar = true;
     for (int a = 0; a < 3; ++a)
     {
       const Span& span = this->Spans[a];
       const std::vector<double>& x = this->Grid.Coordinates(a);
-      this->Origin[a] = span.First < span.Last ? x[span.First + 1] : this->Lower[a];
       std::vector<double>& planes = this->Planes[a];
       planes.clear();
       for (Index i = span.First + 1; i <= span.Last; ++i)
@@ -279,15 +263,8 @@ private:
         planes.push_back(x[i] - this->Origin[a]);
       }
       cells *= planes.size() + 1;
-      this->IsStar = this->IsStar && planes.size() < 2;
     }
-    this->Sums.assign(this->IsStar ? 8 : cells, CellSums());
-    this->Apex = this->IsStar ? this->FindApex() : -1;
-    this->Origin = this->Apex < 0 ? this->Origin : this->Corners[this->Apex];
-    for (int c = 0; c < this->TheMesh.Corners; ++c)
-    {
-      this->Corners[c] = this->Corners[c] - this->Origin;
-    }
+    this->Sums.assign(cells, CellSums());
   }
 
   /// Returns a corner that is on all planes, or -1 if there is none. Lattice tets have one.
@@ -298,7 +275,7 @@ private:
       bool isApex = true;
       for (int a = 0; a < 3; ++a)
       {
-        isApex = isApex && (this->Planes[a].empty() || this->Corners[c][a] == this->Origin[a]);
+        isApex = isApex && (!this->IsCut(a) || this->Corners[c][a] == this->Origin[a]);
       }
       if (isApex)
       {
@@ -351,12 +328,12 @@ private:
   {
     if constexpr (Axis == 3)
     {
-      this->Sums[octant].AddCone(a, b, c);
+      this->Octants[octant].AddCone(a, b, c);
     }
     else
     {
       const bool isAbove[3] = { a[Axis] > 0.0, b[Axis] > 0.0, c[Axis] > 0.0 };
-      if (this->Planes[Axis].empty() || !(isAbove[0] || isAbove[1] || isAbove[2]))
+      if (!this->IsCut(Axis) || !(isAbove[0] || isAbove[1] || isAbove[2]))
       {
         this->AddToStar<Axis + 1>(a, b, c, octant);
       }
@@ -476,16 +453,18 @@ private:
 
   void FinishCones()
   {
-    for (CellSums& s : this->Sums)
-    {
-      if (s.Volume > 0.0) // others are dropped
+    this->ForOctants(
+      [&](int octant)
       {
-        s.Volume /= 6.0;
-        s.X /= 24.0;
-        s.Y /= 24.0;
-        s.Z /= 24.0;
-      }
-    }
+        CellSums& s = this->Octants[octant];
+        if (s.Volume > 0.0) // others are dropped
+        {
+          s.Volume /= 6.0;
+          s.X /= 24.0;
+          s.Y /= 24.0;
+          s.Z /= 24.0;
+        }
+      });
   }
 
   void FinishColumns()
@@ -511,10 +490,16 @@ private:
     }
   }
 
-  void AddParts(std::vector<OverlapPart>& parts) const
+  /// Returns the volume up to which parts are dropped.
+  double LeastVolume() const
   {
     const Vector3 size = this->Upper - this->Lower;
-    const double least = Rounding * size[0] * size[1] * size[2];
+    return Rounding * size[0] * size[1] * size[2];
+  }
+
+  void AddParts(std::vector<OverlapPart>& parts) const
+  {
+    const double least = this->LeastVolume();
     const Index ny = static_cast<Index>(this->Planes[1].size()) + 1;
     const Index nz = static_cast<Index>(this->Planes[2].size()) + 1;
     this->ForSpannedCells(
@@ -522,14 +507,32 @@ private:
       {
         const Index i = cell[0] - this->Spans[0].First, j = cell[1] - this->Spans[1].First,
                     k = cell[2] - this->Spans[2].First;
-        const CellSums& s = this->Sums[this->IsStar ? i | j << 1 | k << 2 : (i * ny + j) * nz + k];
-        if (s.Volume > least)
-        {
-          const Vector3 centroid = (1.0 / s.Volume) * Vector3{ { s.X, s.Y, s.Z } };
-          parts.push_back({ IndexInBox(this->Grid.Local(), cell), s.Volume,
-            this->MoveInside(cell, this->Origin + centroid) });
-        }
+        this->AddPart(this->Sums[(i * ny + j) * nz + k], cell, least, parts);
       });
+  }
+
+  void AddPartsOfStar(std::vector<OverlapPart>& parts) const
+  {
+    const double least = this->LeastVolume();
+    const std::array<Span, 3>& from = this->Spans;
+    this->ForOctants(
+      [&](int octant)
+      {
+        const Index3 cell{ { from[0].First + (octant & 1), from[1].First + (octant >> 1 & 1),
+          from[2].First + (octant >> 2) } };
+        this->AddPart(this->Octants[octant], cell, least, parts);
+      });
+  }
+
+  void AddPart(
+    const CellSums& s, const Index3& cell, double least, std::vector<OverlapPart>& parts) const
+  {
+    if (s.Volume > least)
+    {
+      const Vector3 centroid = (1.0 / s.Volume) * Vector3{ { s.X, s.Y, s.Z } };
+      parts.push_back({ IndexInBox(this->Grid.Local(), cell), s.Volume,
+        this->MoveInside(cell, this->Shift + centroid) });
+    }
   }
 
   /// Moves a centroid into the cell and the bounding box of the element. The centroid of a part
@@ -550,13 +553,15 @@ private:
   const ElementReach& Reach;
   std::array<Vector3, 8> Corners;            // corners; of hexes, numbered by bits
   Vector3 Lower, Upper;                      // bounding box
-  Vector3 Origin;                            // origin of coordinates while the element is cut
+  Vector3 Origin;                            // point on the first plane of each axis
+  Vector3 Shift;                             // origin of coordinates while the element is cut
   std::array<Span, 3> Spans;                 // cells along each axis
-  std::array<std::vector<double>, 3> Planes; // planes between these cells
+  std::array<std::vector<double>, 3> Planes; // planes between these cells unless it is a star
+  int CutAxes = 0;                           // bit a is set if planes of axis a cut the element
   bool IsStar = false;                       // whether each axis has at most one plane
   int Apex = -1;                             // corner of a star at the origin, or -1
-  // Sums of the cells; of a star, numbered by bits, x lowest, else with z fastest.
-  std::vector<CellSums> Sums;
+  std::vector<CellSums> Sums;                // of the cells, z fastest
+  std::array<CellSums, 8> Octants;           // of the cells of a star, by bits, x lowest
 };
 
 } // namespace

@@ -14,11 +14,6 @@ constexpr std::array<Place, 3> Steps{ { 1, Place(1) << Bits, Place(1) << 2 * Bit
 constexpr Place Ones = Steps[0] + Steps[1] + Steps[2];
 constexpr Place Mask = Steps[1] - 1;
 
-bool IsCentre(Place place)
-{
-  return place & 1;
-}
-
 /// Returns whether a node is a corner of the cell of a centre.
 bool IsCorner(Place node, Place centre)
 {
@@ -48,6 +43,37 @@ int CornerAt(Place node, Place centre)
   const Place sides = node - centre + Ones;
   return static_cast<int>((sides >> 1 & 1) | (sides >> Bits & 2) | (sides >> (2 * Bits - 1) & 4));
 }
+
+/// Returns the axis along which two places are two apart, or -1.
+int AxisOf(Place distance)
+{
+  return distance == 2 * Steps[0] ? 0
+    : distance == 2 * Steps[1]    ? 1
+    : distance == 2 * Steps[2]    ? 2
+                                  : -1;
+}
+
+/// Positions of the centres among the corners, then of the nodes, per set of centres (bits).
+constexpr std::array<std::array<std::uint8_t, 4>, 16> ListOrders()
+{
+  std::array<std::array<std::uint8_t, 4>, 16> orders{};
+  for (int set = 0; set < 16; ++set)
+  {
+    int place = 0;
+    for (int isNode = 0; isNode < 2; ++isNode)
+    {
+      for (int c = 0; c < 4; ++c)
+      {
+        if ((set >> c & 1) != isNode)
+        {
+          orders[set][place++] = static_cast<std::uint8_t>(c);
+        }
+      }
+    }
+  }
+  return orders;
+}
+constexpr std::array<std::array<std::uint8_t, 4>, 16> Orders = ListOrders();
 
 } // namespace
 
@@ -91,36 +117,33 @@ Index RegularTets::CellOf(Place centre) const
 int RegularTets::FindInTet(Index element, std::array<RegularPart, 2>& parts) const
 {
   const Index* points = this->TheMesh.Elements.data() + 4 * element;
-  // Corners: centres from the first, nodes from the last.
-  std::array<int, 4> order{};
-  int centres = 0, nodes = 4;
-  for (int c = 0; c < 4; ++c)
+  const Place places[4] = { this->Places[points[0]], this->Places[points[1]],
+    this->Places[points[2]], this->Places[points[3]] };
+  if ((places[0] | places[1] | places[2] | places[3]) < 0)
   {
-    const Place place = this->Places[points[c]];
-    if (place < 0)
-    {
-      return 0;
-    }
-    order[IsCentre(place) ? centres++ : --nodes] = c;
+    return 0;
   }
-  return centres == 2 ? this->FindInTwo(points, order, parts)
-    : centres == 1    ? this->FindInCell(points, order[0], parts)
-                      : 0;
+  const int centres = static_cast<int>(
+    (places[0] & 1) | (places[1] & 1) << 1 | (places[2] & 1) << 2 | (places[3] & 1) << 3);
+  const std::array<std::uint8_t, 4>& order = Orders[centres];
+  const int count = (centres & 1) + (centres >> 1 & 1) + (centres >> 2 & 1) + (centres >> 3);
+  const auto at = [&](int i) { return places[order[i]]; };
+  return count == 2 ? this->FindInTwo(at(0), at(1), at(2), at(3), parts)
+    : count == 1    ? this->FindInCell(at(0), { { at(1), at(2), at(3) } }, parts)
+                    : 0;
 }
 
 int RegularTets::FindInCell(
-  const Index* points, int centre, std::array<RegularPart, 2>& parts) const
+  Place centre, const std::array<Place, 3>& nodes, std::array<RegularPart, 2>& parts) const
 {
-  const Place place = this->Places[points[centre]];
   std::array<int, 3> corners{};
   for (int i = 0; i < 3; ++i)
   {
-    const Place node = this->Places[points[(centre + 1 + i) % 4]];
-    if (!IsCorner(node, place))
+    if (!IsCorner(nodes[i], centre))
     {
       return 0;
     }
-    corners[i] = CornerAt(node, place);
+    corners[i] = CornerAt(nodes[i], centre);
   }
   // The axes along which all three corners are on the same side; one if they are on a face.
   const int equal = 7 & ~((corners[0] ^ corners[1]) | (corners[0] ^ corners[2]));
@@ -129,27 +152,24 @@ int RegularTets::FindInCell(
     return 0;
   }
   const int missing = corners[0] ^ corners[1] ^ corners[2];
-  parts[0] = { this->CellOf(place), KindInCell(equal / 2, missing) };
+  parts[0] = { this->CellOf(centre), KindInCell(equal / 2, missing) };
   return 1;
 }
 
 int RegularTets::FindInTwo(
-  const Index* points, const std::array<int, 4>& order, std::array<RegularPart, 2>& parts) const
+  Place one, Place two, Place a, Place b, std::array<RegularPart, 2>& parts) const
 {
-  const Place one = this->Places[points[order[0]]], two = this->Places[points[order[1]]],
-              a = this->Places[points[order[2]]], b = this->Places[points[order[3]]];
   const Place lower = std::min(one, two), upper = std::max(one, two);
-  const Place along = (upper - lower) / 2, edge = (a > b ? a - b : b - a) / 2;
-  const int axis = along == Steps[0] ? 0 : along == Steps[1] ? 1 : 2;
-  const int edgeAxis = edge == Steps[0] ? 0 : edge == Steps[1] ? 1 : 2;
-  if (along != Steps[axis] || edge != Steps[edgeAxis] || edgeAxis == axis || !IsCorner(a, lower) ||
-    !IsCorner(a, upper) || !IsCorner(b, lower))
+  const int axis = AxisOf(upper - lower), edgeAxis = AxisOf(a > b ? a - b : b - a);
+  if (axis < 0 || edgeAxis < 0 || edgeAxis == axis || !IsCorner(a, lower) || !IsCorner(a, upper) ||
+    !IsCorner(b, lower))
   {
     return 0;
   }
   const int other = 3 - axis - edgeAxis, otherSide = CornerAt(a, lower) >> other & 1;
-  parts[0] = { this->CellOf(lower), KindInTwo(axis, 1, other, otherSide) };
-  parts[1] = { this->CellOf(upper), KindInTwo(axis, 0, other, otherSide) };
+  const Index cell = this->CellOf(lower);
+  parts[0] = { cell, KindInTwo(axis, 1, other, otherSide) };
+  parts[1] = { cell + this->Grid.Stride(axis), KindInTwo(axis, 0, other, otherSide) };
   return 2;
 }
 

@@ -96,9 +96,10 @@ public:
 
 private:
   int FindInTet(Index element, std::array<RegularPart, 2>& parts) const;
-  int FindInCell(const Index* points, int centre, std::array<RegularPart, 2>& parts) const;
-  int FindInTwo(
-    const Index* points, const std::array<int, 4>& order, std::array<RegularPart, 2>& parts) const;
+  int FindInCell(std::int64_t centre, const std::array<std::int64_t, 3>& nodes,
+    std::array<RegularPart, 2>& parts) const;
+  int FindInTwo(std::int64_t one, std::int64_t two, std::int64_t a, std::int64_t b,
+    std::array<RegularPart, 2>& parts) const;
   Index CellOf(std::int64_t centre) const;
 
   const Mesh& TheMesh;

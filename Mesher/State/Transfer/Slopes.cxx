@@ -165,7 +165,7 @@ class SlopeFinder
 {
 public:
   SlopeFinder(const StateColumns& columns, const CartesianGrid& grid, const DonorTable& donors,
-    const DonorValues& values, const std::vector<DonorShape>& shapes) :
+    const DonorValues& values, const DonorShapes& shapes) :
     Kinds(columns), Donors(donors), Values(values), Shapes(shapes), Steps(StepsAround(grid))
   {
   }
@@ -256,7 +256,7 @@ private:
   const ColumnKinds Kinds;
   const DonorTable& Donors;
   const DonorValues& Values;
-  const std::vector<DonorShape>& Shapes;
+  const DonorShapes& Shapes;
   const std::array<Index, 27> Steps; // offsets of the cells around
   std::vector<Neighbour> Around;
 };
@@ -271,8 +271,7 @@ bool IsPoint(const DonorShape& shape)
 } // namespace
 
 Slopes::Slopes(const StateColumns& columns, const CartesianGrid& grid, const DonorTable& donors,
-  const DonorValues& values, const std::vector<DonorShape>& shapes, const DonorLinks& links,
-  Runtime& runtime) :
+  const DonorValues& values, const DonorShapes& shapes, const DonorLinks& links, Runtime& runtime) :
   Width(4 * columns.Width()), Zeros(this->Width, 0.0), Places(donors.Count(), -1)
 {
   const int width = this->Width;

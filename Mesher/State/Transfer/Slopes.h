@@ -30,7 +30,7 @@ public:
   /// @param links  links of the copies that have parts of elements of this rank
   /// @pre Collective among peers.
   Slopes(const StateColumns& columns, const CartesianGrid& grid, const DonorTable& donors,
-    const DonorValues& values, const std::vector<DonorShape>& shapes, const DonorLinks& links,
+    const DonorValues& values, const DonorShapes& shapes, const DonorLinks& links,
     Runtime& runtime);
 
   /// Returns the slopes of a donor relative to its centroid: StatePart::Line.

@@ -64,12 +64,12 @@ void Allocate(
   state.Mass = Buffer<double>(elements);
 }
 
-/// Writes the state of elements.
+/// Finds and writes the state of elements, some at a time.
 class StateWriter
 {
 public:
   StateWriter(const StateSource& source, TransferredState& state) :
-    Mass(state.Mass.data()), State(source.Columns)
+    Mass(state.Mass.data()), Width(source.Columns.Width()), States(source.Columns)
   {
     for (std::size_t q = 0; q < state.Values.size(); ++q)
     {
@@ -81,25 +81,42 @@ public:
     }
   }
 
-  /// Returns the state of the next element, to which the caller adds its parts.
-  ElementState& Next()
+  /// Begins an element of the mesh, and returns the states, to which the caller adds its parts.
+  /// What these parts point to must not change before Write.
+  ElementStates& Start(Index e)
   {
-    this->State.Start();
-    return this->State;
-  }
-  /// Writes the state of an element.
-  void Write(Index e)
-  {
-    this->State.Finish();
-    this->Mass[e] = this->State.Mass();
-    const double* value = this->State.Values();
-    for (const Target& target : this->Targets)
+    if (this->States.Count() == AtOnce)
     {
-      target.Values[e * target.Components] = *value++;
+      this->Write();
     }
+    this->Elements[this->States.Count()] = e;
+    this->States.Start();
+    return this->States;
+  }
+  /// Writes the state of the elements begun.
+  void Write()
+  {
+    const std::size_t count = this->States.Count();
+    this->States.Finish();
+    const double* values = this->States.Values(0);
+    const std::size_t width = this->Width;
+    for (const Target& target : this->Targets) // column by column, for longer runs of memory
+    {
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        target.Values[this->Elements[i] * target.Components] = values[i * width];
+      }
+      ++values;
+    }
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      this->Mass[this->Elements[i]] = this->States.Mass(i);
+    }
+    this->States.Clear();
   }
 
 private:
+  static constexpr std::size_t AtOnce = 64;
   struct Target
   {
     double* Values;
@@ -107,13 +124,38 @@ private:
   };
   std::vector<Target> Targets; // one per column of the quantities
   double* Mass;
-  ElementState State;
+  std::size_t Width; // numbers per element in States
+  std::array<Index, AtOnce> Elements;
+  ElementStates States;
 };
+
+/// RegularShape with numbers that need no conversion.
+struct RegularNumbers
+{
+  double Volume;
+  Vector3 Centroid;
+};
+
+constexpr std::array<RegularNumbers, RegularKinds> ListRegularNumbers()
+{
+  std::array<RegularNumbers, RegularKinds> numbers{};
+  for (int kind = 0; kind < RegularKinds; ++kind)
+  {
+    const RegularShape& shape = RegularShapes[kind];
+    numbers[kind] = { static_cast<double>(shape.Volume),
+      { { static_cast<double>(shape.Centroid[0]), static_cast<double>(shape.Centroid[1]),
+        static_cast<double>(shape.Centroid[2]) } } };
+  }
+  return numbers;
+}
+
+constexpr std::array<RegularNumbers, RegularKinds> AllRegularNumbers = ListRegularNumbers();
 
 /// What elements get from a donor.
 class DonorSource
 {
 public:
+  DonorSource() = default;
   DonorSource(
     const CartesianGrid& grid, const Donor& donor, const double* own, const double* line) :
     Own(own), Line(line), Centroid(donor.Centroid), Ratio(donor.Volume / donor.Overlap)
@@ -136,7 +178,7 @@ public:
   /// Returns the part of a regular tet.
   StatePart Find(int kind) const
   {
-    const RegularShape& shape = RegularShapes[kind];
+    const RegularNumbers& shape = AllRegularNumbers[kind];
     Vector3 x;
     for (int a = 0; a < 3; ++a)
     {
@@ -147,59 +189,92 @@ public:
   }
 
 private:
-  const double *Own, *Line;
-  Vector3 Centroid;
-  double Ratio;           // volume of material per volume of elements
-  Vector3 Centre, Eighth; // centre of the cell relative to the centroid, eighths of its widths
-  double Volume24;        // 24th of the volume of the cell
+  const double *Own = nullptr, *Line = nullptr;
+  Vector3 Centroid{};
+  double Ratio = 0.0;         // volume of material per volume of elements
+  Vector3 Centre{}, Eighth{}; // centre of the cell relative to the centroid, eighths of its widths
+  double Volume24 = 0.0;      // 24th of the volume of the cell
 };
 
-std::vector<DonorSource> ListSources(const CartesianGrid& grid, const DonorTable& donors,
-  const DonorValues& values, const Slopes& slopes)
+/// Donors with their values, on which elements depend.
+struct FilledDonors
 {
-  std::vector<DonorSource> sources;
-  sources.reserve(donors.Count());
-  for (int s = 0; s < donors.Count(); ++s)
+  const CartesianGrid& Grid;
+  const DonorTable& Donors;
+  const DonorValues& Values;
+  const Slopes& Lines;
+};
+
+/// The sources of the donors that were used last, because consecutive elements share most of them.
+class RecentSources
+{
+public:
+  explicit RecentSources(const FilledDonors& filled) : Filled(filled), Recent(Count) {}
+
+  /// Returns what elements get from a donor. Valid until the next call.
+  const DonorSource& Of(int donor)
   {
-    sources.emplace_back(grid, donors[s], values.Of(s), slopes.LineOf(s));
+    Entry& entry = this->Recent[donor % Count];
+    if (entry.Donor != donor)
+    {
+      const FilledDonors& f = this->Filled;
+      entry.Donor = donor;
+      entry.Source =
+        DonorSource(f.Grid, f.Donors[donor], f.Values.Of(donor), f.Lines.LineOf(donor));
+    }
+    return entry.Source;
   }
-  return sources;
-}
+
+private:
+  static constexpr unsigned int Count = 512;
+  struct Entry
+  {
+    int Donor = -1;
+    DonorSource Source;
+  };
+  const FilledDonors& Filled;
+  std::vector<Entry> Recent;
+};
 
 /// Adds the parts of element i of a list.
-void AddParts(
-  const DonorParts& some, Index i, const std::vector<DonorSource>& sources, ElementState& element)
+void AddParts(const DonorParts& some, Index i, RecentSources& sources, ElementStates& states)
 {
   for (int p = some.Offsets[i]; p < some.Offsets[i + 1]; ++p)
   {
-    element.Add(sources[some.Parts[p].Donor].Find(some.Parts[p]));
+    states.Add(sources.Of(some.Parts[p].Donor).Find(some.Parts[p]));
   }
-  for (int p = 0; !some.Regular.empty() && p < 2 && some.Regular[i].Donor[p] >= 0; ++p)
+  if (some.Regular.empty())
   {
-    element.Add(sources[some.Regular[i].Donor[p]].Find(some.Regular[i].Kind[p]));
+    return;
+  }
+  const RegularDonors& regular = some.Regular[i];
+  for (int p = 0; p < 2 && regular.Donor[p] >= 0; ++p)
+  {
+    states.Add(sources.Of(regular.Donor[p]).Find(regular.Kind[p]));
   }
 }
 
 /// Fills elements, and frees their parts, so that parts and state need not fit in memory together.
-void FillFromDonors(std::vector<DonorParts> pieces, const std::vector<DonorSource>& sources,
+void FillFromDonors(std::vector<DonorParts> pieces, const FilledDonors& filled,
   const StateSource& source, Runtime& runtime, TransferredState& state)
 {
   constexpr int ListsPerRelease = 16;
-  int filled = 0;
+  int lists = 0;
   for (DonorParts& some : pieces)
   {
     runtime.For(0, static_cast<Index>(some.Elements.size()),
       [&](Index begin, Index end)
       {
         StateWriter writer(source, state);
+        RecentSources sources(filled);
         for (Index i = begin; i < end; ++i)
         {
-          AddParts(some, i, sources, writer.Next());
-          writer.Write(some.ElementAt(i));
+          AddParts(some, i, sources, writer.Start(some.ElementAt(i)));
         }
+        writer.Write();
       });
     some = DonorParts();
-    if (++filled % ListsPerRelease == 0)
+    if (++lists % ListsPerRelease == 0)
     {
       ReleaseFreeMemory();
     }
@@ -224,7 +299,7 @@ void FillFromCells(const Mesh& mesh, const WholeElements& whole, const HasDonors
         {
           continue;
         }
-        ElementState& element = writer.Next();
+        ElementStates& states = writer.Start(e);
         const IndexBox cells = whole.CellsOf(e);
         own.resize(cells.NumberOfCells() * width);
         double* next = own.data();
@@ -233,10 +308,10 @@ void FillFromCells(const Mesh& mesh, const WholeElements& whole, const HasDonors
           {
             source.Read(p, mesh.Material[e], next);
             const double volume = source.Request.Grid.CellVolume(p);
-            element.Add({ next, slopes.LineOf(0), {}, volume, volume });
+            states.Add({ next, slopes.LineOf(0), {}, volume, volume });
             next += width;
           });
-        writer.Write(e);
+        writer.Write(); // before own changes
       }
     });
 }
@@ -255,7 +330,7 @@ TransferredState TransferState(const Mesh& mesh, const TransferRequest& request,
   const RegularTets regular(mesh, grid, runtime);
 
   DonorTable donors(grid);
-  std::vector<DonorShape> shapes;
+  DonorShapes shapes;
   const auto findParts = [&](const std::function<bool(Index element)>& isNeeded)
   { return FindDonorParts(mesh, isNeeded, grid, regular, partition, runtime, donors, shapes); };
   const auto findWholeParts = [&](const std::function<bool(Index element)>& isNeeded)
@@ -287,13 +362,12 @@ TransferredState TransferState(const Mesh& mesh, const TransferRequest& request,
     ? Slopes(columns)
     : Slopes(columns, grid, donors, values, shapes,
         links.Narrow([&](int s) { return donors[s].HasParts; }), runtime);
-  std::vector<DonorShape>().swap(shapes); // keeps the peak of memory low
+  DonorShapes().swap(shapes); // keeps the peak of memory low
 
   Allocate(request.Quantities, mesh.Material.size(), state);
-  const std::vector<DonorSource> sources = ListSources(grid, donors, values, slopes);
   for (std::vector<DonorParts>* pieces : { &moved, &near, &inside })
   {
-    FillFromDonors(std::move(*pieces), sources, source, runtime, state);
+    FillFromDonors(std::move(*pieces), { grid, donors, values, slopes }, source, runtime, state);
   }
   FillFromCells(
     mesh, whole, [&](Index e) { return isNear(e) || isInside(e); }, source, runtime, state);

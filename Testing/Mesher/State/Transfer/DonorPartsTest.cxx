@@ -44,7 +44,7 @@ TEST(DonorParts, OfShiftedHexes)
         const RegularTets regular(mesh, grid, runtime);
         const auto cellOf = [&](Index e) { return CellOfElement(grid, mesh, mesh.ElementIds[e]); };
         DonorTable donors(grid);
-        std::vector<DonorShape> shapes;
+        DonorShapes shapes;
         const std::vector<DonorParts> pieces = FindDonorParts(
           mesh, [&](Index e) { return cellOf(e)[0] < 7; }, grid, regular, partition, runtime,
           donors, shapes);

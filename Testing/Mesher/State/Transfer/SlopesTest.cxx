@@ -50,7 +50,7 @@ struct FullCells
   const CartesianGrid& Grid;
   Runtime Run;
   DonorTable Donors;
-  std::vector<DonorShape> Shapes;
+  DonorShapes Shapes;
   DonorValues Values{ static_cast<int>(Grid.Global().NumberOfCells()), Columns };
 };
 
