@@ -420,12 +420,14 @@ extern "C"
    *   particles
    * - .bdf, .nas (Nastran): properties, sets of nodes, a unit pressure on each surface, particles
    *   as point masses
+   * - .feb (FEBio): version 4.0: elements of each material, sets of nodes, surfaces, element data
    * - .msh (Gmsh): version 2.2 or 4.1, text or binary: named volumes, domain sides and interfaces
    * - .xdmf (XDMF): for dolfinx: materials, and a second file of tagged facets, FILE_facets.xdmf
    * - .foam (OpenFOAM): the folder of the file is a case with patches, zones and a cloud of
    *   particles; N ranks write a folder processorRANK each
    * - .stl (STL): only the closed surface of each material; with {} in the name one file per
    *   material, as in bones_{}.stl
+   * - .obj (OBJ): the same surfaces, one group per material, with common vertices
    * - .vtp (VTK particles): only the particles, with all arrays
    * - .data (LAMMPS): only the particles, as spheres with diameter, density and velocity
    * @param path  path of the file, equal on all ranks
