@@ -256,6 +256,17 @@ public:
   /// Values in no range are void. Allowed: ranges that do not overlap, LOW:HIGH with LOW below
   /// HIGH, LOW or :HIGH, with commas between them, or None; default None.
   vfmTextOption(Threshold);
+  /// The volume fraction arrays are level sets: signed distances, or other functions that are
+  /// negative inside their material, at the centres of the cells. The part of each cell that is
+  /// inside becomes its fraction. Priority: a point belongs to the first array that is negative
+  /// there, so each level set may contain those before it, as layers of films do. Lowest: to the
+  /// array of the lowest value, if it is negative. Fill: as Lowest, also if it is positive, so that
+  /// there is no void. Off: the arrays are volume fractions. Allowed: Off, Priority, Lowest, Fill
+  /// (or 0 to 3); default Off.
+  vfmNumberOption(LevelSets, int);
+  /// Sign of level sets inside their material. With Positive, Lowest and Fill take the highest
+  /// value. Allowed: Negative, Positive (or 0 to 1); default Negative.
+  vfmNumberOption(LevelSetInside, int);
   /// Leave the mesh of an image with a direction matrix in the axes of the image. The sides of the
   /// domain then lie along x, y and z. Off: the mesh is rotated to the position of the image in
   /// space. Refinement boxes are in space; so are state arrays, except Rotated Arrays. Allowed: on
@@ -264,6 +275,10 @@ public:
   /// Mesh the void as well, as material 0, conforming with the materials. Allowed: on or off;
   /// default off.
   vfmSwitchOption(MeshVoid);
+  /// Make a mesh of a plane from input that is one layer of cells along an axis: quadrilaterals, or
+  /// triangles instead of tetrahedra, of all materials. Interfaces are curves. Volumes in reports
+  /// are areas. Off: such input gives a layer of solid elements. Allowed: on or off; default off.
+  vfmSwitchOption(Flat);
   /// Axes along which the input is one period of a material that repeats. The mesh of one side is
   /// then a copy of the mesh of the opposite side, at exactly one period from it, and the point
   /// array PeriodicPartner pairs their nodes. Surfaces, volumes and fragments continue across these

@@ -4,7 +4,7 @@
  * second-level cache, measured in turn.
  */
 #include "Base/Vector3.h"
-#include "HexBlock.h"
+#include "Cells/HexBlock.h"
 #include "RandomDraw.h"
 #include "SerialTimes.h"
 #include "Smoothing/Hex/HexEnergy.h"

@@ -1,7 +1,7 @@
 /// Points go back with two rings around, and only elements at points that have moved are checked.
 #include "Smoothing/Guard.h"
 #include "Base/ThreadRuntime.h"
-#include "HexBlock.h"
+#include "Cells/HexBlock.h"
 #include "Smoothing/ForFlagged.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 /// Hexes with small coefficients are found in all hexes or in those at given points.
 #include "Smoothing/Hex/PositiveHexes.h"
 #include "Base/ThreadRuntime.h"
-#include "HexBlock.h"
+#include "Cells/HexBlock.h"
 #include "RandomDraw.h"
 
 #include <gtest/gtest.h>
