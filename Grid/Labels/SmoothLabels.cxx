@@ -297,9 +297,8 @@ double FindError(const std::vector<double>& lack, const std::vector<double>& tot
 }
 
 /// Changes the parts of the active cells on several threads.
-/// @param makeBody  makeBody() returns the body of a range of cells; body(c, cell, parts, tally)
-/// may
-///   change the parts and the floor of cell c, and add rates
+/// @param makeBody  makeBody() returns the body of a range of cells, which is called as
+///   body(c, cell, parts, tally). It may change the parts and the floor of cell c, and add rates
 template <class MakeBody>
 Balance Visit(ActiveCells& active, const MakeBody& makeBody)
 {

@@ -11,6 +11,7 @@
 #include "Report/FragmentTargets.h"
 #include "Report/Gather/GatherMesh.h"
 
+#include <exception>
 #include <filesystem>
 
 namespace vfm
@@ -79,6 +80,28 @@ void WriteSummary(const MeshData& mesh, const std::string& path,
   file.Close();
 }
 
+/// Calls write() on all ranks. What it throws on a rank is thrown there after all have called it:
+/// the rank that made their common folder removes it then, while no other rank writes into it.
+/// @pre Collective
+template <class Write>
+void WriteOnAll(Ranks& ranks, const Write& write)
+{
+  std::exception_ptr problem;
+  try
+  {
+    write();
+  }
+  catch (...)
+  {
+    problem = std::current_exception();
+  }
+  ranks.Any(problem != nullptr); // waits for all
+  if (problem)
+  {
+    std::rethrow_exception(problem);
+  }
+}
+
 } // namespace
 
 void WriteVtu(const MeshData& mesh, const std::string& path, Ranks& ranks)
@@ -140,16 +163,20 @@ void WritePvtu(const MeshData& mesh, const std::string& path, Ranks& ranks)
   WorkTogether(ranks,
     [&]
     {
-      if (isFilled[ranks.Rank()])
-      {
-        files.MakeFolder(folder);
-        WritePiece(part, (folder.parent_path() / pieces[ranks.Rank()]).string(), files);
-      }
-      if (ranks.Rank() == 0)
-      {
-        WriteSummary(part, path, pieces, isFilled, files);
-        WriteParticlesBeside(part, path, files);
-      }
+      WriteOnAll(ranks,
+        [&]
+        {
+          if (isFilled[ranks.Rank()])
+          {
+            files.MakeFolder(folder);
+            WritePiece(part, (folder.parent_path() / pieces[ranks.Rank()]).string(), files);
+          }
+          if (ranks.Rank() == 0)
+          {
+            WriteSummary(part, path, pieces, isFilled, files);
+            WriteParticlesBeside(part, path, files);
+          }
+        });
       files.Rename(ranks);
     });
 }
