@@ -182,8 +182,7 @@ void ActiveMesh::PlacePoints(const CartesianGrid& grid, const Mesh& mesh)
   for (std::size_t p = 0; p < this->MeshPoint.size(); ++p)
   {
     this->X[p] = this->StartOf(static_cast<int>(p));
-    this->Fixed[p] = FixedOnSides(FindDomainSides(
-                       grid, this->MeshPoints + 3 * static_cast<Index>(this->MeshPoint[p]))) |
+    this->Fixed[p] = FixedOnSides(FindDomainSides(grid, this->InMeshPoints(static_cast<int>(p)))) |
       grid.FlatSeams(mesh.PointAt(this->MeshPoint[p]));
   }
   for (int a = 0; a < 3; ++a)

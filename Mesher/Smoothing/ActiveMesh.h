@@ -245,6 +245,11 @@ struct ActiveMesh
   void PlacePoints(const CartesianGrid& grid, const Mesh& mesh);
   /// Sets OwnBounds: points between flat seams stay in the period in which they start.
   void BoundBySeams(const CartesianGrid& grid, const Mesh& mesh);
+  /// Returns the coordinates of a point in MeshPoints.
+  const double* InMeshPoints(int point) const
+  {
+    return this->MeshPoints + 3 * static_cast<Index>(this->MeshPoint[point]);
+  }
   /// Returns the position of a point in the mesh, grid coordinates.
   Vector3 StartOf(int point) const
   {
@@ -252,7 +257,7 @@ struct ActiveMesh
     {
       return this->Starts.ConvertedAt(point);
     }
-    const double* start = this->MeshPoints + 3 * static_cast<Index>(this->MeshPoint[point]);
+    const double* start = this->InMeshPoints(point);
     return { { (start[0] - this->Origin[0]) / this->Scale,
       (start[1] - this->Origin[1]) / this->Scale, (start[2] - this->Origin[2]) / this->Scale } };
   }
@@ -264,7 +269,7 @@ struct ActiveMesh
       this->Starts.Prefetch(point);
       return;
     }
-    __builtin_prefetch(this->MeshPoints + 3 * static_cast<Index>(this->MeshPoint[point]));
+    __builtin_prefetch(this->InMeshPoints(point));
   }
   /// Fills Starts, which take less memory than the points of the mesh and are in the order of the
   /// points here. They stay empty if points start at too many different places.

@@ -148,15 +148,13 @@ public:
 private:
   int SidesOf(int point) const
   {
-    return FindDomainSides(
-      this->Grid, this->Active.MeshPoints + 3 * static_cast<Index>(this->Active.MeshPoint[point]));
+    return FindDomainSides(this->Grid, this->Active.InMeshPoints(point));
   }
 
   /// Returns the axes (bits) along which a point is on a flat seam.
   int SeamsOf(int point) const
   {
-    const double* x =
-      this->Active.MeshPoints + 3 * static_cast<Index>(this->Active.MeshPoint[point]);
+    const double* x = this->Active.InMeshPoints(point);
     return this->Grid.FlatSeams(Vector3{ { x[0], x[1], x[2] } });
   }
 

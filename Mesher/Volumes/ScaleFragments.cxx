@@ -169,15 +169,17 @@ bool Scaling::LabelRing()
   ForEach(this->Run, this->FragmentOf.size(),
     [&](Index point)
     {
-      if (this->FragmentOf[point] != 0 && corners[point] == corners[point + 1])
+      if (this->FragmentOf[point] == 0)
+      {
+        return;
+      }
+      if (corners[point] == corners[point + 1])
       {
         areUnknown = true;
+        return;
       }
-      else if (this->FragmentOf[point] != 0)
-      {
-        this->Mesh.ForAround(static_cast<int>(point),
-          [&](int other) { __atomic_store_n(&isReached[other], 1, __ATOMIC_RELAXED); });
-      }
+      this->Mesh.ForAround(static_cast<int>(point),
+        [&](int other) { __atomic_store_n(&isReached[other], 1, __ATOMIC_RELAXED); });
     });
   std::atomic<bool> isNew(false);
   this->Mesh.ForOwned(this->Run,

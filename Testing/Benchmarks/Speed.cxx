@@ -30,6 +30,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <iterator>
+#include <map>
 
 using namespace vfm;
 using namespace vfm::testing;
@@ -358,10 +359,11 @@ int main(int argc, char** argv)
   { return argc > a ? std::max(1, std::atoi(argv[a])) : otherwise; };
   const int runs = argument(2, 3), threads = argument(3, 1), ranks = argument(4, 1);
   std::vector<SpeedCase> cases = ListCases(), real = ListRealCases(), parts = ListParts();
-  if (requested.rfind("list", 0) == 0)
+  const std::map<std::string, const std::vector<SpeedCase>*> lists{ { "list", &cases },
+    { "list-real", &real }, { "list-parts", &parts } };
+  if (const auto list = lists.find(requested); list != lists.end())
   {
-    const auto& listed = requested == "list" ? cases : requested == "list-real" ? real : parts;
-    for (const SpeedCase& what : listed)
+    for (const SpeedCase& what : *list->second)
     {
       std::printf("%s\n", what.Name.c_str());
     }
